@@ -1,0 +1,33 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * invcal/calibrate.h: everything in one call, for positions that stand in an array.
+ */
+#ifndef INVCAL_CALIBRATE_H
+#define INVCAL_CALIBRATE_H
+
+#include "invcal/quality.h"
+
+/* Why a calibration was refused, beyond the status. */
+typedef struct {
+    unsigned position;     /* of a bad reading, counted from 0; else the number of positions */
+    uint16_t undetermined; /* bit r: parameter r is left open (INVCAL_TOO_FEW, _UNDETERMINED) */
+} invcal_reason;
+
+/* Calibrates from position means: rows, solution, residuals, judgement.
+ *
+ * raw       3 count numbers: the position means x y z, x y z, ... in raw units, in any order.
+ *           Nine positions are the least, twelve to eighteen well spread ones are good.
+ * settings  see invcal_settings. The residuals may show more noise than stated; with a prior the
+ *           solution is then made once more with that noise.
+ * solution  the calibration and its parameters.
+ * quality   its sigma and verdict. Look at the verdict before you use the solution.
+ * reason    null, or what was wrong; written on failure only.
+ *
+ * Returns what the rooms return: INVCAL_OK, INVCAL_NOT_FINITE, INVCAL_OUT_OF_RANGE (with the
+ * position), INVCAL_BAD_SETTING, INVCAL_TOO_FEW, INVCAL_UNDETERMINED, INVCAL_NOT_ELLIPSOID.
+ * Stack: about 1,200 bytes (float). */
+invcal_status invcal_calibrate(const invcal_real *raw, unsigned count,
+                               const invcal_settings *settings, invcal_solution *solution,
+                               invcal_quality *quality, invcal_reason *reason);
+
+#endif

@@ -1,0 +1,40 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * invcal/cholesky.h: A = L L', for symmetric positive definite A of any size up to
+ * INVCAL_MAX_PARAMETERS, packed by rows (INVCAL_PACKED).
+ *
+ * n is from 1 to INVCAL_MAX_PARAMETERS throughout; anything else is a programming error.
+ */
+#ifndef INVCAL_CHOLESKY_H
+#define INVCAL_CHOLESKY_H
+
+#include "invcal/normal.h"
+
+/* Factors a matrix in place.
+ *
+ * a      in: the packed matrix; out: L, packed. On failure what is in it is lost: factor a copy.
+ * floor  a pivot counts as zero unless it exceeds floor times the largest diagonal element of a.
+ *        Relative to the largest element, not to the pivot's own: the latter lets matrices
+ *        through that are singular to rounding. Use at least INVCAL_PIVOT_FLOOR.
+ *
+ * Returns INVCAL_OK; INVCAL_UNDETERMINED if a pivot is too small, negative or NaN.
+ * Cost: n^3/6 multiply-adds, n square roots. */
+invcal_status invcal_cholesky_factor(invcal_real *a, unsigned n, invcal_real floor);
+
+/* Below this a pivot is rounding error, or the parameter behind it might as well be. */
+#define INVCAL_PIVOT_FLOOR (INVCAL_DOUBLE ? INVCAL_REAL(1e-8) : 16 * INVCAL_EPSILON)
+
+/* Replaces x by the solution y of L y = x. Cost: n^2/2 multiply-adds.
+ * |y|^2 = x' A^-1 x, the variance of the combination x of parameters. */
+void invcal_cholesky_forward(const invcal_real *l, unsigned n, invcal_real *x);
+
+/* Replaces x by the solution y of A y = x. Cost: n^2 multiply-adds. */
+void invcal_cholesky_solve(const invcal_real *l, unsigned n, invcal_real *x);
+
+/* Replaces L by A^-1, packed. Cost: n^3/3 multiply-adds. */
+void invcal_cholesky_inverse(invcal_real *l, unsigned n);
+
+/* The diagonal of A^-1, n numbers, L kept. Cost: n^3/6 multiply-adds. */
+void invcal_cholesky_inverse_diagonal(const invcal_real *l, unsigned n, invcal_real *diagonal);
+
+#endif

@@ -1,0 +1,68 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * invcal/config.h: version, number type, and what a build may choose.
+ *
+ * Nothing here has to be set. To change a default, either define its macro on the command line
+ * or name one header of your own, which is included first:
+ *
+ *     cc -DINVCAL_CONFIG_HEADER='"my_invcal_config.h"' ...
+ *
+ * The library and everything that includes its headers must be compiled with the same choices.
+ */
+#ifndef INVCAL_CONFIG_H
+#define INVCAL_CONFIG_H
+
+#include <float.h>
+
+#ifdef INVCAL_CONFIG_HEADER
+#include INVCAL_CONFIG_HEADER
+#endif
+
+/* The version of the library. This is its only source: packages read it from here. */
+#define INVCAL_VERSION_MAJOR 0
+#define INVCAL_VERSION_MINOR 1
+#define INVCAL_VERSION_PATCH 0
+#define INVCAL_VERSION "0.1.0"
+
+/* 0: invcal_real is float, and no double arithmetic is compiled. 1: it is double. */
+#ifndef INVCAL_DOUBLE
+#define INVCAL_DOUBLE 0
+#endif
+
+/* The longest row that the Cholesky and eigenvalue rooms accept. 9 is the rigid model; rows
+ * widened by temperature need 18 or 27. Costs 4 bytes of stack for each unit (float). */
+#ifndef INVCAL_MAX_PARAMETERS
+#define INVCAL_MAX_PARAMETERS 9
+#endif
+
+/* Called with a condition that only a programming error can break (a null pointer, a row longer
+ * than INVCAL_MAX_PARAMETERS). Bad data never come here: they are answered with a status.
+ * By default nothing is compiled; define it, for example, as assert or as a breakpoint. */
+#ifndef INVCAL_ASSERT
+#define INVCAL_ASSERT(condition) ((void)sizeof(condition))
+#endif
+
+#if INVCAL_DOUBLE != 0 && INVCAL_DOUBLE != 1
+#error "INVCAL_DOUBLE must be 0 (float) or 1 (double)"
+#endif
+#if INVCAL_MAX_PARAMETERS < 9 || INVCAL_MAX_PARAMETERS > 27
+#error "INVCAL_MAX_PARAMETERS must be from 9 to 27"
+#endif
+
+#if INVCAL_DOUBLE
+typedef double invcal_real;
+#define INVCAL_REAL(literal) literal
+#define INVCAL_EPSILON DBL_EPSILON
+#define INVCAL_REAL_MAX DBL_MAX
+#define INVCAL_SQRT sqrt
+#define INVCAL_FABS fabs
+#else
+typedef float invcal_real;
+#define INVCAL_REAL(literal) literal##f
+#define INVCAL_EPSILON FLT_EPSILON
+#define INVCAL_REAL_MAX FLT_MAX
+#define INVCAL_SQRT sqrtf
+#define INVCAL_FABS fabsf
+#endif
+
+#endif

@@ -1,0 +1,75 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * invcal/normal.h: the normal equations, built position by position.
+ *
+ * Rows j + h p = 0 of weight w are kept as the sums H'WH, H'Wj, j'Wj (paper: H'H, H'J). Their
+ * size does not depend on the number of positions, and order does not matter beyond rounding.
+ */
+#ifndef INVCAL_NORMAL_H
+#define INVCAL_NORMAL_H
+
+#include "invcal/observation.h"
+
+/* A symmetric matrix of n rows, lower triangle by rows: (r, c) with c <= r stands here. */
+#define INVCAL_PACKED(r, c) ((r) * ((r) + 1u) / 2u + (c))
+#define INVCAL_PACKED_SIZE(n) ((n) * ((n) + 1u) / 2u)
+
+typedef struct {
+    invcal_real hth[INVCAL_PACKED_SIZE(INVCAL_PARAMETERS)]; /* H'WH, packed */
+    invcal_real htj[INVCAL_PARAMETERS];                     /* H'Wj */
+    invcal_real jtj;                                        /* j'Wj */
+    invcal_real count;  /* positions in the sums; a fraction once they have been scaled */
+    invcal_model model; /* of the rows in the sums; without meaning while count is 0 */
+} invcal_normal;
+
+/* Empties the sums. All bytes zero is the same state. */
+void invcal_normal_init(invcal_normal *normal);
+
+/* Adds one equation.
+ *
+ * weight  1 for a position like the others; (sigma_usual / sigma_this)^2 for another precision.
+ *         Finite, > 0.
+ *
+ * Returns INVCAL_OK; INVCAL_BAD_SETTING for an unusable weight; INVCAL_MIXED if rows of the
+ * other model are in the sums. Cost: 55 multiply-adds, no division. */
+invcal_status invcal_normal_add(invcal_normal *normal, const invcal_observation *observation,
+                                invcal_real weight);
+
+/* Takes out an equation that was added with the same weight before.
+ *
+ * What is left equals the sums without it within a few units in the last place of the larger
+ * sums; only adding the others again is exact.
+ *
+ * Returns as invcal_normal_add, and INVCAL_TOO_FEW if less than one position is in the sums. */
+invcal_status invcal_normal_remove(invcal_normal *normal, const invcal_observation *observation,
+                                   invcal_real weight);
+
+/* Adds the sums of other to those of normal; both must stem from the same nominal calibration
+ * and field. Returns INVCAL_OK; INVCAL_MIXED. */
+invcal_status invcal_normal_merge(invcal_normal *normal, const invcal_normal *other);
+
+/* Multiplies all sums and the count: 0 < factor <= 1 lets old positions fade.
+ * Returns INVCAL_OK; INVCAL_BAD_SETTING for any other factor. */
+invcal_status invcal_normal_scale(invcal_normal *normal, invcal_real factor);
+
+/* Adds what is known beforehand: parameter r is 0 with standard deviation sigma[r].
+ *
+ * It adds (noise / sigma[r])^2 to the diagonal, which makes the solution a Bayesian update
+ * (design section 2, "Prior"). The count does not change.
+ *
+ * sigma  nine standard deviations, order and units of the nine parameters; 0 stands for "nothing
+ *        known of this one"; else finite, > 0.
+ * noise  standard deviation of one equation (noise of a position mean over field), finite, > 0.
+ *
+ * Returns INVCAL_OK; INVCAL_BAD_SETTING. */
+invcal_status invcal_normal_add_prior(invcal_normal *normal,
+                                      const invcal_real sigma[INVCAL_PARAMETERS],
+                                      invcal_real noise);
+
+/* The smallest noise with which that prior is more than rounding beside the rows in the sums:
+ * about 1/500 of the widest sigma in float, 1/10^7 in double. With less, rounding errors of H'H
+ * would count as data. */
+invcal_real invcal_normal_prior_noise(const invcal_normal *normal,
+                                      const invcal_real sigma[INVCAL_PARAMETERS]);
+
+#endif

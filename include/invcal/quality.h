@@ -1,0 +1,76 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * invcal/quality.h: how far a solution can be trusted.
+ */
+#ifndef INVCAL_QUALITY_H
+#define INVCAL_QUALITY_H
+
+#include <stdint.h>
+
+#include "invcal/residual.h"
+
+typedef enum {
+    INVCAL_GOOD,          /* every parameter determined, and checked by positions to spare */
+    INVCAL_NO_REDUNDANCY, /* determined, but as many equations as unknowns: nothing checks it */
+    INVCAL_WEAK           /* some parameter is determined badly (or by its prior only): usable
+                             only within its large sigma; see undetermined */
+} invcal_verdict;
+
+/* "good", "no redundancy", "weak"; any other value gives "unknown verdict". */
+const char *invcal_verdict_text(invcal_verdict verdict);
+
+typedef struct {
+    invcal_real sigma_offset[3]; /* standard deviations: of the offset in raw units, */
+    invcal_real sigma_delta[3];  /* and of the nine parameters in their own units */
+    invcal_real sigma_dk[3];
+    invcal_real sigma_gamma[3];
+    invcal_real noise;        /* standard deviation of a position mean behind them, over field: the
+                                 larger of stated and observed; 1 if neither is there */
+    invcal_real dof;          /* degrees of freedom left for the residuals; 0: no check */
+    invcal_real coverage;     /* +- coverage * sigma holds the truth in 95 % of cases */
+    invcal_real residual_rms; /* of |calibrated| / field - 1 over the positions */
+    invcal_real residual_max; /* its largest, without sign, */
+    unsigned worst;           /* and at which position, from 0 */
+    invcal_real condition;    /* of H'H of the calibrated unit vectors, prior included */
+    invcal_real K[INVCAL_PACKED_SIZE(INVCAL_PARAMETERS)]; /* its inverse, packed: the covariance
+                                 of the nine parameters in calibrated units over noise^2 */
+    uint16_t undetermined; /* bit r: sqrt(K(r,r)) > 10, parameter r is badly determined */
+    uint16_t from_prior;   /* bit r: the prior tells more about parameter r than the data */
+    invcal_verdict verdict;
+} invcal_quality;
+
+/* Judges a solution.
+ *
+ * Cov = noise^2 G K G', G the Jacobian from calibrated units to the parameters: no shortcut
+ * X = -p, so sigma holds at errors of 10 % too (design section 2, "Uncertainty").
+ * noise^2 is the larger of what settings->noise says and sum(residual^2) / dof, dof = positions
+ * minus parameters (minus what the prior supplied).
+ *
+ * residuals  all positions that made the solution, or as many of them as are still stored: the
+ *            parameters are then shared out, dof = stored (1 - 9 / used).
+ * used       the count of the normal equations behind the solution.
+ * settings   those of invcal_solve.
+ *
+ * Returns INVCAL_OK;
+ *   INVCAL_BAD_SETTING   settings or residuals unusable, used less than the residuals' count;
+ *   INVCAL_UNDETERMINED  some sqrt(K(r,r)) exceeds 1000, or the calibrated unit vectors are
+ *                        singular to rounding, without a prior to hold them;
+ *   INVCAL_NOT_ELLIPSOID residuals of more than 10 % of the field: these are no readings of one
+ *                        field by one triad at rest.
+ * After a failure the solution must not be used. Stack: about 600 bytes (float). */
+invcal_status invcal_assess(const invcal_residuals *residuals, invcal_real used,
+                            const invcal_settings *settings, const invcal_solution *solution,
+                            invcal_quality *quality);
+
+/* Which parameters the positions leave open, as bits (bit r: parameter r), so that a refusal can
+ * name them. Uses a small ridge on H'H: a parameter that the ridge holds is one that the data
+ * do not. Rough by nature; empty sums leave all nine open.
+ * Stack: about 300 bytes (float). */
+uint16_t invcal_undetermined(const invcal_normal *normal);
+
+/* The factor k for which +- k sigma covers 95 %: Student's t for a sigma estimated with dof
+ * degrees of freedom, 12.706 at 1, 1.960 for very many. dof is rounded down; below 1: that of 1.
+ * Exact to 0.002 (relative). */
+invcal_real invcal_coverage(invcal_real dof);
+
+#endif

@@ -1,0 +1,40 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * invcal/residual.h: how well the positions agree with a solution.
+ *
+ * The stored positions are gone through a second time, now in calibrated units. That serves three
+ * ends at once: residuals without cancellation (those from the sums of the first pass are lost
+ * in float: 109 against 118 millionths on a real sensor), the covariance of the *calibrated*
+ * unit vectors, and each row weighted with the noise that it really has (|A eta| differs between
+ * directions by as much as the scale errors, and so would the reported sigma).
+ */
+#ifndef INVCAL_RESIDUAL_H
+#define INVCAL_RESIDUAL_H
+
+#include "invcal/solution.h"
+
+typedef struct {
+    invcal_normal normal;      /* weighted exact rows of the calibrated readings */
+    invcal_real correction[6]; /* A = (I + S)^-1, packed */
+    invcal_real delta[3];
+    invcal_real gain;    /* root mean square of |A eta| over all directions */
+    invcal_real squares; /* sum of the squared residuals |calibrated| / field - 1 */
+    invcal_real max;     /* the largest residual, without its sign */
+    unsigned worst;      /* its position, counted from 0 in the order of addition */
+    unsigned count;
+} invcal_residuals;
+
+/* Empties the sums and takes over what is needed of the solution. */
+void invcal_residuals_init(invcal_residuals *residuals, const invcal_solution *solution);
+
+/* Adds one position.
+ *
+ * u         its reading, as given to invcal_observation_exact for the solution.
+ * residual  |calibrated| / field - 1; may be null.
+ *
+ * Returns INVCAL_OK, or what invcal_observation_exact returns for the calibrated reading.
+ * Cost: about that of adding it to the normal equations. */
+invcal_status invcal_residuals_add(invcal_residuals *residuals, const invcal_real u[3],
+                                   invcal_real *residual);
+
+#endif

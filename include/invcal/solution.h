@@ -1,0 +1,71 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * invcal/solution.h: from the normal equations to the calibration.
+ */
+#ifndef INVCAL_SOLUTION_H
+#define INVCAL_SOLUTION_H
+
+#include "invcal/eigen.h"
+
+/* Lengths cannot tell how the calibrated frame is turned against the case: one has to choose.
+ * Delta, dk and gamma are always those of the symmetric model. */
+typedef enum {
+    INVCAL_FRAME_SYMMETRIC, /* closest to the axes of the nominal calibration (default) */
+    INVCAL_FRAME_TRIANGULAR /* matrix upper triangular for a diagonal nominal matrix, as imu_tk:
+                               only the x sensor feels a field along the calibrated x axis */
+} invcal_frame;
+
+/* What the user knows and wants. */
+typedef struct {
+    invcal_calibration nominal; /* the one the readings were made with */
+    invcal_real field;          /* length of the field, field units, > 0 */
+    invcal_real noise;          /* standard deviation of one position mean on each axis, field
+                                   units; 0: not known, then only the residuals tell */
+    invcal_real prior[INVCAL_PARAMETERS]; /* what is known beforehand of the deviation from
+                                   nominal: standard deviations, 0: nothing. Needs noise > 0 */
+    invcal_frame frame;
+} invcal_settings;
+
+typedef struct {
+    invcal_calibration calibration; /* offset (raw units), matrix (field units per raw unit) */
+    invcal_real delta[3];           /* zero offsets against nominal, over field */
+    invcal_real dk[3];              /* scale errors against nominal: 0.01 reads 1 % too much */
+    invcal_real gamma[3];           /* non-orthogonality xy, xz, zy against nominal, rad */
+} invcal_solution;
+
+/* Solves the normal equations (design section 2):
+ *
+ *     p = -(H'H)^-1 H'J
+ *     v = (p0 p1 p2),  Q = I + [2 p3 p6 p7; p6 2 p4 p8; p7 p8 2 p5]
+ *     delta = -Q^-1 v,  k = 1 + delta Q delta,  I + S = (Q / k)^-1/2
+ *     calibrated = A (u - delta),  A'A = Q / k
+ *
+ * and for the linear model X = -p, A = (I + S)^-1. One 9x9 Cholesky, no iteration that could
+ * fail to converge. Then A and delta are joined with the nominal calibration.
+ *
+ * normal    sums of rows made with settings->nominal and settings->field. Not changed: more
+ *           positions may be added afterwards.
+ * settings  with priors, noise / prior is held up to what the number type can resolve: in float
+ *           noise counts as at least about 1/500 of the widest prior.
+ *
+ * Returns INVCAL_OK;
+ *   INVCAL_BAD_SETTING    field, noise, prior or nominal unusable;
+ *   INVCAL_TOO_FEW        fewer positions than parameters without a prior;
+ *   INVCAL_UNDETERMINED   the positions leave parameters open, to the precision of the number
+ *                         type; invcal_undetermined (quality.h) names them;
+ *   INVCAL_NOT_ELLIPSOID  the readings lie on no ellipsoid (but, say, on a hyperboloid), or on
+ *                         one with a semi-axis outside 0.1 ... 10 of nominal.
+ *
+ * What it does not do is judge: INVCAL_OK says solvable, invcal_assess says how good.
+ * Stack: about one invcal_normal and 200 bytes (float). */
+invcal_status invcal_solve(const invcal_normal *normal, const invcal_settings *settings,
+                           invcal_solution *solution);
+
+/* 1 if the settings hold a prior for any parameter, else 0. */
+int invcal_has_prior(const invcal_settings *settings);
+
+/* The symmetric matrix I + S of the sensor model from dk and gamma, packed (INVCAL_PACKED):
+ * u = (I + S) eta + delta. */
+void invcal_solution_model(const invcal_solution *solution, invcal_real model[6]);
+
+#endif

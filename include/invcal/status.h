@@ -1,0 +1,55 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * invcal/status.h: what a function answers, and the names of the nine parameters.
+ *
+ * Rules that hold for the whole library and are not repeated at each function:
+ *
+ * - A function that returns anything but INVCAL_OK has left all its outputs untouched, unless
+ *   its own description says otherwise.
+ * - Every comparison fails closed: a NaN is never taken for a good value.
+ * - All structures are plain data owned by the caller. They hold no pointers into themselves,
+ *   may be copied with memcpy, and need no release.
+ * - There are no globals: every function is reentrant, and safe in an interrupt or a thread as
+ *   long as nobody else changes its arguments meanwhile.
+ * - A null pointer is a programming error (INVCAL_ASSERT), not a status.
+ */
+#ifndef INVCAL_STATUS_H
+#define INVCAL_STATUS_H
+
+#include "invcal/config.h"
+
+typedef enum {
+    INVCAL_OK = 0,
+    INVCAL_NOT_FINITE,   /* a reading is NaN or infinite */
+    INVCAL_OUT_OF_RANGE, /* a reading is below 1/10 or above 10 of the field: wrong scale or field */
+    INVCAL_NOT_UNIT,     /* a known direction is not a unit vector */
+    INVCAL_BAD_SETTING,  /* field, noise, weight, prior, scale or nominal calibration unusable */
+    INVCAL_MIXED,        /* rows of the exact and of the linear kind in one set of equations */
+    INVCAL_TOO_FEW,      /* fewer positions than parameters without a prior */
+    INVCAL_UNDETERMINED,  /* the positions leave some parameters open: see invcal_undetermined */
+    INVCAL_NOT_ELLIPSOID, /* the readings lie on no ellipsoid that a sensor triad can produce */
+    INVCAL_STATUS_COUNT
+} invcal_status;
+
+/* A sentence for a status, in plain English without a full stop, in read-only memory.
+ * Any value outside the enumeration gives "unknown status". */
+const char *invcal_status_text(invcal_status status);
+
+/* The nine parameters in the order of the paper's vector X and of every array of nine here. */
+enum {
+    INVCAL_DELTA_X = 0, /* zero offset over field (an accelerometer's: unit g) */
+    INVCAL_DELTA_Y,
+    INVCAL_DELTA_Z,
+    INVCAL_DK_X, /* scale error (1) */
+    INVCAL_DK_Y,
+    INVCAL_DK_Z,
+    INVCAL_GAMMA_XY, /* non-orthogonality (rad): sum of the two cross terms of the pair */
+    INVCAL_GAMMA_XZ,
+    INVCAL_GAMMA_ZY,
+    INVCAL_PARAMETERS
+};
+
+/* The name of a parameter: "delta_x" ... "gamma_zy". Outside 0 ... 8: "?". */
+const char *invcal_parameter_name(unsigned parameter);
+
+#endif

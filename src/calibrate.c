@@ -1,0 +1,96 @@
+/* SPDX-License-Identifier: MIT */
+#include "invcal/calibrate.h"
+
+#include <stddef.h>
+
+/* First pass: the normal equations of all positions. */
+static invcal_status accumulate(const invcal_real *raw, unsigned count,
+                                const invcal_settings *settings, invcal_normal *normal,
+                                unsigned *position)
+{
+    invcal_real u[3];
+    invcal_observation row;
+    const invcal_real *mean = raw;
+
+    invcal_normal_init(normal);
+    for (*position = 0; *position < count; ++*position, mean += 3) {
+        invcal_status status =
+            invcal_observation_reading(&settings->nominal, settings->field, mean, u);
+        if (status == INVCAL_OK) {
+            status = invcal_observation_exact(u, &row);
+        }
+        if (status == INVCAL_OK) {
+            status = invcal_normal_add(normal, &row, 1);
+        }
+        if (status != INVCAL_OK) {
+            return status;
+        }
+    }
+    return INVCAL_OK;
+}
+
+/* Second pass: the residuals of the solution. */
+static invcal_status compare(const invcal_real *raw, unsigned count,
+                             const invcal_settings *settings, const invcal_solution *solution,
+                             invcal_residuals *residuals)
+{
+    invcal_real u[3];
+    const invcal_real *mean = raw;
+
+    invcal_residuals_init(residuals, solution);
+    for (unsigned i = 0; i < count; i++, mean += 3) {
+        if (invcal_observation_reading(&settings->nominal, settings->field, mean, u) != INVCAL_OK ||
+            invcal_residuals_add(residuals, u, NULL) != INVCAL_OK) {
+            return INVCAL_NOT_ELLIPSOID; /* a reading fit for the first pass, absurd after it */
+        }
+    }
+    return INVCAL_OK;
+}
+
+static invcal_status solve_and_assess(const invcal_real *raw, const invcal_normal *normal,
+                                      const invcal_settings *settings, invcal_solution *solution,
+                                      invcal_quality *quality)
+{
+    invcal_residuals residuals;
+    const unsigned count = (unsigned)normal->count;
+    invcal_status status = invcal_solve(normal, settings, solution);
+
+    if (status == INVCAL_OK) {
+        status = compare(raw, count, settings, solution, &residuals);
+    }
+    if (status == INVCAL_OK) {
+        status = invcal_assess(&residuals, normal->count, settings, solution, quality);
+    }
+    return status;
+}
+
+invcal_status invcal_calibrate(const invcal_real *raw, unsigned count,
+                               const invcal_settings *settings, invcal_solution *solution,
+                               invcal_quality *quality, invcal_reason *reason)
+{
+    invcal_normal normal;
+    invcal_solution s;
+    invcal_quality q;
+    unsigned position;
+
+    INVCAL_ASSERT(raw && settings && solution && quality);
+    invcal_status status = accumulate(raw, count, settings, &normal, &position);
+    if (status == INVCAL_OK) {
+        status = solve_and_assess(raw, &normal, settings, &s, &q);
+    }
+    if (status == INVCAL_OK && invcal_has_prior(settings) &&
+        q.noise * settings->field > settings->noise) {
+        /* The data are noisier than stated: the prior counts for more. */
+        invcal_settings noisier = *settings;
+        noisier.noise = q.noise * settings->field;
+        status = solve_and_assess(raw, &normal, &noisier, &s, &q);
+    }
+    if (status == INVCAL_OK) {
+        *solution = s;
+        *quality = q;
+    } else if (reason) {
+        reason->position = position;
+        reason->undetermined = invcal_undetermined(&normal);
+    }
+    return status;
+}

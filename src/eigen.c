@@ -1,0 +1,166 @@
+/* SPDX-License-Identifier: MIT */
+#include "invcal/eigen.h"
+
+#include <string.h>
+
+#include "vector.h"
+
+/* More sweeps than any 3x3 matrix needs: convergence is quadratic. */
+enum { MAX_SWEEPS = 10 };
+
+/* Turns the axes p and q so that m(p,q) becomes zero; r is the third axis.
+ * t = tan of the angle, the smaller root of t^2 + 2 t theta - 1 = 0. */
+static void rotate(invcal_real m[3][3], invcal_real v[3][3], unsigned p, unsigned q)
+{
+    const unsigned r = 3 - p - q;
+    const invcal_real theta = (m[q][q] - m[p][p]) / (2 * m[p][q]);
+    const invcal_real root = INVCAL_SQRT(theta * theta + 1);
+    const invcal_real t = 1 / (theta < 0 ? theta - root : theta + root);
+    const invcal_real c = 1 / INVCAL_SQRT(t * t + 1);
+    const invcal_real s = t * c;
+    const invcal_real rp = m[r][p];
+    const invcal_real rq = m[r][q];
+
+    m[p][p] -= t * m[p][q];
+    m[q][q] += t * m[p][q];
+    m[p][q] = m[q][p] = 0;
+    m[r][p] = m[p][r] = c * rp - s * rq;
+    m[r][q] = m[q][r] = s * rp + c * rq;
+    for (unsigned i = 0; i < 3; i++) {
+        const invcal_real ip = v[i][p];
+        const invcal_real iq = v[i][q];
+        v[i][p] = c * ip - s * iq;
+        v[i][q] = s * ip + c * iq;
+    }
+}
+
+void invcal_eigen3_decompose(const invcal_real m[6], invcal_eigen3 *out)
+{
+    static const unsigned char pair[3][2] = {{0, 1}, {0, 2}, {1, 2}};
+    invcal_real a[3][3] = {{m[0], m[1], m[3]}, {m[1], m[2], m[4]}, {m[3], m[4], m[5]}};
+    invcal_real v[3][3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+
+    INVCAL_ASSERT(out);
+    for (unsigned i = 0; i < 3 * MAX_SWEEPS; i++) {
+        const unsigned p = pair[i % 3][0];
+        const unsigned q = pair[i % 3][1];
+        const invcal_real scale = INVCAL_FABS(a[p][p]) + INVCAL_FABS(a[q][q]);
+        /* An element below a hundredth of the rounding error of its row changes nothing. */
+        if (INVCAL_FABS(a[p][q]) > INVCAL_EPSILON / 100 * scale) {
+            rotate(a, v, p, q);
+        }
+    }
+    for (unsigned i = 0; i < 3; i++) {
+        out->value[i] = a[i][i];
+    }
+    memcpy(out->vector, v, sizeof v);
+}
+
+void invcal_eigen3_compose(const invcal_eigen3 *eigen, const invcal_real f[3], invcal_real out[6])
+{
+    INVCAL_ASSERT(eigen && f && out);
+    for (unsigned r = 0; r < 3; r++) {
+        const invcal_real *a = eigen->vector[r];
+        for (unsigned c = 0; c <= r; c++) {
+            const invcal_real *b = eigen->vector[c];
+            out[INVCAL_PACKED(r, c)] = a[0] * f[0] * b[0] + a[1] * f[1] * b[1] + a[2] * f[2] * b[2];
+        }
+    }
+}
+
+/* y = A x for a packed symmetric A of n rows. */
+static void multiply(const invcal_real *a, unsigned n, const invcal_real *x, invcal_real *y)
+{
+    for (unsigned r = 0; r < n; r++) {
+        const invcal_real *row = &a[INVCAL_PACKED(r, 0)];
+        y[r] = invcal_dot(row, x, r + 1);
+        for (unsigned c = 0; c < r; c++) {
+            y[c] += row[c] * x[r];
+        }
+    }
+}
+
+/* One step of Householder: mirrors row k of a, left of the diagonal, onto its last element, and
+ * the rows above likewise. Returns that element, the off-diagonal of the tridiagonal form. */
+static invcal_real mirror(invcal_real *a, unsigned k)
+{
+    invcal_real *v = &a[INVCAL_PACKED(k, 0)];
+    invcal_real w[INVCAL_MAX_PARAMETERS];
+    const invcal_real length = INVCAL_SQRT(invcal_dot(v, v, k));
+    const invcal_real image = v[k - 1] > 0 ? -length : length;
+
+    v[k - 1] -= image;
+    const invcal_real half = invcal_dot(v, v, k) / 2;
+    if (!(half > 0)) {
+        return image; /* nothing stands left of the diagonal */
+    }
+    /* (I - v v'/half) A (I - v v'/half) = A - v w' - w v', w = A v/half - v (v'A v)/(2 half^2) */
+    multiply(a, k, v, w);
+    const invcal_real share = invcal_dot(v, w, k) / (2 * half);
+    for (unsigned i = 0; i < k; i++) {
+        w[i] = (w[i] - share * v[i]) / half;
+    }
+    for (unsigned r = 0; r < k; r++) {
+        for (unsigned c = 0; c <= r; c++) {
+            a[INVCAL_PACKED(r, c)] -= v[r] * w[c] + w[r] * v[c];
+        }
+    }
+    return image;
+}
+
+/* How many eigenvalues of the tridiagonal matrix (diagonal d, squared off-diagonal e2) lie below
+ * x: the number of negative pivots of the matrix minus x. */
+static unsigned count_below(const invcal_real *d, const invcal_real *e2, unsigned n, invcal_real x)
+{
+    unsigned count = 0;
+    invcal_real pivot = 1;
+
+    for (unsigned i = 0; i < n; i++) {
+        pivot = d[i] - x - e2[i] / pivot;
+        count += pivot < 0;
+        if (INVCAL_FABS(pivot) <= INVCAL_EPSILON * INVCAL_EPSILON * x) {
+            pivot = INVCAL_EPSILON * INVCAL_EPSILON * x; /* x hits an eigenvalue of a part */
+        }
+    }
+    return count;
+}
+
+/* Halves low ... high until no number lies between, keeping fewer than `wanted` eigenvalues below
+ * low and at least that many below high. */
+static invcal_real bisect(const invcal_real *d, const invcal_real *e2, unsigned n, unsigned wanted,
+                          invcal_real high)
+{
+    invcal_real low = 0;
+
+    for (unsigned i = 0; i < (INVCAL_DOUBLE ? 80u : 40u); i++) {
+        const invcal_real middle = low + (high - low) / 2;
+        if (count_below(d, e2, n, middle) < wanted) {
+            low = middle;
+        } else {
+            high = middle;
+        }
+    }
+    return low;
+}
+
+invcal_real invcal_condition(invcal_real *a, unsigned n)
+{
+    invcal_real d[INVCAL_MAX_PARAMETERS];
+    invcal_real e2[INVCAL_MAX_PARAMETERS]; /* e2[i] couples i - 1 and i */
+    invcal_real trace = 0;
+
+    INVCAL_ASSERT(a && n >= 1 && n <= INVCAL_MAX_PARAMETERS);
+    for (unsigned k = n; k-- > 0;) {
+        const invcal_real e = k > 0 ? mirror(a, k) : 0;
+        e2[k] = e * e;
+        d[k] = a[INVCAL_PACKED(k, k)];
+        trace += d[k];
+    }
+    if (!invcal_is_positive(trace)) {
+        return INVCAL_REAL_MAX;
+    }
+    const invcal_real largest = bisect(d, e2, n, n, 2 * trace);
+    const invcal_real smallest = bisect(d, e2, n, 1, largest * 2);
+    return smallest > (invcal_real)n * INVCAL_EPSILON * largest ? largest / smallest
+                                                                : INVCAL_REAL_MAX;
+}

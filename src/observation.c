@@ -1,0 +1,107 @@
+/* SPDX-License-Identifier: MIT */
+#include "invcal/observation.h"
+
+#include "vector.h"
+
+static int is_finite(const invcal_real v[3])
+{
+    return invcal_is_finite(v[0]) && invcal_is_finite(v[1]) && invcal_is_finite(v[2]);
+}
+
+/* h(a) = (x y z x^2 y^2 z^2 xy xz yz): the paper's row. */
+static void row(const invcal_real a[3], invcal_real h[INVCAL_PARAMETERS])
+{
+    h[INVCAL_DELTA_X] = a[0];
+    h[INVCAL_DELTA_Y] = a[1];
+    h[INVCAL_DELTA_Z] = a[2];
+    h[INVCAL_DK_X] = a[0] * a[0];
+    h[INVCAL_DK_Y] = a[1] * a[1];
+    h[INVCAL_DK_Z] = a[2] * a[2];
+    h[INVCAL_GAMMA_XY] = a[0] * a[1];
+    h[INVCAL_GAMMA_XZ] = a[0] * a[2];
+    h[INVCAL_GAMMA_ZY] = a[1] * a[2];
+}
+
+/* Readings far from unit length are no readings of this field. */
+static invcal_status check_reading(const invcal_real u[3])
+{
+    const invcal_real square = invcal_dot(u, u, 3);
+
+    if (square >= INVCAL_REAL(0.01) && square <= INVCAL_REAL(100.0)) {
+        return INVCAL_OK;
+    }
+    return is_finite(u) ? INVCAL_OUT_OF_RANGE : INVCAL_NOT_FINITE;
+}
+
+static invcal_status check_vertical(const invcal_real vertical[3])
+{
+    const invcal_real excess = invcal_dot(vertical, vertical, 3) - 1; /* twice that of the length */
+
+    return INVCAL_FABS(excess) <= INVCAL_REAL(2e-4) ? INVCAL_OK : INVCAL_NOT_UNIT;
+}
+
+invcal_status invcal_observation_reading(const invcal_calibration *nominal, invcal_real field,
+                                         const invcal_real raw[3], invcal_real u[3])
+{
+    invcal_real v[3];
+
+    INVCAL_ASSERT(nominal && raw && u);
+    if (!invcal_is_positive(field)) {
+        return INVCAL_BAD_SETTING;
+    }
+    invcal_apply(nominal, raw, v);
+    for (unsigned i = 0; i < 3; i++) {
+        v[i] /= field;
+    }
+    if (!is_finite(v)) {
+        return INVCAL_NOT_FINITE;
+    }
+    for (unsigned i = 0; i < 3; i++) {
+        u[i] = v[i];
+    }
+    return INVCAL_OK;
+}
+
+invcal_status invcal_observation_exact(const invcal_real u[3], invcal_observation *out)
+{
+    INVCAL_ASSERT(u && out);
+    const invcal_status status = check_reading(u);
+
+    if (status == INVCAL_OK) {
+        row(u, out->h);
+        out->j = (invcal_dot(u, u, 3) - 1) / 2;
+        out->model = INVCAL_MODEL_ELLIPSOID;
+    }
+    return status;
+}
+
+/* The row of a known direction, which J1 and J2 share. */
+static invcal_status linear(const invcal_real u[3], const invcal_real vertical[3], invcal_real j,
+                            invcal_observation *out)
+{
+    invcal_status status = check_reading(u);
+
+    if (status == INVCAL_OK) {
+        status = check_vertical(vertical);
+    }
+    if (status == INVCAL_OK) {
+        row(vertical, out->h);
+        out->j = j;
+        out->model = INVCAL_MODEL_LINEAR;
+    }
+    return status;
+}
+
+invcal_status invcal_observation_first_order(const invcal_real u[3], const invcal_real vertical[3],
+                                             invcal_observation *out)
+{
+    INVCAL_ASSERT(u && vertical && out);
+    return linear(u, vertical, (invcal_dot(u, u, 3) - 1) / 2, out);
+}
+
+invcal_status invcal_observation_vertical(const invcal_real u[3], const invcal_real vertical[3],
+                                          invcal_observation *out)
+{
+    INVCAL_ASSERT(u && vertical && out);
+    return linear(u, vertical, invcal_dot(u, vertical, 3) - 1, out);
+}

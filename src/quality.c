@@ -1,0 +1,307 @@
+/* SPDX-License-Identifier: MIT */
+#include "invcal/quality.h"
+
+#include <string.h>
+
+#include "vector.h"
+
+#define WEAK_ROOT_K INVCAL_REAL(10.0)       /* above: usable only within its sigma */
+#define HOPELESS_ROOT_K INVCAL_REAL(1000.0) /* above: refused */
+#define ABSURD_RESIDUAL INVCAL_REAL(0.1)
+#define RIDGE INVCAL_REAL(1e-4) /* of the largest diagonal element: between weak and good */
+
+const char *invcal_verdict_text(invcal_verdict verdict)
+{
+    return verdict == INVCAL_GOOD            ? "good"
+           : verdict == INVCAL_NO_REDUNDANCY ? "no redundancy"
+           : verdict == INVCAL_WEAK          ? "weak"
+                                             : "unknown verdict";
+}
+
+/* Cornish and Fisher's expansion of Student's quantile about the normal one, z = 1.96
+ * (Abramowitz and Stegun 26.7.5); it needs 3 degrees of freedom, the first two have their own. */
+invcal_real invcal_coverage(invcal_real dof)
+{
+    if (!(dof >= 2)) {
+        return INVCAL_REAL(12.7062);
+    }
+    if (dof < 3) {
+        return INVCAL_REAL(4.30265);
+    }
+    const invcal_real n = dof < 1000 ? (invcal_real)(int)dof : 1000;
+    return INVCAL_REAL(1.959964) +
+           (INVCAL_REAL(2.372271) +
+            (INVCAL_REAL(2.822498) + (INVCAL_REAL(2.555849) + INVCAL_REAL(1.589534) / n) / n) / n) /
+               n;
+}
+
+/* L of H'H (+ prior) in calibrated units, and the diagonal of K. */
+static invcal_status factor(const invcal_residuals *residuals, const invcal_settings *settings,
+                            invcal_real noise, invcal_real *l, invcal_real *diagonal)
+{
+    invcal_normal work = residuals->normal;
+    invcal_real floor = INVCAL_PIVOT_FLOOR;
+
+    if (invcal_has_prior(settings)) {
+        const invcal_status status = invcal_normal_add_prior(&work, settings->prior, noise);
+        if (status != INVCAL_OK) {
+            return status;
+        }
+        floor = INVCAL_EPSILON;
+    }
+    if (invcal_cholesky_factor(work.hth, INVCAL_PARAMETERS, floor) != INVCAL_OK) {
+        return INVCAL_UNDETERMINED;
+    }
+    memcpy(l, work.hth, sizeof work.hth);
+    invcal_cholesky_inverse_diagonal(l, INVCAL_PARAMETERS, diagonal);
+    return INVCAL_OK;
+}
+
+/* The share of parameter r that the data told, 0 ... 1: 1 - posterior / prior variance. */
+static invcal_real told_by_data(const invcal_settings *settings, unsigned r, invcal_real k,
+                                invcal_real noise)
+{
+    const invcal_real sigma = settings->prior[r];
+
+    return sigma > 0 ? 1 - k * noise * noise / (sigma * sigma) : 1;
+}
+
+/* The noise of a position mean in calibrated units over field, as stated, but no less than the
+ * prior can be resolved with. */
+static invcal_real stated_noise(const invcal_residuals *residuals, const invcal_settings *settings)
+{
+    const invcal_real stated = residuals->gain * settings->noise / settings->field;
+    const invcal_real least = invcal_normal_prior_noise(&residuals->normal, settings->prior);
+
+    return stated > least ? stated : least;
+}
+
+/* Positions minus the parameters that the data had to determine, 0 if less than one is left. */
+static invcal_real freedom(const invcal_residuals *residuals, invcal_real used,
+                           invcal_real parameters)
+{
+    const invcal_real stored = (invcal_real)residuals->count;
+    const invcal_real dof = stored - parameters * stored / used;
+
+    return dof >= 1 ? dof : 0;
+}
+
+/* noise, dof and coverage. With a prior, what it supplies depends on the noise: as stated. */
+static invcal_status judge_noise(const invcal_residuals *residuals, invcal_real used,
+                                 const invcal_settings *settings, invcal_quality *q,
+                                 invcal_real *workspace)
+{
+    const invcal_real stated = stated_noise(residuals, settings);
+    invcal_real parameters = INVCAL_PARAMETERS;
+    invcal_real diagonal[INVCAL_PARAMETERS];
+
+    if (invcal_has_prior(settings)) {
+        const invcal_status status = factor(residuals, settings, stated, workspace, diagonal);
+        if (status != INVCAL_OK) {
+            return status;
+        }
+        parameters = 0;
+        for (unsigned r = 0; r < INVCAL_PARAMETERS; r++) {
+            parameters += told_by_data(settings, r, diagonal[r], stated);
+        }
+    }
+    q->dof = freedom(residuals, used, parameters);
+    const invcal_real observed = q->dof > 0 ? INVCAL_SQRT(residuals->normal.jtj / q->dof) : 0;
+    q->noise = observed > stated ? observed : stated;
+    q->coverage = observed > stated ? invcal_coverage(q->dof) : INVCAL_REAL(1.959964);
+    if (!(q->noise > 0)) {
+        q->noise = 1; /* nobody knows: the whole field, which no one will mistake for good */
+    }
+    return INVCAL_OK;
+}
+
+/* sigma of the combination x of calibrated parameters; x is lost. */
+static invcal_real sigma_of(const invcal_real *l, invcal_real noise, invcal_real *x)
+{
+    invcal_cholesky_forward(l, INVCAL_PARAMETERS, x);
+    return noise * INVCAL_SQRT(invcal_dot(x, x, INVCAL_PARAMETERS));
+}
+
+/* A posterior is no wider than its prior; the Jacobian, taken beside it, may say so by a
+ * second-order trifle. */
+static invcal_real within_prior(invcal_real sigma, invcal_real prior)
+{
+    return prior > 0 && sigma > prior ? prior : sigma;
+}
+
+/* d delta = (I + S) d delta', and d offset = field N^-1 d delta. */
+static void judge_offset(const invcal_real model[6], invcal_real inverse[3][3],
+                         const invcal_settings *settings, const invcal_real *l, invcal_quality *q)
+{
+    const invcal_real rows[3][3] = {{model[0], model[1], model[3]},
+                                    {model[1], model[2], model[4]},
+                                    {model[3], model[4], model[5]}};
+
+    for (unsigned i = 0; i < 3; i++) {
+        invcal_real x[INVCAL_PARAMETERS] = {rows[i][0], rows[i][1], rows[i][2]};
+        q->sigma_delta[i] = within_prior(sigma_of(l, q->noise, x), settings->prior[i]);
+
+        invcal_real y[INVCAL_PARAMETERS] = {0};
+        for (unsigned j = 0; j < 3; j++) {
+            y[j] = settings->field * (inverse[i][0] * rows[0][j] + inverse[i][1] * rows[1][j] +
+                                      inverse[i][2] * rows[2][j]);
+        }
+        q->sigma_offset[i] = sigma_of(l, q->noise, y);
+    }
+}
+
+/* The Jacobian of element (i,j) of P = I + S. A deviation S' in calibrated units makes
+ * P^2 <- P (I + 2 S') P, so P dP + dP P = 2 P S' P: in the axes V of P, of lengths a,
+ *
+ *     (V' dP V)(m,n) = 2 a_m a_n / (a_m + a_n) (V' S' V)(m,n),
+ *
+ * the harmonic mean. Hence dP(i,j) = sum_mn W(m,n) S'(m,n) with W = V T V',
+ * T(m,n) = V(i,m) V(j,n) 2 a_m a_n / (a_m + a_n), and a gamma' is S'(m,n) + S'(n,m). */
+static void jacobian(const invcal_eigen3 *axes, unsigned i, unsigned j, invcal_real *x)
+{
+    const invcal_real *a = axes->value;
+    invcal_real vt[3][3] = {{0}}; /* V T */
+    invcal_real w[3][3];
+
+    for (unsigned m = 0; m < 3; m++) {
+        for (unsigned n = 0; n < 3; n++) {
+            const invcal_real t =
+                axes->vector[i][m] * axes->vector[j][n] * 2 * a[m] * a[n] / (a[m] + a[n]);
+            for (unsigned r = 0; r < 3; r++) {
+                vt[r][n] += axes->vector[r][m] * t;
+            }
+        }
+    }
+    for (unsigned r = 0; r < 3; r++) {
+        for (unsigned c = 0; c < 3; c++) {
+            w[r][c] = invcal_dot(vt[r], axes->vector[c], 3);
+        }
+    }
+    x[INVCAL_DELTA_X] = x[INVCAL_DELTA_Y] = x[INVCAL_DELTA_Z] = 0;
+    x[INVCAL_DK_X] = w[0][0];
+    x[INVCAL_DK_Y] = w[1][1];
+    x[INVCAL_DK_Z] = w[2][2];
+    x[INVCAL_GAMMA_XY] = (w[0][1] + w[1][0]) / 2;
+    x[INVCAL_GAMMA_XZ] = (w[0][2] + w[2][0]) / 2;
+    x[INVCAL_GAMMA_ZY] = (w[1][2] + w[2][1]) / 2;
+}
+
+/* dk(i) = P(i,i) - 1, gamma(ij) = 2 P(i,j). */
+static void judge_matrix(const invcal_real model[6], const invcal_settings *settings,
+                         const invcal_real *l, invcal_quality *q)
+{
+    static const unsigned char pair[3][2] = {{0, 1}, {0, 2}, {2, 1}};
+    invcal_eigen3 axes;
+    invcal_real x[INVCAL_PARAMETERS];
+
+    invcal_eigen3_decompose(model, &axes);
+    for (unsigned i = 0; i < 3; i++) {
+        jacobian(&axes, i, i, x);
+        q->sigma_dk[i] = within_prior(sigma_of(l, q->noise, x), settings->prior[INVCAL_DK_X + i]);
+        jacobian(&axes, pair[i][0], pair[i][1], x);
+        q->sigma_gamma[i] =
+            within_prior(2 * sigma_of(l, q->noise, x), settings->prior[INVCAL_GAMMA_XY + i]);
+    }
+}
+
+/* undetermined, from_prior and the verdict, from the diagonal of K. */
+static invcal_status judge_parameters(const invcal_settings *settings, const invcal_real *diagonal,
+                                      invcal_quality *q)
+{
+    q->undetermined = 0;
+    q->from_prior = 0;
+    for (unsigned r = 0; r < INVCAL_PARAMETERS; r++) {
+        const invcal_real root = INVCAL_SQRT(diagonal[r]);
+        const invcal_real told = told_by_data(settings, r, diagonal[r], q->noise);
+        if (!(root <= HOPELESS_ROOT_K) && !(settings->prior[r] > 0)) {
+            return INVCAL_UNDETERMINED;
+        }
+        q->undetermined |= (uint16_t)((!(root <= WEAK_ROOT_K)) << r);
+        q->from_prior |= (uint16_t)((!(told >= INVCAL_REAL(0.5))) << r);
+    }
+    q->verdict = q->undetermined ? INVCAL_WEAK : q->dof > 0 ? INVCAL_GOOD : INVCAL_NO_REDUNDANCY;
+    return INVCAL_OK;
+}
+
+/* Residual figures; absurd ones are refused. */
+static invcal_status judge_residuals(const invcal_residuals *residuals, invcal_quality *q)
+{
+    q->residual_rms = INVCAL_SQRT(residuals->squares / (invcal_real)residuals->count);
+    q->residual_max = residuals->max;
+    q->worst = residuals->worst;
+    return q->residual_rms <= ABSURD_RESIDUAL ? INVCAL_OK : INVCAL_NOT_ELLIPSOID;
+}
+
+static int is_usable(const invcal_residuals *residuals, invcal_real used,
+                     const invcal_settings *settings)
+{
+    return residuals->count > 0 && used >= (invcal_real)residuals->count &&
+           used <= INVCAL_REAL_MAX && invcal_is_positive(settings->field) &&
+           (settings->noise == 0 || invcal_is_positive(settings->noise));
+}
+
+invcal_status invcal_assess(const invcal_residuals *residuals, invcal_real used,
+                            const invcal_settings *settings, const invcal_solution *solution,
+                            invcal_quality *quality)
+{
+    invcal_quality q;
+    invcal_real l[INVCAL_PACKED_SIZE(INVCAL_PARAMETERS)];
+    invcal_real diagonal[INVCAL_PARAMETERS];
+    invcal_real model[6];
+    invcal_real inverse[3][3];
+
+    INVCAL_ASSERT(residuals && settings && solution && quality);
+    if (!is_usable(residuals, used, settings) ||
+        invcal_calibration_inverse(&settings->nominal, inverse) != INVCAL_OK) {
+        return INVCAL_BAD_SETTING;
+    }
+    invcal_status status = judge_residuals(residuals, &q);
+    if (status == INVCAL_OK) {
+        status = judge_noise(residuals, used, settings, &q, l);
+    }
+    if (status == INVCAL_OK) {
+        status = factor(residuals, settings, q.noise, l, diagonal);
+    }
+    if (status == INVCAL_OK) {
+        status = judge_parameters(settings, diagonal, &q);
+    }
+    if (status != INVCAL_OK) {
+        return status;
+    }
+    invcal_solution_model(solution, model);
+    judge_offset(model, inverse, settings, l, &q);
+    judge_matrix(model, settings, l, &q);
+    invcal_cholesky_inverse(l, INVCAL_PARAMETERS);
+    memcpy(q.K, l, sizeof l);
+    q.condition = invcal_condition(l, INVCAL_PARAMETERS); /* K's is that of H'H */
+    *quality = q;
+    return INVCAL_OK;
+}
+
+uint16_t invcal_undetermined(const invcal_normal *normal)
+{
+    invcal_real l[INVCAL_PACKED_SIZE(INVCAL_PARAMETERS)];
+    invcal_real diagonal[INVCAL_PARAMETERS];
+    invcal_real largest = 0;
+    uint16_t open = 0;
+
+    INVCAL_ASSERT(normal);
+    memcpy(l, normal->hth, sizeof l);
+    for (unsigned r = 0; r < INVCAL_PARAMETERS; r++) {
+        const invcal_real d = l[INVCAL_PACKED(r, r)];
+        largest = d > largest ? d : largest;
+    }
+    const invcal_real ridge = RIDGE * largest;
+    for (unsigned r = 0; r < INVCAL_PARAMETERS; r++) {
+        l[INVCAL_PACKED(r, r)] += ridge;
+    }
+    if (invcal_cholesky_factor(l, INVCAL_PARAMETERS, INVCAL_EPSILON) != INVCAL_OK) {
+        return (uint16_t)((1u << INVCAL_PARAMETERS) - 1);
+    }
+    invcal_cholesky_inverse_diagonal(l, INVCAL_PARAMETERS, diagonal);
+    for (unsigned r = 0; r < INVCAL_PARAMETERS; r++) {
+        /* ridge K(r,r): the share of parameter r that the ridge holds, 0 ... 1 */
+        open |= (uint16_t)((!(ridge * diagonal[r] <= INVCAL_REAL(0.1))) << r);
+    }
+    return open;
+}

@@ -1,0 +1,76 @@
+/* SPDX-License-Identifier: MIT */
+#include "invcal/residual.h"
+
+#include <string.h>
+
+#include "vector.h"
+
+/* y = M x for a packed symmetric 3x3 matrix. */
+static void multiply(const invcal_real m[6], const invcal_real x[3], invcal_real y[3])
+{
+    y[0] = m[0] * x[0] + m[1] * x[1] + m[3] * x[2];
+    y[1] = m[1] * x[0] + m[2] * x[1] + m[4] * x[2];
+    y[2] = m[3] * x[0] + m[4] * x[1] + m[5] * x[2];
+}
+
+void invcal_residuals_init(invcal_residuals *residuals, const invcal_solution *solution)
+{
+    invcal_real model[6];
+    invcal_eigen3 axes;
+    invcal_real inverse[3];
+
+    INVCAL_ASSERT(residuals && solution);
+    memset(residuals, 0, sizeof *residuals);
+    memcpy(residuals->delta, solution->delta, sizeof residuals->delta);
+    invcal_solution_model(solution, model);
+    invcal_eigen3_decompose(model, &axes);
+    for (unsigned i = 0; i < 3; i++) {
+        inverse[i] = 1 / axes.value[i];
+    }
+    invcal_eigen3_compose(&axes, inverse, residuals->correction);
+    residuals->gain = INVCAL_SQRT(invcal_dot(inverse, inverse, 3) / 3);
+}
+
+/* Noise of u moves the length of eta = A (u - delta) by |A eta| times itself: rows are weighted
+ * with the inverse square, relative to the mean over all directions. */
+static invcal_real weight(const invcal_residuals *residuals, const invcal_real eta[3])
+{
+    invcal_real gradient[3];
+
+    multiply(residuals->correction, eta, gradient);
+    return residuals->gain * residuals->gain * invcal_dot(eta, eta, 3) /
+           invcal_dot(gradient, gradient, 3);
+}
+
+invcal_status invcal_residuals_add(invcal_residuals *residuals, const invcal_real u[3],
+                                   invcal_real *residual)
+{
+    invcal_real centred[3];
+    invcal_real eta[3];
+    invcal_observation row;
+
+    INVCAL_ASSERT(residuals && u);
+    for (unsigned i = 0; i < 3; i++) {
+        centred[i] = u[i] - residuals->delta[i];
+    }
+    multiply(residuals->correction, centred, eta);
+    invcal_status status = invcal_observation_exact(eta, &row);
+    if (status == INVCAL_OK) {
+        status = invcal_normal_add(&residuals->normal, &row, weight(residuals, eta));
+    }
+    if (status != INVCAL_OK) {
+        return status;
+    }
+    /* j = (|eta|^2 - 1)/2 = (|eta| - 1)(|eta| + 1)/2 */
+    const invcal_real r = 2 * row.j / (1 + INVCAL_SQRT(invcal_dot(eta, eta, 3)));
+    residuals->squares += r * r;
+    if (!(INVCAL_FABS(r) <= residuals->max)) {
+        residuals->max = INVCAL_FABS(r);
+        residuals->worst = residuals->count;
+    }
+    residuals->count++;
+    if (residual) {
+        *residual = r;
+    }
+    return INVCAL_OK;
+}

@@ -1,0 +1,224 @@
+/* SPDX-License-Identifier: MIT */
+#include "invcal/solution.h"
+
+#include <string.h>
+
+#include "vector.h"
+
+/* The sensor model in its own axes: I + S = V diag(value) V', value the semi-axes of the
+ * ellipsoid on which the readings lie, delta its centre. */
+typedef struct {
+    invcal_eigen3 axes;
+    invcal_real delta[3];
+} triad;
+
+static unsigned parameters_without_prior(const invcal_settings *settings)
+{
+    unsigned count = 0;
+
+    for (unsigned r = 0; r < INVCAL_PARAMETERS; r++) {
+        count += !(settings->prior[r] > 0);
+    }
+    return count;
+}
+
+int invcal_has_prior(const invcal_settings *settings)
+{
+    INVCAL_ASSERT(settings);
+    return parameters_without_prior(settings) < INVCAL_PARAMETERS;
+}
+
+static int is_usable(const invcal_settings *settings)
+{
+    for (unsigned i = 0; i < 3; i++) {
+        if (!invcal_is_finite(settings->nominal.offset[i])) {
+            return 0;
+        }
+    }
+    if (!invcal_is_positive(settings->field)) {
+        return 0;
+    }
+    return invcal_is_positive(settings->noise) ||
+           (settings->noise == 0 && !invcal_has_prior(settings));
+}
+
+/* p = -(H'H + prior)^-1 H'J, in place of n->htj. */
+static invcal_status solve_normal(invcal_normal *n, const invcal_settings *settings)
+{
+    const unsigned open = parameters_without_prior(settings);
+    invcal_real floor = INVCAL_PIVOT_FLOOR;
+
+    if (open < INVCAL_PARAMETERS) {
+        const invcal_real least = invcal_normal_prior_noise(n, settings->prior);
+        const invcal_real noise = settings->noise / settings->field;
+        const invcal_status status =
+            invcal_normal_add_prior(n, settings->prior, noise > least ? noise : least);
+        if (status != INVCAL_OK) {
+            return status;
+        }
+        floor = INVCAL_EPSILON; /* the prior holds what the positions leave open */
+    }
+    if (!(n->count >= (invcal_real)open && n->count > 0)) {
+        return INVCAL_TOO_FEW;
+    }
+    if (invcal_cholesky_factor(n->hth, INVCAL_PARAMETERS, floor) != INVCAL_OK) {
+        return INVCAL_UNDETERMINED;
+    }
+    invcal_cholesky_solve(n->hth, INVCAL_PARAMETERS, n->htj);
+    for (unsigned r = 0; r < INVCAL_PARAMETERS; r++) {
+        n->htj[r] = -n->htj[r];
+    }
+    return INVCAL_OK;
+}
+
+/* The general form of an ellipsoid, p, to its centre and semi-axes. */
+static void triad_of_ellipsoid(const invcal_real p[INVCAL_PARAMETERS], triad *out)
+{
+    const invcal_real q[6] = {1 + 2 * p[INVCAL_DK_X], p[INVCAL_GAMMA_XY], 1 + 2 * p[INVCAL_DK_Y],
+                              p[INVCAL_GAMMA_XZ],     p[INVCAL_GAMMA_ZY], 1 + 2 * p[INVCAL_DK_Z]};
+    const invcal_real *v = p; /* the first three */
+    invcal_real reciprocal[3];
+    invcal_real inverse[6];
+
+    invcal_eigen3_decompose(q, &out->axes);
+    for (unsigned i = 0; i < 3; i++) {
+        reciprocal[i] = 1 / out->axes.value[i];
+    }
+    /* delta = -Q^-1 v */
+    invcal_eigen3_compose(&out->axes, reciprocal, inverse);
+    out->delta[0] = -(inverse[0] * v[0] + inverse[1] * v[1] + inverse[3] * v[2]);
+    out->delta[1] = -(inverse[1] * v[0] + inverse[2] * v[1] + inverse[4] * v[2]);
+    out->delta[2] = -(inverse[3] * v[0] + inverse[4] * v[1] + inverse[5] * v[2]);
+    /* k = 1 + delta Q delta = 1 - v delta; the semi-axes are those of (Q / k)^-1/2 */
+    const invcal_real k = 1 - invcal_dot(v, out->delta, 3);
+    for (unsigned i = 0; i < 3; i++) {
+        out->axes.value[i] = INVCAL_SQRT(k * reciprocal[i]);
+    }
+}
+
+/* X = -p is the model itself. */
+static void triad_of_linear(const invcal_real p[INVCAL_PARAMETERS], triad *out)
+{
+    const invcal_real model[6] = {1 - p[INVCAL_DK_X],      -p[INVCAL_GAMMA_XY] / 2,
+                                  1 - p[INVCAL_DK_Y],      -p[INVCAL_GAMMA_XZ] / 2,
+                                  -p[INVCAL_GAMMA_ZY] / 2, 1 - p[INVCAL_DK_Z]};
+
+    invcal_eigen3_decompose(model, &out->axes);
+    for (unsigned i = 0; i < 3; i++) {
+        out->delta[i] = -p[i];
+    }
+}
+
+/* No square root of a negative number, no NaN, no absurd ellipsoid gets past here. */
+static int is_plausible(const triad *t)
+{
+    for (unsigned i = 0; i < 3; i++) {
+        const invcal_real axis = t->axes.value[i];
+        if (!(axis >= INVCAL_REAL(0.1) && axis <= INVCAL_REAL(10.0))) {
+            return 0;
+        }
+    }
+    return invcal_dot(t->delta, t->delta, 3) <= 100;
+}
+
+/* A with A'A = (I + S)^-2: symmetric, or upper triangular. */
+static void correction(const triad *t, invcal_frame frame, invcal_real a[3][3])
+{
+    invcal_real f[3];
+    invcal_real s[6];
+
+    for (unsigned i = 0; i < 3; i++) {
+        const invcal_real inverse = 1 / t->axes.value[i];
+        f[i] = frame == INVCAL_FRAME_TRIANGULAR ? inverse * inverse : inverse;
+    }
+    invcal_eigen3_compose(&t->axes, f, s);
+    if (frame == INVCAL_FRAME_TRIANGULAR) {
+        (void)invcal_cholesky_factor(s, 3, 0); /* values of 0.01 ... 100 cannot fail */
+    }
+    for (unsigned r = 0; r < 3; r++) {
+        for (unsigned c = 0; c <= r; c++) {
+            a[c][r] = s[INVCAL_PACKED(r, c)]; /* L' */
+            a[r][c] = frame == INVCAL_FRAME_TRIANGULAR && c < r ? 0 : a[c][r];
+        }
+    }
+}
+
+/* calibrated = field A (u - delta), u = N (raw - zero) / field: so matrix = A N and
+ * offset = zero + field N^-1 delta. */
+static invcal_status join(const triad *t, const invcal_settings *settings, invcal_calibration *out)
+{
+    const invcal_calibration *nominal = &settings->nominal;
+    invcal_real inverse[3][3];
+    invcal_real a[3][3];
+
+    if (invcal_calibration_inverse(nominal, inverse) != INVCAL_OK) {
+        return INVCAL_BAD_SETTING;
+    }
+    correction(t, settings->frame, a);
+    for (unsigned r = 0; r < 3; r++) {
+        out->offset[r] = nominal->offset[r] + settings->field * invcal_dot(inverse[r], t->delta, 3);
+        for (unsigned c = 0; c < 3; c++) {
+            out->matrix[r][c] = a[r][0] * nominal->matrix[0][c] + a[r][1] * nominal->matrix[1][c] +
+                                a[r][2] * nominal->matrix[2][c];
+        }
+    }
+    return INVCAL_OK;
+}
+
+/* dk and gamma from I + S. */
+static void name_parameters(const triad *t, invcal_solution *out)
+{
+    invcal_real model[6];
+
+    invcal_eigen3_compose(&t->axes, t->axes.value, model);
+    memcpy(out->delta, t->delta, sizeof out->delta);
+    out->dk[0] = model[0] - 1;
+    out->dk[1] = model[2] - 1;
+    out->dk[2] = model[5] - 1;
+    out->gamma[0] = 2 * model[1];
+    out->gamma[1] = 2 * model[3];
+    out->gamma[2] = 2 * model[4];
+}
+
+invcal_status invcal_solve(const invcal_normal *normal, const invcal_settings *settings,
+                           invcal_solution *solution)
+{
+    invcal_normal work;
+    triad t;
+    invcal_calibration calibration;
+
+    INVCAL_ASSERT(normal && settings && solution);
+    if (!is_usable(settings)) {
+        return INVCAL_BAD_SETTING;
+    }
+    work = *normal;
+    invcal_status status = solve_normal(&work, settings);
+    if (status != INVCAL_OK) {
+        return status;
+    }
+    if (work.model == INVCAL_MODEL_ELLIPSOID) {
+        triad_of_ellipsoid(work.htj, &t);
+    } else {
+        triad_of_linear(work.htj, &t);
+    }
+    if (!is_plausible(&t)) {
+        return INVCAL_NOT_ELLIPSOID;
+    }
+    status = join(&t, settings, &calibration);
+    if (status == INVCAL_OK) {
+        solution->calibration = calibration;
+        name_parameters(&t, solution);
+    }
+    return status;
+}
+
+void invcal_solution_model(const invcal_solution *solution, invcal_real model[6])
+{
+    INVCAL_ASSERT(solution && model);
+    model[0] = 1 + solution->dk[0];
+    model[2] = 1 + solution->dk[1];
+    model[5] = 1 + solution->dk[2];
+    model[1] = solution->gamma[0] / 2;
+    model[3] = solution->gamma[1] / 2;
+    model[4] = solution->gamma[2] / 2;
+}
