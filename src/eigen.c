@@ -68,6 +68,17 @@ void invcal_eigen3_compose(const invcal_eigen3 *eigen, const invcal_real f[3], i
     }
 }
 
+void invcal_eigen3_inverse(const invcal_eigen3 *eigen, invcal_real out[6])
+{
+    invcal_real f[3];
+
+    INVCAL_ASSERT(eigen && out);
+    for (unsigned i = 0; i < 3; i++) {
+        f[i] = -eigen->value[i] / (1 + eigen->value[i]); /* 1 / (1 + m) - 1 */
+    }
+    invcal_eigen3_compose(eigen, f, out);
+}
+
 /* y = A x for a packed symmetric A of n rows. */
 static void multiply(const invcal_real *a, unsigned n, const invcal_real *x, invcal_real *y)
 {

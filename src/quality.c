@@ -8,7 +8,8 @@
 #define WEAK_ROOT_K INVCAL_REAL(10.0)       /* above: usable only within its sigma */
 #define HOPELESS_ROOT_K INVCAL_REAL(1000.0) /* above: refused */
 #define ABSURD_RESIDUAL INVCAL_REAL(0.1)
-#define RIDGE INVCAL_REAL(1e-4) /* of the largest diagonal element: between weak and good */
+#define NOISE_SHARE INVCAL_REAL(0.1) /* of the information on a parameter: above, it is weak */
+#define RIDGE INVCAL_REAL(1e-4)      /* of the largest diagonal element: between weak and good */
 
 const char *invcal_verdict_text(invcal_verdict verdict)
 {
@@ -35,26 +36,32 @@ invcal_real invcal_coverage(invcal_real dof)
                n;
 }
 
-/* L of H'H (+ prior) in calibrated units, and the diagonal of K. */
-static invcal_status factor(const invcal_residuals *residuals, const invcal_settings *settings,
-                            invcal_real noise, invcal_real *l, invcal_real *diagonal)
+/* H'H in calibrated units (+ prior). */
+static invcal_status information(const invcal_residuals *residuals, const invcal_settings *settings,
+                                 invcal_real noise, invcal_real *hth)
 {
     invcal_normal work = residuals->normal;
-    invcal_real floor = INVCAL_PIVOT_FLOOR;
 
     if (invcal_has_prior(settings)) {
         const invcal_status status = invcal_normal_add_prior(&work, settings->prior, noise);
         if (status != INVCAL_OK) {
             return status;
         }
-        floor = INVCAL_EPSILON;
     }
-    if (invcal_cholesky_factor(work.hth, INVCAL_PARAMETERS, floor) != INVCAL_OK) {
-        return INVCAL_UNDETERMINED;
-    }
-    memcpy(l, work.hth, sizeof work.hth);
-    invcal_cholesky_inverse_diagonal(l, INVCAL_PARAMETERS, diagonal);
+    memcpy(hth, work.hth, sizeof work.hth);
     return INVCAL_OK;
+}
+
+/* H'H to L, and the diagonal of K. Without a prior nothing near rounding error passes. */
+static invcal_status factor(const invcal_settings *settings, invcal_real *l, invcal_real *diagonal)
+{
+    const invcal_real floor = invcal_has_prior(settings) ? INVCAL_EPSILON : INVCAL_PIVOT_FLOOR;
+    const invcal_status status = invcal_cholesky_factor(l, INVCAL_PARAMETERS, floor);
+
+    if (status == INVCAL_OK) {
+        invcal_cholesky_inverse_diagonal(l, INVCAL_PARAMETERS, diagonal);
+    }
+    return status;
 }
 
 /* The share of parameter r that the data told, 0 ... 1: 1 - posterior / prior variance. */
@@ -96,7 +103,10 @@ static invcal_status judge_noise(const invcal_residuals *residuals, invcal_real 
     invcal_real diagonal[INVCAL_PARAMETERS];
 
     if (invcal_has_prior(settings)) {
-        const invcal_status status = factor(residuals, settings, stated, workspace, diagonal);
+        invcal_status status = information(residuals, settings, stated, workspace);
+        if (status == INVCAL_OK) {
+            status = factor(settings, workspace, diagonal);
+        }
         if (status != INVCAL_OK) {
             return status;
         }
@@ -130,12 +140,11 @@ static invcal_real within_prior(invcal_real sigma, invcal_real prior)
 }
 
 /* d delta = (I + S) d delta', and d offset = field N^-1 d delta. */
-static void judge_offset(const invcal_real model[6], invcal_real inverse[3][3],
+static void judge_offset(const invcal_real s[6], invcal_real inverse[3][3],
                          const invcal_settings *settings, const invcal_real *l, invcal_quality *q)
 {
-    const invcal_real rows[3][3] = {{model[0], model[1], model[3]},
-                                    {model[1], model[2], model[4]},
-                                    {model[3], model[4], model[5]}};
+    const invcal_real rows[3][3] = {
+        {1 + s[0], s[1], s[3]}, {s[1], 1 + s[2], s[4]}, {s[3], s[4], 1 + s[5]}};
 
     for (unsigned i = 0; i < 3; i++) {
         invcal_real x[INVCAL_PARAMETERS] = {rows[i][0], rows[i][1], rows[i][2]};
@@ -151,7 +160,7 @@ static void judge_offset(const invcal_real model[6], invcal_real inverse[3][3],
 }
 
 /* The Jacobian of element (i,j) of P = I + S. A deviation S' in calibrated units makes
- * P^2 <- P (I + 2 S') P, so P dP + dP P = 2 P S' P: in the axes V of P, of lengths a,
+ * P^2 <- P (I + 2 S') P, so P dP + dP P = 2 P S' P: in the axes V of P, of semi-axes a,
  *
  *     (V' dP V)(m,n) = 2 a_m a_n / (a_m + a_n) (V' S' V)(m,n),
  *
@@ -159,7 +168,7 @@ static void judge_offset(const invcal_real model[6], invcal_real inverse[3][3],
  * T(m,n) = V(i,m) V(j,n) 2 a_m a_n / (a_m + a_n), and a gamma' is S'(m,n) + S'(n,m). */
 static void jacobian(const invcal_eigen3 *axes, unsigned i, unsigned j, invcal_real *x)
 {
-    const invcal_real *a = axes->value;
+    const invcal_real a[3] = {1 + axes->value[0], 1 + axes->value[1], 1 + axes->value[2]};
     invcal_real vt[3][3] = {{0}}; /* V T */
     invcal_real w[3][3];
 
@@ -187,14 +196,14 @@ static void jacobian(const invcal_eigen3 *axes, unsigned i, unsigned j, invcal_r
 }
 
 /* dk(i) = P(i,i) - 1, gamma(ij) = 2 P(i,j). */
-static void judge_matrix(const invcal_real model[6], const invcal_settings *settings,
+static void judge_matrix(const invcal_real s[6], const invcal_settings *settings,
                          const invcal_real *l, invcal_quality *q)
 {
     static const unsigned char pair[3][2] = {{0, 1}, {0, 2}, {2, 1}};
     invcal_eigen3 axes;
     invcal_real x[INVCAL_PARAMETERS];
 
-    invcal_eigen3_decompose(model, &axes);
+    invcal_eigen3_decompose(s, &axes);
     for (unsigned i = 0; i < 3; i++) {
         jacobian(&axes, i, i, x);
         q->sigma_dk[i] = within_prior(sigma_of(l, q->noise, x), settings->prior[INVCAL_DK_X + i]);
@@ -204,23 +213,44 @@ static void judge_matrix(const invcal_real model[6], const invcal_settings *sett
     }
 }
 
+/* Weak: sqrt(K) is large, or the information 1 / K is no more than what noise in the readings
+ * themselves, about noise^2 in each row, adds to H'H: then directions that determine nothing
+ * look as if they did. */
+static int is_weak(const invcal_quality *q, invcal_real k, invcal_real used)
+{
+    const invcal_real share = q->dof > 0 ? k * used * q->noise * q->noise : 0;
+
+    return !(INVCAL_SQRT(k) <= WEAK_ROOT_K && share <= NOISE_SHARE);
+}
+
 /* undetermined, from_prior and the verdict, from the diagonal of K. */
-static invcal_status judge_parameters(const invcal_settings *settings, const invcal_real *diagonal,
-                                      invcal_quality *q)
+static invcal_status judge_parameters(const invcal_settings *settings, invcal_real used,
+                                      const invcal_real *diagonal, invcal_quality *q)
 {
     q->undetermined = 0;
     q->from_prior = 0;
     for (unsigned r = 0; r < INVCAL_PARAMETERS; r++) {
-        const invcal_real root = INVCAL_SQRT(diagonal[r]);
         const invcal_real told = told_by_data(settings, r, diagonal[r], q->noise);
-        if (!(root <= HOPELESS_ROOT_K) && !(settings->prior[r] > 0)) {
+        if (!(INVCAL_SQRT(diagonal[r]) <= HOPELESS_ROOT_K) && !(settings->prior[r] > 0)) {
             return INVCAL_UNDETERMINED;
         }
-        q->undetermined |= (uint16_t)((!(root <= WEAK_ROOT_K)) << r);
+        q->undetermined |= (uint16_t)(is_weak(q, diagonal[r], used) << r);
         q->from_prior |= (uint16_t)((!(told >= INVCAL_REAL(0.5))) << r);
     }
     q->verdict = q->undetermined ? INVCAL_WEAK : q->dof > 0 ? INVCAL_GOOD : INVCAL_NO_REDUNDANCY;
     return INVCAL_OK;
+}
+
+/* The condition of H'H. Pivots alone let singular sets through now and then: one whose open
+ * combination hardly involves the last parameters has no small pivot. */
+static invcal_status judge_condition(const invcal_settings *settings, const invcal_real *hth,
+                                     invcal_quality *q)
+{
+    memcpy(q->K, hth, sizeof q->K); /* K serves as workspace until it is known */
+    q->condition = invcal_condition(q->K, INVCAL_PARAMETERS);
+    return invcal_has_prior(settings) || q->condition * INVCAL_PIVOT_FLOOR < 1
+               ? INVCAL_OK
+               : INVCAL_UNDETERMINED;
 }
 
 /* Residual figures; absurd ones are refused. */
@@ -247,7 +277,7 @@ invcal_status invcal_assess(const invcal_residuals *residuals, invcal_real used,
     invcal_quality q;
     invcal_real l[INVCAL_PACKED_SIZE(INVCAL_PARAMETERS)];
     invcal_real diagonal[INVCAL_PARAMETERS];
-    invcal_real model[6];
+    invcal_real s[6];
     invcal_real inverse[3][3];
 
     INVCAL_ASSERT(residuals && settings && solution && quality);
@@ -260,20 +290,25 @@ invcal_status invcal_assess(const invcal_residuals *residuals, invcal_real used,
         status = judge_noise(residuals, used, settings, &q, l);
     }
     if (status == INVCAL_OK) {
-        status = factor(residuals, settings, q.noise, l, diagonal);
+        status = information(residuals, settings, q.noise, l);
     }
     if (status == INVCAL_OK) {
-        status = judge_parameters(settings, diagonal, &q);
+        status = judge_condition(settings, l, &q);
+    }
+    if (status == INVCAL_OK) {
+        status = factor(settings, l, diagonal);
+    }
+    if (status == INVCAL_OK) {
+        status = judge_parameters(settings, used, diagonal, &q);
     }
     if (status != INVCAL_OK) {
         return status;
     }
-    invcal_solution_model(solution, model);
-    judge_offset(model, inverse, settings, l, &q);
-    judge_matrix(model, settings, l, &q);
+    invcal_solution_deviation(solution, s);
+    judge_offset(s, inverse, settings, l, &q);
+    judge_matrix(s, settings, l, &q);
     invcal_cholesky_inverse(l, INVCAL_PARAMETERS);
-    memcpy(q.K, l, sizeof l);
-    q.condition = invcal_condition(l, INVCAL_PARAMETERS); /* K's is that of H'H */
+    memcpy(q.K, l, sizeof q.K);
     *quality = q;
     return INVCAL_OK;
 }

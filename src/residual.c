@@ -5,30 +5,31 @@
 
 #include "vector.h"
 
-/* y = M x for a packed symmetric 3x3 matrix. */
+/* y = (I + M) x for a packed symmetric 3x3 matrix M. */
 static void multiply(const invcal_real m[6], const invcal_real x[3], invcal_real y[3])
 {
-    y[0] = m[0] * x[0] + m[1] * x[1] + m[3] * x[2];
-    y[1] = m[1] * x[0] + m[2] * x[1] + m[4] * x[2];
-    y[2] = m[3] * x[0] + m[4] * x[1] + m[5] * x[2];
+    y[0] = x[0] + (m[0] * x[0] + m[1] * x[1] + m[3] * x[2]);
+    y[1] = x[1] + (m[1] * x[0] + m[2] * x[1] + m[4] * x[2]);
+    y[2] = x[2] + (m[3] * x[0] + m[4] * x[1] + m[5] * x[2]);
 }
 
 void invcal_residuals_init(invcal_residuals *residuals, const invcal_solution *solution)
 {
-    invcal_real model[6];
+    invcal_real s[6];
     invcal_eigen3 axes;
-    invcal_real inverse[3];
+    invcal_real squares = 0;
 
     INVCAL_ASSERT(residuals && solution);
     memset(residuals, 0, sizeof *residuals);
     memcpy(residuals->delta, solution->delta, sizeof residuals->delta);
-    invcal_solution_model(solution, model);
-    invcal_eigen3_decompose(model, &axes);
+    invcal_solution_deviation(solution, s);
+    invcal_eigen3_decompose(s, &axes);
+    invcal_eigen3_inverse(&axes, residuals->correction);
     for (unsigned i = 0; i < 3; i++) {
-        inverse[i] = 1 / axes.value[i];
+        const invcal_real semi_axis = 1 + axes.value[i];
+        squares += 1 / (semi_axis * semi_axis); /* the trace of A^2 */
     }
-    invcal_eigen3_compose(&axes, inverse, residuals->correction);
-    residuals->gain = INVCAL_SQRT(invcal_dot(inverse, inverse, 3) / 3);
+    residuals->gain = INVCAL_SQRT(squares / 3);
 }
 
 /* Noise of u moves the length of eta = A (u - delta) by |A eta| times itself: rows are weighted

@@ -5,8 +5,9 @@
 
 #include "vector.h"
 
-/* The sensor model in its own axes: I + S = V diag(value) V', value the semi-axes of the
- * ellipsoid on which the readings lie, delta its centre. */
+/* The sensor model in its own axes: S = V diag(value) V'. Readings lie on the ellipsoid with the
+ * centre delta and the semi-axes 1 + value. All matrices are kept as deviations from I, whose
+ * ones would cost a float three of its seven digits. */
 typedef struct {
     invcal_eigen3 axes;
     invcal_real delta[3];
@@ -71,41 +72,45 @@ static invcal_status solve_normal(invcal_normal *n, const invcal_settings *setti
     return INVCAL_OK;
 }
 
-/* The general form of an ellipsoid, p, to its centre and semi-axes. */
-static void triad_of_ellipsoid(const invcal_real p[INVCAL_PARAMETERS], triad *out)
+/* delta = -Q^-1 v, with Q = I + V diag(value) V'. */
+static void centre(const invcal_real v[3], triad *t)
 {
-    const invcal_real q[6] = {1 + 2 * p[INVCAL_DK_X], p[INVCAL_GAMMA_XY], 1 + 2 * p[INVCAL_DK_Y],
-                              p[INVCAL_GAMMA_XZ],     p[INVCAL_GAMMA_ZY], 1 + 2 * p[INVCAL_DK_Z]};
-    const invcal_real *v = p; /* the first three */
-    invcal_real reciprocal[3];
-    invcal_real inverse[6];
+    invcal_real s[6]; /* Q^-1 - I */
 
-    invcal_eigen3_decompose(q, &out->axes);
+    invcal_eigen3_inverse(&t->axes, s);
+    t->delta[0] = -v[0] - (s[0] * v[0] + s[1] * v[1] + s[3] * v[2]);
+    t->delta[1] = -v[1] - (s[1] * v[0] + s[2] * v[1] + s[4] * v[2]);
+    t->delta[2] = -v[2] - (s[3] * v[0] + s[4] * v[1] + s[5] * v[2]);
+}
+
+/* The general form of an ellipsoid, p, to its centre and semi-axes. */
+static void triad_of_ellipsoid(const invcal_real p[INVCAL_PARAMETERS], triad *t)
+{
+    const invcal_real q[6] = {2 * p[INVCAL_DK_X], p[INVCAL_GAMMA_XY], 2 * p[INVCAL_DK_Y],
+                              p[INVCAL_GAMMA_XZ], p[INVCAL_GAMMA_ZY], 2 * p[INVCAL_DK_Z]};
+    const invcal_real *v = p; /* the first three */
+
+    invcal_eigen3_decompose(q, &t->axes); /* of Q - I */
+    centre(v, t);
+    /* k = 1 + delta Q delta = 1 - v delta, and I + S = (Q / k)^-1/2: with values q of Q - I,
+     * s + 1 = sqrt(k / (1 + q)), s = (k - 1 - q) / (1 + q) / (s + 2) */
+    const invcal_real excess = -invcal_dot(v, t->delta, 3);
     for (unsigned i = 0; i < 3; i++) {
-        reciprocal[i] = 1 / out->axes.value[i];
-    }
-    /* delta = -Q^-1 v */
-    invcal_eigen3_compose(&out->axes, reciprocal, inverse);
-    out->delta[0] = -(inverse[0] * v[0] + inverse[1] * v[1] + inverse[3] * v[2]);
-    out->delta[1] = -(inverse[1] * v[0] + inverse[2] * v[1] + inverse[4] * v[2]);
-    out->delta[2] = -(inverse[3] * v[0] + inverse[4] * v[1] + inverse[5] * v[2]);
-    /* k = 1 + delta Q delta = 1 - v delta; the semi-axes are those of (Q / k)^-1/2 */
-    const invcal_real k = 1 - invcal_dot(v, out->delta, 3);
-    for (unsigned i = 0; i < 3; i++) {
-        out->axes.value[i] = INVCAL_SQRT(k * reciprocal[i]);
+        const invcal_real value = t->axes.value[i];
+        const invcal_real semi_axis = INVCAL_SQRT((1 + excess) / (1 + value));
+        t->axes.value[i] = (excess - value) / (1 + value) / (semi_axis + 1);
     }
 }
 
 /* X = -p is the model itself. */
-static void triad_of_linear(const invcal_real p[INVCAL_PARAMETERS], triad *out)
+static void triad_of_linear(const invcal_real p[INVCAL_PARAMETERS], triad *t)
 {
-    const invcal_real model[6] = {1 - p[INVCAL_DK_X],      -p[INVCAL_GAMMA_XY] / 2,
-                                  1 - p[INVCAL_DK_Y],      -p[INVCAL_GAMMA_XZ] / 2,
-                                  -p[INVCAL_GAMMA_ZY] / 2, 1 - p[INVCAL_DK_Z]};
+    const invcal_real s[6] = {-p[INVCAL_DK_X],         -p[INVCAL_GAMMA_XY] / 2, -p[INVCAL_DK_Y],
+                              -p[INVCAL_GAMMA_XZ] / 2, -p[INVCAL_GAMMA_ZY] / 2, -p[INVCAL_DK_Z]};
 
-    invcal_eigen3_decompose(model, &out->axes);
+    invcal_eigen3_decompose(s, &t->axes);
     for (unsigned i = 0; i < 3; i++) {
-        out->delta[i] = -p[i];
+        t->delta[i] = -p[i];
     }
 }
 
@@ -113,32 +118,38 @@ static void triad_of_linear(const invcal_real p[INVCAL_PARAMETERS], triad *out)
 static int is_plausible(const triad *t)
 {
     for (unsigned i = 0; i < 3; i++) {
-        const invcal_real axis = t->axes.value[i];
-        if (!(axis >= INVCAL_REAL(0.1) && axis <= INVCAL_REAL(10.0))) {
+        const invcal_real semi_axis = 1 + t->axes.value[i];
+        if (!(semi_axis >= INVCAL_REAL(0.1) && semi_axis <= INVCAL_REAL(10.0))) {
             return 0;
         }
     }
     return invcal_dot(t->delta, t->delta, 3) <= 100;
 }
 
-/* A with A'A = (I + S)^-2: symmetric, or upper triangular. */
+/* A - I with A'A = (I + S)^-2: symmetric, or upper triangular. */
 static void correction(const triad *t, invcal_frame frame, invcal_real a[3][3])
 {
-    invcal_real f[3];
     invcal_real s[6];
 
-    for (unsigned i = 0; i < 3; i++) {
-        const invcal_real inverse = 1 / t->axes.value[i];
-        f[i] = frame == INVCAL_FRAME_TRIANGULAR ? inverse * inverse : inverse;
-    }
-    invcal_eigen3_compose(&t->axes, f, s);
     if (frame == INVCAL_FRAME_TRIANGULAR) {
-        (void)invcal_cholesky_factor(s, 3, 0); /* values of 0.01 ... 100 cannot fail */
+        /* A = L' with L L' = (I + S)^-2; semi-axes of 0.1 ... 10 cannot make it fail */
+        invcal_real f[3];
+        for (unsigned i = 0; i < 3; i++) {
+            const invcal_real semi_axis = 1 + t->axes.value[i];
+            f[i] = 1 / (semi_axis * semi_axis);
+        }
+        invcal_eigen3_compose(&t->axes, f, s);
+        (void)invcal_cholesky_factor(s, 3, 0);
+        for (unsigned i = 0; i < 3; i++) {
+            s[INVCAL_PACKED(i, i)] -= 1;
+        }
+    } else {
+        invcal_eigen3_inverse(&t->axes, s);
     }
     for (unsigned r = 0; r < 3; r++) {
         for (unsigned c = 0; c <= r; c++) {
-            a[c][r] = s[INVCAL_PACKED(r, c)]; /* L' */
-            a[r][c] = frame == INVCAL_FRAME_TRIANGULAR && c < r ? 0 : a[c][r];
+            a[r][c] = frame == INVCAL_FRAME_TRIANGULAR ? 0 : s[INVCAL_PACKED(r, c)];
+            a[c][r] = s[INVCAL_PACKED(r, c)];
         }
     }
 }
@@ -158,26 +169,27 @@ static invcal_status join(const triad *t, const invcal_settings *settings, invca
     for (unsigned r = 0; r < 3; r++) {
         out->offset[r] = nominal->offset[r] + settings->field * invcal_dot(inverse[r], t->delta, 3);
         for (unsigned c = 0; c < 3; c++) {
-            out->matrix[r][c] = a[r][0] * nominal->matrix[0][c] + a[r][1] * nominal->matrix[1][c] +
-                                a[r][2] * nominal->matrix[2][c];
+            out->matrix[r][c] = nominal->matrix[r][c] +
+                                (a[r][0] * nominal->matrix[0][c] + a[r][1] * nominal->matrix[1][c] +
+                                 a[r][2] * nominal->matrix[2][c]);
         }
     }
     return INVCAL_OK;
 }
 
-/* dk and gamma from I + S. */
+/* dk and gamma from S. */
 static void name_parameters(const triad *t, invcal_solution *out)
 {
-    invcal_real model[6];
+    invcal_real s[6];
 
-    invcal_eigen3_compose(&t->axes, t->axes.value, model);
+    invcal_eigen3_compose(&t->axes, t->axes.value, s);
     memcpy(out->delta, t->delta, sizeof out->delta);
-    out->dk[0] = model[0] - 1;
-    out->dk[1] = model[2] - 1;
-    out->dk[2] = model[5] - 1;
-    out->gamma[0] = 2 * model[1];
-    out->gamma[1] = 2 * model[3];
-    out->gamma[2] = 2 * model[4];
+    out->dk[0] = s[0];
+    out->dk[1] = s[2];
+    out->dk[2] = s[5];
+    out->gamma[0] = 2 * s[1];
+    out->gamma[1] = 2 * s[3];
+    out->gamma[2] = 2 * s[4];
 }
 
 invcal_status invcal_solve(const invcal_normal *normal, const invcal_settings *settings,
@@ -212,13 +224,13 @@ invcal_status invcal_solve(const invcal_normal *normal, const invcal_settings *s
     return status;
 }
 
-void invcal_solution_model(const invcal_solution *solution, invcal_real model[6])
+void invcal_solution_deviation(const invcal_solution *solution, invcal_real s[6])
 {
-    INVCAL_ASSERT(solution && model);
-    model[0] = 1 + solution->dk[0];
-    model[2] = 1 + solution->dk[1];
-    model[5] = 1 + solution->dk[2];
-    model[1] = solution->gamma[0] / 2;
-    model[3] = solution->gamma[1] / 2;
-    model[4] = solution->gamma[2] / 2;
+    INVCAL_ASSERT(solution && s);
+    s[0] = solution->dk[0];
+    s[2] = solution->dk[1];
+    s[5] = solution->dk[2];
+    s[1] = solution->gamma[0] / 2;
+    s[3] = solution->gamma[1] / 2;
+    s[4] = solution->gamma[2] / 2;
 }

@@ -34,7 +34,8 @@ typedef struct {
     invcal_real condition;    /* of H'H of the calibrated unit vectors, prior included */
     invcal_real K[INVCAL_PACKED_SIZE(INVCAL_PARAMETERS)]; /* its inverse, packed: the covariance
                                  of the nine parameters in calibrated units over noise^2 */
-    uint16_t undetermined; /* bit r: sqrt(K(r,r)) > 10, parameter r is badly determined */
+    uint16_t undetermined; /* bit r: parameter r is badly determined: sqrt(K(r,r)) > 10, or
+                              K(r,r) noise^2 used > 0.1: by the noise in the readings itself */
     uint16_t from_prior;   /* bit r: the prior tells more about parameter r than the data */
     invcal_verdict verdict;
 } invcal_quality;
@@ -53,8 +54,8 @@ typedef struct {
  *
  * Returns INVCAL_OK;
  *   INVCAL_BAD_SETTING   settings or residuals unusable, used less than the residuals' count;
- *   INVCAL_UNDETERMINED  some sqrt(K(r,r)) exceeds 1000, or the calibrated unit vectors are
- *                        singular to rounding, without a prior to hold them;
+ *   INVCAL_UNDETERMINED  some sqrt(K(r,r)) exceeds 1000, or the condition exceeds
+ *                        1 / INVCAL_PIVOT_FLOOR, with no prior to hold the parameter;
  *   INVCAL_NOT_ELLIPSOID residuals of more than 10 % of the field: these are no readings of one
  *                        field by one triad at rest.
  * After a failure the solution must not be used. Stack: about 600 bytes (float). */

@@ -15,7 +15,7 @@
 
 typedef struct {
     invcal_normal normal;      /* weighted exact rows of the calibrated readings */
-    invcal_real correction[6]; /* A = (I + S)^-1, packed */
+    invcal_real correction[6]; /* A - I, A = (I + S)^-1, packed */
     invcal_real delta[3];
     invcal_real gain;    /* root mean square of |A eta| over all directions */
     invcal_real squares; /* sum of the squared residuals |calibrated| / field - 1 */

@@ -64,8 +64,7 @@ invcal_status invcal_solve(const invcal_normal *normal, const invcal_settings *s
 /* 1 if the settings hold a prior for any parameter, else 0. */
 int invcal_has_prior(const invcal_settings *settings);
 
-/* The symmetric matrix I + S of the sensor model from dk and gamma, packed (INVCAL_PACKED):
- * u = (I + S) eta + delta. */
-void invcal_solution_model(const invcal_solution *solution, invcal_real model[6]);
+/* S of the sensor model u = (I + S) eta + delta from dk and gamma, packed (INVCAL_PACKED). */
+void invcal_solution_deviation(const invcal_solution *solution, invcal_real s[6]);
 
 #endif

@@ -1,0 +1,96 @@
+# SPDX-License-Identifier: MIT
+#
+# invcal. A C compiler and make are all that `make demo` and `make test` need.
+
+CC     ?= cc
+AR     ?= ar
+STD    ?= c99
+CFLAGS ?= -O2 -g
+BUILD  ?= build
+# A folder with unity.h and unity.c: the tests build on any Unity.
+UNITY  ?= tests/unity
+
+WARNINGS := -Wall -Wextra -Wconversion -Wdouble-promotion -Wshadow -pedantic
+# Contraction (fused multiply-add) is off: the same bits on every machine.
+FLAGS     = -std=$(STD) -ffp-contract=off $(WARNINGS) $(CFLAGS) -Iinclude
+
+SOURCES := $(wildcard src/*.c)
+HOST    := $(wildcard port/host/*.c)
+SUITES  := $(patsubst tests/unit/%.c,%,$(wildcard tests/unit/test_*.c))
+DATA    := $(wildcard tests/data/*_positions.csv)
+# Commands are shown with make V=1.
+Q := $(if $(V),,@)
+
+.DEFAULT_GOAL := all
+.DELETE_ON_ERROR:
+.SECONDARY:
+.PHONY: help all demo test check reference format deps clean
+
+help: ## this list
+	@awk -F ':.*## ' '/^[a-z]+:.*## / { printf "make %-10s %s\n", $$1, $$2 }' $(MAKEFILE_LIST)
+
+all: $(BUILD)/float/libinvcal.a $(BUILD)/double/libinvcal.a $(BUILD)/invcal ## both libraries and the tool
+
+demo: $(BUILD)/invcal ## calibrate a real sensor from its 38 recorded rest positions
+	@echo 'Xsens MTi, 38 hand-held rest positions in raw counts; "factory" are its maker'"'"'s figures.'
+	@echo
+	$(BUILD)/invcal calibrate tests/data/xsens_mti_positions.csv --positions \
+	    --gravity 9.81744 --zero 33123,33276,32360 \
+	    --lsb 0.002409639,0.002421308,0.002409639 --nominal-name factory
+
+# ---- the library and its tests, once for each number type: build/float, build/double ----------
+
+define variant
+$(BUILD)/$(1)/%.o: %.c
+	@mkdir -p $$(@D)
+	$(Q)$$(CC) $$(FLAGS) -DINVCAL_DOUBLE=$(2) $$(EXTRA) -MMD -c $$< -o $$@
+
+$(BUILD)/$(1)/libinvcal.a: $(SOURCES:%.c=$(BUILD)/$(1)/%.o)
+	$(Q)rm -f $$@ && $$(AR) rcs $$@ $$^
+
+$(BUILD)/$(1)/unity.o: $(UNITY)/unity.c $(UNITY)/unity.h
+	@mkdir -p $$(@D)
+	$(Q)$$(CC) $$(FLAGS) -DUNITY_INCLUDE_DOUBLE -DUNITY_STRICT -I$(UNITY) -c $$< -o $$@
+
+$(BUILD)/$(1)/tests/unit/%.o: EXTRA += -DUNITY_INCLUDE_DOUBLE -DUNITY_STRICT -I$(UNITY) \
+    -Itests/unit -Itests/reference -I$(BUILD)
+$(BUILD)/$(1)/tests/unit/%.o: | $(BUILD)/positions.h
+
+$(BUILD)/$(1)/test_%: $(BUILD)/$(1)/tests/unit/test_%.o $(BUILD)/$(1)/tests/unit/support.o \
+    $(BUILD)/$(1)/unity.o $(BUILD)/$(1)/libinvcal.a
+	$(Q)$$(CC) $$(FLAGS) $$^ -lm -o $$@
+endef
+$(eval $(call variant,float,0))
+$(eval $(call variant,double,1))
+
+# The position means as C arrays, for targets that have no files.
+$(BUILD)/positions.h: tests/data/to_c.awk $(DATA)
+	@mkdir -p $(@D)
+	$(Q)awk -f $^ > $@
+
+$(BUILD)/invcal: $(HOST:%.c=$(BUILD)/double/%.o) $(BUILD)/double/libinvcal.a
+	$(Q)$(CC) $(FLAGS) $^ -lm -o $@
+
+# ---- tests ------------------------------------------------------------------------------------
+
+test: $(SUITES:%=$(BUILD)/float/%) $(SUITES:%=$(BUILD)/double/%) all ## all tests with one compiler
+	$(Q)CC="$(CC)" CFLAGS="$(CFLAGS)" UNITY="$(UNITY)" sh tests/run.sh $(BUILD)
+
+check: ## the tests under gcc and clang, C99 and C11, with sanitizers, warnings as errors
+	$(Q)sh tests/check.sh $(BUILD)/check
+
+reference: ## remake tests/reference/expected.h (needs python3)
+	python3 tests/reference/reference.py tests/data > $(BUILD)/expected.h
+	mv $(BUILD)/expected.h tests/reference/expected.h
+
+format: ## lay out the sources by .clang-format (needs clang-format 19)
+	clang-format-19 -i $(SOURCES) src/*.h include/invcal/*.h port/host/*.[ch] tests/unit/*.[ch]
+
+deps: ## install what `make check` and `make format` need beyond a C compiler (Debian, as root)
+	apt-get update
+	apt-get install -y --no-install-recommends gcc clang-19 libclang-rt-19-dev clang-format-19
+
+clean: ## remove build/
+	rm -rf $(BUILD)
+
+-include $(shell find $(BUILD) -name '*.d' 2>/dev/null)

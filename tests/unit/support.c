@@ -1,0 +1,167 @@
+/* SPDX-License-Identifier: MIT */
+#include "support.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "unity.h"
+
+static const double TURN = 6.283185307179586;
+
+random_source random_start(uint32_t seed)
+{
+    return (random_source){0x9E3779B97F4A7C15u ^ ((uint64_t)seed * 0xD1342543DE82EF95u)};
+}
+
+static uint64_t random_bits(random_source *source)
+{
+    source->state ^= source->state >> 12;
+    source->state ^= source->state << 25;
+    source->state ^= source->state >> 27;
+    return source->state * 0x2545F4914F6CDD1Du;
+}
+
+double random_uniform(random_source *source, double low, double high)
+{
+    const uint32_t bits = (uint32_t)(random_bits(source) >> 32);
+    return low + (high - low) * (((double)bits + 0.5) / 4294967296.0);
+}
+
+/* Box and Muller. */
+double random_normal(random_source *source)
+{
+    const double radius = sqrt(-2 * log(random_uniform(source, 0, 1)));
+    return radius * cos(TURN * random_uniform(source, 0, 1));
+}
+
+double length3(const double v[3])
+{
+    return sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
+}
+
+void random_direction(random_source *source, double direction[3])
+{
+    for (int i = 0; i < 3; i++) {
+        direction[i] = random_normal(source);
+    }
+    const double length = length3(direction);
+    for (int i = 0; i < 3; i++) {
+        direction[i] /= length;
+    }
+}
+
+/* Two random directions made orthogonal, and their cross product. */
+void random_rotation(random_source *source, double m[3][3])
+{
+    random_direction(source, m[0]);
+    random_direction(source, m[1]);
+    const double along = m[0][0] * m[1][0] + m[0][1] * m[1][1] + m[0][2] * m[1][2];
+    for (int i = 0; i < 3; i++) {
+        m[1][i] -= along * m[0][i];
+    }
+    const double length = length3(m[1]);
+    for (int i = 0; i < 3; i++) {
+        m[1][i] /= length;
+    }
+    m[2][0] = m[0][1] * m[1][2] - m[0][2] * m[1][1];
+    m[2][1] = m[0][2] * m[1][0] - m[0][0] * m[1][2];
+    m[2][2] = m[0][0] * m[1][1] - m[0][1] * m[1][0];
+}
+
+triad_truth triad_random(random_source *source, double size)
+{
+    triad_truth truth;
+
+    for (int r = 0; r < INVCAL_PARAMETERS; r++) {
+        truth.x[r] = random_uniform(source, -size, size);
+    }
+    return truth;
+}
+
+void triad_read(const triad_truth *truth, const double eta[3], double u[3])
+{
+    const double *x = truth->x;
+
+    u[0] = (1 + x[3]) * eta[0] + x[6] / 2 * eta[1] + x[7] / 2 * eta[2] + x[0];
+    u[1] = x[6] / 2 * eta[0] + (1 + x[4]) * eta[1] + x[8] / 2 * eta[2] + x[1];
+    u[2] = x[7] / 2 * eta[0] + x[8] / 2 * eta[1] + (1 + x[5]) * eta[2] + x[2];
+}
+
+void read_positions(const triad_truth *truth, const double directions[][3], unsigned count,
+                    double sigma, random_source *source, reading_set *out)
+{
+    double u[3];
+
+    TEST_ASSERT_TRUE(count <= MAX_POSITIONS);
+    out->count = count;
+    for (unsigned i = 0; i < count; i++) {
+        triad_read(truth, directions[i], u);
+        for (int axis = 0; axis < 3; axis++) {
+            const double noise = sigma > 0 ? sigma * random_normal(source) : 0;
+            out->u[i][axis] = (invcal_real)(u[axis] + noise);
+        }
+    }
+}
+
+invcal_settings unit_settings(double noise)
+{
+    invcal_settings settings;
+
+    memset(&settings, 0, sizeof settings);
+    for (int i = 0; i < 3; i++) {
+        settings.nominal.matrix[i][i] = 1;
+    }
+    settings.field = 1;
+    settings.noise = (invcal_real)noise;
+    return settings;
+}
+
+invcal_normal normal_of(const reading_set *set)
+{
+    invcal_normal normal;
+    invcal_observation row;
+
+    invcal_normal_init(&normal);
+    for (unsigned i = 0; i < set->count; i++) {
+        TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_observation_exact(set->u[i], &row));
+        TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_normal_add(&normal, &row, 1));
+    }
+    return normal;
+}
+
+invcal_status calibrate_set(const reading_set *set, const invcal_settings *settings,
+                            invcal_solution *solution, invcal_quality *quality,
+                            invcal_reason *reason)
+{
+    return invcal_calibrate(&set->u[0][0], set->count, settings, solution, quality, reason);
+}
+
+double calibrated_length(const invcal_solution *solution, const triad_truth *truth,
+                         const double eta[3], double field)
+{
+    double u[3];
+    invcal_real raw[3];
+    invcal_real out[3];
+
+    triad_read(truth, eta, u);
+    for (int i = 0; i < 3; i++) {
+        raw[i] = (invcal_real)u[i];
+    }
+    invcal_apply(&solution->calibration, raw, out);
+    const double v[3] = {(double)out[0], (double)out[1], (double)out[2]};
+    return length3(v) / field;
+}
+
+double parameter(const invcal_solution *solution, unsigned r)
+{
+    return (double)(r < 3   ? solution->delta[r]
+                    : r < 6 ? solution->dk[r - 3]
+                            : solution->gamma[r - 6]);
+}
+
+double sigma_of_parameter(const invcal_quality *quality, unsigned r)
+{
+    return (double)(r < 3   ? quality->sigma_delta[r]
+                    : r < 6 ? quality->sigma_dk[r - 3]
+                            : quality->sigma_gamma[r - 6]);
+}

@@ -1,0 +1,70 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * What the tests share: a random source, a simulated triad, sets of directions.
+ * All of it computes in double, whatever the library is built for.
+ */
+#ifndef SUPPORT_H
+#define SUPPORT_H
+
+#include <stdint.h>
+
+#include "invcal/invcal.h"
+
+/* Random numbers (xorshift64*): the same everywhere for the same seed. */
+typedef struct {
+    uint64_t state;
+} random_source;
+
+random_source random_start(uint32_t seed);
+double random_uniform(random_source *source, double low, double high);
+double random_normal(random_source *source);
+void random_direction(random_source *source, double direction[3]);
+void random_rotation(random_source *source, double rotation[3][3]);
+
+/* The true parameters of a triad, in the library's order. */
+typedef struct {
+    double x[INVCAL_PARAMETERS];
+} triad_truth;
+
+/* Every parameter at random within +- size. */
+triad_truth triad_random(random_source *source, double size);
+
+/* u = (I + S) eta + delta: the sensor model, written out from design section 2. */
+void triad_read(const triad_truth *truth, const double eta[3], double u[3]);
+
+/* Readings of a set of positions, over field. */
+enum { MAX_POSITIONS = 64 };
+typedef struct {
+    unsigned count;
+    invcal_real u[MAX_POSITIONS][3];
+} reading_set;
+
+/* The readings of a triad held in count directions, each axis with normal noise of sigma. */
+void read_positions(const triad_truth *truth, const double directions[][3], unsigned count,
+                    double sigma, random_source *source, reading_set *out);
+
+/* Settings for readings over field: nominal identity, field 1, noise as given (0: not known). */
+invcal_settings unit_settings(double noise);
+
+/* The normal equations of exact rows; every row must be accepted. */
+invcal_normal normal_of(const reading_set *set);
+
+/* invcal_calibrate on a set of readings over field. */
+invcal_status calibrate_set(const reading_set *set, const invcal_settings *settings,
+                            invcal_solution *solution, invcal_quality *quality,
+                            invcal_reason *reason);
+
+/* The length of a calibrated reading of eta, over field. */
+double calibrated_length(const invcal_solution *solution, const triad_truth *truth,
+                         const double eta[3], double field);
+
+/* Parameter r of a solution, and its sigma. */
+double parameter(const invcal_solution *solution, unsigned r);
+double sigma_of_parameter(const invcal_quality *quality, unsigned r);
+
+double length3(const double v[3]);
+
+/* a in the float build, b in the double build. */
+#define FLOAT_OR_DOUBLE(a, b) (INVCAL_DOUBLE ? (b) : (a))
+
+#endif

@@ -1,0 +1,223 @@
+/* SPDX-License-Identifier: MIT */
+#include <math.h>
+#include <string.h>
+
+#include "expected.h"
+#include "support.h"
+#include "unity.h"
+
+void setUp(void)
+{
+}
+
+void tearDown(void)
+{
+}
+
+enum { N = INVCAL_MAX_PARAMETERS, SUMS = INVCAL_PACKED_SIZE(INVCAL_MAX_PARAMETERS) };
+static const double tiny = FLOAT_OR_DOUBLE(6e-7, 2e-15);
+
+/* The square root of M through its eigenvalues, against the B that M was made from, M = B B. */
+static void square_roots_agree_with_the_matrices_squared(void)
+{
+    for (unsigned i = 0; i < EXPECTED_ROOTS; i++) {
+        invcal_real m[6];
+        invcal_real f[3];
+        invcal_real root[6];
+        invcal_eigen3 eigen;
+        for (unsigned k = 0; k < 6; k++) {
+            m[k] = (invcal_real)expected_root_square[i][k];
+        }
+        invcal_eigen3_decompose(m, &eigen);
+        for (unsigned k = 0; k < 3; k++) {
+            f[k] = (invcal_real)sqrt((double)eigen.value[k]);
+        }
+        invcal_eigen3_compose(&eigen, f, root);
+        for (unsigned k = 0; k < 6; k++) {
+            TEST_ASSERT_DOUBLE_WITHIN(10 * tiny, expected_root[i][k], (double)root[k]);
+        }
+    }
+}
+
+/* M = R diag(a) R' with known a: equal, close and far apart. */
+static void eigenvalues_are_those_the_matrix_was_made_from(void)
+{
+    static const double values[][3] = {{1, 1, 1},  {1, 1, 2},          {1, 1 + 1e-6, 1 - 1e-6},
+                                       {1, 2, 3},  {1e-3, 1, 1e3},     {-1, 0, 1},
+                                       {0, 0, 0},  {1, 1e-30, -1e-30}, {0.81, 1, 1.21}};
+    random_source random = random_start(1);
+
+    for (unsigned i = 0; i < sizeof values / sizeof values[0]; i++) {
+        for (int repetition = 0; repetition < 50; repetition++) {
+            double rotation[3][3];
+            invcal_real m[6];
+            invcal_eigen3 eigen;
+            random_rotation(&random, rotation);
+            for (unsigned r = 0; r < 3; r++) {
+                for (unsigned c = 0; c <= r; c++) {
+                    double sum = 0;
+                    for (unsigned k = 0; k < 3; k++) {
+                        sum += rotation[r][k] * values[i][k] * rotation[c][k];
+                    }
+                    m[INVCAL_PACKED(r, c)] = (invcal_real)sum;
+                }
+            }
+            invcal_eigen3_decompose(m, &eigen);
+            double trace[4] = {0};
+            double sum[4] = {0};
+            for (unsigned k = 0; k < 3; k++) {
+                for (int power = 1; power <= 3; power++) {
+                    trace[power] += pow(values[i][k], power);
+                    sum[power] += pow((double)eigen.value[k], power);
+                }
+            }
+            const double scale = fmax(1, fabs(values[i][2]));
+            for (int power = 1; power <= 3; power++) {
+                TEST_ASSERT_DOUBLE_WITHIN(10 * tiny * pow(scale, power), trace[power], sum[power]);
+            }
+        }
+    }
+}
+
+static void axes_are_orthonormal_and_give_the_matrix_back(void)
+{
+    random_source random = random_start(2);
+
+    for (int i = 0; i < 500; i++) {
+        invcal_real m[6];
+        invcal_real back[6];
+        invcal_eigen3 eigen;
+        for (unsigned k = 0; k < 6; k++) {
+            m[k] = (invcal_real)random_normal(&random);
+        }
+        invcal_eigen3_decompose(m, &eigen);
+        invcal_eigen3_compose(&eigen, eigen.value, back);
+        for (unsigned k = 0; k < 6; k++) {
+            TEST_ASSERT_DOUBLE_WITHIN(10 * tiny, (double)m[k], (double)back[k]);
+        }
+        const invcal_real one[3] = {1, 1, 1};
+        invcal_eigen3_compose(&eigen, one, back);
+        for (unsigned r = 0; r < 3; r++) {
+            for (unsigned c = 0; c <= r; c++) {
+                TEST_ASSERT_DOUBLE_WITHIN(5 * tiny, r == c, (double)back[INVCAL_PACKED(r, c)]);
+            }
+        }
+    }
+}
+
+static void a_nan_in_the_matrix_shows_in_the_values(void)
+{
+    for (unsigned k = 0; k < 6; k++) {
+        invcal_real m[6] = {1, (invcal_real)0.1, 1, (invcal_real)0.1, (invcal_real)0.1, 1};
+        invcal_eigen3 eigen;
+        m[k] = (invcal_real)NAN;
+        invcal_eigen3_decompose(m, &eigen);
+        TEST_ASSERT_TRUE(isnan(eigen.value[0]) || isnan(eigen.value[1]) || isnan(eigen.value[2]));
+    }
+}
+
+/* The tridiagonal matrix of 2 and -1 has the eigenvalues 2 - 2 cos(k pi / (n + 1)). */
+static void condition_of_a_toeplitz_matrix_agrees_with_its_closed_form(void)
+{
+    for (unsigned n = 1; n <= N; n++) {
+        const double step = acos(-1.0) / (n + 1);
+        const double expected = (1 - cos(n * step)) / (1 - cos(step));
+        invcal_real a[SUMS] = {0};
+        for (unsigned r = 0; r < n; r++) {
+            a[INVCAL_PACKED(r, r)] = 2;
+            if (r > 0) {
+                a[INVCAL_PACKED(r, r - 1)] = -1;
+            }
+        }
+        TEST_ASSERT_DOUBLE_WITHIN(10 * tiny * expected * expected, expected,
+                                  (double)invcal_condition(a, n));
+    }
+}
+
+/* P = I - 2 v v' keeps eigenvalues: P diag P is full, with known condition. */
+static void condition_does_not_depend_on_the_axes(void)
+{
+    random_source random = random_start(3);
+
+    for (int i = 0; i < 200; i++) {
+        const double condition = pow(10, random_uniform(&random, 0, 3));
+        double v[N];
+        double square = 0;
+        double d[N];
+        invcal_real a[SUMS];
+        for (unsigned r = 0; r < N; r++) {
+            v[r] = random_normal(&random);
+            square += v[r] * v[r];
+            d[r] = pow(condition, random_uniform(&random, 0, 1));
+        }
+        d[3] = 1;
+        d[5] = condition;
+        for (unsigned r = 0; r < N; r++) {
+            for (unsigned c = 0; c <= r; c++) {
+                double sum = 0;
+                for (unsigned k = 0; k < N; k++) {
+                    const double pr = (r == k) - 2 * v[r] * v[k] / square;
+                    const double pc = (c == k) - 2 * v[c] * v[k] / square;
+                    sum += pr * d[k] * pc;
+                }
+                a[INVCAL_PACKED(r, c)] = (invcal_real)sum;
+            }
+        }
+        TEST_ASSERT_DOUBLE_WITHIN(N * tiny * condition * condition, condition,
+                                  (double)invcal_condition(a, N));
+    }
+}
+
+static void condition_of_a_diagonal_matrix_is_its_spread(void)
+{
+    for (unsigned n = 2; n <= N; n++) {
+        invcal_real a[SUMS] = {0};
+        for (unsigned r = 0; r < n; r++) {
+            a[INVCAL_PACKED(r, r)] = (invcal_real)(r + 1);
+        }
+        TEST_ASSERT_DOUBLE_WITHIN(n * n * tiny, n, (double)invcal_condition(a, n));
+    }
+}
+
+static void what_is_not_positive_definite_has_no_condition(void)
+{
+    static const double bad[] = {-1, 0, NAN, -INFINITY};
+
+    for (unsigned i = 0; i < sizeof bad / sizeof bad[0]; i++) {
+        for (unsigned k = 0; k < N; k++) {
+            invcal_real a[SUMS] = {0};
+            for (unsigned r = 0; r < N; r++) {
+                a[INVCAL_PACKED(r, r)] = 1;
+            }
+            a[INVCAL_PACKED(k, k)] = (invcal_real)bad[i];
+            TEST_ASSERT_TRUE(invcal_condition(a, N) == INVCAL_REAL_MAX);
+        }
+    }
+}
+
+static void a_nan_beside_the_diagonal_has_no_condition(void)
+{
+    for (unsigned r = 1; r < N; r++) {
+        invcal_real a[SUMS] = {0};
+        for (unsigned k = 0; k < N; k++) {
+            a[INVCAL_PACKED(k, k)] = 1;
+        }
+        a[INVCAL_PACKED(r, r - 1)] = (invcal_real)NAN;
+        TEST_ASSERT_TRUE(invcal_condition(a, N) == INVCAL_REAL_MAX);
+    }
+}
+
+int main(void)
+{
+    UNITY_BEGIN();
+    RUN_TEST(square_roots_agree_with_the_matrices_squared);
+    RUN_TEST(eigenvalues_are_those_the_matrix_was_made_from);
+    RUN_TEST(axes_are_orthonormal_and_give_the_matrix_back);
+    RUN_TEST(a_nan_in_the_matrix_shows_in_the_values);
+    RUN_TEST(condition_of_a_toeplitz_matrix_agrees_with_its_closed_form);
+    RUN_TEST(condition_does_not_depend_on_the_axes);
+    RUN_TEST(condition_of_a_diagonal_matrix_is_its_spread);
+    RUN_TEST(what_is_not_positive_definite_has_no_condition);
+    RUN_TEST(a_nan_beside_the_diagonal_has_no_condition);
+    return UNITY_END() != 0;
+}

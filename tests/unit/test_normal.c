@@ -1,0 +1,266 @@
+/* SPDX-License-Identifier: MIT */
+#include <math.h>
+#include <string.h>
+
+#include "support.h"
+#include "unity.h"
+
+void setUp(void)
+{
+}
+
+void tearDown(void)
+{
+}
+
+enum { COUNT = 20, SUMS = INVCAL_PACKED_SIZE(INVCAL_PARAMETERS) };
+static const double tiny = FLOAT_OR_DOUBLE(1e-6, 1e-15); /* of a sum of about 20 */
+
+static invcal_observation rows[COUNT];
+
+/* Rows of a triad with errors of 10 %. */
+static void make_rows(void)
+{
+    random_source random = random_start(1);
+    const triad_truth truth = triad_random(&random, 0.1);
+    double direction[COUNT][3];
+    reading_set set;
+
+    for (int i = 0; i < COUNT; i++) {
+        random_direction(&random, direction[i]);
+    }
+    read_positions(&truth, (const double(*)[3])direction, COUNT, 0, &random, &set);
+    for (int i = 0; i < COUNT; i++) {
+        TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_observation_exact(set.u[i], &rows[i]));
+    }
+}
+
+static invcal_normal sum_of(int first, int last)
+{
+    invcal_normal n;
+
+    invcal_normal_init(&n);
+    for (int i = first; i < last; i++) {
+        TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_normal_add(&n, &rows[i], 1));
+    }
+    return n;
+}
+
+static void assert_equal_normal(const invcal_normal *a, const invcal_normal *b, double factor)
+{
+    for (int i = 0; i < SUMS; i++) {
+        TEST_ASSERT_DOUBLE_WITHIN(COUNT * tiny, (double)a->hth[i] * factor, (double)b->hth[i]);
+    }
+    for (int r = 0; r < INVCAL_PARAMETERS; r++) {
+        TEST_ASSERT_DOUBLE_WITHIN(COUNT * tiny, (double)a->htj[r] * factor, (double)b->htj[r]);
+    }
+    TEST_ASSERT_DOUBLE_WITHIN(COUNT * tiny, (double)a->jtj * factor, (double)b->jtj);
+    TEST_ASSERT_DOUBLE_WITHIN(COUNT * tiny, (double)a->count * factor, (double)b->count);
+    TEST_ASSERT_EQUAL_INT(a->model, b->model);
+}
+
+static void sums_built_row_by_row_are_those_of_the_matrix(void)
+{
+    make_rows();
+    const invcal_normal n = sum_of(0, COUNT);
+
+    for (unsigned r = 0; r < INVCAL_PARAMETERS; r++) {
+        double htj = 0;
+        for (unsigned c = 0; c <= r; c++) {
+            double hth = 0;
+            for (int i = 0; i < COUNT; i++) {
+                hth += (double)rows[i].h[r] * (double)rows[i].h[c];
+            }
+            TEST_ASSERT_DOUBLE_WITHIN(COUNT * tiny, hth, (double)n.hth[INVCAL_PACKED(r, c)]);
+        }
+        for (int i = 0; i < COUNT; i++) {
+            htj += (double)rows[i].h[r] * (double)rows[i].j;
+        }
+        TEST_ASSERT_DOUBLE_WITHIN(COUNT * tiny, htj, (double)n.htj[r]);
+    }
+    double jtj = 0;
+    for (int i = 0; i < COUNT; i++) {
+        jtj += (double)rows[i].j * (double)rows[i].j;
+    }
+    TEST_ASSERT_DOUBLE_WITHIN(COUNT * tiny, jtj, (double)n.jtj);
+    TEST_ASSERT_EQUAL_DOUBLE(COUNT, (double)n.count);
+}
+
+static void order_does_not_matter(void)
+{
+    invcal_normal backwards;
+
+    make_rows();
+    const invcal_normal n = sum_of(0, COUNT);
+    invcal_normal_init(&backwards);
+    for (int i = COUNT; i-- > 0;) {
+        TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_normal_add(&backwards, &rows[i], 1));
+    }
+    assert_equal_normal(&n, &backwards, 1);
+}
+
+static void a_weight_counts_like_a_repetition(void)
+{
+    make_rows();
+    invcal_normal thrice = sum_of(0, 10);
+    invcal_normal weighted = sum_of(0, 10);
+
+    for (int i = 0; i < 3; i++) {
+        TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_normal_add(&thrice, &rows[10], 1));
+    }
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_normal_add(&weighted, &rows[10], 3));
+    TEST_ASSERT_EQUAL_DOUBLE(13, (double)thrice.count);
+    TEST_ASSERT_EQUAL_DOUBLE(11, (double)weighted.count); /* one position, however precise */
+    weighted.count = thrice.count;
+    assert_equal_normal(&thrice, &weighted, 1);
+}
+
+static void what_was_added_and_removed_was_never_there(void)
+{
+    make_rows();
+    const invcal_normal expected = sum_of(0, 10);
+    invcal_normal n = sum_of(0, COUNT);
+
+    for (int i = 10; i < COUNT; i++) {
+        TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_normal_remove(&n, &rows[i], 1));
+    }
+    assert_equal_normal(&expected, &n, 1);
+}
+
+static void two_halves_merged_are_the_whole(void)
+{
+    make_rows();
+    const invcal_normal whole = sum_of(0, COUNT);
+    const invcal_normal second = sum_of(7, COUNT);
+    invcal_normal n = sum_of(0, 7);
+
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_normal_merge(&n, &second));
+    assert_equal_normal(&whole, &n, 1);
+}
+
+static void merging_with_nothing_changes_nothing(void)
+{
+    invcal_normal empty;
+
+    make_rows();
+    const invcal_normal before = sum_of(0, 5);
+    invcal_normal n = before;
+    invcal_normal_init(&empty);
+    empty.model = INVCAL_MODEL_LINEAR; /* without meaning in empty sums */
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_normal_merge(&n, &empty));
+    TEST_ASSERT_EQUAL_MEMORY(&before, &n, sizeof n);
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_normal_merge(&empty, &n));
+    assert_equal_normal(&n, &empty, 1);
+}
+
+static void scaling_lets_all_sums_fade_alike(void)
+{
+    make_rows();
+    const invcal_normal before = sum_of(0, COUNT);
+    invcal_normal n = before;
+
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_normal_scale(&n, (invcal_real)0.25));
+    assert_equal_normal(&before, &n, 0.25);
+}
+
+static void a_prior_adds_the_square_of_noise_over_sigma_to_the_diagonal(void)
+{
+    const invcal_real sigma[9] = {(invcal_real)0.5, 1, 2, 0, 4, 1, 1, 1, 1};
+
+    make_rows();
+    const invcal_normal before = sum_of(0, COUNT);
+    invcal_normal n = before;
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_normal_add_prior(&n, sigma, 2));
+    for (unsigned r = 0; r < INVCAL_PARAMETERS; r++) {
+        const double s = (double)sigma[r];
+        const double added =
+            (double)n.hth[INVCAL_PACKED(r, r)] - (double)before.hth[INVCAL_PACKED(r, r)];
+        TEST_ASSERT_DOUBLE_WITHIN(COUNT * tiny, s > 0 ? 4 / (s * s) : 0, added);
+    }
+    TEST_ASSERT_TRUE(n.hth[INVCAL_PACKED(4, 2)] == before.hth[INVCAL_PACKED(4, 2)]);
+    TEST_ASSERT_TRUE(n.count == before.count);
+}
+
+static void the_least_noise_of_a_prior_grows_with_its_width_and_with_the_sums(void)
+{
+    const invcal_real sigma[9] = {0, 0, 0, (invcal_real)0.03, 0, 0, 0, 0, 0};
+
+    make_rows();
+    invcal_normal n = sum_of(0, COUNT);
+    const double least = (double)invcal_normal_prior_noise(&n, sigma);
+    double largest = 0;
+    for (unsigned r = 0; r < 9; r++) {
+        largest = fmax(largest, (double)n.hth[INVCAL_PACKED(r, r)]);
+    }
+    const double epsilon = FLOAT_OR_DOUBLE(1.1920929e-7, 2.220446049250313e-16);
+    TEST_ASSERT_DOUBLE_WITHIN(1e-6 * least, 0.03 * sqrt(4 * epsilon * largest), least);
+    const invcal_real nothing[9] = {0};
+    TEST_ASSERT_TRUE(invcal_normal_prior_noise(&n, nothing) == 0);
+}
+
+static void unusable_weights_factors_and_priors_are_refused(void)
+{
+    static const double bad[] = {0, -1, NAN, INFINITY};
+
+    make_rows();
+    const invcal_normal before = sum_of(0, COUNT);
+    invcal_normal n = before;
+    for (unsigned i = 0; i < sizeof bad / sizeof bad[0]; i++) {
+        const invcal_real x = (invcal_real)bad[i];
+        invcal_real sigma[9] = {1, 1, 1, 1, 1, 1, 1, 1, 1};
+        TEST_ASSERT_EQUAL_INT(INVCAL_BAD_SETTING, invcal_normal_add(&n, &rows[0], x));
+        TEST_ASSERT_EQUAL_INT(INVCAL_BAD_SETTING, invcal_normal_remove(&n, &rows[0], x));
+        TEST_ASSERT_EQUAL_INT(INVCAL_BAD_SETTING, invcal_normal_scale(&n, x));
+        TEST_ASSERT_EQUAL_INT(INVCAL_BAD_SETTING, invcal_normal_add_prior(&n, sigma, x));
+        sigma[8] = bad[i] == 0 ? -1 : x; /* 0 is allowed: no prior */
+        TEST_ASSERT_EQUAL_INT(INVCAL_BAD_SETTING, invcal_normal_add_prior(&n, sigma, 1));
+    }
+    TEST_ASSERT_EQUAL_INT(INVCAL_BAD_SETTING, invcal_normal_scale(&n, (invcal_real)1.01));
+    TEST_ASSERT_EQUAL_MEMORY(&before, &n, sizeof n);
+}
+
+static void exact_and_linear_rows_do_not_mix(void)
+{
+    const invcal_real up[3] = {0, 0, 1};
+    invcal_observation vertical;
+    invcal_normal linear;
+
+    make_rows();
+    const invcal_normal before = sum_of(0, COUNT);
+    invcal_normal n = before;
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_observation_vertical(up, up, &vertical));
+    TEST_ASSERT_EQUAL_INT(INVCAL_MIXED, invcal_normal_add(&n, &vertical, 1));
+    TEST_ASSERT_EQUAL_INT(INVCAL_MIXED, invcal_normal_remove(&n, &vertical, 1));
+    invcal_normal_init(&linear);
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_normal_add(&linear, &vertical, 1));
+    TEST_ASSERT_EQUAL_INT(INVCAL_MIXED, invcal_normal_merge(&n, &linear));
+    TEST_ASSERT_EQUAL_MEMORY(&before, &n, sizeof n);
+}
+
+static void nothing_can_be_removed_from_empty_sums(void)
+{
+    invcal_normal n;
+
+    make_rows();
+    invcal_normal_init(&n);
+    TEST_ASSERT_EQUAL_INT(INVCAL_TOO_FEW, invcal_normal_remove(&n, &rows[0], 1));
+    TEST_ASSERT_TRUE(n.count == 0 && n.hth[0] == 0);
+}
+
+int main(void)
+{
+    UNITY_BEGIN();
+    RUN_TEST(sums_built_row_by_row_are_those_of_the_matrix);
+    RUN_TEST(order_does_not_matter);
+    RUN_TEST(a_weight_counts_like_a_repetition);
+    RUN_TEST(what_was_added_and_removed_was_never_there);
+    RUN_TEST(two_halves_merged_are_the_whole);
+    RUN_TEST(merging_with_nothing_changes_nothing);
+    RUN_TEST(scaling_lets_all_sums_fade_alike);
+    RUN_TEST(a_prior_adds_the_square_of_noise_over_sigma_to_the_diagonal);
+    RUN_TEST(the_least_noise_of_a_prior_grows_with_its_width_and_with_the_sums);
+    RUN_TEST(unusable_weights_factors_and_priors_are_refused);
+    RUN_TEST(exact_and_linear_rows_do_not_mix);
+    RUN_TEST(nothing_can_be_removed_from_empty_sums);
+    return UNITY_END() != 0;
+}

@@ -1,0 +1,472 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * What must never come out as a calibration: families of random members, each with noise and
+ * without, seen by a triad with errors of up to 5 % and from a random side.
+ */
+#include <math.h>
+#include <string.h>
+
+#include "support.h"
+#include "unity.h"
+
+void setUp(void)
+{
+}
+
+void tearDown(void)
+{
+}
+
+enum { MEMBERS = 200 };
+static const double TURN = 6.283185307179586;
+
+typedef void (*family)(random_source *random, int member, double directions[][3], unsigned *count);
+
+static void turn_all(random_source *random, double v[][3], unsigned count)
+{
+    double rotation[3][3];
+
+    random_rotation(random, rotation);
+    for (unsigned i = 0; i < count; i++) {
+        const double a[3] = {v[i][0], v[i][1], v[i][2]};
+        for (int k = 0; k < 3; k++) {
+            v[i][k] = rotation[k][0] * a[0] + rotation[k][1] * a[1] + rotation[k][2] * a[2];
+        }
+    }
+}
+
+/* Directions at height z about the vertical axis. */
+static void circle(random_source *random, double z, double v[][3], unsigned count)
+{
+    for (unsigned i = 0; i < count; i++) {
+        const double angle = random_uniform(random, 0, TURN);
+        v[i][0] = sqrt(1 - z * z) * cos(angle);
+        v[i][1] = sqrt(1 - z * z) * sin(angle);
+        v[i][2] = z;
+    }
+}
+
+static void six_faces(random_source *random, int member, double v[][3], unsigned *count)
+{
+    *count = 6 * (1 + (unsigned)member % 4); /* repeated up to four times */
+    memset(v, 0, *count * sizeof v[0]);
+    for (unsigned i = 0; i < *count; i++) {
+        v[i][i % 3] = i / 3 % 2 ? 1 : -1;
+    }
+    if (member % 2) {
+        turn_all(random, v, *count);
+    }
+}
+
+static void one_position(random_source *random, int member, double v[][3], unsigned *count)
+{
+    double only[3];
+
+    *count = 9 + (unsigned)member % 30;
+    random_direction(random, only);
+    for (unsigned i = 0; i < *count; i++) {
+        memcpy(v[i], only, sizeof only);
+    }
+}
+
+static void one_plane(random_source *random, int member, double v[][3], unsigned *count)
+{
+    *count = 9 + (unsigned)member % 30;
+    circle(random, 0, v, *count);
+    if (member % 2) {
+        turn_all(random, v, *count);
+    }
+}
+
+static void one_cone(random_source *random, int member, double v[][3], unsigned *count)
+{
+    *count = 9 + (unsigned)member % 30;
+    circle(random, random_uniform(random, -0.9, 0.9), v, *count);
+    if (member % 2) {
+        turn_all(random, v, *count);
+    }
+}
+
+static void two_circles(random_source *random, int member, double v[][3], unsigned *count)
+{
+    const double z = random_uniform(random, -0.9, 0.9);
+
+    *count = 10 + (unsigned)member % 30;
+    circle(random, z, v, *count / 2);
+    circle(random, random_uniform(random, -0.9, 0.9), v + *count / 2, *count - *count / 2);
+    turn_all(random, v, *count);
+}
+
+/* Two planes through the origin: two great circles. */
+static void two_great_circles(random_source *random, int member, double v[][3], unsigned *count)
+{
+    *count = 10 + (unsigned)member % 30;
+    circle(random, 0, v, *count / 2);
+    turn_all(random, v, *count / 2);
+    circle(random, 0, v + *count / 2, *count - *count / 2);
+}
+
+static void a_cap_of_one_degree(random_source *random, int member, double v[][3], unsigned *count)
+{
+    *count = 9 + (unsigned)member % 30;
+    for (unsigned i = 0; i < *count; i++) {
+        circle(random, cos(random_uniform(random, 0, TURN / 360)), v + i, 1);
+    }
+    turn_all(random, v, *count);
+}
+
+static void fewer_than_nine(random_source *random, int member, double v[][3], unsigned *count)
+{
+    *count = (unsigned)member % 9;
+    for (unsigned i = 0; i < *count; i++) {
+        random_direction(random, v[i]);
+    }
+}
+
+/* Calibrates a set and demands a refusal of the kind expected, outputs untouched. Returns the
+ * number of members that were delivered all the same. */
+static unsigned assert_refused(const reading_set *set, double noise, invcal_status expected,
+                               uint16_t *undetermined)
+{
+    const invcal_settings settings = unit_settings(noise);
+    invcal_solution solution;
+    invcal_solution solution_before;
+    invcal_quality quality;
+    invcal_quality quality_before;
+    invcal_reason reason;
+
+    memset(&solution, 7, sizeof solution);
+    memset(&quality, 7, sizeof quality);
+    solution_before = solution;
+    quality_before = quality;
+    const invcal_status status = calibrate_set(set, &settings, &solution, &quality, &reason);
+    if (status == INVCAL_OK) {
+        return 1;
+    }
+    TEST_ASSERT_EQUAL_INT(expected, status);
+    TEST_ASSERT_EQUAL_MEMORY(&solution_before, &solution, sizeof solution);
+    TEST_ASSERT_EQUAL_MEMORY(&quality_before, &quality, sizeof quality);
+    *undetermined = reason.undetermined;
+    return 0;
+}
+
+static void assert_family_refused(family make, invcal_status expected)
+{
+    random_source random = random_start(1);
+
+    for (int member = 0; member < MEMBERS; member++) {
+        double v[MAX_POSITIONS][3];
+        unsigned count;
+        reading_set set;
+        uint16_t undetermined = 0;
+        const triad_truth truth = triad_random(&random, 0.05);
+        make(&random, member, v, &count);
+        read_positions(&truth, (const double(*)[3])v, count, 0, &random, &set);
+        TEST_ASSERT_EQUAL_UINT(0, assert_refused(&set, 0, expected, &undetermined));
+        TEST_ASSERT_TRUE(undetermined != 0);
+    }
+}
+
+static void fewer_than_nine_positions_are_refused(void)
+{
+    assert_family_refused(fewer_than_nine, INVCAL_TOO_FEW);
+}
+
+static void six_faces_alone_are_refused(void)
+{
+    random_source random = random_start(1);
+
+    for (int member = 0; member < MEMBERS; member++) {
+        double v[MAX_POSITIONS][3];
+        unsigned count;
+        reading_set set;
+        uint16_t undetermined = 0;
+        const triad_truth truth = triad_random(&random, 0.05);
+        six_faces(&random, member, v, &count);
+        read_positions(&truth, (const double(*)[3])v, count, 0, &random, &set);
+        TEST_ASSERT_EQUAL_UINT(0, assert_refused(&set, 0, count < 9 ? INVCAL_TOO_FEW : INVCAL_UNDETERMINED,
+                                                 &undetermined));
+        TEST_ASSERT_TRUE((undetermined & 0x1C0) != 0); /* the angles are open */
+    }
+}
+
+static void one_repeated_position_is_refused(void)
+{
+    assert_family_refused(one_position, INVCAL_UNDETERMINED);
+}
+
+static void positions_confined_to_a_plane_are_refused(void)
+{
+    assert_family_refused(one_plane, INVCAL_UNDETERMINED);
+}
+
+static void positions_on_a_cone_are_refused(void)
+{
+    assert_family_refused(one_cone, INVCAL_UNDETERMINED);
+}
+
+static void positions_on_two_parallel_circles_are_refused(void)
+{
+    assert_family_refused(two_circles, INVCAL_UNDETERMINED);
+}
+
+static void positions_on_two_great_circles_are_refused(void)
+{
+    assert_family_refused(two_great_circles, INVCAL_UNDETERMINED);
+}
+
+static void positions_within_a_cap_of_one_degree_are_refused(void)
+{
+    assert_family_refused(a_cap_of_one_degree, INVCAL_UNDETERMINED);
+}
+
+/* With noise such a set may look determined; then its sigma must say what it is worth. */
+static void assert_noisy_family_never_good(family make, double noise)
+{
+    random_source random = random_start(2);
+
+    for (int member = 0; member < MEMBERS; member++) {
+        double v[MAX_POSITIONS][3];
+        unsigned count;
+        reading_set set;
+        const invcal_settings settings = unit_settings(noise);
+        const triad_truth truth = triad_random(&random, 0.05);
+        invcal_solution solution;
+        invcal_quality quality;
+        make(&random, member, v, &count);
+        read_positions(&truth, (const double(*)[3])v, count, noise, &random, &set);
+        if (calibrate_set(&set, &settings, &solution, &quality, NULL) == INVCAL_OK) {
+            TEST_ASSERT_EQUAL_INT(INVCAL_WEAK, quality.verdict);
+            TEST_ASSERT_TRUE(quality.undetermined != 0);
+        }
+    }
+}
+
+static void noise_does_not_make_them_good(void)
+{
+    static const family families[] = {six_faces,         one_position, one_plane,          one_cone,
+                                      two_great_circles, two_circles,  a_cap_of_one_degree};
+    static const double noise[] = {1e-5, 1e-4, 1e-3, 1e-2};
+
+    for (unsigned f = 0; f < sizeof families / sizeof families[0]; f++) {
+        for (unsigned i = 0; i < sizeof noise / sizeof noise[0]; i++) {
+            assert_noisy_family_never_good(families[f], noise[i]);
+        }
+    }
+}
+
+static void a_plane_names_the_axis_across_it(void)
+{
+    random_source random = random_start(3);
+    const triad_truth none = {{0}};
+    double v[18][3];
+    reading_set set;
+    uint16_t undetermined = 0;
+
+    circle(&random, 0, v, 18);
+    read_positions(&none, (const double(*)[3])v, 18, 0, &random, &set);
+    TEST_ASSERT_EQUAL_UINT(0, assert_refused(&set, 0, INVCAL_UNDETERMINED, &undetermined));
+    TEST_ASSERT_EQUAL_HEX16(1u << INVCAL_DELTA_Z | 1u << INVCAL_DK_Z | 1u << INVCAL_GAMMA_XZ |
+                                1u << INVCAL_GAMMA_ZY,
+                            undetermined);
+}
+
+static void six_faces_name_the_three_angles(void)
+{
+    random_source random = random_start(3);
+    const triad_truth none = {{0}};
+    double v[MAX_POSITIONS][3];
+    unsigned count;
+    reading_set set;
+    uint16_t undetermined = 0;
+
+    six_faces(&random, 2, v, &count);
+    read_positions(&none, (const double(*)[3])v, count, 0, &random, &set);
+    TEST_ASSERT_EQUAL_UINT(0, assert_refused(&set, 0, INVCAL_UNDETERMINED, &undetermined));
+    TEST_ASSERT_EQUAL_HEX16(0x1C0, undetermined);
+}
+
+static void empty_sums_leave_everything_open(void)
+{
+    invcal_normal n;
+
+    invcal_normal_init(&n);
+    TEST_ASSERT_EQUAL_HEX16(0x1FF, invcal_undetermined(&n));
+    n.hth[0] = (invcal_real)NAN;
+    TEST_ASSERT_EQUAL_HEX16(0x1FF, invcal_undetermined(&n));
+}
+
+static void nothing_is_open_in_a_good_set(void)
+{
+    random_source random = random_start(4);
+    const triad_truth truth = triad_random(&random, 0.1);
+    double v[MAX_POSITIONS][3];
+    reading_set set;
+
+    for (int i = 0; i < 60; i++) {
+        random_direction(&random, v[i]);
+    }
+    read_positions(&truth, (const double(*)[3])v, 60, 1e-3, &random, &set);
+    const invcal_normal n = normal_of(&set);
+    TEST_ASSERT_EQUAL_HEX16(0, invcal_undetermined(&n));
+}
+
+/* Points on quadrics that are no ellipsoids: a u_x^2 + b u_y^2 + c u_z^2 = 1, some of a b c not
+ * positive; found by scaling random directions onto the surface. */
+static void readings_on_no_ellipsoid_are_refused(void)
+{
+    static const double form[][3] = {{1, 1, -1},   {1, -1, -1},  {1.5, 0.7, -0.3},
+                                     {1, 1, -0.1}, {1, 0.8, 0.0}, {1, 1, -1e-2}};
+    random_source random = random_start(5);
+    unsigned delivered = 0;
+
+    for (int member = 0; member < MEMBERS; member++) {
+        const double *q = form[(unsigned)member % (sizeof form / sizeof form[0])];
+        double rotation[3][3];
+        reading_set set;
+        const invcal_settings settings = unit_settings(0);
+        invcal_solution solution;
+        invcal_quality quality;
+        random_rotation(&random, rotation);
+        set.count = 20 + (unsigned)member % 40;
+        for (unsigned i = 0; i < set.count;) {
+            double d[3];
+            random_direction(&random, d);
+            const double square = q[0] * d[0] * d[0] + q[1] * d[1] * d[1] + q[2] * d[2] * d[2];
+            const double radius = 1 / sqrt(square);
+            if (square > 0 && radius < 5) {
+                for (int k = 0; k < 3; k++) {
+                    const double *r = rotation[k];
+                    set.u[i][k] =
+                        (invcal_real)(radius * (r[0] * d[0] + r[1] * d[1] + r[2] * d[2]));
+                }
+                i++;
+            }
+        }
+        const invcal_status status = calibrate_set(&set, &settings, &solution, &quality, NULL);
+        TEST_ASSERT_TRUE(status == INVCAL_OK || status == INVCAL_NOT_ELLIPSOID);
+        delivered += status == INVCAL_OK;
+    }
+    TEST_ASSERT_EQUAL_UINT(0, delivered);
+}
+
+/* Random clouds, and points on a cube: an ellipsoid fits, badly. */
+static void clouds_and_cubes_are_refused(void)
+{
+    random_source random = random_start(6);
+
+    for (int member = 0; member < MEMBERS; member++) {
+        reading_set set;
+        const invcal_settings settings = unit_settings(0);
+        invcal_solution solution;
+        invcal_quality quality;
+        set.count = 40;
+        for (unsigned i = 0; i < set.count; i++) {
+            double d[3];
+            random_direction(&random, d);
+            const double largest = fmax(fabs(d[0]), fmax(fabs(d[1]), fabs(d[2])));
+            const double radius =
+                member % 2 ? random_uniform(&random, 0.3, 1.7) : random_uniform(&random, 1, 1.5) / largest;
+            for (int k = 0; k < 3; k++) {
+                set.u[i][k] = (invcal_real)(radius * d[k]);
+            }
+        }
+        TEST_ASSERT_EQUAL_INT(INVCAL_NOT_ELLIPSOID,
+                              calibrate_set(&set, &settings, &solution, &quality, NULL));
+    }
+}
+
+static void one_bad_number_in_any_position_is_refused_and_its_position_named(void)
+{
+    static const double bad[] = {NAN, INFINITY, -INFINITY, 1e30, 1e4};
+    random_source random = random_start(7);
+
+    for (unsigned position = 0; position < 18; position++) {
+        for (unsigned b = 0; b < sizeof bad / sizeof bad[0]; b++) {
+            const triad_truth truth = triad_random(&random, 0.05);
+            const invcal_settings settings = unit_settings(0);
+            double v[18][3];
+            reading_set set;
+            invcal_solution solution;
+            invcal_quality quality;
+            invcal_reason reason;
+            for (int i = 0; i < 18; i++) {
+                random_direction(&random, v[i]);
+            }
+            read_positions(&truth, (const double(*)[3])v, 18, 0, &random, &set);
+            set.u[position][position % 3] = (invcal_real)bad[b];
+            TEST_ASSERT_EQUAL_INT(b < 3 ? INVCAL_NOT_FINITE : INVCAL_OUT_OF_RANGE,
+                                  calibrate_set(&set, &settings, &solution, &quality, &reason));
+            TEST_ASSERT_EQUAL_UINT(position, reason.position);
+        }
+    }
+}
+
+static void zero_and_subnormal_readings_are_refused(void)
+{
+    static const double length[] = {0, 1e-40, 1e-20, 1e-3};
+    random_source random = random_start(8);
+
+    for (unsigned i = 0; i < sizeof length / sizeof length[0]; i++) {
+        const invcal_settings settings = unit_settings(0);
+        reading_set set;
+        invcal_solution solution;
+        invcal_quality quality;
+        set.count = 18;
+        for (unsigned k = 0; k < 18; k++) {
+            double d[3];
+            random_direction(&random, d);
+            for (int axis = 0; axis < 3; axis++) {
+                set.u[k][axis] = (invcal_real)(length[i] * d[axis]);
+            }
+        }
+        TEST_ASSERT_EQUAL_INT(INVCAL_OUT_OF_RANGE,
+                              calibrate_set(&set, &settings, &solution, &quality, NULL));
+    }
+}
+
+static void a_field_that_is_no_length_is_refused(void)
+{
+    static const double bad[] = {0, -1, NAN, INFINITY};
+    random_source random = random_start(9);
+    const triad_truth truth = triad_random(&random, 0.05);
+    double v[18][3];
+    reading_set set;
+
+    for (int i = 0; i < 18; i++) {
+        random_direction(&random, v[i]);
+    }
+    read_positions(&truth, (const double(*)[3])v, 18, 0, &random, &set);
+    for (unsigned i = 0; i < sizeof bad / sizeof bad[0]; i++) {
+        invcal_settings settings = unit_settings(0);
+        invcal_solution solution;
+        invcal_quality quality;
+        settings.field = (invcal_real)bad[i];
+        TEST_ASSERT_EQUAL_INT(INVCAL_BAD_SETTING,
+                              calibrate_set(&set, &settings, &solution, &quality, NULL));
+    }
+}
+
+int main(void)
+{
+    UNITY_BEGIN();
+    RUN_TEST(fewer_than_nine_positions_are_refused);
+    RUN_TEST(six_faces_alone_are_refused);
+    RUN_TEST(one_repeated_position_is_refused);
+    RUN_TEST(positions_confined_to_a_plane_are_refused);
+    RUN_TEST(positions_on_a_cone_are_refused);
+    RUN_TEST(positions_on_two_parallel_circles_are_refused);
+    RUN_TEST(positions_on_two_great_circles_are_refused);
+    RUN_TEST(positions_within_a_cap_of_one_degree_are_refused);
+    RUN_TEST(noise_does_not_make_them_good);
+    RUN_TEST(a_plane_names_the_axis_across_it);
+    RUN_TEST(six_faces_name_the_three_angles);
+    RUN_TEST(empty_sums_leave_everything_open);
+    RUN_TEST(nothing_is_open_in_a_good_set);
+    RUN_TEST(readings_on_no_ellipsoid_are_refused);
+    RUN_TEST(clouds_and_cubes_are_refused);
+    RUN_TEST(one_bad_number_in_any_position_is_refused_and_its_position_named);
+    RUN_TEST(zero_and_subnormal_readings_are_refused);
+    RUN_TEST(a_field_that_is_no_length_is_refused);
+    return UNITY_END() != 0;
+}

@@ -1,0 +1,274 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * What the library promises about its own errors, tried on thousands of noisy draws.
+ */
+#include <math.h>
+#include <string.h>
+
+#include "expected.h"
+#include "support.h"
+#include "unity.h"
+
+/* Slow machines may take fewer; the bounds below are for these. */
+#ifndef SPREAD_DRAWS
+#define SPREAD_DRAWS 8000
+#endif
+#ifndef DRAWS
+#define DRAWS 2000
+#endif
+
+void setUp(void)
+{
+}
+
+void tearDown(void)
+{
+}
+
+static const double sizes[3] = {0.001, 0.03, 0.1};
+
+/* The truth for which the reference gives the Cramer-Rao bound. */
+static triad_truth reference_truth(double size)
+{
+    static const double sign[9] = {1, -1, 1, 1, -1, 1, -1, 1, -1};
+    triad_truth truth;
+
+    for (int r = 0; r < 9; r++) {
+        truth.x[r] = size * sign[r];
+    }
+    return truth;
+}
+
+typedef struct {
+    double spread[9]; /* root mean square error of each parameter */
+    double sigma[9];  /* root mean square of its reported sigma */
+} spread_result;
+
+static spread_result measure_spread(const triad_truth *truth, double sigma, double stated)
+{
+    random_source random = random_start(1);
+    const invcal_settings settings = unit_settings(stated);
+    spread_result result = {{0}, {0}};
+
+    for (int draw = 0; draw < SPREAD_DRAWS; draw++) {
+        reading_set set;
+        invcal_solution solution;
+        invcal_quality quality;
+        read_positions(truth, expected_plan18, 18, sigma, &random, &set);
+        TEST_ASSERT_EQUAL_INT(INVCAL_OK,
+                              calibrate_set(&set, &settings, &solution, &quality, NULL));
+        TEST_ASSERT_EQUAL_INT(INVCAL_GOOD, quality.verdict);
+        for (unsigned r = 0; r < 9; r++) {
+            const double error = parameter(&solution, r) - truth->x[r];
+            const double s = sigma_of_parameter(&quality, r);
+            result.spread[r] += error * error;
+            result.sigma[r] += s * s;
+        }
+    }
+    for (unsigned r = 0; r < 9; r++) {
+        result.spread[r] = sqrt(result.spread[r] / SPREAD_DRAWS);
+        result.sigma[r] = sqrt(result.sigma[r] / SPREAD_DRAWS);
+    }
+    return result;
+}
+
+static void the_spread_is_the_cramer_rao_bound_and_sigma_says_so(void)
+{
+    for (int i = 0; i < 6; i++) {
+        const double sigma = i % 2 ? 1e-3 : 1e-4;
+        const triad_truth truth = reference_truth(sizes[i / 2]);
+        const spread_result s = measure_spread(&truth, sigma, 0);
+        for (unsigned r = 0; r < 9; r++) {
+            TEST_ASSERT_DOUBLE_WITHIN(0.05, 1, s.spread[r] / (sigma * expected_crb[i / 2][r]));
+            TEST_ASSERT_DOUBLE_WITHIN(0.05, 1, s.sigma[r] / s.spread[r]);
+        }
+    }
+}
+
+/* With the noise stated, sigma is the larger of stated and observed: never too small, and with 9
+ * degrees of freedom too large by sqrt(E max(1, chi^2/9)) = 1.092. */
+static void a_stated_noise_is_a_lower_bound(void)
+{
+    const triad_truth truth = reference_truth(0.1);
+    const spread_result s = measure_spread(&truth, 1e-3, 1e-3);
+
+    for (unsigned r = 0; r < 9; r++) {
+        TEST_ASSERT_DOUBLE_WITHIN(0.05, 1.092, s.sigma[r] / s.spread[r]);
+    }
+}
+
+typedef struct {
+    unsigned refused;
+    unsigned good;
+    unsigned beyond5;  /* good draws with an error of more than 5 sigma in any parameter */
+    unsigned covered;  /* parameters of good draws within their 95 % interval */
+} tally;
+
+static tally try_random_sets(unsigned positions, double stated, unsigned draws)
+{
+    random_source random = random_start(positions);
+    const invcal_settings settings = unit_settings(stated);
+    tally t = {0, 0, 0, 0};
+
+    for (unsigned draw = 0; draw < draws; draw++) {
+        const triad_truth truth = triad_random(&random, 0.03);
+        double v[18][3];
+        reading_set set;
+        invcal_solution solution;
+        invcal_quality quality;
+        for (unsigned i = 0; i < positions; i++) {
+            random_direction(&random, v[i]);
+        }
+        read_positions(&truth, (const double(*)[3])v, positions, 1e-3, &random, &set);
+        if (calibrate_set(&set, &settings, &solution, &quality, NULL) != INVCAL_OK) {
+            t.refused++;
+            continue;
+        }
+        if (quality.verdict != INVCAL_GOOD) {
+            continue;
+        }
+        t.good++;
+        double worst = 0;
+        for (unsigned r = 0; r < 9; r++) {
+            const double error = fabs(parameter(&solution, r) - truth.x[r]);
+            const double ratio = error / sigma_of_parameter(&quality, r);
+            worst = fmax(worst, ratio);
+            t.covered += ratio <= (double)quality.coverage;
+        }
+        t.beyond5 += !(worst <= 5);
+    }
+    return t;
+}
+
+static void random_sets_are_good_only_when_they_are(void)
+{
+    static const unsigned positions[] = {9, 10, 12, 18};
+    static const double refused[] = {0.12, 0.015, 0.002, 0};
+
+    for (int i = 0; i < 4; i++) {
+        const tally t = try_random_sets(positions[i], 1e-3, DRAWS);
+        TEST_ASSERT_LESS_OR_EQUAL_DOUBLE(refused[i], (double)t.refused / DRAWS);
+        TEST_ASSERT_LESS_OR_EQUAL_DOUBLE(0.001, (double)t.beyond5 / (t.good + 1e-9));
+        /* Nine positions are never good: nothing checks them. */
+        TEST_ASSERT_TRUE(positions[i] == 9 ? t.good == 0 : t.good > DRAWS / 20);
+    }
+}
+
+static void without_stated_noise_intervals_follow_student(void)
+{
+    static const unsigned positions[] = {10, 12, 18};
+
+    for (int i = 0; i < 3; i++) {
+        const tally t = try_random_sets(positions[i], 0, 4 * DRAWS);
+        TEST_ASSERT_DOUBLE_WITHIN(0.015, 0.95, t.covered / (9.0 * t.good));
+    }
+}
+
+/* A device that can only be tilted by 10 degrees, with factory tolerances as prior. */
+static void tilts_alone_with_a_prior(double noise, double *covered, unsigned *from_prior)
+{
+    static const double sigma[9] = {0.02, 0.02, 0.02, 0.01, 0.01, 0.01, 0.01, 0.01, 0.01};
+    random_source random = random_start(1);
+    unsigned within = 0;
+
+    *from_prior = 0;
+    for (int draw = 0; draw < DRAWS; draw++) {
+        invcal_settings settings = unit_settings(noise);
+        triad_truth truth;
+        double v[12][3];
+        reading_set set;
+        invcal_solution solution;
+        invcal_quality quality;
+        for (int r = 0; r < 9; r++) {
+            truth.x[r] = sigma[r] * random_normal(&random);
+            settings.prior[r] = (invcal_real)sigma[r];
+        }
+        for (int i = 0; i < 12; i++) {
+            const double tilt = random_uniform(&random, 0, 10) / 57.29577951308232;
+            const double azimuth = random_uniform(&random, 0, 6.283185307179586);
+            v[i][0] = sin(tilt) * cos(azimuth);
+            v[i][1] = sin(tilt) * sin(azimuth);
+            v[i][2] = cos(tilt);
+        }
+        read_positions(&truth, (const double(*)[3])v, 12, noise, &random, &set);
+        TEST_ASSERT_EQUAL_INT(INVCAL_OK,
+                              calibrate_set(&set, &settings, &solution, &quality, NULL));
+        for (unsigned r = 0; r < 9; r++) {
+            const double s = sigma_of_parameter(&quality, r);
+            TEST_ASSERT_LESS_OR_EQUAL_DOUBLE((double)settings.prior[r], s);
+            within += fabs(parameter(&solution, r) - truth.x[r]) <= 3 * s;
+        }
+        *from_prior |= quality.from_prior;
+        TEST_ASSERT_TRUE(quality.from_prior != 0x1FF); /* the data told something */
+    }
+    *covered = within / (9.0 * DRAWS);
+}
+
+static void a_prior_holds_what_tilts_alone_cannot_tell(void)
+{
+    static const double noise[] = {1e-4, 1e-3};
+
+    for (int i = 0; i < 2; i++) {
+        double covered;
+        unsigned from_prior;
+        tilts_alone_with_a_prior(noise[i], &covered, &from_prior);
+        TEST_ASSERT_GREATER_OR_EQUAL_DOUBLE(0.99, covered);
+        TEST_ASSERT_TRUE(from_prior != 0);
+    }
+}
+
+/* An earlier calibration as nominal; three positions; only the offsets have moved, by 5 mg. */
+static void three_positions_renew_the_offsets_of_an_earlier_calibration(void)
+{
+    random_source random = random_start(1);
+    unsigned within = 0;
+
+    for (int draw = 0; draw < DRAWS; draw++) {
+        const triad_truth truth = triad_random(&random, 0.05);
+        const invcal_settings first = unit_settings(1e-4);
+        invcal_settings again = first;
+        triad_truth moved = truth;
+        reading_set set;
+        invcal_solution earlier;
+        invcal_solution solution;
+        invcal_quality quality;
+        double shift[3];
+        read_positions(&truth, expected_plan18, 18, 0, &random, &set);
+        TEST_ASSERT_EQUAL_INT(INVCAL_OK, calibrate_set(&set, &first, &earlier, &quality, NULL));
+        again.nominal = earlier.calibration;
+        for (int k = 0; k < 3; k++) {
+            shift[k] = 5e-3 * random_normal(&random);
+            moved.x[k] += shift[k];
+            again.prior[k] = (invcal_real)0.02;
+            again.prior[3 + k] = (invcal_real)1e-4;
+            again.prior[6 + k] = (invcal_real)1e-4;
+        }
+        double v[3][3];
+        random_rotation(&random, v); /* any three directions at right angles */
+        read_positions(&moved, (const double(*)[3])v, 3, 1e-4, &random, &set);
+        TEST_ASSERT_EQUAL_INT(INVCAL_OK, calibrate_set(&set, &again, &solution, &quality, NULL));
+        TEST_ASSERT_EQUAL_INT(INVCAL_NO_REDUNDANCY, quality.verdict);
+        TEST_ASSERT_EQUAL_HEX16(0x1F8, quality.from_prior); /* scale and angles: not new */
+        for (int k = 0; k < 3; k++) {
+            const double error =
+                (double)solution.calibration.offset[k] - (double)earlier.calibration.offset[k] - shift[k];
+            within += fabs(error) <= 3 * (double)quality.sigma_offset[k];
+            TEST_ASSERT_DOUBLE_WITHIN(5e-4, 0, (double)solution.dk[k]);
+            TEST_ASSERT_DOUBLE_WITHIN(5e-4, 0, (double)solution.gamma[k]);
+            TEST_ASSERT_LESS_OR_EQUAL_DOUBLE(4e-4, (double)quality.sigma_offset[k]);
+        }
+    }
+    TEST_ASSERT_GREATER_OR_EQUAL_DOUBLE(0.99, within / (3.0 * DRAWS));
+}
+
+int main(void)
+{
+    UNITY_BEGIN();
+    RUN_TEST(the_spread_is_the_cramer_rao_bound_and_sigma_says_so);
+    RUN_TEST(a_stated_noise_is_a_lower_bound);
+    RUN_TEST(random_sets_are_good_only_when_they_are);
+    RUN_TEST(without_stated_noise_intervals_follow_student);
+    RUN_TEST(a_prior_holds_what_tilts_alone_cannot_tell);
+    RUN_TEST(three_positions_renew_the_offsets_of_an_earlier_calibration);
+    return UNITY_END() != 0;
+}

@@ -1,0 +1,70 @@
+/* SPDX-License-Identifier: MIT */
+#include <string.h>
+
+#include "support.h"
+#include "unity.h"
+
+void setUp(void)
+{
+}
+
+void tearDown(void)
+{
+}
+
+static void every_status_has_a_text_of_its_own(void)
+{
+    for (int a = 0; a < INVCAL_STATUS_COUNT; a++) {
+        const char *text = invcal_status_text((invcal_status)a);
+        TEST_ASSERT_TRUE(strlen(text) > 5);
+        TEST_ASSERT_TRUE(strcmp(text, "unknown status") != 0);
+        for (int b = 0; b < a; b++) {
+            TEST_ASSERT_TRUE(strcmp(text, invcal_status_text((invcal_status)b)) != 0);
+        }
+    }
+}
+
+static void a_text_belongs_to_its_status(void)
+{
+    TEST_ASSERT_EQUAL_STRING("calibrated", invcal_status_text(INVCAL_OK));
+    TEST_ASSERT_EQUAL_STRING("a known direction is not a unit vector",
+                             invcal_status_text(INVCAL_NOT_UNIT));
+    TEST_ASSERT_EQUAL_STRING("fewer positions than parameters", invcal_status_text(INVCAL_TOO_FEW));
+}
+
+static void an_unknown_status_has_a_text_too(void)
+{
+    TEST_ASSERT_EQUAL_STRING("unknown status", invcal_status_text(INVCAL_STATUS_COUNT));
+    TEST_ASSERT_EQUAL_STRING("unknown status", invcal_status_text((invcal_status)-1));
+    TEST_ASSERT_EQUAL_STRING("unknown verdict", invcal_verdict_text((invcal_verdict)-1));
+    TEST_ASSERT_EQUAL_STRING("unknown verdict", invcal_verdict_text((invcal_verdict)3));
+}
+
+static void parameters_are_named_in_the_order_of_the_paper(void)
+{
+    static const char *const name[] = {"delta_x",  "delta_y",  "delta_z",  "dk_x", "dk_y", "dk_z",
+                                       "gamma_xy", "gamma_xz", "gamma_zy", "?"};
+
+    for (unsigned r = 0; r <= INVCAL_PARAMETERS; r++) {
+        TEST_ASSERT_EQUAL_STRING(name[r], invcal_parameter_name(r));
+    }
+    TEST_ASSERT_EQUAL_STRING("?", invcal_parameter_name(12345));
+}
+
+static void verdicts_are_named_as_in_the_report(void)
+{
+    TEST_ASSERT_EQUAL_STRING("good", invcal_verdict_text(INVCAL_GOOD));
+    TEST_ASSERT_EQUAL_STRING("no redundancy", invcal_verdict_text(INVCAL_NO_REDUNDANCY));
+    TEST_ASSERT_EQUAL_STRING("weak", invcal_verdict_text(INVCAL_WEAK));
+}
+
+int main(void)
+{
+    UNITY_BEGIN();
+    RUN_TEST(every_status_has_a_text_of_its_own);
+    RUN_TEST(a_text_belongs_to_its_status);
+    RUN_TEST(an_unknown_status_has_a_text_too);
+    RUN_TEST(parameters_are_named_in_the_order_of_the_paper);
+    RUN_TEST(verdicts_are_named_as_in_the_report);
+    return UNITY_END() != 0;
+}
