@@ -54,7 +54,7 @@ $(BUILD)/$(1)/unity.o: $(UNITY)/unity.c $(UNITY)/unity.h
 
 $(BUILD)/$(1)/tests/unit/%.o: EXTRA += -DUNITY_INCLUDE_DOUBLE -DUNITY_STRICT -I$(UNITY) \
     -Itests/unit -Itests/reference -I$(BUILD)
-$(BUILD)/$(1)/tests/unit/%.o: | $(BUILD)/positions.h
+$(SUITES:%=$(BUILD)/$(1)/tests/unit/%.o): | $(BUILD)/positions.h
 
 $(BUILD)/$(1)/test_%: $(BUILD)/$(1)/tests/unit/test_%.o $(BUILD)/$(1)/tests/unit/support.o \
     $(BUILD)/$(1)/unity.o $(BUILD)/$(1)/libinvcal.a

@@ -45,8 +45,9 @@ void invcal_eigen3_decompose(const invcal_real m[6], invcal_eigen3 *out)
         const unsigned p = pair[i % 3][0];
         const unsigned q = pair[i % 3][1];
         const invcal_real scale = INVCAL_FABS(a[p][p]) + INVCAL_FABS(a[q][q]);
-        /* An element below a hundredth of the rounding error of its row changes nothing. */
-        if (INVCAL_FABS(a[p][q]) > INVCAL_EPSILON / 100 * scale) {
+        /* An element below a hundredth of the rounding error of its row changes nothing; a NaN
+         * is rotated too, and so shows in the values. */
+        if (!(INVCAL_FABS(a[p][q]) <= INVCAL_EPSILON / 100 * scale)) {
             rotate(a, v, p, q);
         }
     }
@@ -159,6 +160,7 @@ invcal_real invcal_condition(invcal_real *a, unsigned n)
     invcal_real d[INVCAL_MAX_PARAMETERS];
     invcal_real e2[INVCAL_MAX_PARAMETERS]; /* e2[i] couples i - 1 and i */
     invcal_real trace = 0;
+    invcal_real coupling = 0;
 
     INVCAL_ASSERT(a && n >= 1 && n <= INVCAL_MAX_PARAMETERS);
     for (unsigned k = n; k-- > 0;) {
@@ -166,8 +168,9 @@ invcal_real invcal_condition(invcal_real *a, unsigned n)
         e2[k] = e * e;
         d[k] = a[INVCAL_PACKED(k, k)];
         trace += d[k];
+        coupling += e2[k];
     }
-    if (!invcal_is_positive(trace)) {
+    if (!(invcal_is_positive(trace) && invcal_is_finite(coupling))) {
         return INVCAL_REAL_MAX;
     }
     const invcal_real largest = bisect(d, e2, n, n, 2 * trace);

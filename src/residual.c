@@ -39,8 +39,7 @@ static invcal_real weight(const invcal_residuals *residuals, const invcal_real e
     invcal_real gradient[3];
 
     multiply(residuals->correction, eta, gradient);
-    return residuals->gain * residuals->gain * invcal_dot(eta, eta, 3) /
-           invcal_dot(gradient, gradient, 3);
+    return residuals->gain * residuals->gain / invcal_dot(gradient, gradient, 3);
 }
 
 invcal_status invcal_residuals_add(invcal_residuals *residuals, const invcal_real u[3],

@@ -15,7 +15,9 @@
  * a      in: the packed matrix; out: L, packed. On failure what is in it is lost: factor a copy.
  * floor  a pivot counts as zero unless it exceeds floor times the largest diagonal element of a.
  *        Relative to the largest element, not to the pivot's own: the latter lets matrices
- *        through that are singular to rounding. Use at least INVCAL_PIVOT_FLOOR.
+ *        through that are singular to rounding. Use at least INVCAL_PIVOT_FLOOR. No floor finds
+ *        them all: a combination that is open but hardly involves the last parameters shows in
+ *        no pivot. It shows in the condition (eigen.h).
  *
  * Returns INVCAL_OK; INVCAL_UNDETERMINED if a pivot is too small, negative or NaN.
  * Cost: n^3/6 multiply-adds, n square roots. */

@@ -169,16 +169,18 @@ static void random_of_rank(random_source *random, unsigned rank, invcal_real *a)
     }
 }
 
+/* In float one in a few hundred has no small pivot: see the header. */
 static void matrices_of_deficient_rank_are_refused(void)
 {
     random_source random = random_start(1);
     invcal_real a[SUMS];
+    unsigned passed = 0;
 
-    for (int i = 0; i < 1000; i++) {
-        random_of_rank(&random, 1 + (unsigned)i % (N - 1), a);
-        TEST_ASSERT_EQUAL_INT(INVCAL_UNDETERMINED,
-                              invcal_cholesky_factor(a, N, INVCAL_PIVOT_FLOOR));
+    for (unsigned i = 0; i < 8000; i++) {
+        random_of_rank(&random, 1 + i % (N - 1), a);
+        passed += invcal_cholesky_factor(a, N, INVCAL_PIVOT_FLOOR) == INVCAL_OK;
     }
+    TEST_ASSERT_LESS_OR_EQUAL_UINT(FLOAT_OR_DOUBLE(40, 0), passed);
 }
 
 static void indefinite_zero_and_unreal_matrices_are_refused(void)

@@ -1,0 +1,62 @@
+#!/bin/sh
+# SPDX-License-Identifier: MIT
+#
+# What the finished library may contain: $1 is the build folder with float/ and double/.
+# It needs from libc only memcpy, memset and square roots (sin, cos, fabs are allowed), it keeps
+# no writable data, and its float build holds no double arithmetic.
+build=$1
+passed=0
+failed=0
+
+result() {
+    if [ -z "$2" ]; then
+        echo "library: $1: PASS"
+        passed=$((passed + 1))
+    else
+        echo "library: $1: FAIL: $2"
+        failed=$((failed + 1))
+    fi
+}
+
+undefined() {
+    nm -g "$1" | awk '$1 == "U" { wanted[$2] } NF == 3 { defined[$3] }
+        END { for (name in wanted) if (!(name in defined)) print name }' |
+        grep -vxE "$2" | tr '\n' ' '
+}
+
+writable() {
+    size "$1" | awk 'NR > 1 && $2 + $3 > 0 { printf "%s has %d bytes of .data + .bss; ", $NF, $2 + $3 }'
+}
+
+foreign() {
+    nm -g "$1" | awk 'NF == 3 && $3 !~ /^invcal_/ { printf "%s ", $3 }'
+}
+
+# Scalar and packed double instructions of SSE2; other machines have names of their own, and are
+# looked at where their tests run.
+doubles() {
+    objdump -d "$1" | awk '/[ \t](cvtss2sd|cvtsd2ss|(add|sub|mul|div|sqrt|ucomi|comi|max|min)[sp]d)[ \t]/ { n++ }
+        END { if (n) printf "%d double instructions", n }'
+}
+
+for real in float double; do
+    lib=$build/$real/libinvcal.a
+    if [ ! -s "$lib" ]; then
+        result "$real: the library is there" "$lib is missing"
+        continue
+    fi
+    allowed='memcpy|memset|sqrtf|sinf|cosf|fabsf'
+    [ $real = double ] && allowed='memcpy|memset|sqrt|sin|cos|fabs'
+    # What sanitizers and coverage bring along is not the library's.
+    case " $CFLAGS" in *-fsanitize* | *coverage*) continue ;; esac
+    result "$real: needs nothing but $allowed" "$(undefined "$lib" "$allowed")"
+    result "$real: no writable data" "$(writable "$lib")"
+    result "$real: all public names begin with invcal_" "$(foreign "$lib")"
+done
+case " $CFLAGS$(uname -m)" in
+*-fsanitize* | *coverage*) ;;
+*x86_64) result "float: no double arithmetic" "$(doubles "$build/float/libinvcal.a")" ;;
+esac
+
+echo "$passed passed, $failed failed"
+[ "$failed" -eq 0 ]

@@ -1,0 +1,783 @@
+# SPDX-License-Identifier: MIT
+"""Expected values for the tests, computed apart from the library, in plain Python 3.
+
+    python3 tests/reference/reference.py tests/data > tests/reference/expected.h
+
+The header goes to stdout, a summary to stderr. Nothing but the standard library is used, every
+random number has a fixed seed, and all matrices are lists of rows.
+
+The sensor model is u = (I + S) eta + delta: eta the unit vector of the vertical in the instrument
+frame, u the reading over the field. A = (I + S)^-1 calibrates: |A (u - delta)| = 1. The parameters
+
+    X = (delta_x, delta_y, delta_z, dk_x, dk_y, dk_z, gamma_xy, gamma_xz, gamma_zy)
+
+make up S: the dk are its diagonal, each gamma is twice the element beside the diagonal.
+"""
+import csv
+import math
+import random
+import sys
+from fractions import Fraction
+
+# name, field in m/s^2, what it is and where the recording comes from
+DATA_SETS = [
+    ("xsens_mti", "9.81744", "Xsens MTi, counts; recording of Kyle-ak/imu_tk (BSD)"),
+    ("mpu9150_0", "9.81", "InvenSense MPU-9150, m/s^2; recording of mikoff/imu-calib (MIT)"),
+    ("mpu9150_1", "9.81", "InvenSense MPU-9150, m/s^2; recording of mikoff/imu-calib (MIT)"),
+    ("t265", "9.8016", "Intel RealSense T265, m/s^2; recording of cggos/imu_tk (BSD)"),
+]
+
+# What mikoff/imu-calib publishes for its recordings: offset, scale in %, angles yz, xy, xz in
+# degrees, for raw = [[1+sx, mxy, mxz], [0, 1+sy, myz], [0, 0, 1+sz]] a + b.
+PUBLISHED = {
+    "mpu9150_0": ([0.103, 0.097, 0.344], [0.363, 0.315, 0.647], [0.123, 0.020, 0.317]),
+    "mpu9150_1": ([0.090, 0.070, 0.338], [0.471, 0.482, 0.932], [-0.284, -0.010, 0.145]),
+}
+
+SIGNS = [1, -1, 1, 1, -1, 1, -1, 1, -1]  # of the true parameters, times their size
+
+
+# ---- linear algebra: the same lines work on floats and on exact fractions ----------------------
+
+def transpose(a):
+    return [list(column) for column in zip(*a)]
+
+
+def add(values):
+    """Their sum, from first to last: sum() itself rounds differently in different Pythons."""
+    total = 0
+    for value in values:
+        total = total + value
+    return total
+
+
+def dot(a, b):
+    return add(x * y for x, y in zip(a, b))
+
+
+def norm(a):
+    return math.sqrt(dot(a, a))
+
+
+def times(a, b):
+    """Matrix times matrix."""
+    columns = transpose(b)
+    return [[dot(row, column) for column in columns] for row in a]
+
+
+def apply(a, x):
+    """Matrix times vector."""
+    return [dot(row, x) for row in a]
+
+
+def minus(a, b):
+    return [x - y for x, y in zip(a, b)]
+
+
+def scaled(a, factor):
+    return [factor * x for x in a]
+
+
+def identity(n):
+    return [[1 if i == j else 0 for j in range(n)] for i in range(n)]
+
+
+def diagonal(values):
+    return [[v if i == j else 0 for j in range(len(values))] for i, v in enumerate(values)]
+
+
+def inverse(a):
+    """Gauss-Jordan elimination of (a | I), each pivot the largest left in its column."""
+    n = len(a)
+    rows = [list(row) + unit for row, unit in zip(a, identity(n))]
+    for k in range(n):
+        best = max(range(k, n), key=lambda i: abs(rows[i][k]))
+        rows[k], rows[best] = rows[best], rows[k]
+        rows[k] = [x / rows[k][k] for x in rows[k]]
+        for i in range(n):
+            if i != k:
+                factor = rows[i][k]
+                rows[i] = [x - factor * y for x, y in zip(rows[i], rows[k])]
+    return [row[n:] for row in rows]
+
+
+def cholesky(a):
+    """The lower triangular L with L L' = a."""
+    n = len(a)
+    low = [[0.0] * n for _ in range(n)]
+    for i in range(n):
+        for j in range(i + 1):
+            rest = a[i][j] - dot(low[i][:j], low[j][:j])
+            low[i][j] = math.sqrt(rest) if i == j else rest / low[j][j]
+    return low
+
+
+def eigen(a):
+    """(values, vectors in columns) of a symmetric matrix: Jacobi rotations until it is diagonal.
+
+    One rotation by the angle with cot(2 angle) = (a_qq - a_pp) / (2 a_pq) makes a_pq zero.
+    """
+    n = len(a)
+    a = [[float(x) for x in row] for row in a]
+    v = [[float(x) for x in row] for row in identity(n)]
+    for _ in range(60):
+        for p in range(n):
+            for q in range(p + 1, n):
+                if abs(a[p][q]) < 1e-300:
+                    continue
+                cot = (a[q][q] - a[p][p]) / (2 * a[p][q])
+                tan = math.copysign(1, cot) / (abs(cot) + math.sqrt(cot * cot + 1))
+                c = 1 / math.sqrt(tan * tan + 1)
+                rotate(a, p, q, c, tan * c)
+                a = transpose(a)
+                rotate(a, p, q, c, tan * c)
+                rotate(v, p, q, c, tan * c)
+    return [a[i][i] for i in range(n)], v
+
+
+def rotate(a, p, q, c, s):
+    """Turn columns p and q of a by the angle with cosine c and sine s."""
+    for row in a:
+        row[p], row[q] = c * row[p] - s * row[q], s * row[p] + c * row[q]
+
+
+def condition(a):
+    """Largest over smallest eigenvalue."""
+    values, _ = eigen(a)
+    return max(values) / min(values)
+
+
+def square_root(a):
+    """The symmetric positive definite B with B B = a: V sqrt(values) V'."""
+    values, v = eigen(a)
+    return times(times(v, diagonal([math.sqrt(x) for x in values])), transpose(v))
+
+
+def upper_factor(a):
+    """The upper triangular U, diagonal positive, with U'U = a."""
+    return transpose(cholesky(a))
+
+
+def normal_matrix(rows, weights=None):
+    """Sum of weight_i row_i row_i'."""
+    weights = weights or [1] * len(rows)
+    return times(transpose([scaled(row, w) for row, w in zip(rows, weights)]), rows)
+
+
+def least_squares(rows, right):
+    """The x that minimises |rows x - right|, by the normal equations."""
+    return apply(inverse(normal_matrix(rows)), apply(transpose(rows), right))
+
+
+def root_diagonal(a):
+    return [math.sqrt(a[i][i]) for i in range(len(a))]
+
+
+def packed(a):
+    """Lower triangle, row by row."""
+    return [a[i][j] for i in range(len(a)) for j in range(i + 1)]
+
+
+# ---- the sensor model --------------------------------------------------------------------------
+
+def deviation(x):
+    """S of the parameters X."""
+    xy, xz, zy = x[6] / 2, x[7] / 2, x[8] / 2
+    return [[x[3], xy, xz], [xy, x[4], zy], [xz, zy, x[5]]]
+
+
+def response(x):
+    """I + S."""
+    return [[s + e for s, e in zip(*rows)] for rows in zip(deviation(x), identity(3))]
+
+
+def parameters(delta, a):
+    """X of delta and the symmetric A."""
+    r = inverse(a)
+    return list(delta) + [r[0][0] - 1, r[1][1] - 1, r[2][2] - 1,
+                          2 * r[0][1], 2 * r[0][2], 2 * r[2][1]]
+
+
+def read(x, eta):
+    """u = (I + S) eta + delta."""
+    return [p + d for p, d in zip(apply(response(x), eta), x[:3])]
+
+
+def calibrate(x, u):
+    """A (u - delta)."""
+    return apply(inverse(response(x)), minus(u, x[:3]))
+
+
+def residuals(x, readings):
+    """r_i = |A (u_i - delta)| - 1."""
+    a = inverse(response(x))
+    return [norm(apply(a, minus(u, x[:3]))) - 1 for u in readings]
+
+
+def h(a):
+    """The row (x y z x^2 y^2 z^2 xy xz yz)."""
+    x, y, z = a
+    return [x, y, z, x * x, y * y, z * z, x * y, x * z, y * z]
+
+
+def sensitivity(n, a):
+    """n . d((I + S) a + delta) / dX: how far each parameter moves a reading of a along n."""
+    return [n[0], n[1], n[2], n[0] * a[0], n[1] * a[1], n[2] * a[2],
+            (n[0] * a[1] + n[1] * a[0]) / 2, (n[0] * a[2] + n[2] * a[0]) / 2,
+            (n[2] * a[1] + n[1] * a[2]) / 2]
+
+
+def slopes(x, readings):
+    """Rows d r_i / dX of r = |a| - 1, a = A (u - delta): dA = -A dS A gives dr = -(a / |a|) A
+    (dS a + d delta)."""
+    a_matrix = inverse(response(x))
+    rows = []
+    for u in readings:
+        a = apply(a_matrix, minus(u, x[:3]))
+        rows.append(sensitivity(scaled(apply(a_matrix, a), -1 / norm(a)), a))
+    return rows
+
+
+def derivative(function, x, step=1e-3):
+    """Rows d function_i / d x_r by five-point central differences:
+
+    f' = (8 (f(x+s) - f(x-s)) - (f(x+2s) - f(x-2s))) / 12s, error of order s^4.
+    """
+    columns = []
+    for r in range(len(x)):
+        f = {}
+        for k in (-2, -1, 1, 2):
+            moved = list(x)
+            moved[r] += k * step
+            f[k] = function(moved)
+        columns.append([(8 * (b - a) - (d - c)) / (12 * step)
+                        for a, b, c, d in zip(f[-1], f[1], f[-2], f[2])])
+    return transpose(columns)
+
+
+def rms(values):
+    return math.sqrt(dot(values, values) / len(values))
+
+
+def largest(values):
+    return max(abs(v) for v in values)
+
+
+# ---- real data ---------------------------------------------------------------------------------
+
+def read_positions(path):
+    """The means (x, y, z) of a positions file, as the exact decimal fractions it holds."""
+    with open(path, newline="") as file:
+        return [[Fraction(row[k]) for k in ("mean_x", "mean_y", "mean_z")]
+                for row in csv.DictReader(file)]
+
+
+def nominal(positions, gravity):
+    """zero = (max + min) / 2 and lsb = 2 g / (max - min) of each axis.
+
+    An axis with less than half the widest range has not seen +-g: it takes the widest range.
+    """
+    low, high = map(min, zip(*positions)), map(max, zip(*positions))
+    bounds = list(zip(low, high))
+    widest = max(b - a for a, b in bounds)
+    ranges = [b - a if 2 * (b - a) >= widest else widest for a, b in bounds]
+    return [(a + b) / 2 for a, b in bounds], [2 * gravity / r for r in ranges]
+
+
+def fit_algebraic(readings):
+    """One pass: solve sum h h' p = -sum h J with h = h(u), J = (|u|^2 - 1) / 2, then
+
+        v = (p0 p1 p2),  Q = I + [2p3 p6 p7; p6 2p4 p8; p7 p8 2p5]
+        delta = -Q^-1 v,  k = 1 + delta' Q delta,  A = square root of Q / k.
+
+    The readings are fractions, so everything but the last root is exact.
+    """
+    p = scaled(least_squares([h(u) for u in readings], [(dot(u, u) - 1) / 2 for u in readings]), -1)
+    q = [[1 + 2 * p[3], p[6], p[7]], [p[6], 1 + 2 * p[4], p[8]], [p[7], p[8], 1 + 2 * p[5]]]
+    delta = scaled(apply(inverse(q), p[:3]), -1)
+    k = 1 + dot(delta, apply(q, delta))
+    a = square_root([[float(x / k) for x in row] for row in q])
+    return parameters([float(d) for d in delta], a)
+
+
+def fit_geometric(readings):
+    """The minimum of sum r_i^2 over X, by Gauss-Newton steps from X = 0 until a step is 1e-14."""
+    x = [0.0] * 9
+    for _ in range(50):
+        step = least_squares(slopes(x, readings), residuals(x, readings))
+        x = minus(x, step)
+        if largest(step) < 1e-14:
+            return x
+    raise ArithmeticError("the geometric fit does not converge")
+
+
+def weights(x, readings):
+    """w_i = c / |A eta_i|^2 with eta_i = A (u_i - delta) and c = trace(A^2) / 3.
+
+    Equal noise on the axes of u moves the length |A (u - delta)| by |A eta| times itself; c is
+    the mean of |A eta|^2 over all directions.
+    """
+    a = inverse(response(x))
+    c = add(dot(row, row) for row in a) / 3
+    moved = [apply(a, calibrate(x, u)) for u in readings]
+    return [c / dot(m, m) for m in moved]
+
+
+def uncertainty(x, readings):
+    """Sigma of X: s^2 = sum w_i r_i^2 / (n - 9), covariance s^2 (sum w_i g_i g_i')^-1,
+    g_i = d r_i / dX."""
+    w = weights(x, readings)
+    s2 = add(wi * r * r for wi, r in zip(w, residuals(x, readings))) / (len(readings) - 9)
+    rows = derivative(lambda y: residuals(y, readings), x)
+    assert difference(slopes(x, readings), rows) < 1e-11
+    return scaled(root_diagonal(inverse(normal_matrix(rows, w))), math.sqrt(s2))
+
+
+class Fit:
+    """A fit in the units of the input: calibrated = matrix (raw - offset), in m/s^2."""
+
+    def __init__(self, x, readings, zero, lsb, gravity):
+        a = inverse(response(x))
+        r = residuals(x, readings)
+        self.x = x
+        self.unit = [gravity / s for s in lsb]  # the field, in input units of each axis
+        self.offset = [z + d * unit for z, d, unit in zip(zero, x, self.unit)]
+        self.matrix = times(a, diagonal(lsb))
+        self.triangular = times(upper_factor(times(transpose(a), a)), diagonal(lsb))
+        self.rms, self.max = rms(r), largest(r)
+
+
+def data_set(out, folder, name, gravity, source):
+    """Both fits of one data set, their uncertainty and observability."""
+    positions = read_positions("%s/%s_positions.csv" % (folder, name))
+    gravity = Fraction(gravity)
+    zero, lsb = nominal(positions, gravity)
+    exact = [[s * (raw - z) / gravity for raw, z, s in zip(p, zero, lsb)] for p in positions]
+    zero, lsb, gravity = [float(z) for z in zero], [float(s) for s in lsb], float(gravity)
+    readings = [[float(c) for c in u] for u in exact]
+    one = Fit(fit_algebraic(exact), readings, zero, lsb, gravity)
+    iterated = Fit(fit_geometric(readings), readings, zero, lsb, gravity)
+    sigma = uncertainty(one.x, readings)
+    information = normal_matrix([h(calibrate(one.x, u)) for u in readings],
+                                weights(one.x, readings))
+    root_k = root_diagonal(inverse(information))
+
+    put = out.set(name)
+    out.section("%s: %s; %d positions" % (name, source, len(positions)))
+    put("gravity", gravity, "field, m/s^2")
+    put("zero", zero, "nominal zero, input units: middle of the bounding box")
+    put("lsb", lsb, "nominal scale, m/s^2 per input unit: 2 g / (max - min)")
+    put("offset", one.offset, "algebraic fit (one pass on exact fractions): offset, input units")
+    put("matrix", one.matrix, "its matrix A diag(lsb), A symmetric: m/s^2 = matrix (raw - offset)")
+    put("triangular", one.triangular, "the same with A upper triangular, A'A unchanged")
+    put("x", one.x, "its parameters, relative to the nominal")
+    put("rms", one.rms, "root mean square of r = |A (u - delta)| - 1")
+    put("max", one.max, "largest |r|")
+    put("sigma_x", sigma, "sigma of x: sum w r^2 / (n - 9) times (sum w g g')^-1, g = dr/dX by"
+        " central differences, w = mean |A eta|^2 / |A eta|^2")
+    put("sigma_offset", [s * unit for s, unit in zip(sigma, one.unit)],
+        "sigma of the offset, input units")
+    put("root_k", root_k, "square roots of the diagonal of K = (sum w h h')^-1, h = h(calibrated)")
+    put("condition", condition(information), "of sum w h h': largest over smallest eigenvalue")
+    put("geometric_offset", iterated.offset,
+        "geometric fit (Gauss-Newton, minimum of sum r^2): offset, input units")
+    put("geometric_matrix", iterated.matrix, "its matrix, A symmetric")
+    put("geometric_x", iterated.x, "its parameters")
+    put("geometric_rms", iterated.rms, "root mean square of its r")
+    put("geometric_max", iterated.max, "its largest |r|")
+    report(name, one, iterated, sigma, root_k, condition(information))
+
+
+def report(name, one, iterated, sigma, root_k, cond):
+    """The figures of one data set in short, to stderr."""
+    say("%s" % name)
+    for label, fit in (("algebraic", one), ("geometric", iterated)):
+        say("  %s  offset %s  rms %.3fe-6  max %.2fe-6" % (
+            label, " ".join("%.7f" % o for o in fit.offset), 1e6 * fit.rms, 1e6 * fit.max))
+    say("  algebraic - geometric, relative: offset %.1e  matrix %.1e  rms %.1e; X: %.1e, %.1e sigma"
+        % (norm(minus(one.offset, iterated.offset)) / norm(iterated.offset),
+           difference(one.matrix, iterated.matrix), one.rms / iterated.rms - 1,
+           largest(minus(one.x, iterated.x)),
+           largest([d / s for d, s in zip(minus(one.x, iterated.x), sigma)])))
+    say("  largest root of K %.3f  condition %.4g  largest sigma of X %.3g"
+        % (max(root_k), cond, max(sigma)))
+    if name in PUBLISHED:
+        report_published(one, *PUBLISHED[name])
+
+
+def difference(a, b):
+    """Largest element of a - b over the largest of b."""
+    return largest([largest(minus(p, q)) for p, q in zip(a, b)]) / max(largest(q) for q in b)
+
+
+def report_published(fit, offset, scale, angles):
+    m = inverse(fit.triangular)
+    mine = ([100 * (m[k][k] - 1) for k in range(3)],
+            [math.degrees(m[i][j]) for i, j in ((1, 2), (0, 1), (0, 2))])
+    for label, values, published in (("offset", fit.offset, offset), ("scale %", mine[0], scale),
+                                     ("angles yz xy xz", mine[1], angles)):
+        say("  %s: %s  published %s" % (label, " ".join("%.3f" % v for v in values),
+                                        " ".join("%.3f" % v for v in published)))
+
+
+# ---- the program of 18 -------------------------------------------------------------------------
+
+def cosine(degrees):
+    """Cosine of a multiple of 30 degrees, without the rounding of pi."""
+    root = math.sqrt(3) / 2
+    return [1.0, root, 0.5, 0.0, -0.5, -root, -1.0, -root, -0.5, 0.0, 0.5, root][degrees // 30 % 12]
+
+
+def sine(degrees):
+    return cosine(degrees - 90)
+
+
+def vertical(alpha, beta):
+    """eta = (sin alpha sin beta, cos alpha, sin alpha cos beta) on a two-axis stand."""
+    return [sine(alpha) * sine(beta) + 0.0, cosine(alpha), sine(alpha) * cosine(beta) + 0.0]
+
+
+def program_of_18():
+    """Three groups of 6, steps of 60 degrees, starts 30, 30, 120 degrees."""
+    steps = range(0, 360, 60)
+    return ([vertical(30 + s, 0) for s in steps] + [vertical(-90, 30 + s) for s in steps]
+            + [vertical(120 + s, 90) for s in steps])
+
+
+def plan(out, etas):
+    information = normal_matrix([h(eta) for eta in etas])
+    root_k = root_diagonal(inverse(information))
+    closed = [math.sqrt(1 / 6)] * 3 + [math.sqrt(7 / 30)] * 3 + [math.sqrt(8 / 6)] * 3
+    assert largest(minus(root_k, closed)) < 1e-14
+    assert abs(condition(information) - 8) < 1e-13
+    out.section("The paper's program of 18 positions: N = 6, starts 30, 30, 120 degrees")
+    out.put("expected_plan18", etas, "directions of the vertical, groups 1, 2, 3")
+    out.put("expected_plan18_root_k", root_k, "square roots of the diagonal of K = (H'H)^-1")
+    say("program of 18: root K %.6f %.6f %.6f" % (root_k[0], root_k[3], root_k[6]))
+
+
+# ---- the Cramer-Rao bound ----------------------------------------------------------------------
+
+def truth(size):
+    return [size * sign for sign in SIGNS]
+
+
+def bound_by_normals(x, etas):
+    """Noise along the ellipsoid is lost in the unknown direction; noise across it, along the
+    normal n = A eta / |A eta|, tells g g' with g = d(n . u(X, eta)) / dX."""
+    a = inverse(response(x))
+    rows = []
+    for eta in etas:
+        n = scaled(apply(a, eta), 1 / norm(apply(a, eta)))
+        rows.append(sensitivity(n, eta))
+    return root_diagonal(inverse(normal_matrix(rows)))
+
+
+def cross(a, b):
+    return [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
+
+
+def tilted(eta, first, second):
+    """eta turned by the angle first, then second, about two axes across it."""
+    side = min(identity(3), key=lambda axis: abs(dot(axis, eta)))
+    a = cross(eta, side)
+    a = scaled(a, 1 / norm(a))
+    b = cross(eta, a)
+    turned = [math.cos(first) * e + math.sin(first) * t for e, t in zip(eta, a)]
+    return [math.cos(second) * e + math.sin(second) * t for e, t in zip(turned, b)]
+
+
+def bound_by_fisher(x, etas):
+    """The full Fisher information of (X, two angles of each direction), by differences of u;
+    the angles are eliminated by the Schur complement F_xx - F_xa F_aa^-1 F_ax."""
+    total = [[0.0] * 9 for _ in range(9)]
+    for eta in etas:
+        rows = derivative(lambda y: read(y[:9], tilted(eta, y[9], y[10])), list(x) + [0.0, 0.0])
+        full = normal_matrix(rows)
+        xa = [row[9:] for row in full[:9]]
+        lost = times(times(xa, inverse([row[9:] for row in full[9:]])), transpose(xa))
+        total = [[t + f - s for t, f, s in zip(*rows)] for rows in zip(total, full[:9], lost)]
+    return root_diagonal(inverse(total))
+
+
+def cramer_rao(out, etas):
+    sizes = [0.001, 0.03, 0.1]
+    bounds = [bound_by_normals(truth(size), etas) for size in sizes]
+    for size, bound in zip(sizes, bounds):
+        other = bound_by_fisher(truth(size), etas)
+        worst = largest([b / o - 1 for b, o in zip(bound, other)])
+        assert worst < 1e-9
+        say("Cramer-Rao, size %g: %s; the two ways differ by %.0e"
+            % (size, " ".join("%.5f" % b for b in bound), worst))
+    out.section("Cramer-Rao bound: 18 position means at expected_plan18, directions unknown")
+    out.put("expected_crb_size", sizes, "size of the true X, signs + - + + - + - + -")
+    out.put("expected_crb", bounds,
+            "smallest sigma of each parameter, over the sigma of one axis of u")
+
+
+# ---- the paper's first-order row ---------------------------------------------------------------
+
+def neglected(x):
+    """What the first-order row adds to X: |S eta + delta|^2 / 2, which is a row h(eta) too,
+
+    with S delta in place of delta and (S S + |delta|^2 I) / 2 in place of S.
+    """
+    s, delta = deviation(x), x[:3]
+    extra = [[e / 2 for e in row] for row in times(s, s)]
+    constant = dot(delta, delta) / 2
+    return apply(s, delta) + [extra[k][k] + constant for k in range(3)] + [
+        2 * extra[0][1], 2 * extra[0][2], 2 * extra[2][1]]
+
+
+def first_order(out, etas):
+    """J = (|u|^2 - 1) / 2 = h(eta) X with eta known and no noise, by least squares."""
+    sizes, worst, error = [0.01, 0.1], [], []
+    for size in sizes:
+        x = truth(size)
+        readings = [read(x, eta) for eta in etas]
+        found = least_squares([h(eta) for eta in etas], [(dot(u, u) - 1) / 2 for u in readings])
+        assert largest(minus(minus(found, x), neglected(x))) < 1e-15
+        worst.append(largest(neglected(x)))
+        error.append(rms(residuals(found, readings)))
+        say("first-order row, size %g: worst parameter %.3e, rms %.3e, largest r %.3e"
+            % (size, worst[-1], error[-1], largest(residuals(found, readings))))
+    out.section("The first-order row (|u|^2 - 1) / 2 = h(eta) X on expected_plan18, without noise")
+    out.put("expected_first_order_size", sizes, "size of the true X, signs + - + + - + - + -")
+    out.put("expected_first_order_worst", worst,
+            "largest error over the nine parameters, here always that of a dk: 2.25 size^2")
+    out.put("expected_first_order_rms", error,
+            "root mean square over the 18 positions of |(I + S)^-1 (u - delta)| - 1 as estimated")
+
+
+# ---- Student's t -------------------------------------------------------------------------------
+
+def student_density(t, dof):
+    """Gamma((dof+1)/2) / (sqrt(dof pi) Gamma(dof/2)) (1 + t^2/dof)^(-(dof+1)/2)."""
+    log_factor = math.lgamma((dof + 1) / 2) - math.lgamma(dof / 2) - math.log(dof * math.pi) / 2
+    return math.exp(log_factor - (dof + 1) / 2 * math.log1p(t * t / dof))
+
+
+def student_probability(t, dof, panels=2000):
+    """1/2 + the integral of the density from 0 to t, by Simpson's rule."""
+    step = t / panels
+    total = student_density(0, dof) + student_density(t, dof)
+    total += 4 * add(student_density(i * step, dof) for i in range(1, panels, 2))
+    total += 2 * add(student_density(i * step, dof) for i in range(2, panels, 2))
+    return 0.5 + total * step / 3
+
+
+def student_quantile(probability, dof):
+    """Newton's method; the probability is concave for t > 0, so it rises to the root from below."""
+    t = 1.9
+    for _ in range(100):
+        step = (probability - student_probability(t, dof)) / student_density(t, dof)
+        t += step
+        if abs(step) < 1e-11:
+            return t
+    raise ArithmeticError("the quantile does not converge")
+
+
+def student(out):
+    dofs = list(range(1, 31)) + [40, 60, 120, 1000]
+    quantiles = [student_quantile(0.975, dof) for dof in dofs]
+    for dof, published in ((1, 12.7062), (2, 4.3027), (3, 3.1824), (10, 2.2281), (30, 2.0423)):
+        assert abs(quantiles[dofs.index(dof)] - published) < 5.1e-5
+    assert abs(quantiles[0] - math.tan(0.475 * math.pi)) < 1e-9  # dof 1: tan(pi (P - 1/2))
+    assert abs(quantiles[1] - 0.95 / math.sqrt(2 * 0.975 * 0.025)) < 1e-9  # dof 2, closed form too
+    out.section("Student's t: 0.975 quantiles, right to 1e-9: Simpson's rule and Newton's method")
+    out.line("enum { EXPECTED_STUDENT_COUNT = %d };" % len(dofs))
+    out.put("expected_student_dof", dofs, "degrees of freedom")
+    out.put("expected_student_t", quantiles, "quantiles")
+    say("Student: %s ... %.6f" % (" ".join("%.4f" % q for q in quantiles[:4]), quantiles[-1]))
+
+
+# ---- linear algebra ----------------------------------------------------------------------------
+
+def exact_factor(a):
+    """(L, determinant) with L L' = a: exact elimination a = U' D^-1 U, then one root per pivot."""
+    n = len(a)
+    u = [list(row) for row in a]
+    determinant = 1
+    for k in range(n):
+        determinant *= u[k][k]
+        for i in range(k + 1, n):
+            factor = u[i][k] / u[k][k]
+            u[i] = [x - factor * y for x, y in zip(u[i], u[k])]
+    low = [[float(u[j][i]) / math.sqrt(u[j][j]) if j <= i else 0.0 for j in range(n)]
+           for i in range(n)]
+    return low, determinant
+
+
+def fractions(a):
+    return [[Fraction(x) for x in row] for row in a]
+
+
+def min_matrix(n):
+    return [[min(i, j) for j in range(1, n + 1)] for i in range(1, n + 1)]
+
+
+def min_inverse(n):
+    """2 on the diagonal but 1 in its last place, -1 beside it."""
+    a = [[2 if i == j else -1 if abs(i - j) == 1 else 0 for j in range(n)] for i in range(n)]
+    a[n - 1][n - 1] = 1
+    return a
+
+
+def pascal(n):
+    return [[math.comb(i + j, i) for j in range(n)] for i in range(n)]
+
+
+def random_matrix(n, seed):
+    """M'M + I with entries of M from -2 to 2."""
+    source = random.Random(seed)
+    m = [[int(source.random() * 5) - 2 for _ in range(n)] for _ in range(n)]
+    return [[x + e for x, e in zip(*rows)] for rows in zip(times(transpose(m), m), identity(n))]
+
+
+def put_exact(out, name, a, what):
+    """A matrix of integers with its factor, inverse and determinant."""
+    low, determinant = exact_factor(fractions(a))
+    out.put(name + "_matrix", packed(a), what)
+    out.put(name + "_factor", packed(low), "its Cholesky factor, from exact pivots")
+    out.put(name + "_inverse", packed(inverse(fractions(a))), "its inverse, exact, rounded once")
+    out.put(name + "_determinant", determinant, "its determinant")
+    out.put(name + "_condition", condition(a), "largest over smallest eigenvalue, by rotations")
+    say("%s: determinant %s, condition %.4g" % (name, determinant, condition(a)))
+
+
+def toeplitz_condition(n):
+    """Eigenvalues 2 - 2 cos(k pi / (n + 1)) = 4 sin^2(k pi / (2 (n + 1))), k = 1 ... n."""
+    values = [4 * math.sin(k * math.pi / (2 * (n + 1))) ** 2 for k in (1, n)]
+    return values[1] / values[0]
+
+
+def toeplitz(n):
+    return [[2 if i == j else -1 if abs(i - j) == 1 else 0 for j in range(n)] for i in range(n)]
+
+
+def linear_algebra(out):
+    sizes = range(1, 10)
+    for n in sizes:
+        assert inverse(fractions(min_matrix(n))) == min_inverse(n)
+        assert packed(exact_factor(fractions(min_matrix(n)))[0]) == [1] * (n * (n + 1) // 2)
+    conditions = [toeplitz_condition(n) for n in sizes[1:]]
+    for n, c in zip(sizes[1:], conditions):
+        assert abs(condition(toeplitz(n)) / c - 1) < 1e-13
+    assert times(inverse(fractions(pascal(5))), pascal(5)) == identity(5)
+
+    out.section("Positive definite matrices, packed: lower triangle row by row")
+    out.put("expected_min_matrix", packed(min_matrix(9)),
+            "elements min(i, j), i and j from 1; the first n (n + 1) / 2 are the n x n matrix")
+    out.put("expected_min_factor", [1] * 45, "its Cholesky factor: all ones, for every n")
+    out.put("expected_min_inverse", [packed(min_inverse(n)) for n in sizes],
+            "its inverse for n = 1 ... 9, one row each: tridiagonal, 2 and -1, 1 in the last place")
+    put_exact(out, "expected_pascal5", pascal(5), "Pascal's matrix, elements binomial(i + j, i)")
+    put_exact(out, "expected_random9", random_matrix(9, 2019),
+              "M'M + I, the elements of M random integers -2 ... 2")
+    out.put("expected_toeplitz_condition", conditions,
+            "of the tridiagonal matrices (-1, 2, -1), n = 2 ... 9: from eigenvalues"
+            " 2 - 2 cos(k pi / (n + 1))")
+
+
+def square_roots(out):
+    """Pairs M = B B. The elements of B are multiples of 1/64 below 2, so that M is exact."""
+    source = random.Random(61)
+    roots = []
+    while len(roots) < 5:
+        b = [[0] * 3 for _ in range(3)]
+        for i in range(3):
+            for j in range(i + 1):
+                b[i][j] = b[j][i] = (int(source.random() * 81) - 40 + (80 if i == j else 0)) / 64
+        if min(eigen(b)[0]) > 0.1:
+            roots.append(b)
+    squares = [times(b, b) for b in roots]
+    for b, m in zip(roots, squares):
+        assert difference(square_root(m), b) < 1e-14
+        assert times(fractions(b), fractions(b)) == fractions(m)
+    out.section("Symmetric 3x3 square roots, packed: lower triangle row by row")
+    out.line("enum { EXPECTED_ROOTS = %d };" % len(roots))
+    out.put("expected_root_square", [packed(m) for m in squares], "M = B B, exact in float too")
+    out.put("expected_root", [packed(b) for b in roots], "B, positive definite")
+    say("square roots: eigenvalues of B %s" % "; ".join(
+        " ".join("%.3f" % v for v in sorted(eigen(b)[0])) for b in roots))
+
+
+# ---- the header --------------------------------------------------------------------------------
+
+def literal(value):
+    """A C double with 17 significant digits."""
+    text = "%.17g" % (float(value) + 0.0)
+    return text if "." in text or "e" in text else text + ".0"
+
+
+def filled(words, start, indent, separator):
+    """The words in lines of at most 96 characters: start before the first, indent the others."""
+    lines = [start]
+    for k, word in enumerate(words):
+        if len(lines[-1]) + len(word) > 96:
+            lines[-1] = lines[-1].rstrip()
+            lines.append(indent)
+        lines[-1] += word + (separator if k + 1 < len(words) else "")
+    return "\n".join(lines)
+
+
+def numbers(values, start):
+    return filled([literal(v) for v in values], start, " " * len(start), ", ")
+
+
+class Header:
+    """Prints the C header."""
+
+    def line(self, text=""):
+        print(text)
+
+    def section(self, title):
+        self.line("\n\n" + filled(("%s */" % title).split(" "), "/* ---- ", "   ", " "))
+
+    def set(self, name):
+        """The put function of one data set."""
+        return lambda figure, value, what: self.put("expected_%s_%s" % (name, figure), value, what)
+
+    def put(self, name, value, what):
+        """A scalar, a vector or a table, with a comment that says what it is."""
+        self.line("\n" + filled(("%s */" % what).split(" "), "/* ", "   ", " "))
+        if not isinstance(value, list):
+            self.line("static const double %s = %s;" % (name, literal(value)))
+        elif not isinstance(value[0], list):
+            self.line("static const double %s[%d] = {" % (name, len(value)))
+            self.line(numbers(value, "    ") + "};")
+        else:
+            width = max(len(row) for row in value)
+            self.line("static const double %s[%d][%d] = {" % (name, len(value), width))
+            self.line("},\n".join(numbers(row, "    {") for row in value) + "}};")
+
+
+def say(text):
+    print(text, file=sys.stderr)
+
+
+def main():
+    if len(sys.argv) != 2:
+        sys.exit("usage: reference.py FOLDER_WITH_POSITIONS > expected.h")
+    out = Header()
+    out.line("/* SPDX-License-Identifier: MIT")
+    out.line(" *")
+    out.line(" * Expected values for the tests. Generated by reference.py: do not edit.")
+    out.line(" * X = (delta_x, delta_y, delta_z, dk_x, dk_y, dk_z, gamma_xy, gamma_xz, gamma_zy).")
+    out.line(" */")
+    out.line("#ifndef EXPECTED_H")
+    out.line("#define EXPECTED_H")
+    for name, gravity, source in DATA_SETS:
+        data_set(out, sys.argv[1], name, gravity, source)
+    etas = program_of_18()
+    plan(out, etas)
+    cramer_rao(out, etas)
+    first_order(out, etas)
+    student(out)
+    linear_algebra(out)
+    square_roots(out)
+    out.line("\n#endif")
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,303 @@
+/* SPDX-License-Identifier: MIT */
+#include <math.h>
+#include <string.h>
+
+#include "expected.h"
+#include "support.h"
+#include "unity.h"
+
+void setUp(void)
+{
+}
+
+void tearDown(void)
+{
+}
+
+/* Solution and residuals of the paper's 18 positions with errors of `size`. */
+typedef struct {
+    reading_set set;
+    invcal_settings settings;
+    invcal_solution solution;
+    invcal_residuals residuals;
+} scene;
+
+static scene plan18(uint32_t seed, double size, double sigma, double stated)
+{
+    random_source random = random_start(seed);
+    const triad_truth truth = triad_random(&random, size);
+    scene s;
+
+    s.settings = unit_settings(stated);
+    read_positions(&truth, expected_plan18, 18, sigma, &random, &s.set);
+    const invcal_normal normal = normal_of(&s.set);
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_solve(&normal, &s.settings, &s.solution));
+    invcal_residuals_init(&s.residuals, &s.solution);
+    for (unsigned i = 0; i < s.set.count; i++) {
+        TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_residuals_add(&s.residuals, s.set.u[i], NULL));
+    }
+    return s;
+}
+
+static void root_k_of_the_papers_program_is_the_papers(void)
+{
+    /* Without errors of the triad: they would weight the rows. */
+    const scene s = plan18(1, 0, 0, 1e-3);
+    invcal_quality q;
+
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK,
+                          invcal_assess(&s.residuals, 18, &s.settings, &s.solution, &q));
+    for (unsigned r = 0; r < 9; r++) {
+        TEST_ASSERT_DOUBLE_WITHIN(FLOAT_OR_DOUBLE(2e-6, 1e-12), expected_plan18_root_k[r],
+                                  sqrt((double)q.K[INVCAL_PACKED(r, r)]));
+        TEST_ASSERT_DOUBLE_WITHIN(FLOAT_OR_DOUBLE(2e-9, 1e-15), 1e-3 * expected_plan18_root_k[r],
+                                  sigma_of_parameter(&q, r));
+    }
+    TEST_ASSERT_DOUBLE_WITHIN(FLOAT_OR_DOUBLE(2e-5, 1e-11), 8, (double)q.condition);
+    TEST_ASSERT_EQUAL_INT(INVCAL_GOOD, q.verdict);
+    TEST_ASSERT_EQUAL_HEX16(0, q.undetermined);
+    TEST_ASSERT_EQUAL_HEX16(0, q.from_prior);
+}
+
+static void residuals_are_calibrated_lengths_minus_one(void)
+{
+    scene s = plan18(2, 0.1, 1e-3, 0);
+    double squares = 0;
+    double worst = 0;
+    unsigned at = 0;
+
+    for (unsigned i = 0; i < 18; i++) {
+        invcal_real v[3];
+        invcal_real residual;
+        invcal_apply(&s.solution.calibration, s.set.u[i], v);
+        const double d[3] = {(double)v[0], (double)v[1], (double)v[2]};
+        const double expected = length3(d) - 1;
+        invcal_residuals_add(&s.residuals, s.set.u[i], &residual);
+        TEST_ASSERT_DOUBLE_WITHIN(FLOAT_OR_DOUBLE(3e-7, 1e-15), expected, (double)residual);
+        squares += expected * expected;
+        at = fabs(expected) > worst ? i : at;
+        worst = fmax(worst, fabs(expected));
+    }
+    TEST_ASSERT_EQUAL_UINT(36, s.residuals.count);
+    TEST_ASSERT_DOUBLE_WITHIN(1e-3 * squares, 2 * squares, (double)s.residuals.squares);
+    TEST_ASSERT_DOUBLE_WITHIN(FLOAT_OR_DOUBLE(3e-7, 1e-15), worst, (double)s.residuals.max);
+    TEST_ASSERT_EQUAL_UINT(at, s.residuals.worst);
+}
+
+static void the_noise_is_the_larger_of_stated_and_observed(void)
+{
+    invcal_quality q;
+    scene s = plan18(3, 0.01, 1e-3, 0);
+
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK,
+                          invcal_assess(&s.residuals, 18, &s.settings, &s.solution, &q));
+    const double observed = sqrt((double)s.residuals.normal.jtj / 9);
+    TEST_ASSERT_DOUBLE_WITHIN(1e-5 * observed, observed, (double)q.noise);
+    TEST_ASSERT_DOUBLE_WITHIN(0.003, 2.262157, (double)q.coverage); /* Student, 9 */
+    TEST_ASSERT_DOUBLE_WITHIN(1e-6, 9, (double)q.dof);
+    s.settings.noise = (invcal_real)(observed / 2);
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK,
+                          invcal_assess(&s.residuals, 18, &s.settings, &s.solution, &q));
+    TEST_ASSERT_DOUBLE_WITHIN(1e-5 * observed, observed, (double)q.noise);
+    s.settings.noise = (invcal_real)(observed * 2);
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK,
+                          invcal_assess(&s.residuals, 18, &s.settings, &s.solution, &q));
+    const double gain = (double)s.residuals.gain;
+    TEST_ASSERT_DOUBLE_WITHIN(1e-5 * observed, 2 * observed * gain, (double)q.noise);
+    TEST_ASSERT_DOUBLE_WITHIN(1e-5, 1.959964, (double)q.coverage);
+}
+
+static void stored_positions_share_the_parameters_out(void)
+{
+    scene s = plan18(4, 0.01, 1e-3, 0);
+    invcal_quality q;
+
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK,
+                          invcal_assess(&s.residuals, 36, &s.settings, &s.solution, &q));
+    TEST_ASSERT_DOUBLE_WITHIN(1e-5, 13.5, (double)q.dof); /* 18 (1 - 9/36) */
+}
+
+static void nine_positions_have_no_redundancy(void)
+{
+    static const double direction[9][3] = {{1, 0, 0},      {0, 1, 0},      {0, 0, 1},
+                                           {-1, 0, 0},     {0, -1, 0},     {0, 0, -1},
+                                           {0.6, 0.8, 0},  {0.6, 0, 0.8},  {0, 0.6, 0.8}};
+    random_source random = random_start(5);
+    const triad_truth truth = triad_random(&random, 0.01);
+    const invcal_settings known = unit_settings(1e-4);
+    const invcal_settings unknown = unit_settings(0);
+    reading_set set;
+    invcal_solution solution;
+    invcal_quality q;
+
+    read_positions(&truth, direction, 9, 1e-4, &random, &set);
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, calibrate_set(&set, &known, &solution, &q, NULL));
+    TEST_ASSERT_EQUAL_INT(INVCAL_NO_REDUNDANCY, q.verdict);
+    TEST_ASSERT_TRUE(q.dof == 0);
+    TEST_ASSERT_DOUBLE_WITHIN(1e-5, 1e-4, (double)q.noise);
+    /* Nobody knows the noise: sigma is finite, and absurd enough not to be believed. */
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, calibrate_set(&set, &unknown, &solution, &q, NULL));
+    TEST_ASSERT_EQUAL_INT(INVCAL_NO_REDUNDANCY, q.verdict);
+    TEST_ASSERT_TRUE(q.noise == 1);
+    for (unsigned r = 0; r < 9; r++) {
+        TEST_ASSERT_TRUE(sigma_of_parameter(&q, r) > 0.1 && sigma_of_parameter(&q, r) < 10);
+    }
+}
+
+/* Every position within 18 degrees of an axis, as on the T265: angles are hardly seen. */
+static void positions_near_the_axes_are_weak_and_name_the_angles(void)
+{
+    random_source random = random_start(6);
+    const triad_truth truth = triad_random(&random, 0.01);
+    const invcal_settings settings = unit_settings(0);
+    double v[30][3];
+    reading_set set;
+    invcal_solution solution;
+    invcal_quality q;
+
+    for (int i = 0; i < 30; i++) {
+        for (int k = 0; k < 3; k++) {
+            v[i][k] = random_uniform(&random, -0.03, 0.03);
+        }
+        v[i][i % 3] = (i / 3) % 2 ? 1 : -1;
+        const double length = length3(v[i]);
+        for (int k = 0; k < 3; k++) {
+            v[i][k] /= length;
+        }
+    }
+    read_positions(&truth, (const double(*)[3])v, 30, 1e-5, &random, &set);
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, calibrate_set(&set, &settings, &solution, &q, NULL));
+    TEST_ASSERT_EQUAL_INT(INVCAL_WEAK, q.verdict);
+    TEST_ASSERT_EQUAL_HEX16(0x1C0, q.undetermined);
+}
+
+static void the_offset_sigma_is_that_of_delta_in_raw_units(void)
+{
+    scene s = plan18(7, 0.001, 1e-3, 0);
+    invcal_quality q;
+
+    s.settings.field = 10;
+    for (int k = 0; k < 3; k++) {
+        s.settings.nominal.matrix[k][k] = (invcal_real)0.5; /* field units per count */
+    }
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK,
+                          invcal_assess(&s.residuals, 18, &s.settings, &s.solution, &q));
+    for (int k = 0; k < 3; k++) {
+        TEST_ASSERT_DOUBLE_WITHIN(1e-5 * (double)q.sigma_offset[k], 20 * (double)q.sigma_delta[k],
+                                  (double)q.sigma_offset[k]);
+    }
+}
+
+static void absurd_residuals_are_refused(void)
+{
+    scene s = plan18(8, 0.01, 1e-3, 0);
+    invcal_quality q;
+    invcal_quality before;
+
+    memset(&q, 7, sizeof q);
+    before = q;
+    s.residuals.squares = (invcal_real)(18 * 0.11 * 0.11);
+    TEST_ASSERT_EQUAL_INT(INVCAL_NOT_ELLIPSOID,
+                          invcal_assess(&s.residuals, 18, &s.settings, &s.solution, &q));
+    s.residuals.squares = (invcal_real)NAN;
+    TEST_ASSERT_EQUAL_INT(INVCAL_NOT_ELLIPSOID,
+                          invcal_assess(&s.residuals, 18, &s.settings, &s.solution, &q));
+    TEST_ASSERT_EQUAL_MEMORY(&before, &q, sizeof q);
+}
+
+static void unusable_input_is_refused_and_the_quality_left_alone(void)
+{
+    const scene good = plan18(9, 0.01, 1e-3, 1e-3);
+    invcal_quality q;
+    invcal_quality before;
+
+    memset(&q, 7, sizeof q);
+    before = q;
+    for (int i = 0; i < 9; i++) {
+        scene s = good;
+        invcal_real used = 18;
+        switch (i) {
+        case 0: s.settings.field = 0; break;
+        case 1: s.settings.field = (invcal_real)NAN; break;
+        case 2: s.settings.noise = -1; break;
+        case 3: s.settings.noise = (invcal_real)NAN; break;
+        case 4: s.settings.nominal.matrix[0][0] = 0; break;
+        case 5: s.settings.prior[0] = 1, s.settings.prior[1] = -1; break;
+        case 6: used = 17; break;
+        case 7: used = (invcal_real)NAN; break;
+        default: s.residuals.count = 0; break;
+        }
+        TEST_ASSERT_EQUAL_INT(INVCAL_BAD_SETTING,
+                              invcal_assess(&s.residuals, used, &s.settings, &s.solution, &q));
+    }
+    TEST_ASSERT_EQUAL_MEMORY(&before, &q, sizeof q);
+}
+
+static void unreal_residuals_are_refused(void)
+{
+    const scene good = plan18(10, 0.01, 1e-3, 0);
+    invcal_quality q;
+    invcal_quality before;
+
+    memset(&q, 7, sizeof q);
+    before = q;
+    for (unsigned i = 0; i < 45; i++) {
+        scene s = good;
+        s.residuals.normal.hth[i] = (invcal_real)NAN;
+        TEST_ASSERT_EQUAL_INT(INVCAL_UNDETERMINED,
+                              invcal_assess(&s.residuals, 18, &s.settings, &s.solution, &q));
+    }
+    TEST_ASSERT_EQUAL_MEMORY(&before, &q, sizeof q);
+}
+
+static void a_reading_absurd_after_calibration_is_refused_by_the_residuals(void)
+{
+    scene s = plan18(11, 0.01, 1e-3, 0);
+    const invcal_residuals before = s.residuals;
+    const invcal_real far[3] = {0, 0, 20};
+    const invcal_real nan[3] = {0, 0, (invcal_real)NAN};
+    invcal_real residual = 7;
+
+    TEST_ASSERT_EQUAL_INT(INVCAL_OUT_OF_RANGE, invcal_residuals_add(&s.residuals, far, &residual));
+    TEST_ASSERT_EQUAL_INT(INVCAL_NOT_FINITE, invcal_residuals_add(&s.residuals, nan, &residual));
+    TEST_ASSERT_TRUE(residual == 7);
+    TEST_ASSERT_EQUAL_MEMORY(&before, &s.residuals, sizeof before);
+}
+
+static void coverage_is_students_quantile(void)
+{
+    for (unsigned i = 0; i < EXPECTED_STUDENT_COUNT; i++) {
+        const double expected = expected_student_t[i];
+        TEST_ASSERT_DOUBLE_WITHIN(2e-3 * expected, expected,
+                                  (double)invcal_coverage((invcal_real)expected_student_dof[i]));
+    }
+}
+
+static void coverage_rounds_down_and_fails_closed(void)
+{
+    TEST_ASSERT_TRUE(invcal_coverage((invcal_real)4.9) == invcal_coverage(4));
+    TEST_ASSERT_TRUE(invcal_coverage((invcal_real)1.9) == invcal_coverage(1));
+    TEST_ASSERT_TRUE(invcal_coverage(0) == invcal_coverage(1));
+    TEST_ASSERT_TRUE(invcal_coverage(-1) == invcal_coverage(1));
+    TEST_ASSERT_TRUE(invcal_coverage((invcal_real)NAN) == invcal_coverage(1));
+    TEST_ASSERT_DOUBLE_WITHIN(0.004, 1.96, (double)invcal_coverage((invcal_real)INFINITY));
+}
+
+int main(void)
+{
+    UNITY_BEGIN();
+    RUN_TEST(root_k_of_the_papers_program_is_the_papers);
+    RUN_TEST(residuals_are_calibrated_lengths_minus_one);
+    RUN_TEST(the_noise_is_the_larger_of_stated_and_observed);
+    RUN_TEST(stored_positions_share_the_parameters_out);
+    RUN_TEST(nine_positions_have_no_redundancy);
+    RUN_TEST(positions_near_the_axes_are_weak_and_name_the_angles);
+    RUN_TEST(the_offset_sigma_is_that_of_delta_in_raw_units);
+    RUN_TEST(absurd_residuals_are_refused);
+    RUN_TEST(unusable_input_is_refused_and_the_quality_left_alone);
+    RUN_TEST(unreal_residuals_are_refused);
+    RUN_TEST(a_reading_absurd_after_calibration_is_refused_by_the_residuals);
+    RUN_TEST(coverage_is_students_quantile);
+    RUN_TEST(coverage_rounds_down_and_fails_closed);
+    return UNITY_END() != 0;
+}
