@@ -49,17 +49,17 @@ static invcal_status compare(const invcal_real *raw, unsigned count,
 
 static invcal_status solve_and_assess(const invcal_real *raw, const invcal_normal *normal,
                                       const invcal_settings *settings, invcal_solution *solution,
-                                      invcal_quality *quality)
+                                      invcal_quality *quality, invcal_real *gain)
 {
     invcal_residuals residuals;
-    const unsigned count = (unsigned)normal->count;
     invcal_status status = invcal_solve(normal, settings, solution);
 
     if (status == INVCAL_OK) {
-        status = compare(raw, count, settings, solution, &residuals);
+        status = compare(raw, (unsigned)normal->count, settings, solution, &residuals);
     }
     if (status == INVCAL_OK) {
         status = invcal_assess(&residuals, normal->count, settings, solution, quality);
+        *gain = residuals.gain;
     }
     return status;
 }
@@ -71,19 +71,20 @@ invcal_status invcal_calibrate(const invcal_real *raw, unsigned count,
     invcal_normal normal;
     invcal_solution s;
     invcal_quality q;
+    invcal_settings noisier;
     unsigned position;
+    invcal_real gain;
 
     INVCAL_ASSERT(raw && settings && solution && quality);
     invcal_status status = accumulate(raw, count, settings, &normal, &position);
     if (status == INVCAL_OK) {
-        status = solve_and_assess(raw, &normal, settings, &s, &q);
+        status = solve_and_assess(raw, &normal, settings, &s, &q, &gain);
     }
-    if (status == INVCAL_OK && invcal_has_prior(settings) &&
-        q.noise * settings->field > settings->noise) {
-        /* The data are noisier than stated: the prior counts for more. */
-        invcal_settings noisier = *settings;
-        noisier.noise = q.noise * settings->field;
-        status = solve_and_assess(raw, &normal, &noisier, &s, &q);
+    if (status == INVCAL_OK && invcal_has_prior(settings)) {
+        /* The data may be noisier than stated: then the prior counts for more. */
+        noisier = *settings;
+        noisier.noise = q.noise * settings->field / gain;
+        status = solve_and_assess(raw, &normal, &noisier, &s, &q, &gain);
     }
     if (status == INVCAL_OK) {
         *solution = s;

@@ -9,7 +9,6 @@
 #define HOPELESS_ROOT_K INVCAL_REAL(1000.0) /* above: refused */
 #define ABSURD_RESIDUAL INVCAL_REAL(0.1)
 #define NOISE_SHARE INVCAL_REAL(0.1) /* of the information on a parameter: above, it is weak */
-#define RIDGE INVCAL_REAL(1e-4)      /* of the largest diagonal element: between weak and good */
 
 const char *invcal_verdict_text(invcal_verdict verdict)
 {
@@ -38,30 +37,22 @@ invcal_real invcal_coverage(invcal_real dof)
 
 /* H'H in calibrated units (+ prior). */
 static invcal_status information(const invcal_residuals *residuals, const invcal_settings *settings,
-                                 invcal_real noise, invcal_real *hth)
+                                 invcal_real noise, invcal_normal *out)
 {
-    invcal_normal work = residuals->normal;
-
-    if (invcal_has_prior(settings)) {
-        const invcal_status status = invcal_normal_add_prior(&work, settings->prior, noise);
-        if (status != INVCAL_OK) {
-            return status;
-        }
-    }
-    memcpy(hth, work.hth, sizeof work.hth);
-    return INVCAL_OK;
+    *out = residuals->normal;
+    return invcal_has_prior(settings) ? invcal_normal_add_prior(out, settings->prior, noise)
+                                      : INVCAL_OK;
 }
 
-/* H'H to L, and the diagonal of K. Without a prior nothing near rounding error passes. */
-static invcal_status factor(const invcal_settings *settings, invcal_real *l, invcal_real *diagonal)
+/* L of the same. Without a prior nothing near rounding error passes. */
+static invcal_status factor(const invcal_residuals *residuals, const invcal_settings *settings,
+                            invcal_real noise, invcal_normal *out)
 {
     const invcal_real floor = invcal_has_prior(settings) ? INVCAL_EPSILON : INVCAL_PIVOT_FLOOR;
-    const invcal_status status = invcal_cholesky_factor(l, INVCAL_PARAMETERS, floor);
+    const invcal_status status = information(residuals, settings, noise, out);
 
-    if (status == INVCAL_OK) {
-        invcal_cholesky_inverse_diagonal(l, INVCAL_PARAMETERS, diagonal);
-    }
-    return status;
+    return status == INVCAL_OK ? invcal_cholesky_factor(out->hth, INVCAL_PARAMETERS, floor)
+                               : status;
 }
 
 /* The share of parameter r that the data told, 0 ... 1: 1 - posterior / prior variance. */
@@ -93,27 +84,41 @@ static invcal_real freedom(const invcal_residuals *residuals, invcal_real used,
     return dof >= 1 ? dof : 0;
 }
 
-/* noise, dof and coverage. With a prior, what it supplies depends on the noise: as stated. */
-static invcal_status judge_noise(const invcal_residuals *residuals, invcal_real used,
-                                 const invcal_settings *settings, invcal_quality *q,
-                                 invcal_real *workspace)
+/* How many parameters the data had to determine: what the prior supplies, at the noise stated,
+ * does not count. */
+static invcal_status parameters_of_data(const invcal_residuals *residuals,
+                                        const invcal_settings *settings, invcal_real stated,
+                                        invcal_normal *work, invcal_real *parameters)
 {
-    const invcal_real stated = stated_noise(residuals, settings);
-    invcal_real parameters = INVCAL_PARAMETERS;
     invcal_real diagonal[INVCAL_PARAMETERS];
 
-    if (invcal_has_prior(settings)) {
-        invcal_status status = information(residuals, settings, stated, workspace);
-        if (status == INVCAL_OK) {
-            status = factor(settings, workspace, diagonal);
-        }
-        if (status != INVCAL_OK) {
-            return status;
-        }
-        parameters = 0;
-        for (unsigned r = 0; r < INVCAL_PARAMETERS; r++) {
-            parameters += told_by_data(settings, r, diagonal[r], stated);
-        }
+    *parameters = INVCAL_PARAMETERS;
+    if (!invcal_has_prior(settings)) {
+        return INVCAL_OK;
+    }
+    const invcal_status status = factor(residuals, settings, stated, work);
+    if (status != INVCAL_OK) {
+        return status;
+    }
+    invcal_cholesky_inverse_diagonal(work->hth, INVCAL_PARAMETERS, diagonal);
+    *parameters = 0;
+    for (unsigned r = 0; r < INVCAL_PARAMETERS; r++) {
+        *parameters += told_by_data(settings, r, diagonal[r], stated);
+    }
+    return INVCAL_OK;
+}
+
+/* noise, dof and coverage. */
+static invcal_status judge_noise(const invcal_residuals *residuals, invcal_real used,
+                                 const invcal_settings *settings, invcal_normal *work,
+                                 invcal_quality *q)
+{
+    const invcal_real stated = stated_noise(residuals, settings);
+    invcal_real parameters;
+    const invcal_status status = parameters_of_data(residuals, settings, stated, work, &parameters);
+
+    if (status != INVCAL_OK) {
+        return status;
     }
     q->dof = freedom(residuals, used, parameters);
     const invcal_real observed = q->dof > 0 ? INVCAL_SQRT(residuals->normal.jtj / q->dof) : 0;
@@ -243,11 +248,16 @@ static invcal_status judge_parameters(const invcal_settings *settings, invcal_re
 
 /* The condition of H'H. Pivots alone let singular sets through now and then: one whose open
  * combination hardly involves the last parameters has no small pivot. */
-static invcal_status judge_condition(const invcal_settings *settings, const invcal_real *hth,
+static invcal_status judge_condition(const invcal_residuals *residuals,
+                                     const invcal_settings *settings, invcal_normal *work,
                                      invcal_quality *q)
 {
-    memcpy(q->K, hth, sizeof q->K); /* K serves as workspace until it is known */
-    q->condition = invcal_condition(q->K, INVCAL_PARAMETERS);
+    const invcal_status status = information(residuals, settings, q->noise, work);
+
+    if (status != INVCAL_OK) {
+        return status;
+    }
+    q->condition = invcal_condition(work->hth, INVCAL_PARAMETERS);
     return invcal_has_prior(settings) || q->condition * INVCAL_PIVOT_FLOOR < 1
                ? INVCAL_OK
                : INVCAL_UNDETERMINED;
@@ -270,13 +280,35 @@ static int is_usable(const invcal_residuals *residuals, invcal_real used,
            (settings->noise == 0 || invcal_is_positive(settings->noise));
 }
 
+/* All that can be refused, in order of cost; leaves L in work. */
+static invcal_status judge(const invcal_residuals *residuals, invcal_real used,
+                           const invcal_settings *settings, invcal_normal *work, invcal_quality *q)
+{
+    invcal_real diagonal[INVCAL_PARAMETERS];
+    invcal_status status = judge_residuals(residuals, q);
+
+    if (status == INVCAL_OK) {
+        status = judge_noise(residuals, used, settings, work, q);
+    }
+    if (status == INVCAL_OK) {
+        status = judge_condition(residuals, settings, work, q);
+    }
+    if (status == INVCAL_OK) {
+        status = factor(residuals, settings, q->noise, work);
+    }
+    if (status == INVCAL_OK) {
+        invcal_cholesky_inverse_diagonal(work->hth, INVCAL_PARAMETERS, diagonal);
+        status = judge_parameters(settings, used, diagonal, q);
+    }
+    return status;
+}
+
 invcal_status invcal_assess(const invcal_residuals *residuals, invcal_real used,
                             const invcal_settings *settings, const invcal_solution *solution,
                             invcal_quality *quality)
 {
     invcal_quality q;
-    invcal_real l[INVCAL_PACKED_SIZE(INVCAL_PARAMETERS)];
-    invcal_real diagonal[INVCAL_PARAMETERS];
+    invcal_normal work;
     invcal_real s[6];
     invcal_real inverse[3][3];
 
@@ -285,58 +317,27 @@ invcal_status invcal_assess(const invcal_residuals *residuals, invcal_real used,
         invcal_calibration_inverse(&settings->nominal, inverse) != INVCAL_OK) {
         return INVCAL_BAD_SETTING;
     }
-    invcal_status status = judge_residuals(residuals, &q);
+    const invcal_status status = judge(residuals, used, settings, &work, &q);
     if (status == INVCAL_OK) {
-        status = judge_noise(residuals, used, settings, &q, l);
+        invcal_solution_deviation(solution, s);
+        judge_offset(s, inverse, settings, work.hth, &q);
+        judge_matrix(s, settings, work.hth, &q);
+        *quality = q;
     }
-    if (status == INVCAL_OK) {
-        status = information(residuals, settings, q.noise, l);
-    }
-    if (status == INVCAL_OK) {
-        status = judge_condition(settings, l, &q);
-    }
-    if (status == INVCAL_OK) {
-        status = factor(settings, l, diagonal);
-    }
-    if (status == INVCAL_OK) {
-        status = judge_parameters(settings, used, diagonal, &q);
-    }
-    if (status != INVCAL_OK) {
-        return status;
-    }
-    invcal_solution_deviation(solution, s);
-    judge_offset(s, inverse, settings, l, &q);
-    judge_matrix(s, settings, l, &q);
-    invcal_cholesky_inverse(l, INVCAL_PARAMETERS);
-    memcpy(q.K, l, sizeof q.K);
-    *quality = q;
-    return INVCAL_OK;
+    return status;
 }
 
-uint16_t invcal_undetermined(const invcal_normal *normal)
+invcal_status invcal_covariance(const invcal_residuals *residuals, const invcal_settings *settings,
+                                invcal_real noise,
+                                invcal_real K[INVCAL_PACKED_SIZE(INVCAL_PARAMETERS)])
 {
-    invcal_real l[INVCAL_PACKED_SIZE(INVCAL_PARAMETERS)];
-    invcal_real diagonal[INVCAL_PARAMETERS];
-    invcal_real largest = 0;
-    uint16_t open = 0;
+    invcal_normal work;
 
-    INVCAL_ASSERT(normal);
-    memcpy(l, normal->hth, sizeof l);
-    for (unsigned r = 0; r < INVCAL_PARAMETERS; r++) {
-        const invcal_real d = l[INVCAL_PACKED(r, r)];
-        largest = d > largest ? d : largest;
+    INVCAL_ASSERT(residuals && settings && K);
+    const invcal_status status = factor(residuals, settings, noise, &work);
+    if (status == INVCAL_OK) {
+        invcal_cholesky_inverse(work.hth, INVCAL_PARAMETERS);
+        memcpy(K, work.hth, sizeof work.hth);
     }
-    const invcal_real ridge = RIDGE * largest;
-    for (unsigned r = 0; r < INVCAL_PARAMETERS; r++) {
-        l[INVCAL_PACKED(r, r)] += ridge;
-    }
-    if (invcal_cholesky_factor(l, INVCAL_PARAMETERS, INVCAL_EPSILON) != INVCAL_OK) {
-        return (uint16_t)((1u << INVCAL_PARAMETERS) - 1);
-    }
-    invcal_cholesky_inverse_diagonal(l, INVCAL_PARAMETERS, diagonal);
-    for (unsigned r = 0; r < INVCAL_PARAMETERS; r++) {
-        /* ridge K(r,r): the share of parameter r that the ridge holds, 0 ... 1 */
-        open |= (uint16_t)((!(ridge * diagonal[r] <= INVCAL_REAL(0.1))) << r);
-    }
-    return open;
+    return status;
 }

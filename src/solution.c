@@ -5,6 +5,8 @@
 
 #include "vector.h"
 
+#define RIDGE INVCAL_REAL(1e-4) /* of the largest diagonal element: between weak and good */
+
 /* The sensor model in its own axes: S = V diag(value) V'. Readings lie on the ellipsoid with the
  * centre delta and the semi-axes 1 + value. All matrices are kept as deviations from I, whose
  * ones would cost a float three of its seven digits. */
@@ -233,4 +235,32 @@ void invcal_solution_deviation(const invcal_solution *solution, invcal_real s[6]
     s[1] = solution->gamma[0] / 2;
     s[3] = solution->gamma[1] / 2;
     s[4] = solution->gamma[2] / 2;
+}
+
+uint16_t invcal_undetermined(const invcal_normal *normal)
+{
+    invcal_real l[INVCAL_PACKED_SIZE(INVCAL_PARAMETERS)];
+    invcal_real diagonal[INVCAL_PARAMETERS];
+    invcal_real largest = 0;
+    uint16_t open = 0;
+
+    INVCAL_ASSERT(normal);
+    memcpy(l, normal->hth, sizeof l);
+    for (unsigned r = 0; r < INVCAL_PARAMETERS; r++) {
+        const invcal_real d = l[INVCAL_PACKED(r, r)];
+        largest = d > largest ? d : largest;
+    }
+    const invcal_real ridge = RIDGE * largest;
+    for (unsigned r = 0; r < INVCAL_PARAMETERS; r++) {
+        l[INVCAL_PACKED(r, r)] += ridge;
+    }
+    if (invcal_cholesky_factor(l, INVCAL_PARAMETERS, INVCAL_EPSILON) != INVCAL_OK) {
+        return (uint16_t)((1u << INVCAL_PARAMETERS) - 1);
+    }
+    invcal_cholesky_inverse_diagonal(l, INVCAL_PARAMETERS, diagonal);
+    for (unsigned r = 0; r < INVCAL_PARAMETERS; r++) {
+        /* ridge K(r,r): the share of parameter r that the ridge holds, 0 ... 1 */
+        open |= (uint16_t)((!(ridge * diagonal[r] <= INVCAL_REAL(0.1))) << r);
+    }
+    return open;
 }

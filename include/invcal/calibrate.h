@@ -25,7 +25,7 @@ typedef struct {
  *
  * Returns what the rooms return: INVCAL_OK, INVCAL_NOT_FINITE, INVCAL_OUT_OF_RANGE (with the
  * position), INVCAL_BAD_SETTING, INVCAL_TOO_FEW, INVCAL_UNDETERMINED, INVCAL_NOT_ELLIPSOID.
- * Stack: about 1,200 bytes (float). */
+ * Stack: about 1,700 bytes. */
 invcal_status invcal_calibrate(const invcal_real *raw, unsigned count,
                                const invcal_settings *settings, invcal_solution *solution,
                                invcal_quality *quality, invcal_reason *reason);

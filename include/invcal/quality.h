@@ -5,8 +5,6 @@
 #ifndef INVCAL_QUALITY_H
 #define INVCAL_QUALITY_H
 
-#include <stdint.h>
-
 #include "invcal/residual.h"
 
 typedef enum {
@@ -32,11 +30,9 @@ typedef struct {
     invcal_real residual_max; /* its largest, without sign, */
     unsigned worst;           /* and at which position, from 0 */
     invcal_real condition;    /* of H'H of the calibrated unit vectors, prior included */
-    invcal_real K[INVCAL_PACKED_SIZE(INVCAL_PARAMETERS)]; /* its inverse, packed: the covariance
-                                 of the nine parameters in calibrated units over noise^2 */
-    uint16_t undetermined; /* bit r: parameter r is badly determined: sqrt(K(r,r)) > 10, or
+    uint16_t undetermined;    /* bit r: parameter r is badly determined: sqrt(K(r,r)) > 10, or
                               K(r,r) noise^2 used > 0.1: by the noise in the readings itself */
-    uint16_t from_prior;   /* bit r: the prior tells more about parameter r than the data */
+    uint16_t from_prior;      /* bit r: the prior tells more about parameter r than the data */
     invcal_verdict verdict;
 } invcal_quality;
 
@@ -58,16 +54,21 @@ typedef struct {
  *                        1 / INVCAL_PIVOT_FLOOR, with no prior to hold the parameter;
  *   INVCAL_NOT_ELLIPSOID residuals of more than 10 % of the field: these are no readings of one
  *                        field by one triad at rest.
- * After a failure the solution must not be used. Stack: about 600 bytes (float). */
+ * After a failure the solution must not be used. Stack: about 800 bytes. */
 invcal_status invcal_assess(const invcal_residuals *residuals, invcal_real used,
                             const invcal_settings *settings, const invcal_solution *solution,
                             invcal_quality *quality);
 
-/* Which parameters the positions leave open, as bits (bit r: parameter r), so that a refusal can
- * name them. Uses a small ridge on H'H: a parameter that the ridge holds is one that the data
- * do not. Rough by nature; empty sums leave all nine open.
- * Stack: about 300 bytes (float). */
-uint16_t invcal_undetermined(const invcal_normal *normal);
+/* K of the calibrated unit vectors, packed: (H'H + prior)^-1, the covariance of the nine
+ * parameters in calibrated units over noise^2.
+ *
+ * noise  quality->noise of these residuals; matters with a prior only.
+ *
+ * Returns INVCAL_OK; INVCAL_UNDETERMINED if H'H is singular; INVCAL_BAD_SETTING for an unusable
+ * noise or prior. Stack: about 350 bytes. */
+invcal_status invcal_covariance(const invcal_residuals *residuals, const invcal_settings *settings,
+                                invcal_real noise,
+                                invcal_real K[INVCAL_PACKED_SIZE(INVCAL_PARAMETERS)]);
 
 /* The factor k for which +- k sigma covers 95 %: Student's t for a sigma estimated with dof
  * degrees of freedom, 12.706 at 1, 1.960 for very many. dof is rounded down; below 1: that of 1.

@@ -5,6 +5,8 @@
 #ifndef INVCAL_SOLUTION_H
 #define INVCAL_SOLUTION_H
 
+#include <stdint.h>
+
 #include "invcal/eigen.h"
 
 /* Lengths cannot tell how the calibrated frame is turned against the case: one has to choose.
@@ -52,14 +54,20 @@ typedef struct {
  *   INVCAL_BAD_SETTING    field, noise, prior or nominal unusable;
  *   INVCAL_TOO_FEW        fewer positions than parameters without a prior;
  *   INVCAL_UNDETERMINED   the positions leave parameters open, to the precision of the number
- *                         type; invcal_undetermined (quality.h) names them;
+ *                         type; invcal_undetermined names them;
  *   INVCAL_NOT_ELLIPSOID  the readings lie on no ellipsoid (but, say, on a hyperboloid), or on
  *                         one with a semi-axis outside 0.1 ... 10 of nominal.
  *
  * What it does not do is judge: INVCAL_OK says solvable, invcal_assess says how good.
- * Stack: about one invcal_normal and 200 bytes (float). */
+ * Stack: about 650 bytes (float, Cortex-M4F, -Os; likewise below). */
 invcal_status invcal_solve(const invcal_normal *normal, const invcal_settings *settings,
                            invcal_solution *solution);
+
+/* Which parameters the positions leave open, as bits (bit r: parameter r), so that a refusal can
+ * name them. Uses a small ridge on H'H: a parameter that the ridge holds is one that the data
+ * do not. Rough by nature; empty sums leave all nine open.
+ * Stack: about 350 bytes. */
+uint16_t invcal_undetermined(const invcal_normal *normal);
 
 /* 1 if the settings hold a prior for any parameter, else 0. */
 int invcal_has_prior(const invcal_settings *settings);

@@ -43,13 +43,15 @@ static void root_k_of_the_papers_program_is_the_papers(void)
 {
     /* Without errors of the triad: they would weight the rows. */
     const scene s = plan18(1, 0, 0, 1e-3);
+    invcal_real K[INVCAL_PACKED_SIZE(INVCAL_PARAMETERS)];
     invcal_quality q;
 
     TEST_ASSERT_EQUAL_INT(INVCAL_OK,
                           invcal_assess(&s.residuals, 18, &s.settings, &s.solution, &q));
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_covariance(&s.residuals, &s.settings, q.noise, K));
     for (unsigned r = 0; r < 9; r++) {
         TEST_ASSERT_DOUBLE_WITHIN(FLOAT_OR_DOUBLE(2e-6, 1e-12), expected_plan18_root_k[r],
-                                  sqrt((double)q.K[INVCAL_PACKED(r, r)]));
+                                  sqrt((double)K[INVCAL_PACKED(r, r)]));
         TEST_ASSERT_DOUBLE_WITHIN(FLOAT_OR_DOUBLE(2e-9, 1e-15), 1e-3 * expected_plan18_root_k[r],
                                   sigma_of_parameter(&q, r));
     }
@@ -242,10 +244,14 @@ static void unreal_residuals_are_refused(void)
     memset(&q, 7, sizeof q);
     before = q;
     for (unsigned i = 0; i < 45; i++) {
+        invcal_real K[INVCAL_PACKED_SIZE(INVCAL_PARAMETERS)] = {7};
         scene s = good;
         s.residuals.normal.hth[i] = (invcal_real)NAN;
         TEST_ASSERT_EQUAL_INT(INVCAL_UNDETERMINED,
                               invcal_assess(&s.residuals, 18, &s.settings, &s.solution, &q));
+        TEST_ASSERT_EQUAL_INT(INVCAL_UNDETERMINED,
+                              invcal_covariance(&s.residuals, &s.settings, 1, K));
+        TEST_ASSERT_TRUE(K[0] == 7 && K[44] == 0);
     }
     TEST_ASSERT_EQUAL_MEMORY(&before, &q, sizeof q);
 }
