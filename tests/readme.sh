@@ -20,7 +20,7 @@ fail() {
 awk '/^```c$/ { on = 1; next } /^```$/ { on = 0 } on' "$root/README.md" > "$out/example.c"
 [ -s "$out/example.c" ] || fail "README.md has no C example"
 lines=$(grep -c . "$out/example.c")
-[ "$lines" -le 40 ] || fail "the example has $lines lines: more than 40"
+[ "$lines" -le 30 ] || fail "the example has $lines lines: more than 30"
 # shellcheck disable=SC2086
 ${CC:-cc} $CFLAGS -std=c99 -Wall -Wextra -pedantic -Werror -I"$root/include" "$out/example.c" \
     "$build/float/libinvcal.a" -lm -o "$out/example" > "$out/log" 2>&1 || fail "the example compiles"

@@ -33,14 +33,22 @@ typedef struct {
 } data_set;
 
 #define DATA_SET(name, unit)                                                                       \
-    {                                                                                              \
-        name##_positions, sizeof name##_positions / sizeof name##_positions[0],                    \
-            expected_##name##_gravity, expected_##name##_zero, expected_##name##_lsb,              \
-            expected_##name##_offset, expected_##name##_matrix, expected_##name##_triangular,      \
-            expected_##name##_x, expected_##name##_rms, expected_##name##_max,                     \
-            expected_##name##_sigma_x, expected_##name##_sigma_offset, expected_##name##_root_k,   \
-            expected_##name##_condition, unit                                                      \
-    }
+    {name##_positions,                                                                             \
+     sizeof name##_positions / sizeof name##_positions[0],                                         \
+     expected_##name##_gravity,                                                                    \
+     expected_##name##_zero,                                                                       \
+     expected_##name##_lsb,                                                                        \
+     expected_##name##_offset,                                                                     \
+     expected_##name##_matrix,                                                                     \
+     expected_##name##_triangular,                                                                 \
+     expected_##name##_x,                                                                          \
+     expected_##name##_rms,                                                                        \
+     expected_##name##_max,                                                                        \
+     expected_##name##_sigma_x,                                                                    \
+     expected_##name##_sigma_offset,                                                               \
+     expected_##name##_root_k,                                                                     \
+     expected_##name##_condition,                                                                  \
+     unit}
 
 enum { SETS = 4, T265 = 3 };
 
@@ -207,8 +215,8 @@ static void a_wrong_nominal_offset_does_not_change_the_result(void)
 static void a_refusal_names_position_and_parameters(void)
 {
     const invcal_settings settings = unit_settings(0);
-    invcal_real raw[8][3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {-1, 0, 0}, {0, -1, 0}, {0, 0, -1},
-                             {1, 0, 0}, {0, 1, 0}};
+    invcal_real raw[8][3] = {{1, 0, 0},  {0, 1, 0},  {0, 0, 1}, {-1, 0, 0},
+                             {0, -1, 0}, {0, 0, -1}, {1, 0, 0}, {0, 1, 0}};
     invcal_solution solution;
     invcal_quality quality;
     invcal_reason reason = {77, 77};

@@ -108,7 +108,8 @@ static void inverse_works_in_any_unit(void)
         invcal_real inverse[3][3];
         TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_calibration_nominal(zero, s, &c));
         TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_calibration_inverse(&c, inverse));
-        TEST_ASSERT_DOUBLE_WITHIN(FLOAT_OR_DOUBLE(1e-6, 1e-14), 1, (double)inverse[1][1] * scale[i]);
+        TEST_ASSERT_DOUBLE_WITHIN(FLOAT_OR_DOUBLE(1e-6, 1e-14), 1,
+                                  (double)inverse[1][1] * scale[i]);
     }
 }
 

@@ -42,9 +42,9 @@ static void square_roots_agree_with_the_matrices_squared(void)
 /* M = R diag(a) R' with known a: equal, close and far apart. */
 static void eigenvalues_are_those_the_matrix_was_made_from(void)
 {
-    static const double values[][3] = {{1, 1, 1},  {1, 1, 2},          {1, 1 + 1e-6, 1 - 1e-6},
-                                       {1, 2, 3},  {1e-3, 1, 1e3},     {-1, 0, 1},
-                                       {0, 0, 0},  {1, 1e-30, -1e-30}, {0.81, 1, 1.21}};
+    static const double values[][3] = {{1, 1, 1}, {1, 1, 2},          {1, 1 + 1e-6, 1 - 1e-6},
+                                       {1, 2, 3}, {1e-3, 1, 1e3},     {-1, 0, 1},
+                                       {0, 0, 0}, {1, 1e-30, -1e-30}, {0.81, 1, 1.21}};
     random_source random = random_start(1);
 
     for (unsigned i = 0; i < sizeof values / sizeof values[0]; i++) {

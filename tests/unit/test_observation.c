@@ -64,7 +64,8 @@ static void the_exact_row_vanishes_on_a_sphere_of_any_size_and_place(void)
         }
         random_direction(&random, eta);
         const double s = 1 / (radius * radius - length3(c) * length3(c));
-        const double p[9] = {-s * c[0], -s * c[1], -s * c[2], (s - 1) / 2, (s - 1) / 2, (s - 1) / 2};
+        const double p[9] = {-s * c[0],   -s * c[1],   -s * c[2],
+                             (s - 1) / 2, (s - 1) / 2, (s - 1) / 2};
         invcal_real u[3];
         for (int k = 0; k < 3; k++) {
             u[k] = (invcal_real)(c[k] + radius * eta[k]);
@@ -175,7 +176,7 @@ static void readings_that_are_no_numbers_are_refused(void)
 
 static void directions_that_are_not_unit_vectors_are_refused(void)
 {
-    static const double bad[][3] = {{0, 0, 1.0002}, {0, 0, 0.9998}, {0, 0, 0},
+    static const double bad[][3] = {{0, 0, 1.0002}, {0, 0, 0.9998},   {0, 0, 0},
                                     {NAN, 0, 1},    {INFINITY, 0, 0}, {1, 1, 1}};
     const invcal_real u[3] = {0, 0, 1};
 
@@ -212,8 +213,8 @@ static void a_field_that_is_no_length_is_refused(void)
 
     for (unsigned i = 0; i < sizeof bad / sizeof bad[0]; i++) {
         invcal_real u[3] = {7, 7, 7};
-        TEST_ASSERT_EQUAL_INT(INVCAL_BAD_SETTING, invcal_observation_reading(
-                                                      &nominal, (invcal_real)bad[i], raw, u));
+        TEST_ASSERT_EQUAL_INT(INVCAL_BAD_SETTING,
+                              invcal_observation_reading(&nominal, (invcal_real)bad[i], raw, u));
         TEST_ASSERT_TRUE(u[0] == 7 && u[1] == 7 && u[2] == 7);
     }
 }

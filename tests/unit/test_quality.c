@@ -46,8 +46,7 @@ static void root_k_of_the_papers_program_is_the_papers(void)
     invcal_real K[INVCAL_PACKED_SIZE(INVCAL_PARAMETERS)];
     invcal_quality q;
 
-    TEST_ASSERT_EQUAL_INT(INVCAL_OK,
-                          invcal_assess(&s.residuals, 18, &s.settings, &s.solution, &q));
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_assess(&s.residuals, 18, &s.settings, &s.solution, &q));
     TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_covariance(&s.residuals, &s.settings, q.noise, K));
     for (unsigned r = 0; r < 9; r++) {
         TEST_ASSERT_DOUBLE_WITHIN(FLOAT_OR_DOUBLE(2e-6, 1e-12), expected_plan18_root_k[r],
@@ -91,19 +90,16 @@ static void the_noise_is_the_larger_of_stated_and_observed(void)
     invcal_quality q;
     scene s = plan18(3, 0.01, 1e-3, 0);
 
-    TEST_ASSERT_EQUAL_INT(INVCAL_OK,
-                          invcal_assess(&s.residuals, 18, &s.settings, &s.solution, &q));
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_assess(&s.residuals, 18, &s.settings, &s.solution, &q));
     const double observed = sqrt((double)s.residuals.normal.jtj / 9);
     TEST_ASSERT_DOUBLE_WITHIN(1e-5 * observed, observed, (double)q.noise);
     TEST_ASSERT_DOUBLE_WITHIN(0.003, 2.262157, (double)q.coverage); /* Student, 9 */
     TEST_ASSERT_DOUBLE_WITHIN(1e-6, 9, (double)q.dof);
     s.settings.noise = (invcal_real)(observed / 2);
-    TEST_ASSERT_EQUAL_INT(INVCAL_OK,
-                          invcal_assess(&s.residuals, 18, &s.settings, &s.solution, &q));
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_assess(&s.residuals, 18, &s.settings, &s.solution, &q));
     TEST_ASSERT_DOUBLE_WITHIN(1e-5 * observed, observed, (double)q.noise);
     s.settings.noise = (invcal_real)(observed * 2);
-    TEST_ASSERT_EQUAL_INT(INVCAL_OK,
-                          invcal_assess(&s.residuals, 18, &s.settings, &s.solution, &q));
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_assess(&s.residuals, 18, &s.settings, &s.solution, &q));
     const double gain = (double)s.residuals.gain;
     TEST_ASSERT_DOUBLE_WITHIN(1e-5 * observed, 2 * observed * gain, (double)q.noise);
     TEST_ASSERT_DOUBLE_WITHIN(1e-5, 1.959964, (double)q.coverage);
@@ -114,16 +110,15 @@ static void stored_positions_share_the_parameters_out(void)
     scene s = plan18(4, 0.01, 1e-3, 0);
     invcal_quality q;
 
-    TEST_ASSERT_EQUAL_INT(INVCAL_OK,
-                          invcal_assess(&s.residuals, 36, &s.settings, &s.solution, &q));
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_assess(&s.residuals, 36, &s.settings, &s.solution, &q));
     TEST_ASSERT_DOUBLE_WITHIN(1e-5, 13.5, (double)q.dof); /* 18 (1 - 9/36) */
 }
 
 static void nine_positions_have_no_redundancy(void)
 {
-    static const double direction[9][3] = {{1, 0, 0},      {0, 1, 0},      {0, 0, 1},
-                                           {-1, 0, 0},     {0, -1, 0},     {0, 0, -1},
-                                           {0.6, 0.8, 0},  {0.6, 0, 0.8},  {0, 0.6, 0.8}};
+    static const double direction[9][3] = {{1, 0, 0},     {0, 1, 0},     {0, 0, 1},
+                                           {-1, 0, 0},    {0, -1, 0},    {0, 0, -1},
+                                           {0.6, 0.8, 0}, {0.6, 0, 0.8}, {0, 0.6, 0.8}};
     random_source random = random_start(5);
     const triad_truth truth = triad_random(&random, 0.01);
     const invcal_settings known = unit_settings(1e-4);
@@ -182,8 +177,7 @@ static void the_offset_sigma_is_that_of_delta_in_raw_units(void)
     for (int k = 0; k < 3; k++) {
         s.settings.nominal.matrix[k][k] = (invcal_real)0.5; /* field units per count */
     }
-    TEST_ASSERT_EQUAL_INT(INVCAL_OK,
-                          invcal_assess(&s.residuals, 18, &s.settings, &s.solution, &q));
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_assess(&s.residuals, 18, &s.settings, &s.solution, &q));
     for (int k = 0; k < 3; k++) {
         TEST_ASSERT_DOUBLE_WITHIN(1e-5 * (double)q.sigma_offset[k], 20 * (double)q.sigma_delta[k],
                                   (double)q.sigma_offset[k]);
@@ -219,15 +213,33 @@ static void unusable_input_is_refused_and_the_quality_left_alone(void)
         scene s = good;
         invcal_real used = 18;
         switch (i) {
-        case 0: s.settings.field = 0; break;
-        case 1: s.settings.field = (invcal_real)NAN; break;
-        case 2: s.settings.noise = -1; break;
-        case 3: s.settings.noise = (invcal_real)NAN; break;
-        case 4: s.settings.nominal.matrix[0][0] = 0; break;
-        case 5: s.settings.prior[0] = 1, s.settings.prior[1] = -1; break;
-        case 6: used = 17; break;
-        case 7: used = (invcal_real)NAN; break;
-        default: s.residuals.count = 0; break;
+        case 0:
+            s.settings.field = 0;
+            break;
+        case 1:
+            s.settings.field = (invcal_real)NAN;
+            break;
+        case 2:
+            s.settings.noise = -1;
+            break;
+        case 3:
+            s.settings.noise = (invcal_real)NAN;
+            break;
+        case 4:
+            s.settings.nominal.matrix[0][0] = 0;
+            break;
+        case 5:
+            s.settings.prior[0] = 1, s.settings.prior[1] = -1;
+            break;
+        case 6:
+            used = 17;
+            break;
+        case 7:
+            used = (invcal_real)NAN;
+            break;
+        default:
+            s.residuals.count = 0;
+            break;
         }
         TEST_ASSERT_EQUAL_INT(INVCAL_BAD_SETTING,
                               invcal_assess(&s.residuals, used, &s.settings, &s.solution, &q));

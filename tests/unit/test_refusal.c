@@ -184,7 +184,8 @@ static void six_faces_alone_are_refused(void)
         const triad_truth truth = triad_random(&random, 0.05);
         six_faces(&random, member, v, &count);
         read_positions(&truth, (const double(*)[3])v, count, 0, &random, &set);
-        TEST_ASSERT_EQUAL_UINT(0, assert_refused(&set, 0, count < 9 ? INVCAL_TOO_FEW : INVCAL_UNDETERMINED,
+        TEST_ASSERT_EQUAL_UINT(0, assert_refused(&set, 0,
+                                                 count < 9 ? INVCAL_TOO_FEW : INVCAL_UNDETERMINED,
                                                  &undetermined));
         TEST_ASSERT_TRUE((undetermined & 0x1C0) != 0); /* the angles are open */
     }
@@ -315,7 +316,7 @@ static void nothing_is_open_in_a_good_set(void)
  * positive; found by scaling random directions onto the surface. */
 static void readings_on_no_ellipsoid_are_refused(void)
 {
-    static const double form[][3] = {{1, 1, -1},   {1, -1, -1},  {1.5, 0.7, -0.3},
+    static const double form[][3] = {{1, 1, -1},   {1, -1, -1},   {1.5, 0.7, -0.3},
                                      {1, 1, -0.1}, {1, 0.8, 0.0}, {1, 1, -1e-2}};
     random_source random = random_start(5);
     unsigned delivered = 0;
@@ -337,8 +338,7 @@ static void readings_on_no_ellipsoid_are_refused(void)
             if (square > 0 && radius < 5) {
                 for (int k = 0; k < 3; k++) {
                     const double *r = rotation[k];
-                    set.u[i][k] =
-                        (invcal_real)(radius * (r[0] * d[0] + r[1] * d[1] + r[2] * d[2]));
+                    set.u[i][k] = (invcal_real)(radius * (r[0] * d[0] + r[1] * d[1] + r[2] * d[2]));
                 }
                 i++;
             }
@@ -365,8 +365,8 @@ static void clouds_and_cubes_are_refused(void)
             double d[3];
             random_direction(&random, d);
             const double largest = fmax(fabs(d[0]), fmax(fabs(d[1]), fabs(d[2])));
-            const double radius =
-                member % 2 ? random_uniform(&random, 0.3, 1.7) : random_uniform(&random, 1, 1.5) / largest;
+            const double radius = member % 2 ? random_uniform(&random, 0.3, 1.7)
+                                             : random_uniform(&random, 1, 1.5) / largest;
             for (int k = 0; k < 3; k++) {
                 set.u[i][k] = (invcal_real)(radius * d[k]);
             }

@@ -256,7 +256,7 @@ static void order_merging_and_removal_give_the_same_calibration(void)
     }
     for (int i = 18; i-- > 0;) {
         TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_observation_exact(set.u[i], &row[i]));
-        invcal_normal_add(&n[0], &row[i], 1);               /* backwards */
+        invcal_normal_add(&n[0], &row[i], 1);                 /* backwards */
         invcal_normal_add(i % 2 ? &n[1] : &n[2], &row[i], 1); /* two halves */
     }
     invcal_observation stray = row[3];
@@ -345,17 +345,39 @@ static void unusable_settings_are_refused_and_the_solution_left_alone(void)
     for (int i = 0; i < 11; i++) {
         invcal_settings s = unit_settings(0.001);
         switch (i) {
-        case 0: s.field = 0; break;
-        case 1: s.field = (invcal_real)NAN; break;
-        case 2: s.field = -1; break;
-        case 3: s.noise = -1; break;
-        case 4: s.noise = (invcal_real)NAN; break;
-        case 5: s.noise = (invcal_real)INFINITY; break;
-        case 6: s.prior[4] = 1, s.noise = 0; break; /* a prior needs the noise */
-        case 7: s.prior[4] = 1, s.prior[5] = -1; break;
-        case 8: s.prior[4] = 1, s.prior[5] = (invcal_real)NAN; break;
-        case 9: s.nominal.matrix[1][1] = 0; break;
-        default: s.nominal.offset[1] = (invcal_real)INFINITY; break;
+        case 0:
+            s.field = 0;
+            break;
+        case 1:
+            s.field = (invcal_real)NAN;
+            break;
+        case 2:
+            s.field = -1;
+            break;
+        case 3:
+            s.noise = -1;
+            break;
+        case 4:
+            s.noise = (invcal_real)NAN;
+            break;
+        case 5:
+            s.noise = (invcal_real)INFINITY;
+            break;
+        case 6:
+            s.prior[4] = 1, s.noise = 0;
+            break; /* a prior needs the noise */
+        case 7:
+            s.prior[4] = 1, s.prior[5] = -1;
+            break;
+        case 8:
+            s.prior[4] = 1, s.prior[5] = (invcal_real)NAN;
+            break;
+        case 9:
+            s.nominal.matrix[1][1] = 0;
+            break;
+        default:
+            s.nominal.offset[1] = (invcal_real)INFINITY;
+            break;
         }
         TEST_ASSERT_EQUAL_INT(INVCAL_BAD_SETTING, invcal_solve(&normal, &s, &solution));
         TEST_ASSERT_EQUAL_MEMORY(&before, &solution, sizeof solution);

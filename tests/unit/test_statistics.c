@@ -3,6 +3,7 @@
  * What the library promises about its own errors, tried on thousands of noisy draws.
  */
 #include <math.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include "expected.h"
@@ -55,8 +56,7 @@ static spread_result measure_spread(const triad_truth *truth, double sigma, doub
         invcal_solution solution;
         invcal_quality quality;
         read_positions(truth, expected_plan18, 18, sigma, &random, &set);
-        TEST_ASSERT_EQUAL_INT(INVCAL_OK,
-                              calibrate_set(&set, &settings, &solution, &quality, NULL));
+        TEST_ASSERT_EQUAL_INT(INVCAL_OK, calibrate_set(&set, &settings, &solution, &quality, NULL));
         TEST_ASSERT_EQUAL_INT(INVCAL_GOOD, quality.verdict);
         for (unsigned r = 0; r < 9; r++) {
             const double error = parameter(&solution, r) - truth->x[r];
@@ -100,8 +100,8 @@ static void a_stated_noise_is_a_lower_bound(void)
 typedef struct {
     unsigned refused;
     unsigned good;
-    unsigned beyond5;  /* good draws with an error of more than 5 sigma in any parameter */
-    unsigned covered;  /* parameters of good draws within their 95 % interval */
+    unsigned beyond5; /* good draws with an error of more than 5 sigma in any parameter */
+    unsigned covered; /* parameters of good draws within their 95 % interval */
 } tally;
 
 static tally try_random_sets(unsigned positions, double stated, unsigned draws)
@@ -164,6 +164,145 @@ static void without_stated_noise_intervals_follow_student(void)
     }
 }
 
+/* The cases of the comparison in README.md: 200 draws, noise 1e-4, errors of 3 %. */
+typedef struct {
+    unsigned refused, weak, good;
+    double error; /* median over delivered draws of that of the worst parameter */
+    double sigma; /* median of the largest sigma */
+} outcome;
+
+static int by_size(const void *a, const void *b)
+{
+    const double x = *(const double *)a;
+    const double y = *(const double *)b;
+
+    return (x > y) - (x < y);
+}
+
+static double median(double *x, unsigned count)
+{
+    qsort(x, count, sizeof *x, by_size);
+    return count ? x[count / 2] : 0;
+}
+
+typedef void (*position_maker)(random_source *random, double v[][3], unsigned *count);
+
+static outcome try_case(position_maker make, double outlier, double bad)
+{
+    random_source random = random_start(1);
+    const invcal_settings settings = unit_settings(0);
+    outcome result = {0, 0, 0, 0, 0};
+    double error[200];
+    double sigma[200];
+    unsigned delivered = 0;
+
+    for (int draw = 0; draw < 200; draw++) {
+        const triad_truth truth = triad_random(&random, 0.03);
+        double v[18][3];
+        double direction[3];
+        unsigned count;
+        reading_set set;
+        invcal_solution solution;
+        invcal_quality quality;
+        make(&random, v, &count);
+        read_positions(&truth, (const double(*)[3])v, count, 1e-4, &random, &set);
+        random_direction(&random, direction);
+        for (int k = 0; k < 3; k++) {
+            set.u[draw % (int)count][k] += (invcal_real)(outlier * direction[k] + bad);
+        }
+        if (calibrate_set(&set, &settings, &solution, &quality, NULL) != INVCAL_OK) {
+            result.refused++;
+            continue;
+        }
+        result.weak += quality.verdict == INVCAL_WEAK;
+        result.good += quality.verdict == INVCAL_GOOD;
+        error[delivered] = 0;
+        sigma[delivered] = 0;
+        for (unsigned r = 0; r < 9; r++) {
+            const double e = fabs(parameter(&solution, r) - truth.x[r]);
+            error[delivered] = fmax(error[delivered], e);
+            sigma[delivered] = fmax(sigma[delivered], sigma_of_parameter(&quality, r));
+        }
+        delivered++;
+    }
+    result.error = median(error, delivered);
+    result.sigma = median(sigma, delivered);
+    return result;
+}
+
+static void eight_positions(random_source *random, double v[][3], unsigned *count)
+{
+    *count = 8;
+    for (int i = 0; i < 8; i++) {
+        random_direction(random, v[i]);
+    }
+}
+
+static void six_faces(random_source *random, double v[][3], unsigned *count)
+{
+    (void)random;
+    *count = 6;
+    memset(v, 0, 6 * sizeof v[0]);
+    for (int i = 0; i < 6; i++) {
+        v[i][i % 3] = i < 3 ? 1 : -1;
+    }
+}
+
+/* Positions spread over circles at the heights given, from a random side. */
+static void circles(random_source *random, const double *height, int heights, int count,
+                    double v[][3])
+{
+    double side[3][3];
+
+    random_rotation(random, side);
+    for (int i = 0; i < count; i++) {
+        const double z = height[i % heights];
+        const double angle = random_uniform(random, 0, 6.283185307179586);
+        for (int k = 0; k < 3; k++) {
+            v[i][k] = z * side[2][k] +
+                      sqrt(1 - z * z) * (cos(angle) * side[0][k] + sin(angle) * side[1][k]);
+        }
+    }
+}
+
+static void one_plane(random_source *random, double v[][3], unsigned *count)
+{
+    const double height = 0;
+
+    *count = 18;
+    circles(random, &height, 1, 18, v);
+}
+
+static void two_circles(random_source *random, double v[][3], unsigned *count)
+{
+    const double height[2] = {random_uniform(random, -0.9, 0), random_uniform(random, 0, 0.9)};
+
+    *count = 12;
+    circles(random, height, 2, 12, v);
+}
+
+static void program_of_18(random_source *random, double v[][3], unsigned *count)
+{
+    (void)random;
+    *count = 18;
+    memcpy(v, expected_plan18, sizeof expected_plan18);
+}
+
+static void the_comparison_in_the_readme_is_true(void)
+{
+    TEST_ASSERT_EQUAL_UINT(200, try_case(eight_positions, 0, 0).refused);
+    TEST_ASSERT_EQUAL_UINT(200, try_case(six_faces, 0, 0).refused);
+    TEST_ASSERT_EQUAL_UINT(200, try_case(one_plane, 0, 0).refused);
+    const outcome circle = try_case(two_circles, 0, 0);
+    TEST_ASSERT_EQUAL_UINT(200, circle.refused + circle.weak);
+    TEST_ASSERT_TRUE(circle.refused >= 190);
+    TEST_ASSERT_EQUAL_UINT(200, try_case(program_of_18, 0, NAN).refused);
+    const outcome wrong = try_case(program_of_18, 0.05, 0);
+    TEST_ASSERT_EQUAL_UINT(200, wrong.good);
+    TEST_ASSERT_DOUBLE_WITHIN(0.5e-3, 9.5e-3, wrong.error);
+    TEST_ASSERT_DOUBLE_WITHIN(0.5e-3, 7.2e-3, wrong.sigma);
+}
+
 /* A device that can only be tilted by 10 degrees, with factory tolerances as prior. */
 static void tilts_alone_with_a_prior(double noise, double *covered, unsigned *from_prior)
 {
@@ -191,8 +330,7 @@ static void tilts_alone_with_a_prior(double noise, double *covered, unsigned *fr
             v[i][2] = cos(tilt);
         }
         read_positions(&truth, (const double(*)[3])v, 12, noise, &random, &set);
-        TEST_ASSERT_EQUAL_INT(INVCAL_OK,
-                              calibrate_set(&set, &settings, &solution, &quality, NULL));
+        TEST_ASSERT_EQUAL_INT(INVCAL_OK, calibrate_set(&set, &settings, &solution, &quality, NULL));
         for (unsigned r = 0; r < 9; r++) {
             const double s = sigma_of_parameter(&quality, r);
             TEST_ASSERT_LESS_OR_EQUAL_DOUBLE((double)settings.prior[r], s);
@@ -250,8 +388,8 @@ static void three_positions_renew_the_offsets_of_an_earlier_calibration(void)
         TEST_ASSERT_EQUAL_INT(INVCAL_NO_REDUNDANCY, quality.verdict);
         TEST_ASSERT_EQUAL_HEX16(0x1F8, quality.from_prior); /* scale and angles: not new */
         for (int k = 0; k < 3; k++) {
-            const double error =
-                (double)solution.calibration.offset[k] - (double)earlier.calibration.offset[k] - shift[k];
+            const double error = (double)solution.calibration.offset[k] -
+                                 (double)earlier.calibration.offset[k] - shift[k];
             within += fabs(error) <= 3 * (double)quality.sigma_offset[k];
             TEST_ASSERT_DOUBLE_WITHIN(5e-4, 0, (double)solution.dk[k]);
             TEST_ASSERT_DOUBLE_WITHIN(5e-4, 0, (double)solution.gamma[k]);
@@ -268,6 +406,7 @@ int main(void)
     RUN_TEST(a_stated_noise_is_a_lower_bound);
     RUN_TEST(random_sets_are_good_only_when_they_are);
     RUN_TEST(without_stated_noise_intervals_follow_student);
+    RUN_TEST(the_comparison_in_the_readme_is_true);
     RUN_TEST(a_prior_holds_what_tilts_alone_cannot_tell);
     RUN_TEST(three_positions_renew_the_offsets_of_an_earlier_calibration);
     return UNITY_END() != 0;

@@ -42,8 +42,8 @@ static void an_unknown_status_has_a_text_too(void)
 
 static void parameters_are_named_in_the_order_of_the_paper(void)
 {
-    static const char *const name[] = {"delta_x",  "delta_y",  "delta_z",  "dk_x", "dk_y", "dk_z",
-                                       "gamma_xy", "gamma_xz", "gamma_zy", "?"};
+    static const char *const name[] = {"delta_x", "delta_y",  "delta_z",  "dk_x",     "dk_y",
+                                       "dk_z",    "gamma_xy", "gamma_xz", "gamma_zy", "?"};
 
     for (unsigned r = 0; r <= INVCAL_PARAMETERS; r++) {
         TEST_ASSERT_EQUAL_STRING(name[r], invcal_parameter_name(r));
