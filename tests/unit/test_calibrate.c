@@ -142,11 +142,11 @@ static void parameters_and_sigma_of_real_sensors_are_those_of_the_reference(void
             TEST_ASSERT_DOUBLE_WITHIN(FLOAT_OR_DOUBLE(0.01, 1e-6) * set.sigma_x[r], set.x[r],
                                       parameter(&solution, r));
             /* The reference differentiates |A (u - delta)| numerically at the solution. */
-            assert_ratio(FLOAT_OR_DOUBLE(0.005, 1e-3), set.sigma_x[r],
+            assert_ratio(FLOAT_OR_DOUBLE(0.005, 1e-4), set.sigma_x[r],
                          sigma_of_parameter(&quality, r));
         }
         for (int k = 0; k < 3; k++) {
-            assert_ratio(FLOAT_OR_DOUBLE(0.005, 1e-3), set.sigma_offset[k],
+            assert_ratio(FLOAT_OR_DOUBLE(0.005, 1e-4), set.sigma_offset[k],
                          (double)quality.sigma_offset[k]);
         }
         assert_ratio(FLOAT_OR_DOUBLE(0.02, 1e-8), set.condition, (double)quality.condition);

@@ -161,6 +161,9 @@ static void scaling_lets_all_sums_fade_alike(void)
 
     TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_normal_scale(&n, (invcal_real)0.25));
     assert_equal_normal(&before, &n, 0.25);
+    n = before;
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_normal_scale(&n, 1));
+    TEST_ASSERT_EQUAL_MEMORY(&before, &n, sizeof n);
 }
 
 static void a_prior_adds_the_square_of_noise_over_sigma_to_the_diagonal(void)

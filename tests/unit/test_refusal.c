@@ -287,6 +287,49 @@ static void six_faces_name_the_three_angles(void)
     TEST_ASSERT_EQUAL_HEX16(0x1C0, undetermined);
 }
 
+/* Faces and edges without a field between x and y, but for four faces tilted by `tilt` rad:
+ * sqrt(K) of gamma_xy is 1 / (2 tilt). */
+static invcal_status calibrate_tilted(double tilt, invcal_quality *quality)
+{
+    static const double side[4][2] = {{1, 1}, {1, -1}, {-1, 1}, {-1, -1}};
+    const triad_truth none = {{0}};
+    const invcal_settings settings = unit_settings(1e-6);
+    random_source unused = random_start(0);
+    double v[18][3] = {{0}};
+    reading_set set;
+    invcal_solution solution;
+
+    for (int i = 0; i < 4; i++) {
+        const double *s = side[i];
+        const double edge[3][3] = {{s[0], 0, s[1]}, {0, s[0], s[1]}, {s[0], s[1] * tilt, 0}};
+        for (int k = 0; k < 3; k++) {
+            const double length = length3(edge[k]);
+            for (int axis = 0; axis < 3; axis++) {
+                v[3 * i + k][axis] = edge[k][axis] / length;
+            }
+        }
+    }
+    for (int i = 0; i < 6; i++) {
+        v[12 + i][i % 3] = i < 3 ? 1 : -1;
+    }
+    read_positions(&none, (const double(*)[3])v, 18, 0, &unused, &set);
+    return calibrate_set(&set, &settings, &solution, quality, NULL);
+}
+
+static void a_parameter_beyond_a_thousand_is_refused_and_beyond_ten_weak(void)
+{
+    invcal_quality quality;
+
+    TEST_ASSERT_EQUAL_INT(INVCAL_UNDETERMINED, calibrate_tilted(0.4e-3, &quality)); /* 1250 */
+    TEST_ASSERT_EQUAL_INT(FLOAT_OR_DOUBLE(INVCAL_UNDETERMINED, INVCAL_OK),
+                          calibrate_tilted(0.6e-3, &quality)); /* 833: float cannot see it */
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, calibrate_tilted(0.04, &quality)); /* 12.5 */
+    TEST_ASSERT_EQUAL_INT(INVCAL_WEAK, quality.verdict);
+    TEST_ASSERT_EQUAL_HEX16(1u << INVCAL_GAMMA_XY, quality.undetermined);
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, calibrate_tilted(0.06, &quality)); /* 8.3 */
+    TEST_ASSERT_EQUAL_INT(INVCAL_GOOD, quality.verdict);
+}
+
 static void empty_sums_leave_everything_open(void)
 {
     invcal_normal n;
@@ -461,6 +504,7 @@ int main(void)
     RUN_TEST(noise_does_not_make_them_good);
     RUN_TEST(a_plane_names_the_axis_across_it);
     RUN_TEST(six_faces_name_the_three_angles);
+    RUN_TEST(a_parameter_beyond_a_thousand_is_refused_and_beyond_ten_weak);
     RUN_TEST(empty_sums_leave_everything_open);
     RUN_TEST(nothing_is_open_in_a_good_set);
     RUN_TEST(readings_on_no_ellipsoid_are_refused);
