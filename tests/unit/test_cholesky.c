@@ -222,6 +222,18 @@ static void the_floor_is_relative_to_the_largest_diagonal_element(void)
     TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_cholesky_factor(enough, 2, floor));
 }
 
+static void the_floor_does_not_depend_on_the_unit(void)
+{
+    for (int exponent = -12; exponent <= 12; exponent += 3) {
+        invcal_real a[SUMS];
+        fill_min(a, N);
+        for (unsigned i = 0; i < packed_size(N); i++) {
+            a[i] *= (invcal_real)pow(10, exponent);
+        }
+        TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_cholesky_factor(a, N, INVCAL_PIVOT_FLOOR));
+    }
+}
+
 static void a_floor_that_is_no_number_refuses_everything(void)
 {
     invcal_real a[SUMS];
@@ -243,6 +255,7 @@ int main(void)
     RUN_TEST(indefinite_zero_and_unreal_matrices_are_refused);
     RUN_TEST(a_nan_beside_the_diagonal_is_refused);
     RUN_TEST(the_floor_is_relative_to_the_largest_diagonal_element);
+    RUN_TEST(the_floor_does_not_depend_on_the_unit);
     RUN_TEST(a_floor_that_is_no_number_refuses_everything);
     return UNITY_END() != 0;
 }

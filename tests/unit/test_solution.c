@@ -342,7 +342,7 @@ static void unusable_settings_are_refused_and_the_solution_left_alone(void)
     const invcal_normal normal = normal_of(&set);
     memset(&solution, 7, sizeof solution);
     before = solution;
-    for (int i = 0; i < 11; i++) {
+    for (int i = 0; i < 13; i++) {
         invcal_settings s = unit_settings(0.001);
         switch (i) {
         case 0:
@@ -376,7 +376,7 @@ static void unusable_settings_are_refused_and_the_solution_left_alone(void)
             s.nominal.matrix[1][1] = 0;
             break;
         default:
-            s.nominal.offset[1] = (invcal_real)INFINITY;
+            s.nominal.offset[i - 10] = (invcal_real)INFINITY;
             break;
         }
         TEST_ASSERT_EQUAL_INT(INVCAL_BAD_SETTING, invcal_solve(&normal, &s, &solution));

@@ -304,15 +304,16 @@ static void the_comparison_in_the_readme_is_true(void)
 }
 
 /* A device that can only be tilted by 10 degrees, with factory tolerances as prior. */
-static void tilts_alone_with_a_prior(double noise, double *covered, unsigned *from_prior)
+static void tilts_alone_with_a_prior(double noise, double stated, double *covered,
+                                     unsigned *from_prior)
 {
-    static const double sigma[9] = {0.02, 0.02, 0.02, 0.01, 0.01, 0.01, 0.01, 0.01, 0.01};
+    static const double sigma[9] = {0.02, 0.02, 0.02, 0.01, 0.01, 0.01, 0.03, 0.03, 0.03};
     random_source random = random_start(1);
     unsigned within = 0;
 
     *from_prior = 0;
     for (int draw = 0; draw < DRAWS; draw++) {
-        invcal_settings settings = unit_settings(noise);
+        invcal_settings settings = unit_settings(stated);
         triad_truth truth;
         double v[12][3];
         reading_set set;
@@ -349,10 +350,20 @@ static void a_prior_holds_what_tilts_alone_cannot_tell(void)
     for (int i = 0; i < 2; i++) {
         double covered;
         unsigned from_prior;
-        tilts_alone_with_a_prior(noise[i], &covered, &from_prior);
+        tilts_alone_with_a_prior(noise[i], noise[i], &covered, &from_prior);
         TEST_ASSERT_GREATER_OR_EQUAL_DOUBLE(0.99, covered);
         TEST_ASSERT_TRUE(from_prior != 0);
     }
+}
+
+/* The residuals tell that there is ten times the noise stated: the prior counts for more. */
+static void a_prior_is_not_overruled_by_understated_noise(void)
+{
+    double covered;
+    unsigned from_prior;
+
+    tilts_alone_with_a_prior(1e-3, 1e-4, &covered, &from_prior);
+    TEST_ASSERT_GREATER_OR_EQUAL_DOUBLE(0.985, covered);
 }
 
 /* An earlier calibration as nominal; three positions; only the offsets have moved, by 5 mg. */
@@ -408,6 +419,7 @@ int main(void)
     RUN_TEST(without_stated_noise_intervals_follow_student);
     RUN_TEST(the_comparison_in_the_readme_is_true);
     RUN_TEST(a_prior_holds_what_tilts_alone_cannot_tell);
+    RUN_TEST(a_prior_is_not_overruled_by_understated_noise);
     RUN_TEST(three_positions_renew_the_offsets_of_an_earlier_calibration);
     return UNITY_END() != 0;
 }
