@@ -18,6 +18,8 @@ SOURCES := $(wildcard src/*.c)
 HOST    := $(wildcard port/host/*.c)
 SUITES  := $(patsubst tests/unit/%.c,%,$(wildcard tests/unit/test_*.c))
 DATA    := $(wildcard tests/data/*_positions.csv)
+# With ASSERT=1 programming errors stop the library (INVCAL_ASSERT).
+ASSERT_FLAGS := $(if $(ASSERT),-DINVCAL_CONFIG_HEADER='"assert_config.h"' -Itests/unit)
 # Commands are shown with make V=1.
 Q := $(if $(V),,@)
 
@@ -44,6 +46,8 @@ define variant
 $(BUILD)/$(1)/%.o: %.c
 	@mkdir -p $$(@D)
 	$(Q)$$(CC) $$(FLAGS) -DINVCAL_DOUBLE=$(2) $$(EXTRA) -MMD -c $$< -o $$@
+
+$(BUILD)/$(1)/src/%.o: EXTRA += $(ASSERT_FLAGS)
 
 $(BUILD)/$(1)/libinvcal.a: $(SOURCES:%.c=$(BUILD)/$(1)/%.o)
 	$(Q)rm -f $$@ && $$(AR) rcs $$@ $$^

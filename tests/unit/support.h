@@ -6,6 +6,7 @@
 #ifndef SUPPORT_H
 #define SUPPORT_H
 
+#include <math.h>
 #include <stdint.h>
 
 #include "invcal/invcal.h"
@@ -63,6 +64,10 @@ double parameter(const invcal_solution *solution, unsigned r);
 double sigma_of_parameter(const invcal_quality *quality, unsigned r);
 
 double length3(const double v[3]);
+
+/* NAN and INFINITY are floats, and some compilers call them promoted in a table of doubles. */
+#define NOT_A_NUMBER ((double)NAN)
+#define INFINITE ((double)INFINITY)
 
 /* a in the float build, b in the double build. */
 #define FLOAT_OR_DOUBLE(a, b) (INVCAL_DOUBLE ? (b) : (a))

@@ -57,7 +57,7 @@ static void nominal_puts_the_scale_on_the_diagonal(void)
 
 static void nominal_refuses_what_is_no_scale_and_leaves_the_output_alone(void)
 {
-    static const double bad[] = {0, NAN, INFINITY, -INFINITY};
+    static const double bad[] = {0, NOT_A_NUMBER, INFINITE, -INFINITE};
 
     for (unsigned i = 0; i < sizeof bad / sizeof bad[0]; i++) {
         for (unsigned axis = 0; axis < 3; axis++) {
@@ -115,7 +115,7 @@ static void inverse_works_in_any_unit(void)
 
 static void inverse_refuses_singular_and_unreal_matrices(void)
 {
-    static const double bad[][3] = {{1, 2, 3}, {0, 0, 0}, {NAN, 1, 1}, {INFINITY, 1, 1}};
+    static const double bad[][3] = {{1, 2, 3}, {0, 0, 0}, {NOT_A_NUMBER, 1, 1}, {INFINITE, 1, 1}};
 
     for (unsigned i = 0; i < sizeof bad / sizeof bad[0]; i++) {
         invcal_calibration c = example;

@@ -157,7 +157,7 @@ static void readings_that_cannot_be_of_this_field_are_refused(void)
 
 static void readings_that_are_no_numbers_are_refused(void)
 {
-    static const double bad[] = {NAN, INFINITY, -INFINITY};
+    static const double bad[] = {NOT_A_NUMBER, INFINITE, -INFINITE};
     const invcal_real up[3] = {0, 0, 1};
 
     for (unsigned i = 0; i < 9; i++) {
@@ -176,8 +176,8 @@ static void readings_that_are_no_numbers_are_refused(void)
 
 static void directions_that_are_not_unit_vectors_are_refused(void)
 {
-    static const double bad[][3] = {{0, 0, 1.0002}, {0, 0, 0.9998},   {0, 0, 0},
-                                    {NAN, 0, 1},    {INFINITY, 0, 0}, {1, 1, 1}};
+    static const double bad[][3] = {{0, 0, 1.0002},       {0, 0, 0.9998},   {0, 0, 0},
+                                    {NOT_A_NUMBER, 0, 1}, {INFINITE, 0, 0}, {1, 1, 1}};
     const invcal_real u[3] = {0, 0, 1};
 
     for (unsigned i = 0; i < sizeof bad / sizeof bad[0]; i++) {
@@ -207,7 +207,7 @@ static void a_reading_is_the_nominal_calibration_over_the_field(void)
 
 static void a_field_that_is_no_length_is_refused(void)
 {
-    static const double bad[] = {0, -9.8, NAN, INFINITY};
+    static const double bad[] = {0, -9.8, NOT_A_NUMBER, INFINITE};
     const invcal_calibration nominal = {{0, 0, 0}, {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
     const invcal_real raw[3] = {1, 1, 1};
 

@@ -421,7 +421,7 @@ static void clouds_and_cubes_are_refused(void)
 
 static void one_bad_number_in_any_position_is_refused_and_its_position_named(void)
 {
-    static const double bad[] = {NAN, INFINITY, -INFINITY, 1e30, 1e4};
+    static const double bad[] = {NOT_A_NUMBER, INFINITE, -INFINITE, 1e30, 1e4};
     random_source random = random_start(7);
 
     for (unsigned position = 0; position < 18; position++) {
@@ -470,7 +470,7 @@ static void zero_and_subnormal_readings_are_refused(void)
 
 static void a_field_that_is_no_length_is_refused(void)
 {
-    static const double bad[] = {0, -1, NAN, INFINITY};
+    static const double bad[] = {0, -1, NOT_A_NUMBER, INFINITE};
     random_source random = random_start(9);
     const triad_truth truth = triad_random(&random, 0.05);
     double v[18][3];

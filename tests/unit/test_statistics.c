@@ -296,7 +296,7 @@ static void the_comparison_in_the_readme_is_true(void)
     const outcome circle = try_case(two_circles, 0, 0);
     TEST_ASSERT_EQUAL_UINT(200, circle.refused + circle.weak);
     TEST_ASSERT_TRUE(circle.refused >= 190);
-    TEST_ASSERT_EQUAL_UINT(200, try_case(program_of_18, 0, NAN).refused);
+    TEST_ASSERT_EQUAL_UINT(200, try_case(program_of_18, 0, NOT_A_NUMBER).refused);
     const outcome wrong = try_case(program_of_18, 0.05, 0);
     TEST_ASSERT_EQUAL_UINT(200, wrong.good);
     TEST_ASSERT_DOUBLE_WITHIN(0.5e-3, 9.5e-3, wrong.error);
