@@ -12,7 +12,6 @@ static invcal_status accumulate(const invcal_real *raw, unsigned count,
     invcal_observation row;
     const invcal_real *mean = raw;
 
-    invcal_normal_init(normal);
     for (*position = 0; *position < count; ++*position, mean += 3) {
         invcal_status status =
             invcal_observation_reading(&settings->nominal, settings->field, mean, u);
@@ -40,26 +39,47 @@ static invcal_status compare(const invcal_real *raw, unsigned count,
     invcal_residuals_init(residuals, solution);
     for (unsigned i = 0; i < count; i++, mean += 3) {
         if (invcal_observation_reading(&settings->nominal, settings->field, mean, u) != INVCAL_OK ||
-            invcal_residuals_add(residuals, u, NULL) != INVCAL_OK) {
+            invcal_residuals_add(residuals, u, 1, NULL) != INVCAL_OK) {
             return INVCAL_NOT_ELLIPSOID; /* a reading fit for the first pass, absurd after it */
         }
     }
     return INVCAL_OK;
 }
 
-static invcal_status solve_and_assess(const invcal_real *raw, const invcal_normal *normal,
-                                      const invcal_settings *settings, invcal_solution *solution,
-                                      invcal_quality *quality, invcal_real *gain)
+static invcal_status solve_and_assess(const invcal_real *raw, unsigned count,
+                                      const invcal_normal *normal, const invcal_settings *settings,
+                                      invcal_solution *solution, invcal_quality *quality,
+                                      invcal_real *gain)
 {
     invcal_residuals residuals;
     invcal_status status = invcal_solve(normal, settings, solution);
 
     if (status == INVCAL_OK) {
-        status = compare(raw, (unsigned)normal->count, settings, solution, &residuals);
+        status = compare(raw, count, settings, solution, &residuals);
     }
     if (status == INVCAL_OK) {
-        status = invcal_assess(&residuals, normal->count, settings, solution, quality);
+        status = invcal_assess(&residuals, count, settings, solution, quality);
         *gain = residuals.gain;
+    }
+    return status;
+}
+
+/* The data may be noisier than stated: then the prior counts for more, and the solution is made
+ * once more. Whether residuals or the user told the noise was decided the first time. */
+static invcal_status weigh_prior_again(const invcal_real *raw, unsigned count,
+                                       const invcal_normal *normal, const invcal_settings *settings,
+                                       invcal_solution *solution, invcal_quality *quality,
+                                       invcal_real gain)
+{
+    const invcal_real coverage = quality->coverage;
+    const invcal_real observed = quality->noise * settings->field / gain;
+    invcal_settings noisier = *settings;
+
+    noisier.noise = observed < settings->field ? observed : settings->field;
+    const invcal_status status =
+        solve_and_assess(raw, count, normal, &noisier, solution, quality, &gain);
+    if (status == INVCAL_OK) {
+        quality->coverage = coverage;
     }
     return status;
 }
@@ -71,20 +91,20 @@ invcal_status invcal_calibrate(const invcal_real *raw, unsigned count,
     invcal_normal normal;
     invcal_solution s;
     invcal_quality q;
-    invcal_settings noisier;
-    unsigned position;
+    unsigned position = count;
     invcal_real gain;
 
-    INVCAL_ASSERT(raw && settings && solution && quality);
-    invcal_status status = accumulate(raw, count, settings, &normal, &position);
+    INVCAL_ASSERT((raw || count == 0) && settings && solution && quality);
+    invcal_normal_init(&normal);
+    invcal_status status = invcal_settings_check(settings);
     if (status == INVCAL_OK) {
-        status = solve_and_assess(raw, &normal, settings, &s, &q, &gain);
+        status = accumulate(raw, count, settings, &normal, &position);
+    }
+    if (status == INVCAL_OK) {
+        status = solve_and_assess(raw, count, &normal, settings, &s, &q, &gain);
     }
     if (status == INVCAL_OK && invcal_has_prior(settings)) {
-        /* The data may be noisier than stated: then the prior counts for more. */
-        noisier = *settings;
-        noisier.noise = q.noise * settings->field / gain;
-        status = solve_and_assess(raw, &normal, &noisier, &s, &q, &gain);
+        status = weigh_prior_again(raw, count, &normal, settings, &s, &q, gain);
     }
     if (status == INVCAL_OK) {
         *solution = s;

@@ -42,32 +42,51 @@ static void cross(const invcal_real a[3], const invcal_real b[3], invcal_real ou
     out[2] = a[0] * b[1] - a[1] * b[0];
 }
 
-static invcal_real length(const invcal_real a[3])
+static invcal_real largest(const invcal_real v[3])
 {
-    return INVCAL_SQRT(invcal_dot(a, a, 3));
+    invcal_real most = 0;
+
+    for (unsigned i = 0; i < 3; i++) {
+        const invcal_real size = INVCAL_FABS(v[i]);
+        most = size <= most ? most : size; /* a NaN stays */
+    }
+    return most;
 }
 
-/* The columns of the inverse are the cross products of the rows over the determinant. */
+/* Rows R_i = s_i r_i with largest elements s_i: the columns of the inverse are the cross products
+ * of the other two r over their determinant and s_i. In any unit, nothing over- or underflows. */
 invcal_status invcal_calibration_inverse(const invcal_calibration *calibration,
                                          invcal_real inverse[3][3])
 {
-    const invcal_real *a = calibration->matrix[0];
-    const invcal_real *b = calibration->matrix[1];
-    const invcal_real *c = calibration->matrix[2];
+    invcal_real scale[3];
+    invcal_real row[3][3];
     invcal_real column[3][3];
 
-    cross(b, c, column[0]);
-    cross(c, a, column[1]);
-    cross(a, b, column[2]);
-    const invcal_real det = invcal_dot(a, column[0], 3);
-    const invcal_real box = length(a) * length(b) * length(c); /* |det| of orthogonal rows */
-
-    if (!(INVCAL_FABS(det) > 16 * INVCAL_EPSILON * box && box <= INVCAL_REAL_MAX)) {
+    INVCAL_ASSERT(calibration && inverse);
+    for (unsigned i = 0; i < 3; i++) {
+        scale[i] = largest(calibration->matrix[i]);
+        for (unsigned j = 0; j < 3; j++) {
+            row[i][j] = calibration->matrix[i][j] / scale[i];
+        }
+    }
+    for (unsigned i = 0; i < 3; i++) {
+        cross(row[(i + 1) % 3], row[(i + 2) % 3], column[i]);
+    }
+    const invcal_real det = invcal_dot(row[0], column[0], 3);
+    if (!(INVCAL_FABS(det) > 16 * INVCAL_EPSILON)) { /* of rows of length 1 to 1.7 */
         return INVCAL_BAD_SETTING;
     }
     for (unsigned i = 0; i < 3; i++) {
         for (unsigned j = 0; j < 3; j++) {
-            inverse[j][i] = column[i][j] / det;
+            column[i][j] = column[i][j] / det / scale[i];
+            if (!invcal_is_finite(column[i][j])) {
+                return INVCAL_BAD_SETTING;
+            }
+        }
+    }
+    for (unsigned i = 0; i < 3; i++) {
+        for (unsigned j = 0; j < 3; j++) {
+            inverse[j][i] = column[i][j];
         }
     }
     return INVCAL_OK;

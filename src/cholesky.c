@@ -3,10 +3,11 @@
 
 #include "vector.h"
 
-static invcal_real largest_diagonal(const invcal_real *a, unsigned n)
+invcal_real invcal_largest_diagonal(const invcal_real *a, unsigned n)
 {
     invcal_real largest = 0;
 
+    INVCAL_ASSERT(a);
     for (unsigned r = 0; r < n; r++) {
         const invcal_real d = a[INVCAL_PACKED(r, r)];
         largest = d > largest ? d : largest;
@@ -18,7 +19,7 @@ static invcal_real largest_diagonal(const invcal_real *a, unsigned n)
 invcal_status invcal_cholesky_factor(invcal_real *a, unsigned n, invcal_real floor)
 {
     INVCAL_ASSERT(a && n >= 1 && n <= INVCAL_MAX_PARAMETERS);
-    const invcal_real least = floor * largest_diagonal(a, n);
+    const invcal_real least = floor * invcal_largest_diagonal(a, n);
 
     for (unsigned r = 0; r < n; r++) {
         invcal_real *row = &a[INVCAL_PACKED(r, 0)];
@@ -27,7 +28,7 @@ invcal_status invcal_cholesky_factor(invcal_real *a, unsigned n, invcal_real flo
             row[c] = (row[c] - invcal_dot(row, above, c)) / above[c];
         }
         const invcal_real pivot = row[r] - invcal_dot(row, row, r);
-        if (!(pivot > least && pivot <= INVCAL_REAL_MAX)) {
+        if (!(pivot > least && invcal_is_positive(pivot))) {
             return INVCAL_UNDETERMINED;
         }
         row[r] = INVCAL_SQRT(pivot);

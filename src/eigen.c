@@ -93,19 +93,23 @@ static void multiply(const invcal_real *a, unsigned n, const invcal_real *x, inv
 }
 
 /* One step of Householder: mirrors row k of a, left of the diagonal, onto its last element, and
- * the rows above likewise. Returns that element, the off-diagonal of the tridiagonal form. */
+ * the rows above likewise. Returns that element, the off-diagonal of the tridiagonal form. The
+ * diagonal elements of a are at most 1. */
 static invcal_real mirror(invcal_real *a, unsigned k)
 {
     invcal_real *v = &a[INVCAL_PACKED(k, 0)];
     invcal_real w[INVCAL_MAX_PARAMETERS];
     const invcal_real length = INVCAL_SQRT(invcal_dot(v, v, k));
-    const invcal_real image = v[k - 1] > 0 ? -length : length;
 
+    if (length <= INVCAL_EPSILON * INVCAL_EPSILON) {
+        return 0; /* nothing stands left of the diagonal */
+    }
+    if (k == 1) {
+        return v[0]; /* it stands where it belongs */
+    }
+    const invcal_real image = v[k - 1] > 0 ? -length : length;
     v[k - 1] -= image;
     const invcal_real half = invcal_dot(v, v, k) / 2;
-    if (!(half > 0)) {
-        return image; /* nothing stands left of the diagonal */
-    }
     /* (I - v v'/half) A (I - v v'/half) = A - v w' - w v', w = A v/half - v (v'A v)/(2 half^2) */
     multiply(a, k, v, w);
     const invcal_real share = invcal_dot(v, w, k) / (2 * half);
@@ -130,8 +134,8 @@ static unsigned count_below(const invcal_real *d, const invcal_real *e2, unsigne
     for (unsigned i = 0; i < n; i++) {
         pivot = d[i] - x - e2[i] / pivot;
         count += pivot < 0;
-        if (INVCAL_FABS(pivot) <= INVCAL_EPSILON * INVCAL_EPSILON * x) {
-            pivot = INVCAL_EPSILON * INVCAL_EPSILON * x; /* x hits an eigenvalue of a part */
+        if (INVCAL_FABS(pivot) <= INVCAL_EPSILON * INVCAL_EPSILON) {
+            pivot = INVCAL_EPSILON * INVCAL_EPSILON; /* x hits an eigenvalue of a part */
         }
     }
     return count;
@@ -155,6 +159,16 @@ static invcal_real bisect(const invcal_real *d, const invcal_real *e2, unsigned 
     return low;
 }
 
+/* Divides a by its largest diagonal element, so that nothing over- or underflows. */
+static void normalise(invcal_real *a, unsigned n)
+{
+    const invcal_real largest = invcal_largest_diagonal(a, n);
+
+    for (unsigned i = 0; i < INVCAL_PACKED_SIZE(n); i++) {
+        a[i] /= largest; /* 0/0 is a NaN, and is found below */
+    }
+}
+
 invcal_real invcal_condition(invcal_real *a, unsigned n)
 {
     invcal_real d[INVCAL_MAX_PARAMETERS];
@@ -163,6 +177,7 @@ invcal_real invcal_condition(invcal_real *a, unsigned n)
     invcal_real coupling = 0;
 
     INVCAL_ASSERT(a && n >= 1 && n <= INVCAL_MAX_PARAMETERS);
+    normalise(a, n);
     for (unsigned k = n; k-- > 0;) {
         const invcal_real e = k > 0 ? mirror(a, k) : 0;
         e2[k] = e * e;

@@ -44,7 +44,7 @@ invcal_status invcal_normal_add(invcal_normal *normal, const invcal_observation 
         return INVCAL_MIXED;
     }
     accumulate(normal, observation, weight);
-    normal->count += 1;
+    normal->count++;
     normal->model = observation->model;
     return INVCAL_OK;
 }
@@ -59,11 +59,13 @@ invcal_status invcal_normal_remove(invcal_normal *normal, const invcal_observati
     if (is_mixed(normal, observation->model)) {
         return INVCAL_MIXED;
     }
-    if (!(normal->count >= 1)) {
+    if (normal->count == 0) {
         return INVCAL_TOO_FEW;
     }
     accumulate(normal, observation, -weight);
-    normal->count -= 1;
+    if (--normal->count == 0) {
+        invcal_normal_init(normal); /* no rounding errors of what has gone */
+    }
     return INVCAL_OK;
 }
 
@@ -100,7 +102,6 @@ invcal_status invcal_normal_scale(invcal_normal *normal, invcal_real factor)
         normal->htj[r] *= factor;
     }
     normal->jtj *= factor;
-    normal->count *= factor;
     return INVCAL_OK;
 }
 
@@ -128,19 +129,4 @@ invcal_status invcal_normal_add_prior(invcal_normal *normal,
         }
     }
     return INVCAL_OK;
-}
-
-invcal_real invcal_normal_prior_noise(const invcal_normal *normal,
-                                      const invcal_real sigma[INVCAL_PARAMETERS])
-{
-    invcal_real largest = 0;
-    invcal_real widest = 0;
-
-    INVCAL_ASSERT(normal && sigma);
-    for (unsigned r = 0; r < INVCAL_PARAMETERS; r++) {
-        const invcal_real diagonal = normal->hth[INVCAL_PACKED(r, r)];
-        largest = diagonal > largest ? diagonal : largest;
-        widest = sigma[r] > widest ? sigma[r] : widest;
-    }
-    return widest * INVCAL_SQRT(4 * INVCAL_EPSILON * largest);
 }

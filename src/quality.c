@@ -35,132 +35,185 @@ invcal_real invcal_coverage(invcal_real dof)
                n;
 }
 
-/* H'H in calibrated units (+ prior). */
-static invcal_status information(const invcal_residuals *residuals, const invcal_settings *settings,
-                                 invcal_real noise, invcal_normal *out)
-{
-    *out = residuals->normal;
-    return invcal_has_prior(settings) ? invcal_normal_add_prior(out, settings->prior, noise)
-                                      : INVCAL_OK;
-}
-
-/* L of the same. Without a prior nothing near rounding error passes. */
-static invcal_status factor(const invcal_residuals *residuals, const invcal_settings *settings,
-                            invcal_real noise, invcal_normal *out)
-{
-    const invcal_real floor = invcal_has_prior(settings) ? INVCAL_EPSILON : INVCAL_PIVOT_FLOOR;
-    const invcal_status status = information(residuals, settings, noise, out);
-
-    return status == INVCAL_OK ? invcal_cholesky_factor(out->hth, INVCAL_PARAMETERS, floor)
-                               : status;
-}
+/* What the judgement is made from. */
+typedef struct {
+    const invcal_residuals *residuals;
+    const invcal_settings *settings;
+    invcal_real share;  /* stored positions over used ones */
+    invcal_real noise;  /* of one equation, times sqrt(share): the stored ones stand for all */
+    invcal_normal work; /* H'H in calibrated units (+ prior), or its L */
+} evidence;
 
 /* The share of parameter r that the data told, 0 ... 1: 1 - posterior / prior variance. */
-static invcal_real told_by_data(const invcal_settings *settings, unsigned r, invcal_real k,
-                                invcal_real noise)
+static invcal_real told_by_data(const evidence *e, unsigned r, invcal_real k)
 {
-    const invcal_real sigma = settings->prior[r];
+    const invcal_real sigma = e->settings->prior[r];
 
-    return sigma > 0 ? 1 - k * noise * noise / (sigma * sigma) : 1;
-}
-
-/* The noise of a position mean in calibrated units over field, as stated, but no less than the
- * prior can be resolved with. */
-static invcal_real stated_noise(const invcal_residuals *residuals, const invcal_settings *settings)
-{
-    const invcal_real stated = residuals->gain * settings->noise / settings->field;
-    const invcal_real least = invcal_normal_prior_noise(&residuals->normal, settings->prior);
-
-    return stated > least ? stated : least;
-}
-
-/* Positions minus the parameters that the data had to determine, 0 if less than one is left. */
-static invcal_real freedom(const invcal_residuals *residuals, invcal_real used,
-                           invcal_real parameters)
-{
-    const invcal_real stored = (invcal_real)residuals->count;
-    const invcal_real dof = stored - parameters * stored / used;
-
-    return dof >= 1 ? dof : 0;
+    return sigma > 0 ? 1 - k * e->noise * e->noise / (sigma * sigma) : 1;
 }
 
 /* How many parameters the data had to determine: what the prior supplies, at the noise stated,
  * does not count. */
-static invcal_status parameters_of_data(const invcal_residuals *residuals,
-                                        const invcal_settings *settings, invcal_real stated,
-                                        invcal_normal *work, invcal_real *parameters)
+static invcal_status parameters_of_data(evidence *e, invcal_real *parameters)
 {
     invcal_real diagonal[INVCAL_PARAMETERS];
 
     *parameters = INVCAL_PARAMETERS;
-    if (!invcal_has_prior(settings)) {
+    if (!invcal_has_prior(e->settings)) {
         return INVCAL_OK;
     }
-    const invcal_status status = factor(residuals, settings, stated, work);
-    if (status != INVCAL_OK) {
-        return status;
+    const invcal_status status =
+        invcal_information_factor(&e->residuals->normal, e->settings, &e->noise, &e->work);
+    if (status == INVCAL_OK) {
+        invcal_cholesky_inverse_diagonal(e->work.hth, INVCAL_PARAMETERS, diagonal);
+        *parameters = 0;
+        for (unsigned r = 0; r < INVCAL_PARAMETERS; r++) {
+            *parameters += told_by_data(e, r, diagonal[r]);
+        }
     }
-    invcal_cholesky_inverse_diagonal(work->hth, INVCAL_PARAMETERS, diagonal);
-    *parameters = 0;
-    for (unsigned r = 0; r < INVCAL_PARAMETERS; r++) {
-        *parameters += told_by_data(settings, r, diagonal[r], stated);
-    }
-    return INVCAL_OK;
+    return status;
 }
 
-/* noise, dof and coverage. */
-static invcal_status judge_noise(const invcal_residuals *residuals, invcal_real used,
-                                 const invcal_settings *settings, invcal_normal *work,
-                                 invcal_quality *q)
+/* noise, dof and coverage. The noise stated is that of readings: in calibrated units it is gain
+ * times as large. */
+static invcal_status judge_noise(evidence *e, invcal_quality *q)
 {
-    const invcal_real stated = stated_noise(residuals, settings);
+    const invcal_real stated = e->residuals->gain * e->settings->noise / e->settings->field;
+    const invcal_real stored = (invcal_real)e->residuals->count;
+    const invcal_real root = INVCAL_SQRT(e->share);
     invcal_real parameters;
-    const invcal_status status = parameters_of_data(residuals, settings, stated, work, &parameters);
 
+    e->noise = stated * root;
+    const invcal_status status = parameters_of_data(e, &parameters);
     if (status != INVCAL_OK) {
         return status;
     }
-    q->dof = freedom(residuals, used, parameters);
-    const invcal_real observed = q->dof > 0 ? INVCAL_SQRT(residuals->normal.jtj / q->dof) : 0;
+    const invcal_real dof = stored - parameters * e->share;
+    q->dof = dof >= 1 ? dof : 0;
+    const invcal_real observed = q->dof > 0 ? INVCAL_SQRT(e->residuals->normal.jtj / q->dof) : 0;
     q->noise = observed > stated ? observed : stated;
     q->coverage = observed > stated ? invcal_coverage(q->dof) : INVCAL_REAL(1.959964);
     if (!(q->noise > 0)) {
         q->noise = 1; /* nobody knows: the whole field, which no one will mistake for good */
     }
+    e->noise = q->noise * root;
     return INVCAL_OK;
 }
 
-/* sigma of the combination x of calibrated parameters; x is lost. */
-static invcal_real sigma_of(const invcal_real *l, invcal_real noise, invcal_real *x)
+/* The condition of H'H. Pivots alone let singular sets through now and then: one whose open
+ * combination hardly involves the last parameters has no small pivot. */
+static invcal_status judge_condition(evidence *e, invcal_quality *q)
 {
-    invcal_cholesky_forward(l, INVCAL_PARAMETERS, x);
-    return noise * INVCAL_SQRT(invcal_dot(x, x, INVCAL_PARAMETERS));
+    const invcal_status status =
+        invcal_information(&e->residuals->normal, e->settings, &e->noise, &e->work);
+
+    if (status != INVCAL_OK) {
+        return status;
+    }
+    q->noise = e->noise / INVCAL_SQRT(e->share); /* a prior may have raised it */
+    q->condition = invcal_condition(e->work.hth, INVCAL_PARAMETERS);
+    return invcal_has_prior(e->settings) || q->condition * INVCAL_PIVOT_FLOOR < 1
+               ? INVCAL_OK
+               : INVCAL_UNDETERMINED;
+}
+
+/* Weak: sqrt(K) is large, or the information 1 / K is no more than what noise in the readings
+ * themselves, about noise^2 in each row, adds to H'H: then directions that determine nothing
+ * look as if they did. */
+static int is_weak(const evidence *e, invcal_real k, const invcal_quality *q)
+{
+    const invcal_real stored = (invcal_real)e->residuals->count;
+    const int known = q->dof > 0 || e->settings->noise > 0;
+    const invcal_real of_noise = known ? k * stored * q->noise * q->noise : 0;
+
+    return !(INVCAL_SQRT(k * e->share) <= WEAK_ROOT_K && of_noise <= NOISE_SHARE);
+}
+
+/* undetermined, from_prior and the verdict. */
+static invcal_status judge_parameters(evidence *e, invcal_quality *q)
+{
+    invcal_real diagonal[INVCAL_PARAMETERS];
+    const invcal_status status =
+        invcal_information_factor(&e->residuals->normal, e->settings, &e->noise, &e->work);
+
+    if (status != INVCAL_OK) {
+        return status;
+    }
+    invcal_cholesky_inverse_diagonal(e->work.hth, INVCAL_PARAMETERS, diagonal);
+    q->undetermined = 0;
+    q->from_prior = 0;
+    for (unsigned r = 0; r < INVCAL_PARAMETERS; r++) {
+        const invcal_real k = diagonal[r];
+        if (!(INVCAL_SQRT(k * e->share) <= HOPELESS_ROOT_K) && !(e->settings->prior[r] > 0)) {
+            return INVCAL_UNDETERMINED;
+        }
+        q->undetermined |= (uint16_t)(is_weak(e, k, q) << r);
+        q->from_prior |= (uint16_t)((!(told_by_data(e, r, k) >= INVCAL_REAL(0.5))) << r);
+    }
+    q->verdict = q->undetermined ? INVCAL_WEAK : q->dof > 0 ? INVCAL_GOOD : INVCAL_NO_REDUNDANCY;
+    return INVCAL_OK;
+}
+
+/* Residual figures; absurd ones are refused. */
+static invcal_status judge_residuals(const invcal_residuals *residuals, invcal_quality *q)
+{
+    q->residual_rms = INVCAL_SQRT(residuals->squares / (invcal_real)residuals->count);
+    q->residual_max = residuals->max;
+    q->worst = residuals->worst;
+    return q->residual_rms <= ABSURD_RESIDUAL ? INVCAL_OK : INVCAL_NOT_ELLIPSOID;
+}
+
+/* All that can be refused; leaves L in e->work. */
+static invcal_status judge(evidence *e, invcal_quality *q)
+{
+    invcal_status status = judge_residuals(e->residuals, q);
+
+    if (status == INVCAL_OK) {
+        status = judge_noise(e, q);
+    }
+    if (status == INVCAL_OK) {
+        status = judge_condition(e, q);
+    }
+    if (status == INVCAL_OK) {
+        status = judge_parameters(e, q);
+    }
+    return status;
+}
+
+/* sigma of the combination x of calibrated parameters; x is lost. */
+static invcal_real sigma_of(const evidence *e, invcal_real *x)
+{
+    invcal_cholesky_forward(e->work.hth, INVCAL_PARAMETERS, x);
+    return e->noise * INVCAL_SQRT(invcal_dot(x, x, INVCAL_PARAMETERS));
 }
 
 /* A posterior is no wider than its prior; the Jacobian, taken beside it, may say so by a
  * second-order trifle. */
-static invcal_real within_prior(invcal_real sigma, invcal_real prior)
+static invcal_real within_prior(const evidence *e, unsigned r, invcal_real sigma)
 {
+    const invcal_real prior = e->settings->prior[r];
+
     return prior > 0 && sigma > prior ? prior : sigma;
 }
 
 /* d delta = (I + S) d delta', and d offset = field N^-1 d delta. */
-static void judge_offset(const invcal_real s[6], invcal_real inverse[3][3],
-                         const invcal_settings *settings, const invcal_real *l, invcal_quality *q)
+static void spread_offset(const evidence *e, const invcal_real s[6], invcal_quality *q)
 {
     const invcal_real rows[3][3] = {
         {1 + s[0], s[1], s[3]}, {s[1], 1 + s[2], s[4]}, {s[3], s[4], 1 + s[5]}};
+    invcal_real inverse[3][3];
 
+    (void)invcal_calibration_inverse(&e->settings->nominal, inverse); /* checked before */
     for (unsigned i = 0; i < 3; i++) {
         invcal_real x[INVCAL_PARAMETERS] = {rows[i][0], rows[i][1], rows[i][2]};
-        q->sigma_delta[i] = within_prior(sigma_of(l, q->noise, x), settings->prior[i]);
+        q->sigma_delta[i] = within_prior(e, i, sigma_of(e, x));
 
         invcal_real y[INVCAL_PARAMETERS] = {0};
         for (unsigned j = 0; j < 3; j++) {
-            y[j] = settings->field * (inverse[i][0] * rows[0][j] + inverse[i][1] * rows[1][j] +
-                                      inverse[i][2] * rows[2][j]);
+            y[j] = e->settings->field * (inverse[i][0] * rows[0][j] + inverse[i][1] * rows[1][j] +
+                                         inverse[i][2] * rows[2][j]);
         }
-        q->sigma_offset[i] = sigma_of(l, q->noise, y);
+        q->sigma_offset[i] = sigma_of(e, y);
     }
 }
 
@@ -201,8 +254,7 @@ static void jacobian(const invcal_eigen3 *axes, unsigned i, unsigned j, invcal_r
 }
 
 /* dk(i) = P(i,i) - 1, gamma(ij) = 2 P(i,j). */
-static void judge_matrix(const invcal_real s[6], const invcal_settings *settings,
-                         const invcal_real *l, invcal_quality *q)
+static void spread_matrix(const evidence *e, const invcal_real s[6], invcal_quality *q)
 {
     static const unsigned char pair[3][2] = {{0, 1}, {0, 2}, {2, 1}};
     invcal_eigen3 axes;
@@ -211,117 +263,35 @@ static void judge_matrix(const invcal_real s[6], const invcal_settings *settings
     invcal_eigen3_decompose(s, &axes);
     for (unsigned i = 0; i < 3; i++) {
         jacobian(&axes, i, i, x);
-        q->sigma_dk[i] = within_prior(sigma_of(l, q->noise, x), settings->prior[INVCAL_DK_X + i]);
+        q->sigma_dk[i] = within_prior(e, INVCAL_DK_X + i, sigma_of(e, x));
         jacobian(&axes, pair[i][0], pair[i][1], x);
-        q->sigma_gamma[i] =
-            within_prior(2 * sigma_of(l, q->noise, x), settings->prior[INVCAL_GAMMA_XY + i]);
+        q->sigma_gamma[i] = within_prior(e, INVCAL_GAMMA_XY + i, 2 * sigma_of(e, x));
     }
 }
 
-/* Weak: sqrt(K) is large, or the information 1 / K is no more than what noise in the readings
- * themselves, about noise^2 in each row, adds to H'H: then directions that determine nothing
- * look as if they did. */
-static int is_weak(const invcal_quality *q, invcal_real k, invcal_real used)
-{
-    const invcal_real share = q->dof > 0 ? k * used * q->noise * q->noise : 0;
-
-    return !(INVCAL_SQRT(k) <= WEAK_ROOT_K && share <= NOISE_SHARE);
-}
-
-/* undetermined, from_prior and the verdict, from the diagonal of K. */
-static invcal_status judge_parameters(const invcal_settings *settings, invcal_real used,
-                                      const invcal_real *diagonal, invcal_quality *q)
-{
-    q->undetermined = 0;
-    q->from_prior = 0;
-    for (unsigned r = 0; r < INVCAL_PARAMETERS; r++) {
-        const invcal_real told = told_by_data(settings, r, diagonal[r], q->noise);
-        if (!(INVCAL_SQRT(diagonal[r]) <= HOPELESS_ROOT_K) && !(settings->prior[r] > 0)) {
-            return INVCAL_UNDETERMINED;
-        }
-        q->undetermined |= (uint16_t)(is_weak(q, diagonal[r], used) << r);
-        q->from_prior |= (uint16_t)((!(told >= INVCAL_REAL(0.5))) << r);
-    }
-    q->verdict = q->undetermined ? INVCAL_WEAK : q->dof > 0 ? INVCAL_GOOD : INVCAL_NO_REDUNDANCY;
-    return INVCAL_OK;
-}
-
-/* The condition of H'H. Pivots alone let singular sets through now and then: one whose open
- * combination hardly involves the last parameters has no small pivot. */
-static invcal_status judge_condition(const invcal_residuals *residuals,
-                                     const invcal_settings *settings, invcal_normal *work,
-                                     invcal_quality *q)
-{
-    const invcal_status status = information(residuals, settings, q->noise, work);
-
-    if (status != INVCAL_OK) {
-        return status;
-    }
-    q->condition = invcal_condition(work->hth, INVCAL_PARAMETERS);
-    return invcal_has_prior(settings) || q->condition * INVCAL_PIVOT_FLOOR < 1
-               ? INVCAL_OK
-               : INVCAL_UNDETERMINED;
-}
-
-/* Residual figures; absurd ones are refused. */
-static invcal_status judge_residuals(const invcal_residuals *residuals, invcal_quality *q)
-{
-    q->residual_rms = INVCAL_SQRT(residuals->squares / (invcal_real)residuals->count);
-    q->residual_max = residuals->max;
-    q->worst = residuals->worst;
-    return q->residual_rms <= ABSURD_RESIDUAL ? INVCAL_OK : INVCAL_NOT_ELLIPSOID;
-}
-
-static int is_usable(const invcal_residuals *residuals, invcal_real used,
-                     const invcal_settings *settings)
-{
-    return residuals->count > 0 && used >= (invcal_real)residuals->count &&
-           used <= INVCAL_REAL_MAX && invcal_is_positive(settings->field) &&
-           (settings->noise == 0 || invcal_is_positive(settings->noise));
-}
-
-/* All that can be refused, in order of cost; leaves L in work. */
-static invcal_status judge(const invcal_residuals *residuals, invcal_real used,
-                           const invcal_settings *settings, invcal_normal *work, invcal_quality *q)
-{
-    invcal_real diagonal[INVCAL_PARAMETERS];
-    invcal_status status = judge_residuals(residuals, q);
-
-    if (status == INVCAL_OK) {
-        status = judge_noise(residuals, used, settings, work, q);
-    }
-    if (status == INVCAL_OK) {
-        status = judge_condition(residuals, settings, work, q);
-    }
-    if (status == INVCAL_OK) {
-        status = factor(residuals, settings, q->noise, work);
-    }
-    if (status == INVCAL_OK) {
-        invcal_cholesky_inverse_diagonal(work->hth, INVCAL_PARAMETERS, diagonal);
-        status = judge_parameters(settings, used, diagonal, q);
-    }
-    return status;
-}
-
-invcal_status invcal_assess(const invcal_residuals *residuals, invcal_real used,
+invcal_status invcal_assess(const invcal_residuals *residuals, unsigned used,
                             const invcal_settings *settings, const invcal_solution *solution,
                             invcal_quality *quality)
 {
+    evidence e;
     invcal_quality q;
-    invcal_normal work;
     invcal_real s[6];
-    invcal_real inverse[3][3];
 
     INVCAL_ASSERT(residuals && settings && solution && quality);
-    if (!is_usable(residuals, used, settings) ||
-        invcal_calibration_inverse(&settings->nominal, inverse) != INVCAL_OK) {
+    if (residuals->count == 0 || used < residuals->count) {
         return INVCAL_BAD_SETTING;
     }
-    const invcal_status status = judge(residuals, used, settings, &work, &q);
+    e.residuals = residuals;
+    e.settings = settings;
+    e.share = (invcal_real)residuals->count / (invcal_real)used;
+    invcal_status status = invcal_settings_check(settings);
+    if (status == INVCAL_OK) {
+        status = judge(&e, &q);
+    }
     if (status == INVCAL_OK) {
         invcal_solution_deviation(solution, s);
-        judge_offset(s, inverse, settings, work.hth, &q);
-        judge_matrix(s, settings, work.hth, &q);
+        spread_offset(&e, s, &q);
+        spread_matrix(&e, s, &q);
         *quality = q;
     }
     return status;
@@ -334,7 +304,11 @@ invcal_status invcal_covariance(const invcal_residuals *residuals, const invcal_
     invcal_normal work;
 
     INVCAL_ASSERT(residuals && settings && K);
-    const invcal_status status = factor(residuals, settings, noise, &work);
+    if (!invcal_is_positive(noise) || invcal_settings_check(settings) != INVCAL_OK) {
+        return INVCAL_BAD_SETTING;
+    }
+    const invcal_status status =
+        invcal_information_factor(&residuals->normal, settings, &noise, &work);
     if (status == INVCAL_OK) {
         invcal_cholesky_inverse(work.hth, INVCAL_PARAMETERS);
         memcpy(K, work.hth, sizeof work.hth);

@@ -34,7 +34,7 @@ void invcal_residuals_init(invcal_residuals *residuals, const invcal_solution *s
 
 /* Noise of u moves the length of eta = A (u - delta) by |A eta| times itself: rows are weighted
  * with the inverse square, relative to the mean over all directions. */
-static invcal_real weight(const invcal_residuals *residuals, const invcal_real eta[3])
+static invcal_real direction_weight(const invcal_residuals *residuals, const invcal_real eta[3])
 {
     invcal_real gradient[3];
 
@@ -43,7 +43,7 @@ static invcal_real weight(const invcal_residuals *residuals, const invcal_real e
 }
 
 invcal_status invcal_residuals_add(invcal_residuals *residuals, const invcal_real u[3],
-                                   invcal_real *residual)
+                                   invcal_real weight, invcal_real *residual)
 {
     invcal_real centred[3];
     invcal_real eta[3];
@@ -56,7 +56,8 @@ invcal_status invcal_residuals_add(invcal_residuals *residuals, const invcal_rea
     multiply(residuals->correction, centred, eta);
     invcal_status status = invcal_observation_exact(eta, &row);
     if (status == INVCAL_OK) {
-        status = invcal_normal_add(&residuals->normal, &row, weight(residuals, eta));
+        status =
+            invcal_normal_add(&residuals->normal, &row, weight * direction_weight(residuals, eta));
     }
     if (status != INVCAL_OK) {
         return status;

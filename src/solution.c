@@ -31,45 +31,91 @@ int invcal_has_prior(const invcal_settings *settings)
     return parameters_without_prior(settings) < INVCAL_PARAMETERS;
 }
 
-static int is_usable(const invcal_settings *settings)
+static int is_usable_number(invcal_real x) /* for what may be 0: not known */
 {
-    for (unsigned i = 0; i < 3; i++) {
-        if (!invcal_is_finite(settings->nominal.offset[i])) {
-            return 0;
-        }
-    }
-    if (!invcal_is_positive(settings->field)) {
-        return 0;
-    }
-    return invcal_is_positive(settings->noise) ||
-           (settings->noise == 0 && !invcal_has_prior(settings));
+    return x >= 0 && x <= INVCAL_REAL_MAX;
 }
 
-/* p = -(H'H + prior)^-1 H'J, in place of n->htj. */
-static invcal_status solve_normal(invcal_normal *n, const invcal_settings *settings)
+invcal_status invcal_settings_check(const invcal_settings *settings)
 {
-    const unsigned open = parameters_without_prior(settings);
-    invcal_real floor = INVCAL_PIVOT_FLOOR;
+    invcal_real inverse[3][3];
 
-    if (open < INVCAL_PARAMETERS) {
-        const invcal_real least = invcal_normal_prior_noise(n, settings->prior);
-        const invcal_real noise = settings->noise / settings->field;
-        const invcal_status status =
-            invcal_normal_add_prior(n, settings->prior, noise > least ? noise : least);
-        if (status != INVCAL_OK) {
-            return status;
+    INVCAL_ASSERT(settings);
+    for (unsigned i = 0; i < 3; i++) {
+        if (!invcal_is_finite(settings->nominal.offset[i])) {
+            return INVCAL_BAD_SETTING;
         }
-        floor = INVCAL_EPSILON; /* the prior holds what the positions leave open */
     }
-    if (!(n->count >= (invcal_real)open && n->count > 0)) {
+    for (unsigned r = 0; r < INVCAL_PARAMETERS; r++) {
+        if (!is_usable_number(settings->prior[r])) {
+            return INVCAL_BAD_SETTING;
+        }
+    }
+    if (!(invcal_is_positive(settings->field) && is_usable_number(settings->noise) &&
+          settings->noise <= settings->field) ||
+        (invcal_has_prior(settings) && settings->noise == 0) ||
+        (settings->frame != INVCAL_FRAME_SYMMETRIC && settings->frame != INVCAL_FRAME_TRIANGULAR)) {
+        return INVCAL_BAD_SETTING;
+    }
+    return invcal_calibration_inverse(&settings->nominal, inverse);
+}
+
+/* The least noise with which the prior is more than rounding beside the largest sums. */
+static invcal_real resolvable_noise(const invcal_normal *normal, const invcal_settings *settings)
+{
+    invcal_real widest = 0;
+
+    for (unsigned r = 0; r < INVCAL_PARAMETERS; r++) {
+        widest = settings->prior[r] > widest ? settings->prior[r] : widest;
+    }
+    return widest * INVCAL_SQRT(4 * INVCAL_EPSILON *
+                                invcal_largest_diagonal(normal->hth, INVCAL_PARAMETERS));
+}
+
+invcal_status invcal_information(const invcal_normal *normal, const invcal_settings *settings,
+                                 invcal_real *noise, invcal_normal *out)
+{
+    INVCAL_ASSERT(normal && settings && noise && out);
+    *out = *normal;
+    if (!invcal_has_prior(settings)) {
+        return INVCAL_OK;
+    }
+    if (invcal_cholesky_factor(out->hth, INVCAL_PARAMETERS, 30 * INVCAL_PIVOT_FLOOR) != INVCAL_OK) {
+        const invcal_real least = resolvable_noise(normal, settings);
+        *noise = *noise >= least ? *noise : least;
+    }
+    *out = *normal;
+    return invcal_normal_add_prior(out, settings->prior, *noise);
+}
+
+invcal_status invcal_information_factor(const invcal_normal *normal,
+                                        const invcal_settings *settings, invcal_real *noise,
+                                        invcal_normal *out)
+{
+    /* A prior holds what the positions leave open. */
+    const invcal_real floor = invcal_has_prior(settings) ? INVCAL_EPSILON : INVCAL_PIVOT_FLOOR;
+    const invcal_status status = invcal_information(normal, settings, noise, out);
+
+    return status == INVCAL_OK ? invcal_cholesky_factor(out->hth, INVCAL_PARAMETERS, floor)
+                               : status;
+}
+
+/* p = -(H'H + prior)^-1 H'J, in place of work->htj. */
+static invcal_status solve_normal(const invcal_normal *normal, const invcal_settings *settings,
+                                  invcal_normal *work)
+{
+    invcal_real noise = settings->noise / settings->field;
+
+    if (normal->count == 0 || normal->count < parameters_without_prior(settings)) {
         return INVCAL_TOO_FEW;
     }
-    if (invcal_cholesky_factor(n->hth, INVCAL_PARAMETERS, floor) != INVCAL_OK) {
-        return INVCAL_UNDETERMINED;
+    const invcal_status status = invcal_information_factor(normal, settings, &noise, work);
+    if (status != INVCAL_OK) {
+        return status;
     }
-    invcal_cholesky_solve(n->hth, INVCAL_PARAMETERS, n->htj);
+    invcal_cholesky_solve(work->hth, INVCAL_PARAMETERS, work->htj);
     for (unsigned r = 0; r < INVCAL_PARAMETERS; r++) {
-        n->htj[r] = -n->htj[r];
+        work->htj[r] = -work->htj[r];
     }
     return INVCAL_OK;
 }
@@ -92,7 +138,9 @@ static void triad_of_ellipsoid(const invcal_real p[INVCAL_PARAMETERS], triad *t)
                               p[INVCAL_GAMMA_XZ], p[INVCAL_GAMMA_ZY], 2 * p[INVCAL_DK_Z]};
     const invcal_real *v = p; /* the first three */
 
-    invcal_eigen3_decompose(q, &t->axes); /* of Q - I */
+    /* Of Q - I. If zero lies outside the ellipsoid, Q and k are negative, and Q / k is positive
+     * all the same. */
+    invcal_eigen3_decompose(q, &t->axes);
     centre(v, t);
     /* k = 1 + delta Q delta = 1 - v delta, and I + S = (Q / k)^-1/2: with values q of Q - I,
      * s + 1 = sqrt(k / (1 + q)), s = (k - 1 - q) / (1 + q) / (s + 2) */
@@ -202,11 +250,10 @@ invcal_status invcal_solve(const invcal_normal *normal, const invcal_settings *s
     invcal_calibration calibration;
 
     INVCAL_ASSERT(normal && settings && solution);
-    if (!is_usable(settings)) {
-        return INVCAL_BAD_SETTING;
+    invcal_status status = invcal_settings_check(settings);
+    if (status == INVCAL_OK) {
+        status = solve_normal(normal, settings, &work);
     }
-    work = *normal;
-    invcal_status status = solve_normal(&work, settings);
     if (status != INVCAL_OK) {
         return status;
     }
@@ -241,16 +288,11 @@ uint16_t invcal_undetermined(const invcal_normal *normal)
 {
     invcal_real l[INVCAL_PACKED_SIZE(INVCAL_PARAMETERS)];
     invcal_real diagonal[INVCAL_PARAMETERS];
-    invcal_real largest = 0;
     uint16_t open = 0;
 
     INVCAL_ASSERT(normal);
     memcpy(l, normal->hth, sizeof l);
-    for (unsigned r = 0; r < INVCAL_PARAMETERS; r++) {
-        const invcal_real d = l[INVCAL_PACKED(r, r)];
-        largest = d > largest ? d : largest;
-    }
-    const invcal_real ridge = RIDGE * largest;
+    const invcal_real ridge = RIDGE * invcal_largest_diagonal(l, INVCAL_PARAMETERS);
     for (unsigned r = 0; r < INVCAL_PARAMETERS; r++) {
         l[INVCAL_PACKED(r, r)] += ridge;
     }

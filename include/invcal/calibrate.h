@@ -7,6 +7,10 @@
 
 #include "invcal/quality.h"
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 /* Why a calibration was refused, beyond the status. */
 typedef struct {
     unsigned position;     /* of a bad reading, counted from 0; else the number of positions */
@@ -16,7 +20,8 @@ typedef struct {
 /* Calibrates from position means: rows, solution, residuals, judgement.
  *
  * raw       3 count numbers: the position means x y z, x y z, ... in raw units, in any order.
- *           Nine positions are the least, twelve to eighteen well spread ones are good.
+ *           Nine positions are the least without a prior; twelve to eighteen well spread ones
+ *           are good. In float a mean carries 24 bits: from counts above 2^24 subtract first.
  * settings  see invcal_settings. The residuals may show more noise than stated; with a prior the
  *           solution is then made once more with that noise.
  * solution  the calibration and its parameters.
@@ -29,5 +34,9 @@ typedef struct {
 invcal_status invcal_calibrate(const invcal_real *raw, unsigned count,
                                const invcal_settings *settings, invcal_solution *solution,
                                invcal_quality *quality, invcal_reason *reason);
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif

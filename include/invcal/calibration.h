@@ -11,6 +11,10 @@
 
 #include "invcal/status.h"
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 typedef struct {
     invcal_real offset[3];    /* raw reading in no field, raw units, finite */
     invcal_real matrix[3][3]; /* field units per raw unit, by rows, regular */
@@ -38,9 +42,13 @@ void invcal_apply(const invcal_calibration *calibration, const invcal_real raw[3
 
 /* The inverse of the matrix: raw units per field unit, by rows.
  *
- * Returns INVCAL_OK; INVCAL_BAD_SETTING if the matrix is singular to rounding or holds a number
- * that is not finite. */
+ * Returns INVCAL_OK; INVCAL_BAD_SETTING if the matrix is singular to rounding, or it or its
+ * inverse holds a number that is not finite. */
 invcal_status invcal_calibration_inverse(const invcal_calibration *calibration,
                                          invcal_real inverse[3][3]);
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif

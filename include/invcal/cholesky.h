@@ -10,6 +10,13 @@
 
 #include "invcal/normal.h"
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* The largest diagonal element of a packed matrix, at least 0; NaN elements are passed over. */
+invcal_real invcal_largest_diagonal(const invcal_real *a, unsigned n);
+
 /* Factors a matrix in place.
  *
  * a      in: the packed matrix; out: L, packed. On failure what is in it is lost: factor a copy.
@@ -38,5 +45,9 @@ void invcal_cholesky_inverse(invcal_real *l, unsigned n);
 
 /* The diagonal of A^-1, n numbers, L kept. Cost: n^3/6 multiply-adds. */
 void invcal_cholesky_inverse_diagonal(const invcal_real *l, unsigned n, invcal_real *diagonal);
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif

@@ -30,7 +30,7 @@
 #endif
 
 /* The longest row that the Cholesky and eigenvalue rooms accept. 9 is the rigid model; rows
- * widened by temperature need 18 or 27. Costs 4 bytes of stack for each unit (float). */
+ * widened by temperature need 18 or 27. Costs 12 bytes of stack for each unit (float). */
 #ifndef INVCAL_MAX_PARAMETERS
 #define INVCAL_MAX_PARAMETERS 9
 #endif
@@ -44,6 +44,12 @@
 
 #if INVCAL_DOUBLE != 0 && INVCAL_DOUBLE != 1
 #error "INVCAL_DOUBLE must be 0 (float) or 1 (double)"
+#endif
+#if INVCAL_DOUBLE && DBL_MANT_DIG < 53
+#error "double has no 53 bits here: use float"
+#endif
+#if defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__ > 0
+#error "-ffast-math and -ffinite-math-only remove the checks against NaN"
 #endif
 #if INVCAL_MAX_PARAMETERS < 9 || INVCAL_MAX_PARAMETERS > 27
 #error "INVCAL_MAX_PARAMETERS must be from 9 to 27"

@@ -7,6 +7,10 @@
 
 #include "invcal/cholesky.h"
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 /* A symmetric 3x3 matrix as M = V diag(value) V'. */
 typedef struct {
     invcal_real value[3];     /* in no particular order */
@@ -32,8 +36,12 @@ void invcal_eigen3_inverse(const invcal_eigen3 *eigen, invcal_real out[6]);
  * a  the packed matrix (INVCAL_PACKED), n rows, 1 <= n <= INVCAL_MAX_PARAMETERS. Used as
  *    workspace: its content is lost.
  *
- * Exact to n INVCAL_EPSILON times the condition number. A matrix that is not positive definite
- * to rounding gives INVCAL_REAL_MAX. */
+ * Relative error: 2 n INVCAL_EPSILON times the condition number. A matrix that is not positive
+ * definite to rounding gives INVCAL_REAL_MAX. */
 invcal_real invcal_condition(invcal_real *a, unsigned n);
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif

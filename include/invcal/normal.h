@@ -10,6 +10,10 @@
 
 #include "invcal/observation.h"
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 /* A symmetric matrix of n rows, lower triangle by rows: (r, c) with c <= r stands here. */
 #define INVCAL_PACKED(r, c) ((r) * ((r) + 1u) / 2u + (c))
 #define INVCAL_PACKED_SIZE(n) ((n) * ((n) + 1u) / 2u)
@@ -18,7 +22,7 @@ typedef struct {
     invcal_real hth[INVCAL_PACKED_SIZE(INVCAL_PARAMETERS)]; /* H'WH, packed */
     invcal_real htj[INVCAL_PARAMETERS];                     /* H'Wj */
     invcal_real jtj;                                        /* j'Wj */
-    invcal_real count;  /* positions in the sums; a fraction once they have been scaled */
+    unsigned count;     /* equations in the sums, however faded */
     invcal_model model; /* of the rows in the sums; without meaning while count is 0 */
 } invcal_normal;
 
@@ -38,9 +42,10 @@ invcal_status invcal_normal_add(invcal_normal *normal, const invcal_observation 
 /* Takes out an equation that was added with the same weight before.
  *
  * What is left equals the sums without it within a few units in the last place of the larger
- * sums; only adding the others again is exact.
+ * sums; only adding the others again is exact. Without the last one the sums are empty again.
+ * A row that has faded since (invcal_normal_scale) goes with its weight of today.
  *
- * Returns as invcal_normal_add, and INVCAL_TOO_FEW if less than one position is in the sums. */
+ * Returns as invcal_normal_add, and INVCAL_TOO_FEW if the sums are empty. */
 invcal_status invcal_normal_remove(invcal_normal *normal, const invcal_observation *observation,
                                    invcal_real weight);
 
@@ -48,14 +53,15 @@ invcal_status invcal_normal_remove(invcal_normal *normal, const invcal_observati
  * and field. Returns INVCAL_OK; INVCAL_MIXED. */
 invcal_status invcal_normal_merge(invcal_normal *normal, const invcal_normal *other);
 
-/* Multiplies all sums and the count: 0 < factor <= 1 lets old positions fade.
+/* Multiplies all sums, not the count: 0 < factor <= 1 lets old positions fade.
  * Returns INVCAL_OK; INVCAL_BAD_SETTING for any other factor. */
 invcal_status invcal_normal_scale(invcal_normal *normal, invcal_real factor);
 
 /* Adds what is known beforehand: parameter r is 0 with standard deviation sigma[r].
  *
  * It adds (noise / sigma[r])^2 to the diagonal, which makes the solution a Bayesian update
- * (design section 2, "Prior"). The count does not change.
+ * (design section 2, "Prior"). The count does not change. invcal_solve does this itself, on a
+ * copy, with the prior of its settings: do not do both.
  *
  * sigma  nine standard deviations, order and units of the nine parameters; 0 stands for "nothing
  *        known of this one"; else finite, > 0.
@@ -66,10 +72,8 @@ invcal_status invcal_normal_add_prior(invcal_normal *normal,
                                       const invcal_real sigma[INVCAL_PARAMETERS],
                                       invcal_real noise);
 
-/* The smallest noise with which that prior is more than rounding beside the rows in the sums:
- * about 1/500 of the widest sigma in float, 1/10^7 in double. With less, rounding errors of H'H
- * would count as data. */
-invcal_real invcal_normal_prior_noise(const invcal_normal *normal,
-                                      const invcal_real sigma[INVCAL_PARAMETERS]);
+#ifdef __cplusplus
+}
+#endif
 
 #endif

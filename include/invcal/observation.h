@@ -20,6 +20,10 @@
 
 #include "invcal/calibration.h"
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 /* What p means. Equations of different meaning cannot be solved together. */
 typedef enum {
     INVCAL_MODEL_ELLIPSOID, /* p: coefficients of the ellipsoid through the readings, exact */
@@ -34,7 +38,9 @@ typedef struct {
 
 /* A reading in units of the field, which is what the three rows below take.
  *
- * nominal  raw to field units, as far as known; 20 % or half a field of error is no harm.
+ * nominal  raw to field units, as far as known: 20 % or half a field of error is no harm. Only an
+ *          offset error of about one field is bad, readings then pass near zero: find the middle
+ *          of the readings first if hard iron may be that strong.
  * field    length of the field, in field units, > 0 (9.80665 for m/s^2, 48.5 for uT, ...).
  * raw      the mean of the samples of one rest position, raw units.
  * u        the reading over field, about a unit vector.
@@ -76,5 +82,9 @@ invcal_status invcal_observation_first_order(const invcal_real u[3], const invca
  * vertical, returns: as invcal_observation_first_order. */
 invcal_status invcal_observation_vertical(const invcal_real u[3], const invcal_real vertical[3],
                                           invcal_observation *out);
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif

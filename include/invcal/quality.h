@@ -7,6 +7,10 @@
 
 #include "invcal/residual.h"
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 typedef enum {
     INVCAL_GOOD,          /* every parameter determined, and checked by positions to spare */
     INVCAL_NO_REDUNDANCY, /* determined, but as many equations as unknowns: nothing checks it */
@@ -22,14 +26,16 @@ typedef struct {
     invcal_real sigma_delta[3];  /* and of the nine parameters in their own units */
     invcal_real sigma_dk[3];
     invcal_real sigma_gamma[3];
-    invcal_real noise;        /* standard deviation of a position mean behind them, over field: the
-                                 larger of stated and observed; 1 if neither is there */
+    invcal_real noise;        /* standard deviation of a position mean behind them, in calibrated
+                                 units over field: the larger of stated and observed, 1 if neither
+                                 is there; raised beside a prior, see invcal_information */
     invcal_real dof;          /* degrees of freedom left for the residuals; 0: no check */
     invcal_real coverage;     /* +- coverage * sigma holds the truth in 95 % of cases */
     invcal_real residual_rms; /* of |calibrated| / field - 1 over the positions */
     invcal_real residual_max; /* its largest, without sign, */
     unsigned worst;           /* and at which position, from 0 */
-    invcal_real condition;    /* of H'H of the calibrated unit vectors, prior included */
+    invcal_real condition;    /* of H'H of the calibrated unit vectors, prior included; with
+                                 priors of very different width it may be INVCAL_REAL_MAX */
     uint16_t undetermined;    /* bit r: parameter r is badly determined: sqrt(K(r,r)) > 10, or
                               K(r,r) noise^2 used > 0.1: by the noise in the readings itself */
     uint16_t from_prior;      /* bit r: the prior tells more about parameter r than the data */
@@ -39,33 +45,35 @@ typedef struct {
 /* Judges a solution.
  *
  * Cov = noise^2 G K G', G the Jacobian from calibrated units to the parameters: no shortcut
- * X = -p, so sigma holds at errors of 10 % too (design section 2, "Uncertainty").
+ * X = -p, so sigma holds to 1 % at errors of 10 % too (design section 2, "Uncertainty").
  * noise^2 is the larger of what settings->noise says and sum(residual^2) / dof, dof = positions
  * minus parameters (minus what the prior supplied).
  *
- * residuals  all positions that made the solution, or as many of them as are still stored: the
- *            parameters are then shared out, dof = stored (1 - 9 / used).
+ * residuals  all positions that made the solution, or as many of them as are still stored. These
+ *            then stand for all: dof = stored (1 - 9 / used), and the information of the stored
+ *            ones counts used / stored times.
  * used       the count of the normal equations behind the solution.
  * settings   those of invcal_solve.
  *
  * Returns INVCAL_OK;
- *   INVCAL_BAD_SETTING   settings or residuals unusable, used less than the residuals' count;
+ *   INVCAL_BAD_SETTING   invcal_settings_check refuses the settings, no residuals, or used less
+ *                        than their number;
  *   INVCAL_UNDETERMINED  some sqrt(K(r,r)) exceeds 1000, or the condition exceeds
  *                        1 / INVCAL_PIVOT_FLOOR, with no prior to hold the parameter;
  *   INVCAL_NOT_ELLIPSOID residuals of more than 10 % of the field: these are no readings of one
  *                        field by one triad at rest.
  * After a failure the solution must not be used. Stack: about 800 bytes. */
-invcal_status invcal_assess(const invcal_residuals *residuals, invcal_real used,
+invcal_status invcal_assess(const invcal_residuals *residuals, unsigned used,
                             const invcal_settings *settings, const invcal_solution *solution,
                             invcal_quality *quality);
 
 /* K of the calibrated unit vectors, packed: (H'H + prior)^-1, the covariance of the nine
  * parameters in calibrated units over noise^2.
  *
- * noise  quality->noise of these residuals; matters with a prior only.
+ * noise  quality->noise of these residuals; finite, > 0. Matters with a prior only.
  *
- * Returns INVCAL_OK; INVCAL_UNDETERMINED if H'H is singular; INVCAL_BAD_SETTING for an unusable
- * noise or prior. Stack: about 350 bytes. */
+ * Returns INVCAL_OK; INVCAL_UNDETERMINED if H'H is singular; INVCAL_BAD_SETTING for unusable
+ * settings or noise. Stack: about 350 bytes. */
 invcal_status invcal_covariance(const invcal_residuals *residuals, const invcal_settings *settings,
                                 invcal_real noise,
                                 invcal_real K[INVCAL_PACKED_SIZE(INVCAL_PARAMETERS)]);
@@ -74,5 +82,9 @@ invcal_status invcal_covariance(const invcal_residuals *residuals, const invcal_
  * degrees of freedom, 12.706 at 1, 1.960 for very many. dof is rounded down; below 1: that of 1.
  * Exact to 0.002 (relative). */
 invcal_real invcal_coverage(invcal_real dof);
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif

@@ -13,12 +13,16 @@
 
 #include "invcal/solution.h"
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 typedef struct {
     invcal_normal normal;      /* weighted exact rows of the calibrated readings */
     invcal_real correction[6]; /* A - I, A = (I + S)^-1, packed */
     invcal_real delta[3];
     invcal_real gain;    /* root mean square of |A eta| over all directions */
-    invcal_real squares; /* sum of the squared residuals |calibrated| / field - 1 */
+    invcal_real squares; /* sum of the squared residuals |calibrated| / field - 1, unweighted */
     invcal_real max;     /* the largest residual, without its sign */
     unsigned worst;      /* its position, counted from 0 in the order of addition */
     unsigned count;
@@ -30,11 +34,17 @@ void invcal_residuals_init(invcal_residuals *residuals, const invcal_solution *s
 /* Adds one position.
  *
  * u         its reading, as given to invcal_observation_exact for the solution.
+ * weight    the one it had in the normal equations, invcal_normal_add: 1 as a rule.
  * residual  |calibrated| / field - 1; may be null.
  *
- * Returns INVCAL_OK, or what invcal_observation_exact returns for the calibrated reading.
+ * Returns INVCAL_OK; INVCAL_NOT_FINITE, INVCAL_OUT_OF_RANGE if the calibrated reading is absurd;
+ * INVCAL_BAD_SETTING for an unusable weight.
  * Cost: about that of adding it to the normal equations. */
 invcal_status invcal_residuals_add(invcal_residuals *residuals, const invcal_real u[3],
-                                   invcal_real *residual);
+                                   invcal_real weight, invcal_real *residual);
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif

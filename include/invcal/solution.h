@@ -9,6 +9,10 @@
 
 #include "invcal/eigen.h"
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 /* Lengths cannot tell how the calibrated frame is turned against the case: one has to choose.
  * Delta, dk and gamma are always those of the symmetric model. */
 typedef enum {
@@ -22,9 +26,11 @@ typedef struct {
     invcal_calibration nominal; /* the one the readings were made with */
     invcal_real field;          /* length of the field, field units, > 0 */
     invcal_real noise;          /* standard deviation of one position mean on each axis, field
-                                   units; 0: not known, then only the residuals tell */
+                                   units, at most field; 0: not known, only the residuals tell */
     invcal_real prior[INVCAL_PARAMETERS]; /* what is known beforehand of the deviation from
-                                   nominal: standard deviations, 0: nothing. Needs noise > 0 */
+                                   nominal: standard deviations up to about 0.2 (beyond, the
+                                   first order fails that makes them one of p), 0: nothing.
+                                   Needs noise > 0 */
     invcal_frame frame;
 } invcal_settings;
 
@@ -47,12 +53,10 @@ typedef struct {
  *
  * normal    sums of rows made with settings->nominal and settings->field. Not changed: more
  *           positions may be added afterwards.
- * settings  with priors, noise / prior is held up to what the number type can resolve: in float
- *           noise counts as at least about 1/500 of the widest prior.
  *
  * Returns INVCAL_OK;
- *   INVCAL_BAD_SETTING    field, noise, prior or nominal unusable;
- *   INVCAL_TOO_FEW        fewer positions than parameters without a prior;
+ *   INVCAL_BAD_SETTING    invcal_settings_check refuses the settings;
+ *   INVCAL_TOO_FEW        fewer positions than parameters without a prior, or none;
  *   INVCAL_UNDETERMINED   the positions leave parameters open, to the precision of the number
  *                         type; invcal_undetermined names them;
  *   INVCAL_NOT_ELLIPSOID  the readings lie on no ellipsoid (but, say, on a hyperboloid), or on
@@ -69,10 +73,37 @@ invcal_status invcal_solve(const invcal_normal *normal, const invcal_settings *s
  * Stack: about 350 bytes. */
 uint16_t invcal_undetermined(const invcal_normal *normal);
 
+/* Are the settings usable? Asked by all functions that take some.
+ *
+ * Returns INVCAL_OK; INVCAL_BAD_SETTING if a number is NaN or infinite, field is not positive,
+ * noise negative or above field, a prior negative or stated without the noise, the nominal matrix
+ * singular, or frame none of the two. */
+invcal_status invcal_settings_check(const invcal_settings *settings);
+
 /* 1 if the settings hold a prior for any parameter, else 0. */
 int invcal_has_prior(const invcal_settings *settings);
 
+/* The normal equations with the prior of the settings, and the same with hth factored to L.
+ *
+ * noise  standard deviation of one equation, over field. Where the positions alone leave
+ *        parameters open it is raised to what the number type can resolve beside the prior: in
+ *        float to sqrt(count) / 2000 of the widest prior. With less, rounding errors of H'H would
+ *        count as data. Without a prior it is not used.
+ * out    not the same object as normal.
+ *
+ * Return INVCAL_OK; INVCAL_BAD_SETTING for an unusable prior or noise; the second also
+ * INVCAL_UNDETERMINED. On failure out and noise are lost. */
+invcal_status invcal_information(const invcal_normal *normal, const invcal_settings *settings,
+                                 invcal_real *noise, invcal_normal *out);
+invcal_status invcal_information_factor(const invcal_normal *normal,
+                                        const invcal_settings *settings, invcal_real *noise,
+                                        invcal_normal *out);
+
 /* S of the sensor model u = (I + S) eta + delta from dk and gamma, packed (INVCAL_PACKED). */
 void invcal_solution_deviation(const invcal_solution *solution, invcal_real s[6]);
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif

@@ -18,6 +18,10 @@
 
 #include "invcal/config.h"
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 typedef enum {
     INVCAL_OK = 0,
     INVCAL_NOT_FINITE,    /* a reading is NaN or infinite */
@@ -51,5 +55,9 @@ enum {
 
 /* The name of a parameter: "delta_x" ... "gamma_zy". Outside 0 ... 8: "?". */
 const char *invcal_parameter_name(unsigned parameter);
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif

@@ -170,7 +170,7 @@ static void the_covariance_of_real_sensors_is_that_of_the_reference(void)
                                         (invcal_real)set.position[k][2]};
             invcal_real u[3];
             invcal_observation_reading(&settings.nominal, settings.field, raw, u);
-            TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_residuals_add(&residuals, u, NULL));
+            TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_residuals_add(&residuals, u, 1, NULL));
         }
         TEST_ASSERT_EQUAL_INT(INVCAL_OK,
                               invcal_covariance(&residuals, &settings, quality.noise, K));
@@ -229,6 +229,20 @@ static void a_refusal_names_position_and_parameters(void)
     TEST_ASSERT_EQUAL_INT(INVCAL_NOT_FINITE,
                           invcal_calibrate(&raw[0][0], 8, &settings, &solution, &quality, &reason));
     TEST_ASSERT_EQUAL_UINT(5, reason.position);
+}
+
+static void unusable_settings_are_no_fault_of_a_position(void)
+{
+    const invcal_real raw[9 * 3] = {0};
+    invcal_settings settings = unit_settings(0);
+    invcal_solution solution;
+    invcal_quality quality;
+    invcal_reason reason;
+
+    settings.nominal.matrix[2][0] = (invcal_real)NAN;
+    TEST_ASSERT_EQUAL_INT(INVCAL_BAD_SETTING,
+                          invcal_calibrate(raw, 9, &settings, &solution, &quality, &reason));
+    TEST_ASSERT_EQUAL_UINT(9, reason.position);
 }
 
 static void no_position_at_all_is_too_few(void)
@@ -300,6 +314,7 @@ int main(void)
     RUN_TEST(only_the_t265_is_weak_and_its_angles_are_named);
     RUN_TEST(a_wrong_nominal_offset_does_not_change_the_result);
     RUN_TEST(a_refusal_names_position_and_parameters);
+    RUN_TEST(unusable_settings_are_no_fault_of_a_position);
     RUN_TEST(no_position_at_all_is_too_few);
     RUN_TEST(a_partial_prior_needs_as_many_positions_as_it_leaves_open);
     RUN_TEST(a_prior_is_weighed_against_the_noise_that_is_there);

@@ -98,7 +98,7 @@ static void inverse_agrees_with_the_one_worked_out_by_hand(void)
 
 static void inverse_works_in_any_unit(void)
 {
-    static const double scale[] = {1e-9, 1e-5, 2.4e-3, 1, 1e3, 1e9};
+    static const double scale[] = {1e-30, 1e-15, 1e-9, 1e-5, 2.4e-3, 1, 1e3, 1e9, 1e15, 1e30};
 
     for (unsigned i = 0; i < sizeof scale / sizeof scale[0]; i++) {
         const invcal_real zero[3] = {0, 0, 0};
@@ -131,6 +131,34 @@ static void inverse_refuses_singular_and_unreal_matrices(void)
     }
 }
 
+static void inverse_refuses_a_matrix_whose_inverse_is_not_finite(void)
+{
+    const invcal_real subnormal = (invcal_real)(FLOAT_OR_DOUBLE((double)FLT_MIN, DBL_MIN) / 100);
+    const invcal_calibration c = {{0, 0, 0}, {{subnormal, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
+    invcal_real inverse[3][3] = {{7}};
+
+    TEST_ASSERT_EQUAL_INT(INVCAL_BAD_SETTING, invcal_calibration_inverse(&c, inverse));
+    TEST_ASSERT_TRUE(inverse[0][0] == 7);
+}
+
+static void inverse_refuses_what_is_singular_to_rounding(void)
+{
+    random_source random = random_start(1);
+
+    for (int i = 0; i < 1000; i++) {
+        invcal_calibration c = {{0, 0, 0}, {{0}}};
+        invcal_real inverse[3][3];
+        for (int k = 0; k < 3; k++) {
+            const double a = random_normal(&random);
+            const double b = random_normal(&random);
+            c.matrix[0][k] = (invcal_real)a;
+            c.matrix[1][k] = (invcal_real)b;
+            c.matrix[2][k] = (invcal_real)(0.3 * a - 0.4 * b);
+        }
+        TEST_ASSERT_EQUAL_INT(INVCAL_BAD_SETTING, invcal_calibration_inverse(&c, inverse));
+    }
+}
+
 int main(void)
 {
     UNITY_BEGIN();
@@ -143,5 +171,7 @@ int main(void)
     RUN_TEST(inverse_agrees_with_the_one_worked_out_by_hand);
     RUN_TEST(inverse_works_in_any_unit);
     RUN_TEST(inverse_refuses_singular_and_unreal_matrices);
+    RUN_TEST(inverse_refuses_a_matrix_whose_inverse_is_not_finite);
+    RUN_TEST(inverse_refuses_what_is_singular_to_rounding);
     return UNITY_END() != 0;
 }

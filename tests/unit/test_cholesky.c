@@ -240,6 +240,8 @@ static void a_floor_that_is_no_number_refuses_everything(void)
 
     fill_min(a, N);
     TEST_ASSERT_EQUAL_INT(INVCAL_UNDETERMINED, invcal_cholesky_factor(a, N, (invcal_real)NAN));
+    a[0] = -1;
+    TEST_ASSERT_EQUAL_INT(INVCAL_UNDETERMINED, invcal_cholesky_factor(a, N, -100));
 }
 
 int main(void)

@@ -179,6 +179,34 @@ static void condition_of_a_diagonal_matrix_is_its_spread(void)
     }
 }
 
+static void condition_does_not_depend_on_the_unit(void)
+{
+    for (int exponent = -30; exponent <= 30; exponent += 5) {
+        const double scale = pow(10, exponent);
+        invcal_real a[6] = {1, (invcal_real)0.5, 1, 0, (invcal_real)0.5, 1};
+        invcal_real one[6] = {1, 1, 1, 1, 1, 1}; /* singular */
+        for (int k = 0; k < 6; k++) {
+            a[k] = (invcal_real)((double)a[k] * scale);
+            one[k] = (invcal_real)((double)one[k] * scale);
+        }
+        const double expected = (2 + sqrt(2)) / (2 - sqrt(2)); /* 1 +- 1/sqrt(2) */
+        TEST_ASSERT_DOUBLE_WITHIN(60 * tiny, expected, (double)invcal_condition(a, 3));
+        TEST_ASSERT_TRUE(invcal_condition(one, 3) == INVCAL_REAL_MAX);
+    }
+}
+
+static void elements_too_small_to_matter_do_not(void)
+{
+    for (int exponent = -38; exponent <= -8; exponent++) {
+        const invcal_real e = (invcal_real)pow(10, exponent);
+        invcal_real three[6] = {1, e, (invcal_real)1e-3, e, e, 1};
+        invcal_real two[3] = {(invcal_real)1e-3, e, 1};
+        const double bound = 5e6 * tiny + 1001 * (double)e;
+        TEST_ASSERT_DOUBLE_WITHIN(bound, 1000, (double)invcal_condition(three, 3));
+        TEST_ASSERT_DOUBLE_WITHIN(bound, 1000, (double)invcal_condition(two, 2));
+    }
+}
+
 static void what_is_not_positive_definite_has_no_condition(void)
 {
     static const double bad[] = {-1, 0, NOT_A_NUMBER, -INFINITE};
@@ -217,6 +245,8 @@ int main(void)
     RUN_TEST(condition_of_a_toeplitz_matrix_agrees_with_its_closed_form);
     RUN_TEST(condition_does_not_depend_on_the_axes);
     RUN_TEST(condition_of_a_diagonal_matrix_is_its_spread);
+    RUN_TEST(condition_does_not_depend_on_the_unit);
+    RUN_TEST(elements_too_small_to_matter_do_not);
     RUN_TEST(what_is_not_positive_definite_has_no_condition);
     RUN_TEST(a_nan_beside_the_diagonal_has_no_condition);
     return UNITY_END() != 0;

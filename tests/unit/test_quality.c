@@ -34,7 +34,7 @@ static scene plan18(uint32_t seed, double size, double sigma, double stated)
     TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_solve(&normal, &s.settings, &s.solution));
     invcal_residuals_init(&s.residuals, &s.solution);
     for (unsigned i = 0; i < s.set.count; i++) {
-        TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_residuals_add(&s.residuals, s.set.u[i], NULL));
+        TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_residuals_add(&s.residuals, s.set.u[i], 1, NULL));
     }
     return s;
 }
@@ -73,7 +73,7 @@ static void residuals_are_calibrated_lengths_minus_one(void)
         invcal_apply(&s.solution.calibration, s.set.u[i], v);
         const double d[3] = {(double)v[0], (double)v[1], (double)v[2]};
         const double expected = length3(d) - 1;
-        invcal_residuals_add(&s.residuals, s.set.u[i], &residual);
+        invcal_residuals_add(&s.residuals, s.set.u[i], 1, &residual);
         TEST_ASSERT_DOUBLE_WITHIN(FLOAT_OR_DOUBLE(3e-7, 1e-15), expected, (double)residual);
         squares += expected * expected;
         at = fabs(expected) > worst ? i : at;
@@ -112,6 +112,68 @@ static void stored_positions_share_the_parameters_out(void)
 
     TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_assess(&s.residuals, 36, &s.settings, &s.solution, &q));
     TEST_ASSERT_DOUBLE_WITHIN(1e-5, 13.5, (double)q.dof); /* 18 (1 - 9/36) */
+    /* They stand for twice as many: sigma is that of 36, for the noise now seen. */
+    for (unsigned r = 0; r < 9; r++) {
+        const double expected = (double)q.noise * expected_plan18_root_k[r] / sqrt(2);
+        TEST_ASSERT_DOUBLE_WITHIN(0.03 * expected, expected, sigma_of_parameter(&q, r));
+    }
+}
+
+static void nine_positions_of_absurd_noise_are_weak(void)
+{
+    static const double direction[9][3] = {{1, 0, 0},     {0, 1, 0},     {0, 0, 1},
+                                           {-1, 0, 0},    {0, -1, 0},    {0, 0, -1},
+                                           {0.6, 0.8, 0}, {0.6, 0, 0.8}, {0, 0.6, 0.8}};
+    const triad_truth none = {{0}};
+    const invcal_settings settings = unit_settings(0.2);
+    random_source unused = random_start(0);
+    reading_set set;
+    invcal_solution solution;
+    invcal_quality q;
+
+    read_positions(&none, direction, 9, 0, &unused, &set);
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, calibrate_set(&set, &settings, &solution, &q, NULL));
+    TEST_ASSERT_EQUAL_INT(INVCAL_WEAK, q.verdict);
+}
+
+/* Every second position is 20 times as noisy, and weighted so. */
+static void weighted_positions_are_judged_by_their_weights(void)
+{
+    random_source random = random_start(12);
+    const invcal_settings settings = unit_settings(0);
+    double squares = 0;
+    int draws = 300;
+
+    for (int draw = 0; draw < draws; draw++) {
+        const triad_truth truth = triad_random(&random, 0.03);
+        invcal_real u[36][3];
+        invcal_normal normal;
+        invcal_observation row;
+        invcal_solution solution;
+        invcal_residuals residuals;
+        invcal_quality q;
+        invcal_normal_init(&normal);
+        for (unsigned i = 0; i < 36; i++) {
+            reading_set one;
+            read_positions(&truth, &expected_plan18[i / 2], 1, i % 2 ? 2e-3 : 1e-4, &random, &one);
+            memcpy(u[i], one.u[0], sizeof u[i]);
+            TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_observation_exact(u[i], &row));
+            invcal_normal_add(&normal, &row, i % 2 ? (invcal_real)(1 / 400.0) : 1);
+        }
+        TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_solve(&normal, &settings, &solution));
+        invcal_residuals_init(&residuals, &solution);
+        for (unsigned i = 0; i < 36; i++) {
+            TEST_ASSERT_EQUAL_INT(
+                INVCAL_OK,
+                invcal_residuals_add(&residuals, u[i], i % 2 ? (invcal_real)(1 / 400.0) : 1, NULL));
+        }
+        TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_assess(&residuals, 36, &settings, &solution, &q));
+        for (unsigned r = 0; r < 9; r++) {
+            const double z = (parameter(&solution, r) - truth.x[r]) / sigma_of_parameter(&q, r);
+            squares += z * z;
+        }
+    }
+    TEST_ASSERT_DOUBLE_WITHIN(0.1, 1, sqrt(squares / (9 * draws)));
 }
 
 static void nine_positions_have_no_redundancy(void)
@@ -209,9 +271,9 @@ static void unusable_input_is_refused_and_the_quality_left_alone(void)
 
     memset(&q, 7, sizeof q);
     before = q;
-    for (int i = 0; i < 9; i++) {
+    for (int i = 0; i < 11; i++) {
         scene s = good;
-        invcal_real used = 18;
+        unsigned used = 18;
         switch (i) {
         case 0:
             s.settings.field = 0;
@@ -235,7 +297,13 @@ static void unusable_input_is_refused_and_the_quality_left_alone(void)
             used = 17;
             break;
         case 7:
-            used = (invcal_real)NAN;
+            s.settings.prior[3] = (invcal_real)0.01, s.settings.noise = 0;
+            break;
+        case 8:
+            s.settings.prior[3] = (invcal_real)NAN; /* the only one */
+            break;
+        case 9:
+            s.settings.noise = 2; /* twice the field */
             break;
         default:
             s.residuals.count = 0;
@@ -276,8 +344,11 @@ static void a_reading_absurd_after_calibration_is_refused_by_the_residuals(void)
     const invcal_real nan[3] = {0, 0, (invcal_real)NAN};
     invcal_real residual = 7;
 
-    TEST_ASSERT_EQUAL_INT(INVCAL_OUT_OF_RANGE, invcal_residuals_add(&s.residuals, far, &residual));
-    TEST_ASSERT_EQUAL_INT(INVCAL_NOT_FINITE, invcal_residuals_add(&s.residuals, nan, &residual));
+    TEST_ASSERT_EQUAL_INT(INVCAL_OUT_OF_RANGE,
+                          invcal_residuals_add(&s.residuals, far, 1, &residual));
+    TEST_ASSERT_EQUAL_INT(INVCAL_NOT_FINITE, invcal_residuals_add(&s.residuals, nan, 1, &residual));
+    TEST_ASSERT_EQUAL_INT(INVCAL_BAD_SETTING,
+                          invcal_residuals_add(&s.residuals, s.set.u[0], 0, &residual));
     TEST_ASSERT_TRUE(residual == 7);
     TEST_ASSERT_EQUAL_MEMORY(&before, &s.residuals, sizeof before);
 }
@@ -308,6 +379,8 @@ int main(void)
     RUN_TEST(residuals_are_calibrated_lengths_minus_one);
     RUN_TEST(the_noise_is_the_larger_of_stated_and_observed);
     RUN_TEST(stored_positions_share_the_parameters_out);
+    RUN_TEST(nine_positions_of_absurd_noise_are_weak);
+    RUN_TEST(weighted_positions_are_judged_by_their_weights);
     RUN_TEST(nine_positions_have_no_redundancy);
     RUN_TEST(positions_near_the_axes_are_weak_and_name_the_angles);
     RUN_TEST(the_offset_sigma_is_that_of_delta_in_raw_units);

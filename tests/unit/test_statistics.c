@@ -366,6 +366,116 @@ static void a_prior_is_not_overruled_by_understated_noise(void)
     TEST_ASSERT_GREATER_OR_EQUAL_DOUBLE(0.985, covered);
 }
 
+/* Priors so wide that they hardly matter, and a stated noise that is far too small: the residuals
+ * tell the noise, so intervals are Student's all the same. */
+static void intervals_follow_student_with_a_prior_too(void)
+{
+    static const unsigned positions[] = {10, 12, 18};
+    random_source random = random_start(1);
+
+    for (int i = 0; i < 3; i++) {
+        unsigned covered = 0;
+        unsigned good = 0;
+        for (int draw = 0; draw < 2 * DRAWS; draw++) {
+            const triad_truth truth = triad_random(&random, 0.03);
+            invcal_settings settings = unit_settings(1e-5);
+            double v[18][3];
+            reading_set set;
+            invcal_solution solution;
+            invcal_quality quality;
+            for (unsigned k = 0; k < positions[i]; k++) {
+                random_direction(&random, v[k]);
+            }
+            for (unsigned r = 0; r < 9; r++) {
+                settings.prior[r] = (invcal_real)0.3;
+            }
+            read_positions(&truth, (const double(*)[3])v, positions[i], 1e-3, &random, &set);
+            if (calibrate_set(&set, &settings, &solution, &quality, NULL) != INVCAL_OK ||
+                quality.verdict != INVCAL_GOOD) {
+                continue;
+            }
+            good++;
+            for (unsigned r = 0; r < 9; r++) {
+                const double error = fabs(parameter(&solution, r) - truth.x[r]);
+                covered += error <= (double)quality.coverage * sigma_of_parameter(&quality, r);
+            }
+        }
+        TEST_ASSERT_GREATER_OR_EQUAL_DOUBLE(0.935, covered / (9.0 * good));
+    }
+}
+
+/* One wide prior must not make the narrow ones win against good data. */
+static void a_wide_prior_does_not_hurt_the_others(void)
+{
+    random_source random = random_start(1);
+    double squares = 0;
+    int draws = 500;
+
+    for (int draw = 0; draw < draws; draw++) {
+        invcal_settings settings = unit_settings(1e-4);
+        triad_truth truth = triad_random(&random, 0.03);
+        reading_set set;
+        invcal_solution solution;
+        invcal_quality quality;
+        for (unsigned r = 0; r < 9; r++) {
+            settings.prior[r] = (invcal_real)(r < 6 ? 10 : 1e-3);
+            truth.x[r] = r < 6 ? truth.x[r] : 1e-3 * random_normal(&random);
+        }
+        read_positions(&truth, expected_plan18, 18, 1e-4, &random, &set);
+        TEST_ASSERT_EQUAL_INT(INVCAL_OK, calibrate_set(&set, &settings, &solution, &quality, NULL));
+        for (unsigned r = 6; r < 9; r++) {
+            const double error = parameter(&solution, r) - truth.x[r];
+            squares += error * error;
+        }
+    }
+    TEST_ASSERT_LESS_OR_EQUAL_DOUBLE(1.3e-4, sqrt(squares / (3 * draws)));
+}
+
+/* Offsets in counts, behind a nominal matrix that is turned and skewed. */
+static void offsets_spread_as_reported_whatever_the_nominal(void)
+{
+    static const double t[3][3] = {{80, 30, -20}, {-35, 60, 50}, {20, -40, 120}};
+    random_source random = random_start(1);
+    const triad_truth truth = triad_random(&random, 0.03);
+    invcal_settings settings = unit_settings(0);
+    invcal_calibration forward = {{0, 0, 0}, {{0}}};
+    double spread[3] = {0};
+    double sigma[3] = {0};
+
+    for (int r = 0; r < 3; r++) {
+        for (int c = 0; c < 3; c++) {
+            forward.matrix[r][c] = (invcal_real)t[r][c];
+        }
+    }
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_calibration_inverse(&forward, settings.nominal.matrix));
+    settings.field = 10;
+    for (int draw = 0; draw < SPREAD_DRAWS; draw++) {
+        reading_set set;
+        invcal_solution solution;
+        invcal_quality quality;
+        read_positions(&truth, expected_plan18, 18, 1e-3, &random, &set);
+        for (unsigned i = 0; i < 18; i++) { /* u to counts */
+            const double u[3] = {(double)set.u[i][0], (double)set.u[i][1], (double)set.u[i][2]};
+            for (int k = 0; k < 3; k++) {
+                set.u[i][k] =
+                    (invcal_real)(10 * (t[k][0] * u[0] + t[k][1] * u[1] + t[k][2] * u[2]));
+            }
+        }
+        TEST_ASSERT_EQUAL_INT(INVCAL_OK, calibrate_set(&set, &settings, &solution, &quality, NULL));
+        for (int k = 0; k < 3; k++) {
+            const double *d = truth.x;
+            const double offset = 10 * (t[k][0] * d[0] + t[k][1] * d[1] + t[k][2] * d[2]);
+            const double error = (double)solution.calibration.offset[k] - offset;
+            const double s = (double)quality.sigma_offset[k];
+            spread[k] += error * error;
+            sigma[k] += s * s;
+        }
+    }
+    for (int k = 0; k < 3; k++) {
+        TEST_ASSERT_DOUBLE_WITHIN(0.05, 1, sqrt(sigma[k] / spread[k]));
+    }
+}
+
 /* An earlier calibration as nominal; three positions; only the offsets have moved, by 5 mg. */
 static void three_positions_renew_the_offsets_of_an_earlier_calibration(void)
 {
@@ -420,6 +530,9 @@ int main(void)
     RUN_TEST(the_comparison_in_the_readme_is_true);
     RUN_TEST(a_prior_holds_what_tilts_alone_cannot_tell);
     RUN_TEST(a_prior_is_not_overruled_by_understated_noise);
+    RUN_TEST(intervals_follow_student_with_a_prior_too);
+    RUN_TEST(a_wide_prior_does_not_hurt_the_others);
+    RUN_TEST(offsets_spread_as_reported_whatever_the_nominal);
     RUN_TEST(three_positions_renew_the_offsets_of_an_earlier_calibration);
     return UNITY_END() != 0;
 }
