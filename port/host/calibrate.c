@@ -1,0 +1,374 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * invcal calibrate: position means in, a calibration out.
+ */
+#include "calibrate.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "calibration_file.h"
+#include "columns.h"
+#include "command.h"
+#include "input.h"
+#include "message.h"
+#include "options.h"
+#include "output.h"
+
+enum {
+    POSITIONS,
+    GRAVITY,
+    FRAME,
+    ZERO,
+    LSB,
+    NOMINAL,
+    NOMINAL_NAME,
+    NOISE,
+    PRIOR,
+    OUT,
+    JSON,
+    OPTIONS
+};
+
+static const option options[OPTIONS] = {
+    [POSITIONS] = {"--positions", 0},
+    [GRAVITY] = {"--gravity", 1},
+    [FRAME] = {"--frame", 1},
+    [ZERO] = {"--zero", 1},
+    [LSB] = {"--lsb", 1},
+    [NOMINAL] = {"--nominal", 1},
+    [NOMINAL_NAME] = {"--nominal-name", 1},
+    [NOISE] = {"--noise", 1},
+    [PRIOR] = {"--prior", 1},
+    [OUT] = {"--out", 1},
+    [JSON] = {"--json", 0},
+};
+static const char *const operands[] = {"FILE"};
+static const option_syntax syntax = {"calibrate", options, OPTIONS, operands, 1};
+
+/* What the command line asks for. */
+typedef struct {
+    const char *file;
+    const char *value[OPTIONS]; /* as it was given; null: it was not */
+    double zero[3];             /* of --zero, */
+    double lsb[3];              /* --lsb */
+    invcal_settings settings;   /* all but the nominal, and the noise unless stated */
+} request;
+
+static int usage(unsigned which, const char *what)
+{
+    return message_usage(syntax.command, "%s: %s", options[which].name, what);
+}
+
+static int read_gravity(request *r)
+{
+    int failure = EXIT_GOOD;
+
+    r->settings.field = 9.80665;
+    if (r->value[GRAVITY]) {
+        failure = options_numbers(&syntax, GRAVITY, r->value[GRAVITY], 1, &r->settings.field, NULL);
+    }
+    if (!failure && !(r->settings.field > 0)) {
+        failure = usage(GRAVITY, "the length of a field is above 0");
+    }
+    return failure;
+}
+
+static int read_frame(request *r)
+{
+    const char *name = r->value[FRAME] ? r->value[FRAME] : "symmetric";
+
+    if (strcmp(name, "triangular") == 0) {
+        r->settings.frame = INVCAL_FRAME_TRIANGULAR;
+    } else if (strcmp(name, "symmetric") == 0) {
+        r->settings.frame = INVCAL_FRAME_SYMMETRIC;
+    } else {
+        return usage(FRAME, "is symmetric or triangular");
+    }
+    return EXIT_GOOD;
+}
+
+static int read_nominal(request *r)
+{
+    int failure = EXIT_GOOD;
+    int single = 0;
+
+    if (r->value[NOMINAL] && (r->value[ZERO] || r->value[LSB])) {
+        return usage(NOMINAL, "holds zero and scale, so leave out --zero and --lsb");
+    }
+    if (r->value[NOMINAL_NAME] && strlen(r->value[NOMINAL_NAME]) > CALIBRATE_NAME_MAX) {
+        return usage(NOMINAL_NAME, "is a word of at most 14 bytes");
+    }
+    if (r->value[ZERO]) {
+        failure = options_numbers(&syntax, ZERO, r->value[ZERO], 3, r->zero, NULL);
+    }
+    if (!failure && r->value[LSB]) {
+        failure = options_numbers(&syntax, LSB, r->value[LSB], 3, r->lsb, &single);
+        r->lsb[1] = single ? r->lsb[0] : r->lsb[1];
+        r->lsb[2] = single ? r->lsb[0] : r->lsb[2];
+    }
+    for (unsigned i = 0; i < 3 && !failure && r->value[LSB]; i++) {
+        failure = fabs(r->lsb[i]) > 0 ? EXIT_GOOD : usage(LSB, "a scale is not 0");
+    }
+    return failure;
+}
+
+static int read_noise(request *r)
+{
+    int failure = EXIT_GOOD;
+
+    if (r->value[NOISE]) {
+        failure = options_numbers(&syntax, NOISE, r->value[NOISE], 1, &r->settings.noise, NULL);
+        if (!failure && !(r->settings.noise > 0)) {
+            failure = usage(NOISE, "a standard deviation is above 0");
+        }
+    }
+    return failure;
+}
+
+static int read_prior(request *r)
+{
+    double sigma[3]; /* of each delta, dk, gamma */
+    int failure = EXIT_GOOD;
+
+    if (!r->value[PRIOR]) {
+        return EXIT_GOOD;
+    }
+    if (!r->value[NOMINAL] && !(r->value[ZERO] && r->value[LSB])) {
+        return usage(PRIOR, "says how far the nominal calibration may be wrong, so state that: "
+                            "--zero and --lsb, or --nominal");
+    }
+    failure = options_numbers(&syntax, PRIOR, r->value[PRIOR], 3, sigma, NULL);
+    for (unsigned p = 0; p < INVCAL_PARAMETERS && !failure; p++) {
+        r->settings.prior[p] = sigma[p / 3];
+        failure = sigma[p / 3] >= 0 ? EXIT_GOOD : usage(PRIOR, "no standard deviation is negative");
+    }
+    return failure;
+}
+
+static int read_request(int argc, char **argv, request *r)
+{
+    *r = (request){0};
+    int failure = options_parse(&syntax, argc, argv, r->value, &r->file);
+
+    if (!failure && !r->value[POSITIONS]) {
+        failure = message_usage(syntax.command,
+                                "%s: raw logs are not read by this version; if each row is the "
+                                "mean of one rest position, add --positions",
+                                r->file);
+    }
+    if (!failure && r->value[NOMINAL] && input_is_stdin(r->value[NOMINAL]) &&
+        input_is_stdin(r->file)) {
+        failure = usage(NOMINAL, "only one input can be the standard input");
+    }
+    failure = failure ? failure : read_gravity(r);
+    failure = failure ? failure : read_frame(r);
+    failure = failure ? failure : read_nominal(r);
+    failure = failure ? failure : read_noise(r);
+    return failure ? failure : read_prior(r);
+}
+
+/* No calculation can be made with numbers so large or so small. */
+static int refuse_nominal(const request *r, const positions *data, const nominal_choice *n)
+{
+    const invcal_reason all = {data->count, (1u << INVCAL_PARAMETERS) - 1};
+
+    if (r->value[LSB]) {
+        return usage(LSB, "is too small or too large a scale for any calculation");
+    }
+    return calibrate_refuse(data, &r->settings, n, INVCAL_UNDETERMINED, &all,
+                            r->value[JSON] != NULL);
+}
+
+/* Zero and scale: given, or of an earlier calibration, or from the data's range. */
+static int settle_nominal(const request *r, const positions *data, nominal_choice *n)
+{
+    double zero[3];
+    double lsb[3];
+    double inverse[3][3];
+
+    if (r->value[NOMINAL]) {
+        n->zero = n->lsb = NOMINAL_EARLIER;
+        return calibration_file_read(r->value[NOMINAL], &n->calibration);
+    }
+    n->zero = r->value[ZERO] ? NOMINAL_GIVEN : NOMINAL_RANGE;
+    n->lsb = r->value[LSB] ? NOMINAL_GIVEN : NOMINAL_RANGE;
+    const int has_range = nominal_from_range(data, r->settings.field, zero, lsb);
+    if (!has_range && n->lsb == NOMINAL_RANGE) {
+        return refuse_nominal(r, data, n);
+    }
+    if (invcal_calibration_nominal(r->value[ZERO] ? r->zero : zero, r->value[LSB] ? r->lsb : lsb,
+                                   &n->calibration) != INVCAL_OK ||
+        invcal_calibration_inverse(&n->calibration, inverse) != INVCAL_OK) {
+        return refuse_nominal(r, data, n);
+    }
+    return EXIT_GOOD;
+}
+
+/* The noise of a position mean from std and n, in field units: the root mean square over axes. */
+static double noise_of_file(const positions *data, const invcal_calibration *c)
+{
+    double square = 0;
+
+    for (unsigned i = 0; i < 3; i++) {
+        for (unsigned j = 0; j < 3; j++) {
+            square += c->matrix[i][j] * c->matrix[i][j] * data->noise_square[j] / 3;
+        }
+    }
+    return sqrt(square);
+}
+
+static int settle_noise(const request *r, const positions *data, calibrate_result *result)
+{
+    if (!r->value[NOISE] && data->has_noise) {
+        result->settings.noise = noise_of_file(data, &result->nominal.calibration);
+    }
+    if (!(result->settings.noise <= result->settings.field)) {
+        if (r->value[NOISE]) {
+            return usage(NOISE, "is larger than the field (--gravity)");
+        }
+        message("%s: its std columns tell a noise larger than the field (--gravity)", data->name);
+        return EXIT_FILE;
+    }
+    if (invcal_has_prior(&result->settings) && !(result->settings.noise > 0)) {
+        return usage(PRIOR, "is weighed against the noise of a position mean, so state that: "
+                            "--noise, or columns std and n");
+    }
+    return EXIT_GOOD;
+}
+
+static double residual_of_nominal(const positions *data, const invcal_settings *settings)
+{
+    double squares = 0;
+
+    for (unsigned n = 0; n < data->count; n++) {
+        double v[3];
+        invcal_apply(&settings->nominal, &data->mean[3 * n], v);
+        const double r = sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]) / settings->field - 1;
+        squares += r * r;
+    }
+    return sqrt(squares / data->count);
+}
+
+static int solve(const request *r, const positions *data, calibrate_result *result)
+{
+    invcal_reason reason;
+
+    result->data = data;
+    result->settings = r->settings;
+    int failure = settle_nominal(r, data, &result->nominal);
+    result->settings.nominal = result->nominal.calibration;
+    failure = failure ? failure : settle_noise(r, data, result);
+    if (failure) {
+        return failure;
+    }
+    const invcal_status status = invcal_calibrate(data->mean, data->count, &result->settings,
+                                                  &result->solution, &result->quality, &reason);
+    if (status != INVCAL_OK) {
+        return calibrate_refuse(data, &result->settings, &result->nominal, status, &reason,
+                                r->value[JSON] != NULL);
+    }
+    result->residual_before = residual_of_nominal(data, &result->settings);
+    return EXIT_GOOD;
+}
+
+int calibrate_knows_noise(const calibrate_result *result)
+{
+    return result->settings.noise > 0 || result->quality.noise < 1;
+}
+
+static int print(const request *r, const calibrate_result *result)
+{
+    const char *name = r->value[NOMINAL_NAME] ? r->value[NOMINAL_NAME] : "nominal";
+
+    if (r->value[JSON]) {
+        calibrate_json(stdout, result);
+    } else {
+        calibrate_print(stdout, result, name, r->value[OUT]);
+    }
+    return output_flush();
+}
+
+/* The file appears only after all else has been written. */
+static int deliver(const request *r, const calibrate_result *result)
+{
+    output out;
+
+    if (!r->value[OUT]) {
+        return print(r, result);
+    }
+    int failure = output_begin(&out, r->value[OUT]);
+    if (!failure) {
+        calibrate_json(out.file, result);
+        failure = output_finish(&out);
+    }
+    failure = failure ? failure : print(r, result);
+    if (failure) {
+        output_discard(&out);
+        return failure;
+    }
+    return output_commit(&out);
+}
+
+static int run(int argc, char **argv)
+{
+    request r;
+    positions data;
+    calibrate_result result;
+    int failure = read_request(argc, argv, &r);
+
+    if (failure) {
+        return failure;
+    }
+    failure = positions_read(&data, r.file);
+    failure = failure ? failure : solve(&r, &data, &result);
+    failure = failure ? failure : deliver(&r, &result);
+    positions_free(&data);
+    return failure;
+}
+
+static const char *const help[] = {
+    "usage: invcal calibrate FILE --positions [options]\n"
+    "\n"
+    "Calibrates a triad of accelerometers (or magnetometers) from rest positions. In each the\n"
+    "sensor feels one and the same field; only its length must be known, no direction. Result:\n"
+    "\n"
+    "  calibrated = matrix (raw - offset)\n"
+    "\n"
+    "FILE is a table, - the standard input; each row is the mean of one position. Columns are\n"
+    "x y z, or x y z std n (standard deviation and number of the samples), or\n"
+    "x y z std_x std_y std_z n, or any with a header that names them:\n",
+    COLUMNS_NAMES,
+    "Separators are semicolons, commas, tabs or blanks; lines beginning with # are comments.\n"
+    "Nine positions are the least, twelve to eighteen in all directions are good.\n"
+    "\n"
+    "  --positions         each row is a position mean (raw logs are not read by this version)\n"
+    "  --gravity G         length of the field, in the unit of the result; default 9.80665\n"
+    "                      (m/s^2). For a magnetometer that of the earth's field, e.g. 48.5 (uT)\n"
+    "  --frame NAME        symmetric (default): axes as near to the case as can be;\n"
+    "                      triangular: only the x sensor feels a field along the x axis\n"
+    "  --zero X,Y,Z        nominal reading in no field, in input units;\n"
+    "                      default: the middle of each axis' range\n"
+    "  --lsb S | SX,SY,SZ  nominal scale, in field units per input unit;\n"
+    "                      default: from the range of each axis\n"
+    "  --nominal CAL.json  an earlier calibration in place of --zero and --lsb\n"
+    "  --nominal-name WORD heading of the nominal column; default nominal\n",
+    "  --noise S           standard deviation of one position mean on each axis, in field units;\n"
+    "                      default: from std and n, else not known\n"
+    "  --prior D,K,G       standard deviations of what the nominal calibration may be wrong by:\n"
+    "                      offsets (over the field: 0.02 is 20 mg), scale errors (0.01 is 1 %),\n"
+    "                      angles (rad); up to about 0.2; 0 says nothing. Then fewer\n"
+    "                      positions will do. Needs the noise, and --zero and --lsb, or\n"
+    "                      --nominal\n"
+    "  --out CAL.json      write the result to a file, as JSON, for invcal apply\n"
+    "  --json              print the result as JSON in place of the table\n"
+    "\n"
+    "exit codes: 0 good; 1 the data cannot be calibrated; 2 usage; 3 FILE unreadable or\n"
+    "malformed, or the output not writable\n"
+    "\n"
+    "example:\n"
+    "  invcal calibrate tests/data/xsens_mti_positions.csv --positions --gravity 9.81744 \\\n"
+    "      --zero 33123,33276,32360 --lsb 0.0024096,0.0024213,0.0024096 --out cal.json\n",
+    NULL};
+
+const tool_command calibrate_command = {"calibrate", "position means to a calibration", help, run};

@@ -1,0 +1,49 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * calibrate.h: what `invcal calibrate` has found, and the three ways of telling it.
+ */
+#ifndef CALIBRATE_H
+#define CALIBRATE_H
+
+#include <stdio.h>
+
+#include "invcal/calibrate.h"
+#include "nominal.h"
+#include "positions.h"
+
+typedef struct {
+    const positions *data;
+    nominal_choice nominal;
+    invcal_settings settings;
+    invcal_solution solution;
+    invcal_quality quality;
+    double residual_before; /* root mean square of |nominal calibration| / field - 1 */
+} calibrate_result;
+
+/* 0 if neither the user nor the residuals tell the noise: sigma then means nothing. */
+int calibrate_knows_noise(const calibrate_result *result);
+
+/* One JSON object. */
+void calibrate_json(FILE *file, const calibrate_result *result);
+
+/* A table for people, 100 columns wide at most.
+ *
+ * nominal_name  heading of the nominal column, at most CALIBRATE_NAME_MAX bytes.
+ * saved         the file that the calibration goes to, or null. */
+#define CALIBRATE_NAME_MAX 14u
+void calibrate_print(FILE *file, const calibrate_result *result, const char *nominal_name,
+                     const char *saved);
+
+/* Says why there is no calibration: one line on stderr, and, if `json`, an object on stdout.
+ *
+ * status    what the library answered, not INVCAL_OK.
+ * reason    its details.
+ * settings  what it was asked.
+ * nominal   where the zero and scale came from.
+ *
+ * Returns EXIT_DATA. */
+int calibrate_refuse(const positions *data, const invcal_settings *settings,
+                     const nominal_choice *nominal, invcal_status status,
+                     const invcal_reason *reason, int json);
+
+#endif

@@ -1,0 +1,90 @@
+/* SPDX-License-Identifier: MIT */
+#include <math.h>
+
+#include "calibrate.h"
+#include "json_write.h"
+#include "number.h"
+
+/* Three numbers as they are, or as not known. */
+static void write_sigma(json_writer *w, const char *name, const double sigma[3], int known)
+{
+    const double unknown[3] = {NUMBER_UNKNOWN, NUMBER_UNKNOWN, NUMBER_UNKNOWN};
+
+    json_vector(w, name, known ? sigma : unknown);
+}
+
+static void write_nominal(json_writer *w, const invcal_calibration *c)
+{
+    const double lsb[3] = {c->matrix[0][0], c->matrix[1][1], c->matrix[2][2]};
+    int is_diagonal = 1;
+
+    for (unsigned i = 0; i < 3; i++) {
+        for (unsigned j = 0; j < 3; j++) {
+            is_diagonal = is_diagonal && (i == j || !(fabs(c->matrix[i][j]) > 0));
+        }
+    }
+    json_object(w, "nominal");
+    json_vector(w, "zero", c->offset);
+    json_vector(w, "lsb", lsb);
+    if (!is_diagonal) {
+        json_matrix(w, "matrix", c->matrix);
+    }
+    json_object_end(w);
+}
+
+static void write_quality(json_writer *w, const calibrate_result *result)
+{
+    const invcal_quality *q = &result->quality;
+    const int known = calibrate_knows_noise(result);
+
+    json_object(w, "sigma");
+    write_sigma(w, "offset", q->sigma_offset, known);
+    write_sigma(w, "delta", q->sigma_delta, known);
+    write_sigma(w, "dk", q->sigma_dk, known);
+    write_sigma(w, "gamma", q->sigma_gamma, known);
+    json_object_end(w);
+    json_number(w, "interval95", q->coverage);
+    json_number(w, "noise", known ? q->noise * result->settings.field : NUMBER_UNKNOWN);
+    json_number(w, "degrees_of_freedom", q->dof);
+    json_number(w, "residual_rms", q->residual_rms);
+    json_number(w, "residual_max", q->residual_max);
+    json_number(w, "residual_worst", q->worst + 1.0);
+    json_number(w, "residual_before", result->residual_before);
+    json_number(w, "condition", q->condition);
+    json_text(w, "verdict", invcal_verdict_text(q->verdict));
+    json_parameters(w, "undetermined", q->undetermined);
+}
+
+static void write_source(json_writer *w, uint16_t from_prior)
+{
+    json_object(w, "source");
+    for (unsigned r = 0; r < INVCAL_PARAMETERS; r++) {
+        json_text(w, invcal_parameter_name(r), from_prior >> r & 1 ? "prior" : "data");
+    }
+    json_object_end(w);
+}
+
+void calibrate_json(FILE *file, const calibrate_result *result)
+{
+    const invcal_solution *s = &result->solution;
+    json_writer w;
+
+    json_begin(&w, file);
+    json_text(&w, "invcal", INVCAL_VERSION);
+    json_number(&w, "positions", result->data->count);
+    json_parameters(&w, "rejected", 0); /* outliers are not looked for yet */
+    json_number(&w, "gravity", result->settings.field);
+    json_vector(&w, "offset", s->calibration.offset);
+    json_matrix(&w, "matrix", s->calibration.matrix);
+    json_text(&w, "frame",
+              result->settings.frame == INVCAL_FRAME_TRIANGULAR ? "triangular" : "symmetric");
+    write_nominal(&w, &result->nominal.calibration);
+    json_vector(&w, "delta", s->delta);
+    json_vector(&w, "dk", s->dk);
+    json_vector(&w, "gamma", s->gamma);
+    write_quality(&w, result);
+    if (invcal_has_prior(&result->settings)) {
+        write_source(&w, result->quality.from_prior);
+    }
+    json_end(&w);
+}

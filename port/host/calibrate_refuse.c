@@ -1,0 +1,124 @@
+/* SPDX-License-Identifier: MIT */
+#include <math.h>
+
+#include "calibrate.h"
+#include "command.h"
+#include "json_write.h"
+#include "message.h"
+#include "parameters.h"
+
+#define REASON_MAX 800
+
+static const char *status_name(invcal_status status)
+{
+    switch (status) {
+    case INVCAL_NOT_FINITE:
+        return "not finite";
+    case INVCAL_OUT_OF_RANGE:
+        return "out of range";
+    case INVCAL_TOO_FEW:
+        return "too few";
+    case INVCAL_UNDETERMINED:
+        return "undetermined";
+    case INVCAL_NOT_ELLIPSOID:
+        return "not an ellipsoid";
+    default:
+        return "bad setting";
+    }
+}
+
+/* Without a prior for it a parameter takes a position. */
+static unsigned positions_needed(const invcal_settings *settings)
+{
+    unsigned needed = 0;
+
+    for (unsigned r = 0; r < INVCAL_PARAMETERS; r++) {
+        needed += !(settings->prior[r] > 0);
+    }
+    return needed > 0 ? needed : 1;
+}
+
+static void say_undetermined(uint16_t bits, char *text)
+{
+    char list[128];
+    char advice[128];
+
+    snprintf(text, REASON_MAX,
+             "the positions leave parameters undetermined%s%s; add positions with %s",
+             bits ? ": " : "", parameters_list(bits, list, sizeof list),
+             parameters_advice(bits, advice, sizeof advice));
+}
+
+/* A reading that cannot be one of this field: by how much, and what may be wrong. */
+static void say_out_of_range(const positions *data, const invcal_settings *settings,
+                             const nominal_choice *nominal, unsigned position, char *text)
+{
+    double v[3];
+    const int by_range = nominal->zero == NOMINAL_RANGE && nominal->lsb == NOMINAL_RANGE;
+
+    invcal_apply(&settings->nominal, &data->mean[3 * position], v);
+    const double length = sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]) / settings->field;
+    snprintf(text, REASON_MAX, "position %u reads %.3g of the field with %s: %s", position + 1,
+             length, by_range ? "zero and scale from the data's range" : "the nominal calibration",
+             by_range ? "look for a wrong position, add positions in all directions, or state "
+                        "--zero and --lsb"
+                      : "check --gravity, and the nominal zero and scale, and their units");
+}
+
+static void say_why(const positions *data, const invcal_settings *settings,
+                    const nominal_choice *nominal, invcal_status status,
+                    const invcal_reason *reason, char *text)
+{
+    switch (status) {
+    case INVCAL_TOO_FEW:
+        snprintf(text, REASON_MAX, "%u position%s too few: %u are needed, 12 or more are good",
+                 data->count, data->count == 1 ? " is" : "s are", positions_needed(settings));
+        break;
+    case INVCAL_UNDETERMINED:
+        say_undetermined(reason->undetermined, text);
+        break;
+    case INVCAL_OUT_OF_RANGE:
+        say_out_of_range(data, settings, nominal, reason->position, text);
+        break;
+    case INVCAL_NOT_FINITE:
+        snprintf(text, REASON_MAX, "position %u is too large a reading for any calculation",
+                 reason->position + 1);
+        break;
+    case INVCAL_NOT_ELLIPSOID:
+        snprintf(text, REASON_MAX,
+                 "%s; look for positions that were not at rest or all in one direction, and for "
+                 "wrong columns, units or --gravity",
+                 invcal_status_text(status));
+        break;
+    default:
+        snprintf(text, REASON_MAX, "%s", invcal_status_text(status));
+        break;
+    }
+}
+
+int calibrate_refuse(const positions *data, const invcal_settings *settings,
+                     const nominal_choice *nominal, invcal_status status,
+                     const invcal_reason *reason, int json)
+{
+    char text[REASON_MAX];
+    json_writer w;
+
+    /* The first of too few readings may be out of range only because the others are missing. */
+    if (data->count < positions_needed(settings)) {
+        status = INVCAL_TOO_FEW;
+    }
+    say_why(data, settings, nominal, status, reason, text);
+    if (status == INVCAL_NOT_FINITE || status == INVCAL_OUT_OF_RANGE) {
+        message("%s:%lu: %s", data->name, data->line[reason->position], text);
+    } else {
+        message("%s: %s", data->name, text);
+    }
+    if (json) {
+        json_begin(&w, stdout);
+        json_text(&w, "error", status_name(status));
+        json_text(&w, "reason", text);
+        json_parameters(&w, "undetermined", reason->undetermined);
+        json_end(&w);
+    }
+    return EXIT_DATA;
+}

@@ -1,0 +1,37 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * json_write.h: JSON, laid out for people too: a member on each line, a list of numbers on one.
+ *
+ * Numbers read back as the same double. Write errors show in ferror(file) at the end.
+ */
+#ifndef JSON_WRITE_H
+#define JSON_WRITE_H
+
+#include <stdint.h>
+#include <stdio.h>
+
+typedef struct {
+    FILE *file;
+    unsigned depth; /* of objects that are open */
+    int is_first;   /* nothing stands in the innermost one yet */
+} json_writer;
+
+/* Opens the outermost object; the caller keeps the file. */
+void json_begin(json_writer *w, FILE *file);
+
+/* Closes it, and ends the line. */
+void json_end(json_writer *w);
+
+/* Members of the object that is open. A number that is not finite becomes null. Texts are the
+ * program's own, in ASCII; quotes, backslashes and control characters are escaped. */
+void json_object(json_writer *w, const char *name);
+void json_object_end(json_writer *w);
+void json_text(json_writer *w, const char *name, const char *text);
+void json_number(json_writer *w, const char *name, double x);
+void json_vector(json_writer *w, const char *name, const double x[3]);
+void json_matrix(json_writer *w, const char *name, const double (*m)[3]);
+
+/* The names of the parameters whose bits are set, as a list. */
+void json_parameters(json_writer *w, const char *name, uint16_t bits);
+
+#endif

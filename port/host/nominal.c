@@ -1,0 +1,35 @@
+/* SPDX-License-Identifier: MIT */
+#include "nominal.h"
+
+#include <float.h>
+
+int nominal_from_range(const positions *p, double field, double zero[3], double lsb[3])
+{
+    double half[3]; /* of the range; halves do not overflow */
+    double widest = 0;
+
+    for (unsigned i = 0; i < 3; i++) {
+        double low = p->mean[i];
+        double high = low;
+        for (unsigned n = 1; n < p->count; n++) {
+            const double x = p->mean[3 * n + i];
+            low = x < low ? x : low;
+            high = x > high ? x : high;
+        }
+        zero[i] = low / 2 + high / 2;
+        half[i] = high / 2 - low / 2;
+        widest = half[i] > widest ? half[i] : widest;
+    }
+    for (unsigned i = 0; i < 3 && widest > 0; i++) {
+        lsb[i] = field / (half[i] < widest / 2 ? widest : half[i]);
+        widest = lsb[i] > 0 && lsb[i] <= DBL_MAX ? widest : 0;
+    }
+    return widest > 0;
+}
+
+const char *nominal_origin_text(nominal_origin origin)
+{
+    return origin == NOMINAL_GIVEN   ? "given"
+           : origin == NOMINAL_RANGE ? "from the data's range"
+                                     : "of an earlier calibration";
+}

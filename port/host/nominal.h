@@ -1,0 +1,37 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * nominal.h: the nominal calibration, where it is not given.
+ */
+#ifndef NOMINAL_H
+#define NOMINAL_H
+
+#include "invcal/calibration.h"
+#include "positions.h"
+
+typedef enum {
+    NOMINAL_GIVEN,   /* by --zero, --lsb */
+    NOMINAL_RANGE,   /* from the range of the data */
+    NOMINAL_EARLIER, /* by --nominal: an earlier calibration */
+} nominal_origin;
+
+typedef struct {
+    invcal_calibration calibration;
+    nominal_origin zero;
+    nominal_origin lsb;
+} nominal_choice;
+
+/* Zero and scale from the box around the data: the middle of each axis' range, and
+ * 2 field / range. An axis with less than half of the widest range was not turned through: its
+ * own range says nothing, and it takes the scale of the widest.
+ *
+ * field  length of the field, > 0.
+ * zero   input units.
+ * lsb    field units per input unit.
+ *
+ * Returns 1; 0, with lsb left undefined, if there is no range or none that gives usable numbers. */
+int nominal_from_range(const positions *p, double field, double zero[3], double lsb[3]);
+
+/* "given", "from the data's range", "of an earlier calibration". */
+const char *nominal_origin_text(nominal_origin origin);
+
+#endif

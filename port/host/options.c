@@ -1,0 +1,121 @@
+/* SPDX-License-Identifier: MIT */
+#include "options.h"
+
+#include <stdio.h>
+#include <string.h>
+
+#include "command.h"
+#include "message.h"
+#include "number.h"
+
+#define UNKNOWN (~0u)
+
+/* The option that `argument` names, up to a '='. */
+static unsigned find(const option_syntax *syntax, const char *argument, size_t length)
+{
+    for (unsigned i = 0; i < syntax->option_count; i++) {
+        const char *name = syntax->options[i].name;
+        if (strlen(name) == length && strncmp(name, argument, length) == 0) {
+            return i;
+        }
+    }
+    return UNKNOWN;
+}
+
+/* Takes the option at argv[*at], and its value from there or from the next argument. */
+static int take_option(const option_syntax *syntax, int argc, char **argv, int *at,
+                       const char **values)
+{
+    const char *argument = argv[*at];
+    const char *equals = strchr(argument, '=');
+    const size_t length = equals ? (size_t)(equals - argument) : strlen(argument);
+    const unsigned which = find(syntax, argument, length);
+
+    if (which == UNKNOWN) {
+        return message_usage(syntax->command, "%.*s: unknown option", (int)length, argument);
+    }
+    const option *o = &syntax->options[which];
+    if (values[which]) {
+        return message_usage(syntax->command, "%s: given twice", o->name);
+    }
+    if (!o->takes_value) {
+        values[which] = "";
+        return equals ? message_usage(syntax->command, "%s: takes no value", o->name) : EXIT_GOOD;
+    }
+    if (equals) {
+        values[which] = equals + 1;
+    } else if (*at + 1 < argc && strncmp(argv[*at + 1], "--", 2) != 0) {
+        values[which] = argv[++*at];
+    } else {
+        return message_usage(syntax->command, "%s: its value is missing", o->name);
+    }
+    if (*values[which] == '\0') {
+        return message_usage(syntax->command, "%s: its value is empty", o->name);
+    }
+    return EXIT_GOOD;
+}
+
+int options_parse(const option_syntax *syntax, int argc, char **argv, const char **values,
+                  const char **operands)
+{
+    unsigned found = 0;
+    int only_operands = 0;
+
+    for (unsigned i = 0; i < syntax->option_count; i++) {
+        values[i] = NULL;
+    }
+    for (int i = 0; i < argc; i++) {
+        if (!only_operands && strcmp(argv[i], "--") == 0) {
+            only_operands = 1;
+        } else if (!only_operands && argv[i][0] == '-' && argv[i][1] != '\0') {
+            const int failure = take_option(syntax, argc, argv, &i, values);
+            if (failure) {
+                return failure;
+            }
+        } else if (found == syntax->operand_count) {
+            return message_usage(syntax->command, "'%s': one operand too many", argv[i]);
+        } else {
+            operands[found++] = argv[i];
+        }
+    }
+    if (found < syntax->operand_count) {
+        return message_usage(syntax->command, "%s is missing", syntax->operands[found]);
+    }
+    return EXIT_GOOD;
+}
+
+/* Copies the text up to the next comma; returns where the rest begins, null at the end. */
+static const char *next_item(const char *text, char *item, size_t size)
+{
+    const size_t length = strcspn(text, ",");
+
+    snprintf(item, size, "%.*s", (int)length, text);
+    return text[length] == ',' ? text + length + 1 : NULL;
+}
+
+int options_numbers(const option_syntax *syntax, unsigned which, const char *value, unsigned wanted,
+                    double *out, int *single)
+{
+    const char *name = syntax->options[which].name;
+    const char *rest = value;
+    char item[400]; /* longer than any number that makes sense */
+    unsigned n = 0;
+
+    while (rest && n < wanted) {
+        rest = next_item(rest, item, sizeof item);
+        const number_status status = number_parse(item, &out[n++]);
+        if (status != NUMBER_OK) {
+            return message_usage(syntax->command, "%s %s: '%s' %s", name, value, item,
+                                 number_problem(status));
+        }
+    }
+    if (rest || (n < wanted && !(single && n == 1))) {
+        return message_usage(syntax->command, "%s %s: expected are %u number%s%s", name, value,
+                             wanted, wanted > 1 ? "s with commas between" : "",
+                             single ? ", or one" : "");
+    }
+    if (single) {
+        *single = n < wanted;
+    }
+    return EXIT_GOOD;
+}

@@ -1,0 +1,40 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * output.h: writing so that a failure leaves everything as it was.
+ *
+ * A file is written beside its place under another name, and put there by renaming once all else
+ * has succeeded. What is no regular file (a device, a pipe) is written directly.
+ */
+#ifndef OUTPUT_H
+#define OUTPUT_H
+
+#include <stdio.h>
+
+typedef struct {
+    FILE *file;      /* to write into, between output_begin and output_finish */
+    char *path;      /* where it is to go, symbolic links followed */
+    char *temporary; /* its name meanwhile; null if it is written directly */
+} output;
+
+/* Begins a file. EXIT_GOOD; EXIT_FILE, with a message. In either case end with output_commit or
+ * output_discard. */
+int output_begin(output *o, const char *path);
+
+/* Everything has been written: brings it to the disk. EXIT_GOOD; EXIT_FILE, with a message. */
+int output_finish(output *o);
+
+/* Puts it in its place and releases o. EXIT_GOOD; EXIT_FILE, with a message, then as if
+ * discarded. */
+int output_commit(output *o);
+
+/* Removes it and releases o. */
+void output_discard(output *o);
+
+/* Brings the standard output on its way. EXIT_GOOD; EXIT_FILE, with a message, if a write has
+ * failed since the start. */
+int output_flush(void);
+
+/* Copies a file, from where it stands, to the standard output. Returns as output_flush. */
+int output_copy(FILE *file);
+
+#endif

@@ -1,0 +1,119 @@
+/* SPDX-License-Identifier: MIT */
+#include "positions.h"
+
+#include <float.h>
+#include <stdlib.h>
+
+#include "columns.h"
+#include "command.h"
+#include "message.h"
+#include "table.h"
+
+/* Makes room for `capacity` positions. */
+static int grow(positions *p, unsigned capacity)
+{
+    double *mean = realloc(p->mean, capacity * 3 * sizeof *mean);
+
+    p->mean = mean ? mean : p->mean;
+    unsigned long *line = realloc(p->line, capacity * sizeof *line);
+    p->line = line ? line : p->line;
+    if (!mean || !line) {
+        message("%s: not enough memory for %u positions", p->name, capacity);
+        return EXIT_FILE;
+    }
+    return EXIT_GOOD;
+}
+
+/* std and n of the current row. */
+static int add_noise(positions *p, const table *t, const columns *where)
+{
+    double samples;
+    double std;
+    int failure = columns_number(t, where, COLUMN_SAMPLES, &samples);
+
+    if (!failure && !(samples >= 1)) {
+        message("%s:%lu: column %d (n): a mean is of 1 sample or more", t->name, t->line,
+                where->index[COLUMN_SAMPLES] + 1);
+        failure = EXIT_FILE;
+    }
+    for (int i = 0; i < 3 && !failure; i++) {
+        const column which = (column)(COLUMN_STD_X + i);
+        failure = columns_number(t, where, which, &std);
+        if (!failure && !(std >= 0 && std * std <= DBL_MAX / POSITIONS_MAX)) {
+            message("%s:%lu: column %d (%s): no standard deviation is negative or so large",
+                    t->name, t->line, where->index[which] + 1, columns_name(which));
+            failure = EXIT_FILE;
+        }
+        if (!failure) {
+            p->noise_square[i] += std * std / samples;
+        }
+    }
+    return failure;
+}
+
+static int add_row(positions *p, const table *t, const columns *where, unsigned *capacity)
+{
+    if (p->count == POSITIONS_MAX) {
+        message("%s:%lu: more than %u positions", t->name, t->line, POSITIONS_MAX);
+        return EXIT_FILE;
+    }
+    if (p->count == *capacity) {
+        *capacity = *capacity ? *capacity * 2 : 64;
+        const int failure = grow(p, *capacity);
+        if (failure) {
+            return failure;
+        }
+    }
+    for (int i = 0; i < 3; i++) {
+        const int failure =
+            columns_number(t, where, (column)(COLUMN_X + i), &p->mean[3 * p->count + (unsigned)i]);
+        if (failure) {
+            return failure;
+        }
+    }
+    p->line[p->count] = t->line;
+    p->count++;
+    return p->has_noise ? add_noise(p, t, where) : EXIT_GOOD;
+}
+
+static int read_rows(positions *p, table *t)
+{
+    columns where;
+    unsigned capacity = 0;
+    int more = 0;
+    int failure = columns_find(t, COLUMNS_POSITIONS, &where);
+
+    p->has_noise = !failure && where.index[COLUMN_STD_X] >= 0 && where.index[COLUMN_SAMPLES] >= 0;
+    while (!failure && (more = table_next(t)) == 1) {
+        failure = add_row(p, t, &where, &capacity);
+    }
+    if (!failure && more == 0 && p->count == 0) {
+        message("%s: holds a header, but no position", t->name);
+        failure = EXIT_FILE;
+    }
+    return more < 0 ? EXIT_FILE : failure;
+}
+
+int positions_read(positions *p, const char *path)
+{
+    table t;
+    int failure = table_open(&t, path);
+
+    *p = (positions){.name = t.name};
+    if (!failure) {
+        failure = read_rows(p, &t);
+    }
+    table_close(&t);
+    for (int i = 0; i < 3 && !failure; i++) {
+        p->noise_square[i] /= p->count;
+    }
+    return failure;
+}
+
+void positions_free(positions *p)
+{
+    free(p->mean);
+    free(p->line);
+    p->mean = NULL;
+    p->line = NULL;
+}

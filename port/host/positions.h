@@ -1,0 +1,29 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * positions.h: the position means of a file.
+ */
+#ifndef POSITIONS_H
+#define POSITIONS_H
+
+#define POSITIONS_MAX 1000000u
+
+typedef struct {
+    const char *name;    /* of the file, for messages */
+    double *mean;        /* 3 count numbers: x y z, ... in input units */
+    unsigned long *line; /* count line numbers, from 1 */
+    unsigned count;
+    int has_noise;          /* the file tells std and n of each position */
+    double noise_square[3]; /* then for each axis the mean over the positions of std^2 / n: the
+                               variance of a position mean, input units squared, finite */
+} positions;
+
+/* Reads a table of position means ("-": standard input).
+ *
+ * Returns EXIT_GOOD, with at least one position; EXIT_FILE, with a message, if the file is
+ * unreadable, malformed, or holds no position or more than POSITIONS_MAX. To be released with
+ * positions_free in either case. */
+int positions_read(positions *p, const char *path);
+
+void positions_free(positions *p);
+
+#endif

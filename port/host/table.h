@@ -1,0 +1,53 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * table.h: a text table (CSV and its relatives), one row at a time.
+ *
+ * Columns are separated by semicolons, commas, tabs or blanks; the first line that is neither
+ * empty nor a comment (#) decides, in this order. Fields lose the blanks and double quotes around
+ * them. If nothing in the first line is meant as a number, it is a header. A mark of byte order
+ * (UTF-8) and lines ended by CR LF are fine. Memory does not grow with the file.
+ */
+#ifndef TABLE_H
+#define TABLE_H
+
+#include <stdio.h>
+
+#define TABLE_LINE_MAX 65536u
+#define TABLE_COLUMNS_MAX 256u
+
+typedef struct {
+    FILE *file;
+    const char *name;         /* of the file, for messages */
+    unsigned long line;       /* the one that the current row stands in, from 1 */
+    unsigned long first_line; /* the one that decided */
+    unsigned columns;         /* of the first line, and so of all */
+    char separator;           /* ';' ',' '\t' ' ' */
+    int has_header;
+    int pending;                    /* the first row has been read, but not handed out */
+    char *field[TABLE_COLUMNS_MAX]; /* of the current row (first: of the header), until the next */
+    char text[TABLE_LINE_MAX + 1];
+} table;
+
+/* Opens a table ("-": standard input) and reads its first line: has_header, columns and field
+ * are then set. The structure is large, and must not be moved.
+ *
+ * Returns EXIT_GOOD; EXIT_FILE if the file cannot be read, or its first line is malformed or
+ * missing. To be closed with table_close in either case. */
+int table_open(table *t, const char *path);
+
+/* Goes to the next row, after a header to the first.
+ *
+ * Returns 1; 0 at the end of the file; -1, with a message, if the line is longer than
+ * TABLE_LINE_MAX bytes, is no text, or has another number of columns than the first. */
+int table_next(table *t);
+
+void table_close(table *t);
+
+/* What separates the columns: "commas", ... */
+const char *table_separator(const table *t);
+
+/* The field for messages: the first characters of it. Returns text. */
+#define TABLE_EXCERPT_MAX 40
+const char *table_excerpt(const char *field, char text[TABLE_EXCERPT_MAX]);
+
+#endif

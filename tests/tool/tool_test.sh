@@ -1,0 +1,862 @@
+#!/bin/sh
+# SPDX-License-Identifier: MIT
+#
+# Tests of the host tool from outside: tool_test.sh path/to/invcal builddir
+# Needs a POSIX shell, coreutils, awk and sed. Prints a line for each check.
+tool=$1
+here=$(dirname "$0")
+data=$here/../data
+[ -x "$tool" ] && [ -n "$2" ] || { echo "usage: $0 path/to/invcal builddir" >&2; exit 2; }
+mkdir -p "$2" || exit 2
+work=$(cd "$2" && pwd)/tool_test.$$
+mkdir "$work" "$work/out" || exit 2
+trap 'rm -rf "$work"' EXIT
+trap 'exit 2' HUP INT TERM
+passed=0
+failed=0
+
+# ---- checking ----------------------------------------------------------------------------------
+
+report() { # report CODE SENTENCE: 0 is a pass
+    if [ "$1" -eq 0 ]; then
+        passed=$((passed + 1))
+        echo "tool: $2: PASS"
+    else
+        failed=$((failed + 1))
+        echo "tool: $2: FAIL"
+    fi
+}
+
+check() { # check SENTENCE COMMAND ...: the command succeeds
+    sentence=$1
+    shift
+    "$@"
+    report $? "$sentence"
+}
+
+# Runs the tool: $code, $work/stdout, $work/stderr. Its standard input is the file $in.
+in=/dev/null
+run() {
+    "$tool" "$@" > "$work/stdout" 2> "$work/stderr" < "$in"
+    code=$?
+}
+
+complain() {
+    echo "    exit code $code, stderr: $(head -c 300 "$work/stderr")" >&2
+    return 1
+}
+
+is_empty() { [ ! -s "$1" ]; }
+
+# One line that begins with "invcal: " and matches a pattern.
+says() {
+    [ "$(wc -l < "$work/stderr")" -eq 1 ] && grep -q '^invcal: ' "$work/stderr" &&
+        grep -Eq -- "$1" "$work/stderr"
+}
+
+succeeded() { { [ "$code" -eq 0 ] && is_empty "$work/stderr"; } || complain; }
+
+accepts() { # accepts SENTENCE ARGUMENTS ...
+    sentence=$1
+    shift
+    run "$@"
+    check "$sentence" succeeded
+}
+
+was_refused() { # CODE PATTERN
+    { [ "$code" -eq "$1" ] && says "$2" && is_empty "$work/stdout"; } || complain
+}
+
+refuses() { # refuses SENTENCE CODE PATTERN ARGUMENTS ...
+    sentence=$1
+    expected=$2
+    pattern=$3
+    shift 3
+    run "$@"
+    check "$sentence" was_refused "$expected" "$pattern"
+}
+
+# The folder of the result holds what it held before, and nothing else.
+is_untouched() {
+    [ "$(ls -A "$work/out")" = cal.json ] && [ "$(cat "$work/out/cal.json")" = old ]
+}
+
+kept_old() { was_refused "$1" "$2" && is_untouched; }
+
+# refuses_file SENTENCE CODE PATTERN ARGUMENTS ...: the same for calibrate --positions, with a
+# result file that must stay as it was.
+refuses_file() {
+    sentence=$1
+    expected=$2
+    pattern=$3
+    shift 3
+    echo old > "$work/out/cal.json"
+    run calibrate --positions --out "$work/out/cal.json" "$@"
+    check "$sentence" kept_old "$expected" "$pattern"
+    rm -f "$work"/out/*
+}
+
+# ---- numbers and JSON --------------------------------------------------------------------------
+
+json() { # json FILE NAME: the outermost member of this name, on one line; it has lines of its own
+    sed -n "s/^  \"$2\": \(.*[^,]\),*\$/\1/p" "$1"
+}
+
+near() { # near TOLERANCE "A B C" "a b c": each pair agrees; brackets and commas do not matter
+    echo "$2 | $3" | awk -v tolerance="$1" '{
+        gsub(/[][,]/, " ")
+        n = split($0, side, "|")
+        n = split(side[1], a, " ")
+        if (n == 0 || n != split(side[2], b, " ")) exit 1
+        for (i = 1; i <= n; i++) {
+            d = a[i] - b[i]
+            if (!(d <= tolerance && d >= -tolerance)) exit 1
+        }
+    }'
+}
+
+# It is JSON by the strict reader of apply: what is wrong with it, if anything, is its content.
+is_json() {
+    "$tool" apply "$1" "$work/log.csv" 2> "$work/json.err" > /dev/null ||
+        grep -q 'this is no calibration' "$work/json.err"
+}
+
+same() { cmp -s "$1" "$2"; }
+matches() { grep -Eq -- "$2" "$1"; }
+lacks() { ! grep -Eq -- "$2" "$1"; }
+
+positions() { # positions FAMILY COUNT SEED
+    awk -v family="$1" -v count="$2" -v seed="$3" -f "$here/positions.awk"
+}
+
+printf 'x,y,z\n1,2,3\n4,5,6\n' > "$work/log.csv"
+positions sphere 18 5 > "$work/good.csv"
+cut -d, -f1-3 "$data/xsens_mti_positions.csv" | tail -n +2 > "$work/xsens.csv"
+
+# ---- the command line --------------------------------------------------------------------------
+
+good=$work/good.csv
+accepts "--help succeeds" --help
+check "--help names every command" sh -c \
+    'for c in calibrate apply; do grep -q "^  $c " "$1" || exit 1; done' sh "$work/stdout"
+accepts "--version succeeds" --version
+check "--version tells the version of config.h" matches "$work/stdout" \
+    "^invcal $(sed -n 's/#define INVCAL_VERSION "\(.*\)"/\1/p' "$here/../../include/invcal/config.h")\$"
+for c in calibrate apply; do
+    accepts "$c --help succeeds" $c --help
+    check "$c --help has usage, exit codes and an example" sh -c \
+        'grep -q "^usage: invcal" "$1" && grep -q "^exit codes:" "$1" && grep -q "^example:" "$1"' \
+        sh "$work/stdout"
+    check "$c --help is at most 100 columns wide" awk 'length > 100 { exit 1 }' "$work/stdout"
+done
+"$tool" calibrate --help > "$work/help"
+for o in positions gravity frame zero lsb nominal nominal-name noise prior out json; do
+    check "calibrate --help explains --$o" matches "$work/help" "^  --$o "
+done
+check "calibrate --help tells the unit of a magnetometer" matches "$work/help" '48\.5 \(uT\)'
+
+see='see invcal calibrate --help'
+refuses "no command is refused" 2 'COMMAND is missing; see invcal --help'
+refuses "an unknown command is refused" 2 'polish: unknown command; see invcal --help' polish
+refuses "an unknown option in place of a command is refused" 2 '--polish: unknown option' --polish
+refuses "an operand after --version is refused" 2 "'more'" --version more
+refuses "an unknown option is refused" 2 "--polish: unknown option; $see" calibrate --polish
+refuses "a single dash before an option is refused" 2 "-json: unknown option" calibrate -json
+refuses "an abbreviated option is refused" 2 '--grav: unknown' calibrate "$good" --grav 9.8
+refuses "an option without its value is refused" 2 "--gravity: its value is missing; $see" \
+    calibrate "$good" --positions --gravity
+refuses "an option in place of a value is refused" 2 '--out: its value is missing' \
+    calibrate "$good" --positions --out --json
+refuses "an empty value is refused" 2 '--out: its value is empty' \
+    calibrate "$good" --positions --out ''
+refuses "a value for an option that has none is refused" 2 '--json: takes no value' \
+    calibrate "$good" --positions --json=yes
+refuses "an option given twice is refused" 2 "--gravity: given twice; $see" \
+    calibrate "$good" --positions --gravity 9.8 --gravity=9.8
+refuses "a missing operand is refused" 2 "FILE is missing; $see" calibrate --positions
+refuses "an operand too many is refused" 2 "'more': one operand too many" \
+    calibrate "$good" more --positions
+refuses "apply without a log is refused" 2 'LOG is missing; see invcal apply --help' apply cal.json
+refuses "apply with an option is refused" 2 '--json: unknown option' apply --json a b
+refuses "apply of two standard inputs is refused" 2 'only one input' apply - -
+refuses "calibrate with two standard inputs is refused" 2 'only one input' \
+    calibrate - --positions --nominal -
+refuses "calibrate without --positions is refused and tells why" 2 \
+    'raw logs are not read by this version.* add --positions' calibrate "$good"
+
+refuses_value() { # refuses_value OPTION VALUE PATTERN
+    refuses_file "$1 '$2' is refused" 2 "^invcal: $1.*$3.*$see\$" "$good" "$1" "$2"
+}
+for v in 0 -0 -9.8; do
+    refuses_value --gravity "$v" 'above 0'
+    refuses_value --noise "$v" 'above 0'
+done
+refuses_value --gravity nan "'nan' is not a finite number"
+refuses_value --gravity -inf "'-inf' is not a finite number"
+for v in nine 9.8x 0x9 9,8 9.8, ' 9.8' 1e 1e+ . + 1.2.3; do
+    refuses_value --gravity "$v" '(is not a decimal number|is empty|expected are 1 number)'
+done
+refuses_value --gravity 1e999 "'1e999' is too large"
+refuses_value --zero 1,2 'expected are 3 numbers with commas between'
+refuses_value --zero 1,2,3,4 'expected are 3 numbers'
+refuses_value --zero 1,,3 "'' is empty"
+refuses_value --zero 1,nan,3 "'nan' is not a finite number"
+refuses_value --lsb 1,2 'expected are 3 numbers with commas between, or one'
+refuses_value --lsb 0 'not 0'
+refuses_value --lsb 1,0,1 'not 0'
+refuses_value --frame round 'symmetric or triangular'
+refuses_value --nominal-name a-very-long-heading 'at most 14'
+refuses_value --prior 0.1,0.1,0.1 '--zero and --lsb, or --nominal'
+refuses_file "a prior with --zero alone is refused" 2 '--prior: .*--lsb' \
+    "$good" --zero 0,0,0 --noise 0.01 --prior 0.1,0.1,0.1
+refuses_file "a prior without noise is refused and tells why" 2 '--prior: .*--noise, or columns' \
+    "$good" --zero 0,0,0 --lsb 1 --prior 0.1,0.1,0.1
+refuses_file "a negative prior is refused" 2 '--prior: no standard deviation is negative' \
+    "$good" --zero 0,0,0 --lsb 1 --noise 0.01 --prior 0.1,-0.1,0.1
+refuses_file "--nominal with --zero is refused" 2 '--nominal: .*leave out --zero' \
+    "$good" --nominal x --zero 0,0,0
+refuses_file "--nominal with --lsb is refused" 2 '--nominal: .*leave out --zero and --lsb' \
+    "$good" --nominal x --lsb 1
+accepts "an option takes its value after = as well" calibrate --gravity=9.8 --positions "$good"
+accepts "a negative number is a value" calibrate "$good" --positions --zero -0.1,-0.2,0 --lsb 1
+cp "$good" "$work/--odd"
+check "-- ends the options" sh -c 'cd "$2" && "$1" calibrate --positions -- --odd > /dev/null' sh \
+    "$(cd "$(dirname "$tool")" && pwd)/$(basename "$tool")" "$work"
+
+# ---- real sensors ------------------------------------------------------------------------------
+
+# reference FILE GRAVITY OFFSET TOLERANCE RMS TOLERANCE MAX TOLERANCE VERDICT
+reference() {
+    file=$data/${1}_positions.csv
+    accepts "$1: is calibrated" calibrate "$file" --positions --gravity "$2" --json
+    cp "$work/stdout" "$work/cal.json"
+    check "$1: the offset is that of the reference" near "$4" "$(json "$work/cal.json" offset)" "$3"
+    check "$1: the rms residual is that of the reference" \
+        near "$6" "$(json "$work/cal.json" residual_rms)" "$5"
+    check "$1: the largest residual is that of the reference" \
+        near "$8" "$(json "$work/cal.json" residual_max)" "$7"
+    check "$1: the verdict is $9" [ "$(json "$work/cal.json" verdict)" = "\"$9\"" ]
+    check "$1: as many positions as rows" \
+        [ "$(json "$work/cal.json" positions)" -eq $(($(wc -l < "$file") - 1)) ]
+    accepts "$1: the calibration can be applied" apply "$work/cal.json" "$file"
+    check "$1: applied, every position has the length of the field within the residuals" \
+        awk -F, -v g="$2" -v max="$(json "$work/cal.json" residual_max)" 'NR > 1 {
+            r = sqrt($1 * $1 + $2 * $2 + $3 * $3) / g - 1
+            if (r < 0) r = -r
+            if (r > most) most = r
+        } END { exit !(most > max - 1e-8 && most < max + 1e-8) }' "$work/stdout"
+    accepts "$1: a triangular frame" calibrate "$file" --positions --gravity "$2" --json \
+        --frame triangular
+    check "$1: the frame changes neither offset nor residuals" \
+        near 1e-9 "$(json "$work/stdout" offset) $(json "$work/stdout" residual_rms)" \
+        "$(json "$work/cal.json" offset) $(json "$work/cal.json" residual_rms)"
+    check "$1: a triangular matrix has zeros below its diagonal" sh -c \
+        'grep -A3 "\"matrix\"" "$1" | awk "NR == 3 && \$1 != \"[0,\" || NR == 4 &&
+            (\$1 != \"[0,\" || \$2 != \"0,\") { exit 1 }"' sh "$work/stdout"
+}
+reference xsens_mti 9.81744 '33123.83073 33275.15503 32364.49374' 0.000006 \
+    99.857e-6 0.0006e-6 214.43e-6 0.006e-6 good
+reference mpu9150_0 9.81 '0.1024225 0.0969186 0.3443504' 0.00000006 \
+    170.121e-6 0.0006e-6 333.4e-6 0.06e-6 good
+reference mpu9150_1 9.81 '0.0885715 0.0702244 0.3391512' 0.00000006 \
+    191.123e-6 0.0006e-6 487.0e-6 0.06e-6 good
+reference t265 9.8016 '-0.19196 0.57358 -0.23265' 0.000006 \
+    497.27e-6 0.006e-6 1474e-6 0.6e-6 weak
+check "t265: the three angles are named as undetermined" \
+    [ "$(json "$work/cal.json" undetermined)" = '["gamma_xy", "gamma_xz", "gamma_zy"]' ]
+run calibrate "$data/t265_positions.csv" --positions --gravity 9.8016
+check "t265: the table says that it is weak, and in what" \
+    matches "$work/stdout" '^Weak: angle xy, angle xz, angle zy are badly determined'
+check "t265: the table says which positions to add" \
+    matches "$work/stdout" '^Next: add positions with the field midway between x and y, x and z'
+check "no standard output but the table" lacks "$work/stdout" '^invcal:'
+
+# ---- the table ---------------------------------------------------------------------------------
+
+ascii() { LC_ALL=C sed 's/±/+/g; s/²/2/g' "$1" > "$work/ascii"; }
+# The command of `make demo`.
+accepts "the demo runs" calibrate "$data/xsens_mti_positions.csv" --positions --gravity 9.81744 \
+    --zero 33123,33276,32360 --lsb 0.002409639,0.002421308,0.002409639 --nominal-name factory
+ascii "$work/stdout"
+cp "$work/ascii" "$work/demo"
+check "the table is at most 100 columns wide" awk 'length > 100 { exit 1 }' "$work/demo"
+check "the table names the file, the positions and the field" matches "$work/demo" \
+    'xsens_mti_positions.csv: 38 positions, field 9.81744 m/s2$'
+check "the table has the nominal column's name" matches "$work/demo" 'calibrated .* factory '
+check "the table says where the nominal comes from" matches "$work/demo" \
+    '^factory: zero and scale given'
+check "the table has offsets, nominal and difference" matches "$work/demo" \
+    '^offset x +33123\.83 \+ 0\.25 +33123\.00 +\+0\.83  input units$'
+check "the table has scales as data sheets state them" matches "$work/demo" \
+    '^scale x +414\.437 \+ 0\.026 +415\.000 +-0\.563  input units per m/s2$'
+check "the table has scale errors" matches "$work/demo" '^scale error y +-0\.2176 \+ 0\.0034 +%$'
+check "the table has angles" matches "$work/demo" '^angle zy +1\.2215 \+ 0\.0068 .*degrees'
+check "the table has the residuals" matches "$work/demo" \
+    '^residual rms +99\.857e-6 of the field = 0\.0999 mg$'
+check "the table has the residuals before" matches "$work/demo" 'rms before .*\(factory alone\)$'
+check "the table has noise and degrees of freedom" matches "$work/demo" \
+    '^noise .*29 degrees of freedom \(stated: '
+check "the table has a verdict" matches "$work/demo" '^Good: every parameter is determined'
+check "the table has a next step" matches "$work/demo" '^Next: .*--out CAL\.json.*invcal apply'
+check "the columns of the table stand below each other" awk '
+    /^(offset|scale|angle)/ { at = index($0, " + "); if (first && at != first) exit 1; first = at }
+    END { if (!first) exit 1 }' "$work/demo"
+run calibrate "$work/xsens.csv" --positions --gravity 48.5
+check "a field that is no gravity is not called m/s^2" lacks "$work/stdout" 'm/s|mg'
+run calibrate "$data/xsens_mti_positions.csv" --positions --lsb 0.0024
+check "--lsb alone takes the zero from the data" matches "$work/stdout" \
+    "^nominal: zero from the data's range, scale given"
+run calibrate "$data/xsens_mti_positions.csv" --positions --zero 33123,33276,32360
+check "--zero alone takes the scale from the data" matches "$work/stdout" \
+    "^nominal: zero given, scale from the data's range"
+printf '%s\n' 1,0,0 -1,0,0 0,1,0 0,-1,0 0,0,1 0,0,-1 .7,.7,0 .7,0,.7 0,.7,.7 > "$work/nine.csv"
+run calibrate "$work/nine.csv" --positions --gravity 1
+check "nine positions: the table says that nothing checks them" matches "$work/stdout" \
+    '^No redundancy: '
+check "nine positions: the table says what to do" matches "$work/stdout" \
+    '^Next: add 3 or more positions'
+check "nine positions: the noise is not known" matches "$work/stdout" '^noise +not known'
+
+# ---- JSON --------------------------------------------------------------------------------------
+
+run calibrate "$data/xsens_mti_positions.csv" --positions --gravity 9.81744 --json
+cp "$work/stdout" "$work/cal.json"
+check "the JSON is JSON" is_json "$work/cal.json"
+for m in invcal positions rejected gravity offset matrix frame nominal delta dk gamma sigma \
+    interval95 noise degrees_of_freedom residual_rms residual_max residual_worst residual_before \
+    condition verdict undetermined; do
+    check "the JSON has \"$m\"" [ "$(grep -c "^  \"$m\": " "$work/cal.json")" -eq 1 ]
+done
+check "the JSON has no source without a prior" lacks "$work/cal.json" '"source"'
+check "the JSON has no NaN or infinity" sh -c '! grep -Eiq "nan|inf[^o]" "$1"' sh \
+    "$(sed '/"invcal"/d' "$work/cal.json" > "$work/numbers"; echo "$work/numbers")"
+check "degrees of freedom are positions less nine" \
+    [ "$(json "$work/cal.json" degrees_of_freedom)" = 29 ]
+check "residual_worst counts from one" sh -c '
+    "$1" apply "$2" "$3" | awk -F, -v worst="$4" "NR > 1 {
+        r = sqrt(\$1 * \$1 + \$2 * \$2 + \$3 * \$3) / 9.81744 - 1
+        if (r < 0) r = -r
+        if (r > most) { most = r; at = NR - 1 }
+    } END { exit at != worst }"' sh "$tool" "$work/cal.json" "$work/xsens.csv" \
+    "$(json "$work/cal.json" residual_worst)"
+accepts "--out writes a file" calibrate "$data/xsens_mti_positions.csv" --positions \
+    --gravity 9.81744 --out "$work/saved.json"
+check "--out writes the same as --json" same "$work/saved.json" "$work/cal.json"
+check "the table says where it was saved" matches "$work/stdout" "^Saved in $work/saved.json"
+accepts "--out and --json go together" calibrate "$data/xsens_mti_positions.csv" --positions \
+    --gravity 9.81744 --out "$work/saved.json" --json
+check "both hold the same" same "$work/saved.json" "$work/stdout"
+run calibrate "$work/xsens.csv" --positions --gravity 9.81744 --json
+check "without std and n the same parameters come out" near 0 "$(json "$work/stdout" offset)" \
+    "$(json "$work/cal.json" offset)"
+# rms over positions and axes of std lsb / sqrt(n), by hand
+by_hand=$(awk -F, 'NR > 1 { for (i = 4; i <= 6; i++) { s += ($i * 0.0024) ^ 2 / $7 / 3 } }
+    END { printf "%.3g", sqrt(s / (NR - 1)) }' "$data/xsens_mti_positions.csv")
+run calibrate "$data/xsens_mti_positions.csv" --positions --gravity 9.81744 --lsb 0.0024
+check "the noise from std and n is that by hand" matches "$work/stdout" "\(stated: $by_hand\)"
+run calibrate "$work/xsens.csv" --positions --gravity 9.81744 --json --noise 0.5
+check "a noise stated above the residuals counts" awk -v n="$(json "$work/stdout" noise)" \
+    'BEGIN { exit !(n > 0.49 && n < 0.51) }'
+run calibrate "$work/nine.csv" --positions --gravity 1 --json
+check "nine positions have no redundancy" [ "$(json "$work/stdout" verdict)" = '"no redundancy"' ]
+check "without noise and redundancy sigma is null" [ "$(grep -c 'null, null, null' \
+    "$work/stdout")" -eq 4 ]
+check "without noise and redundancy the noise is null" [ "$(json "$work/stdout" noise)" = null ]
+run calibrate "$work/nine.csv" --positions --gravity 1 --json --noise 0.01
+check "with stated noise nine positions have a sigma" lacks "$work/stdout" null
+
+# ---- an earlier calibration, priors ------------------------------------------------------------
+
+accepts "an earlier calibration is a nominal" calibrate "$work/xsens.csv" --positions \
+    --gravity 9.81744 --nominal "$work/cal.json" --json
+check "it leads to the same calibration" near 1e-3 "$(json "$work/stdout" offset)" \
+    "$(json "$work/cal.json" offset)"
+check "and to no deviation from it" near 1e-6 "$(json "$work/stdout" delta) $(json \
+    "$work/stdout" dk) $(json "$work/stdout" gamma)" '0 0 0 0 0 0 0 0 0'
+check "numbers read back to the last digit" matches "$work/stdout" \
+    "^    \"zero\": $(json "$work/cal.json" offset | sed 's/[][.+]/\\&/g'),\$"
+check "its matrix is in the nominal" [ "$(grep -c '^    "matrix": ' "$work/stdout")" -eq 1 ]
+check "residual_before is then the residual" near 1e-9 \
+    "$(json "$work/stdout" residual_before)" "$(json "$work/stdout" residual_rms)"
+in=$work/cal.json
+accepts "it may come from the standard input" calibrate "$work/xsens.csv" --positions \
+    --gravity 9.81744 --nominal -
+in=/dev/null
+ascii "$work/stdout"
+check "the table says that it is an earlier calibration" matches "$work/ascii" \
+    '^nominal: zero and scale of an earlier calibration'
+check "scales are those of the earlier calibration" matches "$work/ascii" \
+    '^scale x +414\.437 \+ 0\.026 +414\.437 +\+0\.000  '
+printf '{"offset": [1, 2, 3]}' > "$work/half.json"
+refuses_file "an earlier calibration without a matrix is refused" 3 \
+    'half\.json:1: no member "matrix"' "$work/xsens.csv" --nominal "$work/half.json"
+
+head -n 3 "$good" > "$work/three.csv"
+prior="--zero 0,0,0 --lsb 1 --noise 0.002 --prior 0.05,0.05,0.02"
+accepts "with a prior three positions will do" calibrate "$work/three.csv" --positions $prior --json
+check "source tells what the data told" [ "$(grep -Ec '^    "(delta|dk|gamma)_.*": "(data|prior)"' \
+    "$work/stdout")" -eq 9 ]
+check "source says prior for some" matches "$work/stdout" '"gamma_..": "prior"'
+accepts "with a prior the table tells what it told" calibrate "$work/three.csv" --positions $prior
+check "known from the prior" matches "$work/stdout" '^Known from the prior rather than'
+refuses_file "a prior on offsets alone needs six positions" 1 \
+    '3 positions are too few: 6 are needed' "$work/three.csv" --zero 0,0,0 --lsb 1 --noise 0.002 \
+    --prior 0.05,0,0
+
+# ---- formats of the table ----------------------------------------------------------------------
+
+run calibrate "$work/xsens.csv" --positions --json
+cp "$work/stdout" "$work/expected.json"
+same_result() { # same_result SENTENCE FILE
+    run calibrate "$2" --positions --json
+    check "$1" sh -c '[ "$1" -eq 0 ] && cmp -s "$2" "$3"' sh "$code" "$work/stdout" \
+        "$work/expected.json"
+}
+f=$work/format.csv
+tr , ';' < "$work/xsens.csv" > "$f"; same_result "semicolons separate" "$f"
+tr , '\t' < "$work/xsens.csv" > "$f"; same_result "tabs separate" "$f"
+tr , ' ' < "$work/xsens.csv" > "$f"; same_result "blanks separate" "$f"
+sed 's/,/   /g; s/^/  /; s/$/  /' "$work/xsens.csv" > "$f"; same_result "many blanks separate" "$f"
+sed 's/,/ , /g; s/^/ /; s/$/ /' "$work/xsens.csv" > "$f"
+same_result "blanks around fields do not matter" "$f"
+sed 's/,/","/g; s/^/"/; s/$/"/' "$work/xsens.csv" > "$f"; same_result "quotes do not matter" "$f"
+sed 's/$/\r/' "$work/xsens.csv" > "$f"; same_result "lines may end with CR LF" "$f"
+{ printf '\357\273\277'; cat "$work/xsens.csv"; } > "$f"; same_result "a byte order mark is fine" "$f"
+{ printf '\357\273\277x,y,z\r\n'; sed 's/$/\r/' "$work/xsens.csv"; } > "$f"
+same_result "byte order mark, header and CR LF together" "$f"
+{ printf '# a comment; with, separators\n\n  # another\n'; sed 's/$/\n\n#/' "$work/xsens.csv"; } > "$f"
+same_result "comments and empty lines are skipped" "$f"
+printf %s "$(cat "$work/xsens.csv")" > "$f"; same_result "the last line may lack its end" "$f"
+awk -F, '{ printf "%.4fe1,+%.5fE+0,%d.\n", $1 / 10, $2, $3 }' "$work/xsens.csv" > "$f"
+accepts "numbers may have signs and exponents" calibrate "$f" --positions
+in=$work/xsens.csv
+same_result "- reads the standard input" -
+in=/dev/null
+for h in x,y,z X,Y,Z ax,ay,az acc_x,acc_y,acc_z Accel_X,Accel_Y,Accel_Z mx,my,mz \
+    mag_x,mag_y,mag_z mean_x,mean_y,mean_z '"x", " y" ,z '; do
+    { echo "$h"; cat "$work/xsens.csv"; } > "$f"
+    same_result "a header may be $h" "$f"
+done
+awk -F, 'BEGIN { print "face;z;note;x;y;t" } { print "p" NR ";" $3 ";;" $1 ";" $2 ";nan" }' \
+    "$work/xsens.csv" > "$f"
+same_result "a header sorts columns; others may hold anything" "$f"
+awk -F, 'BEGIN { print ",x,y,z" } { print NR "," $0 }' "$work/xsens.csv" > "$f"
+same_result "a column without a name is ignored" "$f"
+
+cut -d, -f1-4,7 "$data/xsens_mti_positions.csv" > "$work/named"
+run calibrate "$work/named" --positions
+check "std_x alone tells no noise" lacks "$work/stdout" stated
+sed 1d "$work/named" > "$f"
+run calibrate "$f" --positions --json
+cp "$work/stdout" "$work/five.json"
+check "five columns are x y z std n" [ "$code" -eq 0 ]
+{ echo 'x,y,z,std,count'; cat "$f"; } > "$work/f2"
+run calibrate "$work/f2" --positions --json
+check "the same as by names" same "$work/stdout" "$work/five.json"
+run calibrate "$data/xsens_mti_positions.csv" --positions --json
+cp "$work/stdout" "$work/seven.json"
+sed 1d "$data/xsens_mti_positions.csv" > "$f"
+run calibrate "$f" --positions --json
+check "seven columns are x y z std_x std_y std_z n" same "$work/stdout" "$work/seven.json"
+
+# ---- malformed tables --------------------------------------------------------------------------
+
+# A bad fifth line in a good table, by columns x,y,z; also as a log for apply.
+cp "$work/cal.json" "$work/apply.json"
+bad_row() { # bad_row SENTENCE ROW PATTERN
+    awk -v row="$2" 'NR == 5 { print row; next } { print }' "$good" > "$work/bad.csv"
+    refuses_file "calibrate: $1" 3 "bad\.csv:5: $3" "$work/bad.csv"
+    refuses "apply: $1" 3 "bad\.csv:5: $3" apply "$work/apply.json" "$work/bad.csv"
+}
+bad_row "too few columns" '1,2' '2 columns, but line 1 has 3, separated by commas'
+bad_row "too many columns" '1,2,3,4' '4 columns, but line 1 has 3'
+bad_row "a comma at the end" '1,2,3,' '4 columns, but line 1 has 3'
+bad_row "another separator" '1;2;3' '1 column, but line 1 has 3, separated by commas'
+bad_row "a first column that is empty" ',2,3' 'column 1 \(x\) is empty'
+bad_row "a column that is empty" '1,,3' 'column 2 \(y\) is empty'
+bad_row "a column of blanks" '1,  ,3' 'column 2 \(y\) is empty'
+bad_row "a last column that is empty" '1,2,' 'column 3 \(z\) is empty'
+bad_row "a word" '1,two,3' "column 2 \(y\): 'two' is not a decimal number"
+bad_row "a number with a unit" '1,2,3m' "column 3 \(z\): '3m' is not a decimal number"
+bad_row "two numbers in a column" '1 1,2,3' "column 1 \(x\): '1 1' is not a decimal number"
+bad_row "nan" '1,2,nan' "column 3 \(z\): 'nan' is not a finite number"
+bad_row "-NaN" '-NaN,2,3' "column 1 \(x\): '-NaN' is not a finite number"
+bad_row "inf" '1,+inf,3' "column 2 \(y\): '\+inf' is not a finite number"
+bad_row "Infinity" '1,Infinity,3' "column 2 \(y\): 'Infinity' is not a finite number"
+bad_row "a hexadecimal number" '0x1p3,2,3' "column 1 \(x\): '0x1p3' is not a decimal number"
+bad_row "a number that overflows" '1,1e400,3' "column 2 \(y\): '1e400' is too large a number"
+bad_row "a sign alone" '-,2,3' "column 1 \(x\): '-' is not a decimal number"
+bad_row "a quote left open" '1,"2,3' 'column 2: the quotes do not match'
+bad_row "something after a quote" '1,"2"2,3' 'column 2: the quotes do not match'
+bad_row "a long word, which is cut" "1,$(printf '%01000d' 0 | tr 0 w),3" "column 2 \(y\): 'w+\.\.\.' is not"
+bad_row "a terminal's control sequence" "$(printf '1,\033[2J,3')" 'byte 3 of the line has the value 27'
+
+with_bytes() { # with_bytes SENTENCE PATTERN, the bytes by printf in $bytes
+    { head -n 4 "$good"; printf "$bytes"; tail -n +6 "$good"; } > "$work/bad.csv"
+    refuses_file "calibrate: $1" 3 "$2" "$work/bad.csv"
+    refuses "apply: $1" 3 "$2" apply "$work/apply.json" "$work/bad.csv"
+}
+bytes='1,2,\0003\n'; with_bytes "a NUL byte" 'bad\.csv:5: byte 5 .* 0: this is not a text file'
+bytes='1,2,3\r4,5,6\n'; with_bytes "a carriage return inside a line" 'bad\.csv:5: byte 6 .* 13'
+bytes='1,2,\377\n'; with_bytes "a byte that is no UTF-8" "bad\.csv:5: column 3 \(z\)"
+
+bad_file() { # bad_file SENTENCE PATTERN: the file $work/bad.csv
+    refuses_file "calibrate: $1" 3 "$2" "$work/bad.csv"
+    refuses "apply: $1" 3 "$2" apply "$work/apply.json" "$work/bad.csv"
+}
+: > "$work/bad.csv"; bad_file "an empty file" 'bad\.csv: is empty'
+printf '\n\n# only\n \t \n' > "$work/bad.csv"; bad_file "nothing but comments" 'bad\.csv: is empty'
+printf '\357\273\277' > "$work/bad.csv"; bad_file "nothing but a byte order mark" 'is empty'
+echo x,y,z > "$work/bad.csv"; bad_file "nothing but a header" 'bad\.csv: holds a header, but no'
+printf 'x,y,z' > "$work/bad.csv"; bad_file "nothing but a header without end" 'holds a header'
+{ echo a,b,c; cat "$good"; } > "$work/bad.csv"
+bad_file "a header of unknown names" 'bad\.csv:1: the header names no columns x, y, z'
+{ echo x,y,y; cat "$good"; } > "$work/bad.csv"
+bad_file "a header with a name twice" 'bad\.csv:1: '
+{ echo x,y,3; cat "$good"; } > "$work/bad.csv"
+bad_file "a header with a number" "bad\.csv:1: column 1 \(x\): 'x' is not a decimal number"
+awk -F, 'BEGIN { print "ax,ay,az,mx,my,mz" } { print $0 "," $0 }' "$good" > "$work/bad.csv"
+bad_file "accelerometer and magnetometer in one file" \
+    "x, y and z are there twice \('ax' and 'mx'\): leave one"
+{ echo 'x,y,z,t,time,n,count'; sed 's/$/,1,1,1,1/' "$good"; } > "$work/bad.csv"
+bad_file "two columns of one meaning" 'more than one column could be'
+awk '{ print 1 }' "$good" > "$work/bad.csv"
+bad_file "one column" 'bad\.csv:1: 1 column, separated by blanks, without a header: 3 \('
+sed 's/$/,1,1,1/' "$good" > "$work/bad.csv"
+bad_file "six columns" '6 columns, separated by commas, without a header: 3 .*header that names'
+printf '1,5;2,5;3,5\n' > "$work/bad.csv"
+bad_file "decimal commas" "bad\.csv:1: column 1 \(x\): '1,5' is not a decimal number"
+awk 'BEGIN { for (i = 0; i < 300; i++) printf "%d,", i; print 0 }' > "$work/bad.csv"
+bad_file "300 columns" 'more than 256 columns'
+head -c 4096 /dev/urandom > "$work/bad.csv"; bad_file "random bytes" 'bad\.csv'
+{ printf '\0\0\0'; head -c 4096 /dev/urandom; } > "$work/bad.csv"
+bad_file "binary data" 'bad\.csv:1: byte 1 of the line has the value 0: this is not a text file'
+printf '\377\376x\0,\0y\0,\0z\0\n\0' > "$work/bad.csv"
+bad_file "a text in UTF-16" 'byte 4 of the line has the value 0: this is not a text file'
+sed 's/$/,1/' "$good" > "$work/bad.csv"
+refuses_file "calibrate: four columns without names" 3 \
+    'bad\.csv:1: 4 columns, .* or a header that names them' "$work/bad.csv"
+rm "$work/bad.csv"
+bad_file "a missing file" 'bad\.csv: cannot be read: No such file'
+mkdir "$work/bad.csv"; bad_file "a directory" 'bad\.csv: is a directory'
+rmdir "$work/bad.csv"
+ln -s bad.csv "$work/bad.csv"; bad_file "a link to itself" 'bad\.csv: cannot be read'
+rm "$work/bad.csv"
+cp "$good" "$work/bad.csv"
+chmod 000 "$work/bad.csv"
+if [ ! -r "$work/bad.csv" ]; then # root may read everything
+    bad_file "a file without permission" 'cannot be read: Permission denied'
+fi
+rm -f "$work/bad.csv"
+refuses_file "an empty standard input" 3 'standard input: is empty' -
+in=$work
+refuses_file "a directory as standard input" 3 'standard input: is a directory' -
+in=/dev/null
+
+# std and n
+five_columns() { # five_columns STD N
+    awk -v tail="$1,$2" 'NR == 5 { print $0 "," tail; next } { print $0 ",0.01,100" }' "$good" \
+        > "$work/bad.csv"
+}
+five_columns -0.01 100
+refuses_file "a negative std" 3 'bad\.csv:5: column 4 \(std_x\): no standard' "$work/bad.csv"
+five_columns 1e200 100
+refuses_file "an absurd std" 3 'bad\.csv:5: column 4 \(std_x\)' "$work/bad.csv"
+five_columns 0.01 0
+refuses_file "a mean of no sample" 3 'bad\.csv:5: column 5 \(n\)' "$work/bad.csv"
+five_columns 0.01 nan
+refuses_file "n is nan" 3 "bad\.csv:5: column 5 \(n\): 'nan'" "$work/bad.csv"
+
+# ---- lines and files without end: memory is limited where the system can ------------------------
+
+limit=16384 # KiB of address space
+if ! (ulimit -v $limit && "$tool" --version) > /dev/null 2>&1; then
+    limit= # the tool itself needs more, as under a sanitizer
+fi
+run_limited() {
+    ([ -z "$limit" ] || ulimit -v $limit
+        exec "$tool" "$@") > "$work/stdout" 2> "$work/stderr" < "$in"
+    code=$?
+}
+long='the line is longer than 65536 bytes'
+{ head -n 4 "$good"; head -c 10000000 /dev/zero | tr '\0' 1; echo; } > "$work/bad.csv"
+run_limited calibrate "$work/bad.csv" --positions
+check "calibrate: a line of 10 MB" was_refused 3 "bad\.csv:5: $long"
+run_limited apply "$work/apply.json" "$work/bad.csv"
+check "apply: a line of 10 MB" was_refused 3 "bad\.csv:5: $long"
+head -c 30000000 /dev/zero | tr '\0' ' ' > "$work/bad.csv"
+run_limited calibrate "$work/bad.csv" --positions
+check "calibrate: a first line of 30 MB of blanks" was_refused 3 "bad\.csv:1: $long"
+head -c 30000000 /dev/zero > "$work/bad.csv"
+run_limited calibrate "$work/bad.csv" --positions
+check "calibrate: 30 MB of zeros" was_refused 3 "bad\.csv:1: "
+{ printf '{"offset": ['; head -c 30000000 /dev/zero | tr '\0' 1; echo; } > "$work/bad.json"
+run_limited apply "$work/bad.json" "$work/log.csv"
+check "apply: a calibration with a number of 30 MB" was_refused 3 'bad\.json:1: .* too long'
+{ printf '{"'; head -c 10000000 /dev/zero | tr '\0' 1; echo '": 1}'; } > "$work/bad.json"
+run_limited apply "$work/bad.json" "$work/log.csv"
+check "apply: a calibration with a name of 10 MB" was_refused 3 'bad\.json:1: no member'
+head -c 10000000 /dev/zero | tr '\0' '[' > "$work/bad.json"
+run_limited apply "$work/bad.json" "$work/log.csv"
+check "apply: a calibration of 10 MB of brackets" was_refused 3 'bad\.json:1: '
+awk 'BEGIN { printf "{\"deep\": "; for (i = 0; i < 99999; i++) printf "[" }' > "$work/bad.json"
+run_limited apply "$work/bad.json" "$work/log.csv"
+check "apply: a calibration nested too deep" was_refused 3 'bad\.json:1: .* nested too deep'
+rm -f "$work/bad.csv" "$work/bad.json"
+awk 'BEGIN { print "t,x,y,z"; for (i = 0; i < 300000; i++) print i / 100 "," i ",1,2" }' \
+    > "$work/long.csv"
+run_limited apply "$work/apply.json" "$work/long.csv"
+check "apply: a log of 300,000 readings" succeeded
+check "apply: as many readings out as in" [ "$(wc -l < "$work/stdout")" -eq 300001 ]
+echo 1,2,3,four >> "$work/long.csv"
+run_limited apply "$work/apply.json" "$work/long.csv"
+check "apply: nothing is printed if the last of them is bad" was_refused 3 'long\.csv:300002: col'
+rm -f "$work/long.csv"
+awk 'BEGIN { for (i = 0; i < 1000001; i++) print "1 2 3" }' > "$work/bad.csv"
+refuses_file "more than a million positions" 3 'bad\.csv:1000001: more than 1000000' "$work/bad.csv"
+rm -f "$work/bad.csv"
+
+# ---- data that cannot be calibrated -------------------------------------------------------------
+
+# Each refusal with --json: an object on stdout, a line on stderr.
+refused_in_json() { # refused_in_json ERROR
+    { [ "$code" -eq 1 ] && says . && grep -Eq "^  \"error\": \"$1\",\$" "$work/stdout" &&
+        grep -q '^  "reason": ".*",$' "$work/stdout" &&
+        grep -Eq '^  "undetermined": \[.*\]$' "$work/stdout" && is_json "$work/stdout"; } || complain
+}
+hopeless() { # hopeless SENTENCE FILE ERROR PATTERN ARGUMENTS ...
+    name=$1
+    file=$2
+    error=$3
+    pattern=$4
+    shift 4
+    refuses_file "$name" 1 "$pattern" "$file" "$@"
+    run calibrate "$file" --positions --json "$@"
+    check "$name, in JSON" refused_in_json "$error"
+}
+f=$work/hopeless.csv
+for n in 1 2 5 8; do
+    head -n $n "$good" > "$f"
+    hopeless "$n positions" "$f" 'too few' \
+        "hopeless\.csv: $n positions? (is|are) too few: 9 are needed, 12 or more"
+done
+for family in plane cone circles repeated; do
+    for s in 1 2 3 4 5; do
+        positions $family 18 $s > "$f"
+        hopeless "$family $s" "$f" '(undetermined|not an ellipsoid)' 'hopeless\.csv: the '
+    done
+done
+for family in cap hyperboloid cylinder noise; do
+    for s in 1 2 3 4 5; do
+        positions $family 18 $s > "$f"
+        hopeless "$family $s" "$f" '(undetermined|not an ellipsoid|out of range)' 'hopeless\.csv'
+    done
+done
+awk 'BEGIN { for (i = 0; i < 20; i++) print cos(i) * 9.8 "," sin(i) * 9.8 ",0" }' > "$f"
+hopeless "turned about z only" "$f" undetermined \
+    'undetermined: offset z, scale z, angle xz, angle zy; add positions with the field along \+z and -z, and midway between x and z, z and y$'
+check "the names are those of the library" matches "$work/stdout" \
+    '"undetermined": \["delta_z", "dk_z", "gamma_xz", "gamma_zy"\]'
+awk 'BEGIN { for (i = 0; i < 20; i++) print "1,2,3" }' > "$f"
+hopeless "one position again and again" "$f" undetermined 'undetermined: offset x, '
+awk 'BEGIN { for (i = 0; i < 20; i++) print "0,0,0" }' > "$f"
+hopeless "zero vectors" "$f" undetermined 'undetermined'
+hopeless "zero vectors with a given nominal" "$f" 'out of range' \
+    'hopeless\.csv:1: position 1 reads 0 of the field with the nominal' --zero 0,0,0 --lsb 1
+awk '{ print NR == 7 ? "1e30,1e30,1e30" : $0 }' "$good" > "$f"
+hopeless "a position of 1e30" "$f" '(undetermined|out of range)' 'hopeless'
+hopeless "a position of 1e30 with a given nominal" "$f" 'out of range' \
+    'hopeless\.csv:7: position 7 reads .* check --gravity' --zero 0,0,0 --lsb 1
+awk 'NR == 1 { print "x,y,z\n# comment" } { print NR == 7 ? "1e300,-1e300,3" : $0 }' "$good" > "$f"
+hopeless "a position that overflows in the calculation" "$f" 'not finite' \
+    'hopeless\.csv:9: position 7 is too large' --zero 0,0,0 --lsb 1e20 --gravity 1e21
+awk 'NR % 2 { print "1.7e308,-1.7e308,1.7e308"; next } { print "-1.7e308,1.7e308,-1.7e308" }' \
+    "$good" > "$f"
+hopeless "the largest numbers" "$f" '.*' 'hopeless'
+awk -F, '{ print $1 "e-320," $2 "e-320," $3 "e-320" }' "$good" > "$f"
+hopeless "subnormal numbers" "$f" '(undetermined|not an ellipsoid|out of range)' 'hopeless'
+awk '{ print NR == 3 ? "4e-324,0,-4e-324" : $0 }' "$good" > "$f"
+hopeless "one subnormal position" "$f" '.*' 'hopeless' --zero 0,0,0 --lsb 1
+hopeless "a wrong unit" "$work/xsens.csv" 'out of range' \
+    'xsens\.csv:1: position 1 reads .*check --gravity' --zero 33123,33276,32360 --lsb 9.8
+hopeless "a wrong field" "$good" 'out of range' 'position 1 reads .*check --gravity' \
+    --zero 0,0,0 --lsb 1 --gravity 0.05
+refuses_file "a scale too small to calculate with" 2 '^invcal: --lsb: is too small' "$good" --lsb 1e-320
+refuses_file "a noise larger than the field" 2 '^invcal: --noise: is larger than the field' "$good" \
+    --noise 10
+sed 's/$/,10,1/' "$good" > "$f"
+refuses_file "std columns larger than the field" 3 'hopeless\.csv: its std columns tell a noise' "$f" \
+    --lsb 1
+
+# ---- writing ------------------------------------------------------------------------------------
+
+refuses "--out in a missing directory" 3 'nowhere/cal\.json: cannot be written: No such file' \
+    calibrate "$good" --positions --out "$work/nowhere/cal.json"
+refuses "--out of a directory" 3 'out: cannot be written: Is a directory' \
+    calibrate "$good" --positions --out "$work/out"
+check "nothing was left behind" [ -z "$(ls -A "$work/out")" ]
+if [ -c /dev/full ]; then
+    refuses "--out on a full disk" 3 '/dev/full: cannot be written: No space left' \
+        calibrate "$good" --positions --out /dev/full
+    echo old > "$work/out/cal.json"
+    for arguments in '' --json; do
+        "$tool" calibrate "$good" --positions $arguments --out "$work/out/cal.json" \
+            > /dev/full 2> "$work/stderr"
+        code=$?
+        : > "$work/stdout"
+        check "calibrate $arguments: a full standard output is noticed, the file untouched" \
+            kept_old 3 'standard output: cannot be written: No space left'
+    done
+    noticed() { # noticed SENTENCE ARGUMENTS ...
+        sentence=$1
+        shift
+        "$tool" "$@" > /dev/full 2> "$work/stderr"
+        check "a full standard output is noticed: $sentence" [ $? -eq 3 ]
+    }
+    noticed "help" --help
+    noticed "version" --version
+    noticed "help of a command" calibrate --help
+    noticed "apply" apply "$work/apply.json" "$work/log.csv"
+    noticed "a refusal in JSON" calibrate "$work/three.csv" --positions --json
+fi
+echo old > "$work/out/cal.json"
+"$tool" calibrate "$good" --positions --out "$work/out/cal.json" >&- 2> "$work/stderr"
+code=$?
+check "calibrate: a closed standard output is noticed, the file untouched" \
+    kept_old 3 'standard output: cannot be written'
+"$tool" apply "$work/apply.json" "$work/log.csv" >&- 2> "$work/stderr"
+code=$?
+check "apply: a closed standard output is noticed" was_refused 3 'standard output: cannot be written'
+"$tool" calibrate - --positions <&- > "$work/stdout" 2> "$work/stderr"
+code=$?
+check "a closed standard input is noticed" was_refused 3 'standard input:.* cannot be read'
+"$tool" calibrate "$good" --positions --out "$work/out/cal.json" > /dev/null 2>&-
+check "a closed standard error does no harm" is_json "$work/out/cal.json"
+check "the old file was replaced" lacks "$work/out/cal.json" '^old$'
+check "no other file was left" [ "$(ls -A "$work/out")" = cal.json ]
+awk 'BEGIN { for (i = 0; i < 50000; i++) print "1 2 3" }' > "$work/long.csv"
+{
+    "$tool" apply "$work/apply.json" "$work/long.csv" 2> "$work/stderr"
+    echo $? > "$work/code"
+} | head -n 1 > "$work/stdout"
+code=$(cat "$work/code")
+: > "$work/stdout"
+check "a reader that goes away is noticed" was_refused 3 'standard output: cannot be written: Broken'
+chmod 640 "$work/out/cal.json"
+run calibrate "$good" --positions --out "$work/out/cal.json"
+check "a file that is replaced keeps its mode" [ "$(ls -l "$work/out/cal.json" | cut -c1-10)" = \
+    -rw-r----- ]
+ln -s out/cal.json "$work/link.json"
+echo old > "$work/out/cal.json"
+run calibrate "$good" --positions --out "$work/link.json"
+check "a link is followed" sh -c '[ -L "$1" ] && ! grep -q "^old" "$2"' sh "$work/link.json" \
+    "$work/out/cal.json"
+check "standard error is empty after a success" is_empty "$work/stderr"
+rm -f "$work"/out/*
+
+# ---- apply --------------------------------------------------------------------------------------
+
+echo '{"offset": [1, 2, 3], "matrix": [[2, 0, 0], [0, 2, 0], [0, 0, 1e0]]}' > "$work/simple.json"
+applied() { # applied SENTENCE INPUT OUTPUT, both by printf
+    printf "$2" > "$work/in"
+    printf "$3" > "$work/expected"
+    run apply "$work/simple.json" "$work/in"
+    check "apply: $1" sh -c '[ "$1" -eq 0 ] && cmp -s "$2" "$3"' sh "$code" "$work/stdout" \
+        "$work/expected"
+}
+applied "three columns" '2,4,6\n1,2,3\n' 'x,y,z\n2,4,3\n0,0,0\n'
+applied "four columns begin with the time, copied as it was" '0.10,2,4,6\n00.2000,1,2,3\n' \
+    't,x,y,z\n0.10,2,4,3\n00.2000,0,0,0\n'
+applied "five columns end with the temperature, copied as it was" '1e3 2 4 6 25.00\n' \
+    't,x,y,z,temperature\n1e3,2,4,3,25.00\n'
+applied "named columns in any order" 'temp;az;ay;gx;ax;timestamp\n21.50;6;4;99;2;7\n' \
+    't,x,y,z,temperature\n7,2,4,3,21.50\n'
+applied "temperature without time" 'x,y,z,Temperature\n2,4,6,20\n' 'x,y,z,temperature\n2,4,3,20\n'
+applied "CR LF, byte order mark, comments" '\357\273\277x,y,z\r\n# no\r\n\r\n2,4,6\r\n' \
+    'x,y,z\n2,4,3\n'
+applied "nine digits" '1.333333333333,2,3\n' 'x,y,z\n0.666666667,0,0\n'
+in=$work/in
+printf '2 4 6\n' > "$in"
+run apply "$work/simple.json" -
+check "apply: the log from the standard input" sh -c '[ "$1" -eq 0 ] && grep -q "^2,4,3$" "$2"' sh \
+    "$code" "$work/stdout"
+in=$work/simple.json
+printf '2 4 6\n' > "$work/in"
+run apply - "$work/in"
+check "apply: the calibration from the standard input" sh -c \
+    '[ "$1" -eq 0 ] && grep -q "^2,4,3$" "$2"' sh "$code" "$work/stdout"
+in=/dev/null
+printf '0,1,2,nan\n' > "$work/in"
+refuses "apply: nan in the fourth column" 3 "in:1: column 4 \(z\): 'nan'" apply "$work/simple.json" \
+    "$work/in"
+printf '0,1,2,3\nsoon,1,2,3\n' > "$work/in"
+refuses "apply: a word for the time" 3 "in:2: column 1 \(t\): 'soon'" apply "$work/simple.json" \
+    "$work/in"
+printf '0,1,2,3,20\n0,1,2,3,\n' > "$work/in"
+refuses "apply: an empty temperature" 3 'in:2: column 5 \(temperature\) is empty' apply \
+    "$work/simple.json" "$work/in"
+printf '1,2,3\n1e308,2,3\n' > "$work/in"
+refuses "apply: a reading that overflows" 3 'in:2: too large' apply "$work/simple.json" "$work/in"
+
+# ---- malformed calibrations ---------------------------------------------------------------------
+
+bad_json() { # bad_json SENTENCE TEXT PATTERN
+    printf '%s\n' "$2" > "$work/bad.json"
+    refuses "apply: a calibration, $1" 3 "bad\.json:$3" apply "$work/bad.json" "$work/log.csv"
+}
+m='"matrix": [[2, 0, 0], [0, 2, 0], [0, 0, 2]]'
+o='"offset": [1, 2, 3]'
+bad_json "empty" '' '2: a JSON object, .* but the file ends here'
+bad_json "no object" '[1, 2]' '1: a JSON object'
+bad_json "no text in JSON" 'offset: 1' '1: a JSON object'
+bad_json "without offset" "{$m}" '.: no member "offset"'
+bad_json "without matrix" "{$o}" '.: no member "matrix"'
+bad_json "without members" '{}' '.: no member "offset"'
+bad_json "offset twice" "{$o, $o, $m}" '1: "offset" or "matrix" is there twice'
+bad_json "an offset of two" "{\"offset\": [1, 2], $m}" '1: a list of 3 is expected'
+bad_json "an offset of four" "{\"offset\": [1, 2, 3, 4], $m}" '1: a list of 3 is expected'
+bad_json "an offset that is no list" "{\"offset\": 1, $m}" '1: a JSON list'
+bad_json "a word in the offset" "{\"offset\": [1, two, 3], $m}" "1: 'two' is not a decimal number"
+bad_json "a text in the offset" "{\"offset\": [1, \"2\", 3], $m}" '1: a number is expected'
+bad_json "null in the offset" "{\"offset\": [1, null, 3], $m}" "1: 'null' is not a decimal"
+bad_json "NaN in the offset" "{\"offset\": [1, NaN, 3], $m}" "1: 'NaN' is not a finite number"
+bad_json "an infinite offset" "{\"offset\": [1, 1e999, 3], $m}" "1: '1e999' is too large"
+bad_json "a matrix of two rows" "{$o, \"matrix\": [[1, 0, 0], [0, 1, 0]]}" '1: a list of 3'
+bad_json "a matrix with a short row" "{$o, \"matrix\": [[1, 0, 0], [0, 1], [0, 0, 1]]}" '1: a list'
+bad_json "a flat matrix" "{$o, \"matrix\": [1, 0, 0, 0, 1, 0, 0, 0, 1]}" '1: a JSON list'
+bad_json "a singular matrix" "{$o, \"matrix\": [[1, 0, 0], [1, 0, 0], [0, 0, 1]]}" ' "matrix" is sing'
+bad_json "a matrix of zeros" "{$o, \"matrix\": [[0, 0, 0], [0, 0, 0], [0, 0, 0]]}" ' "matrix" is sing'
+bad_json "cut off" "{$o, \"matrix\": [[1, 0" "2: ',' or ']' is expected, but the file ends here"
+bad_json "a comma missing" "{$o $m}" "1: ',' or '}' is expected"
+bad_json "a comma too many" "{$o, $m,}" '1: a name or text in double quotes is expected'
+bad_json "a comma too many in a list" "{\"a\": [1,], $o, $m}" '1: a value is expected'
+bad_json "a colon missing" "{\"offset\" [1, 2, 3], $m}" "1: ':' is expected"
+bad_json "something behind it" "{$o, $m} x" '1: nothing is expected after'
+bad_json "a second object" "{$o, $m}{}" '1: nothing is expected after'
+bad_json "a name without quotes" "{offset: [1, 2, 3], $m}" '1: a name or text in double quotes'
+bad_json "single quotes" "{'offset': [1, 2, 3], $m}" '1: a name or text in double quotes'
+bad_json "an unknown word" "{\"a\": nothing, $o, $m}" "1: 'nothing' is not a decimal number"
+bad_json "a plus sign" "{\"a\": +1, $o, $m}" "1: '\+1' is no number in JSON"
+bad_json "a leading zero" "{\"a\": 01, $o, $m}" "1: '01' is no number in JSON"
+bad_json "a point without digits" "{\"a\": 1., $o, $m}" "1: '1\.' is no number in JSON"
+bad_json "a text left open" "{\"a\": \"b" '1: the quotes of a text are not closed'
+bad_json "a line break in a text" "{\"a
+\": 1, $o, $m}" '1: the quotes of a text are not closed in its line'
+bad_json "an unknown escape sequence" "{\"a\": \"\\x\", $o, $m}" '1: there is no such escape'
+bad_json "half an escape sequence" "{\"a\": \"\\u12\", $o, $m}" '1: there is no such escape'
+bad_json "an error in the third line" "{$o,
+ \"other\": [true, false, null],
+ \"matrix\": [[1, 0, 0], [0, 1, 0], [0, 0, x]]}" "3: 'x' is not a decimal number"
+bad_json "a refusal in place of a calibration" '{"error": "too few", "reason": "", "undetermined": []}' \
+    '1: no member "offset": this is no calibration'
+head -c 4096 /dev/urandom > "$work/bad.json"
+refuses "apply: a calibration of random bytes" 3 'bad\.json:' apply "$work/bad.json" "$work/log.csv"
+refuses "apply: a missing calibration" 3 'nowhere\.json: cannot be read' apply \
+    "$work/nowhere.json" "$work/log.csv"
+refuses "apply: a directory as calibration" 3 'out: is a directory' apply "$work/out" "$work/log.csv"
+printf '{"x\\u0041\\n\\"": {"offset": [1e5, {"matrix": []}]}, "b": "\\u00b5T", "c": -0.5e-3,\n%s, %s}' \
+    "$o" "$m" > "$work/odd.json"
+accepts "apply: other members of any kind are ignored" apply "$work/odd.json" "$work/log.csv"
+
+echo "$passed passed, $failed failed"
+[ "$failed" -eq 0 ]
