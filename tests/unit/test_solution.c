@@ -273,7 +273,8 @@ static void order_merging_and_removal_give_the_same_calibration(void)
     }
 }
 
-enum { MAGNETOMETER_POSITIONS = 18, MAGNETOMETER_FIELD = 48 };
+enum { MAGNETOMETER_POSITIONS = 18 };
+static const double magnetometer_field = 48; /* uT */
 static const double uT_per_count = 0.15;
 
 /* Counts of a magnetometer with hard iron, in counts, and the soft iron of truth. */
@@ -284,7 +285,7 @@ static void read_magnetometer(const triad_truth *truth, const double iron[3], co
 
     triad_read(truth, eta, u);
     for (int k = 0; k < 3; k++) {
-        raw[k] = (invcal_real)(iron[k] + u[k] * MAGNETOMETER_FIELD / uT_per_count);
+        raw[k] = (invcal_real)(iron[k] + u[k] * magnetometer_field / uT_per_count);
     }
 }
 
@@ -314,7 +315,7 @@ static void a_magnetometer_is_calibrated_like_an_accelerometer(void)
         invcal_settings settings = unit_settings(0);
         invcal_solution solution;
         invcal_quality quality;
-        settings.field = MAGNETOMETER_FIELD;
+        settings.field = (invcal_real)magnetometer_field;
         for (int k = 0; k < 3; k++) {
             iron[k] = random_uniform(&random, -48, 48) / uT_per_count;
             truth.x[k] = 0;
@@ -338,7 +339,7 @@ static void a_magnetometer_is_calibrated_like_an_accelerometer(void)
             read_magnetometer(&truth, iron, eta, v);
             invcal_apply(&solution.calibration, v, v);
             const double d[3] = {(double)v[0], (double)v[1], (double)v[2]};
-            TEST_ASSERT_DOUBLE_WITHIN(FLOAT_OR_DOUBLE(1e-4, 1e-11), MAGNETOMETER_FIELD, length3(d));
+            TEST_ASSERT_DOUBLE_WITHIN(FLOAT_OR_DOUBLE(1e-4, 1e-11), magnetometer_field, length3(d));
         }
     }
 }
