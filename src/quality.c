@@ -91,8 +91,9 @@ static invcal_status judge_noise(evidence *e, invcal_quality *q)
     const invcal_real dof = stored - parameters * e->share;
     q->dof = dof >= 1 ? dof : 0;
     const invcal_real observed = q->dof > 0 ? INVCAL_SQRT(e->residuals->normal.jtj / q->dof) : 0;
-    q->noise = observed > stated ? observed : stated;
-    q->coverage = observed > stated ? invcal_coverage(q->dof) : INVCAL_REAL(1.959964);
+    const int is_stated = observed <= stated;
+    q->noise = is_stated ? stated : observed;
+    q->coverage = is_stated ? INVCAL_REAL(1.959964) : invcal_coverage(q->dof);
     if (!(q->noise > 0)) {
         q->noise = 1; /* nobody knows: the whole field, which no one will mistake for good */
     }
