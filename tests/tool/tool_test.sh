@@ -374,7 +374,7 @@ check "it leads to the same calibration" near 1e-3 "$(json "$work/stdout" offset
 check "and to no deviation from it" near 1e-6 "$(json "$work/stdout" delta) $(json \
     "$work/stdout" dk) $(json "$work/stdout" gamma)" '0 0 0 0 0 0 0 0 0'
 check "numbers read back to the last digit" matches "$work/stdout" \
-    "^    \"zero\": $(json "$work/cal.json" offset | sed 's/[][.+]/\\&/g'),\$"
+    "^    \"zero\": $(json "$work/cal.json" offset | sed 's/[].+[]/\\&/g'),\$"
 check "its matrix is in the nominal" [ "$(grep -c '^    "matrix": ' "$work/stdout")" -eq 1 ]
 check "residual_before is then the residual" near 1e-9 \
     "$(json "$work/stdout" residual_before)" "$(json "$work/stdout" residual_rms)"
