@@ -83,16 +83,23 @@ test: $(SUITES:%=$(BUILD)/float/%) $(SUITES:%=$(BUILD)/double/%) all ## all test
 check: ## the tests under gcc and clang, C99 and C11, with sanitizers, warnings as errors
 	$(Q)sh tests/check.sh $(BUILD)/check
 
+# One line that says what is missing: $(call need,command)
+need = @command -v $(1) > /dev/null || { echo '$(1) is not installed: make deps' >&2; exit 1; }
+
 reference: ## remake tests/reference/expected.h (needs python3)
+	$(call need,python3)
+	@mkdir -p $(BUILD)
 	python3 tests/reference/reference.py tests/data > $(BUILD)/expected.h
 	mv $(BUILD)/expected.h tests/reference/expected.h
 
 format: ## lay out the sources by .clang-format (needs clang-format 19)
+	$(call need,clang-format-19)
 	clang-format-19 -i $(SOURCES) src/*.h include/invcal/*.h port/host/*.[ch] tests/unit/*.[ch]
 
-deps: ## install what `make check` and `make format` need beyond a C compiler (Debian, as root)
+deps: ## install what check, format, reference and .ci/run need beyond a C compiler (Debian, root)
 	apt-get update
-	apt-get install -y --no-install-recommends gcc clang-19 libclang-rt-19-dev clang-format-19
+	apt-get install -y --no-install-recommends gcc clang-19 libclang-rt-19-dev \
+	    clang-format-19 python3 shellcheck
 
 clean: ## remove build/
 	rm -rf $(BUILD)
