@@ -33,31 +33,36 @@ static void accumulate(invcal_normal *normal, const invcal_observation *o, invca
     normal->jtj += weight * o->j * o->j;
 }
 
-invcal_status invcal_normal_add(invcal_normal *normal, const invcal_observation *observation,
-                                invcal_real weight)
+static invcal_status check(const invcal_normal *normal, const invcal_observation *observation,
+                           invcal_real weight)
 {
     INVCAL_ASSERT(normal && observation);
     if (!invcal_is_positive(weight)) {
         return INVCAL_BAD_SETTING;
     }
-    if (is_mixed(normal, observation->model)) {
-        return INVCAL_MIXED;
+    return is_mixed(normal, observation->model) ? INVCAL_MIXED : INVCAL_OK;
+}
+
+invcal_status invcal_normal_add(invcal_normal *normal, const invcal_observation *observation,
+                                invcal_real weight)
+{
+    const invcal_status status = check(normal, observation, weight);
+
+    if (status == INVCAL_OK) {
+        accumulate(normal, observation, weight);
+        normal->count++;
+        normal->model = observation->model;
     }
-    accumulate(normal, observation, weight);
-    normal->count++;
-    normal->model = observation->model;
-    return INVCAL_OK;
+    return status;
 }
 
 invcal_status invcal_normal_remove(invcal_normal *normal, const invcal_observation *observation,
                                    invcal_real weight)
 {
-    INVCAL_ASSERT(normal && observation);
-    if (!invcal_is_positive(weight)) {
-        return INVCAL_BAD_SETTING;
-    }
-    if (is_mixed(normal, observation->model)) {
-        return INVCAL_MIXED;
+    const invcal_status status = check(normal, observation, weight);
+
+    if (status != INVCAL_OK) {
+        return status;
     }
     if (normal->count == 0) {
         return INVCAL_TOO_FEW;

@@ -68,14 +68,37 @@ static void the_nine_parameters_are_those_of_the_triad(void)
     }
 }
 
+typedef invcal_status (*known_row)(const invcal_real u[3], const invcal_real vertical[3],
+                                   invcal_observation *out);
+
+/* The paper's program with its directions known. */
+static invcal_normal with_known_directions(const triad_truth *truth, known_row observe)
+{
+    invcal_normal normal;
+    invcal_observation row;
+
+    invcal_normal_init(&normal);
+    for (int i = 0; i < 18; i++) {
+        double u[3];
+        invcal_real ur[3];
+        invcal_real vertical[3];
+        triad_read(truth, expected_plan18[i], u);
+        for (int k = 0; k < 3; k++) {
+            ur[k] = (invcal_real)u[k];
+            vertical[k] = (invcal_real)expected_plan18[i][k];
+        }
+        TEST_ASSERT_EQUAL_INT(INVCAL_OK, observe(ur, vertical, &row));
+        TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_normal_add(&normal, &row, 1));
+    }
+    return normal;
+}
+
 /* The exact row's reason to be: what the paper's first-order row leaves, by the reference. */
 static double first_order_error(double size, double *rms)
 {
     static const double sign[9] = {1, -1, 1, 1, -1, 1, -1, 1, -1};
     const invcal_settings settings = unit_settings(0);
     triad_truth truth;
-    invcal_normal normal;
-    invcal_observation row;
     invcal_solution solution;
     double worst = 0;
     double squares = 0;
@@ -83,19 +106,7 @@ static double first_order_error(double size, double *rms)
     for (int r = 0; r < 9; r++) {
         truth.x[r] = size * sign[r];
     }
-    invcal_normal_init(&normal);
-    for (int i = 0; i < 18; i++) {
-        double u[3];
-        invcal_real ur[3];
-        invcal_real vertical[3];
-        triad_read(&truth, expected_plan18[i], u);
-        for (int k = 0; k < 3; k++) {
-            ur[k] = (invcal_real)u[k];
-            vertical[k] = (invcal_real)expected_plan18[i][k];
-        }
-        TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_observation_first_order(ur, vertical, &row));
-        TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_normal_add(&normal, &row, 1));
-    }
+    const invcal_normal normal = with_known_directions(&truth, invcal_observation_first_order);
     TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_solve(&normal, &settings, &solution));
     for (unsigned r = 0; r < 9; r++) {
         worst = fmax(worst, fabs(parameter(&solution, r) - truth.x[r]));
@@ -130,22 +141,8 @@ static void known_directions_give_the_triad_exactly_for_errors_of_any_size(void)
 
     for (int draw = 0; draw < 20; draw++) {
         const triad_truth truth = triad_random(&random, 0.2);
-        invcal_normal normal;
-        invcal_observation row;
+        const invcal_normal normal = with_known_directions(&truth, invcal_observation_vertical);
         invcal_solution solution;
-        invcal_normal_init(&normal);
-        for (int i = 0; i < 18; i++) {
-            double u[3];
-            invcal_real ur[3];
-            invcal_real vertical[3];
-            triad_read(&truth, expected_plan18[i], u);
-            for (int k = 0; k < 3; k++) {
-                ur[k] = (invcal_real)u[k];
-                vertical[k] = (invcal_real)expected_plan18[i][k];
-            }
-            TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_observation_vertical(ur, vertical, &row));
-            TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_normal_add(&normal, &row, 1));
-        }
         TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_solve(&normal, &settings, &solution));
         for (unsigned r = 0; r < INVCAL_PARAMETERS; r++) {
             TEST_ASSERT_DOUBLE_WITHIN(FLOAT_OR_DOUBLE(2e-6, 1e-13), truth.x[r],
