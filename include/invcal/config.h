@@ -22,7 +22,11 @@
 #define INVCAL_VERSION_MAJOR 0
 #define INVCAL_VERSION_MINOR 1
 #define INVCAL_VERSION_PATCH 0
-#define INVCAL_VERSION "0.1.0"
+#define INVCAL_VERSION                                                                             \
+    INVCAL_TEXT(INVCAL_VERSION_MAJOR)                                                              \
+    "." INVCAL_TEXT(INVCAL_VERSION_MINOR) "." INVCAL_TEXT(INVCAL_VERSION_PATCH)
+#define INVCAL_TEXT(number) INVCAL_TEXT_OF(number)
+#define INVCAL_TEXT_OF(number) #number
 
 /* 0: invcal_real is float, and no double arithmetic is compiled. 1: it is double. */
 #ifndef INVCAL_DOUBLE
