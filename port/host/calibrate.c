@@ -161,6 +161,9 @@ static int read_request(int argc, char **argv, request *r)
         input_is_stdin(r->file)) {
         failure = usage(NOMINAL, "only one input can be the standard input");
     }
+    if (!failure && r->value[OUT] && output_is_same(r->value[OUT], r->file)) {
+        failure = usage(OUT, "is FILE itself, whose positions would be lost");
+    }
     failure = failure ? failure : read_gravity(r);
     failure = failure ? failure : read_frame(r);
     failure = failure ? failure : read_nominal(r);

@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-#define _POSIX_C_SOURCE 200809L
-#define _XOPEN_SOURCE 700 /* realpath */
+#define _XOPEN_SOURCE 700 /* POSIX.1-2008 with realpath */
 #include "output.h"
 
 #include <errno.h>
@@ -43,6 +42,15 @@ static FILE *open_beside(output *o, const struct stat *old)
         (void)fchmod(fd, old->st_mode & 0777);
     }
     return file;
+}
+
+int output_is_same(const char *path, const char *other)
+{
+    struct stat a;
+    struct stat b;
+
+    return stat(path, &a) == 0 && stat(other, &b) == 0 && a.st_dev == b.st_dev &&
+           a.st_ino == b.st_ino && S_ISREG(a.st_mode);
 }
 
 int output_begin(output *o, const char *path)

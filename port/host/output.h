@@ -16,6 +16,9 @@ typedef struct {
     char *temporary; /* its name meanwhile; null if it is written directly */
 } output;
 
+/* 1 if both are one and the same regular file, which exists. */
+int output_is_same(const char *path, const char *other);
+
 /* Begins a file. EXIT_GOOD; EXIT_FILE, with a message. In either case end with output_commit or
  * output_discard. */
 int output_begin(output *o, const char *path);

@@ -7,6 +7,7 @@ tool=$1
 here=$(dirname "$0")
 data=$here/../data
 [ -x "$tool" ] && [ -n "$2" ] || { echo "usage: $0 path/to/invcal builddir" >&2; exit 2; }
+tool=$(cd "$(dirname "$tool")" && pwd)/$(basename "$tool")
 mkdir -p "$2" || exit 2
 work=$(cd "$2" && pwd)/tool_test.$$
 mkdir "$work" "$work/out" || exit 2
@@ -140,14 +141,23 @@ accepts "--help succeeds" --help
 check "--help names every command" sh -c \
     'for c in calibrate apply; do grep -q "^  $c " "$1" || exit 1; done' sh "$work/stdout"
 accepts "--version succeeds" --version
-check "--version tells the version of config.h" matches "$work/stdout" \
-    "^invcal $(sed -n 's/#define INVCAL_VERSION "\(.*\)"/\1/p' "$here/../../include/invcal/config.h")\$"
+check "--version tells the version of config.h" [ "$(cat "$work/stdout")" = "invcal $(awk '
+    /^#define INVCAL_VERSION_(MAJOR|MINOR|PATCH) / { v = v dot $3; dot = "." } END { print v }' \
+    "$here/../../include/invcal/config.h")" ]
 for c in calibrate apply; do
     accepts "$c --help succeeds" $c --help
     check "$c --help has usage, exit codes and an example" sh -c \
         'grep -q "^usage: invcal" "$1" && grep -q "^exit codes:" "$1" && grep -q "^example:" "$1"' \
         sh "$work/stdout"
     check "$c --help is at most 100 columns wide" awk 'length > 100 { exit 1 }' "$work/stdout"
+done
+mkdir "$work/example"
+ln -s "$(cd "$here/.." && pwd)" "$work/example/tests"
+for c in calibrate apply; do
+    "$tool" $c --help | sed -n '1,/^example:/d; s|^  invcal|"$tool"|; p' > "$work/example/run"
+    check "the example of $c --help works" sh -c \
+        'cd "$1" && [ -s run ] && tool=$2 sh -e ./run > /dev/null && [ -s cal.json ] && rm cal.json' \
+        sh "$work/example" "$tool"
 done
 "$tool" calibrate --help > "$work/help"
 for o in positions gravity frame zero lsb nominal nominal-name noise prior out json; do
@@ -223,7 +233,7 @@ accepts "an option takes its value after = as well" calibrate --gravity=9.8 --po
 accepts "a negative number is a value" calibrate "$good" --positions --zero -0.1,-0.2,0 --lsb 1
 cp "$good" "$work/--odd"
 check "-- ends the options" sh -c 'cd "$2" && "$1" calibrate --positions -- --odd > /dev/null' sh \
-    "$(cd "$(dirname "$tool")" && pwd)/$(basename "$tool")" "$work"
+    "$tool" "$work"
 
 # ---- real sensors ------------------------------------------------------------------------------
 
@@ -728,6 +738,10 @@ refuses "--out in a missing directory" 3 'nowhere/cal\.json: cannot be written: 
 refuses "--out of a directory" 3 'out: cannot be written: Is a directory' \
     calibrate "$good" --positions --out "$work/out"
 check "nothing was left behind" [ -z "$(ls -A "$work/out")" ]
+cp "$good" "$work/both.csv"
+refuses "--out over the positions themselves" 2 '--out: is FILE itself' \
+    calibrate "$work/both.csv" --positions --out "$work/../tool_test.$$/both.csv"
+check "the positions are still there" same "$good" "$work/both.csv"
 # A disk that is full, by a limit of 512 or 1024 bytes for each file. (Not by --out /dev/full: for
 # root a fault in the tool might replace the device.)
 echo old > "$work/out/cal.json"
