@@ -33,7 +33,7 @@ void invcal_residuals_init(invcal_residuals *residuals, const invcal_solution *s
 
 /* Adds one position.
  *
- * u         its reading, as given to invcal_observation_exact for the solution.
+ * u         its reading over field, as made for the rows of the solution, whatever their kind.
  * weight    the one it had in the normal equations, invcal_normal_add: 1 as a rule.
  * residual  |calibrated| / field - 1; may be null.
  *

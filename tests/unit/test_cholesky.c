@@ -126,26 +126,28 @@ static void assert_near(const double *expected, const invcal_real *actual, unsig
     }
 }
 
-static void a_random_matrix_agrees_with_exact_rational_arithmetic(void)
+static void assert_factored(unsigned n, const double *matrix, const double *factor,
+                            const double *inverse, double inverse_bound)
 {
     invcal_real a[SUMS];
 
-    from_double(expected_random9_matrix, a, packed_size(9));
-    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_cholesky_factor(a, 9, INVCAL_PIVOT_FLOOR));
-    assert_near(expected_random9_factor, a, packed_size(9), 10 * tiny);
-    invcal_cholesky_inverse(a, 9);
-    assert_near(expected_random9_inverse, a, packed_size(9), 100 * tiny);
+    from_double(matrix, a, packed_size(n));
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_cholesky_factor(a, n, INVCAL_PIVOT_FLOOR));
+    assert_near(factor, a, packed_size(n), 10 * tiny);
+    invcal_cholesky_inverse(a, n);
+    assert_near(inverse, a, packed_size(n), inverse_bound);
+}
+
+static void a_random_matrix_agrees_with_exact_rational_arithmetic(void)
+{
+    assert_factored(9, expected_random9_matrix, expected_random9_factor, expected_random9_inverse,
+                    100 * tiny);
 }
 
 static void the_pascal_matrix_agrees_with_its_integer_inverse(void)
 {
-    invcal_real a[SUMS];
-
-    from_double(expected_pascal5_matrix, a, packed_size(5));
-    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_cholesky_factor(a, 5, INVCAL_PIVOT_FLOOR));
-    assert_near(expected_pascal5_factor, a, packed_size(5), 10 * tiny);
-    invcal_cholesky_inverse(a, 5);
-    assert_near(expected_pascal5_inverse, a, packed_size(5), 1000 * tiny);
+    assert_factored(5, expected_pascal5_matrix, expected_pascal5_factor, expected_pascal5_inverse,
+                    1000 * tiny);
 }
 
 /* A = M M' with M of `rank` random columns. */
