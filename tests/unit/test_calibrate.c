@@ -308,6 +308,48 @@ static void a_prior_is_weighed_against_the_noise_that_is_there(void)
     TEST_ASSERT_EQUAL_HEX16(0, quality.from_prior);
 }
 
+/* The same readings and priors, once over field and once in m/s^2 of counts: tilts by 10 degrees,
+ * which leave much to the prior. */
+static void a_prior_weighs_the_same_in_any_unit(void)
+{
+    random_source random = random_start(3);
+    const triad_truth truth = triad_random(&random, 0.01);
+    invcal_settings unit = unit_settings(1e-3);
+    invcal_settings counts = unit_settings(9.8e-3);
+    double v[12][3];
+    reading_set set;
+    reading_set raw;
+    invcal_solution solution[2];
+    invcal_quality quality[2];
+
+    for (int i = 0; i < 12; i++) {
+        v[i][0] = random_uniform(&random, -0.17, 0.17);
+        v[i][1] = random_uniform(&random, -0.17, 0.17);
+        v[i][2] = sqrt(1 - v[i][0] * v[i][0] - v[i][1] * v[i][1]);
+    }
+    read_positions(&truth, (const double(*)[3])v, 12, 1e-4, &random, &set);
+    raw.count = set.count;
+    for (int i = 0; i < 12 * 3; i++) {
+        raw.u[i / 3][i % 3] = 400 * set.u[i / 3][i % 3];
+    }
+    counts.field = (invcal_real)9.8;
+    for (int r = 0; r < 9; r++) {
+        unit.prior[r] = counts.prior[r] = (invcal_real)0.01;
+        counts.nominal.matrix[r % 3][r % 3] = (invcal_real)(9.8 / 400);
+    }
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, calibrate_set(&set, &unit, &solution[0], &quality[0], NULL));
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, calibrate_set(&raw, &counts, &solution[1], &quality[1], NULL));
+    for (unsigned r = 0; r < 9; r++) {
+        const double sigma = sigma_of_parameter(&quality[0], r);
+        TEST_ASSERT_DOUBLE_WITHIN(FLOAT_OR_DOUBLE(1e-2, 1e-9) * sigma, parameter(&solution[0], r),
+                                  parameter(&solution[1], r));
+        TEST_ASSERT_DOUBLE_WITHIN(FLOAT_OR_DOUBLE(1e-2, 1e-9) * sigma, sigma,
+                                  sigma_of_parameter(&quality[1], r));
+    }
+    TEST_ASSERT_EQUAL_HEX16(quality[0].from_prior, quality[1].from_prior);
+    TEST_ASSERT_TRUE(quality[0].from_prior != 0);
+}
+
 int main(void)
 {
     UNITY_BEGIN();
@@ -322,5 +364,6 @@ int main(void)
     RUN_TEST(no_position_at_all_is_too_few);
     RUN_TEST(a_partial_prior_needs_as_many_positions_as_it_leaves_open);
     RUN_TEST(a_prior_is_weighed_against_the_noise_that_is_there);
+    RUN_TEST(a_prior_weighs_the_same_in_any_unit);
     return UNITY_END() != 0;
 }
