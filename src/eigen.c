@@ -159,37 +159,53 @@ static invcal_real bisect(const invcal_real *d, const invcal_real *e2, unsigned 
     return low;
 }
 
-/* Divides a by its largest diagonal element, so that nothing over- or underflows. */
-static void normalise(invcal_real *a, unsigned n)
-{
-    const invcal_real largest = invcal_largest_diagonal(a, n);
+/* A matrix of the same eigenvalues with nothing but a diagonal and the elements beside it. */
+typedef struct {
+    invcal_real d[INVCAL_MAX_PARAMETERS];  /* diagonal */
+    invcal_real e2[INVCAL_MAX_PARAMETERS]; /* squares beside it: e2[i] couples i - 1 and i */
+    invcal_real scale;                     /* that all has been divided by, lest it overflows */
+    invcal_real bound;                     /* no eigenvalue is larger */
+} tridiagonal;
 
+/* Returns 0 if a holds what is no number, or has no positive trace. */
+static int reduce(invcal_real *a, unsigned n, tridiagonal *t)
+{
+    invcal_real trace = 0;
+    invcal_real coupling = 0;
+
+    t->scale = invcal_largest_diagonal(a, n);
     for (unsigned i = 0; i < INVCAL_PACKED_SIZE(n); i++) {
-        a[i] /= largest; /* 0/0 is a NaN, and is found below */
+        a[i] /= t->scale; /* 0/0 is a NaN, and is found below */
     }
+    for (unsigned k = n; k-- > 0;) {
+        const invcal_real e = k > 0 ? mirror(a, k) : 0;
+        t->e2[k] = e * e;
+        t->d[k] = a[INVCAL_PACKED(k, k)];
+        trace += t->d[k];
+        coupling += t->e2[k];
+    }
+    t->bound = 2 * trace;
+    return invcal_is_positive(trace) && invcal_is_finite(coupling);
 }
 
 invcal_real invcal_condition(invcal_real *a, unsigned n)
 {
-    invcal_real d[INVCAL_MAX_PARAMETERS];
-    invcal_real e2[INVCAL_MAX_PARAMETERS]; /* e2[i] couples i - 1 and i */
-    invcal_real trace = 0;
-    invcal_real coupling = 0;
+    tridiagonal t;
 
     INVCAL_ASSERT(a && n >= 1 && n <= INVCAL_MAX_PARAMETERS);
-    normalise(a, n);
-    for (unsigned k = n; k-- > 0;) {
-        const invcal_real e = k > 0 ? mirror(a, k) : 0;
-        e2[k] = e * e;
-        d[k] = a[INVCAL_PACKED(k, k)];
-        trace += d[k];
-        coupling += e2[k];
-    }
-    if (!(invcal_is_positive(trace) && invcal_is_finite(coupling))) {
+    if (!reduce(a, n, &t)) {
         return INVCAL_REAL_MAX;
     }
-    const invcal_real largest = bisect(d, e2, n, n, 2 * trace);
-    const invcal_real smallest = bisect(d, e2, n, 1, largest * 2);
+    const invcal_real largest = bisect(t.d, t.e2, n, n, t.bound);
+    const invcal_real smallest = bisect(t.d, t.e2, n, 1, largest * 2);
     return smallest > (invcal_real)n * INVCAL_EPSILON * largest ? largest / smallest
                                                                 : INVCAL_REAL_MAX;
+}
+
+invcal_real invcal_largest_eigenvalue(invcal_real *a, unsigned n)
+{
+    tridiagonal t;
+
+    INVCAL_ASSERT(a && n >= 1 && n <= INVCAL_MAX_PARAMETERS);
+    return reduce(a, n, &t) ? t.scale * bisect(t.d, t.e2, n, n, t.bound) : INVCAL_REAL_MAX;
 }

@@ -18,7 +18,7 @@ const char *invcal_status_text(invcal_status status)
         "a reading is not a finite number\0"
         "a reading is below a tenth or above ten times the field: wrong scale, zero or field\0"
         "a known direction is not a unit vector\0"
-        "a setting is not usable: field, noise, weight, prior or nominal calibration\0"
+        "a setting is not usable: field, noise, weight, prior, nominal calibration or plan\0"
         "exact and linear equations cannot be solved together\0"
         "fewer positions than parameters\0"
         "the positions leave parameters undetermined\0"

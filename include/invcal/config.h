@@ -43,7 +43,7 @@
  * than INVCAL_MAX_PARAMETERS). Bad data never come here: they are answered with a status.
  * By default nothing is compiled; define it, for example, as assert or as a breakpoint. */
 #ifndef INVCAL_ASSERT
-#define INVCAL_ASSERT(condition) ((void)sizeof(condition))
+#define INVCAL_ASSERT(condition) ((void)sizeof((condition) ? 1 : 0))
 #endif
 
 #if INVCAL_DOUBLE != 0 && INVCAL_DOUBLE != 1
@@ -66,6 +66,8 @@ typedef double invcal_real;
 #define INVCAL_REAL_MAX DBL_MAX
 #define INVCAL_SQRT sqrt
 #define INVCAL_FABS fabs
+#define INVCAL_SIN sin
+#define INVCAL_COS cos
 #else
 typedef float invcal_real;
 #define INVCAL_REAL(literal) literal##f
@@ -73,6 +75,8 @@ typedef float invcal_real;
 #define INVCAL_REAL_MAX FLT_MAX
 #define INVCAL_SQRT sqrtf
 #define INVCAL_FABS fabsf
+#define INVCAL_SIN sinf
+#define INVCAL_COS cosf
 #endif
 
 #endif

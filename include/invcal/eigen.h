@@ -40,6 +40,12 @@ void invcal_eigen3_inverse(const invcal_eigen3 *eigen, invcal_real out[6]);
  * definite to rounding gives INVCAL_REAL_MAX. */
 invcal_real invcal_condition(invcal_real *a, unsigned n);
 
+/* The largest eigenvalue of a symmetric positive definite matrix; a and n as above. Relative
+ * error: n INVCAL_EPSILON, so that the largest of A times the largest of A^-1 gives a condition
+ * without the loss above. What is no positive definite matrix gives INVCAL_REAL_MAX or a number
+ * without meaning. */
+invcal_real invcal_largest_eigenvalue(invcal_real *a, unsigned n);
+
 #ifdef __cplusplus
 }
 #endif

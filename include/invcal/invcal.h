@@ -5,10 +5,14 @@
  *
  *     calibration -> observation -> normal -> cholesky -> eigen -> solution -> residual
  *                 -> quality -> calibrate
+ *
+ *     plan -> criteria, series: which positions to visit, and what they are worth
  */
 #ifndef INVCAL_INVCAL_H
 #define INVCAL_INVCAL_H
 
 #include "invcal/calibrate.h"
+#include "invcal/criteria.h"
+#include "invcal/series.h"
 
 #endif

@@ -24,13 +24,13 @@ extern "C" {
 
 typedef enum {
     INVCAL_OK = 0,
-    INVCAL_NOT_FINITE,    /* a reading is NaN or infinite */
-    INVCAL_OUT_OF_RANGE,  /* a reading is below 1/10 or above 10 of the field: wrong scale, field */
-    INVCAL_NOT_UNIT,      /* a known direction is not a unit vector */
-    INVCAL_BAD_SETTING,   /* field, noise, weight, prior, scale or nominal calibration unusable */
-    INVCAL_MIXED,         /* rows of the exact and of the linear kind in one set of equations */
-    INVCAL_TOO_FEW,       /* fewer positions than parameters without a prior */
-    INVCAL_UNDETERMINED,  /* the positions leave some parameters open: see invcal_undetermined */
+    INVCAL_NOT_FINITE,   /* a reading is NaN or infinite */
+    INVCAL_OUT_OF_RANGE, /* a reading is below 1/10 or above 10 of the field: wrong scale, field */
+    INVCAL_NOT_UNIT,     /* a known direction is not a unit vector */
+    INVCAL_BAD_SETTING,  /* field, noise, weight, prior, nominal calibration or plan unusable */
+    INVCAL_MIXED,        /* rows of the exact and of the linear kind in one set of equations */
+    INVCAL_TOO_FEW,      /* fewer positions than parameters without a prior, or than 5 in a group */
+    INVCAL_UNDETERMINED, /* the positions leave some parameters open: see invcal_undetermined */
     INVCAL_NOT_ELLIPSOID, /* the readings lie on no ellipsoid that a sensor triad can produce */
     INVCAL_STATUS_COUNT
 } invcal_status;

@@ -1,0 +1,105 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * invcal/plan.h: which positions to visit: the paper's programs for a stand of two axes.
+ *
+ * The stand turns the instrument by alpha about its outer and by beta about its inner axis; the
+ * vertical then points, in the frame of the instrument, along
+ *
+ *     eta(alpha, beta) = (sin alpha sin beta, cos alpha, sin alpha cos beta).
+ *
+ * A program is three groups of N positions, each group a full turn in N equal steps about one
+ * axis (the paper's Table 1; design section 3):
+ *
+ *     group   alpha                        beta
+ *     1       start 1 + 360 (l - 1)/N      0
+ *     2       -90                          start 2 + 360 (l - 1)/N
+ *     3       start 3 + 360 (l - 1)/N      90                           l = 1 ... N
+ *
+ * Five positions in a group are the least: each is a series of five coefficients (series.h).
+ * What a program is worth does not depend on the start angles: sigma of the offsets
+ * sqrt(1/N), of the scale errors sqrt(7/(5N)), of the non-orthogonality terms sqrt(8/N), times
+ * the noise of a position mean; the condition is 8 (criteria.h computes them for any directions).
+ * The start angles decide which axes stand exactly along gravity.
+ *
+ * Positions are computed one at a time, so a device that follows a program stores no table.
+ * A stand is not needed: whoever holds the device in the hand may follow the verticals, roughly.
+ */
+#ifndef INVCAL_PLAN_H
+#define INVCAL_PLAN_H
+
+#include <stdint.h>
+
+#include "invcal/status.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+#define INVCAL_PLAN_GROUPS 3u
+#define INVCAL_PLAN_PER_GROUP_MIN 5u
+#define INVCAL_PLAN_PER_GROUP_MAX 1000u
+
+typedef struct {
+    unsigned per_group;                    /* N, from INVCAL_PLAN_PER_GROUP_MIN to .._MAX */
+    invcal_real start[INVCAL_PLAN_GROUPS]; /* degrees, -360 ... 360 */
+} invcal_plan;
+
+typedef struct {
+    unsigned group;          /* 1 ... 3 */
+    unsigned index;          /* l, 1 ... N */
+    invcal_real alpha;       /* outer angle, degrees, above -180, at most 180 */
+    invcal_real beta;        /* inner angle, likewise */
+    invcal_real vertical[3]; /* eta: unit vector of the up direction in the instrument frame */
+} invcal_plan_position;
+
+/* Is the plan usable? Asked by all functions that take one.
+ *
+ * Returns INVCAL_OK;
+ *   INVCAL_TOO_FEW      fewer than 5 positions in a group: its five coefficients stay open;
+ *   INVCAL_BAD_SETTING  more than INVCAL_PLAN_PER_GROUP_MAX, or a start angle that is NaN or
+ *                       outside -360 ... 360. */
+invcal_status invcal_plan_check(const invcal_plan *plan);
+
+/* Position i of a program, i from 0 to 3 N - 1: Table 1 and eta(alpha, beta).
+ * Multiples of 90 degrees give components that are exactly 0 and 1.
+ *
+ * Returns INVCAL_OK; INVCAL_TOO_FEW or INVCAL_BAD_SETTING by invcal_plan_check;
+ * INVCAL_BAD_SETTING if there is no position i.
+ * Cost: two sines and two cosines. Error of a component: 1e-15 (double), 5e-7 (float). */
+invcal_status invcal_plan_position_at(const invcal_plan *plan, unsigned i,
+                                      invcal_plan_position *out);
+
+/* Start angles with which a program points as many of the axes x, y, z up and down as can be.
+ *
+ * The paper asks that each axis stands along +g and along -g somewhere. An even N does it with
+ * 90 - 360/N floor(N/4) for groups 1 and 2 and 180 - 360/N for group 3: group 1 then holds +-z,
+ * group 2 +-x, group 3 +-y; N = 6 gives 30, 30, 120, the paper's Table 2. An odd N cannot:
+ * opposite directions are half a turn apart, N/2 steps, so each group has at most one of the
+ * six, and the same angles give +z, -x, -y.
+ *
+ * Returns INVCAL_OK; INVCAL_TOO_FEW, INVCAL_BAD_SETTING for an N outside its range. */
+invcal_status invcal_plan_starts(unsigned per_group, invcal_real start[INVCAL_PLAN_GROUPS]);
+
+/* The six directions of the axes as bits: 1 << INVCAL_AXIS_PLUS_X and so on. */
+enum {
+    INVCAL_AXIS_PLUS_X = 0,
+    INVCAL_AXIS_MINUS_X,
+    INVCAL_AXIS_PLUS_Y,
+    INVCAL_AXIS_MINUS_Y,
+    INVCAL_AXIS_PLUS_Z,
+    INVCAL_AXIS_MINUS_Z,
+    INVCAL_AXES
+};
+
+/* Which axis points up, within 0.1 degrees: one bit, or 0 if none does.
+ *
+ * vertical  a unit vector; one that is not (or a NaN) is along no axis or along one, but harmless.
+ *
+ * A plan's axes are those of its positions, or-ed together. */
+uint8_t invcal_axis_up(const invcal_real vertical[3]);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

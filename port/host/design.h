@@ -1,0 +1,63 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * design.h: a set of positions to visit, whatever it comes from, and what it is worth.
+ */
+#ifndef DESIGN_H
+#define DESIGN_H
+
+#include "invcal/criteria.h"
+#include "invcal/plan.h"
+
+#define DESIGN_MAX (INVCAL_PLAN_GROUPS * INVCAL_PLAN_PER_GROUP_MAX)
+
+typedef struct {
+    unsigned group; /* of a stand program, 1 ... 3; else 0 */
+    double alpha;   /* stand angles, degrees */
+    double beta;
+    double vertical[3]; /* up, in the instrument frame */
+} design_position;
+
+typedef struct {
+    char name[80];    /* "3 x 6", "icosahedron" */
+    invcal_plan plan; /* of a stand program; else per_group is 0 */
+    unsigned count;
+    invcal_normal normal; /* H'H */
+    int is_solvable;
+    char refusal[400];     /* if it is not solvable: why, for people, */
+    uint16_t undetermined; /* and the parameters that it leaves open */
+    invcal_criteria criteria;
+    uint8_t axes;       /* that point along gravity: bits of INVCAL_AXIS_PLUS_X ... */
+    double range[3][2]; /* what each axis feels, least and most, over the field */
+    design_position position[DESIGN_MAX];
+} design; /* large: not for the stack */
+
+/* What sets of positions are called on the command line, as a part of help texts. */
+#define DESIGN_WORDS                                                                               \
+    "  per-group:N          the paper's program of 3 x N positions, N from 5\n"                    \
+    "  per-group:N:A,B,C    the same with these start angles, degrees\n"                           \
+    "  faces                each axis up and down: 6 positions\n"                                  \
+    "  edges                these and the 12 midway between two axes: 18 positions\n"              \
+    "  icosahedron          its 12 corners\n"                                                      \
+    "  optimal:N            N positions, 9 to 48, with the largest determinant\n"                  \
+    "  directions:FILE      the columns x y z of a table, of any length\n"
+
+/* Makes and judges a set from its word. `command` is for messages.
+ *
+ * Returns EXIT_GOOD; EXIT_DATA, without a message, if it is not solvable: see d->refusal (a
+ * program of fewer than 5 positions in a group has count 0); with a message EXIT_USAGE for an
+ * unknown word or a wrong number, EXIT_FILE. */
+int design_make(design *d, const char *command, const char *word);
+
+/* Makes and judges the set of a stand program. `plan` is usable. */
+void design_stand(design *d, const invcal_plan *plan);
+
+/* Makes and judges a set of unit vectors. */
+void design_directions(design *d, const char *name, double (*direction)[3], unsigned count);
+
+/* The name of an axis, "+x" ... "-z". */
+const char *design_axis_name(unsigned axis);
+
+/* The time that a set takes: a dwell in each position, a move between two. */
+double design_seconds(unsigned positions, double dwell, double move);
+
+#endif
