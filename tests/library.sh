@@ -39,6 +39,13 @@ doubles() {
         END { if (n) printf "%d double instructions", n }'
 }
 
+# Positions are computed one at a time: no tables in these rooms. Single constants are none.
+tables() {
+    size -A "$1/src/plan.o" "$1/src/criteria.o" "$1/src/series.o" |
+        awk '$1 ~ /^\.rodata/ && $1 !~ /^\.rodata\.cst/ { n += $2 }
+            END { if (n > 64) printf "%d bytes of read-only data", n }'
+}
+
 for real in float double; do
     lib=$build/$real/libinvcal.a
     if [ ! -s "$lib" ]; then
@@ -51,6 +58,7 @@ for real in float double; do
     case " $CFLAGS" in *-fsanitize* | *coverage*) continue ;; esac
     result "$real: needs nothing but $allowed" "$(undefined "$lib" "$allowed")"
     result "$real: no writable data" "$(writable "$lib")"
+    result "$real: plan, criteria and series hold no table over 64 bytes" "$(tables "$build/$real")"
     result "$real: all public names begin with invcal_" "$(foreign "$lib")"
 done
 case " $CFLAGS$(uname -m)" in

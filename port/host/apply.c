@@ -17,7 +17,7 @@
 #include "output.h"
 
 static const char *const operands[] = {"CAL.json", "LOG"};
-static const option_syntax syntax = {"apply", NULL, 0, operands, 2};
+static const option_syntax syntax = {"apply", NULL, 0, operands, 2, 0};
 
 /* Checks a number, but hands it on as the text that it was: a time stamp has digits to lose. */
 static int copy_number(FILE *spool, const table *log, const columns *where, column which)

@@ -44,7 +44,7 @@ static const option options[OPTIONS] = {
     [JSON] = {"--json", 0},
 };
 static const char *const operands[] = {"FILE"};
-static const option_syntax syntax = {"calibrate", options, OPTIONS, operands, 1};
+static const option_syntax syntax = {"calibrate", options, OPTIONS, operands, 1, 0};
 
 /* What the command line asks for. */
 typedef struct {

@@ -31,5 +31,6 @@ typedef struct {
 
 extern const tool_command calibrate_command;
 extern const tool_command apply_command;
+extern const tool_command plan_command;
 
 #endif

@@ -23,9 +23,14 @@ const char *design_axis_name(unsigned axis)
     return names[axis];
 }
 
-double design_seconds(unsigned positions, double dwell, double move)
+double design_seconds(unsigned count, const design_cost *cost)
 {
-    return positions * dwell + (positions - 1.0) * move;
+    return count * cost->dwell + (count - 1.0) * cost->move;
+}
+
+double design_noise(const design_cost *cost)
+{
+    return cost->noise / sqrt(cost->dwell);
 }
 
 static void judge(design *d)
@@ -91,6 +96,14 @@ void design_directions(design *d, const char *name, double (*direction)[3], unsi
         set_angles(&d->position[n]);
     }
     judge(d);
+}
+
+void design_balanced(design *d, unsigned count, const double limits[3])
+{
+    double direction[OPTIMAL_MAX][3];
+
+    optimal_within(count, limits, 0, direction);
+    design_directions(d, "free directions", direction, count);
 }
 
 static unsigned add_direction(double (*direction)[3], unsigned count, double x, double y, double z)
@@ -253,6 +266,16 @@ static int scale_rows(positions *p)
     return EXIT_GOOD;
 }
 
+/* The name of a file for tables and pictures: ASCII, cut to `size`. Returns name. */
+static const char *plain_name(const char *path, char *name, size_t size)
+{
+    snprintf(name, size, "%s", path);
+    for (char *c = name; *c != '\0'; c++) {
+        *c = *c < ' ' || *c > '~' ? '?' : *c;
+    }
+    return name;
+}
+
 static int make_from_file(design *d, const char *path)
 {
     positions p;
@@ -264,7 +287,8 @@ static int make_from_file(design *d, const char *path)
     }
     failure = failure ? failure : scale_rows(&p);
     if (!failure) {
-        design_directions(d, path, (double(*)[3])p.mean, p.count);
+        char name[sizeof d->name];
+        design_directions(d, plain_name(path, name, sizeof name), (double(*)[3])p.mean, p.count);
     }
     positions_free(&p);
     return failure;

@@ -54,10 +54,23 @@ void design_stand(design *d, const invcal_plan *plan);
 /* Makes and judges a set of unit vectors. */
 void design_directions(design *d, const char *name, double (*direction)[3], unsigned count);
 
+/* Makes and judges `count` directions, balanced to the limits (optimal_within). */
+void design_balanced(design *d, unsigned count, const double limits[3]);
+
 /* The name of an axis, "+x" ... "-z". */
 const char *design_axis_name(unsigned axis);
 
-/* The time that a set takes: a dwell in each position, a move between two. */
-double design_seconds(unsigned positions, double dwell, double move);
+/* What a position costs and, if the user tells, what its mean is worth. */
+typedef struct {
+    double noise; /* standard deviation of a mean over one second, over the field; 0: not told */
+    double dwell; /* seconds in a position */
+    double move;  /* seconds between two */
+} design_cost;
+
+/* The time that so many positions take: a dwell in each, a move between two. */
+double design_seconds(unsigned count, const design_cost *cost);
+
+/* Standard deviation of a position mean over the field: noise / sqrt(dwell). */
+double design_noise(const design_cost *cost);
 
 #endif

@@ -4,7 +4,7 @@
 #include <float.h>
 #include <math.h>
 
-#include "invcal/status.h"
+#include "invcal/normal.h"
 #include "number.h"
 
 static void write_text(FILE *file, const char *text)
@@ -27,9 +27,9 @@ static void write_number(FILE *file, double x)
     fputs(fabs(x) <= DBL_MAX ? number_text(x, text) : "null", file);
 }
 
-static void write_vector(FILE *file, const double x[3])
+static void write_numbers(FILE *file, const double *x, unsigned n)
 {
-    for (unsigned i = 0; i < 3; i++) {
+    for (unsigned i = 0; i < n; i++) {
         fputs(i == 0 ? "[" : ", ", file);
         write_number(file, x[i]);
     }
@@ -48,22 +48,32 @@ static void begin_member(json_writer *w, const char *name)
     }
     w->is_first = 0;
     new_line(w);
-    write_text(w->file, name);
-    fputs(": ", w->file);
+    if (name) {
+        write_text(w->file, name);
+        fputs(": ", w->file);
+    }
 }
 
-static void open_object(json_writer *w)
+static void open_bracket(json_writer *w, int bracket)
 {
-    putc('{', w->file);
+    putc(bracket, w->file);
     w->depth++;
     w->is_first = 1;
+}
+
+static void close_bracket(json_writer *w, int bracket)
+{
+    w->depth--;
+    new_line(w);
+    putc(bracket, w->file);
+    w->is_first = 0;
 }
 
 void json_begin(json_writer *w, FILE *file)
 {
     w->file = file;
     w->depth = 0;
-    open_object(w);
+    open_bracket(w, '{');
 }
 
 void json_end(json_writer *w)
@@ -75,15 +85,23 @@ void json_end(json_writer *w)
 void json_object(json_writer *w, const char *name)
 {
     begin_member(w, name);
-    open_object(w);
+    open_bracket(w, '{');
 }
 
 void json_object_end(json_writer *w)
 {
-    w->depth--;
-    new_line(w);
-    putc('}', w->file);
-    w->is_first = 0;
+    close_bracket(w, '}');
+}
+
+void json_list(json_writer *w, const char *name)
+{
+    begin_member(w, name);
+    open_bracket(w, '[');
+}
+
+void json_list_end(json_writer *w)
+{
+    close_bracket(w, ']');
 }
 
 void json_text(json_writer *w, const char *name, const char *text)
@@ -98,38 +116,57 @@ void json_number(json_writer *w, const char *name, double x)
     write_number(w->file, x);
 }
 
-void json_vector(json_writer *w, const char *name, const double x[3])
+void json_numbers(json_writer *w, const char *name, const double *x, unsigned n)
 {
     begin_member(w, name);
-    write_vector(w->file, x);
+    write_numbers(w->file, x, n);
+}
+
+void json_vector(json_writer *w, const char *name, const double x[3])
+{
+    json_numbers(w, name, x, 3);
 }
 
 void json_matrix(json_writer *w, const char *name, const double (*m)[3])
 {
-    begin_member(w, name);
-    w->depth++;
+    json_list(w, name);
     for (unsigned i = 0; i < 3; i++) {
-        putc(i == 0 ? '[' : ',', w->file);
-        new_line(w);
-        write_vector(w->file, m[i]);
+        json_vector(w, NULL, m[i]);
     }
-    w->depth--;
-    new_line(w);
-    putc(']', w->file);
+    json_list_end(w);
 }
 
-void json_parameters(json_writer *w, const char *name, uint16_t bits)
+void json_symmetric(json_writer *w, const char *name, const double *packed, unsigned n)
+{
+    json_list(w, name);
+    for (unsigned r = 0; r < n; r++) {
+        double row[INVCAL_MAX_PARAMETERS];
+        for (unsigned c = 0; c < n; c++) {
+            row[c] = packed[c <= r ? INVCAL_PACKED(r, c) : INVCAL_PACKED(c, r)];
+        }
+        json_numbers(w, NULL, row, n);
+    }
+    json_list_end(w);
+}
+
+void json_names(json_writer *w, const char *name, unsigned bits, unsigned count,
+                const char *(*name_of)(unsigned))
 {
     const char *comma = "";
 
     begin_member(w, name);
     putc('[', w->file);
-    for (unsigned r = 0; r < INVCAL_PARAMETERS; r++) {
-        if ((unsigned)bits >> r & 1u) {
+    for (unsigned i = 0; i < count; i++) {
+        if (bits >> i & 1u) {
             fputs(comma, w->file);
-            write_text(w->file, invcal_parameter_name(r));
+            write_text(w->file, name_of(i));
             comma = ", ";
         }
     }
     putc(']', w->file);
+}
+
+void json_parameters(json_writer *w, const char *name, uint16_t bits)
+{
+    json_names(w, name, bits, INVCAL_PARAMETERS, invcal_parameter_name);
 }

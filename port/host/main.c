@@ -15,6 +15,7 @@
 static const tool_command *const commands[] = {
     &calibrate_command,
     &apply_command,
+    &plan_command,
 };
 
 #define COMMANDS (sizeof commands / sizeof commands[0])

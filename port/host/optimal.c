@@ -15,7 +15,7 @@ enum { P = INVCAL_PARAMETERS, SUMS = INVCAL_PACKED_SIZE(INVCAL_PARAMETERS) };
 #define ASCENT 40u  /* steps of one position, at most */
 #define RIDGE 1e-9  /* keeps what n - 1 < 9 positions leave open finite */
 #define SETTLED 1e-9
-#define ROUNDS 30u /* of weights */
+#define PATIENCE 5u /* rounds of weights that bring nothing */
 #define MATCH 1e-3
 
 typedef struct {
@@ -262,22 +262,31 @@ static void begin(search *s, unsigned start)
     }
 }
 
-/* The better the start, the better the end: several, and the best is kept. Returns its merit. */
-static double search_all(search *s)
+/* Keeps the better of two sets. */
+static void keep(const search *s, double found, search *best, double *merit_of_best)
 {
-    double best = -HUGE_VAL;
-    double direction[OPTIMAL_MAX][3] = {{0}};
-
-    for (unsigned start = 0; start < STARTS; start++) {
-        begin(s, start);
-        const double found = improve(s);
-        if (found > best) {
-            best = found;
-            memcpy(direction, s->direction, sizeof direction);
-        }
+    if (found > *merit_of_best) {
+        *merit_of_best = found;
+        *best = *s;
     }
-    memcpy(s->direction, direction, sizeof direction);
-    return best;
+}
+
+/* The better the start, the better the end: several, and the best is kept. Returns its merit.
+ * `again`: s holds a set that was good under other weights, which saves most of them. */
+static double search_all(search *s, int again)
+{
+    search best = *s;
+    double merit_of_best = -HUGE_VAL;
+
+    if (again) {
+        keep(s, improve(s), &best, &merit_of_best);
+    }
+    for (unsigned start = 0; start < (again ? STARTS / 4 : STARTS); start++) {
+        begin(s, start);
+        keep(s, improve(s), &best, &merit_of_best);
+    }
+    *s = best;
+    return merit_of_best;
 }
 
 static double dot(const double a[3], const double b[3])
@@ -334,7 +343,7 @@ void optimal_directions(unsigned n, double (*direction)[3])
 {
     search s = {.n = n};
 
-    search_all(&s);
+    search_all(&s, 0);
     turn(&s);
     travel(&s, direction);
 }
@@ -353,8 +362,23 @@ static double worst_ratio(const search *s, const double limits[3], double ratio[
     return worst;
 }
 
-/* The worst ratio is at least the mean under any weights. So the weights are moved, each by the
- * square of its ratio, until both meet: mirror ascent on the dual of the problem. */
+/* Each share times the square of its ratio, their sum 1 again. */
+static void move_weights(double share[P], const double ratio[P])
+{
+    double sum = 0;
+
+    for (unsigned r = 0; r < P; r++) {
+        share[r] *= ratio[r] * ratio[r];
+        sum += share[r];
+    }
+    for (unsigned r = 0; r < P; r++) {
+        share[r] /= sum;
+    }
+}
+
+/* The worst ratio is at least the root of the weighted mean square, whatever the weights. So
+ * A-optimal sets are searched under weights that are moved, more to where the ratio is large,
+ * until the two meet (mirror ascent on the dual of the problem) or come no nearer. */
 double optimal_within(unsigned n, const double limits[3], double enough, double (*direction)[3])
 {
     double share[P]; /* of the squared ratios in the mean; their sum is 1 */
@@ -362,37 +386,29 @@ double optimal_within(unsigned n, const double limits[3], double enough, double 
     double ratio[P];
     double best = HUGE_VAL;
     double bound = 0;
+    unsigned idle = 0; /* rounds without success */
     search s = {.n = n, .weight = weight};
 
     for (unsigned r = 0; r < P; r++) {
-        share[r] = 1.0 / P;
+        share[r] = 1.0 / (double)P;
     }
-    for (unsigned round = 0; round < ROUNDS && best > enough; round++) {
-        double sum = 0;
+    while (best > enough && best > bound * (1 + MATCH) && idle < PATIENCE) {
         for (unsigned r = 0; r < P; r++) {
             weight[r] = share[r] / (limits[r / 3] * limits[r / 3]);
         }
-        const double mean = exp(-search_all(&s) / 2);
+        const double mean = exp(-search_all(&s, bound > 0) / 2);
         const double worst = worst_ratio(&s, limits, ratio);
-        bound = mean > bound ? mean : bound;
+        bound = fmax(bound, mean);
         if (enough > 0 && bound > enough) {
             return bound;
         }
+        idle = worst < best * (1 - MATCH / 10) ? 0 : idle + 1;
         if (worst < best) {
             search copy = s;
             best = worst;
             travel(&copy, direction);
         }
-        if (best <= bound * (1 + MATCH)) {
-            break;
-        }
-        for (unsigned r = 0; r < P; r++) {
-            share[r] *= ratio[r] * ratio[r];
-            sum += share[r];
-        }
-        for (unsigned r = 0; r < P; r++) {
-            share[r] /= sum;
-        }
+        move_weights(share, ratio);
     }
     return best;
 }

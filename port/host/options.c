@@ -64,6 +64,9 @@ int options_parse(const option_syntax *syntax, int argc, char **argv, const char
     for (unsigned i = 0; i < syntax->option_count; i++) {
         values[i] = NULL;
     }
+    for (unsigned i = 0; i < syntax->operand_count; i++) {
+        operands[i] = NULL;
+    }
     for (int i = 0; i < argc; i++) {
         if (!only_operands && strcmp(argv[i], "--") == 0) {
             only_operands = 1;
@@ -78,7 +81,9 @@ int options_parse(const option_syntax *syntax, int argc, char **argv, const char
             operands[found++] = argv[i];
         }
     }
-    if (found < syntax->operand_count) {
+    if (found < syntax->operand_count - syntax->operand_optional ||
+        (found > syntax->operand_count - syntax->operand_optional &&
+         found < syntax->operand_count)) {
         return message_usage(syntax->command, "%s is missing", syntax->operands[found]);
     }
     return EXIT_GOOD;

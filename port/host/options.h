@@ -18,14 +18,15 @@ typedef struct {
     const char *command; /* whose help an error points to */
     const option *options;
     unsigned option_count;
-    const char *const *operands; /* their names; all must be there */
+    const char *const *operands; /* their names; */
     unsigned operand_count;
+    unsigned operand_optional; /* so many at the end may be left out, all or none */
 } option_syntax;
 
 /* Takes the arguments apart.
  *
  * values    one for each option: null if it is not there, else its text ("" without a value).
- * operands  one for each operand.
+ * operands  one for each operand; null if it was left out.
  * Both point into argv.
  *
  * Returns EXIT_GOOD; EXIT_USAGE for an unknown option, one given twice, a value that is missing

@@ -7,7 +7,7 @@
 
 #include <stdio.h>
 
-#include "design.h"
+#include "choice.h"
 
 /* One of the paper's programs in a sweep over N. */
 typedef struct {
@@ -16,15 +16,24 @@ typedef struct {
     uint8_t axes;
 } plan_row;
 
-/* What one position mean is worth, if the user tells. */
-typedef struct {
-    double noise; /* standard deviation of a mean over one second, over the field; 0: not told */
-    double dwell; /* seconds in a position */
-    double move;  /* seconds between two */
-} plan_cost;
+/* The bits of the axes that a set does not point along gravity. */
+unsigned plan_missing(uint8_t axes);
 
-/* Standard deviation of a position mean: noise / sqrt(dwell). */
-double plan_mean_noise(const plan_cost *cost);
+/* Tables for people. The request tells time, noise and limits; `c` is the choice that has led to
+ * the set, or null. A set that is not solvable is shown without its sigma. */
+void plan_print(FILE *file, const design *d, const choice_request *request, const choice *c);
+void plan_print_sweep(FILE *file, const plan_row *rows, unsigned count);
+void plan_print_comparison(FILE *file, const design *a, const design *b,
+                           const choice_request *request);
+
+/* The same, as one JSON object each. */
+void plan_json(FILE *file, const design *d, const choice_request *request, const choice *c);
+void plan_json_sweep(FILE *file, const plan_row *rows, unsigned count);
+void plan_json_comparison(FILE *file, const design *a, const design *b,
+                          const choice_request *request);
+
+/* A refusal without a set. */
+void plan_json_refusal(FILE *file, const char *reason, uint16_t undetermined);
 
 /* Pictures, as a whole SVG document: the paper's Fig. 2, sigma against the number of positions;
  * and the directions of a set on the two halves of the sphere. */

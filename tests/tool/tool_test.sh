@@ -1,136 +1,12 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
 #
-# Tests of the host tool from outside: tool_test.sh path/to/invcal builddir
+# Tests of calibrate and apply from outside: tool_test.sh path/to/invcal builddir
 # Needs a POSIX shell, coreutils, awk and sed. Prints a line for each check.
-tool=$1
 here=$(dirname "$0")
-data=$here/../data
-[ -x "$tool" ] && [ -n "$2" ] || { echo "usage: $0 path/to/invcal builddir" >&2; exit 2; }
-tool=$(cd "$(dirname "$tool")" && pwd)/$(basename "$tool")
-mkdir -p "$2" || exit 2
-work=$(cd "$2" && pwd)/tool_test.$$
-mkdir "$work" "$work/out" || exit 2
-trap 'rm -rf "$work"' EXIT
-trap 'exit 2' HUP INT TERM
-passed=0
-failed=0
+# shellcheck source=tests/tool/support.sh
+. "$here/support.sh"
 
-# ---- checking ----------------------------------------------------------------------------------
-
-report() { # report CODE SENTENCE: 0 is a pass
-    if [ "$1" -eq 0 ]; then
-        passed=$((passed + 1))
-        echo "tool: $2: PASS"
-    else
-        failed=$((failed + 1))
-        echo "tool: $2: FAIL"
-    fi
-}
-
-check() { # check SENTENCE COMMAND ...: the command succeeds
-    sentence=$1
-    shift
-    "$@"
-    report $? "$sentence"
-}
-
-# Runs the tool: $code, $work/stdout, $work/stderr. Its standard input is the file $in.
-in=/dev/null
-run() {
-    "$tool" "$@" > "$work/stdout" 2> "$work/stderr" < "$in"
-    code=$?
-}
-
-complain() {
-    echo "    exit code $code, stderr: $(head -c 300 "$work/stderr")" >&2
-    return 1
-}
-
-is_empty() { [ ! -s "$1" ]; }
-
-# One line that begins with "invcal: " and matches a pattern.
-says() {
-    [ "$(wc -l < "$work/stderr")" -eq 1 ] && grep -q '^invcal: ' "$work/stderr" &&
-        grep -Eq -- "$1" "$work/stderr"
-}
-
-succeeded() { { [ "$code" -eq 0 ] && is_empty "$work/stderr"; } || complain; }
-
-accepts() { # accepts SENTENCE ARGUMENTS ...
-    sentence=$1
-    shift
-    run "$@"
-    check "$sentence" succeeded
-}
-
-was_refused() { # CODE PATTERN
-    { [ "$code" -eq "$1" ] && says "$2" && is_empty "$work/stdout"; } || complain
-}
-
-refuses() { # refuses SENTENCE CODE PATTERN ARGUMENTS ...
-    sentence=$1
-    expected=$2
-    pattern=$3
-    shift 3
-    run "$@"
-    check "$sentence" was_refused "$expected" "$pattern"
-}
-
-# The folder of the result holds what it held before, and nothing else.
-is_untouched() {
-    [ "$(ls -A "$work/out")" = cal.json ] && [ "$(cat "$work/out/cal.json")" = old ]
-}
-
-kept_old() { was_refused "$1" "$2" && is_untouched; }
-
-# refuses_file SENTENCE CODE PATTERN ARGUMENTS ...: the same for calibrate --positions, with a
-# result file that must stay as it was.
-refuses_file() {
-    sentence=$1
-    expected=$2
-    pattern=$3
-    shift 3
-    echo old > "$work/out/cal.json"
-    run calibrate --positions --out "$work/out/cal.json" "$@"
-    check "$sentence" kept_old "$expected" "$pattern"
-    rm -f "$work"/out/*
-}
-
-# ---- numbers and JSON --------------------------------------------------------------------------
-
-json() { # json FILE NAME: the outermost member of this name, on one line; it has lines of its own
-    sed -n "s/^  \"$2\": \(.*[^,]\),*\$/\1/p" "$1"
-}
-
-near() { # near TOLERANCE "A B C" "a b c": each pair agrees; brackets and commas do not matter
-    echo "$2 | $3" | awk -v tolerance="$1" '{
-        gsub(/[][,]/, " ")
-        n = split($0, side, "|")
-        n = split(side[1], a, " ")
-        if (n == 0 || n != split(side[2], b, " ")) exit 1
-        for (i = 1; i <= n; i++) {
-            d = a[i] - b[i]
-            if (!(d <= tolerance && d >= -tolerance)) exit 1
-        }
-    }'
-}
-
-# It is JSON by the strict reader of apply: what is wrong with it, if anything, is its content.
-is_json() {
-    "$tool" apply "$1" "$work/log.csv" 2> "$work/json.err" > /dev/null ||
-        grep -q 'this is no calibration' "$work/json.err"
-}
-
-same() { cmp -s "$1" "$2"; }
-matches() { grep -Eq -- "$2" "$1"; }
-lacks() { ! grep -Eq -- "$2" "$1"; }
-
-positions() { # positions FAMILY COUNT SEED
-    awk -v family="$1" -v count="$2" -v seed="$3" -f "$here/positions.awk"
-}
-
-printf 'x,y,z\n1,2,3\n4,5,6\n' > "$work/log.csv"
 positions sphere 18 5 > "$work/good.csv"
 cut -d, -f1-3 "$data/xsens_mti_positions.csv" | tail -n +2 > "$work/xsens.csv"
 
@@ -928,5 +804,4 @@ printf '{"x\\u0041\\n\\"": {"offset": [1e5, {"matrix": []}]}, "b": "\\u00b5T", "
     "$o" "$m" > "$work/odd.json"
 accepts "apply: other members of any kind are ignored" apply "$work/odd.json" "$work/log.csv"
 
-echo "$passed passed, $failed failed"
-[ "$failed" -eq 0 ]
+finish

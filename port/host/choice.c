@@ -1,0 +1,160 @@
+/* SPDX-License-Identifier: MIT */
+#include "choice.h"
+
+#include <math.h>
+#include <stdio.h>
+
+#include "command.h"
+#include "optimal.h"
+
+#define WITHIN (1 + 1e-9) /* a limit that is met exactly is met, whatever rounding says */
+
+double choice_worst(const invcal_criteria *criteria, const double limits[3])
+{
+    return fmax(criteria->sigma_delta / limits[0],
+                fmax(criteria->sigma_dk / limits[1], criteria->sigma_gamma / limits[2]));
+}
+
+/* The positions that fit into the budget, at most DESIGN_MAX. */
+static unsigned positions_allowed(const choice_request *request)
+{
+    const design_cost *cost = &request->cost;
+
+    if (!(request->budget > 0)) {
+        return DESIGN_MAX;
+    }
+    /* n dwells and n - 1 moves; a part in 1e9 more, lest rounding takes the last one */
+    const double n = floor((request->budget + cost->move) / (cost->dwell + cost->move) + 1e-9);
+    return n < DESIGN_MAX ? (unsigned)n : DESIGN_MAX;
+}
+
+static int stand(design *d, unsigned per_group)
+{
+    invcal_plan plan = {.per_group = per_group};
+
+    (void)invcal_plan_starts(per_group, plan.start);
+    design_stand(d, &plan);
+    return 1;
+}
+
+/* Programs become better with every N: the smallest within the limits is found by halving. */
+static int choose_stand(design *d, const choice_request *request, unsigned allowed)
+{
+    unsigned low = INVCAL_PLAN_PER_GROUP_MIN;
+    unsigned high = allowed / INVCAL_PLAN_GROUPS;
+
+    if (high < low) {
+        return 0;
+    }
+    stand(d, high);
+    if (!request->limits) {
+        return 1;
+    }
+    if (!(choice_worst(&d->criteria, request->limits) <= WITHIN)) {
+        return 0;
+    }
+    while (low < high) {
+        const unsigned middle = (low + high) / 2;
+        stand(d, middle);
+        if (choice_worst(&d->criteria, request->limits) <= WITHIN) {
+            high = middle;
+        } else {
+            low = middle + 1;
+        }
+    }
+    return stand(d, high);
+}
+
+/* Fewer positions than so many do not meet the limits, which `most` do. From about 20 on K shrinks
+ * as 1 / n, and never faster; 2 % are left for what the search may have missed. */
+static unsigned least_free(unsigned most, const double limits[3])
+{
+    double direction[OPTIMAL_MAX][3];
+
+    if (most < 20) {
+        return OPTIMAL_MIN;
+    }
+    const double worst = optimal_within(most, limits, 0, direction);
+    const unsigned least = (unsigned)(0.98 * most * worst * worst);
+    return least > OPTIMAL_MIN ? least : OPTIMAL_MIN;
+}
+
+static int choose_free(design *d, const choice_request *request, unsigned allowed)
+{
+    const unsigned most = allowed < OPTIMAL_MAX ? allowed : OPTIMAL_MAX;
+    double direction[OPTIMAL_MAX][3];
+
+    if (most < OPTIMAL_MIN) {
+        return 0;
+    }
+    if (!request->limits) {
+        optimal_directions(most, direction);
+        design_directions(d, "free directions", direction, most);
+        return 1;
+    }
+    if (!(optimal_within(most, request->limits, WITHIN, direction) <= WITHIN)) {
+        return 0;
+    }
+    for (unsigned n = least_free(most, request->limits); n < most; n++) {
+        if (optimal_within(n, request->limits, WITHIN, direction) <= WITHIN) {
+            design_balanced(d, n, request->limits);
+            return 1;
+        }
+    }
+    design_balanced(d, most, request->limits);
+    return 1;
+}
+
+static void refuse(choice *c, const choice_request *request, unsigned allowed)
+{
+    if (allowed < OPTIMAL_MIN) {
+        snprintf(c->refusal, sizeof c->refusal,
+                 "%u position%s into %.6g s with %.6g s in each and %.6g s between; nine are the "
+                 "least",
+                 allowed, allowed == 1 ? " fits" : "s fit", request->budget, request->cost.dwell,
+                 request->cost.move);
+    } else {
+        snprintf(c->refusal, sizeof c->refusal,
+                 "no program of up to %u positions%s meets the limits: dwell longer, take a sensor "
+                 "of less noise, or allow more",
+                 allowed, request->budget > 0 ? ", which fit into the budget," : "");
+    }
+}
+
+/* Which of two sets, both there, is better. */
+static unsigned better(const choice *c, const choice_request *request)
+{
+    const invcal_criteria *stand_set = &c->set[CHOICE_STAND]->criteria;
+    const invcal_criteria *free_set = &c->set[CHOICE_FREE]->criteria;
+
+    if (!request->limits) {
+        return free_set->log_det > stand_set->log_det ? CHOICE_FREE : CHOICE_STAND;
+    }
+    if (free_set->positions != stand_set->positions) {
+        return free_set->positions < stand_set->positions ? CHOICE_FREE : CHOICE_STAND;
+    }
+    return c->worst[CHOICE_FREE] < c->worst[CHOICE_STAND] ? CHOICE_FREE : CHOICE_STAND;
+}
+
+int choice_make(choice *c, const choice_request *request)
+{
+    const unsigned allowed = positions_allowed(request);
+
+    c->is_found[CHOICE_STAND] = choose_stand(c->set[CHOICE_STAND], request, allowed);
+    c->is_found[CHOICE_FREE] = choose_free(c->set[CHOICE_FREE], request, allowed);
+    for (unsigned f = 0; f < CHOICE_FAMILIES; f++) {
+        if (c->is_found[f] && request->limits) {
+            c->worst[f] = choice_worst(&c->set[f]->criteria, request->limits);
+        }
+    }
+    if (c->is_found[CHOICE_STAND] && c->is_found[CHOICE_FREE]) {
+        c->chosen = better(c, request);
+    } else {
+        c->chosen = c->is_found[CHOICE_STAND] ? CHOICE_STAND : CHOICE_FREE;
+    }
+    if (!c->is_found[c->chosen]) {
+        refuse(c, request, allowed);
+        return EXIT_DATA;
+    }
+    return EXIT_GOOD;
+}

@@ -1,0 +1,42 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * choice.h: the smallest set of positions that meets limits, or the best that fits into a time.
+ *
+ * Two families compete: the paper's programs for a stand, of any size, and free directions, of
+ * up to OPTIMAL_MAX.
+ */
+#ifndef CHOICE_H
+#define CHOICE_H
+
+#include "design.h"
+
+typedef struct {
+    const double *limits; /* of the sigma of delta, dk, gamma, over the noise of a position mean;
+                             or null */
+    double budget;        /* seconds; 0: no limit */
+    design_cost cost;
+} choice_request;
+
+enum { CHOICE_STAND, CHOICE_FREE, CHOICE_FAMILIES };
+
+typedef struct {
+    design *set[CHOICE_FAMILIES];  /* the best of each family; where is_found is 0 without
+                                         meaning */
+    int is_found[CHOICE_FAMILIES]; /* the family has one that meets the limits and fits */
+    double worst[CHOICE_FAMILIES]; /* with limits: its largest sigma / limit */
+    unsigned chosen;               /* CHOICE_STAND or CHOICE_FREE */
+    char refusal[300];             /* if neither is found: why */
+} choice;
+
+/* Chooses. With limits: the smallest set within them, of two of one size the more accurate;
+ * without: the largest det H'H among the sets that fit into the budget.
+ *
+ * c->set are given; they are worked on.
+ *
+ * Returns EXIT_GOOD; EXIT_DATA, without a message, if neither family has one. */
+int choice_make(choice *c, const choice_request *request);
+
+/* The largest sigma / limit of a set. */
+double choice_worst(const invcal_criteria *criteria, const double limits[3]);
+
+#endif

@@ -1,0 +1,421 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * invcal plan: which positions to visit, and what they are worth.
+ */
+#include "plan.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "command.h"
+#include "message.h"
+#include "optimal.h"
+#include "options.h"
+#include "output.h"
+
+enum {
+    PER_GROUP,
+    START,
+    FACES,
+    EDGES,
+    ICOSAHEDRON,
+    OPTIMAL,
+    DIRECTIONS,
+    SWEEP,
+    COMPARE,
+    LIMITS,
+    BUDGET,
+    NOISE,
+    DWELL,
+    MOVE,
+    SVG,
+    JSON,
+    OPTIONS
+};
+
+static const option options[OPTIONS] = {
+    [PER_GROUP] = {"--per-group", 1},
+    [START] = {"--start", 1},
+    [FACES] = {"--faces", 0},
+    [EDGES] = {"--edges", 0},
+    [ICOSAHEDRON] = {"--icosahedron", 0},
+    [OPTIMAL] = {"--optimal", 1},
+    [DIRECTIONS] = {"--directions", 1},
+    [SWEEP] = {"--sweep", 1},
+    [COMPARE] = {"--compare", 0},
+    [LIMITS] = {"--limits", 1},
+    [BUDGET] = {"--budget", 1},
+    [NOISE] = {"--noise", 1},
+    [DWELL] = {"--dwell", 1},
+    [MOVE] = {"--move", 1},
+    [SVG] = {"--svg", 1},
+    [JSON] = {"--json", 0},
+};
+static const char *const operands[] = {"A", "B"};
+static const option_syntax syntax = {"plan", options, OPTIONS, operands, 2, 2};
+
+#define WORD_MAX 4200u
+#define ROWS_MAX (INVCAL_PLAN_PER_GROUP_MAX - INVCAL_PLAN_PER_GROUP_MIN + 1)
+
+/* What the command line asks for. */
+typedef struct {
+    const char *operand[2];
+    const char *value[OPTIONS];
+    char word[WORD_MAX];   /* of the set (DESIGN_WORDS) */
+    int has_set;           /* one was named */
+    double limits[3];      /* over the noise of a position mean */
+    choice_request choice; /* its limits point to the above, or are null */
+} request;
+
+/* The sets in work: at most two, too large for the stack. */
+static design sets[2];
+
+static int usage(unsigned which, const char *what)
+{
+    return message_usage(syntax.command, "%s: %s", options[which].name, what);
+}
+
+/* A number above `least`, or a default if it is not given. */
+static int read_number(const request *r, unsigned which, double least, double *out)
+{
+    if (!r->value[which]) {
+        return EXIT_GOOD;
+    }
+    const int failure = options_numbers(&syntax, which, r->value[which], 1, out, NULL);
+    if (!failure && !(*out > least || (least < 0 && *out >= 0))) {
+        return usage(which, least < 0 ? "is not negative" : "is above 0");
+    }
+    return failure;
+}
+
+static int read_cost(request *r)
+{
+    design_cost *cost = &r->choice.cost;
+
+    cost->dwell = 5;
+    cost->move = 5;
+    int failure = read_number(r, NOISE, 0, &cost->noise);
+    failure = failure ? failure : read_number(r, DWELL, 0, &cost->dwell);
+    failure = failure ? failure : read_number(r, MOVE, -1, &cost->move);
+    return failure ? failure : read_number(r, BUDGET, 0, &r->choice.budget);
+}
+
+/* Limits in units of the noise of a position mean, or, if that is told, of the field. */
+static int read_limits(request *r)
+{
+    const double unit = r->choice.cost.noise > 0 ? design_noise(&r->choice.cost) : 1;
+
+    if (!r->value[LIMITS]) {
+        return EXIT_GOOD;
+    }
+    const int failure = options_numbers(&syntax, LIMITS, r->value[LIMITS], 3, r->limits, NULL);
+    for (unsigned i = 0; i < 3 && !failure; i++) {
+        if (!(r->limits[i] > 0)) {
+            return usage(LIMITS, "a standard deviation is above 0");
+        }
+        r->limits[i] /= unit;
+    }
+    r->choice.limits = r->limits;
+    return failure;
+}
+
+/* Finds the one option that names a set, and writes it as a word. */
+static int read_set(request *r)
+{
+    static const unsigned named[] = {PER_GROUP, FACES, EDGES, ICOSAHEDRON, OPTIMAL, DIRECTIONS};
+    const char *const *value = r->value;
+    int which = -1;
+
+    for (unsigned i = 0; i < sizeof named / sizeof named[0]; i++) {
+        if (!value[named[i]] || (named[i] == FACES && value[EDGES])) {
+            continue; /* edges have the faces with them */
+        }
+        if (which >= 0) {
+            return usage(named[i], "only one set of positions can be shown; --compare takes two");
+        }
+        which = (int)named[i];
+    }
+    if (value[START] && which >= 0 && which != PER_GROUP) {
+        return usage(START, "belongs to --per-group");
+    }
+    r->has_set = which >= 0 || value[START];
+    if (which < 0 || which == PER_GROUP) {
+        snprintf(r->word, sizeof r->word, "per-group:%s%s%s",
+                 value[PER_GROUP] ? value[PER_GROUP] : "6", value[START] ? ":" : "",
+                 value[START] ? value[START] : "");
+    } else {
+        snprintf(r->word, sizeof r->word, "%s%s%s", options[which].name + 2,
+                 options[which].takes_value ? ":" : "", value[which]);
+    }
+    return EXIT_GOOD;
+}
+
+/* What does not go together. */
+static int check(const request *r)
+{
+    const char *const *value = r->value;
+
+    if ((value[SWEEP] || value[COMPARE]) && r->has_set) {
+        return usage(value[SWEEP] ? SWEEP : COMPARE, "names its sets itself; leave the other out");
+    }
+    if (value[SWEEP] && value[COMPARE]) {
+        return usage(SWEEP, "cannot be joined with --compare");
+    }
+    if ((value[SWEEP] || value[COMPARE]) && (value[LIMITS] || value[BUDGET])) {
+        return usage(value[LIMITS] ? LIMITS : BUDGET,
+                     "chooses a set itself; leave out --sweep and --compare");
+    }
+    if (!value[COMPARE] && r->operand[0]) {
+        return message_usage(syntax.command, "'%s': one operand too many", r->operand[0]);
+    }
+    if (value[COMPARE] && !r->operand[0]) {
+        return usage(COMPARE, "takes two sets, for example: --compare per-group:8 per-group:6");
+    }
+    if (value[COMPARE] && value[SVG]) {
+        return usage(SVG, "draws one set, or a sweep");
+    }
+    if (value[BUDGET] && r->has_set) {
+        return usage(BUDGET, "chooses a set itself; leave the other out");
+    }
+    if (value[LIMITS] && r->has_set && !value[OPTIMAL]) {
+        return usage(LIMITS, "chooses a set itself, or weighs --optimal N; leave the other out");
+    }
+    return EXIT_GOOD;
+}
+
+static int read_request(int argc, char **argv, request *r)
+{
+    *r = (request){0};
+    int failure = options_parse(&syntax, argc, argv, r->value, r->operand);
+
+    failure = failure ? failure : read_set(r);
+    failure = failure ? failure : check(r);
+    failure = failure ? failure : read_cost(r);
+    return failure ? failure : read_limits(r);
+}
+
+/* What there is to tell: a set, which a choice may have led to; two sets; or a sweep. */
+typedef struct {
+    const request *asked;
+    const design *set[2];
+    const choice *choice;
+    const plan_row *rows;
+    unsigned row_count;
+} result;
+
+static void draw(FILE *file, const result *found)
+{
+    if (found->rows) {
+        plan_svg_sweep(file, found->rows, found->row_count);
+    } else {
+        plan_svg_directions(file, found->set[0]);
+    }
+}
+
+static void tell_json(FILE *file, const result *found)
+{
+    if (found->rows) {
+        plan_json_sweep(file, found->rows, found->row_count);
+    } else if (found->set[1]) {
+        plan_json_comparison(file, found->set[0], found->set[1], &found->asked->choice);
+    } else {
+        plan_json(file, found->set[0], &found->asked->choice, found->choice);
+    }
+}
+
+static void tell(FILE *file, const result *found)
+{
+    if (found->asked->value[JSON]) {
+        tell_json(file, found);
+    } else if (found->rows) {
+        plan_print_sweep(file, found->rows, found->row_count);
+    } else if (found->set[1]) {
+        plan_print_comparison(file, found->set[0], found->set[1], &found->asked->choice);
+    } else {
+        plan_print(file, found->set[0], &found->asked->choice, found->choice);
+    }
+}
+
+/* The picture appears only after all else has been written. */
+static int deliver(const result *found)
+{
+    const char *path = found->asked->value[SVG];
+    output out;
+
+    if (!path) {
+        tell(stdout, found);
+        return output_flush();
+    }
+    int failure = output_begin(&out, path);
+    if (!failure) {
+        draw(out.file, found);
+        failure = output_finish(&out);
+    }
+    if (!failure) {
+        tell(stdout, found);
+        failure = output_flush();
+    }
+    if (failure) {
+        output_discard(&out);
+        return failure;
+    }
+    return output_commit(&out);
+}
+
+/* A refusal, with the set if there is one to see. */
+static int refuse(const request *r, const design *d, const char *reason)
+{
+    if (d && d->count > 0 && !r->value[COMPARE]) {
+        const result found = {.asked = r, .set = {d}};
+        tell(stdout, &found);
+    } else if (r->value[JSON]) {
+        plan_json_refusal(stdout, reason, d ? d->undetermined : 0);
+    }
+    if (d && d->count > 0) {
+        message("%s: %s", d->name, reason);
+    } else {
+        message("%s", reason);
+    }
+    return EXIT_DATA;
+}
+
+static int show(const request *r)
+{
+    const result found = {.asked = r, .set = {&sets[0]}};
+    const int failure = design_make(&sets[0], syntax.command, r->word);
+
+    if (failure == EXIT_DATA) {
+        return refuse(r, &sets[0], sets[0].refusal);
+    }
+    if (failure) {
+        return failure;
+    }
+    if (r->choice.limits) { /* with --optimal: the same number, balanced to the limits */
+        design_balanced(&sets[0], sets[0].count, r->limits);
+    }
+    return deliver(&found);
+}
+
+static int compare(const request *r)
+{
+    const result found = {.asked = r, .set = {&sets[0], &sets[1]}};
+
+    for (unsigned i = 0; i < 2; i++) {
+        const int failure = design_make(&sets[i], syntax.command, r->operand[i]);
+        if (failure) {
+            return failure == EXIT_DATA ? refuse(r, &sets[i], sets[i].refusal) : failure;
+        }
+    }
+    return deliver(&found);
+}
+
+static int choose(const request *r)
+{
+    choice c = {.set = {&sets[0], &sets[1]}};
+    const int failure = choice_make(&c, &r->choice);
+    const result found = {.asked = r, .set = {c.set[c.chosen]}, .choice = &c};
+
+    return failure ? refuse(r, NULL, c.refusal) : deliver(&found);
+}
+
+/* FROM:TO, both from 5 to 1000. */
+static int read_sweep(const request *r, unsigned *from, unsigned *to)
+{
+    const char *text = r->value[SWEEP];
+    char rest;
+
+    if (strspn(text, "0123456789:") != strlen(text) ||
+        sscanf(text, "%4u:%4u%c", from, to, &rest) != 2 || *from < INVCAL_PLAN_PER_GROUP_MIN ||
+        *to > INVCAL_PLAN_PER_GROUP_MAX || *from > *to) {
+        return usage(SWEEP, "is FROM:TO, positions in a group, from 5 to 1000, for example 5:16");
+    }
+    return EXIT_GOOD;
+}
+
+static int sweep(const request *r)
+{
+    static plan_row rows[ROWS_MAX];
+    unsigned from;
+    unsigned to;
+    const int failure = read_sweep(r, &from, &to);
+
+    if (failure) {
+        return failure;
+    }
+    for (unsigned n = from; n <= to; n++) {
+        invcal_plan plan = {.per_group = n};
+        (void)invcal_plan_starts(n, plan.start);
+        design_stand(&sets[0], &plan);
+        rows[n - from] = (plan_row){n, sets[0].criteria, sets[0].axes};
+    }
+    const result found = {.asked = r, .rows = rows, .row_count = to - from + 1};
+    return deliver(&found);
+}
+
+static int run(int argc, char **argv)
+{
+    static request r;
+    const int failure = read_request(argc, argv, &r);
+
+    if (failure) {
+        return failure;
+    }
+    if (r.value[SWEEP]) {
+        return sweep(&r);
+    }
+    if (r.value[COMPARE]) {
+        return compare(&r);
+    }
+    return (r.value[LIMITS] || r.value[BUDGET]) && !r.has_set ? choose(&r) : show(&r);
+}
+
+static const char *const help[] = {
+    "usage: invcal plan [--per-group N [--start A,B,C] | --faces | --edges | --icosahedron |\n"
+    "                    --optimal N | --directions FILE] [options]\n"
+    "       invcal plan --limits D,K,G [--budget SECONDS] [options]\n"
+    "       invcal plan --budget SECONDS [options]\n"
+    "       invcal plan --sweep FROM:TO [--svg FILE] [--json]\n"
+    "       invcal plan --compare A B [--json]\n"
+    "\n"
+    "Tells which positions to visit, and how exactly they will determine the nine parameters:\n"
+    "the standard deviations sigma of offsets, scale errors and angles, over the noise of a\n"
+    "position mean. alpha and beta are the angles of a stand with two axes; x y z is the up\n"
+    "direction in the frame of the case, for whoever holds the device in the hand.\n"
+    "\n"
+    "  --per-group N       the paper's program: three groups of N positions, N from 5 to 1000;\n"
+    "                      default 6, the program of 18 positions\n"
+    "  --start A,B,C       start angles of the groups, degrees; default: such that each axis\n"
+    "                      points up and down along gravity, if N is even\n"
+    "  --faces             each axis up and down: 6 positions, too few for nine parameters\n"
+    "  --edges             these and the 12 midway between two axes: 18 positions\n"
+    "  --icosahedron       its 12 corners\n"
+    "  --optimal N         N positions, 9 to 48, with the largest determinant of H'H\n"
+    "                      (D-optimal); with --limits as even as can be against them\n"
+    "  --directions FILE   the columns x y z of a table, of any length; - is standard input\n",
+    "  --limits D,K,G      chooses the smallest set whose sigma of offsets, scale errors and\n"
+    "                      angles are within limits: times the noise of a position mean, or,\n"
+    "                      with --noise, over the field (0.001 is 1 mg), 1 and rad\n"
+    "  --budget SECONDS    chooses the set of the largest determinant that fits; with --limits:\n"
+    "                      only sets that fit\n"
+    "  --noise S           standard deviation of the mean of one second at rest, over the field\n"
+    "                      (0.0001 is 0.1 mg)\n"
+    "  --dwell T           seconds in each position; default 5\n"
+    "  --move T            seconds from one to the next; default 5\n"
+    "  --sweep FROM:TO     the paper's programs for each N in the range\n"
+    "  --compare A B       two sets side by side, by these words:\n",
+    DESIGN_WORDS,
+    "  --svg FILE          draws the directions, or for a sweep sigma against the number of\n"
+    "                      positions\n"
+    "  --json              print the result as JSON in place of the table\n"
+    "\n"
+    "exit codes: 0 good; 1 the positions determine no calibration, or no set meets the limits;\n"
+    "2 usage; 3 a file unreadable or malformed, or the output not writable\n"
+    "\n"
+    "examples:\n"
+    "  invcal plan\n"
+    "  invcal plan --limits 0.4,0.6,1 --svg directions.svg\n"
+    "  invcal plan --compare per-group:8 per-group:6\n",
+    NULL};
+
+const tool_command plan_command = {"plan", "which positions to visit, and what they are worth",
+                                   help, run};

@@ -1,0 +1,200 @@
+/* SPDX-License-Identifier: MIT */
+#include "command.h"
+#include "invcal/series.h"
+#include "json_write.h"
+#include "number.h"
+#include "plan.h"
+
+unsigned plan_missing(uint8_t axes)
+{
+    return ~(unsigned)axes & ((1u << INVCAL_AXES) - 1);
+}
+
+static void write_criteria(json_writer *w, const invcal_criteria *c, int is_solvable)
+{
+    json_number(w, "sigma_delta", is_solvable ? c->sigma_delta : NUMBER_UNKNOWN);
+    json_number(w, "sigma_dk", is_solvable ? c->sigma_dk : NUMBER_UNKNOWN);
+    json_number(w, "sigma_gamma", is_solvable ? c->sigma_gamma : NUMBER_UNKNOWN);
+    json_number(w, "condition", is_solvable ? c->condition : NUMBER_UNKNOWN);
+    json_number(w, "log_det", is_solvable ? c->log_det : NUMBER_UNKNOWN);
+}
+
+static void write_axes(json_writer *w, uint8_t axes)
+{
+    json_names(w, "axes_covered", axes, INVCAL_AXES, design_axis_name);
+    json_names(w, "missing", plan_missing(axes), INVCAL_AXES, design_axis_name);
+}
+
+/* det(H5'H5) of the three groups, and the bound that no five functions on a circle pass. */
+static void write_groups(json_writer *w, const invcal_plan *plan)
+{
+    const double half = plan->per_group / 2.0;
+    const double bound = plan->per_group * half * half * half * half;
+    double sums[INVCAL_PACKED_SIZE(INVCAL_SERIES_TERMS)];
+    double det[INVCAL_PLAN_GROUPS];
+
+    for (unsigned g = 0; g < INVCAL_PLAN_GROUPS; g++) {
+        (void)invcal_series_information(plan, g + 1, sums); /* the plan is usable */
+        det[g] = bound * invcal_series_efficiency(sums);
+    }
+    json_vector(w, "group_det", det);
+    json_number(w, "group_det_bound", bound);
+}
+
+static void write_positions(json_writer *w, const design *d)
+{
+    json_list(w, "positions");
+    for (unsigned i = 0; i < d->count; i++) {
+        const design_position *p = &d->position[i];
+        json_object(w, NULL);
+        if (p->group > 0) {
+            json_number(w, "group", p->group);
+        }
+        json_number(w, "alpha", p->alpha);
+        json_number(w, "beta", p->beta);
+        json_vector(w, "vertical", p->vertical);
+        json_object_end(w);
+    }
+    json_list_end(w);
+}
+
+/* K = (H'H)^-1, packed; the set is solvable. */
+static void write_covariance(json_writer *w, const design *d)
+{
+    invcal_normal work = d->normal;
+
+    json_symmetric(w, "hth", work.hth, INVCAL_PARAMETERS);
+    (void)invcal_cholesky_factor(work.hth, INVCAL_PARAMETERS, INVCAL_PIVOT_FLOOR);
+    invcal_cholesky_inverse(work.hth, INVCAL_PARAMETERS);
+    json_symmetric(w, "covariance", work.hth, INVCAL_PARAMETERS);
+}
+
+/* Time; what the noise makes of sigma; how sigma compares with the limits. */
+static void write_cost(json_writer *w, const design *d, const choice_request *request)
+{
+    const design_cost *cost = &request->cost;
+
+    json_number(w, "seconds", design_seconds(d->count, cost));
+    if (cost->noise > 0 && d->is_solvable) {
+        const double noise = design_noise(cost);
+        json_object(w, "expected");
+        json_number(w, "delta", noise * d->criteria.sigma_delta);
+        json_number(w, "dk", noise * d->criteria.sigma_dk);
+        json_number(w, "gamma", noise * d->criteria.sigma_gamma);
+        json_object_end(w);
+    }
+    if (request->limits && d->is_solvable) {
+        json_number(w, "worst_ratio", choice_worst(&d->criteria, request->limits));
+    }
+}
+
+/* A set but for its positions. */
+static void write_summary(json_writer *w, const design *d, const choice_request *request)
+{
+    json_text(w, "name", d->name);
+    if (d->plan.per_group > 0) {
+        json_number(w, "per_group", d->plan.per_group);
+        json_vector(w, "start", d->plan.start);
+    }
+    json_number(w, "labour", d->count);
+    write_criteria(w, &d->criteria, d->is_solvable);
+    write_axes(w, d->axes);
+    json_list(w, "range");
+    for (unsigned i = 0; i < 3; i++) {
+        json_numbers(w, NULL, d->range[i], 2);
+    }
+    json_list_end(w);
+    if (d->plan.per_group > 0) {
+        write_groups(w, &d->plan);
+    }
+    write_cost(w, d, request);
+}
+
+static void write_refusal(json_writer *w, const char *reason, uint16_t undetermined)
+{
+    json_text(w, "error", undetermined ? "undetermined" : "no program");
+    json_text(w, "reason", reason);
+    json_parameters(w, "undetermined", undetermined);
+}
+
+static void begin(json_writer *w, FILE *file)
+{
+    json_begin(w, file);
+    json_text(w, "invcal", INVCAL_VERSION);
+}
+
+void plan_json(FILE *file, const design *d, const choice_request *request, const choice *c)
+{
+    json_writer w;
+
+    begin(&w, file);
+    if (!d->is_solvable) {
+        write_refusal(&w, d->refusal, d->undetermined);
+    }
+    write_summary(&w, d, request);
+    write_positions(&w, d);
+    if (d->is_solvable) {
+        write_covariance(&w, d);
+    }
+    if (c) {
+        json_list(&w, "candidates");
+        for (unsigned f = 0; f < CHOICE_FAMILIES; f++) {
+            if (c->is_found[f]) {
+                json_object(&w, NULL);
+                write_summary(&w, c->set[f], request);
+                json_object_end(&w);
+            }
+        }
+        json_list_end(&w);
+    }
+    json_end(&w);
+}
+
+void plan_json_sweep(FILE *file, const plan_row *rows, unsigned count)
+{
+    json_writer w;
+
+    begin(&w, file);
+    json_list(&w, "rows");
+    for (unsigned i = 0; i < count; i++) {
+        json_object(&w, NULL);
+        json_number(&w, "per_group", rows[i].per_group);
+        json_number(&w, "positions", rows[i].criteria.positions);
+        write_criteria(&w, &rows[i].criteria, 1);
+        write_axes(&w, rows[i].axes);
+        json_object_end(&w);
+    }
+    json_list_end(&w);
+    json_end(&w);
+}
+
+void plan_json_comparison(FILE *file, const design *a, const design *b,
+                          const choice_request *request)
+{
+    json_writer w;
+
+    begin(&w, file);
+    json_list(&w, "plans");
+    for (unsigned i = 0; i < 2; i++) {
+        json_object(&w, NULL);
+        write_summary(&w, i == 0 ? a : b, request);
+        json_object_end(&w);
+    }
+    json_list_end(&w);
+    json_object(&w, "ratio"); /* of the second to the first */
+    json_number(&w, "labour", (double)b->count / a->count);
+    json_number(&w, "sigma_delta", b->criteria.sigma_delta / a->criteria.sigma_delta);
+    json_number(&w, "sigma_dk", b->criteria.sigma_dk / a->criteria.sigma_dk);
+    json_number(&w, "sigma_gamma", b->criteria.sigma_gamma / a->criteria.sigma_gamma);
+    json_object_end(&w);
+    json_end(&w);
+}
+
+void plan_json_refusal(FILE *file, const char *reason, uint16_t undetermined)
+{
+    json_writer w;
+
+    begin(&w, file);
+    write_refusal(&w, reason, undetermined);
+    json_end(&w);
+}

@@ -1,0 +1,233 @@
+/* SPDX-License-Identifier: MIT */
+#include <math.h>
+#include <string.h>
+
+#include "invcal/series.h"
+#include "parameters.h"
+#include "plan.h"
+
+#define TEXT_MAX 128
+#define DEGREES 57.295779513082321
+
+/* The names of the axes, "+x -x". */
+static const char *axes_text(unsigned axes, char text[TEXT_MAX])
+{
+    text[0] = '\0';
+    for (unsigned i = 0; i < INVCAL_AXES; i++) {
+        if (axes >> i & 1u) {
+            const size_t length = strlen(text);
+            snprintf(text + length, TEXT_MAX - length, "%s%s", length > 0 ? " " : "",
+                     design_axis_name(i));
+        }
+    }
+    return text;
+}
+
+/* An angle for people: to 0.001 degrees, without "-0.000" and without needless zeros. */
+static const char *angle_text(double degrees, char text[TEXT_MAX])
+{
+    snprintf(text, TEXT_MAX, "%.7g", nearbyint(1000 * degrees) / 1000 + 0.0);
+    return text;
+}
+
+static void print_positions(FILE *file, const design *d)
+{
+    char alpha[TEXT_MAX];
+    char beta[TEXT_MAX];
+
+    fprintf(file, "%15s%20s   %27s\n", "", "stand, degrees", "up in the case's frame");
+    fprintf(file, "%8s%7s%10s%10s   %9s%9s%9s\n", "position", d->plan.per_group ? "group" : "",
+            "alpha", "beta", "x", "y", "z");
+    for (unsigned i = 0; i < d->count; i++) {
+        const design_position *p = &d->position[i];
+        char group[16] = "";
+        if (p->group > 0) {
+            snprintf(group, sizeof group, "%u", p->group);
+        }
+        fprintf(file, "%8u%7s%10s%10s   ", i + 1, group, angle_text(p->alpha, alpha),
+                angle_text(p->beta, beta));
+        for (unsigned k = 0; k < 3; k++) {
+            fprintf(file, "%9.4f", nearbyint(1e4 * p->vertical[k]) / 1e4 + 0.0);
+        }
+        putc('\n', file);
+    }
+    putc('\n', file);
+}
+
+/* One sigma: over the noise, and in units if the noise is told. */
+static void print_sigma(FILE *file, const char *what, double sigma, const char *unit, double scale)
+{
+    fprintf(file, "  %-15s%9.4f", what, sigma);
+    if (scale > 0) {
+        fprintf(file, "%12.4g %s", scale * sigma, unit);
+    }
+    putc('\n', file);
+}
+
+static void print_sigmas(FILE *file, const design *d, const design_cost *cost)
+{
+    const double noise = cost->noise > 0 ? design_noise(cost) : 0;
+    const invcal_criteria *c = &d->criteria;
+
+    fprintf(file, "sigma, times the noise of a position mean");
+    if (noise > 0) {
+        fprintf(file, ", which is %.4g mg", 1e3 * noise);
+    }
+    fprintf(file, "\n");
+    print_sigma(file, "offsets", c->sigma_delta, "mg", 1e3 * noise);
+    print_sigma(file, "scale errors", c->sigma_dk, "%", 1e2 * noise);
+    print_sigma(file, "angles", c->sigma_gamma, "degrees", DEGREES * noise);
+    fprintf(file, "condition %.4f, ln det H'H %.4f\n", c->condition, c->log_det);
+}
+
+/* What each axis feels, and which stand along gravity. */
+static void print_coverage(FILE *file, const design *d)
+{
+    const unsigned missing = plan_missing(d->axes);
+    char text[TEXT_MAX];
+
+    fprintf(file, "range used: ");
+    for (unsigned i = 0; i < 3; i++) {
+        fprintf(file, "%s%c %+.2f ... %+.2f g", i > 0 ? ", " : "", "xyz"[i], d -> range[i][0],
+                d -> range[i][1]);
+    }
+    if (missing == 0) {
+        fprintf(file, "\naxes along gravity: all six\n");
+        return;
+    }
+    fprintf(file,
+            "\naxes along gravity: %s; missing: ", d->axes ? axes_text(d->axes, text) : "none");
+    fprintf(file, "%s\n", axes_text(missing, text));
+    if (d->plan.per_group % 2 == 1) {
+        fprintf(file, "an odd number in each group cannot point all six along gravity: +g and -g "
+                      "are half a turn apart\n");
+    }
+}
+
+static void print_groups(FILE *file, const invcal_plan *plan)
+{
+    const double half = plan->per_group / 2.0;
+    const double bound = plan->per_group * half * half * half * half;
+    double sums[INVCAL_PACKED_SIZE(INVCAL_SERIES_TERMS)];
+
+    fprintf(file, "det H5'H5 of the groups:");
+    for (unsigned g = 1; g <= INVCAL_PLAN_GROUPS; g++) {
+        (void)invcal_series_information(plan, g, sums); /* the plan is usable */
+        fprintf(file, " %.6g", bound * invcal_series_efficiency(sums));
+    }
+    fprintf(file, "; the most that %u positions on a circle can have is %.6g\n", plan->per_group,
+            bound);
+}
+
+static void print_candidate(FILE *file, const design *d, const choice_request *request)
+{
+    const invcal_criteria *c = &d->criteria;
+
+    fprintf(file, "%-24.24s%10u%10.6g%10.4f%10.4f%10.4f", d->name, d->count,
+            design_seconds(d->count, &request->cost), c->sigma_delta, c->sigma_dk, c->sigma_gamma);
+    if (request->limits) {
+        fprintf(file, "%14.4f", choice_worst(c, request->limits));
+    }
+    putc('\n', file);
+}
+
+static void print_choice(FILE *file, const choice *c, const choice_request *request)
+{
+    static const char *const families[] = {"stand program", "free directions"};
+
+    fprintf(file, "%-24s%10s%10s%10s%10s%10s%s\n", "", "positions", "seconds", "offsets", "scales",
+            "angles", request->limits ? "   worst/limit" : "");
+    if (request->limits) {
+        fprintf(file, "%-24s%10s%10s%10.4f%10.4f%10.4f%14.4f\n", "limits", "", "",
+                request->limits[0], request->limits[1], request->limits[2], 1.0);
+    }
+    for (unsigned f = 0; f < CHOICE_FAMILIES; f++) {
+        if (c->is_found[f]) {
+            print_candidate(file, c->set[f], request);
+        } else {
+            fprintf(file, "%-24s%10s\n", families[f], "none");
+        }
+    }
+    fprintf(file, "Chosen: %s, %s\n\n", c->set[c->chosen]->name,
+            request->limits ? "the smallest within the limits"
+                            : "the largest determinant in the time");
+}
+
+void plan_print(FILE *file, const design *d, const choice_request *request, const choice *c)
+{
+    char start[INVCAL_PLAN_GROUPS][TEXT_MAX];
+
+    if (c) {
+        print_choice(file, c, request);
+    }
+    fprintf(file, "%s: %u positions", d->name, d->count);
+    if (d->plan.per_group > 0) {
+        for (unsigned g = 0; g < INVCAL_PLAN_GROUPS; g++) {
+            angle_text(d->plan.start[g], start[g]);
+        }
+        fprintf(file, " in 3 groups of %u, starting at %s, %s, %s degrees", d->plan.per_group,
+                start[0], start[1], start[2]);
+    }
+    fprintf(file, "\n%.6g s, with %.6g s in each position and %.6g s between two\n\n",
+            design_seconds(d->count, &request->cost), request->cost.dwell, request->cost.move);
+    print_positions(file, d);
+    if (d->is_solvable) {
+        print_sigmas(file, d, &request->cost);
+    }
+    print_coverage(file, d);
+    if (d->plan.per_group > 0) {
+        print_groups(file, &d->plan);
+    }
+}
+
+void plan_print_sweep(FILE *file, const plan_row *rows, unsigned count)
+{
+    char text[TEXT_MAX];
+
+    fprintf(file, "The paper's programs; sigma times the noise of a position mean\n\n");
+    fprintf(file, "%9s%11s%10s%10s%10s%11s%12s   %s\n", "per group", "positions", "offsets",
+            "scales", "angles", "condition", "ln det H'H", "axes along gravity");
+    for (unsigned i = 0; i < count; i++) {
+        const invcal_criteria *c = &rows[i].criteria;
+        fprintf(file, "%9u%11u%10.6f%10.6f%10.6f%11.4f%12.4f   %s\n", rows[i].per_group,
+                c->positions, c->sigma_delta, c->sigma_dk, c->sigma_gamma, c->condition, c->log_det,
+                plan_missing(rows[i].axes) ? axes_text(rows[i].axes, text) : "all six");
+    }
+}
+
+static void print_pair(FILE *file, const char *what, double a, double b)
+{
+    fprintf(file, "%-16s%24.6g%24.6g%12.6g\n", what, a, b, b / a);
+}
+
+static void print_axes_pair(FILE *file, const design *a, const design *b)
+{
+    char text[2][TEXT_MAX];
+
+    fprintf(file, "%-16s%24s%24s\n", "axes missing",
+            plan_missing(a->axes) ? axes_text(plan_missing(a->axes), text[0]) : "none",
+            plan_missing(b->axes) ? axes_text(plan_missing(b->axes), text[1]) : "none");
+    for (unsigned i = 0; i < 3; i++) {
+        snprintf(text[0], TEXT_MAX, "%+.3f ... %+.3f", a->range[i][0], a->range[i][1]);
+        snprintf(text[1], TEXT_MAX, "%+.3f ... %+.3f", b->range[i][0], b->range[i][1]);
+        fprintf(file, "range of %c, g    %23s%24s\n", "xyz"[i], text[0], text[1]);
+    }
+}
+
+void plan_print_comparison(FILE *file, const design *a, const design *b,
+                           const choice_request *request)
+{
+    const design_cost *cost = &request->cost;
+    const invcal_criteria *p = &a->criteria;
+    const invcal_criteria *q = &b->criteria;
+
+    fprintf(file, "%-16s%24.23s%24.23s%12s\n", "", a->name, b->name, "ratio");
+    print_pair(file, "positions", a->count, b->count);
+    print_pair(file, "seconds", design_seconds(a->count, cost), design_seconds(b->count, cost));
+    print_pair(file, "sigma offsets", p->sigma_delta, q->sigma_delta);
+    print_pair(file, "sigma scales", p->sigma_dk, q->sigma_dk);
+    print_pair(file, "sigma angles", p->sigma_gamma, q->sigma_gamma);
+    print_pair(file, "condition", p->condition, q->condition);
+    fprintf(file, "%-16s%24.6g%24.6g\n", "ln det H'H", p->log_det, q->log_det);
+    print_axes_pair(file, a, b);
+}
