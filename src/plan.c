@@ -5,7 +5,7 @@
 
 #define TURN INVCAL_REAL(360.0)
 #define RADIAN INVCAL_REAL(0.017453292519943296) /* one degree */
-#define ALONG INVCAL_REAL(0.9999985)             /* cos 0.1 degrees */
+#define ALONG INVCAL_REAL(0.99999847691)         /* cos 0.1 degrees */
 
 static invcal_status check_per_group(unsigned per_group)
 {
@@ -18,12 +18,14 @@ static invcal_status check_per_group(unsigned per_group)
 invcal_status invcal_plan_check(const invcal_plan *plan)
 {
     INVCAL_ASSERT(plan);
-    for (unsigned g = 0; g < INVCAL_PLAN_GROUPS; g++) {
+    const invcal_status status = check_per_group(plan->per_group);
+
+    for (unsigned g = 0; g < INVCAL_PLAN_GROUPS && status == INVCAL_OK; g++) {
         if (!(INVCAL_FABS(plan->start[g]) <= TURN)) {
             return INVCAL_BAD_SETTING;
         }
     }
-    return check_per_group(plan->per_group);
+    return status;
 }
 
 /* The same angle above -180, at most 180. */

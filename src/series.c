@@ -6,6 +6,8 @@
 #include "invcal/cholesky.h"
 #include "vector.h"
 
+#define LARGEST INVCAL_REAL(100.0) /* j of a reading ten times the field is 49.5 */
+
 /* 1, cos, sin, cos 2, sin 2 of the angle that the position's group turns. Cosine and sine stand
  * in the vertical: group 1 (0, cos, sin), group 2 (-sin, 0, -cos), group 3 (sin, cos, 0). */
 static void terms(const invcal_plan_position *p, invcal_real t[INVCAL_SERIES_TERMS])
@@ -39,8 +41,8 @@ invcal_status invcal_series_add(invcal_series *series, invcal_real j)
     invcal_real t[INVCAL_SERIES_TERMS];
 
     INVCAL_ASSERT(series);
-    if (!invcal_is_finite(j)) {
-        return INVCAL_NOT_FINITE;
+    if (!(INVCAL_FABS(j) <= LARGEST)) {
+        return invcal_is_finite(j) ? INVCAL_OUT_OF_RANGE : INVCAL_NOT_FINITE;
     }
     const invcal_status status = invcal_plan_position_at(&series->plan, series->next, &position);
     if (status != INVCAL_OK) {

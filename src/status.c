@@ -23,6 +23,11 @@ const char *invcal_status_text(invcal_status status)
         "fewer positions than parameters\0"
         "the positions leave parameters undetermined\0"
         "the readings lie on no ellipsoid: not one sensor at rest in one field\0"
+        "nothing is stored\0"
+        "the stored bytes are damaged\0"
+        "stored in a form that is not known here\0"
+        "not enough space\0"
+        "the memory cannot be read or written\0"
         "unknown status";
     const unsigned n = (unsigned)status;
 

@@ -15,7 +15,8 @@
  *     2       -90                          start 2 + 360 (l - 1)/N
  *     3       start 3 + 360 (l - 1)/N      90                           l = 1 ... N
  *
- * Five positions in a group are the least: each is a series of five coefficients (series.h).
+ * Five positions in a group are the least: each is a series of five coefficients (series.h). (Four
+ * off the axes, the twelve edges of a cube, determine the nine parameters together, but no group.)
  * What a program is worth does not depend on the start angles: sigma of the offsets
  * sqrt(1/N), of the scale errors sqrt(7/(5N)), of the non-orthogonality terms sqrt(8/N), times
  * the noise of a position mean; the condition is 8 (criteria.h computes them for any directions).
@@ -65,7 +66,7 @@ invcal_status invcal_plan_check(const invcal_plan *plan);
  *
  * Returns INVCAL_OK; INVCAL_TOO_FEW or INVCAL_BAD_SETTING by invcal_plan_check;
  * INVCAL_BAD_SETTING if there is no position i.
- * Cost: two sines and two cosines. Error of a component: 1e-15 (double), 5e-7 (float). */
+ * Cost: two sines and two cosines. Error of a component: 1e-15 (double), 3e-7 (float). */
 invcal_status invcal_plan_position_at(const invcal_plan *plan, unsigned i,
                                       invcal_plan_position *out);
 
@@ -75,7 +76,8 @@ invcal_status invcal_plan_position_at(const invcal_plan *plan, unsigned i,
  * 90 - 360/N floor(N/4) for groups 1 and 2 and 180 - 360/N for group 3: group 1 then holds +-z,
  * group 2 +-x, group 3 +-y; N = 6 gives 30, 30, 120, the paper's Table 2. An odd N cannot:
  * opposite directions are half a turn apart, N/2 steps, so each group has at most one of the
- * six, and the same angles give +z, -x, -y.
+ * six, and the same angles give +z, -x, -y. (From N = 901 on a quarter of a step is below the
+ * 0.1 degrees of invcal_axis_up, and all six count as covered.)
  *
  * Returns INVCAL_OK; INVCAL_TOO_FEW, INVCAL_BAD_SETTING for an N outside its range. */
 invcal_status invcal_plan_starts(unsigned per_group, invcal_real start[INVCAL_PLAN_GROUPS]);

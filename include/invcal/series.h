@@ -49,7 +49,8 @@ invcal_status invcal_series_init(invcal_series *series, const invcal_plan *plan)
 /* Adds the composition J of the next position: j of invcal_observation_vertical (J1) or
  * invcal_observation_first_order (J2).
  *
- * Returns INVCAL_OK; INVCAL_NOT_FINITE; INVCAL_BAD_SETTING if the program is complete.
+ * Returns INVCAL_OK; INVCAL_NOT_FINITE; INVCAL_OUT_OF_RANGE if |j| is above 100, which no reading
+ * of this field is; INVCAL_BAD_SETTING if the program is complete.
  * Cost: two sines, two cosines, five multiply-adds. */
 invcal_status invcal_series_add(invcal_series *series, invcal_real j);
 

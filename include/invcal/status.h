@@ -32,6 +32,11 @@ typedef enum {
     INVCAL_TOO_FEW,      /* fewer positions than parameters without a prior, or than 5 in a group */
     INVCAL_UNDETERMINED, /* the positions leave some parameters open: see invcal_undetermined */
     INVCAL_NOT_ELLIPSOID, /* the readings lie on no ellipsoid that a sensor triad can produce */
+    INVCAL_NO_RECORD,     /* nothing is stored there */
+    INVCAL_DAMAGED,       /* stored bytes are not what was written: too short, or a wrong CRC */
+    INVCAL_OTHER_VERSION, /* stored by a version of the library, or of another kind, unknown here */
+    INVCAL_NO_SPACE,      /* does not fit into the buffer or the slot */
+    INVCAL_IO,            /* the memory's driver reports a failure */
     INVCAL_STATUS_COUNT
 } invcal_status;
 

@@ -234,7 +234,7 @@ static int make_optimal(design *d, const char *command, const char *text)
 {
     double direction[OPTIMAL_MAX][3];
     char name[sizeof d->name];
-    unsigned n;
+    unsigned n = 0;
     const int failure = read_count(command, "optimal", text, OPTIMAL_MIN, OPTIMAL_MAX, &n);
 
     if (!failure) {

@@ -591,6 +591,66 @@ def student(out):
     say("Student: %s ... %.6f" % (" ".join("%.4f" % q for q in quantiles[:4]), quantiles[-1]))
 
 
+# ---- Fisher's F --------------------------------------------------------------------------------
+
+GAUSS_NODES = [0.1834346424956498, 0.5255324099163290, 0.7966664774136267, 0.9602898564975363]
+GAUSS_WEIGHTS = [0.3626837833783620, 0.3137066458778873, 0.2223810344533745, 0.1012285362903763]
+
+
+def integral(function, low, high, panels=40):
+    """By Gauss's rule of 8 points in each panel."""
+    half = (high - low) / (2 * panels)
+    total = []
+    for i in range(panels):
+        middle = low + (2 * i + 1) * half
+        for node, weight in zip(GAUSS_NODES, GAUSS_WEIGHTS):
+            total += [weight * function(middle - half * node), weight * function(middle + half * node)]
+    return half * math.fsum(total)
+
+
+def fisher_tail(z, m, dof):
+    """I_z(dof/2, m/2): t = sin^2 makes the beta density 2 sin^(dof-1) cos^(m-1), smooth."""
+    def density(angle):
+        return math.sin(angle) ** (dof - 1) * math.cos(angle) ** (m - 1)
+
+    part = integral(density, 0, math.asin(math.sqrt(z)))
+    return part / (part + integral(density, math.asin(math.sqrt(z)), math.pi / 2))
+
+
+def fisher_quantile(probability, m, dof):
+    """A z of about this probability, by halving its exponent, with 16 bits: exact in a float."""
+    low, high = -60.0, 0.0
+    while high - low > 1e-3:
+        middle = (low + high) / 2
+        low, high = (middle, high) if fisher_tail(math.exp(middle), m, dof) < probability else (
+            low, middle)
+    mantissa, exponent = math.frexp(math.exp(high))
+    return math.ldexp(min(round(65536 * mantissa), 65535), exponent - 16)
+
+
+def fisher(out):
+    for dof in range(1, 60):
+        assert abs(fisher_tail(0.25, 2, dof) / 0.5 ** dof - 1) < 1e-13  # m 2: z^(dof/2)
+    for z in (0.001, 0.3, 0.99):  # dof 1, m 1: the arc sine law
+        assert abs(fisher_tail(z, 1, 1) / (math.asin(math.sqrt(z)) * 2 / math.pi) - 1) < 1e-13
+    for f, m, dof in ((4.9646, 1, 10), (3.3258, 5, 10), (2.6710, 10, 13), (161.4476, 1, 1)):
+        assert abs(fisher_tail(1 / (1 + f * m / dof), m, dof) - 0.05) < 1e-5  # published
+    levels = [0.05, 1e-3, 0.3, 1e-6, 0.9, 1e-12]
+    pairs = [(m, dof) for dof in range(1, 60) for m in range(1, 32)
+             if m == 1 or (5 * m + dof) % 13 == 0]
+    rows = []
+    for k, (m, dof) in enumerate(pairs):
+        z = fisher_quantile(levels[k % len(levels)], m, dof)
+        rows.append([m, dof, z, fisher_tail(z, m, dof)])
+    assert {row[0] for row in rows} == set(range(1, 32))
+    out.section("The tail of Fisher's F, right to 1e-13: Gauss's rule")
+    out.line("enum { EXPECTED_FISHER_COUNT = %d };" % len(rows))
+    out.put("expected_fisher", rows, "m, dof, z = 1 / (1 + f m / dof), P(F > f); m and dof are"
+            " degrees of freedom")
+    say("Fisher: %d values, P from %.1e to %.3f" % (len(rows), min(r[3] for r in rows),
+                                                   max(r[3] for r in rows)))
+
+
 # ---- linear algebra ----------------------------------------------------------------------------
 
 def exact_factor(a):
@@ -702,6 +762,151 @@ def square_roots(out):
         " ".join("%.3f" % v for v in sorted(eigen(b)[0])) for b in roots))
 
 
+# ---- programs and other sets of directions -----------------------------------------------------
+
+def turn_angles(per_group, start):
+    """The angle that a group turns, in degrees: start + 360 (l - 1) / N, l = 1 ... N."""
+    return [start + 360 * k / per_group for k in range(per_group)]
+
+
+def groups(per_group, starts):
+    """Verticals (sin a sin b, cos a, sin a cos b) of the three groups of Table 1:
+
+    (a, b) = (turning, 0), (-90, turning), (turning, 90).
+    """
+    def eta(alpha, beta):
+        a, b = math.radians(alpha), math.radians(beta)
+        return [math.sin(a) * math.sin(b), math.cos(a), math.sin(a) * math.cos(b)]
+
+    turning = [turn_angles(per_group, start) for start in starts]
+    return [[eta(t, 0) for t in turning[0]], [eta(-90, t) for t in turning[1]],
+            [eta(t, 90) for t in turning[2]]]
+
+
+def log_determinant(a):
+    low = cholesky(a)
+    return 2 * add(math.log(low[i][i]) for i in range(len(a)))
+
+
+def criteria(etas):
+    """[sigma of delta, dk, gamma: the largest of each three; condition; log det] of H'H."""
+    information = normal_matrix([h(eta) for eta in etas])
+    root_k = root_diagonal(inverse(information))
+    return [max(root_k[:3]), max(root_k[3:6]), max(root_k[6:]), condition(information),
+            log_determinant(information)]
+
+
+def unit(a):
+    return scaled(a, 1 / norm(a))
+
+
+def icosahedron():
+    """(0, +-1, +-golden) and its cyclic permutations."""
+    golden = (1 + math.sqrt(5)) / 2
+    corners = [[0, s, t * golden] for s in (1, -1) for t in (1, -1)]
+    return [unit(corner[k:] + corner[:k]) for corner in corners for k in range(3)]
+
+
+def faces_and_edges():
+    """The middles of the six faces and the twelve edges of a cube."""
+    grid = [[x, y, z] for x in (-1, 0, 1) for y in (-1, 0, 1) for z in (-1, 0, 1)]
+    return [unit(a) for a in grid if dot(a, a) in (1, 2)]
+
+
+def scattered(count, seed, wanted):
+    """Random directions of which wanted(direction) holds."""
+    source = random.Random(seed)
+    found = []
+    while len(found) < count:
+        a = [2 * source.random() - 1 for _ in range(3)]
+        if 0.01 < dot(a, a) < 1 and wanted(unit(a)):
+            found.append(unit(a))
+    return found
+
+
+def direction_sets(out):
+    source = random.Random(18)
+    for n in range(5, 65):
+        starts = [720 * source.random() - 360 for _ in range(3)]
+        closed = [math.sqrt(1 / n), math.sqrt(7 / (5 * n)), math.sqrt(8 / n), 8,
+                  9 * math.log(n) + 2 * math.log(5) - 15 * math.log(2)]
+        found = criteria([eta for group in groups(n, starts) for eta in group])
+        assert largest([f / c - 1 for f, c in zip(found, closed)]) < 1e-12
+    for n, expected in ((12, [0.5, 0.707107, 1.118034]), (18, [0.408248, 0.527046, 1])):
+        found = criteria(icosahedron() if n == 12 else faces_and_edges())
+        assert largest(minus(found[:3], expected)) < 5e-7
+    sets = [("icosahedron", icosahedron(), "the 12 corners of an icosahedron"),
+            ("faces_and_edges", faces_and_edges(), "6 faces and 12 edges of a cube"),
+            ("scattered12", scattered(12, 12, lambda a: True), "12 random directions"),
+            ("scattered20", scattered(20, 20, lambda a: True), "20 random directions"),
+            ("tilted24", scattered(24, 24, lambda a: dot(a, unit([1, 2, 3])) > 0.3),
+             "24 random directions within 73 degrees of (1 2 3)")]
+    out.section("Sets of directions, and what they are worth")
+    for name, etas, what in sets:
+        out.put("expected_" + name, etas, what)
+    out.put("expected_set_criteria", [criteria(etas) for _, etas, _ in sets],
+            "of these sets in turn: the largest square root of the diagonal of K = (H'H)^-1 for"
+            " delta, dk, gamma; condition of H'H; log det H'H")
+    for name, etas, _ in sets:
+        say("%s: %s" % (name, " ".join("%.6f" % c for c in criteria(etas))))
+
+
+def series(out):
+    """Least squares on each group alone, and on all with the rows h(eta), for noisy J."""
+    out.section("The series of a group: J at the positions of Table 1, multiples of 1/4096, and"
+                " their least squares")
+    for n, starts in ((5, [17, -111, 203]), (8, [-35.5, 250.25, 12.5])):
+        source = random.Random(n)
+        etas = groups(n, starts)
+        exact = [[dot(read(truth(0.1), eta), eta) - 1 for eta in group] for group in etas]
+        j = [[round(4096 * (value + 0.04 * source.random() - 0.02)) / 4096 for value in group]
+             for group in exact]
+        fits = []
+        for values in (exact, j):
+            found = []
+            for start, group in zip(starts, values):
+                turning = [math.radians(t) for t in turn_angles(n, start)]
+                found.append(least_squares([[1, math.cos(t), math.sin(t), math.cos(2 * t),
+                                             math.sin(2 * t)] for t in turning], group))
+            fits.append(found)
+        d, k, g = truth(0.1)[:3], truth(0.1)[3:6], truth(0.1)[6:]
+        closed = [[(k[1] + k[2]) / 2, d[1], d[2], (k[1] - k[2]) / 2, g[2] / 2],
+                  [(k[2] + k[0]) / 2, -d[2], -d[0], (k[2] - k[0]) / 2, g[1] / 2],
+                  [(k[1] + k[0]) / 2, d[1], d[0], (k[1] - k[0]) / 2, g[0] / 2]]
+        assert largest([largest(minus(f, c)) for f, c in zip(fits[0], closed)]) < 1e-14
+        x = least_squares([h(eta) for group in etas for eta in group],
+                          [value for group in j for value in group])
+        name = "expected_series%d" % n
+        out.put(name + "_start", starts, "N = %d: start angles, degrees" % n)
+        out.put(name + "_j", j, "J of groups 1, 2, 3")
+        out.put(name + "_coefficient", fits[1], "a0 a1 b1 a2 b2 of each group alone")
+        out.put(name + "_x", x, "X from all of them, rows h(eta)")
+        say("series of %d: X %s" % (n, " ".join("%.5f" % value for value in x)))
+
+
+def largest_eigenvalue(a, steps=500):
+    """Of a matrix of integers: Rayleigh's quotient of a^steps (1 ... 1), exact but for the rest
+    that the other eigenvalues leave."""
+    v = [1] * len(a)
+    for _ in range(steps):
+        before, v = v, apply(a, v)
+    assert abs(Fraction(dot(v, v), dot(v, before)) / Fraction(dot(v, before), dot(before, before))
+               - 1) < Fraction(1, 10 ** 20)
+    return Fraction(dot(v, apply(a, v)), dot(v, v))
+
+
+def largest_eigenvalues(out):
+    out.section("Largest eigenvalues, by powers in exact arithmetic")
+    for name, a in (("pascal5", pascal(5)), ("random9", random_matrix(9, 2019))):
+        _, determinant = exact_factor(fractions(a))
+        adjugate = [[int(determinant * x) for x in row] for row in inverse(fractions(a))]
+        largest = largest_eigenvalue(a)
+        of_inverse = largest_eigenvalue(adjugate) / int(determinant)
+        assert abs(float(largest * of_inverse) / condition(a) - 1) < 1e-11
+        out.put("expected_%s_largest" % name, largest, "of the matrix of this name above")
+        out.put("expected_%s_inverse_largest" % name, of_inverse, "of its inverse")
+
+
 # ---- the header --------------------------------------------------------------------------------
 
 def literal(value):
@@ -774,8 +979,12 @@ def main():
     cramer_rao(out, etas)
     first_order(out, etas)
     student(out)
+    fisher(out)
     linear_algebra(out)
     square_roots(out)
+    direction_sets(out)
+    series(out)
+    largest_eigenvalues(out)
     out.line("\n#endif")
 
 

@@ -235,6 +235,144 @@ static void a_nan_beside_the_diagonal_has_no_condition(void)
     }
 }
 
+/* ---- the largest eigenvalue alone ---- */
+
+static const double epsilon = (double)INVCAL_EPSILON;
+
+static void copy_of(const double *from, unsigned n, double factor, invcal_real *to)
+{
+    for (unsigned i = 0; i < INVCAL_PACKED_SIZE(n); i++) {
+        to[i] = (invcal_real)(from[i] * factor);
+    }
+}
+
+/* The tridiagonal matrix of 2 and -1, and that of 2 and 1: 2 + 2 cos(pi / (n + 1)). */
+static void the_largest_eigenvalue_of_a_toeplitz_matrix_agrees_with_its_closed_form(void)
+{
+    for (unsigned n = 1; n <= N; n++) {
+        const double expected = 2 + 2 * cos(acos(-1.0) / (n + 1));
+        for (int beside = -1; beside <= 1; beside += 2) {
+            invcal_real a[SUMS] = {0};
+            for (unsigned r = 0; r < n; r++) {
+                a[INVCAL_PACKED(r, r)] = 2;
+                if (r > 0) {
+                    a[INVCAL_PACKED(r, r - 1)] = (invcal_real)beside;
+                }
+            }
+            TEST_ASSERT_DOUBLE_WITHIN(n * epsilon * expected, expected,
+                                      (double)invcal_largest_eigenvalue(a, n));
+        }
+    }
+}
+
+static void the_largest_eigenvalue_of_a_diagonal_matrix_is_its_largest_element(void)
+{
+    for (unsigned n = 1; n <= N; n++) {
+        for (unsigned at = 0; at < n; at++) {
+            invcal_real a[SUMS] = {0};
+            for (unsigned r = 0; r < n; r++) {
+                a[INVCAL_PACKED(r, r)] = (invcal_real)(r == at ? 7 : 1 + 0.125 * r);
+            }
+            TEST_ASSERT_DOUBLE_WITHIN(7 * epsilon, 7, (double)invcal_largest_eigenvalue(a, n));
+        }
+    }
+}
+
+/* All ones and t more on the diagonal: n + t, and t for all others. Rank one to rounding. */
+static void the_largest_eigenvalue_does_not_need_the_others(void)
+{
+    for (unsigned n = 2; n <= N; n++) {
+        for (int exponent = 0; exponent <= 12; exponent++) {
+            const double more = pow(10, -exponent);
+            invcal_real a[SUMS];
+            for (unsigned r = 0; r < n; r++) {
+                for (unsigned c = 0; c <= r; c++) {
+                    a[INVCAL_PACKED(r, c)] = (invcal_real)(r == c ? 1 + more : 1);
+                }
+            }
+            TEST_ASSERT_DOUBLE_WITHIN((n + 0.5) * epsilon * (n + more), n + more,
+                                      (double)invcal_largest_eigenvalue(a, n));
+        }
+    }
+}
+
+static void the_largest_eigenvalue_scales_with_the_unit(void)
+{
+    for (int exponent = -30; exponent <= 30; exponent++) {
+        const double scale = pow(10, exponent);
+        invcal_real a[SUMS];
+        copy_of(expected_random9_matrix, 9, scale, a);
+        const double expected = expected_random9_largest * scale;
+        TEST_ASSERT_DOUBLE_WITHIN(14 * epsilon * expected, expected,
+                                  (double)invcal_largest_eigenvalue(a, 9));
+    }
+}
+
+/* P = I - 2 v v' keeps eigenvalues. The elements of P diag P are rounded too, to half of epsilon
+ * of the norm each. */
+static void the_largest_eigenvalue_does_not_depend_on_the_axes(void)
+{
+    random_source random = random_start(4);
+
+    for (int i = 0; i < 500; i++) {
+        const unsigned n = 2 + (unsigned)i % (N - 1);
+        const double largest = pow(10, random_uniform(&random, -3, 3));
+        const double spread = pow(10, random_uniform(&random, 0, 10));
+        double v[N];
+        double d[N];
+        double square = 0;
+        invcal_real a[SUMS];
+        for (unsigned r = 0; r < n; r++) {
+            v[r] = random_normal(&random);
+            square += v[r] * v[r];
+            d[r] = largest * pow(spread, -random_uniform(&random, 0, 1));
+        }
+        d[(unsigned)i / N % n] = largest;
+        for (unsigned r = 0; r < n; r++) {
+            for (unsigned c = 0; c <= r; c++) {
+                double sum = 0;
+                for (unsigned k = 0; k < n; k++) {
+                    const double pr = (r == k) - 2 * v[r] * v[k] / square;
+                    const double pc = (c == k) - 2 * v[c] * v[k] / square;
+                    sum += pr * d[k] * pc;
+                }
+                a[INVCAL_PACKED(r, c)] = (invcal_real)sum;
+            }
+        }
+        TEST_ASSERT_DOUBLE_WITHIN(2 * n * epsilon * largest, largest,
+                                  (double)invcal_largest_eigenvalue(a, n));
+    }
+}
+
+/* Largest of A times largest of A^-1: the condition without being multiplied by itself. The
+ * elements of A^-1 are rounded to half of epsilon each. */
+static void assert_condition_of_two(const double *matrix, const double *inverse, unsigned n,
+                                    double largest, double largest_of_inverse)
+{
+    const double condition = largest * largest_of_inverse;
+    invcal_real a[SUMS];
+
+    copy_of(matrix, n, 1, a);
+    const double first = (double)invcal_largest_eigenvalue(a, n);
+    copy_of(inverse, n, 1, a);
+    const double second = (double)invcal_largest_eigenvalue(a, n);
+    TEST_ASSERT_DOUBLE_WITHIN(n * epsilon * largest, largest, first);
+    TEST_ASSERT_DOUBLE_WITHIN(1.5 * n * epsilon * largest_of_inverse, largest_of_inverse, second);
+    TEST_ASSERT_DOUBLE_WITHIN(2.5 * n * epsilon * condition, condition, first * second);
+}
+
+static void the_largest_of_a_matrix_and_its_inverse_give_its_condition(void)
+{
+    assert_condition_of_two(expected_pascal5_matrix, expected_pascal5_inverse, 5,
+                            expected_pascal5_largest, expected_pascal5_inverse_largest);
+    assert_condition_of_two(expected_random9_matrix, expected_random9_inverse, 9,
+                            expected_random9_largest, expected_random9_inverse_largest);
+    /* The inverse is tridiagonal: 4 cos^2 and 4 sin^2 of multiples of pi / 38. */
+    const double step = acos(-1.0) / 38;
+    assert_condition_of_two(expected_min_matrix, expected_min_inverse[8], 9,
+                            1 / (4 * sin(step) * sin(step)), 4 * cos(2 * step) * cos(2 * step));
+}
+
 int main(void)
 {
     UNITY_BEGIN();
@@ -249,5 +387,11 @@ int main(void)
     RUN_TEST(elements_too_small_to_matter_do_not);
     RUN_TEST(what_is_not_positive_definite_has_no_condition);
     RUN_TEST(a_nan_beside_the_diagonal_has_no_condition);
+    RUN_TEST(the_largest_eigenvalue_of_a_toeplitz_matrix_agrees_with_its_closed_form);
+    RUN_TEST(the_largest_eigenvalue_of_a_diagonal_matrix_is_its_largest_element);
+    RUN_TEST(the_largest_eigenvalue_does_not_need_the_others);
+    RUN_TEST(the_largest_eigenvalue_scales_with_the_unit);
+    RUN_TEST(the_largest_eigenvalue_does_not_depend_on_the_axes);
+    RUN_TEST(the_largest_of_a_matrix_and_its_inverse_give_its_condition);
     return UNITY_END() != 0;
 }
