@@ -27,7 +27,8 @@ typedef enum {
     INVCAL_NOT_FINITE,   /* a reading is NaN or infinite */
     INVCAL_OUT_OF_RANGE, /* a reading is below 1/10 or above 10 of the field: wrong scale, field */
     INVCAL_NOT_UNIT,     /* a known direction is not a unit vector */
-    INVCAL_BAD_SETTING,  /* field, noise, weight, prior, nominal calibration or plan unusable */
+    INVCAL_BAD_SETTING,  /* field, noise, weight, prior, nominal calibration, plan, record or
+                            store unusable */
     INVCAL_MIXED,        /* rows of the exact and of the linear kind in one set of equations */
     INVCAL_TOO_FEW,      /* fewer positions than parameters without a prior, or than 5 in a group */
     INVCAL_UNDETERMINED, /* the positions leave some parameters open: see invcal_undetermined */

@@ -1,0 +1,162 @@
+/* SPDX-License-Identifier: MIT */
+#include "invcal/record.h"
+
+#include <string.h>
+
+#include "bytes.h"
+#include "vector.h"
+
+enum { KIND = 0xCA, VERSION = 1, REALS_AT = 24, CRC_SIZE = 4, SHORTEST = 8 };
+
+/* One way through the reals of a record, with something to do at each. */
+typedef struct way way;
+struct way {
+    void (*step)(way *w, invcal_real *x);
+    uint8_t *to;
+    const uint8_t *from;
+    int finite;
+};
+
+static void put(way *w, invcal_real *x)
+{
+    invcal_put_float(w->to, (float)*x);
+    w->to += 4;
+}
+
+static void get(way *w, invcal_real *x)
+{
+    *x = (invcal_real)invcal_get_float(w->from);
+    w->from += 4;
+}
+
+/* To what will be stored. Compared first: the conversion of a larger number is undefined. */
+static void to_float(way *w, invcal_real *x)
+{
+    if (INVCAL_FABS(*x) <= (invcal_real)FLT_MAX) {
+        *x = (invcal_real)(float)*x;
+    } else {
+        w->finite = 0;
+    }
+}
+
+static void each(way *w, invcal_real *x, unsigned count)
+{
+    for (unsigned i = 0; i < count; i++) {
+        w->step(w, &x[i]);
+    }
+}
+
+/* In the order of their bytes. */
+static void each_real(way *w, invcal_record *r)
+{
+    each(w, &r->field, 1);
+    each(w, &r->field_sigma, 1);
+    each(w, &r->temperature, 1);
+    each(w, &r->noise, 1);
+    each(w, &r->residual_rms, 1);
+    each(w, &r->condition, 1);
+    each(w, r->calibration.offset, 3);
+    for (unsigned i = 0; i < 3; i++) {
+        each(w, r->calibration.matrix[i], 3);
+    }
+    each(w, r->delta, 3);
+    each(w, r->dk, 3);
+    each(w, r->gamma, 3);
+    each(w, r->sigma_offset, 3);
+    each(w, r->sigma_delta, 3);
+    each(w, r->sigma_dk, 3);
+    each(w, r->sigma_gamma, 3);
+}
+
+/* Rounds a record to float and judges what remains: what passes here passes when it is read. */
+static invcal_status settle(invcal_record *r)
+{
+    invcal_real inverse[3][3];
+    way w = {to_float, NULL, NULL, 1};
+
+    each_real(&w, r);
+    if (!w.finite) {
+        return INVCAL_NOT_FINITE;
+    }
+    if (!(r->field > 0) || (unsigned)r->verdict > INVCAL_WEAK || r->temperature_known > 1) {
+        return INVCAL_BAD_SETTING;
+    }
+    return invcal_calibration_inverse(&r->calibration, inverse);
+}
+
+invcal_status invcal_record_encode(const invcal_record *record, uint8_t bytes[INVCAL_RECORD_SIZE])
+{
+    INVCAL_ASSERT(record && bytes);
+    const invcal_real most = (invcal_real)FLT_MAX;
+    invcal_record r = *record;
+    way w = {put, bytes + REALS_AT, NULL, 1};
+
+    r.temperature_known = r.temperature_known != 0;
+    if (!r.temperature_known) {
+        r.temperature = 0;
+    }
+    if (r.condition > most && invcal_is_finite(r.condition)) {
+        r.condition = most;
+    }
+    const invcal_status status = settle(&r);
+    if (status != INVCAL_OK) {
+        return status;
+    }
+    bytes[0] = KIND;
+    bytes[1] = VERSION;
+    invcal_put_u16(bytes + 2, INVCAL_RECORD_SIZE);
+    memcpy(bytes + 4, r.sensor, sizeof r.sensor);
+    invcal_put_u32(bytes + 12, r.date);
+    invcal_put_u16(bytes + 16, r.positions);
+    invcal_put_u16(bytes + 18, r.undetermined);
+    invcal_put_u16(bytes + 20, r.from_prior);
+    bytes[22] = (uint8_t)r.verdict;
+    bytes[23] = r.temperature_known;
+    each_real(&w, &r);
+    invcal_put_u32(w.to, invcal_crc32(0, bytes, INVCAL_RECORD_SIZE - CRC_SIZE));
+    return INVCAL_OK;
+}
+
+/* Are these bytes a record, of whatever kind and version? */
+static int is_sound(const uint8_t *bytes, uint32_t size)
+{
+    if (size < SHORTEST) {
+        return 0;
+    }
+    const uint16_t length = invcal_get_u16(bytes + 2);
+    if (length < SHORTEST || length > size) {
+        return 0;
+    }
+    const uint16_t end = (uint16_t)(length - CRC_SIZE);
+    return invcal_crc32(0, bytes, end) == invcal_get_u32(bytes + end);
+}
+
+invcal_status invcal_record_decode(const uint8_t *bytes, uint32_t size, invcal_record *out)
+{
+    INVCAL_ASSERT(bytes && out);
+    invcal_record r;
+    way w = {get, NULL, bytes + REALS_AT, 1};
+
+    if (!is_sound(bytes, size)) {
+        return INVCAL_DAMAGED;
+    }
+    if (bytes[0] != KIND || bytes[1] != VERSION) {
+        return INVCAL_OTHER_VERSION;
+    }
+    if (invcal_get_u16(bytes + 2) != INVCAL_RECORD_SIZE) {
+        return INVCAL_DAMAGED;
+    }
+    memcpy(r.sensor, bytes + 4, sizeof r.sensor);
+    r.date = invcal_get_u32(bytes + 12);
+    r.positions = invcal_get_u16(bytes + 16);
+    r.undetermined = invcal_get_u16(bytes + 18);
+    r.from_prior = invcal_get_u16(bytes + 20);
+    r.verdict = (invcal_verdict)bytes[22];
+    r.temperature_known = bytes[23];
+    each_real(&w, &r);
+    if (settle(&r) != INVCAL_OK) {
+        return INVCAL_DAMAGED;
+    }
+    *out = r;
+    return INVCAL_OK;
+}

@@ -1,0 +1,588 @@
+/* SPDX-License-Identifier: MIT */
+#include <float.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "invcal/record.h"
+#include "support.h"
+#include "unity.h"
+
+void setUp(void)
+{
+}
+
+void tearDown(void)
+{
+}
+
+enum { SIZE = INVCAL_RECORD_SIZE, REALS = 39, MARGIN = 64 };
+
+/* The bytes of the record below, by Python:
+ *
+ *     import struct, zlib
+ *     b = struct.pack('<BBH8sIHHHBB39f', 0xCA, 1, 184, b'SN-00042', 0x6543210F, 18, 0x101, 0x82,
+ *         2, 1, *reals)       # the numbers of golden_reals
+ *     b += struct.pack('<I', zlib.crc32(b))
+ */
+static const uint8_t golden[SIZE] = {
+    0xCA, 0x01, 0xB8, 0x00, 0x53, 0x4E, 0x2D, 0x30, 0x30, 0x30, 0x34, 0x32, 0x0F, 0x21, 0x43, 0x65,
+    0x12, 0x00, 0x01, 0x01, 0x82, 0x00, 0x02, 0x01, 0x00, 0x00, 0x1D, 0x41, 0x00, 0x00, 0x00, 0x3B,
+    0x00, 0x00, 0x48, 0xC1, 0x00, 0x00, 0x80, 0x3A, 0x00, 0x00, 0x80, 0x39, 0x00, 0x00, 0x04, 0x41,
+    0x80, 0x63, 0x01, 0x47, 0x40, 0xFC, 0x01, 0xC7, 0x80, 0xD1, 0xFC, 0x46, 0x52, 0x49, 0x1D, 0x3B,
+    0x82, 0xA8, 0x7B, 0x37, 0xAC, 0xC5, 0x27, 0xB6, 0xAC, 0xC5, 0x27, 0xB7, 0x0A, 0xD7, 0x23, 0x3B,
+    0x9C, 0x53, 0x49, 0x36, 0xBD, 0x37, 0x86, 0x36, 0xAC, 0xC5, 0xA7, 0xB6, 0xC3, 0x64, 0x2A, 0xBB,
+    0x0A, 0xD7, 0x23, 0x3C, 0x0A, 0xD7, 0xA3, 0xBC, 0x8F, 0xC2, 0xF5, 0x3C, 0x6F, 0x12, 0x83, 0x3A,
+    0x6F, 0x12, 0x03, 0xBB, 0xA6, 0x9B, 0x44, 0x3B, 0x17, 0xB7, 0xD1, 0xB8, 0x17, 0xB7, 0x51, 0x39,
+    0x52, 0x49, 0x9D, 0xB9, 0x00, 0x00, 0x80, 0x3E, 0x00, 0x00, 0x00, 0x3F, 0x00, 0x00, 0x40, 0x3F,
+    0x17, 0xB7, 0xD1, 0x38, 0x17, 0xB7, 0x51, 0x39, 0x52, 0x49, 0x9D, 0x39, 0x17, 0xB7, 0xD1, 0x39,
+    0x6F, 0x12, 0x03, 0x3A, 0x52, 0x49, 0x1D, 0x3A, 0x34, 0x80, 0x37, 0x3A, 0x17, 0xB7, 0x51, 0x3A,
+    0xFA, 0xED, 0x6B, 0x3A, 0x9C, 0x1E, 0x9F, 0x51,
+};
+
+/* field, field_sigma, temperature, noise, residual_rms, condition; offset, matrix; delta, dk,
+ * gamma; sigma_offset, sigma_delta, sigma_dk, sigma_gamma. */
+static const double golden_reals[REALS] = {
+    9.8125, 0.001953125, -12.5,   0.0009765625, 0.000244140625, 8.25,  33123.5, -33276.25, 32360.75,
+    0.0024, 1.5e-5,      -2.5e-6, -1e-5,        0.0025,         3e-6,  4e-6,    -5e-6,     -0.0026,
+    0.01,   -0.02,       0.03,    0.001,        -0.002,         0.003, -0.0001, 0.0002,    -0.0003,
+    0.25,   0.5,         0.75,    1e-4,         2e-4,           3e-4,  4e-4,    5e-4,      6e-4,
+    7e-4,   8e-4,        9e-4,
+};
+enum { FIELD = 0, TEMPERATURE = 2, CONDITION = 5, MATRIX = 9, REALS_AT = 24 };
+
+/* Real number i of a record, in the order of the table in record.h. */
+static invcal_real *real_of(invcal_record *r, unsigned i)
+{
+    invcal_real *const single[] = {&r->field, &r->field_sigma,  &r->temperature,
+                                   &r->noise, &r->residual_rms, &r->condition};
+    invcal_real *const triple[] = {r->calibration.offset,
+                                   r->calibration.matrix[0],
+                                   r->calibration.matrix[1],
+                                   r->calibration.matrix[2],
+                                   r->delta,
+                                   r->dk,
+                                   r->gamma,
+                                   r->sigma_offset,
+                                   r->sigma_delta,
+                                   r->sigma_dk,
+                                   r->sigma_gamma};
+
+    return i < 6 ? single[i] : &triple[(i - 6) / 3][(i - 6) % 3];
+}
+
+static invcal_record golden_record(void)
+{
+    invcal_record r;
+
+    memset(&r, 0, sizeof r);
+    for (unsigned i = 0; i < REALS; i++) {
+        *real_of(&r, i) = (invcal_real)golden_reals[i];
+    }
+    memcpy(r.sensor, "SN-00042", 8);
+    r.date = 0x6543210Fu;
+    r.positions = 18;
+    r.undetermined = 0x101;
+    r.from_prior = 0x82;
+    r.verdict = INVCAL_WEAK;
+    r.temperature_known = 1;
+    return r;
+}
+
+/* Equal to the bit, reals as they are after rounding to float. */
+static void assert_equal_records(invcal_record *expected, invcal_record *actual)
+{
+    for (unsigned i = 0; i < REALS; i++) {
+        const invcal_real e = (invcal_real)(float)*real_of(expected, i);
+        TEST_ASSERT_EQUAL_MEMORY(&e, real_of(actual, i), sizeof e);
+    }
+    TEST_ASSERT_EQUAL_MEMORY(expected->sensor, actual->sensor, 8);
+    TEST_ASSERT_EQUAL_HEX32(expected->date, actual->date);
+    TEST_ASSERT_EQUAL_HEX16(expected->positions, actual->positions);
+    TEST_ASSERT_EQUAL_HEX16(expected->undetermined, actual->undetermined);
+    TEST_ASSERT_EQUAL_HEX16(expected->from_prior, actual->from_prior);
+    TEST_ASSERT_EQUAL_INT(expected->verdict, actual->verdict);
+    TEST_ASSERT_EQUAL_INT(expected->temperature_known, actual->temperature_known);
+}
+
+static void assert_encodes(const invcal_record *r, uint8_t bytes[SIZE])
+{
+    uint8_t room[SIZE + MARGIN];
+    const invcal_record before = *r;
+
+    memset(room, 0x5A, sizeof room);
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_record_encode(r, room + 1)); /* odd address */
+    TEST_ASSERT_EQUAL_MEMORY(&before, r, sizeof before);
+    TEST_ASSERT_EQUAL_HEX8(0x5A, room[0]);
+    TEST_ASSERT_EACH_EQUAL_HEX8(0x5A, room + 1 + SIZE, MARGIN - 1);
+    memcpy(bytes, room + 1, SIZE);
+}
+
+static void assert_not_encoded(invcal_status expected, const invcal_record *r)
+{
+    uint8_t bytes[SIZE];
+
+    memset(bytes, 0x5A, sizeof bytes);
+    TEST_ASSERT_EQUAL_INT(expected, invcal_record_encode(r, bytes));
+    TEST_ASSERT_EACH_EQUAL_HEX8(0x5A, bytes, SIZE);
+}
+
+static void assert_decodes(const uint8_t *bytes, uint32_t size, invcal_record *out)
+{
+    uint8_t room[SIZE + MARGIN + 1];
+
+    memcpy(room + 1, bytes, size);
+    memset(out, 0x5A, sizeof *out);
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_record_decode(room + 1, size, out));
+}
+
+static int is_refused(invcal_status expected, const uint8_t *bytes, uint32_t size)
+{
+    invcal_record out;
+    uint8_t before[sizeof out];
+
+    memset(&out, 0x5A, sizeof out);
+    memset(before, 0x5A, sizeof before);
+    return invcal_record_decode(bytes, size, &out) == expected &&
+           memcmp(&out, before, sizeof out) == 0;
+}
+
+static uint32_t crc_of(const uint8_t *bytes, uint32_t count) /* with a table, unlike the library */
+{
+    static uint32_t table[256];
+    uint32_t crc = 0xFFFFFFFFu;
+
+    for (uint32_t i = 0; i < 256 && table[255] == 0; i++) {
+        uint32_t c = i;
+        for (int k = 0; k < 8; k++) {
+            c = (c >> 1) ^ (0xEDB88320u & (0u - (c & 1u)));
+        }
+        table[i] = c;
+    }
+    for (uint32_t i = 0; i < count; i++) {
+        crc = (crc >> 8) ^ table[(crc ^ bytes[i]) & 0xFFu];
+    }
+    return ~crc;
+}
+
+/* Puts the right CRC behind the first count bytes. */
+static void seal(uint8_t *bytes, uint32_t count)
+{
+    const uint32_t crc = crc_of(bytes, count);
+
+    for (unsigned i = 0; i < 4; i++) {
+        bytes[count + i] = (uint8_t)(crc >> 8 * i);
+    }
+}
+
+static invcal_record random_record(random_source *random)
+{
+    invcal_record r;
+
+    memset(&r, 0, sizeof r);
+    for (unsigned i = 0; i < REALS; i++) {
+        *real_of(&r, i) =
+            (invcal_real)(random_normal(random) * pow(10, random_uniform(random, -9, 9)));
+    }
+    for (unsigned i = 0; i < 9; i++) { /* regular */
+        const double base = i % 4 == 0 ? 1 : 0;
+        *real_of(&r, MATRIX + i) = (invcal_real)(base + random_uniform(random, -0.2, 0.2));
+    }
+    r.field = INVCAL_FABS(r.field);
+    for (unsigned i = 0; i < 8; i++) {
+        r.sensor[i] = (uint8_t)random_uniform(random, 0, 256);
+    }
+    r.date = (uint32_t)random_uniform(random, 0, 4294967296.0);
+    r.positions = (uint16_t)random_uniform(random, 0, 65536);
+    r.undetermined = (uint16_t)random_uniform(random, 0, 512);
+    r.from_prior = (uint16_t)random_uniform(random, 0, 512);
+    r.verdict = (invcal_verdict)(unsigned)random_uniform(random, 0, 3);
+    r.temperature_known = 1;
+    return r;
+}
+
+/* ---- what is kept ------------------------------------------------------------------------------ */
+
+static void a_record_has_the_bytes_of_the_table(void)
+{
+    const invcal_record r = golden_record();
+    uint8_t bytes[SIZE];
+
+    assert_encodes(&r, bytes);
+    TEST_ASSERT_EQUAL_HEX8_ARRAY(golden, bytes, SIZE);
+}
+
+static void the_bytes_of_the_table_give_the_record(void)
+{
+    invcal_record expected = golden_record();
+    invcal_record r;
+
+    assert_decodes(golden, SIZE, &r);
+    assert_equal_records(&expected, &r);
+}
+
+static void a_record_comes_back_as_it_was(void)
+{
+    random_source random = random_start(1);
+
+    for (int i = 0; i < 2000; i++) {
+        invcal_record r = random_record(&random);
+        invcal_record back;
+        uint8_t bytes[SIZE];
+        uint8_t again[SIZE];
+        assert_encodes(&r, bytes);
+        assert_decodes(bytes, SIZE, &back);
+        assert_equal_records(&r, &back);
+        assert_encodes(&back, again);
+        TEST_ASSERT_EQUAL_MEMORY(bytes, again, SIZE);
+    }
+}
+
+/* Largest, smallest, subnormal, and both zeros. */
+static void reals_at_the_limits_of_float_come_back(void)
+{
+    static const float limit[] = {FLT_MAX, -FLT_MAX, FLT_MIN, 1.4e-45f, -1.4e-45f, 0, -0.0f};
+
+    for (unsigned k = 0; k < sizeof limit / sizeof limit[0]; k++) {
+        invcal_record r = golden_record();
+        invcal_record back;
+        uint8_t bytes[SIZE];
+        for (unsigned i = 1; i < REALS; i++) {
+            if (i < MATRIX || i >= MATRIX + 9) {
+                *real_of(&r, i) = (invcal_real)limit[k];
+            }
+        }
+        r.field = (invcal_real)(k % 2 ? 1.4e-45f : FLT_MAX);
+        assert_encodes(&r, bytes);
+        assert_decodes(bytes, SIZE, &back);
+        assert_equal_records(&r, &back);
+    }
+}
+
+static void an_unknown_temperature_is_not_looked_at(void)
+{
+    static const double any[] = {NOT_A_NUMBER, INFINITE, 25, 0};
+
+    for (unsigned i = 0; i < 4; i++) {
+        invcal_record r = golden_record();
+        invcal_record back;
+        uint8_t bytes[SIZE];
+        r.temperature_known = 0;
+        r.temperature = (invcal_real)any[i];
+        assert_encodes(&r, bytes);
+        TEST_ASSERT_EACH_EQUAL_HEX8(0, bytes + REALS_AT + 4 * TEMPERATURE, 4);
+        assert_decodes(bytes, SIZE, &back);
+        TEST_ASSERT_EQUAL_INT(0, back.temperature_known);
+        TEST_ASSERT_TRUE(back.temperature >= 0 && back.temperature <= 0);
+    }
+}
+
+static void any_nonzero_mark_of_a_known_temperature_will_do(void)
+{
+    invcal_record r = golden_record();
+    uint8_t bytes[SIZE];
+
+    r.temperature_known = 0xC0;
+    assert_encodes(&r, bytes);
+    TEST_ASSERT_EQUAL_MEMORY(golden, bytes, SIZE);
+}
+
+static void a_huge_condition_is_stored_as_the_largest_float(void)
+{
+    invcal_record r = golden_record();
+    invcal_record back;
+    uint8_t bytes[SIZE];
+
+    r.condition = INVCAL_REAL_MAX; /* as invcal_assess may give */
+    assert_encodes(&r, bytes);
+    assert_decodes(bytes, SIZE, &back);
+    TEST_ASSERT_TRUE(back.condition <= (invcal_real)FLT_MAX);
+    TEST_ASSERT_TRUE(back.condition >= (invcal_real)FLT_MAX);
+}
+
+static void bytes_behind_a_record_are_not_looked_at(void)
+{
+    uint8_t bytes[SIZE + MARGIN];
+
+    for (unsigned fill = 0; fill < 256; fill += 85) {
+        invcal_record expected = golden_record();
+        invcal_record r;
+        memset(bytes, (int)fill, sizeof bytes);
+        memcpy(bytes, golden, SIZE);
+        assert_decodes(bytes, sizeof bytes, &r);
+        assert_equal_records(&expected, &r);
+        TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_record_decode(bytes, 0xFFFFFFFFu, &r));
+    }
+}
+
+/* ---- what is refused --------------------------------------------------------------------------- */
+
+static void a_number_that_is_not_finite_is_neither_encoded_nor_decoded(void)
+{
+    static const double bad[] = {NOT_A_NUMBER, INFINITE, -INFINITE};
+    static const uint8_t bits[][4] = {
+        {0, 0, 0xC0, 0x7F}, {1, 0, 0x80, 0xFF}, {0, 0, 0x80, 0x7F}, {0, 0, 0x80, 0xFF}};
+
+    for (unsigned i = 0; i < REALS; i++) {
+        for (unsigned k = 0; k < 3; k++) {
+            invcal_record r = golden_record();
+            *real_of(&r, i) = (invcal_real)bad[k];
+            assert_not_encoded(INVCAL_NOT_FINITE, &r);
+        }
+        for (unsigned k = 0; k < 4; k++) {
+            uint8_t bytes[SIZE];
+            memcpy(bytes, golden, SIZE);
+            memcpy(bytes + REALS_AT + 4 * i, bits[k], 4);
+            seal(bytes, SIZE - 4);
+            TEST_ASSERT_TRUE(is_refused(INVCAL_DAMAGED, bytes, SIZE));
+        }
+    }
+}
+
+static void a_number_beyond_float_is_not_encoded(void)
+{
+#if INVCAL_DOUBLE
+    for (unsigned i = 0; i < REALS; i++) {
+        for (int sign = -1; sign <= 1; sign += 2) {
+            invcal_record r = golden_record();
+            *real_of(&r, i) = sign * 3.4028235e38; /* just above the largest */
+            if (i == CONDITION && sign > 0) {
+                continue;
+            }
+            assert_not_encoded(INVCAL_NOT_FINITE, &r);
+        }
+    }
+    invcal_record r = golden_record();
+    r.field = 1e-46; /* 0 as a float */
+    assert_not_encoded(INVCAL_BAD_SETTING, &r);
+    r = golden_record();
+    for (unsigned i = 0; i < 9; i++) {
+        *real_of(&r, MATRIX + i) *= 1e-50;
+    }
+    assert_not_encoded(INVCAL_BAD_SETTING, &r);
+#else
+    TEST_ASSERT_TRUE(INVCAL_REAL_MAX <= FLT_MAX); /* there is none */
+#endif
+}
+
+static void a_field_that_is_not_positive_is_neither_encoded_nor_decoded(void)
+{
+    static const double bad[] = {0, -1, -1e-30};
+    static const uint8_t bits[][4] = {{0, 0, 0, 0}, {0, 0, 0, 0x80}, {0, 0, 0x80, 0xBF}};
+
+    for (unsigned k = 0; k < 3; k++) {
+        invcal_record r = golden_record();
+        uint8_t bytes[SIZE];
+        r.field = (invcal_real)bad[k];
+        assert_not_encoded(INVCAL_BAD_SETTING, &r);
+        memcpy(bytes, golden, SIZE);
+        memcpy(bytes + REALS_AT, bits[k], 4);
+        seal(bytes, SIZE - 4);
+        TEST_ASSERT_TRUE(is_refused(INVCAL_DAMAGED, bytes, SIZE));
+    }
+}
+
+static void a_singular_matrix_is_neither_encoded_nor_decoded(void)
+{
+    for (unsigned row = 0; row < 3; row++) {
+        invcal_record r = golden_record();
+        uint8_t bytes[SIZE];
+        memcpy(r.calibration.matrix[row], r.calibration.matrix[(row + 1) % 3], 3 * sizeof r.dk[0]);
+        assert_not_encoded(INVCAL_BAD_SETTING, &r);
+        memset(r.calibration.matrix[row], 0, 3 * sizeof r.dk[0]);
+        assert_not_encoded(INVCAL_BAD_SETTING, &r);
+        memcpy(bytes, golden, SIZE);
+        memset(bytes + REALS_AT + 4 * (MATRIX + 3 * row), 0, 12);
+        seal(bytes, SIZE - 4);
+        TEST_ASSERT_TRUE(is_refused(INVCAL_DAMAGED, bytes, SIZE));
+    }
+}
+
+static void an_unknown_verdict_or_mark_is_neither_encoded_nor_decoded(void)
+{
+    invcal_record r = golden_record();
+    uint8_t bytes[SIZE];
+
+    r.verdict = (invcal_verdict)3;
+    assert_not_encoded(INVCAL_BAD_SETTING, &r);
+    r.verdict = (invcal_verdict)-1;
+    assert_not_encoded(INVCAL_BAD_SETTING, &r);
+    for (unsigned at = 22; at <= 23; at++) {
+        for (unsigned value = 0; value < 256; value++) {
+            invcal_record back;
+            memcpy(bytes, golden, SIZE);
+            bytes[at] = (uint8_t)value;
+            seal(bytes, SIZE - 4);
+            if (value < (at == 22 ? 3u : 2u)) {
+                assert_decodes(bytes, SIZE, &back);
+                TEST_ASSERT_EQUAL_UINT(value,
+                                       at == 22 ? (unsigned)back.verdict : back.temperature_known);
+            } else {
+                TEST_ASSERT_TRUE(is_refused(INVCAL_DAMAGED, bytes, SIZE));
+            }
+        }
+    }
+}
+
+static void any_wrong_bit_is_noticed(void)
+{
+    uint8_t bytes[SIZE + MARGIN];
+
+    for (unsigned tail = 0; tail <= MARGIN; tail += MARGIN) { /* and in a larger buffer */
+        memset(bytes, 0, sizeof bytes);
+        memcpy(bytes, golden, SIZE);
+        for (unsigned bit = 0; bit < 8 * SIZE; bit++) {
+            bytes[bit / 8] ^= (uint8_t)(1u << bit % 8);
+            TEST_ASSERT_TRUE(is_refused(INVCAL_DAMAGED, bytes, SIZE + tail));
+            bytes[bit / 8] ^= (uint8_t)(1u << bit % 8);
+        }
+    }
+}
+
+static int compare_u32(const void *a, const void *b)
+{
+    uint32_t x;
+    uint32_t y;
+
+    memcpy(&x, a, sizeof x);
+    memcpy(&y, b, sizeof y);
+    return x < y ? -1 : x > y;
+}
+
+/* The check of two errors is the exclusive or of theirs. If no two pairs of bits have the same,
+ * nor one that is zero, no one to four wrong bits pass: in any record, as it is linear. */
+static void any_four_wrong_bits_are_noticed(void)
+{
+    enum { BITS = 8 * SIZE, PAIRS = BITS * (BITS + 1) / 2 };
+    static uint32_t check[BITS];
+    static uint32_t pair[PAIRS + 1];
+    uint32_t pairs = 0;
+
+    for (unsigned bit = 0; bit < BITS; bit++) {
+        uint8_t bytes[SIZE];
+        memcpy(bytes, golden, SIZE);
+        bytes[bit / 8] ^= (uint8_t)(1u << bit % 8);
+        check[bit] = crc_of(bytes, SIZE); /* of a sound record the same, whatever it holds */
+        check[bit] ^= crc_of(golden, SIZE);
+        for (unsigned other = 0; other < bit; other++) {
+            pair[pairs++] = check[bit] ^ check[other];
+        }
+        pair[pairs++] = check[bit]; /* single ones as well */
+    }
+    pair[pairs++] = 0;
+    TEST_ASSERT_EQUAL_UINT32(PAIRS + 1, pairs);
+    qsort(pair, pairs, sizeof pair[0], compare_u32);
+    for (uint32_t i = 1; i < pairs; i++) {
+        TEST_ASSERT_TRUE(pair[i] != pair[i - 1]);
+    }
+}
+
+static void any_two_bytes_exchanged_are_noticed(void)
+{
+    uint8_t bytes[SIZE];
+    unsigned exchanged = 0;
+
+    memcpy(bytes, golden, SIZE);
+    for (unsigned a = 0; a < SIZE; a++) {
+        for (unsigned b = 0; b < a; b++) {
+            if (golden[a] != golden[b]) {
+                bytes[a] = golden[b];
+                bytes[b] = golden[a];
+                TEST_ASSERT_TRUE(is_refused(INVCAL_DAMAGED, bytes, SIZE));
+                bytes[a] = golden[a];
+                bytes[b] = golden[b];
+                exchanged++;
+            }
+        }
+    }
+    TEST_ASSERT_GREATER_THAN_UINT(SIZE * SIZE / 2 * 9 / 10, exchanged);
+}
+
+static void a_record_without_its_end_is_noticed(void)
+{
+    for (uint32_t size = 0; size < SIZE; size++) {
+        uint8_t *exact = malloc(size + 1); /* so that a sanitizer sees a read behind it */
+        memcpy(exact + 1, golden, size);
+        TEST_ASSERT_TRUE(is_refused(INVCAL_DAMAGED, exact + 1, size));
+        free(exact);
+    }
+}
+
+static void blank_and_random_bytes_are_no_record(void)
+{
+    random_source random = random_start(2);
+    uint8_t bytes[SIZE + MARGIN];
+
+    for (unsigned k = 0; k < 1000; k++) {
+        for (unsigned i = 0; i < sizeof bytes; i++) {
+            bytes[i] = k == 0 ? 0 : k == 1 ? 0xFF : (uint8_t)random_uniform(&random, 0, 256);
+        }
+        if (k % 2 && k > 1) {
+            memcpy(bytes, golden, 4);
+        }
+        TEST_ASSERT_TRUE(is_refused(INVCAL_DAMAGED, bytes, sizeof bytes));
+    }
+}
+
+static void a_sound_record_of_another_kind_or_version_is_named_so(void)
+{
+    static const uint16_t lengths[] = {8, 9, 40, 183, 184, 185, 240};
+
+    for (unsigned k = 0; k < sizeof lengths / sizeof lengths[0]; k++) {
+        for (unsigned at = 0; at < 2; at++) {
+            for (unsigned value = 0; value < 256; value++) {
+                uint8_t bytes[SIZE + MARGIN] = {0};
+                const uint16_t length = lengths[k];
+                memcpy(bytes, golden, SIZE);
+                bytes[at] = (uint8_t)value;
+                bytes[2] = (uint8_t)(length & 0xFF);
+                bytes[3] = (uint8_t)(length >> 8);
+                seal(bytes, length - 4u);
+                if (value != golden[at]) {
+                    TEST_ASSERT_TRUE(is_refused(INVCAL_OTHER_VERSION, bytes, length));
+                    TEST_ASSERT_TRUE(is_refused(INVCAL_OTHER_VERSION, bytes, sizeof bytes));
+                } else if (length != SIZE) { /* this version has but one length */
+                    TEST_ASSERT_TRUE(is_refused(INVCAL_DAMAGED, bytes, sizeof bytes));
+                }
+                TEST_ASSERT_TRUE(is_refused(INVCAL_DAMAGED, bytes, length - 1u));
+            }
+        }
+    }
+}
+
+static void a_length_shorter_than_any_record_is_refused(void)
+{
+    for (uint8_t length = 0; length < 8; length++) {
+        uint8_t bytes[8] = {0xCA, 1, 0, 0, 0, 0, 0, 0};
+        bytes[2] = length;
+        if (length >= 4) {
+            seal(bytes, length - 4u);
+        }
+        TEST_ASSERT_TRUE(is_refused(INVCAL_DAMAGED, bytes, sizeof bytes));
+    }
+}
+
+int main(void)
+{
+    UNITY_BEGIN();
+    RUN_TEST(a_record_has_the_bytes_of_the_table);
+    RUN_TEST(the_bytes_of_the_table_give_the_record);
+    RUN_TEST(a_record_comes_back_as_it_was);
+    RUN_TEST(reals_at_the_limits_of_float_come_back);
+    RUN_TEST(an_unknown_temperature_is_not_looked_at);
+    RUN_TEST(any_nonzero_mark_of_a_known_temperature_will_do);
+    RUN_TEST(a_huge_condition_is_stored_as_the_largest_float);
+    RUN_TEST(bytes_behind_a_record_are_not_looked_at);
+    RUN_TEST(a_number_that_is_not_finite_is_neither_encoded_nor_decoded);
+    RUN_TEST(a_number_beyond_float_is_not_encoded);
+    RUN_TEST(a_field_that_is_not_positive_is_neither_encoded_nor_decoded);
+    RUN_TEST(a_singular_matrix_is_neither_encoded_nor_decoded);
+    RUN_TEST(an_unknown_verdict_or_mark_is_neither_encoded_nor_decoded);
+    RUN_TEST(any_wrong_bit_is_noticed);
+    RUN_TEST(any_four_wrong_bits_are_noticed);
+    RUN_TEST(any_two_bytes_exchanged_are_noticed);
+    RUN_TEST(a_record_without_its_end_is_noticed);
+    RUN_TEST(blank_and_random_bytes_are_no_record);
+    RUN_TEST(a_sound_record_of_another_kind_or_version_is_named_so);
+    RUN_TEST(a_length_shorter_than_any_record_is_refused);
+    return UNITY_END() != 0;
+}
