@@ -28,37 +28,46 @@ static invcal_status accumulate(const invcal_real *raw, unsigned count,
     return INVCAL_OK;
 }
 
+/* The weight of a position that is kept; 0: left out. */
+static invcal_real weight_of(const invcal_positions *positions, unsigned i)
+{
+    return positions->weight ? positions->weight[i] : 1;
+}
+
 /* Second pass: the residuals of the solution. */
-static invcal_status compare(const invcal_real *raw, unsigned count,
-                             const invcal_settings *settings, const invcal_solution *solution,
-                             invcal_residuals *residuals)
+static invcal_status compare(const invcal_positions *positions, const invcal_settings *settings,
+                             const invcal_solution *solution, invcal_residuals *residuals)
 {
     invcal_real u[3];
-    const invcal_real *mean = raw;
 
     invcal_residuals_init(residuals, solution);
-    for (unsigned i = 0; i < count; i++, mean += 3) {
-        if (invcal_observation_reading(&settings->nominal, settings->field, mean, u) != INVCAL_OK ||
-            invcal_residuals_add(residuals, u, 1, NULL) != INVCAL_OK) {
+    for (unsigned i = 0; i < positions->count; i++) {
+        const invcal_real weight = weight_of(positions, i);
+        if (!(weight > 0)) {
+            continue;
+        }
+        if (invcal_observation_reading(&settings->nominal, settings->field,
+                                       &positions->raw[3 * (size_t)i], u) != INVCAL_OK ||
+            invcal_residuals_add(residuals, u, weight, NULL) != INVCAL_OK) {
             return INVCAL_NOT_ELLIPSOID; /* a reading fit for the first pass, absurd after it */
         }
     }
     return INVCAL_OK;
 }
 
-static invcal_status solve_and_assess(const invcal_real *raw, unsigned count,
-                                      const invcal_normal *normal, const invcal_settings *settings,
-                                      invcal_solution *solution, invcal_quality *quality,
-                                      invcal_real *gain)
+static invcal_status solve_and_assess(const invcal_normal *normal,
+                                      const invcal_positions *positions,
+                                      const invcal_settings *settings, invcal_solution *solution,
+                                      invcal_quality *quality, invcal_real *gain)
 {
     invcal_residuals residuals;
     invcal_status status = invcal_solve(normal, settings, solution);
 
     if (status == INVCAL_OK) {
-        status = compare(raw, count, settings, solution, &residuals);
+        status = compare(positions, settings, solution, &residuals);
     }
     if (status == INVCAL_OK) {
-        status = invcal_assess(&residuals, count, settings, solution, quality);
+        status = invcal_assess(&residuals, normal->count, settings, solution, quality);
         *gain = residuals.gain;
     }
     return status;
@@ -66,10 +75,10 @@ static invcal_status solve_and_assess(const invcal_real *raw, unsigned count,
 
 /* The data may be noisier than stated: then the prior counts for more, and the solution is made
  * once more. Whether residuals or the user told the noise was decided the first time. */
-static invcal_status weigh_prior_again(const invcal_real *raw, unsigned count,
-                                       const invcal_normal *normal, const invcal_settings *settings,
-                                       invcal_solution *solution, invcal_quality *quality,
-                                       invcal_real gain)
+static invcal_status weigh_prior_again(const invcal_normal *normal,
+                                       const invcal_positions *positions,
+                                       const invcal_settings *settings, invcal_solution *solution,
+                                       invcal_quality *quality, invcal_real gain)
 {
     const invcal_real coverage = quality->coverage;
     const invcal_real observed = quality->noise * settings->field / gain;
@@ -77,9 +86,44 @@ static invcal_status weigh_prior_again(const invcal_real *raw, unsigned count,
 
     noisier.noise = observed < settings->field ? observed : settings->field;
     const invcal_status status =
-        solve_and_assess(raw, count, normal, &noisier, solution, quality, &gain);
+        solve_and_assess(normal, positions, &noisier, solution, quality, &gain);
     if (status == INVCAL_OK) {
         quality->coverage = coverage;
+    }
+    return status;
+}
+
+/* The n-th position that is not left out. */
+static unsigned nth_kept(const invcal_positions *positions, unsigned n)
+{
+    unsigned i = 0;
+
+    while (!(weight_of(positions, i) > 0) || n-- > 0) {
+        i++;
+    }
+    return i;
+}
+
+invcal_status invcal_calibrate_sums(const invcal_normal *normal, const invcal_positions *positions,
+                                    const invcal_settings *settings, invcal_solution *solution,
+                                    invcal_quality *quality)
+{
+    invcal_solution s;
+    invcal_quality q;
+    invcal_real gain;
+
+    INVCAL_ASSERT(normal && positions && settings && solution && quality);
+    invcal_status status = invcal_settings_check(settings);
+    if (status == INVCAL_OK) {
+        status = solve_and_assess(normal, positions, settings, &s, &q, &gain);
+    }
+    if (status == INVCAL_OK && invcal_has_prior(settings)) {
+        status = weigh_prior_again(normal, positions, settings, &s, &q, gain);
+    }
+    if (status == INVCAL_OK) {
+        q.worst = nth_kept(positions, q.worst);
+        *solution = s;
+        *quality = q;
     }
     return status;
 }
@@ -88,11 +132,9 @@ invcal_status invcal_calibrate(const invcal_real *raw, unsigned count,
                                const invcal_settings *settings, invcal_solution *solution,
                                invcal_quality *quality, invcal_reason *reason)
 {
+    const invcal_positions positions = {raw, NULL, count};
     invcal_normal normal;
-    invcal_solution s;
-    invcal_quality q;
     unsigned position = count;
-    invcal_real gain;
 
     INVCAL_ASSERT((raw || count == 0) && settings && solution && quality);
     invcal_normal_init(&normal);
@@ -101,15 +143,9 @@ invcal_status invcal_calibrate(const invcal_real *raw, unsigned count,
         status = accumulate(raw, count, settings, &normal, &position);
     }
     if (status == INVCAL_OK) {
-        status = solve_and_assess(raw, count, &normal, settings, &s, &q, &gain);
+        status = invcal_calibrate_sums(&normal, &positions, settings, solution, quality);
     }
-    if (status == INVCAL_OK && invcal_has_prior(settings)) {
-        status = weigh_prior_again(raw, count, &normal, settings, &s, &q, gain);
-    }
-    if (status == INVCAL_OK) {
-        *solution = s;
-        *quality = q;
-    } else if (reason) {
+    if (status != INVCAL_OK && reason) {
         reason->position = position;
         reason->undetermined = invcal_undetermined(&normal);
     }

@@ -35,6 +35,24 @@ invcal_status invcal_calibrate(const invcal_real *raw, unsigned count,
                                const invcal_settings *settings, invcal_solution *solution,
                                invcal_quality *quality, invcal_reason *reason);
 
+/* Positions that are kept, with their weights. */
+typedef struct {
+    const invcal_real *raw;    /* 3 count numbers, as above */
+    const invcal_real *weight; /* of each, as in the sums; 0: left out. Null: all 1 */
+    unsigned count;
+} invcal_positions;
+
+/* The second half of it, for sums that were built position by position: solution, residuals,
+ * judgement.
+ *
+ * normal     exact rows; of more positions than are kept, if so.
+ * positions  those that are kept, one at least: they stand for all in the residuals.
+ *
+ * Returns, stack: as above, less 250 bytes. quality->worst counts from 0 in positions. */
+invcal_status invcal_calibrate_sums(const invcal_normal *normal, const invcal_positions *positions,
+                                    const invcal_settings *settings, invcal_solution *solution,
+                                    invcal_quality *quality);
+
 #ifdef __cplusplus
 }
 #endif

@@ -13,6 +13,7 @@
 #define INVCAL_CONFIG_H
 
 #include <float.h>
+#include <stdint.h>
 
 #ifdef INVCAL_CONFIG_HEADER
 #include INVCAL_CONFIG_HEADER
@@ -39,6 +40,13 @@
 #define INVCAL_MAX_PARAMETERS 9
 #endif
 
+/* How many position means a session keeps, and among how many outliers are looked for: 9 ... 64.
+ * Each costs 13 bytes of the session (float). More positions than that still go into the normal
+ * equations; their residuals are not seen. */
+#ifndef INVCAL_MAX_POSITIONS
+#define INVCAL_MAX_POSITIONS 32
+#endif
+
 /* Called with a condition that only a programming error can break (a null pointer, a row longer
  * than INVCAL_MAX_PARAMETERS). Bad data never come here: they are answered with a status.
  * By default nothing is compiled; define it, for example, as assert or as a breakpoint. */
@@ -57,6 +65,17 @@
 #endif
 #if INVCAL_MAX_PARAMETERS < 9 || INVCAL_MAX_PARAMETERS > 27
 #error "INVCAL_MAX_PARAMETERS must be from 9 to 27"
+#endif
+
+#if INVCAL_MAX_POSITIONS < 9 || INVCAL_MAX_POSITIONS > 64
+#error "INVCAL_MAX_POSITIONS must be from 9 to 64"
+#endif
+
+/* A set of positions: bit i for position i. */
+#if INVCAL_MAX_POSITIONS > 32
+typedef uint64_t invcal_mask;
+#else
+typedef uint32_t invcal_mask;
 #endif
 
 #if INVCAL_DOUBLE

@@ -3,15 +3,17 @@
 
 #include <float.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include "columns.h"
 #include "command.h"
 #include "message.h"
 #include "table.h"
 
-/* Makes room for `capacity` positions. */
-static int grow(positions *p, unsigned capacity)
+/* Makes room for twice as many. */
+static int grow(positions *p)
 {
+    const unsigned capacity = p->capacity ? p->capacity * 2 : 64;
     double *mean = realloc(p->mean, capacity * 3 * sizeof *mean);
 
     p->mean = mean ? mean : p->mean;
@@ -21,6 +23,21 @@ static int grow(positions *p, unsigned capacity)
         message("%s: not enough memory for %u positions", p->name, capacity);
         return EXIT_FILE;
     }
+    p->capacity = capacity;
+    return EXIT_GOOD;
+}
+
+int positions_add(positions *p, const double mean[3], unsigned long line)
+{
+    if (p->count == POSITIONS_MAX) {
+        message("%s:%lu: more than %u positions", p->name, line, POSITIONS_MAX);
+        return EXIT_FILE;
+    }
+    if (p->count == p->capacity && grow(p)) {
+        return EXIT_FILE;
+    }
+    memcpy(&p->mean[3 * (size_t)p->count], mean, 3 * sizeof *mean);
+    p->line[p->count++] = line;
     return EXIT_GOOD;
 }
 
@@ -51,41 +68,29 @@ static int add_noise(positions *p, const table *t, const columns *where)
     return failure;
 }
 
-static int add_row(positions *p, const table *t, const columns *where, unsigned *capacity)
+static int add_row(positions *p, const table *t, const columns *where)
 {
-    if (p->count == POSITIONS_MAX) {
-        message("%s:%lu: more than %u positions", t->name, t->line, POSITIONS_MAX);
-        return EXIT_FILE;
-    }
-    if (p->count == *capacity) {
-        *capacity = *capacity ? *capacity * 2 : 64;
-        const int failure = grow(p, *capacity);
-        if (failure) {
-            return failure;
-        }
-    }
+    double mean[3];
+
     for (int i = 0; i < 3; i++) {
-        const int failure =
-            columns_number(t, where, (column)(COLUMN_X + i), &p->mean[3 * p->count + (unsigned)i]);
+        const int failure = columns_number(t, where, (column)(COLUMN_X + i), &mean[i]);
         if (failure) {
             return failure;
         }
     }
-    p->line[p->count] = t->line;
-    p->count++;
-    return p->has_noise ? add_noise(p, t, where) : EXIT_GOOD;
+    const int failure = positions_add(p, mean, t->line);
+    return failure || !p->has_noise ? failure : add_noise(p, t, where);
 }
 
 static int read_rows(positions *p, table *t)
 {
     columns where;
-    unsigned capacity = 0;
     int more = 0;
     int failure = columns_find(t, COLUMNS_POSITIONS, &where);
 
     p->has_noise = !failure && where.index[COLUMN_STD_X] >= 0 && where.index[COLUMN_SAMPLES] >= 0;
     while (!failure && (more = table_next(t)) == 1) {
-        failure = add_row(p, t, &where, &capacity);
+        failure = add_row(p, t, &where);
     }
     if (!failure && more == 0 && p->count == 0) {
         message("%s: holds a header, but no position", t->name);

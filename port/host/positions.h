@@ -12,6 +12,7 @@ typedef struct {
     double *mean;        /* 3 count numbers: x y z, ... in input units */
     unsigned long *line; /* count line numbers, from 1 */
     unsigned count;
+    unsigned capacity;
     int has_noise;          /* the file tells std and n of each position */
     double noise_square[3]; /* then for each axis the mean over the positions of std^2 / n: the
                                variance of a position mean, input units squared, finite */
@@ -23,6 +24,9 @@ typedef struct {
  * unreadable, malformed, or holds no position or more than POSITIONS_MAX. To be released with
  * positions_free in either case. */
 int positions_read(positions *p, const char *path);
+
+/* Adds one. EXIT_GOOD; EXIT_FILE, with a message, above POSITIONS_MAX or without memory. */
+int positions_add(positions *p, const double mean[3], unsigned long line);
 
 void positions_free(positions *p);
 
