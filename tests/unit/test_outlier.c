@@ -1,0 +1,1031 @@
+/* SPDX-License-Identifier: MIT */
+#include <math.h>
+#include <string.h>
+
+#include "expected.h"
+#include "invcal/outlier.h"
+#include "positions.h"
+#include "support.h"
+#include "unity.h"
+
+#ifndef DRAWS
+#define DRAWS 2000 /* slow machines may take fewer; the bounds below are for these */
+#endif
+
+void setUp(void)
+{
+}
+
+void tearDown(void)
+{
+}
+
+enum { N = INVCAL_PARAMETERS, CAPACITY = INVCAL_OUTLIERS_CAPACITY };
+static const double SIGMA = 1e-4;
+
+static uint32_t bit(unsigned i)
+{
+    return (uint32_t)1 << i;
+}
+
+static unsigned size_of(uint32_t set)
+{
+    unsigned n = 0;
+
+    for (unsigned i = 0; i < 32; i++) {
+        n += (set & bit(i)) != 0;
+    }
+    return n;
+}
+
+/* ---- readings, with errors planted --------------------------------------------------------------- */
+
+static unsigned program_of(unsigned count, double v[][3])
+{
+    invcal_plan plan = {count / 3, {0, 0, 0}};
+    invcal_plan_position position;
+
+    if (count == 18) {
+        memcpy(v, expected_plan18, sizeof expected_plan18);
+        return count;
+    }
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_plan_starts(plan.per_group, plan.start));
+    for (unsigned i = 0; i < count; i++) {
+        TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_plan_position_at(&plan, i, &position));
+        for (int k = 0; k < 3; k++) {
+            v[i][k] = (double)position.vertical[k];
+        }
+    }
+    return count;
+}
+
+static void random_directions(random_source *random, unsigned count, double v[][3])
+{
+    for (unsigned i = 0; i < count; i++) {
+        random_direction(random, v[i]);
+    }
+}
+
+/* Makes position i read too much by error. */
+static void spoil(reading_set *set, unsigned i, double error)
+{
+    const double u[3] = {(double)set->u[i][0], (double)set->u[i][1], (double)set->u[i][2]};
+
+    for (int k = 0; k < 3; k++) {
+        set->u[i][k] = (invcal_real)(u[k] * (1 + error / length3(u)));
+    }
+}
+
+/* Spoils some positions by an error of low to high, evenly in its logarithm, of either sign. */
+static uint32_t spoil_some(random_source *random, unsigned some, double low, double high,
+                           reading_set *set, double *error)
+{
+    uint32_t bad = 0;
+
+    while (size_of(bad) < some) {
+        const unsigned i = (unsigned)random_uniform(random, 0, set->count);
+        if (!(bad & bit(i))) {
+            *error = exp(random_uniform(random, log(low), log(high)));
+            *error *= random_uniform(random, -1, 1) < 0 ? -1 : 1;
+            spoil(set, i, *error);
+            bad |= bit(i);
+        }
+    }
+    return bad;
+}
+
+static invcal_outliers find(const reading_set *set, double stated)
+{
+    const invcal_settings settings = unit_settings(stated);
+    invcal_outliers out;
+
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK,
+                          invcal_outliers_find(&set->u[0][0], set->count, &settings, &out));
+    return out;
+}
+
+/* Root mean square of |calibrated| - 1 over all directions, calibrated without some positions. */
+static double error_without(const triad_truth *truth, const reading_set *set, uint32_t removed)
+{
+    const invcal_settings settings = unit_settings(0);
+    reading_set left;
+    invcal_solution solution;
+    const int points = 200; /* of Fibonacci's spiral */
+    double squares = 0;
+
+    left.count = 0;
+    for (unsigned i = 0; i < set->count; i++) {
+        if (!(removed & bit(i))) {
+            memcpy(left.u[left.count++], set->u[i], sizeof set->u[i]);
+        }
+    }
+    const invcal_normal normal = normal_of(&left);
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_solve(&normal, &settings, &solution));
+    for (int i = 0; i < points; i++) {
+        const double z = 1 - (2 * i + 1.0) / points;
+        const double angle = 2.399963229728653 * i;
+        const double eta[3] = {sqrt(1 - z * z) * cos(angle), sqrt(1 - z * z) * sin(angle), z};
+        const double e = calibrated_length(&solution, truth, eta, 1) - 1;
+        squares += e * e;
+    }
+    return sqrt(squares / points);
+}
+
+/* ---- how often they are found --------------------------------------------------------------------- */
+
+typedef struct {
+    unsigned positions; /* those of a program; 0 for random ones below */
+    unsigned random_positions;
+    unsigned some;
+    double low, high; /* size of the errors */
+    double stated;
+} experiment;
+
+typedef struct {
+    double found;     /* shares of the draws: all that was planted was removed, */
+    double innocent;  /* something else was, */
+    double suspected; /* something is suspected, */
+    double named;     /* all that was planted is removed or suspected */
+    double refused;   /* the positions determine too little */
+    double error;     /* root mean square error of the calibration afterwards */
+} shares;
+
+static shares try_often(const experiment *e, unsigned draws)
+{
+    random_source random = random_start(e->positions + 100 * e->random_positions + e->some);
+    const invcal_settings settings = unit_settings(e->stated);
+    shares s = {0, 0, 0, 0, 0, 0};
+
+    for (unsigned draw = 0; draw < draws; draw++) {
+        const triad_truth truth = triad_random(&random, 0.03);
+        double v[CAPACITY][3];
+        reading_set set;
+        invcal_outliers out;
+        double error;
+        if (e->positions) {
+            (void)program_of(e->positions, v);
+        } else {
+            random_directions(&random, e->random_positions, v);
+        }
+        read_positions(&truth, (const double(*)[3])v, e->positions + e->random_positions, SIGMA,
+                       &random, &set);
+        const uint32_t bad = spoil_some(&random, e->some, e->low, e->high, &set, &error);
+        if (invcal_outliers_find(&set.u[0][0], set.count, &settings, &out) != INVCAL_OK) {
+            s.refused++;
+            continue;
+        }
+        s.found += (out.removed & bad) == bad;
+        s.innocent += (out.removed & ~bad) != 0;
+        s.suspected += out.suspected != 0;
+        s.named += ((out.removed | out.suspected) & bad) == bad;
+        if (e->positions) {
+            const double after = error_without(&truth, &set, out.removed);
+            s.error += after * after;
+        }
+    }
+    s.found /= draws;
+    s.innocent /= draws;
+    s.suspected /= draws;
+    s.named /= draws;
+    s.refused /= draws;
+    s.error = sqrt(s.error / draws);
+    return s;
+}
+
+static void one_of_18_that_is_wrong_is_found_and_the_calibration_is_as_good_as_without(void)
+{
+    static const double sizes[] = {0.05, 0.002};
+
+    for (int i = 0; i < 2; i++) {
+        const experiment e = {18, 0, 1, sizes[i], sizes[i], 0};
+        const shares s = try_often(&e, DRAWS);
+        TEST_ASSERT_GREATER_OR_EQUAL_DOUBLE(0.995, s.found);
+        TEST_ASSERT_LESS_OR_EQUAL_DOUBLE(0.016, s.innocent);
+        TEST_ASSERT_LESS_OR_EQUAL_DOUBLE(85e-6, s.error);
+    }
+}
+
+static void two_of_18_and_three_of_24_are_found_that_hide_one_another(void)
+{
+    static const experiment e[] = {{18, 0, 2, 0.002, 0.1, 0}, {24, 0, 3, 0.002, 0.1, 0}};
+
+    for (int i = 0; i < 2; i++) {
+        const shares s = try_often(&e[i], DRAWS);
+        TEST_ASSERT_GREATER_OR_EQUAL_DOUBLE(0.97, s.found);
+        TEST_ASSERT_LESS_OR_EQUAL_DOUBLE(0.02, s.innocent);
+    }
+}
+
+static void more_than_three_are_found_group_by_group(void)
+{
+    static const experiment e[] = {{24, 0, 4, 0.002, 0.1, 0}, {30, 0, 5, 0.002, 0.1, 0}};
+
+    for (int i = 0; i < 2; i++) {
+        TEST_ASSERT_GREATER_OR_EQUAL_DOUBLE(0.93, try_often(&e[i], DRAWS / 8).found);
+    }
+}
+
+static void clean_positions_lose_one_in_a_hundred_sets_or_fewer(void)
+{
+    static const experiment e[] = {{18, 0, 0, 0, 0, 0},
+                                   {24, 0, 0, 0, 0, 0},
+                                   {0, 12, 0, 0, 0, 0},
+                                   {0, 14, 0, 0, 0, 0},
+                                   {0, 16, 0, 0, 0, 0}};
+
+    for (unsigned i = 0; i < sizeof e / sizeof e[0]; i++) {
+        const shares s = try_often(&e[i], DRAWS);
+        TEST_ASSERT_LESS_OR_EQUAL_DOUBLE(e[i].positions ? 0.015 : 0.02, s.innocent);
+        TEST_ASSERT_GREATER_OR_EQUAL_DOUBLE(0.001, s.innocent); /* by a test, not by none */
+        TEST_ASSERT_LESS_OR_EQUAL_DOUBLE(0.003, s.suspected);
+        TEST_ASSERT_LESS_OR_EQUAL_DOUBLE(0.002, s.refused);
+    }
+}
+
+/* Eleven leave one degree of freedom beside an outlier, which would prove what it likes. */
+static void of_eleven_positions_none_is_removed_unless_the_noise_is_stated(void)
+{
+    const experiment silent = {0, 11, 1, 0.05, 0.05, 0};
+    const experiment stated = {0, 11, 1, 0.05, 0.05, 1e-4};
+    const shares s = try_often(&silent, DRAWS / 4);
+
+    TEST_ASSERT_TRUE(s.found == 0 && s.innocent == 0 && s.suspected == 0);
+    TEST_ASSERT_GREATER_OR_EQUAL_DOUBLE(0.3, try_often(&stated, DRAWS / 4).found);
+}
+
+static void a_stated_noise_helps_where_few_residuals_are_left(void)
+{
+    const experiment silent = {0, 12, 1, 0.002, 0.002, 0};
+    const experiment stated = {0, 12, 1, 0.002, 0.002, 1e-4};
+
+    TEST_ASSERT_GREATER_OR_EQUAL_DOUBLE(2 * try_often(&silent, DRAWS / 2).found,
+                                        try_often(&stated, DRAWS / 2).found);
+}
+
+static void a_stated_noise_may_be_wrong(void)
+{
+    static const struct {
+        double stated;
+        double innocent;
+    } cases[] = {{1e-3, 0.002}, {1e-4, 0.01}, {5e-5, 0.015}, {1e-5, 0.035}};
+
+    for (int i = 0; i < 4; i++) {
+        const experiment clean = {18, 0, 0, 0, 0, cases[i].stated};
+        const experiment wrong = {18, 0, 1, 0.01, 0.1, cases[i].stated};
+        TEST_ASSERT_LESS_OR_EQUAL_DOUBLE(cases[i].innocent, try_often(&clean, DRAWS / 2).innocent);
+        TEST_ASSERT_GREATER_OR_EQUAL_DOUBLE(0.99, try_often(&wrong, DRAWS / 4).found);
+    }
+}
+
+static void the_innocent_are_not_removed_where_two_positions_may_be_the_wrong_one(void)
+{
+    const experiment e = {0, 12, 1, 0.002, 0.002, 1e-4};
+    const shares s = try_often(&e, DRAWS);
+
+    TEST_ASSERT_LESS_OR_EQUAL_DOUBLE(0.008, s.innocent);
+    TEST_ASSERT_GREATER_OR_EQUAL_DOUBLE(s.found + 0.03, s.named); /* suspected, not removed */
+}
+
+/* ---- an independent computation, in double ---------------------------------------------------------- */
+
+typedef struct {
+    double l[N][N]; /* Cholesky's factor of H'H */
+    double p[N];
+    double squares;
+} least_squares;
+
+static double row_of(const reading_set *set, unsigned i, double h[N])
+{
+    const double x = (double)set->u[i][0];
+    const double y = (double)set->u[i][1];
+    const double z = (double)set->u[i][2];
+    const double row[N] = {x, y, z, x * x, y * y, z * z, x * y, x * z, y * z};
+
+    memcpy(h, row, sizeof row);
+    return (x * x + y * y + z * z - 1) / 2;
+}
+
+static void solve_lower(const least_squares *s, double x[N])
+{
+    for (int r = 0; r < N; r++) {
+        for (int c = 0; c < r; c++) {
+            x[r] -= s->l[r][c] * x[c];
+        }
+        x[r] /= s->l[r][r];
+    }
+}
+
+static double residual_of(const least_squares *s, const reading_set *set, unsigned i)
+{
+    double h[N];
+    double e = row_of(set, i, h);
+
+    for (int r = 0; r < N; r++) {
+        e += h[r] * s->p[r];
+    }
+    return e;
+}
+
+/* h K h' */
+static double leverage_of(const least_squares *s, const reading_set *set, unsigned i)
+{
+    double h[N];
+    double sum = 0;
+
+    (void)row_of(set, i, h);
+    solve_lower(s, h);
+    for (int r = 0; r < N; r++) {
+        sum += h[r] * h[r];
+    }
+    return sum;
+}
+
+static least_squares fit_without(const reading_set *set, uint32_t removed)
+{
+    least_squares s = {{{0}}, {0}, 0};
+    double h[N];
+
+    for (unsigned i = 0; i < set->count; i++) {
+        const double j = row_of(set, i, h);
+        for (int r = 0; r < N && !(removed & bit(i)); r++) {
+            for (int c = 0; c <= r; c++) {
+                s.l[r][c] += h[r] * h[c];
+            }
+            s.p[r] -= h[r] * j;
+        }
+    }
+    for (int r = 0; r < N; r++) {
+        for (int c = 0; c <= r; c++) {
+            for (int k = 0; k < c; k++) {
+                s.l[r][c] -= s.l[r][k] * s.l[c][k];
+            }
+            s.l[r][c] = r == c ? sqrt(s.l[r][r]) : s.l[r][c] / s.l[c][c];
+        }
+    }
+    solve_lower(&s, s.p);
+    for (int r = N; r-- > 0;) {
+        for (int k = r + 1; k < N; k++) {
+            s.p[r] -= s.l[k][r] * s.p[k];
+        }
+        s.p[r] /= s.l[r][r];
+    }
+    for (unsigned i = 0; i < set->count; i++) {
+        if (!(removed & bit(i))) {
+            s.squares += pow(residual_of(&s, set, i), 2);
+        }
+    }
+    return s;
+}
+
+/* The integral of sin^(dof-1) cos^(m-1), by the midpoint rule in 400 steps. */
+static double part(double from, double to, unsigned m, unsigned dof)
+{
+    double sum = 0;
+
+    for (int i = 0; i < 400; i++) {
+        const double angle = from + (to - from) * (i + 0.5) / 400;
+        sum += pow(sin(angle), dof - 1.0) * pow(cos(angle), m - 1.0);
+    }
+    return sum * (to - from);
+}
+
+static double tail(double z, unsigned m, unsigned dof)
+{
+    const double angle = asin(sqrt(z));
+    const double below = part(0, angle, m, dof);
+
+    return below / (below + part(angle, 1.5707963267948966, m, dof));
+}
+
+/* Of the groups of k positions beside those removed: the best, the second best, and the squares
+ * that they leave. Every group is fitted anew. */
+typedef struct {
+    uint32_t best, rival;
+    double squares, rival_squares;
+} winners;
+
+static winners best_of(const reading_set *set, uint32_t removed, unsigned k)
+{
+    winners w = {0, 0, INFINITE, INFINITE};
+
+    for (uint32_t group = 0; group < bit(set->count); group++) {
+        if (size_of(group) == k && !(group & removed)) {
+            const double squares = fit_without(set, removed | group).squares;
+            if (squares < w.squares) {
+                w = (winners){group, w.best, squares, w.squares};
+            } else if (squares < w.rival_squares) {
+                w.rival = group;
+                w.rival_squares = squares;
+            }
+        }
+    }
+    return w;
+}
+
+typedef struct {
+    const reading_set *set;
+    double stated;
+    uint32_t removed;
+    uint32_t suspected;
+    int close; /* some decision is within 3 % of its level: rounding may turn it; or hangs on a
+                  group that leaves next to nothing to determine the parameters by */
+} decision;
+
+/* det H'H without a group over that with it: 1 - h K h' of its members one after the other. */
+static double determinant_left(const decision *d, uint32_t group)
+{
+    const least_squares with = fit_without(d->set, d->removed);
+    const least_squares without = fit_without(d->set, d->removed | group);
+    double left = 1;
+
+    for (int r = 0; r < N; r++) {
+        left *= pow(without.l[r][r] / with.l[r][r], 2);
+    }
+    return left;
+}
+
+/* Is the chance, times the number of choices, within the level? */
+static int is_below(decision *d, double chance, double level)
+{
+    d->close |= fabs(chance / level - 1) < 0.03;
+    return chance <= level;
+}
+
+/* Does leaving out k more beat leaving out fewer; and does no rival come near? */
+static int is_significant(decision *d, const winners *w, unsigned n, unsigned k, int *is_clear)
+{
+    const double rounding = 8 * (double)INVCAL_EPSILON;
+    const double known = d->set->count * rounding * rounding + d->stated * d->stated;
+    const unsigned dof = n - 9 - k + (d->stated > 0);
+
+    for (unsigned j = 0; j < k; j++) {
+        double chance = tail((w[k].squares + known) / (w[j].squares + known), k - j, dof);
+        for (unsigned i = 1; i <= k - j; i++) {
+            chance *= (double)(n - k + i) / i;
+        }
+        if (!is_below(d, chance, 0.007)) {
+            return 0;
+        }
+    }
+    *is_clear =
+        is_below(d, tail((w[k].squares + known) / (w[k].rival_squares + known), 1, dof), 0.05);
+    return 1;
+}
+
+/* The rule of outlier.h, by fitting every group. */
+static void decide(decision *d)
+{
+    uint32_t found;
+
+    do {
+        const unsigned out = size_of(d->removed);
+        const unsigned n = d->set->count - out;
+        const unsigned spare = n - 11 + (d->stated > 0);
+        const unsigned most = spare < 3 ? spare : 3;
+        winners w[4];
+        found = 0;
+        d->suspected = 0;
+        for (unsigned k = 0; k <= most; k++) {
+            w[k] = best_of(d->set, d->removed, k);
+            d->close |= !(determinant_left(d, w[k].best) > 1.1e-4);
+            d->close |= !(determinant_left(d, w[k].rival) > 1.1e-4);
+        }
+        for (unsigned k = most; k > 0 && !found; k--) {
+            int is_clear;
+            if (is_significant(d, w, n, k, &is_clear)) {
+                found = is_clear ? w[k].best : 0;
+                d->suspected |= is_clear || d->suspected ? 0 : w[k].best | w[k].rival;
+            }
+        }
+        d->removed |= found;
+    } while (found);
+}
+
+static void the_rule_of_the_header_decides(void)
+{
+    random_source random = random_start(5);
+    unsigned with[5] = {0};
+    unsigned rivalled = 0;
+
+    for (unsigned draw = 0; draw < 200; draw++) {
+        const triad_truth truth = triad_random(&random, 0.03);
+        const unsigned count = 11 + draw % 5;
+        const double size = draw % 3 ? 0.05 : 0.002;
+        double v[CAPACITY][3];
+        reading_set set;
+        double error;
+        random_directions(&random, count, v);
+        read_positions(&truth, (const double(*)[3])v, count, SIGMA, &random, &set);
+        (void)spoil_some(&random, draw / 5 % 4, 0.3 * size, size, &set, &error);
+        decision d = {&set, draw % 2 ? 1e-4 : 0, 0, 0, 0};
+        decide(&d);
+        if (!d.close) {
+            const invcal_outliers out = find(&set, d.stated);
+            TEST_ASSERT_EQUAL_HEX32(d.removed, out.removed);
+            TEST_ASSERT_EQUAL_INT(d.suspected != 0, out.suspected != 0);
+            if (INVCAL_DOUBLE) { /* float cannot rank what is last in a row of contenders */
+                TEST_ASSERT_EQUAL_HEX32(d.suspected, out.suspected);
+            }
+            with[size_of(d.removed)]++;
+            rivalled += d.suspected != 0;
+        }
+    }
+    /* All answers have been seen. */
+    TEST_ASSERT_TRUE(with[0] > 20 && with[1] > 20 && with[2] > 3 && with[3] > 3 && rivalled > 3);
+}
+
+/* ---- what is reported --------------------------------------------------------------------------------- */
+
+static void assert_reported(const reading_set *set, double stated, const invcal_outliers *out)
+{
+    const least_squares s = fit_without(set, out->removed);
+    const double dof = set->count - 9.0 - out->count + (stated > 0);
+    const double sigma = sqrt((s.squares + stated * stated) / dof);
+    unsigned next = 0;
+
+    TEST_ASSERT_DOUBLE_WITHIN(FLOAT_OR_DOUBLE(1e-2, 1e-9), 1, (double)out->sigma / sigma);
+    TEST_ASSERT_EQUAL_UINT(size_of(out->removed), out->count);
+    for (unsigned i = 0; i < set->count; i++) {
+        if (out->removed & bit(i)) {
+            /* Baarda's w: of the fit with this position, and sigma of the fit without. */
+            const least_squares with = fit_without(set, out->removed & ~bit(i));
+            const double r = residual_of(&with, set, i);
+            const double w = r / (sigma * sqrt(1 - leverage_of(&with, set, i)));
+            TEST_ASSERT_EQUAL_UINT(i, out->position[next]);
+            TEST_ASSERT_DOUBLE_WITHIN(FLOAT_OR_DOUBLE(3e-6, 1e-12), residual_of(&s, set, i),
+                                      (double)out->error[next]);
+            TEST_ASSERT_DOUBLE_WITHIN(FLOAT_OR_DOUBLE(2e-2, 1e-6), 1, (double)out->w[next] / w);
+            TEST_ASSERT_TRUE(out->checked[i] == 0);
+            next++;
+        } else {
+            TEST_ASSERT_DOUBLE_WITHIN(FLOAT_OR_DOUBLE(1e-4, 1e-11), 1 - leverage_of(&s, set, i),
+                                      (double)out->checked[i]);
+        }
+    }
+}
+
+static void errors_w_leverage_and_sigma_are_those_of_the_definition(void)
+{
+    random_source random = random_start(6);
+    unsigned total = 0;
+
+    for (unsigned draw = 0; draw < 200; draw++) {
+        const triad_truth truth = triad_random(&random, 0.03);
+        const unsigned count = 18 + draw % 15;
+        const double stated = draw % 2 ? 1e-4 : 0;
+        double v[CAPACITY][3];
+        reading_set set;
+        double error;
+        random_directions(&random, count, v);
+        read_positions(&truth, (const double(*)[3])v, count, SIGMA, &random, &set);
+        (void)spoil_some(&random, draw % 4, 0.005, 0.1, &set, &error);
+        const invcal_outliers out = find(&set, stated);
+        assert_reported(&set, stated, &out);
+        total += out.count;
+    }
+    TEST_ASSERT_TRUE(total > 250);
+}
+
+static void the_error_reported_is_the_one_that_was_planted(void)
+{
+    random_source random = random_start(7);
+
+    for (int draw = 0; draw < 200; draw++) {
+        const triad_truth truth = triad_random(&random, 0.03);
+        double v[CAPACITY][3];
+        reading_set set;
+        double error;
+        (void)program_of(24, v);
+        read_positions(&truth, (const double(*)[3])v, 24, SIGMA, &random, &set);
+        const uint32_t bad = spoil_some(&random, 1, 0.002, 0.05, &set, &error);
+        const invcal_outliers out = find(&set, 0);
+        if (out.removed == bad) {
+            /* Nominal readings deviate by some 5 %, and noise by 6 sigma. */
+            TEST_ASSERT_DOUBLE_WITHIN(0.12 * fabs(error) + 8e-4, error, (double)out.error[0]);
+            TEST_ASSERT_TRUE((out.w[0] > 0) == (error > 0));
+        }
+    }
+}
+
+static void what_is_checked_by_all_positions_together_is_their_redundancy(void)
+{
+    random_source random = random_start(8);
+
+    for (unsigned count = 11; count <= CAPACITY; count++) {
+        const triad_truth truth = triad_random(&random, 0.03);
+        double v[CAPACITY][3];
+        reading_set set;
+        double sum = 0;
+        random_directions(&random, count, v);
+        read_positions(&truth, (const double(*)[3])v, count, SIGMA, &random, &set);
+        const invcal_outliers out = find(&set, 0);
+        for (unsigned i = 0; i < count; i++) {
+            TEST_ASSERT_TRUE((double)out.checked[i] > -1e-3 && out.checked[i] <= 1);
+            sum += (double)out.checked[i];
+        }
+        TEST_ASSERT_DOUBLE_WITHIN(FLOAT_OR_DOUBLE(2e-3, 1e-9), count - 9.0 - out.count, sum);
+    }
+}
+
+/* ---- what must not matter ------------------------------------------------------------------------------ */
+
+/* Two outliers among 24, in positions 3 and 22. */
+static reading_set set_with_two(void)
+{
+    random_source random = random_start(9);
+    const triad_truth truth = triad_random(&random, 0.03);
+    double v[CAPACITY][3];
+    reading_set set;
+
+    (void)program_of(24, v);
+    read_positions(&truth, (const double(*)[3])v, 24, SIGMA, &random, &set);
+    spoil(&set, 3, 0.004);
+    spoil(&set, 22, -0.03);
+    return set;
+}
+
+static void the_order_of_positions_does_not_matter(void)
+{
+    const reading_set set = set_with_two();
+    const invcal_outliers expected = find(&set, 0);
+    random_source random = random_start(10);
+
+    TEST_ASSERT_EQUAL_HEX32(bit(3) | bit(22), expected.removed);
+    for (int draw = 0; draw < 50; draw++) {
+        unsigned from[CAPACITY]; /* where each comes from */
+        reading_set permuted;
+        permuted.count = 24;
+        for (unsigned i = 0; i < 24; i++) {
+            const unsigned other = (unsigned)random_uniform(&random, 0, i + 1.0);
+            from[i] = i;
+            from[i] = from[other];
+            from[other] = i;
+        }
+        for (unsigned i = 0; i < 24; i++) {
+            memcpy(permuted.u[i], set.u[from[i]], sizeof set.u[0]);
+        }
+        const invcal_outliers out = find(&permuted, 0);
+        TEST_ASSERT_EQUAL_UINT(2, out.count);
+        TEST_ASSERT_DOUBLE_WITHIN(FLOAT_OR_DOUBLE(1e-2, 1e-9), 1,
+                                  (double)(out.sigma / expected.sigma));
+        for (unsigned k = 0; k < 2; k++) {
+            const unsigned source = from[out.position[k]];
+            TEST_ASSERT_TRUE(source == 3 || source == 22);
+            TEST_ASSERT_DOUBLE_WITHIN(FLOAT_OR_DOUBLE(2e-6, 1e-13),
+                                      (double)expected.error[source == 22], (double)out.error[k]);
+        }
+        for (unsigned i = 0; i < 24; i++) {
+            TEST_ASSERT_DOUBLE_WITHIN(FLOAT_OR_DOUBLE(2e-5, 1e-12),
+                                      (double)expected.checked[from[i]], (double)out.checked[i]);
+        }
+    }
+}
+
+static void units_do_not_matter(void)
+{
+    const reading_set set = set_with_two();
+    const invcal_outliers expected = find(&set, 1e-4);
+    invcal_real raw[3 * CAPACITY];
+    const invcal_real zero[3] = {500, -300, 100};
+    const invcal_real scale[3] = {(invcal_real)0.00980665, (invcal_real)-0.00980665,
+                                  (invcal_real)0.00980665};
+    invcal_settings settings = unit_settings(0);
+    invcal_outliers out;
+
+    settings.field = (invcal_real)9.80665;
+    settings.noise = (invcal_real)9.80665e-4;
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_calibration_nominal(zero, scale, &settings.nominal));
+    for (unsigned i = 0; i < 24; i++) {
+        for (unsigned k = 0; k < 3; k++) {
+            const double u = (double)set.u[i][k] * (k == 1 ? -1 : 1);
+            raw[3 * i + k] = (invcal_real)(1000 * u + (double)zero[k]);
+        }
+    }
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_outliers_find(raw, 24, &settings, &out));
+    TEST_ASSERT_EQUAL_HEX32(expected.removed, out.removed);
+    TEST_ASSERT_DOUBLE_WITHIN(FLOAT_OR_DOUBLE(1e-2, 1e-9), 1, (double)(out.sigma / expected.sigma));
+    for (unsigned k = 0; k < 2; k++) {
+        TEST_ASSERT_DOUBLE_WITHIN(FLOAT_OR_DOUBLE(2e-6, 1e-13), (double)expected.error[k],
+                                  (double)out.error[k]);
+    }
+}
+
+static void priors_and_the_frame_are_not_used(void)
+{
+    const reading_set set = set_with_two();
+    const invcal_outliers expected = find(&set, 1e-4);
+    invcal_settings settings = unit_settings(1e-4);
+    invcal_outliers out;
+
+    for (int r = 0; r < N; r++) {
+        settings.prior[r] = (invcal_real)1e-3;
+    }
+    settings.frame = INVCAL_FRAME_TRIANGULAR;
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_outliers_find(&set.u[0][0], 24, &settings, &out));
+    TEST_ASSERT_EQUAL_HEX32(expected.removed, out.removed);
+    TEST_ASSERT_TRUE(expected.sigma == out.sigma);
+}
+
+/* ---- classes of input ---------------------------------------------------------------------------------- */
+
+static void exact_readings_have_no_outliers(void)
+{
+    random_source random = random_start(11);
+
+    for (int draw = 0; draw < 400; draw++) {
+        const unsigned count = 11 + (unsigned)draw % 22;
+        const triad_truth truth = triad_random(&random, draw % 2 ? 0.1 : 0.01);
+        double v[CAPACITY][3];
+        reading_set set;
+        if (draw % 3) {
+            random_directions(&random, count, v);
+        } else {
+            (void)program_of(30, v);
+        }
+        read_positions(&truth, (const double(*)[3])v, draw % 3 ? count : 30, 0, &random, &set);
+        const invcal_outliers out = find(&set, 0);
+        TEST_ASSERT_EQUAL_HEX32(0, out.removed);
+        TEST_ASSERT_EQUAL_HEX32(0, out.suspected);
+        TEST_ASSERT_EQUAL_UINT(0, out.count);
+        TEST_ASSERT_TRUE(out.sigma > 0 && (double)out.sigma < FLOAT_OR_DOUBLE(1e-5, 1e-14));
+    }
+}
+
+static void among_exact_readings_an_error_just_above_rounding_is_found(void)
+{
+    random_source random = random_start(12);
+
+    for (unsigned i = 0; i < 24; i++) {
+        const triad_truth truth = triad_random(&random, 0.03);
+        double v[CAPACITY][3];
+        reading_set set;
+        (void)program_of(24, v);
+        read_positions(&truth, (const double(*)[3])v, 24, 0, &random, &set);
+        spoil(&set, i, FLOAT_OR_DOUBLE(5e-5, 1e-13));
+        TEST_ASSERT_EQUAL_HEX32(bit(i), find(&set, 0).removed);
+        /* But not if the noise stated explains it. */
+        TEST_ASSERT_EQUAL_HEX32(0, find(&set, FLOAT_OR_DOUBLE(5e-5, 1e-13)).removed);
+    }
+}
+
+static void every_position_of_a_full_set_can_be_named(void)
+{
+    random_source random = random_start(13);
+
+    for (unsigned i = 0; i < CAPACITY; i++) {
+        const triad_truth truth = triad_random(&random, 0.03);
+        const unsigned other = (i + 17) % CAPACITY;
+        double v[CAPACITY][3];
+        reading_set set;
+        random_directions(&random, CAPACITY, v);
+        read_positions(&truth, (const double(*)[3])v, CAPACITY, 1e-6, &random, &set);
+        spoil(&set, i, 0.05);
+        spoil(&set, other, -0.03);
+        const invcal_outliers out = find(&set, 0);
+        TEST_ASSERT_EQUAL_HEX32(bit(i) | bit(other), out.removed & (bit(i) | bit(other)));
+        TEST_ASSERT_TRUE(out.count <= 3);
+    }
+}
+
+static void no_more_than_six_are_named(void)
+{
+    random_source random = random_start(14);
+
+    for (int draw = 0; draw < 20; draw++) {
+        const triad_truth truth = triad_random(&random, 0.03);
+        double v[CAPACITY][3];
+        reading_set set;
+        double error;
+        unsigned count;
+        random_directions(&random, CAPACITY, v);
+        read_positions(&truth, (const double(*)[3])v, CAPACITY, SIGMA, &random, &set);
+        (void)spoil_some(&random, 4 + (unsigned)draw % 9, 0.01, 0.5, &set, &error);
+        const invcal_outliers out = find(&set, 0);
+        count = size_of(out.removed);
+        TEST_ASSERT_TRUE(count <= INVCAL_OUTLIERS_MOST);
+        TEST_ASSERT_EQUAL_UINT(count, out.count);
+    }
+}
+
+static void equal_positions_check_one_another(void)
+{
+    random_source random = random_start(15);
+    const triad_truth truth = triad_random(&random, 0.03);
+    double v[CAPACITY][3];
+    reading_set set;
+
+    for (unsigned i = 0; i < 20; i++) { /* ten directions, each twice */
+        if (i < 10) {
+            random_direction(&random, v[i]);
+        } else {
+            memcpy(v[i], v[i - 10], sizeof v[i]);
+        }
+    }
+    read_positions(&truth, (const double(*)[3])v, 20, SIGMA, &random, &set);
+    TEST_ASSERT_EQUAL_HEX32(0, find(&set, 0).removed);
+    /* One of two: the ten directions leave one residual to tell which, and it does not suffice;
+     * but that it is one of these two is certain. */
+    spoil(&set, 4, 0.02);
+    const invcal_outliers out = find(&set, 0);
+    TEST_ASSERT_EQUAL_HEX32(0, (out.removed | out.suspected) & ~(bit(4) | bit(14)));
+    TEST_ASSERT_TRUE((out.removed | out.suspected) & bit(4));
+    /* With a third the majority decides. */
+    memcpy(set.u[20], set.u[14], sizeof set.u[20]);
+    set.count = 21;
+    TEST_ASSERT_EQUAL_HEX32(bit(4), find(&set, 0).removed);
+}
+
+static void a_position_that_nothing_checks_is_not_blamed(void)
+{
+    random_source random = random_start(16);
+    const triad_truth truth = triad_random(&random, 0.03);
+    double v[CAPACITY][3];
+    reading_set set;
+
+    for (unsigned i = 0; i < 18; i++) { /* all but one on the plane z = 0 and the cone z = 0.6 */
+        const double z = i < 9 ? 0 : 0.6;
+        const double angle = 0.7 * i;
+        v[i][0] = sqrt(1 - z * z) * cos(angle);
+        v[i][1] = sqrt(1 - z * z) * sin(angle);
+        v[i][2] = z;
+    }
+    v[17][0] = v[17][1] = 0;
+    v[17][2] = -1; /* alone tells z^2 from z */
+    read_positions(&truth, (const double(*)[3])v, 18, 1e-6, &random, &set);
+    spoil(&set, 17, 0.02);
+    const invcal_outliers out = find(&set, 0);
+    TEST_ASSERT_EQUAL_HEX32(0, out.removed & bit(17));
+    TEST_ASSERT_TRUE(fabs((double)out.checked[17]) < 1e-4);
+}
+
+/* Real sensors: the first positions of recordings, in g, and one of them spoiled. */
+static void assert_real(const double positions[][3], unsigned count, double zero, double scale)
+{
+    reading_set set;
+
+    set.count = count;
+    for (unsigned i = 0; i < count; i++) {
+        for (int k = 0; k < 3; k++) {
+            set.u[i][k] = (invcal_real)((positions[i][k] - zero) * scale);
+        }
+    }
+    TEST_ASSERT_EQUAL_HEX32(0, find(&set, 0).removed);
+    unsigned found = 0;
+    for (unsigned i = 0; i < count; i++) {
+        reading_set spoiled = set;
+        spoil(&spoiled, i, 0.02);
+        const uint32_t removed = find(&spoiled, 0).removed;
+        TEST_ASSERT_EQUAL_HEX32(removed, removed & bit(i)); /* no other */
+        found += removed == bit(i);
+    }
+    TEST_ASSERT_TRUE(found >= count - 1);
+}
+
+static void real_positions_have_no_outliers_but_those_that_are_made(void)
+{
+    assert_real(xsens_mti_positions, 32, 32768, 2.4446e-4);
+    assert_real(mpu9150_0_positions, 24, 0, 1 / 9.81);
+    assert_real(mpu9150_1_positions, 24, 0, 1 / 9.81);
+}
+
+/* ---- refusals -------------------------------------------------------------------------------------------- */
+
+static void assert_refused(invcal_status expected, const reading_set *set,
+                           const invcal_settings *settings)
+{
+    invcal_outliers out;
+    invcal_outliers before;
+
+    memset(&out, 0x5A, sizeof out);
+    before = out;
+    TEST_ASSERT_EQUAL_INT(expected,
+                          invcal_outliers_find(&set->u[0][0], set->count, settings, &out));
+    TEST_ASSERT_EQUAL_MEMORY(&before, &out, sizeof out);
+}
+
+static void ten_positions_or_fewer_and_more_than_32_are_refused(void)
+{
+    const invcal_settings settings = unit_settings(0);
+    random_source random = random_start(17);
+    double v[MAX_POSITIONS][3];
+    reading_set set;
+    const triad_truth truth = triad_random(&random, 0.03);
+
+    random_directions(&random, MAX_POSITIONS, v);
+    read_positions(&truth, (const double(*)[3])v, MAX_POSITIONS, SIGMA, &random, &set);
+    for (set.count = 0; set.count < INVCAL_OUTLIERS_FEWEST; set.count++) {
+        assert_refused(INVCAL_TOO_FEW, &set, &settings);
+    }
+    for (; set.count <= CAPACITY; set.count++) {
+        (void)find(&set, 0);
+    }
+    for (; set.count <= MAX_POSITIONS; set.count++) {
+        assert_refused(INVCAL_BAD_SETTING, &set, &settings);
+    }
+}
+
+static void readings_that_are_none_are_refused(void)
+{
+    static const struct {
+        double value;
+        invcal_status status;
+    } bad[] = {{NOT_A_NUMBER, INVCAL_NOT_FINITE},
+               {INFINITE, INVCAL_NOT_FINITE},
+               {-INFINITE, INVCAL_NOT_FINITE},
+               {11, INVCAL_OUT_OF_RANGE},
+               {1e30, INVCAL_OUT_OF_RANGE}};
+    const invcal_settings settings = unit_settings(0);
+
+    for (unsigned b = 0; b < sizeof bad / sizeof bad[0]; b++) {
+        for (unsigned i = 0; i < 24; i++) {
+            reading_set set = set_with_two();
+            set.u[i][i % 3] = (invcal_real)bad[b].value;
+            assert_refused(bad[b].status, &set, &settings);
+        }
+    }
+    reading_set set = set_with_two();
+    memset(set.u[23], 0, sizeof set.u[23]);
+    assert_refused(INVCAL_OUT_OF_RANGE, &set, &settings);
+}
+
+static void unusable_settings_are_refused(void)
+{
+    static const double bad[] = {-1, NOT_A_NUMBER, INFINITE, 2};
+    const reading_set set = set_with_two();
+    invcal_settings settings;
+
+    for (int i = 0; i < 4; i++) {
+        settings = unit_settings(bad[i]); /* 2: more than the field */
+        assert_refused(INVCAL_BAD_SETTING, &set, &settings);
+        settings = unit_settings(0);
+        settings.field = (invcal_real)(bad[i] > 1 && bad[i] < 3 ? 0 : bad[i]);
+        assert_refused(INVCAL_BAD_SETTING, &set, &settings);
+    }
+    settings = unit_settings(0);
+    memset(settings.nominal.matrix[1], 0, sizeof settings.nominal.matrix[1]);
+    assert_refused(INVCAL_BAD_SETTING, &set, &settings);
+}
+
+static void positions_that_determine_nothing_are_refused(void)
+{
+    const invcal_settings settings = unit_settings(0);
+    random_source random = random_start(18);
+
+    for (int draw = 0; draw < 300; draw++) {
+        const double noise = draw % 2 ? 1e-5 : 0;
+        const triad_truth truth = triad_random(&random, 0.03);
+        double side[3][3];
+        double v[CAPACITY][3];
+        reading_set set;
+        random_rotation(&random, side);
+        for (unsigned i = 0; i < 24; i++) {
+            const double angle = random_uniform(&random, 0, 6.283185307179586);
+            /* a plane, a cone, two cones: these show in no pivot, now and then */
+            const double z = draw % 3 == 0 ? 0 : draw % 3 == 1 || i % 2 ? 0.5 : -0.3;
+            for (int k = 0; k < 3; k++) {
+                v[i][k] = z * side[2][k] +
+                          sqrt(1 - z * z) * (cos(angle) * side[0][k] + sin(angle) * side[1][k]);
+            }
+        }
+        read_positions(&truth, (const double(*)[3])v, 24, noise, &random, &set);
+        assert_refused(INVCAL_UNDETERMINED, &set, &settings);
+        for (unsigned i = 0; i < 24; i++) { /* six faces, four times each */
+            memset(v[i], 0, sizeof v[i]);
+            v[i][i % 3] = i % 6 < 3 ? 1 : -1;
+        }
+        read_positions(&truth, (const double(*)[3])v, 24, noise, &random, &set);
+        assert_refused(INVCAL_UNDETERMINED, &set, &settings);
+    }
+}
+
+int main(void)
+{
+    UNITY_BEGIN();
+    RUN_TEST(one_of_18_that_is_wrong_is_found_and_the_calibration_is_as_good_as_without);
+    RUN_TEST(two_of_18_and_three_of_24_are_found_that_hide_one_another);
+    RUN_TEST(more_than_three_are_found_group_by_group);
+    RUN_TEST(clean_positions_lose_one_in_a_hundred_sets_or_fewer);
+    RUN_TEST(of_eleven_positions_none_is_removed_unless_the_noise_is_stated);
+    RUN_TEST(a_stated_noise_helps_where_few_residuals_are_left);
+    RUN_TEST(a_stated_noise_may_be_wrong);
+    RUN_TEST(the_innocent_are_not_removed_where_two_positions_may_be_the_wrong_one);
+    RUN_TEST(the_rule_of_the_header_decides);
+    RUN_TEST(errors_w_leverage_and_sigma_are_those_of_the_definition);
+    RUN_TEST(the_error_reported_is_the_one_that_was_planted);
+    RUN_TEST(what_is_checked_by_all_positions_together_is_their_redundancy);
+    RUN_TEST(the_order_of_positions_does_not_matter);
+    RUN_TEST(units_do_not_matter);
+    RUN_TEST(priors_and_the_frame_are_not_used);
+    RUN_TEST(exact_readings_have_no_outliers);
+    RUN_TEST(among_exact_readings_an_error_just_above_rounding_is_found);
+    RUN_TEST(every_position_of_a_full_set_can_be_named);
+    RUN_TEST(no_more_than_six_are_named);
+    RUN_TEST(equal_positions_check_one_another);
+    RUN_TEST(a_position_that_nothing_checks_is_not_blamed);
+    RUN_TEST(real_positions_have_no_outliers_but_those_that_are_made);
+    RUN_TEST(ten_positions_or_fewer_and_more_than_32_are_refused);
+    RUN_TEST(readings_that_are_none_are_refused);
+    RUN_TEST(unusable_settings_are_refused);
+    RUN_TEST(positions_that_determine_nothing_are_refused);
+    return UNITY_END() != 0;
+}
