@@ -23,9 +23,9 @@ static unsigned positions_allowed(const choice_request *request)
     if (!(request->budget > 0)) {
         return DESIGN_MAX;
     }
-    /* n dwells and n - 1 moves; a part in 1e9 more, lest rounding takes the last one */
+    /* n dwells and n - 1 moves; 1e-9 of one more, lest rounding takes the last one */
     const double n = floor((request->budget + cost->move) / (cost->dwell + cost->move) + 1e-9);
-    return n < DESIGN_MAX ? (unsigned)n : DESIGN_MAX;
+    return n < DESIGN_MAX ? (unsigned)n : DESIGN_MAX; /* all are within bounds: n is a number */
 }
 
 static int stand(design *d, unsigned per_group)
@@ -65,18 +65,22 @@ static int choose_stand(design *d, const choice_request *request, unsigned allow
     return stand(d, high);
 }
 
-/* Fewer positions than so many do not meet the limits, which `most` do. From about 20 on K shrinks
- * as 1 / n, and never faster; 2 % are left for what the search may have missed. */
-static unsigned least_free(unsigned most, const double limits[3])
+/* With every position more the worst ratio can only fall: the smallest number is found by
+ * halving between the least there can be and `high`, which meets the limits. */
+static void choose_smallest(design *d, const double limits[3], unsigned high)
 {
     double direction[OPTIMAL_MAX][3];
+    unsigned low = OPTIMAL_MIN;
 
-    if (most < 20) {
-        return OPTIMAL_MIN;
+    while (low < high) {
+        const unsigned middle = (low + high) / 2;
+        if (optimal_within(middle, limits, direction) <= WITHIN) {
+            high = middle;
+        } else {
+            low = middle + 1;
+        }
     }
-    const double worst = optimal_within(most, limits, 0, direction);
-    const unsigned least = (unsigned)(0.98 * most * worst * worst);
-    return least > OPTIMAL_MIN ? least : OPTIMAL_MIN;
+    design_balanced(d, high, limits);
 }
 
 static int choose_free(design *d, const choice_request *request, unsigned allowed)
@@ -92,17 +96,11 @@ static int choose_free(design *d, const choice_request *request, unsigned allowe
         design_directions(d, "free directions", direction, most);
         return 1;
     }
-    if (!(optimal_within(most, request->limits, WITHIN, direction) <= WITHIN)) {
+    if (!(optimal_within(most, request->limits, direction) <= WITHIN)) {
         return 0;
     }
-    for (unsigned n = least_free(most, request->limits); n < most; n++) {
-        if (optimal_within(n, request->limits, WITHIN, direction) <= WITHIN) {
-            design_balanced(d, n, request->limits);
-            return 1;
-        }
-    }
-    design_balanced(d, most, request->limits);
-    return 1;
+    choose_smallest(d, request->limits, most);
+    return d->is_solvable && choice_worst(&d->criteria, request->limits) <= WITHIN;
 }
 
 static void refuse(choice *c, const choice_request *request, unsigned allowed)

@@ -2,8 +2,8 @@
  *
  * choice.h: the smallest set of positions that meets limits, or the best that fits into a time.
  *
- * Two families compete: the paper's programs for a stand, of any size, and free directions, of
- * up to OPTIMAL_MAX.
+ * Two families compete: the paper's programs for a stand, of up to 3000 positions, and free
+ * directions, of up to OPTIMAL_MAX. "The smallest" and "the best" are of these.
  */
 #ifndef CHOICE_H
 #define CHOICE_H

@@ -102,7 +102,7 @@ void design_balanced(design *d, unsigned count, const double limits[3])
 {
     double direction[OPTIMAL_MAX][3];
 
-    optimal_within(count, limits, 0, direction);
+    (void)optimal_within(count, limits, direction);
     design_directions(d, "free directions", direction, count);
 }
 

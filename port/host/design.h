@@ -38,7 +38,7 @@ typedef struct {
     "  faces                each axis up and down: 6 positions\n"                                  \
     "  edges                these and the 12 midway between two axes: 18 positions\n"              \
     "  icosahedron          its 12 corners\n"                                                      \
-    "  optimal:N            N positions, 9 to 48, with the largest determinant\n"                  \
+    "  optimal:N            N positions, 9 to 144, with the largest determinant\n"                 \
     "  directions:FILE      the columns x y z of a table, of any length\n"
 
 /* Makes and judges a set from its word. `command` is for messages.

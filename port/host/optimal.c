@@ -10,28 +10,40 @@
 
 enum { P = INVCAL_PARAMETERS, SUMS = INVCAL_PACKED_SIZE(INVCAL_PARAMETERS) };
 
-#define STARTS 12u  /* local searches; the best is taken */
-#define SWEEPS 400u /* at most, over all positions */
-#define ASCENT 40u  /* steps of one position, at most */
-#define RIDGE 1e-9  /* keeps what n - 1 < 9 positions leave open finite */
-#define SETTLED 1e-9
-#define PATIENCE 5u /* rounds of weights that bring nothing */
-#define MATCH 1e-3
+#define STARTS 16u        /* descents; the best is taken */
+#define STARTS_OF_MANY 6u /* from MANY positions on local optima are all but equal */
+#define MANY 20u
+#define STEPS 300u /* of a descent, at most */
+#define MEMORY 8u  /* of L-BFGS: steps that tell the curvature */
+#define RIDGE 1e-9 /* keeps what a poor start leaves open finite */
+#define SETTLED 1e-11
 
+/* n unit vectors, or as many gradients. */
+typedef double vectors[OPTIMAL_MAX][3];
+
+/* What is to become small: with limits the norm of the squared ratios K(r,r) / limit^2, which
+ * presses the largest down the more, the higher its power; without, -ln det H'H. */
 typedef struct {
     unsigned n;
-    const double *weight; /* of the nine K(r,r); null: D-optimal */
-    double direction[OPTIMAL_MAX][3];
-} search;
+    const double *limits; /* of delta, dk, gamma, or null */
+    double power;
+} problem;
 
-/* What a direction of row h would add: h'top h / (bottom + h'K h), with K the covariance of the
- * other positions. D-optimal: h'K h, by which det H'H grows; A-optimal: the decrease of
- * trace(W K), which is h'K W K h / (1 + h'K h). */
-typedef struct {
-    double top[P][P];
-    double K[P][P];
-    int is_trace; /* A-optimal */
-} prospect;
+static double dot3(const double a[3], const double b[3])
+{
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+static void normalise(double v[3])
+{
+    const double length = sqrt(dot3(v, v));
+
+    for (unsigned i = 0; i < 3; i++) {
+        v[i] /= length;
+    }
+}
+
+/* ---- the function and its gradient ------------------------------------------------------------ */
 
 static void row(const double a[3], double h[P])
 {
@@ -41,25 +53,16 @@ static void row(const double a[3], double h[P])
     memcpy(h, values, sizeof values);
 }
 
-static void normalise(double v[3])
-{
-    const double length = sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
-
-    for (unsigned i = 0; i < 3; i++) {
-        v[i] /= length;
-    }
-}
-
-/* K = (H'H)^-1 of all positions but `without` (n: of all). Returns log det H'H. */
-static double covariance(const search *s, unsigned without, double K[P][P])
+/* K = (H'H)^-1. Returns ln det H'H. */
+static double covariance(const problem *p, vectors x, double K[P][P])
 {
     double a[SUMS] = {0};
     double h[P];
     double log_det = 0;
 
-    for (unsigned i = 0; i < s->n; i++) {
-        row(s->direction[i], h);
-        for (unsigned r = 0; r < P && i != without; r++) {
+    for (unsigned i = 0; i < p->n; i++) {
+        row(x[i], h);
+        for (unsigned r = 0; r < P; r++) {
             for (unsigned c = 0; c <= r; c++) {
                 a[INVCAL_PACKED(r, c)] += h[r] * h[c];
             }
@@ -68,9 +71,7 @@ static double covariance(const search *s, unsigned without, double K[P][P])
     for (unsigned r = 0; r < P; r++) {
         a[INVCAL_PACKED(r, r)] += RIDGE;
     }
-    if (invcal_cholesky_factor(a, P, 0) != INVCAL_OK) {
-        return -HUGE_VAL;
-    }
+    (void)invcal_cholesky_factor(a, P, 0); /* positive definite by the ridge */
     for (unsigned r = 0; r < P; r++) {
         log_det += 2 * log(a[INVCAL_PACKED(r, r)]);
     }
@@ -83,227 +84,271 @@ static double covariance(const search *s, unsigned without, double K[P][P])
     return log_det;
 }
 
-/* What is to become large: log det H'H, or minus trace(W K) and so its negative logarithm. */
-static double merit(const search *s)
+/* The squared ratios, and the largest. */
+static double ratios(const problem *p, double K[P][P], double t[P])
 {
-    double K[P][P];
-    double trace = 0;
-    const double log_det = covariance(s, s->n, K);
+    double largest = 0;
 
-    if (!s->weight || !(log_det > -HUGE_VAL)) {
-        return log_det;
-    }
     for (unsigned r = 0; r < P; r++) {
-        trace += s->weight[r] * K[r][r];
+        t[r] = K[r][r] / (p->limits[r / 3] * p->limits[r / 3]);
+        largest = fmax(largest, t[r]);
     }
-    return -log(trace);
+    return largest;
 }
 
-/* Prepares the exchange of position i. Returns 0 if nothing can be told. */
-static int prepare(const search *s, unsigned i, prospect *p)
+/* ln of the norm, and M = K W K, W its slope by the K(r,r): a change dh of a row h changes the
+ * logarithm by -2 h'M dh. */
+static double norm(const problem *p, double K[P][P], double M[P][P])
 {
-    p->is_trace = s->weight != NULL;
-    if (!(covariance(s, i, p->K) > -HUGE_VAL)) {
-        return 0;
-    }
-    if (!p->is_trace) {
-        memcpy(p->top, p->K, sizeof p->top);
-        return 1;
+    double t[P];
+    double w[P];
+    double sum = 0;
+    const double largest = ratios(p, K, t);
+
+    for (unsigned r = 0; r < P; r++) {
+        sum += pow(t[r] / largest, p->power);
     }
     for (unsigned r = 0; r < P; r++) {
-        for (unsigned c = 0; c <= r; c++) {
-            double sum = 0;
+        const double limit = p->limits[r / 3];
+        w[r] = pow(t[r] / largest, p->power - 1) / (sum * largest * limit * limit);
+    }
+    for (unsigned r = 0; r < P; r++) {
+        for (unsigned c = 0; c < P; c++) {
+            M[r][c] = 0;
             for (unsigned k = 0; k < P; k++) {
-                sum += p->K[r][k] * s->weight[k] * p->K[k][c];
+                M[r][c] += K[r][k] * w[k] * K[k][c];
             }
-            p->top[r][c] = p->top[c][r] = sum;
         }
     }
-    return 1;
+    return log(largest) + log(sum) / p->power;
 }
 
-/* f = h'A h and its gradient by the direction. */
-static double quadratic(double A[P][P], const double a[3], double gradient[3])
+/* -2 h'M dh/da along the sphere. */
+static void slope(double M[P][P], const double a[3], double g[3])
 {
     double h[P];
-    double b[P];
-    double f = 0;
+    double b[P] = {0};
 
     row(a, h);
     for (unsigned r = 0; r < P; r++) {
-        b[r] = 0;
         for (unsigned c = 0; c < P; c++) {
-            b[r] += A[r][c] * h[c];
+            b[r] -= 2 * M[r][c] * h[c];
         }
-        f += b[r] * h[r];
     }
-    gradient[0] = 2 * (b[0] + 2 * a[0] * b[3] + a[1] * b[6] + a[2] * b[7]);
-    gradient[1] = 2 * (b[1] + 2 * a[1] * b[4] + a[0] * b[6] + a[2] * b[8]);
-    gradient[2] = 2 * (b[2] + 2 * a[2] * b[5] + a[0] * b[7] + a[1] * b[8]);
+    g[0] = b[0] + 2 * a[0] * b[3] + a[1] * b[6] + a[2] * b[7];
+    g[1] = b[1] + 2 * a[1] * b[4] + a[0] * b[6] + a[2] * b[8];
+    g[2] = b[2] + 2 * a[2] * b[5] + a[0] * b[7] + a[1] * b[8];
+    const double outward = dot3(g, a);
+    for (unsigned i = 0; i < 3; i++) {
+        g[i] -= outward * a[i];
+    }
+}
+
+/* For ln det the slope has K itself in place of K W K. */
+static double evaluate(const problem *p, vectors x, vectors gradient)
+{
+    double K[P][P];
+    double M[P][P];
+    const double log_det = covariance(p, x, K);
+    const double f = p->limits ? norm(p, K, M) : -log_det;
+
+    for (unsigned i = 0; i < p->n; i++) {
+        slope(p->limits ? M : K, x[i], gradient[i]);
+    }
     return f;
 }
 
-static double gain(prospect *p, const double a[3], double gradient[3])
-{
-    double slope[3];
-    const double top = quadratic(p->top, a, gradient);
+/* ---- descent: L-BFGS on the product of spheres ------------------------------------------------- */
 
-    if (!p->is_trace) {
-        return top;
+typedef struct {
+    vectors s[MEMORY]; /* steps, */
+    vectors y[MEMORY]; /* and what they changed the gradient by */
+    double sy[MEMORY];
+    unsigned count; /* steps remembered in all; the last MEMORY are kept */
+} memory;
+
+static double dot(const problem *p, vectors a, vectors b)
+{
+    double sum = 0;
+
+    for (unsigned i = 0; i < p->n; i++) {
+        sum += dot3(a[i], b[i]);
     }
-    const double bottom = 1 + quadratic(p->K, a, slope);
-    for (unsigned i = 0; i < 3; i++) {
-        gradient[i] = (gradient[i] - top / bottom * slope[i]) / bottom;
-    }
-    return top / bottom;
+    return sum;
 }
 
-/* Climbs on the sphere: towards gradient + shift a, where the shift grows until that is uphill
- * (it makes the gain convex, and the step of a convex function is uphill). Returns the gain. */
-static double climb(prospect *p, double a[3])
+/* a += factor b. */
+static void add(const problem *p, vectors a, double factor, vectors b)
 {
-    double gradient[3];
-    double next_gradient[3];
-    double height = gain(p, a, gradient);
-    double shift = 0;
-
-    for (unsigned step = 0; step < ASCENT; step++) {
-        double b[3];
-        for (unsigned i = 0; i < 3; i++) {
-            b[i] = gradient[i] + shift * a[i];
-        }
-        normalise(b);
-        const double next = gain(p, b, next_gradient);
-        if (next > height) {
-            const int is_settled = next - height < 1e-13 * height;
-            memcpy(a, b, sizeof b);
-            memcpy(gradient, next_gradient, sizeof gradient);
-            height = next;
-            shift /= 2;
-            if (is_settled) {
-                break;
-            }
-        } else {
-            shift = 2 * shift + height;
+    for (unsigned i = 0; i < p->n; i++) {
+        for (unsigned k = 0; k < 3; k++) {
+            a[i][k] += factor * b[i][k];
         }
     }
-    return height;
 }
 
-/* Moves each position in turn to where it is best beside the others. Returns the merit. */
-static double improve(search *s)
+/* d = -(inverse of the curvature) gradient, by the two loops of Nocedal. */
+static void set_course(const problem *p, memory *m, vectors gradient, vectors d)
 {
-    prospect p;
-    double before = -HUGE_VAL;
-    double now = merit(s);
+    const unsigned kept = m->count < MEMORY ? m->count : MEMORY;
+    double alpha[MEMORY];
 
-    for (unsigned sweep = 0; sweep < SWEEPS && now - before > SETTLED; sweep++) {
-        for (unsigned i = 0; i < s->n; i++) {
-            if (prepare(s, i, &p)) {
-                climb(&p, s->direction[i]);
-            }
-        }
-        before = now;
-        now = merit(s);
+    memcpy(d, gradient, sizeof(vectors));
+    for (unsigned j = 0; j < kept; j++) {
+        const unsigned at = (m->count - 1 - j) % MEMORY;
+        alpha[at] = dot(p, m->s[at], d) / m->sy[at];
+        add(p, d, -alpha[at], m->y[at]);
     }
-    return now;
+    double scale = 0.1 / sqrt(dot(p, gradient, gradient) + 1e-300);
+    if (kept > 0) {
+        const unsigned last = (m->count - 1) % MEMORY;
+        scale = m->sy[last] / dot(p, m->y[last], m->y[last]);
+    }
+    for (unsigned i = 0; i < 3 * p->n; i++) {
+        d[i / 3][i % 3] *= scale;
+    }
+    for (unsigned j = kept; j-- > 0;) {
+        const unsigned at = (m->count - 1 - j) % MEMORY;
+        add(p, d, alpha[at] - dot(p, m->y[at], d) / m->sy[at], m->s[at]);
+    }
+    for (unsigned i = 0; i < 3 * p->n; i++) {
+        d[i / 3][i % 3] = -d[i / 3][i % 3];
+    }
 }
+
+/* Remembers the step from one point to another, if the curvature along it is upwards. */
+static void remember(const problem *p, memory *m, vectors from, vectors g_from, vectors to,
+                     vectors g_to)
+{
+    const unsigned at = m->count % MEMORY;
+
+    memcpy(m->s[at], to, sizeof(vectors));
+    add(p, m->s[at], -1, from);
+    memcpy(m->y[at], g_to, sizeof(vectors));
+    add(p, m->y[at], -1, g_from);
+    m->sy[at] = dot(p, m->s[at], m->y[at]);
+    if (m->sy[at] > 1e-12 * dot(p, m->y[at], m->y[at])) {
+        m->count++;
+    }
+}
+
+/* One step downhill, halved until it is. Returns by how much, 0 if none is. */
+static double descend(const problem *p, memory *m, vectors x, vectors gradient, double f)
+{
+    vectors d;
+    vectors next;
+    vectors next_gradient;
+
+    set_course(p, m, gradient, d);
+    double along = dot(p, d, gradient);
+    if (!(along < 0)) {
+        m->count = 0;
+        set_course(p, m, gradient, d);
+        along = dot(p, d, gradient);
+    }
+    for (double length = 1; length > 1e-6; length /= 2) {
+        memcpy(next, x, sizeof next);
+        add(p, next, length, d);
+        for (unsigned i = 0; i < p->n; i++) {
+            normalise(next[i]);
+        }
+        const double there = evaluate(p, next, next_gradient);
+        if (there <= f + 1e-4 * length * along) {
+            remember(p, m, x, gradient, next, next_gradient);
+            memcpy(x, next, sizeof next);
+            memcpy(gradient, next_gradient, sizeof next_gradient);
+            return f - there;
+        }
+    }
+    return 0;
+}
+
+/* Returns the function where it has come to rest. */
+static double minimise(const problem *p, vectors x)
+{
+    memory m = {.count = 0};
+    vectors gradient = {{0}};
+    double f = evaluate(p, x, gradient);
+    unsigned idle = 0;
+
+    for (unsigned step = 0; step < STEPS && idle < 3; step++) {
+        const double fall = descend(p, &m, x, gradient, f);
+        f -= fall;
+        idle = fall > SETTLED ? 0 : idle + 1;
+    }
+    return f;
+}
+
+/* ---- where to start ---------------------------------------------------------------------------- */
 
 /* A spiral from pole to pole: directions of about equal distance. */
-static void spiral(search *s)
+static void spiral(unsigned n, vectors x)
 {
-    for (unsigned i = 0; i < s->n; i++) {
-        const double z = 1 - (2 * i + 1.0) / s->n;
+    for (unsigned i = 0; i < n; i++) {
+        const double z = 1 - (2 * i + 1.0) / n;
         const double r = sqrt(1 - z * z);
         const double turn = 2.399963229728653 * i; /* the golden angle */
         const double a[3] = {r * cos(turn), r * sin(turn), z};
-        memcpy(s->direction[i], a, sizeof a);
+        memcpy(x[i], a, sizeof a);
     }
 }
 
 /* Scattered directions, another set for each seed: a congruential generator is random enough. */
-static void scatter(search *s, unsigned seed)
+static void scatter(unsigned n, unsigned seed, vectors x)
 {
     unsigned long state = seed;
 
-    for (unsigned i = 0; i < s->n; i++) {
+    for (unsigned i = 0; i < n; i++) {
         for (unsigned k = 0; k < 3; k++) {
             state = (state * 1103515245ul + 12345ul) & 0x7ffffffful;
-            s->direction[i][k] = (double)state / 0x40000000 - 1;
+            x[i][k] = (double)state / 0x40000000 - 1;
         }
-        normalise(s->direction[i]);
+        normalise(x[i]);
     }
 }
 
 /* The paper's program of the same size, so that the result is never worse. */
-static void stand_program(search *s)
+static void stand_program(unsigned n, vectors x)
 {
-    invcal_plan plan = {.per_group = s->n / INVCAL_PLAN_GROUPS};
+    invcal_plan plan = {.per_group = n / INVCAL_PLAN_GROUPS};
     invcal_plan_position position;
 
     (void)invcal_plan_starts(plan.per_group, plan.start);
-    for (unsigned i = 0; i < s->n; i++) {
+    for (unsigned i = 0; i < n; i++) {
         (void)invcal_plan_position_at(&plan, i, &position);
-        memcpy(s->direction[i], position.vertical, sizeof position.vertical);
+        memcpy(x[i], position.vertical, sizeof position.vertical);
     }
 }
 
-static void begin(search *s, unsigned start)
+static void begin(unsigned n, unsigned start, vectors x)
 {
-    const unsigned is_program =
-        s->n % INVCAL_PLAN_GROUPS == 0 && s->n >= INVCAL_PLAN_GROUPS * INVCAL_PLAN_PER_GROUP_MIN;
+    const int is_program =
+        n % INVCAL_PLAN_GROUPS == 0 && n >= INVCAL_PLAN_GROUPS * INVCAL_PLAN_PER_GROUP_MIN;
 
     if (start == 0) {
-        spiral(s);
+        spiral(n, x);
     } else if (start == 1 && is_program) {
-        stand_program(s);
+        stand_program(n, x);
     } else {
-        scatter(s, start);
+        scatter(n, start, x);
     }
 }
 
-/* Keeps the better of two sets. */
-static void keep(const search *s, double found, search *best, double *merit_of_best)
+static unsigned starts(unsigned n)
 {
-    if (found > *merit_of_best) {
-        *merit_of_best = found;
-        *best = *s;
-    }
+    return n < MANY ? STARTS : STARTS_OF_MANY;
 }
 
-/* The better the start, the better the end: several, and the best is kept. Returns its merit.
- * `again`: s holds a set that was good under other weights, which saves most of them. */
-static double search_all(search *s, int again)
-{
-    search best = *s;
-    double merit_of_best = -HUGE_VAL;
-
-    if (again) {
-        keep(s, improve(s), &best, &merit_of_best);
-    }
-    for (unsigned start = 0; start < (again ? STARTS / 4 : STARTS); start++) {
-        begin(s, start);
-        keep(s, improve(s), &best, &merit_of_best);
-    }
-    *s = best;
-    return merit_of_best;
-}
-
-static double dot(const double a[3], const double b[3])
-{
-    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
+/* ---- the result -------------------------------------------------------------------------------- */
 
 /* Turns the set so that its first direction is +z and its second lies in the xz plane, x > 0. */
-static void turn(search *s)
+static void turn(unsigned n, vectors x)
 {
     double axis[3][3]; /* x, y, z of the new frame */
-    const double *a = s->direction[0];
-    const double *b = s->direction[1];
 
-    memcpy(axis[2], a, sizeof axis[2]);
+    memcpy(axis[2], x[0], sizeof axis[2]);
     for (unsigned i = 0; i < 3; i++) {
-        axis[0][i] = b[i] - dot(a, b) * a[i];
+        axis[0][i] = x[1][i] - dot3(x[0], x[1]) * x[0][i];
     }
     normalise(axis[0]);
     for (unsigned i = 0; i < 3; i++) {
@@ -311,104 +356,84 @@ static void turn(search *s)
         const unsigned k = (i + 2) % 3;
         axis[1][i] = axis[2][j] * axis[0][k] - axis[2][k] * axis[0][j];
     }
-    for (unsigned n = 0; n < s->n; n++) {
+    for (unsigned m = 0; m < n; m++) {
         double v[3];
         for (unsigned i = 0; i < 3; i++) {
-            v[i] = dot(axis[i], s->direction[n]);
+            v[i] = dot3(axis[i], x[m]);
         }
         normalise(v);
-        memcpy(s->direction[n], v, sizeof v);
+        memcpy(x[m], v, sizeof v);
     }
 }
 
 /* Orders the set for a short way: from the direction nearest to +z always to the nearest left. */
-static void travel(search *s, double (*direction)[3])
+static void travel(unsigned n, vectors x, double (*direction)[3])
 {
     double here[3] = {0, 0, 1};
 
-    for (unsigned n = 0; n < s->n; n++) {
+    for (unsigned m = 0; m < n; m++) {
         unsigned nearest = 0;
-        for (unsigned i = 1; i < s->n - n; i++) {
+        for (unsigned i = 1; i < n - m; i++) {
             /* a difference that is no more than rounding must not decide */
-            nearest =
-                dot(here, s->direction[i]) > dot(here, s->direction[nearest]) + 1e-6 ? i : nearest;
+            nearest = dot3(here, x[i]) > dot3(here, x[nearest]) + 1e-6 ? i : nearest;
         }
-        memcpy(here, s->direction[nearest], sizeof here);
-        memcpy(direction[n], here, sizeof here);
-        memcpy(s->direction[nearest], s->direction[s->n - n - 1], sizeof here);
+        memcpy(here, x[nearest], sizeof here);
+        memcpy(direction[m], here, sizeof here);
+        memcpy(x[nearest], x[n - m - 1], sizeof here);
     }
 }
 
 void optimal_directions(unsigned n, double (*direction)[3])
 {
-    search s = {.n = n};
+    const problem p = {.n = n};
+    vectors best = {{0}};
+    vectors x = {{0}};
+    double least = HUGE_VAL;
 
-    search_all(&s, 0);
-    turn(&s);
-    travel(&s, direction);
+    for (unsigned start = 0; start < starts(n); start++) {
+        begin(n, start, x);
+        const double f = minimise(&p, x);
+        if (f < least - 1e-9) {
+            least = f;
+            memcpy(best, x, sizeof best);
+        }
+    }
+    turn(n, best);
+    travel(n, best, direction);
 }
 
 /* The largest sigma / limit. */
-static double worst_ratio(const search *s, const double limits[3], double ratio[P])
+static double worst_ratio(const problem *p, vectors x)
 {
     double K[P][P];
-    double worst = 0;
+    double t[P];
 
-    covariance(s, s->n, K);
-    for (unsigned r = 0; r < P; r++) {
-        ratio[r] = sqrt(K[r][r]) / limits[r / 3];
-        worst = ratio[r] > worst ? ratio[r] : worst;
-    }
-    return worst;
+    (void)covariance(p, x, K);
+    return sqrt(ratios(p, K, t));
 }
 
-/* Each share times the square of its ratio, their sum 1 again. */
-static void move_weights(double share[P], const double ratio[P])
+double optimal_within(unsigned n, const double limits[3], double (*direction)[3])
 {
-    double sum = 0;
+    static const double powers[] = {1, 3, 10, 40, 200, 1000};
+    vectors best = {{0}};
+    vectors x = {{0}};
+    double least = HUGE_VAL;
 
-    for (unsigned r = 0; r < P; r++) {
-        share[r] *= ratio[r] * ratio[r];
-        sum += share[r];
-    }
-    for (unsigned r = 0; r < P; r++) {
-        share[r] /= sum;
-    }
-}
-
-/* The worst ratio is at least the root of the weighted mean square, whatever the weights. So
- * A-optimal sets are searched under weights that are moved, more to where the ratio is large,
- * until the two meet (mirror ascent on the dual of the problem) or come no nearer. */
-double optimal_within(unsigned n, const double limits[3], double enough, double (*direction)[3])
-{
-    double share[P]; /* of the squared ratios in the mean; their sum is 1 */
-    double weight[P];
-    double ratio[P];
-    double best = HUGE_VAL;
-    double bound = 0;
-    unsigned idle = 0; /* rounds without success */
-    search s = {.n = n, .weight = weight};
-
-    for (unsigned r = 0; r < P; r++) {
-        share[r] = 1.0 / (double)P;
-    }
-    while (best > enough && best > bound * (1 + MATCH) && idle < PATIENCE) {
-        for (unsigned r = 0; r < P; r++) {
-            weight[r] = share[r] / (limits[r / 3] * limits[r / 3]);
+    for (unsigned start = 0; start < starts(n); start++) {
+        begin(n, start, x);
+        for (unsigned k = 0; k < sizeof powers / sizeof powers[0]; k++) {
+            const problem p = {n, limits, powers[k]};
+            (void)minimise(&p, x);
+            const double worst = worst_ratio(&p, x);
+            if (k == 0 && worst > 2 * least) {
+                break; /* hopeless beside what is there */
+            }
+            if (worst < least * (1 - 1e-9)) {
+                least = worst;
+                memcpy(best, x, sizeof best);
+            }
         }
-        const double mean = exp(-search_all(&s, bound > 0) / 2);
-        const double worst = worst_ratio(&s, limits, ratio);
-        bound = fmax(bound, mean);
-        if (enough > 0 && bound > enough) {
-            return bound;
-        }
-        idle = worst < best * (1 - MATCH / 10) ? 0 : idle + 1;
-        if (worst < best) {
-            search copy = s;
-            best = worst;
-            travel(&copy, direction);
-        }
-        move_weights(share, ratio);
     }
-    return best;
+    travel(n, best, direction);
+    return least;
 }

@@ -55,6 +55,7 @@ static const char *const operands[] = {"A", "B"};
 static const option_syntax syntax = {"plan", options, OPTIONS, operands, 2, 2};
 
 #define WORD_MAX 4200u
+#define WEAK 10.0
 #define ROWS_MAX (INVCAL_PLAN_PER_GROUP_MAX - INVCAL_PLAN_PER_GROUP_MIN + 1)
 
 /* What the command line asks for. */
@@ -75,15 +76,16 @@ static int usage(unsigned which, const char *what)
     return message_usage(syntax.command, "%s: %s", options[which].name, what);
 }
 
-/* A number above `least`, or a default if it is not given. */
-static int read_number(const request *r, unsigned which, double least, double *out)
+/* A number within bounds, if it is given. */
+static int read_number(const request *r, unsigned which, double least, double most, double *out)
 {
     if (!r->value[which]) {
         return EXIT_GOOD;
     }
     const int failure = options_numbers(&syntax, which, r->value[which], 1, out, NULL);
-    if (!failure && !(*out > least || (least < 0 && *out >= 0))) {
-        return usage(which, least < 0 ? "is not negative" : "is above 0");
+    if (!failure && !(*out >= least && *out <= most)) {
+        return message_usage(syntax.command, "%s %s: must be within %g ... %g", options[which].name,
+                             r->value[which], least, most);
     }
     return failure;
 }
@@ -94,13 +96,14 @@ static int read_cost(request *r)
 
     cost->dwell = 5;
     cost->move = 5;
-    int failure = read_number(r, NOISE, 0, &cost->noise);
-    failure = failure ? failure : read_number(r, DWELL, 0, &cost->dwell);
-    failure = failure ? failure : read_number(r, MOVE, -1, &cost->move);
-    return failure ? failure : read_number(r, BUDGET, 0, &r->choice.budget);
+    int failure = read_number(r, NOISE, 1e-12, 1, &cost->noise);
+    failure = failure ? failure : read_number(r, DWELL, 1e-3, 1e6, &cost->dwell);
+    failure = failure ? failure : read_number(r, MOVE, 0, 1e6, &cost->move);
+    return failure ? failure : read_number(r, BUDGET, 1e-3, 1e9, &r->choice.budget);
 }
 
-/* Limits in units of the noise of a position mean, or, if that is told, of the field. */
+/* Limits in units of the noise of a position mean, or, if that is told, of the field. A sigma
+ * above WEAK is too weak for invcal calibrate, whatever the limit allows. */
 static int read_limits(request *r)
 {
     const double unit = r->choice.cost.noise > 0 ? design_noise(&r->choice.cost) : 1;
@@ -110,10 +113,11 @@ static int read_limits(request *r)
     }
     const int failure = options_numbers(&syntax, LIMITS, r->value[LIMITS], 3, r->limits, NULL);
     for (unsigned i = 0; i < 3 && !failure; i++) {
-        if (!(r->limits[i] > 0)) {
-            return usage(LIMITS, "a standard deviation is above 0");
-        }
         r->limits[i] /= unit;
+        if (!(r->limits[i] >= 1e-6 && r->limits[i] <= 1e6)) {
+            return usage(LIMITS, "must be within 1e-6 ... 1e6 times the noise of a position mean");
+        }
+        r->limits[i] = fmin(r->limits[i], WEAK);
     }
     r->choice.limits = r->limits;
     return failure;
@@ -138,6 +142,9 @@ static int read_set(request *r)
     if (value[START] && which >= 0 && which != PER_GROUP) {
         return usage(START, "belongs to --per-group");
     }
+    if (value[PER_GROUP] && strchr(value[PER_GROUP], ':')) {
+        return usage(PER_GROUP, "is a number; --start has the angles");
+    }
     r->has_set = which >= 0 || value[START];
     if (which < 0 || which == PER_GROUP) {
         snprintf(r->word, sizeof r->word, "per-group:%s%s%s",
@@ -160,6 +167,9 @@ static int check(const request *r)
     }
     if (value[SWEEP] && value[COMPARE]) {
         return usage(SWEEP, "cannot be joined with --compare");
+    }
+    if (value[SWEEP] && (value[NOISE] || value[DWELL] || value[MOVE])) {
+        return usage(SWEEP, "knows no time and noise; leave out --noise, --dwell, --move");
     }
     if ((value[SWEEP] || value[COMPARE]) && (value[LIMITS] || value[BUDGET])) {
         return usage(value[LIMITS] ? LIMITS : BUDGET,
@@ -188,6 +198,10 @@ static int read_request(int argc, char **argv, request *r)
     *r = (request){0};
     int failure = options_parse(&syntax, argc, argv, r->value, r->operand);
 
+    if (!failure && r->value[DIRECTIONS] && r->value[SVG] &&
+        output_is_same(r->value[SVG], r->value[DIRECTIONS])) {
+        failure = usage(SVG, "is the file of --directions, which would be lost");
+    }
     failure = failure ? failure : read_set(r);
     failure = failure ? failure : check(r);
     failure = failure ? failure : read_cost(r);
@@ -293,13 +307,16 @@ static int show(const request *r)
     if (r->choice.limits) { /* with --optimal: the same number, balanced to the limits */
         design_balanced(&sets[0], sets[0].count, r->limits);
     }
-    return deliver(&found);
+    return sets[0].is_solvable ? deliver(&found) : refuse(r, &sets[0], sets[0].refusal);
 }
 
 static int compare(const request *r)
 {
     const result found = {.asked = r, .set = {&sets[0], &sets[1]}};
 
+    if (strcmp(r->operand[0], "directions:-") == 0 && strcmp(r->operand[1], "directions:-") == 0) {
+        return usage(COMPARE, "only one set can be the standard input");
+    }
     for (unsigned i = 0; i < 2; i++) {
         const int failure = design_make(&sets[i], syntax.command, r->operand[i]);
         if (failure) {
@@ -389,14 +406,16 @@ static const char *const help[] = {
     "  --faces             each axis up and down: 6 positions, too few for nine parameters\n"
     "  --edges             these and the 12 midway between two axes: 18 positions\n"
     "  --icosahedron       its 12 corners\n"
-    "  --optimal N         N positions, 9 to 48, with the largest determinant of H'H\n"
-    "                      (D-optimal); with --limits as even as can be against them\n"
+    "  --optimal N         N positions, 9 to 144, with the largest determinant of H'H\n"
+    "                      (D-optimal); with --limits as far below them as can be, met or not\n"
     "  --directions FILE   the columns x y z of a table, of any length; - is standard input\n",
     "  --limits D,K,G      chooses the smallest set whose sigma of offsets, scale errors and\n"
     "                      angles are within limits: times the noise of a position mean, or,\n"
-    "                      with --noise, over the field (0.001 is 1 mg), 1 and rad\n"
+    "                      with --noise, over the field (0.001 is 1 mg), 1 and rad. Never above\n"
+    "                      10 times the noise, which invcal calibrate would call weak\n"
     "  --budget SECONDS    chooses the set of the largest determinant that fits; with --limits:\n"
-    "                      only sets that fit\n"
+    "                      only sets that fit. Both choose among the paper's programs and free\n"
+    "                      directions, the latter up to 144\n"
     "  --noise S           standard deviation of the mean of one second at rest, over the field\n"
     "                      (0.0001 is 0.1 mg)\n"
     "  --dwell T           seconds in each position; default 5\n"

@@ -84,6 +84,7 @@ static void write_cost(json_writer *w, const design *d, const choice_request *re
         json_object_end(w);
     }
     if (request->limits && d->is_solvable) {
+        json_vector(w, "limits", request->limits);
         json_number(w, "worst_ratio", choice_worst(&d->criteria, request->limits));
     }
 }
@@ -97,6 +98,7 @@ static void write_summary(json_writer *w, const design *d, const choice_request 
         json_vector(w, "start", d->plan.start);
     }
     json_number(w, "labour", d->count);
+    json_number(w, "redundancy", (double)d->count - INVCAL_PARAMETERS);
     write_criteria(w, &d->criteria, d->is_solvable);
     write_axes(w, d->axes);
     json_list(w, "range");

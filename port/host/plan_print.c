@@ -80,6 +80,26 @@ static void print_sigmas(FILE *file, const design *d, const design_cost *cost)
     fprintf(file, "condition %.4f, ln det H'H %.4f\n", c->condition, c->log_det);
 }
 
+/* What invcal calibrate would say of such a set, and how it stands to the limits. */
+static void print_verdict(FILE *file, const design *d, const choice_request *request)
+{
+    const invcal_criteria *c = &d->criteria;
+
+    if (request->limits) {
+        const double worst = choice_worst(c, request->limits);
+        fprintf(file, "worst sigma / limit: %.4f%s\n", worst,
+                worst > 1 + 1e-9 ? ": the limits are not met" : "");
+    }
+    if (d->count == INVCAL_PARAMETERS) {
+        fprintf(file,
+                "nine positions for nine parameters: nothing checks the result; three more are "
+                "good\n");
+    }
+    if (!(fmax(c->sigma_delta, fmax(c->sigma_dk, c->sigma_gamma)) <= 10)) {
+        fprintf(file, "weak: a sigma above 10 times the noise is of little use\n");
+    }
+}
+
 /* What each axis feels, and which stand along gravity. */
 static void print_coverage(FILE *file, const design *d)
 {
@@ -113,9 +133,9 @@ static void print_groups(FILE *file, const invcal_plan *plan)
     fprintf(file, "det H5'H5 of the groups:");
     for (unsigned g = 1; g <= INVCAL_PLAN_GROUPS; g++) {
         (void)invcal_series_information(plan, g, sums); /* the plan is usable */
-        fprintf(file, " %.6g", bound * invcal_series_efficiency(sums));
+        fprintf(file, " %.6f", invcal_series_efficiency(sums));
     }
-    fprintf(file, "; the most that %u positions on a circle can have is %.6g\n", plan->per_group,
+    fprintf(file, " of the most that %u positions on a circle can have, %.8g\n", plan->per_group,
             bound);
 }
 
@@ -135,6 +155,7 @@ static void print_choice(FILE *file, const choice *c, const choice_request *requ
 {
     static const char *const families[] = {"stand program", "free directions"};
 
+    fprintf(file, "sigma, times the noise of a position mean\n\n");
     fprintf(file, "%-24s%10s%10s%10s%10s%10s%s\n", "", "positions", "seconds", "offsets", "scales",
             "angles", request->limits ? "   worst/limit" : "");
     if (request->limits) {
@@ -173,6 +194,7 @@ void plan_print(FILE *file, const design *d, const choice_request *request, cons
     print_positions(file, d);
     if (d->is_solvable) {
         print_sigmas(file, d, &request->cost);
+        print_verdict(file, d, request);
     }
     print_coverage(file, d);
     if (d->plan.per_group > 0) {
@@ -227,6 +249,13 @@ void plan_print_comparison(FILE *file, const design *a, const design *b,
     print_pair(file, "sigma offsets", p->sigma_delta, q->sigma_delta);
     print_pair(file, "sigma scales", p->sigma_dk, q->sigma_dk);
     print_pair(file, "sigma angles", p->sigma_gamma, q->sigma_gamma);
+    if (cost->noise > 0) {
+        const double noise = design_noise(cost);
+        print_pair(file, "offsets, mg", 1e3 * noise * p->sigma_delta, 1e3 * noise * q->sigma_delta);
+        print_pair(file, "scales, %", 1e2 * noise * p->sigma_dk, 1e2 * noise * q->sigma_dk);
+        print_pair(file, "angles, degrees", DEGREES * noise * p->sigma_gamma,
+                   DEGREES * noise * q->sigma_gamma);
+    }
     print_pair(file, "condition", p->condition, q->condition);
     fprintf(file, "%-16s%24.6g%24.6g\n", "ln det H'H", p->log_det, q->log_det);
     print_axes_pair(file, a, b);
