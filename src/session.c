@@ -1,0 +1,413 @@
+/* SPDX-License-Identifier: MIT */
+#include "invcal/session.h"
+
+#include <string.h>
+
+#include "invcal/calibrate.h"
+#include "vector.h"
+
+#define ASKED INVCAL_REAL(0.9396926) /* cos 20 degrees */
+#define TELLING INVCAL_REAL(0.35)    /* h K h' of a position that is worth its place */
+#define FADING INVCAL_REAL(0.96875)  /* of a day, 31/32 */
+#define FADED 88u                    /* days: a sixteenth of the weight is left */
+
+static int is_number_or_none(invcal_real x)
+{
+    return x >= 0 && x <= INVCAL_REAL_MAX;
+}
+
+static int has_plan(const invcal_session_setup *setup)
+{
+    return setup->plan.per_group > 0;
+}
+
+static invcal_status check(const invcal_session_setup *setup)
+{
+    invcal_status status = invcal_settings_check(&setup->settings);
+
+    for (unsigned b = 0; b < 3; b++) {
+        if (!is_number_or_none(setup->target[b])) {
+            return INVCAL_BAD_SETTING;
+        }
+    }
+    if (status == INVCAL_OK && has_plan(setup)) {
+        status = invcal_plan_check(&setup->plan);
+    }
+    return status;
+}
+
+invcal_status invcal_session_init(invcal_session *session, const invcal_session_setup *setup)
+{
+    invcal_still still;
+
+    INVCAL_ASSERT(session && setup);
+    invcal_status status = check(setup);
+    if (status == INVCAL_OK) {
+        status = invcal_still_init(&still, setup->rate, setup->low, setup->high);
+    }
+    if (status == INVCAL_OK) {
+        memset(session, 0, sizeof *session);
+        session->setup = *setup;
+        session->still = still;
+    }
+    return status;
+}
+
+/* ---- the table of positions ------------------------------------------------------------------ */
+
+static invcal_status read_row(const invcal_session *session, const invcal_real mean[3],
+                              invcal_real u[3], invcal_observation *row)
+{
+    const invcal_settings *settings = &session->setup.settings;
+    const invcal_status status =
+        invcal_observation_reading(&settings->nominal, settings->field, mean, u);
+
+    return status == INVCAL_OK ? invcal_observation_exact(u, row) : status;
+}
+
+/* The row of a stored position; it was accepted when it was stored. */
+static void stored_row(const invcal_session *session, unsigned i, invcal_observation *row)
+{
+    invcal_real u[3];
+
+    (void)read_row(session, session->mean[i], u, row);
+}
+
+static invcal_real weight_of(const invcal_session *session, unsigned i)
+{
+    invcal_real weight = 1;
+
+    for (unsigned day = 0; day < session->age[i]; day++) {
+        weight *= FADING;
+    }
+    return weight;
+}
+
+/* Background: the sums anew, as weights and members have changed. */
+static void sum_up(invcal_session *session)
+{
+    invcal_observation row;
+
+    invcal_normal_init(&session->normal);
+    for (unsigned i = 0; i < session->stored; i++) {
+        stored_row(session, i, &row);
+        (void)invcal_normal_add(&session->normal, &row, weight_of(session, i));
+    }
+}
+
+static void drop(invcal_session *session, unsigned i)
+{
+    session->stored--;
+    memmove(&session->mean[i], &session->mean[i + 1],
+            (session->stored - i) * sizeof session->mean[i]);
+    memmove(&session->age[i], &session->age[i + 1], session->stored - i);
+}
+
+/* h K h' of a row beside those in the table. Where they leave parameters open it is huge. */
+static invcal_real telling(const invcal_session *session, const invcal_observation *row)
+{
+    invcal_real l[INVCAL_PACKED_SIZE(INVCAL_PARAMETERS)];
+    invcal_real x[INVCAL_PARAMETERS];
+
+    memcpy(l, session->normal.hth, sizeof l);
+    if (invcal_cholesky_factor(l, INVCAL_PARAMETERS, INVCAL_PIVOT_FLOOR) != INVCAL_OK) {
+        return INVCAL_REAL_MAX;
+    }
+    memcpy(x, row->h, sizeof x);
+    invcal_cholesky_forward(l, INVCAL_PARAMETERS, x);
+    return invcal_dot(x, x, INVCAL_PARAMETERS);
+}
+
+/* The stored position that tells least, by its weight and h K h'. */
+static unsigned least_telling(const invcal_session *session)
+{
+    invcal_observation row;
+    invcal_real least = INVCAL_REAL_MAX;
+    unsigned which = 0;
+
+    for (unsigned i = 0; i < session->stored; i++) {
+        stored_row(session, i, &row);
+        const invcal_real t = weight_of(session, i) * telling(session, &row);
+        if (t < least) {
+            least = t;
+            which = i;
+        }
+    }
+    return which;
+}
+
+/* ---- a position is taken ---------------------------------------------------------------------- */
+
+/* The mean over the positions, and the extremes. */
+static void note_temperature(invcal_session *session, invcal_real t)
+{
+    if (!invcal_is_finite(t)) {
+        return;
+    }
+    const int is_first = session->normal.count <= 1;
+    session->coldest = is_first || t < session->coldest ? t : session->coldest;
+    session->warmest = is_first || t > session->warmest ? t : session->warmest;
+    session->temperature +=
+        (t - session->temperature) / (is_first ? 1 : (invcal_real)session->normal.count);
+}
+
+static void store(invcal_session *session, const invcal_real mean[3])
+{
+    memcpy(session->mean[session->stored], mean, sizeof session->mean[0]);
+    session->age[session->stored++] = 0;
+}
+
+/* Background: in place of the one that tells least, if there is no room. */
+static invcal_session_what keep_if_telling(invcal_session *session, const invcal_real mean[3],
+                                           const invcal_observation *row)
+{
+    if (!(telling(session, row) > TELLING)) {
+        return INVCAL_SESSION_COVERED;
+    }
+    if (session->stored == INVCAL_MAX_POSITIONS) {
+        drop(session, least_telling(session));
+    }
+    store(session, mean);
+    sum_up(session);
+    return INVCAL_SESSION_TAKEN;
+}
+
+/* Is the reading the one that was asked for? */
+static int is_asked(const invcal_session *session, const invcal_real u[3])
+{
+    invcal_plan_position position;
+
+    if (!has_plan(&session->setup) ||
+        invcal_plan_position_at(&session->setup.plan, session->step, &position) != INVCAL_OK) {
+        return 1; /* free hand: any */
+    }
+    return invcal_dot(u, position.vertical, 3) >= ASKED * INVCAL_SQRT(invcal_dot(u, u, 3));
+}
+
+static int is_within(const invcal_real sigma[3], invcal_real target)
+{
+    for (unsigned i = 0; i < 3; i++) {
+        if (target > 0 && !(sigma[i] <= target)) {
+            return 0;
+        }
+    }
+    return 1;
+}
+
+static int reaches_target(const invcal_session *session)
+{
+    const invcal_real *target = session->setup.target;
+    invcal_solution solution;
+    invcal_quality q;
+
+    if (!(target[0] > 0 || target[1] > 0 || target[2] > 0) ||
+        invcal_session_solve(session, &solution, &q, NULL) != INVCAL_OK) {
+        return 0;
+    }
+    return q.verdict == INVCAL_GOOD && is_within(q.sigma_delta, target[0]) &&
+           is_within(q.sigma_dk, target[1]) && is_within(q.sigma_gamma, target[2]);
+}
+
+/* Procedure: the table takes what it can hold, the sums everything. */
+static invcal_session_what add(invcal_session *session, const invcal_real mean[3],
+                               const invcal_observation *row, int asked)
+{
+    const unsigned last = INVCAL_PLAN_GROUPS * session->setup.plan.per_group;
+
+    if (session->stored < INVCAL_MAX_POSITIONS) {
+        store(session, mean);
+    }
+    (void)invcal_normal_add(&session->normal, row, 1);
+    if (has_plan(&session->setup) && asked && session->step < last && ++session->step == last) {
+        return INVCAL_SESSION_FINISHED;
+    }
+    if (!session->is_enough && reaches_target(session)) {
+        session->is_enough = 1;
+        return INVCAL_SESSION_ENOUGH;
+    }
+    return INVCAL_SESSION_TAKEN;
+}
+
+static void take(invcal_session *session, const invcal_rest *rest, invcal_real temperature,
+                 invcal_event *event)
+{
+    invcal_real mean[3];
+    invcal_real u[3];
+    invcal_observation row;
+
+    invcal_rest_mean(rest, mean);
+    event->status = read_row(session, mean, u, &row);
+    if (event->status != INVCAL_OK) {
+        event->what = INVCAL_SESSION_REFUSED;
+        return;
+    }
+    event->is_asked = is_asked(session, u);
+    event->what = session->setup.background ? keep_if_telling(session, mean, &row)
+                                            : add(session, mean, &row, event->is_asked);
+    if (event->what != INVCAL_SESSION_COVERED) {
+        note_temperature(session, temperature);
+    }
+}
+
+/* A rest that is long enough, but no reading of this field: better said at once. */
+static void announce(const invcal_session *session, invcal_event *event)
+{
+    invcal_rest rest;
+    invcal_real mean[3];
+    invcal_real u[3];
+    invcal_observation row;
+
+    if (invcal_still_current(&session->still, &rest)) {
+        invcal_rest_mean(&rest, mean);
+        event->status = read_row(session, mean, u, &row);
+    }
+    event->what = event->status == INVCAL_OK ? INVCAL_SESSION_READY : INVCAL_SESSION_REFUSED;
+}
+
+static invcal_session_what digest(invcal_session *session, invcal_still_event seen,
+                                  const invcal_rest *rest, invcal_real temperature,
+                                  invcal_event *event)
+{
+    event->progress = invcal_still_progress(&session->still);
+    event->reason = INVCAL_REST_GOOD;
+    event->status = INVCAL_OK;
+    event->is_asked = 0;
+    event->rest = *rest;
+    switch (seen) {
+    case INVCAL_STILL_SETTLING:
+        event->what = INVCAL_SESSION_SETTLING;
+        break;
+    case INVCAL_STILL_READY:
+        announce(session, event);
+        break;
+    case INVCAL_STILL_TAKEN:
+        take(session, rest, temperature, event);
+        break;
+    case INVCAL_STILL_REFUSED:
+        event->what = INVCAL_SESSION_REFUSED;
+        event->reason = invcal_still_reason(&session->still);
+        break;
+    default:
+        event->what = INVCAL_SESSION_MOVING;
+        break;
+    }
+    event->positions = session->normal.count;
+    return event->what;
+}
+
+invcal_session_what invcal_session_feed(invcal_session *session, const int32_t raw[3],
+                                        invcal_real temperature, invcal_event *event)
+{
+    invcal_rest rest = {.count = 0};
+
+    INVCAL_ASSERT(session && raw && event);
+    const invcal_still_event seen = invcal_still_push(&session->still, raw, &rest);
+    return seen == INVCAL_STILL_NONE ? INVCAL_SESSION_NOTHING
+                                     : digest(session, seen, &rest, temperature, event);
+}
+
+void invcal_session_gap(invcal_session *session)
+{
+    INVCAL_ASSERT(session);
+    invcal_still_gap(&session->still);
+}
+
+invcal_session_what invcal_session_finish(invcal_session *session, invcal_event *event)
+{
+    invcal_rest rest = {.count = 0};
+
+    INVCAL_ASSERT(session && event);
+    const invcal_still_event seen = invcal_still_finish(&session->still, &rest);
+    return digest(session, seen, &rest, session->temperature, event);
+}
+
+/* ---- what to do next, and the result ---------------------------------------------------------- */
+
+invcal_status invcal_session_next(const invcal_session *session, invcal_guidance *next)
+{
+    invcal_plan_position position;
+    invcal_real u[3];
+    invcal_observation row;
+    const invcal_real *current = NULL;
+
+    INVCAL_ASSERT(session && next);
+    if (has_plan(&session->setup)) {
+        const invcal_status status =
+            invcal_plan_position_at(&session->setup.plan, session->step, &position);
+        return status == INVCAL_OK ? invcal_guidance_of(&session->normal, position.vertical, next)
+                                   : INVCAL_TOO_FEW;
+    }
+    if (session->stored > 0 && session->stored < INVCAL_MAX_POSITIONS &&
+        read_row(session, session->mean[session->stored - 1], u, &row) == INVCAL_OK) {
+        current = u;
+    }
+    return invcal_guidance_next(&session->normal, current, next);
+}
+
+/* Takes the outliers out of the sums, and their weight. */
+static invcal_status leave_out(const invcal_session *session, invcal_normal *normal,
+                               invcal_real *weight, invcal_outliers *outliers)
+{
+    invcal_observation row;
+    const invcal_status status = invcal_outliers_find(&session->mean[0][0], session->stored,
+                                                      &session->setup.settings, outliers);
+
+    for (unsigned i = 0; i < session->stored && status == INVCAL_OK; i++) {
+        if (outliers->removed >> i & 1u) {
+            stored_row(session, i, &row);
+            (void)invcal_normal_remove(normal, &row, weight[i]);
+            weight[i] = 0;
+        }
+    }
+    return status;
+}
+
+invcal_status invcal_session_solve(const invcal_session *session, invcal_solution *solution,
+                                   invcal_quality *quality, invcal_outliers *outliers)
+{
+    invcal_real weight[INVCAL_MAX_POSITIONS];
+    const invcal_positions positions = {&session->mean[0][0], weight, session->stored};
+    invcal_normal normal = session->normal;
+
+    INVCAL_ASSERT(session && solution && quality);
+    if (session->stored == 0) {
+        return INVCAL_TOO_FEW;
+    }
+    for (unsigned i = 0; i < session->stored; i++) {
+        weight[i] = weight_of(session, i);
+    }
+    if (outliers) {
+        memset(outliers, 0, sizeof *outliers);
+        const invcal_status status = leave_out(session, &normal, weight, outliers);
+        if (status != INVCAL_OK && status != INVCAL_TOO_FEW) {
+            return status;
+        }
+    }
+    return invcal_calibrate_sums(&normal, &positions, &session->setup.settings, solution, quality);
+}
+
+void invcal_session_age(invcal_session *session)
+{
+    INVCAL_ASSERT(session);
+    if (!session->setup.background) {
+        return;
+    }
+    for (unsigned i = session->stored; i-- > 0;) {
+        if (++session->age[i] > FADED) {
+            drop(session, i);
+        }
+    }
+    sum_up(session);
+}
+
+static invcal_real squares(const invcal_quality *q)
+{
+    return invcal_dot(q->sigma_delta, q->sigma_delta, 3) + invcal_dot(q->sigma_dk, q->sigma_dk, 3) +
+           invcal_dot(q->sigma_gamma, q->sigma_gamma, 3);
+}
+
+int invcal_session_improves(const invcal_quality *found, const invcal_quality *present)
+{
+    INVCAL_ASSERT(found && present);
+    return found->verdict <= present->verdict && squares(found) < squares(present);
+}
