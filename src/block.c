@@ -1,0 +1,157 @@
+/* SPDX-License-Identifier: MIT */
+#include "invcal/block.h"
+
+#include <string.h>
+
+#define NEAR_MAX (UINT32_C(1) << 14) /* squares of three axes stay below 2^31 */
+#define FAR ((int64_t)INVCAL_BLOCK_FAR)
+#define SQUARE_EXACT 54 /* bits: times a size below 2^10 it fits 64 */
+
+invcal_status invcal_block_init(invcal_block *block, unsigned size, int32_t low, int32_t high)
+{
+    INVCAL_ASSERT(block);
+    if (size < 2 || size > INVCAL_BLOCK_SIZE_MAX || low >= high) {
+        return INVCAL_BAD_SETTING;
+    }
+    const uint32_t eighth = ((uint32_t)high - (uint32_t)low) / 8;
+    memset(block, 0, sizeof *block);
+    block->size = (uint16_t)size;
+    block->low = low;
+    block->high = high;
+    block->near = (uint16_t)(eighth < NEAR_MAX ? eighth : NEAR_MAX);
+    return INVCAL_OK;
+}
+
+/* Where all that is near the first sample is off the rails too, one comparison will tell both. */
+static void begin(invcal_block *block, const int32_t raw[3])
+{
+    block->span = (uint16_t)(2 * block->near);
+    for (unsigned a = 0; a < 3; a++) {
+        block->first[a] = raw[a];
+        block->sum[a] = 0;
+        if ((int64_t)block->first[a] - block->low <= block->near ||
+            (int64_t)block->high - block->first[a] <= block->near) {
+            block->span = 0;
+        }
+    }
+    block->square = 0;
+    block->clipped = 0;
+    block->wild = 0;
+}
+
+/* Modulo 2^32, which unsigned arithmetic does everywhere alike. */
+static int is_near(const invcal_block *block, unsigned a, int32_t raw)
+{
+    return (uint32_t)raw - (uint32_t)block->first[a] + block->near < block->span;
+}
+
+static void add_near(invcal_block *block, const int32_t raw[3])
+{
+    const int32_t x = raw[0] - block->first[0];
+    const int32_t y = raw[1] - block->first[1];
+    const int32_t z = raw[2] - block->first[2];
+
+    block->sum[0] += x;
+    block->sum[1] += y;
+    block->sum[2] += z;
+    block->square += (uint32_t)(x * x + y * y + z * z);
+}
+
+/* The same for any sample: at a rail, of a noise above 2^14 counts, or in motion. */
+static void add_any(invcal_block *block, const int32_t raw[3])
+{
+    for (unsigned a = 0; a < 3; a++) {
+        const int64_t d = (int64_t)raw[a] - block->first[a];
+        if (raw[a] <= block->low || raw[a] >= block->high) {
+            block->clipped = 1;
+        }
+        if (d > FAR || d < -FAR) {
+            block->wild = 1;
+        } else {
+            block->sum[a] += d;
+            block->square += (uint64_t)(d * d);
+        }
+    }
+}
+
+/* Only until a change by one count is seen, with most sensors the first second. */
+static void learn_quantum(invcal_block *block, const int32_t raw[3])
+{
+    for (unsigned a = 0; a < 3; a++) {
+        const int64_t d = (int64_t)raw[a] - block->first[a];
+        const uint32_t change = (uint32_t)(d < 0 ? -d : d);
+        if (change > 0 && (block->quantum == 0 || change < block->quantum)) {
+            block->quantum = change;
+        }
+    }
+}
+
+int invcal_block_add(invcal_block *block, const int32_t raw[3])
+{
+    INVCAL_ASSERT(block && raw);
+    if (block->count == 0) {
+        begin(block, raw);
+    }
+    if (is_near(block, 0, raw[0]) && is_near(block, 1, raw[1]) && is_near(block, 2, raw[2])) {
+        add_near(block, raw);
+    } else {
+        add_any(block, raw);
+    }
+    if (block->quantum != 1) {
+        learn_quantum(block, raw);
+    }
+    block->count++;
+    if (block->count < block->size) {
+        return 0;
+    }
+    block->count = 0;
+    return 1;
+}
+
+void invcal_block_drop(invcal_block *block)
+{
+    INVCAL_ASSERT(block);
+    block->count = 0;
+}
+
+void invcal_block_mean(const invcal_block *block, int32_t mean[3])
+{
+    const int64_t n = block->size;
+
+    INVCAL_ASSERT(block && mean);
+    for (unsigned a = 0; a < 3; a++) {
+        const int64_t half = block->sum[a] < 0 ? -(n / 2) : n / 2;
+        mean[a] = (int32_t)(block->first[a] + (block->sum[a] + half) / n);
+    }
+}
+
+/* sum d^2 - (sum d)^2 / n in floating point: d is measured from a sample of the block, no further
+ * away than the noise, so little cancels. */
+static invcal_real large_variance(const invcal_block *block)
+{
+    const invcal_real n = block->size;
+    invcal_real squares = (invcal_real)block->square;
+
+    for (unsigned a = 0; a < 3; a++) {
+        const invcal_real sum = (invcal_real)block->sum[a];
+        squares -= sum * sum / n;
+    }
+    return squares > 0 ? squares / (n - 1) : 0;
+}
+
+invcal_real invcal_block_variance(const invcal_block *block)
+{
+    const uint64_t n = block->size;
+    uint64_t scatter = n * block->square;
+
+    INVCAL_ASSERT(block);
+    if (block->square >> SQUARE_EXACT) {
+        return large_variance(block);
+    }
+    for (unsigned a = 0; a < 3; a++) {
+        const int64_t sum = block->sum[a];
+        const uint64_t size = (uint64_t)(sum < 0 ? -sum : sum);
+        scatter -= size * size; /* never below 0: Cauchy and Schwarz */
+    }
+    return (invcal_real)scatter / (invcal_real)(uint32_t)(n * (n - 1));
+}
