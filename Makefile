@@ -33,7 +33,14 @@ help: ## this list
 
 all: $(BUILD)/float/libinvcal.a $(BUILD)/double/libinvcal.a $(BUILD)/invcal ## both libraries and the tool
 
-demo: $(BUILD)/invcal ## calibrate a real sensor from its 38 recorded rest positions
+demo: $(BUILD)/invcal ## from a raw log to calibrated readings; then a real sensor's positions
+	@echo 'A simulated sensor, carried by hand through 18 orientations, 5 seconds in each:'
+	@echo
+	$(BUILD)/invcal simulate --plan edges --truth $(BUILD)/demo-truth.json > $(BUILD)/demo-log.csv
+	$(BUILD)/invcal calibrate $(BUILD)/demo-log.csv --out $(BUILD)/demo-cal.json
+	$(BUILD)/invcal apply $(BUILD)/demo-cal.json $(BUILD)/demo-log.csv > $(BUILD)/demo-calibrated.csv
+	@sed -n '1,4p' $(BUILD)/demo-log.csv; echo '... becomes'; sed -n '1,4p' $(BUILD)/demo-calibrated.csv
+	@echo
 	@echo 'Xsens MTi, 38 hand-held rest positions in raw counts; "factory" are its maker'"'"'s figures.'
 	@echo
 	$(BUILD)/invcal calibrate tests/data/xsens_mti_positions.csv --positions \
@@ -72,7 +79,12 @@ $(BUILD)/positions.h: tests/data/to_c.awk $(DATA)
 	@mkdir -p $(@D)
 	$(Q)awk -f $^ > $@
 
-$(BUILD)/invcal: $(HOST:%.c=$(BUILD)/double/%.o) $(BUILD)/double/libinvcal.a
+# The host tool: the library in double, with room for more positions than a device has.
+$(BUILD)/tool/%.o: %.c
+	@mkdir -p $(@D)
+	$(Q)$(CC) $(FLAGS) -DINVCAL_DOUBLE=1 -DINVCAL_MAX_POSITIONS=64 $(ASSERT_FLAGS) -MMD -c $< -o $@
+
+$(BUILD)/invcal: $(HOST:%.c=$(BUILD)/tool/%.o) $(SOURCES:%.c=$(BUILD)/tool/%.o)
 	$(Q)$(CC) $(FLAGS) $^ -lm -o $@
 
 # ---- tests ------------------------------------------------------------------------------------

@@ -39,6 +39,7 @@ suite unity sh "$tests/unity/selftest.sh" "$build/unity"
 suite library sh "$tests/library.sh" "$build"
 suite readme sh "$tests/readme.sh" "$build"
 suite tool sh "$tests/tool/tool_test.sh" "$build/invcal" "$build/tool"
+suite log sh "$tests/tool/log_test.sh" "$build/invcal" "$build/tool"
 suite plan sh "$tests/tool/plan_test.sh" "$build/invcal" "$build/tool"
 
 echo "$passed passed, $failed failed"

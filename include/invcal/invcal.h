@@ -7,12 +7,18 @@
  *                 -> quality -> calibrate
  *
  *     plan -> criteria, series: which positions to visit, and what they are worth
+ *     block -> still: samples to rest positions
+ *     fisher -> outlier, guidance: positions that are wrong, and the one to take next
+ *     session: the whole procedure;  record, resume -> store: what survives a reset
  */
 #ifndef INVCAL_INVCAL_H
 #define INVCAL_INVCAL_H
 
 #include "invcal/calibrate.h"
 #include "invcal/criteria.h"
+#include "invcal/record.h"
 #include "invcal/series.h"
+#include "invcal/session.h"
+#include "invcal/store.h"
 
 #endif

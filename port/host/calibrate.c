@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * invcal calibrate: position means in, a calibration out.
+ * invcal calibrate: a log or position means in, a calibration out.
  */
 #include "calibrate.h"
 
@@ -9,8 +9,10 @@
 
 #include "calibration_file.h"
 #include "columns.h"
+#include "design.h"
 #include "command.h"
 #include "input.h"
+#include "live.h"
 #include "message.h"
 #include "options.h"
 #include "output.h"
@@ -25,6 +27,11 @@ enum {
     NOMINAL_NAME,
     NOISE,
     PRIOR,
+    RATE,
+    CLIP,
+    PLAN,
+    TARGET,
+    KEEP_ALL,
     OUT,
     JSON,
     OPTIONS
@@ -40,24 +47,38 @@ static const option options[OPTIONS] = {
     [NOMINAL_NAME] = {"--nominal-name", 1},
     [NOISE] = {"--noise", 1},
     [PRIOR] = {"--prior", 1},
+    [RATE] = {"--rate", 1},
+    [CLIP] = {"--clip", 1},
+    [PLAN] = {"--plan", 1},
+    [TARGET] = {"--target", 1},
+    [KEEP_ALL] = {"--keep-all", 0},
     [OUT] = {"--out", 1},
     [JSON] = {"--json", 0},
 };
-static const char *const operands[] = {"FILE"};
-static const option_syntax syntax = {"calibrate", options, OPTIONS, operands, 1, 0};
+static const char *const operands[] = {"LOG"};
+static const option_syntax calibrate_syntax = {"calibrate", options, OPTIONS, operands, 1, 0};
+static const option_syntax watch_syntax = {"watch", options, OPTIONS, operands, 1, 0};
+
+/* Too large for the stack; only its plan is used. */
+static design live_plan;
 
 /* What the command line asks for. */
 typedef struct {
+    const option_syntax *syntax; /* whose command it is: calibrate or watch */
     const char *file;
     const char *value[OPTIONS]; /* as it was given; null: it was not */
     double zero[3];             /* of --zero, */
     double lsb[3];              /* --lsb */
-    invcal_settings settings;   /* all but the nominal, and the noise unless stated */
+    double rate;                /* 0: not given */
+    double clip[2];
+    double target[3];
+    invcal_plan plan;
+    invcal_settings settings; /* all but the nominal, and the noise unless stated */
 } request;
 
-static int usage(unsigned which, const char *what)
+static int usage(const request *r, unsigned which, const char *what)
 {
-    return message_usage(syntax.command, "%s: %s", options[which].name, what);
+    return message_usage(r->syntax->command, "%s: %s", options[which].name, what);
 }
 
 static int read_gravity(request *r)
@@ -66,10 +87,11 @@ static int read_gravity(request *r)
 
     r->settings.field = 9.80665;
     if (r->value[GRAVITY]) {
-        failure = options_numbers(&syntax, GRAVITY, r->value[GRAVITY], 1, &r->settings.field, NULL);
+        failure =
+            options_numbers(r->syntax, GRAVITY, r->value[GRAVITY], 1, &r->settings.field, NULL);
     }
     if (!failure && !(r->settings.field > 0)) {
-        failure = usage(GRAVITY, "the length of a field is above 0");
+        failure = usage(r, GRAVITY, "the length of a field is above 0");
     }
     return failure;
 }
@@ -83,7 +105,7 @@ static int read_frame(request *r)
     } else if (strcmp(name, "symmetric") == 0) {
         r->settings.frame = INVCAL_FRAME_SYMMETRIC;
     } else {
-        return usage(FRAME, "is symmetric or triangular");
+        return usage(r, FRAME, "is symmetric or triangular");
     }
     return EXIT_GOOD;
 }
@@ -94,21 +116,21 @@ static int read_nominal(request *r)
     int single = 0;
 
     if (r->value[NOMINAL] && (r->value[ZERO] || r->value[LSB])) {
-        return usage(NOMINAL, "holds zero and scale, so leave out --zero and --lsb");
+        return usage(r, NOMINAL, "holds zero and scale, so leave out --zero and --lsb");
     }
     if (r->value[NOMINAL_NAME] && strlen(r->value[NOMINAL_NAME]) > CALIBRATE_NAME_MAX) {
-        return usage(NOMINAL_NAME, "is a word of at most 14 bytes");
+        return usage(r, NOMINAL_NAME, "is a word of at most 14 bytes");
     }
     if (r->value[ZERO]) {
-        failure = options_numbers(&syntax, ZERO, r->value[ZERO], 3, r->zero, NULL);
+        failure = options_numbers(r->syntax, ZERO, r->value[ZERO], 3, r->zero, NULL);
     }
     if (!failure && r->value[LSB]) {
-        failure = options_numbers(&syntax, LSB, r->value[LSB], 3, r->lsb, &single);
+        failure = options_numbers(r->syntax, LSB, r->value[LSB], 3, r->lsb, &single);
         r->lsb[1] = single ? r->lsb[0] : r->lsb[1];
         r->lsb[2] = single ? r->lsb[0] : r->lsb[2];
     }
     for (unsigned i = 0; i < 3 && !failure && r->value[LSB]; i++) {
-        failure = fabs(r->lsb[i]) > 0 ? EXIT_GOOD : usage(LSB, "a scale is not 0");
+        failure = fabs(r->lsb[i]) > 0 ? EXIT_GOOD : usage(r, LSB, "a scale is not 0");
     }
     return failure;
 }
@@ -118,9 +140,9 @@ static int read_noise(request *r)
     int failure = EXIT_GOOD;
 
     if (r->value[NOISE]) {
-        failure = options_numbers(&syntax, NOISE, r->value[NOISE], 1, &r->settings.noise, NULL);
+        failure = options_numbers(r->syntax, NOISE, r->value[NOISE], 1, &r->settings.noise, NULL);
         if (!failure && !(r->settings.noise > 0)) {
-            failure = usage(NOISE, "a standard deviation is above 0");
+            failure = usage(r, NOISE, "a standard deviation is above 0");
         }
     }
     return failure;
@@ -135,39 +157,89 @@ static int read_prior(request *r)
         return EXIT_GOOD;
     }
     if (!r->value[NOMINAL] && !(r->value[ZERO] && r->value[LSB])) {
-        return usage(PRIOR, "says how far the nominal calibration may be wrong, so state that: "
-                            "--zero and --lsb, or --nominal");
+        return usage(r, PRIOR,
+                     "says how far the nominal calibration may be wrong, so state that: "
+                     "--zero and --lsb, or --nominal");
     }
-    failure = options_numbers(&syntax, PRIOR, r->value[PRIOR], 3, sigma, NULL);
+    failure = options_numbers(r->syntax, PRIOR, r->value[PRIOR], 3, sigma, NULL);
     for (unsigned p = 0; p < INVCAL_PARAMETERS && !failure; p++) {
         r->settings.prior[p] = sigma[p / 3];
-        failure = sigma[p / 3] >= 0 ? EXIT_GOOD : usage(PRIOR, "no standard deviation is negative");
+        failure =
+            sigma[p / 3] >= 0 ? EXIT_GOOD : usage(r, PRIOR, "no standard deviation is negative");
     }
     return failure;
 }
 
-static int read_request(int argc, char **argv, request *r)
+/* What only a log of samples has. */
+static int read_log_options(request *r)
 {
-    *r = (request){0};
-    int failure = options_parse(&syntax, argc, argv, r->value, &r->file);
+    int failure = EXIT_GOOD;
 
-    if (!failure && !r->value[POSITIONS]) {
-        failure = message_usage(syntax.command,
-                                "%s: raw logs are not read by this version; if each row is the "
-                                "mean of one rest position, add --positions",
-                                r->file);
+    if (r->value[POSITIONS] && (r->value[RATE] || r->value[CLIP])) {
+        return usage(r, r->value[RATE] ? RATE : CLIP, "is of samples; position means have none");
     }
+    if (r->value[RATE]) {
+        failure = options_numbers(r->syntax, RATE, r->value[RATE], 1, &r->rate, NULL);
+        if (!failure && !(r->rate >= INVCAL_STILL_RATE_MIN && r->rate <= INVCAL_STILL_RATE_MAX)) {
+            failure = usage(r, RATE, "is 8 to 8000 samples a second");
+        }
+    }
+    if (!failure && r->value[CLIP]) {
+        failure = options_numbers(r->syntax, CLIP, r->value[CLIP], 2, r->clip, NULL);
+        if (!failure && !(r->clip[0] < r->clip[1])) {
+            failure = usage(r, CLIP, "is the least and the greatest reading");
+        }
+    }
+    return failure;
+}
+
+/* What only a live stream has. */
+static int read_live_options(request *r)
+{
+    const int is_live = r->syntax == &watch_syntax;
+    design *set = &live_plan;
+    int failure = EXIT_GOOD;
+
+    if (!is_live && (r->value[PLAN] || r->value[TARGET])) {
+        return usage(r, r->value[PLAN] ? PLAN : TARGET, "is for invcal watch");
+    }
+    if (is_live && r->value[POSITIONS]) {
+        return usage(r, POSITIONS, "is for invcal calibrate; a live stream has samples");
+    }
+    if (r->value[TARGET]) {
+        failure = options_numbers(r->syntax, TARGET, r->value[TARGET], 3, r->target, NULL);
+        for (unsigned i = 0; i < 3 && !failure; i++) {
+            failure = r->target[i] >= 0 ? EXIT_GOOD : usage(r, TARGET, "is not negative");
+        }
+    }
+    if (!failure && r->value[PLAN]) {
+        failure = design_make(set, r->syntax->command, r->value[PLAN]);
+        r->plan = set->plan;
+        if (failure == EXIT_DATA || (!failure && r->plan.per_group == 0)) {
+            failure = usage(r, PLAN, "is per-group:N, N from 5, or left out: any directions");
+        }
+    }
+    return failure;
+}
+
+static int read_request(int argc, char **argv, const option_syntax *syntax, request *r)
+{
+    *r = (request){.syntax = syntax};
+    int failure = options_parse(r->syntax, argc, argv, r->value, &r->file);
+
     if (!failure && r->value[NOMINAL] && input_is_stdin(r->value[NOMINAL]) &&
         input_is_stdin(r->file)) {
-        failure = usage(NOMINAL, "only one input can be the standard input");
+        failure = usage(r, NOMINAL, "only one input can be the standard input");
     }
     if (!failure && r->value[OUT] && output_is_same(r->value[OUT], r->file)) {
-        failure = usage(OUT, "is FILE itself, whose positions would be lost");
+        failure = usage(r, OUT, "is LOG itself, which would be lost");
     }
     failure = failure ? failure : read_gravity(r);
     failure = failure ? failure : read_frame(r);
     failure = failure ? failure : read_nominal(r);
     failure = failure ? failure : read_noise(r);
+    failure = failure ? failure : read_log_options(r);
+    failure = failure ? failure : read_live_options(r);
     return failure ? failure : read_prior(r);
 }
 
@@ -177,7 +249,7 @@ static int refuse_nominal(const request *r, const positions *data, const nominal
     const invcal_reason all = {data->count, (1u << INVCAL_PARAMETERS) - 1};
 
     if (r->value[LSB]) {
-        return usage(LSB, "is too small or too large a scale for any calculation");
+        return usage(r, LSB, "is too small or too large a scale for any calculation");
     }
     return calibrate_refuse(data, &r->settings, n, INVCAL_UNDETERMINED, &all,
                             r->value[JSON] != NULL);
@@ -228,14 +300,15 @@ static int settle_noise(const request *r, const positions *data, calibrate_resul
     }
     if (!(result->settings.noise <= result->settings.field)) {
         if (r->value[NOISE]) {
-            return usage(NOISE, "is larger than the field (--gravity)");
+            return usage(r, NOISE, "is larger than the field (--gravity)");
         }
         message("%s: its std columns tell a noise larger than the field (--gravity)", data->name);
         return EXIT_FILE;
     }
     if (invcal_has_prior(&result->settings) && !(result->settings.noise > 0)) {
-        return usage(PRIOR, "is weighed against the noise of a position mean, so state that: "
-                            "--noise, or columns std and n");
+        return usage(r, PRIOR,
+                     "is weighed against the noise of a position mean, so state that: "
+                     "--noise, or columns std and n");
     }
     return EXIT_GOOD;
 }
@@ -265,12 +338,20 @@ static int solve(const request *r, const positions *data, calibrate_result *resu
     if (failure) {
         return failure;
     }
-    const invcal_status status = invcal_calibrate(data->mean, data->count, &result->settings,
-                                                  &result->solution, &result->quality, &reason);
+    failure =
+        rejection_find(&result->rejected, data, &result->settings, r->value[KEEP_ALL] != NULL);
+    if (failure) {
+        return failure;
+    }
+    const invcal_status status =
+        invcal_calibrate(result->rejected.kept, result->rejected.kept_count, &result->settings,
+                         &result->solution, &result->quality, &reason);
     if (status != INVCAL_OK) {
+        reason.position = rejection_original(&result->rejected, reason.position);
         return calibrate_refuse(data, &result->settings, &result->nominal, status, &reason,
                                 r->value[JSON] != NULL);
     }
+    result->quality.worst = rejection_original(&result->rejected, result->quality.worst);
     result->residual_before = residual_of_nominal(data, &result->settings);
     return EXIT_GOOD;
 }
@@ -313,39 +394,86 @@ static int deliver(const request *r, const calibrate_result *result)
     return output_commit(&out);
 }
 
-static int run(int argc, char **argv)
+/* The positions of the file, or those that a log or a live stream rests in. */
+static int read_positions(const request *r, positions *data, rests_summary *log)
+{
+    const double *clip = r->value[CLIP] ? r->clip : NULL;
+    int failure;
+
+    if (r->value[POSITIONS]) {
+        return positions_read(data, r->file);
+    }
+    if (r->syntax == &watch_syntax) {
+        live_wish wish = {
+            .rate = r->rate, .clip = clip, .field = r->settings.field, .plan = r->plan};
+        wish.zero = r->value[ZERO] ? r->zero : NULL;
+        wish.lsb = r->value[LSB] ? r->lsb : NULL;
+        memcpy(wish.target, r->target, sizeof wish.target);
+        wish.talk = r->value[JSON] ? stderr : stdout;
+        failure = live_read(data, r->file, &wish, log);
+    } else {
+        failure = rests_read(data, r->file, r->rate, clip, log);
+    }
+    if (!failure && data->count == 0) {
+        return calibrate_no_rest(data, log, r->value[JSON] != NULL);
+    }
+    return failure;
+}
+
+static int run(int argc, char **argv, const option_syntax *syntax)
 {
     request r;
-    positions data;
-    calibrate_result result;
-    int failure = read_request(argc, argv, &r);
+    positions data = {.name = NULL};
+    rests_summary log;
+    calibrate_result result = {.data = NULL};
+    int failure = read_request(argc, argv, syntax, &r);
 
     if (failure) {
         return failure;
     }
-    failure = positions_read(&data, r.file);
+    failure = read_positions(&r, &data, &log);
+    result.log = r.value[POSITIONS] ? NULL : &log;
     failure = failure ? failure : solve(&r, &data, &result);
     failure = failure ? failure : deliver(&r, &result);
+    rejection_free(&result.rejected);
     positions_free(&data);
     return failure;
 }
 
+static int run_calibrate(int argc, char **argv)
+{
+    return run(argc, argv, &calibrate_syntax);
+}
+
+static int run_watch(int argc, char **argv)
+{
+    return run(argc, argv, &watch_syntax);
+}
+
 static const char *const help[] = {
-    "usage: invcal calibrate FILE --positions [options]\n"
+    "usage: invcal calibrate LOG [options]\n"
     "\n"
-    "Calibrates a triad of accelerometers (or magnetometers) from rest positions. In each the\n"
-    "sensor feels one and the same field; only its length must be known, no direction. Result:\n"
+    "Calibrates a triad of accelerometers (or magnetometers) that has been held still in a dozen\n"
+    "orientations or more, in any order and at any angle. In each it feels one and the same\n"
+    "field; only its length must be known, no direction. Result:\n"
     "\n"
     "  calibrated = matrix (raw - offset)\n"
     "\n"
-    "FILE is a table, - the standard input; each row is the mean of one position. Columns are\n"
-    "x y z, or x y z std n (standard deviation and number of the samples), or\n"
-    "x y z std_x std_y std_z n, or any with a header that names them:\n",
+    "LOG is a table of samples, - the standard input; the rests in it, of two seconds or more,\n"
+    "are found. Columns are x y z, or t x y z (t in seconds), or t x y z temperature; the first\n"
+    "two also with the three of a gyro behind; or any with a header that names them:\n",
     COLUMNS_NAMES,
     "Separators are semicolons, commas, tabs or blanks; lines beginning with # are comments.\n"
-    "Nine positions are the least, twelve to eighteen in all directions are good.\n"
+    "Nine positions are the least, twelve to eighteen in all directions are good. A position\n"
+    "that contradicts the others is left out and named, if eleven or more are there to tell.\n"
     "\n"
-    "  --positions         each row is a position mean (raw logs are not read by this version)\n"
+    "  --positions         each row of LOG is the mean of one position: x y z, or x y z std n\n"
+    "                      (standard deviation and number of the samples), or\n"
+    "                      x y z std_x std_y std_z n, or with a header\n"
+    "  --rate HZ           samples a second; default: by the column t, else 100\n"
+    "  --clip LOW,HIGH     the least and the greatest reading of the sensor, in input units:\n"
+    "                      rests that touch them are refused\n"
+    "  --keep-all          leaves no position out\n",
     "  --gravity G         length of the field, in the unit of the result; default 9.80665\n"
     "                      (m/s^2). For a magnetometer that of the earth's field, e.g. 48.5 (uT)\n"
     "  --frame NAME        symmetric (default): axes as near to the case as can be;\n"
@@ -366,7 +494,7 @@ static const char *const help[] = {
     "  --out CAL.json      write the result to a file, as JSON, for invcal apply\n"
     "  --json              print the result as JSON in place of the table\n"
     "\n"
-    "exit codes: 0 good; 1 the data cannot be calibrated; 2 usage; 3 FILE unreadable or\n"
+    "exit codes: 0 good; 1 the data cannot be calibrated; 2 usage; 3 LOG unreadable or\n"
     "malformed, or the output not writable\n"
     "\n"
     "example:\n"
@@ -374,4 +502,34 @@ static const char *const help[] = {
     "      --zero 33123,33276,32360 --lsb 0.0024096,0.0024213,0.0024096 --out cal.json\n",
     NULL};
 
-const tool_command calibrate_command = {"calibrate", "position means to a calibration", help, run};
+const tool_command calibrate_command = {"calibrate", "a log, or position means, to a calibration",
+                                        help, run_calibrate};
+
+static const char *const watch_help[] = {
+    "usage: invcal watch LOG [options]\n"
+    "\n"
+    "Leads through a calibration while the samples come in: tells when to hold still and when to\n"
+    "move on, where to turn next, and how exactly everything is known by now. At the end of the\n"
+    "stream it prints what invcal calibrate prints of the same samples.\n"
+    "\n"
+    "LOG is a stream of samples, as a rule - for the standard input: a serial port, or invcal\n"
+    "simulate. Its columns are those of invcal calibrate.\n"
+    "\n"
+    "  --plan per-group:N  follows the paper's program of 3 x N positions;\n"
+    "                      default: the direction that tells most, from what has been taken\n"
+    "  --target D,K,G      sigma of offsets (over the field), scale errors and angles (rad) that\n"
+    "                      is enough; 0: any\n"
+    "  --zero X,Y,Z        nominal reading in no field; default 0 for the guidance\n"
+    "  --lsb S | SX,SY,SZ  nominal scale; default: from the first samples for the guidance\n",
+    "  --gravity, --frame, --nominal-name, --noise, --rate, --clip, --keep-all, --out, --json\n"
+    "                      as for invcal calibrate. With --json the guidance goes to stderr\n"
+    "\n"
+    "exit codes: 0 good; 1 the data cannot be calibrated; 2 usage; 3 LOG unreadable or\n"
+    "malformed, or the output not writable\n"
+    "\n"
+    "example:\n"
+    "  invcal simulate --plan edges | invcal watch -\n",
+    NULL};
+
+const tool_command watch_command = {"watch", "lead through a calibration, live", watch_help,
+                                    run_watch};

@@ -10,13 +10,17 @@
 #include "invcal/calibrate.h"
 #include "nominal.h"
 #include "positions.h"
+#include "rejection.h"
+#include "rests.h"
 
 typedef struct {
     const positions *data;
+    const rests_summary *log; /* what they were found in; null: they were given */
+    rejection rejected;
     nominal_choice nominal;
     invcal_settings settings;
     invcal_solution solution;
-    invcal_quality quality;
+    invcal_quality quality; /* worst counts among all positions */
     double residual_before; /* root mean square of |nominal calibration| / field - 1 */
 } calibrate_result;
 
@@ -45,5 +49,8 @@ void calibrate_print(FILE *file, const calibrate_result *result, const char *nom
 int calibrate_refuse(const positions *data, const invcal_settings *settings,
                      const nominal_choice *nominal, invcal_status status,
                      const invcal_reason *reason, int json);
+
+/* Says that a log holds no rest, and what it holds. Returns EXIT_DATA. */
+int calibrate_no_rest(const positions *data, const rests_summary *log, int json);
 
 #endif

@@ -72,7 +72,7 @@ void calibrate_json(FILE *file, const calibrate_result *result)
     json_begin(&w, file);
     json_text(&w, "invcal", INVCAL_VERSION);
     json_number(&w, "positions", result->data->count);
-    json_parameters(&w, "rejected", 0); /* outliers are not looked for yet */
+    json_numbers(&w, "rejected", result->rejected.number, result->rejected.count);
     json_number(&w, "gravity", result->settings.field);
     json_vector(&w, "offset", s->calibration.offset);
     json_matrix(&w, "matrix", s->calibration.matrix);

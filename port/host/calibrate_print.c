@@ -242,6 +242,42 @@ static void print_next(FILE *file, const invcal_quality *q, const char *saved)
     }
 }
 
+/* What the positions were found in. */
+static void print_log(FILE *file, const calibrate_result *result)
+{
+    const rests_summary *log = result->log;
+
+    if (!log) {
+        return;
+    }
+    fprintf(file, "%s: %lu samples, %.6g s at %.4g samples a second%s\n", result->data->name,
+            log->samples, log->seconds, log->rate,
+            log->is_rate_known ? "" : " (a guess: --rate states it)");
+    for (unsigned i = 0; i < RESTS_REASONS; i++) {
+        if (log->refused[i] > 0) {
+            fprintf(file, "%*u rest%s refused: %s\n", 8, log->refused[i],
+                    log->refused[i] == 1 ? "" : "s",
+                    invcal_rest_reason_text((invcal_rest_reason)i));
+        }
+    }
+}
+
+static void print_rejected(FILE *file, const calibrate_result *result)
+{
+    const rejection *r = &result->rejected;
+    char text[TEXT_MAX];
+
+    for (unsigned i = 0; i < r->count; i++) {
+        fprintf(file, "Left out: position %u (line %lu), wrong by %s\n", r->list[i].position + 1,
+                result->data->line[r->list[i].position],
+                residual_text(r->list[i].error, result->settings.field, text));
+    }
+    if (r->suspected > 0) {
+        fprintf(file, "Something is wrong among %u more positions, but not to be told which.\n",
+                r->suspected);
+    }
+}
+
 void calibrate_print(FILE *file, const calibrate_result *result, const char *nominal_name,
                      const char *saved)
 {
@@ -249,8 +285,10 @@ void calibrate_print(FILE *file, const calibrate_result *result, const char *nom
     const nominal_choice *n = &result->nominal;
     char field[NUMBER_TEXT_MAX];
 
+    print_log(file, result);
     fprintf(file, "%s: %u positions, field %s %s\n", result->data->name, result->data->count,
             number_text(result->settings.field, field), field_unit(result->settings.field));
+    print_rejected(file, result);
     if (n->zero == n->lsb) {
         fprintf(file, "%s: zero and scale %s\n\n", nominal_name, nominal_origin_text(n->zero));
     } else {

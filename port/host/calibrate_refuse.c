@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #include <math.h>
+#include <string.h>
 
 #include "calibrate.h"
 #include "command.h"
@@ -8,6 +9,7 @@
 #include "parameters.h"
 
 #define REASON_MAX 800
+#define FEW_SAMPLES 1000u /* more rows than anybody has positions */
 
 static const char *status_name(invcal_status status)
 {
@@ -118,6 +120,38 @@ int calibrate_refuse(const positions *data, const invcal_settings *settings,
         json_text(&w, "error", status_name(status));
         json_text(&w, "reason", text);
         json_parameters(&w, "undetermined", reason->undetermined);
+        json_end(&w);
+    }
+    return EXIT_DATA;
+}
+
+int calibrate_no_rest(const positions *data, const rests_summary *log, int json)
+{
+    char text[REASON_MAX];
+    json_writer w;
+
+    snprintf(text, sizeof text,
+             "no rest of two seconds in %lu samples, %.6g s at %.6g samples a second%s",
+             log->samples, log->seconds, log->rate,
+             log->is_rate_known ? "" : " (a guess: state --rate)");
+    for (unsigned i = 0; i < RESTS_REASONS; i++) {
+        if (log->refused[i] > 0) {
+            const size_t length = strlen(text);
+            snprintf(text + length, sizeof text - length, "; %u: %s", log->refused[i],
+                     invcal_rest_reason_text((invcal_rest_reason)i));
+        }
+    }
+    if (log->samples < FEW_SAMPLES) {
+        const size_t length = strlen(text);
+        snprintf(text + length, sizeof text - length,
+                 "; if each row is the mean of a position, add --positions");
+    }
+    message("%s: %s", data->name, text);
+    if (json) {
+        json_begin(&w, stdout);
+        json_text(&w, "error", "no rest");
+        json_text(&w, "reason", text);
+        json_parameters(&w, "undetermined", (1u << INVCAL_PARAMETERS) - 1);
         json_end(&w);
     }
     return EXIT_DATA;

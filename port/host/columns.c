@@ -121,13 +121,13 @@ static int find_by_header(const table *t, columns *out)
 /* Without a header the number of columns tells; each letter is one column. */
 static int find_by_count(const table *t, columns_kind kind, columns *out)
 {
-    static const char *const layouts[2][3] = {{"xyz", "xyzsn", "xyzabcn"},
-                                              {"xyz", "txyz", "txyzT"}};
-    static const char letters[] = "xyzabcntT"; /* in the order of `column` */
+    static const char *const layouts[2][5] = {{"xyz", "xyzsn", "xyzabcn"},
+                                              {"xyz", "txyz", "txyzT", "xyz...", "txyz..."}};
+    static const char letters[] = "xyzabcntT"; /* in the order of `column`; '.': a rate */
 
-    for (unsigned i = 0; i < 3; i++) {
+    for (unsigned i = 0; i < 5; i++) {
         const char *layout = layouts[kind][i];
-        if (strlen(layout) != t->columns) {
+        if (!layout || strlen(layout) != t->columns) {
             continue;
         }
         for (unsigned c = 0; c < COLUMN_COUNT; c++) {
@@ -141,8 +141,9 @@ static int find_by_count(const table *t, columns_kind kind, columns *out)
     message("%s:%lu: %u column%s, separated by %s, without a header: %s, or a header that names "
             "them, is expected",
             t->name, t->line, t->columns, t->columns == 1 ? "" : "s", table_separator(t),
-            kind == COLUMNS_POSITIONS ? "3 (x y z), 5 (x y z std n), 7 (x y z std_x std_y std_z n)"
-                                      : "3 (x y z), 4 (t x y z), 5 (t x y z temperature)");
+            kind == COLUMNS_POSITIONS
+                ? "3 (x y z), 5 (x y z std n), 7 (x y z std_x std_y std_z n)"
+                : "3 (x y z), 4 (t x y z), 5 (t x y z temperature), 6 or 7 (with a gyro's three)");
     return EXIT_FILE;
 }
 

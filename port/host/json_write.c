@@ -29,8 +29,9 @@ static void write_number(FILE *file, double x)
 
 static void write_numbers(FILE *file, const double *x, unsigned n)
 {
+    putc('[', file);
     for (unsigned i = 0; i < n; i++) {
-        fputs(i == 0 ? "[" : ", ", file);
+        fputs(i == 0 ? "" : ", ", file);
         write_number(file, x[i]);
     }
     putc(']', file);
@@ -64,7 +65,9 @@ static void open_bracket(json_writer *w, int bracket)
 static void close_bracket(json_writer *w, int bracket)
 {
     w->depth--;
-    new_line(w);
+    if (!w->is_first) { /* what is empty stays on its line */
+        new_line(w);
+    }
     putc(bracket, w->file);
     w->is_first = 0;
 }

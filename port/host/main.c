@@ -13,9 +13,7 @@
 #include "output.h"
 
 static const tool_command *const commands[] = {
-    &calibrate_command,
-    &apply_command,
-    &plan_command,
+    &calibrate_command, &apply_command, &plan_command, &simulate_command, &watch_command,
 };
 
 #define COMMANDS (sizeof commands / sizeof commands[0])

@@ -604,7 +604,8 @@ def integral(function, low, high, panels=40):
     for i in range(panels):
         middle = low + (2 * i + 1) * half
         for node, weight in zip(GAUSS_NODES, GAUSS_WEIGHTS):
-            total += [weight * function(middle - half * node), weight * function(middle + half * node)]
+            total += [weight * function(middle - half * node),
+                      weight * function(middle + half * node)]
     return half * math.fsum(total)
 
 

@@ -61,7 +61,7 @@ refuses "a value for an option that has none is refused" 2 '--json: takes no val
     calibrate "$good" --positions --json=yes
 refuses "an option given twice is refused" 2 "--gravity: given twice; $see" \
     calibrate "$good" --positions --gravity 9.8 --gravity=9.8
-refuses "a missing operand is refused" 2 "FILE is missing; $see" calibrate --positions
+refuses "a missing operand is refused" 2 "LOG is missing; $see" calibrate --positions
 refuses "an operand too many is refused" 2 "'more': one operand too many" \
     calibrate "$good" more --positions
 refuses "apply without a log is refused" 2 'LOG is missing; see invcal apply --help' apply cal.json
@@ -69,8 +69,9 @@ refuses "apply with an option is refused" 2 '--json: unknown option' apply --jso
 refuses "apply of two standard inputs is refused" 2 'only one input' apply - -
 refuses "calibrate with two standard inputs is refused" 2 'only one input' \
     calibrate - --positions --nominal -
-refuses "calibrate without --positions is refused and tells why" 2 \
-    'raw logs are not read by this version.* add --positions' calibrate "$good"
+refuses "position means without --positions are refused, and what to do" 1 \
+    'no rest of two seconds.* if each row is the mean of a position, add --positions' \
+    calibrate "$good"
 
 refuses_value() { # refuses_value OPTION VALUE PATTERN
     refuses_file "$1 '$2' is refused" 2 "^invcal: $1.*$3.*$see\$" "$good" "$1" "$2"
@@ -438,8 +439,8 @@ bad_file "accelerometer and magnetometer in one file" \
 bad_file "two columns of one meaning" 'more than one column could be'
 awk '{ print 1 }' "$good" > "$work/bad.csv"
 bad_file "one column" 'bad\.csv:1: 1 column, separated by blanks, without a header: 3 \('
-sed 's/$/,1,1,1/' "$good" > "$work/bad.csv"
-bad_file "six columns" '6 columns, separated by commas, without a header: 3 .*header that names'
+sed 's/$/,1,1,1,1,1/' "$good" > "$work/bad.csv"
+bad_file "eight columns" '8 columns, separated by commas, without a header: 3 .*header that names'
 printf '1,5;2,5;3,5\n' > "$work/bad.csv"
 bad_file "decimal commas" "bad\.csv:1: column 1 \(x\): '1,5' is not a decimal number"
 awk 'BEGIN { for (i = 0; i < 300; i++) printf "%d,", i; print 0 }' > "$work/bad.csv"
@@ -615,7 +616,7 @@ refuses "--out of a directory" 3 'out: cannot be written: Is a directory' \
     calibrate "$good" --positions --out "$work/out"
 check "nothing was left behind" [ -z "$(ls -A "$work/out")" ]
 cp "$good" "$work/both.csv"
-refuses "--out over the positions themselves" 2 '--out: is FILE itself' \
+refuses "--out over the positions themselves" 2 '--out: is LOG itself' \
     calibrate "$work/both.csv" --positions --out "$work/../tool_test.$$/both.csv"
 check "the positions are still there" same "$good" "$work/both.csv"
 # A disk that is full, by a limit of 512 or 1024 bytes for each file. (Not by --out /dev/full: for

@@ -1,0 +1,226 @@
+/* SPDX-License-Identifier: MIT */
+#define _POSIX_C_SOURCE 200809L
+#include "live.h"
+
+#include <math.h>
+#include <string.h>
+#include <unistd.h>
+
+#include "command.h"
+#include "invcal/session.h"
+#include "message.h"
+#include "samples.h"
+
+#define DEGREES 57.295779513082321
+
+/* Both are too large for the stack. */
+static samples live_log;
+static invcal_session session;
+
+typedef struct {
+    positions *p;
+    const live_wish *wish;
+    rests_summary *summary;
+    unsigned long first_line;
+    int is_terminal;
+    invcal_session_what shown; /* of the line that changes */
+} stage;
+
+/* ---- what the person sees ---------------------------------------------------------------------- */
+
+/* A line that stays; what was on the changing line goes. */
+static void end_line(stage *s)
+{
+    if (s->is_terminal) {
+        fprintf(s->wish->talk, "\r%40s\r", "");
+    }
+}
+
+/* The changing line: only on a terminal, and only if there is news. */
+static void show(stage *s, const invcal_event *event)
+{
+    if (!s->is_terminal || (event->what == INVCAL_SESSION_MOVING && s->shown == event->what)) {
+        return;
+    }
+    s->shown = event->what;
+    end_line(s);
+    if (event->what == INVCAL_SESSION_SETTLING) {
+        fprintf(s->wish->talk, "  hold still ... %3u %%", event->progress);
+    } else if (event->what == INVCAL_SESSION_READY) {
+        fprintf(s->wish->talk, "  good: move on");
+    } else {
+        fprintf(s->wish->talk, "  moving");
+    }
+    fflush(s->wish->talk);
+}
+
+static void say_next(stage *s)
+{
+    invcal_guidance next;
+    char words[INVCAL_GUIDANCE_WORDS];
+
+    if (invcal_session_next(&session, &next) == INVCAL_OK) {
+        invcal_guidance_words(next.up, words);
+        fprintf(s->wish->talk, "next: %s\n", words);
+    }
+}
+
+static double largest(const double v[3])
+{
+    return fmax(v[0], fmax(v[1], v[2]));
+}
+
+/* How exactly everything is known, once it can be told. */
+static void say_sigma(stage *s)
+{
+    invcal_solution solution;
+    invcal_quality q;
+
+    if (invcal_session_solve(&session, &solution, &q, NULL) != INVCAL_OK || !(q.dof > 0)) {
+        return;
+    }
+    fprintf(s->wish->talk, "; offsets ± %.2g mg, scales ± %.2g %%, angles ± %.2g deg",
+            1e3 * largest(q.sigma_delta), 1e2 * largest(q.sigma_dk),
+            DEGREES * largest(q.sigma_gamma));
+}
+
+static void say_taken(stage *s, const invcal_event *event)
+{
+    end_line(s);
+    fprintf(s->wish->talk, "position %u taken", event->positions);
+    say_sigma(s);
+    if (event->what == INVCAL_SESSION_TAKEN && !event->is_asked) {
+        fprintf(s->wish->talk, "; not the one asked for, but used");
+    }
+    fprintf(s->wish->talk, "\n");
+    if (event->what == INVCAL_SESSION_ENOUGH) {
+        fprintf(s->wish->talk, "enough: the target is reached\n");
+    } else if (event->what == INVCAL_SESSION_FINISHED) {
+        fprintf(s->wish->talk, "finished: the program is complete\n");
+    }
+}
+
+static void say_refused(stage *s, const invcal_event *event)
+{
+    end_line(s);
+    fprintf(s->wish->talk, "refused: %s\n",
+            event->reason != INVCAL_REST_GOOD ? invcal_rest_reason_text(event->reason)
+                                              : invcal_status_text(event->status));
+}
+
+/* ---- what happens ------------------------------------------------------------------------------ */
+
+static int digest(stage *s, const invcal_event *event)
+{
+    int failure = EXIT_GOOD;
+
+    switch (event->what) {
+    case INVCAL_SESSION_TAKEN:
+    case INVCAL_SESSION_ENOUGH:
+    case INVCAL_SESSION_FINISHED:
+        failure = rests_take(s->p, &event->rest, live_log.unit, s->first_line);
+        say_taken(s, event);
+        say_next(s);
+        break;
+    case INVCAL_SESSION_REFUSED:
+        s->summary->refused[event->reason]++;
+        say_refused(s, event);
+        break;
+    case INVCAL_SESSION_NOTHING:
+    case INVCAL_SESSION_COVERED:
+        break;
+    default:
+        show(s, event);
+        break;
+    }
+    fflush(s->wish->talk);
+    return failure;
+}
+
+/* The length of the first reading stands for the field. */
+static double guess_lsb(const live_wish *wish, const double zero[3])
+{
+    double square = 0;
+
+    for (unsigned i = 0; i < 3; i++) {
+        const double v = live_log.ahead[live_log.ahead_count / 2][i] - zero[i];
+        square += v * v;
+    }
+    return square > 0 ? wish->field / sqrt(square) : 1;
+}
+
+static int32_t rail(double value)
+{
+    return (int32_t)fmax(INT32_MIN, fmin(INT32_MAX, nearbyint(value / live_log.unit)));
+}
+
+/* The session counts in units of the log. */
+static int begin(const live_wish *wish)
+{
+    invcal_session_setup setup = {.plan = wish->plan, .rate = live_log.rate};
+    double zero[3] = {0, 0, 0};
+    double scale[3];
+
+    for (unsigned i = 0; i < 3; i++) {
+        zero[i] = wish->zero ? wish->zero[i] : 0;
+    }
+    for (unsigned i = 0; i < 3; i++) {
+        scale[i] = (wish->lsb ? wish->lsb[i] : guess_lsb(wish, zero)) * live_log.unit;
+        zero[i] /= live_log.unit;
+    }
+    setup.settings.field = wish->field;
+    memcpy(setup.target, wish->target, sizeof setup.target);
+    setup.low = wish->clip ? rail(wish->clip[0]) : 0;
+    setup.high = wish->clip ? rail(wish->clip[1]) : 0;
+    if (invcal_calibration_nominal(zero, scale, &setup.settings.nominal) != INVCAL_OK ||
+        invcal_session_init(&session, &setup) != INVCAL_OK) {
+        message("%s: %.6g samples a second, or the nominal calibration, is not usable",
+                live_log.table.name, live_log.rate);
+        return EXIT_FILE;
+    }
+    return EXIT_GOOD;
+}
+
+static int watch(stage *s)
+{
+    invcal_event event;
+    sample now;
+    int more = 0;
+    int failure = EXIT_GOOD;
+
+    say_next(s);
+    while (!failure && (more = samples_next(&live_log, &now)) == 1) {
+        if (now.is_gap) {
+            invcal_session_gap(&session);
+        }
+        if (s->summary->samples++ == 0) {
+            s->first_line = now.line;
+        }
+        if (invcal_session_feed(&session, now.raw, now.temperature, &event) !=
+            INVCAL_SESSION_NOTHING) {
+            failure = digest(s, &event);
+        }
+    }
+    if (!failure && more == 0) {
+        (void)invcal_session_finish(&session, &event);
+        failure = digest(s, &event);
+    }
+    end_line(s);
+    fprintf(s->wish->talk, "\n");
+    return more < 0 ? EXIT_FILE : failure;
+}
+
+int live_read(positions *p, const char *path, const live_wish *wish, rests_summary *summary)
+{
+    stage s = {p, wish, summary, 0, isatty(fileno(wish->talk)), INVCAL_SESSION_NOTHING};
+    int failure = samples_open(&live_log, path, wish->rate);
+
+    *p = (positions){.name = live_log.table.name, .has_noise = 1};
+    *summary = (rests_summary){.rate = live_log.rate, .is_rate_known = live_log.is_rate_known};
+    failure = failure ? failure : begin(wish);
+    failure = failure ? failure : watch(&s);
+    samples_close(&live_log);
+    rests_end(p);
+    summary->seconds = (double)summary->samples / live_log.rate;
+    return failure;
+}

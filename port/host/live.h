@@ -1,0 +1,29 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * live.h: leading a person through a calibration while the samples come in.
+ */
+#ifndef LIVE_H
+#define LIVE_H
+
+#include <stdio.h>
+
+#include "invcal/plan.h"
+#include "rests.h"
+
+typedef struct {
+    double rate;        /* 0: see samples.h */
+    const double *clip; /* null, or least and greatest reading */
+    double field;
+    const double *zero; /* nominal, for the guidance; null: 0, */
+    const double *lsb;  /* and from the first samples */
+    invcal_plan plan;   /* per_group 0: free hand */
+    double target[3];   /* sigma that is enough; 0: any */
+    FILE *talk;         /* where to say it */
+} live_wish;
+
+/* Reads a stream to its end, tells what to do, and collects the positions. On a terminal the progress of a rest is shown on one line that changes.
+ *
+ * Returns, and is to be released, as rests_read. */
+int live_read(positions *p, const char *path, const live_wish *wish, rests_summary *summary);
+
+#endif

@@ -1,0 +1,41 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * rejection.h: positions that contradict the others, left out before the calibration.
+ */
+#ifndef REJECTION_H
+#define REJECTION_H
+
+#include "invcal/outlier.h"
+#include "positions.h"
+
+typedef struct {
+    unsigned position; /* from 0 */
+    double error;      /* what it reads too much, over the field */
+    double w;          /* that over its standard deviation */
+} rejected_position;
+
+typedef struct {
+    unsigned count;
+    rejected_position *list; /* ascending */
+    double *number;          /* their numbers, from 1 */
+    unsigned suspected; /* positions of which some are wrong, the residuals do not tell which */
+    double *kept;       /* the others: 3 numbers each */
+    unsigned kept_count;
+} rejection;
+
+/* Looks for outliers (invcal_outliers_find), in turns among every k-th position if there are more
+ * than INVCAL_OUTLIERS_CAPACITY. Sets that cannot be judged, because they are too few or
+ * undetermined, lose none: calibrating them tells why.
+ *
+ * none  1: looks for none.
+ *
+ * Returns EXIT_GOOD; EXIT_FILE, with a message, without memory. To be released with
+ * rejection_free in either case. */
+int rejection_find(rejection *r, const positions *p, const invcal_settings *settings, int none);
+
+void rejection_free(rejection *r);
+
+/* The number, from 0, of the position that is kept as number `kept`. */
+unsigned rejection_original(const rejection *r, unsigned kept);
+
+#endif

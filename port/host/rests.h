@@ -1,0 +1,39 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * rests.h: the positions in a log of samples.
+ */
+#ifndef RESTS_H
+#define RESTS_H
+
+#include "invcal/still.h"
+#include "positions.h"
+
+enum { RESTS_REASONS = INVCAL_REST_SAME + 1 };
+
+/* What was seen besides the positions. */
+typedef struct {
+    unsigned long samples;
+    double seconds;
+    double rate;
+    int is_rate_known;
+    unsigned refused[RESTS_REASONS]; /* rests, by their reason */
+} rests_summary;
+
+/* Adds a rest to the positions. `unit` is that of a count, `first_line` the line of sample 0 of the
+ * log. Returns as positions_add. */
+int rests_take(positions *p, const invcal_rest *rest, double unit, unsigned long first_line);
+
+/* All rests are taken: makes noise_square a mean. */
+void rests_end(positions *p);
+
+/* Finds the rests in a log ("-": standard input), in fixed memory but for the positions.
+ *
+ * rate  samples a second; 0: see samples.h.
+ * clip  null, or the least and the greatest reading of the sensor, input units.
+ *
+ * Returns EXIT_GOOD, also without any rest; EXIT_FILE, with a message. The positions are to be
+ * released with positions_free in either case; their lines are those of the first samples. */
+int rests_read(positions *p, const char *path, double rate, const double clip[2],
+               rests_summary *summary);
+
+#endif

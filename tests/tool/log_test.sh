@@ -1,0 +1,174 @@
+#!/bin/sh
+# SPDX-License-Identifier: MIT
+#
+# Tests of raw logs from outside: simulate, calibrate LOG, watch: log_test.sh path/to/invcal builddir
+here=$(dirname "$0")
+# shellcheck source=tests/tool/support.sh
+. "$here/support.sh"
+
+field() { json "$work/stdout" "$1"; }
+
+# Simulates a log: log NAME ARGUMENTS ...; its truth is $work/NAME.json.
+log() {
+    name=$1
+    shift
+    "$tool" simulate --truth "$work/$name.json" "$@" > "$work/$name.csv"
+}
+
+# The offset agrees with the truth to so many counts.
+right_offset() { # NAME COUNTS
+    near "$2" "$(field offset)" "$(json "$work/$1.json" offset)"
+}
+
+# ---- simulate ----------------------------------------------------------------------------------
+
+accepts "simulate: --help succeeds" simulate --help
+log plain
+check "simulate: 18 rests of 5 s and 17 moves of 2 s at 100 Hz" \
+    [ "$(wc -l < "$work/plain.csv")" -eq 12401 ]
+log again
+check "simulate: the same seed gives the same log" same "$work/plain.csv" "$work/again.csv"
+log other --seed 2
+differs() { ! cmp -s "$1" "$2"; }
+check "simulate: another seed gives another log" differs "$work/plain.csv" "$work/other.csv"
+check "simulate: the truth is JSON" is_json "$work/plain.json"
+# What the truth says takes the errors out: in the rests all lengths are 1 g.
+accepts "simulate: apply reads the truth" apply "$work/plain.json" "$work/plain.csv"
+rests_are_1g() {
+    awk -F, 'NR > 1 { i = NR - 2; if (i % 700 < 500) { n++
+            length_ = sqrt($2 ^ 2 + $3 ^ 2 + $4 ^ 2) / 9.80665 - 1; sum += length_; square += length_ ^ 2 } }
+        END { mean = sum / n; exit !(n == 9000 && mean ^ 2 < 1e-9 && square / n < 1.3e-6 && square / n > 0.8e-6) }' \
+        "$work/stdout"
+}
+check "simulate: with it every rest reads 1 g, with the noise stated" rests_are_1g
+log warm --temperature 10,40 --drift 0.0001 --rate 50 --plan faces
+check "simulate: the temperature has a column" test "$(head -n 1 "$work/warm.csv")" = t,x,y,z,temperature
+check "simulate: and goes from first to last" test \
+    "$(sed -n 2p "$work/warm.csv" | cut -d, -f5)" = 10.000 -a "$(tail -n 1 "$work/warm.csv" | cut -d, -f5)" = 40.000
+log clipped --range 0.9 --plan faces --noise 0
+check "simulate: readings are clipped" test "$(cut -d, -f4 "$work/clipped.csv" | sort -n | tail -n 1)" -le 14746
+log wrong --outliers 2
+check "simulate: outliers are told" test "$(grep -c '"wrong": -*0\.05' "$work/wrong.json")" -eq 2
+for bad in '--rate 0' '--rate nan' '--noise -1' '--dwell 0' '--offset 1,2' '--offset 9,0,0' \
+    '--seed 1.5' '--seed -1' '--outliers 0.5' '--lsb 0' '--range 0' '--temperature 1' '--drift 1'; do
+    # shellcheck disable=SC2086
+    refuses "simulate: $bad" 2 'simulate --help|whole numbers' simulate $bad
+done
+refuses "simulate: an unknown set" 2 'is no set' simulate --plan dodecahedron
+refuses "simulate: too small a program" 1 'too few' simulate --plan per-group:4
+refuses "simulate: a truth where none can be" 3 'nowhere' simulate --truth "$work/nowhere/t.json"
+
+# ---- calibrate LOG -----------------------------------------------------------------------------
+
+run calibrate "$work/plain.csv" --json
+check "calibrate LOG: 18 positions" test "$(field positions)" = 18
+check "calibrate LOG: none left out" test "$(field rejected)" = '[]'
+check "calibrate LOG: good" test "$(field verdict)" = '"good"'
+check "calibrate LOG: the offset is right" right_offset plain 2
+accepts "calibrate LOG: it prints" calibrate "$work/plain.csv"
+check "calibrate LOG: samples and rate are told" matches "$work/stdout" \
+    '12400 samples, 124 s at 100 samples a second$'
+
+cut -d, -f2-4 "$work/plain.csv" | tail -n +2 | tr ',' ' ' > "$work/blank.txt"
+run calibrate "$work/blank.txt" --json
+check "calibrate LOG: blanks, no header, no times" right_offset plain 2
+run calibrate "$work/blank.txt"
+check "calibrate LOG: a guessed rate is told" matches "$work/stdout" 'guess: --rate'
+in=$work/blank.txt
+run calibrate - --rate 100 --json
+in=/dev/null
+check "calibrate LOG: from standard input" right_offset plain 2
+awk '{ printf "%.4f %.4f %.4f 0.1 0.2 0.3\n", $1 * 0.0006, $2 * 0.0006, $3 * 0.0006 }' "$work/blank.txt" > "$work/decimal.txt"
+run calibrate "$work/decimal.txt" --json
+check "calibrate LOG: decimals, with a gyro behind" near 0.0012 "$(field offset)" \
+    "$(json "$work/plain.json" offset | tr -d '[]' | awk -F, '{ print $1 * 0.0006, $2 * 0.0006, $3 * 0.0006 }')"
+
+# The same log scaled, shifted and with its axes exchanged gives the same positions and result.
+run calibrate "$work/plain.csv" --json
+plain_offset=$(field offset)
+plain_rms=$(field residual_rms)
+awk -F, 'NR == 1 { print; next } { printf "%s,%d,%d,%d\n", $1, 1000 * $2, 1000 * $3, 1000 * $4 }' "$work/plain.csv" > "$work/scaled.csv"
+run calibrate "$work/scaled.csv" --json
+check "calibrate LOG: scaled by 1000" near 1e-3 "$(field offset)" \
+    "$(echo "$plain_offset" | tr -d '[]' | awk -F, '{ printf "%.6f %.6f %.6f", 1000 * $1, 1000 * $2, 1000 * $3 }')"
+check "calibrate LOG: scaled by 1000, the same residuals" near 1e-12 "$(field residual_rms)" "$plain_rms"
+awk -F, 'NR == 1 { print; next } { printf "%s,%d,%d,%d\n", $1, $2 + 100000, $3 - 5000, $4 + 7 }' "$work/plain.csv" > "$work/shifted.csv"
+run calibrate "$work/shifted.csv" --json
+check "calibrate LOG: shifted" near 1e-6 "$(field offset)" \
+    "$(echo "$plain_offset" | tr -d '[]' | awk -F, '{ printf "%.9f %.9f %.9f", $1 + 100000, $2 - 5000, $3 + 7 }')"
+awk -F, 'NR == 1 { print; next } { printf "%s,%s,%s,%s\n", $1, $4, $2, $3 }' "$work/plain.csv" > "$work/turned.csv"
+run calibrate "$work/turned.csv" --json
+check "calibrate LOG: axes exchanged" near 1e-6 "$(field offset)" \
+    "$(echo "$plain_offset" | tr -d '[]' | awk -F, '{ printf "%.9f %.9f %.9f", $3, $1, $2 }')"
+awk 'NR == 1 || NR % 4 == 2' "$work/plain.csv" > "$work/quarter.csv"
+run calibrate "$work/quarter.csv" --json
+check "calibrate LOG: every fourth sample" near 2 "$(field positions)" 18
+
+for noise in 0.0002 0.005; do
+    for rate in 50 400; do
+        log n --noise $noise --rate $rate --dwell 3 --move 1 --tremor 0.0003 --seed 7
+        run calibrate "$work/n.csv" --json
+        check "calibrate LOG: noise $noise at $rate Hz, with tremor: 18 positions" \
+            test "$(field positions)" = 18
+    done
+done
+run calibrate "$work/wrong.csv" --json
+check "calibrate LOG: two wrong positions are left out" near 0 "$(field rejected)" \
+    "$(awk '/"begin"/ { n++ } /"wrong": -*0\.05/ { printf "%d ", n }' "$work/wrong.json")"
+check "calibrate LOG: and do no harm" right_offset wrong 2
+run calibrate "$work/wrong.csv"
+check "calibrate LOG: they are named" test "$(grep -c '^Left out: position' "$work/stdout")" -eq 2
+run calibrate "$work/wrong.csv" --keep-all --json
+check "calibrate LOG: --keep-all keeps them" test "$(field rejected)" = '[]'
+
+"$tool" simulate --plan edges --move 4 --dwell 0.2 > "$work/turning.csv"
+refuses "calibrate LOG: a device that never rests" 1 'no rest of two seconds' calibrate \
+    "$work/turning.csv"
+run calibrate "$work/clipped.csv" --clip -14745,14745 --json
+check "calibrate LOG: clipped rests are refused" matches "$work/stderr" 'no rest'
+printf 't,x,y,z\n0,1,2,3\n1000,1,2,3\n2000,1,2,3\n3000,1,2,3\n' > "$work/ms.csv"
+refuses "calibrate LOG: times in milliseconds" 3 'times go on by 1000, which are no seconds' \
+    calibrate "$work/ms.csv"
+awk -F, 'NR == 1 { print; next } NR < 3000 || NR > 3200' "$work/plain.csv" > "$work/gap.csv"
+run calibrate "$work/gap.csv" --json
+check "calibrate LOG: samples lost" right_offset plain 2
+sed '5000s/.*/49.98,1,2/' "$work/plain.csv" > "$work/bad.csv"
+refuses "calibrate LOG: a malformed line" 3 'bad\.csv:5000: 3 columns' calibrate "$work/bad.csv"
+for bad in '--rate 0' '--rate 7' '--rate 9000' '--clip 1' '--clip 2,1'; do
+    # shellcheck disable=SC2086
+    refuses "calibrate LOG: $bad" 2 'calibrate --help' calibrate "$work/plain.csv" $bad
+done
+refuses "calibrate: the rate of position means" 2 'is of samples' calibrate "$work/log.csv" \
+    --positions --rate 100
+refuses "calibrate: a program" 2 'is for invcal watch' calibrate "$work/plain.csv" --plan edges
+
+# ---- watch -------------------------------------------------------------------------------------
+
+accepts "watch: --help succeeds" watch --help
+in=$work/plain.csv
+run watch - --plan per-group:6
+in=/dev/null
+cp "$work/stdout" "$work/watched"
+check "watch: asks for the first position" test "$(head -n 1 "$work/watched")" = \
+    'next: +y up, tilt 30 deg, +z rises'
+check "watch: takes 18" test "$(grep -c '^position .* taken' "$work/watched")" -eq 18
+check "watch: knows that the program is complete" matches "$work/watched" '^finished'
+check "watch: no control characters where there is no terminal" lacks "$work/watched" "$(printf '\r')"
+check "watch: sigma shrinks" awk '/taken; offsets/ { sigma = $6; if (!first) first = sigma } END { exit !(sigma < first) }' "$work/watched"
+run calibrate "$work/plain.csv"
+tail -n +2 "$work/stdout" | sed 's/^[^:]*: //' > "$work/figures"
+sed -n '/ 18 positions, field/,$p' "$work/watched" | sed 's/^[^:]*: //' > "$work/live"
+check "watch: at the end the same figures as calibrate" same "$work/figures" "$work/live"
+in=$work/plain.csv
+run watch - --target 0.0001,0.0002,0.0003
+check "watch: tells when the target is reached" matches "$work/stdout" '^enough'
+run watch - --json
+check "watch: --json is JSON alone" is_json "$work/stdout"
+check "watch: the guidance goes to stderr" matches "$work/stderr" '^next: '
+in=/dev/null
+refuses "watch: a set that is no program" 2 'plan: is per-group' watch - --plan edges
+refuses "watch: position means" 2 'positions: is for' watch - --positions
+refuses "watch: a negative target" 2 'target: is not negative' watch - --target=-1,0,0
+refuses "watch: nothing" 3 'standard input: is empty' watch -
+
+finish
