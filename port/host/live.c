@@ -44,9 +44,9 @@ static void show(stage *s, const invcal_event *event)
     }
     s->shown = event->what;
     end_line(s);
-    if (event->what == INVCAL_SESSION_SETTLING) {
+    if (event->what == INVCAL_SESSION_SETTLING && event->progress < 100) {
         fprintf(s->wish->talk, "  hold still ... %3u %%", event->progress);
-    } else if (event->what == INVCAL_SESSION_READY) {
+    } else if (event->what != INVCAL_SESSION_MOVING) {
         fprintf(s->wish->talk, "  good: move on");
     } else {
         fprintf(s->wish->talk, "  moving");
