@@ -95,12 +95,12 @@ static void sum_up(invcal_session *session)
     }
 }
 
+/* The last one takes its place: their order means nothing. */
 static void drop(invcal_session *session, unsigned i)
 {
     session->stored--;
-    memmove(&session->mean[i], &session->mean[i + 1],
-            (session->stored - i) * sizeof session->mean[i]);
-    memmove(&session->age[i], &session->age[i + 1], session->stored - i);
+    memcpy(session->mean[i], session->mean[session->stored], sizeof session->mean[i]);
+    session->age[i] = session->age[session->stored];
 }
 
 /* h K h' of a row beside those in the table. Where they leave parameters open it is huge. */
