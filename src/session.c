@@ -98,9 +98,12 @@ static void sum_up(invcal_session *session)
 /* The last one takes its place: their order means nothing. */
 static void drop(invcal_session *session, unsigned i)
 {
-    session->stored--;
-    memcpy(session->mean[i], session->mean[session->stored], sizeof session->mean[i]);
-    session->age[i] = session->age[session->stored];
+    const unsigned last = --session->stored;
+
+    if (i < last) {
+        memcpy(session->mean[i], session->mean[last], sizeof session->mean[i]);
+        session->age[i] = session->age[last];
+    }
 }
 
 /* h K h' of a row beside those in the table. Where they leave parameters open it is huge. */
