@@ -8,6 +8,7 @@
 
 #define ASKED INVCAL_REAL(0.9396926) /* cos 20 degrees */
 #define TELLING INVCAL_REAL(0.35)    /* h K h' of a position that is worth its place */
+#define RIDGE INVCAL_REAL(1e-4)      /* of the largest diagonal element of H'H */
 #define FADING INVCAL_REAL(0.96875)  /* of a day, 31/32 */
 #define FADED 88u                    /* days: a sixteenth of the weight is left */
 
@@ -46,8 +47,9 @@ invcal_status invcal_session_init(invcal_session *session, const invcal_session_
         status = invcal_still_init(&still, setup->rate, setup->low, setup->high);
     }
     if (status == INVCAL_OK) {
+        const invcal_session_setup copy = *setup; /* it may be the session's own */
         memset(session, 0, sizeof *session);
-        session->setup = *setup;
+        session->setup = copy;
         session->still = still;
     }
     return status;
@@ -106,27 +108,32 @@ static void drop(invcal_session *session, unsigned i)
     }
 }
 
-/* h K h' of a row beside those in the table. Where they leave parameters open it is huge. */
+/* h K h' of a row beside those in the table. Where they leave parameters open a small ridge, that
+ * of guidance.c, tells what is new from what is not. */
 static invcal_real telling(const invcal_session *session, const invcal_observation *row)
 {
     invcal_real l[INVCAL_PACKED_SIZE(INVCAL_PARAMETERS)];
     invcal_real x[INVCAL_PARAMETERS];
 
     memcpy(l, session->normal.hth, sizeof l);
-    if (invcal_cholesky_factor(l, INVCAL_PARAMETERS, INVCAL_PIVOT_FLOOR) != INVCAL_OK) {
-        return INVCAL_REAL_MAX;
+    const invcal_real largest = invcal_largest_diagonal(l, INVCAL_PARAMETERS);
+    for (unsigned r = 0; r < INVCAL_PARAMETERS; r++) {
+        l[INVCAL_PACKED(r, r)] += RIDGE * (largest > 1 ? largest : 1);
+    }
+    if (invcal_cholesky_factor(l, INVCAL_PARAMETERS, INVCAL_EPSILON) != INVCAL_OK) {
+        return 0; /* sums that are no sums of squares: not reached */
     }
     memcpy(x, row->h, sizeof x);
     invcal_cholesky_forward(l, INVCAL_PARAMETERS, x);
     return invcal_dot(x, x, INVCAL_PARAMETERS);
 }
 
-/* The stored position that tells least, by its weight and h K h'. */
-static unsigned least_telling(const invcal_session *session)
+/* The stored position that tells least, by its weight and h K h', and less than `least`; `stored`
+ * if none does. */
+static unsigned least_telling(const invcal_session *session, invcal_real least)
 {
     invcal_observation row;
-    invcal_real least = INVCAL_REAL_MAX;
-    unsigned which = 0;
+    unsigned which = session->stored;
 
     for (unsigned i = 0; i < session->stored; i++) {
         stored_row(session, i, &row);
@@ -147,11 +154,15 @@ static void note_temperature(invcal_session *session, invcal_real t)
     if (!invcal_is_finite(t)) {
         return;
     }
-    const int is_first = session->normal.count <= 1;
+    if (session->measured < session->normal.count) {
+        session->measured++;
+    } else {
+        session->measured = session->normal.count;
+    }
+    const int is_first = session->measured <= 1;
     session->coldest = is_first || t < session->coldest ? t : session->coldest;
     session->warmest = is_first || t > session->warmest ? t : session->warmest;
-    session->temperature +=
-        (t - session->temperature) / (is_first ? 1 : (invcal_real)session->normal.count);
+    session->temperature += (t - session->temperature) / (invcal_real)session->measured;
 }
 
 static void store(invcal_session *session, const invcal_real mean[3])
@@ -160,15 +171,22 @@ static void store(invcal_session *session, const invcal_real mean[3])
     session->age[session->stored++] = 0;
 }
 
-/* Background: in place of the one that tells least, if there is no room. */
+/* Background: in place of the one that tells least, if there is no room. It is looked for with the
+ * new one among the others, so that det H'H never falls. */
 static invcal_session_what keep_if_telling(invcal_session *session, const invcal_real mean[3],
                                            const invcal_observation *row)
 {
     if (!(telling(session, row) > TELLING)) {
         return INVCAL_SESSION_COVERED;
     }
+    (void)invcal_normal_add(&session->normal, row, 1);
     if (session->stored == INVCAL_MAX_POSITIONS) {
-        drop(session, least_telling(session));
+        const unsigned least = least_telling(session, telling(session, row));
+        if (least == session->stored) {
+            sum_up(session);
+            return INVCAL_SESSION_COVERED;
+        }
+        drop(session, least);
     }
     store(session, mean);
     sum_up(session);
@@ -304,6 +322,7 @@ invcal_session_what invcal_session_feed(invcal_session *session, const int32_t r
     invcal_rest rest = {.count = 0};
 
     INVCAL_ASSERT(session && raw && event);
+    session->latest = temperature;
     const invcal_still_event seen = invcal_still_push(&session->still, raw, &rest);
     return seen == INVCAL_STILL_NONE ? INVCAL_SESSION_NOTHING
                                      : digest(session, seen, &rest, temperature, event);
@@ -321,35 +340,61 @@ invcal_session_what invcal_session_finish(invcal_session *session, invcal_event 
 
     INVCAL_ASSERT(session && event);
     const invcal_still_event seen = invcal_still_finish(&session->still, &rest);
-    return digest(session, seen, &rest, session->temperature, event);
+    return digest(session, seen, &rest, session->latest, event);
 }
 
 /* ---- what to do next, and the result ---------------------------------------------------------- */
 
-invcal_status invcal_session_next(const invcal_session *session, invcal_guidance *next)
+/* The position that is READY and still held counts as taken. Returns 1 if there is one. */
+static int held_row(const invcal_session *session, invcal_real u[3], invcal_observation *row)
 {
-    invcal_plan_position position;
-    invcal_real u[3];
-    invcal_observation row;
-    const invcal_real *current = NULL;
+    invcal_rest rest;
+    invcal_real mean[3];
 
-    INVCAL_ASSERT(session && next);
-    if (has_plan(&session->setup)) {
-        const invcal_status status =
-            invcal_plan_position_at(&session->setup.plan, session->step, &position);
-        return status == INVCAL_OK ? invcal_guidance_of(&session->normal, position.vertical, next)
-                                   : INVCAL_TOO_FEW;
+    if (!invcal_still_current(&session->still, &rest)) {
+        return 0;
     }
-    if (session->stored > 0 && session->stored < INVCAL_MAX_POSITIONS &&
-        read_row(session, session->mean[session->stored - 1], u, &row) == INVCAL_OK) {
-        current = u;
-    }
-    return invcal_guidance_next(&session->normal, current, next);
+    invcal_rest_mean(&rest, mean);
+    return read_row(session, mean, u, row) == INVCAL_OK;
 }
 
-/* Takes the outliers out of the sums, and their weight. */
-static invcal_status leave_out(const invcal_session *session, invcal_normal *normal,
-                               invcal_real *weight, invcal_outliers *outliers)
+static invcal_status next_of_plan(const invcal_session *session, unsigned step,
+                                  const invcal_normal *normal, invcal_guidance *next)
+{
+    invcal_plan_position position;
+
+    if (invcal_plan_position_at(&session->setup.plan, step, &position) != INVCAL_OK) {
+        return INVCAL_TOO_FEW; /* the program is complete */
+    }
+    return invcal_guidance_of(normal, position.vertical, next);
+}
+
+invcal_status invcal_session_next(const invcal_session *session, invcal_guidance *next)
+{
+    invcal_normal normal;
+    invcal_real u[3];
+    invcal_observation row;
+
+    INVCAL_ASSERT(session && next);
+    normal = session->normal;
+    const int is_held = held_row(session, u, &row);
+    if (is_held) {
+        (void)invcal_normal_add(&normal, &row, 1);
+    }
+    if (has_plan(&session->setup)) {
+        const unsigned step = session->step + (unsigned)(is_held && is_asked(session, u));
+        return next_of_plan(session, step, &normal, next);
+    }
+    const int has_last =
+        is_held || (session->stored > 0 &&
+                    read_row(session, session->mean[session->stored - 1], u, &row) == INVCAL_OK);
+    return invcal_guidance_next(&normal, has_last ? u : NULL, next);
+}
+
+/* Takes the outliers out of the sums, and their weight. Where none can be looked for, none are
+ * left out: what positions (and a prior) are worth, invcal_calibrate_sums will say. */
+static void leave_out(const invcal_session *session, invcal_normal *normal, invcal_real *weight,
+                      invcal_outliers *outliers)
 {
     invcal_observation row;
     const invcal_status status = invcal_outliers_find(&session->mean[0][0], session->stored,
@@ -362,7 +407,6 @@ static invcal_status leave_out(const invcal_session *session, invcal_normal *nor
             weight[i] = 0;
         }
     }
-    return status;
 }
 
 invcal_status invcal_session_solve(const invcal_session *session, invcal_solution *solution,
@@ -381,10 +425,7 @@ invcal_status invcal_session_solve(const invcal_session *session, invcal_solutio
     }
     if (outliers) {
         memset(outliers, 0, sizeof *outliers);
-        const invcal_status status = leave_out(session, &normal, weight, outliers);
-        if (status != INVCAL_OK && status != INVCAL_TOO_FEW) {
-            return status;
-        }
+        leave_out(session, &normal, weight, outliers);
     }
     return invcal_calibrate_sums(&normal, &positions, &session->setup.settings, solution, quality);
 }

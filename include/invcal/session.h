@@ -49,9 +49,9 @@ typedef enum {
     INVCAL_SESSION_READY,    /* the position is good: move on. Staying makes its mean better */
     INVCAL_SESSION_TAKEN,    /* it has been left, and its mean added */
     INVCAL_SESSION_COVERED,  /* background: it has been left, but would tell hardly anything new */
-    INVCAL_SESSION_REFUSED,  /* it is no good: event.reason, or event.status */
-    INVCAL_SESSION_ENOUGH,   /* as TAKEN, and sigma is within the target for the first time */
-    INVCAL_SESSION_FINISHED  /* as TAKEN, and it was the last of the program */
+    INVCAL_SESSION_REFUSED, /* it is no good: event.reason, or event.status (said again when left) */
+    INVCAL_SESSION_ENOUGH,  /* as TAKEN, and sigma is within the target for the first time */
+    INVCAL_SESSION_FINISHED /* as TAKEN, and it was the last of the program */
 } invcal_session_what;
 
 typedef struct {
@@ -60,7 +60,7 @@ typedef struct {
     invcal_rest_reason reason; /* REFUSED: why it was no rest; INVCAL_REST_GOOD if it was one, */
     invcal_status status;      /* but its mean is no reading of this field */
     unsigned positions;        /* taken so far */
-    int is_asked;              /* TAKEN: within 20 degrees of what was to be next */
+    int is_asked;              /* TAKEN: within 20 degrees of what was to be next; free hand: 1 */
     invcal_rest rest;          /* TAKEN, COVERED: its sum, variance and place in the stream */
 } invcal_event;
 
@@ -76,6 +76,8 @@ typedef struct {
     invcal_real temperature;                   /* mean over the positions, degrees Celsius */
     invcal_real coldest;
     invcal_real warmest;
+    invcal_real latest; /* temperature of the latest sample */
+    unsigned measured;  /* positions in the mean of temperature */
     uint8_t is_enough;
 } invcal_session;
 
@@ -105,7 +107,8 @@ void invcal_session_gap(invcal_session *session);
 /* No more samples come: takes the position that is held, if it is ready. Returns as feed. */
 invcal_session_what invcal_session_finish(invcal_session *session, invcal_event *event);
 
-/* Where to turn next: the program's next position, or the direction that would tell most.
+/* Where to turn next: the program's next position, or the direction that would tell most. A
+ * position that is READY and still held counts as taken.
  *
  * next  next->up; in the frame of the case; words by invcal_guidance_words.
  *

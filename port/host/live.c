@@ -32,13 +32,28 @@ typedef struct {
 static void end_line(stage *s)
 {
     if (s->is_terminal) {
-        fprintf(s->wish->talk, "\r%40s\r", "");
+        fprintf(s->wish->talk, "\r%60s\r", "");
     }
+}
+
+/* Where to turn next. Returns 0, with no words, if there is nowhere. */
+static int next_words(char words[INVCAL_GUIDANCE_WORDS])
+{
+    invcal_guidance next;
+
+    words[0] = '\0';
+    if (invcal_session_next(&session, &next) != INVCAL_OK) {
+        return 0;
+    }
+    invcal_guidance_words(next.up, words);
+    return 1;
 }
 
 /* The changing line: only on a terminal, and only if there is news. */
 static void show(stage *s, const invcal_event *event)
 {
+    char words[INVCAL_GUIDANCE_WORDS];
+
     if (!s->is_terminal || (event->what == INVCAL_SESSION_MOVING && s->shown == event->what)) {
         return;
     }
@@ -47,7 +62,7 @@ static void show(stage *s, const invcal_event *event)
     if (event->what == INVCAL_SESSION_SETTLING && event->progress < 100) {
         fprintf(s->wish->talk, "  hold still ... %3u %%", event->progress);
     } else if (event->what != INVCAL_SESSION_MOVING) {
-        fprintf(s->wish->talk, "  good: move on");
+        fprintf(s->wish->talk, "  good: move on%s%s", next_words(words) ? " to " : "", words);
     } else {
         fprintf(s->wish->talk, "  moving");
     }
@@ -56,11 +71,9 @@ static void show(stage *s, const invcal_event *event)
 
 static void say_next(stage *s)
 {
-    invcal_guidance next;
     char words[INVCAL_GUIDANCE_WORDS];
 
-    if (invcal_session_next(&session, &next) == INVCAL_OK) {
-        invcal_guidance_words(next.up, words);
+    if (next_words(words)) {
         fprintf(s->wish->talk, "next: %s\n", words);
     }
 }
