@@ -10,6 +10,8 @@
 #define TELLING INVCAL_REAL(0.35)    /* h K h' of a position that is worth its place */
 #define RIDGE INVCAL_REAL(1e-4)      /* of the largest diagonal element of H'H */
 #define FADING INVCAL_REAL(0.96875)  /* of a day, 31/32 */
+#define NORMAL INVCAL_REAL(1.96)     /* sigma that hold 95 % where the noise is known */
+#define DOF 3                        /* residuals to spare before sigma is believed */
 #define FADED 88u                    /* days: a sixteenth of the weight is left */
 
 static int is_number_or_none(invcal_real x)
@@ -85,7 +87,7 @@ static invcal_real weight_of(const invcal_session *session, unsigned i)
     return weight;
 }
 
-/* Background: the sums anew, as weights and members have changed. */
+/* The sums anew, as weights and members, or the nominal calibration, have changed. */
 static void sum_up(invcal_session *session)
 {
     invcal_observation row;
@@ -205,10 +207,11 @@ static int is_asked(const invcal_session *session, const invcal_real u[3])
     return invcal_dot(u, position.vertical, 3) >= ASKED * INVCAL_SQRT(invcal_dot(u, u, 3));
 }
 
-static int is_within(const invcal_real sigma[3], invcal_real target)
+/* sigma from few residuals may be small by luck: it counts as much as its interval is wide. */
+static int is_within(const invcal_quality *q, const invcal_real sigma[3], invcal_real target)
 {
     for (unsigned i = 0; i < 3; i++) {
-        if (target > 0 && !(sigma[i] <= target)) {
+        if (target > 0 && !(sigma[i] * q->coverage <= target * NORMAL)) {
             return 0;
         }
     }
@@ -225,8 +228,9 @@ static int reaches_target(const invcal_session *session)
         invcal_session_solve(session, &solution, &q, NULL) != INVCAL_OK) {
         return 0;
     }
-    return q.verdict == INVCAL_GOOD && is_within(q.sigma_delta, target[0]) &&
-           is_within(q.sigma_dk, target[1]) && is_within(q.sigma_gamma, target[2]);
+    return q.verdict == INVCAL_GOOD && (q.dof >= DOF || session->setup.settings.noise > 0) &&
+           is_within(&q, q.sigma_delta, target[0]) && is_within(&q, q.sigma_dk, target[1]) &&
+           is_within(&q, q.sigma_gamma, target[2]);
 }
 
 /* Procedure: the table takes what it can hold, the sums everything. */
@@ -391,6 +395,31 @@ invcal_status invcal_session_next(const invcal_session *session, invcal_guidance
     return invcal_guidance_next(&normal, has_last ? u : NULL, next);
 }
 
+invcal_status invcal_session_renew(invcal_session *session, const invcal_calibration *nominal)
+{
+    invcal_settings *settings = &session->setup.settings;
+    const invcal_calibration old = settings->nominal;
+    invcal_real u[3];
+    invcal_observation row;
+
+    INVCAL_ASSERT(nominal);
+    if (session->normal.count > session->stored) {
+        return INVCAL_NO_SPACE;
+    }
+    settings->nominal = *nominal;
+    invcal_status status = invcal_settings_check(settings);
+    for (unsigned i = 0; i < session->stored && status == INVCAL_OK; i++) {
+        status = read_row(session, session->mean[i], u, &row) == INVCAL_OK ? INVCAL_OK
+                                                                           : INVCAL_OUT_OF_RANGE;
+    }
+    if (status != INVCAL_OK) {
+        settings->nominal = old;
+        return status;
+    }
+    sum_up(session);
+    return INVCAL_OK;
+}
+
 /* Takes the outliers out of the sums, and their weight. Where none can be looked for, none are
  * left out: what positions (and a prior) are worth, invcal_calibrate_sums will say. */
 static void leave_out(const invcal_session *session, invcal_normal *normal, invcal_real *weight,
@@ -444,10 +473,13 @@ void invcal_session_age(invcal_session *session)
     sum_up(session);
 }
 
+/* Squared half widths of the intervals: a sigma that is small by luck does not win. */
 static invcal_real squares(const invcal_quality *q)
 {
-    return invcal_dot(q->sigma_delta, q->sigma_delta, 3) + invcal_dot(q->sigma_dk, q->sigma_dk, 3) +
-           invcal_dot(q->sigma_gamma, q->sigma_gamma, 3);
+    return q->coverage * q->coverage *
+           (invcal_dot(q->sigma_delta, q->sigma_delta, 3) +
+            invcal_dot(q->sigma_dk, q->sigma_dk, 3) +
+            invcal_dot(q->sigma_gamma, q->sigma_gamma, 3));
 }
 
 int invcal_session_improves(const invcal_quality *found, const invcal_quality *present)

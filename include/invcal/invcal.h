@@ -17,8 +17,8 @@
 #include "invcal/calibrate.h"
 #include "invcal/criteria.h"
 #include "invcal/record.h"
+#include "invcal/resume.h"
 #include "invcal/series.h"
-#include "invcal/session.h"
 #include "invcal/store.h"
 
 #endif

@@ -115,6 +115,14 @@ invcal_session_what invcal_session_finish(invcal_session *session, invcal_event 
  * Returns INVCAL_OK; INVCAL_TOO_FEW if the program is complete, and nothing is left to do. */
 invcal_status invcal_session_next(const invcal_session *session, invcal_guidance *next);
 
+/* Goes on with another nominal calibration, for one that was far off: the sums are made anew from
+ * the table.
+ *
+ * Returns INVCAL_OK; INVCAL_BAD_SETTING for an unusable one; INVCAL_NO_SPACE if more positions were
+ * taken than the table holds; INVCAL_OUT_OF_RANGE if with it one of them is no reading of this
+ * field. The session is untouched then. */
+invcal_status invcal_session_renew(invcal_session *session, const invcal_calibration *nominal);
+
 /* Solves what has been taken so far. The session is not changed: more may follow.
  *
  * outliers  null; or the positions of the table that contradict the others, which are then left
@@ -128,7 +136,7 @@ invcal_status invcal_session_solve(const invcal_session *session, invcal_solutio
 void invcal_session_age(invcal_session *session);
 
 /* Is `found` the better calibration? 1 if its verdict is no worse, and the sum of its squared
- * sigma of delta, dk and gamma is smaller. */
+ * sigma of delta, dk and gamma, times its coverage, is smaller. */
 int invcal_session_improves(const invcal_quality *found, const invcal_quality *present);
 
 #ifdef __cplusplus

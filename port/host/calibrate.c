@@ -398,6 +398,7 @@ static int deliver(const request *r, const calibrate_result *result)
 static int read_positions(const request *r, positions *data, rests_summary *log)
 {
     const double *clip = r->value[CLIP] ? r->clip : NULL;
+    invcal_calibration nominal;
     int failure;
 
     if (r->value[POSITIONS]) {
@@ -406,6 +407,13 @@ static int read_positions(const request *r, positions *data, rests_summary *log)
     if (r->syntax == &watch_syntax) {
         live_wish wish = {
             .rate = r->rate, .clip = clip, .field = r->settings.field, .plan = r->plan};
+        if (r->value[NOMINAL]) {
+            failure = calibration_file_read(r->value[NOMINAL], &nominal);
+            if (failure) {
+                return failure;
+            }
+            wish.nominal = &nominal;
+        }
         wish.zero = r->value[ZERO] ? r->zero : NULL;
         wish.lsb = r->value[LSB] ? r->lsb : NULL;
         memcpy(wish.target, r->target, sizeof wish.target);
@@ -513,15 +521,18 @@ static const char *const watch_help[] = {
     "stream it prints what invcal calibrate prints of the same samples.\n"
     "\n"
     "LOG is a stream of samples, as a rule - for the standard input: a serial port, or invcal\n"
-    "simulate. Its columns are those of invcal calibrate.\n"
+    "simulate. Its columns are those of invcal calibrate. Ctrl-C ends it, with the result.\n"
+    "Malformed lines are told and skipped.\n"
     "\n"
     "  --plan per-group:N  follows the paper's program of 3 x N positions;\n"
     "                      default: the direction that tells most, from what has been taken\n"
     "  --target D,K,G      sigma of offsets (over the field), scale errors and angles (rad) that\n"
     "                      is enough; 0: any\n"
-    "  --zero X,Y,Z        nominal reading in no field; default 0 for the guidance\n"
-    "  --lsb S | SX,SY,SZ  nominal scale; default: from the first samples for the guidance\n",
-    "  --gravity, --frame, --nominal-name, --noise, --rate, --clip, --keep-all, --out, --json\n"
+    "  --zero X,Y,Z        nominal reading in no field; default for the guidance: 0, from the\n"
+    "                      fourth position on the middle of each axis' range\n"
+    "  --lsb S | SX,SY,SZ  nominal scale; default for the guidance: from the first samples\n",
+    "  --gravity, --frame, --nominal, --nominal-name, --noise, --prior, --rate, --clip,\n"
+    "  --keep-all, --out, --json\n"
     "                      as for invcal calibrate. With --json the guidance goes to stderr\n"
     "\n"
     "exit codes: 0 good; 1 the data cannot be calibrated; 2 usage; 3 LOG unreadable or\n"

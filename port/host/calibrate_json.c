@@ -73,6 +73,7 @@ void calibrate_json(FILE *file, const calibrate_result *result)
     json_text(&w, "invcal", INVCAL_VERSION);
     json_number(&w, "positions", result->data->count);
     json_numbers(&w, "rejected", result->rejected.number, result->rejected.count);
+    json_number(&w, "suspected", result->rejected.suspected);
     json_number(&w, "gravity", result->settings.field);
     json_vector(&w, "offset", s->calibration.offset);
     json_matrix(&w, "matrix", s->calibration.matrix);

@@ -253,6 +253,13 @@ static void print_log(FILE *file, const calibrate_result *result)
     fprintf(file, "%s: %lu samples, %.6g s at %.4g samples a second%s\n", result->data->name,
             log->samples, log->seconds, log->rate,
             log->is_rate_known ? "" : " (a guess: --rate states it)");
+    if (log->gaps > 0) {
+        fprintf(file, "%*lu gap%s in the stream\n", 8, log->gaps, log->gaps == 1 ? "" : "s");
+    }
+    if (log->skipped > 0) {
+        fprintf(file, "%*lu malformed line%s skipped\n", 8, log->skipped,
+                log->skipped == 1 ? "" : "s");
+    }
     for (unsigned i = 0; i < RESTS_REASONS; i++) {
         if (log->refused[i] > 0) {
             fprintf(file, "%*u rest%s refused: %s\n", 8, log->refused[i],

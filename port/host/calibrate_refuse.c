@@ -134,6 +134,10 @@ int calibrate_no_rest(const positions *data, const rests_summary *log, int json)
              "no rest of two seconds in %lu samples, %.6g s at %.6g samples a second%s",
              log->samples, log->seconds, log->rate,
              log->is_rate_known ? "" : " (a guess: state --rate)");
+    if (log->gaps > 0) {
+        const size_t length = strlen(text);
+        snprintf(text + length, sizeof text - length, "; %lu gaps", log->gaps);
+    }
     for (unsigned i = 0; i < RESTS_REASONS; i++) {
         if (log->refused[i] > 0) {
             const size_t length = strlen(text);

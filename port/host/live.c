@@ -3,15 +3,19 @@
 #include "live.h"
 
 #include <math.h>
+#include <signal.h>
 #include <string.h>
 #include <unistd.h>
 
 #include "command.h"
 #include "invcal/session.h"
 #include "message.h"
+#include "nominal.h"
 #include "samples.h"
 
 #define DEGREES 57.295779513082321
+#define RENEW 4u    /* positions whose range says more than the first reading */
+#define FAR_OFF 0.7 /* mean of unit vectors that differ less than positions do */
 
 /* Both are too large for the stack. */
 static samples live_log;
@@ -23,6 +27,8 @@ typedef struct {
     rests_summary *summary;
     unsigned long first_line;
     int is_terminal;
+    int is_refused;            /* said of the rest that is going on */
+    double lsb;                /* as guessed for zero at 0 */
     invcal_session_what shown; /* of the line that changes */
 } stage;
 
@@ -54,7 +60,14 @@ static void show(stage *s, const invcal_event *event)
 {
     char words[INVCAL_GUIDANCE_WORDS];
 
-    if (!s->is_terminal || (event->what == INVCAL_SESSION_MOVING && s->shown == event->what)) {
+    if (event->what == INVCAL_SESSION_MOVING) {
+        s->is_refused = 0;
+    }
+    if (!s->is_terminal && event->what == INVCAL_SESSION_READY) {
+        fprintf(s->wish->talk, "good: move on%s%s\n", next_words(words) ? " to " : "", words);
+    }
+    if (!s->is_terminal || s->is_refused ||
+        (event->what == INVCAL_SESSION_MOVING && s->shown == event->what)) {
         return;
     }
     s->shown = event->what;
@@ -107,14 +120,19 @@ static void say_taken(stage *s, const invcal_event *event)
     }
     fprintf(s->wish->talk, "\n");
     if (event->what == INVCAL_SESSION_ENOUGH) {
-        fprintf(s->wish->talk, "enough: the target is reached\n");
+        fprintf(s->wish->talk, "enough: the target is reached; end the stream (Ctrl-C)\n");
     } else if (event->what == INVCAL_SESSION_FINISHED) {
-        fprintf(s->wish->talk, "finished: the program is complete\n");
+        fprintf(s->wish->talk, "finished: the program is complete; end the stream (Ctrl-C)\n");
     }
 }
 
 static void say_refused(stage *s, const invcal_event *event)
 {
+    if (s->is_refused) {
+        s->is_refused = 0; /* it has been left */
+        return;
+    }
+    s->is_refused = event->rest.count == 0;
     end_line(s);
     fprintf(s->wish->talk, "refused: %s\n",
             event->reason != INVCAL_REST_GOOD ? invcal_rest_reason_text(event->reason)
@@ -122,6 +140,42 @@ static void say_refused(stage *s, const invcal_event *event)
 }
 
 /* ---- what happens ------------------------------------------------------------------------------ */
+
+/* With zero where it is, all positions so far point one way, although they were to differ: then it
+ * is nowhere near, as in counts that have no sign. */
+static int is_zero_far_off(const stage *s)
+{
+    double sum[3] = {0, 0, 0};
+
+    for (unsigned n = 0; n < s->p->count; n++) {
+        for (unsigned i = 0; i < 3; i++) {
+            sum[i] += s->p->mean[3 * n + i] * s->lsb / s->wish->field;
+        }
+    }
+    const double length = sqrt(sum[0] * sum[0] + sum[1] * sum[1] + sum[2] * sum[2]);
+    return length > FAR_OFF * s->p->count;
+}
+
+/* Then the middle of the ranges is the better zero, and the widest tells the scale. */
+static void renew_nominal(const stage *s)
+{
+    invcal_calibration nominal;
+    double zero[3];
+    double lsb[3];
+
+    if (s->wish->nominal || s->wish->zero || s->wish->lsb || s->p->count < RENEW ||
+        !is_zero_far_off(s) || !nominal_from_range(s->p, s->wish->field, zero, lsb)) {
+        return;
+    }
+    const double least = fmin(lsb[0], fmin(lsb[1], lsb[2]));
+    for (unsigned i = 0; i < 3; i++) {
+        zero[i] /= live_log.unit;
+        lsb[i] = least * live_log.unit;
+    }
+    if (invcal_calibration_nominal(zero, lsb, &nominal) == INVCAL_OK) {
+        (void)invcal_session_renew(&session, &nominal); /* else the old one goes on */
+    }
+}
 
 static int digest(stage *s, const invcal_event *event)
 {
@@ -132,11 +186,16 @@ static int digest(stage *s, const invcal_event *event)
     case INVCAL_SESSION_ENOUGH:
     case INVCAL_SESSION_FINISHED:
         failure = rests_take(s->p, &event->rest, live_log.unit, s->first_line);
+        renew_nominal(s);
         say_taken(s, event);
         say_next(s);
         break;
     case INVCAL_SESSION_REFUSED:
-        s->summary->refused[event->reason]++;
+        if (event->reason != INVCAL_REST_GOOD) {
+            s->summary->refused[event->reason]++;
+        } else if (event->rest.count > 0) { /* the calibration may think otherwise of it */
+            failure = rests_take(s->p, &event->rest, live_log.unit, s->first_line);
+        }
         say_refused(s, event);
         break;
     case INVCAL_SESSION_NOTHING:
@@ -150,16 +209,20 @@ static int digest(stage *s, const invcal_event *event)
     return failure;
 }
 
-/* The length of the first reading stands for the field. */
+/* The largest of the first readings stands for the field. */
 static double guess_lsb(const live_wish *wish, const double zero[3])
 {
-    double square = 0;
+    double most = 0;
 
-    for (unsigned i = 0; i < 3; i++) {
-        const double v = live_log.ahead[live_log.ahead_count / 2][i] - zero[i];
-        square += v * v;
+    for (unsigned n = 0; n < live_log.ahead_count; n++) {
+        double square = 0;
+        for (unsigned i = 0; i < 3; i++) {
+            const double v = live_log.ahead[n][i] - zero[i];
+            square += v * v;
+        }
+        most = fmax(most, square);
     }
-    return square > 0 ? wish->field / sqrt(square) : 1;
+    return most > 0 ? wish->field / sqrt(most) : 1;
 }
 
 static int32_t rail(double value)
@@ -167,13 +230,20 @@ static int32_t rail(double value)
     return (int32_t)fmax(INT32_MIN, fmin(INT32_MAX, nearbyint(value / live_log.unit)));
 }
 
-/* The session counts in units of the log. */
-static int begin(const live_wish *wish)
+/* The nominal calibration for counts of the log. */
+static invcal_status set_nominal(const live_wish *wish, invcal_calibration *out)
 {
-    invcal_session_setup setup = {.plan = wish->plan, .rate = live_log.rate};
     double zero[3] = {0, 0, 0};
     double scale[3];
 
+    if (wish->nominal) {
+        *out = *wish->nominal;
+        for (unsigned i = 0; i < 9; i++) {
+            out->offset[i / 3] /= i % 3 == 0 ? live_log.unit : 1;
+            out->matrix[i / 3][i % 3] *= live_log.unit;
+        }
+        return INVCAL_OK;
+    }
     for (unsigned i = 0; i < 3; i++) {
         zero[i] = wish->zero ? wish->zero[i] : 0;
     }
@@ -181,11 +251,18 @@ static int begin(const live_wish *wish)
         scale[i] = (wish->lsb ? wish->lsb[i] : guess_lsb(wish, zero)) * live_log.unit;
         zero[i] /= live_log.unit;
     }
+    return invcal_calibration_nominal(zero, scale, out);
+}
+
+static int begin(const live_wish *wish)
+{
+    invcal_session_setup setup = {.plan = wish->plan, .rate = live_log.rate};
+
     setup.settings.field = wish->field;
     memcpy(setup.target, wish->target, sizeof setup.target);
     setup.low = wish->clip ? rail(wish->clip[0]) : 0;
     setup.high = wish->clip ? rail(wish->clip[1]) : 0;
-    if (invcal_calibration_nominal(zero, scale, &setup.settings.nominal) != INVCAL_OK ||
+    if (set_nominal(wish, &setup.settings.nominal) != INVCAL_OK ||
         invcal_session_init(&session, &setup) != INVCAL_OK) {
         message("%s: %.6g samples a second, or the nominal calibration, is not usable",
                 live_log.table.name, live_log.rate);
@@ -223,17 +300,41 @@ static int watch(stage *s)
     return more < 0 ? EXIT_FILE : failure;
 }
 
+static void stop(int signal_number)
+{
+    (void)signal_number; /* the read that it interrupts ends the stream, see table.c */
+}
+
+/* A serial port has no end: whoever presses Ctrl-C wants the result. */
+static void catch_interrupts(void)
+{
+    struct sigaction action = {.sa_handler = stop};
+
+    sigemptyset(&action.sa_mask);
+    action.sa_flags = (int)SA_RESETHAND; /* a second one ends everything */
+    (void)sigaction(SIGINT, &action, NULL);
+    (void)sigaction(SIGTERM, &action, NULL);
+}
+
 int live_read(positions *p, const char *path, const live_wish *wish, rests_summary *summary)
 {
-    stage s = {p, wish, summary, 0, isatty(fileno(wish->talk)), INVCAL_SESSION_NOTHING};
-    int failure = samples_open(&live_log, path, wish->rate);
+    stage s = {.p = p, .wish = wish, .summary = summary, .is_terminal = isatty(fileno(wish->talk))};
+
+    if (s.is_terminal) {
+        fprintf(wish->talk, "waiting for samples\n");
+    }
+    catch_interrupts();
+    int failure = samples_open(&live_log, path, wish->rate, 1);
 
     *p = (positions){.name = live_log.table.name, .has_noise = 1};
     *summary = (rests_summary){.rate = live_log.rate, .is_rate_known = live_log.is_rate_known};
     failure = failure ? failure : begin(wish);
+    s.lsb = guess_lsb(wish, (const double[3]){0, 0, 0});
     failure = failure ? failure : watch(&s);
     samples_close(&live_log);
     rests_end(p);
+    summary->gaps = live_log.gaps;
+    summary->skipped = live_log.skipped;
     summary->seconds = (double)summary->samples / live_log.rate;
     return failure;
 }

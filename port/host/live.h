@@ -7,6 +7,7 @@
 
 #include <stdio.h>
 
+#include "invcal/calibration.h"
 #include "invcal/plan.h"
 #include "rests.h"
 
@@ -14,14 +15,17 @@ typedef struct {
     double rate;        /* 0: see samples.h */
     const double *clip; /* null, or least and greatest reading */
     double field;
-    const double *zero; /* nominal, for the guidance; null: 0, */
-    const double *lsb;  /* and from the first samples */
+    const invcal_calibration *nominal; /* for the guidance; null: */
+    const double *zero; /* zero, else 0, and scale, else from the first samples; both are found */
+    const double *lsb;  /* again from the positions if zero is not given */
     invcal_plan plan;   /* per_group 0: free hand */
     double target[3];   /* sigma that is enough; 0: any */
     FILE *talk;         /* where to say it */
 } live_wish;
 
-/* Reads a stream to its end, tells what to do, and collects the positions. On a terminal the progress of a rest is shown on one line that changes.
+/* Reads a stream to its end, or until somebody interrupts it (Ctrl-C), tells what to do, and
+ * collects the positions. What is malformed is told and skipped. On a terminal the progress of a rest is shown on one line that
+ * changes.
  *
  * Returns, and is to be released, as rests_read. */
 int live_read(positions *p, const char *path, const live_wish *wish, rests_summary *summary);

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "rejection.h"
 
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -13,11 +14,55 @@ typedef struct {
     unsigned step;
 } choice_of;
 
-static void add(rejection *r, const invcal_outliers *found, choice_of which)
+/* A reading that is none of this field, though most others are. */
+static int is_impossible(const positions *p, unsigned i, const invcal_settings *settings,
+                         double *error)
+{
+    double u[3];
+    invcal_observation row;
+
+    if (invcal_observation_reading(&settings->nominal, settings->field, &p->mean[3 * (size_t)i],
+                                   u) != INVCAL_OK) {
+        return 0;
+    }
+    *error = sqrt(u[0] * u[0] + u[1] * u[1] + u[2] * u[2]) - 1;
+    return invcal_observation_exact(u, &row) == INVCAL_OUT_OF_RANGE;
+}
+
+/* Up to one in eight, if enough others are there to tell. */
+static void reject_impossible(rejection *r, const positions *p, const invcal_settings *settings)
+{
+    unsigned count = 0;
+    double error;
+
+    for (unsigned i = 0; i < p->count; i++) {
+        count += (unsigned)is_impossible(p, i, settings, &error);
+    }
+    if (8 * count > p->count || p->count < INVCAL_OUTLIERS_FEWEST + count) {
+        return;
+    }
+    for (unsigned i = 0; i < p->count; i++) {
+        if (is_impossible(p, i, settings, &error)) {
+            r->list[r->count++] = (rejected_position){i, error, 0};
+        }
+    }
+}
+
+static int is_rejected(const rejection *r, unsigned impossible, unsigned position)
+{
+    for (unsigned i = 0; i < impossible; i++) {
+        if (r->list[i].position == position) {
+            return 1;
+        }
+    }
+    return 0;
+}
+
+static void add(rejection *r, const invcal_outliers *found, const unsigned *number)
 {
     for (unsigned i = 0; i < found->count; i++) {
         rejected_position *at = &r->list[r->count++];
-        at->position = which.first + which.step * found->position[i];
+        at->position = number[found->position[i]];
         at->error = found->error[i];
         at->w = found->w[i];
     }
@@ -26,18 +71,23 @@ static void add(rejection *r, const invcal_outliers *found, choice_of which)
     }
 }
 
+/* `impossible` of them, the first of the list, are rejected already. */
 static void find_among(rejection *r, const positions *p, const invcal_settings *settings,
-                       choice_of which)
+                       choice_of which, unsigned impossible)
 {
     double mean[INVCAL_OUTLIERS_CAPACITY][3];
+    unsigned number[INVCAL_OUTLIERS_CAPACITY];
     invcal_outliers found;
     unsigned count = 0;
 
     for (unsigned i = which.first; i < p->count; i += which.step) {
-        memcpy(mean[count++], &p->mean[3 * (size_t)i], sizeof mean[0]);
+        if (!is_rejected(r, impossible, i)) {
+            number[count] = i;
+            memcpy(mean[count++], &p->mean[3 * (size_t)i], sizeof mean[0]);
+        }
     }
     if (invcal_outliers_find(&mean[0][0], count, settings, &found) == INVCAL_OK) {
-        add(r, &found, which);
+        add(r, &found, number);
     }
 }
 
@@ -68,15 +118,19 @@ int rejection_find(rejection *r, const positions *p, const invcal_settings *sett
     const unsigned turns = (p->count + INVCAL_OUTLIERS_CAPACITY - 1) / INVCAL_OUTLIERS_CAPACITY;
 
     *r = (rejection){0};
-    r->list = calloc((size_t)turns * INVCAL_OUTLIERS_MOST + 1, sizeof *r->list);
-    r->number = calloc((size_t)turns * INVCAL_OUTLIERS_MOST + 1, sizeof *r->number);
+    r->list = calloc((size_t)p->count + 1, sizeof *r->list);
+    r->number = calloc((size_t)p->count + 1, sizeof *r->number);
     r->kept = calloc(3 * (size_t)p->count + 1, sizeof *r->kept);
     if (!r->list || !r->number || !r->kept) {
         message("%s: not enough memory for %u positions", p->name, p->count);
         return EXIT_FILE;
     }
+    if (!none) {
+        reject_impossible(r, p, settings);
+    }
+    const unsigned impossible = r->count;
     for (unsigned turn = 0; turn < turns && !none; turn++) {
-        find_among(r, p, settings, (choice_of){turn, turns});
+        find_among(r, p, settings, (choice_of){turn, turns}, impossible);
     }
     qsort(r->list, r->count, sizeof *r->list, compare);
     keep_others(r, p);

@@ -77,7 +77,7 @@ int rests_read(positions *p, const char *path, double rate, const double clip[2]
 {
     static samples log; /* too large for the stack */
     invcal_still still;
-    int failure = samples_open(&log, path, rate);
+    int failure = samples_open(&log, path, rate, 0);
     reading r = {0, p, log.unit, summary};
 
     *p = (positions){.name = log.table.name, .has_noise = 1};
@@ -89,6 +89,7 @@ int rests_read(positions *p, const char *path, double rate, const double clip[2]
     }
     failure = failure ? failure : read_samples(&r, &log, &still);
     samples_close(&log);
+    summary->gaps = log.gaps;
     summary->seconds = (double)summary->samples / log.rate;
     rests_end(p);
     return failure;

@@ -16,6 +16,8 @@ typedef struct {
     double seconds;
     double rate;
     int is_rate_known;
+    unsigned long gaps;              /* in the times, or of lines that were skipped */
+    unsigned long skipped;           /* malformed lines of a live stream */
     unsigned refused[RESTS_REASONS]; /* rests, by their reason */
 } rests_summary;
 

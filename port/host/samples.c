@@ -6,10 +6,13 @@
 #include <string.h>
 
 #include "command.h"
+#include "invcal/still.h"
 #include "message.h"
 
 #define RATE_GUESS 100.0
-#define LARGEST 268435456.0 /* 2^28: room for eight times the first readings */
+#define ROOM 22           /* bits that the largest of the first readings takes, and its fraction */
+#define SMALLEST_UNIT -14 /* power of two, where nothing but zeros has been read */
+#define SKIPPED_MAX 100u
 
 enum { TIME = 3, TEMPERATURE = 4 };
 
@@ -28,38 +31,56 @@ static int read_numbers(samples *s, double v[5])
     return EXIT_GOOD;
 }
 
+/* The first line was cut, so that the second has more columns: that decides. Returns 1 if so. */
+static int realign(samples *s)
+{
+    if (s->count > 0 || s->ahead_count > 1 || s->table.has_header ||
+        s->table.found <= s->table.columns) {
+        return 0;
+    }
+    s->table.columns = s->table.found;
+    s->ahead_count = 0;
+    return columns_find(&s->table, COLUMNS_LOG, &s->where) == EXIT_GOOD;
+}
+
+/* The numbers of the next row that is whole. 1, 0 at the end, -1. */
+static int next_row(samples *s, double v[5])
+{
+    for (unsigned skipped = 0; skipped < SKIPPED_MAX; skipped++) {
+        const int more = table_next(&s->table);
+        if (more == 0 || (more == 1 && read_numbers(s, v) == EXIT_GOOD)) {
+            return more;
+        }
+        if (!s->is_live) {
+            return -1;
+        }
+        s->skipped++;
+        s->is_broken = 1;
+        if (more < 0 && realign(s) && read_numbers(s, v) == EXIT_GOOD) {
+            return 1;
+        }
+    }
+    return -1;
+}
+
 static int read_ahead(samples *s)
 {
+    const unsigned most = s->is_live ? SAMPLES_AHEAD_LIVE : SAMPLES_AHEAD;
+    double v[5];
     int more = 1;
 
-    while (s->ahead_count < SAMPLES_AHEAD && (more = table_next(&s->table)) == 1) {
-        if (read_numbers(s, s->ahead[s->ahead_count])) {
-            return EXIT_FILE;
-        }
+    while (s->ahead_count < most && (more = next_row(s, v)) == 1) {
+        memcpy(s->ahead[s->ahead_count], v, sizeof v);
         s->ahead_line[s->ahead_count++] = s->table.line;
     }
     if (more < 0) {
         return EXIT_FILE;
     }
     if (s->ahead_count == 0) {
-        message("%s: holds a header, but no sample", s->table.name);
+        message("%s: holds no sample", s->table.name);
         return EXIT_FILE;
     }
     return EXIT_GOOD;
-}
-
-/* 1 if all numbers read so far are whole multiples of unit. */
-static int is_whole(const samples *s, double unit)
-{
-    for (unsigned n = 0; n < s->ahead_count; n++) {
-        for (unsigned i = 0; i < 3; i++) {
-            const double counts = s->ahead[n][i] / unit;
-            if (!(fabs(counts - nearbyint(counts)) <= 1e-9 * fabs(counts) + 1e-6)) {
-                return 0;
-            }
-        }
-    }
-    return 1;
 }
 
 static double largest(const samples *s)
@@ -77,15 +98,8 @@ static double largest(const samples *s)
 static double find_unit(const samples *s)
 {
     const double most = largest(s);
-    double unit = 1;
 
-    for (unsigned decimals = 0; decimals <= 12 && most / unit <= LARGEST; decimals++) {
-        if (is_whole(s, unit)) {
-            return unit;
-        }
-        unit = 1 / pow(10, decimals + 1);
-    }
-    return most > 0 ? exp2(ceil(log2(most)) - 25) : 1;
+    return most > 0 ? fmin(1, ldexp(1, (int)ceil(log2(most)) - ROOM)) : ldexp(1, SMALLEST_UNIT);
 }
 
 static int compare(const void *a, const void *b)
@@ -105,38 +119,67 @@ static double round_rate(double rate)
     return strtod(text, NULL);
 }
 
-/* The middle of the steps of time, which a few gaps do not move. */
-static int find_rate(samples *s)
+/* The mean step of time, or the middle one if gaps have spoilt the mean. Times may stand still for
+ * some samples, when they come in batches. */
+static double usual_step(samples *s)
 {
     double step[SAMPLES_AHEAD];
-    unsigned n = 0;
+    const unsigned n = s->ahead_count - 1;
 
-    if (!s->has_time || s->ahead_count < 3) {
-        s->rate = RATE_GUESS;
-        return EXIT_GOOD;
-    }
-    for (unsigned i = 1; i < s->ahead_count; i++) {
-        step[n++] = s->ahead[i][TIME] - s->ahead[i - 1][TIME];
+    for (unsigned i = 0; i < n; i++) {
+        step[i] = s->ahead[i + 1][TIME] - s->ahead[i][TIME];
     }
     qsort(step, n, sizeof step[0], compare);
-    s->rate = round_rate(1 / step[n / 2]);
-    if (!(s->rate >= 1 && s->rate <= 1e5)) {
-        message("%s:%lu: times go on by %.6g, which are no seconds: state --rate, or leave the "
-                "column out",
-                s->table.name, s->ahead_line[0], step[n / 2]);
+    const double mean = (s->ahead[n][TIME] - s->ahead[0][TIME]) / n;
+    s->longest = 2 * step[n - 1 - n / 50]; /* the last are gaps, if anything is */
+    return step[n / 2] > 0 && mean > 1.5 * step[n / 2] ? step[n / 2] : mean;
+}
+
+static int find_rate(samples *s)
+{
+    s->rate = RATE_GUESS;
+    if (!s->has_time || s->ahead_count < 3) {
+        return EXIT_GOOD;
+    }
+    const double step = usual_step(s);
+    s->rate = round_rate(1 / step);
+    if (!(s->rate >= INVCAL_STILL_RATE_MIN && s->rate <= INVCAL_STILL_RATE_MAX)) {
+        message(
+            "%s:%lu: the times go on by %.6g, which are no seconds of a log of 8 to 8000 samples a "
+            "second: state --rate, or leave the column out",
+            s->table.name, s->ahead_line[0], step);
         return EXIT_FILE;
     }
-    s->is_rate_known = s->times_are_seconds = 1;
+    s->longest = fmax(s->longest, 4 / s->rate + 0.1);
+    s->is_rate_known = 1;
     return EXIT_GOOD;
 }
 
-int samples_open(samples *s, const char *path, double rate)
+/* If the first line of a live stream was cut beyond recognition, the second tells. */
+static int find_columns(samples *s)
+{
+    const int failure = columns_find(&s->table, COLUMNS_LOG, &s->where);
+
+    if (!failure || !s->is_live || s->table.has_header) {
+        return failure;
+    }
+    (void)table_next(&s->table); /* the first */
+    (void)table_next(&s->table); /* has another number of columns, and is told */
+    s->table.columns = s->table.found;
+    s->skipped = 2;
+    return columns_find(&s->table, COLUMNS_LOG, &s->where);
+}
+
+int samples_open(samples *s, const char *path, double rate, int live)
 {
     s->ahead_count = s->next = 0;
-    s->count = 0;
+    s->count = s->gaps = s->skipped = 0;
+    s->is_live = live;
+    s->is_broken = 0;
+    s->longest = HUGE_VAL; /* with a given rate times may be of any unit */
     int failure = table_open(&s->table, path);
 
-    failure = failure ? failure : columns_find(&s->table, COLUMNS_LOG, &s->where);
+    failure = failure ? failure : find_columns(s);
     failure = failure ? failure : read_ahead(s);
     if (failure) {
         return failure;
@@ -146,7 +189,6 @@ int samples_open(samples *s, const char *path, double rate)
     s->unit = find_unit(s);
     s->rate = rate;
     s->is_rate_known = rate > 0;
-    s->times_are_seconds = 0; /* with a given rate they may be of any unit */
     return rate > 0 ? EXIT_GOOD : find_rate(s);
 }
 
@@ -164,12 +206,9 @@ int samples_next(samples *s, sample *out)
         memcpy(v, s->ahead[s->next], sizeof v);
         out->line = s->ahead_line[s->next++];
     } else {
-        const int more = table_next(&s->table);
+        const int more = next_row(s, v);
         if (more != 1) {
             return more;
-        }
-        if (read_numbers(s, v)) {
-            return -1;
         }
         out->line = s->table.line;
     }
@@ -179,8 +218,10 @@ int samples_next(samples *s, sample *out)
     out->time = v[TIME];
     out->temperature = v[TEMPERATURE];
     const double step = v[TIME] - s->last_time;
-    out->is_gap = s->has_time && s->count > 0 &&
-                  !(step > 0 && (!s->times_are_seconds || step <= 4 / s->rate + 0.1));
+    const int jumps = s->has_time && s->count > 0 && !(step >= 0 && step <= s->longest);
+    out->is_gap = jumps || (!is_ahead && s->is_broken);
+    s->is_broken = s->is_broken && is_ahead;
+    s->gaps += (unsigned long)out->is_gap;
     s->last_time = v[TIME];
     s->count++;
     return 1;

@@ -2,9 +2,8 @@
  *
  * samples.h: the samples of a log as the library takes them: integers.
  *
- * A log of counts is taken as it is. One of decimals is scaled by the power of ten that makes all
- * its numbers whole (9.80665 is 980665 of 1e-5); one that has none, by a power of two that leaves
- * room for 64 times the first readings. The first lines decide.
+ * One count is a power of two of input units, 1 or less, with room for 512 times the largest of
+ * the first readings: whole numbers are exact, decimals are kept to a four millionth of it.
  */
 #ifndef SAMPLES_H
 #define SAMPLES_H
@@ -13,14 +12,15 @@
 
 #include "columns.h"
 
-#define SAMPLES_AHEAD 256u /* lines that decide */
+#define SAMPLES_AHEAD 256u     /* lines that decide, */
+#define SAMPLES_AHEAD_LIVE 32u /* of a live stream */
 
 typedef struct {
     int32_t raw[3]; /* value / unit, rounded; beyond an int32 the nearest */
     double time;    /* seconds, if there is a column */
     double temperature;
     unsigned long line;
-    int is_gap; /* time has gone back, or on by more than 4 periods and a tenth of a second */
+    int is_gap; /* time has gone back or jumped, or lines were skipped */
 } sample;
 
 typedef struct {
@@ -37,18 +37,25 @@ typedef struct {
     unsigned ahead_count;
     unsigned next;
     double last_time;
-    int times_are_seconds;
     unsigned long count;
+    unsigned long gaps;
+    unsigned long skipped; /* malformed lines of a live stream */
+    double longest;        /* step of time that is none */
+    int is_live;
+    int is_broken; /* a line has been skipped just now */
 } samples;
 
 /* Opens a log ("-": standard input).
  *
+ * live  0: a malformed line is an error. 1: a stream that goes on whatever comes; malformed lines
+ *       are told, skipped and counted as gaps, up to a hundred in a row, and if the first line was
+ *       cut, the second decides about the columns.
  * rate  samples a second, or 0: the times tell (the middle of their steps), or 100.
  *
  * Returns EXIT_GOOD; EXIT_FILE, with a message, if it is unreadable or malformed, holds no
- * sample, or the times do not tell a rate within 1 ... 1e5. The structure is large and must not
+ * sample, or the times do not tell a rate within 8 ... 8000. The structure is large and must not
  * be moved. To be closed with samples_close in either case. */
-int samples_open(samples *s, const char *path, double rate);
+int samples_open(samples *s, const char *path, double rate, int live);
 
 /* The next sample. Returns 1; 0 at the end; -1, with a message, for a malformed line. */
 int samples_next(samples *s, sample *out);

@@ -87,9 +87,6 @@ void scene_begin(scene *s, const scene_model *model, const design *route, uint32
     set_response(model, s->response);
     scene_interval(s, route->count - 1, &begin, &s->total);
     choose_outliers(s);
-    for (unsigned i = 0; i < 3; i++) {
-        s->walk[i] = model->instability * random_normal(&s->random);
-    }
 }
 
 static double dot(const double a[3], const double b[3])

@@ -54,6 +54,9 @@ static int read_line(table *t)
         }
         t->text[length++] = (char)c;
     }
+    if (ferror(t->file) && errno == EINTR) {
+        return 0; /* whoever catches a signal wants to come to an end */
+    }
     if (ferror(t->file)) {
         message("%s:%lu: cannot be read: %s", t->name, t->line, strerror(errno));
         return -1;
@@ -222,6 +225,7 @@ int table_open(table *t, const char *path)
 int table_next(table *t)
 {
     if (t->pending) {
+        t->found = t->columns;
         t->pending = 0;
         return 1;
     }
@@ -229,7 +233,7 @@ int table_next(table *t)
     if (more != 1) {
         return more;
     }
-    const unsigned columns = split(t);
+    const unsigned columns = t->found = split(t);
     if (columns != t->columns && columns > 0) {
         message("%s:%lu: %u column%s, but line %lu has %u, separated by %s", t->name, t->line,
                 columns, columns == 1 ? "" : "s", t->first_line, t->columns, table_separator(t));

@@ -21,6 +21,7 @@ typedef struct {
     unsigned long line;       /* the one that the current row stands in, from 1 */
     unsigned long first_line; /* the one that decided */
     unsigned columns;         /* of the first line, and so of all */
+    unsigned found;           /* of the latest line after the first, right or wrong */
     char separator;           /* ';' ',' '\t' ' ' */
     int has_header;
     int pending;                    /* the first row has been read, but not handed out */
@@ -38,7 +39,8 @@ int table_open(table *t, const char *path);
 /* Goes to the next row, after a header to the first.
  *
  * Returns 1; 0 at the end of the file; -1, with a message, if the line is longer than
- * TABLE_LINE_MAX bytes, is no text, or has another number of columns than the first. */
+ * TABLE_LINE_MAX bytes, is no text, or has another number of columns than the first; the next
+ * row may be asked for all the same. A signal that is caught ends the file. */
 int table_next(table *t);
 
 void table_close(table *t);

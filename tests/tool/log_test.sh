@@ -142,6 +142,28 @@ refuses "calibrate: the rate of position means" 2 'is of samples' calibrate "$wo
     --positions --rate 100
 refuses "calibrate: a program" 2 'is for invcal watch' calibrate "$work/plain.csv" --plan edges
 
+# A sensor that boots: whole numbers first, decimals later.
+{ awk 'BEGIN { for (i = 0; i < 300; i++) print "0 0 0" }'; cat "$work/decimal.txt"; } > "$work/boot.txt"
+cut -d ' ' -f 1-3 "$work/boot.txt" > "$work/zeros.txt"
+run calibrate "$work/zeros.txt" --json
+check "calibrate LOG: 300 zeros before decimals" near 0.0012 "$(field offset)" \
+    "$(json "$work/plain.json" offset | tr -d '[]' | awk -F, '{ print $1 * 0.0006, $2 * 0.0006, $3 * 0.0006 }')"
+# Samples that come ten at a time with one time.
+awk -F, 'NR == 1 { print; next } { printf "%.2f,%s,%s,%s\n", int((NR - 2) / 10) / 10, $2, $3, $4 }' \
+    "$work/plain.csv" > "$work/batches.csv"
+run calibrate "$work/batches.csv" --json
+check "calibrate LOG: ten samples for each time" near 0 "$(field offset)" "$plain_offset"
+run calibrate "$work/batches.csv" --rate 100 --json
+check "calibrate LOG: the same with the rate stated" near 0 "$(field offset)" "$plain_offset"
+awk -F, 'NR == 1 { print; next } { printf "%.2f,%s,%s,%s\n", NR == 6000 ? 1 : $1, $2, $3, $4 }' \
+    "$work/plain.csv" > "$work/backwards.csv"
+run calibrate "$work/backwards.csv"
+check "calibrate LOG: times that go back are told" matches "$work/stdout" '^ +2 gaps in the stream'
+# One rest that reads next to nothing, beside 18 good ones.
+{ cat "$work/blank.txt"; awk 'BEGIN { for (i = 0; i < 500; i++) print i % 3, 2 - i % 5, i % 2 }'; } > "$work/drop.txt"
+run calibrate "$work/drop.txt" --json
+check "calibrate LOG: a rest without any reading is left out" near 0 "$(field rejected)" 19
+
 # ---- watch -------------------------------------------------------------------------------------
 
 accepts "watch: --help succeeds" watch --help
@@ -166,6 +188,27 @@ run watch - --json
 check "watch: --json is JSON alone" is_json "$work/stdout"
 check "watch: the guidance goes to stderr" matches "$work/stderr" '^next: '
 in=/dev/null
+awk 'NR == 1 { print "34,-512"; next } NR == 900 { print "garb,age" } { print } END { printf "124.5,12" }' \
+    "$work/plain.csv" > "$work/noisy.csv"
+in=$work/noisy.csv
+run watch - --json
+in=/dev/null
+check "watch: lines that are cut or garbled are skipped" test "$code" -eq 0
+check "watch: they are told" test "$(grep -c 'columns' "$work/stderr")" -eq 4
+check "watch: and do no harm" right_offset plain 2
+# Whoever presses Ctrl-C gets the result of what there is.
+mkfifo "$work/port"
+"$tool" watch - --json < "$work/port" > "$work/stdout" 2> "$work/stderr" &
+watcher=$!
+exec 3> "$work/port"
+head -n 11000 "$work/plain.csv" >&3
+while [ "$(grep -c 'taken' "$work/stderr")" -lt 14 ]; do sleep 0.1; done
+kill -TERM $watcher
+wait $watcher
+code=$?
+exec 3>&-
+check "watch: an interrupt ends the stream, with the result" test "$code" -eq 0
+check "watch: it is that of the samples that have come" test "$(field positions)" -ge 14
 refuses "watch: a set that is no program" 2 'plan: is per-group' watch - --plan edges
 refuses "watch: position means" 2 'positions: is for' watch - --positions
 refuses "watch: a negative target" 2 'target: is not negative' watch - --target=-1,0,0

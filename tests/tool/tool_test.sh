@@ -585,7 +585,9 @@ hopeless "zero vectors with a given nominal" "$f" 'out of range' \
 awk '{ print NR == 7 ? "1e30,1e30,1e30" : $0 }' "$good" > "$f"
 hopeless "a position of 1e30" "$f" '(undetermined|out of range)' 'hopeless'
 hopeless "a position of 1e30 with a given nominal" "$f" 'out of range' \
-    'hopeless\.csv:7: position 7 reads .* check --gravity' --zero 0,0,0 --lsb 1
+    'hopeless\.csv:7: position 7 reads .* check --gravity' --zero 0,0,0 --lsb 1 --keep-all
+run calibrate "$f" --positions --zero 0,0,0 --lsb 1 --json
+check "a position of 1e30 is left out and named" test "$(json "$work/stdout" rejected)" = '[7]'
 awk 'NR == 1 { print "x,y,z\n# comment" } { print NR == 7 ? "1e300,-1e300,3" : $0 }' "$good" > "$f"
 hopeless "a position that overflows in the calculation" "$f" 'not finite' \
     'hopeless\.csv:9: position 7 is too large' --zero 0,0,0 --lsb 1e20 --gravity 1e21
@@ -595,7 +597,10 @@ hopeless "the largest numbers" "$f" '.*' 'hopeless'
 awk -F, '{ print $1 "e-320," $2 "e-320," $3 "e-320" }' "$good" > "$f"
 hopeless "subnormal numbers" "$f" '(undetermined|not an ellipsoid|out of range)' 'hopeless'
 awk '{ print NR == 3 ? "4e-324,0,-4e-324" : $0 }' "$good" > "$f"
-hopeless "one subnormal position" "$f" '.*' 'hopeless' --zero 0,0,0 --lsb 1
+hopeless "one subnormal position" "$f" '.*' 'hopeless' --zero 0,0,0 --lsb 1 --keep-all
+run calibrate "$f" --positions --zero 0,0,0 --lsb 1
+check "a position without any reading is left out and named" matches "$work/stdout" \
+    '^Left out: position 3 \(line 3\)'
 hopeless "a wrong unit" "$work/xsens.csv" 'out of range' \
     'xsens\.csv:1: position 1 reads .*check --gravity' --zero 33123,33276,32360 --lsb 9.8
 hopeless "a wrong field" "$good" 'out of range' 'position 1 reads .*check --gravity' \

@@ -977,11 +977,13 @@ static int is_enough(unsigned count)
     }
     for (unsigned p = 0; p < 9; p++) {
         const double target = (double)b.setup.target[p / 3];
-        if (target > 0 && !(sigma_of_parameter(&r.quality, p) <= target)) {
+        if (target > 0 &&
+            !(sigma_of_parameter(&r.quality, p) * (double)r.quality.coverage <= 1.96 * target)) {
             return 0;
         }
     }
-    return r.quality.verdict == INVCAL_GOOD;
+    return r.quality.verdict == INVCAL_GOOD &&
+           ((double)r.quality.dof >= 3 || b.setup.settings.noise > 0);
 }
 
 /* By position the number at which ENOUGH was said; 0: never. */
@@ -1722,6 +1724,7 @@ static invcal_quality quality_of(invcal_verdict verdict, double sigma)
 
     memset(&q, 0, sizeof q);
     q.verdict = verdict;
+    q.coverage = 2;
     for (unsigned r = 0; r < 9; r++) {
         *sigma_at(&q, r) = (invcal_real)sigma;
     }
@@ -1763,6 +1766,46 @@ static void every_sigma_counts_with_its_square(void)
         *sigma_at(&found, r) = (invcal_real)NOT_A_NUMBER;
         TEST_ASSERT_EQUAL_INT(0, invcal_session_improves(&found, &present));
     }
+}
+
+static void a_sigma_that_is_small_by_luck_does_not_win(void)
+{
+    const invcal_quality present = quality_of(INVCAL_GOOD, 1e-4);
+    invcal_quality lucky = quality_of(INVCAL_GOOD, 0.5e-4);
+
+    lucky.coverage = (invcal_real)12.7; /* Student's t of one residual */
+    TEST_ASSERT_EQUAL_INT(0, invcal_session_improves(&lucky, &present));
+    TEST_ASSERT_EQUAL_INT(1, invcal_session_improves(&present, &lucky));
+}
+
+static void another_nominal_calibration_makes_the_sums_anew(void)
+{
+    begin(program(), 0.02, 79);
+    visit_plan(0, 18);
+    invcal_session before = *b.s;
+    const result expected = solve();
+    invcal_calibration nominal = b.setup.settings.nominal;
+    for (unsigned i = 0; i < 3; i++) {
+        nominal.offset[i] += 400;
+        nominal.matrix[i][i] *= INVCAL_REAL(1.03);
+    }
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_session_renew(b.s, &nominal));
+    const result renewed = solve();
+    for (unsigned i = 0; i < 3; i++) {
+        TEST_ASSERT_DOUBLE_WITHIN(FLOAT_OR_DOUBLE(0.1, 1e-4),
+                                  (double)expected.solution.calibration.offset[i],
+                                  (double)renewed.solution.calibration.offset[i]);
+    }
+    nominal.matrix[2][2] = 0;
+    before = *b.s;
+    TEST_ASSERT_EQUAL_INT(INVCAL_BAD_SETTING, invcal_session_renew(b.s, &nominal));
+    TEST_ASSERT_EQUAL_MEMORY(&before, b.s, sizeof before);
+    nominal.matrix[2][2] = nominal.matrix[0][0];
+    nominal.offset[0] += 1000000;
+    TEST_ASSERT_EQUAL_INT(INVCAL_OUT_OF_RANGE, invcal_session_renew(b.s, &nominal));
+    TEST_ASSERT_EQUAL_MEMORY(&before, b.s, sizeof before);
+    b.s->normal.count = b.s->stored + 1u;
+    TEST_ASSERT_EQUAL_INT(INVCAL_NO_SPACE, invcal_session_renew(b.s, &b.setup.settings.nominal));
 }
 
 static void more_positions_make_the_better_one(void)
@@ -2177,6 +2220,8 @@ int main(void)
     RUN_TEST(in_a_procedure_nothing_ages);
     RUN_TEST(the_better_one_is_no_worse_in_verdict_and_smaller_in_sigma);
     RUN_TEST(every_sigma_counts_with_its_square);
+    RUN_TEST(a_sigma_that_is_small_by_luck_does_not_win);
+    RUN_TEST(another_nominal_calibration_makes_the_sums_anew);
     RUN_TEST(more_positions_make_the_better_one);
     RUN_TEST(the_session_knows_how_warm_it_was);
     RUN_TEST(a_temperature_that_is_none_changes_nothing);
