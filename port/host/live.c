@@ -17,15 +17,15 @@
 #define RENEW 4u    /* positions whose range says more than the first reading */
 #define FAR_OFF 0.7 /* mean of unit vectors that differ less than positions do */
 
-/* Both are too large for the stack. */
+/* All are too large for the stack. */
 static samples live_log;
+static rests_lines live_lines;
 static invcal_session session;
 
 typedef struct {
     positions *p;
     const live_wish *wish;
     rests_summary *summary;
-    unsigned long first_line;
     int is_terminal;
     int is_refused;            /* said of the rest that is going on */
     double lsb;                /* as guessed for zero at 0 */
@@ -185,7 +185,7 @@ static int digest(stage *s, const invcal_event *event)
     case INVCAL_SESSION_TAKEN:
     case INVCAL_SESSION_ENOUGH:
     case INVCAL_SESSION_FINISHED:
-        failure = rests_take(s->p, &event->rest, live_log.unit, s->first_line);
+        failure = rests_take(s->p, &event->rest, live_log.unit, &live_lines);
         renew_nominal(s);
         say_taken(s, event);
         say_next(s);
@@ -194,7 +194,7 @@ static int digest(stage *s, const invcal_event *event)
         if (event->reason != INVCAL_REST_GOOD) {
             s->summary->refused[event->reason]++;
         } else if (event->rest.count > 0) { /* the calibration may think otherwise of it */
-            failure = rests_take(s->p, &event->rest, live_log.unit, s->first_line);
+            failure = rests_take(s->p, &event->rest, live_log.unit, &live_lines);
         }
         say_refused(s, event);
         break;
@@ -283,11 +283,11 @@ static int watch(stage *s)
         if (now.is_gap) {
             invcal_session_gap(&session);
         }
-        if (s->summary->samples++ == 0) {
-            s->first_line = now.line;
-        }
+        s->summary->samples++;
+        rests_lines_sample(&live_lines, now.line, now.is_gap);
         if (invcal_session_feed(&session, now.raw, now.temperature, &event) !=
             INVCAL_SESSION_NOTHING) {
+            rests_lines_block(&live_lines);
             failure = digest(s, &event);
         }
     }

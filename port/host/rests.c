@@ -8,14 +8,41 @@
 #include "progress.h"
 #include "samples.h"
 
+/* Too large for the stack. */
+static rests_lines log_lines;
+
 typedef struct {
-    unsigned long first_line; /* of the samples; comments between them move the lines told */
     positions *p;
     double unit;
     rests_summary *summary;
 } reading;
 
-int rests_take(positions *p, const invcal_rest *rest, double unit, unsigned long first_line)
+void rests_lines_sample(rests_lines *lines, unsigned long line, int is_gap)
+{
+    lines->fill = is_gap ? 0 : lines->fill; /* the block that was begun is lost */
+    if (lines->fill++ == 0) {
+        lines->start = line;
+    }
+}
+
+void rests_lines_block(rests_lines *lines)
+{
+    lines->line[lines->blocks++ % RESTS_BLOCKS] = lines->start;
+    lines->size = lines->size ? lines->size : lines->fill;
+    lines->fill = 0;
+}
+
+static unsigned long line_of(const rests_lines *lines, uint32_t index)
+{
+    unsigned long block = lines->size ? index / lines->size : 0;
+
+    if (lines->blocks > RESTS_BLOCKS && block < lines->blocks - RESTS_BLOCKS) {
+        block = lines->blocks - RESTS_BLOCKS;
+    }
+    return lines->line[block % RESTS_BLOCKS];
+}
+
+int rests_take(positions *p, const invcal_rest *rest, double unit, const rests_lines *lines)
 {
     double mean[3];
 
@@ -24,7 +51,7 @@ int rests_take(positions *p, const invcal_rest *rest, double unit, unsigned long
         mean[i] *= unit;
         p->noise_square[i] += rest->variance * unit * unit / rest->count;
     }
-    return positions_add(p, mean, first_line + rest->begin);
+    return positions_add(p, mean, line_of(lines, rest->begin));
 }
 
 void rests_end(positions *p)
@@ -40,7 +67,7 @@ static int digest(reading *r, const invcal_still *still, invcal_still_event seen
     if (seen == INVCAL_STILL_REFUSED) {
         r->summary->refused[invcal_still_reason(still)]++;
     }
-    return seen == INVCAL_STILL_TAKEN ? rests_take(r->p, rest, r->unit, r->first_line) : EXIT_GOOD;
+    return seen == INVCAL_STILL_TAKEN ? rests_take(r->p, rest, r->unit, &log_lines) : EXIT_GOOD;
 }
 
 static int32_t rail(double value, double unit)
@@ -59,10 +86,13 @@ static int read_samples(reading *r, samples *log, invcal_still *still)
         if (s.is_gap) {
             invcal_still_gap(still);
         }
-        if (r->summary->samples++ == 0) {
-            r->first_line = s.line;
+        r->summary->samples++;
+        rests_lines_sample(&log_lines, s.line, s.is_gap);
+        const invcal_still_event seen = invcal_still_push(still, s.raw, &rest);
+        if (seen != INVCAL_STILL_NONE) {
+            rests_lines_block(&log_lines);
+            failure = digest(r, still, seen, &rest);
         }
-        failure = digest(r, still, invcal_still_push(still, s.raw, &rest), &rest);
         progress_show(&log->table, r->p->count);
     }
     progress_end();
@@ -78,7 +108,7 @@ int rests_read(positions *p, const char *path, double rate, const double clip[2]
     static samples log; /* too large for the stack */
     invcal_still still;
     int failure = samples_open(&log, path, rate, 0);
-    reading r = {0, p, log.unit, summary};
+    reading r = {p, log.unit, summary};
 
     *p = (positions){.name = log.table.name, .has_noise = 1};
     *summary = (rests_summary){.rate = log.rate, .is_rate_known = log.is_rate_known};

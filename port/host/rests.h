@@ -21,9 +21,24 @@ typedef struct {
     unsigned refused[RESTS_REASONS]; /* rests, by their reason */
 } rests_summary;
 
-/* Adds a rest to the positions. `unit` is that of a count, `first_line` the line of sample 0 of the
- * log. Returns as positions_add. */
-int rests_take(positions *p, const invcal_rest *rest, double unit, unsigned long first_line);
+/* Which line of the log each block of invcal_still began with: where samples were lost or lines
+ * skipped, counting does not tell. The last RESTS_BLOCKS are remembered, half an hour. */
+#define RESTS_BLOCKS 16384u
+typedef struct {
+    unsigned long line[RESTS_BLOCKS];
+    unsigned long blocks; /* full ones so far */
+    unsigned long start;  /* line of the one that is being filled, */
+    unsigned fill;        /* and its samples so far */
+    unsigned size;        /* samples of a block; 0: not known yet */
+} rests_lines;
+
+/* Before each sample is fed; after each that has filled a block. All bytes zero at the beginning. */
+void rests_lines_sample(rests_lines *lines, unsigned long line, int is_gap);
+void rests_lines_block(rests_lines *lines);
+
+/* Adds a rest to the positions, with its line. `unit` is that of a count. Returns as
+ * positions_add. */
+int rests_take(positions *p, const invcal_rest *rest, double unit, const rests_lines *lines);
 
 /* All rests are taken: makes noise_square a mean. */
 void rests_end(positions *p);

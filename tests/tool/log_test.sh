@@ -118,6 +118,15 @@ check "calibrate LOG: two wrong positions are left out" near 0 "$(field rejected
 check "calibrate LOG: and do no harm" right_offset wrong 2
 run calibrate "$work/wrong.csv"
 check "calibrate LOG: they are named" test "$(grep -c '^Left out: position' "$work/stdout")" -eq 2
+# The line that is named lies in the rest that is wrong, whatever is lost before it.
+names_rest() { # LINE BEGIN END: the time in that line is within the rest, or a second
+    awk -F, -v line="$1" -v begin="$2" -v end="$3" 'NR == line { ok = $1 > begin - 0.2 && $1 < end } END { exit !ok }' "$work/lost.csv"
+}
+begin=$(awk '/"begin"/ { t = $2 + 0 } /"wrong": -*0\.05/ { last = t } END { print last }' "$work/wrong.json")
+awk 'NR > 1 && NR % 300 == 50 { print "# a comment" } NR < 2 || NR % 500 > 20' "$work/wrong.csv" > "$work/lost.csv"
+run calibrate "$work/lost.csv"
+check "calibrate LOG: the line is right beside gaps and comments" names_rest \
+    "$(sed -n 's/^Left out: .*(line \([0-9]*\)).*/\1/p' "$work/stdout" | tail -n 1)" "$begin" $((begin + 5))
 run calibrate "$work/wrong.csv" --keep-all --json
 check "calibrate LOG: --keep-all keeps them" test "$(field rejected)" = '[]'
 
