@@ -469,9 +469,9 @@ static const char *const help[] = {
     "\n"
     "LOG is a table of samples, - the standard input; the rests in it, of two seconds or more,\n"
     "are found. Turn briskly from one to the next: a turn of more than five seconds may pass for\n"
-    "a rest where it begins and ends slowly. Columns are x y z, or t x y z (t in seconds), or t x "
-    "y z temperature; the first\n"
-    "two also with the three of a gyro behind; or any with a header that names them:\n",
+    "a rest where it begins and ends slowly. Columns are x y z, or t x y z (t in seconds), or\n"
+    "t x y z temperature; the first two also with the three of a gyro behind; or any with a\n"
+    "header that names them:\n",
     COLUMNS_NAMES,
     "Separators are semicolons, commas, tabs or blanks; lines beginning with # are comments.\n"
     "Nine positions are the least, twelve to eighteen in all directions are good. A position\n"
