@@ -98,7 +98,7 @@ static void write_summary(json_writer *w, const design *d, const choice_request 
         json_vector(w, "start", d->plan.start);
     }
     json_number(w, "labour", d->count);
-    json_number(w, "redundancy", (double)d->count - INVCAL_PARAMETERS);
+    json_number(w, "redundancy", (double)d->count - (double)INVCAL_PARAMETERS);
     write_criteria(w, &d->criteria, d->is_solvable);
     write_axes(w, d->axes);
     json_list(w, "range");

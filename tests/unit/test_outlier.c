@@ -161,7 +161,7 @@ static shares try_often(const experiment *e, unsigned draws)
         double v[CAPACITY][3];
         reading_set set;
         invcal_outliers out;
-        double error;
+        double error = 0;
         if (e->positions) {
             (void)program_of(e->positions, v);
         } else {
@@ -513,7 +513,7 @@ static void the_rule_of_the_header_decides(void)
         const double size = draw % 3 ? 0.05 : 0.002;
         double v[CAPACITY][3];
         reading_set set;
-        double error;
+        double error = 0;
         random_directions(&random, count, v);
         read_positions(&truth, (const double(*)[3])v, count, SIGMA, &random, &set);
         (void)spoil_some(&random, draw / 5 % 4, 0.3 * size, size, &set, &error);
@@ -575,7 +575,7 @@ static void errors_w_leverage_and_sigma_are_those_of_the_definition(void)
         const double stated = draw % 2 ? 1e-4 : 0;
         double v[CAPACITY][3];
         reading_set set;
-        double error;
+        double error = 0;
         random_directions(&random, count, v);
         read_positions(&truth, (const double(*)[3])v, count, SIGMA, &random, &set);
         (void)spoil_some(&random, draw % 4, 0.005, 0.1, &set, &error);
@@ -594,7 +594,7 @@ static void the_error_reported_is_the_one_that_was_planted(void)
         const triad_truth truth = triad_random(&random, 0.03);
         double v[CAPACITY][3];
         reading_set set;
-        double error;
+        double error = 0;
         (void)program_of(24, v);
         read_positions(&truth, (const double(*)[3])v, 24, SIGMA, &random, &set);
         const uint32_t bad = spoil_some(&random, 1, 0.002, 0.05, &set, &error);
@@ -795,7 +795,7 @@ static void no_more_than_six_are_named(void)
         const triad_truth truth = triad_random(&random, 0.03);
         double v[CAPACITY][3];
         reading_set set;
-        double error;
+        double error = 0;
         unsigned count;
         random_directions(&random, CAPACITY, v);
         read_positions(&truth, (const double(*)[3])v, CAPACITY, SIGMA, &random, &set);
