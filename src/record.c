@@ -8,14 +8,15 @@
 
 enum { KIND = 0xCA, VERSION = 1, REALS_AT = 24, CRC_SIZE = 4, SHORTEST = 8 };
 
-/* One way through the reals of a record, with something to do at each. */
-typedef struct way way;
-struct way {
-    void (*step)(way *w, invcal_real *x);
+/* One way through the reals of a record, with something to do at each: an action by name, as a
+ * pointer to a function would be a constant that needs relocation. */
+typedef enum { PUT, GET, TO_FLOAT } action;
+typedef struct {
+    action what;
     uint8_t *to;
     const uint8_t *from;
     int finite;
-};
+} way;
 
 static void put(way *w, invcal_real *x)
 {
@@ -42,7 +43,17 @@ static void to_float(way *w, invcal_real *x)
 static void each(way *w, invcal_real *x, unsigned count)
 {
     for (unsigned i = 0; i < count; i++) {
-        w->step(w, &x[i]);
+        switch (w->what) {
+        case PUT:
+            put(w, &x[i]);
+            break;
+        case GET:
+            get(w, &x[i]);
+            break;
+        case TO_FLOAT:
+            to_float(w, &x[i]);
+            break;
+        }
     }
 }
 
@@ -72,7 +83,7 @@ static void each_real(way *w, invcal_record *r)
 static invcal_status settle(invcal_record *r)
 {
     invcal_real inverse[3][3];
-    way w = {to_float, NULL, NULL, 1};
+    way w = {TO_FLOAT, NULL, NULL, 1};
 
     each_real(&w, r);
     if (!w.finite) {
@@ -89,7 +100,7 @@ invcal_status invcal_record_encode(const invcal_record *record, uint8_t bytes[IN
     INVCAL_ASSERT(record && bytes);
     const invcal_real most = (invcal_real)FLT_MAX;
     invcal_record r = *record;
-    way w = {put, bytes + REALS_AT, NULL, 1};
+    way w = {PUT, bytes + REALS_AT, NULL, 1};
 
     r.temperature_known = r.temperature_known != 0;
     if (!r.temperature_known) {
@@ -135,7 +146,7 @@ invcal_status invcal_record_decode(const uint8_t *bytes, uint32_t size, invcal_r
 {
     INVCAL_ASSERT(bytes && out);
     invcal_record r;
-    way w = {get, NULL, bytes + REALS_AT, 1};
+    way w = {GET, NULL, bytes + REALS_AT, 1};
 
     if (!is_sound(bytes, size)) {
         return INVCAL_DAMAGED;

@@ -25,13 +25,13 @@ typedef struct {
 
 /* ---- one way through many reals, with something to do at each --------------------------------- */
 
-typedef struct way way;
-struct way {
-    invcal_real (*step)(way *w, invcal_real x); /* returns what x becomes */
+typedef enum { PUT, GET, TO_FLOAT } action; /* as in record.c */
+typedef struct {
+    action what;
     uint8_t *to;
     const uint8_t *from;
     int finite;
-};
+} way;
 
 static invcal_real put(way *w, invcal_real x)
 {
@@ -59,17 +59,31 @@ static invcal_real to_float(way *w, invcal_real x)
     return x;
 }
 
+/* Returns what x becomes. */
+static invcal_real act(way *w, invcal_real x)
+{
+    switch (w->what) {
+    case PUT:
+        return put(w, x);
+    case GET:
+        return get(w, x);
+    case TO_FLOAT:
+        break;
+    }
+    return to_float(w, x);
+}
+
 static void each(way *w, invcal_real *x, unsigned count)
 {
     for (unsigned i = 0; i < count; i++) {
-        x[i] = w->step(w, x[i]);
+        x[i] = act(w, x[i]);
     }
 }
 
 static void each_const(way *w, const invcal_real *x, unsigned count)
 {
     for (unsigned i = 0; i < count; i++) {
-        (void)w->step(w, x[i]);
+        (void)act(w, x[i]);
     }
 }
 
@@ -127,7 +141,7 @@ static int is_consistent(const head *h)
 /* Rounds to float and judges what remains: what passes here passes when it is read. */
 static invcal_status settle(head *h)
 {
-    way w = {to_float, NULL, NULL, 1};
+    way w = {TO_FLOAT, NULL, NULL, 1};
 
     each_real(&w, h);
     if (!w.finite) {
@@ -182,7 +196,7 @@ static void put_head(const head *h, uint8_t *bytes)
 /* Are all means, as they will be stored, readings of the field, and all sums storable? */
 static invcal_status check_positions(const invcal_session *session, const head *h)
 {
-    way w = {to_float, NULL, NULL, 1};
+    way w = {TO_FLOAT, NULL, NULL, 1};
     invcal_status status = INVCAL_OK;
     invcal_observation row;
     invcal_real mean[3];
@@ -214,7 +228,7 @@ invcal_status invcal_resume_encode(const invcal_session *session, uint8_t bytes[
                                    uint32_t *size)
 {
     INVCAL_ASSERT(session && bytes && size);
-    way w = {put, bytes + REALS_AT, NULL, 1};
+    way w = {PUT, bytes + REALS_AT, NULL, 1};
     head h;
 
     take_head(session, &h);
@@ -261,7 +275,7 @@ static int32_t get_i32(const uint8_t *bytes)
 /* Returns 0 if the length is not that of the content. */
 static int get_head(const uint8_t *bytes, head *h)
 {
-    way w = {get, NULL, bytes + REALS_AT, 1};
+    way w = {GET, NULL, bytes + REALS_AT, 1};
     const uint16_t length = invcal_get_u16(bytes + 2);
 
     if (length < TABLE_AT + CRC_SIZE) {
@@ -282,7 +296,7 @@ static int get_head(const uint8_t *bytes, head *h)
 
 static int are_positions(const uint8_t *bytes, const head *h)
 {
-    way w = {get, NULL, bytes + TABLE_AT, 1};
+    way w = {GET, NULL, bytes + TABLE_AT, 1};
     invcal_observation row;
     invcal_real mean[3] = {0, 0, 0};
 
@@ -332,7 +346,7 @@ static void get_sums(way *w, invcal_normal *normal, unsigned count)
 /* Into a session that has just begun. All has been checked. */
 static void fill(const uint8_t *bytes, const head *h, invcal_session *session)
 {
-    way w = {get, NULL, bytes + TABLE_AT, 1};
+    way w = {GET, NULL, bytes + TABLE_AT, 1};
 
     session->stored = h->stored;
     session->step = h->step;

@@ -49,9 +49,8 @@ invcal_status invcal_session_init(invcal_session *session, const invcal_session_
         status = invcal_still_init(&still, setup->rate, setup->low, setup->high);
     }
     if (status == INVCAL_OK) {
-        const invcal_session_setup copy = *setup; /* it may be the session's own */
         memset(session, 0, sizeof *session);
-        session->setup = copy;
+        session->setup = *setup;
         session->still = still;
     }
     return status;

@@ -83,6 +83,8 @@ typedef struct {
 
 /* Begins: nothing taken yet.
  *
+ * setup  copied; not the one inside of session.
+ *
  * Returns INVCAL_OK; INVCAL_BAD_SETTING if invcal_settings_check, invcal_plan_check or
  * invcal_still_init refuses the setup, or a target is negative or NaN; INVCAL_TOO_FEW by
  * invcal_plan_check. */
