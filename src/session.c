@@ -201,7 +201,7 @@ static int is_asked(const invcal_session *session, const invcal_real u[3])
 
     if (!has_plan(&session->setup) ||
         invcal_plan_position_at(&session->setup.plan, session->step, &position) != INVCAL_OK) {
-        return 1; /* free hand: any */
+        return 1; /* no program: any will do */
     }
     return invcal_dot(u, position.vertical, 3) >= ASKED * INVCAL_SQRT(invcal_dot(u, u, 3));
 }

@@ -34,7 +34,7 @@ extern "C" {
 /* What a session is for. */
 typedef struct {
     invcal_settings settings; /* nominal calibration: raw units are the counts of the samples */
-    invcal_plan plan;         /* the program to follow; per_group 0: free hand */
+    invcal_plan plan;         /* the program to follow; per_group 0: any directions */
     invcal_real target[3];    /* sigma of delta, dk, gamma that is enough; 0: any */
     invcal_real rate;         /* samples per second, 8 ... 8000 */
     int32_t low;              /* the sensor's least and greatest counts: what lies there is */
@@ -60,14 +60,14 @@ typedef struct {
     invcal_rest_reason reason; /* REFUSED: why it was no rest; INVCAL_REST_GOOD if it was one, */
     invcal_status status;      /* but its mean is no reading of this field */
     unsigned positions;        /* taken so far */
-    int is_asked;              /* TAKEN: within 20 degrees of what was to be next; free hand: 1 */
-    invcal_rest rest;          /* TAKEN, COVERED: its sum, variance and place in the stream */
+    int is_asked;     /* TAKEN: within 20 degrees of what was to be next; without a program: 1 */
+    invcal_rest rest; /* TAKEN, COVERED: its sum, variance and place in the stream */
 } invcal_event;
 
 typedef struct {
     invcal_session_setup setup;
     invcal_still still;
-    invcal_normal normal;                      /* of all positions taken, free of outliers or not */
+    invcal_normal normal;                      /* of all positions taken, outliers too */
     invcal_real mean[INVCAL_MAX_POSITIONS][3]; /* raw units; the first, or in the background the
                                                most telling ones */
     uint8_t age[INVCAL_MAX_POSITIONS];         /* background: days, by invcal_session_age */
