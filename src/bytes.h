@@ -6,8 +6,11 @@
 #define INVCAL_BYTES_H
 
 #include <float.h>
+#include <math.h>
 #include <stdint.h>
 #include <string.h>
+
+#include "invcal/config.h"
 
 #if FLT_RADIX != 2 || FLT_MANT_DIG != 24 || FLT_MAX_EXP != 128
 #error "float is not IEEE-754 binary32 here"
@@ -64,6 +67,59 @@ static inline uint32_t invcal_crc32(uint32_t crc, const uint8_t *bytes, uint32_t
         }
     }
     return ~crc;
+}
+
+/* Kind, version, length (16 bits), whatever follows, and at the length's end the CRC of all of it:
+ * are these bytes something of the sort, of whatever kind and version? */
+enum { INVCAL_CRC_SIZE = 4, INVCAL_SOUND_MIN = 8 };
+static inline int invcal_is_sound(const uint8_t *bytes, uint32_t size)
+{
+    if (size < INVCAL_SOUND_MIN) {
+        return 0;
+    }
+    const uint16_t length = invcal_get_u16(bytes + 2);
+    if (length < INVCAL_SOUND_MIN || length > size) {
+        return 0;
+    }
+    const uint16_t end = (uint16_t)(length - INVCAL_CRC_SIZE);
+    return invcal_crc32(0, bytes, end) == invcal_get_u32(bytes + end);
+}
+
+/* One way through many reals, with something to do at each: an action by name, as a pointer to a
+ * function would be a constant that needs relocation. */
+typedef enum { INVCAL_PUT, INVCAL_GET, INVCAL_TO_FLOAT } invcal_action;
+typedef struct {
+    invcal_action what;
+    uint8_t *to;
+    const uint8_t *from;
+    int finite; /* 1 as long as all were, and fitted into a float */
+} invcal_way;
+
+/* Returns what x becomes: as it is when put, as it was stored when got, else as it will be. */
+static inline invcal_real invcal_way_act(invcal_way *w, invcal_real x)
+{
+    if (w->what == INVCAL_GET) {
+        x = (invcal_real)invcal_get_float(w->from);
+        w->from += 4;
+    }
+    /* compared first: the conversion of a larger number is undefined */
+    if (!(INVCAL_FABS(x) <= (invcal_real)FLT_MAX)) {
+        w->finite = 0;
+        return x;
+    }
+    if (w->what == INVCAL_PUT) {
+        invcal_put_float(w->to, (float)x);
+        w->to += 4;
+        return x;
+    }
+    return (invcal_real)(float)x;
+}
+
+static inline void invcal_way_each(invcal_way *w, invcal_real *x, unsigned count)
+{
+    for (unsigned i = 0; i < count; i++) {
+        x[i] = invcal_way_act(w, x[i]);
+    }
 }
 
 #endif

@@ -6,84 +6,35 @@
 #include "bytes.h"
 #include "vector.h"
 
-enum { KIND = 0xCA, VERSION = 1, REALS_AT = 24, CRC_SIZE = 4, SHORTEST = 8 };
-
-/* One way through the reals of a record, with something to do at each: an action by name, as a
- * pointer to a function would be a constant that needs relocation. */
-typedef enum { PUT, GET, TO_FLOAT } action;
-typedef struct {
-    action what;
-    uint8_t *to;
-    const uint8_t *from;
-    int finite;
-} way;
-
-static void put(way *w, invcal_real *x)
-{
-    invcal_put_float(w->to, (float)*x);
-    w->to += 4;
-}
-
-static void get(way *w, invcal_real *x)
-{
-    *x = (invcal_real)invcal_get_float(w->from);
-    w->from += 4;
-}
-
-/* To what will be stored. Compared first: the conversion of a larger number is undefined. */
-static void to_float(way *w, invcal_real *x)
-{
-    if (INVCAL_FABS(*x) <= (invcal_real)FLT_MAX) {
-        *x = (invcal_real)(float)*x;
-    } else {
-        w->finite = 0;
-    }
-}
-
-static void each(way *w, invcal_real *x, unsigned count)
-{
-    for (unsigned i = 0; i < count; i++) {
-        switch (w->what) {
-        case PUT:
-            put(w, &x[i]);
-            break;
-        case GET:
-            get(w, &x[i]);
-            break;
-        case TO_FLOAT:
-            to_float(w, &x[i]);
-            break;
-        }
-    }
-}
+enum { KIND = 0xCA, VERSION = 1, REALS_AT = 24 };
 
 /* In the order of their bytes. */
-static void each_real(way *w, invcal_record *r)
+static void each_real(invcal_way *w, invcal_record *r)
 {
-    each(w, &r->field, 1);
-    each(w, &r->field_sigma, 1);
-    each(w, &r->temperature, 1);
-    each(w, &r->noise, 1);
-    each(w, &r->residual_rms, 1);
-    each(w, &r->condition, 1);
-    each(w, r->calibration.offset, 3);
+    invcal_way_each(w, &r->field, 1);
+    invcal_way_each(w, &r->field_sigma, 1);
+    invcal_way_each(w, &r->temperature, 1);
+    invcal_way_each(w, &r->noise, 1);
+    invcal_way_each(w, &r->residual_rms, 1);
+    invcal_way_each(w, &r->condition, 1);
+    invcal_way_each(w, r->calibration.offset, 3);
     for (unsigned i = 0; i < 3; i++) {
-        each(w, r->calibration.matrix[i], 3);
+        invcal_way_each(w, r->calibration.matrix[i], 3);
     }
-    each(w, r->delta, 3);
-    each(w, r->dk, 3);
-    each(w, r->gamma, 3);
-    each(w, r->sigma_offset, 3);
-    each(w, r->sigma_delta, 3);
-    each(w, r->sigma_dk, 3);
-    each(w, r->sigma_gamma, 3);
+    invcal_way_each(w, r->delta, 3);
+    invcal_way_each(w, r->dk, 3);
+    invcal_way_each(w, r->gamma, 3);
+    invcal_way_each(w, r->sigma_offset, 3);
+    invcal_way_each(w, r->sigma_delta, 3);
+    invcal_way_each(w, r->sigma_dk, 3);
+    invcal_way_each(w, r->sigma_gamma, 3);
 }
 
 /* Rounds a record to float and judges what remains: what passes here passes when it is read. */
 static invcal_status settle(invcal_record *r)
 {
     invcal_real inverse[3][3];
-    way w = {TO_FLOAT, NULL, NULL, 1};
+    invcal_way w = {INVCAL_TO_FLOAT, NULL, NULL, 1};
 
     each_real(&w, r);
     if (!w.finite) {
@@ -100,7 +51,7 @@ invcal_status invcal_record_encode(const invcal_record *record, uint8_t bytes[IN
     INVCAL_ASSERT(record && bytes);
     const invcal_real most = (invcal_real)FLT_MAX;
     invcal_record r = *record;
-    way w = {PUT, bytes + REALS_AT, NULL, 1};
+    invcal_way w = {INVCAL_PUT, bytes + REALS_AT, NULL, 1};
 
     r.temperature_known = r.temperature_known != 0;
     if (!r.temperature_known) {
@@ -124,31 +75,17 @@ invcal_status invcal_record_encode(const invcal_record *record, uint8_t bytes[IN
     bytes[22] = (uint8_t)r.verdict;
     bytes[23] = r.temperature_known;
     each_real(&w, &r);
-    invcal_put_u32(w.to, invcal_crc32(0, bytes, INVCAL_RECORD_SIZE - CRC_SIZE));
+    invcal_put_u32(w.to, invcal_crc32(0, bytes, INVCAL_RECORD_SIZE - INVCAL_CRC_SIZE));
     return INVCAL_OK;
-}
-
-/* Are these bytes a record, of whatever kind and version? */
-static int is_sound(const uint8_t *bytes, uint32_t size)
-{
-    if (size < SHORTEST) {
-        return 0;
-    }
-    const uint16_t length = invcal_get_u16(bytes + 2);
-    if (length < SHORTEST || length > size) {
-        return 0;
-    }
-    const uint16_t end = (uint16_t)(length - CRC_SIZE);
-    return invcal_crc32(0, bytes, end) == invcal_get_u32(bytes + end);
 }
 
 invcal_status invcal_record_decode(const uint8_t *bytes, uint32_t size, invcal_record *out)
 {
     INVCAL_ASSERT(bytes && out);
     invcal_record r;
-    way w = {GET, NULL, bytes + REALS_AT, 1};
+    invcal_way w = {INVCAL_GET, NULL, bytes + REALS_AT, 1};
 
-    if (!is_sound(bytes, size)) {
+    if (!invcal_is_sound(bytes, size)) {
         return INVCAL_DAMAGED;
     }
     if (bytes[0] != KIND || bytes[1] != VERSION) {

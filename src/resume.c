@@ -6,10 +6,9 @@
 #include "bytes.h"
 #include "vector.h"
 
-enum { KIND = 0xC5, VERSION = 1, CRC_SIZE = 4, SHORTEST = 8 };
+enum { KIND = 0xC5, VERSION = 1 };
 enum { REALS_AT = 24, TABLE_AT = 156, POSITION_SIZE = 13, SUMS_SIZE = 220 };
 enum { SUMS = INVCAL_PACKED_SIZE(INVCAL_PARAMETERS) };
-#define FADING INVCAL_REAL(0.96875) /* of a day: that of session.c */
 
 /* A session without its table and sums. */
 typedef struct {
@@ -23,91 +22,34 @@ typedef struct {
     uint8_t is_enough;
 } head;
 
-/* ---- one way through many reals, with something to do at each --------------------------------- */
-
-typedef enum { PUT, GET, TO_FLOAT } action; /* as in record.c */
-typedef struct {
-    action what;
-    uint8_t *to;
-    const uint8_t *from;
-    int finite;
-} way;
-
-static invcal_real put(way *w, invcal_real x)
-{
-    invcal_put_float(w->to, (float)x);
-    w->to += 4;
-    return x;
-}
-
-static invcal_real get(way *w, invcal_real x)
-{
-    (void)x;
-    const invcal_real value = (invcal_real)invcal_get_float(w->from);
-    w->from += 4;
-    w->finite &= invcal_is_finite(value);
-    return value;
-}
-
-/* To what will be stored. Compared first: the conversion of a larger number is undefined. */
-static invcal_real to_float(way *w, invcal_real x)
-{
-    if (INVCAL_FABS(x) <= (invcal_real)FLT_MAX) {
-        return (invcal_real)(float)x;
-    }
-    w->finite = 0;
-    return x;
-}
-
-/* Returns what x becomes. */
-static invcal_real act(way *w, invcal_real x)
-{
-    switch (w->what) {
-    case PUT:
-        return put(w, x);
-    case GET:
-        return get(w, x);
-    case TO_FLOAT:
-        break;
-    }
-    return to_float(w, x);
-}
-
-static void each(way *w, invcal_real *x, unsigned count)
+static void each_const(invcal_way *w, const invcal_real *x, unsigned count)
 {
     for (unsigned i = 0; i < count; i++) {
-        x[i] = act(w, x[i]);
-    }
-}
-
-static void each_const(way *w, const invcal_real *x, unsigned count)
-{
-    for (unsigned i = 0; i < count; i++) {
-        (void)act(w, x[i]);
+        (void)invcal_way_act(w, x[i]);
     }
 }
 
 /* In the order of their bytes. */
-static void each_real(way *w, head *h)
+static void each_real(invcal_way *w, head *h)
 {
     invcal_settings *settings = &h->setup.settings;
 
-    each(w, settings->nominal.offset, 3);
+    invcal_way_each(w, settings->nominal.offset, 3);
     for (unsigned i = 0; i < 3; i++) {
-        each(w, settings->nominal.matrix[i], 3);
+        invcal_way_each(w, settings->nominal.matrix[i], 3);
     }
-    each(w, &settings->field, 1);
-    each(w, &settings->noise, 1);
-    each(w, settings->prior, INVCAL_PARAMETERS);
-    each(w, h->setup.plan.start, INVCAL_PLAN_GROUPS);
-    each(w, h->setup.target, 3);
-    each(w, &h->setup.rate, 1);
-    each(w, &h->temperature, 1);
-    each(w, &h->coldest, 1);
-    each(w, &h->warmest, 1);
+    invcal_way_each(w, &settings->field, 1);
+    invcal_way_each(w, &settings->noise, 1);
+    invcal_way_each(w, settings->prior, INVCAL_PARAMETERS);
+    invcal_way_each(w, h->setup.plan.start, INVCAL_PLAN_GROUPS);
+    invcal_way_each(w, h->setup.target, 3);
+    invcal_way_each(w, &h->setup.rate, 1);
+    invcal_way_each(w, &h->temperature, 1);
+    invcal_way_each(w, &h->coldest, 1);
+    invcal_way_each(w, &h->warmest, 1);
 }
 
-static void each_sum(way *w, const invcal_normal *normal)
+static void each_sum(invcal_way *w, const invcal_normal *normal)
 {
     each_const(w, normal->hth, SUMS);
     each_const(w, normal->htj, INVCAL_PARAMETERS);
@@ -125,7 +67,7 @@ static int has_sums(const head *h)
 static uint32_t length_of(const head *h)
 {
     return (uint32_t)TABLE_AT + (uint32_t)POSITION_SIZE * h->stored +
-           (has_sums(h) ? (uint32_t)SUMS_SIZE : 0u) + CRC_SIZE;
+           (has_sums(h) ? (uint32_t)SUMS_SIZE : 0u) + INVCAL_CRC_SIZE;
 }
 
 /* In the background positions go, so the program may have come further than the count. */
@@ -141,7 +83,7 @@ static int is_consistent(const head *h)
 /* Rounds to float and judges what remains: what passes here passes when it is read. */
 static invcal_status settle(head *h)
 {
-    way w = {TO_FLOAT, NULL, NULL, 1};
+    invcal_way w = {INVCAL_TO_FLOAT, NULL, NULL, 1};
 
     each_real(&w, h);
     if (!w.finite) {
@@ -196,14 +138,14 @@ static void put_head(const head *h, uint8_t *bytes)
 /* Are all means, as they will be stored, readings of the field, and all sums storable? */
 static invcal_status check_positions(const invcal_session *session, const head *h)
 {
-    way w = {TO_FLOAT, NULL, NULL, 1};
+    invcal_way w = {INVCAL_TO_FLOAT, NULL, NULL, 1};
     invcal_status status = INVCAL_OK;
     invcal_observation row;
     invcal_real mean[3];
 
     for (unsigned i = 0; i < h->stored && status == INVCAL_OK; i++) {
         memcpy(mean, session->mean[i], sizeof mean);
-        each(&w, mean, 3);
+        invcal_way_each(&w, mean, 3);
         status = w.finite ? row_of(&h->setup.settings, mean, &row) : INVCAL_NOT_FINITE;
     }
     if (status == INVCAL_OK && has_sums(h)) {
@@ -213,7 +155,7 @@ static invcal_status check_positions(const invcal_session *session, const head *
     return status;
 }
 
-static void put_positions(way *w, const invcal_session *session, const head *h)
+static void put_positions(invcal_way *w, const invcal_session *session, const head *h)
 {
     for (unsigned i = 0; i < h->stored; i++) {
         each_const(w, session->mean[i], 3);
@@ -228,7 +170,7 @@ invcal_status invcal_resume_encode(const invcal_session *session, uint8_t bytes[
                                    uint32_t *size)
 {
     INVCAL_ASSERT(session && bytes && size);
-    way w = {PUT, bytes + REALS_AT, NULL, 1};
+    invcal_way w = {INVCAL_PUT, bytes + REALS_AT, NULL, 1};
     head h;
 
     take_head(session, &h);
@@ -243,25 +185,11 @@ invcal_status invcal_resume_encode(const invcal_session *session, uint8_t bytes[
     each_real(&w, &h);
     put_positions(&w, session, &h);
     *size = length_of(&h);
-    invcal_put_u32(w.to, invcal_crc32(0, bytes, *size - CRC_SIZE));
+    invcal_put_u32(w.to, invcal_crc32(0, bytes, *size - INVCAL_CRC_SIZE));
     return INVCAL_OK;
 }
 
 /* ---- from bytes -------------------------------------------------------------------------------- */
-
-/* Are these bytes something with a CRC, of whatever kind and version? */
-static int is_sound(const uint8_t *bytes, uint32_t size)
-{
-    if (size < SHORTEST) {
-        return 0;
-    }
-    const uint16_t length = invcal_get_u16(bytes + 2);
-    if (length < SHORTEST || length > size) {
-        return 0;
-    }
-    const uint16_t end = (uint16_t)(length - CRC_SIZE);
-    return invcal_crc32(0, bytes, end) == invcal_get_u32(bytes + end);
-}
 
 static int32_t get_i32(const uint8_t *bytes)
 {
@@ -275,10 +203,10 @@ static int32_t get_i32(const uint8_t *bytes)
 /* Returns 0 if the length is not that of the content. */
 static int get_head(const uint8_t *bytes, head *h)
 {
-    way w = {GET, NULL, bytes + REALS_AT, 1};
+    invcal_way w = {INVCAL_GET, NULL, bytes + REALS_AT, 1};
     const uint16_t length = invcal_get_u16(bytes + 2);
 
-    if (length < TABLE_AT + CRC_SIZE) {
+    if (length < TABLE_AT + INVCAL_CRC_SIZE) {
         return 0;
     }
     h->stored = invcal_get_u16(bytes + 4);
@@ -296,49 +224,28 @@ static int get_head(const uint8_t *bytes, head *h)
 
 static int are_positions(const uint8_t *bytes, const head *h)
 {
-    way w = {GET, NULL, bytes + TABLE_AT, 1};
+    invcal_way w = {INVCAL_GET, NULL, bytes + TABLE_AT, 1};
     invcal_observation row;
     invcal_real mean[3] = {0, 0, 0};
 
     for (unsigned i = 0; i < h->stored; i++) {
-        each(&w, mean, 3);
+        invcal_way_each(&w, mean, 3);
         w.from++;
         if (row_of(&h->setup.settings, mean, &row) != INVCAL_OK) {
             return 0;
         }
     }
     for (unsigned i = 0; has_sums(h) && i < SUMS_SIZE / 4; i++) {
-        (void)get(&w, 0);
+        (void)invcal_way_act(&w, 0);
     }
     return w.finite;
 }
 
-static invcal_real weight_of(unsigned age)
+static void get_sums(invcal_way *w, invcal_normal *normal, unsigned count)
 {
-    invcal_real weight = 1;
-
-    while (age-- > 0) {
-        weight *= FADING;
-    }
-    return weight;
-}
-
-/* In the order and with the weights of session.c: in the same number type to the same bits. */
-static void sum_up(invcal_session *session)
-{
-    invcal_observation row;
-
-    for (unsigned i = 0; i < session->stored; i++) {
-        (void)row_of(&session->setup.settings, session->mean[i], &row);
-        (void)invcal_normal_add(&session->normal, &row, weight_of(session->age[i]));
-    }
-}
-
-static void get_sums(way *w, invcal_normal *normal, unsigned count)
-{
-    each(w, normal->hth, SUMS);
-    each(w, normal->htj, INVCAL_PARAMETERS);
-    each(w, &normal->jtj, 1);
+    invcal_way_each(w, normal->hth, SUMS);
+    invcal_way_each(w, normal->htj, INVCAL_PARAMETERS);
+    invcal_way_each(w, &normal->jtj, 1);
     normal->count = count;
     normal->model = INVCAL_MODEL_ELLIPSOID; /* a session makes no others */
 }
@@ -346,7 +253,7 @@ static void get_sums(way *w, invcal_normal *normal, unsigned count)
 /* Into a session that has just begun. All has been checked. */
 static void fill(const uint8_t *bytes, const head *h, invcal_session *session)
 {
-    way w = {GET, NULL, bytes + TABLE_AT, 1};
+    invcal_way w = {INVCAL_GET, NULL, bytes + TABLE_AT, 1};
 
     session->stored = h->stored;
     session->step = h->step;
@@ -358,13 +265,13 @@ static void fill(const uint8_t *bytes, const head *h, invcal_session *session)
         session->measured = (unsigned)h->count;
     }
     for (unsigned i = 0; i < h->stored; i++) {
-        each(&w, session->mean[i], 3);
+        invcal_way_each(&w, session->mean[i], 3);
         session->age[i] = *w.from++;
     }
     if (has_sums(h)) {
         get_sums(&w, &session->normal, (unsigned)h->count);
-    } else {
-        sum_up(session);
+    } else { /* in the order and with the weights of the session: the same bits */
+        (void)invcal_session_renew(session, &session->setup.settings.nominal);
     }
 }
 
@@ -373,7 +280,7 @@ invcal_status invcal_resume_decode(const uint8_t *bytes, uint32_t size, invcal_s
     INVCAL_ASSERT(bytes && out);
     head h;
 
-    if (!is_sound(bytes, size)) {
+    if (!invcal_is_sound(bytes, size)) {
         return INVCAL_DAMAGED;
     }
     if (bytes[0] != KIND || bytes[1] != VERSION) {
