@@ -34,6 +34,11 @@ double random_normal(random_source *source)
     return radius * cos(TURN * random_uniform(source, 0, 1));
 }
 
+void skip_long(void)
+{
+    TEST_IGNORE_MESSAGE("very many steps: run on the host and on a Cortex-M7");
+}
+
 double length3(const double v[3])
 {
     return sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);

@@ -69,6 +69,16 @@ double length3(const double v[3]);
 #define NOT_A_NUMBER ((double)NAN)
 #define INFINITE ((double)INFINITY)
 
+/* RUN_TEST for a test of very many draws or steps. With TEST_SHORT, on machines that are emulated
+ * slowly, it is skipped, and says why. */
+#ifdef TEST_SHORT
+#define RUN_LONG_TEST(test)                                                                        \
+    ((void)sizeof(&(test)), UnityDefaultTestRun(skip_long, #test, (UNITY_LINE_TYPE)__LINE__))
+#else
+#define RUN_LONG_TEST(test) RUN_TEST(test)
+#endif
+void skip_long(void);
+
 /* a in the float build, b in the double build. */
 #define FLOAT_OR_DOUBLE(a, b) (INVCAL_DOUBLE ? (b) : (a))
 

@@ -1001,22 +1001,22 @@ static void positions_that_determine_nothing_are_refused(void)
 int main(void)
 {
     UNITY_BEGIN();
-    RUN_TEST(one_of_18_that_is_wrong_is_found_and_the_calibration_is_as_good_as_without);
-    RUN_TEST(two_of_18_and_three_of_24_are_found_that_hide_one_another);
-    RUN_TEST(more_than_three_are_found_group_by_group);
-    RUN_TEST(clean_positions_lose_one_in_a_hundred_sets_or_fewer);
+    RUN_LONG_TEST(one_of_18_that_is_wrong_is_found_and_the_calibration_is_as_good_as_without);
+    RUN_LONG_TEST(two_of_18_and_three_of_24_are_found_that_hide_one_another);
+    RUN_LONG_TEST(more_than_three_are_found_group_by_group);
+    RUN_LONG_TEST(clean_positions_lose_one_in_a_hundred_sets_or_fewer);
     RUN_TEST(of_eleven_positions_none_is_removed_unless_the_noise_is_stated);
     RUN_TEST(a_stated_noise_helps_where_few_residuals_are_left);
-    RUN_TEST(a_stated_noise_may_be_wrong);
+    RUN_LONG_TEST(a_stated_noise_may_be_wrong);
     RUN_TEST(the_innocent_are_not_removed_where_two_positions_may_be_the_wrong_one);
-    RUN_TEST(the_rule_of_the_header_decides);
+    RUN_LONG_TEST(the_rule_of_the_header_decides);
     RUN_TEST(errors_w_leverage_and_sigma_are_those_of_the_definition);
     RUN_TEST(the_error_reported_is_the_one_that_was_planted);
     RUN_TEST(what_is_checked_by_all_positions_together_is_their_redundancy);
     RUN_TEST(the_order_of_positions_does_not_matter);
     RUN_TEST(units_do_not_matter);
     RUN_TEST(priors_and_the_frame_are_not_used);
-    RUN_TEST(exact_readings_have_no_outliers);
+    RUN_LONG_TEST(exact_readings_have_no_outliers);
     RUN_TEST(among_exact_readings_an_error_just_above_rounding_is_found);
     RUN_TEST(every_position_of_a_full_set_can_be_named);
     RUN_TEST(no_more_than_six_are_named);

@@ -481,7 +481,7 @@ int main(void)
 {
     UNITY_BEGIN();
     RUN_TEST(positions_follow_table_1_and_eta_from_any_starts);
-    RUN_TEST(starts_at_the_seams_of_the_turn_are_wrapped);
+    RUN_LONG_TEST(starts_at_the_seams_of_the_turn_are_wrapped);
     RUN_TEST(starts_a_whole_turn_apart_are_the_same_program);
     RUN_TEST(the_papers_table_2_is_the_program_of_18);
     RUN_TEST(multiples_of_90_degrees_give_exactly_0_and_1);
@@ -490,11 +490,11 @@ int main(void)
     RUN_TEST(a_position_beyond_the_program_is_refused);
     RUN_TEST(absurd_numbers_of_positions_are_refused_with_a_reason);
     RUN_TEST(starts_that_are_no_angles_are_refused);
-    RUN_TEST(the_starts_for_an_even_number_point_every_axis_up_and_down);
+    RUN_LONG_TEST(the_starts_for_an_even_number_point_every_axis_up_and_down);
     RUN_TEST(each_group_of_an_even_program_holds_its_own_axis_both_ways);
-    RUN_TEST(the_starts_for_an_odd_number_give_plus_z_minus_x_minus_y);
+    RUN_LONG_TEST(the_starts_for_an_odd_number_give_plus_z_minus_x_minus_y);
     RUN_TEST(the_starts_for_six_are_the_papers);
-    RUN_TEST(no_starts_of_an_odd_program_point_to_more_than_three_axes);
+    RUN_LONG_TEST(no_starts_of_an_odd_program_point_to_more_than_three_axes);
     RUN_TEST(an_axis_is_up_within_a_tenth_of_a_degree);
     RUN_TEST(what_is_no_direction_is_along_one_axis_at_most);
     return UNITY_END() != 0;

@@ -578,7 +578,7 @@ int main(void)
     RUN_TEST(a_singular_matrix_is_neither_encoded_nor_decoded);
     RUN_TEST(an_unknown_verdict_or_mark_is_neither_encoded_nor_decoded);
     RUN_TEST(any_wrong_bit_is_noticed);
-    RUN_TEST(any_four_wrong_bits_are_noticed);
+    RUN_LONG_TEST(any_four_wrong_bits_are_noticed);
     RUN_TEST(any_two_bytes_exchanged_are_noticed);
     RUN_TEST(a_record_without_its_end_is_noticed);
     RUN_TEST(blank_and_random_bytes_are_no_record);

@@ -1438,9 +1438,9 @@ int main(void)
     RUN_TEST(a_length_that_is_not_that_of_the_content_is_refused);
     RUN_TEST(sound_bytes_of_another_kind_or_version_are_named_so);
     RUN_TEST(a_record_is_no_session_and_a_session_no_record);
-    RUN_TEST(random_contents_with_a_right_crc_do_no_harm);
-    RUN_TEST(a_power_cut_in_any_step_of_a_save_loses_no_position);
-    RUN_TEST(a_power_cut_at_any_byte_of_a_save_loses_no_position);
+    RUN_LONG_TEST(random_contents_with_a_right_crc_do_no_harm);
+    RUN_LONG_TEST(a_power_cut_in_any_step_of_a_save_loses_no_position);
+    RUN_LONG_TEST(a_power_cut_at_any_byte_of_a_save_loses_no_position);
     RUN_TEST(a_power_cut_in_the_first_save_leaves_nothing_or_the_session);
     return UNITY_END() != 0;
 }

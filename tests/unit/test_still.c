@@ -1057,10 +1057,10 @@ static void the_count_of_samples_may_wrap(void)
 int main(void)
 {
     UNITY_BEGIN();
-    RUN_TEST(rests_are_found_from_10_hz_to_8_khz);
+    RUN_LONG_TEST(rests_are_found_from_10_hz_to_8_khz);
     RUN_TEST(rests_of_two_seconds_at_either_end_of_a_stream_count);
-    RUN_TEST(random_streams_give_all_their_rests_and_nothing_else);
-    RUN_TEST(a_turntable_never_rests);
+    RUN_LONG_TEST(random_streams_give_all_their_rests_and_nothing_else);
+    RUN_LONG_TEST(a_turntable_never_rests);
     RUN_TEST(motion_without_a_rest_gives_nothing);
     RUN_TEST(a_swinging_device_does_not_rest);
     RUN_TEST(sums_are_exact);
@@ -1095,7 +1095,7 @@ int main(void)
     RUN_TEST(init_refuses_rates_and_rails_out_of_range);
     RUN_TEST(random_bits_and_alternating_extremes_are_no_rest);
     RUN_TEST(jumps_through_all_of_int32_overflow_nothing);
-    RUN_TEST(ten_million_equal_samples_and_life_after);
+    RUN_LONG_TEST(ten_million_equal_samples_and_life_after);
     RUN_TEST(a_rest_stops_growing_before_its_counters_overflow);
     RUN_TEST(the_count_of_samples_may_wrap);
     return UNITY_END();

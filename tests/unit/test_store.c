@@ -1118,12 +1118,12 @@ int main(void)
     RUN_TEST(a_header_that_makes_no_sense_is_no_record);
     RUN_TEST(any_wrong_bit_in_a_record_brings_back_the_other_or_none);
     RUN_TEST(a_record_without_its_last_bytes_brings_back_the_other);
-    RUN_TEST(a_power_cut_at_any_byte_leaves_the_old_record_or_the_new_one);
-    RUN_TEST(cells_that_a_cut_left_half_programmed_do_no_harm);
+    RUN_LONG_TEST(a_power_cut_at_any_byte_leaves_the_old_record_or_the_new_one);
+    RUN_LONG_TEST(cells_that_a_cut_left_half_programmed_do_no_harm);
     RUN_TEST(the_first_save_may_be_cut_too);
     RUN_TEST(a_slot_that_a_cut_made_unreadable_is_used_again);
     RUN_TEST(after_an_erasure_nothing_is_left);
-    RUN_TEST(a_cut_while_erasing_leaves_the_last_record_or_none_but_no_older_one);
+    RUN_LONG_TEST(a_cut_while_erasing_leaves_the_last_record_or_none_but_no_older_one);
     RUN_TEST(an_erasure_that_fails_brings_no_older_record_back);
     RUN_TEST(a_callback_that_fails_leaves_the_old_record_or_the_new_one);
     RUN_TEST(a_failure_is_believed_even_if_the_bytes_are_right);

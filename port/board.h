@@ -1,0 +1,22 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * What tests, benchmarks and the example firmware ask of a target. Each family has its board.c.
+ */
+#ifndef BOARD_H
+#define BOARD_H
+
+#include <stdint.h>
+
+/* Before anything else; start-up calls it. */
+void board_begin(void);
+
+/* One character to whoever watches: a debugger's console, a UART. */
+void board_put(int c);
+
+/* Ends the run: 0 for success. Does not return. */
+void board_exit(int code);
+
+/* Instructions executed so far, modulo 2^32; on AVR, where the simulator counts them, cycles. */
+uint32_t board_count(void);
+
+#endif

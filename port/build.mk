@@ -1,0 +1,48 @@
+# SPDX-License-Identifier: MIT
+#
+# Everything for one target:  make -f port/build.mk TARGET=port/cortex-m/m4f tests
+# The target's own target.mk says with what and how.
+
+include $(TARGET)/target.mk
+
+CC     := $(PREFIX)gcc
+BUILD  ?= build/targets
+OUT    := $(BUILD)/$(subst /,-,$(TARGET:port/%=%))
+UNITY  ?= tests/unity
+OPT    ?= -O2
+REAL   ?= 0
+# Long tests run where LONG is set: by the target.mk of a machine that computes double in hardware.
+SHORT  := $(if $(LONG),,-DTEST_SHORT)
+WARNINGS := -Wall -Wextra -Wshadow -Wdouble-promotion
+# Contraction (fused multiply-add) is off: the same bits on every machine.
+FLAGS   = -std=c99 $(OPT) $(CPU) -ffp-contract=off -ffunction-sections -fdata-sections $(WARNINGS) \
+          -DINVCAL_DOUBLE=$(REAL) -Iinclude -Iport -MMD
+TESTING = -DUNITY_INCLUDE_DOUBLE -DUNITY_STRICT -DUNITY_SUPPORT_64 $(SHORT) \
+          '-DUNITY_OUTPUT_CHAR(c)=board_put(c)' \
+          -include board.h -I$(UNITY) -Itests/unit -Itests/reference -Ibuild
+
+LIBRARY := $(patsubst %.c,$(OUT)/%.o,$(wildcard src/*.c))
+SUITES  := $(patsubst tests/unit/%.c,%,$(wildcard tests/unit/test_*.c))
+COMMON  := $(BOARD:%.c=$(OUT)/%.o)
+Q := $(if $(V),,@)
+
+.DELETE_ON_ERROR:
+.SECONDARY:
+.PHONY: tests
+
+$(OUT)/%.o: %.c
+	@mkdir -p $(@D)
+	$(Q)$(CC) $(FLAGS) -c $< -o $@
+
+$(OUT)/unity.o: $(UNITY)/unity.c
+	@mkdir -p $(@D)
+	$(Q)$(CC) $(FLAGS) $(TESTING) -c $< -o $@
+
+$(OUT)/tests/%.o: FLAGS += $(TESTING)
+
+$(OUT)/%.elf: $(OUT)/tests/unit/%.o $(OUT)/tests/unit/support.o $(OUT)/unity.o $(COMMON) $(LIBRARY)
+	$(Q)$(CC) $(FLAGS) $^ -Wl,--gc-sections $(LINK) -o $@
+
+tests: $(SUITES:%=$(OUT)/%.elf)
+
+-include $(shell find $(OUT) -name '*.d' 2>/dev/null)
