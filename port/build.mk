@@ -28,7 +28,7 @@ Q := $(if $(V),,@)
 
 .DELETE_ON_ERROR:
 .SECONDARY:
-.PHONY: tests
+.PHONY: tests bench
 
 $(OUT)/%.o: %.c
 	@mkdir -p $(@D)
@@ -38,11 +38,17 @@ $(OUT)/unity.o: $(UNITY)/unity.c
 	@mkdir -p $(@D)
 	$(Q)$(CC) $(FLAGS) $(TESTING) -c $< -o $@
 
-$(OUT)/tests/%.o: FLAGS += $(TESTING)
+$(OUT)/tests/unit/%.o: FLAGS += $(TESTING)
 
 $(OUT)/%.elf: $(OUT)/tests/unit/%.o $(OUT)/tests/unit/support.o $(OUT)/unity.o $(COMMON) $(LIBRARY)
 	$(Q)$(CC) $(FLAGS) $^ -Wl,--gc-sections $(LINK) -o $@
 
 tests: $(SUITES:%=$(OUT)/%.elf)
+
+$(OUT)/bench.elf: $(OUT)/tests/bench/bench.o $(COMMON) $(LIBRARY)
+	$(Q)$(CC) $(FLAGS) $^ -Wl,--gc-sections $(LINK) -o $@
+
+bench: $(OUT)/bench.elf
+	$(Q)$(RUN:-kernel=$(COUNTING) -kernel) $<
 
 -include $(shell find $(OUT) -name '*.d' 2>/dev/null)

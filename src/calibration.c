@@ -25,13 +25,13 @@ invcal_status invcal_calibration_nominal(const invcal_real zero[3], const invcal
 void invcal_apply(const invcal_calibration *calibration, const invcal_real raw[3],
                   invcal_real calibrated[3])
 {
-    const invcal_real x = raw[0] - calibration->offset[0];
-    const invcal_real y = raw[1] - calibration->offset[1];
-    const invcal_real z = raw[2] - calibration->offset[2];
+    const invcal_real centred[3] = {raw[0] - calibration->offset[0],
+                                    raw[1] - calibration->offset[1],
+                                    raw[2] - calibration->offset[2]};
 
+    INVCAL_UNROLL
     for (unsigned i = 0; i < 3; i++) {
-        const invcal_real *row = calibration->matrix[i];
-        calibrated[i] = row[0] * x + row[1] * y + row[2] * z;
+        calibrated[i] = invcal_dot3(calibration->matrix[i], centred);
     }
 }
 
@@ -72,7 +72,7 @@ invcal_status invcal_calibration_inverse(const invcal_calibration *calibration,
     for (unsigned i = 0; i < 3; i++) {
         cross(row[(i + 1) % 3], row[(i + 2) % 3], column[i]);
     }
-    const invcal_real det = invcal_dot(row[0], column[0], 3);
+    const invcal_real det = invcal_dot3(row[0], column[0]);
     if (!(INVCAL_FABS(det) > 16 * INVCAL_EPSILON)) { /* of rows of length 1 to 1.7 */
         return INVCAL_BAD_SETTING;
     }

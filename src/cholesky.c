@@ -15,23 +15,31 @@ invcal_real invcal_largest_diagonal(const invcal_real *a, unsigned n)
     return largest;
 }
 
-/* Row by row: L(r,c) = (A(r,c) - sum L(r,k) L(c,k)) / L(c,c), L(r,r) = sqrt(A(r,r) - sum L^2). */
+/* x <- L^-1 x */
+static void forward(const invcal_real *l, unsigned n, invcal_real *x)
+{
+    for (unsigned r = 0; r < n; r++) {
+        x[r] = (x[r] - invcal_dot(l, x, r)) / l[r];
+        l += r + 1;
+    }
+}
+
+/* Row by row: L(r,c) = (A(r,c) - sum L(r,k) L(c,k)) / L(c,c), which is a forward solution with the
+ * rows above, and L(r,r) = sqrt(A(r,r) - sum L^2). */
 invcal_status invcal_cholesky_factor(invcal_real *a, unsigned n, invcal_real floor)
 {
     INVCAL_ASSERT(a && n >= 1 && n <= INVCAL_MAX_PARAMETERS);
     const invcal_real least = floor * invcal_largest_diagonal(a, n);
+    invcal_real *row = a;
 
     for (unsigned r = 0; r < n; r++) {
-        invcal_real *row = &a[INVCAL_PACKED(r, 0)];
-        for (unsigned c = 0; c < r; c++) {
-            const invcal_real *above = &a[INVCAL_PACKED(c, 0)];
-            row[c] = (row[c] - invcal_dot(row, above, c)) / above[c];
-        }
+        forward(a, r, row);
         const invcal_real pivot = row[r] - invcal_dot(row, row, r);
         if (!(pivot > least && invcal_is_positive(pivot))) {
             return INVCAL_UNDETERMINED;
         }
         row[r] = INVCAL_SQRT(pivot);
+        row += r + 1;
     }
     return INVCAL_OK;
 }
@@ -39,10 +47,7 @@ invcal_status invcal_cholesky_factor(invcal_real *a, unsigned n, invcal_real flo
 void invcal_cholesky_forward(const invcal_real *l, unsigned n, invcal_real *x)
 {
     INVCAL_ASSERT(l && x && n >= 1 && n <= INVCAL_MAX_PARAMETERS);
-    for (unsigned r = 0; r < n; r++) {
-        const invcal_real *row = &l[INVCAL_PACKED(r, 0)];
-        x[r] = (x[r] - invcal_dot(row, x, r)) / row[r];
-    }
+    forward(l, n, x);
 }
 
 /* L' y = x, by columns of L' (rows of L): once y(r) is known its share is taken from the rest. */
@@ -59,13 +64,14 @@ static void backward(const invcal_real *l, unsigned n, invcal_real *x)
 
 void invcal_cholesky_solve(const invcal_real *l, unsigned n, invcal_real *x)
 {
-    invcal_cholesky_forward(l, n, x);
+    forward(l, n, x);
     backward(l, n, x);
 }
 
-/* L <- L^-1: row r of the inverse needs row r of L and the rows of the inverse above it. */
-static void invert_triangle(invcal_real *l, unsigned n)
+/* Row r of the inverse needs row r of L and the rows of the inverse above it. */
+void invcal_cholesky_invert(invcal_real *l, unsigned n)
 {
+    INVCAL_ASSERT(l && n >= 1 && n <= INVCAL_MAX_PARAMETERS);
     for (unsigned r = 0; r < n; r++) {
         invcal_real *row = &l[INVCAL_PACKED(r, 0)];
         for (unsigned c = 0; c < r; c++) {
@@ -81,8 +87,7 @@ static void invert_triangle(invcal_real *l, unsigned n)
 
 void invcal_cholesky_inverse(invcal_real *l, unsigned n)
 {
-    INVCAL_ASSERT(l && n >= 1 && n <= INVCAL_MAX_PARAMETERS);
-    invert_triangle(l, n);
+    invcal_cholesky_invert(l, n);
     /* A^-1 = (L^-1)' L^-1. Element (r,c) needs the rows from r downwards: those not yet done. */
     for (unsigned r = 0; r < n; r++) {
         for (unsigned c = 0; c <= r; c++) {

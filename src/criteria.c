@@ -1,8 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "invcal/criteria.h"
 
-#include <string.h>
-
 #include "vector.h"
 
 invcal_status invcal_criteria_add(invcal_normal *design, const invcal_real vertical[3])
@@ -56,7 +54,7 @@ invcal_status invcal_criteria_judge(const invcal_normal *design, invcal_criteria
     invcal_real condition;
 
     INVCAL_ASSERT(design && out);
-    memcpy(work, design->hth, sizeof work);
+    invcal_normal_matrix(design, work);
     const invcal_status status =
         invcal_cholesky_factor(work, INVCAL_PARAMETERS, INVCAL_PIVOT_FLOOR);
     if (status != INVCAL_OK) {
@@ -70,7 +68,7 @@ invcal_status invcal_criteria_judge(const invcal_normal *design, invcal_criteria
         k[r] = work[INVCAL_PACKED(r, r)];
     }
     condition = invcal_largest_eigenvalue(work, INVCAL_PARAMETERS);
-    memcpy(work, design->hth, sizeof work);
+    invcal_normal_matrix(design, work);
     condition *= invcal_largest_eigenvalue(work, INVCAL_PARAMETERS);
     if (!(condition * INVCAL_PIVOT_FLOOR < 1)) {
         return INVCAL_UNDETERMINED; /* an open combination may hide behind sound pivots */

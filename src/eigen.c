@@ -57,29 +57,6 @@ void invcal_eigen3_decompose(const invcal_real m[6], invcal_eigen3 *out)
     memcpy(out->vector, v, sizeof v);
 }
 
-void invcal_eigen3_compose(const invcal_eigen3 *eigen, const invcal_real f[3], invcal_real out[6])
-{
-    INVCAL_ASSERT(eigen && f && out);
-    for (unsigned r = 0; r < 3; r++) {
-        const invcal_real *a = eigen->vector[r];
-        for (unsigned c = 0; c <= r; c++) {
-            const invcal_real *b = eigen->vector[c];
-            out[INVCAL_PACKED(r, c)] = a[0] * f[0] * b[0] + a[1] * f[1] * b[1] + a[2] * f[2] * b[2];
-        }
-    }
-}
-
-void invcal_eigen3_inverse(const invcal_eigen3 *eigen, invcal_real out[6])
-{
-    invcal_real f[3];
-
-    INVCAL_ASSERT(eigen && out);
-    for (unsigned i = 0; i < 3; i++) {
-        f[i] = -eigen->value[i] / (1 + eigen->value[i]); /* 1 / (1 + m) - 1 */
-    }
-    invcal_eigen3_compose(eigen, f, out);
-}
-
 /* y = A x for a packed symmetric A of n rows. */
 static void multiply(const invcal_real *a, unsigned n, const invcal_real *x, invcal_real *y)
 {

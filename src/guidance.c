@@ -37,10 +37,9 @@ static int direction(unsigned n, invcal_real up[3])
 static invcal_status factor(const invcal_normal *normal, const invcal_observation *more,
                             invcal_real *l)
 {
-    const invcal_real largest = invcal_largest_diagonal(normal->hth, INVCAL_PARAMETERS);
+    invcal_normal_matrix(normal, l);
+    const invcal_real largest = invcal_largest_diagonal(l, INVCAL_PARAMETERS);
     const invcal_real ridge = RIDGE * (largest > 1 ? largest : 1);
-
-    memcpy(l, normal->hth, sizeof normal->hth);
     for (unsigned r = 0; r < INVCAL_PARAMETERS; r++) {
         for (unsigned c = 0; more && c <= r; c++) {
             l[INVCAL_PACKED(r, c)] += more->h[r] * more->h[c];

@@ -5,8 +5,6 @@
 
 #include "vector.h"
 
-enum { SUMS = INVCAL_PACKED_SIZE(INVCAL_PARAMETERS) };
-
 void invcal_normal_init(invcal_normal *normal)
 {
     INVCAL_ASSERT(normal);
@@ -18,19 +16,43 @@ static int is_mixed(const invcal_normal *normal, invcal_model model)
     return normal->count > 0 && normal->model != model;
 }
 
+/* All products of degree d + 1 of x, y, z behind those of degree d: x times each, y times those
+ * without x, z times the last. So they stand in the order xx xy xz yy yz zz, xxx xxy ... zzz. */
+static invcal_real *raise(invcal_real *list, unsigned degree, const invcal_real a[3])
+{
+    const unsigned without_x = degree + 1;
+    const unsigned all = without_x * (degree + 2) / 2;
+    invcal_real *next = list + all;
+
+    INVCAL_UNROLL
+    for (unsigned i = 0; i < all; i++) {
+        *next++ = a[0] * list[i];
+    }
+    INVCAL_UNROLL
+    for (unsigned i = all - without_x; i < all; i++) {
+        *next++ = a[1] * list[i];
+    }
+    *next = a[2] * list[all - 1];
+    return list + all;
+}
+
 /* H'H += w h h', H'J += w h j, J'J += w j j. */
 static void accumulate(invcal_normal *normal, const invcal_observation *o, invcal_real weight)
 {
-    invcal_real *sum = normal->hth;
+    const invcal_real wj = weight * o->j;
+    invcal_real product[3 + INVCAL_MOMENTS] = {weight * o->h[0], weight * o->h[1],
+                                               weight * o->h[2]};
 
-    for (unsigned r = 0; r < INVCAL_PARAMETERS; r++) {
-        const invcal_real wh = weight * o->h[r];
-        for (unsigned c = 0; c <= r; c++) {
-            *sum++ += wh * o->h[c];
-        }
-        normal->htj[r] += wh * o->j;
+    (void)raise(raise(raise(product, 1, o->h), 2, o->h), 3, o->h);
+    INVCAL_UNROLL
+    for (unsigned i = 0; i < INVCAL_MOMENTS; i++) {
+        normal->moment[i] += product[3 + i];
     }
-    normal->jtj += weight * o->j * o->j;
+    INVCAL_UNROLL
+    for (unsigned r = 0; r < INVCAL_PARAMETERS; r++) {
+        normal->htj[r] += wj * o->h[r];
+    }
+    normal->jtj += wj * o->j;
 }
 
 static invcal_status check(const invcal_normal *normal, const invcal_observation *observation,
@@ -80,8 +102,8 @@ invcal_status invcal_normal_merge(invcal_normal *normal, const invcal_normal *ot
     if (other->count > 0 && is_mixed(normal, other->model)) {
         return INVCAL_MIXED;
     }
-    for (unsigned i = 0; i < SUMS; i++) {
-        normal->hth[i] += other->hth[i];
+    for (unsigned i = 0; i < INVCAL_MOMENTS; i++) {
+        normal->moment[i] += other->moment[i];
     }
     for (unsigned r = 0; r < INVCAL_PARAMETERS; r++) {
         normal->htj[r] += other->htj[r];
@@ -100,8 +122,8 @@ invcal_status invcal_normal_scale(invcal_normal *normal, invcal_real factor)
     if (!(factor > 0 && factor <= 1)) {
         return INVCAL_BAD_SETTING;
     }
-    for (unsigned i = 0; i < SUMS; i++) {
-        normal->hth[i] *= factor;
+    for (unsigned i = 0; i < INVCAL_MOMENTS; i++) {
+        normal->moment[i] *= factor;
     }
     for (unsigned r = 0; r < INVCAL_PARAMETERS; r++) {
         normal->htj[r] *= factor;
@@ -110,28 +132,23 @@ invcal_status invcal_normal_scale(invcal_normal *normal, invcal_real factor)
     return INVCAL_OK;
 }
 
-static int is_prior(const invcal_real sigma[INVCAL_PARAMETERS])
+/* Element (r, c) is the sum of one product: it stands behind those of lower degree, and of those
+ * with fewer factors other than x, and fewer z. */
+void invcal_normal_matrix(const invcal_normal *normal,
+                          invcal_real hth[INVCAL_PACKED_SIZE(INVCAL_PARAMETERS)])
 {
-    for (unsigned r = 0; r < INVCAL_PARAMETERS; r++) {
-        if (!(sigma[r] >= 0 && sigma[r] <= INVCAL_REAL_MAX)) {
-            return 0;
-        }
-    }
-    return 1;
-}
+    /* of x y z xx yy zz xy xz yz */
+    static const unsigned char not_x[INVCAL_PARAMETERS] = {0, 1, 1, 0, 2, 2, 1, 1, 2};
+    static const unsigned char is_z[INVCAL_PARAMETERS] = {0, 0, 1, 0, 0, 2, 0, 1, 1};
 
-invcal_status invcal_normal_add_prior(invcal_normal *normal,
-                                      const invcal_real sigma[INVCAL_PARAMETERS], invcal_real noise)
-{
-    INVCAL_ASSERT(normal && sigma);
-    if (!(invcal_is_positive(noise) && is_prior(sigma))) {
-        return INVCAL_BAD_SETTING;
-    }
+    INVCAL_ASSERT(normal && hth);
+    INVCAL_UNROLL
     for (unsigned r = 0; r < INVCAL_PARAMETERS; r++) {
-        if (sigma[r] > 0) {
-            const invcal_real ratio = noise / sigma[r];
-            normal->hth[INVCAL_PACKED(r, r)] += ratio * ratio;
+        INVCAL_UNROLL
+        for (unsigned c = 0; c <= r; c++) {
+            const unsigned start = c >= INVCAL_DK_X ? 16 : r >= INVCAL_DK_X ? 6 : 0;
+            const unsigned others = (unsigned)not_x[r] + not_x[c];
+            *hth++ = normal->moment[start + INVCAL_PACKED(others, (unsigned)is_z[r] + is_z[c])];
         }
     }
-    return INVCAL_OK;
 }

@@ -1,12 +1,9 @@
 /* SPDX-License-Identifier: MIT */
 #include "invcal/observation.h"
 
-#include "vector.h"
+#include <string.h>
 
-static int is_finite(const invcal_real v[3])
-{
-    return invcal_is_finite(v[0]) && invcal_is_finite(v[1]) && invcal_is_finite(v[2]);
-}
+#include "vector.h"
 
 /* h(a) = (x y z x^2 y^2 z^2 xy xz yz): the paper's row. */
 static void row(const invcal_real a[3], invcal_real h[INVCAL_PARAMETERS])
@@ -23,19 +20,17 @@ static void row(const invcal_real a[3], invcal_real h[INVCAL_PARAMETERS])
 }
 
 /* Readings far from unit length are no readings of this field. */
-static invcal_status check_reading(const invcal_real u[3])
+static invcal_status check_reading(const invcal_real u[3], invcal_real square)
 {
-    const invcal_real square = invcal_dot(u, u, 3);
-
     if (square >= INVCAL_REAL(0.01) && square <= INVCAL_REAL(100.0)) {
         return INVCAL_OK;
     }
-    return is_finite(u) ? INVCAL_OUT_OF_RANGE : INVCAL_NOT_FINITE;
+    return invcal_are_finite(u) ? INVCAL_OUT_OF_RANGE : INVCAL_NOT_FINITE;
 }
 
 static invcal_status check_vertical(const invcal_real vertical[3])
 {
-    const invcal_real excess = invcal_dot(vertical, vertical, 3) - 1; /* twice that of the length */
+    const invcal_real excess = invcal_dot3(vertical, vertical) - 1; /* twice that of the length */
 
     return INVCAL_FABS(excess) <= INVCAL_REAL(2e-4) ? INVCAL_OK : INVCAL_NOT_UNIT;
 }
@@ -53,23 +48,22 @@ invcal_status invcal_observation_reading(const invcal_calibration *nominal, invc
     for (unsigned i = 0; i < 3; i++) {
         v[i] /= field;
     }
-    if (!is_finite(v)) {
+    if (!invcal_are_finite(v)) {
         return INVCAL_NOT_FINITE;
     }
-    for (unsigned i = 0; i < 3; i++) {
-        u[i] = v[i];
-    }
+    memcpy(u, v, sizeof v);
     return INVCAL_OK;
 }
 
 invcal_status invcal_observation_exact(const invcal_real u[3], invcal_observation *out)
 {
     INVCAL_ASSERT(u && out);
-    const invcal_status status = check_reading(u);
+    const invcal_real square = invcal_dot3(u, u);
+    const invcal_status status = check_reading(u, square);
 
     if (status == INVCAL_OK) {
         row(u, out->h);
-        out->j = (invcal_dot(u, u, 3) - 1) / 2;
+        out->j = (square - 1) / 2;
         out->model = INVCAL_MODEL_ELLIPSOID;
     }
     return status;
@@ -79,7 +73,7 @@ invcal_status invcal_observation_exact(const invcal_real u[3], invcal_observatio
 static invcal_status linear(const invcal_real u[3], const invcal_real vertical[3], invcal_real j,
                             invcal_observation *out)
 {
-    invcal_status status = check_reading(u);
+    invcal_status status = check_reading(u, invcal_dot3(u, u));
 
     if (status == INVCAL_OK) {
         status = check_vertical(vertical);
@@ -96,12 +90,12 @@ invcal_status invcal_observation_first_order(const invcal_real u[3], const invca
                                              invcal_observation *out)
 {
     INVCAL_ASSERT(u && vertical && out);
-    return linear(u, vertical, (invcal_dot(u, u, 3) - 1) / 2, out);
+    return linear(u, vertical, (invcal_dot3(u, u) - 1) / 2, out);
 }
 
 invcal_status invcal_observation_vertical(const invcal_real u[3], const invcal_real vertical[3],
                                           invcal_observation *out)
 {
     INVCAL_ASSERT(u && vertical && out);
-    return linear(u, vertical, invcal_dot(u, vertical, 3) - 1, out);
+    return linear(u, vertical, invcal_dot3(u, vertical) - 1, out);
 }

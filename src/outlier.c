@@ -36,8 +36,9 @@ typedef struct {
     const invcal_real *raw;
     unsigned count;
     const invcal_settings *settings;
-    invcal_normal normal;   /* once solved, hth: its L, htj: p */
-    invcal_real squares;    /* sum of the squared residuals */
+    invcal_real l[INVCAL_PACKED_SIZE(INVCAL_PARAMETERS)]; /* L of its normal equations */
+    invcal_real p[INVCAL_PARAMETERS];                     /* their solution */
+    invcal_real squares;                                  /* sum of the squared residuals */
     invcal_observation row; /* the last one read: one for all saves stack */
 } fit;
 
@@ -50,16 +51,16 @@ static invcal_status read_row(fit *f, unsigned i)
     return status == INVCAL_OK ? invcal_observation_exact(u, &f->row) : status;
 }
 
-static invcal_status sum_rows(fit *f, invcal_mask removed)
+static invcal_status sum_rows(fit *f, invcal_mask removed, invcal_normal *normal)
 {
-    invcal_normal_init(&f->normal);
+    invcal_normal_init(normal);
     for (unsigned i = 0; i < f->count; i++) {
         if (!(removed & bit(i))) {
             const invcal_status status = read_row(f, i);
             if (status != INVCAL_OK) {
                 return status;
             }
-            (void)invcal_normal_add(&f->normal, &f->row, 1);
+            (void)invcal_normal_add(normal, &f->row, 1);
         }
     }
     return INVCAL_OK;
@@ -69,7 +70,7 @@ static invcal_status sum_rows(fit *f, invcal_mask removed)
 static invcal_real residual(fit *f, unsigned i)
 {
     (void)read_row(f, i);
-    return f->row.j + invcal_dot(f->row.h, f->normal.htj, INVCAL_PARAMETERS);
+    return f->row.j + invcal_dot(f->row.h, f->p, INVCAL_PARAMETERS);
 }
 
 /* Summed from the residuals: J'J - p'H'Hp cancels. */
@@ -87,22 +88,30 @@ static invcal_real sum_squares(fit *f, invcal_mask removed)
 }
 
 /* From the rows themselves: a downdate would keep the rounding errors of the outlier. */
-static invcal_status fit_without(fit *f, invcal_mask removed)
+static invcal_status solve_without(fit *f, invcal_mask removed)
 {
-    invcal_status status = sum_rows(f, removed);
+    invcal_normal normal;
+    const invcal_status status = sum_rows(f, removed, &normal);
 
-    if (status == INVCAL_OK) {
-        status = invcal_cholesky_factor(f->normal.hth, INVCAL_PARAMETERS, INVCAL_PIVOT_FLOOR);
-    }
     if (status != INVCAL_OK) {
         return status;
     }
-    invcal_cholesky_solve(f->normal.hth, INVCAL_PARAMETERS, f->normal.htj);
+    invcal_normal_matrix(&normal, f->l);
     for (unsigned r = 0; r < INVCAL_PARAMETERS; r++) {
-        f->normal.htj[r] = -f->normal.htj[r];
+        f->p[r] = -normal.htj[r];
     }
-    f->squares = sum_squares(f, removed);
-    return INVCAL_OK;
+    return invcal_cholesky_factor(f->l, INVCAL_PARAMETERS, INVCAL_PIVOT_FLOOR);
+}
+
+static invcal_status fit_without(fit *f, invcal_mask removed)
+{
+    const invcal_status status = solve_without(f, removed);
+
+    if (status == INVCAL_OK) {
+        invcal_cholesky_solve(f->l, INVCAL_PARAMETERS, f->p);
+        f->squares = sum_squares(f, removed);
+    }
+    return status;
 }
 
 /* Not every singular set shows in a pivot, but some parameter's variance shows it: times the
@@ -112,7 +121,7 @@ static int is_determined(const fit *f)
     const invcal_real most = 1 / ((invcal_real)f->count * INVCAL_PIVOT_FLOOR);
     invcal_real variance[INVCAL_PARAMETERS];
 
-    invcal_cholesky_inverse_diagonal(f->normal.hth, INVCAL_PARAMETERS, variance);
+    invcal_cholesky_inverse_diagonal(f->l, INVCAL_PARAMETERS, variance);
     for (unsigned r = 0; r < INVCAL_PARAMETERS; r++) {
         if (!(variance[r] < most)) {
             return 0;
@@ -129,7 +138,7 @@ static invcal_real squares_without(fit *f, invcal_mask removed)
 /* h K h' of the row last read, which is lost. */
 static invcal_real leverage(fit *f)
 {
-    invcal_cholesky_forward(f->normal.hth, INVCAL_PARAMETERS, f->row.h);
+    invcal_cholesky_forward(f->l, INVCAL_PARAMETERS, f->row.h);
     return invcal_dot(f->row.h, f->row.h, INVCAL_PARAMETERS);
 }
 
@@ -187,7 +196,7 @@ static void descend(const fit *f, const invcal_real *c, unsigned d, invcal_real 
     invcal_real *G = p->G[d];
 
     memcpy(G, f->row.h, sizeof p->G[d]);
-    invcal_cholesky_solve(f->normal.hth, INVCAL_PARAMETERS, G);
+    invcal_cholesky_solve(f->l, INVCAL_PARAMETERS, G);
     for (unsigned n = 0; n < INVCAL_PARAMETERS; n++) {
         for (unsigned i = 0; i < d; i++) {
             G[n] -= c[i] * p->G[i][n];

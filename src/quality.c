@@ -39,9 +39,10 @@ invcal_real invcal_coverage(invcal_real dof)
 typedef struct {
     const invcal_residuals *residuals;
     const invcal_settings *settings;
-    invcal_real share;  /* stored positions over used ones */
-    invcal_real noise;  /* of one equation, times sqrt(share): the stored ones stand for all */
-    invcal_normal work; /* H'H in calibrated units (+ prior), or its L */
+    invcal_real share; /* stored positions over used ones */
+    invcal_real noise; /* of one equation, times sqrt(share): the stored ones stand for all */
+    invcal_real l[INVCAL_PACKED_SIZE(INVCAL_PARAMETERS)]; /* of H'H in calibrated units (+ prior);
+                                                             L^-1 once it has been judged */
 } evidence;
 
 /* The share of parameter r that the data told, 0 ... 1: 1 - posterior / prior variance. */
@@ -63,9 +64,9 @@ static invcal_status parameters_of_data(evidence *e, invcal_real *parameters)
         return INVCAL_OK;
     }
     const invcal_status status =
-        invcal_information_factor(&e->residuals->normal, e->settings, &e->noise, &e->work);
+        invcal_information_factor(&e->residuals->normal, e->settings, &e->noise, e->l);
     if (status == INVCAL_OK) {
-        invcal_cholesky_inverse_diagonal(e->work.hth, INVCAL_PARAMETERS, diagonal);
+        invcal_cholesky_inverse_diagonal(e->l, INVCAL_PARAMETERS, diagonal);
         *parameters = 0;
         for (unsigned r = 0; r < INVCAL_PARAMETERS; r++) {
             *parameters += told_by_data(e, r, diagonal[r]);
@@ -105,14 +106,9 @@ static invcal_status judge_noise(evidence *e, invcal_quality *q)
  * combination hardly involves the last parameters has no small pivot. */
 static invcal_status judge_condition(evidence *e, invcal_quality *q)
 {
-    const invcal_status status =
-        invcal_information(&e->residuals->normal, e->settings, &e->noise, &e->work);
-
-    if (status != INVCAL_OK) {
-        return status;
-    }
+    invcal_information(&e->residuals->normal, e->settings, &e->noise, e->l);
     q->noise = e->noise / INVCAL_SQRT(e->share); /* a prior may have raised it */
-    q->condition = invcal_condition(e->work.hth, INVCAL_PARAMETERS);
+    q->condition = invcal_condition(e->l, INVCAL_PARAMETERS);
     return invcal_has_prior(e->settings) || q->condition * INVCAL_PIVOT_FLOOR < 1
                ? INVCAL_OK
                : INVCAL_UNDETERMINED;
@@ -130,21 +126,32 @@ static int is_weak(const evidence *e, invcal_real k, const invcal_quality *q)
     return !(INVCAL_SQRT(k * e->share) <= WEAK_ROOT_K && of_noise <= NOISE_SHARE);
 }
 
+/* K(r,r), the square of a column of L^-1. */
+static invcal_real variance(const evidence *e, unsigned r)
+{
+    invcal_real sum = 0;
+
+    for (unsigned i = r; i < INVCAL_PARAMETERS; i++) {
+        const invcal_real x = e->l[INVCAL_PACKED(i, r)];
+        sum += x * x;
+    }
+    return sum;
+}
+
 /* undetermined, from_prior and the verdict. */
 static invcal_status judge_parameters(evidence *e, invcal_quality *q)
 {
-    invcal_real diagonal[INVCAL_PARAMETERS];
     const invcal_status status =
-        invcal_information_factor(&e->residuals->normal, e->settings, &e->noise, &e->work);
+        invcal_information_factor(&e->residuals->normal, e->settings, &e->noise, e->l);
 
     if (status != INVCAL_OK) {
         return status;
     }
-    invcal_cholesky_inverse_diagonal(e->work.hth, INVCAL_PARAMETERS, diagonal);
+    invcal_cholesky_invert(e->l, INVCAL_PARAMETERS);
     q->undetermined = 0;
     q->from_prior = 0;
     for (unsigned r = 0; r < INVCAL_PARAMETERS; r++) {
-        const invcal_real k = diagonal[r];
+        const invcal_real k = variance(e, r);
         if (!(INVCAL_SQRT(k * e->share) <= HOPELESS_ROOT_K) && !(e->settings->prior[r] > 0)) {
             return INVCAL_UNDETERMINED;
         }
@@ -164,7 +171,7 @@ static invcal_status judge_residuals(const invcal_residuals *residuals, invcal_q
     return q->residual_rms <= ABSURD_RESIDUAL ? INVCAL_OK : INVCAL_NOT_ELLIPSOID;
 }
 
-/* All that can be refused; leaves L in e->work. */
+/* All that can be refused; leaves L^-1 in e->l. */
 static invcal_status judge(evidence *e, invcal_quality *q)
 {
     invcal_status status = judge_residuals(e->residuals, q);
@@ -181,11 +188,18 @@ static invcal_status judge(evidence *e, invcal_quality *q)
     return status;
 }
 
-/* sigma of the combination x of calibrated parameters; x is lost. */
-static invcal_real sigma_of(const evidence *e, invcal_real *x)
+/* sigma of a combination of calibrated parameters: x has its count factors from parameter first on.
+ * Its variance is x'K x = |L^-1 x|^2. */
+static invcal_real sigma_of(const evidence *e, const invcal_real *x, unsigned first, unsigned count)
 {
-    invcal_cholesky_forward(e->work.hth, INVCAL_PARAMETERS, x);
-    return e->noise * INVCAL_SQRT(invcal_dot(x, x, INVCAL_PARAMETERS));
+    invcal_real sum = 0;
+
+    for (unsigned r = first; r < INVCAL_PARAMETERS; r++) {
+        const unsigned terms = r - first < count ? r - first + 1 : count;
+        const invcal_real y = invcal_dot(&e->l[INVCAL_PACKED(r, first)], x, terms);
+        sum += y * y;
+    }
+    return e->noise * INVCAL_SQRT(sum);
 }
 
 /* A posterior is no wider than its prior; the Jacobian, taken beside it, may say so by a
@@ -203,18 +217,15 @@ static void spread_offset(const evidence *e, const invcal_real s[6], invcal_qual
     const invcal_real rows[3][3] = {
         {1 + s[0], s[1], s[3]}, {s[1], 1 + s[2], s[4]}, {s[3], s[4], 1 + s[5]}};
     invcal_real inverse[3][3];
+    invcal_real x[3];
 
     (void)invcal_calibration_inverse(&e->settings->nominal, inverse); /* checked before */
     for (unsigned i = 0; i < 3; i++) {
-        invcal_real x[INVCAL_PARAMETERS] = {rows[i][0], rows[i][1], rows[i][2]};
-        q->sigma_delta[i] = within_prior(e, i, sigma_of(e, x));
-
-        invcal_real y[INVCAL_PARAMETERS] = {0};
+        q->sigma_delta[i] = within_prior(e, i, sigma_of(e, rows[i], INVCAL_DELTA_X, 3));
         for (unsigned j = 0; j < 3; j++) {
-            y[j] = e->settings->field * (inverse[i][0] * rows[0][j] + inverse[i][1] * rows[1][j] +
-                                         inverse[i][2] * rows[2][j]);
+            x[j] = invcal_dot(inverse[i], rows[j], 3); /* a symmetric matrix */
         }
-        q->sigma_offset[i] = sigma_of(e, y);
+        q->sigma_offset[i] = e->settings->field * sigma_of(e, x, INVCAL_DELTA_X, 3);
     }
 }
 
@@ -225,33 +236,37 @@ static void spread_offset(const evidence *e, const invcal_real s[6], invcal_qual
  *
  * the harmonic mean. Hence dP(i,j) = sum_mn W(m,n) S'(m,n) with W = V T V',
  * T(m,n) = V(i,m) V(j,n) 2 a_m a_n / (a_m + a_n), and a gamma' is S'(m,n) + S'(n,m). */
-static void jacobian(const invcal_eigen3 *axes, unsigned i, unsigned j, invcal_real *x)
+static void jacobian(const invcal_eigen3 *axes, unsigned i, unsigned j, invcal_real x[6])
 {
     const invcal_real a[3] = {1 + axes->value[0], 1 + axes->value[1], 1 + axes->value[2]};
     invcal_real vt[3][3] = {{0}}; /* V T */
     invcal_real w[3][3];
 
+    INVCAL_UNROLL
     for (unsigned m = 0; m < 3; m++) {
+        INVCAL_UNROLL
         for (unsigned n = 0; n < 3; n++) {
             const invcal_real t =
                 axes->vector[i][m] * axes->vector[j][n] * 2 * a[m] * a[n] / (a[m] + a[n]);
+            INVCAL_UNROLL
             for (unsigned r = 0; r < 3; r++) {
                 vt[r][n] += axes->vector[r][m] * t;
             }
         }
     }
+    INVCAL_UNROLL
     for (unsigned r = 0; r < 3; r++) {
+        INVCAL_UNROLL
         for (unsigned c = 0; c < 3; c++) {
             w[r][c] = invcal_dot(vt[r], axes->vector[c], 3);
         }
     }
-    x[INVCAL_DELTA_X] = x[INVCAL_DELTA_Y] = x[INVCAL_DELTA_Z] = 0;
-    x[INVCAL_DK_X] = w[0][0];
-    x[INVCAL_DK_Y] = w[1][1];
-    x[INVCAL_DK_Z] = w[2][2];
-    x[INVCAL_GAMMA_XY] = (w[0][1] + w[1][0]) / 2;
-    x[INVCAL_GAMMA_XZ] = (w[0][2] + w[2][0]) / 2;
-    x[INVCAL_GAMMA_ZY] = (w[1][2] + w[2][1]) / 2;
+    for (unsigned r = 0; r < 3; r++) {
+        x[r] = w[r][r];
+    }
+    x[3] = (w[0][1] + w[1][0]) / 2;
+    x[4] = (w[0][2] + w[2][0]) / 2;
+    x[5] = (w[1][2] + w[2][1]) / 2;
 }
 
 /* dk(i) = P(i,i) - 1, gamma(ij) = 2 P(i,j). */
@@ -259,14 +274,15 @@ static void spread_matrix(const evidence *e, const invcal_real s[6], invcal_qual
 {
     static const unsigned char pair[3][2] = {{0, 1}, {0, 2}, {2, 1}};
     invcal_eigen3 axes;
-    invcal_real x[INVCAL_PARAMETERS];
+    invcal_real x[6]; /* of dk and gamma */
 
     invcal_eigen3_decompose(s, &axes);
     for (unsigned i = 0; i < 3; i++) {
         jacobian(&axes, i, i, x);
-        q->sigma_dk[i] = within_prior(e, INVCAL_DK_X + i, sigma_of(e, x));
+        q->sigma_dk[i] = within_prior(e, INVCAL_DK_X + i, sigma_of(e, x, INVCAL_DK_X, 6));
         jacobian(&axes, pair[i][0], pair[i][1], x);
-        q->sigma_gamma[i] = within_prior(e, INVCAL_GAMMA_XY + i, 2 * sigma_of(e, x));
+        q->sigma_gamma[i] =
+            within_prior(e, INVCAL_GAMMA_XY + i, 2 * sigma_of(e, x, INVCAL_DK_X, 6));
     }
 }
 
@@ -302,17 +318,16 @@ invcal_status invcal_covariance(const invcal_residuals *residuals, const invcal_
                                 invcal_real noise,
                                 invcal_real K[INVCAL_PACKED_SIZE(INVCAL_PARAMETERS)])
 {
-    invcal_normal work;
+    invcal_real l[INVCAL_PACKED_SIZE(INVCAL_PARAMETERS)];
 
     INVCAL_ASSERT(residuals && settings && K);
     if (!invcal_is_positive(noise) || invcal_settings_check(settings) != INVCAL_OK) {
         return INVCAL_BAD_SETTING;
     }
-    const invcal_status status =
-        invcal_information_factor(&residuals->normal, settings, &noise, &work);
+    const invcal_status status = invcal_information_factor(&residuals->normal, settings, &noise, l);
     if (status == INVCAL_OK) {
-        invcal_cholesky_inverse(work.hth, INVCAL_PARAMETERS);
-        memcpy(K, work.hth, sizeof work.hth);
+        invcal_cholesky_inverse(l, INVCAL_PARAMETERS);
+        memcpy(K, l, sizeof l);
     }
     return status;
 }

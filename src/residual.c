@@ -3,32 +3,23 @@
 
 #include <string.h>
 
+#include "near.h"
 #include "vector.h"
-
-/* y = (I + M) x for a packed symmetric 3x3 matrix M. */
-static void multiply(const invcal_real m[6], const invcal_real x[3], invcal_real y[3])
-{
-    y[0] = x[0] + (m[0] * x[0] + m[1] * x[1] + m[3] * x[2]);
-    y[1] = x[1] + (m[1] * x[0] + m[2] * x[1] + m[4] * x[2]);
-    y[2] = x[2] + (m[3] * x[0] + m[4] * x[1] + m[5] * x[2]);
-}
 
 void invcal_residuals_init(invcal_residuals *residuals, const invcal_solution *solution)
 {
     invcal_real s[6];
-    invcal_eigen3 axes;
-    invcal_real squares = 0;
 
     INVCAL_ASSERT(residuals && solution);
     memset(residuals, 0, sizeof *residuals);
     memcpy(residuals->delta, solution->delta, sizeof residuals->delta);
     invcal_solution_deviation(solution, s);
-    invcal_eigen3_decompose(s, &axes);
-    invcal_eigen3_inverse(&axes, residuals->correction);
-    for (unsigned i = 0; i < 3; i++) {
-        const invcal_real semi_axis = 1 + axes.value[i];
-        squares += 1 / (semi_axis * semi_axis); /* the trace of A^2 */
-    }
+    invcal_near_inverse(s, residuals->correction);
+    /* the trace of A^2: the sum of the squares of all elements */
+    const invcal_real *a = residuals->correction;
+    const invcal_real squares = (1 + a[0]) * (1 + a[0]) + (1 + a[2]) * (1 + a[2]) +
+                                (1 + a[5]) * (1 + a[5]) +
+                                2 * (a[1] * a[1] + a[3] * a[3] + a[4] * a[4]);
     residuals->gain = INVCAL_SQRT(squares / 3);
 }
 
@@ -38,7 +29,7 @@ static invcal_real direction_weight(const invcal_residuals *residuals, const inv
 {
     invcal_real gradient[3];
 
-    multiply(residuals->correction, eta, gradient);
+    invcal_near_multiply(residuals->correction, eta, gradient);
     return residuals->gain * residuals->gain / invcal_dot(gradient, gradient, 3);
 }
 
@@ -53,7 +44,7 @@ invcal_status invcal_residuals_add(invcal_residuals *residuals, const invcal_rea
     for (unsigned i = 0; i < 3; i++) {
         centred[i] = u[i] - residuals->delta[i];
     }
-    multiply(residuals->correction, centred, eta);
+    invcal_near_multiply(residuals->correction, centred, eta);
     invcal_status status = invcal_observation_exact(eta, &row);
     if (status == INVCAL_OK) {
         status =

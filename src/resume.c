@@ -7,8 +7,7 @@
 #include "vector.h"
 
 enum { KIND = 0xC5, VERSION = 1 };
-enum { REALS_AT = 24, TABLE_AT = 156, POSITION_SIZE = 13, SUMS_SIZE = 220 };
-enum { SUMS = INVCAL_PACKED_SIZE(INVCAL_PARAMETERS) };
+enum { REALS_AT = 24, TABLE_AT = 156, POSITION_SIZE = 13, SUMS_SIZE = 164 };
 
 /* A session without its table and sums. */
 typedef struct {
@@ -51,7 +50,7 @@ static void each_real(invcal_way *w, head *h)
 
 static void each_sum(invcal_way *w, const invcal_normal *normal)
 {
-    each_const(w, normal->hth, SUMS);
+    each_const(w, normal->moment, INVCAL_MOMENTS);
     each_const(w, normal->htj, INVCAL_PARAMETERS);
     each_const(w, &normal->jtj, 1);
 }
@@ -243,7 +242,7 @@ static int are_positions(const uint8_t *bytes, const head *h)
 
 static void get_sums(invcal_way *w, invcal_normal *normal, unsigned count)
 {
-    invcal_way_each(w, normal->hth, SUMS);
+    invcal_way_each(w, normal->moment, INVCAL_MOMENTS);
     invcal_way_each(w, normal->htj, INVCAL_PARAMETERS);
     invcal_way_each(w, &normal->jtj, 1);
     normal->count = count;

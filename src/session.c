@@ -116,7 +116,7 @@ static invcal_real telling(const invcal_session *session, const invcal_observati
     invcal_real l[INVCAL_PACKED_SIZE(INVCAL_PARAMETERS)];
     invcal_real x[INVCAL_PARAMETERS];
 
-    memcpy(l, session->normal.hth, sizeof l);
+    invcal_normal_matrix(&session->normal, l);
     const invcal_real largest = invcal_largest_diagonal(l, INVCAL_PARAMETERS);
     for (unsigned r = 0; r < INVCAL_PARAMETERS; r++) {
         l[INVCAL_PACKED(r, r)] += RIDGE * (largest > 1 ? largest : 1);

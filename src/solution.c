@@ -3,15 +3,18 @@
 
 #include <string.h>
 
+#include "near.h"
 #include "vector.h"
 
+#define SHORTEST INVCAL_REAL(0.1) /* semi-axes of a sensor triad, of nominal */
+#define LONGEST INVCAL_REAL(10.0)
 #define RIDGE INVCAL_REAL(1e-4) /* of the largest diagonal element: between weak and good */
 
-/* The sensor model in its own axes: S = V diag(value) V'. Readings lie on the ellipsoid with the
- * centre delta and the semi-axes 1 + value. All matrices are kept as deviations from I, whose
- * ones would cost a float three of its seven digits. */
+/* The sensor model u = (I + S) eta + delta, and its correction A = (I + S)^-1. Readings lie on the
+ * ellipsoid with the centre delta, whose semi-axes are the eigenvalues of I + S. */
 typedef struct {
-    invcal_eigen3 axes;
+    invcal_real s[6]; /* S, packed */
+    invcal_real a[6]; /* A - I */
     invcal_real delta[3];
 } triad;
 
@@ -36,241 +39,229 @@ static int is_usable_number(invcal_real x) /* for what may be 0: not known */
     return x >= 0 && x <= INVCAL_REAL_MAX;
 }
 
+/* All but the nominal matrix. */
+static int are_usable(const invcal_settings *settings)
+{
+    for (unsigned i = 0; i < 3; i++) {
+        if (!invcal_is_finite(settings->nominal.offset[i])) {
+            return 0;
+        }
+    }
+    for (unsigned r = 0; r < INVCAL_PARAMETERS; r++) {
+        if (!is_usable_number(settings->prior[r])) {
+            return 0;
+        }
+    }
+    return invcal_is_positive(settings->field) && is_usable_number(settings->noise) &&
+           settings->noise <= settings->field &&
+           !(settings->noise == 0 && invcal_has_prior(settings)) &&
+           (settings->frame == INVCAL_FRAME_SYMMETRIC ||
+            settings->frame == INVCAL_FRAME_TRIANGULAR);
+}
+
+static invcal_status check(const invcal_settings *settings, invcal_real inverse[3][3])
+{
+    return are_usable(settings) ? invcal_calibration_inverse(&settings->nominal, inverse)
+                                : INVCAL_BAD_SETTING;
+}
+
 invcal_status invcal_settings_check(const invcal_settings *settings)
 {
     invcal_real inverse[3][3];
 
     INVCAL_ASSERT(settings);
-    for (unsigned i = 0; i < 3; i++) {
-        if (!invcal_is_finite(settings->nominal.offset[i])) {
-            return INVCAL_BAD_SETTING;
-        }
-    }
-    for (unsigned r = 0; r < INVCAL_PARAMETERS; r++) {
-        if (!is_usable_number(settings->prior[r])) {
-            return INVCAL_BAD_SETTING;
-        }
-    }
-    if (!(invcal_is_positive(settings->field) && is_usable_number(settings->noise) &&
-          settings->noise <= settings->field) ||
-        (invcal_has_prior(settings) && settings->noise == 0) ||
-        (settings->frame != INVCAL_FRAME_SYMMETRIC && settings->frame != INVCAL_FRAME_TRIANGULAR)) {
-        return INVCAL_BAD_SETTING;
-    }
-    return invcal_calibration_inverse(&settings->nominal, inverse);
+    return check(settings, inverse);
 }
 
 /* The least noise with which the prior is more than rounding beside the largest sums. */
-static invcal_real resolvable_noise(const invcal_normal *normal, const invcal_settings *settings)
+static invcal_real resolvable_noise(const invcal_settings *settings, invcal_real largest)
 {
     invcal_real widest = 0;
 
     for (unsigned r = 0; r < INVCAL_PARAMETERS; r++) {
         widest = settings->prior[r] > widest ? settings->prior[r] : widest;
     }
-    return widest * INVCAL_SQRT(4 * INVCAL_EPSILON *
-                                invcal_largest_diagonal(normal->hth, INVCAL_PARAMETERS));
+    return widest * INVCAL_SQRT(4 * INVCAL_EPSILON * largest);
 }
 
-invcal_status invcal_information(const invcal_normal *normal, const invcal_settings *settings,
-                                 invcal_real *noise, invcal_normal *out)
+/* Parameter r is 0 with standard deviation prior[r]: one more row sigma / prior[r] p(r) = 0. */
+static void add_prior(const invcal_settings *settings, invcal_real noise, invcal_real *hth)
 {
-    INVCAL_ASSERT(normal && settings && noise && out);
-    *out = *normal;
-    if (!invcal_has_prior(settings)) {
-        return INVCAL_OK;
+    for (unsigned r = 0; r < INVCAL_PARAMETERS; r++) {
+        if (settings->prior[r] > 0) {
+            const invcal_real ratio = noise / settings->prior[r];
+            hth[INVCAL_PACKED(r, r)] += ratio * ratio;
+        }
     }
-    if (invcal_cholesky_factor(out->hth, INVCAL_PARAMETERS, 30 * INVCAL_PIVOT_FLOOR) != INVCAL_OK) {
-        const invcal_real least = resolvable_noise(normal, settings);
+}
+
+void invcal_information(const invcal_normal *normal, const invcal_settings *settings,
+                        invcal_real *noise, invcal_real hth[INVCAL_PACKED_SIZE(INVCAL_PARAMETERS)])
+{
+    INVCAL_ASSERT(normal && settings && noise && hth);
+    invcal_normal_matrix(normal, hth);
+    if (!invcal_has_prior(settings)) {
+        return;
+    }
+    const invcal_real largest = invcal_largest_diagonal(hth, INVCAL_PARAMETERS);
+    if (invcal_cholesky_factor(hth, INVCAL_PARAMETERS, 30 * INVCAL_PIVOT_FLOOR) != INVCAL_OK) {
+        const invcal_real least = resolvable_noise(settings, largest);
         *noise = *noise >= least ? *noise : least;
     }
-    *out = *normal;
-    return invcal_normal_add_prior(out, settings->prior, *noise);
+    invcal_normal_matrix(normal, hth);
+    add_prior(settings, *noise, hth);
 }
 
 invcal_status invcal_information_factor(const invcal_normal *normal,
                                         const invcal_settings *settings, invcal_real *noise,
-                                        invcal_normal *out)
+                                        invcal_real l[INVCAL_PACKED_SIZE(INVCAL_PARAMETERS)])
 {
+    invcal_information(normal, settings, noise, l);
     /* A prior holds what the positions leave open. */
-    const invcal_real floor = invcal_has_prior(settings) ? INVCAL_EPSILON : INVCAL_PIVOT_FLOOR;
-    const invcal_status status = invcal_information(normal, settings, noise, out);
-
-    return status == INVCAL_OK ? invcal_cholesky_factor(out->hth, INVCAL_PARAMETERS, floor)
-                               : status;
+    return invcal_cholesky_factor(l, INVCAL_PARAMETERS,
+                                  invcal_has_prior(settings) ? INVCAL_EPSILON : INVCAL_PIVOT_FLOOR);
 }
 
-/* p = -(H'H + prior)^-1 H'J, in place of work->htj. */
+/* p = -(H'H + prior)^-1 H'J */
 static invcal_status solve_normal(const invcal_normal *normal, const invcal_settings *settings,
-                                  invcal_normal *work)
+                                  invcal_real p[INVCAL_PARAMETERS])
 {
     invcal_real noise = settings->noise / settings->field;
+    invcal_real l[INVCAL_PACKED_SIZE(INVCAL_PARAMETERS)];
 
     if (normal->count == 0 || normal->count < parameters_without_prior(settings)) {
         return INVCAL_TOO_FEW;
     }
-    const invcal_status status = invcal_information_factor(normal, settings, &noise, work);
-    if (status != INVCAL_OK) {
-        return status;
+    const invcal_status status = invcal_information_factor(normal, settings, &noise, l);
+    if (status == INVCAL_OK) {
+        for (unsigned r = 0; r < INVCAL_PARAMETERS; r++) {
+            p[r] = -normal->htj[r];
+        }
+        invcal_cholesky_solve(l, INVCAL_PARAMETERS, p);
     }
-    invcal_cholesky_solve(work->hth, INVCAL_PARAMETERS, work->htj);
-    for (unsigned r = 0; r < INVCAL_PARAMETERS; r++) {
-        work->htj[r] = -work->htj[r];
-    }
-    return INVCAL_OK;
+    return status;
 }
 
-/* delta = -Q^-1 v, with Q = I + V diag(value) V'. */
-static void centre(const invcal_real v[3], triad *t)
+/* The general form of an ellipsoid, p, to its centre and axes. Returns 0 if it is none, or an
+ * absurd one: no square root of a negative number, no NaN gets past here. */
+static int triad_of_ellipsoid(const invcal_real p[INVCAL_PARAMETERS], triad *t)
 {
-    invcal_real s[6]; /* Q^-1 - I */
-
-    invcal_eigen3_inverse(&t->axes, s);
-    t->delta[0] = -v[0] - (s[0] * v[0] + s[1] * v[1] + s[3] * v[2]);
-    t->delta[1] = -v[1] - (s[1] * v[0] + s[2] * v[1] + s[4] * v[2]);
-    t->delta[2] = -v[2] - (s[3] * v[0] + s[4] * v[1] + s[5] * v[2]);
-}
-
-/* The general form of an ellipsoid, p, to its centre and semi-axes. */
-static void triad_of_ellipsoid(const invcal_real p[INVCAL_PARAMETERS], triad *t)
-{
+    /* Q - I */
     const invcal_real q[6] = {2 * p[INVCAL_DK_X], p[INVCAL_GAMMA_XY], 2 * p[INVCAL_DK_Y],
                               p[INVCAL_GAMMA_XZ], p[INVCAL_GAMMA_ZY], 2 * p[INVCAL_DK_Z]};
-    const invcal_real *v = p; /* the first three */
+    const invcal_real v[3] = {-p[0], -p[1], -p[2]};
+    invcal_real f[6];
 
-    /* Of Q - I. If zero lies outside the ellipsoid, Q and k are negative, and Q / k is positive
-     * all the same. */
-    invcal_eigen3_decompose(q, &t->axes);
-    centre(v, t);
-    /* k = 1 + delta Q delta = 1 - v delta, and I + S = (Q / k)^-1/2: with values q of Q - I,
-     * s + 1 = sqrt(k / (1 + q)), s = (k - 1 - q) / (1 + q) / (s + 2) */
-    const invcal_real excess = -invcal_dot(v, t->delta, 3);
-    for (unsigned i = 0; i < 3; i++) {
-        const invcal_real value = t->axes.value[i];
-        const invcal_real semi_axis = INVCAL_SQRT((1 + excess) / (1 + value));
-        t->axes.value[i] = (excess - value) / (1 + value) / (semi_axis + 1);
+    /* delta = -Q^-1 v. If zero lies outside the ellipsoid, Q and k are negative, and Q / k is
+     * positive all the same. */
+    invcal_near_inverse(q, f);
+    invcal_near_multiply(f, v, t->delta);
+    /* k = 1 + delta Q delta = 1 - v delta, and A = (Q / k)^1/2 */
+    const invcal_real excess = invcal_dot(v, t->delta, 3);
+    for (unsigned i = 0; i < 6; i++) {
+        const invcal_real of_unit = i == 0 || i == 2 || i == 5 ? excess : 0;
+        f[i] = (q[i] - of_unit) / (1 + excess);
     }
+    if (!invcal_near_is_between(f, SHORTEST * SHORTEST, LONGEST * LONGEST)) {
+        return 0;
+    }
+    invcal_near_root(f, t->a, t->s);
+    return 1;
 }
 
 /* X = -p is the model itself. */
-static void triad_of_linear(const invcal_real p[INVCAL_PARAMETERS], triad *t)
+static int triad_of_linear(const invcal_real p[INVCAL_PARAMETERS], triad *t)
 {
     const invcal_real s[6] = {-p[INVCAL_DK_X],         -p[INVCAL_GAMMA_XY] / 2, -p[INVCAL_DK_Y],
                               -p[INVCAL_GAMMA_XZ] / 2, -p[INVCAL_GAMMA_ZY] / 2, -p[INVCAL_DK_Z]};
 
-    invcal_eigen3_decompose(s, &t->axes);
     for (unsigned i = 0; i < 3; i++) {
         t->delta[i] = -p[i];
     }
+    memcpy(t->s, s, sizeof t->s);
+    invcal_near_inverse(s, t->a);
+    return invcal_near_is_between(s, SHORTEST, LONGEST);
 }
 
-/* No square root of a negative number, no NaN, no absurd ellipsoid gets past here. */
-static int is_plausible(const triad *t)
+/* A - I -> L' - I with L L' = A^2: the same lengths in another frame. Semi-axes within their
+ * limits cannot make it fail. */
+static void make_triangular(invcal_real a[6])
 {
-    for (unsigned i = 0; i < 3; i++) {
-        const invcal_real semi_axis = 1 + t->axes.value[i];
-        if (!(semi_axis >= INVCAL_REAL(0.1) && semi_axis <= INVCAL_REAL(10.0))) {
-            return 0;
-        }
-    }
-    return invcal_dot(t->delta, t->delta, 3) <= 100;
-}
+    const invcal_real rows[3][3] = {
+        {1 + a[0], a[1], a[3]}, {a[1], 1 + a[2], a[4]}, {a[3], a[4], 1 + a[5]}};
 
-/* A - I with A'A = (I + S)^-2: symmetric, or upper triangular. */
-static void correction(const triad *t, invcal_frame frame, invcal_real a[3][3])
-{
-    invcal_real s[6];
-
-    if (frame == INVCAL_FRAME_TRIANGULAR) {
-        /* A = L' with L L' = (I + S)^-2; semi-axes of 0.1 ... 10 cannot make it fail */
-        invcal_real f[3];
-        for (unsigned i = 0; i < 3; i++) {
-            const invcal_real semi_axis = 1 + t->axes.value[i];
-            f[i] = 1 / (semi_axis * semi_axis);
-        }
-        invcal_eigen3_compose(&t->axes, f, s);
-        (void)invcal_cholesky_factor(s, 3, 0);
-        for (unsigned i = 0; i < 3; i++) {
-            s[INVCAL_PACKED(i, i)] -= 1;
-        }
-    } else {
-        invcal_eigen3_inverse(&t->axes, s);
-    }
     for (unsigned r = 0; r < 3; r++) {
         for (unsigned c = 0; c <= r; c++) {
-            a[r][c] = frame == INVCAL_FRAME_TRIANGULAR ? 0 : s[INVCAL_PACKED(r, c)];
-            a[c][r] = s[INVCAL_PACKED(r, c)];
+            a[INVCAL_PACKED(r, c)] = invcal_dot(rows[r], rows[c], 3);
         }
+    }
+    (void)invcal_cholesky_factor(a, 3, 0);
+    for (unsigned i = 0; i < 3; i++) {
+        a[INVCAL_PACKED(i, i)] -= 1;
     }
 }
 
 /* calibrated = field A (u - delta), u = N (raw - zero) / field: so matrix = A N and
  * offset = zero + field N^-1 delta. */
-static invcal_status join(const triad *t, const invcal_settings *settings, invcal_calibration *out)
+static void join(const triad *t, const invcal_settings *settings, invcal_real inverse[3][3],
+                 invcal_calibration *out)
 {
     const invcal_calibration *nominal = &settings->nominal;
-    invcal_real inverse[3][3];
-    invcal_real a[3][3];
+    const int is_upper = settings->frame == INVCAL_FRAME_TRIANGULAR;
+    const invcal_real(*n)[3] = nominal->matrix;
+    const invcal_real *a = t->a;
 
-    if (invcal_calibration_inverse(nominal, inverse) != INVCAL_OK) {
-        return INVCAL_BAD_SETTING;
+    for (unsigned i = 0; i < 3; i++) {
+        out->offset[i] = nominal->offset[i] + settings->field * invcal_dot(inverse[i], t->delta, 3);
     }
-    correction(t, settings->frame, a);
-    for (unsigned r = 0; r < 3; r++) {
-        out->offset[r] = nominal->offset[r] + settings->field * invcal_dot(inverse[r], t->delta, 3);
-        for (unsigned c = 0; c < 3; c++) {
-            out->matrix[r][c] = nominal->matrix[r][c] +
-                                (a[r][0] * nominal->matrix[0][c] + a[r][1] * nominal->matrix[1][c] +
-                                 a[r][2] * nominal->matrix[2][c]);
-        }
+    for (unsigned c = 0; c < 3; c++) {
+        const invcal_real x = n[0][c];
+        const invcal_real y = n[1][c];
+        const invcal_real z = n[2][c];
+        out->matrix[0][c] = x + (a[0] * x + a[1] * y + a[3] * z);
+        out->matrix[1][c] = y + ((is_upper ? 0 : a[1] * x) + a[2] * y + a[4] * z);
+        out->matrix[2][c] = z + ((is_upper ? 0 : a[3] * x + a[4] * y) + a[5] * z);
     }
-    return INVCAL_OK;
 }
 
 /* dk and gamma from S. */
 static void name_parameters(const triad *t, invcal_solution *out)
 {
-    invcal_real s[6];
-
-    invcal_eigen3_compose(&t->axes, t->axes.value, s);
     memcpy(out->delta, t->delta, sizeof out->delta);
-    out->dk[0] = s[0];
-    out->dk[1] = s[2];
-    out->dk[2] = s[5];
-    out->gamma[0] = 2 * s[1];
-    out->gamma[1] = 2 * s[3];
-    out->gamma[2] = 2 * s[4];
+    out->dk[0] = t->s[0];
+    out->dk[1] = t->s[2];
+    out->dk[2] = t->s[5];
+    out->gamma[0] = 2 * t->s[1];
+    out->gamma[1] = 2 * t->s[3];
+    out->gamma[2] = 2 * t->s[4];
 }
 
 invcal_status invcal_solve(const invcal_normal *normal, const invcal_settings *settings,
                            invcal_solution *solution)
 {
-    invcal_normal work;
+    invcal_real inverse[3][3]; /* of the nominal matrix */
+    invcal_real p[INVCAL_PARAMETERS];
     triad t;
-    invcal_calibration calibration;
 
     INVCAL_ASSERT(normal && settings && solution);
-    invcal_status status = invcal_settings_check(settings);
+    invcal_status status = check(settings, inverse);
     if (status == INVCAL_OK) {
-        status = solve_normal(normal, settings, &work);
+        status = solve_normal(normal, settings, p);
     }
     if (status != INVCAL_OK) {
         return status;
     }
-    if (work.model == INVCAL_MODEL_ELLIPSOID) {
-        triad_of_ellipsoid(work.htj, &t);
-    } else {
-        triad_of_linear(work.htj, &t);
-    }
-    if (!is_plausible(&t)) {
+    const int is_triad = normal->model == INVCAL_MODEL_ELLIPSOID ? triad_of_ellipsoid(p, &t)
+                                                                 : triad_of_linear(p, &t);
+    if (!(is_triad && invcal_dot(t.delta, t.delta, 3) <= LONGEST * LONGEST)) {
         return INVCAL_NOT_ELLIPSOID;
     }
-    status = join(&t, settings, &calibration);
-    if (status == INVCAL_OK) {
-        solution->calibration = calibration;
-        name_parameters(&t, solution);
+    if (settings->frame == INVCAL_FRAME_TRIANGULAR) {
+        make_triangular(t.a);
     }
-    return status;
+    join(&t, settings, inverse, &solution->calibration);
+    name_parameters(&t, solution);
+    return INVCAL_OK;
 }
 
 void invcal_solution_deviation(const invcal_solution *solution, invcal_real s[6])
@@ -291,7 +282,7 @@ uint16_t invcal_undetermined(const invcal_normal *normal)
     uint16_t open = 0;
 
     INVCAL_ASSERT(normal);
-    memcpy(l, normal->hth, sizeof l);
+    invcal_normal_matrix(normal, l);
     const invcal_real ridge = RIDGE * invcal_largest_diagonal(l, INVCAL_PARAMETERS);
     for (unsigned r = 0; r < INVCAL_PARAMETERS; r++) {
         l[INVCAL_PACKED(r, r)] += ridge;

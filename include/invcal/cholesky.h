@@ -40,6 +40,10 @@ void invcal_cholesky_forward(const invcal_real *l, unsigned n, invcal_real *x);
 /* Replaces x by the solution y of A y = x. Cost: n^2 multiply-adds. */
 void invcal_cholesky_solve(const invcal_real *l, unsigned n, invcal_real *x);
 
+/* Replaces L by L^-1, packed. Cost: n^3/6 multiply-adds.
+ * |L^-1 x|^2 = x' A^-1 x for as many x as you like; A^-1(r,r) is the square of column r. */
+void invcal_cholesky_invert(invcal_real *l, unsigned n);
+
 /* Replaces L by A^-1, packed. Cost: n^3/3 multiply-adds. */
 void invcal_cholesky_inverse(invcal_real *l, unsigned n);
 

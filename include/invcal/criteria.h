@@ -35,7 +35,7 @@ invcal_status invcal_criteria_add(invcal_normal *design, const invcal_real verti
 
 /* Judges a design (design section 3).
  *
- * design  sums of rows of either kind, priors included if there are any. Not changed.
+ * design  sums of rows of either kind. Not changed.
  *
  * Returns INVCAL_OK; INVCAL_UNDETERMINED if H'H is singular to rounding, or its condition
  * exceeds 1 / INVCAL_PIVOT_FLOOR: invcal_undetermined names the parameters that stay open.

@@ -22,14 +22,6 @@ typedef struct {
  * matrix near the diagonal takes two or three. */
 void invcal_eigen3_decompose(const invcal_real m[6], invcal_eigen3 *out);
 
-/* out = V diag(f) V', packed: the matrix with the same axes and f in place of the values, so
- * that a square root, an inverse or any other function of M costs one line. */
-void invcal_eigen3_compose(const invcal_eigen3 *eigen, const invcal_real f[3], invcal_real out[6]);
-
-/* out = (I + M)^-1 - I, packed. Matrices near I are kept as their deviation M from it: the ones
- * would cost a float three of its seven digits. Values of M must be greater than -1. */
-void invcal_eigen3_inverse(const invcal_eigen3 *eigen, invcal_real out[6]);
-
 /* The condition number of a symmetric positive definite matrix: its largest eigenvalue over its
  * smallest, from a tridiagonal form (Householder) by counting signs (Sturm).
  *

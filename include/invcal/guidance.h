@@ -34,8 +34,7 @@ typedef struct {
 
 /* The direction to take next.
  *
- * normal   the equations so far, of either kind; empty at the beginning. Priors added to them
- *          count. Not changed.
+ * normal   the equations so far, of either kind; empty at the beginning. Not changed.
  * current  the latest reading, over field, or null. Directions whose h K h' is within 1 % of the
  *          largest count as equal: of these the nearest is asked for, but none within 26 degrees,
  *          which would be the same position again, if there is another. Without it, or if it is

@@ -5,6 +5,7 @@
 #ifndef INVCAL_QUALITY_H
 #define INVCAL_QUALITY_H
 
+#include "invcal/eigen.h"
 #include "invcal/residual.h"
 
 #ifdef __cplusplus

@@ -30,7 +30,7 @@
  *      15   1     bit 0: background,           144       12    temperature, coldest, warmest
  *                 bit 1: is_enough             156       13 S  position by position: mean x, y, z;
  *      16   4     low                                          age, 1 byte
- *      20   4     high                         156 + 13 S      only if C > S, 220: H'WH packed,
+ *      20   4     high                         156 + 13 S      only if C > S, 164: the moments,
  *                                                              H'Wj, j'Wj
  *                                              length - 4      CRC-32 (IEEE 802.3, as zlib)
  *
@@ -57,9 +57,9 @@
 extern "C" {
 #endif
 
-/* The most bytes that a session takes: 796 by default. A slot of store.h needs
+/* The most bytes that a session takes: 740 by default. A slot of store.h needs
  * INVCAL_STORE_BYTES(INVCAL_RESUME_SIZE, granularity). */
-#define INVCAL_RESUME_SIZE (380u + 13u * INVCAL_MAX_POSITIONS)
+#define INVCAL_RESUME_SIZE (324u + 13u * INVCAL_MAX_POSITIONS)
 
 /* A session as bytes.
  *

@@ -7,7 +7,7 @@
 
 #include <stdint.h>
 
-#include "invcal/eigen.h"
+#include "invcal/cholesky.h"
 
 #ifdef __cplusplus
 extern "C" {
@@ -83,21 +83,23 @@ invcal_status invcal_settings_check(const invcal_settings *settings);
 /* 1 if the settings hold a prior for any parameter, else 0. */
 int invcal_has_prior(const invcal_settings *settings);
 
-/* The normal equations with the prior of the settings, and the same with hth factored to L.
+/* H'WH with the prior of the settings, packed, and the same factored to L.
  *
- * noise  standard deviation of one equation, over field. Where the positions alone leave
- *        parameters open it is raised to what the number type can resolve beside the prior: in
- *        float to sqrt(count) / 2000 of the widest prior. With less, rounding errors of H'H would
- *        count as data. Without a prior it is not used.
- * out    not the same object as normal.
+ * The prior, parameter r is 0 with standard deviation prior[r], adds (noise / prior[r])^2 to the
+ * diagonal, which makes the solution a Bayesian update (design section 2, "Prior").
  *
- * Return INVCAL_OK; INVCAL_BAD_SETTING for an unusable prior or noise; the second also
- * INVCAL_UNDETERMINED. On failure out and noise are lost. */
-invcal_status invcal_information(const invcal_normal *normal, const invcal_settings *settings,
-                                 invcal_real *noise, invcal_normal *out);
+ * settings  that invcal_settings_check accepts.
+ * noise     standard deviation of one equation, over field; > 0 beside a prior. Where the
+ *           positions alone leave parameters open it is raised to what the number type can
+ *           resolve beside the prior: in float to sqrt(count) / 2000 of the widest prior. With
+ *           less, rounding errors of H'H would count as data. Without a prior it is not used.
+ *
+ * The second returns INVCAL_OK or INVCAL_UNDETERMINED; its l and noise are lost then. */
+void invcal_information(const invcal_normal *normal, const invcal_settings *settings,
+                        invcal_real *noise, invcal_real hth[INVCAL_PACKED_SIZE(INVCAL_PARAMETERS)]);
 invcal_status invcal_information_factor(const invcal_normal *normal,
                                         const invcal_settings *settings, invcal_real *noise,
-                                        invcal_normal *out);
+                                        invcal_real l[INVCAL_PACKED_SIZE(INVCAL_PARAMETERS)]);
 
 /* S of the sensor model u = (I + S) eta + delta from dk and gamma, packed (INVCAL_PACKED). */
 void invcal_solution_deviation(const invcal_solution *solution, invcal_real s[6]);

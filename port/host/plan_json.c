@@ -61,12 +61,13 @@ static void write_positions(json_writer *w, const design *d)
 /* K = (H'H)^-1, packed; the set is solvable. */
 static void write_covariance(json_writer *w, const design *d)
 {
-    invcal_normal work = d->normal;
+    invcal_real work[INVCAL_PACKED_SIZE(INVCAL_PARAMETERS)];
 
-    json_symmetric(w, "hth", work.hth, INVCAL_PARAMETERS);
-    (void)invcal_cholesky_factor(work.hth, INVCAL_PARAMETERS, INVCAL_PIVOT_FLOOR);
-    invcal_cholesky_inverse(work.hth, INVCAL_PARAMETERS);
-    json_symmetric(w, "covariance", work.hth, INVCAL_PARAMETERS);
+    invcal_normal_matrix(&d->normal, work);
+    json_symmetric(w, "hth", work, INVCAL_PARAMETERS);
+    (void)invcal_cholesky_factor(work, INVCAL_PARAMETERS, INVCAL_PIVOT_FLOOR);
+    invcal_cholesky_inverse(work, INVCAL_PARAMETERS);
+    json_symmetric(w, "covariance", work, INVCAL_PARAMETERS);
 }
 
 /* Time; what the noise makes of sigma; how sigma compares with the limits. */

@@ -134,6 +134,14 @@ invcal_normal normal_of(const reading_set *set)
     return normal;
 }
 
+double element(const invcal_normal *normal, unsigned r, unsigned c)
+{
+    invcal_real hth[INVCAL_PACKED_SIZE(INVCAL_PARAMETERS)];
+
+    invcal_normal_matrix(normal, hth);
+    return (double)hth[INVCAL_PACKED(r, c)];
+}
+
 invcal_status calibrate_set(const reading_set *set, const invcal_settings *settings,
                             invcal_solution *solution, invcal_quality *quality,
                             invcal_reason *reason)

@@ -50,6 +50,9 @@ invcal_settings unit_settings(double noise);
 /* The normal equations of exact rows; every row must be accepted. */
 invcal_normal normal_of(const reading_set *set);
 
+/* Element (r, c), c <= r, of H'WH. */
+double element(const invcal_normal *normal, unsigned r, unsigned c);
+
 /* invcal_calibrate on a set of readings over field. */
 invcal_status calibrate_set(const reading_set *set, const invcal_settings *settings,
                             invcal_solution *solution, invcal_quality *quality,

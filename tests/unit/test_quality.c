@@ -323,10 +323,10 @@ static void unreal_residuals_are_refused(void)
 
     memset(&q, 7, sizeof q);
     before = q;
-    for (unsigned i = 0; i < 45; i++) {
+    for (unsigned i = 0; i < INVCAL_MOMENTS; i++) {
         invcal_real K[INVCAL_PACKED_SIZE(INVCAL_PARAMETERS)] = {7};
         scene s = good;
-        s.residuals.normal.hth[i] = (invcal_real)NAN;
+        s.residuals.normal.moment[i] = (invcal_real)NAN;
         TEST_ASSERT_EQUAL_INT(INVCAL_UNDETERMINED,
                               invcal_assess(&s.residuals, 18, &s.settings, &s.solution, &q));
         TEST_ASSERT_EQUAL_INT(INVCAL_UNDETERMINED,

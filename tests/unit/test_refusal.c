@@ -326,7 +326,7 @@ static void empty_sums_leave_everything_open(void)
 
     invcal_normal_init(&n);
     TEST_ASSERT_EQUAL_HEX16(ANY, invcal_undetermined(&n));
-    n.hth[0] = (invcal_real)NAN;
+    n.moment[0] = (invcal_real)NAN;
     TEST_ASSERT_EQUAL_HEX16(ANY, invcal_undetermined(&n));
 }
 

@@ -12,7 +12,7 @@
 #include "unity.h"
 
 enum { SIZE = INVCAL_RESUME_SIZE, MOST = INVCAL_MAX_POSITIONS, MARGIN = 64 };
-enum { REALS = 33, SUMS = 55, REALS_AT = 24, TABLE_AT = 156, POSITION = 13 };
+enum { REALS = 33, SUMS = INVCAL_MOMENTS + 10, REALS_AT = 24, TABLE_AT = 156, POSITION = 13 };
 enum { MATRIX = 3, FIELD = 12, NOISE, PRIOR, START = 23, TARGET = 26, RATE = 29, TEMPERATURE };
 enum { COLDEST = TEMPERATURE + 1, WARMEST };
 enum { FILL = 0x5A };
@@ -200,9 +200,9 @@ static invcal_real *real_of(invcal_session *session, unsigned i)
 
 static invcal_real *sum_of(invcal_session *session, unsigned i)
 {
-    return i < 45   ? &session->normal.hth[i]
-           : i < 54 ? &session->normal.htj[i - 45]
-                    : &session->normal.jtj;
+    return i < INVCAL_MOMENTS       ? &session->normal.moment[i]
+           : i < INVCAL_MOMENTS + 9 ? &session->normal.htj[i - INVCAL_MOMENTS]
+                                    : &session->normal.jtj;
 }
 
 static uint32_t crc_of(const uint8_t *bytes, uint32_t count) /* by polynomial division */
@@ -378,9 +378,9 @@ static void assert_same_sums(invcal_session *before, invcal_session *after)
     if (made_again) {
         const invcal_normal belongs = sums_of_table(after);
         const double rounding = FLOAT_OR_DOUBLE(1e-5, 1e-13) * (before->normal.count + 1.0);
-        for (unsigned i = 0; i < 45; i++) {
-            TEST_ASSERT_DOUBLE_WITHIN(rounding, (double)belongs.hth[i],
-                                      (double)after->normal.hth[i]);
+        for (unsigned i = 0; i < INVCAL_MOMENTS; i++) {
+            TEST_ASSERT_DOUBLE_WITHIN(rounding, (double)belongs.moment[i],
+                                      (double)after->normal.moment[i]);
         }
     }
 }
@@ -538,7 +538,7 @@ static void the_length_depends_on_the_positions(void)
     }
     for (unsigned n = MOST; n <= MOST + 2; n++) {
         const invcal_session s = session_after(&overfull, n);
-        TEST_ASSERT_EQUAL_UINT32(n > MOST ? SIZE : SIZE - 220, encode(&s, bytes));
+        TEST_ASSERT_EQUAL_UINT32(n > MOST ? SIZE : SIZE - 4 * SUMS, encode(&s, bytes));
     }
 }
 
@@ -966,7 +966,7 @@ static void counts_that_contradict_each_other_are_not_decoded(void)
 static uint32_t with_table(unsigned stored, uint32_t count, uint8_t *bytes)
 {
     uint8_t *at = bytes + 4;
-    const uint32_t length = 160 + POSITION * stored + (count > stored ? 220 : 0);
+    const uint32_t length = 160 + POSITION * stored + (count > stored ? 4 * SUMS : 0);
 
     memset(bytes, 0, length);
     memcpy(bytes, golden, TABLE_AT);

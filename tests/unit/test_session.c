@@ -765,7 +765,7 @@ static void is_best_and_nearest(const double up[3])
 static void free_hand_the_best_and_nearest_is_next(void)
 {
     begin(free_hand(), 0.02, 6);
-    for (unsigned i = 0; i < 45; i++) {
+    for (unsigned i = 0; i < INVCAL_MOMENTS; i++) {
         const invcal_guidance guidance = next();
         const double up[3] = {(double)guidance.up[0], (double)guidance.up[1],
                               (double)guidance.up[2]};
@@ -1526,7 +1526,7 @@ static double trace_of(const invcal_normal *normal)
     double sum = 0;
 
     for (unsigned r = 0; r < 9; r++) {
-        sum += (double)normal->hth[INVCAL_PACKED(r, r)];
+        sum += element(normal, r, r);
     }
     return sum;
 }
@@ -2157,8 +2157,8 @@ static void hostile_stream(invcal_session_setup setup, double counts, unsigned s
     }
     TEST_ASSERT_LESS_OR_EQUAL_UINT(INVCAL_MAX_POSITIONS, b.s->stored);
     means_are_sane(counts);
-    for (unsigned i = 0; i < 45; i++) {
-        TEST_ASSERT_TRUE(fabs((double)b.s->normal.hth[i]) < 1e4 * (b.taken + 1));
+    for (unsigned i = 0; i < INVCAL_MOMENTS; i++) {
+        TEST_ASSERT_TRUE(fabs((double)b.s->normal.moment[i]) < 1e4 * (b.taken + 1));
     }
     TEST_ASSERT_EQUAL_UINT(b.setup.background ? b.s->stored : b.taken, b.s->normal.count);
 }

@@ -406,25 +406,47 @@ static void noise_is_raised_only_where_a_prior_has_to_hold_something(void)
     const triad_truth truth = triad_random(&random, 0.03);
     invcal_settings settings = unit_settings(1e-5);
     reading_set set;
-    invcal_normal out;
+    invcal_real hth[INVCAL_PACKED_SIZE(INVCAL_PARAMETERS)];
 
     settings.prior[2] = 10;
     settings.prior[8] = (invcal_real)1e-3;
     read_positions(&truth, expected_plan18, 18, 0, &random, &set);
     invcal_normal normal = normal_of(&set);
     invcal_real noise = (invcal_real)1e-9;
-    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_information(&normal, &settings, &noise, &out));
+    invcal_information(&normal, &settings, &noise, hth);
     TEST_ASSERT_TRUE(noise == (invcal_real)1e-9);
     set.count = 3;
     normal = normal_of(&set);
-    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_information(&normal, &settings, &noise, &out));
+    invcal_information(&normal, &settings, &noise, hth);
     /* 10 sqrt(4 epsilon largest), the largest diagonal element of three positions being about 2 */
     TEST_ASSERT_DOUBLE_WITHIN(FLOAT_OR_DOUBLE(5e-3, 3e-7), FLOAT_OR_DOUBLE(1e-2, 4e-7),
                               (double)noise);
-    const double ratio = (double)noise / 1e-3;
-    const unsigned at = INVCAL_PACKED(8, 8);
-    TEST_ASSERT_DOUBLE_WITHIN(1e-3 * ratio * ratio + 1e-6, ratio * ratio,
-                              (double)out.hth[at] - (double)normal.hth[at]);
+}
+
+static void a_prior_adds_the_square_of_noise_over_sigma_to_the_diagonal(void)
+{
+    random_source random = random_start(12);
+    const triad_truth truth = triad_random(&random, 0.1);
+    invcal_settings settings = unit_settings(1);
+    invcal_real hth[INVCAL_PACKED_SIZE(INVCAL_PARAMETERS)];
+    invcal_real noise = 2;
+    reading_set set;
+
+    for (unsigned r = 0; r < INVCAL_PARAMETERS; r++) {
+        settings.prior[r] = (invcal_real)(r % 4 / 2.0); /* 0: none */
+    }
+    read_positions(&truth, expected_plan18, 18, 0, &random, &set);
+    const invcal_normal normal = normal_of(&set);
+    invcal_information(&normal, &settings, &noise, hth);
+    for (unsigned r = 0; r < INVCAL_PARAMETERS; r++) {
+        const double s = r % 4 / 2.0;
+        for (unsigned c = 0; c <= r; c++) {
+            const double added = (double)hth[INVCAL_PACKED(r, c)] - element(&normal, r, c);
+            TEST_ASSERT_DOUBLE_WITHIN(FLOAT_OR_DOUBLE(2e-6, 4e-15),
+                                      s > 0 && r == c ? 4 / (s * s) : 0, added);
+        }
+    }
+    TEST_ASSERT_TRUE(noise == 2);
 }
 
 static void unusable_settings_are_refused_and_the_solution_left_alone(void)
@@ -501,13 +523,13 @@ static void unreal_sums_are_refused(void)
     reading_set set;
 
     read_positions(&truth, expected_plan18, 18, 0, &random, &set);
-    for (unsigned i = 0; i < 45 + 9; i++) {
+    for (unsigned i = 0; i < INVCAL_MOMENTS + 9; i++) {
         invcal_normal n = normal_of(&set);
         invcal_solution solution;
         invcal_solution before;
         memset(&solution, 7, sizeof solution);
         before = solution;
-        invcal_real *number = i < 45 ? &n.hth[i] : &n.htj[i - 45];
+        invcal_real *number = i < INVCAL_MOMENTS ? &n.moment[i] : &n.htj[i - INVCAL_MOMENTS];
         *number = (invcal_real)NAN;
         TEST_ASSERT_TRUE(invcal_solve(&n, &settings, &solution) != INVCAL_OK);
         TEST_ASSERT_EQUAL_MEMORY(&before, &solution, sizeof solution);
@@ -539,6 +561,7 @@ int main(void)
     RUN_TEST(a_magnetometer_is_calibrated_like_an_accelerometer);
     RUN_TEST(any_regular_matrix_may_be_nominal);
     RUN_TEST(noise_is_raised_only_where_a_prior_has_to_hold_something);
+    RUN_TEST(a_prior_adds_the_square_of_noise_over_sigma_to_the_diagonal);
     RUN_TEST(unusable_settings_are_refused_and_the_solution_left_alone);
     RUN_TEST(unreal_sums_are_refused);
     RUN_TEST(the_deviation_is_put_together_from_dk_and_gamma);

@@ -1,0 +1,211 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * Instructions (AVR: cycles) that each operation takes, by the counter of the emulated machine.
+ * Prints one line for each: the figure and its name. Counting itself is subtracted.
+ */
+#include <string.h>
+
+#include "board.h"
+#include "invcal/invcal.h"
+
+enum { POSITIONS = 18, REPEATS = 16 };
+
+/* The paper's program of 18 positions read by a sensor with errors of some percent, raw counts. */
+static invcal_real raw[POSITIONS][3];
+static invcal_settings settings;
+static invcal_session session;
+
+/* ---- output --------------------------------------------------------------------------------- */
+
+static void put_text(const char *text)
+{
+    while (*text) {
+        board_put(*text++);
+    }
+}
+
+static void put_number(uint32_t n)
+{
+    char digits[11];
+    unsigned at = sizeof digits;
+
+    digits[--at] = '\0';
+    do {
+        digits[--at] = (char)('0' + n % 10);
+        n /= 10;
+    } while (n);
+    for (size_t pad = strlen(&digits[at]); pad < 8; pad++) {
+        board_put(' ');
+    }
+    put_text(&digits[at]);
+}
+
+static void report(uint32_t count, const char *what)
+{
+    put_number(count);
+    put_text("  ");
+    put_text(what);
+    board_put('\n');
+}
+
+/* ---- the clock ------------------------------------------------------------------------------ */
+
+static uint32_t idle; /* what two readings of the counter take */
+static uint32_t begun;
+
+static void begin(void)
+{
+    begun = board_count();
+}
+
+static uint32_t end(void)
+{
+    return board_count() - begun - idle;
+}
+
+/* ---- what is measured ----------------------------------------------------------------------- */
+
+static void make_positions(void)
+{
+    static const invcal_real matrix[3][3] = {{INVCAL_REAL(1.02), INVCAL_REAL(0.01), 0},
+                                             {INVCAL_REAL(-0.01), INVCAL_REAL(0.97), 0},
+                                             {INVCAL_REAL(0.02), 0, INVCAL_REAL(1.01)}};
+    const invcal_real zero[3] = {0, 0, 0};
+    const invcal_real scale[3] = {1 / INVCAL_REAL(8192.0), 1 / INVCAL_REAL(8192.0),
+                                  1 / INVCAL_REAL(8192.0)};
+    invcal_plan plan = {.per_group = POSITIONS / INVCAL_PLAN_GROUPS};
+    invcal_plan_position p;
+
+    (void)invcal_plan_starts(plan.per_group, plan.start);
+    (void)invcal_calibration_nominal(zero, scale, &settings.nominal);
+    settings.field = 1;
+    for (unsigned i = 0; i < POSITIONS; i++) {
+        (void)invcal_plan_position_at(&plan, i, &p);
+        for (unsigned a = 0; a < 3; a++) {
+            invcal_real sum = INVCAL_REAL(0.01);
+            for (unsigned c = 0; c < 3; c++) {
+                sum += matrix[a][c] * p.vertical[c];
+            }
+            /* whole counts: some noise, as a sensor has it */
+            raw[i][a] = (invcal_real)(int32_t)(8192 * sum);
+        }
+    }
+}
+
+static void add_position(invcal_normal *normal, const invcal_real position[3])
+{
+    invcal_real u[3];
+    invcal_observation row;
+
+    if (invcal_observation_reading(&settings.nominal, settings.field, position, u) == INVCAL_OK &&
+        invcal_observation_exact(u, &row) == INVCAL_OK) {
+        (void)invcal_normal_add(normal, &row, 1);
+    }
+}
+
+static void bench_core(void)
+{
+    invcal_normal normal;
+    invcal_solution solution;
+    invcal_real calibrated[3];
+
+    begin();
+    invcal_normal_init(&normal);
+    for (unsigned i = 0; i < POSITIONS; i++) {
+        add_position(&normal, raw[i]);
+    }
+    const invcal_status status = invcal_solve(&normal, &settings, &solution);
+    report(end(), "18 positions and the solve to offset and matrix");
+    if (status != INVCAL_OK) {
+        board_exit(1);
+    }
+    begin();
+    add_position(&normal, raw[0]);
+    report(end(), "add one position");
+    begin();
+    (void)invcal_solve(&normal, &settings, &solution);
+    report(end(), "solve to offset and matrix");
+    begin();
+    for (unsigned i = 0; i < REPEATS; i++) {
+        invcal_apply(&solution.calibration, raw[i], calibrated);
+    }
+    report(end() / REPEATS, "apply one sample");
+}
+
+static void bench_all(void)
+{
+    invcal_solution solution;
+    invcal_quality quality;
+    invcal_outliers outliers;
+
+    begin();
+    const invcal_status status =
+        invcal_calibrate(&raw[0][0], POSITIONS, &settings, &solution, &quality, NULL);
+    report(end(), "18 positions and the solve with every sigma, condition and verdict");
+    if (status != INVCAL_OK || quality.verdict != INVCAL_GOOD) {
+        board_exit(1);
+    }
+    begin();
+    (void)invcal_outliers_find(&raw[0][0], POSITIONS, &settings, &outliers);
+    report(end(), "look for outliers among 18 positions");
+}
+
+/* A sensor at rest: noise of some counts. */
+static void next_sample(int32_t sample[3])
+{
+    static uint32_t state = 1;
+
+    for (unsigned a = 0; a < 3; a++) {
+        state = state * UINT32_C(1664525) + UINT32_C(1013904223);
+        sample[a] = (int32_t)(state >> 28) - 8 + (a == 2 ? 8192 : 0);
+    }
+}
+
+/* Five seconds at rest, decisions included. */
+static uint32_t feed(unsigned rate)
+{
+    invcal_session_setup setup;
+    invcal_event event;
+    int32_t sample[3];
+    uint32_t total = 0;
+
+    memset(&setup, 0, sizeof setup);
+    setup.settings = settings;
+    setup.rate = (invcal_real)rate;
+    if (invcal_session_init(&session, &setup) != INVCAL_OK) {
+        board_exit(1);
+    }
+    for (unsigned i = 0; i < 5 * rate; i++) {
+        next_sample(sample);
+        begin();
+        (void)invcal_session_feed(&session, sample, 20, &event);
+        total += end();
+    }
+    return total / (5 * rate);
+}
+
+static void bench_session(void)
+{
+    invcal_guidance next;
+
+    report(feed(100), "feed one sample at rest, 100 Hz");
+    report(feed(400), "feed one sample at rest, 400 Hz");
+    report(feed(1000), "feed one sample at rest, 1000 Hz");
+    for (unsigned i = 0; i < POSITIONS; i++) {
+        add_position(&session.normal, raw[i]);
+    }
+    begin();
+    (void)invcal_session_next(&session, &next);
+    report(end(), "next orientation");
+}
+
+int main(void)
+{
+    begin();
+    idle = end();
+    make_positions();
+    bench_core();
+    bench_all();
+    bench_session();
+    return 0;
+}
