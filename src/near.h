@@ -13,7 +13,7 @@ void invcal_near_inverse(const invcal_real e[6], invcal_real out[6]);
 
 /* root = (I + E)^1/2 - I, inverse = (I + E)^-1/2 - I. Converges for every positive definite
  * matrix, with each step twice as many digits; ends after 12 steps, enough for eigenvalues from
- * 0.01 to 100. Relative error: about INVCAL_EPSILON times the condition of I + E. */
+ * 0.01 to 100. Relative error: within 50 INVCAL_EPSILON times the condition of I + E. */
 void invcal_near_root(const invcal_real e[6], invcal_real root[6], invcal_real inverse[6]);
 
 /* Are all eigenvalues of I + E above low, and below high? Not if there is a NaN. */
