@@ -101,41 +101,6 @@ static invcal_real mirror(invcal_real *a, unsigned k)
     return image;
 }
 
-/* How many eigenvalues of the tridiagonal matrix (diagonal d, squared off-diagonal e2) lie below
- * x: the number of negative pivots of the matrix minus x. */
-static unsigned count_below(const invcal_real *d, const invcal_real *e2, unsigned n, invcal_real x)
-{
-    unsigned count = 0;
-    invcal_real pivot = 1;
-
-    for (unsigned i = 0; i < n; i++) {
-        pivot = d[i] - x - e2[i] / pivot;
-        count += pivot < 0;
-        if (INVCAL_FABS(pivot) <= INVCAL_EPSILON * INVCAL_EPSILON) {
-            pivot = INVCAL_EPSILON * INVCAL_EPSILON; /* x hits an eigenvalue of a part */
-        }
-    }
-    return count;
-}
-
-/* Halves low ... high until no number lies between, keeping fewer than `wanted` eigenvalues below
- * low and at least that many below high. */
-static invcal_real bisect(const invcal_real *d, const invcal_real *e2, unsigned n, unsigned wanted,
-                          invcal_real high)
-{
-    invcal_real low = 0;
-
-    for (unsigned i = 0; i < (INVCAL_DOUBLE ? 80u : 40u); i++) {
-        const invcal_real middle = low + (high - low) / 2;
-        if (count_below(d, e2, n, middle) < wanted) {
-            low = middle;
-        } else {
-            high = middle;
-        }
-    }
-    return low;
-}
-
 /* A matrix of the same eigenvalues with nothing but a diagonal and the elements beside it. */
 typedef struct {
     invcal_real d[INVCAL_MAX_PARAMETERS];  /* diagonal */
@@ -165,6 +130,69 @@ static int reduce(invcal_real *a, unsigned n, tridiagonal *t)
     return invcal_is_positive(trace) && invcal_is_finite(coupling);
 }
 
+/* Laguerre's step from an x beyond all eigenvalues x(i) towards the nearest, which it never passes
+ * but by rounding:
+ *
+ *     n / (S1 +- sqrt((n - 1) (n S2 - S1^2))),  S1 = sum 1/(x - x(i)), S2 of the squares.
+ *
+ * The characteristic polynomial is the product of the pivots q of x - A; with a = q'/q and
+ * b = q''/q, S1 is the sum of a, S2 that of a^2 - b. Beyond all eigenvalues every pivot has the
+ * sign: 1 above, -1 below. Returns 0 if one has not. */
+static int step_towards(const tridiagonal *t, unsigned n, invcal_real sign, invcal_real x,
+                        invcal_real *step)
+{
+    invcal_real s1 = 0;
+    invcal_real s2 = 0;
+    invcal_real q = 1;
+    invcal_real a = 0;
+    invcal_real b = 0;
+
+    for (unsigned i = 0; i < n; i++) {
+        const invcal_real c = t->e2[i] / q;
+        q = x - t->d[i] - c;
+        if (!(sign * q > 0)) {
+            return 0;
+        }
+        b = c * (b - 2 * a * a) / q;
+        a = (1 + c * a) / q;
+        s1 += a;
+        s2 += a * a - b;
+    }
+    const invcal_real radicand = (invcal_real)(n - 1) * ((invcal_real)n * s2 - s1 * s1);
+    const invcal_real root = radicand > 0 ? INVCAL_SQRT(radicand) : 0;
+    *step = (invcal_real)n / (s1 + sign * root);
+    return 1;
+}
+
+/* The largest eigenvalue (sign 1) or the smallest (sign -1), from an x beyond all. Where rounding
+ * has led past it, the interval is halved: pivots tell the side even where steps have lost all
+ * digits. */
+static invcal_real extreme(const tridiagonal *t, unsigned n, invcal_real sign, invcal_real x)
+{
+    enum { MAX_STEPS = 100 }; /* eigenvalues that are equal cost one or two bits a step */
+    invcal_real beyond = x;   /* the nearest x known that is */
+    invcal_real past = x;     /* the nearest known that is not, */
+    int is_passed = 0;        /* if there is one */
+    invcal_real step;
+
+    for (unsigned i = 0; i < MAX_STEPS; i++) {
+        if (step_towards(t, n, sign, x, &step)) {
+            beyond = x;
+            x -= step;
+        } else {
+            past = x;
+            is_passed = 1;
+        }
+        if (is_passed && !(sign * (x - past) > 0)) {
+            x = beyond + (past - beyond) / 2;
+        }
+        if (x == beyond || (is_passed && x == past)) {
+            break;
+        }
+    }
+    return is_passed ? past : beyond;
+}
+
 invcal_real invcal_condition(invcal_real *a, unsigned n)
 {
     tridiagonal t;
@@ -173,8 +201,8 @@ invcal_real invcal_condition(invcal_real *a, unsigned n)
     if (!reduce(a, n, &t)) {
         return INVCAL_REAL_MAX;
     }
-    const invcal_real largest = bisect(t.d, t.e2, n, n, t.bound);
-    const invcal_real smallest = bisect(t.d, t.e2, n, 1, largest * 2);
+    const invcal_real largest = extreme(&t, n, 1, t.bound);
+    const invcal_real smallest = extreme(&t, n, -1, 0);
     return smallest > (invcal_real)n * INVCAL_EPSILON * largest ? largest / smallest
                                                                 : INVCAL_REAL_MAX;
 }
@@ -184,5 +212,5 @@ invcal_real invcal_largest_eigenvalue(invcal_real *a, unsigned n)
     tridiagonal t;
 
     INVCAL_ASSERT(a && n >= 1 && n <= INVCAL_MAX_PARAMETERS);
-    return reduce(a, n, &t) ? t.scale * bisect(t.d, t.e2, n, n, t.bound) : INVCAL_REAL_MAX;
+    return reduce(a, n, &t) ? t.scale * extreme(&t, n, 1, t.bound) : INVCAL_REAL_MAX;
 }

@@ -23,7 +23,7 @@ typedef struct {
 void invcal_eigen3_decompose(const invcal_real m[6], invcal_eigen3 *out);
 
 /* The condition number of a symmetric positive definite matrix: its largest eigenvalue over its
- * smallest, from a tridiagonal form (Householder) by counting signs (Sturm).
+ * smallest, from a tridiagonal form (Householder) by Laguerre's iteration.
  *
  * a  the packed matrix (INVCAL_PACKED), n rows, 1 <= n <= INVCAL_MAX_PARAMETERS. Used as
  *    workspace: its content is lost.
