@@ -190,7 +190,7 @@ static invcal_real extreme(const tridiagonal *t, unsigned n, invcal_real sign, i
             break;
         }
     }
-    return is_passed ? past : beyond;
+    return beyond;
 }
 
 invcal_real invcal_condition(invcal_real *a, unsigned n)

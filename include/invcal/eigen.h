@@ -33,7 +33,7 @@ void invcal_eigen3_decompose(const invcal_real m[6], invcal_eigen3 *out);
 invcal_real invcal_condition(invcal_real *a, unsigned n);
 
 /* The largest eigenvalue of a symmetric positive definite matrix; a and n as above. Relative
- * error: n INVCAL_EPSILON, so that the largest of A times the largest of A^-1 gives a condition
+ * error: (n + 1) INVCAL_EPSILON, so that the largest of A times the largest of A^-1 gives a condition
  * without the loss above. What is no positive definite matrix gives INVCAL_REAL_MAX or a number
  * without meaning. */
 invcal_real invcal_largest_eigenvalue(invcal_real *a, unsigned n);
