@@ -50,5 +50,7 @@ $(OUT)/bench.elf: $(OUT)/tests/bench/bench.o $(COMMON) $(LIBRARY)
 
 bench: $(OUT)/bench.elf
 	$(Q)$(RUN:-kernel=$(COUNTING) -kernel) $<
+# The example firmware, where the family has one.
+-include $(dir $(TARGET))firmware/firmware.mk
 
 -include $(shell find $(OUT) -name '*.d' 2>/dev/null)

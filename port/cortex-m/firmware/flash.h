@@ -1,0 +1,27 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * flash.h: four sectors of NOR flash, and the two stores in them.
+ */
+#ifndef FLASH_H
+#define FLASH_H
+
+#include <stdint.h>
+
+#include "invcal/store.h"
+
+#define FLASH_SECTORS 4u
+#define FLASH_SECTOR_SIZE 1024u /* what is stored takes 820 bytes at most; the rest lies idle */
+#define FLASH_GRANULARITY 8u    /* bytes programmed at once, and once only until erased */
+
+/* Yours to write; sim/flash_sim.c stands in for them here. They come back when the flash has
+ * finished, and return 0, or anything else for a failure. Offsets are from the start of the
+ * sector. */
+int flash_read(unsigned sector, uint32_t offset, uint8_t *bytes, uint32_t size);
+int flash_erase(unsigned sector);
+int flash_program(unsigned sector, uint32_t offset, const uint8_t *bytes, uint32_t size);
+
+/* The calibration in sectors 0 and 1; the session that is going on in 2 and 3. */
+extern const invcal_store calibration_store;
+extern const invcal_store session_store;
+
+#endif

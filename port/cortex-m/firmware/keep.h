@@ -1,0 +1,20 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * keep.h: what is kept in the flash: the session that is going on, and the calibration.
+ *
+ * Whatever fails is told, and returned.
+ */
+#ifndef KEEP_H
+#define KEEP_H
+
+#include "invcal/session.h"
+
+invcal_status keep_load_calibration(invcal_calibration *calibration);
+invcal_status keep_save_calibration(const invcal_session *session, const invcal_solution *solution,
+                                    const invcal_quality *quality);
+
+invcal_status keep_load_session(invcal_session *session);
+invcal_status keep_save_session(const invcal_session *session);
+invcal_status keep_forget_session(void);
+
+#endif

@@ -1,0 +1,18 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * print.h: text and numbers on the UART, without printf and so without heap and double.
+ */
+#ifndef PRINT_H
+#define PRINT_H
+
+#include <stdint.h>
+
+void print(const char *text);
+
+void print_integer(int32_t value);
+
+/* With so many digits behind the point, 0 ... 6; "?" for what is no number below 2000 million
+ * with its point left out. */
+void print_fixed(float value, unsigned digits);
+
+#endif

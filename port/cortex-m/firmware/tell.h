@@ -1,0 +1,25 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * tell.h: what there is to tell, in lines on the UART.
+ */
+#ifndef TELL_H
+#define TELL_H
+
+#include "invcal/session.h"
+
+/* "what: text" and "what: count". */
+void tell(const char *what, const char *text);
+void tell_count(const char *what, unsigned count);
+
+/* Where to turn next. */
+void tell_next(const invcal_session *session);
+
+/* What a sample brought about. */
+void tell_event(const invcal_event *event);
+
+void tell_calibration(const invcal_solution *solution, const invcal_quality *quality);
+
+/* A calibrated reading, g, and its length. */
+void tell_reading(const invcal_real a[3]);
+
+#endif

@@ -1,0 +1,16 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * uart.h: the line to whoever watches.
+ */
+#ifndef UART_H
+#define UART_H
+
+void uart_begin(void);
+
+/* Sends a character; waits while the one before is on its way. */
+void uart_put(char c);
+
+/* Waits until all has been sent. */
+void uart_flush(void);
+
+#endif

@@ -1,0 +1,154 @@
+#!/bin/sh
+# SPDX-License-Identifier: MIT
+#
+# The example firmware (port/cortex-m/firmware), from power-on to the stored calibration, on an
+# emulated Cortex-M4F, and once more on a Cortex-M0+. $1: folder to build in.
+# Lines that begin with "world:" are the simulated world's: it knows the truth, the firmware does
+# not, and what the firmware printed is compared with it here.
+targets=${1:-build/targets}
+out=$targets/firmware
+passed=0
+failed=0
+
+check() { # name command...: the command's last line says what is wrong, if it fails
+    name=$1
+    shift
+    if "$@" > "$out/why" 2>&1; then
+        echo "firmware: $name: PASS"
+        passed=$((passed + 1))
+    else
+        echo "firmware: $name: FAIL: $(tail -n 1 "$out/why")"
+        failed=$((failed + 1))
+    fi
+}
+
+build() { # target
+    make -s -f port/build.mk TARGET="port/cortex-m/$1" BUILD="$targets" firmware
+}
+
+run() { # target machine log
+    timeout 60 qemu-system-arm -M "$2" -nographic -monitor none -serial stdio \
+        -semihosting-config enable=on,target=native \
+        -kernel "$targets/cortex-m-$1/firmware.elf" < /dev/null > "$3"
+}
+
+# Looks at the log line by line; in END, or before, the program says what is wrong, if anything.
+log() {
+    why=$(awk "$1" "$out/m4f.log")
+    echo "$why"
+    [ -z "$why" ]
+}
+
+# After each reset but the last: as many positions as were stored last, so often.
+resumed() {
+    log '
+        /^power on/ { starts++ }
+        /^world: reset/ { resets++ }
+        /^world: power fails/ { cuts++ }
+        /^session stored, positions: / { stored = $NF }
+        /^stored session found, positions: / {
+            found++
+            if ($NF != stored) print "found " $NF " positions of " stored
+        }
+        /^new session/ { begun++ }
+        END {
+            if (starts != 4) print starts + 0 " starts, but one for power-on and three for resets"
+            if (resets != 1 || cuts != 1) print resets + 0 " resets and " cuts + 0 " cuts of power"
+            if (found != 2) print "a session was found " found + 0 " times"
+            if (begun != 1) print begun + 0 " sessions were begun"
+        }'
+}
+
+# Position by position, none skipped; none twice but the one whose storing failed.
+counted() {
+    log '
+        /^session stored, positions: / { stored = $NF }
+        /position taken: / {
+            if ($NF != stored + 1) print "position " $NF " after " stored + 0
+            most = $NF
+        }
+        END { if (most < 12) print most + 0 " positions" }'
+}
+
+asked() {
+    log '
+        /^next: [+-][xyz] up/ { if (!seen[$0]++) different++ }
+        END { if (different < 9) print different + 0 " orientations were asked for" }'
+}
+
+# Before any reset: what comes after one may begin in motion, and look like another short rest.
+too_short() {
+    log '
+        /^world: reset/ { exit }
+        /^refused: too short/ { refused++ }
+        END { if (refused != 1) print "refused " refused + 0 " times" }'
+}
+
+said() { # pattern times
+    found=$(grep -c "$1" "$out/m4f.log")
+    echo "said $found times: $1"
+    [ "$found" -eq "$2" ]
+}
+
+# What the firmware printed, value and sigma, against the world's truth of so many names.
+true_to() { # label name_x name_y name_z
+    log '
+        /^'"$1"'/ { for (i = 1; i <= 3; i++) value[i] = $(NF - 3 + i); next_is = 1; next }
+        next_is && /^sigma:/ { for (i = 1; i <= 3; i++) sigma[i] = $(1 + i) }
+        { next_is = 0 }
+        /^world: truth / { name = $3; sub(",", "", $4); truth[name] = $4 }
+        END {
+            split("'"$2 $3 $4"'", names)
+            for (i = 1; i <= 3; i++) {
+                off = value[i] - truth[names[i]]
+                if (off < 0) off = -off
+                if (!(names[i] in truth) || !(sigma[i] > 0) || !(off <= 4 * sigma[i]))
+                    print names[i] ": " value[i] " +- " sigma[i] ", truth " truth[names[i]]
+            }
+        }'
+}
+
+# Readings after the last power-on: 1 g, whatever the offsets and scale errors.
+applied() {
+    log '
+        /^world: off and on/ { again = 1; n = 0 }
+        again && /^stored calibration: found/ { found = 1 }
+        found && /^a, g: / {
+            n++
+            if (!($NF > 0.99 && $NF < 1.01)) print "a length of " $NF
+        }
+        END { if (n < 5) print n + 0 " readings" }'
+}
+
+# The libc of the firmware: no heap, no printf, no arithmetic in double.
+is_lean() {
+    names=$(arm-none-eabi-nm "$targets/cortex-m-m4f/firmware.elf" |
+        awk '$3 ~ /^(_sbrk|_*malloc.*|.*printf.*|__aeabi_(d|f2d|i2d|ui2d|l2d|ul2d).*)$/ { print $3 }')
+    echo "has" $names
+    [ -z "$names" ]
+}
+
+mkdir -p "$out" || exit 1
+: > "$out/m4f.log"
+: > "$out/m0plus.log"
+check "builds for the Cortex-M4F" build m4f
+check "needs no heap, no printf, no double" is_lean
+check "ends by itself, content with what is stored" run m4f mps2-an386 "$out/m4f.log"
+check "asks for orientations" asked
+check "was reset twice and went on with as many positions" resumed
+check "counts its positions" counted
+check "a rest too short is named" too_short
+check "the same place is named" said '^refused: the same place' 1
+check "flash that fails is named" said '^session not stored: the memory' 1
+check "its verdict is good" said '^verdict: good$' 1
+check "offsets are true within 4 sigma" true_to 'offset' offset_x offset_y offset_z
+check "scale errors are true within 4 sigma" true_to 'scale errors' dk_x dk_y dk_z
+check "cross terms are true within 4 sigma" true_to 'cross terms' gamma_xy gamma_xz gamma_zy
+check "the world agrees" said '^world: the stored calibration is good$' 1
+check "after power-on the record is found and applied" applied
+check "builds for the Cortex-M0+" build m0plus
+check "ends by itself there" run m0plus mps2-an385 "$out/m0plus.log"
+check "prints the same there" diff "$out/m4f.log" "$out/m0plus.log"
+
+echo "$passed passed, $failed failed"
+[ "$failed" -eq 0 ]
