@@ -30,6 +30,9 @@ run() { # target machine log
     timeout 60 qemu-system-arm -M "$2" -nographic -monitor none -serial stdio \
         -semihosting-config enable=on,target=native \
         -kernel "$targets/cortex-m-$1/firmware.elf" < /dev/null > "$3"
+    status=$?
+    echo "exit status $status"
+    return $status
 }
 
 # Looks at the log line by line; in END, or before, the program says what is wrong, if anything.
@@ -128,6 +131,19 @@ is_lean() {
     [ -z "$names" ]
 }
 
+# The run quoted in the folder's README.md was this one: its lines are there, in that order.
+quoted() {
+    awk '/^```text$/ { on = 1; next } /^```$/ { on = 0 } on' port/cortex-m/firmware/README.md |
+        awk '
+            NR == FNR { if ($0 != "...") quote[++n] = $0; next }
+            $0 == quote[i + 1] { i++ }
+            END {
+                if (n < 30) print "README.md quotes " n + 0 " lines"
+                else if (i < n) print "not printed there: " quote[i + 1]
+                exit i < n || n < 30
+            }' - "$out/m4f.log"
+}
+
 mkdir -p "$out" || exit 1
 : > "$out/m4f.log"
 : > "$out/m0plus.log"
@@ -140,12 +156,14 @@ check "counts its positions" counted
 check "a rest too short is named" too_short
 check "the same place is named" said '^refused: the same place' 1
 check "flash that fails is named" said '^session not stored: the memory' 1
+check "each store finds only its own" said '^stored calibration: nothing is stored$' 3
 check "its verdict is good" said '^verdict: good$' 1
 check "offsets are true within 4 sigma" true_to 'offset' offset_x offset_y offset_z
 check "scale errors are true within 4 sigma" true_to 'scale errors' dk_x dk_y dk_z
 check "cross terms are true within 4 sigma" true_to 'cross terms' gamma_xy gamma_xz gamma_zy
 check "the world agrees" said '^world: the stored calibration is good$' 1
 check "after power-on the record is found and applied" applied
+check "README.md quotes it" quoted
 check "builds for the Cortex-M0+" build m0plus
 check "ends by itself there" run m0plus mps2-an385 "$out/m0plus.log"
 check "prints the same there" diff "$out/m4f.log" "$out/m0plus.log"
