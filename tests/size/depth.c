@@ -1,0 +1,145 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * How deep the stack really gets: paints it, calls a function, looks how far the paint is gone,
+ * and prints "function bytes" for each. What the compiler's frames and the call graph
+ * promise may not be less.
+ */
+#include <stddef.h>
+
+#include "board.h"
+#include "invcal/invcal.h"
+
+enum { DEPTH = 3072, GUARD = 48, PAINT = 0xA5 };
+
+__attribute__((always_inline)) static inline uintptr_t stack_pointer(void)
+{
+    uintptr_t at;
+
+#if defined(__arm__)
+    __asm volatile("mov %0, sp" : "=r"(at));
+#elif defined(__riscv)
+    __asm volatile("mv %0, sp" : "=r"(at));
+#elif defined(__powerpc__)
+    __asm volatile("mr %0, 1" : "=r"(at));
+#elif defined(__AVR__)
+    at = *(volatile uint16_t *)0x5D;
+#else
+#error "how does one read the stack pointer here?"
+#endif
+    return at;
+}
+
+static volatile uint8_t *lowest;
+
+/* Paints what lies below the caller, but for the bytes that this function may use itself. */
+__attribute__((noinline)) static void paint(uintptr_t top)
+{
+    lowest = (volatile uint8_t *)(top - DEPTH);
+    for (volatile uint8_t *at = lowest; at < (volatile uint8_t *)(top - GUARD); at++) {
+        *at = PAINT;
+    }
+}
+
+__attribute__((noinline)) static unsigned used(uintptr_t top)
+{
+    const volatile uint8_t *at = lowest;
+
+    while (*at == PAINT) {
+        at++;
+    }
+    return (unsigned)(top - (uintptr_t)at);
+}
+
+static void print(const char *name, unsigned bytes)
+{
+    char digits[6];
+    unsigned n = 0;
+
+    while (*name) {
+        board_put(*name++);
+    }
+    board_put(' ');
+    do {
+        digits[n++] = (char)('0' + bytes % 10u);
+        bytes /= 10u;
+    } while (bytes);
+    while (n) {
+        board_put(digits[--n]);
+    }
+    board_put('\n');
+}
+
+static invcal_session session;
+static invcal_solution solution;
+static invcal_quality quality;
+static invcal_outliers outliers;
+static invcal_event event;
+static invcal_guidance guidance;
+
+/* How many bytes of stack a call takes. */
+#define MEASURE(call) (paint(stack_pointer()), (void)(call), used(stack_pointer()))
+
+/* Two seconds at rest in one of 18 orientations and half a second of motion, 50 samples per
+ * second; 1024 counts are 1 g. Returns the deepest. */
+static unsigned feed_position(const int32_t rest[3], uint32_t *random)
+{
+    unsigned deepest = 0;
+
+    for (unsigned i = 0; i < 125; i++) {
+        const uint32_t size = i < 100 ? 7 : 2047;
+        int32_t raw[3];
+        for (unsigned k = 0; k < 3; k++) {
+            *random = *random * UINT32_C(1664525) + UINT32_C(1013904223);
+            raw[k] = rest[k] + (int32_t)((*random >> 20) & size) - (int32_t)(size / 2);
+        }
+        const unsigned depth = MEASURE(invcal_session_feed(&session, raw, 20, &event));
+        deepest = depth > deepest ? depth : deepest;
+    }
+    return deepest;
+}
+
+/* Six faces and twelve edges. */
+static const int8_t direction[18][3] = {
+    {1, 0, 0},  {-1, 0, 0},  {0, 1, 0},  {0, -1, 0},  {0, 0, 1},  {0, 0, -1},
+    {1, 1, 0},  {-1, -1, 0}, {1, -1, 0}, {-1, 1, 0},  {1, 0, 1},  {-1, 0, -1},
+    {1, 0, -1}, {-1, 0, 1},  {0, 1, 1},  {0, -1, -1}, {0, 1, -1}, {0, -1, 1},
+};
+
+int main(void)
+{
+    static invcal_session_setup setup = {
+        .settings = {.field = 1,
+                     .nominal = {.matrix = {{1 / 1024.0f, 0, 0},
+                                            {0, 1 / 1024.0f, 0},
+                                            {0, 0, 1 / 1024.0f}}}},
+        .target = {0.1f, 0.1f, 0.1f},
+        .rate = 50,
+    };
+    uint32_t random = 1;
+    unsigned deepest = 0;
+
+    if (invcal_session_init(&session, &setup) != INVCAL_OK) {
+        return 1;
+    }
+    for (unsigned i = 0; i < 18; i++) {
+        const int8_t *const d = direction[i];
+        const int32_t length = i < 6 ? 1024 : 724;
+        /* One position is wrong: the search for outliers runs to its end. */
+        const int32_t rest[3] = {d[0] * length + (i == 10 ? 60 : 0), d[1] * length, d[2] * length};
+        const unsigned depth = feed_position(rest, &random);
+        deepest = depth > deepest ? depth : deepest;
+    }
+    if (session.stored < 16) {
+        return 1;
+    }
+    print("invcal_session_feed", deepest);
+    print("invcal_session_solve",
+          MEASURE(invcal_session_solve(&session, &solution, &quality, &outliers)));
+    print("invcal_session_next", MEASURE(invcal_session_next(&session, &guidance)));
+    print("invcal_solve",
+          MEASURE(invcal_solve(&session.normal, &session.setup.settings, &solution)));
+    print("invcal_calibrate",
+          MEASURE(invcal_calibrate(&session.mean[0][0], session.stored, &session.setup.settings,
+                                   &solution, &quality, NULL)));
+    return 0;
+}

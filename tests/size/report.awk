@@ -1,0 +1,95 @@
+# SPDX-License-Identifier: MIT
+#
+# The tables of one target, each figure beside its budget; then "FAIL ..." for all that is over, and
+# "N passed, N failed".
+# Usage: awk -v target=m4f -v V=1 -f report.awk BUDGETS MEASURED FIGURES DEPTHS
+#     V       1: also every function
+#     DEPTHS  "function bytes", what depth.c measured
+FNR == 1 { file++ }
+/^#/ || NF == 0 { next }
+
+file == 1 && $1 == "figure" { for (i = 3; i <= NF; i++) if ($i == target) column = i }
+file == 1 && $1 !~ /^frame\./ && column { budget[$1] = $column }
+file == 1 && $1 !~ /^frame\./ && target == "m4f" { issue[$1] = $2 }
+file == 1 { next }
+
+file == 2 && $1 == "fault" { sub(/^fault /, ""); fail($0); next }
+file == 2 && $1 == "stack" {
+    stack[$3] = $4
+    way[$3] = $6
+    names[++functions] = $3
+    if ($4 > deepest[$2]) {
+        deepest[$2] = $4
+        who[$2] = substr($3, 8)
+    }
+    if ($5) plus[$2] = plus[$3] = "+"
+    next
+}
+file == 2 && $1 == "part" { part[++parts] = sprintf("%-12s%7s  %s", $2, $3, $4); next }
+file == 2 { measured[$1] = $2; next }
+file == 3 { check($1, $2); order[++figures] = $1; next }
+file == 4 { depth($1, $2) }
+
+function fail(text) { failure[++failed] = text }
+
+function check(what, value) {
+    figure[what] = value
+    if (!column) return
+    if (!(what in budget) || budget[what] == "-") fail(what " is " value " and has no budget: make size UPDATE=1")
+    else if (value > budget[what] + 0) fail(what " is " value ", at most " budget[what])
+    else passed++
+}
+
+# The worst case is right if nothing measured is deeper, and of use if it is not far from it.
+function depth(name, bytes) {
+    depths[++measures] = sprintf("%-28s%8d%12d", name, bytes, stack[name])
+    if (bytes > stack[name]) fail(name " took " bytes " of stack, computed " stack[name] + 0)
+    else if (bytes < 0.75 * stack[name]) fail(name " took only " bytes " of stack, computed " stack[name])
+    else passed++
+}
+
+function room_table(    i, k, kind, room, total) {
+    split("text rodata data bss", kind, " ")
+    printf "\n%-12s%7s%8s%6s%6s%8s%8s%8s %8s  %s\n", "room", "text", "rodata", "data", "bss", "flash",
+        "at most", "stack", "at most", "deepest"
+    for (i = 1; i <= figures; i++) {
+        if (order[i] !~ /^flash\./) continue
+        room = substr(order[i], 7)
+        printf "%-12s%7d%8d%6d%6d%8d%8s%8d%-1s%8s  %s\n", room, measured["text." room],
+            measured["rodata." room], measured["data." room], measured["bss." room],
+            figure["flash." room], budget["flash." room], deepest[room], plus[room],
+            budget["stack." room], who[room]
+        for (k = 1; k <= 4; k++) total[k] += measured[kind[k] "." room]
+    }
+    printf "%-12s%7d%8d%6d%6d%8d%8s\n", "all", total[1], total[2], total[3], total[4],
+        figure["flash"], budget["flash"]
+}
+
+function figure_table(    i) {
+    printf "\n%-28s%8s%12s%12s\n", "figure", "is", "at most", target == "m4f" ? "wanted" : ""
+    for (i = 1; i <= figures; i++) {
+        if (order[i] ~ /^(flash|stack)/) continue
+        printf "%-28s%8d%12s%12s\n", order[i], figure[order[i]], budget[order[i]],
+            issue[order[i]] == "-" ? "" : issue[order[i]]
+    }
+}
+
+END {
+    if (!column) fail("has no budgets: make size UPDATE=1")
+    room_table()
+    figure_table()
+    printf "\n%-28s%8s%12s\n", "stack", "measured", "computed"
+    for (i = 1; i <= measures; i++) print depths[i]
+    if (V) {
+        printf "\n%-12s%7s  %s\n", "program", "text", "function"
+        for (i = 1; i <= parts; i++) print part[i]
+        print "\nstack of every public function, and the frames it is made of"
+        for (i = 1; i <= functions; i++) {
+            gsub(/,/, ", ", way[names[i]])
+            print stack[names[i]] plus[names[i]] "  " way[names[i]]
+        }
+    }
+    print ""
+    for (i = 1; i <= failed; i++) print "FAIL " target ": " failure[i]
+    print passed + 0 " passed, " failed + 0 " failed"
+}

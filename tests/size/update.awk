@@ -1,0 +1,38 @@
+# SPDX-License-Identifier: MIT
+#
+# The budgets anew: what is reached, and 3 %. Comments, frames and what the issue wants stay; so do
+# the columns of targets that were not measured.
+# Usage: awk -f update.awk BUDGETS TARGET.figures...
+FNR == 1 && FILENAME != ARGV[1] {
+    target = FILENAME
+    sub(/.*\//, "", target)
+    sub(/\.figures$/, "", target)
+    if (!known[target]++) targets[++columns] = target
+}
+FILENAME == ARGV[1] && (/^#/ || /^frame\./ || NF == 0) { print; next }
+FILENAME == ARGV[1] && $1 == "figure" {
+    for (i = 3; i <= NF; i++) if (!known[$i]++) targets[++columns] = $i
+    next
+}
+FILENAME == ARGV[1] {
+    issue[$1] = $2
+    for (i = 3; i <= NF; i++) most[$1, targets[i - 2]] = $i
+    next
+}
+{
+    if (!row[$1]++) rows[++n] = $1
+    most[$1, target] = int($2 * 1.03)
+}
+END {
+    printf "%-26s%7s", "figure", "issue"
+    for (c = 1; c <= columns; c++) printf "%*s", width(c), targets[c]
+    print ""
+    for (i = 1; i <= n; i++) {
+        printf "%-26s%7s", rows[i], rows[i] in issue ? issue[rows[i]] : "-"
+        for (c = 1; c <= columns; c++) {
+            printf "%*s", width(c), (rows[i], targets[c]) in most ? most[rows[i], targets[c]] : "-"
+        }
+        print ""
+    }
+}
+function width(c) { return length(targets[c]) < 6 ? 8 : length(targets[c]) + 2 }
