@@ -74,6 +74,19 @@ function figure_table(    i) {
     }
 }
 
+# Frames behind a number, in lines of 100 characters.
+function wrap(line, list,    frame, i, n) {
+    n = split(list, frame, ",")
+    for (i = 1; i <= n; i++) {
+        if (length(line) + 1 + length(frame[i]) > 100) {
+            print line
+            line = "      "
+        }
+        line = line " " frame[i]
+    }
+    print line
+}
+
 END {
     if (!column) fail("has no budgets: make size UPDATE=1")
     room_table()
@@ -85,8 +98,7 @@ END {
         for (i = 1; i <= parts; i++) print part[i]
         print "\nstack of every public function, and the frames it is made of"
         for (i = 1; i <= functions; i++) {
-            gsub(/,/, ", ", way[names[i]])
-            print stack[names[i]] plus[names[i]] "  " way[names[i]]
+            wrap(sprintf("%5d%-1s", stack[names[i]], plus[names[i]]), way[names[i]])
         }
     }
     print ""

@@ -2,7 +2,7 @@
 #
 # What tests/size.sh measures, for one target:
 #     make -f tests/size/size.mk TARGET=port/cortex-m/m4f programs
-OPT := -Os -fstack-usage
+override OPT := -Os -fstack-usage
 include port/build.mk
 
 public = $(shell awk -f tests/size/public.awk $(1) | cut -d ' ' -f 2)

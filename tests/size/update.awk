@@ -24,15 +24,15 @@ FILENAME == ARGV[1] {
     most[$1, target] = int($2 * 1.03)
 }
 END {
-    printf "%-26s%7s", "figure", "issue"
+    printf "%-26s%6s", "figure", "issue"
     for (c = 1; c <= columns; c++) printf "%*s", width(c), targets[c]
     print ""
     for (i = 1; i <= n; i++) {
-        printf "%-26s%7s", rows[i], rows[i] in issue ? issue[rows[i]] : "-"
+        printf "%-26s%6s", rows[i], rows[i] in issue ? issue[rows[i]] : "-"
         for (c = 1; c <= columns; c++) {
             printf "%*s", width(c), (rows[i], targets[c]) in most ? most[rows[i], targets[c]] : "-"
         }
         print ""
     }
 }
-function width(c) { return length(targets[c]) < 6 ? 8 : length(targets[c]) + 2 }
+function width(c) { return length(targets[c]) < 6 ? 7 : length(targets[c]) + 1 }
