@@ -6,7 +6,6 @@
 # UPDATE=1: writes the budgets anew. A target is called by its last folder. How the stack is computed: tests/size/stack.awk.
 out=$1
 budgets=tests/size/budgets.txt
-headers=$(echo include/invcal/*.h)
 passed=0
 failed=0
 
@@ -43,11 +42,17 @@ stacks() {
     "${prefix}objdump" -d "$folder/whole.elf" |
         awk -f tests/size/hex.awk -f tests/size/code.awk > "$folder/code"
     grep '^frame\.' $budgets > "$folder/frames"
-    # shellcheck disable=SC2086
-    awk -f tests/size/public.awk $headers > "$folder/public"
+    awk -f tests/size/public.awk include/invcal/*.h > "$folder/public"
     case $prefix in avr-*) pushed=2 ;; *) pushed=0 ;; esac
     awk -v return_size=$pushed -v library="$folder/src/" -f tests/size/stack.awk "$folder/frames" \
         "$folder/public" "$folder/whole.sections" "$folder/code" "$folder"/src/*.su
+}
+
+undeclared() { # a public function that is not seen would not be measured
+    awk -f tests/size/public.awk include/invcal/*.h src/*.h > "$folder/declared"
+    "${prefix}nm" -g --defined-only "$folder"/src/*.o | awk 'FILENAME != "-" { known[$2]; next }
+        $2 == "T" && !($3 in known) { print "fault", $3 " is global, and declared in no header" }' \
+        "$folder/declared" -
 }
 
 measure() {
@@ -58,6 +63,7 @@ measure() {
     "${prefix}nm" -S -t d "$folder/tests/size/structures.o" |
         awk 'sub(/^size_of_/, "", $4) { print "sizeof." $4, $2 + 0 }'
     stacks
+    undeclared
 }
 
 size_of() {

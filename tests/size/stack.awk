@@ -27,6 +27,7 @@ file == 4 { code[++codes] = $0; next }
 { usage() }
 
 function section() {
+    if ($2 < end[nodes]) fault("sections are out of order at " $1)
     begin[++nodes] = $2
     end[nodes] = $2 + $3
     owned[nodes] = index($4, library) == 1
