@@ -3,7 +3,8 @@
 #
 # `make size`: flash, stack and structures on every target, against tests/size/budgets.txt.
 # $1: folder to build in. TARGETS: folders, all under port/ unless given. V=1: every function too.
-# UPDATE=1: writes the budgets anew. A target is called by its last folder. How the stack is computed: tests/size/stack.awk.
+# UPDATE=1: writes the budgets anew. A target is called by its last folder. Everything is compiled
+# anew: what is left of a room that is gone would count. How the stack is computed: size/stack.awk.
 out=$1
 budgets=tests/size/budgets.txt
 passed=0
@@ -80,6 +81,7 @@ size_of() {
     done
     printf '\n== %s: %sgcc %s, -Os, float\n   %s\n' "${target#port/}" "$prefix" \
         "$("${prefix}gcc" -dumpversion)" "$(value "$target" CPU)"
+    rm -rf "$folder"
     if ! make_target programs > "$folder.log" 2>&1; then
         cat "$folder.log"
         fail "does not build"
