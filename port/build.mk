@@ -12,7 +12,9 @@ UNITY  ?= tests/unity
 OPT    ?= -O2
 REAL   ?= 0
 # Long tests run where LONG is set: by the target.mk of a machine that computes double in hardware.
-SHORT  := $(if $(LONG),,-DTEST_SHORT)
+# Elsewhere they are skipped, and loops over random members visit one of SHARE.
+SHARE  ?= 10
+SHORT  := $(if $(LONG),,-DTEST_SHORT=$(SHARE))
 WARNINGS := -Wall -Wextra -Wshadow -Wdouble-promotion
 # Contraction (fused multiply-add) is off: the same bits on every machine.
 FLAGS   = -std=c99 $(OPT) $(CPU) -ffp-contract=off -ffunction-sections -fdata-sections $(WARNINGS) \

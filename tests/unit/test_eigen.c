@@ -74,7 +74,7 @@ static void axes_are_orthonormal_and_give_the_matrix_back(void)
 
     static const double one[3] = {1, 1, 1};
 
-    for (int i = 0; i < 500; i++) {
+    for (int i = 0; i < SOME(500); i++) {
         invcal_real m[6];
         invcal_eigen3 eigen;
         for (unsigned k = 0; k < 6; k++) {
@@ -127,7 +127,7 @@ static void condition_does_not_depend_on_the_axes(void)
 {
     random_source random = random_start(3);
 
-    for (int i = 0; i < 200; i++) {
+    for (int i = 0; i < SOME(200); i++) {
         const double condition = pow(10, random_uniform(&random, 0, 3));
         double v[N];
         double square = 0;
@@ -302,7 +302,7 @@ static void the_largest_eigenvalue_does_not_depend_on_the_axes(void)
 {
     random_source random = random_start(4);
 
-    for (int i = 0; i < 500; i++) {
+    for (int i = 0; i < SOME(500); i++) {
         const unsigned n = 2 + (unsigned)i % (N - 1);
         const double largest = pow(10, random_uniform(&random, -3, 3));
         const double spread = pow(10, random_uniform(&random, 0, 10));

@@ -108,9 +108,9 @@ int main(void)
 {
     UNITY_BEGIN();
     RUN_TEST(the_tail_is_that_of_the_reference);
-    RUN_TEST(the_tails_of_f_and_of_its_inverse_make_one);
+    RUN_LONG_TEST(the_tails_of_f_and_of_its_inverse_make_one);
     RUN_TEST(with_two_degrees_of_freedom_the_tail_is_a_power);
-    RUN_TEST(a_larger_f_is_less_likely);
+    RUN_LONG_TEST(a_larger_f_is_less_likely);
     RUN_TEST(outside_of_0_and_1_it_is_certain_or_impossible);
     RUN_TEST(next_to_0_and_1_it_is_neither_negative_nor_above_1);
     RUN_TEST(a_thousand_degrees_of_freedom_come_near_the_normal_law);

@@ -345,7 +345,7 @@ static void the_direction_asked_for_has_the_largest_gain_and_is_the_nearest_such
 {
     random_source random = random_start(3);
 
-    for (int draw = 0; draw < 2000; draw++) {
+    for (int draw = 0; draw < SOME(2000); draw++) {
         const invcal_normal normal = random_sums(&random, (unsigned)draw % 25);
         double current[3];
         invcal_real reading[3];
@@ -365,7 +365,7 @@ static void only_faces_edges_and_corners_are_asked_for(void)
 {
     random_source random = random_start(4);
 
-    for (int draw = 0; draw < 300; draw++) {
+    for (int draw = 0; draw < SOME(300); draw++) {
         const invcal_normal normal = random_sums(&random, (unsigned)draw % 25);
         const invcal_guidance next = ask(&normal, NULL);
         double sign[3];
@@ -515,8 +515,8 @@ static void the_parameters_that_improve_are_named(void)
     random_source random = random_start(8);
     unsigned small = 0;
 
-    for (unsigned draw = 0; draw < 200; draw++) {
-        const invcal_normal normal = random_sums(&random, draw % 60);
+    for (unsigned draw = 0; draw < SOME(200); draw++) {
+        const invcal_normal normal = random_sums(&random, draw * TEST_SHORT % 60);
         const invcal_guidance next = ask(&normal, NULL);
         double falls[N];
         double most = 0;
@@ -532,7 +532,7 @@ static void the_parameters_that_improve_are_named(void)
         }
         TEST_ASSERT_TRUE(next.improves > 0 && next.improves < 0x200);
     }
-    TEST_ASSERT_TRUE(small > 10); /* where none falls by a tenth, still one is named */
+    TEST_ASSERT_TRUE(small >= SOME(10)); /* where none falls by a tenth, still one is named */
 }
 
 static void from_positions_on_a_plane_it_leads_out_of_the_plane(void)
@@ -635,7 +635,7 @@ static void a_direction_of_ones_own_is_judged_like_one_that_is_asked_for(void)
 {
     random_source random = random_start(11);
 
-    for (int draw = 0; draw < 100; draw++) {
+    for (int draw = 0; draw < SOME(100); draw++) {
         const invcal_normal normal = random_sums(&random, (unsigned)draw % 25);
         const invcal_guidance asked = ask(&normal, NULL);
         invcal_guidance own;
@@ -722,7 +722,7 @@ int main(void)
 {
     UNITY_BEGIN();
     RUN_TEST(nine_positions_as_asked_determine_everything_and_eighteen_are_near_the_best);
-    RUN_TEST(hands_that_miss_by_10_degrees_get_nearly_as_far);
+    RUN_LONG_TEST(hands_that_miss_by_10_degrees_get_nearly_as_far);
     RUN_TEST(the_first_positions_are_faces_then_corners);
     RUN_TEST(the_direction_asked_for_has_the_largest_gain_and_is_the_nearest_such);
     RUN_TEST(only_faces_edges_and_corners_are_asked_for);

@@ -123,7 +123,7 @@ static void the_vertical_composition_gives_the_parameters_exactly(void)
     random_source random = random_start(1);
 
     for (unsigned n = 5; n <= 64; n++) {
-        for (int draw = 0; draw < 20; draw++) {
+        for (int draw = 0; draw < SOME(20); draw++) {
             const program p = random_program(&random, n);
             const triad_truth truth = triad_random(&random, 0.1);
             invcal_series series = series_of(&p.plan);
@@ -252,7 +252,7 @@ static void assert_equal_to_the_solve(int kind, double size, double noise, uint3
     const invcal_settings settings = unit_settings(0);
 
     for (unsigned n = 5; n <= 64; n++) {
-        for (int draw = 0; draw < 5; draw++) {
+        for (int draw = 0; draw < SOME(5); draw++) {
             const program p = random_program(&random, n);
             const triad_truth truth = triad_random(&random, size);
             invcal_series series = series_of(&p.plan);
@@ -362,7 +362,7 @@ static void equal_steps_make_the_five_functions_orthogonal(void)
     random_source random = random_start(7);
 
     for (unsigned n = 5; n <= 64; n++) {
-        for (int draw = 0; draw < 10; draw++) {
+        for (int draw = 0; draw < SOME(10); draw++) {
             const program p = random_program(&random, n);
             for (unsigned group = 1; group <= 3; group++) {
                 invcal_real a[PACKED];
@@ -386,7 +386,7 @@ static void other_angles_have_a_smaller_determinant(void)
     random_source random = random_start(8);
     double best = 0;
 
-    for (int draw = 0; draw < 2000; draw++) {
+    for (int draw = 0; draw < SOME(2000); draw++) {
         const unsigned n = 5 + (unsigned)draw % 20;
         double angle[24];
         invcal_real packed[PACKED];
@@ -433,7 +433,7 @@ static void angles_that_leave_a_coefficient_open_have_no_efficiency(void)
     random_source random = random_start(9);
 
     for (unsigned distinct = 1; distinct <= 4; distinct++) {
-        for (int draw = 0; draw < 50; draw++) {
+        for (int draw = 0; draw < SOME(50); draw++) {
             double angle[12];
             invcal_real packed[PACKED];
             for (unsigned k = 0; k < 12; k++) { /* in equal steps, each some times */

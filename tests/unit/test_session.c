@@ -584,7 +584,7 @@ static void a_program_is_followed_to_its_end(void)
 
 static void its_calibration_is_the_truth_and_that_of_the_means(void)
 {
-    for (uint32_t seed = 0; seed < 6; seed++) {
+    for (uint32_t seed = 0; seed < SOME(6); seed++) {
         begin(program(), 0.05, seed);
         visit_plan(0, 18);
         TEST_ASSERT_EQUAL_UINT(1, b.seen[INVCAL_SESSION_FINISHED]);
@@ -2184,7 +2184,7 @@ int main(void)
     RUN_TEST(a_position_that_was_not_asked_counts_but_is_asked_again);
     RUN_TEST(twenty_degrees_are_near_enough);
     RUN_TEST(advice_followed_determines_everything);
-    RUN_TEST(a_hand_that_errs_by_ten_degrees_does_hardly_worse);
+    RUN_LONG_TEST(a_hand_that_errs_by_ten_degrees_does_hardly_worse);
     RUN_TEST(free_hand_the_best_and_nearest_is_next);
     RUN_TEST(a_rest_settles_is_ready_once_and_is_taken);
     RUN_TEST(between_the_events_there_is_nothing);
@@ -2209,14 +2209,14 @@ int main(void)
     RUN_TEST(finish_takes_the_position_that_is_held);
     RUN_TEST(finish_takes_nothing_that_is_not_ready);
     RUN_TEST(a_gap_is_handed_on);
-    RUN_TEST(few_directions_do_not_fill_the_table);
-    RUN_TEST(a_rare_direction_is_kept_beside_usual_ones_for_weeks);
-    RUN_TEST(a_well_covered_direction_is_passed_over_and_a_new_one_is_not);
-    RUN_TEST(a_full_table_drops_what_tells_least);
+    RUN_LONG_TEST(few_directions_do_not_fill_the_table);
+    RUN_LONG_TEST(a_rare_direction_is_kept_beside_usual_ones_for_weeks);
+    RUN_LONG_TEST(a_well_covered_direction_is_passed_over_and_a_new_one_is_not);
+    RUN_LONG_TEST(a_full_table_drops_what_tells_least);
     RUN_TEST(positions_fade_and_vanish);
     RUN_TEST(old_positions_vanish_and_younger_ones_stay);
     RUN_TEST(a_wrong_position_that_has_faded_is_left_out);
-    RUN_TEST(a_drift_is_followed);
+    RUN_LONG_TEST(a_drift_is_followed);
     RUN_TEST(in_a_procedure_nothing_ages);
     RUN_TEST(the_better_one_is_no_worse_in_verdict_and_smaller_in_sigma);
     RUN_TEST(every_sigma_counts_with_its_square);

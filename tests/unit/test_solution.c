@@ -32,7 +32,7 @@ static void unseen_orientations_come_out_with_unit_length(void)
     random_source random = random_start(1);
     const invcal_settings settings = unit_settings(0);
 
-    for (int draw = 0; draw < 20; draw++) {
+    for (int draw = 0; draw < SOME(20); draw++) {
         const triad_truth truth = triad_random(&random, 0.1);
         invcal_solution solution;
         double squares = 0;
@@ -57,7 +57,7 @@ static void the_nine_parameters_are_those_of_the_triad(void)
     random_source random = random_start(2);
     const invcal_settings settings = unit_settings(0);
 
-    for (int draw = 0; draw < 100; draw++) {
+    for (int draw = 0; draw < SOME(100); draw++) {
         const triad_truth truth = triad_random(&random, 0.1);
         invcal_solution solution;
         solve_plan18(&truth, &settings, &solution);
@@ -139,7 +139,7 @@ static void known_directions_give_the_triad_exactly_for_errors_of_any_size(void)
     random_source random = random_start(3);
     const invcal_settings settings = unit_settings(0);
 
-    for (int draw = 0; draw < 20; draw++) {
+    for (int draw = 0; draw < SOME(20); draw++) {
         const triad_truth truth = triad_random(&random, 0.2);
         const invcal_normal normal = with_known_directions(&truth, invcal_observation_vertical);
         invcal_solution solution;
@@ -169,7 +169,7 @@ static void the_two_frames_differ_by_a_rotation_only(void)
 {
     random_source random = random_start(4);
 
-    for (int draw = 0; draw < 50; draw++) {
+    for (int draw = 0; draw < SOME(50); draw++) {
         const triad_truth truth = triad_random(&random, 0.1);
         invcal_settings settings = unit_settings(0);
         invcal_solution symmetric;
@@ -201,7 +201,7 @@ static void a_rotation_of_the_case_does_not_change_lengths(void)
     random_source random = random_start(5);
     const invcal_settings settings = unit_settings(0);
 
-    for (int draw = 0; draw < 20; draw++) {
+    for (int draw = 0; draw < SOME(20); draw++) {
         const triad_truth truth = triad_random(&random, 0.1);
         reading_set set;
         reading_set turned;
@@ -305,7 +305,7 @@ static void a_magnetometer_is_calibrated_like_an_accelerometer(void)
 {
     random_source random = random_start(7);
 
-    for (int draw = 0; draw < 50; draw++) {
+    for (int draw = 0; draw < SOME(50); draw++) {
         triad_truth truth = triad_random(&random, 0.2);
         double iron[3];
         invcal_real raw[MAGNETOMETER_POSITIONS][3];
@@ -347,7 +347,7 @@ static void any_regular_matrix_may_be_nominal(void)
 {
     random_source random = random_start(10);
 
-    for (int draw = 0; draw < 50; draw++) {
+    for (int draw = 0; draw < SOME(50); draw++) {
         static const double zero[3] = {500, -300, 200};
         double turn[3][3];
         double t[3][3];

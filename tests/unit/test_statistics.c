@@ -528,11 +528,11 @@ int main(void)
     RUN_LONG_TEST(random_sets_are_good_only_when_they_are);
     RUN_LONG_TEST(without_stated_noise_intervals_follow_student);
     RUN_TEST(the_comparison_in_the_readme_is_true);
-    RUN_TEST(a_prior_holds_what_tilts_alone_cannot_tell);
-    RUN_TEST(a_prior_is_not_overruled_by_understated_noise);
+    RUN_LONG_TEST(a_prior_holds_what_tilts_alone_cannot_tell);
+    RUN_LONG_TEST(a_prior_is_not_overruled_by_understated_noise);
     RUN_LONG_TEST(intervals_follow_student_with_a_prior_too);
-    RUN_TEST(a_wide_prior_does_not_hurt_the_others);
+    RUN_LONG_TEST(a_wide_prior_does_not_hurt_the_others);
     RUN_LONG_TEST(offsets_spread_as_reported_whatever_the_nominal);
-    RUN_TEST(three_positions_renew_the_offsets_of_an_earlier_calibration);
+    RUN_LONG_TEST(three_positions_renew_the_offsets_of_an_earlier_calibration);
     return UNITY_END() != 0;
 }

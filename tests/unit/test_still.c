@@ -1069,7 +1069,7 @@ int main(void)
     RUN_TEST(unit_offset_and_order_of_the_axes_do_not_matter);
     RUN_TEST(a_copy_of_the_state_goes_on_alike);
     RUN_TEST(a_slow_turn_is_refused_for_drift_while_it_lasts);
-    RUN_TEST(a_sensor_that_warms_up_does_rest);
+    RUN_LONG_TEST(a_sensor_that_warms_up_does_rest);
     RUN_TEST(a_warming_sensor_may_rest_for_minutes_at_first);
     RUN_TEST(a_rest_at_a_rail_is_refused_as_clipped);
     RUN_TEST(the_ends_of_int32_clip_where_no_rails_are_given);
@@ -1096,7 +1096,7 @@ int main(void)
     RUN_TEST(random_bits_and_alternating_extremes_are_no_rest);
     RUN_TEST(jumps_through_all_of_int32_overflow_nothing);
     RUN_LONG_TEST(ten_million_equal_samples_and_life_after);
-    RUN_TEST(a_rest_stops_growing_before_its_counters_overflow);
+    RUN_LONG_TEST(a_rest_stops_growing_before_its_counters_overflow);
     RUN_TEST(the_count_of_samples_may_wrap);
     return UNITY_END();
 }

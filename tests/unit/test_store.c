@@ -1131,7 +1131,7 @@ int main(void)
     RUN_TEST(one_read_that_fails_or_lies_never_gives_a_wrong_record);
     RUN_TEST(a_record_that_grows_while_it_is_loaded_does_not_overrun_the_buffer);
     RUN_TEST(a_record_exchanged_while_it_is_loaded_is_loaded_whole_or_not_at_all);
-    RUN_TEST(a_worn_cell_is_noticed_and_the_old_record_stays);
+    RUN_LONG_TEST(a_worn_cell_is_noticed_and_the_old_record_stays);
     RUN_TEST(a_confirmation_that_cannot_be_programmed_is_noticed);
     RUN_TEST(a_memory_that_ignores_commands_is_noticed);
     return UNITY_END() != 0;
