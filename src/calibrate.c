@@ -3,6 +3,8 @@
 
 #include <stddef.h>
 
+#include "vector.h"
+
 /* First pass: the normal equations of all positions. */
 static invcal_status accumulate(const invcal_real *raw, unsigned count,
                                 const invcal_settings *settings, invcal_normal *normal,
@@ -28,10 +30,19 @@ static invcal_status accumulate(const invcal_real *raw, unsigned count,
     return INVCAL_OK;
 }
 
-/* The weight of a position that is kept; 0: left out. */
-static invcal_real weight_of(const invcal_positions *positions, unsigned i)
+invcal_real invcal_faded(unsigned days)
 {
-    return positions->weight ? positions->weight[i] : 1;
+    invcal_real weight = 1;
+
+    for (; days > 0; days--) {
+        weight *= INVCAL_REAL(0.96875); /* 31/32 */
+    }
+    return weight;
+}
+
+static int is_left_out(const invcal_positions *positions, unsigned i)
+{
+    return positions->left_out && (positions->left_out >> i & 1u);
 }
 
 /* Second pass: the residuals of the solution. */
@@ -42,10 +53,10 @@ static invcal_status compare(const invcal_positions *positions, const invcal_set
 
     invcal_residuals_init(residuals, solution);
     for (unsigned i = 0; i < positions->count; i++) {
-        const invcal_real weight = weight_of(positions, i);
-        if (!(weight > 0)) {
+        if (is_left_out(positions, i)) {
             continue;
         }
+        const invcal_real weight = invcal_faded(positions->age ? positions->age[i] : 0);
         if (invcal_observation_reading(&settings->nominal, settings->field,
                                        &positions->raw[3 * (size_t)i], u) != INVCAL_OK ||
             invcal_residuals_add(residuals, u, weight, NULL) != INVCAL_OK) {
@@ -55,10 +66,11 @@ static invcal_status compare(const invcal_positions *positions, const invcal_set
     return INVCAL_OK;
 }
 
-static invcal_status solve_and_assess(const invcal_normal *normal,
-                                      const invcal_positions *positions,
-                                      const invcal_settings *settings, invcal_solution *solution,
-                                      invcal_quality *quality, invcal_real *gain)
+INVCAL_APART static invcal_status solve_and_assess(const invcal_normal *normal,
+                                                   const invcal_positions *positions,
+                                                   const invcal_settings *settings,
+                                                   invcal_solution *solution,
+                                                   invcal_quality *quality, invcal_real *gain)
 {
     invcal_residuals residuals;
     invcal_status status = invcal_solve(normal, settings, solution);
@@ -78,10 +90,11 @@ static invcal_status solve_and_assess(const invcal_normal *normal,
 
 /* The data may be noisier than stated: then the prior counts for more, and the solution is made
  * once more. Whether residuals or the user told the noise was decided the first time. */
-static invcal_status weigh_prior_again(const invcal_normal *normal,
-                                       const invcal_positions *positions,
-                                       const invcal_settings *settings, invcal_solution *solution,
-                                       invcal_quality *quality, invcal_real gain)
+INVCAL_APART static invcal_status weigh_prior_again(const invcal_normal *normal,
+                                                    const invcal_positions *positions,
+                                                    const invcal_settings *settings,
+                                                    invcal_solution *solution,
+                                                    invcal_quality *quality, invcal_real gain)
 {
     const invcal_real coverage = quality->coverage;
     const invcal_real observed = quality->noise * settings->field / gain;
@@ -90,9 +103,7 @@ static invcal_status weigh_prior_again(const invcal_normal *normal,
     noisier.noise = observed < settings->field ? observed : settings->field;
     const invcal_status status =
         solve_and_assess(normal, positions, &noisier, solution, quality, &gain);
-    if (status == INVCAL_OK) {
-        quality->coverage = coverage;
-    }
+    quality->coverage = coverage;
     return status;
 }
 
@@ -101,7 +112,7 @@ static unsigned nth_kept(const invcal_positions *positions, unsigned n)
 {
     unsigned i = 0;
 
-    while (!(weight_of(positions, i) > 0) || n-- > 0) {
+    while (is_left_out(positions, i) || n-- > 0) {
         i++;
     }
     return i;
@@ -111,22 +122,18 @@ invcal_status invcal_calibrate_sums(const invcal_normal *normal, const invcal_po
                                     const invcal_settings *settings, invcal_solution *solution,
                                     invcal_quality *quality)
 {
-    invcal_solution s;
-    invcal_quality q;
     invcal_real gain;
 
     INVCAL_ASSERT(normal && positions && settings && solution && quality);
     invcal_status status = invcal_settings_check(settings);
     if (status == INVCAL_OK) {
-        status = solve_and_assess(normal, positions, settings, &s, &q, &gain);
+        status = solve_and_assess(normal, positions, settings, solution, quality, &gain);
     }
     if (status == INVCAL_OK && invcal_has_prior(settings)) {
-        status = weigh_prior_again(normal, positions, settings, &s, &q, gain);
+        status = weigh_prior_again(normal, positions, settings, solution, quality, gain);
     }
     if (status == INVCAL_OK) {
-        q.worst = nth_kept(positions, q.worst);
-        *solution = s;
-        *quality = q;
+        quality->worst = nth_kept(positions, quality->worst);
     }
     return status;
 }
@@ -135,8 +142,10 @@ invcal_status invcal_calibrate(const invcal_real *raw, unsigned count,
                                const invcal_settings *settings, invcal_solution *solution,
                                invcal_quality *quality, invcal_reason *reason)
 {
-    const invcal_positions positions = {raw, NULL, count};
+    const invcal_positions positions = {raw, NULL, count, 0};
     invcal_normal normal;
+    invcal_solution s;
+    invcal_quality q;
     unsigned position = count;
 
     INVCAL_ASSERT((raw || count == 0) && settings && solution && quality);
@@ -146,9 +155,12 @@ invcal_status invcal_calibrate(const invcal_real *raw, unsigned count,
         status = accumulate(raw, count, settings, &normal, &position);
     }
     if (status == INVCAL_OK) {
-        status = invcal_calibrate_sums(&normal, &positions, settings, solution, quality);
+        status = invcal_calibrate_sums(&normal, &positions, settings, &s, &q);
     }
-    if (status != INVCAL_OK && reason) {
+    if (status == INVCAL_OK) {
+        *solution = s;
+        *quality = q;
+    } else if (reason) {
         reason->position = position;
         reason->undetermined = invcal_undetermined(&normal);
     }

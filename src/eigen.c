@@ -38,9 +38,12 @@ void invcal_eigen3_decompose(const invcal_real m[6], invcal_eigen3 *out)
 {
     static const unsigned char pair[3][2] = {{0, 1}, {0, 2}, {1, 2}};
     invcal_real a[3][3] = {{m[0], m[1], m[3]}, {m[1], m[2], m[4]}, {m[3], m[4], m[5]}};
-    invcal_real v[3][3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
 
     INVCAL_ASSERT(out);
+    memset(out->vector, 0, sizeof out->vector);
+    for (unsigned i = 0; i < 3; i++) {
+        out->vector[i][i] = 1;
+    }
     for (unsigned i = 0; i < 3 * MAX_SWEEPS; i++) {
         const unsigned p = pair[i % 3][0];
         const unsigned q = pair[i % 3][1];
@@ -48,13 +51,12 @@ void invcal_eigen3_decompose(const invcal_real m[6], invcal_eigen3 *out)
         /* An element below a hundredth of the rounding error of its row changes nothing; a NaN
          * is rotated too, and so shows in the values. */
         if (!(INVCAL_FABS(a[p][q]) <= INVCAL_EPSILON / 100 * scale)) {
-            rotate(a, v, p, q);
+            rotate(a, out->vector, p, q);
         }
     }
     for (unsigned i = 0; i < 3; i++) {
         out->value[i] = a[i][i];
     }
-    memcpy(out->vector, v, sizeof v);
 }
 
 /* y = A x for a packed symmetric A of n rows. */

@@ -212,7 +212,7 @@ static invcal_real within_prior(const evidence *e, unsigned r, invcal_real sigma
 }
 
 /* d delta = (I + S) d delta', and d offset = field N^-1 d delta. */
-static void spread_offset(const evidence *e, const invcal_real s[6], invcal_quality *q)
+INVCAL_APART static void spread_offset(const evidence *e, const invcal_real s[6], invcal_quality *q)
 {
     const invcal_real rows[3][3] = {
         {1 + s[0], s[1], s[3]}, {s[1], 1 + s[2], s[4]}, {s[3], s[4], 1 + s[5]}};
@@ -236,7 +236,8 @@ static void spread_offset(const evidence *e, const invcal_real s[6], invcal_qual
  *
  * the harmonic mean. Hence dP(i,j) = sum_mn W(m,n) S'(m,n) with W = V T V',
  * T(m,n) = V(i,m) V(j,n) 2 a_m a_n / (a_m + a_n), and a gamma' is S'(m,n) + S'(n,m). */
-static void jacobian(const invcal_eigen3 *axes, unsigned i, unsigned j, invcal_real x[6])
+INVCAL_APART static void jacobian(const invcal_eigen3 *axes, unsigned i, unsigned j,
+                                  invcal_real x[6])
 {
     const invcal_real a[3] = {1 + axes->value[0], 1 + axes->value[1], 1 + axes->value[2]};
     invcal_real vt[3][3] = {{0}}; /* V T */
@@ -270,7 +271,7 @@ static void jacobian(const invcal_eigen3 *axes, unsigned i, unsigned j, invcal_r
 }
 
 /* dk(i) = P(i,i) - 1, gamma(ij) = 2 P(i,j). */
-static void spread_matrix(const evidence *e, const invcal_real s[6], invcal_quality *q)
+INVCAL_APART static void spread_matrix(const evidence *e, const invcal_real s[6], invcal_quality *q)
 {
     static const unsigned char pair[3][2] = {{0, 1}, {0, 2}, {2, 1}};
     invcal_eigen3 axes;

@@ -9,7 +9,6 @@
 #define ASKED INVCAL_REAL(0.9396926) /* cos 20 degrees */
 #define TELLING INVCAL_REAL(0.35)    /* h K h' of a position that is worth its place */
 #define RIDGE INVCAL_REAL(1e-4)      /* of the largest diagonal element of H'H */
-#define FADING INVCAL_REAL(0.96875)  /* of a day, 31/32 */
 #define NORMAL INVCAL_REAL(1.96)     /* sigma that hold 95 % where the noise is known */
 #define DOF 3                        /* residuals to spare before sigma is believed */
 #define FADED 88u                    /* days: a sixteenth of the weight is left */
@@ -78,12 +77,7 @@ static void stored_row(const invcal_session *session, unsigned i, invcal_observa
 
 static invcal_real weight_of(const invcal_session *session, unsigned i)
 {
-    invcal_real weight = 1;
-
-    for (unsigned day = 0; day < session->age[i]; day++) {
-        weight *= FADING;
-    }
-    return weight;
+    return invcal_faded(session->age[i]);
 }
 
 /* The sums anew, as weights and members, or the nominal calibration, have changed. */
@@ -203,7 +197,7 @@ static int is_asked(const invcal_session *session, const invcal_real u[3])
         invcal_plan_position_at(&session->setup.plan, session->step, &position) != INVCAL_OK) {
         return 1; /* no program: any will do */
     }
-    return invcal_dot(u, position.vertical, 3) >= ASKED * INVCAL_SQRT(invcal_dot(u, u, 3));
+    return invcal_dot3(u, position.vertical) >= ASKED * INVCAL_SQRT(invcal_dot3(u, u));
 }
 
 /* sigma from few residuals may be small by luck: it counts as much as its interval is wide. */
@@ -217,14 +211,27 @@ static int is_within(const invcal_quality *q, const invcal_real sigma[3], invcal
     return 1;
 }
 
-static int reaches_target(const invcal_session *session)
+/* On failure solution and quality are lost. */
+static invcal_status solve(const invcal_session *session, const invcal_normal *normal,
+                           invcal_mask left_out, invcal_solution *solution, invcal_quality *quality)
+{
+    const invcal_positions positions = {&session->mean[0][0], session->age, session->stored,
+                                        left_out};
+
+    if (session->stored == 0) {
+        return INVCAL_TOO_FEW;
+    }
+    return invcal_calibrate_sums(normal, &positions, &session->setup.settings, solution, quality);
+}
+
+INVCAL_APART static int reaches_target(const invcal_session *session)
 {
     const invcal_real *target = session->setup.target;
     invcal_solution solution;
     invcal_quality q;
 
     if (!(target[0] > 0 || target[1] > 0 || target[2] > 0) ||
-        invcal_session_solve(session, &solution, &q, NULL) != INVCAL_OK) {
+        solve(session, &session->normal, 0, &solution, &q) != INVCAL_OK) {
         return 0;
     }
     return q.verdict == INVCAL_GOOD && (q.dof >= DOF || session->setup.settings.noise > 0) &&
@@ -245,15 +252,11 @@ static invcal_session_what add(invcal_session *session, const invcal_real mean[3
     if (has_plan(&session->setup) && asked && session->step < last && ++session->step == last) {
         return INVCAL_SESSION_FINISHED;
     }
-    if (!session->is_enough && reaches_target(session)) {
-        session->is_enough = 1;
-        return INVCAL_SESSION_ENOUGH;
-    }
     return INVCAL_SESSION_TAKEN;
 }
 
-static void take(invcal_session *session, const invcal_rest *rest, invcal_real temperature,
-                 invcal_event *event)
+INVCAL_APART static void take(invcal_session *session, const invcal_rest *rest,
+                              invcal_real temperature, invcal_event *event)
 {
     invcal_real mean[3];
     invcal_real u[3];
@@ -274,7 +277,7 @@ static void take(invcal_session *session, const invcal_rest *rest, invcal_real t
 }
 
 /* A rest that is long enough, but no reading of this field: better said at once. */
-static void announce(const invcal_session *session, invcal_event *event)
+INVCAL_APART static void announce(const invcal_session *session, invcal_event *event)
 {
     invcal_rest rest;
     invcal_real mean[3];
@@ -306,6 +309,11 @@ static invcal_session_what digest(invcal_session *session, invcal_still_event se
         break;
     case INVCAL_STILL_TAKEN:
         take(session, rest, temperature, event);
+        if (event->what == INVCAL_SESSION_TAKEN && !session->setup.background &&
+            !session->is_enough && reaches_target(session)) {
+            session->is_enough = 1;
+            event->what = INVCAL_SESSION_ENOUGH;
+        }
         break;
     case INVCAL_STILL_REFUSED:
         event->what = INVCAL_SESSION_REFUSED;
@@ -419,43 +427,49 @@ invcal_status invcal_session_renew(invcal_session *session, const invcal_calibra
     return INVCAL_OK;
 }
 
-/* Takes the outliers out of the sums, and their weight. Where none can be looked for, none are
- * left out: what positions (and a prior) are worth, invcal_calibrate_sums will say. */
-static void leave_out(const invcal_session *session, invcal_normal *normal, invcal_real *weight,
+/* The sums without the outliers. Where none can be looked for, none are left out: what positions
+ * (and a prior) are worth, invcal_calibrate_sums will say. */
+static void leave_out(const invcal_session *session, invcal_normal *normal,
                       invcal_outliers *outliers)
 {
     invcal_observation row;
-    const invcal_status status = invcal_outliers_find(&session->mean[0][0], session->stored,
-                                                      &session->setup.settings, outliers);
 
-    for (unsigned i = 0; i < session->stored && status == INVCAL_OK; i++) {
+    memset(outliers, 0, sizeof *outliers);
+    (void)invcal_outliers_find(&session->mean[0][0], session->stored, &session->setup.settings,
+                               outliers);
+    for (unsigned i = 0; i < session->stored; i++) {
         if (outliers->removed >> i & 1u) {
             stored_row(session, i, &row);
-            (void)invcal_normal_remove(normal, &row, weight[i]);
-            weight[i] = 0;
+            (void)invcal_normal_remove(normal, &row, weight_of(session, i));
         }
     }
+}
+
+INVCAL_APART static invcal_status solve_without_outliers(const invcal_session *session,
+                                                         invcal_solution *solution,
+                                                         invcal_quality *quality,
+                                                         invcal_outliers *outliers)
+{
+    invcal_normal normal = session->normal;
+
+    leave_out(session, &normal, outliers);
+    return solve(session, &normal, outliers->removed, solution, quality);
 }
 
 invcal_status invcal_session_solve(const invcal_session *session, invcal_solution *solution,
                                    invcal_quality *quality, invcal_outliers *outliers)
 {
-    invcal_real weight[INVCAL_MAX_POSITIONS];
-    const invcal_positions positions = {&session->mean[0][0], weight, session->stored};
-    invcal_normal normal = session->normal;
+    invcal_solution s;
+    invcal_quality q;
 
     INVCAL_ASSERT(session && solution && quality);
-    if (session->stored == 0) {
-        return INVCAL_TOO_FEW;
+    const invcal_status status = outliers ? solve_without_outliers(session, &s, &q, outliers)
+                                          : solve(session, &session->normal, 0, &s, &q);
+    if (status == INVCAL_OK) {
+        *solution = s;
+        *quality = q;
     }
-    for (unsigned i = 0; i < session->stored; i++) {
-        weight[i] = weight_of(session, i);
-    }
-    if (outliers) {
-        memset(outliers, 0, sizeof *outliers);
-        leave_out(session, &normal, weight, outliers);
-    }
-    return invcal_calibrate_sums(&normal, &positions, &session->setup.settings, solution, quality);
+    return status;
 }
 
 void invcal_session_age(invcal_session *session)

@@ -123,8 +123,9 @@ invcal_status invcal_information_factor(const invcal_normal *normal,
 }
 
 /* p = -(H'H + prior)^-1 H'J */
-static invcal_status solve_normal(const invcal_normal *normal, const invcal_settings *settings,
-                                  invcal_real p[INVCAL_PARAMETERS])
+INVCAL_APART static invcal_status solve_normal(const invcal_normal *normal,
+                                               const invcal_settings *settings,
+                                               invcal_real p[INVCAL_PARAMETERS])
 {
     invcal_real noise = settings->noise / settings->field;
     invcal_real l[INVCAL_PACKED_SIZE(INVCAL_PARAMETERS)];
@@ -144,7 +145,7 @@ static invcal_status solve_normal(const invcal_normal *normal, const invcal_sett
 
 /* The general form of an ellipsoid, p, to its centre and axes. Returns 0 if it is none, or an
  * absurd one: no square root of a negative number, no NaN gets past here. */
-static int triad_of_ellipsoid(const invcal_real p[INVCAL_PARAMETERS], triad *t)
+INVCAL_APART static int triad_of_ellipsoid(const invcal_real p[INVCAL_PARAMETERS], triad *t)
 {
     /* Q - I */
     const invcal_real q[6] = {2 * p[INVCAL_DK_X], p[INVCAL_GAMMA_XY], 2 * p[INVCAL_DK_Y],
@@ -170,7 +171,7 @@ static int triad_of_ellipsoid(const invcal_real p[INVCAL_PARAMETERS], triad *t)
 }
 
 /* X = -p is the model itself. */
-static int triad_of_linear(const invcal_real p[INVCAL_PARAMETERS], triad *t)
+INVCAL_APART static int triad_of_linear(const invcal_real p[INVCAL_PARAMETERS], triad *t)
 {
     const invcal_real s[6] = {-p[INVCAL_DK_X],         -p[INVCAL_GAMMA_XY] / 2, -p[INVCAL_DK_Y],
                               -p[INVCAL_GAMMA_XZ] / 2, -p[INVCAL_GAMMA_ZY] / 2, -p[INVCAL_DK_Z]};
@@ -185,7 +186,7 @@ static int triad_of_linear(const invcal_real p[INVCAL_PARAMETERS], triad *t)
 
 /* A - I -> L' - I with L L' = A^2: the same lengths in another frame. Semi-axes within their
  * limits cannot make it fail. */
-static void make_triangular(invcal_real a[6])
+INVCAL_APART static void make_triangular(invcal_real a[6])
 {
     const invcal_real rows[3][3] = {
         {1 + a[0], a[1], a[3]}, {a[1], 1 + a[2], a[4]}, {a[3], a[4], 1 + a[5]}};

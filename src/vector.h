@@ -16,6 +16,13 @@
 #define INVCAL_UNROLL
 #endif
 
+/* Before a function whose frame should not lie under those of what its caller calls besides. */
+#ifdef __GNUC__
+#define INVCAL_APART __attribute__((noinline))
+#else
+#define INVCAL_APART
+#endif
+
 /* False for NaN too. */
 static inline int invcal_is_finite(invcal_real x)
 {

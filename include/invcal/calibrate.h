@@ -35,12 +35,17 @@ invcal_status invcal_calibrate(const invcal_real *raw, unsigned count,
                                const invcal_settings *settings, invcal_solution *solution,
                                invcal_quality *quality, invcal_reason *reason);
 
-/* Positions that are kept, with their weights. */
+/* Positions that are kept. */
 typedef struct {
-    const invcal_real *raw;    /* 3 count numbers, as above */
-    const invcal_real *weight; /* of each, as in the sums; 0: left out. Null: all 1 */
+    const invcal_real *raw; /* 3 count numbers, as above */
+    const uint8_t *age;     /* days that each has faded, invcal_faded; null: none has */
     unsigned count;
+    invcal_mask left_out; /* bit i: position i is not in the sums. Not 0: count is at most
+                             INVCAL_MAX_POSITIONS */
 } invcal_positions;
+
+/* The weight of a position after some days, each of which takes 1/32 of it: (31/32)^days. */
+invcal_real invcal_faded(unsigned days);
 
 /* The second half of it, for sums that were built position by position: solution, residuals,
  * judgement.
@@ -48,7 +53,8 @@ typedef struct {
  * normal     exact rows; of more positions than are kept, if so.
  * positions  those that are kept, one at least: they stand for all in the residuals.
  *
- * Returns, stack: as above, less 250 bytes. quality->worst counts from 0 in positions. */
+ * On failure solution and quality are lost. Returns as above. Stack: about 1,250 bytes.
+ * quality->worst counts from 0 in positions. */
 invcal_status invcal_calibrate_sums(const invcal_normal *normal, const invcal_positions *positions,
                                     const invcal_settings *settings, invcal_solution *solution,
                                     invcal_quality *quality);

@@ -1605,8 +1605,8 @@ static void old_positions_vanish_and_younger_ones_stay(void)
 /* Weighted least squares of what the table holds, by its ages, without one of its positions. */
 static result calibrate_table(unsigned without_this)
 {
-    invcal_real weight[INVCAL_MAX_POSITIONS];
-    const invcal_positions positions = {&b.s->mean[0][0], weight, b.s->stored};
+    const invcal_mask left_out = without_this < b.s->stored ? (invcal_mask)1 << without_this : 0;
+    const invcal_positions positions = {&b.s->mean[0][0], b.s->age, b.s->stored, left_out};
     invcal_normal normal;
     result r;
 
@@ -1616,12 +1616,12 @@ static result calibrate_table(unsigned without_this)
         invcal_observation row;
         reading_of(b.s->mean[i], u);
         const invcal_real v[3] = {(invcal_real)u[0], (invcal_real)u[1], (invcal_real)u[2]};
-        weight[i] = i == without_this ? 0 : (invcal_real)pow(31.0 / 32, b.s->age[i]);
+        const invcal_real weight = (invcal_real)pow(31.0 / 32, b.s->age[i]);
         if (i == without_this) {
             continue;
         }
         TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_observation_exact(v, &row));
-        TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_normal_add(&normal, &row, weight[i]));
+        TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_normal_add(&normal, &row, weight));
     }
     TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_calibrate_sums(&normal, &positions, &b.setup.settings,
                                                            &r.solution, &r.quality));
