@@ -3,7 +3,7 @@
 
 #include <string.h>
 
-#define NEAR_MAX (UINT32_C(1) << 14) /* squares of three axes stay below 2^31 */
+#define NEAR_MAX 0x4000u /* squares of three axes stay below 2^31 */
 #define FAR ((int64_t)INVCAL_BLOCK_FAR)
 #define SQUARE_EXACT 54 /* bits: times a size below 2^10 it fits 64 */
 
@@ -14,11 +14,15 @@ invcal_status invcal_block_init(invcal_block *block, unsigned size, int32_t low,
         return INVCAL_BAD_SETTING;
     }
     const uint32_t eighth = ((uint32_t)high - (uint32_t)low) / 8;
+    uint16_t near = NEAR_MAX;
+    while (near > eighth) {
+        near /= 2;
+    }
     memset(block, 0, sizeof *block);
     block->size = (uint16_t)size;
     block->low = low;
     block->high = high;
-    block->near = (uint16_t)(eighth < NEAR_MAX ? eighth : NEAR_MAX);
+    block->near = near;
     return INVCAL_OK;
 }
 
@@ -29,6 +33,7 @@ static void begin(invcal_block *block, const int32_t raw[3])
     for (unsigned a = 0; a < 3; a++) {
         block->first[a] = raw[a];
         block->sum[a] = 0;
+        block->quick[a] = 0;
         if ((int64_t)block->first[a] - block->low <= block->near ||
             (int64_t)block->high - block->first[a] <= block->near) {
             block->span = 0;
@@ -37,24 +42,30 @@ static void begin(invcal_block *block, const int32_t raw[3])
     block->square = 0;
     block->clipped = 0;
     block->wild = 0;
+    block->missing = block->size;
 }
 
-/* Modulo 2^32, which unsigned arithmetic does everywhere alike. */
-static int is_near(const invcal_block *block, unsigned a, int32_t raw)
+/* Adds a sample whose differences d are all small: -near <= d < near, seen at one blow as d + near
+ * has no bit from that of span upwards. Returns 0 if they are not. Modulo 2^32, which unsigned
+ * arithmetic does everywhere alike. */
+static int add_near(invcal_block *block, const int32_t raw[3])
 {
-    return (uint32_t)raw - (uint32_t)block->first[a] + block->near < block->span;
-}
+    const uint32_t near = block->near;
+    const uint32_t ux = (uint32_t)raw[0] - (uint32_t)block->first[0];
+    const uint32_t uy = (uint32_t)raw[1] - (uint32_t)block->first[1];
+    const uint32_t uz = (uint32_t)raw[2] - (uint32_t)block->first[2];
 
-static void add_near(invcal_block *block, const int32_t raw[3])
-{
+    if (((ux + near) | (uy + near) | (uz + near)) >= block->span) {
+        return 0;
+    }
     const int32_t x = raw[0] - block->first[0];
     const int32_t y = raw[1] - block->first[1];
     const int32_t z = raw[2] - block->first[2];
-
-    block->sum[0] += x;
-    block->sum[1] += y;
-    block->sum[2] += z;
+    block->quick[0] += x;
+    block->quick[1] += y;
+    block->quick[2] += z;
     block->square += (uint32_t)(x * x + y * y + z * z);
+    return 1;
 }
 
 /* The same for any sample: at a rail, of a noise above 2^14 counts, or in motion. */
@@ -89,29 +100,28 @@ static void learn_quantum(invcal_block *block, const int32_t raw[3])
 int invcal_block_add(invcal_block *block, const int32_t raw[3])
 {
     INVCAL_ASSERT(block && raw);
-    if (block->count == 0) {
+    if (block->missing == 0) {
         begin(block, raw);
     }
-    if (is_near(block, 0, raw[0]) && is_near(block, 1, raw[1]) && is_near(block, 2, raw[2])) {
-        add_near(block, raw);
-    } else {
+    if (!add_near(block, raw)) {
         add_any(block, raw);
     }
     if (block->quantum != 1) {
         learn_quantum(block, raw);
     }
-    block->count++;
-    if (block->count < block->size) {
+    if (--block->missing > 0) {
         return 0;
     }
-    block->count = 0;
+    for (unsigned a = 0; a < 3; a++) {
+        block->sum[a] += block->quick[a];
+    }
     return 1;
 }
 
 void invcal_block_drop(invcal_block *block)
 {
     INVCAL_ASSERT(block);
-    block->count = 0;
+    block->missing = 0;
 }
 
 void invcal_block_mean(const invcal_block *block, int32_t mean[3])

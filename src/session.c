@@ -255,8 +255,7 @@ static invcal_session_what add(invcal_session *session, const invcal_real mean[3
     return INVCAL_SESSION_TAKEN;
 }
 
-INVCAL_APART static void take(invcal_session *session, const invcal_rest *rest,
-                              invcal_real temperature, invcal_event *event)
+INVCAL_APART static void take(invcal_session *session, const invcal_rest *rest, invcal_event *event)
 {
     invcal_real mean[3];
     invcal_real u[3];
@@ -272,7 +271,7 @@ INVCAL_APART static void take(invcal_session *session, const invcal_rest *rest,
     event->what = session->setup.background ? keep_if_telling(session, mean, &row)
                                             : add(session, mean, &row, event->is_asked);
     if (event->what != INVCAL_SESSION_COVERED) {
-        note_temperature(session, temperature);
+        note_temperature(session, session->latest);
     }
 }
 
@@ -292,14 +291,17 @@ INVCAL_APART static void announce(const invcal_session *session, invcal_event *e
 }
 
 static invcal_session_what digest(invcal_session *session, invcal_still_event seen,
-                                  const invcal_rest *rest, invcal_real temperature,
-                                  invcal_event *event)
+                                  const invcal_rest *rest, invcal_event *event)
 {
     event->progress = invcal_still_progress(&session->still);
     event->reason = INVCAL_REST_GOOD;
     event->status = INVCAL_OK;
     event->is_asked = 0;
-    event->rest = *rest;
+    if (seen == INVCAL_STILL_TAKEN) {
+        event->rest = *rest;
+    } else {
+        memset(&event->rest, 0, sizeof event->rest);
+    }
     switch (seen) {
     case INVCAL_STILL_SETTLING:
         event->what = INVCAL_SESSION_SETTLING;
@@ -308,7 +310,7 @@ static invcal_session_what digest(invcal_session *session, invcal_still_event se
         announce(session, event);
         break;
     case INVCAL_STILL_TAKEN:
-        take(session, rest, temperature, event);
+        take(session, rest, event);
         if (event->what == INVCAL_SESSION_TAKEN && !session->setup.background &&
             !session->is_enough && reaches_target(session)) {
             session->is_enough = 1;
@@ -330,13 +332,12 @@ static invcal_session_what digest(invcal_session *session, invcal_still_event se
 invcal_session_what invcal_session_feed(invcal_session *session, const int32_t raw[3],
                                         invcal_real temperature, invcal_event *event)
 {
-    invcal_rest rest = {.count = 0};
+    invcal_rest rest;
 
     INVCAL_ASSERT(session && raw && event);
     session->latest = temperature;
     const invcal_still_event seen = invcal_still_push(&session->still, raw, &rest);
-    return seen == INVCAL_STILL_NONE ? INVCAL_SESSION_NOTHING
-                                     : digest(session, seen, &rest, temperature, event);
+    return seen == INVCAL_STILL_NONE ? INVCAL_SESSION_NOTHING : digest(session, seen, &rest, event);
 }
 
 void invcal_session_gap(invcal_session *session)
@@ -347,11 +348,11 @@ void invcal_session_gap(invcal_session *session)
 
 invcal_session_what invcal_session_finish(invcal_session *session, invcal_event *event)
 {
-    invcal_rest rest = {.count = 0};
+    invcal_rest rest;
 
     INVCAL_ASSERT(session && event);
     const invcal_still_event seen = invcal_still_finish(&session->still, &rest);
-    return digest(session, seen, &rest, session->latest, event);
+    return digest(session, seen, &rest, event);
 }
 
 /* ---- what to do next, and the result ---------------------------------------------------------- */

@@ -485,7 +485,7 @@ static invcal_still_event freeze(invcal_still *s, invcal_rest *out)
 }
 
 /* A block is full. */
-static invcal_still_event decide(invcal_still *s, invcal_rest *out)
+INVCAL_APART static invcal_still_event decide(invcal_still *s, invcal_rest *out)
 {
     finding f;
 
