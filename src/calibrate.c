@@ -10,16 +10,11 @@ static invcal_status accumulate(const invcal_real *raw, unsigned count,
                                 const invcal_settings *settings, invcal_normal *normal,
                                 unsigned *position)
 {
-    invcal_real u[3];
     invcal_observation row;
     const invcal_real *mean = raw;
 
     for (*position = 0; *position < count; ++*position, mean += 3) {
-        invcal_status status =
-            invcal_observation_reading(&settings->nominal, settings->field, mean, u);
-        if (status == INVCAL_OK) {
-            status = invcal_observation_exact(u, &row);
-        }
+        invcal_status status = invcal_observe(&settings->nominal, settings->field, mean, &row);
         if (status == INVCAL_OK) {
             status = invcal_normal_add(normal, &row, 1);
         }
@@ -125,10 +120,7 @@ invcal_status invcal_calibrate_sums(const invcal_normal *normal, const invcal_po
     invcal_real gain;
 
     INVCAL_ASSERT(normal && positions && settings && solution && quality);
-    invcal_status status = invcal_settings_check(settings);
-    if (status == INVCAL_OK) {
-        status = solve_and_assess(normal, positions, settings, solution, quality, &gain);
-    }
+    invcal_status status = solve_and_assess(normal, positions, settings, solution, quality, &gain);
     if (status == INVCAL_OK && invcal_has_prior(settings)) {
         status = weigh_prior_again(normal, positions, settings, solution, quality, gain);
     }

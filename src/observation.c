@@ -35,18 +35,29 @@ static invcal_status check_vertical(const invcal_real vertical[3])
     return INVCAL_FABS(excess) <= INVCAL_REAL(2e-4) ? INVCAL_OK : INVCAL_NOT_UNIT;
 }
 
+/* u = nominal(raw) / field, whatever the result is. */
+static invcal_status scale(const invcal_calibration *nominal, invcal_real field,
+                           const invcal_real raw[3], invcal_real u[3])
+{
+    if (!invcal_is_positive(field)) {
+        return INVCAL_BAD_SETTING;
+    }
+    invcal_apply(nominal, raw, u);
+    for (unsigned i = 0; i < 3; i++) {
+        u[i] /= field;
+    }
+    return INVCAL_OK;
+}
+
 invcal_status invcal_observation_reading(const invcal_calibration *nominal, invcal_real field,
                                          const invcal_real raw[3], invcal_real u[3])
 {
     invcal_real v[3];
 
     INVCAL_ASSERT(nominal && raw && u);
-    if (!invcal_is_positive(field)) {
-        return INVCAL_BAD_SETTING;
-    }
-    invcal_apply(nominal, raw, v);
-    for (unsigned i = 0; i < 3; i++) {
-        v[i] /= field;
+    const invcal_status status = scale(nominal, field, raw, v);
+    if (status != INVCAL_OK) {
+        return status;
     }
     if (!invcal_are_finite(v)) {
         return INVCAL_NOT_FINITE;
@@ -67,6 +78,16 @@ invcal_status invcal_observation_exact(const invcal_real u[3], invcal_observatio
         out->model = INVCAL_MODEL_ELLIPSOID;
     }
     return status;
+}
+
+invcal_status invcal_observe(const invcal_calibration *nominal, invcal_real field,
+                             const invcal_real raw[3], invcal_observation *out)
+{
+    invcal_real u[3];
+
+    INVCAL_ASSERT(nominal && raw && out);
+    const invcal_status status = scale(nominal, field, raw, u);
+    return status == INVCAL_OK ? invcal_observation_exact(u, out) : status;
 }
 
 /* The row of a known direction, which J1 and J2 share. */

@@ -44,11 +44,7 @@ typedef struct {
 
 static invcal_status read_row(fit *f, unsigned i)
 {
-    invcal_real u[3];
-    const invcal_status status =
-        invcal_observation_reading(&f->settings->nominal, f->settings->field, &f->raw[3 * i], u);
-
-    return status == INVCAL_OK ? invcal_observation_exact(u, &f->row) : status;
+    return invcal_observe(&f->settings->nominal, f->settings->field, &f->raw[3 * i], &f->row);
 }
 
 static invcal_status sum_rows(fit *f, invcal_mask removed, invcal_normal *normal)

@@ -94,11 +94,7 @@ static invcal_status settle(head *h)
 static invcal_status row_of(const invcal_settings *settings, const invcal_real mean[3],
                             invcal_observation *row)
 {
-    invcal_real u[3];
-    const invcal_status status =
-        invcal_observation_reading(&settings->nominal, settings->field, mean, u);
-
-    return status == INVCAL_OK ? invcal_observation_exact(u, row) : status;
+    return invcal_observe(&settings->nominal, settings->field, mean, row);
 }
 
 /* ---- to bytes ---------------------------------------------------------------------------------- */

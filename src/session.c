@@ -58,21 +58,17 @@ invcal_status invcal_session_init(invcal_session *session, const invcal_session_
 /* ---- the table of positions ------------------------------------------------------------------ */
 
 static invcal_status read_row(const invcal_session *session, const invcal_real mean[3],
-                              invcal_real u[3], invcal_observation *row)
+                              invcal_observation *row)
 {
     const invcal_settings *settings = &session->setup.settings;
-    const invcal_status status =
-        invcal_observation_reading(&settings->nominal, settings->field, mean, u);
 
-    return status == INVCAL_OK ? invcal_observation_exact(u, row) : status;
+    return invcal_observe(&settings->nominal, settings->field, mean, row);
 }
 
 /* The row of a stored position; it was accepted when it was stored. */
 static void stored_row(const invcal_session *session, unsigned i, invcal_observation *row)
 {
-    invcal_real u[3];
-
-    (void)read_row(session, session->mean[i], u, row);
+    (void)read_row(session, session->mean[i], row);
 }
 
 static invcal_real weight_of(const invcal_session *session, unsigned i)
@@ -258,16 +254,15 @@ static invcal_session_what add(invcal_session *session, const invcal_real mean[3
 INVCAL_APART static void take(invcal_session *session, const invcal_rest *rest, invcal_event *event)
 {
     invcal_real mean[3];
-    invcal_real u[3];
     invcal_observation row;
 
     invcal_rest_mean(rest, mean);
-    event->status = read_row(session, mean, u, &row);
+    event->status = read_row(session, mean, &row);
     if (event->status != INVCAL_OK) {
         event->what = INVCAL_SESSION_REFUSED;
         return;
     }
-    event->is_asked = is_asked(session, u);
+    event->is_asked = is_asked(session, row.h);
     event->what = session->setup.background ? keep_if_telling(session, mean, &row)
                                             : add(session, mean, &row, event->is_asked);
     if (event->what != INVCAL_SESSION_COVERED) {
@@ -280,12 +275,11 @@ INVCAL_APART static void announce(const invcal_session *session, invcal_event *e
 {
     invcal_rest rest;
     invcal_real mean[3];
-    invcal_real u[3];
     invcal_observation row;
 
     if (invcal_still_current(&session->still, &rest)) {
         invcal_rest_mean(&rest, mean);
-        event->status = read_row(session, mean, u, &row);
+        event->status = read_row(session, mean, &row);
     }
     event->what = event->status == INVCAL_OK ? INVCAL_SESSION_READY : INVCAL_SESSION_REFUSED;
 }
@@ -358,7 +352,7 @@ invcal_session_what invcal_session_finish(invcal_session *session, invcal_event 
 /* ---- what to do next, and the result ---------------------------------------------------------- */
 
 /* The position that is READY and still held counts as taken. Returns 1 if there is one. */
-static int held_row(const invcal_session *session, invcal_real u[3], invcal_observation *row)
+static int held_row(const invcal_session *session, invcal_observation *row)
 {
     invcal_rest rest;
     invcal_real mean[3];
@@ -367,7 +361,7 @@ static int held_row(const invcal_session *session, invcal_real u[3], invcal_obse
         return 0;
     }
     invcal_rest_mean(&rest, mean);
-    return read_row(session, mean, u, row) == INVCAL_OK;
+    return read_row(session, mean, row) == INVCAL_OK;
 }
 
 static invcal_status next_of_plan(const invcal_session *session, unsigned step,
@@ -384,30 +378,28 @@ static invcal_status next_of_plan(const invcal_session *session, unsigned step,
 invcal_status invcal_session_next(const invcal_session *session, invcal_guidance *next)
 {
     invcal_normal normal;
-    invcal_real u[3];
     invcal_observation row;
 
     INVCAL_ASSERT(session && next);
     normal = session->normal;
-    const int is_held = held_row(session, u, &row);
+    const int is_held = held_row(session, &row);
     if (is_held) {
         (void)invcal_normal_add(&normal, &row, 1);
     }
     if (has_plan(&session->setup)) {
-        const unsigned step = session->step + (unsigned)(is_held && is_asked(session, u));
+        const unsigned step = session->step + (unsigned)(is_held && is_asked(session, row.h));
         return next_of_plan(session, step, &normal, next);
     }
     const int has_last =
         is_held || (session->stored > 0 &&
-                    read_row(session, session->mean[session->stored - 1], u, &row) == INVCAL_OK);
-    return invcal_guidance_next(&normal, has_last ? u : NULL, next);
+                    read_row(session, session->mean[session->stored - 1], &row) == INVCAL_OK);
+    return invcal_guidance_next(&normal, has_last ? row.h : NULL, next);
 }
 
 invcal_status invcal_session_renew(invcal_session *session, const invcal_calibration *nominal)
 {
     invcal_settings *settings = &session->setup.settings;
     const invcal_calibration old = settings->nominal;
-    invcal_real u[3];
     invcal_observation row;
 
     INVCAL_ASSERT(nominal);
@@ -417,8 +409,8 @@ invcal_status invcal_session_renew(invcal_session *session, const invcal_calibra
     settings->nominal = *nominal;
     invcal_status status = invcal_settings_check(settings);
     for (unsigned i = 0; i < session->stored && status == INVCAL_OK; i++) {
-        status = read_row(session, session->mean[i], u, &row) == INVCAL_OK ? INVCAL_OK
-                                                                           : INVCAL_OUT_OF_RANGE;
+        status = read_row(session, session->mean[i], &row) == INVCAL_OK ? INVCAL_OK
+                                                                        : INVCAL_OUT_OF_RANGE;
     }
     if (status != INVCAL_OK) {
         settings->nominal = old;

@@ -42,18 +42,13 @@ static int is_usable_number(invcal_real x) /* for what may be 0: not known */
 /* All but the nominal matrix. */
 static int are_usable(const invcal_settings *settings)
 {
-    for (unsigned i = 0; i < 3; i++) {
-        if (!invcal_is_finite(settings->nominal.offset[i])) {
-            return 0;
-        }
-    }
     for (unsigned r = 0; r < INVCAL_PARAMETERS; r++) {
         if (!is_usable_number(settings->prior[r])) {
             return 0;
         }
     }
-    return invcal_is_positive(settings->field) && is_usable_number(settings->noise) &&
-           settings->noise <= settings->field &&
+    return invcal_are_finite(settings->nominal.offset) && invcal_is_positive(settings->field) &&
+           is_usable_number(settings->noise) && settings->noise <= settings->field &&
            !(settings->noise == 0 && invcal_has_prior(settings)) &&
            (settings->frame == INVCAL_FRAME_SYMMETRIC ||
             settings->frame == INVCAL_FRAME_TRIANGULAR);

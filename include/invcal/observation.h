@@ -60,6 +60,11 @@ invcal_status invcal_observation_reading(const invcal_calibration *nominal, invc
  * Returns INVCAL_OK; INVCAL_NOT_FINITE; INVCAL_OUT_OF_RANGE if |u| is outside 0.1 ... 10. */
 invcal_status invcal_observation_exact(const invcal_real u[3], invcal_observation *out);
 
+/* Both in one, what a device does with each position mean: the exact equation of a raw reading.
+ * The reading over field is out->h[0 ... 2]. Returns as the two do. */
+invcal_status invcal_observe(const invcal_calibration *nominal, invcal_real field,
+                             const invcal_real raw[3], invcal_observation *out);
+
 /* The paper's scalar composition J2, for comparison: the direction is known, the equation holds
  * to first order only.
  *

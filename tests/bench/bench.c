@@ -94,11 +94,9 @@ static void make_positions(void)
 
 static void add_position(invcal_normal *normal, const invcal_real position[3])
 {
-    invcal_real u[3];
     invcal_observation row;
 
-    if (invcal_observation_reading(&settings.nominal, settings.field, position, u) == INVCAL_OK &&
-        invcal_observation_exact(u, &row) == INVCAL_OK) {
+    if (invcal_observe(&settings.nominal, settings.field, position, &row) == INVCAL_OK) {
         (void)invcal_normal_add(normal, &row, 1);
     }
 }
