@@ -74,6 +74,14 @@ endef
 $(eval $(call variant,float,0))
 $(eval $(call variant,double,1))
 
+# Calibrations bit by bit, compared with those of the targets.
+$(BUILD)/float/tests/digest/digest.o $(BUILD)/float/port/hosted/board.o: EXTRA += -Iport \
+    -Itests/reference -I$(BUILD)
+$(BUILD)/float/tests/digest/digest.o: | $(BUILD)/positions.h
+$(BUILD)/float/digest: $(BUILD)/float/tests/digest/digest.o $(BUILD)/float/port/hosted/board.o \
+    $(BUILD)/float/libinvcal.a
+	$(Q)$(CC) $(FLAGS) $^ -lm -o $@
+
 # The position means as C arrays, for targets that have no files.
 $(BUILD)/positions.h: tests/data/to_c.awk $(DATA)
 	@mkdir -p $(@D)

@@ -30,7 +30,7 @@ Q := $(if $(V),,@)
 
 .DELETE_ON_ERROR:
 .SECONDARY:
-.PHONY: tests bench
+.PHONY: tests bench digest facts
 
 $(OUT)/%.o: %.c
 	@mkdir -p $(@D)
@@ -41,18 +41,27 @@ $(OUT)/unity.o: $(UNITY)/unity.c
 	$(Q)$(CC) $(FLAGS) $(TESTING) -c $< -o $@
 
 $(OUT)/tests/unit/%.o: FLAGS += $(TESTING)
+$(OUT)/tests/digest/%.o: FLAGS += -Itests/reference -Ibuild
 
 $(OUT)/%.elf: $(OUT)/tests/unit/%.o $(OUT)/tests/unit/support.o $(OUT)/unity.o $(COMMON) $(LIBRARY)
 	$(Q)$(CC) $(FLAGS) $^ -Wl,--gc-sections $(LINK) -o $@
 
 tests: $(SUITES:%=$(OUT)/%.elf)
 
-$(OUT)/bench.elf: $(OUT)/tests/bench/bench.o $(COMMON) $(LIBRARY)
+$(OUT)/bench.elf: $(OUT)/tests/bench/bench.o
+$(OUT)/digest.elf: $(OUT)/tests/digest/digest.o
+$(OUT)/bench.elf $(OUT)/digest.elf: $(COMMON) $(LIBRARY)
 	$(Q)$(CC) $(FLAGS) $^ -Wl,--gc-sections $(LINK) -o $@
 
 bench: $(OUT)/bench.elf
 	$(Q)$(RUN:-kernel=$(COUNTING) -kernel) $<
 # The example firmware, where the family has one.
 -include $(dir $(TARGET))firmware/firmware.mk
+
+digest: $(OUT)/digest.elf
+
+# For tests/targets.sh: compiler, emulator, folder of the images, and how one is run.
+facts:
+	@echo '$(CC)'; echo '$(or $(EMULATOR),$(firstword $(RUN)))'; echo '$(OUT)'; echo '$(RUN)'
 
 -include $(shell find $(OUT) -name '*.d' 2>/dev/null)
