@@ -26,7 +26,7 @@ Q := $(if $(V),,@)
 .DEFAULT_GOAL := all
 .DELETE_ON_ERROR:
 .SECONDARY:
-.PHONY: help all demo test check size reference format deps clean
+.PHONY: help all demo test check targets size reference format deps clean
 
 help: ## this list
 	@awk -F ':.*## ' '/^[a-z]+:.*## / { printf "make %-10s %s\n", $$1, $$2 }' $(MAKEFILE_LIST)
@@ -103,6 +103,9 @@ test: $(SUITES:%=$(BUILD)/float/%) $(SUITES:%=$(BUILD)/double/%) all ## all test
 check: ## the tests under gcc and clang, C99 and C11, with sanitizers, warnings as errors
 	$(Q)sh tests/check.sh $(BUILD)/check
 
+targets: $(BUILD)/float/digest ## the unit tests on emulated targets, and the same bits on all of them
+	$(Q)sh tests/targets.sh $(BUILD) $(TARGETS)
+
 size: ## flash, stack and structures on every target, against the budgets (V=1: every function)
 	$(Q)V="$(V)" UPDATE="$(UPDATE)" TARGETS="$(TARGETS)" sh tests/size.sh $(BUILD)/size
 
@@ -119,10 +122,13 @@ format: ## lay out the sources by .clang-format (needs clang-format 19)
 	$(call need,clang-format-19)
 	clang-format-19 -i $(SOURCES) src/*.h include/invcal/*.h port/host/*.[ch] tests/unit/*.[ch]
 
-deps: ## install what check, format, reference and .ci/run need beyond a C compiler (Debian, root)
+deps: ## install what all of these need beyond a C compiler (Debian, root)
 	apt-get update
 	apt-get install -y --no-install-recommends gcc clang-19 libclang-rt-19-dev \
-	    clang-format-19 python3 shellcheck
+	    clang-format-19 python3 shellcheck \
+	    gcc-arm-none-eabi libnewlib-arm-none-eabi qemu-system-arm gcc-avr avr-libc simavr \
+	    gcc-riscv64-unknown-elf picolibc-riscv64-unknown-elf qemu-system-misc \
+	    gcc-powerpc-linux-gnu libc6-dev-powerpc-cross qemu-user
 
 clean: ## remove build/
 	rm -rf $(BUILD)

@@ -1,0 +1,63 @@
+#!/bin/sh
+# SPDX-License-Identifier: MIT
+#
+# sh tests/targets.sh BUILD [TARGET...]
+# Builds the unit tests for every target folder under port/, or those named, runs them in its
+# emulator, two images at a time, and compares the digest of its calibrations with the host's,
+# which BUILD/float/digest prints. Shows what failed, one table, why tests were skipped, and at the
+# end `N passed, N failed`.
+build=$1
+shift
+here=$(dirname "$0")
+limit=300 # seconds for one image
+
+# Those that run the long tests first: they take the longest.
+if [ $# -eq 0 ]; then
+    all=$(ls port/*/target.mk port/*/*/target.mk)
+    # shellcheck disable=SC2046,SC2086 # names without blanks
+    set -- $(grep -l '^LONG' $all) $(grep -L '^LONG' $all)
+fi
+
+target_make() {
+    make -s -f port/build.mk BUILD="$build/targets" TARGET="${target%/target.mk}" "$@"
+}
+
+# The facts that port/build.mk tells: compiler, emulator, folder of the images, how to run one.
+facts() {
+    told=$(target_make facts) || exit 1
+    { read -r compiler && read -r emulator && read -r out && read -r run; } << EOF
+$told
+EOF
+}
+
+for target; do
+    facts
+    for command in "$compiler" "$emulator"; do
+        if ! command -v "$command" > /dev/null; then
+            echo "$command is not installed: make deps" >&2
+            exit 1
+        fi
+    done
+done
+
+# A line for each image: its log, and the command that runs it.
+mkdir -p "$build/targets"
+list=$build/targets/images
+: > "$list"
+for target; do
+    facts
+    rm -f "$out"/*.elf "$out"/*.log # of suites that are no more
+    target_make -j2 tests digest || { echo "$target does not build" >&2; exit 1; }
+    for image in "$out"/*.elf; do
+        echo "${image%.elf}.log $run $image" >> "$list"
+    done
+done
+
+# shellcheck disable=SC2016 # $log and the like belong to the inner shell
+xargs -L 1 -P 2 sh -c 'limit=$1 log=$2; shift 2
+    timeout -k 5 "$limit" "$@" > "$log" 2>&1 < /dev/null
+    echo "exit status $?" >> "$log"' image "$limit" < "$list"
+
+"$build/float/digest" > "$build/targets/host.log"
+# shellcheck disable=SC2046 # names without blanks
+awk -f "$here/targets.awk" "$build/targets/host.log" $(cut -d ' ' -f 1 "$list")
