@@ -26,7 +26,7 @@ Q := $(if $(V),,@)
 .DEFAULT_GOAL := all
 .DELETE_ON_ERROR:
 .SECONDARY:
-.PHONY: help all demo test check targets size reference format deps clean
+.PHONY: help all demo test check targets size bench reference format deps clean
 
 help: ## this list
 	@awk -F ':.*## ' '/^[a-z]+:.*## / { printf "make %-10s %s\n", $$1, $$2 }' $(MAKEFILE_LIST)
@@ -111,6 +111,9 @@ size: ## flash, stack and structures on every target, against the budgets (V=1: 
 
 # One line that says what is missing: $(call need,command)
 need = @command -v $(1) > /dev/null || { echo '$(1) is not installed: make deps' >&2; exit 1; }
+
+bench: ## instructions of each operation on emulated targets, against the budgets
+	$(Q)UPDATE="$(UPDATE)" TARGETS="$(TARGETS)" sh tests/bench.sh $(BUILD)
 
 reference: ## remake tests/reference/expected.h (needs python3)
 	$(call need,python3)

@@ -30,13 +30,16 @@ Q := $(if $(V),,@)
 
 .DELETE_ON_ERROR:
 .SECONDARY:
-.PHONY: tests bench digest facts
+.PHONY: tests bench counter digest facts
 
-$(OUT)/%.o: %.c
+# Flags may have changed with them.
+RULES := $(MAKEFILE_LIST)
+
+$(OUT)/%.o: %.c $(RULES)
 	@mkdir -p $(@D)
 	$(Q)$(CC) $(FLAGS) -c $< -o $@
 
-$(OUT)/unity.o: $(UNITY)/unity.c
+$(OUT)/unity.o: $(UNITY)/unity.c $(RULES)
 	@mkdir -p $(@D)
 	$(Q)$(CC) $(FLAGS) $(TESTING) -c $< -o $@
 
@@ -53,12 +56,16 @@ $(OUT)/digest.elf: $(OUT)/tests/digest/digest.o
 $(OUT)/bench.elf $(OUT)/digest.elf: $(COMMON) $(LIBRARY)
 	$(Q)$(CC) $(FLAGS) $^ -Wl,--gc-sections $(LINK) -o $@
 
+digest: $(OUT)/digest.elf
+
 bench: $(OUT)/bench.elf
-	$(Q)$(RUN:-kernel=$(COUNTING) -kernel) $<
+
 # The example firmware, where the family has one.
 -include $(dir $(TARGET))firmware/firmware.mk
 
-digest: $(OUT)/digest.elf
+# For tests/bench.sh: what is counted, nothing if the machine cannot count; and how.
+counter:
+	@echo '$(UNIT)'; echo '$(RUN:-kernel=$(COUNTING) -kernel)'
 
 # For tests/targets.sh: compiler, emulator, folder of the images, and how one is run.
 facts:

@@ -6,3 +6,4 @@ BOARD    := port/cortex-m/start.c port/cortex-m/board.c
 QEMU     := qemu-system-arm -nographic -monitor none -serial none \
             -semihosting-config enable=on,target=native
 COUNTING := -icount shift=6
+UNIT     := instructions

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT
  *
  * Instructions (AVR: cycles) that each operation takes, by the counter of the emulated machine.
- * Prints one line for each: the figure and its name. Counting itself is subtracted.
+ * Prints one line for each, its name and the figure, and OK. Counting itself is subtracted.
  */
 #include <string.h>
 
@@ -34,17 +34,14 @@ static void put_number(uint32_t n)
         digits[--at] = (char)('0' + n % 10);
         n /= 10;
     } while (n);
-    for (size_t pad = strlen(&digits[at]); pad < 8; pad++) {
-        board_put(' ');
-    }
     put_text(&digits[at]);
 }
 
 static void report(uint32_t count, const char *what)
 {
-    put_number(count);
-    put_text("  ");
     put_text(what);
+    board_put(' ');
+    put_number(count);
     board_put('\n');
 }
 
@@ -113,21 +110,21 @@ static void bench_core(void)
         add_position(&normal, raw[i]);
     }
     const invcal_status status = invcal_solve(&normal, &settings, &solution);
-    report(end(), "18 positions and the solve to offset and matrix");
+    report(end(), "18_positions_and_solve");
     if (status != INVCAL_OK) {
         board_exit(1);
     }
     begin();
     add_position(&normal, raw[0]);
-    report(end(), "add one position");
+    report(end(), "add_position");
     begin();
     (void)invcal_solve(&normal, &settings, &solution);
-    report(end(), "solve to offset and matrix");
+    report(end(), "solve");
     begin();
     for (unsigned i = 0; i < REPEATS; i++) {
         invcal_apply(&solution.calibration, raw[i], calibrated);
     }
-    report(end() / REPEATS, "apply one sample");
+    report(end() / REPEATS, "apply");
 }
 
 static void bench_all(void)
@@ -139,13 +136,13 @@ static void bench_all(void)
     begin();
     const invcal_status status =
         invcal_calibrate(&raw[0][0], POSITIONS, &settings, &solution, &quality, NULL);
-    report(end(), "18 positions and the solve with every sigma, condition and verdict");
+    report(end(), "18_positions_and_everything");
     if (status != INVCAL_OK || quality.verdict != INVCAL_GOOD) {
         board_exit(1);
     }
     begin();
     (void)invcal_outliers_find(&raw[0][0], POSITIONS, &settings, &outliers);
-    report(end(), "look for outliers among 18 positions");
+    report(end(), "outliers_of_18");
 }
 
 /* A sensor at rest: noise of some counts. */
@@ -186,15 +183,15 @@ static void bench_session(void)
 {
     invcal_guidance next;
 
-    report(feed(100), "feed one sample at rest, 100 Hz");
-    report(feed(400), "feed one sample at rest, 400 Hz");
-    report(feed(1000), "feed one sample at rest, 1000 Hz");
+    report(feed(100), "feed_100_Hz");
+    report(feed(400), "feed_400_Hz");
+    report(feed(1000), "feed_1000_Hz");
     for (unsigned i = 0; i < POSITIONS; i++) {
         add_position(&session.normal, raw[i]);
     }
     begin();
     (void)invcal_session_next(&session, &next);
-    report(end(), "next orientation");
+    report(end(), "next_orientation");
 }
 
 int main(void)
@@ -205,5 +202,6 @@ int main(void)
     bench_core();
     bench_all();
     bench_session();
+    put_text("OK\n");
     return 0;
 }

@@ -20,19 +20,23 @@ FILENAME == ARGV[1] {
     next
 }
 {
-    if (!row[$1]++) rows[++n] = $1
+    if (!row[$1]++) {
+        rows[++n] = $1
+        longest = length($1) > longest ? length($1) : longest
+    }
     most[$1, target] = int($2 * 1.03)
+    wide[target] = length(most[$1, target]) > wide[target] ? length(most[$1, target]) : wide[target]
 }
 END {
-    printf "%-26s%6s", "figure", "issue"
+    printf "%-*s%6s", longest + 1, "figure", "issue"
     for (c = 1; c <= columns; c++) printf "%*s", width(c), targets[c]
     print ""
     for (i = 1; i <= n; i++) {
-        printf "%-26s%6s", rows[i], rows[i] in issue ? issue[rows[i]] : "-"
+        printf "%-*s%6s", longest + 1, rows[i], rows[i] in issue ? issue[rows[i]] : "-"
         for (c = 1; c <= columns; c++) {
             printf "%*s", width(c), (rows[i], targets[c]) in most ? most[rows[i], targets[c]] : "-"
         }
         print ""
     }
 }
-function width(c) { return length(targets[c]) < 6 ? 7 : length(targets[c]) + 1 }
+function width(c) { return (wide[targets[c]] > length(targets[c]) ? wide[targets[c]] : length(targets[c])) + 2 }

@@ -1,0 +1,41 @@
+# SPDX-License-Identifier: MIT
+#
+# One table, a row for each operation, a column for each target; then what is over its budget, and
+# "N passed, N failed".
+# Usage: awk -f report.awk BUDGETS UNITS TARGET.figures...
+#     UNITS  "target unit", or "target fault" if its program did not run to its end
+FNR == 1 {
+    file++
+    target = FILENAME
+    sub(/.*\//, "", target)
+    sub(/\.figures$/, "", target)
+}
+/^#/ || NF == 0 { next }
+file == 1 && $1 == "figure" { for (i = 2; i <= NF; i++) column[$i] = i; next }
+file == 1 { for (name in column) budget[$1, name] = $(column[name]); next }
+file == 2 && $2 == "fault" { failure[++failed] = $1 " does not run to its end"; next }
+file == 2 { names[++targets] = $1; unit[$1] = $2; next }
+{
+    if (!seen[$1]++) rows[++n] = $1
+    value[$1, target] = $2
+    most = budget[$1, target]
+    if (most == "" || most == "-") failure[++failed] = target ": " $1 " has no budget: make bench UPDATE=1"
+    else if ($2 > most + 0) failure[++failed] = target ": " $1 " takes " $2 ", at most " most
+    else passed++
+}
+function width(t) { return length(t) < 12 ? 14 : length(t) + 2 }
+END {
+    printf "%-28s", ""
+    for (i = 1; i <= targets; i++) printf "%*s", width(names[i]), names[i]
+    printf "%10s\n%-28s", "wanted", ""
+    for (i = 1; i <= targets; i++) printf "%*s", width(names[i]), unit[names[i]]
+    printf "%10s\n", "m4f"
+    for (r = 1; r <= n; r++) {
+        printf "%-28s", rows[r]
+        for (i = 1; i <= targets; i++) printf "%*s", width(names[i]), value[rows[r], names[i]]
+        printf "%10s\n", budget[rows[r], "issue"] == "-" ? "" : budget[rows[r], "issue"]
+    }
+    for (i = 1; i <= failed; i++) print "FAIL " failure[i]
+    print passed + 0 " passed, " failed + 0 " failed"
+    exit failed > 0
+}
