@@ -422,8 +422,8 @@ invcal_status invcal_session_renew(invcal_session *session, const invcal_calibra
 
 /* The sums without the outliers. Where none can be looked for, none are left out: what positions
  * (and a prior) are worth, invcal_calibrate_sums will say. */
-static void leave_out(const invcal_session *session, invcal_normal *normal,
-                      invcal_outliers *outliers)
+INVCAL_APART static void leave_out(const invcal_session *session, invcal_normal *normal,
+                                   invcal_outliers *outliers)
 {
     invcal_observation row;
 

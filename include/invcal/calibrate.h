@@ -30,7 +30,7 @@ typedef struct {
  *
  * Returns what the rooms return: INVCAL_OK, INVCAL_NOT_FINITE, INVCAL_OUT_OF_RANGE (with the
  * position), INVCAL_BAD_SETTING, INVCAL_TOO_FEW, INVCAL_UNDETERMINED, INVCAL_NOT_ELLIPSOID.
- * Stack: about 1,700 bytes. */
+ * Stack: about 1,550 bytes. */
 invcal_status invcal_calibrate(const invcal_real *raw, unsigned count,
                                const invcal_settings *settings, invcal_solution *solution,
                                invcal_quality *quality, invcal_reason *reason);
@@ -53,7 +53,7 @@ invcal_real invcal_faded(unsigned days);
  * normal     exact rows; of more positions than are kept, if so.
  * positions  those that are kept, one at least: they stand for all in the residuals.
  *
- * On failure solution and quality are lost. Returns as above. Stack: about 1,250 bytes.
+ * On failure solution and quality are lost. Returns as above. Stack: about 1,150 bytes.
  * quality->worst counts from 0 in positions. */
 invcal_status invcal_calibrate_sums(const invcal_normal *normal, const invcal_positions *positions,
                                     const invcal_settings *settings, invcal_solution *solution,

@@ -41,7 +41,7 @@ invcal_status invcal_criteria_add(invcal_normal *design, const invcal_real verti
  * exceeds 1 / INVCAL_PIVOT_FLOOR: invcal_undetermined names the parameters that stay open.
  * Relative error for the programs of plan.h: 1e-12 (double), 1e-6 (float; the condition 2e-6);
  * otherwise about INVCAL_EPSILON times the condition.
- * Cost: about 1500 multiply-adds and two bisections. Stack: about 450 bytes. */
+ * Cost: about 1500 multiply-adds and two extreme eigenvalues. Stack: about 480 bytes. */
 invcal_status invcal_criteria_judge(const invcal_normal *design, invcal_criteria *out);
 
 #ifdef __cplusplus

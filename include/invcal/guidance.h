@@ -43,7 +43,7 @@ typedef struct {
  *
  * Returns INVCAL_OK; INVCAL_BAD_SETTING if sums are not finite, or no sums of squares.
  * Cost: 52 forward solutions and 2 factorisations, about 3000 multiply-adds.
- * Stack: about 400 bytes (float, Cortex-M4F, -Os). */
+ * Stack: about 420 bytes (float, Cortex-M4F, -Os). */
 invcal_status invcal_guidance_next(const invcal_normal *normal, const invcal_real *current,
                                    invcal_guidance *next);
 

@@ -67,7 +67,7 @@ typedef struct {
  *   INVCAL_UNDETERMINED   the positions leave parameters open: invcal_calibrate names them.
  * Cost: 1,000 groups of 18 positions, 5,500 of 32, each about 30 multiply-adds and a row, and
  * eight least-squares fits; for every group removed once more.
- * Stack: about 700 bytes (float, Cortex-M4F, -Os). */
+ * Stack: about 950 bytes (float, Cortex-M4F, -Os). */
 invcal_status invcal_outliers_find(const invcal_real *raw, unsigned count,
                                    const invcal_settings *settings, invcal_outliers *out);
 

@@ -63,7 +63,7 @@ typedef struct {
  *                        1 / INVCAL_PIVOT_FLOOR, with no prior to hold the parameter;
  *   INVCAL_NOT_ELLIPSOID residuals of more than 10 % of the field: these are no readings of one
  *                        field by one triad at rest.
- * After a failure the solution must not be used. Stack: about 800 bytes. */
+ * After a failure the solution must not be used. Stack: about 650 bytes. */
 invcal_status invcal_assess(const invcal_residuals *residuals, unsigned used,
                             const invcal_settings *settings, const invcal_solution *solution,
                             invcal_quality *quality);
@@ -74,7 +74,7 @@ invcal_status invcal_assess(const invcal_residuals *residuals, unsigned used,
  * noise  quality->noise of these residuals; finite, > 0. Matters with a prior only.
  *
  * Returns INVCAL_OK; INVCAL_UNDETERMINED if H'H is singular; INVCAL_BAD_SETTING for unusable
- * settings or noise. Stack: about 350 bytes. */
+ * settings or noise. Stack: about 370 bytes. */
 invcal_status invcal_covariance(const invcal_residuals *residuals, const invcal_settings *settings,
                                 invcal_real noise,
                                 invcal_real K[INVCAL_PACKED_SIZE(INVCAL_PARAMETERS)]);

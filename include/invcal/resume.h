@@ -87,7 +87,7 @@ invcal_status invcal_resume_encode(const invcal_session *session, uint8_t bytes[
  *   INVCAL_OTHER_VERSION  sound, but not of this kind and version;
  *   INVCAL_NO_SPACE       sound, but its table is larger than INVCAL_MAX_POSITIONS of this build
  *                         (or its count than an unsigned). A larger table reads a smaller one.
- * Stack: about 600 bytes; that is less than a session, as none is built beside *out. */
+ * Stack: about 700 bytes; that is less than a session, as none is built beside *out. */
 invcal_status invcal_resume_decode(const uint8_t *bytes, uint32_t size, invcal_session *out);
 
 #ifdef __cplusplus

@@ -99,7 +99,8 @@ invcal_status invcal_session_init(invcal_session *session, const invcal_session_
  *              INVCAL_SESSION_NOTHING, else untouched.
  *
  * Returns event->what, or INVCAL_SESSION_NOTHING.
- * Cost: that of invcal_still_push; at the end of a position that of invcal_session_solve. */
+ * Cost: that of invcal_still_push; at the end of a position, with a target, that of
+ * invcal_calibrate_sums. Stack: about 1,450 bytes. */
 invcal_session_what invcal_session_feed(invcal_session *session, const int32_t raw[3],
                                         invcal_real temperature, invcal_event *event);
 
@@ -130,7 +131,7 @@ invcal_status invcal_session_renew(invcal_session *session, const invcal_calibra
  * outliers  null; or the positions of the table that contradict the others, which are then left
  *           out. None are looked for with fewer than INVCAL_OUTLIERS_FEWEST positions.
  *
- * Returns as invcal_calibrate. Stack: about 1,500 bytes. */
+ * Returns as invcal_calibrate. Stack: about 1,600 bytes. */
 invcal_status invcal_session_solve(const invcal_session *session, invcal_solution *solution,
                                    invcal_quality *quality, invcal_outliers *outliers);
 

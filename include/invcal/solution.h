@@ -63,14 +63,14 @@ typedef struct {
  *                         one with a semi-axis outside 0.1 ... 10 of nominal.
  *
  * What it does not do is judge: INVCAL_OK says solvable, invcal_assess says how good.
- * Stack: about 650 bytes (float, Cortex-M4F, -Os; likewise below). */
+ * Stack: about 500 bytes (float, Cortex-M4F, -Os; likewise below). */
 invcal_status invcal_solve(const invcal_normal *normal, const invcal_settings *settings,
                            invcal_solution *solution);
 
 /* Which parameters the positions leave open, as bits (bit r: parameter r), so that a refusal can
  * name them. Uses a small ridge on H'H: a parameter that the ridge holds is one that the data
  * do not. Rough by nature; empty sums leave all nine open.
- * Stack: about 350 bytes. */
+ * Stack: about 330 bytes. */
 uint16_t invcal_undetermined(const invcal_normal *normal);
 
 /* Are the settings usable? Asked by all functions that take some.
