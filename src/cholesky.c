@@ -16,7 +16,7 @@ invcal_real invcal_largest_diagonal(const invcal_real *a, unsigned n)
 }
 
 /* x <- L^-1 x */
-static void forward(const invcal_real *l, unsigned n, invcal_real *x)
+static inline void forward(const invcal_real *l, unsigned n, invcal_real *x)
 {
     for (unsigned r = 0; r < n; r++) {
         x[r] = (x[r] - invcal_dot(l, x, r)) / l[r];

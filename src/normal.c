@@ -13,7 +13,7 @@ void invcal_normal_init(invcal_normal *normal)
 
 static int is_mixed(const invcal_normal *normal, invcal_model model)
 {
-    return normal->count > 0 && normal->model != model;
+    return normal->model != model && normal->count > 0;
 }
 
 /* All products of degree d + 1 of x, y, z behind those of degree d: x times each, y times those

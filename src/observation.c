@@ -43,6 +43,7 @@ static invcal_status scale(const invcal_calibration *nominal, invcal_real field,
         return INVCAL_BAD_SETTING;
     }
     invcal_apply(nominal, raw, u);
+    INVCAL_UNROLL
     for (unsigned i = 0; i < 3; i++) {
         u[i] /= field;
     }
@@ -66,9 +67,8 @@ invcal_status invcal_observation_reading(const invcal_calibration *nominal, invc
     return INVCAL_OK;
 }
 
-invcal_status invcal_observation_exact(const invcal_real u[3], invcal_observation *out)
+static inline invcal_status exact(const invcal_real u[3], invcal_observation *out)
 {
-    INVCAL_ASSERT(u && out);
     const invcal_real square = invcal_dot3(u, u);
     const invcal_status status = check_reading(u, square);
 
@@ -80,6 +80,12 @@ invcal_status invcal_observation_exact(const invcal_real u[3], invcal_observatio
     return status;
 }
 
+invcal_status invcal_observation_exact(const invcal_real u[3], invcal_observation *out)
+{
+    INVCAL_ASSERT(u && out);
+    return exact(u, out);
+}
+
 invcal_status invcal_observe(const invcal_calibration *nominal, invcal_real field,
                              const invcal_real raw[3], invcal_observation *out)
 {
@@ -87,7 +93,7 @@ invcal_status invcal_observe(const invcal_calibration *nominal, invcal_real fiel
 
     INVCAL_ASSERT(nominal && raw && out);
     const invcal_status status = scale(nominal, field, raw, u);
-    return status == INVCAL_OK ? invcal_observation_exact(u, out) : status;
+    return status == INVCAL_OK ? exact(u, out) : status;
 }
 
 /* The row of a known direction, which J1 and J2 share. */
