@@ -10,6 +10,7 @@ build=$1
 shift
 here=$(dirname "$0")
 limit=300 # seconds for one image
+unset MAKEFLAGS # a CC=... meant for the host would be taken for every target
 
 # Those that run the long tests first: they take the longest.
 if [ $# -eq 0 ]; then
@@ -19,7 +20,7 @@ if [ $# -eq 0 ]; then
 fi
 
 target_make() {
-    make -s -f port/build.mk BUILD="$build/targets" TARGET="${target%/target.mk}" "$@"
+    make -s -f port/build.mk BUILD="$build/targets" TARGET="$target" "$@"
 }
 
 # The facts that port/build.mk tells: compiler, emulator, folder of the images, how to run one.
@@ -31,6 +32,7 @@ EOF
 }
 
 for target; do
+    target=${target%/target.mk}
     facts
     for command in "$compiler" "$emulator"; do
         if ! command -v "$command" > /dev/null; then
@@ -45,6 +47,7 @@ mkdir -p "$build/targets"
 list=$build/targets/images
 : > "$list"
 for target; do
+    target=${target%/target.mk}
     facts
     rm -f "$out"/*.elf "$out"/*.log # of suites that are no more
     target_make -j2 tests digest || { echo "$target does not build" >&2; exit 1; }
@@ -58,6 +61,6 @@ xargs -L 1 -P 2 sh -c 'limit=$1 log=$2; shift 2
     timeout -k 5 "$limit" "$@" > "$log" 2>&1 < /dev/null
     echo "exit status $?" >> "$log"' image "$limit" < "$list"
 
-"$build/float/digest" > "$build/targets/host.log"
+"$build/float/digest" > "$build/targets/host.log" || exit 1
 # shellcheck disable=SC2046 # names without blanks
 awk -f "$here/targets.awk" "$build/targets/host.log" $(cut -d ' ' -f 1 "$list")
