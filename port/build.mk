@@ -17,14 +17,17 @@ SHARE  ?= 10
 SHORT  := $(if $(LONG),,-DTEST_SHORT=$(SHARE))
 WARNINGS := -Wall -Wextra -Wshadow -Wdouble-promotion
 # Contraction (fused multiply-add) is off: the same bits on every machine.
-FLAGS   = -std=c99 $(OPT) $(CPU) -ffp-contract=off -ffunction-sections -fdata-sections $(WARNINGS) \
+FLAGS   = -std=c99 $(OPT) -ffp-contract=off -ffunction-sections -fdata-sections $(WARNINGS) $(CPU) \
           -DINVCAL_DOUBLE=$(REAL) -Iinclude -Iport -MMD
 TESTING = -DUNITY_INCLUDE_DOUBLE -DUNITY_STRICT -DUNITY_SUPPORT_64 $(SHORT) \
+          $(if $(RAM),-DTEST_RAM=$(RAM)) \
           '-DUNITY_OUTPUT_CHAR(c)=board_put(c)' \
           -include board.h -I$(UNITY) -Itests/unit -Itests/reference -Ibuild
 
 LIBRARY := $(patsubst %.c,$(OUT)/%.o,$(wildcard src/*.c))
 SUITES  := $(patsubst tests/unit/%.c,%,$(wildcard tests/unit/test_*.c))
+# A suite that is too large is several images: PARTS_test_session := 0 1 2 in target.mk.
+IMAGES  := $(foreach s,$(SUITES),$(if $(PARTS_$s),$(PARTS_$s:%=$s.%),$s))
 COMMON  := $(BOARD:%.c=$(OUT)/%.o)
 Q := $(if $(V),,@)
 
@@ -46,10 +49,17 @@ $(OUT)/unity.o: $(UNITY)/unity.c $(RULES)
 $(OUT)/tests/unit/%.o: FLAGS += $(TESTING)
 $(OUT)/tests/digest/%.o: FLAGS += -Itests/reference -Ibuild
 
+define part
+$(OUT)/tests/unit/$(1).$(2).o: tests/unit/$(1).c
+	@mkdir -p $$(@D)
+	$(Q)$$(CC) $$(FLAGS) -DTEST_PARTS=$(words $(PARTS_$(1))) -DTEST_PART=$(2) -c $$< -o $$@
+endef
+$(foreach s,$(SUITES),$(foreach k,$(PARTS_$s),$(eval $(call part,$s,$k))))
+
 $(OUT)/%.elf: $(OUT)/tests/unit/%.o $(OUT)/tests/unit/support.o $(OUT)/unity.o $(COMMON) $(LIBRARY)
 	$(Q)$(CC) $(FLAGS) $^ -Wl,--gc-sections $(LINK) -o $@
 
-tests: $(SUITES:%=$(OUT)/%.elf)
+tests: $(IMAGES:%=$(OUT)/%.elf)
 
 $(OUT)/bench.elf: $(OUT)/tests/bench/bench.o
 $(OUT)/digest.elf: $(OUT)/tests/digest/digest.o

@@ -81,9 +81,34 @@ double length3(const double v[3]);
 
 /* and a test of very many draws or steps that are only worth something together is skipped, and
  * says why. */
-#define RUN_LONG_TEST(test)                                                                        \
-    UnityDefaultTestRun(TEST_SHORT > 1 ? skip_long : (test), #test, (UNITY_LINE_TYPE)__LINE__)
+#define RUN_LONG_TEST(test) RUN_AS(test, TEST_SHORT > 1 ? skip_long : (test))
 void skip_long(void);
+
+/* Likewise a test of a billion cycles, where 8 bits at a time are computed. */
+#define RUN_SLOW_TEST(test) RUN_AS(test, TEST_SHORT > 100 ? skip_slow : (test))
+void skip_slow(void);
+
+/* A suite that is too large for a machine is built as TEST_PARTS images. Each runs the tests whose
+ * line in main, divided by TEST_PARTS, leaves TEST_PART; the compiler drops the others. */
+#ifndef TEST_PARTS
+#define TEST_PARTS 1
+#define TEST_PART 0
+#endif
+#define RUN_AS(test, function)                                                                     \
+    (__LINE__ % TEST_PARTS == TEST_PART                                                            \
+         ? UnityDefaultTestRun(function, #test, (UNITY_LINE_TYPE)__LINE__)                         \
+         : (void)0)
+#define RUN_TEST(test) RUN_AS(test, test)
+
+/* Where there is little memory, TEST_RAM says how many bytes. */
+#ifndef TEST_RAM
+#define TEST_RAM 1000000
+#endif
+#define ROOM(plenty, little) (TEST_RAM < 65536 ? (little) : (plenty))
+void skip_large(void);
+
+/* Ends a test whose own arithmetic needs a double of 53 bits, where double is float. */
+void needs_53_bits(void);
 
 /* a in the float build, b in the double build. */
 #define FLOAT_OR_DOUBLE(a, b) (INVCAL_DOUBLE ? (b) : (a))

@@ -544,6 +544,7 @@ static double largest_eigenvalue_of(double a[NINE][NINE])
  * whatever the pivots are. */
 static void a_flat_set_is_refused_by_its_condition(void)
 {
+    needs_53_bits();
     random_source random = random_start(8);
     const double limit = FLOAT_OR_DOUBLE(524288, 1e8); /* 1 / INVCAL_PIVOT_FLOOR */
     const double blur = FLOAT_OR_DOUBLE(1.5, 1.02); /* float sees no condition so large exactly */
@@ -638,7 +639,7 @@ static void a_turn_keeps_log_det_and_moves_the_sigmas_with_k(void)
     double smallest = 1e9;
     double largest = 0;
 
-    for (int draw = 0; draw < SOME(300); draw++) {
+    for (int draw = 0; draw < 10 + SOME(290); draw++) {
         double v[20][3];
         double a[NINE][NINE];
         double k[NINE][NINE];
@@ -913,14 +914,14 @@ static void the_sigma_promised_by_an_icosahedron_is_obtained(void)
 int main(void)
 {
     UNITY_BEGIN();
-    RUN_TEST(a_program_of_any_size_and_starts_has_its_closed_form);
+    RUN_SLOW_TEST(a_program_of_any_size_and_starts_has_its_closed_form);
     RUN_TEST(the_program_of_18_has_the_papers_figures);
     RUN_TEST(a_program_of_18_is_worse_than_one_of_24_by_1_154701);
     RUN_TEST(other_sets_have_the_figures_of_the_reference);
     RUN_TEST(icosahedron_and_faces_with_edges_have_their_published_figures);
     RUN_TEST(twelve_edges_are_a_set_like_any_other);
     RUN_TEST(an_icosahedron_reaches_the_bound_however_it_is_turned);
-    RUN_TEST(no_random_set_passes_the_bound);
+    RUN_SLOW_TEST(no_random_set_passes_the_bound);
     RUN_TEST(six_faces_leave_the_angles_open);
     RUN_TEST(groups_of_four_along_the_axes_leave_the_angles_open);
     RUN_TEST(one_plane_leaves_all_that_z_takes_part_in_open);

@@ -49,7 +49,9 @@ static void with_two_degrees_of_freedom_the_tail_is_a_power(void)
     for (unsigned dof = 1; dof < 60; dof++) {
         for (int k = 1; k < 16; k++) {
             const double z = k / 16.0;
-            TEST_ASSERT_DOUBLE_WITHIN(promised, 1, tail(z, 2, dof) / pow(z, dof / 2.0));
+            /* the power is rounded in proportion to its exponent, seen where double is float */
+            TEST_ASSERT_DOUBLE_WITHIN(promised + dof * DBL_EPSILON, 1,
+                                      tail(z, 2, dof) / pow(z, dof / 2.0));
         }
     }
 }

@@ -424,7 +424,7 @@ static void a_current_reading_without_a_direction_counts_as_none(void)
                                     {0, 1, INFINITE},
                                     {-INFINITE, INFINITE, 0},
                                     {0, 0, 0},
-                                    {FLOAT_OR_DOUBLE(1e30, 1e200), 0, 0}};
+                                    {(double)INVCAL_REAL_MAX / 1e8, 0, 0}};
     random_source random = random_start(5);
 
     for (unsigned count = 0; count < 24; count++) {
@@ -516,7 +516,7 @@ static void the_parameters_that_improve_are_named(void)
     unsigned small = 0;
 
     for (unsigned draw = 0; draw < SOME(200); draw++) {
-        const invcal_normal normal = random_sums(&random, draw * TEST_SHORT % 60);
+        const invcal_normal normal = random_sums(&random, (draw * TEST_SHORT + 59) % 60);
         const invcal_guidance next = ask(&normal, NULL);
         double falls[N];
         double most = 0;
@@ -532,7 +532,8 @@ static void the_parameters_that_improve_are_named(void)
         }
         TEST_ASSERT_TRUE(next.improves > 0 && next.improves < 0x200);
     }
-    TEST_ASSERT_TRUE(small >= SOME(10)); /* where none falls by a tenth, still one is named */
+    /* Where none falls by a tenth, still one is named: of more than one in twenty. */
+    TEST_ASSERT_TRUE(small > SOME(200) / 20);
 }
 
 static void from_positions_on_a_plane_it_leads_out_of_the_plane(void)
@@ -728,9 +729,9 @@ int main(void)
     RUN_TEST(only_faces_edges_and_corners_are_asked_for);
     RUN_TEST(the_position_that_is_held_is_not_asked_for_again_while_another_is_as_good);
     RUN_TEST(where_nothing_else_is_as_good_the_same_position_is_asked_for_again);
-    RUN_TEST(a_current_reading_without_a_direction_counts_as_none);
+    RUN_SLOW_TEST(a_current_reading_without_a_direction_counts_as_none);
     RUN_TEST(rows_of_known_direction_guide_as_exact_ones_do);
-    RUN_TEST(sigma_before_and_after_is_that_without_and_with_the_position);
+    RUN_SLOW_TEST(sigma_before_and_after_is_that_without_and_with_the_position);
     RUN_TEST(with_eighteen_positions_sigma_is_that_of_the_sums_alone);
     RUN_TEST(the_parameters_that_improve_are_named);
     RUN_TEST(from_positions_on_a_plane_it_leads_out_of_the_plane);

@@ -17,6 +17,13 @@ void tearDown(void)
 }
 
 enum { MOST = INVCAL_PLAN_PER_GROUP_MAX };
+#if LDBL_MANT_DIG > DBL_MANT_DIG
+#define SINE(x) sinl(x)
+#define COSINE(x) cosl(x)
+#else /* some libraries then have no functions of long double */
+#define SINE(x) sin((double)(x))
+#define COSINE(x) cos((double)(x))
+#endif
 static const long double RADIAN = 0.017453292519943295769236907684886L;
 /* What plan.h says of a component; the oracle rounds too where long double is no longer. */
 static const double component = FLOAT_OR_DOUBLE(5e-7, 1e-15) + 8 * (double)LDBL_EPSILON;
@@ -65,17 +72,22 @@ static void table_1(const invcal_plan *plan, unsigned group, unsigned l, long do
 /* eta(alpha, beta) = (sin alpha sin beta, cos alpha, sin alpha cos beta). */
 static void eta_of(long double alpha, long double beta, double eta[3])
 {
-    eta[0] = (double)(sinl(alpha * RADIAN) * sinl(beta * RADIAN));
-    eta[1] = (double)cosl(alpha * RADIAN);
-    eta[2] = (double)(sinl(alpha * RADIAN) * cosl(beta * RADIAN));
+    eta[0] = (double)(SINE(alpha * RADIAN) * SINE(beta * RADIAN));
+    eta[1] = (double)COSINE(alpha * RADIAN);
+    eta[2] = (double)(SINE(alpha * RADIAN) * COSINE(beta * RADIAN));
+}
+
+/* What is left of an angle beside whole turns: -180 ... 180. */
+static long double without_turns(long double angle)
+{
+    return angle - 360 * (long double)(long)(angle / 360 + (angle < 0 ? -0.5L : 0.5L));
 }
 
 /* Above -180, at most 180, and the expected angle but for whole turns. */
 static void assert_wrapped(long double expected, invcal_real actual)
 {
     TEST_ASSERT_TRUE(actual > -180 && actual <= 180);
-    TEST_ASSERT_DOUBLE_WITHIN(degrees, 0,
-                              (double)remainderl((long double)actual - expected, 360.0L));
+    TEST_ASSERT_DOUBLE_WITHIN(degrees, 0, (double)without_turns((long double)actual - expected));
 }
 
 static void assert_follows_table_1(const invcal_plan *plan)
@@ -134,7 +146,7 @@ static void starts_at_the_seams_of_the_turn_are_wrapped(void)
     /* A position that comes to lie on the seam from either side. */
     for (unsigned n = 5; n <= 64; n++) {
         for (unsigned k = 0; k < n; k++) {
-            const double start = remainder(180 - 360.0 * k / n, 360);
+            const double start = (double)without_turns(180 - 360.0L * k / n);
             const invcal_plan plan = plan_of(n, start, start, start);
             const invcal_plan below =
                 plan_of(n, start * (1 - 4 * (double)INVCAL_EPSILON), start, start);
@@ -259,7 +271,8 @@ static void every_vertical_is_a_unit_vector(void)
             const invcal_plan_position p = position_at(&plan, i);
             const double v[3] = {(double)p.vertical[0], (double)p.vertical[1],
                                  (double)p.vertical[2]};
-            TEST_ASSERT_DOUBLE_WITHIN(FLOAT_OR_DOUBLE(1.5e-7, 5e-16), 1, length3(v));
+            /* the length is rounded too, which shows where double is float */
+            TEST_ASSERT_DOUBLE_WITHIN(FLOAT_OR_DOUBLE(1.5e-7 + DBL_EPSILON, 5e-16), 1, length3(v));
         }
     }
 }
@@ -292,9 +305,18 @@ static void a_position_beyond_the_program_is_refused(void)
 
 static void absurd_numbers_of_positions_are_refused_with_a_reason(void)
 {
-    static const unsigned numbers[] = {
-        0,        1,           2, 3, 4, MOST + 1, INT_MAX, UINT_MAX / 3 + 1, UINT_MAX, UINT_MAX - 1,
-        1u << 31, UINT_MAX / 3};
+    static const unsigned numbers[] = {0,
+                                       1,
+                                       2,
+                                       3,
+                                       4,
+                                       MOST + 1,
+                                       INT_MAX,
+                                       UINT_MAX / 3 + 1,
+                                       UINT_MAX,
+                                       UINT_MAX - 1,
+                                       UINT_MAX / 2 + 1,
+                                       UINT_MAX / 3};
 
     for (unsigned k = 0; k < sizeof numbers / sizeof numbers[0]; k++) {
         const unsigned n = numbers[k];
@@ -484,9 +506,9 @@ int main(void)
     RUN_LONG_TEST(starts_at_the_seams_of_the_turn_are_wrapped);
     RUN_TEST(starts_a_whole_turn_apart_are_the_same_program);
     RUN_TEST(the_papers_table_2_is_the_program_of_18);
-    RUN_TEST(multiples_of_90_degrees_give_exactly_0_and_1);
-    RUN_TEST(quarter_turns_are_exact_whatever_the_step);
-    RUN_TEST(every_vertical_is_a_unit_vector);
+    RUN_SLOW_TEST(multiples_of_90_degrees_give_exactly_0_and_1);
+    RUN_SLOW_TEST(quarter_turns_are_exact_whatever_the_step);
+    RUN_SLOW_TEST(every_vertical_is_a_unit_vector);
     RUN_TEST(a_position_beyond_the_program_is_refused);
     RUN_TEST(absurd_numbers_of_positions_are_refused_with_a_reason);
     RUN_TEST(starts_that_are_no_angles_are_refused);

@@ -380,7 +380,7 @@ int main(void)
     RUN_TEST(the_noise_is_the_larger_of_stated_and_observed);
     RUN_TEST(stored_positions_share_the_parameters_out);
     RUN_TEST(nine_positions_of_absurd_noise_are_weak);
-    RUN_TEST(weighted_positions_are_judged_by_their_weights);
+    RUN_SLOW_TEST(weighted_positions_are_judged_by_their_weights);
     RUN_TEST(nine_positions_have_no_redundancy);
     RUN_TEST(positions_near_the_axes_are_weak_and_name_the_angles);
     RUN_TEST(the_offset_sigma_is_that_of_delta_in_raw_units);

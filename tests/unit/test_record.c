@@ -452,11 +452,15 @@ static int compare_u32(const void *a, const void *b)
  * nor one that is zero, no one to four wrong bits pass: in any record, as it is linear. */
 static void any_four_wrong_bits_are_noticed(void)
 {
-    enum { BITS = 8 * SIZE, PAIRS = BITS * (BITS + 1) / 2 };
+    enum { BITS = 8 * SIZE };
+    static const uint32_t all = BITS * (BITS + 1L) / 2 + 1;
     static uint32_t check[BITS];
-    static uint32_t pair[PAIRS + 1];
+    static uint32_t pair[ROOM(BITS * (BITS + 1L) / 2 + 1, 1)];
     uint32_t pairs = 0;
 
+    if (sizeof pair / sizeof pair[0] < all) {
+        skip_large();
+    }
     for (unsigned bit = 0; bit < BITS; bit++) {
         uint8_t bytes[SIZE];
         memcpy(bytes, golden, SIZE);
@@ -469,7 +473,7 @@ static void any_four_wrong_bits_are_noticed(void)
         pair[pairs++] = check[bit]; /* single ones as well */
     }
     pair[pairs++] = 0;
-    TEST_ASSERT_EQUAL_UINT32(PAIRS + 1, pairs);
+    TEST_ASSERT_EQUAL_UINT32(all, pairs);
     qsort(pair, pairs, sizeof pair[0], compare_u32);
     for (uint32_t i = 1; i < pairs; i++) {
         TEST_ASSERT_TRUE(pair[i] != pair[i - 1]);
@@ -494,7 +498,7 @@ static void any_two_bytes_exchanged_are_noticed(void)
             }
         }
     }
-    TEST_ASSERT_GREATER_THAN_UINT(SIZE * SIZE / 2 * 9 / 10, exchanged);
+    TEST_ASSERT_GREATER_THAN_UINT(SIZE / 2 * SIZE / 10 * 9, exchanged);
 }
 
 static void a_record_without_its_end_is_noticed(void)
@@ -579,10 +583,10 @@ int main(void)
     RUN_TEST(an_unknown_verdict_or_mark_is_neither_encoded_nor_decoded);
     RUN_TEST(any_wrong_bit_is_noticed);
     RUN_LONG_TEST(any_four_wrong_bits_are_noticed);
-    RUN_TEST(any_two_bytes_exchanged_are_noticed);
+    RUN_SLOW_TEST(any_two_bytes_exchanged_are_noticed);
     RUN_TEST(a_record_without_its_end_is_noticed);
     RUN_TEST(blank_and_random_bytes_are_no_record);
-    RUN_TEST(a_sound_record_of_another_kind_or_version_is_named_so);
+    RUN_SLOW_TEST(a_sound_record_of_another_kind_or_version_is_named_so);
     RUN_TEST(a_length_shorter_than_any_record_is_refused);
     return UNITY_END() != 0;
 }

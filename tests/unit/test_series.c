@@ -633,16 +633,16 @@ static void a_series_may_be_begun_again(void)
 int main(void)
 {
     UNITY_BEGIN();
-    RUN_TEST(the_vertical_composition_gives_the_parameters_exactly);
-    RUN_TEST(each_parameter_alone_shows_in_its_own_coefficients);
+    RUN_SLOW_TEST(the_vertical_composition_gives_the_parameters_exactly);
+    RUN_SLOW_TEST(each_parameter_alone_shows_in_its_own_coefficients);
     RUN_TEST(a0_of_group_1_is_that_of_dk_y_and_dk_z_not_dk_x);
     RUN_TEST(noisy_j_give_the_least_squares_of_the_reference);
     RUN_TEST(vertical_compositions_are_solved_as_by_the_9x9);
-    RUN_TEST(noisy_vertical_compositions_are_solved_as_by_the_9x9);
-    RUN_TEST(scalar_compositions_are_solved_as_by_the_9x9);
-    RUN_TEST(noisy_scalar_compositions_are_solved_as_by_the_9x9);
+    RUN_SLOW_TEST(noisy_vertical_compositions_are_solved_as_by_the_9x9);
+    RUN_SLOW_TEST(scalar_compositions_are_solved_as_by_the_9x9);
+    RUN_SLOW_TEST(noisy_scalar_compositions_are_solved_as_by_the_9x9);
     RUN_TEST(the_scalar_composition_holds_to_the_first_order);
-    RUN_TEST(equal_steps_make_the_five_functions_orthogonal);
+    RUN_SLOW_TEST(equal_steps_make_the_five_functions_orthogonal);
     RUN_TEST(other_angles_have_a_smaller_determinant);
     RUN_TEST(efficiency_falls_as_a_position_leaves_its_place);
     RUN_TEST(angles_that_leave_a_coefficient_open_have_no_efficiency);

@@ -527,7 +527,7 @@ int main(void)
     RUN_LONG_TEST(a_stated_noise_is_a_lower_bound);
     RUN_LONG_TEST(random_sets_are_good_only_when_they_are);
     RUN_LONG_TEST(without_stated_noise_intervals_follow_student);
-    RUN_TEST(the_comparison_in_the_readme_is_true);
+    RUN_SLOW_TEST(the_comparison_in_the_readme_is_true);
     RUN_LONG_TEST(a_prior_holds_what_tilts_alone_cannot_tell);
     RUN_LONG_TEST(a_prior_is_not_overruled_by_understated_noise);
     RUN_LONG_TEST(intervals_follow_student_with_a_prior_too);

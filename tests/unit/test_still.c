@@ -16,7 +16,7 @@ void tearDown(void)
 
 /* ---- a simulated sensor, and a record of what is found in its stream ------------------------- */
 
-enum { RESTS = 128 };
+enum { RESTS = ROOM(128, 24) };
 
 typedef struct {
     long begin, end; /* samples */
@@ -77,6 +77,9 @@ static void note(invcal_still_event event, const invcal_rest *rest)
         TEST_ASSERT_EQUAL_UINT(1, b.ready_before);
     }
     if (event == INVCAL_STILL_TAKEN) {
+        if (TEST_RAM < 65536 && b.taken == RESTS) {
+            skip_large();
+        }
         TEST_ASSERT_TRUE(b.taken < RESTS);
         TEST_ASSERT_EQUAL_INT(INVCAL_REST_GOOD, invcal_still_reason(&b.still));
         b.rest[b.taken++] = *rest;
@@ -962,7 +965,7 @@ static void random_bits_and_alternating_extremes_are_no_rest(void)
 {
     for (unsigned kind = 0; kind < 3; kind++) {
         setup(kind == 2 ? 8000 : 100, 1, 0);
-        for (unsigned i = 0; i < 100000; i++) {
+        for (uint32_t i = 0; i < 100000; i++) {
             int32_t raw[3];
             for (unsigned a = 0; a < 3; a++) {
                 const int32_t end = (i + (kind == 2 ? a : 0)) & 1 ? INT32_MAX : INT32_MIN;
@@ -1061,16 +1064,16 @@ int main(void)
     RUN_TEST(rests_of_two_seconds_at_either_end_of_a_stream_count);
     RUN_LONG_TEST(random_streams_give_all_their_rests_and_nothing_else);
     RUN_LONG_TEST(a_turntable_never_rests);
-    RUN_TEST(motion_without_a_rest_gives_nothing);
+    RUN_SLOW_TEST(motion_without_a_rest_gives_nothing);
     RUN_TEST(a_swinging_device_does_not_rest);
     RUN_TEST(sums_are_exact);
     RUN_TEST(variance_is_that_of_one_sample);
     RUN_TEST(means_hold_all_bits_there_are);
-    RUN_TEST(unit_offset_and_order_of_the_axes_do_not_matter);
+    RUN_SLOW_TEST(unit_offset_and_order_of_the_axes_do_not_matter);
     RUN_TEST(a_copy_of_the_state_goes_on_alike);
     RUN_TEST(a_slow_turn_is_refused_for_drift_while_it_lasts);
     RUN_LONG_TEST(a_sensor_that_warms_up_does_rest);
-    RUN_TEST(a_warming_sensor_may_rest_for_minutes_at_first);
+    RUN_SLOW_TEST(a_warming_sensor_may_rest_for_minutes_at_first);
     RUN_TEST(a_rest_at_a_rail_is_refused_as_clipped);
     RUN_TEST(the_ends_of_int32_clip_where_no_rails_are_given);
     RUN_TEST(a_sensor_that_never_speaks_is_frozen_and_says_so_once);
@@ -1086,14 +1089,14 @@ int main(void)
     RUN_TEST(counts_larger_than_the_noise_are_no_obstacle);
     RUN_TEST(readings_that_toggle_by_one_count_are_one_rest);
     RUN_TEST(a_stream_that_begins_in_motion_learns_soon);
-    RUN_TEST(two_minutes_of_rest_are_one_position);
+    RUN_SLOW_TEST(two_minutes_of_rest_are_one_position);
     RUN_TEST(a_fan_switched_on_is_a_new_noise_level);
     RUN_TEST(progress_rises_to_100_at_ready_and_falls_with_motion);
     RUN_TEST(the_position_in_the_making_can_be_read_from_ready_on);
     RUN_TEST(finish_answers_in_every_state);
     RUN_TEST(reasons_have_their_texts);
     RUN_TEST(init_refuses_rates_and_rails_out_of_range);
-    RUN_TEST(random_bits_and_alternating_extremes_are_no_rest);
+    RUN_SLOW_TEST(random_bits_and_alternating_extremes_are_no_rest);
     RUN_TEST(jumps_through_all_of_int32_overflow_nothing);
     RUN_LONG_TEST(ten_million_equal_samples_and_life_after);
     RUN_LONG_TEST(a_rest_stops_growing_before_its_counters_overflow);

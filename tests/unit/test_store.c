@@ -14,7 +14,7 @@
 /* ---- the memory ------------------------------------------------------------------------------- */
 
 enum { SLOT = 512, MARGIN = 16 };
-enum { NEVER = 1000000 };
+#define NEVER 1000000L
 
 /* How an erasure looks that lost power: bytes from the start, from the end, any, or any bits. */
 enum { FROM_START, FROM_END, ANY_BYTES, ANY_BITS, TEARS };
@@ -27,7 +27,7 @@ typedef struct {
     uint8_t low[2][SLOT];  /* and 0 */
     invcal_store store;    /* the driver of this memory */
     random_source random;
-    int power; /* bytes that are still erased or programmed before power fails */
+    long power; /* bytes that are still erased or programmed before power fails */
     int tear;
     int unsteady;                         /* torn bits keep changing */
     int dead;                             /* no power */
@@ -721,7 +721,7 @@ static void cells_that_a_cut_left_half_programmed_do_no_harm(void)
     static const uint32_t size[4] = {20, 17, 30, 25};
 
     for (unsigned g = 0; g < GRANULARITIES; g++) {
-        for (int first = 0; first <= NEVER; first++) {
+        for (int first = 0;; first++) {
             memory cut;
             new_flash(granularities[g]);
             flash.store.slot_size = 96;
@@ -993,7 +993,7 @@ static void a_record_that_grows_while_it_is_loaded_does_not_overrun_the_buffer(v
     save(1, 100);
     flash.reads = 0;
     flash.store.read = read_that_grows;
-    for (int first = 14; first >= 0; first--) {
+    for (int first = 0; first < 15; first++) {
         flash.reads = first;
         const loaded it = load(120);
         TEST_ASSERT_TRUE(is_record(&it, 1, 100) || it.status != INVCAL_OK);
@@ -1104,7 +1104,7 @@ int main(void)
     RUN_TEST(the_crc_has_the_check_value_of_the_standard);
     RUN_TEST(numbers_have_their_least_byte_first);
     RUN_TEST(a_slot_holds_the_bytes_of_the_table);
-    RUN_TEST(what_was_saved_is_loaded_at_any_size_and_granularity);
+    RUN_SLOW_TEST(what_was_saved_is_loaded_at_any_size_and_granularity);
     RUN_TEST(the_last_of_many_saves_is_loaded_also_when_the_sequence_wraps);
     RUN_TEST(of_two_confirmed_records_the_later_is_loaded);
     RUN_TEST(a_confirmed_record_is_loaded_before_one_that_is_not);
@@ -1116,11 +1116,11 @@ int main(void)
     RUN_TEST(settings_that_cannot_work_are_refused);
     RUN_TEST(a_memory_without_a_record_says_so_and_takes_one);
     RUN_TEST(a_header_that_makes_no_sense_is_no_record);
-    RUN_TEST(any_wrong_bit_in_a_record_brings_back_the_other_or_none);
+    RUN_SLOW_TEST(any_wrong_bit_in_a_record_brings_back_the_other_or_none);
     RUN_TEST(a_record_without_its_last_bytes_brings_back_the_other);
     RUN_LONG_TEST(a_power_cut_at_any_byte_leaves_the_old_record_or_the_new_one);
     RUN_LONG_TEST(cells_that_a_cut_left_half_programmed_do_no_harm);
-    RUN_TEST(the_first_save_may_be_cut_too);
+    RUN_SLOW_TEST(the_first_save_may_be_cut_too);
     RUN_TEST(a_slot_that_a_cut_made_unreadable_is_used_again);
     RUN_TEST(after_an_erasure_nothing_is_left);
     RUN_LONG_TEST(a_cut_while_erasing_leaves_the_last_record_or_none_but_no_older_one);
