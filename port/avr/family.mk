@@ -7,3 +7,4 @@ CPU     = -mmcu=$(MCU) -Wno-double-promotion
 LINK   := -lm
 BOARD  := port/avr/board.c
 RUN     = sh port/avr/run.sh $(MCU)
+UNIT   := cycles

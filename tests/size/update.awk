@@ -16,7 +16,7 @@ FILENAME == ARGV[1] && $1 == "figure" {
 }
 FILENAME == ARGV[1] {
     issue[$1] = $2
-    for (i = 3; i <= NF; i++) most[$1, targets[i - 2]] = $i
+    for (i = 3; i <= NF; i++) budget($1, targets[i - 2], $i)
     next
 }
 {
@@ -24,8 +24,11 @@ FILENAME == ARGV[1] {
         rows[++n] = $1
         longest = length($1) > longest ? length($1) : longest
     }
-    most[$1, target] = int($2 * 1.03)
-    wide[target] = length(most[$1, target]) > wide[target] ? length(most[$1, target]) : wide[target]
+    budget($1, target, int($2 * 1.03))
+}
+function budget(figure, target, bytes) {
+    most[figure, target] = bytes
+    if (length(bytes) > wide[target]) wide[target] = length(bytes)
 }
 END {
     printf "%-*s%6s", longest + 1, "figure", "issue"
