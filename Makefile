@@ -26,7 +26,7 @@ Q := $(if $(V),,@)
 .DEFAULT_GOAL := all
 .DELETE_ON_ERROR:
 .SECONDARY:
-.PHONY: help all demo test check targets size bench reference format deps clean
+.PHONY: help all demo test check targets firmware size bench reference format deps clean
 
 help: ## this list
 	@awk -F ':.*## ' '/^[a-z]+:.*## / { printf "make %-10s %s\n", $$1, $$2 }' $(MAKEFILE_LIST)
@@ -97,6 +97,9 @@ $(BUILD)/invcal: $(HOST:%.c=$(BUILD)/tool/%.o) $(SOURCES:%.c=$(BUILD)/tool/%.o)
 
 # ---- tests ------------------------------------------------------------------------------------
 
+# One line that says what is missing: $(call need,command)
+need = @command -v $(1) > /dev/null || { echo '$(1) is not installed: make deps' >&2; exit 1; }
+
 test: $(SUITES:%=$(BUILD)/float/%) $(SUITES:%=$(BUILD)/double/%) all ## all tests with one compiler
 	$(Q)CC="$(CC)" CFLAGS="$(CFLAGS)" UNITY="$(UNITY)" sh tests/run.sh $(BUILD)
 
@@ -106,11 +109,13 @@ check: ## the tests under gcc and clang, C99 and C11, with sanitizers, warnings 
 targets: $(BUILD)/float/digest ## the unit tests on emulated targets, and the same bits on all of them
 	$(Q)sh tests/targets.sh $(BUILD) $(TARGETS)
 
+firmware: ## run the example firmware on an emulated Cortex-M4F, and check what it prints
+	$(call need,arm-none-eabi-gcc)
+	$(call need,qemu-system-arm)
+	$(Q)sh tests/firmware.sh $(BUILD)/targets
+
 size: ## flash, stack and structures on every target, against the budgets (V=1: every function)
 	$(Q)V="$(V)" UPDATE="$(UPDATE)" TARGETS="$(TARGETS)" sh tests/size.sh $(BUILD)/size
-
-# One line that says what is missing: $(call need,command)
-need = @command -v $(1) > /dev/null || { echo '$(1) is not installed: make deps' >&2; exit 1; }
 
 bench: ## instructions of each operation on emulated targets, against the budgets
 	$(Q)UPDATE="$(UPDATE)" TARGETS="$(TARGETS)" sh tests/bench.sh $(BUILD)
@@ -123,7 +128,7 @@ reference: ## remake tests/reference/expected.h (needs python3)
 
 format: ## lay out the sources by .clang-format (needs clang-format 19)
 	$(call need,clang-format-19)
-	clang-format-19 -i $(SOURCES) src/*.h include/invcal/*.h port/host/*.[ch] tests/unit/*.[ch]
+	clang-format-19 -i $(shell git ls-files '*.c' '*.h' | grep -vE '^tests/(unity|reference)/')
 
 deps: ## install what all of these need beyond a C compiler (Debian, root)
 	apt-get update
