@@ -1,10 +1,11 @@
 # SPDX-License-Identifier: MIT
 # What all AVR targets share. Start-up is avr-libc's.
-PREFIX := avr-
-OPT    := -Os
+PREFIX   := avr-
+OPT      := -Os
 # avr-libc's sqrtf is its sqrt: double is float there, and nothing is promoted.
-CPU     = -mmcu=$(MCU) -Wno-double-promotion
-LINK   := -lm
-BOARD  := port/avr/board.c
-RUN     = sh port/avr/run.sh $(MCU)
-UNIT   := cycles
+CPU       = -mmcu=$(MCU) -Wno-double-promotion
+LINK     := -lm
+BOARD    := port/avr/board.c
+RUN       = sh port/avr/run.sh $(MCU)
+EMULATOR := simavr
+UNIT     := cycles
