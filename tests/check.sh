@@ -4,43 +4,50 @@
 # `make test` for each compiler and language standard with warnings as errors, and with
 # AddressSanitizer, UndefinedBehaviorSanitizer and INVCAL_ASSERT. $1: folder to build in.
 # Compilers that are not installed are named and counted as a failure; `make deps` gets them.
+# With more arguments, one configuration only: NAME COMPILER STANDARD ASSERT FLAG...
 out=$1
-root=$(dirname "$0")/..
 clang=${CLANG:-clang-19}
-san='-O1 -g -fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer'
-passed=0
-failed=0
 
+# Leaves the last line of the tests, or what is missing, in NAME.result.
 run() {
-    name=$1 compiler=$2 std=$3 flags=$4 assert=$5
+    name=$1 compiler=$2 std=$3 assert=$4
+    shift 4
     if ! command -v "$compiler" > /dev/null; then
-        echo "check $name: $compiler is not installed: make deps"
-        failed=$((failed + 1))
-        return
-    fi
-    if make -s -j2 test BUILD="$out/$name" CC="$compiler" STD="$std" CFLAGS="$flags" ASSERT="$assert" \
-        > "$out/$name.log" 2>&1; then
-        status=0
+        echo "$compiler is not installed: make deps" > "$out/$name.result"
+    elif make -s -j2 test BUILD="$out/$name" CC="$compiler" STD="$std" CFLAGS="$* -Werror" \
+        ASSERT="${assert#-}" > "$out/$name.log" 2>&1; then
+        tail -n 1 "$out/$name.log" > "$out/$name.result"
     else
-        status=1
         cat "$out/$name.log"
+        echo "$(tail -n 1 "$out/$name.log") (make failed)" > "$out/$name.result"
     fi
-    line=$(tail -n 1 "$out/$name.log")
-    echo "check $name: $line"
-    counts=$(echo "$line" | awk '/^[0-9]+ passed, [0-9]+ failed$/ { print $1, $3; ok = 1 } END { if (!ok) print 0, 1 }')
-    passed=$((passed + ${counts% *}))
-    failed=$((failed + ${counts#* }))
-    [ $status -eq 0 ] || [ "${counts#* }" -gt 0 ] || failed=$((failed + 1))
 }
 
-cd "$root" || exit 1
-mkdir -p "$out"
-run gcc-c99 gcc c99 "-O2 -Werror"
-run gcc-c11 gcc c11 "-O3 -Werror"
-run clang-c99 "$clang" c99 "-O2 -Werror"
-run clang-c11 "$clang" c11 "-Os -Werror"
-run gcc-sanitizers gcc c99 "$san -Werror" 1
-run clang-sanitizers "$clang" c11 "$san -Werror" 1
+configurations() {
+    san='-O1 -g -fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer'
+    echo "gcc-sanitizers gcc c99 1 $san
+clang-sanitizers $clang c11 1 $san
+gcc-c99 gcc c99 - -O2
+gcc-c11 gcc c11 - -O3
+clang-c99 $clang c99 - -O2
+clang-c11 $clang c11 - -Os"
+}
 
-echo "$passed passed, $failed failed"
-[ "$failed" -eq 0 ]
+cd "$(dirname "$0")/.." || exit 1
+mkdir -p "$out"
+if [ $# -gt 1 ]; then
+    shift
+    run "$@"
+    exit
+fi
+
+rm -f "$out"/*.result
+# Two at a time: the suites of one run one after the other. (Not by `&`, which takes SIGINT away.)
+configurations | xargs -P 2 -L 1 sh tests/check.sh "$out"
+# Anything but `N passed, 0 failed` is a failure, if it names none as one.
+configurations | while read -r name rest; do
+    echo "check $name: $(cat "$out/$name.result")"
+done | awk '{ print }
+    / passed, / { passed += $3; failed += $5 }
+    !/[0-9]+ passed, [0-9]+ failed$/ && !($5 > 0) { failed++ }
+    END { print passed + 0 " passed, " failed + 0 " failed"; exit failed > 0 || NR == 0 }'
