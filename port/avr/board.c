@@ -6,6 +6,7 @@
 
 #include <avr/interrupt.h>
 #include <avr/io.h>
+#include <avr/pgmspace.h>
 #include <avr/sleep.h>
 #include <string.h>
 
@@ -38,20 +39,34 @@ void board_put(int c)
     UDR0 = (uint8_t)c;
 }
 
+static int is_guard_untouched(void)
+{
+    for (unsigned i = 0; i < GUARD; i++) {
+        if (guard[i] != UNTOUCHED) {
+            return 0;
+        }
+    }
+    return 1;
+}
+
+/* From flash: nothing in RAM can be relied on. */
+static void complain(void)
+{
+    static const char met[] PROGMEM = "FAIL: the stack has met the data\n";
+    char c;
+
+    for (const char *text = met; (c = (char)pgm_read_byte(text)) != '\0'; text++) {
+        board_put(c);
+    }
+}
+
 /* simavr ends when the processor sleeps with its interrupts off, and has no exit status: whoever
  * reads the text finds a failure in its last line. */
 void board_exit(int code)
 {
-    static const char met[] = "FAIL: the stack has met the data\n";
-
     (void)code;
-    for (unsigned i = 0; i < GUARD; i++) {
-        if (guard[i] != UNTOUCHED) {
-            for (const char *text = met; *text; text++) {
-                board_put(*text);
-            }
-            break;
-        }
+    if (!is_guard_untouched()) {
+        complain();
     }
     cli();
     sleep_enable();
