@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "invcal/normal.h"
 
+#include <limits.h>
 #include <string.h>
 
 #include "vector.h"
@@ -9,6 +10,13 @@ void invcal_normal_init(invcal_normal *normal)
 {
     INVCAL_ASSERT(normal);
     memset(normal, 0, sizeof *normal);
+}
+
+/* It stays at the most there can be. Sums that fade may go on for ever, 16 bits hold no more than
+ * 65,535, and 0 would say that they are empty. */
+static unsigned count_of_both(unsigned a, unsigned b)
+{
+    return b < UINT_MAX - a ? a + b : UINT_MAX;
 }
 
 static int is_mixed(const invcal_normal *normal, invcal_model model)
@@ -72,7 +80,7 @@ invcal_status invcal_normal_add(invcal_normal *normal, const invcal_observation 
 
     if (status == INVCAL_OK) {
         accumulate(normal, observation, weight);
-        normal->count++;
+        normal->count = count_of_both(normal->count, 1);
         normal->model = observation->model;
     }
     return status;
@@ -112,7 +120,7 @@ invcal_status invcal_normal_merge(invcal_normal *normal, const invcal_normal *ot
     if (other->count > 0) {
         normal->model = other->model;
     }
-    normal->count += other->count;
+    normal->count = count_of_both(normal->count, other->count);
     return INVCAL_OK;
 }
 

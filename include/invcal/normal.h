@@ -26,7 +26,8 @@ typedef struct {
     invcal_real moment[INVCAL_MOMENTS]; /* H'WH: see invcal_normal_matrix */
     invcal_real htj[INVCAL_PARAMETERS]; /* H'Wj */
     invcal_real jtj;                    /* j'Wj */
-    unsigned count;                     /* equations in the sums, however faded */
+    unsigned count;                     /* equations in the sums, however faded; at
+                                           most UINT_MAX */
     invcal_model model; /* of the rows in the sums; without meaning while count is 0 */
 } invcal_normal;
 

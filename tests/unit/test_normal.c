@@ -1,4 +1,5 @@
 /* SPDX-License-Identifier: MIT */
+#include <limits.h>
 #include <math.h>
 #include <string.h>
 
@@ -218,6 +219,24 @@ static void without_their_last_row_the_sums_are_empty(void)
     TEST_ASSERT_EQUAL_MEMORY(&empty, &n, sizeof n);
 }
 
+/* On a machine of 16 bits a day of fading sums gets there. */
+static void the_count_does_not_wrap(void)
+{
+    invcal_normal n = sum_of(0, 9);
+    const invcal_normal two = sum_of(9, 11);
+    const invcal_observation linear = {.h = {1}, .j = 1, .model = INVCAL_MODEL_LINEAR};
+
+    n.count = UINT_MAX - 1;
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_normal_add(&n, &rows[11], 1));
+    TEST_ASSERT_EQUAL_UINT(UINT_MAX, n.count);
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_normal_add(&n, &rows[12], 1));
+    TEST_ASSERT_EQUAL_UINT(UINT_MAX, n.count);
+    TEST_ASSERT_EQUAL_INT(INVCAL_MIXED, invcal_normal_add(&n, &linear, 1));
+    n.count = UINT_MAX - 1;
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_normal_merge(&n, &two));
+    TEST_ASSERT_EQUAL_UINT(UINT_MAX, n.count);
+}
+
 static void nothing_can_be_removed_from_empty_sums(void)
 {
     invcal_normal n;
@@ -241,6 +260,7 @@ int main(void)
     RUN_TEST(unusable_weights_and_factors_are_refused);
     RUN_TEST(exact_and_linear_rows_do_not_mix);
     RUN_TEST(without_their_last_row_the_sums_are_empty);
+    RUN_TEST(the_count_does_not_wrap);
     RUN_TEST(nothing_can_be_removed_from_empty_sums);
     return UNITY_END() != 0;
 }
