@@ -12,13 +12,6 @@ void invcal_normal_init(invcal_normal *normal)
     memset(normal, 0, sizeof *normal);
 }
 
-/* It stays at the most there can be. Sums that fade may go on for ever, 16 bits hold no more than
- * 65,535, and 0 would say that they are empty. */
-static unsigned count_of_both(unsigned a, unsigned b)
-{
-    return b < UINT_MAX - a ? a + b : UINT_MAX;
-}
-
 static int is_mixed(const invcal_normal *normal, invcal_model model)
 {
     return normal->model != model && normal->count > 0;
@@ -80,7 +73,8 @@ invcal_status invcal_normal_add(invcal_normal *normal, const invcal_observation 
 
     if (status == INVCAL_OK) {
         accumulate(normal, observation, weight);
-        normal->count = count_of_both(normal->count, 1);
+        /* Sums that fade may go on for ever, and a count of 0 would say that they are empty. */
+        normal->count += normal->count < UINT_MAX;
         normal->model = observation->model;
     }
     return status;
@@ -120,7 +114,8 @@ invcal_status invcal_normal_merge(invcal_normal *normal, const invcal_normal *ot
     if (other->count > 0) {
         normal->model = other->model;
     }
-    normal->count = count_of_both(normal->count, other->count);
+    normal->count =
+        other->count < UINT_MAX - normal->count ? normal->count + other->count : UINT_MAX;
     return INVCAL_OK;
 }
 
