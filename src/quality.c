@@ -223,9 +223,10 @@ INVCAL_APART static void spread_offset(const evidence *e, const invcal_real s[6]
     for (unsigned i = 0; i < 3; i++) {
         q->sigma_delta[i] = within_prior(e, i, sigma_of(e, rows[i], INVCAL_DELTA_X, 3));
         for (unsigned j = 0; j < 3; j++) {
-            x[j] = invcal_dot(inverse[i], rows[j], 3); /* a symmetric matrix */
+            /* of a symmetric matrix. In raw units: then no field unit makes squares overflow */
+            x[j] = e->settings->field * invcal_dot(inverse[i], rows[j], 3);
         }
-        q->sigma_offset[i] = e->settings->field * sigma_of(e, x, INVCAL_DELTA_X, 3);
+        q->sigma_offset[i] = sigma_of(e, x, INVCAL_DELTA_X, 3);
     }
 }
 

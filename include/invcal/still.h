@@ -81,7 +81,7 @@ typedef struct {
     invcal_real var_t, cov[3], var; /* weighted sums of squares about these means */
 } invcal_trend;
 
-/* 256 bytes on a 32-bit machine (float). Nothing in it is meant to be read or changed. */
+/* 248 bytes on a 32-bit machine (float). Nothing in it is meant to be read or changed. */
 typedef struct {
     invcal_block block; /* the one being filled */
     uint32_t time;      /* samples in full blocks so far, modulo 2^32 */

@@ -230,19 +230,24 @@ static void positions_near_the_axes_are_weak_and_name_the_angles(void)
     TEST_ASSERT_EQUAL_HEX16(0x1C0, q.undetermined);
 }
 
+/* In any field unit: its squares alone would overflow a float, or vanish. */
 static void the_offset_sigma_is_that_of_delta_in_raw_units(void)
 {
     scene s = plan18(7, 0.001, 1e-3, 0);
     invcal_quality q;
 
-    s.settings.field = 10;
-    for (int k = 0; k < 3; k++) {
-        s.settings.nominal.matrix[k][k] = (invcal_real)0.5; /* field units per count */
-    }
-    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_assess(&s.residuals, 18, &s.settings, &s.solution, &q));
-    for (int k = 0; k < 3; k++) {
-        TEST_ASSERT_DOUBLE_WITHIN(1e-5 * (double)q.sigma_offset[k], 20 * (double)q.sigma_delta[k],
-                                  (double)q.sigma_offset[k]);
+    for (int exponent = -30; exponent <= 30; exponent += 10) {
+        const double unit = pow(10, exponent);
+        s.settings.field = (invcal_real)(10 * unit);
+        for (int k = 0; k < 3; k++) {
+            s.settings.nominal.matrix[k][k] = (invcal_real)(0.5 * unit); /* a count */
+        }
+        TEST_ASSERT_EQUAL_INT(INVCAL_OK,
+                              invcal_assess(&s.residuals, 18, &s.settings, &s.solution, &q));
+        for (int k = 0; k < 3; k++) {
+            TEST_ASSERT_DOUBLE_WITHIN(1e-5 * 20 * (double)q.sigma_delta[k],
+                                      20 * (double)q.sigma_delta[k], (double)q.sigma_offset[k]);
+        }
     }
 }
 
