@@ -3,23 +3,27 @@
 
 #include "vector.h"
 
+/* Column by column of (I + E) X = -E with I + E = L D L', the last column first. X is symmetric:
+ * what is below the diagonal of a column stands in those before. The adjoint would do without
+ * two of the divisions, and lose the square of the digits. */
 void invcal_near_inverse(const invcal_real e[6], invcal_real out[6])
 {
-    const invcal_real xx = 1 + e[0];
-    const invcal_real yy = 1 + e[2];
-    const invcal_real zz = 1 + e[5];
-    const invcal_real adj[6] = {yy * zz - e[4] * e[4],   e[3] * e[4] - e[1] * zz,
-                                xx * zz - e[3] * e[3],   e[1] * e[4] - e[3] * yy,
-                                e[1] * e[3] - e[4] * xx, xx * yy - e[1] * e[1]};
-    const invcal_real scale = -1 / (xx * adj[0] + e[1] * adj[1] + e[3] * adj[3]);
+    const invcal_real x = 1 / (1 + e[0]); /* D^-1 */
+    const invcal_real yx = e[1] * x;      /* L */
+    const invcal_real zx = e[3] * x;
+    const invcal_real e2 = e[2] - yx * e[1]; /* what is left of E: y y, y z, z z */
+    const invcal_real e4 = e[4] - yx * e[3];
+    const invcal_real y = 1 / (1 + e2);
+    const invcal_real zy = e4 * y;
+    const invcal_real e5 = e[5] - zx * e[3] - zy * e4;
+    const invcal_real z = 1 / (1 + e5);
 
-    /* row r of the adjoint times column c of E: they commute, so the product is symmetric */
-    out[0] = scale * (adj[0] * e[0] + adj[1] * e[1] + adj[3] * e[3]);
-    out[1] = scale * (adj[1] * e[0] + adj[2] * e[1] + adj[4] * e[3]);
-    out[2] = scale * (adj[1] * e[1] + adj[2] * e[2] + adj[4] * e[4]);
-    out[3] = scale * (adj[3] * e[0] + adj[4] * e[1] + adj[5] * e[3]);
-    out[4] = scale * (adj[3] * e[1] + adj[4] * e[2] + adj[5] * e[4]);
-    out[5] = scale * (adj[3] * e[3] + adj[4] * e[4] + adj[5] * e[5]);
+    out[5] = -z * e5;
+    out[4] = -y * e4 - zy * out[5];
+    out[3] = -zx - yx * out[4] - zx * out[5];
+    out[2] = -y * e2 - zy * out[4];
+    out[1] = -yx - yx * out[2] - zx * out[4];
+    out[0] = -x * e[0] - yx * out[1] - zx * out[3];
 }
 
 /* Is d I + sign E positive definite? By its leading minors; a NaN is not. */

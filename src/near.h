@@ -8,15 +8,17 @@
 
 #include "invcal/config.h"
 
-/* out = (I + E)^-1 - I = -adj(I + E) E / det(I + E). A singular matrix gives what is not finite. */
+/* out = (I + E)^-1 - I, for an I + E that is positive or negative definite. Any other gives what may
+ * be far from it, or not finite. */
 void invcal_near_inverse(const invcal_real e[6], invcal_real out[6]);
 
 /* root = (I + E)^1/2 - I, inverse = (I + E)^-1/2 - I. Converges for every positive definite
  * matrix, with each step twice as many digits; ends after 12 steps, enough for eigenvalues from
- * 0.01 to 100. Relative error: within 50 INVCAL_EPSILON times the condition of I + E. */
+ * 0.01 to 100. Relative error: within 25 INVCAL_EPSILON times the condition of I + E. */
 void invcal_near_root(const invcal_real e[6], invcal_real root[6], invcal_real inverse[6]);
 
-/* Are all eigenvalues of I + E above low, and below high? Not if there is a NaN. */
+/* Are all eigenvalues of I + E above low, and below high? Told to 10 INVCAL_EPSILON of the largest.
+ * Not if there is a NaN. */
 int invcal_near_is_between(const invcal_real e[6], invcal_real low, invcal_real high);
 
 /* y = (I + E) x */

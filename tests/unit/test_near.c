@@ -58,7 +58,9 @@ static void the_root_of_a_square_is_what_was_squared(void)
     }
 }
 
-/* In the axes of M: any eigenvalues from 0.01 to 100 have their roots and inverse roots. */
+/* In the axes of M: any eigenvalues from 0.01 to 100 have their roots and inverse roots. Every
+ * third M has one large one beside two small ones, where an inverse by the adjoint
+ * would lose the square of the condition. */
 static void roots_are_right_for_axes_of_any_length_within_the_limits(void)
 {
     random_source random = random_start(1);
@@ -75,6 +77,9 @@ static void roots_are_right_for_axes_of_any_length_within_the_limits(void)
         invcal_real found[2][6];
         for (unsigned k = 0; k < 3; k++) {
             root[k] = pow(10, random_uniform(&random, -1, 1));
+            if (i % 3 == 0) {
+                root[k] = k == 0 ? fmax(root[k], 1 / root[k]) : 1 / root[0];
+            }
             square[k] = root[k] * root[k];
             inverse[k] = 1 / root[k];
             least = fmin(least, root[k]);
@@ -91,9 +96,9 @@ static void roots_are_right_for_axes_of_any_length_within_the_limits(void)
         invcal_near_root(e, found[0], found[1]);
         for (unsigned k = 0; k < 6; k++) {
             const double one = k == 0 || k == 2 || k == 5;
-            TEST_ASSERT_DOUBLE_WITHIN(10 * tiny * condition * most, expected[0][k] - one,
+            TEST_ASSERT_DOUBLE_WITHIN(5 * tiny * condition * most, expected[0][k] - one,
                                       (double)found[0][k]);
-            TEST_ASSERT_DOUBLE_WITHIN(10 * tiny * condition / least, expected[1][k] - one,
+            TEST_ASSERT_DOUBLE_WITHIN(5 * tiny * condition / least, expected[1][k] - one,
                                       (double)found[1][k]);
         }
     }
