@@ -28,14 +28,14 @@ void invcal_eigen3_decompose(const invcal_real m[6], invcal_eigen3 *out);
  * a  the packed matrix (INVCAL_PACKED), n rows, 1 <= n <= INVCAL_MAX_PARAMETERS. Used as
  *    workspace: its content is lost.
  *
- * Relative error: 2 n INVCAL_EPSILON times the condition number. A matrix that is not positive
+ * Relative error: (n + 8) INVCAL_EPSILON times the condition number. A matrix that is not positive
  * definite to rounding gives INVCAL_REAL_MAX. */
 invcal_real invcal_condition(invcal_real *a, unsigned n);
 
 /* The largest eigenvalue of a symmetric positive definite matrix; a and n as above. Relative
- * error: (n + 1) INVCAL_EPSILON, so that the largest of A times the largest of A^-1 gives a condition
- * without the loss above. What is no positive definite matrix gives INVCAL_REAL_MAX or a number
- * without meaning. */
+ * error: (n + 8) INVCAL_EPSILON, so that the largest of A times the largest of A^-1 gives a
+ * condition without the loss above. What is no positive definite matrix gives INVCAL_REAL_MAX or
+ * a number without meaning. */
 invcal_real invcal_largest_eigenvalue(invcal_real *a, unsigned n);
 
 #ifdef __cplusplus
