@@ -8,8 +8,8 @@
 
 #include "invcal/config.h"
 
-/* out = (I + E)^-1 - I, for an I + E that is positive or negative definite. Any other gives what may
- * be far from it, or not finite. */
+/* out = (I + E)^-1 - I, for an I + E that is positive or negative definite. Any other gives what
+ * may be far from it, or not finite. */
 void invcal_near_inverse(const invcal_real e[6], invcal_real out[6]);
 
 /* root = (I + E)^1/2 - I, inverse = (I + E)^-1/2 - I. Converges for every positive definite

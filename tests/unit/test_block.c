@@ -168,6 +168,30 @@ static void a_sample_at_a_rail_or_beyond_is_clipped_on_any_axis_at_any_time(void
     }
 }
 
+/* What begins as far from a rail as differences may be that are added quickly, and reaches it. */
+static void a_rail_is_seen_from_any_distance(void)
+{
+    static const int32_t low = -131072;
+    static const int32_t high = 131071;
+
+    for (int32_t distance = 1; distance <= 65536; distance *= 2) {
+        for (int32_t off = -1; off <= 1; off++) {
+            for (unsigned i = 0; i < 4; i++) {
+                sample[i][0] = low + distance + off;
+                sample[i][1] = high - distance - off;
+                sample[i][2] = 0;
+            }
+            const int begins_there = distance + off == 0;
+            TEST_ASSERT_EQUAL_INT(begins_there, fill(4, low, high).clipped);
+            sample[2][0] = low;
+            TEST_ASSERT_TRUE(fill(4, low, high).clipped);
+            sample[2][0] = sample[1][0];
+            sample[2][1] = high;
+            TEST_ASSERT_TRUE(fill(4, low, high).clipped);
+        }
+    }
+}
+
 static void a_block_at_a_rail_is_summed_exactly(void)
 {
     const double centre[3] = {2000, -2000, 0};
@@ -243,6 +267,7 @@ int main(void)
     RUN_TEST(nothing_overflows_at_the_largest_distance);
     RUN_TEST(a_sample_too_far_from_the_first_makes_a_block_wild);
     RUN_TEST(a_sample_at_a_rail_or_beyond_is_clipped_on_any_axis_at_any_time);
+    RUN_TEST(a_rail_is_seen_from_any_distance);
     RUN_TEST(a_block_at_a_rail_is_summed_exactly);
     RUN_TEST(quantum_is_the_smallest_change_and_outlives_the_block);
     RUN_TEST(a_dropped_block_leaves_nothing_in_the_next);

@@ -308,6 +308,73 @@ static void a_prior_is_weighed_against_the_noise_that_is_there(void)
     TEST_ASSERT_EQUAL_HEX16(0, quality.from_prior);
 }
 
+/* That the noise comes from residuals is not forgotten when the solution is made once more: with
+ * 18 degrees of freedom or fewer Student's factor is 2.10 or more. */
+static void coverage_beside_a_prior_is_that_of_the_residuals(void)
+{
+    random_source random = random_start(4);
+    invcal_settings settings = unit_settings(1e-5);
+
+    for (int r = 0; r < 9; r++) {
+        settings.prior[r] = (invcal_real)0.01;
+    }
+    for (int draw = 0; draw < SOME(20); draw++) {
+        const triad_truth truth = triad_random(&random, 0.01);
+        reading_set set;
+        invcal_solution solution;
+        invcal_quality quality;
+        read_positions(&truth, expected_plan18, 18, 1e-3, &random, &set);
+        TEST_ASSERT_EQUAL_INT(INVCAL_OK, calibrate_set(&set, &settings, &solution, &quality, NULL));
+        TEST_ASSERT_TRUE(quality.coverage > (invcal_real)2.1);
+    }
+}
+
+/* Position 1 is in no sum, position 5 has the largest residual of the others, and all but the last
+ * have faded: as if the rest had been added one by one with their weights. */
+static void kept_positions_count_by_their_age_unless_they_are_left_out(void)
+{
+    enum { COUNT = 18, OUT = 1, WORST = 5 };
+    random_source random = random_start(5);
+    const triad_truth truth = triad_random(&random, 0.01);
+    const invcal_settings settings = unit_settings(0);
+    uint8_t age[COUNT];
+    invcal_normal normal;
+    invcal_residuals residuals;
+    invcal_observation row;
+    invcal_solution solution;
+    invcal_quality expected;
+    invcal_quality quality;
+    reading_set set;
+
+    read_positions(&truth, expected_plan18, COUNT, 1e-4, &random, &set);
+    set.u[OUT][0] += (invcal_real)0.05;
+    set.u[WORST][2] += (invcal_real)0.005;
+    invcal_normal_init(&normal);
+    for (unsigned i = 0; i < COUNT; i++) {
+        age[i] = (uint8_t)(4 * (COUNT - 1 - i));
+        TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_observation_exact(set.u[i], &row));
+        if (i != OUT) {
+            const invcal_real weight = (invcal_real)pow(31.0 / 32, age[i]);
+            TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_normal_add(&normal, &row, weight));
+        }
+    }
+    const invcal_positions positions = {&set.u[0][0], age, COUNT, (invcal_mask)1 << OUT};
+    TEST_ASSERT_EQUAL_INT(
+        INVCAL_OK, invcal_calibrate_sums(&normal, &positions, &settings, &solution, &quality));
+    invcal_residuals_init(&residuals, &solution);
+    for (unsigned i = 0; i < COUNT; i++) {
+        const invcal_real weight = (invcal_real)pow(31.0 / 32, age[i]);
+        if (i != OUT) {
+            (void)invcal_residuals_add(&residuals, set.u[i], weight, NULL);
+        }
+    }
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK,
+                          invcal_assess(&residuals, COUNT - 1, &settings, &solution, &expected));
+    TEST_ASSERT_EQUAL_UINT(WORST, quality.worst);
+    assert_ratio(1e-5, (double)expected.noise, (double)quality.noise);
+    assert_ratio(1e-5, (double)expected.sigma_dk[0], (double)quality.sigma_dk[0]);
+}
+
 /* The same readings and priors, once over field and once in m/s^2 of counts: tilts by 10 degrees,
  * which leave much to the prior. */
 static void a_prior_weighs_the_same_in_any_unit(void)
@@ -365,5 +432,7 @@ int main(void)
     RUN_TEST(a_partial_prior_needs_as_many_positions_as_it_leaves_open);
     RUN_TEST(a_prior_is_weighed_against_the_noise_that_is_there);
     RUN_TEST(a_prior_weighs_the_same_in_any_unit);
+    RUN_TEST(coverage_beside_a_prior_is_that_of_the_residuals);
+    RUN_TEST(kept_positions_count_by_their_age_unless_they_are_left_out);
     return UNITY_END() != 0;
 }

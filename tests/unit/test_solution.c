@@ -548,6 +548,43 @@ static void the_deviation_is_put_together_from_dk_and_gamma(void)
     }
 }
 
+/* A semi-axis of 0.1 to 10 of nominal is a triad's. Readings are kept between 0.1 and 10, too. */
+static void semi_axes_beyond_their_limits_are_no_triads(void)
+{
+    static const struct {
+        double dk;
+        invcal_status status;
+    } limits[] = {{0.13 - 1, INVCAL_OK},
+                  {0.07 - 1, INVCAL_NOT_ELLIPSOID},
+                  {9.5 - 1, INVCAL_OK},
+                  {10.5 - 1, INVCAL_NOT_ELLIPSOID}};
+    const invcal_settings settings = unit_settings(0);
+    random_source random = random_start(15);
+
+    for (unsigned i = 0; i < sizeof limits / sizeof limits[0]; i++) {
+        triad_truth truth = {{0}};
+        invcal_normal normal;
+        invcal_solution solution;
+        truth.x[INVCAL_DK_X] = limits[i].dk;
+        invcal_normal_init(&normal);
+        while (normal.count < 40) {
+            double eta[3];
+            double u[3];
+            invcal_observation row;
+            random_direction(&random, eta);
+            triad_read(&truth, eta, u);
+            const invcal_real up[3] = {(invcal_real)eta[0], (invcal_real)eta[1],
+                                       (invcal_real)eta[2]};
+            const invcal_real reading[3] = {(invcal_real)u[0], (invcal_real)u[1],
+                                            (invcal_real)u[2]};
+            if (invcal_observation_vertical(reading, up, &row) == INVCAL_OK) {
+                (void)invcal_normal_add(&normal, &row, 1);
+            }
+        }
+        TEST_ASSERT_EQUAL_INT(limits[i].status, invcal_solve(&normal, &settings, &solution));
+    }
+}
+
 int main(void)
 {
     UNITY_BEGIN();
@@ -565,5 +602,6 @@ int main(void)
     RUN_TEST(unusable_settings_are_refused_and_the_solution_left_alone);
     RUN_TEST(unreal_sums_are_refused);
     RUN_TEST(the_deviation_is_put_together_from_dk_and_gamma);
+    RUN_TEST(semi_axes_beyond_their_limits_are_no_triads);
     return UNITY_END() != 0;
 }
