@@ -70,7 +70,8 @@ INVCAL_APART static invcal_status solve_and_assess(const invcal_normal *normal,
     invcal_residuals residuals;
     invcal_status status = invcal_solve(normal, settings, solution);
 
-    if (status == INVCAL_NOT_ELLIPSOID && invcal_undetermined(normal)) {
+    if (status == INVCAL_NOT_ELLIPSOID && !invcal_has_prior(settings) &&
+        invcal_undetermined(normal)) {
         return INVCAL_UNDETERMINED; /* what is left open may take any shape */
     }
     if (status == INVCAL_OK) {
