@@ -22,7 +22,7 @@ FLAGS   = -std=c99 $(OPT) -ffp-contract=off -ffunction-sections -fdata-sections 
 TESTING = -DUNITY_INCLUDE_DOUBLE -DUNITY_STRICT -DUNITY_SUPPORT_64 $(SHORT) \
           $(if $(RAM),-DTEST_RAM=$(RAM)) \
           '-DUNITY_OUTPUT_CHAR(c)=board_put(c)' \
-          -include board.h -I$(UNITY) -Itests/unit -Itests/reference -Ibuild
+          -include board.h -I$(UNITY) -Itests/unit -Itests/reference -I$(BUILD)
 
 LIBRARY := $(patsubst %.c,$(OUT)/%.o,$(wildcard src/*.c))
 SUITES  := $(patsubst tests/unit/%.c,%,$(wildcard tests/unit/test_*.c))
@@ -33,7 +33,7 @@ Q := $(if $(V),,@)
 
 .DELETE_ON_ERROR:
 .SECONDARY:
-.PHONY: tests bench counter digest facts
+.PHONY: tests bench digest facts
 
 # Flags may have changed with them.
 RULES := $(MAKEFILE_LIST)
@@ -46,11 +46,17 @@ $(OUT)/unity.o: $(UNITY)/unity.c $(RULES)
 	@mkdir -p $(@D)
 	$(Q)$(CC) $(FLAGS) $(TESTING) -c $< -o $@
 
+# The position means as C arrays: there are no files on a target.
+$(BUILD)/positions.h: tests/data/to_c.awk $(wildcard tests/data/*_positions.csv)
+	@mkdir -p $(@D)
+	$(Q)awk -f $^ > $@
+$(IMAGES:%=$(OUT)/tests/unit/%.o) $(OUT)/tests/digest/digest.o: | $(BUILD)/positions.h
+
 $(OUT)/tests/unit/%.o: FLAGS += $(TESTING)
-$(OUT)/tests/digest/%.o: FLAGS += -Itests/reference -Ibuild
+$(OUT)/tests/digest/%.o: FLAGS += -Itests/reference -I$(BUILD)
 
 define part
-$(OUT)/tests/unit/$(1).$(2).o: tests/unit/$(1).c
+$(OUT)/tests/unit/$(1).$(2).o: tests/unit/$(1).c $(RULES)
 	@mkdir -p $$(@D)
 	$(Q)$$(CC) $$(FLAGS) -DTEST_PARTS=$(words $(PARTS_$(1))) -DTEST_PART=$(2) -c $$< -o $$@
 endef
@@ -73,12 +79,9 @@ bench: $(OUT)/bench.elf
 # The example firmware, where the family has one.
 -include $(dir $(TARGET))firmware/firmware.mk
 
-# For tests/bench.sh: what is counted, nothing if the machine cannot count; and how.
-counter:
-	@echo '$(UNIT)'; echo '$(RUN:-kernel=$(COUNTING) -kernel)'
-
-# For tests/targets.sh: compiler, emulator, folder of the images, and how one is run.
+# For tests/target.sh. With run_counting the machine counts; unit says what, nothing if it cannot.
 facts:
-	@echo '$(CC)'; echo '$(or $(EMULATOR),$(firstword $(RUN)))'; echo '$(OUT)'; echo '$(RUN)'
+	@echo "compiler='$(CC)' cpu='$(CPU)' emulator='$(or $(EMULATOR),$(firstword $(RUN)))'"
+	@echo "out='$(OUT)' run='$(RUN)' run_counting='$(RUN:-kernel=$(COUNTING) -kernel)' unit='$(UNIT)'"
 
 -include $(shell find $(OUT) -name '*.d' 2>/dev/null)

@@ -1,49 +1,39 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
+# shellcheck disable=SC2154 # target_facts sets what is not set here
 #
 # `make bench`: what each operation takes on every target that can count, against
 # tests/bench/budgets.txt. $1: folder to build in. TARGETS: folders, all under port/ unless given.
 # UPDATE=1: writes the budgets anew.
-out=$1/bench
+build=$1/targets
+logs=$1/bench
 budgets=tests/bench/budgets.txt
 
 cd "$(dirname "$0")/.." || exit 1
-rm -rf "$out"
-mkdir -p "$out"
+. tests/target.sh
+rm -rf "$logs"
+mkdir -p "$logs"
 
-target_make() {
-    make -s -f port/build.mk BUILD="$build" TARGET="$target" "$@"
-}
-
-build=$1/targets
-for target in ${TARGETS:-$(find port -name target.mk | sed 's|/target.mk||' | sort)}; do
-    counter=$(target_make counter) || exit 1
-    unit=$(echo "$counter" | head -n 1)
-    run=$(echo "$counter" | sed -n 2p)
+for target in ${TARGETS:-$(all_targets)}; do
+    target=${target%/}
     name=${target##*/}
+    target_facts "$build" "$target" || exit 1
     [ -n "$unit" ] || continue
-    { read -r compiler && read -r emulator && read -r folder; } << EOF
-$(target_make facts)
-EOF
-    for command in "$compiler" "$emulator"; do
-        if ! command -v "$command" > /dev/null; then
-            echo "$command is not installed: make deps" >&2
-            exit 1
-        fi
-    done
+    need "$compiler" "$emulator" || exit 1
     # shellcheck disable=SC2086 # a command with its arguments
-    if target_make -j2 bench && $run "$folder/bench.elf" > "$out/$name.log" 2>&1 < /dev/null &&
-        grep -q '^OK' "$out/$name.log"; then
-        awk 'NF == 2 { print $1, $2 }' "$out/$name.log" > "$out/$name.figures"
-        echo "$name $unit" >> "$out/units"
+    if {
+        target_make "$build" "$target" -j2 bench && timeout 300 $run_counting "$out/bench.elf"
+    } > "$logs/$name.log" 2>&1 < /dev/null && grep -q '^OK' "$logs/$name.log"; then
+        awk 'NF == 2 { print $1, $2 }' "$logs/$name.log" > "$logs/$name.figures"
+        echo "$name $unit" >> "$logs/units"
     else
-        cat "$out/$name.log"
-        echo "$name fault" >> "$out/units"
+        cat "$logs/$name.log"
+        echo "$name fault" >> "$logs/units"
     fi
 done
 
 if [ -n "$UPDATE" ]; then
-    awk -f tests/size/update.awk $budgets "$out"/*.figures > "$out/budgets.txt" &&
-        mv "$out/budgets.txt" $budgets && echo "$budgets: written anew"
+    awk -f tests/size/update.awk $budgets "$logs"/*.figures > "$logs/budgets.txt" &&
+        mv "$logs/budgets.txt" $budgets && echo "$budgets: written anew"
 fi
-awk -f tests/bench/report.awk $budgets "$out/units" "$out"/*.figures
+awk -f tests/bench/report.awk $budgets "$logs/units" "$logs"/*.figures

@@ -5,6 +5,7 @@
 # emulated Cortex-M4F, and once more on a Cortex-M0+. $1: folder to build in.
 # Lines that begin with "world:" are the simulated world's: it knows the truth, the firmware does
 # not, and what the firmware printed is compared with it here.
+. "$(dirname "$0")/target.sh"
 targets=${1:-build/targets}
 out=$targets/firmware
 passed=0
@@ -23,7 +24,7 @@ check() { # name command...: the command's last line says what is wrong, if it f
 }
 
 build() { # target
-    make -s -f port/build.mk TARGET="port/cortex-m/$1" BUILD="$targets" firmware
+    target_make "$targets" "port/cortex-m/$1" firmware
 }
 
 run() { # target machine log

@@ -1,5 +1,6 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
+# shellcheck disable=SC2154 # target_facts sets what is not set here
 #
 # sh tests/targets.sh BUILD [TARGET...]
 # Builds the unit tests for every target folder under port/, or those named, runs them in its
@@ -10,7 +11,7 @@ build=$1
 shift
 here=$(dirname "$0")
 limit=300 # seconds for one image
-unset MAKEFLAGS # a CC=... meant for the host would be taken for every target
+. "$here/target.sh"
 
 # Those that run the long tests first: they take the longest.
 if [ $# -eq 0 ]; then
@@ -19,27 +20,9 @@ if [ $# -eq 0 ]; then
     set -- $(grep -l '^LONG' $all) $(grep -L '^LONG' $all)
 fi
 
-target_make() {
-    make -s -f port/build.mk BUILD="$build/targets" TARGET="$target" "$@"
-}
-
-# The facts that port/build.mk tells: compiler, emulator, folder of the images, how to run one.
-facts() {
-    told=$(target_make facts) || exit 1
-    { read -r compiler && read -r emulator && read -r out && read -r run; } << EOF
-$told
-EOF
-}
-
 for target; do
-    target=${target%/target.mk}
-    facts
-    for command in "$compiler" "$emulator"; do
-        if ! command -v "$command" > /dev/null; then
-            echo "$command is not installed: make deps" >&2
-            exit 1
-        fi
-    done
+    target_facts "$build/targets" "${target%/target.mk}" || exit 1
+    need "$compiler" "$emulator" || exit 1
 done
 
 # A line for each image: its log, and the command that runs it.
@@ -48,9 +31,12 @@ list=$build/targets/images
 : > "$list"
 for target; do
     target=${target%/target.mk}
-    facts
+    target_facts "$build/targets" "$target" || exit 1
     rm -f "$out"/*.elf "$out"/*.log # of suites that are no more
-    target_make -j2 tests digest || { echo "$target does not build" >&2; exit 1; }
+    if ! target_make "$build/targets" "$target" -j2 tests digest; then
+        echo "$target does not build" >&2
+        exit 1
+    fi
     for image in "$out"/*.elf; do
         echo "${image%.elf}.log $run $image" >> "$list"
     done

@@ -30,4 +30,4 @@ $(OUT)/depth.elf: $(OUT)/tests/size/depth.o $(COMMON) $(LIBRARY)
 
 .PHONY: depth
 depth: $(OUT)/depth.elf
-	@$(RUN) $<
+	@timeout 60 $(RUN) $<
