@@ -5,7 +5,9 @@
 #     "stack" room function bytes callbacks path
 # where callbacks is 1 if some function on the way calls where a pointer points, and path names the
 # frames of the deepest way, "function:bytes,function:bytes"; and "fault ..." for each recursion,
-# frame without a bound, frame that nobody knows, and use of the heap.
+# frame without a bound, frame that nobody knows, use of the heap, and call of the library for
+# arithmetic in double, which is the compiler's where the processor has none. (Some compilers' own
+# conversion of 64-bit integers to float takes the way by double.)
 #
 # A function is a section (-ffunction-sections). Of those that are not the library's no compiler
 # states a frame: it is the sum of all that their instructions push, or, where that cannot be read,
@@ -126,6 +128,8 @@ function read_frame(label, bytes, beyond) {
     return bytes
 }
 
+function is_double(symbol) { return symbol ~ /^__(aeabi_(d|[a-z]+2d)|[a-z]*df)/ }
+
 # The most stack that node n takes, what it calls included. A function of the library gives its
 # frame back before it jumps into another one; of others that is not known.
 function worst(n,    i, to, below, most, held) {
@@ -141,6 +145,7 @@ function worst(n,    i, to, below, most, held) {
     most = held
     for (i = 1; i <= edges[n]; i++) {
         to = to_of[n, i]
+        if (owned[n] && is_double(name[to])) fault(name[n] " computes double: " name[to])
         below = worst(to)
         if (kind_of[n, i] == "call" || !owned[n]) below += held
         if (calls_back[to]) calls_back[n] = 1
