@@ -12,7 +12,7 @@ FNR == 1 {
 }
 /^#/ || NF == 0 { next }
 file == 1 && $1 == "figure" { for (i = 2; i <= NF; i++) column[$i] = i; next }
-file == 1 { for (name in column) budget[$1, name] = $(column[name]); next }
+file == 1 { operations[$1]; for (name in column) budget[$1, name] = $(column[name]); next }
 file == 2 && $2 == "fault" { failure[++failed] = $1 " does not run to its end"; next }
 file == 2 { names[++targets] = $1; unit[$1] = $2; next }
 {
@@ -34,6 +34,9 @@ END {
         printf "%-28s", rows[r]
         for (i = 1; i <= targets; i++) printf "%*s", width(names[i]), value[rows[r], names[i]]
         printf "%10s\n", budget[rows[r], "issue"] == "-" ? "" : budget[rows[r], "issue"]
+    }
+    for (i = 1; i <= targets; i++) for (r in operations) {
+        if (!((r, names[i]) in value)) failure[++failed] = names[i] ": " r " was not measured"
     }
     for (i = 1; i <= failed; i++) print "FAIL " failure[i]
     print passed + 0 " passed, " failed + 0 " failed"

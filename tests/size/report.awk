@@ -8,7 +8,7 @@
 FNR == 1 { file++ }
 /^#/ || NF == 0 { next }
 
-file == 1 && $1 == "figure" { for (i = 3; i <= NF; i++) if ($i == target) column = i }
+file == 1 && $1 == "figure" { for (i = 3; i <= NF; i++) if ($i == target) column = i; next }
 file == 1 && $1 !~ /^frame\./ && column { budget[$1] = $column }
 file == 1 && $1 !~ /^frame\./ && target == "m4f" { issue[$1] = $2 }
 file == 1 { next }
@@ -89,6 +89,9 @@ function wrap(line, list,    frame, i, n) {
 
 END {
     if (!column) fail("has no budgets: make size UPDATE=1")
+    for (what in budget) {
+        if (budget[what] != "-" && figure[what] == "") fail(what " has a budget, and was not measured")
+    }
     room_table()
     figure_table()
     printf "\n%-28s%8s%12s\n", "stack", "measured", "computed"
