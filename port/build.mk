@@ -42,6 +42,9 @@ $(OUT)/%.o: %.c $(RULES)
 	@mkdir -p $(@D)
 	$(Q)$(CC) $(FLAGS) -c $< -o $@
 
+# Where int has 16 bits, it is here that a number too large for it is noticed.
+$(LIBRARY): FLAGS += -Wconversion -pedantic -Werror
+
 $(OUT)/unity.o: $(UNITY)/unity.c $(RULES)
 	@mkdir -p $(@D)
 	$(Q)$(CC) $(FLAGS) $(TESTING) -c $< -o $@

@@ -42,9 +42,13 @@ function begin(    part, n) {
 
 NR == FNR { host[FNR] = $0; if ($1 == "digest") host_digest = $2; next }
 FNR == 1 { begin() }
-/^exit status [0-9]+$/ { status = $3 }
+/^exit status [0-9]+$/ {
+    status = $3
+    shown = shown $0 "\n"
+    next
+}
 image == "digest" {
-    if ($1 == "digest") same = $2 == host_digest
+    if ($1 == "digest") same = $2 "" == host_digest "" # as text: 1E2 is not 100
     if ($0 != host[FNR] && differences++ < 3) shown = shown $0 ", on the host " host[FNR] "\n"
     next
 }

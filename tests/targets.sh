@@ -10,7 +10,7 @@
 build=$1
 shift
 here=$(dirname "$0")
-limit=300 # seconds for one image
+limit=600 # seconds for one image
 . "$here/target.sh"
 
 # Those that run the long tests first: they take the longest.
