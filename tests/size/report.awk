@@ -44,7 +44,7 @@ function check(what, value) {
 function depth(name, bytes) {
     depths[++measures] = sprintf("%-28s%8d%12d", name, bytes, stack[name])
     if (bytes > stack[name]) fail(name " took " bytes " of stack, computed " stack[name] + 0)
-    else if (bytes < 0.75 * stack[name]) fail(name " took only " bytes " of stack, computed " stack[name])
+    else if (bytes < 2 / 3 * stack[name]) fail(name " took only " bytes " of stack, computed " stack[name])
     else passed++
 }
 
