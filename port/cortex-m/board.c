@@ -1,14 +1,12 @@
 /* SPDX-License-Identifier: MIT
  *
- * Semihosting: the emulator, or a debugger, does what the program asks for at a breakpoint.
+ * A Cortex-M on an MPS2 board: its breakpoint for semihosting, timer 0, memory.
  */
 #include "board.h"
 
-enum { SYS_WRITEC = 0x03, SYS_EXIT = 0x18 };
-#define APPLICATION_EXIT UINT32_C(0x20026)
-#define RUN_TIME_ERROR UINT32_C(0x20023)
+#include "semihosting.h"
 
-static void call(uint32_t operation, uint32_t argument)
+void semihosting_call(uint32_t operation, uint32_t argument)
 {
     register uint32_t r0 __asm("r0") = operation;
     register uint32_t r1 __asm("r1") = argument;
@@ -28,20 +26,6 @@ void board_begin(void)
     TIMER[RELOAD] = UINT32_MAX;
     TIMER[VALUE] = UINT32_MAX;
     TIMER[CONTROL] = 1;
-}
-
-void board_put(int c)
-{
-    const char text = (char)c;
-
-    call(SYS_WRITEC, (uint32_t)&text);
-}
-
-void board_exit(int code)
-{
-    call(SYS_EXIT, code == 0 ? APPLICATION_EXIT : RUN_TIME_ERROR);
-    for (;;) {
-    }
 }
 
 /* With qemu's -icount shift=6 an instruction takes 64 ns. */

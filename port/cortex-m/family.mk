@@ -2,7 +2,7 @@
 # What all Cortex-M targets share.
 PREFIX   := arm-none-eabi-
 LINK      = -nostartfiles -Wl,-T,port/cortex-m/sections.ld -L $(TARGET) -lc -lm -lgcc
-BOARD    := port/cortex-m/start.c port/cortex-m/board.c
+BOARD    := port/bare.c port/semihosting.c port/cortex-m/start.c port/cortex-m/board.c
 QEMU     := qemu-system-arm -nographic -monitor none -serial none \
             -semihosting-config enable=on,target=native
 COUNTING := -icount shift=6

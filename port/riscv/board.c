@@ -1,16 +1,14 @@
 /* SPDX-License-Identifier: MIT
  *
- * Semihosting: the emulator, or a debugger, does what the program asks for at a breakpoint.
+ * A RISC-V machine: its breakpoint for semihosting, its counter.
  */
 #include "board.h"
 
-enum { SYS_WRITEC = 0x03, SYS_EXIT = 0x18 };
-#define APPLICATION_EXIT UINT32_C(0x20026)
-#define RUN_TIME_ERROR UINT32_C(0x20023)
+#include "semihosting.h"
 
 /* The two shifts, which do nothing, tell this breakpoint from others. All three must be of 32 bits,
  * in one page of memory. */
-static void call(uint32_t operation, uint32_t argument)
+void semihosting_call(uint32_t operation, uint32_t argument)
 {
     register uint32_t a0 __asm("a0") = operation;
     register uint32_t a1 __asm("a1") = argument;
@@ -29,20 +27,6 @@ static void call(uint32_t operation, uint32_t argument)
 
 void board_begin(void)
 {
-}
-
-void board_put(int c)
-{
-    const char text = (char)c;
-
-    call(SYS_WRITEC, (uint32_t)&text);
-}
-
-void board_exit(int code)
-{
-    call(SYS_EXIT, code == 0 ? APPLICATION_EXIT : RUN_TIME_ERROR);
-    for (;;) {
-    }
 }
 
 /* Every RISC-V counts its instructions; qemu counts them exactly under -icount. */
