@@ -31,6 +31,7 @@ IMAGES  := $(foreach s,$(SUITES),$(if $(PARTS_$s),$(PARTS_$s:%=$s.%),$s))
 COMMON  := $(BOARD:%.c=$(OUT)/%.o)
 Q := $(if $(V),,@)
 
+.DEFAULT_GOAL := tests
 .DELETE_ON_ERROR:
 .SECONDARY:
 .PHONY: tests bench digest facts
