@@ -132,7 +132,7 @@ format: ## lay out the sources by .clang-format (needs clang-format 19)
 
 deps: ## install what all of these need beyond a C compiler (Debian, root)
 	apt-get update
-	apt-get install -y --no-install-recommends gcc clang-19 libclang-rt-19-dev \
+	apt-get install -y --no-install-recommends gcc git clang-19 libclang-rt-19-dev \
 	    clang-format-19 python3 shellcheck \
 	    gcc-arm-none-eabi libnewlib-arm-none-eabi qemu-system-arm gcc-avr avr-libc simavr \
 	    gcc-riscv64-unknown-elf picolibc-riscv64-unknown-elf qemu-system-misc \
