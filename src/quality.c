@@ -53,23 +53,43 @@ static invcal_real told_by_data(const evidence *e, unsigned r, invcal_real k)
     return sigma > 0 ? 1 - k * e->noise * e->noise / (sigma * sigma) : 1;
 }
 
+/* L^-1 of H'H with the prior into e->l. */
+static invcal_status invert(evidence *e)
+{
+    const invcal_status status =
+        invcal_information_factor(&e->residuals->normal, e->settings, &e->noise, e->l);
+
+    if (status == INVCAL_OK) {
+        invcal_cholesky_invert(e->l, INVCAL_PARAMETERS);
+    }
+    return status;
+}
+
+/* K(r,r), the square of a column of L^-1. */
+static invcal_real variance(const evidence *e, unsigned r)
+{
+    invcal_real sum = 0;
+
+    for (unsigned i = r; i < INVCAL_PARAMETERS; i++) {
+        const invcal_real x = e->l[INVCAL_PACKED(i, r)];
+        sum += x * x;
+    }
+    return sum;
+}
+
 /* How many parameters the data had to determine: what the prior supplies, at the noise stated,
  * does not count. */
 static invcal_status parameters_of_data(evidence *e, invcal_real *parameters)
 {
-    invcal_real diagonal[INVCAL_PARAMETERS];
-
     *parameters = INVCAL_PARAMETERS;
     if (!invcal_has_prior(e->settings)) {
         return INVCAL_OK;
     }
-    const invcal_status status =
-        invcal_information_factor(&e->residuals->normal, e->settings, &e->noise, e->l);
+    const invcal_status status = invert(e);
     if (status == INVCAL_OK) {
-        invcal_cholesky_inverse_diagonal(e->l, INVCAL_PARAMETERS, diagonal);
         *parameters = 0;
         for (unsigned r = 0; r < INVCAL_PARAMETERS; r++) {
-            *parameters += told_by_data(e, r, diagonal[r]);
+            *parameters += told_by_data(e, r, variance(e, r));
         }
     }
     return status;
@@ -126,28 +146,14 @@ static int is_weak(const evidence *e, invcal_real k, const invcal_quality *q)
     return !(INVCAL_SQRT(k * e->share) <= WEAK_ROOT_K && of_noise <= NOISE_SHARE);
 }
 
-/* K(r,r), the square of a column of L^-1. */
-static invcal_real variance(const evidence *e, unsigned r)
-{
-    invcal_real sum = 0;
-
-    for (unsigned i = r; i < INVCAL_PARAMETERS; i++) {
-        const invcal_real x = e->l[INVCAL_PACKED(i, r)];
-        sum += x * x;
-    }
-    return sum;
-}
-
 /* undetermined, from_prior and the verdict. */
 static invcal_status judge_parameters(evidence *e, invcal_quality *q)
 {
-    const invcal_status status =
-        invcal_information_factor(&e->residuals->normal, e->settings, &e->noise, e->l);
+    const invcal_status status = invert(e);
 
     if (status != INVCAL_OK) {
         return status;
     }
-    invcal_cholesky_invert(e->l, INVCAL_PARAMETERS);
     q->undetermined = 0;
     q->from_prior = 0;
     for (unsigned r = 0; r < INVCAL_PARAMETERS; r++) {

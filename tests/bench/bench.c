@@ -5,7 +5,7 @@
  */
 #include <string.h>
 
-#include "board.h"
+#include "../report.h"
 #include "invcal/invcal.h"
 
 enum { POSITIONS = 18, REPEATS = 16 };
@@ -14,36 +14,6 @@ enum { POSITIONS = 18, REPEATS = 16 };
 static invcal_real raw[POSITIONS][3];
 static invcal_settings settings;
 static invcal_session session;
-
-/* ---- output --------------------------------------------------------------------------------- */
-
-static void put_text(const char *text)
-{
-    while (*text) {
-        board_put(*text++);
-    }
-}
-
-static void put_number(uint32_t n)
-{
-    char digits[11];
-    unsigned at = sizeof digits;
-
-    digits[--at] = '\0';
-    do {
-        digits[--at] = (char)('0' + n % 10);
-        n /= 10;
-    } while (n);
-    put_text(&digits[at]);
-}
-
-static void report(uint32_t count, const char *what)
-{
-    put_text(what);
-    board_put(' ');
-    put_number(count);
-    board_put('\n');
-}
 
 /* ---- the clock ------------------------------------------------------------------------------ */
 
@@ -110,21 +80,21 @@ static void bench_core(void)
         add_position(&normal, raw[i]);
     }
     const invcal_status status = invcal_solve(&normal, &settings, &solution);
-    report(end(), "18_positions_and_solve");
+    report("18_positions_and_solve", end());
     if (status != INVCAL_OK) {
         board_exit(1);
     }
     begin();
     add_position(&normal, raw[0]);
-    report(end(), "add_position");
+    report("add_position", end());
     begin();
     (void)invcal_solve(&normal, &settings, &solution);
-    report(end(), "solve");
+    report("solve", end());
     begin();
     for (unsigned i = 0; i < REPEATS; i++) {
         invcal_apply(&solution.calibration, raw[i], calibrated);
     }
-    report(end() / REPEATS, "apply");
+    report("apply", end() / REPEATS);
 }
 
 static void bench_all(void)
@@ -136,13 +106,13 @@ static void bench_all(void)
     begin();
     const invcal_status status =
         invcal_calibrate(&raw[0][0], POSITIONS, &settings, &solution, &quality, NULL);
-    report(end(), "18_positions_and_everything");
+    report("18_positions_and_everything", end());
     if (status != INVCAL_OK || quality.verdict != INVCAL_GOOD) {
         board_exit(1);
     }
     begin();
     (void)invcal_outliers_find(&raw[0][0], POSITIONS, &settings, &outliers);
-    report(end(), "outliers_of_18");
+    report("outliers_of_18", end());
 }
 
 /* A sensor at rest: noise of some counts. */
@@ -183,15 +153,15 @@ static void bench_session(void)
 {
     invcal_guidance next;
 
-    report(feed(100), "feed_100_Hz");
-    report(feed(400), "feed_400_Hz");
-    report(feed(1000), "feed_1000_Hz");
+    report("feed_100_Hz", feed(100));
+    report("feed_400_Hz", feed(400));
+    report("feed_1000_Hz", feed(1000));
     for (unsigned i = 0; i < POSITIONS; i++) {
         add_position(&session.normal, raw[i]);
     }
     begin();
     (void)invcal_session_next(&session, &next);
-    report(end(), "next_orientation");
+    report("next_orientation", end());
 }
 
 int main(void)
@@ -202,6 +172,6 @@ int main(void)
     bench_core();
     bench_all();
     bench_session();
-    put_text("OK\n");
+    report_text("OK\n");
     return 0;
 }

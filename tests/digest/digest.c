@@ -8,7 +8,7 @@
 #include <string.h>
 
 #include "../../src/bytes.h"
-#include "board.h"
+#include "../report.h"
 #include "expected.h"
 #include "invcal/invcal.h"
 #include "positions.h"
@@ -24,17 +24,10 @@ static float raw[MAX_POSITIONS][3];
 
 static uint32_t digest;
 
-static void put_text(const char *text)
-{
-    while (*text) {
-        board_put(*text++);
-    }
-}
-
 /* A line: what it is, and its bits. */
 static void put_line(const char *name, uint32_t bits)
 {
-    put_text(name);
+    report_text(name);
     board_put(' ');
     for (int shift = 28; shift >= 0; shift -= 4) {
         board_put("0123456789ABCDEF"[bits >> shift & 0xFu]);
@@ -97,8 +90,8 @@ static void calibrate(const char *name, unsigned count, const invcal_settings *s
     const invcal_status status =
         invcal_calibrate(&raw[0][0], count, settings, &solution, &quality, &reason);
 
-    put_text("set ");
-    put_text(name);
+    report_text("set ");
+    report_text(name);
     board_put('\n');
     result("status", status);
     if (status == INVCAL_OK) {

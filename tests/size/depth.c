@@ -6,7 +6,7 @@
  */
 #include <stddef.h>
 
-#include "board.h"
+#include "../report.h"
 #include "invcal/invcal.h"
 
 enum { DEPTH = 3072, GUARD = 48, PAINT = 0xA5 };
@@ -48,25 +48,6 @@ __attribute__((noinline)) static unsigned used(uintptr_t top)
         at++;
     }
     return (unsigned)(top - (uintptr_t)at);
-}
-
-static void print(const char *name, unsigned bytes)
-{
-    char digits[6];
-    unsigned n = 0;
-
-    while (*name) {
-        board_put(*name++);
-    }
-    board_put(' ');
-    do {
-        digits[n++] = (char)('0' + bytes % 10u);
-        bytes /= 10u;
-    } while (bytes);
-    while (n) {
-        board_put(digits[--n]);
-    }
-    board_put('\n');
 }
 
 static invcal_session session;
@@ -135,17 +116,15 @@ int main(void)
     if (session.stored < 16) {
         return 1;
     }
-    print("invcal_session_feed", deepest);
-    print("invcal_session_solve",
-          MEASURE(invcal_session_solve(&session, &solution, &quality, &outliers)));
-    print("invcal_session_next", MEASURE(invcal_session_next(&session, &guidance)));
-    print("invcal_solve",
-          MEASURE(invcal_solve(&session.normal, &session.setup.settings, &solution)));
-    print("invcal_calibrate",
-          MEASURE(invcal_calibrate(&session.mean[0][0], session.stored, &session.setup.settings,
-                                   &solution, &quality, NULL)));
-    board_put('O');
-    board_put('K');
-    board_put('\n');
+    report("invcal_session_feed", deepest);
+    report("invcal_session_solve",
+           MEASURE(invcal_session_solve(&session, &solution, &quality, &outliers)));
+    report("invcal_session_next", MEASURE(invcal_session_next(&session, &guidance)));
+    report("invcal_solve",
+           MEASURE(invcal_solve(&session.normal, &session.setup.settings, &solution)));
+    report("invcal_calibrate",
+           MEASURE(invcal_calibrate(&session.mean[0][0], session.stored, &session.setup.settings,
+                                    &solution, &quality, NULL)));
+    report_text("OK\n");
     return 0;
 }
