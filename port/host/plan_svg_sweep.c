@@ -7,6 +7,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "chart.h"
 #include "svg.h"
 
 #define TEXT_MAX 1000
@@ -19,14 +20,6 @@
 #define PLOT_TOP 122.0
 #define PLOT_BOTTOM 376.0
 #define LOGARITHMIC 20.0 /* from this ratio of last to first on */
-
-typedef struct {
-    double first; /* value at pixel `from`; its logarithm if is_logarithmic */
-    double last;
-    double from;
-    double to;
-    int is_logarithmic;
-} ruler;
 
 typedef struct {
     const char *name;
@@ -53,29 +46,11 @@ static double row_positions(const plan_row *row)
     return INVCAL_PLAN_GROUPS * row->per_group;
 }
 
-static double pixel(const ruler *a, double value)
-{
-    const double v = a->is_logarithmic ? log(value) : value;
-
-    return a->from + (a->to - a->from) * (v - a->first) / (a->last - a->first);
-}
-
-/* The least of ... 1, 2, 5, 10, 20, 50 ... that is not below x. */
-static double round_step(double x)
-{
-    const double decade = pow(10, floor(log10(x)));
-
-    return x <= decade       ? decade
-           : x <= 2 * decade ? 2 * decade
-           : x <= 5 * decade ? 5 * decade
-                             : 10 * decade;
-}
-
 static ruler positions_axis(const plan_row *rows, unsigned count)
 {
     const double first = row_positions(&rows[0]);
     const double last = row_positions(&rows[count - 1]);
-    ruler a = {first, last, PLOT_LEFT, PLOT_RIGHT, last >= LOGARITHMIC * first};
+    ruler a = {first, last, PLOT_LEFT, PLOT_RIGHT, last >= LOGARITHMIC * first, 0};
 
     if (a.is_logarithmic) {
         a.first = log(first);
@@ -88,7 +63,7 @@ static ruler positions_axis(const plan_row *rows, unsigned count)
 }
 
 /* From 0 to a round number above the highest point. */
-static ruler sigma_axis(const plan_row *rows, unsigned count, double *step)
+static ruler sigma_axis(const plan_row *rows, unsigned count)
 {
     double highest = 0;
 
@@ -97,17 +72,16 @@ static ruler sigma_axis(const plan_row *rows, unsigned count, double *step)
             highest = fmax(highest, curve_value(k, &rows[i]));
         }
     }
-    *step = round_step(highest / 8);
-    return (ruler){0, *step * ceil(highest / *step), PLOT_BOTTOM, PLOT_TOP, 0};
+    return chart_ruler(0, highest, PLOT_BOTTOM, PLOT_TOP, 8);
 }
 
 static void draw_tick_x(FILE *file, const ruler *x, double value)
 {
     char text[SVG_NUMBER_MAX];
-    const double at = pixel(x, value);
+    const double at = chart_pixel(x, value);
 
     svg_line(file, "grid", at, PLOT_TOP, at, PLOT_BOTTOM);
-    svg_text(file, "ink", SVG_MIDDLE, at, PLOT_BOTTOM + 18, svg_fixed(value, 0, text));
+    svg_text(file, "ink small", SVG_MIDDLE, at, PLOT_BOTTOM + 18, svg_fixed(value, 0, text));
 }
 
 /* Ticks stand at programs that exist, multiples of 3: 3 times 1, 2, 5, 10 ... on a logarithmic
@@ -115,28 +89,15 @@ static void draw_tick_x(FILE *file, const ruler *x, double value)
 static void draw_ticks_x(FILE *file, const ruler *x, double first, double last)
 {
     if (x->is_logarithmic) {
-        for (double v = round_step(first / 3); 3 * v <= last; v = round_step(1.5 * v)) {
+        for (double v = chart_round_step(first / 3); 3 * v <= last; v = chart_round_step(1.5 * v)) {
             draw_tick_x(file, x, 3 * v);
         }
         return;
     }
-    const double step = 3 * fmax(1, round_step(fmax(1, last - first) / 36));
+    const double step = 3 * fmax(1, chart_round_step(fmax(1, last - first) / 36));
     for (double k = ceil(first / step); k * step <= last; k++) {
         draw_tick_x(file, x, k * step);
     }
-}
-
-static void draw_ticks_y(FILE *file, const ruler *y, double step)
-{
-    const unsigned places = step < 1 ? (unsigned)ceil(-log10(step) - 1e-9) : 0;
-    char text[SVG_NUMBER_MAX];
-
-    for (double k = 0; k * step < y->last + step / 2; k++) {
-        const double at = pixel(y, k * step);
-        svg_line(file, k > 0 ? "grid" : "rule", PLOT_LEFT, at, PLOT_RIGHT, at);
-        svg_text(file, "ink", SVG_END, PLOT_LEFT - 8, at + 5, svg_fixed(k * step, places, text));
-    }
-    svg_line(file, "rule", PLOT_LEFT, PLOT_TOP, PLOT_LEFT, PLOT_BOTTOM);
 }
 
 static void draw_curve(FILE *file, unsigned k, const ruler *x, const ruler *y, const plan_row *rows,
@@ -144,8 +105,8 @@ static void draw_curve(FILE *file, unsigned k, const ruler *x, const ruler *y, c
 {
     svg_polyline_begin(file, curves[k].style[0]);
     for (unsigned i = 0; i < count; i++) {
-        svg_polyline_point(file, pixel(x, row_positions(&rows[i])),
-                           pixel(y, curve_value(k, &rows[i])));
+        svg_polyline_point(file, chart_pixel(x, row_positions(&rows[i])),
+                           chart_pixel(y, curve_value(k, &rows[i])));
     }
     svg_polyline_end(file);
 }
@@ -156,20 +117,20 @@ static void draw_curve(FILE *file, unsigned k, const ruler *x, const ruler *y, c
 static unsigned draw_markers(FILE *file, const ruler *x, const ruler *y, const plan_row *rows,
                              unsigned count)
 {
-    const double apart = (pixel(x, row_positions(&rows[count - 1])) - PLOT_LEFT) / count;
+    const double apart = (chart_pixel(x, row_positions(&rows[count - 1])) - PLOT_LEFT) / count;
     const double radius = apart > 16 && !x->is_logarithmic ? 4.5 : 3.2;
     unsigned marked = 0;
     unsigned last = 0;
 
     for (unsigned i = 0; i < count; i++) {
-        const double at = pixel(x, row_positions(&rows[i]));
-        const double gap = at - pixel(x, row_positions(&rows[last]));
+        const double at = chart_pixel(x, row_positions(&rows[i]));
+        const double gap = at - chart_pixel(x, row_positions(&rows[last]));
         if (marked > 0 && (gap < 8 || (i - last) % 2 == 0)) {
             continue;
         }
         for (unsigned k = 0; k < 3; k++) {
             const char *style = curves[k].style[rows[i].axes == ALL_AXES ? 1 : 2];
-            svg_marker(file, style, curves[k].shape, at, pixel(y, curve_value(k, &rows[i])),
+            svg_marker(file, style, curves[k].shape, at, chart_pixel(y, curve_value(k, &rows[i])),
                        radius);
         }
         marked++;
@@ -251,15 +212,15 @@ static void describe_sweep(const plan_row *rows, unsigned count, char *text, siz
 void plan_svg_sweep(FILE *file, const plan_row *rows, unsigned count)
 {
     char description[TEXT_MAX];
-    double step;
     const ruler x = positions_axis(rows, count);
-    const ruler y = sigma_axis(rows, count, &step);
+    const ruler y = sigma_axis(rows, count);
 
     describe_sweep(rows, count, description, sizeof description);
     svg_begin(file, SWEEP_WIDTH, SWEEP_HEIGHT, "Standard deviations against number of positions",
               description);
     draw_ticks_x(file, &x, row_positions(&rows[0]), row_positions(&rows[count - 1]));
-    draw_ticks_y(file, &y, step);
+    chart_ticks_y(file, &y, &x);
+    svg_line(file, "rule", PLOT_LEFT, PLOT_TOP, PLOT_LEFT, PLOT_BOTTOM);
     for (unsigned k = 0; k < 3; k++) {
         draw_curve(file, k, &x, &y, rows, count);
     }

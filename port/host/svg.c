@@ -24,9 +24,25 @@ static const char styles[] = ".invcal .paper{fill:#fff}\n"
                              ".invcal .full{fill:currentColor;stroke:currentColor}\n"
                              ".invcal .hollow{fill:#fff;stroke:currentColor;stroke-width:1.5}\n"
                              ".invcal .over{fill:currentColor;stroke:#fff}\n"
+                             ".invcal .area{fill:currentColor;fill-opacity:.16}\n"
+                             ".invcal .halo{paint-order:stroke;stroke:#fff;stroke-width:3px;"
+                             "stroke-linejoin:round}\n"
+                             ".invcal .shade{shape-rendering:crispEdges}\n"
+                             ".invcal .s0{fill:#f2f6f9}\n"
+                             ".invcal .s1{fill:#dfeaf2}\n"
+                             ".invcal .s2{fill:#c8dcea}\n"
+                             ".invcal .s3{fill:#b0cde1}\n"
+                             ".invcal .s4{fill:#98bdd8}\n"
+                             ".invcal .s5{fill:#80adcf}\n"
                              "@media screen and (prefers-color-scheme:dark){\n"
                              ".invcal .paper,.invcal .hollow{fill:#16181b}\n"
-                             ".invcal .over{stroke:#16181b}\n"
+                             ".invcal .over,.invcal .halo{stroke:#16181b}\n"
+                             ".invcal .s0{fill:#1b2126}\n"
+                             ".invcal .s1{fill:#212d35}\n"
+                             ".invcal .s2{fill:#273945}\n"
+                             ".invcal .s3{fill:#2e4656}\n"
+                             ".invcal .s4{fill:#355367}\n"
+                             ".invcal .s5{fill:#3c6078}\n"
                              ".invcal .ink{fill:#eee}\n"
                              ".invcal .soft{fill:#b4b4b4}\n"
                              ".invcal .grid{stroke:#383b40}\n"
@@ -153,7 +169,13 @@ void svg_escape(FILE *file, const char *text)
     }
 }
 
-void svg_begin(FILE *file, double width, double height, const char *title, const char *description)
+void svg_styles(FILE *file)
+{
+    fprintf(file, "<style>\n%s</style>\n", styles);
+}
+
+static void begin(FILE *file, double width, double height, const char *title,
+                  const char *description)
 {
     fputs("<svg xmlns=\"http://www.w3.org/2000/svg\" class=\"invcal\" role=\"img\"", file);
     write_attribute(file, "width", width);
@@ -168,13 +190,39 @@ void svg_begin(FILE *file, double width, double height, const char *title, const
     svg_escape(file, title);
     fputs("</title>\n<desc>", file);
     svg_escape(file, description);
-    fprintf(file, "</desc>\n<style>\n%s</style>\n", styles);
+    fputs("</desc>\n", file);
+}
+
+void svg_begin(FILE *file, double width, double height, const char *title, const char *description)
+{
+    begin(file, width, height, title, description);
+    svg_styles(file);
     fputs("<rect class=\"paper\" width=\"100%\" height=\"100%\"/>\n", file);
+}
+
+void svg_begin_inline(FILE *file, double width, double height, const char *title,
+                      const char *description)
+{
+    begin(file, width, height, title, description);
 }
 
 void svg_end(FILE *file)
 {
     fputs("</svg>\n", file);
+}
+
+void svg_group_begin(FILE *file, double x, double y)
+{
+    fputs("<g transform=\"translate(", file);
+    write_coordinate(file, x);
+    putc(' ', file);
+    write_coordinate(file, y);
+    fputs(")\">\n", file);
+}
+
+void svg_group_end(FILE *file)
+{
+    fputs("</g>\n", file);
 }
 
 void svg_line(FILE *file, const char *style, double x1, double y1, double x2, double y2)
@@ -196,23 +244,47 @@ void svg_circle(FILE *file, const char *style, double x, double y, double radius
     fputs("/>\n", file);
 }
 
-static void write_polygon(FILE *file, const char *style, const double (*corner)[2], unsigned count)
+void svg_rectangle(FILE *file, const char *style, double x, double y, double width, double height)
+{
+    fprintf(file, "<rect class=\"%s\"", style);
+    write_attribute(file, "x", x);
+    write_attribute(file, "y", y);
+    write_attribute(file, "width", width);
+    write_attribute(file, "height", height);
+    fputs("/>\n", file);
+}
+
+void svg_polygon_begin(FILE *file, const char *style)
 {
     fprintf(file, "<polygon class=\"%s\" points=\"", style);
+}
+
+static void write_polygon(FILE *file, const char *style, const double (*corner)[2], unsigned count)
+{
+    svg_polygon_begin(file, style);
     for (unsigned i = 0; i < count; i++) {
         svg_polyline_point(file, corner[i][0], corner[i][1]);
     }
-    fputs("\"/>\n", file);
+    svg_polyline_end(file);
 }
 
 void svg_marker(FILE *file, const char *style, svg_shape shape, double x, double y, double radius)
 {
     const double side = 0.9 * radius; /* half of it, of a square */
     const double up = 1.45 * radius;  /* to the corner of a triangle */
+    const double arm = 0.95 * radius; /* of a cross, along x and y */
+    const double thick = 0.42 * radius;
+    const double cross[][2] = {
+        {x, y - thick}, {x + arm - thick, y - arm}, {x + arm, y - arm + thick},
+        {x + thick, y}, {x + arm, y + arm - thick}, {x + arm - thick, y + arm},
+        {x, y + thick}, {x - arm + thick, y + arm}, {x - arm, y + arm - thick},
+        {x - thick, y}, {x - arm, y - arm + thick}, {x - arm + thick, y - arm}};
     const double square[][2] = {
         {x - side, y - side}, {x + side, y - side}, {x + side, y + side}, {x - side, y + side}};
     const double triangle[][2] = {
         {x, y - up}, {x + 0.866 * up, y + 0.5 * up}, {x - 0.866 * up, y + 0.5 * up}};
+
+    char ring[16];
 
     switch (shape) {
     case SVG_SQUARE:
@@ -221,8 +293,15 @@ void svg_marker(FILE *file, const char *style, svg_shape shape, double x, double
     case SVG_TRIANGLE:
         write_polygon(file, style, triangle, 3);
         break;
+    case SVG_CROSS:
+        write_polygon(file, style, cross, 12);
+        break;
+    case SVG_TARGET:
+        svg_circle(file, style, x, y, 0.5 * radius);
+        snprintf(ring, sizeof ring, "%.2s curve", style); /* of the same colour */
+        svg_circle(file, ring, x, y, 1.6 * radius);
+        break;
     case SVG_CIRCLE:
-    case SVG_SHAPES:
         svg_circle(file, style, x, y, radius);
         break;
     }

@@ -11,9 +11,12 @@
  *   c0 c1 c2 c3   a colour: grey, blue, orange, green; for the styles of the next line
  *   curve full hollow over    a line; a filled shape, one with an outline only, and one that is
  *                             set off from what lies below it
+ *   area          a pale surface of a colour, for ranges
+ *   shade s0 ... s5    surfaces for a figure that grows from class to class
  *   grid rule     lines: faint, firm
  *   ink soft      text: black, grey
  *   title small   text: 17 pixels and bold, 12 pixels; else 14
+ *   halo          text set off from what lies below it
  */
 #ifndef SVG_H
 #define SVG_H
@@ -23,15 +26,25 @@
 typedef enum { SVG_START, SVG_MIDDLE, SVG_END } svg_anchor;
 
 /* Markers that differ without colour. */
-typedef enum { SVG_CIRCLE, SVG_SQUARE, SVG_TRIANGLE, SVG_SHAPES } svg_shape;
+typedef enum { SVG_CIRCLE, SVG_SQUARE, SVG_TRIANGLE, SVG_CROSS, SVG_TARGET } svg_shape;
 
 /* `title` and `description` are read out to those who cannot see the picture; a browser also
  * shows the title as a tool tip. */
 void svg_begin(FILE *file, double width, double height, const char *title, const char *description);
 void svg_end(FILE *file);
 
+/* The same as a part of a page that has the styles once for all its pictures. */
+void svg_begin_inline(FILE *file, double width, double height, const char *title,
+                      const char *description);
+void svg_styles(FILE *file);
+
+/* What is drawn between the two is moved by x, y. */
+void svg_group_begin(FILE *file, double x, double y);
+void svg_group_end(FILE *file);
+
 void svg_line(FILE *file, const char *style, double x1, double y1, double x2, double y2);
 void svg_circle(FILE *file, const char *style, double x, double y, double radius);
+void svg_rectangle(FILE *file, const char *style, double x, double y, double width, double height);
 
 /* A marker with about the area of a circle of this radius. */
 void svg_marker(FILE *file, const char *style, svg_shape shape, double x, double y, double radius);
@@ -40,6 +53,9 @@ void svg_marker(FILE *file, const char *style, svg_shape shape, double x, double
 void svg_polyline_begin(FILE *file, const char *style);
 void svg_polyline_point(FILE *file, double x, double y);
 void svg_polyline_end(FILE *file);
+
+/* The same as a surface with these corners. */
+void svg_polygon_begin(FILE *file, const char *style);
 
 /* y is that of the base line. */
 void svg_text(FILE *file, const char *style, svg_anchor anchor, double x, double y,
