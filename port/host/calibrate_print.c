@@ -156,7 +156,8 @@ static void print_residuals(FILE *file, const calibrate_result *r, const char *n
 
     fprintf(file, "residual rms  %s\n", residual_text(q->residual_rms, field, text));
     fprintf(file, "         max  %s, at position %u (line %lu)\n",
-            residual_text(q->residual_max, field, text), q->worst + 1, r->data->line[q->worst]);
+            residual_text(q->residual_max, field, text), q->worst + 1,
+            r->data->origin[q->worst].line);
     fprintf(file, "  rms before  %s (%s alone)\n", residual_text(r->residual_before, field, text),
             nominal_name);
     if (calibrate_knows_noise(r)) {
@@ -276,7 +277,7 @@ static void print_rejected(FILE *file, const calibrate_result *result)
 
     for (unsigned i = 0; i < r->count; i++) {
         fprintf(file, "Left out: position %u (line %lu), wrong by %s\n", r->list[i].position + 1,
-                result->data->line[r->list[i].position],
+                result->data->origin[r->list[i].position].line,
                 residual_text(r->list[i].error, result->settings.field, text));
     }
     if (r->suspected > 0) {

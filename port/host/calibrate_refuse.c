@@ -111,7 +111,7 @@ int calibrate_refuse(const positions *data, const invcal_settings *settings,
     }
     say_why(data, settings, nominal, status, reason, text);
     if (status == INVCAL_NOT_FINITE || status == INVCAL_OUT_OF_RANGE) {
-        message("%s:%lu: %s", data->name, data->line[reason->position], text);
+        message("%s:%lu: %s", data->name, data->origin[reason->position].line, text);
     } else {
         message("%s: %s", data->name, text);
     }

@@ -252,7 +252,7 @@ static int scale_rows(positions *p)
         double *v = &p->mean[3 * n];
         const double largest = fmax(fabs(v[0]), fmax(fabs(v[1]), fabs(v[2])));
         if (!(largest > 0)) {
-            message("%s:%lu: no direction: its three numbers are 0", p->name, p->line[n]);
+            message("%s:%lu: no direction: its three numbers are 0", p->name, p->origin[n].line);
             return EXIT_FILE;
         }
         const double x = v[0] / largest;

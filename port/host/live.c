@@ -19,7 +19,7 @@
 
 /* All are too large for the stack. */
 static samples live_log;
-static rests_lines live_lines;
+static recording live_recording;
 static invcal_session session;
 
 typedef struct {
@@ -185,7 +185,7 @@ static int digest(stage *s, const invcal_event *event)
     case INVCAL_SESSION_TAKEN:
     case INVCAL_SESSION_ENOUGH:
     case INVCAL_SESSION_FINISHED:
-        failure = rests_take(s->p, &event->rest, live_log.unit, &live_lines);
+        failure = rests_take(s->p, &event->rest, live_log.unit, &live_recording);
         renew_nominal(s);
         say_taken(s, event);
         say_next(s);
@@ -193,8 +193,9 @@ static int digest(stage *s, const invcal_event *event)
     case INVCAL_SESSION_REFUSED:
         if (event->reason != INVCAL_REST_GOOD) {
             s->summary->refused[event->reason]++;
+            timeline_refuse(&live_recording.outline);
         } else if (event->rest.count > 0) { /* the calibration may think otherwise of it */
-            failure = rests_take(s->p, &event->rest, live_log.unit, &live_lines);
+            failure = rests_take(s->p, &event->rest, live_log.unit, &live_recording);
         }
         say_refused(s, event);
         break;
@@ -278,16 +279,17 @@ static int watch(stage *s)
     int more = 0;
     int failure = EXIT_GOOD;
 
+    recording_begin(&live_recording, &live_log);
     say_next(s);
     while (!failure && (more = samples_next(&live_log, &now)) == 1) {
         if (now.is_gap) {
             invcal_session_gap(&session);
         }
         s->summary->samples++;
-        rests_lines_sample(&live_lines, now.line, now.is_gap);
+        recording_sample(&live_recording, &live_log, &now);
         if (invcal_session_feed(&session, now.raw, now.temperature, &event) !=
             INVCAL_SESSION_NOTHING) {
-            rests_lines_block(&live_lines);
+            recording_filled(&live_recording);
             failure = digest(s, &event);
         }
     }
@@ -327,14 +329,13 @@ int live_read(positions *p, const char *path, const live_wish *wish, rests_summa
     int failure = samples_open(&live_log, path, wish->rate, 1);
 
     *p = (positions){.name = live_log.table.name, .has_noise = 1};
-    *summary = (rests_summary){.rate = live_log.rate, .is_rate_known = live_log.is_rate_known};
+    *summary = (rests_summary){.rate = live_log.rate,
+                               .is_rate_known = live_log.is_rate_known,
+                               .outline = &live_recording.outline};
     failure = failure ? failure : begin(wish);
     s.lsb = guess_lsb(wish, (const double[3]){0, 0, 0});
     failure = failure ? failure : watch(&s);
     samples_close(&live_log);
-    rests_end(p);
-    summary->gaps = live_log.gaps;
-    summary->skipped = live_log.skipped;
-    summary->seconds = (double)summary->samples / live_log.rate;
+    rests_end(p, &live_log, summary);
     return failure;
 }

@@ -8,6 +8,7 @@
 #include "columns.h"
 #include "command.h"
 #include "message.h"
+#include "number.h"
 #include "table.h"
 
 /* Makes room for twice as many. */
@@ -17,9 +18,9 @@ static int grow(positions *p)
     double *mean = realloc(p->mean, capacity * 3 * sizeof *mean);
 
     p->mean = mean ? mean : p->mean;
-    unsigned long *line = realloc(p->line, capacity * sizeof *line);
-    p->line = line ? line : p->line;
-    if (!mean || !line) {
+    position_origin *origin = realloc(p->origin, capacity * sizeof *origin);
+    p->origin = origin ? origin : p->origin;
+    if (!mean || !origin) {
         message("%s: not enough memory for %u positions", p->name, capacity);
         return EXIT_FILE;
     }
@@ -27,17 +28,17 @@ static int grow(positions *p)
     return EXIT_GOOD;
 }
 
-int positions_add(positions *p, const double mean[3], unsigned long line)
+int positions_add(positions *p, const double mean[3], const position_origin *origin)
 {
     if (p->count == POSITIONS_MAX) {
-        message("%s:%lu: more than %u positions", p->name, line, POSITIONS_MAX);
+        message("%s:%lu: more than %u positions", p->name, origin->line, POSITIONS_MAX);
         return EXIT_FILE;
     }
     if (p->count == p->capacity && grow(p)) {
         return EXIT_FILE;
     }
     memcpy(&p->mean[3 * (size_t)p->count], mean, 3 * sizeof *mean);
-    p->line[p->count++] = line;
+    p->origin[p->count++] = *origin;
     return EXIT_GOOD;
 }
 
@@ -71,14 +72,16 @@ static int add_noise(positions *p, const table *t, const columns *where)
 static int add_row(positions *p, const table *t, const columns *where)
 {
     double mean[3];
+    position_origin origin = {t->line, NUMBER_UNKNOWN, NUMBER_UNKNOWN, NUMBER_UNKNOWN};
+    int failure = EXIT_GOOD;
 
-    for (int i = 0; i < 3; i++) {
-        const int failure = columns_number(t, where, (column)(COLUMN_X + i), &mean[i]);
-        if (failure) {
-            return failure;
-        }
+    for (int i = 0; i < 3 && !failure; i++) {
+        failure = columns_number(t, where, (column)(COLUMN_X + i), &mean[i]);
     }
-    const int failure = positions_add(p, mean, t->line);
+    if (!failure && where->index[COLUMN_TEMPERATURE] >= 0) {
+        failure = columns_number(t, where, COLUMN_TEMPERATURE, &origin.temperature);
+    }
+    failure = failure ? failure : positions_add(p, mean, &origin);
     return failure || !p->has_noise ? failure : add_noise(p, t, where);
 }
 
@@ -108,6 +111,8 @@ int positions_read(positions *p, const char *path)
     if (!failure) {
         failure = read_rows(p, &t);
     }
+    p->bytes = t.bytes;
+    p->crc = t.crc;
     table_close(&t);
     for (int i = 0; i < 3 && !failure; i++) {
         p->noise_square[i] /= p->count;
@@ -118,7 +123,7 @@ int positions_read(positions *p, const char *path)
 void positions_free(positions *p)
 {
     free(p->mean);
-    free(p->line);
+    free(p->origin);
     p->mean = NULL;
-    p->line = NULL;
+    p->origin = NULL;
 }

@@ -5,12 +5,24 @@
 #ifndef POSITIONS_H
 #define POSITIONS_H
 
+#include <stdint.h>
+
 #define POSITIONS_MAX 1000000u
 
+/* Where a mean comes from. What is not known is NaN. */
 typedef struct {
-    const char *name;    /* of the file, for messages */
-    double *mean;        /* 3 count numbers: x y z, ... in input units */
-    unsigned long *line; /* count line numbers, from 1 */
+    unsigned long line; /* from 1 */
+    double begin;       /* of a rest in a log: seconds from the first sample */
+    double end;
+    double temperature;
+} position_origin;
+
+typedef struct {
+    const char *name;        /* of the file, for messages */
+    uint64_t bytes;          /* its size, */
+    uint32_t crc;            /* and its CRC-32 */
+    double *mean;            /* 3 count numbers: x y z, ... in input units */
+    position_origin *origin; /* count of them */
     unsigned count;
     unsigned capacity;
     int has_noise;          /* the file tells std and n of each position */
@@ -26,7 +38,7 @@ typedef struct {
 int positions_read(positions *p, const char *path);
 
 /* Adds one. EXIT_GOOD; EXIT_FILE, with a message, above POSITIONS_MAX or without memory. */
-int positions_add(positions *p, const double mean[3], unsigned long line);
+int positions_add(positions *p, const double mean[3], const position_origin *origin);
 
 void positions_free(positions *p);
 

@@ -9,7 +9,7 @@
 #include "samples.h"
 
 /* Too large for the stack. */
-static rests_lines log_lines;
+static recording log_recording;
 
 typedef struct {
     positions *p;
@@ -17,33 +17,10 @@ typedef struct {
     rests_summary *summary;
 } reading;
 
-void rests_lines_sample(rests_lines *lines, unsigned long line, int is_gap)
+int rests_take(positions *p, const invcal_rest *rest, double unit, const recording *log)
 {
-    lines->fill = is_gap ? 0 : lines->fill; /* the block that was begun is lost */
-    if (lines->fill++ == 0) {
-        lines->start = line;
-    }
-}
-
-void rests_lines_block(rests_lines *lines)
-{
-    lines->line[lines->blocks++ % RESTS_BLOCKS] = lines->start;
-    lines->size = lines->size ? lines->size : lines->fill;
-    lines->fill = 0;
-}
-
-static unsigned long line_of(const rests_lines *lines, uint32_t index)
-{
-    unsigned long block = lines->size ? index / lines->size : 0;
-
-    if (lines->blocks > RESTS_BLOCKS && block < lines->blocks - RESTS_BLOCKS) {
-        block = lines->blocks - RESTS_BLOCKS;
-    }
-    return lines->line[block % RESTS_BLOCKS];
-}
-
-int rests_take(positions *p, const invcal_rest *rest, double unit, const rests_lines *lines)
-{
+    const recording_place place = recording_find(log, rest);
+    const position_origin origin = {place.line, place.begin, place.end, place.temperature};
     double mean[3];
 
     invcal_rest_mean(rest, mean);
@@ -51,14 +28,20 @@ int rests_take(positions *p, const invcal_rest *rest, double unit, const rests_l
         mean[i] *= unit;
         p->noise_square[i] += rest->variance * unit * unit / rest->count;
     }
-    return positions_add(p, mean, line_of(lines, rest->begin));
+    return positions_add(p, mean, &origin);
 }
 
-void rests_end(positions *p)
+void rests_end(positions *p, const samples *log, rests_summary *summary)
 {
     for (unsigned i = 0; i < 3 && p->count > 0; i++) {
         p->noise_square[i] /= p->count;
     }
+    p->bytes = log->table.bytes;
+    p->crc = log->table.crc;
+    summary->gaps = log->gaps;
+    summary->skipped = log->skipped;
+    summary->seconds = (double)summary->samples / log->rate;
+    summary->has_temperature = log->has_temperature;
 }
 
 static int digest(reading *r, const invcal_still *still, invcal_still_event seen,
@@ -66,8 +49,9 @@ static int digest(reading *r, const invcal_still *still, invcal_still_event seen
 {
     if (seen == INVCAL_STILL_REFUSED) {
         r->summary->refused[invcal_still_reason(still)]++;
+        timeline_refuse(&log_recording.outline);
     }
-    return seen == INVCAL_STILL_TAKEN ? rests_take(r->p, rest, r->unit, &log_lines) : EXIT_GOOD;
+    return seen == INVCAL_STILL_TAKEN ? rests_take(r->p, rest, r->unit, &log_recording) : EXIT_GOOD;
 }
 
 static int32_t rail(double value, double unit)
@@ -82,15 +66,16 @@ static int read_samples(reading *r, samples *log, invcal_still *still)
     int more;
     int failure = EXIT_GOOD;
 
+    recording_begin(&log_recording, log);
     while (!failure && (more = samples_next(log, &s)) == 1) {
         if (s.is_gap) {
             invcal_still_gap(still);
         }
         r->summary->samples++;
-        rests_lines_sample(&log_lines, s.line, s.is_gap);
+        recording_sample(&log_recording, log, &s);
         const invcal_still_event seen = invcal_still_push(still, s.raw, &rest);
         if (seen != INVCAL_STILL_NONE) {
-            rests_lines_block(&log_lines);
+            recording_filled(&log_recording);
             failure = digest(r, still, seen, &rest);
         }
         progress_show(&log->table, r->p->count);
@@ -111,7 +96,8 @@ int rests_read(positions *p, const char *path, double rate, const double clip[2]
     reading r = {p, log.unit, summary};
 
     *p = (positions){.name = log.table.name, .has_noise = 1};
-    *summary = (rests_summary){.rate = log.rate, .is_rate_known = log.is_rate_known};
+    *summary = (rests_summary){
+        .rate = log.rate, .is_rate_known = log.is_rate_known, .outline = &log_recording.outline};
     if (!failure && invcal_still_init(&still, log.rate, clip ? rail(clip[0], log.unit) : 0,
                                       clip ? rail(clip[1], log.unit) : 0) != INVCAL_OK) {
         message("%s: %.6g samples a second: rests are found at 8 to 8000", p->name, log.rate);
@@ -119,8 +105,6 @@ int rests_read(positions *p, const char *path, double rate, const double clip[2]
     }
     failure = failure ? failure : read_samples(&r, &log, &still);
     samples_close(&log);
-    summary->gaps = log.gaps;
-    summary->seconds = (double)summary->samples / log.rate;
-    rests_end(p);
+    rests_end(p, &log, summary);
     return failure;
 }

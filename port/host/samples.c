@@ -176,6 +176,7 @@ int samples_open(samples *s, const char *path, double rate, int live)
     s->count = s->gaps = s->skipped = 0;
     s->is_live = live;
     s->is_broken = 0;
+    s->clock = 0;
     s->longest = HUGE_VAL; /* with a given rate times may be of any unit */
     int failure = table_open(&s->table, path);
 
@@ -195,6 +196,14 @@ int samples_open(samples *s, const char *path, double rate, int live)
 static int32_t to_counts(double value, double unit)
 {
     return (int32_t)fmax(INT32_MIN, fmin(INT32_MAX, nearbyint(value / unit)));
+}
+
+/* Times of any unit are of no use, nor are those that jump. */
+static double time_passed(const samples *s, double step)
+{
+    const int is_seconds = s->has_time && s->longest < HUGE_VAL;
+
+    return is_seconds && step >= 0 && step <= SAMPLES_PAUSE ? step : 1 / s->rate;
 }
 
 int samples_next(samples *s, sample *out)
@@ -218,6 +227,7 @@ int samples_next(samples *s, sample *out)
     out->time = v[TIME];
     out->temperature = v[TEMPERATURE];
     const double step = v[TIME] - s->last_time;
+    out->clock = s->clock += s->count == 0 ? 0 : time_passed(s, step);
     const int jumps = s->has_time && s->count > 0 && !(step >= 0 && step <= s->longest);
     out->is_gap = jumps || (!is_ahead && s->is_broken);
     s->is_broken = s->is_broken && is_ahead;

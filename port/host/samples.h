@@ -13,11 +13,14 @@
 #include "columns.h"
 
 #define SAMPLES_AHEAD 256u     /* lines that decide, */
+#define SAMPLES_PAUSE 60.0     /* seconds that a log may pause and go on */
 #define SAMPLES_AHEAD_LIVE 32u /* of a live stream */
 
 typedef struct {
     int32_t raw[3]; /* value / unit, rounded; beyond an int32 the nearest */
     double time;    /* seconds, if there is a column */
+    double clock;   /* seconds from the first sample on; steps that are none, or of more than
+                       SAMPLES_PAUSE, count as one sample */
     double temperature;
     unsigned long line;
     int is_gap; /* time has gone back or jumped, or lines were skipped */
@@ -37,6 +40,7 @@ typedef struct {
     unsigned ahead_count;
     unsigned next;
     double last_time;
+    double clock;
     unsigned long count;
     unsigned long gaps;
     unsigned long skipped; /* malformed lines of a live stream */

@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "command.h"
+#include "crc.h"
 #include "input.h"
 #include "message.h"
 #include "number.h"
@@ -37,6 +38,14 @@ static int check_text(const table *t, size_t length)
     return 1;
 }
 
+/* So that a report can say which file it was. */
+static void count_bytes(table *t, size_t length, size_t has_end)
+{
+    t->crc = crc_update(t->crc, t->text, length);
+    t->crc = crc_update(t->crc, "\n", has_end);
+    t->bytes += length + has_end;
+}
+
 /* Reads a line into text, without its end. 1, 0 at the end of the file, -1. */
 static int read_line(table *t)
 {
@@ -61,6 +70,7 @@ static int read_line(table *t)
         message("%s:%lu: cannot be read: %s", t->name, t->line, strerror(errno));
         return -1;
     }
+    count_bytes(t, length, c == '\n');
     length -= length > 0 && t->text[length - 1] == '\r';
     t->text[length] = '\0';
     return check_text(t, length);
@@ -203,6 +213,7 @@ int table_open(table *t, const char *path)
 {
     t->name = input_name(path);
     t->line = 0;
+    t->bytes = t->crc = 0;
     t->file = input_open(path);
     if (!t->file) {
         return EXIT_FILE;

@@ -10,6 +10,7 @@
 #ifndef TABLE_H
 #define TABLE_H
 
+#include <stdint.h>
 #include <stdio.h>
 
 #define TABLE_LINE_MAX 65536u
@@ -20,6 +21,8 @@ typedef struct {
     const char *name;         /* of the file, for messages */
     unsigned long line;       /* the one that the current row stands in, from 1 */
     unsigned long first_line; /* the one that decided */
+    uint64_t bytes;           /* read so far, */
+    uint32_t crc;             /* and their CRC-32 */
     unsigned columns;         /* of the first line, and so of all */
     unsigned found;           /* of the latest line after the first, right or wrong */
     char separator;           /* ';' ',' '\t' ' ' */
