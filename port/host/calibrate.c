@@ -16,6 +16,7 @@
 #include "message.h"
 #include "options.h"
 #include "output.h"
+#include "report.h"
 
 enum {
     POSITIONS,
@@ -32,7 +33,9 @@ enum {
     PLAN,
     TARGET,
     KEEP_ALL,
+    TOLERANCE,
     OUT,
+    REPORT,
     JSON,
     OPTIONS
 };
@@ -52,12 +55,16 @@ static const option options[OPTIONS] = {
     [PLAN] = {"--plan", 1},
     [TARGET] = {"--target", 1},
     [KEEP_ALL] = {"--keep-all", 0},
+    [TOLERANCE] = {"--tolerance", 1},
     [OUT] = {"--out", 1},
+    [REPORT] = {"--report", 1},
     [JSON] = {"--json", 0},
 };
 static const char *const operands[] = {"LOG"};
 static const option_syntax calibrate_syntax = {"calibrate", options, OPTIONS, operands, 1, 0};
 static const option_syntax watch_syntax = {"watch", options, OPTIONS, operands, 1, 0};
+
+#define COMMAND_MAX 2000u
 
 /* Too large for the stack; only its plan is used. */
 static design live_plan;
@@ -72,6 +79,8 @@ typedef struct {
     double rate;                /* 0: not given */
     double clip[2];
     double target[3];
+    double tolerance[3];
+    char command[COMMAND_MAX]; /* the command line, for the report */
     invcal_plan plan;
     invcal_settings settings; /* all but the nominal, and the noise unless stated */
 } request;
@@ -222,6 +231,44 @@ static int read_live_options(request *r)
     return failure;
 }
 
+static int read_tolerance(request *r)
+{
+    int failure = EXIT_GOOD;
+
+    if (!r->value[TOLERANCE]) {
+        return EXIT_GOOD;
+    }
+    if (!r->value[NOMINAL] && !(r->value[ZERO] && r->value[LSB])) {
+        return usage(r, TOLERANCE,
+                     "says how far from nominal the sensor may be, so state that: "
+                     "--zero and --lsb, or --nominal");
+    }
+    failure = options_numbers(r->syntax, TOLERANCE, r->value[TOLERANCE], 3, r->tolerance, NULL);
+    for (unsigned i = 0; i < 3 && !failure; i++) {
+        failure = r->tolerance[i] > 0 ? EXIT_GOOD : usage(r, TOLERANCE, "a limit is above 0");
+    }
+    return failure;
+}
+
+/* Three different files. */
+static int check_files(const request *r)
+{
+    static const unsigned made[] = {OUT, REPORT};
+
+    for (unsigned i = 0; i < 2; i++) {
+        const char *path = r->value[made[i]];
+        if (path && output_is_same(path, r->file)) {
+            return usage(r, made[i], "is LOG itself, which would be lost");
+        }
+    }
+    if (r->value[OUT] && r->value[REPORT] &&
+        (strcmp(r->value[OUT], r->value[REPORT]) == 0 ||
+         output_is_same(r->value[OUT], r->value[REPORT]))) {
+        return usage(r, REPORT, "is the file of --out");
+    }
+    return EXIT_GOOD;
+}
+
 static int read_request(int argc, char **argv, const option_syntax *syntax, request *r)
 {
     *r = (request){.syntax = syntax};
@@ -231,15 +278,15 @@ static int read_request(int argc, char **argv, const option_syntax *syntax, requ
         input_is_stdin(r->file)) {
         failure = usage(r, NOMINAL, "only one input can be the standard input");
     }
-    if (!failure && r->value[OUT] && output_is_same(r->value[OUT], r->file)) {
-        failure = usage(r, OUT, "is LOG itself, which would be lost");
-    }
+    options_command(syntax->command, argc, argv, r->command, sizeof r->command);
+    failure = failure ? failure : check_files(r);
     failure = failure ? failure : read_gravity(r);
     failure = failure ? failure : read_frame(r);
     failure = failure ? failure : read_nominal(r);
     failure = failure ? failure : read_noise(r);
     failure = failure ? failure : read_log_options(r);
     failure = failure ? failure : read_live_options(r);
+    failure = failure ? failure : read_tolerance(r);
     return failure ? failure : read_prior(r);
 }
 
@@ -356,42 +403,92 @@ static int solve(const request *r, const positions *data, calibrate_result *resu
     return EXIT_GOOD;
 }
 
+int calibrate_is_gravity(double field)
+{
+    return field > 9.7 && field < 9.9;
+}
+
+const char *calibrate_field_unit(const calibrate_result *result)
+{
+    return calibrate_is_gravity(result->settings.field) ? "m/s²" : "field units";
+}
+
+const char *calibrate_input_unit(const calibrate_result *result)
+{
+    (void)result;
+    return "input units";
+}
+
 int calibrate_knows_noise(const calibrate_result *result)
 {
     return result->settings.noise > 0 || result->quality.noise < 1;
 }
 
+static const char *nominal_name(const request *r)
+{
+    return r->value[NOMINAL_NAME] ? r->value[NOMINAL_NAME] : "nominal";
+}
+
 static int print(const request *r, const calibrate_result *result)
 {
-    const char *name = r->value[NOMINAL_NAME] ? r->value[NOMINAL_NAME] : "nominal";
-
     if (r->value[JSON]) {
         calibrate_json(stdout, result);
     } else {
-        calibrate_print(stdout, result, name, r->value[OUT]);
+        calibrate_print(stdout, result, nominal_name(r), r->value[OUT]);
     }
     return output_flush();
 }
 
-/* The file appears only after all else has been written. */
+/* Begins a file, if it is asked for, and writes it; it is not in its place yet. */
+typedef int file_writer(FILE *file, const request *r, const calibrate_result *result);
+
+static int begin_file(output *out, const char *path, file_writer *write, const request *r,
+                      const calibrate_result *result)
+{
+    if (!path) {
+        return EXIT_GOOD;
+    }
+    int failure = output_begin(out, path);
+    failure = failure ? failure : write(out->file, r, result);
+    return failure ? failure : output_finish(out);
+}
+
+static int write_calibration(FILE *file, const request *r, const calibrate_result *result)
+{
+    (void)r;
+    calibrate_json(file, result);
+    return EXIT_GOOD;
+}
+
+static int write_report(FILE *file, const request *r, const calibrate_result *result)
+{
+    const report_wish wish = {
+        .nominal_name = nominal_name(r),
+        .saved = r->value[OUT],
+        .command = r->command,
+        .tolerance = r->value[TOLERANCE] ? r->tolerance : NULL,
+    };
+
+    return report_write(file, result, &wish);
+}
+
+/* The files appear only after all else has been written. */
 static int deliver(const request *r, const calibrate_result *result)
 {
-    output out;
+    output out = {0};
+    output report = {0};
+    int failure = begin_file(&out, r->value[OUT], write_calibration, r, result);
 
-    if (!r->value[OUT]) {
-        return print(r, result);
-    }
-    int failure = output_begin(&out, r->value[OUT]);
-    if (!failure) {
-        calibrate_json(out.file, result);
-        failure = output_finish(&out);
-    }
+    failure = failure ? failure : begin_file(&report, r->value[REPORT], write_report, r, result);
     failure = failure ? failure : print(r, result);
     if (failure) {
         output_discard(&out);
+        output_discard(&report);
         return failure;
     }
-    return output_commit(&out);
+    failure = output_commit(&out);
+    const int report_failure = output_commit(&report);
+    return failure ? failure : report_failure;
 }
 
 /* The positions of the file, or those that a log or a live stream rests in. */
@@ -501,7 +598,12 @@ static const char *const help[] = {
     "                      angles (rad); up to about 0.2; 0 says nothing. Then fewer\n"
     "                      positions will do. Needs the noise, and --zero and --lsb, or\n"
     "                      --nominal\n"
+    "  --tolerance D,K,G   limits of the data sheet for offsets (over the field), scale errors\n"
+    "                      and angles (rad), for the report. Needs --zero and --lsb, or\n"
+    "                      --nominal\n"
     "  --out CAL.json      write the result to a file, as JSON, for invcal apply\n"
+    "  --report R.html     write a page with the verdict, figures and pictures: one file that\n"
+    "                      needs nothing else, for screen and paper\n"
     "  --json              print the result as JSON in place of the table\n"
     "\n"
     "exit codes: 0 good; 1 the data cannot be calibrated; 2 usage; 3 LOG unreadable or\n"
@@ -534,7 +636,7 @@ static const char *const watch_help[] = {
     "                      fourth position on the middle of each axis' range\n"
     "  --lsb S | SX,SY,SZ  nominal scale; default for the guidance: from the first samples\n",
     "  --gravity, --frame, --nominal, --nominal-name, --noise, --prior, --rate, --clip,\n"
-    "  --keep-all, --out, --json\n"
+    "  --keep-all, --tolerance, --out, --report, --json\n"
     "                      as for invcal calibrate. With --json the guidance goes to stderr\n"
     "\n"
     "exit codes: 0 good; 1 the data cannot be calibrated; 2 usage; 3 LOG unreadable or\n"

@@ -4,12 +4,11 @@
 #include <string.h>
 
 #include "calibrate.h"
+#include "figure.h"
 #include "number.h"
 #include "parameters.h"
 
-#define DEGREES 57.295779513082321
 #define LINE_WIDTH 99u
-#define FIGURE_MAX 64
 #define TEXT_MAX 512
 
 /* One line of the table. */
@@ -22,41 +21,6 @@ typedef struct {
     const char *unit;
 } figure;
 
-static int is_acceleration(double field)
-{
-    return field > 9.7 && field < 9.9;
-}
-
-/* The unit of the field is not told; but nothing else on earth is 9.8 as gravity is. */
-static const char *field_unit(double field)
-{
-    return is_acceleration(field) ? "m/s²" : "field units";
-}
-
-/* Decimals that show two digits of sigma, or six of the value if there is no sigma. */
-static int decimals(double value, double sigma)
-{
-    const double size = sigma > 0 ? sigma : fabs(value);
-    const double digits = sigma > 0 ? 1 : 5;
-    const double places = size > 0 ? digits - floor(log10(size)) : digits;
-
-    return places < 0 ? 0 : places > 9 ? 9 : (int)places;
-}
-
-/* A number with so many decimals, never "-0.00". */
-static const char *fixed(double x, int places, const char *format, char text[FIGURE_MAX])
-{
-    if (!(fabs(x) < 1e10)) {
-        snprintf(text, FIGURE_MAX, "%.6g", x);
-        return text;
-    }
-    snprintf(text, FIGURE_MAX, "%.*f", places, x);
-    const int is_zero = !(fabs(strtod(text, NULL)) > 0);
-    snprintf(text, FIGURE_MAX, "%s%.*f", *format == '+' && (is_zero || x > 0) ? "+" : "", places,
-             is_zero ? 0.0 : x);
-    return text;
-}
-
 static void print_figure(FILE *file, const figure *f)
 {
     char value[FIGURE_MAX];
@@ -64,16 +28,16 @@ static void print_figure(FILE *file, const figure *f)
     char nominal[FIGURE_MAX] = "";
     char difference[FIGURE_MAX] = "";
     char label[FIGURE_MAX];
-    const int places = decimals(f->value, f->sigma);
+    const int places = figure_places(f->value, f->sigma);
 
     snprintf(label, sizeof label, "%s %s", f->label, f->axis);
-    fixed(f->value, places, "", value);
+    figure_fixed(f->value, places, FIGURE_PLAIN, value);
     if (f->sigma >= 0) {
-        fixed(f->sigma, places, "", sigma);
+        figure_fixed(f->sigma, places, FIGURE_PLAIN, sigma);
     }
     if (!isnan(f->nominal)) {
-        fixed(f->nominal, places, "", nominal);
-        fixed(f->value - f->nominal, places, "+", difference);
+        figure_fixed(f->nominal, places, FIGURE_PLAIN, nominal);
+        figure_fixed(f->value - f->nominal, places, FIGURE_SIGNED, difference);
     }
     fprintf(file, "%-14s%14s ± %-10s%14s%14s  %s\n", label, value, sigma, nominal, difference,
             f->unit);
@@ -95,7 +59,7 @@ static void print_offsets(FILE *file, const calibrate_result *r, int known)
 /* As data sheets state it: input units per field unit. */
 static void print_scales(FILE *file, const calibrate_result *r, int known)
 {
-    const int acceleration = is_acceleration(r->settings.field);
+    const int acceleration = calibrate_is_gravity(r->settings.field);
     double inverse[3][3];
 
     (void)invcal_calibration_inverse(&r->nominal.calibration, inverse); /* no result without */
@@ -128,8 +92,9 @@ static void print_errors(FILE *file, const calibrate_result *r, int known)
     for (unsigned i = 0; i < 3; i++) {
         const figure f = {.label = "angle",
                           .axis = {pairs[i][0], pairs[i][1]},
-                          .value = DEGREES * r->solution.gamma[i],
-                          .sigma = known ? DEGREES * r->quality.sigma_gamma[i] : NUMBER_UNKNOWN,
+                          .value = FIGURE_DEGREES * r->solution.gamma[i],
+                          .sigma =
+                              known ? FIGURE_DEGREES * r->quality.sigma_gamma[i] : NUMBER_UNKNOWN,
                           .nominal = 0,
                           .unit = "degrees off square"};
         print_figure(file, &f);
@@ -139,7 +104,7 @@ static void print_errors(FILE *file, const calibrate_result *r, int known)
 /* A residual in 1e-6 of the field, and in a unit that one can picture. */
 static const char *residual_text(double residual, double field, char text[TEXT_MAX])
 {
-    if (is_acceleration(field)) {
+    if (calibrate_is_gravity(field)) {
         snprintf(text, TEXT_MAX, "%.3fe-6 of the field = %.4f mg", 1e6 * residual, 1e3 * residual);
     } else {
         snprintf(text, TEXT_MAX, "%.3fe-6 of the field = %.4g field units", 1e6 * residual,
@@ -162,7 +127,7 @@ static void print_residuals(FILE *file, const calibrate_result *r, const char *n
             nominal_name);
     if (calibrate_knows_noise(r)) {
         fprintf(file, "noise         %.3g %s of one position mean, %.3g degrees of freedom",
-                q->noise * field, field_unit(field), q->dof);
+                q->noise * field, calibrate_field_unit(r), q->dof);
         if (r->settings.noise > 0) {
             fprintf(file, " (stated: %.3g)", r->settings.noise);
         }
@@ -295,7 +260,7 @@ void calibrate_print(FILE *file, const calibrate_result *result, const char *nom
 
     print_log(file, result);
     fprintf(file, "%s: %u positions, field %s %s\n", result->data->name, result->data->count,
-            number_text(result->settings.field, field), field_unit(result->settings.field));
+            number_text(result->settings.field, field), calibrate_field_unit(result));
     print_rejected(file, result);
     if (n->zero == n->lsb) {
         fprintf(file, "%s: zero and scale %s\n\n", nominal_name, nominal_origin_text(n->zero));

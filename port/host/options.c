@@ -124,3 +124,42 @@ int options_numbers(const option_syntax *syntax, unsigned which, const char *val
     }
     return EXIT_GOOD;
 }
+
+/* Adds a character, as long as there is room. */
+static size_t put(char *text, size_t size, size_t at, char c)
+{
+    if (at + 1 < size) {
+        text[at++] = c;
+        text[at] = '\0';
+    }
+    return at;
+}
+
+/* Adds an argument, in quotes if a shell would take it apart. */
+static size_t put_argument(char *text, size_t size, size_t at, const char *argument)
+{
+    static const char plain[] = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789"
+                                "_-+=:,./@%";
+    const int is_plain = *argument != '\0' && argument[strspn(argument, plain)] == '\0';
+
+    at = put(text, size, at, ' ');
+    at = is_plain ? at : put(text, size, at, '\'');
+    for (const char *c = argument; *c != '\0'; c++) {
+        for (const char *out = *c == '\'' ? "'\\''" : NULL; out && *out != '\0'; out++) {
+            at = put(text, size, at, *out);
+        }
+        at = *c == '\'' ? at : put(text, size, at, *c);
+    }
+    return is_plain ? at : put(text, size, at, '\'');
+}
+
+void options_command(const char *command, int argc, char **argv, char *text, size_t size)
+{
+    size_t at;
+
+    snprintf(text, size, "invcal %s", command);
+    at = strlen(text);
+    for (int i = 0; i < argc; i++) {
+        at = put_argument(text, size, at, argv[i]);
+    }
+}

@@ -9,6 +9,8 @@
 #ifndef OPTIONS_H
 #define OPTIONS_H
 
+#include <stddef.h>
+
 typedef struct {
     const char *name; /* with its dashes */
     int takes_value;
@@ -42,5 +44,8 @@ int options_parse(const option_syntax *syntax, int argc, char **argv, const char
  * Returns EXIT_GOOD; EXIT_USAGE. */
 int options_numbers(const option_syntax *syntax, unsigned which, const char *value, unsigned wanted,
                     double *out, int *single);
+
+/* The command line as one would type it: "invcal calibrate 'my log.csv' --json". Cut to size. */
+void options_command(const char *command, int argc, char **argv, char *text, size_t size);
 
 #endif

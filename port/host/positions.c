@@ -78,7 +78,7 @@ static int add_row(positions *p, const table *t, const columns *where)
     for (int i = 0; i < 3 && !failure; i++) {
         failure = columns_number(t, where, (column)(COLUMN_X + i), &mean[i]);
     }
-    if (!failure && where->index[COLUMN_TEMPERATURE] >= 0) {
+    if (!failure && p->has_temperature) {
         failure = columns_number(t, where, COLUMN_TEMPERATURE, &origin.temperature);
     }
     failure = failure ? failure : positions_add(p, mean, &origin);
@@ -92,6 +92,7 @@ static int read_rows(positions *p, table *t)
     int failure = columns_find(t, COLUMNS_POSITIONS, &where);
 
     p->has_noise = !failure && where.index[COLUMN_STD_X] >= 0 && where.index[COLUMN_SAMPLES] >= 0;
+    p->has_temperature = !failure && where.index[COLUMN_TEMPERATURE] >= 0;
     while (!failure && (more = table_next(t)) == 1) {
         failure = add_row(p, t, &where);
     }

@@ -25,6 +25,7 @@ typedef struct {
     position_origin *origin; /* count of them */
     unsigned count;
     unsigned capacity;
+    int has_temperature;
     int has_noise;          /* the file tells std and n of each position */
     double noise_square[3]; /* then for each axis the mean over the positions of std^2 / n: the
                                variance of a position mean, input units squared, finite */

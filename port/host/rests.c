@@ -41,7 +41,7 @@ void rests_end(positions *p, const samples *log, rests_summary *summary)
     summary->gaps = log->gaps;
     summary->skipped = log->skipped;
     summary->seconds = (double)summary->samples / log->rate;
-    summary->has_temperature = log->has_temperature;
+    p->has_temperature = log->has_temperature;
 }
 
 static int digest(reading *r, const invcal_still *still, invcal_still_event seen,

@@ -20,7 +20,6 @@ typedef struct {
     unsigned long gaps;              /* in the times, or of lines that were skipped */
     unsigned long skipped;           /* malformed lines of a live stream */
     unsigned refused[RESTS_REASONS]; /* rests, by their reason */
-    int has_temperature;
     const timeline *outline;
 } rests_summary;
 

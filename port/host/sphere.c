@@ -15,8 +15,8 @@
 #define PERIOD 4.2   /* of other characters */
 #define TOGETHER 3.0 /* pixels: drawn as one spot */
 #define MARKER 4.5
-#define CELL 2 /* pixels of shading */
-#define CELLS ((unsigned)(2 * RADIUS / CELL))
+#define CELL 2     /* pixels of shading */
+#define CELLS 136u /* in the diameter */
 
 static unsigned half_of(const double v[3])
 {
@@ -353,24 +353,42 @@ void sphere_marker(FILE *file, sphere_kind kind, double x, double y)
     draw_marker(file, kind, "full", x, y, MARKER);
 }
 
+/* Marks without numbers may be a million: of equal ones in a cell of the disc one is enough. */
+static int is_hidden(const sphere *s, sphere_kind kind, double x, double y,
+                     unsigned char (*seen)[CELLS + 1])
+{
+    unsigned char *cell = &seen[(unsigned)((y - CENTRE_Y + RADIUS) / CELL)]
+                               [(unsigned)((x - CENTRE_X + RADIUS) / CELL)];
+    const unsigned char bit = (unsigned char)(1u << kind);
+    const int hidden = s->spots == 0 && (*cell & bit);
+
+    *cell |= bit;
+    return hidden;
+}
+
 /* A mark of another kind at the same spot is drawn smaller than the marker that it lies on. */
 static void draw_marks(FILE *file, const sphere *s, unsigned half)
 {
     const double alone = s->count <= SPHERE_NUMBERED ? MARKER : s->count <= 300 ? 3 : 1.8;
 
+    unsigned char seen[CELLS + 1][CELLS + 1] = {{0}};
+
     for (unsigned n = 0; n < s->count; n++) {
         const sphere_mark *m = &s->mark[n];
         const sphere_spot *spot = s->spots > 0 ? &s->spot[s->spot_of[n]] : NULL;
         const int is_upon = spot && spot->kind != m->kind;
-        const double radius = spot && !is_upon                                       ? spot->radius
-                              : m->kind == SPHERE_LEFT_OUT || m->kind == SPHERE_NEXT ? MARKER
-                                                                                     : alone;
+        const double radius = m->kind == SPHERE_LEFT_OUT || m->kind == SPHERE_NEXT ? 1.3 * MARKER
+                              : spot && !is_upon                                   ? spot->radius
+                                                                                   : alone;
         double x;
         double y;
         if (half_of(m->up) != half) {
             continue;
         }
         project(m->up, &x, &y);
+        if (is_hidden(s, m->kind, x, y, seen)) {
+            continue;
+        }
         draw_marker(file, m->kind, is_upon || s->shading ? "over" : "full", x, y, radius);
     }
 }

@@ -13,6 +13,7 @@ static const char styles[] = ".invcal .paper{fill:#fff}\n"
                              ".invcal .ink{fill:#1a1a1a}\n"
                              ".invcal .soft{fill:#555}\n"
                              ".invcal .title{font-size:17px;font-weight:bold}\n"
+                             ".invcal .heading{font-size:13px;font-weight:bold}\n"
                              ".invcal .small{font-size:12px}\n"
                              ".invcal .grid{fill:none;stroke:#ddd}\n"
                              ".invcal .rule{fill:none;stroke:#777}\n"
@@ -25,6 +26,14 @@ static const char styles[] = ".invcal .paper{fill:#fff}\n"
                              ".invcal .hollow{fill:#fff;stroke:currentColor;stroke-width:1.5}\n"
                              ".invcal .over{fill:currentColor;stroke:#fff}\n"
                              ".invcal .area{fill:currentColor;fill-opacity:.16}\n"
+                             ".invcal .bar{fill:currentColor;fill-opacity:.75}\n"
+                             ".invcal .column{stroke:currentColor}\n"
+                             ".invcal .outline{fill:currentColor;stroke:currentColor;"
+                             "stroke-linejoin:round}\n"
+                             ".invcal .dashed{stroke:currentColor;stroke-width:1.5;"
+                             "stroke-dasharray:5 3}\n"
+                             ".invcal .whisker{stroke:#1a1a1a;stroke-width:1.5}\n"
+                             ".invcal .swatch{stroke:#777;stroke-width:.5}\n"
                              ".invcal .halo{paint-order:stroke;stroke:#fff;stroke-width:3px;"
                              "stroke-linejoin:round}\n"
                              ".invcal .shade{shape-rendering:crispEdges}\n"
@@ -37,6 +46,7 @@ static const char styles[] = ".invcal .paper{fill:#fff}\n"
                              "@media screen and (prefers-color-scheme:dark){\n"
                              ".invcal .paper,.invcal .hollow{fill:#16181b}\n"
                              ".invcal .over,.invcal .halo{stroke:#16181b}\n"
+                             ".invcal .whisker{stroke:#eee}\n"
                              ".invcal .s0{fill:#1b2126}\n"
                              ".invcal .s1{fill:#212d35}\n"
                              ".invcal .s2{fill:#273945}\n"
@@ -284,7 +294,7 @@ void svg_marker(FILE *file, const char *style, svg_shape shape, double x, double
     const double triangle[][2] = {
         {x, y - up}, {x + 0.866 * up, y + 0.5 * up}, {x - 0.866 * up, y + 0.5 * up}};
 
-    char ring[16];
+    char part[16];
 
     switch (shape) {
     case SVG_SQUARE:
@@ -296,10 +306,12 @@ void svg_marker(FILE *file, const char *style, svg_shape shape, double x, double
     case SVG_CROSS:
         write_polygon(file, style, cross, 12);
         break;
-    case SVG_TARGET:
-        svg_circle(file, style, x, y, 0.5 * radius);
-        snprintf(ring, sizeof ring, "%.2s curve", style); /* of the same colour */
-        svg_circle(file, ring, x, y, 1.6 * radius);
+    case SVG_TARGET: /* a dot and a ring, on a ground of their own */
+        svg_circle(file, "paper", x, y, 1.8 * radius);
+        snprintf(part, sizeof part, "%.2s curve", style);
+        svg_circle(file, part, x, y, 1.5 * radius);
+        snprintf(part, sizeof part, "%.2s full", style);
+        svg_circle(file, part, x, y, 0.45 * radius);
         break;
     case SVG_CIRCLE:
         svg_circle(file, style, x, y, radius);

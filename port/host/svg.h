@@ -11,11 +11,12 @@
  *   c0 c1 c2 c3   a colour: grey, blue, orange, green; for the styles of the next line
  *   curve full hollow over    a line; a filled shape, one with an outline only, and one that is
  *                             set off from what lies below it
- *   area          a pale surface of a colour, for ranges
- *   shade s0 ... s5    surfaces for a figure that grows from class to class
+ *   area bar column outline   a surface of a colour: pale, firm; a thick line; an outline filled
+ *   dashed whisker            lines: of a colour, black
+ *   shade s0 ... s5    surfaces for a figure that grows from class to class; swatch: in a legend
  *   grid rule     lines: faint, firm
  *   ink soft      text: black, grey
- *   title small   text: 17 pixels and bold, 12 pixels; else 14
+ *   title heading small   text: 17 pixels and bold, 13 and bold, 12; else 14
  *   halo          text set off from what lies below it
  */
 #ifndef SVG_H

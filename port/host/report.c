@@ -1,0 +1,210 @@
+/* SPDX-License-Identifier: MIT */
+#include "report.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "command.h"
+#include "number.h"
+#include "parameters.h"
+#include "report_facts.h"
+
+#define TEXT_MAX 800
+
+/* ---- what it comes to -------------------------------------------------------------------------- */
+
+/* Half of the interval that holds the length in 95 % of cases, in the worst direction. */
+static const char *worst_spread(const report_facts *f, char text[FIGURE_MAX])
+{
+    return figure_digits(f->result->quality.coverage * f->sigma_most, 2, text);
+}
+
+static void say_good(const report_facts *f, char *text)
+{
+    const unsigned count = f->result->rejected.count;
+    char spread[FIGURE_MAX];
+    char left_out[128] = "";
+
+    if (count > 0) {
+        snprintf(left_out, sizeof left_out, " %u position%s the others and %s left out.", count,
+                 count == 1 ? " contradicts" : "s contradict", count == 1 ? "is" : "are");
+    }
+    snprintf(text, TEXT_MAX,
+             "All nine parameters are determined, and positions to spare confirm them: corrected "
+             "readings have the length of %s to ±%s %s or better, whichever way the device points "
+             "(95 %%).%s",
+             f->is_gravity ? "gravity" : "the field", worst_spread(f, spread), f->unit, left_out);
+}
+
+static void say_weak(const report_facts *f, char *text)
+{
+    char list[128];
+    char spread[FIGURE_MAX];
+
+    snprintf(
+        text, TEXT_MAX,
+        "The positions tell too little of %s: use the calibration only within its ±. In the "
+        "worst direction (%s) the length of a corrected reading is uncertain by ±%s %s (95 %%).",
+        parameters_list(f->result->quality.undetermined, list, sizeof list), f->worst_words,
+        worst_spread(f, spread), f->knows_noise ? f->unit : "times the noise of a position mean");
+}
+
+static void write_verdict(page *p, const report_facts *f)
+{
+    const char *saved = f->wish->saved;
+    char sentence[TEXT_MAX];
+    char next[TEXT_MAX];
+    char advice[128];
+
+    switch (f->result->quality.verdict) {
+    case INVCAL_GOOD:
+        say_good(f, sentence);
+        snprintf(next, sizeof next, "%scorrect readings with invcal apply %s LOG.",
+                 saved ? "" : "save it with --out CAL.json, and ", saved ? saved : "CAL.json");
+        page_verdict(p, PAGE_GOOD, "✓ Good", sentence, next);
+        break;
+    case INVCAL_NO_REDUNDANCY:
+        snprintf(next, sizeof next,
+                 "add three or more positions in other directions. Begin with: %s.", f->next_words);
+        page_verdict(p, PAGE_CAUTION, "! No redundancy",
+                     "All nine parameters are determined, but there are just as many positions: "
+                     "nothing checks the result, and one wrong position would spoil it unnoticed.",
+                     next);
+        break;
+    case INVCAL_WEAK:
+        say_weak(f, sentence);
+        snprintf(next, sizeof next, "add positions with %s. Begin with: %s.",
+                 parameters_advice(f->result->quality.undetermined, advice, sizeof advice),
+                 f->next_words);
+        page_verdict(p, PAGE_BAD, "✗ Weak", sentence, next);
+        break;
+    }
+}
+
+static void write_figures(page *p, const report_facts *f)
+{
+    const calibrate_result *r = f->result;
+    char text[128];
+    char before[FIGURE_MAX];
+    char after[FIGURE_MAX];
+    char what[128];
+
+    page_figures_begin(p);
+    snprintf(text, sizeof text, "%s → %s %s",
+             figure_digits(REPORT_PARTS * r->residual_before, 3, before),
+             figure_digits(REPORT_PARTS * r->quality.residual_rms, 3, after), f->unit);
+    snprintf(what, sizeof what, "rms error of %s, before and after", f->length);
+    page_figure(p, text, what);
+    snprintf(text, sizeof text, "%u", r->data->count);
+    snprintf(what, sizeof what, r->rejected.count ? "positions, %u of them left out" : "positions",
+             r->rejected.count);
+    page_figure(p, text, what);
+    if (f->knows_noise) {
+        snprintf(text, sizeof text, "%s %s", figure_digits(f->noise, 3, before), f->unit);
+        page_figure(p, text, "noise of a position mean");
+    }
+    page_figures_end(p);
+}
+
+/* ---- how it was made --------------------------------------------------------------------------- */
+
+static void write_nominal(page *p, const report_facts *f)
+{
+    const nominal_choice *n = &f->result->nominal;
+
+    if (n->zero == n->lsb) {
+        page_fact(p, f->wish->nominal_name, "zero and scale %s", nominal_origin_text(n->zero));
+    } else {
+        page_fact(p, f->wish->nominal_name, "zero %s, scale %s", nominal_origin_text(n->zero),
+                  nominal_origin_text(n->lsb));
+    }
+}
+
+static void write_temperature(page *p, const report_facts *f)
+{
+    const positions *data = f->result->data;
+    double least = HUGE_VAL;
+    double most = -HUGE_VAL;
+
+    for (unsigned n = 0; n < data->count && data->has_temperature; n++) {
+        least = fmin(least, data->origin[n].temperature);
+        most = fmax(most, data->origin[n].temperature);
+    }
+    if (least <= most) {
+        page_fact(p, "temperature", "%.1f ... %.1f °C: what was found holds there", least, most);
+    }
+}
+
+static void write_matrix(page *p, const report_facts *f)
+{
+    const invcal_calibration *c = &f->result->solution.calibration;
+
+    page_fact(p, "offset", "%.9g, %.9g, %.9g %s", c->offset[0], c->offset[1], c->offset[2],
+              calibrate_input_unit(f->result));
+    for (unsigned i = 0; i < 3; i++) {
+        page_fact(p, i == 0 ? "matrix" : "", "%.9g, %.9g, %.9g", c->matrix[i][0], c->matrix[i][1],
+                  c->matrix[i][2]);
+    }
+    page_fact(p, "frame", "%s",
+              f->result->settings.frame == INVCAL_FRAME_TRIANGULAR
+                  ? "triangular: only the x sensor feels a field along the x axis"
+                  : "symmetric: axes as near to the case as can be");
+}
+
+static void write_origin(page *p, const report_facts *f)
+{
+    const calibrate_result *r = f->result;
+    char number[NUMBER_TEXT_MAX];
+
+    page_section(p, "How it was made");
+    page_facts_begin(p);
+    page_fact(p, "file", "%s, %llu bytes, CRC-32 %08lx", r->data->name,
+              (unsigned long long)r->data->bytes, (unsigned long)r->data->crc);
+    page_fact(p, "command", "%s", f->wish->command);
+    page_fact(p, "invcal", "%s", INVCAL_VERSION);
+    page_fact(p, "field", "%s %s", number_text(r->settings.field, number), calibrate_field_unit(r));
+    page_fact(p, "positions", "%u used, %u left out", r->rejected.kept_count, r->rejected.count);
+    write_temperature(p, f);
+    write_nominal(p, f);
+    write_matrix(p, f);
+    page_fact(p, "condition", "%.4g", r->quality.condition);
+    page_fact(p, "degrees of freedom", "%.4g", r->quality.dof);
+    if (r->settings.noise > 0) {
+        page_fact(p, "noise stated", "%.3g %s", r->settings.noise, calibrate_field_unit(r));
+    }
+    page_facts_end(p);
+    page_note(p, "Corrected reading = matrix · (reading - offset). Lengths do not show how the "
+                 "calibrated axes are turned against the case.");
+}
+
+/* Without the folders before it. */
+static const char *file_name(const char *path)
+{
+    const char *slash = strrchr(path, '/');
+
+    return slash && slash[1] != '\0' ? slash + 1 : path;
+}
+
+int report_write(FILE *file, const calibrate_result *result, const report_wish *wish)
+{
+    report_facts f;
+    page p;
+    char title[TEXT_MAX];
+    const int failure = report_facts_find(&f, result, wish);
+
+    if (!failure) {
+        snprintf(title, sizeof title, "Calibration of %.300s", file_name(result->data->name));
+        page_begin(&p, file, title);
+        write_verdict(&p, &f);
+        write_figures(&p, &f);
+        report_parameters(&p, &f);
+        report_positions(&p, &f);
+        report_sphere(&p, &f);
+        report_timeline(&p, &f);
+        report_numbers(&p, &f);
+        write_origin(&p, &f);
+        page_end(&p);
+    }
+    report_facts_release(&f);
+    return failure;
+}

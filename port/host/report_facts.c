@@ -1,0 +1,135 @@
+/* SPDX-License-Identifier: MIT */
+#include "report_facts.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "command.h"
+#include "invcal/observation.h"
+
+#define TURN 6.2831853071795865
+#define STEP (TURN / 72) /* of the search for the most uncertain direction */
+
+static double length(const double v[3])
+{
+    return sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
+}
+
+/* Readings before and after, and which way was up. */
+static void find_positions(report_facts *f)
+{
+    const calibrate_result *r = f->result;
+    const double field = r->settings.field;
+
+    for (unsigned n = 0; n < f->count; n++) {
+        report_position *at = &f->position[n];
+        double v[3];
+        invcal_apply(&r->settings.nominal, &r->data->mean[3 * (size_t)n], v);
+        at->before = REPORT_PARTS * (length(v) / field - 1);
+        invcal_apply(&r->solution.calibration, &r->data->mean[3 * (size_t)n], v);
+        at->after = REPORT_PARTS * (length(v) / field - 1);
+        for (unsigned i = 0; i < 3; i++) {
+            at->up[i] = length(v) > 0 ? v[i] / length(v) : i == 2;
+        }
+    }
+    for (unsigned k = 0; k < r->rejected.count; k++) {
+        f->position[r->rejected.list[k].position].is_left_out = 1;
+    }
+}
+
+/* The positions kept, as calibrated unit vectors, and what they leave uncertain. The calibration
+ * has been made of them, so none of this can fail. */
+static void find_covariance(report_facts *f)
+{
+    const calibrate_result *r = f->result;
+    invcal_residuals residuals;
+
+    invcal_residuals_init(&residuals, &r->solution);
+    for (unsigned n = 0; n < r->rejected.kept_count; n++) {
+        double u[3];
+        (void)invcal_observation_reading(&r->settings.nominal, r->settings.field,
+                                         &r->rejected.kept[3 * (size_t)n], u);
+        (void)invcal_residuals_add(&residuals, u, 1, NULL);
+    }
+    (void)invcal_covariance(&residuals, &r->settings, r->quality.noise, f->covariance);
+    f->normal = residuals.normal;
+}
+
+double report_sigma(const void *facts, const double up[3])
+{
+    const report_facts *f = facts;
+    invcal_observation row;
+    double square = 0;
+
+    if (invcal_observation_exact(up, &row) != INVCAL_OK) {
+        return 0;
+    }
+    for (unsigned i = 0; i < INVCAL_PARAMETERS; i++) {
+        for (unsigned j = 0; j <= i; j++) {
+            square += (i == j ? 1 : 2) * row.h[i] * row.h[j] * f->covariance[INVCAL_PACKED(i, j)];
+        }
+    }
+    return f->noise * sqrt(fmax(0, square));
+}
+
+/* The least and the greatest over a grid of 5 degrees. */
+static void find_extremes(report_facts *f)
+{
+    f->sigma_least = HUGE_VAL;
+    for (double polar = 0; polar < TURN / 2 + STEP / 2; polar += STEP) {
+        for (double azimuth = 0; azimuth < TURN - STEP / 2; azimuth += STEP) {
+            const double up[3] = {sin(polar) * cos(azimuth), sin(polar) * sin(azimuth), cos(polar)};
+            const double sigma = report_sigma(f, up);
+            f->sigma_least = fmin(f->sigma_least, sigma);
+            if (sigma > f->sigma_most) {
+                f->sigma_most = sigma;
+                memcpy(f->worst, up, sizeof f->worst);
+            }
+        }
+    }
+    invcal_guidance_words(f->worst, f->worst_words);
+}
+
+static void set_marks(report_facts *f)
+{
+    for (unsigned n = 0; n < f->count; n++) {
+        memcpy(f->mark[n].up, f->position[n].up, sizeof f->mark[n].up);
+        f->mark[n].kind = f->position[n].is_left_out ? SPHERE_LEFT_OUT : SPHERE_POSITION;
+    }
+    memcpy(f->mark[f->count].up, f->next.up, sizeof f->next.up);
+    f->mark[f->count].kind = SPHERE_NEXT;
+}
+
+int report_facts_find(report_facts *f, const calibrate_result *result, const report_wish *wish)
+{
+    const double field = result->settings.field;
+
+    *f = (report_facts){.result = result, .wish = wish, .count = result->data->count};
+    f->is_gravity = calibrate_is_gravity(field);
+    f->unit = f->is_gravity ? "mg" : "‰ of the field";
+    f->length = f->is_gravity ? "|a|" : "length";
+    f->knows_noise = calibrate_knows_noise(result);
+    f->noise = f->knows_noise ? REPORT_PARTS * result->quality.noise : 1;
+    f->position = calloc(f->count, sizeof *f->position);
+    f->mark = calloc((size_t)f->count + 1, sizeof *f->mark);
+    if (!f->position || !f->mark) {
+        message("%s: not enough memory for a report of %u positions", result->data->name, f->count);
+        return EXIT_FILE;
+    }
+    find_positions(f);
+    find_covariance(f);
+    find_extremes(f);
+    (void)invcal_guidance_next(&f->normal, NULL, &f->next);
+    invcal_guidance_words(f->next.up, f->next_words);
+    set_marks(f);
+    return EXIT_GOOD;
+}
+
+void report_facts_release(report_facts *f)
+{
+    free(f->position);
+    free(f->mark);
+    f->position = NULL;
+    f->mark = NULL;
+}

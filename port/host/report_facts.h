@@ -1,0 +1,62 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * report_facts.h: what the sections of the report share: figures of every position and of every
+ * direction, in units that people use.
+ */
+#ifndef REPORT_FACTS_H
+#define REPORT_FACTS_H
+
+#include "figure.h"
+#include "invcal/guidance.h"
+#include "page.h"
+#include "report.h"
+#include "sphere.h"
+
+/* Lengths are told in thousandths of the field: mg, if the field is that of gravity. */
+#define REPORT_PARTS 1000.0
+
+typedef struct {
+    double up[3];  /* where up was, in the calibrated frame: unit vector */
+    double before; /* |nominal calibration| - field, in thousandths of it */
+    double after;  /* the same, calibrated */
+    int is_left_out;
+} report_position;
+
+typedef struct {
+    const calibrate_result *result;
+    const report_wish *wish;
+    int is_gravity;     /* the field is that of gravity, in m/s^2 */
+    const char *unit;   /* of a thousandth of the field */
+    const char *length; /* symbol of the length of a reading */
+    int knows_noise;    /* else all sigma are in multiples of the noise of a position mean */
+    unsigned count;
+    report_position *position; /* count of them */
+    sphere_mark *mark;         /* the same for the sphere, and behind them the next one */
+    invcal_normal normal;      /* of the calibrated readings that were kept */
+    double covariance[INVCAL_PACKED_SIZE(INVCAL_PARAMETERS)];
+    double noise;       /* of a position mean, thousandths; 1 if not known */
+    double sigma_least; /* of |a|, over all directions, as sigma of report_sigma */
+    double sigma_most;
+    double worst[3]; /* the direction of the latter */
+    invcal_guidance next;
+    char next_words[INVCAL_GUIDANCE_WORDS];
+    char worst_words[INVCAL_GUIDANCE_WORDS];
+} report_facts;
+
+/* EXIT_GOOD; EXIT_FILE, with a message, without memory. To be released in either case. */
+int report_facts_find(report_facts *f, const calibrate_result *result, const report_wish *wish);
+void report_facts_release(report_facts *f);
+
+/* Standard deviation of the calibrated length in a direction, thousandths of the field, or in
+ * multiples of the noise of a position mean if that is not known. Takes report_facts, for
+ * sphere.h. */
+double report_sigma(const void *facts, const double up[3]);
+
+/* The sections, in this order. */
+void report_parameters(page *p, const report_facts *f);
+void report_positions(page *p, const report_facts *f);
+void report_sphere(page *p, const report_facts *f);
+void report_timeline(page *p, const report_facts *f);
+void report_numbers(page *p, const report_facts *f);
+
+#endif
