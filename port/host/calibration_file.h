@@ -7,11 +7,37 @@
 
 #include "invcal/calibration.h"
 
+#define CALIBRATION_FILE_WORD 32 /* longer words are cut */
+#define CALIBRATION_FILE_NAMES 128
+
+/* All that is known of a calibration. A number that the file does not tell is NUMBER_UNKNOWN, a
+ * text is "". */
+typedef struct {
+    invcal_calibration calibration;
+    double gravity;   /* length of the field, field units */
+    double positions; /* how many there were */
+    char frame[CALIBRATION_FILE_WORD];
+    char unit[CALIBRATION_FILE_WORD];      /* of the readings: "g", "mg", "m/s^2", "counts", ... */
+    double zero[3];                        /* the nominal calibration: input units, */
+    double lsb[3];                         /* field units per input unit, */
+    int is_skewed;                         /* and 1 if it has cross terms besides, */
+    char zero_from[CALIBRATION_FILE_WORD]; /* where it came from: "given", "range", ... */
+    char lsb_from[CALIBRATION_FILE_WORD];
+    double sigma_offset[3]; /* standard deviations: input units, */
+    double sigma_dk[3];     /* of scale errors, */
+    double sigma_gamma[3];  /* of angles, rad */
+    char verdict[CALIBRATION_FILE_WORD];
+    char undetermined[CALIBRATION_FILE_NAMES]; /* names with commas between */
+} calibration_file;
+
 /* Reads a JSON object with "offset", 3 numbers in input units, and "matrix", 3 rows of 3 numbers
  * in field units per input unit; other members do not matter. "-" is the standard input.
  *
  * Returns EXIT_GOOD; EXIT_FILE, with a message, if the file is unreadable or malformed, or the
  * matrix is singular. */
 int calibration_file_read(const char *path, invcal_calibration *out);
+
+/* The same with everything else that it tells; then the members above are checked as well. */
+int calibration_file_read_all(const char *path, calibration_file *out);
 
 #endif

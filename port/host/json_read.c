@@ -33,6 +33,12 @@ int json_error(const json_reader *r, const char *what)
     return EXIT_FILE;
 }
 
+int json_peek(json_reader *r)
+{
+    skip_space(r);
+    return r->next;
+}
+
 void json_start(json_reader *r, FILE *file, const char *name)
 {
     *r = (json_reader){.file = file, .name = name, .line = 1};
@@ -106,11 +112,11 @@ static char escaped(json_reader *r)
     return code > 0 && code < 0x80 ? (char)code : '?';
 }
 
-/* A text, cut to size - 1 characters. */
-static int read_text(json_reader *r, char *out, size_t size)
+int json_read_text(json_reader *r, char *out, size_t size)
 {
     size_t length = 0;
 
+    skip_space(r);
     if (r->next != '"') {
         return json_error(r, "a name or text in double quotes is expected");
     }
@@ -142,7 +148,7 @@ int json_member(json_reader *r, unsigned index, char *name, size_t size)
     if (more != 1) {
         return more;
     }
-    if (read_text(r, name, size) != EXIT_GOOD) {
+    if (json_read_text(r, name, size) != EXIT_GOOD) {
         return -1;
     }
     skip_space(r);
@@ -231,7 +237,7 @@ int json_skip(json_reader *r)
         return skip_items(r, (char)r->next);
     }
     if (r->next == '"') {
-        return read_text(r, token, sizeof token);
+        return json_read_text(r, token, sizeof token);
     }
     const int failure = read_token(r, token, sizeof token);
     if (failure) {

@@ -38,6 +38,12 @@ int json_element(json_reader *r, unsigned index);
 
 int json_read_number(json_reader *r, double *out);
 
+/* A text, cut to size - 1 bytes. Characters that are escaped and beyond ASCII become '?'. */
+int json_read_text(json_reader *r, char *out, size_t size);
+
+/* The first character of the value that comes next, or EOF; nothing is taken. */
+int json_peek(json_reader *r);
+
 /* Passes over a value of any kind, checking it. */
 int json_skip(json_reader *r);
 
