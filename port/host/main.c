@@ -13,7 +13,8 @@
 #include "output.h"
 
 static const tool_command *const commands[] = {
-    &calibrate_command, &apply_command, &plan_command, &simulate_command, &watch_command,
+    &calibrate_command, &apply_command,    &export_command,
+    &plan_command,      &simulate_command, &watch_command,
 };
 
 #define COMMANDS (sizeof commands / sizeof commands[0])
