@@ -254,6 +254,10 @@ static const char *const help[] = {
     "  --format px4        CAL_ACC parameters, a file for QGroundControl\n"
     "  --format ardupilot  INS_ACC parameters, a .param file\n"
     "\n",
+    "A field of 9.7 to 9.9 is taken for gravity in m/s^2, 0.99 to 1.01 in g, 990 to 1010 in mg, "
+    "and\n"
+    "any other for that of a magnetometer, which only the three in C take.\n"
+    "\n"
     "The first four take readings in input units, those of the log. The last three correct what\n"
     "their driver delivers in m/s^2, so its scale must be known: the log was in m/s^2, g or mg, "
     "or\n"

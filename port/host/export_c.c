@@ -60,7 +60,8 @@ static void write_c(FILE *file, const export_job *job)
 
     begin(file, job);
     export_comment(file, EXPORT_COMMENT_C, "Use: invcal_apply(&%s, raw, calibrated);", name);
-    export_comment(file, EXPORT_COMMENT_C, "raw in input units, calibrated in units of the field.");
+    export_comment(file, EXPORT_COMMENT_C, "raw in input units, calibrated in %s.",
+                   export_field_unit(job));
     fprintf(file, " */\n#ifndef INVCAL_EXPORT_%s_H\n#define INVCAL_EXPORT_%s_H\n\n", name, name);
     fprintf(file, "#include \"invcal/calibration.h\"\n\n");
     fprintf(file, "static const invcal_calibration %s = {\n    ", name);
@@ -83,7 +84,8 @@ static void write_arrays(FILE *file, const export_job *job)
     export_comment(file, EXPORT_COMMENT_C, "Use, for i = 0, 1, 2, the sum over j = 0, 1, 2:");
     export_comment(file, EXPORT_COMMENT_C,
                    "  calibrated[i] = SUM %s_matrix[i][j] (raw[j] - %s_offset[j])", name, name);
-    export_comment(file, EXPORT_COMMENT_C, "raw in input units, calibrated in units of the field.");
+    export_comment(file, EXPORT_COMMENT_C, "raw in input units, calibrated in %s.",
+                   export_field_unit(job));
     fprintf(file, " */\nstatic const float %s_offset[3] = ", name);
     write_row(file, c->offset, 0, "", "f");
     fprintf(file, ";\nstatic const float %s_matrix[3][3] = {\n", name);

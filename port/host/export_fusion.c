@@ -68,7 +68,8 @@ static void write_magnetic(FILE *file, const export_job *job, const char *name)
 
     export_comment(file, EXPORT_COMMENT_C,
                    "FusionModelMagnetic(raw, %sSoftIronMatrix, %sHardIronOffset)", name, name);
-    export_comment(file, EXPORT_COMMENT_C, "raw in input units, result in units of the field.");
+    export_comment(file, EXPORT_COMMENT_C,
+                   "raw in input units; of the result only the direction counts.");
     fputs(" */\n", file);
     write_values(file, "FusionMatrix", name, "SoftIronMatrix", c->matrix[0], 9);
     write_values(file, "FusionVector", name, "HardIronOffset", c->offset, 3);

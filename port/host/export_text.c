@@ -72,13 +72,21 @@ void export_heading(FILE *file, const char *prefix, const export_job *job)
         export_comment(file, prefix, "positions: %.0f", c->positions);
     }
     if (c->gravity <= DBL_MAX) {
-        export_comment(file, prefix, "length of the field: %.9g%s", c->gravity,
-                       job->si > 0 ? " (gravity)" : "");
+        export_comment(file, prefix, "%s: %.9g %s", job->si > 0 ? "gravity" : "field", c->gravity,
+                       export_field_unit(job));
     }
     if (*c->frame) {
         export_comment(file, prefix, "frame: %s", c->frame);
     }
     comment_sigma(file, prefix, c);
+}
+
+const char *export_field_unit(const export_job *job)
+{
+    return job->si > 5     ? "g" /* 9.80665 m/s^2 */
+           : job->si > 0.5 ? "m/s^2"
+           : job->si > 0   ? "mg"
+                           : "units of the field";
 }
 
 const char *export_float(double x, char text[NUMBER_TEXT_MAX])

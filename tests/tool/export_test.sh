@@ -339,7 +339,7 @@ static invcal_real as_real(const char *text)
 #endif
 }
 
-static int differs(invcal_real a, invcal_real b)
+static int differs(double a, double b)
 {
     return a < b || a > b;
 }
@@ -350,11 +350,12 @@ int main(int argc, char **argv)
     int wrong = argc != 13;
 
     for (int i = 0; i < 3 && !wrong; i++) {
-        wrong |= differs(accel.offset[i], as_real(argv[1 + i]));
-        wrong |= differs(plain_offset[i], as_float(argv[1 + i]));
+        wrong |= differs((double)accel.offset[i], (double)as_real(argv[1 + i]));
+        wrong |= differs((double)plain_offset[i], (double)as_float(argv[1 + i]));
         for (int j = 0; j < 3; j++) {
-            wrong |= differs(accel.matrix[i][j], as_real(argv[4 + 3 * i + j]));
-            wrong |= differs(plain_matrix[i][j], as_float(argv[4 + 3 * i + j]));
+            const char *text = argv[4 + 3 * i + j];
+            wrong |= differs((double)accel.matrix[i][j], (double)as_real(text));
+            wrong |= differs((double)plain_matrix[i][j], (double)as_float(text));
         }
     }
     while (!wrong && scanf("%lf %lf %lf%*[^\n]", &x, &y, &z) == 3) {
@@ -421,6 +422,23 @@ for f in c c-arrays fusion; do
         export "$work/huge.json" --format $f
 done
 
+# Fusion's types are unions, and its own examples initialise them by flat braces.
+cat > "$work/fusion.c" <<'EOF'
+typedef union { float array[3][3]; } FusionMatrix;
+typedef union { float array[3]; } FusionVector;
+#include "fusion.h"
+float all(int i, int j);
+float all(int i, int j)
+{
+    return accelerometerMisalignment.array[i][j] + accelerometerSensitivity.array[i] +
+           accelerometerOffset.array[j];
+}
+EOF
+accepts "fusion: to a file" export "$work/cal.json" --format fusion --out "$work/fusion.h"
+# shellcheck disable=SC2086
+check "fusion: it compiles" ${CC:-cc} $CFLAGS -std=c99 -Wall -Wextra -Werror -pedantic \
+    -Wno-missing-braces -Wdouble-promotion -c "$work/fusion.c" -o "$work/fusion.o"
+
 # ---- what apply does ---------------------------------------------------------------------------
 
 "$tool" calibrate "$data/xsens_mti_positions.csv" --positions --gravity 9.81744 \
@@ -434,7 +452,7 @@ in=/dev/null
 awk '/^#/ { exit } { print }' "$work/stdout" > "$work/numbers"
 check "imu_tk: a real sensor: as apply" within 1e-6 imu_tk "$work/truth"
 check "its comment tells verdict, positions, sigma, gravity and source" sh -c '
-    for word in "verdict: good" "positions: 38" "offset  *0.2" "9.81744" "standard input"; do
+    for word in "verdict: good" "positions: 38" "offset  *0.2" "gravity: 9.81744 m.s^2" "standard input"; do
         grep -q "^# .*$word" "$1" || exit 1
     done' sh "$work/stdout"
 run export "$work/real.json" --format ros --zero 32768,32768,32768 --lsb 0.0024
