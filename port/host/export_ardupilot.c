@@ -60,10 +60,10 @@ static int check(const export_job *job)
  * then turned to the body. So offset is in m/s^2, comes before the scale, and both are the best
  * diagonal fit to driver -> m/s^2, in the axes that an ArduPilot log shows before AHRS_ORIENTATION.
  *
- * Names and ranges: AP_InertialSensor.cpp: INS_ACCOFFS_X ... Z, -3.5 to 3.5 m/s^2, INS_ACCSCAL_X ...
- * Z, 0.8 to 1.2. Its own calibration refuses scales beyond and offsets above 9.80665
- * (AccelCalibrator::accept_result()), and so is done here. Before take-off it wants INS_ACC_ID to be
- * the sensor's (accel_calibrated_ok_all()).
+ * Names and ranges: AP_InertialSensor.cpp: INS_ACCOFFS_X ... Z, -3.5 to 3.5 m/s^2, and
+ * INS_ACCSCAL_X ... Z, 0.8 to 1.2. Its own calibration refuses scales beyond and offsets above
+ * 9.80665 (AccelCalibrator::accept_result()), and so is done here. Before take-off it wants
+ * INS_ACC_ID to be the sensor's (accel_calibrated_ok_all()).
  *
  * File: NAME,VALUE; '#' begins a comment (MissionPlanner, ParamFile.loadParamFile(); pymavlink,
  * mavparm.py, load()). */

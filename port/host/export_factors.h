@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * export_factors.h: matrix = misalignment . diag(scale), the misalignment with ones on its diagonal.
+ * export_factors.h: matrix = misalignment . diag(scale), with ones on the misalignment's diagonal.
  *
  * Column by column: scale_j = matrix_jj, misalignment_ij = matrix_ij / matrix_jj. It is unique.
  */

@@ -37,8 +37,8 @@ static int check(const export_job *job)
     }
     export_diagonal_tell(job, &d);
     if (is_ignored(job->driver.offset, d.scale)) {
-        message("warning: some PX4 releases ignore offsets shorter than 0.01 m/s^2 and scales "
-                "within 0.01 of 1, as these are; check what \"sensors status\" shows");
+        message("warning: some PX4 releases ignore an offset shorter than 0.01 m/s^2, or scales "
+                "within 0.01 of 1, as here; check what \"sensors status\" shows");
     }
     return EXIT_GOOD;
 }

@@ -22,8 +22,8 @@ void export_comment(FILE *file, const char *prefix, const char *format, ...);
 /* Where the calibration comes from, and how good it is. */
 void export_heading(FILE *file, const char *prefix, const export_job *job);
 
-/* The unit of the field, and so of what the full calibration gives: "m/s^2", "g", "mg", or "units of
- * the field" where it is no gravity. */
+/* The unit of the field, and so of what the full calibration gives: "m/s^2", "g", "mg", or "units
+ * of the field" where it is no gravity. */
 const char *export_field_unit(const export_job *job);
 
 /* The shortest text that reads back as the float nearest to x. Returns text. */

@@ -132,7 +132,8 @@ went_well() { [ "$code" -eq 0 ] || complain; }
 accepts "ros: is exported" export "$work/cal.json" --format ros $driver
 { yaml SM; yaml bias; } > "$work/numbers"
 check "ros: SM raw - bias is the truth" within 1e-6 ros "$work/driven"
-check "ros: says which package reads it" matches "$work/stdout" 'apply_calib of the package imu_calib'
+check "ros: says which package reads it" matches "$work/stdout" \
+    'apply_calib of the package imu_calib'
 check "ros: SM has 9 numbers and bias 3" sh -c '[ "$(wc -w < "$1")" -eq 12 ]' sh "$work/numbers"
 
 accepts "imu_tk: is exported" export "$work/cal.json" --format imu_tk
@@ -153,7 +154,8 @@ for part in Misalignment Sensitivity Offset; do
     initialiser "accelerometer$part"
 done > "$work/numbers"
 check "fusion: M ((raw - b) s) is the truth in g" within 2e-6 inertial "$work/g"
-check "fusion: M has ones on its diagonal" awk 'NR == 1 && ($1 != 1 || $5 != 1 || $9 != 1) { exit 1 }' \
+check "fusion: M has ones on its diagonal" awk '
+    NR == 1 && ($1 != 1 || $5 != 1 || $9 != 1) { exit 1 }' \
     "$work/numbers"
 calibration '' 1 "$(awk -v g="$gravity" 'BEGIN { printf "%.17g", 1 / g }')" > "$work/g.json"
 accepts "fusion: a calibration in g is exported" export "$work/g.json" --format fusion --name acc
@@ -236,9 +238,9 @@ for f in px4 ardupilot; do
         "${axes%% *}" "${cut_axes%% *}"
 done
 
-export_to px4 --instance 2 --device-id 1310988
-export_to px4 --zero 1,2,3 --instance 4
-check "px4: instance 4 is refused" was_refused 2 '--zero: state both|--instance'
+# shellcheck disable=SC2086
+refuses "px4: a fifth sensor is refused" 2 '--instance: is a whole number from 0 to 3' \
+    export "$work/cal.json" --format px4 $driver --instance 4
 # shellcheck disable=SC2086
 export_to px4 $driver --instance 2 --device-id 1310988
 check "px4: the instance is in the names, the device ID is an int32" sh -c \
@@ -271,7 +273,7 @@ cat > "$work/small.json" <<'EOF'
  "gravity": 9.80665, "unit": "m/s^2"}
 EOF
 run export "$work/small.json" --format px4
-check "px4: one that it may ignore is told" matches "$work/stderr" 'releases ignore offsets shorter'
+check "px4: one that it may ignore is told" matches "$work/stderr" 'releases ignore an offset shorter'
 check "px4: a diagonal calibration leaves nothing" matches "$work/stdout" \
     '^# +this best fit +0\.0000 +0\.0000 +0\.0000 +0\.0000$'
 
