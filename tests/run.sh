@@ -42,6 +42,7 @@ suite tool sh "$tests/tool/tool_test.sh" "$build/invcal" "$build/tool"
 suite log sh "$tests/tool/log_test.sh" "$build/invcal" "$build/tool"
 suite plan sh "$tests/tool/plan_test.sh" "$build/invcal" "$build/tool"
 suite export sh "$tests/tool/export_test.sh" "$build/invcal" "$build/tool"
+suite report sh "$tests/tool/report_test.sh" "$build/invcal" "$build/tool"
 
 echo "$passed passed, $failed failed"
 [ "$failed" -eq 0 ]

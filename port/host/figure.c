@@ -4,6 +4,9 @@
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
+
+#define FIGURE_NOTHING 1e-9 /* less is rounding */
 
 int figure_places(double value, double sigma)
 {
@@ -47,10 +50,14 @@ const char *figure_digits(double x, int digits, char text[FIGURE_MAX])
 {
     const double size = fabs(x);
 
-    if (size > 0 && (size < 0.001 || size >= 1e6)) {
+    if (!(size >= FIGURE_NOTHING)) {
+        snprintf(text, FIGURE_MAX, "0");
+    } else if (size < 0.001 || size >= 1e6) {
         snprintf(text, FIGURE_MAX, "%.*g", digits, x);
-        return text;
+    } else { /* the exponent after rounding: 0.9999 is 1.00 */
+        snprintf(text, FIGURE_MAX, "%.*e", digits - 1, x);
+        const int places = digits - 1 - atoi(strchr(text, 'e') + 1);
+        figure_fixed(x, places > 0 ? places : 0, FIGURE_PLAIN, text);
     }
-    const int whole = size > 0 ? (int)floor(log10(size)) + 1 : 1;
-    return figure_fixed(x, whole < digits ? digits - whole : 0, FIGURE_PLAIN, text);
+    return text;
 }

@@ -44,10 +44,10 @@ static const char styles[] =
     ".row svg{flex:0 1 auto}\n"
     ".narrow{display:none}\n"
     "@media screen and (max-width:640px){.wide{display:none}.narrow{display:block}}\n"
+    "@media screen and (max-width:480px){.facts.facts{display:block}.facts dd{margin-bottom:6px}}\n"
     ".scroll{overflow-x:auto}\n"
     "table{border-collapse:collapse;font-variant-numeric:tabular-nums;font-size:.8125rem;"
     "margin:8px 0;overflow-wrap:normal}\n"
-    "caption{text-align:left;color:var(--soft);padding-bottom:4px}\n"
     "th,td{padding:3px 12px 3px 0;text-align:right;vertical-align:baseline;"
     "border-bottom:1px solid var(--line);white-space:nowrap}\n"
     "th{font-weight:600}\n"
@@ -192,8 +192,10 @@ static const char *cell_class(const page_table *table, unsigned column)
 
 void page_table_begin(page *p, const page_table *table)
 {
-    fputs("<div class=\"scroll\">\n<table>\n", p->file);
-    element(p, "<caption>", table->caption, "</caption>\n<thead><tr>");
+    element(p, "<p class=\"note\">", table->caption, "</p>");
+    fputs("<div class=\"scroll\" tabindex=\"0\">\n<table aria-label=\"", p->file);
+    svg_escape(p->file, table->caption);
+    fputs("\">\n<thead><tr>\n", p->file);
     for (unsigned k = 0; k < table->count; k++) {
         fprintf(p->file, "<th scope=\"col\"%s>", cell_class(table, k));
         element(p, "", table->heading[k], "</th>");

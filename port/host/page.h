@@ -53,7 +53,7 @@ void page_row_end(page *p, const char *caption);
 
 /* A table: the first column is of words, the others of figures unless is_text says so. */
 typedef struct {
-    const char *caption;
+    const char *caption; /* stands above; a table that is too wide for a phone scrolls below it */
     const char *const *heading; /* count texts */
     unsigned count;
     unsigned text_columns; /* bit k: column k is of words */

@@ -31,8 +31,8 @@ static void say_good(const report_facts *f, char *text)
     }
     snprintf(text, TEXT_MAX,
              "All nine parameters are determined, and positions to spare confirm them: corrected "
-             "readings have the length of %s to ±%s %s or better, whichever way the device points "
-             "(95 %%).%s",
+             "readings have the length of %s to ±%s %s or better, whichever way the device points "
+             "(95 %%).%s",
              f->is_gravity ? "gravity" : "the field", worst_spread(f, spread), f->unit, left_out);
 }
 
@@ -44,7 +44,7 @@ static void say_weak(const report_facts *f, char *text)
     snprintf(
         text, TEXT_MAX,
         "The positions tell too little of %s: use the calibration only within its ±. In the "
-        "worst direction (%s) the length of a corrected reading is uncertain by ±%s %s (95 %%).",
+        "worst direction (%s) the length of a corrected reading is uncertain by ±%s %s (95 %%).",
         parameters_list(f->result->quality.undetermined, list, sizeof list), f->worst_words,
         worst_spread(f, spread), f->knows_noise ? f->unit : "times the noise of a position mean");
 }
@@ -90,7 +90,7 @@ static void write_figures(page *p, const report_facts *f)
     char what[128];
 
     page_figures_begin(p);
-    snprintf(text, sizeof text, "%s → %s %s",
+    snprintf(text, sizeof text, "%s → %s %s",
              figure_digits(REPORT_PARTS * r->residual_before, 3, before),
              figure_digits(REPORT_PARTS * r->quality.residual_rms, 3, after), f->unit);
     snprintf(what, sizeof what, "rms error of %s, before and after", f->length);
@@ -100,7 +100,7 @@ static void write_figures(page *p, const report_facts *f)
              r->rejected.count);
     page_figure(p, text, what);
     if (f->knows_noise) {
-        snprintf(text, sizeof text, "%s %s", figure_digits(f->noise, 3, before), f->unit);
+        snprintf(text, sizeof text, "%s %s", figure_digits(f->noise, 3, before), f->unit);
         page_figure(p, text, "noise of a position mean");
     }
     page_figures_end(p);

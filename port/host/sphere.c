@@ -17,6 +17,8 @@
 #define MARKER 4.5
 #define CELL 2     /* pixels of shading */
 #define CELLS 136u /* in the diameter */
+#define PLACE 4    /* pixels that a small marker takes */
+#define PLACES 69u
 
 static unsigned half_of(const double v[3])
 {
@@ -173,13 +175,13 @@ static const struct {
     const char *name;
     double x, y; /* of the middle of its name, from the centre */
 } axis_names[2][AXES - 1] = {
-    {{"+x", RADIUS + 16, 0},
-     {"-x", -RADIUS - 16, 0},
+    {{"+x", RADIUS + 20, 0},
+     {"-x", -RADIUS - 20, 0},
      {"+y", 0, -RADIUS - 17},
      {"-y", 0, RADIUS + 17},
      {"+z", -15, 13}},
-    {{"+x", RADIUS + 16, 0},
-     {"-x", -RADIUS - 16, 0},
+    {{"+x", RADIUS + 20, 0},
+     {"-x", -RADIUS - 20, 0},
      {"+y", 0, -RADIUS - 17},
      {"-y", 0, RADIUS + 17},
      {"-z", -15, 13}},
@@ -353,12 +355,12 @@ void sphere_marker(FILE *file, sphere_kind kind, double x, double y)
     draw_marker(file, kind, "full", x, y, MARKER);
 }
 
-/* Marks without numbers may be a million: of equal ones in a cell of the disc one is enough. */
+/* Marks without numbers may be a million: of equal ones at a place of the disc one is enough. */
 static int is_hidden(const sphere *s, sphere_kind kind, double x, double y,
-                     unsigned char (*seen)[CELLS + 1])
+                     unsigned char (*seen)[PLACES])
 {
-    unsigned char *cell = &seen[(unsigned)((y - CENTRE_Y + RADIUS) / CELL)]
-                               [(unsigned)((x - CENTRE_X + RADIUS) / CELL)];
+    unsigned char *cell = &seen[(unsigned)((y - CENTRE_Y + RADIUS) / PLACE)]
+                               [(unsigned)((x - CENTRE_X + RADIUS) / PLACE)];
     const unsigned char bit = (unsigned char)(1u << kind);
     const int hidden = s->spots == 0 && (*cell & bit);
 
@@ -371,7 +373,7 @@ static void draw_marks(FILE *file, const sphere *s, unsigned half)
 {
     const double alone = s->count <= SPHERE_NUMBERED ? MARKER : s->count <= 300 ? 3 : 1.8;
 
-    unsigned char seen[CELLS + 1][CELLS + 1] = {{0}};
+    unsigned char seen[PLACES][PLACES] = {{0}};
 
     for (unsigned n = 0; n < s->count; n++) {
         const sphere_mark *m = &s->mark[n];
@@ -399,13 +401,13 @@ void sphere_draw(FILE *file, const sphere *s, unsigned half)
         draw_shading(file, s, half);
     }
     draw_graticule(file);
-    draw_axis_names(file, half);
     for (unsigned i = 0; i < s->spots; i++) {
         if (s->spot[i].half == half && s->spot[i].is_labelled) {
             draw_label(file, &s->spot[i]);
         }
     }
     draw_marks(file, s, half);
+    draw_axis_names(file, half);
     svg_text(file, "soft small", SVG_MIDDLE, CENTRE_X, CAPTION_Y,
              half ? "z down, seen from +z through the sphere"
                   : "z up, and the equator, seen from +z");

@@ -1,0 +1,207 @@
+#!/bin/sh
+# SPDX-License-Identifier: MIT
+#
+# Tests of the page that calibrate --report writes: report_test.sh path/to/invcal builddir
+#
+# What it looks like is seen by tests/pages.sh, in a browser.
+here=$(dirname "$0")
+# shellcheck source=tests/tool/support.sh
+. "$here/support.sh"
+
+page=$work/out/page.html
+
+# The text of the page, without tags, styles and pictures, on one line.
+words() {
+    sed '/<style>/,/<\/style>/d; /<svg /,/<\/svg>/d; s/<[^>]*>/ /g' "$page" |
+        sed "s/$(printf '\302\240')/ /g" | tr -s ' \n' ' ' |
+        sed 's/&lt;/</g; s/&gt;/>/g; s/&quot;/"/g; s/&#39;/'"'"'/g; s/&amp;/\&/g'
+}
+says_page() { words | grep -Eq -- "$1" || { words | head -c 600 >&2; return 1; }; }
+says_not() { ! words | grep -Eq -- "$1"; }
+
+# Every tag that is opened is closed, in order; only meta is empty.
+is_balanced() {
+    awk 'BEGIN { RS = "<" } NR > 1 {
+        split($0, part, /[ >\n]/); tag = part[1]
+        if (tag ~ /^!/ || tag == "meta") next
+        if (tag ~ /^\//) { if (depth == 0 || open[depth--] != substr(tag, 2)) exit bad = 1; next }
+        head = $0; sub(/>.*/, "", head)
+        if (head !~ /\/$/) open[++depth] = tag
+    } END { exit bad || depth != 0 }' "$page"
+}
+
+# No script, nothing loaded, no event handlers.
+is_self_contained() {
+    ! sed 's/xmlns="http:\/\/www.w3.org\/2000\/svg"//g' "$page" |
+        grep -Eiq '<script|<link|<img|<iframe|<[^>]* (src|href|on[a-z]+)=|url\(|@import'
+}
+is_page() {
+    [ "$(head -n 1 "$page")" = '<!DOCTYPE html>' ] && [ "$(tail -n 1 "$page")" = '</html>' ] &&
+        is_balanced && is_self_contained
+}
+is_finite() { ! grep -Eiqw -- '-?(nan|inf)' "$page"; }
+
+makes_page() { # makes_page SENTENCE ARGUMENTS ...
+    sentence=$1
+    shift
+    rm -f "$page"
+    accepts "report: $sentence" calibrate --report "$page" "$@"
+    check "report: $sentence: well formed, and needs nothing else" is_page
+    check "report: $sentence: every number is one" is_finite
+}
+
+# ---- the verdicts of real sensors ----------------------------------------------------------------
+
+xsens=$data/xsens_mti_positions.csv
+makes_page "Xsens" "$xsens" --positions --gravity 9.81744 --zero 33123,33276,32360 \
+    --lsb 0.002409639,0.002421308,0.002409639 --nominal-name factory --tolerance 0.02,0.005,0.02
+check "report: Xsens is good" says_page '✓ Good All nine parameters are determined'
+check "report: and what to do next" says_page 'Next: save it with --out CAL.json.* invcal apply'
+# shared/data: offset 33123.83073, rms 99.857e-6; the angles are those of the reference script.
+check "report: the offset is that of the reference" says_page 'offset x [+]0\.2[0-9]+ ± 0\.0[0-9]+ mg 33123\.83 ± 0\.2[0-9] 33123\.00'
+check "report: the residual is that of the reference" says_page 'rms error of \|a\|, before and after 4\.18 → 0\.0999 mg'
+check "report: what exceeds the data sheet is named" says_page \
+    'Beyond the limits of the data sheet: angle zy\.'
+check "report: and only that" says_not 'offset [xyz] [^°]*beyond the data sheet'
+check "report: its title is the name of the file" says_page '^ *Calibration of xsens_mti_positions\.csv'
+
+makes_page "T265" "$data/t265_positions.csv" --positions --gravity 9.8016
+check "report: T265 is weak, and in what" says_page \
+    '✗ Weak The positions tell too little of angle xy, angle xz, angle zy'
+check "report: and where to begin" says_page \
+    'Next: add positions with the field midway between x and y, x and z, z and y\. Begin with: [+-][xyz] up'
+check "report: a nominal from the range is called a guess" says_page 'Nominal is a guess from the range'
+makes_page "MPU-9150" "$data/mpu9150_0_positions.csv" --positions --gravity 9.81
+
+# ---- the file that it was ------------------------------------------------------------------------
+
+# gzip knows the CRC-32 and the size of what it packs.
+gzip -c "$data/mpu9150_0_positions.csv" | tail -c 8 | od -An -tu1 > "$work/trailer"
+crc=$(awk '{ printf "%02x%02x%02x%02x", $4, $3, $2, $1 }' "$work/trailer")
+size=$(awk '{ print $5 + 256 * ($6 + 256 * ($7 + 256 * $8)) }' "$work/trailer")
+check "report: CRC and size are those of the file" says_page "$size bytes, CRC-32 $crc"
+check "report: the command line is told" says_page \
+    "command invcal calibrate --report .*page\.html .*mpu9150_0_positions\.csv --positions --gravity 9\.81"
+in=$data/mpu9150_0_positions.csv
+makes_page "standard input" - --positions --gravity 9.81
+in=/dev/null
+check "report: standard input has the same CRC" says_page "standard input, $size bytes, CRC-32 $crc"
+
+# ---- outliers, no redundancy, many ---------------------------------------------------------------
+
+"$tool" simulate --plan edges --outliers 2 --temperature 20,30 --truth "$work/truth.json" \
+    > "$work/outliers.csv"
+makes_page "two outliers" "$work/outliers.csv"
+wrong=$(grep '"wrong"' "$work/truth.json" | grep -n 'wrong": -*0\.05' | cut -d: -f1 | tr '\n' ' ')
+named=$(words | grep -o 'Left out: position [0-9]*' | awk '{ printf "%s ", $4 }')
+check "report: the outliers are named, and they are the wrong ones" test "$named" = "$wrong"
+check "report: by how much" says_page 'contradicts the others; it reads (4[89]|5[012])\.[0-9]* mg too'
+check "report: the verdict tells of them" says_page '2 positions contradict the others and are left out'
+crosses() { # of one picture, by its title
+    sed -n "/<title>$1</,/<\/svg>/p" "$page" | grep -c '<polygon class="c2 full"'
+}
+check "report: residuals have a cross for each, and one in the legend, in both sizes" \
+    test "$(crosses 'Residuals of the calibration')" -eq 6
+bands() {
+    sed -n "/<title>The log and the rests in it</,/<\/svg>/p" "$page" | grep -c "<rect class=\"$1 area\""
+}
+check "report: the timeline has a band for each rest, and one in the legend, in both sizes" \
+    test "$(bands c3)" -eq 34 -a "$(bands c2)" -eq 4
+
+# Rows of the table: number, begin, length, temperature. The truth: begin, end; 20 ... 30 degrees.
+rests_are_true() {
+    sed -n '/<h2>The positions in numbers/,/<\/table>/p' "$page" | grep '^<tr><th scope="row"' |
+        sed 's/<[^>]*>/ /g' > "$work/rows"
+    sed -n 's/^ *"\(begin\|end\)": \([^,]*\),/\2/p' "$work/truth.json" | paste - - > "$work/rests"
+    paste "$work/rows" "$work/rests" | awk '{
+        begin = $(NF - 1); end = $NF; middle = $2 + $3 / 2; last = 124
+        if ($2 < begin || $2 + $3 > end + 0.01 || $3 < 3.5) exit 1
+        t = $4 - (20 + 10 * middle / last)
+        if (t > 0.05 || t < -0.05) exit 1
+    } END { exit NR != 18 }'
+}
+check "report: each rest lies within the true one, with its temperature" rests_are_true
+check "report: the temperatures are told" says_page 'temperature 2[01]\.[0-9] \.\.\. (29|30)\.[0-9] °C'
+
+"$tool" simulate --plan optimal:9 > "$work/nine.csv"
+makes_page "nine positions" "$work/nine.csv"
+check "report: nine positions have no redundancy" says_page '! No redundancy .* nothing checks the result'
+check "report: and what to do" says_page 'Next: add three or more positions in other directions'
+positions sphere 9 1 > "$work/nine-means.csv"
+makes_page "nine means, no noise known" "$work/nine-means.csv" --positions
+check "report: without a noise there is no ±" says_page 'No ± can be given'
+
+positions sphere 2000 2 > "$work/many.csv"
+makes_page "2000 positions" "$work/many.csv" --positions
+check "report: 2000 positions take less than a megabyte" test "$(wc -c < "$page")" -lt 1000000
+positions sphere 20000 3 > "$work/very-many.csv"
+makes_page "20000 positions" "$work/very-many.csv" --positions
+check "report: nor do 20000" test "$(wc -c < "$page")" -lt 1000000
+
+# ---- how well every direction is known -----------------------------------------------------------
+
+# The twelve corners of an icosahedron are a D-optimal design, and the same for every direction:
+# h K h' is 9 / 12 everywhere (Kiefer and Wolfowitz). A noise of 1 mg makes sigma 0.866 mg.
+awk 'BEGIN { s = sqrt(5); c = (1 + s) / 2; n = sqrt(1 + c * c)
+    for (i = -1; i <= 1; i += 2) for (j = -1; j <= 1; j += 2) {
+        printf "0,%.12f,%.12f\n%.12f,%.12f,0\n%.12f,0,%.12f\n", 9.80665 * i / n, 9.80665 * j * c / n,
+            9.80665 * i / n, 9.80665 * j * c / n, 9.80665 * j * c / n, 9.80665 * i / n } }' \
+    > "$work/icosahedron.csv"
+makes_page "an icosahedron" "$work/icosahedron.csv" --positions --noise 0.00980665 --zero 0,0,0 --lsb 1
+check "report: every direction is known as closed form has it" says_page \
+    'known to ±0\.87 mg where the positions tell most, and to ±0\.87 mg where they tell least'
+
+# A magnetometer: no mg, no m/s^2.
+awk -F, '{ printf "%.6f,%.6f,%.6f\n", $1 * 4.9, $2 * 4.9, $3 * 4.9 }' "$work/icosahedron.csv" |
+    cat - "$work/icosahedron.csv" | head -n 12 > "$work/mag.csv"
+makes_page "a magnetometer" "$work/mag.csv" --positions --gravity 48.0526 --noise 0.05
+check "report: a field that is no gravity is not called so" says_not ' mg|m/s|gravity to|\|a\|'
+
+# ---- hostile names -------------------------------------------------------------------------------
+
+odd="$work/<img src=x onerror=alert(1)>&\"' \$(id).csv"
+{ echo '# <script>alert(2)</script>'; echo 'x,y,z,"</title><script>alert(3)</script>"'
+    sed 's/$/,1/' "$work/icosahedron.csv"; } > "$odd"
+makes_page "a hostile name and header" "$odd" --positions --noise 0.01 --nominal-name '<b>"&'
+check "report: the name is told all the same" says_page \
+    "Calibration of <img src=x onerror=alert\(1\)>&\"' \\\$\(id\)\.csv"
+printf 'x\377y' > "$work/bytes"
+makes_page "a name that is no UTF-8" "$work/icosahedron.csv" --positions --noise 0.01 \
+    --nominal-name "$(cat "$work/bytes")"
+is_utf8() { iconv -f UTF-8 -t UTF-8 "$page" > "$work/converted" && same "$page" "$work/converted"; }
+check "report: the page is UTF-8 all the same" is_utf8
+
+# ---- refusals: nothing is written ----------------------------------------------------------------
+
+echo old > "$work/out/cal.json"
+rm -f "$page"
+positions plane 18 4 > "$work/plane.csv"
+refuses "report: a refused calibration has none" 1 'undetermined' \
+    calibrate "$work/plane.csv" --positions --report "$page" --out "$work/out/cal.json"
+check "report: and leaves everything as it was" is_untouched
+refuses "report: where none can be" 3 'nowhere/x\.html' \
+    calibrate "$xsens" --positions --report "$work/nowhere/x.html" --out "$work/out/cal.json"
+check "report: then the calibration is not written either" is_untouched
+refuses "report: not over LOG" 2 'report: is LOG itself' \
+    calibrate "$work/plane.csv" --positions --report "$work/plane.csv"
+refuses "report: not over the calibration" 2 'report: is the file of --out' \
+    calibrate "$xsens" --positions --report "$work/out/cal.json" --out "$work/out/cal.json"
+for v in 0,1,1 -1,1,1 1,2 nan,1,1; do
+    refuses "report: --tolerance $v" 2 '--tolerance' calibrate "$xsens" --positions \
+        --zero 0,0,0 --lsb 1 --tolerance "$v"
+done
+refuses "report: --tolerance wants a nominal" 2 'tolerance: says how far from nominal' \
+    calibrate "$xsens" --positions --tolerance 1,1,1
+
+# ---- length does not matter ----------------------------------------------------------------------
+
+# A tenth of an hour at 1 kHz needs no more memory than two minutes (the sanitizer's own is another
+# matter).
+fits() { (ulimit -v 16000 && exec "$tool" calibrate "$1" --report "$page" > /dev/null); }
+if ! grep -q __asan_init "$tool"; then
+    "$tool" simulate --rate 1000 --dwell 18 --plan edges > "$work/long.csv"
+    check "report: a short log in 16 MB" fits "$work/outliers.csv"
+    check "report: 342,000 samples too" fits "$work/long.csv"
+fi
+
+finish
