@@ -2,19 +2,24 @@
 #
 # Completion of invcal's command line for bash; for zsh after `autoload -U bashcompinit; bashcompinit`.
 # Commands, options and their words are those that the tool's help names at this moment.
+# shellcheck disable=SC2207 # old bash and zsh have no mapfile; IFS cuts at the ends of lines only
 
-# Words to choose from, one on each line, for the option $2 in the help $1: of `a|b|c` each; of SET
-# and `per-group:N` those of the table in the help. FILE for the name of a file, nothing for else.
+# What may follow the option $2 by the help $1, one on each line: of `a|b|c` each; of a SET, or
+# `per-group:N`, words of the table in the help up to their colon; FILE for the name of a file.
+# Fails if the option takes no value, or is none.
 _invcal_values() {
     awk -v option="$2" '
-        $1 == option { value = $2; here = 1; next }
-        here && /^    [a-z][a-z-]*/ && value == "SET" { set[n++] = $1 }
-        /^  --/ { here = 0 }
+        /^  --/ { here = index($0, "  " option " ") == 1 && substr($0, length(option) + 4, 1) != " " }
+        here && /^  --/ { value = $2 }
+        here && /^    [a-z]/ && value == "SET" { word[++n] = $1 }
         END {
             if (value ~ /^(FILE|LOG)$|\.(json|html|svg|csv)$/) print "FILE"
-            else if (value ~ /^[a-z].*:/) set[n++] = value
-            else if (value ~ /^[a-z].*\|/) n = split(value, set, "|")
-            for (i in set) { sub(/:.*/, ":", set[i]); if (!done[set[i]]++) print set[i] }
+            if (value ~ /^[a-z].*[|:]/) n = split(value, word, "|")
+            for (i = 1; i <= n; i++) {
+                sub(/:.*/, ":", word[i])
+                if (!told[word[i]]++) print word[i]
+            }
+            exit value == ""
         }' <<< "$1"
 }
 
@@ -29,27 +34,27 @@ _invcal() {
         COMPREPLY=($(compgen -W "$choice" -- "$word"))
         return
     fi
-    # bash cuts words at = and at : too
-    case $word in = | :) before=${COMP_WORDS[COMP_CWORD - 1]} word= ;; esac
-    [[ $before == = ]] && before=${COMP_WORDS[COMP_CWORD - 2]}
-    [[ $before == directions || ${COMP_WORDS[COMP_CWORD - 2]} == directions ]] && before=--directions
     help=$("$tool" "$command" --help 2> /dev/null)
+    # bash makes words of their own of = and :
+    [[ $before == [=:] ]] && before=${COMP_WORDS[COMP_CWORD - 2]}
+    [[ $word == [=:] ]] && word=
     if [[ $word == -* ]]; then
         choice=$(awk '/^  --/ { print $1 } END { print "--help" }' <<< "$help")
-    elif awk -v o="$before" '$1 == o && /^  --/ && substr($0, length(o) + 4, 1) != " " { n = 1 }
-        END { exit !n }' <<< "$help"; then
-        choice=$(_invcal_values "$help" "$before")
-        [[ $choice == *: ]] && compopt -o nospace 2> /dev/null
-        [[ $choice ]] || return
-    else
+    elif [[ $before == directions ]]; then
         choice=FILE
+    elif [[ $before == per-group || $before == optimal ]]; then
+        return # a number
+    elif ! choice=$(_invcal_values "$help" "$before"); then
+        choice=$(_invcal_values "$help" --compare) || choice=FILE # an operand
     fi
     if [[ $choice == FILE ]]; then
-        compopt -o filenames 2> /dev/null # outside of bash, or of a completion, there is none
+        compopt -o filenames 2> /dev/null # zsh has none, nor has a test
         COMPREPLY=($(compgen -f -- "$word"))
-    else
+    elif [[ $choice ]]; then
         COMPREPLY=($(compgen -W "$choice" -- "$word"))
+        [[ ${#COMPREPLY[@]} -eq 1 && ${COMPREPLY[0]} == *: ]] && compopt -o nospace 2> /dev/null
     fi
+    return 0
 }
 
 complete -F _invcal invcal

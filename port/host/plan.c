@@ -396,7 +396,7 @@ static const char *const help[] = {
     "       invcal plan --limits D,K,G [--budget SECONDS] [options]\n"
     "       invcal plan --budget SECONDS [options]\n"
     "       invcal plan --sweep FROM:TO [--svg FILE] [--json]\n"
-    "       invcal plan --compare A B [--json]\n"
+    "       invcal plan --compare SET SET [--json]\n"
     "\n"
     "Tells which positions to visit, and how exactly they will determine the nine parameters:\n"
     "the standard deviations sigma of offsets, scale errors and angles, over the noise of a\n"
@@ -425,7 +425,7 @@ static const char *const help[] = {
     "  --dwell T           seconds in each position; default 5\n"
     "  --move T            seconds from one to the next; default 5\n"
     "  --sweep FROM:TO     the paper's programs for each N in the range\n"
-    "  --compare A B       two sets side by side, by these words:\n",
+    "  --compare SET SET   two sets side by side, by these words:\n",
     DESIGN_WORDS,
     "  --svg FILE          draws the directions, or for a sweep sigma against the number of\n"
     "                      positions\n"
