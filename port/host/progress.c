@@ -43,18 +43,15 @@ static void renew(const char *text)
     }
 }
 
-void progress_show(const table *t, unsigned found)
+static void draw(const table *t, unsigned found)
 {
     char text[TEXT_MAX];
     char positions[TEXT_MAX / 3] = "";
+    const double done = share(t);
 
-    if (t->line % EVERY != 0 || is_quiet || !isatty(STDERR_FILENO)) {
-        return;
-    }
     if (found != PROGRESS_ROWS) {
         snprintf(positions, sizeof positions, ", %u position%s", found, found == 1 ? "" : "s");
     }
-    const double done = share(t);
     if (done >= 0) {
         const int full = (int)(done * WIDTH);
         snprintf(text, sizeof text, "[%.*s%*s] %3.0f %%%s", full, "##############################",
@@ -63,6 +60,13 @@ void progress_show(const table *t, unsigned found)
         snprintf(text, sizeof text, "%lu lines%s", t->line, positions);
     }
     renew(text);
+}
+
+void progress_show(const table *t, unsigned found)
+{
+    if (t->line % EVERY == 0 && !is_quiet && isatty(STDERR_FILENO)) {
+        draw(t, found);
+    }
 }
 
 void progress_end(void)
