@@ -158,6 +158,7 @@ if command -v bash > /dev/null; then
     check "completion: words of --frame after =" offers triangular watch --frame = t
     check "completion: words of --plan" offers \
         'directions: edges faces icosahedron optimal: per-group:' simulate --plan ''
+    check "completion: the one word of watch --plan" offers per-group: watch --plan ''
     check "completion: a file within a word" offers 'log.csv' simulate --plan directions : log
     check "completion: words of --compare, the second too" offers edges plan --compare faces ed
     check "completion: files, with blanks" offers 'la la.csv' calibrate la
