@@ -7,6 +7,8 @@ AR     ?= ar
 STD    ?= c99
 CFLAGS ?= -O2 -g
 BUILD  ?= build
+# Where `make install` puts the tool; DESTDIR stands before it.
+PREFIX ?= /usr/local
 # A folder with unity.h and unity.c: the tests build on any Unity.
 UNITY  ?= tests/unity
 
@@ -26,12 +28,28 @@ Q := $(if $(V),,@)
 .DEFAULT_GOAL := all
 .DELETE_ON_ERROR:
 .SECONDARY:
-.PHONY: help all demo test check targets firmware size bench reference format deps clean
+.PHONY: help all install uninstall demo test check targets firmware size bench schema man \
+    reference format deps clean
 
 help: ## this list
 	@awk -F ':.*## ' '/^[a-z]+:.*## / { printf "make %-10s %s\n", $$1, $$2 }' $(MAKEFILE_LIST)
 
 all: $(BUILD)/float/libinvcal.a $(BUILD)/double/libinvcal.a $(BUILD)/invcal ## both libraries and the tool
+
+SHARE = $(DESTDIR)$(PREFIX)/share
+
+install: $(BUILD)/invcal $(BUILD)/invcal.1 ## the tool, its manual, completion and schema (PREFIX=, DESTDIR=)
+	$(Q)mkdir -p $(DESTDIR)$(PREFIX)/bin $(SHARE)/man/man1 $(SHARE)/invcal \
+	    $(SHARE)/bash-completion/completions
+	$(Q)install -m 755 $(BUILD)/invcal $(DESTDIR)$(PREFIX)/bin/invcal
+	$(Q)install -m 644 $(BUILD)/invcal.1 $(SHARE)/man/man1/invcal.1
+	$(Q)install -m 644 port/host/invcal.bash $(SHARE)/bash-completion/completions/invcal
+	$(Q)install -m 644 port/host/schema.json $(SHARE)/invcal/schema.json
+
+uninstall: ## remove what install has put there
+	$(Q)rm -f $(DESTDIR)$(PREFIX)/bin/invcal $(SHARE)/man/man1/invcal.1 \
+	    $(SHARE)/bash-completion/completions/invcal $(SHARE)/invcal/schema.json
+	$(Q)rmdir $(SHARE)/invcal 2>/dev/null || true
 
 demo: $(BUILD)/invcal ## from a raw log to calibrated readings; then a real sensor's positions
 	@echo 'A simulated sensor, carried by hand through 18 orientations, 5 seconds in each:'
@@ -95,6 +113,10 @@ $(BUILD)/tool/%.o: %.c
 $(BUILD)/invcal: $(HOST:%.c=$(BUILD)/tool/%.o) $(SOURCES:%.c=$(BUILD)/tool/%.o)
 	$(Q)$(CC) $(FLAGS) $^ -lm -o $@
 
+# The manual, of the tool's own help.
+$(BUILD)/invcal.1: port/host/man.sh $(BUILD)/invcal
+	$(Q)sh $^ > $@
+
 # ---- tests ------------------------------------------------------------------------------------
 
 # One line that says what is missing: $(call need,command)
@@ -103,7 +125,7 @@ need = @command -v $(1) > /dev/null || { echo '$(1) is not installed: make deps'
 test: $(SUITES:%=$(BUILD)/float/%) $(SUITES:%=$(BUILD)/double/%) all ## all tests with one compiler
 	$(Q)CC="$(CC)" CFLAGS="$(CFLAGS)" UNITY="$(UNITY)" sh tests/run.sh $(BUILD)
 
-check: ## the tests under gcc and clang, C99 and C11, with sanitizers, warnings as errors
+check: schema ## the tests under gcc and clang, C99 and C11, with sanitizers, warnings as errors
 	$(Q)sh tests/check.sh $(BUILD)/check
 
 targets: $(BUILD)/float/digest ## the unit tests on emulated targets, and the same bits on all of them
@@ -120,6 +142,16 @@ size: ## flash, stack and structures on every target, against the budgets (V=1: 
 bench: ## instructions of each operation on emulated targets, against the budgets
 	$(Q)UPDATE="$(UPDATE)" TARGETS="$(TARGETS)" sh tests/bench.sh $(BUILD)
 
+schema: $(BUILD)/invcal ## what the tool prints as JSON, against port/host/schema.json
+	$(call need,python3)
+	$(Q)sh tests/tool/schema.sh $(BUILD)/invcal $(BUILD)/tool
+
+man: $(BUILD)/invcal.1 ## the manual, as man and mandoc check it
+	$(call need,man)
+	$(call need,mandoc)
+	mandoc -Tlint -W warning $<
+	test -z "$$(LC_ALL=C.UTF-8 man --warnings -l -Tutf8 $< 2>&1 > /dev/null)"
+
 reference: ## remake tests/reference/expected.h (needs python3)
 	$(call need,python3)
 	@mkdir -p $(BUILD)
@@ -133,7 +165,7 @@ format: ## lay out the sources by .clang-format (needs clang-format 19)
 deps: ## install what all of these need beyond a C compiler (Debian, root)
 	apt-get update
 	apt-get install -y --no-install-recommends gcc git clang-19 libclang-rt-19-dev \
-	    clang-format-19 python3 shellcheck \
+	    clang-format-19 python3 python3-jsonschema shellcheck man-db groff mandoc bash \
 	    gcc-arm-none-eabi libnewlib-arm-none-eabi qemu-system-arm gcc-avr avr-libc simavr \
 	    gcc-riscv64-unknown-elf picolibc-riscv64-unknown-elf qemu-system-misc \
 	    gcc-powerpc-linux-gnu libc6-dev-powerpc-cross qemu-user

@@ -15,9 +15,11 @@
 #include "message.h"
 #include "options.h"
 #include "output.h"
+#include "progress.h"
 
 static const char *const operands[] = {"CAL.json", "LOG"};
-static const option_syntax syntax = {"apply", NULL, 0, operands, 2, 0};
+static const option options[] = {{"--quiet", 0}};
+static const option_syntax syntax = {"apply", options, 1, operands, 2, 0};
 
 /* Checks a number, but hands it on as the text that it was: a time stamp has digits to lose. */
 static int copy_number(FILE *spool, const table *log, const columns *where, column which)
@@ -76,7 +78,9 @@ static int write_rows(FILE *spool, table *log, const invcal_calibration *calibra
     while (!failure && !ferror(spool) && (more = table_next(log)) == 1) {
         failure = write_row(spool, log, &where, calibration);
         rows++;
+        progress_show(log, PROGRESS_ROWS);
     }
+    progress_end();
     if (failure || more < 0) {
         return EXIT_FILE;
     }
@@ -111,10 +115,11 @@ static int apply(table *log, const invcal_calibration *calibration)
 
 static int run(int argc, char **argv)
 {
-    const char *files[2] = {NULL, NULL};
+    const char *quiet;
+    const char *files[2];
     invcal_calibration calibration;
     table log;
-    int failure = options_parse(&syntax, argc, argv, NULL, files);
+    int failure = options_parse(&syntax, argc, argv, &quiet, files);
 
     if (!failure && input_is_stdin(files[0]) && input_is_stdin(files[1])) {
         failure = message_usage(syntax.command, "only one input can be the standard input");
@@ -123,6 +128,9 @@ static int run(int argc, char **argv)
     if (failure) {
         return failure;
     }
+    if (quiet) {
+        progress_quiet();
+    }
     failure = table_open(&log, files[1]);
     failure = failure ? failure : apply(&log, &calibration);
     table_close(&log);
@@ -130,7 +138,7 @@ static int run(int argc, char **argv)
 }
 
 static const char *const help[] = {
-    "usage: invcal apply CAL.json LOG\n"
+    "usage: invcal apply CAL.json LOG [options]\n"
     "\n"
     "Corrects readings: calibrated = matrix (raw - offset). Prints CSV in field units (m/s^2,\n"
     "if the calibration was made with --gravity in m/s^2), with a header.\n"
@@ -143,7 +151,7 @@ static const char *const help[] = {
     "in fixed memory; the result waits in a temporary file, and is printed only if every line\n"
     "was good.\n"
     "\n"
-    "It has no options but --help.\n"
+    "  --quiet             show no progress, print only the result and errors\n"
     "\n"
     "exit codes: 0 good; 2 usage; 3 a file unreadable or malformed, or the output not writable\n"
     "\n"

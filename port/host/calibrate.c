@@ -16,6 +16,7 @@
 #include "message.h"
 #include "options.h"
 #include "output.h"
+#include "progress.h"
 #include "report.h"
 
 enum {
@@ -37,6 +38,7 @@ enum {
     OUT,
     REPORT,
     JSON,
+    QUIET,
     OPTIONS
 };
 
@@ -59,6 +61,7 @@ static const option options[OPTIONS] = {
     [OUT] = {"--out", 1},
     [REPORT] = {"--report", 1},
     [JSON] = {"--json", 0},
+    [QUIET] = {"--quiet", 0},
 };
 static const char *const operands[] = {"LOG"};
 static const option_syntax calibrate_syntax = {"calibrate", options, OPTIONS, operands, 1, 0};
@@ -433,7 +436,7 @@ static int print(const request *r, const calibrate_result *result)
 {
     if (r->value[JSON]) {
         calibrate_json(stdout, result);
-    } else {
+    } else if (!r->value[QUIET]) {
         calibrate_print(stdout, result, nominal_name(r), r->value[OUT]);
     }
     return output_flush();
@@ -491,34 +494,42 @@ static int deliver(const request *r, const calibrate_result *result)
     return failure ? failure : report_failure;
 }
 
+/* The positions that a live stream rests in. What there is to say of them goes to stdout, beside
+ * JSON to stderr, and with --quiet nowhere. */
+static int read_live(const request *r, const double *clip, positions *data, rests_summary *log)
+{
+    invcal_calibration nominal;
+    live_wish wish = {.rate = r->rate, .clip = clip, .field = r->settings.field, .plan = r->plan};
+
+    if (r->value[NOMINAL]) {
+        const int failure = calibration_file_read(r->value[NOMINAL], &nominal);
+        if (failure) {
+            return failure;
+        }
+        wish.nominal = &nominal;
+    }
+    wish.zero = r->value[ZERO] ? r->zero : NULL;
+    wish.lsb = r->value[LSB] ? r->lsb : NULL;
+    memcpy(wish.target, r->target, sizeof wish.target);
+    FILE *nowhere = r->value[QUIET] ? fopen("/dev/null", "w") : NULL;
+    wish.talk = nowhere ? nowhere : r->value[JSON] ? stderr : stdout;
+    const int failure = live_read(data, r->file, &wish, log);
+    if (nowhere) {
+        fclose(nowhere);
+    }
+    return failure;
+}
+
 /* The positions of the file, or those that a log or a live stream rests in. */
 static int read_positions(const request *r, positions *data, rests_summary *log)
 {
     const double *clip = r->value[CLIP] ? r->clip : NULL;
-    invcal_calibration nominal;
-    int failure;
 
     if (r->value[POSITIONS]) {
         return positions_read(data, r->file);
     }
-    if (r->syntax == &watch_syntax) {
-        live_wish wish = {
-            .rate = r->rate, .clip = clip, .field = r->settings.field, .plan = r->plan};
-        if (r->value[NOMINAL]) {
-            failure = calibration_file_read(r->value[NOMINAL], &nominal);
-            if (failure) {
-                return failure;
-            }
-            wish.nominal = &nominal;
-        }
-        wish.zero = r->value[ZERO] ? r->zero : NULL;
-        wish.lsb = r->value[LSB] ? r->lsb : NULL;
-        memcpy(wish.target, r->target, sizeof wish.target);
-        wish.talk = r->value[JSON] ? stderr : stdout;
-        failure = live_read(data, r->file, &wish, log);
-    } else {
-        failure = rests_read(data, r->file, r->rate, clip, log);
-    }
+    const int failure = r->syntax == &watch_syntax ? read_live(r, clip, data, log)
+                                                   : rests_read(data, r->file, r->rate, clip, log);
     if (!failure && data->count == 0) {
         return calibrate_no_rest(data, log, r->value[JSON] != NULL);
     }
@@ -535,6 +546,9 @@ static int run(int argc, char **argv, const option_syntax *syntax)
 
     if (failure) {
         return failure;
+    }
+    if (r.value[QUIET]) {
+        progress_quiet();
     }
     failure = read_positions(&r, &data, &log);
     result.log = r.value[POSITIONS] ? NULL : &log;
@@ -583,7 +597,8 @@ static const char *const help[] = {
     "  --keep-all          leaves no position out\n",
     "  --gravity G         length of the field, in the unit of the result; default 9.80665\n"
     "                      (m/s^2). For a magnetometer that of the earth's field, e.g. 48.5 (uT)\n"
-    "  --frame NAME        symmetric (default): axes as near to the case as can be;\n"
+    "  --frame symmetric|triangular\n"
+    "                      symmetric (default): axes as near to the case as can be;\n"
     "                      triangular: only the x sensor feels a field along the x axis\n"
     "  --zero X,Y,Z        nominal reading in no field, in input units;\n"
     "                      default: the middle of each axis' range\n"
@@ -605,6 +620,7 @@ static const char *const help[] = {
     "  --report R.html     write a page with the verdict, figures and pictures: one file that\n"
     "                      needs nothing else, for screen and paper\n"
     "  --json              print the result as JSON in place of the table\n"
+    "  --quiet             print neither table nor progress, only errors\n"
     "\n"
     "exit codes: 0 good; 1 the data cannot be calibrated; 2 usage; 3 LOG unreadable or\n"
     "malformed, or the output not writable\n"
@@ -635,9 +651,25 @@ static const char *const watch_help[] = {
     "  --zero X,Y,Z        nominal reading in no field; default for the guidance: 0, from the\n"
     "                      fourth position on the middle of each axis' range\n"
     "  --lsb S | SX,SY,SZ  nominal scale; default for the guidance: from the first samples\n",
-    "  --gravity, --frame, --nominal, --nominal-name, --noise, --prior, --rate, --clip,\n"
-    "  --keep-all, --tolerance, --out, --report, --json\n"
-    "                      as for invcal calibrate. With --json the guidance goes to stderr\n"
+    "\n"
+    "These are the options of invcal calibrate, whose help says more of them:\n"
+    "\n"
+    "  --gravity G         length of the field; default 9.80665 (m/s^2)\n"
+    "  --frame symmetric|triangular\n"
+    "                      of the result; default symmetric\n"
+    "  --nominal CAL.json  an earlier calibration in place of --zero and --lsb\n"
+    "  --nominal-name WORD heading of the nominal column; default nominal\n"
+    "  --noise S           standard deviation of one position mean, in field units\n"
+    "  --prior D,K,G       standard deviations of what the nominal may be wrong by\n"
+    "  --rate HZ           samples a second; default: by the column t, else 100\n"
+    "  --clip LOW,HIGH     the least and the greatest reading of the sensor\n"
+    "  --keep-all          leaves no position out\n"
+    "  --tolerance D,K,G   limits of the data sheet, for the report\n"
+    "  --out CAL.json      write the result to a file, as JSON, for invcal apply\n"
+    "  --report R.html     write a page with the verdict, figures and pictures\n"
+    "  --json              print the result as JSON in place of the table, the guidance on\n"
+    "                      stderr\n"
+    "  --quiet             print neither guidance nor table, only errors\n"
     "\n"
     "exit codes: 0 good; 1 the data cannot be calibrated; 2 usage; 3 LOG unreadable or\n"
     "malformed, or the output not writable\n"

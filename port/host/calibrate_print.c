@@ -6,6 +6,7 @@
 #include "calibrate.h"
 #include "figure.h"
 #include "number.h"
+#include "paint.h"
 #include "parameters.h"
 
 #define LINE_WIDTH 99u
@@ -101,14 +102,13 @@ static void print_errors(FILE *file, const calibrate_result *r, int known)
     }
 }
 
-/* A residual in 1e-6 of the field, and in a unit that one can picture. */
-static const char *residual_text(double residual, double field, char text[TEXT_MAX])
+/* A residual, which is over the field, in a unit that one can picture; `width` is its number's. */
+static const char *residual_text(double residual, double field, int width, char text[TEXT_MAX])
 {
     if (calibrate_is_gravity(field)) {
-        snprintf(text, TEXT_MAX, "%.3fe-6 of the field = %.4f mg", 1e6 * residual, 1e3 * residual);
+        snprintf(text, TEXT_MAX, "%*.4f mg", width, 1e3 * residual);
     } else {
-        snprintf(text, TEXT_MAX, "%.3fe-6 of the field = %.4g field units", 1e6 * residual,
-                 residual * field);
+        snprintf(text, TEXT_MAX, "%*.5f %% of the field", width, 1e2 * residual);
     }
     return text;
 }
@@ -119,14 +119,14 @@ static void print_residuals(FILE *file, const calibrate_result *r, const char *n
     const double field = r->settings.field;
     char text[TEXT_MAX];
 
-    fprintf(file, "residual rms  %s\n", residual_text(q->residual_rms, field, text));
+    fprintf(file, "residual rms  %s\n", residual_text(q->residual_rms, field, 14, text));
     fprintf(file, "         max  %s, at position %u (line %lu)\n",
-            residual_text(q->residual_max, field, text), q->worst + 1,
+            residual_text(q->residual_max, field, 14, text), q->worst + 1,
             r->data->origin[q->worst].line);
-    fprintf(file, "  rms before  %s (%s alone)\n", residual_text(r->residual_before, field, text),
-            nominal_name);
+    fprintf(file, "  rms before  %s (%s alone)\n",
+            residual_text(r->residual_before, field, 14, text), nominal_name);
     if (calibrate_knows_noise(r)) {
-        fprintf(file, "noise         %.3g %s of one position mean, %.3g degrees of freedom",
+        fprintf(file, "noise         %14.3g %s of one position mean, %.3g degrees of freedom",
                 q->noise * field, calibrate_field_unit(r), q->dof);
         if (r->settings.noise > 0) {
             fprintf(file, " (stated: %.3g)", r->settings.noise);
@@ -138,49 +138,56 @@ static void print_residuals(FILE *file, const calibrate_result *r, const char *n
     }
 }
 
-/* Breaks a text into lines between words. */
-static void print_wrapped(FILE *file, const char *text)
+/* Breaks a text into lines between words. `used` columns of the first line are taken. */
+static void print_wrapped(FILE *file, size_t used, const char *text)
 {
-    while (strlen(text) > LINE_WIDTH) {
-        size_t length = LINE_WIDTH;
+    while (used + strlen(text) > LINE_WIDTH) {
+        size_t length = LINE_WIDTH - used;
         while (length > 1 && text[length] != ' ') {
             length--;
         }
         length = length > 1 ? length : strcspn(text, " ");
         fprintf(file, "%.*s\n", (int)length, text);
         text += length + (text[length] == ' ');
+        used = 0;
     }
     fprintf(file, "%s\n", text);
 }
 
 static void print_verdict(FILE *file, const invcal_quality *q)
 {
+    const char *word = "";
+    paint colour = PAINT_RED;
     char list[128];
-    char text[TEXT_MAX];
+    char text[TEXT_MAX] = "";
 
     switch (q->verdict) {
     case INVCAL_GOOD:
+        word = "Good:";
+        colour = PAINT_GREEN;
         snprintf(text, sizeof text,
-                 "Good: every parameter is determined; degrees of freedom left to check it: %.3g.",
+                 " every parameter is determined; degrees of freedom left to check it: %.3g.",
                  q->dof);
         break;
     case INVCAL_NO_REDUNDANCY:
+        word = "No redundancy:";
+        colour = PAINT_YELLOW;
         snprintf(text, sizeof text,
-                 "No redundancy: every parameter is determined, but no position "
-                 "is left to check the result.");
+                 " every parameter is determined, but no position is left to check the result.");
         break;
     case INVCAL_WEAK:
+        word = "Weak:";
         parameters_list(q->undetermined, list, sizeof list);
-        snprintf(text, sizeof text,
-                 "Weak: %s %s badly determined; use the result only within its ±.", list,
-                 strchr(list, ',') ? "are" : "is");
+        snprintf(text, sizeof text, " %s %s badly determined; use the result only within its ±.",
+                 list, strchr(list, ',') ? "are" : "is");
         break;
     }
-    print_wrapped(file, text);
+    fprintf(file, "%s%s%s", paint_on(file, colour), word, paint_off(file));
+    print_wrapped(file, strlen(word), text);
     if (q->from_prior) {
         snprintf(text, sizeof text, "Known from the prior rather than from the positions: %s.",
                  parameters_list(q->from_prior, list, sizeof list));
-        print_wrapped(file, text);
+        print_wrapped(file, 0, text);
     }
 }
 
@@ -203,7 +210,7 @@ static void print_next(FILE *file, const invcal_quality *q, const char *saved)
     case INVCAL_WEAK:
         snprintf(text, sizeof text, "Next: add positions with %s.",
                  parameters_advice(q->undetermined, advice, sizeof advice));
-        print_wrapped(file, text);
+        print_wrapped(file, 0, text);
         break;
     }
 }
@@ -241,9 +248,10 @@ static void print_rejected(FILE *file, const calibrate_result *result)
     char text[TEXT_MAX];
 
     for (unsigned i = 0; i < r->count; i++) {
-        fprintf(file, "Left out: position %u (line %lu), wrong by %s\n", r->list[i].position + 1,
+        fprintf(file, "%sLeft out:%s position %u (line %lu), wrong by %s\n",
+                paint_on(file, PAINT_RED), paint_off(file), r->list[i].position + 1,
                 result->data->origin[r->list[i].position].line,
-                residual_text(r->list[i].error, result->settings.field, text));
+                residual_text(r->list[i].error, result->settings.field, 0, text));
     }
     if (r->suspected > 0) {
         fprintf(file, "Something is wrong among %u more positions, but not to be told which.\n",
@@ -268,8 +276,8 @@ void calibrate_print(FILE *file, const calibrate_result *result, const char *nom
         fprintf(file, "%s: zero %s, scale %s\n\n", nominal_name, nominal_origin_text(n->zero),
                 nominal_origin_text(n->lsb));
     }
-    fprintf(file, "%-14s%14s ± %-10s%14s%14s\n", "", "calibrated", "sigma", nominal_name,
-            "difference");
+    fprintf(file, "%s%-14s%14s ± %-10s%*s%14s%s\n", paint_on(file, PAINT_BOLD), "", "calibrated",
+            "sigma", paint_width(nominal_name, 14), nominal_name, "difference", paint_off(file));
     print_offsets(file, result, known);
     print_scales(file, result, known);
     print_errors(file, result, known);

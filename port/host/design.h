@@ -33,13 +33,13 @@ typedef struct {
 
 /* What sets of positions are called on the command line, as a part of help texts. */
 #define DESIGN_WORDS                                                                               \
-    "  per-group:N          the paper's program of 3 x N positions, N from 5\n"                    \
-    "  per-group:N:A,B,C    the same with these start angles, degrees\n"                           \
-    "  faces                each axis up and down: 6 positions\n"                                  \
-    "  edges                these and the 12 midway between two axes: 18 positions\n"              \
-    "  icosahedron          its 12 corners\n"                                                      \
-    "  optimal:N            N positions, 9 to 144, with the largest determinant\n"                 \
-    "  directions:FILE      the columns x y z of a table, of any length\n"
+    "    per-group:N       the paper's program of 3 x N positions, N from 5\n"                     \
+    "    per-group:N:A,B,C the same with these start angles, degrees\n"                            \
+    "    faces             each axis up and down: 6 positions\n"                                   \
+    "    edges             these and the 12 midway between two axes: 18 positions\n"               \
+    "    icosahedron       its 12 corners\n"                                                       \
+    "    optimal:N         N positions, 9 to 144, with the largest determinant\n"                  \
+    "    directions:FILE   the columns x y z of a table, of any length\n"
 
 /* Makes and judges a set from its word. `command` is for messages.
  *

@@ -11,6 +11,7 @@
 #include "invcal/session.h"
 #include "message.h"
 #include "nominal.h"
+#include "paint.h"
 #include "samples.h"
 
 #define DEGREES 57.295779513082321
@@ -110,6 +111,12 @@ static void say_sigma(stage *s)
             DEGREES * largest(q.sigma_gamma));
 }
 
+static void say_end(FILE *talk, const char *word, const char *what)
+{
+    fprintf(talk, "%s%s%s %s; end the stream (Ctrl-C)\n", paint_on(talk, PAINT_GREEN), word,
+            paint_off(talk), what);
+}
+
 static void say_taken(stage *s, const invcal_event *event)
 {
     end_line(s);
@@ -120,9 +127,9 @@ static void say_taken(stage *s, const invcal_event *event)
     }
     fprintf(s->wish->talk, "\n");
     if (event->what == INVCAL_SESSION_ENOUGH) {
-        fprintf(s->wish->talk, "enough: the target is reached; end the stream (Ctrl-C)\n");
+        say_end(s->wish->talk, "enough:", "the target is reached");
     } else if (event->what == INVCAL_SESSION_FINISHED) {
-        fprintf(s->wish->talk, "finished: the program is complete; end the stream (Ctrl-C)\n");
+        say_end(s->wish->talk, "finished:", "the program is complete");
     }
 }
 
@@ -134,7 +141,8 @@ static void say_refused(stage *s, const invcal_event *event)
     }
     s->is_refused = event->rest.count == 0;
     end_line(s);
-    fprintf(s->wish->talk, "refused: %s\n",
+    fprintf(s->wish->talk, "%srefused:%s %s\n", paint_on(s->wish->talk, PAINT_RED),
+            paint_off(s->wish->talk),
             event->reason != INVCAL_REST_GOOD ? invcal_rest_reason_text(event->reason)
                                               : invcal_status_text(event->status));
 }

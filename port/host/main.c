@@ -10,6 +10,7 @@
 
 #include "command.h"
 #include "message.h"
+#include "nearest.h"
 #include "output.h"
 
 static const tool_command *const commands[] = {
@@ -82,6 +83,20 @@ static int run_command(const tool_command *c, int argc, char **argv)
     return EXIT_GOOD;
 }
 
+static int refuse_unknown(const char *word)
+{
+    nearest meant = nearest_begin(word, strlen(word));
+    char hint[NEAREST_TEXT_MAX];
+
+    for (unsigned i = 0; i < COMMANDS; i++) {
+        nearest_offer(&meant, commands[i]->name);
+    }
+    nearest_offer(&meant, "--help");
+    nearest_offer(&meant, "--version");
+    return message_usage(NULL, "%s: unknown %s%s", word, word[0] == '-' ? "option" : "command",
+                         nearest_text(&meant, hint));
+}
+
 static int run(int argc, char **argv)
 {
     if (argc < 2) {
@@ -93,8 +108,7 @@ static int run(int argc, char **argv)
     }
     const int is_help = strcmp(argv[1], "--help") == 0;
     if (!is_help && strcmp(argv[1], "--version") != 0) {
-        return message_usage(NULL, "%s: unknown %s", argv[1],
-                             argv[1][0] == '-' ? "option" : "command");
+        return refuse_unknown(argv[1]);
     }
     if (argc > 2) {
         return message_usage(NULL, "'%s': one operand too many", argv[2]);

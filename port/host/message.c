@@ -5,8 +5,10 @@
 #include <stdio.h>
 
 #include "command.h"
+#include "paint.h"
+#include "progress.h"
 
-/* File names and input may hold anything; the terminal gets none of it. */
+/* File names and input may hold anything; the terminal gets none of it. A progress bar makes way. */
 static void print_line(char *text, const char *tail)
 {
     for (char *c = text; *c != '\0'; c++) {
@@ -14,7 +16,9 @@ static void print_line(char *text, const char *tail)
             *c = '?';
         }
     }
-    fprintf(stderr, "invcal: %s%s\n", text, tail);
+    progress_end();
+    fprintf(stderr, "%sinvcal:%s %s%s\n", paint_on(stderr, PAINT_RED), paint_off(stderr), text,
+            tail);
 }
 
 void message(const char *format, ...)

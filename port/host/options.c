@@ -6,6 +6,7 @@
 
 #include "command.h"
 #include "message.h"
+#include "nearest.h"
 #include "number.h"
 
 #define UNKNOWN (~0u)
@@ -22,6 +23,19 @@ static unsigned find(const option_syntax *syntax, const char *argument, size_t l
     return UNKNOWN;
 }
 
+static int refuse_unknown(const option_syntax *syntax, const char *argument, size_t length)
+{
+    nearest meant = nearest_begin(argument, length);
+    char hint[NEAREST_TEXT_MAX];
+
+    nearest_offer(&meant, "--help");
+    for (unsigned i = 0; i < syntax->option_count; i++) {
+        nearest_offer(&meant, syntax->options[i].name);
+    }
+    return message_usage(syntax->command, "%.*s: unknown option%s", (int)length, argument,
+                         nearest_text(&meant, hint));
+}
+
 /* Takes the option at argv[*at], and its value from there or from the next argument. */
 static int take_option(const option_syntax *syntax, int argc, char **argv, int *at,
                        const char **values)
@@ -32,7 +46,7 @@ static int take_option(const option_syntax *syntax, int argc, char **argv, int *
     const unsigned which = find(syntax, argument, length);
 
     if (which == UNKNOWN) {
-        return message_usage(syntax->command, "%.*s: unknown option", (int)length, argument);
+        return refuse_unknown(syntax, argument, length);
     }
     const option *o = &syntax->options[which];
     if (values[which]) {

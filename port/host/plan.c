@@ -30,6 +30,7 @@ enum {
     MOVE,
     SVG,
     JSON,
+    QUIET,
     OPTIONS
 };
 
@@ -50,6 +51,7 @@ static const option options[OPTIONS] = {
     [MOVE] = {"--move", 1},
     [SVG] = {"--svg", 1},
     [JSON] = {"--json", 0},
+    [QUIET] = {"--quiet", 0},
 };
 static const char *const operands[] = {"A", "B"};
 static const option_syntax syntax = {"plan", options, OPTIONS, operands, 2, 2};
@@ -241,6 +243,8 @@ static void tell(FILE *file, const result *found)
 {
     if (found->asked->value[JSON]) {
         tell_json(file, found);
+    } else if (found->asked->value[QUIET]) {
+        return;
     } else if (found->rows) {
         plan_print_sweep(file, found->rows, found->row_count);
     } else if (found->set[1]) {
@@ -392,7 +396,7 @@ static const char *const help[] = {
     "       invcal plan --limits D,K,G [--budget SECONDS] [options]\n"
     "       invcal plan --budget SECONDS [options]\n"
     "       invcal plan --sweep FROM:TO [--svg FILE] [--json]\n"
-    "       invcal plan --compare A B [--json]\n"
+    "       invcal plan --compare SET SET [--json]\n"
     "\n"
     "Tells which positions to visit, and how exactly they will determine the nine parameters:\n"
     "the standard deviations sigma of offsets, scale errors and angles, over the noise of a\n"
@@ -421,11 +425,12 @@ static const char *const help[] = {
     "  --dwell T           seconds in each position; default 5\n"
     "  --move T            seconds from one to the next; default 5\n"
     "  --sweep FROM:TO     the paper's programs for each N in the range\n"
-    "  --compare A B       two sets side by side, by these words:\n",
+    "  --compare SET SET   two sets side by side, by these words:\n",
     DESIGN_WORDS,
     "  --svg FILE          draws the directions, or for a sweep sigma against the number of\n"
     "                      positions\n"
     "  --json              print the result as JSON in place of the table\n"
+    "  --quiet             print no table, only errors\n"
     "\n"
     "exit codes: 0 good; 1 the positions determine no calibration, or no set meets the limits;\n"
     "2 usage; 3 a file unreadable or malformed, or the output not writable\n"

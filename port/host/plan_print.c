@@ -3,6 +3,7 @@
 #include <string.h>
 
 #include "invcal/series.h"
+#include "paint.h"
 #include "parameters.h"
 #include "plan.h"
 
@@ -35,9 +36,10 @@ static void print_positions(FILE *file, const design *d)
     char alpha[TEXT_MAX];
     char beta[TEXT_MAX];
 
-    fprintf(file, "%15s%20s   %27s\n", "", "stand, degrees", "up in the case's frame");
-    fprintf(file, "%8s%7s%10s%10s   %9s%9s%9s\n", "position", d->plan.per_group ? "group" : "",
-            "alpha", "beta", "x", "y", "z");
+    fprintf(file, "%s%15s%20s   %27s\n", paint_on(file, PAINT_BOLD), "", "stand, degrees",
+            "up in the case's frame");
+    fprintf(file, "%8s%7s%10s%10s   %9s%9s%9s%s\n", "position", d->plan.per_group ? "group" : "",
+            "alpha", "beta", "x", "y", "z", paint_off(file));
     for (unsigned i = 0; i < d->count; i++) {
         const design_position *p = &d->position[i];
         char group[16] = "";
@@ -69,7 +71,8 @@ static void print_sigmas(FILE *file, const design *d, const design_cost *cost)
     const double noise = cost->noise > 0 ? design_noise(cost) : 0;
     const invcal_criteria *c = &d->criteria;
 
-    fprintf(file, "sigma, times the noise of a position mean");
+    fprintf(file, "%ssigma%s, times the noise of a position mean", paint_on(file, PAINT_BOLD),
+            paint_off(file));
     if (noise > 0) {
         fprintf(file, ", which is %.4g mg", 1e3 * noise);
     }
@@ -77,7 +80,8 @@ static void print_sigmas(FILE *file, const design *d, const design_cost *cost)
     print_sigma(file, "offsets", c->sigma_delta, "mg", 1e3 * noise);
     print_sigma(file, "scale errors", c->sigma_dk, "%", 1e2 * noise);
     print_sigma(file, "angles", c->sigma_gamma, "degrees", DEGREES * noise);
-    fprintf(file, "condition %.4f, ln det H'H %.4f\n", c->condition, c->log_det);
+    fprintf(file, "condition %.4f (1 is the best), ln det H'H %.4f (more is better)\n",
+            c->condition, c->log_det);
 }
 
 /* What invcal calibrate would say of such a set, and how it stands to the limits. */
@@ -87,8 +91,12 @@ static void print_verdict(FILE *file, const design *d, const choice_request *req
 
     if (request->limits) {
         const double worst = choice_worst(c, request->limits);
-        fprintf(file, "worst sigma / limit: %.4f%s\n", worst,
-                worst > 1 + 1e-9 ? ": the limits are not met" : "");
+        fprintf(file, "worst sigma / limit: %.4f", worst);
+        if (worst > 1 + 1e-9) {
+            fprintf(file, ": %sthe limits are not met%s", paint_on(file, PAINT_RED),
+                    paint_off(file));
+        }
+        putc('\n', file);
     }
     if (d->count == INVCAL_PARAMETERS) {
         fprintf(file,
@@ -96,7 +104,8 @@ static void print_verdict(FILE *file, const design *d, const choice_request *req
                 "good\n");
     }
     if (!(fmax(c->sigma_delta, fmax(c->sigma_dk, c->sigma_gamma)) <= 10)) {
-        fprintf(file, "weak: a sigma above 10 times the noise is of little use\n");
+        fprintf(file, "%sweak:%s a sigma above 10 times the noise is of little use\n",
+                paint_on(file, PAINT_RED), paint_off(file));
     }
 }
 
@@ -130,13 +139,13 @@ static void print_groups(FILE *file, const invcal_plan *plan)
     const double bound = plan->per_group * half * half * half * half;
     double sums[INVCAL_PACKED_SIZE(INVCAL_SERIES_TERMS)];
 
-    fprintf(file, "det H5'H5 of the groups:");
+    fprintf(file, "det H5'H5 of the groups over %.8g, the most of %u positions on a circle:", bound,
+            plan->per_group);
     for (unsigned g = 1; g <= INVCAL_PLAN_GROUPS; g++) {
         (void)invcal_series_information(plan, g, sums); /* the plan is usable */
-        fprintf(file, " %.6f", invcal_series_efficiency(sums));
+        fprintf(file, " %.4f", invcal_series_efficiency(sums));
     }
-    fprintf(file, " of the most that %u positions on a circle can have, %.8g\n", plan->per_group,
-            bound);
+    putc('\n', file);
 }
 
 static void print_candidate(FILE *file, const design *d, const choice_request *request)
@@ -156,8 +165,9 @@ static void print_choice(FILE *file, const choice *c, const choice_request *requ
     static const char *const families[] = {"stand program", "free directions"};
 
     fprintf(file, "sigma, times the noise of a position mean\n\n");
-    fprintf(file, "%-24s%10s%10s%10s%10s%10s%s\n", "", "positions", "seconds", "offsets", "scales",
-            "angles", request->limits ? "   worst/limit" : "");
+    fprintf(file, "%s%-24s%10s%10s%10s%10s%10s%s%s\n", paint_on(file, PAINT_BOLD), "", "positions",
+            "seconds", "offsets", "scales", "angles", request->limits ? "   worst/limit" : "",
+            paint_off(file));
     if (request->limits) {
         fprintf(file, "%-24s%10s%10s%10.4f%10.4f%10.4f%14.4f\n", "limits", "", "",
                 request->limits[0], request->limits[1], request->limits[2], 1.0);
@@ -169,7 +179,8 @@ static void print_choice(FILE *file, const choice *c, const choice_request *requ
             fprintf(file, "%-24s%10s\n", families[f], "none");
         }
     }
-    fprintf(file, "Chosen: %s, %s\n\n", c->set[c->chosen]->name,
+    fprintf(file, "%sChosen:%s %s, %s\n\n", paint_on(file, PAINT_GREEN), paint_off(file),
+            c->set[c->chosen]->name,
             request->limits ? "the smallest within the limits"
                             : "the largest determinant in the time");
 }
@@ -181,7 +192,8 @@ void plan_print(FILE *file, const design *d, const choice_request *request, cons
     if (c) {
         print_choice(file, c, request);
     }
-    fprintf(file, "%s: %u positions", d->name, d->count);
+    fprintf(file, "%s%s:%s %u positions", paint_on(file, PAINT_BOLD), d->name, paint_off(file),
+            d->count);
     if (d->plan.per_group > 0) {
         for (unsigned g = 0; g < INVCAL_PLAN_GROUPS; g++) {
             angle_text(d->plan.start[g], start[g]);
@@ -207,8 +219,9 @@ void plan_print_sweep(FILE *file, const plan_row *rows, unsigned count)
     char text[TEXT_MAX];
 
     fprintf(file, "The paper's programs; sigma times the noise of a position mean\n\n");
-    fprintf(file, "%9s%11s%10s%10s%10s%11s%12s   %s\n", "per group", "positions", "offsets",
-            "scales", "angles", "condition", "ln det H'H", "axes along gravity");
+    fprintf(file, "%s%9s%11s%10s%10s%10s%11s%12s   %s%s\n", paint_on(file, PAINT_BOLD), "per group",
+            "positions", "offsets", "scales", "angles", "condition", "ln det H'H",
+            "axes along gravity", paint_off(file));
     for (unsigned i = 0; i < count; i++) {
         const invcal_criteria *c = &rows[i].criteria;
         fprintf(file, "%9u%11u%10.6f%10.6f%10.6f%11.4f%12.4f   %s\n", rows[i].per_group,
@@ -219,7 +232,7 @@ void plan_print_sweep(FILE *file, const plan_row *rows, unsigned count)
 
 static void print_pair(FILE *file, const char *what, double a, double b)
 {
-    fprintf(file, "%-16s%24.6g%24.6g%12.6g\n", what, a, b, b / a);
+    fprintf(file, "%-16s%24.6g%24.6g%12.4f\n", what, a, b, b / a);
 }
 
 static void print_axes_pair(FILE *file, const design *a, const design *b)
@@ -243,7 +256,10 @@ void plan_print_comparison(FILE *file, const design *a, const design *b,
     const invcal_criteria *p = &a->criteria;
     const invcal_criteria *q = &b->criteria;
 
-    fprintf(file, "%-16s%24.23s%24.23s%12s\n", "", a->name, b->name, "ratio");
+    fprintf(file, "Two sets; sigma times the noise of a position mean; ratio of the second to the "
+                  "first\n\n");
+    fprintf(file, "%s%-16s%24.23s%24.23s%12s%s\n", paint_on(file, PAINT_BOLD), "", a->name, b->name,
+            "ratio", paint_off(file));
     print_pair(file, "positions", a->count, b->count);
     print_pair(file, "seconds", design_seconds(a->count, cost), design_seconds(b->count, cost));
     print_pair(file, "sigma offsets", p->sigma_delta, q->sigma_delta);

@@ -5,12 +5,19 @@
 #ifndef PROGRESS_H
 #define PROGRESS_H
 
+#include <limits.h>
+
 #include "table.h"
 
-/* After each row; shows something now and then. `found` is how many positions there are. */
+/* From now on nothing is shown. */
+void progress_quiet(void);
+
+/* After each row; shows something now and then. `found` is how many positions there are, or
+ * PROGRESS_ROWS if none are looked for. */
+#define PROGRESS_ROWS UINT_MAX
 void progress_show(const table *t, unsigned found);
 
-/* Clears the line. */
+/* Clears the line. Messages do that themselves. */
 void progress_end(void);
 
 #endif

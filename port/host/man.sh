@@ -1,0 +1,129 @@
+#!/bin/sh
+# SPDX-License-Identifier: MIT
+#
+# Prints the manual page of the tool $1, made of its own help: there is nothing beside it to forget.
+# How a help is laid out: text begins in the first column, options behind two blanks and what they
+# mean from column 23 on; what is indented otherwise stays as it is.
+tool=$1
+version=$("$tool" --version) || exit 1
+list=$("$tool" --help) || exit 1
+commands=$(echo "$list" | awk '/^  [a-z]/ && $1 != "invcal" { print $1 }')
+
+# The help of a command, line by line, as what the program `part` makes of it.
+help_of() {
+    "$tool" "$1" --help | awk -v command="$1" "$escape $2"
+}
+
+# Text for troff: what it would take for its own, and ASCII where it would show typography.
+escape='
+function raw(s) {
+    gsub(/\\/, "\\e", s)
+    gsub(/-/, "\\-", s)
+    gsub(/\047/, "\\(aq", s)
+    gsub(/\^/, "\\(ha", s)
+    gsub(/`/, "\\(ga", s)
+    gsub(/~/, "\\(ti", s)
+    return s ~ /^\./ ? "\\\&" s : s
+}
+# Hyphens of words may stay what they are.
+function text(s) {
+    s = raw(s)
+    while (match(s, /[A-Za-z]\\-[A-Za-z]/)) {
+        s = substr(s, 1, RSTART) "-" substr(s, RSTART + 3)
+    }
+    return s
+}'
+
+synopsis='
+/^usage:/ { on = 1 }
+!NF { exit }
+on { sub(/^usage: /, "       "); print raw(substr($0, 8)) }'
+
+description='
+function fill() { if (verbatim) print ".fi"; verbatim = 0 }
+function keep() { if (!verbatim) print ".nf"; verbatim = 1 }
+/^usage:/ { usage = 1 }
+/^examples?:/ { exit }
+usage { usage = NF > 0; next }
+!NF { fill(); paragraph = 1; next }
+/^  --/ {
+    fill()
+    alone = length($0) <= 22 || substr($0, 22, 1) != " "
+    tag = alone ? $0 : substr($0, 1, 22)
+    gsub(/^ +| +$/, "", tag)
+    print ".TP\n.B " raw(tag)
+    if (!alone) print text(substr($0, 23))
+    paragraph = 0
+    next
+}
+/^                      / { print text(substr($0, 23)); next }
+/^ / { if (paragraph) print ".PP"; paragraph = 0; keep(); print raw($0); next }
+{ fill(); if (paragraph) print ".PP"; paragraph = 0; print text($0) }
+END { fill() }'
+
+examples='
+on && NF { print raw(substr($0, 3)) }
+/^examples?:/ { on = 1 }'
+
+echo ".\\\" SPDX-License-Identifier: MIT
+.\\\" Made by port/host/man.sh of what invcal --help prints.
+.TH INVCAL 1 $(date -u +%Y-%m-%d) \"$version\"
+.nh
+.ad l
+.SH NAME
+invcal \\- calibrate accelerometer triads by gravity alone
+.SH SYNOPSIS
+.nf"
+for c in $commands; do
+    help_of "$c" "$synopsis"
+done
+echo 'invcal \-\-help
+invcal COMMAND \-\-help
+invcal \-\-version
+.fi
+.SH DESCRIPTION'
+echo "$list" | awk "$escape"'
+    /^usage:|^exit codes:/ { skip = 1 }
+    !NF { skip = 0; next }
+    !skip && !/^ / { print text($0) }'
+for c in $commands; do
+    echo "$list" | awk -v c="$c" "$escape"'
+        /^  / && $1 == c { $1 = ""; print ".SS \"" c " \\- " text(substr($0, 2)) "\"" }'
+    help_of "$c" "$description"
+done
+echo '.SH "EXIT STATUS"'
+echo "$list" | awk "$escape"'
+    /^exit codes:/ { on = 1; sub(/^exit codes: */, "") }
+    on { all = all (all == "" ? "" : " ") $0 }
+    END {
+        n = split(all, code, "; *")
+        for (i = 1; i <= n; i++) {
+            print ".TP\n.B " substr(code[i], 1, 1) "\n" text(substr(code[i], 3))
+        }
+    }'
+echo '.SH EXAMPLES
+.nf'
+for c in $commands; do
+    help_of "$c" "$examples"
+done
+echo '.fi
+.SH FILES
+.TP
+.I CAL.json
+A calibration: what calibrate \-\-out writes, and apply and \-\-nominal read.
+.TP
+.I PREFIX/share/invcal/schema.json
+The JSON that the tool prints and writes, as a JSON Schema of 2020\-12. Units stand in it.
+.TP
+.I PREFIX/share/bash\-completion/completions/invcal
+Completion for bash; zsh reads it after bashcompinit.
+.SH ENVIRONMENT
+.TP
+.B NO_COLOR
+If it is set and not empty, nothing is coloured. Otherwise terminals get colours.
+.TP
+.B TERM
+A terminal named dumb, or without a name, gets no colours.
+.SH "SEE ALSO"
+Egorov, Dzuev, Popov: Synthesis of calibration programs for an accelerometer unit of strapdown INS:
+an invariant approach. Giroskopiya i Navigatsiya 2019, 27(1), 61\-71.'

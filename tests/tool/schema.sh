@@ -1,0 +1,99 @@
+#!/bin/sh
+# SPDX-License-Identifier: MIT
+#
+# Everything that the tool prints as JSON against port/host/schema.json: schema.sh path/to/invcal builddir
+# Needs Debian's python3-jsonschema, so it is no part of `make test`. Prints a line for each check.
+here=$(dirname "$0")
+# shellcheck source=tests/tool/support.sh
+. "$here/support.sh"
+schema=$here/../../port/host/schema.json
+python=/usr/bin/python3
+"$python" -c 'import jsonschema' 2> /dev/null ||
+    { echo "python3-jsonschema is not installed: make deps" >&2; exit 1; }
+
+fits() { # fits OBJECT FILE [SCHEMA]
+    "$python" "$here/../schema.py" "${3:-$schema}" "$1" "$2"
+}
+
+misfits() {
+    ! fits "$@" 2> "$work/why" && [ -s "$work/why" ]
+}
+
+is_object() { # CODE OBJECT: the tool ended with this code, and printed this
+    [ "$code" -eq "$1" ] && fits "$2" "$work/stdout"
+}
+
+prints() { # prints CODE OBJECT ARGUMENTS ...
+    expected=$1
+    object=$2
+    shift 2
+    run "$@" --json
+    check "$* is a $object" is_object "$expected" "$object"
+}
+
+# ---- calibrations ------------------------------------------------------------------------------
+
+xsens=$data/xsens_mti_positions.csv
+prints 0 calibration calibrate "$xsens" --positions --gravity 9.81744 --out "$work/saved.json"
+check "the file of --out is a calibration" fits calibration "$work/saved.json"
+cp "$work/saved.json" "$work/good.json"
+prints 0 calibration calibrate "$xsens" --positions --nominal "$work/saved.json" --frame triangular
+prints 0 calibration calibrate "$data/t265_positions.csv" --positions --gravity 9.8016
+printf '%s\n' 1,0,0 -1,0,0 0,1,0 0,-1,0 0,0,1 0,0,-1 .7,.7,0 .7,0,.7 0,.7,.7 > "$work/nine.csv"
+prints 0 calibration calibrate "$work/nine.csv" --positions --gravity 1
+prints 0 calibration calibrate "$xsens" --positions --zero 33123,33276,32360 --lsb 0.0024 \
+    --noise 0.01 --prior 0.1,0.1,0.1
+"$tool" simulate --plan edges --outliers 2 --truth "$work/truth.json" > "$work/log.csv"
+prints 0 calibration calibrate "$work/log.csv"
+prints 0 calibration watch "$work/log.csv"
+check "the file of --truth is a truth" fits truth "$work/truth.json"
+
+prints 1 calibration_refusal calibrate "$work/nine.csv"
+head -n 3 "$work/nine.csv" > "$work/three.csv"
+prints 1 calibration_refusal calibrate "$work/three.csv" --positions
+awk 'BEGIN { for (i = 0; i < 18; i++) print cos(i / 2.9) "," sin(i / 2.9) "," 0 }' > "$work/flat.csv"
+prints 1 calibration_refusal calibrate "$work/flat.csv" --positions --gravity 1 --zero 0,0,0 --lsb 1
+awk 'BEGIN { srand(1); for (i = 0; i < 18; i++) print rand() "," rand() "," i % 3 * rand() }' \
+    > "$work/noise.csv"
+prints 1 calibration_refusal calibrate "$work/noise.csv" --positions --gravity 1
+prints 1 calibration_refusal calibrate "$xsens" --positions --zero 0,0,0 --lsb 1
+sed '2s/.*/1e200,1,1/' "$work/nine.csv" > "$work/huge.csv"
+prints 1 calibration_refusal calibrate "$work/huge.csv" --positions --zero 0,0,0 --lsb 1 --gravity 1
+
+# ---- plans -------------------------------------------------------------------------------------
+
+for set in '' '--per-group 7' '--per-group 8 --start 0,10,20 --noise 0.0001' --edges --icosahedron \
+    '--optimal 9' '--optimal 20 --limits 1,1,1' '--limits 0.4,0.6,1' '--budget 100' \
+    '--limits 0.001,0.001,0.001 --noise 0.001 --budget 300'; do
+    # shellcheck disable=SC2086
+    prints 0 plan plan $set
+done
+prints 0 plan plan --directions "$work/nine.csv"
+prints 1 plan_refused plan --faces
+prints 1 plan_refused plan --directions "$work/three.csv"
+prints 1 plan_refusal plan --per-group 4
+prints 1 plan_refusal plan --limits 1e-5,1e-5,1e-5
+prints 1 plan_refusal plan --budget 10
+prints 1 plan_refusal plan --compare faces edges
+prints 0 plan_sweep plan --sweep 5:9
+prints 0 plan_comparison plan --compare edges per-group:6
+prints 0 plan_comparison plan --compare edges optimal:18 --noise 0.001
+
+# ---- what must not pass ------------------------------------------------------------------------
+
+planted() { # planted SENTENCE SED: a calibration that was good, with a mistake
+    sed "$2" "$work/good.json" > "$work/bad.json"
+    check "refused: $1" misfits calibration "$work/bad.json"
+}
+planted "a member too many" 's/"gravity"/"extra": 1, &/'
+planted "a member that is missing" '/"condition"/d'
+planted "a misspelt verdict" 's/"good"/"fine"/'
+planted "a number that is none" 's/"gravity": [0-9.]*/"gravity": NaN/'
+planted "a member that is there twice" 's/"frame"/"suspected": 0, &/'
+planted "a name in a list that is no parameter" 's/"undetermined": \[/&"delta_w"/'
+check "refused: a refusal in place of a calibration" misfits calibration_refusal "$work/good.json"
+sed '0,/"additionalProperties": false/s//"additionalProperties": true/' "$schema" > "$work/lax.json"
+check "refused: a schema that lets a misspelt member pass" misfits calibration "$work/good.json" \
+    "$work/lax.json"
+
+finish
