@@ -376,6 +376,18 @@ static double residual_of_nominal(const positions *data, const invcal_settings *
     return sqrt(squares / data->count);
 }
 
+/* Which parameters exceed what the data sheet allows. */
+static uint16_t beyond(const invcal_solution *s, const double *tolerance)
+{
+    const double *const kinds[3] = {s->delta, s->dk, s->gamma};
+    unsigned bits = 0;
+
+    for (unsigned p = 0; p < INVCAL_PARAMETERS && tolerance; p++) {
+        bits |= (unsigned)!(fabs(kinds[p / 3][p % 3]) <= tolerance[p / 3]) << p;
+    }
+    return (uint16_t)bits;
+}
+
 static int solve(const request *r, const positions *data, calibrate_result *result)
 {
     invcal_reason reason;
@@ -402,6 +414,8 @@ static int solve(const request *r, const positions *data, calibrate_result *resu
                                 r->value[JSON] != NULL);
     }
     result->quality.worst = rejection_original(&result->rejected, result->quality.worst);
+    result->tolerance = r->value[TOLERANCE] ? r->tolerance : NULL;
+    result->beyond = beyond(&result->solution, result->tolerance);
     result->residual_before = residual_of_nominal(data, &result->settings);
     return EXIT_GOOD;
 }
@@ -469,7 +483,6 @@ static int write_report(FILE *file, const request *r, const calibrate_result *re
         .nominal_name = nominal_name(r),
         .saved = r->value[OUT],
         .command = r->command,
-        .tolerance = r->value[TOLERANCE] ? r->tolerance : NULL,
     };
 
     return report_write(file, result, &wish);
@@ -614,8 +627,8 @@ static const char *const help[] = {
     "                      positions will do. Needs the noise, and --zero and --lsb, or\n"
     "                      --nominal\n"
     "  --tolerance D,K,G   limits of the data sheet for offsets (over the field), scale errors\n"
-    "                      and angles (rad), for the report. Needs --zero and --lsb, or\n"
-    "                      --nominal\n"
+    "                      and angles (rad): says which parameters are beyond. Needs --zero\n"
+    "                      and --lsb, or --nominal\n"
     "  --out CAL.json      write the result to a file, as JSON, for invcal apply\n"
     "  --report R.html     write a page with the verdict, figures and pictures: one file that\n"
     "                      needs nothing else, for screen and paper\n"
@@ -664,7 +677,7 @@ static const char *const watch_help[] = {
     "  --rate HZ           samples a second; default: by the column t, else 100\n"
     "  --clip LOW,HIGH     the least and the greatest reading of the sensor\n"
     "  --keep-all          leaves no position out\n"
-    "  --tolerance D,K,G   limits of the data sheet, for the report\n"
+    "  --tolerance D,K,G   limits of the data sheet: says which parameters are beyond\n"
     "  --out CAL.json      write the result to a file, as JSON, for invcal apply\n"
     "  --report R.html     write a page with the verdict, figures and pictures\n"
     "  --json              print the result as JSON in place of the table, the guidance on\n"

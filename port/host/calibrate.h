@@ -20,8 +20,11 @@ typedef struct {
     nominal_choice nominal;
     invcal_settings settings;
     invcal_solution solution;
-    invcal_quality quality; /* worst counts among all positions */
-    double residual_before; /* root mean square of |nominal calibration| / field - 1 */
+    invcal_quality quality;  /* worst counts among all positions */
+    const double *tolerance; /* data sheet limits of offsets (over the field), scale errors and
+                                angles (rad); null: not stated */
+    uint16_t beyond;         /* bit r: parameter r exceeds them */
+    double residual_before;  /* root mean square of |nominal calibration| / field - 1 */
 } calibrate_result;
 
 /* 0 if neither the user nor the residuals tell the noise: sigma then means nothing. */

@@ -64,6 +64,16 @@ static void write_source(json_writer *w, uint16_t from_prior)
     json_object_end(w);
 }
 
+/* Which file it was. */
+static void write_file(json_writer *w, const positions *data)
+{
+    char crc[16];
+
+    snprintf(crc, sizeof crc, "%08lx", (unsigned long)data->crc);
+    json_text(w, "source_file", data->name);
+    json_text(w, "source_crc", crc);
+}
+
 void calibrate_json(FILE *file, const calibrate_result *result)
 {
     const invcal_solution *s = &result->solution;
@@ -71,6 +81,7 @@ void calibrate_json(FILE *file, const calibrate_result *result)
 
     json_begin(&w, file);
     json_text(&w, "invcal", INVCAL_VERSION);
+    write_file(&w, result->data);
     json_number(&w, "positions", result->data->count);
     json_numbers(&w, "rejected", result->rejected.number, result->rejected.count);
     json_number(&w, "suspected", result->rejected.suspected);
@@ -84,6 +95,9 @@ void calibrate_json(FILE *file, const calibrate_result *result)
     json_vector(&w, "dk", s->dk);
     json_vector(&w, "gamma", s->gamma);
     write_quality(&w, result);
+    if (result->tolerance) {
+        json_parameters(&w, "beyond", result->beyond);
+    }
     if (invcal_has_prior(&result->settings)) {
         write_source(&w, result->quality.from_prior);
     }

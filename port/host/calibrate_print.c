@@ -154,8 +154,9 @@ static void print_wrapped(FILE *file, size_t used, const char *text)
     fprintf(file, "%s\n", text);
 }
 
-static void print_verdict(FILE *file, const invcal_quality *q)
+static void print_verdict(FILE *file, const calibrate_result *result)
 {
+    const invcal_quality *q = &result->quality;
     const char *word = "";
     paint colour = PAINT_RED;
     char list[128];
@@ -184,6 +185,11 @@ static void print_verdict(FILE *file, const invcal_quality *q)
     }
     fprintf(file, "%s%s%s", paint_on(file, colour), word, paint_off(file));
     print_wrapped(file, strlen(word), text);
+    if (result->beyond) {
+        snprintf(text, sizeof text, "Beyond the limits of the data sheet: %s.",
+                 parameters_list(result->beyond, list, sizeof list));
+        print_wrapped(file, 0, text);
+    }
     if (q->from_prior) {
         snprintf(text, sizeof text, "Known from the prior rather than from the positions: %s.",
                  parameters_list(q->from_prior, list, sizeof list));
@@ -284,6 +290,6 @@ void calibrate_print(FILE *file, const calibrate_result *result, const char *nom
     fprintf(file, "\n");
     print_residuals(file, result, nominal_name);
     fprintf(file, "\n");
-    print_verdict(file, &result->quality);
+    print_verdict(file, result);
     print_next(file, &result->quality, saved);
 }

@@ -6,16 +6,22 @@
 
 #include "invcal/normal.h"
 #include "number.h"
+#include "utf8.h"
 
 static void write_text(FILE *file, const char *text)
 {
     putc('"', file);
-    for (const char *c = text; *c != '\0'; c++) {
-        if ((unsigned char)*c < ' ') {
-            fprintf(file, "\\u%04x", (unsigned)*c);
+    while (*text != '\0') {
+        const unsigned length = utf8_length(text);
+        if (length == 0) {
+            fputs("\\ufffd", file);
+        } else if ((unsigned char)*text < ' ') {
+            fprintf(file, "\\u%04x", (unsigned)*text);
         } else {
-            fprintf(file, *c == '"' || *c == '\\' ? "\\%c" : "%c", *c);
+            fputs(*text == '"' || *text == '\\' ? "\\" : "", file);
+            fwrite(text, 1, length, file);
         }
+        text += length > 0 ? length : 1;
     }
     putc('"', file);
 }

@@ -22,8 +22,9 @@ void json_begin(json_writer *w, FILE *file);
 /* Closes it, and ends the line. */
 void json_end(json_writer *w);
 
-/* Members of the object that is open; a name that is null makes an element of a list. A number that is not finite becomes null. Texts are the
- * program's own, in ASCII; quotes, backslashes and control characters are escaped. */
+/* Members of the object that is open; a name that is null makes an element of a list. A number
+ * that is not finite becomes null. In texts quotes, backslashes and control characters are
+ * escaped, and bytes that are no UTF-8 become U+FFFD. */
 void json_object(json_writer *w, const char *name);
 void json_object_end(json_writer *w);
 void json_list(json_writer *w, const char *name);

@@ -7,6 +7,7 @@
 #include <string.h>
 
 #include "sphere.h"
+#include "utf8.h"
 
 #define TEXT_MAX 1000
 #define MARGIN 8.0 /* between the halves */
@@ -27,7 +28,7 @@ static const char *shorten(const char *name, char text[TEXT_MAX])
     size_t characters = 0;
 
     for (size_t i = 0; name[i] != '\0'; characters++) {
-        const unsigned length = svg_character(name + i);
+        const unsigned length = utf8_length(name + i);
         start[characters % NAME_SHOWN] = i;
         i += length > 0 ? length : 1;
     }

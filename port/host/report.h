@@ -10,10 +10,8 @@
 /* What the page cannot know from the result. */
 typedef struct {
     const char *nominal_name;
-    const char *saved;       /* the file that the calibration goes to, or null */
-    const char *command;     /* the command line */
-    const double *tolerance; /* data sheet limits of offsets (over the field), scale errors and
-                                angles (rad); null: not stated */
+    const char *saved;   /* the file that the calibration goes to, or null */
+    const char *command; /* the command line */
 } report_wish;
 
 /* Writes the page. EXIT_GOOD; EXIT_FILE, with a message, without memory. Write errors show in

@@ -55,7 +55,7 @@ static double sigma_of(const report_facts *f, unsigned kind, unsigned i)
 /* Of the data sheet, or NaN. */
 static double limit_of(const report_facts *f, unsigned kind)
 {
-    return f->wish->tolerance ? kinds[kind].scale * f->wish->tolerance[kind] : (double)NAN;
+    return f->result->tolerance ? kinds[kind].scale * f->result->tolerance[kind] : (double)NAN;
 }
 
 /* Standard deviation, or 0. */
@@ -66,7 +66,7 @@ static double prior_of(const report_facts *f, unsigned kind)
 
 static int is_beyond(const report_facts *f, unsigned kind, unsigned i)
 {
-    return fabs(value_of(f, kind, i)) > limit_of(f, kind);
+    return f->result->beyond >> (3 * kind + i) & 1;
 }
 
 static int is_weak(const report_facts *f, unsigned kind, unsigned i)
@@ -257,16 +257,12 @@ static void draw_bars(FILE *file, const void *data, double width)
 /* What exceeds the data sheet, in a sentence. */
 static void say_beyond(page *p, const report_facts *f)
 {
-    unsigned bits = 0;
     char list[CELL];
 
-    for (unsigned r = 0; r < INVCAL_PARAMETERS; r++) {
-        bits |= (unsigned)is_beyond(f, r / 3, r % 3) << r;
-    }
-    if (bits) {
+    if (f->result->beyond) {
         page_say(p, "Beyond the limits of the data sheet: %s.",
-                 parameters_list((uint16_t)bits, list, sizeof list));
-    } else if (f->wish->tolerance) {
+                 parameters_list(f->result->beyond, list, sizeof list));
+    } else if (f->result->tolerance) {
         page_say(p, "All nine are within the limits of the data sheet.");
     }
 }
@@ -292,7 +288,7 @@ void report_parameters(page *p, const report_facts *f)
     }
     snprintf(caption, sizeof caption, "Deviation from nominal.%s%s%s",
              f->knows_noise ? " Whiskers: 95 % of cases." : "",
-             f->wish->tolerance ? " Dashed: limits of the data sheet." : "",
+             f->result->tolerance ? " Dashed: limits of the data sheet." : "",
              invcal_has_prior(&f->result->settings) ? " Shaded: prior, one standard deviation."
                                                     : "");
     page_picture(p, caption, draw_bars, f);

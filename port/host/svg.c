@@ -4,6 +4,8 @@
 #include <math.h>
 #include <string.h>
 
+#include "utf8.h"
+
 #define LARGEST 1e9
 #define REPLACEMENT "\xEF\xBF\xBD" /* U+FFFD */
 
@@ -103,32 +105,6 @@ static void write_attribute(FILE *file, const char *name, double x)
     putc('"', file);
 }
 
-static int continues(char c)
-{
-    return ((unsigned char)c & 0xC0u) == 0x80u;
-}
-
-unsigned svg_character(const char *text)
-{
-    static const unsigned long least[] = {0, 0, 0x80, 0x800, 0x10000};
-    const unsigned char first = (unsigned char)*text;
-    const unsigned length = first < 0x80   ? 1
-                            : first < 0xC0 ? 0
-                            : first < 0xE0 ? 2
-                            : first < 0xF0 ? 3
-                                           : 4;
-    unsigned long code = length < 2 ? first : first & (0xFFul >> (length + 1));
-
-    for (unsigned i = 1; i < length; i++) {
-        if (!continues(text[i])) {
-            return 0; /* the end of the text, too */
-        }
-        code = code << 6 | ((unsigned char)text[i] & 0x3Fu);
-    }
-    const int is_surrogate = code >= 0xD800 && code <= 0xDFFF;
-    return first >= 0xF8 || code < least[length] || code > 0x10FFFF || is_surrogate ? 0 : length;
-}
-
 /* What XML or good sense keeps out: controls of either kind, and two codes that are no characters. */
 static int is_banned(const char *c, unsigned length)
 {
@@ -167,7 +143,7 @@ static const char *entity(char c)
 void svg_escape(FILE *file, const char *text)
 {
     while (*text != '\0') {
-        const unsigned length = svg_character(text);
+        const unsigned length = utf8_length(text);
         if (is_banned(text, length)) {
             fputs(REPLACEMENT, file);
         } else if (entity(*text)) {

@@ -66,9 +66,6 @@ void svg_text(FILE *file, const char *style, svg_anchor anchor, double x, double
  * and bytes that are not UTF-8 become U+FFFD. */
 void svg_escape(FILE *file, const char *text);
 
-/* The length of the character of UTF-8 at `text`, 1 ... 4; 0 if it is none. */
-unsigned svg_character(const char *text);
-
 /* A number with 0 ... 6 decimals and a decimal point, whatever the locale, and never "-0".
  * Beyond +-1e9 it is cut off there; NaN gives 0. Returns text. */
 #define SVG_NUMBER_MAX 24

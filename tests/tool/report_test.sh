@@ -62,6 +62,8 @@ check "report: the offset is that of the reference" says_page 'offset x [+]0\.2[
 check "report: the residual is that of the reference" says_page 'rms error of \|a\|, before and after 4\.18 → 0\.0999 mg'
 check "report: what exceeds the data sheet is named" says_page \
     'Beyond the limits of the data sheet: angle zy\.'
+check "report: the table says so, too" matches "$work/stdout" \
+    '^Beyond the limits of the data sheet: angle zy\.$'
 check "report: and only that" says_not 'offset [xyz] [^°]*beyond the data sheet'
 check "report: its title is the name of the file" says_page '^ *Calibration of xsens_mti_positions\.csv'
 
@@ -80,6 +82,8 @@ gzip -c "$data/mpu9150_0_positions.csv" | tail -c 8 | od -An -tu1 > "$work/trail
 crc=$(awk '{ printf "%02x%02x%02x%02x", $4, $3, $2, $1 }' "$work/trailer")
 size=$(awk '{ print $5 + 256 * ($6 + 256 * ($7 + 256 * $8)) }' "$work/trailer")
 check "report: CRC and size are those of the file" says_page "$size bytes, CRC-32 $crc"
+run calibrate "$data/mpu9150_0_positions.csv" --positions --gravity 9.81 --json
+check "report: the JSON has the same CRC" test "$(json "$work/stdout" source_crc)" = "\"$crc\""
 check "report: the command line is told" says_page \
     "command invcal calibrate --report .*page\.html .*mpu9150_0_positions\.csv --positions --gravity 9\.81"
 in=$data/mpu9150_0_positions.csv
