@@ -1,0 +1,92 @@
+# SPDX-License-Identifier: MIT
+"""Faults for the self-test: name, the check that must turn red, and the edit of clean.html."""
+CUT = "nothing is cut off"
+OVERLAP = "no two texts overlap"
+TEXT = "text stands out from what is behind it"
+MARKS = "lines and markers stand out"
+WHITE = "the paper is white"
+SHEETS = "all text is on the sheets"
+SCREEN_SMALL = "no text is below 9 px"
+PHONE_SMALL = "no text is below 7.5 px"
+PRINT_SMALL = "no text is below 6 pt"
+COLOURS = "data colours differ for every eye"
+QUIET = "it asks for nothing and runs nothing"
+FORMED = "it is well formed"
+LISTEN = "it can be listened to"
+
+END = "</main>"
+STYLE = "</style>\n</head>"
+SECOND = '<text class="ink" x="100" y="30">second</text>'
+CIRCLE = '<circle class="c1 full" cx="200" cy="60" r="5"/>'
+
+
+def last(markup):
+    """Adds to the end of the page."""
+    return END, markup + END
+
+
+def css(rules):
+    return STYLE, rules + STYLE
+
+
+PLANTED = [(name, check, *edit) for name, check, edit in [
+    ("wide", CUT, ('<div class="wide">', "<div>")),
+    ("hidden", CUT, last('<p style="overflow:hidden;white-space:nowrap;width:9em">'
+                         "more words than there is room for</p>")),
+    ("low", CUT, last('<p style="overflow:hidden;height:1em;width:9em">'
+                      "more words than there is room for</p>")),
+    ("outside", CUT, (SECOND, SECOND.replace("100", "380"))),
+    ("mark-outside", CUT, (CIRCLE, CIRCLE.replace('cy="60"', 'cy="198"'))),
+    ("clipped", CUT, last('<p style="clip-path:inset(0 50% 0 0)">half of this</p>')),
+    ("print-wide", CUT, ("  .wide { overflow-x: visible }\n  td { white-space: normal }\n",
+                         "  .wide { width: 200px }\n")),
+    ("overlap", OVERLAP, (SECOND, SECOND.replace("100", "30"))),
+    ("tight-lines", OVERLAP, last('<p style="line-height:0.6;width:4em">'
+                                  "gypsy bold gypsy bold gypsy bold</p>")),
+    ("html-upon-svg", OVERLAP, last('<p style="margin:-180px 0 180px 110px;width:6em">beta</p>')),
+    ("faint", TEXT, last('<p style="color:#7f7f7f">faint by day</p>')),
+    ("faint-by-day", TEXT, css("@media (prefers-color-scheme:light){p{color:#999}}")),
+    ("faint-by-night", TEXT, css("@media screen and (prefers-color-scheme:dark){p{color:#555}}")),
+    ("faint-in-print", TEXT, css("@media print{p{color:#999}}")),
+    ("opacity", TEXT, last('<div style="opacity:0.4"><p>as if behind a veil</p></div>')),
+    ("on-bar", TEXT, (SECOND, '<rect class="c1 full" x="90" y="15" width="80" height="20"/>'
+                      + SECOND)),
+    ("on-gradient", TEXT, (SECOND, '<linearGradient id="g"><stop stop-color="#fff"/>'
+                           '<stop offset="1" stop-color="#444"/></linearGradient><rect '
+                           'class="shade" fill="url(#g)" x="90" y="15" width="80" height="20"/>'
+                           + SECOND)),
+    ("covered", TEXT, (SECOND, SECOND + '<rect class="c1 full" x="95" y="15" width="80" height="20"/>')),
+    ("faint-mark", MARKS, (CIRCLE, '<circle fill="#9a9a9a" opacity="0.4" cx="200" cy="160" r="5"/>'
+                           + CIRCLE)),
+    ("faint-line", MARKS, (CIRCLE, CIRCLE + '<line x1="20" y1="180" x2="380" y2="180" '
+                           'stroke="#777" stroke-opacity="0.5"/>')),
+    ("dark-paper", WHITE, css("@media print{p{background:#333;color:#fff;"
+                              "print-color-adjust:exact}}")),
+    ("small", SCREEN_SMALL, last('<p style="font-size:8.4px">fine print</p>')),
+    ("small-phone", PHONE_SMALL, css("@media (max-width:500px){p{font-size:7px}}")),
+    ("small-print", PRINT_SMALL, css("@media print{p{font-size:5.5pt}}")),
+    ("alike", COLOURS, (' stroke-dasharray="6 4"', "")),
+    ("script", QUIET, last("<script></script>")),
+    ("event", QUIET, last('<p onclick="x()">press</p>')),
+    ("image", QUIET, last('<img alt="" src="x.png">')),
+    ("link", QUIET, last('<p><a style="color:inherit" href="https://example.org/">away</a></p>')),
+    ("font", QUIET, css("@font-face{font-family:f;src:url(f.woff)}")),
+    ("import", QUIET, css('@import "x.css";')),
+    ("unclosed", FORMED, last("<p><b>bold</p>")),
+    ("void", FORMED, last("<div/></div>")),
+    ("lang", LISTEN, ('<html lang="en">', "<html>")),
+    ("no-title", LISTEN, ("<title>A page without a fault</title>", "")),
+    ("jump", LISTEN, last("<h4>deep</h4>")),
+    ("two-h1", LISTEN, last("<h1>again</h1>")),
+    ("no-viewport", LISTEN, ('<meta name="viewport" content="width=device-width, initial-scale=1">',
+                             "")),
+    ("mute-picture", LISTEN, ("<title>Two lines</title>\n", "")),
+    ("no-role", LISTEN, ('role="img" ', "")),
+    ("scope", LISTEN, ('<th scope="col">value', "<th>value")),
+    ("caption", LISTEN, ("<caption>Parameters</caption>\n", "")),
+    ("two-mains", LISTEN, last("</main><main>")),
+    ("torn", SHEETS, last('<svg role="img" aria-label="tall" width="300" height="2400">'
+                          '<g font-size="14" class="ink">' +
+                          "".join('<text x="9" y="%d">line</text>' % y for y in range(20, 2390, 16)) +
+                          "</g></svg>")),
+]]
