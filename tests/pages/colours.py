@@ -62,3 +62,13 @@ def nearest(a, b):
         return lab([min(1, max(0, v)) for v in times(EYES[eye], linear(colour))])
 
     return min((ciede2000(seen(a, eye), seen(b, eye)), eye) for eye in EYES)
+
+
+def self_test():
+    """Against published figures: pairs of Sharma's table 1; and white is white for all eyes."""
+    pairs = [((50, 2.6772, -79.7751), (50, 0, -82.7485), 2.0425),
+             ((50, 2.5, 0), (73, 25, -18), 27.1492),
+             ((60.2574, -34.0099, 36.2677), (60.4626, -34.1751, 39.4387), 1.2644),
+             ((2.0776, 0.0795, -1.1350), (0.9033, -0.0636, -0.5514), 0.9082)]
+    return (all(abs(ciede2000(p, q) - d) < 1e-4 for p, q, d in pairs) and
+            all(abs(v - 1) < 1e-5 for m in EYES.values() for v in times(m, (1, 1, 1))))

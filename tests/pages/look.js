@@ -195,6 +195,16 @@
       t.isCut = true;
     }
   }
+  for (const t of texts.filter((t) => t.boxes.length > 1)) {
+    for (const m of t.string.matchAll(/(?<![\w.])[-+±−]?\d+(\.\d+)?(?![\w.])/g)) {
+      const range = document.createRange();
+      range.setStart(t.node, m.index);
+      range.setEnd(t.node, m.index + m[0].length);
+      if (new Set(Array.from(range.getClientRects(), (r) => r.top)).size > 1) {
+        found.cut.push(`the number ${m[0]}: broken over two lines`);
+      }
+    }
+  }
   const drawn = Array.from(document.querySelectorAll(SHAPES)).filter((e) =>
     !e.closest(NOT_DRAWN) && e.checkVisibility({checkOpacity: true, checkVisibilityCSS: true}));
   for (const e of drawn) {
@@ -256,8 +266,10 @@
       showIn(area, boxes[i]);
       boxes = area ? boxesOf(t) : boxes;
       const b = boxes[i];
-      for (const part of [0.1, 0.5, 0.9]) {
-        const x = b.left + part * (b.right - b.left);
+      // Close enough in pictures to meet a line that runs through the text.
+      const points = isSvg(t.element) ? Math.ceil((b.right - b.left) / 4) : 3;
+      for (let k = 0; k < points; k++) {
+        const x = b.left + (k + 0.5) / points * (b.right - b.left);
         const y = (b.top + b.bottom) / 2;
         const stack = document.elementsFromPoint(x, y);
         const at = stack.findIndex((e) => e === t.element || t.element.contains(e));

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Faults for the self-test: name, the check that must turn red, and the edit of clean.html."""
+"""Faults for the self-test: name, the check that must turn red, the edit of clean.html."""
 CUT = "nothing is cut off"
 OVERLAP = "no two texts overlap"
 TEXT = "text stands out from what is behind it"
@@ -29,7 +29,8 @@ def css(rules):
     return STYLE, rules + STYLE
 
 
-PLANTED = [(name, check, *edit) for name, check, edit in [
+EDITS = [
+    ("clean", None, last("")),
     ("wide", CUT, ('<div class="wide">', "<div>")),
     ("hidden", CUT, last('<p style="overflow:hidden;white-space:nowrap;width:9em">'
                          "more words than there is room for</p>")),
@@ -38,6 +39,7 @@ PLANTED = [(name, check, *edit) for name, check, edit in [
     ("outside", CUT, (SECOND, SECOND.replace("100", "380"))),
     ("mark-outside", CUT, (CIRCLE, CIRCLE.replace('cy="60"', 'cy="198"'))),
     ("clipped", CUT, last('<p style="clip-path:inset(0 50% 0 0)">half of this</p>')),
+    ("number", CUT, last('<p style="overflow-wrap:anywhere;width:3em">1.23456789</p>')),
     ("print-wide", CUT, ("  .wide { overflow-x: visible }\n  td { white-space: normal }\n",
                          "  .wide { width: 200px }\n")),
     ("overlap", OVERLAP, (SECOND, SECOND.replace("100", "30"))),
@@ -56,6 +58,8 @@ PLANTED = [(name, check, *edit) for name, check, edit in [
                            'class="shade" fill="url(#g)" x="90" y="15" width="80" height="20"/>'
                            + SECOND)),
     ("covered", TEXT, (SECOND, SECOND + '<rect class="c1 full" x="95" y="15" width="80" height="20"/>')),
+    ("line-through", TEXT, (SECOND, '<line class="c1 curve" x1="120" y1="5" x2="121" y2="60"/>'
+                            + SECOND)),
     ("faint-mark", MARKS, (CIRCLE, '<circle fill="#9a9a9a" opacity="0.4" cx="200" cy="160" r="5"/>'
                            + CIRCLE)),
     ("faint-line", MARKS, (CIRCLE, CIRCLE + '<line x1="20" y1="180" x2="380" y2="180" '
@@ -72,6 +76,7 @@ PLANTED = [(name, check, *edit) for name, check, edit in [
     ("link", QUIET, last('<p><a style="color:inherit" href="https://example.org/">away</a></p>')),
     ("font", QUIET, css("@font-face{font-family:f;src:url(f.woff)}")),
     ("import", QUIET, css('@import "x.css";')),
+    ("escaped", QUIET, css("main::after{content:u\\72l(x.png)}")),  # only the request tells
     ("unclosed", FORMED, last("<p><b>bold</p>")),
     ("void", FORMED, last("<div/></div>")),
     ("lang", LISTEN, ('<html lang="en">', "<html>")),
@@ -89,4 +94,17 @@ PLANTED = [(name, check, *edit) for name, check, edit in [
                           '<g font-size="14" class="ink">' +
                           "".join('<text x="9" y="%d">line</text>' % y for y in range(20, 2390, 16)) +
                           "</g></svg>")),
-]]
+]
+
+
+def planted(clean):
+    """Yields file name, check and text of each page and picture."""
+    for name, check, (old, new) in EDITS:
+        assert clean.count(old) == 1, name
+        yield name + ".html", check, clean.replace(old, new)
+    style = clean[clean.index("<style>"):clean.index("</style>")] + "</style>"
+    picture = clean[clean.index("<svg"):clean.index("</svg>")] + style + "</svg>\n"
+    picture = picture.replace("<svg", '<svg xmlns="http://www.w3.org/2000/svg"')
+    yield "clean.svg", None, picture
+    yield "ampersand.svg", FORMED, picture.replace("first", "a & b")
+    yield "outside.svg", CUT, picture.replace(SECOND, SECOND.replace("100", "380"))
