@@ -14,9 +14,10 @@ import time
 import unicodedata
 import xml.etree.ElementTree
 
+import checks
 import colours
 from browser import Browser
-from planted import CUT, SHEETS, planted
+from planted import planted
 
 HERE = pathlib.Path(__file__).parent
 LOOK = (HERE / "look.js").read_text()
@@ -25,7 +26,7 @@ SIGNS = "Az09±²µσΔ°·−–×"  # what a font must have, in any rendering
 
 A4 = (794, 1123)  # CSS pixels
 MARGIN = 38       # 1 cm, where the page states none
-# width, height, scale of the device, least font in CSS pixels; print: 6 pt
+# Width, height, scale of the device, least font; CSS pixels, of which 8 are 6 pt.
 VIEWS = {"phone": (360, 740, 2, 7.5), "desktop": (1280, 900, 1, 9), "print": (None, None, 1, 8)}
 STRIP = 6000      # highest screenshot, CSS pixels
 UNLIKE = 15       # least CIEDE2000 difference of two data colours that nothing else tells apart
@@ -108,30 +109,41 @@ class Gate:
             sys.stdout.flush()
 
     def page(self, path):
-        """All checks of one page."""
-        name = path.name
-        asked = self.browser.open(path.resolve().as_uri())
-        self.source(name, path, [url for url in asked if url != path.resolve().as_uri()])
+        """All checks of one page. What cannot be read or shown is one fault."""
+        try:
+            self.look_at(path, path.name, path.resolve().as_uri())
+        except (EOFError, OSError, UnicodeDecodeError, subprocess.CalledProcessError) as error:
+            self.check(path.name, "it can be looked at", [str(error)])
+
+    def look_at(self, path, name, address):
+        text = path.read_text(encoding="utf-8")
+        for old in self.folder.glob(name + "[-.]*"):
+            if old.suffix in (".png", ".pdf"):
+                old.unlink()
+        asked = [url for url in self.browser.open(address) if url != address]
+        if not self.source(name, text, path.suffix == ".svg", asked):
+            return  # no picture to be seen
         rules = self.run(RULES, SIGNS)
-        self.check(name, "it can be listened to", rules["wrong"])
+        self.check(name, checks.LISTEN, rules["wrong"])
         margins = [rules["margins"].get(side, MARGIN) for side in ("Left", "Top", "Right", "Bottom")]
         for view in VIEWS:
             for scheme in ("light", "dark"):
                 self.rendering(path, view, scheme, margins)
         self.paper(path, margins)
 
-    def source(self, name, path, asked):
-        text = path.read_text(encoding="utf-8")
+    def source(self, name, text, is_picture, asked):
+        """Returns whether a browser shows it."""
         source = Source(text)
-        self.check(name, "it asks for nothing and runs nothing",
+        self.check(name, checks.QUIET,
                    source.outside + ["asked for " + url for url in asked if url[:5] != "data:"])
-        faults = source.unbalanced
-        if path.suffix == ".svg":
+        if is_picture:
             try:
                 xml.etree.ElementTree.fromstring(text)
             except xml.etree.ElementTree.ParseError as error:
-                faults = [str(error)]
-        self.check(name, "it is well formed", faults)
+                self.check(name, checks.FORMED, [str(error)])
+                return False
+        self.check(name, checks.FORMED, source.unbalanced)
+        return True
 
     def run(self, script, argument):
         function = script[script.index("\n(") + 1:]  # below the comments
@@ -140,10 +152,12 @@ class Gate:
     def set_view(self, width, height, scale):
         self.browser.call("Emulation.setDeviceMetricsOverride", width=width, height=height,
                           deviceScaleFactor=scale, mobile=False)
-        while self.browser.evaluate("innerWidth + 'x' + innerHeight") != "%dx%d" % (width, height):
+        for _ in range(500):
+            if self.browser.evaluate("innerWidth + 'x' + innerHeight") == "%dx%d" % (width, height):
+                return self.browser.evaluate(
+                    "Math.ceil(document.documentElement.getBoundingClientRect().height)")
             time.sleep(0.01)
-        return self.browser.evaluate(
-            "Math.ceil(document.documentElement.getBoundingClientRect().height)")
+        raise EOFError("the window does not become %d x %d" % (width, height))
 
     def set_media(self, view, scheme):
         self.browser.call("Emulation.setEmulatedMedia",
@@ -161,17 +175,16 @@ class Gate:
         found = self.run(LOOK, {"print": view == "print", "font": font})
         self.screenshot("%s-%s-%s" % (path.name, view, scheme), width, high)
         where = "%s at %s, %s" % (path.name, view, scheme)
-        self.check(where, "nothing is cut off", found["cut"])
-        self.check(where, "no two texts overlap", found["overlap"])
-        self.check(where, "text stands out from what is behind it", found["text"])
-        self.check(where, "lines and markers stand out", found["marks"])
-        unit, least, smallest = "px", font, found["smallest"] or 0
+        self.check(where, checks.CUT, found["cut"])
+        self.check(where, checks.OVERLAP, found["overlap"])
+        self.check(where, checks.TEXT, found["text"])
+        self.check(where, checks.MARKS, found["marks"])
         if view == "print":
-            unit, least, smallest = "pt", font * 0.75, smallest * 0.75
-            self.check(where, "the paper is white", found["paper"])
-        self.check(where, "no text is below %g %s" % (least, unit),
-                   found["small"] or ([] if found["smallest"] else ["there is no text"]),
-                   ", smallest %.1f %s" % (smallest, unit))
+            self.check(where, checks.WHITE, found["paper"])
+        unit, scale = ("pt", 0.75) if view == "print" else ("px", 1)
+        faults = found["small"] if found["smallest"] else ["there is no text"]
+        self.check(where, checks.SMALL[view], faults,
+                   ", smallest %.1f %s" % ((found["smallest"] or 0) * scale, unit))
         if view == "desktop":
             self.colours(where, found["colours"])
         self.words = found["words"]
@@ -195,7 +208,7 @@ class Gate:
                     apart = set(kinds_a) - set(kinds_b) and set(kinds_b) - set(kinds_a)
                     if difference < UNLIKE and not apart:
                         faults.append("%s and %s: %.1f, %s" % (a, b, difference, eye))
-        self.check(where, "data colours differ for every eye", faults,
+        self.check(where, checks.COLOURS, faults,
                    ", nearest %.1f" % least if least is not None else "")
 
     def paper(self, path, margins):
@@ -219,6 +232,8 @@ class Gate:
             if sheet:
                 sheets += 1
                 width, height = float(sheet[1]), float(sheet[2])
+                if abs(width - A4[0] * 0.75) > 2 or abs(height - A4[1] * 0.75) > 2:
+                    faults.append("sheet %d is not A4: %g x %g pt" % (sheets, width, height))
             elif word:
                 box = [float(word[i]) for i in range(1, 5)]
                 room = [m * 0.75 - 2 for m in margins]
@@ -230,7 +245,7 @@ class Gate:
         if lost:
             faults.append("letters that are not on paper: " + " ".join(
                 "%s (%d)" % item for item in lost.most_common()))
-        self.check(path.name + " on paper", "all text is on the sheets", faults,
+        self.check(path.name + " on paper", checks.SHEETS, faults,
                    ", A4, %d page%s" % (sheets, "" if sheets == 1 else "s"))
 
 
@@ -244,27 +259,33 @@ def look_at_fonts(gate):
     gate.browser.open("data:text/html,<!DOCTYPE html><p>")
     missing = gate.run(RULES, SIGNS + "\ue000")["missing"]
     faults = [] if "\ue000" in missing else ["cannot tell a missing sign"]
-    faults += ["no font has " + sign for sign in missing if sign != "\ue000"]
+    faults += ["no font has %s: make deps" % sign for sign in missing if sign != "\ue000"]
     gate.check("fonts", "some font has each of " + SIGNS, faults)
 
 
 def self_test(gate, folder):
     """Each planted fault turns its check red, and no other; the page without one is green. (What
     is cut off in print may be missing on the sheets as well.)"""
-    results = [("colours as published", colours.self_test(), "")]
+    passed = failed = 0
+    follows = {checks.CUT: {checks.SHEETS}}
+
+    def result(what, good, rest=""):
+        nonlocal passed, failed
+        passed += good
+        failed += not good
+        print("pages: %s: %s" % (what, "PASS" if good else "FAIL" + rest), flush=True)
+
+    result("colour differences are the published ones", colours.self_test())
     for name, check, text in planted((HERE / "clean.html").read_text(encoding="utf-8")):
         page = folder / name
         page.write_text(text, encoding="utf-8")
         gate.failed = []
         gate.page(page)
         red = set(gate.failed)
-        good = red - ({SHEETS} if check == CUT else set()) == ({check} if check else set())
-        results.append(("planted %s: %s" % (name, "only '%s' is red" % check if check else "green"),
-                        good, "" if good else ", red: %s" % sorted(red)))
-    for what, good, rest in results:
-        print("pages: %s: %s%s" % (what, "PASS" if good else "FAIL", rest))
-    passed = sum(good for _, good, _ in results)
-    return passed, len(results) - passed
+        result("planted %s: %s" % (name, "only '%s' is red" % check if check else "all is green"),
+               red - follows.get(check, set()) == {check} - {None},
+               ", red: %s" % sorted(red))
+    return passed, failed
 
 
 def main():
@@ -273,7 +294,11 @@ def main():
     folder = build / ("pages/planted" if testing else "pages")
     os.makedirs(folder, exist_ok=True)
     with open(folder / "chromium.log", "wb") as log:
-        browser = Browser(log)
+        try:
+            browser = Browser(log)
+        except (EOFError, OSError) as error:
+            print("pages: %s, see %s: FAIL\n0 passed, 1 failed" % (error, log.name))
+            return 1
         try:
             gate = Gate(browser, folder, tell=not testing)
             if testing:
@@ -283,9 +308,6 @@ def main():
                 for path in paths:
                     gate.page(pathlib.Path(path))
                 passed, failed = gate.passed, len(gate.failed)
-        except (EOFError, OSError, UnicodeDecodeError, subprocess.CalledProcessError) as error:
-            print("pages: %s: FAIL" % error)
-            passed, failed = gate.passed, len(gate.failed) + 1
         finally:
             browser.close()
     print("%d passed, %d failed" % (passed, failed))

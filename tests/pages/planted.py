@@ -1,18 +1,7 @@
 # SPDX-License-Identifier: MIT
 """Faults for the self-test: name, the check that must turn red, the edit of clean.html."""
-CUT = "nothing is cut off"
-OVERLAP = "no two texts overlap"
-TEXT = "text stands out from what is behind it"
-MARKS = "lines and markers stand out"
-WHITE = "the paper is white"
-SHEETS = "all text is on the sheets"
-SCREEN_SMALL = "no text is below 9 px"
-PHONE_SMALL = "no text is below 7.5 px"
-PRINT_SMALL = "no text is below 6 pt"
-COLOURS = "data colours differ for every eye"
-QUIET = "it asks for nothing and runs nothing"
-FORMED = "it is well formed"
-LISTEN = "it can be listened to"
+from checks import (COLOURS, CUT, FORMED, LISTEN, MARKS, OVERLAP, QUIET, SHEETS, SMALL, TEXT,
+                    WHITE)
 
 END = "</main>"
 STYLE = "</style>\n</head>"
@@ -66,9 +55,9 @@ EDITS = [
                            'stroke="#777" stroke-opacity="0.5"/>')),
     ("dark-paper", WHITE, css("@media print{p{background:#333;color:#fff;"
                               "print-color-adjust:exact}}")),
-    ("small", SCREEN_SMALL, last('<p style="font-size:8.4px">fine print</p>')),
-    ("small-phone", PHONE_SMALL, css("@media (max-width:500px){p{font-size:7px}}")),
-    ("small-print", PRINT_SMALL, css("@media print{p{font-size:5.5pt}}")),
+    ("small", SMALL["desktop"], last('<p style="font-size:8.4px">fine print</p>')),
+    ("small-phone", SMALL["phone"], css("@media (max-width:500px){p{font-size:7px}}")),
+    ("small-print", SMALL["print"], css("@media print{p{font-size:5.5pt}}")),
     ("alike", COLOURS, (' stroke-dasharray="6 4"', "")),
     ("script", QUIET, last("<script></script>")),
     ("event", QUIET, last('<p onclick="x()">press</p>')),
@@ -90,6 +79,7 @@ EDITS = [
     ("scope", LISTEN, ('<th scope="col">value', "<th>value")),
     ("caption", LISTEN, ("<caption>Parameters</caption>\n", "")),
     ("two-mains", LISTEN, last("</main><main>")),
+    ("letter", SHEETS, ("size: A4", "size: letter")),
     ("torn", SHEETS, last('<svg role="img" aria-label="tall" width="300" height="2400">'
                           '<g font-size="14" class="ink">' +
                           "".join('<text x="9" y="%d">line</text>' % y for y in range(20, 2390, 16)) +
