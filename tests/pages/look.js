@@ -254,6 +254,21 @@
   // ---- contrast of text ----
   // WCAG 2.2, 1.4.3: less is enough for large letters.
   const needed = (size, weight) => size >= 24 || (size >= 18.66 && weight >= 700) ? 3 : 4.5;
+  // Three points of a text; where marks are near, each pixel along its middle, both ways, so that no
+  // line runs through it unseen.
+  const pointsIn = (b, t) => {
+    const near = isSvg(t.element) && drawn.some((e) => {
+      const m = e.getBoundingClientRect();
+      return !e.matches(DECORATIVE) && m.left < b.right && m.right > b.left &&
+        m.top < b.bottom && m.bottom > b.top;
+    });
+    const steps = (n, from, to) =>
+      Array.from({length: n}, (_, k) => from + (k + 0.5) / n * (to - from));
+    const row = steps(near ? Math.ceil(b.right - b.left) : 3, b.left, b.right);
+    const column = steps(near ? Math.ceil(b.bottom - b.top) : 1, b.top, b.bottom);
+    return [...row.map((x) => [x, (b.top + b.bottom) / 2]),
+      ...column.map((y) => [(b.left + b.right) / 2, y])];
+  };
   const lookAt = (t) => {
     const s = t.style;
     const fore = isSvg(t.element) ? paint(t.element, 'fill')
@@ -266,11 +281,7 @@
       showIn(area, boxes[i]);
       boxes = area ? boxesOf(t) : boxes;
       const b = boxes[i];
-      // Close enough in pictures to meet a line that runs through the text.
-      const points = isSvg(t.element) ? Math.ceil((b.right - b.left) / 4) : 3;
-      for (let k = 0; k < points; k++) {
-        const x = b.left + (k + 0.5) / points * (b.right - b.left);
-        const y = (b.top + b.bottom) / 2;
+      for (const [x, y] of pointsIn(b, t)) {
         const stack = document.elementsFromPoint(x, y);
         const at = stack.findIndex((e) => e === t.element || t.element.contains(e));
         if (at < 0) {
