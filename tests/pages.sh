@@ -1,8 +1,9 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
 #
-# Looks at pages and pictures in headless Chromium, at phone, desktop and print sizes, light and dark:
-# nothing is cut off, overlapping or unreadable, nothing is loaded, and all of it can be listened to.
+# Looks at pages and pictures in headless Chromium, at phone, desktop and print sizes, light and
+# dark: nothing is cut off, overlapping or unreadable, nothing is loaded, and a screen reader can
+# read it out.
 #
 #     sh tests/pages.sh BUILD PAGE.html|PICTURE.svg ...
 #     sh tests/pages.sh --self-test BUILD      each planted fault turns its check red

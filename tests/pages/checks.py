@@ -2,7 +2,7 @@
 """The checks, by name."""
 QUIET = "it asks for nothing and runs nothing"
 FORMED = "it is well formed"
-LISTEN = "it can be listened to"
+LISTEN = "a screen reader can read it"
 CUT = "nothing is cut off"
 OVERLAP = "no two texts overlap"
 TEXT = "text stands out from what is behind it"

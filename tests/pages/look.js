@@ -254,8 +254,8 @@
   // ---- contrast of text ----
   // WCAG 2.2, 1.4.3: less is enough for large letters.
   const needed = (size, weight) => size >= 24 || (size >= 18.66 && weight >= 700) ? 3 : 4.5;
-  // Three points of a text; where marks are near, each pixel along its middle, both ways, so that no
-  // line runs through it unseen.
+  // A few points of a text; where marks are near, each pixel along its middle, both ways, so that
+  // no line runs through it unseen.
   const pointsIn = (b, t) => {
     const near = isSvg(t.element) && drawn.some((e) => {
       const m = e.getBoundingClientRect();
@@ -273,7 +273,8 @@
     const s = t.style;
     const fore = isSvg(t.element) ? paint(t.element, 'fill')
       : [colour(s.color).slice(0, 3).concat(colour(s.color)[3] * opacity(t.element))];
-    const halo = isSvg(t.element) && s.paintOrder.startsWith('stroke') ? paint(t.element, 'stroke') : [];
+    const isHaloed = isSvg(t.element) && s.paintOrder.startsWith('stroke');
+    const halo = isHaloed ? paint(t.element, 'stroke') : [];
     const area = scroller(t.element);
     let boxes = boxesOf(t); // the area may have been scrolled since
     let least = null;

@@ -125,7 +125,8 @@ class Gate:
             return  # no picture to be seen
         rules = self.run(RULES, SIGNS)
         self.check(name, checks.LISTEN, rules["wrong"])
-        margins = [rules["margins"].get(side, MARGIN) for side in ("Left", "Top", "Right", "Bottom")]
+        margins = [rules["margins"].get(side, MARGIN)
+                   for side in ("Left", "Top", "Right", "Bottom")]
         for view in VIEWS:
             for scheme in ("light", "dark"):
                 self.rendering(path, view, scheme, margins)
@@ -227,7 +228,7 @@ class Gate:
         faults, letters, sheets = [], collections.Counter(), 0
         for line in boxes.splitlines():
             sheet = re.search(r'<page width="([\d.]+)" height="([\d.]+)"', line)
-            word = re.search(r'<word xMin="(.*?)" yMin="(.*?)" xMax="(.*?)" yMax="(.*?)">(.*)</word>',
+            word = re.search(r'<word xMin="(.*?)" yMin="(.*?)" xMax="(.*?)" yMax="(.*?)">(.*)</',
                              line)
             if sheet:
                 sheets += 1

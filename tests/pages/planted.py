@@ -46,7 +46,8 @@ EDITS = [
                            '<stop offset="1" stop-color="#444"/></linearGradient><rect '
                            'class="shade" fill="url(#g)" x="90" y="15" width="80" height="20"/>'
                            + SECOND)),
-    ("covered", TEXT, (SECOND, SECOND + '<rect class="c1 full" x="95" y="15" width="80" height="20"/>')),
+    ("covered", TEXT, (SECOND, SECOND + '<rect class="c1 full" x="95" y="15" width="80" '
+                       'height="20"/>')),
     ("line-through", TEXT, (SECOND, '<line class="c1 curve" x1="120" y1="5" x2="121" y2="60"/>'
                             + SECOND)),
     ("faint-mark", MARKS, (CIRCLE, '<circle fill="#9a9a9a" opacity="0.4" cx="200" cy="160" r="5"/>'
@@ -70,6 +71,7 @@ EDITS = [
     ("void", FORMED, last("<div/></div>")),
     ("lang", LISTEN, ('<html lang="en">', "<html>")),
     ("no-title", LISTEN, ("<title>A page without a fault</title>", "")),
+    ("same-id", LISTEN, last('<p id="a">one</p><p id="a">two</p>')),
     ("jump", LISTEN, last("<h4>deep</h4>")),
     ("two-h1", LISTEN, last("<h1>again</h1>")),
     ("no-viewport", LISTEN, ('<meta name="viewport" content="width=device-width, initial-scale=1">',
@@ -82,7 +84,8 @@ EDITS = [
     ("letter", SHEETS, ("size: A4", "size: letter")),
     ("torn", SHEETS, last('<svg role="img" aria-label="tall" width="300" height="2400">'
                           '<g font-size="14" class="ink">' +
-                          "".join('<text x="9" y="%d">line</text>' % y for y in range(20, 2390, 16)) +
+                          "".join('<text x="9" y="%d">line</text>' % y
+                                  for y in range(20, 2390, 16)) +
                           "</g></svg>")),
 ]
 

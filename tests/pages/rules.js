@@ -58,9 +58,11 @@
   root.appendChild(probe);
   for (const sheet of document.styleSheets) {
     for (const rule of Array.from(sheet.cssRules).filter((r) => r instanceof CSSPageRule)) {
-      for (const side of ['Left', 'Top', 'Right', 'Bottom'].filter((s) => rule.style['margin' + s])) {
+      for (const side of ['Left', 'Top', 'Right', 'Bottom']) {
         probe.style.paddingLeft = rule.style['margin' + side];
-        margins[side] = parseFloat(getComputedStyle(probe).paddingLeft);
+        if (rule.style['margin' + side]) {
+          margins[side] = parseFloat(getComputedStyle(probe).paddingLeft);
+        }
       }
     }
   }
