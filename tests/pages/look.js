@@ -4,12 +4,12 @@
 // sentences. `view`: {print: bool, font: least size in CSS pixels}.
 //
 // Text is every text node that shows; generated content (::before) is not seen. Marks are the
-// shapes of pictures, but for classes grid, paper and shade. What is behind a point is found by
+// shapes of pictures, but for classes grid, paper, shade and area. What is behind a point is found by
 // elementsFromPoint, so the viewport must be as high as the page.
 (view) => {
   const NO_TEXT = 'style,title,desc,script,metadata,template,noscript';
   const SHAPES = 'line,polyline,polygon,path,circle,ellipse,rect';
-  const DECORATIVE = '.grid,.paper,.shade';
+  const DECORATIVE = '.grid,.paper,.shade,.area';
   const NOT_DRAWN = 'defs,clipPath,mask,pattern,marker,symbol,linearGradient,radialGradient';
   const TOLERANCE = 1;  // pixels
   const SAMPLES = 200;  // marks looked at of each kind in a picture
@@ -322,8 +322,8 @@
   }
 
   // ---- contrast of marks, colours in use ----
-  // A mark stands out if its fill or its stroke does, from the paper or shade that it lies on;
-  // marks below it are no background.
+  // A mark stands out if its fill or its stroke does, from the paper or shade that it lies on, or
+  // the one from the other; marks below it are no background.
   const kindOf = (e) => {
     const s = style(e);
     if (e.matches('line,polyline') || (e.matches('path') && s.fill === 'none')) {
@@ -353,13 +353,16 @@
     showIn(scroller(e), size);
     const at = e.getPointAtLength(e.getTotalLength() / 2).matrixTransform(e.getScreenCTM());
     const below = document.elementsFromPoint(at.x, at.y).filter((b) =>
-      b.matches('.paper,.shade') || !isSvg(b) || b.tagName === 'svg');
+      b.matches('.paper,.shade,.area') || !isSvg(b) || b.tagName === 'svg');
     let best = {c: 0};
     for (const back of blend(below.map((b) => painted(b, at.x, at.y)))) {
       const rate = (which) => paint(e, which).map((c) => over(c, back))
         .map((c) => ({c: contrast(c, back), f: c, back})).sort((p, q) => p.c - q.c)[0] || {c: 0};
       const [fill, stroke] = [rate('fill'), rate('stroke')];
-      const b = fill.c > stroke.c ? fill : stroke;
+      const b = {...(fill.c > stroke.c ? fill : stroke)};
+      if (fill.f && stroke.f && parseFloat(style(e).strokeWidth) >= 1) {
+        b.c = Math.max(b.c, contrast(fill.f, stroke.f));
+      }
       best = !best.c || b.c < best.c ? b : best;
     }
     if (best.c < 3) {

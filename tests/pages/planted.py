@@ -54,6 +54,8 @@ EDITS = [
                            + CIRCLE)),
     ("faint-line", MARKS, (CIRCLE, CIRCLE + '<line x1="20" y1="180" x2="380" y2="180" '
                            'stroke="#777" stroke-opacity="0.5"/>')),
+    ("faint-outline", MARKS, (CIRCLE, '<circle fill="#aaa" stroke="#ddd" cx="200" cy="160" '
+                              'r="5"/>' + CIRCLE)),
     ("dark-paper", WHITE, css("@media print{p{background:#333;color:#fff;"
                               "print-color-adjust:exact}}")),
     ("small", SMALL["desktop"], last('<p style="font-size:8.4px">fine print</p>')),
