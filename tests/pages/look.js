@@ -4,8 +4,8 @@
 // sentences. `view`: {print: bool, font: least size in CSS pixels}.
 //
 // Text is every text node that shows; generated content (::before) is not seen. Marks are the
-// shapes of pictures, but for classes grid, paper, shade and area. What is behind a point is found by
-// elementsFromPoint, so the viewport must be as high as the page.
+// shapes of pictures, but for classes grid, paper, shade and area. What is behind a point is found
+// by elementsFromPoint, so the viewport must be as high as the page.
 (view) => {
   const NO_TEXT = 'style,title,desc,script,metadata,template,noscript';
   const SHAPES = 'line,polyline,polygon,path,circle,ellipse,rect';
