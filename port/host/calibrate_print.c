@@ -22,15 +22,10 @@ typedef struct {
     const char *unit;
 } figure;
 
-static int is_acceleration(double field)
-{
-    return field > 9.7 && field < 9.9;
-}
-
-/* The unit of the field is not told; but nothing else on earth is 9.8 as gravity is. */
+/* The unit of the field is not told, but gravity is known by its length. */
 static const char *field_unit(double field)
 {
-    return is_acceleration(field) ? "m/s²" : "field units";
+    return unit_is_gravity(field) ? "m/s²" : "field units";
 }
 
 /* Decimals that show two digits of sigma, or six of the value if there is no sigma. */
@@ -87,7 +82,7 @@ static void print_offsets(FILE *file, const calibrate_result *r, int known)
                           .value = r->solution.calibration.offset[i],
                           .sigma = known ? r->quality.sigma_offset[i] : NUMBER_UNKNOWN,
                           .nominal = r->nominal.calibration.offset[i],
-                          .unit = "input units"};
+                          .unit = unit_words(r->data->seen.unit)};
         print_figure(file, &f);
     }
 }
@@ -95,8 +90,11 @@ static void print_offsets(FILE *file, const calibrate_result *r, int known)
 /* As data sheets state it: input units per field unit. */
 static void print_scales(FILE *file, const calibrate_result *r, int known)
 {
-    const int acceleration = is_acceleration(r->settings.field);
     double inverse[3][3];
+    char unit[FIGURE_MAX];
+
+    snprintf(unit, sizeof unit, "%s per %s", unit_words(r->data->seen.unit),
+             unit_is_gravity(r->settings.field) ? "m/s²" : "field unit");
 
     (void)invcal_calibration_inverse(&r->nominal.calibration, inverse); /* no result without */
     for (unsigned i = 0; i < 3; i++) {
@@ -106,8 +104,7 @@ static void print_scales(FILE *file, const calibrate_result *r, int known)
                           .value = nominal * (1 + r->solution.dk[i]),
                           .sigma = known ? fabs(nominal) * r->quality.sigma_dk[i] : NUMBER_UNKNOWN,
                           .nominal = nominal,
-                          .unit =
-                              acceleration ? "input units per m/s²" : "input units per field unit"};
+                          .unit = unit};
         print_figure(file, &f);
     }
 }
@@ -139,7 +136,7 @@ static void print_errors(FILE *file, const calibrate_result *r, int known)
 /* A residual in 1e-6 of the field, and in a unit that one can picture. */
 static const char *residual_text(double residual, double field, char text[TEXT_MAX])
 {
-    if (is_acceleration(field)) {
+    if (unit_is_gravity(field)) {
         snprintf(text, TEXT_MAX, "%.3fe-6 of the field = %.4f mg", 1e6 * residual, 1e3 * residual);
     } else {
         snprintf(text, TEXT_MAX, "%.3fe-6 of the field = %.4g field units", 1e6 * residual,
@@ -242,6 +239,17 @@ static void print_next(FILE *file, const invcal_quality *q, const char *saved)
     }
 }
 
+/* What the file was taken for. */
+static void print_recognised(FILE *file, const positions *data)
+{
+    char text[COLUMNS_TEXT_MAX];
+    char line[COLUMNS_TEXT_MAX + TEXT_MAX];
+
+    columns_describe(&data->seen, text, sizeof text);
+    snprintf(line, sizeof line, "%s: %s", data->name, text);
+    print_wrapped(file, line);
+}
+
 /* What the positions were found in. */
 static void print_log(FILE *file, const calibrate_result *result)
 {
@@ -292,6 +300,7 @@ void calibrate_print(FILE *file, const calibrate_result *result, const char *nom
     const nominal_choice *n = &result->nominal;
     char field[NUMBER_TEXT_MAX];
 
+    print_recognised(file, result->data);
     print_log(file, result);
     fprintf(file, "%s: %u positions, field %s %s\n", result->data->name, result->data->count,
             number_text(result->settings.field, field), field_unit(result->settings.field));

@@ -5,10 +5,13 @@
 #ifndef POSITIONS_H
 #define POSITIONS_H
 
+#include "columns.h"
+
 #define POSITIONS_MAX 1000000u
 
 typedef struct {
     const char *name;    /* of the file, for messages */
+    recognition seen;    /* what the file was taken for */
     double *mean;        /* 3 count numbers: x y z, ... in input units */
     unsigned long *line; /* count line numbers, from 1 */
     unsigned count;

@@ -146,7 +146,8 @@ static int find_rate(samples *s)
     if (!(s->rate >= INVCAL_STILL_RATE_MIN && s->rate <= INVCAL_STILL_RATE_MAX)) {
         message(
             "%s:%lu: the times go on by %.6g, which are no seconds of a log of 8 to 8000 samples a "
-            "second: state --rate, or leave the column out",
+            "second: put the unit into the heading (t_ms, t_us), state --rate, or leave the column "
+            "out",
             s->table.name, s->ahead_line[0], step);
         return EXIT_FILE;
     }
