@@ -79,7 +79,8 @@ static int write_rows(FILE *spool, table *log, const invcal_calibration *calibra
     fprintf(spool, "%sx,y,z%s\n", where.index[COLUMN_TIME] >= 0 ? "t," : "",
             where.index[COLUMN_TEMPERATURE] >= 0 ? ",temperature" : "");
     while (!failure && !ferror(spool) && (more = table_next(log)) == 1) {
-        failure = write_row(spool, log, &where, calibration);
+        failure = columns_check_instance(log, &where);
+        failure = failure ? failure : write_row(spool, log, &where, calibration);
         rows++;
     }
     if (failure || more < 0) {

@@ -306,7 +306,18 @@ static void remember_names(const table *t, columns *out)
     seen->preamble = t->preamble;
 }
 
-static int find_by_header(table *t, columns *out)
+/* ArduPilot writes the rows of all its sensors in turn, with their number in column I. */
+static int find_instance(const table *t)
+{
+    for (unsigned i = 0; i < t->columns && has_key(t, "gyr"); i++) {
+        if (strcmp(t->field[i], "I") == 0) {
+            return (int)i;
+        }
+    }
+    return -1;
+}
+
+static int find_by_header(table *t, columns_kind kind, columns *out)
 {
     int *index = out->index;
     int std = -1;
@@ -327,6 +338,10 @@ static int find_by_header(table *t, columns *out)
         /* only all three of them are of use */
         index[COLUMN_STD_X] = index[COLUMN_STD_Y] = index[COLUMN_STD_Z] = std;
     }
+    for (unsigned c = COLUMN_STD_X; c <= COLUMN_SAMPLES && kind == COLUMNS_LOG; c++) {
+        index[c] = -1; /* of no use there */
+    }
+    out->instance = find_instance(t);
     find_time_unit(t, out);
     remember_names(t, out);
     find_unit_row(t, out);
@@ -360,10 +375,13 @@ static int find_by_count(const table *t, columns_kind kind, columns *out)
         for (unsigned c = 0; c < COLUMN_COUNT; c++) {
             const char *place = strchr(layout, letters[c]);
             const int is_std = c >= COLUMN_STD_X && c <= COLUMN_STD_Z;
-            place = place || !is_std ? place : strchr(layout, 's');
+            const char *one = is_std && !place ? strchr(layout, 's') : NULL; /* for all axes */
+            place = one ? one : place;
             out->index[c] = place ? (int)(place - layout) : -1;
             snprintf(out->seen.name[c], HEADING_NAME_MAX, "%s",
-                     place ? columns_name((column)c) : "");
+                     one     ? "std"
+                     : place ? columns_name((column)c)
+                             : "");
         }
         out->seen.others = kind == COLUMNS_LOG && t->columns > 5 ? 3 : 0;
         return EXIT_GOOD;
@@ -382,8 +400,8 @@ static int find_by_count(const table *t, columns_kind kind, columns *out)
 
 int columns_find(table *t, columns_kind kind, columns *out)
 {
-    *out = (columns){.per_second = 1, .seen = {.separator = table_separator(t)}};
-    const int failure = t->has_header ? find_by_header(t, out) : find_by_count(t, kind, out);
+    *out = (columns){.per_second = 1, .instance = -1, .seen = {.separator = table_separator(t)}};
+    const int failure = t->has_header ? find_by_header(t, kind, out) : find_by_count(t, kind, out);
 
     out->seen.time_unit = out->per_second > 1e8   ? "ns"
                           : out->per_second > 1e5 ? "µs"
@@ -409,6 +427,22 @@ int columns_number(const table *t, const columns *where, column which, double *o
         return EXIT_FILE;
     }
     *out /= which == COLUMN_TIME ? where->per_second : 1;
+    return EXIT_GOOD;
+}
+
+int columns_check_instance(const table *t, columns *where)
+{
+    const char *here = where->instance >= 0 ? t->field[where->instance] : "";
+
+    if (where->first_instance[0] == '\0') {
+        snprintf(where->first_instance, sizeof where->first_instance, "%s", here);
+    }
+    if (strncmp(where->first_instance, here, sizeof where->first_instance - 1) != 0) {
+        message("%s:%lu: column %d (I): the rows of several sensors follow each other in turn: "
+                "keep those of one",
+                t->name, t->line, where->instance + 1);
+        return EXIT_FILE;
+    }
     return EXIT_GOOD;
 }
 

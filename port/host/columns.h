@@ -41,6 +41,8 @@ typedef struct {
 typedef struct {
     int index[COLUMN_COUNT];
     double per_second; /* units of the time column in a second */
+    int instance;      /* column that numbers the sensor of each row, or -1 */
+    char first_instance[8];
     recognition seen;
 } columns;
 
@@ -73,6 +75,11 @@ int columns_find(table *t, columns_kind kind, columns *out);
  *
  * Returns EXIT_GOOD; EXIT_FILE, with a message that names line and column. */
 int columns_number(const table *t, const columns *where, column which, double *out);
+
+/* Checks that the current row is of the same sensor as those before.
+ *
+ * Returns EXIT_GOOD; EXIT_FILE, with a message. */
+int columns_check_instance(const table *t, columns *where);
 
 /* "x", "std", ... */
 const char *columns_name(column which);

@@ -21,6 +21,9 @@ static int read_numbers(samples *s, double v[5])
 {
     static const column which[5] = {COLUMN_X, COLUMN_Y, COLUMN_Z, COLUMN_TIME, COLUMN_TEMPERATURE};
 
+    if (columns_check_instance(&s->table, &s->where)) {
+        return EXIT_FILE;
+    }
     v[TIME] = v[TEMPERATURE] = 0;
     for (unsigned i = 0; i < 5; i++) {
         if (s->where.index[which[i]] >= 0 &&
