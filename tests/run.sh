@@ -40,6 +40,7 @@ suite library sh "$tests/library.sh" "$build"
 suite readme sh "$tests/readme.sh" "$build"
 suite tool sh "$tests/tool/tool_test.sh" "$build/invcal" "$build/tool"
 suite log sh "$tests/tool/log_test.sh" "$build/invcal" "$build/tool"
+suite input sh "$tests/tool/input_test.sh" "$build/invcal" "$build/tool"
 suite plan sh "$tests/tool/plan_test.sh" "$build/invcal" "$build/tool"
 
 echo "$passed passed, $failed failed"

@@ -39,6 +39,7 @@ static int is_reading(const char *key)
         "magnetometer",
         "magneticfield",
         "accelerometeracceleration",
+        "fieldlinearacceleration",
     };
 
     for (unsigned i = 0; i < sizeof keys / sizeof keys[0]; i++) {
@@ -134,6 +135,9 @@ static reading_unit unit_of_system(const table *t, const char *key)
 {
     if (strcmp(key, "accsmooth") == 0 || strcmp(key, "accadc") == 0) {
         return UNIT_COUNTS; /* blackbox_decode without --unit-acceleration */
+    }
+    if (strcmp(key, "fieldlinearacceleration") == 0) {
+        return UNIT_MS2; /* sensor_msgs/Imu of ROS; gravity is in it */
     }
     if (strcmp(key, "acc") == 0 && has_key(t, "time") && has_key(t, "gyr")) {
         for (unsigned i = 0; i < t->columns; i++) {

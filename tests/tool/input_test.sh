@@ -216,6 +216,144 @@ dress_positions "every line ends with a separator, the header too" 1 g header un
     'CSV with semicolons, header in line 1; x y z in g' 'x (g);y (g);z (g);' 'x ";" y ";" z ";"'
 dress_positions "a row of units in brackets" 1 g header unit \
     'CSV with commas, header in line 1, units in line 2; X Y Z in g' 'X,Y,Z\n(g),(g),[g]' "$x"
-dress_positions "a stream of ROS begins with %time" 9.80665 'm/s^2' size range \
-    'CSV with commas, header in line 1; %time (ns), x y z in m/s² (by their size)' '%time,x,y,z' "n \",\" $x"
+dress_positions "rostopic echo -p" 9.80665 'm/s^2' header unit \
+    'CSV with commas, header in line 1; %time (ns), field.linear_acceleration.x field.linear_acceleration.y field.linear_acceleration.z in m/s²; ignored: 2 other columns' \
+    '%time,field.header.seq,field.angular_velocity.x,field.linear_acceleration.x,field.linear_acceleration.y,field.linear_acceleration.z' \
+    "n \",1,0.1,\" $x"
+
+# ---- apply --------------------------------------------------------------------------------------
+
+echo '{"offset": [1, 2, 3], "matrix": [[2, 0, 0], [0, 2, 0], [0, 0, 1e0]]}' > "$work/simple.json"
+applied() { # applied SENTENCE INPUT OUTPUT, both by printf
+    printf "$2" > "$work/in"
+    printf "$3" > "$work/expected"
+    in=$work/in
+    run apply "$work/simple.json" -
+    in=/dev/null
+    check "apply: $1" sh -c '[ "$1" -eq 0 ] && cmp -s "$2" "$3"' sh "$code" "$work/stdout" \
+        "$work/expected"
+}
+applied "microseconds become seconds, to the last digit" \
+    'timestamp,timestamp_sample,x,y,z\n1234567890123456,0,2,4,6\n7,0,1,2,3\n' \
+    't,x,y,z\n1234567890.123456,2,4,3\n7e-06,0,0,0\n'
+applied "milliseconds" 't_ms;ax;ay;az\n1500;2;4;6\n' 't,x,y,z\n1.5,2,4,3\n'
+applied "seconds are copied as they were" 'Time (s),ax,ay,az\n1.500,2,4,6\n' \
+    't,x,y,z\n1.500,2,4,3\n'
+applied "units, a separator too many, comments" \
+    '\357\273\277"sep=;"\r\n// a\r\naz [g];ay [g];ax [g];\r\n6;4;2;\r\n%% b\r\n3;2;1;\r\n' \
+    'x,y,z\n2,4,3\n0,0,0\n'
+applied "a row of units" 'time,ax,ay,az\nms,g,g,g\n250,2,4,6\n' 't,x,y,z\n0.25,2,4,3\n'
+applied "settings before the header" 'name,sensor 5\nrange,16,g\nx,y,z\n2,4,6\n' 'x,y,z\n2,4,3\n'
+
+# ---- watch --------------------------------------------------------------------------------------
+
+write_dress "$g" 'time (us),ax (g),ay (g),az (g),gyro_x,gyro_y,gyro_z' \
+    't * 1e6 "," x "," y "," z ",1,2,3"'
+in=$work/dress.csv
+run watch -
+check "watch: the first line tells what was recognised" test "$(head -n 1 "$work/stdout")" = \
+    'standard input: CSV with commas, header in line 1; time (µs), ax ay az in g; ignored: 3 other columns'
+check "watch: 18 positions of a log in g" test "$(grep -c '^position .* taken' "$work/stdout")" -eq 18
+run watch - --json
+check "watch: with --json it goes to stderr" matches "$work/stderr" '^standard input: CSV .* in g;'
+check "watch: the offset in g" near "$(awk -v k="$g" 'BEGIN { print 0.05 * k }')" "$(field offset)" \
+    "$(scaled "$g")"
+write_dress "$mg" '' 't "," x "," y "," z'
+run watch - --unit mg
+check "watch: --unit is told" test "$(head -n 1 "$work/stdout")" = \
+    'standard input: CSV with commas, no header; t (s), x y z in mg (--unit)'
+check "watch: --unit gives zero and scale" matches "$work/stdout" \
+    '^nominal: zero and scale by the unit that is stated'
+in=/dev/null
+
+# ---- refusals -----------------------------------------------------------------------------------
+
+# bad_line SENTENCE PATTERN BYTES: the bytes by printf, as a log and as positions, and for apply
+bad_line() {
+    printf "$3" > "$work/bad.csv"
+    refuses "calibrate LOG: $1" 3 "$2" calibrate "$work/bad.csv"
+    refuses "calibrate --positions: $1" 3 "$2" calibrate "$work/bad.csv" --positions
+    refuses "apply: $1" 3 "$2" apply "$work/simple.json" "$work/bad.csv"
+}
+bad() { # the same for what watch does not skip either
+    bad_line "$@"
+    refuses "watch: $1" 3 "$2" watch "$work/bad.csv"
+}
+bad "a PX4 ulog" 'bad\.csv: this is a PX4 ulog: convert it with ulog2csv, and take its sensor_accel' \
+    'ULog\001\022\065\001\000\000'
+bad "a blackbox log" 'bad\.csv: this is a Betaflight or INAV blackbox log: .* with blackbox_decode$' \
+    'H Product:Blackbox flight data recorder by Nicholas Sherlock\nH Data version:2\n'
+bad "a dataflash log" 'this is an ArduPilot dataflash log: convert it with mavlogdump\.py' \
+    '\243\225\200\200\131FMT\000'
+bad "a dataflash log as text" 'this is an ArduPilot text log: .* mavlogdump\.py' \
+    'FMT, 128, 89, FMT, BBnNZ, Type,Length,Name,Format,Columns\n'
+bad "a ROS bag" 'this is a ROS bag: convert its IMU topic with rostopic echo -p$' '#ROSBAG V2.0\n'
+bad "a workbook" 'this is a ZIP file or an Excel workbook: unpack it, or save the sheet as CSV$' \
+    'PK\003\004\024\000'
+bad "an old workbook" 'this is an old Excel workbook: save the sheet as CSV$' '\320\317\021\340\241'
+bad "a gzip file" 'this is a gzip file: unpack it with gunzip$' '\037\213\010\000'
+bad "UTF-16, little end first" 'this is UTF-16 text: save it as UTF-8$' '\377\376x\000,\000'
+bad "UTF-16, big end first" 'this is UTF-16 text: save it as UTF-8$' '\376\377\000x\000,'
+in=$work/bad.csv
+refuses "UTF-16 from the standard input" 3 '^invcal: standard input: this is UTF-16' calibrate -
+in=/dev/null
+
+bad_line "decimal commas between semicolons" \
+    "bad\.csv:2: column 1 \(x\): '1,5' is not .* has a decimal comma: save with decimal points$" \
+    'x;y;z\n1,5;2,5;3,5\n'
+bad_line "decimal commas in quotes" "bad\.csv:2: column 2 \(y\): '-2,5' .* decimal comma: save with" \
+    'x,y,z\n1,"-2,5",3\n'
+bad_line "decimal commas that are taken for separators" \
+    'bad\.csv:2: 6 columns, but line 1 has 3, .* if these are decimal commas, save the table with decimal points$' \
+    'x,y,z\n1,5,2,5,3,5\n'
+bad_line "the same, some numbers whole" 'bad\.csv:2: 4 columns, .* decimal points$' 'x,y,z\n1,5,2,3\n'
+bad_line "the same without a header" \
+    'bad\.csv:1: 6 columns, .* if these are decimal commas, save the table with decimal points$' \
+    '0,05,2,5,3,5\n'
+bad_line "thousands separators" "column 1 \(x\): '1,234.5' .* has thousands separators: save without them$" \
+    'x;y;z\n1,234.5;2;3\n'
+bad_line "thousands separators of Switzerland" "column 2 \(y\): '1'234' .* thousands separators" \
+    "x;y;z\n1;1'234;3\n"
+
+bad "a gyro alone" 'bad\.csv:1: the header names no columns x, y, z \(nor ax, .*--help\): rename the three' \
+    'time (us),gyroADC[0],gyroADC[1],gyroADC[2],wx,wy,wz,gx,gy,gz\n0,1,2,3,4,5,6,7,8,9\n'
+bad "two axes" 'bad\.csv:1: the header names no columns x, y, z' 'ax,ay,gz\n1,2,3\n'
+bad "linear acceleration" \
+    "bad\.csv:1: 'Linear Acceleration x \(m/s\^2\)': the phone has taken gravity out .* accelerometer itself$" \
+    '"Time (s)","Linear Acceleration x (m/s^2)","Linear Acceleration y (m/s^2)","Linear Acceleration z (m/s^2)"\n0,1,2,3\n'
+bad "two accelerometers" \
+    "bad\.csv:1: x, y and z are there twice \('accSmooth\[0\]' and 'accADC\[0\]'\): leave one set" \
+    'accSmooth[0],accSmooth[1],accSmooth[2],accADC[0],accADC[1],accADC[2]\n1,2,3,4,5,6\n'
+bad "axes in different units" \
+    "bad\.csv:1: 'ax \(g\)' and 'az \(mg\)' are in different units: convert one of them$" \
+    'ax (g),ay (g),az (mg)\n1,2,3\n'
+bad "one axis without a unit" "bad\.csv:1: 'ax \(g\)' and 'ay' are in different units" \
+    'ax (g),ay,az (g)\n1,2,3\n'
+bad "two clocks of one rank" "bad\.csv:1: more than one column could be 't': leave one$" \
+    't_ms,time (us),x,y,z\n1,2,3,4,5\n'
+bad "settings, but no table" "bad\.csv:2: two columns, 'rate' and another, are no table" \
+    'name,sensor 5\nrate,100\n'
+printf 'TimeUS,I,GyrX,AccX,AccY,AccZ\n0,0,9,1,2,3\n0,1,9,1,2,3\n' > "$work/bad.csv"
+turns='bad\.csv:3: column 2 \(I\): the rows of several sensors follow each other in turn: keep those of one$'
+refuses "calibrate LOG: several sensors of ArduPilot in one table" 3 "$turns" calibrate "$work/bad.csv"
+refuses "apply: several sensors of ArduPilot in one table" 3 "$turns" apply "$work/simple.json" "$work/bad.csv"
+printf 'time,x,y,z\n0,1,2,3\n1000,1,2,3\n2000,1,2,3\n3000,1,2,3\n' > "$work/bad.csv"
+refuses "calibrate LOG: times without a unit that are no seconds" 3 \
+    'bad\.csv:2: the times go on by 1000, .* put the unit into the heading \(t_ms, t_us\), state --rate' \
+    calibrate "$work/bad.csv"
+for u in furlong '' m/s gauss mgal; do
+    [ -z "$u" ] || refuses "--unit $u is refused by its name" 2 \
+        "^invcal: --unit $u: is g, mg, m/s2 or counts; see invcal calibrate --help\$" \
+        calibrate "$work/plain.csv" --unit "$u"
+done
+refuses "--unit without a value" 2 '--unit: its value is missing' calibrate "$work/plain.csv" --unit
+
+# A name from a header can hold anything; the table shows no control characters, and the line ends.
+{
+    printf 'ax_%0300d [g],ax [g],ay [g],az [g],\177note\n' 0
+    tail -n +2 "$work/pos.csv" | awk -F, '{ print "0," $4 / 9.80665 "," $5 / 9.80665 "," $6 / 9.80665 ",0" }'
+} > "$work/odd.csv"
+accepts "a heading of 300 letters does no harm" calibrate "$work/odd.csv" --positions
+check "a long heading is not shown" lacks "$work/stdout" '0000000000'
+
 finish
