@@ -76,12 +76,12 @@ static void say_none(const table *t)
     const char *linear = NULL;
 
     for (unsigned i = 0; i < t->columns && !linear; i++) {
-        linear = strcmp(headings[i].key, "linearacceleration") == 0 ? t->field[i] : NULL;
+        linear = strcmp(headings[i].key, "linearacceleration") == 0 ? headings[i].name : NULL;
     }
     if (linear) {
-        message("%s:%lu: '%.*s': the phone has taken gravity out of linear acceleration, and "
+        message("%s:%lu: '%s': the phone has taken gravity out of linear acceleration, and "
                 "without it nothing can be calibrated; record the accelerometer itself",
-                t->name, t->line, HEADING_NAME_MAX, linear);
+                t->name, t->line, linear);
     } else {
         message("%s:%lu: the header names no columns x, y, z (nor ax, ay, az; acc_x, ..; see "
                 "--help): rename the three that are meant",
@@ -157,8 +157,11 @@ static int find_unit(const table *t, columns *out)
     for (unsigned i = COLUMN_Y; i <= COLUMN_Z; i++) {
         const heading *h = &headings[index[i]];
         if (h->unit != x->unit || h->states_unit != x->states_unit) {
+            char one[TABLE_EXCERPT_MAX];
+            char other[TABLE_EXCERPT_MAX];
             message("%s:%lu: '%s' and '%s' are in different units: convert one of them", t->name,
-                    t->line, t->field[index[COLUMN_X]], t->field[index[i]]);
+                    t->line, table_excerpt(t->field[index[COLUMN_X]], one),
+                    table_excerpt(t->field[index[i]], other));
             return EXIT_FILE;
         }
     }
@@ -168,33 +171,36 @@ static int find_unit(const table *t, columns *out)
     return EXIT_GOOD;
 }
 
+/* The unit of time in a field like "ms" or "(ms)". */
+static double time_unit_of(const char *field)
+{
+    char bare[HEADING_NAME_MAX];
+
+    field += strspn(field, "([");
+    snprintf(bare, sizeof bare, "%.*s", (int)strcspn(field, ")]"), field);
+    return unit_parse_time(bare);
+}
+
 /* A second heading, of units alone, may follow. */
 static void find_unit_row(table *t, columns *out)
 {
+    const int time = out->index[COLUMN_TIME];
     reading_unit unit[3];
-    const char *text;
 
     if (headings[out->index[COLUMN_X]].states_unit || !table_peek(t)) {
         return;
     }
     for (unsigned i = COLUMN_X; i <= COLUMN_Z; i++) {
-        if (!unit_parse(t->field[out->index[i]], &unit[i])) {
-            return;
+        if (!unit_parse(t->field[out->index[i]], &unit[i]) || unit[i] != unit[COLUMN_X]) {
+            return; /* it is a row, right or wrong */
         }
-    }
-    if (unit[0] != unit[1] || unit[0] != unit[2]) {
-        return; /* is malformed as a row, and will be told */
     }
     t->pending = 0;
     out->seen.unit_line = t->line;
-    out->seen.unit = unit[0];
+    out->seen.unit = unit[COLUMN_X];
     out->seen.unit_from = UNIT_FROM_HEADER;
-    if (out->index[COLUMN_TIME] >= 0) {
-        text = t->field[out->index[COLUMN_TIME]];
-        text += *text == '(' || *text == '[';
-        char bare[HEADING_NAME_MAX];
-        snprintf(bare, sizeof bare, "%.*s", (int)strcspn(text, ")]"), text);
-        out->per_second = unit_parse_time(bare) > 0 ? unit_parse_time(bare) : out->per_second;
+    if (time >= 0 && time_unit_of(t->field[time]) > 0) {
+        out->per_second = time_unit_of(t->field[time]);
     }
 }
 
@@ -219,11 +225,26 @@ static int is_named(const heading *h, column which)
     return 0;
 }
 
-static int say_several(const table *t, column which)
+static int say_several(const table *t, const char *name)
 {
-    message("%s:%lu: more than one column could be '%s': leave one", t->name, t->line,
-            columns_name(which));
+    message("%s:%lu: more than one column could be '%s': leave one", t->name, t->line, name);
     return EXIT_FILE;
+}
+
+/* One std for all axes; a heading without an axis. */
+static int find_std(const table *t, int *index)
+{
+    *index = -1;
+    for (unsigned i = 0; i < t->columns; i++) {
+        if (headings[i].axis >= 0 || strcmp(headings[i].key, "std") != 0) {
+            continue;
+        }
+        if (*index >= 0) {
+            return say_several(t, "std");
+        }
+        *index = (int)i;
+    }
+    return EXIT_GOOD;
 }
 
 /* A column that may be missing. */
@@ -235,7 +256,7 @@ static int find_optional(const table *t, column which, int *index)
             continue;
         }
         if (*index >= 0) {
-            return say_several(t, which);
+            return say_several(t, columns_name(which));
         }
         *index = (int)i;
     }
@@ -255,32 +276,39 @@ static double unit_as_name(const heading *h)
 static int find_time(const table *t, columns *out)
 {
     int *index = &out->index[COLUMN_TIME];
-    int rank = 0;
+    unsigned count[2] = {0, 0}; /* without and with a unit */
 
     *index = -1;
     for (unsigned i = 0; i < t->columns; i++) {
         heading *h = &headings[i];
         h->per_second = unit_as_name(h) > 0 ? unit_as_name(h) : h->per_second;
-        if (!is_named(h, COLUMN_TIME) && !(unit_as_name(h) > 0)) {
-            continue;
+        const int states = h->per_second > 0;
+        if (is_named(h, COLUMN_TIME) || unit_as_name(h) > 0) {
+            *index = states >= (count[1] > 0) ? (int)i : *index;
+            count[states]++;
         }
-        const int here = 1 + (h->per_second > 0);
-        if (here == rank) {
-            return say_several(t, COLUMN_TIME);
-        }
-        *index = here > rank ? (int)i : *index;
-        rank = here > rank ? here : rank;
     }
-    return EXIT_GOOD;
+    return count[count[1] > 0] > 1 ? say_several(t, columns_name(COLUMN_TIME)) : EXIT_GOOD;
+}
+
+/* ArduPilot's temperature is T, which would else be a time. */
+static void find_short_temperature(const table *t, columns *out)
+{
+    for (unsigned i = 0; i < t->columns && out->index[COLUMN_TEMPERATURE] < 0; i++) {
+        if (strcmp(t->field[i], "T") == 0 && out->index[COLUMN_TIME] >= 0 &&
+            out->index[COLUMN_TIME] != (int)i) {
+            out->index[COLUMN_TEMPERATURE] = (int)i;
+        }
+    }
 }
 
 /* PX4 and Betaflight's explorer count microseconds, and do not say so; ROS counts nanoseconds. */
 static void find_time_unit(const table *t, columns *out)
 {
     const int at = out->index[COLUMN_TIME];
-    const int is_micro = has_key(t, "timestampsample") || has_key(t, "deviceid") ||
+    const int is_micro = has_key(t, "timestampsample") || has_key(t, "loopiteration") ||
                          has_key(t, "accelerometertimestamprelative") ||
-                         has_key(t, "loopiteration");
+                         (has_key(t, "deviceid") && has_key(t, "errorcount"));
 
     out->per_second = 1;
     if (at >= 0) {
@@ -324,13 +352,13 @@ static int find_instance(const table *t)
 static int find_by_header(table *t, columns_kind kind, columns *out)
 {
     int *index = out->index;
-    int std = -1;
+    int std;
 
     for (unsigned i = 0; i < t->columns; i++) {
         heading_read(t->field[i], &headings[i]);
-        std = headings[i].axis < 0 && strcmp(headings[i].key, "std") == 0 ? (int)i : std;
     }
     int failure = find_xyz(t, &index[COLUMN_X]);
+    failure = failure ? failure : find_std(t, &std);
     failure = failure ? failure : find_unit(t, out);
     for (unsigned c = COLUMN_STD_X; c < COLUMN_COUNT && !failure; c++) {
         failure = c == COLUMN_TIME ? find_time(t, out) : find_optional(t, (column)c, &index[c]);
@@ -345,6 +373,7 @@ static int find_by_header(table *t, columns_kind kind, columns *out)
     for (unsigned c = COLUMN_STD_X; c <= COLUMN_SAMPLES && kind == COLUMNS_LOG; c++) {
         index[c] = -1; /* of no use there */
     }
+    find_short_temperature(t, out);
     out->instance = find_instance(t);
     find_time_unit(t, out);
     remember_names(t, out);
@@ -480,7 +509,8 @@ static void append_layout(const recognition *seen, char *text, size_t size)
 
     append(text, size, "%s with %s", is_csv ? "CSV" : "table", seen->separator);
     if (seen->preamble > 0) {
-        append(text, size, ", %lu lines of settings", seen->preamble);
+        append(text, size, ", %lu line%s of settings", seen->preamble,
+               seen->preamble == 1 ? "" : "s");
     }
     if (seen->header_line > 0) {
         append(text, size, ", header in line %lu", seen->header_line);

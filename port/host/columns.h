@@ -59,10 +59,9 @@ typedef enum {
     "  accelerometer_m_s2[0] .., xyz[0] .., mx my mz, mag_x .., mean_x ..);\n"                     \
     "  std or std_x std_y std_z; n, n_samples or count; t, time or timestamp;\n"                   \
     "  temperature or temp. A unit may follow: ax (g), ax [m/s^2], acc_x_mg, time (us), t_ms.\n"   \
-    "  Small and capital letters are the same; other columns are ignored. Logs converted by\n"     \
-    "  ulog2csv (PX4), blackbox_decode (Betaflight, INAV), mavlogdump.py (ArduPilot) and "         \
-    "phyphox\n"                                                                                    \
-    "  are known by their headers.\n"
+    "  Small and capital letters are the same; other columns are ignored. Logs of phyphox are\n"   \
+    "  known by their headers, and those converted by ulog2csv (PX4), blackbox_decode\n"           \
+    "  (Betaflight, INAV), mavlogdump.py (ArduPilot) and rostopic echo -p (ROS).\n"
 
 /* Finds the columns of a table that has just been opened.
  *

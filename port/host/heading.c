@@ -1,13 +1,9 @@
 /* SPDX-License-Identifier: MIT */
 #include "heading.h"
 
+#include <ctype.h>
 #include <stdio.h>
 #include <string.h>
-
-static int is_digit(char c)
-{
-    return c >= '0' && c <= '9';
-}
 
 /* In the C locale, whatever the user's. */
 static char to_lower(char c)
@@ -43,14 +39,18 @@ static int take_unit(const char *unit, heading *out)
 /* The brackets at the end, if there are some. Returns where they begin; null. */
 static char *find_brackets(char *text)
 {
-    const size_t length = strlen(text);
-    char last = '\0';
+    char *c = text + strlen(text);
+    int depth = 0;
 
-    if (length > 0) {
-        last = text[length - 1];
+    while (c > text) {
+        c--;
+        depth += *c == ')' || *c == ']';
+        depth -= *c == '(' || *c == '[';
+        if (depth <= 0) {
+            break;
+        }
     }
-    char *open = last == ')' ? strchr(text, '(') : last == ']' ? strrchr(text, '[') : NULL;
-    return open != text ? open : NULL;
+    return c > text && depth == 0 && (*c == '(' || *c == '[') ? c : NULL;
 }
 
 /* `name (unit)` or `name [unit]`; brackets around an axis are left. */
@@ -88,7 +88,7 @@ static void make_key(const char *name, char key[HEADING_NAME_MAX])
 
     for (; *name != '\0'; name++) {
         const char c = to_lower(*name);
-        if ((c >= 'a' && c <= 'z') || is_digit(c)) {
+        if ((c >= 'a' && c <= 'z') || isdigit((unsigned char)c)) {
             key[length++] = c;
         }
     }
@@ -104,10 +104,10 @@ static void cut_axis(heading *out)
     if (length == 0) {
         return;
     }
-    if (!is_digit(key[length - 1]) && axis_of(key[length - 1]) >= 0) {
+    if (!isdigit((unsigned char)key[length - 1]) && axis_of(key[length - 1]) >= 0) {
         out->axis = axis_of(key[length - 1]);
         key[length - 1] = '\0';
-    } else if (!is_digit(key[0]) && axis_of(key[0]) >= 0) {
+    } else if (!isdigit((unsigned char)key[0]) && axis_of(key[0]) >= 0) {
         out->axis = axis_of(key[0]);
         memmove(key, key + 1, length);
     }

@@ -2,6 +2,7 @@
 #define _POSIX_C_SOURCE 200809L
 #include "table.h"
 
+#include <ctype.h>
 #include <errno.h>
 #include <string.h>
 #include <strings.h>
@@ -100,7 +101,8 @@ static int takes_separator(table *t)
 {
     const char *text = t->text + (*t->text == '"');
 
-    if (t->line != 1 || strncasecmp(text, "sep=", 4) != 0 || text[4] == '\0') {
+    if (t->line != 1 || strncasecmp(text, "sep=", 4) != 0 || text[4] == '\0' ||
+        !strchr(";,\t", text[4])) {
         return 0;
     }
     t->separator = text[4];
@@ -140,10 +142,26 @@ static int read_row(table *t)
     }
 }
 
-/* Semicolons before commas: where both stand, the commas are decimal ones. */
+/* Every comma of the line stands between digits, and a blank elsewhere: "1,5 2,5 3,5". */
+static int has_decimal_commas(const char *start, const char *end)
+{
+    int blanks = 0;
+
+    for (const char *c = start; c < end; c++) {
+        if (*c == ',' &&
+            !(c > start && isdigit((unsigned char)c[-1]) && isdigit((unsigned char)c[1]))) {
+            return 0;
+        }
+        blanks += is_blank(*c);
+    }
+    return blanks > 0;
+}
+
+/* Semicolons and tabs before commas: where both stand, the commas are decimal ones; but a tab behind
+ * a comma is only a blank. */
 static char find_separator(const char *line)
 {
-    const char *order = ";,\t";
+    const char *order = ";\t,";
     char found = ' ';
     const char *rank = order + strlen(order);
     const char *start = skip_blanks(line);
@@ -155,13 +173,13 @@ static char find_separator(const char *line)
     }
     for (const char *c = start; c < end; c++) {
         quoted ^= *c == '"';
-        const char *here = quoted ? NULL : strchr(order, *c);
+        const char *here = quoted || (*c == '\t' && c[-1] == ',') ? NULL : strchr(order, *c);
         if (here && here < rank) {
             rank = here;
             found = *c;
         }
     }
-    return found;
+    return found == ',' && has_decimal_commas(start, end) ? ' ' : found;
 }
 
 static int is_separator(const table *t, char c)

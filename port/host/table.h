@@ -2,7 +2,7 @@
  *
  * table.h: a text table (CSV and its relatives), one row at a time.
  *
- * Columns are separated by semicolons, commas, tabs or blanks; the first line that is neither
+ * Columns are separated by semicolons, tabs, commas or blanks; the first line that is neither
  * empty nor a comment decides, in this order. Fields lose the blanks and double quotes around
  * them. If nothing in the first line is meant as a number, it is a header. Comments begin with #,
  * %, or //, or with ; where that does not separate. A mark of byte order (UTF-8), lines ended by
