@@ -356,6 +356,13 @@ for u in furlong '' m/s gauss mgal; do
 done
 refuses "--unit without a value" 2 '--unit: its value is missing' calibrate "$work/plain.csv" --unit
 
+write_positions 1 'x (mg),y (mg),z (mg)' "$x"
+refuses "a header that states another unit than that of the readings" 1 \
+    'pos\.csv:2: position 1 reads 0\.0[0-9]* of the field with the scale of the unit that is stated: check the unit in the header; --unit' \
+    calibrate "$work/pos.csv" --positions
+run calibrate "$work/pos.csv" --positions --unit g --json
+check "--unit puts it right" near 1e-9 "$(field offset)" '0.02 -0.03 0.05'
+
 # What a header holds is shown, but nothing of it reaches the terminal but text.
 write_positions 1 'x\0177\0303\0274 (g),y (g),z (g)' "$x"
 sed 's/^x/ax/; 1s/,y/,ay/; 1s/,z/,az/' "$work/pos.csv" > "$work/odd.csv"
