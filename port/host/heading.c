@@ -70,9 +70,9 @@ static void cut_bracketed_unit(heading *out)
 }
 
 /* `name_unit`: the longest end behind a _ that is a unit. */
-static void cut_suffixed_unit(const heading *from, char *name, heading *out)
+static void cut_suffixed_unit(char *name, heading *out)
 {
-    for (char *c = strchr(name, '_'); c && !from->states_unit; c = strchr(c + 1, '_')) {
+    for (char *c = strchr(name, '_'); c && !out->states_unit; c = strchr(c + 1, '_')) {
         if (c > name && take_unit(c + 1, out)) {
             out->states_unit = 1;
             *c = '\0';
@@ -164,7 +164,7 @@ void heading_read(const char *text, heading *out)
         out->axis = axis_of(index[1]);
         *index = '\0';
     }
-    cut_suffixed_unit(out, stem, out);
+    cut_suffixed_unit(stem, out);
     make_key(stem, out->key);
     if (out->axis < 0) {
         cut_axis(out);

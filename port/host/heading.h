@@ -16,7 +16,7 @@ typedef struct {
     int axis;                    /* 0, 1, 2; -1: none */
     reading_unit unit;           /* of a reading, if it is stated and known */
     double per_second;           /* of a time, if it is stated; else 0 */
-    int states_unit;             /* some unit, known or not, stands in brackets */
+    int states_unit;             /* some unit is there, in brackets maybe an unknown one */
 } heading;
 
 /* Takes a heading apart: `ax (g)`, `Acceleration x [m/s^2]`, `acc_x_mg`, `xyz[0]`, `time (us)`,

@@ -298,8 +298,8 @@ static int skip_preamble(table *t)
         t->preamble++;
     }
     if (more == 0 && t->preamble > 0) {
-        message("%s:%lu: two columns, '%s' and another, are no table of x, y, z", t->name,
-                t->first_line, t->field[0]);
+        message("%s:%lu: lines of two columns, a name and another, are no table of x, y, z",
+                t->name, t->first_line);
     } else if (more == 0) {
         message("%s: is empty", t->name);
     }
@@ -325,7 +325,7 @@ int table_open(table *t, const char *path)
     t->is_trailing = !t->has_header && ends_empty(t, t->columns);
     t->columns -= (unsigned)t->is_trailing;
     t->found = t->columns;
-    t->rows = !t->has_header;
+    t->has_row = !t->has_header;
     t->pending = !t->has_header;
     t->pending_result = 1;
     return EXIT_GOOD;
@@ -351,9 +351,9 @@ static int check_columns(table *t)
         t->found = 0;
         return -1;
     }
-    if (!t->rows) { /* the first below a header, which may not have had that separator */
+    if (!t->has_row) { /* the first below a header, which may not have had that separator */
         t->is_trailing = columns == t->columns + 1 && ends_empty(t, columns);
-        t->rows = 1;
+        t->has_row = 1;
     }
     columns -= t->is_trailing && columns == t->columns + 1 && ends_empty(t, columns);
     t->found = columns;

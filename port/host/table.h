@@ -28,7 +28,7 @@ typedef struct {
     int has_header;
     unsigned long preamble;         /* lines of `name, value` before the header */
     int is_trailing;                /* every row ends with a separator that separates nothing */
-    int rows;                       /* 1 when the first row below the header has been read */
+    int has_row;                    /* 1 when the first row below the header has been read */
     int pending;                    /* a row has been read, but not handed out, */
     int pending_result;             /* with this result of table_next */
     char *field[TABLE_COLUMNS_MAX]; /* of the current row (first: of the header), until the next */

@@ -9,6 +9,8 @@
 #define STANDARD_GRAVITY 9.80665
 #define NEAR 0.15 /* offsets and scale errors of a bad sensor */
 #define TEXT_MAX 16
+#define LATIN1_SQUARE '\xb2' /* ISO 8859-1, as spreadsheets of Windows save it; */
+#define LATIN1_MICRO "\xb5"
 
 /* What is left of a unit's spelling: "m / s^2", "m_s2", "(m/(s^2))" are all alike. False if it is
  * longer than any unit. */
@@ -24,10 +26,10 @@ static int squash(const char *text, char out[TEXT_MAX])
             return 0;
         }
         if (strncmp(c, "²", strlen("²")) == 0) {
-            out[length++] = '2';
             c += strlen("²") - 1;
+            out[length++] = '2';
         } else {
-            out[length++] = *c;
+            out[length++] = *c == LATIN1_SQUARE ? '2' : *c;
         }
     }
     out[length] = '\0';
@@ -62,16 +64,17 @@ double unit_parse_time(const char *text)
 {
     static const struct {
         double per_second;
-        const char *texts[6];
+        const char *texts[7];
     } units[] = {
         {1, {"s", "sec", "secs", "second", "seconds"}},
         {1e3, {"ms", "msec", "millis", "milliseconds"}},
-        {1e6, {"us", "µs", "μs", "usec", "micros", "microseconds"}}, /* both of Unicode's mu */
+        {1e6,
+         {"us", "µs", "μs", LATIN1_MICRO "s", "usec", "micros", "microseconds"}}, /* all the mu */
         {1e9, {"ns", "nsec", "nanos", "nanoseconds"}},
     };
 
     for (unsigned i = 0; i < sizeof units / sizeof units[0]; i++) {
-        for (unsigned k = 0; k < 6 && units[i].texts[k]; k++) {
+        for (unsigned k = 0; k < 7 && units[i].texts[k]; k++) {
             if (strcasecmp(text, units[i].texts[k]) == 0) {
                 return units[i].per_second;
             }

@@ -23,11 +23,9 @@ ms2=0.0006
 g=$(awk 'BEGIN { printf "%.17g", 0.0006 / 9.80665 }')
 mg=$(awk 'BEGIN { printf "%.17g", 0.6 / 9.80665 }')
 
-# The first lines of the table, as one: "NAME: what was recognised ...".
-recognised() { tr '\n' ' ' < "$work/stdout" | grep -Fq -- "$1 $2"; }
-
-# Has no more to say than what it says.
-ends_there() { tr '\n' ' ' < "$work/stdout" | grep -Fq -- "$1 $2 $3"; }
+# told NAME RECOGNISED NEXT: the first lines of the table, as one, are NAME and what was recognised;
+# then comes what begins with NEXT.
+told() { tr '\n' ' ' < "$work/stdout" | grep -Fq -- "$1 $2 $3"; }
 
 # write_dress SCALE HEADER ROW: $work/dress.csv from the plain log; ROW is an expression of awk in t
 # (seconds), x, y, z (counts by SCALE) and n (from 0). HEADER goes through printf %b.
@@ -53,7 +51,7 @@ dress() {
     check "$1: the unit is $3, by $4" test "$(field unit) $(field unit_from)" = "\"$3\" \"$4\""
     run calibrate -
     in=/dev/null
-    check "$1: it is told" ends_there "standard input:" "$5" "standard input: 12400 samples, 124 s at 100"
+    check "$1: it is told" told "standard input:" "$5" "standard input: 12400 samples, 124 s at 100"
 }
 
 ax='x "," y "," z'
@@ -77,6 +75,9 @@ dress "AndroSensor, with superscripts" $ms2 'm/s^2' header \
     'CSV with semicolons, header in line 1; ACCELEROMETER X ACCELEROMETER Y ACCELEROMETER Z in m/s²; ignored: 2 other columns' \
     'ACCELEROMETER X (m/s²);ACCELEROMETER Y (m/s²);ACCELEROMETER Z (m/s²);GYROSCOPE X (rad/s);note' \
     'x ";" y ";" z ";0.1;"'
+dress "ISO 8859-1" $ms2 'm/s^2' header \
+    'CSV with semicolons, header in line 1; time (µs), X Y Z in m/s²' \
+    'time [\0265s];X [m/s\0262];Y [m/s\0262];Z [m/s\0262]' 't * 1e6 ";" x ";" y ";" z'
 dress "PX4 sensor_combined by ulog2csv" $ms2 'm/s^2' header \
     'CSV with commas, header in line 1; timestamp (µs), accelerometer_m_s2[0] accelerometer_m_s2[1] accelerometer_m_s2[2] in m/s²; ignored: 6 other columns' \
     'timestamp,gyro_rad[0],gyro_rad[1],gyro_rad[2],gyro_integral_dt,accelerometer_timestamp_relative,accelerometer_m_s2[0],accelerometer_m_s2[1],accelerometer_m_s2[2],accelerometer_integral_dt' \
@@ -154,7 +155,7 @@ write_positions() {
 
 # dress_positions SENTENCE SCALE UNIT ORIGIN NOMINAL RECOGNISED HEADER ROW [OPTIONS ...]
 dress_positions() {
-    sentence_=$1 scale=$2 unit=$3 origin=$4 nominal=$5 told=$6
+    sentence_=$1 scale=$2 unit=$3 origin=$4 nominal=$5 text=$6
     write_positions "$2" "$7" "$8"
     shift 8
     in=$work/pos.csv
@@ -165,7 +166,7 @@ dress_positions() {
     check "$sentence_: zero and scale are by $nominal" test "$(awk -F '"' '/"(zero|lsb)_from"/ { printf "%s ", $4 }' "$work/stdout")" = "${nominal% *} ${nominal#* } "
     run calibrate - --positions "$@"
     in=/dev/null
-    check "$sentence_: it is told" ends_there "standard input:" "$told" "standard input: 18 positions"
+    check "$sentence_: it is told" told "standard input:" "$text" "standard input: 18 positions"
 }
 
 x='x "," y "," z'
@@ -339,7 +340,7 @@ bad "one axis without a unit" "bad\.csv:1: 'ax \(g\)' and 'ay' are in different 
     'ax (g),ay,az (g)\n1,2,3\n'
 bad "two clocks of one rank" "bad\.csv:1: more than one column could be 't': leave one$" \
     't_ms,time (us),x,y,z\n1,2,3,4,5\n'
-bad "settings, but no table" "bad\.csv:2: two columns, 'rate' and another, are no table" \
+bad "settings, but no table" "bad\.csv:2: lines of two columns, a name and another, are no table" \
     'name,sensor 5\nrate,100\n'
 printf 'TimeUS,I,GyrX,AccX,AccY,AccZ\n0,0,9,1,2,3\n0,1,9,1,2,3\n' > "$work/bad.csv"
 turns='bad\.csv:3: column 2 \(I\): the rows of several sensors follow each other in turn: keep those of one$'
@@ -366,10 +367,12 @@ check "--unit puts it right" near 1e-9 "$(field offset)" '0.02 -0.03 0.05'
 # What a header holds is shown, but nothing of it reaches the terminal but text.
 write_positions 1 'x\0177\0303\0274 (g),y (g),z (g)' "$x"
 sed 's/^x/ax/; 1s/,y/,ay/; 1s/,z/,az/' "$work/pos.csv" > "$work/odd.csv"
-run calibrate "$work/odd.csv" --positions
+in=$work/odd.csv
+run calibrate - --positions
 check "a control character in a heading is shown as ?" matches "$work/stdout" '; ax\?ü ay az in g$'
 awk 'NR == 1 { for (i = 0; i < 300; i++) printf "w"; printf " (g)," } NR > 1 { printf "0," } { print }' "$work/pos.csv" > "$work/odd.csv"
-run calibrate "$work/odd.csv" --positions
+run calibrate - --positions
+in=/dev/null
 check "a heading of 300 letters is ignored" matches "$work/stdout" 'ignored: 1 other column$'
 printf 'x(,y),z[],((,)),[,]\n1,2,3,4,5,6,7\n' > "$work/bad.csv"
 refuses "brackets that do not match do no harm" 3 "'x\(' and 'z\[\]' are in different units" calibrate "$work/bad.csv"
