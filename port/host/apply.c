@@ -13,6 +13,7 @@
 #include "command.h"
 #include "input.h"
 #include "message.h"
+#include "number.h"
 #include "options.h"
 #include "output.h"
 #include "progress.h"
@@ -21,13 +22,17 @@ static const char *const operands[] = {"CAL.json", "LOG"};
 static const option options[] = {{"--quiet", 0}};
 static const option_syntax syntax = {"apply", options, 1, operands, 2, 0};
 
-/* Checks a number, but hands it on as the text that it was: a time stamp has digits to lose. */
+/* Checks a number, but hands it on as the text that it was: a time stamp has digits to lose. Only a
+ * time in another unit becomes one in seconds. */
 static int copy_number(FILE *spool, const table *log, const columns *where, column which)
 {
     double number;
     const int failure = columns_number(log, where, which, &number);
 
-    if (!failure) {
+    if (!failure && which == COLUMN_TIME && where->per_second > 1) {
+        char text[NUMBER_TEXT_MAX];
+        fputs(number_text(number, text), spool);
+    } else if (!failure) {
         fputs(log->field[where->index[which]], spool);
     }
     return failure;
@@ -76,7 +81,8 @@ static int write_rows(FILE *spool, table *log, const invcal_calibration *calibra
     fprintf(spool, "%sx,y,z%s\n", where.index[COLUMN_TIME] >= 0 ? "t," : "",
             where.index[COLUMN_TEMPERATURE] >= 0 ? ",temperature" : "");
     while (!failure && !ferror(spool) && (more = table_next(log)) == 1) {
-        failure = write_row(spool, log, &where, calibration);
+        failure = columns_check_instance(log, &where);
+        failure = failure ? failure : write_row(spool, log, &where, calibration);
         rows++;
         progress_show(log, PROGRESS_ROWS);
     }
@@ -147,9 +153,10 @@ static const char *const help[] = {
     "standard input. Columns are x y z, or t x y z, or t x y z temperature, or any with a header\n"
     "that names them:\n",
     COLUMNS_NAMES,
-    "t and temperature are copied as they are, the others left out. Logs of any length are read\n"
-    "in fixed memory; the result waits in a temporary file, and is printed only if every line\n"
-    "was good.\n"
+    "t and temperature are copied as they are (a time in ms, us or ns becomes seconds), the\n"
+    "others left out. The readings are in the unit of the log that CAL.json was made from.\n"
+    "Logs of any length are read in fixed memory; the result waits in a temporary file, and is\n"
+    "printed only if every line was good.\n"
     "\n"
     "  --quiet             show no progress, print only the result and errors\n"
     "\n"

@@ -27,6 +27,7 @@ enum {
     LSB,
     NOMINAL,
     NOMINAL_NAME,
+    UNIT,
     NOISE,
     PRIOR,
     RATE,
@@ -50,6 +51,7 @@ static const option options[OPTIONS] = {
     [LSB] = {"--lsb", 1},
     [NOMINAL] = {"--nominal", 1},
     [NOMINAL_NAME] = {"--nominal-name", 1},
+    [UNIT] = {"--unit", 1},
     [NOISE] = {"--noise", 1},
     [PRIOR] = {"--prior", 1},
     [RATE] = {"--rate", 1},
@@ -81,6 +83,7 @@ typedef struct {
     double lsb[3];              /* --lsb */
     double rate;                /* 0: not given */
     double clip[2];
+    reading_unit unit; /* of --unit */
     double target[3];
     double tolerance[3];
     char command[COMMAND_MAX]; /* the command line, for the report */
@@ -145,6 +148,15 @@ static int read_nominal(request *r)
         failure = fabs(r->lsb[i]) > 0 ? EXIT_GOOD : usage(r, LSB, "a scale is not 0");
     }
     return failure;
+}
+
+static int read_unit(request *r)
+{
+    if (r->value[UNIT] && !unit_parse(r->value[UNIT], &r->unit)) {
+        return message_usage(r->syntax->command, "--unit %s: is g, mg, m/s2 or counts",
+                             r->value[UNIT]);
+    }
+    return EXIT_GOOD;
 }
 
 static int read_noise(request *r)
@@ -286,6 +298,7 @@ static int read_request(int argc, char **argv, const option_syntax *syntax, requ
     failure = failure ? failure : read_gravity(r);
     failure = failure ? failure : read_frame(r);
     failure = failure ? failure : read_nominal(r);
+    failure = failure ? failure : read_unit(r);
     failure = failure ? failure : read_noise(r);
     failure = failure ? failure : read_log_options(r);
     failure = failure ? failure : read_live_options(r);
@@ -305,7 +318,42 @@ static int refuse_nominal(const request *r, const positions *data, const nominal
                             r->value[JSON] != NULL);
 }
 
-/* Zero and scale: given, or of an earlier calibration, or from the data's range. */
+/* Whoever states the unit knows better than a heading; a size tells words, but no numbers. */
+static void settle_unit(const request *r, positions *data)
+{
+    recognition *seen = &data->seen;
+
+    if (r->value[UNIT]) {
+        seen->unit = r->unit;
+        seen->unit_from = UNIT_FROM_OPTION;
+    } else if (seen->unit == UNIT_UNKNOWN && !seen->states_foreign_unit) {
+        seen->unit = unit_by_size(data->mean, data->count, r->settings.field);
+        seen->unit_from = seen->unit != UNIT_UNKNOWN ? UNIT_FROM_SIZE : UNIT_FROM_NONE;
+    }
+}
+
+/* Zero and scale from the data's range, or from the unit if that is stated. Returns 0 if there is
+ * no scale. */
+static int guess_nominal(const request *r, const positions *data, nominal_choice *n, double zero[3],
+                         double lsb[3])
+{
+    const double field = r->settings.field;
+    const int is_stated = !r->value[LSB] && data->seen.unit_from != UNIT_FROM_SIZE;
+    const double scale = is_stated ? unit_scale(data->seen.unit, field) : 0;
+
+    if (!(scale > 0)) {
+        n->zero = n->lsb = NOMINAL_RANGE;
+        return nominal_from_range(data, field, zero, lsb);
+    }
+    n->zero = n->lsb = NOMINAL_UNIT;
+    for (unsigned i = 0; i < 3; i++) {
+        zero[i] = 0;
+        lsb[i] = scale;
+    }
+    return 1;
+}
+
+/* Zero and scale: given, or of an earlier calibration, or by the unit, or from the data's range. */
 static int settle_nominal(const request *r, const positions *data, nominal_choice *n)
 {
     double zero[3];
@@ -316,10 +364,10 @@ static int settle_nominal(const request *r, const positions *data, nominal_choic
         n->zero = n->lsb = NOMINAL_EARLIER;
         return calibration_file_read(r->value[NOMINAL], &n->calibration);
     }
-    n->zero = r->value[ZERO] ? NOMINAL_GIVEN : NOMINAL_RANGE;
-    n->lsb = r->value[LSB] ? NOMINAL_GIVEN : NOMINAL_RANGE;
-    const int has_range = nominal_from_range(data, r->settings.field, zero, lsb);
-    if (!has_range && n->lsb == NOMINAL_RANGE) {
+    const int has_scale = guess_nominal(r, data, n, zero, lsb);
+    n->zero = r->value[ZERO] ? NOMINAL_GIVEN : n->zero;
+    n->lsb = r->value[LSB] ? NOMINAL_GIVEN : n->lsb;
+    if (!has_scale && n->lsb == NOMINAL_RANGE) {
         return refuse_nominal(r, data, n);
     }
     if (invcal_calibration_nominal(r->value[ZERO] ? r->zero : zero, r->value[LSB] ? r->lsb : lsb,
@@ -420,20 +468,14 @@ static int solve(const request *r, const positions *data, calibrate_result *resu
     return EXIT_GOOD;
 }
 
-int calibrate_is_gravity(double field)
-{
-    return field > 9.7 && field < 9.9;
-}
-
 const char *calibrate_field_unit(const calibrate_result *result)
 {
-    return calibrate_is_gravity(result->settings.field) ? "m/s²" : "field units";
+    return unit_is_gravity(result->settings.field) ? "m/s²" : "field units";
 }
 
 const char *calibrate_input_unit(const calibrate_result *result)
 {
-    (void)result;
-    return "input units";
+    return unit_words(result->data->seen.unit);
 }
 
 int calibrate_knows_noise(const calibrate_result *result)
@@ -512,8 +554,9 @@ static int deliver(const request *r, const calibrate_result *result)
 static int read_live(const request *r, const double *clip, positions *data, rests_summary *log)
 {
     invcal_calibration nominal;
-    live_wish wish = {.rate = r->rate, .clip = clip, .field = r->settings.field, .plan = r->plan};
+    live_wish wish = {.rate = r->rate, .clip = clip, .unit = r->unit, .field = r->settings.field};
 
+    wish.plan = r->plan;
     if (r->value[NOMINAL]) {
         const int failure = calibration_file_read(r->value[NOMINAL], &nominal);
         if (failure) {
@@ -565,7 +608,10 @@ static int run(int argc, char **argv, const option_syntax *syntax)
     }
     failure = read_positions(&r, &data, &log);
     result.log = r.value[POSITIONS] ? NULL : &log;
-    failure = failure ? failure : solve(&r, &data, &result);
+    if (!failure) {
+        settle_unit(&r, &data);
+        failure = solve(&r, &data, &result);
+    }
     failure = failure ? failure : deliver(&r, &result);
     rejection_free(&result.rejected);
     positions_free(&data);
@@ -597,7 +643,8 @@ static const char *const help[] = {
     "t x y z temperature; the first two also with the three of a gyro behind; or any with a\n"
     "header that names them:\n",
     COLUMNS_NAMES,
-    "Separators are semicolons, commas, tabs or blanks; lines beginning with # are comments.\n"
+    "Separators are semicolons, commas, tabs or blanks; lines beginning with #, % or // are\n"
+    "comments. What LOG was taken for is told in the first line of the result.\n"
     "Nine positions are the least, twelve to eighteen in all directions are good. A position\n"
     "that contradicts the others is left out and named, if eleven or more are there to tell.\n"
     "\n"
@@ -617,6 +664,10 @@ static const char *const help[] = {
     "                      default: the middle of each axis' range\n"
     "  --lsb S | SX,SY,SZ  nominal scale, in field units per input unit;\n"
     "                      default: from the range of each axis\n"
+    "                      Both come from the unit of the readings (zero 0) where that is stated,\n"
+    "                      in the header or by --unit, as g, mg or m/s^2, and G is in m/s^2\n"
+    "  --unit U            unit of the readings: g, mg, m/s2 or counts; default: by the header,\n"
+    "                      else a guess by their size, which names it, but changes no number\n"
     "  --nominal CAL.json  an earlier calibration in place of --zero and --lsb\n"
     "  --nominal-name WORD heading of the nominal column; default nominal\n",
     "  --noise S           standard deviation of one position mean on each axis, in field units;\n"
@@ -663,13 +714,16 @@ static const char *const watch_help[] = {
     "                      is enough; 0: any\n"
     "  --zero X,Y,Z        nominal reading in no field; default for the guidance: 0, from the\n"
     "                      fourth position on the middle of each axis' range\n"
-    "  --lsb S | SX,SY,SZ  nominal scale; default for the guidance: from the first samples\n",
+    "  --lsb S | SX,SY,SZ  nominal scale; default for the guidance: by the unit that is\n"
+    "                      stated, else from the first samples\n",
     "\n"
     "These are the options of invcal calibrate, whose help says more of them:\n"
     "\n"
     "  --gravity G         length of the field; default 9.80665 (m/s^2)\n"
     "  --frame symmetric|triangular\n"
     "                      of the result; default symmetric\n"
+    "  --unit g|mg|m/s2|counts\n"
+    "                      of the readings\n"
     "  --nominal CAL.json  an earlier calibration in place of --zero and --lsb\n"
     "  --nominal-name WORD heading of the nominal column; default nominal\n"
     "  --noise S           standard deviation of one position mean, in field units\n"

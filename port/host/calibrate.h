@@ -30,10 +30,7 @@ typedef struct {
 /* 0 if neither the user nor the residuals tell the noise: sigma then means nothing. */
 int calibrate_knows_noise(const calibrate_result *result);
 
-/* 1 if the field is that of gravity in m/s^2: nothing else on earth is 9.8. */
-int calibrate_is_gravity(double field);
-
-/* What the calibrated readings and the file's are in: "m/s²" or "field units"; "input units". */
+/* What the calibrated readings and the file's are in: "m/s²" or "field units"; "counts", ... */
 const char *calibrate_field_unit(const calibrate_result *result);
 const char *calibrate_input_unit(const calibrate_result *result);
 

@@ -13,8 +13,9 @@ static void write_sigma(json_writer *w, const char *name, const double sigma[3],
     json_vector(w, name, known ? sigma : unknown);
 }
 
-static void write_nominal(json_writer *w, const invcal_calibration *c)
+static void write_nominal(json_writer *w, const nominal_choice *nominal)
 {
+    const invcal_calibration *c = &nominal->calibration;
     const double lsb[3] = {c->matrix[0][0], c->matrix[1][1], c->matrix[2][2]};
     int is_diagonal = 1;
 
@@ -29,6 +30,8 @@ static void write_nominal(json_writer *w, const invcal_calibration *c)
     if (!is_diagonal) {
         json_matrix(w, "matrix", c->matrix);
     }
+    json_text(w, "zero_from", nominal_origin_name(nominal->zero));
+    json_text(w, "lsb_from", nominal_origin_name(nominal->lsb));
     json_object_end(w);
 }
 
@@ -86,11 +89,13 @@ void calibrate_json(FILE *file, const calibrate_result *result)
     json_numbers(&w, "rejected", result->rejected.number, result->rejected.count);
     json_number(&w, "suspected", result->rejected.suspected);
     json_number(&w, "gravity", result->settings.field);
+    json_text(&w, "unit", unit_name(result->data->seen.unit));
+    json_text(&w, "unit_from", unit_origin_name(result->data->seen.unit_from));
     json_vector(&w, "offset", s->calibration.offset);
     json_matrix(&w, "matrix", s->calibration.matrix);
     json_text(&w, "frame",
               result->settings.frame == INVCAL_FRAME_TRIANGULAR ? "triangular" : "symmetric");
-    write_nominal(&w, &result->nominal.calibration);
+    write_nominal(&w, &result->nominal);
     json_vector(&w, "delta", s->delta);
     json_vector(&w, "dk", s->dk);
     json_vector(&w, "gamma", s->gamma);

@@ -52,7 +52,7 @@ static void print_offsets(FILE *file, const calibrate_result *r, int known)
                           .value = r->solution.calibration.offset[i],
                           .sigma = known ? r->quality.sigma_offset[i] : NUMBER_UNKNOWN,
                           .nominal = r->nominal.calibration.offset[i],
-                          .unit = "input units"};
+                          .unit = calibrate_input_unit(r)};
         print_figure(file, &f);
     }
 }
@@ -60,8 +60,11 @@ static void print_offsets(FILE *file, const calibrate_result *r, int known)
 /* As data sheets state it: input units per field unit. */
 static void print_scales(FILE *file, const calibrate_result *r, int known)
 {
-    const int acceleration = calibrate_is_gravity(r->settings.field);
     double inverse[3][3];
+    char unit[FIGURE_MAX];
+
+    snprintf(unit, sizeof unit, "%s per %s", calibrate_input_unit(r),
+             unit_is_gravity(r->settings.field) ? "m/s²" : "field unit");
 
     (void)invcal_calibration_inverse(&r->nominal.calibration, inverse); /* no result without */
     for (unsigned i = 0; i < 3; i++) {
@@ -71,8 +74,7 @@ static void print_scales(FILE *file, const calibrate_result *r, int known)
                           .value = nominal * (1 + r->solution.dk[i]),
                           .sigma = known ? fabs(nominal) * r->quality.sigma_dk[i] : NUMBER_UNKNOWN,
                           .nominal = nominal,
-                          .unit =
-                              acceleration ? "input units per m/s²" : "input units per field unit"};
+                          .unit = unit};
         print_figure(file, &f);
     }
 }
@@ -105,7 +107,7 @@ static void print_errors(FILE *file, const calibrate_result *r, int known)
 /* A residual, which is over the field, in a unit that one can picture; `width` is its number's. */
 static const char *residual_text(double residual, double field, int width, char text[TEXT_MAX])
 {
-    if (calibrate_is_gravity(field)) {
+    if (unit_is_gravity(field)) {
         snprintf(text, TEXT_MAX, "%*.4f mg", width, 1e3 * residual);
     } else {
         snprintf(text, TEXT_MAX, "%*.5f %% of the field", width, 1e2 * residual);
@@ -221,6 +223,17 @@ static void print_next(FILE *file, const invcal_quality *q, const char *saved)
     }
 }
 
+/* What the file was taken for. */
+static void print_recognised(FILE *file, const positions *data)
+{
+    char text[COLUMNS_TEXT_MAX];
+    char line[COLUMNS_TEXT_MAX + TEXT_MAX];
+
+    columns_describe(&data->seen, text, sizeof text);
+    snprintf(line, sizeof line, "%s: %s", data->name, text);
+    print_wrapped(file, 0, line);
+}
+
 /* What the positions were found in. */
 static void print_log(FILE *file, const calibrate_result *result)
 {
@@ -272,6 +285,7 @@ void calibrate_print(FILE *file, const calibrate_result *result, const char *nom
     const nominal_choice *n = &result->nominal;
     char field[NUMBER_TEXT_MAX];
 
+    print_recognised(file, result->data);
     print_log(file, result);
     fprintf(file, "%s: %u positions, field %s %s\n", result->data->name, result->data->count,
             number_text(result->settings.field, field), calibrate_field_unit(result));

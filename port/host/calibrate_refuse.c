@@ -57,14 +57,19 @@ static void say_out_of_range(const positions *data, const invcal_settings *setti
 {
     double v[3];
     const int by_range = nominal->zero == NOMINAL_RANGE && nominal->lsb == NOMINAL_RANGE;
+    const int by_unit = nominal->lsb == NOMINAL_UNIT;
 
     invcal_apply(&settings->nominal, &data->mean[3 * position], v);
     const double length = sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]) / settings->field;
     snprintf(text, REASON_MAX, "position %u reads %.3g of the field with %s: %s", position + 1,
-             length, by_range ? "zero and scale from the data's range" : "the nominal calibration",
-             by_range ? "look for a wrong position, add positions in all directions, or state "
-                        "--zero and --lsb"
-                      : "check --gravity, and the nominal zero and scale, and their units");
+             length,
+             by_range  ? "zero and scale from the data's range"
+             : by_unit ? "the scale of the unit that is stated"
+                       : "the nominal calibration",
+             by_range  ? "look for a wrong position, add positions in all directions, or state "
+                         "--zero and --lsb"
+             : by_unit ? "check the unit in the header; --unit states another"
+                       : "check --gravity, and the nominal zero and scale, and their units");
 }
 
 static void say_why(const positions *data, const invcal_settings *settings,

@@ -2,6 +2,7 @@
 #define _POSIX_C_SOURCE 200809L
 #include "columns.h"
 
+#include <stdarg.h>
 #include <string.h>
 #include <strings.h>
 
@@ -9,104 +10,358 @@
 #include "message.h"
 #include "number.h"
 
-#define TWICE (-2)
+/* The headings of the table at hand; too many for the stack. */
+static heading headings[TABLE_COLUMNS_MAX];
 
-/* Index of the column with this name; -1 if there is none, TWICE. */
-static int find_name(const table *t, const char *name)
+/* ---- x, y and z --------------------------------------------------------------------------------- */
+
+/* Keys of headings that may be meant, see heading.h; of a gyro there is none. */
+static int is_reading(const char *key)
 {
-    int found = -1;
+    static const char *const keys[] = {
+        "",
+        "a",
+        "acc",
+        "accel",
+        "acceleration",
+        "accelerometer",
+        "accsmooth",
+        "accadc",
+        "xyz",
+        "accraw",
+        "rawacc",
+        "accelraw",
+        "rawaccel",
+        "axis",
+        "mean",
+        "m",
+        "mag",
+        "magnetometer",
+        "magneticfield",
+        "accelerometeracceleration",
+        "fieldlinearacceleration",
+    };
 
+    for (unsigned i = 0; i < sizeof keys / sizeof keys[0]; i++) {
+        if (strcmp(key, keys[i]) == 0) {
+            return 1;
+        }
+    }
+    return 0;
+}
+
+/* The column with the same key as column `from` and this axis: -1 if there is none. */
+static int find_axis(const table *t, unsigned from, int axis)
+{
     for (unsigned i = 0; i < t->columns; i++) {
-        if (strcasecmp(t->field[i], name) == 0) {
-            found = found == -1 ? (int)i : TWICE;
+        if (headings[i].axis == axis && strcmp(headings[i].key, headings[from].key) == 0) {
+            return (int)i;
         }
     }
-    return found;
+    return -1;
 }
 
-/* A column that may have one of several names (ended by null), and may be missing. */
-static int find_optional(const table *t, const char *const *names, int *index)
+/* Whether a column is one of those found, or another with the same meaning. */
+static int is_there_twice(const table *t, unsigned at, const int index[3])
 {
-    *index = -1;
-    for (; *names; names++) {
-        const int found = find_name(t, *names);
-        if (found == TWICE || (found >= 0 && *index >= 0)) {
-            message("%s:%lu: more than one column could be '%s'", t->name, t->line, *names);
-            return EXIT_FILE;
-        }
-        *index = found >= 0 ? found : *index;
-    }
-    return EXIT_GOOD;
+    const heading *h = &headings[at];
+
+    return (int)at != index[h->axis] &&
+           (strcmp(h->key, headings[index[0]].key) == 0 ||
+            (find_axis(t, at, 0) >= 0 && find_axis(t, at, 1) >= 0 && find_axis(t, at, 2) >= 0));
 }
 
-/* Three columns of one family of names. 1, or 0 if one is not there; TWICE. */
-static int find_three(const table *t, const char *const names[3], int index[3])
+static void say_none(const table *t)
 {
-    int there = 1;
+    const char *linear = NULL;
 
-    for (unsigned i = 0; i < 3; i++) {
-        index[i] = find_name(t, names[i]);
-        if (index[i] == TWICE) {
-            return TWICE;
-        }
-        there = there && index[i] >= 0;
+    for (unsigned i = 0; i < t->columns && !linear; i++) {
+        linear = strcmp(headings[i].key, "linearacceleration") == 0 ? headings[i].name : NULL;
     }
-    return there;
+    if (linear) {
+        message("%s:%lu: '%s': the phone has taken gravity out of linear acceleration, and "
+                "without it nothing can be calibrated; record the accelerometer itself",
+                t->name, t->line, linear);
+    } else {
+        message("%s:%lu: the header names no columns x, y, z (nor ax, ay, az; acc_x, ..; see "
+                "--help): rename the three that are meant",
+                t->name, t->line);
+    }
 }
 
 /* x, y and z come from one family: a log with an accelerometer and a magnetometer has two, and
  * nobody can guess which one is meant. */
 static int find_xyz(const table *t, int index[3])
 {
-    static const char *const families[][3] = {
-        {"x", "y", "z"},
-        {"ax", "ay", "az"},
-        {"acc_x", "acc_y", "acc_z"},
-        {"accel_x", "accel_y", "accel_z"},
-        {"mx", "my", "mz"},
-        {"mag_x", "mag_y", "mag_z"},
-        {"mean_x", "mean_y", "mean_z"},
-    };
-    const char *const *first = NULL;
+    int found = 0;
 
-    for (unsigned f = 0; f < sizeof families / sizeof families[0]; f++) {
-        int found[3];
-        const int there = find_three(t, families[f], found);
-        if (there == TWICE || (there && first)) {
+    for (unsigned i = 0; i < t->columns; i++) {
+        const heading *h = &headings[i];
+        if (h->axis < 0 || !is_reading(h->key)) {
+            continue;
+        }
+        if (!found) {
+            for (int axis = 0; axis < 3; axis++) {
+                index[axis] = find_axis(t, i, axis);
+            }
+            found = index[0] >= 0 && index[1] >= 0 && index[2] >= 0;
+        }
+        if (found && is_there_twice(t, i, index)) {
             message("%s:%lu: x, y and z are there twice ('%s' and '%s'): leave one set of columns",
-                    t->name, t->line, there == TWICE ? families[f][0] : first[0], families[f][0]);
+                    t->name, t->line, headings[index[h->axis]].name, h->name);
             return EXIT_FILE;
         }
-        for (unsigned i = 0; there && i < 3; i++) {
-            first = families[f];
-            index[i] = found[i];
-        }
     }
-    if (!first) {
-        message("%s:%lu: the header names no columns x, y, z (nor ax, ay, az; mean_x, ..)", t->name,
-                t->line);
+    if (!found) {
+        say_none(t);
     }
-    return first ? EXIT_GOOD : EXIT_FILE;
+    return found ? EXIT_GOOD : EXIT_FILE;
 }
 
-static int find_by_header(const table *t, columns *out)
+/* ---- the unit of x, y and z ---------------------------------------------------------------------- */
+
+static int has_key(const table *t, const char *key)
 {
-    static const char *const optional[COLUMN_COUNT][4] = {
-        [COLUMN_STD_X] = {"std_x"},
-        [COLUMN_STD_Y] = {"std_y"},
-        [COLUMN_STD_Z] = {"std_z"},
-        [COLUMN_SAMPLES] = {"n", "n_samples", "count"},
-        [COLUMN_TIME] = {"t", "time", "timestamp"},
-        [COLUMN_TEMPERATURE] = {"temperature", "temp"},
+    for (unsigned i = 0; i < t->columns; i++) {
+        if (strcmp(headings[i].key, key) == 0) {
+            return 1;
+        }
+    }
+    return 0;
+}
+
+/* Logs that are known have a unit although their headings do not state it. */
+static reading_unit unit_of_system(const table *t, const char *key)
+{
+    if (strcmp(key, "accsmooth") == 0 || strcmp(key, "accadc") == 0) {
+        return UNIT_COUNTS; /* blackbox_decode without --unit-acceleration */
+    }
+    if (strcmp(key, "fieldlinearacceleration") == 0) {
+        return UNIT_MS2; /* sensor_msgs/Imu of ROS; gravity is in it */
+    }
+    if (strcmp(key, "acc") == 0 && has_key(t, "time") && has_key(t, "gyr")) {
+        for (unsigned i = 0; i < t->columns; i++) {
+            if (strcasecmp(headings[i].name, "TimeUS") == 0) {
+                return UNIT_MS2; /* ArduPilot's IMU message */
+            }
+        }
+    }
+    return UNIT_UNKNOWN;
+}
+
+static int find_unit(const table *t, columns *out)
+{
+    const int *index = out->index;
+    const heading *x = &headings[index[COLUMN_X]];
+
+    for (unsigned i = COLUMN_Y; i <= COLUMN_Z; i++) {
+        const heading *h = &headings[index[i]];
+        if (h->unit != x->unit || h->states_unit != x->states_unit) {
+            char one[TABLE_EXCERPT_MAX];
+            char other[TABLE_EXCERPT_MAX];
+            message("%s:%lu: '%s' and '%s' are in different units: convert one of them", t->name,
+                    t->line, table_excerpt(t->field[index[COLUMN_X]], one),
+                    table_excerpt(t->field[index[i]], other));
+            return EXIT_FILE;
+        }
+    }
+    out->seen.unit = x->states_unit ? x->unit : unit_of_system(t, x->key);
+    out->seen.states_foreign_unit = x->states_unit && x->unit == UNIT_UNKNOWN;
+    out->seen.unit_from = out->seen.unit != UNIT_UNKNOWN ? UNIT_FROM_HEADER : UNIT_FROM_NONE;
+    return EXIT_GOOD;
+}
+
+/* The unit of time in a field like "ms" or "(ms)". */
+static double time_unit_of(const char *field)
+{
+    char bare[HEADING_NAME_MAX];
+
+    field += strspn(field, "([");
+    snprintf(bare, sizeof bare, "%.*s", (int)strcspn(field, ")]"), field);
+    return unit_parse_time(bare);
+}
+
+/* A second heading, of units alone, may follow. */
+static void find_unit_row(table *t, columns *out)
+{
+    const int time = out->index[COLUMN_TIME];
+    reading_unit unit[3];
+
+    if (headings[out->index[COLUMN_X]].states_unit || !table_peek(t)) {
+        return;
+    }
+    for (unsigned i = COLUMN_X; i <= COLUMN_Z; i++) {
+        if (!unit_parse(t->field[out->index[i]], &unit[i]) || unit[i] != unit[COLUMN_X]) {
+            return; /* it is a row, right or wrong */
+        }
+    }
+    t->pending = 0;
+    out->seen.unit_line = t->line;
+    out->seen.unit = unit[COLUMN_X];
+    out->seen.unit_from = UNIT_FROM_HEADER;
+    if (time >= 0 && time_unit_of(t->field[time]) > 0) {
+        out->per_second = time_unit_of(t->field[time]);
+    }
+}
+
+/* ---- the others --------------------------------------------------------------------------------- */
+
+static int is_named(const heading *h, column which)
+{
+    static const char *const keys[COLUMN_COUNT][6] = {
+        [COLUMN_SAMPLES] = {"n", "nsamples", "count"},
+        [COLUMN_TIME] = {"t", "time", "timestamp", "elapsed", "elapsedtime", "timeelapsed"},
+        [COLUMN_TEMPERATURE] = {"temperature", "temp", "tempc", "tempdegc", "temperaturec"},
     };
-    static const char *const one_std[] = {"std", NULL};
+
+    if (which >= COLUMN_STD_X && which <= COLUMN_STD_Z) {
+        return h->axis == (int)which - COLUMN_STD_X && strcmp(h->key, "std") == 0;
+    }
+    for (unsigned i = 0; i < 6 && keys[which][i] && h->axis < 0; i++) {
+        if (strcmp(h->key, keys[which][i]) == 0) {
+            return 1;
+        }
+    }
+    return 0;
+}
+
+static int say_several(const table *t, const char *name)
+{
+    message("%s:%lu: more than one column could be '%s': leave one", t->name, t->line, name);
+    return EXIT_FILE;
+}
+
+/* One std for all axes; a heading without an axis. */
+static int find_std(const table *t, int *index)
+{
+    *index = -1;
+    for (unsigned i = 0; i < t->columns; i++) {
+        if (headings[i].axis >= 0 || strcmp(headings[i].key, "std") != 0) {
+            continue;
+        }
+        if (*index >= 0) {
+            return say_several(t, "std");
+        }
+        *index = (int)i;
+    }
+    return EXIT_GOOD;
+}
+
+/* A column that may be missing. */
+static int find_optional(const table *t, column which, int *index)
+{
+    *index = -1;
+    for (unsigned i = 0; i < t->columns; i++) {
+        if (!is_named(&headings[i], which)) {
+            continue;
+        }
+        if (*index >= 0) {
+            return say_several(t, columns_name(which));
+        }
+        *index = (int)i;
+    }
+    return EXIT_GOOD;
+}
+
+/* `millis`, and seconds_elapsed: the name of the column is that of the unit. */
+static double unit_as_name(const heading *h)
+{
+    if (strcmp(h->key, "secondselapsed") == 0) {
+        return 1;
+    }
+    return strlen(h->key) > 1 && h->axis < 0 ? unit_parse_time(h->key) : 0;
+}
+
+/* Two clocks may be there: the one that states its unit counts. */
+static int find_time(const table *t, columns *out)
+{
+    int *index = &out->index[COLUMN_TIME];
+    unsigned count[2] = {0, 0}; /* without and with a unit */
+
+    *index = -1;
+    for (unsigned i = 0; i < t->columns; i++) {
+        heading *h = &headings[i];
+        h->per_second = unit_as_name(h) > 0 ? unit_as_name(h) : h->per_second;
+        const int states = h->per_second > 0;
+        if (is_named(h, COLUMN_TIME) || unit_as_name(h) > 0) {
+            *index = states >= (count[1] > 0) ? (int)i : *index;
+            count[states]++;
+        }
+    }
+    return count[count[1] > 0] > 1 ? say_several(t, columns_name(COLUMN_TIME)) : EXIT_GOOD;
+}
+
+/* ArduPilot's temperature is T, which would else be a time. */
+static void find_short_temperature(const table *t, columns *out)
+{
+    for (unsigned i = 0; i < t->columns && out->index[COLUMN_TEMPERATURE] < 0; i++) {
+        if (strcmp(t->field[i], "T") == 0 && out->index[COLUMN_TIME] >= 0 &&
+            out->index[COLUMN_TIME] != (int)i) {
+            out->index[COLUMN_TEMPERATURE] = (int)i;
+        }
+    }
+}
+
+/* PX4 and Betaflight's explorer count microseconds, and do not say so; ROS counts nanoseconds. */
+static void find_time_unit(const table *t, columns *out)
+{
+    const int at = out->index[COLUMN_TIME];
+    const int is_micro = has_key(t, "timestampsample") || has_key(t, "loopiteration") ||
+                         has_key(t, "accelerometertimestamprelative") ||
+                         (has_key(t, "deviceid") && has_key(t, "errorcount"));
+
+    out->per_second = 1;
+    if (at >= 0) {
+        const double stated = headings[at].per_second;
+        out->per_second = stated > 0 ? stated : t->field[at][0] == '%' ? 1e9 : is_micro ? 1e6 : 1;
+    }
+}
+
+/* ---- together ----------------------------------------------------------------------------------- */
+
+static void remember_names(const table *t, columns *out)
+{
+    recognition *seen = &out->seen;
+    unsigned used[TABLE_COLUMNS_MAX] = {0};
+
+    for (unsigned c = 0; c < COLUMN_COUNT; c++) {
+        seen->name[c][0] = '\0';
+        if (out->index[c] >= 0) {
+            memcpy(seen->name[c], headings[out->index[c]].name, HEADING_NAME_MAX);
+            used[out->index[c]] = 1;
+        }
+    }
+    for (unsigned i = 0; i < t->columns; i++) {
+        seen->others += !used[i] && *t->field[i] != '\0';
+    }
+    seen->header_line = t->first_line;
+    seen->preamble = t->preamble;
+}
+
+/* ArduPilot writes the rows of all its sensors in turn, with their number in column I. */
+static int find_instance(const table *t)
+{
+    for (unsigned i = 0; i < t->columns && has_key(t, "gyr"); i++) {
+        if (strcmp(t->field[i], "I") == 0) {
+            return (int)i;
+        }
+    }
+    return -1;
+}
+
+static int find_by_header(table *t, columns_kind kind, columns *out)
+{
     int *index = out->index;
     int std;
-    int failure = find_xyz(t, &index[COLUMN_X]);
 
-    failure = failure ? failure : find_optional(t, one_std, &std);
+    for (unsigned i = 0; i < t->columns; i++) {
+        heading_read(t->field[i], &headings[i]);
+    }
+    int failure = find_xyz(t, &index[COLUMN_X]);
+    failure = failure ? failure : find_std(t, &std);
+    failure = failure ? failure : find_unit(t, out);
     for (unsigned c = COLUMN_STD_X; c < COLUMN_COUNT && !failure; c++) {
-        failure = find_optional(t, optional[c], &index[c]);
+        failure = c == COLUMN_TIME ? find_time(t, out) : find_optional(t, (column)c, &index[c]);
     }
     if (failure) {
         return failure;
@@ -115,7 +370,27 @@ static int find_by_header(const table *t, columns *out)
         /* only all three of them are of use */
         index[COLUMN_STD_X] = index[COLUMN_STD_Y] = index[COLUMN_STD_Z] = std;
     }
+    for (unsigned c = COLUMN_STD_X; c <= COLUMN_SAMPLES && kind == COLUMNS_LOG; c++) {
+        index[c] = -1; /* of no use there */
+    }
+    find_short_temperature(t, out);
+    out->instance = find_instance(t);
+    find_time_unit(t, out);
+    remember_names(t, out);
+    find_unit_row(t, out);
     return EXIT_GOOD;
+}
+
+/* "0,05" cut at its comma: no whole number begins with a zero. */
+static int is_fraction(const char *text)
+{
+    return text[0] == '0' && text[1] != '\0' && strspn(text, "0123456789") == strlen(text);
+}
+
+static int is_cut_at_commas(const table *t)
+{
+    return t->separator == ',' && t->columns == 6 &&
+           (is_fraction(t->field[1]) || is_fraction(t->field[3]) || is_fraction(t->field[5]));
 }
 
 /* Without a header the number of columns tells; each letter is one column. */
@@ -125,7 +400,7 @@ static int find_by_count(const table *t, columns_kind kind, columns *out)
                                               {"xyz", "txyz", "txyzT", "xyz...", "txyz..."}};
     static const char letters[] = "xyzabcntT"; /* in the order of `column`; '.': a rate */
 
-    for (unsigned i = 0; i < 5; i++) {
+    for (unsigned i = 0; i < 5 && !is_cut_at_commas(t); i++) {
         const char *layout = layouts[kind][i];
         if (!layout || strlen(layout) != t->columns) {
             continue;
@@ -133,23 +408,39 @@ static int find_by_count(const table *t, columns_kind kind, columns *out)
         for (unsigned c = 0; c < COLUMN_COUNT; c++) {
             const char *place = strchr(layout, letters[c]);
             const int is_std = c >= COLUMN_STD_X && c <= COLUMN_STD_Z;
-            place = place || !is_std ? place : strchr(layout, 's');
+            const char *one = is_std && !place ? strchr(layout, 's') : NULL; /* for all axes */
+            place = one ? one : place;
             out->index[c] = place ? (int)(place - layout) : -1;
+            snprintf(out->seen.name[c], HEADING_NAME_MAX, "%s",
+                     one     ? "std"
+                     : place ? columns_name((column)c)
+                             : "");
         }
+        out->seen.others = kind == COLUMNS_LOG && t->columns > 5 ? 3 : 0;
         return EXIT_GOOD;
     }
     message("%s:%lu: %u column%s, separated by %s, without a header: %s, or a header that names "
-            "them, is expected",
+            "them, is expected%s",
             t->name, t->line, t->columns, t->columns == 1 ? "" : "s", table_separator(t),
             kind == COLUMNS_POSITIONS
                 ? "3 (x y z), 5 (x y z std n), 7 (x y z std_x std_y std_z n)"
-                : "3 (x y z), 4 (t x y z), 5 (t x y z temperature), 6 or 7 (with a gyro's three)");
+                : "3 (x y z), 4 (t x y z), 5 (t x y z temperature), 6 or 7 (with a gyro's three)",
+            t->separator == ',' && (t->columns == 6 || t->columns == 8)
+                ? "; if these are decimal commas, save the table with decimal points"
+                : "");
     return EXIT_FILE;
 }
 
-int columns_find(const table *t, columns_kind kind, columns *out)
+int columns_find(table *t, columns_kind kind, columns *out)
 {
-    return t->has_header ? find_by_header(t, out) : find_by_count(t, kind, out);
+    *out = (columns){.per_second = 1, .instance = -1, .seen = {.separator = table_separator(t)}};
+    const int failure = t->has_header ? find_by_header(t, kind, out) : find_by_count(t, kind, out);
+
+    out->seen.time_unit = out->per_second > 1e8   ? "ns"
+                          : out->per_second > 1e5 ? "µs"
+                          : out->per_second > 1   ? "ms"
+                                                  : "s";
+    return failure;
 }
 
 int columns_number(const table *t, const columns *where, column which, double *out)
@@ -168,6 +459,23 @@ int columns_number(const table *t, const columns *where, column which, double *o
                 table_excerpt(t->field[index], excerpt), number_problem(status));
         return EXIT_FILE;
     }
+    *out /= which == COLUMN_TIME ? where->per_second : 1;
+    return EXIT_GOOD;
+}
+
+int columns_check_instance(const table *t, columns *where)
+{
+    const char *here = where->instance >= 0 ? t->field[where->instance] : "";
+
+    if (where->first_instance[0] == '\0') {
+        snprintf(where->first_instance, sizeof where->first_instance, "%s", here);
+    }
+    if (strncmp(where->first_instance, here, sizeof where->first_instance - 1) != 0) {
+        message("%s:%lu: column %d (I): the rows of several sensors follow each other in turn: "
+                "keep those of one",
+                t->name, t->line, where->instance + 1);
+        return EXIT_FILE;
+    }
     return EXIT_GOOD;
 }
 
@@ -177,4 +485,77 @@ const char *columns_name(column which)
                                                     "std_z", "n", "t", "temperature"};
 
     return names[which];
+}
+
+/* ---- in words ----------------------------------------------------------------------------------- */
+
+/* Puts more behind a text; what is too long is cut off. */
+static void append(char *text, size_t size, const char *format, ...) MESSAGE_FORMAT(3, 4);
+
+static void append(char *text, size_t size, const char *format, ...)
+{
+    const size_t length = strlen(text);
+    va_list arguments;
+
+    va_start(arguments, format);
+    vsnprintf(text + length, size - length, format, arguments);
+    va_end(arguments);
+}
+
+static void append_layout(const recognition *seen, char *text, size_t size)
+{
+    const int is_csv =
+        strcmp(seen->separator, "commas") == 0 || strcmp(seen->separator, "semicolons") == 0;
+
+    append(text, size, "%s with %s", is_csv ? "CSV" : "table", seen->separator);
+    if (seen->preamble > 0) {
+        append(text, size, ", %lu line%s of settings", seen->preamble,
+               seen->preamble == 1 ? "" : "s");
+    }
+    if (seen->header_line > 0) {
+        append(text, size, ", header in line %lu", seen->header_line);
+    } else {
+        append(text, size, ", no header");
+    }
+    if (seen->unit_line > 0) {
+        append(text, size, ", units in line %lu", seen->unit_line);
+    }
+}
+
+static void append_unit(const recognition *seen, char *text, size_t size)
+{
+    static const char *const behind[] = {[UNIT_FROM_NONE] = "",
+                                         [UNIT_FROM_HEADER] = "",
+                                         [UNIT_FROM_OPTION] = " (--unit)",
+                                         [UNIT_FROM_SIZE] = " (by their size)"};
+
+    if (seen->unit != UNIT_UNKNOWN) {
+        append(text, size, " in %s%s", unit_words(seen->unit), behind[seen->unit_from]);
+    }
+}
+
+const char *columns_describe(const recognition *seen, char *text, size_t size)
+{
+    const char(*name)[HEADING_NAME_MAX] = seen->name;
+
+    text[0] = '\0';
+    append_layout(seen, text, size);
+    append(text, size, "; ");
+    if (*name[COLUMN_TIME] != '\0') {
+        append(text, size, "%s (%s), ", name[COLUMN_TIME], seen->time_unit);
+    }
+    append(text, size, "%s %s %s", name[COLUMN_X], name[COLUMN_Y], name[COLUMN_Z]);
+    append_unit(seen, text, size);
+    for (unsigned c = COLUMN_STD_X; c < COLUMN_COUNT; c++) {
+        const int is_again = c > COLUMN_STD_X && c <= COLUMN_STD_Z &&
+                             strcmp(name[c], name[c - 1]) == 0; /* one for all three */
+        if (c != COLUMN_TIME && *name[c] != '\0' && !is_again) {
+            append(text, size, ", %s", name[c]);
+        }
+    }
+    if (seen->others > 0) {
+        append(text, size, "; ignored: %u other column%s", seen->others,
+               seen->others == 1 ? "" : "s");
+    }
+    return text;
 }

@@ -147,7 +147,28 @@ static void say_refused(stage *s, const invcal_event *event)
                                               : invcal_status_text(event->status));
 }
 
+/* What the stream was taken for: whoever sees a wrong column can stop at once. */
+static void say_recognised(const stage *s)
+{
+    recognition seen = s->p->seen;
+    char text[COLUMNS_TEXT_MAX];
+
+    if (s->wish->unit != UNIT_UNKNOWN) {
+        seen.unit = s->wish->unit;
+        seen.unit_from = UNIT_FROM_OPTION;
+    }
+    fprintf(s->wish->talk, "%s: %s\n", s->p->name, columns_describe(&seen, text, sizeof text));
+}
+
 /* ---- what happens ------------------------------------------------------------------------------ */
+
+/* Field units per input unit, if a unit is stated that tells it; else 0. */
+static double stated_scale(const live_wish *wish)
+{
+    const reading_unit stated = wish->unit != UNIT_UNKNOWN ? wish->unit : live_log.where.seen.unit;
+
+    return unit_scale(stated, wish->field);
+}
 
 /* With zero where it is, all positions so far point one way, although they were to differ: then it
  * is nowhere near, as in counts that have no sign. */
@@ -171,8 +192,9 @@ static void renew_nominal(const stage *s)
     double zero[3];
     double lsb[3];
 
-    if (s->wish->nominal || s->wish->zero || s->wish->lsb || s->p->count < RENEW ||
-        !is_zero_far_off(s) || !nominal_from_range(s->p, s->wish->field, zero, lsb)) {
+    if (s->wish->nominal || s->wish->zero || s->wish->lsb || stated_scale(s->wish) > 0 ||
+        s->p->count < RENEW || !is_zero_far_off(s) ||
+        !nominal_from_range(s->p, s->wish->field, zero, lsb)) {
         return;
     }
     const double least = fmin(lsb[0], fmin(lsb[1], lsb[2]));
@@ -244,6 +266,7 @@ static invcal_status set_nominal(const live_wish *wish, invcal_calibration *out)
 {
     double zero[3] = {0, 0, 0};
     double scale[3];
+    double guess = stated_scale(wish);
 
     if (wish->nominal) {
         *out = *wish->nominal;
@@ -256,8 +279,9 @@ static invcal_status set_nominal(const live_wish *wish, invcal_calibration *out)
     for (unsigned i = 0; i < 3; i++) {
         zero[i] = wish->zero ? wish->zero[i] : 0;
     }
+    guess = guess > 0 ? guess : guess_lsb(wish, zero);
     for (unsigned i = 0; i < 3; i++) {
-        scale[i] = (wish->lsb ? wish->lsb[i] : guess_lsb(wish, zero)) * live_log.unit;
+        scale[i] = (wish->lsb ? wish->lsb[i] : guess) * live_log.unit;
         zero[i] /= live_log.unit;
     }
     return invcal_calibration_nominal(zero, scale, out);
@@ -288,6 +312,7 @@ static int watch(stage *s)
     int failure = EXIT_GOOD;
 
     recording_begin(&live_recording, &live_log);
+    say_recognised(s);
     say_next(s);
     while (!failure && (more = samples_next(&live_log, &now)) == 1) {
         if (now.is_gap) {
@@ -336,7 +361,7 @@ int live_read(positions *p, const char *path, const live_wish *wish, rests_summa
     catch_interrupts();
     int failure = samples_open(&live_log, path, wish->rate, 1);
 
-    *p = (positions){.name = live_log.table.name, .has_noise = 1};
+    *p = (positions){.name = live_log.table.name, .has_noise = 1, .seen = live_log.where.seen};
     *summary = (rests_summary){.rate = live_log.rate,
                                .is_rate_known = live_log.is_rate_known,
                                .outline = &live_recording.outline};

@@ -14,10 +14,12 @@
 typedef struct {
     double rate;        /* 0: see samples.h */
     const double *clip; /* null, or least and greatest reading */
+    reading_unit unit;  /* stated; UNIT_UNKNOWN: the heading may tell */
     double field;
     const invcal_calibration *nominal; /* for the guidance; null: */
-    const double *zero; /* zero, else 0, and scale, else from the first samples; both are found */
-    const double *lsb;  /* again from the positions if zero is not given */
+    const double *zero; /* zero, else 0, and scale, else by the unit or from the first samples; if
+                           neither they nor the unit are given, both are found again from the */
+    const double *lsb;  /* positions */
     invcal_plan plan;   /* per_group 0: free hand */
     double target[3];   /* sigma that is enough; 0: any */
     FILE *talk;         /* where to say it */

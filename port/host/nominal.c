@@ -29,7 +29,15 @@ int nominal_from_range(const positions *p, double field, double zero[3], double 
 
 const char *nominal_origin_text(nominal_origin origin)
 {
-    return origin == NOMINAL_GIVEN   ? "given"
-           : origin == NOMINAL_RANGE ? "from the data's range"
-                                     : "of an earlier calibration";
+    static const char *const texts[] = {"given", "from the data's range",
+                                        "of an earlier calibration", "by the unit that is stated"};
+
+    return texts[origin];
+}
+
+const char *nominal_origin_name(nominal_origin origin)
+{
+    static const char *const names[] = {"given", "range", "earlier", "unit"};
+
+    return names[origin];
 }

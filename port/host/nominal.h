@@ -12,6 +12,7 @@ typedef enum {
     NOMINAL_GIVEN,   /* by --zero, --lsb */
     NOMINAL_RANGE,   /* from the range of the data */
     NOMINAL_EARLIER, /* by --nominal: an earlier calibration */
+    NOMINAL_UNIT     /* zero 0, and the scale of the unit that is stated */
 } nominal_origin;
 
 typedef struct {
@@ -31,7 +32,10 @@ typedef struct {
  * Returns 1; 0, with lsb left undefined, if there is no range or none that gives usable numbers. */
 int nominal_from_range(const positions *p, double field, double zero[3], double lsb[3]);
 
-/* "given", "from the data's range", "of an earlier calibration". */
+/* "given", "from the data's range", "of an earlier calibration", "by the unit that is stated". */
 const char *nominal_origin_text(nominal_origin origin);
+
+/* In a word, for JSON: "given", "range", "earlier", "unit". */
+const char *nominal_origin_name(nominal_origin origin);
 
 #endif

@@ -6,6 +6,7 @@
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 #include <strings.h>
 
 static const char *skip_sign(const char *s)
@@ -54,13 +55,28 @@ static int is_not_finite(const char *text)
            strcasecmp(word, "infinity") == 0;
 }
 
+/* A number of another country: which kind of fault it is. */
+static number_status find_fault(const char *text)
+{
+    const char *s = skip_sign(text);
+    unsigned marks = 0;
+
+    if (!number_is_meant(text) || s[strspn(s, "0123456789.,'")] != '\0' || !strpbrk(s, ",'")) {
+        return NUMBER_NOT_DECIMAL;
+    }
+    for (; *s != '\0'; s++) {
+        marks += !is_digit(*s);
+    }
+    return marks == 1 && strchr(text, ',') ? NUMBER_COMMA : NUMBER_GROUPED;
+}
+
 number_status number_parse(const char *text, double *out)
 {
     if (*text == '\0') {
         return NUMBER_EMPTY;
     }
     if (!is_decimal(text)) {
-        return is_not_finite(text) ? NUMBER_NOT_FINITE : NUMBER_NOT_DECIMAL;
+        return is_not_finite(text) ? NUMBER_NOT_FINITE : find_fault(text);
     }
     const double x = strtod(text, NULL);
     if (!(fabs(x) <= DBL_MAX)) {
@@ -81,6 +97,10 @@ const char *number_problem(number_status status)
         return "is not a finite number";
     case NUMBER_TOO_LARGE:
         return "is too large a number";
+    case NUMBER_COMMA:
+        return "is not a decimal number, but has a decimal comma: save with decimal points";
+    case NUMBER_GROUPED:
+        return "is not a decimal number, but has thousands separators: save without them";
     case NUMBER_NOT_DECIMAL:
         break;
     }

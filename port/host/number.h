@@ -13,7 +13,9 @@
 typedef enum {
     NUMBER_OK,
     NUMBER_EMPTY,
-    NUMBER_NOT_DECIMAL, /* a word, a hexadecimal number, a decimal comma, something behind it */
+    NUMBER_NOT_DECIMAL, /* a word, a hexadecimal number, something behind it */
+    NUMBER_COMMA,       /* digits with one comma between */
+    NUMBER_GROUPED,     /* thousands are separated: 1,234,567  1.234,5  1'234 */
     NUMBER_NOT_FINITE,  /* nan, inf, infinity */
     NUMBER_TOO_LARGE    /* beyond a double; too small a number is rounded, which is no fault */
 } number_status;

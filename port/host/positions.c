@@ -5,7 +5,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "columns.h"
 #include "command.h"
 #include "message.h"
 #include "number.h"
@@ -91,6 +90,7 @@ static int read_rows(positions *p, table *t)
     int more = 0;
     int failure = columns_find(t, COLUMNS_POSITIONS, &where);
 
+    p->seen = where.seen;
     p->has_noise = !failure && where.index[COLUMN_STD_X] >= 0 && where.index[COLUMN_SAMPLES] >= 0;
     p->has_temperature = !failure && where.index[COLUMN_TEMPERATURE] >= 0;
     while (!failure && (more = table_next(t)) == 1) {

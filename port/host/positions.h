@@ -7,6 +7,8 @@
 
 #include <stdint.h>
 
+#include "columns.h"
+
 #define POSITIONS_MAX 1000000u
 
 /* Where a mean comes from. What is not known is NaN. */
@@ -19,6 +21,7 @@ typedef struct {
 
 typedef struct {
     const char *name;        /* of the file, for messages */
+    recognition seen;        /* what the file was taken for */
     uint64_t bytes;          /* its size, */
     uint32_t crc;            /* and its CRC-32 */
     double *mean;            /* 3 count numbers: x y z, ... in input units */

@@ -106,7 +106,7 @@ int report_facts_find(report_facts *f, const calibrate_result *result, const rep
     const double field = result->settings.field;
 
     *f = (report_facts){.result = result, .wish = wish, .count = result->data->count};
-    f->is_gravity = calibrate_is_gravity(field);
+    f->is_gravity = unit_is_gravity(field);
     f->unit = f->is_gravity ? "mg" : "‰ of the field";
     f->length = f->is_gravity ? "|a|" : "length";
     f->knows_noise = calibrate_knows_noise(result);

@@ -73,14 +73,14 @@ void report_numbers(page *p, const report_facts *f)
 {
     static const char *const all[COLUMNS] = {"no.", "line", "from, s", "for, s", "°C",    "x",
                                              "y",   "z",    "up",      "before", "after", "remark"};
-    const char *heading[COLUMNS];
+    const char *titles[COLUMNS];
     char summary[CELL];
     char caption[CELL];
-    page_table sheet = {caption, heading, 0, 0};
+    page_table sheet = {caption, titles, 0, 0};
 
     for (unsigned k = 0; k < COLUMNS; k++) {
         if (is_shown(f, k)) {
-            heading[sheet.count++] = all[k];
+            titles[sheet.count++] = all[k];
         }
     }
     snprintf(summary, sizeof summary,

@@ -131,10 +131,10 @@ static void write_row(page *p, const page_table *sheet, const report_facts *f, u
 
 static void write_table(page *p, const report_facts *f)
 {
-    static const char *const heading[] = {"parameter", "deviation from nominal", "sensor reads",
+    static const char *const titles[] = {"parameter", "deviation from nominal", "sensor reads",
                                           "nominal", "remark"};
     char caption[2 * CELL];
-    const page_table sheet = {caption, heading, 5, 1u << 4};
+    const page_table sheet = {caption, titles, 5, 1u << 4};
 
     snprintf(caption, sizeof caption,
              "Offsets and scales as the sensor reads them: %s, and %s per %s.",

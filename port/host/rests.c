@@ -95,7 +95,7 @@ int rests_read(positions *p, const char *path, double rate, const double clip[2]
     int failure = samples_open(&log, path, rate, 0);
     reading r = {p, log.unit, summary};
 
-    *p = (positions){.name = log.table.name, .has_noise = 1};
+    *p = (positions){.name = log.table.name, .has_noise = 1, .seen = log.where.seen};
     *summary = (rests_summary){
         .rate = log.rate, .is_rate_known = log.is_rate_known, .outline = &log_recording.outline};
     if (!failure && invcal_still_init(&still, log.rate, clip ? rail(clip[0], log.unit) : 0,

@@ -21,6 +21,9 @@ static int read_numbers(samples *s, double v[5])
 {
     static const column which[5] = {COLUMN_X, COLUMN_Y, COLUMN_Z, COLUMN_TIME, COLUMN_TEMPERATURE};
 
+    if (columns_check_instance(&s->table, &s->where)) {
+        return EXIT_FILE;
+    }
     v[TIME] = v[TEMPERATURE] = 0;
     for (unsigned i = 0; i < 5; i++) {
         if (s->where.index[which[i]] >= 0 &&
@@ -146,7 +149,8 @@ static int find_rate(samples *s)
     if (!(s->rate >= INVCAL_STILL_RATE_MIN && s->rate <= INVCAL_STILL_RATE_MAX)) {
         message(
             "%s:%lu: the times go on by %.6g, which are no seconds of a log of 8 to 8000 samples a "
-            "second: state --rate, or leave the column out",
+            "second: put the unit into the heading (t_ms, t_us), state --rate, or leave the column "
+            "out",
             s->table.name, s->ahead_line[0], step);
         return EXIT_FILE;
     }

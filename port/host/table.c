@@ -2,14 +2,19 @@
 #define _POSIX_C_SOURCE 200809L
 #include "table.h"
 
+#include <ctype.h>
 #include <errno.h>
 #include <string.h>
+#include <strings.h>
 
 #include "command.h"
 #include "crc.h"
 #include "input.h"
 #include "message.h"
 #include "number.h"
+#include "signature.h"
+
+#define PREAMBLE_MAX 10000u
 
 static int is_blank(char c)
 {
@@ -24,9 +29,23 @@ static const char *skip_blanks(const char *s)
     return s;
 }
 
+/* The first bytes may be those of a file that is no table. */
+static int check_signature(const table *t, size_t length)
+{
+    const char *what = t->line == 1 ? signature_find(t->text, length) : NULL;
+
+    if (what) {
+        message("%s: this is %s", t->name, what);
+    }
+    return what ? -1 : 1;
+}
+
 /* Control characters have no place in a text: most likely it is none. */
 static int check_text(const table *t, size_t length)
 {
+    if (check_signature(t, length) != 1) {
+        return -1;
+    }
     for (size_t i = 0; i < length; i++) {
         const unsigned char c = (unsigned char)t->text[i];
         if (c < ' ' && c != '\t') {
@@ -57,6 +76,9 @@ static int read_line(table *t)
     }
     t->line++;
     for (; c != EOF && c != '\n'; c = getc_unlocked(t->file)) {
+        if (length == TABLE_LINE_MAX && check_signature(t, length) != 1) {
+            return -1;
+        }
         if (length == TABLE_LINE_MAX) {
             message("%s:%lu: the line is longer than %u bytes", t->name, t->line, TABLE_LINE_MAX);
             return -1;
@@ -84,6 +106,36 @@ static void strip_mark(table *t)
     }
 }
 
+/* A spreadsheet's first line, which is none of the table. */
+static int takes_separator(table *t)
+{
+    const char *text = t->text + (*t->text == '"');
+
+    if (t->line != 1 || strncasecmp(text, "sep=", 4) != 0 || text[4] == '\0' ||
+        !strchr(";,\t", text[4])) {
+        return 0;
+    }
+    t->separator = text[4];
+    return 1;
+}
+
+/* `%time` is a heading of ROS. A ; with another one behind it separates. */
+static int is_comment(const table *t, const char *start)
+{
+    switch (*start) {
+    case '#':
+        return 1;
+    case '%':
+        return strncmp(start, "%time", 5) != 0;
+    case '/':
+        return start[1] == '/';
+    case ';':
+        return t->separator == '\0' ? !strchr(start + 1, ';') : t->separator != ';';
+    default:
+        return 0;
+    }
+}
+
 /* Reads up to the next line that holds something. */
 static int read_row(table *t)
 {
@@ -94,16 +146,32 @@ static int read_row(table *t)
         }
         strip_mark(t);
         const char *start = skip_blanks(t->text);
-        if (*start != '\0' && *start != '#') {
+        if (*start != '\0' && !is_comment(t, start) && !takes_separator(t)) {
             return 1;
         }
     }
 }
 
-/* Semicolons before commas: where both stand, the commas are decimal ones. */
+/* Every comma of the line stands between digits, and a blank elsewhere: "1,5 2,5 3,5". */
+static int has_decimal_commas(const char *start, const char *end)
+{
+    int blanks = 0;
+
+    for (const char *c = start; c < end; c++) {
+        if (*c == ',' &&
+            !(c > start && isdigit((unsigned char)c[-1]) && isdigit((unsigned char)c[1]))) {
+            return 0;
+        }
+        blanks += is_blank(*c);
+    }
+    return blanks > 0;
+}
+
+/* Semicolons and tabs before commas: where both stand, the commas are decimal ones; but a tab behind
+ * a comma is only a blank. */
 static char find_separator(const char *line)
 {
-    const char *order = ";,\t";
+    const char *order = ";\t,";
     char found = ' ';
     const char *rank = order + strlen(order);
     const char *start = skip_blanks(line);
@@ -115,13 +183,13 @@ static char find_separator(const char *line)
     }
     for (const char *c = start; c < end; c++) {
         quoted ^= *c == '"';
-        const char *here = quoted ? NULL : strchr(order, *c);
+        const char *here = quoted || (*c == '\t' && c[-1] == ',') ? NULL : strchr(order, *c);
         if (here && here < rank) {
             rank = here;
             found = *c;
         }
     }
-    return found;
+    return found == ',' && has_decimal_commas(start, end) ? ' ' : found;
 }
 
 static int is_separator(const table *t, char c)
@@ -209,47 +277,122 @@ static int is_header(const table *t)
     return words > 0;
 }
 
+/* Reads and splits the first line, or a line of the preamble. 1, 0 at the end of the file, -1. */
+static int read_first(table *t)
+{
+    const int more = read_row(t);
+
+    if (more != 1) {
+        return more;
+    }
+    t->first_line = t->line;
+    t->separator = t->separator ? t->separator : find_separator(t->text);
+    t->columns = split(t);
+    t->has_header = is_header(t);
+    return t->columns > 0 ? 1 : -1;
+}
+
+/* A word, and a value or more behind it. */
+static int is_preamble(const table *t)
+{
+    return t->separator != ' ' && *t->field[0] != '\0' && !number_is_meant(t->field[0]) &&
+           (t->columns == 2 || (t->preamble > 0 && !t->has_header));
+}
+
+/* Settings may stand before the header, a name and a value in each line. */
+static int skip_preamble(table *t)
+{
+    int more;
+
+    while ((more = read_first(t)) == 1 && is_preamble(t) && t->preamble < PREAMBLE_MAX) {
+        t->preamble++;
+    }
+    if (more == 0 && t->preamble > 0) {
+        message("%s:%lu: lines of two columns, a name and another, are no table of x, y, z",
+                t->name, t->first_line);
+    } else if (more == 0) {
+        message("%s: is empty", t->name);
+    }
+    return more == 1 ? EXIT_GOOD : EXIT_FILE;
+}
+
+/* An empty last column: only a separator too many. */
+static int ends_empty(const table *t, unsigned columns)
+{
+    return t->separator != ' ' && columns > 1 && *t->field[columns - 1] == '\0';
+}
+
 int table_open(table *t, const char *path)
 {
     t->name = input_name(path);
     t->line = 0;
     t->bytes = t->crc = 0;
+    t->separator = '\0';
+    t->preamble = 0;
     t->file = input_open(path);
-    if (!t->file) {
+    if (!t->file || skip_preamble(t)) {
         return EXIT_FILE;
     }
-    const int more = read_row(t);
-    if (more == 0) {
-        message("%s: is empty", t->name);
-    }
-    if (more != 1) {
-        return EXIT_FILE;
-    }
-    t->first_line = t->line;
-    t->separator = find_separator(t->text);
-    t->columns = split(t);
-    t->has_header = is_header(t);
+    t->is_trailing = !t->has_header && ends_empty(t, t->columns);
+    t->columns -= (unsigned)t->is_trailing;
+    t->found = t->columns;
+    t->has_row = !t->has_header;
     t->pending = !t->has_header;
-    return t->columns > 0 ? EXIT_GOOD : EXIT_FILE;
+    t->pending_result = 1;
+    return EXIT_GOOD;
+}
+
+/* Commas that separate, and numbers that have no points: some may be decimal commas. */
+static int may_be_decimal_commas(const table *t)
+{
+    for (unsigned i = 0; i < t->found; i++) {
+        if (!number_is_meant(t->field[i]) || strpbrk(t->field[i], ".eE")) {
+            return 0;
+        }
+    }
+    return t->separator == ',' && t->found > t->columns && t->found <= 2 * t->columns;
+}
+
+/* Counts the columns of a row below the first. */
+static int check_columns(table *t)
+{
+    unsigned columns = split(t);
+
+    if (columns == 0) {
+        t->found = 0;
+        return -1;
+    }
+    if (!t->has_row) { /* the first below a header, which may not have had that separator */
+        t->is_trailing = columns == t->columns + 1 && ends_empty(t, columns);
+        t->has_row = 1;
+    }
+    columns -= t->is_trailing && columns == t->columns + 1 && ends_empty(t, columns);
+    t->found = columns;
+    if (columns != t->columns) {
+        message("%s:%lu: %u column%s, but line %lu has %u, separated by %s%s", t->name, t->line,
+                columns, columns == 1 ? "" : "s", t->first_line, t->columns, table_separator(t),
+                may_be_decimal_commas(t)
+                    ? ": if these are decimal commas, save the table with decimal points"
+                    : "");
+    }
+    return columns == t->columns ? 1 : -1;
 }
 
 int table_next(table *t)
 {
     if (t->pending) {
-        t->found = t->columns;
         t->pending = 0;
-        return 1;
+        return t->pending_result;
     }
     const int more = read_row(t);
-    if (more != 1) {
-        return more;
-    }
-    const unsigned columns = t->found = split(t);
-    if (columns != t->columns && columns > 0) {
-        message("%s:%lu: %u column%s, but line %lu has %u, separated by %s", t->name, t->line,
-                columns, columns == 1 ? "" : "s", t->first_line, t->columns, table_separator(t));
-    }
-    return columns == t->columns ? 1 : -1;
+    return more == 1 ? check_columns(t) : more;
+}
+
+int table_peek(table *t)
+{
+    t->pending_result = table_next(t);
+    t->pending = 1;
+    return t->pending_result == 1;
 }
 
 void table_close(table *t)

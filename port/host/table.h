@@ -2,10 +2,12 @@
  *
  * table.h: a text table (CSV and its relatives), one row at a time.
  *
- * Columns are separated by semicolons, commas, tabs or blanks; the first line that is neither
- * empty nor a comment (#) decides, in this order. Fields lose the blanks and double quotes around
- * them. If nothing in the first line is meant as a number, it is a header. A mark of byte order
- * (UTF-8) and lines ended by CR LF are fine. Memory does not grow with the file.
+ * Columns are separated by semicolons, tabs, commas or blanks; the first line that is neither
+ * empty nor a comment decides, in this order. Fields lose the blanks and double quotes around
+ * them. If nothing in the first line is meant as a number, it is a header. Comments begin with #,
+ * %, or //, or with ; where that does not separate. A mark of byte order (UTF-8), lines ended by
+ * CR LF, the first line `sep=;` of spreadsheets, lines of `name, value` before a header, and one
+ * separator too many at the end of every line are fine. Memory does not grow with the file.
  */
 #ifndef TABLE_H
 #define TABLE_H
@@ -25,9 +27,13 @@ typedef struct {
     uint32_t crc;             /* and their CRC-32 */
     unsigned columns;         /* of the first line, and so of all */
     unsigned found;           /* of the latest line after the first, right or wrong */
-    char separator;           /* ';' ',' '\t' ' ' */
+    char separator;           /* ';' ',' '\t' ' '; '\0': not known yet */
     int has_header;
-    int pending;                    /* the first row has been read, but not handed out */
+    unsigned long preamble;         /* lines of `name, value` before the header */
+    int is_trailing;                /* every row ends with a separator that separates nothing */
+    int has_row;                    /* 1 when the first row below the header has been read */
+    int pending;                    /* a row has been read, but not handed out, */
+    int pending_result;             /* with this result of table_next */
     char *field[TABLE_COLUMNS_MAX]; /* of the current row (first: of the header), until the next */
     char text[TABLE_LINE_MAX + 1];
 } table;
@@ -45,6 +51,10 @@ int table_open(table *t, const char *path);
  * TABLE_LINE_MAX bytes, is no text, or has another number of columns than the first; the next
  * row may be asked for all the same. A signal that is caught ends the file. */
 int table_next(table *t);
+
+/* Reads the row below the header, for a look at its fields: table_next goes to the same row again,
+ * unless pending is set to 0. Returns 1 if there is such a row. */
+int table_peek(table *t);
 
 void table_close(table *t);
 

@@ -180,14 +180,16 @@ in=$work/plain.csv
 run watch - --plan per-group:6
 in=/dev/null
 cp "$work/stdout" "$work/watched"
-check "watch: asks for the first position" test "$(head -n 1 "$work/watched")" = \
+check "watch: says what it takes the stream for" test "$(head -n 1 "$work/watched")" = \
+    'standard input: CSV with commas, header in line 1; t (s), x y z'
+check "watch: asks for the first position" test "$(sed -n 2p "$work/watched")" = \
     'next: +y up, tilt 30 deg, +z rises'
 check "watch: takes 18" test "$(grep -c '^position .* taken' "$work/watched")" -eq 18
 check "watch: knows that the program is complete" matches "$work/watched" '^finished'
 check "watch: no control characters where there is no terminal" lacks "$work/watched" "$(printf '\r')"
 check "watch: sigma shrinks" awk '/taken; offsets/ { sigma = $6; if (!first) first = sigma } END { exit !(sigma < first) }' "$work/watched"
 run calibrate "$work/plain.csv"
-tail -n +2 "$work/stdout" | sed 's/^[^:]*: //' > "$work/figures"
+sed -n '/ 18 positions, field/,$p' "$work/stdout" | sed 's/^[^:]*: //' > "$work/figures"
 sed -n '/ 18 positions, field/,$p' "$work/watched" | sed 's/^[^:]*: //' > "$work/live"
 check "watch: at the end the same figures as calibrate" same "$work/figures" "$work/live"
 in=$work/plain.csv

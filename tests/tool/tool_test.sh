@@ -157,9 +157,9 @@ check "the table has the nominal column's name" matches "$work/demo" 'calibrated
 check "the table says where the nominal comes from" matches "$work/demo" \
     '^factory: zero and scale given'
 check "the table has offsets, nominal and difference" matches "$work/demo" \
-    '^offset x +33123\.83 \+ 0\.25 +33123\.00 +\+0\.83  input units$'
+    '^offset x +33123\.83 \+ 0\.25 +33123\.00 +\+0\.83  counts$'
 check "the table has scales as data sheets state them" matches "$work/demo" \
-    '^scale x +414\.437 \+ 0\.026 +415\.000 +-0\.563  input units per m/s2$'
+    '^scale x +414\.437 \+ 0\.026 +415\.000 +-0\.563  counts per m/s2$'
 check "the table has scale errors" matches "$work/demo" '^scale error y +-0\.2176 \+ 0\.0034 +%$'
 check "the table has angles" matches "$work/demo" '^angle zy +1\.2215 \+ 0\.0068 .*degrees'
 check "the table has the residuals" matches "$work/demo" \
@@ -411,7 +411,7 @@ printf 'x,y,z' > "$work/bad.csv"; bad_file "nothing but a header without end" 'h
 { echo a,b,c; cat "$good"; } > "$work/bad.csv"
 bad_file "a header of unknown names" 'bad\.csv:1: the header names no columns x, y, z'
 { echo x,y,z,y; sed 's/$/,1/' "$good"; } > "$work/bad.csv"
-bad_file "a header with a name twice" "bad\.csv:1: x, y and z are there twice \('x' and 'x'\)"
+bad_file "a header with a name twice" "bad\.csv:1: x, y and z are there twice \('y' and 'y'\)"
 { echo x,y,z,n,N; sed 's/$/,1,1/' "$good"; } > "$work/bad.csv"
 bad_file "a header with n twice" "bad\.csv:1: more than one column could be 'n'"
 { echo x,y,3; cat "$good"; } > "$work/bad.csv"
@@ -433,7 +433,7 @@ head -c 4096 /dev/urandom > "$work/bad.csv"; bad_file "random bytes" 'bad\.csv'
 { printf '\0\0\0'; head -c 4096 /dev/urandom; } > "$work/bad.csv"
 bad_file "binary data" 'bad\.csv:1: byte 1 of the line has the value 0: this is not a text file'
 printf '\377\376x\0,\0y\0,\0z\0\n\0' > "$work/bad.csv"
-bad_file "a text in UTF-16" 'byte 4 of the line has the value 0: this is not a text file'
+bad_file "a text in UTF-16" 'bad\.csv: this is UTF-16 text: save it as UTF-8'
 sed 's/$/,1/' "$good" > "$work/bad.csv"
 refuses_file "calibrate: four columns without names" 3 \
     'bad\.csv:1: 4 columns, .* or a header that names them' "$work/bad.csv"
