@@ -28,7 +28,7 @@ Q := $(if $(V),,@)
 .DEFAULT_GOAL := all
 .DELETE_ON_ERROR:
 .SECONDARY:
-.PHONY: help all install uninstall demo test check targets firmware size bench schema man \
+.PHONY: help all install uninstall demo test check targets firmware size bench schema pages man \
     reference format deps clean
 
 help: ## this list
@@ -146,6 +146,12 @@ schema: $(BUILD)/invcal ## what the tool prints as JSON, against port/host/schem
 	$(call need,python3)
 	$(Q)sh tests/tool/schema.sh $(BUILD)/invcal $(BUILD)/tool
 
+pages: $(BUILD)/invcal ## the reports in a browser: phone, desktop, paper; light and dark (SELF=1: the gate too)
+	$(call need,chromium)
+	$(Q)sh tests/pages/set.sh $(BUILD)/invcal $(BUILD)/pages/of > $(BUILD)/pages.list
+	$(Q)$(if $(SELF),sh tests/pages.sh --self-test $(BUILD) &&) tr '\n' '\0' < $(BUILD)/pages.list | \
+	    xargs -0 sh tests/pages.sh $(BUILD)
+
 man: $(BUILD)/invcal.1 ## the manual, as man and mandoc check it
 	$(call need,man)
 	$(call need,mandoc)
@@ -166,6 +172,7 @@ deps: ## install what all of these need beyond a C compiler (Debian, root)
 	apt-get update
 	apt-get install -y --no-install-recommends gcc git clang-19 libclang-rt-19-dev \
 	    clang-format-19 python3 python3-jsonschema shellcheck man-db groff mandoc bash \
+	    chromium fonts-dejavu-core poppler-utils \
 	    gcc-arm-none-eabi libnewlib-arm-none-eabi qemu-system-arm gcc-avr avr-libc simavr \
 	    gcc-riscv64-unknown-elf picolibc-riscv64-unknown-elf qemu-system-misc \
 	    gcc-powerpc-linux-gnu libc6-dev-powerpc-cross qemu-user

@@ -28,6 +28,7 @@ A4 = (794, 1123)  # CSS pixels
 MARGIN = 38       # 1 cm, where the page states none
 # Width, height, scale of the device, least font; CSS pixels, of which 8 are 6 pt.
 VIEWS = {"phone": (360, 740, 2, 7.5), "desktop": (1280, 900, 1, 9), "print": (None, None, 1, 8)}
+PICTURE_FONT = 6  # a picture alone shrinks to the phone, and can be enlarged
 STRIP = 6000      # highest screenshot, CSS pixels
 # Least CIEDE2000 difference of two data colours that nothing else tells apart. The palette of Okabe
 # and Ito, made for all eyes, has 10.9 between orange and purple for tritanopia.
@@ -169,6 +170,8 @@ class Gate:
 
     def rendering(self, path, view, scheme, margins):
         width, height, scale, font = VIEWS[view]
+        if path.suffix == ".svg":
+            font = min(font, PICTURE_FONT)
         if view == "print":
             width = int(A4[0] - margins[0] - margins[2])
             height = int(A4[1] - margins[1] - margins[3])

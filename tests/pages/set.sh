@@ -1,0 +1,48 @@
+#!/bin/sh
+# SPDX-License-Identifier: MIT
+#
+# Makes the pages and pictures that are looked at: set.sh path/to/invcal folder. Prints their names.
+tool=$1
+out=$2
+here=$(dirname "$0")
+data=$here/../data
+mkdir -p "$out" || exit 2
+set -e
+
+calibrate() { # calibrate PAGE ARGUMENTS ...
+    page=$out/$1.html
+    shift
+    "$tool" calibrate --quiet --report "$page" "$@"
+    echo "$page"
+}
+
+# Real sensors: one with its maker's figures, one as positions came, one that is weak.
+calibrate xsens "$data/xsens_mti_positions.csv" --positions --gravity 9.81744 \
+    --zero 33123,33276,32360 --lsb 0.002409639,0.002421308,0.002409639 --nominal-name factory \
+    --tolerance 0.02,0.005,0.02
+calibrate mpu9150 "$data/mpu9150_0_positions.csv" --positions --gravity 9.81 --unit m/s2
+calibrate t265 "$data/t265_positions.csv" --positions --gravity 9.8016 --unit m/s2
+
+# A log with two wrong positions and a temperature, and what the sensor may be wrong by.
+"$tool" simulate --plan edges --outliers 2 --temperature 20,30 --tremor 0.003 > "$out/outliers.csv"
+calibrate outliers "$out/outliers.csv" --zero 0,0,0 --lsb 0.000598550415 --noise 0.01 \
+    --prior 0.05,0.02,0.02 --tolerance 0.05,0.03,0.02
+
+# As many positions as parameters; 2000; another field; a name to trip over.
+"$tool" simulate --plan optimal:9 > "$out/nine.csv"
+calibrate nine "$out/nine.csv"
+awk -v family=sphere -v count=2000 -v seed=7 -f "$here/../tool/positions.awk" > "$out/many.csv"
+calibrate many "$out/many.csv" --positions
+awk -F, 'NR > 1 { print $1 / 300, $2 / 300, $3 / 300 }' "$data/xsens_mti_positions.csv" > "$out/mag.txt"
+calibrate magnetometer "$out/mag.txt" --positions --gravity 48.5
+odd="$out/<b onclick=x>&\"' a-very-long-name-without-any-place-to-break-it-in-two-lines-of-a-phone.csv"
+cp "$out/nine.csv" "$odd"
+calibrate hostile "$odd" --nominal-name '<i>&"'
+
+for set in per-group:6 optimal:48; do
+    picture=$out/directions-$(echo "$set" | tr : -).svg
+    "$tool" plan "--${set%:*}" "${set#*:}" --svg "$picture" > /dev/null
+    echo "$picture"
+done
+"$tool" plan --sweep 5:16 --svg "$out/sweep.svg" > /dev/null
+echo "$out/sweep.svg"
