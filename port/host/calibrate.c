@@ -483,17 +483,24 @@ int calibrate_knows_noise(const calibrate_result *result)
     return result->settings.noise > 0 || result->quality.noise < 1;
 }
 
-static const char *nominal_name(const request *r)
+static calibrate_wish wish_of(const request *r)
 {
-    return r->value[NOMINAL_NAME] ? r->value[NOMINAL_NAME] : "nominal";
+    return (calibrate_wish){
+        .nominal_name = r->value[NOMINAL_NAME] ? r->value[NOMINAL_NAME] : "nominal",
+        .saved = r->value[OUT],
+        .report = r->value[REPORT],
+        .command = r->command,
+    };
 }
 
 static int print(const request *r, const calibrate_result *result)
 {
+    const calibrate_wish wish = wish_of(r);
+
     if (r->value[JSON]) {
         calibrate_json(stdout, result);
     } else if (!r->value[QUIET]) {
-        calibrate_print(stdout, result, nominal_name(r), r->value[OUT]);
+        calibrate_print(stdout, result, &wish);
     }
     return output_flush();
 }
@@ -521,11 +528,7 @@ static int write_calibration(FILE *file, const request *r, const calibrate_resul
 
 static int write_report(FILE *file, const request *r, const calibrate_result *result)
 {
-    const report_wish wish = {
-        .nominal_name = nominal_name(r),
-        .saved = r->value[OUT],
-        .command = r->command,
-    };
+    const calibrate_wish wish = wish_of(r);
 
     return report_write(file, result, &wish);
 }

@@ -37,13 +37,17 @@ const char *calibrate_input_unit(const calibrate_result *result);
 /* One JSON object. */
 void calibrate_json(FILE *file, const calibrate_result *result);
 
-/* A table for people, 100 columns wide at most.
- *
- * nominal_name  heading of the nominal column, at most CALIBRATE_NAME_MAX bytes.
- * saved         the file that the calibration goes to, or null. */
+/* What the user asked for that is not in the result. */
 #define CALIBRATE_NAME_MAX 14u
-void calibrate_print(FILE *file, const calibrate_result *result, const char *nominal_name,
-                     const char *saved);
+typedef struct {
+    const char *nominal_name; /* what the nominal is called, at most CALIBRATE_NAME_MAX bytes */
+    const char *saved;        /* the file that the calibration goes to, or null */
+    const char *report;       /* that of the report, or null */
+    const char *command;      /* the command line */
+} calibrate_wish;
+
+/* A table for people, 100 columns wide at most. */
+void calibrate_print(FILE *file, const calibrate_result *result, const calibrate_wish *wish);
 
 /* Says why there is no calibration: one line on stderr, and, if `json`, an object on stdout.
  *

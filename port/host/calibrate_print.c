@@ -104,13 +104,13 @@ static void print_errors(FILE *file, const calibrate_result *r, int known)
     }
 }
 
-/* A residual, which is over the field, in a unit that one can picture; `width` is its number's. */
-static const char *residual_text(double residual, double field, int width, char text[TEXT_MAX])
+/* A residual, which is over the field, in a unit that one can picture. */
+static const char *residual_text(double residual, double field, char text[TEXT_MAX])
 {
     if (unit_is_gravity(field)) {
-        snprintf(text, TEXT_MAX, "%*.4f mg", width, 1e3 * residual);
+        snprintf(text, TEXT_MAX, "%14.4f mg", 1e3 * residual);
     } else {
-        snprintf(text, TEXT_MAX, "%*.5f %% of the field", width, 1e2 * residual);
+        snprintf(text, TEXT_MAX, "%14.5f %% of the field", 1e2 * residual);
     }
     return text;
 }
@@ -121,12 +121,12 @@ static void print_residuals(FILE *file, const calibrate_result *r, const char *n
     const double field = r->settings.field;
     char text[TEXT_MAX];
 
-    fprintf(file, "residual rms  %s\n", residual_text(q->residual_rms, field, 14, text));
+    fprintf(file, "residual rms  %s\n", residual_text(q->residual_rms, field, text));
     fprintf(file, "         max  %s, at position %u (line %lu)\n",
-            residual_text(q->residual_max, field, 14, text), q->worst + 1,
+            residual_text(q->residual_max, field, text), q->worst + 1,
             r->data->origin[q->worst].line);
-    fprintf(file, "  rms before  %s (%s alone)\n",
-            residual_text(r->residual_before, field, 14, text), nominal_name);
+    fprintf(file, "  rms before  %s (%s alone)\n", residual_text(r->residual_before, field, text),
+            nominal_name);
     if (calibrate_knows_noise(r)) {
         fprintf(file, "noise         %14.3g %s of one position mean, %.3g degrees of freedom",
                 q->noise * field, calibrate_field_unit(r), q->dof);
@@ -199,13 +199,17 @@ static void print_verdict(FILE *file, const calibrate_result *result)
     }
 }
 
-static void print_next(FILE *file, const invcal_quality *q, const char *saved)
+static void print_next(FILE *file, const invcal_quality *q, const calibrate_wish *wish)
 {
+    const char *saved = wish->saved;
     char advice[128];
     char text[TEXT_MAX];
 
     if (saved) {
         fprintf(file, "Saved in %s.\n", saved);
+    }
+    if (wish->report) {
+        fprintf(file, "Report in %s.\n", wish->report);
     }
     switch (q->verdict) {
     case INVCAL_GOOD:
@@ -264,13 +268,15 @@ static void print_log(FILE *file, const calibrate_result *result)
 static void print_rejected(FILE *file, const calibrate_result *result)
 {
     const rejection *r = &result->rejected;
-    char text[TEXT_MAX];
+    const int is_gravity = unit_is_gravity(result->settings.field);
+    char text[FIGURE_MAX];
 
     for (unsigned i = 0; i < r->count; i++) {
-        fprintf(file, "%sLeft out:%s position %u (line %lu), wrong by %s\n",
+        fprintf(file, "%sLeft out:%s position %u (line %lu), wrong by %s %s\n",
                 paint_on(file, PAINT_RED), paint_off(file), r->list[i].position + 1,
                 result->data->origin[r->list[i].position].line,
-                residual_text(r->list[i].error, result->settings.field, 0, text));
+                figure_digits((is_gravity ? 1e3 : 1e2) * r->list[i].error, 3, text),
+                is_gravity ? "mg" : "% of the field");
     }
     if (r->suspected > 0) {
         fprintf(file, "Something is wrong among %u more positions, but not to be told which.\n",
@@ -278,8 +284,7 @@ static void print_rejected(FILE *file, const calibrate_result *result)
     }
 }
 
-void calibrate_print(FILE *file, const calibrate_result *result, const char *nominal_name,
-                     const char *saved)
+void calibrate_print(FILE *file, const calibrate_result *result, const calibrate_wish *wish)
 {
     const int known = calibrate_knows_noise(result);
     const nominal_choice *n = &result->nominal;
@@ -291,19 +296,21 @@ void calibrate_print(FILE *file, const calibrate_result *result, const char *nom
             number_text(result->settings.field, field), calibrate_field_unit(result));
     print_rejected(file, result);
     if (n->zero == n->lsb) {
-        fprintf(file, "%s: zero and scale %s\n\n", nominal_name, nominal_origin_text(n->zero));
+        fprintf(file, "%s: zero and scale %s\n\n", wish->nominal_name,
+                nominal_origin_text(n->zero));
     } else {
-        fprintf(file, "%s: zero %s, scale %s\n\n", nominal_name, nominal_origin_text(n->zero),
+        fprintf(file, "%s: zero %s, scale %s\n\n", wish->nominal_name, nominal_origin_text(n->zero),
                 nominal_origin_text(n->lsb));
     }
     fprintf(file, "%s%-14s%14s ± %-10s%*s%14s%s\n", paint_on(file, PAINT_BOLD), "", "calibrated",
-            "sigma", paint_width(nominal_name, 14), nominal_name, "difference", paint_off(file));
+            "sigma", paint_width(wish->nominal_name, 14), wish->nominal_name, "difference",
+            paint_off(file));
     print_offsets(file, result, known);
     print_scales(file, result, known);
     print_errors(file, result, known);
     fprintf(file, "\n");
-    print_residuals(file, result, nominal_name);
+    print_residuals(file, result, wish->nominal_name);
     fprintf(file, "\n");
     print_verdict(file, result);
-    print_next(file, &result->quality, saved);
+    print_next(file, &result->quality, wish);
 }

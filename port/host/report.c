@@ -187,7 +187,7 @@ static const char *file_name(const char *path)
     return slash && slash[1] != '\0' ? slash + 1 : path;
 }
 
-int report_write(FILE *file, const calibrate_result *result, const report_wish *wish)
+int report_write(FILE *file, const calibrate_result *result, const calibrate_wish *wish)
 {
     report_facts f;
     page p;

@@ -101,7 +101,7 @@ static void set_marks(report_facts *f)
     f->mark[f->count].kind = SPHERE_NEXT;
 }
 
-int report_facts_find(report_facts *f, const calibrate_result *result, const report_wish *wish)
+int report_facts_find(report_facts *f, const calibrate_result *result, const calibrate_wish *wish)
 {
     const double field = result->settings.field;
 

@@ -24,7 +24,7 @@ typedef struct {
 
 typedef struct {
     const calibrate_result *result;
-    const report_wish *wish;
+    const calibrate_wish *wish;
     int is_gravity;     /* the field is that of gravity, in m/s^2 */
     const char *unit;   /* of a thousandth of the field */
     const char *length; /* symbol of the length of a reading */
@@ -44,7 +44,7 @@ typedef struct {
 } report_facts;
 
 /* EXIT_GOOD; EXIT_FILE, with a message, without memory. To be released in either case. */
-int report_facts_find(report_facts *f, const calibrate_result *result, const report_wish *wish);
+int report_facts_find(report_facts *f, const calibrate_result *result, const calibrate_wish *wish);
 void report_facts_release(report_facts *f);
 
 /* Standard deviation of the calibrated length in a direction, thousandths of the field, or in
