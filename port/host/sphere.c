@@ -318,17 +318,36 @@ static void draw_axis_names(FILE *file, unsigned half)
     }
 }
 
-static void draw_label(FILE *file, const sphere_spot *s)
+/* A label that is far off is tied to its spot. */
+static void draw_tie(FILE *file, const sphere_spot *s)
 {
     const sphere_box *b = &s->place;
     const double x = b->x + fmax(-b->w, fmin(b->w, s->x - b->x)); /* of its edge, the nearest */
     const double y = b->y + fmax(-b->h, fmin(b->h, s->y - b->y));
-    const double end = s->anchor == SVG_START ? -b->w : s->anchor == SVG_END ? b->w : 0;
 
-    if (hypot(x - s->x, y - s->y) > s->radius + 7) { /* far off: tie it to its spot */
+    if (hypot(x - s->x, y - s->y) > s->radius + 7) {
         svg_line(file, "rule", s->x, s->y, x, y);
     }
+}
+
+static void draw_label(FILE *file, const sphere_spot *s)
+{
+    const sphere_box *b = &s->place;
+    const double end = s->anchor == SVG_START ? -b->w : s->anchor == SVG_END ? b->w : 0;
+
     svg_text(file, "ink small halo", s->anchor, b->x + end, b->y + 4.3, s->label);
+}
+
+/* Ties first: no label lies below one. */
+static void draw_labels(FILE *file, const sphere *s, unsigned half)
+{
+    for (unsigned way = 0; way < 2; way++) {
+        for (unsigned i = 0; i < s->spots; i++) {
+            if (s->spot[i].half == half && s->spot[i].is_labelled) {
+                (way == 0 ? draw_tie : draw_label)(file, &s->spot[i]);
+            }
+        }
+    }
 }
 
 /* Colour and shape of each kind. */
@@ -401,11 +420,7 @@ void sphere_draw(FILE *file, const sphere *s, unsigned half)
         draw_shading(file, s, half);
     }
     draw_graticule(file);
-    for (unsigned i = 0; i < s->spots; i++) {
-        if (s->spot[i].half == half && s->spot[i].is_labelled) {
-            draw_label(file, &s->spot[i]);
-        }
-    }
+    draw_labels(file, s, half);
     draw_marks(file, s, half);
     draw_axis_names(file, half);
     svg_text(file, "soft small", SVG_MIDDLE, CENTRE_X, CAPTION_Y,
