@@ -2,12 +2,14 @@
 #define _POSIX_C_SOURCE 200809L
 #include "live.h"
 
+#include <fcntl.h>
 #include <math.h>
 #include <signal.h>
 #include <string.h>
 #include <unistd.h>
 
 #include "command.h"
+#include "input.h"
 #include "invcal/session.h"
 #include "message.h"
 #include "nominal.h"
@@ -335,16 +337,26 @@ static int watch(stage *s)
     return more < 0 ? EXIT_FILE : failure;
 }
 
+/* The stream, and an empty file that takes its place when somebody interrupts. */
+static volatile sig_atomic_t stream_file;
+static volatile sig_atomic_t empty_file;
+
+/* A read that waits is interrupted and ends the stream, see table.c; the next one finds the end. */
 static void stop(int signal_number)
 {
-    (void)signal_number; /* the read that it interrupts ends the stream, see table.c */
+    (void)signal_number;
+    if (empty_file >= 0 && stream_file >= 0) {
+        (void)dup2(empty_file, stream_file);
+    }
 }
 
 /* A serial port has no end: whoever presses Ctrl-C wants the result. */
-static void catch_interrupts(void)
+static void catch_interrupts(const char *path)
 {
     struct sigaction action = {.sa_handler = stop};
 
+    stream_file = input_is_stdin(path) ? STDIN_FILENO : -1;
+    empty_file = open("/dev/null", O_RDONLY);
     sigemptyset(&action.sa_mask);
     action.sa_flags = (int)SA_RESETHAND; /* a second one ends everything */
     (void)sigaction(SIGINT, &action, NULL);
@@ -358,8 +370,9 @@ int live_read(positions *p, const char *path, const live_wish *wish, rests_summa
     if (s.is_terminal) {
         fprintf(wish->talk, "waiting for samples\n");
     }
-    catch_interrupts();
+    catch_interrupts(path);
     int failure = samples_open(&live_log, path, wish->rate, 1);
+    stream_file = live_log.table.file ? fileno(live_log.table.file) : -1;
 
     *p = (positions){.name = live_log.table.name, .has_noise = 1, .seen = live_log.where.seen};
     *summary = (rests_summary){.rate = live_log.rate,
@@ -368,6 +381,7 @@ int live_read(positions *p, const char *path, const live_wish *wish, rests_summa
     failure = failure ? failure : begin(wish);
     s.lsb = guess_lsb(wish, (const double[3]){0, 0, 0});
     failure = failure ? failure : watch(&s);
+    stream_file = -1;
     samples_close(&live_log);
     rests_end(p, &live_log, summary);
     return failure;

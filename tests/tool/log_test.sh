@@ -220,6 +220,22 @@ code=$?
 exec 3>&-
 check "watch: an interrupt ends the stream, with the result" test "$code" -eq 0
 check "watch: it is that of the samples that have come" test "$(field positions)" -ge 14
+# Whenever it comes: while the tool waits, or while it is at work.
+ends_on_interrupt() {
+    for pause in 0 0 0 0 0.01 0.02 0.03 0.05; do
+        timeout -s KILL 30 "$tool" watch - --json < "$work/port" > "$work/stdout" 2> "$work/stderr" &
+        watcher=$!
+        exec 3> "$work/port"
+        head -n 9000 "$work/plain.csv" >&3
+        sleep "$pause"
+        kill -TERM $watcher
+        wait $watcher
+        code=$?
+        exec 3>&-
+        [ "$code" -le 1 ] || return 1
+    done
+}
+check "watch: an interrupt ends the stream at any moment" ends_on_interrupt
 refuses "watch: a set that is no program" 2 'plan: is per-group' watch - --plan edges
 refuses "watch: position means" 2 'positions: is for' watch - --positions
 refuses "watch: a negative target" 2 'target: is not negative' watch - --target=-1,0,0
