@@ -223,7 +223,7 @@ check "watch: it is that of the samples that have come" test "$(field positions)
 # Whenever it comes: while the tool waits, or while it is at work.
 ends_on_interrupt() {
     for pause in 0 0 0 0 0.01 0.02 0.03 0.05; do
-        timeout -s KILL 30 "$tool" watch - --json < "$work/port" > "$work/stdout" 2> "$work/stderr" &
+        timeout --foreground -s KILL 30 "$tool" watch - --json < "$work/port" > "$work/stdout" 2> "$work/stderr" &
         watcher=$!
         exec 3> "$work/port"
         head -n 9000 "$work/plain.csv" >&3
