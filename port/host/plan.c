@@ -57,7 +57,6 @@ static const char *const operands[] = {"A", "B"};
 static const option_syntax syntax = {"plan", options, OPTIONS, operands, 2, 2};
 
 #define WORD_MAX 4200u
-#define WEAK 10.0
 #define ROWS_MAX (INVCAL_PLAN_PER_GROUP_MAX - INVCAL_PLAN_PER_GROUP_MIN + 1)
 
 /* What the command line asks for. */
@@ -105,7 +104,7 @@ static int read_cost(request *r)
 }
 
 /* Limits in units of the noise of a position mean, or, if that is told, of the field. A sigma
- * above WEAK is too weak for invcal calibrate, whatever the limit allows. */
+ * above PLAN_WEAK is too weak for invcal calibrate, whatever the limit allows. */
 static int read_limits(request *r)
 {
     const double unit = r->choice.cost.noise > 0 ? design_noise(&r->choice.cost) : 1;
@@ -119,7 +118,7 @@ static int read_limits(request *r)
         if (!(r->limits[i] >= 1e-6 && r->limits[i] <= 1e6)) {
             return usage(LIMITS, "must be within 1e-6 ... 1e6 times the noise of a position mean");
         }
-        r->limits[i] = fmin(r->limits[i], WEAK);
+        r->limits[i] = fmin(r->limits[i], PLAN_WEAK);
     }
     r->choice.limits = r->limits;
     return failure;

@@ -9,6 +9,10 @@
 
 #include "choice.h"
 
+/* A sigma of more than so many times the noise of a position mean is too weak for invcal
+ * calibrate. */
+#define PLAN_WEAK 10.0
+
 /* One of the paper's programs in a sweep over N. */
 typedef struct {
     unsigned per_group;
