@@ -44,4 +44,7 @@ void plan_json_refusal(FILE *file, const char *reason, uint16_t undetermined);
 void plan_svg_sweep(FILE *file, const plan_row *rows, unsigned count);
 void plan_svg_directions(FILE *file, const design *d);
 
+/* The former as a part of a page. */
+void plan_svg_sweep_inline(FILE *file, const plan_row *rows, unsigned count, double width);
+
 #endif
