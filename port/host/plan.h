@@ -39,12 +39,23 @@ void plan_json_comparison(FILE *file, const design *a, const design *b,
 /* A refusal without a set. */
 void plan_json_refusal(FILE *file, const char *reason, uint16_t undetermined);
 
-/* Pictures, as a whole SVG document: the paper's Fig. 2, sigma against the number of positions;
- * and the directions of a set on the two halves of the sphere. */
-void plan_svg_sweep(FILE *file, const plan_row *rows, unsigned count);
+/* Pictures, as a whole SVG document: the directions of a set on the two halves of the sphere; the
+ * paper's Fig. 2, sigma against the number of positions; the ratios of two sets. */
 void plan_svg_directions(FILE *file, const design *d);
+void plan_svg_sweep(FILE *file, const plan_row *rows, unsigned count);
+void plan_svg_comparison(FILE *file, const design *a, const design *b,
+                         const choice_request *request);
 
-/* The former as a part of a page. */
+/* The latter two as a part of a page. */
 void plan_svg_sweep_inline(FILE *file, const plan_row *rows, unsigned count, double width);
+void plan_svg_comparison_inline(FILE *file, const design *a, const design *b,
+                                const choice_request *request, double width);
+
+/* Pages (page.h). `command` is the command line. */
+void plan_report(FILE *file, const design *d, const choice_request *request, const choice *c,
+                 const char *command);
+void plan_report_sweep(FILE *file, const plan_row *rows, unsigned count, const char *command);
+void plan_report_comparison(FILE *file, const design *a, const design *b,
+                            const choice_request *request, const char *command);
 
 #endif
