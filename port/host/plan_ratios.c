@@ -26,25 +26,27 @@ static double mean_sigma(const design *d)
     return exp(-d->criteria.log_det / (2.0 * INVCAL_PARAMETERS));
 }
 
-static void write_number(char text[PLAN_WORDS_MAX], double x, const char *unit)
+static void write_number(char text[PLAN_WORDS_MAX], double x)
 {
     char number[FIGURE_MAX];
 
-    snprintf(text, PLAN_WORDS_MAX, "%s%s", figure_digits(x, 3, number), unit);
+    snprintf(text, PLAN_WORDS_MAX, "%s", figure_digits(x, 3, number));
 }
 
 void plan_ratios(const design *a, const design *b, const choice_request *request,
                  plan_ratio ratio[PLAN_RATIOS])
 {
     static const char *const names[PLAN_RATIOS] = {
-        "positions",   "time",   "σ of offsets", "σ of scale errors",
-        "σ of angles", "mean σ", "condition",
+        "positions",       "time",      "σ of offsets", "σ of scale errors", "σ of angles",
+        "mean σ, × noise", "condition",
     };
     const double time[2] = {design_seconds(a->count, &request->cost),
                             design_seconds(b->count, &request->cost)};
 
     for (unsigned i = 0; i < PLAN_RATIOS; i++) {
-        ratio[i].name = names[i];
+        const int is_sigma = i >= PLAN_RATIO_SIGMA && i < PLAN_RATIO_MEAN;
+        snprintf(ratio[i].name, PLAN_WORDS_MAX, "%s%s", names[i],
+                 is_sigma ? PLAN_TIMES(noise_of(request)) : "");
     }
     snprintf(ratio[PLAN_RATIO_POSITIONS].a, PLAN_WORDS_MAX, "%u", a->count);
     snprintf(ratio[PLAN_RATIO_POSITIONS].b, PLAN_WORDS_MAX, "%u", b->count);
@@ -58,10 +60,10 @@ void plan_ratios(const design *a, const design *b, const choice_request *request
         ratio[PLAN_RATIO_SIGMA + k].ratio =
             plan_sigma(&b->criteria, k) / plan_sigma(&a->criteria, k);
     }
-    write_number(ratio[PLAN_RATIO_MEAN].a, mean_sigma(a), " × noise");
-    write_number(ratio[PLAN_RATIO_MEAN].b, mean_sigma(b), " × noise");
+    write_number(ratio[PLAN_RATIO_MEAN].a, mean_sigma(a));
+    write_number(ratio[PLAN_RATIO_MEAN].b, mean_sigma(b));
     ratio[PLAN_RATIO_MEAN].ratio = mean_sigma(b) / mean_sigma(a);
-    write_number(ratio[PLAN_RATIO_CONDITION].a, a->criteria.condition, "");
-    write_number(ratio[PLAN_RATIO_CONDITION].b, b->criteria.condition, "");
+    write_number(ratio[PLAN_RATIO_CONDITION].a, a->criteria.condition);
+    write_number(ratio[PLAN_RATIO_CONDITION].b, b->criteria.condition);
     ratio[PLAN_RATIO_CONDITION].ratio = b->criteria.condition / a->criteria.condition;
 }

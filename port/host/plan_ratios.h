@@ -17,7 +17,7 @@ enum {
 };
 
 typedef struct {
-    const char *name;
+    char name[PLAN_WORDS_MAX];
     char a[PLAN_WORDS_MAX]; /* in words, with the unit */
     char b[PLAN_WORDS_MAX];
     double ratio; /* of b to a */

@@ -110,13 +110,13 @@ static void say_good(page *p, const plan_facts *f)
     char missing[TEXT_MAX];
 
     snprintf(sentence, sizeof sentence,
-             "%u positions determine all nine parameters: %s (one standard deviation%s). %u to "
+             "%u positions determine all nine parameters: %s%s (one standard deviation). %u to "
              "spare %s.%s",
              d->count, sigmas_text(f, sigmas),
-             f->noise > 0 ? "" : ", times the noise of a position mean",
+             f->noise > 0 ? "" : " times the noise of a position mean",
              d->count - INVCAL_PARAMETERS,
              d->count < NAMED_FROM ? "checks the result, but cannot tell a wrong position"
-                                   : "check the result, and find a wrong position",
+                                   : "check the result and find a wrong position",
              missing_text(d, missing));
     snprintf(next, sizeof next,
              "%s as the work sheet says%s, log all the while, then: invcal "
@@ -153,7 +153,7 @@ static void write_figures(page *p, const plan_facts *f)
     page_figure(p, text, "positions");
     page_figure(p, plan_time_text(design_seconds(f->set->count, &f->request->cost), text), "time");
     for (unsigned k = 0; k < PLAN_KINDS; k++) {
-        snprintf(what, sizeof what, "σ of %s", plan_kinds[k].name);
+        snprintf(what, sizeof what, "σ of %s%s", plan_kinds[k].name, PLAN_TIMES(f->noise));
         page_figure(p, plan_sigma_text(k, plan_sigma(&f->set->criteria, k), f->noise, text), what);
     }
     page_figures_end(p);
@@ -182,8 +182,9 @@ static void write_choice(page *p, const plan_facts *f)
 {
     static const char *const heading[] = {"set",          "positions", "time",           "offsets",
                                           "scale errors", "angles",    "worst σ / limit"};
-    const page_table sheet = {"The best set of each family.", heading, f->request->limits ? 7 : 6,
-                              0};
+    const page_table sheet = {f->noise > 0 ? "The best set of each family; σ."
+                                           : "The best set of each family; σ, × noise.",
+                              heading, f->request->limits ? 7 : 6, 0};
 
     page_section(p, "Why this set");
     page_say(p, "%s: %s.",

@@ -28,17 +28,17 @@ static int is_more(double ratio)
     return ratio > 1 + EQUAL;
 }
 
-/* "needs 0.75 of the time of A" */
+/* "B needs 0.7447 of the time of A, with 18 positions in place of 24" */
 static void time_text(const comparison *c, char text[TEXT_MAX])
 {
     const double ratio = c->ratio[PLAN_RATIO_TIME].ratio;
     char number[FIGURE_MAX];
 
     figure_digits(ratio, 4, number);
-    if (is_less(ratio)) {
-        snprintf(text, TEXT_MAX, "B needs %s of the time of A", number);
-    } else if (is_more(ratio)) {
-        snprintf(text, TEXT_MAX, "B needs %s times the time of A", number);
+    if (is_less(ratio) || is_more(ratio)) {
+        snprintf(text, TEXT_MAX, "B needs %s%s the time of A, with %u positions in place of %u",
+                 number, is_less(ratio) ? " of" : " times", c->of[1].set->count,
+                 c->of[0].set->count);
     } else {
         snprintf(text, TEXT_MAX, "A and B take the same time");
     }
@@ -163,10 +163,11 @@ static void write_coverage(page *p, const page_table *sheet, const comparison *c
     }
     write_pair(p, sheet, "never along gravity", text[0], text[1], "");
     for (unsigned i = 0; i < 3; i++) {
-        const char name[] = {'r', 'a', 'n', 'g', 'e', ' ', (char)('x' + i), '\0'};
+        char name[PLAN_WORDS_MAX];
+        snprintf(name, sizeof name, "range of %c, g", "xyz"[i]);
         for (unsigned k = 0; k < 2; k++) {
             const double *range = c->of[k].set->range[i];
-            snprintf(text[k], PLAN_WORDS_MAX, "%+.2f ... %+.2f g", range[0], range[1]);
+            snprintf(text[k], PLAN_WORDS_MAX, "%+.2f ... %+.2f", range[0], range[1]);
         }
         write_pair(p, sheet, name, text[0], text[1], "");
     }

@@ -75,78 +75,87 @@ static void free_turn(const double from[3], const double to[3], char text[PLAN_W
     snprintf(text, PLAN_WORDS_MAX, "%.0f°", FIGURE_DEGREES * atan2(sine, cosine));
 }
 
-/* What the stand shows: group, alpha, beta. */
-static unsigned stand_cells(const design_position *at, char (*text)[PLAN_WORDS_MAX])
+/* alpha, beta, turn, up in words, group. */
+static void stand_cells(const design *d, unsigned n, char (*text)[PLAN_WORDS_MAX])
 {
-    snprintf(text[0], PLAN_WORDS_MAX, "%u", at->group);
-    plan_angle_text(at->alpha, text[1]);
-    plan_angle_text(at->beta, text[2]);
-    return 3;
+    const design_position *at = &d->position[n];
+
+    plan_angle_text(at->alpha, text[0]);
+    plan_angle_text(at->beta, text[1]);
+    snprintf(text[2], PLAN_WORDS_MAX, "start");
+    if (n > 0) {
+        stand_turn(at - 1, at, text[2]);
+    }
+    invcal_guidance_words(at->vertical, text[3]);
+    snprintf(text[4], PLAN_WORDS_MAX, "%u", at->group);
 }
 
-/* Up: x y z. */
-static unsigned free_cells(const design_position *at, char (*text)[PLAN_WORDS_MAX])
+/* Turn, up in words and as x y z. */
+static void free_cells(const design *d, unsigned n, char (*text)[PLAN_WORDS_MAX])
 {
+    const double *up = d->position[n].vertical;
+
+    snprintf(text[0], PLAN_WORDS_MAX, "start");
+    if (n > 0) {
+        free_turn(d->position[n - 1].vertical, up, text[0]);
+    }
+    invcal_guidance_words(up, text[1]);
     for (unsigned i = 0; i < 3; i++) {
         char number[FIGURE_MAX];
-        snprintf(text[i], PLAN_WORDS_MAX, "%s",
-                 figure_fixed(at->vertical[i], 3, FIGURE_SIGNED, number));
+        snprintf(text[2 + i], PLAN_WORDS_MAX, "%s", figure_fixed(up[i], 3, FIGURE_SIGNED, number));
     }
-    return 3;
 }
 
 static void write_row(page *p, const page_table *sheet, const plan_facts *f, unsigned n)
 {
     const design_cost *cost = &f->request->cost;
-    const design_position *at = &f->set->position[n];
-    const int is_stand = f->set->plan.per_group > 0;
     char text[COLUMNS][PLAN_WORDS_MAX];
     const char *cells[COLUMNS];
-    unsigned k = 0;
 
-    snprintf(text[k++], PLAN_WORDS_MAX, "%u", n + 1);
-    snprintf(text[k++], PLAN_WORDS_MAX, BOX);
+    snprintf(text[0], PLAN_WORDS_MAX, "%u", n + 1);
+    snprintf(text[1], PLAN_WORDS_MAX, BOX);
     clock_text(n * (cost->dwell + cost->move),
-               has_fraction(cost->dwell) || has_fraction(cost->move), text[k++]);
-    k += is_stand ? stand_cells(at, &text[k]) : free_cells(at, &text[k]);
-    if (n == 0) {
-        snprintf(text[k], PLAN_WORDS_MAX, "start");
-    } else if (is_stand) {
-        stand_turn(at - 1, at, text[k]);
+               has_fraction(cost->dwell) || has_fraction(cost->move), text[2]);
+    if (f->set->plan.per_group > 0) {
+        stand_cells(f->set, n, &text[3]);
     } else {
-        free_turn(at[-1].vertical, at->vertical, text[k]);
+        free_cells(f->set, n, &text[3]);
     }
-    invcal_guidance_words(at->vertical, text[k + 1]);
     for (unsigned i = 0; i < COLUMNS; i++) {
         cells[i] = text[i];
     }
     page_cells(p, sheet, cells);
 }
 
+/* For a stand with its angles, or for the hand. */
+static page_table begin_sheet(const plan_facts *f)
+{
+    static const char *const stand[COLUMNS] = {"no.",  "done", "begins",          "α, °",
+                                               "β, °", "turn", "up, in the hand", "group"};
+    static const char *const by_hand[COLUMNS] = {"no.", "done", "begins", "turn",
+                                                 "up",  "x",    "y",      "z"};
+
+    return f->set->plan.per_group > 0
+               ? (page_table){"α: outer axis of the stand, β: inner axis. Turn: from the position "
+                              "before. Begins: minutes and seconds from the first.",
+                              stand, COLUMNS, 1u << 1 | 1u << 5 | 1u << 6}
+               : (page_table){"Up: where up points, in words and in the frame of the device. Turn: "
+                              "from the position before. Begins: minutes and seconds from the "
+                              "first.",
+                              by_hand, COLUMNS, 1u << 1 | 1u << 4};
+}
+
 void plan_report_sheet(page *p, const plan_facts *f)
 {
-    static const char *const stand[COLUMNS] = {"no.",  "done", "begins", "group",
-                                               "α, °", "β, °", "turn",   "up, in the hand"};
-    static const char *const by_hand[COLUMNS] = {"no.", "done", "begins", "x",
-                                                 "y",   "z",    "turn",   "up, in the hand"};
-    const int is_stand = f->set->plan.per_group > 0;
-    char caption[4 * PLAN_WORDS_MAX];
-    char summary[PLAN_WORDS_MAX];
-    char dwell[PLAN_WORDS_MAX];
-    const page_table sheet = {caption, is_stand ? stand : by_hand, COLUMNS,
-                              1u << 1 | 1u << 6 | 1u << 7};
+    char text[PLAN_WORDS_MAX];
+    const page_table sheet = begin_sheet(f);
 
-    snprintf(caption, sizeof caption,
-             "Hold still for %s from the time at which a position begins (minutes and seconds "
-             "from the first). %s Turn: %s.",
-             plan_time_text(f->request->cost.dwell, dwell),
-             is_stand ? "α: outer axis of the stand, β: inner axis."
-                      : "x y z: where up points in the frame of the device.",
-             is_stand ? "from the position before" : "angle from the position before");
-    snprintf(summary, sizeof summary, "All %u positions%s", f->set->count,
-             f->set->count > OPEN ? " (unfold before printing)" : "");
     page_section(p, "Work sheet");
-    page_fold_begin(p, summary, f->set->count <= OPEN);
+    page_say(p, "Hold still for %s in each position.",
+             plan_time_text(f->request->cost.dwell, text));
+    snprintf(text, sizeof text, "All %u positions%s", f->set->count,
+             f->set->count > OPEN ? " (unfold before printing)" : "");
+    page_fold_begin(p, text, f->set->count <= OPEN);
     page_table_begin(p, &sheet);
     for (unsigned n = 0; n < f->set->count; n++) {
         write_row(p, &sheet, f, n);

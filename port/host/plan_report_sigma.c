@@ -34,12 +34,17 @@ static int is_beyond(const plan_facts *f, unsigned r)
     return f->sigma[r] > limit_of(f, r / 3) * (1 + 1e-9) || !(f->sigma[r] <= PLAN_WEAK);
 }
 
+static int has_remarks(const plan_facts *f)
+{
+    return f->request->limits || !(plan_sigma_largest(&f->set->criteria) <= PLAN_WEAK);
+}
+
 static const char *remark(const plan_facts *f, unsigned r)
 {
     return !(f->sigma[r] <= PLAN_WEAK) ? "weak" : is_beyond(f, r) ? "beyond the limit" : "";
 }
 
-/* The columns of units and of limits are there if there is something to say. */
+/* The columns of units, limits and remarks are there if there is something to say. */
 static void write_row(page *p, const page_table *sheet, const plan_facts *f, unsigned r)
 {
     char times[FIGURE_MAX];
@@ -54,7 +59,7 @@ static void write_row(page *p, const page_table *sheet, const plan_facts *f, uns
     if (f->request->limits) {
         cells[count++] = plan_sigma_text(r / 3, limit_of(f, r / 3), f->noise, limit);
     }
-    cells[count] = remark(f, r);
+    cells[count] = remark(f, r); /* beyond the table if it has none */
     page_cells(p, sheet, cells);
 }
 
@@ -71,8 +76,10 @@ static void write_table(page *p, const plan_facts *f)
     if (f->request->limits) {
         heading[sheet.count++] = "limit";
     }
-    sheet.text_columns = 1u << sheet.count;
-    heading[sheet.count++] = "remark";
+    if (has_remarks(f)) {
+        sheet.text_columns = 1u << sheet.count;
+        heading[sheet.count++] = "remark";
+    }
     page_table_begin(p, &sheet);
     for (unsigned r = 0; r < INVCAL_PARAMETERS; r++) {
         write_row(p, &sheet, f, r);

@@ -105,7 +105,7 @@ static void draw_range(FILE *file, const design *d, unsigned i, const ruler *x)
     svg_rectangle(file, "c1 bar", low, y - 6, chart_pixel(x, d->range[i][1]) - low, 12);
     for (unsigned side = 0; side < 2; side++) { /* +, - */
         const int is_there = d->axes >> (2 * i + side) & 1;
-        svg_marker(file, is_there ? "c3 full" : "c2 hollow", is_there ? SVG_CIRCLE : SVG_SQUARE,
+        svg_marker(file, is_there ? "c3 over" : "c2 hollow", is_there ? SVG_CIRCLE : SVG_SQUARE,
                    chart_pixel(x, side == 0 ? 1 : -1), y, 5);
     }
 }

@@ -60,11 +60,14 @@ double plan_sigma_largest(const invcal_criteria *c)
 
 const char *plan_sigma_text(unsigned kind, double sigma, double noise, char text[PLAN_WORDS_MAX])
 {
-    const int is_told = noise > 0;
     char number[FIGURE_MAX];
 
-    figure_digits(is_told ? plan_kinds[kind].scale * noise * sigma : sigma, 3, number);
-    snprintf(text, PLAN_WORDS_MAX, "%s %s", number, is_told ? plan_kinds[kind].unit : "× noise");
+    if (noise > 0) {
+        figure_digits(plan_kinds[kind].scale * noise * sigma, 3, number);
+        snprintf(text, PLAN_WORDS_MAX, "%s %s", number, plan_kinds[kind].unit);
+    } else {
+        snprintf(text, PLAN_WORDS_MAX, "%s", figure_digits(sigma, 3, number));
+    }
     return text;
 }
 
