@@ -222,11 +222,12 @@ static void write_cost(page *p, const plan_facts *f)
     if (f->request->budget > 0) {
         page_fact(p, "budget", "%s", plan_time_text(f->request->budget, text[0]));
     }
-    page_fact(p, "to spare", "%u positions beyond the nine that nine parameters need",
+    page_fact(p, "to spare", "%u beyond the nine positions that nine parameters need",
               d->count - INVCAL_PARAMETERS);
     page_facts_end(p);
-    page_note(p, "Twice the time in each position, or twice the positions: every σ is 0.71 times "
-                 "as large, if the noise is white.");
+    page_note(p,
+              "Twice the time in each position, or the whole set twice: every σ is 0.71 times as "
+              "large, if the noise is white.");
 }
 
 void plan_report_origin(page *p, const char *command)

@@ -144,8 +144,7 @@ void plan_report_sigma(page *p, const plan_facts *f)
     page_section(p, "What to expect of the nine parameters");
     write_table(p, f);
     page_picture(p,
-                 f->request->limits ? "Offsets and angles as of one noise, over the field and in "
-                                      "rad. Dashed: the limits."
+                 f->request->limits ? "Offsets over the field, angles in rad. Dashed: the limits."
                                     : "Offsets over the field, angles in rad.",
                  draw_bars, f);
 }

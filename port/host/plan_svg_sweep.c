@@ -20,7 +20,7 @@
 #define TITLE 36.0 /* and what a file of its own has besides */
 #define NOTES 40.0
 #define LEGEND_ROW 22.0
-#define CHARACTER 6.6    /* width in a legend, about */
+#define CHARACTER 6.0    /* width in a legend, about */
 #define LOGARITHMIC 20.0 /* from this ratio of last to first on */
 
 typedef struct {

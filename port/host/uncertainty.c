@@ -5,7 +5,6 @@
 #include <string.h>
 
 #include "chart.h"
-#include "figure.h"
 #include "invcal/observation.h"
 
 #define TURN 6.2831853071795865
@@ -78,12 +77,15 @@ void uncertainty_legend(FILE *file, const sphere_shading *shading, const char *w
 {
     svg_text(file, "ink small", SVG_START, 8, 14, what);
     for (unsigned k = 0; k < shading->classes; k++) {
-        char text[FIGURE_MAX];
+        char text[32];
         snprintf(text, sizeof text, "s%u swatch", k);
         svg_rectangle(file, text, 8 + k * SWATCH, 22, SWATCH, 14);
         if (k > 0) {
-            svg_text(file, "ink small", SVG_MIDDLE, 8 + k * SWATCH, 50,
-                     figure_digits(shading->threshold[k - 1], 2, text));
+            snprintf(text, sizeof text, "%.6g", shading->threshold[k - 1]);
+            svg_text(file, "ink small", SVG_MIDDLE, 8 + k * SWATCH, 50, text);
         }
+    }
+    if (shading->classes == 1) {
+        svg_text(file, "ink small", SVG_START, 16 + SWATCH, 33, "the same everywhere");
     }
 }
