@@ -23,7 +23,7 @@ static void write_sigmas(const design *d, const choice_request *request, plan_ra
  * geometric mean, along the principal axes. */
 static double mean_sigma(const design *d)
 {
-    return exp(-d->criteria.log_det / (2.0 * INVCAL_PARAMETERS));
+    return exp(-d->criteria.log_det / (2 * INVCAL_PARAMETERS));
 }
 
 static void write_number(char text[PLAN_WORDS_MAX], double x)
@@ -46,7 +46,7 @@ void plan_ratios(const design *a, const design *b, const choice_request *request
     for (unsigned i = 0; i < PLAN_RATIOS; i++) {
         const int is_sigma = i >= PLAN_RATIO_SIGMA && i < PLAN_RATIO_MEAN;
         snprintf(ratio[i].name, PLAN_WORDS_MAX, "%s%s", names[i],
-                 is_sigma ? PLAN_TIMES(noise_of(request)) : "");
+                 is_sigma ? plan_times(noise_of(request)) : "");
     }
     snprintf(ratio[PLAN_RATIO_POSITIONS].a, PLAN_WORDS_MAX, "%u", a->count);
     snprintf(ratio[PLAN_RATIO_POSITIONS].b, PLAN_WORDS_MAX, "%u", b->count);

@@ -153,7 +153,7 @@ static void write_figures(page *p, const plan_facts *f)
     page_figure(p, text, "positions");
     page_figure(p, plan_time_text(design_seconds(f->set->count, &f->request->cost), text), "time");
     for (unsigned k = 0; k < PLAN_KINDS; k++) {
-        snprintf(what, sizeof what, "σ of %s%s", plan_kinds[k].name, PLAN_TIMES(f->noise));
+        snprintf(what, sizeof what, "σ of %s%s", plan_kinds[k].name, plan_times(f->noise));
         page_figure(p, plan_sigma_text(k, plan_sigma(&f->set->criteria, k), f->noise, text), what);
     }
     page_figures_end(p);

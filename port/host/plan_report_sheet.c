@@ -137,11 +137,10 @@ static page_table begin_sheet(const plan_facts *f)
 
     return f->set->plan.per_group > 0
                ? (page_table){"α: outer axis of the stand, β: inner axis. Turn: from the position "
-                              "before. Begins: minutes and seconds from the first.",
+                              "before. Begins: elapsed time.",
                               stand, COLUMNS, 1u << 1 | 1u << 5 | 1u << 6}
                : (page_table){"Up: where up points, in words and in the frame of the device. Turn: "
-                              "from the position before. Begins: minutes and seconds from the "
-                              "first.",
+                              "from the position before. Begins: elapsed time.",
                               by_hand, COLUMNS, 1u << 1 | 1u << 4};
 }
 

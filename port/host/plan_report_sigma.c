@@ -16,7 +16,7 @@
 #define TOP 28.0
 #define ROW 22.0
 #define GAP 10.0 /* between the kinds */
-#define BOTTOM (TOP + INVCAL_PARAMETERS * ROW + 2 * GAP)
+#define BOTTOM (TOP + PLAN_KINDS * 3 * ROW + 2 * GAP)
 
 static double top_of(unsigned kind)
 {

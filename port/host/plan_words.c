@@ -71,6 +71,11 @@ const char *plan_sigma_text(unsigned kind, double sigma, double noise, char text
     return text;
 }
 
+const char *plan_times(double noise)
+{
+    return noise > 0 ? "" : ", × noise";
+}
+
 const char *plan_missing_reason(const design *d)
 {
     if (d->plan.per_group == 0) {

@@ -32,9 +32,11 @@ double plan_sigma(const invcal_criteria *c, unsigned kind);
 double plan_sigma_largest(const invcal_criteria *c);
 
 /* A sigma that is given over the noise: "0.0183 mg", or, if `noise` of a position mean over the
- * field is not told (0), "0.408", of which PLAN_TIMES says what it means. Returns text. */
+ * field is not told (0), "0.408", of which plan_times says what it means. Returns text. */
 const char *plan_sigma_text(unsigned kind, double sigma, double noise, char text[PLAN_WORDS_MAX]);
-#define PLAN_TIMES(noise) ((noise) > 0 ? "" : ", × noise")
+
+/* Behind what is told so: "", or, if the noise is not told, ", × noise". */
+const char *plan_times(double noise);
 
 /* Why a set does not point all six axes along gravity: a clause. */
 const char *plan_missing_reason(const design *d);
