@@ -40,7 +40,7 @@ static void time_text(const comparison *c, char text[TEXT_MAX])
                  number, is_less(ratio) ? " of" : " times", c->of[1].set->count,
                  c->of[0].set->count);
     } else {
-        snprintf(text, TEXT_MAX, "A and B take the same time");
+        snprintf(text, TEXT_MAX, "B takes the same time as A");
     }
 }
 
@@ -57,7 +57,7 @@ static void sigma_text(const comparison *c, char text[TEXT_MAX])
         if (is_less(r[0].ratio) || is_more(r[0].ratio)) {
             snprintf(text, TEXT_MAX, "its σ are %s times as large", number[0]);
         } else {
-            snprintf(text, TEXT_MAX, "its σ are as large");
+            snprintf(text, TEXT_MAX, "its σ are just as large");
         }
     } else {
         snprintf(text, TEXT_MAX,

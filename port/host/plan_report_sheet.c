@@ -42,25 +42,22 @@ static double turn(double from, double to)
     return change > 180 ? change - 360 : change <= -180 ? change + 360 : change;
 }
 
-/* "α +60°, β +90°" */
+/* "α +60°, β +90°", to 0.01 degrees: what is to be set stands beside it. */
 static void stand_turn(const design_position *from, const design_position *to,
                        char text[PLAN_WORDS_MAX])
 {
     const double change[2] = {turn(from->alpha, to->alpha), turn(from->beta, to->beta)};
     int length = 0;
 
-    text[0] = '\0';
+    snprintf(text, PLAN_WORDS_MAX, "none");
     for (unsigned i = 0; i < 2; i++) {
         char angle[PLAN_WORDS_MAX];
-        plan_angle_text(change[i], angle);
-        if (fabs(change[i]) >= 0.0005) {
+        plan_angle_text(nearbyint(100 * change[i]) / 100, angle);
+        if (fabs(change[i]) >= 0.005) {
             length += snprintf(text + length, PLAN_WORDS_MAX - (size_t)length, "%s%s %s%.20s°",
                                length > 0 ? ", " : "", i == 0 ? "α" : "β", change[i] > 0 ? "+" : "",
                                angle);
         }
-    }
-    if (length == 0) {
-        snprintf(text, PLAN_WORDS_MAX, "none");
     }
 }
 
@@ -130,8 +127,8 @@ static void write_row(page *p, const page_table *sheet, const plan_facts *f, uns
 /* For a stand with its angles, or for the hand. */
 static page_table begin_sheet(const plan_facts *f)
 {
-    static const char *const stand[COLUMNS] = {"no.",  "done", "begins",          "α, °",
-                                               "β, °", "turn", "up, in the hand", "group"};
+    static const char *const stand[COLUMNS] = {"no.",  "done", "begins", "α, °",
+                                               "β, °", "turn", "up",     "group"};
     static const char *const by_hand[COLUMNS] = {"no.", "done", "begins", "turn",
                                                  "up",  "x",    "y",      "z"};
 

@@ -17,7 +17,7 @@
 #define TOP 42.0
 #define ROW 44.0
 #define BAR 14.0
-#define BOTTOM (TOP + PLAN_RATIOS * ROW)
+#define BOTTOM (TOP + (unsigned)PLAN_RATIOS * ROW)
 #define HEIGHT (BOTTOM + 44)
 #define SIDE 12.0 /* room for half a figure of a tick */
 #define LARGE 4.0 /* ranges of ratios */
