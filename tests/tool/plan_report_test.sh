@@ -52,7 +52,9 @@ follows_table() {
             if (!match(text, axis " [-+][0-9.]*")) return 0
             text = substr(text, RSTART, RLENGTH)
             sub(/.* /, "", text)
-            return text + 0
+            text += 0
+            if (text > 180 || text < -180) exit 1 # the long way round
+            return text
         }
         NF == 9 && $1 ~ /^[0-9]+$/ {
             l = n % 6; group = int(n / 6) + 1
@@ -70,6 +72,14 @@ follows_table() {
 }
 check "report: the work sheet is the paper's Table 1, turn by turn" follows_table
 check "report: its words" test "$(row 2 | cut -d '|' -f 6)" = '+z up'
+
+check "report: six markers of each group" test \
+    "$(grep -c '^<circle class="c1 over"' "$page") $(grep -c '^<polygon class="c2 over"' "$page")" = '6 6'
+check "report: and the triangles" test "$(grep -c '^<polygon class="c3 over"' "$page")" -eq 6
+run plan --json
+down=$(sed -n 's/^ *"vertical": .*, \(.*\)\],*$/\1/p' "$work/stdout" | awk '$1 < -1e-9' | wc -l)
+check "report: halves are described" tells "$((down + 0)) of 18 positions lie in it"
+check "report: and the other" tells "$((18 - down)) of 18 positions lie in it"
 
 # h K h' over all directions, K from the JSON.
 length_sigma() {
@@ -115,6 +125,7 @@ makes_page "with noise" --per-group 8 --noise 0.0001 --dwell 4
 check "report: offsets in mg" tells "offsets to $(formula %.4f '0.05 * sqrt(1/8)') mg"
 check "report: scale errors in %" tells "scale errors to $(formula %.5f '0.005 * sqrt(7/40)') %"
 check "report: angles in degrees" tells "angles to $(formula %.5f '5e-5 * 45 / atan2(1, 1)') °"
+check "report: |a| in mg" tells "known to ±$(formula %.4f '0.05 * sqrt(1/8 + 7/40)') mg where"
 check "report: time of 24 positions" tells "$(formula '%d min %d s' 'int(211 / 60), 211 % 60')"
 makes_page "rests too short for a log" --dwell 1.5 --move 3
 check "report: it says so" tells 'stay two seconds or more'
@@ -122,6 +133,18 @@ check "report: begins with tenths" test "$(row 2 | cut -d '|' -f 2)" = 0:04.5
 makes_page "an odd number" --per-group 7
 check "report: it says what is missing, and why" \
     tells 'Never along gravity: +x +y -z; an odd number in each group'
+# +x, -x, +y, -y, +z, -z by what stands at +1 g (the right end, 672) and -1 g (34).
+covered() {
+    sed -n '/>The range that each axis feels</,/^<\/svg>/p' "$page" | awk '
+        /class="c3 over"|class="c2 hollow"/ && rows > 0 {
+            x = $0
+            sub(/.*(cx|points)="/, "", x)
+            printf "%s%s ", (x + 0 > 300 ? "+" : "-"), (/c3/ ? "yes" : "no")
+        }
+        /<rect class="c1 bar"/ { rows++ }
+        /^<\/svg>/ { exit }'
+}
+check "report: markers of axes along gravity" test "$(covered)" = '+no -yes +no -yes +yes -no '
 makes_page "start angles" --start 0,10,0
 check "report: they miss axes" tells 'its start angles pass them by'
 
@@ -132,6 +155,7 @@ check "report: the limit in the table" test "$(row 'scale x' | cut -d '|' -f 2)"
 makes_page "limits not met" --optimal 9 --limits 0.4,0.4,0.4
 check "report: it says so" tells '! Limits not met'
 check "report: and where" test "$(row 'angle xy' | cut -d '|' -f 3)" = 'beyond the limit'
+check "report: and in colour" matches "$page" '<rect class="c2 bar"'
 
 # ---- other sets --------------------------------------------------------------------------------
 
@@ -162,6 +186,7 @@ check "report: the work sheet is folded" grep -q '^<details>$' "$page"
 check "report: but whole" test "$(words | grep -c '^[0-9]*|☐|')" -eq 3000
 check "report: no numbers on the sphere" test \
     "$(grep -c '^<text class="ink small halo"' "$page")" -eq 0
+check "report: beyond an hour" test "$(row 1000 | cut -d '|' -f 2)" = 2:46:30
 check "report: below 1 MB" test "$(wc -c < "$page")" -lt 1000000
 
 # ---- a sweep -----------------------------------------------------------------------------------
@@ -212,10 +237,23 @@ has_true_bars() {
             if (d > 0.001 || d < -0.001) exit 1
         }'
 }
+# The bar of 0.75 reaches from the tick of 1 to that of 0.75.
+ends_at_tick() {
+    awk '/^<rect class="c1 bar"/ && /height="14"/ && !/width="18"/ && !bar { bar = 1; x = $0; w = $0
+            sub(/.* x="/, "", x); sub(/.* width="/, "", w); left = x + 1; right = x + w - 1 }
+        / text-anchor="middle"/ { x = $0; sub(/.* x="/, "", x); t = $0; gsub(/<[^>]*>/, "", t); at[t] = x + 0 }
+        function far(a, b) { return !(a - b < 0.02 && b - a < 0.02) }
+        END { if (far(left, at["0.75"]) || far(right, at["1.00"])) exit 1 }' "$work/out/ratios.svg"
+}
+check "report: the bar of 0.75 ends at its tick" ends_at_tick
 check "report: bars go by the logarithm of the ratio" has_true_bars
 makes_page "equal sets" --compare edges edges
 check "report: they are equally good" tells 'A and B are equally good'
-makes_page "better in all" --compare icosahedron optimal:12 --noise 0.001
+makes_page "better in all" --compare "directions:$work/cap.csv" optimal:11 --noise 0.001
+check "report: B is better" tells 'B is better'
+check "report: A is weak" tells 'A is weak'
+makes_page "worse in all" --compare optimal:11 "directions:$work/cap.csv"
+check "report: A is better" tells 'A is better'
 makes_page "far apart" --compare per-group:1000 optimal:9
 check "report: the one of nine is unchecked" tells 'Nothing checks the result of B'
 
@@ -252,6 +290,9 @@ run plan --svg "$work/out/cal.json" --report "$work/nowhere/x.html"
 check "report: a page where none can be leaves the picture as it was" kept_old 3 'nowhere/x\.html'
 run plan --report "$work/out/cal.json" --svg "$work/nowhere/x.svg"
 check "report: and the other way round" kept_old 3 'nowhere/x\.svg'
+"$tool" plan --report "$work/out/cal.json" --svg "$work/out/x.svg" >&- 2> "$work/stderr"
+code=$?
+check "report: an output that fails leaves everything as it was" kept_old 3 'standard output: cannot'
 run plan --limits 0.01,0.01,0.01 --report "$work/out/cal.json"
 check "report: no set within the limits, no page" is_untouched
 
