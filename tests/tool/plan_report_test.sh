@@ -78,8 +78,11 @@ check "report: six markers of each group" test \
 check "report: and the triangles" test "$(grep -c '^<polygon class="c3 over"' "$page")" -eq 6
 run plan --json
 down=$(sed -n 's/^ *"vertical": .*, \(.*\)\],*$/\1/p' "$work/stdout" | awk '$1 < -1e-9' | wc -l)
-check "report: halves are described" tells "$((down + 0)) of 18 positions lie in it"
-check "report: and the other" tells "$((18 - down)) of 18 positions lie in it"
+check "report: the lower half is described" tells \
+    "z down, seen from +z. $((down + 0)) of 18 positions lie in it"
+check "report: and the upper" tells "z up or level, seen from +z. $((18 - down)) of 18 positions"
+check "report: position 2 of group 1 is in the middle" matches "$page" \
+    '^<circle class="c1 over" cx="168" cy="164"'
 
 # h K h' over all directions, K from the JSON.
 length_sigma() {
