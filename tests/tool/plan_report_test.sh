@@ -10,7 +10,8 @@ here=$(dirname "$0")
 page=$work/out/page.html
 
 is_page() { # well-formed, self-contained
-    result=$(awk -f "$here/page.awk" "$page") && [ -z "$result" ] || { echo "    $result" >&2; return 1; }
+    result=$(awk -f "$here/page.awk" "$page" 2>&1)
+    [ -z "$result" ] || { echo "    $result" >&2; return 1; }
 }
 
 makes_page() { # makes_page SENTENCE ARGUMENTS ...: the tool accepts them and writes a good page
@@ -63,8 +64,8 @@ follows_table() {
             begins = sprintf("%d:%02d", int(n / 6), 10 * n % 60)
             if ($1 != n + 1 || $2 != "☐" || $3 != begins || $8 != group) exit 1
             if ($4 != wrap(a) || $5 != wrap(b)) exit 1
-            if (n > 0 && (wrap(alpha + turned($6, "α")) != $4 || wrap(beta + turned($6, "β")) != $5))
-                exit 1
+            alpha = wrap(alpha + turned($6, "α")); beta = wrap(beta + turned($6, "β"))
+            if (n > 0 && (alpha != $4 || beta != $5)) exit 1
             alpha = $4; beta = $5
             n++
         }
@@ -73,9 +74,9 @@ follows_table() {
 check "report: the work sheet is the paper's Table 1, turn by turn" follows_table
 check "report: its words" test "$(row 2 | cut -d '|' -f 6)" = '+z up'
 
+marks() { grep -c "^<$1 class=\"$2 over\"" "$page"; }
 check "report: six markers of each group" test \
-    "$(grep -c '^<circle class="c1 over"' "$page") $(grep -c '^<polygon class="c2 over"' "$page")" = '6 6'
-check "report: and the triangles" test "$(grep -c '^<polygon class="c3 over"' "$page")" -eq 6
+    "$(marks circle c1) $(marks polygon c2) $(marks polygon c3)" = '6 6 6'
 run plan --json
 down=$(sed -n 's/^ *"vertical": .*, \(.*\)\],*$/\1/p' "$work/stdout" | awk '$1 < -1e-9' | wc -l)
 check "report: the lower half is described" tells \
@@ -105,7 +106,8 @@ length_sigma() {
 }
 run plan --json
 bounds=$(length_sigma)
-check "report: |a| is known best along an axis" test "${bounds% *}" = "$(formula %.3f 'sqrt(1/6 + 7/30)')"
+check "report: |a| is known best along an axis" test "${bounds% *}" = \
+    "$(formula %.3f 'sqrt(1/6 + 7/30)')"
 check "report: sigma of |a|, the least" tells "known to ±${bounds% *} × noise"
 check "report: sigma of |a|, the most" tells "to ±${bounds#* } × noise where they tell least"
 
@@ -207,15 +209,16 @@ follows_formulas() {
     } END { if (rows != 12) exit 1 }'
 }
 check "report: every row by the paper's formulas" follows_formulas
-check "report: the chart, wide and narrow" test "$(grep -c '<polyline class="c3 curve"' "$page")" -eq 2
+check "report: the chart, wide and narrow" test \
+    "$(grep -c '<polyline class="c3 curve"' "$page")" -eq 2
 makes_page "a sweep of one" --sweep 7:7
 makes_page "the widest sweep" --sweep 5:1000
 
 # ---- a comparison ------------------------------------------------------------------------------
 
 makes_page "a comparison" --compare per-group:8 per-group:6 --svg "$work/out/ratios.svg"
-check "report: time and sigma in a sentence" tells "B needs $(formula %.4f 175/235) of the time of A, \
-with 18 positions in place of 24; its σ are $(formula %.3f 'sqrt(8/6)') times as large."
+check "report: time and sigma in a sentence" tells \
+    "B needs $(formula %.4f 175/235) of the time of A, with 18 positions in place of 24; its σ are $(formula %.3f 'sqrt(8/6)') times as large."
 check "report: the ratios in a table" test "$(row 'σ of angles, × noise')" = \
     "1.00|$(formula %.2f 'sqrt(8/6)')|$(formula %.3f 'sqrt(8/6)')|"
 check "report: ln det in the table" test "$(row "ln det H&#39;H" | cut -d '|' -f 1)" = \
@@ -244,7 +247,12 @@ has_true_bars() {
 ends_at_tick() {
     awk '/^<rect class="c1 bar"/ && /height="14"/ && !/width="18"/ && !bar { bar = 1; x = $0; w = $0
             sub(/.* x="/, "", x); sub(/.* width="/, "", w); left = x + 1; right = x + w - 1 }
-        / text-anchor="middle"/ { x = $0; sub(/.* x="/, "", x); t = $0; gsub(/<[^>]*>/, "", t); at[t] = x + 0 }
+        / text-anchor="middle"/ {
+            x = text = $0
+            sub(/.* x="/, "", x)
+            gsub(/<[^>]*>/, "", text)
+            at[text] = x + 0
+        }
         function far(a, b) { return !(a - b < 0.02 && b - a < 0.02) }
         END { if (far(left, at["0.75"]) || far(right, at["1.00"])) exit 1 }' "$work/out/ratios.svg"
 }
@@ -284,7 +292,8 @@ refuses "report: a picture over them" 2 'svg: is a file of directions' plan --co
     "directions:$work/out/own.csv" edges --svg "$work/out/own.csv"
 check "report: they are still there" same "$work/cap.csv" "$work/out/own.csv"
 rm -f "$work"/out/*
-refuses "report: one file for both" 2 'report: is the file of --svg' plan --svg "$page" --report "$page"
+refuses "report: one file for both" 2 'report: is the file of --svg' plan --svg "$page" \
+    --report "$page"
 check "report: neither is there" test -z "$(ls -A "$work/out")"
 echo old > "$work/out/cal.json"
 run plan --faces --report "$work/out/cal.json"
