@@ -43,6 +43,7 @@ suite log sh "$tests/tool/log_test.sh" "$build/invcal" "$build/tool"
 suite input sh "$tests/tool/input_test.sh" "$build/invcal" "$build/tool"
 suite citizen sh "$tests/tool/citizen_test.sh" "$build/invcal" "$build/tool"
 suite plan sh "$tests/tool/plan_test.sh" "$build/invcal" "$build/tool"
+suite plan-report sh "$tests/tool/plan_report_test.sh" "$build/invcal" "$build/tool"
 suite export sh "$tests/tool/export_test.sh" "$build/invcal" "$build/tool"
 suite report sh "$tests/tool/report_test.sh" "$build/invcal" "$build/tool"
 

@@ -29,6 +29,7 @@ enum {
     DWELL,
     MOVE,
     SVG,
+    REPORT,
     JSON,
     QUIET,
     OPTIONS
@@ -50,6 +51,7 @@ static const option options[OPTIONS] = {
     [DWELL] = {"--dwell", 1},
     [MOVE] = {"--move", 1},
     [SVG] = {"--svg", 1},
+    [REPORT] = {"--report", 1},
     [JSON] = {"--json", 0},
     [QUIET] = {"--quiet", 0},
 };
@@ -57,17 +59,18 @@ static const char *const operands[] = {"A", "B"};
 static const option_syntax syntax = {"plan", options, OPTIONS, operands, 2, 2};
 
 #define WORD_MAX 4200u
-#define WEAK 10.0
+#define COMMAND_MAX 2000u
 #define ROWS_MAX (INVCAL_PLAN_PER_GROUP_MAX - INVCAL_PLAN_PER_GROUP_MIN + 1)
 
 /* What the command line asks for. */
 typedef struct {
     const char *operand[2];
     const char *value[OPTIONS];
-    char word[WORD_MAX];   /* of the set (DESIGN_WORDS) */
-    int has_set;           /* one was named */
-    double limits[3];      /* over the noise of a position mean */
-    choice_request choice; /* its limits point to the above, or are null */
+    char word[WORD_MAX];       /* of the set (DESIGN_WORDS) */
+    int has_set;               /* one was named */
+    double limits[3];          /* over the noise of a position mean */
+    choice_request choice;     /* its limits point to the above, or are null */
+    char command[COMMAND_MAX]; /* the command line, for the report */
 } request;
 
 /* The sets in work: at most two, too large for the stack. */
@@ -105,7 +108,7 @@ static int read_cost(request *r)
 }
 
 /* Limits in units of the noise of a position mean, or, if that is told, of the field. A sigma
- * above WEAK is too weak for invcal calibrate, whatever the limit allows. */
+ * above PLAN_WEAK is too weak for invcal calibrate, whatever the limit allows. */
 static int read_limits(request *r)
 {
     const double unit = r->choice.cost.noise > 0 ? design_noise(&r->choice.cost) : 1;
@@ -119,7 +122,7 @@ static int read_limits(request *r)
         if (!(r->limits[i] >= 1e-6 && r->limits[i] <= 1e6)) {
             return usage(LIMITS, "must be within 1e-6 ... 1e6 times the noise of a position mean");
         }
-        r->limits[i] = fmin(r->limits[i], WEAK);
+        r->limits[i] = fmin(r->limits[i], PLAN_WEAK);
     }
     r->choice.limits = r->limits;
     return failure;
@@ -183,9 +186,6 @@ static int check(const request *r)
     if (value[COMPARE] && !r->operand[0]) {
         return usage(COMPARE, "takes two sets, for example: --compare per-group:8 per-group:6");
     }
-    if (value[COMPARE] && value[SVG]) {
-        return usage(SVG, "draws one set, or a sweep");
-    }
     if (value[BUDGET] && r->has_set) {
         return usage(BUDGET, "chooses a set itself; leave the other out");
     }
@@ -195,18 +195,49 @@ static int check(const request *r)
     return EXIT_GOOD;
 }
 
+/* The files of directions that are read. */
+static const char *source(const request *r, unsigned i)
+{
+    static const char prefix[] = "directions:";
+    const size_t length = strlen(prefix);
+
+    if (!r->value[COMPARE]) {
+        return i == 0 ? r->value[DIRECTIONS] : NULL;
+    }
+    return r->operand[i] && strncmp(r->operand[i], prefix, length) == 0 ? r->operand[i] + length
+                                                                        : NULL;
+}
+
+/* No file is written twice, none that is read. */
+static int check_files(const request *r)
+{
+    static const unsigned made[] = {SVG, REPORT};
+    const char *svg = r->value[SVG];
+    const char *report = r->value[REPORT];
+
+    for (unsigned i = 0; i < 4; i++) {
+        const char *path = r->value[made[i / 2]];
+        const char *read = source(r, i % 2);
+        if (path && read && output_is_same(path, read)) {
+            return usage(made[i / 2], "is a file of directions, which would be lost");
+        }
+    }
+    if (svg && report && (strcmp(svg, report) == 0 || output_is_same(svg, report))) {
+        return usage(REPORT, "is the file of --svg");
+    }
+    return EXIT_GOOD;
+}
+
 static int read_request(int argc, char **argv, request *r)
 {
     *r = (request){0};
     int failure = options_parse(&syntax, argc, argv, r->value, r->operand);
 
-    if (!failure && r->value[DIRECTIONS] && r->value[SVG] &&
-        output_is_same(r->value[SVG], r->value[DIRECTIONS])) {
-        failure = usage(SVG, "is the file of --directions, which would be lost");
-    }
+    failure = failure ? failure : check_files(r);
     failure = failure ? failure : read_set(r);
     failure = failure ? failure : check(r);
     failure = failure ? failure : read_cost(r);
+    options_command(syntax.command, argc, argv, r->command, sizeof r->command);
     return failure ? failure : read_limits(r);
 }
 
@@ -219,12 +250,29 @@ typedef struct {
     unsigned row_count;
 } result;
 
+typedef void teller(FILE *file, const result *found);
+
 static void draw(FILE *file, const result *found)
 {
     if (found->rows) {
         plan_svg_sweep(file, found->rows, found->row_count);
+    } else if (found->set[1]) {
+        plan_svg_comparison(file, found->set[0], found->set[1], &found->asked->choice);
     } else {
         plan_svg_directions(file, found->set[0]);
+    }
+}
+
+static void write_report(FILE *file, const result *found)
+{
+    const char *command = found->asked->command;
+
+    if (found->rows) {
+        plan_report_sweep(file, found->rows, found->row_count, command);
+    } else if (found->set[1]) {
+        plan_report_comparison(file, found->set[0], found->set[1], &found->asked->choice, command);
+    } else {
+        plan_report(file, found->set[0], &found->asked->choice, found->choice, command);
     }
 }
 
@@ -254,30 +302,41 @@ static void tell(FILE *file, const result *found)
     }
 }
 
-/* The picture appears only after all else has been written. */
+/* Begins a file, if it is asked for, and writes it; it is not in its place yet. */
+static int begin_file(output *out, const char *path, teller *write, const result *found)
+{
+    if (!path) {
+        return EXIT_GOOD;
+    }
+    const int failure = output_begin(out, path);
+    if (failure) {
+        return failure;
+    }
+    write(out->file, found);
+    return output_finish(out);
+}
+
+/* The files appear only after all else has been written. */
 static int deliver(const result *found)
 {
-    const char *path = found->asked->value[SVG];
-    output out;
+    const char *const *value = found->asked->value;
+    output svg = {0};
+    output report = {0};
+    int failure = begin_file(&svg, value[SVG], draw, found);
 
-    if (!path) {
-        tell(stdout, found);
-        return output_flush();
-    }
-    int failure = output_begin(&out, path);
-    if (!failure) {
-        draw(out.file, found);
-        failure = output_finish(&out);
-    }
+    failure = failure ? failure : begin_file(&report, value[REPORT], write_report, found);
     if (!failure) {
         tell(stdout, found);
         failure = output_flush();
     }
     if (failure) {
-        output_discard(&out);
+        output_discard(&svg);
+        output_discard(&report);
         return failure;
     }
-    return output_commit(&out);
+    failure = output_commit(&svg);
+    const int report_failure = output_commit(&report);
+    return failure ? failure : report_failure;
 }
 
 /* A refusal, with the set if there is one to see. */
@@ -395,8 +454,8 @@ static const char *const help[] = {
     "                    --optimal N | --directions FILE] [options]\n"
     "       invcal plan --limits D,K,G [--budget SECONDS] [options]\n"
     "       invcal plan --budget SECONDS [options]\n"
-    "       invcal plan --sweep FROM:TO [--svg FILE] [--json]\n"
-    "       invcal plan --compare SET SET [--json]\n"
+    "       invcal plan --sweep FROM:TO [--svg FILE] [--report FILE] [--json]\n"
+    "       invcal plan --compare SET SET [--svg FILE] [--report FILE] [--json]\n"
     "\n"
     "Tells which positions to visit, and how exactly they will determine the nine parameters:\n"
     "the standard deviations sigma of offsets, scale errors and angles, over the noise of a\n"
@@ -427,8 +486,10 @@ static const char *const help[] = {
     "  --sweep FROM:TO     the paper's programs for each N in the range\n"
     "  --compare SET SET   two sets side by side, by these words:\n",
     DESIGN_WORDS,
-    "  --svg FILE          draws the directions, or for a sweep sigma against the number of\n"
-    "                      positions\n"
+    "  --svg FILE          draws the directions; for a sweep sigma against the number of\n"
+    "                      positions; for --compare the ratios of the second set to the first\n"
+    "  --report R.html     writes a page with the verdict, a work sheet to take to the stand, and\n"
+    "                      pictures: one file that needs nothing else, for screen and paper\n"
     "  --json              print the result as JSON in place of the table\n"
     "  --quiet             print no table, only errors\n"
     "\n"
@@ -438,7 +499,8 @@ static const char *const help[] = {
     "examples:\n"
     "  invcal plan\n"
     "  invcal plan --limits 0.4,0.6,1 --svg directions.svg\n"
-    "  invcal plan --compare per-group:8 per-group:6\n",
+    "  invcal plan --per-group 8 --noise 0.0001 --report program.html\n"
+    "  invcal plan --compare per-group:8 per-group:6 --report compared.html\n",
     NULL};
 
 const tool_command plan_command = {"plan", "which positions to visit, and what they are worth",

@@ -9,6 +9,10 @@
 
 #include "choice.h"
 
+/* A sigma of more than so many times the noise of a position mean is too weak for invcal
+ * calibrate. */
+#define PLAN_WEAK 10.0
+
 /* One of the paper's programs in a sweep over N. */
 typedef struct {
     unsigned per_group;
@@ -35,9 +39,23 @@ void plan_json_comparison(FILE *file, const design *a, const design *b,
 /* A refusal without a set. */
 void plan_json_refusal(FILE *file, const char *reason, uint16_t undetermined);
 
-/* Pictures, as a whole SVG document: the paper's Fig. 2, sigma against the number of positions;
- * and the directions of a set on the two halves of the sphere. */
-void plan_svg_sweep(FILE *file, const plan_row *rows, unsigned count);
+/* Pictures, as a whole SVG document: the directions of a set on the two halves of the sphere; the
+ * paper's Fig. 2, sigma against the number of positions; the ratios of two sets. */
 void plan_svg_directions(FILE *file, const design *d);
+void plan_svg_sweep(FILE *file, const plan_row *rows, unsigned count);
+void plan_svg_comparison(FILE *file, const design *a, const design *b,
+                         const choice_request *request);
+
+/* The latter two as a part of a page. */
+void plan_svg_sweep_inline(FILE *file, const plan_row *rows, unsigned count, double width);
+void plan_svg_comparison_inline(FILE *file, const design *a, const design *b,
+                                const choice_request *request, double width);
+
+/* Pages (page.h). `command` is the command line. */
+void plan_report(FILE *file, const design *d, const choice_request *request, const choice *c,
+                 const char *command);
+void plan_report_sweep(FILE *file, const plan_row *rows, unsigned count, const char *command);
+void plan_report_comparison(FILE *file, const design *a, const design *b,
+                            const choice_request *request, const char *command);
 
 #endif

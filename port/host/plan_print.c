@@ -2,39 +2,16 @@
 #include <math.h>
 #include <string.h>
 
+#include "figure.h"
 #include "invcal/series.h"
 #include "paint.h"
 #include "parameters.h"
-#include "plan.h"
-
-#define TEXT_MAX 128
-#define DEGREES 57.295779513082321
-
-/* The names of the axes, "+x -x". */
-static const char *axes_text(unsigned axes, char text[TEXT_MAX])
-{
-    text[0] = '\0';
-    for (unsigned i = 0; i < INVCAL_AXES; i++) {
-        if (axes >> i & 1u) {
-            const size_t length = strlen(text);
-            snprintf(text + length, TEXT_MAX - length, "%s%s", length > 0 ? " " : "",
-                     design_axis_name(i));
-        }
-    }
-    return text;
-}
-
-/* An angle for people: to 0.001 degrees, without "-0.000" and without needless zeros. */
-static const char *angle_text(double degrees, char text[TEXT_MAX])
-{
-    snprintf(text, TEXT_MAX, "%.7g", nearbyint(1000 * degrees) / 1000 + 0.0);
-    return text;
-}
+#include "plan_words.h"
 
 static void print_positions(FILE *file, const design *d)
 {
-    char alpha[TEXT_MAX];
-    char beta[TEXT_MAX];
+    char alpha[PLAN_WORDS_MAX];
+    char beta[PLAN_WORDS_MAX];
 
     fprintf(file, "%s%15s%20s   %27s\n", paint_on(file, PAINT_BOLD), "", "stand, degrees",
             "up in the case's frame");
@@ -46,8 +23,8 @@ static void print_positions(FILE *file, const design *d)
         if (p->group > 0) {
             snprintf(group, sizeof group, "%u", p->group);
         }
-        fprintf(file, "%8u%7s%10s%10s   ", i + 1, group, angle_text(p->alpha, alpha),
-                angle_text(p->beta, beta));
+        fprintf(file, "%8u%7s%10s%10s   ", i + 1, group, plan_angle_text(p->alpha, alpha),
+                plan_angle_text(p->beta, beta));
         for (unsigned k = 0; k < 3; k++) {
             fprintf(file, "%9.4f", nearbyint(1e4 * p->vertical[k]) / 1e4 + 0.0);
         }
@@ -79,7 +56,7 @@ static void print_sigmas(FILE *file, const design *d, const design_cost *cost)
     fprintf(file, "\n");
     print_sigma(file, "offsets", c->sigma_delta, "mg", 1e3 * noise);
     print_sigma(file, "scale errors", c->sigma_dk, "%", 1e2 * noise);
-    print_sigma(file, "angles", c->sigma_gamma, "degrees", DEGREES * noise);
+    print_sigma(file, "angles", c->sigma_gamma, "degrees", FIGURE_DEGREES * noise);
     fprintf(file, "condition %.4f (1 is the best), ln det H'H %.4f (more is better)\n",
             c->condition, c->log_det);
 }
@@ -103,9 +80,9 @@ static void print_verdict(FILE *file, const design *d, const choice_request *req
                 "nine positions for nine parameters: nothing checks the result; three more are "
                 "good\n");
     }
-    if (!(fmax(c->sigma_delta, fmax(c->sigma_dk, c->sigma_gamma)) <= 10)) {
-        fprintf(file, "%sweak:%s a sigma above 10 times the noise is of little use\n",
-                paint_on(file, PAINT_RED), paint_off(file));
+    if (!(plan_sigma_largest(c) <= PLAN_WEAK)) {
+        fprintf(file, "%sweak:%s a sigma above %g times the noise is of little use\n",
+                paint_on(file, PAINT_RED), paint_off(file), PLAN_WEAK);
     }
 }
 
@@ -113,7 +90,7 @@ static void print_verdict(FILE *file, const design *d, const choice_request *req
 static void print_coverage(FILE *file, const design *d)
 {
     const unsigned missing = plan_missing(d->axes);
-    char text[TEXT_MAX];
+    char text[PLAN_WORDS_MAX];
 
     fprintf(file, "range used: ");
     for (unsigned i = 0; i < 3; i++) {
@@ -124,12 +101,11 @@ static void print_coverage(FILE *file, const design *d)
         fprintf(file, "\naxes along gravity: all six\n");
         return;
     }
-    fprintf(file,
-            "\naxes along gravity: %s; missing: ", d->axes ? axes_text(d->axes, text) : "none");
-    fprintf(file, "%s\n", axes_text(missing, text));
-    if (d->plan.per_group % 2 == 1) {
-        fprintf(file, "an odd number in each group cannot point all six along gravity: +g and -g "
-                      "are half a turn apart\n");
+    fprintf(file, "\naxes along gravity: %s; missing: ",
+            d->axes ? plan_axes_text(d->axes, text) : "none");
+    fprintf(file, "%s\n", plan_axes_text(missing, text));
+    if (d->plan.per_group > 0) {
+        fprintf(file, "%s\n", plan_missing_reason(d));
     }
 }
 
@@ -187,7 +163,7 @@ static void print_choice(FILE *file, const choice *c, const choice_request *requ
 
 void plan_print(FILE *file, const design *d, const choice_request *request, const choice *c)
 {
-    char start[INVCAL_PLAN_GROUPS][TEXT_MAX];
+    char start[INVCAL_PLAN_GROUPS][PLAN_WORDS_MAX];
 
     if (c) {
         print_choice(file, c, request);
@@ -196,7 +172,7 @@ void plan_print(FILE *file, const design *d, const choice_request *request, cons
             d->count);
     if (d->plan.per_group > 0) {
         for (unsigned g = 0; g < INVCAL_PLAN_GROUPS; g++) {
-            angle_text(d->plan.start[g], start[g]);
+            plan_angle_text(d->plan.start[g], start[g]);
         }
         fprintf(file, " in 3 groups of %u, starting at %s, %s, %s degrees", d->plan.per_group,
                 start[0], start[1], start[2]);
@@ -216,7 +192,7 @@ void plan_print(FILE *file, const design *d, const choice_request *request, cons
 
 void plan_print_sweep(FILE *file, const plan_row *rows, unsigned count)
 {
-    char text[TEXT_MAX];
+    char text[PLAN_WORDS_MAX];
 
     fprintf(file, "The paper's programs; sigma times the noise of a position mean\n\n");
     fprintf(file, "%s%9s%11s%10s%10s%10s%11s%12s   %s%s\n", paint_on(file, PAINT_BOLD), "per group",
@@ -226,7 +202,7 @@ void plan_print_sweep(FILE *file, const plan_row *rows, unsigned count)
         const invcal_criteria *c = &rows[i].criteria;
         fprintf(file, "%9u%11u%10.6f%10.6f%10.6f%11.4f%12.4f   %s\n", rows[i].per_group,
                 c->positions, c->sigma_delta, c->sigma_dk, c->sigma_gamma, c->condition, c->log_det,
-                plan_missing(rows[i].axes) ? axes_text(rows[i].axes, text) : "all six");
+                plan_missing(rows[i].axes) ? plan_axes_text(rows[i].axes, text) : "all six");
     }
 }
 
@@ -237,14 +213,14 @@ static void print_pair(FILE *file, const char *what, double a, double b)
 
 static void print_axes_pair(FILE *file, const design *a, const design *b)
 {
-    char text[2][TEXT_MAX];
+    char text[2][PLAN_WORDS_MAX];
 
     fprintf(file, "%-16s%24s%24s\n", "axes missing",
-            plan_missing(a->axes) ? axes_text(plan_missing(a->axes), text[0]) : "none",
-            plan_missing(b->axes) ? axes_text(plan_missing(b->axes), text[1]) : "none");
+            plan_missing(a->axes) ? plan_axes_text(plan_missing(a->axes), text[0]) : "none",
+            plan_missing(b->axes) ? plan_axes_text(plan_missing(b->axes), text[1]) : "none");
     for (unsigned i = 0; i < 3; i++) {
-        snprintf(text[0], TEXT_MAX, "%+.3f ... %+.3f", a->range[i][0], a->range[i][1]);
-        snprintf(text[1], TEXT_MAX, "%+.3f ... %+.3f", b->range[i][0], b->range[i][1]);
+        snprintf(text[0], PLAN_WORDS_MAX, "%+.3f ... %+.3f", a->range[i][0], a->range[i][1]);
+        snprintf(text[1], PLAN_WORDS_MAX, "%+.3f ... %+.3f", b->range[i][0], b->range[i][1]);
         fprintf(file, "range of %c, g    %23s%24s\n", "xyz"[i], text[0], text[1]);
     }
 }
@@ -269,8 +245,8 @@ void plan_print_comparison(FILE *file, const design *a, const design *b,
         const double noise = design_noise(cost);
         print_pair(file, "offsets, mg", 1e3 * noise * p->sigma_delta, 1e3 * noise * q->sigma_delta);
         print_pair(file, "scales, %", 1e2 * noise * p->sigma_dk, 1e2 * noise * q->sigma_dk);
-        print_pair(file, "angles, degrees", DEGREES * noise * p->sigma_gamma,
-                   DEGREES * noise * q->sigma_gamma);
+        print_pair(file, "angles, degrees", FIGURE_DEGREES * noise * p->sigma_gamma,
+                   FIGURE_DEGREES * noise * q->sigma_gamma);
     }
     print_pair(file, "condition", p->condition, q->condition);
     fprintf(file, "%-16s%24.6g%24.6g\n", "ln det H'H", p->log_det, q->log_det);

@@ -2,11 +2,10 @@
  *
  * The picture of a set: its directions on the two halves of the sphere.
  */
-#include "plan.h"
-
 #include <string.h>
 
-#include "sphere.h"
+#include "plan.h"
+#include "plan_map.h"
 #include "utf8.h"
 
 #define TEXT_MAX 1000
@@ -16,10 +15,6 @@
 #define BOTTOM 12.0
 #define LEGEND 26.0
 #define NAME_SHOWN 36u
-
-/* Too large for the stack. */
-static sphere map;
-static sphere_mark marks[DESIGN_MAX];
 
 /* The end of a name of any length, in characters; it may be a path, whose end tells most. */
 static const char *shorten(const char *name, char text[TEXT_MAX])
@@ -39,26 +34,9 @@ static const char *shorten(const char *name, char text[TEXT_MAX])
     return text;
 }
 
-static sphere_kind kind_of(const design_position *p)
+static void draw_words(FILE *file, const design *d, const sphere *map, double height)
 {
-    return p->group == 3 ? SPHERE_GROUP_3 : p->group == 2 ? SPHERE_GROUP_2 : SPHERE_POSITION;
-}
-
-static void draw_group_legend(FILE *file, double y)
-{
-    for (unsigned group = 1; group <= INVCAL_PLAN_GROUPS; group++) {
-        const design_position example = {.group = group};
-        char text[TEXT_MAX];
-        const double x = 20 + 110 * (group - 1);
-        snprintf(text, sizeof text, "group %u", group);
-        sphere_marker(file, kind_of(&example), x, y - 5);
-        svg_text(file, "ink", SVG_START, x + 12, y, text);
-    }
-}
-
-static void draw_words(FILE *file, const design *d, double height)
-{
-    const unsigned homeless = map.homeless[0] + map.homeless[1];
+    const unsigned homeless = map->homeless[0] + map->homeless[1];
     char text[TEXT_MAX];
 
     svg_text(file, "ink title", SVG_START, 12, 27, shorten(d->name, text));
@@ -66,7 +44,7 @@ static void draw_words(FILE *file, const design *d, double height)
              d->count, d->count == 1 ? "" : "s");
     svg_text(file, "ink", SVG_START, 12, 48, text);
     if (d->plan.per_group > 0) {
-        draw_group_legend(file, height - BOTTOM);
+        plan_map_legend(file, 20, height - BOTTOM);
     }
     if (homeless > 0) {
         snprintf(text, sizeof text, "without a number for want of room: %u spots", homeless);
@@ -102,22 +80,17 @@ void plan_svg_directions(FILE *file, const design *d)
 {
     char text[TEXT_MAX];
     char title[TEXT_MAX];
-
-    for (unsigned n = 0; n < d->count; n++) {
-        memcpy(marks[n].up, d->position[n].vertical, sizeof marks[n].up);
-        marks[n].kind = kind_of(&d->position[n]);
-    }
-    sphere_arrange(&map, marks, d->count, NULL);
-    const int has_legend = d->plan.per_group > 0 || map.homeless[0] + map.homeless[1] > 0;
+    const sphere *map = plan_map(d, NULL);
+    const int has_legend = d->plan.per_group > 0 || map->homeless[0] + map->homeless[1] > 0;
     const double height = TOP + SPHERE_HEIGHT + (has_legend ? LEGEND : 0) + BOTTOM;
     describe_map(d, text, sizeof text);
     snprintf(title, sizeof title, "%s: directions of %u positions", d->name, d->count);
     svg_begin(file, WIDTH, height, title, text);
     for (unsigned half = 0; half < 2; half++) {
         svg_group_begin(file, half * (SPHERE_WIDTH + MARGIN), TOP);
-        sphere_draw(file, &map, half);
+        sphere_draw(file, map, half);
         svg_group_end(file);
     }
-    draw_words(file, d, height);
+    draw_words(file, d, map, height);
     svg_end(file);
 }

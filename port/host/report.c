@@ -16,7 +16,7 @@
 /* Half of the interval that holds the length in 95 % of cases, in the worst direction. */
 static const char *worst_spread(const report_facts *f, char text[FIGURE_MAX])
 {
-    return figure_digits(f->result->quality.coverage * f->sigma_most, 2, text);
+    return figure_digits(f->result->quality.coverage * f->length_sigma.most, 2, text);
 }
 
 static void say_good(const report_facts *f, char *text)
@@ -45,8 +45,9 @@ static void say_weak(const report_facts *f, char *text)
         text, TEXT_MAX,
         "The positions tell too little of %s: use the calibration only within its ±. In the "
         "worst direction (%s) the length of a corrected reading is uncertain by ±%s %s (95 %%).",
-        parameters_list(f->result->quality.undetermined, list, sizeof list), f->worst_words,
-        worst_spread(f, spread), f->knows_noise ? f->unit : "times the noise of a position mean");
+        parameters_list(f->result->quality.undetermined, list, sizeof list),
+        f->length_sigma.worst_words, worst_spread(f, spread),
+        f->knows_noise ? f->unit : "times the noise of a position mean");
 }
 
 static void write_verdict(page *p, const report_facts *f)

@@ -8,9 +8,6 @@
 #include "command.h"
 #include "invcal/observation.h"
 
-#define TURN 6.2831853071795865
-#define STEP (TURN / 72) /* of the search for the most uncertain direction */
-
 static double length(const double v[3])
 {
     return sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
@@ -52,43 +49,8 @@ static void find_covariance(report_facts *f)
                                          &r->rejected.kept[3 * (size_t)n], u);
         (void)invcal_residuals_add(&residuals, u, 1, NULL);
     }
-    (void)invcal_covariance(&residuals, &r->settings, r->quality.noise, f->covariance);
+    (void)invcal_covariance(&residuals, &r->settings, r->quality.noise, f->length_sigma.covariance);
     f->normal = residuals.normal;
-}
-
-double report_sigma(const void *facts, const double up[3])
-{
-    const report_facts *f = facts;
-    invcal_observation row;
-    double square = 0;
-
-    if (invcal_observation_exact(up, &row) != INVCAL_OK) {
-        return 0;
-    }
-    for (unsigned i = 0; i < INVCAL_PARAMETERS; i++) {
-        for (unsigned j = 0; j <= i; j++) {
-            square += (i == j ? 1 : 2) * row.h[i] * row.h[j] * f->covariance[INVCAL_PACKED(i, j)];
-        }
-    }
-    return f->noise * sqrt(fmax(0, square));
-}
-
-/* The least and the greatest over a grid of 5 degrees. */
-static void find_extremes(report_facts *f)
-{
-    f->sigma_least = HUGE_VAL;
-    for (double polar = 0; polar < TURN / 2 + STEP / 2; polar += STEP) {
-        for (double azimuth = 0; azimuth < TURN - STEP / 2; azimuth += STEP) {
-            const double up[3] = {sin(polar) * cos(azimuth), sin(polar) * sin(azimuth), cos(polar)};
-            const double sigma = report_sigma(f, up);
-            f->sigma_least = fmin(f->sigma_least, sigma);
-            if (sigma > f->sigma_most) {
-                f->sigma_most = sigma;
-                memcpy(f->worst, up, sizeof f->worst);
-            }
-        }
-    }
-    invcal_guidance_words(f->worst, f->worst_words);
 }
 
 static void set_marks(report_facts *f)
@@ -119,7 +81,8 @@ int report_facts_find(report_facts *f, const calibrate_result *result, const cal
     }
     find_positions(f);
     find_covariance(f);
-    find_extremes(f);
+    f->length_sigma.unit = f->noise;
+    uncertainty_search(&f->length_sigma);
     (void)invcal_guidance_next(&f->normal, NULL, &f->next);
     invcal_guidance_words(f->next.up, f->next_words);
     set_marks(f);

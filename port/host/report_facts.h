@@ -7,10 +7,9 @@
 #define REPORT_FACTS_H
 
 #include "figure.h"
-#include "invcal/guidance.h"
 #include "page.h"
 #include "report.h"
-#include "sphere.h"
+#include "uncertainty.h"
 
 /* Lengths are told in thousandths of the field: mg, if the field is that of gravity. */
 #define REPORT_PARTS 1000.0
@@ -33,24 +32,15 @@ typedef struct {
     report_position *position; /* count of them */
     sphere_mark *mark;         /* the same for the sphere, and behind them the next one */
     invcal_normal normal;      /* of the calibrated readings that were kept */
-    double covariance[INVCAL_PACKED_SIZE(INVCAL_PARAMETERS)];
-    double noise;       /* of a position mean, thousandths; 1 if not known */
-    double sigma_least; /* of |a|, over all directions, as sigma of report_sigma */
-    double sigma_most;
-    double worst[3]; /* the direction of the latter */
+    double noise;              /* of a position mean, thousandths; 1 if not known */
+    uncertainty length_sigma;  /* of the calibrated length, in units of the noise above */
     invcal_guidance next;
     char next_words[INVCAL_GUIDANCE_WORDS];
-    char worst_words[INVCAL_GUIDANCE_WORDS];
 } report_facts;
 
 /* EXIT_GOOD; EXIT_FILE, with a message, without memory. To be released in either case. */
 int report_facts_find(report_facts *f, const calibrate_result *result, const calibrate_wish *wish);
 void report_facts_release(report_facts *f);
-
-/* Standard deviation of the calibrated length in a direction, thousandths of the field, or in
- * multiples of the noise of a position mean if that is not known. Takes report_facts, for
- * sphere.h. */
-double report_sigma(const void *facts, const double up[3]);
 
 /* The sections, in this order. */
 void report_parameters(page *p, const report_facts *f);

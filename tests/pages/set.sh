@@ -46,3 +46,23 @@ for set in per-group:6 optimal:48; do
 done
 "$tool" plan --sweep 5:16 --svg "$out/sweep.svg" > /dev/null
 echo "$out/sweep.svg"
+
+plan() { # plan PAGE ARGUMENTS ...
+    page=$out/plan-$1.html
+    shift
+    "$tool" plan --quiet --report "$page" "$@"
+    echo "$page"
+}
+
+# Programs: the paper's, one with noise and odd angles, a choice, too large a one, a bad one.
+plan paper
+plan noise --per-group 7 --noise 0.0001
+plan choice --limits 0.4,0.6,1 --noise 0.0001 --budget 600
+plan many --per-group 1000
+printf '%s\n' '1 0 10' '9 3 3' '8 6 0' '7 0 7' '6 8 1' '5 5 7' '3 3 9' '9 4 0' '2 8 5' '-1 0 9' \
+    '0 9 -1' > "$out/cap.txt"
+plan weak --directions "$out/cap.txt"
+plan sweep --sweep 5:16
+plan comparison --compare per-group:8 per-group:6 --svg "$out/comparison.svg"
+echo "$out/comparison.svg"
+plan far-apart --compare per-group:1000 optimal:9

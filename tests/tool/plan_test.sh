@@ -288,6 +288,7 @@ echo old > "$work/out/cal.json"
 run plan --faces --svg "$work/out/cal.json"
 check "plan: a refusal leaves the picture as it was" is_untouched
 refuses "plan: a picture where none can be" 3 'nowhere/x\.svg' plan --svg "$work/nowhere/x.svg"
-refuses "plan: a picture of a comparison" 2 'svg: draws one' plan --compare edges edges --svg "$work/x.svg"
+accepts "plan: a picture of a comparison" plan --compare edges icosahedron --svg "$work/x.svg"
+check "plan: it is SVG as well" is_svg "$work/x.svg"
 
 finish

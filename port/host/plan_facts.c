@@ -1,0 +1,27 @@
+/* SPDX-License-Identifier: MIT */
+#include "plan_facts.h"
+
+#include <math.h>
+
+void plan_facts_find(plan_facts *f, const design *d, const choice_request *request, const choice *c)
+{
+    double *K = f->length_sigma.covariance;
+
+    f->set = d;
+    f->request = request;
+    f->choice = c;
+    f->noise = request->cost.noise > 0 ? design_noise(&request->cost) : 0;
+    invcal_normal_matrix(&d->normal, K);
+    (void)invcal_cholesky_factor(K, INVCAL_PARAMETERS, INVCAL_PIVOT_FLOOR); /* it is solvable */
+    invcal_cholesky_inverse(K, INVCAL_PARAMETERS);
+    for (unsigned r = 0; r < INVCAL_PARAMETERS; r++) {
+        f->sigma[r] = sqrt(K[INVCAL_PACKED(r, r)]);
+    }
+    f->length_sigma.unit = f->noise > 0 ? 1e3 * f->noise : 1;
+    uncertainty_search(&f->length_sigma);
+}
+
+const char *plan_length_unit(const plan_facts *f)
+{
+    return f->noise > 0 ? "mg" : "× noise";
+}

@@ -1,0 +1,44 @@
+# SPDX-License-Identifier: MIT
+#
+# Checks a page: every tag is closed in its place, attributes are quoted, no stray < or &, and
+# nothing is loaded or run. Prints nothing, or one line that says what is wrong.
+function wrong(what) {
+    if (!said) print "wrong: " what
+    said = 1
+}
+function open_tag(tag,    name, rest) {
+    name = tag
+    sub(/[ \/].*/, "", name)
+    if (name ~ /^(script|iframe|object|embed|link|img|base|form|use|image)$/) wrong("<" name ">")
+    if (tag ~ / (on[a-z]*|src|href|srcset|action)=/) wrong("it would load or run: " tag)
+    rest = tag
+    gsub(/ +[a-zA-Z0-9:-]+="[^"<]*"/, "", rest)
+    sub(/\/$/, "", rest)
+    sub(/ open$/, "", rest) # <details open>
+    if (rest != name) wrong("attributes of " tag)
+    if (name == "meta" || tag ~ /\/$/) return
+    stack[++depth] = name
+}
+function close_tag(name) {
+    if (depth == 0 || stack[depth] != name) wrong("</" name "> after <" stack[depth] ">")
+    else depth--
+}
+{ all = all $0 "\n" }
+END {
+    if (!sub(/^<!DOCTYPE html>\n/, "", all)) wrong("no doctype")
+    if (all ~ /url\(|@import|javascript:/) wrong("a reference to elsewhere")
+    count = split(all, piece, "<")
+    for (i = 2; i <= count; i++) {
+        at = index(piece[i], ">")
+        if (at == 0) { wrong("a stray <"); break }
+        tag = substr(piece[i], 1, at - 1)
+        gsub(/\n/, " ", tag)
+        text = substr(piece[i], at + 1)
+        if (tag ~ /^\//) close_tag(substr(tag, 2))
+        else open_tag(tag)
+        if (stack[depth] == "style") continue
+        gsub(/&(amp|lt|gt|quot|#39);/, "", text)
+        if (text ~ /&|>/) wrong("a stray & or >: " text)
+    }
+    if (depth) wrong("<" stack[depth] "> is left open")
+}
