@@ -6,6 +6,8 @@
 
 #include "figure.h"
 
+#define JOINT "\302\240" /* U+00A0: a number and its unit stay on one line */
+
 const plan_kind plan_kinds[PLAN_KINDS] = {
     {"offsets", "mg", 1e3},
     {"scale errors", "%", 1e2},
@@ -36,12 +38,14 @@ const char *plan_time_text(double seconds, char text[PLAN_WORDS_MAX])
     const unsigned long long whole = (unsigned long long)(seconds + 0.5);
 
     if (seconds < 59.5) {
-        snprintf(text, PLAN_WORDS_MAX, "%.3g s", seconds);
+        snprintf(text, PLAN_WORDS_MAX, "%.3g" JOINT "s", seconds);
     } else if (whole < 3600) {
-        snprintf(text, PLAN_WORDS_MAX, "%llu min %02llu s", whole / 60, whole % 60);
+        snprintf(text, PLAN_WORDS_MAX, "%llu" JOINT "min" JOINT "%02llu" JOINT "s", whole / 60,
+                 whole % 60);
     } else {
         const unsigned long long minutes = (unsigned long long)(seconds / 60 + 0.5);
-        snprintf(text, PLAN_WORDS_MAX, "%llu h %02llu min", minutes / 60, minutes % 60);
+        snprintf(text, PLAN_WORDS_MAX, "%llu" JOINT "h" JOINT "%02llu" JOINT "min", minutes / 60,
+                 minutes % 60);
     }
     return text;
 }
@@ -64,7 +68,7 @@ const char *plan_sigma_text(unsigned kind, double sigma, double noise, char text
 
     if (noise > 0) {
         figure_digits(plan_kinds[kind].scale * noise * sigma, 3, number);
-        snprintf(text, PLAN_WORDS_MAX, "%s %s", number, plan_kinds[kind].unit);
+        snprintf(text, PLAN_WORDS_MAX, "%s" JOINT "%s", number, plan_kinds[kind].unit);
     } else {
         snprintf(text, PLAN_WORDS_MAX, "%s", figure_digits(sigma, 3, number));
     }

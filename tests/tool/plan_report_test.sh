@@ -24,7 +24,8 @@ makes_page() { # makes_page SENTENCE ARGUMENTS ...: the tool accepts them and wr
 
 # The page's words, a line for each element; cells of a row stand together, with | between.
 words() {
-    sed -n '/^<body>/,$p' "$page" | sed -e 's/<\/t[hd]>/|/g' -e 's/<[^>]*>//g' -e '/^ *$/d'
+    sed -n '/^<body>/,$p' "$page" | sed -e "s/$(printf '\302\240')/ /g" \
+        -e 's/<\/t[hd]>/|/g' -e 's/<[^>]*>//g' -e '/^ *$/d'
 }
 tells() { words | grep -Fq -- "$1"; }
 row() { words | sed -n "s/^$1|//p" | head -n 1; } # row NAME: the cells behind the first
@@ -218,7 +219,8 @@ makes_page "the widest sweep" --sweep 5:1000
 
 makes_page "a comparison" --compare per-group:8 per-group:6 --svg "$work/out/ratios.svg"
 check "report: time and sigma in a sentence" tells \
-    "B needs $(formula %.4f 175/235) of the time of A, with 18 positions in place of 24; its σ are $(formula %.3f 'sqrt(8/6)') times as large."
+    "B needs $(formula %.4f 175/235) of the time of A, with 18 positions in place of 24; its σ \
+are $(formula %.3f 'sqrt(8/6)') times as large."
 check "report: the ratios in a table" test "$(row 'σ of angles, × noise')" = \
     "1.00|$(formula %.2f 'sqrt(8/6)')|$(formula %.3f 'sqrt(8/6)')|"
 check "report: ln det in the table" test "$(row "ln det H&#39;H" | cut -d '|' -f 1)" = \
@@ -304,7 +306,8 @@ run plan --report "$work/out/cal.json" --svg "$work/nowhere/x.svg"
 check "report: and the other way round" kept_old 3 'nowhere/x\.svg'
 "$tool" plan --report "$work/out/cal.json" --svg "$work/out/x.svg" >&- 2> "$work/stderr"
 code=$?
-check "report: an output that fails leaves everything as it was" kept_old 3 'standard output: cannot'
+check "report: an output that fails leaves everything as it was" \
+    kept_old 3 'standard output: cannot'
 run plan --limits 0.01,0.01,0.01 --report "$work/out/cal.json"
 check "report: no set within the limits, no page" is_untouched
 
