@@ -132,7 +132,7 @@ static void write_row(page *p, const page_table *sheet, const report_facts *f, u
 static void write_table(page *p, const report_facts *f)
 {
     static const char *const titles[] = {"parameter", "deviation from nominal", "sensor reads",
-                                          "nominal", "remark"};
+                                         "nominal", "remark"};
     char caption[2 * CELL];
     const page_table sheet = {caption, titles, 5, 1u << 4};
 

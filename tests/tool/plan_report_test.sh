@@ -9,17 +9,12 @@ here=$(dirname "$0")
 # shellcheck disable=SC2154
 page=$work/out/page.html
 
-is_page() { # well-formed, self-contained
-    result=$(awk -f "$here/page.awk" "$page" 2>&1)
-    [ -z "$result" ] || { echo "    $result" >&2; return 1; }
-}
-
 makes_page() { # makes_page SENTENCE ARGUMENTS ...: the tool accepts them and writes a good page
     what=$1
     shift
     rm -f "$page"
     accepts "report: $what" plan "$@" --report "$page"
-    check "report: $what: well-formed, self-contained" is_page
+    check "report: $what: well-formed, self-contained" is_page "$page"
 }
 
 # The page's words, a line for each element; cells of a row stand together, with | between.

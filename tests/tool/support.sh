@@ -122,6 +122,11 @@ is_json() {
         grep -q 'this is no calibration' "$work/json.err"
 }
 
+is_page() { # FILE: HTML that is well-formed, and needs nothing else
+    result=$(awk -f "$here/page.awk" "$1" 2>&1)
+    [ -z "$result" ] || { echo "    $result" >&2; return 1; }
+}
+
 same() { cmp -s "$1" "$2"; }
 matches() { grep -Eq -- "$2" "$1"; }
 lacks() { ! grep -Eq -- "$2" "$1"; }
