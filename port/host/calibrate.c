@@ -393,6 +393,7 @@ static double noise_of_file(const positions *data, const invcal_calibration *c)
 
 static int settle_noise(const request *r, const positions *data, calibrate_result *result)
 {
+    result->is_noise_given = r->value[NOISE] != NULL;
     if (!r->value[NOISE] && data->has_noise) {
         result->settings.noise = noise_of_file(data, &result->nominal.calibration);
     }

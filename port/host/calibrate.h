@@ -24,6 +24,7 @@ typedef struct {
     const double *tolerance; /* data sheet limits of offsets (over the field), scale errors and
                                 angles (rad); null: not stated */
     uint16_t beyond;         /* bit r: parameter r exceeds them */
+    int is_noise_given;      /* by --noise, not by the scatter of the samples */
     double residual_before;  /* root mean square of |nominal calibration| / field - 1 */
 } calibrate_result;
 

@@ -19,6 +19,7 @@
 #define LARGE 60u    /* up to here markers are large */
 #define NAME_WIDTH 70.0
 #define NAMED 8u /* positions left out that are named in the chart */
+#define UNEXPLAINED 3.0
 
 /* A chart over the numbers of the positions. */
 typedef struct {
@@ -250,9 +251,23 @@ static void say_left_out(page *p, const report_facts *f)
     }
     if (r->suspected > 0) {
         page_say(p,
-                 "Something is wrong among %u more positions, but not to be told which: repeat "
-                 "the measurement.",
-                 r->suspected);
+                 "Something is wrong among %u %spositions, but not to be told which: repeat the "
+                 "measurement.",
+                 r->suspected, r->count > 0 ? "more " : "");
+    }
+}
+
+/* The samples tell a noise, the residuals another: something else is in them. */
+static void say_unexplained(page *p, const report_facts *f)
+{
+    const invcal_settings *s = &f->result->settings;
+    const double times = f->noise / (REPORT_PARTS * s->noise / s->field);
+
+    if (s->noise > 0 && times >= UNEXPLAINED) {
+        page_say(p,
+                 "They are %.0f times as large as the noise %s explains: the device may have moved "
+                 "or trembled, the temperature changed, or a position be wrong.",
+                 times, f->result->is_noise_given ? "stated" : "of the samples");
     }
 }
 
@@ -267,6 +282,7 @@ void report_positions(page *p, const report_facts *f)
     page_picture(p, caption, draw_change, f);
     page_section(p, "What is left: residuals");
     say_left_out(p, f);
+    say_unexplained(p, f);
     page_picture(p,
                  f->result->quality.dof > 0
                      ? "The calibrated part of the picture above, enlarged."
