@@ -146,6 +146,13 @@ static void print_residuals(FILE *file, const calibrate_result *r, const char *n
         }
         fprintf(file, "\n±             one standard deviation; %.2f of them cover 95 %%\n",
                 q->coverage);
+        if (calibrate_unexplained(r) > 0) {
+            fprintf(
+                file,
+                "The residuals are %.0f times as large as that noise explains: motion, a changing "
+                "temperature,\nclipped readings (--clip), or a wrong position.\n",
+                calibrate_unexplained(r));
+        }
     } else {
         fprintf(file, "noise         not known: no ± can be given (--noise states it)\n");
     }

@@ -456,6 +456,15 @@ int columns_find(table *t, columns_kind kind, columns *out)
     return failure;
 }
 
+/* What to do about a field that is not needed. */
+static const char *remedy(column which, number_status status)
+{
+    return which == COLUMN_TEMPERATURE ? ": leave the column out"
+           : which == COLUMN_TIME && status == NUMBER_NOT_DECIMAL
+               ? ": convert it to seconds, or leave the column out"
+               : "";
+}
+
 int columns_number(const table *t, const columns *where, column which, double *out)
 {
     const int index = where->index[which];
@@ -463,17 +472,14 @@ int columns_number(const table *t, const columns *where, column which, double *o
     char excerpt[TABLE_EXCERPT_MAX];
 
     if (status == NUMBER_EMPTY) {
-        message("%s:%lu: column %d (%s) is empty", t->name, t->line, index + 1,
-                columns_name(which));
+        message("%s:%lu: column %d (%s) is empty%s", t->name, t->line, index + 1,
+                columns_name(which), remedy(which, status));
         return EXIT_FILE;
     }
     if (status != NUMBER_OK) {
         message("%s:%lu: column %d (%s): '%s' %s%s", t->name, t->line, index + 1,
                 columns_name(which), table_excerpt(t->field[index], excerpt),
-                number_problem(status),
-                which == COLUMN_TIME && status == NUMBER_NOT_DECIMAL
-                    ? ": convert it to seconds, or leave the column out"
-                    : "");
+                number_problem(status), remedy(which, status));
         return EXIT_FILE;
     }
     *out /= which == COLUMN_TIME ? where->per_second : 1;

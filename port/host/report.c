@@ -10,6 +10,7 @@
 #include "report_facts.h"
 
 #define TEXT_MAX 800
+#define DISAGREEING 10.0 /* times the noise: positions do not confirm one another */
 
 /* ---- what it comes to -------------------------------------------------------------------------- */
 
@@ -24,16 +25,22 @@ static void say_good(const report_facts *f, char *text)
     const unsigned count = f->result->rejected.count;
     char spread[FIGURE_MAX];
     char left_out[128] = "";
+    const double times = calibrate_unexplained(f->result);
+    char check[128] = "and positions to spare confirm them";
 
+    if (times >= DISAGREEING) {
+        snprintf(check, sizeof check,
+                 "but the positions disagree by %.0f times what the noise explains", times);
+    }
     if (count > 0) {
         snprintf(left_out, sizeof left_out, " %u position%s the others and %s left out.", count,
                  count == 1 ? " contradicts" : "s contradict", count == 1 ? "is" : "are");
     }
     snprintf(text, TEXT_MAX,
-             "All nine parameters are determined, and positions to spare confirm them: corrected "
-             "readings have the length of %s to ±%s %s or better in any one direction (95 %%), "
-             "their own noise not counted.%s",
-             f->is_gravity ? "gravity" : "the field", worst_spread(f, spread), f->unit, left_out);
+             "All nine parameters are determined, %s: corrected readings have the length of %s to "
+             "±%s %s or better in any one direction (95 %%), their own noise not counted.%s",
+             check, f->is_gravity ? "gravity" : "the field", worst_spread(f, spread), f->unit,
+             left_out);
 }
 
 static void say_weak(const report_facts *f, char *text)

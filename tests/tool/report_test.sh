@@ -132,6 +132,14 @@ rests_are_true() {
 check "report: each rest lies within the true one, with its temperature" rests_are_true
 check "report: the temperatures are told" says_page 'temperature 2[01]\.[0-9] \.\.\. (29|30)\.[0-9] °C'
 
+# A sensor that ends at 0.95 g, and nobody has said so.
+"$tool" simulate --plan per-group:6 --range 0.95 > "$work/clipped.csv"
+makes_page "clipped readings" "$work/clipped.csv"
+check "report: positions that disagree confirm nothing" says_page \
+    'determined, but the positions disagree by [0-9]{3} times what the noise explains'
+check "report: and the table tells why that may be" matches "$work/stdout" \
+    '^The residuals are [0-9]* times as large'
+
 # Which of them are wrong, four residuals as large as one another do not tell.
 "$tool" simulate --plan edges --outliers 2 --seed 5 --noise 0.002 > "$work/doubt.csv"
 makes_page "outliers not to be told" "$work/doubt.csv"
