@@ -39,17 +39,17 @@ all: $(BUILD)/float/libinvcal.a $(BUILD)/double/libinvcal.a $(BUILD)/invcal ## b
 SHARE = $(DESTDIR)$(PREFIX)/share
 
 install: $(BUILD)/invcal $(BUILD)/invcal.1 ## the tool, its manual, completion and schema (PREFIX=, DESTDIR=)
-	$(Q)mkdir -p $(DESTDIR)$(PREFIX)/bin $(SHARE)/man/man1 $(SHARE)/invcal \
-	    $(SHARE)/bash-completion/completions
-	$(Q)install -m 755 $(BUILD)/invcal $(DESTDIR)$(PREFIX)/bin/invcal
-	$(Q)install -m 644 $(BUILD)/invcal.1 $(SHARE)/man/man1/invcal.1
-	$(Q)install -m 644 port/host/invcal.bash $(SHARE)/bash-completion/completions/invcal
-	$(Q)install -m 644 port/host/schema.json $(SHARE)/invcal/schema.json
+	$(Q)mkdir -p "$(DESTDIR)$(PREFIX)/bin" "$(SHARE)/man/man1" "$(SHARE)/invcal" \
+	    "$(SHARE)/bash-completion/completions"
+	$(Q)install -m 755 $(BUILD)/invcal "$(DESTDIR)$(PREFIX)/bin/invcal"
+	$(Q)install -m 644 $(BUILD)/invcal.1 "$(SHARE)/man/man1/invcal.1"
+	$(Q)install -m 644 port/host/invcal.bash "$(SHARE)/bash-completion/completions/invcal"
+	$(Q)install -m 644 port/host/schema.json "$(SHARE)/invcal/schema.json"
 
 uninstall: ## remove what install has put there
-	$(Q)rm -f $(DESTDIR)$(PREFIX)/bin/invcal $(SHARE)/man/man1/invcal.1 \
-	    $(SHARE)/bash-completion/completions/invcal $(SHARE)/invcal/schema.json
-	$(Q)rmdir $(SHARE)/invcal 2>/dev/null || true
+	$(Q)rm -f "$(DESTDIR)$(PREFIX)/bin/invcal" "$(SHARE)/man/man1/invcal.1" \
+	    "$(SHARE)/bash-completion/completions/invcal" "$(SHARE)/invcal/schema.json"
+	$(Q)rmdir "$(SHARE)/invcal" 2>/dev/null || true
 
 demo: $(BUILD)/invcal ## from a raw log to calibrated readings; then a real sensor's positions
 	@echo 'A simulated sensor, carried by hand through 18 orientations, 5 seconds in each:'

@@ -70,6 +70,7 @@ static const option_syntax calibrate_syntax = {"calibrate", options, OPTIONS, op
 static const option_syntax watch_syntax = {"watch", options, OPTIONS, operands, 1, 0};
 
 #define COMMAND_MAX 2000u
+#define UNEXPLAINED 3.0 /* times the noise: a hand that holds the device comes near it */
 
 /* Too large for the stack; only its plan is used. */
 static design live_plan;
@@ -393,6 +394,7 @@ static double noise_of_file(const positions *data, const invcal_calibration *c)
 
 static int settle_noise(const request *r, const positions *data, calibrate_result *result)
 {
+    result->is_noise_given = r->value[NOISE] != NULL;
     if (!r->value[NOISE] && data->has_noise) {
         result->settings.noise = noise_of_file(data, &result->nominal.calibration);
     }
@@ -481,6 +483,14 @@ const char *calibrate_input_unit(const calibrate_result *result)
 int calibrate_knows_noise(const calibrate_result *result)
 {
     return result->settings.noise > 0 || result->quality.noise < 1;
+}
+
+double calibrate_unexplained(const calibrate_result *result)
+{
+    const double expected = result->settings.noise / result->settings.field;
+    const double times = expected > 0 ? result->quality.noise / expected : 0;
+
+    return times >= UNEXPLAINED ? times : 0;
 }
 
 static calibrate_wish wish_of(const request *r)

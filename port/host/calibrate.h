@@ -24,11 +24,16 @@ typedef struct {
     const double *tolerance; /* data sheet limits of offsets (over the field), scale errors and
                                 angles (rad); null: not stated */
     uint16_t beyond;         /* bit r: parameter r exceeds them */
+    int is_noise_given;      /* by --noise, not by the scatter of the samples */
     double residual_before;  /* root mean square of |nominal calibration| / field - 1 */
 } calibrate_result;
 
 /* 0 if neither the user nor the residuals tell the noise: sigma then means nothing. */
 int calibrate_knows_noise(const calibrate_result *result);
+
+/* How many times the noise of a position mean is as large as that stated, or as the scatter of the
+ * samples tells; 0 if that explains it, or nothing is known. */
+double calibrate_unexplained(const calibrate_result *result);
 
 /* What the calibrated readings and the file's are in: "m/s²" or "field units"; "counts", ... */
 const char *calibrate_field_unit(const calibrate_result *result);

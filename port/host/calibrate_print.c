@@ -104,6 +104,16 @@ static void print_errors(FILE *file, const calibrate_result *r, int known)
     }
 }
 
+static void print_guess(FILE *file, const nominal_choice *n, const char *nominal_name)
+{
+    if (nominal_is_guess(n)) {
+        fprintf(file,
+                "%s is a guess: how far offsets and scales are from it says nothing about the\n"
+                "sensor; state its data sheet with --zero and --lsb\n",
+                nominal_name);
+    }
+}
+
 /* A residual, which is over the field, in a unit that one can picture. */
 static const char *residual_text(double residual, double field, char text[TEXT_MAX])
 {
@@ -131,10 +141,18 @@ static void print_residuals(FILE *file, const calibrate_result *r, const char *n
         fprintf(file, "noise         %14.3g %s of one position mean, %.3g degrees of freedom",
                 q->noise * field, calibrate_field_unit(r), q->dof);
         if (r->settings.noise > 0) {
-            fprintf(file, " (stated: %.3g)", r->settings.noise);
+            fprintf(file, " (%s: %.3g)", r->is_noise_given ? "stated" : "of samples",
+                    r->settings.noise);
         }
         fprintf(file, "\n±             one standard deviation; %.2f of them cover 95 %%\n",
                 q->coverage);
+        if (calibrate_unexplained(r) > 0) {
+            fprintf(
+                file,
+                "The residuals are %.0f times as large as that noise explains: motion, a changing "
+                "temperature,\nclipped readings (--clip), or a wrong position.\n",
+                calibrate_unexplained(r));
+        }
     } else {
         fprintf(file, "noise         not known: no ± can be given (--noise states it)\n");
     }
@@ -166,6 +184,15 @@ static void print_verdict(FILE *file, const calibrate_result *result)
 
     switch (q->verdict) {
     case INVCAL_GOOD:
+        if (result->rejected.suspected > 0) {
+            word = "Contradictory:";
+            colour = PAINT_YELLOW;
+            snprintf(text, sizeof text,
+                     " every parameter is determined, but %u positions contradict one another; "
+                     "nothing tells which of them are wrong.",
+                     result->rejected.suspected);
+            break;
+        }
         word = "Good:";
         colour = PAINT_GREEN;
         snprintf(text, sizeof text,
@@ -199,8 +226,9 @@ static void print_verdict(FILE *file, const calibrate_result *result)
     }
 }
 
-static void print_next(FILE *file, const invcal_quality *q, const calibrate_wish *wish)
+static void print_next(FILE *file, const calibrate_result *result, const calibrate_wish *wish)
 {
+    const invcal_quality *q = &result->quality;
     const char *saved = wish->saved;
     char advice[128];
     char text[TEXT_MAX];
@@ -213,6 +241,10 @@ static void print_next(FILE *file, const invcal_quality *q, const calibrate_wish
     }
     switch (q->verdict) {
     case INVCAL_GOOD:
+        if (result->rejected.suspected > 0) {
+            fprintf(file, "Next: repeat the measurement, with more positions, each at rest.\n");
+            break;
+        }
         fprintf(file, "Next: %scorrect readings with: invcal apply %s LOG\n",
                 saved ? "" : "save it with --out CAL.json, then ", saved ? saved : "CAL.json");
         break;
@@ -279,8 +311,8 @@ static void print_rejected(FILE *file, const calibrate_result *result)
                 is_gravity ? "mg" : "% of the field");
     }
     if (r->suspected > 0) {
-        fprintf(file, "Something is wrong among %u more positions, but not to be told which.\n",
-                r->suspected);
+        fprintf(file, "Something is wrong among %u %spositions, but not to be told which.\n",
+                r->suspected, r->count > 0 ? "more " : "");
     }
 }
 
@@ -308,9 +340,10 @@ void calibrate_print(FILE *file, const calibrate_result *result, const calibrate
     print_offsets(file, result, known);
     print_scales(file, result, known);
     print_errors(file, result, known);
+    print_guess(file, n, wish->nominal_name);
     fprintf(file, "\n");
     print_residuals(file, result, wish->nominal_name);
     fprintf(file, "\n");
     print_verdict(file, result);
-    print_next(file, &result->quality, wish);
+    print_next(file, result, wish);
 }

@@ -39,6 +39,7 @@ static int is_reading(const char *key)
         "magnetometer",
         "magneticfield",
         "accelerometeracceleration",
+        "gf",
         "fieldlinearacceleration",
     };
 
@@ -48,6 +49,13 @@ static int is_reading(const char *key)
         }
     }
     return 0;
+}
+
+/* The linear acceleration of a phone is one without gravity. This is how ROS spells that of
+ * sensor_msgs/Imu, which holds it. */
+static int is_of_ros(const heading *h)
+{
+    return strncmp(h->name, "linear_acceleration.", strlen("linear_acceleration.")) == 0;
 }
 
 /* The column with the same key as column `from` and this axis: -1 if there is none. */
@@ -97,7 +105,7 @@ static int find_xyz(const table *t, int index[3])
 
     for (unsigned i = 0; i < t->columns; i++) {
         const heading *h = &headings[i];
-        if (h->axis < 0 || !is_reading(h->key)) {
+        if (h->axis < 0 || !(is_reading(h->key) || is_of_ros(h))) {
             continue;
         }
         if (!found) {
@@ -131,13 +139,18 @@ static int has_key(const table *t, const char *key)
 }
 
 /* Logs that are known have a unit although their headings do not state it. */
-static reading_unit unit_of_system(const table *t, const char *key)
+static reading_unit unit_of_system(const table *t, const heading *x)
 {
+    const char *key = x->key;
+
     if (strcmp(key, "accsmooth") == 0 || strcmp(key, "accadc") == 0) {
         return UNIT_COUNTS; /* blackbox_decode without --unit-acceleration */
     }
-    if (strcmp(key, "fieldlinearacceleration") == 0) {
+    if (strcmp(key, "fieldlinearacceleration") == 0 || is_of_ros(x)) {
         return UNIT_MS2; /* sensor_msgs/Imu of ROS; gravity is in it */
+    }
+    if (strcmp(key, "gf") == 0) {
+        return UNIT_G; /* gFx: the g-force meter of Physics Toolbox */
     }
     if (strcmp(key, "acc") == 0 && has_key(t, "time") && has_key(t, "gyr")) {
         for (unsigned i = 0; i < t->columns; i++) {
@@ -165,7 +178,7 @@ static int find_unit(const table *t, columns *out)
             return EXIT_FILE;
         }
     }
-    out->seen.unit = x->states_unit ? x->unit : unit_of_system(t, x->key);
+    out->seen.unit = x->states_unit ? x->unit : unit_of_system(t, x);
     out->seen.states_foreign_unit = x->states_unit && x->unit == UNIT_UNKNOWN;
     out->seen.unit_from = out->seen.unit != UNIT_UNKNOWN ? UNIT_FROM_HEADER : UNIT_FROM_NONE;
     return EXIT_GOOD;
@@ -443,6 +456,15 @@ int columns_find(table *t, columns_kind kind, columns *out)
     return failure;
 }
 
+/* What to do about a field that is not needed. */
+static const char *remedy(column which, number_status status)
+{
+    return which == COLUMN_TEMPERATURE ? ": leave the column out"
+           : which == COLUMN_TIME && status == NUMBER_NOT_DECIMAL
+               ? ": convert it to seconds, or leave the column out"
+               : "";
+}
+
 int columns_number(const table *t, const columns *where, column which, double *out)
 {
     const int index = where->index[which];
@@ -450,13 +472,14 @@ int columns_number(const table *t, const columns *where, column which, double *o
     char excerpt[TABLE_EXCERPT_MAX];
 
     if (status == NUMBER_EMPTY) {
-        message("%s:%lu: column %d (%s) is empty", t->name, t->line, index + 1,
-                columns_name(which));
+        message("%s:%lu: column %d (%s) is empty%s", t->name, t->line, index + 1,
+                columns_name(which), remedy(which, status));
         return EXIT_FILE;
     }
     if (status != NUMBER_OK) {
-        message("%s:%lu: column %d (%s): '%s' %s", t->name, t->line, index + 1, columns_name(which),
-                table_excerpt(t->field[index], excerpt), number_problem(status));
+        message("%s:%lu: column %d (%s): '%s' %s%s", t->name, t->line, index + 1,
+                columns_name(which), table_excerpt(t->field[index], excerpt),
+                number_problem(status), remedy(which, status));
         return EXIT_FILE;
     }
     *out /= which == COLUMN_TIME ? where->per_second : 1;

@@ -264,6 +264,8 @@ static const char *const help[] = {
     "invcal calibrate was given --zero and --lsb, or they are stated here. The last two have no\n"
     "cross terms: they get the best fit of three scales and three offsets, and the error that it\n"
     "leaves is told, rms and largest of all directions, in mg (thousandths of the field).\n"
+    "Their log must not be corrected yet: PX4's sensor_accel is not, ArduPilot's logs are,\n"
+    "unless recorded with offsets 0 and scales 1.\n"
     "\n"
     "  --name WORD         c, c-arrays, fusion: what the names in the C source begin with\n"
     "  --zero X,Y,Z        px4, ardupilot, ros: reading that the driver turns into 0, input units\n"

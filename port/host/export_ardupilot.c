@@ -58,7 +58,8 @@ static int check(const export_job *job)
  *     accel -= offset;  accel.x *= scale.x;  (y, z alike)
  *
  * then turned to the body. So offset is in m/s^2, comes before the scale, and both are the best
- * diagonal fit to driver -> m/s^2, in the axes that an ArduPilot log shows before AHRS_ORIENTATION.
+ * diagonal fit to driver -> m/s^2, in the axes that an ArduPilot log shows before AHRS_ORIENTATION. Backends correct a sample before it is
+ * logged (IMU, ACC): the log must be of a vehicle with offsets 0, scales 1 and AHRS_ORIENTATION 0.
  *
  * Names and ranges: AP_InertialSensor.cpp: INS_ACCOFFS_X ... Z, -3.5 to 3.5 m/s^2, and
  * INS_ACCSCAL_X ... Z, 0.8 to 1.2. Its own calibration refuses scales beyond and offsets above
@@ -77,6 +78,8 @@ static void write_file(FILE *file, const export_job *job)
     export_comment(file, EXPORT_COMMENT,
                    "ArduPilot: corrected = scale (reading - offset), axis by axis, of readings of");
     export_comment(file, EXPORT_COMMENT, "the driver in m/s^2; its scale: %s", job->driver_from);
+    export_comment(file, EXPORT_COMMENT,
+                   "ArduPilot logs what it has corrected: record with offsets 0 and scales 1.");
     export_diagonal_comment(file, EXPORT_COMMENT, &d);
     if (job->device_id > 0) {
         fprintf(file, "%s_ID,%.0f\n", prefix, job->device_id);

@@ -49,7 +49,9 @@ static int check(const export_job *job)
  *
  * data is sensor_accel, m/s^2 in the axes that the driver delivers, after its own rotation
  * (src/lib/drivers/accelerometer/PX4Accelerometer.cpp, update()). So offset is in m/s^2, comes
- * before the scale, and both are the best diagonal fit to driver -> m/s^2.
+ * before the scale, and both are the best diagonal fit to driver -> m/s^2. vehicle_imu,
+ * sensor_combined and vehicle_acceleration are corrected by it (VehicleIMU.cpp, Publish()): a
+ * calibration of one of those would have to be put behind that of the vehicle.
  *
  * Names and limits: src/modules/sensors/module.yaml: CAL_ACCn_XOFF ... ZOFF without limits,
  * CAL_ACCn_XSCALE ... ZSCALE 0.1 to 3. CAL_ACCn_ID says whose they are; without it PX4 looks for
@@ -68,6 +70,9 @@ static void write_file(FILE *file, const export_job *job)
                    "PX4: corrected = scale (reading - offset), axis by axis,");
     export_comment(file, EXPORT_COMMENT, "of readings of the driver in m/s^2; its scale: %s",
                    job->driver_from);
+    export_comment(
+        file, EXPORT_COMMENT,
+        "The log must be one of sensor_accel: PX4 has corrected sensor_combined already.");
     export_diagonal_comment(file, EXPORT_COMMENT, &d);
     export_comment(file, EXPORT_COMMENT, "QGroundControl: Parameters, Tools, Load from file.");
     if (job->device_id > 0) {

@@ -27,6 +27,11 @@ int nominal_from_range(const positions *p, double field, double zero[3], double 
     return widest > 0;
 }
 
+int nominal_is_guess(const nominal_choice *n)
+{
+    return n->zero == NOMINAL_RANGE || n->lsb == NOMINAL_RANGE;
+}
+
 const char *nominal_origin_text(nominal_origin origin)
 {
     static const char *const texts[] = {"given", "from the data's range",

@@ -32,6 +32,9 @@ typedef struct {
  * Returns 1; 0, with lsb left undefined, if there is no range or none that gives usable numbers. */
 int nominal_from_range(const positions *p, double field, double zero[3], double lsb[3]);
 
+/* Zero or scale are from the range: how far the sensor is from them says nothing about it. */
+int nominal_is_guess(const nominal_choice *n);
+
 /* "given", "from the data's range", "of an earlier calibration", "by the unit that is stated". */
 const char *nominal_origin_text(nominal_origin origin);
 

@@ -59,13 +59,17 @@ static int is_not_finite(const char *text)
 static number_status find_fault(const char *text)
 {
     const char *s = skip_sign(text);
+    const char *end = s + strspn(s, "0123456789.,'");
     unsigned marks = 0;
 
-    if (!number_is_meant(text) || s[strspn(s, "0123456789.,'")] != '\0' || !strpbrk(s, ",'")) {
+    if (*end == 'e' || *end == 'E') {
+        end = skip_digits(skip_sign(end + 1));
+    }
+    if (!number_is_meant(text) || *end != '\0' || !strpbrk(s, ",'")) {
         return NUMBER_NOT_DECIMAL;
     }
     for (; *s != '\0'; s++) {
-        marks += !is_digit(*s);
+        marks += strchr(".,'", *s) != NULL;
     }
     return marks == 1 && strchr(text, ',') ? NUMBER_COMMA : NUMBER_GROUPED;
 }

@@ -10,6 +10,7 @@
 #include "report_facts.h"
 
 #define TEXT_MAX 800
+#define DISAGREEING 10.0 /* times the noise: positions do not confirm one another */
 
 /* ---- what it comes to -------------------------------------------------------------------------- */
 
@@ -24,16 +25,22 @@ static void say_good(const report_facts *f, char *text)
     const unsigned count = f->result->rejected.count;
     char spread[FIGURE_MAX];
     char left_out[128] = "";
+    const double times = calibrate_unexplained(f->result);
+    char check[128] = "and positions to spare confirm them";
 
+    if (times >= DISAGREEING) {
+        snprintf(check, sizeof check,
+                 "but the positions disagree by %.0f times what the noise explains", times);
+    }
     if (count > 0) {
         snprintf(left_out, sizeof left_out, " %u position%s the others and %s left out.", count,
                  count == 1 ? " contradicts" : "s contradict", count == 1 ? "is" : "are");
     }
     snprintf(text, TEXT_MAX,
-             "All nine parameters are determined, and positions to spare confirm them: corrected "
-             "readings have the length of %s to ±%s %s or better, whichever way the device points "
-             "(95 %%).%s",
-             f->is_gravity ? "gravity" : "the field", worst_spread(f, spread), f->unit, left_out);
+             "All nine parameters are determined, %s: corrected readings have the length of %s to "
+             "±%s %s or better in any one direction (95 %%), their own noise not counted.%s",
+             check, f->is_gravity ? "gravity" : "the field", worst_spread(f, spread), f->unit,
+             left_out);
 }
 
 static void say_weak(const report_facts *f, char *text)
@@ -50,6 +57,20 @@ static void say_weak(const report_facts *f, char *text)
         f->knows_noise ? f->unit : "times the noise of a position mean");
 }
 
+/* Residuals that cannot be laid at one position's door: the fit is not to be relied on. */
+static void write_doubt(page *p, const report_facts *f)
+{
+    char sentence[TEXT_MAX];
+
+    snprintf(sentence, sizeof sentence,
+             "All nine parameters are determined, but %u positions contradict one another, and "
+             "nothing tells which of them are wrong: the truth may lie far outside the ±.",
+             f->result->rejected.suspected);
+    page_verdict(p, PAGE_CAUTION, "! Contradictory", sentence,
+                 "repeat the measurement, with more positions and each of them at rest, so that "
+                 "wrong ones stand out.");
+}
+
 static void write_verdict(page *p, const report_facts *f)
 {
     const char *saved = f->wish->saved;
@@ -59,6 +80,10 @@ static void write_verdict(page *p, const report_facts *f)
 
     switch (f->result->quality.verdict) {
     case INVCAL_GOOD:
+        if (f->result->rejected.suspected > 0) {
+            write_doubt(p, f);
+            break;
+        }
         say_good(f, sentence);
         snprintf(next, sizeof next, "%scorrect readings with invcal apply %s LOG.",
                  saved ? "" : "save it with --out CAL.json, and ", saved ? saved : "CAL.json");
@@ -82,26 +107,44 @@ static void write_verdict(page *p, const report_facts *f)
     }
 }
 
-static void write_figures(page *p, const report_facts *f)
+/* What the calibration has done to the lengths. Of a guessed nominal the error before says nothing
+ * about the sensor, and without positions to spare the one after is zero whatever was measured. */
+static void write_improvement(page *p, const report_facts *f)
 {
     const calibrate_result *r = f->result;
+    const int is_guess = nominal_is_guess(&r->nominal);
     char text[128];
     char before[FIGURE_MAX];
     char after[FIGURE_MAX];
     char what[128];
 
-    page_figures_begin(p);
-    snprintf(text, sizeof text, "%s → %s %s",
-             figure_digits(REPORT_PARTS * r->residual_before, 3, before),
-             figure_digits(REPORT_PARTS * r->quality.residual_rms, 3, after), f->unit);
-    snprintf(what, sizeof what, "rms error of %s, before and after", f->length);
+    if (!(r->quality.dof > 0)) {
+        return;
+    }
+    snprintf(text, sizeof text, "%s%s%s %s",
+             is_guess ? "" : figure_digits(REPORT_PARTS * r->residual_before, 3, before),
+             is_guess ? "" : " → ", figure_digits(REPORT_PARTS * r->quality.residual_rms, 3, after),
+             f->unit);
+    snprintf(what, sizeof what, "rms error of %s, %s", f->length,
+             is_guess ? "calibrated" : "before and after");
     page_figure(p, text, what);
+}
+
+static void write_figures(page *p, const report_facts *f)
+{
+    const calibrate_result *r = f->result;
+    char text[128];
+    char number[FIGURE_MAX];
+    char what[128];
+
+    page_figures_begin(p);
+    write_improvement(p, f);
     snprintf(text, sizeof text, "%u", r->data->count);
     snprintf(what, sizeof what, r->rejected.count ? "positions, %u of them left out" : "positions",
              r->rejected.count);
     page_figure(p, text, what);
     if (f->knows_noise) {
-        snprintf(text, sizeof text, "%s %s", figure_digits(f->noise, 3, before), f->unit);
+        snprintf(text, sizeof text, "%s %s", figure_digits(f->noise, 3, number), f->unit);
         page_figure(p, text, "noise of a position mean");
     }
     page_figures_end(p);
@@ -173,7 +216,9 @@ static void write_origin(page *p, const report_facts *f)
     page_fact(p, "condition", "%.4g", r->quality.condition);
     page_fact(p, "degrees of freedom", "%.4g", r->quality.dof);
     if (r->settings.noise > 0) {
-        page_fact(p, "noise stated", "%.3g %s", r->settings.noise, calibrate_field_unit(r));
+        page_fact(p, "noise", "%.3g %s of a position mean, %s", r->settings.noise,
+                  calibrate_field_unit(r),
+                  r->is_noise_given ? "stated" : "from the scatter of the samples");
     }
     page_facts_end(p);
     page_note(p, "Corrected reading = matrix · (reading - offset). Lengths do not show how the "

@@ -269,7 +269,6 @@ static void say_beyond(page *p, const report_facts *f)
 
 void report_parameters(page *p, const report_facts *f)
 {
-    const nominal_choice *n = &f->result->nominal;
     char caption[4 * CELL];
 
     page_section(p, "The nine parameters");
@@ -282,7 +281,7 @@ void report_parameters(page *p, const report_facts *f)
         page_note(p, "No ± can be given: the noise is not known. --noise states it, and positions "
                      "to spare show it.");
     }
-    if (n->zero == NOMINAL_RANGE || n->lsb == NOMINAL_RANGE) {
+    if (nominal_is_guess(&f->result->nominal)) {
         page_note(p, "Nominal is a guess from the range of the readings: deviations from it say "
                      "nothing about the sensor. State its data sheet with --zero and --lsb.");
     }

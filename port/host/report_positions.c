@@ -17,7 +17,8 @@
 #define HEIGHT (TOP + PLOT + 46)
 #define SINGLE 2500u /* more positions than this are drawn as columns from least to greatest */
 #define LARGE 60u    /* up to here markers are large */
-#define NAME_WIDTH 70.0
+#define NAME_WIDTH 80.0
+#define NAME_HEIGHT 14.0
 #define NAMED 8u /* positions left out that are named in the chart */
 
 /* A chart over the numbers of the positions. */
@@ -177,9 +178,27 @@ static double usual(const report_facts *f)
     return f->knows_noise ? f->result->quality.coverage * f->noise : 0;
 }
 
-/* Positions left out are named near where they stand, in turns at three heights. */
+/* Where a name stands: the middle of its foot. */
+typedef struct {
+    double x;
+    double y;
+} place;
+
+static int is_free(const place *taken, unsigned count, place at)
+{
+    for (unsigned i = 0; i < count; i++) {
+        if (fabs(at.x - taken[i].x) < NAME_WIDTH && fabs(at.y - taken[i].y) < NAME_HEIGHT) {
+            return 0;
+        }
+    }
+    return 1;
+}
+
+/* Positions left out are named near where they stand, in turns at three heights, where there is
+ * room: the text above names them, too. */
 static void name_left_out(FILE *file, const plot *p, double width)
 {
+    place taken[NAMED];
     unsigned named = 0;
 
     for (unsigned n = 0; n < p->f->count && named < NAMED; n++) {
@@ -190,14 +209,17 @@ static void name_left_out(FILE *file, const plot *p, double width)
         if (!at->is_left_out) {
             continue;
         }
+        const double y = height_of(p, at->after) + inwards * (8 + NAME_HEIGHT * (named % 3));
         const double x = chart_pixel(&p->x, n + 1.0);
-        const double y = height_of(p, at->after) + inwards * (8 + 14.0 * (named % 3));
+        const place here = {fmax(LEFT + NAME_WIDTH / 2, fmin(width - RIGHT - NAME_WIDTH / 2, x)),
+                            y + (at->after > 0 ? 10 : 0)};
+        if (!is_free(taken, named, here)) {
+            continue;
+        }
         snprintf(text, sizeof text, "%u: %s%s", n + 1, at->after > 0 ? "+" : "",
                  figure_digits(at->after, 3, number));
-        svg_text(file, "ink small halo", SVG_MIDDLE,
-                 fmax(LEFT + NAME_WIDTH / 2, fmin(width - RIGHT - NAME_WIDTH / 2, x)),
-                 y + (at->after > 0 ? 10 : 0), text);
-        named++;
+        svg_text(file, "ink small halo", SVG_MIDDLE, here.x, here.y, text);
+        taken[named++] = here;
     }
 }
 
@@ -250,9 +272,23 @@ static void say_left_out(page *p, const report_facts *f)
     }
     if (r->suspected > 0) {
         page_say(p,
-                 "Something is wrong among %u more positions, but not to be told which: repeat "
-                 "the measurement.",
-                 r->suspected);
+                 "Something is wrong among %u %spositions, but not to be told which: repeat the "
+                 "measurement.",
+                 r->suspected, r->count > 0 ? "more " : "");
+    }
+}
+
+/* The samples tell a noise, the residuals another: something else is in them. */
+static void say_unexplained(page *p, const report_facts *f)
+{
+    const double times = calibrate_unexplained(f->result);
+
+    if (times > 0) {
+        page_say(p,
+                 "They are %.0f times as large as the noise %s explains: the device may have moved "
+                 "or trembled, the temperature changed, readings been clipped (--clip), or a "
+                 "position be wrong.",
+                 times, f->result->is_noise_given ? "stated" : "of the samples");
     }
 }
 
@@ -267,6 +303,7 @@ void report_positions(page *p, const report_facts *f)
     page_picture(p, caption, draw_change, f);
     page_section(p, "What is left: residuals");
     say_left_out(p, f);
+    say_unexplained(p, f);
     page_picture(p,
                  f->result->quality.dof > 0
                      ? "The calibrated part of the picture above, enlarged."

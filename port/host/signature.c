@@ -10,14 +10,15 @@ const char *signature_find(const char *bytes, size_t length)
         size_t length;
         const char *what;
     } signatures[] = {
-        {"ULog\x01\x12\x35", 7,
-         "a PX4 ulog: convert it with ulog2csv, and take its sensor_accel or sensor_combined"},
+        {"ULog\x01\x12\x35", 7, "a PX4 ulog: convert it with ulog2csv, and take its sensor_accel"},
         {"H Product:Blackbox", 18,
          "a Betaflight or INAV blackbox log: convert it with blackbox_decode"},
         {"\xa3\x95\x80", 3,
          "an ArduPilot dataflash log: convert it with mavlogdump.py --format csv --types IMU"},
         {"FMT, 128, 89", 12,
          "an ArduPilot text log: convert the .bin with mavlogdump.py --format csv --types IMU"},
+        {"LabVIEW Measurement", 19,
+         "a LabVIEW measurement file: delete the lines above the one that begins with X_Value"},
         {"#ROSBAG", 7, "a ROS bag: convert its IMU topic with rostopic echo -p"},
         {"PK\x03\x04", 4, "a ZIP file or an Excel workbook: unpack it, or save the sheet as CSV"},
         {"\xd0\xcf\x11\xe0", 4, "an old Excel workbook: save the sheet as CSV"},

@@ -174,19 +174,19 @@ fi
 
 unset MAKEFLAGS MFLAGS MAKELEVEL
 installs() { # TARGET PREFIX
-    (cd "$root" && make -s "$1" BUILD="$(dirname "$tool")" DESTDIR="$work/root" PREFIX="$2")
+    (cd "$root" && make -s "$1" BUILD="$(dirname "$tool")" DESTDIR="$work/a root" PREFIX="$2")
 }
-files() { (cd "$work/root" && find . -type f | LC_ALL=C sort | tr '\n' ' '); }
+files() { (cd "$work/a root" && find . -type f | LC_ALL=C sort | tr '\n' ' '); }
 for prefix in /usr/local /opt/invcal; do
     check "make install PREFIX=$prefix succeeds" installs install $prefix
     at=.$prefix
     check "PREFIX=$prefix: tool, completion, schema and manual are there" [ "$(files)" = \
         "$at/bin/invcal $at/share/bash-completion/completions/invcal $at/share/invcal/schema.json $at/share/man/man1/invcal.1 " ]
     check "PREFIX=$prefix: the tool runs" sh -c '"$1" --version | grep -q "^invcal "' sh \
-        "$work/root$prefix/bin/invcal"
+        "$work/a root$prefix/bin/invcal"
     check "PREFIX=$prefix: the manual is of this tool" matches \
-        "$work/root$prefix/share/man/man1/invcal.1" "\"$("$tool" --version)\"\$"
-    check "PREFIX=$prefix: files are for everybody" [ -z "$(find "$work/root" -type f ! -perm -444)" ]
+        "$work/a root$prefix/share/man/man1/invcal.1" "\"$("$tool" --version)\"\$"
+    check "PREFIX=$prefix: files are for everybody" [ -z "$(find "$work/a root" -type f ! -perm -444)" ]
     check "make uninstall PREFIX=$prefix succeeds" installs uninstall $prefix
     check "PREFIX=$prefix: nothing is left" [ -z "$(files)" ]
 done

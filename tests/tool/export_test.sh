@@ -248,11 +248,13 @@ check "px4: the instance is in the names, the device ID is an int32" sh -c \
         grep -q "^1	1	CAL_ACC2_ID	1310988	6\$" "$1"' sh "$work/stdout"
 check "px4: QGroundControl finds five fields in each line" awk -F'\t' \
     '!/^#/ && (NF != 5 || $1 != 1 || $2 != 1 || ($5 != 9 && $5 != 6)) { exit 1 }' "$work/stdout"
+check "px4: which log is not corrected yet is told" matches "$work/stdout" '^# .*sensor_accel:'
 # shellcheck disable=SC2086
 export_to ardupilot $driver --instance 1 --device-id 1310988
 check "ardupilot: the instance is in the names" sh -c \
     'grep -q "^INS_ACC2_ID,1310988\$" "$1" && grep -q "^INS_ACC2SCAL_Z," "$1" &&
         [ "$(grep -c "^INS_ACC2OFFS_[XYZ],[-0-9.e]*\$" "$1")" -eq 3 ]' sh "$work/stdout"
+check "ardupilot: and there" matches "$work/stdout" '^# .* record with offsets 0 and scales 1'
 # shellcheck disable=SC2086
 refuses "ardupilot: a fourth sensor is refused" 2 'for ArduPilot it is 0 to 2' \
     export "$work/cal.json" --format ardupilot $driver --instance 3

@@ -223,6 +223,13 @@ dress_positions "rostopic echo -p" 9.80665 'm/s^2' header unit \
     'CSV with commas, header in line 1; %time (ns), field.linear_acceleration.x field.linear_acceleration.y field.linear_acceleration.z in m/s²; ignored: 2 other columns' \
     '%time,field.header.seq,field.angular_velocity.x,field.linear_acceleration.x,field.linear_acceleration.y,field.linear_acceleration.z' \
     "n \",1,0.1,\" $x"
+dress_positions "ROS, a bag as CSV" 9.80665 'm/s^2' header unit \
+    'CSV with commas, header in line 1; linear_acceleration.x linear_acceleration.y linear_acceleration.z in m/s²; ignored: 2 other columns' \
+    'header.stamp.sec,angular_velocity.x,linear_acceleration.x,linear_acceleration.y,linear_acceleration.z' \
+    "n \",0.1,\" $x"
+dress_positions "Physics Toolbox" 1 g header unit \
+    'CSV with commas, header in line 1; time (s), gFx gFy gFz in g; ignored: 1 other column' \
+    'time,gFx,gFy,gFz,TgF' "n \",\" $x \",1\""
 
 # ---- apply --------------------------------------------------------------------------------------
 
@@ -330,6 +337,15 @@ bad "two axes" 'bad\.csv:1: the header names no columns x, y, z' 'ax,ay,gz\n1,2,
 bad "linear acceleration" \
     "bad\.csv:1: 'Linear Acceleration x': the phone has taken gravity out .* accelerometer itself$" \
     '"Time (s)","Linear Acceleration x (m/s^2)","Linear Acceleration y (m/s^2)","Linear Acceleration z (m/s^2)"\n0,1,2,3\n'
+bad_line "phyphox with decimal commas" \
+    "bad\.csv:2: column [12] \([tx]\): '1,01E[+-]01' is not a decimal number, but has a decimal comma" \
+    '"Time (s)";"Acceleration x (m/s^2)";"Acceleration y (m/s^2)";"Acceleration z (m/s^2)"\n1,01E-01;1,01E+01;2,0E-01;3\n'
+bad "LabVIEW" 'bad\.csv: this is a LabVIEW measurement file: delete the lines above' \
+    'LabVIEW Measurement\t\nWriter_Version\t2\t\n'
+printf 't,x,y,z\n2026-05-01T10:00:00Z,1,2,3\n' > "$work/bad.csv"
+refuses "a date is no time, and what to do is told" 3 \
+    "column 1 \(t\): '2026-05-01T10:00:00Z' is not a decimal number: convert it to seconds" \
+    calibrate "$work/bad.csv"
 bad "two accelerometers" \
     "bad\.csv:1: x, y and z are there twice \('accSmooth\[0\]' and 'accADC\[0\]'\): leave one set" \
     'accSmooth[0],accSmooth[1],accSmooth[2],accADC[0],accADC[1],accADC[2]\n1,2,3,4,5,6\n'

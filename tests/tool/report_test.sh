@@ -53,6 +53,11 @@ check "report: T265 is weak, and in what" says_page \
 check "report: and where to begin" says_page \
     'Next: add positions with the field midway between x and y, x and z, z and y\. Begin with: [+-][xyz] up'
 check "report: a nominal from the range is called a guess" says_page 'Nominal is a guess from the range'
+check "report: and shows no error before calibration" says_page 'rms error of \|a\|, calibrated'
+check "report: what the samples' noise does not explain is told: 0.00551 / 0.000884" says_page \
+    'They are 6 times as large as the noise of the samples explains'
+check "report: a noise that nobody stated is not called stated" says_page \
+    'noise 0\.000884 m/s² of a position mean, from the scatter'
 makes_page "MPU-9150" "$data/mpu9150_0_positions.csv" --positions --gravity 9.81
 
 # ---- the file that it was ------------------------------------------------------------------------
@@ -106,6 +111,23 @@ rests_are_true() {
 }
 check "report: each rest lies within the true one, with its temperature" rests_are_true
 check "report: the temperatures are told" says_page 'temperature 2[01]\.[0-9] \.\.\. (29|30)\.[0-9] °C'
+
+# A sensor that ends at 0.95 g, and nobody has said so.
+"$tool" simulate --plan per-group:6 --range 0.95 > "$work/clipped.csv"
+makes_page "clipped readings" "$work/clipped.csv"
+check "report: positions that disagree confirm nothing" says_page \
+    'determined, but the positions disagree by [0-9]{3} times what the noise explains'
+check "report: and the table tells why that may be" matches "$work/stdout" \
+    '^The residuals are [0-9]* times as large'
+
+# Which of them are wrong, four residuals as large as one another do not tell.
+"$tool" simulate --plan edges --outliers 2 --seed 5 --noise 0.002 > "$work/doubt.csv"
+makes_page "outliers not to be told" "$work/doubt.csv"
+check "report: then the verdict is no good one" says_page \
+    '! Contradictory .* 4 positions contradict one another, and nothing tells which'
+check "report: nor is the table's" matches "$work/stdout" '^Contradictory: .* 4 positions'
+check "report: and the next step is another measurement" matches "$work/stdout" \
+    '^Next: repeat the measurement'
 
 "$tool" simulate --plan optimal:9 > "$work/nine.csv"
 makes_page "nine positions" "$work/nine.csv"

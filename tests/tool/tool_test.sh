@@ -166,7 +166,7 @@ check "the table has the residuals" matches "$work/demo" \
     '^residual rms +0\.0999 mg$'
 check "the table has the residuals before" matches "$work/demo" 'rms before .*\(factory alone\)$'
 check "the table has noise and degrees of freedom" matches "$work/demo" \
-    '^noise .*29 degrees of freedom \(stated: '
+    '^noise .*29 degrees of freedom \(of samples: '
 check "the table has a verdict" matches "$work/demo" '^Good: every parameter is determined'
 check "the table has a next step" matches "$work/demo" '^Next: .*--out CAL\.json.*invcal apply'
 check "the columns of the table stand below each other" awk '
@@ -224,7 +224,7 @@ check "without std and n the same parameters come out" near 0 "$(json "$work/std
 by_hand=$(awk -F, 'NR > 1 { for (i = 4; i <= 6; i++) { s += ($i * 0.0024) ^ 2 / $7 / 3 } }
     END { printf "%.3g", sqrt(s / (NR - 1)) }' "$data/xsens_mti_positions.csv")
 run calibrate "$data/xsens_mti_positions.csv" --positions --gravity 9.81744 --lsb 0.0024
-check "the noise from std and n is that by hand" matches "$work/stdout" "\(stated: $by_hand\)"
+check "the noise from std and n is that by hand" matches "$work/stdout" "\(of samples: $by_hand\)"
 run calibrate "$work/xsens.csv" --positions --gravity 9.81744 --json --noise 0.5
 check "a noise stated above the residuals counts" awk -v n="$(json "$work/stdout" noise)" \
     'BEGIN { exit !(n > 0.49 && n < 0.51) }'
@@ -328,12 +328,12 @@ same_result "a column without a name is ignored" "$f"
 # The table shows the noise that a file states.
 stated() { # stated SENTENCE FILE: the noise as in $work/expected
     run calibrate "$2" --positions --lsb 0.0048,0.0012,0.0024
-    sed -n 's/^noise.*stated: \(.*\))$/\1/p' "$work/stdout" > "$work/noise"
+    sed -n 's/^noise.*of samples: \(.*\))$/\1/p' "$work/stdout" > "$work/noise"
     check "$1" sh -c '[ -s "$1" ] && cmp -s "$1" "$2"' sh "$work/noise" "$work/expected"
 }
 n7=$data/xsens_mti_positions.csv
 run calibrate "$n7" --positions --lsb 0.0048,0.0012,0.0024
-sed -n 's/^noise.*stated: \(.*\))$/\1/p' "$work/stdout" > "$work/expected"
+sed -n 's/^noise.*of samples: \(.*\))$/\1/p' "$work/stdout" > "$work/expected"
 sed 1d "$n7" > "$f"
 stated "seven columns are x y z std_x std_y std_z n" "$f"
 awk -F, 'BEGIN { print "mean_x,std_y,mean_y,count,std_x,mean_z,std_z" }
@@ -343,7 +343,7 @@ sed 's/n_samples/N/' "$n7" > "$f"
 stated "the number of samples may be called N" "$f"
 sed 1d "$n7" | cut -d, -f1-4,7 > "$f"
 run calibrate "$f" --positions --lsb 0.0048,0.0012,0.0024
-sed -n 's/^noise.*stated: \(.*\))$/\1/p' "$work/stdout" > "$work/expected"
+sed -n 's/^noise.*of samples: \(.*\))$/\1/p' "$work/stdout" > "$work/expected"
 check "five columns are x y z std n" [ "$(cat "$work/expected")" = "$(awk -F, '
     { s += $4 ^ 2 / $5 * (0.0048 ^ 2 + 0.0012 ^ 2 + 0.0024 ^ 2) / 3 }
     END { printf "%.3g", sqrt(s / NR) }' "$f")" ]
@@ -354,7 +354,7 @@ run calibrate "$work/f2" --positions
 check "std_x alone tells no noise" lacks "$work/stdout" stated
 # x, y and z have a noise of their own scale
 run calibrate "$n7" --positions --lsb 0.0048,0.0012,0.0024
-check "the noise of each axis counts with its scale" matches "$work/stdout" "stated: $(awk -F, '
+check "the noise of each axis counts with its scale" matches "$work/stdout" "of samples: $(awk -F, '
     NR > 1 { s += (($4 * 0.0048) ^ 2 + ($5 * 0.0012) ^ 2 + ($6 * 0.0024) ^ 2) / $7 / 3 }
     END { printf "%.3g", sqrt(s / (NR - 1)) }' "$n7")"
 
