@@ -266,10 +266,14 @@ static int scale_rows(positions *p)
     return EXIT_GOOD;
 }
 
-/* The name of a file for tables and pictures: ASCII, cut to `size`. Returns name. */
+/* The name of a file for tables and pictures: ASCII, the end of it if it is too long, which tells
+ * most. Returns name. */
 static const char *plain_name(const char *path, char *name, size_t size)
 {
-    snprintf(name, size, "%s", path);
+    const size_t length = strlen(path);
+    const int is_cut = length >= size;
+
+    snprintf(name, size, "%s%s", is_cut ? "..." : "", is_cut ? path + length + 4 - size : path);
     for (char *c = name; *c != '\0'; c++) {
         *c = *c < ' ' || *c > '~' ? '?' : *c;
     }

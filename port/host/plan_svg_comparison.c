@@ -94,7 +94,7 @@ static void describe(const plan_ratio *ratio, char *text, size_t size)
     for (unsigned i = 0; i < PLAN_RATIOS; i++) {
         const size_t length = strlen(text);
         char number[FIGURE_MAX];
-        snprintf(text + length, size - length, " %s %s%s", ratio[i].name,
+        snprintf(text + length, size - length, " %.99s %s%s", ratio[i].name,
                  figure_digits(ratio[i].ratio, 4, number), i + 1 < PLAN_RATIOS ? ";" : ".");
     }
 }
