@@ -132,6 +132,12 @@ rests_are_true() {
 check "report: each rest lies within the true one, with its temperature" rests_are_true
 check "report: the temperatures are told" says_page 'temperature 2[01]\.[0-9] \.\.\. (29|30)\.[0-9] °C'
 
+# An hour's pause is not drawn.
+awk -F, -v OFS=, 'NR > 5000 { $1 += 3600 } { print }' "$work/outliers.csv" > "$work/pause.csv"
+makes_page "a log with a pause" "$work/pause.csv"
+check "report: what becomes of the pause is told" says_page \
+    '1 gap in the times; what lasts more than a minute is left out here\.'
+
 # A sensor that ends at 0.95 g, and nobody has said so.
 "$tool" simulate --plan per-group:6 --range 0.95 > "$work/clipped.csv"
 makes_page "clipped readings" "$work/clipped.csv"
