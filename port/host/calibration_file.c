@@ -135,6 +135,7 @@ static int read_circumstance(json_reader *r, const char *name, calibration_file 
     }
     return is(name, "gravity")        ? json_read_number(r, &c->gravity)
            : is(name, "positions")    ? json_read_number(r, &c->positions)
+           : is(name, "suspected")    ? json_read_number(r, &c->suspected)
            : is(name, "frame")        ? json_read_text(r, c->frame, sizeof c->frame)
            : is(name, "unit")         ? json_read_text(r, c->unit, sizeof c->unit)
            : is(name, "verdict")      ? json_read_text(r, c->verdict, sizeof c->verdict)
@@ -178,7 +179,8 @@ static int read_calibration(json_reader *r, reading *x)
 
 static void forget(calibration_file *c)
 {
-    *c = (calibration_file){.gravity = NUMBER_UNKNOWN, .positions = NUMBER_UNKNOWN};
+    *c = (calibration_file){
+        .gravity = NUMBER_UNKNOWN, .positions = NUMBER_UNKNOWN, .suspected = NUMBER_UNKNOWN};
     for (unsigned i = 0; i < 3; i++) {
         c->zero[i] = c->lsb[i] = NUMBER_UNKNOWN;
         c->sigma_offset[i] = c->sigma_dk[i] = c->sigma_gamma[i] = NUMBER_UNKNOWN;

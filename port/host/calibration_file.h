@@ -16,6 +16,7 @@ typedef struct {
     invcal_calibration calibration;
     double gravity;   /* length of the field, field units */
     double positions; /* how many there were */
+    double suspected; /* and how many of them contradict one another */
     char frame[CALIBRATION_FILE_WORD];
     char unit[CALIBRATION_FILE_WORD];      /* of the readings: "g", "mg", "m/s^2", "counts", ... */
     double zero[3];                        /* the nominal calibration: input units, */

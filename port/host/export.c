@@ -163,6 +163,10 @@ static void warn(const export_job *job)
 {
     const calibration_file *c = &job->file;
 
+    if (c->suspected > 0) {
+        message("warning: %s: %.0f positions contradict one another; it is exported as it is",
+                job->source, c->suspected);
+    }
     if (*c->undetermined) {
         message("warning: %s: %s calibration: %s badly determined; it is exported as it is",
                 job->source, *c->verdict ? c->verdict : "this", c->undetermined);

@@ -6,24 +6,22 @@
 
 #include "command.h"
 #include "message.h"
-
-#define STANDARD_GRAVITY 9.80665 /* m/s^2, what the unit g stands for */
+#include "unit.h"
 
 double export_si(double gravity)
 {
-    return gravity > 9.7 && gravity < 9.9     ? 1
-           : gravity > 0.99 && gravity < 1.01 ? STANDARD_GRAVITY
-           : gravity > 990 && gravity < 1010  ? STANDARD_GRAVITY / 1000
+    return unit_is_gravity(gravity)           ? 1
+           : gravity > 0.99 && gravity < 1.01 ? UNIT_STANDARD_GRAVITY
+           : gravity > 990 && gravity < 1010  ? UNIT_STANDARD_GRAVITY / 1000
                                               : 0;
 }
 
 /* m/s^2 per unit of the readings; 0 if they are counts, or nobody knows. */
 static double unit_si(const char *unit)
 {
-    return strcmp(unit, "m/s^2") == 0 ? 1
-           : strcmp(unit, "g") == 0   ? STANDARD_GRAVITY
-           : strcmp(unit, "mg") == 0  ? STANDARD_GRAVITY / 1000
-                                      : 0;
+    reading_unit u;
+
+    return unit_parse(unit, &u) ? unit_scale(u, UNIT_STANDARD_GRAVITY) : 0;
 }
 
 /* The driver's scale is a figure of its own: neither the range of some data nor an earlier

@@ -65,6 +65,9 @@ void export_heading(FILE *file, const char *prefix, const export_job *job)
 
     export_comment(file, prefix, "Made by invcal " INVCAL_VERSION " from %s", tail(job->source));
     export_comment(file, prefix, "verdict: %s", *c->verdict ? c->verdict : "not told");
+    if (c->suspected > 0) {
+        export_comment(file, prefix, "%.0f positions contradict one another", c->suspected);
+    }
     if (*c->undetermined) {
         export_comment(file, prefix, "badly determined: %s", c->undetermined);
     }

@@ -10,6 +10,7 @@
 #include "report_facts.h"
 
 #define TEXT_MAX 800
+#define SUPPORT_MAX 200
 #define DISAGREEING 10.0 /* times the noise: positions do not confirm one another */
 
 /* ---- what it comes to -------------------------------------------------------------------------- */
@@ -20,26 +21,40 @@ static const char *worst_spread(const report_facts *f, char text[FIGURE_MAX])
     return figure_digits(f->result->quality.coverage * f->length_sigma.most, 2, text);
 }
 
+/* What stands behind the result. */
+static void say_support(const report_facts *f, char text[SUPPORT_MAX])
+{
+    const invcal_quality *q = &f->result->quality;
+    const double times = calibrate_unexplained(f->result);
+    char list[128];
+
+    if (times >= DISAGREEING) {
+        snprintf(text, SUPPORT_MAX,
+                 "but the positions disagree by %.0f times what the noise explains", times);
+    } else if (q->from_prior) {
+        snprintf(text, SUPPORT_MAX, "but %s by the prior rather than by the positions",
+                 parameters_list(q->from_prior, list, sizeof list));
+    } else {
+        snprintf(text, SUPPORT_MAX, "and positions to spare confirm them");
+    }
+}
+
 static void say_good(const report_facts *f, char *text)
 {
     const unsigned count = f->result->rejected.count;
     char spread[FIGURE_MAX];
     char left_out[128] = "";
-    const double times = calibrate_unexplained(f->result);
-    char check[128] = "and positions to spare confirm them";
+    char support[SUPPORT_MAX];
 
-    if (times >= DISAGREEING) {
-        snprintf(check, sizeof check,
-                 "but the positions disagree by %.0f times what the noise explains", times);
-    }
     if (count > 0) {
         snprintf(left_out, sizeof left_out, " %u position%s the others and %s left out.", count,
                  count == 1 ? " contradicts" : "s contradict", count == 1 ? "is" : "are");
     }
+    say_support(f, support);
     snprintf(text, TEXT_MAX,
              "All nine parameters are determined, %s: corrected readings have the length of %s to "
              "±%s %s or better in any one direction (95 %%), their own noise not counted.%s",
-             check, f->is_gravity ? "gravity" : "the field", worst_spread(f, spread), f->unit,
+             support, f->is_gravity ? "gravity" : "the field", worst_spread(f, spread), f->unit,
              left_out);
 }
 
@@ -92,10 +107,11 @@ static void write_verdict(page *p, const report_facts *f)
     case INVCAL_NO_REDUNDANCY:
         snprintf(next, sizeof next,
                  "add three or more positions in other directions. Begin with: %s.", f->next_words);
-        page_verdict(p, PAGE_CAUTION, "! No redundancy",
-                     "All nine parameters are determined, but there are just as many positions: "
-                     "nothing checks the result, and one wrong position would spoil it unnoticed.",
-                     next);
+        page_verdict(
+            p, PAGE_CAUTION, "! No redundancy",
+            "All nine parameters are determined, but there is no position to spare: nothing "
+            "checks the result, and one wrong position would spoil it unnoticed.",
+            next);
         break;
     case INVCAL_WEAK:
         say_weak(f, sentence);
@@ -125,7 +141,7 @@ static void write_improvement(page *p, const report_facts *f)
              is_guess ? "" : figure_digits(REPORT_PARTS * r->residual_before, 3, before),
              is_guess ? "" : " → ", figure_digits(REPORT_PARTS * r->quality.residual_rms, 3, after),
              f->unit);
-    snprintf(what, sizeof what, "rms error of %s, %s", f->length,
+    snprintf(what, sizeof what, "rms error of %s in these positions, %s", f->length,
              is_guess ? "calibrated" : "before and after");
     page_figure(p, text, what);
 }

@@ -15,9 +15,9 @@
 #define TOP 56.0
 #define PLOT 170.0
 #define HEIGHT (TOP + PLOT + 46)
-#define SINGLE 2500u /* more positions than this are drawn as columns from least to greatest */
-#define LARGE 60u    /* up to here markers are large */
-#define NAME_WIDTH 80.0
+#define SINGLE 2500u     /* more positions than this are drawn as columns from least to greatest */
+#define LARGE 60u        /* up to here markers are large */
+#define NAME_WIDTH 100.0 /* "999999: +0.123" */
 #define NAME_HEIGHT 14.0
 #define NAMED 8u /* positions left out that are named in the chart */
 

@@ -177,7 +177,8 @@ void report_timeline(page *p, const report_facts *f)
              log->is_rate_known ? "" : " (a guess; --rate states it)", f->count);
     say_refused(p, log);
     if (log->gaps > 0) {
-        page_say(p, "%lu gap%s in the times.", log->gaps, log->gaps == 1 ? "" : "s");
+        page_say(p, "%lu gap%s in the times; what lasts more than a minute is left out here.",
+                 log->gaps, log->gaps == 1 ? "" : "s");
     }
     page_picture(p, "The readings as an outline from least to greatest, and the rests in them.",
                  draw_timeline, f);

@@ -6,7 +6,6 @@
 #include <string.h>
 #include <strings.h>
 
-#define STANDARD_GRAVITY 9.80665
 #define NEAR 0.15 /* offsets and scale errors of a bad sensor */
 #define TEXT_MAX 16
 #define LATIN1_SQUARE '\xb2' /* ISO 8859-1, as spreadsheets of Windows save it; */
@@ -90,7 +89,8 @@ int unit_is_gravity(double field)
 
 reading_unit unit_by_size(const double *reading, unsigned count, double field)
 {
-    static const double sizes[] = {[UNIT_G] = 1, [UNIT_MG] = 1000, [UNIT_MS2] = STANDARD_GRAVITY};
+    static const double sizes[] = {
+        [UNIT_G] = 1, [UNIT_MG] = 1000, [UNIT_MS2] = UNIT_STANDARD_GRAVITY};
     unsigned like[UNIT_COUNTS] = {0};
 
     if (!unit_is_gravity(field) && !(fabs(field - 1) < 0.01)) {
@@ -116,8 +116,8 @@ double unit_scale(reading_unit u, double field)
     if (!unit_is_gravity(field)) {
         return 0;
     }
-    return u == UNIT_G     ? STANDARD_GRAVITY
-           : u == UNIT_MG  ? STANDARD_GRAVITY / 1000
+    return u == UNIT_G     ? UNIT_STANDARD_GRAVITY
+           : u == UNIT_MG  ? UNIT_STANDARD_GRAVITY / 1000
            : u == UNIT_MS2 ? 1
                            : 0;
 }

@@ -5,6 +5,8 @@
 #ifndef UNIT_H
 #define UNIT_H
 
+#define UNIT_STANDARD_GRAVITY 9.80665 /* m/s^2, what the unit g stands for */
+
 typedef enum { UNIT_UNKNOWN, UNIT_G, UNIT_MG, UNIT_MS2, UNIT_COUNTS } reading_unit;
 
 /* Who says so. Only a heading or an option states a unit; a guess by size is for words alone. */

@@ -471,6 +471,12 @@ accepts "the truth of a simulation is exported" export "$work/simulated.json" --
 
 # ---- warnings, hostile texts -------------------------------------------------------------------
 
+"$tool" simulate --plan edges --outliers 2 --seed 5 --noise 0.002 > "$work/doubt.csv"
+"$tool" calibrate "$work/doubt.csv" --quiet --out "$work/doubt.json"
+run export "$work/doubt.json" --format c
+check "one whose positions contradict one another, too, with a warning" says \
+    'warning: .*doubt\.json: 4 positions contradict one another'
+check "and with a comment" matches "$work/stdout" '4 positions contradict one another'
 "$tool" calibrate "$data/t265_positions.csv" --positions --gravity 9.8016 --out "$work/weak.json" \
     > "$work/table"
 run export "$work/weak.json" --format c

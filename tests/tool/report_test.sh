@@ -39,7 +39,7 @@ check "report: Xsens is good" says_page '✓ Good All nine parameters are determ
 check "report: and what to do next" says_page 'Next: save it with --out CAL.json.* invcal apply'
 # shared/data: offset 33123.83073, rms 99.857e-6; the angles are those of the reference script.
 check "report: the offset is that of the reference" says_page 'offset x [+]0\.2[0-9]+ ± 0\.0[0-9]+ mg 33123\.83 ± 0\.2[0-9] 33123\.00'
-check "report: the residual is that of the reference" says_page 'rms error of \|a\|, before and after 4\.18 → 0\.0999 mg'
+check "report: the residual is that of the reference" says_page 'rms error of \|a\| in these positions, before and after 4\.18 → 0\.0999 mg'
 check "report: what exceeds the data sheet is named" says_page \
     'Beyond the limits of the data sheet: angle zy\.'
 check "report: the table says so, too" matches "$work/stdout" \
@@ -53,7 +53,7 @@ check "report: T265 is weak, and in what" says_page \
 check "report: and where to begin" says_page \
     'Next: add positions with the field midway between x and y, x and z, z and y\. Begin with: [+-][xyz] up'
 check "report: a nominal from the range is called a guess" says_page 'Nominal is a guess from the range'
-check "report: and shows no error before calibration" says_page 'rms error of \|a\|, calibrated'
+check "report: and shows no error before calibration" says_page 'rms error of \|a\| in these positions, calibrated'
 check "report: what the samples' noise does not explain is told: 0.00551 / 0.000884" says_page \
     'They are 6 times as large as the noise of the samples explains'
 check "report: a noise that nobody stated is not called stated" says_page \
@@ -112,6 +112,12 @@ rests_are_true() {
 check "report: each rest lies within the true one, with its temperature" rests_are_true
 check "report: the temperatures are told" says_page 'temperature 2[01]\.[0-9] \.\.\. (29|30)\.[0-9] °C'
 
+# An hour's pause is not drawn.
+awk -F, -v OFS=, 'NR > 5000 { $1 += 3600 } { print }' "$work/outliers.csv" > "$work/pause.csv"
+makes_page "a log with a pause" "$work/pause.csv"
+check "report: what becomes of the pause is told" says_page \
+    '1 gap in the times; what lasts more than a minute is left out here\.'
+
 # A sensor that ends at 0.95 g, and nobody has said so.
 "$tool" simulate --plan per-group:6 --range 0.95 > "$work/clipped.csv"
 makes_page "clipped readings" "$work/clipped.csv"
@@ -136,6 +142,13 @@ check "report: and what to do" says_page 'Next: add three or more positions in o
 positions sphere 9 1 > "$work/nine-means.csv"
 makes_page "nine means, no noise known" "$work/nine-means.csv" --positions
 check "report: without a noise there is no ±" says_page 'No ± can be given'
+
+# A prior far below what the noise lets the positions tell.
+positions sphere 18 1 > "$work/prior.csv"
+makes_page "angles from a prior" "$work/prior.csv" --positions --zero 0,0,0 --lsb 1 --noise 0.1 \
+    --prior 0.1,0.1,0.0001
+check "report: positions do not confirm what the prior says" says_page \
+    'determined, but angle xy, angle xz, angle zy by the prior rather than by the positions'
 
 positions sphere 2000 2 > "$work/many.csv"
 makes_page "2000 positions" "$work/many.csv" --positions
