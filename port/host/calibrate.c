@@ -69,6 +69,8 @@ static const char *const operands[] = {"LOG"};
 static const option_syntax calibrate_syntax = {"calibrate", options, OPTIONS, operands, 1, 0};
 static const option_syntax watch_syntax = {"watch", options, OPTIONS, operands, 1, 0};
 
+#define DISAGREEING 10.0 /* times the noise, */
+#define ROUGH 0.005      /* and this of the field: a good calibration is another thing */
 #define COMMAND_MAX 2000u
 #define UNEXPLAINED 3.0 /* times the noise: a hand that holds the device comes near it */
 
@@ -426,14 +428,20 @@ static double residual_of_nominal(const positions *data, const invcal_settings *
     return sqrt(squares / data->count);
 }
 
-/* Which parameters exceed what the data sheet allows. */
-static uint16_t beyond(const invcal_solution *s, const double *tolerance)
+/* Which parameters exceed what the data sheet allows, by more than their uncertainty. */
+static uint16_t beyond(const calibrate_result *result)
 {
-    const double *const kinds[3] = {s->delta, s->dk, s->gamma};
+    const invcal_solution *s = &result->solution;
+    const invcal_quality *q = &result->quality;
+    const double *const values[3] = {s->delta, s->dk, s->gamma};
+    const double *const sigmas[3] = {q->sigma_delta, q->sigma_dk, q->sigma_gamma};
+    const double spread = calibrate_knows_noise(result) ? q->coverage : 0;
     unsigned bits = 0;
 
-    for (unsigned p = 0; p < INVCAL_PARAMETERS && tolerance; p++) {
-        bits |= (unsigned)!(fabs(kinds[p / 3][p % 3]) <= tolerance[p / 3]) << p;
+    for (unsigned p = 0; p < INVCAL_PARAMETERS && result->tolerance; p++) {
+        const unsigned kind = p / 3;
+        const double least = fabs(values[kind][p % 3]) - spread * sigmas[kind][p % 3];
+        bits |= (unsigned)!(least <= result->tolerance[kind]) << p;
     }
     return (uint16_t)bits;
 }
@@ -465,7 +473,7 @@ static int solve(const request *r, const positions *data, calibrate_result *resu
     }
     result->quality.worst = rejection_original(&result->rejected, result->quality.worst);
     result->tolerance = r->value[TOLERANCE] ? r->tolerance : NULL;
-    result->beyond = beyond(&result->solution, result->tolerance);
+    result->beyond = beyond(result);
     result->residual_before = residual_of_nominal(data, &result->settings);
     return EXIT_GOOD;
 }
@@ -491,6 +499,11 @@ double calibrate_unexplained(const calibrate_result *result)
     const double times = expected > 0 ? result->quality.noise / expected : 0;
 
     return times >= UNEXPLAINED ? times : 0;
+}
+
+int calibrate_is_rough(const calibrate_result *result)
+{
+    return calibrate_unexplained(result) >= DISAGREEING && result->quality.residual_rms >= ROUGH;
 }
 
 static calibrate_wish wish_of(const request *r)

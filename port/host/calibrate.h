@@ -23,7 +23,7 @@ typedef struct {
     invcal_quality quality;  /* worst counts among all positions */
     const double *tolerance; /* data sheet limits of offsets (over the field), scale errors and
                                 angles (rad); null: not stated */
-    uint16_t beyond;         /* bit r: parameter r exceeds them */
+    uint16_t beyond;         /* bit r: parameter r exceeds them, and its interval of 95 % does */
     int is_noise_given;      /* by --noise, not by the scatter of the samples */
     double residual_before;  /* root mean square of |nominal calibration| / field - 1 */
 } calibrate_result;
@@ -34,6 +34,10 @@ int calibrate_knows_noise(const calibrate_result *result);
 /* How many times the noise of a position mean is as large as that stated, or as the scatter of the
  * samples tells; 0 if that explains it, or nothing is known. */
 double calibrate_unexplained(const calibrate_result *result);
+
+/* 1 if positions disagree by so much that people should not be told "good": ten times the noise,
+ * and 5 mg. */
+int calibrate_is_rough(const calibrate_result *result);
 
 /* What the calibrated readings and the file's are in: "m/s²" or "field units"; "counts", ... */
 const char *calibrate_field_unit(const calibrate_result *result);

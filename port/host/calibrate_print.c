@@ -193,8 +193,8 @@ static void print_verdict(FILE *file, const calibrate_result *result)
                      result->rejected.suspected);
             break;
         }
-        word = "Good:";
-        colour = PAINT_GREEN;
+        word = calibrate_is_rough(result) ? "Rough:" : "Good:";
+        colour = calibrate_is_rough(result) ? PAINT_YELLOW : PAINT_GREEN;
         snprintf(text, sizeof text,
                  " every parameter is determined; degrees of freedom left to check it: %.3g.",
                  q->dof);

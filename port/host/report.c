@@ -102,7 +102,13 @@ static void write_verdict(page *p, const report_facts *f)
         say_good(f, sentence);
         snprintf(next, sizeof next, "%scorrect readings with invcal apply %s LOG.",
                  saved ? "" : "save it with --out CAL.json, and ", saved ? saved : "CAL.json");
-        page_verdict(p, PAGE_GOOD, "✓ Good", sentence, next);
+        if (calibrate_is_rough(f->result)) {
+            page_verdict(p, PAGE_CAUTION, "! Rough", sentence,
+                         "look for what disturbs the positions: a hand, a vibration, clipping, a "
+                         "sensor that drifts. Then measure again.");
+        } else {
+            page_verdict(p, PAGE_GOOD, "✓ Good", sentence, next);
+        }
         break;
     case INVCAL_NO_REDUNDANCY:
         snprintf(next, sizeof next,

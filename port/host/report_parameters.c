@@ -263,7 +263,7 @@ static void say_beyond(page *p, const report_facts *f)
         page_say(p, "Beyond the limits of the data sheet: %s.",
                  parameters_list(f->result->beyond, list, sizeof list));
     } else if (f->result->tolerance) {
-        page_say(p, "All nine are within the limits of the data sheet.");
+        page_say(p, "None is beyond the limits of the data sheet by more than its ± (95 %%).");
     }
 }
 

@@ -45,6 +45,10 @@ check "report: what exceeds the data sheet is named" says_page \
 check "report: the table says so, too" matches "$work/stdout" \
     '^Beyond the limits of the data sheet: angle zy\.$'
 check "report: and only that" says_not 'offset [xyz] [^°]*beyond the data sheet'
+run calibrate "$data/t265_positions.csv" --positions --gravity 9.8016 --zero 0,0,0 --lsb 1 \
+    --tolerance 0.05,0.01,0.01
+check "report: what only may be beyond is not" matches "$work/stdout" \
+    '^Beyond the limits of the data sheet: offset y, scale y, scale z\.$'
 check "report: its title is the name of the file" says_page '^ *Calibration of xsens_mti_positions\.csv'
 
 makes_page "T265" "$data/t265_positions.csv" --positions --gravity 9.8016
@@ -156,6 +160,13 @@ check "report: 2000 positions take less than a megabyte" test "$(wc -c < "$page"
 positions sphere 20000 3 > "$work/very-many.csv"
 makes_page "20000 positions" "$work/very-many.csv" --positions
 check "report: nor do 20000" test "$(wc -c < "$page")" -lt 1000000
+
+# A sensor that clips: positions disagree by far more than the samples scatter.
+"$tool" simulate --plan edges --range 0.9 > "$work/clipped.csv"
+makes_page "a sensor that clips" "$work/clipped.csv" --keep-all
+check "report: a sensor that clips is not called good" says_page '! Rough .*disagree by [0-9]+ times'
+check "report: nor in the table" matches "$work/stdout" '^Rough: '
+check "report: what to look for" says_page 'Next: look for what disturbs the positions'
 
 # ---- how well every direction is known -----------------------------------------------------------
 
