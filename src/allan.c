@@ -192,12 +192,13 @@ invcal_status invcal_allan_get(const invcal_allan *allan, unsigned index, invcal
 
 enum { KINDS = INVCAL_NOISE_KINDS, ALL = (1 << INVCAL_NOISE_KINDS) - 1 };
 
-#define FLOOR INVCAL_REAL(0.44127119770) /* 2 ln 2 / pi */
-#define EDF_MIN 5                        /* fewer: chance is too large for a normal distribution */
+#define FLOOR INVCAL_REAL(0.44127120030530317) /* 2 ln 2 / pi */
+#define EDF_MIN 5 /* fewer: chance is too large for a normal distribution */
 #define TRUST (INVCAL_REAL(0.05) * INVCAL_REAL(0.05)) /* variance of the model itself, relative */
 #define STEPS 12                                      /* rounds of reweighting */
 #define VISIBLE (INVCAL_REAL(1.0) / 3)                /* relative standard deviation of a term */
 
+#define SHARED 2                       /* slow noise ties neighbouring tau to each other */
 #define NEAR_FLOOR INVCAL_REAL(0.1025) /* 1.05^2 - 1 */
 
 /* Relative to the first: tau in its tau, variances in its adev^2. */
@@ -305,7 +306,8 @@ static invcal_real solve_set(const invcal_real h[INVCAL_PACKED_SIZE(KINDS)],
             return 0;
         }
         out->term[of[i]] = x[i] / unit[i];
-        out->relative[of[i]] = INVCAL_SQRT(variance[i]) / x[i];
+        out->relative[of[i]] =
+            (of[i] == INVCAL_NOISE_WHITE ? 1 : SHARED) * INVCAL_SQRT(variance[i]) / x[i];
         gain += out->term[of[i]] * g[of[i]];
     }
     return gain;
