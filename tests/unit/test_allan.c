@@ -645,7 +645,7 @@ static source mixed(uint32_t seed)
 
 static void a_mixture_is_taken_apart(void)
 {
-    for (uint32_t seed = 1; seed <= 4; seed++) {
+    for (uint32_t seed = 1; seed <= 2; seed++) {
         invcal_allan a = begun(NULL, TAUS, INVCAL_ALLAN_OVERLAPPING);
         source s = mixed(seed);
         feed_noise(&a, &s, 1000000);
@@ -683,8 +683,8 @@ static double scatter(double white, double slow, double step, uint32_t samples, 
 static void relative_is_the_scatter_and_nothing_is_seen_that_is_not_there(void)
 {
     TEST_ASSERT_DOUBLE_WITHIN(0.3, 1.0, scatter(500, 0, 0, 2000, INVCAL_NOISE_WHITE));
-    TEST_ASSERT_DOUBLE_WITHIN(0.3, 0.5, scatter(500, 50, 0, 50000, INVCAL_NOISE_WHITE));
-    TEST_ASSERT_DOUBLE_WITHIN(0.3, 0.75, scatter(500, 50, 0, 50000, INVCAL_NOISE_INSTABILITY));
+    TEST_ASSERT_DOUBLE_WITHIN(0.3, 0.5, scatter(500, 50, 0, 25000, INVCAL_NOISE_WHITE));
+    TEST_ASSERT_DOUBLE_WITHIN(0.3, 0.75, scatter(500, 50, 0, 25000, INVCAL_NOISE_INSTABILITY));
     TEST_ASSERT_DOUBLE_WITHIN(0.3, 1.0, scatter(500, 0, 10, 20000, INVCAL_NOISE_WALK));
 }
 
