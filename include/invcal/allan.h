@@ -10,11 +10,10 @@
  *
  * half the mean square step from the mean of m samples to that of the next m. (NIST SP 1065,
  * section 5.2.4: the overlapping estimator.) Memory is fixed, a pyramid of rings: stage t holds the
- * total of every 2^t-th sample as far back as 2 INVCAL_ALLAN_OVERLAP of them, and serves
- * m <= 2^t INVCAL_ALLAN_OVERLAP. So windows up to INVCAL_ALLAN_OVERLAP samples overlap fully, and
- * longer ones begin every 2^t samples: at least INVCAL_ALLAN_OVERLAP / 2 + 1, for powers of two
- * INVCAL_ALLAN_OVERLAP, times per window. With 4 of them 93 % of the degrees of freedom are there
- * that fully overlapping windows would give to white noise.
+ * total of every 2^t-th sample as far back as 2 INVCAL_ALLAN_OVERLAP of them, and serves m up to
+ * 2^t INVCAL_ALLAN_OVERLAP. So windows of INVCAL_ALLAN_OVERLAP samples or less begin at every
+ * sample, longer ones at every 2^t-th: octaves overlap INVCAL_ALLAN_OVERLAP times, and 4 times give
+ * 93 % of the degrees of freedom that white noise has to give.
  *
  * All of it is integer arithmetic, exact: totals modulo 2^64, of which the differences need 63
  * bits; their squares are summed in 128 bits. Only invcal_allan_get rounds, once. There is no
@@ -91,7 +90,8 @@ invcal_status invcal_allan_init(invcal_allan *allan, const uint32_t *m, unsigned
  *
  * Cost: a 64-bit difference, its square and a 128-bit addition for each averaging time up to
  * INVCAL_ALLAN_OVERLAP; at every 2^t-th sample another one for each of stage t. Of 16 octaves:
- * 4 on average, 16 at most. With INVCAL_ALLAN_APART a 32-bit division beside each. */
+ * 4 on average, 16 at most; 330 and 1200 instructions on a Cortex-M4, 830 and 3000 on a
+ * Cortex-M0+, 5300 and 20000 cycles on an ATmega. INVCAL_ALLAN_APART divides 32 bits for each. */
 void invcal_allan_push(invcal_allan *allan, int32_t raw);
 
 /* Samples were lost here, or the sensor moved: no window reaches across. All sums stay. */
@@ -161,7 +161,8 @@ typedef struct {
  *
  * Returns INVCAL_OK; INVCAL_BAD_SETTING unless rate and lsb are positive; INVCAL_TOO_FEW if no
  * kind is visible: go on sampling, 20 of them show white noise. Readings that never change
- * show none. Cost: some 20,000 floating-point operations for 16 octaves. Stack: about 700 bytes. */
+ * show none.
+ * Cost: 62,000 instructions on a Cortex-M4F for 16 octaves. Stack: about 750 bytes (float). */
 invcal_status invcal_allan_noise(const invcal_allan *allan, invcal_real rate, invcal_real lsb,
                                  invcal_noise *noise);
 

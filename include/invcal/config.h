@@ -47,9 +47,9 @@
 #define INVCAL_MAX_POSITIONS 32
 #endif
 
-/* Allan deviation (allan.h): how many averaging times are kept, 1 ... 31, and how often the windows
- * of the longer ones overlap, a power of two up to 16384. An axis costs 24 bytes for each averaging
- * time, and 16 INVCAL_ALLAN_OVERLAP for each octave beyond INVCAL_ALLAN_OVERLAP samples. */
+/* Allan deviation (allan.h): how many averaging times are kept, 1 ... 31, and how many times the
+ * windows of the longer ones overlap, a power of two up to 16384. An axis costs 24 bytes for each
+ * averaging time and 16 INVCAL_ALLAN_OVERLAP for each octave beyond INVCAL_ALLAN_OVERLAP samples. */
 #ifndef INVCAL_ALLAN_TAUS
 #define INVCAL_ALLAN_TAUS 16
 #endif
