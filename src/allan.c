@@ -198,6 +198,7 @@ enum { KINDS = INVCAL_NOISE_KINDS, ALL = (1 << INVCAL_NOISE_KINDS) - 1 };
 #define STEPS 12                                      /* rounds of reweighting */
 #define VISIBLE (INVCAL_REAL(1.0) / 3)                /* relative standard deviation of a term */
 
+#define POOR 2                         /* of misfit: beyond, it is no chance */
 #define SHARED 2                       /* slow noise ties neighbouring tau to each other */
 #define NEAR_FLOOR INVCAL_REAL(0.1025) /* 1.05^2 - 1 */
 
@@ -379,6 +380,27 @@ static invcal_real misfit(const curve *c)
     return INVCAL_SQRT(sum / (invcal_real)c->count);
 }
 
+/* Kinds that do not stand out are left out, one by one, as long as the others explain the curve. */
+static void fit_visible(curve *c, mixture *x)
+{
+    unsigned allowed = ALL;
+    mixture fewer;
+
+    fit(c, allowed, x);
+    invcal_real before = misfit(c);
+    for (unsigned i = hidden_kind(x); i < KINDS; i = hidden_kind(x)) {
+        fit(c, allowed & ~(1u << i), &fewer);
+        const invcal_real after = misfit(c);
+        if (after > POOR && after > 2 * before) {
+            fit(c, allowed, x);
+            return;
+        }
+        allowed &= ~(1u << i);
+        before = after;
+        *x = fewer;
+    }
+}
+
 /* Terms at the first tau, relative to its variance, to coefficients. A term's relative standard
  * deviation is twice that of its root. */
 static void name_coefficients(const mixture *x, invcal_real adev, invcal_real tau,
@@ -398,7 +420,6 @@ invcal_status invcal_allan_noise(const invcal_allan *allan, invcal_real rate, in
 {
     curve c;
     mixture x;
-    unsigned allowed = ALL;
 
     INVCAL_ASSERT(allan && noise);
     if (!invcal_is_positive(rate) || !invcal_is_positive(lsb)) {
@@ -408,11 +429,7 @@ invcal_status invcal_allan_noise(const invcal_allan *allan, invcal_real rate, in
     if (c.count == 0) {
         return INVCAL_TOO_FEW;
     }
-    fit(&c, allowed, &x);
-    for (unsigned i = hidden_kind(&x); i < KINDS; i = hidden_kind(&x)) {
-        allowed &= ~(1u << i);
-        fit(&c, allowed, &x);
-    }
+    fit_visible(&c, &x);
     if (x.kinds == 0) {
         return INVCAL_TOO_FEW;
     }

@@ -115,7 +115,7 @@ typedef struct {
  *
  *     edf = (3 (n - 1) / (2 m') - 2 (n - 2) / n) 4 m'^2 / (4 m'^2 + 5),    m' = m / 2^t
  *
- * It is 2 % from the exact figure where edf > 10, 10 % below. Flicker noise has 1.2 times less,
+ * It is 3 % from the exact figure where edf > 10, 10 % below. Flicker noise has 1.2 times less,
  * a random walk 1.5 times less. Gaps, which cost differences, are counted as such.
  *
  * Returns INVCAL_OK; INVCAL_BAD_SETTING if there is no such index; INVCAL_TOO_FEW if no two
@@ -139,9 +139,9 @@ enum {
 typedef struct {
     invcal_real coefficient[INVCAL_NOISE_KINDS]; /* N, B, K; 0 where it is not visible */
     invcal_real relative[INVCAL_NOISE_KINDS];    /* its relative standard deviation; 0 likewise */
-    uint8_t visible;      /* bit k: kind k stands out of chance, coefficient^2 by 3 sigma */
-    invcal_real misfit;   /* root mean square of what the model leaves, in its sigma: about 1 or
-                             less; 3 says that the noise is not of these kinds */
+    uint8_t visible;                             /* bit k: kind k is there */
+    invcal_real misfit;   /* root mean square of what the model leaves, in its sigma: below 1.5, or
+                             the noise is not of these kinds: filtered, a vibration, a drift */
     invcal_real minimum;  /* the smallest adev seen, field units, */
     invcal_real best;     /* and its tau, s */
     invcal_real shortest; /* the averaging times that took part, s */
@@ -155,9 +155,10 @@ typedef struct {
  *
  * Least squares of adev^2 over the model, weighted by edf / 2, but none closer than 5 %: so far
  * the model itself is trusted. Coefficients are not negative: of the seven sets of kinds the best
- * of those is taken in which none is; what then does not stand out is left out, one by one.
+ * of those is taken in which none is; what then does not stand out by 3 sigma is left out, one by
+ * one, unless nothing else explains the curve.
  * relative takes the averaging times for independent; for B and K, which tie them to each other,
- * it is doubled. Simulated records scatter by 0.3 to 1.3 of it.
+ * it is doubled. Simulated records scatter by 0.3 to 1.1 of it.
  *
  * Returns INVCAL_OK; INVCAL_BAD_SETTING unless rate and lsb are positive; INVCAL_TOO_FEW if no
  * kind is visible: go on sampling, 20 of them show white noise. Readings that never change
