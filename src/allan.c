@@ -193,14 +193,13 @@ invcal_status invcal_allan_get(const invcal_allan *allan, unsigned index, invcal
 enum { KINDS = INVCAL_NOISE_KINDS, ALL = (1 << INVCAL_NOISE_KINDS) - 1 };
 
 #define FLOOR INVCAL_REAL(0.44127120030530317) /* 2 ln 2 / pi */
-#define EDF_MIN 5 /* fewer: chance is too large for a normal distribution */
-#define TRUST (INVCAL_REAL(0.05) * INVCAL_REAL(0.05)) /* variance of the model itself, relative */
-#define STEPS 12                                      /* rounds of reweighting */
-#define VISIBLE (INVCAL_REAL(1.0) / 3)                /* relative standard deviation of a term */
-
-#define POOR 2                         /* of misfit: beyond, it is no chance */
-#define SHARED 2                       /* slow noise ties neighbouring tau to each other */
-#define NEAR_FLOOR INVCAL_REAL(0.1025) /* 1.05^2 - 1 */
+#define NEAR_FLOOR INVCAL_REAL(0.1025)         /* 1.05^2 - 1 */
+#define EDF_MIN 5                              /* with fewer, chance has too long a tail */
+#define TRUST INVCAL_REAL(0.0025)              /* variance of the model itself, relative: 5 % */
+#define STEPS 12                               /* rounds of reweighting */
+#define VISIBLE (INVCAL_REAL(1.0) / 3)         /* relative standard deviation of a term */
+#define SHARED 2 /* on that of slow noise, which ties neighbouring tau to each other */
+#define POOR 2   /* of misfit: beyond, it is no chance */
 
 /* Relative to the first: tau in its tau, variances in its adev^2. */
 typedef struct {

@@ -163,7 +163,7 @@ typedef struct {
  * Returns INVCAL_OK; INVCAL_BAD_SETTING unless rate and lsb are positive; INVCAL_TOO_FEW if no
  * kind is visible: go on sampling, 20 of them show white noise. Readings that never change
  * show none.
- * Cost: 62,000 instructions on a Cortex-M4F for 16 octaves. Stack: about 750 bytes (float). */
+ * Cost: 62,000 instructions on a Cortex-M4F for 16 octaves. Stack: about 800 bytes (float). */
 invcal_status invcal_allan_noise(const invcal_allan *allan, invcal_real rate, invcal_real lsb,
                                  invcal_noise *noise);
 
