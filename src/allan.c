@@ -382,19 +382,17 @@ static invcal_real misfit(const curve *c)
 /* Kinds that do not stand out are left out, one by one, as long as the others explain the curve. */
 static void fit_visible(curve *c, mixture *x)
 {
-    unsigned allowed = ALL;
     mixture fewer;
 
-    fit(c, allowed, x);
+    fit(c, ALL, x);
     invcal_real before = misfit(c);
     for (unsigned i = hidden_kind(x); i < KINDS; i = hidden_kind(x)) {
-        fit(c, allowed & ~(1u << i), &fewer);
+        fit(c, x->kinds & ~(1u << i), &fewer);
         const invcal_real after = misfit(c);
         if (after > POOR && after > 2 * before) {
-            fit(c, allowed, x);
+            fit(c, x->kinds, x);
             return;
         }
-        allowed &= ~(1u << i);
         before = after;
         *x = fewer;
     }
