@@ -47,6 +47,16 @@
 #define INVCAL_MAX_POSITIONS 32
 #endif
 
+/* Allan deviation (allan.h): how many averaging times are kept, 1 ... 31, and how many times the
+ * windows of the longer ones overlap, a power of two up to 16384. An axis costs 24 bytes for each
+ * averaging time and 16 INVCAL_ALLAN_OVERLAP for each octave beyond INVCAL_ALLAN_OVERLAP samples. */
+#ifndef INVCAL_ALLAN_TAUS
+#define INVCAL_ALLAN_TAUS 16
+#endif
+#ifndef INVCAL_ALLAN_OVERLAP
+#define INVCAL_ALLAN_OVERLAP 4
+#endif
+
 /* Called with a condition that only a programming error can break (a null pointer, a row longer
  * than INVCAL_MAX_PARAMETERS). Bad data never come here: they are answered with a status.
  * By default nothing is compiled; define it, for example, as assert or as a breakpoint. */
@@ -69,6 +79,15 @@
 
 #if INVCAL_MAX_POSITIONS < 9 || INVCAL_MAX_POSITIONS > 64
 #error "INVCAL_MAX_POSITIONS must be from 9 to 64"
+#endif
+
+#if INVCAL_ALLAN_TAUS < 1 || INVCAL_ALLAN_TAUS > 31
+#error "INVCAL_ALLAN_TAUS must be from 1 to 31"
+#endif
+
+#if INVCAL_ALLAN_OVERLAP < 1 || INVCAL_ALLAN_OVERLAP > 16384 ||                                    \
+    (INVCAL_ALLAN_OVERLAP & (INVCAL_ALLAN_OVERLAP - 1)) != 0
+#error "INVCAL_ALLAN_OVERLAP must be a power of two from 1 to 16384"
 #endif
 
 /* A set of positions: bit i for position i. */

@@ -9,13 +9,16 @@
  *     plan -> criteria, series: which positions to visit, and what they are worth
  *     block -> still: samples to rest positions
  *     fisher -> outlier, guidance: positions that are wrong, and the one to take next
+ *     allan: noise and how long to stay;  gravity: the field at a place
  *     session: the whole procedure;  record, resume -> store: what survives a reset
  */
 #ifndef INVCAL_INVCAL_H
 #define INVCAL_INVCAL_H
 
+#include "invcal/allan.h"
 #include "invcal/calibrate.h"
 #include "invcal/criteria.h"
+#include "invcal/gravity.h"
 #include "invcal/record.h"
 #include "invcal/resume.h"
 #include "invcal/series.h"

@@ -908,6 +908,50 @@ def largest_eigenvalues(out):
         out.put("expected_%s_inverse_largest" % name, of_inverse, "of its inverse")
 
 
+# ---- gravity -----------------------------------------------------------------------------------
+
+def ellipsoid_gravity(latitude, height):
+    """The gradient of the potential of WGS 84, in closed form in ellipsoidal coordinates
+    (Heiskanen and Moritz, Physical Geodesy, section 2-7), by differences of fourth order."""
+    a, flattening = 6378137.0, 1 / 298.257223563
+    gm, omega = 3.986004418e14, 7.292115e-5
+    b = a * (1 - flattening)
+    focus = math.sqrt(a * a - b * b)
+
+    def q(u):
+        """((1 + 3 u^2/E^2) atan(E/u) - 3 u/E) / 2 without its cancellation."""
+        return add((-1) ** (n + 1) * 2 * n / ((2 * n + 1) * (2 * n + 3)) * (focus / u) ** (2 * n + 1)
+                   for n in range(1, 12))
+
+    def potential(x, z):
+        t = x * x + z * z - focus * focus
+        u = math.sqrt(t / 2 * (1 + math.sqrt(1 + (2 * focus * z / t) ** 2)))
+        return (gm / focus * math.atan(focus / u) + omega ** 2 / 2 *
+                (a * a * q(u) / q(b) * ((z / u) ** 2 - 1 / 3) + x * x))
+
+    def slope(along):
+        d = 2000.0
+        near, far = along(d) - along(-d), along(2 * d) - along(-2 * d)
+        return (8 * near - far) / (12 * d)
+
+    phi = math.radians(latitude)
+    e2 = 1 - (b / a) ** 2
+    normal = a / math.sqrt(1 - e2 * math.sin(phi) ** 2)
+    x = (normal + height) * math.cos(phi)
+    z = (normal * (1 - e2) + height) * math.sin(phi)
+    return norm([slope(lambda d: potential(x + d, z)), slope(lambda d: potential(x, z + d))])
+
+
+def normal_gravity(out):
+    for latitude, known in ((0, 9.7803253359), (45, 9.8061977694), (90, 9.8321849379)):
+        assert abs(ellipsoid_gravity(latitude, 0) - known) < 1e-9
+    rows = [[latitude, height, ellipsoid_gravity(latitude, height)]
+            for latitude in (0, 10, 30, 45, -52.5, 77, 90)
+            for height in (-500, 0, 440, 3000, 10000)]
+    out.section("Normal gravity: the gradient of the ellipsoid's potential")
+    out.put("expected_gravity", rows, "latitude in degrees, height in m, m/s^2")
+
+
 # ---- the header --------------------------------------------------------------------------------
 
 def literal(value):
@@ -986,6 +1030,7 @@ def main():
     direction_sets(out)
     series(out)
     largest_eigenvalues(out)
+    normal_gravity(out)
     out.line("\n#endif")
 
 

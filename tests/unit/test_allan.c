@@ -1,0 +1,935 @@
+/* SPDX-License-Identifier: MIT */
+#include <math.h>
+#include <string.h>
+
+#include "invcal/allan.h"
+#include "support.h"
+#include "unity.h"
+
+void setUp(void)
+{
+}
+
+void tearDown(void)
+{
+}
+
+/* How many samples the longest test of sums takes. A day at 1 kHz and more:
+ *     make BUILD=build/day CFLAGS='-O2 -DLONG_RUN=100000000' build/day/float/test_allan */
+#ifndef LONG_RUN
+#define LONG_RUN 2000000
+#endif
+
+enum { TAUS = INVCAL_ALLAN_TAUS, OVERLAP = INVCAL_ALLAN_OVERLAP };
+
+/* ---- exact sums in another way: no totals, no rings, no products of 64 bits ------------------ */
+
+/* 256 bits in 16 digits: room for any sum. */
+typedef struct {
+    uint32_t digit[16];
+} wide;
+
+/* Adds x times 2^(16 place). */
+static void wide_add(wide *sum, uint32_t x, unsigned place)
+{
+    for (; x > 0; place++) {
+        sum->digit[place] += x & 0xFFFFu;
+        x = (x >> 16) + (sum->digit[place] >> 16);
+        sum->digit[place] &= 0xFFFFu;
+    }
+}
+
+static void wide_add_square(wide *sum, int64_t d)
+{
+    const uint64_t size = d < 0 ? (uint64_t)-d : (uint64_t)d;
+
+    for (unsigned i = 0; i < 4; i++) {
+        for (unsigned j = 0; j < 4; j++) {
+            wide_add(sum,
+                     (uint32_t)(size >> 16 * i & 0xFFFFu) * (uint32_t)(size >> 16 * j & 0xFFFFu),
+                     i + j);
+        }
+    }
+}
+
+static uint64_t wide_part(const wide *sum, unsigned place)
+{
+    uint64_t part = 0;
+
+    for (unsigned i = 4; i-- > 0;) {
+        part = part << 16 | sum->digit[place + i];
+    }
+    return part;
+}
+
+static double wide_value(const wide *sum)
+{
+    double value = 0;
+
+    for (unsigned i = 16; i-- > 0;) {
+        value = value * 65536 + sum->digit[i];
+    }
+    return value;
+}
+
+/* A sample as a function of its number, so that a batch needs no memory. */
+typedef int32_t (*stream)(uint32_t i);
+
+static uint32_t scrambled(uint32_t i)
+{
+    i = (i ^ i >> 16) * 0x7FEB352Du;
+    i = (i ^ i >> 15) * 0x846CA68Bu;
+    return i ^ i >> 16;
+}
+
+static int32_t any_int32(uint32_t i)
+{
+    const uint32_t x = scrambled(i);
+    return x & 0x80000000u ? -(int32_t)(~x) - 1 : (int32_t)x;
+}
+
+static int32_t noise_of_12_bits(uint32_t i)
+{
+    return 33000 + (int32_t)(scrambled(i) >> 20);
+}
+
+static int32_t rail_to_rail(uint32_t i) /* for 512 samples each: the largest differences */
+{
+    return i >> 9 & 1u ? INT32_MAX : INT32_MIN;
+}
+
+static int32_t always_full(uint32_t i)
+{
+    (void)i;
+    return INT32_MIN;
+}
+
+/* The sum of squares of one averaging time over samples 1 ... n, a window beginning at every
+ * stride-th; added to what is there. Three windows' ends run through the stream. */
+static uint32_t batch(stream s, uint32_t n, uint32_t m, uint32_t stride, wide *sum)
+{
+    int64_t newer = 0;
+    int64_t older = 0;
+    uint32_t count = 0;
+
+    for (uint32_t i = 1; i <= n; i++) {
+        newer += s(i);
+        if (i > m) {
+            newer -= s(i - m);
+            older += s(i - m);
+        }
+        if (i > 2 * m) {
+            older -= s(i - 2 * m);
+        }
+        if (i >= 2 * m && i % stride == 0) {
+            wide_add_square(sum, newer - older);
+            count++;
+        }
+    }
+    return count;
+}
+
+/* The stride that memory allows. */
+static uint32_t stride_of(uint32_t m)
+{
+    uint32_t stride = 1;
+
+    while (m > OVERLAP * stride) {
+        stride *= 2;
+    }
+    return stride;
+}
+
+static void feed(invcal_allan *a, stream s, uint32_t n)
+{
+    for (uint32_t i = 1; i <= n; i++) {
+        invcal_allan_push(a, s(i));
+    }
+}
+
+static invcal_allan begun(const uint32_t *m, unsigned count, invcal_allan_windows windows)
+{
+    static invcal_allan a;
+
+    memset(&a, 0xA5, sizeof a);
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_allan_init(&a, m, count, windows));
+    return a;
+}
+
+static void check_sum(const invcal_allan *a, unsigned k, const wide *sum, uint32_t count)
+{
+    TEST_ASSERT_EQUAL_UINT32(count, a->tau[k].count);
+    TEST_ASSERT_TRUE(wide_part(sum, 0) == a->tau[k].low);
+    TEST_ASSERT_TRUE(wide_part(sum, 4) == a->tau[k].high);
+}
+
+/* ...and that of what is handed out. */
+static void check_point(const invcal_allan *a, unsigned k, const wide *sum, uint32_t count)
+{
+    invcal_allan_point p;
+
+    check_sum(a, k, sum, count);
+    if (count == 0) {
+        TEST_ASSERT_EQUAL_INT(INVCAL_TOO_FEW, invcal_allan_get(a, k, &p));
+        return;
+    }
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_allan_get(a, k, &p));
+    const double adev = sqrt(wide_value(sum) / 2 / count) / a->tau[k].m;
+    TEST_ASSERT_EQUAL_UINT32(a->tau[k].m, p.m);
+    TEST_ASSERT_EQUAL_UINT32(count, p.count);
+    TEST_ASSERT_DOUBLE_WITHIN(FLOAT_OR_DOUBLE(3e-7, 1e-15) * adev, adev, (double)p.adev);
+}
+
+static void check_stream(stream s, uint32_t n)
+{
+    invcal_allan a = begun(NULL, TAUS, INVCAL_ALLAN_OVERLAPPING);
+
+    feed(&a, s, n);
+    for (unsigned k = 0; k < TAUS; k++) {
+        wide sum = {{0}};
+        const uint32_t m = UINT32_C(1) << k;
+        check_point(&a, k, &sum, batch(s, n, m, stride_of(m), &sum));
+    }
+}
+
+static void every_octave_is_exact(void)
+{
+    check_stream(noise_of_12_bits, SOME(20000) + 400);
+    for (uint32_t n = 0; n < 10; n++) {
+        check_stream(noise_of_12_bits, n);
+    }
+}
+
+static void every_octave_is_exact_for_any_int32(void)
+{
+    check_stream(any_int32, SOME(20000) + 400);
+    check_stream(rail_to_rail, 3000);
+    check_stream(always_full, 300);
+}
+
+static void a_long_stream_is_exact(void)
+{
+    check_stream(noise_of_12_bits, LONG_RUN);
+}
+
+static void any_list_of_averaging_times_is_served(void)
+{
+    static const uint32_t m[] = {1, 3, 4, 6, 8, 12, 16, 24, 64, 96};
+    invcal_allan a = begun(m, 10, INVCAL_ALLAN_OVERLAPPING);
+
+    feed(&a, any_int32, 1000);
+    for (unsigned k = 0; k < 10; k++) {
+        wide sum = {{0}};
+        check_point(&a, k, &sum, batch(any_int32, 1000, m[k], stride_of(m[k]), &sum));
+    }
+}
+
+static void windows_apart_are_every_one_of_an_averaging_time(void)
+{
+    static const uint32_t m[] = {1, 2, 3, 4, 6, 8, 12, 16, 24, 64, 96};
+    invcal_allan a = begun(m, 11, INVCAL_ALLAN_APART);
+
+    feed(&a, any_int32, 1000);
+    for (unsigned k = 0; k < 11; k++) {
+        wide sum = {{0}};
+        const uint32_t count = batch(any_int32, 1000, m[k], m[k], &sum);
+        check_point(&a, k, &sum, count);
+        TEST_ASSERT_EQUAL_UINT32(1000 / m[k] - 1, count);
+    }
+}
+
+static void unusable_lists_are_refused(void)
+{
+    static const struct {
+        uint32_t m[3];
+        unsigned count;
+        invcal_status expected;
+    } list[] = {{{1, 2, 3}, 3, INVCAL_OK},
+                {{1, 2, 3}, 0, INVCAL_BAD_SETTING},
+                {{1, 2, 3}, TAUS + 1, INVCAL_BAD_SETTING},
+                {{0, 2, 3}, 3, INVCAL_BAD_SETTING},
+                {{1, 3, 3}, 3, INVCAL_BAD_SETTING},
+                {{3, 2, 4}, 3, INVCAL_BAD_SETTING},
+                {{1, OVERLAP + 1, 3 * OVERLAP}, 3, INVCAL_BAD_SETTING},
+                {{1, 2, 4 * OVERLAP - 2}, 3, INVCAL_BAD_SETTING},
+                {{1, 2, INVCAL_ALLAN_LONGEST}, 3, INVCAL_OK},
+                {{1, 2, INVCAL_ALLAN_LONGEST + 4}, 3, INVCAL_BAD_SETTING},
+                {{1, 2, 2 * INVCAL_ALLAN_LONGEST}, 3, INVCAL_BAD_SETTING},
+                {{1, 2, UINT32_MAX}, 3, INVCAL_BAD_SETTING}};
+    uint32_t sparse[TAUS];
+    invcal_allan a;
+
+    for (unsigned i = 0; i < sizeof list / sizeof *list; i++) {
+        TEST_ASSERT_EQUAL_INT(list[i].expected, invcal_allan_init(&a, list[i].m, list[i].count,
+                                                                  INVCAL_ALLAN_OVERLAPPING));
+    }
+    TEST_ASSERT_EQUAL_INT(INVCAL_BAD_SETTING,
+                          invcal_allan_init(&a, NULL, TAUS, (invcal_allan_windows)2));
+    for (unsigned k = 0; k < TAUS; k++) {
+        sparse[k] = (uint32_t)OVERLAP << k; /* a stage each */
+    }
+    TEST_ASSERT_EQUAL_INT(INVCAL_NO_SPACE,
+                          invcal_allan_init(&a, sparse, TAUS, INVCAL_ALLAN_OVERLAPPING));
+    TEST_ASSERT_EQUAL_INT(
+        INVCAL_OK, invcal_allan_init(&a, sparse, INVCAL_ALLAN_RINGS, INVCAL_ALLAN_OVERLAPPING));
+}
+
+static void what_is_not_known_yet_is_not_told(void)
+{
+    invcal_allan a = begun(NULL, 3, INVCAL_ALLAN_OVERLAPPING);
+    invcal_allan_point p = {.m = 77};
+    invcal_noise noise = {.misfit = 77};
+
+    TEST_ASSERT_EQUAL_INT(INVCAL_TOO_FEW, invcal_allan_get(&a, 0, &p));
+    TEST_ASSERT_EQUAL_INT(INVCAL_BAD_SETTING, invcal_allan_get(&a, 3, &p));
+    TEST_ASSERT_EQUAL_INT(INVCAL_TOO_FEW, invcal_allan_noise(&a, 1, 1, &noise));
+    feed(&a, always_full, 1000);
+    TEST_ASSERT_EQUAL_INT(INVCAL_TOO_FEW, invcal_allan_noise(&a, 1, 1, &noise));
+    TEST_ASSERT_EQUAL_UINT32(77, p.m);
+    TEST_ASSERT_TRUE(noise.misfit == 77);
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_allan_get(&a, 2, &p));
+    TEST_ASSERT_TRUE(p.adev == 0);
+}
+
+/* ---- gaps, and the ends of all numbers ------------------------------------------------------- */
+
+static void no_difference_reaches_across_a_gap(void)
+{
+    static const uint32_t pieces[] = {700, 3, 1, 0, 64, 129};
+    invcal_allan a = begun(NULL, TAUS, INVCAL_ALLAN_OVERLAPPING);
+    wide sum[10];
+    uint32_t count[10] = {0};
+
+    memset(sum, 0, sizeof sum);
+    for (unsigned i = 0; i < 6; i++) {
+        feed(&a, any_int32, pieces[i]);
+        invcal_allan_gap(&a);
+        for (unsigned k = 0; k < 10; k++) {
+            const uint32_t m = UINT32_C(1) << k;
+            count[k] += batch(any_int32, pieces[i], m, stride_of(m), &sum[k]);
+        }
+    }
+    for (unsigned k = 0; k < 10; k++) {
+        check_point(&a, k, &sum[k], count[k]);
+    }
+}
+
+static void totals_may_pass_any_power_of_two(void)
+{
+    static const uint64_t ends[] = {0, UINT64_C(1) << 63, UINT64_C(1) << 32, UINT64_C(1) << 31};
+
+    for (unsigned i = 0; i < 4; i++) {
+        for (int64_t before = -60000; before <= 60000; before += 60000) {
+            invcal_allan a = begun(NULL, 8, INVCAL_ALLAN_OVERLAPPING);
+            a.total = ends[i] + (uint64_t)before;
+            invcal_allan_gap(&a);
+            feed(&a, i & 1 ? any_int32 : noise_of_12_bits, 300);
+            for (unsigned k = 0; k < 8; k++) {
+                wide sum = {{0}};
+                const uint32_t m = UINT32_C(1) << k;
+                const uint32_t count =
+                    batch(i & 1 ? any_int32 : noise_of_12_bits, 300, m, stride_of(m), &sum);
+                check_sum(&a, k, &sum, count);
+            }
+        }
+    }
+}
+
+/* As if 2^32 - 4096 samples had come, all 0: their number passes 2^32, which acts as a gap. */
+static int32_t nothing_first(uint32_t i)
+{
+    return i <= 1024 ? 0 : any_int32(i);
+}
+
+static int32_t behind_4096(uint32_t i)
+{
+    return nothing_first(i + 4096);
+}
+
+static void the_number_of_samples_may_pass_32_bits(void)
+{
+    invcal_allan a = begun(NULL, 9, INVCAL_ALLAN_OVERLAPPING);
+
+    a.samples = UINT32_MAX - 4095;
+    feed(&a, nothing_first, 4096 + 2000);
+    for (unsigned k = 0; k < 9; k++) {
+        wide sum = {{0}};
+        const uint32_t m = UINT32_C(1) << k;
+        const uint32_t stride = stride_of(m);
+        (void)batch(nothing_first, 4095, m, stride, &sum);
+        const uint32_t count = batch(behind_4096, 2000, m, stride, &sum);
+        check_sum(&a, k, &sum, 4095 / stride + count);
+    }
+}
+
+static void a_sum_that_does_not_fit_is_not_offered(void)
+{
+    invcal_allan a = begun(NULL, 2, INVCAL_ALLAN_OVERLAPPING);
+    invcal_allan_point p;
+
+    a.tau[0].low = UINT64_MAX - 1;
+    a.tau[0].high = UINT64_MAX;
+    a.tau[1].low = UINT64_MAX;
+    feed(&a, rail_to_rail, 600);
+    TEST_ASSERT_EQUAL_INT(INVCAL_NO_SPACE, invcal_allan_get(&a, 0, &p));
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_allan_get(&a, 1, &p));
+    feed(&a, noise_of_12_bits, 600);
+    TEST_ASSERT_EQUAL_INT(INVCAL_NO_SPACE, invcal_allan_get(&a, 0, &p));
+}
+
+static void counting_stops_before_it_would_overflow(void)
+{
+    invcal_allan a = begun(NULL, 1, INVCAL_ALLAN_OVERLAPPING);
+
+    a.tau[0].count = UINT32_MAX - 10;
+    feed(&a, noise_of_12_bits, 12);
+    TEST_ASSERT_EQUAL_UINT32(UINT32_MAX, a.tau[0].count);
+    const uint64_t sum = a.tau[0].low;
+    feed(&a, noise_of_12_bits, 12);
+    TEST_ASSERT_EQUAL_UINT32(UINT32_MAX, a.tau[0].count);
+    TEST_ASSERT_TRUE(sum == a.tau[0].low);
+}
+
+static void the_deviation_is_right_for_sums_of_any_size(void)
+{
+    invcal_allan a = begun(NULL, 1, INVCAL_ALLAN_OVERLAPPING);
+    invcal_allan_point p;
+    double expected = sqrt(7.0 / 6);
+
+    a.tau[0].count = 3;
+    for (unsigned bit = 0; bit < 126; bit += 2) { /* 7 times a power of 4 */
+        a.tau[0].low = bit < 64 ? UINT64_C(7) << bit : 0;
+        a.tau[0].high = bit > 63 ? UINT64_C(7) << (bit - 64) : bit == 62 ? 1 : 0;
+        TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_allan_get(&a, 0, &p));
+        TEST_ASSERT_DOUBLE_WITHIN(FLOAT_OR_DOUBLE(3e-7, 1e-15) * expected, expected,
+                                  (double)p.adev);
+        expected *= 2;
+    }
+    a.tau[0].low = 0;
+    a.tau[0].high = 0;
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_allan_get(&a, 0, &p));
+    TEST_ASSERT_TRUE(p.adev == 0);
+}
+
+/* ---- confidence ------------------------------------------------------------------------------ */
+
+/* Of white noise, exactly: 2 E^2 / Var of the sum of squares of Gaussian differences, whose
+ * covariances R(j) are those of the weights (1 ... 1, -1 ... -1): with n of them
+ *     edf = n^2 R(0)^2 / (sum over i, j of R(i - j)^2). */
+static double exact_edf(int32_t lag, int32_t stride, int32_t n)
+{
+    double sum = n;
+
+    for (int32_t j = 1; j < n && j * stride < 2 * lag; j++) {
+        int32_t r = 0;
+        for (int32_t i = 0; i + j * stride < 2 * lag; i++) {
+            r += (i < lag) == (i + j * stride < lag) ? 1 : -1;
+        }
+        const double share = (double)r / (2 * lag);
+        sum += 2 * (double)(n - j) * share * share;
+    }
+    return (double)n * n / sum;
+}
+
+static void degrees_of_freedom_are_those_of_white_noise(void)
+{
+    static const uint32_t lengths[] = {40, 100, 333, 1000, 5000};
+
+    for (unsigned i = 0; i < 5; i++) {
+        for (unsigned windows = 0; windows < 2; windows++) {
+            invcal_allan a = begun(NULL, 8, (invcal_allan_windows)windows);
+            feed(&a, noise_of_12_bits, lengths[i]);
+            invcal_allan_point p;
+            for (unsigned k = 0; k < 8 && invcal_allan_get(&a, k, &p) == INVCAL_OK; k++) {
+                const uint32_t stride = windows ? p.m : stride_of(p.m);
+                const double exact = exact_edf((int32_t)p.m, (int32_t)stride, (int32_t)p.count);
+                TEST_ASSERT_DOUBLE_WITHIN((exact > 10 ? 0.03 : 0.1) * exact, exact, (double)p.edf);
+                TEST_ASSERT_DOUBLE_WITHIN(1e-5, 1 / sqrt(2 * (double)p.edf), (double)p.relative);
+            }
+        }
+    }
+}
+
+/* ---- simulated noise ------------------------------------------------------------------------- */
+
+/* White noise; a random walk; and flicker noise as a sum of first-order processes of equal
+ * variance v, their correlation times 1, 2, 4 ... samples. */
+enum { PROCESSES = 22, HOLD = 16 };
+typedef struct {
+    random_source random;
+    double white; /* counts */
+    double step;  /* of the walk, per sample */
+    double slow;  /* sqrt(v) */
+    double walk;
+    double state[PROCESSES];
+    uint32_t time;
+} source;
+
+static source source_of(uint32_t seed, double white, double slow, double step)
+{
+    source s;
+
+    memset(&s, 0, sizeof s);
+    s.random = random_start(seed);
+    s.white = white;
+    s.slow = slow;
+    s.step = step;
+    for (unsigned i = 0; i < PROCESSES && slow > 0; i++) {
+        s.state[i] = slow * random_normal(&s.random);
+    }
+    return s;
+}
+
+/* A process of a long correlation time takes a step every 1/16 of it. */
+static double flicker(source *s)
+{
+    double sum = 0;
+
+    for (unsigned i = 0; i < PROCESSES; i++) {
+        const uint32_t time = UINT32_C(1) << i;
+        const uint32_t hold = time > HOLD ? time / HOLD : 1;
+        if (s->time % hold == 0) {
+            const double kept = exp(-(double)hold / time);
+            s->state[i] =
+                kept * s->state[i] + s->slow * sqrt(1 - kept * kept) * random_normal(&s->random);
+        }
+        sum += s->state[i];
+    }
+    return sum;
+}
+
+static double reading(source *s)
+{
+    double x = s->white > 0 ? s->white * random_normal(&s->random) : 0;
+
+    if (s->step > 0) {
+        s->walk += s->step * random_normal(&s->random);
+        x += s->walk;
+    }
+    if (s->slow > 0) {
+        x += flicker(s);
+    }
+    s->time++;
+    return x;
+}
+
+static void feed_noise(invcal_allan *a, source *s, uint32_t n)
+{
+    for (uint32_t i = 0; i < n; i++) {
+        invcal_allan_push(a, (int32_t)floor(reading(s) + 0.5));
+    }
+}
+
+#define RATE 100.0
+#define LSB 0.002
+
+static invcal_noise noise_of(const invcal_allan *a)
+{
+    invcal_noise noise;
+
+    memset(&noise, 0xA5, sizeof noise);
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK,
+                          invcal_allan_noise(a, (invcal_real)RATE, (invcal_real)LSB, &noise));
+    return noise;
+}
+
+/* What the coefficients must be. White noise of variance s^2 at rate f has density s^2 / f; a
+ * random walk of steps q has K^2 = q^2 f. Flicker from its Allan variance: the mean of m samples
+ * of one process has, with r = exp(-1 / time), the variance
+ *     v (m (1 + r) / (1 - r) - 2 r (1 - r^m) / (1 - r)^2) / m^2
+ * and neighbouring means the covariance v r (1 - r^m)^2 / (1 - r)^2 / m^2; their difference, summed
+ * over all processes, is the plateau. In the limit of many processes it is 2 v. */
+static double plateau(double v, double m)
+{
+    double sum = 0;
+
+    for (unsigned i = 0; i < PROCESSES; i++) {
+        const double r = exp(-1 / (double)(UINT32_C(1) << i));
+        const double rest = 1 - pow(r, m);
+        const double mean = m * (1 + r) / (1 - r) - 2 * r * rest / ((1 - r) * (1 - r));
+        sum += v * (mean - r * rest * rest / ((1 - r) * (1 - r))) / (m * m);
+    }
+    return sum;
+}
+
+static double white_of(const source *s)
+{
+    return LSB * s->white / sqrt(RATE);
+}
+
+static double instability_of(const source *s)
+{
+    return LSB * s->slow * sqrt(2 / (2 * log(2.0) / acos(-1.0)));
+}
+
+static double walk_of(const source *s)
+{
+    return LSB * s->step * sqrt(RATE);
+}
+
+static void check_noise(const invcal_noise *noise, const source *s, double tolerance)
+{
+    const double expected[] = {white_of(s), instability_of(s), walk_of(s)};
+
+    for (unsigned i = 0; i < INVCAL_NOISE_KINDS; i++) {
+        TEST_ASSERT_EQUAL_INT(expected[i] > 0, noise->visible >> i & 1);
+        TEST_ASSERT_DOUBLE_WITHIN(tolerance * expected[i], expected[i],
+                                  (double)noise->coefficient[i]);
+        TEST_ASSERT_EQUAL_INT(expected[i] > 0, noise->relative[i] > 0);
+    }
+}
+
+/* log2 of the ratio of deviations an octave apart, from index a to index b. */
+static double slope(const invcal_allan *allan, unsigned a, unsigned b)
+{
+    invcal_allan_point p, q;
+
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_allan_get(allan, a, &p));
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_allan_get(allan, b, &q));
+    return log((double)q.adev / (double)p.adev) / log((double)q.m / (double)p.m);
+}
+
+static void white_noise_has_slope_minus_half_and_its_coefficient(void)
+{
+    for (uint32_t seed = 1; seed <= 5; seed++) {
+        invcal_allan a = begun(NULL, TAUS, INVCAL_ALLAN_OVERLAPPING);
+        source s = source_of(seed, 300, 0, 0);
+        feed_noise(&a, &s, 100000);
+        const invcal_noise noise = noise_of(&a);
+        check_noise(&noise, &s, 0.02);
+        TEST_ASSERT_TRUE((double)noise.misfit < 1.5);
+        TEST_ASSERT_DOUBLE_WITHIN(0.03, -0.5, slope(&a, 0, 8));
+        TEST_ASSERT_DOUBLE_WITHIN(1e-6, 1 / RATE, (double)noise.shortest);
+        TEST_ASSERT_DOUBLE_WITHIN(1e-3, 163.84, (double)noise.longest);
+    }
+}
+
+static void a_random_walk_has_slope_half_and_its_coefficient(void)
+{
+    for (uint32_t seed = 1; seed <= 5; seed++) {
+        static const uint32_t m[] = {4, 8, 16, 32, 64, 128, 256, 512};
+        invcal_allan a = begun(m, 8, INVCAL_ALLAN_OVERLAPPING);
+        source s = source_of(seed, 0, 0, 100);
+        feed_noise(&a, &s, 100000);
+        const invcal_noise noise = noise_of(&a);
+        check_noise(&noise, &s, 0.1);
+        TEST_ASSERT_DOUBLE_WITHIN(0.04, 0.5, slope(&a, 0, 5));
+    }
+}
+
+static void flicker_noise_has_slope_0_and_its_coefficient(void)
+{
+    static const uint32_t m[] = {64, 128, 256, 512, 1024, 2048, 4096, 8192, 16384};
+
+    for (unsigned k = 0; k < 9; k++) { /* the plateau is one */
+        TEST_ASSERT_DOUBLE_WITHIN(0.05, 2, plateau(1, m[k]));
+    }
+    for (uint32_t seed = 1; seed <= 5; seed++) {
+        invcal_allan a = begun(m, 9, INVCAL_ALLAN_OVERLAPPING);
+        source s = source_of(seed, 0, 400, 0);
+        feed_noise(&a, &s, 400000);
+        const invcal_noise noise = noise_of(&a);
+        check_noise(&noise, &s, 0.1);
+        TEST_ASSERT_DOUBLE_WITHIN(0.05, 0, slope(&a, 0, 5));
+    }
+}
+
+/* All three, each where it can be seen: they cross at 200 and at 1000 samples. */
+static source mixed(uint32_t seed)
+{
+    return source_of(seed, 2000, 100, sqrt(3 * 2e4 / 1000));
+}
+
+static void a_mixture_is_taken_apart(void)
+{
+    for (uint32_t seed = 1; seed <= 2; seed++) {
+        invcal_allan a = begun(NULL, TAUS, INVCAL_ALLAN_OVERLAPPING);
+        source s = mixed(seed);
+        feed_noise(&a, &s, 1000000);
+        const invcal_noise noise = noise_of(&a);
+        check_noise(&noise, &s, 0.1);
+    }
+}
+
+/* White noise of 1000 counts, and what must be told from it. */
+static invcal_noise noise_with(double ramp, double wave, uint32_t averaged)
+{
+    invcal_allan a = begun(NULL, TAUS, INVCAL_ALLAN_OVERLAPPING);
+    random_source random = random_start(3);
+    double ring[8] = {0};
+    double sum = 0;
+
+    for (uint32_t i = 0; i < 100000; i++) {
+        sum -= ring[i % averaged];
+        ring[i % averaged] = 1000 * random_normal(&random) / averaged;
+        sum += ring[i % averaged];
+        invcal_allan_push(&a, (int32_t)floor(sum + ramp * i + wave * sin(0.1 * i) + 0.5));
+    }
+    return noise_of(&a);
+}
+
+static void misfit_tells_what_is_no_noise_of_these_kinds(void)
+{
+    TEST_ASSERT_TRUE((double)noise_with(0, 0, 1).misfit < 1.5);
+    TEST_ASSERT_TRUE((double)noise_with(0, 0, 2).misfit > 3);
+    TEST_ASSERT_TRUE((double)noise_with(0, 0, 8).misfit > 3);
+    TEST_ASSERT_TRUE((double)noise_with(0, 3000, 1).misfit > 3);
+    TEST_ASSERT_TRUE((double)noise_with(0.1, 0, 1).misfit > 3);
+}
+
+/* ...and is seen by its last averaging time alone. */
+static void a_slow_drift_counts_as_a_walk(void)
+{
+    const invcal_noise noise = noise_with(0.004, 0, 1);
+
+    TEST_ASSERT_EQUAL_INT(1 << INVCAL_NOISE_WHITE | 1 << INVCAL_NOISE_WALK, noise.visible);
+    TEST_ASSERT_DOUBLE_WITHIN(0.02 * LSB * 100, LSB * 100,
+                              (double)noise.coefficient[INVCAL_NOISE_WHITE]);
+}
+
+/* The scatter of coefficient `kind` over records of one source, over what each tells of it. */
+static double scatter(double white, double slow, double step, uint32_t samples, unsigned kind)
+{
+    const unsigned records = 60;
+    double sum = 0;
+    double squares = 0;
+    double told = 0;
+
+    for (uint32_t seed = 0; seed < records; seed++) {
+        invcal_allan a = begun(NULL, TAUS, INVCAL_ALLAN_OVERLAPPING);
+        source s = source_of(100 + seed, white, slow, step);
+        feed_noise(&a, &s, samples);
+        const invcal_noise noise = noise_of(&a);
+        const double expected[] = {white_of(&s), instability_of(&s), walk_of(&s)};
+        for (unsigned i = 0; i < INVCAL_NOISE_KINDS; i++) {
+            TEST_ASSERT_EQUAL_INT(expected[i] > 0, noise.visible >> i & 1);
+        }
+        const double ratio = (double)noise.coefficient[kind] / expected[kind];
+        sum += ratio / records;
+        squares += ratio * ratio / records;
+        told += (double)noise.relative[kind] / records;
+    }
+    TEST_ASSERT_DOUBLE_WITHIN(0.03, 1, sum);
+    return sqrt(squares - sum * sum) / told;
+}
+
+static void relative_is_the_scatter_and_nothing_is_seen_that_is_not_there(void)
+{
+    TEST_ASSERT_DOUBLE_WITHIN(0.3, 1.0, scatter(500, 0, 0, 2000, INVCAL_NOISE_WHITE));
+    TEST_ASSERT_DOUBLE_WITHIN(0.3, 0.5, scatter(500, 50, 0, 25000, INVCAL_NOISE_WHITE));
+    TEST_ASSERT_DOUBLE_WITHIN(0.3, 0.75, scatter(500, 50, 0, 25000, INVCAL_NOISE_INSTABILITY));
+    TEST_ASSERT_DOUBLE_WITHIN(0.3, 1.0, scatter(500, 0, 10, 20000, INVCAL_NOISE_WALK));
+}
+
+static void unusable_rates_are_refused(void)
+{
+    static const double bad[] = {0, -1, NOT_A_NUMBER, INFINITE};
+    invcal_allan a = begun(NULL, TAUS, INVCAL_ALLAN_OVERLAPPING);
+    invcal_noise noise = {.misfit = 77};
+
+    feed(&a, noise_of_12_bits, 300);
+    for (unsigned i = 0; i < 4; i++) {
+        const invcal_real x = (invcal_real)bad[i];
+        TEST_ASSERT_EQUAL_INT(INVCAL_BAD_SETTING, invcal_allan_noise(&a, x, 1, &noise));
+        TEST_ASSERT_EQUAL_INT(INVCAL_BAD_SETTING, invcal_allan_noise(&a, 1, x, &noise));
+    }
+    TEST_ASSERT_TRUE(noise.misfit == 77);
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_allan_noise(&a, 1, 1, &noise));
+}
+
+/* 4096 equally likely counts: a variance of (4096^2 - 1) / 12. */
+static void a_few_samples_show_white_noise(void)
+{
+    invcal_allan a = begun(NULL, TAUS, INVCAL_ALLAN_OVERLAPPING);
+    invcal_noise noise;
+
+    feed(&a, noise_of_12_bits, 400);
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_allan_noise(&a, 100, 1, &noise));
+    TEST_ASSERT_EQUAL_INT(1 << INVCAL_NOISE_WHITE, noise.visible);
+    TEST_ASSERT_DOUBLE_WITHIN(10, 118.2, (double)noise.coefficient[INVCAL_NOISE_WHITE]);
+    TEST_ASSERT_TRUE((double)noise.relative[INVCAL_NOISE_WHITE] < 0.06);
+    TEST_ASSERT_TRUE(noise.coefficient[INVCAL_NOISE_INSTABILITY] == 0);
+    TEST_ASSERT_TRUE(noise.coefficient[INVCAL_NOISE_WALK] == 0);
+}
+
+/* ---- dwell ----------------------------------------------------------------------------------- */
+
+static invcal_noise data_sheet(double n, double b, double k)
+{
+    invcal_noise noise;
+
+    memset(&noise, 0, sizeof noise);
+    noise.coefficient[INVCAL_NOISE_WHITE] = (invcal_real)n;
+    noise.coefficient[INVCAL_NOISE_INSTABILITY] = (invcal_real)b;
+    noise.coefficient[INVCAL_NOISE_WALK] = (invcal_real)k;
+    return noise;
+}
+
+static void check_dwell(const invcal_noise *noise, double wanted, double seconds, double sigma,
+                        invcal_dwell_end end)
+{
+    const double near = FLOAT_OR_DOUBLE(3e-6, 1e-9);
+    invcal_dwell dwell;
+
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_noise_dwell(noise, (invcal_real)wanted, &dwell));
+    TEST_ASSERT_EQUAL_INT(end, dwell.end);
+    TEST_ASSERT_DOUBLE_WITHIN(near * seconds, seconds, (double)dwell.seconds);
+    TEST_ASSERT_DOUBLE_WITHIN(near * sigma, sigma, (double)dwell.sigma);
+}
+
+static void dwell_is_the_shortest_time_that_is_enough(void)
+{
+    const double floor_of_b = sqrt(2 * log(2.0) / acos(-1.0));
+    invcal_noise noise = data_sheet(1e-3, 0, 0);
+
+    check_dwell(&noise, 1e-4, 100, 1e-4, INVCAL_DWELL_BEYOND);
+    noise.longest = 99;
+    check_dwell(&noise, 1e-4, 100, 1e-4, INVCAL_DWELL_BEYOND);
+    noise.longest = 101;
+    check_dwell(&noise, 1e-4, 100, 1e-4, INVCAL_DWELL_REACHED);
+    noise.shortest = (invcal_real)0.01;
+    check_dwell(&noise, 1, 0.01, 0.01, INVCAL_DWELL_REACHED);
+    noise.coefficient[INVCAL_NOISE_INSTABILITY] = (invcal_real)(6e-4 / floor_of_b);
+    check_dwell(&noise, 1e-3, 1 / 0.64, 1e-3, INVCAL_DWELL_REACHED);
+    /* 1e-6 / T + 1e-8 T = 2.0e-7 + 0.5e-8: T = 5 or 20 */
+    noise = data_sheet(1e-3, 0, sqrt(3e-8));
+    noise.longest = 100;
+    check_dwell(&noise, sqrt(25e-8), 5, sqrt(25e-8), INVCAL_DWELL_REACHED);
+}
+
+static void dwell_ends_at_the_minimum_if_nothing_is_enough(void)
+{
+    const double floor_of_b = sqrt(2 * log(2.0) / acos(-1.0));
+    invcal_noise noise = data_sheet(1e-3, 0, sqrt(3e-8));
+
+    check_dwell(&noise, sqrt(19e-8), 10, sqrt(20e-8), INVCAL_DWELL_FLOOR);
+    noise.coefficient[INVCAL_NOISE_INSTABILITY] = (invcal_real)(sqrt(5e-8) / floor_of_b);
+    check_dwell(&noise, sqrt(24e-8), 10, sqrt(25e-8), INVCAL_DWELL_FLOOR);
+    check_dwell(&noise, sqrt(1e-8), 10, sqrt(25e-8), INVCAL_DWELL_FLOOR);
+    noise.coefficient[INVCAL_NOISE_WALK] = 0;
+    check_dwell(&noise, sqrt(4e-8), 1e-6 / (5e-8 * 0.1025), 1.05 * sqrt(5e-8), INVCAL_DWELL_FLOOR);
+    /* walk alone: the first sample is the best, and may be too bad */
+    noise = data_sheet(0, 0, sqrt(3e-8));
+    noise.shortest = 1;
+    check_dwell(&noise, 2e-4, 1, 1e-4, INVCAL_DWELL_BEYOND);
+    check_dwell(&noise, 0.5e-4, 1, 1e-4, INVCAL_DWELL_FLOOR);
+}
+
+static void no_dwell_comes_of_what_is_no_noise(void)
+{
+    static const double bad[] = {-1, NOT_A_NUMBER, INFINITE};
+    invcal_noise noise = data_sheet(1e-3, 1e-4, 1e-5);
+    invcal_dwell dwell = {.seconds = 77};
+
+    TEST_ASSERT_EQUAL_INT(INVCAL_BAD_SETTING, invcal_noise_dwell(&noise, 0, &dwell));
+    for (unsigned i = 0; i < 3; i++) {
+        TEST_ASSERT_EQUAL_INT(INVCAL_BAD_SETTING,
+                              invcal_noise_dwell(&noise, (invcal_real)bad[i], &dwell));
+        for (unsigned k = 0; k < INVCAL_NOISE_KINDS; k++) {
+            invcal_noise other = noise;
+            other.coefficient[k] = (invcal_real)bad[i];
+            TEST_ASSERT_EQUAL_INT(INVCAL_BAD_SETTING,
+                                  invcal_noise_dwell(&other, (invcal_real)1e-4, &dwell));
+        }
+    }
+    for (unsigned k = 0; k < 2; k++) {
+        noise.coefficient[INVCAL_NOISE_WHITE] = 0;
+        TEST_ASSERT_EQUAL_INT(INVCAL_BAD_SETTING,
+                              invcal_noise_dwell(&noise, (invcal_real)1e-4, &dwell));
+        noise = data_sheet(0, 0, 0);
+    }
+    TEST_ASSERT_TRUE(dwell.seconds == 77);
+}
+
+/* Positions one after the other, each the mean of n samples, in sessions of `positions`: the
+ * variance about the mean of the session, counts^2. */
+static double variance_of_means(source *s, uint32_t n, unsigned positions, unsigned sessions)
+{
+    double total = 0;
+
+    for (unsigned k = 0; k < sessions; k++) {
+        double sum = 0;
+        double squares = 0;
+        double origin = 0;
+        for (unsigned i = 0; i < positions; i++) {
+            double mean = 0;
+            for (uint32_t j = 0; j < n; j++) {
+                mean += reading(s) / n;
+            }
+            origin = i == 0 ? mean : origin;
+            sum += mean - origin;
+            squares += (mean - origin) * (mean - origin);
+        }
+        total += (squares - sum * sum / positions) / (positions - 1);
+    }
+    return total / sessions;
+}
+
+/* Of two: half the square of their difference, which is the definition; the model is not. */
+static void means_are_as_good_as_dwell_says(void)
+{
+    invcal_allan a = begun(NULL, TAUS, INVCAL_ALLAN_OVERLAPPING);
+    source s = mixed(9);
+    invcal_dwell dwell;
+
+    feed_noise(&a, &s, 500000);
+    const invcal_noise noise = noise_of(&a);
+    for (double wanted = 0.45; wanted < 1.9; wanted *= 2) {
+        TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_noise_dwell(&noise, (invcal_real)wanted, &dwell));
+        TEST_ASSERT_EQUAL_INT(INVCAL_DWELL_REACHED, dwell.end);
+        const double samples = (double)dwell.seconds * RATE;
+        const double variance = variance_of_means(&s, (uint32_t)(samples + 0.5), 2, 1500);
+        TEST_ASSERT_DOUBLE_WITHIN(0.08 * wanted, wanted, LSB * sqrt(variance));
+    }
+}
+
+/* Over 18 positions slow noise adds: 1, n ln n / (2 (n - 1) ln 2), n / 2 times adev^2. */
+static void slow_noise_does_more_over_a_session(void)
+{
+    const unsigned n = 18;
+    const uint32_t samples = 64;
+    source white = source_of(3, 1000, 0, 0);
+    source slow = source_of(3, 0, 1000, 0);
+    source walk = source_of(3, 0, 0, 10);
+    const double flickers = n * log((double)n) / (2 * (n - 1) * log(2.0));
+
+    TEST_ASSERT_DOUBLE_WITHIN(0.05, 1, variance_of_means(&white, samples, n, 200) * samples / 1e6);
+    TEST_ASSERT_DOUBLE_WITHIN(0.1 * flickers, flickers,
+                              variance_of_means(&slow, samples, n, 400) / plateau(1e6, samples));
+    TEST_ASSERT_DOUBLE_WITHIN(0.15 * n / 2, n / 2.0,
+                              variance_of_means(&walk, samples, n, 600) / (100 * samples / 3.0));
+}
+
+int main(void)
+{
+    UNITY_BEGIN();
+    RUN_TEST(every_octave_is_exact);
+    RUN_TEST(every_octave_is_exact_for_any_int32);
+    RUN_LONG_TEST(a_long_stream_is_exact);
+    RUN_TEST(any_list_of_averaging_times_is_served);
+    RUN_TEST(windows_apart_are_every_one_of_an_averaging_time);
+    RUN_TEST(unusable_lists_are_refused);
+    RUN_TEST(what_is_not_known_yet_is_not_told);
+    RUN_TEST(no_difference_reaches_across_a_gap);
+    RUN_TEST(totals_may_pass_any_power_of_two);
+    RUN_TEST(the_number_of_samples_may_pass_32_bits);
+    RUN_TEST(a_sum_that_does_not_fit_is_not_offered);
+    RUN_TEST(counting_stops_before_it_would_overflow);
+    RUN_TEST(the_deviation_is_right_for_sums_of_any_size);
+    RUN_TEST(degrees_of_freedom_are_those_of_white_noise);
+    RUN_LONG_TEST(white_noise_has_slope_minus_half_and_its_coefficient);
+    RUN_LONG_TEST(a_random_walk_has_slope_half_and_its_coefficient);
+    RUN_LONG_TEST(flicker_noise_has_slope_0_and_its_coefficient);
+    RUN_LONG_TEST(a_mixture_is_taken_apart);
+    RUN_LONG_TEST(misfit_tells_what_is_no_noise_of_these_kinds);
+    RUN_LONG_TEST(a_slow_drift_counts_as_a_walk);
+    RUN_LONG_TEST(relative_is_the_scatter_and_nothing_is_seen_that_is_not_there);
+    RUN_TEST(unusable_rates_are_refused);
+    RUN_TEST(a_few_samples_show_white_noise);
+    RUN_TEST(dwell_is_the_shortest_time_that_is_enough);
+    RUN_TEST(dwell_ends_at_the_minimum_if_nothing_is_enough);
+    RUN_TEST(no_dwell_comes_of_what_is_no_noise);
+    RUN_LONG_TEST(means_are_as_good_as_dwell_says);
+    RUN_LONG_TEST(slow_noise_does_more_over_a_session);
+    return UNITY_END();
+}
