@@ -8,6 +8,8 @@
 
 #include "invcal/quality.h"
 
+#define INVCAL_ABSURD_RESIDUAL INVCAL_REAL(0.1) /* rms; above: no readings of one field */
+
 /* What the judgement is made from. */
 typedef struct {
     const invcal_residuals *residuals;

@@ -8,7 +8,6 @@
 
 #define WEAK_ROOT_K INVCAL_REAL(10.0)       /* above: usable only within its sigma */
 #define HOPELESS_ROOT_K INVCAL_REAL(1000.0) /* above: refused */
-#define ABSURD_RESIDUAL INVCAL_REAL(0.1)
 #define NOISE_SHARE INVCAL_REAL(0.1) /* of the information on a parameter: above, it is weak */
 
 const char *invcal_verdict_text(invcal_verdict verdict)
@@ -147,7 +146,7 @@ static invcal_status judge_residuals(const invcal_residuals *residuals, invcal_q
     q->residual_rms = INVCAL_SQRT(residuals->squares / (invcal_real)residuals->count);
     q->residual_max = residuals->max;
     q->worst = residuals->worst;
-    return q->residual_rms <= ABSURD_RESIDUAL ? INVCAL_OK : INVCAL_NOT_ELLIPSOID;
+    return q->residual_rms <= INVCAL_ABSURD_RESIDUAL ? INVCAL_OK : INVCAL_NOT_ELLIPSOID;
 }
 
 /* All but the parameters; leaves L^-1 in e->l. */

@@ -7,8 +7,6 @@
 #include "triad.h"
 #include "vector.h"
 
-#define SHORTEST INVCAL_REAL(0.1) /* semi-axes of a sensor triad, of nominal */
-#define LONGEST INVCAL_REAL(10.0)
 #define RIDGE INVCAL_REAL(1e-4) /* of the largest diagonal element: between weak and good */
 
 static unsigned parameters_without_prior(const invcal_settings *settings)
@@ -150,7 +148,8 @@ INVCAL_APART int invcal_triad_of_ellipsoid(const invcal_real p[INVCAL_PARAMETERS
         const invcal_real of_unit = i == 0 || i == 2 || i == 5 ? excess : 0;
         f[i] = (q[i] - of_unit) / (1 + excess);
     }
-    if (!invcal_near_is_between(f, SHORTEST * SHORTEST, LONGEST * LONGEST)) {
+    if (!invcal_near_is_between(f, INVCAL_SHORTEST * INVCAL_SHORTEST,
+                                INVCAL_LONGEST * INVCAL_LONGEST)) {
         return 0;
     }
     invcal_near_root(f, t->a, t->s);
@@ -167,7 +166,7 @@ INVCAL_APART int invcal_triad_of_linear(const invcal_real p[INVCAL_PARAMETERS], 
     }
     memcpy(t->s, s, sizeof t->s);
     invcal_near_inverse(s, t->a);
-    return invcal_near_is_between(s, SHORTEST, LONGEST);
+    return invcal_near_is_between(s, INVCAL_SHORTEST, INVCAL_LONGEST);
 }
 
 /* A - I -> L' - I with L L' = A^2: the same lengths in another frame. Semi-axes within their
@@ -226,7 +225,7 @@ static void name_parameters(const invcal_triad *t, invcal_solution *out)
 invcal_status invcal_triad_join(invcal_triad *t, const invcal_settings *settings,
                                 invcal_real inverse[3][3], invcal_solution *solution)
 {
-    if (!(invcal_dot(t->delta, t->delta, 3) <= LONGEST * LONGEST)) {
+    if (!(invcal_dot(t->delta, t->delta, 3) <= INVCAL_LONGEST * INVCAL_LONGEST)) {
         return INVCAL_NOT_ELLIPSOID;
     }
     if (settings->frame == INVCAL_FRAME_TRIANGULAR) {

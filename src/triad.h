@@ -8,6 +8,9 @@
 
 #include "invcal/solution.h"
 
+#define INVCAL_SHORTEST INVCAL_REAL(0.1) /* semi-axes of a sensor triad, of nominal */
+#define INVCAL_LONGEST INVCAL_REAL(10.0)
+
 /* The sensor model u = (I + S) eta + delta, and its correction A = (I + S)^-1. Readings lie on the
  * ellipsoid with the centre delta, whose semi-axes are the eigenvalues of I + S. */
 typedef struct {

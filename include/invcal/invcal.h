@@ -9,6 +9,7 @@
  *     plan -> criteria, series: which positions to visit, and what they are worth
  *     block -> still: samples to rest positions
  *     fisher -> outlier, guidance: positions that are wrong, and the one to take next
+ *     thermal: a calibration for every temperature
  *     session: the whole procedure;  record, resume -> store: what survives a reset
  */
 #ifndef INVCAL_INVCAL_H
@@ -20,5 +21,6 @@
 #include "invcal/resume.h"
 #include "invcal/series.h"
 #include "invcal/store.h"
+#include "invcal/thermal.h"
 
 #endif
