@@ -10,11 +10,12 @@
 #include "triad.h"
 #include "vector.h"
 
-#define FARTHEST INVCAL_REAL(2.0)     /* |t| */
-#define NARROWEST INVCAL_REAL(5.0)    /* K, for each degree */
-#define OPEN_ROOT_K INVCAL_REAL(10.0) /* of a slope over the span: above, it is left out */
-#define USUAL_SLOPE INVCAL_REAL(1e-3) /* 1/K */
-#define USUAL_NOISE INVCAL_REAL(1e-4) /* of the field */
+#define FARTHEST INVCAL_REAL(2.0)         /* |t| */
+#define NARROWEST INVCAL_REAL(5.0)        /* K, for each degree */
+#define OPEN_ROOT_K INVCAL_REAL(10.0)     /* of a slope over the span: above, it is left out */
+#define NARROWEST_STEP INVCAL_REAL(0.125) /* of t, to a point of interpolation */
+#define USUAL_SLOPE INVCAL_REAL(1e-3)     /* 1/K */
+#define USUAL_NOISE INVCAL_REAL(1e-4)     /* of the field */
 
 enum {
     SUMS = INVCAL_THERMAL_SUMS,
@@ -548,26 +549,34 @@ INVCAL_APART static int compose(const invcal_thermal_calibration *base, const in
     return 1;
 }
 
-/* The polynomials of X through what p is at t = -1, 1 and, for a parabola, 0. */
-static invcal_status interpolate(const invcal_thermal_calibration *base, const invcal_real *p,
-                                 unsigned degree, invcal_thermal_calibration *out)
+/* The polynomials of X through what it is at both ends of the temperatures seen and, for a
+ * parabola, in their middle: Newton's interpolation, about t = 0. */
+static invcal_status interpolate(const problem *m, const invcal_real *p, unsigned degree,
+                                 invcal_thermal_calibration *out)
 {
+    const invcal_real least = scaled(m->base, m->sums->least);
+    const invcal_real greatest = scaled(m->base, m->sums->greatest);
+    const invcal_real half = (greatest - least) / 2;
+    const invcal_real step = half > NARROWEST_STEP ? half : NARROWEST_STEP;
+    const invcal_real t = least + half;
     invcal_real low[N];
     invcal_real middle[N];
     invcal_real high[N];
 
-    if (!(compose(base, p, 0, middle) && compose(base, p, -1, low) && compose(base, p, 1, high))) {
+    if (!(compose(m->base, p, t - step, low) && compose(m->base, p, t, middle) &&
+          compose(m->base, p, t + step, high))) {
         return INVCAL_NOT_ELLIPSOID;
     }
     memset(out->x, 0, sizeof out->x);
     for (unsigned r = 0; r < N; r++) {
-        const invcal_real mean = low[r] + (high[r] - low[r]) / 2;
-        out->x[0][r] = degree == 1 ? mean : middle[r];
-        if (degree >= 1) {
-            out->x[1 % INVCAL_THERMAL_ROWS][r] = (high[r] - low[r]) / 2;
-        }
-        if (degree >= 2) {
-            out->x[2 % INVCAL_THERMAL_ROWS][r] = mean - middle[r];
+        const invcal_real rise = (high[r] - low[r]) / 2;
+        const invcal_real bend = (high[r] - middle[r]) - (middle[r] - low[r]);
+        const invcal_real c2 = degree == 2 ? bend / (2 * step * step) : 0;
+        const invcal_real c1 = degree >= 1 ? rise / step - 2 * c2 * t : 0;
+        const invcal_real c0 = (degree == 1 ? low[r] + rise : middle[r]) - (c1 + c2 * t) * t;
+        const invcal_real c[3] = {c0, c1, c2};
+        for (unsigned a = 0; a <= DEGREE; a++) {
+            out->x[a][r] = c[a];
         }
     }
     return INVCAL_OK;
@@ -625,7 +634,7 @@ static invcal_status solve(const problem *m, unsigned most, invcal_thermal_calib
     c.degree = c.fitted > base->degree ? c.fitted : base->degree;
     c.least = m->sums->least;
     c.greatest = m->sums->greatest;
-    status = interpolate(base, p, c.degree, &c);
+    status = interpolate(m, p, c.degree, &c);
     if (status == INVCAL_OK) {
         *out = c;
     }
