@@ -56,7 +56,7 @@ static invcal_status invert(invcal_evidence *e)
 }
 
 /* K(r,r), the square of a column of L^-1. */
-static invcal_real variance(const invcal_evidence *e, unsigned r)
+INVCAL_APART static invcal_real variance(const invcal_evidence *e, unsigned r)
 {
     invcal_real sum = 0;
 

@@ -82,11 +82,11 @@ static void parameters_at(const invcal_thermal_calibration *model, invcal_real t
 static invcal_thermal_place place_of(const invcal_thermal_calibration *model,
                                      invcal_real *temperature)
 {
-    if (*temperature < model->least) {
+    if (!(*temperature >= model->least)) {
         *temperature = model->least;
         return INVCAL_THERMAL_BELOW;
     }
-    if (*temperature > model->greatest) {
+    if (!(*temperature <= model->greatest)) {
         *temperature = model->greatest;
         return INVCAL_THERMAL_ABOVE;
     }
@@ -107,7 +107,7 @@ invcal_status invcal_thermal_at(const invcal_thermal_calibration *calibration,
     if (!invcal_is_finite(temperature)) {
         return INVCAL_NOT_FINITE;
     }
-    if (invcal_settings_check(&settings) != INVCAL_OK ||
+    if (!invcal_is_positive(c->field) || !invcal_are_finite(c->nominal.offset) ||
         invcal_calibration_inverse(&c->nominal, inverse) != INVCAL_OK) {
         return INVCAL_BAD_SETTING;
     }
