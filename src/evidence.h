@@ -27,10 +27,13 @@ typedef struct {
 void invcal_evidence_noise(invcal_evidence *e, invcal_real stated, invcal_real parameters,
                            invcal_quality *q);
 
-/* undetermined, from_prior, the verdict and all sigma, from L^-1 in e->l.
- *
- * Returns INVCAL_OK; INVCAL_UNDETERMINED if a parameter is hopeless; q is lost then. */
-invcal_status invcal_evidence_conclude(const invcal_evidence *e, const invcal_solution *solution,
-                                       invcal_quality *q);
+/* undetermined, from_prior and the verdict, from L^-1 in e->l; INVCAL_UNDETERMINED. */
+invcal_status invcal_evidence_parameters(const invcal_evidence *e, invcal_quality *q);
+
+/* All sigma, from L^-1 in e->l, at the deviation s. */
+void invcal_evidence_spread_offset(const invcal_evidence *e, const invcal_real s[6],
+                                   invcal_quality *q);
+void invcal_evidence_spread_matrix(const invcal_evidence *e, const invcal_real s[6],
+                                   invcal_quality *q);
 
 #endif

@@ -140,6 +140,22 @@ static int is_weak(const invcal_evidence *e, invcal_real k, const invcal_quality
     return !(INVCAL_SQRT(k * e->share) <= WEAK_ROOT_K && of_noise <= NOISE_SHARE);
 }
 
+invcal_status invcal_evidence_parameters(const invcal_evidence *e, invcal_quality *q)
+{
+    q->undetermined = 0;
+    q->from_prior = 0;
+    for (unsigned r = 0; r < INVCAL_PARAMETERS; r++) {
+        const invcal_real k = variance(e, r);
+        if (!(INVCAL_SQRT(k * e->share) <= HOPELESS_ROOT_K) && !(e->settings->prior[r] > 0)) {
+            return INVCAL_UNDETERMINED;
+        }
+        q->undetermined |= (uint16_t)(is_weak(e, k, q) << r);
+        q->from_prior |= (uint16_t)((!(told_by_data(e, r, k) >= INVCAL_REAL(0.5))) << r);
+    }
+    q->verdict = q->undetermined ? INVCAL_WEAK : q->dof > 0 ? INVCAL_GOOD : INVCAL_NO_REDUNDANCY;
+    return INVCAL_OK;
+}
+
 /* Residual figures; absurd ones are refused. */
 static invcal_status judge_residuals(const invcal_residuals *residuals, invcal_quality *q)
 {
@@ -149,7 +165,7 @@ static invcal_status judge_residuals(const invcal_residuals *residuals, invcal_q
     return q->residual_rms <= INVCAL_ABSURD_RESIDUAL ? INVCAL_OK : INVCAL_NOT_ELLIPSOID;
 }
 
-/* All but the parameters; leaves L^-1 in e->l. */
+/* All that can be refused; leaves L^-1 in e->l. */
 static invcal_status judge(invcal_evidence *e, invcal_quality *q)
 {
     invcal_status status = judge_residuals(e->residuals, q);
@@ -160,7 +176,10 @@ static invcal_status judge(invcal_evidence *e, invcal_quality *q)
     if (status == INVCAL_OK) {
         status = judge_condition(e, q);
     }
-    return status == INVCAL_OK ? invert(e) : status;
+    if (status == INVCAL_OK) {
+        status = invert(e);
+    }
+    return status == INVCAL_OK ? invcal_evidence_parameters(e, q) : status;
 }
 
 /* sigma of a combination of calibrated parameters: x has its count factors from parameter first on.
@@ -188,8 +207,8 @@ static invcal_real within_prior(const invcal_evidence *e, unsigned r, invcal_rea
 }
 
 /* d delta = (I + S) d delta', and d offset = field N^-1 d delta. */
-INVCAL_APART static void spread_offset(const invcal_evidence *e, const invcal_real s[6],
-                                       invcal_quality *q)
+INVCAL_APART void invcal_evidence_spread_offset(const invcal_evidence *e, const invcal_real s[6],
+                                                invcal_quality *q)
 {
     const invcal_real rows[3][3] = {
         {1 + s[0], s[1], s[3]}, {s[1], 1 + s[2], s[4]}, {s[3], s[4], 1 + s[5]}};
@@ -249,8 +268,8 @@ INVCAL_APART static void jacobian(const invcal_eigen3 *axes, unsigned i, unsigne
 }
 
 /* dk(i) = P(i,i) - 1, gamma(ij) = 2 P(i,j). */
-INVCAL_APART static void spread_matrix(const invcal_evidence *e, const invcal_real s[6],
-                                       invcal_quality *q)
+INVCAL_APART void invcal_evidence_spread_matrix(const invcal_evidence *e, const invcal_real s[6],
+                                                invcal_quality *q)
 {
     static const unsigned char pair[3][2] = {{0, 1}, {0, 2}, {2, 1}};
     invcal_eigen3 axes;
@@ -266,43 +285,13 @@ INVCAL_APART static void spread_matrix(const invcal_evidence *e, const invcal_re
     }
 }
 
-/* undetermined, from_prior and the verdict. */
-static invcal_status judge_parameters(const invcal_evidence *e, invcal_quality *q)
-{
-    q->undetermined = 0;
-    q->from_prior = 0;
-    for (unsigned r = 0; r < INVCAL_PARAMETERS; r++) {
-        const invcal_real k = variance(e, r);
-        if (!(INVCAL_SQRT(k * e->share) <= HOPELESS_ROOT_K) && !(e->settings->prior[r] > 0)) {
-            return INVCAL_UNDETERMINED;
-        }
-        q->undetermined |= (uint16_t)(is_weak(e, k, q) << r);
-        q->from_prior |= (uint16_t)((!(told_by_data(e, r, k) >= INVCAL_REAL(0.5))) << r);
-    }
-    q->verdict = q->undetermined ? INVCAL_WEAK : q->dof > 0 ? INVCAL_GOOD : INVCAL_NO_REDUNDANCY;
-    return INVCAL_OK;
-}
-
-invcal_status invcal_evidence_conclude(const invcal_evidence *e, const invcal_solution *solution,
-                                       invcal_quality *q)
-{
-    invcal_real s[6];
-    const invcal_status status = judge_parameters(e, q);
-
-    if (status == INVCAL_OK) {
-        invcal_solution_deviation(solution, s);
-        spread_offset(e, s, q);
-        spread_matrix(e, s, q);
-    }
-    return status;
-}
-
 invcal_status invcal_assess(const invcal_residuals *residuals, unsigned used,
                             const invcal_settings *settings, const invcal_solution *solution,
                             invcal_quality *quality)
 {
     invcal_evidence e;
     invcal_quality q;
+    invcal_real s[6];
 
     INVCAL_ASSERT(residuals && settings && solution && quality);
     if (residuals->count == 0 || used < residuals->count) {
@@ -316,9 +305,9 @@ invcal_status invcal_assess(const invcal_residuals *residuals, unsigned used,
         status = judge(&e, &q);
     }
     if (status == INVCAL_OK) {
-        status = invcal_evidence_conclude(&e, solution, &q);
-    }
-    if (status == INVCAL_OK) {
+        invcal_solution_deviation(solution, s);
+        invcal_evidence_spread_offset(&e, s, &q);
+        invcal_evidence_spread_matrix(&e, s, &q);
         *quality = q;
     }
     return status;

@@ -742,7 +742,7 @@ INVCAL_APART static invcal_real condition_of(const invcal_real l[BLOCK])
     return invcal_condition(a, N);
 }
 
-/* All that comes before sigma: leaves L^-1 in e->l. */
+/* All that can be refused; leaves L^-1 in e->l. */
 static invcal_status judge(const problem *m, unsigned degree, invcal_real t, invcal_evidence *e,
                            invcal_quality *q)
 {
@@ -770,7 +770,7 @@ static invcal_status judge(const problem *m, unsigned degree, invcal_real t, inv
         return INVCAL_UNDETERMINED;
     }
     invcal_cholesky_invert(e->l, N);
-    return INVCAL_OK;
+    return invcal_evidence_parameters(e, q);
 }
 
 invcal_status invcal_thermal_assess(const invcal_thermal_sums *sums,
@@ -785,6 +785,7 @@ invcal_status invcal_thermal_assess(const invcal_thermal_sums *sums,
     invcal_solution triad;
     invcal_evidence e;
     invcal_quality q;
+    invcal_real s[6];
 
     INVCAL_ASSERT(sums && calibration && settings && thermal && quality);
     if (!invcal_is_finite(temperature)) {
@@ -801,12 +802,12 @@ invcal_status invcal_thermal_assess(const invcal_thermal_sums *sums,
     e.residuals = &residuals;
     e.settings = &here;
     e.share = 1;
-    invcal_status status = judge(&m, degree, t, &e, &q);
+    const invcal_status status = judge(&m, degree, t, &e, &q);
     if (status == INVCAL_OK) {
         parameters_at(calibration, t, &triad);
-        status = invcal_evidence_conclude(&e, &triad, &q);
-    }
-    if (status == INVCAL_OK) {
+        invcal_solution_deviation(&triad, s);
+        invcal_evidence_spread_offset(&e, s, &q);
+        invcal_evidence_spread_matrix(&e, s, &q);
         *quality = q;
     }
     return status;
