@@ -84,6 +84,17 @@ static void calibrate_all(const invcal_settings *settings, const invcal_thermal_
                                                    thermal, &found, &quality, NULL));
 }
 
+static invcal_thermal_sums sums; /* of all positions, on what was found */
+
+static void gather(void)
+{
+    invcal_thermal_init(&sums);
+    for (unsigned i = 0; i < all.count; i++) {
+        TEST_ASSERT_EQUAL_INT(
+            INVCAL_OK, invcal_thermal_add(&sums, &found, &all.raw[3 * i], all.temperature[i]));
+    }
+}
+
 static invcal_solution solution_at(double temperature)
 {
     invcal_solution solution;
@@ -107,13 +118,14 @@ static double square_error(const invcal_solution *solution, const triad_truth *t
     return squares;
 }
 
-/* Over the temperatures of the reference too: -15, -5 ... 65 C. */
-static double square_error_of_range(const sensor *s, const invcal_solution *nine)
+/* Over a range in nine steps: from -20 to 70 C those of the reference, -15, -5 ... 65 C. */
+static double square_error_of_range(const sensor *s, double low, double high,
+                                    const invcal_solution *nine)
 {
     double squares = 0;
 
     for (int k = 0; k < 9; k++) {
-        const double temperature = -15 + 10 * k;
+        const double temperature = low + (high - low) * (k + 0.5) / 9;
         const triad_truth truth = triad_at(s, temperature);
         const invcal_solution solution = nine ? *nine : solution_at(temperature);
         squares += square_error(&solution, &truth) / 9;
@@ -138,11 +150,41 @@ static void slopes_of_a_sensor_without_noise_come_out(void)
         TEST_ASSERT_EQUAL_INT(INVCAL_THERMAL_AS_ASKED, found.fallback);
         TEST_ASSERT_EQUAL_UINT(DEGREE, found.degree);
         TEST_ASSERT_EQUAL_UINT(DEGREE, found.fitted);
-        TEST_ASSERT_DOUBLE_WITHIN(1e-6, 0, sqrt(square_error_of_range(&s, NULL)));
         for (int r = 0; r < INVCAL_PARAMETERS; r++) {
             TEST_ASSERT_DOUBLE_WITHIN(3e-6, s.constant[r], (double)found.x[0][r]);
             TEST_ASSERT_DOUBLE_WITHIN(3e-6, s.slope[r], (double)found.x[DEGREE > 0][r]);
         }
+        /* the first has slopes of 1 mg/K and 500 ppm/K throughout; what float loses is 5e-8 */
+        TEST_ASSERT_DOUBLE_WITHIN(set == 0 ? 1e-6 : 2e-7, 0,
+                                  sqrt(square_error_of_range(&s, -20, 70, NULL)));
+    }
+}
+
+/* Wherever in the span the temperatures lie; with nominal errors of 18 % too. */
+static void a_part_of_the_span_and_a_bad_nominal_are_as_good(void)
+{
+    static const double stations[][STATIONS] = {{25, 47, 70}, {-20, -5, 40}, {55, 62, 70}};
+    const invcal_settings settings = unit_settings(1e-4);
+    const invcal_thermal_settings thermal = {.reference = 25, .span = 45};
+    random_source unused = random_start(0);
+    double constant[INVCAL_PARAMETERS];
+
+    if (DEGREE < 1) {
+        TEST_IGNORE_MESSAGE("needs degree 1");
+    }
+    for (int r = 0; r < INVCAL_PARAMETERS; r++) {
+        constant[r] = 6 * expected_thermal_constant[r];
+    }
+    const sensor s = {constant, expected_thermal_slope[0], NULL};
+    for (int i = 0; i < SOME(3); i++) {
+        all.count = 0;
+        for (int station = 0; station < STATIONS; station++) {
+            take(&s, stations[i][station], PLAN, 0, &unused);
+        }
+        calibrate_all(&settings, &thermal);
+        TEST_ASSERT_TRUE(found.fitted >= 1);
+        TEST_ASSERT_DOUBLE_WITHIN(
+            1e-6, 0, sqrt(square_error_of_range(&s, stations[i][0], stations[i][2], NULL)));
     }
 }
 
@@ -161,10 +203,10 @@ static double over_bound(const sensor *s, double bound, double *nine)
         invcal_quality q;
         take_three(s, sigma, &random);
         calibrate_all(&settings, &nothing_known);
-        squares += square_error_of_range(s, NULL) / DRAWS;
+        squares += square_error_of_range(s, -20, 70, NULL) / DRAWS;
         TEST_ASSERT_EQUAL_INT(INVCAL_OK,
                               invcal_calibrate(all.raw, all.count, &settings, &solution, &q, NULL));
-        squares_of_nine += square_error_of_range(s, &solution) / DRAWS;
+        squares_of_nine += square_error_of_range(s, -20, 70, &solution) / DRAWS;
     }
     *nine = sqrt(squares_of_nine) / (bound * sigma);
     return sqrt(squares) / (bound * sigma);
@@ -201,33 +243,40 @@ static void a_bent_sensor_comes_to_the_bound_of_27_parameters(void)
     }
 }
 
-/* What the header says of a single solve, and what is left to do after two. */
+/* Solves `passes` times from the nominal; the error then. */
+static double error_after(const sensor *s, int passes)
+{
+    const invcal_settings settings = unit_settings(1e-4);
+    const invcal_thermal_settings thermal = {.reference = 25, .span = 45};
+
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_thermal_start(&settings, &thermal, &found));
+    for (int pass = 0; pass < passes; pass++) {
+        gather();
+        TEST_ASSERT_EQUAL_INT(INVCAL_OK,
+                              invcal_thermal_solve(&sums, &found, &settings, &thermal, &found));
+    }
+    return sqrt(square_error_of_range(s, -20, 70, NULL));
+}
+
+/* As the header says. */
 static void one_solve_leaves_the_square_of_the_slopes_and_two_nothing_that_matters(void)
 {
-    static invcal_thermal_sums sums;
-    const invcal_settings settings = unit_settings(1e-4);
-    const sensor s = straight(0);
     random_source unused = random_start(0);
-    invcal_thermal_settings thermal = {.reference = 25, .span = 45};
-    double error[2];
+    double gentle[INVCAL_PARAMETERS];
 
     if (DEGREE != 1) {
         TEST_IGNORE_MESSAGE("stated for degree 1");
     }
-    take_three(&s, 0, &unused);
-    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_thermal_start(&settings, &thermal, &found));
-    for (int pass = 0; pass < 2; pass++) {
-        invcal_thermal_init(&sums);
-        for (unsigned i = 0; i < all.count; i++) {
-            TEST_ASSERT_EQUAL_INT(
-                INVCAL_OK, invcal_thermal_add(&sums, &found, &all.raw[3 * i], all.temperature[i]));
-        }
-        TEST_ASSERT_EQUAL_INT(INVCAL_OK,
-                              invcal_thermal_solve(&sums, &found, &settings, &thermal, &found));
-        error[pass] = sqrt(square_error_of_range(&s, NULL));
+    const sensor steep = straight(0);
+    take_three(&steep, 0, &unused);
+    TEST_ASSERT_DOUBLE_WITHIN(0.1e-3, 1.33e-3, error_after(&steep, 1));
+    TEST_ASSERT_DOUBLE_WITHIN(0.1e-6, 0.93e-6, error_after(&steep, 2));
+    for (int r = 0; r < INVCAL_PARAMETERS; r++) {
+        gentle[r] = steep.slope[r] / 10;
     }
-    TEST_ASSERT_DOUBLE_WITHIN(0.1e-3, 1.33e-3, error[0]);
-    TEST_ASSERT_DOUBLE_WITHIN(0.1e-6, 0.93e-6, error[1]);
+    const sensor tenth = {steep.constant, gentle, NULL};
+    take_three(&tenth, 0, &unused);
+    TEST_ASSERT_DOUBLE_WITHIN(0.15e-5, 1.3e-5, error_after(&tenth, 1));
 }
 
 /* ---- what the temperatures do not tell ---------------------------------------------------- */
@@ -420,6 +469,36 @@ static void what_is_no_temperature_is_refused_and_nothing_written(void)
     }
 }
 
+static void a_damaged_calibration_is_refused_at_any_temperature(void)
+{
+    const invcal_settings settings = unit_settings(1e-4);
+    const sensor s = straight(2);
+    random_source random = random_start(19);
+    const invcal_real nan = (invcal_real)NAN;
+
+    take_three(&s, 1e-4, &random);
+    calibrate_all(&settings, &nothing_known);
+    for (int i = 0; i < 9; i++) {
+        invcal_thermal_calibration bad = found;
+        invcal_solution solution;
+        invcal_thermal_place place;
+        *(i == 0   ? &bad.x[DEGREE][4]
+          : i == 1 ? &bad.x[0][0]
+          : i == 2 ? &bad.nominal.offset[1]
+          : i == 3 ? &bad.nominal.matrix[2][1]
+          : i == 4 ? &bad.field
+          : i == 5 ? &bad.reference
+          : i == 6 ? &bad.span
+          : i == 7 ? &bad.least
+                   : &bad.greatest) = nan;
+        if (DEGREE == 0 && i > 4) {
+            break; /* nothing depends on temperature */
+        }
+        const invcal_status status = invcal_thermal_at(&bad, 30, &solution, &place);
+        TEST_ASSERT_EQUAL_INT(i >= 2 && i <= 4 ? INVCAL_BAD_SETTING : INVCAL_NOT_ELLIPSOID, status);
+    }
+}
+
 /* A sensor of 16 bits, 1/4096 g, its axes turned against the case, in m/s^2. */
 static void raw_counts_and_both_frames_give_the_right_lengths_at_every_temperature(void)
 {
@@ -455,17 +534,6 @@ static void raw_counts_and_both_frames_give_the_right_lengths_at_every_temperatu
 }
 
 /* ---- judgement ---------------------------------------------------------------------------- */
-
-static invcal_thermal_sums sums; /* of all positions, on what was found */
-
-static void gather(void)
-{
-    invcal_thermal_init(&sums);
-    for (unsigned i = 0; i < all.count; i++) {
-        TEST_ASSERT_EQUAL_INT(
-            INVCAL_OK, invcal_thermal_add(&sums, &found, &all.raw[3 * i], all.temperature[i]));
-    }
-}
 
 static void sigma_at_every_temperature_is_that_of_the_error(void)
 {
@@ -601,6 +669,28 @@ static void a_slope_prior_alone_is_enough_at_a_constant_temperature(void)
     const triad_truth truth = triad_at(&still, 25);
     const invcal_solution solution = solution_at(25);
     TEST_ASSERT_DOUBLE_WITHIN(3e-4, 0, sqrt(square_error(&solution, &truth)));
+}
+
+static void a_prior_counts_for_more_where_the_data_are_noisier_than_stated(void)
+{
+    const sensor s = straight(1);
+    invcal_settings settings = unit_settings(1e-6);
+    random_source random = random_start(20);
+
+    for (int r = 0; r < INVCAL_PARAMETERS; r++) {
+        settings.prior[r] = (invcal_real)0.05;
+    }
+    if (DEGREE > 0) {
+        take_three(&s, 1e-3, &random);
+    } else {
+        all.count = 0;
+        take(&s, 25, PLAN, 1e-3, &random);
+    }
+    calibrate_all(&settings, &nothing_known);
+    TEST_ASSERT_EQUAL_UINT(DEGREE, found.fitted);
+    TEST_ASSERT_DOUBLE_WITHIN(5e-4, 1e-3, (double)quality.noise);
+    TEST_ASSERT_TRUE(quality.coverage > 2);
+    TEST_ASSERT_EQUAL_HEX16(0, quality.from_prior);
 }
 
 /* An earlier calibration is the base: a few positions at one temperature renew its constant. */
@@ -796,6 +886,7 @@ int main(void)
 {
     UNITY_BEGIN();
     RUN_TEST(slopes_of_a_sensor_without_noise_come_out);
+    RUN_TEST(a_part_of_the_span_and_a_bad_nominal_are_as_good);
     RUN_LONG_TEST(the_error_is_the_cramer_rao_bound_and_that_of_nine_parameters_hundreds_of_it);
     RUN_LONG_TEST(a_bent_sensor_comes_to_the_bound_of_27_parameters);
     RUN_SLOW_TEST(one_solve_leaves_the_square_of_the_slopes_and_two_nothing_that_matters);
@@ -806,11 +897,13 @@ int main(void)
     RUN_TEST(slopes_of_a_small_part_of_the_span_are_open);
     RUN_TEST(outside_the_range_seen_the_edge_is_held_and_said);
     RUN_TEST(what_is_no_temperature_is_refused_and_nothing_written);
+    RUN_TEST(a_damaged_calibration_is_refused_at_any_temperature);
     RUN_TEST(raw_counts_and_both_frames_give_the_right_lengths_at_every_temperature);
     RUN_LONG_TEST(sigma_at_every_temperature_is_that_of_the_error);
     RUN_TEST(the_judgement_counts_coefficients_and_names_the_worst_position);
     RUN_TEST(a_prior_on_slopes_holds_what_one_temperature_leaves_open);
     RUN_TEST(a_slope_prior_alone_is_enough_at_a_constant_temperature);
+    RUN_TEST(a_prior_counts_for_more_where_the_data_are_noisier_than_stated);
     RUN_TEST(renewing_at_one_temperature_keeps_the_slopes);
     RUN_TEST(positions_taken_out_leave_what_was_without_them);
     RUN_TEST(readings_and_temperatures_that_are_none_leave_the_sums_alone);
