@@ -214,7 +214,7 @@ void invcal_thermal_init(invcal_thermal_sums *sums)
     memset(sums, 0, sizeof *sums);
 }
 
-/* One row, calibrated with the base at its temperature, and its residual: as sums of one position. */
+/* One row, calibrated with the base at its temperature, and its residual: sums of one position. */
 static invcal_status observe(const invcal_thermal_calibration *base, const invcal_real raw[3],
                              invcal_real temperature, invcal_residuals *one)
 {

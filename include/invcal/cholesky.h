@@ -52,7 +52,8 @@ void invcal_cholesky_invert(invcal_real *l, unsigned n);
 /* Replaces L by A^-1, packed. Cost: n^3/3 multiply-adds. */
 void invcal_cholesky_inverse(invcal_real *l, unsigned n);
 
-/* The diagonal of A^-1, n numbers, L kept, n up to INVCAL_MAX_PARAMETERS. Cost: n^3/6 multiply-adds. */
+/* The diagonal of A^-1, n numbers up to INVCAL_MAX_PARAMETERS, L kept. Cost: n^3/6
+ * multiply-adds. */
 void invcal_cholesky_inverse_diagonal(const invcal_real *l, unsigned n, invcal_real *diagonal);
 
 #ifdef __cplusplus

@@ -14,35 +14,35 @@
  * temperature the same closed form (solution.h) makes the calibration, exact for errors of any
  * size.
  *
- * Why nothing here is iterated, as in the paper's ref. 12. There the model of temperature is
- * refined by calibrating, correcting the readings and calibrating again until nothing changes.
- * It need not be: the widened rows are linear in the coefficients and exact at every
- * temperature, so one solve has the minimum of all of them at once.
+ * Why there is no iterative refinement, as in the paper's ref. 12: the widened rows are linear in
+ * the coefficients and exact at every temperature. One solve has the minimum over all of them, and
+ * there is nothing that would have to converge.
  *
- * What that leaves, and why invcal_thermal_calibrate solves twice, twice by count. Linear in the
- * equation are the coefficients p of the ellipsoid, and where X is linear in temperature p is
- * not: they differ by about 3/2 of the square of slope times span. At 1 mg/K and 500 ppm/K over
- * -20 ... 70 C one solve of degree 1 leaves 1.3e-3 of the field (rms over the range, all slopes at
- * these limits; of degree 2, 1e-3 of the cube of it). So X is taken from the first solve, where it
- * is a polynomial, and the second solve is for what is left between it and the readings. That is
- * small, and its square is nothing: 9e-7 remain, a hundredth of a noise of 1e-4. A third solve
- * would take out those; it is made only beside a prior, which has to know the noise first.
+ * What that leaves, and why invcal_thermal_calibrate solves twice: twice by count, not until
+ * something converges. Linear in the equation are the coefficients p of the ellipsoid, and where
+ * X is linear in temperature, as in sensors it nearly is, p is not: they differ by the square of
+ * slope times span. One solve of degree 1 leaves 1.3e-3 of the field (rms over -20 ... 70 C, every
+ * slope at 1 mg/K and 500 ppm/K), many times the noise; a degree of 2 for p would pay for nine
+ * unknowns that the sensor does not have. So X is taken from the first solve at the ends of the
+ * range, by the closed form, as a polynomial of its own, and the second solve is for what is left
+ * between it and the readings. That is small, and its square is nothing: 9e-7 remain, a hundredth
+ * of a noise of 1e-4. Only a prior asks for one solve more: it has to be weighed with the noise
+ * that the residuals tell.
  *
- * How good it is (tests, 18 positions at each of -20, 25, 70 C, noise 1e-4, slopes up to 1 mg/K,
- * 500 ppm/K, 100 urad/K): error over the range and all directions 0.99 to 1.01 of the Cramer-Rao
- * bound of the 18 parameters, 5e-5 of the field. Nine parameters for the same positions: 300 to
- * 500 times that, 2 to 3 % of the field. Degree 2 for the same truth costs 1.26 times the bound
- * of 18: it has 27 unknowns to pay for, and is for sensors that are bent.
+ * How good it is (tests; 18 positions at each of -20, 25, 70 C, noise 1e-4 of the field, slopes up
+ * to 1 mg/K, 500 ppm/K, 100 urad/K). Degree 1: the error over the range and all directions is 0.99
+ * to 1.01 of the Cramer-Rao bound of the 18 parameters, 5e-5 of the field. Nine parameters for the
+ * same positions: 300 to 500 times that, 2 to 3 % of the field. Degree 2 for a sensor that is bent:
+ * 0.99 to 1.01 of the bound of 27 parameters, which is 1.26 times that of 18: do not ask for it
+ * without need. What is not a polynomial of this degree stays in the residuals, and so in the
+ * noise and every sigma.
  *
- * In float: what 18 and 27 unknowns lose to it is 5e-8 of the field, as nine do, for positions at
- * three temperatures or more that cover half of the span; that is what a float of the readings
- * has. Slopes of a narrow part of the span are left out before they are rounding (see
- * INVCAL_THERMAL_OPEN).
+ * In float, 18 and 27 unknowns lose 5e-8 of the field, no more than nine: as t is scaled, and
+ * slopes that only a small part of the span tells are left out (INVCAL_THERMAL_OPEN) before
+ * rounding would make them.
  *
- * Temperatures are in any unit of one kelvin, K or degrees C, from the sensor's own thermometer if
- * it has one: it need not be right, but must tell the same each time.
- *
- * With a degree of 0 this room is invcal_calibrate, and a range of temperatures.
+ * Temperatures are in K or degrees C, from the sensor's own thermometer if it has one. It need not
+ * be right, but must tell the same each time.
  */
 #ifndef INVCAL_THERMAL_H
 #define INVCAL_THERMAL_H
@@ -63,9 +63,10 @@ typedef struct {
                               invcal_thermal_calibrate only: reference and span are the middle and
                               half the range of the temperatures given, at least 1 K */
     /* What is known beforehand of the slopes of delta (1/K: field over field), dk (1/K) and gamma
-     * (rad/K), and of what bends them (the same per K^2): standard deviations about none, 0:
-     * nothing is known. Needs the noise stated. With priors on all slopes no temperature is too
-     * few: what the positions leave open stays at the nominal, within its prior. */
+     * (rad/K), and of what bends them (the same per K^2): standard deviations about none; 0:
+     * nothing is known. Needs the noise stated. With a prior on every slope even one temperature
+     * is enough: what the positions leave open stays at none, within its prior. In float none
+     * should be below a thousandth of the widest, times the span. */
     invcal_real slope[INVCAL_PARAMETERS];
     invcal_real curvature[INVCAL_PARAMETERS]; /* for degree 2 */
 } invcal_thermal_settings;
@@ -76,7 +77,8 @@ typedef enum {
     INVCAL_THERMAL_FEW,      /* fewer positions than coefficients without a prior: 9 (degree + 1) */
     INVCAL_THERMAL_NARROW,   /* temperatures of less than 5 K for each degree, and no prior: a
                                 thermometer on a chip is some 0.5 K off what it should tell (steps,
-                                lag, heat of its own), and a slope would be a tenth its error */
+                                lag, heat of its own), and over less a tenth of a slope would be
+                                its error */
     INVCAL_THERMAL_OPEN      /* the positions do not tell the slopes: some coefficient's sqrt(K)
                                 exceeds 10, the limit of a weak parameter (quality.h). So it is
                                 when temperatures fill less than 8 % of the span, when there are
@@ -88,8 +90,8 @@ const char *invcal_thermal_fallback_text(invcal_thermal_fallback fallback);
 
 /* A calibration for every temperature: 108, 144, 180 bytes for degree 0, 1, 2 (float, Cortex-M). */
 typedef struct {
-    invcal_real x[INVCAL_THERMAL_ROWS]
-                 [INVCAL_PARAMETERS]; /* delta, dk, gamma: coefficients of t^k */
+    /* delta, dk, gamma: the coefficients of t^k, k = 0 ... INVCAL_THERMAL_DEGREE */
+    invcal_real x[INVCAL_THERMAL_ROWS][INVCAL_PARAMETERS];
     invcal_calibration nominal;
     invcal_real field;
     invcal_real reference, span; /* t = (T - reference) / span */
@@ -119,8 +121,8 @@ typedef struct {
  *
  * Returns as invcal_calibrate; INVCAL_NOT_FINITE (with the position) for a temperature that is
  * none; INVCAL_BAD_SETTING also for a temperature more than two spans from the reference.
- * Cost: four passes over the positions and (9 (degree + 1))^3 / 2 multiply-adds; twice as much
- * with a prior. Stack: 3.5 KB for degree 1, 4.8 KB for degree 2. */
+ * Cost: three passes over the positions, two solutions, three judgements: 508,000 instructions for
+ * 54 positions (degree 1, Cortex-M4F); half as much again with a prior. Stack: 3.6 KB for degree 1, 4.9 KB for degree 2. */
 invcal_status invcal_thermal_calibrate(const invcal_real *raw, const invcal_real *temperature,
                                        unsigned count, const invcal_settings *settings,
                                        const invcal_thermal_settings *thermal,
@@ -140,9 +142,9 @@ typedef enum {
  *
  * Returns INVCAL_OK; INVCAL_NOT_FINITE for a temperature that is NaN or infinite;
  * INVCAL_BAD_SETTING, INVCAL_NOT_ELLIPSOID if the calibration has been damaged.
- * Cost: that of some 15 calls of invcal_apply; and a temperature changes slowly. Make it anew when T
- * has moved by what matters, 0.05 K are 5e-5 of the field at 1 mg/K, and apply it to all samples in
- * between. Stack: about 450 bytes. */
+ * Cost: 25 calls of invcal_apply (1,070 instructions, Cortex-M4F). Temperatures change slowly:
+ * make it anew when T has moved by what matters, 0.05 K are 5e-5 of the field at 1 mg/K, and apply
+ * it to all samples in between. Stack: about 450 bytes. */
 invcal_status invcal_thermal_at(const invcal_thermal_calibration *calibration,
                                 invcal_real temperature, invcal_solution *solution,
                                 invcal_thermal_place *place);
@@ -205,7 +207,7 @@ void invcal_thermal_init(invcal_thermal_sums *sums);
  * Returns INVCAL_OK; INVCAL_NOT_FINITE for the reading or the temperature; INVCAL_OUT_OF_RANGE if
  * the calibrated reading is outside 0.1 ... 10 of the field; INVCAL_BAD_SETTING for a temperature
  * more than two spans from the reference.
- * Cost: three times that of a row in normal.h for degree 1. Stack: about 500 bytes. */
+ * Cost: six times that of a row in normal.h for degree 1. Stack: about 690 bytes. */
 invcal_status invcal_thermal_add(invcal_thermal_sums *sums, const invcal_thermal_calibration *base,
                                  const invcal_real raw[3], invcal_real temperature);
 
@@ -244,7 +246,7 @@ invcal_status invcal_thermal_solve(const invcal_thermal_sums *sums,
  * temperature  outside the range seen: sigma at its edge, where the value is held.
  *
  * Returns as invcal_assess, and INVCAL_NOT_FINITE for the temperature.
- * Stack: 2.0 KB for degree 1, 2.8 KB for degree 2. */
+ * Stack: 2.0 KB for degree 1, 2.9 KB for degree 2. */
 invcal_status invcal_thermal_assess(const invcal_thermal_sums *sums,
                                     const invcal_thermal_calibration *calibration,
                                     const invcal_settings *settings,
