@@ -98,12 +98,12 @@ invcal_status invcal_thermal_at(const invcal_thermal_calibration *calibration,
                                 invcal_thermal_place *place)
 {
     const invcal_thermal_calibration *c = calibration;
-    const invcal_settings settings = {c->nominal, c->field, 0, {0}, c->frame};
     invcal_real inverse[3][3]; /* of the nominal matrix */
     invcal_real p[N];
     invcal_triad triad;
 
     INVCAL_ASSERT(calibration && solution && place);
+    const invcal_settings settings = {c->nominal, c->field, 0, {0}, c->frame};
     if (!invcal_is_finite(temperature)) {
         return INVCAL_NOT_FINITE;
     }
@@ -780,7 +780,6 @@ invcal_status invcal_thermal_assess(const invcal_thermal_sums *sums,
                                     invcal_quality *quality)
 {
     const problem m = {sums, settings, thermal, calibration, calibration};
-    invcal_settings here = *settings;
     invcal_residuals residuals;
     invcal_solution triad;
     invcal_evidence e;
@@ -795,6 +794,7 @@ invcal_status invcal_thermal_assess(const invcal_thermal_sums *sums,
         return INVCAL_BAD_SETTING;
     }
     const unsigned degree = calibration->fitted;
+    invcal_settings here = *settings;
     (void)place_of(calibration, &temperature);
     const invcal_real t = scaled(calibration, temperature);
     gather_residuals(sums, calibration, &residuals);

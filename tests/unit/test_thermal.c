@@ -192,22 +192,22 @@ static void a_part_of_the_span_and_a_bad_nominal_are_as_good(void)
 /* Seeded draws of each sensor of the reference; the rms error over its Cramer-Rao bound. */
 static double over_bound(const sensor *s, double bound, double *nine)
 {
-    enum { DRAWS = 300 };
+    const int draws = 300;
     const double sigma = 1e-4;
     const invcal_settings settings = unit_settings(sigma);
     random_source random = random_start(7);
     double squares = 0;
     double squares_of_nine = 0;
 
-    for (int draw = 0; draw < DRAWS; draw++) {
+    for (int draw = 0; draw < draws; draw++) {
         invcal_solution solution;
         invcal_quality q;
         take_three(s, sigma, &random);
         calibrate_all(&settings, &nothing_known);
-        squares += square_error_of_range(s, -20, 70, NULL) / DRAWS;
+        squares += square_error_of_range(s, -20, 70, NULL) / draws;
         TEST_ASSERT_EQUAL_INT(INVCAL_OK,
                               invcal_calibrate(all.raw, all.count, &settings, &solution, &q, NULL));
-        squares_of_nine += square_error_of_range(s, -20, 70, &solution) / DRAWS;
+        squares_of_nine += square_error_of_range(s, -20, 70, &solution) / draws;
     }
     *nine = sqrt(squares_of_nine) / (bound * sigma);
     return sqrt(squares) / (bound * sigma);
