@@ -773,6 +773,13 @@ static invcal_status judge(const problem *m, unsigned degree, invcal_real t, inv
     return invcal_evidence_parameters(e, q);
 }
 
+/* Without slopes over a range that wants some, slopes pass for errors of everything else, and the
+ * residuals may not show it. */
+static int lacks_slopes(const invcal_thermal_calibration *c)
+{
+    return DEGREE > 0 && c->degree == 0 && !(c->greatest - c->least < NARROWEST);
+}
+
 invcal_status invcal_thermal_assess(const invcal_thermal_sums *sums,
                                     const invcal_thermal_calibration *calibration,
                                     const invcal_settings *settings,
@@ -808,6 +815,10 @@ invcal_status invcal_thermal_assess(const invcal_thermal_sums *sums,
         invcal_solution_deviation(&triad, s);
         invcal_evidence_spread_offset(&e, s, &q);
         invcal_evidence_spread_matrix(&e, s, &q);
+        if (lacks_slopes(calibration)) {
+            q.undetermined = (1u << INVCAL_PARAMETERS) - 1;
+            q.verdict = INVCAL_WEAK;
+        }
         *quality = q;
     }
     return status;

@@ -117,7 +117,8 @@ typedef struct {
  * reason       null, or what was wrong; written on failure only.
  *
  * Slopes that the positions do not tell are left out, and out->fallback says so: a lower degree is
- * no failure.
+ * no failure. But with no slopes at all over 5 K or more the verdict is weak and undetermined
+ * names everything: slopes then pass for errors of other kinds, which residuals need not show.
  *
  * Returns as invcal_calibrate; INVCAL_NOT_FINITE (with the position) for a temperature that is
  * none; INVCAL_BAD_SETTING also for a temperature more than two spans from the reference.
@@ -240,7 +241,8 @@ invcal_status invcal_thermal_solve(const invcal_thermal_sums *sums,
 
 /* Judges a calibration at a temperature: sigma of everything there, condition, verdict
  * (quality.h). The covariance of the coefficients goes through the powers of t and the Jacobian at
- * that temperature; dof counts the coefficients.
+ * that temperature; dof counts the coefficients. Weak, all parameters, where slopes are wanting
+ * (invcal_thermal_calibrate).
  *
  * sums         of all its positions, made with this calibration as the base.
  * temperature  outside the range seen: sigma at its edge, where the value is held.
