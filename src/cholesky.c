@@ -28,7 +28,7 @@ static inline void forward(const invcal_real *l, unsigned n, invcal_real *x)
  * rows above, and L(r,r) = sqrt(A(r,r) - sum L^2). */
 invcal_status invcal_cholesky_factor(invcal_real *a, unsigned n, invcal_real floor)
 {
-    INVCAL_ASSERT(a && n >= 1 && n <= INVCAL_MAX_PARAMETERS);
+    INVCAL_ASSERT(a && n >= 1 && n <= INVCAL_CHOLESKY_MAX);
     const invcal_real least = floor * invcal_largest_diagonal(a, n);
     invcal_real *row = a;
 
@@ -46,7 +46,7 @@ invcal_status invcal_cholesky_factor(invcal_real *a, unsigned n, invcal_real flo
 
 void invcal_cholesky_forward(const invcal_real *l, unsigned n, invcal_real *x)
 {
-    INVCAL_ASSERT(l && x && n >= 1 && n <= INVCAL_MAX_PARAMETERS);
+    INVCAL_ASSERT(l && x && n >= 1 && n <= INVCAL_CHOLESKY_MAX);
     forward(l, n, x);
 }
 
@@ -71,7 +71,7 @@ void invcal_cholesky_solve(const invcal_real *l, unsigned n, invcal_real *x)
 /* Row r of the inverse needs row r of L and the rows of the inverse above it. */
 void invcal_cholesky_invert(invcal_real *l, unsigned n)
 {
-    INVCAL_ASSERT(l && n >= 1 && n <= INVCAL_MAX_PARAMETERS);
+    INVCAL_ASSERT(l && n >= 1 && n <= INVCAL_CHOLESKY_MAX);
     for (unsigned r = 0; r < n; r++) {
         invcal_real *row = &l[INVCAL_PACKED(r, 0)];
         for (unsigned c = 0; c < r; c++) {

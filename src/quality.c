@@ -3,11 +3,11 @@
 
 #include <string.h>
 
+#include "evidence.h"
 #include "vector.h"
 
 #define WEAK_ROOT_K INVCAL_REAL(10.0)       /* above: usable only within its sigma */
 #define HOPELESS_ROOT_K INVCAL_REAL(1000.0) /* above: refused */
-#define ABSURD_RESIDUAL INVCAL_REAL(0.1)
 #define NOISE_SHARE INVCAL_REAL(0.1) /* of the information on a parameter: above, it is weak */
 
 const char *invcal_verdict_text(invcal_verdict verdict)
@@ -35,18 +35,8 @@ invcal_real invcal_coverage(invcal_real dof)
                n;
 }
 
-/* What the judgement is made from. */
-typedef struct {
-    const invcal_residuals *residuals;
-    const invcal_settings *settings;
-    invcal_real share; /* stored positions over used ones */
-    invcal_real noise; /* of one equation, times sqrt(share): the stored ones stand for all */
-    invcal_real l[INVCAL_PACKED_SIZE(INVCAL_PARAMETERS)]; /* of H'H in calibrated units (+ prior);
-                                                             L^-1 once it has been judged */
-} evidence;
-
 /* The share of parameter r that the data told, 0 ... 1: 1 - posterior / prior variance. */
-static invcal_real told_by_data(const evidence *e, unsigned r, invcal_real k)
+INVCAL_APART static invcal_real told_by_data(const invcal_evidence *e, unsigned r, invcal_real k)
 {
     const invcal_real sigma = e->settings->prior[r];
 
@@ -54,7 +44,7 @@ static invcal_real told_by_data(const evidence *e, unsigned r, invcal_real k)
 }
 
 /* L^-1 of H'H with the prior into e->l. */
-static invcal_status invert(evidence *e)
+static invcal_status invert(invcal_evidence *e)
 {
     const invcal_status status =
         invcal_information_factor(&e->residuals->normal, e->settings, &e->noise, e->l);
@@ -66,7 +56,7 @@ static invcal_status invert(evidence *e)
 }
 
 /* K(r,r), the square of a column of L^-1. */
-static invcal_real variance(const evidence *e, unsigned r)
+INVCAL_APART static invcal_real variance(const invcal_evidence *e, unsigned r)
 {
     invcal_real sum = 0;
 
@@ -79,7 +69,7 @@ static invcal_real variance(const evidence *e, unsigned r)
 
 /* How many parameters the data had to determine: what the prior supplies, at the noise stated,
  * does not count. */
-static invcal_status parameters_of_data(evidence *e, invcal_real *parameters)
+static invcal_status parameters_of_data(invcal_evidence *e, invcal_real *parameters)
 {
     *parameters = INVCAL_PARAMETERS;
     if (!invcal_has_prior(e->settings)) {
@@ -95,21 +85,11 @@ static invcal_status parameters_of_data(evidence *e, invcal_real *parameters)
     return status;
 }
 
-/* noise, dof and coverage. The noise stated is that of readings: in calibrated units it is gain
- * times as large. */
-static invcal_status judge_noise(evidence *e, invcal_quality *q)
+void invcal_evidence_noise(invcal_evidence *e, invcal_real stated, invcal_real parameters,
+                           invcal_quality *q)
 {
-    const invcal_real stated = e->residuals->gain * e->settings->noise / e->settings->field;
-    const invcal_real stored = (invcal_real)e->residuals->count;
-    const invcal_real root = INVCAL_SQRT(e->share);
-    invcal_real parameters;
+    const invcal_real dof = (invcal_real)e->residuals->count - parameters * e->share;
 
-    e->noise = stated * root;
-    const invcal_status status = parameters_of_data(e, &parameters);
-    if (status != INVCAL_OK) {
-        return status;
-    }
-    const invcal_real dof = stored - parameters * e->share;
     q->dof = dof >= 1 ? dof : 0;
     const invcal_real observed = q->dof > 0 ? INVCAL_SQRT(e->residuals->normal.jtj / q->dof) : 0;
     const int is_stated = observed <= stated;
@@ -118,13 +98,27 @@ static invcal_status judge_noise(evidence *e, invcal_quality *q)
     if (!(q->noise > 0)) {
         q->noise = 1; /* nobody knows: the whole field, which no one will mistake for good */
     }
-    e->noise = q->noise * root;
-    return INVCAL_OK;
+    e->noise = q->noise * INVCAL_SQRT(e->share);
+}
+
+/* noise, dof and coverage. The noise stated is that of readings: in calibrated units it is gain
+ * times as large. */
+static invcal_status judge_noise(invcal_evidence *e, invcal_quality *q)
+{
+    const invcal_real stated = e->residuals->gain * e->settings->noise / e->settings->field;
+    invcal_real parameters;
+
+    e->noise = stated * INVCAL_SQRT(e->share);
+    const invcal_status status = parameters_of_data(e, &parameters);
+    if (status == INVCAL_OK) {
+        invcal_evidence_noise(e, stated, parameters, q);
+    }
+    return status;
 }
 
 /* The condition of H'H. Pivots alone let singular sets through now and then: one whose open
  * combination hardly involves the last parameters has no small pivot. */
-static invcal_status judge_condition(evidence *e, invcal_quality *q)
+static invcal_status judge_condition(invcal_evidence *e, invcal_quality *q)
 {
     invcal_information(&e->residuals->normal, e->settings, &e->noise, e->l);
     q->noise = e->noise / INVCAL_SQRT(e->share); /* a prior may have raised it */
@@ -137,7 +131,7 @@ static invcal_status judge_condition(evidence *e, invcal_quality *q)
 /* Weak: sqrt(K) is large, or the information 1 / K is no more than what noise in the readings
  * themselves, about noise^2 in each row, adds to H'H: then directions that determine nothing
  * look as if they did. */
-static int is_weak(const evidence *e, invcal_real k, const invcal_quality *q)
+static int is_weak(const invcal_evidence *e, invcal_real k, const invcal_quality *q)
 {
     const invcal_real stored = (invcal_real)e->residuals->count;
     const int known = q->dof > 0 || e->settings->noise > 0;
@@ -146,14 +140,8 @@ static int is_weak(const evidence *e, invcal_real k, const invcal_quality *q)
     return !(INVCAL_SQRT(k * e->share) <= WEAK_ROOT_K && of_noise <= NOISE_SHARE);
 }
 
-/* undetermined, from_prior and the verdict. */
-static invcal_status judge_parameters(evidence *e, invcal_quality *q)
+invcal_status invcal_evidence_parameters(const invcal_evidence *e, invcal_quality *q)
 {
-    const invcal_status status = invert(e);
-
-    if (status != INVCAL_OK) {
-        return status;
-    }
     q->undetermined = 0;
     q->from_prior = 0;
     for (unsigned r = 0; r < INVCAL_PARAMETERS; r++) {
@@ -174,11 +162,11 @@ static invcal_status judge_residuals(const invcal_residuals *residuals, invcal_q
     q->residual_rms = INVCAL_SQRT(residuals->squares / (invcal_real)residuals->count);
     q->residual_max = residuals->max;
     q->worst = residuals->worst;
-    return q->residual_rms <= ABSURD_RESIDUAL ? INVCAL_OK : INVCAL_NOT_ELLIPSOID;
+    return q->residual_rms <= INVCAL_ABSURD_RESIDUAL ? INVCAL_OK : INVCAL_NOT_ELLIPSOID;
 }
 
 /* All that can be refused; leaves L^-1 in e->l. */
-static invcal_status judge(evidence *e, invcal_quality *q)
+static invcal_status judge(invcal_evidence *e, invcal_quality *q)
 {
     invcal_status status = judge_residuals(e->residuals, q);
 
@@ -189,14 +177,15 @@ static invcal_status judge(evidence *e, invcal_quality *q)
         status = judge_condition(e, q);
     }
     if (status == INVCAL_OK) {
-        status = judge_parameters(e, q);
+        status = invert(e);
     }
-    return status;
+    return status == INVCAL_OK ? invcal_evidence_parameters(e, q) : status;
 }
 
 /* sigma of a combination of calibrated parameters: x has its count factors from parameter first on.
  * Its variance is x'K x = |L^-1 x|^2. */
-static invcal_real sigma_of(const evidence *e, const invcal_real *x, unsigned first, unsigned count)
+static invcal_real sigma_of(const invcal_evidence *e, const invcal_real *x, unsigned first,
+                            unsigned count)
 {
     invcal_real sum = 0;
 
@@ -210,7 +199,7 @@ static invcal_real sigma_of(const evidence *e, const invcal_real *x, unsigned fi
 
 /* A posterior is no wider than its prior; the Jacobian, taken beside it, may say so by a
  * second-order trifle. */
-static invcal_real within_prior(const evidence *e, unsigned r, invcal_real sigma)
+static invcal_real within_prior(const invcal_evidence *e, unsigned r, invcal_real sigma)
 {
     const invcal_real prior = e->settings->prior[r];
 
@@ -218,7 +207,8 @@ static invcal_real within_prior(const evidence *e, unsigned r, invcal_real sigma
 }
 
 /* d delta = (I + S) d delta', and d offset = field N^-1 d delta. */
-INVCAL_APART static void spread_offset(const evidence *e, const invcal_real s[6], invcal_quality *q)
+INVCAL_APART void invcal_evidence_spread_offset(const invcal_evidence *e, const invcal_real s[6],
+                                                invcal_quality *q)
 {
     const invcal_real rows[3][3] = {
         {1 + s[0], s[1], s[3]}, {s[1], 1 + s[2], s[4]}, {s[3], s[4], 1 + s[5]}};
@@ -278,7 +268,8 @@ INVCAL_APART static void jacobian(const invcal_eigen3 *axes, unsigned i, unsigne
 }
 
 /* dk(i) = P(i,i) - 1, gamma(ij) = 2 P(i,j). */
-INVCAL_APART static void spread_matrix(const evidence *e, const invcal_real s[6], invcal_quality *q)
+INVCAL_APART void invcal_evidence_spread_matrix(const invcal_evidence *e, const invcal_real s[6],
+                                                invcal_quality *q)
 {
     static const unsigned char pair[3][2] = {{0, 1}, {0, 2}, {2, 1}};
     invcal_eigen3 axes;
@@ -298,7 +289,7 @@ invcal_status invcal_assess(const invcal_residuals *residuals, unsigned used,
                             const invcal_settings *settings, const invcal_solution *solution,
                             invcal_quality *quality)
 {
-    evidence e;
+    invcal_evidence e;
     invcal_quality q;
     invcal_real s[6];
 
@@ -315,8 +306,8 @@ invcal_status invcal_assess(const invcal_residuals *residuals, unsigned used,
     }
     if (status == INVCAL_OK) {
         invcal_solution_deviation(solution, s);
-        spread_offset(&e, s, &q);
-        spread_matrix(&e, s, &q);
+        invcal_evidence_spread_offset(&e, s, &q);
+        invcal_evidence_spread_matrix(&e, s, &q);
         *quality = q;
     }
     return status;

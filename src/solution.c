@@ -4,19 +4,10 @@
 #include <string.h>
 
 #include "near.h"
+#include "triad.h"
 #include "vector.h"
 
-#define SHORTEST INVCAL_REAL(0.1) /* semi-axes of a sensor triad, of nominal */
-#define LONGEST INVCAL_REAL(10.0)
 #define RIDGE INVCAL_REAL(1e-4) /* of the largest diagonal element: between weak and good */
-
-/* The sensor model u = (I + S) eta + delta, and its correction A = (I + S)^-1. Readings lie on the
- * ellipsoid with the centre delta, whose semi-axes are the eigenvalues of I + S. */
-typedef struct {
-    invcal_real s[6]; /* S, packed */
-    invcal_real a[6]; /* A - I */
-    invcal_real delta[3];
-} triad;
 
 static unsigned parameters_without_prior(const invcal_settings *settings)
 {
@@ -138,9 +129,8 @@ INVCAL_APART static invcal_status solve_normal(const invcal_normal *normal,
     return status;
 }
 
-/* The general form of an ellipsoid, p, to its centre and axes. Returns 0 if it is none, or an
- * absurd one: no square root of a negative number, no NaN gets past here. */
-INVCAL_APART static int triad_of_ellipsoid(const invcal_real p[INVCAL_PARAMETERS], triad *t)
+/* No square root of a negative number, no NaN gets past here. */
+INVCAL_APART int invcal_triad_of_ellipsoid(const invcal_real p[INVCAL_PARAMETERS], invcal_triad *t)
 {
     /* Q - I */
     const invcal_real q[6] = {2 * p[INVCAL_DK_X], p[INVCAL_GAMMA_XY], 2 * p[INVCAL_DK_Y],
@@ -158,15 +148,15 @@ INVCAL_APART static int triad_of_ellipsoid(const invcal_real p[INVCAL_PARAMETERS
         const invcal_real of_unit = i == 0 || i == 2 || i == 5 ? excess : 0;
         f[i] = (q[i] - of_unit) / (1 + excess);
     }
-    if (!invcal_near_is_between(f, SHORTEST * SHORTEST, LONGEST * LONGEST)) {
+    if (!invcal_near_is_between(f, INVCAL_SHORTEST * INVCAL_SHORTEST,
+                                INVCAL_LONGEST * INVCAL_LONGEST)) {
         return 0;
     }
     invcal_near_root(f, t->a, t->s);
     return 1;
 }
 
-/* X = -p is the model itself. */
-INVCAL_APART static int triad_of_linear(const invcal_real p[INVCAL_PARAMETERS], triad *t)
+INVCAL_APART int invcal_triad_of_linear(const invcal_real p[INVCAL_PARAMETERS], invcal_triad *t)
 {
     const invcal_real s[6] = {-p[INVCAL_DK_X],         -p[INVCAL_GAMMA_XY] / 2, -p[INVCAL_DK_Y],
                               -p[INVCAL_GAMMA_XZ] / 2, -p[INVCAL_GAMMA_ZY] / 2, -p[INVCAL_DK_Z]};
@@ -176,7 +166,7 @@ INVCAL_APART static int triad_of_linear(const invcal_real p[INVCAL_PARAMETERS], 
     }
     memcpy(t->s, s, sizeof t->s);
     invcal_near_inverse(s, t->a);
-    return invcal_near_is_between(s, SHORTEST, LONGEST);
+    return invcal_near_is_between(s, INVCAL_SHORTEST, INVCAL_LONGEST);
 }
 
 /* A - I -> L' - I with L L' = A^2: the same lengths in another frame. Semi-axes within their
@@ -199,7 +189,7 @@ INVCAL_APART static void make_triangular(invcal_real a[6])
 
 /* calibrated = field A (u - delta), u = N (raw - zero) / field: so matrix = A N and
  * offset = zero + field N^-1 delta. */
-static void join(const triad *t, const invcal_settings *settings, invcal_real inverse[3][3],
+static void join(const invcal_triad *t, const invcal_settings *settings, invcal_real inverse[3][3],
                  invcal_calibration *out)
 {
     const invcal_calibration *nominal = &settings->nominal;
@@ -221,7 +211,7 @@ static void join(const triad *t, const invcal_settings *settings, invcal_real in
 }
 
 /* dk and gamma from S. */
-static void name_parameters(const triad *t, invcal_solution *out)
+static void name_parameters(const invcal_triad *t, invcal_solution *out)
 {
     memcpy(out->delta, t->delta, sizeof out->delta);
     out->dk[0] = t->s[0];
@@ -232,12 +222,26 @@ static void name_parameters(const triad *t, invcal_solution *out)
     out->gamma[2] = 2 * t->s[4];
 }
 
+invcal_status invcal_triad_join(invcal_triad *t, const invcal_settings *settings,
+                                invcal_real inverse[3][3], invcal_solution *solution)
+{
+    if (!(invcal_dot(t->delta, t->delta, 3) <= INVCAL_LONGEST * INVCAL_LONGEST)) {
+        return INVCAL_NOT_ELLIPSOID;
+    }
+    if (settings->frame == INVCAL_FRAME_TRIANGULAR) {
+        make_triangular(t->a);
+    }
+    join(t, settings, inverse, &solution->calibration);
+    name_parameters(t, solution);
+    return INVCAL_OK;
+}
+
 invcal_status invcal_solve(const invcal_normal *normal, const invcal_settings *settings,
                            invcal_solution *solution)
 {
     invcal_real inverse[3][3]; /* of the nominal matrix */
     invcal_real p[INVCAL_PARAMETERS];
-    triad t;
+    invcal_triad t;
 
     INVCAL_ASSERT(normal && settings && solution);
     invcal_status status = check(settings, inverse);
@@ -247,17 +251,9 @@ invcal_status invcal_solve(const invcal_normal *normal, const invcal_settings *s
     if (status != INVCAL_OK) {
         return status;
     }
-    const int is_triad = normal->model == INVCAL_MODEL_ELLIPSOID ? triad_of_ellipsoid(p, &t)
-                                                                 : triad_of_linear(p, &t);
-    if (!(is_triad && invcal_dot(t.delta, t.delta, 3) <= LONGEST * LONGEST)) {
-        return INVCAL_NOT_ELLIPSOID;
-    }
-    if (settings->frame == INVCAL_FRAME_TRIANGULAR) {
-        make_triangular(t.a);
-    }
-    join(&t, settings, inverse, &solution->calibration);
-    name_parameters(&t, solution);
-    return INVCAL_OK;
+    const int is_triad = normal->model == INVCAL_MODEL_ELLIPSOID ? invcal_triad_of_ellipsoid(p, &t)
+                                                                 : invcal_triad_of_linear(p, &t);
+    return is_triad ? invcal_triad_join(&t, settings, inverse, solution) : INVCAL_NOT_ELLIPSOID;
 }
 
 void invcal_solution_deviation(const invcal_solution *solution, invcal_real s[6])

@@ -1,9 +1,11 @@
 /* SPDX-License-Identifier: MIT
  *
  * invcal/cholesky.h: A = L L', for symmetric positive definite A of any size up to
- * INVCAL_MAX_PARAMETERS, packed by rows (INVCAL_PACKED).
+ * INVCAL_CHOLESKY_MAX, packed by rows (INVCAL_PACKED).
  *
- * n is from 1 to INVCAL_MAX_PARAMETERS throughout; anything else is a programming error.
+ * All but one work in place, and what they cost depends on n alone: n is from 1 to
+ * INVCAL_CHOLESKY_MAX, for the diagonal of the inverse to INVCAL_MAX_PARAMETERS; anything else is
+ * a programming error.
  */
 #ifndef INVCAL_CHOLESKY_H
 #define INVCAL_CHOLESKY_H
@@ -13,6 +15,9 @@
 #ifdef __cplusplus
 extern "C" {
 #endif
+
+/* The nine parameters, widened by a square polynomial of temperature. */
+#define INVCAL_CHOLESKY_MAX 27u
 
 /* The largest diagonal element of a packed matrix, at least 0; NaN elements are passed over. */
 invcal_real invcal_largest_diagonal(const invcal_real *a, unsigned n);
@@ -47,7 +52,8 @@ void invcal_cholesky_invert(invcal_real *l, unsigned n);
 /* Replaces L by A^-1, packed. Cost: n^3/3 multiply-adds. */
 void invcal_cholesky_inverse(invcal_real *l, unsigned n);
 
-/* The diagonal of A^-1, n numbers, L kept. Cost: n^3/6 multiply-adds. */
+/* The diagonal of A^-1, n numbers up to INVCAL_MAX_PARAMETERS, L kept. Cost: n^3/6
+ * multiply-adds. */
 void invcal_cholesky_inverse_diagonal(const invcal_real *l, unsigned n, invcal_real *diagonal);
 
 #ifdef __cplusplus

@@ -34,10 +34,16 @@
 #define INVCAL_DOUBLE 0
 #endif
 
-/* The longest row that the Cholesky and eigenvalue rooms accept. 9 is the rigid model; rows
- * widened by temperature need 18 or 27. Costs 12 bytes of stack for each unit (float). */
+/* The longest row that the eigenvalue room and the diagonal of an inverse accept: 9 is the rigid
+ * model. Costs 12 bytes of stack for each unit (float). */
 #ifndef INVCAL_MAX_PARAMETERS
 #define INVCAL_MAX_PARAMETERS 9
+#endif
+
+/* The degree of the thermal room's polynomials of temperature: 0 (none), 1 (slopes) or 2. Each
+ * costs 72 bytes of a thermal calibration in 148 and more of its sums and stack: see thermal.h. */
+#ifndef INVCAL_THERMAL_DEGREE
+#define INVCAL_THERMAL_DEGREE 1
 #endif
 
 /* How many position means a session keeps, and among how many outliers are looked for: 9 ... 64.
@@ -76,7 +82,9 @@
 #if INVCAL_MAX_PARAMETERS < 9 || INVCAL_MAX_PARAMETERS > 27
 #error "INVCAL_MAX_PARAMETERS must be from 9 to 27"
 #endif
-
+#if INVCAL_THERMAL_DEGREE < 0 || INVCAL_THERMAL_DEGREE > 2
+#error "INVCAL_THERMAL_DEGREE must be 0, 1 or 2"
+#endif
 #if INVCAL_MAX_POSITIONS < 9 || INVCAL_MAX_POSITIONS > 64
 #error "INVCAL_MAX_POSITIONS must be from 9 to 64"
 #endif

@@ -10,6 +10,7 @@
  *     block -> still: samples to rest positions
  *     fisher -> outlier, guidance: positions that are wrong, and the one to take next
  *     allan: noise and how long to stay;  gravity: the field at a place
+ *     thermal: a calibration for every temperature
  *     session: the whole procedure;  record, resume -> store: what survives a reset
  */
 #ifndef INVCAL_INVCAL_H
@@ -23,5 +24,6 @@
 #include "invcal/resume.h"
 #include "invcal/series.h"
 #include "invcal/store.h"
+#include "invcal/thermal.h"
 
 #endif

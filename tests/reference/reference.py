@@ -952,6 +952,91 @@ def normal_gravity(out):
     out.put("expected_gravity", rows, "latitude in degrees, height in m, m/s^2")
 
 
+# ---- temperature -------------------------------------------------------------------------------
+
+STATIONS = [-20.0, 25.0, 70.0]  # degrees C: at each the program of 18
+MIDDLE, HALF = 25.0, 45.0
+
+
+def at_temperature(coefficients, temperature):
+    """X(T) = sum of coefficient_k t^k, t = (T - 25) / 45."""
+    t = (temperature - MIDDLE) / HALF
+    return [add(c * t ** k for k, c in enumerate(column)) for column in transpose(coefficients)]
+
+
+def widened(row, temperature, degree):
+    """h (x) (1 t t^2)."""
+    t = (temperature - MIDDLE) / HALF
+    return [g * t ** k for k in range(degree + 1) for g in row]
+
+
+def thermal_covariance(coefficients, degree, etas):
+    """Cramer-Rao: each position tells g g' with g = d(n . u) / d coefficients, n the normal."""
+    rows = []
+    for temperature in STATIONS:
+        x = at_temperature(coefficients, temperature)
+        a = inverse(response(x))
+        for eta in etas:
+            n = scaled(apply(a, eta), 1 / norm(apply(a, eta)))
+            rows.append(widened(sensitivity(n, eta), temperature, degree))
+    return inverse(normal_matrix(rows))
+
+
+def thermal_covariance_by_residuals(coefficients, degree, etas):
+    """The same from r = |A (u - delta)| - 1 by differences, each of variance |A eta|^2."""
+    rows, w = [], []
+    flat = [c for row in coefficients for c in row]
+    for temperature in STATIONS:
+        x = at_temperature(coefficients, temperature)
+        readings = [read(x, eta) for eta in etas]
+        rows += derivative(lambda y: residuals(at_temperature(
+            [y[9 * k:9 * k + 9] for k in range(degree + 1)], temperature), readings), flat)
+        a = inverse(response(x))
+        w += [1 / dot(apply(a, eta), apply(a, eta)) for eta in etas]
+    return inverse(normal_matrix(rows, w))
+
+
+def thermal_bound(coefficients, degree, etas):
+    """The root mean square of |calibrated| - 1 over all directions and -20 ... 70 C, over sigma."""
+    covariance = thermal_covariance(coefficients, degree, etas)
+    other = thermal_covariance_by_residuals(coefficients, degree, etas)
+    assert difference(covariance, other) < 1e-9
+    total = []
+    for k in range(9):
+        temperature = -15.0 + 10 * k
+        x = at_temperature(coefficients, temperature)
+        a = inverse(response(x))
+        for eta in icosahedron():
+            moved = apply(a, eta)
+            row = widened(sensitivity(moved, eta), temperature, degree)
+            total.append(dot(row, apply(covariance, row)))
+    return math.sqrt(add(total) / len(total))
+
+
+def thermal(out, etas):
+    """Slopes of 1 mg/K and 500 ppm/K with the signs of `truth`, and three of them at random."""
+    steepest = [1e-3] * 3 + [5e-4] * 3 + [1e-4] * 3
+    source = random.Random(90)
+    signs = [SIGNS] + [[2 * source.random() - 1 for _ in range(9)] for _ in range(3)]
+    sets = [[truth(0.03), [HALF * s * m for s, m in zip(sign, steepest)]] for sign in signs]
+    bent = [0.004 * s for s in [1, 1, -1, -1, 1, 1, 0.5, -0.5, 0.5]]
+    bounds = [thermal_bound(c, 1, etas) for c in sets]
+    bounds2 = [thermal_bound(c + [bent], 2, etas) for c in sets]
+    out.section("Temperature: expected_plan18 at -20, 25 and 70 C, X(T) = sum c_k t^k,"
+                " t = (T - 25 C) / 45 K")
+    out.line("enum { EXPECTED_THERMAL_COUNT = %d };" % len(sets))
+    out.put("expected_thermal_constant", truth(0.03), "c_0")
+    out.put("expected_thermal_slope", [c[1] for c in sets],
+            "c_1 of each set: at most 1e-3, 5e-4, 1e-4 per K for delta, dk, gamma; the first at most")
+    out.put("expected_thermal_bent", bent, "c_2")
+    out.put("expected_thermal_bound", bounds,
+            "Cramer-Rao bound of the 18 parameters c_0, c_1: root mean square of |calibrated| - 1"
+            " over directions and temperatures (-15, -5 ... 65 C), over the sigma of one axis of u")
+    out.put("expected_thermal_bound2", bounds2, "likewise of the 27 parameters c_0, c_1, c_2")
+    say("thermal: bounds %s; %s" % (" ".join("%.4f" % b for b in bounds),
+                                    " ".join("%.4f" % b for b in bounds2)))
+
+
 # ---- the header --------------------------------------------------------------------------------
 
 def literal(value):
@@ -1031,6 +1116,9 @@ def main():
     series(out)
     largest_eigenvalues(out)
     normal_gravity(out)
+
+
+    thermal(out, etas)
     out.line("\n#endif")
 
 

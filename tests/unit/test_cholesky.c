@@ -46,8 +46,8 @@ static double inverse_of_min(unsigned n, unsigned r, unsigned c)
 
 static void the_factor_of_the_min_matrix_is_all_ones_for_every_size(void)
 {
-    for (unsigned n = 1; n <= N; n++) {
-        invcal_real a[SUMS];
+    for (unsigned n = 1; n <= INVCAL_CHOLESKY_MAX; n++) {
+        invcal_real a[INVCAL_PACKED_SIZE(INVCAL_CHOLESKY_MAX)];
         fill_min(a, n);
         TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_cholesky_factor(a, n, INVCAL_PIVOT_FLOOR));
         for (unsigned i = 0; i < packed_size(n); i++) {
