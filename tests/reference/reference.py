@@ -1116,8 +1116,6 @@ def main():
     series(out)
     largest_eigenvalues(out)
     normal_gravity(out)
-
-
     thermal(out, etas)
     out.line("\n#endif")
 
