@@ -7,7 +7,7 @@
 #include "vector.h"
 
 enum { KIND = 0xC5, VERSION = 1 };
-enum { REALS_AT = 24, TABLE_AT = 156, POSITION_SIZE = 13, SUMS_SIZE = 164 };
+enum { REALS_AT = 24, TABLE_AT = 164, POSITION_SIZE = 13, SUMS_SIZE = 164 };
 
 /* A session without its table and sums. */
 typedef struct {
@@ -15,6 +15,7 @@ typedef struct {
     invcal_real temperature;
     invcal_real coldest;
     invcal_real warmest;
+    invcal_real hold;
     uint32_t count;
     uint16_t stored;
     uint16_t step;
@@ -46,6 +47,8 @@ static void each_real(invcal_way *w, head *h)
     invcal_way_each(w, &h->temperature, 1);
     invcal_way_each(w, &h->coldest, 1);
     invcal_way_each(w, &h->warmest, 1);
+    invcal_way_each(w, &h->setup.mean_sigma, 1);
+    invcal_way_each(w, &h->hold, 1);
 }
 
 static void each_sum(invcal_way *w, const invcal_normal *normal)
@@ -76,7 +79,7 @@ static int is_consistent(const head *h)
 
     return h->stored <= h->count && (h->stored > 0 || h->count == 0) && h->step <= last &&
            (h->step <= h->count || h->setup.background) && h->is_enough <= 1 &&
-           h->coldest <= h->warmest;
+           h->coldest <= h->warmest && h->hold >= 0 && h->hold <= INVCAL_SESSION_HOLD_LONGEST;
 }
 
 /* Rounds to float and judges what remains: what passes here passes when it is read. */
@@ -109,6 +112,7 @@ static void take_head(const invcal_session *session, head *h)
     h->temperature = session->temperature;
     h->coldest = session->coldest;
     h->warmest = session->warmest;
+    h->hold = session->hold;
     h->count = session->normal.count;
     h->stored = session->stored;
     h->step = session->step;
@@ -255,6 +259,7 @@ static void fill(const uint8_t *bytes, const head *h, invcal_session *session)
     session->temperature = h->temperature;
     session->coldest = h->coldest;
     session->warmest = h->warmest;
+    session->hold = h->hold;
     session->is_enough = h->is_enough;
     if (session->coldest < 0 || session->warmest > 0) { /* there was a thermometer */
         session->measured = (unsigned)h->count;

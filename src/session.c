@@ -10,6 +10,7 @@
 #define TELLING INVCAL_REAL(0.35)    /* h K h' of a position that is worth its place */
 #define RIDGE INVCAL_REAL(1e-4)      /* of the largest diagonal element of H'H */
 #define NORMAL INVCAL_REAL(1.96)     /* sigma that hold 95 % where the noise is known */
+#define SHORTEST INVCAL_REAL(0.625)  /* seconds: what still.h demands of a rest */
 #define DOF 3                        /* residuals to spare before sigma is believed */
 #define FADED 88u                    /* days: a sixteenth of the weight is left */
 
@@ -31,6 +32,9 @@ static invcal_status check(const invcal_session_setup *setup)
         if (!is_number_or_none(setup->target[b])) {
             return INVCAL_BAD_SETTING;
         }
+    }
+    if (!is_number_or_none(setup->mean_sigma)) {
+        return INVCAL_BAD_SETTING;
     }
     if (status == INVCAL_OK && has_plan(setup)) {
         status = invcal_plan_check(&setup->plan);
@@ -270,18 +274,107 @@ INVCAL_APART static void take(invcal_session *session, const invcal_rest *rest, 
     }
 }
 
-/* A rest that is long enough, but no reading of this field: better said at once. */
-INVCAL_APART static void announce(const invcal_session *session, invcal_event *event)
+/* ---- how long to stay -------------------------------------------------------------------------- */
+
+static int is_procedure(const invcal_session *session)
 {
-    invcal_rest rest;
+    return !session->setup.background;
+}
+
+static invcal_real seconds_of(const invcal_session *session, const invcal_rest *rest)
+{
+    return (invcal_real)rest->count / session->setup.rate;
+}
+
+/* The first rest tells the noise: T = s^2 / (sigma^2 rate), s^2 that of a sample in field units, the
+ * mean over the axes. */
+static void learn_hold(invcal_session *session, const invcal_rest *rest)
+{
+    const invcal_real sigma = session->setup.mean_sigma;
+    const invcal_calibration *c = &session->setup.settings.nominal;
+    invcal_real gain = 0;
+
+    if (!(sigma > 0) || session->normal.count > 0) {
+        return;
+    }
+    for (unsigned i = 0; i < 3; i++) {
+        gain += invcal_dot3(c->matrix[i], c->matrix[i]) / 3;
+    }
+    const invcal_real wanted = gain * rest->variance / sigma / sigma / session->setup.rate;
+    session->hold = wanted <= INVCAL_SESSION_HOLD_MAX ? wanted : INVCAL_SESSION_HOLD_MAX;
+}
+
+void invcal_session_hold(invcal_session *session, invcal_real seconds)
+{
+    INVCAL_ASSERT(session);
+    session->setup.mean_sigma = 0;
+    session->hold = !(seconds > 0)                          ? 0
+                    : seconds < INVCAL_SESSION_HOLD_LONGEST ? seconds
+                                                            : INVCAL_SESSION_HOLD_LONGEST;
+}
+
+static int is_short(const invcal_session *session, const invcal_rest *rest)
+{
+    return is_procedure(session) && !(seconds_of(session, rest) >= session->hold);
+}
+
+/* A rest that is long enough, but no reading of this field: better said at once. */
+static void announce(const invcal_session *session, const invcal_rest *rest, invcal_event *event)
+{
     invcal_real mean[3];
     invcal_observation row;
 
-    if (invcal_still_current(&session->still, &rest)) {
-        invcal_rest_mean(&rest, mean);
-        event->status = read_row(session, mean, &row);
-    }
+    invcal_rest_mean(rest, mean);
+    event->status = read_row(session, mean, &row);
     event->what = event->status == INVCAL_OK ? INVCAL_SESSION_READY : INVCAL_SESSION_REFUSED;
+}
+
+/* Percent of a time: 100 seconds of it are given. Never 100 before READY. */
+static unsigned share(const invcal_session *session, invcal_real hundred)
+{
+    const invcal_real least = SHORTEST;
+    const int is_longer = is_procedure(session) && session->hold > least;
+    const invcal_real percent = hundred / (is_longer ? session->hold : least);
+
+    return percent < 99 ? (unsigned)percent : 99;
+}
+
+/* At rest: READY is said once, when the rest has been measured long enough. */
+INVCAL_APART static void settle(invcal_session *session, invcal_event *event)
+{
+    invcal_rest rest;
+
+    event->what = INVCAL_SESSION_SETTLING;
+    if (session->is_ready) {
+        return;
+    }
+    if (!invcal_still_current(&session->still, &rest)) {
+        event->progress = share(session, (invcal_real)event->progress * SHORTEST);
+        return;
+    }
+    learn_hold(session, &rest);
+    if (is_short(session, &rest)) {
+        event->progress = share(session, 100 * seconds_of(session, &rest));
+        return;
+    }
+    session->is_ready = 1;
+    announce(session, &rest, event);
+}
+
+/* It has been left. */
+static void leave(invcal_session *session, const invcal_rest *rest, invcal_event *event)
+{
+    if (is_short(session, rest)) {
+        event->what = INVCAL_SESSION_REFUSED;
+        event->reason = INVCAL_REST_SHORT;
+        return;
+    }
+    take(session, rest, event);
+    if (event->what == INVCAL_SESSION_TAKEN && is_procedure(session) && !session->is_enough &&
+        reaches_target(session)) {
+        session->is_enough = 1;
+        event->what = INVCAL_SESSION_ENOUGH;
+    }
 }
 
 static invcal_session_what digest(invcal_session *session, invcal_still_event seen,
@@ -298,22 +391,17 @@ static invcal_session_what digest(invcal_session *session, invcal_still_event se
     }
     switch (seen) {
     case INVCAL_STILL_SETTLING:
-        event->what = INVCAL_SESSION_SETTLING;
-        break;
     case INVCAL_STILL_READY:
-        announce(session, event);
+        settle(session, event);
         break;
     case INVCAL_STILL_TAKEN:
-        take(session, rest, event);
-        if (event->what == INVCAL_SESSION_TAKEN && !session->setup.background &&
-            !session->is_enough && reaches_target(session)) {
-            session->is_enough = 1;
-            event->what = INVCAL_SESSION_ENOUGH;
-        }
+        leave(session, rest, event);
+        session->is_ready = 0;
         break;
     case INVCAL_STILL_REFUSED:
         event->what = INVCAL_SESSION_REFUSED;
         event->reason = invcal_still_reason(&session->still);
+        session->is_ready = 0;
         break;
     default:
         event->what = INVCAL_SESSION_MOVING;
@@ -357,7 +445,7 @@ static int held_row(const invcal_session *session, invcal_observation *row)
     invcal_rest rest;
     invcal_real mean[3];
 
-    if (!invcal_still_current(&session->still, &rest)) {
+    if (!session->is_ready || !invcal_still_current(&session->still, &rest)) {
         return 0;
     }
     invcal_rest_mean(&rest, mean);

@@ -28,13 +28,14 @@
  *      12   2     per_group                    128       12    target of delta, dk, gamma
  *      14   1     frame                        140       4     rate
  *      15   1     bit 0: background,           144       12    temperature, coldest, warmest
- *                 bit 1: is_enough             156       13 S  position by position: mean x, y, z;
- *      16   4     low                                          age, 1 byte
- *      20   4     high                         156 + 13 S      only if C > S, 164: the moments,
+ *                 bit 1: is_enough             156       8     mean_sigma, hold
+ *      16   4     low                          164       13 S  position by position: mean x, y, z;
+ *      20   4     high                                         age, 1 byte
+ *                                              164 + 13 S      only if C > S, 164: the moments,
  *                                                              H'Wj, j'Wj
  *                                              length - 4      CRC-32 (IEEE 802.3, as zlib)
  *
- * 394 bytes for 18 positions. The sums are stored only if more positions were taken than the table
+ * 402 bytes for 18 positions. The sums are stored only if more positions were taken than the table
  * holds. Else they are made again from the table, in the order and with the weights of the session:
  * that takes fewer bytes, and they always belong to the means.
  *
@@ -57,9 +58,9 @@
 extern "C" {
 #endif
 
-/* The most bytes that a session takes: 740 by default. A slot of store.h needs
+/* The most bytes that a session takes: 748 by default. A slot of store.h needs
  * INVCAL_STORE_BYTES(INVCAL_RESUME_SIZE, granularity). */
-#define INVCAL_RESUME_SIZE (324u + 13u * INVCAL_MAX_POSITIONS)
+#define INVCAL_RESUME_SIZE (332u + 13u * INVCAL_MAX_POSITIONS)
 
 /* A session as bytes.
  *

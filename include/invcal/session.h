@@ -13,6 +13,11 @@
  * table, and knows what is still missing: positions of a program (plan.h) or, free hand, the
  * direction that would tell most (guidance.h).
  *
+ * How long to stay is not a fixed time. With mean_sigma the noise of the first rest decides: its
+ * samples scatter by s, and the mean of a time T by s / sqrt(T rate). That is white noise; slower
+ * noise does not average out so, and the time ends at INVCAL_SESSION_HOLD_MAX. Who has measured
+ * it, by allan.h, says so to invcal_session_hold.
+ *
  * In the background the same structure serves a device that nobody calibrates on purpose: it is
  * fed with whatever comes in days. A rest in a direction that is well covered is passed over; the
  * table keeps what tells most; old positions fade; and a new calibration replaces the old one only
@@ -31,11 +36,17 @@
 extern "C" {
 #endif
 
+#define INVCAL_SESSION_HOLD_MAX 60       /* seconds: what the first rest tells is cut off there */
+#define INVCAL_SESSION_HOLD_LONGEST 3600 /* seconds that can be demanded */
+
 /* What a session is for. */
 typedef struct {
     invcal_settings settings; /* nominal calibration: raw units are the counts of the samples */
     invcal_plan plan;         /* the program to follow; per_group 0: any directions */
     invcal_real target[3];    /* sigma of delta, dk, gamma that is enough; 0: any */
+    invcal_real mean_sigma;   /* of a position mean on each axis, field units, that is wanted: how
+                                 long to stay follows from the noise of the first rest; 0: as short
+                                 as can be, see still.h */
     invcal_real rate;         /* samples per second, 8 ... 8000 */
     int32_t low;              /* the sensor's least and greatest counts: what lies there is */
     int32_t high;             /* clipped. Both 0: not known, clipping is not noticed */
@@ -56,7 +67,7 @@ typedef enum {
 
 typedef struct {
     invcal_session_what what;
-    unsigned progress;         /* percent of what a position takes at least */
+    unsigned progress;         /* percent of what a position takes at least, mean_sigma included */
     invcal_rest_reason reason; /* REFUSED: why it was no rest; INVCAL_REST_GOOD if it was one, */
     invcal_status status;      /* but its mean is no reading of this field */
     unsigned positions;        /* taken so far */
@@ -77,8 +88,10 @@ typedef struct {
     invcal_real coldest;
     invcal_real warmest;
     invcal_real latest; /* temperature of the latest sample */
+    invcal_real hold;   /* seconds that a rest must be measured, as known by now */
     unsigned measured;  /* positions in the mean of temperature */
     uint8_t is_enough;
+    uint8_t is_ready; /* said of the rest that is going on */
 } invcal_session;
 
 /* Begins: nothing taken yet.
@@ -86,7 +99,7 @@ typedef struct {
  * setup  copied; not the one inside of session.
  *
  * Returns INVCAL_OK; INVCAL_BAD_SETTING if invcal_settings_check, invcal_plan_check or
- * invcal_still_init refuses the setup, or a target is negative or NaN; INVCAL_TOO_FEW by
+ * invcal_still_init refuses the setup, or a target or mean_sigma is negative or NaN; INVCAL_TOO_FEW by
  * invcal_plan_check. */
 invcal_status invcal_session_init(invcal_session *session, const invcal_session_setup *setup);
 
@@ -103,6 +116,14 @@ invcal_status invcal_session_init(invcal_session *session, const invcal_session_
  * invcal_calibrate_sums. Stack: about 1,450 bytes. */
 invcal_session_what invcal_session_feed(invcal_session *session, const int32_t raw[3],
                                         invcal_real temperature, invcal_event *event);
+
+/* From now on a rest must be measured for so many seconds, or it is refused as too short, in place
+ * of what the first rest told: for who knows its noise better, by invcal_noise_dwell. 0: as short
+ * as can be. In the background nobody waits, and this has no effect, nor has mean_sigma.
+ *
+ * seconds  0 ... INVCAL_SESSION_HOLD_LONGEST; NaN and negative ones count as 0, longer ones as
+ *          that. */
+void invcal_session_hold(invcal_session *session, invcal_real seconds);
 
 /* Samples were lost here. */
 void invcal_session_gap(invcal_session *session);

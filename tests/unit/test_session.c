@@ -828,6 +828,155 @@ static void a_rest_settles_is_ready_once_and_is_taken(void)
     TEST_ASSERT_EQUAL_UINT(1, b.seen[INVCAL_SESSION_TAKEN]);
 }
 
+/* ---- how long to stay -------------------------------------------------------------------------- */
+
+/* Seconds of the hold from its beginning to READY; 0 if it was not said. An event is an eighth. */
+static double time_to_ready(const double to[3], double longest)
+{
+    const unsigned before = b.seen[INVCAL_SESSION_READY];
+
+    turn(to);
+    for (unsigned i = 1; i <= (unsigned)(10 * longest); i++) {
+        hold(0.1);
+        if (b.seen[INVCAL_SESSION_READY] > before) {
+            return 0.1 * i;
+        }
+    }
+    return 0;
+}
+
+/* sigma of a mean that white noise reaches after so many seconds. */
+static invcal_real after(double seconds)
+{
+    return (invcal_real)(NOISE * GRAVITY / sqrt(seconds * RATE));
+}
+
+/* Half a second goes by at the beginning of a rest, and the noise is known to a tenth. */
+static void the_noise_of_the_first_rest_tells_how_long_to_stay(void)
+{
+    static const double seconds[] = {4, 8, 20};
+
+    for (unsigned i = 0; i < SOME(3); i++) {
+        invcal_session_setup setup = free_hand();
+        setup.mean_sigma = after(seconds[i]);
+        begin(setup, 0.02, 40 + i);
+        const double first = time_to_ready(expected_plan18[0], 60);
+        TEST_ASSERT_DOUBLE_WITHIN(0.15 * seconds[i], seconds[i] + 0.6, first);
+        leave();
+        b.noise = 3 * NOISE; /* another noise, later, changes nothing */
+        const double second = time_to_ready(expected_plan18[1], 60);
+        TEST_ASSERT_DOUBLE_WITHIN(0.15 * seconds[i] + 0.5, first, second);
+        TEST_ASSERT_EQUAL_UINT(1, b.seen[INVCAL_SESSION_TAKEN]);
+    }
+}
+
+static void more_noise_takes_the_square_of_the_time(void)
+{
+    invcal_session_setup setup = free_hand();
+
+    setup.mean_sigma = after(3);
+    begin(setup, 0, 43);
+    b.noise = 2 * NOISE;
+    TEST_ASSERT_DOUBLE_WITHIN(1.8, 12.6, time_to_ready(expected_plan18[0], 60));
+}
+
+static void no_noise_makes_a_rest_longer_than_a_minute(void)
+{
+    invcal_session_setup setup = free_hand();
+
+    setup.mean_sigma = after(1000);
+    begin(setup, 0, 44);
+    TEST_ASSERT_DOUBLE_WITHIN(0.5, INVCAL_SESSION_HOLD_MAX + 0.6,
+                              time_to_ready(expected_plan18[0], 70));
+}
+
+static void who_leaves_too_early_is_told_and_the_position_is_not_taken(void)
+{
+    invcal_session_setup setup = free_hand();
+
+    setup.mean_sigma = after(8);
+    begin(setup, 0.02, 45);
+    turn(expected_plan18[0]);
+    hold(4);
+    TEST_ASSERT_EQUAL_UINT(0, b.seen[INVCAL_SESSION_READY]);
+    TEST_ASSERT_TRUE(b.progress[b.events - 1] > 25 && b.progress[b.events - 1] < 65);
+    leave();
+    TEST_ASSERT_EQUAL_INT(INVCAL_SESSION_REFUSED, b.news.what);
+    TEST_ASSERT_EQUAL_INT(INVCAL_REST_SHORT, b.news.reason);
+    TEST_ASSERT_EQUAL_UINT(0, b.news.positions);
+    TEST_ASSERT_TRUE(time_to_ready(expected_plan18[3], 30) > 4);
+    finish();
+    TEST_ASSERT_EQUAL_INT(INVCAL_SESSION_TAKEN, b.news.what);
+}
+
+/* The first rest must tell first what there is to wait for; from the second on it is known. */
+static void progress_grows_to_the_time_that_is_wanted(void)
+{
+    invcal_session_setup setup = free_hand();
+
+    setup.mean_sigma = after(10);
+    begin(setup, 0, 46);
+    TEST_ASSERT_TRUE(time_to_ready(expected_plan18[0], 30) > 5);
+    leave();
+    turn(expected_plan18[1]);
+    b.events = 0;
+    hold(14);
+    unsigned at = skip_events(0, INVCAL_SESSION_MOVING);
+    for (unsigned last = 0; b.what[at] == INVCAL_SESSION_SETTLING; at++) {
+        TEST_ASSERT_TRUE(b.progress[at] >= last && b.progress[at] <= last + 10);
+        last = b.progress[at];
+        TEST_ASSERT_LESS_THAN_UINT(100, last);
+    }
+    TEST_ASSERT_EQUAL_INT(INVCAL_SESSION_READY, b.what[at]);
+    TEST_ASSERT_GREATER_THAN_UINT(90, b.progress[at - 1]);
+    TEST_ASSERT_EQUAL_UINT(100, b.progress[at]);
+}
+
+static void a_time_may_be_demanded_in_place_of_it(void)
+{
+    begin(free_hand(), 0.02, 47);
+    invcal_session_hold(b.s, 6);
+    TEST_ASSERT_DOUBLE_WITHIN(0.4, 6.6, time_to_ready(expected_plan18[0], 20));
+    leave();
+    invcal_session_hold(b.s, 0);
+    TEST_ASSERT_TRUE(time_to_ready(expected_plan18[1], 20) < 3);
+    invcal_session_hold(b.s, (invcal_real)NAN);
+    TEST_ASSERT_TRUE(b.s->hold >= 0 && b.s->hold <= 0);
+    invcal_session_hold(b.s, -1);
+    TEST_ASSERT_TRUE(b.s->hold >= 0 && b.s->hold <= 0);
+    invcal_session_hold(b.s, (invcal_real)1e9);
+    TEST_ASSERT_EQUAL_DOUBLE(INVCAL_SESSION_HOLD_LONGEST, b.s->hold);
+}
+
+static void in_the_background_nobody_waits(void)
+{
+    invcal_session_setup setup = background();
+
+    setup.mean_sigma = after(20);
+    begin(setup, 0.02, 48);
+    TEST_ASSERT_TRUE(time_to_ready(expected_plan18[0], 20) < 3);
+    leave();
+    TEST_ASSERT_EQUAL_UINT(1, b.seen[INVCAL_SESSION_TAKEN]);
+}
+
+static void while_it_is_too_short_the_next_position_stays_the_same(void)
+{
+    invcal_session_setup setup = program();
+    invcal_guidance next;
+
+    setup.mean_sigma = after(8);
+    begin(setup, 0.02, 49);
+    turn(expected_plan18[0]);
+    hold(4);
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_session_next(b.s, &next));
+    for (unsigned i = 0; i < 3; i++) {
+        TEST_ASSERT_DOUBLE_WITHIN(1e-6, expected_plan18[0][i], next.up[i]);
+    }
+    hold(8);
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_session_next(b.s, &next));
+    TEST_ASSERT_DOUBLE_WITHIN(1e-6, expected_plan18[1][1], next.up[1]);
+}
+
 /* Every eighth of a second there is something to tell. */
 static void between_the_events_there_is_nothing(void)
 {
@@ -2195,6 +2344,14 @@ int main(void)
     RUN_LONG_TEST(a_hand_that_errs_by_ten_degrees_does_hardly_worse);
     RUN_SLOW_TEST(free_hand_the_best_and_nearest_is_next);
     RUN_TEST(a_rest_settles_is_ready_once_and_is_taken);
+    RUN_TEST(the_noise_of_the_first_rest_tells_how_long_to_stay);
+    RUN_TEST(more_noise_takes_the_square_of_the_time);
+    RUN_TEST(no_noise_makes_a_rest_longer_than_a_minute);
+    RUN_TEST(who_leaves_too_early_is_told_and_the_position_is_not_taken);
+    RUN_TEST(progress_grows_to_the_time_that_is_wanted);
+    RUN_TEST(a_time_may_be_demanded_in_place_of_it);
+    RUN_TEST(in_the_background_nobody_waits);
+    RUN_TEST(while_it_is_too_short_the_next_position_stays_the_same);
     RUN_TEST(between_the_events_there_is_nothing);
     RUN_TEST(events_are_complete);
     RUN_TEST(a_position_taken_tells_of_its_rest);
