@@ -37,6 +37,9 @@ row "the same with every σ and the verdict" 18_positions_and_everything
 row "apply a calibration to a sample" apply
 row "feed a sample at rest, 1 kHz" feed_1000_Hz
 row "where to turn next" next_orientation
+row "a sample of one axis into \`allan.h\`" allan_push
+row "36 positions at two temperatures, everything" 36_positions_thermal
+row "the calibration at a temperature" thermal_at
 row "flash, the core" text.core
 row "flash, everything" text.everything
 row "stack, \`invcal_solve\`" invcal_solve

@@ -164,6 +164,62 @@ static void bench_session(void)
     report("next_orientation", end());
 }
 
+/* A sample of one axis at rest, on average; and what all of them tell. */
+static void bench_allan(void)
+{
+    static invcal_allan allan;
+    invcal_noise noise;
+    int32_t sample[3];
+    uint32_t total = 0;
+    enum { SAMPLES = 2048 };
+
+    (void)invcal_allan_init(&allan, NULL, INVCAL_ALLAN_TAUS, INVCAL_ALLAN_OVERLAPPING);
+    for (unsigned i = 0; i < SAMPLES; i++) {
+        next_sample(sample);
+        begin();
+        invcal_allan_push(&allan, sample[0]);
+        total += end();
+    }
+    report("allan_push", total / SAMPLES);
+    begin();
+    const invcal_status status = invcal_allan_noise(&allan, 1, 1, &noise);
+    report("allan_noise", end());
+    if (status != INVCAL_OK) {
+        board_exit(1);
+    }
+}
+
+/* The program at two temperatures, with offsets that follow them. */
+static void bench_thermal(void)
+{
+    static invcal_real means[2 * POSITIONS][3];
+    static invcal_real temperature[2 * POSITIONS];
+    invcal_thermal_settings thermal;
+    invcal_thermal_calibration calibration;
+    invcal_thermal_place place;
+    invcal_solution solution;
+    invcal_quality quality;
+
+    memset(&thermal, 0, sizeof thermal);
+    for (unsigned i = 0; i < 2 * POSITIONS; i++) {
+        temperature[i] = i < POSITIONS ? 10 : 50;
+        for (unsigned a = 0; a < 3; a++) {
+            means[i][a] = raw[i % POSITIONS][a] + (i < POSITIONS ? 0 : 100);
+        }
+    }
+    begin();
+    invcal_status status =
+        invcal_thermal_calibrate(&means[0][0], temperature, 2 * POSITIONS, &settings, &thermal,
+                                 &calibration, &quality, NULL);
+    report("36_positions_thermal", end());
+    if (status != INVCAL_OK || calibration.fitted != INVCAL_THERMAL_DEGREE) {
+        board_exit(1);
+    }
+    begin();
+    (void)invcal_thermal_at(&calibration, 30, &solution, &place);
+    report("thermal_at", end());
+}
+
 int main(void)
 {
     begin();
@@ -172,6 +228,8 @@ int main(void)
     bench_core();
     bench_all();
     bench_session();
+    bench_allan();
+    bench_thermal();
     report_text("OK\n");
     return 0;
 }

@@ -18,3 +18,7 @@ SIZE_OF(invcal_outliers);
 SIZE_OF(invcal_still);
 SIZE_OF(invcal_session);
 SIZE_OF(invcal_record);
+SIZE_OF(invcal_allan);
+SIZE_OF(invcal_noise);
+SIZE_OF(invcal_thermal_calibration);
+SIZE_OF(invcal_thermal_sums);
