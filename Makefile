@@ -22,6 +22,8 @@ SUITES  := $(patsubst tests/unit/%.c,%,$(wildcard tests/unit/test_*.c))
 DATA    := $(wildcard tests/data/*_positions.csv)
 # With ASSERT=1 programming errors stop the library (INVCAL_ASSERT).
 ASSERT_FLAGS := $(if $(ASSERT),-DINVCAL_CONFIG_HEADER='"assert_config.h"' -Itests/unit)
+# The degree of thermal.h, if it is not to be the default, for the library and its tests.
+DEGREE_FLAGS := $(if $(DEGREE),-DINVCAL_THERMAL_DEGREE=$(DEGREE))
 # Commands are shown with make V=1.
 Q := $(if $(V),,@)
 
@@ -70,7 +72,7 @@ demo: $(BUILD)/invcal ## from a raw log to calibrated readings; then a real sens
 define variant
 $(BUILD)/$(1)/%.o: %.c
 	@mkdir -p $$(@D)
-	$(Q)$$(CC) $$(FLAGS) -DINVCAL_DOUBLE=$(2) $$(EXTRA) -MMD -c $$< -o $$@
+	$(Q)$$(CC) $$(FLAGS) -DINVCAL_DOUBLE=$(2) $(DEGREE_FLAGS) $$(EXTRA) -MMD -c $$< -o $$@
 
 $(BUILD)/$(1)/src/%.o: EXTRA += $(ASSERT_FLAGS)
 

@@ -4,18 +4,19 @@
 # `make test` for each compiler and language standard with warnings as errors, and with
 # AddressSanitizer, UndefinedBehaviorSanitizer and INVCAL_ASSERT. $1: folder to build in.
 # Compilers that are not installed are named and counted as a failure; `make deps` gets them.
-# With more arguments, one configuration only: NAME COMPILER STANDARD ASSERT FLAG...
+# With more arguments, one configuration only: NAME COMPILER STANDARD ASSERT DEGREE FLAG..., - for
+# what is not to be set; DEGREE is that of thermal.h.
 out=$1
 clang=${CLANG:-clang-19}
 
 # Leaves the last line of the tests, or what is missing, in NAME.result.
 run() {
-    name=$1 compiler=$2 std=$3 assert=$4
-    shift 4
+    name=$1 compiler=$2 std=$3 assert=$4 degree=$5
+    shift 5
     if ! command -v "$compiler" > /dev/null; then
         echo "$compiler is not installed: make deps" > "$out/$name.result"
     elif make -s -j2 test BUILD="$out/$name" CC="$compiler" STD="$std" CFLAGS="$* -Werror" \
-        ASSERT="${assert#-}" > "$out/$name.log" 2>&1; then
+        ASSERT="${assert#-}" DEGREE="${degree#-}" > "$out/$name.log" 2>&1; then
         tail -n 1 "$out/$name.log" > "$out/$name.result"
     else
         cat "$out/$name.log"
@@ -25,12 +26,12 @@ run() {
 
 configurations() {
     san='-O1 -g -fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer'
-    echo "gcc-sanitizers gcc c99 1 $san
-clang-sanitizers $clang c11 1 $san
-gcc-c99 gcc c99 - -O2
-gcc-c11 gcc c11 - -O3
-clang-c99 $clang c99 - -O2
-clang-c11 $clang c11 - -Os"
+    echo "gcc-sanitizers gcc c99 1 - $san
+clang-sanitizers $clang c11 1 2 $san
+gcc-c99 gcc c99 - - -O2
+gcc-c11 gcc c11 - 0 -O3
+clang-c99 $clang c99 - 2 -O2
+clang-c11 $clang c11 - - -Os"
 }
 
 cd "$(dirname "$0")/.." || exit 1
