@@ -45,9 +45,10 @@ typedef struct {
 invcal_calibration calibrate_at(const calibrate_result *result, unsigned position);
 void calibrate_reading(const calibrate_result *result, unsigned position, double out[3]);
 
-/* What the positions kept leave uncertain: all of u but its unit (at the reference temperature),
+/* What the positions kept leave uncertain (at the reference temperature), for a noise of `unit`,
  * and the normal equations behind it. */
-void calibrate_spread(const calibrate_result *result, uncertainty *u, invcal_normal *normal);
+void calibrate_spread(const calibrate_result *result, double unit, uncertainty *u,
+                      invcal_normal *normal);
 
 /* 0 if neither the user nor the residuals tell the noise: sigma then means nothing. */
 int calibrate_knows_noise(const calibrate_result *result);

@@ -32,7 +32,7 @@ void calibrate_reading(const calibrate_result *r, unsigned position, double out[
     }
 }
 
-void calibrate_spread(const calibrate_result *r, uncertainty *u, invcal_normal *normal)
+void calibrate_spread(const calibrate_result *r, double unit, uncertainty *u, invcal_normal *normal)
 {
     invcal_residuals residuals;
 
@@ -50,7 +50,7 @@ void calibrate_spread(const calibrate_result *r, uncertainty *u, invcal_normal *
         memcpy(u->covariance, r->fit.covariance, sizeof u->covariance);
     }
     *normal = residuals.normal;
-    u->unit = 1;
+    u->unit = unit;
     uncertainty_search(u);
 }
 
@@ -92,10 +92,12 @@ const char *calibrate_limit(const calibrate_result *r, const uncertainty *length
         snprintf(text, CALIBRATE_LIMIT_MAX,
                  "temperature, which --thermal would take into account.");
     } else if (uneven >= UNEVEN && !invcal_has_prior(&r->settings)) {
-        snprintf(text, CALIBRATE_LIMIT_MAX,
-                 "the orientations: in the worst direction (%s) ± is %s times what %u well spread "
-                 "positions would leave.",
-                 length->worst_words, figure_digits(uneven, 2, number), r->rejected.kept_count);
+        snprintf(
+            text, CALIBRATE_LIMIT_MAX,
+            "the orientations%s: in the worst direction (%s) ± is %s times what %u well spread "
+            "positions would leave.",
+            r->temperature == CALIBRATE_THERMAL ? " at each temperature" : "", length->worst_words,
+            figure_digits(uneven, 2, number), r->rejected.kept_count);
     } else if (!(r->settings.noise > 0)) {
         snprintf(text, CALIBRATE_LIMIT_MAX, "%s",
                  r->quality.dof > 0

@@ -181,7 +181,7 @@ static void print_limit(FILE *file, const calibrate_result *result)
     invcal_normal normal;
     uncertainty length;
 
-    calibrate_spread(result, &length, &normal);
+    calibrate_spread(result, 1, &length, &normal);
     fprintf(file, "%s", label);
     calibrate_print_wrapped(file, sizeof label - 1, calibrate_limit(result, &length, text));
 }

@@ -67,12 +67,11 @@ static void compare_without(thermal_fit *fit, const rejection *kept)
 {
     const unsigned more = INVCAL_PARAMETERS * fit->calibration.fitted;
     const unsigned used = INVCAL_PARAMETERS + more;
-    invcal_solution solution;
     invcal_quality nine;
 
     fit->significance = 1;
     fit->without = NUMBER_UNKNOWN;
-    if (invcal_calibrate(kept->kept, kept->kept_count, &fit->settings, &solution, &nine, NULL) !=
+    if (invcal_calibrate(kept->kept, kept->kept_count, &fit->settings, &fit->nine, &nine, NULL) !=
         INVCAL_OK) {
         return;
     }

@@ -30,10 +30,10 @@ typedef struct {
                                      calibrated units, over noise^2: 9 (fitted + 1) unknowns */
     double slope[INVCAL_PARAMETERS]; /* of delta, dk, gamma, per K at the reference, */
     double slope_sigma[INVCAL_PARAMETERS];
-    double without;      /* residual rms of the nine parameters alone, for the same positions; NaN:
-                            they have no solution */
-    double significance; /* chance that slopes that are none make the difference; 1: no slopes */
-    double drift_limit;  /* K in a rest: those with more are left out */
+    invcal_solution nine; /* nine parameters alone for the same positions, */
+    double without;       /* and the rms of their residuals; NaN: they have no solution */
+    double significance;  /* chance that slopes that are none make the difference; 1: no slopes */
+    double drift_limit;   /* K in a rest: those with more are left out */
 } thermal_fit;
 
 /* Fits the positions at which no temperature drifted and which do not contradict the others.
