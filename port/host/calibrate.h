@@ -40,6 +40,10 @@ typedef struct {
     const double *place; /* latitude and height that tell the field; null: it was stated */
 } calibrate_result;
 
+/* Slopes were asked for, and are wanting over a range that needs some: other positions at the same
+ * temperatures do not help. */
+int calibrate_wants_slopes(const calibrate_result *result);
+
 /* The calibration that holds for a position, and that of nine parameters for its reading at the
  * reference temperature. */
 invcal_calibration calibrate_at(const calibrate_result *result, unsigned position);

@@ -14,6 +14,13 @@
 #define SIGNIFICANT 0.01 /* chance that slopes that are none show as much */
 #define UNEVEN 2.0       /* times the least sigma that so many positions could leave */
 
+int calibrate_wants_slopes(const calibrate_result *r)
+{
+    return r->temperature == CALIBRATE_THERMAL && r->fit.calibration.fitted == 0 &&
+           r->quality.verdict == INVCAL_WEAK &&
+           r->quality.undetermined == (1u << INVCAL_PARAMETERS) - 1;
+}
+
 invcal_calibration calibrate_at(const calibrate_result *r, unsigned position)
 {
     return r->temperature == CALIBRATE_THERMAL

@@ -264,6 +264,11 @@ static void print_next(FILE *file, const calibrate_result *result, const calibra
         fprintf(file, "Next: add 3 or more positions in other directions, to check the fit.\n");
         break;
     case INVCAL_WEAK:
+        if (calibrate_wants_slopes(result)) {
+            fprintf(file, "Next: measure nine positions or more at each of two temperatures, 5 K "
+                          "apart or more.\n");
+            break;
+        }
         snprintf(text, sizeof text, "Next: add positions with %s.",
                  parameters_advice(q->undetermined, advice, sizeof advice));
         calibrate_print_wrapped(file, 0, text);

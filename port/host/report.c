@@ -47,17 +47,22 @@ static void say_good(const report_facts *f, char *text)
     char spread[FIGURE_MAX];
     char left_out[128] = "";
     char support[SUPPORT_MAX];
+    char where[64] = "";
 
+    if (f->result->temperature == CALIBRATE_THERMAL) {
+        snprintf(where, sizeof where, " at %.2f °C", f->result->fit.calibration.reference);
+    }
     if (count > 0) {
         snprintf(left_out, sizeof left_out, " %u position%s the others and %s left out.", count,
                  count == 1 ? " contradicts" : "s contradict", count == 1 ? "is" : "are");
     }
     say_support(f, support);
-    snprintf(text, TEXT_MAX,
-             "All nine parameters are determined, %s: corrected readings have the length of %s to "
-             "±%s %s or better in any one direction (95 %%), their own noise not counted.%s",
-             support, f->is_gravity ? "gravity" : "the field", worst_spread(f, spread), f->unit,
-             left_out);
+    snprintf(
+        text, TEXT_MAX,
+        "All nine parameters are determined, %s: corrected readings%s have the length of %s to "
+        "±%s %s or better in any one direction (95 %%), their own noise not counted.%s",
+        support, where, f->is_gravity ? "gravity" : "the field", worst_spread(f, spread), f->unit,
+        left_out);
 }
 
 static void say_weak(const report_facts *f, char *text)
@@ -123,6 +128,12 @@ static void write_verdict(page *p, const report_facts *f)
         break;
     case INVCAL_WEAK:
         say_weak(f, sentence);
+        if (calibrate_wants_slopes(f->result)) {
+            page_verdict(p, PAGE_BAD, "✗ Weak", sentence,
+                         "measure nine positions or more at each of two temperatures, 5 K apart or "
+                         "more.");
+            break;
+        }
         snprintf(next, sizeof next, "add positions with %s. Begin with: %s.",
                  parameters_advice(f->result->quality.undetermined, advice, sizeof advice),
                  f->next_words);
