@@ -98,6 +98,9 @@ const char *calibrate_limit(const calibrate_result *r, const uncertainty *length
     if (depends_on_temperature(r) && r->fit.without > 2 * r->fit.quality.residual_rms) {
         snprintf(text, CALIBRATE_LIMIT_MAX,
                  "temperature, which --thermal would take into account.");
+    } else if (calibrate_wants_slopes(r)) {
+        snprintf(text, CALIBRATE_LIMIT_MAX,
+                 "temperature: slopes are wanting, and pass for errors of other kinds.");
     } else if (uneven >= UNEVEN && !invcal_has_prior(&r->settings)) {
         snprintf(
             text, CALIBRATE_LIMIT_MAX,

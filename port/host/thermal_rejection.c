@@ -96,7 +96,9 @@ void thermal_rejection_find(rejection *r, const positions *p, const invcal_setti
             return;
         }
         if (c.fitted == 0) {
-            rejection_search(r, p, settings);
+            if (c.fallback == INVCAL_THERMAL_NARROW) {
+                rejection_search(r, p, settings);
+            }
             return;
         }
         more = 8 * (left_out + 1) <= p->count && reject_one(r, &c, settings);

@@ -23,7 +23,8 @@
 /* Adds rests whose temperature drifted by more than `limit`, K; where it is not known they stay. */
 void thermal_rejection_drifting(rejection *r, const positions *p, double limit);
 
-/* Adds those that contradict the others. Without slopes the library tells which. */
+/* Adds those that contradict the others. At one temperature the library tells which; at several, but
+ * without slopes, nothing does: all that are at another temperature than most would be left out. */
 void thermal_rejection_find(rejection *r, const positions *p, const invcal_settings *settings,
                             const invcal_thermal_settings *thermal);
 

@@ -103,20 +103,21 @@ falls_back() { # STATIONS REASON
 }
 check "at one temperature there are none, and it says why" falls_back 25,25,25 'too narrow a range'
 check "nor at two half a kelvin apart" falls_back 25,25.5 'too narrow a range'
-sensor 20,40 7 | head -n 13 > "$work/twelve.csv"
-fit "$work/twelve.csv" --thermal 1
-check "nor of twelve positions" prints 'No slopes instead of straight lines: too few positions'
+sensor 20,40 7 | awk 'NR <= 9 || (NR > 28 && NR <= 37)' > "$work/seventeen.csv"
+fit "$work/seventeen.csv" --thermal 1
+check "nor of seventeen positions" prints 'No slopes instead of straight lines: too few positions'
 sensor 20,40 7 > "$work/two.csv"
 fit "$work/two.csv" --thermal 2
 check "two temperatures tell no parabola, but straight lines" prints \
     'Straight lines instead of parabolas: positions and temperatures leave slopes open'
 sensor 0,40 7 | awk -F, 'NR <= 19 || NR > 35' > "$work/open.csv"
 fit "$work/open.csv" --thermal 1
+check "slopes that are wanting limit the accuracy" prints '^limited by    temperature: slopes are wanting'
 check "without slopes over a range the result is weak, and it says what helps" prints \
     '^Next: measure nine positions or more at each of two temperatures'
 sensor 25,25 7 > "$work/one.csv"
 fit "$work/one.csv" --thermal 1 --noise 0.0001 --slope 0.001,0.0005,0.0001 --json
-check "a prior on slopes is what is known of them" near 1e-5 0.001,0.001,0.001 \
+check "a prior on slopes is what is known of them" near 5e-5 0.001,0.001,0.001 \
     "$(sed -n '/"slope_sigma"/,$s/^      "delta": \(.*[^,]\),*$/\1/p' "$work/stdout")"
 
 # ---- apply --------------------------------------------------------------------------------------
@@ -150,7 +151,7 @@ run apply "$work/thermal.json" "$work/mixed.csv"
 mv "$work/stdout" "$work/mixed.out"
 check "every reading is corrected at its own temperature" below "$(mean_square "$work/mixed.out")" 4e-8
 for damage in 's/"span": [0-9.]*/"span": 0/' '/"least"/d' 's/"degree": 1/"degree": 2/' \
-    's/"span"/"spam"/' '/"coefficients"/,/\]/s/"dk"/"kd"/'; do
+    's/"span"/"spam"/' '/"coefficients"/,/"gamma"/s/"dk"/"kd"/'; do
     sed "$damage" "$work/thermal.json" > "$work/damaged.json"
     refuses "a damaged one is refused: $damage" 3 '"thermal" is incomplete' \
         apply "$work/damaged.json" "$work/at.csv"
@@ -184,7 +185,7 @@ awk -F, -v OFS=, 'NR == 1 { print $0, "temperature"; next } {
         printf "%s,%.1f\n", $0, (leg < 9 ? 20 : 35) + 0.3 * (NR % 7 - 3) / 3 + (warm < 1 ? warm : 0)
     }' "$work/log.csv" > "$work/steps.csv"
 run calibrate "$work/steps.csv" --thermal 1 --out "$work/steps.json"
-check "one rest in which it drifts is left out and named" prints '^ +position 5 \(line [0-9]+\), by (0.9|1)'
+check "one rest in which it drifts is left out and named" prints '^ +position 5 \(line [0-9]+\), by 0.[89]'
 check "noise of the thermometer is no drift" near 0 "$(json "$work/steps.json" rejected)" 5
 run watch "$work/steps.csv" --thermal 1 --json
 check "watch finds the same" same "$work/stdout" "$work/steps.json"
@@ -195,7 +196,7 @@ fit "$work/positions.csv"
 check "residuals that depend on temperature are told" prints \
     'The residuals depend on temperature .*offset . moves by'
 check "and limit the accuracy" prints '^limited by    temperature, which --thermal'
-sensor 25,25,25 3 | awk -F, -v OFS=, 'NR == 1 { print; next } { print $1, $2, $3, 20 + NR % 3 * 10 }' \
+sensor 25,25,25 3 | awk -F, -v OFS=, 'NR == 1 { print; next } { print $1, $2, $3, 20 + 10 * int((NR - 2) / 18) }' \
     > "$work/calm.csv"
 fit "$work/calm.csv"
 check "those that do not, too" prints 'do not depend on temperature.*--thermal'
