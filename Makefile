@@ -107,10 +107,12 @@ $(BUILD)/positions.h: tests/data/to_c.awk $(DATA)
 	@mkdir -p $(@D)
 	$(Q)awk -f $^ > $@
 
-# The host tool: the library in double, with room for more positions than a device has.
+# The host tool: the library in double, with room for more positions than a device has, and for
+# parabolas of temperature.
 $(BUILD)/tool/%.o: %.c
 	@mkdir -p $(@D)
-	$(Q)$(CC) $(FLAGS) -DINVCAL_DOUBLE=1 -DINVCAL_MAX_POSITIONS=64 $(ASSERT_FLAGS) -MMD -c $< -o $@
+	$(Q)$(CC) $(FLAGS) -DINVCAL_DOUBLE=1 -DINVCAL_MAX_POSITIONS=64 -DINVCAL_THERMAL_DEGREE=2 \
+	    $(ASSERT_FLAGS) -MMD -c $< -o $@
 
 $(BUILD)/invcal: $(HOST:%.c=$(BUILD)/tool/%.o) $(SOURCES:%.c=$(BUILD)/tool/%.o)
 	$(Q)$(CC) $(FLAGS) $^ -lm -o $@

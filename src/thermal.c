@@ -139,8 +139,10 @@ static invcal_status check(const invcal_settings *settings, const invcal_thermal
         }
         steepest += thermal->slope[r] + thermal->curvature[r];
     }
-    return steepest > 0 && !(settings->noise > 0) ? INVCAL_BAD_SETTING
-                                                  : invcal_settings_check(settings);
+    if (thermal->less > DEGREE || (steepest > 0 && !(settings->noise > 0))) {
+        return INVCAL_BAD_SETTING;
+    }
+    return invcal_settings_check(settings);
 }
 
 invcal_status invcal_thermal_start(const invcal_settings *settings,
@@ -651,7 +653,7 @@ invcal_status invcal_thermal_solve(const invcal_thermal_sums *sums,
 
     INVCAL_ASSERT(sums && base && settings && thermal && out);
     const invcal_status status = check(settings, thermal);
-    return status == INVCAL_OK ? solve(&m, DEGREE, out) : status;
+    return status == INVCAL_OK ? solve(&m, DEGREE - (unsigned)thermal->less, out) : status;
 }
 
 /* ---- the judgement ------------------------------------------------------------------------ */
@@ -944,7 +946,7 @@ static invcal_status run(job *j, const invcal_settings *settings, invcal_quality
     invcal_status status = gather(j);
 
     if (status == INVCAL_OK) {
-        status = improve(j, settings, DEGREE);
+        status = improve(j, settings, DEGREE - (unsigned)j->thermal->less);
     }
     if (status == INVCAL_OK) {
         status = improve(j, settings, j->now.fitted);

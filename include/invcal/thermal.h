@@ -69,9 +69,10 @@ typedef struct {
      * should be below a thousandth of the widest, times the span. */
     invcal_real slope[INVCAL_PARAMETERS];
     invcal_real curvature[INVCAL_PARAMETERS]; /* for degree 2 */
+    uint8_t less; /* so much below INVCAL_THERMAL_DEGREE is the highest degree that is wanted */
 } invcal_thermal_settings;
 
-/* Why the degree is lower than INVCAL_THERMAL_DEGREE: what stood against one more. */
+/* Why the degree is lower than was wanted: what stood against one more. */
 typedef enum {
     INVCAL_THERMAL_AS_ASKED, /* it is not */
     INVCAL_THERMAL_FEW,      /* fewer positions than coefficients without a prior: 9 (degree + 1) */
@@ -97,7 +98,7 @@ typedef struct {
     invcal_real reference, span; /* t = (T - reference) / span */
     invcal_real least, greatest; /* temperatures seen: only between them the polynomials hold */
     invcal_frame frame;
-    invcal_thermal_fallback fallback; /* why `fitted` is less than INVCAL_THERMAL_DEGREE */
+    invcal_thermal_fallback fallback; /* why `fitted` is less than was wanted */
     uint8_t degree;                   /* of x */
     uint8_t fitted; /* degree that the positions told; less than `degree` only where slopes came
                        from the calibration that was renewed (invcal_thermal_solve) */
@@ -183,7 +184,8 @@ invcal_real invcal_thermal_drift_limit(const invcal_settings *settings,
  * thermal  a span > 0 is needed: that of use.
  *
  * Returns INVCAL_OK; INVCAL_BAD_SETTING for unusable settings (invcal_settings_check), a prior
- * that is negative, not finite, or there without the noise, or no reference or span. */
+ * that is negative, not finite, or there without the noise, a degree below 0, or no reference or
+ * span. */
 invcal_status invcal_thermal_start(const invcal_settings *settings,
                                    const invcal_thermal_settings *thermal,
                                    invcal_thermal_calibration *out);

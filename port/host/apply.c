@@ -8,7 +8,6 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "calibration_file.h"
 #include "columns.h"
 #include "command.h"
 #include "input.h"
@@ -17,10 +16,22 @@
 #include "options.h"
 #include "output.h"
 #include "progress.h"
+#include "thermal_correction.h"
 
 static const char *const operands[] = {"CAL.json", "LOG"};
-static const option options[] = {{"--quiet", 0}};
-static const option_syntax syntax = {"apply", options, 1, operands, 2, 0};
+enum { TEMPERATURE, QUIET, OPTIONS };
+static const option options[OPTIONS] = {
+    [TEMPERATURE] = {"--temperature", 1},
+    [QUIET] = {"--quiet", 0},
+};
+static const option_syntax syntax = {"apply", options, OPTIONS, operands, 2, 0};
+
+/* How a log is corrected. */
+typedef struct {
+    calibration_file file;
+    double temperature; /* of all readings; NaN: by the column */
+    thermal_correction at;
+} job;
 
 /* Checks a number, but hands it on as the text that it was: a time stamp has digits to lose. Only a
  * time in another unit becomes one in seconds. */
@@ -38,10 +49,10 @@ static int copy_number(FILE *spool, const table *log, const columns *where, colu
     return failure;
 }
 
-static int write_row(FILE *spool, const table *log, const columns *where,
-                     const invcal_calibration *calibration)
+static int write_row(FILE *spool, const table *log, const columns *where, job *j)
 {
     double v[3];
+    double temperature = j->temperature;
     int failure = EXIT_GOOD;
 
     if (where->index[COLUMN_TIME] >= 0) {
@@ -51,10 +62,13 @@ static int write_row(FILE *spool, const table *log, const columns *where,
     for (unsigned i = 0; i < 3 && !failure; i++) {
         failure = columns_number(log, where, (column)(COLUMN_X + i), &v[i]);
     }
+    if (!failure && j->file.has_thermal && isnan(temperature)) {
+        failure = columns_number(log, where, COLUMN_TEMPERATURE, &temperature);
+    }
     if (failure) {
         return failure;
     }
-    invcal_apply(calibration, v, v);
+    invcal_apply(thermal_correction_at(&j->at, temperature), v, v);
     if (!(fabs(v[0]) <= DBL_MAX && fabs(v[1]) <= DBL_MAX && fabs(v[2]) <= DBL_MAX)) {
         message("%s:%lu: too large a reading for any calculation", log->name, log->line);
         return EXIT_FILE;
@@ -68,13 +82,26 @@ static int write_row(FILE *spool, const table *log, const columns *where,
     return failure;
 }
 
-static int write_rows(FILE *spool, table *log, const invcal_calibration *calibration)
+/* A correction that depends on temperature needs one. */
+static int check_temperature(const table *log, const columns *where, const job *j)
+{
+    if (j->file.has_thermal && isnan(j->temperature) && where->index[COLUMN_TEMPERATURE] < 0) {
+        message("%s: has no column of temperature, which this calibration depends on: name it "
+                "temperature, or state one for all readings with --temperature",
+                log->name);
+        return EXIT_FILE;
+    }
+    return EXIT_GOOD;
+}
+
+static int write_rows(FILE *spool, table *log, job *j)
 {
     columns where;
     unsigned long rows = 0;
     int more = 0;
     int failure = columns_find(log, COLUMNS_LOG, &where);
 
+    failure = failure ? failure : check_temperature(log, &where, j);
     if (failure) {
         return failure;
     }
@@ -82,7 +109,7 @@ static int write_rows(FILE *spool, table *log, const invcal_calibration *calibra
             where.index[COLUMN_TEMPERATURE] >= 0 ? ",temperature" : "");
     while (!failure && !ferror(spool) && (more = table_next(log)) == 1) {
         failure = columns_check_instance(log, &where);
-        failure = failure ? failure : write_row(spool, log, &where, calibration);
+        failure = failure ? failure : write_row(spool, log, &where, j);
         rows++;
         progress_show(log, PROGRESS_ROWS);
     }
@@ -102,7 +129,7 @@ static int write_rows(FILE *spool, table *log, const invcal_calibration *calibra
 }
 
 /* The whole log goes to a temporary file first: if its last line is bad, nothing is printed. */
-static int apply(table *log, const invcal_calibration *calibration)
+static int apply(table *log, job *j)
 {
     FILE *spool = tmpfile();
 
@@ -110,35 +137,53 @@ static int apply(table *log, const invcal_calibration *calibration)
         message("no temporary file can be made: %s", strerror(errno));
         return EXIT_FILE;
     }
-    int failure = write_rows(spool, log, calibration);
+    int failure = write_rows(spool, log, j);
     if (!failure) {
         rewind(spool);
         failure = output_copy(spool);
     }
     fclose(spool);
+    if (!failure) {
+        thermal_correction_end(&j->at, log->name);
+    }
     return failure;
+}
+
+static int read_temperature(const char *value, job *j)
+{
+    j->temperature = NUMBER_UNKNOWN;
+    if (!value) {
+        return EXIT_GOOD;
+    }
+    if (!j->file.has_thermal) {
+        return message_usage(syntax.command, "--temperature: this calibration holds no slopes "
+                                             "(invcal calibrate --thermal), so leave it out");
+    }
+    return options_numbers(&syntax, TEMPERATURE, value, 1, &j->temperature, NULL);
 }
 
 static int run(int argc, char **argv)
 {
-    const char *quiet;
+    const char *value[OPTIONS];
     const char *files[2];
-    invcal_calibration calibration;
+    job j;
     table log;
-    int failure = options_parse(&syntax, argc, argv, &quiet, files);
+    int failure = options_parse(&syntax, argc, argv, value, files);
 
     if (!failure && input_is_stdin(files[0]) && input_is_stdin(files[1])) {
         failure = message_usage(syntax.command, "only one input can be the standard input");
     }
-    failure = failure ? failure : calibration_file_read(files[0], &calibration);
+    failure = failure ? failure : calibration_file_read_thermal(files[0], &j.file);
+    failure = failure ? failure : read_temperature(value[TEMPERATURE], &j);
     if (failure) {
         return failure;
     }
-    if (quiet) {
+    thermal_correction_begin(&j.at, &j.file);
+    if (value[QUIET]) {
         progress_quiet();
     }
     failure = table_open(&log, files[1]);
-    failure = failure ? failure : apply(&log, &calibration);
+    failure = failure ? failure : apply(&log, &j);
     table_close(&log);
     return failure;
 }
@@ -158,6 +203,11 @@ static const char *const help[] = {
     "Logs of any length are read in fixed memory; the result waits in a temporary file, and is\n"
     "printed only if every line was good.\n"
     "\n"
+    "A calibration made with --thermal needs the column temperature, and is that of each "
+    "reading's.\n"
+    "Outside the temperatures that it was made at, what holds at their edge is used, and told.\n"
+    "\n"
+    "  --temperature T     of all readings, in place of the column; needs such a calibration\n"
     "  --quiet             show no progress, print only the result and errors\n"
     "\n"
     "exit codes: 0 good; 2 usage; 3 a file unreadable or malformed, or the output not writable\n"

@@ -12,6 +12,7 @@
 #include "design.h"
 #include "command.h"
 #include "input.h"
+#include "invcal/gravity.h"
 #include "live.h"
 #include "message.h"
 #include "options.h"
@@ -22,6 +23,8 @@
 enum {
     POSITIONS,
     GRAVITY,
+    LATITUDE,
+    HEIGHT,
     FRAME,
     ZERO,
     LSB,
@@ -30,6 +33,8 @@ enum {
     UNIT,
     NOISE,
     PRIOR,
+    THERMAL,
+    SLOPE,
     RATE,
     CLIP,
     PLAN,
@@ -46,6 +51,8 @@ enum {
 static const option options[OPTIONS] = {
     [POSITIONS] = {"--positions", 0},
     [GRAVITY] = {"--gravity", 1},
+    [LATITUDE] = {"--latitude", 1},
+    [HEIGHT] = {"--height", 1},
     [FRAME] = {"--frame", 1},
     [ZERO] = {"--zero", 1},
     [LSB] = {"--lsb", 1},
@@ -54,6 +61,8 @@ static const option options[OPTIONS] = {
     [UNIT] = {"--unit", 1},
     [NOISE] = {"--noise", 1},
     [PRIOR] = {"--prior", 1},
+    [THERMAL] = {"--thermal", 1},
+    [SLOPE] = {"--slope", 1},
     [RATE] = {"--rate", 1},
     [CLIP] = {"--clip", 1},
     [PLAN] = {"--plan", 1},
@@ -90,6 +99,8 @@ typedef struct {
     double target[3];
     double tolerance[3];
     char command[COMMAND_MAX]; /* the command line, for the report */
+    double place[2];           /* latitude, height */
+    thermal_wish thermal;
     invcal_plan plan;
     invcal_settings settings; /* all but the nominal, and the noise unless stated */
 } request;
@@ -99,10 +110,35 @@ static int usage(const request *r, unsigned which, const char *what)
     return message_usage(r->syntax->command, "%s: %s", options[which].name, what);
 }
 
+/* The field of a place on Earth. */
+static int read_place(request *r)
+{
+    int failure = EXIT_GOOD;
+
+    if (r->value[GRAVITY]) {
+        return usage(r, LATITUDE, "tells the field, so leave out --gravity");
+    }
+    failure = options_numbers(r->syntax, LATITUDE, r->value[LATITUDE], 1, &r->place[0], NULL);
+    if (!failure && r->value[HEIGHT]) {
+        failure = options_numbers(r->syntax, HEIGHT, r->value[HEIGHT], 1, &r->place[1], NULL);
+    }
+    if (!failure && invcal_gravity(r->place[0], r->place[1], &r->settings.field) != INVCAL_OK) {
+        failure = fabs(r->place[0]) <= 90 ? usage(r, HEIGHT, "is -500 to 10000 m above the sea")
+                                          : usage(r, LATITUDE, "is -90 to 90 degrees");
+    }
+    return failure;
+}
+
 static int read_gravity(request *r)
 {
     int failure = EXIT_GOOD;
 
+    if (r->value[LATITUDE]) {
+        return read_place(r);
+    }
+    if (r->value[HEIGHT]) {
+        return usage(r, HEIGHT, "alone tells no field; state --latitude, too");
+    }
     r->settings.field = 9.80665;
     if (r->value[GRAVITY]) {
         failure =
@@ -193,6 +229,32 @@ static int read_prior(request *r)
         r->settings.prior[p] = sigma[p / 3];
         failure =
             sigma[p / 3] >= 0 ? EXIT_GOOD : usage(r, PRIOR, "no standard deviation is negative");
+    }
+    return failure;
+}
+
+static int read_thermal(request *r)
+{
+    double degree = 0;
+    int failure = EXIT_GOOD;
+
+    r->thermal.keep_all = r->value[KEEP_ALL] != NULL;
+    if (r->value[THERMAL]) {
+        failure = options_numbers(r->syntax, THERMAL, r->value[THERMAL], 1, &degree, NULL);
+        r->thermal.degree = degree >= 2 ? 2 : 1;
+        if (!failure && fabs(degree - r->thermal.degree) > 0) {
+            failure = usage(r, THERMAL, "is 1 (slopes) or 2 (parabolas)");
+        }
+    }
+    if (!failure && r->value[SLOPE]) {
+        failure = r->value[THERMAL] ? options_numbers(r->syntax, SLOPE, r->value[SLOPE], 3,
+                                                      r->thermal.slope, NULL)
+                                    : usage(r, SLOPE, "is known of --thermal, so state that");
+        for (unsigned i = 0; i < 3 && !failure; i++) {
+            failure = r->thermal.slope[i] >= 0
+                          ? EXIT_GOOD
+                          : usage(r, SLOPE, "no standard deviation is negative");
+        }
     }
     return failure;
 }
@@ -303,6 +365,7 @@ static int read_request(int argc, char **argv, const option_syntax *syntax, requ
     failure = failure ? failure : read_nominal(r);
     failure = failure ? failure : read_unit(r);
     failure = failure ? failure : read_noise(r);
+    failure = failure ? failure : read_thermal(r);
     failure = failure ? failure : read_log_options(r);
     failure = failure ? failure : read_live_options(r);
     failure = failure ? failure : read_tolerance(r);
@@ -412,6 +475,11 @@ static int settle_noise(const request *r, const positions *data, calibrate_resul
                      "is weighed against the noise of a position mean, so state that: "
                      "--noise, or columns std and n");
     }
+    if (r->value[SLOPE] && !(result->settings.noise > 0)) {
+        return usage(r, SLOPE,
+                     "is weighed against the noise of a position mean, so state that: "
+                     "--noise, or columns std and n");
+    }
     return EXIT_GOOD;
 }
 
@@ -446,20 +514,25 @@ static uint16_t beyond(const calibrate_result *result)
     return (uint16_t)bits;
 }
 
-static int solve(const request *r, const positions *data, calibrate_result *result)
+static int refuse(const request *r, const calibrate_result *result, invcal_status status,
+                  const invcal_reason *reason)
+{
+    const int json = r->value[JSON] != NULL;
+
+    if (status == INVCAL_TOO_FEW && rejection_drifting(&result->rejected) > 0) {
+        return calibrate_all_drift(result, json);
+    }
+    return calibrate_refuse(result->data, &result->settings, &result->nominal, status, reason,
+                            json);
+}
+
+/* Nine parameters. */
+static int solve_plain(const request *r, calibrate_result *result)
 {
     invcal_reason reason;
+    const int failure = rejection_find(&result->rejected, result->data, &result->settings,
+                                       r->value[KEEP_ALL] != NULL);
 
-    result->data = data;
-    result->settings = r->settings;
-    int failure = settle_nominal(r, data, &result->nominal);
-    result->settings.nominal = result->nominal.calibration;
-    failure = failure ? failure : settle_noise(r, data, result);
-    if (failure) {
-        return failure;
-    }
-    failure =
-        rejection_find(&result->rejected, data, &result->settings, r->value[KEEP_ALL] != NULL);
     if (failure) {
         return failure;
     }
@@ -468,8 +541,69 @@ static int solve(const request *r, const positions *data, calibrate_result *resu
                          &result->solution, &result->quality, &reason);
     if (status != INVCAL_OK) {
         reason.position = rejection_original(&result->rejected, reason.position);
-        return calibrate_refuse(data, &result->settings, &result->nominal, status, &reason,
-                                r->value[JSON] != NULL);
+        return refuse(r, result, status, &reason);
+    }
+    return EXIT_GOOD;
+}
+
+/* The same at every temperature. */
+static int solve_thermal(const request *r, calibrate_result *result)
+{
+    invcal_status status;
+    invcal_reason reason;
+
+    if (!result->data->has_temperature) {
+        message("%s: has no column of temperature, which --thermal needs: name it temperature, or "
+                "leave --thermal out",
+                result->data->name);
+        return EXIT_FILE;
+    }
+    const int failure = thermal_fit_make(&result->fit, result->data, &result->settings, &r->thermal,
+                                         &result->rejected, &status, &reason);
+    if (failure) {
+        return failure;
+    }
+    if (status != INVCAL_OK) {
+        return refuse(r, result, status, &reason);
+    }
+    result->temperature = CALIBRATE_THERMAL;
+    result->solution = result->fit.solution;
+    result->quality = result->fit.quality;
+    return EXIT_GOOD;
+}
+
+/* What --thermal would find. It has its own opinion of what contradicts. */
+static int probe_temperature(calibrate_result *result)
+{
+    const thermal_wish wish = {.degree = 1};
+    rejection rejected = {0};
+    invcal_status status = INVCAL_TOO_FEW;
+    invcal_reason reason;
+    int failure = EXIT_GOOD;
+
+    if (result->data->has_temperature) {
+        failure = thermal_fit_make(&result->fit, result->data, &result->settings, &wish, &rejected,
+                                   &status, &reason);
+        result->temperature = status == INVCAL_OK ? CALIBRATE_PROBED : CALIBRATE_PLAIN;
+        rejection_free(&rejected);
+    }
+    return failure;
+}
+
+static int solve(const request *r, const positions *data, calibrate_result *result)
+{
+    result->data = data;
+    result->settings = r->settings;
+    result->place = r->value[LATITUDE] ? r->place : NULL;
+    int failure = settle_nominal(r, data, &result->nominal);
+    result->settings.nominal = result->nominal.calibration;
+    failure = failure ? failure : settle_noise(r, data, result);
+    failure = failure             ? failure
+              : r->value[THERMAL] ? solve_thermal(r, result)
+                                  : solve_plain(r, result);
+    failure = failure || r->value[THERMAL] ? failure : probe_temperature(result);
+    if (failure) {
+        return failure;
     }
     result->quality.worst = rejection_original(&result->rejected, result->quality.worst);
     result->tolerance = r->value[TOLERANCE] ? r->tolerance : NULL;
@@ -683,6 +817,10 @@ static const char *const help[] = {
     "  --keep-all          leaves no position out\n",
     "  --gravity G         length of the field, in the unit of the result; default 9.80665\n"
     "                      (m/s^2). For a magnetometer that of the earth's field, e.g. 48.5 (uT)\n"
+    "  --latitude DEG      in place of --gravity: normal gravity there (WGS 84), north positive;\n"
+    "                      the real one differs by some 0.0005 m/s^2, which scales all readings\n"
+    "                      alike and does nothing else\n"
+    "  --height M          above the sea, m; default 0\n"
     "  --frame symmetric|triangular\n"
     "                      symmetric (default): axes as near to the case as can be;\n"
     "                      triangular: only the x sensor feels a field along the x axis\n"
@@ -703,6 +841,12 @@ static const char *const help[] = {
     "                      angles (rad); up to about 0.2; 0 says nothing. Then fewer\n"
     "                      positions will do. Needs the noise, and --zero and --lsb, or\n"
     "                      --nominal\n"
+    "  --thermal 1|2       offsets, scales and angles as straight lines (1) or parabolas (2) of\n"
+    "                      the column temperature: nine positions or more at each of 2 (3)\n"
+    "                      temperatures, 5 K (10 K) apart at least. Rests in which it drifted are\n"
+    "                      left out. Where the data tell no slopes, there are none, and why\n"
+    "  --slope D,K,G       standard deviations of what slopes may be, per K: of offsets (over the\n"
+    "                      field), scale errors, angles (rad); 0 says nothing. Needs the noise\n"
     "  --tolerance D,K,G   limits of the data sheet for offsets (over the field), scale errors\n"
     "                      and angles (rad): says which parameters are beyond. Needs --zero\n"
     "                      and --lsb, or --nominal\n"
@@ -746,6 +890,8 @@ static const char *const watch_help[] = {
     "These are the options of invcal calibrate, whose help says more of them:\n"
     "\n"
     "  --gravity G         length of the field; default 9.80665 (m/s^2)\n"
+    "  --latitude DEG      normal gravity there in its place,\n"
+    "  --height M          so high above the sea, m\n"
     "  --frame symmetric|triangular\n"
     "                      of the result; default symmetric\n"
     "  --unit g|mg|m/s2|counts\n"
@@ -754,6 +900,8 @@ static const char *const watch_help[] = {
     "  --nominal-name WORD heading of the nominal column; default nominal\n"
     "  --noise S           standard deviation of one position mean, in field units\n"
     "  --prior D,K,G       standard deviations of what the nominal may be wrong by\n"
+    "  --thermal 1|2       straight lines or parabolas of temperature\n"
+    "  --slope D,K,G       standard deviations of what slopes may be, per K\n"
     "  --rate HZ           samples a second; default: by the column t, else 100\n"
     "  --clip LOW,HIGH     the least and the greatest reading of the sensor\n"
     "  --keep-all          leaves no position out\n"

@@ -12,6 +12,15 @@
 #include "positions.h"
 #include "rejection.h"
 #include "rests.h"
+#include "thermal_fit.h"
+#include "uncertainty.h"
+
+/* What is known of temperature. */
+typedef enum {
+    CALIBRATE_PLAIN,  /* nothing, or nothing that could be looked at */
+    CALIBRATE_PROBED, /* it was not asked for: `fit` tells what --thermal 1 would find */
+    CALIBRATE_THERMAL /* `fit` is the result; solution and quality are those at its reference */
+} calibrate_temperature;
 
 typedef struct {
     const positions *data;
@@ -26,7 +35,24 @@ typedef struct {
     uint16_t beyond;         /* bit r: parameter r exceeds them, and its interval of 95 % does */
     int is_noise_given;      /* by --noise, not by the scatter of the samples */
     double residual_before;  /* root mean square of |nominal calibration| / field - 1 */
+    calibrate_temperature temperature;
+    thermal_fit fit;
+    const double *place; /* latitude and height that tell the field; null: it was stated */
 } calibrate_result;
+
+/* Slopes were asked for, and are wanting over a range that needs some: other positions at the same
+ * temperatures do not help. */
+int calibrate_wants_slopes(const calibrate_result *result);
+
+/* The calibration that holds for a position, and that of nine parameters for its reading at the
+ * reference temperature. */
+invcal_calibration calibrate_at(const calibrate_result *result, unsigned position);
+void calibrate_reading(const calibrate_result *result, unsigned position, double out[3]);
+
+/* What the positions kept leave uncertain (at the reference temperature), for a noise of `unit`,
+ * and the normal equations behind it. */
+void calibrate_spread(const calibrate_result *result, double unit, uncertainty *u,
+                      invcal_normal *normal);
 
 /* 0 if neither the user nor the residuals tell the noise: sigma then means nothing. */
 int calibrate_knows_noise(const calibrate_result *result);
@@ -43,6 +69,15 @@ int calibrate_is_rough(const calibrate_result *result);
 const char *calibrate_field_unit(const calibrate_result *result);
 const char *calibrate_input_unit(const calibrate_result *result);
 
+/* What limits the accuracy: a sentence. Returns text. */
+#define CALIBRATE_LIMIT_MAX 400
+const char *calibrate_limit(const calibrate_result *result, const uncertainty *length,
+                            char text[CALIBRATE_LIMIT_MAX]);
+
+/* What temperature does to the readings, if that was looked at and not asked for: a sentence, or
+ * "". Returns text. */
+const char *calibrate_advice(const calibrate_result *result, char text[CALIBRATE_LIMIT_MAX]);
+
 /* One JSON object. */
 void calibrate_json(FILE *file, const calibrate_result *result);
 
@@ -54,6 +89,12 @@ typedef struct {
     const char *report;       /* that of the report, or null */
     const char *command;      /* the command line */
 } calibrate_wish;
+
+/* Breaks a text into lines between words. `used` columns of the first line are taken. */
+void calibrate_print_wrapped(FILE *file, size_t used, const char *text);
+
+/* The table of slopes, and what they are good for. */
+void calibrate_print_thermal(FILE *file, const calibrate_result *result);
 
 /* A table for people, 100 columns wide at most. */
 void calibrate_print(FILE *file, const calibrate_result *result, const calibrate_wish *wish);
@@ -69,6 +110,9 @@ void calibrate_print(FILE *file, const calibrate_result *result, const calibrate
 int calibrate_refuse(const positions *data, const invcal_settings *settings,
                      const nominal_choice *nominal, invcal_status status,
                      const invcal_reason *reason, int json);
+
+/* Says that the temperature drifted in so many rests that too few are left. Returns EXIT_DATA. */
+int calibrate_all_drift(const calibrate_result *result, int json);
 
 /* Says that a log holds no rest, and what it holds. Returns EXIT_DATA. */
 int calibrate_no_rest(const positions *data, const rests_summary *log, int json);

@@ -77,6 +77,44 @@ static void write_file(json_writer *w, const positions *data)
     json_text(w, "source_crc", crc);
 }
 
+static void write_nine(json_writer *w, const char *name, const double x[INVCAL_PARAMETERS])
+{
+    json_object(w, name);
+    json_vector(w, "delta", &x[INVCAL_DELTA_X]);
+    json_vector(w, "dk", &x[INVCAL_DK_X]);
+    json_vector(w, "gamma", &x[INVCAL_GAMMA_XY]);
+    json_object_end(w);
+}
+
+/* All that invcal_thermal_at needs, in one place; then what there is to know of it. */
+static void write_thermal(json_writer *w, const thermal_fit *fit)
+{
+    const invcal_thermal_calibration *c = &fit->calibration;
+
+    json_object(w, "thermal");
+    json_number(w, "degree", c->fitted);
+    json_number(w, "reference", c->reference);
+    json_number(w, "span", c->span);
+    json_number(w, "least", c->least);
+    json_number(w, "greatest", c->greatest);
+    json_number(w, "field", c->field);
+    json_text(w, "frame", c->frame == INVCAL_FRAME_TRIANGULAR ? "triangular" : "symmetric");
+    json_vector(w, "nominal_offset", c->nominal.offset);
+    json_matrix(w, "nominal_matrix", c->nominal.matrix);
+    json_list(w, "coefficients");
+    for (unsigned a = 0; a <= c->fitted; a++) {
+        write_nine(w, NULL, c->x[a]);
+    }
+    json_list_end(w);
+    json_number(w, "asked", fit->wish.degree);
+    json_text(w, "fallback", invcal_thermal_fallback_text(c->fallback));
+    write_nine(w, "slope", fit->slope);
+    write_nine(w, "slope_sigma", fit->slope_sigma);
+    json_number(w, "residual_rms_without", fit->without);
+    json_number(w, "drift_limit", fit->drift_limit);
+    json_object_end(w);
+}
+
 void calibrate_json(FILE *file, const calibrate_result *result)
 {
     const invcal_solution *s = &result->solution;
@@ -105,6 +143,9 @@ void calibrate_json(FILE *file, const calibrate_result *result)
     }
     if (invcal_has_prior(&result->settings)) {
         write_source(&w, result->quality.from_prior);
+    }
+    if (result->temperature == CALIBRATE_THERMAL) {
+        write_thermal(&w, &result->fit);
     }
     json_end(&w);
 }

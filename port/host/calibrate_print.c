@@ -5,6 +5,7 @@
 
 #include "calibrate.h"
 #include "figure.h"
+#include "invcal/gravity.h"
 #include "number.h"
 #include "paint.h"
 #include "parameters.h"
@@ -158,8 +159,7 @@ static void print_residuals(FILE *file, const calibrate_result *r, const char *n
     }
 }
 
-/* Breaks a text into lines between words. `used` columns of the first line are taken. */
-static void print_wrapped(FILE *file, size_t used, const char *text)
+void calibrate_print_wrapped(FILE *file, size_t used, const char *text)
 {
     while (used + strlen(text) > LINE_WIDTH) {
         size_t length = LINE_WIDTH - used;
@@ -172,6 +172,18 @@ static void print_wrapped(FILE *file, size_t used, const char *text)
         used = 0;
     }
     fprintf(file, "%s\n", text);
+}
+
+static void print_limit(FILE *file, const calibrate_result *result)
+{
+    static const char label[] = "limited by    ";
+    char text[CALIBRATE_LIMIT_MAX];
+    invcal_normal normal;
+    uncertainty length;
+
+    calibrate_spread(result, 1, &length, &normal);
+    fprintf(file, "%s", label);
+    calibrate_print_wrapped(file, sizeof label - 1, calibrate_limit(result, &length, text));
 }
 
 static void print_verdict(FILE *file, const calibrate_result *result)
@@ -213,16 +225,16 @@ static void print_verdict(FILE *file, const calibrate_result *result)
         break;
     }
     fprintf(file, "%s%s%s", paint_on(file, colour), word, paint_off(file));
-    print_wrapped(file, strlen(word), text);
+    calibrate_print_wrapped(file, strlen(word), text);
     if (result->beyond) {
         snprintf(text, sizeof text, "Beyond the limits of the data sheet: %s.",
                  parameters_list(result->beyond, list, sizeof list));
-        print_wrapped(file, 0, text);
+        calibrate_print_wrapped(file, 0, text);
     }
     if (q->from_prior) {
         snprintf(text, sizeof text, "Known from the prior rather than from the positions: %s.",
                  parameters_list(q->from_prior, list, sizeof list));
-        print_wrapped(file, 0, text);
+        calibrate_print_wrapped(file, 0, text);
     }
 }
 
@@ -252,9 +264,14 @@ static void print_next(FILE *file, const calibrate_result *result, const calibra
         fprintf(file, "Next: add 3 or more positions in other directions, to check the fit.\n");
         break;
     case INVCAL_WEAK:
+        if (calibrate_wants_slopes(result)) {
+            fprintf(file, "Next: measure nine positions or more at each of two temperatures, 5 K "
+                          "apart or more.\n");
+            break;
+        }
         snprintf(text, sizeof text, "Next: add positions with %s.",
                  parameters_advice(q->undetermined, advice, sizeof advice));
-        print_wrapped(file, 0, text);
+        calibrate_print_wrapped(file, 0, text);
         break;
     }
 }
@@ -267,7 +284,7 @@ static void print_recognised(FILE *file, const positions *data)
 
     columns_describe(&data->seen, text, sizeof text);
     snprintf(line, sizeof line, "%s: %s", data->name, text);
-    print_wrapped(file, 0, line);
+    calibrate_print_wrapped(file, 0, line);
 }
 
 /* What the positions were found in. */
@@ -297,13 +314,34 @@ static void print_log(FILE *file, const calibrate_result *result)
     }
 }
 
+static void print_place(FILE *file, const calibrate_result *result)
+{
+    if (result->place) {
+        fprintf(file,
+                "That is normal gravity at %.6g degrees, %.6g m, ±%.4f: an error scales all "
+                "readings alike,\nand does nothing else.\n",
+                result->place[0], result->place[1], (double)INVCAL_GRAVITY_SIGMA);
+    }
+}
+
 static void print_rejected(FILE *file, const calibrate_result *result)
 {
     const rejection *r = &result->rejected;
     const int is_gravity = unit_is_gravity(result->settings.field);
     char text[FIGURE_MAX];
 
+    if (rejection_drifting(r) > 0) {
+        fprintf(file,
+                "%sLeft out:%s %u rest%s in which the temperature drifted by more than %.2g K\n",
+                paint_on(file, PAINT_RED), paint_off(file), rejection_drifting(r),
+                rejection_drifting(r) == 1 ? "" : "s", result->fit.drift_limit);
+    }
     for (unsigned i = 0; i < r->count; i++) {
+        if (r->list[i].drift > 0) {
+            fprintf(file, "          position %u (line %lu), by %.2g K\n", r->list[i].position + 1,
+                    result->data->origin[r->list[i].position].line, r->list[i].drift);
+            continue;
+        }
         fprintf(file, "%sLeft out:%s position %u (line %lu), wrong by %s %s\n",
                 paint_on(file, PAINT_RED), paint_off(file), r->list[i].position + 1,
                 result->data->origin[r->list[i].position].line,
@@ -326,6 +364,7 @@ void calibrate_print(FILE *file, const calibrate_result *result, const calibrate
     print_log(file, result);
     fprintf(file, "%s: %u positions, field %s %s\n", result->data->name, result->data->count,
             number_text(result->settings.field, field), calibrate_field_unit(result));
+    print_place(file, result);
     print_rejected(file, result);
     if (n->zero == n->lsb) {
         fprintf(file, "%s: zero and scale %s\n\n", wish->nominal_name,
@@ -342,7 +381,10 @@ void calibrate_print(FILE *file, const calibrate_result *result, const calibrate
     print_errors(file, result, known);
     print_guess(file, n, wish->nominal_name);
     fprintf(file, "\n");
+    calibrate_print_thermal(file, result);
+    fprintf(file, "%s", result->temperature == CALIBRATE_THERMAL ? "\n" : "");
     print_residuals(file, result, wish->nominal_name);
+    print_limit(file, result);
     fprintf(file, "\n");
     print_verdict(file, result);
     print_next(file, result, wish);

@@ -130,6 +130,27 @@ int calibrate_refuse(const positions *data, const invcal_settings *settings,
     return EXIT_DATA;
 }
 
+int calibrate_all_drift(const calibrate_result *result, int json)
+{
+    char text[REASON_MAX];
+    json_writer w;
+
+    snprintf(
+        text, sizeof text,
+        "the temperature drifted by more than %.2g K in %u of %u rests, and the others are too "
+        "few: let the sensor settle, or take them with --keep-all",
+        result->fit.drift_limit, rejection_drifting(&result->rejected), result->data->count);
+    message("%s: %s", result->data->name, text);
+    if (json) {
+        json_begin(&w, stdout);
+        json_text(&w, "error", status_name(INVCAL_TOO_FEW));
+        json_text(&w, "reason", text);
+        json_parameters(&w, "undetermined", (1u << INVCAL_PARAMETERS) - 1);
+        json_end(&w);
+    }
+    return EXIT_DATA;
+}
+
 int calibrate_no_rest(const positions *data, const rests_summary *log, int json)
 {
     char text[REASON_MAX];

@@ -13,10 +13,13 @@
 typedef int (*number_reader)(json_reader *r, double *out);
 typedef int (*member_reader)(json_reader *r, const char *name, void *into);
 
+/* How much of it is wanted. */
+typedef enum { OFFSET_AND_MATRIX, AND_THERMAL, EVERYTHING } reading_depth;
+
 /* What one file is read into. */
 typedef struct {
     calibration_file *file;
-    int is_all; /* 0: offset and matrix only */
+    reading_depth depth;
     int has_offset;
     int has_matrix;
 } reading;
@@ -90,7 +93,7 @@ static int read_names(json_reader *r, char *out, size_t size)
 
 static int read_object(json_reader *r, member_reader read, void *into)
 {
-    char name[16]; /* longer ones are of no interest */
+    char name[24]; /* longer ones are of no interest */
     int more = 0;
     int failure = json_enter(r, '{');
 
@@ -127,6 +130,101 @@ static int read_sigma_member(json_reader *r, const char *name, void *into)
                                : json_skip(r);
 }
 
+/* ---- temperature ------------------------------------------------------------------------------ */
+
+/* The thermal calibration, and which of its members were there. */
+typedef struct {
+    invcal_thermal_calibration *into;
+    double degree;
+    unsigned rows;
+    unsigned seen;
+    char frame[CALIBRATION_FILE_WORD];
+} thermal_reading;
+
+static int read_row_member(json_reader *r, const char *name, void *into)
+{
+    double *row = into;
+
+    return is(name, "delta")   ? read_vector(r, &row[INVCAL_DELTA_X])
+           : is(name, "dk")    ? read_vector(r, &row[INVCAL_DK_X])
+           : is(name, "gamma") ? read_vector(r, &row[INVCAL_GAMMA_XY])
+                               : json_skip(r);
+}
+
+/* A number that is missing in a row stays one that is none, which the check notices. */
+static int read_coefficients(json_reader *r, thermal_reading *t)
+{
+    int more = 0;
+    int failure = json_enter(r, '[');
+
+    for (t->rows = 0; !failure && (more = json_element(r, t->rows)) == 1; t->rows++) {
+        if (t->rows == INVCAL_THERMAL_ROWS) {
+            return json_error(r, "\"coefficients\" are of degree 2 at most");
+        }
+        double *row = t->into->x[t->rows];
+        for (unsigned i = 0; i < INVCAL_PARAMETERS; i++) {
+            row[i] = NUMBER_UNKNOWN;
+        }
+        failure = read_object(r, read_row_member, row);
+    }
+    return more < 0 ? EXIT_FILE : failure;
+}
+
+static int read_thermal_member(json_reader *r, const char *name, void *into)
+{
+    static const char *const names[] = {
+        "degree", "reference",      "span",           "least",        "greatest",
+        "field",  "nominal_offset", "nominal_matrix", "coefficients", "frame"};
+    thermal_reading *t = into;
+    invcal_thermal_calibration *c = t->into;
+    double *const number[] = {&t->degree, &c->reference, &c->span,
+                              &c->least,  &c->greatest,  &c->field};
+    unsigned k = 0;
+
+    while (k < 10 && !is(name, names[k])) {
+        k++;
+    }
+    t->seen |= k < 10 ? 1u << k : 0;
+    return k < 6    ? json_read_number(r, number[k])
+           : k == 6 ? read_vector(r, c->nominal.offset)
+           : k == 7 ? read_matrix(r, c->nominal.matrix)
+           : k == 8 ? read_coefficients(r, t)
+           : k == 9 ? json_read_text(r, t->frame, sizeof t->frame)
+                    : json_skip(r);
+}
+
+/* It must hold at both ends of its range. */
+static int is_usable(const thermal_reading *t)
+{
+    const invcal_thermal_calibration *c = t->into;
+    invcal_solution solution;
+    invcal_thermal_place place;
+
+    return t->seen == (1u << 10) - 1 && c->span > 0 && c->least <= c->greatest && t->rows >= 1 &&
+           !(t->degree < t->rows - 1.0) && !(t->degree > t->rows - 1.0) &&
+           invcal_thermal_at(c, c->least, &solution, &place) == INVCAL_OK &&
+           invcal_thermal_at(c, c->greatest, &solution, &place) == INVCAL_OK;
+}
+
+static int read_thermal(json_reader *r, calibration_file *file)
+{
+    thermal_reading t = {.into = &file->thermal};
+    const int failure = read_object(r, read_thermal_member, &t);
+
+    if (failure) {
+        return failure;
+    }
+    file->has_thermal = 1;
+    file->thermal.fitted = file->thermal.degree = (uint8_t)(t.rows > 0 ? t.rows - 1 : 0);
+    file->thermal.frame =
+        is(t.frame, "triangular") ? INVCAL_FRAME_TRIANGULAR : INVCAL_FRAME_SYMMETRIC;
+    return is_usable(&t) ? EXIT_GOOD
+                         : json_error(r, "\"thermal\" is incomplete, or no calibration; make the "
+                                         "file again with invcal calibrate --thermal");
+}
+
+/* ---- the members ------------------------------------------------------------------------------ */
+
 /* What does not belong to the correction itself. */
 static int read_circumstance(json_reader *r, const char *name, calibration_file *c)
 {
@@ -158,8 +256,9 @@ static int read_member(json_reader *r, const char *name, void *into)
     x->has_matrix = x->has_matrix || is_matrix;
     return is_offset   ? read_vector(r, x->file->calibration.offset)
            : is_matrix ? read_matrix(r, x->file->calibration.matrix)
-           : x->is_all ? read_circumstance(r, name, x->file)
-                       : json_skip(r);
+           : is(name, "thermal") && x->depth >= AND_THERMAL ? read_thermal(r, x->file)
+           : x->depth == EVERYTHING                         ? read_circumstance(r, name, x->file)
+                                                            : json_skip(r);
 }
 
 static int read_calibration(json_reader *r, reading *x)
@@ -187,10 +286,10 @@ static void forget(calibration_file *c)
     }
 }
 
-static int read_path(const char *path, calibration_file *out, int is_all)
+static int read_path(const char *path, calibration_file *out, reading_depth depth)
 {
     json_reader r;
-    reading x = {.file = out, .is_all = is_all};
+    reading x = {.file = out, .depth = depth};
     double inverse[3][3];
     FILE *file = input_open(path);
 
@@ -211,7 +310,7 @@ static int read_path(const char *path, calibration_file *out, int is_all)
 int calibration_file_read(const char *path, invcal_calibration *out)
 {
     calibration_file file;
-    const int failure = read_path(path, &file, 0);
+    const int failure = read_path(path, &file, OFFSET_AND_MATRIX);
 
     if (!failure) {
         *out = file.calibration;
@@ -219,7 +318,12 @@ int calibration_file_read(const char *path, invcal_calibration *out)
     return failure;
 }
 
+int calibration_file_read_thermal(const char *path, calibration_file *out)
+{
+    return read_path(path, out, AND_THERMAL);
+}
+
 int calibration_file_read_all(const char *path, calibration_file *out)
 {
-    return read_path(path, out, 1);
+    return read_path(path, out, EVERYTHING);
 }

@@ -5,7 +5,7 @@
 #ifndef CALIBRATION_FILE_H
 #define CALIBRATION_FILE_H
 
-#include "invcal/calibration.h"
+#include "invcal/thermal.h"
 
 #define CALIBRATION_FILE_WORD 32 /* longer words are cut */
 #define CALIBRATION_FILE_NAMES 128
@@ -29,6 +29,8 @@ typedef struct {
     double sigma_gamma[3];  /* of angles, rad */
     char verdict[CALIBRATION_FILE_WORD];
     char undetermined[CALIBRATION_FILE_NAMES]; /* names with commas between */
+    int has_thermal; /* the calibration is that at the reference temperature of */
+    invcal_thermal_calibration thermal;
 } calibration_file;
 
 /* Reads a JSON object with "offset", 3 numbers in input units, and "matrix", 3 rows of 3 numbers
@@ -37,6 +39,9 @@ typedef struct {
  * Returns EXIT_GOOD; EXIT_FILE, with a message, if the file is unreadable or malformed, or the
  * matrix is singular. */
 int calibration_file_read(const char *path, invcal_calibration *out);
+
+/* The same with has_thermal and thermal, no other members. */
+int calibration_file_read_thermal(const char *path, calibration_file *out);
 
 /* The same with everything else that it tells; then the members above are checked as well. */
 int calibration_file_read_all(const char *path, calibration_file *out);

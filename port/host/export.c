@@ -239,6 +239,10 @@ static int run(int argc, char **argv)
 
     failure = failure ? failure : calibration_file_read_all(r.path, &job.file);
     failure = failure ? failure : settle(&r, &job);
+    if (!failure && job.file.has_thermal) {
+        message("warning: %s: its temperature terms are not exported; what is holds at %.6g °C",
+                job.source, job.file.thermal.reference);
+    }
     return failure ? failure : deliver(&r, &job);
 }
 
@@ -258,6 +262,10 @@ static const char *const help[] = {
     "  --format px4        CAL_ACC parameters, a file for QGroundControl\n"
     "  --format ardupilot  INS_ACC parameters, a .param file\n"
     "\n",
+    "Of a calibration made with --thermal what holds at its reference temperature is exported, "
+    "and\n"
+    "that is told.\n"
+    "\n"
     "A field of 9.7 to 9.9 is taken for gravity in m/s^2, 0.99 to 1.01 in g, 990 to 1010 in mg, "
     "and\n"
     "any other for that of a magnetometer, which only the three in C take.\n"

@@ -71,7 +71,8 @@ static int add_noise(positions *p, const table *t, const columns *where)
 static int add_row(positions *p, const table *t, const columns *where)
 {
     double mean[3];
-    position_origin origin = {t->line, NUMBER_UNKNOWN, NUMBER_UNKNOWN, NUMBER_UNKNOWN};
+    position_origin origin = {t->line, NUMBER_UNKNOWN, NUMBER_UNKNOWN, NUMBER_UNKNOWN,
+                              NUMBER_UNKNOWN};
     int failure = EXIT_GOOD;
 
     for (int i = 0; i < 3 && !failure; i++) {

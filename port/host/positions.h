@@ -16,7 +16,8 @@ typedef struct {
     unsigned long line; /* from 1 */
     double begin;       /* of a rest in a log: seconds from the first sample */
     double end;
-    double temperature;
+    double temperature; /* mean, */
+    double drift;       /* and how far it went in the rest, K */
 } position_origin;
 
 typedef struct {

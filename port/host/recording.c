@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 #include "recording.h"
 
+#include <math.h>
+
 #include "number.h"
 
 void recording_begin(recording *r, const samples *log)
@@ -47,17 +49,22 @@ recording_place recording_find(const recording *r, const invcal_rest *rest)
 {
     const unsigned long first = block_of(r, rest->begin);
     const unsigned long last = block_of(r, rest->end);
+    const double count = (double)(last - first);
+    const int is_known = r->has_temperature && last > first;
     double temperature = 0;
+    double moment = 0; /* about the middle of the rest */
 
     for (unsigned long k = first; k < last && k < r->blocks; k++) {
-        temperature += r->block[k % RECORDING_BLOCKS].temperature;
+        const double sum = r->block[k % RECORDING_BLOCKS].temperature;
+        temperature += sum;
+        moment += ((double)(k - first) - (count - 1) / 2) * sum;
     }
     return (recording_place){
         .line = r->block[first % RECORDING_BLOCKS].line,
         .begin = r->block[first % RECORDING_BLOCKS].clock,
         .end = last < r->blocks ? r->block[last % RECORDING_BLOCKS].clock : r->outline.duration,
-        .temperature = r->has_temperature && last > first
-                           ? temperature / ((double)(last - first) * r->size)
-                           : NUMBER_UNKNOWN,
+        .temperature = is_known ? temperature / (count * r->size) : NUMBER_UNKNOWN,
+        .drift = is_known && count > 1 ? fabs(12 * moment / (r->size * (count * count - 1)))
+                                       : NUMBER_UNKNOWN,
     };
 }

@@ -35,6 +35,8 @@ typedef struct {
     double begin;       /* seconds from the first sample of the log */
     double end;
     double temperature; /* mean; NaN: not known */
+    double drift;       /* of temperature from begin to end, K without sign, by the straight line
+                           through its blocks: a thermometer's noise is no drift */
 } recording_place;
 
 void recording_begin(recording *r, const samples *log);

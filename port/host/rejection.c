@@ -43,14 +43,20 @@ static void reject_impossible(rejection *r, const positions *p, const invcal_set
     }
     for (unsigned i = 0; i < p->count; i++) {
         if (is_impossible(p, i, settings, &error)) {
-            r->list[r->count++] = (rejected_position){i, error, 0};
+            rejection_add(r, (rejected_position){.position = i, .error = error});
         }
     }
 }
 
-static int is_rejected(const rejection *r, unsigned impossible, unsigned position)
+void rejection_add(rejection *r, rejected_position one)
 {
-    for (unsigned i = 0; i < impossible; i++) {
+    r->list[r->count++] = one;
+}
+
+/* Among the first `count` of the list. */
+static int is_among(const rejection *r, unsigned count, unsigned position)
+{
+    for (unsigned i = 0; i < count; i++) {
         if (r->list[i].position == position) {
             return 1;
         }
@@ -58,22 +64,36 @@ static int is_rejected(const rejection *r, unsigned impossible, unsigned positio
     return 0;
 }
 
+int rejection_has(const rejection *r, unsigned position)
+{
+    return is_among(r, r->count, position);
+}
+
+unsigned rejection_drifting(const rejection *r)
+{
+    unsigned count = 0;
+
+    for (unsigned i = 0; i < r->count; i++) {
+        count += r->list[i].drift > 0;
+    }
+    return count;
+}
+
 static void add(rejection *r, const invcal_outliers *found, const unsigned *number)
 {
     for (unsigned i = 0; i < found->count; i++) {
-        rejected_position *at = &r->list[r->count++];
-        at->position = number[found->position[i]];
-        at->error = found->error[i];
-        at->w = found->w[i];
+        rejection_add(r, (rejected_position){.position = number[found->position[i]],
+                                             .error = found->error[i],
+                                             .w = found->w[i]});
     }
     for (unsigned i = 0; i < INVCAL_OUTLIERS_CAPACITY; i++) {
         r->suspected += (unsigned)(found->suspected >> i & 1u);
     }
 }
 
-/* `impossible` of them, the first of the list, are rejected already. */
+/* `before` of them, the first of the list, are rejected already. */
 static void find_among(rejection *r, const positions *p, const invcal_settings *settings,
-                       choice_of which, unsigned impossible)
+                       choice_of which, unsigned before)
 {
     double mean[INVCAL_OUTLIERS_CAPACITY][3];
     unsigned number[INVCAL_OUTLIERS_CAPACITY];
@@ -81,7 +101,7 @@ static void find_among(rejection *r, const positions *p, const invcal_settings *
     unsigned count = 0;
 
     for (unsigned i = which.first; i < p->count; i += which.step) {
-        if (!is_rejected(r, impossible, i)) {
+        if (!is_among(r, before, i)) {
             number[count] = i;
             memcpy(mean[count++], &p->mean[3 * (size_t)i], sizeof mean[0]);
         }
@@ -99,41 +119,61 @@ static int compare(const void *a, const void *b)
     return (x->position > y->position) - (x->position < y->position);
 }
 
-static void keep_others(rejection *r, const positions *p)
+void rejection_finish(rejection *r, const positions *p)
 {
     unsigned next = 0;
 
+    qsort(r->list, r->count, sizeof *r->list, compare);
+    r->kept_count = 0;
     for (unsigned i = 0; i < p->count; i++) {
         if (next < r->count && r->list[next].position == i) {
             r->number[next++] = i + 1.0;
         } else {
-            memcpy(&r->kept[3 * (size_t)r->kept_count++], &p->mean[3 * (size_t)i],
+            memcpy(&r->kept[3 * (size_t)r->kept_count], &p->mean[3 * (size_t)i],
                    3 * sizeof *r->kept);
+            r->temperature[r->kept_count++] = p->origin[i].temperature;
         }
     }
 }
 
-int rejection_find(rejection *r, const positions *p, const invcal_settings *settings, int none)
+int rejection_begin(rejection *r, const positions *p, const invcal_settings *settings, int none)
 {
-    const unsigned turns = (p->count + INVCAL_OUTLIERS_CAPACITY - 1) / INVCAL_OUTLIERS_CAPACITY;
-
     *r = (rejection){0};
     r->list = calloc((size_t)p->count + 1, sizeof *r->list);
     r->number = calloc((size_t)p->count + 1, sizeof *r->number);
     r->kept = calloc(3 * (size_t)p->count + 1, sizeof *r->kept);
-    if (!r->list || !r->number || !r->kept) {
+    r->temperature = calloc((size_t)p->count + 1, sizeof *r->temperature);
+    if (!r->list || !r->number || !r->kept || !r->temperature) {
         message("%s: not enough memory for %u positions", p->name, p->count);
         return EXIT_FILE;
     }
     if (!none) {
         reject_impossible(r, p, settings);
     }
-    const unsigned impossible = r->count;
-    for (unsigned turn = 0; turn < turns && !none; turn++) {
-        find_among(r, p, settings, (choice_of){turn, turns}, impossible);
+    return EXIT_GOOD;
+}
+
+void rejection_search(rejection *r, const positions *p, const invcal_settings *settings)
+{
+    const unsigned turns = (p->count + INVCAL_OUTLIERS_CAPACITY - 1) / INVCAL_OUTLIERS_CAPACITY;
+    const unsigned before = r->count;
+
+    for (unsigned turn = 0; turn < turns; turn++) {
+        find_among(r, p, settings, (choice_of){turn, turns}, before);
     }
-    qsort(r->list, r->count, sizeof *r->list, compare);
-    keep_others(r, p);
+}
+
+int rejection_find(rejection *r, const positions *p, const invcal_settings *settings, int none)
+{
+    const int failure = rejection_begin(r, p, settings, none);
+
+    if (failure) {
+        return failure;
+    }
+    if (!none) {
+        rejection_search(r, p, settings);
+    }
+    rejection_finish(r, p);
     return EXIT_GOOD;
 }
 
@@ -142,6 +182,7 @@ void rejection_free(rejection *r)
     free(r->list);
     free(r->number);
     free(r->kept);
+    free(r->temperature);
     *r = (rejection){0};
 }
 

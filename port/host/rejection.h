@@ -12,14 +12,16 @@ typedef struct {
     unsigned position; /* from 0 */
     double error;      /* what it reads too much, over the field */
     double w;          /* that over its standard deviation */
+    double drift;      /* K in the rest, if it is left out for that; else 0 */
 } rejected_position;
 
 typedef struct {
     unsigned count;
     rejected_position *list; /* ascending */
     double *number;          /* their numbers, from 1 */
-    unsigned suspected; /* positions of which some are wrong, the residuals do not tell which */
-    double *kept;       /* the others: 3 numbers each */
+    unsigned suspected;  /* positions of which some are wrong, the residuals do not tell which */
+    double *kept;        /* the others: 3 numbers each, */
+    double *temperature; /* and one */
     unsigned kept_count;
 } rejection;
 
@@ -32,6 +34,18 @@ typedef struct {
  * Returns EXIT_GOOD; EXIT_FILE, with a message, without memory. To be released with
  * rejection_free in either case. */
 int rejection_find(rejection *r, const positions *p, const invcal_settings *settings, int none);
+
+/* The same in steps, for those who have reasons of their own: begins with readings that are none of
+ * this field, adds, searches (nine parameters), and finishes as often as kept ones are wanted. */
+int rejection_begin(rejection *r, const positions *p, const invcal_settings *settings, int none);
+void rejection_add(rejection *r, rejected_position one);
+void rejection_search(rejection *r, const positions *p, const invcal_settings *settings);
+void rejection_finish(rejection *r, const positions *p);
+
+int rejection_has(const rejection *r, unsigned position);
+
+/* How many are left out because the temperature drifted. */
+unsigned rejection_drifting(const rejection *r);
 
 void rejection_free(rejection *r);
 

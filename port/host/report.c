@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "command.h"
+#include "invcal/gravity.h"
 #include "number.h"
 #include "parameters.h"
 #include "report_facts.h"
@@ -41,21 +42,27 @@ static void say_support(const report_facts *f, char text[SUPPORT_MAX])
 
 static void say_good(const report_facts *f, char *text)
 {
-    const unsigned count = f->result->rejected.count;
+    const rejection *rejected = &f->result->rejected;
+    const unsigned count = rejected->count - rejection_drifting(rejected);
     char spread[FIGURE_MAX];
     char left_out[128] = "";
     char support[SUPPORT_MAX];
+    char where[64] = "";
 
+    if (f->result->temperature == CALIBRATE_THERMAL) {
+        snprintf(where, sizeof where, " at %.2f °C", f->result->fit.calibration.reference);
+    }
     if (count > 0) {
         snprintf(left_out, sizeof left_out, " %u position%s the others and %s left out.", count,
                  count == 1 ? " contradicts" : "s contradict", count == 1 ? "is" : "are");
     }
     say_support(f, support);
-    snprintf(text, TEXT_MAX,
-             "All nine parameters are determined, %s: corrected readings have the length of %s to "
-             "±%s %s or better in any one direction (95 %%), their own noise not counted.%s",
-             support, f->is_gravity ? "gravity" : "the field", worst_spread(f, spread), f->unit,
-             left_out);
+    snprintf(
+        text, TEXT_MAX,
+        "All nine parameters are determined, %s: corrected readings%s have the length of %s to "
+        "±%s %s or better in any one direction (95 %%), their own noise not counted.%s",
+        support, where, f->is_gravity ? "gravity" : "the field", worst_spread(f, spread), f->unit,
+        left_out);
 }
 
 static void say_weak(const report_facts *f, char *text)
@@ -121,6 +128,12 @@ static void write_verdict(page *p, const report_facts *f)
         break;
     case INVCAL_WEAK:
         say_weak(f, sentence);
+        if (calibrate_wants_slopes(f->result)) {
+            page_verdict(p, PAGE_BAD, "✗ Weak", sentence,
+                         "measure nine positions or more at each of two temperatures, 5 K apart or "
+                         "more.");
+            break;
+        }
         snprintf(next, sizeof next, "add positions with %s. Begin with: %s.",
                  parameters_advice(f->result->quality.undetermined, advice, sizeof advice),
                  f->next_words);
@@ -199,6 +212,9 @@ static void write_temperature(page *p, const report_facts *f)
     if (least <= most) {
         page_fact(p, "temperature", "%.1f ... %.1f °C: what was found holds there", least, most);
     }
+    if (f->result->temperature == CALIBRATE_THERMAL) {
+        page_fact(p, "offset and matrix", "at %.2f °C", f->result->fit.calibration.reference);
+    }
 }
 
 static void write_matrix(page *p, const report_facts *f)
@@ -217,6 +233,14 @@ static void write_matrix(page *p, const report_facts *f)
                   : "symmetric: axes as near to the case as can be");
 }
 
+/* What stands between these figures and better ones. */
+static void write_limit(page *p, const report_facts *f)
+{
+    char text[CALIBRATE_LIMIT_MAX];
+
+    page_say(p, "What limits the accuracy: %s", calibrate_limit(f->result, &f->length_sigma, text));
+}
+
 static void write_origin(page *p, const report_facts *f)
 {
     const calibrate_result *r = f->result;
@@ -231,6 +255,12 @@ static void write_origin(page *p, const report_facts *f)
     page_fact(p, "command", "%s", f->wish->command);
     page_fact(p, "invcal", "%s", INVCAL_VERSION);
     page_fact(p, "field", "%s %s", number_text(r->settings.field, number), calibrate_field_unit(r));
+    if (r->place) {
+        page_fact(p, "normal gravity",
+                  "at %.6g degrees, %.6g m, ±%.4f m/s²: an error scales all readings alike, and "
+                  "does nothing else",
+                  r->place[0], r->place[1], (double)INVCAL_GRAVITY_SIGMA);
+    }
     page_fact(p, "positions", "%u used, %u left out", r->rejected.kept_count, r->rejected.count);
     write_temperature(p, f);
     write_nominal(p, f);
@@ -267,8 +297,10 @@ int report_write(FILE *file, const calibrate_result *result, const calibrate_wis
         page_begin(&p, file, title);
         write_verdict(&p, &f);
         write_figures(&p, &f);
+        write_limit(&p, &f);
         report_parameters(&p, &f);
         report_positions(&p, &f);
+        report_temperature(&p, &f);
         report_sphere(&p, &f);
         report_timeline(&p, &f);
         report_numbers(&p, &f);

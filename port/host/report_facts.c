@@ -6,7 +6,6 @@
 #include <string.h>
 
 #include "command.h"
-#include "invcal/observation.h"
 
 static double length(const double v[3])
 {
@@ -24,7 +23,8 @@ static void find_positions(report_facts *f)
         double v[3];
         invcal_apply(&r->settings.nominal, &r->data->mean[3 * (size_t)n], v);
         at->before = REPORT_PARTS * (length(v) / field - 1);
-        invcal_apply(&r->solution.calibration, &r->data->mean[3 * (size_t)n], v);
+        const invcal_calibration here = calibrate_at(r, n);
+        invcal_apply(&here, &r->data->mean[3 * (size_t)n], v);
         at->after = REPORT_PARTS * (length(v) / field - 1);
         for (unsigned i = 0; i < 3; i++) {
             at->up[i] = length(v) > 0 ? v[i] / length(v) : i == 2;
@@ -33,24 +33,6 @@ static void find_positions(report_facts *f)
     for (unsigned k = 0; k < r->rejected.count; k++) {
         f->position[r->rejected.list[k].position].is_left_out = 1;
     }
-}
-
-/* The positions kept, as calibrated unit vectors, and what they leave uncertain. The calibration
- * has been made of them, so none of this can fail. */
-static void find_covariance(report_facts *f)
-{
-    const calibrate_result *r = f->result;
-    invcal_residuals residuals;
-
-    invcal_residuals_init(&residuals, &r->solution);
-    for (unsigned n = 0; n < r->rejected.kept_count; n++) {
-        double u[3];
-        (void)invcal_observation_reading(&r->settings.nominal, r->settings.field,
-                                         &r->rejected.kept[3 * (size_t)n], u);
-        (void)invcal_residuals_add(&residuals, u, 1, NULL);
-    }
-    (void)invcal_covariance(&residuals, &r->settings, r->quality.noise, f->length_sigma.covariance);
-    f->normal = residuals.normal;
 }
 
 static void set_marks(report_facts *f)
@@ -80,9 +62,7 @@ int report_facts_find(report_facts *f, const calibrate_result *result, const cal
         return EXIT_FILE;
     }
     find_positions(f);
-    find_covariance(f);
-    f->length_sigma.unit = f->noise;
-    uncertainty_search(&f->length_sigma);
+    calibrate_spread(result, f->noise, &f->length_sigma, &f->normal);
     (void)invcal_guidance_next(&f->normal, NULL, &f->next);
     invcal_guidance_words(f->next.up, f->next_words);
     set_marks(f);

@@ -45,6 +45,7 @@ void report_facts_release(report_facts *f);
 /* The sections, in this order. */
 void report_parameters(page *p, const report_facts *f);
 void report_positions(page *p, const report_facts *f);
+void report_temperature(page *p, const report_facts *f);
 void report_sphere(page *p, const report_facts *f);
 void report_timeline(page *p, const report_facts *f);
 void report_numbers(page *p, const report_facts *f);

@@ -257,9 +257,22 @@ static void say_left_out(page *p, const report_facts *f)
 {
     const rejection *r = &f->result->rejected;
 
+    if (rejection_drifting(r) > 0) {
+        page_say(
+            p,
+            "Left out: %u rest%s in which the temperature drifted by more than %.2g K, so that "
+            "the thermometer may have lagged. Let the sensor settle before each.",
+            rejection_drifting(r), rejection_drifting(r) == 1 ? "" : "s",
+            f->result->fit.drift_limit);
+    }
     for (unsigned k = 0; k < r->count && k < NAMED; k++) {
         const unsigned n = r->list[k].position;
         char number[FIGURE_MAX];
+        if (r->list[k].drift > 0) {
+            page_say(p, "Position %u (line %lu) drifted by %.2g K.", n + 1,
+                     f->result->data->origin[n].line, r->list[k].drift);
+            continue;
+        }
         page_say(p,
                  "Left out: position %u (line %lu) contradicts the others; it reads %s %s too %s. "
                  "Repeat it, or see what happened there.",

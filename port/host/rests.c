@@ -20,7 +20,8 @@ typedef struct {
 int rests_take(positions *p, const invcal_rest *rest, double unit, const recording *log)
 {
     const recording_place place = recording_find(log, rest);
-    const position_origin origin = {place.line, place.begin, place.end, place.temperature};
+    const position_origin origin = {place.line, place.begin, place.end, place.temperature,
+                                    place.drift};
     double mean[3];
 
     invcal_rest_mean(rest, mean);

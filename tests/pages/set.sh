@@ -28,6 +28,22 @@ calibrate t265 "$data/t265_positions.csv" --positions --gravity 9.8016 --unit m/
 calibrate outliers "$out/outliers.csv" --zero 0,0,0 --lsb 0.000598550415 --noise 0.01 \
     --prior 0.05,0.02,0.02 --tolerance 0.05,0.03,0.02
 
+# Temperature: lines with a wrong position, parabolas, a log whose rests drift, and nothing asked.
+sensor() { # sensor STATIONS WRONG
+    awk -v what=positions -v stations="$1" -v wrong="$2" -v seed=1 -v sigma=1e-4 \
+        -f "$here/../tool/thermal.awk" "$here/../reference/expected.h"
+}
+sensor -20,25,70 23 > "$out/chamber.csv"
+calibrate thermal "$out/chamber.csv" --positions --thermal 1 --unit g --latitude 48.1 --height 520
+calibrate parabolas "$out/chamber.csv" --positions --thermal 2 --unit g
+calibrate unasked "$out/chamber.csv" --positions --unit g
+sensor 25,25.5 0 > "$out/room.csv"
+calibrate no-slopes "$out/room.csv" --positions --thermal 1 --unit g
+"$tool" simulate --plan optimal:48 --temperature 10,20 --drift 0.001 --dwell 8 --noise 0.0028 \
+    > "$out/drift.csv"
+calibrate warming "$out/drift.csv" --thermal 1
+calibrate warming-prior "$out/drift.csv" --thermal 1 --noise 0.02 --slope 0.01,0.001,0.001
+
 # As many positions as parameters; 2000; another field; a name to trip over.
 "$tool" simulate --plan optimal:9 > "$out/nine.csv"
 calibrate nine "$out/nine.csv"

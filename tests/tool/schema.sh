@@ -48,6 +48,19 @@ prints 0 calibration calibrate "$work/log.csv"
 prints 0 calibration watch "$work/log.csv"
 check "the file of --truth is a truth" fits truth "$work/truth.json"
 
+sensor() { # sensor STATIONS
+    awk -v what=positions -v stations="$1" -v seed=1 -v sigma=1e-4 -f "$here/thermal.awk" \
+        "$here/../reference/expected.h"
+}
+sensor -20,25,70 > "$work/thermal.csv"
+for degree in 1 2; do
+    prints 0 calibration calibrate "$work/thermal.csv" --positions --thermal $degree
+done
+sensor 25,25 > "$work/thermal.csv"
+prints 0 calibration calibrate "$work/thermal.csv" --positions --thermal 1 --gravity 1
+"$tool" simulate --temperature 10,90 > "$work/drift.csv"
+prints 1 calibration_refusal calibrate "$work/drift.csv" --thermal 1
+
 prints 1 calibration_refusal calibrate "$work/nine.csv"
 head -n 3 "$work/nine.csv" > "$work/three.csv"
 prints 1 calibration_refusal calibrate "$work/three.csv" --positions

@@ -951,6 +951,29 @@ static void eight_positions_and_a_plane_are_refused_as_without_temperature(void)
                                                    &quality, &reason));
 }
 
+/* ---- a lower degree than the build has ---------------------------------------------------- */
+
+static void a_lower_degree_is_fitted_where_it_is_wanted(void)
+{
+    const sensor s = {expected_thermal_constant, expected_thermal_slope[0], NULL};
+    const invcal_settings settings = unit_settings(0);
+    invcal_thermal_settings thermal = nothing_known;
+    random_source random = random_start(11);
+
+    take_three(&s, 1e-4, &random);
+    for (unsigned less = 0; less <= (unsigned)DEGREE; less++) {
+        thermal.less = (uint8_t)less;
+        calibrate_all(&settings, &thermal);
+        TEST_ASSERT_EQUAL_UINT(DEGREE - less, found.fitted);
+        TEST_ASSERT_EQUAL_UINT(DEGREE - less, found.degree);
+        TEST_ASSERT_EQUAL_INT(INVCAL_THERMAL_AS_ASKED, found.fallback);
+    }
+    thermal.less = DEGREE + 1;
+    TEST_ASSERT_EQUAL_INT(INVCAL_BAD_SETTING,
+                          invcal_thermal_calibrate(all.raw, all.temperature, all.count, &settings,
+                                                   &thermal, &found, &quality, NULL));
+}
+
 /* ---- drift in a rest ---------------------------------------------------------------------- */
 
 static void the_drift_limit_is_where_a_lag_makes_the_noise_of_a_position(void)
@@ -1018,6 +1041,7 @@ int main(void)
     RUN_TEST(unusable_settings_are_refused);
     RUN_TEST(eight_positions_and_a_plane_are_refused_as_without_temperature);
     RUN_TEST(the_drift_limit_is_where_a_lag_makes_the_noise_of_a_position);
+    RUN_TEST(a_lower_degree_is_fitted_where_it_is_wanted);
     RUN_TEST(every_fallback_has_its_words);
     return UNITY_END() != 0;
 }

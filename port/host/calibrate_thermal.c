@@ -1,0 +1,77 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * Temperature on the terminal.
+ */
+#include <math.h>
+
+#include "calibrate.h"
+#include "figure.h"
+#include "paint.h"
+#include "parameters.h"
+
+#define TEXT_MAX 512
+
+/* What a slope is told in. */
+typedef struct {
+    double scale;
+    const char *unit;
+} slope_unit;
+
+static slope_unit unit_of(const calibrate_result *r, unsigned parameter)
+{
+    return parameter >= INVCAL_GAMMA_XY         ? (slope_unit){FIGURE_DEGREES, "degrees/K"}
+           : parameter >= INVCAL_DK_X           ? (slope_unit){1e6, "ppm/K"}
+           : unit_is_gravity(r->settings.field) ? (slope_unit){1e3, "mg/K"}
+                                                : (slope_unit){1e6, "ppm of the field/K"};
+}
+
+static void print_fitted(FILE *file, const thermal_fit *fit)
+{
+    const invcal_thermal_calibration *c = &fit->calibration;
+    static const char *const words[] = {"no slopes", "straight lines", "parabolas"};
+    char text[TEXT_MAX];
+
+    snprintf(text, sizeof text, "temperature   %.2f ... %.2f °C seen, %s; all above is at %.2f °C",
+             c->least, c->greatest, words[c->fitted], c->reference);
+    calibrate_print_wrapped(file, 0, text);
+    if (c->fallback != INVCAL_THERMAL_AS_ASKED) {
+        snprintf(text, sizeof text, "%s instead of %s: %s.",
+                 c->fitted > 0 ? "Straight lines" : "No slopes", words[fit->wish.degree],
+                 invcal_thermal_fallback_text(c->fallback));
+        calibrate_print_wrapped(file, 0, text);
+    }
+}
+
+void calibrate_print_thermal(FILE *file, const calibrate_result *r)
+{
+    const thermal_fit *fit = &r->fit;
+    const int known = calibrate_knows_noise(r);
+    char text[TEXT_MAX];
+    char value[FIGURE_MAX];
+    char sigma[FIGURE_MAX] = "?";
+
+    if (r->temperature != CALIBRATE_THERMAL) {
+        if (*calibrate_advice(r, text)) {
+            calibrate_print_wrapped(file, 0, text);
+        }
+        return;
+    }
+    print_fitted(file, fit);
+    for (unsigned p = 0; p < INVCAL_PARAMETERS && fit->calibration.fitted > 0; p++) {
+        const slope_unit u = unit_of(r, p);
+        const double spread = known ? u.scale * fit->slope_sigma[p] : 0;
+        const int places = figure_places(u.scale * fit->slope[p], spread);
+        figure_fixed(u.scale * fit->slope[p], places, FIGURE_SIGNED, value);
+        if (known) {
+            figure_fixed(spread, places, FIGURE_PLAIN, sigma);
+        }
+        fprintf(file, "%-14s%14s ± %-10s  %s%s\n", parameter_words(p), value, sigma, u.unit,
+                fit->calibration.fitted > 1 ? ", at that temperature" : "");
+    }
+    if (fit->calibration.fitted > 0 && r->quality.dof > 0 && !isnan(fit->without)) {
+        snprintf(text, sizeof text,
+                 "Without temperature the residuals of the same positions are %s times as large.",
+                 figure_digits(fit->without / r->quality.residual_rms, 3, value));
+        calibrate_print_wrapped(file, 0, text);
+    }
+}

@@ -1,0 +1,69 @@
+# SPDX-License-Identifier: MIT
+#
+# A sensor whose errors depend on temperature, as the reference computed its bound:
+#
+#   awk -v what=positions -v stations=-20,25,70 -v seed=S -v sigma=S -f thermal.awk expected.h
+#       position means in g with a column temperature: the program of 18 at each station; position
+#       `wrong`, from 1, reads 0.05 too much
+#   awk -v what=grid -f thermal.awk expected.h
+#       the same without noise in the directions and at the temperatures of the bound
+#   awk -v what=NAME -f thermal.awk expected.h
+#       the numbers of expected_NAME
+#
+# Random numbers are of its own: the same with every awk.
+function uniform() {
+    state = (16807 * state) % 2147483647
+    return state / 2147483647
+}
+function normal() {
+    return sqrt(-2 * log(uniform())) * cos(6.283185307179586 * uniform())
+}
+function reading(x, y, z, temperature, sigma, error,    k, s, t) {
+    t = (temperature - 25) / 45
+    for (k = 1; k <= 9; k++) s[k] = number["thermal_constant", k] + number["thermal_slope", k] * t
+    printf "%.12g,%.12g,%.12g,%s\n",
+        (1 + error) * (x + s[4] * x + s[7] / 2 * y + s[8] / 2 * z) + s[1] + sigma * normal(),
+        (1 + error) * (y + s[7] / 2 * x + s[5] * y + s[9] / 2 * z) + s[2] + sigma * normal(),
+        (1 + error) * (z + s[8] / 2 * x + s[9] / 2 * y + s[6] * z) + s[3] + sigma * normal(),
+        temperature
+}
+function positions(    k, i, n, station, count) {
+    count = split(stations, station, ",")
+    for (k = 1; k <= count; k++) for (i = 0; i < 18; i++) {
+        n++
+        reading(number["plan18", 3 * i + 1], number["plan18", 3 * i + 2],
+            number["plan18", 3 * i + 3], station[k], sigma, n == wrong ? 0.05 : 0)
+    }
+}
+function grid(    k, a, b, i, j, long, short) { # an icosahedron: (0 +-1 +-phi) and round
+    long = sqrt((1 + 1 / sqrt(5)) / 2)
+    short = sqrt((1 - 1 / sqrt(5)) / 2)
+    for (k = 0; k < 9; k++) for (i = -1; i <= 1; i += 2) for (j = -1; j <= 1; j += 2) {
+        a = i * short
+        b = j * long
+        reading(0, a, b, 10 * k - 15, 0, 0)
+        reading(a, b, 0, 10 * k - 15, 0, 0)
+        reading(b, 0, a, 10 * k - 15, 0, 0)
+    }
+}
+/^static const double expected_/ {
+    name = $4
+    sub(/^expected_/, "", name)
+    sub(/\[.*/, "", name)
+    sub(/.*=/, "")
+}
+name != "" {
+    ends = /;/
+    gsub(/[{};]/, " ")
+    n = split($0, item, ",")
+    for (i = 1; i <= n; i++) if (item[i] ~ /[0-9]/) number[name, ++size[name]] = item[i] + 0
+    if (ends) name = ""
+}
+END {
+    state = 1 + seed
+    for (i = 0; i < 20; i++) uniform()
+    if (what == "positions" || what == "grid") print "x,y,z,temperature"
+    if (what == "positions") positions()
+    else if (what == "grid") grid()
+    else for (i = 1; i <= size[what]; i++) printf "%.17g ", number[what, i]
+}

@@ -1,0 +1,262 @@
+#!/bin/sh
+# SPDX-License-Identifier: MIT
+#
+# Temperature: thermal_test.sh path/to/invcal builddir. Prints a line for each check and a count.
+here=$(dirname "$0")
+# shellcheck source=tests/tool/support.sh
+. "$here/support.sh"
+reference=$here/../reference/expected.h
+
+expected() { # expected NAME: its numbers
+    awk -v what="$1" -f "$here/thermal.awk" "$reference"
+}
+
+sensor() { # sensor STATIONS SEED [WRONG]: position means, noise 1e-4 g
+    awk -v what=positions -v stations="$1" -v seed="$2" -v wrong="${3:-0}" -v sigma=1e-4 \
+        -f "$here/thermal.awk" "$reference"
+}
+
+# Zero and scale as they are: what is found is what the sensor has.
+fit() { # fit FILE ARGUMENTS ...
+    file=$1
+    shift
+    run calibrate "$file" --positions --gravity 1 --zero 0,0,0 --lsb 1 "$@"
+}
+
+inside() { # inside FILE OBJECT NAME: a member of an object in the outermost one
+    sed -n "/^  \"$2\": {/,/^  }/s/^    \"$3\": \(.*[^,]\),*\$/\1/p" "$1"
+}
+
+# Mean square of |a| - 1 over a table with a header.
+mean_square() {
+    awk -F, 'NR > 1 { r = sqrt($1 * $1 + $2 * $2 + $3 * $3) - 1; s += r * r }
+        END { printf "%.9g\n", s / (NR - 1) }' "$1"
+}
+
+below() { awk -v a="$1" -v b="$2" 'BEGIN { exit !(a < b) }'; }
+prints() { matches "$work/stdout" "$1"; }
+warns() { [ "$code" -eq 0 ] && says "$1" || complain; }
+
+# ---- 18 positions at each of -20, 25 and 70 degrees ---------------------------------------------
+
+# Errors in all directions at -15 ... 65 degrees, of 25 draws; 2 (25) 18 degrees of freedom: 3 %.
+awk -v what=grid -f "$here/thermal.awk" "$reference" > "$work/grid.csv"
+truth=$(expected thermal_slope | cut -d ' ' -f 1-9)
+seed=0
+: > "$work/errors"
+: > "$work/slopes"
+while [ $((seed += 1)) -le 25 ]; do
+    sensor -20,25,70 $seed > "$work/positions.csv"
+    fit "$work/positions.csv" --thermal 1 --out "$work/thermal.json" --json
+    fit "$work/positions.csv" --keep-all --out "$work/nine.json" --quiet
+    "$tool" apply "$work/thermal.json" "$work/grid.csv" > "$work/with.csv"
+    "$tool" apply "$work/nine.json" "$work/grid.csv" > "$work/without.csv"
+    echo "$(mean_square "$work/with.csv") $(mean_square "$work/without.csv") \
+        $(json "$work/thermal.json" rejected)" >> "$work/errors"
+    for kind in delta dk gamma; do # per K: "slope", and behind it "slope_sigma"
+        sed -n "/\"slope\"/,\$s/^      \"$kind\": \[\(.*\)\].*/\1/p" "$work/thermal.json" | tr -d , |
+            tr '\n' ' '
+    done >> "$work/slopes"
+    echo >> "$work/slopes"
+done
+bound=$(expected thermal_bound | cut -d ' ' -f 1)
+over=$(awk -v bound="$bound" '{ s += $1 } END { print sqrt(s / NR) / bound / 1e-4 }' "$work/errors")
+nine=$(awk -v bound="$bound" '{ s += $2 } END { print sqrt(s / NR) / bound / 1e-4 }' "$work/errors")
+check "the error over the range is the bound of 18 parameters, times $over" near 0.1 "$over" 1
+check "nine parameters leave hundreds of it: $nine" below 300 "$nine"
+check "no good position is left out" lacks "$work/errors" '[1-9][0-9]*\]'
+spread=$(awk -v truth="$truth" 'BEGIN { split(truth, t, " ") } {
+        for (k = 0; k < 3; k++) for (i = 1; i <= 3; i++) {
+            z = ($(6 * k + i) - t[3 * k + i] / 45) / $(6 * k + 3 + i)
+            s += z * z
+            n++
+        }
+    } END { print sqrt(s / n) }' "$work/slopes")
+check "slopes differ from the truth by their sigma, times $spread" near 0.12 "$spread" 1
+fit "$work/positions.csv" --thermal 1
+check "the table tells the slopes" prints '^scale x +\+[45][0-9.]+ ± [0-9.]+ +ppm/K'
+check "and the nine parameters beside them" prints \
+    'Without temperature the residuals of the same positions are [3-5][0-9][0-9] times'
+fit "$work/positions.csv" --thermal 2 --json
+check "parabolas are fitted where they are asked for" near 0 "$(inside "$work/stdout" thermal degree)" 2
+check "with three rows of coefficients" near 0 "$(grep -c '^        "gamma"' "$work/stdout")" 3
+
+# ---- what contradicts ---------------------------------------------------------------------------
+
+for wrong in 5 23 54; do
+    sensor -20,25,70 $wrong $wrong > "$work/wrong.csv"
+    fit "$work/wrong.csv" --thermal 1 --out "$work/thermal.json"
+    check "position $wrong of 54 is wrong, and left out" prints "^Left out: position $wrong \\("
+    check "and no other" near 0 "$(json "$work/thermal.json" rejected)" "$wrong"
+done
+fit "$work/wrong.csv" --thermal 1 --keep-all --json
+check "--keep-all keeps it" lacks "$work/stdout" '"rejected": \[.+\]'
+
+# ---- what tells no slopes -----------------------------------------------------------------------
+
+falls_back() { # STATIONS REASON
+    sensor "$1" 7 > "$work/few.csv"
+    fit "$work/few.csv" --thermal 1 --out "$work/few.json"
+    [ "$code" -eq 0 ] && prints "No slopes instead of straight lines: $2" &&
+        near 0 "$(inside "$work/few.json" thermal degree)" 0 &&
+        matches "$work/few.json" "\"fallback\": \"$2" || complain
+}
+check "at one temperature there are none, and it says why" falls_back 25,25,25 'too narrow a range'
+check "nor at two half a kelvin apart" falls_back 25,25.5 'too narrow a range'
+sensor 20,40 7 | awk 'NR <= 9 || (NR > 28 && NR <= 37)' > "$work/seventeen.csv"
+fit "$work/seventeen.csv" --thermal 1
+check "nor of seventeen positions" prints 'No slopes instead of straight lines: too few positions'
+sensor 20,40 7 > "$work/two.csv"
+fit "$work/two.csv" --thermal 2
+check "two temperatures tell no parabola, but straight lines" prints \
+    'Straight lines instead of parabolas: positions and temperatures leave slopes open'
+sensor 0,40 7 | awk -F, 'NR <= 19 || NR > 35' > "$work/open.csv"
+fit "$work/open.csv" --thermal 1
+check "slopes that are wanting limit the accuracy" prints '^limited by    temperature: slopes are wanting'
+check "without slopes over a range the result is weak, and it says what helps" prints \
+    '^Next: measure nine positions or more at each of two temperatures'
+sensor 25,25 7 > "$work/one.csv"
+fit "$work/one.csv" --thermal 1 --noise 0.0001 --slope 0.001,0.0005,0.0001 --json
+check "a prior on slopes is what is known of them" near 5e-5 0.001,0.001,0.001 \
+    "$(sed -n '/"slope_sigma"/,$s/^      "delta": \(.*[^,]\),*$/\1/p' "$work/stdout")"
+
+# ---- apply --------------------------------------------------------------------------------------
+
+sensor -20,25,70 3 > "$work/positions.csv"
+fit "$work/positions.csv" --thermal 1 --out "$work/thermal.json" --quiet
+at() { printf 'x,y,z,temperature\n0.1,-0.2,0.9,%s\n' "$1" > "$work/at.csv"; }
+at 70
+accepts "the edge of the range is in it" apply "$work/thermal.json" "$work/at.csv"
+sed 's/,70$//' "$work/stdout" > "$work/edge.csv"
+at 150
+run apply "$work/thermal.json" "$work/at.csv"
+check "80 K outside is told in one line" warns '1 of 1 readings are up to 80 K outside -20 ... 70 °C'
+sed 's/,150$//' "$work/stdout" > "$work/outside.csv"
+check "and corrected as at the edge" same "$work/edge.csv" "$work/outside.csv"
+at -21.5
+run apply "$work/thermal.json" "$work/at.csv"
+check "colder, too" warns 'up to 1.5 K outside'
+printf 'x,y,z\n0.1,-0.2,0.9\n' > "$work/bare.csv"
+refuses "a log without temperature is refused" 3 'no column of temperature.*--temperature' \
+    apply "$work/thermal.json" "$work/bare.csv"
+accepts "unless one is stated" apply "$work/thermal.json" "$work/bare.csv" --temperature 70
+sed 's/,temperature$//; s/,70$//' "$work/edge.csv" > "$work/expected.csv"
+check "which does what the column does" same "$work/expected.csv" "$work/stdout"
+refuses "a calibration without slopes has no use for one" 2 '--temperature: .*--thermal' \
+    apply "$work/nine.json" "$work/bare.csv" --temperature 70
+# Between two temperatures: a log of which each line has its own.
+sed -n '1p; 2,55{p;}' "$work/positions.csv" | awk -F, 'NR == 1 { print; next }
+    { line[++n] = $0 } END { for (i = 0; i < n; i++) print line[1 + 19 * i % n] }' > "$work/mixed.csv"
+run apply "$work/thermal.json" "$work/mixed.csv"
+mv "$work/stdout" "$work/mixed.out"
+check "every reading is corrected at its own temperature" below "$(mean_square "$work/mixed.out")" 4e-8
+for damage in 's/"span": [0-9.]*/"span": 0/' '/"least"/d' 's/"degree": 1/"degree": 2/' \
+    's/"span"/"spam"/' '/"coefficients"/,/"gamma"/s/"dk"/"kd"/'; do
+    sed "$damage" "$work/thermal.json" > "$work/damaged.json"
+    refuses "a damaged one is refused: $damage" 3 '"thermal" is incomplete' \
+        apply "$work/damaged.json" "$work/at.csv"
+done
+
+# ---- other commands take the file, too ----------------------------------------------------------
+
+run export "$work/thermal.json" --format c-arrays
+check "export tells at which temperature it holds" warns 'terms are not exported; .* 25 °C'
+run calibrate "$work/positions.csv" --positions --gravity 1 --nominal "$work/thermal.json"
+check "it may be the nominal" succeeded
+
+# ---- logs ---------------------------------------------------------------------------------------
+
+"$tool" simulate --plan edges --temperature 10,40 --drift 0.001 --dwell 8 --noise 0.002 \
+    --truth "$work/truth.json" > "$work/warm.csv"
+run calibrate "$work/warm.csv" --thermal 1
+check "rests in which the temperature drifts are left out; none is left" was_refused 1 \
+    'drifted by more than 0.[0-9]+ K in 18 of 18 rests.*--keep-all'
+run calibrate "$work/warm.csv" --thermal 1 --json
+check "the same as JSON" matches "$work/stdout" '"error": "too few"'
+run calibrate "$work/warm.csv" --thermal 1 --keep-all --zero 0,0,0 --lsb 0.000598550415 --json
+check "--keep-all takes them" near 1e-4 0.001,0.001,0.001 \
+    "$(sed -n '/"slope"/,/"dk"/s/^      "delta": \(.*[^,]\),*$/\1/p' "$work/stdout")"
+
+# A thermometer that is read to 0.1 K, and noisy, at rest; in rest 5 it moves by 1 K.
+"$tool" simulate --plan edges --dwell 5 --truth "$work/truth.json" > "$work/log.csv"
+awk -F, -v OFS=, 'NR == 1 { print $0, "temperature"; next } {
+        leg = int($1 / 7)
+        warm = leg == 4 ? ($1 - 28) / 5 : 0
+        printf "%s,%.1f\n", $0, (leg < 9 ? 20 : 35) + 0.3 * (NR % 7 - 3) / 3 + (warm < 1 ? warm : 0)
+    }' "$work/log.csv" > "$work/steps.csv"
+run calibrate "$work/steps.csv" --thermal 1 --out "$work/steps.json"
+check "one rest in which it drifts is left out and named" prints '^ +position 5 \(line [0-9]+\), by 0.[89]'
+check "noise of the thermometer is no drift" near 0 "$(json "$work/steps.json" rejected)" 5
+run watch "$work/steps.csv" --thermal 1 --json
+check "watch finds the same" same "$work/stdout" "$work/steps.json"
+
+# ---- what it says where --thermal was not asked -------------------------------------------------
+
+fit "$work/positions.csv"
+check "residuals that depend on temperature are told" prints \
+    'The residuals depend on temperature .*offset . moves by'
+check "and limit the accuracy" prints '^limited by    temperature, which --thermal'
+sensor 25,25,25 3 | awk -F, -v OFS=, 'NR == 1 { print; next } { print $1, $2, $3, 20 + 10 * int((NR - 2) / 18) }' \
+    > "$work/calm.csv"
+fit "$work/calm.csv"
+check "those that do not, too" prints 'do not depend on temperature.*--thermal'
+fit "$work/one.csv"
+check "and where it cannot be told" prints 'cannot be told: too narrow a range'
+
+# ---- what limits the accuracy -------------------------------------------------------------------
+
+run calibrate "$work/log.csv"
+check "noise that explains the residuals" prints '^limited by    the noise of the samples, which expl'
+"$tool" simulate --plan edges --dwell 5 --instability 0.003 > "$work/shaky.csv"
+run calibrate "$work/shaky.csv"
+check "an offset that walks" prints '^limited by    handling, drift or temperature'
+positions sphere 40 3 | awk -F, '$3 > -2' > "$work/cap.csv"
+run calibrate "$work/cap.csv" --positions --noise 0.001
+check "orientations on one side" prints '^limited by    the orientations'
+
+# ---- the field of a place -----------------------------------------------------------------------
+
+gravity_at() { # LATITUDE HEIGHT EXPECTED TOLERANCE
+    run calibrate "$data/mpu9150_0_positions.csv" --positions --latitude "$1" --height "$2" --json
+    near "$4" "$(json "$work/stdout" gravity)" "$3" || complain
+}
+check "gravity at the equator" gravity_at 0 0 9.7803253359 1e-10
+check "gravity at 45 degrees" gravity_at 45 0 9.8061977694 1e-10
+check "gravity at a pole" gravity_at -90 0 9.8321849379 1e-10
+check "gravity 3000 m above it, by the potential" gravity_at 90 3000 9.8229412899722 1e-6
+run calibrate "$data/mpu9150_0_positions.csv" --positions --latitude 48 --height 500
+check "an error of g scales all alike" prints 'normal gravity at 48 degrees, 500 m, ±0.0005: an error'
+positions_file=$data/mpu9150_0_positions.csv
+refuses "a latitude and a field are too much" 2 '--latitude: .*--gravity' \
+    calibrate "$positions_file" --positions --latitude 48 --gravity 9.81
+refuses "a height alone is too little" 2 '--height: .*--latitude' \
+    calibrate "$positions_file" --positions --height 48
+refuses "there is no such latitude" 2 '--latitude: ' calibrate "$positions_file" --latitude 91
+refuses "nor such a height" 2 '--height: ' calibrate "$positions_file" --latitude 9 --height 1e5
+
+# ---- options ------------------------------------------------------------------------------------
+
+for degree in 0 3 1.5 -1; do
+    refuses "--thermal $degree is refused" 2 '--thermal: is 1' calibrate "$work/log.csv" \
+        --thermal=$degree
+done
+refuses "--thermal needs temperatures" 3 'no column of temperature' calibrate "$work/log.csv" \
+    --thermal 1
+refuses "--slope belongs to --thermal" 2 '--slope: ' calibrate "$work/log.csv" --slope 1,1,1
+refuses "--slope needs the noise" 2 '--slope: .*--noise' calibrate "$work/positions.csv" \
+    --positions --thermal 1 --slope 0.001,0.001,0.001
+refuses "no slope is negative" 2 '--slope: ' calibrate "$work/steps.csv" --thermal 1 --slope=-1,0,0
+
+# ---- reports ------------------------------------------------------------------------------------
+
+fit "$work/wrong.csv" --thermal 1 --report "$work/thermal.html"
+check "the report is a page" is_page "$work/thermal.html"
+check "it tells the slopes" matches "$work/thermal.html" '[45][0-9.]+ ± [0-9.]+ ppm/K'
+check "and what they are good for" matches "$work/thermal.html" \
+    'Nine parameters alone leave an rms error of [0-9.]+ ‰ of the field'
+fit "$work/positions.csv" --report "$work/plain.html"
+check "without --thermal the residuals are shown against temperature" matches "$work/plain.html" \
+    '<title>Residuals over temperature</title>'
+check "and what it would bring" matches "$work/plain.html" '\-\-thermal 1 brings their rms from'
+
+finish
