@@ -105,10 +105,13 @@ $(BUILD)/positions.h: tests/data/to_c.awk $(DATA)
 	@mkdir -p $(@D)
 	$(Q)awk -f $^ > $@
 
-# The host tool: the library in double, with room for more positions than a device has.
+# The host tool: the library in double, with room for more positions and averaging times than a
+# device has.
+TOOL_FLAGS = -DINVCAL_DOUBLE=1 -DINVCAL_MAX_POSITIONS=64 -DINVCAL_ALLAN_TAUS=31 \
+    -DINVCAL_ALLAN_OVERLAP=4096
 $(BUILD)/tool/%.o: %.c
 	@mkdir -p $(@D)
-	$(Q)$(CC) $(FLAGS) -DINVCAL_DOUBLE=1 -DINVCAL_MAX_POSITIONS=64 $(ASSERT_FLAGS) -MMD -c $< -o $@
+	$(Q)$(CC) $(FLAGS) $(TOOL_FLAGS) $(ASSERT_FLAGS) -MMD -c $< -o $@
 
 $(BUILD)/invcal: $(HOST:%.c=$(BUILD)/tool/%.o) $(SOURCES:%.c=$(BUILD)/tool/%.o)
 	$(Q)$(CC) $(FLAGS) $^ -lm -o $@
