@@ -224,8 +224,8 @@ static const char *const help[] = {
     "the output not writable\n"
     "\n"
     "example:\n"
-    "  invcal simulate --plan directions:up.csv --dwell 600 > rest.csv\n"
-    "  invcal allan rest.csv --lsb 0.0006 --sigma 0.0005 --out noise.json\n",
+    "  invcal simulate --plan faces --dwell 300 > rest.csv\n"
+    "  invcal allan rest.csv --to 299 --lsb 0.0006 --sigma 0.0005 --out noise.json\n",
     NULL};
 
 const tool_command allan_command = {"allan", "noise of a log at rest, and how long to hold still",

@@ -13,7 +13,7 @@
 
 #define LEFT 58.0
 #define RIGHT 12.0
-#define TOP 70.0 /* legend, heading, the dwell's label */
+#define TOP 90.0 /* legend, heading, the dwell's label */
 #define PLOT 300.0
 #define BELOW 44.0
 #define MARGIN 1.25 /* beyond the first and last averaging time, times */
@@ -158,42 +158,39 @@ static void draw_model(FILE *file, const plot *p, unsigned axis)
     svg_polyline_end(file);
 }
 
+/* How a kind of noise shows. */
+static const struct {
+    double slope;
+    const char *words;
+} slopes[INVCAL_NOISE_KINDS] = {{-0.5, "-1/2 N"}, {0, "0 B"}, {0.5, "+1/2 K"}};
+
+static int is_visible(const allan_result *r, unsigned kind)
+{
+    return r->noise[r->worst].visible >> kind & 1u;
+}
+
 /* One kind of noise alone: a straight line, as far as it is inside. */
 static void draw_slope(FILE *file, const plot *p, unsigned kind)
 {
-    static const struct {
-        double slope;
-        const char *words;
-    } kinds[] = {{-0.5, "slope -1/2"}, {0, "slope 0"}, {0.5, "slope +1/2"}};
     invcal_noise alone = {.coefficient = {0, 0, 0}};
-    const double slope = kinds[kind].slope;
+    const double slope = slopes[kind].slope;
     double first = p->x.first;
     double last = p->x.last;
 
     alone.coefficient[kind] = p->r->noise[p->r->worst].coefficient[kind];
     const double at_1 = log(invcal_noise_sigma(&alone, 1) / p->unit);
-    if (slope < 0) {
-        first = fmax(first, (p->y.last - at_1) / slope);
-        last = fmin(last, (p->y.first - at_1) / slope);
-    } else if (slope > 0) {
-        first = fmax(first, (p->y.first - at_1) / slope);
-        last = fmin(last, (p->y.last - at_1) / slope);
+    if (slope < 0 || slope > 0) {
+        const double low = (p->y.first - at_1) / slope;
+        const double high = (p->y.last - at_1) / slope;
+        first = fmax(first, fmin(low, high));
+        last = fmin(last, fmax(low, high));
     } else if (at_1 < p->y.first || at_1 > p->y.last) {
         return;
     }
-    if (!(first < last)) {
-        return;
-    }
-    const double x1 = chart_pixel(&p->x, exp(first));
-    const double x2 = chart_pixel(&p->x, exp(last));
-    const double y1 = chart_pixel(&p->y, exp(at_1 + slope * first));
-    const double y2 = chart_pixel(&p->y, exp(at_1 + slope * last));
-    svg_line(file, "c0 dashed", x1, y1, x2, y2);
-    if (slope > 0 || slope < 0) {
-        svg_text(file, "soft small halo", SVG_END, x2 - 12, y2 + (slope < 0 ? -4 : 12),
-                 kinds[kind].words);
-    } else {
-        svg_text(file, "soft small halo", SVG_START, x1 + 4, y1 + 15, kinds[kind].words);
+    if (first < last) {
+        svg_line(file, "c0 dashed", chart_pixel(&p->x, exp(first)),
+                 chart_pixel(&p->y, exp(at_1 + slope * first)), chart_pixel(&p->x, exp(last)),
+                 chart_pixel(&p->y, exp(at_1 + slope * last)));
     }
 }
 
@@ -210,16 +207,26 @@ static void draw_dwell(FILE *file, const plot *p)
              p->y.to - 6, text);
 }
 
-static void draw_legend(FILE *file)
+static void draw_legend(FILE *file, const allan_result *r)
 {
+    char text[TEXT_MAX] = "one noise alone, slope";
+    const char *comma = "";
+
     for (unsigned i = 0; i < 3; i++) {
         const double x = 56.0 * i;
         svg_line(file, traces[i].curve, x, 10, x + 24, 10);
         svg_marker(file, traces[i].full, traces[i].shape, x + 12, 10, 4.5);
         svg_text(file, "ink small", SVG_START, x + 29, 14, traces[i].name);
     }
-    svg_line(file, "c0 dashed", 168, 10, 192, 10);
-    svg_text(file, "ink small", SVG_START, 197, 14, "one noise alone");
+    for (unsigned kind = 0; kind < INVCAL_NOISE_KINDS; kind++) {
+        const size_t length = strlen(text);
+        if (is_visible(r, kind)) {
+            snprintf(text + length, sizeof text - length, "%s %s", comma, slopes[kind].words);
+            comma = ",";
+        }
+    }
+    svg_line(file, "c0 dashed", 0, 32, 24, 32);
+    svg_text(file, "ink small", SVG_START, 29, 36, text);
 }
 
 static void describe(const allan_result *r, char *text, size_t size)
@@ -249,13 +256,13 @@ void allan_chart(FILE *file, const allan_result *r, double width)
     describe(r, text, sizeof text);
     svg_begin_inline(file, width, TOP + PLOT + BELOW, "Allan deviation against averaging time",
                      text);
-    draw_legend(file);
+    draw_legend(file, r);
     snprintf(text, sizeof text, "Allan deviation, %s", r->is_ms2 ? "µg" : r->unit);
     svg_text(file, "ink heading", SVG_START, 0, TOP - 28, text);
     draw_ticks(file, &p, &p.x, draw_tick_x);
     draw_ticks(file, &p, &p.y, draw_tick_y);
     for (unsigned kind = 0; kind < INVCAL_NOISE_KINDS; kind++) {
-        if (r->noise[r->worst].visible >> kind & 1u) {
+        if (is_visible(r, kind)) {
             draw_slope(file, &p, kind);
         }
     }
