@@ -6,6 +6,7 @@
 #include "plan_words.h"
 
 #define POOR 1.5 /* of misfit (invcal/allan.h) */
+#define SHORT_REST 2.0 /* seconds (invcal/still.h) */
 #define SMALL 1e-4
 #define LARGE 1e5
 #define MICRO_G (1e-6 * UNIT_STANDARD_GRAVITY)
@@ -143,6 +144,9 @@ const char *allan_next(const allan_result *r, char text[ALLAN_WORDS_MAX])
     } else if (d->end == ALLAN_LONGEST) {
         way = "state with --sigma what is good enough, or log longer to see where it ends.";
     }
-    snprintf(text, ALLAN_WORDS_MAX, "%s", way);
+    snprintf(text, ALLAN_WORDS_MAX, "%s%s", way,
+             d->seconds < SHORT_REST
+                 ? " Stay two seconds all the same: shorter rests are not found in a log."
+                 : "");
     return text;
 }
