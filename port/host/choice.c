@@ -23,8 +23,9 @@ static unsigned positions_allowed(const choice_request *request)
     if (!(request->budget > 0)) {
         return DESIGN_MAX;
     }
-    /* n dwells and n - 1 moves; 1e-9 of one more, lest rounding takes the last one */
-    const double n = floor((request->budget + cost->move) / (cost->dwell + cost->move) + 1e-9);
+    /* n rests and n - 1 moves; 1e-9 of one more, lest rounding takes the last one */
+    const double period = cost->settle + cost->dwell + cost->move;
+    const double n = floor((request->budget + cost->move) / period + 1e-9);
     return n < DESIGN_MAX ? (unsigned)n : DESIGN_MAX; /* all are within bounds: n is a number */
 }
 

@@ -10,11 +10,14 @@
 
 #include "design.h"
 
+struct labour;
+
 typedef struct {
     const double *limits; /* of the sigma of delta, dk, gamma, over the noise of a position mean;
                              or null */
     double budget;        /* seconds; 0: no limit */
     design_cost cost;
+    const struct labour *labour; /* what dwell and number were chosen by (plan_labour.h), or null */
 } choice_request;
 
 enum { CHOICE_STAND, CHOICE_FREE, CHOICE_FAMILIES };

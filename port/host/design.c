@@ -25,7 +25,7 @@ const char *design_axis_name(unsigned axis)
 
 double design_seconds(unsigned count, const design_cost *cost)
 {
-    return count * cost->dwell + (count - 1.0) * cost->move;
+    return count * (cost->settle + cost->dwell) + (count - 1.0) * cost->move;
 }
 
 double design_noise(const design_cost *cost)

@@ -62,12 +62,13 @@ const char *design_axis_name(unsigned axis);
 
 /* What a position costs and, if the user tells, what its mean is worth. */
 typedef struct {
-    double noise; /* standard deviation of a mean over one second, over the field; 0: not told */
-    double dwell; /* seconds in a position */
-    double move;  /* seconds between two */
+    double noise;  /* standard deviation of a mean over one second, over the field; 0: not told */
+    double dwell;  /* seconds in a position */
+    double settle; /* and those before, that count for nothing */
+    double move;   /* seconds between two */
 } design_cost;
 
-/* The time that so many positions take: a dwell in each, a move between two. */
+/* The time that so many positions take: settling and a dwell in each, a move between two. */
 double design_seconds(unsigned count, const design_cost *cost);
 
 /* Standard deviation of a position mean over the field: noise / sqrt(dwell). */

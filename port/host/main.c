@@ -14,7 +14,7 @@
 #include "output.h"
 
 static const tool_command *const commands[] = {
-    &calibrate_command, &apply_command,    &export_command,
+    &calibrate_command, &apply_command,    &export_command, &allan_command,
     &plan_command,      &simulate_command, &watch_command,
 };
 

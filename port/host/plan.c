@@ -9,9 +9,11 @@
 
 #include "command.h"
 #include "message.h"
+#include "noise_file.h"
 #include "optimal.h"
 #include "options.h"
 #include "output.h"
+#include "plan_labour.h"
 
 enum {
     PER_GROUP,
@@ -26,7 +28,9 @@ enum {
     LIMITS,
     BUDGET,
     NOISE,
+    ALLAN,
     DWELL,
+    SETTLE,
     MOVE,
     SVG,
     REPORT,
@@ -48,7 +52,9 @@ static const option options[OPTIONS] = {
     [LIMITS] = {"--limits", 1},
     [BUDGET] = {"--budget", 1},
     [NOISE] = {"--noise", 1},
+    [ALLAN] = {"--allan", 1},
     [DWELL] = {"--dwell", 1},
+    [SETTLE] = {"--settle", 1},
     [MOVE] = {"--move", 1},
     [SVG] = {"--svg", 1},
     [REPORT] = {"--report", 1},
@@ -75,6 +81,7 @@ typedef struct {
 
 /* The sets in work: at most two, too large for the stack. */
 static design sets[2];
+static labour work;
 
 static int usage(unsigned which, const char *what)
 {
@@ -103,8 +110,23 @@ static int read_cost(request *r)
     cost->move = 5;
     int failure = read_number(r, NOISE, 1e-12, 1, &cost->noise);
     failure = failure ? failure : read_number(r, DWELL, 1e-3, 1e6, &cost->dwell);
+    failure = failure ? failure : read_number(r, SETTLE, 0, 1e6, &cost->settle);
     failure = failure ? failure : read_number(r, MOVE, 0, 1e6, &cost->move);
     return failure ? failure : read_number(r, BUDGET, 1e-3, 1e9, &r->choice.budget);
+}
+
+/* With --allan: over the field. How long a position mean takes to be good enough for them is what
+ * is to be found. */
+static int read_field_limits(const request *r)
+{
+    const int failure = options_numbers(&syntax, LIMITS, r->value[LIMITS], 3, work.limits, NULL);
+
+    for (unsigned i = 0; i < 3 && !failure; i++) {
+        if (!(work.limits[i] >= 1e-9 && work.limits[i] <= 1)) {
+            return usage(LIMITS, "must be within 1e-9 ... 1 of the field, 1 and rad");
+        }
+    }
+    return failure;
 }
 
 /* Limits in units of the noise of a position mean, or, if that is told, of the field. A sigma
@@ -115,6 +137,9 @@ static int read_limits(request *r)
 
     if (!r->value[LIMITS]) {
         return EXIT_GOOD;
+    }
+    if (r->value[ALLAN]) {
+        return read_field_limits(r);
     }
     const int failure = options_numbers(&syntax, LIMITS, r->value[LIMITS], 3, r->limits, NULL);
     for (unsigned i = 0; i < 3 && !failure; i++) {
@@ -162,10 +187,31 @@ static int read_set(request *r)
     return EXIT_GOOD;
 }
 
+/* What does not go together with --allan. */
+static int check_allan(const request *r)
+{
+    static const unsigned others[] = {NOISE, DWELL, BUDGET, SWEEP, COMPARE};
+
+    if (!r->value[LIMITS] || r->has_set) {
+        return usage(ALLAN, "finds number and dwell for --limits; leave other sets out");
+    }
+    for (unsigned i = 0; i < sizeof others / sizeof others[0]; i++) {
+        if (r->value[others[i]]) {
+            return message_usage(syntax.command, "%s: cannot be joined with --allan",
+                                 options[others[i]].name);
+        }
+    }
+    return EXIT_GOOD;
+}
+
 /* What does not go together. */
 static int check(const request *r)
 {
     const char *const *value = r->value;
+
+    if (value[ALLAN]) {
+        return check_allan(r);
+    }
 
     if ((value[SWEEP] || value[COMPARE]) && r->has_set) {
         return usage(value[SWEEP] ? SWEEP : COMPARE, "names its sets itself; leave the other out");
@@ -173,8 +219,9 @@ static int check(const request *r)
     if (value[SWEEP] && value[COMPARE]) {
         return usage(SWEEP, "cannot be joined with --compare");
     }
-    if (value[SWEEP] && (value[NOISE] || value[DWELL] || value[MOVE])) {
-        return usage(SWEEP, "knows no time and noise; leave out --noise, --dwell, --move");
+    if (value[SWEEP] && (value[NOISE] || value[DWELL] || value[SETTLE] || value[MOVE])) {
+        return usage(SWEEP,
+                     "knows no time and noise; leave out --noise, --dwell, --settle, --move");
     }
     if ((value[SWEEP] || value[COMPARE]) && (value[LIMITS] || value[BUDGET])) {
         return usage(value[LIMITS] ? LIMITS : BUDGET,
@@ -195,11 +242,15 @@ static int check(const request *r)
     return EXIT_GOOD;
 }
 
-/* The files of directions that are read. */
+/* The files that are read. */
 static const char *source(const request *r, unsigned i)
 {
     static const char prefix[] = "directions:";
     const size_t length = strlen(prefix);
+
+    if (r->value[ALLAN]) {
+        return i == 0 ? r->value[ALLAN] : NULL;
+    }
 
     if (!r->value[COMPARE]) {
         return i == 0 ? r->value[DIRECTIONS] : NULL;
@@ -219,7 +270,7 @@ static int check_files(const request *r)
         const char *path = r->value[made[i / 2]];
         const char *read = source(r, i % 2);
         if (path && read && output_is_same(path, read)) {
-            return usage(made[i / 2], "is a file of directions, which would be lost");
+            return usage(made[i / 2], "is a file that is read, and would be lost");
         }
     }
     if (svg && report && (strcmp(svg, report) == 0 || output_is_same(svg, report))) {
@@ -258,6 +309,8 @@ static void draw(FILE *file, const result *found)
         plan_svg_sweep(file, found->rows, found->row_count);
     } else if (found->set[1]) {
         plan_svg_comparison(file, found->set[0], found->set[1], &found->asked->choice);
+    } else if (found->asked->choice.labour) {
+        labour_svg(file, found->asked->choice.labour);
     } else {
         plan_svg_directions(file, found->set[0]);
     }
@@ -398,6 +451,26 @@ static int choose(const request *r)
     return failure ? refuse(r, NULL, c.refusal) : deliver(&found);
 }
 
+/* Number of positions and dwell together. */
+static int find_labour(request *r)
+{
+    const result found = {.asked = r, .set = {&sets[0]}};
+
+    work.noise_name = r->value[ALLAN];
+    work.settle = r->choice.cost.settle;
+    work.move = r->choice.cost.move;
+    int failure = noise_file_read(r->value[ALLAN], work.noise);
+    if (failure) {
+        return failure;
+    }
+    failure = labour_find(&work, &sets[0]);
+    if (failure) {
+        return refuse(r, NULL, work.refusal);
+    }
+    labour_request(&work, r->limits, &r->choice);
+    return deliver(&found);
+}
+
 /* FROM:TO, both from 5 to 1000. */
 static int read_sweep(const request *r, unsigned *from, unsigned *to)
 {
@@ -440,6 +513,9 @@ static int run(int argc, char **argv)
     if (failure) {
         return failure;
     }
+    if (r.value[ALLAN]) {
+        return find_labour(&r);
+    }
     if (r.value[SWEEP]) {
         return sweep(&r);
     }
@@ -454,6 +530,7 @@ static const char *const help[] = {
     "                    --optimal N | --directions FILE] [options]\n"
     "       invcal plan --limits D,K,G [--budget SECONDS] [options]\n"
     "       invcal plan --budget SECONDS [options]\n"
+    "       invcal plan --limits D,K,G --allan NOISE.json [--settle T] [--move T] [options]\n"
     "       invcal plan --sweep FROM:TO [--svg FILE] [--report FILE] [--json]\n"
     "       invcal plan --compare SET SET [--svg FILE] [--report FILE] [--json]\n"
     "\n"
@@ -481,13 +558,18 @@ static const char *const help[] = {
     "                      directions, the latter up to 144\n"
     "  --noise S           standard deviation of the mean of one second at rest, over the field\n"
     "                      (0.0001 is 0.1 mg)\n"
+    "  --allan NOISE.json  noise that invcal allan --out has measured: chooses the number of\n"
+    "                      positions, up to 144, and the seconds in each, 2 or more, for the\n"
+    "                      least time in all; --limits are then over the field, 1 and rad\n"
     "  --dwell T           seconds in each position; default 5\n"
+    "  --settle T          seconds before that in each, which do not count; default 0\n"
     "  --move T            seconds from one to the next; default 5\n"
     "  --sweep FROM:TO     the paper's programs for each N in the range\n"
     "  --compare SET SET   two sets side by side, by these words:\n",
     DESIGN_WORDS,
     "  --svg FILE          draws the directions; for a sweep sigma against the number of\n"
-    "                      positions; for --compare the ratios of the second set to the first\n"
+    "                      positions; for --compare the ratios of the second set to the first;\n"
+    "                      for --allan total time against the number of positions\n"
     "  --report R.html     writes a page with the verdict, a work sheet to take to the stand, and\n"
     "                      pictures: one file that needs nothing else, for screen and paper\n"
     "  --json              print the result as JSON in place of the table\n"

@@ -4,6 +4,7 @@
 #include "json_write.h"
 #include "number.h"
 #include "plan.h"
+#include "plan_labour.h"
 
 unsigned plan_missing(uint8_t axes)
 {
@@ -149,6 +150,9 @@ void plan_json(FILE *file, const design *d, const choice_request *request, const
             }
         }
         json_list_end(&w);
+    }
+    if (request->labour) {
+        labour_json(&w, request->labour);
     }
     json_end(&w);
 }

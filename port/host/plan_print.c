@@ -6,6 +6,7 @@
 #include "invcal/series.h"
 #include "paint.h"
 #include "parameters.h"
+#include "plan_labour.h"
 #include "plan_words.h"
 
 static void print_positions(FILE *file, const design *d)
@@ -168,6 +169,9 @@ void plan_print(FILE *file, const design *d, const choice_request *request, cons
     if (c) {
         print_choice(file, c, request);
     }
+    if (request->labour) {
+        labour_print(file, request->labour);
+    }
     fprintf(file, "%s%s:%s %u positions", paint_on(file, PAINT_BOLD), d->name, paint_off(file),
             d->count);
     if (d->plan.per_group > 0) {
@@ -177,8 +181,12 @@ void plan_print(FILE *file, const design *d, const choice_request *request, cons
         fprintf(file, " in 3 groups of %u, starting at %s, %s, %s degrees", d->plan.per_group,
                 start[0], start[1], start[2]);
     }
-    fprintf(file, "\n%.6g s, with %.6g s in each position and %.6g s between two\n\n",
+    fprintf(file, "\n%.6g s, with %.6g s in each position and %.6g s between two",
             design_seconds(d->count, &request->cost), request->cost.dwell, request->cost.move);
+    if (request->cost.settle > 0) {
+        fprintf(file, ", and %.6g s to settle in each", request->cost.settle);
+    }
+    fprintf(file, "\n\n");
     print_positions(file, d);
     if (d->is_solvable) {
         print_sigmas(file, d, &request->cost);

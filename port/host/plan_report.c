@@ -7,6 +7,7 @@
 #include "command.h"
 #include "parameters.h"
 #include "plan_facts.h"
+#include "plan_labour.h"
 
 #define TEXT_MAX 800
 #define NAMED_FROM 11u /* positions, from which on a wrong one is told (outlier.h) */
@@ -219,6 +220,10 @@ static void write_cost(page *p, const plan_facts *f)
     page_fact(p, "time", "%s: %s in each of %u positions, %s between two",
               plan_time_text(design_seconds(d->count, cost), text[0]),
               plan_time_text(cost->dwell, text[1]), d->count, plan_time_text(cost->move, text[2]));
+    if (cost->settle > 0) {
+        page_fact(p, "to settle", "%s in each before it counts",
+                  plan_time_text(cost->settle, text[0]));
+    }
     if (f->request->budget > 0) {
         page_fact(p, "budget", "%s", plan_time_text(f->request->budget, text[0]));
     }
@@ -251,7 +256,10 @@ static void write_origin(page *p, const plan_facts *f, const char *command)
         }
         page_fact(p, "start angles", "%s°, %s°, %s°", text[0], text[1], text[2]);
     }
-    if (f->noise > 0) {
+    if (f->request->labour) {
+        page_fact(p, "noise", "%s: %.4g mg for a position mean", f->request->labour->noise_name,
+                  1e3 * f->noise);
+    } else if (f->noise > 0) {
         page_fact(p, "noise stated", "%.4g mg for one second, %.4g mg for a position mean",
                   1e3 * f->request->cost.noise, 1e3 * f->noise);
     } else {
@@ -282,6 +290,9 @@ void plan_report(FILE *file, const design *d, const choice_request *request, con
     plan_report_coverage(&p, &f);
     if (c) {
         write_choice(&p, &f);
+    }
+    if (request->labour) {
+        labour_report(&p, request->labour);
     }
     write_cost(&p, &f);
     write_origin(&p, &f, command);

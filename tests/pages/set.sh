@@ -63,6 +63,25 @@ done
 "$tool" plan --sweep 5:16 --svg "$out/sweep.svg" > /dev/null
 echo "$out/sweep.svg"
 
+allan() { # allan PAGE ARGUMENTS ...
+    page=$out/allan-$1.html
+    shift
+    "$tool" allan --quiet --report "$page" "$@"
+    echo "$page"
+}
+
+# Noise: white alone, with a floor, more than is to be had; in unknown units.
+echo 0 0 1 > "$out/up.txt"
+rest="simulate --plan directions:$out/up.txt --dwell 1000"
+# shellcheck disable=SC2086
+"$tool" $rest > "$out/white.csv"
+# shellcheck disable=SC2086
+"$tool" $rest --instability 0.001 > "$out/walk.csv"
+allan white "$out/white.csv" --lsb 0.000598550415 --sigma 0.0005
+allan walk "$out/walk.csv" --lsb 0.000598550415
+allan beyond "$out/walk.csv" --lsb 0.000598550415 --sigma 0.000001
+allan counts "$out/white.csv" --tau 0.01,0.1,1,10
+
 plan() { # plan PAGE ARGUMENTS ...
     page=$out/plan-$1.html
     shift

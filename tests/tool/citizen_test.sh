@@ -9,7 +9,7 @@ here=$(dirname "$0")
 # shellcheck source=tests/tool/support.sh
 . "$here/support.sh"
 root=$(cd "$here/../.." && pwd)
-commands='calibrate apply export plan simulate watch'
+commands='calibrate apply export allan plan simulate watch'
 xsens=$data/xsens_mti_positions.csv
 unset NO_COLOR
 
@@ -94,6 +94,7 @@ silent calibrate "$work/log.csv"
 silent calibrate "$xsens" --positions --gravity 9.81744 --out "$work/quiet.json"
 check "--quiet: the file is written all the same" is_json "$work/quiet.json"
 silent watch "$work/log.csv"
+silent allan "$work/log.csv" --to 5
 silent plan
 silent plan --sweep 5:9
 silent plan --compare edges optimal:18
@@ -146,7 +147,7 @@ offers() { # offers "WORDS ..." WORD ...: what bash offers for the last word, so
 completes() { check "completion: $1" offers "$2" "$3" "$4" "$5" "$6"; }
 if command -v bash > /dev/null; then
     : > "$work/example/la la.csv"
-    check "completion: commands" offers "--help --version apply calibrate export plan simulate watch" ''
+    check "completion: commands" offers "--help --version allan apply calibrate export plan simulate watch" ''
     check "completion: the rest of a command" offers calibrate ca
     check "completion: the rest of an option" offers --gravity calibrate --gr
     for c in $commands; do

@@ -73,6 +73,16 @@ prints 1 calibration_refusal calibrate "$xsens" --positions --zero 0,0,0 --lsb 1
 sed '2s/.*/1e200,1,1/' "$work/nine.csv" > "$work/huge.csv"
 prints 1 calibration_refusal calibrate "$work/huge.csv" --positions --zero 0,0,0 --lsb 1 --gravity 1
 
+# ---- noise -------------------------------------------------------------------------------------
+
+echo 0 0 1 > "$work/up.txt"
+"$tool" simulate --plan "directions:$work/up.txt" --dwell 60 > "$work/rest.csv"
+prints 0 allan allan "$work/rest.csv" --out "$work/noise.json"
+check "the file of --out is a noise" fits allan "$work/noise.json"
+prints 0 allan allan "$work/rest.csv" --lsb 0.0006 --sigma 0.001 --apart
+prints 0 allan allan "$work/rest.csv" --lsb 0.0006 --sigma 1e-9
+prints 0 allan allan "$work/rest.csv" --lsb 0.003 --gravity 48.5
+
 # ---- plans -------------------------------------------------------------------------------------
 
 for set in '' '--per-group 7' '--per-group 8 --start 0,10,20 --noise 0.0001' --edges --icosahedron \

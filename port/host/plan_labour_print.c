@@ -1,0 +1,72 @@
+/* SPDX-License-Identifier: MIT */
+#include "paint.h"
+#include "plan_labour.h"
+#include "plan_words.h"
+
+static void print_row(FILE *file, const labour *l, unsigned family, const labour_row *row)
+{
+    const int is_chosen = l->best[l->chosen] == row;
+    char time[PLAN_WORDS_MAX] = "";
+
+    fprintf(file, "%s%-20s%10u", is_chosen ? paint_on(file, PAINT_GREEN) : "",
+            labour_families[family], row->count);
+    if (row->is_possible) {
+        plan_time_text(row->seconds, time);
+        fprintf(file, "%12.4g%14.4g%*s   %s", row->dwell, 1e3 * row->sigma, paint_width(time, 16),
+                time, plan_kinds[row->binds].name);
+    } else {
+        fprintf(file, "%12s%14.4g%16s   %.4g mg are needed", "none", 1e3 * row->sigma, "",
+                1e3 * row->wanted);
+    }
+    fprintf(file, "%s%s%s\n", row->is_possible && row->is_beyond ? ", dwell not seen" : "",
+            is_chosen ? "   chosen" : "", is_chosen ? paint_off(file) : "");
+}
+
+void labour_print(FILE *file, const labour *l)
+{
+    fprintf(file,
+            "The least time in all, by the noise of %s; %.6g s to settle in each position, %.6g s\n"
+            "between two; limits %.4g mg, %.4g %%, %.4g degrees\n\n",
+            l->noise_name, l->settle, l->move, plan_kinds[0].scale * l->limits[0],
+            plan_kinds[1].scale * l->limits[1], plan_kinds[2].scale * l->limits[2]);
+    fprintf(file, "%s%-20s%10s%12s%14s%16s   %s%s\n", paint_on(file, PAINT_BOLD), "", "positions",
+            "dwell, s", "mean, mg", "time", "what binds", paint_off(file));
+    for (unsigned f = 0; f < CHOICE_FAMILIES; f++) {
+        unsigned first;
+        unsigned end;
+        labour_around(l, f, &first, &end);
+        for (unsigned i = first; i < end; i++) {
+            print_row(file, l, f, &l->row[f][i]);
+        }
+    }
+    putc('\n', file);
+}
+
+void labour_json(json_writer *w, const labour *l)
+{
+    static const char *const names[CHOICE_FAMILIES] = {"stand", "free"};
+
+    json_text(w, "noise_file", l->noise_name);
+    json_number(w, "dwell", l->best[l->chosen]->dwell);
+    json_number(w, "dwell_sigma", l->best[l->chosen]->sigma);
+    json_number(w, "settle", l->settle);
+    json_number(w, "move", l->move);
+    json_list(w, "tradeoff");
+    for (unsigned f = 0; f < CHOICE_FAMILIES; f++) {
+        for (unsigned i = 0; i < l->rows[f]; i++) {
+            const labour_row *row = &l->row[f][i];
+            if (row->is_possible) {
+                json_object(w, NULL);
+                json_text(w, "family", names[f]);
+                json_number(w, "positions", row->count);
+                json_number(w, "dwell", row->dwell);
+                json_number(w, "dwell_sigma", row->sigma);
+                json_text(w, "dwell_end", row->is_beyond ? "beyond" : "reached");
+                json_number(w, "seconds", row->seconds);
+                json_text(w, "binds", plan_kinds[row->binds].name);
+                json_object_end(w);
+            }
+        }
+    }
+    json_list_end(w);
+}

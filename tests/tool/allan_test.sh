@@ -1,0 +1,175 @@
+#!/bin/sh
+# SPDX-License-Identifier: MIT
+#
+# Tests of allan from outside: allan_test.sh path/to/invcal builddir
+here=$(dirname "$0")
+# shellcheck source=tests/tool/support.sh
+. "$here/support.sh"
+
+# ---- NIST SP 1065 ------------------------------------------------------------------------------
+
+# Its set of 1000 points, and the deviations that it publishes.
+nist() { # nist M: each point times 2147483647 / M, with both signs
+    awk -v m="$1" 'BEGIN {
+        for (n = 1234567890; i++ < 1000; n = 16807 * n % 2147483647) # below 2^53: exact
+            printf "%.17g %.17g %.17g\n", n / m, -n / m, n / m
+    }'
+}
+nist 2147483647 > "$work/fractions.txt"
+nist 1 > "$work/integers.txt"
+
+deviates() { # deviates AXIS "A B C": the deviations at the three times, to 1e-6 of each
+    sed -n "s/^    \"$1\": \[\([0-9].*\)\],*\$/\1/p" "$work/stdout" | sed 's/,//g' |
+        awk -v expected="$2" '{
+            n = split(expected, e, " ")
+            if (NF != n) exit 1
+            for (i = 1; i <= n; i++) if (!($i / e[i] - 1 <= 1e-6 && $i / e[i] - 1 >= -1e-6)) exit 1
+            found = 1
+        } END { exit !found }' || { grep -A 4 adev "$work/stdout" >&2; return 1; }
+}
+
+agrees() { # agrees ESTIMATOR "A B C" ARGUMENTS ...: of fractions, and of integers with --lsb
+    estimator=$1
+    expected=$2
+    shift 2
+    for file in fractions integers; do
+        unit=4.656612875245797e-10
+        [ $file = integers ] || unit=1
+        run allan "$work/$file.txt" --lsb $unit --rate 1 --tau 1,10,100 --json "$@"
+        for axis in x y z; do
+            check "NIST SP 1065, $estimator, $file, $axis" deviates $axis "$expected"
+        done
+    done
+}
+agrees overlapping '2.922319e-01 9.159953e-02 3.241343e-02'
+agrees 'windows apart' '2.922319e-01 9.965736e-02 3.897804e-02' --apart
+check "NIST SP 1065: the number of differences" [ "$(json "$work/stdout" count)" = '[999, 99, 9]' ]
+
+# ---- what it finds -----------------------------------------------------------------------------
+
+# 1 mg a sample at 100 Hz: white noise of 100 micro-g/sqrt(Hz).
+echo 0.3 -0.4 0.9 > "$work/up.txt"
+"$tool" simulate --plan "directions:$work/up.txt" --dwell 900 > "$work/rest.csv"
+lsb=0.000598550415
+
+inside() { # inside NAME LEAST MOST: each member of this name
+    sed -n "s/^ *\"$1\": \([0-9.e-]*\),*\$/\1/p" "$work/stdout" | awk -v a="$2" -v b="$3" '
+        !($1 >= a && $1 <= b) { bad = 1; print "    found: " $1 > "/dev/stderr" }
+        END { exit bad || NR == 0 }'
+}
+accepts "white noise" allan "$work/rest.csv" --lsb $lsb --sigma 0.0001 --json
+check "white noise is found to 3 %" inside white 0.000951 0.00101
+check "and nothing but white noise" inside walk 0 0
+check "nor bias instability" inside instability 0 0
+# (N / sigma)^2 of the worst axis
+check "the dwell is (N / sigma)^2" inside dwell 90 102
+check "and its sigma the one that is wanted" inside dwell_sigma 0.0000999999 0.0001000001
+check "it is white noise that limits it" matches "$work/stdout" '"dwell_limit": "white noise"'
+check "it has been reached" matches "$work/stdout" '"dwell_end": "reached"'
+run allan "$work/rest.csv" --lsb $lsb --sigma 0.00001 --json
+check "a time that has not been seen" matches "$work/stdout" '"dwell_end": "beyond"'
+run allan "$work/rest.csv" --json
+check "no unit: counts are what it is in" inside white 1.59 1.69
+check "no unit: it says so" matches "$work/stdout" '"unit": "input"'
+check "no sigma, no floor: the longest time" matches "$work/stdout" '"dwell_end": "longest"'
+
+# Bias that wanders: a random walk, K of 1e-5 m/s^2 in a step of 0.1 s, is 3.16e-5 m/s^2 sqrt(Hz).
+awk 'function normal(  i, s) { for (i = 0; i < 12; i++) s += rand(); return s - 6 }
+    BEGIN {
+        srand(7)
+        print "t,ax (m/s^2),ay (m/s^2),az (m/s^2)"
+        for (i = 0; i < 100000; i++) {
+            for (k = 0; k < 3; k++) b[k] += 1e-5 * normal()
+            printf "%.1f,%.7f,%.7f,%.7f\n", i / 10, b[0] + 1e-3 * normal(), b[1] + 1e-3 * normal(),
+                9.8 + b[2] + 1e-3 * normal()
+        }
+    }' > "$work/walk.csv"
+accepts "a random walk" allan "$work/walk.csv" --json
+check "a random walk: its unit comes from the header" matches "$work/stdout" '"unit": "m/s\^2"'
+check "a random walk: K to 25 %" inside walk 2.37e-5 3.95e-5
+check "a random walk: N to 5 %" inside white 3.0e-4 3.33e-4
+check "a random walk: the dwell is about sqrt(3) N / K" inside dwell 13 22
+check "a random walk: that is the floor" matches "$work/stdout" '"dwell_end": "floor"'
+accepts "it prints" allan "$work/walk.csv"
+check "the table names its units" matches "$work/stdout" 'white noise N, µg/√Hz'
+check "the table has the velocity random walk" matches "$work/stdout" 'm/s/√h'
+check "it says how long to hold" matches "$work/stdout" '^Hold each position 1[0-9](\.[0-9])?.s: '
+run allan "$work/walk.csv" --sigma 1e-6
+check "it says that no time will do" matches "$work/stdout" '^No time in a position brings'
+
+# A filter of first order: short averaging times look better than they are.
+awk 'BEGIN { srand(3); for (i = 0; i < 20000; i++) { y += 0.02 * (rand() - 0.5 - y); print y, y, y } }' \
+    > "$work/filtered.txt"
+run allan "$work/filtered.txt" --rate 100
+check "a filter is noticed" matches "$work/stdout" '^More than this noise: on x y z something else'
+run allan "$work/rest.csv"
+check "where there is none, nothing is said" lacks "$work/stdout" 'More than this noise'
+
+# ---- gaps, parts, files ------------------------------------------------------------------------
+
+# A hundred seconds are cut out: no window reaches across.
+awk -F, 'NR == 1 || NR < 40000 || NR > 50000' "$work/rest.csv" > "$work/gap.csv"
+accepts "a gap" allan "$work/gap.csv" --json
+check "a gap is counted" [ "$(json "$work/stdout" gaps)" = 1 ]
+awk -F, 'NR > 1 { print $2, $3, $4 }' "$work/gap.csv" > "$work/glued.txt"
+count=$(json "$work/stdout" count)
+run allan "$work/glued.txt" --rate 100 --json
+check "a gap costs differences" [ "$count" != "$(json "$work/stdout" count)" ]
+accepts "a part" allan "$work/rest.csv" --from 100 --to 199.995 --json
+check "a part is 10000 samples" [ "$(json "$work/stdout" samples)" = 10000 ]
+in=$work/rest.csv
+run allan "$work/rest.csv" --json
+sed '/source_file/d' "$work/stdout" > "$work/named"
+run allan - --json
+check "standard input gives the same" sh -c 'sed /source_file/d "$1" | cmp -s - "$2"' sh \
+    "$work/stdout" "$work/named"
+in=/dev/null
+accepts "files" allan "$work/rest.csv" --out "$work/out/noise.json" --report "$work/out/noise.html" --json
+check "--out is what --json prints" same "$work/stdout" "$work/out/noise.json"
+check "--out is JSON" is_json "$work/out/noise.json"
+check "the report is a page" is_page "$work/out/noise.html"
+check "the report has its verdict" matches "$work/out/noise.html" 'Hold each position'
+cp "$work/rest.csv" "$work/out/<b>&.csv"
+accepts "a hostile name" allan "$work/out/<b>&.csv" --report "$work/out/hostile.html"
+check "a hostile name is escaped" is_page "$work/out/hostile.html"
+rm -f "$work"/out/*
+
+# ---- refusals ----------------------------------------------------------------------------------
+
+"$tool" simulate --plan edges > "$work/moves.csv"
+# The first position ends after 5 s, in line 502.
+run allan "$work/moves.csv" --out "$work/out/noise.json"
+check "a log that moves is refused, and says where" was_refused 1 \
+    'moves.csv:(49|5[0-4])[0-9]: not at rest: at (4\.[89]|5\.[0-4])[0-9]* s .*--from and --to'
+check "and nothing is written" [ -z "$(ls "$work/out")" ]
+accepts "but for its first position" allan "$work/moves.csv" --to 4.9
+awk -F, 'NR == 1 || NR < 30000 || NR > 60000 { print; next }
+    { OFS = ","; $3 += 200 * sin(NR / 3); print }' "$work/rest.csv" > "$work/shaken.csv"
+refuses "a log that is shaken for a while" 1 'shaken.csv:[23][0-9]*: not at rest: .* of y scatter' \
+    allan "$work/shaken.csv"
+awk -F, 'NR > 1 { OFS = ","; $2 += 30 * (1 - exp(-NR / 6000)) } { print }' "$work/rest.csv" \
+    > "$work/warm.csv"
+accepts "a sensor that warms up is at rest" allan "$work/warm.csv"
+awk 'BEGIN { for (i = 0; i < 1000; i++) print i % 7, i % 5, 3 }' > "$work/frozen.txt"
+refuses "an axis that never changes" 1 'z never changes' allan "$work/frozen.txt" --rate 50
+head -n 8 "$work/rest.csv" > "$work/short.csv"
+refuses "a short log" 1 'show no noise of x .*log longer' allan "$work/short.csv"
+refuses "no rate" 2 '--rate: is needed' allan "$work/glued.txt"
+refuses "a time that is no multiple" 2 '--tau: 0.015 s .* no multiple of the interval, 0.01 s' allan \
+    "$work/rest.csv" --tau 0.015
+refuses "a long time off the grid" 2 'must be a multiple of 0.02 s' allan "$work/rest.csv" --tau 50.01
+refuses "times that descend" 2 '--tau: must ascend' allan "$work/rest.csv" --tau 1,0.1
+refuses "a time that is no number" 2 'is not a decimal number' allan "$work/rest.csv" --tau 1,b
+refuses "sigma 0" 2 '--sigma 0: must be above 0' allan "$work/rest.csv" --sigma 0
+refuses "a unit that is none" 2 '--unit ft: is none of' allan "$work/rest.csv" --unit ft
+refuses "two units" 2 '--lsb: tells the unit itself' allan "$work/rest.csv" --unit g --lsb 1
+refuses "an end before the beginning" 2 '--to: is before --from' allan "$work/rest.csv" --from 3 --to 2
+refuses "a part with nothing in it" 1 'no sample within' allan "$work/rest.csv" --from 5000
+refuses "a result over the log" 2 'is LOG, which would be lost' allan "$work/rest.csv" --out "$work/rest.csv"
+refuses "a report over the result" 2 '--report: is the file of --out' allan "$work/rest.csv" \
+    --out "$work/out/a" --report "$work/out/a"
+echo '1,2' >> "$work/short.csv"
+refuses "a malformed line" 3 'short.csv:9: ' allan "$work/short.csv"
+refuses "no log" 3 'nowhere' allan "$work/nowhere"
+
+finish
