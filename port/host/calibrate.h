@@ -44,10 +44,8 @@ typedef struct {
  * temperatures do not help. */
 int calibrate_wants_slopes(const calibrate_result *result);
 
-/* The calibration that holds for a position, and that of nine parameters for its reading at the
- * reference temperature. */
+/* The calibration that holds for a position. */
 invcal_calibration calibrate_at(const calibrate_result *result, unsigned position);
-void calibrate_reading(const calibrate_result *result, unsigned position, double out[3]);
 
 /* What the positions kept leave uncertain (at the reference temperature), for a noise of `unit`,
  * and the normal equations behind it. */

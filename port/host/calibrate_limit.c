@@ -28,12 +28,13 @@ invcal_calibration calibrate_at(const calibrate_result *r, unsigned position)
                : r->solution.calibration;
 }
 
-void calibrate_reading(const calibrate_result *r, unsigned position, double out[3])
+/* The reading of a position kept, at the reference temperature. */
+static void reading_of(const calibrate_result *r, unsigned kept, double out[3])
 {
-    const double *mean = &r->data->mean[3 * (size_t)position];
+    const double *mean = &r->rejected.kept[3 * (size_t)kept];
 
     if (r->temperature == CALIBRATE_THERMAL) {
-        thermal_fit_to_reference(&r->fit, mean, r->data->origin[position].temperature, out);
+        thermal_fit_to_reference(&r->fit, mean, r->rejected.temperature[kept], out);
     } else {
         memcpy(out, mean, 3 * sizeof *out);
     }
@@ -48,7 +49,7 @@ void calibrate_spread(const calibrate_result *r, double unit, uncertainty *u, in
     for (unsigned n = 0; n < r->rejected.kept_count; n++) {
         double raw[3];
         double reading[3];
-        calibrate_reading(r, rejection_original(&r->rejected, n), raw);
+        reading_of(r, n, raw);
         (void)invcal_observation_reading(&r->settings.nominal, r->settings.field, raw, reading);
         (void)invcal_residuals_add(&residuals, reading, 1, NULL);
     }
@@ -80,7 +81,7 @@ static double unevenness(const calibrate_result *r, const uncertainty *length)
     const int is_parabola = r->temperature == CALIBRATE_THERMAL && r->fit.calibration.fitted == 2;
     const double count = r->rejected.kept_count / (is_parabola ? 3.0 : 1.0);
 
-    return length->most / length->unit / sqrt(INVCAL_PARAMETERS / count);
+    return length->most / length->unit / sqrt((double)INVCAL_PARAMETERS / count);
 }
 
 static int depends_on_temperature(const calibrate_result *r)
