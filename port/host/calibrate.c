@@ -39,6 +39,7 @@ enum {
     CLIP,
     PLAN,
     TARGET,
+    MEAN_SIGMA,
     KEEP_ALL,
     TOLERANCE,
     OUT,
@@ -67,6 +68,7 @@ static const option options[OPTIONS] = {
     [CLIP] = {"--clip", 1},
     [PLAN] = {"--plan", 1},
     [TARGET] = {"--target", 1},
+    [MEAN_SIGMA] = {"--mean-sigma", 1},
     [KEEP_ALL] = {"--keep-all", 0},
     [TOLERANCE] = {"--tolerance", 1},
     [OUT] = {"--out", 1},
@@ -97,6 +99,7 @@ typedef struct {
     double clip[2];
     reading_unit unit; /* of --unit */
     double target[3];
+    double mean_sigma;
     double tolerance[3];
     char command[COMMAND_MAX]; /* the command line, for the report */
     double place[2];           /* latitude, height */
@@ -289,13 +292,24 @@ static int read_live_options(request *r)
     design *set = &live_plan;
     int failure = EXIT_GOOD;
 
-    if (!is_live && (r->value[PLAN] || r->value[TARGET])) {
-        return usage(r, r->value[PLAN] ? PLAN : TARGET, "is for invcal watch");
+    if (!is_live && (r->value[PLAN] || r->value[TARGET] || r->value[MEAN_SIGMA])) {
+        return usage(r,
+                     r->value[PLAN]     ? PLAN
+                     : r->value[TARGET] ? TARGET
+                                        : MEAN_SIGMA,
+                     "is for invcal watch");
     }
     if (is_live && r->value[POSITIONS]) {
         return usage(r, POSITIONS, "is for invcal calibrate; a live stream has samples");
     }
-    if (r->value[TARGET]) {
+    if (r->value[MEAN_SIGMA]) {
+        failure =
+            options_numbers(r->syntax, MEAN_SIGMA, r->value[MEAN_SIGMA], 1, &r->mean_sigma, NULL);
+        if (!failure && !(r->mean_sigma > 0)) {
+            failure = usage(r, MEAN_SIGMA, "a standard deviation is above 0");
+        }
+    }
+    if (!failure && r->value[TARGET]) {
         failure = options_numbers(r->syntax, TARGET, r->value[TARGET], 3, r->target, NULL);
         for (unsigned i = 0; i < 3 && !failure; i++) {
             failure = r->target[i] >= 0 ? EXIT_GOOD : usage(r, TARGET, "is not negative");
@@ -727,6 +741,7 @@ static int read_live(const request *r, const double *clip, positions *data, rest
     wish.zero = r->value[ZERO] ? r->zero : NULL;
     wish.lsb = r->value[LSB] ? r->lsb : NULL;
     memcpy(wish.target, r->target, sizeof wish.target);
+    wish.mean_sigma = r->mean_sigma;
     FILE *nowhere = r->value[QUIET] ? fopen("/dev/null", "w") : NULL;
     wish.talk = nowhere ? nowhere : r->value[JSON] ? stderr : stdout;
     const int failure = live_read(data, r->file, &wish, log);
@@ -880,6 +895,8 @@ static const char *const watch_help[] = {
     "\n"
     "  --plan per-group:N  follows the paper's program of 3 x N positions;\n"
     "                      default: the direction that tells most, from what has been taken\n"
+    "  --mean-sigma S      holds each position until its mean is as good, in field units, by the\n"
+    "                      noise of the first rest; default: 2 seconds\n"
     "  --target D,K,G      sigma of offsets (over the field), scale errors and angles (rad) that\n"
     "                      is enough; 0: any\n"
     "  --zero X,Y,Z        nominal reading in no field; default for the guidance: 0, from the\n"

@@ -295,6 +295,7 @@ static int begin(const live_wish *wish)
 
     setup.settings.field = wish->field;
     memcpy(setup.target, wish->target, sizeof setup.target);
+    setup.mean_sigma = wish->mean_sigma;
     setup.low = wish->clip ? rail(wish->clip[0]) : 0;
     setup.high = wish->clip ? rail(wish->clip[1]) : 0;
     if (set_nominal(wish, &setup.settings.nominal) != INVCAL_OK ||

@@ -22,6 +22,7 @@ typedef struct {
     const double *lsb;  /* positions */
     invcal_plan plan;   /* per_group 0: free hand */
     double target[3];   /* sigma that is enough; 0: any */
+    double mean_sigma;  /* of a position mean that is wanted, field units; 0: any */
     FILE *talk;         /* where to say it */
 } live_wish;
 

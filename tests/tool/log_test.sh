@@ -192,6 +192,19 @@ run calibrate "$work/plain.csv"
 sed -n '/ 18 positions, field/,$p' "$work/stdout" | sed 's/^[^:]*: //' > "$work/figures"
 sed -n '/ 18 positions, field/,$p' "$work/watched" | sed 's/^[^:]*: //' > "$work/live"
 check "watch: at the end the same figures as calibrate" same "$work/figures" "$work/live"
+# A sample scatters by 1 mg at 100 Hz: 0.7 mm/s^2 take 2 s; 0.1 mm/s^2 take 96 s, more than 5.
+in=$work/plain.csv
+run watch - --mean-sigma 0.0007
+check "watch: a mean that is soon good enough is taken" \
+    test "$(grep -c '^position .* taken' "$work/stdout")" -eq 18
+run watch - --mean-sigma 0.0001
+check "watch: one that needs longer is refused" matches "$work/stdout" \
+    '^refused: too short: hold it still longer'
+check "watch: and none is taken" lacks "$work/stdout" '^position .* taken'
+in=/dev/null
+refuses "watch: --mean-sigma 0" 2 'mean-sigma: a standard deviation' watch - --mean-sigma 0
+refuses "calibrate: --mean-sigma" 2 'mean-sigma: is for invcal watch' \
+    calibrate "$work/plain.csv" --mean-sigma 1
 in=$work/plain.csv
 run watch - --target 0.0001,0.0002,0.0003
 check "watch: tells when the target is reached" matches "$work/stdout" '^enough'
