@@ -270,7 +270,9 @@ static int check_files(const request *r)
         const char *path = r->value[made[i / 2]];
         const char *read = source(r, i % 2);
         if (path && read && output_is_same(path, read)) {
-            return usage(made[i / 2], "is a file that is read, and would be lost");
+            return usage(made[i / 2], r->value[ALLAN]
+                                          ? "is the file of --allan, which would be lost"
+                                          : "is a file of directions, which would be lost");
         }
     }
     if (svg && report && (strcmp(svg, report) == 0 || output_is_same(svg, report))) {

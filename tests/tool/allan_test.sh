@@ -283,7 +283,7 @@ for other in '--noise 1e-4' '--dwell 4' '--budget 100' '--sweep 5:9'; do
     refuses "labour with ${other% *}" 2 'cannot be joined with --allan' plan --limits 1e-4,1e-4,1e-4 \
         --allan "$work/noise.json" $other
 done
-refuses "labour over its noise" 2 'is a file that is read, and would be lost' plan \
+refuses "labour over its noise" 2 '--svg: is the file of --allan, which would be lost' plan \
     --limits 1e-4,1e-4,1e-4 --allan "$work/noise.json" --svg "$work/noise.json"
 run plan --dwell 5 --move 2 --settle 3 --json
 check "--settle counts in every position" near 1e-9 "$(json "$work/stdout" seconds)" 178
