@@ -90,6 +90,7 @@ check "a random walk: K to 25 %" inside walk 2.37e-5 3.95e-5
 check "a random walk: N to 5 %" inside white 3.0e-4 3.33e-4
 check "a random walk: the dwell is about sqrt(3) N / K" inside dwell 13 22
 check "a random walk: that is the floor" matches "$work/stdout" '"dwell_end": "floor"'
+check "a random walk: it makes the floor" matches "$work/stdout" '"dwell_limit": "rate random walk"'
 accepts "it prints" allan "$work/walk.csv"
 check "the table names its units" matches "$work/stdout" 'white noise N, µg/√Hz'
 check "the table has the velocity random walk" matches "$work/stdout" 'm/s/√h'
