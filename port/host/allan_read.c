@@ -194,14 +194,14 @@ static int find_noise(allan_result *r, double unit)
     return EXIT_GOOD;
 }
 
-/* The kind with the largest part in the deviation after a time. */
-static unsigned find_limit(const invcal_noise *n, double tau)
+/* The kind with the largest part in the deviation after a time, `first` or one behind it. */
+static unsigned find_limit(const invcal_noise *n, double tau, unsigned first)
 {
     const double *c = n->coefficient;
     const double part[] = {c[0] * c[0] / tau, FLOOR_SQUARE * c[1] * c[1], c[2] * c[2] * tau / 3};
-    unsigned most = 0;
+    unsigned most = first;
 
-    for (unsigned k = 1; k < INVCAL_NOISE_KINDS; k++) {
+    for (unsigned k = first + 1; k < INVCAL_NOISE_KINDS; k++) {
         most = part[k] > part[most] ? k : most;
     }
     return most;
@@ -220,7 +220,9 @@ static int find_dwell(const invcal_noise *n, double wanted, allan_dwell *out)
     }
     *out = (allan_dwell){.seconds = d.seconds, .sigma = d.sigma};
     out->end = wanted > 0 || has_floor ? ends[d.end] : ALLAN_LONGEST;
-    out->limit = find_limit(n, d.seconds);
+    /* a floor is made by what does not average out */
+    out->limit = find_limit(
+        n, d.seconds, out->end == ALLAN_FLOOR ? INVCAL_NOISE_INSTABILITY : INVCAL_NOISE_WHITE);
     return EXIT_GOOD;
 }
 

@@ -5,7 +5,7 @@
 #include "figure.h"
 #include "plan_words.h"
 
-#define POOR 1.5 /* of misfit (invcal/allan.h) */
+#define POOR 1.5       /* of misfit (invcal/allan.h) */
 #define SHORT_REST 2.0 /* seconds (invcal/still.h) */
 #define SMALL 1e-4
 #define LARGE 1e5

@@ -38,27 +38,30 @@ static double flicker_scatter(unsigned n, double apart)
     return sum / ((double)n * (n - 1));
 }
 
-/* Square of labour_sigma for one axis. */
-static double scatter(const invcal_noise *noise, unsigned n, double dwell, double lost)
+/* Square of labour_sigma for one axis; `flicker` is flicker_scatter. */
+static double scatter(const invcal_noise *noise, unsigned n, double dwell, double period,
+                      double flicker)
 {
     const double white = noise->coefficient[INVCAL_NOISE_WHITE];
     const double instability = noise->coefficient[INVCAL_NOISE_INSTABILITY];
     const double walk = noise->coefficient[INVCAL_NOISE_WALK];
-    const double period = dwell + lost;
-    double sum = white * white / dwell + walk * walk * (period * (n + 1) - dwell) / 6;
 
-    if (instability > 0) {
-        sum += instability * instability / PI * flicker_scatter(n, period / dwell);
-    }
-    return sum;
+    return white * white / dwell + instability * instability / PI * flicker +
+           walk * walk * (period * (n + 1) - dwell) / 6;
 }
 
 double labour_sigma(const labour *l, unsigned count, double dwell)
 {
+    const double period = dwell + l->settle + l->move;
+    int has_flicker = 0;
     double most = 0;
 
     for (unsigned i = 0; i < 3; i++) {
-        most = fmax(most, scatter(&l->noise[i], count, dwell, l->settle + l->move));
+        has_flicker = has_flicker || l->noise[i].coefficient[INVCAL_NOISE_INSTABILITY] > 0;
+    }
+    const double flicker = has_flicker ? flicker_scatter(count, period / dwell) : 0;
+    for (unsigned i = 0; i < 3; i++) {
+        most = fmax(most, scatter(&l->noise[i], count, dwell, period, flicker));
     }
     return sqrt(most);
 }

@@ -57,6 +57,6 @@ void labour_report(page *p, const labour *l)
         }
     }
     page_table_end(p);
-    page_note(p, "The noise is what slow parts of it make of a whole session: the means of the "
-                 "worst axis about their common mean.");
+    page_note(p, "σ of a mean is that of the worst axis over the whole session: slow noise moves "
+                 "the positions apart the more, the longer it lasts.");
 }

@@ -111,8 +111,8 @@ static void write_row(page *p, const page_table *sheet, const plan_facts *f, uns
 
     snprintf(text[0], PLAN_WORDS_MAX, "%u", n + 1);
     snprintf(text[1], PLAN_WORDS_MAX, BOX);
-    clock_text(n * (cost->dwell + cost->move),
-               has_fraction(cost->dwell) || has_fraction(cost->move), text[2]);
+    clock_text(n * (cost->settle + cost->dwell + cost->move),
+               has_fraction(cost->settle + cost->dwell) || has_fraction(cost->move), text[2]);
     if (f->set->plan.per_group > 0) {
         stand_cells(f->set, n, &text[3]);
     } else {
@@ -148,7 +148,7 @@ void plan_report_sheet(page *p, const plan_facts *f)
 
     page_section(p, "Work sheet");
     page_say(p, "Hold still for %s in each position.",
-             plan_time_text(f->request->cost.dwell, text));
+             plan_time_text(f->request->cost.settle + f->request->cost.dwell, text));
     snprintf(text, sizeof text, "All %u positions%s", f->set->count,
              f->set->count > OPEN ? " (unfold before printing)" : "");
     page_fold_begin(p, text, f->set->count <= OPEN);

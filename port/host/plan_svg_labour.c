@@ -110,8 +110,8 @@ static void draw_legend(FILE *file, double top)
         svg_text(file, "ink small", SVG_START, x + 29, top + 14, labour_families[f]);
         x += 128;
     }
-    svg_marker(file, "c0 hollow", SVG_TARGET, x + 8, top + 10, 7);
-    svg_text(file, "ink small", SVG_START, x + 21, top + 14, "chosen");
+    svg_marker(file, "c0 hollow", SVG_TARGET, x + 10, top + 12, 6);
+    svg_text(file, "ink small", SVG_START, x + 25, top + 14, "chosen");
 }
 
 static void describe(const labour *l, char *text, size_t size)

@@ -77,7 +77,7 @@ rest="simulate --plan directions:$out/up.txt --dwell 1000"
 "$tool" $rest > "$out/white.csv"
 # shellcheck disable=SC2086
 "$tool" $rest --instability 0.001 > "$out/walk.csv"
-allan white "$out/white.csv" --lsb 0.000598550415 --sigma 0.0005
+allan white "$out/white.csv" --lsb 0.000598550415 --sigma 0.0005 --out "$out/noise.json"
 allan walk "$out/walk.csv" --lsb 0.000598550415
 allan beyond "$out/walk.csv" --lsb 0.000598550415 --sigma 0.000001
 allan counts "$out/white.csv" --tau 0.01,0.1,1,10
@@ -98,6 +98,8 @@ printf '%s\n' '1 0 10' '9 3 3' '8 6 0' '7 0 7' '6 8 1' '5 5 7' '3 3 9' '9 4 0' '
     '0 9 -1' > "$out/cap.txt"
 plan weak --directions "$out/cap.txt"
 plan sweep --sweep 5:16
+plan labour --limits 0.00002,0.00002,0.00005 --settle 1 --allan "$out/noise.json" --svg "$out/labour.svg"
+echo "$out/labour.svg"
 plan comparison --compare per-group:8 per-group:6 --svg "$out/comparison.svg"
 echo "$out/comparison.svg"
 plan far-apart --compare per-group:1000 optimal:9

@@ -74,7 +74,7 @@ check "no unit: it says so" matches "$work/stdout" '"unit": "input"'
 check "no sigma, no floor: the longest time" matches "$work/stdout" '"dwell_end": "longest"'
 
 # Bias that wanders: a random walk, K of 1e-5 m/s^2 in a step of 0.1 s, is 3.16e-5 m/s^2 sqrt(Hz).
-awk 'function normal(  i, s) { for (i = 0; i < 12; i++) s += rand(); return s - 6 }
+awk 'function normal() { return sqrt(-2 * log(1 - rand())) * cos(6.283185307 * rand()) }
     BEGIN {
         srand(7)
         print "t,ax (m/s^2),ay (m/s^2),az (m/s^2)"
@@ -90,6 +90,7 @@ check "a random walk: K to 25 %" inside walk 2.37e-5 3.95e-5
 check "a random walk: N to 5 %" inside white 3.0e-4 3.33e-4
 check "a random walk: the dwell is about sqrt(3) N / K" inside dwell 13 22
 check "a random walk: that is the floor" matches "$work/stdout" '"dwell_end": "floor"'
+check "a random walk: it makes the floor" matches "$work/stdout" '"dwell_limit": "rate random walk"'
 accepts "it prints" allan "$work/walk.csv"
 check "the table names its units" matches "$work/stdout" 'white noise N, µg/√Hz'
 check "the table has the velocity random walk" matches "$work/stdout" 'm/s/√h'
@@ -171,5 +172,121 @@ refuses "a report over the result" 2 '--report: is the file of --out' allan "$wo
 echo '1,2' >> "$work/short.csv"
 refuses "a malformed line" 3 'short.csv:9: ' allan "$work/short.csv"
 refuses "no log" 3 'nowhere' allan "$work/nowhere"
+
+# ---- plan --allan ------------------------------------------------------------------------------
+
+noise() { # noise WHITE INSTABILITY WALK: of all axes, over a field of 10
+    for axis in x y z; do
+        printf '"%s": {"white": %s, "instability": %s, "walk": %s, "shortest": 0.01, "longest": 90},' \
+            $axis "$1" "$2" "$3"
+    done | sed 's/,$//; s/.*/{"gravity": 10, "noise": {&}}/' > "$work/noise.json"
+}
+rows() { # rows FAMILY: positions, dwell, sigma, seconds of its rows
+    awk -v family="\"$1\"," '{ sub(/,$/, "", $2) }
+        $1 == "\"family\":" { on = $2 "," == family }
+        $1 == "\"positions\":" { n = $2 }
+        $1 == "\"dwell\":" { dwell = $2 }
+        $1 == "\"dwell_sigma\":" { sigma = $2 }
+        $1 == "\"seconds\":" && on { print n, dwell, sigma, $2 }' "$work/stdout"
+}
+# The closed form of white noise: a program of n = 3 N positions has sigmas of sqrt(1 / N),
+# sqrt(7 / (5 N)), sqrt(8 / N) times the noise of a position mean, N / sqrt(dwell), and 2 s are
+# the least. Prints the number and time of the least.
+least() { # least WHITE SETTLE MOVE DELTA DK GAMMA
+    echo "$@" | awk '{
+        for (n = 15; n <= 144; n += 3) {
+            c = sqrt(3 / n) / $4
+            if (sqrt(21 / 5 / n) / $5 > c) c = sqrt(21 / 5 / n) / $5
+            if (sqrt(24 / n) / $6 > c) c = sqrt(24 / n) / $6
+            dwell = ($1 * c) ^ 2 > 2 ? ($1 * c) ^ 2 : 2
+            seconds = n * (dwell + $2) + (n - 1) * $3
+            if (!best || seconds < best) { best = seconds; number = n }
+        }
+        printf "%d %.9f\n", number, best
+    }'
+}
+for wanted in '0 5 1e-4 1e-4 3e-4' '2 0 2e-5 4e-5 1e-4' '0 0.5 1e-5 1e-5 1e-5' '1 20 3e-4 5e-5 1e-2'; do
+    # shellcheck disable=SC2086
+    set -- $wanted
+    noise 0.003 0 0 # over the field 3e-4
+    run plan --limits "$3,$4,$5" --settle "$1" --move "$2" --allan "$work/noise.json" --json
+    found=$(rows stand | awk '!n || $4 < best { best = $4; n = $1 } END { printf "%d %.9f", n, best }')
+    # shellcheck disable=SC2086
+    check "labour of white noise, $wanted: the least of the programs" near 1e-6 "$found" \
+        "$(least 3e-4 $wanted)"
+    check "labour of white noise, $wanted: the plan takes the least of all" near 1e-6 \
+        "$(json "$work/stdout" seconds)" \
+        "$({ rows stand; rows free; } | awk '!n++ || $4 < best { best = $4 } END { printf "%.9f", best }')"
+done
+set -- "$tool" "$work"
+
+# Slow noise, without time lost: the factors of Barnes for n means.
+barnes() { # each row's sigma is what they make of it
+    rows "$1" | awk -v white="$2" -v b="$3" -v k="$4" '{
+        square = white ^ 2 / $2
+        square += 2 * log(2) / 3.14159265358979 * b ^ 2 * $1 * log($1) / (2 * ($1 - 1) * log(2))
+        square += k ^ 2 * $2 / 3 * $1 / 2
+        r = $3 / sqrt(square) - 1
+        if (!(r < 1e-6 && r > -1e-6)) { bad = 1; print "    " $0, sqrt(square) > "/dev/stderr" }
+    } END { exit bad || NR < 5 }'
+}
+limits='--limits 3e-5,3e-5,1e-4 --move 0'
+noise 0.001 0.0002 0
+# shellcheck disable=SC2086
+run plan $limits --allan "$work/noise.json" --json
+check "labour: flicker noise over n positions" barnes stand 1e-4 2e-5 0
+noise 0.001 0 0.000004
+# shellcheck disable=SC2086
+run plan $limits --allan "$work/noise.json" --json
+check "labour: a random walk over n positions" barnes free 1e-4 0 4e-7
+noise 0.001 0.0002 0.000004
+# shellcheck disable=SC2086
+run plan $limits --allan "$work/noise.json" --json
+check "labour: all three" barnes stand 1e-4 2e-5 4e-7
+# With time lost a random walk goes on: n means of T, P apart, scatter by K^2 (P (n + 1) - T) / 6.
+noise 0.000001 0 0.000004
+run plan --limits 3e-5,3e-5,1e-4 --move 30 --settle 3 --allan "$work/noise.json" --json
+walked() {
+    rows stand | awk '{
+        r = $3 / sqrt(1e-14 / $2 + 16e-14 * (($2 + 33) * ($1 + 1) - $2) / 6) - 1
+        if (!(r < 1e-6 && r > -1e-6)) exit bad = 1
+    } END { exit bad || NR < 5 }'
+}
+check "labour: a random walk goes on between positions" walked
+
+noise 0.001 0.0002 0.000004
+accepts "labour prints" plan --limits 3e-5,3e-5,1e-4 --allan "$work/noise.json" --settle 1
+check "labour: one row is chosen" [ "$(grep -c '   chosen$' "$work/stdout")" = 1 ]
+check "labour: what binds is named" matches "$work/stdout" '(offsets|scale errors|angles)   chosen$'
+accepts "labour draws" plan --limits 3e-5,3e-5,1e-4 --allan "$work/noise.json" --quiet \
+    --svg "$work/out/labour.svg" --report "$work/out/labour.html"
+check "labour: the picture is one" matches "$work/out/labour.svg" 'Total time against number'
+check "labour: the report is a page" is_page "$work/out/labour.html"
+check "labour: the report says why" matches "$work/out/labour.html" 'Why so many, and so long'
+rm -f "$work"/out/*
+"$tool" allan "$work/rest.csv" --lsb $lsb --out "$work/real.json" --quiet
+accepts "labour takes what allan --out wrote" plan --limits 1e-4,1e-4,2e-4 --allan "$work/real.json"
+refuses "labour: no dwell can do it" 1 'no dwell meet the limits: the noise has a floor; ' \
+    plan --limits 1e-6,1e-6,1e-6 --allan "$work/noise.json"
+"$tool" allan "$work/rest.csv" --out "$work/counts.json" --quiet
+refuses "labour: noise in counts alone" 3 'does not tell how long the field is' \
+    plan --limits 1e-4,1e-4,2e-4 --allan "$work/counts.json"
+echo '{"gravity": 9.8, "noise": {"x": {"white": 1}}}' > "$work/half.json"
+refuses "labour: an axis is missing" 3 'half.json: this is no noise of three axes' \
+    plan --limits 1e-4,1e-4,2e-4 --allan "$work/half.json"
+sed 's/"white": 0.001/"white": -1/' "$work/noise.json" > "$work/negative.json"
+refuses "labour: negative noise" 3 'negative.json:1: a number of noise is negative' \
+    plan --limits 1e-4,1e-4,2e-4 --allan "$work/negative.json"
+refuses "labour without limits" 2 '--allan: finds number and dwell for --limits' \
+    plan --allan "$work/noise.json"
+for other in '--noise 1e-4' '--dwell 4' '--budget 100' '--sweep 5:9'; do
+    # shellcheck disable=SC2086
+    refuses "labour with ${other% *}" 2 'cannot be joined with --allan' plan --limits 1e-4,1e-4,1e-4 \
+        --allan "$work/noise.json" $other
+done
+refuses "labour over its noise" 2 '--svg: is the file of --allan, which would be lost' plan \
+    --limits 1e-4,1e-4,1e-4 --allan "$work/noise.json" --svg "$work/noise.json"
+run plan --dwell 5 --move 2 --settle 3 --json
+check "--settle counts in every position" near 1e-9 "$(json "$work/stdout" seconds)" 178
 
 finish

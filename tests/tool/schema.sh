@@ -98,6 +98,9 @@ prints 1 plan_refusal plan --per-group 4
 prints 1 plan_refusal plan --limits 1e-5,1e-5,1e-5
 prints 1 plan_refusal plan --budget 10
 prints 1 plan_refusal plan --compare faces edges
+prints 0 allan allan "$work/rest.csv" --lsb 0.0006 --out "$work/noise.json"
+prints 0 plan plan --limits 0.0001,0.0001,0.0002 --allan "$work/noise.json" --settle 1
+prints 1 plan_refusal plan --limits 1e-9,1e-9,1e-9 --allan "$work/noise.json"
 prints 0 plan_sweep plan --sweep 5:9
 prints 0 plan_comparison plan --compare edges per-group:6
 prints 0 plan_comparison plan --compare edges optimal:18 --noise 0.001
