@@ -89,6 +89,9 @@ for wrong in 5 23 54; do
     check "position $wrong of 54 is wrong, and left out" prints "^Left out: position $wrong \\("
     check "and no other" near 0 "$(json "$work/thermal.json" rejected)" "$wrong"
 done
+sensor -20,25,70 9 4,5,40 > "$work/three.csv"
+fit "$work/three.csv" --thermal 1 --json
+check "three that are wrong do not hide one another" near 0 "$(json "$work/stdout" rejected)" 4,5,40
 fit "$work/wrong.csv" --thermal 1 --keep-all --json
 check "--keep-all keeps it" lacks "$work/stdout" '"rejected": \[.+\]'
 
