@@ -44,6 +44,10 @@ typedef struct {
  * temperatures do not help. */
 int calibrate_wants_slopes(const calibrate_result *result);
 
+/* By how much the scale that slopes are told in may be off, if it is a guess: the largest scale
+ * error; else 0. */
+double calibrate_guess_error(const calibrate_result *result);
+
 /* The calibration that holds for a position. */
 invcal_calibration calibrate_at(const calibrate_result *result, unsigned position);
 

@@ -21,6 +21,13 @@ int calibrate_wants_slopes(const calibrate_result *r)
            r->quality.undetermined == (1u << INVCAL_PARAMETERS) - 1;
 }
 
+double calibrate_guess_error(const calibrate_result *r)
+{
+    const double *dk = r->solution.dk;
+
+    return nominal_is_guess(&r->nominal) ? fmax(fabs(dk[0]), fmax(fabs(dk[1]), fabs(dk[2]))) : 0;
+}
+
 invcal_calibration calibrate_at(const calibrate_result *r, unsigned position)
 {
     return r->temperature == CALIBRATE_THERMAL

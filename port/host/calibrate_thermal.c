@@ -10,6 +10,7 @@
 #include "parameters.h"
 
 #define TEXT_MAX 512
+#define GUESS 0.005 /* of the scale: worth a word */
 
 /* What a slope is told in. */
 typedef struct {
@@ -68,9 +69,20 @@ void calibrate_print_thermal(FILE *file, const calibrate_result *r)
         fprintf(file, "%-14s%14s ± %-10s  %s%s\n", parameter_words(p), value, sigma, u.unit,
                 fit->calibration.fitted > 1 ? ", at that temperature" : "");
     }
-    if (fit->calibration.fitted > 0 && r->quality.dof > 0 && !isnan(fit->without)) {
+    if (fit->calibration.fitted > 0 && calibrate_guess_error(r) >= GUESS) {
         snprintf(text, sizeof text,
-                 "Without temperature the residuals of the same positions are %s times as large.",
+                 "Slopes are told in the scale of the nominal, a guess that is up to %.0f %% off.",
+                 100 * calibrate_guess_error(r));
+        calibrate_print_wrapped(file, 0, text);
+    }
+    if (fit->calibration.fitted > 0 && r->quality.dof > 0 && !isnan(fit->without)) {
+        const int is_gravity = unit_is_gravity(r->settings.field);
+        char without[FIGURE_MAX];
+        snprintf(text, sizeof text,
+                 "Nine parameters alone leave an rms of %s %s in the same positions, %s times as "
+                 "much as with temperature.",
+                 figure_digits((is_gravity ? 1e3 : 1e2) * fit->without, 3, without),
+                 is_gravity ? "mg" : "% of the field",
                  figure_digits(fit->without / r->quality.residual_rms, 3, value));
         calibrate_print_wrapped(file, 0, text);
     }

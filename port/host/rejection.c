@@ -53,6 +53,18 @@ void rejection_add(rejection *r, rejected_position one)
     r->list[r->count++] = one;
 }
 
+void rejection_remove(rejection *r, unsigned position)
+{
+    unsigned kept = 0;
+
+    for (unsigned i = 0; i < r->count; i++) {
+        if (r->list[i].position != position) {
+            r->list[kept++] = r->list[i];
+        }
+    }
+    r->count = kept;
+}
+
 /* Among the first `count` of the list. */
 static int is_among(const rejection *r, unsigned count, unsigned position)
 {

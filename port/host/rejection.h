@@ -36,9 +36,11 @@ typedef struct {
 int rejection_find(rejection *r, const positions *p, const invcal_settings *settings, int none);
 
 /* The same in steps, for those who have reasons of their own: begins with readings that are none of
- * this field, adds, searches (nine parameters), and finishes as often as kept ones are wanted. */
+ * this field, adds, removes, searches (nine parameters), and finishes as often as kept ones are
+ * wanted. */
 int rejection_begin(rejection *r, const positions *p, const invcal_settings *settings, int none);
 void rejection_add(rejection *r, rejected_position one);
+void rejection_remove(rejection *r, unsigned position);
 void rejection_search(rejection *r, const positions *p, const invcal_settings *settings);
 void rejection_finish(rejection *r, const positions *p);
 

@@ -382,6 +382,12 @@ static void write_thermal(page *p, const report_facts *f)
     say_fitted(p, f);
     if (f->result->fit.calibration.fitted > 0) {
         write_slopes(p, f);
+        if (calibrate_guess_error(f->result) > 0) {
+            page_note(p,
+                      "Slopes are told in the scale of %s, a guess that is up to %.2g %% off "
+                      "(--zero and --lsb state a data sheet's).",
+                      f->wish->nominal_name, 100 * calibrate_guess_error(f->result));
+        }
         page_picture(p,
                      f->knows_noise
                          ? "The parameters over the range seen. Between the dashed lines is "

@@ -1,13 +1,15 @@
 /* SPDX-License-Identifier: MIT */
 #include "thermal_rejection.h"
 
+#include <float.h>
 #include <math.h>
 
 #include "invcal/fisher.h"
 #include "thermal_fit.h"
 #include "thermal_rows.h"
 
-#define ALLOWED 0.007  /* chance to leave out a good one */
+#define ALLOWED 0.007 /* chance to leave out a good one */
+#define SUSPECTS_MOST 24u
 #define CHECKED 0.0001 /* of an error shows in the own residual, at least */
 
 void thermal_rejection_drifting(rejection *r, const positions *p, double limit)
@@ -57,9 +59,11 @@ static suspect find_suspect(const invcal_thermal_calibration *c, const rejection
     return most;
 }
 
-/* Leaves out one more, if one contradicts the others. */
-static int reject_one(rejection *r, const invcal_thermal_calibration *c,
-                      const invcal_settings *settings)
+/* What stands out most of those that are left, and whether it contradicts them. */
+typedef enum { NOTHING, DOUBTFUL, CONTRADICTS } judgement;
+
+static judgement judge(const rejection *r, const invcal_thermal_calibration *c,
+                       const invcal_settings *settings, rejected_position *one)
 {
     const unsigned unknowns = INVCAL_PARAMETERS * (c->fitted + 1u);
     const unsigned stated = settings->noise > 0;
@@ -67,19 +71,47 @@ static int reject_one(rejection *r, const invcal_thermal_calibration *c,
     double l[INVCAL_PACKED_SIZE(THERMAL_COEFFICIENTS)];
 
     if (r->kept_count + stated < unknowns + 3 || !thermal_rows_factor(c, r, settings, NULL, 0, l)) {
-        return 0;
+        return NOTHING;
     }
     const suspect most = find_suspect(c, r, l);
     const unsigned dof = r->kept_count + stated - unknowns - 1;
     const double squares = most.squares + expected * expected;
     const double left = fmax(0, squares - most.drop);
-    if (!(invcal_fisher_tail(left / squares, 1, dof) * r->kept_count <= ALLOWED)) {
-        return 0;
+    *one = (rejected_position){.position = rejection_original(r, most.kept),
+                               .error = most.residual / most.checked,
+                               .w = sqrt(most.drop / fmax(left / dof, DBL_MIN))};
+    return invcal_fisher_tail(left / squares, 1, dof) * r->kept_count <= ALLOWED ? CONTRADICTS
+                                                                                 : DOUBTFUL;
+}
+
+/* Leaves out, one after another, what stands out most. Those up to the last that contradicts are
+ * wrong; the others come back. */
+static void reject(rejection *r, const positions *p, const invcal_settings *settings,
+                   const invcal_thermal_settings *thermal)
+{
+    const unsigned most = p->count / 8 < SUSPECTS_MOST ? p->count / 8 : SUSPECTS_MOST;
+    unsigned position[SUSPECTS_MOST];
+    unsigned count = 0;
+    unsigned wrong = 0;
+    invcal_thermal_calibration c;
+    invcal_quality quality;
+    rejected_position one;
+
+    while (count < most &&
+           invcal_thermal_calibrate(r->kept, r->temperature, r->kept_count, settings, thermal, &c,
+                                    &quality, NULL) == INVCAL_OK) {
+        const judgement seen = judge(r, &c, settings, &one);
+        if (seen == NOTHING) {
+            break;
+        }
+        position[count++] = one.position;
+        wrong = seen == CONTRADICTS ? count : wrong;
+        rejection_add(r, one);
+        rejection_finish(r, p);
     }
-    rejection_add(r, (rejected_position){.position = rejection_original(r, most.kept),
-                                         .error = most.residual / most.checked,
-                                         .w = sqrt(most.drop / fmax(left / dof, 1e-30))});
-    return 1;
+    while (count > wrong) {
+        rejection_remove(r, position[--count]);
+    }
 }
 
 void thermal_rejection_find(rejection *r, const positions *p, const invcal_settings *settings,
@@ -87,20 +119,16 @@ void thermal_rejection_find(rejection *r, const positions *p, const invcal_setti
 {
     invcal_thermal_calibration c;
     invcal_quality quality;
-    int more = p->count <= THERMAL_REJECTION_MOST;
 
-    for (unsigned left_out = 0; more; left_out++) {
-        rejection_finish(r, p);
-        if (invcal_thermal_calibrate(r->kept, r->temperature, r->kept_count, settings, thermal, &c,
-                                     &quality, NULL) != INVCAL_OK) {
-            return;
-        }
-        if (c.fitted == 0) {
-            if (c.fallback == INVCAL_THERMAL_NARROW) {
-                rejection_search(r, p, settings);
-            }
-            return;
-        }
-        more = 8 * (left_out + 1) <= p->count && reject_one(r, &c, settings);
+    rejection_finish(r, p);
+    if (p->count > THERMAL_REJECTION_MOST ||
+        invcal_thermal_calibrate(r->kept, r->temperature, r->kept_count, settings, thermal, &c,
+                                 &quality, NULL) != INVCAL_OK) {
+        return;
+    }
+    if (c.fitted > 0) {
+        reject(r, p, settings, thermal);
+    } else if (c.fallback == INVCAL_THERMAL_NARROW) {
+        rejection_search(r, p, settings);
     }
 }

@@ -4,13 +4,18 @@
  *
  * Where temperature makes errors of 2 or 3 %, most positions contradict nine parameters. So they
  * are compared with what all coefficients of the thermal fit leave: Baarda's data snooping, one
- * position after another, each time with a new fit of the others. A position is left out if
+ * position after another, each time with a new fit of the others. One contradicts them if
  *
  *     P(F > f) n <= 0.007,   f = d / ((S - d) / (dof - 1)),   d = r^2 / (1 - h K h'),
  *
  * S the sum of the squared residuals r and dof their degrees of freedom, both one more with the
- * noise stated. Two wrong positions near one another may hide each other (invcal_outliers_find,
- * which is for nine parameters, tries groups); no more than one in eight is left out.
+ * noise stated. As several wrong ones hide each other, the next are tried even where one does not
+ * contradict, and all up to the last that does are left out (Rosner 1983, many outliers): one in
+ * eight at most.
+ *
+ * Found with noise of 1e-4, 18 positions at each of three temperatures: one, two or three wrong by
+ * 0.05, or by 0.002, of either sign, in all of 200 sets; six by 0.05 in 92 %. A set without loses
+ * a good position in 1 of 100.
  */
 #ifndef THERMAL_REJECTION_H
 #define THERMAL_REJECTION_H

@@ -3,8 +3,8 @@
 # A sensor whose errors depend on temperature, as the reference computed its bound:
 #
 #   awk -v what=positions -v stations=-20,25,70 -v seed=S -v sigma=S -f thermal.awk expected.h
-#       position means in g with a column temperature: the program of 18 at each station; position
-#       `wrong`, from 1, reads 0.05 too much
+#       position means in g with a column temperature: the program of 18 at each station; the
+#       positions `wrong` (5,23), from 1, read 0.05 too much
 #   awk -v what=grid -f thermal.awk expected.h
 #       the same without noise in the directions and at the temperatures of the bound
 #   awk -v what=NAME -f thermal.awk expected.h
@@ -27,12 +27,13 @@ function reading(x, y, z, temperature, sigma, error,    k, s, t) {
         (1 + error) * (z + s[8] / 2 * x + s[9] / 2 * y + s[6] * z) + s[3] + sigma * normal(),
         temperature
 }
-function positions(    k, i, n, station, count) {
+function positions(    k, i, n, station, count, list, is_wrong) {
+    for (k = split(wrong, list, ","); k > 0; k--) is_wrong[list[k]] = 1
     count = split(stations, station, ",")
     for (k = 1; k <= count; k++) for (i = 0; i < 18; i++) {
         n++
         reading(number["plan18", 3 * i + 1], number["plan18", 3 * i + 2],
-            number["plan18", 3 * i + 3], station[k], sigma, n == wrong ? 0.05 : 0)
+            number["plan18", 3 * i + 3], station[k], sigma, (n in is_wrong) ? 0.05 : 0)
     }
 }
 function grid(    k, a, b, i, j, long, short) { # an icosahedron: (0 +-1 +-phi) and round
