@@ -10,6 +10,8 @@
 #include "columns.h"
 #include "invcal/allan.h"
 
+#define ALLAN_MICRO_G (1e-6 * UNIT_STANDARD_GRAVITY) /* m/s^2 */
+
 /* What the command line asks for. */
 typedef struct {
     const char *file;
@@ -55,7 +57,7 @@ typedef struct {
     uint32_t crc;
     recognition seen;
     int is_ms2;       /* results are in m/s^2; */
-    const char *unit; /* their unit for people; "" if a field of another kind */
+    const char *unit; /* their unit for people */
     double gravity;   /* length of the field in that unit; NaN: not known */
     double rate;
     double from, to; /* seconds from the first sample, of what was used */

@@ -20,7 +20,6 @@
 #define CURVE_STEPS 80
 #define DECADES_ALONE 2.2 /* from so many on, ticks stand at 1, 10, 100 only */
 #define LABEL_HALF 55.0   /* of the dwell's label, pixels */
-#define MICRO_G (1e-6 * UNIT_STANDARD_GRAVITY)
 #define TEXT_MAX 1000
 
 static const struct {
@@ -248,7 +247,7 @@ static void describe(const allan_result *r, char *text, size_t size)
 
 void allan_chart(FILE *file, const allan_result *r, double width)
 {
-    plot p = {.r = r, .unit = r->is_ms2 ? MICRO_G : 1};
+    plot p = {.r = r, .unit = r->is_ms2 ? ALLAN_MICRO_G : 1};
     char text[TEXT_MAX];
 
     p.x = time_axis(r, width);

@@ -5,7 +5,6 @@
 
 #define LABEL 36
 #define CELL 20
-#define MICRO_G (1e-6 * UNIT_STANDARD_GRAVITY)
 #define TEXT_MAX 200
 
 static void print_source(FILE *file, const allan_result *r, const allan_wish *wish)
@@ -58,7 +57,7 @@ static void print_minimum(FILE *file, const allan_result *r)
     snprintf(text, sizeof text, "smallest deviation, %s", r->is_ms2 ? "µg" : r->unit);
     fprintf(file, "%-*s", paint_width(text, LABEL), text);
     for (unsigned i = 0; i < 3; i++) {
-        figure_digits(r->noise[i].minimum / (r->is_ms2 ? MICRO_G : 1), 3, number);
+        figure_digits(r->noise[i].minimum / (r->is_ms2 ? ALLAN_MICRO_G : 1), 3, number);
         snprintf(text, sizeof text, "%s at %.4g s", number, r->noise[i].best);
         fprintf(file, "%*s", CELL, text);
     }

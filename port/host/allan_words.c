@@ -9,7 +9,6 @@
 #define SHORT_REST 2.0 /* seconds (invcal/still.h) */
 #define SMALL 1e-4
 #define LARGE 1e5
-#define MICRO_G (1e-6 * UNIT_STANDARD_GRAVITY)
 #define JOINT "\302\240" /* U+00A0: a number and its unit stay on one line */
 
 const char *const allan_kinds[INVCAL_NOISE_KINDS] = {"white noise", "bias instability",
@@ -29,7 +28,7 @@ const char *allan_deviation(const allan_result *r, double deviation, char text[A
 
     if (r->is_ms2) {
         snprintf(text, ALLAN_WORDS_MAX, "%s" JOINT "µg",
-                 figure_digits(deviation / MICRO_G, 3, number));
+                 figure_digits(deviation / ALLAN_MICRO_G, 3, number));
     } else {
         snprintf(text, ALLAN_WORDS_MAX, "%s" JOINT "%s", figure_digits(deviation, 3, number),
                  r->unit);
@@ -39,9 +38,9 @@ const char *allan_deviation(const allan_result *r, double deviation, char text[A
 
 #define ROOT_HZ "√Hz"
 const allan_line allan_lines[ALLAN_LINES] = {
-    {"white noise N", "µg/" ROOT_HZ, NULL, INVCAL_NOISE_WHITE, MICRO_G},
-    {"bias instability B", "µg", NULL, INVCAL_NOISE_INSTABILITY, MICRO_G},
-    {"rate random walk K", "µg " ROOT_HZ, NULL, INVCAL_NOISE_WALK, MICRO_G},
+    {"white noise N", "µg/" ROOT_HZ, NULL, INVCAL_NOISE_WHITE, ALLAN_MICRO_G},
+    {"bias instability B", "µg", NULL, INVCAL_NOISE_INSTABILITY, ALLAN_MICRO_G},
+    {"rate random walk K", "µg " ROOT_HZ, NULL, INVCAL_NOISE_WALK, ALLAN_MICRO_G},
     {"velocity random walk", "m/s/√h", NULL, INVCAL_NOISE_WHITE, 1.0 / 60},
     {"N", NULL, "/" ROOT_HZ, INVCAL_NOISE_WHITE, 1},
     {"B", NULL, "", INVCAL_NOISE_INSTABILITY, 1},
