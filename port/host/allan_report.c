@@ -6,6 +6,7 @@
 
 #include "allan.h"
 #include "command.h"
+#include "input.h"
 #include "figure.h"
 #include "page.h"
 #include "plan_words.h"
@@ -156,20 +157,12 @@ static void write_origin(page *p, const allan_result *r, const allan_wish *wish)
     page_facts_end(p);
 }
 
-/* Without the folders before it. */
-static const char *file_name(const char *path)
-{
-    const char *slash = strrchr(path, '/');
-
-    return slash && slash[1] != '\0' ? slash + 1 : path;
-}
-
 void allan_report(FILE *file, const allan_result *r, const allan_wish *wish)
 {
     char title[ALLAN_WORDS_MAX];
     page p;
 
-    snprintf(title, sizeof title, "Noise of %.300s", file_name(r->name));
+    snprintf(title, sizeof title, "Noise of %.300s", input_file_name(r->name));
     page_begin(&p, file, title);
     write_verdict(&p, r, wish);
     write_figures(&p, r);

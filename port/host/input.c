@@ -18,6 +18,13 @@ const char *input_name(const char *path)
     return input_is_stdin(path) ? "standard input" : path;
 }
 
+const char *input_file_name(const char *path)
+{
+    const char *slash = strrchr(path, '/');
+
+    return slash && slash[1] != '\0' ? slash + 1 : path;
+}
+
 FILE *input_open(const char *path)
 {
     struct stat status;

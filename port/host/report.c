@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "command.h"
+#include "input.h"
 #include "invcal/gravity.h"
 #include "number.h"
 #include "parameters.h"
@@ -277,14 +278,6 @@ static void write_origin(page *p, const report_facts *f)
                  "calibrated axes are turned against the case.");
 }
 
-/* Without the folders before it. */
-static const char *file_name(const char *path)
-{
-    const char *slash = strrchr(path, '/');
-
-    return slash && slash[1] != '\0' ? slash + 1 : path;
-}
-
 int report_write(FILE *file, const calibrate_result *result, const calibrate_wish *wish)
 {
     report_facts f;
@@ -293,7 +286,7 @@ int report_write(FILE *file, const calibrate_result *result, const calibrate_wis
     const int failure = report_facts_find(&f, result, wish);
 
     if (!failure) {
-        snprintf(title, sizeof title, "Calibration of %.300s", file_name(result->data->name));
+        snprintf(title, sizeof title, "Calibration of %.300s", input_file_name(result->data->name));
         page_begin(&p, file, title);
         write_verdict(&p, &f);
         write_figures(&p, &f);
