@@ -348,18 +348,20 @@ static void draw_residuals(FILE *file, const void *data, double width)
 
 static void say_fitted(page *p, const report_facts *f)
 {
-    static const char *const words[] = {"no slopes", "straight lines", "parabolas"};
-    const thermal_fit *fit = &f->result->fit;
-    const invcal_thermal_calibration *c = &fit->calibration;
+    const invcal_thermal_calibration *c = &f->result->fit.calibration;
 
+    if (c->fitted == 0) {
+        page_say(p, "The positions were at %.2f ... %.2f °C. No slopes: %s.", c->least, c->greatest,
+                 invcal_thermal_fallback_text(c->fallback));
+        return;
+    }
     page_say(p,
              "The positions were at %.2f ... %.2f °C: %s of temperature describe offsets, scales "
              "and angles there. The parameters on this page are those at %.2f °C. Outside that "
              "range invcal apply holds what is true at its edge, and says so.",
-             c->least, c->greatest, words[c->fitted], c->reference);
+             c->least, c->greatest, c->fitted > 1 ? "parabolas" : "straight lines", c->reference);
     if (c->fallback != INVCAL_THERMAL_AS_ASKED) {
-        page_say(p, "%s were asked for, but not to be had: %s.",
-                 fit->wish.degree > 1 ? "Parabolas" : "Straight lines",
+        page_say(p, "Parabolas were asked for, but not to be had: %s.",
                  invcal_thermal_fallback_text(c->fallback));
     }
 }
