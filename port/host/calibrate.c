@@ -707,20 +707,12 @@ static int write_report(FILE *file, const request *r, const calibrate_result *re
 /* The files appear only after all else has been written. */
 static int deliver(const request *r, const calibrate_result *result)
 {
-    output out = {0};
-    output report = {0};
-    int failure = begin_file(&out, r->value[OUT], write_calibration, r, result);
+    output files[2] = {{0}};
+    int failure = begin_file(&files[0], r->value[OUT], write_calibration, r, result);
 
-    failure = failure ? failure : begin_file(&report, r->value[REPORT], write_report, r, result);
+    failure = failure ? failure : begin_file(&files[1], r->value[REPORT], write_report, r, result);
     failure = failure ? failure : print(r, result);
-    if (failure) {
-        output_discard(&out);
-        output_discard(&report);
-        return failure;
-    }
-    failure = output_commit(&out);
-    const int report_failure = output_commit(&report);
-    return failure ? failure : report_failure;
+    return output_end(files, 2, failure);
 }
 
 /* The positions that a live stream rests in. What there is to say of them goes to stdout, beside

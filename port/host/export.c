@@ -224,11 +224,7 @@ static int deliver(const request *r, const export_job *job)
         r->format->write(out.file, job);
         failure = output_finish(&out);
     }
-    if (failure) {
-        output_discard(&out);
-        return failure;
-    }
-    return output_commit(&out);
+    return output_end(&out, 1, failure);
 }
 
 static int run(int argc, char **argv)

@@ -118,6 +118,21 @@ void output_discard(output *o)
     release(o);
 }
 
+int output_end(output *files, unsigned count, int failure)
+{
+    int result = failure;
+
+    for (unsigned i = 0; i < count; i++) {
+        if (failure) {
+            output_discard(&files[i]);
+        } else {
+            const int committed = output_commit(&files[i]);
+            result = result ? result : committed;
+        }
+    }
+    return result;
+}
+
 int output_flush(void)
 {
     return fflush(stdout) == 0 && !ferror(stdout) ? EXIT_GOOD : cannot_write("standard output");

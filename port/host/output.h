@@ -33,6 +33,10 @@ int output_commit(output *o);
 /* Removes it and releases o. */
 void output_discard(output *o);
 
+/* Ends several: puts all in their places if nothing has failed so far, else removes them. Those
+ * that were never begun, all zero, count for nothing. Returns the first failure. */
+int output_end(output *files, unsigned count, int failure);
+
 /* Brings the standard output on its way. EXIT_GOOD; EXIT_FILE, with a message, if a write has
  * failed since the start. */
 int output_flush(void);

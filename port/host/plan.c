@@ -375,23 +375,15 @@ static int begin_file(output *out, const char *path, teller *write, const result
 static int deliver(const result *found)
 {
     const char *const *value = found->asked->value;
-    output svg = {0};
-    output report = {0};
-    int failure = begin_file(&svg, value[SVG], draw, found);
+    output files[2] = {{0}};
+    int failure = begin_file(&files[0], value[SVG], draw, found);
 
-    failure = failure ? failure : begin_file(&report, value[REPORT], write_report, found);
+    failure = failure ? failure : begin_file(&files[1], value[REPORT], write_report, found);
     if (!failure) {
         tell(stdout, found);
         failure = output_flush();
     }
-    if (failure) {
-        output_discard(&svg);
-        output_discard(&report);
-        return failure;
-    }
-    failure = output_commit(&svg);
-    const int report_failure = output_commit(&report);
-    return failure ? failure : report_failure;
+    return output_end(files, 2, failure);
 }
 
 /* A refusal, with the set if there is one to see. */

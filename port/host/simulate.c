@@ -216,11 +216,7 @@ static int deliver(scene *s, const char *const *value)
         failure = output_finish(&out);
     }
     failure = failure ? failure : write_log(s, value[TEMPERATURE] != NULL);
-    if (failure) {
-        output_discard(&out);
-        return failure;
-    }
-    return output_commit(&out);
+    return output_end(&out, 1, failure);
 }
 
 static int run(int argc, char **argv)
