@@ -1,53 +1,47 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
 #
-# Runs every test that stands in the build folder $1, and the scripts beside this file.
-# Prints what failed, a line for each suite, and at the end `N passed, N failed`.
+# Runs every test that stands in the build folder $1, and the scripts beside this file, two at a
+# time. Prints a line for each suite, below it what failed, and at the end `N passed, N failed`.
 # CC, CFLAGS and UNITY are handed on to scripts that compile something.
 build=$1
 tests=$(dirname "$0")
-log=$build/run.log
-passed=0
-failed=0
+logs=$build/run
+rm -rf "$logs"
+mkdir -p "$logs" || exit 2
+
+# NAME COMMAND...; the longest first.
+suites() {
+    for name in allan plan tool thermal log input citizen report plan_report export; do
+        echo "$name sh $tests/tool/${name}_test.sh $build/invcal $build/tool"
+    done
+    for real in double float; do
+        for program in "$build/$real"/test_*; do
+            [ -x "$program" ] && echo "$real-${program##*/test_} $program"
+        done
+    done
+    echo "unity sh $tests/unity/selftest.sh $build/unity"
+    echo "library sh $tests/library.sh $build"
+    echo "readme sh $tests/readme.sh $build"
+}
+
+# (Not by `&`, which would take SIGINT away from what is run.)
+suites > "$logs/list"
+# shellcheck disable=SC2016 # $log and the like belong to the inner shell
+xargs -L 1 -P 2 sh -c 'log=$1/$2.log; shift 2
+    "$@" > "$log" 2>&1 < /dev/null
+    echo "exit status $?" >> "$log"' suite "$logs" < "$logs/list"
 
 # A suite tells its result as "N Tests F Failures I Ignored" (Unity) or "N passed, N failed".
 # One that says neither has crashed, and counts as one failure.
-count() {
+while read -r name _; do
     result=$(awk '
         / Tests .* Failures .* Ignored/ { p = $1 - $3 - $5; f = $3; said = 1 }
         /^[0-9]+ passed, [0-9]+ failed$/ { p = $1; f = $3; said = 1 }
-        END { if (!said || (status && !f)) f++; print p + 0, f + 0 }' status="$2" "$log")
-    passed=$((passed + ${result% *}))
-    failed=$((failed + ${result#* }))
-    [ "$2" -eq 0 ] || cat "$log"
-    echo "$1: ${result% *} passed, ${result#* } failed"
-}
-
-suite() {
-    name=$1
-    shift
-    "$@" > "$log" 2>&1
-    count "$name" $?
-}
-
-for real in float double; do
-    for program in "$build/$real"/test_*; do
-        [ -x "$program" ] && suite "$real ${program##*/}" "$program"
-    done
-done
-suite unity sh "$tests/unity/selftest.sh" "$build/unity"
-suite library sh "$tests/library.sh" "$build"
-suite readme sh "$tests/readme.sh" "$build"
-suite tool sh "$tests/tool/tool_test.sh" "$build/invcal" "$build/tool"
-suite log sh "$tests/tool/log_test.sh" "$build/invcal" "$build/tool"
-suite input sh "$tests/tool/input_test.sh" "$build/invcal" "$build/tool"
-suite citizen sh "$tests/tool/citizen_test.sh" "$build/invcal" "$build/tool"
-suite thermal sh "$tests/tool/thermal_test.sh" "$build/invcal" "$build/tool"
-suite allan sh "$tests/tool/allan_test.sh" "$build/invcal" "$build/tool"
-suite plan sh "$tests/tool/plan_test.sh" "$build/invcal" "$build/tool"
-suite plan-report sh "$tests/tool/plan_report_test.sh" "$build/invcal" "$build/tool"
-suite export sh "$tests/tool/export_test.sh" "$build/invcal" "$build/tool"
-suite report sh "$tests/tool/report_test.sh" "$build/invcal" "$build/tool"
-
-echo "$passed passed, $failed failed"
-[ "$failed" -eq 0 ]
+        /^exit status / { status = $3 }
+        END { if (!said || (status && !f)) f++; print p + 0, f + 0 }' "$logs/$name.log")
+    echo "$name: ${result% *} passed, ${result#* } failed"
+    [ "${result#* }" -eq 0 ] || cat "$logs/$name.log"
+done < "$logs/list" | awk '{ print }
+    /^[a-z_-]+: [0-9]+ passed, [0-9]+ failed$/ { passed += $2; failed += $4 }
+    END { print passed + 0 " passed, " failed + 0 " failed"; exit failed > 0 || passed == 0 }'
