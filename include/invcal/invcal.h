@@ -11,7 +11,8 @@
  *     fisher -> outlier, guidance: positions that are wrong, and the one to take next
  *     allan: noise and how long to stay;  gravity: the field at a place
  *     thermal: a calibration for every temperature
- *     session: the whole procedure;  record, resume -> store: what survives a reset
+ *     session: the whole procedure
+ *     record, thermal_record, resume -> store: what survives a reset
  */
 #ifndef INVCAL_INVCAL_H
 #define INVCAL_INVCAL_H
@@ -24,6 +25,6 @@
 #include "invcal/resume.h"
 #include "invcal/series.h"
 #include "invcal/store.h"
-#include "invcal/thermal.h"
+#include "invcal/thermal_record.h"
 
 #endif

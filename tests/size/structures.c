@@ -20,5 +20,7 @@ SIZE_OF(invcal_session);
 SIZE_OF(invcal_record);
 SIZE_OF(invcal_allan);
 SIZE_OF(invcal_noise);
+SIZE_OF(invcal_thermal_settings);
 SIZE_OF(invcal_thermal_calibration);
 SIZE_OF(invcal_thermal_sums);
+SIZE_OF(invcal_thermal_record);

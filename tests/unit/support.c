@@ -211,3 +211,30 @@ double sigma_of_parameter(const invcal_quality *quality, unsigned r)
                     : r < 6 ? quality->sigma_dk[r - 3]
                             : quality->sigma_gamma[r - 6]);
 }
+
+uint32_t crc_by_table(const uint8_t *bytes, uint32_t count)
+{
+    static uint32_t table[256];
+    uint32_t crc = 0xFFFFFFFFu;
+
+    for (uint32_t i = 0; i < 256 && table[255] == 0; i++) {
+        uint32_t c = i;
+        for (int k = 0; k < 8; k++) {
+            c = (c >> 1) ^ (0xEDB88320u & (0u - (c & 1u)));
+        }
+        table[i] = c;
+    }
+    for (uint32_t i = 0; i < count; i++) {
+        crc = (crc >> 8) ^ table[(crc ^ bytes[i]) & 0xFFu];
+    }
+    return ~crc;
+}
+
+void seal_bytes(uint8_t *bytes, uint32_t count)
+{
+    const uint32_t crc = crc_by_table(bytes, count);
+
+    for (unsigned i = 0; i < 4; i++) {
+        bytes[count + i] = (uint8_t)(crc >> 8 * i);
+    }
+}

@@ -68,6 +68,12 @@ double sigma_of_parameter(const invcal_quality *quality, unsigned r);
 
 double length3(const double v[3]);
 
+/* CRC-32 (IEEE 802.3) from a table, unlike the library's. */
+uint32_t crc_by_table(const uint8_t *bytes, uint32_t count);
+
+/* Puts the CRC of the first count bytes behind them, the least significant byte first. */
+void seal_bytes(uint8_t *bytes, uint32_t count);
+
 /* NAN and INFINITY are floats, and some compilers call them promoted in a table of doubles. */
 #define NOT_A_NUMBER ((double)NAN)
 #define INFINITE ((double)INFINITY)

@@ -146,34 +146,6 @@ static int is_refused(invcal_status expected, const uint8_t *bytes, uint32_t siz
            memcmp(&out, before, sizeof out) == 0;
 }
 
-static uint32_t crc_of(const uint8_t *bytes, uint32_t count) /* with a table, unlike the library */
-{
-    static uint32_t table[256];
-    uint32_t crc = 0xFFFFFFFFu;
-
-    for (uint32_t i = 0; i < 256 && table[255] == 0; i++) {
-        uint32_t c = i;
-        for (int k = 0; k < 8; k++) {
-            c = (c >> 1) ^ (0xEDB88320u & (0u - (c & 1u)));
-        }
-        table[i] = c;
-    }
-    for (uint32_t i = 0; i < count; i++) {
-        crc = (crc >> 8) ^ table[(crc ^ bytes[i]) & 0xFFu];
-    }
-    return ~crc;
-}
-
-/* Puts the right CRC behind the first count bytes. */
-static void seal(uint8_t *bytes, uint32_t count)
-{
-    const uint32_t crc = crc_of(bytes, count);
-
-    for (unsigned i = 0; i < 4; i++) {
-        bytes[count + i] = (uint8_t)(crc >> 8 * i);
-    }
-}
-
 static invcal_record random_record(random_source *random)
 {
     invcal_record r;
@@ -332,7 +304,7 @@ static void a_number_that_is_not_finite_is_neither_encoded_nor_decoded(void)
             uint8_t bytes[SIZE];
             memcpy(bytes, golden, SIZE);
             memcpy(bytes + REALS_AT + 4 * i, bits[k], 4);
-            seal(bytes, SIZE - 4);
+            seal_bytes(bytes, SIZE - 4);
             TEST_ASSERT_TRUE(is_refused(INVCAL_DAMAGED, bytes, SIZE));
         }
     }
@@ -376,7 +348,7 @@ static void a_field_that_is_not_positive_is_neither_encoded_nor_decoded(void)
         assert_not_encoded(INVCAL_BAD_SETTING, &r);
         memcpy(bytes, golden, SIZE);
         memcpy(bytes + REALS_AT, bits[k], 4);
-        seal(bytes, SIZE - 4);
+        seal_bytes(bytes, SIZE - 4);
         TEST_ASSERT_TRUE(is_refused(INVCAL_DAMAGED, bytes, SIZE));
     }
 }
@@ -392,7 +364,7 @@ static void a_singular_matrix_is_neither_encoded_nor_decoded(void)
         assert_not_encoded(INVCAL_BAD_SETTING, &r);
         memcpy(bytes, golden, SIZE);
         memset(bytes + REALS_AT + 4 * (MATRIX + 3 * row), 0, 12);
-        seal(bytes, SIZE - 4);
+        seal_bytes(bytes, SIZE - 4);
         TEST_ASSERT_TRUE(is_refused(INVCAL_DAMAGED, bytes, SIZE));
     }
 }
@@ -411,7 +383,7 @@ static void an_unknown_verdict_or_mark_is_neither_encoded_nor_decoded(void)
             invcal_record back;
             memcpy(bytes, golden, SIZE);
             bytes[at] = (uint8_t)value;
-            seal(bytes, SIZE - 4);
+            seal_bytes(bytes, SIZE - 4);
             if (value < (at == 22 ? 3u : 2u)) {
                 assert_decodes(bytes, SIZE, &back);
                 TEST_ASSERT_EQUAL_UINT(value,
@@ -465,8 +437,8 @@ static void any_four_wrong_bits_are_noticed(void)
         uint8_t bytes[SIZE];
         memcpy(bytes, golden, SIZE);
         bytes[bit / 8] ^= (uint8_t)(1u << bit % 8);
-        check[bit] = crc_of(bytes, SIZE); /* of a sound record the same, whatever it holds */
-        check[bit] ^= crc_of(golden, SIZE);
+        check[bit] = crc_by_table(bytes, SIZE); /* of a sound record the same, whatever it holds */
+        check[bit] ^= crc_by_table(golden, SIZE);
         for (unsigned other = 0; other < bit; other++) {
             pair[pairs++] = check[bit] ^ check[other];
         }
@@ -540,7 +512,7 @@ static void a_sound_record_of_another_kind_or_version_is_named_so(void)
                 bytes[at] = (uint8_t)value;
                 bytes[2] = (uint8_t)(length & 0xFF);
                 bytes[3] = (uint8_t)(length >> 8);
-                seal(bytes, length - 4u);
+                seal_bytes(bytes, length - 4u);
                 if (value != golden[at]) {
                     TEST_ASSERT_TRUE(is_refused(INVCAL_OTHER_VERSION, bytes, length));
                     TEST_ASSERT_TRUE(is_refused(INVCAL_OTHER_VERSION, bytes, sizeof bytes));
@@ -559,7 +531,7 @@ static void a_length_shorter_than_any_record_is_refused(void)
         uint8_t bytes[8] = {0xCA, 1, 0, 0, 0, 0, 0, 0};
         bytes[2] = length;
         if (length >= 4) {
-            seal(bytes, length - 4u);
+            seal_bytes(bytes, length - 4u);
         }
         TEST_ASSERT_TRUE(is_refused(INVCAL_DAMAGED, bytes, sizeof bytes));
     }

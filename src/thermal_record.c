@@ -1,0 +1,138 @@
+/* SPDX-License-Identifier: MIT */
+#include "invcal/thermal_record.h"
+
+#include <string.h>
+
+#include "bytes.h"
+#include "vector.h"
+
+enum { KIND = 0xCB, VERSION = 1, RECORD_AT = 4, DEGREE_AT = 188, REALS_AT = 192 };
+
+/* In the order of their bytes. The field stands in the record. */
+static void each_real(invcal_way *w, invcal_thermal_calibration *c)
+{
+    invcal_way_each(w, &c->reference, 1);
+    invcal_way_each(w, &c->span, 1);
+    invcal_way_each(w, &c->least, 1);
+    invcal_way_each(w, &c->greatest, 1);
+    invcal_way_each(w, c->nominal.offset, 3);
+    for (unsigned i = 0; i < 3; i++) {
+        invcal_way_each(w, c->nominal.matrix[i], 3);
+    }
+    for (unsigned k = 0; k <= c->degree; k++) {
+        invcal_way_each(w, c->x[k], INVCAL_PARAMETERS);
+    }
+}
+
+static int is_consistent(const invcal_thermal_calibration *c)
+{
+    return c->span > 0 && c->least <= c->greatest && c->fitted <= c->degree &&
+           (unsigned)c->fallback <= INVCAL_THERMAL_OPEN &&
+           (unsigned)c->frame <= INVCAL_FRAME_TRIANGULAR;
+}
+
+/* Rounds a calibration to float and judges what remains, as record.c does. */
+static invcal_status settle(invcal_thermal_calibration *c, invcal_solution *at_reference)
+{
+    invcal_way w = {INVCAL_TO_FLOAT, NULL, NULL, 1};
+    invcal_thermal_place place;
+
+    if (c->degree > INVCAL_THERMAL_DEGREE) {
+        return INVCAL_BAD_SETTING;
+    }
+    invcal_way_each(&w, &c->field, 1);
+    each_real(&w, c);
+    if (!w.finite) {
+        return INVCAL_NOT_FINITE;
+    }
+    if (!is_consistent(c)) {
+        return INVCAL_BAD_SETTING;
+    }
+    return invcal_thermal_at(c, c->reference, at_reference, &place);
+}
+
+invcal_status invcal_thermal_record_encode(const invcal_thermal_record *record,
+                                           uint8_t bytes[INVCAL_THERMAL_RECORD_SIZE],
+                                           uint32_t *length)
+{
+    INVCAL_ASSERT(record && bytes && length);
+    invcal_thermal_calibration c = record->thermal;
+    invcal_record r = record->record;
+    invcal_way w = {INVCAL_PUT, bytes + REALS_AT, NULL, 1};
+    invcal_solution s;
+
+    invcal_status status = settle(&c, &s);
+    if (status != INVCAL_OK) {
+        return status;
+    }
+    r.calibration = s.calibration;
+    memcpy(r.delta, s.delta, sizeof r.delta);
+    memcpy(r.dk, s.dk, sizeof r.dk);
+    memcpy(r.gamma, s.gamma, sizeof r.gamma);
+    r.field = c.field;
+    status = invcal_record_encode(&r, bytes + RECORD_AT);
+    if (status != INVCAL_OK) {
+        return status;
+    }
+    const uint32_t size = INVCAL_THERMAL_RECORD_BYTES(c.degree);
+    bytes[0] = KIND;
+    bytes[1] = VERSION;
+    invcal_put_u16(bytes + 2, (uint16_t)size);
+    bytes[DEGREE_AT] = c.degree;
+    bytes[DEGREE_AT + 1] = c.fitted;
+    bytes[DEGREE_AT + 2] = (uint8_t)c.fallback;
+    bytes[DEGREE_AT + 3] = (uint8_t)c.frame;
+    each_real(&w, &c);
+    invcal_put_u32(w.to, invcal_crc32(0, bytes, size - INVCAL_CRC_SIZE));
+    *length = size;
+    return INVCAL_OK;
+}
+
+/* What a sound record of this kind and version says of its own shape. */
+static invcal_status check_shape(const uint8_t *bytes)
+{
+    const uint32_t length = invcal_get_u16(bytes + 2);
+
+    if (length < INVCAL_THERMAL_RECORD_BYTES(0u) ||
+        length != INVCAL_THERMAL_RECORD_BYTES(bytes[DEGREE_AT])) {
+        return INVCAL_DAMAGED;
+    }
+    return bytes[DEGREE_AT] > INVCAL_THERMAL_DEGREE ? INVCAL_OTHER_VERSION : INVCAL_OK;
+}
+
+invcal_status invcal_thermal_record_decode(const uint8_t *bytes, uint32_t size,
+                                           invcal_thermal_record *out)
+{
+    INVCAL_ASSERT(bytes && out);
+    invcal_thermal_calibration c = {0};
+    invcal_way w = {INVCAL_GET, NULL, bytes + REALS_AT, 1};
+    invcal_record r;
+    invcal_solution s;
+
+    if (!invcal_is_sound(bytes, size)) {
+        return INVCAL_DAMAGED;
+    }
+    if (bytes[0] != KIND || bytes[1] != VERSION) {
+        return INVCAL_OTHER_VERSION;
+    }
+    invcal_status status = check_shape(bytes);
+    if (status != INVCAL_OK) {
+        return status;
+    }
+    status = invcal_record_decode(bytes + RECORD_AT, INVCAL_RECORD_SIZE, &r);
+    if (status != INVCAL_OK) {
+        return status;
+    }
+    c.field = r.field;
+    c.degree = bytes[DEGREE_AT];
+    c.fitted = bytes[DEGREE_AT + 1];
+    c.fallback = (invcal_thermal_fallback)bytes[DEGREE_AT + 2];
+    c.frame = (invcal_frame)bytes[DEGREE_AT + 3];
+    each_real(&w, &c);
+    if (settle(&c, &s) != INVCAL_OK) {
+        return INVCAL_DAMAGED;
+    }
+    out->thermal = c;
+    out->record = r;
+    return INVCAL_OK;
+}
