@@ -30,8 +30,8 @@ Q := $(if $(V),,@)
 .DEFAULT_GOAL := all
 .DELETE_ON_ERROR:
 .SECONDARY:
-.PHONY: help all install uninstall demo test check targets firmware size bench schema pages man \
-    reference format deps clean
+.PHONY: help all install uninstall demo test check targets firmware size bench schema pages \
+    derived reference format deps clean
 
 help: ## this list
 	@awk -F ':.*## ' '/^[a-z]+:.*## / { printf "make %-10s %s\n", $$1, $$2 }' $(MAKEFILE_LIST)
@@ -157,11 +157,13 @@ pages: $(BUILD)/invcal ## the reports in a browser: phone, desktop, paper; light
 	$(Q)$(if $(SELF),sh tests/pages.sh --self-test $(BUILD) &&) tr '\n' '\0' < $(BUILD)/pages.list | \
 	    xargs -0 sh tests/pages.sh $(BUILD)
 
-man: $(BUILD)/invcal.1 ## the manual, as man and mandoc check it
+derived: $(BUILD)/invcal $(BUILD)/invcal.1 ## layout, expected.h, manual, picture, scripts: as they should be
+	$(call need,clang-format-19)
+	$(call need,shellcheck)
+	$(call need,python3)
 	$(call need,man)
 	$(call need,mandoc)
-	mandoc -Tlint -W warning $<
-	test -z "$$(LC_ALL=C.UTF-8 man --warnings -l -Tutf8 $< 2>&1 > /dev/null)"
+	$(Q)sh tests/derived.sh $(BUILD)
 
 reference: ## remake tests/reference/expected.h (needs python3)
 	$(call need,python3)

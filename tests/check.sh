@@ -5,7 +5,8 @@
 # UndefinedBehaviorSanitizer and INVCAL_ASSERT, and optimised otherwise than `make test` itself
 # (gcc, C99, -O2). $1: folder to build in.
 # Compilers that are not installed are named and counted as a failure; `make deps` gets them.
-# With more arguments, one configuration only: NAME COMPILER STANDARD ASSERT DEGREE FLAG..., - for
+# CONFIGURATION=gcc: those with such names only. ONLY: see run.sh.
+# With more arguments, it is one configuration: NAME COMPILER STANDARD ASSERT DEGREE FLAG..., - for
 # what is not to be set; DEGREE is that of thermal.h.
 out=$1
 clang=${CLANG:-clang-19}
@@ -26,6 +27,10 @@ run() {
 }
 
 configurations() {
+    all | awk -v only="$CONFIGURATION" '$1 ~ only'
+}
+
+all() {
     san='-O1 -g -fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer'
     echo "gcc-sanitizers gcc c99 1 - $san
 clang-sanitizers $clang c11 1 2 $san
@@ -42,7 +47,7 @@ if [ $# -gt 1 ]; then
 fi
 
 rm -f "$out"/*.result
-# Two at a time: the suites of one run one after the other. (Not by `&`, which takes SIGINT away.)
+# Two at a time, as the building of one leaves a core to the other. (Not by `&`, which takes SIGINT away.)
 configurations | xargs -P 2 -L 1 sh tests/check.sh "$out"
 # Anything but `N passed, 0 failed` is a failure, if it names none as one.
 configurations | while read -r name rest; do

@@ -1,0 +1,51 @@
+#!/bin/sh
+# SPDX-License-Identifier: MIT
+#
+# sh tests/derived.sh BUILD
+# What is made of something else is what that makes now: the layout of the sources, expected.h, the
+# manual, README's picture; and the scripts are sound. Ends with `N passed, N failed`.
+build=$1
+cd "$(dirname "$0")/.." || exit 1
+passed=0
+failed=0
+
+gate() { # SENTENCE COMMAND...
+    sentence=$1
+    shift
+    if "$@" > "$build/derived.log" 2>&1; then
+        echo "$sentence: PASS"
+        passed=$((passed + 1))
+    else
+        cat "$build/derived.log"
+        echo "$sentence: FAIL"
+        failed=$((failed + 1))
+    fi
+}
+
+layout() {
+    # shellcheck disable=SC2046 # names without blanks
+    clang-format-19 --dry-run --Werror \
+        $(git ls-files '*.c' '*.h' | grep -vE '^tests/(unity|reference)/')
+}
+expected() {
+    python3 tests/reference/reference.py tests/data > "$build/expected.h" &&
+        diff tests/reference/expected.h "$build/expected.h"
+}
+scripts() {
+    # shellcheck disable=SC2046 # names without blanks
+    shellcheck -S warning .ci/run $(git ls-files '*.sh')
+}
+manual() {
+    mandoc -Tlint -W warning "$build/invcal.1" &&
+        test -z "$(LC_ALL=C.UTF-8 man --warnings -l -Tutf8 "$build/invcal.1" 2>&1 > /dev/null)"
+}
+
+mkdir -p "$build"
+gate "the sources are laid out by .clang-format" layout
+gate "expected.h is what the reference script prints" expected
+gate "shellcheck has nothing against the shell scripts" scripts
+gate "man and mandoc have nothing against the manual" manual
+gate "README.md shows the picture that the tool draws" sh tests/picture.sh "$build/invcal" --check
+
+echo "$passed passed, $failed failed"
+[ "$failed" -eq 0 ]
