@@ -53,6 +53,20 @@ static invcal_real largest(const invcal_real v[3])
     return most;
 }
 
+/* column / det / scale; 0 if an element is not finite. */
+static int divide(invcal_real column[3][3], invcal_real det, const invcal_real scale[3])
+{
+    for (unsigned i = 0; i < 3; i++) {
+        for (unsigned j = 0; j < 3; j++) {
+            column[i][j] = column[i][j] / det / scale[i];
+            if (!invcal_is_finite(column[i][j])) {
+                return 0;
+            }
+        }
+    }
+    return 1;
+}
+
 /* Rows R_i = s_i r_i with largest elements s_i: the columns of the inverse are the cross products
  * of the other two r over their determinant and s_i. In any unit, nothing over- or underflows. */
 invcal_status invcal_calibration_inverse(const invcal_calibration *calibration,
@@ -73,16 +87,9 @@ invcal_status invcal_calibration_inverse(const invcal_calibration *calibration,
         cross(row[(i + 1) % 3], row[(i + 2) % 3], column[i]);
     }
     const invcal_real det = invcal_dot3(row[0], column[0]);
-    if (!(INVCAL_FABS(det) > 16 * INVCAL_EPSILON)) { /* of rows of length 1 to 1.7 */
+    /* the determinant is that of rows of length 1 to 1.7 */
+    if (!(INVCAL_FABS(det) > 16 * INVCAL_EPSILON) || !divide(column, det, scale)) {
         return INVCAL_BAD_SETTING;
-    }
-    for (unsigned i = 0; i < 3; i++) {
-        for (unsigned j = 0; j < 3; j++) {
-            column[i][j] = column[i][j] / det / scale[i];
-            if (!invcal_is_finite(column[i][j])) {
-                return INVCAL_BAD_SETTING;
-            }
-        }
     }
     for (unsigned i = 0; i < 3; i++) {
         for (unsigned j = 0; j < 3; j++) {

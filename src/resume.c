@@ -275,22 +275,32 @@ static void fill(const uint8_t *bytes, const head *h, invcal_session *session)
     }
 }
 
-invcal_status invcal_resume_decode(const uint8_t *bytes, uint32_t size, invcal_session *out)
+/* What can be told from the bytes of the head alone. */
+static invcal_status read_head(const uint8_t *bytes, uint32_t size, head *h)
 {
-    INVCAL_ASSERT(bytes && out);
-    head h;
-
     if (!invcal_is_sound(bytes, size)) {
         return INVCAL_DAMAGED;
     }
     if (bytes[0] != KIND || bytes[1] != VERSION) {
         return INVCAL_OTHER_VERSION;
     }
-    if (!get_head(bytes, &h)) {
+    if (!get_head(bytes, h)) {
         return INVCAL_DAMAGED;
     }
-    if (h.stored > INVCAL_MAX_POSITIONS || (unsigned)h.count != h.count) {
+    if (h->stored > INVCAL_MAX_POSITIONS || (unsigned)h->count != h->count) {
         return INVCAL_NO_SPACE;
+    }
+    return INVCAL_OK;
+}
+
+invcal_status invcal_resume_decode(const uint8_t *bytes, uint32_t size, invcal_session *out)
+{
+    INVCAL_ASSERT(bytes && out);
+    head h;
+
+    const invcal_status status = read_head(bytes, size, &h);
+    if (status != INVCAL_OK) {
+        return status;
     }
     /* invcal_session_init comes last: it is the first that writes, and only if it accepts. */
     if (settle(&h) != INVCAL_OK || !are_positions(bytes, &h) ||

@@ -960,6 +960,22 @@ static invcal_status run(job *j, const invcal_settings *settings, invcal_quality
                : status;
 }
 
+/* Centres the settings of the job, which are its own, and does it. */
+static invcal_status start_and_run(job *j, const invcal_settings *settings,
+                                   invcal_thermal_settings *centred, invcal_quality *quality)
+{
+    invcal_status status = centre(j->temperature, j->count, centred, &j->position);
+
+    if (status == INVCAL_OK) {
+        status = invcal_thermal_start(settings, centred, &j->start);
+    }
+    if (status == INVCAL_OK) {
+        j->now = j->start;
+        status = run(j, settings, quality);
+    }
+    return status;
+}
+
 invcal_status invcal_thermal_calibrate(const invcal_real *raw, const invcal_real *temperature,
                                        unsigned count, const invcal_settings *settings,
                                        const invcal_thermal_settings *thermal,
@@ -977,14 +993,7 @@ invcal_status invcal_thermal_calibrate(const invcal_real *raw, const invcal_real
     j.count = count;
     j.thermal = &centred;
     invcal_thermal_init(&j.sums);
-    invcal_status status = centre(temperature, count, &centred, &j.position);
-    if (status == INVCAL_OK) {
-        status = invcal_thermal_start(settings, &centred, &j.start);
-    }
-    if (status == INVCAL_OK) {
-        j.now = j.start;
-        status = run(&j, settings, &q);
-    }
+    const invcal_status status = start_and_run(&j, settings, &centred, &q);
     if (status == INVCAL_OK) {
         *out = j.now;
         *quality = q;
