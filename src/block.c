@@ -126,9 +126,9 @@ void invcal_block_drop(invcal_block *block)
 
 void invcal_block_mean(const invcal_block *block, int32_t mean[3])
 {
+    INVCAL_ASSERT(block && mean);
     const int64_t n = block->size;
 
-    INVCAL_ASSERT(block && mean);
     for (unsigned a = 0; a < 3; a++) {
         const int64_t half = block->sum[a] < 0 ? -(n / 2) : n / 2;
         mean[a] = (int32_t)(block->first[a] + (block->sum[a] + half) / n);
@@ -151,11 +151,11 @@ static invcal_real large_variance(const invcal_block *block)
 
 invcal_real invcal_block_variance(const invcal_block *block)
 {
+    INVCAL_ASSERT(block);
     const uint64_t n = block->size;
     uint64_t scatter = n * block->square;
 
-    INVCAL_ASSERT(block);
-    if (block->square >> SQUARE_EXACT) {
+    if (block->square >> SQUARE_EXACT != 0) {
         return large_variance(block);
     }
     for (unsigned a = 0; a < 3; a++) {

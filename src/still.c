@@ -283,7 +283,7 @@ static invcal_rest_reason fault(const invcal_still *s, invcal_rest *rest)
         return s->flags & INTERRUPTED ? INVCAL_REST_GAP : INVCAL_REST_SHORT;
     }
     sum_up(s, rest);
-    if (s->flags & CLIPPED) {
+    if ((s->flags & CLIPPED) != 0) {
         return INVCAL_REST_CLIPPED;
     }
     if (s->block.quantum == 0) {
@@ -461,12 +461,12 @@ static invcal_still_event judge(invcal_still *s, finding *f, invcal_rest *out)
 
 /* No noise at all, though the stream has shown some that would not allow it; or three axes that
  * read the same number: no triad does. */
-static int is_frozen(const invcal_still *s, const finding *f)
+static int is_frozen(const invcal_still *s, invcal_real variance)
 {
     const int32_t *first = s->block.first;
     const int known = s->noise > squared_quantum(s);
 
-    return !(f->variance > 0) && (known || (first[0] == first[1] && first[1] == first[2]));
+    return !(variance > 0) && (known || (first[0] == first[1] && first[1] == first[2]));
 }
 
 static invcal_still_event freeze(invcal_still *s, invcal_rest *out)
@@ -491,7 +491,7 @@ INVCAL_APART static invcal_still_event decide(invcal_still *s, invcal_rest *out)
 
     s->time += s->block.size;
     f.variance = invcal_block_variance(&s->block);
-    if (is_frozen(s, &f)) {
+    if (is_frozen(s, f.variance)) {
         return freeze(s, out);
     }
     s->frozen = 0;
@@ -582,14 +582,14 @@ int invcal_still_current(const invcal_still *still, invcal_rest *out)
 
 void invcal_rest_mean(const invcal_rest *rest, invcal_real mean[3])
 {
+    INVCAL_ASSERT(rest && mean);
     const int64_t n = rest->count;
 
-    INVCAL_ASSERT(rest && mean);
     for (unsigned a = 0; a < 3; a++) {
         mean[a] = 0;
         if (n > 0) {
-            mean[a] =
-                (invcal_real)(rest->sum[a] / n) + (invcal_real)(rest->sum[a] % n) / (invcal_real)n;
+            const int64_t whole = rest->sum[a] / n;
+            mean[a] = (invcal_real)whole + (invcal_real)(rest->sum[a] % n) / (invcal_real)n;
         }
     }
 }
