@@ -279,7 +279,9 @@ static invcal_real solve_set(const invcal_real h[INVCAL_PACKED_SIZE(KINDS)],
     unsigned of[KINDS];
     unsigned n = 0;
     invcal_real l[INVCAL_PACKED_SIZE(KINDS)];
-    invcal_real unit[KINDS], x[KINDS], variance[KINDS];
+    invcal_real unit[KINDS];
+    invcal_real x[KINDS];
+    invcal_real variance[KINDS];
     invcal_real gain = 0;
 
     for (unsigned i = 0; i < KINDS; i++) {
@@ -325,7 +327,7 @@ static void solve_best(const curve *c, unsigned allowed, mixture *best)
     memset(best, 0, sizeof *best);
     sum_up(c, h, g);
     for (unsigned kinds = 1; kinds <= ALL; kinds++) {
-        const invcal_real found = kinds & ~allowed ? 0 : solve_set(h, g, kinds, &other);
+        const invcal_real found = (kinds & ~allowed) != 0 ? 0 : solve_set(h, g, kinds, &other);
         if (found > gain) {
             gain = found;
             *best = other;

@@ -153,7 +153,7 @@ invcal_status invcal_calibrate(const invcal_real *raw, unsigned count,
     if (status == INVCAL_OK) {
         *solution = s;
         *quality = q;
-    } else if (reason) {
+    } else if (reason != NULL) {
         reason->position = position;
         reason->undetermined = invcal_undetermined(&normal);
     }

@@ -23,10 +23,12 @@ static invcal_real logarithm(invcal_real x)
     invcal_real e = 0;
     invcal_real sum = 0;
 
-    for (; x > INVCAL_REAL(1.4142136); x /= 2) {
+    while (x > INVCAL_REAL(1.4142136)) {
+        x /= 2;
         e++;
     }
-    for (; x < INVCAL_REAL(0.7071067); x *= 2) {
+    while (x < INVCAL_REAL(0.7071067)) {
+        x *= 2;
         e--;
     }
     const invcal_real s = (x - 1) / (x + 1); /* |s| < 0.172 */

@@ -34,10 +34,12 @@ static invcal_real series(invcal_real x, invcal_real a, invcal_real b)
 {
     invcal_real term = 1 / a;
     invcal_real sum = 0;
+    invcal_real j = 0;
 
-    for (invcal_real j = 0; term > INVCAL_EPSILON / 16 * sum; j++) {
+    while (term > INVCAL_EPSILON / 16 * sum) {
         sum += term;
         term *= x * (a + b + j) / (a + 1 + j);
+        j++;
     }
     return sum;
 }
@@ -70,9 +72,10 @@ invcal_real invcal_fisher_tail(invcal_real z, unsigned m, unsigned dof)
         sum = tail_of_one(z, a, edge);
         term = 2 * edge;
     }
-    for (unsigned steps = m / 2; steps > 0; steps--, b++) {
+    for (unsigned step = 0; step < m / 2; step++) {
         sum += term;
         term *= (1 - z) * (a + b) / (b + 1);
+        b++;
     }
     return sum < 1 ? sum : 1;
 }

@@ -120,7 +120,7 @@ static uint16_t improved(const invcal_guidance *next)
     least = most < least ? most : least;
     for (unsigned r = 0; r < INVCAL_PARAMETERS; r++) {
         const invcal_real falls = 1 - next->after[r] / next->before[r];
-        bits |= (uint16_t)((falls >= least) << r);
+        bits |= (uint16_t)((falls >= least ? 1u : 0u) << r);
     }
     return bits;
 }
@@ -178,7 +178,7 @@ invcal_status invcal_guidance_of(const invcal_normal *normal, const invcal_real 
 
 static char *append(char *at, const char *text)
 {
-    while (*text) {
+    while (*text != '\0') {
         *at++ = *text++;
     }
     return at;

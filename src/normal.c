@@ -19,7 +19,7 @@ static int is_mixed(const invcal_normal *normal, invcal_model model)
 
 /* All products of degree d + 1 of x, y, z behind those of degree d: x times each, y times those
  * without x, z times the last. So they stand in the order xx xy xz yy yz zz, xxx xxy ... zzz. */
-static invcal_real *raise(invcal_real *list, unsigned degree, const invcal_real a[3])
+static invcal_real *raised(invcal_real *list, unsigned degree, const invcal_real a[3])
 {
     const unsigned without_x = degree + 1;
     const unsigned all = without_x * (degree + 2) / 2;
@@ -44,7 +44,7 @@ static void accumulate(invcal_normal *normal, const invcal_observation *o, invca
     invcal_real product[3 + INVCAL_MOMENTS] = {weight * o->h[0], weight * o->h[1],
                                                weight * o->h[2]};
 
-    (void)raise(raise(raise(product, 1, o->h), 2, o->h), 3, o->h);
+    (void)raised(raised(raised(product, 1, o->h), 2, o->h), 3, o->h);
     INVCAL_UNROLL
     for (unsigned i = 0; i < INVCAL_MOMENTS; i++) {
         normal->moment[i] += product[3 + i];

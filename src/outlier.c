@@ -23,7 +23,8 @@ static unsigned size_of(invcal_mask set)
 {
     unsigned n = 0;
 
-    for (; set; set &= set - 1) {
+    while (set != 0) {
+        set &= set - 1;
         n++;
     }
     return n;
@@ -44,7 +45,8 @@ typedef struct {
 
 static invcal_status read_row(fit *f, unsigned i)
 {
-    return invcal_observe(&f->settings->nominal, f->settings->field, &f->raw[3 * i], &f->row);
+    return invcal_observe(&f->settings->nominal, f->settings->field, &f->raw[3 * (size_t)i],
+                          &f->row);
 }
 
 static invcal_status sum_rows(fit *f, invcal_mask removed, invcal_normal *normal)
@@ -143,7 +145,7 @@ static void check(fit *f, invcal_mask removed, invcal_real *checked)
 {
     for (unsigned i = 0; i < f->count; i++) {
         (void)read_row(f, i);
-        checked[i] = removed & bit(i) ? 0 : 1 - leverage(f);
+        checked[i] = (removed & bit(i)) != 0 ? 0 : 1 - leverage(f);
     }
 }
 
@@ -374,7 +376,7 @@ static void report(fit *f, invcal_mask removed, invcal_outliers *out)
     out->count = 0;
     out->sigma = INVCAL_SQRT(squares / (invcal_real)degrees_of_freedom(f, removed));
     for (unsigned i = 0; i < f->count; i++) {
-        if (removed & bit(i)) {
+        if ((removed & bit(i)) != 0) {
             const invcal_real e = residual(f, i);
             out->position[out->count] = i;
             out->error[out->count] = e;
@@ -412,7 +414,7 @@ invcal_status invcal_outliers_find(const invcal_real *raw, unsigned count,
         found = find_group(&f, removed, out->checked, &out->suspected);
         removed |= found;
         (void)fit_without(&f, removed); /* solvable: it was solved to judge the group */
-    } while (found);
+    } while (found != 0);
     report(&f, removed, out);
     return INVCAL_OK;
 }

@@ -58,10 +58,12 @@ static void circle(invcal_real degrees, invcal_real *cosine, invcal_real *sine)
 {
     unsigned quarters = 0;
 
-    for (; degrees > TURN / 8; degrees -= TURN / 4) {
+    while (degrees > TURN / 8) {
+        degrees -= TURN / 4;
         quarters += 1;
     }
-    for (; degrees < -TURN / 8; degrees += TURN / 4) {
+    while (degrees < -TURN / 8) {
+        degrees += TURN / 4;
         quarters += 3;
     }
     const invcal_real c = INVCAL_COS(degrees * RADIAN);
@@ -115,7 +117,8 @@ invcal_status invcal_plan_starts(unsigned per_group, invcal_real start[INVCAL_PL
 
     if (status == INVCAL_OK) {
         const invcal_real step = TURN / (invcal_real)per_group;
-        start[0] = TURN / 4 - step * (invcal_real)(per_group / 4);
+        const unsigned quarter = per_group / 4; /* floor(N/4) */
+        start[0] = TURN / 4 - step * (invcal_real)quarter;
         start[1] = start[0];
         start[2] = TURN / 2 - step;
     }

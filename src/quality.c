@@ -149,8 +149,8 @@ invcal_status invcal_evidence_parameters(const invcal_evidence *e, invcal_qualit
         if (!(INVCAL_SQRT(k * e->share) <= HOPELESS_ROOT_K) && !(e->settings->prior[r] > 0)) {
             return INVCAL_UNDETERMINED;
         }
-        q->undetermined |= (uint16_t)(is_weak(e, k, q) << r);
-        q->from_prior |= (uint16_t)((!(told_by_data(e, r, k) >= INVCAL_REAL(0.5))) << r);
+        q->undetermined |= (uint16_t)((is_weak(e, k, q) ? 1u : 0u) << r);
+        q->from_prior |= (uint16_t)((told_by_data(e, r, k) >= INVCAL_REAL(0.5) ? 0u : 1u) << r);
     }
     q->verdict = q->undetermined ? INVCAL_WEAK : q->dof > 0 ? INVCAL_GOOD : INVCAL_NO_REDUNDANCY;
     return INVCAL_OK;
@@ -291,7 +291,6 @@ invcal_status invcal_assess(const invcal_residuals *residuals, unsigned used,
 {
     invcal_evidence e;
     invcal_quality q;
-    invcal_real s[6];
 
     INVCAL_ASSERT(residuals && settings && solution && quality);
     if (residuals->count == 0 || used < residuals->count) {
@@ -305,6 +304,7 @@ invcal_status invcal_assess(const invcal_residuals *residuals, unsigned used,
         status = judge(&e, &q);
     }
     if (status == INVCAL_OK) {
+        invcal_real s[6];
         invcal_solution_deviation(solution, s);
         invcal_evidence_spread_offset(&e, s, &q);
         invcal_evidence_spread_matrix(&e, s, &q);

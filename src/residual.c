@@ -61,7 +61,7 @@ invcal_status invcal_residuals_add(invcal_residuals *residuals, const invcal_rea
         residuals->worst = residuals->count;
     }
     residuals->count++;
-    if (residual) {
+    if (residual != NULL) {
         *residual = r;
     }
     return INVCAL_OK;

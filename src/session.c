@@ -475,7 +475,7 @@ invcal_status invcal_session_next(const invcal_session *session, invcal_guidance
         (void)invcal_normal_add(&normal, &row, 1);
     }
     if (has_plan(&session->setup)) {
-        const unsigned step = session->step + (unsigned)(is_held && is_asked(session, row.h));
+        const unsigned step = session->step + (is_held && is_asked(session, row.h) ? 1u : 0u);
         return next_of_plan(session, step, &normal, next);
     }
     const int has_last =

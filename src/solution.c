@@ -285,7 +285,7 @@ uint16_t invcal_undetermined(const invcal_normal *normal)
     invcal_cholesky_inverse_diagonal(l, INVCAL_PARAMETERS, diagonal);
     for (unsigned r = 0; r < INVCAL_PARAMETERS; r++) {
         /* ridge K(r,r): the share of parameter r that the ridge holds, 0 ... 1 */
-        open |= (uint16_t)((!(ridge * diagonal[r] <= INVCAL_REAL(0.1))) << r);
+        open |= (uint16_t)((ridge * diagonal[r] <= INVCAL_REAL(0.1) ? 0u : 1u) << r);
     }
     return open;
 }

@@ -48,7 +48,7 @@ const char *invcal_thermal_fallback_text(invcal_thermal_fallback fallback)
 /* Nine polynomials of t by Horner's rule; c: DEGREE + 1 rows of nine coefficients. */
 static void evaluate(const invcal_real *c, invcal_real t, invcal_real out[INVCAL_PARAMETERS])
 {
-    memcpy(out, &c[DEGREE * N], N * sizeof *out);
+    memcpy(out, &c[(size_t)DEGREE * N], N * sizeof *out);
     for (unsigned a = DEGREE; a-- > 0;) {
         for (unsigned r = 0; r < N; r++) {
             out[r] = c[a * N + r] + t * out[r];
@@ -254,8 +254,9 @@ static void accumulate(invcal_normal *sum, const invcal_normal *row, invcal_real
 static void accumulate_powers(invcal_thermal_sums *sums, const invcal_normal *row, invcal_real t,
                               invcal_real sign)
 {
-    for (unsigned k = 0; k < SUMS; k++, sign *= t) {
+    for (unsigned k = 0; k < SUMS; k++) {
         accumulate(&sums->sum[k], row, sign);
+        sign *= t;
     }
 }
 
@@ -681,10 +682,11 @@ static void spread_prior(const problem *m, unsigned degree, invcal_real t,
         invcal_real square = 0;
         invcal_real power = 1;
         int is_known = 1;
-        for (unsigned a = 0; a <= degree; a++, power *= t) {
+        for (unsigned a = 0; a <= degree; a++) {
             const invcal_real sigma = prior_of(m, a, r);
             is_known &= sigma > 0;
             square += sigma * power * (sigma * power);
+            power *= t;
         }
         prior[r] = is_known ? INVCAL_SQRT(square) : 0;
     }
@@ -793,7 +795,6 @@ invcal_status invcal_thermal_assess(const invcal_thermal_sums *sums,
     invcal_solution triad;
     invcal_evidence e;
     invcal_quality q;
-    invcal_real s[6];
 
     INVCAL_ASSERT(sums && calibration && settings && thermal && quality);
     if (!invcal_is_finite(temperature)) {
@@ -813,6 +814,7 @@ invcal_status invcal_thermal_assess(const invcal_thermal_sums *sums,
     e.share = 1;
     const invcal_status status = judge(&m, degree, t, &e, &q);
     if (status == INVCAL_OK) {
+        invcal_real s[6];
         parameters_at(calibration, t, &triad);
         invcal_solution_deviation(&triad, s);
         invcal_evidence_spread_offset(&e, s, &q);
@@ -997,7 +999,7 @@ invcal_status invcal_thermal_calibrate(const invcal_real *raw, const invcal_real
     if (status == INVCAL_OK) {
         *out = j.now;
         *quality = q;
-    } else if (reason) {
+    } else if (reason != NULL) {
         reason->position = j.position;
         reason->undetermined = invcal_undetermined(&j.sums.sum[0]);
     }
