@@ -45,7 +45,7 @@ static invcal_real root_mean(const invcal_allan_tau *sum)
     uint64_t high = sum->high;
     invcal_real power = 1;
 
-    for (; high > 0; high >>= 2) {
+    for (; high > 0; high >>= 2) { /* at most 32 steps */
         low = low >> 2 | high << 62;
         power *= 2;
     }
@@ -62,7 +62,7 @@ static int find_stage(uint32_t m, uint8_t *stage)
     if (m < 1 || m > INVCAL_ALLAN_LONGEST) {
         return 0;
     }
-    while (m > (uint32_t)INVCAL_ALLAN_OVERLAP << t) {
+    while (m > (uint32_t)INVCAL_ALLAN_OVERLAP << t) { /* at most 30 steps: m is 2^30 or less */
         t++;
     }
     *stage = t;
@@ -176,7 +176,7 @@ invcal_status invcal_allan_get(const invcal_allan *allan, unsigned index, invcal
     if (is_full(tau)) {
         return INVCAL_NO_SPACE;
     }
-    while (index >= allan->end[ring]) {
+    while (index >= allan->end[ring]) { /* at most the number of rings: taus ends the last */
         ring++;
     }
     const uint32_t lag = allan->windows == INVCAL_ALLAN_APART ? 1 : tau->m >> allan->stage[ring];
@@ -388,7 +388,7 @@ static void fit_visible(curve *c, mixture *x)
 
     fit(c, ALL, x);
     invcal_real before = misfit(c);
-    for (unsigned i = hidden_kind(x); i < KINDS; i = hidden_kind(x)) {
+    for (unsigned i = hidden_kind(x); i < KINDS; i = hidden_kind(x)) { /* at most KINDS */
         fit(c, x->kinds & ~(1u << i), &fewer);
         const invcal_real after = misfit(c);
         if (after > POOR && after > 2 * before) {

@@ -15,7 +15,7 @@ invcal_status invcal_block_init(invcal_block *block, unsigned size, int32_t low,
     }
     const uint32_t eighth = ((uint32_t)high - (uint32_t)low) / 8;
     uint16_t near = NEAR_MAX;
-    while (near > eighth) {
+    while (near > eighth) { /* at most 15 steps: near is halved */
         near /= 2;
     }
     memset(block, 0, sizeof *block);

@@ -29,6 +29,7 @@ invcal_real invcal_faded(unsigned days)
 {
     invcal_real weight = 1;
 
+    /* at most 255 steps: what an age holds */
     for (; days > 0; days--) {
         weight *= INVCAL_REAL(0.96875); /* 31/32 */
     }
@@ -108,7 +109,7 @@ static unsigned nth_kept(const invcal_positions *positions, unsigned n)
 {
     unsigned i = 0;
 
-    while (is_left_out(positions, i) || n-- > 0) {
+    while (is_left_out(positions, i) || n-- > 0) { /* at most as many as there are positions */
         i++;
     }
     return i;

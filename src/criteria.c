@@ -23,11 +23,11 @@ static invcal_real logarithm(invcal_real x)
     invcal_real e = 0;
     invcal_real sum = 0;
 
-    while (x > INVCAL_REAL(1.4142136)) {
+    while (x > INVCAL_REAL(1.4142136)) { /* at most 128 steps (double: 1024) */
         x /= 2;
         e++;
     }
-    while (x < INVCAL_REAL(0.7071067)) {
+    while (x < INVCAL_REAL(0.7071067)) { /* at most 149 steps (double: 1074) */
         x *= 2;
         e--;
     }

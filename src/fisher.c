@@ -36,6 +36,7 @@ static invcal_real series(invcal_real x, invcal_real a, invcal_real b)
     invcal_real sum = 0;
     invcal_real j = 0;
 
+    /* at most 15 dof + 20 steps, with double 35 dof + 50 */
     while (term > INVCAL_EPSILON / 16 * sum) {
         sum += term;
         term *= x * (a + b + j) / (a + 1 + j);

@@ -178,7 +178,7 @@ invcal_status invcal_guidance_of(const invcal_normal *normal, const invcal_real 
 
 static char *append(char *at, const char *text)
 {
-    while (*text != '\0') {
+    while (*text != '\0') { /* at most 7 steps: the length of the texts below */
         *at++ = *text++;
     }
     return at;
@@ -196,6 +196,7 @@ static char *append_tilt(char *at, invcal_real cosine)
 {
     unsigned degrees = 5;
 
+    /* at most 10 steps */
     while (degrees < 55 &&
            INVCAL_COS(((invcal_real)degrees + INVCAL_REAL(2.5)) * RADIAN) > cosine) {
         degrees += 5;

@@ -23,7 +23,7 @@ static unsigned size_of(invcal_mask set)
 {
     unsigned n = 0;
 
-    while (set != 0) {
+    while (set != 0) { /* at most one step for each bit of the set */
         set &= set - 1;
         n++;
     }
@@ -243,6 +243,7 @@ static void search(fit *f, const invcal_real *checked, unsigned size, contest *c
     unsigned d = 0;
 
     p.member[0] = (uint8_t)f->count;
+    /* at most 2 (C(n,1) + C(n,2) + C(n,3)) steps: 10,976 for n = 32 positions */
     while (d > 0 || p.member[0] > 0) {
         if (p.member[d] == 0) { /* all tried: the member before moves on */
             d--;
@@ -349,7 +350,7 @@ static invcal_mask find_group(fit *f, invcal_mask removed, invcal_real *checked,
 
     size = size < GROUP ? size : GROUP;
     compete(f, removed, size, checked, contests);
-    for (*suspected = 0; size > 0; size--) {
+    for (*suspected = 0; size > 0; size--) { /* at most GROUP steps */
         const finding found = judge(f, removed, contests, size);
         if (found == CLEAR) {
             break;
@@ -410,7 +411,9 @@ invcal_status invcal_outliers_find(const invcal_real *raw, unsigned count,
     if (!is_determined(&f)) {
         return INVCAL_UNDETERMINED;
     }
-    do { /* group by group: the largest may hide the next. Nothing fails from here on */
+    /* group by group: the largest may hide the next. Nothing fails from here on. As each takes one
+     * or more, there are at most INVCAL_OUTLIERS_MOST + 1 steps. */
+    do {
         found = find_group(&f, removed, out->checked, &out->suspected);
         removed |= found;
         (void)fit_without(&f, removed); /* solvable: it was solved to judge the group */

@@ -31,10 +31,10 @@ invcal_status invcal_plan_check(const invcal_plan *plan)
 /* The same angle above -180, at most 180. */
 static invcal_real wrap(invcal_real degrees)
 {
-    while (degrees > TURN / 2) {
+    while (degrees > TURN / 2) { /* at most one step: |degrees| is a turn or less */
         degrees -= TURN;
     }
-    while (degrees <= -TURN / 2) {
+    while (degrees <= -TURN / 2) { /* at most one step, likewise */
         degrees += TURN;
     }
     return degrees;
@@ -58,11 +58,11 @@ static void circle(invcal_real degrees, invcal_real *cosine, invcal_real *sine)
 {
     unsigned quarters = 0;
 
-    while (degrees > TURN / 8) {
+    while (degrees > TURN / 8) { /* at most two steps: half a turn or less */
         degrees -= TURN / 4;
         quarters += 1;
     }
-    while (degrees < -TURN / 8) {
+    while (degrees < -TURN / 8) { /* at most two steps */
         degrees += TURN / 4;
         quarters += 3;
     }

@@ -5,7 +5,7 @@
  * need relocation and so writable memory. */
 static const char *nth(const char *texts, unsigned n)
 {
-    while (n > 0) {
+    while (n > 0) { /* at most as many steps as there are characters */
         n -= *texts++ == '\0';
     }
     return texts;

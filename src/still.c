@@ -608,6 +608,7 @@ const char *invcal_rest_reason_text(invcal_rest_reason reason)
                                 "unknown reason";
     const char *text = texts;
 
+    /* at most as many steps as there are characters */
     for (unsigned n = (unsigned)reason < UNKNOWN ? (unsigned)reason : UNKNOWN; n > 0;) {
         n -= *text++ == '\0';
     }

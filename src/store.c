@@ -90,6 +90,7 @@ static state look(desk *d, unsigned slot, uint8_t *bytes, uint32_t capacity)
 
     found->sequence = 0;
     d->end = HEADER;
+    /* at most 2050 steps: 8 bytes, then 32 at a time */
     for (uint32_t at = 0; at < d->end; at += n) {
         n = d->end - at < CHUNK ? d->end - at : CHUNK;
         if (!read_chunk(d, slot, at, n)) {

@@ -44,7 +44,8 @@ typedef struct {
                              INVCAL_MAX_POSITIONS */
 } invcal_positions;
 
-/* The weight of a position after some days, each of which takes 1/32 of it: (31/32)^days. */
+/* The weight of a position after some days, each of which takes 1/32 of it: (31/32)^days, one step
+ * for each of them: 0 ... 255, what an age holds. */
 invcal_real invcal_faded(unsigned days);
 
 /* The second half of it, for sums that were built position by position: solution, residuals,
