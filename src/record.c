@@ -94,6 +94,7 @@ invcal_status invcal_record_decode(const uint8_t *bytes, uint32_t size, invcal_r
     if (invcal_get_u16(bytes + 2) != INVCAL_RECORD_SIZE) {
         return INVCAL_DAMAGED;
     }
+    memset(&r, 0, sizeof r); /* each_real looks at what it replaces */
     memcpy(r.sensor, bytes + 4, sizeof r.sensor);
     r.date = invcal_get_u32(bytes + 12);
     r.positions = invcal_get_u16(bytes + 16);

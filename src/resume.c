@@ -208,6 +208,7 @@ static int get_head(const uint8_t *bytes, head *h)
     if (length < TABLE_AT + INVCAL_CRC_SIZE) {
         return 0;
     }
+    memset(h, 0, sizeof *h); /* each_real looks at what it replaces */
     h->stored = invcal_get_u16(bytes + 4);
     h->step = invcal_get_u16(bytes + 6);
     h->count = invcal_get_u32(bytes + 8);
