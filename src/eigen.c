@@ -23,7 +23,8 @@ static void rotate(invcal_real m[3][3], invcal_real v[3][3], unsigned p, unsigne
 
     m[p][p] -= t * m[p][q];
     m[q][q] += t * m[p][q];
-    m[p][q] = m[q][p] = 0;
+    m[p][q] = 0;
+    m[q][p] = 0;
     m[r][p] = m[p][r] = c * rp - s * rq;
     m[r][q] = m[q][r] = s * rp + c * rq;
     for (unsigned i = 0; i < 3; i++) {

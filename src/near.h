@@ -15,6 +15,7 @@ void invcal_near_inverse(const invcal_real e[6], invcal_real out[6]);
 /* root = (I + E)^1/2 - I, inverse = (I + E)^-1/2 - I. Converges for every positive definite
  * matrix, with each step twice as many digits; ends after 12 steps, enough for eigenvalues from
  * 0.01 to 100. Relative error: within 30 INVCAL_EPSILON times the condition of I + E. */
+/* NOLINTNEXTLINE(readability-inconsistent-declaration-parameter-name): there Y and Z of its source */
 void invcal_near_root(const invcal_real e[6], invcal_real root[6], invcal_real inverse[6]);
 
 /* Are all eigenvalues of I + E above low, and below high? Told to 10 INVCAL_EPSILON of the largest,

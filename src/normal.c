@@ -41,6 +41,7 @@ static invcal_real *raised(invcal_real *list, unsigned degree, const invcal_real
 static void accumulate(invcal_normal *normal, const invcal_observation *o, invcal_real weight)
 {
     const invcal_real wj = weight * o->j;
+    /* cppcheck-suppress misra-c2012-9.3 ; raised() fills the rest */
     invcal_real product[3 + INVCAL_MOMENTS] = {weight * o->h[0], weight * o->h[1],
                                                weight * o->h[2]};
 
@@ -149,6 +150,7 @@ void invcal_normal_matrix(const invcal_normal *normal,
     for (unsigned r = 0; r < INVCAL_PARAMETERS; r++) {
         INVCAL_UNROLL
         for (unsigned c = 0; c <= r; c++) {
+            /* cppcheck-suppress misra-c2012-10.6 ; constants, no wider than they are */
             const unsigned start = c >= INVCAL_DK_X ? 16 : r >= INVCAL_DK_X ? 6 : 0;
             const unsigned others = (unsigned)not_x[r] + not_x[c];
             *hth++ = normal->moment[start + INVCAL_PACKED(others, (unsigned)is_z[r] + is_z[c])];

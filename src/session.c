@@ -249,8 +249,11 @@ static invcal_session_what add(invcal_session *session, const invcal_real mean[3
         store(session, mean);
     }
     (void)invcal_normal_add(&session->normal, row, 1);
-    if (has_plan(&session->setup) && asked && session->step < last && ++session->step == last) {
-        return INVCAL_SESSION_FINISHED;
+    if (has_plan(&session->setup) && asked && session->step < last) {
+        session->step++;
+        if (session->step == last) {
+            return INVCAL_SESSION_FINISHED;
+        }
     }
     return INVCAL_SESSION_TAKEN;
 }

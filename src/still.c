@@ -334,7 +334,7 @@ static void commit(invcal_still *s)
         }
         s->end = trimmed;
         s->blocks++;
-    }
+    } /* cppcheck-suppress misra-c2012-15.7 ; full: it has blocks enough */
     memcpy(s->pending[0], s->pending[1], sizeof s->pending[0]);
     s->pended--;
 }

