@@ -30,8 +30,8 @@ Q := $(if $(V),,@)
 .DEFAULT_GOAL := all
 .DELETE_ON_ERROR:
 .SECONDARY:
-.PHONY: help all install uninstall demo test check targets firmware size bench schema pages \
-    derived reference format deps clean
+.PHONY: help all install uninstall demo test check targets firmware size bench schema pages derived \
+    rules coverage mutation fuzz proof numerics reference format deps clean
 
 help: ## this list
 	@awk -F ':.*## ' '/^[a-z]+:.*## / { printf "make %-10s %s\n", $$1, $$2 }' $(MAKEFILE_LIST)
@@ -147,6 +147,9 @@ size: ## flash, stack and structures on every target, against the budgets (V=1: 
 bench: ## instructions of each operation on emulated targets, against the budgets
 	$(Q)UPDATE="$(UPDATE)" TARGETS="$(TARGETS)" sh tests/bench.sh $(BUILD)
 
+rules: ## MISRA C:2012, clang-tidy, bounds of loops, complexity (TOOL=1: of the tool, minutes)
+	$(Q)sh tests/rules.sh $(BUILD) $(if $(TOOL),tool)
+
 schema: $(BUILD)/invcal ## what the tool prints as JSON, against port/host/schema.json
 	$(call need,python3)
 	$(Q)sh tests/tool/schema.sh $(BUILD)/invcal $(BUILD)/tool
@@ -178,7 +181,8 @@ format: ## lay out the sources by .clang-format (needs clang-format 19)
 deps: ## install what all of these need beyond a C compiler (Debian, root)
 	apt-get update
 	apt-get install -y --no-install-recommends gcc git clang-19 libclang-rt-19-dev \
-	    clang-format-19 python3 python3-jsonschema shellcheck man-db groff mandoc bash \
+	    clang-format-19 clang-tidy-19 cppcheck pmccabe python3 python3-jsonschema \
+	    shellcheck man-db groff mandoc bash \
 	    chromium fonts-dejavu-core poppler-utils \
 	    gcc-arm-none-eabi libnewlib-arm-none-eabi qemu-system-arm gcc-avr avr-libc simavr \
 	    gcc-riscv64-unknown-elf picolibc-riscv64-unknown-elf qemu-system-misc \

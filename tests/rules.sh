@@ -1,0 +1,109 @@
+#!/bin/sh
+# SPDX-License-Identifier: MIT
+#
+# sh tests/rules.sh BUILD [tool]
+# The rules of the sources, a line for each and at the end `N passed, N failed`. Of the library:
+# cppcheck with its MISRA C:2012 addon, less what tests/rules/misra.txt excuses; clang-tidy by
+# .clang-tidy; conversions that change a value, and names that nobody may use; a bound for every loop;
+# cyclomatic complexity. Of the tool, with `tool`: clang-tidy (minutes) and complexity.
+# A third argument does one job, as xargs calls this script.
+out=$1/rules
+flags='-std=c99 -ffp-contract=off -Iinclude'
+
+# What <float.h> says, as cppcheck reads no headers of the system.
+float_h='-DFLT_RADIX=2 -DFLT_MANT_DIG=24 -DFLT_MAX_EXP=128 -DFLT_EPSILON=1.2e-7f
+    -DDBL_MANT_DIG=53 -DDBL_EPSILON=2.2e-16'
+
+misra() { # name flag...: one configuration, all sources at once, as some rules ask of all of them
+    name=$1
+    shift
+    rm -rf "$out/cppcheck-$name"
+    mkdir -p "$out/cppcheck-$name"
+    # shellcheck disable=SC2086 # flags are words
+    cppcheck --std=c99 --platform=unix64 --addon=misra --inline-suppr -q \
+        --enable=warning,style,performance,portability,information \
+        --suppress=missingIncludeSystem --cppcheck-build-dir="$out/cppcheck-$name" \
+        --template='{file}:{line}:{column}: {id} {message}' -Iinclude $float_h "$@" \
+        src > "$out/misra-$name.log" 2>&1 || echo "cppcheck failed" >> "$out/misra-$name.log"
+}
+
+# What converts a value into one that may be another, and what is poisoned, for both reals.
+strict() { # compiler flag...
+    compiler=$1
+    shift
+    for real in 0 1; do
+        # shellcheck disable=SC2086 # flags are words
+        "$compiler" $flags -fsyntax-only -DINVCAL_DOUBLE=$real -include tests/rules/poison.h \
+            -Wall -Wextra -Wconversion -Wsign-conversion -Wfloat-conversion -Wdouble-promotion -Wvla \
+            -Werror "$@" src/*.c || echo "not clean by $compiler"
+    done > "$out/strict-$compiler.log" 2>&1
+}
+
+tidy() { # group file flag...
+    group=$1 file=$2
+    shift 2
+    log=$out/tidy-$group-$(basename "$file").log
+    # stderr only counts warnings; a file that does not compile is told on stdout.
+    # shellcheck disable=SC2086 # flags are words
+    clang-tidy-19 --quiet "$file" -- $flags "$@" > "$log" 2> /dev/null ||
+        echo "$file: not clean by clang-tidy" >> "$log"
+}
+
+jobs() {
+    if [ -n "$1" ]; then
+        printf 'tidy tool %s -DINVCAL_DOUBLE=1 -DINVCAL_MAX_POSITIONS=64 -DINVCAL_ALLAN_TAUS=31\n' \
+            port/host/*.c
+    else
+        echo 'misra float -DINVCAL_DOUBLE=0'
+        echo 'misra double -DINVCAL_DOUBLE=1 -DINVCAL_THERMAL_DEGREE=2 -DINVCAL_MAX_POSITIONS=64'
+        printf 'tidy library %s\n' src/*.c
+        echo 'strict gcc -Warith-conversion'
+        echo 'strict clang-19 -Wimplicit-int-float-conversion'
+    fi
+}
+
+complex() { # limit file...: functions above it
+    limit=$1
+    shift
+    pmccabe "$@" | awk -v limit="$limit" '$1 > limit { print $1 " of at most " limit ": " $6 " " $7 }'
+}
+
+report() { # name: what a gate says goes through it; nothing is good
+    found=$(awk '!seen[$0]++') # headers are seen many times
+    if [ -z "$found" ]; then
+        echo "$1: PASS"
+    else
+        printf '%s\n' "$found"
+        echo "$1: FAIL"
+    fi
+}
+
+cd "$(dirname "$0")/.." || exit 1
+if [ $# -gt 2 ]; then
+    shift
+    "$@"
+    exit
+fi
+for command in cppcheck clang-tidy-19 clang-19 gcc pmccabe; do
+    if ! command -v $command > /dev/null; then
+        echo "$command is not installed: make deps" >&2
+        exit 1
+    fi
+done
+mkdir -p "$out"
+rm -f "$out"/*.log
+jobs "$2" | xargs -P 2 -L 1 sh tests/rules.sh "$1" ||
+    echo "a job failed" > "$out/tidy-jobs.log"
+
+if [ -n "$2" ]; then
+    cat "$out"/tidy-*.log | report 'clang-tidy, port/host'
+    complex 27 port/host/*.c | report 'cyclomatic complexity of port/host, at most 27'
+else
+    awk -v runs=2 -f tests/rules/misra.awk tests/rules/misra.txt "$out"/misra-*.log |
+        report 'cppcheck and MISRA C:2012, less tests/rules/misra.txt'
+    cat "$out"/tidy-*.log | report 'clang-tidy, src'
+    cat "$out"/strict-*.log | report 'no conversion that changes a value, no poisoned name, no array of variable length'
+    awk -f tests/rules/loops.awk tests/rules/bounds.txt src/*.c src/*.h | report 'every loop has a bound'
+    complex 10 src/*.c src/*.h | report 'cyclomatic complexity of src, at most 10'
+fi | awk '{ print } /: PASS$/ { p++ } /: FAIL$/ { f++ }
+    END { print p + 0 " passed, " f + 0 " failed"; exit f > 0 || p == 0 }'

@@ -1,0 +1,31 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * Included by `make rules` before every source of the library, after the headers of libc that it may
+ * use: whoever writes one of these names is stopped by the compiler. tests/library.sh looks at what
+ * the finished library calls, tests/size.sh at recursion; this is for what leaves no trace there.
+ */
+#include <float.h>
+#include <limits.h>
+#include <math.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <string.h>
+
+/* the heap, and the stack without a bound */
+#pragma GCC poison malloc calloc realloc free aligned_alloc strdup alloca __builtin_alloca
+/* control flow that no reader follows */
+#pragma GCC poison setjmp longjmp sigsetjmp siglongjmp signal raise goto
+#pragma GCC poison abort exit _Exit atexit system getenv
+/* input and output */
+#pragma GCC poison printf fprintf sprintf snprintf vprintf vfprintf vsprintf vsnprintf
+#pragma GCC poison puts fputs putchar scanf fscanf sscanf fopen FILE stdin stdout stderr
+/* text, and memory without a length in sight */
+#pragma GCC poison strcpy strncpy strcat strncat strtok gets atoi atof strtol strtod memmove
+/* what costs too much, or is not the same everywhere */
+#pragma GCC poison pow powf exp expf log logf asin acos atan atan2 asinf acosf atanf atan2f
+#pragma GCC poison rand srand clock errno thread_local _Thread_local volatile
+#if !INVCAL_DOUBLE
+/* the float build: no double, nor the functions that return one */
+#pragma GCC poison double sqrt fabs sin cos
+#endif
+#pragma GCC poison asm __asm__ union
