@@ -130,6 +130,10 @@ need = @command -v $(1) > /dev/null || { echo '$(1) is not installed: make deps'
 test: $(SUITES:%=$(BUILD)/float/%) $(SUITES:%=$(BUILD)/double/%) all ## all tests with one compiler
 	$(Q)CC="$(CC)" CFLAGS="$(CFLAGS)" UNITY="$(UNITY)" sh tests/run.sh $(BUILD)
 
+coverage: ## what the tests reach: lines, branches, MC/DC of src/, lines of the tool (PART=src, PART=host)
+	$(call need,llvm-cov-19)
+	$(Q)sh tests/coverage.sh $(BUILD) $(PART)
+
 check: schema ## the tests under gcc and clang, C99 and C11, with sanitizers, warnings as errors
 	$(Q)sh tests/check.sh $(BUILD)/check
 
@@ -180,9 +184,14 @@ format: ## lay out the sources by .clang-format (needs clang-format 19)
 
 deps: ## install what all of these need beyond a C compiler (Debian, root)
 	apt-get update
+<<<<<<< HEAD
 	apt-get install -y --no-install-recommends gcc git clang-19 libclang-rt-19-dev \
 	    clang-format-19 clang-tidy-19 cppcheck pmccabe python3 python3-jsonschema \
 	    shellcheck man-db groff mandoc bash \
+=======
+	apt-get install -y --no-install-recommends gcc git clang-19 libclang-rt-19-dev llvm-19 \
+	    clang-format-19 python3 python3-jsonschema shellcheck man-db groff mandoc bash \
+>>>>>>> 1a07e61 (make coverage: lines, branches and MC/DC of src/, lines of the tool, and what they miss)
 	    chromium fonts-dejavu-core poppler-utils \
 	    gcc-arm-none-eabi libnewlib-arm-none-eabi qemu-system-arm gcc-avr avr-libc simavr \
 	    gcc-riscv64-unknown-elf picolibc-riscv64-unknown-elf qemu-system-misc \

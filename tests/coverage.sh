@@ -1,0 +1,84 @@
+#!/bin/sh
+# SPDX-License-Identifier: MIT
+#
+# sh tests/coverage.sh BUILD [src|host]
+# What the tests reach, by clang's source-based coverage: lines, branches and MC/DC of src/ by the
+# unit tests, in float and double and for each degree of thermal.h, and lines of port/host by the
+# scripts of tests/tool; or one of the two. Gaps of src/ are named by file and line, or explained
+# there (see coverage.awk). Ends with `N passed, N failed`.
+# INVCAL_ASSERT is compiled to nothing, as it is by default. Whether the tests hold, `make test` says.
+cd "$(dirname "$0")/.." || exit 1
+rm -rf "$1/coverage"
+mkdir -p "$1/coverage" || exit 1
+out=$(cd "$1/coverage" && pwd)
+
+# build FLAGS DEGREE TARGET ...: in a folder of that degree of thermal.h
+build() {
+    flags="-O1 -fprofile-instr-generate -fcoverage-mapping $1"
+    folder=$out/$2
+    degree=$2
+    shift 2
+    # shellcheck disable=SC2046 # names without blanks
+    make -s -j2 BUILD="$folder" DEGREE="$degree" CC="${CLANG:-clang-19}" \
+        CFLAGS="$flags '-DINVCAL_ASSERT(condition)=((void)0)'" $(printf "$folder/%s " "$@") \
+        >> "$out/build.log" 2>&1 || { cat "$out/build.log"; exit 1; }
+}
+
+# Runs lines `NAME COMMAND ...`, two at a time. What they count stands in NAME.*.profraw.
+run() {
+    # shellcheck disable=SC2016 # for the shell inside
+    OUT=$out xargs -P 2 -L 1 sh -c \
+        'LLVM_PROFILE_FILE=$OUT/$0.%m.profraw "$@" > "$OUT/$0.log" 2>&1; true'
+}
+
+# show NAME SOURCES PROGRAM ...: NAME.show, what NAME-*.profraw say
+show() {
+    name=$1
+    sources=$2
+    shift 2
+    # shellcheck disable=SC2046 # names without blanks
+    llvm-profdata-19 merge -o "$out/$name.profdata" "$out/$name"-*.profraw &&
+        llvm-cov-19 show -show-branches=count -show-mcdc -show-instantiations=false \
+            -instr-profile="$out/$name.profdata" $(printf -- '-object %s ' "$@") \
+            -sources "$sources" > "$out/$name.show"
+}
+
+# in_float_and_double DEGREE SUITE ...
+in_float_and_double() {
+    degree=$1
+    shift
+    # shellcheck disable=SC2046 # names without blanks
+    build -fcoverage-mcdc "$degree" $(printf 'float/%s ' "$@") $(printf 'double/%s ' "$@")
+    for suite; do
+        for real in float double; do
+            echo "src-$degree$real-$suite $out/$degree/$real/$suite"
+        done
+    done | run
+    for real in float double; do
+        # shellcheck disable=SC2046 # names without blanks
+        show "src-$degree$real" src $(printf "$out/$degree/$real/%s " "$@")
+    done
+}
+
+measure_src() {
+    # shellcheck disable=SC2046 # names without blanks
+    in_float_and_double 1 $(basename -s .c tests/unit/test_*.c)
+    in_float_and_double 0 test_thermal
+    in_float_and_double 2 test_thermal
+}
+
+measure_host() {
+    build '' 1 invcal
+    for script in tests/tool/*_test.sh; do
+        echo "host-$(basename "$script" .sh) sh $script $out/1/invcal $out/1/tool"
+    done | run
+    show host port/host "$out/1/invcal"
+}
+
+for part in ${2:-src host}; do
+    "measure_$part"
+    unmeasured=$(grep -c "^$part/.*unsupported MC/DC" "$out/build.log")
+    awk -v part="$part" -v unmeasured="$unmeasured" -f tests/coverage.awk "$out/$part"*.show
+done | awk '/^[0-9]+ passed, [0-9]+ failed$/ { passed += $1; failed += $3; next }
+    { print }
+    END { print passed + 0 " passed, " failed + 0 " failed"; exit failed > 0 || passed == 0 }'
