@@ -146,7 +146,7 @@ static invcal_real large_variance(const invcal_block *block)
         const invcal_real sum = (invcal_real)block->sum[a];
         squares -= sum * sum / n;
     }
-    return squares > 0 ? squares / (n - 1) : 0;
+    return squares / (n - 1); /* 1/n of them is left: the first sample has d = 0 */
 }
 
 invcal_real invcal_block_variance(const invcal_block *block)

@@ -13,11 +13,16 @@
 
 #define DEGREE INVCAL_REAL(0.017453292519943296)
 
+static int is_between(invcal_real x, invcal_real low, invcal_real high)
+{
+    return x >= low && x <= high;
+}
+
 invcal_status invcal_gravity(invcal_real latitude, invcal_real height, invcal_real *gravity)
 {
     INVCAL_ASSERT(gravity);
-    if (!(latitude >= -90 && latitude <= 90) ||
-        !(height >= INVCAL_GRAVITY_LOWEST && height <= INVCAL_GRAVITY_HIGHEST)) {
+    if (!is_between(latitude, -90, 90) ||
+        !is_between(height, INVCAL_GRAVITY_LOWEST, INVCAL_GRAVITY_HIGHEST)) {
         return INVCAL_BAD_SETTING;
     }
     const invcal_real sine = INVCAL_SIN(latitude * DEGREE);

@@ -115,9 +115,8 @@ static invcal_real telling(const invcal_session *session, const invcal_observati
     for (unsigned r = 0; r < INVCAL_PARAMETERS; r++) {
         l[INVCAL_PACKED(r, r)] += RIDGE * (largest > 1 ? largest : 1);
     }
-    if (invcal_cholesky_factor(l, INVCAL_PARAMETERS, INVCAL_EPSILON) != INVCAL_OK) {
-        return 0; /* sums that are no sums of squares: not reached */
-    }
+    /* what is a sum of squares and a ridge is positive definite */
+    (void)invcal_cholesky_factor(l, INVCAL_PARAMETERS, INVCAL_EPSILON);
     memcpy(x, row->h, sizeof x);
     invcal_cholesky_forward(l, INVCAL_PARAMETERS, x);
     return invcal_dot(x, x, INVCAL_PARAMETERS);
@@ -230,8 +229,8 @@ INVCAL_APART static int reaches_target(const invcal_session *session)
     invcal_solution solution;
     invcal_quality q;
 
-    if (!(target[0] > 0 || target[1] > 0 || target[2] > 0) ||
-        solve(session, &session->normal, 0, &solution, &q) != INVCAL_OK) {
+    const int is_wanted = target[0] > 0 || target[1] > 0 || target[2] > 0;
+    if (!is_wanted || solve(session, &session->normal, 0, &solution, &q) != INVCAL_OK) {
         return 0;
     }
     return q.verdict == INVCAL_GOOD && (q.dof >= DOF || session->setup.settings.noise > 0) &&
@@ -448,7 +447,7 @@ static int held_row(const invcal_session *session, invcal_observation *row)
     invcal_rest rest;
     invcal_real mean[3];
 
-    if (!session->is_ready || !invcal_still_current(&session->still, &rest)) {
+    if (!invcal_still_current(&session->still, &rest) || !session->is_ready) {
         return 0;
     }
     invcal_rest_mean(&rest, mean);
@@ -481,9 +480,10 @@ invcal_status invcal_session_next(const invcal_session *session, invcal_guidance
         const unsigned step = session->step + (is_held && is_asked(session, row.h) ? 1u : 0u);
         return next_of_plan(session, step, &normal, next);
     }
-    const int has_last =
-        is_held || (session->stored > 0 &&
-                    read_row(session, session->mean[session->stored - 1], &row) == INVCAL_OK);
+    if (!is_held && session->stored > 0) {
+        stored_row(session, session->stored - 1u, &row);
+    }
+    const int has_last = is_held || session->stored > 0;
     return invcal_guidance_next(&normal, has_last ? row.h : NULL, next);
 }
 

@@ -40,7 +40,7 @@ static int are_usable(const invcal_settings *settings)
     }
     return invcal_are_finite(settings->nominal.offset) && invcal_is_positive(settings->field) &&
            is_usable_number(settings->noise) && settings->noise <= settings->field &&
-           !(settings->noise == 0 && invcal_has_prior(settings)) &&
+           (settings->noise > 0 || !invcal_has_prior(settings)) &&
            (settings->frame == INVCAL_FRAME_SYMMETRIC ||
             settings->frame == INVCAL_FRAME_TRIANGULAR);
 }

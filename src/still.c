@@ -513,8 +513,9 @@ INVCAL_APART static invcal_still_event decide(invcal_still *s, invcal_rest *out)
 invcal_status invcal_still_init(invcal_still *still, invcal_real rate, int32_t low, int32_t high)
 {
     INVCAL_ASSERT(still);
-    if (!(rate >= INVCAL_STILL_RATE_MIN && rate <= INVCAL_STILL_RATE_MAX) ||
-        (low >= high && !(low == 0 && high == 0))) {
+    const int is_rate = rate >= INVCAL_STILL_RATE_MIN && rate <= INVCAL_STILL_RATE_MAX;
+    const int are_rails = low < high || (low == 0 && high == 0);
+    if (!is_rate || !are_rails) {
         return INVCAL_BAD_SETTING;
     }
     const int unknown = low == high;
