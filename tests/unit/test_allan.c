@@ -756,6 +756,46 @@ static void a_few_samples_show_white_noise(void)
     TEST_ASSERT_TRUE(noise.coefficient[INVCAL_NOISE_WALK] == 0);
 }
 
+/* All that one averaging time tells: N = adev sqrt(tau). */
+static void one_averaging_time_alone_passes_for_white_noise(void)
+{
+    const uint32_t m = 4;
+    invcal_allan a = begun(&m, 1, INVCAL_ALLAN_OVERLAPPING);
+    invcal_allan_point p;
+
+    feed(&a, noise_of_12_bits, 400);
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_allan_get(&a, 0, &p));
+    const invcal_noise noise = noise_of(&a);
+    const double expected = LSB * (double)p.adev * sqrt(4 / RATE);
+    TEST_ASSERT_EQUAL_INT(1 << INVCAL_NOISE_WHITE, noise.visible);
+    TEST_ASSERT_DOUBLE_WITHIN(1e-6 * expected, expected,
+                              (double)noise.coefficient[INVCAL_NOISE_WHITE]);
+    TEST_ASSERT_TRUE(noise.coefficient[INVCAL_NOISE_INSTABILITY] == 0);
+    TEST_ASSERT_TRUE(noise.coefficient[INVCAL_NOISE_WALK] == 0);
+    TEST_ASSERT_DOUBLE_WITHIN(1e-3, 0, (double)noise.misfit); /* one equation, one unknown */
+    TEST_ASSERT_DOUBLE_WITHIN(1e-7, 4 / RATE, (double)noise.best);
+    TEST_ASSERT_DOUBLE_WITHIN(1e-7, 4 / RATE, (double)noise.longest);
+}
+
+/* From rail to rail with every sample, and hardly a count from pair to pair: the two deviations
+ * are 3e9 and 0.05, and the fourth power of their ratio is no float. */
+static void a_curve_that_the_number_type_does_not_hold_tells_nothing(void)
+{
+    const uint32_t m[] = {1, 2};
+    invcal_allan a = begun(m, 2, INVCAL_ALLAN_OVERLAPPING);
+    invcal_noise noise = {.misfit = 77};
+
+    for (int i = 0; i < 200; i++) {
+        invcal_allan_push(&a, i % 2 ? INT32_MAX : INT32_MIN + (i == 100));
+    }
+    const invcal_status status = invcal_allan_noise(&a, 100, 1, &noise);
+    TEST_ASSERT_EQUAL_INT(FLOAT_OR_DOUBLE(INVCAL_TOO_FEW, INVCAL_OK), status);
+    TEST_ASSERT_EQUAL_INT(status != INVCAL_OK, noise.misfit == 77);
+    for (unsigned i = 0; i < INVCAL_NOISE_KINDS && status == INVCAL_OK; i++) {
+        TEST_ASSERT_TRUE(isfinite(noise.coefficient[i]) && noise.coefficient[i] >= 0);
+    }
+}
+
 /* ---- dwell ----------------------------------------------------------------------------------- */
 
 static invcal_noise data_sheet(double n, double b, double k)
@@ -842,6 +882,9 @@ static void no_dwell_comes_of_what_is_no_noise(void)
                               invcal_noise_dwell(&noise, (invcal_real)1e-4, &dwell));
         noise = data_sheet(0, 0, 0);
     }
+    noise.shortest = 1; /* no time is too short, but there is no sigma */
+    TEST_ASSERT_EQUAL_INT(INVCAL_BAD_SETTING,
+                          invcal_noise_dwell(&noise, (invcal_real)1e-4, &dwell));
     TEST_ASSERT_TRUE(dwell.seconds == 77);
 }
 
@@ -930,6 +973,8 @@ int main(void)
     RUN_LONG_TEST(relative_is_the_scatter_and_nothing_is_seen_that_is_not_there);
     RUN_TEST(unusable_rates_are_refused);
     RUN_TEST(a_few_samples_show_white_noise);
+    RUN_TEST(one_averaging_time_alone_passes_for_white_noise);
+    RUN_TEST(a_curve_that_the_number_type_does_not_hold_tells_nothing);
     RUN_TEST(dwell_is_the_shortest_time_that_is_enough);
     RUN_TEST(dwell_ends_at_the_minimum_if_nothing_is_enough);
     RUN_TEST(no_dwell_comes_of_what_is_no_noise);

@@ -375,6 +375,31 @@ static void kept_positions_count_by_their_age_unless_they_are_left_out(void)
     assert_ratio(1e-5, (double)expected.sigma_dk[0], (double)quality.sigma_dk[0]);
 }
 
+/* A list that is not the one of the sums, and a reading in it that is none. */
+static void positions_that_cannot_be_those_of_the_sums_are_refused(void)
+{
+    random_source random = random_start(6);
+    const triad_truth truth = triad_random(&random, 0.01);
+    const invcal_settings settings = unit_settings(0);
+    invcal_solution solution;
+    invcal_quality quality;
+    invcal_quality before;
+    reading_set set;
+
+    memset(&quality, 7, sizeof quality);
+    before = quality;
+    read_positions(&truth, expected_plan18, 18, 1e-4, &random, &set);
+    const invcal_normal normal = normal_of(&set);
+    const invcal_positions positions = {&set.u[0][0], NULL, 18, 0};
+    for (int i = 0; i < 2; i++) {
+        set.u[7][1] = (invcal_real)(i ? 1000 : NOT_A_NUMBER);
+        TEST_ASSERT_EQUAL_INT(
+            INVCAL_NOT_ELLIPSOID,
+            invcal_calibrate_sums(&normal, &positions, &settings, &solution, &quality));
+    }
+    TEST_ASSERT_EQUAL_MEMORY(&before, &quality, sizeof quality);
+}
+
 /* The same readings and priors, once over field and once in m/s^2 of counts: tilts by 10 degrees,
  * which leave much to the prior. */
 static void a_prior_weighs_the_same_in_any_unit(void)
@@ -434,5 +459,6 @@ int main(void)
     RUN_TEST(a_prior_weighs_the_same_in_any_unit);
     RUN_TEST(coverage_beside_a_prior_is_that_of_the_residuals);
     RUN_TEST(kept_positions_count_by_their_age_unless_they_are_left_out);
+    RUN_TEST(positions_that_cannot_be_those_of_the_sums_are_refused);
     return UNITY_END() != 0;
 }

@@ -296,6 +296,25 @@ static void the_largest_eigenvalue_scales_with_the_unit(void)
     }
 }
 
+/* A condition made from it is then as bad as can be. */
+static void what_has_no_eigenvalues_to_speak_of_has_the_largest_number_for_one(void)
+{
+    static const double bad[] = {NOT_A_NUMBER, INFINITE};
+
+    for (unsigned i = 0; i < sizeof bad / sizeof bad[0]; i++) {
+        for (unsigned k = 0; k < SUMS; k++) {
+            invcal_real a[SUMS] = {0};
+            for (unsigned r = 0; r < N; r++) {
+                a[INVCAL_PACKED(r, r)] = 1;
+            }
+            a[k] = (invcal_real)bad[i];
+            TEST_ASSERT_TRUE(invcal_largest_eigenvalue(a, N) == INVCAL_REAL_MAX);
+        }
+    }
+    invcal_real zero[SUMS] = {0};
+    TEST_ASSERT_TRUE(invcal_largest_eigenvalue(zero, N) == INVCAL_REAL_MAX);
+}
+
 /* P = I - 2 v v' keeps eigenvalues. The elements of P diag P are rounded too, to half of epsilon
  * of the norm each. */
 static void the_largest_eigenvalue_does_not_depend_on_the_axes(void)
@@ -378,6 +397,7 @@ int main(void)
     RUN_TEST(the_largest_eigenvalue_of_a_diagonal_matrix_is_its_largest_element);
     RUN_TEST(the_largest_eigenvalue_does_not_need_the_others);
     RUN_TEST(the_largest_eigenvalue_scales_with_the_unit);
+    RUN_TEST(what_has_no_eigenvalues_to_speak_of_has_the_largest_number_for_one);
     RUN_TEST(the_largest_eigenvalue_does_not_depend_on_the_axes);
     RUN_TEST(the_largest_of_a_matrix_and_its_inverse_give_its_condition);
     return UNITY_END() != 0;

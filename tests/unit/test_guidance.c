@@ -676,7 +676,9 @@ static void assert_refused(const invcal_normal *normal)
 
     memset(&next, 0x5A, sizeof next);
     before = next;
+    const invcal_real up[3] = {0, 0, 1};
     TEST_ASSERT_EQUAL_INT(INVCAL_BAD_SETTING, invcal_guidance_next(normal, NULL, &next));
+    TEST_ASSERT_EQUAL_INT(INVCAL_BAD_SETTING, invcal_guidance_of(normal, up, &next));
     TEST_ASSERT_EQUAL_MEMORY(&before, &next, sizeof next);
 }
 

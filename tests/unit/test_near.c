@@ -132,6 +132,24 @@ static void small_deviations_keep_their_digits(void)
     }
 }
 
+/* Twelve steps of Newton from x = 1 end at sqrt(a) coth(2^12 artanh(1 / sqrt(a))), still far from
+ * the root of an a so large. */
+static void the_iteration_ends_after_twelve_steps_wherever_it_has_come(void)
+{
+    const double root = 1e5;
+    const double angle = 4096 * 0.5 * log((1 + 1 / root) / (1 - 1 / root));
+    const double expected = root * (1 + exp(-2 * angle)) / (1 - exp(-2 * angle));
+    const invcal_real e[6] = {(invcal_real)(root * root - 1), 0, 0, 0, 0, 0};
+    invcal_real y[6];
+    invcal_real z[6];
+
+    needs_53_bits();
+    invcal_near_root(e, y, z);
+    TEST_ASSERT_TRUE(expected > 20 * root);
+    TEST_ASSERT_DOUBLE_WITHIN(FLOAT_OR_DOUBLE(1e-3, 1e-8) * expected, expected, 1 + (double)y[0]);
+    TEST_ASSERT_TRUE(y[2] == 0 && y[5] == 0);
+}
+
 static void eigenvalues_within_the_limits_are_told_from_those_beyond(void)
 {
     static const double values[][3] = {{0.5, 1, 2},     {0.51, 1.9, 1.9}, {0.3, 1, 1},
@@ -171,6 +189,7 @@ int main(void)
     RUN_TEST(the_root_of_a_square_is_what_was_squared);
     RUN_TEST(roots_are_right_for_axes_of_any_length_within_the_limits);
     RUN_TEST(small_deviations_keep_their_digits);
+    RUN_TEST(the_iteration_ends_after_twelve_steps_wherever_it_has_come);
     RUN_TEST(eigenvalues_within_the_limits_are_told_from_those_beyond);
     RUN_TEST(a_nan_lies_within_no_limits);
     return UNITY_END() != 0;

@@ -216,6 +216,10 @@ static void a_field_that_is_no_length_is_refused(void)
         TEST_ASSERT_EQUAL_INT(INVCAL_BAD_SETTING,
                               invcal_observation_reading(&nominal, (invcal_real)bad[i], raw, u));
         TEST_ASSERT_TRUE(u[0] == 7 && u[1] == 7 && u[2] == 7);
+        invcal_observation row = {.j = 7};
+        TEST_ASSERT_EQUAL_INT(INVCAL_BAD_SETTING,
+                              invcal_observe(&nominal, (invcal_real)bad[i], raw, &row));
+        TEST_ASSERT_TRUE(row.j == 7 && row.h[0] == 0);
     }
 }
 

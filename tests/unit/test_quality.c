@@ -337,8 +337,32 @@ static void unreal_residuals_are_refused(void)
         TEST_ASSERT_EQUAL_INT(INVCAL_UNDETERMINED,
                               invcal_covariance(&s.residuals, &s.settings, 1, K));
         TEST_ASSERT_TRUE(K[0] == 7 && K[44] == 0);
+        s.settings.noise = (invcal_real)1e-3; /* nor does a prior hold a NaN */
+        s.settings.prior[4] = (invcal_real)0.01;
+        TEST_ASSERT_EQUAL_INT(INVCAL_UNDETERMINED,
+                              invcal_assess(&s.residuals, 18, &s.settings, &s.solution, &q));
     }
     TEST_ASSERT_EQUAL_MEMORY(&before, &q, sizeof q);
+}
+
+static void a_covariance_needs_a_noise_and_settings_that_are_some(void)
+{
+    static const double bad[] = {0, -1e-3, NOT_A_NUMBER, INFINITE};
+    scene s = plan18(12, 0.01, 1e-3, 0);
+    invcal_real K[INVCAL_PACKED_SIZE(INVCAL_PARAMETERS)] = {7};
+
+    for (unsigned i = 0; i < sizeof bad / sizeof bad[0]; i++) {
+        TEST_ASSERT_EQUAL_INT(INVCAL_BAD_SETTING,
+                              invcal_covariance(&s.residuals, &s.settings, (invcal_real)bad[i], K));
+    }
+    s.settings.field = 0;
+    TEST_ASSERT_EQUAL_INT(INVCAL_BAD_SETTING,
+                          invcal_covariance(&s.residuals, &s.settings, (invcal_real)1e-3, K));
+    TEST_ASSERT_TRUE(K[0] == 7 && K[44] == 0);
+    s.settings.field = 1;
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK,
+                          invcal_covariance(&s.residuals, &s.settings, (invcal_real)1e-3, K));
+    TEST_ASSERT_TRUE(K[44] > 0);
 }
 
 static void a_reading_absurd_after_calibration_is_refused_by_the_residuals(void)
@@ -392,6 +416,7 @@ int main(void)
     RUN_TEST(absurd_residuals_are_refused);
     RUN_TEST(unusable_input_is_refused_and_the_quality_left_alone);
     RUN_TEST(unreal_residuals_are_refused);
+    RUN_TEST(a_covariance_needs_a_noise_and_settings_that_are_some);
     RUN_TEST(a_reading_absurd_after_calibration_is_refused_by_the_residuals);
     RUN_TEST(coverage_is_students_quantile);
     RUN_TEST(coverage_rounds_down_and_fails_closed);

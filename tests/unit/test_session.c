@@ -657,6 +657,19 @@ static void twenty_degrees_are_near_enough(void)
     }
 }
 
+/* Nor does it count as the one asked for while it is held. */
+static void while_another_position_is_held_the_same_one_is_asked_for(void)
+{
+    begin(program(), 0, 4);
+    reach(expected_plan18[1]);
+    TEST_ASSERT_EQUAL_INT(INVCAL_SESSION_READY, b.news.what);
+    next_is(expected_plan18[0]);
+    leave();
+    next_is(expected_plan18[0]);
+    reach(expected_plan18[0]);
+    next_is(expected_plan18[1]);
+}
+
 /* ---- free hand ------------------------------------------------------------------------------- */
 
 /* Follows the session's advice, with errors of the hand up to so many degrees. */
@@ -784,6 +797,24 @@ static void free_hand_the_best_and_nearest_is_next(void)
         visit(up);
         TEST_ASSERT_EQUAL_INT(1, b.news.is_asked);
         TEST_ASSERT_EQUAL_UINT(i + 1, b.taken);
+    }
+}
+
+/* From READY on the advice is what it will be once the position has been left. */
+static void free_hand_a_position_that_is_ready_counts_as_taken(void)
+{
+    begin(free_hand(), 0.02, 7);
+    for (unsigned i = 0; i < 4; i++) {
+        reach(expected_plan18[5 * i % 18]);
+        TEST_ASSERT_EQUAL_INT(INVCAL_SESSION_READY, b.news.what);
+        const invcal_guidance held = next();
+        leave();
+        TEST_ASSERT_EQUAL_INT(INVCAL_SESSION_TAKEN, b.news.what);
+        const invcal_guidance taken = next();
+        for (unsigned k = 0; k < 3; k++) {
+            TEST_ASSERT_DOUBLE_WITHIN(1e-6, (double)taken.up[k], (double)held.up[k]);
+        }
+        TEST_ASSERT_DOUBLE_WITHIN(1e-2 * (double)taken.gain, (double)taken.gain, (double)held.gain);
     }
 }
 
@@ -2339,10 +2370,12 @@ int main(void)
     RUN_TEST(its_calibration_is_the_truth_and_that_of_the_means);
     RUN_SLOW_TEST(what_comes_after_the_program_is_taken_too);
     RUN_TEST(a_position_that_was_not_asked_counts_but_is_asked_again);
+    RUN_TEST(while_another_position_is_held_the_same_one_is_asked_for);
     RUN_TEST(twenty_degrees_are_near_enough);
     RUN_TEST(advice_followed_determines_everything);
     RUN_LONG_TEST(a_hand_that_errs_by_ten_degrees_does_hardly_worse);
     RUN_SLOW_TEST(free_hand_the_best_and_nearest_is_next);
+    RUN_TEST(free_hand_a_position_that_is_ready_counts_as_taken);
     RUN_TEST(a_rest_settles_is_ready_once_and_is_taken);
     RUN_TEST(the_noise_of_the_first_rest_tells_how_long_to_stay);
     RUN_TEST(more_noise_takes_the_square_of_the_time);

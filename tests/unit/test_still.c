@@ -954,6 +954,8 @@ static void init_refuses_rates_and_rails_out_of_range(void)
     }
     TEST_ASSERT_EQUAL_INT(INVCAL_BAD_SETTING, invcal_still_init(&still, 100, 9, 9));
     TEST_ASSERT_EQUAL_INT(INVCAL_BAD_SETTING, invcal_still_init(&still, 100, 9, -9));
+    TEST_ASSERT_EQUAL_INT(INVCAL_BAD_SETTING, invcal_still_init(&still, 100, 9, 0));
+    TEST_ASSERT_EQUAL_INT(INVCAL_BAD_SETTING, invcal_still_init(&still, 100, 0, -9));
     TEST_ASSERT_TRUE(memcmp(&before, &still, sizeof still) == 0);
     TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_still_init(&still, 8, 0, 0));
     TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_still_init(&still, 8000, INT32_MIN, INT32_MAX));
