@@ -513,6 +513,11 @@ static void unusable_settings_are_refused_and_the_solution_left_alone(void)
         TEST_ASSERT_EQUAL_INT(INVCAL_BAD_SETTING, invcal_solve(&normal, &s, &solution));
         TEST_ASSERT_EQUAL_MEMORY(&before, &solution, sizeof solution);
     }
+    for (int frame = 0; frame < 2; frame++) { /* and these are usable */
+        invcal_settings s = unit_settings(frame ? 0.001 : 0);
+        s.frame = frame ? INVCAL_FRAME_TRIANGULAR : INVCAL_FRAME_SYMMETRIC;
+        TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_solve(&normal, &s, &solution));
+    }
 }
 
 static void unreal_sums_are_refused(void)

@@ -798,6 +798,27 @@ static void a_prior_counts_for_more_where_the_data_are_noisier_than_stated(void)
     }
 }
 
+/* Readings that tell nothing: sigma is that of the prior, and X its centre. */
+static void noise_as_large_as_the_field_leaves_everything_to_the_prior(void)
+{
+    const sensor still = {expected_thermal_constant, NULL, NULL};
+    invcal_settings settings = unit_settings(1);
+    random_source unused = random_start(0);
+
+    for (int r = 0; r < INVCAL_PARAMETERS; r++) {
+        settings.prior[r] = (invcal_real)0.01;
+    }
+    all.count = 0;
+    take(&still, 25, PLAN, 0, &unused);
+    calibrate_all(&settings, &nothing_known);
+    TEST_ASSERT_EQUAL_HEX16(0x1FF, quality.from_prior);
+    for (unsigned r = 0; r < INVCAL_PARAMETERS; r++) {
+        /* H'H is 6 at most, beside (1 / 0.01)^2 */
+        TEST_ASSERT_DOUBLE_WITHIN(1e-5, 0.01, sigma_of_parameter(&quality, r));
+        TEST_ASSERT_DOUBLE_WITHIN(1e-4, 0, (double)found.x[0][r]);
+    }
+}
+
 /* An earlier calibration is the base: a few positions at one temperature renew its constant. */
 static void renewing_at_one_temperature_keeps_the_slopes(void)
 {
@@ -885,6 +906,11 @@ static void readings_and_temperatures_that_are_none_leave_the_sums_alone(void)
     TEST_ASSERT_EQUAL_INT(INVCAL_BAD_SETTING, invcal_thermal_add(&sums, &found, good, -66));
     TEST_ASSERT_EQUAL_MEMORY(&empty, &sums, sizeof sums);
     TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_thermal_add(&sums, &found, good, 115));
+    const invcal_thermal_sums one = sums;
+    TEST_ASSERT_EQUAL_INT(INVCAL_NOT_FINITE, invcal_thermal_remove(&sums, &found, bad, 115));
+    TEST_ASSERT_EQUAL_INT(INVCAL_OUT_OF_RANGE, invcal_thermal_remove(&sums, &found, far, 115));
+    TEST_ASSERT_EQUAL_INT(INVCAL_BAD_SETTING, invcal_thermal_remove(&sums, &found, good, 116));
+    TEST_ASSERT_EQUAL_MEMORY(&one, &sums, sizeof sums);
 }
 
 static void unusable_settings_are_refused(void)
@@ -893,7 +919,11 @@ static void unusable_settings_are_refused(void)
     const sensor s = straight(0);
     random_source random = random_start(17);
 
+    const invcal_settings good = unit_settings(1e-4);
+    const invcal_thermal_settings usual = {.reference = 25, .span = 45};
     take_three(&s, 1e-4, &random);
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_thermal_start(&good, &usual, &found));
+    gather();
     for (int i = 0; i < 3 * 4 + 4; i++) {
         invcal_settings settings = unit_settings(i == 12 ? 0 : 1e-4);
         invcal_thermal_settings thermal = {.reference = 25, .span = 45};
@@ -920,6 +950,10 @@ static void unusable_settings_are_refused(void)
         TEST_ASSERT_EQUAL_INT(INVCAL_BAD_SETTING, invcal_thermal_calibrate(
                                                       all.raw, all.temperature, all.count,
                                                       &settings, &thermal, &found, &quality, NULL));
+        if (i < 6 || i >= 12) { /* what the sums were made with is in the base */
+            TEST_ASSERT_EQUAL_INT(INVCAL_BAD_SETTING,
+                                  invcal_thermal_solve(&sums, &found, &settings, &thermal, &found));
+        }
     }
 }
 
@@ -949,6 +983,289 @@ static void eight_positions_and_a_plane_are_refused_as_without_temperature(void)
     TEST_ASSERT_EQUAL_INT(INVCAL_TOO_FEW,
                           invcal_thermal_calibrate(NULL, NULL, 0, &settings, &nothing_known, &found,
                                                    &quality, &reason));
+}
+
+static void the_order_of_the_temperatures_does_not_matter(void)
+{
+    const invcal_settings settings = unit_settings(1e-4);
+    const sensor s = straight(1);
+    random_source random = random_start(28);
+
+    take_three(&s, 1e-5, &random);
+    calibrate_all(&settings, &nothing_known);
+    const invcal_thermal_calibration rising = found;
+    for (unsigned i = 0; i < all.count / 2; i++) {
+        const unsigned other = all.count - 1 - i;
+        for (unsigned k = 0; k < 3; k++) {
+            const invcal_real raw = all.raw[3 * i + k];
+            all.raw[3 * i + k] = all.raw[3 * other + k];
+            all.raw[3 * other + k] = raw;
+        }
+        const invcal_real temperature = all.temperature[i];
+        all.temperature[i] = all.temperature[other];
+        all.temperature[other] = temperature;
+    }
+    calibrate_all(&settings, &nothing_known);
+    TEST_ASSERT_TRUE(found.least == rising.least && found.greatest == rising.greatest);
+    TEST_ASSERT_TRUE(found.reference == rising.reference && found.span == rising.span);
+    for (int a = 0; a <= DEGREE; a++) {
+        for (int r = 0; r < INVCAL_PARAMETERS; r++) {
+            TEST_ASSERT_DOUBLE_WITHIN(FLOAT_OR_DOUBLE(2e-5, 1e-12), (double)rising.x[a][r],
+                                      (double)found.x[a][r]);
+        }
+    }
+}
+
+/* ---- what is refused ---------------------------------------------------------------------- */
+
+/* Nothing of a refused calibration is written; returns why, and which position stands in reason. */
+static invcal_status refusal(const invcal_settings *settings,
+                             const invcal_thermal_settings *thermal, unsigned *position)
+{
+    invcal_thermal_calibration calibration;
+    invcal_thermal_calibration before;
+    invcal_quality q;
+    invcal_quality q_before;
+    invcal_reason reason = {0, 0};
+
+    memset(&calibration, 0x5A, sizeof calibration);
+    memset(&q, 0x5A, sizeof q);
+    before = calibration;
+    q_before = q;
+    const invcal_status status = invcal_thermal_calibrate(
+        all.raw, all.temperature, all.count, settings, thermal, &calibration, &q, &reason);
+    if (status != INVCAL_OK) {
+        TEST_ASSERT_EQUAL_MEMORY(&before, &calibration, sizeof before);
+        TEST_ASSERT_EQUAL_MEMORY(&q_before, &q, sizeof q_before);
+    }
+    *position = reason.position;
+    return status;
+}
+
+static void a_reading_that_is_none_is_named(void)
+{
+    const double bad[] = {NOT_A_NUMBER, INFINITE, 11};
+    const invcal_settings settings = unit_settings(1e-4);
+    const sensor s = straight(0);
+    random_source random = random_start(22);
+    unsigned position;
+
+    for (int i = 0; i < 3; i++) {
+        take_three(&s, 1e-4, &random);
+        all.raw[3 * 31 + 1] = (invcal_real)bad[i];
+        TEST_ASSERT_EQUAL_INT(i < 2 ? INVCAL_NOT_FINITE : INVCAL_OUT_OF_RANGE,
+                              refusal(&settings, &nothing_known, &position));
+        TEST_ASSERT_EQUAL_UINT(31, position);
+    }
+}
+
+/* Readings on a sphere about (0.5, 0, 0), and one near its centre: of nearly the length of the
+ * field at first, and of none once the centre is known. */
+static void a_reading_that_is_absurd_once_it_is_calibrated_is_named(void)
+{
+    const double offset[INVCAL_PARAMETERS] = {0.5};
+    const sensor s = {offset, NULL, NULL};
+    const invcal_settings settings = unit_settings(1e-4);
+    random_source random = random_start(23);
+    unsigned position;
+
+    all.count = 0;
+    for (int i = 0; i < STATIONS; i++) {
+        take(&s, 25, PLAN, 1e-4, &random);
+    }
+    all.raw[3 * 7] = (invcal_real)0.5;
+    all.raw[3 * 7 + 1] = (invcal_real)0.02;
+    all.raw[3 * 7 + 2] = 0;
+    TEST_ASSERT_EQUAL_INT(INVCAL_NOT_ELLIPSOID, refusal(&settings, &nothing_known, &position));
+    TEST_ASSERT_EQUAL_UINT(7, position);
+}
+
+/* Readings at a temperature on x^2 + y^2 + c z^2 = 1: no ellipsoid unless c is positive. */
+static void take_quadric(double c, double temperature, random_source *random)
+{
+    for (unsigned i = 0; i < PLAN;) {
+        double d[3];
+        random_direction(random, d);
+        const double square = d[0] * d[0] + d[1] * d[1] + c * d[2] * d[2];
+        if (square > 0.06) { /* within 4 times the field */
+            for (int k = 0; k < 3; k++) {
+                all.raw[3 * all.count + (unsigned)k] = (invcal_real)(d[k] / sqrt(square));
+            }
+            all.temperature[all.count++] = (invcal_real)temperature;
+            i++;
+        }
+    }
+}
+
+/* c is a line or, in the last row, a parabola of temperature; p follows it exactly. A prior, on
+ * everything, does not bend the readings. */
+static void what_is_no_ellipsoid_at_some_temperature_is_refused(void)
+{
+    const double form[][STATIONS] = {
+        {-0.5, -0.5, -0.5}, {-0.5, 0.25, 1}, {1, 0.25, -0.5}, {1, -0.5, 1}};
+    random_source random = random_start(24);
+    unsigned position;
+
+    for (int i = 0; i < (DEGREE == 0 ? 1 : DEGREE == 1 ? 3 : 4); i++) {
+        invcal_settings settings = unit_settings(1e-4);
+        all.count = 0;
+        for (int station = 0; station < STATIONS; station++) {
+            take_quadric(form[i][station], -20 + 45 * station, &random);
+        }
+        TEST_ASSERT_EQUAL_INT(INVCAL_NOT_ELLIPSOID, refusal(&settings, &nothing_known, &position));
+        for (int r = 0; r < INVCAL_PARAMETERS; r++) {
+            settings.prior[r] = 1;
+        }
+        TEST_ASSERT_EQUAL_INT(INVCAL_NOT_ELLIPSOID, refusal(&settings, &nothing_known, &position));
+    }
+}
+
+/* The same with a sensor in a plane, and noise: what is left open may take any shape, and is no
+ * fault of the readings. */
+static void a_plane_with_noise_is_undetermined_rather_than_no_ellipsoid(void)
+{
+    const invcal_settings settings = unit_settings(0);
+    random_source random = random_start(25);
+    unsigned position;
+
+    for (int draw = 0; draw < 20; draw++) {
+        all.count = 0;
+        for (unsigned i = 0; i < PLAN; i++, all.count++) {
+            const double angle = random_uniform(&random, 0, 6.283185307179586);
+            all.raw[3 * i] = (invcal_real)cos(angle);
+            all.raw[3 * i + 1] = (invcal_real)sin(angle);
+            all.raw[3 * i + 2] = (invcal_real)(0.02 * random_normal(&random));
+            all.temperature[i] = 25;
+        }
+        TEST_ASSERT_EQUAL_INT(INVCAL_UNDETERMINED, refusal(&settings, &nothing_known, &position));
+    }
+}
+
+/* Six faces and twelve edges, but those between x and y all at +x and only `tilt` off it. The pivot
+ * of gamma_xy is 4 tilt^2, the largest diagonal element 8, the largest eigenvalue 11.5: between the
+ * two no pivot shows it, the condition does. */
+static void an_angle_that_hardly_shows_is_refused_unless_a_prior_holds_it(void)
+{
+    const double tilt = FLOAT_OR_DOUBLE(2.14e-3, 1.55e-4);
+    invcal_settings settings = unit_settings(1e-6);
+    unsigned position;
+
+    all.count = 0;
+    for (unsigned i = 0; i < PLAN; i++, all.count++) {
+        const double a = i & 1 ? 1 : -1;
+        const double b = i & 2 ? 1 : -1;
+        const double edge[3][3] = {{a, 0, b}, {0, a, b}, {1, a * tilt, 0}};
+        double v[3] = {0, 0, 0};
+        v[i % 3] = i < 15 ? 1 : -1;
+        if (i < 12) {
+            memcpy(v, edge[i / 4], sizeof v);
+        }
+        const double length = length3(v);
+        for (unsigned k = 0; k < 3; k++) {
+            all.raw[3 * i + k] = (invcal_real)(v[k] / length);
+        }
+        all.temperature[i] = 25;
+    }
+    TEST_ASSERT_EQUAL_INT(INVCAL_UNDETERMINED, refusal(&settings, &nothing_known, &position));
+    settings.prior[INVCAL_GAMMA_XY] = (invcal_real)1e-4;
+    calibrate_all(&settings, &nothing_known);
+    TEST_ASSERT_EQUAL_HEX16(1u << INVCAL_GAMMA_XY, quality.from_prior);
+    const double data = 1e-6 / (2 * tilt);
+    const double both = 1 / sqrt(1 / 1e-8 + 1 / (data * data));
+    TEST_ASSERT_DOUBLE_WITHIN(0.02 * both, both, (double)quality.sigma_gamma[0]);
+}
+
+/* A sensor of a fifth of the scale, and a prior that knows better by 800 sigma. The residuals say
+ * how noisy the readings are; weighed again it takes more away than is there. */
+static void a_prior_that_nothing_can_be_reconciled_with_is_refused(void)
+{
+    const double scale[INVCAL_PARAMETERS] = {0, 0, 0, -0.8, -0.8, -0.8};
+    const sensor s = {scale, NULL, NULL};
+    invcal_settings settings = unit_settings(1e-5);
+    random_source random = random_start(26);
+    unsigned position;
+
+    all.count = 0;
+    take(&s, 25, PLAN, 6e-3, &random);
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, refusal(&settings, &nothing_known, &position));
+    for (int r = 0; r < INVCAL_PARAMETERS; r++) {
+        settings.prior[r] = (invcal_real)1e-3;
+    }
+    TEST_ASSERT_EQUAL_INT(INVCAL_NOT_ELLIPSOID, refusal(&settings, &nothing_known, &position));
+}
+
+/* A base whose x axis is 5 times the nominal one, and readings that are 3 times as long still. */
+static void semi_axes_beyond_their_limits_are_refused_together(void)
+{
+    const invcal_settings settings = unit_settings(1e-4);
+    const invcal_thermal_settings thermal = {.reference = 25, .span = 45};
+    invcal_thermal_calibration out;
+    random_source unused = random_start(0);
+
+    for (int i = 0; i < 2; i++) {
+        const double dk = (i ? 3 : 1.8) * 5 - 1; /* 15 or 9, 10 the limit */
+        const double longer[INVCAL_PARAMETERS] = {0, 0, 0, dk};
+        const sensor s = {longer, NULL, NULL};
+        all.count = 0;
+        take(&s, 25, PLAN, 0, &unused);
+        TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_thermal_start(&settings, &thermal, &found));
+        found.x[0][INVCAL_DK_X] = 4;
+        gather();
+        memset(&out, 0x5A, sizeof out);
+        const invcal_thermal_calibration before = out;
+        TEST_ASSERT_EQUAL_INT(i ? INVCAL_NOT_ELLIPSOID : INVCAL_OK,
+                              invcal_thermal_solve(&sums, &found, &settings, &thermal, &out));
+        if (i) {
+            TEST_ASSERT_EQUAL_MEMORY(&before, &out, sizeof out);
+        } else {
+            TEST_ASSERT_DOUBLE_WITHIN(FLOAT_OR_DOUBLE(1e-4, 1e-11), dk,
+                                      (double)out.x[0][INVCAL_DK_X]);
+        }
+    }
+}
+
+static void assert_not_judged(invcal_status expected, const invcal_settings *settings,
+                              const invcal_thermal_settings *thermal, double temperature)
+{
+    invcal_quality q;
+    invcal_quality before;
+
+    memset(&q, 0x5A, sizeof q);
+    before = q;
+    TEST_ASSERT_EQUAL_INT(expected, invcal_thermal_assess(&sums, &found, settings, thermal,
+                                                          (invcal_real)temperature, &q));
+    TEST_ASSERT_EQUAL_MEMORY(&before, &q, sizeof q);
+}
+
+static void what_cannot_be_judged_is_refused_and_the_quality_left_alone(void)
+{
+    const invcal_settings settings = unit_settings(1e-4);
+    const invcal_thermal_settings thermal = {.reference = 25, .span = 45};
+    const double scale[INVCAL_PARAMETERS] = {0, 0, 0, 0.2, 0.2, 0.2};
+    const sensor s = {scale, NULL, NULL};
+    invcal_settings bad = settings;
+    invcal_thermal_settings worse = thermal;
+    random_source random = random_start(27);
+
+    take_three(&s, 1e-4, &random);
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_thermal_start(&settings, &thermal, &found));
+    gather(); /* as they are read: a fifth too long */
+    assert_not_judged(INVCAL_NOT_ELLIPSOID, &settings, &thermal, 25);
+    calibrate_all(&settings, &thermal);
+    gather();
+    assert_not_judged(INVCAL_NOT_FINITE, &settings, &thermal, NOT_A_NUMBER);
+    assert_not_judged(INVCAL_NOT_FINITE, &settings, &thermal, INFINITE);
+    bad.field = 0;
+    assert_not_judged(INVCAL_BAD_SETTING, &bad, &thermal, 25);
+    worse.less = DEGREE + 1;
+    assert_not_judged(INVCAL_BAD_SETTING, &settings, &worse, 25);
+    bad = settings;
+    sums.sum[0].moment[3] = (invcal_real)NAN;
+    assert_not_judged(INVCAL_UNDETERMINED, &settings, &thermal, 25);
+    bad.prior[INVCAL_DK_X] = (invcal_real)0.01; /* holds no NaN */
+    assert_not_judged(INVCAL_UNDETERMINED, &bad, &thermal, 25);
+    invcal_thermal_init(&sums);
+    assert_not_judged(INVCAL_BAD_SETTING, &settings, &thermal, 25);
 }
 
 /* ---- a lower degree than the build has ---------------------------------------------------- */
@@ -1035,11 +1352,21 @@ int main(void)
     RUN_TEST(a_prior_shrinks_and_counts_by_the_closed_form);
     RUN_TEST(what_is_weak_anywhere_is_weak);
     RUN_TEST(a_prior_counts_for_more_where_the_data_are_noisier_than_stated);
+    RUN_TEST(noise_as_large_as_the_field_leaves_everything_to_the_prior);
     RUN_TEST(renewing_at_one_temperature_keeps_the_slopes);
     RUN_TEST(positions_taken_out_leave_what_was_without_them);
+    RUN_TEST(the_order_of_the_temperatures_does_not_matter);
     RUN_TEST(readings_and_temperatures_that_are_none_leave_the_sums_alone);
     RUN_TEST(unusable_settings_are_refused);
     RUN_TEST(eight_positions_and_a_plane_are_refused_as_without_temperature);
+    RUN_TEST(a_reading_that_is_none_is_named);
+    RUN_TEST(a_reading_that_is_absurd_once_it_is_calibrated_is_named);
+    RUN_TEST(what_is_no_ellipsoid_at_some_temperature_is_refused);
+    RUN_TEST(a_plane_with_noise_is_undetermined_rather_than_no_ellipsoid);
+    RUN_TEST(an_angle_that_hardly_shows_is_refused_unless_a_prior_holds_it);
+    RUN_TEST(a_prior_that_nothing_can_be_reconciled_with_is_refused);
+    RUN_TEST(semi_axes_beyond_their_limits_are_refused_together);
+    RUN_TEST(what_cannot_be_judged_is_refused_and_the_quality_left_alone);
     RUN_TEST(the_drift_limit_is_where_a_lag_makes_the_noise_of_a_position);
     RUN_TEST(a_lower_degree_is_fitted_where_it_is_wanted);
     RUN_TEST(every_fallback_has_its_words);
