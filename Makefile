@@ -184,14 +184,9 @@ format: ## lay out the sources by .clang-format (needs clang-format 19)
 
 deps: ## install what all of these need beyond a C compiler (Debian, root)
 	apt-get update
-<<<<<<< HEAD
-	apt-get install -y --no-install-recommends gcc git clang-19 libclang-rt-19-dev \
-	    clang-format-19 clang-tidy-19 cppcheck pmccabe python3 python3-jsonschema \
-	    shellcheck man-db groff mandoc bash \
-=======
 	apt-get install -y --no-install-recommends gcc git clang-19 libclang-rt-19-dev llvm-19 \
-	    clang-format-19 python3 python3-jsonschema shellcheck man-db groff mandoc bash \
->>>>>>> 1a07e61 (make coverage: lines, branches and MC/DC of src/, lines of the tool, and what they miss)
+	    clang-format-19 clang-tidy-19 cppcheck pmccabe frama-c-base python3 python3-jsonschema \
+	    python3-mpmath python3-gmpy2 shellcheck man-db groff mandoc bash \
 	    chromium fonts-dejavu-core poppler-utils \
 	    gcc-arm-none-eabi libnewlib-arm-none-eabi qemu-system-arm gcc-avr avr-libc simavr \
 	    gcc-riscv64-unknown-elf picolibc-riscv64-unknown-elf qemu-system-misc \
