@@ -172,6 +172,10 @@ derived: $(BUILD)/invcal $(BUILD)/invcal.1 ## layout, expected.h, manual, pictur
 	$(call need,mandoc)
 	$(Q)sh tests/derived.sh $(BUILD)
 
+numerics: ## what rounding costs, against 50 digits and the bounds of quality.h (COUNT=100000: half an hour)
+	$(call need,python3)
+	$(Q)CC="$(CC)" sh tests/numerics.sh $(BUILD) $(COUNT)
+
 reference: ## remake tests/reference/expected.h (needs python3)
 	$(call need,python3)
 	@mkdir -p $(BUILD)

@@ -43,6 +43,22 @@ typedef struct {
     invcal_verdict verdict;
 } invcal_quality;
 
+/* What rounding costs, against the exact solution of the same readings, for 9 to 64 positions,
+ * errors up to 20 % and a condition up to 10^6:
+ *
+ *     |parameter - exact|          <= INVCAL_LOSS        INVCAL_EPSILON condition
+ *     |sigma / exact - 1|          <= INVCAL_LOSS_SIGMA  INVCAL_EPSILON condition
+ *     |length - exact| over field  <= INVCAL_LOSS_LENGTH INVCAL_EPSILON sqrt(condition)
+ *
+ * the last for the positions of the solution, and so for its residuals. Sums and Cholesky give the
+ * exact solution of equations H'H p = -H'J that are off by some epsilon of their largest element;
+ * (H'H)^-1 makes that epsilon times condition in p, and H (H'H)^-1 its root in the lengths (Higham,
+ * Accuracy and Stability of Numerical Algorithms, 10.1 and 20.4). The theory's factors grow with
+ * the number of positions; these are measured (make numerics: 10^5 random sets, 50 digits). */
+#define INVCAL_LOSS INVCAL_REAL(1.0)
+#define INVCAL_LOSS_SIGMA INVCAL_REAL(8.0)
+#define INVCAL_LOSS_LENGTH INVCAL_REAL(2.0)
+
 /* Judges a solution.
  *
  * Cov = noise^2 G K G', G the Jacobian from calibrated units to the parameters: no shortcut

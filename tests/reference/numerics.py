@@ -1,0 +1,489 @@
+# SPDX-License-Identifier: MIT
+"""numerics.py FOLDER COUNT
+
+What rounding costs: COUNT random sets of positions (tests/numerics/problems.c, in FOLDER with both
+builds of solve.c) are solved by the library in float and in double, and once more here, with 50
+digits, from the same readings, to the last bit. Every loss must be within the bound that the header
+states, no bound may be ten times too wide, and nothing may be refused that need not be.
+
+It shares no code with the library: rows, sums and the closed form are written out from design
+section 2; the root of a matrix is by Denman and Beavers, sigma by Sylvester's equation, the
+condition by squaring. Arithmetic is mpmath's; MPFR (gmpy2) does the bulk, thirty times as fast, and
+is compared with mpmath on every MPMATH-th problem.
+"""
+import math
+import operator
+import subprocess
+import sys
+from concurrent.futures import ProcessPoolExecutor
+
+import gmpy2
+import mpmath
+
+DIGITS = 50
+CHUNK = 100  # problems made and solved at a time
+MPMATH = 100  # one problem in so many is solved with mpmath too,
+CONDITION = 20  # and in so many the condition is looked at, or where it is refused or nearly
+HOPELESS = 1000  # quality.h: sqrt(K(r,r)) above it is refused
+HIGHEST = 1e6  # what the bounds are stated up to
+WIDEST = 10  # a bound wider than this times the largest loss says nothing
+
+gmpy2.get_context().precision = math.ceil(DIGITS * math.log2(10))
+mpmath.mp.dps = DIGITS
+
+
+class Arithmetic:
+    def __init__(self, real, sqrt):
+        self.real = real
+        self.sqrt = sqrt
+
+
+MPFR = Arithmetic(gmpy2.mpfr, gmpy2.sqrt)
+MP = Arithmetic(mpmath.mpf, mpmath.sqrt)
+
+
+class Refused(Exception):
+    pass
+
+
+# ---- linear algebra ---------------------------------------------------------------------------
+
+
+def dot(a, b):
+    return sum(map(operator.mul, a, b))
+
+
+def transpose(a):
+    return list(zip(*a))
+
+
+def apply(a, x):
+    return [dot(row, x) for row in a]
+
+
+def times(a, b):
+    columns = transpose(b)
+    return [[dot(row, column) for column in columns] for row in a]
+
+
+def minus(a, b):
+    return [x - y for x, y in zip(a, b)]
+
+
+def largest(a):
+    return max(abs(x) for row in a for x in row)
+
+
+def solve(a, right):
+    """The columns of a^-1 right: Gauss and Jordan with the largest pivot."""
+    n = len(a)
+    rows = [list(a[i]) + list(right[i]) for i in range(n)]
+    for c in range(n):
+        best = max(range(c, n), key=lambda r: abs(rows[r][c]))
+        rows[c], rows[best] = rows[best], rows[c]
+        if rows[c][c] == 0:
+            raise Refused("singular")
+        pivot = rows[c] = rows[c][:c] + [x / rows[c][c] for x in rows[c][c:]]
+        for r in range(n):
+            factor = rows[r][c]
+            if r != c and factor != 0:
+                rows[r][c:] = [x - factor * y for x, y in zip(rows[r][c:], pivot[c:])]
+    return [row[n:] for row in rows]
+
+
+def identity(n):
+    return [[int(i == j) for j in range(n)] for i in range(n)]
+
+
+def inverse(a):
+    return solve(a, identity(len(a)))
+
+
+def mean(a, b):
+    return [[(x + y) / 2 for x, y in zip(r, s)] for r, s in zip(a, b)]
+
+
+def square_root(a):
+    """Denman and Beavers: y to the root of a, z to its inverse."""
+    y, z = a, identity(3)
+    for _ in range(60):
+        following = mean(y, inverse(z))
+        z = mean(z, inverse(y))
+        if largest(map(minus, following, y)) < 1e-45:
+            return following
+        y = following
+    raise Refused("no root")
+
+
+def is_positive_definite(a):
+    (p, q, r), (_, s, t), (_, _, u) = a
+    return p > 0 and p * s - q * q > 0 and p * (s * u - t * t) - q * (q * u - r * t) + r * (
+        q * t - s * r) > 0
+
+
+def upper_factor(q, sqrt):
+    """The upper triangular u with u'u = q."""
+    u = [[0] * 3 for _ in range(3)]
+    for i in range(3):
+        for j in range(i, 3):
+            rest = q[i][j] - sum(u[k][i] * u[k][j] for k in range(i))
+            u[i][j] = sqrt(rest) if i == j else rest / u[i][i]
+    return u
+
+
+def square(a):
+    """Of a symmetric matrix."""
+    half = [[dot(a[r], a[c]) for c in range(r + 1)] for r in range(len(a))]
+    return [[half[max(r, c)][min(r, c)] for c in range(len(a))] for r in range(len(a))]
+
+
+def largest_eigenvalue(a):
+    """By squaring: a^(2^k) is lambda^(2^k) v v' once all else has died away."""
+    power = a
+    for _ in range(50):
+        scale = sum(power[i][i] for i in range(len(a)))
+        power = square([[x / scale for x in row] for row in power])
+    v = max(power, key=lambda row: dot(row, row))
+    return dot(v, apply(a, v)) / dot(v, v)
+
+
+# ---- the exact solution (design section 2) ----------------------------------------------------
+
+
+def row_of(a):
+    x, y, z = a
+    return [x, y, z, x * x, y * y, z * z, x * y, x * z, y * z]
+
+
+def excess(a):
+    return (dot(a, a) - 1) / 2
+
+
+def sums(rows, right, weights):
+    """H'WH and H'Wj."""
+    columns = transpose(rows)
+    hth = [[0] * 9 for _ in range(9)]
+    htj = []
+    for r in range(9):
+        weighted = list(map(operator.mul, columns[r], weights))
+        for c in range(r + 1):
+            hth[r][c] = hth[c][r] = dot(weighted, columns[c])
+        htj.append(dot(weighted, right))
+    return hth, htj
+
+
+class Problem:
+    """One line of problems.c."""
+
+    def __init__(self, line, arithmetic):
+        words = line.split()
+        value = [arithmetic.real(float.fromhex(word)) for word in words[2:]]
+        self.count = int(words[0])
+        self.is_triangular = words[1] == "1"
+        self.field, self.noise = value[0:2]
+        self.zero = value[2:5]
+        self.nominal = [value[5:8], value[8:11], value[11:14]]
+        self.raw = [value[14 + 3 * i : 17 + 3 * i] for i in range(self.count)]
+
+
+class Exact:
+    def __init__(self, problem, arithmetic):
+        self.sqrt = arithmetic.sqrt
+        self.problem = problem
+        self.u = [[x / problem.field for x in apply(problem.nominal, minus(raw, problem.zero))]
+                  for raw in problem.raw]
+        rows = [row_of(u) for u in self.u]
+        hth, htj = sums(rows, [excess(u) for u in self.u], [1] * problem.count)
+        self.close([-p for (p,) in solve(hth, [[x] for x in htj])])
+
+    def close(self, p):
+        q = [[1 + 2 * p[3], p[6], p[7]], [p[6], 1 + 2 * p[4], p[8]], [p[7], p[8], 1 + 2 * p[5]]]
+        self.delta = [-x for (x,) in solve(q, [[x] for x in p[:3]])]
+        k = 1 + dot(self.delta, apply(q, self.delta))
+        q = [[x / k for x in line] for line in q]
+        if not is_positive_definite(q):
+            raise Refused("not on an ellipsoid")
+        self.a = square_root(q)
+        self.s = s = inverse(self.a)  # I + S
+        self.parameters = self.delta + [s[0][0] - 1, s[1][1] - 1, s[2][2] - 1,
+                                        2 * s[0][1], 2 * s[0][2], 2 * s[1][2]]
+        self.correction = upper_factor(q, self.sqrt) if self.problem.is_triangular else self.a
+
+    def lengths(self):
+        eta = [apply(self.a, minus(u, self.delta)) for u in self.u]
+        return [self.sqrt(dot(e, e)) for e in eta]
+
+    def assess(self):
+        """noise and sigma as quality.h states them, of the calibrated unit vectors."""
+        gain2 = sum(x * x for line in self.a for x in line) / 3
+        eta = [apply(self.a, minus(u, self.delta)) for u in self.u]
+        gradients = [apply(self.a, e) for e in eta]
+        weights = [gain2 / dot(g, g) for g in gradients]
+        right = [excess(e) for e in eta]
+        self.hth, _ = sums([row_of(e) for e in eta], right, weights)
+        self.k = inverse(self.hth)
+        stated = self.sqrt(gain2) * self.problem.noise / self.problem.field
+        dof = self.problem.count - 9
+        squares = dot(weights, map(operator.mul, right, right))
+        observed = self.sqrt(squares / dof) if dof > 0 else 0
+        self.noise = max(stated, observed) or 1
+        self.sigma = self.spread_offset() + self.spread_matrix()
+
+    def variance(self, x, first):
+        n = len(x)
+        block = [line[first : first + n] for line in self.k[first : first + n]]
+        return self.noise * self.sqrt(dot(x, apply(block, x)))
+
+    def spread_offset(self):
+        """d delta = P d delta', of the offset N^-1 times that in raw units."""
+        raw = times(inverse(self.problem.nominal), self.s)
+        self.sigma_offset = [self.problem.field * self.variance(line, 0) for line in raw]
+        return [self.variance(line, 0) for line in self.s]
+
+    def spread_matrix(self):
+        """dP by dP P + P dP = 2 P dS P, for each of the six dS."""
+        places = [(0, 0), (1, 1), (2, 2), (0, 1), (0, 2), (1, 2)]
+        index = {pair: i for i, pair in enumerate(places)}
+        index.update({(b, a): i for (a, b), i in list(index.items())})
+        left = [[0] * 6 for _ in range(6)]
+        right = [[0] * 6 for _ in range(6)]
+        p = self.s
+        for row, (i, j) in enumerate(places):
+            for m in range(3):
+                left[row][index[i, m]] += p[m][j]
+                left[row][index[m, j]] += p[i][m]
+            for column, (a, b) in enumerate(places):
+                # an angle is the sum of both elements off the diagonal
+                right[row][column] = 2 * p[i][a] * p[b][j] if a == b else (
+                    p[i][a] * p[b][j] + p[i][b] * p[a][j])
+        slopes = solve(left, right)
+        return [(1 if row < 3 else 2) * self.variance(slopes[row], 3) for row in range(6)]
+
+
+# ---- the library's answers --------------------------------------------------------------------
+
+OK, UNDETERMINED = 0, 7
+GOOD = 0
+
+
+class Answer:
+    """One line of solve.c."""
+
+    def __init__(self, line, real):
+        words = line.split()
+        value = [real(float.fromhex(word)) for word in words[2:]]
+        self.status, self.verdict = int(words[0]), int(words[1])
+        self.parameters, self.offset = value[:9], value[9:12]
+        self.matrix = [value[12:15], value[15:18], value[18:21]]
+        self.sigma, self.sigma_offset = value[21:30], value[30:33]
+        self.noise, self.rms, self.worst, self.condition = value[33:37]
+
+
+def loss_of_parameters(exact, answer):
+    """Of the nine, and of the matrix against nominal."""
+    matrix = times(answer.matrix, inverse(exact.problem.nominal))
+    return max(largest([minus(answer.parameters, exact.parameters)]),
+               largest(map(minus, matrix, exact.correction)))
+
+
+def loss_of_lengths(exact, answer):
+    """Of |calibrated| / field at the positions, by the offset and matrix delivered."""
+    worst = 0
+    for raw, length in zip(exact.problem.raw, exact.lengths()):
+        a = apply(answer.matrix, minus(raw, answer.offset))
+        worst = max(worst, abs(exact.sqrt(dot(a, a)) / exact.problem.field - length))
+    return worst
+
+
+def loss_of_sigma(exact, answer):
+    """Relative, of each sigma; that of the noise apart, which residuals tell to their own loss."""
+    pairs = zip(answer.sigma + answer.sigma_offset, exact.sigma + exact.sigma_offset)
+    return max(abs(got / answer.noise * exact.noise / want - 1) for got, want in pairs)
+
+
+# ---- what is found ----------------------------------------------------------------------------
+
+BUILDS = ("float", "double")
+LAWS = ("parameters", "lengths", "sigma")
+BY_ROOT = ("lengths", "noise")  # those that go with the root of the condition
+
+
+class Header:
+    """The first line of solve.c: what the headers promise of a build."""
+
+    def __init__(self, line):
+        value = [float.fromhex(word) for word in line.split()]
+        self.bound = dict(zip(LAWS, value))
+        self.bound["noise"] = self.bound["lengths"]  # of residuals, which are lengths
+        self.bound["condition"] = self.bound["sigma"]  # of the same sums
+        self.epsilon, self.floor = value[len(LAWS) :]
+
+    def share(self, law, loss, condition):
+        """The loss over its bound."""
+        scale = math.sqrt(condition) if law in BY_ROOT else condition
+        return float(loss) / (self.bound[law] * self.epsilon * scale)
+
+
+def losses(exact, answer, condition):
+    yield "parameters", loss_of_parameters(exact, answer)
+    yield "lengths", loss_of_lengths(exact, answer)
+    yield "sigma", loss_of_sigma(exact, answer)
+    if exact.noise < 1:  # 1: nobody knows it
+        yield "noise", abs(answer.noise - exact.noise)
+    if condition:
+        yield "condition", abs(answer.condition / condition - 1)
+
+
+def exact_of(line, arithmetic):
+    exact = Exact(Problem(line, arithmetic), arithmetic)
+    exact.assess()
+    return exact
+
+
+def disagreement(exact, line):
+    """MPFR against mpmath, relative."""
+    other = exact_of(line, MP)
+    pairs = zip(exact.parameters + exact.sigma, other.parameters + other.sigma)
+    return float(max(abs(mpmath.mpf(str(x)) / y - 1) for x, y in pairs))
+
+
+class Tally:
+    """What a set of problems showed; tallies can be added."""
+
+    def __init__(self):
+        self.problems = 0
+        self.largest = {}  # (build, law, decade of the condition): the largest share of the bound
+        self.delivered = {}  # (build, decade)
+        self.refused = {}
+        self.good = 0  # the largest loss of a parameter in float, verdict good
+        self.mpmath = 0
+        self.faults = []
+
+    def raise_to(self, key, share):
+        self.largest[key] = max(self.largest.get(key, 0), share)
+
+    def add(self, other):
+        self.problems += other.problems
+        self.good = max(self.good, other.good)
+        self.mpmath = max(self.mpmath, other.mpmath)
+        self.faults += other.faults
+        for key, share in other.largest.items():
+            self.raise_to(key, share)
+        for mine, theirs in (self.delivered, other.delivered), (self.refused, other.refused):
+            for key, count in theirs.items():
+                mine[key] = mine.get(key, 0) + count
+
+    def count(self, of, build, condition):
+        key = build, int(math.log10(condition))
+        of[key] = of.get(key, 0) + 1
+
+    def fault(self, number, build, what):
+        self.faults.append(f"problem {number}, {build}: {what}")
+
+    def refusal(self, number, build, header, answer, exact, condition):
+        """Where the condition is too high, and nowhere else."""
+        self.count(self.refused, build, condition)
+        if answer.status != UNDETERMINED:
+            self.fault(number, build, f"status {answer.status}")
+        root_k = max(exact.k[r][r] for r in range(9)) ** 0.5
+        if condition * header.floor < 0.5 and root_k < 0.9 * HOPELESS:
+            self.fault(number, build, f"refused, condition {condition:.3g}")
+
+    def delivery(self, number, build, header, answer, exact, condition):
+        told = float(answer.condition)
+        self.count(self.delivered, build, told)
+        if told * header.floor >= 1 or (condition and condition * header.floor > 4):
+            self.fault(number, build, f"delivered, condition {told:.3g}")
+        for law, loss in losses(exact, answer, condition):
+            share = header.share(law, loss, told)
+            if told > HIGHEST and law in ("sigma", "condition"):
+                continue
+            self.raise_to((build, law, int(math.log10(told))), share)
+            if not share <= 1:
+                self.fault(number, build, f"{law}: {share:.3g} of the bound, condition {told:.3g}")
+            if law == "parameters" and build == "float" and answer.verdict == GOOD:
+                self.good = max(self.good, float(loss))
+
+    def take(self, number, line, headers, answers):
+        self.problems += 1
+        exact = exact_of(line, MPFR)
+        if number % MPMATH == 0:
+            self.mpmath = max(self.mpmath, disagreement(exact, line))
+        condition = None
+        near = [a.status or a.condition * h.floor > 0.2 for h, a in zip(headers, answers)]
+        if number % CONDITION == 0 or any(near):
+            condition = float(largest_eigenvalue(exact.hth) * largest_eigenvalue(exact.k))
+        for build, header, answer in zip(BUILDS, headers, answers):
+            if answer.status == OK:
+                self.delivery(number, build, header, answer, exact, condition)
+            else:
+                self.refusal(number, build, header, answer, exact, condition)
+
+
+def run(command, text=""):
+    return subprocess.run(command, input=text, capture_output=True, text=True,
+                          check=True).stdout.splitlines()
+
+
+def chunk(folder, seed, count):
+    lines = run([folder + "/problems", str(seed), str(count)])
+    solved = [run([folder + "/solve-" + build], "\n".join(lines) + "\n") for build in BUILDS]
+    headers = [Header(answers[0]) for answers in solved]
+    tally = Tally()
+    for i, line in enumerate(lines):
+        answers = [Answer(lines[1 + i], MPFR.real) for lines in solved]
+        tally.take(seed * CHUNK + i, line, headers, answers)
+    return headers, tally
+
+
+# ---- what is asserted -------------------------------------------------------------------------
+
+
+def table(tally):
+    print("condition  " + "".join(f"| {build:>6}: number refused " + " ".join(
+        f"{law:>10}" for law in LAWS) for build in BUILDS))
+    for decade in range(9):
+        cells = []
+        for build in BUILDS:
+            shares = [tally.largest.get((build, law, decade)) for law in LAWS]
+            cells.append(f"| {tally.delivered.get((build, decade), 0):14} "
+                         f"{tally.refused.get((build, decade), 0):7} "
+                         + " ".join(" " * 10 if s is None else f"{s:10.2f}" for s in shares))
+        print(f"10^{decade}...    " + "".join(cells))
+
+
+def checks(tally, headers, count):
+    yield f"{tally.problems} problems", tally.problems == count
+    yield f"MPFR and mpmath agree within {tally.mpmath:.0e}", 0 < tally.mpmath < 1e-35
+    yield "every loss within its bound, refused where it must be and only there", not tally.faults
+    for build, header in zip(BUILDS, headers):
+        for law, value in header.bound.items():
+            share = max(s for (b, l, _), s in tally.largest.items() if (b, l) == (build, law))
+            is_tight = share * WIDEST > 1 or law not in LAWS
+            yield (f"{build}, {law}: at most {share * value:.2f}, bound {value:g}",
+                   share <= 1 and is_tight)
+        refused = sum(n for (b, _), n in tally.refused.items() if b == build)
+        yield f"{build}: {refused} refused", refused > 0
+    print(f"float, verdict good: a parameter loses at most {tally.good:.1e}")
+
+
+def main():
+    folder, count = sys.argv[1], int(sys.argv[2])
+    total = Tally()
+    with ProcessPoolExecutor(2) as pool:
+        seeds = range(math.ceil(count / CHUNK))
+        sizes = [min(CHUNK, count - CHUNK * seed) for seed in seeds]
+        for headers, tally in pool.map(chunk, [folder] * len(sizes), seeds, sizes):
+            total.add(tally)
+    table(total)
+    print("\n".join(total.faults[:20]))
+    results = list(checks(total, headers, count))
+    for what, holds in results:
+        print(f"{what}: {'PASS' if holds else 'FAIL'}")
+    failed = sum(not holds for _, holds in results)
+    print(f"{len(results) - failed} passed, {failed} failed")
+    return failed > 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
