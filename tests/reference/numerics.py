@@ -99,6 +99,19 @@ def inverse(a):
     return solve(a, identity(len(a)))
 
 
+def cross(a, b):
+    return [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
+
+
+def inverse_of_three(a):
+    """By cross products of the rows."""
+    columns = [cross(a[1], a[2]), cross(a[2], a[0]), cross(a[0], a[1])]
+    det = dot(a[0], columns[0])
+    if det == 0:
+        raise Refused("singular")
+    return [[column[i] / det for column in columns] for i in range(3)]
+
+
 def mean(a, b):
     return [[(x + y) / 2 for x, y in zip(r, s)] for r, s in zip(a, b)]
 
@@ -107,8 +120,8 @@ def square_root(a):
     """Denman and Beavers: y to the root of a, z to its inverse."""
     y, z = a, identity(3)
     for _ in range(60):
-        following = mean(y, inverse(z))
-        z = mean(z, inverse(y))
+        following = mean(y, inverse_of_three(z))
+        z = mean(z, inverse_of_three(y))
         if largest(map(minus, following, y)) < 1e-45:
             return following
         y = following
@@ -116,9 +129,7 @@ def square_root(a):
 
 
 def is_positive_definite(a):
-    (p, q, r), (_, s, t), (_, _, u) = a
-    return p > 0 and p * s - q * q > 0 and p * (s * u - t * t) - q * (q * u - r * t) + r * (
-        q * t - s * r) > 0
+    return a[0][0] > 0 and a[0][0] * a[1][1] > a[0][1] ** 2 and dot(a[0], cross(a[1], a[2])) > 0
 
 
 def upper_factor(q, sqrt):
@@ -137,10 +148,10 @@ def square(a):
     return [[half[max(r, c)][min(r, c)] for c in range(len(a))] for r in range(len(a))]
 
 
-def largest_eigenvalue(a):
-    """By squaring: a^(2^k) is lambda^(2^k) v v' once all else has died away."""
+def largest_eigenvalue(a, squarings):
+    """a^(2^k) is lambda^(2^k) v v' once all else has died away."""
     power = a
-    for _ in range(50):
+    for _ in range(squarings):
         scale = sum(power[i][i] for i in range(len(a)))
         power = square([[x / scale for x in row] for row in power])
     v = max(power, key=lambda row: dot(row, row))
@@ -198,25 +209,22 @@ class Exact:
 
     def close(self, p):
         q = [[1 + 2 * p[3], p[6], p[7]], [p[6], 1 + 2 * p[4], p[8]], [p[7], p[8], 1 + 2 * p[5]]]
-        self.delta = [-x for (x,) in solve(q, [[x] for x in p[:3]])]
+        self.delta = [-x for x in apply(inverse_of_three(q), p[:3])]
         k = 1 + dot(self.delta, apply(q, self.delta))
         q = [[x / k for x in line] for line in q]
         if not is_positive_definite(q):
             raise Refused("not on an ellipsoid")
         self.a = square_root(q)
-        self.s = s = inverse(self.a)  # I + S
+        self.s = s = inverse_of_three(self.a)  # I + S
         self.parameters = self.delta + [s[0][0] - 1, s[1][1] - 1, s[2][2] - 1,
                                         2 * s[0][1], 2 * s[0][2], 2 * s[1][2]]
         self.correction = upper_factor(q, self.sqrt) if self.problem.is_triangular else self.a
-
-    def lengths(self):
-        eta = [apply(self.a, minus(u, self.delta)) for u in self.u]
-        return [self.sqrt(dot(e, e)) for e in eta]
 
     def assess(self):
         """noise and sigma as quality.h states them, of the calibrated unit vectors."""
         gain2 = sum(x * x for line in self.a for x in line) / 3
         eta = [apply(self.a, minus(u, self.delta)) for u in self.u]
+        self.lengths = [self.sqrt(dot(e, e)) for e in eta]
         gradients = [apply(self.a, e) for e in eta]
         weights = [gain2 / dot(g, g) for g in gradients]
         right = [excess(e) for e in eta]
@@ -229,6 +237,10 @@ class Exact:
         self.noise = max(stated, observed) or 1
         self.sigma = self.spread_offset() + self.spread_matrix()
 
+    def condition(self, squarings):
+        """8 squarings tell it to a percent, 50 to all digits of a double."""
+        return float(largest_eigenvalue(self.hth, squarings) * largest_eigenvalue(self.k, squarings))
+
     def variance(self, x, first):
         n = len(x)
         block = [line[first : first + n] for line in self.k[first : first + n]]
@@ -236,7 +248,7 @@ class Exact:
 
     def spread_offset(self):
         """d delta = P d delta', of the offset N^-1 times that in raw units."""
-        raw = times(inverse(self.problem.nominal), self.s)
+        raw = times(inverse_of_three(self.problem.nominal), self.s)
         self.sigma_offset = [self.problem.field * self.variance(line, 0) for line in raw]
         return [self.variance(line, 0) for line in self.s]
 
@@ -281,7 +293,7 @@ class Answer:
 
 def loss_of_parameters(exact, answer):
     """Of the nine, and of the matrix against nominal."""
-    matrix = times(answer.matrix, inverse(exact.problem.nominal))
+    matrix = times(answer.matrix, inverse_of_three(exact.problem.nominal))
     return max(largest([minus(answer.parameters, exact.parameters)]),
                largest(map(minus, matrix, exact.correction)))
 
@@ -289,7 +301,7 @@ def loss_of_parameters(exact, answer):
 def loss_of_lengths(exact, answer):
     """Of |calibrated| / field at the positions, by the offset and matrix delivered."""
     worst = 0
-    for raw, length in zip(exact.problem.raw, exact.lengths()):
+    for raw, length in zip(exact.problem.raw, exact.lengths):
         a = apply(answer.matrix, minus(raw, answer.offset))
         worst = max(worst, abs(exact.sqrt(dot(a, a)) / exact.problem.field - length))
     return worst
@@ -389,12 +401,12 @@ class Tally:
         if condition * header.floor < 0.5 and root_k < 0.9 * HOPELESS:
             self.fault(number, build, f"refused, condition {condition:.3g}")
 
-    def delivery(self, number, build, header, answer, exact, condition):
+    def delivery(self, number, build, header, answer, exact, condition, is_exact):
         told = float(answer.condition)
         self.count(self.delivered, build, told)
         if told * header.floor >= 1 or (condition and condition * header.floor > 4):
             self.fault(number, build, f"delivered, condition {told:.3g}")
-        for law, loss in losses(exact, answer, condition):
+        for law, loss in losses(exact, answer, condition if is_exact else None):
             share = header.share(law, loss, told)
             if told > HIGHEST and law in ("sigma", "condition"):
                 continue
@@ -409,13 +421,12 @@ class Tally:
         exact = exact_of(line, MPFR)
         if number % MPMATH == 0:
             self.mpmath = max(self.mpmath, disagreement(exact, line))
-        condition = None
+        is_exact = number % CONDITION == 0
         near = [a.status or a.condition * h.floor > 0.2 for h, a in zip(headers, answers)]
-        if number % CONDITION == 0 or any(near):
-            condition = float(largest_eigenvalue(exact.hth) * largest_eigenvalue(exact.k))
+        condition = exact.condition(50 if is_exact else 8) if is_exact or any(near) else None
         for build, header, answer in zip(BUILDS, headers, answers):
             if answer.status == OK:
-                self.delivery(number, build, header, answer, exact, condition)
+                self.delivery(number, build, header, answer, exact, condition, is_exact)
             else:
                 self.refusal(number, build, header, answer, exact, condition)
 
