@@ -54,10 +54,18 @@ typedef struct {
  * exact solution of equations H'H p = -H'J that are off by some epsilon of their largest element;
  * (H'H)^-1 makes that epsilon times condition in p, and H (H'H)^-1 its root in the lengths (Higham,
  * Accuracy and Stability of Numerical Algorithms, 10.1 and 20.4). The theory's factors grow with
- * the number of positions; these are measured (make numerics: 10^5 random sets, 50 digits). */
-#define INVCAL_LOSS INVCAL_REAL(1.0)
-#define INVCAL_LOSS_SIGMA INVCAL_REAL(8.0)
-#define INVCAL_LOSS_LENGTH INVCAL_REAL(2.0)
+ * the number of positions; these are measured (make numerics: 10^5 random sets, 50 digits).
+ *
+ * sigma does not know of it: in float it is the smaller of the two where a position mean is better
+ * than about INVCAL_EPSILON sqrt(condition) of the field. Such positions are solved once more, with
+ * the calibration found as nominal (invcal_session_renew, or settings->nominal): p and J are next
+ * to nothing then, and so is what is lost of them,
+ *
+ *     |parameter - exact|          <= INVCAL_LOSS_AGAIN  INVCAL_EPSILON sqrt(condition) */
+#define INVCAL_LOSS INVCAL_REAL(2.0)
+#define INVCAL_LOSS_SIGMA INVCAL_REAL(16.0)
+#define INVCAL_LOSS_LENGTH INVCAL_REAL(8.0)
+#define INVCAL_LOSS_AGAIN INVCAL_REAL(1.0)
 
 /* Judges a solution.
  *

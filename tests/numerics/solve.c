@@ -4,10 +4,10 @@
  *
  *     count frame field noise zero(3) nominal(9, by rows) raw(3 count)
  *
- * and prints for each: status verdict, the nine parameters, offset(3), matrix(9), sigma of the nine,
- * sigma of the offset(3), noise, residual_rms, residual_max, condition; all as hexadecimal
- * floating-point numbers, so exactly. Before the first, what the headers
- * promise: INVCAL_LOSS, _LENGTH, _SIGMA, INVCAL_EPSILON, INVCAL_PIVOT_FLOOR.
+ * and prints for each: status verdict, the nine parameters, offset(3), matrix(9), sigma of the
+ * nine, sigma of the offset(3), noise, residual_rms, residual_max, condition; all as hexadecimal
+ * floating-point numbers, so exactly. Before the first, what the headers promise: INVCAL_LOSS,
+ * _LENGTH, _SIGMA, _AGAIN, INVCAL_EPSILON, INVCAL_PIVOT_FLOOR.
  */
 #include <stdio.h>
 
@@ -66,8 +66,8 @@ int main(void)
     unsigned count;
     int frame;
 
-    const invcal_real promised[] = {INVCAL_LOSS, INVCAL_LOSS_LENGTH, INVCAL_LOSS_SIGMA,
-                                    INVCAL_EPSILON, INVCAL_PIVOT_FLOOR};
+    const invcal_real promised[] = {INVCAL_LOSS,       INVCAL_LOSS_LENGTH, INVCAL_LOSS_SIGMA,
+                                    INVCAL_LOSS_AGAIN, INVCAL_EPSILON,     INVCAL_PIVOT_FLOOR};
     print_numbers(promised, sizeof promised / sizeof promised[0]);
     putchar('\n');
     while (scanf("%u %d", &count, &frame) == 2) {
