@@ -47,6 +47,9 @@ enum {
  * a noise that is smaller than that hides in them. */
 #define COARSE (INVCAL_REAL(1.0) / 4)
 
+/* Where noise is three counts an axis, none of the three can stand still for a rest. */
+#define ALIVE 27
+
 /* Drift: a slope beyond chance, and fast over the dwell time, 5/8 s: */
 #define CHANCE 12 /* times the scatter: chi^2 of 36 for three axes, P = 7e-8; */
 #define DRIFT_NOISE (INVCAL_REAL(75.0) / 64) /* 3 sigma of an axis in a second: 9/3 (5/8)^2; */
@@ -59,9 +62,11 @@ enum { IDLE, SETTLING, ANNOUNCED, DISMISSED };
 enum {
     TAKEN = 1, /* there has been a position: `place` is one */
     /* and of the candidate */
-    BEGUN = 2,      /* its first block has been left out */
-    CLIPPED = 4,    /* some sample was at a rail */
-    INTERRUPTED = 8 /* samples were lost in it */
+    BEGUN = 2,       /* its first block has been left out */
+    CLIPPED = 4,     /* some sample was at a rail */
+    INTERRUPTED = 8, /* samples were lost in it */
+    CHANGED = 16,    /* the x axis has changed inside a block of it; y and z in the next bits */
+    ALL_CHANGED = 7 * CHANGED
 };
 
 /* What one block shows. */
@@ -276,6 +281,13 @@ static int is_same(const invcal_still *s, const invcal_rest *rest)
     return (s->flags & TAKEN) && invcal_dot(d, d, 3) < near;
 }
 
+/* Has nothing ever changed, or one axis not, among others of a noise that it cannot be without? */
+static int is_stuck(const invcal_still *s)
+{
+    return s->block.quantum == 0 ||
+           ((s->flags & ALL_CHANGED) != ALL_CHANGED && s->variance > ALIVE * squared_quantum(s));
+}
+
 /* What is wrong with the candidate, drift aside. */
 static invcal_rest_reason fault(const invcal_still *s, invcal_rest *rest)
 {
@@ -286,7 +298,7 @@ static invcal_rest_reason fault(const invcal_still *s, invcal_rest *rest)
     if ((s->flags & CLIPPED) != 0) {
         return INVCAL_REST_CLIPPED;
     }
-    if (s->block.quantum == 0) {
+    if (is_stuck(s)) {
         return INVCAL_REST_FROZEN;
     }
     return is_same(s, rest) ? INVCAL_REST_SAME : INVCAL_REST_GOOD;
@@ -346,6 +358,9 @@ static void add(invcal_still *s, const finding *f)
     }
     for (unsigned a = 0; a < 3; a++) {
         s->pending[s->pended][a] = (int32_t)f->sum[a]; /* fits: see expect */
+        if (s->block.sum[a] != 0) {                    /* of differences to the first sample */
+            s->flags = (uint8_t)(s->flags | CHANGED << a);
+        }
     }
     s->pended++;
     trend_add(&s->trend, f->mean);
@@ -603,7 +618,7 @@ const char *invcal_rest_reason_text(invcal_rest_reason reason)
                                 "too short: hold it still longer\0"
                                 "readings creep: turned slowly, or not settled\0"
                                 "at the end of the sensor's range\0"
-                                "readings never change: is the sensor read?\0"
+                                "readings, or those of an axis, never change: is the sensor read?\0"
                                 "too short: samples were lost\0"
                                 "the same place as before\0"
                                 "unknown reason";

@@ -59,7 +59,8 @@ typedef enum {
     INVCAL_REST_SHORT,   /* motion came before it was READY */
     INVCAL_REST_DRIFT,   /* readings creep: a slow turn, or it settles */
     INVCAL_REST_CLIPPED, /* a rail was touched */
-    INVCAL_REST_FROZEN,  /* nothing has ever changed, or noise ceased: the sensor is not read */
+    INVCAL_REST_FROZEN,  /* nothing has ever changed, or noise ceased, or an axis stands still amid
+                            the noise of the others: not read, or at a rail that was not stated */
     INVCAL_REST_GAP,     /* short, for samples were lost */
     INVCAL_REST_SAME     /* where the last position was taken: it tells nothing new */
 } invcal_rest_reason;

@@ -1030,7 +1030,7 @@ static void events_are_complete(void)
         const double phase = i < 300 ? 0 : (double)(i - 300) / 50;
         const int32_t noise = (int32_t)(8 * random_normal(&b.random));
         const int32_t raw[3] = {noise + (int32_t)(12000 * sin(phase)), (int32_t)(i % 2),
-                                (int32_t)(16384 * cos(phase))};
+                                noise + (int32_t)(16384 * cos(phase))};
         memset(&a, PATTERN, sizeof a);
         memset(&c, 0xA5, sizeof c);
         memcpy(&twin, b.s, sizeof twin);

@@ -29,6 +29,7 @@ typedef struct {
     double noise;  /* g, each axis */
     double drift;  /* g/s on the x axis */
     int32_t low, high;
+    unsigned stuck; /* 1, 2, 3: this axis reads one and the same number */
     random_source random;
     /* what is done to its counts: these must not matter */
     int32_t scale;
@@ -137,7 +138,7 @@ static void sense(const double up[3], const double a[3])
         }
     }
     for (unsigned i = 0; i < 3; i++) {
-        raw[i] = count[(i + b.order) % 3] * b.scale + b.shift[i];
+        raw[i] = (b.stuck == i + 1 ? 55 : count[(i + b.order) % 3]) * b.scale + b.shift[i];
     }
     push(raw);
 }
@@ -621,6 +622,33 @@ static void a_sensor_that_never_speaks_is_frozen_and_says_so_once(void)
     }
 }
 
+/* Its noise would be some counts, and it has none: not read, or at a rail that nobody stated. */
+static void an_axis_that_stands_still_amid_noise_is_refused_as_frozen(void)
+{
+    for (unsigned axis = 1; axis <= 3; axis++) {
+        setup(100, 16384, 3e-4); /* 5 counts */
+        b.stuck = axis;
+        six_rests(3);
+        TEST_ASSERT_EQUAL_UINT(0, b.taken);
+        TEST_ASSERT_EQUAL_UINT(6, b.refused[INVCAL_REST_FROZEN]);
+        TEST_ASSERT_EQUAL_UINT(6, all_refused());
+    }
+}
+
+/* A noise of 3 counts on each of two axes: 18 of 27. A third that has none may be one whose noise is
+ * a tenth of a count. */
+static void where_there_is_little_noise_an_axis_may_stand_still(void)
+{
+    for (int32_t scale = 1; scale <= 64; scale += 63) { /* counts in steps of 64: likewise */
+        setup(100, 16384, 1.83e-4);
+        b.stuck = 2;
+        b.scale = scale;
+        six_rests(3);
+        check_windows(6, 1.6);
+        TEST_ASSERT_EQUAL_UINT(0, all_refused());
+    }
+}
+
 static void zeros_at_power_up_do_no_harm(void)
 {
     setup(100, 16384, 1e-3);
@@ -1079,6 +1107,8 @@ int main(void)
     RUN_TEST(a_rest_at_a_rail_is_refused_as_clipped);
     RUN_TEST(the_ends_of_int32_clip_where_no_rails_are_given);
     RUN_TEST(a_sensor_that_never_speaks_is_frozen_and_says_so_once);
+    RUN_TEST(an_axis_that_stands_still_amid_noise_is_refused_as_frozen);
+    RUN_TEST(where_there_is_little_noise_an_axis_may_stand_still);
     RUN_TEST(zeros_at_power_up_do_no_harm);
     RUN_TEST(a_sensor_that_freezes_in_motion_gives_no_rest);
     RUN_TEST(a_sensor_that_freezes_in_a_rest_ends_it);
