@@ -205,7 +205,8 @@ invcal_real invcal_thermal_drift_limit(const invcal_settings *settings,
     }
     const invcal_real slope = steepest > 0 ? steepest : USUAL_SLOPE;
     const invcal_real noise = settings->noise > 0 ? settings->noise / settings->field : USUAL_NOISE;
-    return 2 * noise / slope;
+    const invcal_real limit = 2 * noise / slope;
+    return invcal_is_positive(limit) ? limit : 0;
 }
 
 /* ---- the sums ----------------------------------------------------------------------------- */

@@ -160,8 +160,9 @@ invcal_status invcal_thermal_at(const invcal_thermal_calibration *calibration,
  *     limit = 2 noise / slope
  *
  * with the noise stated, or 1e-4 of the field, and the largest slope of the prior, or 1 mg/K:
- * 0.2 K unless something else is known. Fail closed: take a rest if drift <= limit, and else wait
- * for the sensor to settle. */
+ * 0.2 K unless something else is known. 0, no drift at all, where that is no number: for a field
+ * that is not positive, or noise without end. Fail closed: take a rest if drift <= limit, and else
+ * wait for the sensor to settle. */
 invcal_real invcal_thermal_drift_limit(const invcal_settings *settings,
                                        const invcal_thermal_settings *thermal);
 

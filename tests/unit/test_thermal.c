@@ -1314,6 +1314,22 @@ static void the_drift_limit_is_where_a_lag_makes_the_noise_of_a_position(void)
     TEST_ASSERT_DOUBLE_WITHIN(1e-9, 5e-4, error);
 }
 
+static void no_drift_is_allowed_where_the_limit_is_no_number(void)
+{
+    invcal_settings settings = unit_settings((invcal_real)1e-4);
+    const invcal_thermal_settings thermal = nothing_known;
+
+    settings.field = 0;
+    TEST_ASSERT_TRUE(invcal_thermal_drift_limit(&settings, &thermal) == 0);
+    settings.field = -1;
+    TEST_ASSERT_TRUE(invcal_thermal_drift_limit(&settings, &thermal) == 0);
+    settings.field = (invcal_real)NAN;
+    TEST_ASSERT_TRUE(invcal_thermal_drift_limit(&settings, &thermal) == 0);
+    settings.field = 1;
+    settings.noise = (invcal_real)INFINITY;
+    TEST_ASSERT_TRUE(invcal_thermal_drift_limit(&settings, &thermal) == 0);
+}
+
 static void every_fallback_has_its_words(void)
 {
     TEST_ASSERT_EQUAL_STRING("as asked", invcal_thermal_fallback_text(INVCAL_THERMAL_AS_ASKED));
@@ -1368,6 +1384,7 @@ int main(void)
     RUN_TEST(semi_axes_beyond_their_limits_are_refused_together);
     RUN_TEST(what_cannot_be_judged_is_refused_and_the_quality_left_alone);
     RUN_TEST(the_drift_limit_is_where_a_lag_makes_the_noise_of_a_position);
+    RUN_TEST(no_drift_is_allowed_where_the_limit_is_no_number);
     RUN_TEST(a_lower_degree_is_fitted_where_it_is_wanted);
     RUN_TEST(every_fallback_has_its_words);
     return UNITY_END() != 0;
