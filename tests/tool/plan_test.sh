@@ -163,6 +163,21 @@ check "plan: weighed by limits, 18 directions are as good as the paper's in all 
 judge --optimal 24 --limits 1,1,1
 check "plan: equal limits make the worst sigma smaller than the D-optimum does" holds \
     'gamma < 0.69 && dk < 0.69 && gamma > 0.68'
+# No 60 directions have sigmas below sqrt(3 / 60), sqrt(3 (1 - 3 b) / (1 - 9 b) / 60) and
+# sqrt(1 / (60 b)), b the mean of x^2 y^2.
+least=$(awk 'BEGIN {
+    least = 9
+    for (b = 0.0001; b < 0.1111; b += 0.0001) {
+        dk = sqrt(3 * (1 - 3 * b) / (1 - 9 * b) / 60) / 0.3
+        gamma = sqrt(1 / (60 * b))
+        worst = dk > gamma ? dk : gamma
+        if (worst < least) least = worst
+    }
+    print least
+}')
+judge --optimal 60 --limits 0.3,0.3,1
+check "plan: weighed by limits, 60 directions are as good as any can be" holds \
+    "delta < 0.3 * $least && dk < 1.001 * 0.3 * $least && gamma < 1.001 * $least"
 
 # ---- the choice --------------------------------------------------------------------------------
 
