@@ -11,6 +11,7 @@
 #define GOLDEN 0.61803398874989485
 #define WITHIN (1 + 1e-9) /* a limit that is met exactly is met, whatever rounding says */
 #define AROUND 4u
+#define NEAR_LONGEST 0.999 /* a dwell this near to the longest would be longer still */
 
 const char *const labour_families[CHOICE_FAMILIES] = {"stand program", "free directions"};
 
@@ -198,12 +199,14 @@ static const labour_row *find_nearest(const labour *l)
 static int refuse(labour *l)
 {
     const labour_row *row = find_nearest(l);
+    const int is_floor = row->dwell < NEAR_LONGEST * LABOUR_LONGEST;
 
     snprintf(l->refusal, sizeof l->refusal,
-             "no number of positions up to %u and no dwell meet the limits: the noise has a floor; "
+             "no number of positions up to %u and no dwell%s meet the limits%s; "
              "%u positions of %.4g s come nearest, with a mean good to %.3g mg, and %.3g mg are "
              "needed: allow more, or take a sensor of less noise",
-             LABOUR_MAX, row->count, row->dwell, 1e3 * row->sigma, 1e3 * row->wanted);
+             LABOUR_MAX, is_floor ? "" : " up to 1e6 s", is_floor ? ": the noise has a floor" : "",
+             row->count, row->dwell, 1e3 * row->sigma, 1e3 * row->wanted);
     return EXIT_DATA;
 }
 

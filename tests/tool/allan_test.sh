@@ -268,6 +268,10 @@ rm -f "$work"/out/*
 accepts "labour takes what allan --out wrote" plan --limits 1e-4,1e-4,2e-4 --allan "$work/real.json"
 refuses "labour: no dwell can do it" 1 'no dwell meet the limits: the noise has a floor; ' \
     plan --limits 1e-6,1e-6,1e-6 --allan "$work/noise.json"
+noise 0.001 0 0
+refuses "labour: white noise has no floor" 1 'no dwell up to 1e6 s meet the limits; 144 positions' \
+    plan --limits 1e-9,1e-9,1e-9 --allan "$work/noise.json"
+noise 0.001 0.0002 0.000004
 "$tool" allan "$work/rest.csv" --out "$work/counts.json" --quiet
 refuses "labour: noise in counts alone" 3 'does not tell how long the field is' \
     plan --limits 1e-4,1e-4,2e-4 --allan "$work/counts.json"
