@@ -40,7 +40,10 @@ static int copy_number(FILE *spool, const table *log, const columns *where, colu
     double number;
     const int failure = columns_number(log, where, which, &number);
 
-    if (!failure && which == COLUMN_TIME && where->per_second > 1) {
+    const int is_converted = which == COLUMN_TIME
+                                 ? where->per_second > 1
+                                 : where->degrees.scale < 1 || where->degrees.zero < 0;
+    if (!failure && is_converted) {
         char text[NUMBER_TEXT_MAX];
         fputs(number_text(number, text), spool);
     } else if (!failure) {
@@ -86,7 +89,8 @@ static int write_row(FILE *spool, const table *log, const columns *where, job *j
 static int check_temperature(const table *log, const columns *where, const job *j)
 {
     if (j->file.has_thermal && isnan(j->temperature) && where->index[COLUMN_TEMPERATURE] < 0) {
-        message("%s: has no column of temperature, which this calibration depends on: name it "
+        message("%s: has no column of temperature in °C, K or °F, which this calibration depends "
+                "on: name it "
                 "temperature, or state one for all readings with --temperature",
                 log->name);
         return EXIT_FILE;
@@ -198,8 +202,9 @@ static const char *const help[] = {
     "standard input. Columns are x y z, or t x y z, or t x y z temperature, or any with a header\n"
     "that names them:\n",
     COLUMNS_NAMES,
-    "t and temperature are copied as they are (a time in ms, us or ns becomes seconds), the\n"
-    "others left out. The readings are in the unit of the log that CAL.json was made from.\n"
+    "t and temperature are copied as they are (a time in ms, us or ns becomes seconds, a\n"
+    "temperature in K or °F one in °C), the others left out. The readings are in the unit of\n"
+    "the log that CAL.json was made from.\n"
     "Logs of any length are read in fixed memory; the result waits in a temporary file, and is\n"
     "printed only if every line was good.\n"
     "\n"

@@ -567,7 +567,8 @@ static int solve_thermal(const request *r, calibrate_result *result)
     invcal_reason reason;
 
     if (!result->data->has_temperature) {
-        message("%s: has no column of temperature, which --thermal needs: name it temperature, or "
+        message("%s: has no column of temperature in °C, K or °F, which --thermal needs: name it "
+                "temperature, or "
                 "leave --thermal out",
                 result->data->name);
         return EXIT_FILE;

@@ -198,6 +198,7 @@ static double time_unit_of(const char *field)
 static void find_unit_row(table *t, columns *out)
 {
     const int time = out->index[COLUMN_TIME];
+    const int temperature = out->index[COLUMN_TEMPERATURE];
     reading_unit unit[3];
 
     if (headings[out->index[COLUMN_X]].states_unit || !table_peek(t)) {
@@ -214,6 +215,9 @@ static void find_unit_row(table *t, columns *out)
     out->seen.unit_from = UNIT_FROM_HEADER;
     if (time >= 0 && time_unit_of(t->field[time]) > 0) {
         out->per_second = time_unit_of(t->field[time]);
+    }
+    if (temperature >= 0 && unit_parse_temperature(t->field[temperature]).scale > 0) {
+        out->degrees = unit_parse_temperature(t->field[temperature]);
     }
 }
 
@@ -330,6 +334,18 @@ static void find_time_unit(const table *t, columns *out)
     }
 }
 
+/* Without a unit it is in degrees C; in another, such as counts, it is of no use. */
+static void find_temperature_unit(columns *out)
+{
+    int *at = &out->index[COLUMN_TEMPERATURE];
+
+    out->degrees = (temperature_unit){1, 0};
+    if (*at >= 0 && headings[*at].states_unit) {
+        out->degrees = headings[*at].degrees;
+        *at = out->degrees.scale > 0 ? *at : -1;
+    }
+}
+
 /* ---- together ----------------------------------------------------------------------------------- */
 
 static void remember_names(const table *t, columns *out)
@@ -389,6 +405,7 @@ static int find_by_header(table *t, columns_kind kind, columns *out)
     find_short_temperature(t, out);
     out->instance = find_instance(t);
     find_time_unit(t, out);
+    find_temperature_unit(out);
     remember_names(t, out);
     find_unit_row(t, out);
     return EXIT_GOOD;
@@ -446,7 +463,10 @@ static int find_by_count(const table *t, columns_kind kind, columns *out)
 
 int columns_find(table *t, columns_kind kind, columns *out)
 {
-    *out = (columns){.per_second = 1, .instance = -1, .seen = {.separator = table_separator(t)}};
+    *out = (columns){.per_second = 1,
+                     .degrees = {1, 0},
+                     .instance = -1,
+                     .seen = {.separator = table_separator(t)}};
     const int failure = t->has_header ? find_by_header(t, kind, out) : find_by_count(t, kind, out);
 
     out->seen.time_unit = out->per_second > 1e8   ? "ns"
@@ -482,7 +502,11 @@ int columns_number(const table *t, const columns *where, column which, double *o
                 number_problem(status), remedy(which, status));
         return EXIT_FILE;
     }
-    *out /= which == COLUMN_TIME ? where->per_second : 1;
+    if (which == COLUMN_TIME) {
+        *out /= where->per_second;
+    } else if (which == COLUMN_TEMPERATURE) {
+        *out = where->degrees.scale * *out + where->degrees.zero;
+    }
     return EXIT_GOOD;
 }
 

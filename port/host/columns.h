@@ -40,8 +40,9 @@ typedef struct {
 /* For each meaning the index into table.field, or -1. */
 typedef struct {
     int index[COLUMN_COUNT];
-    double per_second; /* units of the time column in a second */
-    int instance;      /* column that numbers the sensor of each row, or -1 */
+    double per_second;        /* units of the time column in a second */
+    temperature_unit degrees; /* of the temperature column */
+    int instance;             /* column that numbers the sensor of each row, or -1 */
     char first_instance[8];
     recognition seen;
 } columns;
@@ -58,19 +59,21 @@ typedef enum {
     "  x y z (or ax ay az, acc_x .., AccX .., \"Acceleration x\" .., accSmooth[0] ..,\n"           \
     "  accelerometer_m_s2[0] .., xyz[0] .., mx my mz, mag_x .., mean_x ..);\n"                     \
     "  std or std_x std_y std_z; n, n_samples or count; t, time or timestamp;\n"                   \
-    "  temperature or temp. A unit may follow: ax (g), ax [m/s^2], acc_x_mg, time (us), t_ms.\n"   \
-    "  Small and capital letters are the same; other columns are ignored. Logs of phyphox are\n"   \
-    "  known by their headers, and those converted by ulog2csv (PX4), blackbox_decode\n"           \
-    "  (Betaflight, INAV), mavlogdump.py (ArduPilot) and rostopic echo -p (ROS).\n"
+    "  temperature or temp. A unit may follow: ax (g), ax [m/s^2], acc_x_mg, time (us), t_ms,\n"   \
+    "  temp (K). Small and capital letters are the same; other columns are ignored. Logs of\n"     \
+    "  phyphox are known by their headers, and those converted by ulog2csv (PX4),\n"               \
+    "  blackbox_decode (Betaflight, INAV), mavlogdump.py (ArduPilot) and\n"                        \
+    "  rostopic echo -p (ROS).\n"
 
 /* Finds the columns of a table that has just been opened.
  *
  * Returns EXIT_GOOD; EXIT_FILE, with a message, if x, y and z are not there or there twice, or
  * another name is there twice, or x, y and z are in different units, or the number of columns
- * tells nothing. */
+ * tells nothing. A temperature in a unit that is none is no column of temperature. */
 int columns_find(table *t, columns_kind kind, columns *out);
 
-/* Reads a number from the current row; the column must be there. A time is in seconds.
+/* Reads a number from the current row; the column must be there. A time is in seconds, a
+ * temperature in degrees C.
  *
  * Returns EXIT_GOOD; EXIT_FILE, with a message that names line and column. */
 int columns_number(const table *t, const columns *where, column which, double *out);

@@ -64,6 +64,7 @@ static void cut_bracketed_unit(heading *out)
     }
     snprintf(unit, sizeof unit, "%.*s", (int)strlen(open) - 2, open + 1);
     (void)take_unit(unit, out);
+    out->degrees = unit_parse_temperature(unit);
     out->states_unit = 1;
     *open = '\0';
     strip_end(out->name);

@@ -82,6 +82,33 @@ double unit_parse_time(const char *text)
     return 0;
 }
 
+static int ends_with(const char *text, const char *end)
+{
+    const size_t length = strlen(text);
+    const size_t behind = strlen(end);
+
+    return length >= behind && strcasecmp(text + length - behind, end) == 0;
+}
+
+temperature_unit unit_parse_temperature(const char *text)
+{
+    static const struct {
+        const char *letter;
+        const char *name;
+        temperature_unit unit;
+    } units[] = {{"c", "celsius", {1, 0}},
+                 {"k", "kelvin", {1, -273.15}},
+                 {"f", "fahrenheit", {5.0 / 9, -160.0 / 9}}};
+    const double part = text[0] == 'm' ? 1e-3 : 1;
+
+    for (unsigned i = 0; i < sizeof units / sizeof units[0]; i++) {
+        if (ends_with(text, units[i].letter) || ends_with(text, units[i].name)) {
+            return (temperature_unit){part * units[i].unit.scale, units[i].unit.zero};
+        }
+    }
+    return (temperature_unit){0, 0};
+}
+
 int unit_is_gravity(double field)
 {
     return field > 9.7 && field < 9.9;

@@ -19,6 +19,16 @@ int unit_parse(const char *text, reading_unit *out);
 /* Reads "s", "ms", "us", "ns" in their spellings. Returns how many make a second; 0 for others. */
 double unit_parse_time(const char *text);
 
+/* degrees C = scale value + zero */
+typedef struct {
+    double scale; /* 0: not a unit of temperature */
+    double zero;
+} temperature_unit;
+
+/* Reads degrees C, F, and K in any spelling that ends with the letter or the name, with m in front
+ * for a thousandth: "°C", "degC", "m°C", "Fahrenheit". */
+temperature_unit unit_parse_temperature(const char *text);
+
 /* 1 if a field of this length is gravity in m/s^2: nothing else on earth is 9.8. */
 int unit_is_gravity(double field);
 

@@ -142,6 +142,17 @@ check "colder, too" warns 'up to 1.5 K outside'
 printf 'x,y,z\n0.1,-0.2,0.9\n' > "$work/bare.csv"
 refuses "a log without temperature is refused" 3 'no column of temperature.*--temperature' \
     apply "$work/thermal.json" "$work/bare.csv"
+# The same temperature in other units: 70 °C.
+for unit in '(K) 343.15' '[°F] 158' '(m°C) 70000' '(degC) 70'; do
+    printf 'x,y,z,temperature %s\n0.1,-0.2,0.9,%s\n' "${unit% *}" "${unit#* }" > "$work/unit.csv"
+    accepts "a temperature in ${unit% *}" apply "$work/thermal.json" "$work/unit.csv"
+    check "is one in °C" near 1e-9 "$(tail -n 1 "$work/edge.csv"),70" "$(tail -n 1 "$work/stdout")"
+done
+for unit in temperature_raw 'temperature (counts)'; do
+    printf 'x,y,z,%s\n0.1,-0.2,0.9,70\n' "$unit" > "$work/unit.csv"
+    refuses "counts are no temperature: $unit" 3 'no column of temperature in °C' \
+        apply "$work/thermal.json" "$work/unit.csv"
+done
 accepts "unless one is stated" apply "$work/thermal.json" "$work/bare.csv" --temperature 70
 sed 's/,temperature$//; s/,70$//' "$work/edge.csv" > "$work/expected.csv"
 check "which does what the column does" same "$work/expected.csv" "$work/stdout"
