@@ -84,6 +84,25 @@ static judgement judge(const rejection *r, const invcal_thermal_calibration *c,
                                                                                  : DOUBTFUL;
 }
 
+/* Beside others that were still there an error is not what it is beside the good ones. */
+static void restate_errors(rejection *r, const positions *p, const unsigned *position,
+                           unsigned count, const invcal_thermal_calibration *c)
+{
+    double row[THERMAL_COEFFICIENTS];
+    double residual;
+
+    for (unsigned i = 0; i < r->count; i++) {
+        rejected_position *one = &r->list[i];
+        for (unsigned k = 0; k < count; k++) {
+            if (position[k] == one->position &&
+                thermal_row(c, &p->mean[3 * (size_t)one->position],
+                            p->origin[one->position].temperature, row, &residual)) {
+                one->error = residual;
+            }
+        }
+    }
+}
+
 /* Leaves out, one after another, what stands out most. Those up to the last that contradicts are
  * wrong; the others come back. */
 static void reject(rejection *r, const positions *p, const invcal_settings *settings,
@@ -111,6 +130,11 @@ static void reject(rejection *r, const positions *p, const invcal_settings *sett
     }
     while (count > wrong) {
         rejection_remove(r, position[--count]);
+    }
+    rejection_finish(r, p);
+    if (wrong > 1 && invcal_thermal_calibrate(r->kept, r->temperature, r->kept_count, settings,
+                                              thermal, &c, &quality, NULL) == INVCAL_OK) {
+        restate_errors(r, p, position, wrong, &c);
     }
 }
 

@@ -92,6 +92,11 @@ done
 sensor -20,25,70 9 4,5,40 > "$work/three.csv"
 fit "$work/three.csv" --thermal 1 --json
 check "three that are wrong do not hide one another" near 0 "$(json "$work/stdout" rejected)" 4,5,40
+# All by the same length: its error is told beside the good ones, not beside the other two.
+fit "$work/three.csv" --thermal 1
+check "and how wrong each is, is told" near 0.05 \
+    "$(sed -n 's/^Left out: .*wrong by \([0-9.-]*\) % of the field$/\1/p' "$work/stdout" | tr '\n' ' ')" \
+    5,5,5
 fit "$work/wrong.csv" --thermal 1 --keep-all --json
 check "--keep-all keeps it" lacks "$work/stdout" '"rejected": \[.+\]'
 
