@@ -42,8 +42,8 @@ static int read_number(const request *r, unsigned which, double least, double *o
     }
     const int failure = options_numbers(&syntax, which, r->value[which], 1, out, NULL);
     if (!failure && !(*out > least && *out <= LARGEST)) {
-        return message_usage(syntax.command, "%s %s: must be above %g", options[which].name,
-                             r->value[which], least);
+        return message_usage(syntax.command, "%s %s: must be above %g, at most %g",
+                             options[which].name, r->value[which], least, LARGEST);
     }
     return failure;
 }

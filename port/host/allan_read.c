@@ -179,15 +179,14 @@ static void find_rows(allan_result *r, unsigned taus, double unit)
 static int find_noise(allan_result *r, double unit)
 {
     for (unsigned i = 0; i < 3; i++) {
-        if (motion_is_frozen(&watched, i)) {
+        if (r->samples > 1 && motion_is_frozen(&watched, i)) {
             message("%s: %c never changes: its noise is less than a count, or it is not read",
                     r->name, "xyz"[i]);
             return EXIT_DATA;
         }
         if (invcal_allan_noise(&stream[i], r->rate, unit, &r->noise[i]) != INVCAL_OK) {
-            message("%s: %lu samples show no noise of %c at these averaging times: log longer, at "
-                    "rest",
-                    r->name, r->samples, "xyz"[i]);
+            message("%s: %lu sample%s no noise of %c at these averaging times: log longer, at rest",
+                    r->name, r->samples, r->samples == 1 ? " shows" : "s show", "xyz"[i]);
             return EXIT_DATA;
         }
     }

@@ -155,6 +155,9 @@ awk 'BEGIN { for (i = 0; i < 1000; i++) print i % 7, i % 5, 3 }' > "$work/frozen
 refuses "an axis that never changes" 1 'z never changes' allan "$work/frozen.txt" --rate 50
 head -n 8 "$work/rest.csv" > "$work/short.csv"
 refuses "a short log" 1 'show no noise of x .*log longer' allan "$work/short.csv"
+head -n 2 "$work/rest.csv" > "$work/one.csv"
+refuses "one sample" 1 '1 sample shows no noise of x .*log longer' allan "$work/one.csv" --rate 100
+refuses "too high a rate" 2 'must be above 0, at most 1e\+12' allan "$work/rest.csv" --rate 1e13
 refuses "no rate" 2 '--rate: is needed' allan "$work/glued.txt"
 refuses "a time that is no multiple" 2 '--tau: 0.015 s .* no multiple of the interval, 0.01 s' allan \
     "$work/rest.csv" --tau 0.015
