@@ -32,7 +32,7 @@
  * How good it is (tests; 18 positions at each of -20, 25, 70 C, noise 1e-4 of the field, slopes up
  * to 1 mg/K, 500 ppm/K, 100 urad/K). Degree 1: the error over the range and all directions is 0.99
  * to 1.01 of the Cramer-Rao bound of the 18 parameters, 5e-5 of the field. Nine parameters for the
- * same positions: 300 to 500 times that, 2 to 3 % of the field. Degree 2 for a sensor that is bent:
+ * same positions: 300 to 550 times that, 2 to 3 % of the field. Degree 2 for a sensor that is bent:
  * 0.99 to 1.01 of the bound of 27 parameters, which is 1.26 times that of 18: do not ask for it
  * without need. What is not a polynomial of this degree stays in the residuals, and so in the
  * noise and every sigma.

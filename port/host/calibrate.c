@@ -15,6 +15,7 @@
 #include "invcal/gravity.h"
 #include "live.h"
 #include "message.h"
+#include "noise_file.h"
 #include "options.h"
 #include "output.h"
 #include "progress.h"
@@ -40,6 +41,7 @@ enum {
     PLAN,
     TARGET,
     MEAN_SIGMA,
+    ALLAN,
     KEEP_ALL,
     TOLERANCE,
     OUT,
@@ -69,6 +71,7 @@ static const option options[OPTIONS] = {
     [PLAN] = {"--plan", 1},
     [TARGET] = {"--target", 1},
     [MEAN_SIGMA] = {"--mean-sigma", 1},
+    [ALLAN] = {"--allan", 1},
     [KEEP_ALL] = {"--keep-all", 0},
     [TOLERANCE] = {"--tolerance", 1},
     [OUT] = {"--out", 1},
@@ -292,12 +295,10 @@ static int read_live_options(request *r)
     design *set = &live_plan;
     int failure = EXIT_GOOD;
 
-    if (!is_live && (r->value[PLAN] || r->value[TARGET] || r->value[MEAN_SIGMA])) {
-        return usage(r,
-                     r->value[PLAN]     ? PLAN
-                     : r->value[TARGET] ? TARGET
-                                        : MEAN_SIGMA,
-                     "is for invcal watch");
+    for (unsigned o = PLAN; o <= ALLAN && !is_live; o++) {
+        if (r->value[o]) {
+            return usage(r, o, "is for invcal watch");
+        }
     }
     if (is_live && r->value[POSITIONS]) {
         return usage(r, POSITIONS, "is for invcal calibrate; a live stream has samples");
@@ -308,6 +309,9 @@ static int read_live_options(request *r)
         if (!failure && !(r->mean_sigma > 0)) {
             failure = usage(r, MEAN_SIGMA, "a standard deviation is above 0");
         }
+    }
+    if (!failure && r->value[ALLAN] && !r->value[MEAN_SIGMA]) {
+        failure = usage(r, ALLAN, "needs --mean-sigma, how good a mean is wanted");
     }
     if (!failure && r->value[TARGET]) {
         failure = options_numbers(r->syntax, TARGET, r->value[TARGET], 3, r->target, NULL);
@@ -721,6 +725,7 @@ static int deliver(const request *r, const calibrate_result *result)
 static int read_live(const request *r, const double *clip, positions *data, rests_summary *log)
 {
     invcal_calibration nominal;
+    invcal_noise noise[3];
     live_wish wish = {.rate = r->rate, .clip = clip, .unit = r->unit, .field = r->settings.field};
 
     wish.plan = r->plan;
@@ -735,6 +740,13 @@ static int read_live(const request *r, const double *clip, positions *data, rest
     wish.lsb = r->value[LSB] ? r->lsb : NULL;
     memcpy(wish.target, r->target, sizeof wish.target);
     wish.mean_sigma = r->mean_sigma;
+    if (r->value[ALLAN]) {
+        const int failure = noise_file_read(r->value[ALLAN], noise);
+        if (failure) {
+            return failure;
+        }
+        wish.noise = noise;
+    }
     FILE *nowhere = r->value[QUIET] ? fopen("/dev/null", "w") : NULL;
     wish.talk = nowhere ? nowhere : r->value[JSON] ? stderr : stdout;
     const int failure = live_read(data, r->file, &wish, log);
@@ -890,6 +902,8 @@ static const char *const watch_help[] = {
     "                      default: the direction that tells most, from what has been taken\n"
     "  --mean-sigma S      holds each position until its mean is as good, in field units, by the\n"
     "                      noise of the first rest; default: 2 seconds\n"
+    "  --allan NOISE.json  the same by all that invcal allan --out has found in a long rest:\n"
+    "                      what does not average out, too\n"
     "  --target D,K,G      sigma of offsets (over the field), scale errors and angles (rad) that\n"
     "                      is enough; 0: any\n"
     "  --zero X,Y,Z        nominal reading in no field; default for the guidance: 0, from the\n"

@@ -289,6 +289,33 @@ static invcal_status set_nominal(const live_wish *wish, invcal_calibration *out)
     return invcal_calibration_nominal(zero, scale, out);
 }
 
+/* Holds each position as long as the axis that takes longest. */
+static int hold_by_noise(const live_wish *wish)
+{
+    double longest = 0;
+    double floor = 0;
+
+    for (unsigned i = 0; i < 3; i++) {
+        invcal_dwell d;
+        if (invcal_noise_dwell(&wish->noise[i], wish->mean_sigma / wish->field, &d) != INVCAL_OK ||
+            d.seconds > INVCAL_SESSION_HOLD_LONGEST) {
+            message("--allan: by this noise a mean as good as %g takes more than %d s: ask for "
+                    "less by --mean-sigma",
+                    wish->mean_sigma, INVCAL_SESSION_HOLD_LONGEST);
+            return EXIT_USAGE;
+        }
+        longest = fmax(longest, d.seconds);
+        floor = d.end == INVCAL_DWELL_FLOOR ? fmax(floor, d.sigma * wish->field) : floor;
+    }
+    invcal_session_hold(&session, longest);
+    fprintf(wish->talk, "each position: %.3g s by the noise measured", longest);
+    if (floor > 0) {
+        fprintf(wish->talk, "; longer does not help: a mean is good to %.2g", floor);
+    }
+    fprintf(wish->talk, "\n");
+    return EXIT_GOOD;
+}
+
 static int begin(const live_wish *wish)
 {
     invcal_session_setup setup = {.plan = wish->plan, .rate = live_log.rate};
@@ -304,7 +331,7 @@ static int begin(const live_wish *wish)
                 live_log.table.name, live_log.rate);
         return EXIT_FILE;
     }
-    return EXIT_GOOD;
+    return wish->noise ? hold_by_noise(wish) : EXIT_GOOD;
 }
 
 static int watch(stage *s)

@@ -7,6 +7,7 @@
 
 #include <stdio.h>
 
+#include "invcal/allan.h"
 #include "invcal/calibration.h"
 #include "invcal/plan.h"
 #include "rests.h"
@@ -23,7 +24,9 @@ typedef struct {
     invcal_plan plan;   /* per_group 0: free hand */
     double target[3];   /* sigma that is enough; 0: any */
     double mean_sigma;  /* of a position mean that is wanted, field units; 0: any */
-    FILE *talk;         /* where to say it */
+    const invcal_noise *noise; /* of three axes, over the field, in place of what the first rest
+                                  tells; null: there is none. Needs mean_sigma */
+    FILE *talk;                /* where to say it */
 } live_wish;
 
 /* Reads a stream to its end, or until somebody interrupts it (Ctrl-C), tells what to do, and

@@ -201,6 +201,32 @@ run watch - --mean-sigma 0.0001
 check "watch: one that needs longer is refused" matches "$work/stdout" \
     '^refused: too short: hold it still longer'
 check "watch: and none is taken" lacks "$work/stdout" '^position .* taken'
+# By noise that was measured: white noise N needs (N / sigma)^2, the worst axis decides.
+noise() { # noise WHITE_OF_Z INSTABILITY_OF_X: m/s^2/sqrt(Hz), m/s^2
+    printf '{"gravity": 9.80665, "noise": {"x": {"white": 0.001, "instability": %s, "walk": 0},
+        "y": {"white": 0.001, "instability": 0, "walk": 0},
+        "z": {"white": %s, "instability": 0, "walk": 0}}}\n' "$2" "$1" > "$work/noise.json"
+}
+noise 0.001 0
+run watch - --mean-sigma 0.0007 --allan "$work/noise.json"
+check "watch --allan: the time that it takes is told" matches "$work/stdout" '^each position: 2.04 s'
+check "watch --allan: and is enough" test "$(grep -c '^position .* taken' "$work/stdout")" -eq 18
+noise 0.002 0
+run watch - --mean-sigma 0.0007 --allan "$work/noise.json"
+check "watch --allan: the noisiest axis decides" matches "$work/stdout" '^each position: 8.16 s'
+check "watch --allan: five seconds are too short then" lacks "$work/stdout" '^position .* taken'
+noise 0.001 0.003
+run watch - --mean-sigma 0.0007 --allan "$work/noise.json"
+check "watch --allan: what does not average out is told" matches "$work/stdout" \
+    '; longer does not help: a mean is good to 0.0021$'
+in=/dev/null
+refuses "watch: --allan without --mean-sigma" 2 'allan: needs --mean-sigma' \
+    watch - --allan "$work/noise.json"
+refuses "calibrate: --allan" 2 'allan: is for invcal watch' \
+    calibrate "$work/plain.csv" --allan "$work/noise.json"
+in=$work/plain.csv
+refuses "watch --allan: hours are not held" 2 'takes more than 3600 s' \
+    watch - --mean-sigma 0.00001 --allan "$work/noise.json"
 in=/dev/null
 refuses "watch: --mean-sigma 0" 2 'mean-sigma: a standard deviation' watch - --mean-sigma 0
 refuses "calibrate: --mean-sigma" 2 'mean-sigma: is for invcal watch' \
