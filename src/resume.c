@@ -288,7 +288,8 @@ static invcal_status read_head(const uint8_t *bytes, uint32_t size, head *h)
     if (!get_head(bytes, h)) {
         return INVCAL_DAMAGED;
     }
-    if (h->stored > INVCAL_MAX_POSITIONS || (unsigned)h->count != h->count) {
+    if (h->stored > INVCAL_MAX_POSITIONS ||
+        (unsigned)h->count != h->count) { /* uncovered: where int has 16 bits */
         return INVCAL_NO_SPACE;
     }
     return INVCAL_OK;
