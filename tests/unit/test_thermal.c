@@ -1128,7 +1128,7 @@ static void a_plane_with_noise_is_undetermined_rather_than_no_ellipsoid(void)
     random_source random = random_start(25);
     unsigned position;
 
-    for (int draw = 0; draw < 20; draw++) {
+    for (int draw = 0; draw < SOME(20); draw++) {
         all.count = 0;
         for (unsigned i = 0; i < PLAN; i++, all.count++) {
             const double angle = random_uniform(&random, 0, 6.283185307179586);
