@@ -142,8 +142,11 @@ static int apply(table *log, job *j)
         return EXIT_FILE;
     }
     int failure = write_rows(spool, log, j);
+    if (!failure && fseek(spool, 0, SEEK_SET) != 0) {
+        message("the temporary file cannot be read: %s", strerror(errno));
+        failure = EXIT_FILE;
+    }
     if (!failure) {
-        rewind(spool);
         failure = output_copy(spool);
     }
     fclose(spool);

@@ -507,7 +507,7 @@ static double residual_of_nominal(const positions *data, const invcal_settings *
 
     for (unsigned n = 0; n < data->count; n++) {
         double v[3];
-        invcal_apply(&settings->nominal, &data->mean[3 * n], v);
+        invcal_apply(&settings->nominal, &data->mean[3 * (size_t)n], v);
         const double r = sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]) / settings->field - 1;
         squares += r * r;
     }

@@ -189,6 +189,7 @@ static void print_limit(FILE *file, const calibrate_result *result)
 static void print_verdict(FILE *file, const calibrate_result *result)
 {
     const invcal_quality *q = &result->quality;
+    /* NOLINTNEXTLINE(clang-analyzer-deadcode.DeadStores): a verdict is always one of three */
     const char *word = "";
     paint colour = PAINT_RED;
     char list[128];

@@ -59,7 +59,7 @@ static void say_out_of_range(const positions *data, const invcal_settings *setti
     const int by_range = nominal->zero == NOMINAL_RANGE && nominal->lsb == NOMINAL_RANGE;
     const int by_unit = nominal->lsb == NOMINAL_UNIT;
 
-    invcal_apply(&settings->nominal, &data->mean[3 * position], v);
+    invcal_apply(&settings->nominal, &data->mean[3 * (size_t)position], v);
     const double length = sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]) / settings->field;
     snprintf(text, REASON_MAX, "position %u reads %.3g of the field with %s: %s", position + 1,
              length,

@@ -200,7 +200,7 @@ static int read_starts(const char *command, const char *text, double start[3])
 /* N or N:A,B,C. */
 static int make_stand(design *d, const char *command, const char *text)
 {
-    invcal_plan plan;
+    invcal_plan plan = {0};
     char count[64];
     const size_t length = strcspn(text, ":");
 
@@ -249,7 +249,7 @@ static int make_optimal(design *d, const char *command, const char *text)
 static int scale_rows(positions *p)
 {
     for (unsigned n = 0; n < p->count; n++) {
-        double *v = &p->mean[3 * n];
+        double *v = &p->mean[3 * (size_t)n];
         const double largest = fmax(fabs(v[0]), fmax(fabs(v[1]), fabs(v[2])));
         if (!(largest > 0)) {
             message("%s:%lu: no direction: its three numbers are 0", p->name, p->origin[n].line);

@@ -56,6 +56,7 @@ const char *figure_digits(double x, int digits, char text[FIGURE_MAX])
         snprintf(text, FIGURE_MAX, "%.*g", digits, x);
     } else { /* the exponent after rounding: 0.9999 is 1.00 */
         snprintf(text, FIGURE_MAX, "%.*e", digits - 1, x);
+        /* NOLINTNEXTLINE(cert-err34-c): snprintf has just written it */
         const int places = digits - 1 - atoi(strchr(text, 'e') + 1);
         figure_fixed(x, places > 0 ? places : 0, FIGURE_PLAIN, text);
     }

@@ -211,6 +211,7 @@ int json_read_number(json_reader *r, double *out)
     return failure ? failure : parse_number(r, token, out);
 }
 
+/* NOLINTNEXTLINE(misc-no-recursion): JSON_DEPTH_MAX deep at most, see json_enter */
 static int skip_items(json_reader *r, char bracket)
 {
     char name[2];
@@ -227,6 +228,7 @@ static int skip_items(json_reader *r, char bracket)
     return more < 0 ? EXIT_FILE : failure;
 }
 
+/* NOLINTNEXTLINE(misc-no-recursion): as skip_items */
 int json_skip(json_reader *r)
 {
     char token[400];

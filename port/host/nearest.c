@@ -53,7 +53,7 @@ void nearest_offer(nearest *n, const char *name)
     const int goes_on = strncmp(letters, n->typed, n->length) == 0;
     const unsigned edits =
         goes_on ? n->length < length : distance(n->typed, n->length, letters, length);
-    if (edits < n->edits && (goes_on || 3 * edits <= length)) {
+    if (edits < n->edits && (goes_on || edits <= length / 3)) {
         n->edits = edits;
         n->name = name;
     }

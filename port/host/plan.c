@@ -472,6 +472,7 @@ static int read_sweep(const request *r, unsigned *from, unsigned *to)
     char rest;
 
     if (strspn(text, "0123456789:") != strlen(text) ||
+        /* NOLINTNEXTLINE(cert-err34-c): digits, and too few for an overflow */
         sscanf(text, "%4u:%4u%c", from, to, &rest) != 2 || *from < INVCAL_PLAN_PER_GROUP_MIN ||
         *to > INVCAL_PLAN_PER_GROUP_MAX || *from > *to) {
         return usage(SWEEP, "is FROM:TO, positions in a group, from 5 to 1000, for example 5:16");
@@ -482,8 +483,8 @@ static int read_sweep(const request *r, unsigned *from, unsigned *to)
 static int sweep(const request *r)
 {
     static plan_row rows[ROWS_MAX];
-    unsigned from;
-    unsigned to;
+    unsigned from = 0;
+    unsigned to = 0;
     const int failure = read_sweep(r, &from, &to);
 
     if (failure) {

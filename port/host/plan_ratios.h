@@ -7,6 +7,7 @@
 
 #include "plan_words.h"
 
+/* NOLINTNEXTLINE(readability-enum-initial-value): one of them has a length */
 enum {
     PLAN_RATIO_POSITIONS,
     PLAN_RATIO_TIME,

@@ -14,7 +14,7 @@
 static int grow(positions *p)
 {
     const unsigned capacity = p->capacity ? p->capacity * 2 : 64;
-    double *mean = realloc(p->mean, capacity * 3 * sizeof *mean);
+    double *mean = realloc(p->mean, (size_t)capacity * 3 * sizeof *mean);
 
     p->mean = mean ? mean : p->mean;
     position_origin *origin = realloc(p->origin, capacity * sizeof *origin);

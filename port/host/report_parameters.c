@@ -61,7 +61,7 @@ static double limit_of(const report_facts *f, unsigned kind)
 /* Standard deviation, or 0. */
 static double prior_of(const report_facts *f, unsigned kind)
 {
-    return kinds[kind].scale * f->result->settings.prior[3 * kind];
+    return kinds[kind].scale * f->result->settings.prior[3 * (size_t)kind];
 }
 
 static int is_beyond(const report_facts *f, unsigned kind, unsigned i)

@@ -10,8 +10,8 @@
 #include "message.h"
 
 #define RATE_GUESS 100.0
-#define ROOM 22           /* bits that the largest of the first readings takes, and its fraction */
-#define SMALLEST_UNIT -14 /* power of two, where nothing but zeros has been read */
+#define ROOM 22 /* bits that the largest of the first readings takes, and its fraction */
+#define SMALLEST_UNIT (-14) /* power of two, where nothing but zeros has been read */
 #define SKIPPED_MAX 100u
 
 enum { TIME = 3, TEMPERATURE = 4 };

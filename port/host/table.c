@@ -198,7 +198,7 @@ static int is_separator(const table *t, char c)
 }
 
 /* Ends a text at `end` or before, so that no blank is its last. */
-static void strip_end(char *start, char *end)
+static void strip_end(const char *start, char *end)
 {
     while (end > start && is_blank(end[-1])) {
         end--;

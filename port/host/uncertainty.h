@@ -24,7 +24,7 @@ typedef struct {
 void uncertainty_search(uncertainty *u);
 
 /* Sigma of the length in a direction. Takes an uncertainty, for sphere.h. */
-double uncertainty_sigma(const void *u, const double up[3]);
+double uncertainty_sigma(const void *context, const double up[3]);
 
 /* Shades a sphere with it: classes at round numbers from `least` to `most`; one class only, if
  * sigma is the same everywhere. u stays the caller's. */

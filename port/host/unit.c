@@ -68,6 +68,7 @@ double unit_parse_time(const char *text)
         {1, {"s", "sec", "secs", "second", "seconds"}},
         {1e3, {"ms", "msec", "millis", "milliseconds"}},
         {1e6,
+         /* NOLINTNEXTLINE(bugprone-suspicious-missing-comma): a macro and a text are one */
          {"us", "µs", "μs", LATIN1_MICRO "s", "usec", "micros", "microseconds"}}, /* all the mu */
         {1e9, {"ns", "nsec", "nanos", "nanoseconds"}},
     };
