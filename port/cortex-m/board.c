@@ -37,7 +37,7 @@ uint32_t board_count(void)
 }
 
 /* Memory for malloc, which some tests use: what lies between .noinit and the stack. */
-void *_sbrk(int more);
+void *_sbrk(int more); /* NOLINT(bugprone-reserved-identifier): newlib calls it so */
 void *_sbrk(int more)
 {
     extern char heap_start[];
