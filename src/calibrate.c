@@ -62,6 +62,17 @@ static invcal_status compare(const invcal_positions *positions, const invcal_set
     return INVCAL_OK;
 }
 
+/* Do the sums determine a solution in this number type? If not it is one of rounding errors, and
+ * readings calibrated by it may look well spread. A prior holds what is open. */
+INVCAL_APART static int is_resolved(const invcal_normal *normal, const invcal_settings *settings)
+{
+    invcal_real hth[INVCAL_PACKED_SIZE(INVCAL_PARAMETERS)];
+
+    invcal_normal_matrix(normal, hth);
+    return invcal_has_prior(settings) ||
+           invcal_condition(hth, INVCAL_PARAMETERS) * INVCAL_PIVOT_FLOOR < 1;
+}
+
 INVCAL_APART static invcal_status solve_and_assess(const invcal_normal *normal,
                                                    const invcal_positions *positions,
                                                    const invcal_settings *settings,
@@ -74,6 +85,9 @@ INVCAL_APART static invcal_status solve_and_assess(const invcal_normal *normal,
     if (status == INVCAL_NOT_ELLIPSOID && !invcal_has_prior(settings) &&
         invcal_undetermined(normal)) {
         return INVCAL_UNDETERMINED; /* what is left open may take any shape */
+    }
+    if (status == INVCAL_OK && !is_resolved(normal, settings)) {
+        return INVCAL_UNDETERMINED;
     }
     if (status == INVCAL_OK) {
         status = compare(positions, settings, solution, &residuals);

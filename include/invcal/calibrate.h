@@ -54,7 +54,10 @@ invcal_real invcal_faded(unsigned days);
  * normal     exact rows; of more positions than are kept, if so.
  * positions  those that are kept, one at least: they stand for all in the residuals.
  *
- * On failure solution and quality are lost. Returns as above. Stack: about 1,150 bytes.
+ * Returns as above; INVCAL_UNDETERMINED also if the condition of the sums themselves, in nominal
+ * units, exceeds 1 / INVCAL_PIVOT_FLOOR without a prior: the solution is then one of rounding
+ * errors, and invcal_assess, which sees the readings as it has calibrated them, may not notice.
+ * On failure solution and quality are lost. Stack: about 1,150 bytes.
  * quality->worst counts from 0 in positions. */
 invcal_status invcal_calibrate_sums(const invcal_normal *normal, const invcal_positions *positions,
                                     const invcal_settings *settings, invcal_solution *solution,
