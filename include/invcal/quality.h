@@ -63,9 +63,9 @@ typedef struct {
  *
  *     |parameter - exact|          <= INVCAL_LOSS_AGAIN  INVCAL_EPSILON sqrt(condition) */
 #define INVCAL_LOSS INVCAL_REAL(2.0)
-#define INVCAL_LOSS_SIGMA INVCAL_REAL(16.0)
+#define INVCAL_LOSS_SIGMA INVCAL_REAL(32.0)
 #define INVCAL_LOSS_LENGTH INVCAL_REAL(8.0)
-#define INVCAL_LOSS_AGAIN INVCAL_REAL(1.0)
+#define INVCAL_LOSS_AGAIN INVCAL_REAL(4.0)
 
 /* Judges a solution.
  *
