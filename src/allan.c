@@ -69,41 +69,57 @@ static int find_stage(uint32_t m, uint8_t *stage)
     return m >> t << t == m;
 }
 
-/* Puts m into the ring of its stage, the last one or a new one. */
-static invcal_status append(invcal_allan *a, uint32_t m)
+/* Are these averaging times, and is there a ring for every stage? */
+static invcal_status check_times(const uint32_t *m, unsigned count)
 {
+    unsigned rings = 0;
+    uint8_t last = 0;
     uint8_t stage;
 
-    if (!find_stage(m, &stage) || (a->taus > 0 && m <= a->tau[a->taus - 1].m)) {
-        return INVCAL_BAD_SETTING;
-    }
-    if (a->rings == 0 || stage != a->stage[a->rings - 1]) {
-        if (a->rings == INVCAL_ALLAN_RINGS) {
+    for (unsigned k = 0; k < count; k++) {
+        if (!find_stage(m[k], &stage) || (k > 0 && m[k] <= m[k - 1])) {
+            return INVCAL_BAD_SETTING;
+        }
+        rings += k == 0 || stage != last;
+        last = stage;
+        if (rings > INVCAL_ALLAN_RINGS) {
             return INVCAL_NO_SPACE;
         }
+    }
+    return INVCAL_OK;
+}
+
+/* Puts m into the ring of its stage, the last one or a new one. */
+static void append(invcal_allan *a, uint32_t m)
+{
+    uint8_t stage = 0;
+
+    (void)find_stage(m, &stage); /* checked before */
+    if (a->rings == 0 || stage != a->stage[a->rings - 1]) {
         a->stage[a->rings++] = stage;
     }
     a->tau[a->taus++].m = m;
     a->end[a->rings - 1] = a->taus;
-    return INVCAL_OK;
 }
 
 invcal_status invcal_allan_init(invcal_allan *allan, const uint32_t *m, unsigned count,
                                 invcal_allan_windows windows)
 {
-    invcal_status status = INVCAL_OK;
-
     INVCAL_ASSERT(allan);
     if (count < 1 || count > INVCAL_ALLAN_TAUS ||
         (windows != INVCAL_ALLAN_OVERLAPPING && windows != INVCAL_ALLAN_APART)) {
         return INVCAL_BAD_SETTING;
     }
+    const invcal_status status = m ? check_times(m, count) : INVCAL_OK;
+    if (status != INVCAL_OK) {
+        return status;
+    }
     memset(allan, 0, sizeof *allan);
     allan->windows = (uint8_t)windows;
-    for (unsigned k = 0; k < count && status == INVCAL_OK; k++) {
-        status = append(allan, m ? m[k] : UINT32_C(1) << k);
+    for (unsigned k = 0; k < count; k++) {
+        append(allan, m ? m[k] : UINT32_C(1) << k);
     }
-    return status;
+    return INVCAL_OK;
 }
 
 /* The difference that ends at the newest total, number `at` of its ring. */
@@ -420,6 +436,7 @@ invcal_status invcal_allan_noise(const invcal_allan *allan, invcal_real rate, in
 {
     curve c;
     mixture x;
+    invcal_noise n;
 
     INVCAL_ASSERT(allan && noise);
     if (!invcal_is_positive(rate) || !invcal_is_positive(lsb)) {
@@ -433,12 +450,17 @@ invcal_status invcal_allan_noise(const invcal_allan *allan, invcal_real rate, in
     if (x.kinds == 0) {
         return INVCAL_TOO_FEW;
     }
-    name_coefficients(&x, c.first.adev * lsb, (invcal_real)c.first.m / rate, noise);
-    noise->misfit = misfit(&c);
-    noise->minimum = c.lowest.adev * lsb;
-    noise->best = (invcal_real)c.lowest.m / rate;
-    noise->shortest = (invcal_real)c.first.m / rate;
-    noise->longest = (invcal_real)c.last.m / rate;
+    name_coefficients(&x, c.first.adev * lsb, (invcal_real)c.first.m / rate, &n);
+    n.misfit = misfit(&c);
+    n.minimum = c.lowest.adev * lsb;
+    n.best = (invcal_real)c.lowest.m / rate;
+    n.shortest = (invcal_real)c.first.m / rate;
+    n.longest = (invcal_real)c.last.m / rate;
+    if (!invcal_are_finite(n.coefficient) || !invcal_is_finite(n.minimum) ||
+        !invcal_is_finite(n.longest)) {
+        return INVCAL_BAD_SETTING;
+    }
+    *noise = n;
     return INVCAL_OK;
 }
 

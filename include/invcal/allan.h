@@ -160,9 +160,9 @@ typedef struct {
  * relative takes the averaging times for independent; for B and K, which tie them to each other,
  * it is doubled. Simulated records scatter by 0.3 to 1.1 of it.
  *
- * Returns INVCAL_OK; INVCAL_BAD_SETTING unless rate and lsb are positive; INVCAL_TOO_FEW if no
- * kind is visible: go on sampling, 20 of them show white noise. Readings that never change
- * show none.
+ * Returns INVCAL_OK; INVCAL_BAD_SETTING unless rate and lsb are positive, and such that the results
+ * fit the number type; INVCAL_TOO_FEW if no kind is visible: go on sampling, 20 of them show white
+ * noise. Readings that never change show none.
  * Cost: 62,000 instructions on a Cortex-M4F for 16 octaves. Stack: about 800 bytes (float). */
 invcal_status invcal_allan_noise(const invcal_allan *allan, invcal_real rate, invcal_real lsb,
                                  invcal_noise *noise);

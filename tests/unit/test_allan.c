@@ -264,16 +264,20 @@ static void unusable_lists_are_refused(void)
     invcal_allan a;
 
     for (unsigned i = 0; i < sizeof list / sizeof *list; i++) {
+        a.samples = 77;
         TEST_ASSERT_EQUAL_INT(list[i].expected, invcal_allan_init(&a, list[i].m, list[i].count,
                                                                   INVCAL_ALLAN_OVERLAPPING));
+        TEST_ASSERT_EQUAL_UINT32(list[i].expected == INVCAL_OK ? 0 : 77, a.samples);
     }
     TEST_ASSERT_EQUAL_INT(INVCAL_BAD_SETTING,
                           invcal_allan_init(&a, NULL, TAUS, (invcal_allan_windows)2));
     for (unsigned k = 0; k < TAUS; k++) {
         sparse[k] = (uint32_t)OVERLAP << k; /* a stage each */
     }
+    a.samples = 77;
     TEST_ASSERT_EQUAL_INT(INVCAL_NO_SPACE,
                           invcal_allan_init(&a, sparse, TAUS, INVCAL_ALLAN_OVERLAPPING));
+    TEST_ASSERT_EQUAL_UINT32(77, a.samples);
     TEST_ASSERT_EQUAL_INT(
         INVCAL_OK, invcal_allan_init(&a, sparse, INVCAL_ALLAN_RINGS, INVCAL_ALLAN_OVERLAPPING));
 }
@@ -737,6 +741,11 @@ static void unusable_rates_are_refused(void)
         TEST_ASSERT_EQUAL_INT(INVCAL_BAD_SETTING, invcal_allan_noise(&a, x, 1, &noise));
         TEST_ASSERT_EQUAL_INT(INVCAL_BAD_SETTING, invcal_allan_noise(&a, 1, x, &noise));
     }
+    /* results beyond the number type: white noise, deviations, the times themselves */
+    const invcal_real most = INVCAL_REAL_MAX;
+    TEST_ASSERT_EQUAL_INT(INVCAL_BAD_SETTING, invcal_allan_noise(&a, 1, most, &noise));
+    TEST_ASSERT_EQUAL_INT(INVCAL_BAD_SETTING, invcal_allan_noise(&a, 1 / most, 1, &noise));
+    TEST_ASSERT_EQUAL_INT(INVCAL_BAD_SETTING, invcal_allan_noise(&a, most, most / 9999, &noise));
     TEST_ASSERT_TRUE(noise.misfit == 77);
     TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_allan_noise(&a, 1, 1, &noise));
 }
