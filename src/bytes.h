@@ -85,6 +85,17 @@ static inline int invcal_is_sound(const uint8_t *bytes, uint32_t size)
     return invcal_crc32(0, bytes, end) == invcal_get_u32(bytes + end);
 }
 
+/* What is written as zeros where there is nothing to tell. */
+static inline int invcal_are_zero(const uint8_t *bytes, unsigned count)
+{
+    uint8_t any = 0;
+
+    for (unsigned i = 0; i < count; i++) {
+        any |= bytes[i];
+    }
+    return any == 0;
+}
+
 /* One way through many reals, with something to do at each: an action by name, as a pointer to a
  * function would be a constant that needs relocation. */
 typedef enum { INVCAL_PUT, INVCAL_GET, INVCAL_TO_FLOAT } invcal_action;

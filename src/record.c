@@ -6,7 +6,7 @@
 #include "bytes.h"
 #include "vector.h"
 
-enum { KIND = 0xCA, VERSION = 1, REALS_AT = 24 };
+enum { KIND = 0xCA, VERSION = 1, REALS_AT = 24, TEMPERATURE_AT = 32 };
 
 /* In the order of their bytes. */
 static void each_real(invcal_way *w, invcal_record *r)
@@ -103,7 +103,8 @@ invcal_status invcal_record_decode(const uint8_t *bytes, uint32_t size, invcal_r
     r.verdict = (invcal_verdict)bytes[22];
     r.temperature_known = bytes[23];
     each_real(&w, &r);
-    if (settle(&r) != INVCAL_OK) {
+    if (settle(&r) != INVCAL_OK ||
+        (!r.temperature_known && !invcal_are_zero(bytes + TEMPERATURE_AT, 4))) {
         return INVCAL_DAMAGED;
     }
     *out = r;

@@ -7,7 +7,7 @@
 #include "vector.h"
 
 enum { KIND = 0xC5, VERSION = 1 };
-enum { REALS_AT = 24, TABLE_AT = 164, POSITION_SIZE = 13, SUMS_SIZE = 164 };
+enum { REALS_AT = 24, START_AT = 116, TABLE_AT = 164, POSITION_SIZE = 13, SUMS_SIZE = 164 };
 
 /* A session without its table and sums. */
 typedef struct {
@@ -199,7 +199,7 @@ static int32_t get_i32(const uint8_t *bytes)
     return value;
 }
 
-/* Returns 0 if the length is not that of the content. */
+/* Returns 0 if the length is not that of the content, or there are angles of no plan. */
 static int get_head(const uint8_t *bytes, head *h)
 {
     invcal_way w = {INVCAL_GET, NULL, bytes + REALS_AT, 1};
@@ -219,7 +219,8 @@ static int get_head(const uint8_t *bytes, head *h)
     h->setup.low = get_i32(bytes + 16);
     h->setup.high = get_i32(bytes + 20);
     each_real(&w, h);
-    return length == length_of(h);
+    return length == length_of(h) && (h->setup.plan.per_group > 0 ||
+                                      invcal_are_zero(bytes + START_AT, 4 * INVCAL_PLAN_GROUPS));
 }
 
 static int are_positions(const uint8_t *bytes, const head *h)

@@ -248,6 +248,20 @@ static void an_unknown_temperature_is_not_looked_at(void)
     }
 }
 
+static void an_unknown_temperature_is_not_decoded(void)
+{
+    uint8_t bytes[SIZE];
+
+    for (unsigned i = 0; i < 4; i++) {
+        memcpy(bytes, golden, SIZE);
+        bytes[23] = 0;
+        memset(bytes + REALS_AT + 4 * TEMPERATURE, 0, 4);
+        bytes[REALS_AT + 4 * TEMPERATURE + i] = 0x80; /* the fourth is -0 */
+        seal_bytes(bytes, SIZE - 4);
+        TEST_ASSERT_TRUE(is_refused(INVCAL_DAMAGED, bytes, SIZE));
+    }
+}
+
 static void any_nonzero_mark_of_a_known_temperature_will_do(void)
 {
     invcal_record r = golden_record();
@@ -383,6 +397,9 @@ static void an_unknown_verdict_or_mark_is_neither_encoded_nor_decoded(void)
             invcal_record back;
             memcpy(bytes, golden, SIZE);
             bytes[at] = (uint8_t)value;
+            if (at == 23 && value == 0) {
+                memset(bytes + REALS_AT + 4 * TEMPERATURE, 0, 4);
+            }
             seal_bytes(bytes, SIZE - 4);
             if (value < (at == 22 ? 3u : 2u)) {
                 assert_decodes(bytes, SIZE, &back);
@@ -545,6 +562,7 @@ int main(void)
     RUN_TEST(a_record_comes_back_as_it_was);
     RUN_TEST(reals_at_the_limits_of_float_come_back);
     RUN_TEST(an_unknown_temperature_is_not_looked_at);
+    RUN_TEST(an_unknown_temperature_is_not_decoded);
     RUN_TEST(any_nonzero_mark_of_a_known_temperature_will_do);
     RUN_TEST(a_huge_condition_is_stored_as_the_largest_float);
     RUN_TEST(bytes_behind_a_record_are_not_looked_at);

@@ -261,7 +261,8 @@ static uint32_t write_session(invcal_session *s, uint8_t *bytes)
     put(&at, (uint32_t)s->setup.low, 4);
     put(&at, (uint32_t)s->setup.high, 4);
     for (unsigned i = 0; i < REALS; i++) {
-        put_real(&at, *real_of(s, i));
+        const int is_angle = i >= START && i < START + 3;
+        put_real(&at, is_angle && s->setup.plan.per_group == 0 ? 0 : *real_of(s, i));
     }
     for (unsigned i = 0; i < s->stored; i++) {
         for (unsigned k = 0; k < 3; k++) {
@@ -691,6 +692,22 @@ static void start_angles_without_a_program_are_not_looked_at(void)
     TEST_ASSERT_EACH_EQUAL_HEX8(0, bytes + REALS_AT + 4 * START, 12);
     const invcal_session back = decode(bytes, size);
     TEST_ASSERT_TRUE(back.setup.plan.start[1] >= 0 && back.setup.plan.start[1] <= 0);
+}
+
+static void start_angles_without_a_program_are_not_decoded(void)
+{
+    const scene s = make_scene(FREE_HAND, 5);
+    const invcal_session session = session_after(&s, 2);
+    uint8_t bytes[SIZE];
+    const uint32_t size = encode(&session, bytes);
+
+    for (unsigned i = 0; i < 12; i++) {
+        uint8_t *at = bytes + REALS_AT + 4 * START + i;
+        *at = 0x80; /* the fourth of each is -0 */
+        seal(bytes, size);
+        TEST_ASSERT_TRUE(is_refused(INVCAL_DAMAGED, bytes, size));
+        *at = 0;
+    }
 }
 
 static void many_positions_are_counted(void)
@@ -1436,6 +1453,7 @@ int main(void)
     RUN_TEST(a_program_whose_device_went_into_the_background_is_kept);
     RUN_TEST(many_positions_are_counted);
     RUN_TEST(start_angles_without_a_program_are_not_looked_at);
+    RUN_TEST(start_angles_without_a_program_are_not_decoded);
     RUN_TEST(bytes_behind_a_session_are_not_looked_at);
     RUN_TEST(rails_of_any_kind_come_back);
     RUN_TEST(a_number_that_is_not_finite_is_not_encoded);
