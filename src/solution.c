@@ -8,6 +8,7 @@
 #include "vector.h"
 
 #define RIDGE INVCAL_REAL(1e-4) /* of the largest diagonal element: between weak and good */
+#define LARGE (INVCAL_REAL_MAX * INVCAL_REAL(1e-6)) /* what comes of it fits the number type */
 
 static unsigned parameters_without_prior(const invcal_settings *settings)
 {
@@ -30,7 +31,7 @@ static int is_usable_number(invcal_real x) /* for what may be 0: not known */
     return x >= 0 && x <= INVCAL_REAL_MAX;
 }
 
-/* All but the nominal matrix. */
+/* All but the nominal calibration. */
 static int are_usable(const invcal_settings *settings)
 {
     for (unsigned r = 0; r < INVCAL_PARAMETERS; r++) {
@@ -38,17 +39,37 @@ static int are_usable(const invcal_settings *settings)
             return 0;
         }
     }
-    return invcal_are_finite(settings->nominal.offset) && invcal_is_positive(settings->field) &&
-           is_usable_number(settings->noise) && settings->noise <= settings->field &&
+    return invcal_is_positive(settings->field) && is_usable_number(settings->noise) &&
+           settings->noise <= settings->field &&
            (settings->noise > 0 || !invcal_has_prior(settings)) &&
            (settings->frame == INVCAL_FRAME_SYMMETRIC ||
             settings->frame == INVCAL_FRAME_TRIANGULAR);
 }
 
+/* Of the nominal calibration; a NaN is not. */
+static int are_moderate(const invcal_settings *settings, invcal_real inverse[3][3])
+{
+    for (unsigned i = 0; i < 3; i++) {
+        if (!(INVCAL_FABS(settings->nominal.offset[i]) <= LARGE)) {
+            return 0;
+        }
+        for (unsigned j = 0; j < 3; j++) {
+            if (!(INVCAL_FABS(settings->nominal.matrix[i][j]) <= LARGE &&
+                  INVCAL_FABS(inverse[i][j]) * settings->field <= LARGE)) {
+                return 0;
+            }
+        }
+    }
+    return 1;
+}
+
 static invcal_status check(const invcal_settings *settings, invcal_real inverse[3][3])
 {
-    return are_usable(settings) ? invcal_calibration_inverse(&settings->nominal, inverse)
-                                : INVCAL_BAD_SETTING;
+    return are_usable(settings) &&
+                   invcal_calibration_inverse(&settings->nominal, inverse) == INVCAL_OK &&
+                   are_moderate(settings, inverse)
+               ? INVCAL_OK
+               : INVCAL_BAD_SETTING;
 }
 
 invcal_status invcal_settings_check(const invcal_settings *settings)

@@ -77,7 +77,8 @@ uint16_t invcal_undetermined(const invcal_normal *normal);
  *
  * Returns INVCAL_OK; INVCAL_BAD_SETTING if a number is NaN or infinite, field is not positive,
  * noise negative or above field, a prior negative or stated without the noise, the nominal matrix
- * singular, or frame none of the two. */
+ * singular, frame none of the two; or if an offset, the matrix, or the field in raw units exceeds
+ * 1e-6 of the number type's largest: what is computed of them might not fit it. */
 invcal_status invcal_settings_check(const invcal_settings *settings);
 
 /* 1 if the settings hold a prior for any parameter, else 0. */

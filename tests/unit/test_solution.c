@@ -520,6 +520,39 @@ static void unusable_settings_are_refused_and_the_solution_left_alone(void)
     }
 }
 
+/* Matrix, field in raw units, offset: up to 1e-6 of the largest number, what comes of them is one. */
+static void numbers_too_large_for_their_result_are_refused(void)
+{
+    static const double beyond[] = {1.1, 0.9};
+    random_source random = random_start(8);
+    const triad_truth truth = triad_random(&random, 0.1);
+    reading_set set;
+    invcal_solution solution;
+
+    read_positions(&truth, expected_plan18, 18, 0, &random, &set);
+    const invcal_normal normal = normal_of(&set);
+    for (unsigned i = 0; i < 6; i++) {
+        const invcal_real large = INVCAL_REAL_MAX * (invcal_real)1e-6 * (invcal_real)beyond[i % 2];
+        invcal_settings s = unit_settings(0);
+        if (i < 2) {
+            s.nominal.matrix[2][2] = large;
+        } else if (i < 4) {
+            s.field = large;
+        } else {
+            s.nominal.offset[1] = -large;
+        }
+        TEST_ASSERT_EQUAL_INT(i % 2 ? INVCAL_OK : INVCAL_BAD_SETTING, invcal_settings_check(&s));
+        if (i % 2) {
+            TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_solve(&normal, &s, &solution));
+            for (unsigned k = 0; k < 3; k++) {
+                TEST_ASSERT_TRUE(solution.calibration.offset[k] - solution.calibration.offset[k] ==
+                                 0);
+                TEST_ASSERT_TRUE(solution.calibration.matrix[k][2] * 0 == 0);
+            }
+        }
+    }
+}
+
 static void unreal_sums_are_refused(void)
 {
     random_source random = random_start(9);
@@ -605,6 +638,7 @@ int main(void)
     RUN_TEST(noise_is_raised_only_where_a_prior_has_to_hold_something);
     RUN_TEST(a_prior_adds_the_square_of_noise_over_sigma_to_the_diagonal);
     RUN_TEST(unusable_settings_are_refused_and_the_solution_left_alone);
+    RUN_TEST(numbers_too_large_for_their_result_are_refused);
     RUN_TEST(unreal_sums_are_refused);
     RUN_TEST(the_deviation_is_put_together_from_dk_and_gamma);
     RUN_TEST(semi_axes_beyond_their_limits_are_no_triads);
