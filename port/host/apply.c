@@ -105,14 +105,14 @@ static int write_rows(FILE *spool, table *log, job *j)
     int more = 0;
     int failure = columns_find(log, COLUMNS_LOG, &where);
 
-    failure = failure ? failure : check_temperature(log, &where, j);
     if (failure) {
         return failure;
     }
     fprintf(spool, "%sx,y,z%s\n", where.index[COLUMN_TIME] >= 0 ? "t," : "",
             where.index[COLUMN_TEMPERATURE] >= 0 ? ",temperature" : "");
     while (!failure && !ferror(spool) && (more = table_next(log)) == 1) {
-        failure = columns_check_instance(log, &where);
+        failure = check_temperature(log, &where, j);
+        failure = failure ? failure : columns_check_instance(log, &where);
         failure = failure ? failure : write_row(spool, log, &where, j);
         rows++;
         progress_show(log, PROGRESS_ROWS);

@@ -158,6 +158,9 @@ for unit in temperature_raw 'temperature (counts)'; do
     refuses "counts are no temperature: $unit" 3 'no column of temperature in °C' \
         apply "$work/thermal.json" "$work/unit.csv"
 done
+printf 'x,y,z\n0.1,-0.2\n' > "$work/torn.csv"
+refuses "of a row that is wrong, too, one thing is said" 3 'torn.csv:2: 2 columns' \
+    apply "$work/thermal.json" "$work/torn.csv"
 accepts "unless one is stated" apply "$work/thermal.json" "$work/bare.csv" --temperature 70
 sed 's/,temperature$//; s/,70$//' "$work/edge.csv" > "$work/expected.csv"
 check "which does what the column does" same "$work/expected.csv" "$work/stdout"
