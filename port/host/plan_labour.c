@@ -2,6 +2,7 @@
 #include "plan_labour.h"
 
 #include <math.h>
+#include <string.h>
 
 #include "command.h"
 #include "plan.h"
@@ -214,6 +215,8 @@ int labour_find(labour *l, design *set)
 {
     const labour_row *const *best = l->best;
 
+    memset(l->rows, 0, sizeof l->rows);
+    memset(l->best, 0, sizeof l->best);
     try_stands(l);
     try_directions(l, set);
     if (!best[CHOICE_STAND] && !best[CHOICE_FREE]) {
