@@ -154,6 +154,11 @@ bench: ## instructions of each operation on emulated targets, against the budget
 rules: ## MISRA C:2012, clang-tidy, bounds of loops, complexity (TOOL=1: of the tool, minutes)
 	$(Q)sh tests/rules.sh $(BUILD) $(if $(TOOL),tool)
 
+SECONDS ?= 60
+fuzz: ## fuzzers of the library and the tool with sanitizers (SECONDS=60 each, DOUBLE=1, KEEP=1)
+	$(call need,clang-19)
+	$(Q)DOUBLE="$(DOUBLE)" KEEP="$(KEEP)" sh tests/fuzz.sh $(BUILD) $(SECONDS)
+
 schema: $(BUILD)/invcal ## what the tool prints as JSON, against port/host/schema.json
 	$(call need,python3)
 	$(Q)sh tests/tool/schema.sh $(BUILD)/invcal $(BUILD)/tool

@@ -1,0 +1,14 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * drive.h: a session is led by the fuzzer's bytes: rests, moves, any samples, gaps and whatever
+ * else can be asked of it. After every event it is looked at.
+ */
+#ifndef DRIVE_H
+#define DRIVE_H
+
+#include "fuzz.h"
+
+/* Until the bytes end. */
+void drive(invcal_session *session, source *s);
+
+#endif

@@ -1,0 +1,60 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * fuzz.h: what the fuzzers of the library share: inputs from the fuzzer's bytes, and what must hold
+ * of a result.
+ */
+#ifndef FUZZ_H
+#define FUZZ_H
+
+#include <stddef.h>
+#include <stdint.h>
+
+#include "invcal/invcal.h"
+
+/* The entry that libFuzzer calls. */
+int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
+
+/* The bytes, taken one after the other; behind their end there are zeros. */
+typedef struct {
+    const uint8_t *at;
+    size_t left;
+} source;
+
+uint8_t take_byte(source *s);
+uint32_t take_u32(source *s);
+int32_t take_i32(source *s);
+
+/* A number: the usual one as a rule (and where the bytes have ended), else near it, a power of ten,
+ * one of the special values (NaN, infinite, denormal, the largest ...), or any bits at all. */
+invcal_real take_real(source *s, invcal_real usual);
+
+/* Settings for readings of some thousand counts; all that they hold may be unusual. */
+invcal_settings take_settings(source *s);
+
+/* 24 directions, well spread. */
+void direction_of(unsigned number, invcal_real up[3]);
+
+/* Ends the program, with a message, if the condition does not hold. */
+#define REQUIRE(condition)                                                                         \
+    ((condition) ? (void)0 : fuzz_fail(__FILE__, __LINE__, #condition, __func__))
+void fuzz_fail(const char *file, int line, const char *condition, const char *function);
+
+int is_finite(invcal_real x);
+
+/* count numbers, finite; or a standard deviation each: finite and not negative. */
+void require_finite(const invcal_real *x, unsigned count);
+void require_sigma(const invcal_real *x, unsigned count);
+
+/* A calibration that may be used: finite, its matrix regular. */
+void require_calibration(const invcal_calibration *calibration);
+
+/* The same, and positive definite against its nominal, semi-axes within 0.1 ... 10. */
+void require_solution(const invcal_solution *solution);
+
+void require_quality(const invcal_quality *quality);
+
+/* An output that must stay as it is where a function fails: marked before, looked at behind. */
+void mark(void *object, size_t size);
+void require_mark(const void *object, size_t size);
+
+#endif

@@ -1,0 +1,313 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * Bytes that may be anything as a record, as a session and as the two slots of a flash memory.
+ * What is accepted packs again to the same bytes, and is sane; a session that is accepted goes on
+ * being fed. The store finds the old record or the new one, wherever power fails.
+ * fuzz: at least 100 inputs a second
+ */
+#include <stdlib.h>
+#include <string.h>
+
+#include "bytes.h"
+#include "drive.h"
+
+/* ---- records and sessions --------------------------------------------------------------------- */
+
+/* Puts the right CRC where the length says that there is one. */
+static void repair(uint8_t *bytes, size_t size)
+{
+    const size_t length = size >= INVCAL_SOUND_MIN ? invcal_get_u16(bytes + 2) : 0;
+
+    if (length >= INVCAL_SOUND_MIN && length <= size) {
+        const uint32_t end = (uint32_t)length - INVCAL_CRC_SIZE;
+        invcal_put_u32(bytes + end, invcal_crc32(0, bytes, end));
+    }
+}
+
+static void look_at_record(const uint8_t *bytes, uint32_t size)
+{
+    uint8_t again[INVCAL_RECORD_SIZE];
+    invcal_record r;
+
+    mark(&r, sizeof r);
+    if (invcal_record_decode(bytes, size, &r) != INVCAL_OK) {
+        require_mark(&r, sizeof r);
+        return;
+    }
+    require_calibration(&r.calibration);
+    require_finite(r.delta, 3);
+    require_finite(r.dk, 3);
+    require_finite(r.gamma, 3);
+    require_finite(r.sigma_offset, 3);
+    require_finite(r.sigma_delta, 3);
+    require_finite(r.sigma_dk, 3);
+    require_finite(r.sigma_gamma, 3);
+    REQUIRE(is_finite(r.field) && r.field > 0);
+    REQUIRE(r.verdict <= INVCAL_WEAK && r.temperature_known <= 1);
+    REQUIRE(invcal_record_encode(&r, again) == INVCAL_OK);
+    REQUIRE(memcmp(bytes, again, sizeof again) == 0);
+}
+
+/* Bytes behind those of the session lead it on. */
+static void look_at_session(const uint8_t *bytes, uint32_t size)
+{
+    uint8_t again[INVCAL_RESUME_SIZE];
+    invcal_session session;
+    uint32_t length;
+
+    mark(&session, sizeof session);
+    if (invcal_resume_decode(bytes, size, &session) != INVCAL_OK) {
+        require_mark(&session, sizeof session);
+        return;
+    }
+    REQUIRE(invcal_resume_encode(&session, again, &length) == INVCAL_OK);
+    REQUIRE(length <= size && memcmp(bytes, again, length) == 0);
+    source s = {bytes + length, size - length};
+    drive(&session, &s);
+}
+
+static void unpack(source *s, unsigned how)
+{
+    const uint32_t size = (uint32_t)s->left;
+    uint8_t *bytes = malloc(size + !size); /* its own, so that no byte behind it may be read */
+
+    REQUIRE(bytes);
+    memcpy(bytes, s->at, size);
+    if (how & 1u) {
+        repair(bytes, size);
+    }
+    look_at_record(bytes, size);
+    look_at_session(bytes, size);
+    free(bytes);
+}
+
+/* A record of any numbers: what packs can be read. */
+static void pack(source *s)
+{
+    uint8_t bytes[INVCAL_RECORD_SIZE];
+    invcal_record r;
+
+    memset(&r, 0, sizeof r);
+    for (unsigned i = 0; i < 3; i++) {
+        r.calibration.offset[i] = take_real(s, 10);
+        for (unsigned j = 0; j < 3; j++) {
+            r.calibration.matrix[i][j] = take_real(s, i == j);
+        }
+        r.sigma_offset[i] = take_real(s, 1);
+    }
+    r.field = take_real(s, 1);
+    r.temperature_known = take_byte(s);
+    r.temperature = take_real(s, 25);
+    r.condition = take_real(s, 10);
+    r.verdict = (invcal_verdict)(take_byte(s) % 5);
+    mark(bytes, sizeof bytes);
+    if (invcal_record_encode(&r, bytes) != INVCAL_OK) {
+        require_mark(bytes, sizeof bytes);
+        return;
+    }
+    look_at_record(bytes, sizeof bytes);
+    REQUIRE(invcal_record_decode(bytes, sizeof bytes, &r) == INVCAL_OK);
+}
+
+/* ---- the store -------------------------------------------------------------------------------- */
+
+enum { SLOT_MOST = 160 };
+
+/* The flash memory, and what befalls it. */
+typedef struct {
+    source *s;
+    uint32_t slot_size, granularity;
+    uint8_t cell[2][SLOT_MOST];
+    uint8_t used[2][SLOT_MOST]; /* programmed since the slot was erased: not to be again */
+    unsigned steps;             /* erasures and granules until power fails, */
+    int is_off;                 /* and then nothing goes any more */
+    int misreads;               /* reading may fail */
+} flash;
+
+static int flash_read(void *context, unsigned slot, uint32_t offset, uint8_t *bytes, uint32_t size)
+{
+    flash *f = context;
+
+    REQUIRE(slot < 2 && size <= 32 && offset <= f->slot_size && size <= f->slot_size - offset);
+    if (f->is_off || (f->misreads && take_byte(f->s) % 4 == 1)) {
+        return -1;
+    }
+    memcpy(bytes, f->cell[slot] + offset, size);
+    return 0;
+}
+
+/* Does power fail in this step? */
+static int fails(flash *f)
+{
+    if (f->steps == 0) {
+        f->is_off = 1;
+    }
+    f->steps -= !f->is_off;
+    return f->is_off;
+}
+
+/* Cut off, some bits have changed already. */
+static int flash_erase(void *context, unsigned slot)
+{
+    flash *f = context;
+
+    REQUIRE(slot < 2);
+    if (f->is_off) {
+        return -1;
+    }
+    const int is_cut = fails(f);
+    for (uint32_t i = 0; i < f->slot_size; i++) {
+        f->cell[slot][i] |= is_cut ? take_byte(f->s) : 0xFF;
+        f->used[slot][i] = (uint8_t)is_cut;
+    }
+    return is_cut ? -1 : 0;
+}
+
+static int program_granule(flash *f, unsigned slot, uint32_t offset, const uint8_t *bytes)
+{
+    const int is_cut = fails(f);
+
+    for (uint32_t i = 0; i < f->granularity; i++) {
+        uint8_t *cell = &f->cell[slot][offset + i];
+        REQUIRE(!f->used[slot][offset + i]);
+        *cell &= is_cut ? bytes[i] | take_byte(f->s) : bytes[i];
+        f->used[slot][offset + i] = 1;
+    }
+    return is_cut;
+}
+
+static int flash_program(void *context, unsigned slot, uint32_t offset, const uint8_t *bytes,
+                         uint32_t size)
+{
+    flash *f = context;
+
+    REQUIRE(slot < 2 && size > 0 && size <= 32);
+    REQUIRE(offset % f->granularity == 0 && size % f->granularity == 0);
+    REQUIRE(offset <= f->slot_size && size <= f->slot_size - offset);
+    for (uint32_t at = 0; at < size; at += f->granularity) {
+        if (f->is_off || program_granule(f, slot, offset + at, bytes + at)) {
+            return -1;
+        }
+    }
+    return 0;
+}
+
+/* The right CRC for what a slot holds, so that it is one of a record. */
+static void repair_slot(flash *f, unsigned slot)
+{
+    uint8_t *cell = f->cell[slot];
+    const uint32_t g = f->granularity;
+
+    if (f->slot_size >= 16 && g >= 1 && g <= 32 && (g & (g - 1)) == 0) {
+        const uint32_t end = (invcal_get_u16(cell + 2) + 12u + g - 1) & ~(g - 1);
+        if (end <= f->slot_size) {
+            invcal_put_u32(cell + end - 4, invcal_crc32(0, cell, end - 4));
+        }
+    }
+}
+
+/* What is loaded. */
+typedef struct {
+    invcal_status status;
+    uint32_t size;
+    uint8_t bytes[SLOT_MOST];
+} content;
+
+static void load(const invcal_store *store, content *c)
+{
+    memset(c, 0, sizeof *c);
+    c->status = invcal_store_load(store, c->bytes, SLOT_MOST, &c->size);
+    REQUIRE(c->status == INVCAL_OK || c->size == 0);
+    REQUIRE(c->size <= SLOT_MOST);
+}
+
+static int is_same(const content *a, const content *b)
+{
+    return a->status == b->status && a->size == b->size && memcmp(a->bytes, b->bytes, a->size) == 0;
+}
+
+static invcal_status save(flash *f, const invcal_store *store, content *wish)
+{
+    memset(wish, 0, sizeof *wish);
+    wish->size = take_byte(f->s) % SLOT_MOST;
+    for (uint32_t i = 0; i < wish->size; i++) {
+        wish->bytes[i] = (uint8_t)(take_byte(f->s) + i);
+    }
+    return invcal_store_save(store, wish->bytes, wish->size);
+}
+
+/* One save or erasure, with or without a power cut; what is loaded behind it is what was there, or
+ * what was to be there. */
+static void change(flash *f, const invcal_store *store)
+{
+    const unsigned what = take_byte(f->s);
+    content before;
+    content wish;
+    content after;
+    invcal_status status;
+
+    load(store, &before);
+    f->steps = what & 1u ? take_byte(f->s) : UINT32_MAX;
+    f->misreads = (what & 14u) == 14;
+    if (what & 16u) {
+        memset(&wish, 0, sizeof wish);
+        wish.status = INVCAL_NO_RECORD;
+        status = invcal_store_erase(store);
+    } else {
+        status = save(f, store, &wish);
+    }
+    const int may_be_lost = f->misreads;
+    f->is_off = 0;
+    f->misreads = 0;
+    f->steps = UINT32_MAX;
+    load(store, &after);
+    if (status == INVCAL_OK) {
+        REQUIRE(is_same(&after, &wish));
+    } else {
+        REQUIRE(may_be_lost || is_same(&after, &before) || is_same(&after, &wish));
+    }
+}
+
+static void use_store(source *s)
+{
+    flash f = {.s = s, .steps = UINT32_MAX};
+    const unsigned setup = take_byte(s);
+
+    f.granularity = setup & 8u ? take_byte(s) : 1u << setup % 6;
+    f.slot_size = take_byte(s) % (SLOT_MOST + 1);
+    for (unsigned slot = 0; slot < 2; slot++) {
+        const unsigned kind = take_byte(s);
+        memset(f.cell[slot], 0xFF, SLOT_MOST);
+        for (uint32_t i = 0; i < f.slot_size && kind & 1u; i++) {
+            f.cell[slot][i] = take_byte(s);
+        }
+        memset(f.used[slot], kind & 1u, SLOT_MOST);
+        if (kind & 2u) {
+            repair_slot(&f, slot);
+        }
+    }
+    const invcal_store store = {flash_read, flash_erase, flash_program,
+                                &f,         f.slot_size, f.granularity};
+    for (unsigned i = 0; i < 8 && s->left > 0; i++) {
+        change(&f, &store);
+    }
+}
+
+int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
+{
+    source s = {data, size};
+    const unsigned what = take_byte(&s);
+
+    switch (what & 3u) {
+    case 0:
+        use_store(&s);
+        break;
+    case 1:
+        pack(&s);
+        break;
+    default: /* 2, or 3 with a right CRC */
+        unpack(&s, what);
+        break;
+    }
+    return 0;
+}
