@@ -137,6 +137,10 @@ coverage: ## what the tests reach: lines, branches, MC/DC of src/, lines of the 
 check: schema ## the tests under gcc and clang, C99 and C11, with sanitizers, warnings as errors
 	$(Q)sh tests/check.sh $(BUILD)/check
 
+mutation: ## do the unit tests notice small changes of src/? (SAMPLE=, SEED=, ONLY=files, V=1)
+	$(call need,python3)
+	$(Q)CC="$(CC)" sh tests/mutation.sh $(BUILD) $(or $(SAMPLE),150) $(or $(SEED),1) $(ONLY)
+
 targets: $(BUILD)/float/digest ## the unit tests on emulated targets, and the same bits on all of them
 	$(Q)sh tests/targets.sh $(BUILD) $(TARGETS)
 

@@ -1,0 +1,26 @@
+#!/bin/sh
+# SPDX-License-Identifier: MIT
+#
+# sh tests/mutation.sh BUILD SAMPLE SEED [FILE...]
+# Do the unit tests notice small changes of the library? Builds them and runs tests/mutation/run.py,
+# whose head says the rest. Prints survivors that are not known, a table, and at the end
+# `N passed, N failed`.
+out=$1/mutation
+export CC="${CC:-cc}"
+cd "$(dirname "$0")/.." || exit 1
+
+suites() { # BUILD: the suites in it
+    for suite in tests/unit/test_*.c; do
+        name=$(basename "$suite" .c)
+        echo "$1/float/$name $1/double/$name"
+    done
+}
+# There a suite stops at its first failure, and tries one of ten where it tries many.
+stop='-O2 -DTEST_SHORT=10 -include stdlib.h
+    "-DUNITY_OUTPUT_FLUSH()=if (Unity.CurrentTestFailed) exit(1)"'
+# shellcheck disable=SC2046 # names without blanks
+make -s -j2 BUILD="$1" $(suites "$1") > /dev/null &&
+    make -s -j2 BUILD="$out" CFLAGS="$(echo "$stop" | tr '\n' ' ')" $(suites "$out") > /dev/null &&
+    exec python3 tests/mutation/run.py "$@"
+echo '0 passed, 1 failed'
+exit 1

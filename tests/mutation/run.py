@@ -1,0 +1,193 @@
+# SPDX-License-Identifier: MIT
+"""python3 run.py BUILD SAMPLE SEED [FILE...]
+
+Runs the unit tests on SAMPLE mutants of the FILEs (default: all of src/), two at a time, and demands
+that they kill 90 % of them. BUILD has the tests, BUILD/mutation those with TEST_SHORT: mutation.sh
+makes both. A mutant is killed when it makes a suite fail, crash or take forever: in float, in double,
+and in float with the sanitizers of `make check`, the short form of every suite that links the room,
+its own and the quick ones first; then, in float, the whole suite of the room.
+One that compiles to the same bytes, or to none, is no mutant and not counted.
+
+Survivors stand in survivors.txt with a reason, which changes no figure. One that does not is
+printed, and so is an entry that is not true any more. V=1: a line for each mutant.
+"""
+import concurrent.futures
+import filecmp
+import glob
+import os
+import re
+import shutil
+import subprocess
+import sys
+import tempfile
+import time
+
+import mutants
+
+CC = os.environ["CC"].split()
+FLAGS = "-std=c99 -ffp-contract=off -O2 -w -Iinclude".split()  # the same code as in BUILD/mutation
+LEAST = 0.90
+SECONDS = {"short": 5, "full": 60}  # of the processor; whole suites take 0.2 and 10 at most
+SANITIZE = ["-fsanitize=address,undefined", "-fno-sanitize-recover=all"]  # as in `make check`
+ROUNDS = (("short", "float", []), ("short", "double", []), ("short", "float", SANITIZE),
+          ("full", "float", []))
+RESULTS = ("killed", "survived", "same", "invalid")
+
+
+def name_of(path):
+    return os.path.splitext(os.path.basename(path))[0]
+
+
+def read(path):
+    with open(path, encoding="utf-8") as file:
+        return file.read()
+
+
+# ---- building and running ------------------------------------------------------------------------
+
+def compiled(folder, room, real, options):
+    """The object of folder/src/room.c, or None if that is no C."""
+    path = "%s/%s.o" % (folder, room)
+    done = subprocess.run([*CC, *FLAGS, *options, "-DINVCAL_DOUBLE=%d" % (real == "double"),
+                           "-c", "-o", path, "%s/src/%s.c" % (folder, room)],
+                          stderr=subprocess.DEVNULL, check=False)
+    return path if done.returncode == 0 else None
+
+
+def same_bytes(a, b):
+    return filecmp.cmp(a, b, shallow=False)
+
+
+def link(tests, suite, objects, program, *options):
+    return subprocess.run([*CC, "%s/tests/unit/%s.o" % (tests, suite), *objects,
+                           tests + "/tests/unit/support.o", tests + "/unity.o",
+                           tests + "/libinvcal.a", "-lm", "-o", program, *options],
+                          check=True, capture_output=True, text=True).stdout
+
+
+def passes(program, seconds):
+    limits = 'ulimit -c 0; ulimit -t %d; exec "$0"' % seconds
+    return subprocess.run(["sh", "-c", limits, program], stdout=subprocess.DEVNULL,
+                          stderr=subprocess.DEVNULL, check=False).returncode == 0
+
+
+class Workshop:
+    """What all mutants need: which suites link which rooms, and what they cost."""
+
+    def __init__(self, build, folder):
+        self.tests = {"short": build + "/mutation", "full": build}
+        self.rooms, self.cost = {}, {}
+        for suite in map(name_of, glob.glob("tests/unit/test_*.c")):
+            said = link(self.tests["short"] + "/float", suite, [], folder + "/suite", "-Wl,-M")
+            self.rooms[suite] = set(re.findall(r"libinvcal\.a\((\w+)\.o\)", said))
+            start = time.perf_counter()
+            if not passes(folder + "/suite", SECONDS["short"]):
+                sys.exit(suite + " fails, and nothing is changed yet")
+            self.cost[suite] = time.perf_counter() - start
+
+    def suites(self, kind, file, rooms):
+        own = "test_" + name_of(file)
+        if kind == "full":
+            return [own] if own in self.rooms else []
+        return sorted((s for s in self.rooms if self.rooms[s] & rooms),
+                      key=lambda s: (s != own, self.cost[s]))
+
+    def judge(self, mutant):
+        """One of RESULTS, and what killed it."""
+        rooms = rooms_with(mutant.file)
+        differs = False
+        with tempfile.TemporaryDirectory() as folder:
+            shutil.copytree("src", folder + "/src")
+            with open("%s/%s" % (folder, mutant.file), "w", encoding="utf-8") as file:
+                file.write(mutants.apply(mutant, read(mutant.file)))
+            for kind, real, options in ROUNDS:
+                tests = "%s/%s" % (self.tests[kind], real)
+                objects = [compiled(folder, room, real, options) for room in rooms]
+                if None in objects:
+                    return "invalid", ""
+                if ROUNDS.index((kind, real, options)) < 2:
+                    if all(same_bytes(o, "%s/src/%s" % (tests, os.path.basename(o)))
+                           for o in objects):
+                        continue
+                    differs = True
+                if not differs:
+                    break
+                for suite in self.suites(kind, mutant.file, rooms):
+                    link(tests, suite, objects, folder + "/suite", *options)
+                    if not passes(folder + "/suite", SECONDS[kind]):
+                        return "killed", " ".join(["by", kind, suite, real, *options[:1]])
+        return "survived" if differs else "same", ""
+
+
+def rooms_with(file):
+    """The rooms that a source is compiled into: itself, or those that include a header."""
+    found = {os.path.basename(file)}
+    for _ in range(3):  # headers include headers
+        for other in glob.glob("src/*.[ch]"):
+            if found & set(re.findall(r'#include "(\w+\.h)"', read(other))):
+                found.add(os.path.basename(other))
+    return {name_of(f) for f in found if f.endswith(".c")}
+
+
+# ---- what is known, and what came out ------------------------------------------------------------
+
+def known_survivors():
+    """All (file, before, after): `file`, then `- before` and `+ after`, under reasons."""
+    file, before = "", ""
+    for line in read("tests/mutation/survivors.txt").splitlines():
+        if line.startswith("src/"):
+            file = line
+        elif line.startswith("- "):
+            before = line[2:]
+        elif line.startswith("+ "):
+            yield file, before, line[2:]
+
+
+def show(mutant, result, by, known):
+    change = "    - %s\n    + %s" % (mutant.before, mutant.after)
+    if os.environ.get("V"):
+        print("%s:%d %s %s\n%s" % (mutant.file, mutant.line, result, by, change), flush=True)
+    elif result == "survived" and (mutant.file, mutant.before, mutant.after) not in known:
+        print("%s:%d survived, and is not in survivors.txt:\n%s" %
+              (mutant.file, mutant.line, change), flush=True)
+
+
+def summary(counts):
+    total = [sum(count[i] for count in counts.values()) for i in range(len(RESULTS))]
+    print("%-20s %8s %8s %8s %8s %8s" % (("", ) + RESULTS + ("killed", )))
+    for file, count in sorted(counts.items()) + [("all", total)]:
+        valid = count[0] + count[1]
+        print("%-20s %8d %8d %8d %8d %6.1f %%" %
+              (file, *count, 100 * count[0] / valid if valid else 100))
+    return total[0] >= LEAST * (total[0] + total[1]) > 0
+
+
+def main():
+    build, sample, seed = sys.argv[1], int(sys.argv[2]), sys.argv[3]
+    files = sys.argv[4:] or sorted(glob.glob("src/*.[ch]"))
+    statuses = set(re.findall(r"^    (INVCAL_\w+)",
+                              read("include/invcal/status.h").split("INVCAL_STATUS_COUNT")[0], re.M))
+    everything = [m for f in files for m in mutants.mutants_of(f, statuses, seed)]
+    chosen = sorted(everything, key=lambda m: m.key)[:sample]
+    known = {k for k in known_survivors() if k[0] in files}
+    gone = known - {(m.file, m.before, m.after) for m in everything}
+    counts, results = {}, {}
+    with tempfile.TemporaryDirectory() as folder, \
+            concurrent.futures.ThreadPoolExecutor(2) as pool:
+        workshop = Workshop(build, folder)
+        for mutant, (result, by) in zip(chosen, pool.map(workshop.judge, chosen)):
+            show(mutant, result, by, known)
+            counts.setdefault(mutant.file, [0] * len(RESULTS))[RESULTS.index(result)] += 1
+            results.setdefault((mutant.file, mutant.before, mutant.after), set()).add(result)
+    killed = {k for k in known if k in results and "survived" not in results[k]}
+    for file, before, after in sorted(gone | killed):
+        print("survivors.txt is stale, this is %s: %s\n    - %s\n    + %s" %
+              ("gone" if (file, before, after) in gone else "killed", file, before, after))
+    good = summary(counts)
+    print("%d of %d possible mutants tried; at least %.0f %% are to be killed" %
+          (len(chosen), len(everything), 100 * LEAST))
+    print("%d passed, %d failed" % (good, not good))
+    sys.exit(not good)
+
+
+main()
