@@ -3,9 +3,9 @@
 
 Runs the unit tests on SAMPLE mutants of the FILEs (default: all of src/), two at a time, and demands
 that they kill 90 % of them. BUILD has the tests, BUILD/mutation those with TEST_SHORT: mutation.sh
-makes both. A mutant is killed when it makes a suite fail, crash or take forever: in float, in double,
-and in float with the sanitizers of `make check`, the short form of every suite that links the room,
-its own and the quick ones first; then, in float, the whole suite of the room.
+makes both. A mutant is killed when it makes a suite fail, crash or take forever: the short form of
+every suite that links the room, its own and the quick ones first, in float and in double; then, in
+float, the room's own with the sanitizers of `make check`, and its own as a whole.
 One that compiles to the same bytes, or to none, is no mutant and not counted.
 
 Survivors stand in survivors.txt with a reason, which changes no figure. One that does not is
@@ -27,10 +27,10 @@ import mutants
 CC = os.environ["CC"].split()
 FLAGS = "-std=c99 -ffp-contract=off -O2 -w -Iinclude".split()  # the same code as in BUILD/mutation
 LEAST = 0.90
-SECONDS = {"short": 5, "full": 60}  # of the processor; whole suites take 0.2 and 10 at most
+SECONDS = {"short": 5, "own": 5, "full": 60}  # of the processor; suites take 0.2 and 10 at most
 SANITIZE = ["-fsanitize=address,undefined", "-fno-sanitize-recover=all"]  # as in `make check`
-ROUNDS = (("short", "float", []), ("short", "double", []), ("short", "float", SANITIZE),
-          ("full", "float", []))
+ROUNDS = (("short", "float", []), ("short", "double", []), ("own", "float", SANITIZE),
+          ("full", "float", []))  # which suites
 RESULTS = ("killed", "survived", "same", "invalid")
 
 
@@ -75,7 +75,7 @@ class Workshop:
     """What all mutants need: which suites link which rooms, and what they cost."""
 
     def __init__(self, build, folder):
-        self.tests = {"short": build + "/mutation", "full": build}
+        self.tests = {"short": build + "/mutation", "own": build + "/mutation", "full": build}
         self.rooms, self.cost = {}, {}
         for suite in map(name_of, glob.glob("tests/unit/test_*.c")):
             said = link(self.tests["short"] + "/float", suite, [], folder + "/suite", "-Wl,-M")
@@ -87,9 +87,9 @@ class Workshop:
 
     def suites(self, kind, file, rooms):
         own = "test_" + name_of(file)
-        if kind == "full":
-            return [own] if own in self.rooms else []
-        return sorted((s for s in self.rooms if self.rooms[s] & rooms),
+        if kind != "short" and own in self.rooms:
+            return [own]
+        return sorted((s for s in self.rooms if kind != "full" and self.rooms[s] & rooms),
                       key=lambda s: (s != own, self.cost[s]))
 
     def judge(self, mutant):

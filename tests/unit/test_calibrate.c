@@ -285,6 +285,31 @@ static void a_partial_prior_needs_as_many_positions_as_it_leaves_open(void)
                           calibrate_set(&set, &settings, &solution, &quality, NULL));
 }
 
+/* Readings so exact that the prior is 2000 times their noise: what it alone holds has a K that would
+ * be hopeless without it. */
+static void what_a_prior_holds_is_never_hopeless(void)
+{
+    random_source random = random_start(5);
+    const triad_truth truth = triad_random(&random, 0.01);
+    static const double face[6][3] = {{1, 0, 0},  {0, 1, 0},  {0, 0, 1},
+                                      {-1, 0, 0}, {0, -1, 0}, {0, 0, -1}};
+    invcal_settings settings = unit_settings(5e-6);
+    reading_set set;
+    invcal_solution solution;
+    invcal_quality quality;
+
+    for (int r = 6; r < 9; r++) {
+        settings.prior[r] = (invcal_real)0.01;
+    }
+    read_positions(&truth, face, 6, 5e-6, &random, &set);
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, calibrate_set(&set, &settings, &solution, &quality, NULL));
+    TEST_ASSERT_EQUAL_INT(INVCAL_WEAK, quality.verdict);
+    TEST_ASSERT_EQUAL_HEX16(0x1C0, quality.from_prior);
+    for (int i = 0; i < 3; i++) {
+        TEST_ASSERT_DOUBLE_WITHIN(2e-4, 0.01, (double)quality.sigma_gamma[i]);
+    }
+}
+
 /* Residuals larger than the stated noise make the prior count for more, never for less. */
 static void a_prior_is_weighed_against_the_noise_that_is_there(void)
 {
@@ -455,6 +480,7 @@ int main(void)
     RUN_TEST(unusable_settings_are_no_fault_of_a_position);
     RUN_TEST(no_position_at_all_is_too_few);
     RUN_TEST(a_partial_prior_needs_as_many_positions_as_it_leaves_open);
+    RUN_TEST(what_a_prior_holds_is_never_hopeless);
     RUN_TEST(a_prior_is_weighed_against_the_noise_that_is_there);
     RUN_TEST(a_prior_weighs_the_same_in_any_unit);
     RUN_TEST(coverage_beside_a_prior_is_that_of_the_residuals);

@@ -202,6 +202,22 @@ static void exact_and_linear_rows_do_not_mix(void)
     TEST_ASSERT_EQUAL_MEMORY(&before, &n, sizeof n);
 }
 
+/* Of one row, too: it is the first that tells. */
+static void empty_sums_take_the_kind_of_those_merged_in(void)
+{
+    const invcal_real up[3] = {0, 0, 1};
+    invcal_observation vertical;
+    invcal_normal linear;
+    invcal_normal n;
+
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_observation_vertical(up, up, &vertical));
+    invcal_normal_init(&linear);
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_normal_add(&linear, &vertical, 1));
+    invcal_normal_init(&n);
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_normal_merge(&n, &linear));
+    TEST_ASSERT_EQUAL_MEMORY(&linear, &n, sizeof n);
+}
+
 static void without_their_last_row_the_sums_are_empty(void)
 {
     invcal_normal n;
@@ -259,6 +275,7 @@ int main(void)
     RUN_TEST(scaling_lets_all_sums_fade_alike);
     RUN_TEST(unusable_weights_and_factors_are_refused);
     RUN_TEST(exact_and_linear_rows_do_not_mix);
+    RUN_TEST(empty_sums_take_the_kind_of_those_merged_in);
     RUN_TEST(without_their_last_row_the_sums_are_empty);
     RUN_TEST(the_count_does_not_wrap);
     RUN_TEST(nothing_can_be_removed_from_empty_sums);

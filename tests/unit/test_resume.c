@@ -528,6 +528,24 @@ static void the_bytes_of_the_table_give_the_session(void)
     assert_same(&expected, &s);
 }
 
+/* It is the range that tells, however small: not which side of zero it lies on. */
+static void a_thermometer_is_known_by_what_it_has_shown(void)
+{
+    static const struct {
+        double coldest, warmest;
+        unsigned measured;
+    } shown[] = {{0, 0, 0}, {0, 0.25, 2}, {-0.25, 0, 2}, {-0.5, -0.25, 2}, {0.25, 0.5, 2}};
+
+    for (unsigned k = 0; k < sizeof shown / sizeof shown[0]; k++) {
+        invcal_session s = golden_session();
+        uint8_t bytes[SIZE];
+        s.coldest = (invcal_real)shown[k].coldest;
+        s.warmest = (invcal_real)shown[k].warmest;
+        const uint32_t size = encode(&s, bytes);
+        TEST_ASSERT_EQUAL_UINT(shown[k].measured, decode(bytes, size).measured);
+    }
+}
+
 static void the_length_depends_on_the_positions(void)
 {
     const scene program = make_scene(PROGRAM, 1);
@@ -1445,6 +1463,7 @@ int main(void)
     UNITY_BEGIN();
     RUN_TEST(a_session_has_the_bytes_of_the_table);
     RUN_TEST(the_bytes_of_the_table_give_the_session);
+    RUN_TEST(a_thermometer_is_known_by_what_it_has_shown);
     RUN_SLOW_TEST(the_length_depends_on_the_positions);
     RUN_SLOW_TEST(a_session_comes_back_as_it_was);
     RUN_SLOW_TEST(positions_fade_the_same_after_a_reset);

@@ -2142,6 +2142,24 @@ static void in_the_background_temperatures_count_for_what_is_taken(void)
     temperatures_are(30, 30, 30);
 }
 
+/* The mean is over the positions that are there. */
+static void temperatures_fade_with_their_positions(void)
+{
+    begin(background(), 0.02, 87);
+    b.temperature = 30;
+    for (unsigned i = 0; i < 3; i++) {
+        (void)put_down(expected_faces_and_edges[i]);
+    }
+    temperatures_are(30, 30, 30);
+    for (unsigned day = 0; day < 100; day++) {
+        invcal_session_age(b.s);
+    }
+    TEST_ASSERT_EQUAL_UINT(0, b.s->stored);
+    b.temperature = 20;
+    TEST_ASSERT_EQUAL_INT(INVCAL_SESSION_TAKEN, put_down(expected_faces_and_edges[4]));
+    temperatures_are(20, 20, 20);
+}
+
 /* ---- the setup ------------------------------------------------------------------------------- */
 
 static void is_setup(invcal_status expected, const invcal_session_setup *setup)
@@ -2470,6 +2488,7 @@ int main(void)
     RUN_TEST(the_first_temperature_need_not_come_with_the_first_position);
     RUN_TEST(finish_does_not_spoil_the_temperature);
     RUN_SLOW_TEST(in_the_background_temperatures_count_for_what_is_taken);
+    RUN_TEST(temperatures_fade_with_their_positions);
     RUN_TEST(unusable_targets_are_refused);
     RUN_TEST(unusable_programs_are_refused);
     RUN_TEST(unusable_streams_are_refused);

@@ -586,16 +586,20 @@ static void the_deviation_is_put_together_from_dk_and_gamma(void)
     }
 }
 
-/* A semi-axis of 0.1 to 10 of nominal is a triad's. Readings are kept between 0.1 and 10, too. */
-static void semi_axes_beyond_their_limits_are_no_triads(void)
+/* A semi-axis of 0.1 to 10 of nominal is a triad's, and an offset of up to 10 fields. Readings are
+ * kept between 0.1 and 10, too. */
+static void semi_axes_and_offsets_beyond_their_limits_are_no_triads(void)
 {
     static const struct {
-        double dk;
+        int r;
+        double error;
         invcal_status status;
-    } limits[] = {{0.13 - 1, INVCAL_OK},
-                  {0.07 - 1, INVCAL_NOT_ELLIPSOID},
-                  {9.5 - 1, INVCAL_OK},
-                  {10.5 - 1, INVCAL_NOT_ELLIPSOID}};
+    } limits[] = {{INVCAL_DK_X, 0.13 - 1, INVCAL_OK},
+                  {INVCAL_DK_X, 0.07 - 1, INVCAL_NOT_ELLIPSOID},
+                  {INVCAL_DK_X, 9.5 - 1, INVCAL_OK},
+                  {INVCAL_DK_X, 10.5 - 1, INVCAL_NOT_ELLIPSOID},
+                  {INVCAL_DELTA_Y, -9.8, INVCAL_OK},
+                  {INVCAL_DELTA_Y, -10.2, INVCAL_NOT_ELLIPSOID}};
     const invcal_settings settings = unit_settings(0);
     random_source random = random_start(15);
 
@@ -603,7 +607,7 @@ static void semi_axes_beyond_their_limits_are_no_triads(void)
         triad_truth truth = {{0}};
         invcal_normal normal;
         invcal_solution solution;
-        truth.x[INVCAL_DK_X] = limits[i].dk;
+        truth.x[limits[i].r] = limits[i].error;
         invcal_normal_init(&normal);
         while (normal.count < 40) {
             double eta[3];
@@ -641,6 +645,6 @@ int main(void)
     RUN_TEST(numbers_too_large_for_their_result_are_refused);
     RUN_TEST(unreal_sums_are_refused);
     RUN_TEST(the_deviation_is_put_together_from_dk_and_gamma);
-    RUN_TEST(semi_axes_beyond_their_limits_are_no_triads);
+    RUN_TEST(semi_axes_and_offsets_beyond_their_limits_are_no_triads);
     return UNITY_END() != 0;
 }
