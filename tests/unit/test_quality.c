@@ -105,6 +105,41 @@ static void the_noise_is_the_larger_of_stated_and_observed(void)
     TEST_ASSERT_DOUBLE_WITHIN(1e-5, 1.959964, (double)q.coverage);
 }
 
+/* One residual to spare tells the noise, however badly: a parameter is weak where the information
+ * on it is no more than ten times what noise in ten readings makes of nothing. */
+static void one_residual_is_enough_to_tell_what_is_weak(void)
+{
+    random_source random = random_start(12);
+    const triad_truth truth = triad_random(&random, 0.01);
+    unsigned count[2] = {0, 0};
+
+    for (unsigned draw = 0; draw < 40; draw++) {
+        scene s = {.settings = unit_settings(0)};
+        invcal_real K[INVCAL_PACKED_SIZE(INVCAL_PARAMETERS)];
+        invcal_quality q;
+        unsigned weak = 0;
+        read_positions(&truth, &expected_faces_and_edges[draw % 9], 10, 0.02, &random, &s.set);
+        if (calibrate_set(&s.set, &s.settings, &s.solution, &q, NULL) != INVCAL_OK) {
+            continue;
+        }
+        invcal_residuals_init(&s.residuals, &s.solution);
+        for (unsigned i = 0; i < 10; i++) {
+            (void)invcal_residuals_add(&s.residuals, s.set.u[i], 1, NULL);
+        }
+        TEST_ASSERT_EQUAL_INT(INVCAL_OK,
+                              invcal_covariance(&s.residuals, &s.settings, q.noise, K));
+        for (unsigned r = 0; r < INVCAL_PARAMETERS; r++) {
+            const double k = (double)K[INVCAL_PACKED(r, r)];
+            const int is_noisy = k * 10 * (double)q.noise * (double)q.noise > 0.1;
+            weak |= (unsigned)(k > 100 || is_noisy) << r;
+            count[is_noisy] += k <= 100;
+        }
+        TEST_ASSERT_TRUE((double)q.dof > 0.99 && (double)q.dof < 1.01);
+        TEST_ASSERT_EQUAL_HEX16(weak, q.undetermined);
+    }
+    TEST_ASSERT_TRUE(count[0] > 5 && count[1] > 5);
+}
+
 static void stored_positions_share_the_parameters_out(void)
 {
     scene s = plan18(4, 0.01, 1e-3, 0);
@@ -407,6 +442,7 @@ int main(void)
     RUN_TEST(root_k_of_the_papers_program_is_the_papers);
     RUN_TEST(residuals_are_calibrated_lengths_minus_one);
     RUN_TEST(the_noise_is_the_larger_of_stated_and_observed);
+    RUN_TEST(one_residual_is_enough_to_tell_what_is_weak);
     RUN_TEST(stored_positions_share_the_parameters_out);
     RUN_TEST(nine_positions_of_absurd_noise_are_weak);
     RUN_SLOW_TEST(weighted_positions_are_judged_by_their_weights);
