@@ -380,6 +380,21 @@ static void the_largest_of_a_matrix_and_its_inverse_give_its_condition(void)
                             1 / (4 * sin(step) * sin(step)), 4 * cos(2 * step) * cos(2 * step));
 }
 
+static void what_stands_behind_a_matrix_is_left_alone(void)
+{
+    for (unsigned n = 1; n < N; n++) {
+        invcal_real a[SUMS];
+        for (unsigned r = 0; r < n; r++) {
+            for (unsigned c = 0; c <= r; c++) {
+                a[INVCAL_PACKED(r, c)] = r == c ? 4 : 1;
+            }
+        }
+        a[INVCAL_PACKED_SIZE(n)] = 5;
+        (void)invcal_condition(a, n);
+        TEST_ASSERT_EQUAL_DOUBLE(5, (double)a[INVCAL_PACKED_SIZE(n)]);
+    }
+}
+
 int main(void)
 {
     UNITY_BEGIN();
@@ -400,5 +415,6 @@ int main(void)
     RUN_TEST(what_has_no_eigenvalues_to_speak_of_has_the_largest_number_for_one);
     RUN_TEST(the_largest_eigenvalue_does_not_depend_on_the_axes);
     RUN_TEST(the_largest_of_a_matrix_and_its_inverse_give_its_condition);
+    RUN_TEST(what_stands_behind_a_matrix_is_left_alone);
     return UNITY_END() != 0;
 }

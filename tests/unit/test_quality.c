@@ -85,6 +85,30 @@ static void residuals_are_calibrated_lengths_minus_one(void)
     TEST_ASSERT_EQUAL_UINT(at, s.residuals.worst);
 }
 
+/* Cross terms beside the diagonal: A by cofactors. Over all directions the mean of |A eta|^2 is a
+ * third of the sum of its squared elements. */
+static void the_gain_is_the_root_mean_square_over_all_directions(void)
+{
+    const double s[3][3] = {{1.1, 0.2, -0.1}, {0.2, 0.9, 0.15}, {-0.1, 0.15, 1.2}}; /* I + S */
+    invcal_solution solution = {.dk = {(invcal_real)0.1, (invcal_real)-0.1, (invcal_real)0.2},
+                                .gamma = {(invcal_real)0.4, (invcal_real)-0.2, (invcal_real)0.3}};
+    invcal_residuals residuals;
+    double squares = 0;
+    double determinant = 0;
+
+    for (int r = 0; r < 3; r++) {
+        for (int c = 0; c < 3; c++) {
+            const double cofactor = s[(r + 1) % 3][(c + 1) % 3] * s[(r + 2) % 3][(c + 2) % 3] -
+                                    s[(r + 1) % 3][(c + 2) % 3] * s[(r + 2) % 3][(c + 1) % 3];
+            squares += cofactor * cofactor;
+            determinant += s[r][c] * cofactor / 3;
+        }
+    }
+    invcal_residuals_init(&residuals, &solution);
+    TEST_ASSERT_DOUBLE_WITHIN(FLOAT_OR_DOUBLE(1e-6, 1e-14), sqrt(squares / 3) / determinant,
+                              (double)residuals.gain);
+}
+
 static void the_noise_is_the_larger_of_stated_and_observed(void)
 {
     invcal_quality q;
@@ -126,8 +150,7 @@ static void one_residual_is_enough_to_tell_what_is_weak(void)
         for (unsigned i = 0; i < 10; i++) {
             (void)invcal_residuals_add(&s.residuals, s.set.u[i], 1, NULL);
         }
-        TEST_ASSERT_EQUAL_INT(INVCAL_OK,
-                              invcal_covariance(&s.residuals, &s.settings, q.noise, K));
+        TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_covariance(&s.residuals, &s.settings, q.noise, K));
         for (unsigned r = 0; r < INVCAL_PARAMETERS; r++) {
             const double k = (double)K[INVCAL_PACKED(r, r)];
             const int is_noisy = k * 10 * (double)q.noise * (double)q.noise > 0.1;
@@ -441,6 +464,7 @@ int main(void)
     UNITY_BEGIN();
     RUN_TEST(root_k_of_the_papers_program_is_the_papers);
     RUN_TEST(residuals_are_calibrated_lengths_minus_one);
+    RUN_TEST(the_gain_is_the_root_mean_square_over_all_directions);
     RUN_TEST(the_noise_is_the_larger_of_stated_and_observed);
     RUN_TEST(one_residual_is_enough_to_tell_what_is_weak);
     RUN_TEST(stored_positions_share_the_parameters_out);

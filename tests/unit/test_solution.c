@@ -598,8 +598,9 @@ static void semi_axes_and_offsets_beyond_their_limits_are_no_triads(void)
                   {INVCAL_DK_X, 0.07 - 1, INVCAL_NOT_ELLIPSOID},
                   {INVCAL_DK_X, 9.5 - 1, INVCAL_OK},
                   {INVCAL_DK_X, 10.5 - 1, INVCAL_NOT_ELLIPSOID},
-                  {INVCAL_DELTA_Y, -9.8, INVCAL_OK},
-                  {INVCAL_DELTA_Y, -10.2, INVCAL_NOT_ELLIPSOID}};
+                  {INVCAL_DELTA_X, 9.8, INVCAL_OK},
+                  {INVCAL_DELTA_Y, -10.2, INVCAL_NOT_ELLIPSOID},
+                  {INVCAL_DELTA_Z, 10.2, INVCAL_NOT_ELLIPSOID}};
     const invcal_settings settings = unit_settings(0);
     random_source random = random_start(15);
 
