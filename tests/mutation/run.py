@@ -25,7 +25,9 @@ import time
 import mutants
 
 CC = os.environ["CC"].split()
-FLAGS = "-std=c99 -ffp-contract=off -O2 -w -Iinclude".split()  # the same code as in BUILD/mutation
+FLAGS = "-std=c99 -ffp-contract=off -O2 -w -Iinclude".split()
+FLAGS_OF = {"short": FLAGS + ["-DINVCAL_THERMAL_DEGREE=2"],  # the same code as in BUILD/mutation
+            "own": FLAGS + ["-DINVCAL_THERMAL_DEGREE=2"], "full": FLAGS}
 LEAST = 0.90
 SECONDS = {"short": 5, "own": 5, "full": 60}  # of the processor; suites take 0.2 and 10 at most
 SANITIZE = ["-fsanitize=address,undefined", "-fno-sanitize-recover=all"]  # as in `make check`
@@ -45,11 +47,10 @@ def read(path):
 
 # ---- building and running ------------------------------------------------------------------------
 
-def compiled(folder, room, real, options):
+def compiled(folder, room, flags):
     """The object of folder/src/room.c, or None if that is no C."""
     path = "%s/%s.o" % (folder, room)
-    done = subprocess.run([*CC, *FLAGS, *options, "-DINVCAL_DOUBLE=%d" % (real == "double"),
-                           "-c", "-o", path, "%s/src/%s.c" % (folder, room)],
+    done = subprocess.run([*CC, *flags, "-c", "-o", path, "%s/src/%s.c" % (folder, room)],
                           stderr=subprocess.DEVNULL, check=False)
     return path if done.returncode == 0 else None
 
@@ -102,7 +103,8 @@ class Workshop:
                 file.write(mutants.apply(mutant, read(mutant.file)))
             for kind, real, options in ROUNDS:
                 tests = "%s/%s" % (self.tests[kind], real)
-                objects = [compiled(folder, room, real, options) for room in rooms]
+                flags = FLAGS_OF[kind] + ["-DINVCAL_DOUBLE=%d" % (real == "double")] + options
+                objects = [compiled(folder, room, flags) for room in rooms]
                 if None in objects:
                     return "invalid", ""
                 if ROUNDS.index((kind, real, options)) < 2:
