@@ -729,6 +729,66 @@ static void relative_is_the_scatter_and_nothing_is_seen_that_is_not_there(void)
     TEST_ASSERT_DOUBLE_WITHIN(0.3, 1.0, scatter(500, 0, 10, 20000, INVCAL_NOISE_WALK));
 }
 
+/* Sums as 10^6 differences of exactly the model's variance leave them. */
+static invcal_allan exact_curve(double white, double instability, double walk)
+{
+    invcal_allan a = begun(NULL, TAUS, INVCAL_ALLAN_OVERLAPPING);
+
+    for (unsigned k = 0; k < TAUS; k++) {
+        invcal_allan_tau *tau = &a.tau[k];
+        const double m = tau->m;
+        const double variance = white * white / m +
+                                2 * log(2.0) / acos(-1.0) * instability * instability +
+                                walk * walk * m / 3;
+        tau->count = 1000000;
+        const double sum = 2 * variance * m * m * tau->count;
+        tau->high = (uint64_t)(sum / 18446744073709551616.0);
+        tau->low = (uint64_t)(sum - (double)tau->high * 18446744073709551616.0);
+    }
+    return a;
+}
+
+/* Whatever of the three there is comes out, and what is not there does not. */
+static void an_exact_curve_has_the_coefficients_it_was_made_from(void)
+{
+    static const double made_from[][INVCAL_NOISE_KINDS] = {
+        {1e6, 0, 0},   {0, 1e6, 0},   {0, 0, 1e6},     {1e6, 3e5, 0},
+        {1e6, 0, 3e3}, {0, 1e6, 3e4}, {1e6, 3e5, 3e3}, {1e6, 1e5, 3e3}};
+    const double within = FLOAT_OR_DOUBLE(1e-3, 1e-9);
+
+    needs_53_bits();
+    for (unsigned i = 0; i < sizeof made_from / sizeof made_from[0]; i++) {
+        const double *c = made_from[i];
+        const invcal_allan a = exact_curve(c[0], c[1], c[2]);
+        invcal_noise noise;
+        TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_allan_noise(&a, 1, 1, &noise));
+        for (unsigned kind = 0; kind < INVCAL_NOISE_KINDS; kind++) {
+            TEST_ASSERT_EQUAL_INT(c[kind] > 0, noise.visible >> kind & 1);
+            TEST_ASSERT_DOUBLE_WITHIN(within * c[kind], c[kind], (double)noise.coefficient[kind]);
+        }
+        TEST_ASSERT_DOUBLE_WITHIN(1e-3, 0, (double)noise.misfit);
+    }
+}
+
+/* White noise alone: adev^2 has the weight 1 / (2 / edf + 5 %^2) in each averaging time, N half the
+ * relative standard deviation of its square. */
+static void relative_is_that_of_weighted_least_squares(void)
+{
+    const invcal_allan a = exact_curve(1e6, 0, 0);
+    invcal_allan_point p;
+    invcal_noise noise;
+    double weights = 0;
+
+    needs_53_bits();
+    for (unsigned k = 0; k < TAUS; k++) {
+        TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_allan_get(&a, k, &p));
+        weights += 1 / (2 / (double)p.edf + 0.05 * 0.05);
+    }
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_allan_noise(&a, 1, 1, &noise));
+    TEST_ASSERT_DOUBLE_WITHIN(1e-6, 1 / sqrt(weights) / 2,
+                              (double)noise.relative[INVCAL_NOISE_WHITE]);
+}
+
 static void unusable_rates_are_refused(void)
 {
     static const double bad[] = {0, -1, NOT_A_NUMBER, INFINITE};
@@ -980,6 +1040,8 @@ int main(void)
     RUN_LONG_TEST(misfit_tells_what_is_no_noise_of_these_kinds);
     RUN_LONG_TEST(a_slow_drift_counts_as_a_walk);
     RUN_LONG_TEST(relative_is_the_scatter_and_nothing_is_seen_that_is_not_there);
+    RUN_TEST(an_exact_curve_has_the_coefficients_it_was_made_from);
+    RUN_TEST(relative_is_that_of_weighted_least_squares);
     RUN_TEST(unusable_rates_are_refused);
     RUN_TEST(a_few_samples_show_white_noise);
     RUN_TEST(one_averaging_time_alone_passes_for_white_noise);
