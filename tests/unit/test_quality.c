@@ -85,27 +85,43 @@ static void residuals_are_calibrated_lengths_minus_one(void)
     TEST_ASSERT_EQUAL_UINT(at, s.residuals.worst);
 }
 
-/* Cross terms beside the diagonal: A by cofactors. Over all directions the mean of |A eta|^2 is a
- * third of the sum of its squared elements. */
-static void the_gain_is_the_root_mean_square_over_all_directions(void)
+/* The length of eta where u = (I + S) eta + delta, by Cramer's rule. */
+static double length_at(const double x[9], const double u[3])
 {
-    const double s[3][3] = {{1.1, 0.2, -0.1}, {0.2, 0.9, 0.15}, {-0.1, 0.15, 1.2}}; /* I + S */
-    invcal_solution solution = {.dk = {(invcal_real)0.1, (invcal_real)-0.1, (invcal_real)0.2},
-                                .gamma = {(invcal_real)0.4, (invcal_real)-0.2, (invcal_real)0.3}};
-    invcal_residuals residuals;
-    double squares = 0;
+    const double s[3][3] = {{1 + x[3], x[6] / 2, x[7] / 2},
+                            {x[6] / 2, 1 + x[4], x[8] / 2},
+                            {x[7] / 2, x[8] / 2, 1 + x[5]}};
+    double eta[3] = {0, 0, 0};
     double determinant = 0;
 
     for (int r = 0; r < 3; r++) {
         for (int c = 0; c < 3; c++) {
             const double cofactor = s[(r + 1) % 3][(c + 1) % 3] * s[(r + 2) % 3][(c + 2) % 3] -
                                     s[(r + 1) % 3][(c + 2) % 3] * s[(r + 2) % 3][(c + 1) % 3];
-            squares += cofactor * cofactor;
+            eta[c] += cofactor * (u[r] - x[r]);
             determinant += s[r][c] * cofactor / 3;
         }
     }
+    return length3(eta) / determinant;
+}
+
+/* The mean of |A eta|^2 over all directions is that over the axes. */
+static void the_gain_is_the_root_mean_square_over_all_directions(void)
+{
+    static const double x[9] = {0, 0, 0, 0.1, -0.1, 0.2, 0.4, -0.2, 0.3};
+    static const double axis[3][3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+    invcal_solution solution;
+    invcal_residuals residuals;
+    double squares = 0;
+
+    memset(&solution, 0, sizeof solution);
+    for (int i = 0; i < 3; i++) {
+        solution.dk[i] = (invcal_real)x[3 + i];
+        solution.gamma[i] = (invcal_real)x[6 + i];
+        squares += pow(length_at(x, axis[i]), 2);
+    }
     invcal_residuals_init(&residuals, &solution);
-    TEST_ASSERT_DOUBLE_WITHIN(FLOAT_OR_DOUBLE(1e-6, 1e-14), sqrt(squares / 3) / determinant,
+    TEST_ASSERT_DOUBLE_WITHIN(FLOAT_OR_DOUBLE(1e-6, 1e-14), sqrt(squares / 3),
                               (double)residuals.gain);
 }
 
@@ -309,6 +325,77 @@ static void the_offset_sigma_is_that_of_delta_in_raw_units(void)
     }
 }
 
+/* Adds a position with noise sigma in u to the information on x, by central differences. */
+static void inform(const double x[9], const double u[3], double sigma, double information[9][9])
+{
+    const double step = 1e-5;
+    double slope[9];
+    double of_u = 0;
+
+    for (int r = 0; r < 9; r++) {
+        double high[9];
+        double low[9];
+        memcpy(high, x, sizeof high);
+        memcpy(low, x, sizeof low);
+        high[r] += step;
+        low[r] -= step;
+        slope[r] = (length_at(high, u) - length_at(low, u)) / (2 * step);
+        of_u += r < 3 ? slope[r] * slope[r] : 0; /* u and delta differ by the sign */
+    }
+    for (int r = 0; r < 9; r++) {
+        for (int c = 0; c < 9; c++) {
+            information[r][c] += slope[r] * slope[c] / (sigma * sigma * of_u);
+        }
+    }
+}
+
+/* a <- a^-1, by Gauss and Jordan; positive definite, so that no pivot is small. */
+static void invert(double a[9][9])
+{
+    for (int k = 0; k < 9; k++) {
+        const double pivot = 1 / a[k][k];
+        a[k][k] = 1;
+        for (int c = 0; c < 9; c++) {
+            a[k][c] *= pivot;
+        }
+        for (int r = 0; r < 9; r++) {
+            if (r != k) {
+                const double factor = a[r][k];
+                a[r][k] = 0;
+                for (int c = 0; c < 9; c++) {
+                    a[r][c] -= factor * a[k][c];
+                }
+            }
+        }
+    }
+}
+
+static void sigma_is_the_cramer_rao_bound_beside_large_cross_terms(void)
+{
+    static const triad_truth truth = {{0.05, -0.1, 0.08, 0.1, -0.05, 0.15, 0.3, -0.2, 0.25}};
+    const invcal_settings settings = unit_settings(1e-4);
+    random_source unused = random_start(0);
+    double information[9][9] = {{0}};
+    reading_set set;
+    invcal_solution solution;
+    invcal_quality q;
+
+    needs_53_bits();
+    read_positions(&truth, expected_plan18, 18, 0, &unused, &set);
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, calibrate_set(&set, &settings, &solution, &q, NULL));
+    for (int i = 0; i < 18; i++) {
+        double u[3];
+        triad_read(&truth, expected_plan18[i], u);
+        inform(truth.x, u, 1e-4, information);
+    }
+    invert(information);
+    for (unsigned r = 0; r < 9; r++) {
+        const double sigma = sqrt(information[r][r]);
+        TEST_ASSERT_DOUBLE_WITHIN(FLOAT_OR_DOUBLE(1e-5, 1e-8) * sigma, sigma,
+                                  sigma_of_parameter(&q, r));
+    }
+}
+
 static void absurd_residuals_are_refused(void)
 {
     scene s = plan18(8, 0.01, 1e-3, 0);
@@ -473,6 +560,7 @@ int main(void)
     RUN_TEST(nine_positions_have_no_redundancy);
     RUN_TEST(positions_near_the_axes_are_weak_and_name_the_angles);
     RUN_TEST(the_offset_sigma_is_that_of_delta_in_raw_units);
+    RUN_TEST(sigma_is_the_cramer_rao_bound_beside_large_cross_terms);
     RUN_TEST(absurd_residuals_are_refused);
     RUN_TEST(unusable_input_is_refused_and_the_quality_left_alone);
     RUN_TEST(unreal_residuals_are_refused);
