@@ -770,6 +770,21 @@ static void an_exact_curve_has_the_coefficients_it_was_made_from(void)
     }
 }
 
+/* Seen, not modelled: adev of 2^k samples falls until N^2 / tau and K^2 tau / 3 are alike, at 300. */
+static void the_minimum_is_the_lowest_deviation_seen(void)
+{
+    const invcal_allan a = exact_curve(1e6, 0, sqrt(3) * 1e6 / 300);
+    invcal_allan_point p;
+    invcal_noise noise;
+
+    needs_53_bits();
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_allan_noise(&a, 100, 2, &noise));
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_allan_get(&a, 8, &p));
+    TEST_ASSERT_EQUAL_UINT32(256, p.m);
+    TEST_ASSERT_DOUBLE_WITHIN(1e-6, 2.56, (double)noise.best);
+    TEST_ASSERT_TRUE(noise.minimum == 2 * p.adev);
+}
+
 /* White noise alone: adev^2 has the weight 1 / (2 / edf + 5 %^2) in each averaging time, N half the
  * relative standard deviation of its square. */
 static void relative_is_that_of_weighted_least_squares(void)
@@ -1041,6 +1056,7 @@ int main(void)
     RUN_LONG_TEST(a_slow_drift_counts_as_a_walk);
     RUN_LONG_TEST(relative_is_the_scatter_and_nothing_is_seen_that_is_not_there);
     RUN_TEST(an_exact_curve_has_the_coefficients_it_was_made_from);
+    RUN_TEST(the_minimum_is_the_lowest_deviation_seen);
     RUN_TEST(relative_is_that_of_weighted_least_squares);
     RUN_TEST(unusable_rates_are_refused);
     RUN_TEST(a_few_samples_show_white_noise);
