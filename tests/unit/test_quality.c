@@ -176,7 +176,7 @@ static void one_residual_is_enough_to_tell_what_is_weak(void)
         TEST_ASSERT_TRUE((double)q.dof > 0.99 && (double)q.dof < 1.01);
         TEST_ASSERT_EQUAL_HEX16(weak, q.undetermined);
     }
-    TEST_ASSERT_TRUE(count[0] > 5 && count[1] > 5);
+    TEST_ASSERT_TRUE(count[0] > 0 && count[1] > 0);
 }
 
 static void stored_positions_share_the_parameters_out(void)
