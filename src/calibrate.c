@@ -2,6 +2,7 @@
 #include "invcal/calibrate.h"
 
 #include <stddef.h>
+#include <string.h>
 
 #include "vector.h"
 
@@ -63,13 +64,31 @@ static invcal_status compare(const invcal_positions *positions, const invcal_set
 }
 
 /* Do the sums determine a solution in this number type? If not it is one of rounding errors, and
- * readings calibrated by it may look well spread. A prior holds what is open. */
+ * readings calibrated by it may look well spread. A prior holds what is open.
+ * cond A <= tr A tr A^-1: where that is small enough, the condition itself, which takes six times as
+ * long, need not be known. */
 INVCAL_APART static int is_resolved(const invcal_normal *normal, const invcal_settings *settings)
 {
     invcal_real hth[INVCAL_PACKED_SIZE(INVCAL_PARAMETERS)];
+    invcal_real l[INVCAL_PACKED_SIZE(INVCAL_PARAMETERS)];
+    invcal_real variance[INVCAL_PARAMETERS];
+    invcal_real trace = 0;
+    invcal_real of_inverse = 0;
 
+    if (invcal_has_prior(settings)) {
+        return 1;
+    }
     invcal_normal_matrix(normal, hth);
-    return invcal_has_prior(settings) ||
+    memcpy(l, hth, sizeof l);
+    if (invcal_cholesky_factor(l, INVCAL_PARAMETERS, INVCAL_PIVOT_FLOOR) != INVCAL_OK) {
+        return 0;
+    }
+    invcal_cholesky_inverse_diagonal(l, INVCAL_PARAMETERS, variance);
+    for (unsigned r = 0; r < INVCAL_PARAMETERS; r++) {
+        trace += hth[INVCAL_PACKED(r, r)];
+        of_inverse += variance[r];
+    }
+    return trace * of_inverse * INVCAL_PIVOT_FLOOR < INVCAL_REAL(0.5) ||
            invcal_condition(hth, INVCAL_PARAMETERS) * INVCAL_PIVOT_FLOOR < 1;
 }
 
