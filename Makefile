@@ -31,10 +31,10 @@ Q := $(if $(V),,@)
 .DELETE_ON_ERROR:
 .SECONDARY:
 .PHONY: help all install uninstall demo test check targets firmware size bench schema pages derived \
-    rules coverage mutation fuzz proof numerics reference format deps clean
+    rules coverage mutation fuzz proof numerics check-gates reference format deps clean
 
 help: ## this list
-	@awk -F ':.*## ' '/^[a-z]+:.*## / { printf "make %-10s %s\n", $$1, $$2 }' $(MAKEFILE_LIST)
+	@awk -F ':.*## ' '/^[a-z-]+:.*## / { printf "make %-11s %s\n", $$1, $$2 }' $(MAKEFILE_LIST)
 
 all: $(BUILD)/float/libinvcal.a $(BUILD)/double/libinvcal.a $(BUILD)/invcal ## both libraries and the tool
 
@@ -184,6 +184,9 @@ derived: $(BUILD)/invcal $(BUILD)/invcal.1 ## layout, expected.h, manual, pictur
 numerics: ## what rounding costs, against 50 digits and the bounds of quality.h (COUNT=100000: half an hour)
 	$(call need,python3)
 	$(Q)CC="$(CC)" sh tests/numerics.sh $(BUILD) $(COUNT)
+
+check-gates: ## plants a bug for each gate in a copy, and demands that the gate turns red (GATES=names)
+	$(Q)sh tests/gates.sh $(BUILD) $(GATES)
 
 reference: ## remake tests/reference/expected.h (needs python3)
 	$(call need,python3)

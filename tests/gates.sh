@@ -1,0 +1,130 @@
+#!/bin/sh
+# SPDX-License-Identifier: MIT
+#
+# sh tests/gates.sh BUILD [NAME...]
+# Are the gates awake? Plants one bug after the other in a copy of the sources, and demands that the
+# gate that is there for it turns red, and says the right thing. A plant: its name, the file, what sed
+# does to it, what the gate must say, and the gate. Prints a line for each, and at the end
+# `N passed, N failed`. BUILD has what `make size bench` measured.
+cd "$(dirname "$0")/.." || exit 1
+mkdir -p "$1/gates"
+build=$(cd "$1" && pwd)
+shift
+wanted=" $* "
+copy=$build/gates/copy
+log=$build/gates/log
+passed=0
+failed=0
+
+result() { # 0 or 1, SENTENCE
+    if [ "$1" -eq 0 ]; then
+        passed=$((passed + 1))
+        echo "$2: PASS"
+    else
+        failed=$((failed + 1))
+        tail -n 30 "$log"
+        echo "$2: FAIL"
+    fi
+}
+
+plant() { # NAME FILE SED SAYS GATE...
+    name=$1 file=$2 edit=$3 says=$4
+    shift 4
+    case $wanted in '  ' | *" $name "*) ;; *) return ;; esac
+    cp -p "$file" "$build/gates/kept"
+    sed -e "$edit" "$build/gates/kept" > "$file"
+    if cmp -s "$file" "$build/gates/kept"; then
+        : > "$log"
+        result 1 "$name: the bug finds no place in $file"
+    elif "$@" > "$log" 2>&1 < /dev/null; then
+        result 1 "$name: the gate stays green"
+    elif ! grep -Eq -- "$says" "$log"; then
+        result 1 "$name: the gate is red, but does not say '$says'"
+    else
+        result 0 "$name"
+    fi
+    cp "$build/gates/kept" "$file" # a new time: what was made of it is made anew
+}
+
+unit() { make test ONLY="$1"; }
+sanitizers() { CONFIGURATION=$1 ONLY=$2 sh tests/check.sh build/check; }
+m4f() { make "$1" TARGETS=port/cortex-m/m4f; }
+
+rm -rf "$copy"
+mkdir -p "$copy"
+git ls-files -z | xargs -0 cp --parents -t "$copy" || exit 1
+cd "$copy" || exit 1
+git init -q . && git add -A || exit 1 # some gates ask git what is there
+
+# ---- tests ------------------------------------------------------------------------------------
+
+plant nan src/observation.c 's/(square >= \(.*\) && square <= \(.*\)) {/(!(square < \1 || square > \2)) {/' \
+    'float-observation: .* [1-9][0-9]* failed' unit observation
+plant constant src/gravity.c 's/9\.7803253359/9.7803253459/' \
+    'double-gravity: .* [1-9][0-9]* failed' unit gravity
+plant event src/still.c '/out->reason\|s->reason\|return/s/INVCAL_REST_FROZEN/INVCAL_REST_SHORT/' \
+    'float-faults: .* [1-9][0-9]* failed' unit faults
+plant framework tests/unity/unity.c 's/Unity\.TestFailures++;/;/' \
+    'unity: .* [1-9][0-9]* failed' unit unity
+plant double src/normal.c 's/wj = weight \* o->j/wj = (invcal_real)((double)weight * (double)o->j + 1e-9)/' \
+    'double arithmetic.*FAIL' unit library
+plant libc src/gravity.c 's/INVCAL_SIN(latitude/tanf((float)latitude/' \
+    'library: .*FAIL: tanf' unit library
+plant example README.md 's/invcal_apply(&solution/invcal_applies(\&solution/' \
+    'the example compiles: FAIL' unit readme
+plant output README.md 's/^good: offset x 33123\.7/good: offset x 33123.8/' \
+    'prints what README says: FAIL' unit readme
+plant message port/host/options.c 's/unknown option/unknown word/' \
+    'tool: .*FAIL' unit tool
+plant overrun src/cholesky.c '/^static inline void forward/,/^}/s/r < n/r <= n/' \
+    'AddressSanitizer: .*buffer-overflow' sanitizers clang-sanitizers cholesky
+plant leak port/host/positions.c 's/^    free(p->mean);$//' \
+    'LeakSanitizer: detected memory leaks' sanitizers gcc-sanitizers tool
+plant json port/host/calibrate_json.c 's/"residual_rms"/"residual_RMS"/' \
+    'FAIL' make schema
+
+# ---- the sources ------------------------------------------------------------------------------
+
+plant layout src/gravity.c 's/^    /   /' 'laid out by .clang-format: FAIL' make derived
+plant reference tests/reference/expected.h 's/0\.4082/0.4083/' \
+    'expected.h is what the reference script prints: FAIL' make derived
+plant script tests/readme.sh 's/"\$root\/README.md"/$root\/README.md/' 'shell scripts: FAIL' make derived
+plant manual port/host/man.sh 's/\.TP\\n/.TPP\\n/' 'against the manual: FAIL' make derived
+plant picture port/host/sphere.svg 's/38 positions/39 positions/' 'that the tool draws: FAIL' make derived
+plant misra src/gravity.c 's/^    const invcal_real h = /    const unsigned long octal = 017; (void)octal;\n&/' \
+    'misra' make rules
+plant heap src/status.c 's/^static const char \*nth/#include <stdlib.h>\nvoid *invcal_heap(void) { return malloc(1); }\n&/' \
+    'malloc' make rules
+plant loop src/fisher.c 's/^    return sum < 1 ? sum : 1;/    while (sum > 2) { sum -= 1; }\n&/' \
+    'fisher.c.*loop|loop.*fisher.c' make rules
+
+# ---- proof, coverage, mutation, fuzzing, numerics -----------------------------------------------
+
+plant uninitialised src/calibration.c '/^static invcal_real largest/,/^}/s/most = 0/most/' \
+    'initiali' sh tests/proof.sh build calibration
+plant overflow src/block.c 's/(int32_t)(block->first\[a\] + /(int32_t)((int32_t)block->first[a] + (int32_t)/' \
+    'overflow' sh tests/proof.sh build block
+plant unreached src/gravity.c 's/^    const invcal_real h = /    if (height > 1e30f) {\n        return INVCAL_OK;\n    }\n&/' \
+    'src/gravity.c' make coverage PART=src
+plant untested tests/unit/test_gravity.c '/RUN_TEST(\(equator\|latitudes\|a_metre\)/d' \
+    'FAIL|0 passed' make mutation ONLY=src/gravity.c SAMPLE=30
+plant fuzzed src/bytes.h 's/ || length > size//' 'record: .*FAIL' sh tests/fuzz.sh build 30 record
+plant rounding src/cholesky.c 's/row\[r\] = INVCAL_SQRT(pivot)/& * (1 + 40 * INVCAL_EPSILON)/' \
+    'within its bound.*FAIL|at most.*FAIL' make numerics
+
+# ---- targets ----------------------------------------------------------------------------------
+
+plant stack src/solution.c '/^invcal_status invcal_solve(/,/^}/s/^{/{\n    volatile char room[200] = {0};\n    (void)room;/' \
+    'FAIL .*stack' m4f size
+plant time src/normal.c 's/^    const invcal_real wj = /    for (volatile int i = 0; i < 9; i++) {\n    }\n&/' \
+    'FAIL' m4f bench
+plant costs README.md 's/^\(| a sample of one axis into .allan\.h. | [0-9,]* | [0-9]*\)/\11/' \
+    'README.md should say' sh tests/costs.sh "$build"
+plant bits src/normal.c 's/wj = weight \* o->j/& * (sizeof(void *) == 4 ? 1 + INVCAL_EPSILON : 1)/' \
+    'differs' m4f targets
+plant firmware port/cortex-m/firmware/main.c '/^static void digest/,/^}/s/case INVCAL_SESSION_TAKEN:/case INVCAL_SESSION_COVERED:/' \
+    'FAIL' make firmware
+plant page port/host/page.c 's/max-width/min-width/' 'FAIL' make pages
+
+echo "$passed passed, $failed failed"
+[ "$failed" -eq 0 ] && [ "$passed" -gt 0 ]
