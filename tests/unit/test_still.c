@@ -44,6 +44,7 @@ typedef struct {
     /* what was found */
     unsigned taken, ready, refused[INVCAL_REST_SAME + 1];
     unsigned ready_before; /* since the position before */
+    unsigned seen[INVCAL_STILL_REFUSED + 1];
     invcal_rest rest[RESTS];
     uint32_t events; /* a checksum of all of them */
     unsigned progress;
@@ -72,6 +73,7 @@ static void setup(double rate, double counts, double noise)
 static void note(invcal_still_event event, const invcal_rest *rest)
 {
     b.events = b.events * 31 + (uint32_t)event;
+    b.seen[event]++;
     if (event == INVCAL_STILL_READY) {
         b.ready++;
         b.ready_before++;
@@ -569,6 +571,65 @@ static void a_warming_sensor_may_rest_for_minutes_at_first(void)
     hold(2, 3);
     turn(2, 3, 1);
     check_windows(2, 1.2);
+    TEST_ASSERT_EQUAL_UINT(0, all_refused());
+}
+
+/* The events of so many seconds of shaking, and nothing before them. */
+static void shake(double seconds)
+{
+    memset(b.seen, 0, sizeof b.seen);
+    for (long i = 0; i < (long)(seconds * b.rate); i++) {
+        const double t = (double)i / b.rate;
+        const double a[3] = {t * sin(90 * t), (0.5 + t) * cos(7 * t), 0};
+        sense(face[1], a);
+    }
+}
+
+/* Eight blocks a second: motion, also where a rest is disturbed for a moment, and goes on. */
+static void what_is_shaken_is_moving_and_does_not_settle(void)
+{
+    setup(100, 16384, 5e-4);
+    hold(1, 3);
+    shake(0.3);
+    TEST_ASSERT_TRUE(b.seen[INVCAL_STILL_MOVING] >= 2 && b.seen[INVCAL_STILL_MOVING] <= 3);
+    TEST_ASSERT_EQUAL_UINT(0, b.seen[INVCAL_STILL_SETTLING] + b.taken);
+    keep(1, 2);
+    shake(2);
+    TEST_ASSERT_EQUAL_UINT(1, b.seen[INVCAL_STILL_TAKEN]);
+    shake(1);
+    TEST_ASSERT_TRUE(b.seen[INVCAL_STILL_MOVING] >= 7);
+    TEST_ASSERT_EQUAL_UINT(0, b.seen[INVCAL_STILL_SETTLING]);
+}
+
+/* Three rests of a sensor of 100 counts/g, in units of a tenth of a count; from the second second of
+ * the middle one on it is moved by some counts, for a while. */
+static void rest_moved_by(double x, double y, double seconds)
+{
+    const double a[3] = {x / 100, y / 100, 0};
+
+    setup(100, 100, 2e-3);
+    b.scale = 10;
+    hold(0, 3);
+    turn(0, 1, 1);
+    hold(1, 2);
+    for (long i = 0; i < (long)(seconds * b.rate); i++) {
+        sense(face[1], a);
+    }
+    keep(1, 2);
+    turn(1, 2, 1);
+    hold(2, 3);
+    end_of_stream();
+}
+
+/* One count on two axes is near; three counts on one are not, but no blow either, and pass if they
+ * last no longer than a hand's unrest. */
+static void a_few_counts_for_a_while_do_not_end_a_rest(void)
+{
+    rest_moved_by(1, 1, 2);
+    check_windows(3, 1.2);
+    TEST_ASSERT_EQUAL_UINT(0, all_refused());
+    rest_moved_by(3, 0, 0.3);
+    check_windows(3, 1.2);
     TEST_ASSERT_EQUAL_UINT(0, all_refused());
 }
 
@@ -1104,6 +1165,8 @@ int main(void)
     RUN_TEST(a_slow_turn_is_refused_for_drift_while_it_lasts);
     RUN_LONG_TEST(a_sensor_that_warms_up_does_rest);
     RUN_SLOW_TEST(a_warming_sensor_may_rest_for_minutes_at_first);
+    RUN_TEST(what_is_shaken_is_moving_and_does_not_settle);
+    RUN_TEST(a_few_counts_for_a_while_do_not_end_a_rest);
     RUN_TEST(a_rest_at_a_rail_is_refused_as_clipped);
     RUN_TEST(the_ends_of_int32_clip_where_no_rails_are_given);
     RUN_TEST(a_sensor_that_never_speaks_is_frozen_and_says_so_once);
