@@ -601,6 +601,37 @@ static void sigma_at_every_temperature_is_that_of_the_error(void)
     }
 }
 
+/* Two programs at -20 C and one at 70 C: in units of the half span the rows (1, s) of each parameter
+ * sum up to 3, -1, 3, and their inverse makes K (3 + 2 s + 3 s^2) / 8 of the K of one program. */
+static void sigma_of_a_line_has_its_closed_form(void)
+{
+    static const double of_program[3] = {4.0 / 8, 3.0 / 8, 8.0 / 8}; /* at -20, 25, 70 C */
+    static const double zero[INVCAL_PARAMETERS] = {0};
+    const sensor s = {zero, NULL, NULL};
+    const invcal_settings settings = unit_settings(1e-4);
+    random_source unused = random_start(0);
+
+    if (DEGREE == 0) {
+        TEST_IGNORE_MESSAGE("needs degree 1");
+    }
+    all.count = 0;
+    take(&s, -20, PLAN, 0, &unused);
+    take(&s, -20, PLAN, 0, &unused);
+    take(&s, 70, PLAN, 0, &unused);
+    calibrate_all(&settings, &nothing_known);
+    gather();
+    for (int i = 0; i < 3; i++) {
+        invcal_quality q;
+        TEST_ASSERT_EQUAL_INT(INVCAL_OK,
+                              invcal_thermal_assess(&sums, &found, &settings, &nothing_known,
+                                                    (invcal_real)(-20 + 45 * i), &q));
+        for (unsigned r = 0; r < INVCAL_PARAMETERS; r++) {
+            const double sigma = 1e-4 * expected_plan18_root_k[r] * sqrt(of_program[i]);
+            TEST_ASSERT_DOUBLE_WITHIN(1e-5 * sigma, sigma, sigma_of_parameter(&q, r));
+        }
+    }
+}
+
 static void the_judgement_counts_coefficients_and_names_the_worst_position(void)
 {
     const invcal_settings settings = unit_settings(1e-4);
@@ -911,6 +942,28 @@ static void readings_and_temperatures_that_are_none_leave_the_sums_alone(void)
     TEST_ASSERT_EQUAL_INT(INVCAL_OUT_OF_RANGE, invcal_thermal_remove(&sums, &found, far, 115));
     TEST_ASSERT_EQUAL_INT(INVCAL_BAD_SETTING, invcal_thermal_remove(&sums, &found, good, 116));
     TEST_ASSERT_EQUAL_MEMORY(&one, &sums, sizeof sums);
+}
+
+/* All of them below zero, or above. */
+static void the_range_is_that_of_the_temperatures_in_any_order(void)
+{
+    static const int order[][3] = {{0, 1, 2}, {0, 2, 1}, {1, 0, 2},
+                                   {1, 2, 0}, {2, 0, 1}, {2, 1, 0}};
+    const invcal_settings settings = unit_settings(1e-4);
+    const invcal_thermal_settings thermal = {.reference = 0, .span = 45};
+    const invcal_real raw[3] = {1, 0, 0};
+
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_thermal_start(&settings, &thermal, &found));
+    for (int k = 0; k < 12; k++) {
+        const int from = k < 6 ? -40 : 20;
+        invcal_thermal_init(&sums);
+        for (int i = 0; i < 3; i++) {
+            const invcal_real t = (invcal_real)(from + 10 * order[k % 6][i]);
+            TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_thermal_add(&sums, &found, raw, t));
+        }
+        TEST_ASSERT_TRUE(sums.least == (invcal_real)from);
+        TEST_ASSERT_TRUE(sums.greatest == (invcal_real)(from + 20));
+    }
 }
 
 static void unusable_settings_are_refused(void)
@@ -1362,6 +1415,7 @@ int main(void)
     RUN_TEST(a_damaged_calibration_is_refused_at_any_temperature);
     RUN_TEST(raw_counts_and_both_frames_give_the_right_lengths_at_every_temperature);
     RUN_LONG_TEST(sigma_at_every_temperature_is_that_of_the_error);
+    RUN_TEST(sigma_of_a_line_has_its_closed_form);
     RUN_TEST(the_judgement_counts_coefficients_and_names_the_worst_position);
     RUN_TEST(a_prior_on_slopes_holds_what_one_temperature_leaves_open);
     RUN_TEST(a_slope_prior_alone_is_enough_at_a_constant_temperature);
@@ -1373,6 +1427,7 @@ int main(void)
     RUN_TEST(positions_taken_out_leave_what_was_without_them);
     RUN_TEST(the_order_of_the_temperatures_does_not_matter);
     RUN_TEST(readings_and_temperatures_that_are_none_leave_the_sums_alone);
+    RUN_TEST(the_range_is_that_of_the_temperatures_in_any_order);
     RUN_TEST(unusable_settings_are_refused);
     RUN_TEST(eight_positions_and_a_plane_are_refused_as_without_temperature);
     RUN_TEST(a_reading_that_is_none_is_named);
