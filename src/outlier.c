@@ -145,7 +145,8 @@ static void check(fit *f, invcal_mask removed, invcal_real *checked)
 {
     for (unsigned i = 0; i < f->count; i++) {
         (void)read_row(f, i);
-        checked[i] = (removed & bit(i)) != 0 ? 0 : 1 - leverage(f);
+        const invcal_real left = (removed & bit(i)) != 0 ? 0 : 1 - leverage(f);
+        checked[i] = left > 0 ? left : 0; /* rounding makes a 0 negative */
     }
 }
 

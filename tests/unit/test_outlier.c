@@ -859,6 +859,30 @@ static void a_position_that_nothing_checks_is_not_blamed(void)
     TEST_ASSERT_TRUE(fabs((double)out.checked[17]) < 1e-4);
 }
 
+/* Rounding would make less than nothing of it, now and then. */
+static void what_nothing_checks_is_checked_by_zero(void)
+{
+    random_source random = random_start(17);
+    double v[14][3];
+    reading_set set;
+
+    for (unsigned k = 0; k < SOME(200); k++) {
+        const triad_truth truth = triad_random(&random, 0.03);
+        const double turned = random_uniform(&random, 0, 1);
+        for (unsigned i = 0; i < 14; i++) { /* ten on a plane leave four unknowns to the others */
+            const double z = i < 10 ? 0 : i == 10 ? 1 : i == 11 ? -1 : 0.8;
+            v[i][0] = sqrt(1 - z * z) * cos(turned + i);
+            v[i][1] = sqrt(1 - z * z) * sin(turned + i);
+            v[i][2] = z;
+        }
+        read_positions(&truth, (const double(*)[3])v, 14, 1e-6, &random, &set);
+        const invcal_outliers out = find(&set, 0);
+        for (unsigned i = 10; i < 14; i++) {
+            TEST_ASSERT_TRUE(out.checked[i] >= 0 && out.checked[i] < (invcal_real)1e-4);
+        }
+    }
+}
+
 /* Real sensors: the first positions of recordings, in g, and one of them spoiled. */
 static void assert_real(const double positions[][3], unsigned count, double zero, double scale)
 {
@@ -1023,6 +1047,7 @@ int main(void)
     RUN_SLOW_TEST(no_more_than_six_are_named);
     RUN_TEST(equal_positions_check_one_another);
     RUN_TEST(a_position_that_nothing_checks_is_not_blamed);
+    RUN_TEST(what_nothing_checks_is_checked_by_zero);
     RUN_LONG_TEST(real_positions_have_no_outliers_but_those_that_are_made);
     RUN_SLOW_TEST(ten_positions_or_fewer_and_more_than_32_are_refused);
     RUN_TEST(readings_that_are_none_are_refused);
