@@ -36,4 +36,7 @@ void invcal_evidence_spread_offset(const invcal_evidence *e, const invcal_real s
 void invcal_evidence_spread_matrix(const invcal_evidence *e, const invcal_real s[6],
                                    invcal_quality *q);
 
+/* INVCAL_BAD_SETTING if a sigma does not fit the number type: raw units, or a prior, beyond reason. */
+invcal_status invcal_evidence_check(const invcal_quality *q);
+
 #endif

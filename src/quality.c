@@ -285,6 +285,14 @@ INVCAL_APART void invcal_evidence_spread_matrix(const invcal_evidence *e, const 
     }
 }
 
+invcal_status invcal_evidence_check(const invcal_quality *q)
+{
+    return invcal_are_finite(q->sigma_offset) && invcal_are_finite(q->sigma_delta) &&
+                   invcal_are_finite(q->sigma_dk) && invcal_are_finite(q->sigma_gamma)
+               ? INVCAL_OK
+               : INVCAL_BAD_SETTING;
+}
+
 invcal_status invcal_assess(const invcal_residuals *residuals, unsigned used,
                             const invcal_settings *settings, const invcal_solution *solution,
                             invcal_quality *quality)
@@ -308,6 +316,9 @@ invcal_status invcal_assess(const invcal_residuals *residuals, unsigned used,
         invcal_solution_deviation(solution, s);
         invcal_evidence_spread_offset(&e, s, &q);
         invcal_evidence_spread_matrix(&e, s, &q);
+        status = invcal_evidence_check(&q);
+    }
+    if (status == INVCAL_OK) {
         *quality = q;
     }
     return status;

@@ -813,13 +813,16 @@ invcal_status invcal_thermal_assess(const invcal_thermal_sums *sums,
     e.residuals = &residuals;
     e.settings = &here;
     e.share = 1;
-    const invcal_status status = judge(&m, degree, t, &e, &q);
+    invcal_status status = judge(&m, degree, t, &e, &q);
     if (status == INVCAL_OK) {
         invcal_real s[6];
         parameters_at(calibration, t, &triad);
         invcal_solution_deviation(&triad, s);
         invcal_evidence_spread_offset(&e, s, &q);
         invcal_evidence_spread_matrix(&e, s, &q);
+        status = invcal_evidence_check(&q);
+    }
+    if (status == INVCAL_OK) {
         if (lacks_slopes(calibration)) {
             q.undetermined = (1u << INVCAL_PARAMETERS) - 1;
             q.verdict = INVCAL_WEAK;

@@ -82,7 +82,8 @@ typedef struct {
  *
  * Returns INVCAL_OK;
  *   INVCAL_BAD_SETTING   invcal_settings_check refuses the settings, no residuals, or used less
- *                        than their number;
+ *                        than their number; or a sigma does not fit the number type, as raw units
+ *                        or a prior are beyond reason;
  *   INVCAL_UNDETERMINED  some sqrt(K(r,r)) exceeds 1000, or the condition exceeds
  *                        1 / INVCAL_PIVOT_FLOOR, with no prior to hold the parameter;
  *   INVCAL_NOT_ELLIPSOID residuals of more than 10 % of the field: these are no readings of one

@@ -427,6 +427,33 @@ static void positions_that_cannot_be_those_of_the_sums_are_refused(void)
 
 /* The same readings and priors, once over field and once in m/s^2 of counts: tilts by 10 degrees,
  * which leave much to the prior. */
+/* Their squares are summed up. */
+static void a_sigma_beyond_the_number_type_is_refused(void)
+{
+    const invcal_real many = INVCAL_SQRT(INVCAL_REAL_MAX) * 1000; /* counts over field */
+    random_source random = random_start(4);
+    const triad_truth truth = triad_random(&random, 0.01);
+    reading_set set;
+    invcal_settings settings = unit_settings(0.01);
+    invcal_solution solution;
+    invcal_quality quality = {.noise = 77};
+
+    read_positions(&truth, expected_plan18, 18, 1e-2, &random, &set);
+    for (unsigned i = 0; i < 18; i++) {
+        set.u[i][0] *= many;
+    }
+    settings.nominal.matrix[0][0] /= many;
+    TEST_ASSERT_EQUAL_INT(INVCAL_BAD_SETTING,
+                          calibrate_set(&set, &settings, &solution, &quality, NULL));
+    TEST_ASSERT_TRUE(quality.noise == 77);
+    for (unsigned i = 0; i < 18; i++) {
+        set.u[i][0] /= 1000000;
+    }
+    settings.nominal.matrix[0][0] *= 1000000;
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, calibrate_set(&set, &settings, &solution, &quality, NULL));
+    TEST_ASSERT_TRUE(quality.sigma_offset[0] > 0 && quality.sigma_offset[0] < many);
+}
+
 static void a_prior_weighs_the_same_in_any_unit(void)
 {
     random_source random = random_start(3);
@@ -482,6 +509,7 @@ int main(void)
     RUN_TEST(a_partial_prior_needs_as_many_positions_as_it_leaves_open);
     RUN_TEST(what_a_prior_holds_is_never_hopeless);
     RUN_TEST(a_prior_is_weighed_against_the_noise_that_is_there);
+    RUN_TEST(a_sigma_beyond_the_number_type_is_refused);
     RUN_TEST(a_prior_weighs_the_same_in_any_unit);
     RUN_TEST(coverage_beside_a_prior_is_that_of_the_residuals);
     RUN_TEST(kept_positions_count_by_their_age_unless_they_are_left_out);
