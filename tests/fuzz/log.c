@@ -13,10 +13,10 @@ enum { WORDS_MOST = 16 };
 
 /* `-` is the file; the others are those of tool.c. From 'a' on. */
 static const char *const lines[] = {
-    "calibrate - --json",
+    "calibrate - --json --report /dev/null",
     "calibrate - --positions --json",
     "calibrate - --positions --report /dev/null",
-    "calibrate - --report /dev/null",
+    "calibrate - --zero 20,-7,3 --lsb 0.0098 --report /dev/null",
     "calibrate - --positions --thermal 2 --json",
     "calibrate - --thermal 1 --report /dev/null",
     "calibrate - --positions --zero 20,-7,3 --lsb 0.0098 --noise 0.01 --prior 0.1,0.1,0.1 --json",
@@ -30,7 +30,7 @@ static const char *const lines[] = {
     "watch - --json",
     "watch - --plan per-group:5 --mean-sigma 0.1 --target 0.1,0.1,0.1",
     "watch - --unit counts --thermal 1 --rate 25",
-    "allan - --json",
+    "allan - --json --report /dev/null",
     "allan - --apart --tau 1,2,4 --rate 8 --report /dev/null",
     "plan --directions - --json",
     "plan --directions - --svg /dev/null --report /dev/null",

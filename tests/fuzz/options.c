@@ -11,7 +11,7 @@
 
 #include "tool.h"
 
-enum { ARGUMENTS_MOST = 24, TEXT_MOST = 2048 };
+enum { ARGUMENTS_MOST = 40, TEXT_MOST = 2048 };
 
 int LLVMFuzzerInitialize(int *argc, char ***argv)
 {
@@ -37,21 +37,28 @@ static void disarm(char *argument)
     }
 }
 
-/* Everything but the files of tool.c, which are read-only. */
+/* Is it one of the files that tool.c has made? */
+static int is_kept(const char *name)
+{
+    static const char *const kept[] = {"log.csv",       "rest.csv",      "cal.json",
+                                       "noise.json",    "thermal.csv",   "slopes.json",
+                                       "positions.csv", "directions.csv"};
+
+    for (unsigned i = 0; i < sizeof kept / sizeof kept[0]; i++) {
+        if (strcmp(name, kept[i]) == 0) {
+            return 1;
+        }
+    }
+    return 0;
+}
+
 static void remove_others(void)
 {
-    static const char *const keep[] = {
-        ".",          "..",          "log.csv",     "rest.csv",      "cal.json",
-        "noise.json", "thermal.csv", "slopes.json", "positions.csv", "directions.csv"};
     DIR *folder = opendir(".");
 
     for (struct dirent *e = folder ? readdir(folder) : NULL; e; e = readdir(folder)) {
-        unsigned i = 0;
-        while (i < sizeof keep / sizeof keep[0] && strcmp(e->d_name, keep[i]) != 0) {
-            i++;
-        }
-        if (i == sizeof keep / sizeof keep[0]) {
-            unlink(e->d_name);
+        if (!is_kept(e->d_name)) {
+            (void)unlink(e->d_name); /* . and .. stay */
         }
     }
     if (folder) {
@@ -59,17 +66,20 @@ static void remove_others(void)
     }
 }
 
-/* Is there an option that writes, which names a file of tool.c? The next input needs that. */
+/* Is one of them to be written? The next input needs it as it is. */
 static int spoils(int argc, char **argv)
 {
+    static const char *const writes[] = {"--out", "--report", "--svg", "--truth"};
+
     for (int i = 2; i < argc; i++) {
-        const size_t length = strlen(argv[i]);
-        const int names = length > 4 && (strcmp(argv[i] + length - 4, ".csv") == 0 ||
-                                         strcmp(argv[i] + length - 5, ".json") == 0);
-        const char *option = strncmp(argv[i], "--", 2) == 0 ? argv[i] : argv[i - 1];
-        if (names && (strncmp(option, "--out", 5) == 0 || strncmp(option, "--report", 8) == 0 ||
-                      strncmp(option, "--svg", 5) == 0 || strncmp(option, "--truth", 7) == 0)) {
-            return 1;
+        for (unsigned k = 0; k < sizeof writes / sizeof writes[0]; k++) {
+            const size_t length = strlen(writes[k]);
+            const int is_joined =
+                strncmp(argv[i], writes[k], length) == 0 && argv[i][length] == '=';
+            if ((is_joined && is_kept(argv[i] + length + 1)) ||
+                (strcmp(argv[i - 1], writes[k]) == 0 && is_kept(argv[i]))) {
+                return 1;
+            }
         }
     }
     return 0;
