@@ -26,7 +26,7 @@ int fsync(int file)
 
 /* ---- optimal sets: the descent takes seconds for many positions ------------------------------- */
 
-enum { REAL_MOST = 16 };
+enum { REAL_MOST = 10 };
 
 void __real_optimal_directions(unsigned n, double (*direction)[3]);
 double __real_optimal_within(unsigned n, const double limits[3], double (*direction)[3]);
