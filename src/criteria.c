@@ -53,6 +53,7 @@ invcal_status invcal_criteria_judge(const invcal_normal *design, invcal_criteria
     invcal_real work[INVCAL_PACKED_SIZE(INVCAL_PARAMETERS)]; /* H'H, then L, then K */
     invcal_real k[INVCAL_PARAMETERS];                        /* the diagonal of K */
     invcal_real log_det = 0;
+    invcal_real trace = 0;
     invcal_real condition;
 
     INVCAL_ASSERT(design && out);
@@ -68,11 +69,12 @@ invcal_status invcal_criteria_judge(const invcal_normal *design, invcal_criteria
     invcal_cholesky_inverse(work, INVCAL_PARAMETERS);
     for (unsigned r = 0; r < INVCAL_PARAMETERS; r++) {
         k[r] = work[INVCAL_PACKED(r, r)];
+        trace += k[r];
     }
     condition = invcal_largest_eigenvalue(work, INVCAL_PARAMETERS);
     invcal_normal_matrix(design, work);
     condition *= invcal_largest_eigenvalue(work, INVCAL_PARAMETERS);
-    if (!(condition * INVCAL_PIVOT_FLOOR < 1)) {
+    if (!(condition * INVCAL_PIVOT_FLOOR < 1) || !invcal_is_finite(trace)) {
         return INVCAL_UNDETERMINED; /* an open combination may hide behind sound pivots */
     }
     out->positions = design->count;

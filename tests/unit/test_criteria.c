@@ -726,6 +726,17 @@ static void weighted_sums_keep_their_condition_and_shift_log_det(void)
     }
 }
 
+static void weights_whose_sigma_fits_no_number_are_refused(void)
+{
+    const invcal_plan plan = {7, {11, 22, 33}};
+    invcal_normal design = design_of_plan(&plan);
+
+    for (unsigned i = 0; i < INVCAL_MOMENTS; i++) {
+        design.moment[i] = design.moment[i] / INVCAL_REAL_MAX / 64; /* K(r,r) is beyond it */
+    }
+    assert_undetermined(&design);
+}
+
 /* The positions taken so far: exact rows of an ideal triad are those of their directions. */
 static void exact_rows_are_judged_like_directions(void)
 {
@@ -938,6 +949,7 @@ int main(void)
     RUN_TEST(the_worst_axis_decides_whichever_it_is);
     RUN_TEST(visiting_every_position_twice_divides_sigma_by_the_root_of_two);
     RUN_TEST(weighted_sums_keep_their_condition_and_shift_log_det);
+    RUN_TEST(weights_whose_sigma_fits_no_number_are_refused);
     RUN_TEST(exact_rows_are_judged_like_directions);
     RUN_TEST(judging_does_not_change_the_design);
     RUN_TEST(a_direction_adds_its_row_and_no_measurement);
