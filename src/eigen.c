@@ -25,8 +25,10 @@ static void rotate(invcal_real m[3][3], invcal_real v[3][3], unsigned p, unsigne
     m[q][q] += t * m[p][q];
     m[p][q] = 0;
     m[q][p] = 0;
-    m[r][p] = m[p][r] = c * rp - s * rq;
-    m[r][q] = m[q][r] = s * rp + c * rq;
+    m[p][r] = c * rp - s * rq;
+    m[r][p] = m[p][r];
+    m[q][r] = s * rp + c * rq;
+    m[r][q] = m[q][r];
     for (unsigned i = 0; i < 3; i++) {
         const invcal_real ip = v[i][p];
         const invcal_real iq = v[i][q];

@@ -55,6 +55,7 @@ static invcal_real gain_of(const invcal_real *l, const invcal_real up[3])
     invcal_observation row;
 
     (void)invcal_observation_exact(up, &row); /* of unit length */
+    //@ assert \initialized(row.h + (0 .. 8));
     invcal_cholesky_forward(l, INVCAL_PARAMETERS, row.h);
     return invcal_dot(row.h, row.h, INVCAL_PARAMETERS);
 }
@@ -96,6 +97,7 @@ static void choose(const invcal_real *l, invcal_real least, const invcal_real *c
             memcpy(next->up, up, sizeof up);
         }
     }
+    //@ assert \initialized(next->up + (0 .. 2));
 }
 
 /* sqrt(K(r,r)) from L. */
@@ -133,6 +135,7 @@ static void predict(const invcal_normal *normal, invcal_real *l, invcal_guidance
     next->gain = gain_of(l, next->up);
     roots(l, next->before);
     (void)invcal_observation_exact(next->up, &row);
+    //@ assert \initialized(row.h + (0 .. 8));
     (void)factor(normal, &row, l); /* what was positive definite and a square more */
     roots(l, next->after);
     next->improves = improved(next);

@@ -28,6 +28,7 @@ invcal_real invcal_coverage(invcal_real dof)
     if (dof < 3) {
         return INVCAL_REAL(4.30265);
     }
+    //@ assert !\is_NaN(dof);
     const invcal_real n = dof < 1000 ? (invcal_real)(int)dof : 1000;
     return INVCAL_REAL(1.959964) +
            (INVCAL_REAL(2.372271) +
@@ -216,6 +217,7 @@ INVCAL_APART void invcal_evidence_spread_offset(const invcal_evidence *e, const 
     invcal_real x[3];
 
     (void)invcal_calibration_inverse(&e->settings->nominal, inverse); /* checked before */
+    //@ assert \initialized(&inverse[0 .. 2][0 .. 2]);
     for (unsigned i = 0; i < 3; i++) {
         q->sigma_delta[i] = within_prior(e, i, sigma_of(e, rows[i], INVCAL_DELTA_X, 3));
         for (unsigned j = 0; j < 3; j++) {
