@@ -163,6 +163,10 @@ fuzz: ## fuzzers of the library and the tool with sanitizers (SECONDS=60 each, D
 	$(call need,clang-19)
 	$(Q)DOUBLE="$(DOUBLE)" KEEP="$(KEEP)" sh tests/fuzz.sh $(BUILD) $(SECONDS)
 
+proof: ## no undefined behaviour in src/, proved by Frama-C/Eva (ROOMS=..., DOUBLE=1, INT16=1)
+	$(call need,frama-c)
+	$(Q)DOUBLE="$(DOUBLE)" INT16="$(INT16)" sh tests/proof.sh $(BUILD) $(ROOMS)
+
 schema: $(BUILD)/invcal ## what the tool prints as JSON, against port/host/schema.json
 	$(call need,python3)
 	$(Q)sh tests/tool/schema.sh $(BUILD)/invcal $(BUILD)/tool
@@ -206,7 +210,7 @@ deps: ## install what all of these need beyond a C compiler (Debian, root)
 	    chromium fonts-dejavu-core poppler-utils \
 	    gcc-arm-none-eabi libnewlib-arm-none-eabi qemu-system-arm gcc-avr avr-libc simavr \
 	    gcc-riscv64-unknown-elf picolibc-riscv64-unknown-elf qemu-system-misc \
-	    gcc-powerpc-linux-gnu libc6-dev-powerpc-cross qemu-user
+	    gcc-powerpc-linux-gnu libc6-dev-powerpc-cross qemu-user frama-c-base
 
 clean: ## remove build/
 	rm -rf $(BUILD)

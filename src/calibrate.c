@@ -144,6 +144,7 @@ static unsigned nth_kept(const invcal_positions *positions, unsigned n)
 
     while (is_left_out(positions, i) || n-- > 0) { /* at most as many as there are positions */
         i++;
+        //@ assert i < positions->count;
     }
     return i;
 }

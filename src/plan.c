@@ -99,8 +99,8 @@ invcal_status invcal_plan_position_at(const invcal_plan *plan, unsigned i,
     if (i >= INVCAL_PLAN_GROUPS * plan->per_group) {
         return INVCAL_BAD_SETTING;
     }
-    const unsigned group = i / plan->per_group;
-    const unsigned k = i % plan->per_group;
+    const unsigned group = i < plan->per_group ? 0 : i < 2 * plan->per_group ? 1 : 2;
+    const unsigned k = i - group * plan->per_group;
     const invcal_real turned = angle(plan->start[group], k, plan->per_group);
     out->group = group + 1;
     out->index = k + 1;

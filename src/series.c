@@ -135,6 +135,7 @@ invcal_series_information(const invcal_plan *plan, unsigned group,
     }
     for (unsigned k = 0; k < plan->per_group; k++) {
         (void)invcal_plan_position_at(plan, (group - 1) * plan->per_group + k, &position);
+        //@ assert \initialized(&position);
         terms(&position, t);
         for (unsigned r = 0; r < INVCAL_SERIES_TERMS; r++) {
             for (unsigned c = 0; c <= r; c++) {

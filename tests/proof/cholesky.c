@@ -2,7 +2,7 @@
 #include "arbitrary.h"
 #include "invcal/cholesky.h"
 
-// eva: -eva-precision 0 -eva-min-loop-unroll 28
+// eva: -eva-precision 0 -eva-auto-loop-unroll 28 -eva-slevel-merge-after-loop @all
 // config: -DINVCAL_MAX_PARAMETERS=27
 
 void main(void)

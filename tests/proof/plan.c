@@ -2,8 +2,6 @@
 #include "arbitrary.h"
 #include "invcal/plan.h"
 
-// eva: -eva-precision 0 -eva-split-limit 1000
-
 void main(void)
 {
     invcal_plan plan;
@@ -20,14 +18,5 @@ void main(void)
     (void)invcal_axis_up(vertical);
     ANY(plan);
     (void)invcal_plan_check(&plan);
-    const unsigned n = plan.per_group;
-    if (n < INVCAL_PLAN_PER_GROUP_MIN) {
-        (void)invcal_plan_position_at(&plan, i, &position);
-    } else if (n > INVCAL_PLAN_PER_GROUP_MAX) {
-        (void)invcal_plan_position_at(&plan, i, &position);
-    } else {
-        //@ split n;
-        plan.per_group = n;
-        (void)invcal_plan_position_at(&plan, i, &position);
-    }
+    (void)invcal_plan_position_at(&plan, i, &position);
 }
