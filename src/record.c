@@ -83,7 +83,6 @@ invcal_status invcal_record_decode(const uint8_t *bytes, uint32_t size, invcal_r
 {
     INVCAL_ASSERT(bytes && out);
     invcal_record r;
-    invcal_way w = {INVCAL_GET, NULL, bytes + REALS_AT, 1};
 
     if (!invcal_is_sound(bytes, size)) {
         return INVCAL_DAMAGED;
@@ -102,6 +101,7 @@ invcal_status invcal_record_decode(const uint8_t *bytes, uint32_t size, invcal_r
     r.from_prior = invcal_get_u16(bytes + 20);
     r.verdict = (invcal_verdict)bytes[22];
     r.temperature_known = bytes[23];
+    invcal_way w = {INVCAL_GET, NULL, bytes + REALS_AT, 1};
     each_real(&w, &r);
     if (settle(&r) != INVCAL_OK ||
         (!r.temperature_known && !invcal_are_zero(bytes + TEMPERATURE_AT, 4))) {

@@ -202,7 +202,6 @@ static int32_t get_i32(const uint8_t *bytes)
 /* Returns 0 if the length is not that of the content, or there are angles of no plan. */
 static int get_head(const uint8_t *bytes, head *h)
 {
-    invcal_way w = {INVCAL_GET, NULL, bytes + REALS_AT, 1};
     const uint16_t length = invcal_get_u16(bytes + 2);
 
     if (length < TABLE_AT + INVCAL_CRC_SIZE) {
@@ -218,6 +217,7 @@ static int get_head(const uint8_t *bytes, head *h)
     h->is_enough = (uint8_t)(bytes[15] >> 1);
     h->setup.low = get_i32(bytes + 16);
     h->setup.high = get_i32(bytes + 20);
+    invcal_way w = {INVCAL_GET, NULL, bytes + REALS_AT, 1};
     each_real(&w, h);
     return length == length_of(h) && (h->setup.plan.per_group > 0 ||
                                       invcal_are_zero(bytes + START_AT, 4 * INVCAL_PLAN_GROUPS));
