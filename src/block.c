@@ -51,20 +51,25 @@ static void begin(invcal_block *block, const int32_t raw[3])
 static int add_near(invcal_block *block, const int32_t raw[3])
 {
     const uint32_t near = block->near;
-    const uint32_t ux = (uint32_t)raw[0] - (uint32_t)block->first[0];
-    const uint32_t uy = (uint32_t)raw[1] - (uint32_t)block->first[1];
-    const uint32_t uz = (uint32_t)raw[2] - (uint32_t)block->first[2];
+    const uint32_t ux = (uint32_t)raw[0] - (uint32_t)block->first[0] + near;
+    const uint32_t uy = (uint32_t)raw[1] - (uint32_t)block->first[1] + near;
+    const uint32_t uz = (uint32_t)raw[2] - (uint32_t)block->first[2] + near;
 
-    if (((ux + near) | (uy + near) | (uz + near)) >= block->span) {
+    if ((ux | uy | uz) >= block->span) {
         return 0;
     }
-    const int32_t x = raw[0] - block->first[0];
-    const int32_t y = raw[1] - block->first[1];
-    const int32_t z = raw[2] - block->first[2];
+    const int32_t x = (int32_t)ux - (int32_t)near;
+    const int32_t y = (int32_t)uy - (int32_t)near;
+    const int32_t z = (int32_t)uz - (int32_t)near;
+    /* of at most 999 samples before it */
+    //@ assert -999 * UINT16_MAX <= block->quick[0] <= 999 * UINT16_MAX;
+    //@ assert -999 * UINT16_MAX <= block->quick[1] <= 999 * UINT16_MAX;
+    //@ assert -999 * UINT16_MAX <= block->quick[2] <= 999 * UINT16_MAX;
     block->quick[0] += x;
     block->quick[1] += y;
     block->quick[2] += z;
-    block->square += (uint32_t)(x * x + y * y + z * z);
+    block->square +=
+        (uint32_t)x * (uint32_t)x + (uint32_t)y * (uint32_t)y + (uint32_t)z * (uint32_t)z;
     return 1;
 }
 
@@ -79,6 +84,7 @@ static void add_any(invcal_block *block, const int32_t raw[3])
         if (d > FAR || d < -FAR) {
             block->wild = 1;
         } else {
+            //@ assert -999 * FAR <= block->sum[a] <= 999 * FAR; // as above
             block->sum[a] += d;
             block->square += (uint64_t)(d * d);
         }
@@ -113,6 +119,7 @@ int invcal_block_add(invcal_block *block, const int32_t raw[3])
         return 0;
     }
     for (unsigned a = 0; a < 3; a++) {
+        //@ assert -1000 * FAR <= block->sum[a] <= 1000 * FAR;
         block->sum[a] += block->quick[a];
     }
     return 1;

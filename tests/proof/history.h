@@ -1,0 +1,20 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * What any sequence of calls leaves in a structure that only the library writes, proved as one
+ * proves by induction: the proof of its room begins with any state for which the invariant holds
+ * (as much of it as the code relies on), makes any one call, and shows that it still holds; and
+ * that it does after init. So no loop has to be followed, and no number of samples is too many.
+ */
+#ifndef HISTORY_H
+#define HISTORY_H
+
+#include "arbitrary.h"
+
+/* A comparison that Eva must see to hold: if not, it raises an alarm, a division by zero. */
+#define HOLDS(comparison) ((void)(1 / (comparison)))
+#define WITHIN(x, low, high) (HOLDS((x) >= (low)), HOLDS((x) <= (high)))
+
+#define INT32_BETWEEN(low, high) ((int32_t)Frama_C_long_interval(low, high))
+#define INT64_BETWEEN(low, high) Frama_C_long_long_interval(low, high)
+
+#endif
