@@ -342,6 +342,8 @@ static void commit(invcal_still *s)
         s->begin = trimmed;
     } else if (s->blocks < UINT16_MAX) {
         for (unsigned a = 0; a < 3; a++) {
+            //@ assert -UINT16_MAX * 0x80000000 <= s->total[a]; // as many as blocks at most
+            //@ assert s->total[a] <= UINT16_MAX * 0x7FFFFFFF;
             s->total[a] += s->pending[0][a];
         }
         s->end = trimmed;
@@ -533,6 +535,7 @@ invcal_status invcal_still_init(invcal_still *still, invcal_real rate, int32_t l
     if (!is_rate || !are_rails) {
         return INVCAL_BAD_SETTING;
     }
+    //@ assert \is_finite(rate); // it has been compared
     const int unknown = low == high;
     const unsigned eighth = (unsigned)(rate / BLOCKS_PER_SECOND + INVCAL_REAL(0.5));
     const unsigned size = eighth > BLOCK_MIN ? eighth : BLOCK_MIN;
