@@ -47,6 +47,13 @@ static int is_usable(const invcal_store *store)
     return g >= 1 && g <= INVCAL_STORE_GRANULARITY_MAX && (g & (g - 1)) == 0 && fits(store, 1);
 }
 
+/* Zeros: a driver that reports success and reads too little does no more harm than a bad memory. */
+static void begin(desk *d, const invcal_store *store)
+{
+    memset(d, 0, sizeof *d);
+    d->store = store;
+}
+
 static int read_chunk(desk *d, unsigned slot, uint32_t at, uint32_t count)
 {
     return d->store->read(d->store->context, slot, at, d->chunk, count) == 0;
@@ -92,7 +99,8 @@ static state look(desk *d, unsigned slot, uint8_t *bytes, uint32_t capacity)
     d->end = HEADER;
     /* at most 2050 steps: 8 bytes, then 32 at a time */
     for (uint32_t at = 0; at < d->end; at += n) {
-        n = d->end - at < CHUNK ? d->end - at : CHUNK;
+        const uint32_t left = d->end - at;
+        n = left < CHUNK ? left : CHUNK;
         if (!read_chunk(d, slot, at, n)) {
             return UNREADABLE;
         }
@@ -104,8 +112,8 @@ static state look(desk *d, unsigned slot, uint8_t *bytes, uint32_t capacity)
             d->end = end_of(d->store, found->size);
             continue;
         }
-        for (uint32_t i = 0; i < n && at - HEADER + i < capacity; i++) {
-            bytes[at - HEADER + i] = d->chunk[i];
+        for (uint32_t i = 0, to = at - HEADER; i < n && to < capacity; i++, to++) {
+            bytes[to] = d->chunk[i];
         }
     }
     return crc == RESIDUE ? confirmation(d, slot) : EMPTY;
@@ -171,7 +179,7 @@ invcal_status invcal_store_save(const invcal_store *store, const uint8_t *bytes,
     INVCAL_ASSERT(store && bytes);
     desk d;
 
-    d.store = store;
+    begin(&d, store);
     if (!is_usable(store) || size == 0) {
         return INVCAL_BAD_SETTING;
     }
@@ -192,7 +200,7 @@ invcal_status invcal_store_load(const invcal_store *store, uint8_t *bytes, uint3
     INVCAL_ASSERT(store && bytes && size);
     desk d;
 
-    d.store = store;
+    begin(&d, store);
     if (!is_usable(store)) {
         return INVCAL_BAD_SETTING;
     }
@@ -216,7 +224,7 @@ invcal_status invcal_store_erase(const invcal_store *store)
     INVCAL_ASSERT(store);
     desk d;
 
-    d.store = store;
+    begin(&d, store);
     if (!is_usable(store)) {
         return INVCAL_BAD_SETTING;
     }
