@@ -110,7 +110,7 @@ invcal_status invcal_allan_init(invcal_allan *allan, const uint32_t *m, unsigned
         (windows != INVCAL_ALLAN_OVERLAPPING && windows != INVCAL_ALLAN_APART)) {
         return INVCAL_BAD_SETTING;
     }
-    const invcal_status status = m ? check_times(m, count) : INVCAL_OK;
+    const invcal_status status = m != NULL ? check_times(m, count) : INVCAL_OK;
     if (status != INVCAL_OK) {
         return status;
     }

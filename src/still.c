@@ -361,7 +361,7 @@ static void add(invcal_still *s, const finding *f)
     for (unsigned a = 0; a < 3; a++) {
         s->pending[s->pended][a] = (int32_t)f->sum[a]; /* fits: see expect */
         if (s->block.sum[a] != 0) {                    /* of differences to the first sample */
-            s->flags = (uint8_t)(s->flags | CHANGED << a);
+            s->flags = (uint8_t)(s->flags | (unsigned)CHANGED << a);
         }
     }
     s->pended++;

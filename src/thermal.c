@@ -785,6 +785,15 @@ static int lacks_slopes(const invcal_thermal_calibration *c)
     return DEGREE > 0 && c->degree == 0 && !(c->greatest - c->least < NARROWEST);
 }
 
+/* Slopes that are wanting pass for errors of any kind. */
+static void doubt_slopes(const invcal_thermal_calibration *calibration, invcal_quality *q)
+{
+    if (lacks_slopes(calibration)) {
+        q->undetermined = (1u << INVCAL_PARAMETERS) - 1;
+        q->verdict = INVCAL_WEAK;
+    }
+}
+
 invcal_status invcal_thermal_assess(const invcal_thermal_sums *sums,
                                     const invcal_thermal_calibration *calibration,
                                     const invcal_settings *settings,
@@ -823,10 +832,7 @@ invcal_status invcal_thermal_assess(const invcal_thermal_sums *sums,
         status = invcal_evidence_check(&q);
     }
     if (status == INVCAL_OK) {
-        if (lacks_slopes(calibration)) {
-            q.undetermined = (1u << INVCAL_PARAMETERS) - 1;
-            q.verdict = INVCAL_WEAK;
-        }
+        doubt_slopes(calibration, &q);
         *quality = q;
     }
     return status;
