@@ -456,9 +456,8 @@ invcal_status invcal_allan_noise(const invcal_allan *allan, invcal_real rate, in
     n.best = (invcal_real)c.lowest.m / rate;
     n.shortest = (invcal_real)c.first.m / rate;
     n.longest = (invcal_real)c.last.m / rate;
-    if (!invcal_are_finite(n.coefficient) || !invcal_is_finite(n.minimum) ||
-        !invcal_is_finite(n.longest)) {
-        return INVCAL_BAD_SETTING;
+    if (!invcal_are_finite(n.coefficient) || !invcal_is_finite(n.longest)) {
+        return INVCAL_BAD_SETTING; /* or minimum: it is no larger than the first deviation */
     }
     *noise = n;
     return INVCAL_OK;

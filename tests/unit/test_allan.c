@@ -820,6 +820,7 @@ static void unusable_rates_are_refused(void)
     const invcal_real most = INVCAL_REAL_MAX;
     TEST_ASSERT_EQUAL_INT(INVCAL_BAD_SETTING, invcal_allan_noise(&a, 1, most, &noise));
     TEST_ASSERT_EQUAL_INT(INVCAL_BAD_SETTING, invcal_allan_noise(&a, 1 / most, 1, &noise));
+    TEST_ASSERT_EQUAL_INT(INVCAL_BAD_SETTING, invcal_allan_noise(&a, 4 / most, 1, &noise));
     TEST_ASSERT_EQUAL_INT(INVCAL_BAD_SETTING, invcal_allan_noise(&a, most, most / 9999, &noise));
     TEST_ASSERT_TRUE(noise.misfit == 77);
     TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_allan_noise(&a, 1, 1, &noise));
