@@ -333,6 +333,34 @@ static void a_prior_is_weighed_against_the_noise_that_is_there(void)
     TEST_ASSERT_EQUAL_HEX16(0, quality.from_prior);
 }
 
+/* Stated at a ten thousandth it would leave the prior nothing to say, and the angles where the
+ * readings put them; as it is, it takes half of them away. */
+static void noise_seen_shrinks_like_noise_stated(void)
+{
+    static const triad_truth truth = {{0, 0, 0, 0, 0, 0, 0.03, -0.03, 0.03}};
+    random_source random = random_start(6);
+
+    for (int draw = 0; draw < 5; draw++) {
+        const double stated[2] = {1e-6, 1e-2};
+        reading_set set;
+        invcal_solution solution[2];
+        invcal_quality quality;
+        read_positions(&truth, expected_plan18, 18, 1e-2, &random, &set);
+        for (int i = 0; i < 2; i++) {
+            invcal_settings settings = unit_settings(stated[i]);
+            for (int r = 0; r < 9; r++) {
+                settings.prior[r] = (invcal_real)0.01;
+            }
+            TEST_ASSERT_EQUAL_INT(INVCAL_OK,
+                                  calibrate_set(&set, &settings, &solution[i], &quality, NULL));
+        }
+        for (unsigned r = 0; r < 9; r++) {
+            TEST_ASSERT_DOUBLE_WITHIN(sigma_of_parameter(&quality, r), parameter(&solution[1], r),
+                                      parameter(&solution[0], r));
+        }
+    }
+}
+
 /* That the noise comes from residuals is not forgotten when the solution is made once more: with
  * 18 degrees of freedom or fewer Student's factor is 2.10 or more. */
 static void coverage_beside_a_prior_is_that_of_the_residuals(void)
@@ -511,6 +539,7 @@ int main(void)
     RUN_TEST(a_prior_is_weighed_against_the_noise_that_is_there);
     RUN_TEST(a_sigma_beyond_the_number_type_is_refused);
     RUN_TEST(a_prior_weighs_the_same_in_any_unit);
+    RUN_TEST(noise_seen_shrinks_like_noise_stated);
     RUN_TEST(coverage_beside_a_prior_is_that_of_the_residuals);
     RUN_TEST(kept_positions_count_by_their_age_unless_they_are_left_out);
     RUN_TEST(positions_that_cannot_be_those_of_the_sums_are_refused);

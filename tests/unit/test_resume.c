@@ -889,6 +889,15 @@ static void a_mean_that_is_no_reading_is_neither_encoded_nor_decoded(void)
     }
 }
 
+static void nor_is_it_where_there_are_sums_besides(void)
+{
+    invcal_session session = golden_session();
+
+    session.normal.count = 3; /* one of them is in the sums only */
+    session.mean[1][0] = 9e9f;
+    assert_not_encoded(INVCAL_OUT_OF_RANGE, &session);
+}
+
 static void a_number_that_is_not_finite_is_not_decoded(void)
 {
     static const uint32_t bits[] = {0x7FC00000, 0xFF800001, 0x7F800000, 0xFF800000};
@@ -1479,6 +1488,7 @@ int main(void)
     RUN_TEST(a_number_beyond_float_is_not_encoded);
     RUN_TEST(counts_that_contradict_each_other_are_not_encoded);
     RUN_TEST(a_mean_that_is_no_reading_is_neither_encoded_nor_decoded);
+    RUN_TEST(nor_is_it_where_there_are_sums_besides);
     RUN_SLOW_TEST(a_number_that_is_not_finite_is_not_decoded);
     RUN_TEST(contents_that_no_session_has_are_refused);
     RUN_TEST(counts_that_contradict_each_other_are_not_decoded);
