@@ -179,6 +179,46 @@ static void one_residual_is_enough_to_tell_what_is_weak(void)
     TEST_ASSERT_TRUE(count[0] > 0 && count[1] > 0);
 }
 
+/* What the prior tells of a parameter, K noise^2 / prior^2 with K of both, the data need not. */
+static void what_a_prior_tells_leaves_degrees_of_freedom(void)
+{
+    scene s = plan18(5, 0.01, 1e-3, 1e-3);
+    invcal_real K[INVCAL_PACKED_SIZE(INVCAL_PARAMETERS)];
+    invcal_quality q;
+    double dof = 18;
+
+    for (unsigned r = 0; r < INVCAL_PARAMETERS; r++) {
+        s.settings.prior[r] = (invcal_real)(5e-4 * (r + 1));
+    }
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_assess(&s.residuals, 18, &s.settings, &s.solution, &q));
+    const double stated = 1e-3 * (double)s.residuals.gain;
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK,
+                          invcal_covariance(&s.residuals, &s.settings, (invcal_real)stated, K));
+    for (unsigned r = 0; r < INVCAL_PARAMETERS; r++) {
+        const double ratio = stated / (double)s.settings.prior[r];
+        dof -= 1 - (double)K[INVCAL_PACKED(r, r)] * ratio * ratio;
+    }
+    TEST_ASSERT_TRUE(dof > 9.5 && dof < 17.5);
+    TEST_ASSERT_DOUBLE_WITHIN(1e-4, dof, (double)q.dof);
+}
+
+/* Readings as noisy as the field tell nothing: what is left is the prior, of each its own. */
+static void sigma_of_what_is_not_told_is_the_prior_of_each(void)
+{
+    scene s = plan18(6, 0.001, 0, 1);
+    invcal_quality q;
+
+    for (unsigned r = 0; r < INVCAL_PARAMETERS; r++) {
+        s.settings.prior[r] = (invcal_real)(1e-3 * (r + 1));
+    }
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_assess(&s.residuals, 18, &s.settings, &s.solution, &q));
+    TEST_ASSERT_EQUAL_HEX16(0x1FF, q.from_prior);
+    for (unsigned r = 0; r < INVCAL_PARAMETERS; r++) {
+        const double prior = 1e-3 * (r + 1);
+        TEST_ASSERT_DOUBLE_WITHIN(3e-3 * prior, prior, sigma_of_parameter(&q, r));
+    }
+}
+
 static void stored_positions_share_the_parameters_out(void)
 {
     scene s = plan18(4, 0.01, 1e-3, 0);
@@ -554,6 +594,8 @@ int main(void)
     RUN_TEST(the_gain_is_the_root_mean_square_over_all_directions);
     RUN_TEST(the_noise_is_the_larger_of_stated_and_observed);
     RUN_TEST(one_residual_is_enough_to_tell_what_is_weak);
+    RUN_TEST(what_a_prior_tells_leaves_degrees_of_freedom);
+    RUN_TEST(sigma_of_what_is_not_told_is_the_prior_of_each);
     RUN_TEST(stored_positions_share_the_parameters_out);
     RUN_TEST(nine_positions_of_absurd_noise_are_weak);
     RUN_SLOW_TEST(weighted_positions_are_judged_by_their_weights);
