@@ -894,7 +894,7 @@ static void nor_is_it_where_there_are_sums_besides(void)
     invcal_session session = golden_session();
 
     session.normal.count = 3; /* one of them is in the sums only */
-    session.mean[1][0] = 9e9f;
+    session.mean[1][0] = (invcal_real)9e9;
     assert_not_encoded(INVCAL_OUT_OF_RANGE, &session);
 }
 
