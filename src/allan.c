@@ -5,14 +5,14 @@
 
 #include "vector.h"
 
+enum { RINGS = INVCAL_ALLAN_RINGS };
 #define RING (2u * INVCAL_ALLAN_OVERLAP) /* a power of two */
 
 /* ---- sums of 128 bits ------------------------------------------------------------------------ */
 
-/* Adds d^2, at most 2^126. Beyond 128 bits all bits are set, and stay so. */
-static void add_square(invcal_allan_tau *sum, int64_t d)
+/* Adds size^2, at most 2^126. Beyond 128 bits all bits are set, and stay so. */
+static void add_square(invcal_allan_tau *sum, uint64_t size)
 {
-    const uint64_t size = (uint64_t)(d < 0 ? -d : d);
     const uint64_t a = size >> 32;
     const uint64_t b = size & UINT32_MAX;
     uint64_t low = b * b;
@@ -82,7 +82,7 @@ static invcal_status check_times(const uint32_t *m, unsigned count)
         }
         rings += k == 0 || stage != last;
         last = stage;
-        if (rings > INVCAL_ALLAN_RINGS) {
+        if (rings > RINGS) {
             return INVCAL_NO_SPACE;
         }
     }
@@ -127,6 +127,7 @@ static void add_difference(invcal_allan *a, unsigned ring, invcal_allan_tau *tau
 {
     const uint64_t *past = a->past[ring];
     const uint32_t lag = tau->m >> a->stage[ring];
+    //@ assert lag > 0; // as append saw
 
     if (at < 2 * lag || tau->count == UINT32_MAX ||
         (a->windows == INVCAL_ALLAN_APART && at % lag != 0)) {
@@ -134,8 +135,7 @@ static void add_difference(invcal_allan *a, unsigned ring, invcal_allan_tau *tau
     }
     const uint64_t middle = past[(at - lag) % RING];
     const uint64_t d = (a->total - middle) - (middle - past[(at - 2 * lag) % RING]);
-    /* modulo 2^64, as the totals; -2^63 does not occur */
-    add_square(tau, d >> 63 ? -(int64_t)(0 - d) : (int64_t)d);
+    add_square(tau, d >> 63 ? 0 - d : d); /* modulo 2^64, as the totals */
     tau->count++;
 }
 
@@ -193,6 +193,7 @@ invcal_status invcal_allan_get(const invcal_allan *allan, unsigned index, invcal
         return INVCAL_NO_SPACE;
     }
     while (index >= allan->end[ring]) { /* at most the number of rings: taus ends the last */
+        //@ assert ring < RINGS - 1; // the last ends at taus
         ring++;
     }
     const uint32_t lag = allan->windows == INVCAL_ALLAN_APART ? 1 : tau->m >> allan->stage[ring];
@@ -248,6 +249,8 @@ static void collect(const invcal_allan *a, curve *c)
     invcal_allan_point p;
 
     memset(c, 0, sizeof *c);
+    memset(&p, 0, sizeof p);
+    //@ loop unroll INVCAL_ALLAN_TAUS;
     for (unsigned k = 0; k < a->taus; k++) {
         if (invcal_allan_get(a, k, &p) != INVCAL_OK || !(p.edf >= EDF_MIN) || !(p.adev > 0)) {
             continue;
@@ -300,6 +303,7 @@ static invcal_real solve_set(const invcal_real h[INVCAL_PACKED_SIZE(KINDS)],
     invcal_real variance[KINDS];
     invcal_real gain = 0;
 
+    memset(out, 0, sizeof *out);
     for (unsigned i = 0; i < KINDS; i++) {
         if (kinds >> i & 1u) {
             unit[n] = INVCAL_SQRT(h[INVCAL_PACKED(i, i)]);
@@ -318,7 +322,6 @@ static invcal_real solve_set(const invcal_real h[INVCAL_PACKED_SIZE(KINDS)],
     }
     invcal_cholesky_solve(l, n, x);
     invcal_cholesky_inverse_diagonal(l, n, variance);
-    memset(out, 0, sizeof *out);
     out->kinds = kinds;
     for (unsigned i = 0; i < n; i++) {
         if (!(x[i] > 0)) {
@@ -344,7 +347,10 @@ static void solve_best(const curve *c, unsigned allowed, mixture *best)
     memset(best, 0, sizeof *best);
     sum_up(c, h, g);
     for (unsigned kinds = 1; kinds <= ALL; kinds++) {
-        const invcal_real found = (kinds & ~allowed) != 0 ? 0 : solve_set(h, g, kinds, &other);
+        if ((kinds & ~allowed) != 0) {
+            continue;
+        }
+        const invcal_real found = solve_set(h, g, kinds, &other);
         if (found > gain) {
             gain = found;
             *best = other;
