@@ -143,6 +143,7 @@ static invcal_real leverage(fit *f)
 /* 1 - h K h' of the positions in the fit. */
 static void check(fit *f, invcal_mask removed, invcal_real *checked)
 {
+    //@ loop unroll INVCAL_OUTLIERS_CAPACITY;
     for (unsigned i = 0; i < f->count; i++) {
         (void)read_row(f, i);
         const invcal_real left = (removed & bit(i)) != 0 ? 0 : 1 - leverage(f);
@@ -215,7 +216,7 @@ static int visit(fit *f, const invcal_real *checked, unsigned d, unsigned size, 
     invcal_mask group = bit(k);
     invcal_real squares = f->squares;
     invcal_real left = 1; /* of det H'H */
-    invcal_real c[GROUP - 1];
+    invcal_real c[GROUP - 1] = {0};
     invcal_real r = residual(f, k);
     invcal_real m = checked[k];
 
@@ -243,14 +244,18 @@ static void search(fit *f, const invcal_real *checked, unsigned size, contest *c
     path p;
     unsigned d = 0;
 
+    memset(&p, 0, sizeof p);
     p.member[0] = (uint8_t)f->count;
     /* at most 2 (C(n,1) + C(n,2) + C(n,3)) steps: 10,976 for n = 32 positions */
     while (d > 0 || p.member[0] > 0) {
+        //@ assert d < size; // it rises as visit says, and falls from 1 at least
+        //@ split d;
         if (p.member[d] == 0) { /* all tried: the member before moves on */
             d--;
         } else {
             p.member[d]--;
             if (visit(f, checked, d, size, &p, contests)) {
+                //@ assert d + 1 < size; // as visit says
                 p.member[d + 1] = p.member[d];
                 d++;
             }
@@ -325,8 +330,10 @@ static contest settle(fit *f, invcal_mask removed, const contest *c)
 static void compete(fit *f, invcal_mask removed, unsigned size, invcal_real *checked,
                     contest *contests)
 {
+    const contest none = {0, 0, INVCAL_REAL_MAX, INVCAL_REAL_MAX};
+
     for (unsigned k = 0; k <= size; k++) {
-        contests[k] = (contest){0, 0, INVCAL_REAL_MAX, INVCAL_REAL_MAX};
+        contests[k] = none;
     }
     contests[0].squares = f->squares;
     check(f, removed, checked);
@@ -350,6 +357,7 @@ static invcal_mask find_group(fit *f, invcal_mask removed, invcal_real *checked,
     unsigned size = spare < room ? spare : room;
 
     size = size < GROUP ? size : GROUP;
+    //@ split size;
     compete(f, removed, size, checked, contests);
     for (*suspected = 0; size > 0; size--) { /* at most GROUP steps */
         const finding found = judge(f, removed, contests, size);
@@ -380,6 +388,7 @@ static void report(fit *f, invcal_mask removed, invcal_outliers *out)
     for (unsigned i = 0; i < f->count; i++) {
         if ((removed & bit(i)) != 0) {
             const invcal_real e = residual(f, i);
+            //@ assert out->count < INVCAL_OUTLIERS_MOST; // find_group leaves room for no more
             out->position[out->count] = i;
             out->error[out->count] = e;
             out->w[out->count] = e / (out->sigma * INVCAL_SQRT(1 + leverage(f)));
