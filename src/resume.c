@@ -142,6 +142,7 @@ static invcal_status check_positions(const invcal_session *session, const head *
     invcal_observation row;
     invcal_real mean[3];
 
+    //@ loop unroll INVCAL_MAX_POSITIONS;
     for (unsigned i = 0; i < h->stored && status == INVCAL_OK; i++) {
         memcpy(mean, session->mean[i], sizeof mean);
         invcal_way_each(&w, mean, 3);
@@ -156,6 +157,7 @@ static invcal_status check_positions(const invcal_session *session, const head *
 
 static void put_positions(invcal_way *w, const invcal_session *session, const head *h)
 {
+    //@ loop unroll INVCAL_MAX_POSITIONS;
     for (unsigned i = 0; i < h->stored; i++) {
         each_const(w, session->mean[i], 3);
         *w->to++ = session->age[i];
@@ -184,6 +186,7 @@ invcal_status invcal_resume_encode(const invcal_session *session, uint8_t bytes[
     each_real(&w, &h);
     put_positions(&w, session, &h);
     *size = length_of(&h);
+    //@ assert \initialized(bytes + (0 .. *size - INVCAL_CRC_SIZE - 1)); // all fitted into floats
     invcal_put_u32(w.to, invcal_crc32(0, bytes, *size - INVCAL_CRC_SIZE));
     return INVCAL_OK;
 }
@@ -207,7 +210,6 @@ static int get_head(const uint8_t *bytes, head *h)
     if (length < TABLE_AT + INVCAL_CRC_SIZE) {
         return 0;
     }
-    memset(h, 0, sizeof *h); /* each_real looks at what it replaces */
     h->stored = invcal_get_u16(bytes + 4);
     h->step = invcal_get_u16(bytes + 6);
     h->count = invcal_get_u32(bytes + 8);
@@ -229,6 +231,7 @@ static int are_positions(const uint8_t *bytes, const head *h)
     invcal_observation row;
     invcal_real mean[3] = {0, 0, 0};
 
+    //@ loop unroll INVCAL_MAX_POSITIONS;
     for (unsigned i = 0; i < h->stored; i++) {
         invcal_way_each(&w, mean, 3);
         w.from++;
@@ -266,6 +269,7 @@ static void fill(const uint8_t *bytes, const head *h, invcal_session *session)
     if (session->coldest < 0 || session->warmest > 0) { /* there was a thermometer */
         session->measured = (unsigned)h->count;
     }
+    //@ loop unroll INVCAL_MAX_POSITIONS;
     for (unsigned i = 0; i < h->stored; i++) {
         invcal_way_each(&w, session->mean[i], 3);
         session->age[i] = *w.from++;
@@ -286,6 +290,7 @@ static invcal_status read_head(const uint8_t *bytes, uint32_t size, head *h)
     if (bytes[0] != KIND || bytes[1] != VERSION) {
         return INVCAL_OTHER_VERSION;
     }
+    memset(h, 0, sizeof *h); /* each_real looks at what it replaces */
     if (!get_head(bytes, h)) {
         return INVCAL_DAMAGED;
     }

@@ -69,9 +69,10 @@ static invcal_status read_row(const invcal_session *session, const invcal_real m
     return invcal_observe(&settings->nominal, settings->field, mean, row);
 }
 
-/* The row of a stored position; it was accepted when it was stored. */
+/* The row of a stored position; it was accepted when it was stored. Else it is empty. */
 static void stored_row(const invcal_session *session, unsigned i, invcal_observation *row)
 {
+    memset(row, 0, sizeof *row);
     (void)read_row(session, session->mean[i], row);
 }
 
@@ -95,10 +96,13 @@ static void sum_up(invcal_session *session)
 /* The last one takes its place: their order means nothing. */
 static void drop(invcal_session *session, unsigned i)
 {
+    //@ assert 0 < session->stored; // i is one of them
     const unsigned last = --session->stored;
 
     if (i < last) {
-        memcpy(session->mean[i], session->mean[last], sizeof session->mean[i]);
+        for (unsigned a = 0; a < 3; a++) {
+            session->mean[i][a] = session->mean[last][a];
+        }
         session->age[i] = session->age[last];
     }
 }
@@ -337,6 +341,7 @@ static unsigned share(const invcal_session *session, invcal_real hundred)
     const invcal_real least = SHORTEST;
     const int is_longer = is_procedure(session) && session->hold > least;
     const invcal_real percent = hundred / (is_longer ? session->hold : least);
+    //@ assert \is_finite(percent) && percent >= 0; // as all three are, and least > 0
 
     return percent < 99 ? (unsigned)percent : 99;
 }
@@ -562,9 +567,9 @@ void invcal_session_age(invcal_session *session)
     if (!session->setup.background) {
         return;
     }
-    for (unsigned i = session->stored; i-- > 0;) {
-        if (++session->age[i] > FADED) {
-            drop(session, i);
+    for (unsigned i = session->stored; i > 0; i--) {
+        if (++session->age[i - 1] > FADED) {
+            drop(session, i - 1);
         }
     }
     sum_up(session);
