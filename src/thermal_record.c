@@ -61,6 +61,7 @@ invcal_status invcal_thermal_record_encode(const invcal_thermal_record *record,
     invcal_way w = {INVCAL_PUT, bytes + REALS_AT, NULL, 1};
     invcal_solution s;
 
+    memset(&s, 0, sizeof s); /* written only if there is one */
     invcal_status status = settle(&c, &s);
     if (status != INVCAL_OK) {
         return status;
@@ -83,6 +84,7 @@ invcal_status invcal_thermal_record_encode(const invcal_thermal_record *record,
     bytes[DEGREE_AT + 2] = (uint8_t)c.fallback;
     bytes[DEGREE_AT + 3] = (uint8_t)c.frame;
     each_real(&w, &c);
+    //@ assert \initialized(bytes + (0 .. size - INVCAL_CRC_SIZE - 1)); // all fitted into floats
     invcal_put_u32(w.to, invcal_crc32(0, bytes, size - INVCAL_CRC_SIZE));
     *length = size;
     return INVCAL_OK;
@@ -105,7 +107,6 @@ invcal_status invcal_thermal_record_decode(const uint8_t *bytes, uint32_t size,
 {
     INVCAL_ASSERT(bytes && out);
     invcal_thermal_calibration c = {0};
-    invcal_way w = {INVCAL_GET, NULL, bytes + REALS_AT, 1};
     invcal_record r;
     invcal_solution s;
 
@@ -119,6 +120,7 @@ invcal_status invcal_thermal_record_decode(const uint8_t *bytes, uint32_t size,
     if (status != INVCAL_OK) {
         return status;
     }
+    memset(&r, 0, sizeof r); /* a record is written only if it is one */
     status = invcal_record_decode(bytes + RECORD_AT, INVCAL_RECORD_SIZE, &r);
     if (status != INVCAL_OK) {
         return status;
@@ -128,6 +130,7 @@ invcal_status invcal_thermal_record_decode(const uint8_t *bytes, uint32_t size,
     c.fitted = bytes[DEGREE_AT + 1];
     c.fallback = (invcal_thermal_fallback)bytes[DEGREE_AT + 2];
     c.frame = (invcal_frame)bytes[DEGREE_AT + 3];
+    invcal_way w = {INVCAL_GET, NULL, bytes + REALS_AT, 1};
     each_real(&w, &c);
     if (settle(&c, &s) != INVCAL_OK) {
         return INVCAL_DAMAGED;

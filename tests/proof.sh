@@ -9,10 +9,11 @@
 # `N passed, N failed`. DOUBLE=1: with invcal_real double; INT16=1: with an int of 16 bits, as on
 # AVR. JOBS=N: so many at a time.
 #
-# Lines in tests/proof/ROOM.c (or .h of src/):
+# Lines in tests/proof/ROOM.c:
 #     // eva: OPTIONS           options of Eva for it
 #     // config: -DX=1 ...      proved once more so configured
-#     // trusted: N             ACSL annotations that Eva takes for granted, not proved; else 0
+#     // trusted: N             ACSL annotations on its way that Eva takes for granted, not proved: no
+#                               more and no fewer. Why they hold stands behind, in their own room
 #     // dead: FUNCTION N       N statements of it that no input reaches; why stands behind
 cd "$(dirname "$0")/.." || exit 1
 
@@ -142,6 +143,6 @@ for room; do
             macros="${DOUBLE:+-DINVCAL_DOUBLE=1}${DOUBLE:+${macros:+ }}$macros"
             printf '%s\0%s\0' "$room" "$macros"
         done
-done | xargs -0 -n 2 -P "${JOBS:-2}" sh tests/proof.sh --one "$out" | awk '{ print; fflush() }
-    /: PASS \(/ { p++ } /: FAIL \(/ { f++ }
-    END { print p + 0 " passed, " f + 0 " failed"; exit f > 0 || p == 0 }'
+done | xargs -0 -n 2 -P "${JOBS:-2}" sh tests/proof.sh --one "$out" | tee "$out/proof/summary"
+awk '/: PASS \(/ { p++ } /: FAIL \(/ { f++ }
+    END { print p + 0 " passed, " f + 0 " failed"; exit f > 0 || p == 0 }' "$out/proof/summary"

@@ -13,5 +13,6 @@ void main(void)
     ANY(reals);
     ANY(way.what);
     invcal_is_sound(bytes, size);
+    invcal_are_zero(bytes, size);
     invcal_way_each(&way, reals, 9);
 }

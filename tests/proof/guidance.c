@@ -6,6 +6,8 @@
 
 // eva: -eva-precision 0 -eva-auto-loop-unroll 128 -eva-split-return full -eva-slevel 200 -eva-slevel-merge-after-loop @all
 // trusted: 3
+// Of the directions the one with the largest gain qualifies, as no gain is a NaN: the pivots of L
+// bound it. The rows are of unit vectors: computed so, or checked when they were handed in.
 
 void main(void)
 {

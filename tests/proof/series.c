@@ -4,6 +4,7 @@
 
 // eva: -eva-precision 0 -eva-auto-loop-unroll 16 -eva-split-return full -eva-slevel 50 -eva-slevel-merge-after-loop @all
 // trusted: 1
+// The plan was checked, and position (group - 1) N + k is one of its 3 N.
 
 void main(void)
 {
