@@ -1369,7 +1369,7 @@ static void the_drift_limit_is_where_a_lag_makes_the_noise_of_a_position(void)
 
 static void no_drift_is_allowed_where_the_limit_is_no_number(void)
 {
-    invcal_settings settings = unit_settings((invcal_real)1e-4);
+    invcal_settings settings = unit_settings(1e-4);
     const invcal_thermal_settings thermal = nothing_known;
 
     settings.field = 0;
