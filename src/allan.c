@@ -90,7 +90,7 @@ static invcal_status check_times(const uint32_t *m, unsigned count)
 }
 
 /* Puts m into the ring of its stage, the last one or a new one. */
-static void append(invcal_allan *a, uint32_t m)
+static void add_time(invcal_allan *a, uint32_t m)
 {
     uint8_t stage = 0;
 
@@ -117,7 +117,7 @@ invcal_status invcal_allan_init(invcal_allan *allan, const uint32_t *m, unsigned
     memset(allan, 0, sizeof *allan);
     allan->windows = (uint8_t)windows;
     for (unsigned k = 0; k < count; k++) {
-        append(allan, m ? m[k] : UINT32_C(1) << k);
+        add_time(allan, m ? m[k] : UINT32_C(1) << k);
     }
     return INVCAL_OK;
 }
@@ -169,7 +169,7 @@ void invcal_allan_gap(invcal_allan *allan)
 
 /* ---- one averaging time ---------------------------------------------------------------------- */
 
-static invcal_real degrees_of_freedom(invcal_real lag, invcal_real count)
+static invcal_real freedom_of(invcal_real lag, invcal_real count)
 {
     const invcal_real n = count + 2 * lag; /* totals */
     const invcal_real square = 4 * lag * lag;
@@ -200,7 +200,7 @@ invcal_status invcal_allan_get(const invcal_allan *allan, unsigned index, invcal
     out->m = tau->m;
     out->count = tau->count;
     out->adev = root_mean(tau) / (invcal_real)tau->m;
-    out->edf = degrees_of_freedom((invcal_real)lag, (invcal_real)tau->count);
+    out->edf = freedom_of((invcal_real)lag, (invcal_real)tau->count);
     out->relative = 1 / INVCAL_SQRT(2 * out->edf);
     return INVCAL_OK;
 }
@@ -272,7 +272,8 @@ static void collect(const invcal_allan *a, curve *c)
 }
 
 /* Normal equations of variance / model = sum of term (power / model). */
-static void sum_up(const curve *c, invcal_real h[INVCAL_PACKED_SIZE(KINDS)], invcal_real g[KINDS])
+static void sum_curve(const curve *c, invcal_real h[INVCAL_PACKED_SIZE(KINDS)],
+                      invcal_real g[KINDS])
 {
     invcal_real row[KINDS];
 
@@ -345,7 +346,7 @@ static void solve_best(const curve *c, unsigned allowed, mixture *best)
     mixture other;
 
     memset(best, 0, sizeof *best);
-    sum_up(c, h, g);
+    sum_curve(c, h, g);
     for (unsigned kinds = 1; kinds <= ALL; kinds++) {
         if ((kinds & ~allowed) != 0) {
             continue;
@@ -368,7 +369,7 @@ static invcal_real model_at(const mixture *x, invcal_real tau)
 
 /* Variances scatter in proportion to what they estimate, so the model, not the measured curve,
  * must weigh them: it is found in turns with its weights. */
-static void fit(curve *c, unsigned allowed, mixture *x)
+static void fit_mixture(curve *c, unsigned allowed, mixture *x)
 {
     for (unsigned step = 0; step < STEPS; step++) {
         solve_best(c, allowed, x);
@@ -409,13 +410,13 @@ static void fit_visible(curve *c, mixture *x)
 {
     mixture fewer;
 
-    fit(c, ALL, x);
+    fit_mixture(c, ALL, x);
     invcal_real before = misfit(c);
     for (unsigned i = hidden_kind(x); i < KINDS; i = hidden_kind(x)) { /* at most KINDS */
-        fit(c, x->kinds & ~(1u << i), &fewer);
+        fit_mixture(c, x->kinds & ~(1u << i), &fewer);
         const invcal_real after = misfit(c);
         if (after > POOR && after > 2 * before) {
-            fit(c, x->kinds, x);
+            fit_mixture(c, x->kinds, x);
             return;
         }
         before = after;

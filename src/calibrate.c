@@ -7,9 +7,9 @@
 #include "vector.h"
 
 /* First pass: the normal equations of all positions. */
-static invcal_status accumulate(const invcal_real *raw, unsigned count,
-                                const invcal_settings *settings, invcal_normal *normal,
-                                unsigned *position)
+static invcal_status add_positions(const invcal_real *raw, unsigned count,
+                                   const invcal_settings *settings, invcal_normal *normal,
+                                   unsigned *position)
 {
     invcal_observation row;
     const invcal_real *mean = raw;
@@ -178,7 +178,7 @@ invcal_status invcal_calibrate(const invcal_real *raw, unsigned count,
     invcal_normal_init(&normal);
     invcal_status status = invcal_settings_check(settings);
     if (status == INVCAL_OK) {
-        status = accumulate(raw, count, settings, &normal, &position);
+        status = add_positions(raw, count, settings, &normal, &position);
     }
     if (status == INVCAL_OK) {
         status = invcal_calibrate_sums(&normal, &positions, settings, &s, &q);

@@ -3,6 +3,8 @@
 
 #include <math.h>
 
+#include "vector.h"
+
 /* WGS 84 */
 #define EQUATOR INVCAL_REAL(9.7803253359)          /* ge, m/s^2 */
 #define SOMIGLIANA INVCAL_REAL(0.00193185265241)   /* k */
@@ -10,8 +12,6 @@
 #define RADIUS INVCAL_REAL(6378137.0)              /* a, m */
 #define FLATTENING INVCAL_REAL(3.3528106647475e-3) /* f = 1 / 298.257223563 */
 #define ROTATION INVCAL_REAL(3.44978650684e-3)     /* m = omega^2 a^2 b / GM */
-
-#define DEGREE INVCAL_REAL(0.017453292519943296)
 
 static int is_between(invcal_real x, invcal_real low, invcal_real high)
 {
@@ -25,7 +25,7 @@ invcal_status invcal_gravity(invcal_real latitude, invcal_real height, invcal_re
         !is_between(height, INVCAL_GRAVITY_LOWEST, INVCAL_GRAVITY_HIGHEST)) {
         return INVCAL_BAD_SETTING;
     }
-    const invcal_real sine = INVCAL_SIN(latitude * DEGREE);
+    const invcal_real sine = INVCAL_SIN(latitude * INVCAL_DEGREE);
     const invcal_real s2 = sine * sine;
     const invcal_real h = height / RADIUS;
     const invcal_real surface =

@@ -4,9 +4,9 @@
 #include <stddef.h>
 #include <string.h>
 
+#include "triad.h"
 #include "vector.h"
 
-#define RIDGE INVCAL_REAL(1e-4) /* of the largest diagonal element, as invcal_undetermined */
 #define EQUAL INVCAL_REAL(0.01) /* gains that differ by less are equal */
 #define MOVED INVCAL_REAL(0.9)  /* cosine of 26 degrees: nearer is the same position again */
 #define FIRST INVCAL_REAL(1e-3) /* of cosines that differ by less, the first counts */
@@ -14,7 +14,7 @@
 
 /* ---- the 26 directions ---------------------------------------------------------------------- */
 
-enum { CODES = 27, KINDS = 3 }; /* sign triples; faces, edges and corners have 1, 2, 3 signs */
+enum { CODES = 27, CODE_KINDS = 3 }; /* sign triples; faces, edges and corners have 1, 2, 3 signs */
 
 /* The n-th direction of KINDS CODES: the triples z slowest, +1 first, then 0, then -1; first for
  * faces, then edges, then corners. Returns 0 where the triple is of another kind. */
@@ -34,12 +34,12 @@ static int direction(unsigned n, invcal_real up[3])
 /* ---- what they are worth --------------------------------------------------------------------- */
 
 /* L L' = H'H + ridge I, with a row more if there is one. */
-static invcal_status factor(const invcal_normal *normal, const invcal_observation *more,
-                            invcal_real *l)
+static invcal_status factor_with(const invcal_normal *normal, const invcal_observation *more,
+                                 invcal_real *l)
 {
     invcal_normal_matrix(normal, l);
     const invcal_real largest = invcal_largest_diagonal(l, INVCAL_PARAMETERS);
-    const invcal_real ridge = RIDGE * (largest > 1 ? largest : 1);
+    const invcal_real ridge = INVCAL_RIDGE * (largest > 1 ? largest : 1);
     for (unsigned r = 0; r < INVCAL_PARAMETERS; r++) {
         for (unsigned c = 0; more && c <= r; c++) {
             l[INVCAL_PACKED(r, c)] += more->h[r] * more->h[c];
@@ -65,7 +65,7 @@ static invcal_real largest_gain(const invcal_real *l)
     invcal_real up[3];
     invcal_real most = 0;
 
-    for (unsigned n = 0; n < KINDS * CODES; n++) {
+    for (unsigned n = 0; n < CODE_KINDS * CODES; n++) {
         if (direction(n, up)) {
             const invcal_real gain = gain_of(l, up);
             most = gain > most ? gain : most;
@@ -77,14 +77,14 @@ static invcal_real largest_gain(const invcal_real *l)
 /* ---- the choice ----------------------------------------------------------------------------- */
 
 /* Of those with a gain of least or more the nearest, but rather any other than the same again. */
-static void choose(const invcal_real *l, invcal_real least, const invcal_real *current,
-                   invcal_guidance *next)
+static void choose_codes(const invcal_real *l, invcal_real least, const invcal_real *current,
+                         invcal_guidance *next)
 {
     const invcal_real length = current ? INVCAL_SQRT(invcal_dot(current, current, 3)) : 0;
     invcal_real best = -3;
     invcal_real up[3];
 
-    for (unsigned n = 0; n < KINDS * CODES; n++) {
+    for (unsigned n = 0; n < CODE_KINDS * CODES; n++) {
         if (!direction(n, up)) {
             continue;
         }
@@ -136,7 +136,7 @@ static void predict(const invcal_normal *normal, invcal_real *l, invcal_guidance
     roots(l, next->before);
     (void)invcal_observation_exact(next->up, &row);
     //@ assert \initialized(row.h + (0 .. 8));
-    (void)factor(normal, &row, l); /* what was positive definite and a square more */
+    (void)factor_with(normal, &row, l); /* what was positive definite and a square more */
     roots(l, next->after);
     next->improves = improved(next);
 }
@@ -147,10 +147,10 @@ invcal_status invcal_guidance_next(const invcal_normal *normal, const invcal_rea
     invcal_real l[INVCAL_PACKED_SIZE(INVCAL_PARAMETERS)];
 
     INVCAL_ASSERT(normal && next);
-    if (factor(normal, NULL, l) != INVCAL_OK) {
+    if (factor_with(normal, NULL, l) != INVCAL_OK) {
         return INVCAL_BAD_SETTING;
     }
-    choose(l, largest_gain(l) * (1 - EQUAL), current, next);
+    choose_codes(l, largest_gain(l) * (1 - EQUAL), current, next);
     predict(normal, l, next);
     return INVCAL_OK;
 }
@@ -166,7 +166,7 @@ invcal_status invcal_guidance_of(const invcal_normal *normal, const invcal_real 
     if (status != INVCAL_OK) {
         return status;
     }
-    if (factor(normal, NULL, l) != INVCAL_OK) {
+    if (factor_with(normal, NULL, l) != INVCAL_OK) {
         return INVCAL_BAD_SETTING;
     }
     memcpy(next->up, up, sizeof next->up);
@@ -176,10 +176,9 @@ invcal_status invcal_guidance_of(const invcal_normal *normal, const invcal_real 
 
 /* ---- in words ------------------------------------------------------------------------------- */
 
-#define NAMED INVCAL_REAL(0.1)                   /* a component below is none: 6 degrees */
-#define RADIAN INVCAL_REAL(0.017453292519943296) /* one degree */
+#define NAMED INVCAL_REAL(0.1) /* a component below is none: 6 degrees */
 
-static char *append(char *at, const char *text)
+static char *write_text(char *at, const char *text)
 {
     while (*text != '\0') { /* at most 7 steps: the length of the texts below */
         *at++ = *text++;
@@ -201,15 +200,15 @@ static char *append_tilt(char *at, invcal_real cosine)
 
     /* at most 10 steps */
     while (degrees < 55 &&
-           INVCAL_COS(((invcal_real)degrees + INVCAL_REAL(2.5)) * RADIAN) > cosine) {
+           INVCAL_COS(((invcal_real)degrees + INVCAL_REAL(2.5)) * INVCAL_DEGREE) > cosine) {
         degrees += 5;
     }
-    at = append(at, ", tilt ");
+    at = write_text(at, ", tilt ");
     if (degrees >= 10) {
         *at++ = (char)('0' + degrees / 10);
     }
     *at++ = (char)('0' + degrees % 10);
-    return append(at, " deg, ");
+    return write_text(at, " deg, ");
 }
 
 /* z, x and y, the largest component first; of equal ones in this order. */
@@ -234,15 +233,15 @@ void invcal_guidance_words(const invcal_real up[3], char words[INVCAL_GUIDANCE_W
 
     INVCAL_ASSERT(up && words);
     rank(up, axis);
-    char *at = append(append_axis(words, up, axis[0]), " up");
+    char *at = write_text(append_axis(words, up, axis[0]), " up");
     if (INVCAL_FABS(up[axis[1]]) > NAMED) {
         const int both = INVCAL_FABS(up[axis[2]]) > NAMED;
         at = append_tilt(at, INVCAL_FABS(up[axis[0]]));
         at = append_axis(at, up, axis[1]);
         if (both) {
-            at = append_axis(append(at, " and "), up, axis[2]);
+            at = append_axis(write_text(at, " and "), up, axis[2]);
         }
-        at = append(at, both ? " rise" : " rises");
+        at = write_text(at, both ? " rise" : " rises");
     }
     *at = '\0';
 }

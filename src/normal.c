@@ -38,7 +38,7 @@ static invcal_real *raised(invcal_real *list, unsigned degree, const invcal_real
 }
 
 /* H'H += w h h', H'J += w h j, J'J += w j j. */
-static void accumulate(invcal_normal *normal, const invcal_observation *o, invcal_real weight)
+static void add_weighted(invcal_normal *normal, const invcal_observation *o, invcal_real weight)
 {
     const invcal_real wj = weight * o->j;
     /* cppcheck-suppress misra-c2012-9.3 ; raised() fills the rest */
@@ -57,8 +57,8 @@ static void accumulate(invcal_normal *normal, const invcal_observation *o, invca
     normal->jtj += wj * o->j;
 }
 
-static invcal_status check(const invcal_normal *normal, const invcal_observation *observation,
-                           invcal_real weight)
+static invcal_status check_row(const invcal_normal *normal, const invcal_observation *observation,
+                               invcal_real weight)
 {
     INVCAL_ASSERT(normal && observation);
     if (!invcal_is_positive(weight)) {
@@ -70,10 +70,10 @@ static invcal_status check(const invcal_normal *normal, const invcal_observation
 invcal_status invcal_normal_add(invcal_normal *normal, const invcal_observation *observation,
                                 invcal_real weight)
 {
-    const invcal_status status = check(normal, observation, weight);
+    const invcal_status status = check_row(normal, observation, weight);
 
     if (status == INVCAL_OK) {
-        accumulate(normal, observation, weight);
+        add_weighted(normal, observation, weight);
         /* Sums that fade may go on for ever, and a count of 0 would say that they are empty. */
         normal->count += normal->count < UINT_MAX;
         normal->model = observation->model;
@@ -84,7 +84,7 @@ invcal_status invcal_normal_add(invcal_normal *normal, const invcal_observation 
 invcal_status invcal_normal_remove(invcal_normal *normal, const invcal_observation *observation,
                                    invcal_real weight)
 {
-    const invcal_status status = check(normal, observation, weight);
+    const invcal_status status = check_row(normal, observation, weight);
 
     if (status != INVCAL_OK) {
         return status;
@@ -92,7 +92,7 @@ invcal_status invcal_normal_remove(invcal_normal *normal, const invcal_observati
     if (normal->count == 0) {
         return INVCAL_TOO_FEW;
     }
-    accumulate(normal, observation, -weight);
+    add_weighted(normal, observation, -weight);
     if (--normal->count == 0) {
         invcal_normal_init(normal); /* no rounding errors of what has gone */
     }

@@ -43,7 +43,7 @@ typedef struct {
     invcal_observation row; /* the last one read: one for all saves stack */
 } fit;
 
-static invcal_status read_row(fit *f, unsigned i)
+static invcal_status read_position(fit *f, unsigned i)
 {
     return invcal_observe(&f->settings->nominal, f->settings->field, &f->raw[3 * (size_t)i],
                           &f->row);
@@ -54,7 +54,7 @@ static invcal_status sum_rows(fit *f, invcal_mask removed, invcal_normal *normal
     invcal_normal_init(normal);
     for (unsigned i = 0; i < f->count; i++) {
         if (!(removed & bit(i))) {
-            const invcal_status status = read_row(f, i);
+            const invcal_status status = read_position(f, i);
             if (status != INVCAL_OK) {
                 return status;
             }
@@ -67,7 +67,7 @@ static invcal_status sum_rows(fit *f, invcal_mask removed, invcal_normal *normal
 /* j + h p of a position that was read before. */
 static invcal_real residual(fit *f, unsigned i)
 {
-    (void)read_row(f, i);
+    (void)read_position(f, i);
     return f->row.j + invcal_dot(f->row.h, f->p, INVCAL_PARAMETERS);
 }
 
@@ -141,11 +141,11 @@ static invcal_real leverage(fit *f)
 }
 
 /* 1 - h K h' of the positions in the fit. */
-static void check(fit *f, invcal_mask removed, invcal_real *checked)
+static void check_rows(fit *f, invcal_mask removed, invcal_real *checked)
 {
     //@ loop unroll INVCAL_OUTLIERS_CAPACITY;
     for (unsigned i = 0; i < f->count; i++) {
-        (void)read_row(f, i);
+        (void)read_position(f, i);
         const invcal_real left = (removed & bit(i)) != 0 ? 0 : 1 - leverage(f);
         checked[i] = left > 0 ? left : 0; /* rounding makes a 0 negative */
     }
@@ -280,7 +280,7 @@ static unsigned degrees_of_freedom(const fit *f, invcal_mask removed)
     return f->count - size_of(removed) - INVCAL_PARAMETERS + (f->settings->noise > 0);
 }
 
-static invcal_real choose(unsigned n, unsigned k)
+static invcal_real binomial(unsigned n, unsigned k)
 {
     invcal_real c = 1;
 
@@ -294,10 +294,10 @@ typedef enum {
     CHANCE,   /* the best of so many choices owes as much to chance */
     RIVALLED, /* something is wrong, but another group of this size explains it nearly as well */
     CLEAR
-} finding;
+} judgement;
 
 /* Is leaving out k more than those removed better than leaving out any fewer? */
-static finding judge(const fit *f, invcal_mask removed, const contest *contests, unsigned k)
+static judgement judge_group(const fit *f, invcal_mask removed, const contest *contests, unsigned k)
 {
     const invcal_real known = known_squares(f);
     const invcal_real squares = contests[k].squares + known;
@@ -307,7 +307,7 @@ static finding judge(const fit *f, invcal_mask removed, const contest *contests,
     for (unsigned j = 0; j < k; j++) {
         const invcal_real p =
             invcal_fisher_tail(squares / (contests[j].squares + known), k - j, dof);
-        if (!(p * choose(n - j, k - j) <= LEVEL)) {
+        if (!(p * binomial(n - j, k - j) <= LEVEL)) {
             return CHANCE;
         }
     }
@@ -317,7 +317,7 @@ static finding judge(const fit *f, invcal_mask removed, const contest *contests,
 }
 
 /* Puts the two in order again by fits without them: squares - r^2 / m cancels. */
-static contest settle(fit *f, invcal_mask removed, const contest *c)
+static contest settle_contest(fit *f, invcal_mask removed, const contest *c)
 {
     contest settled = {0, 0, INVCAL_REAL_MAX, INVCAL_REAL_MAX};
 
@@ -336,12 +336,12 @@ static void compete(fit *f, invcal_mask removed, unsigned size, invcal_real *che
         contests[k] = none;
     }
     contests[0].squares = f->squares;
-    check(f, removed, checked);
+    check_rows(f, removed, checked);
     if (size > 0) {
         search(f, checked, size, contests);
     }
     for (unsigned k = 1; k <= size; k++) {
-        contests[k] = settle(f, removed, &contests[k]);
+        contests[k] = settle_contest(f, removed, &contests[k]);
     }
 }
 
@@ -360,7 +360,7 @@ static invcal_mask find_group(fit *f, invcal_mask removed, invcal_real *checked,
     //@ split size;
     compete(f, removed, size, checked, contests);
     for (*suspected = 0; size > 0; size--) { /* at most GROUP steps */
-        const finding found = judge(f, removed, contests, size);
+        const judgement found = judge_group(f, removed, contests, size);
         if (found == CLEAR) {
             break;
         }

@@ -4,8 +4,7 @@
 #include "vector.h"
 
 #define TURN INVCAL_REAL(360.0)
-#define RADIAN INVCAL_REAL(0.017453292519943296) /* one degree */
-#define ALONG INVCAL_REAL(0.99999847691)         /* cos 0.1 degrees */
+#define ALONG INVCAL_REAL(0.99999847691) /* cos 0.1 degrees */
 
 static invcal_status check_per_group(unsigned per_group)
 {
@@ -66,8 +65,8 @@ static void circle(invcal_real degrees, invcal_real *cosine, invcal_real *sine)
         degrees += TURN / 4;
         quarters += 3;
     }
-    const invcal_real c = INVCAL_COS(degrees * RADIAN);
-    const invcal_real s = INVCAL_SIN(degrees * RADIAN);
+    const invcal_real c = INVCAL_COS(degrees * INVCAL_DEGREE);
+    const invcal_real s = INVCAL_SIN(degrees * INVCAL_DEGREE);
     *cosine = quarters % 4 == 0 ? c : quarters % 4 == 1 ? -s : quarters % 4 == 2 ? -c : s;
     *sine = quarters % 4 == 0 ? s : quarters % 4 == 1 ? c : quarters % 4 == 2 ? -s : -c;
 }

@@ -6,10 +6,10 @@
 #include "bytes.h"
 #include "vector.h"
 
-enum { KIND = 0xCA, VERSION = 1, REALS_AT = 24, TEMPERATURE_AT = 32 };
+enum { RECORD_KIND = 0xCA, RECORD_VERSION = 1, RECORD_REALS_AT = 24, TEMPERATURE_AT = 32 };
 
 /* In the order of their bytes. */
-static void each_real(invcal_way *w, invcal_record *r)
+static void each_record_real(invcal_way *w, invcal_record *r)
 {
     invcal_way_each(w, &r->field, 1);
     invcal_way_each(w, &r->field_sigma, 1);
@@ -31,12 +31,12 @@ static void each_real(invcal_way *w, invcal_record *r)
 }
 
 /* Rounds a record to float and judges what remains: what passes here passes when it is read. */
-static invcal_status settle(invcal_record *r)
+static invcal_status settle_record(invcal_record *r)
 {
     invcal_real inverse[3][3];
     invcal_way w = {INVCAL_TO_FLOAT, NULL, NULL, 1};
 
-    each_real(&w, r);
+    each_record_real(&w, r);
     if (!w.finite) {
         return INVCAL_NOT_FINITE;
     }
@@ -51,7 +51,7 @@ invcal_status invcal_record_encode(const invcal_record *record, uint8_t bytes[IN
     INVCAL_ASSERT(record && bytes);
     const invcal_real most = (invcal_real)FLT_MAX;
     invcal_record r = *record;
-    invcal_way w = {INVCAL_PUT, bytes + REALS_AT, NULL, 1};
+    invcal_way w = {INVCAL_PUT, bytes + RECORD_REALS_AT, NULL, 1};
 
     r.temperature_known = r.temperature_known != 0;
     if (!r.temperature_known) {
@@ -60,12 +60,12 @@ invcal_status invcal_record_encode(const invcal_record *record, uint8_t bytes[IN
     if (r.condition > most && invcal_is_finite(r.condition)) {
         r.condition = most;
     }
-    const invcal_status status = settle(&r);
+    const invcal_status status = settle_record(&r);
     if (status != INVCAL_OK) {
         return status;
     }
-    bytes[0] = KIND;
-    bytes[1] = VERSION;
+    bytes[0] = RECORD_KIND;
+    bytes[1] = RECORD_VERSION;
     invcal_put_u16(bytes + 2, INVCAL_RECORD_SIZE);
     memcpy(bytes + 4, r.sensor, sizeof r.sensor);
     invcal_put_u32(bytes + 12, r.date);
@@ -74,7 +74,7 @@ invcal_status invcal_record_encode(const invcal_record *record, uint8_t bytes[IN
     invcal_put_u16(bytes + 20, r.from_prior);
     bytes[22] = (uint8_t)r.verdict;
     bytes[23] = r.temperature_known;
-    each_real(&w, &r);
+    each_record_real(&w, &r);
     invcal_put_u32(w.to, invcal_crc32(0, bytes, INVCAL_RECORD_SIZE - INVCAL_CRC_SIZE));
     return INVCAL_OK;
 }
@@ -87,7 +87,7 @@ invcal_status invcal_record_decode(const uint8_t *bytes, uint32_t size, invcal_r
     if (!invcal_is_sound(bytes, size)) {
         return INVCAL_DAMAGED;
     }
-    if (bytes[0] != KIND || bytes[1] != VERSION) {
+    if (bytes[0] != RECORD_KIND || bytes[1] != RECORD_VERSION) {
         return INVCAL_OTHER_VERSION;
     }
     if (invcal_get_u16(bytes + 2) != INVCAL_RECORD_SIZE) {
@@ -101,9 +101,9 @@ invcal_status invcal_record_decode(const uint8_t *bytes, uint32_t size, invcal_r
     r.from_prior = invcal_get_u16(bytes + 20);
     r.verdict = (invcal_verdict)bytes[22];
     r.temperature_known = bytes[23];
-    invcal_way w = {INVCAL_GET, NULL, bytes + REALS_AT, 1};
-    each_real(&w, &r);
-    if (settle(&r) != INVCAL_OK ||
+    invcal_way w = {INVCAL_GET, NULL, bytes + RECORD_REALS_AT, 1};
+    each_record_real(&w, &r);
+    if (settle_record(&r) != INVCAL_OK ||
         (!r.temperature_known && !invcal_are_zero(bytes + TEMPERATURE_AT, 4))) {
         return INVCAL_DAMAGED;
     }

@@ -6,8 +6,8 @@
 #include "bytes.h"
 #include "vector.h"
 
-enum { KIND = 0xC5, VERSION = 1 };
-enum { REALS_AT = 24, START_AT = 116, TABLE_AT = 164, POSITION_SIZE = 13, SUMS_SIZE = 164 };
+enum { SESSION_KIND = 0xC5, SESSION_VERSION = 1 };
+enum { SESSION_REALS_AT = 24, START_AT = 116, TABLE_AT = 164, POSITION_SIZE = 13, SUMS_SIZE = 164 };
 
 /* A session without its table and sums. */
 typedef struct {
@@ -30,7 +30,7 @@ static void each_const(invcal_way *w, const invcal_real *x, unsigned count)
 }
 
 /* In the order of their bytes. */
-static void each_real(invcal_way *w, head *h)
+static void each_head_real(invcal_way *w, head *h)
 {
     invcal_settings *settings = &h->setup.settings;
 
@@ -73,7 +73,7 @@ static uint32_t length_of(const head *h)
 }
 
 /* In the background positions go, so the program may have come further than the count. */
-static int is_consistent(const head *h)
+static int is_consistent_head(const head *h)
 {
     const uint32_t last = (uint32_t)INVCAL_PLAN_GROUPS * h->setup.plan.per_group;
 
@@ -83,15 +83,15 @@ static int is_consistent(const head *h)
 }
 
 /* Rounds to float and judges what remains: what passes here passes when it is read. */
-static invcal_status settle(head *h)
+static invcal_status settle_head(head *h)
 {
     invcal_way w = {INVCAL_TO_FLOAT, NULL, NULL, 1};
 
-    each_real(&w, h);
+    each_head_real(&w, h);
     if (!w.finite) {
         return INVCAL_NOT_FINITE;
     }
-    return is_consistent(h) ? invcal_settings_check(&h->setup.settings) : INVCAL_BAD_SETTING;
+    return is_consistent_head(h) ? invcal_settings_check(&h->setup.settings) : INVCAL_BAD_SETTING;
 }
 
 static invcal_status row_of(const invcal_settings *settings, const invcal_real mean[3],
@@ -121,8 +121,8 @@ static void take_head(const invcal_session *session, head *h)
 
 static void put_head(const head *h, uint8_t *bytes)
 {
-    bytes[0] = KIND;
-    bytes[1] = VERSION;
+    bytes[0] = SESSION_KIND;
+    bytes[1] = SESSION_VERSION;
     invcal_put_u16(bytes + 2, (uint16_t)length_of(h));
     invcal_put_u16(bytes + 4, h->stored);
     invcal_put_u16(bytes + 6, h->step);
@@ -171,11 +171,11 @@ invcal_status invcal_resume_encode(const invcal_session *session, uint8_t bytes[
                                    uint32_t *size)
 {
     INVCAL_ASSERT(session && bytes && size);
-    invcal_way w = {INVCAL_PUT, bytes + REALS_AT, NULL, 1};
+    invcal_way w = {INVCAL_PUT, bytes + SESSION_REALS_AT, NULL, 1};
     head h;
 
     take_head(session, &h);
-    invcal_status status = h.stored <= INVCAL_MAX_POSITIONS ? settle(&h) : INVCAL_BAD_SETTING;
+    invcal_status status = h.stored <= INVCAL_MAX_POSITIONS ? settle_head(&h) : INVCAL_BAD_SETTING;
     if (status == INVCAL_OK) {
         status = check_positions(session, &h);
     }
@@ -183,7 +183,7 @@ invcal_status invcal_resume_encode(const invcal_session *session, uint8_t bytes[
         return status;
     }
     put_head(&h, bytes);
-    each_real(&w, &h);
+    each_head_real(&w, &h);
     put_positions(&w, session, &h);
     *size = length_of(&h);
     //@ assert \initialized(bytes + (0 .. *size - INVCAL_CRC_SIZE - 1)); // all fitted into floats
@@ -219,8 +219,8 @@ static int get_head(const uint8_t *bytes, head *h)
     h->is_enough = (uint8_t)(bytes[15] >> 1);
     h->setup.low = get_i32(bytes + 16);
     h->setup.high = get_i32(bytes + 20);
-    invcal_way w = {INVCAL_GET, NULL, bytes + REALS_AT, 1};
-    each_real(&w, h);
+    invcal_way w = {INVCAL_GET, NULL, bytes + SESSION_REALS_AT, 1};
+    each_head_real(&w, h);
     return length == length_of(h) && (h->setup.plan.per_group > 0 ||
                                       invcal_are_zero(bytes + START_AT, 4 * INVCAL_PLAN_GROUPS));
 }
@@ -287,7 +287,7 @@ static invcal_status read_head(const uint8_t *bytes, uint32_t size, head *h)
     if (!invcal_is_sound(bytes, size)) {
         return INVCAL_DAMAGED;
     }
-    if (bytes[0] != KIND || bytes[1] != VERSION) {
+    if (bytes[0] != SESSION_KIND || bytes[1] != SESSION_VERSION) {
         return INVCAL_OTHER_VERSION;
     }
     memset(h, 0, sizeof *h); /* each_real looks at what it replaces */
@@ -311,7 +311,7 @@ invcal_status invcal_resume_decode(const uint8_t *bytes, uint32_t size, invcal_s
         return status;
     }
     /* invcal_session_init comes last: it is the first that writes, and only if it accepts. */
-    if (settle(&h) != INVCAL_OK || !are_positions(bytes, &h) ||
+    if (settle_head(&h) != INVCAL_OK || !are_positions(bytes, &h) ||
         invcal_session_init(out, &h.setup) != INVCAL_OK) {
         return INVCAL_DAMAGED;
     }

@@ -6,7 +6,7 @@
 #include "invcal/cholesky.h"
 #include "vector.h"
 
-#define LARGEST INVCAL_REAL(100.0) /* j of a reading ten times the field is 49.5 */
+#define LARGEST_SIGNAL INVCAL_REAL(100.0) /* j of a reading ten times the field is 49.5 */
 
 /* 1, cos, sin, cos 2, sin 2 of the angle that the position's group turns. Cosine and sine stand
  * in the vertical: group 1 (0, cos, sin), group 2 (-sin, 0, -cos), group 3 (sin, cos, 0). */
@@ -41,7 +41,7 @@ invcal_status invcal_series_add(invcal_series *series, invcal_real j)
     invcal_real t[INVCAL_SERIES_TERMS];
 
     INVCAL_ASSERT(series);
-    if (!(INVCAL_FABS(j) <= LARGEST)) {
+    if (!(INVCAL_FABS(j) <= LARGEST_SIGNAL)) {
         return invcal_is_finite(j) ? INVCAL_OUT_OF_RANGE : INVCAL_NOT_FINITE;
     }
     const invcal_status status = invcal_plan_position_at(&series->plan, series->next, &position);

@@ -4,11 +4,11 @@
 #include <string.h>
 
 #include "invcal/calibrate.h"
+#include "triad.h"
 #include "vector.h"
 
 #define ASKED INVCAL_REAL(0.9396926) /* cos 20 degrees */
 #define TELLING INVCAL_REAL(0.35)    /* h K h' of a position that is worth its place */
-#define RIDGE INVCAL_REAL(1e-4)      /* of the largest diagonal element of H'H */
 #define NORMAL INVCAL_REAL(1.96)     /* sigma that hold 95 % where the noise is known */
 #define SHORTEST INVCAL_REAL(0.625)  /* seconds: what still.h demands of a rest */
 #define DOF 3                        /* residuals to spare before sigma is believed */
@@ -24,7 +24,7 @@ static int has_plan(const invcal_session_setup *setup)
     return setup->plan.per_group > 0;
 }
 
-static invcal_status check(const invcal_session_setup *setup)
+static invcal_status check_setup(const invcal_session_setup *setup)
 {
     invcal_status status = invcal_settings_check(&setup->settings);
 
@@ -47,7 +47,7 @@ invcal_status invcal_session_init(invcal_session *session, const invcal_session_
     invcal_still still;
 
     INVCAL_ASSERT(session && setup);
-    invcal_status status = check(setup);
+    invcal_status status = check_setup(setup);
     if (status == INVCAL_OK) {
         status = invcal_still_init(&still, setup->rate, setup->low, setup->high);
     }
@@ -61,8 +61,8 @@ invcal_status invcal_session_init(invcal_session *session, const invcal_session_
 
 /* ---- the table of positions ------------------------------------------------------------------ */
 
-static invcal_status read_row(const invcal_session *session, const invcal_real mean[3],
-                              invcal_observation *row)
+static invcal_status read_mean(const invcal_session *session, const invcal_real mean[3],
+                               invcal_observation *row)
 {
     const invcal_settings *settings = &session->setup.settings;
 
@@ -73,7 +73,7 @@ static invcal_status read_row(const invcal_session *session, const invcal_real m
 static void stored_row(const invcal_session *session, unsigned i, invcal_observation *row)
 {
     memset(row, 0, sizeof *row);
-    (void)read_row(session, session->mean[i], row);
+    (void)read_mean(session, session->mean[i], row);
 }
 
 static invcal_real weight_of(const invcal_session *session, unsigned i)
@@ -82,7 +82,7 @@ static invcal_real weight_of(const invcal_session *session, unsigned i)
 }
 
 /* The sums anew, as weights and members, or the nominal calibration, have changed. */
-static void sum_up(invcal_session *session)
+static void sum_positions(invcal_session *session)
 {
     invcal_observation row;
 
@@ -117,7 +117,7 @@ static invcal_real telling(const invcal_session *session, const invcal_observati
     invcal_normal_matrix(&session->normal, l);
     const invcal_real largest = invcal_largest_diagonal(l, INVCAL_PARAMETERS);
     for (unsigned r = 0; r < INVCAL_PARAMETERS; r++) {
-        l[INVCAL_PACKED(r, r)] += RIDGE * (largest > 1 ? largest : 1);
+        l[INVCAL_PACKED(r, r)] += INVCAL_RIDGE * (largest > 1 ? largest : 1);
     }
     /* what is a sum of squares and a ridge is positive definite */
     (void)invcal_cholesky_factor(l, INVCAL_PARAMETERS, INVCAL_EPSILON);
@@ -181,13 +181,13 @@ static invcal_session_what keep_if_telling(invcal_session *session, const invcal
     if (session->stored == INVCAL_MAX_POSITIONS) {
         const unsigned least = least_telling(session, telling(session, row));
         if (least == session->stored) {
-            sum_up(session);
+            sum_positions(session);
             return INVCAL_SESSION_COVERED;
         }
         drop(session, least);
     }
     store(session, mean);
-    sum_up(session);
+    sum_positions(session);
     return INVCAL_SESSION_TAKEN;
 }
 
@@ -215,8 +215,9 @@ static int is_within(const invcal_quality *q, const invcal_real sigma[3], invcal
 }
 
 /* On failure solution and quality are lost. */
-static invcal_status solve(const invcal_session *session, const invcal_normal *normal,
-                           invcal_mask left_out, invcal_solution *solution, invcal_quality *quality)
+static invcal_status solve_positions(const invcal_session *session, const invcal_normal *normal,
+                                     invcal_mask left_out, invcal_solution *solution,
+                                     invcal_quality *quality)
 {
     const invcal_positions positions = {&session->mean[0][0], session->age, session->stored,
                                         left_out};
@@ -234,7 +235,7 @@ INVCAL_APART static int reaches_target(const invcal_session *session)
     invcal_quality q;
 
     const int is_wanted = target[0] > 0 || target[1] > 0 || target[2] > 0;
-    if (!is_wanted || solve(session, &session->normal, 0, &solution, &q) != INVCAL_OK) {
+    if (!is_wanted || solve_positions(session, &session->normal, 0, &solution, &q) != INVCAL_OK) {
         return 0;
     }
     return q.verdict == INVCAL_GOOD && (q.dof >= DOF || session->setup.settings.noise > 0) &&
@@ -243,8 +244,8 @@ INVCAL_APART static int reaches_target(const invcal_session *session)
 }
 
 /* Procedure: the table takes what it can hold, the sums everything. */
-static invcal_session_what add(invcal_session *session, const invcal_real mean[3],
-                               const invcal_observation *row, int asked)
+static invcal_session_what add_position(invcal_session *session, const invcal_real mean[3],
+                                        const invcal_observation *row, int asked)
 {
     const unsigned last = INVCAL_PLAN_GROUPS * session->setup.plan.per_group;
 
@@ -267,14 +268,14 @@ INVCAL_APART static void take(invcal_session *session, const invcal_rest *rest, 
     invcal_observation row;
 
     invcal_rest_mean(rest, mean);
-    event->status = read_row(session, mean, &row);
+    event->status = read_mean(session, mean, &row);
     if (event->status != INVCAL_OK) {
         event->what = INVCAL_SESSION_REFUSED;
         return;
     }
     event->is_asked = is_asked(session, row.h);
     event->what = session->setup.background ? keep_if_telling(session, mean, &row)
-                                            : add(session, mean, &row, event->is_asked);
+                                            : add_position(session, mean, &row, event->is_asked);
     if (event->what != INVCAL_SESSION_COVERED) {
         note_temperature(session, session->latest);
     }
@@ -325,13 +326,14 @@ static int is_short(const invcal_session *session, const invcal_rest *rest)
 }
 
 /* A rest that is long enough, but no reading of this field: better said at once. */
-static void announce(const invcal_session *session, const invcal_rest *rest, invcal_event *event)
+static void announce_rest(const invcal_session *session, const invcal_rest *rest,
+                          invcal_event *event)
 {
     invcal_real mean[3];
     invcal_observation row;
 
     invcal_rest_mean(rest, mean);
-    event->status = read_row(session, mean, &row);
+    event->status = read_mean(session, mean, &row);
     event->what = event->status == INVCAL_OK ? INVCAL_SESSION_READY : INVCAL_SESSION_REFUSED;
 }
 
@@ -365,7 +367,7 @@ INVCAL_APART static void settle(invcal_session *session, invcal_event *event)
         return;
     }
     session->is_ready = 1;
-    announce(session, &rest, event);
+    announce_rest(session, &rest, event);
 }
 
 /* It has been left. */
@@ -456,7 +458,7 @@ static int held_row(const invcal_session *session, invcal_observation *row)
         return 0;
     }
     invcal_rest_mean(&rest, mean);
-    return read_row(session, mean, row) == INVCAL_OK;
+    return read_mean(session, mean, row) == INVCAL_OK;
 }
 
 static invcal_status next_of_plan(const invcal_session *session, unsigned step,
@@ -505,14 +507,14 @@ invcal_status invcal_session_renew(invcal_session *session, const invcal_calibra
     settings->nominal = *nominal;
     invcal_status status = invcal_settings_check(settings);
     for (unsigned i = 0; i < session->stored && status == INVCAL_OK; i++) {
-        status = read_row(session, session->mean[i], &row) == INVCAL_OK ? INVCAL_OK
-                                                                        : INVCAL_OUT_OF_RANGE;
+        status = read_mean(session, session->mean[i], &row) == INVCAL_OK ? INVCAL_OK
+                                                                         : INVCAL_OUT_OF_RANGE;
     }
     if (status != INVCAL_OK) {
         settings->nominal = old;
         return status;
     }
-    sum_up(session);
+    sum_positions(session);
     return INVCAL_OK;
 }
 
@@ -542,7 +544,7 @@ INVCAL_APART static invcal_status solve_without_outliers(const invcal_session *s
     invcal_normal normal = session->normal;
 
     leave_out(session, &normal, outliers);
-    return solve(session, &normal, outliers->removed, solution, quality);
+    return solve_positions(session, &normal, outliers->removed, solution, quality);
 }
 
 invcal_status invcal_session_solve(const invcal_session *session, invcal_solution *solution,
@@ -553,7 +555,7 @@ invcal_status invcal_session_solve(const invcal_session *session, invcal_solutio
 
     INVCAL_ASSERT(session && solution && quality);
     const invcal_status status = outliers ? solve_without_outliers(session, &s, &q, outliers)
-                                          : solve(session, &session->normal, 0, &s, &q);
+                                          : solve_positions(session, &session->normal, 0, &s, &q);
     if (status == INVCAL_OK) {
         *solution = s;
         *quality = q;
@@ -572,7 +574,7 @@ void invcal_session_age(invcal_session *session)
             drop(session, i - 1);
         }
     }
-    sum_up(session);
+    sum_positions(session);
 }
 
 /* Squared half widths of the intervals: a sigma that is small by luck does not win. */

@@ -7,8 +7,8 @@
 #include "triad.h"
 #include "vector.h"
 
-#define RIDGE INVCAL_REAL(1e-4) /* of the largest diagonal element: between weak and good */
-#define LARGE (INVCAL_REAL_MAX * INVCAL_REAL(1e-6)) /* what comes of it fits the number type */
+#define LARGEST_SETTING                                                                            \
+    (INVCAL_REAL_MAX * INVCAL_REAL(1e-6)) /* what comes of it fits the number type */
 
 static unsigned parameters_without_prior(const invcal_settings *settings)
 {
@@ -50,12 +50,12 @@ static int are_usable(const invcal_settings *settings)
 static int are_moderate(const invcal_settings *settings, invcal_real inverse[3][3])
 {
     for (unsigned i = 0; i < 3; i++) {
-        if (!(INVCAL_FABS(settings->nominal.offset[i]) <= LARGE)) {
+        if (!(INVCAL_FABS(settings->nominal.offset[i]) <= LARGEST_SETTING)) {
             return 0;
         }
         for (unsigned j = 0; j < 3; j++) {
-            if (!(INVCAL_FABS(settings->nominal.matrix[i][j]) <= LARGE &&
-                  INVCAL_FABS(inverse[i][j]) * settings->field <= LARGE)) {
+            if (!(INVCAL_FABS(settings->nominal.matrix[i][j]) <= LARGEST_SETTING &&
+                  INVCAL_FABS(inverse[i][j]) * settings->field <= LARGEST_SETTING)) {
                 return 0;
             }
         }
@@ -63,7 +63,7 @@ static int are_moderate(const invcal_settings *settings, invcal_real inverse[3][
     return 1;
 }
 
-static invcal_status check(const invcal_settings *settings, invcal_real inverse[3][3])
+static invcal_status check_settings(const invcal_settings *settings, invcal_real inverse[3][3])
 {
     return are_usable(settings) &&
                    invcal_calibration_inverse(&settings->nominal, inverse) == INVCAL_OK &&
@@ -77,7 +77,7 @@ invcal_status invcal_settings_check(const invcal_settings *settings)
     invcal_real inverse[3][3];
 
     INVCAL_ASSERT(settings);
-    return check(settings, inverse);
+    return check_settings(settings, inverse);
 }
 
 /* The least noise with which the prior is more than rounding beside the largest sums. */
@@ -92,7 +92,7 @@ static invcal_real resolvable_noise(const invcal_settings *settings, invcal_real
 }
 
 /* Parameter r is 0 with standard deviation prior[r]: one more row sigma / prior[r] p(r) = 0. */
-static void add_prior(const invcal_settings *settings, invcal_real noise, invcal_real *hth)
+static void add_settings_prior(const invcal_settings *settings, invcal_real noise, invcal_real *hth)
 {
     for (unsigned r = 0; r < INVCAL_PARAMETERS; r++) {
         if (settings->prior[r] > 0) {
@@ -116,7 +116,7 @@ void invcal_information(const invcal_normal *normal, const invcal_settings *sett
         *noise = *noise >= least ? *noise : least;
     }
     invcal_normal_matrix(normal, hth);
-    add_prior(settings, *noise, hth);
+    add_settings_prior(settings, *noise, hth);
 }
 
 invcal_status invcal_information_factor(const invcal_normal *normal,
@@ -265,7 +265,7 @@ invcal_status invcal_solve(const invcal_normal *normal, const invcal_settings *s
     invcal_triad t;
 
     INVCAL_ASSERT(normal && settings && solution);
-    invcal_status status = check(settings, inverse);
+    invcal_status status = check_settings(settings, inverse);
     if (status == INVCAL_OK) {
         status = solve_normal(normal, settings, p);
     }
@@ -296,7 +296,7 @@ uint16_t invcal_undetermined(const invcal_normal *normal)
 
     INVCAL_ASSERT(normal);
     invcal_normal_matrix(normal, l);
-    const invcal_real ridge = RIDGE * invcal_largest_diagonal(l, INVCAL_PARAMETERS);
+    const invcal_real ridge = INVCAL_RIDGE * invcal_largest_diagonal(l, INVCAL_PARAMETERS);
     for (unsigned r = 0; r < INVCAL_PARAMETERS; r++) {
         l[INVCAL_PACKED(r, r)] += ridge;
     }

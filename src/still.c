@@ -51,7 +51,7 @@ enum {
 #define ALIVE 27
 
 /* Drift: a slope beyond chance, and fast over the dwell time, 5/8 s: */
-#define CHANCE 12 /* times the scatter: chi^2 of 36 for three axes, P = 7e-8; */
+#define MANY_SCATTERS 12 /* times the scatter: chi^2 of 36 for three axes, P = 7e-8; */
 #define DRIFT_NOISE (INVCAL_REAL(75.0) / 64) /* 3 sigma of an axis in a second: 9/3 (5/8)^2; */
 #define DRIFT_REACH INVCAL_REAL(6.1e-7)      /* 1/800 of the reach in a second: (5/8/800)^2 */
 
@@ -213,7 +213,7 @@ static int is_drifting(const invcal_still *s)
         larger((t->var - explained) / (t->weight - 2), noise / (invcal_real)s->block.size);
     const invcal_real change = explained / t->var_t * (invcal_real)(s->dwell * s->dwell);
 
-    return explained > CHANCE * scatter && change > DRIFT_NOISE * noise &&
+    return explained > MANY_SCATTERS * scatter && change > DRIFT_NOISE * noise &&
            change > DRIFT_REACH * s->reach;
 }
 
@@ -249,7 +249,7 @@ static void start(invcal_still *s, finding *f, unsigned skip)
 }
 
 /* Sums of the blocks committed. */
-static void sum_up(const invcal_still *s, invcal_rest *rest)
+static void sum_rest(const invcal_still *s, invcal_rest *rest)
 {
     rest->count = (uint32_t)s->blocks * s->block.size;
     for (unsigned a = 0; a < 3; a++) {
@@ -294,7 +294,7 @@ static invcal_rest_reason fault(const invcal_still *s, invcal_rest *rest)
     if (s->blocks < s->dwell) {
         return s->flags & INTERRUPTED ? INVCAL_REST_GAP : INVCAL_REST_SHORT;
     }
-    sum_up(s, rest);
+    sum_rest(s, rest);
     if ((s->flags & CLIPPED) != 0) {
         return INVCAL_REST_CLIPPED;
     }
@@ -353,7 +353,7 @@ static void commit(invcal_still *s)
     s->pended--;
 }
 
-static void add(invcal_still *s, const finding *f)
+static void add_reading(invcal_still *s, const finding *f)
 {
     if (s->pended == TRIM) {
         commit(s);
@@ -381,7 +381,7 @@ static invcal_still_event drifting(invcal_still *s, finding *f)
 }
 
 /* Is there news of the candidate? */
-static invcal_still_event announce(invcal_still *s, finding *f)
+static invcal_still_event announce_still(invcal_still *s, finding *f)
 {
     invcal_rest rest;
 
@@ -414,8 +414,8 @@ static invcal_still_event agree(invcal_still *s, finding *f)
         return INVCAL_STILL_SETTLING;
     }
     s->hold = 0;
-    add(s, f);
-    return announce(s, f);
+    add_reading(s, f);
+    return announce_still(s, f);
 }
 
 /* A knock passes, motion does not; and another place is quiet, but not near. What comes next
@@ -458,7 +458,7 @@ static void expect(const invcal_still *s, finding *f)
     f->hard = s->block.wild || !fits || f->variance > HARD * f->limit || jump > HARD * level;
 }
 
-static invcal_still_event judge(invcal_still *s, finding *f, invcal_rest *out)
+static invcal_still_event judge_moment(invcal_still *s, finding *f, invcal_rest *out)
 {
     const int fresh = learn_new_noise(s, f);
 
@@ -520,7 +520,7 @@ INVCAL_APART static invcal_still_event decide(invcal_still *s, invcal_rest *out)
     f.step = distance(f.mean, s->newest);
     learn_reach(s, &f);
     learn_noise(s, &f);
-    const invcal_still_event event = judge(s, &f, out);
+    const invcal_still_event event = judge_moment(s, &f, out);
     memcpy(s->newest, f.mean, sizeof s->newest);
     return event;
 }
@@ -595,7 +595,7 @@ int invcal_still_current(const invcal_still *still, invcal_rest *out)
     if (still->stage != ANNOUNCED) {
         return 0;
     }
-    sum_up(still, out);
+    sum_rest(still, out);
     return 1;
 }
 

@@ -5,10 +5,10 @@
 
 #include "bytes.h"
 
-enum { KIND = 0x5C, VERSION = 1, KIND_VERSION = VERSION << 8 | KIND };
+enum { SLOT_KIND = 0x5C, SLOT_VERSION = 1, SLOT_KIND_VERSION = SLOT_VERSION << 8 | SLOT_KIND };
 enum { HEADER = 8, CRC_SIZE = 4, BLANK = 0xFF };
 #define CHUNK INVCAL_STORE_GRANULARITY_MAX /* a multiple of every granularity */
-#define LARGEST UINT32_C(0xFFFF)
+#define LARGEST_RECORD UINT32_C(0xFFFF)
 #define RESIDUE UINT32_C(0x2144DF1C) /* CRC-32 of anything with its own CRC-32 behind it */
 
 /* What a slot holds; of two, the one with more is loaded. */
@@ -36,7 +36,7 @@ static uint32_t end_of(const invcal_store *store, uint32_t size)
 
 static int fits(const invcal_store *store, uint32_t size)
 {
-    return size <= LARGEST && end_of(store, size) + store->granularity <= store->slot_size;
+    return size <= LARGEST_RECORD && end_of(store, size) + store->granularity <= store->slot_size;
 }
 
 static int is_usable(const invcal_store *store)
@@ -48,7 +48,7 @@ static int is_usable(const invcal_store *store)
 }
 
 /* Zeros: a driver that reports success and reads too little does no more harm than a bad memory. */
-static void begin(desk *d, const invcal_store *store)
+static void open_desk(desk *d, const invcal_store *store)
 {
     memset(d, 0, sizeof *d);
     d->store = store;
@@ -84,7 +84,7 @@ static int read_header(const desk *d, content *found)
 {
     found->size = invcal_get_u16(d->chunk + 2);
     found->sequence = invcal_get_u32(d->chunk + 4);
-    return invcal_get_u16(d->chunk) == KIND_VERSION && found->size > 0 &&
+    return invcal_get_u16(d->chunk) == SLOT_KIND_VERSION && found->size > 0 &&
            fits(d->store, found->size);
 }
 
@@ -146,7 +146,7 @@ static int program(desk *d, unsigned slot, uint32_t sequence, const uint8_t *byt
 {
     const uint32_t end = end_of(d->store, size);
 
-    invcal_put_u16(d->chunk, KIND_VERSION);
+    invcal_put_u16(d->chunk, SLOT_KIND_VERSION);
     invcal_put_u16(d->chunk + 2, (uint16_t)size);
     invcal_put_u32(d->chunk + 4, sequence);
     uint32_t crc = invcal_crc32(0, d->chunk, HEADER);
@@ -179,7 +179,7 @@ invcal_status invcal_store_save(const invcal_store *store, const uint8_t *bytes,
     INVCAL_ASSERT(store && bytes);
     desk d;
 
-    begin(&d, store);
+    open_desk(&d, store);
     if (!is_usable(store) || size == 0) {
         return INVCAL_BAD_SETTING;
     }
@@ -200,7 +200,7 @@ invcal_status invcal_store_load(const invcal_store *store, uint8_t *bytes, uint3
     INVCAL_ASSERT(store && bytes && size);
     desk d;
 
-    begin(&d, store);
+    open_desk(&d, store);
     if (!is_usable(store)) {
         return INVCAL_BAD_SETTING;
     }
@@ -224,7 +224,7 @@ invcal_status invcal_store_erase(const invcal_store *store)
     INVCAL_ASSERT(store);
     desk d;
 
-    begin(&d, store);
+    open_desk(&d, store);
     if (!is_usable(store)) {
         return INVCAL_BAD_SETTING;
     }

@@ -62,7 +62,7 @@ static invcal_real scaled(const invcal_thermal_calibration *model, invcal_real t
 }
 
 /* delta, dk, gamma of X. */
-static void name_parameters(const invcal_real x[INVCAL_PARAMETERS], invcal_solution *out)
+static void name_thermal(const invcal_real x[INVCAL_PARAMETERS], invcal_solution *out)
 {
     memcpy(out->delta, x, sizeof out->delta);
     memcpy(out->dk, x + INVCAL_DK_X, sizeof out->dk);
@@ -76,7 +76,7 @@ static void parameters_at(const invcal_thermal_calibration *model, invcal_real t
     invcal_real x[N];
 
     evaluate(&model->x[0][0], t, x);
-    name_parameters(x, out);
+    name_thermal(x, out);
 }
 
 static invcal_thermal_place place_of(const invcal_thermal_calibration *model,
@@ -128,7 +128,8 @@ invcal_status invcal_thermal_at(const invcal_thermal_calibration *calibration,
 
 /* ---- settings ----------------------------------------------------------------------------- */
 
-static invcal_status check(const invcal_settings *settings, const invcal_thermal_settings *thermal)
+static invcal_status check_thermal(const invcal_settings *settings,
+                                   const invcal_thermal_settings *thermal)
 {
     invcal_real steepest = 0;
 
@@ -153,7 +154,7 @@ invcal_status invcal_thermal_start(const invcal_settings *settings,
     if (!invcal_is_finite(thermal->reference) || !invcal_is_positive(thermal->span)) {
         return INVCAL_BAD_SETTING;
     }
-    const invcal_status status = check(settings, thermal);
+    const invcal_status status = check_thermal(settings, thermal);
     if (status == INVCAL_OK) {
         memset(out, 0, sizeof *out);
         out->nominal = settings->nominal;
@@ -240,7 +241,7 @@ static invcal_status observe(const invcal_thermal_calibration *base, const invca
     return invcal_residuals_add(one, u, 1, NULL);
 }
 
-static void accumulate(invcal_normal *sum, const invcal_normal *row, invcal_real factor)
+static void add_factored(invcal_normal *sum, const invcal_normal *row, invcal_real factor)
 {
     for (unsigned i = 0; i < INVCAL_MOMENTS; i++) {
         sum->moment[i] += factor * row->moment[i];
@@ -256,7 +257,7 @@ static void accumulate_powers(invcal_thermal_sums *sums, const invcal_normal *ro
                               invcal_real sign)
 {
     for (unsigned k = 0; k < SUMS; k++) {
-        accumulate(&sums->sum[k], row, sign);
+        add_factored(&sums->sum[k], row, sign);
         sign *= t;
     }
 }
@@ -332,9 +333,9 @@ static void block(const invcal_thermal_sums *sums, unsigned a, unsigned b, invca
     const invcal_real v = constant_of(b, t);
     invcal_normal sum = sums->sum[a + b];
 
-    accumulate(&sum, &sums->sum[a], v);
-    accumulate(&sum, &sums->sum[b], u);
-    accumulate(&sum, &sums->sum[0], u * v);
+    add_factored(&sum, &sums->sum[a], v);
+    add_factored(&sum, &sums->sum[b], u);
+    add_factored(&sum, &sums->sum[0], u * v);
     invcal_normal_matrix(&sum, out);
 }
 
@@ -365,8 +366,8 @@ INVCAL_APART static void matrix(const problem *m, unsigned degree, invcal_real t
 
 /* A coefficient is known with a standard deviation: a row (noise / prior) c = 0. That at the
  * reference is X(t) + sum over a >= 1 of -t^a c_a. */
-static void add_prior(const problem *m, unsigned degree, invcal_real t, invcal_real noise,
-                      invcal_real *large)
+static void add_thermal_prior(const problem *m, unsigned degree, invcal_real t, invcal_real noise,
+                              invcal_real *large)
 {
     for (unsigned r = 0; r < N; r++) {
         for (unsigned i = 0; i <= degree; i++) {
@@ -387,7 +388,7 @@ static void add_prior(const problem *m, unsigned degree, invcal_real t, invcal_r
 }
 
 /* The least noise with which the prior is more than rounding beside the largest sums. */
-static invcal_real resolvable_noise(const problem *m, unsigned degree, invcal_real largest)
+static invcal_real resolvable_thermal_noise(const problem *m, unsigned degree, invcal_real largest)
 {
     invcal_real widest = 0;
 
@@ -402,8 +403,8 @@ static invcal_real resolvable_noise(const problem *m, unsigned degree, invcal_re
 
 /* L of H'WH and the prior. The noise is raised where a prior has to hold what the positions leave
  * open, as invcal_information does. */
-static invcal_status factor(const problem *m, unsigned degree, invcal_real t, invcal_real *noise,
-                            invcal_real *large)
+static invcal_status factor_system(const problem *m, unsigned degree, invcal_real t,
+                                   invcal_real *noise, invcal_real *large)
 {
     const unsigned n = (degree + 1) * N;
 
@@ -413,11 +414,11 @@ static invcal_status factor(const problem *m, unsigned degree, invcal_real t, in
     }
     const invcal_real largest = invcal_largest_diagonal(large, n);
     if (invcal_cholesky_factor(large, n, 30 * INVCAL_PIVOT_FLOOR) != INVCAL_OK) {
-        const invcal_real least = resolvable_noise(m, degree, largest);
+        const invcal_real least = resolvable_thermal_noise(m, degree, largest);
         *noise = *noise >= least ? *noise : least;
     }
     matrix(m, degree, t, large);
-    add_prior(m, degree, t, *noise, large);
+    add_thermal_prior(m, degree, t, *noise, large);
     return invcal_cholesky_factor(large, n, INVCAL_EPSILON);
 }
 
@@ -457,7 +458,7 @@ INVCAL_APART static invcal_status solve_degree(const problem *m, unsigned degree
     invcal_real large[LARGE];
     invcal_real x[INVCAL_THERMAL_ROWS * INVCAL_PARAMETERS];
 
-    const invcal_status status = factor(m, degree, 0, &noise, large);
+    const invcal_status status = factor_system(m, degree, 0, &noise, large);
     if (status != INVCAL_OK) {
         return status;
     }
@@ -625,7 +626,7 @@ static invcal_status solve_highest(const problem *m, unsigned most, invcal_real 
     return obstacle(m, 0) == INVCAL_THERMAL_AS_ASKED ? solve_degree(m, 0, p) : INVCAL_TOO_FEW;
 }
 
-static invcal_status solve(const problem *m, unsigned most, invcal_thermal_calibration *out)
+static invcal_status solve_degrees(const problem *m, unsigned most, invcal_thermal_calibration *out)
 {
     const invcal_thermal_calibration *base = m->base;
     invcal_real p[INVCAL_THERMAL_ROWS * INVCAL_PARAMETERS];
@@ -654,8 +655,8 @@ invcal_status invcal_thermal_solve(const invcal_thermal_sums *sums,
     const problem m = {sums, settings, thermal, base, base};
 
     INVCAL_ASSERT(sums && base && settings && thermal && out);
-    const invcal_status status = check(settings, thermal);
-    return status == INVCAL_OK ? solve(&m, DEGREE - (unsigned)thermal->less, out) : status;
+    const invcal_status status = check_thermal(settings, thermal);
+    return status == INVCAL_OK ? solve_degrees(&m, DEGREE - (unsigned)thermal->less, out) : status;
 }
 
 /* ---- the judgement ------------------------------------------------------------------------ */
@@ -704,7 +705,7 @@ INVCAL_APART static invcal_status coefficients_of_data(const problem *m, unsigne
     if (!has_prior(m, degree)) {
         return INVCAL_OK;
     }
-    const invcal_status status = factor(m, degree, 0, &noise, large);
+    const invcal_status status = factor_system(m, degree, 0, &noise, large);
     if (status != INVCAL_OK) {
         return status;
     }
@@ -725,7 +726,7 @@ INVCAL_APART static invcal_status factor_at(const problem *m, unsigned degree, i
     const unsigned first = degree * N;
     invcal_real large[LARGE];
 
-    const invcal_status status = factor(m, degree, t, noise, large);
+    const invcal_status status = factor_system(m, degree, t, noise, large);
     for (unsigned r = 0; r < N && status == INVCAL_OK; r++) {
         memcpy(&l[INVCAL_PACKED(r, 0)], &large[INVCAL_PACKED(first + r, first)],
                (r + 1) * sizeof *l);
@@ -748,8 +749,8 @@ INVCAL_APART static invcal_real condition_of(const invcal_real l[BLOCK])
 }
 
 /* All that can be refused; leaves L^-1 in e->l. */
-static invcal_status judge(const problem *m, unsigned degree, invcal_real t, invcal_evidence *e,
-                           invcal_quality *q)
+static invcal_status judge_thermal(const problem *m, unsigned degree, invcal_real t,
+                                   invcal_evidence *e, invcal_quality *q)
 {
     const invcal_real stated = e->residuals->gain * m->settings->noise / m->settings->field;
     invcal_real unknowns;
@@ -810,7 +811,7 @@ invcal_status invcal_thermal_assess(const invcal_thermal_sums *sums,
     if (!invcal_is_finite(temperature)) {
         return INVCAL_NOT_FINITE;
     }
-    if (sums->sum[0].count == 0 || check(settings, thermal) != INVCAL_OK) {
+    if (sums->sum[0].count == 0 || check_thermal(settings, thermal) != INVCAL_OK) {
         return INVCAL_BAD_SETTING;
     }
     const unsigned degree = calibration->fitted;
@@ -822,7 +823,7 @@ invcal_status invcal_thermal_assess(const invcal_thermal_sums *sums,
     e.residuals = &residuals;
     e.settings = &here;
     e.share = 1;
-    invcal_status status = judge(&m, degree, t, &e, &q);
+    invcal_status status = judge_thermal(&m, degree, t, &e, &q);
     if (status == INVCAL_OK) {
         invcal_real s[6];
         parameters_at(calibration, t, &triad);
@@ -894,7 +895,7 @@ static invcal_status improve(job *j, const invcal_settings *settings, unsigned m
 {
     const problem m = {&j->sums, settings, j->thermal, &j->now, &j->start};
     const invcal_thermal_fallback why = j->now.fallback;
-    const invcal_status status = solve(&m, most, &j->now);
+    const invcal_status status = solve_degrees(&m, most, &j->now);
 
     if (status == INVCAL_NOT_ELLIPSOID && !invcal_has_prior(settings) &&
         invcal_undetermined(&j->sums.sum[0])) {

@@ -6,10 +6,16 @@
 #include "bytes.h"
 #include "vector.h"
 
-enum { KIND = 0xCB, VERSION = 1, RECORD_AT = 4, DEGREE_AT = 188, REALS_AT = 192 };
+enum {
+    THERMAL_KIND = 0xCB,
+    THERMAL_VERSION = 1,
+    RECORD_AT = 4,
+    DEGREE_AT = 188,
+    THERMAL_REALS_AT = 192
+};
 
 /* In the order of their bytes. The field stands in the record. */
-static void each_real(invcal_way *w, invcal_thermal_calibration *c)
+static void each_thermal_real(invcal_way *w, invcal_thermal_calibration *c)
 {
     invcal_way_each(w, &c->reference, 1);
     invcal_way_each(w, &c->span, 1);
@@ -24,7 +30,7 @@ static void each_real(invcal_way *w, invcal_thermal_calibration *c)
     }
 }
 
-static int is_consistent(const invcal_thermal_calibration *c)
+static int is_consistent_thermal(const invcal_thermal_calibration *c)
 {
     return c->span > 0 && c->least <= c->greatest && c->fitted <= c->degree &&
            (unsigned)c->fallback <= INVCAL_THERMAL_OPEN &&
@@ -32,7 +38,7 @@ static int is_consistent(const invcal_thermal_calibration *c)
 }
 
 /* Rounds a calibration to float and judges what remains, as record.c does. */
-static invcal_status settle(invcal_thermal_calibration *c, invcal_solution *at_reference)
+static invcal_status settle_thermal(invcal_thermal_calibration *c, invcal_solution *at_reference)
 {
     invcal_way w = {INVCAL_TO_FLOAT, NULL, NULL, 1};
     invcal_thermal_place place;
@@ -41,11 +47,11 @@ static invcal_status settle(invcal_thermal_calibration *c, invcal_solution *at_r
         return INVCAL_BAD_SETTING;
     }
     invcal_way_each(&w, &c->field, 1);
-    each_real(&w, c);
+    each_thermal_real(&w, c);
     if (!w.finite) {
         return INVCAL_NOT_FINITE;
     }
-    if (!is_consistent(c)) {
+    if (!is_consistent_thermal(c)) {
         return INVCAL_BAD_SETTING;
     }
     return invcal_thermal_at(c, c->reference, at_reference, &place);
@@ -58,11 +64,11 @@ invcal_status invcal_thermal_record_encode(const invcal_thermal_record *record,
     INVCAL_ASSERT(record && bytes && length);
     invcal_thermal_calibration c = record->thermal;
     invcal_record r = record->record;
-    invcal_way w = {INVCAL_PUT, bytes + REALS_AT, NULL, 1};
+    invcal_way w = {INVCAL_PUT, bytes + THERMAL_REALS_AT, NULL, 1};
     invcal_solution s;
 
     memset(&s, 0, sizeof s); /* written only if there is one */
-    invcal_status status = settle(&c, &s);
+    invcal_status status = settle_thermal(&c, &s);
     if (status != INVCAL_OK) {
         return status;
     }
@@ -76,14 +82,14 @@ invcal_status invcal_thermal_record_encode(const invcal_thermal_record *record,
         return status;
     }
     const uint32_t size = INVCAL_THERMAL_RECORD_BYTES(c.degree);
-    bytes[0] = KIND;
-    bytes[1] = VERSION;
+    bytes[0] = THERMAL_KIND;
+    bytes[1] = THERMAL_VERSION;
     invcal_put_u16(bytes + 2, (uint16_t)size);
     bytes[DEGREE_AT] = c.degree;
     bytes[DEGREE_AT + 1] = c.fitted;
     bytes[DEGREE_AT + 2] = (uint8_t)c.fallback;
     bytes[DEGREE_AT + 3] = (uint8_t)c.frame;
-    each_real(&w, &c);
+    each_thermal_real(&w, &c);
     //@ assert \initialized(bytes + (0 .. size - INVCAL_CRC_SIZE - 1)); // all fitted into floats
     invcal_put_u32(w.to, invcal_crc32(0, bytes, size - INVCAL_CRC_SIZE));
     *length = size;
@@ -113,7 +119,7 @@ invcal_status invcal_thermal_record_decode(const uint8_t *bytes, uint32_t size,
     if (!invcal_is_sound(bytes, size)) {
         return INVCAL_DAMAGED;
     }
-    if (bytes[0] != KIND || bytes[1] != VERSION) {
+    if (bytes[0] != THERMAL_KIND || bytes[1] != THERMAL_VERSION) {
         return INVCAL_OTHER_VERSION;
     }
     invcal_status status = check_shape(bytes);
@@ -130,9 +136,9 @@ invcal_status invcal_thermal_record_decode(const uint8_t *bytes, uint32_t size,
     c.fitted = bytes[DEGREE_AT + 1];
     c.fallback = (invcal_thermal_fallback)bytes[DEGREE_AT + 2];
     c.frame = (invcal_frame)bytes[DEGREE_AT + 3];
-    invcal_way w = {INVCAL_GET, NULL, bytes + REALS_AT, 1};
-    each_real(&w, &c);
-    if (settle(&c, &s) != INVCAL_OK) {
+    invcal_way w = {INVCAL_GET, NULL, bytes + THERMAL_REALS_AT, 1};
+    each_thermal_real(&w, &c);
+    if (settle_thermal(&c, &s) != INVCAL_OK) {
         return INVCAL_DAMAGED;
     }
     out->thermal = c;

@@ -10,6 +10,7 @@
 
 #define INVCAL_SHORTEST INVCAL_REAL(0.1) /* semi-axes of a sensor triad, of nominal */
 #define INVCAL_LONGEST INVCAL_REAL(10.0)
+#define INVCAL_RIDGE INVCAL_REAL(1e-4) /* of the largest diagonal element: between weak and good */
 
 /* The sensor model u = (I + S) eta + delta, and its correction A = (I + S)^-1. Readings lie on the
  * ellipsoid with the centre delta, whose semi-axes are the eigenvalues of I + S. */

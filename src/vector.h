@@ -23,6 +23,8 @@
 #define INVCAL_APART
 #endif
 
+#define INVCAL_DEGREE INVCAL_REAL(0.017453292519943296) /* in radians */
+
 /* False for NaN too. */
 static inline int invcal_is_finite(invcal_real x)
 {

@@ -4,7 +4,7 @@
 #include "history.h"
 #include "invcal/allan.h"
 
-// eva: -eva-precision 0 -eva-auto-loop-unroll 40 -eva-split-return full -eva-partition-history 1 -eva-slevel 10 -eva-slevel-function find_stage:40,invcal_allan_init:100,append:100,begin:40
+// eva: -eva-precision 0 -eva-auto-loop-unroll 40 -eva-split-return full -eva-partition-history 1 -eva-slevel 10 -eva-slevel-function find_stage:40,invcal_allan_init:100,add_time:100,begin:40
 // config: -DINVCAL_ALLAN_TAUS=31 -DINVCAL_ALLAN_OVERLAP=16384
 // config: -DINVCAL_ALLAN_TAUS=1 -DINVCAL_ALLAN_OVERLAP=1
 // trusted: 2
