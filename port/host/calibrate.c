@@ -85,6 +85,7 @@ static const option_syntax watch_syntax = {"watch", options, OPTIONS, operands, 
 
 #define DISAGREEING 10.0 /* times the noise, */
 #define ROUGH 0.005      /* and this of the field: a good calibration is another thing */
+#define MANY_LEFT_OUT 6  /* more than one position in so many: chance does not take these */
 #define COMMAND_MAX 2000u
 #define UNEXPLAINED 3.0 /* times the noise: a hand that holds the device comes near it */
 
@@ -654,9 +655,17 @@ double calibrate_unexplained(const calibrate_result *result)
     return times >= UNEXPLAINED ? times : 0;
 }
 
+int calibrate_has_lost_many(const calibrate_result *result)
+{
+    const rejection *r = &result->rejected;
+
+    return MANY_LEFT_OUT * (r->count - rejection_drifting(r)) > r->count + r->kept_count;
+}
+
 int calibrate_is_rough(const calibrate_result *result)
 {
-    return calibrate_unexplained(result) >= DISAGREEING && result->quality.residual_rms >= ROUGH;
+    return calibrate_has_lost_many(result) ||
+           (calibrate_unexplained(result) >= DISAGREEING && result->quality.residual_rms >= ROUGH);
 }
 
 static calibrate_wish wish_of(const request *r)

@@ -63,8 +63,12 @@ int calibrate_knows_noise(const calibrate_result *result);
  * samples tells; 0 if that explains it, or nothing is known. */
 double calibrate_unexplained(const calibrate_result *result);
 
+/* 1 if more than one position in six contradicts the others and is left out: whatever did that,
+ * a knock or a step of an offset, has hardly spared the others. */
+int calibrate_has_lost_many(const calibrate_result *result);
+
 /* 1 if positions disagree by so much that people should not be told "good": ten times the noise,
- * and 5 mg. */
+ * and 5 mg; or if many are lost. */
 int calibrate_is_rough(const calibrate_result *result);
 
 /* What the calibrated readings and the file's are in: "m/s²" or "field units"; "counts", ... */

@@ -211,6 +211,12 @@ static void print_verdict(FILE *file, const calibrate_result *result)
         snprintf(text, sizeof text,
                  " every parameter is determined; degrees of freedom left to check it: %.3g.",
                  q->dof);
+        if (calibrate_has_lost_many(result)) {
+            snprintf(text, sizeof text,
+                     " every parameter is determined, but %u of %u positions are left out: what "
+                     "was wrong with them may be wrong with all. Measure again.",
+                     result->rejected.count, result->data->count);
+        }
         break;
     case INVCAL_NO_REDUNDANCY:
         word = "No redundancy:";

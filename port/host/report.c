@@ -113,7 +113,7 @@ static void write_verdict(page *p, const report_facts *f)
         if (calibrate_is_rough(f->result)) {
             page_verdict(p, PAGE_CAUTION, "! Rough", sentence,
                          "look for what disturbs the positions: a hand, a vibration, clipping, a "
-                         "sensor that drifts. Then measure again.");
+                         "knock, a sensor that drifts. Then measure again.");
         } else {
             page_verdict(p, PAGE_GOOD, "✓ Good", sentence, next);
         }

@@ -64,6 +64,8 @@ right "two axes exchanged, and calibrated as they read" 1.5 213
 fault "two axes exchanged half-way" 0 'residuals are [0-9]+ times as large as that noise' \
     'half { x = $2; $2 = $3; $3 = x }'
 check "fault: two axes exchanged half-way: not called good" matches "$work/said" '^Rough: '
+fault "an offset that steps half-way" 0 '^Rough: .*but 4 of 18 positions are left out' \
+    'half { $2 += 200 }'
 fault "one sample of 1,000 at a rail" 0 '^Good: ' 'NR % 1000 == 500 { $2 = -32768 }'
 right "one sample of 1,000 at a rail" 1.5
 fault "a quarter of the samples half-way" 0 '^ +[0-9]+ rests refused: too short: hold it still' \
