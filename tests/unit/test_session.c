@@ -963,6 +963,19 @@ static void progress_grows_to_the_time_that_is_wanted(void)
     TEST_ASSERT_EQUAL_UINT(100, b.progress[at]);
 }
 
+static void progress_ends_at_99(void)
+{
+    begin(free_hand(), 0.02, 50);
+    invcal_session_hold(b.s, 25); /* in steps of half a percent */
+    turn(expected_plan18[0]);
+    b.events = 0;
+    hold(28);
+    const unsigned at = skip_events(skip_events(0, INVCAL_SESSION_MOVING), INVCAL_SESSION_SETTLING);
+    TEST_ASSERT_EQUAL_INT(INVCAL_SESSION_READY, b.what[at]);
+    TEST_ASSERT_EQUAL_UINT(99, b.progress[at - 1]);
+    TEST_ASSERT_EQUAL_UINT(98, b.progress[at - 4]);
+}
+
 static void a_time_may_be_demanded_in_place_of_it(void)
 {
     begin(free_hand(), 0.02, 47);
@@ -1266,6 +1279,23 @@ static void too_few_positions_are_refused(void)
     TEST_ASSERT_EQUAL_UINT(0, outliers.count);
 }
 
+/* A prior on everything is a calibration already; what one position adds is better than nothing. */
+static void one_position_is_enough_with_a_prior(void)
+{
+    invcal_session_setup setup = free_hand();
+
+    setup.settings.noise = (invcal_real)(1e-4 * GRAVITY);
+    for (unsigned r = 0; r < 9; r++) {
+        setup.settings.prior[r] = INVCAL_REAL(0.01);
+    }
+    begin(setup, 0.01, 51);
+    is_refused(INVCAL_TOO_FEW, NULL);
+    visit(expected_plan18[0]);
+    const result expected = calibrate_means(1);
+    const result found = solve();
+    same_solution(&expected, &found);
+}
+
 /* The verticals of group 1: x is never seen. */
 static void visit_plane(unsigned count)
 {
@@ -1507,6 +1537,23 @@ static void finish_takes_nothing_that_is_not_ready(void)
     TEST_ASSERT_EQUAL_INT(INVCAL_SESSION_REFUSED, finish());
     TEST_ASSERT_EQUAL_INT(INVCAL_REST_SHORT, b.news.reason);
     TEST_ASSERT_EQUAL_UINT(0, b.s->stored);
+}
+
+/* What was READY and drifts away is not held any more: the next rest is a new one. */
+static void after_a_refusal_another_rest_is_ready(void)
+{
+    begin(free_hand(), 0, 63);
+    turn(expected_plan18[0]);
+    hold(1.7);
+    TEST_ASSERT_EQUAL_UINT(1, b.seen[INVCAL_SESSION_READY]);
+    b.creep = 0.0032;
+    hold(4);
+    b.creep = 0;
+    TEST_ASSERT_TRUE(b.refused[INVCAL_REST_DRIFT] > 0);
+    TEST_ASSERT_EQUAL_UINT(0, b.taken);
+    visit(expected_plan18[1]);
+    TEST_ASSERT_EQUAL_UINT(2, b.seen[INVCAL_SESSION_READY]);
+    TEST_ASSERT_EQUAL_UINT(1, b.taken);
 }
 
 static void a_gap_is_handed_on(void)
@@ -2443,6 +2490,7 @@ int main(void)
     RUN_TEST(no_noise_makes_a_rest_longer_than_a_minute);
     RUN_TEST(who_leaves_too_early_is_told_and_the_position_is_not_taken);
     RUN_TEST(progress_grows_to_the_time_that_is_wanted);
+    RUN_TEST(progress_ends_at_99);
     RUN_TEST(a_time_may_be_demanded_in_place_of_it);
     RUN_TEST(in_the_background_nobody_waits);
     RUN_TEST(while_it_is_too_short_the_next_position_stays_the_same);
@@ -2457,6 +2505,7 @@ int main(void)
     RUN_SLOW_TEST(without_a_target_nothing_is_enough);
     RUN_SLOW_TEST(a_target_out_of_reach_is_never_met);
     RUN_TEST(too_few_positions_are_refused);
+    RUN_TEST(one_position_is_enough_with_a_prior);
     RUN_TEST(positions_on_a_plane_are_refused);
     RUN_TEST(positions_on_a_plane_and_a_prior_are_solved_with_outliers_or_without);
     RUN_SLOW_TEST(a_solution_does_not_stop_the_session);
@@ -2467,6 +2516,7 @@ int main(void)
     RUN_SLOW_TEST(a_wrong_position_of_the_table_leaves_the_sums_of_all);
     RUN_SLOW_TEST(finish_takes_the_position_that_is_held);
     RUN_TEST(finish_takes_nothing_that_is_not_ready);
+    RUN_TEST(after_a_refusal_another_rest_is_ready);
     RUN_TEST(a_gap_is_handed_on);
     RUN_LONG_TEST(few_directions_do_not_fill_the_table);
     RUN_LONG_TEST(a_rare_direction_is_kept_beside_usual_ones_for_weeks);
