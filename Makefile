@@ -141,8 +141,8 @@ mutation: ## do the unit tests notice small changes of src/? (SAMPLE=, SEED=, ON
 	$(call need,python3)
 	$(Q)CC="$(CC)" sh tests/mutation.sh $(BUILD) $(or $(SAMPLE),150) $(or $(SEED),1) $(ONLY)
 
-targets: $(BUILD)/float/digest ## the unit tests on emulated targets, and the same bits on all of them
-	$(Q)sh tests/targets.sh $(BUILD) $(TARGETS)
+targets: $(BUILD)/float/digest ## the unit tests on emulated targets, and the same bits on all of them (QUICK=1)
+	$(Q)QUICK="$(QUICK)" sh tests/targets.sh $(BUILD) $(TARGETS)
 
 firmware: ## run the example firmware on an emulated Cortex-M4F, and check what it prints
 	$(call need,arm-none-eabi-gcc)
@@ -174,8 +174,8 @@ schema: $(BUILD)/invcal ## what the tool prints as JSON, against port/host/schem
 pages: $(BUILD)/invcal ## the reports in a browser: phone, desktop, paper; light and dark (SELF=1: the gate too)
 	$(call need,chromium)
 	$(Q)sh tests/pages/set.sh $(BUILD)/invcal $(BUILD)/pages/of > $(BUILD)/pages.list
-	$(Q)$(if $(SELF),sh tests/pages.sh --self-test $(BUILD) &&) tr '\n' '\0' < $(BUILD)/pages.list | \
-	    xargs -0 sh tests/pages.sh $(BUILD)
+	$(Q)rm -f $(BUILD)/pages/chromium.log
+	$(Q)$(if $(SELF),sh tests/pages.sh --self-test $(BUILD) &&) sh tests/pages/all.sh $(BUILD)
 
 derived: $(BUILD)/invcal $(BUILD)/invcal.1 ## layout, expected.h, manual, picture, scripts: as they should be
 	$(call need,clang-format-19)

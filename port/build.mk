@@ -7,14 +7,14 @@ include $(TARGET)/target.mk
 
 CC     := $(PREFIX)gcc
 BUILD  ?= build/targets
-OUT    := $(BUILD)/$(subst /,-,$(TARGET:port/%=%))
+OUT    := $(BUILD)/$(subst /,-,$(TARGET:port/%=%))$(if $(LONG),$(QUICK:%=-quick))
 UNITY  ?= tests/unity
 OPT    ?= -O2
 REAL   ?= 0
 # Long tests run where LONG is set: by the target.mk of a machine that computes double in hardware.
-# Elsewhere they are skipped, and loops over random members visit one of SHARE.
+# Elsewhere, and with QUICK, they are skipped, and loops over random members visit one of SHARE.
 SHARE  ?= 10
-SHORT  := $(if $(LONG),,-DTEST_SHORT=$(SHARE))
+SHORT  := $(if $(QUICK),-DTEST_SHORT=$(SHARE),$(if $(LONG),,-DTEST_SHORT=$(SHARE)))
 WARNINGS := -Wall -Wextra -Wshadow -Wdouble-promotion
 # Contraction (fused multiply-add) is off: the same bits on every machine.
 FLAGS   = -std=c99 $(OPT) -ffp-contract=off -ffunction-sections -fdata-sections $(WARNINGS) $(CPU) \

@@ -5,20 +5,21 @@
 # UndefinedBehaviorSanitizer and INVCAL_ASSERT, and optimised otherwise than `make test` itself
 # (gcc, C99, -O2). $1: folder to build in.
 # Compilers that are not installed are named and counted as a failure; `make deps` gets them.
-# CONFIGURATION=gcc: those with such names only. ONLY: see run.sh.
-# With more arguments, it is one configuration: NAME COMPILER STANDARD ASSERT DEGREE FLAG..., - for
-# what is not to be set; DEGREE is that of thermal.h.
+# The scripts that try the tool run once: they are slow under sanitizers, and the fuzzers of the tool
+# are clang's. CONFIGURATION=gcc: those with such names only. ONLY: see run.sh.
+# With more arguments, it is one configuration: NAME COMPILER STANDARD ASSERT DEGREE ONLY FLAG..., -
+# for what is not to be set; DEGREE is that of thermal.h.
 out=$1
 clang=${CLANG:-clang-19}
 
 # Leaves the last line of the tests, or what is missing, in NAME.result.
 run() {
-    name=$1 compiler=$2 std=$3 assert=$4 degree=$5
-    shift 5
+    name=$1 compiler=$2 std=$3 assert=$4 degree=$5 only=${ONLY:-${6#-}}
+    shift 6
     if ! command -v "$compiler" > /dev/null; then
         echo "$compiler is not installed: make deps" > "$out/$name.result"
     elif make -s -j2 test BUILD="$out/$name" CC="$compiler" STD="$std" CFLAGS="$* -Werror" \
-        ASSERT="${assert#-}" DEGREE="${degree#-}" > "$out/$name.log" 2>&1; then
+        ASSERT="${assert#-}" DEGREE="${degree#-}" ONLY="$only" > "$out/$name.log" 2>&1; then
         tail -n 1 "$out/$name.log" > "$out/$name.result"
     else
         cat "$out/$name.log"
@@ -32,10 +33,10 @@ configurations() {
 
 all() {
     san='-O1 -g -fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer'
-    echo "gcc-sanitizers gcc c99 1 - $san
-clang-sanitizers $clang c11 1 2 $san
-gcc-c11 gcc c11 - 0 -O3
-clang-c99 $clang c99 - - -Os"
+    units='^float-|^double-'
+    echo "gcc-sanitizers gcc c11 1 - - $san
+clang-sanitizers $clang c99 1 2 $units $san
+clang-c11 $clang c11 - 0 $units -O3"
 }
 
 cd "$(dirname "$0")/.." || exit 1

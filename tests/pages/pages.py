@@ -299,7 +299,7 @@ def main():
     testing = paths == ["--self-test"]
     folder = build / ("pages/planted" if testing else "pages")
     os.makedirs(folder, exist_ok=True)
-    with open(folder / "chromium.log", "wb") as log:
+    with open(folder / "chromium.log", "ab") as log:
         try:
             browser = Browser(log)
         except (EOFError, OSError) as error:
