@@ -12,19 +12,23 @@
 out=$1
 clang=${CLANG:-clang-19}
 
-# Leaves the last line of the tests, or what is missing, in NAME.result.
+# Leaves `N passed, N failed`, or what is missing, in NAME.result.
 run() {
     name=$1 compiler=$2 std=$3 assert=$4 degree=$5 only=${ONLY:-${6#-}}
     shift 6
+    log=$out/$name.log
+    status=0
     if ! command -v "$compiler" > /dev/null; then
         echo "$compiler is not installed: make deps" > "$out/$name.result"
-    elif make -s -j2 test BUILD="$out/$name" CC="$compiler" STD="$std" CFLAGS="$* -Werror" \
-        ASSERT="${assert#-}" DEGREE="${degree#-}" ONLY="$only" > "$out/$name.log" 2>&1; then
-        tail -n 1 "$out/$name.log" > "$out/$name.result"
-    else
-        cat "$out/$name.log"
-        echo "$(tail -n 1 "$out/$name.log") (make failed)" > "$out/$name.result"
+        return
     fi
+    make -s -j2 test BUILD="$out/$name" CC="$compiler" STD="$std" CFLAGS="$* -Werror" \
+        ASSERT="${assert#-}" DEGREE="${degree#-}" ONLY="$only" > "$log" 2>&1 || status=1
+    [ $status -eq 0 ] || cat "$log"
+    # What does not build has failed, too.
+    awk -v status=$status '/^[0-9]+ passed, [0-9]+ failed$/ { passed = $1; failed = $3 }
+        END { print passed + 0 " passed, " (status && !failed ? 1 : failed + 0) " failed" }' \
+        "$log" > "$out/$name.result"
 }
 
 configurations() {
@@ -50,10 +54,10 @@ fi
 rm -f "$out"/*.result
 # Two at a time, as the building of one leaves a core to the other. (Not by `&`, which takes SIGINT away.)
 configurations | xargs -P 2 -L 1 sh tests/check.sh "$out"
-# Anything but `N passed, 0 failed` is a failure, if it names none as one.
+# What is no `N passed, N failed` is a failure.
 configurations | while read -r name rest; do
     echo "check $name: $(cat "$out/$name.result")"
 done | awk '{ print }
-    / passed, / { passed += $3; failed += $5 }
-    !/[0-9]+ passed, [0-9]+ failed$/ && !($5 > 0) { failed++ }
-    END { print passed + 0 " passed, " failed + 0 " failed"; exit failed > 0 || NR == 0 }'
+    / [0-9]+ passed, [0-9]+ failed$/ { passed += $3; failed += $5; next }
+    { failed++ }
+    END { print passed + 0 " passed, " failed + 0 " failed"; exit failed > 0 || passed == 0 }'
