@@ -423,7 +423,7 @@ static invcal_status factor_system(const problem *m, unsigned degree, invcal_rea
 }
 
 /* K(i,i), the square of a column of L^-1. */
-static invcal_real variance(const invcal_real *inverse, unsigned n, unsigned i)
+static invcal_real thermal_variance(const invcal_real *inverse, unsigned n, unsigned i)
 {
     invcal_real sum = 0;
 
@@ -442,7 +442,7 @@ static int are_slopes_known(const problem *m, unsigned degree, const invcal_real
 
     for (unsigned i = 0; i < degree * N; i++) {
         const int is_held = prior_of(m, degree - i / N, i % N) > 0;
-        if (!is_held && !(variance(inverse, n, i) <= OPEN_ROOT_K * OPEN_ROOT_K)) {
+        if (!is_held && !(thermal_variance(inverse, n, i) <= OPEN_ROOT_K * OPEN_ROOT_K)) {
             return 0;
         }
     }
@@ -713,7 +713,7 @@ INVCAL_APART static invcal_status coefficients_of_data(const problem *m, unsigne
     for (unsigned i = 0; i < n; i++) {
         const invcal_real sigma = prior_of(m, degree - i / N, i % N);
         if (sigma > 0) {
-            *count -= variance(large, n, i) * noise * noise / (sigma * sigma);
+            *count -= thermal_variance(large, n, i) * noise * noise / (sigma * sigma);
         }
     }
     return INVCAL_OK;
@@ -936,8 +936,8 @@ static invcal_status assess(const job *j, const invcal_settings *settings, invca
 }
 
 /* The data may be noisier than stated: then the prior counts for more. */
-static invcal_status weigh_prior_again(job *j, const invcal_settings *settings,
-                                       invcal_quality *quality)
+static invcal_status weigh_thermal_prior(job *j, const invcal_settings *settings,
+                                         invcal_quality *quality)
 {
     const invcal_real coverage = quality->coverage;
     invcal_settings noisier = *settings;
@@ -969,7 +969,7 @@ static invcal_status run(job *j, const invcal_settings *settings, invcal_quality
     }
     const problem m = {&j->sums, settings, j->thermal, &j->now, &j->start};
     return status == INVCAL_OK && has_prior(&m, j->now.fitted)
-               ? weigh_prior_again(j, settings, quality)
+               ? weigh_thermal_prior(j, settings, quality)
                : status;
 }
 
