@@ -31,7 +31,8 @@ Q := $(if $(V),,@)
 .DELETE_ON_ERROR:
 .SECONDARY:
 .PHONY: help all install uninstall demo test check targets firmware size bench schema pages derived \
-    rules coverage mutation fuzz proof numerics check-gates reference format deps clean
+    rules coverage mutation fuzz proof numerics check-gates reference format deps \
+    package packages clean
 
 help: ## this list
 	@awk -F ':.*## ' '/^[a-z-]+:.*## / { printf "make %-11s %s\n", $$1, $$2 }' $(MAKEFILE_LIST)
@@ -211,6 +212,14 @@ deps: ## install what all of these need beyond a C compiler (Debian, root)
 	    gcc-arm-none-eabi libnewlib-arm-none-eabi qemu-system-arm gcc-avr avr-libc simavr \
 	    gcc-riscv64-unknown-elf picolibc-riscv64-unknown-elf qemu-system-misc \
 	    gcc-powerpc-linux-gnu libc6-dev-powerpc-cross qemu-user frama-c-base
+
+package: ## lay a package out, in build/packages/NAME unless DEST is given (PACKAGE=name, DEST=folder)
+	$(Q)sh port/stage.sh "$(PACKAGE)" "$(or $(DEST),$(BUILD)/packages/$(PACKAGE))"
+
+packages: ## lay all packages out, in build/packages
+	$(Q)rm -rf $(BUILD)/packages
+	$(Q)for list in port/*/files; do name=$${list%/files}; name=$${name#port/}; \
+	    sh port/stage.sh $$name $(BUILD)/packages/$$name || exit; done
 
 clean: ## remove build/
 	rm -rf $(BUILD)

@@ -1,0 +1,72 @@
+#!/bin/sh
+# SPDX-License-Identifier: MIT
+#
+# sh port/amalgamation/amalgamate.sh FOLDER
+# Makes the whole library two files in FOLDER: invcal.h of include/invcal, and invcal.c of src. A
+# header stands before the first that includes it; what the system has, on top, once. The same
+# sources give the same bytes.
+if [ $# -ne 1 ] || [ ! -d "$1" ]; then
+    echo "usage: sh port/amalgamation/amalgamate.sh FOLDER" >&2
+    exit 2
+fi
+folder=$(cd "$1" && pwd)
+cd "$(dirname "$0")/../.." || exit 2
+export LC_ALL=C # the order of a glob
+version=$(sh port/version.sh) || exit 2
+
+join() { # OF FILE...: the files, and before each what it includes of OF, include or src
+    awk -v of="$1" '
+        function add(file,    line, body, part) {
+            if (file in added) {
+                return
+            }
+            added[file]
+            while ((getline line < file) > 0) {
+                if (line ~ /^#include </) {
+                    if (!(line in hoisted)) {
+                        hoisted[line]
+                        top = top line "\n"
+                    }
+                } else if (line ~ /^#include "/) {
+                    split(line, part, "\"")
+                    if (of == "include" || part[2] !~ /\//) {
+                        add(of "/" part[2])
+                    }
+                } else if (line != "" || body !~ /\n\n$/) {
+                    sub(/SPDX-License-Identifier: MIT/, "==== " file " ====", line)
+                    body = body line "\n"
+                }
+            }
+            close(file)
+            if (body == "") {
+                print "amalgamate.sh: " file " cannot be read" > "/dev/stderr"
+                failed = 1
+            }
+            text = text "\n" body
+        }
+        BEGIN {
+            for (i = 2; i < ARGC; i++) {
+                add(ARGV[i])
+            }
+            printf "%s%s", top, text
+            exit failed
+        }' "$@"
+}
+
+begin() { # FILE: licence and version
+    printf '/* SPDX-License-Identifier: MIT\n *\n * %s\n *\n' "$1"
+    sed -e 's/^/ * /' -e 's/ *$//' LICENSE
+    printf ' */\n'
+}
+
+{
+    begin "invcal $version, the whole library: put invcal.c into your build, and link with -lm."
+    printf '#ifndef INVCAL_AMALGAMATION_H\n#define INVCAL_AMALGAMATION_H\n\n'
+    join include include/invcal/invcal.h include/invcal/*.h || exit 2
+    printf '\n#endif\n'
+} > "$folder/invcal.h"
+{
+    begin "invcal $version, the whole library: invcal.h is its manual."
+    printf '#include "invcal.h"\n\n'
+    join src src/*.c || exit 2
+} > "$folder/invcal.c"
