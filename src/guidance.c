@@ -4,6 +4,7 @@
 #include <stddef.h>
 #include <string.h>
 
+#include "row.h"
 #include "triad.h"
 #include "vector.h"
 
@@ -34,7 +35,7 @@ static int direction(unsigned n, invcal_real up[3])
 /* ---- what they are worth --------------------------------------------------------------------- */
 
 /* L L' = H'H + ridge I, with a row more if there is one. */
-static invcal_status factor_with(const invcal_normal *normal, const invcal_observation *more,
+static invcal_status factor_with(const invcal_normal *normal, const invcal_real *more,
                                  invcal_real *l)
 {
     invcal_normal_matrix(normal, l);
@@ -42,7 +43,7 @@ static invcal_status factor_with(const invcal_normal *normal, const invcal_obser
     const invcal_real ridge = INVCAL_RIDGE * (largest > 1 ? largest : 1);
     for (unsigned r = 0; r < INVCAL_PARAMETERS; r++) {
         for (unsigned c = 0; more && c <= r; c++) {
-            l[INVCAL_PACKED(r, c)] += more->h[r] * more->h[c];
+            l[INVCAL_PACKED(r, c)] += more[r] * more[c];
         }
         l[INVCAL_PACKED(r, r)] += ridge;
     }
@@ -52,12 +53,11 @@ static invcal_status factor_with(const invcal_normal *normal, const invcal_obser
 /* h K h'. */
 static invcal_real gain_of(const invcal_real *l, const invcal_real up[3])
 {
-    invcal_observation row;
+    invcal_real h[INVCAL_PARAMETERS];
 
-    (void)invcal_observation_exact(up, &row); /* of unit length */
-    //@ assert \initialized(row.h + (0 .. 8));
-    invcal_cholesky_forward(l, INVCAL_PARAMETERS, row.h);
-    return invcal_dot(row.h, row.h, INVCAL_PARAMETERS);
+    invcal_row(up, h);
+    invcal_cholesky_forward(l, INVCAL_PARAMETERS, h);
+    return invcal_dot(h, h, INVCAL_PARAMETERS);
 }
 
 static invcal_real largest_gain(const invcal_real *l)
@@ -130,13 +130,12 @@ static uint16_t improved(const invcal_guidance *next)
 /* What next->up will do; l is L of the sums, and lost. */
 static void predict(const invcal_normal *normal, invcal_real *l, invcal_guidance *next)
 {
-    invcal_observation row;
+    invcal_real h[INVCAL_PARAMETERS];
 
     next->gain = gain_of(l, next->up);
     roots(l, next->before);
-    (void)invcal_observation_exact(next->up, &row);
-    //@ assert \initialized(row.h + (0 .. 8));
-    (void)factor_with(normal, &row, l); /* what was positive definite and a square more */
+    invcal_row(next->up, h);
+    (void)factor_with(normal, h, l); /* what was positive definite and a square more */
     roots(l, next->after);
     next->improves = improved(next);
 }

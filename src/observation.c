@@ -3,10 +3,10 @@
 
 #include <string.h>
 
+#include "row.h"
 #include "vector.h"
 
-/* h(a) = (x y z x^2 y^2 z^2 xy xz yz): the paper's row. */
-static void row(const invcal_real a[3], invcal_real h[INVCAL_PARAMETERS])
+void invcal_row(const invcal_real a[3], invcal_real h[INVCAL_PARAMETERS])
 {
     h[INVCAL_DELTA_X] = a[0];
     h[INVCAL_DELTA_Y] = a[1];
@@ -73,7 +73,7 @@ static inline invcal_status exact(const invcal_real u[3], invcal_observation *ou
     const invcal_status status = check_reading(u, square);
 
     if (status == INVCAL_OK) {
-        row(u, out->h);
+        invcal_row(u, out->h);
         out->j = (square - 1) / 2;
         out->model = INVCAL_MODEL_ELLIPSOID;
     }
@@ -106,7 +106,7 @@ static invcal_status linear(const invcal_real u[3], const invcal_real vertical[3
         status = check_vertical(vertical);
     }
     if (status == INVCAL_OK) {
-        row(vertical, out->h);
+        invcal_row(vertical, out->h);
         out->j = j;
         out->model = INVCAL_MODEL_LINEAR;
     }

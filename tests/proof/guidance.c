@@ -5,9 +5,9 @@
 #include "invcal/guidance.h"
 
 // eva: -eva-precision 0 -eva-auto-loop-unroll 128 -eva-split-return full -eva-slevel 200 -eva-slevel-merge-after-loop @all
-// trusted: 3
+// trusted: 1
 // Of the directions the one with the largest gain qualifies, as no gain is a NaN: the pivots of L
-// bound it. The rows are of unit vectors: computed so, or checked when they were handed in.
+// bound it.
 
 void main(void)
 {
