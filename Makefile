@@ -7,7 +7,7 @@ AR     ?= ar
 STD    ?= c99
 CFLAGS ?= -O2 -g
 BUILD  ?= build
-# Where `make install` puts the tool; DESTDIR stands before it.
+# Where `make install` puts all; DESTDIR stands before it.
 PREFIX ?= /usr/local
 # A folder with unity.h and unity.c: the tests build on any Unity.
 UNITY  ?= tests/unity
@@ -32,27 +32,44 @@ Q := $(if $(V),,@)
 .SECONDARY:
 .PHONY: help all install uninstall demo test check targets firmware size bench schema pages derived \
     rules coverage mutation fuzz proof numerics check-gates reference format deps \
-    package packages clean
+    package packages check-packages clean
 
 help: ## this list
-	@awk -F ':.*## ' '/^[a-z-]+:.*## / { printf "make %-11s %s\n", $$1, $$2 }' $(MAKEFILE_LIST)
+	@awk -F ':.*## ' '/^[a-z-]+:.*## / { printf "make %-14s %s\n", $$1, $$2 }' $(MAKEFILE_LIST)
 
 all: $(BUILD)/float/libinvcal.a $(BUILD)/double/libinvcal.a $(BUILD)/invcal ## both libraries and the tool
 
-SHARE = $(DESTDIR)$(PREFIX)/share
+# What goes where under PREFIX, FILE:FILE. The library in float and in double have names of their own;
+# the headers are the same, and invcal.pc or invcal-double.pc says which they are to be.
+INSTALLED := $(BUILD)/invcal:bin/invcal $(BUILD)/invcal.1:share/man/man1/invcal.1 \
+    port/host/invcal.bash:share/bash-completion/completions/invcal \
+    port/host/schema.json:share/invcal/schema.json \
+    $(BUILD)/float/libinvcal.a:lib/libinvcal.a $(BUILD)/double/libinvcal.a:lib/libinvcal_double.a \
+    $(BUILD)/invcal.pc:lib/pkgconfig/invcal.pc \
+    $(BUILD)/invcal-double.pc:lib/pkgconfig/invcal-double.pc \
+    $(foreach header,$(wildcard include/invcal/*.h),$(header):$(header))
+INTO = $(DESTDIR)$(PREFIX)
 
-install: $(BUILD)/invcal $(BUILD)/invcal.1 ## the tool, its manual, completion and schema (PREFIX=, DESTDIR=)
-	$(Q)mkdir -p "$(DESTDIR)$(PREFIX)/bin" "$(SHARE)/man/man1" "$(SHARE)/invcal" \
-	    "$(SHARE)/bash-completion/completions"
-	$(Q)install -m 755 $(BUILD)/invcal "$(DESTDIR)$(PREFIX)/bin/invcal"
-	$(Q)install -m 644 $(BUILD)/invcal.1 "$(SHARE)/man/man1/invcal.1"
-	$(Q)install -m 644 port/host/invcal.bash "$(SHARE)/bash-completion/completions/invcal"
-	$(Q)install -m 644 port/host/schema.json "$(SHARE)/invcal/schema.json"
+install: all $(BUILD)/invcal.1 pkg-config ## tool, manual, completion, schema; libraries, headers, .pc (PREFIX=, DESTDIR=)
+	$(Q)for pair in $(INSTALLED); do \
+	    to="$(INTO)/$${pair#*:}"; mkdir -p "$${to%/*}" && \
+	    install -m 644 "$${pair%:*}" "$$to" || exit; \
+	done
+	$(Q)chmod 755 "$(INTO)/bin/invcal"
 
 uninstall: ## remove what install has put there
-	$(Q)rm -f "$(DESTDIR)$(PREFIX)/bin/invcal" "$(SHARE)/man/man1/invcal.1" \
-	    "$(SHARE)/bash-completion/completions/invcal" "$(SHARE)/invcal/schema.json"
-	$(Q)rmdir "$(SHARE)/invcal" 2>/dev/null || true
+	$(Q)for pair in $(INSTALLED); do rm -f "$(INTO)/$${pair#*:}"; done
+	$(Q)rmdir "$(INTO)/include/invcal" "$(INTO)/share/invcal" 2>/dev/null || true
+
+# They name the prefix, and what the libraries were compiled with: made anew each time.
+CHOICES = $(filter -DINVCAL_%,$(CFLAGS) $(DEGREE_FLAGS))
+.PHONY: pkg-config
+pkg-config:
+	@mkdir -p $(BUILD)
+	$(Q)version=$$(sh port/version.sh) && for name in invcal invcal-double; do \
+	    sed -e 's|@PREFIX@|$(PREFIX)|' -e "s|@VERSION@|$$version|" -e 's|@CHOICES@|$(CHOICES)|' \
+	        -e 's/ *$$//' port/pkg-config/$$name.pc.in > $(BUILD)/$$name.pc || exit; \
+	done
 
 demo: $(BUILD)/invcal ## from a raw log to calibrated readings; then a real sensor's positions
 	@echo 'A simulated sensor, carried by hand through 18 orientations, 5 seconds in each:'
@@ -208,10 +225,10 @@ deps: ## install what all of these need beyond a C compiler (Debian, root)
 	apt-get install -y --no-install-recommends gcc git clang-19 libclang-rt-19-dev llvm-19 \
 	    clang-format-19 clang-tidy-19 cppcheck pmccabe frama-c-base python3 python3-jsonschema \
 	    python3-mpmath python3-gmpy2 shellcheck man-db groff mandoc bash \
-	    chromium fonts-dejavu-core poppler-utils \
+	    chromium fonts-dejavu-core poppler-utils g++ cmake pkg-config \
 	    gcc-arm-none-eabi libnewlib-arm-none-eabi qemu-system-arm gcc-avr avr-libc simavr \
 	    gcc-riscv64-unknown-elf picolibc-riscv64-unknown-elf qemu-system-misc \
-	    gcc-powerpc-linux-gnu libc6-dev-powerpc-cross qemu-user frama-c-base
+	    gcc-powerpc-linux-gnu libc6-dev-powerpc-cross qemu-user
 
 package: ## lay a package out, in build/packages/NAME unless DEST is given (PACKAGE=name, DEST=folder)
 	$(Q)sh port/stage.sh "$(PACKAGE)" "$(or $(DEST),$(BUILD)/packages/$(PACKAGE))"
@@ -220,6 +237,9 @@ packages: ## lay all packages out, in build/packages
 	$(Q)rm -rf $(BUILD)/packages
 	$(Q)for list in port/*/files; do name=$${list%/files}; name=$${name#port/}; \
 	    sh port/stage.sh $$name $(BUILD)/packages/$$name || exit; done
+
+check-packages: all $(BUILD)/invcal.1 $(BUILD)/float/digest ## each package, consumed: CMake, pkg-config, one file, C++ (PACKAGES=names)
+	$(Q)sh tests/packages.sh $(BUILD) $(PACKAGES)
 
 clean: ## remove build/
 	rm -rf $(BUILD)

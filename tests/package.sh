@@ -1,0 +1,70 @@
+# SPDX-License-Identifier: MIT
+# shellcheck shell=sh disable=SC2034
+#
+# For the scripts of tests/packages, which are called as `sh tests/packages/NAME.sh BUILD`:
+#
+#     . "$(dirname "$0")/../package.sh"
+#     need cmake
+#     check "a sentence" a_function_or_command with arguments
+#     finish
+#
+# Sets root, build (with build/float, build/double) and out, an empty folder of the script's own; all
+# three are absolute. The script runs in root.
+
+unset MAKEFLAGS # a CC=... meant for the host would be taken for every target
+name=$(basename "$0" .sh)
+mkdir -p "$1/consumed" || exit 1
+build=$(cd "$1" && pwd)
+cd "$(dirname "$0")/../.." || exit 1
+root=$PWD
+out=$build/consumed/$name
+rm -rf "$out"
+mkdir -p "$out"
+passed=0
+failed=0
+
+check() { # SENTENCE COMMAND...: one thing that either holds or does not
+    sentence=$1
+    shift
+    if "$@" > "$out/log" 2>&1 < /dev/null; then
+        echo "$name: $sentence: PASS"
+        passed=$((passed + 1))
+    else
+        cat "$out/log"
+        echo "$name: $sentence: FAIL"
+        failed=$((failed + 1))
+    fi
+}
+
+finish() {
+    echo "$passed passed, $failed failed"
+    [ "$failed" -eq 0 ] && [ "$passed" -gt 0 ]
+    exit
+}
+
+need() { # COMMAND...: ends with one line if one is not installed
+    for command; do
+        if ! command -v "$command" > /dev/null; then
+            echo "$name: $command is not installed: make deps: FAIL"
+            failed=$((failed + 1))
+            finish
+        fi
+    done
+}
+
+# stage PACKAGE: lays it out in $out/PACKAGE.
+stage() {
+    sh port/stage.sh "$1" "$out/$1"
+}
+
+# README.md's example as $out/example.c, and what it prints as $out/expected.
+example() {
+    awk '/^```c$/ { on = 1; next } /^```$/ { on = 0 } on' README.md > "$out/example.c"
+    awk '/^```text$/ { on = 1; next } /^```$/ { on = 0 } on' README.md > "$out/expected"
+    [ -s "$out/example.c" ] && [ -s "$out/expected" ]
+}
+
+# prints_as_expected COMMAND...: it prints what README.md says its example prints.
+prints_as_expected() {
+    "$@" > "$out/printed" && diff "$out/expected" "$out/printed"
+}

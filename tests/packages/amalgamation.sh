@@ -1,0 +1,78 @@
+#!/bin/sh
+# SPDX-License-Identifier: MIT
+# shellcheck disable=SC2154 # package.sh and target_facts set what is not set here
+#
+# The library as two files: compiled by every compiler, with README.md's example; and on a target of
+# each family it computes the same bits as the library of many files does here.
+. "$(dirname "$0")/../package.sh"
+. tests/target.sh
+need gcc clang-19 arm-none-eabi-gcc riscv64-unknown-elf-gcc avr-gcc powerpc-linux-gnu-gcc \
+    qemu-system-arm qemu-system-riscv32 simavr qemu-ppc
+strict='-std=c99 -O2 -ffp-contract=off -Wall -Wextra -Wconversion -Wdouble-promotion -Wshadow
+    -pedantic -Werror'
+files=$out/amalgamation/invcal
+
+same_bytes() {
+    LC_ALL=C.UTF-8 TZ=Asia/Tokyo sh port/stage.sh amalgamation "$out/again" &&
+        diff -r "$out/amalgamation" "$out/again"
+}
+
+compiles() { # COMPILER FLAG...
+    # shellcheck disable=SC2086 # flags are words
+    "$@" $strict -c "$files/invcal.c" -o "$out/invcal.o"
+}
+
+runs_example() { # COMPILER FLAG...
+    compiles "$@" || return
+    "$@" -std=c99 -Wall -Wextra -Werror -I"$out/amalgamation" "$out/example.c" "$out/invcal.o" -lm \
+        -o "$out/example" && prints_as_expected "$out/example"
+}
+
+takes_config() { # a header of choices reaches library and user
+    echo '#define INVCAL_MAX_POSITIONS 17' > "$out/choices.h"
+    printf '%s\n' '#include "invcal/invcal.h"' \
+        'typedef char as_chosen[INVCAL_MAX_POSITIONS == 17 ? 1 : -1];' \
+        'int main(void) { return sizeof(as_chosen) != 1; }' > "$out/chosen.c"
+    set -- gcc -I"$out" '-DINVCAL_CONFIG_HEADER="choices.h"'
+    compiles "$@" && "$@" -I"$out/amalgamation" "$out/chosen.c" "$out/invcal.o" -lm -o "$out/chosen" &&
+        "$out/chosen"
+}
+
+# A tree in which the two files stand for src and include. (bytes.h, of which the digest's program
+# borrows, asks for config.h.)
+lay_tree() {
+    mkdir -p "$out/tree/src" "$out/tree/include/invcal" &&
+        cp "$files"/invcal.[ch] "$out/tree/src/" &&
+        cp "$files/invcal.h" include/invcal/config.h "$out/tree/include/invcal/" &&
+        ln -s "$root/port" "$root/tests" "$out/tree/"
+}
+
+same_bits() { # TARGET
+    (
+        cd "$out/tree" && target_facts build "port/$1" &&
+            target_make build "port/$1" digest || exit 1
+        # shellcheck disable=SC2086 # the command and its options
+        timeout 60 $run "$out/digest.elf" 2>&1 < /dev/null | tr -d '\r' | grep '^digest ' |
+            diff ../digest -
+    )
+}
+
+check "it can be staged" stage amalgamation
+check "staged again, in another locale, it is the same bytes" same_bytes
+check "README.md has an example" example
+for compiler in gcc clang-19; do
+    check "$compiler, float: README.md's example prints what README.md says" \
+        runs_example $compiler
+    check "$compiler, double: README.md's example prints what README.md says" \
+        runs_example $compiler -DINVCAL_DOUBLE=1
+    check "$compiler, parabolas and 64 positions" compiles $compiler -DINVCAL_THERMAL_DEGREE=2 \
+        -DINVCAL_MAX_POSITIONS=64
+    check "$compiler, no thermal polynomial" compiles $compiler -DINVCAL_THERMAL_DEGREE=0
+done
+check "INVCAL_CONFIG_HEADER is included" takes_config
+check "a tree of it can be laid" lay_tree
+"$build/float/digest" | grep '^digest ' > "$out/digest"
+for target in cortex-m/m0plus cortex-m/m4f riscv/rv32imac avr/atmega1284p powerpc; do
+    check "$target computes the bits of this machine" same_bits $target
+done
+finish

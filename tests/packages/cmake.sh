@@ -1,0 +1,96 @@
+#!/bin/sh
+# SPDX-License-Identifier: MIT
+# shellcheck disable=SC2154 # package.sh sets what is not set here
+#
+# CMake: installed and found by find_package, or fetched by FetchContent, here from a copy.
+. "$(dirname "$0")/../package.sh"
+need cmake cc arm-none-eabi-gcc
+unset CFLAGS LDFLAGS
+version=$(sh port/version.sh)
+prefix=$out/prefix
+
+installs() { # CHOICE...: into $prefix
+    rm -rf "$prefix" "$out/library"
+    cmake -S port/cmake -B "$out/library" -DCMAKE_INSTALL_PREFIX="$prefix" \
+        -DCMAKE_C_FLAGS='-Wall -Wextra -Wconversion -Werror' "$@" &&
+        cmake --build "$out/library" && cmake --install "$out/library"
+}
+
+project() { # NAME LINE...: a project with these lines, and README.md's example
+    folder=$out/$1
+    shift
+    rm -rf "$folder"
+    mkdir -p "$folder"
+    cp "$out/example.c" "$folder/"
+    {
+        printf '%s\n' 'cmake_minimum_required(VERSION 3.18)' 'project(example LANGUAGES C)' "$@"
+    } > "$folder/CMakeLists.txt"
+}
+
+builds() { # OPTION...: the project made last
+    cmake -S "$folder" -B "$folder/build" "$@" && cmake --build "$folder/build"
+}
+
+found() { # TARGET
+    project found "find_package(invcal $version CONFIG REQUIRED)" 'add_executable(example example.c)' \
+        "target_link_libraries(example PRIVATE $1)"
+    builds -DCMAKE_PREFIX_PATH="$prefix" && prints_as_expected "$folder/build/example"
+}
+
+# Of 0.1: 0.0 and 0.2 are other APIs, 1 too.
+refused() { # VERSION
+    project refused "find_package(invcal $1 CONFIG REQUIRED)"
+    ! builds -DCMAKE_PREFIX_PATH="$prefix" > "$out/refused.log" 2>&1 &&
+        grep -q "version: $version" "$out/refused.log"
+}
+
+# The lines that README.md shows.
+fetched() { # TARGET
+    awk '/^```cmake$/ { on = 1; next } /^```$/ { on = 0 } on' README.md > "$out/lines"
+    grep -q 'PRIVATE invcal::invcal)' "$out/lines" || return
+    project fetched 'add_executable(example example.c)' \
+        "$(sed "s/PRIVATE invcal::invcal)/PRIVATE $1)/" "$out/lines")" 'install(TARGETS example)'
+    builds -DFETCHCONTENT_SOURCE_DIR_INVCAL="$root" && prints_as_expected "$folder/build/example" &&
+        cmake --install "$folder/build" --prefix "$out/nothing" && [ ! -e "$out/nothing/include" ]
+}
+
+# The choices reach the user of the library, of whom main asks.
+chosen() {
+    echo '#define INVCAL_MAX_POSITIONS 17' > "$out/choices.h"
+    installs -DINVCAL_THERMAL_DEGREE=2 -DINVCAL_CONFIG_HEADER="$out/choices.h" || return
+    mv "$out/choices.h" "$out/moved.h"
+    project chosen "find_package(invcal $version CONFIG REQUIRED)" 'add_executable(example main.c)' \
+        'target_link_libraries(example PRIVATE invcal::double)'
+    printf '%s\n' '#include "invcal/invcal.h"' \
+        '#if INVCAL_DOUBLE != 1 || INVCAL_THERMAL_DEGREE != 2 || INVCAL_MAX_POSITIONS != 17' \
+        '#error "not as chosen"' '#endif' \
+        'int main(void) { return invcal_status_text(INVCAL_OK)[0] == 0; }' > "$folder/main.c"
+    builds -DCMAKE_PREFIX_PATH="$prefix" && "$folder/build/example"
+}
+
+# Cross compiled: as a part of a project for a machine without an operating system.
+crossed() {
+    project crossed "add_subdirectory($root/port/cmake invcal)" \
+        'add_executable(example example.c)' 'target_link_libraries(example PRIVATE invcal::invcal)'
+    builds -DCMAKE_SYSTEM_NAME=Generic -DCMAKE_C_COMPILER=arm-none-eabi-gcc \
+        -DCMAKE_C_FLAGS='-mcpu=cortex-m4 -mthumb -mfloat-abi=hard -mfpu=fpv4-sp-d16' \
+        -DCMAKE_EXE_LINKER_FLAGS=--specs=rdimon.specs &&
+        file=$folder/build/example && arm-none-eabi-nm "$file" | grep -q ' T invcal_calibrate$'
+}
+
+check "README.md has an example" example
+check "it installs" installs
+for target in invcal::invcal invcal::double; do
+    check "find_package, $target: README.md's example prints what README.md says" found $target
+    check "FetchContent, $target: README.md's example prints what README.md says" fetched $target
+done
+case $version in
+0.*)
+    check "find_package does not take it for an older API" refused 0.0.9
+    check "find_package does not take it for a later API" refused "0.$(($(echo "$version" | cut -d . -f 2) + 1))"
+    ;;
+esac
+check "find_package does not take it for the next major version" refused "$((${version%%.*} + 1))"
+check "what is chosen reaches who links it" chosen
+check "it builds for a Cortex-M4F" crossed
+finish
