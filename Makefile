@@ -126,12 +126,12 @@ $(BUILD)/positions.h: tests/data/to_c.awk $(DATA)
 	$(Q)awk -f $^ > $@
 
 # The host tool: the library in double, with room for more positions and averaging times than a
-# device has, and for parabolas of temperature.
+# device has, and for parabolas of temperature; what CFLAGS choose for the library is not for it.
 TOOL_FLAGS = -DINVCAL_DOUBLE=1 -DINVCAL_MAX_POSITIONS=64 -DINVCAL_ALLAN_TAUS=31 \
     -DINVCAL_ALLAN_OVERLAP=4096 -DINVCAL_THERMAL_DEGREE=2
 $(BUILD)/tool/%.o: %.c
 	@mkdir -p $(@D)
-	$(Q)$(CC) $(FLAGS) $(TOOL_FLAGS) $(ASSERT_FLAGS) -MMD -c $< -o $@
+	$(Q)$(CC) $(filter-out -DINVCAL_%,$(FLAGS)) $(TOOL_FLAGS) $(ASSERT_FLAGS) -MMD -c $< -o $@
 
 $(BUILD)/invcal: $(HOST:%.c=$(BUILD)/tool/%.o) $(SOURCES:%.c=$(BUILD)/tool/%.o)
 	$(Q)$(CC) $(FLAGS) $^ -lm -o $@
