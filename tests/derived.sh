@@ -2,8 +2,8 @@
 # SPDX-License-Identifier: MIT
 #
 # sh tests/derived.sh BUILD
-# What is made of something else is what that makes now: the layout of the sources, expected.h, the
-# manual, README's picture; and the scripts are sound. Ends with `N passed, N failed`.
+# What is made of something else is what that makes now: the layout of the sources, expected.h,
+# releases/values.h, the manual, README's picture; and the scripts are sound. Ends with `N passed, N failed`.
 build=$1
 cd "$(dirname "$0")/.." || exit 1
 passed=0
@@ -31,6 +31,10 @@ expected() {
     python3 tests/reference/reference.py tests/data > "$build/expected.h" &&
         diff tests/reference/expected.h "$build/expected.h"
 }
+releases() {
+    python3 tests/reference/releases/values.py > "$build/values.h" &&
+        diff tests/reference/releases/values.h "$build/values.h"
+}
 scripts() {
     # shellcheck disable=SC2046 # names without blanks
     shellcheck -S warning .ci/run $(git ls-files '*.sh')
@@ -43,6 +47,7 @@ manual() {
 mkdir -p "$build"
 gate "the sources are laid out by .clang-format" layout
 gate "expected.h is what the reference script prints" expected
+gate "what releases wrote means what values.py reads" releases
 gate "shellcheck has nothing against the shell scripts" scripts
 gate "man and mandoc have nothing against the manual" manual
 gate "README.md shows the picture that the tool draws" sh tests/picture.sh "$build/invcal" --check

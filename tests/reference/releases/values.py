@@ -1,0 +1,165 @@
+# SPDX-License-Identifier: MIT
+"""What stands in the bytes that released versions wrote, read by the tables of record.h,
+thermal_record.h, resume.h and store.h, apart from the library.
+
+    cd tests/reference/releases && python3 values.py > values.h
+"""
+import pathlib
+import struct
+import textwrap
+import zlib
+
+
+class Reader:
+    """Takes numbers from bytes, the least significant byte first."""
+
+    def __init__(self, data, kind):
+        size = struct.unpack_from("<H", data, 2)[0]
+        assert data[0] == kind and data[1] == 1, "kind and version"
+        assert size <= len(data), "length"
+        assert zlib.crc32(data[:size - 4]) == struct.unpack_from("<I", data, size - 4)[0], "CRC"
+        self.data, self.size, self.at = data, size, 4
+
+    def take(self, letter, count=1):
+        found = struct.unpack_from("<%d%s" % (count, letter), self.data, self.at)
+        self.at += struct.calcsize("<%d%s" % (count, letter))
+        return found[0] if count == 1 else list(found)
+
+    def end(self):
+        assert self.at == self.size - 4, "%d bytes of %d have a meaning" % (self.at, self.size - 4)
+
+
+# ---- C --------------------------------------------------------------------------------------------
+
+def literal(value):
+    """A C constant of just this value: nine digits tell every float."""
+    if isinstance(value, int):
+        return str(value) if value < 65536 else "%du" % value
+    return repr(float("%.9g" % value)) + "f"
+
+
+def initializer(value):
+    if isinstance(value, dict):
+        return "{%s}" % ", ".join(".%s = %s" % (k, initializer(v)) for k, v in value.items())
+    if isinstance(value, list):
+        return "{%s}" % ", ".join(initializer(v) for v in value)
+    return value if isinstance(value, str) else literal(value)
+
+
+def rows(numbers):
+    return [numbers[0:3], numbers[3:6], numbers[6:9]]
+
+
+# ---- the formats ----------------------------------------------------------------------------------
+
+def record(data):
+    r = Reader(data, 0xCA)
+    out = {"sensor": r.take("B", 8), "date": r.take("I"), "positions": r.take("H"),
+           "undetermined": r.take("H"), "from_prior": r.take("H"),
+           "verdict": "(invcal_verdict)%d" % r.take("B"), "temperature_known": r.take("B")}
+    for name in ("field", "field_sigma", "temperature", "noise", "residual_rms", "condition"):
+        out[name] = r.take("f")
+    out["calibration"] = {"offset": r.take("f", 3), "matrix": rows(r.take("f", 9))}
+    for name in ("delta", "dk", "gamma", "sigma_offset", "sigma_delta", "sigma_dk", "sigma_gamma"):
+        out[name] = r.take("f", 3)
+    r.end()
+    return out
+
+
+def thermal_record(data):
+    r = Reader(data, 0xCB)
+    out = {"record": record(data[4:188])}
+    r.at = 188
+    for name in ("degree", "fitted", "fallback", "frame"):
+        out[name] = r.take("B")
+    for name in ("reference", "span", "least", "greatest"):
+        out[name] = r.take("f")
+    out["nominal"] = {"offset": r.take("f", 3), "matrix": rows(r.take("f", 9))}
+    out["x"] = [r.take("f", 9) for _ in range(out["degree"] + 1)]
+    r.end()
+    return out
+
+
+def session(data):
+    r = Reader(data, 0xC5)
+    stored, step, taken, per_group = r.take("H"), r.take("H"), r.take("I"), r.take("H")
+    frame, flags = r.take("B"), r.take("B")
+    low, high = r.take("i"), r.take("i")
+    nominal = {"offset": r.take("f", 3), "matrix": rows(r.take("f", 9))}
+    settings = {"nominal": nominal, "field": r.take("f"), "noise": r.take("f"),
+                "prior": r.take("f", 9), "frame": "(invcal_frame)%d" % frame}
+    plan = {"per_group": per_group, "start": r.take("f", 3)}
+    target, rate = r.take("f", 3), r.take("f")
+    temperature, coldest, warmest = r.take("f", 3)
+    mean_sigma, hold = r.take("f", 2)
+    means, ages = [], []
+    for _ in range(stored):
+        means.append(r.take("f", 3))
+        ages.append(r.take("B"))
+    sums = r.take("f", 164 // 4) if taken > stored else []
+    r.end()
+    return {"setup": {"settings": settings, "plan": plan, "target": target,
+                      "mean_sigma": mean_sigma, "rate": rate, "low": low, "high": high,
+                      "background": flags & 1},
+            "stored": stored, "step": step, "taken": taken, "is_enough": flags >> 1,
+            "temperature": temperature, "coldest": coldest, "warmest": warmest, "hold": hold,
+            "mean": means, "age": ages, "sums": sums or [0]}
+
+
+def store(data):
+    """The record of two slots that is loaded: the confirmed one with the later number."""
+    best = None
+    slot_size = len(data) // 2
+    for slot in (data[:slot_size], data[slot_size:]):
+        assert slot[0] == 0x5C and slot[1] == 1, "kind and version"
+        size, number = struct.unpack_from("<HI", slot, 2)
+        end = slot_size - 8  # one granule, of 8 bytes
+        assert zlib.crc32(slot[:end - 4]) == struct.unpack_from("<I", slot, end - 4)[0], "CRC"
+        assert slot[end:] == bytes(8), "confirmed"
+        if best is None or number > best[0]:
+            best = number, record(slot[8:8 + size])
+    return best[1]
+
+
+# What the names of such bytes begin with, the table of C they go to, and who reads them.
+FORMATS = [("record", "stored_record records", record),
+           ("thermal_record", "stored_thermal thermals", thermal_record),
+           ("session", "stored_session sessions", session),
+           ("store", "stored_flash flashes", store)]
+
+
+def read(path):
+    """The names and bytes of a file: a name, and below it lines of hexadecimal digits."""
+    found, name = {}, None
+    for line in path.read_text().splitlines():
+        if name and line and set(line) <= set("0123456789abcdef"):
+            found[name] += bytes.fromhex(line)
+        elif line and not line.startswith("#"):
+            name = line
+            found[name] = b""
+    return found
+
+
+def wrapped(text):
+    return textwrap.fill(text, 100, subsequent_indent="    ", break_long_words=False)
+
+
+def main():
+    print("/* SPDX-License-Identifier: MIT\n *\n * What releases wrote, and what it means."
+          " Generated by values.py: do not edit. */\n#ifndef VALUES_H\n#define VALUES_H")
+    entries = {table: [] for _, table, _ in FORMATS}
+    for path in sorted(pathlib.Path(__file__).parent.glob("*.txt")):
+        for name, data in read(path).items():
+            table, meaning = next((table, meaning) for prefix, table, meaning in FORMATS
+                                  if name.startswith(prefix))
+            array = "%s_%s" % (name, path.stem.replace(".", "_"))
+            print("\n" + wrapped("static const uint8_t %s[] = {%s};" %
+                                 (array, ", ".join("0x%02x" % b for b in data))))
+            entries[table].append("    " + wrapped("{\"%s of %s\", %s, sizeof %s, %s}" % (
+                name, path.stem, array, array, initializer(meaning(data)))))
+    for table, lines in entries.items():
+        print("\nstatic const %s[] = {\n%s,\n};" % (table, ",\n".join(lines)))
+    print("\n#endif")
+
+
+main()
