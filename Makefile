@@ -32,7 +32,7 @@ Q := $(if $(V),,@)
 .SECONDARY:
 .PHONY: help all install uninstall demo test check targets firmware size bench schema pages derived \
     rules coverage mutation fuzz proof numerics check-gates reference format deps \
-    package packages check-packages clean
+    package packages check-packages dist clean
 
 help: ## this list
 	@awk -F ':.*## ' '/^[a-z-]+:.*## / { printf "make %-14s %s\n", $$1, $$2 }' $(MAKEFILE_LIST)
@@ -218,7 +218,7 @@ reference: ## remake tests/reference/expected.h (needs python3)
 
 format: ## lay out the sources by .clang-format (needs clang-format 19)
 	$(call need,clang-format-19)
-	clang-format-19 -i $(shell git ls-files '*.c' '*.h' | grep -vE '^tests/(unity|reference)/')
+	sh tests/sources.sh c | xargs clang-format-19 -i
 
 deps: ## install what all of these need beyond a C compiler (Debian, root)
 	apt-get update
@@ -238,8 +238,12 @@ packages: ## lay all packages out, in build/packages
 	$(Q)for list in port/*/files; do name=$${list%/files}; name=$${name#port/}; \
 	    sh port/stage.sh $$name $(BUILD)/packages/$$name || exit; done
 
-check-packages: all $(BUILD)/invcal.1 $(BUILD)/float/digest ## each package, consumed: CMake, pkg-config, one file, C++ (PACKAGES=names)
+check-packages: all $(BUILD)/invcal.1 $(BUILD)/float/digest ## each package, consumed: CMake, pkg-config, two files, C++, tarball (PACKAGES=names)
 	$(Q)sh tests/packages.sh $(BUILD) $(PACKAGES)
+
+dist: ## the last commit as build/invcal-VERSION.tar.gz, the same bytes each time
+	$(call need,git)
+	$(Q)sh port/dist.sh $(BUILD)
 
 clean: ## remove build/
 	rm -rf $(BUILD)

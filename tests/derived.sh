@@ -23,9 +23,7 @@ gate() { # SENTENCE COMMAND...
 }
 
 layout() {
-    # shellcheck disable=SC2046 # names without blanks
-    clang-format-19 --dry-run --Werror \
-        $(git ls-files '*.c' '*.h' | grep -vE '^tests/(unity|reference)/')
+    sh tests/sources.sh c | xargs clang-format-19 --dry-run --Werror
 }
 expected() {
     python3 tests/reference/reference.py tests/data > "$build/expected.h" &&
@@ -36,8 +34,7 @@ releases() {
         diff tests/reference/releases/values.h "$build/values.h"
 }
 scripts() {
-    # shellcheck disable=SC2046 # names without blanks
-    shellcheck -S warning .ci/run $(git ls-files '*.sh')
+    sh tests/sources.sh sh | xargs shellcheck -S warning
 }
 manual() {
     mandoc -Tlint -W warning "$build/invcal.1" &&
