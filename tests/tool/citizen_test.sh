@@ -180,9 +180,13 @@ installs() { # TARGET PREFIX
 files() { (cd "$work/a root" && find . -type f | LC_ALL=C sort | tr '\n' ' '); }
 for prefix in /usr/local /opt/invcal; do
     check "make install PREFIX=$prefix succeeds" installs install $prefix
-    at=.$prefix
-    check "PREFIX=$prefix: tool, completion, schema and manual are there" [ "$(files)" = \
-        "$at/bin/invcal $at/share/bash-completion/completions/invcal $at/share/invcal/schema.json $at/share/man/man1/invcal.1 " ]
+    expected=$({
+        printf '%s\n' bin/invcal lib/libinvcal.a lib/libinvcal_double.a lib/pkgconfig/invcal.pc \
+            lib/pkgconfig/invcal-double.pc share/bash-completion/completions/invcal \
+            share/invcal/schema.json share/man/man1/invcal.1
+        cd "$root" && printf '%s\n' include/invcal/*.h
+    } | sed "s|^|.$prefix/|" | LC_ALL=C sort | tr '\n' ' ')
+    check "PREFIX=$prefix: tool, library and what belongs to them are there" [ "$(files)" = "$expected" ]
     check "PREFIX=$prefix: the tool runs" sh -c '"$1" --version | grep -q "^invcal "' sh \
         "$work/a root$prefix/bin/invcal"
     check "PREFIX=$prefix: the manual is of this tool" matches \
