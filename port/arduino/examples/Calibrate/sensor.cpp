@@ -1,0 +1,86 @@
+/* SPDX-License-Identifier: MIT */
+#include "sensor.h"
+
+#include <Wire.h>
+
+/* Of the MPU-6000/6050 and MPU-9250 register maps. */
+enum {
+    ADDRESS = 0x68, /* pin AD0 low; 0x69 if it is high */
+    SMPLRT_DIV = 0x19,
+    CONFIG = 0x1A,
+    ACCEL_CONFIG = 0x1C,
+    ACCEL_CONFIG2 = 0x1D, /* not in the MPU-6050 */
+    INT_STATUS = 0x3A,
+    ACCEL_XOUT_H = 0x3B, /* x, y, z, temperature: 2 bytes each, the high one first */
+    PWR_MGMT_1 = 0x6B,
+    WHO_AM_I = 0x75,
+    MPU6050 = 0x68, /* what WHO_AM_I says */
+    MPU9250 = 0x71
+};
+
+const unsigned long PATIENCE = 100; /* milliseconds */
+
+static uint8_t chip;
+static unsigned long latest; /* microseconds, of the latest sample */
+
+static bool set(uint8_t address, uint8_t value)
+{
+    Wire.beginTransmission(ADDRESS);
+    Wire.write(address);
+    Wire.write(value);
+    return Wire.endTransmission() == 0;
+}
+
+static bool get(uint8_t address, uint8_t *bytes, uint8_t size)
+{
+    Wire.beginTransmission(ADDRESS);
+    Wire.write(address);
+    if (Wire.endTransmission(false) != 0 || Wire.requestFrom((uint8_t)ADDRESS, size) != size) {
+        return false;
+    }
+    for (uint8_t i = 0; i < size; i++) {
+        bytes[i] = Wire.read();
+    }
+    return true;
+}
+
+bool sensor_begin()
+{
+    Wire.begin();
+    Wire.setClock(400000);
+    if (!get(WHO_AM_I, &chip, 1) || (chip != MPU6050 && chip != MPU9250)) {
+        return false;
+    }
+    /* Awake; low-pass filter of 44 Hz; 1 kHz / (1 + 9); 2 g. */
+    return set(PWR_MGMT_1, 1) && set(CONFIG, 3) && set(SMPLRT_DIV, 9) && set(ACCEL_CONFIG, 0) &&
+           (chip == MPU6050 || set(ACCEL_CONFIG2, 3));
+}
+
+static int32_t count_of(const uint8_t bytes[2])
+{
+    return (int16_t)((uint16_t)bytes[0] << 8 | bytes[1]);
+}
+
+sensor_status sensor_next(int32_t raw[3], float &temperature)
+{
+    const unsigned long begin = millis();
+    uint8_t bytes[8];
+
+    do {
+        if (millis() - begin > PATIENCE || !get(INT_STATUS, bytes, 1)) {
+            return SENSOR_SILENT;
+        }
+    } while (!(bytes[0] & 1));
+    const unsigned long now = micros();
+    const bool is_lost = now - latest > 1.5e6f / SENSOR_RATE;
+    latest = now;
+    if (!get(ACCEL_XOUT_H, bytes, sizeof bytes)) {
+        return SENSOR_SILENT;
+    }
+    for (int i = 0; i < 3; i++) {
+        raw[i] = count_of(&bytes[2 * i]);
+    }
+    temperature = chip == MPU6050 ? count_of(&bytes[6]) / 340.0f + 36.53f
+                                  : count_of(&bytes[6]) / 333.87f + 21.0f;
+    return is_lost ? SENSOR_LOST : SENSOR_OK;
+}

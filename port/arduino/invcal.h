@@ -1,0 +1,5 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * invcal.h: for sketches, which find libraries by a header in src/ itself.
+ */
+#include "invcal/invcal.h"
