@@ -1,0 +1,128 @@
+#!/bin/sh
+# SPDX-License-Identifier: MIT
+# shellcheck disable=SC2154,SC2034 # package.sh sets, and options.sh uses, what is not set or used here
+#
+# The Zephyr module, without Zephyr: module.yml by the rules of scripts/zephyr_module.py, options by
+# Kconfig's own language (kconfiglib), the build and the sample with mocks of what they call
+# (tests/packages/zephyr). That our use of Zephyr is as its documentation says is checked; Zephyr is not.
+. "$(dirname "$0")/../package.sh"
+need cmake cc python3
+module=$out/zephyr
+kconfig=$out/Kconfig
+enable=INVCAL=y
+. tests/packages/kconfig/options.sh
+
+# The keys that zephyr_module.py allows, with their types; and what they name is there.
+module_yml() { # ROOT
+    /usr/bin/python3 - "$1" <<'EOF'
+import os, sys, yaml
+
+root = sys.argv[1]
+meta = yaml.safe_load(open(f"{root}/zephyr/module.yml"))
+build = meta.pop("build")
+samples = meta.pop("samples")
+assert meta == {"name": "invcal"}, meta
+assert set(build) == {"cmake", "kconfig"}, build
+assert os.path.isfile(f"{root}/{build['cmake']}/CMakeLists.txt"), build
+assert os.path.isfile(f"{root}/{build['kconfig']}"), build
+assert all(os.path.isdir(f"{root}/{sample}") for sample in samples), samples
+EOF
+}
+
+# As the build of Zephyr includes it, beside the one symbol of Zephyr's that it selects.
+top_kconfig() { # ROOT
+    printf '%s\n' 'config REQUIRES_FULL_LIBC' '    bool' "source \"$1/zephyr/Kconfig\"" > "$kconfig"
+}
+
+builds() { # MODULE APPLICATION
+    rm -rf "$out/build"
+    ZEPHYR_BASE=$root/tests/packages/zephyr cmake -S "$2" -B "$out/build" \
+        -DZEPHYR_EXTRA_MODULES="$1" -DCONFIG="$out/config.cmake" -DCMAKE_EXPORT_COMPILE_COMMANDS=ON &&
+        cmake --build "$out/build"
+}
+
+builds_sample() { # MODULE NAME=VALUE...
+    from=$1
+    shift
+    top_kconfig "$from" && configure "$@" && grep -q REQUIRES_FULL_LIBC "$out/config.cmake" &&
+        builds "$from" "$from/zephyr/samples/calibrate"
+}
+
+builds_program() { # FILE: as an application, with the staged module
+    rm -rf "$out/application"
+    mkdir -p "$out/application/src" && cp "$1" "$out/application/src/main.c" &&
+        cp "$module/zephyr/samples/calibrate/CMakeLists.txt" "$out/application/" &&
+        builds "$module" "$out/application"
+}
+
+builds_with_options() {
+    others && others_as_program && builds_program "$out/others.c" &&
+        others_everywhere "$out/build/compile_commands.json"
+}
+
+# Switched off, it adds nothing to a build.
+builds_without() {
+    echo 'int main(void) { return 0; }' > "$out/empty.c"
+    (enable='' && configure) && builds_program "$out/empty.c" && ! find "$out/build" -name '*.a' | grep .
+}
+
+simulate() {
+    "$build/invcal" simulate --plan edges --lsb 0.00001 --offset 0.041,-0.025,0.062 \
+        --dk 0.012,-0.02,0.017 --rate 100 --noise 0.002 --truth "$out/truth.json" > "$out/log.csv"
+}
+
+runs_sample() {
+    (cd "$out" && rm -f settings && "$out/build/app" < log.csv > printed) &&
+        grep -qx 'verdict: good' "$out/printed" && grep -qx 'calibration stored' "$out/printed"
+}
+
+# Offsets and scale errors within 4 of the sigma printed with them.
+near_truth() {
+    tr -d '\n' < "$out/truth.json" > "$out/truth"
+    awk '
+        function numbers(name, value,    text) {
+            text = truth
+            if (!sub(".*\"" name "\": *\\[", "", text)) return 0
+            sub("].*", "", text)
+            return split(text, value, ",")
+        }
+        NR == FNR { truth = $0; next }
+        /^(offset|scale)/ { for (i = 1; i <= 3; i++) v[i] = $(NF - 3 + i); of = $1; next }
+        of != "" && /^sigma:/ {
+            n = numbers(of == "scale" ? "dk" : "offset", t)
+            for (i = 1; i <= 3; i++) {
+                off = v[i] - t[i]
+                if (n == 3 && $(1 + i) > 0 && off * off <= 16 * $(1 + i) ^ 2) good++
+                else print of, v[i], "+-", $(1 + i), "truth", t[i]
+            }
+            of = ""
+        }
+        END { exit good != 6 }' "$out/truth" "$out/printed"
+}
+
+# Started again it finds what was stored, and readings at rest are 1 g long.
+starts_again() {
+    (cd "$out" && "$out/build/app" < log.csv > again) &&
+        grep -qx 'stored calibration found' "$out/again" &&
+        awk '/^a, m\/s\^2:/ && n++ < 5 { length_ = sqrt($3 ^ 2 + $4 ^ 2 + $5 ^ 2)
+                if (length_ < 9.7 || length_ > 9.9) { print; bad++ } }
+            END { exit bad > 0 || n < 5 }' "$out/again"
+}
+
+check "it can be staged" stage zephyr
+check "module.yml keeps to the rules, and names what is there" module_yml "$module"
+check "so in the repository, where port/ is the module" module_yml port
+check "its Kconfig can be read" top_kconfig "$module"
+check "its options can be listed" read_options
+check "they and their defaults are those of config.h" same_defaults
+check "and so are their ranges" same_ranges
+check "each reaches the library and the application" builds_with_options
+check "without CONFIG_INVCAL it adds nothing" builds_without
+check "the sample builds with the repository as module, without a warning" builds_sample "$root/port"
+check "so it does in double" builds_sample "$root/port" INVCAL_DOUBLE=y
+check "the sample builds with the staged module, without a warning" builds_sample "$module"
+check "a calibration can be simulated" simulate
+check "the sample calibrates and stores" runs_sample
+check "what it prints is true within 4 sigma" near_truth
+check "started again it applies what was stored" starts_again
+finish
