@@ -75,6 +75,7 @@ invcal_status invcal_record_encode(const invcal_record *record, uint8_t bytes[IN
     bytes[22] = (uint8_t)r.verdict;
     bytes[23] = r.temperature_known;
     each_record_real(&w, &r);
+    //@ assert \initialized(bytes + (0 .. INVCAL_RECORD_SIZE - INVCAL_CRC_SIZE - 1)); // as settled
     invcal_put_u32(w.to, invcal_crc32(0, bytes, INVCAL_RECORD_SIZE - INVCAL_CRC_SIZE));
     return INVCAL_OK;
 }
