@@ -42,15 +42,17 @@ extern "C" {
 
 #define INVCAL_ALLAN_LONGEST (UINT32_C(1) << 30) /* samples: differences then fit 63 bits */
 
-/* One ring for each octave above INVCAL_ALLAN_OVERLAP, one for all below. */
+/* The base-2 logarithm of a power of two up to 65536. */
 #define INVCAL_ALLAN_LOG2(p)                                                                       \
     ((((p) & 0xAAAA) != 0) + 2 * (((p) & 0xCCCC) != 0) + 4 * (((p) & 0xF0F0) != 0) +               \
      8 * (((p) & 0xFF00) != 0))
+/* One ring for each octave above INVCAL_ALLAN_OVERLAP, one for all below. */
 #define INVCAL_ALLAN_RINGS                                                                         \
     (INVCAL_ALLAN_TAUS > INVCAL_ALLAN_LOG2(INVCAL_ALLAN_OVERLAP)                                   \
          ? INVCAL_ALLAN_TAUS - INVCAL_ALLAN_LOG2(INVCAL_ALLAN_OVERLAP)                             \
          : 1)
 
+/* Where the windows of an averaging time begin. */
 typedef enum {
     INVCAL_ALLAN_OVERLAPPING, /* windows as close as memory allows: the better estimate */
     INVCAL_ALLAN_APART        /* one window begins where another ends: NIST SP 1065, 5.2.2 */
@@ -66,12 +68,12 @@ typedef struct {
 /* One axis; 1328 bytes. Nothing in it is meant to be changed. */
 typedef struct {
     uint64_t past[INVCAL_ALLAN_RINGS][2 * INVCAL_ALLAN_OVERLAP]; /* totals */
-    invcal_allan_tau tau[INVCAL_ALLAN_TAUS];
-    uint64_t total;                    /* of all samples, modulo 2^64 */
+    invcal_allan_tau tau[INVCAL_ALLAN_TAUS];                     /* in ascending order */
+    uint64_t total;                                              /* of all samples, modulo 2^64 */
     uint32_t samples;                  /* since the last gap, modulo 2^32 */
     uint8_t stage[INVCAL_ALLAN_RINGS]; /* a ring keeps every 2^stage-th total */
     uint8_t end[INVCAL_ALLAN_RINGS];   /* number of averaging times up to this ring */
-    uint8_t rings, taus, windows;
+    uint8_t rings, taus, windows;      /* how many are in use; invcal_allan_windows */
 } invcal_allan;
 
 /* Begins a stream.
@@ -133,9 +135,10 @@ enum {
     INVCAL_NOISE_WHITE,       /* N: slope -1/2 */
     INVCAL_NOISE_INSTABILITY, /* B: bias instability, flicker noise; the floor is 0.664 B */
     INVCAL_NOISE_WALK,        /* K: rate random walk; slope +1/2 */
-    INVCAL_NOISE_KINDS
+    INVCAL_NOISE_KINDS        /* their number */
 };
 
+/* The noise model, and how well it is known. */
 typedef struct {
     invcal_real coefficient[INVCAL_NOISE_KINDS]; /* N, B, K; 0 where it is not visible */
     invcal_real relative[INVCAL_NOISE_KINDS];    /* its relative standard deviation; 0 likewise */
@@ -145,7 +148,7 @@ typedef struct {
     invcal_real minimum;  /* the smallest adev seen, field units, */
     invcal_real best;     /* and its tau, s */
     invcal_real shortest; /* the averaging times that took part, s */
-    invcal_real longest;
+    invcal_real longest;  /* likewise */
 } invcal_noise;
 
 /* Fits the model to all averaging times of 5 degrees of freedom or more.
@@ -172,6 +175,7 @@ invcal_real invcal_noise_sigma(const invcal_noise *noise, invcal_real tau);
 
 /* ---- how long to stay ------------------------------------------------------------------------ */
 
+/* Is the mean as good as wanted after that time? */
 typedef enum {
     INVCAL_DWELL_REACHED, /* after so long the mean is as good as wanted */
     INVCAL_DWELL_BEYOND,  /* the same, but no averaging time as long has been seen: whether the
@@ -179,10 +183,11 @@ typedef enum {
     INVCAL_DWELL_FLOOR    /* never as good as wanted: this is the longest that is worth while */
 } invcal_dwell_end;
 
+/* How long to stay, and what for. */
 typedef struct {
-    invcal_real seconds;
-    invcal_real sigma; /* of the mean after that time, by the model, field units */
-    invcal_dwell_end end;
+    invcal_real seconds;  /* after which the mean is as good as it is to be */
+    invcal_real sigma;    /* of the mean after that time, by the model, field units */
+    invcal_dwell_end end; /* as wanted, or why not */
 } invcal_dwell;
 
 /* The shortest time that brings the mean of a position to a wanted sigma, by the model. If no time

@@ -25,6 +25,7 @@ extern "C" {
 #define INVCAL_BLOCK_SIZE_MAX 1000u          /* samples: sums of squares stay below 2^64 */
 #define INVCAL_BLOCK_FAR (UINT32_C(1) << 26) /* counts, 1/64 of int32: no noise is so large */
 
+/* The sums of a block. Nothing in it is meant to be changed. */
 typedef struct {
     int64_t sum[3];    /* of d, for each axis; complete when the block is full */
     uint64_t square;   /* of d^2, the three axes together */

@@ -39,8 +39,8 @@ invcal_status invcal_calibrate(const invcal_real *raw, unsigned count,
 typedef struct {
     const invcal_real *raw; /* 3 count numbers, as above */
     const uint8_t *age;     /* days that each has faded, invcal_faded; null: none has */
-    unsigned count;
-    invcal_mask left_out; /* bit i: position i is not in the sums. Not 0: count is at most
+    unsigned count;         /* of them */
+    invcal_mask left_out;   /* bit i: position i is not in the sums. Not 0: count is at most
                              INVCAL_MAX_POSITIONS */
 } invcal_positions;
 

@@ -15,6 +15,7 @@
 extern "C" {
 #endif
 
+/* What a correction takes. */
 typedef struct {
     invcal_real offset[3];    /* raw reading in no field, raw units, finite */
     invcal_real matrix[3][3]; /* field units per raw unit, by rows, regular */

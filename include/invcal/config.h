@@ -21,13 +21,14 @@
 
 /* The version of the library. This is its only source: packages read it from here. */
 #define INVCAL_VERSION_MAJOR 0
-#define INVCAL_VERSION_MINOR 1
-#define INVCAL_VERSION_PATCH 0
+#define INVCAL_VERSION_MINOR 1 /* likewise */
+#define INVCAL_VERSION_PATCH 0 /* likewise */
+/* All three as text. */
 #define INVCAL_VERSION                                                                             \
     INVCAL_TEXT(INVCAL_VERSION_MAJOR)                                                              \
     "." INVCAL_TEXT(INVCAL_VERSION_MINOR) "." INVCAL_TEXT(INVCAL_VERSION_PATCH)
-#define INVCAL_TEXT(number) INVCAL_TEXT_OF(number)
-#define INVCAL_TEXT_OF(number) #number
+#define INVCAL_TEXT(number) INVCAL_TEXT_OF(number) /* a macro's value as text */
+#define INVCAL_TEXT_OF(number) #number             /* its name as text */
 
 /* 0: invcal_real is float, and no double arithmetic is compiled. 1: it is double. */
 #ifndef INVCAL_DOUBLE
@@ -53,12 +54,13 @@
 #define INVCAL_MAX_POSITIONS 32
 #endif
 
-/* Allan deviation (allan.h): how many averaging times are kept, 1 ... 31, and how many times the
- * windows of the longer ones overlap, a power of two up to 16384. An axis costs 24 bytes for each
- * averaging time and 16 INVCAL_ALLAN_OVERLAP for each octave beyond INVCAL_ALLAN_OVERLAP samples. */
+/* Allan deviation (allan.h): how many averaging times are kept, 1 ... 31. An axis costs 24 bytes
+ * for each. */
 #ifndef INVCAL_ALLAN_TAUS
 #define INVCAL_ALLAN_TAUS 16
 #endif
+/* How many times the windows of the longer ones overlap, a power of two up to 16384. An axis costs
+ * 16 INVCAL_ALLAN_OVERLAP bytes for each octave beyond INVCAL_ALLAN_OVERLAP samples. */
 #ifndef INVCAL_ALLAN_OVERLAP
 #define INVCAL_ALLAN_OVERLAP 4
 #endif
@@ -105,6 +107,7 @@ typedef uint64_t invcal_mask;
 typedef uint32_t invcal_mask;
 #endif
 
+/* The number type, its limits, and libc's functions for it. */
 #if INVCAL_DOUBLE
 typedef double invcal_real;
 #define INVCAL_REAL(literal) literal
@@ -115,14 +118,14 @@ typedef double invcal_real;
 #define INVCAL_SIN sin
 #define INVCAL_COS cos
 #else
-typedef float invcal_real;
-#define INVCAL_REAL(literal) literal##f
-#define INVCAL_EPSILON FLT_EPSILON
-#define INVCAL_REAL_MAX FLT_MAX
-#define INVCAL_SQRT sqrtf
-#define INVCAL_FABS fabsf
-#define INVCAL_SIN sinf
-#define INVCAL_COS cosf
+typedef float invcal_real; /* double with INVCAL_DOUBLE */
+#define INVCAL_REAL(literal) literal##f /* a constant of this type */
+#define INVCAL_EPSILON FLT_EPSILON      /* from 1 to the next number */
+#define INVCAL_REAL_MAX FLT_MAX         /* the largest number */
+#define INVCAL_SQRT sqrtf               /* the functions of math.h that are needed */
+#define INVCAL_FABS fabsf               /* likewise */
+#define INVCAL_SIN sinf                 /* likewise */
+#define INVCAL_COS cosf                 /* likewise */
 #endif
 
 #endif

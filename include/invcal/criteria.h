@@ -15,6 +15,7 @@
 extern "C" {
 #endif
 
+/* What a design is worth. */
 typedef struct {
     unsigned positions;      /* the labour: positions to visit */
     invcal_real sigma_delta; /* standard deviation over that of a position mean: the largest */

@@ -36,8 +36,8 @@ extern "C" {
  * of latitude, 90 mGal at 45 degrees: state a tenth of it. */
 #define INVCAL_GRAVITY_SIGMA INVCAL_REAL(5e-4)
 
-#define INVCAL_GRAVITY_LOWEST INVCAL_REAL(-500.0) /* metres */
-#define INVCAL_GRAVITY_HIGHEST INVCAL_REAL(10000.0)
+#define INVCAL_GRAVITY_LOWEST INVCAL_REAL(-500.0)   /* height, metres */
+#define INVCAL_GRAVITY_HIGHEST INVCAL_REAL(10000.0) /* likewise */
 
 /* Normal gravity.
  *

@@ -21,13 +21,15 @@
 extern "C" {
 #endif
 
+/* The orientation to take next, and what it will do. */
 typedef struct {
     invcal_real up[3]; /* the direction that is to point upwards, in the frame of the case: unit */
     invcal_real gain;  /* h K h' of it */
-    invcal_real before[INVCAL_PARAMETERS]; /* sqrt(K(r,r)): sigma of parameter r over that of a */
-    invcal_real after[INVCAL_PARAMETERS];  /* position mean, so far, and with this position. Far
-                                              above 10: open as yet; the ridge ends it at 100 over
-                                              the root of the largest diagonal element of H'H */
+    invcal_real before[INVCAL_PARAMETERS]; /* sqrt(K(r,r)), sigma of parameter r over that of a
+                                              position mean, so far. Far above 10: open as yet; the
+                                              ridge ends it at 100 over the root of the largest
+                                              diagonal element of H'H */
+    invcal_real after[INVCAL_PARAMETERS];  /* the same with this position */
     uint16_t improves; /* bit r: sigma of parameter r falls by a tenth or more; at least the one
                           that falls most */
 } invcal_guidance;

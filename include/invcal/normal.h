@@ -16,12 +16,14 @@ extern "C" {
 
 /* A symmetric matrix of n rows, lower triangle by rows: (r, c) with c <= r stands here. */
 #define INVCAL_PACKED(r, c) ((r) * ((r) + 1u) / 2u + (c))
+/* How many elements that takes. */
 #define INVCAL_PACKED_SIZE(n) ((n) * ((n) + 1u) / 2u)
 
 /* Every element of h h' is a product of two, three or four of x, y, z, and only 31 of the 45 are
  * different: 6 of degree 2, 10 of degree 3, 15 of degree 4. Their sums are kept. */
 #define INVCAL_MOMENTS 31u
 
+/* The sums of all positions. */
 typedef struct {
     invcal_real moment[INVCAL_MOMENTS]; /* H'WH: see invcal_normal_matrix */
     invcal_real htj[INVCAL_PARAMETERS]; /* H'Wj */

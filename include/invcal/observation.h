@@ -30,10 +30,11 @@ typedef enum {
     INVCAL_MODEL_LINEAR     /* p = -X, X = (delta, dk, gamma) */
 } invcal_model;
 
+/* One equation. */
 typedef struct {
-    invcal_real h[INVCAL_PARAMETERS];
-    invcal_real j;
-    invcal_model model;
+    invcal_real h[INVCAL_PARAMETERS]; /* the row */
+    invcal_real j;                    /* the composition */
+    invcal_model model;               /* of p */
 } invcal_observation;
 
 /* A reading in units of the field, which is what the three rows below take.

@@ -28,6 +28,7 @@ extern "C" {
 #define INVCAL_OUTLIERS_FEWEST 11u /* and these only beside a stated noise: else 12 */
 #define INVCAL_OUTLIERS_MOST 6u    /* outliers named at most */
 
+/* Which positions contradict the others, and by how much. */
 typedef struct {
     invcal_mask removed; /* bit i: position i is an outlier: leave it out, or repeat it */
     invcal_mask

@@ -36,15 +36,17 @@
 extern "C" {
 #endif
 
-#define INVCAL_PLAN_GROUPS 3u
-#define INVCAL_PLAN_PER_GROUP_MIN 5u
-#define INVCAL_PLAN_PER_GROUP_MAX 1000u
+#define INVCAL_PLAN_GROUPS 3u           /* of a program */
+#define INVCAL_PLAN_PER_GROUP_MIN 5u    /* positions in a group */
+#define INVCAL_PLAN_PER_GROUP_MAX 1000u /* likewise */
 
+/* A program: three groups, each a full turn. */
 typedef struct {
     unsigned per_group;                    /* N, from INVCAL_PLAN_PER_GROUP_MIN to .._MAX */
     invcal_real start[INVCAL_PLAN_GROUPS]; /* degrees, -360 ... 360 */
 } invcal_plan;
 
+/* A position of a program. */
 typedef struct {
     unsigned group;          /* 1 ... 3 */
     unsigned index;          /* l, 1 ... N */
@@ -84,13 +86,13 @@ invcal_status invcal_plan_starts(unsigned per_group, invcal_real start[INVCAL_PL
 
 /* The six directions of the axes as bits: 1 << INVCAL_AXIS_PLUS_X and so on. */
 enum {
-    INVCAL_AXIS_PLUS_X = 0,
-    INVCAL_AXIS_MINUS_X,
-    INVCAL_AXIS_PLUS_Y,
-    INVCAL_AXIS_MINUS_Y,
-    INVCAL_AXIS_PLUS_Z,
-    INVCAL_AXIS_MINUS_Z,
-    INVCAL_AXES
+    INVCAL_AXIS_PLUS_X = 0, /* x points up */
+    INVCAL_AXIS_MINUS_X,    /* x points down */
+    INVCAL_AXIS_PLUS_Y,     /* y points up */
+    INVCAL_AXIS_MINUS_Y,    /* y points down */
+    INVCAL_AXIS_PLUS_Z,     /* z points up */
+    INVCAL_AXIS_MINUS_Z,    /* z points down */
+    INVCAL_AXES             /* their number */
 };
 
 /* Which axis points up, within 0.1 degrees: one bit, or 0 if none does.

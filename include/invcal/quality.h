@@ -12,6 +12,7 @@
 extern "C" {
 #endif
 
+/* May the solution be used? */
 typedef enum {
     INVCAL_GOOD,          /* every parameter determined, and checked by positions to spare */
     INVCAL_NO_REDUNDANCY, /* determined, but as many equations as unknowns: nothing checks it */
@@ -22,25 +23,26 @@ typedef enum {
 /* "good", "no redundancy", "weak"; any other value gives "unknown verdict". */
 const char *invcal_verdict_text(invcal_verdict verdict);
 
+/* How well a solution is known. */
 typedef struct {
-    invcal_real sigma_offset[3]; /* standard deviations: of the offset in raw units, */
-    invcal_real sigma_delta[3];  /* and of the nine parameters in their own units */
-    invcal_real sigma_dk[3];
-    invcal_real sigma_gamma[3];
-    invcal_real noise;        /* standard deviation of a position mean behind them, in calibrated
+    invcal_real sigma_offset[3]; /* standard deviation of the offset, raw units, */
+    invcal_real sigma_delta[3];  /* of the zero offsets, over field, */
+    invcal_real sigma_dk[3];     /* of the scale errors, */
+    invcal_real sigma_gamma[3];  /* and of the non-orthogonality terms, rad */
+    invcal_real noise;           /* standard deviation of a position mean behind them, in calibrated
                                  units over field: the larger of stated and observed, 1 if neither
                                  is there; raised beside a prior, see invcal_information */
-    invcal_real dof;          /* degrees of freedom left for the residuals; 0: no check */
-    invcal_real coverage;     /* +- coverage * sigma holds the truth in 95 % of cases */
-    invcal_real residual_rms; /* of |calibrated| / field - 1 over the positions */
-    invcal_real residual_max; /* its largest, without sign, */
-    unsigned worst;           /* and at which position, from 0 */
-    invcal_real condition;    /* of H'H of the calibrated unit vectors, prior included; with
+    invcal_real dof;             /* degrees of freedom left for the residuals; 0: no check */
+    invcal_real coverage;        /* +- coverage * sigma holds the truth in 95 % of cases */
+    invcal_real residual_rms;    /* of |calibrated| / field - 1 over the positions */
+    invcal_real residual_max;    /* its largest, without sign, */
+    unsigned worst;              /* and at which position, from 0 */
+    invcal_real condition;       /* of H'H of the calibrated unit vectors, prior included; with
                                  priors of very different width it may be INVCAL_REAL_MAX */
-    uint16_t undetermined;    /* bit r: parameter r is badly determined: sqrt(K(r,r)) > 10, or
+    uint16_t undetermined;       /* bit r: parameter r is badly determined: sqrt(K(r,r)) > 10, or
                               K(r,r) noise^2 used > 0.1: by the noise in the readings itself */
-    uint16_t from_prior;      /* bit r: the prior tells more about parameter r than the data */
-    invcal_verdict verdict;
+    uint16_t from_prior;         /* bit r: the prior tells more about parameter r than the data */
+    invcal_verdict verdict;      /* what all this comes to */
 } invcal_quality;
 
 /* What rounding costs, against the exact solution of the same readings, for 9 to 64 positions,
@@ -63,9 +65,9 @@ typedef struct {
  *
  *     |parameter - exact|          <= INVCAL_LOSS_AGAIN  INVCAL_EPSILON sqrt(condition) */
 #define INVCAL_LOSS INVCAL_REAL(2.0)
-#define INVCAL_LOSS_SIGMA INVCAL_REAL(32.0)
-#define INVCAL_LOSS_LENGTH INVCAL_REAL(8.0)
-#define INVCAL_LOSS_AGAIN INVCAL_REAL(4.0)
+#define INVCAL_LOSS_SIGMA INVCAL_REAL(32.0) /* see INVCAL_LOSS */
+#define INVCAL_LOSS_LENGTH INVCAL_REAL(8.0) /* see INVCAL_LOSS */
+#define INVCAL_LOSS_AGAIN INVCAL_REAL(4.0)  /* see INVCAL_LOSS */
 
 /* Judges a solution.
  *

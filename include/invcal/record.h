@@ -40,31 +40,31 @@
 extern "C" {
 #endif
 
-#define INVCAL_RECORD_SIZE 184u
+#define INVCAL_RECORD_SIZE 184u /* bytes of a record */
 
 /* Names and units are those of invcal_solution and invcal_quality. What is not known stays 0. */
 typedef struct {
-    invcal_calibration calibration;
-    invcal_real delta[3];
-    invcal_real dk[3];
-    invcal_real gamma[3];
-    invcal_real sigma_offset[3];
-    invcal_real sigma_delta[3];
-    invcal_real sigma_dk[3];
-    invcal_real sigma_gamma[3];
-    invcal_real field;         /* the field it was made in, field units, > 0 */
-    invcal_real field_sigma;   /* standard deviation of that; 0: not known */
-    invcal_real temperature;   /* at which it was made, degrees Celsius, */
-    uint8_t temperature_known; /* if this is not 0 */
-    uint8_t sensor[8];         /* which one: a serial number or any other bytes of yours */
-    uint32_t date;             /* when: in what you count, such as seconds since your epoch */
-    invcal_real noise;
-    invcal_real residual_rms;
-    invcal_real condition;
-    invcal_verdict verdict;
-    uint16_t positions;    /* how many made it */
-    uint16_t undetermined; /* bit r: parameter r */
-    uint16_t from_prior;
+    invcal_calibration calibration; /* of invcal_solution */
+    invcal_real delta[3];           /* likewise */
+    invcal_real dk[3];              /* likewise */
+    invcal_real gamma[3];           /* likewise */
+    invcal_real sigma_offset[3];    /* of invcal_quality */
+    invcal_real sigma_delta[3];     /* likewise */
+    invcal_real sigma_dk[3];        /* likewise */
+    invcal_real sigma_gamma[3];     /* likewise */
+    invcal_real field;              /* the field it was made in, field units, > 0 */
+    invcal_real field_sigma;        /* standard deviation of that; 0: not known */
+    invcal_real temperature;        /* at which it was made, degrees Celsius, */
+    uint8_t temperature_known;      /* if this is not 0 */
+    uint8_t sensor[8];              /* which one: a serial number or any other bytes of yours */
+    uint32_t date;                  /* when: in what you count, such as seconds since your epoch */
+    invcal_real noise;              /* of invcal_quality */
+    invcal_real residual_rms;       /* likewise */
+    invcal_real condition;          /* likewise */
+    invcal_verdict verdict;         /* likewise */
+    uint16_t positions;             /* how many made it */
+    uint16_t undetermined;          /* bit r: parameter r */
+    uint16_t from_prior;            /* likewise */
 } invcal_record;
 
 /* A record as bytes.

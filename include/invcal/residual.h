@@ -17,15 +17,16 @@
 extern "C" {
 #endif
 
+/* The second pass over the positions. */
 typedef struct {
     invcal_normal normal;      /* weighted exact rows of the calibrated readings */
     invcal_real correction[6]; /* A - I, A = (I + S)^-1, packed */
-    invcal_real delta[3];
-    invcal_real gain;    /* root mean square of |A eta| over all directions */
+    invcal_real delta[3];      /* of the solution */
+    invcal_real gain;          /* root mean square of |A eta| over all directions */
     invcal_real squares; /* sum of the squared residuals |calibrated| / field - 1, unweighted */
     invcal_real max;     /* the largest residual, without its sign */
     unsigned worst;      /* its position, counted from 0 in the order of addition */
-    unsigned count;
+    unsigned count;      /* of positions added */
 } invcal_residuals;
 
 /* Empties the sums and takes over what is needed of the solution. */

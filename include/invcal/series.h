@@ -36,8 +36,8 @@ extern "C" {
 
 /* Sums of J times each of the five functions, over the positions of each group. */
 typedef struct {
-    invcal_plan plan;
-    invcal_real sum[INVCAL_PLAN_GROUPS][INVCAL_SERIES_TERMS];
+    invcal_plan plan;                                         /* the program */
+    invcal_real sum[INVCAL_PLAN_GROUPS][INVCAL_SERIES_TERMS]; /* of J times each function */
     unsigned next; /* the position that is to come, 0 ... 3 N */
 } invcal_series;
 

@@ -53,6 +53,7 @@ typedef struct {
     uint8_t background;       /* 1: nobody follows a procedure */
 } invcal_session_setup;
 
+/* What a sample brought about. */
 typedef enum {
     INVCAL_SESSION_NOTHING,  /* nothing new: most samples */
     INVCAL_SESSION_MOVING,   /* no rest */
@@ -65,8 +66,9 @@ typedef enum {
     INVCAL_SESSION_FINISHED /* as TAKEN, and it was the last of the program */
 } invcal_session_what;
 
+/* What there is to tell. */
 typedef struct {
-    invcal_session_what what;
+    invcal_session_what what;  /* as it was returned */
     unsigned progress;         /* percent of what a position takes at least, mean_sigma included */
     invcal_rest_reason reason; /* REFUSED: why it was no rest; INVCAL_REST_GOOD if it was one, */
     invcal_status status;      /* but its mean is no reading of this field */
@@ -75,9 +77,10 @@ typedef struct {
     invcal_rest rest; /* TAKEN, COVERED: its sum, variance and place in the stream */
 } invcal_event;
 
+/* A session. Nothing in it is meant to be changed. */
 typedef struct {
-    invcal_session_setup setup;
-    invcal_still still;
+    invcal_session_setup setup;                /* as it began */
+    invcal_still still;                        /* the detector of rests */
     invcal_normal normal;                      /* of all positions taken, outliers too */
     invcal_real mean[INVCAL_MAX_POSITIONS][3]; /* raw units; the first, or in the background the
                                                most telling ones */
@@ -85,13 +88,13 @@ typedef struct {
     uint16_t stored;                           /* of the table */
     uint16_t step;                             /* of the program: the position that is to be next */
     invcal_real temperature;                   /* mean over the positions, degrees Celsius */
-    invcal_real coldest;
-    invcal_real warmest;
-    invcal_real latest; /* temperature of the latest sample */
-    invcal_real hold;   /* seconds that a rest must be measured, as known by now */
-    unsigned measured;  /* positions in the mean of temperature */
-    uint8_t is_enough;
-    uint8_t is_ready; /* said of the rest that is going on */
+    invcal_real coldest;                       /* temperature of a position */
+    invcal_real warmest;                       /* likewise */
+    invcal_real latest;                        /* temperature of the latest sample */
+    invcal_real hold;  /* seconds that a rest must be measured, as known by now */
+    unsigned measured; /* positions in the mean of temperature */
+    uint8_t is_enough; /* the target has been reached */
+    uint8_t is_ready;  /* said of the rest that is going on */
 } invcal_session;
 
 /* Begins: nothing taken yet.

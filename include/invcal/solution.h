@@ -31,9 +31,10 @@ typedef struct {
                                    nominal: standard deviations up to about 0.2 (beyond, the
                                    first order fails that makes them one of p), 0: nothing.
                                    Needs noise > 0 */
-    invcal_frame frame;
+    invcal_frame frame;                   /* of the calibrated readings */
 } invcal_settings;
 
+/* The result. */
 typedef struct {
     invcal_calibration calibration; /* offset (raw units), matrix (field units per raw unit) */
     invcal_real delta[3];           /* zero offsets against nominal, over field */
@@ -84,7 +85,7 @@ invcal_status invcal_settings_check(const invcal_settings *settings);
 /* 1 if the settings hold a prior for any parameter, else 0. */
 int invcal_has_prior(const invcal_settings *settings);
 
-/* H'WH with the prior of the settings, packed, and the same factored to L.
+/* H'WH with the prior of the settings, packed.
  *
  * The prior, parameter r is 0 with standard deviation prior[r], adds (noise / prior[r])^2 to the
  * diagonal, which makes the solution a Bayesian update (design section 2, "Prior").
@@ -93,11 +94,13 @@ int invcal_has_prior(const invcal_settings *settings);
  * noise     standard deviation of one equation, over field; > 0 beside a prior. Where the
  *           positions alone leave parameters open it is raised to what the number type can
  *           resolve beside the prior: in float to sqrt(count) / 2000 of the widest prior. With
- *           less, rounding errors of H'H would count as data. Without a prior it is not used.
- *
- * The second returns INVCAL_OK or INVCAL_UNDETERMINED; its l and noise are lost then. */
+ *           less, rounding errors of H'H would count as data. Without a prior it is not used. */
 void invcal_information(const invcal_normal *normal, const invcal_settings *settings,
                         invcal_real *noise, invcal_real hth[INVCAL_PACKED_SIZE(INVCAL_PARAMETERS)]);
+
+/* The same, factored to L.
+ *
+ * Returns INVCAL_OK; INVCAL_UNDETERMINED: l and noise are lost then. */
 invcal_status invcal_information_factor(const invcal_normal *normal,
                                         const invcal_settings *settings, invcal_real *noise,
                                         invcal_real l[INVCAL_PACKED_SIZE(INVCAL_PARAMETERS)]);

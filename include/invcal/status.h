@@ -22,8 +22,9 @@
 extern "C" {
 #endif
 
+/* What a function answers. */
 typedef enum {
-    INVCAL_OK = 0,
+    INVCAL_OK = 0,       /* it has done what it says */
     INVCAL_NOT_FINITE,   /* a reading is NaN or infinite */
     INVCAL_OUT_OF_RANGE, /* a reading is below 1/10 or above 10 of the field: wrong scale, field */
     INVCAL_NOT_UNIT,     /* a known direction is not a unit vector */
@@ -38,7 +39,7 @@ typedef enum {
     INVCAL_OTHER_VERSION, /* stored by a version of the library, or of another kind, unknown here */
     INVCAL_NO_SPACE,      /* does not fit into the buffer or the slot */
     INVCAL_IO,            /* the memory's driver reports a failure */
-    INVCAL_STATUS_COUNT
+    INVCAL_STATUS_COUNT   /* their number; no status */
 } invcal_status;
 
 /* A sentence for a status, in plain English without a full stop, in read-only memory.
@@ -48,15 +49,15 @@ const char *invcal_status_text(invcal_status status);
 /* The nine parameters in the order of the paper's vector X and of every array of nine here. */
 enum {
     INVCAL_DELTA_X = 0, /* zero offset over field (an accelerometer's: unit g) */
-    INVCAL_DELTA_Y,
-    INVCAL_DELTA_Z,
-    INVCAL_DK_X, /* scale error (1) */
-    INVCAL_DK_Y,
-    INVCAL_DK_Z,
-    INVCAL_GAMMA_XY, /* non-orthogonality (rad): sum of the two cross terms of the pair */
-    INVCAL_GAMMA_XZ,
-    INVCAL_GAMMA_ZY,
-    INVCAL_PARAMETERS
+    INVCAL_DELTA_Y,     /* likewise */
+    INVCAL_DELTA_Z,     /* likewise */
+    INVCAL_DK_X,        /* scale error (1) */
+    INVCAL_DK_Y,        /* likewise */
+    INVCAL_DK_Z,        /* likewise */
+    INVCAL_GAMMA_XY,    /* non-orthogonality (rad): sum of the two cross terms of the pair */
+    INVCAL_GAMMA_XZ,    /* likewise */
+    INVCAL_GAMMA_ZY,    /* likewise */
+    INVCAL_PARAMETERS   /* their number */
 };
 
 /* The name of a parameter: "delta_x" ... "gamma_zy". Outside 0 ... 8: "?". */

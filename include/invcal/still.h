@@ -37,8 +37,8 @@
 extern "C" {
 #endif
 
-#define INVCAL_STILL_RATE_MIN 8 /* samples per second */
-#define INVCAL_STILL_RATE_MAX 8000
+#define INVCAL_STILL_RATE_MIN 8    /* samples per second */
+#define INVCAL_STILL_RATE_MAX 8000 /* likewise */
 
 /* What a sample brought about. */
 typedef enum {
@@ -55,7 +55,7 @@ typedef enum {
 
 /* Why a rest is no position. */
 typedef enum {
-    INVCAL_REST_GOOD,
+    INVCAL_REST_GOOD,    /* it is one */
     INVCAL_REST_SHORT,   /* motion came before it was READY */
     INVCAL_REST_DRIFT,   /* readings creep: a slow turn, or it settles */
     INVCAL_REST_CLIPPED, /* a rail was touched */

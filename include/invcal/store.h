@@ -50,7 +50,7 @@ extern "C" {
          (uint32_t)(granularity) +                                                                 \
      (uint32_t)(granularity))
 
-#define INVCAL_STORE_GRANULARITY_MAX 32u
+#define INVCAL_STORE_GRANULARITY_MAX 32u /* bytes */
 
 /* The memory. Slots are 0 and 1; offsets are from the start of the slot; the callbacks return 0,
  * or anything else for a failure. Every one must come back only when the memory has finished. */

@@ -53,8 +53,8 @@
 extern "C" {
 #endif
 
-#define INVCAL_THERMAL_ROWS (INVCAL_THERMAL_DEGREE + 1)
-#define INVCAL_THERMAL_SUMS (2 * INVCAL_THERMAL_DEGREE + 1)
+#define INVCAL_THERMAL_ROWS (INVCAL_THERMAL_DEGREE + 1)     /* coefficients of a parameter */
+#define INVCAL_THERMAL_SUMS (2 * INVCAL_THERMAL_DEGREE + 1) /* powers of t in H'H */
 
 /* What the user knows of temperature. All zero is a good start. */
 typedef struct {
@@ -93,11 +93,11 @@ const char *invcal_thermal_fallback_text(invcal_thermal_fallback fallback);
 typedef struct {
     /* delta, dk, gamma: the coefficients of t^k, k = 0 ... INVCAL_THERMAL_DEGREE */
     invcal_real x[INVCAL_THERMAL_ROWS][INVCAL_PARAMETERS];
-    invcal_calibration nominal;
-    invcal_real field;
+    invcal_calibration nominal;  /* of the settings, */
+    invcal_real field;           /* likewise */
     invcal_real reference, span; /* t = (T - reference) / span */
     invcal_real least, greatest; /* temperatures seen: only between them the polynomials hold */
-    invcal_frame frame;
+    invcal_frame frame;          /* of the settings */
     invcal_thermal_fallback fallback; /* why `fitted` is less than was wanted */
     uint8_t degree;                   /* of x */
     uint8_t fitted; /* degree that the positions told; less than `degree` only where slopes came
@@ -131,6 +131,7 @@ invcal_status invcal_thermal_calibrate(const invcal_real *raw, const invcal_real
                                        invcal_thermal_calibration *out, invcal_quality *quality,
                                        invcal_reason *reason);
 
+/* Where a temperature lies. */
 typedef enum {
     INVCAL_THERMAL_WITHIN, /* in the range seen */
     INVCAL_THERMAL_BELOW,  /* colder: what holds at `least` is given */
@@ -196,9 +197,9 @@ invcal_status invcal_thermal_start(const invcal_settings *settings,
 typedef struct {
     invcal_normal sum[INVCAL_THERMAL_SUMS]; /* of t^k; the first counts */
     invcal_real squares;                    /* residuals of the base, as in residual.h */
-    invcal_real max;
-    unsigned worst;
-    invcal_real least, greatest; /* temperatures */
+    invcal_real max;                        /* the largest, without its sign, */
+    unsigned worst;                         /* and its position, from 0 */
+    invcal_real least, greatest;            /* temperatures */
 } invcal_thermal_sums;
 
 /* Empties the sums. All bytes zero is the same state. */

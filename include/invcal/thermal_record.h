@@ -32,13 +32,15 @@
 extern "C" {
 #endif
 
+/* What a record of that degree takes. */
 #define INVCAL_THERMAL_RECORD_BYTES(degree) (260u + 36u * ((degree) + 1u))
 
 /* The largest that this build writes and reads. */
 #define INVCAL_THERMAL_RECORD_SIZE INVCAL_THERMAL_RECORD_BYTES(INVCAL_THERMAL_DEGREE)
 
+/* What is stored. */
 typedef struct {
-    invcal_thermal_calibration thermal;
+    invcal_thermal_calibration thermal; /* the calibration */
     /* What else is known, as invcal_thermal_calibrate judged it at the reference. When encoded,
      * its calibration, delta, dk, gamma and field are those of `thermal`, whatever stands here. */
     invcal_record record;
