@@ -30,7 +30,7 @@ Q := $(if $(V),,@)
 .DEFAULT_GOAL := all
 .DELETE_ON_ERROR:
 .SECONDARY:
-.PHONY: help all install uninstall demo test check targets firmware size bench schema pages derived \
+.PHONY: help all install uninstall demo test check targets firmware size bench schema pages manual derived \
     rules coverage mutation fuzz proof numerics check-gates reference format deps \
     package packages check-packages dist clean
 
@@ -195,7 +195,11 @@ pages: $(BUILD)/invcal ## the reports in a browser: phone, desktop, paper; light
 	$(Q)rm -f $(BUILD)/pages/chromium.log
 	$(Q)$(if $(SELF),sh tests/pages.sh --self-test $(BUILD) &&) sh tests/pages/all.sh $(BUILD)
 
-derived: $(BUILD)/invcal $(BUILD)/invcal.1 ## layout, expected.h, manual, picture, scripts: as they should be
+manual: ## the headers and port/manual as HTML in build/manual; nothing without a word, no dead link
+	$(call need,doxygen)
+	$(Q)sh tests/manual.sh $(BUILD)
+
+derived: $(BUILD)/invcal $(BUILD)/invcal.1 ## layout, expected.h, man page, pictures, scripts: as they should be
 	$(call need,clang-format-19)
 	$(call need,shellcheck)
 	$(call need,python3)
@@ -225,7 +229,7 @@ deps: ## install what all of these need beyond a C compiler (Debian, root)
 	apt-get install -y --no-install-recommends gcc git clang-19 libclang-rt-19-dev llvm-19 \
 	    clang-format-19 clang-tidy-19 cppcheck pmccabe frama-c-base python3 python3-jsonschema \
 	    arduino-builder arduino-core-avr arduino-ctags python3-kconfiglib python3-yaml libxml2-utils \
-	    python3-mpmath python3-gmpy2 shellcheck man-db groff mandoc bash \
+	    python3-mpmath python3-gmpy2 shellcheck man-db groff mandoc doxygen bash \
 	    chromium fonts-dejavu-core poppler-utils g++ cmake pkg-config \
 	    gcc-arm-none-eabi libnewlib-arm-none-eabi qemu-system-arm gcc-avr avr-libc simavr \
 	    gcc-riscv64-unknown-elf picolibc-riscv64-unknown-elf qemu-system-misc \

@@ -1,0 +1,77 @@
+#!/bin/sh
+# SPDX-License-Identifier: MIT
+#
+# sh tests/manual.sh BUILD
+# Makes the manual, BUILD/manual/html, of the pages in port/manual and the headers, and demands that
+# nothing public lacks a word and no link leads nowhere. Ends with `N passed, N failed`.
+build=$(mkdir -p "$1" && cd "$1" && pwd) || exit 1
+cd "$(dirname "$0")/.." || exit 1
+html=$build/manual/html
+log=$build/manual.log
+passed=0
+failed=0
+
+gate() { # SENTENCE COMMAND...
+    sentence=$1
+    shift
+    if "$@" > "$log" 2>&1; then
+        echo "manual: $sentence: PASS"
+        passed=$((passed + 1))
+    else
+        cat "$log"
+        echo "manual: $sentence: FAIL"
+        failed=$((failed + 1))
+    fi
+}
+
+version=$(awk '/^#define INVCAL_VERSION_(MAJOR|MINOR|PATCH) / { v = v dot $3; dot = "." } END { print v }' \
+    include/invcal/config.h)
+
+pages() {
+    rm -rf "$build/manual" && mkdir -p "$build/manual" &&
+        BUILD=$build VERSION=$version doxygen port/manual/Doxyfile
+}
+
+# Doxygen does not miss the comment of an enumerator.
+enumerators() {
+    ! awk '/^ *(typedef )?enum \{/ { on = 1; next } /^\}/ { on = 0 }
+        on && /^ +INVCAL_/ && !/\/\*/ { print FILENAME ":" FNR ": no comment: " $1 }' \
+        include/invcal/*.h | grep .
+}
+
+# FILE#LABEL of all links; what is there of neither.
+links() {
+    cd "$html" || return 1
+    awk '{
+            text = $0
+            while (match(text, /<a [^>]*href="[^"]*"/)) {
+                link = substr(text, RSTART, RLENGTH)
+                text = substr(text, RSTART + RLENGTH)
+                sub(/.*href="/, "", link)
+                sub(/"$/, "", link)
+                if (link !~ /^(https?|javascript):/ && link != "") {
+                    print (link ~ /^#/ ? FILENAME : "") link
+                }
+            }
+        }' md_*.html index.html ./*_8h.html struct*.html | sort -u > "$build/manual.links"
+    awk '{
+            text = $0
+            while (match(text, / (id|name)="[^"]*"/)) {
+                name = substr(text, RSTART, RLENGTH)
+                text = substr(text, RSTART + RLENGTH)
+                gsub(/^[^"]*"|"$/, "", name)
+                print FILENAME "#" name
+            }
+        }' ./*.html | sed 's,^\./,,' > "$build/manual.labels"
+    ls >> "$build/manual.labels"
+    test "$(wc -l < "$build/manual.links")" -gt 100 &&
+        ! sed 's,^\./,,' "$build/manual.links" | grep -vxF -f "$build/manual.labels"
+}
+
+gate "Doxygen has nothing against the headers and pages" pages
+gate "every enumerator has a comment" enumerators
+gate "every link leads somewhere" links
+
+echo "$html/index.html"
+echo "$passed passed, $failed failed"
+[ "$failed" -eq 0 ]
