@@ -24,6 +24,7 @@ suites() {
     echo "unity sh $tests/unity/selftest.sh $build/unity"
     echo "library sh $tests/library.sh $build"
     echo "readme sh $tests/readme.sh $build"
+    echo "errors sh $tests/errors.sh $build"
 }
 
 # (Not by `&`, which would take SIGINT away from what is run.)
