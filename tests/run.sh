@@ -25,6 +25,8 @@ suites() {
     echo "library sh $tests/library.sh $build"
     echo "readme sh $tests/readme.sh $build"
     echo "errors sh $tests/errors.sh $build"
+    echo "tutorial sh $tests/tutorial.sh $build tutorial"
+    echo "porting sh $tests/tutorial.sh $build porting"
 }
 
 # (Not by `&`, which would take SIGINT away from what is run.)

@@ -1,0 +1,125 @@
+#!/bin/sh
+# SPDX-License-Identifier: MIT
+#
+# Follows a page of the manual word by word: sh tests/tutorial.sh BUILD PAGE. CC and CFLAGS as for the
+# library.
+#
+#     ```sh          is run, block after block in one shell, which stops at the first failure
+#     ```text        below it is what it prints; `...` stands for any text, alone for any lines
+#     ```c, ```cpp   is saved under the name in its first line, and compiles without a warning
+#
+# `git clone` copies this tree with what BUILD holds, so nothing is built twice; `cc` is $CC, and
+# $INVCAL this tree. C++ is left out where there is no compiler for it. Ends with `N passed, N failed`.
+build=$(cd "$1" && pwd) || exit 1
+cd "$(dirname "$0")/.." || exit 1
+root=$(pwd)
+page=$root/port/manual/$2.md
+out=$build/tutorial/$2
+passed=0
+failed=0
+rm -rf "$out"
+mkdir -p "$out/work" || exit 1
+
+result() { # 0 or 1, SENTENCE
+    if [ "$1" -eq 0 ]; then
+        passed=$((passed + 1))
+        echo "$2: PASS"
+    else
+        failed=$((failed + 1))
+        echo "$2: FAIL"
+    fi
+}
+
+# The page as a script, and what is to be printed as $out/N.text.
+awk -v out="$out" '
+    /^```/ && kind != "" {
+        if (kind == "c") print "END_OF_FILE\ncompiles " name
+        if (kind == "sh") print "} > \"" out "/" n ".said\" 2>&1"
+        kind = ""
+        next
+    }
+    /^```sh$/ { print "echo " ++n " > \"" out "/step\"\n{"; kind = "sh"; next }
+    /^```text$/ { kind = "text"; next }
+    /^```(c|cpp)$/ { kind = "name"; next }
+    kind == "name" { # /* name.c ... */ or // name.cpp
+        name = $2
+        print "cat > " name " << \"END_OF_FILE\""
+        kind = "c"
+    }
+    kind == "text" { print > (out "/" n ".text") }
+    kind == "sh" || kind == "c"' "$page" > "$out/script"
+
+# What the script calls.
+git() { # clone ADDRESS FOLDER
+    mkdir "$3" "$3/build" "$3/build/float" "$3/build/double" &&
+        cp -Rp "$root/Makefile" "$root/README.md" "$root/include" "$root/src" "$root/port" "$root/tests" "$3" &&
+        cp -Rp "$build/tool" "$build/invcal" "$3/build" &&
+        cp -Rp "$build/float/src" "$build/float/libinvcal.a" "$3/build/float" &&
+        cp -Rp "$build/double/src" "$build/double/libinvcal.a" "$3/build/double"
+}
+# shellcheck disable=SC2086 # words
+cc() { command ${CC:-cc} $CFLAGS "$@"; }
+compiles() { # NAME
+    case $1 in
+    *.c) set -- "$1" "${CC:-cc}" -std=c99 ;;
+    *) set -- "$1" "$(command -v c++ || command -v clang++-19)" -std=c++98 ;;
+    esac
+    [ -n "$2" ] || return 0
+    "$2" "$3" -Wall -Wextra -pedantic -Werror -I"$root/include" -I. -c "$1" -o "$1.o" \
+        > "$out/$1.log" 2>&1 && echo 0 > "$out/$1.compiled" || echo 1 > "$out/$1.compiled"
+}
+
+(
+    unset MAKEFLAGS MAKELEVEL
+    # shellcheck disable=SC2034 # the page uses it
+    INVCAL=$root
+    cd "$out/work" && set -e
+    # shellcheck source=/dev/null
+    . "$out/script"
+)
+status=$?
+step=$(cat "$out/step" 2> /dev/null || echo 0)
+if [ "$status" -ne 0 ]; then
+    cat "$out/$step.said" 2> /dev/null
+    result 1 "$2: block $step ends with exit status $status"
+fi
+
+for file in "$out"/*.compiled; do
+    [ -s "$file" ] || continue
+    name=$(basename "$file" .compiled)
+    cat "$out/$name.log"
+    result "$(cat "$file")" "$2: $name compiles without a warning"
+done
+
+# What a block has said, line by line as the page has it.
+agrees() { # PAGE SAID
+    awk 'function pattern(line) {
+            gsub(/[][\\^$.|?*+(){}]/, "\\\\&", line)
+            gsub(/\\\.\\\.\\\./, ".*", line)
+            return "^" line "$"
+        }
+        NR == FNR { want[++wanted] = $0; next }
+        { said[++n] = $0 }
+        END {
+            for (w = 1; w <= wanted; w++) {
+                if (want[w] == "...") { any = 1; continue }
+                while (any && i < n && said[i + 1] !~ pattern(want[w])) i++
+                any = 0
+                if (said[++i] !~ pattern(want[w])) {
+                    print "wanted: " want[w] "\nsaid:   " said[i]
+                    exit 1
+                }
+            }
+            if (!any && i < n) { print "said too: " said[i + 1]; exit 1 }
+        }' "$1" "$2"
+}
+
+for text in "$out"/*.text; do
+    n=$(basename "$text" .text)
+    [ -e "$text" ] && [ "$n" -le "$step" ] || continue
+    agrees "$text" "$out/$n.said"
+    result $? "$2: block $n prints what the page says"
+done
+
+echo "$passed passed, $failed failed"
+[ "$failed" -eq 0 ] && [ "$passed" -gt 0 ]
