@@ -7,6 +7,9 @@
 # does to it, what the gate must say, and the gate. Prints a line for each, and at the end
 # `N passed, N failed`. BUILD has what `make size bench` measured.
 cd "$(dirname "$0")/.." || exit 1
+. tests/target.sh
+need gcc clang-19 clang-format-19 clang-tidy-19 llvm-cov-19 cppcheck pmccabe frama-c python3 \
+    shellcheck man mandoc chromium arm-none-eabi-gcc qemu-system-arm || exit 1
 mkdir -p "$1/gates"
 build=$(cd "$1" && pwd)
 shift

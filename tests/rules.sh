@@ -8,6 +8,12 @@
 # use; a bound for every loop; cyclomatic complexity. Of the tool, with `tool`: clang-tidy (minutes) and
 # complexity.
 # A third argument does one job, as xargs calls this script.
+for command in cppcheck clang-tidy-19 clang-19 gcc pmccabe arm-none-eabi-gcc; do
+    if ! command -v $command > /dev/null; then
+        echo "$command is not installed: make deps" >&2
+        exit 1
+    fi
+done
 out=$1/rules
 flags='-std=c99 -ffp-contract=off -Iinclude'
 firmware=port/cortex-m/firmware
@@ -95,12 +101,6 @@ if [ $# -gt 2 ]; then
     "$@"
     exit
 fi
-for command in cppcheck clang-tidy-19 clang-19 gcc pmccabe arm-none-eabi-gcc; do
-    if ! command -v $command > /dev/null; then
-        echo "$command is not installed: make deps" >&2
-        exit 1
-    fi
-done
 mkdir -p "$out"
 rm -f "$out"/*.log
 jobs "$2" | xargs -P 2 -L 1 sh tests/rules.sh "$1" || echo "a job failed" > "$out/tidy-jobs.log"

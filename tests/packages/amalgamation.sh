@@ -4,8 +4,8 @@
 #
 # The library as two files: compiled by every compiler, with README.md's example; and on a target of
 # each family it computes the same bits as the library of many files does here.
-. "$(dirname "$0")/../package.sh"
-. tests/target.sh
+. "$(dirname "$0")/../target.sh"
+. "$(dirname "$0")/../package.sh" # after it, as it ends with a sum if a command is missing
 need gcc clang-19 arm-none-eabi-gcc riscv64-unknown-elf-gcc avr-gcc powerpc-linux-gnu-gcc \
     qemu-system-arm qemu-system-riscv32 simavr qemu-ppc
 strict='-std=c99 -O2 -ffp-contract=off -Wall -Wextra -Wconversion -Wdouble-promotion -Wshadow

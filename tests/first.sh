@@ -1,0 +1,88 @@
+#!/bin/sh
+# SPDX-License-Identifier: MIT
+#
+# sh tests/first.sh BUILD [GOAL...], as root
+# The first impression: on a new Debian with a C compiler and make, and nothing else, `make demo` and
+# `make test` work; every other target of `make help` either works, too, or says in one line for each
+# thing that is missing what to install. The machine is a folder, BUILD/first/root, made by debootstrap
+# in two minutes, and kept. Two minutes more. Prints a line for each target, and at the end
+# `N passed, N failed`. With GOALs, those only.
+mkdir -p "$1/first" || exit 2
+out=$(cd "$1/first" && pwd)
+shift
+cd "$(dirname "$0")/.." || exit 1
+machine=$out/root
+passed=0
+failed=0
+
+fail() {
+    echo "first.sh: $1" >&2
+    exit 1
+}
+
+result() { # 0 or 1, SENTENCE
+    if [ "$1" -eq 0 ]; then
+        echo "first: $2: PASS"
+        passed=$((passed + 1))
+    else
+        cat "$out/log"
+        echo "first: $2: FAIL"
+        failed=$((failed + 1))
+    fi
+}
+
+on_machine() { # GOAL...: make, there
+    chroot "$machine" env -i PATH=/usr/sbin:/usr/bin:/sbin:/bin HOME=/root LANG=C.UTF-8 \
+        make -C /invcal "$@" > "$out/log" 2>&1 < /dev/null
+}
+
+# What it says beside make's own lines and the sum of passed and failed: only what is missing.
+is_told() {
+    grep -vE '^(make(\[[0-9]+\])?: |[0-9]+ passed, [0-9]+ failed$)' "$out/log" > "$out/said"
+    grep -q . "$out/said" && ! grep -vE ' is not installed: make deps\b' "$out/said"
+}
+
+[ "$(id -u)" -eq 0 ] || fail "only root can make a machine: run it as root"
+command -v debootstrap > /dev/null || fail "debootstrap is not installed: make deps"
+if [ ! -e "$out/made" ]; then
+    rm -rf "$machine"
+    debootstrap --variant=minbase --include=gcc,make,libc6-dev bookworm "$machine" > "$out/log" 2>&1 ||
+        fail "debootstrap failed: $(tail -n 1 "$out/log")"
+    touch "$out/made"
+fi
+rm -rf "$machine/invcal"
+mkdir "$machine/invcal"
+# What is built here, and a cache of this script among it, stays here.
+tar -cf - --exclude="./$(basename "${out%/first}")" . | tar -xf - -C "$machine/invcal" ||
+    fail "the sources cannot be copied"
+
+# shellcheck disable=SC2046 # names without blanks
+[ $# -gt 0 ] || set -- $(awk -F ':.*## ' '/^[a-z-]+:.*## / { print $1 }' Makefile)
+for goal; do
+    case $goal in
+    demo)
+        on_machine demo && grep -q '^Good: ' "$out/log"
+        result $? "make demo calls the demonstration good"
+        ;;
+    test)
+        on_machine test && tail -n 2 "$out/log" | grep -q ' passed, 0 failed$'
+        result $? "make test: $(grep -E '^[0-9]+ passed, [0-9]+ failed$' "$out/log" | tail -n 1)"
+        ;;
+    deps) ;; # would need a network
+    package)
+        on_machine package PACKAGE=amalgamation
+        result $? "make package works"
+        ;;
+    *)
+        if on_machine "$goal"; then
+            result 0 "make $goal works"
+        else
+            is_told
+            result $? "make $goal: $(sort -u "$out/said" | head -n 1)"
+        fi
+        ;;
+    esac
+done
+
+echo "$passed passed, $failed failed"
+[ "$failed" -eq 0 ] && [ "$passed" -gt 0 ]
