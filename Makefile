@@ -253,4 +253,4 @@ dist: ## the last commit as build/invcal-VERSION.tar.gz, the same bytes each tim
 clean: ## remove build/
 	rm -rf $(BUILD)
 
--include $(shell find $(BUILD) -name '*.d' 2>/dev/null)
+-include $(shell find $(addprefix $(BUILD)/,float double tool) -name '*.d' 2>/dev/null)
