@@ -22,8 +22,12 @@ fail() {
 [ $# -eq 2 ] || fail "usage: sh port/stage.sh PACKAGE DEST"
 package=$1
 dest=$2
-[ -n "$dest" ] || fail "DEST is empty"
-case $dest in /*) ;; *) dest=$PWD/$dest ;; esac
+case $dest in
+'') fail "DEST is empty" ;;
+'~'*) fail "DEST begins with ~, which not every shell expands there: write \$HOME" ;;
+/*) ;;
+*) dest=$PWD/$dest ;;
+esac
 cd "$(dirname "$0")/.." || exit 2
 
 list=port/$package/files

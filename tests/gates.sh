@@ -51,6 +51,7 @@ plant() { # NAME FILE SED SAYS GATE...
 
 unit() { make test ONLY="$1"; }
 sanitizers() { CONFIGURATION=$1 ONLY=$2 sh tests/check.sh build/check; }
+packages() { make check-packages PACKAGES="$1"; }
 m4f() { make "$1" TARGETS=port/cortex-m/m4f; }
 
 rm -rf "$copy"
@@ -100,6 +101,20 @@ plant heap src/status.c 's/^static const char \*nth/#include <stdlib.h>\nvoid *i
     'malloc' make rules
 plant loop src/fisher.c 's/^    return sum < 1 ? sum : 1;/    while (sum > 2) { sum -= 1; }\n&/' \
     'fisher.c.*loop|loop.*fisher.c' make rules
+
+# ---- packages and releases --------------------------------------------------------------------
+
+plant record src/record.c 's/r->sigma_dk, 3/r->sigma_gamma, 3/' \
+    'float-compatibility: .* [1-9][0-9]* failed' unit compatibility
+plant clash src/fisher.c '/^#include "vector.h"/s/$/\nenum { RINGS = 1 };/' \
+    'gcc, float: README.md.*: FAIL' packages amalgamation
+plant library Makefile 's|(BUILD)/double/libinvcal.a:lib|(BUILD)/float/libinvcal.a:lib|' \
+    'invcal-double: README.md.*: FAIL' packages pkg-config
+plant version port/cmake/CMakeLists.txt 's/SameMinorVersion/AnyNewerVersion/' \
+    'older API: FAIL' packages cmake
+plant mangled include/invcal/calibrate.h 's/__cplusplus/__cplus_plus/' \
+    'float: a program calibrates: FAIL' packages cplusplus
+plant tree port/stage.sh 's/@VERSION@/@VERSIONS@/' 'version of config.h: FAIL' packages stage
 
 # ---- proof, coverage, mutation, fuzzing, numerics -----------------------------------------------
 

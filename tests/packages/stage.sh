@@ -1,0 +1,79 @@
+#!/bin/sh
+# SPDX-License-Identifier: MIT
+# shellcheck disable=SC2154 # package.sh sets what is not set here
+#
+# port/stage.sh itself, in a small tree with a package that copies, substitutes and makes files. Whatever
+# is wrong is told in one line, and leaves nothing.
+. "$(dirname "$0")/../package.sh"
+tree=$out/tree
+dest="$out/a folder/laid out"
+
+mkdir -p "$tree/port/toy" "$tree/src" "$tree/include/invcal"
+cp port/stage.sh port/version.sh "$tree/port/"
+printf '#define INVCAL_VERSION_%s\n' 'MAJOR 12' 'MINOR 0' 'PATCH 345' > "$tree/include/invcal/config.h"
+echo 'version @VERSION@, @MAJOR@-@MINOR@-@PATCH@' > "$tree/port/toy/manifest"
+echo 'echo made > "$1/made.txt"' > "$tree/port/toy/make.sh"
+echo 'exit 3' > "$tree/port/toy/fail.sh"
+echo 'not @VERSION@' > "$tree/src/one.c"
+touch "$tree/src/two.c"
+
+lists() { # LINE...: what the package's files says
+    printf '%s\n' '# a comment' '' "$@" > "$tree/port/toy/files"
+}
+
+stages() {
+    rm -rf "$dest"
+    sh "$tree/port/stage.sh" toy "$dest"
+}
+
+lays_out() {
+    lists 'src/*.c ./' 'src/one.c deep/er/' 'port/toy/manifest renamed' 'run port/toy/make.sh deep'
+    stages || return
+    (cd "$dest" && find . -type f | sort | tr '\n' ' ') > "$out/found"
+    echo './deep/er/one.c ./deep/made.txt ./one.c ./renamed ./two.c ' | tr -d '\n' | diff - "$out/found"
+}
+
+substitutes() { # in its own files only
+    [ "$(cat "$dest/renamed")" = 'version 12.0.345, 12-0-345' ] &&
+        [ "$(cat "$dest/one.c")" = 'not @VERSION@' ]
+}
+
+keeps_full_folder() {
+    ! sh "$tree/port/stage.sh" toy "$dest" 2> "$out/said" && [ -e "$dest/renamed" ] &&
+        [ "$(cat "$out/said")" = "stage.sh: $dest is not an empty folder" ]
+}
+
+refuses() { # SAID LINE...
+    said=$1
+    shift
+    lists "$@"
+    stages 2> "$out/said"
+    [ $? -eq 2 ] && [ ! -e "$dest" ] && echo "stage.sh: $said" | diff - "$out/said"
+}
+
+names_packages() {
+    ! sh "$tree/port/stage.sh" none "$dest" 2> "$out/said" &&
+        [ "$(cat "$out/said")" = "stage.sh: unknown package 'none': there are toy" ]
+}
+
+refuses_tilde() {
+    ! (cd "$out" && sh "$tree/port/stage.sh" toy \~/toy 2> "$out/said") && [ ! -e "$out/~" ] &&
+        grep -q '^stage.sh: DEST begins with ~' "$out/said"
+}
+
+check "it copies, renames and makes" lays_out
+check "a package's own files get the version of config.h" substitutes
+check "a folder that holds something is left alone" keeps_full_folder
+check "a file that is not there is named" refuses 'port/toy/files:4: no file src/three.c' \
+    'src/one.c ./' 'src/three.c ./'
+check "a glob of nothing is named" refuses 'port/toy/files:3: no file src/*.h' 'src/*.h ./'
+check "several files need a folder" refuses 'port/toy/files:3: 2 files, and all is no folder/' \
+    'src/*.c all'
+check "a file is not written over another" \
+    refuses 'port/toy/files:4: src/two.c would be written over one.c' 'src/one.c ./' 'src/two.c one.c'
+check "a line of one word is refused" refuses 'port/toy/files:3: not FROM TO' src/one.c
+check "a script that fails is named" refuses 'port/toy/files:3: port/toy/fail.sh failed' \
+    'run port/toy/fail.sh ./'
+check "an unknown package: those that there are" names_packages
+check "a ~ that no shell has expanded is refused" refuses_tilde
+finish
