@@ -83,7 +83,7 @@ builds_simulation() {
 # carriage return and line feed as a dot each.
 runs() {
     escape=$(printf '\033')
-    timeout 120 simavr -m "$1" -f 16000000 "$out/$2.build/$2.ino.elf" > "$out/$2.raw" 2>&1 < /dev/null
+    timeout 300 simavr -m "$1" -f 16000000 "$out/$2.build/$2.ino.elf" > "$out/$2.raw" 2>&1 < /dev/null
     status=$?
     sed -n "s/^\(${escape}\[0m\)*${escape}\[32m\(.*\)\.\.\$/\2/p" "$out/$2.raw" > "$out/$2.printed"
     tail -n 3 "$out/$2.raw"
@@ -175,6 +175,7 @@ check "it runs, from power-on to the end" runs atmega2560 Simulated
 check "it asks, takes positions, and is content" said '^stored calibration: nothing is stored' \
     '^calibration begins$' '^next: [+]z up$' '^hold still, percent: ' '^good: move on$' '^next: .*tilt' \
     '^positions taken: 12$' '^verdict: good$' '^calibration stored$' '^a, g: '
+check "samples were lost, as the chip does not wait" said '^world: .*nobody has read: [1-9]'
 check "what it prints is true within 4 sigma" near_truth
 check "after a reset it finds and applies what was stored" readings
 check "README.md says what it takes" costs

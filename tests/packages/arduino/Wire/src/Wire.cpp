@@ -7,7 +7,9 @@
 /* In samples, hundredths of a second. */
 const unsigned HOLD = 350;
 const unsigned TURN = 150;
-const unsigned AGAIN = 400; /* after the reset */
+const unsigned AGAIN = 400;         /* after the reset */
+const unsigned long PERIOD = 10000; /* microseconds: a sample */
+const unsigned BYTE = 23;           /* microseconds: 9 bits at 400 kHz */
 const unsigned PLACES = 18;
 const float NOISE = 40; /* counts, 2.4 mg */
 
@@ -28,7 +30,9 @@ static uint16_t lives __attribute__((section(".noinit")));
 static uint16_t magic __attribute__((section(".noinit")));
 
 static uint32_t state = 1;
-static unsigned tick;
+static unsigned tick; /* samples so far, those among them that nobody has read, */
+static unsigned lost;
+static unsigned long due; /* and when the next one will be there */
 
 /* Four bytes: nearly normal, standard deviation 1. */
 static float noise()
@@ -87,6 +91,8 @@ static void finish()
 
 static void reset()
 {
+    Serial.print(F("world: samples that nobody has read: "));
+    Serial.println(lost);
     Serial.print(F("world: stack, bytes: "));
     Serial.println(depth());
     Serial.flush();
@@ -171,10 +177,10 @@ static void convert()
     const uint8_t range = registers[ACCEL_CONFIG] >> 3 & 3;
     float force[3];
 
-    if (lives == 1 && tick == PLACES * (HOLD + TURN)) {
+    if (lives == 1 && tick >= PLACES * (HOLD + TURN)) {
         reset();
     }
-    if (lives > 1 && tick == AGAIN) {
+    if (lives > 1 && tick >= AGAIN) {
         finish();
     }
     feel(force);
@@ -188,16 +194,21 @@ static void convert()
     tick++;
 }
 
-/* A new sample is there whenever it is asked for, so that the run is short; but only to who has
- * woken the chip, and set it to 100 Hz: the filter on, and 1 kHz / (1 + 9). */
+/* Samples come in time, whether they are read or not; but only if the chip has been woken and set to
+ * 100 Hz: the filter on, and 1 kHz / (1 + 9). */
 static uint8_t look(uint8_t address)
 {
     if (address != INT_STATUS) {
         return registers[address];
     }
     const uint8_t filter = registers[lives > 1 ? ACCEL_CONFIG2 : CONFIG] & 7;
-    if (registers[PWR_MGMT_1] & 0x40 || filter == 0 || filter == 7 || registers[SMPLRT_DIV] != 9) {
+    if (registers[PWR_MGMT_1] & 0x40 || filter == 0 || filter == 7 || registers[SMPLRT_DIV] != 9 ||
+        (long)(micros() - due) < 0) {
         return 0;
+    }
+    for (due += PERIOD; (long)(micros() - due) >= 0; due += PERIOD) {
+        tick++;
+        lost++;
     }
     convert();
     return 1;
@@ -213,6 +224,7 @@ void TwoWire::begin()
     paint();
     registers[WHO_AM_I] = lives > 1 ? 0x71 : 0x68;
     registers[PWR_MGMT_1] = 0x40; /* asleep */
+    due = micros();
 }
 
 void TwoWire::setClock(uint32_t)
@@ -227,6 +239,7 @@ void TwoWire::beginTransmission(uint8_t address)
 
 size_t TwoWire::write(uint8_t byte)
 {
+    delayMicroseconds(BYTE);
     if (is_first) {
         at = byte % REGISTERS;
     } else {
@@ -244,6 +257,7 @@ uint8_t TwoWire::endTransmission(bool)
 
 uint8_t TwoWire::requestFrom(uint8_t address, uint8_t size)
 {
+    delayMicroseconds(BYTE * size);
     return address == ADDRESS ? size : 0;
 }
 
