@@ -2,15 +2,17 @@
 # SPDX-License-Identifier: MIT
 # shellcheck disable=SC2154,SC2034 # package.sh sets, and options.sh uses, what is not set or used here
 #
-# The component, without ESP-IDF: its options by Kconfig's own language (kconfiglib), the build with a
-# mock of idf_component_register (tests/packages/esp-idf), the manifest by the rules of its reference,
-# and by Espressif's compote where that is installed (pip install idf-component-manager).
+# The component, without ESP-IDF: the manifest by the rules of its reference, and by Espressif's
+# compote where that is installed (pip install idf-component-manager); options by Kconfig's own
+# language (kconfiglib); the build and the example with mocks of what they call (tests/packages/esp-idf).
+# That our use of ESP-IDF is as its documentation says is checked; ESP-IDF is not.
 . "$(dirname "$0")/../package.sh"
 need cmake cc python3
 component=$out/invcal
 kconfig=$component/Kconfig
 enable=
-. tests/packages/kconfig/options.sh
+. tests/packages/rtos/options.sh
+. tests/packages/rtos/sample.sh
 
 stage_component() { # its folder is its name
     sh port/stage.sh esp-idf "$component"
@@ -31,20 +33,34 @@ assert manifest["dependencies"] == {"idf": ">=5.0"}
 EOF
 }
 
-builds() { # PROGRAM
+builds() { # PROJECT
     rm -rf "$out/build"
-    cmake -S tests/packages/esp-idf -B "$out/build" -DCOMPONENT="$component" \
-        -DCONFIG="$out/config.cmake" -DMAIN="$1" -DCMAKE_EXPORT_COMPILE_COMMANDS=ON &&
-        cmake --build "$out/build"
+    IDF_PATH=$root/tests/packages/esp-idf cmake -S "$1" -B "$out/build" \
+        -DCONFIG="$out/config.cmake" -DCMAKE_EXPORT_COMPILE_COMMANDS=ON && cmake --build "$out/build"
+}
+
+builds_example() {
+    configure && builds "$component/examples/calibrate"
+}
+
+# A program as the main component of a project like the example's.
+builds_program() { # FILE
+    project=$component/examples/program
+    rm -rf "$project"
+    mkdir -p "$project/main" && cp "$component/examples/calibrate/CMakeLists.txt" "$project/" &&
+        sed 's/ sensor.c//' "$component/examples/calibrate/main/CMakeLists.txt" \
+            > "$project/main/CMakeLists.txt" &&
+        { echo 'int app_main(void);' && sed 's/int main(void)/int app_main(void)/' "$1"; } \
+            > "$project/main/main.c" && builds "$project"
 }
 
 builds_with_options() {
-    others && others_as_program && builds "$out/others.c" &&
+    others && others_as_program && builds_program "$out/others.c" &&
         others_everywhere "$out/build/compile_commands.json"
 }
 
-runs_example() {
-    configure && builds "$out/example.c" && prints_as_expected "$out/build/main"
+runs_readme() {
+    configure && builds_program "$out/example.c" && prints_as_expected "$out/build/calibrate.elf"
 }
 
 check "it can be staged" stage_component
@@ -60,5 +76,10 @@ check "they and their defaults are those of config.h" same_defaults
 check "and so are their ranges" same_ranges
 check "each reaches the library and who requires it" builds_with_options
 check "README.md has an example" example
-check "it prints what README.md says" runs_example
+check "it prints what README.md says" runs_readme
+check "the component's own example builds, without a warning" builds_example
+check "a calibration can be simulated" simulate
+check "the example calibrates and stores" calibrates "$out/build/calibrate.elf"
+check "what it prints is true within 4 sigma" near_truth
+check "started again it applies what was stored" starts_again "$out/build/calibrate.elf" 1
 finish

@@ -10,7 +10,8 @@ need cmake cc python3
 module=$out/zephyr
 kconfig=$out/Kconfig
 enable=INVCAL=y
-. tests/packages/kconfig/options.sh
+. tests/packages/rtos/options.sh
+. tests/packages/rtos/sample.sh
 
 # The keys that zephyr_module.py allows, with their types; and what they name is there.
 module_yml() { # ROOT
@@ -66,49 +67,6 @@ builds_without() {
     (enable='' && configure) && builds_program "$out/empty.c" && ! find "$out/build" -name '*.a' | grep .
 }
 
-simulate() {
-    "$build/invcal" simulate --plan edges --lsb 0.00001 --offset 0.041,-0.025,0.062 \
-        --dk 0.012,-0.02,0.017 --rate 100 --noise 0.002 --truth "$out/truth.json" > "$out/log.csv"
-}
-
-runs_sample() {
-    (cd "$out" && rm -f settings && "$out/build/app" < log.csv > printed) &&
-        grep -qx 'verdict: good' "$out/printed" && grep -qx 'calibration stored' "$out/printed"
-}
-
-# Offsets and scale errors within 4 of the sigma printed with them.
-near_truth() {
-    tr -d '\n' < "$out/truth.json" > "$out/truth"
-    awk '
-        function numbers(name, value,    text) {
-            text = truth
-            if (!sub(".*\"" name "\": *\\[", "", text)) return 0
-            sub("].*", "", text)
-            return split(text, value, ",")
-        }
-        NR == FNR { truth = $0; next }
-        /^(offset|scale)/ { for (i = 1; i <= 3; i++) v[i] = $(NF - 3 + i); of = $1; next }
-        of != "" && /^sigma:/ {
-            n = numbers(of == "scale" ? "dk" : "offset", t)
-            for (i = 1; i <= 3; i++) {
-                off = v[i] - t[i]
-                if (n == 3 && $(1 + i) > 0 && off * off <= 16 * $(1 + i) ^ 2) good++
-                else print of, v[i], "+-", $(1 + i), "truth", t[i]
-            }
-            of = ""
-        }
-        END { exit good != 6 }' "$out/truth" "$out/printed"
-}
-
-# Started again it finds what was stored, and readings at rest are 1 g long.
-starts_again() {
-    (cd "$out" && "$out/build/app" < log.csv > again) &&
-        grep -qx 'stored calibration found' "$out/again" &&
-        awk '/^a, m\/s\^2:/ && n++ < 5 { length_ = sqrt($3 ^ 2 + $4 ^ 2 + $5 ^ 2)
-                if (length_ < 9.7 || length_ > 9.9) { print; bad++ } }
-            END { exit bad > 0 || n < 5 }' "$out/again"
-}
-
 check "it can be staged" stage zephyr
 check "module.yml keeps to the rules, and names what is there" module_yml "$module"
 check "so in the repository, where port/ is the module" module_yml port
@@ -121,8 +79,8 @@ check "without CONFIG_INVCAL it adds nothing" builds_without
 check "the sample builds with the repository as module, without a warning" builds_sample "$root/port"
 check "so it does in double" builds_sample "$root/port" INVCAL_DOUBLE=y
 check "the sample builds with the staged module, without a warning" builds_sample "$module"
-check "a calibration can be simulated" simulate
-check "the sample calibrates and stores" runs_sample
+check "a calibration can be simulated" simulate --lsb 0.00001
+check "the sample calibrates and stores" calibrates "$out/build/app"
 check "what it prints is true within 4 sigma" near_truth
-check "started again it applies what was stored" starts_again
+check "started again it applies what was stored" starts_again "$out/build/app" 9.80665
 finish

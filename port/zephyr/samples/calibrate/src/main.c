@@ -152,10 +152,12 @@ static invcal_status begin_session(void)
     if (status == INVCAL_OK) {
         status = invcal_session_init(&session, &setup);
     }
-    if (status == INVCAL_OK) {
-        printk("calibration begins\n");
-        tell_next();
+    if (status != INVCAL_OK) {
+        printk("session: %s\n", invcal_status_text(status));
+        return status;
     }
+    printk("calibration begins\n");
+    tell_next();
     return status;
 }
 
@@ -251,9 +253,9 @@ int main(void)
     if (error != 0) {
         return error;
     }
-    if (load(&calibration)) {
-        printk("stored calibration found\n");
-    } else {
+    const int is_found = load(&calibration);
+    printk("stored calibration: %s\n", is_found ? "found" : "none");
+    if (!is_found) {
         error = calibrate(&calibration);
     }
     for (unsigned n = 1; error == 0; n++) { /* what your device does with it */

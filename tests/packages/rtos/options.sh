@@ -8,7 +8,7 @@
 kconfig_py() { # set or options, NAME=VALUE...
     command=$1
     shift
-    /usr/bin/python3 tests/packages/kconfig/kconfig.py "$kconfig" "$command" ${enable:+"$enable"} "$@"
+    /usr/bin/python3 tests/packages/rtos/kconfig.py "$kconfig" "$command" ${enable:+"$enable"} "$@"
 }
 
 configure() { # NAME=VALUE...: makes $out/config.cmake
