@@ -30,6 +30,22 @@ assert all(os.path.isdir(f"{root}/{sample}") for sample in samples), samples
 EOF
 }
 
+# The keys of twister's testsuite-schema.yaml that it uses, with their types.
+sample_yaml() {
+    /usr/bin/python3 - "$module/zephyr/samples/calibrate/sample.yaml" <<'EOF'
+import sys, yaml
+
+sample = yaml.safe_load(open(sys.argv[1]))
+assert set(sample) == {"sample", "tests"}, sample
+assert set(sample["sample"]) == {"name", "description"}, sample["sample"]
+for name, test in sample["tests"].items():
+    assert set(test) == {"build_only", "tags", "filter", "integration_platforms"}, (name, test)
+    assert test["build_only"] is True and isinstance(test["tags"], str)
+    assert isinstance(test["filter"], str) and all(isinstance(board, str)
+        for board in test["integration_platforms"])
+EOF
+}
+
 # As the build of Zephyr includes it, beside the one symbol of Zephyr's that it selects.
 top_kconfig() { # ROOT
     printf '%s\n' 'config REQUIRES_FULL_LIBC' '    bool' "source \"$1/zephyr/Kconfig\"" > "$kconfig"
@@ -70,6 +86,7 @@ builds_without() {
 check "it can be staged" stage zephyr
 check "module.yml keeps to the rules, and names what is there" module_yml "$module"
 check "so in the repository, where port/ is the module" module_yml port
+check "sample.yaml keeps to the rules" sample_yaml
 check "its Kconfig can be read" top_kconfig "$module"
 check "its options can be listed" read_options
 check "they and their defaults are those of config.h" same_defaults
