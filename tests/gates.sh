@@ -144,5 +144,16 @@ plant firmware port/cortex-m/firmware/main.c '/^static void digest/,/^}/s/case I
     'FAIL' make firmware
 plant page port/host/page.c 's/max-width/min-width/' 'FAIL' make pages
 
+# ---- packages ---------------------------------------------------------------------------------
+
+plant range port/Kconfig.options 's/range 9 64/range 9 65/' \
+    'config.h refuses INVCAL_MAX_POSITIONS 65' make check-packages PACKAGES=esp-idf
+plant option port/zephyr/CMakeLists.txt '/INVCAL_ALLAN_TAUS=/d' \
+    'INVCAL_ALLAN_TAUS is not as chosen' make check-packages PACKAGES=zephyr
+plant pack port/cmsis-pack/invcal.invcal.pdsc '/session\.c/d' \
+    'names all sources: FAIL' make check-packages PACKAGES=cmsis-pack
+plant sketch port/arduino/examples/Calibrate/sensor.cpp 's/bytes\[0\] << 8 | bytes\[1\]/bytes[1] << 8 | bytes[0]/' \
+    'true within 4 sigma: FAIL' make check-packages PACKAGES=arduino
+
 echo "$passed passed, $failed failed"
 [ "$failed" -eq 0 ] && [ "$passed" -gt 0 ]
