@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: MIT
 #
 # port/manual/errors.md has every answer of the library, none that there is not, and the words that
-# the library says: sh tests/errors.sh BUILD. CC as for the library.
+# the library says: sh tests/errors.sh BUILD. CC and CFLAGS as for the library.
 build=$1
 cd "$(dirname "$0")/.." || exit 1
 page=port/manual/errors.md
@@ -55,7 +55,8 @@ type() { # HEADER TYPE [FUNCTION]
     result $? "every $2 has its row, and only one"
     [ -n "$3" ] || return
     program "$out/$2.names" "$3" > "$out/$2.c"
-    ${CC:-cc} -std=c99 -Iinclude "$out/$2.c" "$build/float/libinvcal.a" -lm -o "$out/$2" &&
+    # shellcheck disable=SC2086 # words
+    ${CC:-cc} $CFLAGS -std=c99 -Iinclude "$out/$2.c" "$build/float/libinvcal.a" -lm -o "$out/$2" &&
         "$out/$2" > "$out/$2.said" && diff "$out/$2.said" "$out/$2.rows"
     result $? "$2: in the words of $3"
 }
