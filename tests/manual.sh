@@ -68,9 +68,47 @@ links() {
         ! sed 's,^\./,,' "$build/manual.links" | grep -vxF -f "$build/manual.labels"
 }
 
+# The same in the Markdown itself, as GitHub shows it: files, and headings in them.
+sources() {
+    git ls-files '*.md' | xargs awk '
+        FNR == 1 { code = 0; folder = FILENAME; sub(/[^\/]*$/, "", folder) }
+        /^```/ { code = !code }
+        code { next }
+        /^#/ {
+            label = tolower($0)
+            sub(/^#+ */, "", label)
+            gsub(/[^a-z0-9 _-]/, "", label)
+            gsub(/ /, "-", label)
+            there[FILENAME "#" label]
+        }
+        { text = $0 }
+        { while (match(text, /\]\([^)]*\)/)) {
+            link = substr(text, RSTART + 2, RLENGTH - 3)
+            text = substr(text, RSTART + RLENGTH)
+            if (link ~ /^https?:/) continue
+            link = link ~ /^#/ ? FILENAME link : folder link
+            while (sub(/[^\/]+\/\.\.\//, "", link)) {
+            }
+            wanted[link] = FILENAME ":" FNR
+        } }
+        END {
+            for (link in wanted) {
+                file = link
+                sub(/#.*/, "", file)
+                links++
+                if (system("test -e \"" file "\"") || (link ~ /#/ && !(link in there))) {
+                    print wanted[link] ": nothing there: " link
+                    lost = 1
+                }
+            }
+            exit lost || links < 10
+        }'
+}
+
+gate "every link of the pages leads somewhere" sources
 gate "Doxygen has nothing against the headers and pages" pages
 gate "every enumerator has a comment" enumerators
-gate "every link leads somewhere" links
+gate "every link of the HTML leads somewhere" links
 
 echo "$html/index.html"
 echo "$passed passed, $failed failed"
