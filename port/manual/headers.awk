@@ -94,6 +94,7 @@ function comment(i,    last, of, k, text, mode, is_file) {
         if (text ~ /^ -----* /) { # a rule with a title
             gsub(/^ -+ | -+$/, "", text)
             text = " " toupper(substr(text, 1, 1)) substr(text, 2) "."
+            text = is_file ? " \\details **" substr(text, 2) "**" : text
         }
         mode = say(text, of, mode)
     }
