@@ -62,7 +62,7 @@ cc() { command ${CC:-cc} $CFLAGS "$@"; }
 compiles() { # NAME
     case $1 in
     *.c) set -- "$1" "${CC:-cc}" -std=c99 ;;
-    *) set -- "$1" "$(command -v c++ || command -v clang++-19)" -std=c++98 ;;
+    *) set -- "$1" "$(command -v c++ || command -v clang++-19)" -std=c++11 ;;
     esac
     [ -n "$2" ] || return 0
     "$2" "$3" -Wall -Wextra -pedantic -Werror -I"$root/include" -I. -c "$1" -o "$1.o" \

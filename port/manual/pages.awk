@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
 #
 # What Doxygen reads of a Markdown page: awk -f pages.awk FILE. Headings get a label, as GitHub gives
-# them one; links to labels become references; links to what is not part of the manual (PAGES and the
-# headers are) become plain text, for they would lead nowhere.
+# them one; links to labels and headers become references; links to files that are neither headers nor
+# pages become plain text, for they would lead nowhere.
 BEGIN {
     page = ARGV[1] # Doxygen gives it in full
     if (index(page, ENVIRON["PWD"] "/") == 1) {
@@ -15,19 +15,32 @@ BEGIN {
 /^```/ { is_code = !is_code }
 is_code { print; next }
 
-/^##/ {
+FNR > 1 && /^#/ {
     text = $0
     sub(/^#+ */, "", text)
     print $0 " {#" label(page, slug(text)) "}"
     next
 }
 
-{ print names(links($0)) }
+{ print variables(names(links($0))) }
 
-# A name of the library alone in a code span becomes a link.
-function names(text,    out) {
+# $(NAME) in a code span would be replaced by the environment's.
+function variables(text,    out, code) {
+    while (match(text, /`[^`]*\$\([^`]*`/)) {
+        code = substr(text, RSTART + 1, RLENGTH - 2)
+        gsub(/\$/, "\\\\$", code)
+        out = out substr(text, 1, RSTART - 1) "<tt>" code "</tt>"
+        text = substr(text, RSTART + RLENGTH)
+    }
+    return out text
+}
+
+# A name of the library alone in a code span becomes a link, and an error if there is no such name.
+# (INVCAL_CONFIG_HEADER is one that only its user defines.)
+function names(text,    out, name) {
     while (match(text, /`(invcal|INVCAL)_[A-Za-z0-9_]+`/)) {
-        out = out substr(text, 1, RSTART - 1) "<tt>#" substr(text, RSTART + 1, RLENGTH - 2) "</tt>"
+        name = substr(text, RSTART + 1, RLENGTH - 2)
+        out = out substr(text, 1, RSTART - 1) "<tt>" (name == "INVCAL_CONFIG_HEADER" ? "" : "#") name "</tt>"
         text = substr(text, RSTART + RLENGTH)
     }
     return out text
@@ -42,7 +55,6 @@ function slug(text) {
 
 # Unique among all pages.
 function label(path, name) {
-    sub(/^.*port\//, "", path)
     gsub(/[^A-Za-z0-9]+/, "-", path)
     return path "-" name
 }
@@ -54,7 +66,7 @@ function plain(path) {
     return path
 }
 
-function links(text,    out, link, words, target, name, hash) {
+function links(text,    out, link, words, target, hash, is_picture) {
     while (match(text, /\[[^]]*\]\([^)]*\)/)) {
         link = substr(text, RSTART, RLENGTH)
         out = out substr(text, 1, RSTART - 1)
