@@ -105,9 +105,16 @@ sources() {
         }'
 }
 
+# What Doxygen has not understood of the Markdown stands in the page as it was typed.
+leftovers() {
+    ! awk '/<pre|class="fragment"/ { code = 1 } !code && /`|\*\*/ { print FILENAME ":" FNR ": " $0 }
+        /<\/pre>|<\/div><!-- fragment -->/ { code = 0 }' "$html"/md_*.html "$html/index.html" | grep .
+}
+
 gate "every link of the pages leads somewhere" sources
 gate "Doxygen has nothing against the headers and pages" pages
 gate "every enumerator has a comment" enumerators
+gate "no Markdown is left in the HTML" leftovers
 gate "every link of the HTML leads somewhere" links
 
 echo "$html/index.html"

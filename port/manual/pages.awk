@@ -12,7 +12,7 @@ BEGIN {
     sub(/[^\/]*$/, "", folder)
 }
 
-/^```/ { is_code = !is_code }
+/^```/ { is_code = !is_code; print; next }
 is_code { print; next }
 
 FNR > 1 && /^#/ {
@@ -22,15 +22,24 @@ FNR > 1 && /^#/ {
     next
 }
 
-{ print variables(names(links($0))) }
+# A code span that goes on in the next line is brought into one.
+{ text = before $0; before = "" }
+gsub(/`/, "&", text) % 2 && $0 != "" { before = text " "; next }
 
-# $(NAME) in a code span would be replaced by the environment's.
-function variables(text,    out, code) {
-    while (match(text, /`[^`]*\$\([^`]*`/)) {
-        code = substr(text, RSTART + 1, RLENGTH - 2)
-        gsub(/\$/, "\\\\$", code)
-        out = out substr(text, 1, RSTART - 1) "<tt>" code "</tt>"
+{ print spans(names(links(text))) }
+
+# Doxygen takes a code span with a ' for a quotation, and replaces $(NAME) by the environment's.
+function spans(text,    out, code) {
+    while (match(text, /`[^`]*`/)) {
+        out = out substr(text, 1, RSTART - 1)
+        code = substr(text, RSTART, RLENGTH)
         text = substr(text, RSTART + RLENGTH)
+        if (code ~ /\047|\$\(/) {
+            code = substr(code, 2, length(code) - 2)
+            gsub(/[\\$<>&#@%]/, "\\\\&", code)
+            code = "<tt>" code "</tt>"
+        }
+        out = out code
     }
     return out text
 }
@@ -85,6 +94,7 @@ function resolved(words, target,    hash, name, path) {
     name = hash ? substr(target, hash + 1) : ""
     path = hash ? substr(target, 1, hash - 1) : target
     path = path == "" ? page : plain(folder path)
+    gsub(/`/, "", words) # would be shown
     if (name != "") {
         return "[" words "](@ref " label(path, name) ")"
     }
