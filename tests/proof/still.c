@@ -1,9 +1,10 @@
 /* SPDX-License-Identifier: MIT */
 #include "history_still.h"
 
-// eva: -eva-precision 0 -eva-auto-loop-unroll 16 -eva-split-return full -eva-slevel 10 -eva-slevel-function invcal_rest_reason_text:400,invcal_still_init:40,invcal_block_init:40,begin_at:40,finish:100,fault:100
+// eva: -eva-precision 0 -eva-auto-loop-unroll 16 -eva-slevel 40 -eva-slevel-function invcal_rest_reason_text:400
+// eva: -eva-split-return-function invcal_still_init:0,invcal_block_init:0,invcal_still_push:4,decide:4,judge_moment:4,agree:4,announce_still:4,disagree:4,freeze:4,finish:4,invcal_still_finish:4,fault:0
 // trusted: 8
-// trusted: 7
+// The sums of a block are proved in its own room; the total is one of so many blocks at most.
 
 /* At a rate from low to high, which is too little to tell anything of others. */
 static void begin_at(invcal_real low, invcal_real high)
