@@ -13,7 +13,7 @@ mkdir -p "$logs" || exit 2
 
 # NAME COMMAND...; the longest first.
 suites() {
-    for name in allan plan tool thermal log input citizen report plan_report export fault; do
+    for name in allan plan tool thermal log input citizen report plan_report export fault release; do
         echo "$name sh $tests/tool/${name}_test.sh $build/invcal $build/tool"
     done
     for real in double float; do

@@ -36,6 +36,9 @@ prints() { # prints CODE OBJECT ARGUMENTS ...
 xsens=$data/xsens_mti_positions.csv
 prints 0 calibration calibrate "$xsens" --positions --gravity 9.81744 --out "$work/saved.json"
 check "the file of --out is a calibration" fits calibration "$work/saved.json"
+for file in "$here"/../reference/releases/*-calibration.json "$here"/../reference/releases/*-thermal.json; do
+    check "${file##*/} of an earlier release is one" fits calibration "$file"
+done
 cp "$work/saved.json" "$work/good.json"
 prints 0 calibration calibrate "$xsens" --positions --nominal "$work/saved.json" --frame triangular
 prints 0 calibration calibrate "$data/t265_positions.csv" --positions --gravity 9.8016
