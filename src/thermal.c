@@ -610,6 +610,7 @@ static invcal_status solve_highest(const problem *m, unsigned most, invcal_real 
 {
     invcal_thermal_fallback why = INVCAL_THERMAL_AS_ASKED;
 
+    //@ split most;
     for (unsigned degree = most; degree > 0; degree--) {
         const invcal_thermal_fallback reason = obstacle(m, degree);
         const invcal_status status =
@@ -815,6 +816,7 @@ invcal_status invcal_thermal_assess(const invcal_thermal_sums *sums,
         return INVCAL_BAD_SETTING;
     }
     const unsigned degree = calibration->fitted;
+    //@ split degree;
     invcal_settings here = *settings;
     (void)place_of(calibration, &temperature);
     const invcal_real t = scaled(calibration, temperature);

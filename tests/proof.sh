@@ -14,7 +14,8 @@
 #     // config: -DX=1 ...      proved once more so configured
 #     // trusted: N             ACSL annotations on its way that Eva takes for granted, not proved: no
 #                               more and no fewer. Why they hold stands behind, in their own room
-#     // dead: FUNCTION N       N statements of it that no input reaches; why stands behind
+#     // dead: FUNCTION N ...   N statements of it that no input reaches; why stands behind. With
+#                               -DX=1 before: where so configured, in place of what stands above
 cd "$(dirname "$0")/.." || exit 1
 
 # The sources that a room needs: those of all headers that it includes, in this order.
@@ -57,11 +58,16 @@ analyse() { # ROOM MACROS
 }
 
 # Reads the log of an analysis, prints why it is no proof, if so; and what it takes on trust.
-judge() { # ROOM LOG
+judge() { # ROOM LOG MACROS
     { echo "trusted $(options trusted "$1")"; options dead "$1" | sed 's/^/dead /'; cat "$2"; } |
-        awk -v room="$1" '
+        awk -v room="$1" -v macros=" $3 " '
         NR == 1 { allowed = $2 + 0; next }
-        $1 == "dead" { dead[$2] = $3; next }
+        $1 == "dead" {
+            i = $2 ~ /^-D/ ? 3 : 2
+            if (i == 2 || index(macros, " " $2 " "))
+                for (; $(i + 1) ~ /^[0-9]+$/; i += 2) dead[$i] = $(i + 1)
+            next
+        }
         # What follows the heading of an alarm, on its line or the next, tells whether it is an
         # annotation that is not proved.
         /^\[eva:alarm\]/ { heading = $0 }
@@ -122,7 +128,7 @@ prove() { # BUILD ROOM MACROS: prints one line, after what is wrong
     analyse "$2" "$3" > "$log" 2>&1
     status=$?
     verdict=PASS
-    why=$(judge "$2" "$log") && [ $status -eq 0 ] || verdict=FAIL
+    why=$(judge "$2" "$log" "$3") && [ $status -eq 0 ] || verdict=FAIL
     printf '%s%s: %s (%s, %s s)\n' "$2" "${3:+ $3}" "$verdict" "$(printf '%s\n' "$why" | tail -n 1)" \
         $(($(date +%s) - start))
     printf '%s\n' "$why" | sed '$d'

@@ -5,6 +5,7 @@
 // eva: -eva-slevel-function invcal_crc32:0
 
 // dead: invcal_record_encode 1 no finite float is beyond the largest float
+// dead: -DINVCAL_DOUBLE=1 invcal_record_encode 0
 
 /* From a buffer of exactly so many bytes, that state a length from low to high. */
 static void decode(uint32_t size, unsigned low, unsigned high)
