@@ -365,12 +365,11 @@ void calibrate_print(FILE *file, const calibrate_result *result, const calibrate
 {
     const int known = calibrate_knows_noise(result);
     const nominal_choice *n = &result->nominal;
-    char field[NUMBER_TEXT_MAX];
 
     print_recognised(file, result->data);
     print_log(file, result);
-    fprintf(file, "%s: %u positions, field %s %s\n", result->data->name, result->data->count,
-            number_text(result->settings.field, field), calibrate_field_unit(result));
+    fprintf(file, "%s: %u positions, field %.7g %s\n", result->data->name, result->data->count,
+            result->settings.field, calibrate_field_unit(result));
     print_place(file, result);
     print_rejected(file, result);
     if (n->zero == n->lsb) {

@@ -108,9 +108,9 @@ static void say_sigma(stage *s)
     if (invcal_session_solve(&session, &solution, &q, NULL) != INVCAL_OK || !(q.dof > 0)) {
         return;
     }
-    fprintf(s->wish->talk, "; offsets ± %.2g mg, scales ± %.2g %%, angles ± %.2g deg",
-            1e3 * largest(q.sigma_delta), 1e2 * largest(q.sigma_dk),
-            DEGREES * largest(q.sigma_gamma));
+    fprintf(s->wish->talk, "; to 95 %%: offsets ± %.2g mg, scales ± %.2g %%, angles ± %.2g deg",
+            q.coverage * 1e3 * largest(q.sigma_delta), q.coverage * 1e2 * largest(q.sigma_dk),
+            q.coverage * DEGREES * largest(q.sigma_gamma));
 }
 
 static void say_end(FILE *talk, const char *word, const char *what)

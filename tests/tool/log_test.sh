@@ -187,7 +187,14 @@ check "watch: asks for the first position" test "$(sed -n 2p "$work/watched")" =
 check "watch: takes 18" test "$(grep -c '^position .* taken' "$work/watched")" -eq 18
 check "watch: knows that the program is complete" matches "$work/watched" '^finished'
 check "watch: no control characters where there is no terminal" lacks "$work/watched" "$(printf '\r')"
-check "watch: sigma shrinks" awk '/taken; offsets/ { sigma = $6; if (!first) first = sigma } END { exit !(sigma < first) }' "$work/watched"
+check "watch: what is not known shrinks" awk '/taken; to 95 %: offsets/ { most = $9; if (!first) first = most }
+    END { exit !(most < first) }' "$work/watched"
+run calibrate "$work/plain.csv" --json
+# Beside the interval of calibrate: watch knows the noise from residuals alone, Student's 2.26 for 1.96.
+sigma=$(sed -n 's/^    "delta": \[\([^,]*\),.*/\1/p' "$work/stdout")
+check "watch: and is the interval of 95 %" awk -v sigma="$sigma" '
+    /taken; to 95 %: offsets/ { most = $9 }
+    END { exit !(most > 1.8e3 * sigma && most < 2.8e3 * sigma) }' "$work/watched"
 run calibrate "$work/plain.csv"
 sed -n '/ 18 positions, field/,$p' "$work/stdout" | sed 's/^[^:]*: //' > "$work/figures"
 sed -n '/ 18 positions, field/,$p' "$work/watched" | sed 's/^[^:]*: //' > "$work/live"
