@@ -3,7 +3,8 @@
 #
 # sh tests/packages.sh BUILD [NAME...]
 # Consumes the packages as their users do: each script of tests/packages, or those named. Each prints
-# a line for each check; what was missing is one line and a failure. At the end `N passed, N failed`.
+# a line for each check; what was missing is one line and a failure. Two at a time. At the end
+# `N passed, N failed`.
 build=$1
 shift
 cd "$(dirname "$0")/.." || exit 1
@@ -12,16 +13,21 @@ if [ $# -eq 0 ]; then
     set -- $(cd tests/packages && printf '%s\n' *.sh | sed 's/\.sh$//')
 fi
 
+logs=$build/check-packages
+rm -rf "$logs"
+mkdir -p "$logs" || exit 1
+# shellcheck disable=SC2016 # $1 and the like belong to the inner shell
+printf '%s\n' "$@" | xargs -P 2 -n 1 sh -c '
+    if [ -f "tests/packages/$3.sh" ]; then
+        sh "tests/packages/$3.sh" "$1" > "$2/$3.log" 2>&1 < /dev/null
+    else
+        echo "$3: there is no tests/packages/$3.sh: FAIL" > "$2/$3.log"
+    fi' package "$build" "$logs"
+
 for name; do
-    if [ ! -f "tests/packages/$name.sh" ]; then
-        echo "$name: there is no tests/packages/$name.sh: FAIL"
-        echo "0 passed, 1 failed"
-        continue
-    fi
-    log=$(sh "tests/packages/$name.sh" "$build" 2>&1)
-    printf '%s\n' "$log"
+    cat "$logs/$name.log"
     # One that does not tell its result has crashed.
-    printf '%s\n' "$log" | tail -n 1 | grep -Eqx '[0-9]+ passed, [0-9]+ failed' ||
+    tail -n 1 "$logs/$name.log" | grep -Eqx '[0-9]+ passed, [0-9]+ failed' ||
         echo "0 passed, 1 failed"
 done | awk '/^[0-9]+ passed, [0-9]+ failed$/ { passed += $1; failed += $3; next } { print }
     END { print passed + 0 " passed, " failed + 0 " failed"; exit failed > 0 || passed == 0 }'
