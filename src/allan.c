@@ -96,6 +96,7 @@ static void add_time(invcal_allan *a, uint32_t m)
 
     (void)find_stage(m, &stage); /* checked before */
     if (a->rings == 0 || stage != a->stage[a->rings - 1]) {
+        //@ assert a->rings < RINGS; // as check_times saw; octaves have no more
         a->stage[a->rings++] = stage;
     }
     a->tau[a->taus++].m = m;

@@ -14,8 +14,8 @@
 #     // config: -DX=1 ...      proved once more so configured
 #     // trusted: N             ACSL annotations on its way that Eva takes for granted, not proved: no
 #                               more and no fewer. Why they hold stands behind, in their own room
-#     // dead: FUNCTION N ...   N statements of it that no input reaches; why stands behind. With
-#                               -DX=1 before: where so configured, in place of what stands above
+#     // dead: FUNCTION N ...   N statements of it that no input reaches; why stands behind
+# With -DX=1 behind the colon the last two are of that configuration, in place of what stands above.
 cd "$(dirname "$0")/.." || exit 1
 
 # The sources that a room needs: those of all headers that it includes, in this order.
@@ -59,13 +59,13 @@ analyse() { # ROOM MACROS
 
 # Reads the log of an analysis, prints why it is no proof, if so; and what it takes on trust.
 judge() { # ROOM LOG MACROS
-    { echo "trusted $(options trusted "$1")"; options dead "$1" | sed 's/^/dead /'; cat "$2"; } |
+    { options trusted "$1" | sed 's/^/trusted /'; options dead "$1" | sed 's/^/dead /'; cat "$2"; } |
         awk -v room="$1" -v macros=" $3 " '
-        NR == 1 { allowed = $2 + 0; next }
-        $1 == "dead" {
+        $1 == "trusted" || $1 == "dead" {
             i = $2 ~ /^-D/ ? 3 : 2
-            if (i == 2 || index(macros, " " $2 " "))
-                for (; $(i + 1) ~ /^[0-9]+$/; i += 2) dead[$i] = $(i + 1)
+            if (i == 3 && !index(macros, " " $2 " ")) next
+            if ($1 == "trusted") allowed = $i
+            else for (; $(i + 1) ~ /^[0-9]+$/; i += 2) dead[$i] = $(i + 1)
             next
         }
         # What follows the heading of an alarm, on its line or the next, tells whether it is an
@@ -115,7 +115,7 @@ judge() { # ROOM LOG MACROS
                 else if (reached[f] != dead[f] + 0) {
                     print "  " reached[f] " statements not reached: " f; errors++
                 }
-            if (trusted + 0 != allowed) { print "  on trust: " trusted + 0 ", stated: " allowed; errors++ }
+            if (trusted + 0 != allowed + 0) { print "  on trust: " trusted + 0 ", stated: " allowed + 0; errors++ }
             if (!finished || alarms || !functions) errors++
             printf "%d functions, %d statements with all that it calls", functions, all
             exit errors > 0

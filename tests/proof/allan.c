@@ -4,10 +4,14 @@
 #include "history.h"
 #include "invcal/allan.h"
 
-// eva: -eva-precision 0 -eva-auto-loop-unroll 40 -eva-split-return full -eva-partition-history 1 -eva-slevel 10 -eva-slevel-function find_stage:40,invcal_allan_init:100,add_time:100,begin:40
+// eva: -eva-precision 0 -eva-auto-loop-unroll 40 -eva-slevel 40 -eva-slevel-function find_stage:100,invcal_allan_init:100,add_time:100,begin:40
+// eva: -eva-split-return-function find_stage:0,check_times:0,invcal_allan_init:0,invcal_allan_get:0
 // config: -DINVCAL_ALLAN_TAUS=31 -DINVCAL_ALLAN_OVERLAP=16384
 // config: -DINVCAL_ALLAN_TAUS=1 -DINVCAL_ALLAN_OVERLAP=1
-// trusted: 2
+// trusted: 3
+// trusted: -DINVCAL_ALLAN_TAUS=1 2
+// dead: -DINVCAL_ALLAN_TAUS=1 add_time 1 check_times 7 invcal_allan_get 1 collect 1
+// One averaging time has one ring, and there is none before it.
 
 enum { RINGS = INVCAL_ALLAN_RINGS };
 
