@@ -8,6 +8,11 @@
 # there (see coverage.awk). Ends with `N passed, N failed`.
 # INVCAL_ASSERT is compiled to nothing, as it is by default. Whether the tests hold, `make test` says.
 cd "$(dirname "$0")/.." || exit 1
+case $2 in '' | src | host) ;; *)
+    echo "PART is src or host, not '$2'" >&2
+    exit 1
+    ;;
+esac
 rm -rf "$1/coverage"
 mkdir -p "$1/coverage" || exit 1
 out=$(cd "$1/coverage" && pwd)

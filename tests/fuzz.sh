@@ -10,6 +10,11 @@
 out=$1/fuzz${DOUBLE:+-double}
 seconds=$2
 shift 2
+case $seconds in '' | *[!0-9]*)
+    echo "SECONDS is a number of seconds, not '$seconds'" >&2
+    exit 1
+    ;;
+esac
 cd "$(dirname "$0")/.." || exit 1
 mkdir -p "$out"
 # shellcheck disable=SC2046 # names without blanks

@@ -9,6 +9,20 @@ out=$1/mutation
 export CC="${CC:-cc}"
 cd "$(dirname "$0")/.." || exit 1
 
+build=$1 sample=$2 seed=$3
+shift 3
+case $sample:$seed in *[!0-9:]* | :* | *:)
+    echo "SAMPLE and SEED are numbers, not '$sample' and '$seed'" >&2
+    exit 1
+    ;;
+esac
+for file; do
+    if [ ! -f "$file" ]; then
+        echo "ONLY='$file': there is no such file" >&2
+        exit 1
+    fi
+done
+
 suites() { # BUILD: the suites in it
     for suite in tests/unit/test_*.c; do
         name=$(basename "$suite" .c)
@@ -20,9 +34,9 @@ suites() { # BUILD: the suites in it
 stop='-O2 -DTEST_SHORT=10 -include stdlib.h
     "-DUNITY_OUTPUT_FLUSH()=if (Unity.CurrentTestFailed) exit(1)"'
 # shellcheck disable=SC2046 # names without blanks
-make -s -j2 BUILD="$1" $(suites "$1") > /dev/null &&
+make -s -j2 BUILD="$build" $(suites "$build") > /dev/null &&
     make -s -j2 BUILD="$out" DEGREE=2 CFLAGS="$(echo "$stop" | tr '\n' ' ')" $(suites "$out") \
         > /dev/null &&
-    exec python3 tests/mutation/run.py "$@"
+    exec python3 tests/mutation/run.py "$build" "$sample" "$seed" "$@"
 echo '0 passed, 1 failed'
 exit 1

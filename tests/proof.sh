@@ -144,6 +144,12 @@ mkdir -p "$out/proof"
 # shellcheck disable=SC2046 # names without blanks
 [ $# -gt 0 ] || set -- $(basename -s .c tests/proof/*.c)
 for room; do
+    if [ ! -f "tests/proof/$room.c" ]; then
+        echo "ROOMS='$room': there is no tests/proof/$room.c" >&2
+        exit 1
+    fi
+done
+for room; do
     { echo; options config "$room"; } |
         while IFS= read -r macros; do
             macros="${DOUBLE:+-DINVCAL_DOUBLE=1}${DOUBLE:+${macros:+ }}$macros"

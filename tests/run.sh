@@ -31,6 +31,10 @@ suites() {
 
 # (Not by `&`, which would take SIGINT away from what is run.)
 suites | awk -v only="$ONLY" '$1 ~ only' > "$logs/list"
+if [ ! -s "$logs/list" ]; then
+    echo "ONLY='$ONLY': no suite is called like that" >&2
+    exit 2
+fi
 # shellcheck disable=SC2016 # $log and the like belong to the inner shell
 xargs -L 1 -P 2 sh -c 'log=$1/$2.log; shift 2
     "$@" > "$log" 2>&1 < /dev/null

@@ -21,6 +21,10 @@ target_make() {
 # target_facts BUILD FOLDER: sets compiler, cpu, emulator, out, run, run_counting and unit, as
 # port/build.mk tells them.
 target_facts() {
+    if [ ! -f "${2%/}/target.mk" ]; then
+        echo "$2 is no target: there are $(all_targets | paste -s -d ' ' -)" >&2
+        return 1
+    fi
     facts=$(target_make "$1" "$2" facts) || return
     eval "$facts"
 }
