@@ -66,6 +66,12 @@ named() {
         grep -vFx "invcal-$version.tar"
 }
 
+# What it writes is kept for those that come after it.
+kept() {
+    grep -q "^## $version " CHANGELOG.md && grep -q "^| $version |" tests/reference/releases/README.md &&
+        [ -s "tests/reference/releases/$version.txt" ]
+}
+
 check "make dist makes a tarball" made
 check "made again in another clone, it is the same bytes" made_again
 check "what is not committed is not forgotten" refuses_change
@@ -75,5 +81,6 @@ check "make demo works in it" demo_works
 check "make packages works in it" packages_are_laid_out
 check "make dist in it says that there is no clone" refuses_dist
 check "README.md names it" named
+check "CHANGELOG.md has it, and what it writes is kept" kept
 [ -z "$FULL" ] || check "make test passes in it" all_tests_pass
 finish
