@@ -6,12 +6,13 @@
 # works by itself. FULL=1: all tests run in it.
 . "$(dirname "$0")/../package.sh"
 need git gzip tar cc
-version=$(sh port/version.sh)
+git clone -q "$root" "$out/one" || exit 1
+version=$(sh "$out/one/port/version.sh")
 tarball=build/invcal-$version.tar.gz
 tree=$out/invcal-$version
 
 made() {
-    git clone -q "$root" "$out/one" && make -s -C "$out/one" dist
+    make -s -C "$out/one" dist
 }
 
 made_again() { # elsewhere, by somebody who has set other things
@@ -62,14 +63,15 @@ refuses_dist() {
 }
 
 named() {
-    grep -q "invcal-$version\.tar\.gz" README.md && ! grep -o 'invcal-[0-9.]*\.tar' README.md |
-        grep -vFx "invcal-$version.tar"
+    grep -q "invcal-$version\.tar\.gz" "$tree/README.md" &&
+        ! grep -o 'invcal-[0-9.]*\.tar' "$tree/README.md" | grep -vFx "invcal-$version.tar"
 }
 
 # What it writes is kept for those that come after it.
 kept() {
-    grep -q "^## $version " CHANGELOG.md && grep -q "^| $version |" tests/reference/releases/README.md &&
-        [ -s "tests/reference/releases/$version.txt" ]
+    releases=$tree/tests/reference/releases
+    grep -q "^## $version " "$tree/CHANGELOG.md" && [ -s "$releases/$version.txt" ] &&
+        grep -q "^| $version |" "$releases/README.md"
 }
 
 check "make dist makes a tarball" made
