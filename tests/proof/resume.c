@@ -2,7 +2,8 @@
 #include "history_session.h"
 #include "invcal/resume.h"
 
-// eva: -eva-precision 0 -eva-auto-loop-unroll 46 -eva-split-return full -eva-slevel 0 -eva-slevel-function main:100,decode_short:20,decode_whole:20,invcal_resume_decode:5,invcal_still_init:40,invcal_observe:10,scale:10
+// eva: -eva-precision 0 -eva-auto-loop-unroll 46 -eva-slevel 0 -eva-slevel-function main:100,decode_short:20,decode_whole:20,invcal_resume_decode:5,invcal_still_init:40,invcal_observe:10,scale:10,check_settings:10,invcal_calibration_inverse:40,divide:40
+// eva: -eva-split-return-function invcal_still_init:0,invcal_observe:0,scale:0,exact:0,check_reading:0,check_settings:0,invcal_settings_check:0,invcal_calibration_inverse:0,divide:0,invcal_plan_check:0,invcal_session_init:0,row_of:0,settle_head:0,read_head:0
 // trusted: 2
 
 enum { HEAD = 168, SUMS = 164, EACH = 13 };
