@@ -24,8 +24,9 @@ void main(void)
     invcal_real none[1];
 
     ANY(settings);
-    find(0);
-    find(INVCAL_OUTLIERS_FEWEST);
-    find(INVCAL_MAX_POSITIONS);
+    //@ loop unroll INVCAL_MAX_POSITIONS + 1;
+    for (unsigned count = 0; count <= INVCAL_MAX_POSITIONS; count++) {
+        find(count);
+    }
     invcal_outliers_find(none, BETWEEN(INVCAL_MAX_POSITIONS + 1, 0xFFFFFFFF), &settings, &outliers);
 }

@@ -2,7 +2,7 @@
 #include "history_session.h"
 #include "invcal/resume.h"
 
-// eva: -eva-precision 0 -eva-auto-loop-unroll 46 -eva-slevel 0 -eva-slevel-function main:100,decode_short:20,decode_whole:20,invcal_resume_decode:5,invcal_still_init:40,invcal_observe:10,scale:10,check_settings:10,invcal_calibration_inverse:40,divide:40
+// eva: -eva-precision 0 -eva-auto-loop-unroll 46 -eva-slevel 0 -eva-slevel-function main:500,decode_short:20,decode_whole:20,invcal_resume_decode:5,invcal_still_init:40,invcal_observe:10,scale:10,check_settings:10,invcal_calibration_inverse:40,divide:40
 // eva: -eva-split-return-function invcal_still_init:0,invcal_observe:0,scale:0,exact:0,check_reading:0,check_settings:0,invcal_settings_check:0,invcal_calibration_inverse:0,divide:0,invcal_plan_check:0,invcal_session_init:0,row_of:0,settle_head:0,read_head:0
 // trusted: 2
 
@@ -77,7 +77,7 @@ void main(void)
     decode_short(HEAD - 1);
     decode_short(HEAD);
     decode_short(INVCAL_RESUME_SIZE);
-    for (unsigned stored = 0; stored <= INVCAL_MAX_POSITIONS; stored += 16) {
+    for (unsigned stored = 0; stored <= INVCAL_MAX_POSITIONS; stored++) {
         decode_whole(stored);
         encode(stored, 0, stored);
         encode(stored, stored + 1, 0xFFFFFFFF);
