@@ -3,7 +3,7 @@
  * Bytes that may be anything as a record, as a session and as the two slots of a flash memory.
  * What is accepted packs again to the same bytes, and is sane; a session that is accepted goes on
  * being fed. The store finds the old record or the new one, wherever power fails.
- * fuzz: at least 100 inputs a second
+ * fuzz: at least 20 inputs a second
  */
 #include <stdlib.h>
 #include <string.h>
