@@ -1,4 +1,5 @@
 /* SPDX-License-Identifier: MIT */
+#include <limits.h>
 #include <stddef.h>
 
 #include "arbitrary.h"
@@ -40,7 +41,10 @@ static int program(void *context, unsigned slot, uint32_t offset, const uint8_t 
     return Frama_C_int_interval(-1, 1);
 }
 
-static uint8_t memory[0x10001];
+/* One more than a record may have; with an int of 16 bits, all that there may be. */
+#define LARGEST (UINT_MAX > 0xFFFF ? 0x10000 : 0x7FFE)
+
+static uint8_t memory[LARGEST + 1];
 
 /* With a buffer of exactly so many bytes. */
 static void use(const invcal_store *store, uint32_t size)
@@ -55,12 +59,13 @@ static void use(const invcal_store *store, uint32_t size)
 /* With any size of the slots; too small or odd ones are refused. */
 static void use_all(invcal_store *store)
 {
-    static const uint32_t size[] = {0, 1, 33, 0xFFFF, 0x10000};
+    static const uint32_t size[] = {0, 1, 33, LARGEST - 1, LARGEST};
 
     ANY(store->slot_size);
     for (unsigned i = 0; i < sizeof size / sizeof *size; i++) {
         use(store, size[i]);
     }
+    invcal_store_save(store, memory, 0x10000); /* refused unseen */
     invcal_store_erase(store);
 }
 
