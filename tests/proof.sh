@@ -12,6 +12,7 @@
 # Lines in tests/proof/ROOM.c:
 #     // eva: OPTIONS           options of Eva for it
 #     // config: -DX=1 ...      proved once more so configured
+#     // wide: -DX=1 ...        likewise, but for what does not fit where int has 16 bits
 #     // trusted: N             ACSL annotations on its way that Eva takes for granted, not proved: no
 #                               more and no fewer. Why they hold stands behind, in their own room
 #     // dead: FUNCTION N ...   N statements of it that no input reaches; why stands behind
@@ -150,7 +151,7 @@ for room; do
     fi
 done
 for room; do
-    { echo; options config "$room"; } |
+    { echo; options config "$room"; [ "$INT16" ] || options wide "$room"; } |
         while IFS= read -r macros; do
             macros="${DOUBLE:+-DINVCAL_DOUBLE=1}${DOUBLE:+${macros:+ }}$macros"
             printf '%s\0%s\0' "$room" "$macros"

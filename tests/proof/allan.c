@@ -6,7 +6,7 @@
 
 // eva: -eva-precision 0 -eva-auto-loop-unroll 40 -eva-slevel 40 -eva-slevel-function find_stage:100,invcal_allan_init:100,add_time:100,begin:40
 // eva: -eva-split-return-function find_stage:0,check_times:0,invcal_allan_init:0,invcal_allan_get:0
-// config: -DINVCAL_ALLAN_TAUS=31 -DINVCAL_ALLAN_OVERLAP=16384
+// wide: -DINVCAL_ALLAN_TAUS=31 -DINVCAL_ALLAN_OVERLAP=16384
 // config: -DINVCAL_ALLAN_TAUS=1 -DINVCAL_ALLAN_OVERLAP=1
 // trusted: 3
 // trusted: -DINVCAL_ALLAN_TAUS=1 2
