@@ -14,7 +14,7 @@
 // eva: -eva-split-return-function invcal_assess:0,judge:0,judge_noise:0,judge_condition:0,parameters_of_data:0,invert:0,invcal_evidence_parameters:0
 // eva: -eva-split-return-function invcal_outliers_find:0,fit_without:0,solve_without:0,sum_rows:0,read_position:0,factor_with:0,direction:0
 // config: -DINVCAL_MAX_POSITIONS=64
-// trusted: 17
+// trusted: 15
 // A position that is dropped is one of the table's; a share of seconds is one of numbers that have
 // been compared. The others are those of the rooms that it calls, which say why.
 

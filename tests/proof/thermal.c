@@ -10,7 +10,7 @@
 // eva: -eva-split-return-function invcal_observation_reading:0,invcal_observation_exact:0,exact:0,scale:0,check_reading:0,invcal_normal_add:0,invcal_residuals_add:0,observe:0,invcal_thermal_add:0,gather:0
 // eva: -eva-split-return-function invcal_cholesky_factor:0,factor_system:0,obstacle:0,solve_degree:0,solve_highest:0,solve_degrees:0,improve:0
 // eva: -eva-split-return-function invcal_triad_of_ellipsoid:0,invcal_triad_of_linear:0,invcal_triad_join:0,join_deviations:0,compose:0,interpolate:0
-// eva: -eva-split-return-function coefficients_of_data:0,factor_at:0,step_towards:0,invcal_evidence_parameters:0,judge_thermal:0,invcal_thermal_assess:0,assess:0,weigh_prior_again:0,run:0,start_and_run:0,invcal_thermal_solve:0,invcal_thermal_calibrate:0
+// eva: -eva-split-return-function coefficients_of_data:0,factor_at:0,step_towards:0,invcal_evidence_parameters:0,judge_thermal:0,invcal_thermal_assess:0,assess:0,weigh_thermal_prior:0,run:0,start_and_run:0,invcal_thermal_solve:0,invcal_thermal_calibrate:0
 // config: -DINVCAL_THERMAL_DEGREE=2
 // config: -DINVCAL_THERMAL_DEGREE=0
 // trusted: 2
