@@ -39,6 +39,13 @@ enumerators() {
         include/invcal/*.h | grep .
 }
 
+# Each member has a page's line of its own: a sentence that goes on at the next one would be cut.
+members() {
+    ! awk '/^ +[a-z].*;.*\/\*.*([,:]|[^a-z](is|are|the|of|and|or)) \*\/$/ {
+        print FILENAME ":" FNR ": the comment goes on at the next member: " $1 " " $2 }' \
+        include/invcal/*.h | grep .
+}
+
 # FILE#LABEL of all links; what is there of neither.
 links() {
     cd "$html" || return 1
@@ -114,6 +121,7 @@ leftovers() {
 gate "every link of the pages leads somewhere" sources
 gate "Doxygen has nothing against the headers and pages" pages
 gate "every enumerator has a comment" enumerators
+gate "every comment of a member ends there" members
 gate "no Markdown is left in the HTML" leftovers
 gate "every link of the HTML leads somewhere" links
 

@@ -104,7 +104,7 @@ typedef struct {
     uint32_t m;           /* samples */
     uint32_t count;       /* differences: windows apart, or overlapping */
     invcal_real adev;     /* counts */
-    invcal_real edf;      /* equivalent degrees of freedom of its square: */
+    invcal_real edf;      /* equivalent degrees of freedom of its square */
     invcal_real relative; /* 1 / sqrt(2 edf), the relative standard deviation of adev */
 } invcal_allan_point;
 
@@ -145,8 +145,8 @@ typedef struct {
     uint8_t visible;                             /* bit k: kind k is there */
     invcal_real misfit;   /* root mean square of what the model leaves, in its sigma: below 1.5, or
                              the noise is not of these kinds: filtered, a vibration, a drift */
-    invcal_real minimum;  /* the smallest adev seen, field units, */
-    invcal_real best;     /* and its tau, s */
+    invcal_real minimum;  /* the smallest adev seen, field units */
+    invcal_real best;     /* tau of that, s */
     invcal_real shortest; /* the averaging times that took part, s */
     invcal_real longest;  /* likewise */
 } invcal_noise;

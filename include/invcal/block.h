@@ -35,8 +35,8 @@ typedef struct {
     uint32_t quantum;  /* smallest change ever seen inside a block, counts; 0: none as yet */
     uint16_t size;     /* samples in a full block */
     uint16_t missing;  /* samples until it is full; 0: the next begins another */
-    uint16_t near;     /* differences below this, a power of two or 0, are added quickly, */
-    uint16_t span;     /* if this is twice as much; 0: not in this block, it is near a rail */
+    uint16_t near;     /* differences below this, a power of two or 0, are added quickly */
+    uint16_t span;     /* twice near; 0: nothing quickly in this block, it is near a rail */
     uint8_t clipped;   /* not 0: some sample was at a rail or beyond */
     uint8_t wild;      /* not 0: some sample was further from `first` than INVCAL_BLOCK_FAR; it
                           is in no sum, and mean and variance are not those of the block */

@@ -54,8 +54,8 @@ typedef struct {
     invcal_real sigma_gamma[3];     /* likewise */
     invcal_real field;              /* the field it was made in, field units, > 0 */
     invcal_real field_sigma;        /* standard deviation of that; 0: not known */
-    invcal_real temperature;        /* at which it was made, degrees Celsius, */
-    uint8_t temperature_known;      /* if this is not 0 */
+    invcal_real temperature;        /* at which it was made, degrees Celsius */
+    uint8_t temperature_known;      /* 0: temperature is not */
     uint8_t sensor[8];              /* which one: a serial number or any other bytes of yours */
     uint32_t date;                  /* when: in what you count, such as seconds since your epoch */
     invcal_real noise;              /* of invcal_quality */

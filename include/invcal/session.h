@@ -48,8 +48,8 @@ typedef struct {
                                  long to stay follows from the noise of the first rest; 0: as short
                                  as can be, see still.h */
     invcal_real rate;         /* samples per second, 8 ... 8000 */
-    int32_t low;              /* the sensor's least and greatest counts: what lies there is */
-    int32_t high;             /* clipped. Both 0: not known, clipping is not noticed */
+    int32_t low, high;        /* the sensor's least and greatest counts: what lies there is
+                                 clipped. Both 0: not known, clipping is not noticed */
     uint8_t background;       /* 1: nobody follows a procedure */
 } invcal_session_setup;
 
@@ -70,9 +70,9 @@ typedef enum {
 typedef struct {
     invcal_session_what what;  /* as it was returned */
     unsigned progress;         /* percent of what a position takes at least, mean_sigma included */
-    invcal_rest_reason reason; /* REFUSED: why it was no rest; INVCAL_REST_GOOD if it was one, */
-    invcal_status status;      /* but its mean is no reading of this field */
-    unsigned positions;        /* taken so far */
+    invcal_rest_reason reason; /* REFUSED: why no rest; INVCAL_REST_GOOD: it was one, see status */
+    invcal_status status; /* REFUSED: why the mean of such a rest is no reading of this field */
+    unsigned positions;   /* taken so far */
     int is_asked;     /* TAKEN: within 20 degrees of what was to be next; without a program: 1 */
     invcal_rest rest; /* TAKEN, COVERED: its sum, variance and place in the stream */
 } invcal_event;

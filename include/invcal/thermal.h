@@ -93,7 +93,7 @@ const char *invcal_thermal_fallback_text(invcal_thermal_fallback fallback);
 typedef struct {
     /* delta, dk, gamma: the coefficients of t^k, k = 0 ... INVCAL_THERMAL_DEGREE */
     invcal_real x[INVCAL_THERMAL_ROWS][INVCAL_PARAMETERS];
-    invcal_calibration nominal;  /* of the settings, */
+    invcal_calibration nominal;  /* of the settings */
     invcal_real field;           /* likewise */
     invcal_real reference, span; /* t = (T - reference) / span */
     invcal_real least, greatest; /* temperatures seen: only between them the polynomials hold */
@@ -197,8 +197,8 @@ invcal_status invcal_thermal_start(const invcal_settings *settings,
 typedef struct {
     invcal_normal sum[INVCAL_THERMAL_SUMS]; /* of t^k; the first counts */
     invcal_real squares;                    /* residuals of the base, as in residual.h */
-    invcal_real max;                        /* the largest, without its sign, */
-    unsigned worst;                         /* and its position, from 0 */
+    invcal_real max;                        /* the largest of them, without its sign */
+    unsigned worst;                         /* the position of that, from 0 */
     invcal_real least, greatest;            /* temperatures */
 } invcal_thermal_sums;
 
