@@ -18,9 +18,10 @@ extern "C" {
 /* What a design is worth. */
 typedef struct {
     unsigned positions;      /* the labour: positions to visit */
-    invcal_real sigma_delta; /* standard deviation over that of a position mean: the largest */
-    invcal_real sigma_dk;    /* sqrt(K(r,r)) among the three offsets, the three scale errors, */
-    invcal_real sigma_gamma; /* the three non-orthogonality terms */
+    invcal_real sigma_delta; /* the largest sqrt(K(r,r)) among the three offsets: standard deviation
+                                over that of a position mean */
+    invcal_real sigma_dk;    /* likewise among the three scale errors */
+    invcal_real sigma_gamma; /* likewise among the three non-orthogonality terms */
     invcal_real condition;   /* of H'H: largest over smallest eigenvalue */
     invcal_real log_det;     /* natural logarithm of det H'H; a D-optimal set has the largest */
 } invcal_criteria;
@@ -34,7 +35,7 @@ typedef struct {
  * unit vector; INVCAL_MIXED if the sums hold exact rows. Cost: as invcal_normal_add. */
 invcal_status invcal_criteria_add(invcal_normal *design, const invcal_real vertical[3]);
 
-/* Judges a design (design section 3).
+/* Judges a design (mathematics.md, "Programs").
  *
  * design  sums of rows of either kind. Not changed.
  *

@@ -4,7 +4,7 @@
  *
  * Of 26 directions - the 6 faces, 12 edges and 8 corners of a cube - the one with the largest
  * h K h' is asked for, K = (H'H)^-1 of the positions so far: it multiplies det H'H by the most,
- * 1 + h K h', and so makes all nine parameters together the most certain (design section 2,
+ * 1 + h K h', and so makes all nine parameters together the most certain (mathematics.md,
  * "Guidance"). A small ridge on H'H makes that work from the first position on. Nine positions
  * that follow determine everything, sqrt(K(r,r)) at most 3.01; eighteen come within 0.3 of the
  * largest log det H'H there can be. Positions need not be hit: what was really read is in the

@@ -2,7 +2,7 @@
  *
  * invcal/observation.h: one rest position becomes one equation.
  *
- * The sensor model (design section 2; the paper's eq. for W): a triad in the field of unit
+ * The sensor model (mathematics.md, "The sensor"; the paper's W): a triad in the field of unit
  * direction eta reads, after nominal scaling and in units of the field,
  *
  *     u = (I + S) eta + delta + noise,
@@ -53,7 +53,7 @@ invcal_status invcal_observation_reading(const invcal_calibration *nominal, invc
 
 /* The exact scalar equation, the default: needs no direction.
  *
- *     j = (|u|^2 - 1)/2, row h(u), u not normalised                        (design section 2)
+ *     j = (|u|^2 - 1)/2, row h(u), u not normalised           (mathematics.md, "The exact row")
  *
  * |A (u - delta)|^2 = 1 is the equation of an ellipsoid, and this is its general form, linear in
  * its coefficients p: exact for errors of any size.

@@ -3,10 +3,10 @@
  * invcal/outlier.h: which positions contradict the others.
  *
  * A position that was read in motion, with a hand on the case or beside a magnet spoils the
- * calibration silently: 0.05 g in one of 18 costs 9.5 mg. Baarda's data snooping (design section
- * 2, "Outliers") compares each residual with its standard deviation sigma sqrt(1 - h K h'), but
- * two wrong positions hide one another and put the blame on a third. So groups of one, two and
- * three are tried, all of them, and the sums of squares S left by the best of each size compared:
+ * calibration silently: 0.05 g in one of 18 costs 9.5 mg. Baarda's data snooping (mathematics.md,
+ * "Outliers") compares each residual with its standard deviation sigma sqrt(1 - h K h'), but two
+ * wrong positions hide one another and put the blame on a third. So groups of one, two and three
+ * are tried, all of them, and the sums of squares S left by the best of each size compared:
  *
  *     leaving out k of n is better than leaving out j < k of them, if
  *     P(F > f) choose(n - j, k - j) <= 0.007,   f = (S_j - S_k) / (k - j) / (S_k / (n - 9 - k)),

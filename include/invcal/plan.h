@@ -8,7 +8,7 @@
  *     eta(alpha, beta) = (sin alpha sin beta, cos alpha, sin alpha cos beta).
  *
  * A program is three groups of N positions, each group a full turn in N equal steps about one
- * axis (the paper's Table 1; design section 3):
+ * axis (the paper's Table 1):
  *
  *     group   alpha                        beta
  *     1       start 1 + 360 (l - 1)/N      0

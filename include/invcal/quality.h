@@ -25,18 +25,18 @@ const char *invcal_verdict_text(invcal_verdict verdict);
 
 /* How well a solution is known. */
 typedef struct {
-    invcal_real sigma_offset[3]; /* standard deviation of the offset, raw units, */
-    invcal_real sigma_delta[3];  /* of the zero offsets, over field, */
-    invcal_real sigma_dk[3];     /* of the scale errors, */
-    invcal_real sigma_gamma[3];  /* and of the non-orthogonality terms, rad */
+    invcal_real sigma_offset[3]; /* standard deviation of the offset, raw units */
+    invcal_real sigma_delta[3];  /* likewise of the zero offsets, over field */
+    invcal_real sigma_dk[3];     /* likewise of the scale errors */
+    invcal_real sigma_gamma[3];  /* likewise of the non-orthogonality terms, rad */
     invcal_real noise;           /* standard deviation of a position mean behind them, in calibrated
                                  units over field: the larger of stated and observed, 1 if neither
                                  is there; raised beside a prior, see invcal_information */
     invcal_real dof;             /* degrees of freedom left for the residuals; 0: no check */
     invcal_real coverage;        /* +- coverage * sigma holds the truth in 95 % of cases */
     invcal_real residual_rms;    /* of |calibrated| / field - 1 over the positions */
-    invcal_real residual_max;    /* its largest, without sign, */
-    unsigned worst;              /* and at which position, from 0 */
+    invcal_real residual_max;    /* the largest of these, without sign */
+    unsigned worst;              /* the position of that, from 0 */
     invcal_real condition;       /* of H'H of the calibrated unit vectors, prior included; with
                                  priors of very different width it may be INVCAL_REAL_MAX */
     uint16_t undetermined;       /* bit r: parameter r is badly determined: sqrt(K(r,r)) > 10, or
@@ -72,7 +72,7 @@ typedef struct {
 /* Judges a solution.
  *
  * Cov = noise^2 G K G', G the Jacobian from calibrated units to the parameters: no shortcut
- * X = -p, so sigma holds to 1 % at errors of 10 % too (design section 2, "Uncertainty").
+ * X = -p, so sigma holds to 1 % at errors of 10 % too (mathematics.md, "Uncertainty").
  * noise^2 is the larger of what settings->noise says and sum(residual^2) / dof, dof = positions
  * minus parameters (minus what the prior supplied).
  *

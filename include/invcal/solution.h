@@ -42,7 +42,7 @@ typedef struct {
     invcal_real gamma[3];           /* non-orthogonality xy, xz, zy against nominal, rad */
 } invcal_solution;
 
-/* Solves the normal equations (design section 2):
+/* Solves the normal equations (mathematics.md, "From p to the calibration"):
  *
  *     p = -(H'H)^-1 H'J
  *     v = (p0 p1 p2),  Q = I + [2 p3 p6 p7; p6 2 p4 p8; p7 p8 2 p5]
@@ -88,7 +88,7 @@ int invcal_has_prior(const invcal_settings *settings);
 /* H'WH with the prior of the settings, packed.
  *
  * The prior, parameter r is 0 with standard deviation prior[r], adds (noise / prior[r])^2 to the
- * diagonal, which makes the solution a Bayesian update (design section 2, "Prior").
+ * diagonal, which makes the solution a Bayesian update (mathematics.md, "Prior").
  *
  * settings  that invcal_settings_check accepts.
  * noise     standard deviation of one equation, over field; > 0 beside a prior. Where the

@@ -11,7 +11,7 @@
 /* Both find n unit vectors (n from OPTIMAL_MIN to OPTIMAL_MAX), in an order that is short to
  * travel. They are deterministic: the same everywhere up to rounding. The descent is local, from
  * several starts (the paper's program among them where it has that size), so "best" means best
- * found; the tests hold it to the bound of design section 3. */
+ * found; the tests hold it to the bound of a spherical 4-design. */
 
 /* D-optimal: the largest det H'H. Turning the set does not change that; it is turned so that its
  * first direction is +z. */

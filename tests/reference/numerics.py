@@ -164,7 +164,7 @@ def condition_of(a, inverse_of_a, squarings):
     return float(largest_eigenvalue(a, squarings) * largest_eigenvalue(inverse_of_a, squarings))
 
 
-# ---- the exact solution (design section 2) ----------------------------------------------------
+# ---- the exact solution (mathematics.md) -------------------------------------------------------
 
 
 def row_of(a):

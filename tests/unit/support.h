@@ -30,7 +30,7 @@ typedef struct {
 /* Every parameter at random within +- size. */
 triad_truth triad_random(random_source *source, double size);
 
-/* u = (I + S) eta + delta: the sensor model, written out from design section 2. */
+/* u = (I + S) eta + delta: the sensor model, written out from mathematics.md. */
 void triad_read(const triad_truth *truth, const double eta[3], double u[3]);
 
 /* Readings of a set of positions, over field. */
