@@ -76,6 +76,9 @@ demo: $(BUILD)/invcal ## from a raw log to calibrated readings; then a real sens
 	@echo
 	$(BUILD)/invcal simulate --plan edges --truth $(BUILD)/demo-truth.json > $(BUILD)/demo-log.csv
 	$(BUILD)/invcal calibrate $(BUILD)/demo-log.csv --out $(BUILD)/demo-cal.json
+	@awk -F '[][,]' '/"offset"/ { printf "The truth, of which it was not told: offsets %.2f %.2f %.2f counts.\n", \
+	    $$2, $$3, $$4 }' $(BUILD)/demo-truth.json
+	@echo
 	$(BUILD)/invcal apply $(BUILD)/demo-cal.json $(BUILD)/demo-log.csv > $(BUILD)/demo-calibrated.csv
 	@sed -n '1,4p' $(BUILD)/demo-log.csv; echo '... becomes'; sed -n '1,4p' $(BUILD)/demo-calibrated.csv
 	@echo
