@@ -246,7 +246,7 @@ packages: ## lay all packages out, in build/packages
 	$(Q)for list in port/*/files; do name=$${list%/files}; name=$${name#port/}; \
 	    sh port/stage.sh $$name $(BUILD)/packages/$$name || exit; done
 
-check-packages: all $(BUILD)/invcal.1 $(BUILD)/float/digest ## each package, consumed: CMake, pkg-config, two files, C++, tarball (PACKAGES=names)
+check-packages: all $(BUILD)/invcal.1 $(BUILD)/float/digest ## each package, C++ and the tarball, used as their users do (PACKAGES=names)
 	$(Q)sh tests/packages.sh $(BUILD) $(PACKAGES)
 
 dist: ## the last commit as build/invcal-VERSION.tar.gz, the same bytes each time

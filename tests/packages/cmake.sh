@@ -80,6 +80,8 @@ crossed() {
 
 check "README.md has an example" example
 check "it installs" installs
+check "what it installs is optimised" grep -q '^CMAKE_BUILD_TYPE:STRING=Release$' \
+    "$out/library/CMakeCache.txt"
 for target in invcal::invcal invcal::double; do
     check "find_package, $target: README.md's example prints what README.md says" found $target
     check "FetchContent, $target: README.md's example prints what README.md says" fetched $target
