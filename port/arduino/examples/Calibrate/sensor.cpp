@@ -3,7 +3,7 @@
 
 #include <Wire.h>
 
-/* Of the MPU-6000/6050 and MPU-9250 register maps. */
+/* Of the register maps of the MPU-6000/6050, MPU-6500, MPU-9250 and MPU-9255. */
 enum {
     ADDRESS = 0x68, /* pin AD0 low; 0x69 if it is high */
     SMPLRT_DIV = 0x19,
@@ -14,8 +14,10 @@ enum {
     ACCEL_XOUT_H = 0x3B, /* x, y, z, temperature: 2 bytes each, the high one first */
     PWR_MGMT_1 = 0x6B,
     WHO_AM_I = 0x75,
-    MPU6050 = 0x68, /* what WHO_AM_I says */
-    MPU9250 = 0x71
+    MPU6050 = 0x68, /* what WHO_AM_I says; the others' accelerometers are alike */
+    MPU6500 = 0x70,
+    MPU9250 = 0x71,
+    MPU9255 = 0x73
 };
 
 const unsigned long PATIENCE = 100; /* milliseconds */
@@ -44,11 +46,16 @@ static bool get(uint8_t address, uint8_t *bytes, uint8_t size)
     return true;
 }
 
+static bool is_known()
+{
+    return chip == MPU6050 || chip == MPU6500 || chip == MPU9250 || chip == MPU9255;
+}
+
 bool sensor_begin()
 {
     Wire.begin();
     Wire.setClock(400000);
-    if (!get(WHO_AM_I, &chip, 1) || (chip != MPU6050 && chip != MPU9250)) {
+    if (!get(WHO_AM_I, &chip, 1) || !is_known()) {
         return false;
     }
     /* Awake; low-pass filter of 44 Hz; 1 kHz / (1 + 9); 2 g. */

@@ -9,7 +9,7 @@
 #define SCL 22
 #define PATIENCE 100 /* milliseconds */
 
-/* Of the MPU-6000/6050 and MPU-9250 register maps. */
+/* Of the register maps of the MPU-6000/6050, MPU-6500, MPU-9250 and MPU-9255. */
 enum {
     ADDRESS = 0x68, /* pin AD0 low; 0x69 if it is high */
     SMPLRT_DIV = 0x19,
@@ -19,8 +19,10 @@ enum {
     ACCEL_XOUT_H = 0x3B,  /* x, y, z, temperature: 2 bytes each, the high one first */
     PWR_MGMT_1 = 0x6B,
     WHO_AM_I = 0x75,
-    MPU6050 = 0x68, /* what WHO_AM_I says */
-    MPU9250 = 0x71
+    MPU6050 = 0x68, /* what WHO_AM_I says; the others' accelerometers are alike */
+    MPU6500 = 0x70,
+    MPU9250 = 0x71,
+    MPU9255 = 0x73
 };
 
 static i2c_master_dev_handle_t device;
@@ -60,11 +62,15 @@ static int open_bus(void)
            i2c_master_bus_add_device(bus, &device_config, &device) == ESP_OK;
 }
 
+static int is_known(void)
+{
+    return chip == MPU6050 || chip == MPU6500 || chip == MPU9250 || chip == MPU9255;
+}
+
 /* Twice as many samples as are read, so that none is read twice: the chip has a clock of its own. */
 sensor_status sensor_begin(void)
 {
-    const int is_there =
-        open_bus() && get(WHO_AM_I, &chip, 1) && (chip == MPU6050 || chip == MPU9250);
+    const int is_there = open_bus() && get(WHO_AM_I, &chip, 1) && is_known();
 
     due = xTaskGetTickCount();
     /* Awake; low-pass filter of 44 Hz; 1 kHz / (1 + 4); 2 g. */

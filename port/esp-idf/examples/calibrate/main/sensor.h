@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * sensor.h: the accelerometer, an MPU-6050 or MPU-9250 on the I2C bus.
+ * sensor.h: the accelerometer, an MPU-6050, 6500, 9250 or 9255 on the I2C bus.
  */
 #ifndef SENSOR_H
 #define SENSOR_H
