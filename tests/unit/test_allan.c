@@ -228,6 +228,25 @@ static void any_list_of_averaging_times_is_served(void)
     }
 }
 
+/* Two averaging times in each stage share its ring, so more of them than of rings fit in. */
+static void averaging_times_of_a_stage_share_its_ring(void)
+{
+    uint32_t m[TAUS];
+    invcal_allan a;
+
+    for (unsigned k = 0; k + 1 < TAUS; k += 2) {
+        m[k] = 3 * OVERLAP / 4u << k / 2;
+        m[k + 1] = (uint32_t)OVERLAP << k / 2;
+    }
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK,
+                          invcal_allan_init(&a, m, TAUS / 2 * 2, INVCAL_ALLAN_OVERLAPPING));
+    TEST_ASSERT_EQUAL_UINT(TAUS / 2, a.rings);
+    for (unsigned r = 0; r < TAUS / 2; r++) {
+        TEST_ASSERT_EQUAL_UINT(r, a.stage[r]);
+        TEST_ASSERT_EQUAL_UINT(2 * r + 2, a.end[r]);
+    }
+}
+
 static void windows_apart_are_every_one_of_an_averaging_time(void)
 {
     static const uint32_t m[] = {1, 2, 3, 4, 6, 8, 12, 16, 24, 64, 96};
@@ -1039,6 +1058,7 @@ int main(void)
     RUN_TEST(every_octave_is_exact_for_any_int32);
     RUN_LONG_TEST(a_long_stream_is_exact);
     RUN_TEST(any_list_of_averaging_times_is_served);
+    RUN_TEST(averaging_times_of_a_stage_share_its_ring);
     RUN_TEST(windows_apart_are_every_one_of_an_averaging_time);
     RUN_TEST(unusable_lists_are_refused);
     RUN_TEST(what_is_not_known_yet_is_not_told);
