@@ -46,12 +46,16 @@ tables() {
             END { if (n > 64) printf "%d bytes of read-only data", n }'
 }
 
+for command in nm size objdump; do
+    command -v $command > /dev/null || result "$command is there" "$command is not installed (binutils)"
+done
 for real in float double; do
     lib=$build/$real/libinvcal.a
     if [ ! -s "$lib" ]; then
         result "$real: the library is there" "$lib is missing"
         continue
     fi
+    result "$real: the library is there" ""
     # gcc makes one call, sincos, of a sine and a cosine of the same angle where libc has it.
     allowed='memcpy|memset|sqrtf|sinf|cosf|sincosf|fabsf'
     [ $real = double ] && allowed='memcpy|memset|sqrt|sin|cos|sincos|fabs'

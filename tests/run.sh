@@ -41,15 +41,16 @@ xargs -L 1 -P 2 sh -c 'log=$1/$2.log; shift 2
     echo "exit status $?" >> "$log"' suite "$logs" < "$logs/list"
 
 # A suite tells its result as "N Tests F Failures I Ignored" (Unity) or "N passed, N failed".
-# One that says neither has crashed, and counts as one failure.
+# One that says neither has crashed, and one that has tried nothing tells nothing: one failure.
 while read -r name _; do
+    : >> "$logs/$name.log" # of one that was not run
     result=$(awk '
-        / Tests .* Failures .* Ignored/ { p = $1 - $3 - $5; f = $3; said = 1 }
-        /^[0-9]+ passed, [0-9]+ failed$/ { p = $1; f = $3; said = 1 }
+        / Tests .* Failures .* Ignored/ { p = $1 - $3 - $5; f = $3 }
+        /^[0-9]+ passed, [0-9]+ failed$/ { p = $1; f = $3 }
         /^exit status / { status = $3 }
-        END { if (!said || (status && !f)) f++; print p + 0, f + 0 }' "$logs/$name.log")
+        END { if (p + f == 0 || (status && !f)) f++; print p + 0, f + 0 }' "$logs/$name.log")
     echo "$name: ${result% *} passed, ${result#* } failed"
     [ "${result#* }" -eq 0 ] || cat "$logs/$name.log"
 done < "$logs/list" | awk '{ print }
-    /^[a-z_-]+: [0-9]+ passed, [0-9]+ failed$/ { passed += $2; failed += $4 }
+    /^[a-z0-9_-]+: [0-9]+ passed, [0-9]+ failed$/ { passed += $2; failed += $4 }
     END { print passed + 0 " passed, " failed + 0 " failed"; exit failed > 0 || passed == 0 }'
