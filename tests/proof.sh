@@ -73,7 +73,7 @@ judge() { # ROOM LOG MACROS
         # annotation that is not proved.
         /^\[eva:alarm\]/ { heading = $0 }
         heading != "" && (/ got status / || $0 != heading) {
-            if (/(assertion|invariant) got status (unknown|invalid)/) {
+            if (/(assertion|invariant) got status unknown/) {
                 split(heading, at, /[] :]+/)
                 if (!trust[at[3] ":" at[4]]++) {
                     trusted++
@@ -154,8 +154,15 @@ for room; do
     { echo; options config "$room"; [ "$INT16" ] || options wide "$room"; } |
         while IFS= read -r macros; do
             macros="${DOUBLE:+-DINVCAL_DOUBLE=1}${DOUBLE:+${macros:+ }}$macros"
-            printf '%s\0%s\0' "$room" "$macros"
+            printf '%s\n%s\n' "$room" "$macros"
         done
-done | xargs -0 -n 2 -P "${JOBS:-2}" sh tests/proof.sh --one "$out" | tee "$out/proof/summary"
-awk '/: PASS \(/ { p++ } /: FAIL \(/ { f++ }
-    END { print p + 0 " passed, " f + 0 " failed"; exit f > 0 || p == 0 }' "$out/proof/summary"
+done > "$out/proof/jobs"
+tr '\n' '\0' < "$out/proof/jobs" |
+    xargs -0 -n 2 -P "${JOBS:-2}" sh tests/proof.sh --one "$out" | tee "$out/proof/summary"
+# A proof of which nothing is said has crashed.
+awk -v wanted="$(($(wc -l < "$out/proof/jobs") / 2))" '/: PASS \(/ { p++ } /: FAIL \(/ { f++ }
+    END {
+        if (p + f < wanted) f = wanted - p
+        print p + 0 " passed, " f + 0 " failed"
+        exit f > 0 || p == 0
+    }' "$out/proof/summary"

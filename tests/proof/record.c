@@ -24,14 +24,14 @@ static void decode(uint32_t size, unsigned low, unsigned high)
 
 void main(void)
 {
-    static const uint32_t size[] = {0, 1, 7, 8, 100, 183, 184, 186};
     uint8_t bytes[INVCAL_RECORD_SIZE];
     invcal_record record;
 
-    for (unsigned i = 0; i < sizeof size / sizeof *size; i++) {
-        decode(size[i], 0, INVCAL_RECORD_SIZE - 1);
-        decode(size[i], INVCAL_RECORD_SIZE, INVCAL_RECORD_SIZE);
-        decode(size[i], INVCAL_RECORD_SIZE + 1, 255);
+    //@ loop unroll INVCAL_RECORD_SIZE + 3;
+    for (uint32_t size = 0; size <= INVCAL_RECORD_SIZE + 2; size++) {
+        decode(size, 0, INVCAL_RECORD_SIZE - 1);
+        decode(size, INVCAL_RECORD_SIZE, INVCAL_RECORD_SIZE);
+        decode(size, INVCAL_RECORD_SIZE + 1, 255);
     }
     ANY(bytes);
     bytes[3] = (uint8_t)BETWEEN(1, 255);
