@@ -111,8 +111,8 @@ static void break_reading(int32_t raw[3])
         raw[0] = raw[1];
         raw[1] = x;
         break;
-    case GLITCHES:
-        raw[1] = b.samples % 10000 == 700 ? 32767 : raw[1];
+    case GLITCHES: /* in the middle of the fourth rest */
+        raw[1] = b.samples % 10000 == 640 ? 32767 : raw[1];
         break;
     default:
         break;
