@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT
  *
- * Bytes that may be anything as a record, as a session and as the two slots of a flash memory.
+ * Bytes that may be anything as a record, with temperature or without, as a session and as the two
+ * slots of a flash memory.
  * What is accepted packs again to the same bytes, and is sane; a session that is accepted goes on
  * being fed. The store finds the old record or the new one, wherever power fails.
  * fuzz: at least 20 inputs a second
@@ -12,6 +13,8 @@
 #include "drive.h"
 
 /* ---- records and sessions --------------------------------------------------------------------- */
+
+enum { RECORD_AT = 4, THERMAL_AT = RECORD_AT + INVCAL_RECORD_SIZE }; /* in a thermal one */
 
 /* Puts the right CRC where the length says that there is one. */
 static void repair(uint8_t *bytes, size_t size)
@@ -48,6 +51,30 @@ static void look_at_record(const uint8_t *bytes, uint32_t size)
     REQUIRE(memcmp(bytes, again, sizeof again) == 0);
 }
 
+/* What it says again holds at the reference: its record may have said something else. */
+static void look_at_thermal(const uint8_t *bytes, uint32_t size)
+{
+    uint8_t again[INVCAL_THERMAL_RECORD_SIZE];
+    uint8_t once_more[INVCAL_THERMAL_RECORD_SIZE];
+    invcal_thermal_record r;
+    uint32_t length;
+    uint32_t length_once_more;
+
+    mark(&r, sizeof r);
+    if (invcal_thermal_record_decode(bytes, size, &r) != INVCAL_OK) {
+        require_mark(&r, sizeof r);
+        return;
+    }
+    REQUIRE(r.thermal.fitted <= r.thermal.degree && r.thermal.degree <= INVCAL_THERMAL_DEGREE);
+    REQUIRE(invcal_thermal_record_encode(&r, again, &length) == INVCAL_OK);
+    REQUIRE(length <= size && memcmp(bytes + THERMAL_AT, again + THERMAL_AT,
+                                     length - THERMAL_AT - INVCAL_CRC_SIZE) == 0);
+    look_at_record(again + RECORD_AT, INVCAL_RECORD_SIZE);
+    REQUIRE(invcal_thermal_record_decode(again, length, &r) == INVCAL_OK);
+    REQUIRE(invcal_thermal_record_encode(&r, once_more, &length_once_more) == INVCAL_OK);
+    REQUIRE(length_once_more == length && memcmp(again, once_more, length) == 0);
+}
+
 /* Bytes behind those of the session lead it on. */
 static void look_at_session(const uint8_t *bytes, uint32_t size)
 {
@@ -73,10 +100,14 @@ static void unpack(source *s, unsigned how)
 
     REQUIRE(bytes);
     memcpy(bytes, s->at, size);
+    if (how & 4u && size > RECORD_AT) {
+        repair(bytes + RECORD_AT, size - RECORD_AT);
+    }
     if (how & 1u) {
         repair(bytes, size);
     }
     look_at_record(bytes, size);
+    look_at_thermal(bytes, size);
     look_at_session(bytes, size);
     free(bytes);
 }
@@ -305,7 +336,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
     case 1:
         pack(&s);
         break;
-    default: /* 2, or 3 with a right CRC */
+    default: /* 2, or 3 with a right CRC; 6 and 7 with that of a record inside, too */
         unpack(&s, what);
         break;
     }
