@@ -3,8 +3,8 @@
 #
 # sh tests/gates.sh BUILD [NAME...]
 # Are the gates awake? Plants one bug after the other in a copy of the sources, and demands that the
-# gate that is there for it turns red, and says the right thing. A plant: its name, the file, what sed
-# does to it, what the gate must say, and the gate. Prints a line for each, and at the end
+# gate that is there for it, green before, turns red, and says the right thing. A plant: its name, the
+# file, what sed does to it, what the gate must say, and the gate. Prints a line for each, and at the end
 # `N passed, N failed`. BUILD has what `make size bench` measured.
 cd "$(dirname "$0")/.." || exit 1
 . tests/target.sh
@@ -30,10 +30,20 @@ result() { # 0 or 1, SENTENCE
     fi
 }
 
+# Without a bug the gate is green; asked once of each.
+green() { # GATE...
+    asked=$build/gates/green/$(printf %s "$*" | tr -c 'A-Za-z0-9_' _)
+    [ -e "$asked" ] || { "$@" > "$log" 2>&1 < /dev/null && : > "$asked"; }
+}
+
 plant() { # NAME FILE SED SAYS GATE...
     name=$1 file=$2 edit=$3 says=$4
     shift 4
     case $wanted in '  ' | *" $name "*) ;; *) return ;; esac
+    if ! green "$@"; then
+        result 1 "$name: the gate is red without the bug"
+        return
+    fi
     cp -p "$file" "$build/gates/kept"
     sed -e "$edit" "$build/gates/kept" > "$file"
     if cmp -s "$file" "$build/gates/kept"; then
@@ -54,8 +64,8 @@ sanitizers() { CONFIGURATION=$1 ONLY=$2 sh tests/check.sh build/check; }
 packages() { make check-packages PACKAGES="$1"; }
 m4f() { make "$1" TARGETS=port/cortex-m/m4f; }
 
-rm -rf "$copy"
-mkdir -p "$copy"
+rm -rf "$copy" "$build/gates/green"
+mkdir -p "$copy" "$build/gates/green"
 cp -R Makefile README.md LICENSE CHANGELOG.md include src port tests .ci .clang-format .clang-tidy \
     "$copy" || exit 1
 cd "$copy" || exit 1
@@ -100,9 +110,11 @@ plant script tests/readme.sh 's/^root=/unused=1\n&/' 'shell scripts: FAIL' make 
 plant manual port/host/man.sh 's/\.TP\\n/.TPP\\n/' 'against the manual: FAIL' make derived
 plant picture port/host/sphere.svg 's/38 positions/39 positions/' 'that the tool draws: FAIL' make derived
 plant figure port/manual/sweep.svg 's/0\.5/0.6/' 'that its commands draw: FAIL' make derived
-plant word include/invcal/store.h '/^\/\* Loads the record/,/\*\/$/d' 'manual: .*FAIL' make manual
+plant word include/invcal/store.h '/^\/\* Loads the record/,/\*\/$/d' \
+    'against the headers and pages: FAIL' make manual
 plant cut include/invcal/allan.h 's/tau of that, s/tau of that,/' 'a member ends there: FAIL' make manual
-plant link port/manual/errors.md 's/(porting\.md)/(porter.md)/' 'manual: .*FAIL' make manual
+plant link port/manual/errors.md 's/(porting\.md)/(porter.md)/' \
+    'link of the pages leads somewhere: FAIL' make manual
 plant misra src/gravity.c 's/^    const invcal_real h = /    const unsigned long octal = 017; (void)octal;\n&/' \
     'misra' make rules
 plant heap src/status.c 's/^static const char \*nth/#include <stdlib.h>\nvoid *invcal_heap(void) { return malloc(1); }\n&/' \
