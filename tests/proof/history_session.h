@@ -10,8 +10,6 @@ static void any_session(invcal_session *s)
 {
     ANY(*s);
     any_still(&s->still);
-    s->setup.rate = (invcal_real)Frama_C_double_interval(8, 8000);
-    s->hold = (invcal_real)Frama_C_double_interval(0, INVCAL_SESSION_HOLD_LONGEST);
     s->stored = (uint16_t)BETWEEN(0, INVCAL_MAX_POSITIONS);
 }
 
