@@ -10,6 +10,8 @@ out=$1/numerics
 count=${2:-2000}
 cd "$(dirname "$0")/.." || exit 1
 mkdir -p "$out"
+/usr/bin/python3 -c 'import mpmath, gmpy2' 2> /dev/null ||
+    { echo 'python3-mpmath or python3-gmpy2 is not installed: make deps' >&2; exit 1; }
 
 build() { # name double? source
     # shellcheck disable=SC2086 # options are words
