@@ -216,7 +216,8 @@ int labour_find(labour *l, design *set)
     const labour_row *const *best = l->best;
 
     memset(l->rows, 0, sizeof l->rows);
-    memset(l->best, 0, sizeof l->best);
+    l->best[CHOICE_STAND] = NULL;
+    l->best[CHOICE_FREE] = NULL;
     try_stands(l);
     try_directions(l, set);
     if (!best[CHOICE_STAND] && !best[CHOICE_FREE]) {
