@@ -57,18 +57,16 @@ static invcal_status settle_thermal(invcal_thermal_calibration *c, invcal_soluti
     return invcal_thermal_at(c, c->reference, at_reference, &place);
 }
 
-invcal_status invcal_thermal_record_encode(const invcal_thermal_record *record,
-                                           uint8_t bytes[INVCAL_THERMAL_RECORD_SIZE],
-                                           uint32_t *length)
+/* Settles the calibration, and puts the record of what holds at its reference: what else is known
+ * stands in `known`. */
+static invcal_status put_reference(invcal_thermal_calibration *c, const invcal_record *known,
+                                   uint8_t bytes[INVCAL_RECORD_SIZE])
 {
-    INVCAL_ASSERT(record && bytes && length);
-    invcal_thermal_calibration c = record->thermal;
-    invcal_record r = record->record;
-    invcal_way w = {INVCAL_PUT, bytes + THERMAL_REALS_AT, NULL, 1};
+    invcal_record r = *known;
     invcal_solution s;
 
     memset(&s, 0, sizeof s); /* written only if there is one */
-    invcal_status status = settle_thermal(&c, &s);
+    const invcal_status status = settle_thermal(c, &s);
     if (status != INVCAL_OK) {
         return status;
     }
@@ -76,8 +74,19 @@ invcal_status invcal_thermal_record_encode(const invcal_thermal_record *record,
     memcpy(r.delta, s.delta, sizeof r.delta);
     memcpy(r.dk, s.dk, sizeof r.dk);
     memcpy(r.gamma, s.gamma, sizeof r.gamma);
-    r.field = c.field;
-    status = invcal_record_encode(&r, bytes + RECORD_AT);
+    r.field = c->field;
+    return invcal_record_encode(&r, bytes);
+}
+
+invcal_status invcal_thermal_record_encode(const invcal_thermal_record *record,
+                                           uint8_t bytes[INVCAL_THERMAL_RECORD_SIZE],
+                                           uint32_t *length)
+{
+    INVCAL_ASSERT(record && bytes && length);
+    invcal_thermal_calibration c = record->thermal;
+    invcal_way w = {INVCAL_PUT, bytes + THERMAL_REALS_AT, NULL, 1};
+    const invcal_status status = put_reference(&c, &record->record, bytes + RECORD_AT);
+
     if (status != INVCAL_OK) {
         return status;
     }
@@ -114,7 +123,7 @@ invcal_status invcal_thermal_record_decode(const uint8_t *bytes, uint32_t size,
     INVCAL_ASSERT(bytes && out);
     invcal_thermal_calibration c = {0};
     invcal_record r;
-    invcal_solution s;
+    uint8_t again[INVCAL_RECORD_SIZE];
 
     if (!invcal_is_sound(bytes, size)) {
         return INVCAL_DAMAGED;
@@ -138,7 +147,7 @@ invcal_status invcal_thermal_record_decode(const uint8_t *bytes, uint32_t size,
     c.frame = (invcal_frame)bytes[DEGREE_AT + 3];
     invcal_way w = {INVCAL_GET, NULL, bytes + THERMAL_REALS_AT, 1};
     each_thermal_real(&w, &c);
-    if (settle_thermal(&c, &s) != INVCAL_OK) {
+    if (put_reference(&c, &r, again) != INVCAL_OK) { /* never encoded */
         return INVCAL_DAMAGED;
     }
     out->thermal = c;

@@ -26,6 +26,7 @@ enum {
     DEGREE_AT = 188,
     REALS_AT = 192,
     SPAN_AT = 196,
+    MATRIX_AT = 220,
     X_AT = 256
 };
 
@@ -414,6 +415,28 @@ static void what_is_never_encoded_is_not_decoded(void)
     }
 }
 
+/* A nominal matrix of 1e-38 to 1e38 has an inverse, what comes of it at the reference has none: a
+ * fuzzer found that such a record came in and could not go out again. */
+static void a_calibration_without_inverse_is_damage(void)
+{
+    static const uint8_t matrix[36] = {0x12, 0x13, 0x14, 0x15, 0x16, 0x17, 0x18, 0x19, 0x1A,
+                                       0x1B, 0x1C, 0x1D, 0x1E, 0x1F, 0x20, 0x01, 0x05, 0x00,
+                                       0x02, 0x11, 0x22, 0xFF, 0x00, 0xFF, 0x00, 0xFF, 0x00,
+                                       0xFF, 0x00, 0x10, 0x00, 0x40, 0x2D, 0xFD, 0x7F, 0xBF};
+    static const uint8_t x[36] = {0x6F, 0x12, 0x83, 0x3A, 0xE8, 0x90, 0xB4, 0x2D, 0xB7,
+                                  0x87, 0xA0, 0xAD, 0xE8, 0x90, 0xB4, 0x2D, 0x36, 0x06,
+                                  0x81, 0x3A, 0xC5, 0x6A, 0x11, 0xAD, 0xB7, 0x87, 0xA0,
+                                  0xAD, 0xC5, 0x6A, 0x11, 0xAD, 0x81, 0x80, 0x80, 0x3A};
+    uint8_t bytes[FLAT];
+
+    memcpy(bytes, golden, FLAT);
+    memcpy(bytes + MATRIX_AT, matrix, sizeof matrix);
+    memcpy(bytes + X_AT, x, sizeof x);
+    bytes[DEGREE_AT + 3] = INVCAL_FRAME_TRIANGULAR;
+    seal_bytes(bytes, FLAT - 4);
+    assert_refused(INVCAL_DAMAGED, bytes, FLAT);
+}
+
 /* Sound as a whole, but what stands at byte 4 is not. */
 static void a_damaged_part_is_damage(void)
 {
@@ -490,6 +513,7 @@ int main(void)
     RUN_TEST(a_number_that_is_not_finite_is_not_decoded);
     RUN_TEST(what_is_never_calibrated_is_not_encoded);
     RUN_TEST(what_is_never_encoded_is_not_decoded);
+    RUN_TEST(a_calibration_without_inverse_is_damage);
     RUN_TEST(a_damaged_part_is_damage);
     RUN_TEST(a_sound_record_that_is_too_short_is_damaged);
     RUN_TEST(another_kind_version_or_a_higher_degree_is_named);
