@@ -149,7 +149,9 @@ static unsigned least_telling(const invcal_session *session, invcal_real least)
 /* The mean over the positions, and the extremes. */
 static void note_temperature(invcal_session *session, invcal_real t)
 {
-    if (!invcal_is_finite(t)) {
+    const invcal_real change = t - session->temperature;
+
+    if (!invcal_is_finite(change)) {
         return;
     }
     if (session->measured < session->normal.count) {
@@ -160,7 +162,7 @@ static void note_temperature(invcal_session *session, invcal_real t)
     const int is_first = session->measured <= 1;
     session->coldest = is_first || t < session->coldest ? t : session->coldest;
     session->warmest = is_first || t > session->warmest ? t : session->warmest;
-    session->temperature += (t - session->temperature) / (invcal_real)session->measured;
+    session->temperature += change / (invcal_real)session->measured;
 }
 
 static void store(invcal_session *session, const invcal_real mean[3])

@@ -109,8 +109,8 @@ invcal_status invcal_session_init(invcal_session *session, const invcal_session_
 /* Feeds one sample.
  *
  * raw          counts.
- * temperature  degrees Celsius; anything, always the same, if there is no thermometer. A NaN
- *              leaves the figures of temperature as they are.
+ * temperature  degrees Celsius; anything, always the same, if there is no thermometer. A NaN, or
+ *              what is too large for a mean, leaves the figures of temperature as they are.
  * event        what there is to tell; complete whenever the answer is not
  *              INVCAL_SESSION_NOTHING, else untouched.
  *

@@ -2144,6 +2144,16 @@ static void a_temperature_that_is_none_changes_nothing(void)
     temperatures_are(25, 20, 29); /* 75 / 3 */
 }
 
+static void a_temperature_too_large_for_a_mean_changes_nothing(void)
+{
+    const double most = (double)INVCAL_REAL_MAX;
+    const double temperature[4] = {most, -most, INFINITE, most};
+
+    begin(free_hand(), 0.02, 84);
+    visit_at(temperature, 4);
+    temperatures_are(most, most, most);
+}
+
 static void the_first_temperature_need_not_come_with_the_first_position(void)
 {
     const double temperature[4] = {NOT_A_NUMBER, 20, 26, 29};
@@ -2535,6 +2545,7 @@ int main(void)
     RUN_SLOW_TEST(more_positions_make_the_better_one);
     RUN_TEST(the_session_knows_how_warm_it_was);
     RUN_TEST(a_temperature_that_is_none_changes_nothing);
+    RUN_TEST(a_temperature_too_large_for_a_mean_changes_nothing);
     RUN_TEST(the_first_temperature_need_not_come_with_the_first_position);
     RUN_TEST(finish_does_not_spoil_the_temperature);
     RUN_SLOW_TEST(in_the_background_temperatures_count_for_what_is_taken);
