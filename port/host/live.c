@@ -361,8 +361,11 @@ static int watch(stage *s)
         failure = digest(s, &event);
     }
     end_line(s);
+    if (more < 0 || failure) {
+        return failure ? failure : EXIT_FILE;
+    }
     fprintf(s->wish->talk, "\n");
-    return more < 0 ? EXIT_FILE : failure;
+    return EXIT_GOOD;
 }
 
 /* The stream, and an empty file that takes its place when somebody interrupts. */
