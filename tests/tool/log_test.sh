@@ -253,6 +253,13 @@ in=/dev/null
 check "watch: lines that are cut or garbled are skipped" test "$code" -eq 0
 check "watch: they are told" test "$(grep -c 'columns' "$work/stderr")" -eq 4
 check "watch: and do no harm" right_offset plain 2
+awk '{ print NR < 300 ? $0 : "garbage" }' "$work/plain.csv" > "$work/garbage.csv"
+in=$work/garbage.csv
+run watch - --json
+in=/dev/null
+check "watch: a hundred such lines end it" test "$code" -eq 3
+check "watch: and the last word is the error" matches "$work/stderr" '^invcal: '
+check "watch: with no empty line behind it" test -n "$(tail -n 1 "$work/stderr")"
 # Whoever presses Ctrl-C gets the result of what there is.
 mkfifo "$work/port"
 "$tool" watch - --json < "$work/port" > "$work/stdout" 2> "$work/stderr" &
