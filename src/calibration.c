@@ -1,45 +1,17 @@
 /* SPDX-License-Identifier: MIT */
-#include "invcal/calibration.h"
+#include "solve.h"
 
 #include <string.h>
 
 #include "vector.h"
 
-invcal_status invcal_calibration_nominal(const invcal_real zero[3], const invcal_real scale[3],
-                                         invcal_calibration *out)
-{
-    INVCAL_ASSERT(zero && scale && out);
-    for (unsigned i = 0; i < 3; i++) {
-        if (!(invcal_is_finite(zero[i]) && invcal_is_positive(INVCAL_FABS(scale[i])))) {
-            return INVCAL_BAD_SETTING;
-        }
-    }
-    memset(out, 0, sizeof *out);
-    for (unsigned i = 0; i < 3; i++) {
-        out->offset[i] = zero[i];
-        out->matrix[i][i] = scale[i];
-    }
-    return INVCAL_OK;
-}
+#define SMALLEST INVCAL_REAL(1e-12) /* over field per count; the largest is its inverse */
+#define FARTHEST INVCAL_REAL(1e18)  /* zero, over field */
 
 void invcal_apply(const invcal_calibration *calibration, const invcal_real raw[3],
                   invcal_real calibrated[3])
 {
-    const invcal_real centred[3] = {raw[0] - calibration->offset[0],
-                                    raw[1] - calibration->offset[1],
-                                    raw[2] - calibration->offset[2]};
-
-    INVCAL_UNROLL
-    for (unsigned i = 0; i < 3; i++) {
-        calibrated[i] = invcal_dot3(calibration->matrix[i], centred);
-    }
-}
-
-static void cross(const invcal_real a[3], const invcal_real b[3], invcal_real out[3])
-{
-    out[0] = a[1] * b[2] - a[2] * b[1];
-    out[1] = a[2] * b[0] - a[0] * b[2];
-    out[2] = a[0] * b[1] - a[1] * b[0];
+    invcal_correct(calibration, raw, calibrated);
 }
 
 static invcal_real largest(const invcal_real v[3])
@@ -53,47 +25,57 @@ static invcal_real largest(const invcal_real v[3])
     return most;
 }
 
-/* column / det / scale; 0 if an element is not finite. */
-static int divide(invcal_real column[3][3], invcal_real det, const invcal_real scale[3])
+/* Singular to rounding is a determinant that its rows, made of length 1 to 1.7, do not show. */
+invcal_status invcal_nominal_check(const invcal_calibration *nominal)
 {
+    invcal_calibration unit;
+    invcal_real inverse[3][3];
+    invcal_real most = 0;
+
     for (unsigned i = 0; i < 3; i++) {
+        const invcal_real scale = largest(nominal->matrix[i]);
+        if (!(scale >= SMALLEST && scale <= 1 / SMALLEST &&
+              INVCAL_FABS(nominal->offset[i]) * scale <= FARTHEST)) {
+            return INVCAL_BAD_NOMINAL;
+        }
         for (unsigned j = 0; j < 3; j++) {
-            column[i][j] = column[i][j] / det / scale[i];
-            if (!invcal_is_finite(column[i][j])) {
-                return 0;
-            }
+            unit.matrix[i][j] = nominal->matrix[i][j] / scale;
         }
     }
-    return 1;
+    invcal_inverse3(unit.matrix, inverse);
+    for (unsigned i = 0; i < 3; i++) {
+        most += largest(inverse[i]);
+    }
+    return most < INVCAL_REAL(0.1) / INVCAL_EPSILON ? INVCAL_OK : INVCAL_BAD_NOMINAL;
 }
 
-/* Rows R_i = s_i r_i with largest elements s_i: the columns of the inverse are the cross products
- * of the other two r over their determinant and s_i. In any unit, nothing over- or underflows. */
-invcal_status invcal_calibration_inverse(const invcal_calibration *calibration,
-                                         invcal_real inverse[3][3])
+invcal_status invcal_nominal(const invcal_real zero[3], const invcal_real counts[3],
+                             invcal_calibration *out)
 {
-    invcal_real scale[3];
-    invcal_real row[3][3];
-    invcal_real column[3][3];
+    invcal_calibration nominal;
 
-    INVCAL_ASSERT(calibration && inverse);
+    INVCAL_ASSERT(zero && counts && out);
+    memset(&nominal, 0, sizeof nominal);
     for (unsigned i = 0; i < 3; i++) {
-        scale[i] = largest(calibration->matrix[i]);
+        nominal.offset[i] = zero[i];
+        nominal.matrix[i][i] = 1 / counts[i];
+    }
+    const invcal_status status = invcal_nominal_check(&nominal);
+    if (status == INVCAL_OK) {
+        *out = nominal;
+    }
+    return status;
+}
+
+invcal_status invcal_scale(invcal_calibration *calibration, invcal_real field)
+{
+    INVCAL_ASSERT(calibration);
+    if (!invcal_is_positive(field)) {
+        return INVCAL_BAD_FIELD;
+    }
+    for (unsigned i = 0; i < 3; i++) {
         for (unsigned j = 0; j < 3; j++) {
-            row[i][j] = calibration->matrix[i][j] / scale[i];
-        }
-    }
-    for (unsigned i = 0; i < 3; i++) {
-        cross(row[(i + 1) % 3], row[(i + 2) % 3], column[i]);
-    }
-    const invcal_real det = invcal_dot3(row[0], column[0]);
-    /* the determinant is that of rows of length 1 to 1.7 */
-    if (!(INVCAL_FABS(det) > 16 * INVCAL_EPSILON) || !divide(column, det, scale)) {
-        return INVCAL_BAD_SETTING;
-    }
-    for (unsigned i = 0; i < 3; i++) {
-        for (unsigned j = 0; j < 3; j++) {
-            inverse[j][i] = column[i][j];
+            calibration->matrix[i][j] *= field;
         }
     }
     return INVCAL_OK;

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-#include "invcal/fisher.h"
+#include "fisher.h"
 
 #include "vector.h"
 

@@ -1,19 +1,25 @@
 /* SPDX-License-Identifier: MIT
  *
- * Internal: the few vector operations that several rooms share.
+ * Internal: the few operations that several modules share.
  */
 #ifndef INVCAL_VECTOR_H
 #define INVCAL_VECTOR_H
 
 #include <math.h>
 
-#include "invcal/config.h"
+#include "invcal/invcal.h"
 
-/* Before a loop of few, known steps: unrolled, unless the compiler is told to save space. */
+/* Where the compiler is told to be fast, loops of few, known steps are unrolled; where it is told to
+ * save space, nothing is. */
 #if defined(__GNUC__) && !defined(__clang__) && defined(__OPTIMIZE__) && !defined(__OPTIMIZE_SIZE__)
-#define INVCAL_UNROLL _Pragma("GCC unroll 45")
+#define INVCAL_FAST
+#define INVCAL_UNROLL _Pragma("GCC unroll 64")
+#define INVCAL_UNROLL_ROWS _Pragma("GCC unroll 10")
+#define INVCAL_INLINE __attribute__((always_inline)) inline
 #else
 #define INVCAL_UNROLL
+#define INVCAL_UNROLL_ROWS
+#define INVCAL_INLINE
 #endif
 
 /* Before a function whose frame should not lie under those of what its caller calls besides. */
@@ -22,8 +28,6 @@
 #else
 #define INVCAL_APART
 #endif
-
-#define INVCAL_DEGREE INVCAL_REAL(0.017453292519943296) /* in radians */
 
 /* False for NaN too. */
 static inline int invcal_is_finite(invcal_real x)
@@ -45,6 +49,20 @@ static inline int invcal_are_finite(const invcal_real v[3])
 static inline invcal_real invcal_dot3(const invcal_real a[3], const invcal_real b[3])
 {
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+/* invcal_apply, to be compiled into those who call it often. */
+static inline void invcal_correct(const invcal_calibration *c, const invcal_real raw[3],
+                                  invcal_real out[3])
+{
+    const invcal_real x = raw[0] - c->offset[0];
+    const invcal_real y = raw[1] - c->offset[1];
+    const invcal_real z = raw[2] - c->offset[2];
+
+    INVCAL_UNROLL
+    for (unsigned i = 0; i < 3; i++) {
+        out[i] = c->matrix[i][0] * x + c->matrix[i][1] * y + c->matrix[i][2] * z;
+    }
 }
 
 static inline invcal_real invcal_dot(const invcal_real *a, const invcal_real *b, unsigned n)

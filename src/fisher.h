@@ -1,15 +1,11 @@
 /* SPDX-License-Identifier: MIT
  *
- * invcal/fisher.h: how often chance alone makes one sum of squares so small beside another.
+ * Internal: how often chance alone makes one sum of squares so small beside another.
  */
 #ifndef INVCAL_FISHER_H
 #define INVCAL_FISHER_H
 
-#include "invcal/config.h"
-
-#ifdef __cplusplus
-extern "C" {
-#endif
+#include "invcal/invcal.h"
 
 /* The tail of Fisher's F: P(F > f), with m and dof degrees of freedom.
  *
@@ -27,9 +23,5 @@ extern "C" {
  * Cost: m/2 + dof steps; for odd m up to 15 dof + 20 (double: 35 dof + 50) steps more, most of them
  * where the answer is about 0.3. Stack: about 40 bytes. */
 invcal_real invcal_fisher_tail(invcal_real z, unsigned m, unsigned dof);
-
-#ifdef __cplusplus
-}
-#endif
 
 #endif

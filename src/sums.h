@@ -1,0 +1,19 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * Internal: what other modules ask of the sums.
+ */
+#ifndef INVCAL_SUMS_H
+#define INVCAL_SUMS_H
+
+#include "invcal/expert.h"
+
+/* The paper's row h(a) = (x y z x^2 y^2 z^2 xy xz yz); a may stand where h begins. */
+void invcal_row_of(const invcal_real a[3], invcal_real h[INVCAL_PARAMETERS]);
+
+/* H'H of moments, packed. */
+void invcal_sums_expand(const invcal_real moment[INVCAL_MOMENTS], invcal_real *a);
+
+/* The sums become the system: the triangle of H'H, below it H'J and J'J (system.h). */
+void invcal_sums_system(invcal_sums *sums);
+
+#endif
