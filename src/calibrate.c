@@ -2,7 +2,7 @@
 #include "judge.h"
 #include "vector.h"
 
-invcal_status invcal_calibrate(const invcal_real (*raw)[3], unsigned count,
+invcal_status invcal_calibrate(const invcal_real *raw, unsigned count,
                                const invcal_calibration *nominal, invcal_real noise,
                                invcal_calibration *out, invcal_quality *quality)
 {

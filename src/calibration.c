@@ -42,7 +42,7 @@ invcal_status invcal_nominal_check(const invcal_calibration *nominal)
             unit.matrix[i][j] = nominal->matrix[i][j] / scale;
         }
     }
-    invcal_inverse3(unit.matrix, inverse);
+    invcal_inverse3((const invcal_real(*)[3])unit.matrix, inverse);
     for (unsigned i = 0; i < 3; i++) {
         most += largest(inverse[i]);
     }

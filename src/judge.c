@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 #include "judge.h"
 
+#include <stddef.h>
+
 #include "solve.h"
 #include "sums.h"
 #include "invcal/expert.h"
@@ -52,7 +54,7 @@ static invcal_status compare(const invcal_positions *positions, const invcal_cal
         if (invcal_is_left_out(positions, i)) {
             continue;
         }
-        if (invcal_observe(c, positions->raw[i], &row) != INVCAL_OK) {
+        if (invcal_observe(c, &positions->raw[3 * (size_t)i], &row) != INVCAL_OK) {
             return INVCAL_NOT_ELLIPSOID; /* fit for the first pass, absurd after it */
         }
         invcal_sums_add_row(sums, &row, mean / sensitivity(c, row.h));
@@ -164,7 +166,7 @@ invcal_status invcal_positions_sum(const invcal_positions *positions, invcal_sum
     invcal_sums_init(sums);
     for (unsigned i = 0; i < positions->count && status == INVCAL_OK; i++) {
         if (!invcal_is_left_out(positions, i)) {
-            status = invcal_sums_add(sums, positions->nominal, positions->raw[i]);
+            status = invcal_sums_add(sums, positions->nominal, &positions->raw[3 * (size_t)i]);
         }
     }
     return status;

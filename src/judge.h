@@ -9,7 +9,7 @@
 
 /* Positions, and what they were read with. */
 typedef struct {
-    const invcal_real (*raw)[3];
+    const invcal_real *raw;
     unsigned count;
     invcal_mask left_out; /* only of the first INVCAL_MAX_POSITIONS */
     const invcal_calibration *nominal;

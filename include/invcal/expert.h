@@ -139,11 +139,11 @@ invcal_real invcal_leverage(const invcal_real *inverse, const invcal_real h[INVC
 /* Which parameters the positions leave open, bit r for parameter r. A small ridge on H'H shows it: a
  * parameter that the ridge holds is one that the data do not. Rough by nature; no positions leave
  * all nine open. Positions that are no readings are passed over. */
-uint16_t invcal_undetermined(const invcal_real (*raw)[3], unsigned count,
+uint16_t invcal_undetermined(const invcal_real *raw, unsigned count,
                              const invcal_calibration *nominal);
 
 /* The first position that is no reading of this field; count if all are. */
-unsigned invcal_bad_reading(const invcal_real (*raw)[3], unsigned count,
+unsigned invcal_bad_reading(const invcal_real *raw, unsigned count,
                             const invcal_calibration *nominal);
 
 /* ---- the result, looked at otherwise -------------------------------------------------------------- */
@@ -179,12 +179,12 @@ typedef struct {
                               the residuals do not tell which. Repeat these. 0 as a rule */
 } invcal_outliers;
 
-invcal_status invcal_outliers_find(const invcal_real (*raw)[3], unsigned count,
+invcal_status invcal_outliers_find(const invcal_real *raw, unsigned count,
                                    const invcal_calibration *nominal, invcal_real noise,
                                    invcal_outliers *out);
 
 /* invcal_calibrate without some of the positions. */
-invcal_status invcal_calibrate_without(const invcal_real (*raw)[3], unsigned count,
+invcal_status invcal_calibrate_without(const invcal_real *raw, unsigned count,
                                        invcal_mask left_out, const invcal_calibration *nominal,
                                        invcal_real noise, invcal_calibration *out,
                                        invcal_quality *quality);
@@ -193,7 +193,7 @@ invcal_status invcal_calibrate_without(const invcal_real (*raw)[3], unsigned cou
  *
  * Parameter r is 0, with standard deviation prior[r]: a row more for each, which makes the solution
  * a Bayesian update. */
-invcal_status invcal_calibrate_with_prior(const invcal_real (*raw)[3], unsigned count,
+invcal_status invcal_calibrate_with_prior(const invcal_real *raw, unsigned count,
                                           const invcal_calibration *nominal, invcal_real noise,
                                           const invcal_real prior[INVCAL_PARAMETERS],
                                           invcal_calibration *out, invcal_quality *quality,
@@ -249,14 +249,14 @@ invcal_status invcal_linear_solve(invcal_linear_sums *linear, const invcal_calib
  * positions  those so far; none at the beginning. Those that are no readings are passed over.
  * Of directions whose h K h' is within 1 % of the largest, the nearest to the last position, but
  * none within 26 degrees of it if there is another. */
-void invcal_next(const invcal_real (*raw)[3], unsigned count, const invcal_calibration *nominal,
+void invcal_next(const invcal_real *raw, unsigned count, const invcal_calibration *nominal,
                  invcal_real up[3]);
 
 /* sqrt(K(r,r)) of the positions so far: sigma of parameter r over that of a position mean.
  *
  * up  null, or a direction as if it had been taken too: what it will improve. The ridge ends what is
  *     open at about 100. */
-void invcal_prospect(const invcal_real (*raw)[3], unsigned count, const invcal_calibration *nominal,
+void invcal_prospect(const invcal_real *raw, unsigned count, const invcal_calibration *nominal,
                      const invcal_real *up, invcal_real root[INVCAL_PARAMETERS]);
 
 /* ---- rests ------------------------------------------------------------------------------------------------ */

@@ -270,7 +270,7 @@ invcal_real invcal_coverage(unsigned dof);
 
 /* Calibrates from position means.
  *
- * raw      count positions x y z in raw counts, in any order; 9 are the least, twelve to eighteen
+ * raw      3 count numbers: position means x y z, x y z, ... in raw counts, in any order; 9 are the least, twelve to eighteen
  *          well spread ones are good. In float a mean carries 24 bits: from counts above 2^24
  *          subtract first.
  * count    up to 255.
@@ -292,7 +292,7 @@ invcal_real invcal_coverage(unsigned dof);
  *   INVCAL_NOT_ELLIPSOID  the readings lie on no ellipsoid (but, say, on a hyperboloid), on one with
  *                         a semi-axis outside 0.1 ... 10 of nominal, or scatter by a tenth of it.
  * Cost: 18,500 instructions for 18 positions. Stack: about 600 bytes. */
-invcal_status invcal_calibrate(const invcal_real (*raw)[3], unsigned count,
+invcal_status invcal_calibrate(const invcal_real *raw, unsigned count,
                                const invcal_calibration *nominal, invcal_real noise,
                                invcal_calibration *out, invcal_quality *quality);
 
