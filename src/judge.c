@@ -153,8 +153,9 @@ static invcal_status judge(const invcal_positions *positions, const invcal_calib
     }
     if (status == INVCAL_OK) {
         spread(positions->nominal, c, q->sigma);
-        q->verdict =
-            (uint8_t)(q->weak ? INVCAL_WEAK : q->dof > 0 ? INVCAL_GOOD : INVCAL_NO_REDUNDANCY);
+        q->verdict = (uint8_t)(q->weak      ? INVCAL_WEAK
+                               : q->dof > 0 ? INVCAL_GOOD
+                                            : INVCAL_NO_REDUNDANCY);
     }
     return status;
 }

@@ -184,10 +184,9 @@ invcal_status invcal_outliers_find(const invcal_real *raw, unsigned count,
                                    invcal_outliers *out);
 
 /* invcal_calibrate without some of the positions. */
-invcal_status invcal_calibrate_without(const invcal_real *raw, unsigned count,
-                                       invcal_mask left_out, const invcal_calibration *nominal,
-                                       invcal_real noise, invcal_calibration *out,
-                                       invcal_quality *quality);
+invcal_status invcal_calibrate_without(const invcal_real *raw, unsigned count, invcal_mask left_out,
+                                       const invcal_calibration *nominal, invcal_real noise,
+                                       invcal_calibration *out, invcal_quality *quality);
 
 /* ---- what is known beforehand ------------------------------------------------------------------------
  *
@@ -261,11 +260,30 @@ void invcal_prospect(const invcal_real *raw, unsigned count, const invcal_calibr
 
 /* ---- rests ------------------------------------------------------------------------------------------------ */
 
+/* A rest that was taken. */
+typedef struct {
+    int64_t sum[3];       /* of the raw samples, exact */
+    uint32_t count;       /* how many, > 0 */
+    uint32_t begin, end;  /* index of the first, and of the one after the last */
+    invcal_real variance; /* of one sample about its block, counts^2, the mean of the three axes */
+} invcal_rest;
+invcal_status invcal_rests_init(invcal_rests *rests, unsigned rate);
+invcal_status invcal_rests_rails(invcal_rests *rests, int32_t low, int32_t high);
+void invcal_rests_hold(invcal_rests *rests, unsigned milliseconds);
+invcal_event invcal_rests_feed(invcal_rests *rests, const int32_t raw[3]);
+void invcal_rests_gap(invcal_rests *rests);
+invcal_event invcal_rests_finish(invcal_rests *rests);
+unsigned invcal_rests_progress(const invcal_rests *rests);
+invcal_status invcal_rests_reason(const invcal_rests *rests);
+int invcal_rests_get(const invcal_rests *rests, invcal_rest *out);
+void invcal_rest_mean(const invcal_rest *rest, invcal_real mean[3]);
+
 /* ---- in the background --------------------------------------------------------------------------------------
  *
  * The same for a device that nobody calibrates on purpose: fed with whatever comes in days. A rest
  * in a direction that is well covered is passed over (INVCAL_REFUSED, INVCAL_REST_SAME); the table
- * keeps what tells most; positions age, count less when the table is full, and go after 88 days. */
+ * keeps what tells most, up to INVCAL_MAX_POSITIONS - 1; an old position gives way before a new
+ * one, and goes after 88 days. */
 typedef struct {
     invcal_session session;
     uint8_t age[INVCAL_MAX_POSITIONS]; /* days */

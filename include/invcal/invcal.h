@@ -104,7 +104,7 @@ typedef double invcal_real;
 #define INVCAL_SQRT sqrt
 #define INVCAL_FABS fabs
 #else
-typedef float invcal_real;              /* double with INVCAL_DOUBLE */
+typedef float invcal_real; /* double with INVCAL_DOUBLE */
 #define INVCAL_REAL_NAME float          /* its name */
 #define INVCAL_REAL(literal) literal##f /* a constant of this type */
 #define INVCAL_EPSILON FLT_EPSILON      /* from 1 to the next number */
@@ -333,7 +333,9 @@ typedef struct {
     invcal_calibration nominal;                /* what it began with */
     invcal_real noise;                         /* stated, over field; 0: not known */
     invcal_real mean[INVCAL_MAX_POSITIONS][3]; /* raw counts, in the order they were taken */
-    uint8_t count;                             /* of them */
+    uint32_t hold;                             /* milliseconds, as stated; 0: as short as can be */
+    uint16_t rate;                             /* samples per second */
+    uint8_t count;                             /* of the means */
     uint8_t last;                              /* the last event that was not INVCAL_NOTHING */
     uint8_t reason;                            /* of INVCAL_REFUSED, an invcal_status */
     uint8_t good;                              /* internal: is_good, as known by now */
