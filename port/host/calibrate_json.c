@@ -37,25 +37,25 @@ static void write_nominal(json_writer *w, const nominal_choice *nominal)
 
 static void write_quality(json_writer *w, const calibrate_result *result)
 {
-    const invcal_quality *q = &result->quality;
+    const fit_quality *q = &result->quality;
     const int known = calibrate_knows_noise(result);
 
     json_object(w, "sigma");
     write_sigma(w, "offset", q->sigma_offset, known);
-    write_sigma(w, "delta", q->sigma_delta, known);
-    write_sigma(w, "dk", q->sigma_dk, known);
-    write_sigma(w, "gamma", q->sigma_gamma, known);
+    write_sigma(w, "delta", &q->sigma[INVCAL_DELTA_X], known);
+    write_sigma(w, "dk", &q->sigma[INVCAL_DK_X], known);
+    write_sigma(w, "gamma", &q->sigma[INVCAL_GAMMA_XY], known);
     json_object_end(w);
     json_number(w, "interval95", q->coverage);
     json_number(w, "noise", known ? q->noise * result->settings.field : NUMBER_UNKNOWN);
     json_number(w, "degrees_of_freedom", q->dof);
-    json_number(w, "residual_rms", q->residual_rms);
-    json_number(w, "residual_max", q->residual_max);
+    json_number(w, "residual_rms", q->rms);
+    json_number(w, "residual_max", q->max);
     json_number(w, "residual_worst", q->worst + 1.0);
     json_number(w, "residual_before", result->residual_before);
     json_number(w, "condition", q->condition);
     json_text(w, "verdict", invcal_verdict_text(q->verdict));
-    json_parameters(w, "undetermined", q->undetermined);
+    json_parameters(w, "undetermined", q->weak);
 }
 
 static void write_source(json_writer *w, uint16_t from_prior)
@@ -117,7 +117,9 @@ static void write_thermal(json_writer *w, const thermal_fit *fit)
 
 void calibrate_json(FILE *file, const calibrate_result *result)
 {
-    const invcal_solution *s = &result->solution;
+    const double field = result->settings.field;
+    const fit_solution *s = &result->solution;
+    const invcal_calibration c = fit_in_field_units(&s->calibration, field);
     json_writer w;
 
     json_begin(&w, file);
@@ -126,22 +128,21 @@ void calibrate_json(FILE *file, const calibrate_result *result)
     json_number(&w, "positions", result->data->count);
     json_numbers(&w, "rejected", result->rejected.number, result->rejected.count);
     json_number(&w, "suspected", result->rejected.suspected);
-    json_number(&w, "gravity", result->settings.field);
+    json_number(&w, "gravity", field);
     json_text(&w, "unit", unit_name(result->data->seen.unit));
     json_text(&w, "unit_from", unit_origin_name(result->data->seen.unit_from));
-    json_vector(&w, "offset", s->calibration.offset);
-    json_matrix(&w, "matrix", s->calibration.matrix);
-    json_text(&w, "frame",
-              result->settings.frame == INVCAL_FRAME_TRIANGULAR ? "triangular" : "symmetric");
+    json_vector(&w, "offset", c.offset);
+    json_matrix(&w, "matrix", c.matrix);
+    json_text(&w, "frame", result->settings.is_triangular ? "triangular" : "symmetric");
     write_nominal(&w, &result->nominal);
-    json_vector(&w, "delta", s->delta);
-    json_vector(&w, "dk", s->dk);
-    json_vector(&w, "gamma", s->gamma);
+    json_vector(&w, "delta", &s->x[INVCAL_DELTA_X]);
+    json_vector(&w, "dk", &s->x[INVCAL_DK_X]);
+    json_vector(&w, "gamma", &s->x[INVCAL_GAMMA_XY]);
     write_quality(&w, result);
     if (result->tolerance) {
         json_parameters(&w, "beyond", result->beyond);
     }
-    if (invcal_has_prior(&result->settings)) {
+    if (fit_has_prior(&result->settings)) {
         write_source(&w, result->quality.from_prior);
     }
     if (result->temperature == CALIBRATE_THERMAL) {

@@ -83,7 +83,7 @@ void calibrate_print_thermal(FILE *file, const calibrate_result *r)
                  "much as with temperature.",
                  figure_digits((is_gravity ? 1e3 : 1e2) * fit->without, 3, without),
                  is_gravity ? "mg" : "% of the field",
-                 figure_digits(fit->without / r->quality.residual_rms, 3, value));
+                 figure_digits(fit->without / r->quality.rms, 3, value));
         calibrate_print_wrapped(file, 0, text);
     }
 }

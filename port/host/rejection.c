@@ -15,7 +15,7 @@ typedef struct {
 } choice_of;
 
 /* A reading that is none of this field, though most others are. */
-static int is_impossible(const positions *p, unsigned i, const invcal_settings *settings,
+static int is_impossible(const positions *p, unsigned i, const fit_settings *settings,
                          double *error)
 {
     double u[3];
@@ -30,7 +30,7 @@ static int is_impossible(const positions *p, unsigned i, const invcal_settings *
 }
 
 /* Up to one in eight, if enough others are there to tell. */
-static void reject_impossible(rejection *r, const positions *p, const invcal_settings *settings)
+static void reject_impossible(rejection *r, const positions *p, const fit_settings *settings)
 {
     unsigned count = 0;
     double error;
@@ -104,7 +104,7 @@ static void add(rejection *r, const invcal_outliers *found, const unsigned *numb
 }
 
 /* `before` of them, the first of the list, are rejected already. */
-static void find_among(rejection *r, const positions *p, const invcal_settings *settings,
+static void find_among(rejection *r, const positions *p, const fit_settings *settings,
                        choice_of which, unsigned before)
 {
     double mean[INVCAL_OUTLIERS_CAPACITY][3];
@@ -148,7 +148,7 @@ void rejection_finish(rejection *r, const positions *p)
     }
 }
 
-int rejection_begin(rejection *r, const positions *p, const invcal_settings *settings, int none)
+int rejection_begin(rejection *r, const positions *p, const fit_settings *settings, int none)
 {
     *r = (rejection){0};
     r->list = calloc((size_t)p->count + 1, sizeof *r->list);
@@ -165,7 +165,7 @@ int rejection_begin(rejection *r, const positions *p, const invcal_settings *set
     return EXIT_GOOD;
 }
 
-void rejection_search(rejection *r, const positions *p, const invcal_settings *settings)
+void rejection_search(rejection *r, const positions *p, const fit_settings *settings)
 {
     const unsigned turns = (p->count + INVCAL_OUTLIERS_CAPACITY - 1) / INVCAL_OUTLIERS_CAPACITY;
     const unsigned before = r->count;
@@ -175,7 +175,7 @@ void rejection_search(rejection *r, const positions *p, const invcal_settings *s
     }
 }
 
-int rejection_find(rejection *r, const positions *p, const invcal_settings *settings, int none)
+int rejection_find(rejection *r, const positions *p, const fit_settings *settings, int none)
 {
     const int failure = rejection_begin(r, p, settings, none);
 

@@ -116,8 +116,8 @@ static void find_curves(const report_facts *f, unsigned which, curves *c)
     const kind k = kind_of(f, which);
 
     for (unsigned step = 0; step <= STEPS; step++) {
-        invcal_solution s;
-        invcal_quality q;
+        fit_solution s;
+        fit_quality q;
         thermal_fit_judge(&f->result->fit, temperature_at(&f->result->fit, step), &s, &q);
         const double *const values[] = {s.delta, s.dk, s.gamma};
         const double *const sigmas[] = {q.sigma_delta, q.sigma_dk, q.sigma_gamma};
@@ -376,7 +376,7 @@ static void say_difference(page *p, const report_facts *f)
              "Nine parameters alone leave an rms error of %s %s in the same positions, with "
              "temperature it is %s %s.",
              figure_digits(REPORT_PARTS * fit->without, 3, before), f->unit,
-             figure_digits(REPORT_PARTS * f->result->quality.residual_rms, 3, after), f->unit);
+             figure_digits(REPORT_PARTS * f->result->quality.rms, 3, after), f->unit);
 }
 
 static void write_thermal(page *p, const report_facts *f)
