@@ -29,8 +29,7 @@ static invcal_real largest(const invcal_real v[3])
 invcal_status invcal_nominal_check(const invcal_calibration *nominal)
 {
     invcal_calibration unit;
-    invcal_real inverse[3][3];
-    invcal_real most = 0;
+    invcal_real cofactor[3][3];
 
     for (unsigned i = 0; i < 3; i++) {
         const invcal_real scale = largest(nominal->matrix[i]);
@@ -42,11 +41,8 @@ invcal_status invcal_nominal_check(const invcal_calibration *nominal)
             unit.matrix[i][j] = nominal->matrix[i][j] / scale;
         }
     }
-    invcal_inverse3((const invcal_real(*)[3])unit.matrix, inverse);
-    for (unsigned i = 0; i < 3; i++) {
-        most += largest(inverse[i]);
-    }
-    return most < INVCAL_REAL(0.1) / INVCAL_EPSILON ? INVCAL_OK : INVCAL_BAD_NOMINAL;
+    const invcal_real det = invcal_cofactors((const invcal_real(*)[3])unit.matrix, cofactor);
+    return INVCAL_FABS(det) > 16 * INVCAL_EPSILON ? INVCAL_OK : INVCAL_BAD_NOMINAL;
 }
 
 invcal_status invcal_nominal(const invcal_real zero[3], const invcal_real counts[3],
