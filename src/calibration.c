@@ -14,6 +14,14 @@ void invcal_apply(const invcal_calibration *calibration, const invcal_real raw[3
     invcal_correct(calibration, raw, calibrated);
 }
 
+void invcal_apply_counts(const invcal_calibration *calibration, const int32_t raw[3],
+                         invcal_real calibrated[3])
+{
+    const invcal_real counts[3] = {(invcal_real)raw[0], (invcal_real)raw[1], (invcal_real)raw[2]};
+
+    invcal_correct(calibration, counts, calibrated);
+}
+
 static invcal_real largest(const invcal_real v[3])
 {
     invcal_real most = 0;
