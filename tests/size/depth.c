@@ -108,8 +108,7 @@ int main(void)
         return 1;
     }
     report("invcal_session_feed", deepest);
-    report("invcal_session_solve",
-           MEASURE(invcal_session_solve(&session, &calibration, &quality)));
+    report("invcal_session_solve", MEASURE(invcal_session_solve(&session, &calibration, &quality)));
     report("invcal_session_next", MEASURE((invcal_session_next(&session, up), 0)));
     for (unsigned i = 0; i < session.count; i++) {
         (void)invcal_sums_add(&sums, &session.nominal, session.mean[i]);

@@ -17,8 +17,13 @@ $(OUT)/core.elf $(OUT)/judged.elf $(OUT)/whole.elf: $(LIBRARY) $(OUT)/public
 	    $$(awk -v wanted="$(WANTED)" -f tests/size/wanted.awk $(OUT)/public) \
 	    -Wl,-Map=$(@:.elf=.map) $(LINK) -o $@
 
-# A device that calibrates itself, without its drivers.
-$(OUT)/product.elf: $(OUT)/tests/size/product.o $(LIBRARY)
+# The program of README.md on a board without drivers.
+$(OUT)/program.c: README.md
+	@mkdir -p $(@D)
+	$(Q)awk '/^```c$$/ { on = 1; next } /^```$$/ { on = 0 } on' $< > $@
+$(OUT)/program.o: $(OUT)/program.c $(wildcard include/invcal/*.h)
+	$(Q)$(CC) $(FLAGS) -Itests/readme -c $< -o $@
+$(OUT)/product.elf: $(OUT)/program.o $(OUT)/tests/size/product.o $(LIBRARY)
 	$(Q)$(CC) $(FLAGS) $^ -nostartfiles -Wl,--gc-sections -Wl,-e,main -Wl,-Map=$(@:.elf=.map) $(LINK) -o $@
 
 # "header function" of all public functions.
