@@ -49,8 +49,8 @@ invcal_status invcal_observe(const invcal_calibration *nominal, const invcal_rea
 
 /* The sums of all positions: 224 bytes. */
 typedef struct {
-    /* The moments xx xy xz yy yz zz, xxx ... zzz, xxxx ... zzzz; H'J; J'J. What is behind them is
-     * used where they are solved. */
+    /* The moments xx xxx xxxx xxxy ... zzzz; H'J; J'J. What is behind them is used where they are
+     * solved. */
     invcal_real sum[INVCAL_PACKED_SIZE(INVCAL_PARAMETERS + 1)];
     unsigned count; /* rows in the sums; at most UINT_MAX */
 } invcal_sums;

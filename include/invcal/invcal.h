@@ -226,6 +226,10 @@ invcal_status invcal_nominal(const invcal_real zero[3], const invcal_real counts
 void invcal_apply(const invcal_calibration *calibration, const invcal_real raw[3],
                   invcal_real calibrated[3]);
 
+/* The same for a sample as the sensor delivers it. */
+void invcal_apply_counts(const invcal_calibration *calibration, const int32_t raw[3],
+                         invcal_real calibrated[3]);
+
 /* Puts a unit into a calibration: field is the length of the field in that unit, 9.80665 for m/s^2.
  * From then on it is one to apply only, no nominal.
  *
