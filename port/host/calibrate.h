@@ -29,7 +29,7 @@ typedef struct {
     nominal_choice nominal;
     fit_settings settings;
     fit_solution solution;
-    fit_quality quality;  /* worst counts among all positions */
+    fit_quality quality;     /* worst counts among all positions */
     const double *tolerance; /* data sheet limits of offsets (over the field), scale errors and
                                 angles (rad); null: not stated */
     uint16_t beyond;         /* bit r: parameter r exceeds them, and its interval of 95 % does */
@@ -115,8 +115,8 @@ void calibrate_print(FILE *file, const calibrate_result *result, const calibrate
  *
  * Returns EXIT_DATA. */
 int calibrate_refuse(const positions *data, const fit_settings *settings,
-                     const nominal_choice *nominal, invcal_status status,
-                     const fit_reason *reason, int json);
+                     const nominal_choice *nominal, invcal_status status, const fit_reason *reason,
+                     int json);
 
 /* Says that the temperature drifted in so many rests that too few are left. Returns EXIT_DATA. */
 int calibrate_all_drift(const calibrate_result *result, int json);

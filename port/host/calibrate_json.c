@@ -89,25 +89,26 @@ static void write_nine(json_writer *w, const char *name, const double x[INVCAL_P
 /* All that invcal_thermal_at needs, in one place; then what there is to know of it. */
 static void write_thermal(json_writer *w, const thermal_fit *fit)
 {
-    const invcal_thermal_calibration *c = &fit->calibration;
+    const invcal_thermal *c = &fit->calibration;
+    const invcal_calibration nominal = fit_in_field_units(&c->nominal, fit->settings.field);
 
     json_object(w, "thermal");
     json_number(w, "degree", c->fitted);
     json_number(w, "reference", c->reference);
     json_number(w, "span", c->span);
-    json_number(w, "least", c->least);
-    json_number(w, "greatest", c->greatest);
-    json_number(w, "field", c->field);
-    json_text(w, "frame", c->frame == INVCAL_FRAME_TRIANGULAR ? "triangular" : "symmetric");
-    json_vector(w, "nominal_offset", c->nominal.offset);
-    json_matrix(w, "nominal_matrix", c->nominal.matrix);
+    json_number(w, "least", c->min);
+    json_number(w, "greatest", c->max);
+    json_number(w, "field", fit->settings.field);
+    json_text(w, "frame", fit->settings.is_triangular ? "triangular" : "symmetric");
+    json_vector(w, "nominal_offset", nominal.offset);
+    json_matrix(w, "nominal_matrix", nominal.matrix);
     json_list(w, "coefficients");
     for (unsigned a = 0; a <= c->fitted; a++) {
         write_nine(w, NULL, c->x[a]);
     }
     json_list_end(w);
     json_number(w, "asked", fit->wish.degree);
-    json_text(w, "fallback", invcal_thermal_fallback_text(c->fallback));
+    json_text(w, "fallback", invcal_thermal_fallback_text((invcal_thermal_fallback)c->fallback));
     write_nine(w, "slope", fit->slope);
     write_nine(w, "slope_sigma", fit->slope_sigma);
     json_number(w, "residual_rms_without", fit->without);

@@ -18,8 +18,7 @@
 int calibrate_wants_slopes(const calibrate_result *r)
 {
     return r->temperature == CALIBRATE_THERMAL && r->fit.calibration.fitted == 0 &&
-           r->quality.verdict == INVCAL_WEAK &&
-           r->quality.weak == (1u << INVCAL_PARAMETERS) - 1;
+           r->quality.verdict == INVCAL_WEAK && r->quality.weak == (1u << INVCAL_PARAMETERS) - 1;
 }
 
 double calibrate_guess_error(const calibrate_result *r)
@@ -144,7 +143,7 @@ static unsigned steepest_offset(const thermal_fit *fit)
 const char *calibrate_advice(const calibrate_result *r, char text[CALIBRATE_LIMIT_MAX])
 {
     const thermal_fit *fit = &r->fit;
-    const double range = fit->calibration.greatest - fit->calibration.least;
+    const double range = fit->calibration.max - fit->calibration.min;
     const char *unit = unit_is_gravity(r->settings.field) ? "mg" : "‰ of the field";
     const unsigned most = steepest_offset(fit);
     char before[FIGURE_MAX];
@@ -159,7 +158,8 @@ const char *calibrate_advice(const calibrate_result *r, char text[CALIBRATE_LIMI
         snprintf(text, CALIBRATE_LIMIT_MAX,
                  "Whether the readings depend on temperature cannot be told: %s (%.1f K, %u "
                  "positions).",
-                 invcal_thermal_fallback_text(fit->calibration.fallback), range, r->data->count);
+                 invcal_thermal_fallback_text((invcal_thermal_fallback)fit->calibration.fallback),
+                 range, r->data->count);
     } else if (!depends_on_temperature(r)) {
         snprintf(text, CALIBRATE_LIMIT_MAX,
                  "The residuals do not depend on temperature, as far as %.1f K show (chance alone: "

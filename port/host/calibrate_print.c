@@ -136,8 +136,7 @@ static void print_residuals(FILE *file, const calibrate_result *r, const char *n
 
     fprintf(file, "residual rms  %s\n", residual_text(q->rms, field, text));
     fprintf(file, "         max  %s, at position %u (line %lu)\n",
-            residual_text(q->max, field, text), q->worst + 1,
-            r->data->origin[q->worst].line);
+            residual_text(q->max, field, text), q->worst + 1, r->data->origin[q->worst].line);
     fprintf(file, "  rms before  %s (%s alone)\n", residual_text(r->residual_before, field, text),
             nominal_name);
     if (calibrate_knows_noise(r)) {

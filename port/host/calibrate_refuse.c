@@ -73,8 +73,8 @@ static void say_out_of_range(const positions *data, const fit_settings *settings
 }
 
 static void say_why(const positions *data, const fit_settings *settings,
-                    const nominal_choice *nominal, invcal_status status,
-                    const fit_reason *reason, char *text)
+                    const nominal_choice *nominal, invcal_status status, const fit_reason *reason,
+                    char *text)
 {
     switch (status) {
     case INVCAL_TOO_FEW:
@@ -104,8 +104,8 @@ static void say_why(const positions *data, const fit_settings *settings,
 }
 
 int calibrate_refuse(const positions *data, const fit_settings *settings,
-                     const nominal_choice *nominal, invcal_status status,
-                     const fit_reason *reason, int json)
+                     const nominal_choice *nominal, invcal_status status, const fit_reason *reason,
+                     int json)
 {
     char text[REASON_MAX];
     json_writer w;

@@ -72,18 +72,22 @@ static double mean_square(const invcal_calibration *c)
     return sum;
 }
 
+double fit_weight(const invcal_calibration *calibration, const double eta[3])
+{
+    return mean_square(calibration) / square_along(calibration, eta);
+}
+
 void fit_information(const double *raw, unsigned count, const fit_settings *settings,
                      const fit_solution *solution, double noise,
                      double information[INVCAL_PACKED_SIZE(INVCAL_PARAMETERS)])
 {
-    const double mean = mean_square(&solution->symmetric);
     invcal_sums sums;
     invcal_row row;
 
     invcal_sums_init(&sums);
     for (unsigned n = 0; n < count; n++) { /* as the solution did: none can fail */
         (void)invcal_observe(&solution->symmetric, &raw[3 * (size_t)n], &row);
-        invcal_sums_add_row(&sums, &row, mean / square_along(&solution->symmetric, row.h));
+        invcal_sums_add_row(&sums, &row, fit_weight(&solution->symmetric, row.h));
     }
     invcal_sums_system(&sums);
     memcpy(information, sums.sum, INVCAL_PACKED_SIZE(INVCAL_PARAMETERS) * sizeof *information);
@@ -99,8 +103,8 @@ void fit_information(const double *raw, unsigned count, const fit_settings *sett
 static double coverage_of(const invcal_quality *q, const fit_settings *settings,
                           const fit_solution *solution)
 {
-    const double stated = settings->noise * sqrt(mean_square(&solution->symmetric) /
-                                                 mean_square(&settings->nominal));
+    const double stated =
+        settings->noise * sqrt(mean_square(&solution->symmetric) / mean_square(&settings->nominal));
 
     return stated > 0 && q->noise <= (1 + 1e-9) * stated ? NORMAL : invcal_coverage(q->dof);
 }
@@ -123,8 +127,8 @@ fit_quality fit_quality_of(const invcal_quality *q, const fit_settings *settings
 }
 
 /* What positions leave open may take any shape. */
-static invcal_status explain(const double *raw, unsigned count, const fit_settings *settings,
-                             invcal_status status, fit_reason *reason)
+invcal_status fit_explain(const double *raw, unsigned count, const fit_settings *settings,
+                          invcal_status status, fit_reason *reason)
 {
     const fit_reason why = {invcal_bad_reading(raw, count, &settings->nominal),
                             invcal_undetermined(raw, count, &settings->nominal)};
@@ -151,7 +155,7 @@ invcal_status fit_make(const double *raw, unsigned count, const fit_settings *se
                                           settings->prior, &c, &q, &from_prior)
             : invcal_calibrate(raw, count, &settings->nominal, settings->noise, &c, &q);
     if (status != INVCAL_OK) {
-        return explain(raw, count, settings, status, reason);
+        return fit_explain(raw, count, settings, status, reason);
     }
     *solution = fit_solution_of(&c, settings);
     *quality = fit_quality_of(&q, settings, solution);

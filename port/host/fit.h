@@ -57,12 +57,22 @@ typedef struct {
 invcal_status fit_make(const double *raw, unsigned count, const fit_settings *settings,
                        fit_solution *solution, fit_quality *quality, fit_reason *reason);
 
+/* Why there is no result: what was answered of these readings, or what says more.
+ *
+ * reason  out; may be null. */
+invcal_status fit_explain(const double *raw, unsigned count, const fit_settings *settings,
+                          invcal_status status, fit_reason *reason);
+
 /* All of a solution from its calibration in the symmetric frame. */
 fit_solution fit_solution_of(const invcal_calibration *symmetric, const fit_settings *settings);
 
 /* What the library says of a solution, but for the condition and what came from the prior. */
 fit_quality fit_quality_of(const invcal_quality *q, const fit_settings *settings,
                            const fit_solution *solution);
+
+/* The weight of a row that is made with a calibration, by the noise that it really has: 1 in the mean
+ * over all directions eta. */
+double fit_weight(const invcal_calibration *calibration, const double eta[3]);
 
 /* H'WH of the calibrated readings with the prior, packed: the inverse of the covariance of the nine
  * parameters in calibrated units, over noise^2. `noise` matters with a prior only. */

@@ -75,9 +75,8 @@ static void say_weak(const report_facts *f, char *text)
         text, TEXT_MAX,
         "The positions tell too little of %s: use the calibration only within its ±. In the "
         "worst direction (%s) the length of a corrected reading is uncertain by ±%s %s (95 %%).",
-        parameters_list(f->result->quality.weak, list, sizeof list),
-        f->length_sigma.worst_words, worst_spread(f, spread),
-        f->knows_noise ? f->unit : "times the noise of a position mean");
+        parameters_list(f->result->quality.weak, list, sizeof list), f->length_sigma.worst_words,
+        worst_spread(f, spread), f->knows_noise ? f->unit : "times the noise of a position mean");
 }
 
 /* Residuals that cannot be laid at one position's door: the fit is not to be relied on. */
@@ -136,8 +135,7 @@ static void write_verdict(page *p, const report_facts *f)
             break;
         }
         snprintf(next, sizeof next, "add positions with %s. Begin with: %s.",
-                 parameters_advice(f->result->quality.weak, advice, sizeof advice),
-                 f->next_words);
+                 parameters_advice(f->result->quality.weak, advice, sizeof advice), f->next_words);
         page_verdict(p, PAGE_BAD, "✗ Weak", sentence, next);
         break;
     }
@@ -221,8 +219,7 @@ static void write_temperature(page *p, const report_facts *f)
 static void write_matrix(page *p, const report_facts *f)
 {
     const calibrate_result *r = f->result;
-    const invcal_calibration c =
-        fit_in_field_units(&r->solution.calibration, r->settings.field);
+    const invcal_calibration c = fit_in_field_units(&r->solution.calibration, r->settings.field);
 
     page_fact(p, "offset", "%.9g, %.9g, %.9g %s", c.offset[0], c.offset[1], c.offset[2],
               calibrate_input_unit(r));

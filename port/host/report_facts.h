@@ -33,7 +33,7 @@ typedef struct {
     sphere_mark *mark;         /* the same for the sphere, and behind them the next one */
     double noise;              /* of a position mean, thousandths; 1 if not known */
     uncertainty length_sigma;  /* of the calibrated length, in units of the noise above */
-    double next[3]; /* the direction to take next, in the calibrated frame, */
+    double next[3];            /* the direction to take next, in the calibrated frame, */
     char next_words[INVCAL_WORDS];
 } report_facts;
 

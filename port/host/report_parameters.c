@@ -284,7 +284,6 @@ void report_parameters(page *p, const report_facts *f)
     snprintf(caption, sizeof caption, "Deviation from nominal.%s%s%s",
              f->knows_noise ? " Whiskers: 95 % of cases." : "",
              f->result->tolerance ? " Dashed: limits of the data sheet." : "",
-             fit_has_prior(&f->result->settings) ? " Shaded: prior, one standard deviation."
-                                                    : "");
+             fit_has_prior(&f->result->settings) ? " Shaded: prior, one standard deviation." : "");
     page_picture(p, caption, draw_bars, f);
 }

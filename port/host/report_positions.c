@@ -126,9 +126,8 @@ static void describe(const report_facts *f, char *text, size_t size)
              "before calibration, %.4g %s after. The largest after is %.4g %s, at position %u. "
              "%u left out.",
              f->length, f->count, REPORT_PARTS * r->residual_before, f->unit,
-             REPORT_PARTS * r->quality.rms, f->unit,
-             REPORT_PARTS * r->quality.max, f->unit, r->quality.worst + 1,
-             r->rejected.count);
+             REPORT_PARTS * r->quality.rms, f->unit, REPORT_PARTS * r->quality.max, f->unit,
+             r->quality.worst + 1, r->rejected.count);
 }
 
 static void draw_change_legend(FILE *file, const report_facts *f, double y)
