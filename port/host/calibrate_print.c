@@ -68,7 +68,7 @@ static void print_scales(FILE *file, const calibrate_result *r, int known)
     snprintf(unit, sizeof unit, "%s per %s", calibrate_input_unit(r),
              unit_is_gravity(r->settings.field) ? "m/s²" : "field unit");
 
-    (void)matrix_inverse(r->nominal.calibration.matrix, inverse); /* no result without */
+    (void)matrix_inverse(&r->nominal.calibration, inverse); /* no result without */
     for (unsigned i = 0; i < 3; i++) {
         const double nominal = inverse[i][i];
         const figure f = {.label = "scale",

@@ -315,7 +315,7 @@ static int read_path(const char *path, calibration_file *out, reading_depth dept
     }
     json_start(&r, file, input_name(path));
     int failure = read_calibration(&r, &x);
-    if (!failure && !matrix_inverse(out->calibration.matrix, inverse)) {
+    if (!failure && !matrix_inverse(&out->calibration, inverse)) {
         message("%s: \"matrix\" is singular: this is no calibration", input_name(path));
         failure = EXIT_FILE;
     }

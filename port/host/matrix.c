@@ -4,8 +4,6 @@
 #include <float.h>
 #include <math.h>
 
-#include "invcal/expert.h"
-
 static void cross(const double a[3], const double b[3], double out[3])
 {
     out[0] = a[1] * b[2] - a[2] * b[1];
@@ -13,27 +11,28 @@ static void cross(const double a[3], const double b[3], double out[3])
     out[2] = a[0] * b[1] - a[1] * b[0];
 }
 
-/* The rows of m over their largest elements. */
-static void split(const double m[3][3], double row[3][3], double scale[3])
+/* The rows of the matrix over their largest elements. */
+static void split(const invcal_calibration *c, double row[3][3], double scale[3])
 {
     for (unsigned i = 0; i < 3; i++) {
-        scale[i] = fmax(fabs(m[i][0]), fmax(fabs(m[i][1]), fabs(m[i][2])));
+        const double *m = c->matrix[i];
+        scale[i] = fmax(fabs(m[0]), fmax(fabs(m[1]), fabs(m[2])));
         for (unsigned j = 0; j < 3; j++) {
-            row[i][j] = m[i][j] / scale[i];
+            row[i][j] = m[j] / scale[i];
         }
     }
 }
 
 /* The columns of the inverse are the cross products of two of the rows r over the determinant of r
  * and their own scale: in any unit, nothing over- or underflows. */
-int matrix_inverse(const double m[3][3], double inverse[3][3])
+int matrix_inverse(const invcal_calibration *calibration, double inverse[3][3])
 {
     double row[3][3];
     double scale[3];
     double column[3];
     int is_finite = 1;
 
-    split(m, row, scale);
+    split(calibration, row, scale);
     cross(row[1], row[2], column);
     const double det = row[0][0] * column[0] + row[0][1] * column[1] + row[0][2] * column[2];
     for (unsigned i = 0; i < 3; i++) {

@@ -11,7 +11,6 @@
 typedef struct {
     unsigned position; /* from 0 */
     double error;      /* what it reads too much, over the field */
-    double w;          /* that over its standard deviation */
     double drift;      /* K in the rest, if it is left out for that; else 0 */
 } rejected_position;
 
@@ -26,7 +25,7 @@ typedef struct {
 } rejection;
 
 /* Looks for outliers (invcal_outliers_find), in turns among every k-th position if there are more
- * than INVCAL_OUTLIERS_CAPACITY. Sets that cannot be judged, because they are too few or
+ * than INVCAL_MAX_POSITIONS. Sets that cannot be judged, because they are too few or
  * undetermined, lose none: calibrating them tells why.
  *
  * none  1: looks for none.

@@ -84,7 +84,7 @@ static void raw_cells(const report_facts *f, unsigned kind, unsigned i, char raw
     double before = r->nominal.calibration.offset[i];
     char text[FIGURE_MAX];
 
-    (void)matrix_inverse(r->nominal.calibration.matrix, inverse); /* no result without */
+    (void)matrix_inverse(&r->nominal.calibration, inverse); /* no result without */
     if (kind == 1) {
         before = inverse[i][i];
         value = before * (1 + dk);

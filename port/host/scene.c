@@ -37,7 +37,7 @@ invcal_calibration scene_truth(const scene_model *m)
             sensor.matrix[r][c] /= m->lsb;
         }
     }
-    (void)matrix_inverse(sensor.matrix, truth.matrix); /* small errors: not singular */
+    (void)matrix_inverse(&sensor, truth.matrix); /* small errors: not singular */
     return truth;
 }
 

@@ -38,24 +38,19 @@ invcal_status thermal_fit_once(const rejection *kept, const fit_settings *settin
                                const thermal_wish *wish, invcal_thermal *out,
                                invcal_quality *quality, uint16_t *from_prior)
 {
-    const invcal_thermal_positions positions = positions_of(kept, settings);
+    const invcal_thermal_positions given = positions_of(kept, settings);
     invcal_thermal_prior prior;
-    double reference;
-    double span;
 
     *from_prior = 0;
-    invcal_status status =
-        invcal_thermal_centre(kept->temperature, kept->kept_count, &reference, &span);
-    if (status == INVCAL_OK) {
-        status = invcal_thermal_start(&settings->nominal, reference, span, out);
-    }
+    const invcal_status status =
+        invcal_thermal_start(&settings->nominal, kept->temperature, kept->kept_count, out);
     if (status != INVCAL_OK) {
         return status;
     }
     return find_prior(settings, wish, &prior)
-               ? invcal_thermal_fit_with_prior(&positions, &prior, out, wish->degree, out, quality,
+               ? invcal_thermal_fit_with_prior(&given, &prior, out, wish->degree, out, quality,
                                                from_prior)
-               : invcal_thermal_fit(&positions, out, wish->degree, out, quality);
+               : invcal_thermal_fit(&given, out, wish->degree, out, quality);
 }
 
 /* A prior was weighed with the noise that the residuals tell. */
@@ -195,7 +190,7 @@ void thermal_fit_to_reference(const thermal_fit *fit, const double raw[3], doubl
     double v[3];
 
     invcal_apply(&here, raw, v);
-    (void)matrix_inverse(reference->matrix, inverse); /* it has been made of readings */
+    (void)matrix_inverse(reference, inverse); /* it has been made of readings */
     for (unsigned i = 0; i < 3; i++) {
         out[i] = reference->offset[i] + inverse[i][0] * v[0] + inverse[i][1] * v[1] +
                  inverse[i][2] * v[2];
@@ -205,7 +200,7 @@ void thermal_fit_to_reference(const thermal_fit *fit, const double raw[3], doubl
 void thermal_fit_judge(const thermal_fit *fit, const rejection *kept, double temperature,
                        fit_solution *solution, fit_quality *quality)
 {
-    const invcal_thermal_positions positions = positions_of(kept, &fit->settings);
+    const invcal_thermal_positions given = positions_of(kept, &fit->settings);
     const invcal_thermal *c = &fit->calibration;
     invcal_thermal_prior prior;
     invcal_quality q;
@@ -215,8 +210,8 @@ void thermal_fit_judge(const thermal_fit *fit, const rejection *kept, double tem
     *quality = fit->quality;
     const invcal_status status =
         find_prior(&fit->settings, &fit->wish, &prior)
-            ? invcal_thermal_judge_with_prior(&positions, &prior, c, temperature, &q, &from_prior)
-            : invcal_thermal_judge(&positions, c, temperature, &q);
+            ? invcal_thermal_judge_with_prior(&given, &prior, c, temperature, &q, &from_prior)
+            : invcal_thermal_judge(&given, c, temperature, &q);
     if (status == INVCAL_OK) {
         memcpy(quality->sigma, q.sigma, sizeof quality->sigma);
     }

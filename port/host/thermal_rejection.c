@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "thermal_rejection.h"
 
-#include <float.h>
 #include <math.h>
 
 #include "../../src/fisher.h"
@@ -80,8 +79,7 @@ static judgement judge(const rejection *r, const invcal_thermal *c, const fit_se
     const double squares = most.squares + settings->noise * settings->noise;
     const double left = fmax(0, squares - most.drop);
     *one = (rejected_position){.position = rejection_original(r, most.kept),
-                               .error = most.residual / most.checked,
-                               .w = sqrt(most.drop / fmax(left / dof, DBL_MIN))};
+                               .error = most.residual / most.checked};
     return invcal_fisher_tail(left / squares, 1, dof) * r->kept_count <= ALLOWED ? CONTRADICTS
                                                                                  : DOUBTFUL;
 }
