@@ -31,12 +31,9 @@ static invcal_real sensitivity(const invcal_calibration *c, const invcal_real et
 /* Mean square of |M' eta| over all directions. */
 static invcal_real mean_sensitivity(const invcal_calibration *c)
 {
-    invcal_real sum = 0;
+    const invcal_real *m = c->matrix[0];
 
-    for (unsigned i = 0; i < 3; i++) {
-        sum += invcal_dot3(c->matrix[i], c->matrix[i]) / 3;
-    }
-    return sum;
+    return invcal_dot(m, m, 9) / 3;
 }
 
 /* Second pass, now with calibrated readings: residuals without cancellation, the covariance of unit
@@ -60,9 +57,10 @@ static invcal_status compare(const invcal_positions *positions, const invcal_cal
         invcal_sums_add_row(sums, &row, mean / sensitivity(c, row.h));
         /* j = (|eta|^2 - 1)/2 = (|eta| - 1)(|eta| + 1)/2 */
         const invcal_real r = 2 * row.j / (1 + INVCAL_SQRT(1 + 2 * row.j));
+        const invcal_real size = INVCAL_FABS(r);
         squares += r * r;
-        if (!(INVCAL_FABS(r) <= q->max)) {
-            q->max = INVCAL_FABS(r);
+        if (!(size <= q->max)) {
+            q->max = size;
             q->worst = (uint8_t)i;
         }
     }
@@ -97,9 +95,9 @@ static void spread(const invcal_calibration *nominal, const invcal_calibration *
         sigma[INVCAL_DELTA_X + i] *= length[i];
         sigma[INVCAL_DK_X + i] *= length[i];
     }
-    sigma[INVCAL_GAMMA_XY] *= (length[0] + length[1]) / 2;
-    sigma[INVCAL_GAMMA_XZ] *= (length[0] + length[2]) / 2;
-    sigma[INVCAL_GAMMA_ZY] *= (length[1] + length[2]) / 2;
+    for (unsigned i = 0; i < 3; i++) { /* xy, xz, zy */
+        sigma[INVCAL_GAMMA_XY + i] *= (length[i == 2 ? 2 : 0] + length[i == 1 ? 2 : 1]) / 2;
+    }
 }
 
 /* sigma, weak and condition from L^-1. Weak: K is large, or the information 1 / K no more than what
@@ -182,16 +180,19 @@ invcal_status invcal_positions_check(const invcal_positions *positions)
 }
 
 /* Is what the sums have determined more than rounding? If not, readings calibrated by it may look
- * well spread all the same. tr A tr A^-1 is at least the condition. L stands in sums, and is lost. */
-static int is_resolved(invcal_sums *sums, invcal_real trace)
+ * well spread all the same. tr A tr A^-1, at least the condition, are the squares of all elements of
+ * L and L^-1. L stands in the sums, and is lost. */
+static int is_resolved(invcal_real *l)
 {
-    invcal_real of_inverse = 0;
+    const unsigned elements = INVCAL_PACKED_SIZE(INVCAL_PARAMETERS);
+    invcal_real trace = invcal_dot(l, l, elements);
 
-    invcal_invert(sums->sum, INVCAL_PARAMETERS);
-    for (unsigned i = 0; i < INVCAL_PACKED_SIZE(INVCAL_PARAMETERS); i++) {
-        of_inverse += sums->sum[i] * sums->sum[i];
+    for (unsigned r = 0; r < INVCAL_PARAMETERS; r++) {
+        const invcal_real square = l[INVCAL_PACKED(r, r)] * l[INVCAL_PACKED(r, r)];
+        trace += 1 / square - square; /* the diagonal of L is reciprocal */
     }
-    return trace * of_inverse * INVCAL_FLOOR < 2;
+    invcal_invert(l, INVCAL_PARAMETERS);
+    return trace * invcal_dot(l, l, elements) * INVCAL_FLOOR < 2;
 }
 
 invcal_status invcal_positions_solve(const invcal_positions *positions, invcal_sums *sums,
@@ -202,22 +203,10 @@ invcal_status invcal_positions_solve(const invcal_positions *positions, invcal_s
     if (status != INVCAL_OK) {
         return status;
     }
-    if (sums->count < INVCAL_PARAMETERS) {
-        return INVCAL_TOO_FEW;
-    }
-    invcal_sums_system(sums);
-    const invcal_real trace = invcal_trace(sums->sum, INVCAL_PARAMETERS);
-    status = invcal_factor(sums->sum, INVCAL_PARAMETERS, INVCAL_PARAMETERS + 1, INVCAL_FLOOR);
-    if (status != INVCAL_OK) {
-        return status;
-    }
-    invcal_back_substitute(sums->sum, INVCAL_PARAMETERS);
-    if (!is_resolved(sums, trace)) {
+    status = invcal_solve(sums, positions->nominal, out);
+    /* what is left open may take any shape */
+    if ((status == INVCAL_OK || status == INVCAL_NOT_ELLIPSOID) && !is_resolved(sums->sum)) {
         return INVCAL_UNDETERMINED;
-    }
-    status = invcal_ellipsoid(&sums->sum[INVCAL_PACKED(INVCAL_PARAMETERS, 0)], out);
-    if (status == INVCAL_OK) {
-        status = invcal_behind(positions->nominal, out);
     }
     return status == INVCAL_OK ? judge(positions, out, sums, q) : status;
 }

@@ -212,8 +212,8 @@ typedef struct {
  * zero    raw reading in no field, raw counts.
  * counts  raw counts per field (per g) of each axis; a negative one turns the axis round.
  *
- * Returns INVCAL_OK; INVCAL_BAD_NOMINAL if a number is not finite, or a count is outside 1e-12 ...
- * 1e12 or a zero beyond 1e18 of the field. */
+ * Returns INVCAL_OK; INVCAL_BAD_NOMINAL if a number is not finite, or a count is outside 1e-10 ...
+ * 1e10 or a zero beyond 1e18 of the field. */
 invcal_status invcal_nominal(const invcal_real zero[3], const invcal_real counts[3],
                              invcal_calibration *out);
 
