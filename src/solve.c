@@ -36,9 +36,9 @@ void invcal_inverse3(const invcal_real m[3][3], invcal_real inverse[3][3])
     }
 }
 
-/* R'R = A'A with R upper triangular: A = U R with U orthonormal, which Newton's iteration
- * U <- (U + U^-T) / 2 finds from R itself, and the symmetric root is U'R. */
-static void make_symmetric(invcal_real a[3][3])
+/* A = U S with U orthonormal, which Newton's iteration U <- (U + U^-T) / 2 finds from A itself, and
+ * S = U'A. */
+void invcal_make_symmetric(invcal_real a[3][3])
 {
     invcal_real u[3][3];
     invcal_real c[3][3];
@@ -112,7 +112,7 @@ invcal_status invcal_triad_of(const invcal_real p[INVCAL_PARAMETERS], invcal_tri
     if (!(most < LONGEST * LONGEST) || make_triangular(f, t->a) != INVCAL_OK) {
         return INVCAL_NOT_ELLIPSOID;
     }
-    make_symmetric(t->a);
+    invcal_make_symmetric(t->a);
     return INVCAL_OK;
 }
 

@@ -16,6 +16,9 @@ typedef struct {
 /* m^-1; an m that is singular gives what is not finite. */
 void invcal_inverse3(const invcal_real m[3][3], invcal_real inverse[3][3]);
 
+/* a becomes the symmetric matrix of the same a'a. */
+void invcal_make_symmetric(invcal_real a[3][3]);
+
 /* INVCAL_BAD_NOMINAL if the calibration is singular, not finite, or absurdly scaled. */
 invcal_status invcal_nominal_check(const invcal_calibration *nominal);
 
