@@ -26,56 +26,70 @@ invcal_real invcal_cofactors(const invcal_real m[3][3], invcal_real c[3][3])
     return invcal_dot3(m[0], c[0]);
 }
 
-/* L of L L' = A'A to the symmetric A. R = L' = U A with U orthonormal, which Newton's iteration
- * U <- (U + U^-T) / 2 finds from R itself. */
-static void make_symmetric(const invcal_real l[6], invcal_real a[3][3])
+void invcal_inverse3(const invcal_real m[3][3], invcal_real inverse[3][3])
 {
-    invcal_real u[3][3];
-    invcal_real change = 1;
+    invcal_real c[3][3];
+    const invcal_real det = invcal_cofactors(m, c);
 
     for (unsigned i = 0; i < 3; i++) {
         for (unsigned j = 0; j < 3; j++) {
-            u[i][j] = i <= j ? l[INVCAL_PACKED(j, i)] : 0;
+            inverse[i][j] = c[j][i] / det;
         }
     }
+}
+
+/* A = U S with U orthonormal, which Newton's iteration U <- (U + U^-T) / 2 finds from A itself, and
+ * S = U'A, column by column. */
+void invcal_make_symmetric(invcal_real a[3][3])
+{
+    invcal_real u[3][3];
+    invcal_real c[3][3];
+    invcal_real change = 1;
+
+    memcpy(u, a, sizeof u);
     for (unsigned step = 0; step < STEPS && change > INVCAL_EPSILON; step++) {
-        const invcal_real det = invcal_cofactors((const invcal_real(*)[3])u, a);
+        const invcal_real det = invcal_cofactors((const invcal_real(*)[3])u, c);
         change = 0;
         for (unsigned i = 0; i < 3; i++) {
             for (unsigned j = 0; j < 3; j++) {
-                const invcal_real half = (a[i][j] / det - u[i][j]) / 2;
+                const invcal_real half = (c[i][j] / det - u[i][j]) / 2;
                 u[i][j] += half;
                 change += half * half;
             }
         }
     }
+    memcpy(c, a, sizeof c);
     INVCAL_UNROLL
     for (unsigned i = 0; i < 3; i++) {
         INVCAL_UNROLL
         for (unsigned j = 0; j < 3; j++) {
-            a[i][j] = 0;
-            INVCAL_UNROLL
-            for (unsigned k = 0; k <= j; k++) {
-                a[i][j] += u[k][i] * l[INVCAL_PACKED(j, k)];
-            }
+            a[i][j] = u[0][i] * c[0][j] + u[1][i] * c[1][j] + u[2][i] * c[2][j];
         }
     }
 }
 
-/* Divides L by root, and puts its diagonal, which is reciprocal, right. 0 if that is absurd. */
-static int scale_axes(invcal_real l[6], invcal_real root)
+/* Are the diagonal elements of L / root within reason? */
+static int is_triad(const invcal_real *l, invcal_real root)
+{
+    for (unsigned r = 0; r < 3; r++) {
+        const invcal_real inverse = l[INVCAL_PACKED(r, r)] * root;
+        if (!(inverse > 1 / LONGEST && inverse < LONGEST)) {
+            return 0;
+        }
+    }
+    return 1;
+}
+
+/* L' / root, upper triangular. The diagonal of L is reciprocal. */
+static void make_triangular(const invcal_real *l, invcal_real root, invcal_real a[3][3])
 {
     for (unsigned r = 0; r < 3; r++) {
         for (unsigned c = 0; c < r; c++) {
-            *l++ /= root;
+            a[r][c] = 0;
+            a[c][r] = *l++ / root;
         }
-        *l = 1 / (*l * root);
-        if (!(*l > 1 / LONGEST && *l < LONGEST)) {
-            return 0;
-        }
-        l++;
+        a[r][r] = 1 / (*l++ * root);
     }
-    return 1;
 }
 
 /* Centre and axes of an ellipsoid as a calibration of u:
@@ -103,10 +117,11 @@ invcal_status invcal_ellipsoid(const invcal_real p[INVCAL_PARAMETERS], invcal_ca
         return INVCAL_NOT_ELLIPSOID;
     }
     invcal_back_substitute(q, 3);
-    if (!scale_axes(q, INVCAL_SQRT(-q[9])) || !(invcal_dot3(delta, delta) < LONGEST * LONGEST)) {
+    const invcal_real root = INVCAL_SQRT(-q[9]);
+    if (!(invcal_dot3(delta, delta) < LONGEST * LONGEST && is_triad(q, root))) {
         return INVCAL_NOT_ELLIPSOID;
     }
-    make_symmetric(q, out->matrix);
+    make_triangular(q, root, out->matrix);
     for (unsigned i = 0; i < 3; i++) {
         out->offset[i] = delta[i];
     }
@@ -151,5 +166,9 @@ invcal_status invcal_solve(invcal_sums *sums, const invcal_calibration *nominal,
         invcal_back_substitute(sums->sum, INVCAL_PARAMETERS);
         status = invcal_ellipsoid(&sums->sum[INVCAL_PACKED(INVCAL_PARAMETERS, 0)], out);
     }
-    return status == INVCAL_OK ? invcal_behind(nominal, out) : status;
+    if (status != INVCAL_OK) {
+        return status;
+    }
+    invcal_make_symmetric(out->matrix);
+    return invcal_behind(nominal, out);
 }
