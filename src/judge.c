@@ -88,13 +88,12 @@ static void judge_noise(invcal_real stated, invcal_real weighted_squares, invcal
 static void spread(const invcal_calibration *nominal, const invcal_calibration *c,
                    invcal_real sigma[INVCAL_PARAMETERS])
 {
-    invcal_real inverse[3][3];
+    invcal_real cofactor[3][3];
     invcal_real length[3]; /* 1 + dk */
 
-    invcal_inverse3(nominal->matrix, inverse);
+    const invcal_real det = invcal_cofactors(nominal->matrix, cofactor);
     for (unsigned i = 0; i < 3; i++) {
-        length[i] = 1 / (c->matrix[i][0] * inverse[0][i] + c->matrix[i][1] * inverse[1][i] +
-                         c->matrix[i][2] * inverse[2][i]);
+        length[i] = det / invcal_dot3(c->matrix[i], cofactor[i]); /* of (A N) N^-1 */
         sigma[INVCAL_DELTA_X + i] *= length[i];
         sigma[INVCAL_DK_X + i] *= length[i];
     }
@@ -198,7 +197,6 @@ static int is_resolved(invcal_sums *sums, invcal_real trace)
 invcal_status invcal_positions_solve(const invcal_positions *positions, invcal_sums *sums,
                                      invcal_calibration *out, invcal_quality *q)
 {
-    invcal_triad triad;
     invcal_status status = invcal_positions_sum(positions, sums);
 
     if (status != INVCAL_OK) {
@@ -217,10 +215,9 @@ invcal_status invcal_positions_solve(const invcal_positions *positions, invcal_s
     if (!is_resolved(sums, trace)) {
         return INVCAL_UNDETERMINED;
     }
-    status = invcal_triad_of(&sums->sum[INVCAL_PACKED(INVCAL_PARAMETERS, 0)], &triad);
+    status = invcal_ellipsoid(&sums->sum[INVCAL_PACKED(INVCAL_PARAMETERS, 0)], out);
     if (status == INVCAL_OK) {
-        invcal_triad_join(&triad, positions->nominal, out);
-        status = judge(positions, out, sums, q);
+        status = invcal_behind(positions->nominal, out);
     }
-    return status;
+    return status == INVCAL_OK ? judge(positions, out, sums, q) : status;
 }

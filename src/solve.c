@@ -10,9 +10,7 @@
 #define LONGEST INVCAL_REAL(10.0) /* semi-axis and centre, of nominal; the shortest is 1 / 10 */
 enum { STEPS = 12 };              /* of Newton's iteration: semi-axes from 0.1 to 10 take ten */
 
-/* c: its rows are the cross products of the other two rows of m, so that c / det m = m^-T. Returns
- * det m. */
-static invcal_real cofactors(const invcal_real m[3][3], invcal_real c[3][3])
+invcal_real invcal_cofactors(const invcal_real m[3][3], invcal_real c[3][3])
 {
     for (unsigned i = 0; i < 3; i++) {
         const invcal_real *a = m[i == 2 ? 0 : i + 1];
@@ -24,122 +22,100 @@ static invcal_real cofactors(const invcal_real m[3][3], invcal_real c[3][3])
     return invcal_dot3(m[0], c[0]);
 }
 
-void invcal_inverse3(const invcal_real m[3][3], invcal_real inverse[3][3])
+/* Upper triangular R, packed by columns, to the symmetric A with A'A = R'R: R = U A with U
+ * orthonormal, which Newton's iteration U <- (U + U^-T) / 2 finds from R itself. */
+static void make_symmetric(const invcal_real r[6], invcal_real a[3][3])
 {
-    invcal_real c[3][3];
-    const invcal_real det = cofactors(m, c);
-
-    for (unsigned i = 0; i < 3; i++) {
-        for (unsigned j = 0; j < 3; j++) {
-            inverse[i][j] = c[j][i] / det;
-        }
-    }
-}
-
-/* R'R = A'A with R upper triangular: A = U R with U orthonormal, which Newton's iteration
- * U <- (U + U^-T) / 2 finds from R itself, and the symmetric root is U'R. */
-static void make_symmetric(invcal_real a[3][3])
-{
-    invcal_real u[3][3];
-    invcal_real c[3][3];
+    invcal_real u[3][3] = {{r[0], r[1], r[3]}, {0, r[2], r[4]}, {0, 0, r[5]}};
     invcal_real change = 1;
 
-    memcpy(u, a, sizeof u);
     for (unsigned step = 0; step < STEPS && change > INVCAL_EPSILON; step++) {
-        const invcal_real det = cofactors((const invcal_real(*)[3])u, c);
+        const invcal_real det = invcal_cofactors((const invcal_real(*)[3])u, a);
         change = 0;
         for (unsigned i = 0; i < 3; i++) {
             for (unsigned j = 0; j < 3; j++) {
-                const invcal_real half = (c[i][j] / det - u[i][j]) / 2;
+                const invcal_real half = (a[i][j] / det - u[i][j]) / 2;
                 u[i][j] += half;
                 change += half * half;
             }
         }
     }
-    memcpy(c, a, sizeof c);
     for (unsigned i = 0; i < 3; i++) {
-        for (unsigned j = 0; j < 3; j++) {
-            a[i][j] = u[0][i] * c[0][j] + u[1][i] * c[1][j] + u[2][i] * c[2][j];
-        }
+        a[i][0] = u[0][i] * r[0];
+        a[i][1] = u[0][i] * r[1] + u[1][i] * r[2];
+        a[i][2] = u[0][i] * r[3] + u[1][i] * r[4] + u[2][i] * r[5];
     }
 }
 
-/* A'A = Q / k, packed in f, to the upper triangular A. */
-static invcal_status make_triangular(invcal_real f[6], invcal_real a[3][3])
+/* Centre and axes of an ellipsoid as a calibration of u:
+ *
+ *     v = (p0 p1 p2),  Q = I + [2p3 p6 p7; p6 2p4 p8; p7 p8 2p5]
+ *     delta = -Q^-1 v,  k = 1 + delta Q delta = 1 + v Q^-1 v,  A'A = Q / k
+ *
+ * With v below Q and -1 behind it, one Cholesky gives all: Q = L L', R = L' / sqrt(k). Where zero
+ * lies outside the ellipsoid, Q and k are negative, and -Q, -k do as well. */
+invcal_status invcal_ellipsoid(const invcal_real p[INVCAL_PARAMETERS], invcal_calibration *out)
 {
-    if (invcal_factor(f, 3, 3, INVCAL_EPSILON) != INVCAL_OK) {
+    invcal_real q[INVCAL_PACKED_SIZE(4)] = {1 + 2 * p[INVCAL_DK_X], p[INVCAL_GAMMA_XY],
+                                            1 + 2 * p[INVCAL_DK_Y], p[INVCAL_GAMMA_XZ],
+                                            p[INVCAL_GAMMA_ZY],     1 + 2 * p[INVCAL_DK_Z],
+                                            p[INVCAL_DELTA_X],      p[INVCAL_DELTA_Y],
+                                            p[INVCAL_DELTA_Z],      -1};
+    invcal_real *delta = &q[INVCAL_PACKED(3, 0)];
+
+    if (q[0] < 0) {
+        for (unsigned i = 0; i < sizeof q / sizeof q[0]; i++) {
+            q[i] = -q[i];
+        }
+    }
+    if (invcal_factor(q, 3, 4, INVCAL_EPSILON) != INVCAL_OK || !(q[9] < 0)) {
         return INVCAL_NOT_ELLIPSOID;
     }
+    const invcal_real root = INVCAL_SQRT(-q[9]);
+    invcal_back_substitute(q, 3);
     for (unsigned i = 0; i < 3; i++) {
-        for (unsigned j = 0; j < i; j++) {
-            a[i][j] = 0;
-            a[j][i] = *f++;
-        }
-        if (!(*f < LONGEST)) { /* 1 / L(i,i) */
+        const invcal_real diagonal = 1 / (q[INVCAL_PACKED(i, i)] * root);
+        if (!(diagonal > 1 / LONGEST && diagonal < LONGEST)) {
             return INVCAL_NOT_ELLIPSOID;
         }
-        a[i][i] = 1 / *f++;
+        q[INVCAL_PACKED(i, i)] = diagonal;
     }
-    return INVCAL_OK;
-}
-
-/* v = (p0 p1 p2), Q = I + [2p3 p6 p7; p6 2p4 p8; p7 p8 2p5],
- * delta = -Q^-1 v, k = 1 + delta Q delta = 1 - v delta, A'A = Q / k. */
-invcal_status invcal_triad_of(const invcal_real p[INVCAL_PARAMETERS], invcal_triad *t)
-{
-    invcal_real f[6];
-    invcal_real q[3][3];
-
-    q[0][1] = q[1][0] = p[INVCAL_GAMMA_XY];
-    q[0][2] = q[2][0] = p[INVCAL_GAMMA_XZ];
-    q[1][2] = q[2][1] = p[INVCAL_GAMMA_ZY];
-    for (unsigned i = 0; i < 3; i++) {
-        q[i][i] = 1 + 2 * p[INVCAL_DK_X + i];
-    }
-    invcal_inverse3((const invcal_real(*)[3])q, t->a);
-    for (unsigned i = 0; i < 3; i++) {
-        t->delta[i] = -invcal_dot3(t->a[i], p);
-    }
-    const invcal_real k = 1 - invcal_dot3(p, t->delta);
-    invcal_real most = invcal_dot3(t->delta, t->delta);
-    invcal_real *packed = f;
-    for (unsigned i = 0; i < 3; i++) {
-        for (unsigned j = 0; j <= i; j++) {
-            *packed++ = q[i][j] / k;
-        }
-        most = packed[-1] <= most ? most : packed[-1]; /* a NaN stays */
-    }
-    if (!(most < LONGEST * LONGEST) || make_triangular(f, t->a) != INVCAL_OK) {
+    q[1] /= root;
+    q[3] /= root;
+    q[4] /= root;
+    if (!(invcal_dot3(delta, delta) < LONGEST * LONGEST)) {
         return INVCAL_NOT_ELLIPSOID;
     }
-    make_symmetric(t->a);
+    make_symmetric(q, out->matrix);
+    memcpy(out->offset, delta, sizeof out->offset);
     return INVCAL_OK;
 }
 
-/* calibrated = A (u - delta), u = N (raw - zero): matrix = A N, offset = zero + N^-1 delta. */
-void invcal_triad_join(const invcal_triad *t, const invcal_calibration *nominal,
-                       invcal_calibration *out)
+/* A (u - delta) with u = N (raw - zero): matrix = A N, offset = zero + N^-1 delta. */
+invcal_status invcal_behind(const invcal_calibration *nominal, invcal_calibration *c)
 {
-    invcal_real inverse[3][3];
+    invcal_real cofactor[3][3];
+    invcal_real delta[3];
+    const invcal_real det = invcal_cofactors(nominal->matrix, cofactor);
 
-    invcal_inverse3(nominal->matrix, inverse);
+    memcpy(delta, c->offset, sizeof delta);
     for (unsigned i = 0; i < 3; i++) {
-        out->offset[i] = nominal->offset[i] + invcal_dot3(inverse[i], t->delta);
-    }
-    const invcal_calibration n = *nominal; /* may be out */
-    for (unsigned i = 0; i < 3; i++) {
+        invcal_real row[3];
+        memcpy(row, c->matrix[i], sizeof row);
+        invcal_real sum = 0;
         for (unsigned j = 0; j < 3; j++) {
-            out->matrix[i][j] = t->a[i][0] * n.matrix[0][j] + t->a[i][1] * n.matrix[1][j] +
-                                t->a[i][2] * n.matrix[2][j];
+            sum += cofactor[j][i] * delta[j];
+            c->matrix[i][j] = row[0] * nominal->matrix[0][j] + row[1] * nominal->matrix[1][j] +
+                              row[2] * nominal->matrix[2][j];
         }
+        c->offset[i] = nominal->offset[i] + sum / det;
     }
+    return invcal_are_finite(c->offset) ? INVCAL_OK : INVCAL_BAD_NOMINAL;
 }
 
 invcal_status invcal_solve(invcal_sums *sums, const invcal_calibration *nominal,
                            invcal_calibration *out)
 {
-    invcal_triad triad;
-
     INVCAL_ASSERT(sums && nominal && out);
     if (sums->count < INVCAL_PARAMETERS) {
         return INVCAL_TOO_FEW;
@@ -149,10 +125,7 @@ invcal_status invcal_solve(invcal_sums *sums, const invcal_calibration *nominal,
         invcal_factor(sums->sum, INVCAL_PARAMETERS, INVCAL_PARAMETERS + 1, INVCAL_FLOOR);
     if (status == INVCAL_OK) {
         invcal_back_substitute(sums->sum, INVCAL_PARAMETERS);
-        status = invcal_triad_of(&sums->sum[INVCAL_PACKED(INVCAL_PARAMETERS, 0)], &triad);
+        status = invcal_ellipsoid(&sums->sum[INVCAL_PACKED(INVCAL_PARAMETERS, 0)], out);
     }
-    if (status == INVCAL_OK) {
-        invcal_triad_join(&triad, nominal, out);
-    }
-    return status;
+    return status == INVCAL_OK ? invcal_behind(nominal, out) : status;
 }

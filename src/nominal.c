@@ -1,18 +1,11 @@
 /* SPDX-License-Identifier: MIT */
-#include "solve.h"
-
 #include <string.h>
 
+#include "solve.h"
 #include "vector.h"
 
 #define SMALLEST INVCAL_REAL(1e-12) /* over field per count; the largest is its inverse */
 #define FARTHEST INVCAL_REAL(1e18)  /* zero, over field */
-
-void invcal_apply(const invcal_calibration *calibration, const invcal_real raw[3],
-                  invcal_real calibrated[3])
-{
-    invcal_correct(calibration, raw, calibrated);
-}
 
 static invcal_real largest(const invcal_real v[3])
 {
@@ -29,8 +22,7 @@ static invcal_real largest(const invcal_real v[3])
 invcal_status invcal_nominal_check(const invcal_calibration *nominal)
 {
     invcal_calibration unit;
-    invcal_real inverse[3][3];
-    invcal_real most = 0;
+    invcal_real cofactor[3][3];
 
     for (unsigned i = 0; i < 3; i++) {
         const invcal_real scale = largest(nominal->matrix[i]);
@@ -42,11 +34,8 @@ invcal_status invcal_nominal_check(const invcal_calibration *nominal)
             unit.matrix[i][j] = nominal->matrix[i][j] / scale;
         }
     }
-    invcal_inverse3((const invcal_real(*)[3])unit.matrix, inverse);
-    for (unsigned i = 0; i < 3; i++) {
-        most += largest(inverse[i]);
-    }
-    return most < INVCAL_REAL(0.1) / INVCAL_EPSILON ? INVCAL_OK : INVCAL_BAD_NOMINAL;
+    const invcal_real det = invcal_cofactors((const invcal_real(*)[3])unit.matrix, cofactor);
+    return INVCAL_FABS(det) > 16 * INVCAL_EPSILON ? INVCAL_OK : INVCAL_BAD_NOMINAL;
 }
 
 invcal_status invcal_nominal(const invcal_real zero[3], const invcal_real counts[3],
@@ -65,18 +54,4 @@ invcal_status invcal_nominal(const invcal_real zero[3], const invcal_real counts
         *out = nominal;
     }
     return status;
-}
-
-invcal_status invcal_scale(invcal_calibration *calibration, invcal_real field)
-{
-    INVCAL_ASSERT(calibration);
-    if (!invcal_is_positive(field)) {
-        return INVCAL_BAD_FIELD;
-    }
-    for (unsigned i = 0; i < 3; i++) {
-        for (unsigned j = 0; j < 3; j++) {
-            calibration->matrix[i][j] *= field;
-        }
-    }
-    return INVCAL_OK;
 }
