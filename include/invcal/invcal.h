@@ -367,7 +367,6 @@ typedef struct {
     invcal_real noise;                         /* stated, over field; 0: not known */
     invcal_real mean[INVCAL_MAX_POSITIONS][3]; /* raw counts, in the order they were taken */
     uint32_t hold;                             /* milliseconds, as stated; 0: as short as can be */
-    uint16_t rate;                             /* samples per second */
     uint8_t count;                             /* of the means */
     uint8_t last;                              /* the last event that was not INVCAL_NOTHING */
     uint8_t reason;                            /* of INVCAL_REFUSED, an invcal_status */
