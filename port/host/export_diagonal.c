@@ -3,8 +3,9 @@
 
 #include <math.h>
 
+#include "eigen.h"
 #include "export_text.h"
-#include "invcal/eigen.h"
+#include "matrix.h"
 #include "message.h"
 
 #define MG 1000.0
@@ -86,7 +87,7 @@ export_diagonal export_diagonal_fit(const invcal_calibration *full)
     double b[3][3];
     double cut_off[3];
 
-    (void)invcal_calibration_inverse(full, b); /* has been inverted before: export_driver */
+    (void)matrix_inverse(full, b); /* has been inverted before: export_driver */
     for (unsigned i = 0; i < 3; i++) {
         d.scale[i] = b[i][i] / (b[i][0] * b[i][0] + b[i][1] * b[i][1] + b[i][2] * b[i][2]);
         cut_off[i] = full->matrix[i][i];
