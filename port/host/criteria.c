@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "eigen.h"
+#include "matrix.h"
 
 enum { P = INVCAL_PARAMETERS, SUMS = INVCAL_PACKED_SIZE(INVCAL_PARAMETERS) };
 
@@ -26,29 +27,6 @@ void criteria_information(const invcal_sums *design, double hth[SUMS])
     memcpy(hth, system.sum, SUMS * sizeof *hth);
 }
 
-/* det H'H is the product of the squared pivots, whose inverses stand on the diagonal; and
- * K = L'^-1 L^-1, whose rows from r on need rows from r on of L^-1. */
-double criteria_covariance(double *a, unsigned n, double floor)
-{
-    double log_det = 0;
-
-    if (invcal_factor(a, n, n, floor) != INVCAL_OK) {
-        return (double)NAN;
-    }
-    invcal_invert(a, n);
-    for (unsigned r = 0; r < n; r++) {
-        log_det -= 2 * log(a[INVCAL_PACKED(r, r)]);
-        for (unsigned c = 0; c <= r; c++) {
-            double sum = 0;
-            for (unsigned i = r; i < n; i++) {
-                sum += a[INVCAL_PACKED(i, r)] * a[INVCAL_PACKED(i, c)];
-            }
-            a[INVCAL_PACKED(r, c)] = sum;
-        }
-    }
-    return log_det;
-}
-
 static double largest_root(const double *K, unsigned first)
 {
     double largest = 0;
@@ -62,19 +40,26 @@ static double largest_root(const double *K, unsigned first)
 int criteria_judge(const invcal_sums *design, criteria *out)
 {
     double a[SUMS];
+    double value[P];
+    double log_det = 0;
 
     criteria_information(design, a);
     const double condition = eigen_condition(a, P);
-    const double log_det = criteria_covariance(a, P, INVCAL_FLOOR);
+    eigenvalues(a, P, value);
+    for (unsigned r = 0; r < P; r++) {
+        log_det += log(value[r]);
+    }
+    /* An open combination may hide behind sound pivots. */
+    if (!(condition * INVCAL_FLOOR < 1) || !matrix_invert_packed(a, P)) {
+        return 0;
+    }
     const criteria c = {design->count,
                         largest_root(a, INVCAL_DELTA_X),
                         largest_root(a, INVCAL_DK_X),
                         largest_root(a, INVCAL_GAMMA_XY),
                         condition,
                         log_det};
-    /* An open combination may hide behind sound pivots. */
-    if (!(condition * INVCAL_FLOOR < 1) || !isfinite(log_det) ||
-        !isfinite(c.sigma_delta + c.sigma_dk + c.sigma_gamma)) {
+    if (!isfinite(c.sigma_delta + c.sigma_dk + c.sigma_gamma)) {
         return 0;
     }
     *out = c;

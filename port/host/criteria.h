@@ -32,13 +32,6 @@ void criteria_add(invcal_sums *design, const double vertical[3]);
 void criteria_information(const invcal_sums *design,
                           double hth[INVCAL_PACKED_SIZE(INVCAL_PARAMETERS)]);
 
-/* H'H, packed, of n parameters becomes K = (H'H)^-1, packed.
- *
- * floor  as for invcal_factor.
- *
- * Returns ln det H'H; a NaN if it is singular: then what is in a is lost. */
-double criteria_covariance(double *a, unsigned n, double floor);
-
 /* Judges a design (mathematics.md, "Programs").
  *
  * Returns 1; 0 if H'H is singular to rounding, or its condition exceeds 1 / INVCAL_FLOOR:
