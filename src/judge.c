@@ -4,8 +4,6 @@
 #include <stddef.h>
 
 #include "solve.h"
-#include "sums.h"
-#include "invcal/expert.h"
 #include "vector.h"
 
 #define NOISE_SHARE INVCAL_REAL(0.1) /* of the information on a parameter: above, it is weak */
@@ -28,12 +26,7 @@ static invcal_real sensitivity(const invcal_calibration *c, const invcal_real et
 
 invcal_real invcal_mean_sensitivity(const invcal_calibration *c)
 {
-    invcal_real sum = 0;
-
-    for (unsigned i = 0; i < 3; i++) {
-        sum += invcal_dot3(c->matrix[i], c->matrix[i]);
-    }
-    return sum / 3;
+    return invcal_dot(c->matrix[0], c->matrix[0], 9) / 3;
 }
 
 void invcal_residuals_begin(invcal_quality *q)
@@ -114,13 +107,12 @@ void invcal_judge_noise(invcal_real stated, const invcal_calibration *nominal,
 static void spread(const invcal_calibration *nominal, const invcal_calibration *c,
                    invcal_real sigma[INVCAL_PARAMETERS])
 {
-    invcal_real inverse[3][3];
+    invcal_real cofactor[3][3];
     invcal_real length[3]; /* 1 + dk */
 
-    invcal_inverse3(nominal->matrix, inverse);
+    const invcal_real det = invcal_cofactors(nominal->matrix, cofactor);
     for (unsigned i = 0; i < 3; i++) {
-        length[i] = 1 / (c->matrix[i][0] * inverse[0][i] + c->matrix[i][1] * inverse[1][i] +
-                         c->matrix[i][2] * inverse[2][i]);
+        length[i] = det / invcal_dot3(c->matrix[i], cofactor[i]); /* of (A N) N^-1 */
         sigma[INVCAL_DELTA_X + i] *= length[i];
         sigma[INVCAL_DK_X + i] *= length[i];
     }
@@ -218,34 +210,32 @@ invcal_status invcal_positions_check(const invcal_positions *positions)
                                          : INVCAL_BAD_COUNT;
 }
 
+/* Is what the sums have determined more than rounding? If not, readings calibrated by it may look
+ * well spread all the same. L stands in the sums, and is lost. */
+static int are_resolved(invcal_real *l)
+{
+    invcal_real trace = invcal_dot(l, l, INVCAL_PACKED_SIZE(INVCAL_PARAMETERS));
+
+    for (unsigned r = 0; r < INVCAL_PARAMETERS; r++) { /* the diagonal of L is reciprocal */
+        const invcal_real square = l[INVCAL_PACKED(r, r)] * l[INVCAL_PACKED(r, r)];
+        trace += 1 / square - square;
+    }
+    invcal_invert(l, INVCAL_PARAMETERS);
+    return invcal_is_resolved(invcal_condition(l, INVCAL_PARAMETERS, trace));
+}
+
 invcal_status invcal_positions_solve(const invcal_positions *positions, invcal_sums *sums,
                                      invcal_calibration *out, invcal_quality *q)
 {
-    invcal_triad triad;
     invcal_status status = invcal_positions_sum(positions, sums);
 
     if (status != INVCAL_OK) {
         return status;
     }
-    if (sums->count < INVCAL_PARAMETERS) {
-        return INVCAL_TOO_FEW;
-    }
-    invcal_sums_system(sums);
-    const invcal_real trace = invcal_trace(sums->sum, INVCAL_PARAMETERS);
-    status = invcal_factor(sums->sum, INVCAL_PARAMETERS, INVCAL_PARAMETERS + 1, INVCAL_FLOOR);
-    if (status != INVCAL_OK) {
-        return status;
-    }
-    invcal_back_substitute(sums->sum, INVCAL_PARAMETERS);
-    /* if it is rounding, readings calibrated by it may look well spread all the same */
-    invcal_invert(sums->sum, INVCAL_PARAMETERS);
-    if (!invcal_is_resolved(invcal_condition(sums->sum, INVCAL_PARAMETERS, trace))) {
+    status = invcal_solve(sums, positions->nominal, out);
+    /* what is left open may take any shape */
+    if ((status == INVCAL_OK || status == INVCAL_NOT_ELLIPSOID) && !are_resolved(sums->sum)) {
         return INVCAL_UNDETERMINED;
     }
-    status = invcal_triad_of(&sums->sum[INVCAL_PACKED(INVCAL_PARAMETERS, 0)], &triad);
-    if (status == INVCAL_OK) {
-        invcal_triad_join(&triad, positions->nominal, out);
-        status = judge(positions, out, sums, q);
-    }
-    return status;
+    return status == INVCAL_OK ? judge(positions, out, sums, q) : status;
 }

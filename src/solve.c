@@ -10,16 +10,18 @@
 #define LONGEST INVCAL_REAL(10.0) /* semi-axis and centre, of nominal; the shortest is 1 / 10 */
 enum { STEPS = 12 };              /* of Newton's iteration: semi-axes from 0.1 to 10 take ten */
 
-/* c: its rows are the cross products of the other two rows of m, so that c / det m = m^-T. Returns
- * det m. */
-static invcal_real cofactors(const invcal_real m[3][3], invcal_real c[3][3])
+invcal_real invcal_cofactors(const invcal_real m[3][3], invcal_real c[3][3])
 {
+    static const uint8_t next[4] = {1, 2, 0, 1};
+
+    INVCAL_UNROLL
     for (unsigned i = 0; i < 3; i++) {
-        const invcal_real *a = m[i == 2 ? 0 : i + 1];
-        const invcal_real *b = m[i == 0 ? 2 : i - 1];
-        c[i][0] = a[1] * b[2] - a[2] * b[1];
-        c[i][1] = a[2] * b[0] - a[0] * b[2];
-        c[i][2] = a[0] * b[1] - a[1] * b[0];
+        const invcal_real *a = m[next[i]];
+        const invcal_real *b = m[next[i + 1]];
+        INVCAL_UNROLL
+        for (unsigned j = 0; j < 3; j++) {
+            c[i][j] = a[next[j]] * b[next[j + 1]] - a[next[j + 1]] * b[next[j]];
+        }
     }
     return invcal_dot3(m[0], c[0]);
 }
@@ -27,7 +29,7 @@ static invcal_real cofactors(const invcal_real m[3][3], invcal_real c[3][3])
 void invcal_inverse3(const invcal_real m[3][3], invcal_real inverse[3][3])
 {
     invcal_real c[3][3];
-    const invcal_real det = cofactors(m, c);
+    const invcal_real det = invcal_cofactors(m, c);
 
     for (unsigned i = 0; i < 3; i++) {
         for (unsigned j = 0; j < 3; j++) {
@@ -37,7 +39,7 @@ void invcal_inverse3(const invcal_real m[3][3], invcal_real inverse[3][3])
 }
 
 /* A = U S with U orthonormal, which Newton's iteration U <- (U + U^-T) / 2 finds from A itself, and
- * S = U'A. */
+ * S = U'A, column by column. */
 void invcal_make_symmetric(invcal_real a[3][3])
 {
     invcal_real u[3][3];
@@ -46,7 +48,7 @@ void invcal_make_symmetric(invcal_real a[3][3])
 
     memcpy(u, a, sizeof u);
     for (unsigned step = 0; step < STEPS && change > INVCAL_EPSILON; step++) {
-        const invcal_real det = cofactors((const invcal_real(*)[3])u, c);
+        const invcal_real det = invcal_cofactors((const invcal_real(*)[3])u, c);
         change = 0;
         for (unsigned i = 0; i < 3; i++) {
             for (unsigned j = 0; j < 3; j++) {
@@ -57,89 +59,102 @@ void invcal_make_symmetric(invcal_real a[3][3])
         }
     }
     memcpy(c, a, sizeof c);
+    INVCAL_UNROLL
     for (unsigned i = 0; i < 3; i++) {
+        INVCAL_UNROLL
         for (unsigned j = 0; j < 3; j++) {
             a[i][j] = u[0][i] * c[0][j] + u[1][i] * c[1][j] + u[2][i] * c[2][j];
         }
     }
 }
 
-/* A'A = Q / k, packed in f, to the upper triangular A. */
-static invcal_status make_triangular(invcal_real f[6], invcal_real a[3][3])
+/* Are the diagonal elements of L / root within reason? */
+static int is_triad(const invcal_real *l, invcal_real root)
 {
-    if (invcal_factor(f, 3, 3, INVCAL_EPSILON) != INVCAL_OK) {
+    for (unsigned r = 0; r < 3; r++) {
+        const invcal_real inverse = l[INVCAL_PACKED(r, r)] * root;
+        if (!(inverse > 1 / LONGEST && inverse < LONGEST)) {
+            return 0;
+        }
+    }
+    return 1;
+}
+
+/* L' / root, upper triangular. The diagonal of L is reciprocal. */
+static void make_triangular(const invcal_real *l, invcal_real root, invcal_real a[3][3])
+{
+    for (unsigned r = 0; r < 3; r++) {
+        for (unsigned c = 0; c < r; c++) {
+            a[r][c] = 0;
+            a[c][r] = *l++ / root;
+        }
+        a[r][r] = 1 / (*l++ * root);
+    }
+}
+
+/* Centre and axes of an ellipsoid as a calibration of u:
+ *
+ *     v = (p0 p1 p2),  Q = I + [2p3 p6 p7; p6 2p4 p8; p7 p8 2p5]
+ *     delta = -Q^-1 v,  k = 1 + delta Q delta = 1 + v Q^-1 v,  A'A = Q / k
+ *
+ * With v below Q and -1 behind it, one Cholesky gives all: Q = L L', A'A = L L' / k. Where zero
+ * lies outside the ellipsoid, Q and k are negative, and -Q, -k do as well. */
+invcal_status invcal_ellipsoid(const invcal_real p[INVCAL_PARAMETERS], invcal_calibration *out)
+{
+    static const uint8_t order[] = {INVCAL_DK_X,     INVCAL_GAMMA_XY, INVCAL_DK_Y,
+                                    INVCAL_GAMMA_XZ, INVCAL_GAMMA_ZY, INVCAL_DK_Z,
+                                    INVCAL_DELTA_X,  INVCAL_DELTA_Y,  INVCAL_DELTA_Z};
+    const invcal_real sign = 1 + 2 * p[INVCAL_DK_X] < 0 ? (invcal_real)-1 : 1;
+    invcal_real q[INVCAL_PACKED_SIZE(4)];
+    invcal_real *delta = &q[INVCAL_PACKED(3, 0)];
+
+    for (unsigned i = 0; i < sizeof order; i++) {
+        const unsigned r = order[i];
+        q[i] = sign * (r >= INVCAL_DK_X && r <= INVCAL_DK_Z ? 1 + 2 * p[r] : p[r]);
+    }
+    q[9] = -sign;
+    if (invcal_factor(q, 3, 4, INVCAL_EPSILON) != INVCAL_OK || !(q[9] < 0)) {
         return INVCAL_NOT_ELLIPSOID;
     }
+    invcal_back_substitute(q, 3);
+    const invcal_real root = INVCAL_SQRT(-q[9]);
+    if (!(invcal_dot3(delta, delta) < LONGEST * LONGEST && is_triad(q, root))) {
+        return INVCAL_NOT_ELLIPSOID;
+    }
+    make_triangular(q, root, out->matrix);
     for (unsigned i = 0; i < 3; i++) {
-        for (unsigned j = 0; j < i; j++) {
-            a[i][j] = 0;
-            a[j][i] = *f++;
-        }
-        if (!(*f < LONGEST)) { /* 1 / L(i,i) */
-            return INVCAL_NOT_ELLIPSOID;
-        }
-        a[i][i] = 1 / *f++;
+        out->offset[i] = delta[i];
     }
     return INVCAL_OK;
 }
 
-/* v = (p0 p1 p2), Q = I + [2p3 p6 p7; p6 2p4 p8; p7 p8 2p5],
- * delta = -Q^-1 v, k = 1 + delta Q delta = 1 - v delta, A'A = Q / k. */
-invcal_status invcal_triad_of(const invcal_real p[INVCAL_PARAMETERS], invcal_triad *t)
+/* A (u - delta) with u = N (raw - zero): matrix = A N, offset = zero + N^-1 delta. */
+invcal_status invcal_behind(const invcal_calibration *nominal, invcal_calibration *c)
 {
-    invcal_real f[6];
-    invcal_real q[3][3];
+    const invcal_calibration a = *c;
+    invcal_real cofactor[3][3];
+    const invcal_real det = invcal_cofactors(nominal->matrix, cofactor);
 
-    q[0][1] = q[1][0] = p[INVCAL_GAMMA_XY];
-    q[0][2] = q[2][0] = p[INVCAL_GAMMA_XZ];
-    q[1][2] = q[2][1] = p[INVCAL_GAMMA_ZY];
+    INVCAL_UNROLL
     for (unsigned i = 0; i < 3; i++) {
-        q[i][i] = 1 + 2 * p[INVCAL_DK_X + i];
-    }
-    invcal_inverse3((const invcal_real(*)[3])q, t->a);
-    for (unsigned i = 0; i < 3; i++) {
-        t->delta[i] = -invcal_dot3(t->a[i], p);
-    }
-    const invcal_real k = 1 - invcal_dot3(p, t->delta);
-    invcal_real most = invcal_dot3(t->delta, t->delta);
-    invcal_real *packed = f;
-    for (unsigned i = 0; i < 3; i++) {
-        for (unsigned j = 0; j <= i; j++) {
-            *packed++ = q[i][j] / k;
-        }
-        most = packed[-1] <= most ? most : packed[-1]; /* a NaN stays */
-    }
-    if (!(most < LONGEST * LONGEST) || make_triangular(f, t->a) != INVCAL_OK) {
-        return INVCAL_NOT_ELLIPSOID;
-    }
-    invcal_make_symmetric(t->a);
-    return INVCAL_OK;
-}
-
-/* calibrated = A (u - delta), u = N (raw - zero): matrix = A N, offset = zero + N^-1 delta. */
-void invcal_triad_join(const invcal_triad *t, const invcal_calibration *nominal,
-                       invcal_calibration *out)
-{
-    invcal_real inverse[3][3];
-
-    invcal_inverse3(nominal->matrix, inverse);
-    for (unsigned i = 0; i < 3; i++) {
-        out->offset[i] = nominal->offset[i] + invcal_dot3(inverse[i], t->delta);
-    }
-    const invcal_calibration n = *nominal; /* may be out */
-    for (unsigned i = 0; i < 3; i++) {
+        invcal_real moved = 0;
+        INVCAL_UNROLL
         for (unsigned j = 0; j < 3; j++) {
-            out->matrix[i][j] = t->a[i][0] * n.matrix[0][j] + t->a[i][1] * n.matrix[1][j] +
-                                t->a[i][2] * n.matrix[2][j];
+            moved += cofactor[j][i] * a.offset[j];
+            c->matrix[i][j] = 0;
+            INVCAL_UNROLL
+            for (unsigned k = 0; k < 3; k++) {
+                c->matrix[i][j] += a.matrix[i][k] * nominal->matrix[k][j];
+            }
         }
+        c->offset[i] = nominal->offset[i] + moved / det;
     }
+    return invcal_are_finite(c->offset) ? INVCAL_OK : INVCAL_BAD_NOMINAL;
 }
 
 invcal_status invcal_solve(invcal_sums *sums, const invcal_calibration *nominal,
                            invcal_calibration *out)
 {
-    invcal_triad triad;
-
     INVCAL_ASSERT(sums && nominal && out);
     if (sums->count < INVCAL_PARAMETERS) {
         return INVCAL_TOO_FEW;
@@ -149,10 +164,11 @@ invcal_status invcal_solve(invcal_sums *sums, const invcal_calibration *nominal,
         invcal_factor(sums->sum, INVCAL_PARAMETERS, INVCAL_PARAMETERS + 1, INVCAL_FLOOR);
     if (status == INVCAL_OK) {
         invcal_back_substitute(sums->sum, INVCAL_PARAMETERS);
-        status = invcal_triad_of(&sums->sum[INVCAL_PACKED(INVCAL_PARAMETERS, 0)], &triad);
+        status = invcal_ellipsoid(&sums->sum[INVCAL_PACKED(INVCAL_PARAMETERS, 0)], out);
     }
-    if (status == INVCAL_OK) {
-        invcal_triad_join(&triad, nominal, out);
+    if (status != INVCAL_OK) {
+        return status;
     }
-    return status;
+    invcal_make_symmetric(out->matrix);
+    return invcal_behind(nominal, out);
 }

@@ -7,11 +7,8 @@
 
 #include "invcal/expert.h"
 
-/* calibrated = a (u - delta), u what the nominal calibration makes of a reading. */
-typedef struct {
-    invcal_real a[3][3];
-    invcal_real delta[3];
-} invcal_triad;
+/* The rows of c are the cross products of the other two rows of m: c / det m = m^-T. Returns det m. */
+invcal_real invcal_cofactors(const invcal_real m[3][3], invcal_real c[3][3]);
 
 /* m^-1; an m that is singular gives what is not finite. */
 void invcal_inverse3(const invcal_real m[3][3], invcal_real inverse[3][3]);
@@ -22,12 +19,12 @@ void invcal_make_symmetric(invcal_real a[3][3]);
 /* INVCAL_BAD_NOMINAL if the calibration is singular, not finite, or absurdly scaled. */
 invcal_status invcal_nominal_check(const invcal_calibration *nominal);
 
-/* The coefficients p of an ellipsoid to its centre and axes. INVCAL_NOT_ELLIPSOID if it is none, or
- * its semi-axes or its centre are beyond ten times those of a perfect triad. */
-invcal_status invcal_triad_of(const invcal_real p[INVCAL_PARAMETERS], invcal_triad *triad);
+/* The coefficients p of an ellipsoid to the calibration of what lies on it, its matrix upper
+ * triangular. INVCAL_NOT_ELLIPSOID if it is none, or its semi-axes or its centre are beyond ten times those of a perfect triad. */
+invcal_status invcal_ellipsoid(const invcal_real p[INVCAL_PARAMETERS], invcal_calibration *out);
 
-/* The triad behind the nominal calibration, as one calibration. */
-void invcal_triad_join(const invcal_triad *triad, const invcal_calibration *nominal,
-                       invcal_calibration *out);
+/* A calibration of readings that nominal has corrected becomes one of raw counts.
+ * INVCAL_BAD_NOMINAL if nominal is singular: c is lost then. */
+invcal_status invcal_behind(const invcal_calibration *nominal, invcal_calibration *c);
 
 #endif

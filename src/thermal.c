@@ -22,7 +22,7 @@ void invcal_polynomials(const invcal_real *c, unsigned degree, invcal_real t,
 
 /* A = (I + S)^-1. The semi-axes are within reason if the diagonals of both are, and I + S is positive
  * definite: of its leading minors the last one is the second over the last element of A. */
-static int triad_of(const invcal_real x[INVCAL_PARAMETERS], invcal_triad *triad)
+static int triad_of(const invcal_real x[INVCAL_PARAMETERS], invcal_calibration *triad)
 {
     const invcal_real m[3][3] = {
         {1 + x[INVCAL_DK_X], x[INVCAL_GAMMA_XY] / 2, x[INVCAL_GAMMA_XZ] / 2},
@@ -30,17 +30,17 @@ static int triad_of(const invcal_real x[INVCAL_PARAMETERS], invcal_triad *triad)
         {x[INVCAL_GAMMA_XZ] / 2, x[INVCAL_GAMMA_ZY] / 2, 1 + x[INVCAL_DK_Z]}};
     int is_triad = m[0][0] * m[1][1] > m[0][1] * m[0][1];
 
-    memcpy(triad->delta, x, sizeof triad->delta);
-    invcal_inverse3(m, triad->a);
+    memcpy(triad->offset, x, sizeof triad->offset);
+    invcal_inverse3(m, triad->matrix);
     for (unsigned i = 0; i < 3; i++) {
-        is_triad &= m[i][i] > 0 && m[i][i] < LONGEST && triad->a[i][i] > 0 &&
-                    triad->a[i][i] < LONGEST && INVCAL_FABS(x[i]) < LONGEST;
+        is_triad &= m[i][i] > 0 && m[i][i] < LONGEST && triad->matrix[i][i] > 0 &&
+                    triad->matrix[i][i] < LONGEST && INVCAL_FABS(x[i]) < LONGEST;
     }
     return is_triad;
 }
 
 invcal_status invcal_thermal_triad(const invcal_thermal *thermal, invcal_real t,
-                                   invcal_triad *triad)
+                                   invcal_calibration *triad)
 {
     invcal_real x[INVCAL_PARAMETERS];
 
@@ -51,13 +51,9 @@ invcal_status invcal_thermal_triad(const invcal_thermal *thermal, invcal_real t,
 invcal_status invcal_thermal_calibration(const invcal_thermal *thermal, invcal_real t,
                                          invcal_calibration *out)
 {
-    invcal_triad triad;
-    const invcal_status status = invcal_thermal_triad(thermal, t, &triad);
+    const invcal_status status = invcal_thermal_triad(thermal, t, out);
 
-    if (status == INVCAL_OK) {
-        invcal_triad_join(&triad, &thermal->nominal, out);
-    }
-    return status;
+    return status == INVCAL_OK ? invcal_behind(&thermal->nominal, out) : status;
 }
 
 invcal_thermal_place invcal_thermal_clamp(const invcal_thermal *thermal, invcal_real *temperature)
@@ -87,9 +83,6 @@ invcal_status invcal_thermal_at(const invcal_thermal *thermal, invcal_real tempe
         invcal_thermal_calibration(thermal, invcal_thermal_scaled(thermal, temperature), &c);
     if (status != INVCAL_OK) {
         return status;
-    }
-    if (!invcal_are_finite(c.offset)) { /* its inverse is in there */
-        return INVCAL_BAD_NOMINAL;
     }
     *calibration = c;
     *place = where;

@@ -21,7 +21,7 @@ static inline invcal_real invcal_thermal_scaled(const invcal_thermal *thermal,
 /* The triad, and the whole calibration, at t, whatever has been seen. INVCAL_NOT_ELLIPSOID if a
  * semi-axis is beyond ten times that of a perfect triad. */
 invcal_status invcal_thermal_triad(const invcal_thermal *thermal, invcal_real t,
-                                   invcal_triad *triad);
+                                   invcal_calibration *triad);
 invcal_status invcal_thermal_calibration(const invcal_thermal *thermal, invcal_real t,
                                          invcal_calibration *out);
 

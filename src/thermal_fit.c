@@ -212,28 +212,24 @@ static invcal_status solve_highest(job *j, unsigned degree)
 static invcal_status compose(const job *j, invcal_real t, invcal_real x[INVCAL_PARAMETERS])
 {
     const unsigned degree = j->now.fitted;
-    invcal_triad first;
-    invcal_triad rest;
-    invcal_real a[3][3];
+    invcal_calibration first;
+    invcal_calibration c;
     invcal_real m[3][3];
 
     invcal_polynomials(&j->a[INVCAL_PACKED((degree + 1) * N, 0)], degree, t, x);
-    invcal_status status = invcal_triad_of(x, &rest);
+    invcal_status status = invcal_ellipsoid(x, &c);
     if (status == INVCAL_OK) {
         status = invcal_thermal_triad(&j->now, t, &first);
+    }
+    if (status == INVCAL_OK) {
+        status = invcal_behind(&first, &c);
     }
     if (status != INVCAL_OK) {
         return status;
     }
-    invcal_inverse3((const invcal_real(*)[3])first.a, m);
-    for (unsigned i = 0; i < 3; i++) {
-        x[INVCAL_DELTA_X + i] = first.delta[i] + invcal_dot3(m[i], rest.delta);
-        for (unsigned k = 0; k < 3; k++) {
-            a[i][k] = invcal_dot3(rest.a[i], first.a[k]); /* which is symmetric */
-        }
-    }
-    invcal_make_symmetric(a);
-    invcal_inverse3((const invcal_real(*)[3])a, m);
+    invcal_make_symmetric(c.matrix);
+    invcal_inverse3((const invcal_real(*)[3])c.matrix, m);
+    memcpy(x, c.offset, sizeof c.offset);
     for (unsigned i = 0; i < 3; i++) {
         x[INVCAL_DK_X + i] = m[i][i] - 1;
     }

@@ -104,7 +104,7 @@ typedef double invcal_real;
 #define INVCAL_SQRT sqrt
 #define INVCAL_FABS fabs
 #else
-typedef float invcal_real;              /* double with INVCAL_DOUBLE */
+typedef float invcal_real; /* double with INVCAL_DOUBLE */
 #define INVCAL_REAL_NAME float          /* its name */
 #define INVCAL_REAL(literal) literal##f /* a constant of this type */
 #define INVCAL_EPSILON FLT_EPSILON      /* from 1 to the next number */
@@ -212,8 +212,8 @@ typedef struct {
  * zero    raw reading in no field, raw counts.
  * counts  raw counts per field (per g) of each axis; a negative one turns the axis round.
  *
- * Returns INVCAL_OK; INVCAL_BAD_NOMINAL if a number is not finite, or a count is outside 1e-12 ...
- * 1e12 or a zero beyond 1e18 of the field. */
+ * Returns INVCAL_OK; INVCAL_BAD_NOMINAL if a number is not finite, or a count is outside 1e-10 ...
+ * 1e10 or a zero beyond 1e18 of the field. */
 invcal_status invcal_nominal(const invcal_real zero[3], const invcal_real counts[3],
                              invcal_calibration *out);
 
@@ -225,6 +225,10 @@ invcal_status invcal_nominal(const invcal_real zero[3], const invcal_real counts
  * Nothing is checked: a NaN in gives a NaN out. Cost: 43 instructions. */
 void invcal_apply(const invcal_calibration *calibration, const invcal_real raw[3],
                   invcal_real calibrated[3]);
+
+/* The same for a sample as the sensor delivers it. */
+void invcal_apply_counts(const invcal_calibration *calibration, const int32_t raw[3],
+                         invcal_real calibrated[3]);
 
 /* Puts a unit into a calibration: field is the length of the field in that unit, 9.80665 for m/s^2.
  * From then on it is one to apply only, no nominal.
@@ -323,17 +327,48 @@ typedef enum {
     INVCAL_REFUSED   /* a rest, but no position: invcal_session_why; said once */
 } invcal_event;
 
-/* Internal: the detector of rests (expert.h). */
+/* Internal: the detector of rests (expert.h). What is called a level is a logarithm, see rests.c. */
 typedef struct {
-    int32_t detector[50];
+    uint64_t square;   /* of the block being filled: sum of the squared differences to `first`, */
+    int32_t first[3];  /* its first sample, */
+    uint32_t sum[3];   /* and sums of the differences, modulo 2^32 */
+    uint32_t quantum;  /* smallest change ever seen inside a block, counts; 0: none as yet */
+    uint16_t missing;  /* samples until the block is full; 0: the next begins another */
+    uint16_t span;     /* twice what differences may be to be added quickly; 0: none, at a rail */
+    uint16_t widest;   /* what span is away from the rails */
+    uint16_t rate;     /* samples per second */
+    int32_t low, high; /* rails: a sensor that reads them may be beyond */
+    uint32_t time;     /* samples in full blocks so far, modulo 2^32 */
+
+    int16_t noise;    /* level, learned from the stream, see above */
+    int16_t wander;   /* level, also */
+    int16_t reach;    /* level, also */
+    int16_t other;    /* another noise level in the making */
+    int32_t place[3]; /* mean of the position taken last; before that, of the first block */
+
+    int32_t origin[3];     /* of the candidate: mean of its first block, zero of what follows */
+    int64_t total[3];      /* of the candidate: sum of the blocks committed, relative to origin */
+    int32_t pending[2][3]; /* sums of the newest quiet blocks: lost if motion follows */
+    int32_t once[3];       /* fading mean of its block means, 1/256 counts, relative to origin; */
+    int32_t twice[3];      /* and fading mean of that mean */
+    uint64_t variance;     /* sum over its blocks, 1/64 counts^2 */
+    uint32_t begin, end;   /* of the blocks committed */
+    uint16_t blocks;      /* committed; a rest stops growing at 65535, after one and a half hours */
+    uint16_t lag, spread; /* of `once` behind a slope of one a block; of `twice` behind `once` */
+    uint16_t dwell;       /* blocks that make a position */
+    uint8_t least;        /* the same at least */
+    uint8_t bits;         /* 1 << bits samples are a block */
+    uint8_t stage, reason, flags, seen, pended, skip, hold, drift, run, frozen; /* see rests.c */
 } invcal_rests;
 
-/* A session: 536 bytes (float, 24 positions). mean and count may be read. */
+/* A session: 572 bytes (float, 24 positions). mean and count may be read. */
 typedef struct {
     invcal_calibration nominal;                /* what it began with */
     invcal_real noise;                         /* stated, over field; 0: not known */
     invcal_real mean[INVCAL_MAX_POSITIONS][3]; /* raw counts, in the order they were taken */
-    uint8_t count;                             /* of them */
+    uint32_t hold;                             /* milliseconds, as stated; 0: as short as can be */
+    uint16_t rate;                             /* samples per second */
+    uint8_t count;                             /* of the means */
     uint8_t last;                              /* the last event that was not INVCAL_NOTHING */
     uint8_t reason;                            /* of INVCAL_REFUSED, an invcal_status */
     uint8_t good;                              /* internal: is_good, as known by now */

@@ -1,0 +1,255 @@
+/* SPDX-License-Identifier: MIT */
+#include <string.h>
+
+#include "guidance.h"
+#include "judge.h"
+#include "solve.h"
+#include "vector.h"
+
+#define CLOSE INVCAL_REAL(0.9396926) /* cosine of 20 degrees */
+#define NORMAL INVCAL_REAL(1.959964) /* sigma that hold 95 % where the noise is known */
+enum { DOF = 3 };                    /* residuals to spare before sigma is believed */
+enum { NOT_ASKED, NOT_GOOD, GOOD };  /* session->good */
+
+/* ---- settings --------------------------------------------------------------------------------- */
+
+invcal_status invcal_session_begin(invcal_session *session, const invcal_calibration *nominal,
+                                   unsigned rate)
+{
+    invcal_rests rests;
+
+    INVCAL_ASSERT(session && nominal);
+    invcal_status status = invcal_nominal_check(nominal);
+    if (status == INVCAL_OK) {
+        status = invcal_rests_init(&rests, rate);
+    }
+    if (status == INVCAL_OK) {
+        memset(session, 0, sizeof *session);
+        session->nominal = *nominal;
+        session->rests = rests;
+        session->rate = (uint16_t)rate;
+        session->last = INVCAL_MOVING;
+    }
+    return status;
+}
+
+invcal_status invcal_session_init(invcal_session *session, invcal_real counts, unsigned rate)
+{
+    const invcal_real zero[3] = {0, 0, 0};
+    const invcal_real each[3] = {counts, counts, counts};
+    invcal_calibration nominal;
+
+    const invcal_status status = invcal_nominal(zero, each, &nominal);
+    return status == INVCAL_OK ? invcal_session_begin(session, &nominal, rate) : status;
+}
+
+invcal_status invcal_session_rails(invcal_session *session, int32_t low, int32_t high)
+{
+    INVCAL_ASSERT(session);
+    return invcal_rests_rails(&session->rests, low, high);
+}
+
+invcal_status invcal_session_noise(invcal_session *session, invcal_real noise)
+{
+    INVCAL_ASSERT(session);
+    if (!(noise > 0 && noise < 1)) {
+        return INVCAL_BAD_NOISE;
+    }
+    session->noise = noise;
+    session->good = NOT_ASKED;
+    return INVCAL_OK;
+}
+
+void invcal_session_hold(invcal_session *session, uint32_t milliseconds)
+{
+    INVCAL_ASSERT(session);
+    session->hold = milliseconds;
+    invcal_rests_hold(&session->rests, milliseconds);
+}
+
+/* ---- samples ---------------------------------------------------------------------------------- */
+
+/* The reading of the rest that is READY or has been TAKEN just now. */
+static invcal_status read_rest(const invcal_session *session, invcal_real mean[3], invcal_row *row)
+{
+    invcal_rest rest;
+
+    if (!invcal_rests_get(&session->rests, &rest)) {
+        return INVCAL_TOO_FEW;
+    }
+    invcal_rest_mean(&rest, mean);
+    return invcal_observe(&session->nominal, mean, row);
+}
+
+/* The table is in the order of taking; where it is full the oldest goes. */
+static void keep(invcal_session *session, const invcal_real mean[3])
+{
+    if (session->count == INVCAL_MAX_POSITIONS) {
+        session->count--;
+        for (unsigned i = 0; i < session->count; i++) {
+            memcpy(session->mean[i], session->mean[i + 1], sizeof session->mean[0]);
+        }
+    }
+    memcpy(session->mean[session->count], mean, sizeof session->mean[0]);
+    session->count++;
+    session->good = NOT_ASKED;
+}
+
+/* A rest that is no reading of this field is better refused at once, and again when it is left. */
+INVCAL_APART static invcal_event digest(invcal_session *session, invcal_event event)
+{
+    invcal_real mean[3];
+    invcal_row row;
+
+    session->last = (uint8_t)event;
+    if (event == INVCAL_REFUSED) {
+        session->reason = (uint8_t)invcal_rests_reason(&session->rests);
+    }
+    if (event == INVCAL_READY || event == INVCAL_TAKEN) {
+        const invcal_status status = read_rest(session, mean, &row);
+        if (status != INVCAL_OK) {
+            session->last = INVCAL_REFUSED;
+            session->reason = (uint8_t)status;
+        } else if (event == INVCAL_TAKEN) {
+            keep(session, mean);
+        } /* cppcheck-suppress misra-c2012-15.7 ; READY: it may still become better */
+    }
+    return (invcal_event)session->last;
+}
+
+invcal_event invcal_session_feed(invcal_session *session, const int32_t raw[3])
+{
+    INVCAL_ASSERT(session && raw);
+    const invcal_event event = invcal_rests_feed(&session->rests, raw);
+    return event == INVCAL_NOTHING ? event : digest(session, event);
+}
+
+void invcal_session_gap(invcal_session *session)
+{
+    INVCAL_ASSERT(session);
+    invcal_rests_gap(&session->rests);
+}
+
+invcal_event invcal_session_finish(invcal_session *session)
+{
+    INVCAL_ASSERT(session);
+    return digest(session, invcal_rests_finish(&session->rests));
+}
+
+/* ---- what there is to tell -------------------------------------------------------------------- */
+
+unsigned invcal_session_progress(const invcal_session *session)
+{
+    INVCAL_ASSERT(session);
+    return invcal_rests_progress(&session->rests);
+}
+
+invcal_event invcal_session_last(const invcal_session *session)
+{
+    INVCAL_ASSERT(session);
+    return (invcal_event)session->last;
+}
+
+invcal_status invcal_session_reason(const invcal_session *session)
+{
+    INVCAL_ASSERT(session);
+    return (invcal_status)session->reason;
+}
+
+const char *invcal_session_why(const invcal_session *session)
+{
+    return invcal_status_text(invcal_session_reason(session));
+}
+
+void invcal_session_next(const invcal_session *session, invcal_real up[3])
+{
+    invcal_sums sums;
+    invcal_row row;
+    invcal_real held[3];
+
+    INVCAL_ASSERT(session && up);
+    (void)invcal_sum_readings(session->mean[0], session->count, &session->nominal, &sums, &row);
+    if (session->last != INVCAL_TAKEN && read_rest(session, held, &row) == INVCAL_OK) {
+        invcal_sums_add_row(&sums, &row, 1);
+    }
+    invcal_next_beside(&sums, sums.count > 0 ? row.h : NULL, up);
+}
+
+const char *invcal_session_next_words(const invcal_session *session, char words[INVCAL_WORDS])
+{
+    invcal_real up[3];
+
+    invcal_session_next(session, up);
+    return invcal_words(up, words);
+}
+
+int invcal_session_is_at(const invcal_session *session, const invcal_real up[3])
+{
+    invcal_row row;
+
+    INVCAL_ASSERT(session && up);
+    if (session->count == 0 ||
+        invcal_observe(&session->nominal, session->mean[session->count - 1], &row) != INVCAL_OK) {
+        return 0;
+    }
+    return invcal_dot3(row.h, up) >= CLOSE * INVCAL_SQRT(invcal_dot3(row.h, row.h));
+}
+
+/* ---- the result ------------------------------------------------------------------------------- */
+
+/* Where no outliers can be looked for, none are left out. */
+INVCAL_APART static invcal_mask outliers_of(const invcal_session *session)
+{
+    invcal_outliers outliers = {0, 0};
+
+    (void)invcal_outliers_find(session->mean[0], session->count, &session->nominal, session->noise,
+                               &outliers);
+    return outliers.removed;
+}
+
+invcal_status invcal_session_solve(const invcal_session *session, invcal_calibration *out,
+                                   invcal_quality *quality)
+{
+    INVCAL_ASSERT(session && out && quality);
+    return invcal_calibrate_without(session->mean[0], session->count, outliers_of(session),
+                                    &session->nominal, session->noise, out, quality);
+}
+
+/* NOT_GOOD, or GOOD and its quality. */
+static unsigned judge_session(const invcal_session *session, invcal_quality *q)
+{
+    invcal_calibration calibration;
+
+    return invcal_session_solve(session, &calibration, q) == INVCAL_OK &&
+                   q->verdict == INVCAL_GOOD && (q->dof >= DOF || session->noise > 0)
+               ? GOOD
+               : NOT_GOOD;
+}
+
+int invcal_session_is_good(invcal_session *session)
+{
+    invcal_quality q;
+
+    INVCAL_ASSERT(session);
+    if (session->good == NOT_ASKED) {
+        session->good = (uint8_t)judge_session(session, &q);
+    }
+    return session->good == GOOD;
+}
+
+int invcal_session_reaches(const invcal_session *session, const invcal_real target[3])
+{
+    invcal_quality q;
+
+    INVCAL_ASSERT(session && target);
+    if (judge_session(session, &q) != GOOD) {
+        return 0;
+    }
+    const invcal_real wider = invcal_coverage(q.dof) / NORMAL;
+    for (unsigned r = 0; r < INVCAL_PARAMETERS; r++) {
+        if (!(q.sigma[r] * wider <= target[r / 3])) {
+            return 0;
+        }
+    }
+    return 1;
+}
