@@ -8,10 +8,14 @@
 
 #include <EEPROM.h>
 
-/* Two slots for the calibration, and behind them two for the session: 1,022 bytes with 20 positions. */
-const int SLOT_SIZE[] = {INVCAL_STORE_BYTES(INVCAL_RECORD_SIZE, 1),
-                         INVCAL_STORE_BYTES(INVCAL_SESSION_SIZE, 1)};
-static int begin[] = {0, 2 * INVCAL_STORE_BYTES(INVCAL_RECORD_SIZE, 1)};
+/* Two slots for the calibration, and behind them two for the session: of the 1,024 bytes of an Uno they
+ * hold 22 positions. With more a session is not stored any more. */
+const int SMALLEST_EEPROM = 1024;
+const int CALIBRATION_SLOT = INVCAL_STORE_BYTES(INVCAL_RECORD_SIZE, 1);
+const int SESSION_SLOT = SMALLEST_EEPROM / 2 - CALIBRATION_SLOT;
+
+const int SLOT_SIZE[] = {CALIBRATION_SLOT, SESSION_SLOT};
+static int begin[] = {0, 2 * CALIBRATION_SLOT};
 
 static int address(const void *context, unsigned slot, uint32_t offset)
 {
@@ -46,7 +50,5 @@ static int program(void *context, unsigned slot, uint32_t offset, const uint8_t 
     return 0;
 }
 
-const invcal_store calibration_store = {
-    read, erase_slot, program, &begin[0], INVCAL_STORE_BYTES(INVCAL_RECORD_SIZE, 1), 1};
-const invcal_store session_store = {
-    read, erase_slot, program, &begin[1], INVCAL_STORE_BYTES(INVCAL_SESSION_SIZE, 1), 1};
+const invcal_store calibration_store = {read, erase_slot, program, &begin[0], CALIBRATION_SLOT, 1};
+const invcal_store session_store = {read, erase_slot, program, &begin[1], SESSION_SLOT, 1};
