@@ -24,8 +24,7 @@ typedef struct {
     const invcal_thermal *base; /* what a prior holds to */
     invcal_real noise;          /* that a prior is weighed with, over field */
     invcal_real held[UNKNOWNS]; /* 1 / standard deviation of the prior; 0: none */
-    int has_prior;              /* does any of them? */
-    uint16_t from_prior;        /* bit r: it has told more of parameter r than the positions did */
+    invcal_real loosest;        /* the smallest of them above 0; 0: there is no prior */
     invcal_real min, max;       /* temperatures */
     invcal_thermal now;         /* what the rows are made with */
     invcal_quality q;           /* of that */
@@ -132,33 +131,39 @@ static invcal_status solve_at_noise(job *j, unsigned n, invcal_real floor)
     invcal_back_substitute(j->a, n);
     invcal_invert(j->a, n);
     j->q.condition = invcal_condition(j->a, n, trace);
-    return j->has_prior || invcal_is_resolved(j->q.condition) ? INVCAL_OK : INVCAL_UNDETERMINED;
+    return j->loosest > 0 || invcal_is_resolved(j->q.condition) ? INVCAL_OK : INVCAL_UNDETERMINED;
 }
 
 /* Where a prior has to hold what the positions leave open, the noise is raised to that with which it
  * is just more than rounding beside the largest sums. */
 static invcal_status solve(job *j, unsigned n)
 {
-    invcal_real loosest = INVCAL_REAL_MAX; /* of what is held */
-
-    if (!j->has_prior) {
+    if (!(j->loosest > 0)) {
         return solve_at_noise(j, n, INVCAL_FLOOR);
     }
     const invcal_status status = solve_at_noise(j, n, 30 * INVCAL_FLOOR);
     if (status != INVCAL_UNDETERMINED) {
         return status;
     }
-    for (unsigned i = 0; i < n; i++) {
-        loosest = j->held[i] > 0 && j->held[i] < loosest ? j->held[i] : loosest;
-    }
-    const invcal_real resolved = INVCAL_SQRT(4 * INVCAL_EPSILON * j->largest) / loosest;
+    const invcal_real resolved = INVCAL_SQRT(4 * INVCAL_EPSILON * j->largest) / j->loosest;
     j->noise = j->noise >= resolved ? j->noise : resolved;
     return solve_at_noise(j, n, INVCAL_EPSILON);
 }
 
 /* ---- the solution --------------------------------------------------------------------------------- */
 
-/* Are all coefficients from this one on determined, or held? */
+/* How many coefficients from this one on no prior holds, */
+static unsigned count_free(const job *j, unsigned from, unsigned n)
+{
+    unsigned count = 0;
+
+    for (unsigned i = from; i < UNKNOWNS && i < n; i++) {
+        count += !(j->held[i] > 0);
+    }
+    return count;
+}
+
+/* and are those determined by the positions? */
 static int are_told(const job *j, unsigned from, unsigned n)
 {
     for (unsigned i = from; i < UNKNOWNS && i < n; i++) {
@@ -173,18 +178,12 @@ static int are_told(const job *j, unsigned from, unsigned n)
 static invcal_thermal_fallback try_degree(job *j, unsigned degree, invcal_status *status)
 {
     const unsigned n = (degree + 1) * N;
-    unsigned unknown = 0;
-    int is_held = 1;
 
-    for (unsigned i = 0; i < UNKNOWNS && i < n; i++) {
-        unknown += !(j->held[i] > 0);
-        is_held &= i + N < n || j->held[i] > 0;
-    }
     *status = INVCAL_TOO_FEW;
-    if (j->positions->count == 0 || j->positions->count < unknown) {
+    if (j->positions->count < count_free(j, 0, n)) {
         return INVCAL_THERMAL_FEW;
     }
-    if (!is_held && j->max - j->min < (invcal_real)degree * NARROWEST) {
+    if (j->max - j->min < (invcal_real)degree * NARROWEST && count_free(j, degree * N, n) > 0) {
         return INVCAL_THERMAL_NARROW;
     }
     *status = solve(j, n);
@@ -311,7 +310,7 @@ static invcal_status weigh(job *j)
         dof += ratio * ratio * invcal_variance(j->a, n, i);
     }
     invcal_judge_noise(j->positions->noise, &j->now.nominal, &c, j->squares, dof, &j->q);
-    if (j->has_prior) {
+    if (j->loosest > 0) {
         j->noise = j->q.noise;
         status = solve(j, n);
         j->q.noise = j->noise;
@@ -334,30 +333,17 @@ static invcal_real variance_at(const job *j, invcal_real t, unsigned r)
     return sum;
 }
 
-/* The variance that the prior leaves to parameter r at t; 0: there is none. */
-static invcal_real prior_at(const job *j, invcal_real t, unsigned r)
-{
-    invcal_real sum = 0;
-    invcal_real power = 1;
-
-    for (unsigned i = r; i < (j->now.fitted + 1u) * N; i += N) {
-        if (!(j->held[i] > 0)) {
-            return 0;
-        }
-        sum += power / j->held[i] * (power / j->held[i]);
-        power *= t;
-    }
-    return sum;
-}
-
 /* What was weak before remains so. */
 static invcal_status judge_at(job *j, invcal_real temperature)
 {
-    invcal_thermal *now = &j->now;
+    const invcal_thermal *now = &j->now;
     const uint16_t weak = j->q.weak;
     invcal_calibration c;
     invcal_real k[N];
 
+    if (!invcal_is_finite(temperature)) {
+        return INVCAL_BAD_TEMPERATURE;
+    }
     (void)invcal_thermal_clamp(now, &temperature);
     const invcal_real t = invcal_thermal_scaled(now, temperature);
     const invcal_status status = invcal_thermal_calibration(now, t, &c);
@@ -365,13 +351,10 @@ static invcal_status judge_at(job *j, invcal_real temperature)
         return status;
     }
     for (unsigned r = 0; r < N; r++) {
-        const invcal_real prior = prior_at(j, t, r);
         k[r] = variance_at(j, t, r);
-        if (!(k[r] <= INVCAL_HOPELESS_K || prior > 0)) {
+        if (!(k[r] <= INVCAL_HOPELESS_K || j->loosest > 0)) {
             return INVCAL_UNDETERMINED;
         }
-        const int is_of_prior = prior > 0 && k[r] * j->q.noise * j->q.noise > prior / 2;
-        j->from_prior |= (uint16_t)((unsigned)is_of_prior << r);
     }
     invcal_judge_parameters(k, j->q.dof > 0 || j->positions->noise > 0, &now->nominal, &c, &j->q);
     j->q.weak |= weak;
@@ -379,17 +362,21 @@ static invcal_status judge_at(job *j, invcal_real temperature)
     return INVCAL_OK;
 }
 
-/* Weighs, and judges at these temperatures. Without slopes over a range that wants some, slopes pass
- * for errors of everything else, and the residuals may not show it. */
-static invcal_status judge(job *j, const invcal_real *temperature, unsigned count)
+/* Without slopes over a range that wants some, slopes pass for errors of everything else, and the
+ * residuals may not show it. */
+static invcal_status judge(job *j, const invcal_real *temperature, unsigned count,
+                           invcal_quality *quality)
 {
     const invcal_thermal *now = &j->now;
     const int lacks_slopes = DEGREE > 0 && now->degree == 0 && !(now->max - now->min < NARROWEST);
-    invcal_status status = INVCAL_OK;
+    invcal_status status = weigh(j);
 
     j->q.weak = lacks_slopes ? (1u << N) - 1u : 0;
     for (unsigned i = 0; i < count && status == INVCAL_OK; i++) {
         status = judge_at(j, temperature[i]);
+    }
+    if (status == INVCAL_OK) {
+        *quality = j->q;
     }
     return status;
 }
@@ -435,19 +422,21 @@ static invcal_status begin_with_prior(job *j, const invcal_thermal_positions *po
                                       const invcal_thermal_prior *prior, const invcal_thermal *base,
                                       unsigned degree)
 {
-    const invcal_real *const sigma[3] = {prior->constant, prior->slope, prior->curvature};
     const invcal_status status = begin(j, positions, base, degree);
     invcal_real power = 1;
 
     for (unsigned i = 0; i < UNKNOWNS; i++) {
-        const invcal_real one = sigma[i / N][i % N];
+        const invcal_real one = prior->sigma[i / N][i % N];
         power *= i > 0 && i % N == 0 ? base->span : 1;
-        j->held[i] = one == 0 ? 0 : 1 / (one * power);
-        if (!(one >= 0 && invcal_is_finite(one) && invcal_is_finite(j->held[i]))) {
+        const invcal_real held = one == 0 ? 0 : 1 / (one * power);
+        if (!(one >= 0 && invcal_is_finite(one) && invcal_is_finite(held))) {
             return status == INVCAL_OK ? INVCAL_BAD_PRIOR : status;
         }
+        j->held[i] = held;
+        if (held > 0 && (!(j->loosest > 0) || held < j->loosest)) {
+            j->loosest = held;
+        }
     }
-    j->has_prior = 1;
     return status == INVCAL_OK && !(j->noise > 0) ? INVCAL_BAD_NOISE : status;
 }
 
@@ -460,35 +449,20 @@ static invcal_status run(job *j, unsigned degree, invcal_thermal *out, invcal_qu
     if (status != INVCAL_OK) {
         return status;
     }
-    for (unsigned pass = 0; pass <= (j->has_prior ? 1u : 0u) && status == INVCAL_OK; pass++) {
-        status = improve(j, j->now.fitted);
-        if (status == INVCAL_OK) {
-            status = weigh(j);
-        }
+    status = improve(j, j->now.fitted);
+    if (status == INVCAL_OK && j->loosest > 0) {
+        status = weigh(j);
+        status = status == INVCAL_OK ? improve(j, j->now.fitted) : status;
     }
     if (status == INVCAL_OK) {
         const invcal_real at[3] = {j->now.min, j->now.max, j->now.reference};
-        status = judge(j, at, 3);
+        status = judge(j, at, 3, quality);
     }
     if (status == INVCAL_OK) {
         *out = j->now;
-        *quality = j->q;
     }
     return status == INVCAL_NOT_FINITE || status == INVCAL_OUT_OF_RANGE ? INVCAL_NOT_ELLIPSOID
                                                                         : status;
-}
-
-static invcal_status run_judgement(job *j, invcal_real temperature, invcal_quality *quality)
-{
-    invcal_status status = invcal_is_finite(temperature) ? weigh(j) : INVCAL_BAD_TEMPERATURE;
-
-    if (status == INVCAL_OK) {
-        status = judge(j, &temperature, 1);
-    }
-    if (status == INVCAL_OK) {
-        *quality = j->q;
-    }
-    return status;
 }
 
 invcal_status invcal_thermal_fit(const invcal_thermal_positions *positions,
@@ -505,16 +479,13 @@ invcal_status invcal_thermal_fit(const invcal_thermal_positions *positions,
 invcal_status invcal_thermal_fit_with_prior(const invcal_thermal_positions *positions,
                                             const invcal_thermal_prior *prior,
                                             const invcal_thermal *base, unsigned degree,
-                                            invcal_thermal *out, invcal_quality *quality,
-                                            uint16_t *from_prior)
+                                            invcal_thermal *out, invcal_quality *quality)
 {
     job j;
 
-    INVCAL_ASSERT(positions && prior && base && out && quality && from_prior);
-    invcal_status status = begin_with_prior(&j, positions, prior, base, degree);
-    status = status == INVCAL_OK ? run(&j, degree, out, quality) : status;
-    *from_prior = status == INVCAL_OK ? j.from_prior : *from_prior;
-    return status;
+    INVCAL_ASSERT(positions && prior && base && out && quality);
+    const invcal_status status = begin_with_prior(&j, positions, prior, base, degree);
+    return status == INVCAL_OK ? run(&j, degree, out, quality) : status;
 }
 
 invcal_status invcal_thermal_judge(const invcal_thermal_positions *positions,
@@ -525,22 +496,41 @@ invcal_status invcal_thermal_judge(const invcal_thermal_positions *positions,
 
     INVCAL_ASSERT(positions && thermal && quality);
     const invcal_status status = begin(&j, positions, thermal, thermal->fitted);
-    return status == INVCAL_OK ? run_judgement(&j, temperature, quality) : status;
+    return status == INVCAL_OK ? judge(&j, &temperature, 1, quality) : status;
 }
 
 invcal_status invcal_thermal_judge_with_prior(const invcal_thermal_positions *positions,
                                               const invcal_thermal_prior *prior,
                                               const invcal_thermal *thermal,
-                                              invcal_real temperature, invcal_quality *quality,
-                                              uint16_t *from_prior)
+                                              invcal_real temperature, invcal_quality *quality)
 {
     job j;
 
-    INVCAL_ASSERT(positions && prior && thermal && quality && from_prior);
-    invcal_status status = begin_with_prior(&j, positions, prior, thermal, thermal->fitted);
-    status = status == INVCAL_OK ? run_judgement(&j, temperature, quality) : status;
-    *from_prior = status == INVCAL_OK ? j.from_prior : *from_prior;
-    return status;
+    INVCAL_ASSERT(positions && prior && thermal && quality);
+    const invcal_status status = begin_with_prior(&j, positions, prior, thermal, thermal->fitted);
+    return status == INVCAL_OK ? judge(&j, &temperature, 1, quality) : status;
+}
+
+uint16_t invcal_thermal_from_prior(const invcal_thermal_prior *prior, const invcal_thermal *thermal,
+                                   invcal_real temperature, const invcal_quality *quality)
+{
+    uint16_t mask = 0;
+
+    INVCAL_ASSERT(prior && thermal && thermal->fitted <= DEGREE && quality);
+    (void)invcal_thermal_clamp(thermal, &temperature);
+    for (unsigned r = 0; r < N; r++) {
+        invcal_real variance = -2 * quality->sigma[r] * quality->sigma[r];
+        invcal_real power = 1;
+        int is_known = 1;
+        for (unsigned a = 0; a <= thermal->fitted; a++) {
+            const invcal_real sigma = prior->sigma[a][r];
+            is_known &= sigma > 0;
+            variance += sigma * power * (sigma * power);
+            power *= temperature - thermal->reference;
+        }
+        mask |= (uint16_t)((is_known && variance < 0 ? 1u : 0u) << r);
+    }
+    return mask;
 }
 
 invcal_status invcal_thermal_start(const invcal_calibration *nominal,

@@ -201,35 +201,34 @@ invcal_status invcal_thermal_judge(const invcal_thermal_positions *positions,
                                    const invcal_thermal *thermal, invcal_real temperature,
                                    invcal_quality *quality);
 
-/* What is known beforehand of X against the base: standard deviations about none of X at the
- * reference, of its slopes (per K) and of what bends them (per K^2); 0: nothing is known. In float
- * none should be below a thousandth of the widest, times the span. */
+/* What is known beforehand of X against the base, as standard deviations about none: sigma[0] of X at
+ * the reference, sigma[1] of its slopes (per K), sigma[2] of what bends them (per K^2); 0: nothing is
+ * known. In float none should be below a thousandth of the widest, times the span. */
 typedef struct {
-    invcal_real constant[INVCAL_PARAMETERS];
-    invcal_real slope[INVCAL_PARAMETERS];
-    invcal_real curvature[INVCAL_PARAMETERS]; /* for degree 2 */
+    invcal_real sigma[INVCAL_THERMAL_ROWS][INVCAL_PARAMETERS];
 } invcal_thermal_prior;
 
 /* The same with a prior. With one on every slope even one temperature is enough: what the positions
  * leave open stays at none, within its prior. Where the residuals tell more noise than is stated, it
  * is weighed with theirs, quality->noise, and with that it is to be judged.
  *
- * positions   the noise has to be stated.
- * from_prior  bit r: the prior has told more of parameter r than the positions did, at some
- *             temperature of the range.
+ * positions  the noise has to be stated.
  *
  * Returns as invcal_thermal_fit; INVCAL_BAD_NOISE without one; INVCAL_BAD_PRIOR unless all numbers
- * are finite and not negative. Cost and stack: twice, and 0.1 KB more. */
+ * are finite and not negative. */
 invcal_status invcal_thermal_fit_with_prior(const invcal_thermal_positions *positions,
                                             const invcal_thermal_prior *prior,
                                             const invcal_thermal *base, unsigned degree,
-                                            invcal_thermal *out, invcal_quality *quality,
-                                            uint16_t *from_prior);
+                                            invcal_thermal *out, invcal_quality *quality);
 invcal_status invcal_thermal_judge_with_prior(const invcal_thermal_positions *positions,
                                               const invcal_thermal_prior *prior,
                                               const invcal_thermal *thermal,
-                                              invcal_real temperature, invcal_quality *quality,
-                                              uint16_t *from_prior);
+                                              invcal_real temperature, invcal_quality *quality);
+
+/* Bit r: the prior has told more of parameter r at a temperature than the positions did, as its sigma
+ * there, in quality, is hardly smaller. */
+uint16_t invcal_thermal_from_prior(const invcal_thermal_prior *prior, const invcal_thermal *thermal,
+                                   invcal_real temperature, const invcal_quality *quality);
 
 #ifdef __cplusplus
 }

@@ -16,16 +16,15 @@
 static void squares(double p[3][3], double value[3])
 {
     double packed[6];
-    invcal_eigen3 e;
 
     for (unsigned r = 0; r < 3; r++) {
         for (unsigned c = 0; c <= r; c++) {
             packed[INVCAL_PACKED(r, c)] = p[0][r] * p[0][c] + p[1][r] * p[1][c] + p[2][r] * p[2][c];
         }
     }
-    invcal_eigen3_decompose(packed, &e);
+    eigenvalues(packed, 3, value);
     for (unsigned i = 0; i < 3; i++) {
-        value[i] = fmax(e.value[i], 0); /* rounding */
+        value[i] = fmax(value[i], 0); /* rounding */
     }
 }
 

@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: MIT */
 #include "fit.h"
 
-#include <math.h>
 #include <string.h>
 
 #include "eigen.h"
+#include "matrix.h"
 
 #define NORMAL 1.959964 /* sigma that hold 95 % where the noise is known */
 
@@ -47,34 +47,26 @@ fit_solution fit_solution_of(const invcal_calibration *symmetric, const fit_sett
     return s;
 }
 
-/* Noise, alike on the raw axes, moves the length of a reading along eta by |M' eta| times itself, M
- * the matrix of the calibration: the square of that, */
-static double square_along(const invcal_calibration *c, const double eta[3])
+/* calibrated = A (u - delta), u what nominal makes of a reading. Noise of u moves the length of a
+ * calibrated reading along eta by |A eta| times itself. */
+double fit_weight(const invcal_calibration *symmetric, const invcal_calibration *nominal,
+                  const double eta[3])
 {
-    double sum = 0;
+    double inverse[3][3];
+    double v[3] = {0, 0, 0}; /* M' eta */
+    double square = 0;
 
-    for (unsigned j = 0; j < 3; j++) {
-        const double x =
-            c->matrix[0][j] * eta[0] + c->matrix[1][j] * eta[1] + c->matrix[2][j] * eta[2];
-        sum += x * x;
+    (void)matrix_inverse(nominal, inverse); /* no solution without */
+    for (unsigned i = 0; i < 3; i++) {
+        for (unsigned j = 0; j < 3; j++) {
+            v[j] += symmetric->matrix[i][j] * eta[i];
+        }
     }
-    return sum;
-}
-
-/* and its mean over all directions. */
-static double mean_square(const invcal_calibration *c)
-{
-    double sum = 0;
-
-    for (unsigned i = 0; i < 9; i++) {
-        sum += c->matrix[i / 3][i % 3] * c->matrix[i / 3][i % 3] / 3;
+    for (unsigned j = 0; j < 3; j++) { /* A' = A */
+        const double x = inverse[0][j] * v[0] + inverse[1][j] * v[1] + inverse[2][j] * v[2];
+        square += x * x;
     }
-    return sum;
-}
-
-double fit_weight(const invcal_calibration *calibration, const double eta[3])
-{
-    return mean_square(calibration) / square_along(calibration, eta);
+    return 1 / square;
 }
 
 void fit_information(const double *raw, unsigned count, const fit_settings *settings,
@@ -87,7 +79,8 @@ void fit_information(const double *raw, unsigned count, const fit_settings *sett
     invcal_sums_init(&sums);
     for (unsigned n = 0; n < count; n++) { /* as the solution did: none can fail */
         (void)invcal_observe(&solution->symmetric, &raw[3 * (size_t)n], &row);
-        invcal_sums_add_row(&sums, &row, fit_weight(&solution->symmetric, row.h));
+        invcal_sums_add_row(&sums, &row,
+                            fit_weight(&solution->symmetric, &settings->nominal, row.h));
     }
     invcal_sums_system(&sums);
     memcpy(information, sums.sum, INVCAL_PACKED_SIZE(INVCAL_PARAMETERS) * sizeof *information);
@@ -99,20 +92,11 @@ void fit_information(const double *raw, unsigned count, const fit_settings *sett
     }
 }
 
-/* Where the residuals show no more than the noise stated, sigma is that of a known noise. */
-static double coverage_of(const invcal_quality *q, const fit_settings *settings,
-                          const fit_solution *solution)
+fit_quality fit_quality_of(const invcal_quality *q, const fit_settings *settings)
 {
-    const double stated =
-        settings->noise * sqrt(mean_square(&solution->symmetric) / mean_square(&settings->nominal));
-
-    return stated > 0 && q->noise <= (1 + 1e-9) * stated ? NORMAL : invcal_coverage(q->dof);
-}
-
-fit_quality fit_quality_of(const invcal_quality *q, const fit_settings *settings,
-                           const fit_solution *solution)
-{
-    fit_quality out = {.coverage = coverage_of(q, settings, solution),
+    /* where the residuals show no more noise than is stated, that is a known one */
+    const int is_known = settings->noise > 0 && q->noise <= settings->noise;
+    fit_quality out = {.coverage = is_known ? NORMAL : invcal_coverage(q->dof),
                        .noise = q->noise,
                        .dof = q->dof,
                        .rms = q->rms,
@@ -158,7 +142,7 @@ invcal_status fit_make(const double *raw, unsigned count, const fit_settings *se
         return fit_explain(raw, count, settings, status, reason);
     }
     *solution = fit_solution_of(&c, settings);
-    *quality = fit_quality_of(&q, settings, solution);
+    *quality = fit_quality_of(&q, settings);
     quality->from_prior = from_prior;
     fit_information(raw, count, settings, solution, q.noise, information);
     quality->condition = eigen_condition(information, INVCAL_PARAMETERS);

@@ -67,12 +67,12 @@ invcal_status fit_explain(const double *raw, unsigned count, const fit_settings 
 fit_solution fit_solution_of(const invcal_calibration *symmetric, const fit_settings *settings);
 
 /* What the library says of a solution, but for the condition and what came from the prior. */
-fit_quality fit_quality_of(const invcal_quality *q, const fit_settings *settings,
-                           const fit_solution *solution);
+fit_quality fit_quality_of(const invcal_quality *q, const fit_settings *settings);
 
-/* The weight of a row that is made with a calibration, by the noise that it really has: 1 in the mean
- * over all directions eta. */
-double fit_weight(const invcal_calibration *calibration, const double eta[3]);
+/* The weight of the row of a calibrated reading eta, by the noise that it really has: 1 for the noise
+ * of a nominal reading. */
+double fit_weight(const invcal_calibration *symmetric, const invcal_calibration *nominal,
+                  const double eta[3]);
 
 /* H'WH of the calibrated readings with the prior, packed: the inverse of the covariance of the nine
  * parameters in calibrated units, over noise^2. `noise` matters with a prior only. */

@@ -124,7 +124,7 @@ static void complete(thermal_fit *fit, const rejection *kept, const invcal_quali
                      uint16_t from_prior)
 {
     fit->solution = solution_at(fit, fit->calibration.reference);
-    fit->quality = fit_quality_of(q, &fit->settings, &fit->solution);
+    fit->quality = fit_quality_of(q, &fit->settings);
     fit->quality.from_prior = from_prior;
     settle_noise(fit);
     find_covariance(fit, kept);

@@ -30,7 +30,7 @@ int thermal_rows_one(const invcal_thermal *c, const double raw[3], double temper
         out->h[i] = out->h[i - N] * t;
     }
     out->residual = sqrt(1 + 2 * row.j) - 1;
-    out->weight = fit_weight(&here, row.h);
+    out->weight = fit_weight(&here, &c->nominal, row.h);
     return 1;
 }
 
