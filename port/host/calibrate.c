@@ -10,9 +10,9 @@
 #include "calibration_file.h"
 #include "columns.h"
 #include "design.h"
+#include "gravity.h"
 #include "command.h"
 #include "input.h"
-#include "invcal/gravity.h"
 #include "live.h"
 #include "message.h"
 #include "noise_file.h"
@@ -129,11 +129,15 @@ static int read_place(request *r)
     if (!failure && r->value[HEIGHT]) {
         failure = options_numbers(r->syntax, HEIGHT, r->value[HEIGHT], 1, &r->place[1], NULL);
     }
-    if (!failure && invcal_gravity(r->place[0], r->place[1], &r->settings.field) != INVCAL_OK) {
-        failure = fabs(r->place[0]) <= 90 ? usage(r, HEIGHT, "is -500 to 10000 m above the sea")
-                                          : usage(r, LATITUDE, "is -90 to 90 degrees");
+    if (failure) {
+        return failure;
     }
-    return failure;
+    r->settings.field = gravity_at(r->place[0], r->place[1]);
+    if (isnan(r->settings.field)) {
+        return fabs(r->place[0]) <= 90 ? usage(r, HEIGHT, "is -500 to 10000 m above the sea")
+                                       : usage(r, LATITUDE, "is -90 to 90 degrees");
+    }
+    return EXIT_GOOD;
 }
 
 static int read_gravity(request *r)

@@ -5,7 +5,7 @@
 
 #include "calibrate.h"
 #include "figure.h"
-#include "invcal/gravity.h"
+#include "gravity.h"
 #include "matrix.h"
 #include "number.h"
 #include "paint.h"
@@ -327,7 +327,7 @@ static void print_place(FILE *file, const calibrate_result *result)
         fprintf(file,
                 "That is normal gravity at %.6g degrees, %.6g m, ±%.4f: an error scales all "
                 "readings alike,\nand does nothing else.\n",
-                result->place[0], result->place[1], (double)INVCAL_GRAVITY_SIGMA);
+                result->place[0], result->place[1], GRAVITY_SIGMA);
     }
 }
 

@@ -5,8 +5,8 @@
 #include <string.h>
 
 #include "command.h"
+#include "gravity.h"
 #include "input.h"
-#include "invcal/gravity.h"
 #include "number.h"
 #include "parameters.h"
 #include "report_facts.h"
@@ -259,7 +259,7 @@ static void write_origin(page *p, const report_facts *f)
         page_fact(p, "normal gravity",
                   "at %.6g degrees, %.6g m, ±%.4f m/s²: an error scales all readings alike, and "
                   "does nothing else",
-                  r->place[0], r->place[1], (double)INVCAL_GRAVITY_SIGMA);
+                  r->place[0], r->place[1], GRAVITY_SIGMA);
     }
     page_fact(p, "positions", "%u used, %u left out", r->rejected.kept_count, r->rejected.count);
     write_temperature(p, f);
