@@ -5,6 +5,7 @@
 
 #include "vector.h"
 
+#define INVCAL_CRC_RESIDUE UINT32_C(0x2144DF1C)
 #define EXPONENT UINT32_C(0x7F800000) /* of binary32: all set for what is not finite */
 #define NOT_A_NUMBER UINT32_C(0x7FC00000)
 
@@ -83,25 +84,16 @@ void invcal_seal(uint8_t *bytes, uint8_t kind, unsigned length)
 /* The shortest: nothing between length and CRC. */
 enum { SHORTEST = 8 };
 
-static int is_sound(const uint8_t *bytes, uint32_t size)
-{
-    if (size < SHORTEST) {
-        return 0;
-    }
-    const unsigned length = invcal_get_u16(bytes + 2);
-    if (length - SHORTEST > size - SHORTEST) {
-        return 0;
-    }
-    const unsigned end = length - INVCAL_CRC_SIZE;
-    return invcal_crc32(0, bytes, end) == invcal_get_u32(bytes + end);
-}
-
 invcal_status invcal_unseal(const uint8_t *bytes, uint32_t size, uint8_t kind, unsigned first)
 {
-    if (!is_sound(bytes, size)) {
-        return INVCAL_DAMAGED;
+    if (size >= SHORTEST) {
+        const unsigned length = invcal_get_u16(bytes + 2);
+        if (length - SHORTEST <= size - SHORTEST &&
+            invcal_crc32(0, bytes, length) == INVCAL_CRC_RESIDUE) {
+            return bytes[0] == kind && bytes[1] >= first && bytes[1] <= INVCAL_VERSION_OF_BYTES
+                       ? INVCAL_OK
+                       : INVCAL_OTHER_VERSION;
+        }
     }
-    return bytes[0] == kind && bytes[1] >= first && bytes[1] <= INVCAL_VERSION_OF_BYTES
-               ? INVCAL_OK
-               : INVCAL_OTHER_VERSION;
+    return INVCAL_DAMAGED;
 }

@@ -16,7 +16,13 @@ static inline unsigned invcal_get_u16(const uint8_t *bytes)
     return bytes[0] | (unsigned)bytes[1] << 8;
 }
 
-static inline uint32_t invcal_get_u32(const uint8_t *bytes)
+#ifdef __GNUC__ /* one instruction, where alignment does not matter: worth no call */
+#define INVCAL_ALWAYS __attribute__((always_inline)) inline
+#else
+#define INVCAL_ALWAYS inline
+#endif
+
+static INVCAL_ALWAYS uint32_t invcal_get_u32(const uint8_t *bytes)
 {
     return invcal_get_u16(bytes) | (uint32_t)invcal_get_u16(bytes + 2) << 16;
 }

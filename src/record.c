@@ -96,10 +96,11 @@ invcal_status invcal_record_decode(const uint8_t *bytes, uint32_t size, invcal_r
     const invcal_status status = read_record(bytes, size, &r);
     if (status == INVCAL_OK) {
         *out = r;
-        return status;
     }
-    return status == INVCAL_OTHER_VERSION ? status : INVCAL_DAMAGED;
+    return status;
 }
+
+/* ---- in a memory ------------------------------------------------------------------------------- */
 
 invcal_status invcal_save(const invcal_store *store, const invcal_calibration *calibration,
                           const invcal_quality *quality)
@@ -118,9 +119,10 @@ invcal_status invcal_load(const invcal_store *store, invcal_calibration *calibra
     uint8_t bytes[INVCAL_RECORD_SIZE_MAX];
     uint32_t size;
 
+    INVCAL_ASSERT(calibration);
     invcal_status status = invcal_store_load(store, bytes, sizeof bytes, &size);
     if (status == INVCAL_OK) {
-        status = invcal_record_decode(bytes, size, &r);
+        status = read_record(bytes, size, &r);
     }
     if (status == INVCAL_OK) {
         *calibration = r.calibration;

@@ -60,8 +60,8 @@ invcal_status invcal_session_encode(const invcal_session *session,
     INVCAL_ASSERT(session && bytes && size);
     uint8_t *at = invcal_put_two(bytes + 4, session->count, session->rate);
     at = invcal_put_u32(at, session->hold);
-    at = invcal_put_u32(at, (uint32_t)session->rests.detector[0]);
-    at = invcal_put_u32(at, (uint32_t)session->rests.detector[1]);
+    at = invcal_put_u32(at, (uint32_t)session->rests.low);
+    at = invcal_put_u32(at, (uint32_t)session->rests.high);
     (void)invcal_put_reals(at, session, HEAD_REALS + 3u * session->count);
     invcal_seal(bytes, KIND, length);
     *size = length;
@@ -73,7 +73,7 @@ invcal_status invcal_session_decode(const uint8_t *bytes, uint32_t size, invcal_
     head h;
 
     INVCAL_ASSERT(bytes && out);
-    const invcal_status status = invcal_unseal(bytes, size, KIND, FIRST_VERSION);
+    invcal_status status = invcal_unseal(bytes, size, KIND, FIRST_VERSION);
     if (status != INVCAL_OK) {
         return status;
     }
@@ -86,15 +86,17 @@ invcal_status invcal_session_decode(const uint8_t *bytes, uint32_t size, invcal_
     }
     const int32_t low = get_i32(bytes + 12);
     const int32_t high = get_i32(bytes + 16);
-    if (check(bytes, &h) != INVCAL_OK || low >= high ||
-        invcal_session_begin(out, &h.nominal, invcal_get_u16(bytes + 6)) != INVCAL_OK) {
-        return INVCAL_DAMAGED;
+    status = low < high ? check(bytes, &h) : INVCAL_BAD_RAILS;
+    if (status == INVCAL_OK) { /* the first that writes, and only if it accepts */
+        status = invcal_session_begin(out, &h.nominal, invcal_get_u16(bytes + 6));
     }
-    (void)invcal_session_rails(out, low, high);
-    invcal_session_hold(out, invcal_get_u32(bytes + 8));
-    (void)invcal_get_reals(bytes + REALS_AT, out, HEAD_REALS + 3 * count);
-    out->count = (uint8_t)count;
-    return INVCAL_OK;
+    if (status == INVCAL_OK) {
+        (void)invcal_session_rails(out, low, high);
+        invcal_session_hold(out, invcal_get_u32(bytes + 8));
+        (void)invcal_get_reals(bytes + REALS_AT, out, HEAD_REALS + 3 * count);
+        out->count = (uint8_t)count;
+    }
+    return status;
 }
 
 invcal_status invcal_save_session(const invcal_store *store, const invcal_session *session)
