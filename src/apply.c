@@ -5,7 +5,15 @@
 void invcal_apply(const invcal_calibration *calibration, const invcal_real raw[3],
                   invcal_real calibrated[3])
 {
-    invcal_correct(calibration, raw, calibrated);
+    const invcal_real x = raw[0] - calibration->offset[0];
+    const invcal_real y = raw[1] - calibration->offset[1];
+    const invcal_real z = raw[2] - calibration->offset[2];
+
+    INVCAL_UNROLL
+    for (unsigned i = 0; i < 3; i++) {
+        const invcal_real *row = calibration->matrix[i];
+        calibrated[i] = row[0] * x + row[1] * y + row[2] * z;
+    }
 }
 
 void invcal_apply_counts(const invcal_calibration *calibration, const int32_t raw[3],
@@ -13,7 +21,7 @@ void invcal_apply_counts(const invcal_calibration *calibration, const int32_t ra
 {
     const invcal_real counts[3] = {(invcal_real)raw[0], (invcal_real)raw[1], (invcal_real)raw[2]};
 
-    invcal_correct(calibration, counts, calibrated);
+    invcal_apply(calibration, counts, calibrated);
 }
 
 invcal_status invcal_scale(invcal_calibration *calibration, invcal_real field)

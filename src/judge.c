@@ -4,12 +4,8 @@
 #include <stddef.h>
 
 #include "solve.h"
-#include "sums.h"
-#include "invcal/expert.h"
 #include "vector.h"
 
-#define WEAK_K INVCAL_REAL(100.0)    /* square of 10. Above: usable only within its sigma */
-#define HOPELESS_K INVCAL_REAL(1e6)  /* square of 1000. Above: refused */
 #define NOISE_SHARE INVCAL_REAL(0.1) /* of the information on a parameter: above, it is weak */
 #define ABSURD INVCAL_REAL(0.1)      /* rms of the residuals; above: no readings of one field */
 
@@ -28,15 +24,43 @@ static invcal_real sensitivity(const invcal_calibration *c, const invcal_real et
     return square;
 }
 
-/* Mean square of |M' eta| over all directions. */
-static invcal_real mean_sensitivity(const invcal_calibration *c)
+invcal_real invcal_mean_sensitivity(const invcal_calibration *c)
 {
-    invcal_real sum = 0;
+    return invcal_dot(c->matrix[0], c->matrix[0], 9) / 3;
+}
 
-    for (unsigned i = 0; i < 3; i++) {
-        sum += invcal_dot3(c->matrix[i], c->matrix[i]) / 3;
+void invcal_residuals_begin(invcal_quality *q)
+{
+    q->rms = 0;
+    q->max = 0;
+    q->worst = 0;
+}
+
+/* j = (|eta|^2 - 1)/2 = (|eta| - 1)(|eta| + 1)/2 */
+invcal_status invcal_residuals_add(const invcal_calibration *c, invcal_real mean,
+                                   const invcal_real raw[3], unsigned i, invcal_row *row,
+                                   invcal_real *weight, invcal_quality *q)
+{
+    const invcal_status status = invcal_observe(c, raw, row);
+
+    if (status != INVCAL_OK) {
+        return status;
     }
-    return sum;
+    *weight = mean / sensitivity(c, row->h);
+    const invcal_real r = 2 * row->j / (1 + INVCAL_SQRT(1 + 2 * row->j));
+    q->rms += r * r;
+    if (!(INVCAL_FABS(r) <= q->max)) {
+        q->max = INVCAL_FABS(r);
+        q->worst = (uint8_t)i;
+    }
+    return INVCAL_OK;
+}
+
+invcal_status invcal_residuals_end(unsigned count, invcal_quality *q)
+{
+    q->positions = (uint8_t)count;
+    q->rms = INVCAL_SQRT(q->rms / (invcal_real)count);
+    return q->rms <= ABSURD ? INVCAL_OK : INVCAL_NOT_ELLIPSOID;
 }
 
 /* Second pass, now with calibrated readings: residuals without cancellation, the covariance of unit
@@ -44,38 +68,33 @@ static invcal_real mean_sensitivity(const invcal_calibration *c)
 static invcal_status compare(const invcal_positions *positions, const invcal_calibration *c,
                              invcal_sums *sums, invcal_quality *q)
 {
-    const invcal_real mean = mean_sensitivity(c);
-    invcal_real squares = 0;
+    const invcal_real mean = invcal_mean_sensitivity(c);
     invcal_row row;
+    invcal_real weight;
 
     invcal_sums_init(sums);
-    q->max = 0;
+    invcal_residuals_begin(q);
     for (unsigned i = 0; i < positions->count; i++) {
         if (invcal_is_left_out(positions, i)) {
             continue;
         }
-        if (invcal_observe(c, &positions->raw[3 * (size_t)i], &row) != INVCAL_OK) {
+        if (invcal_residuals_add(c, mean, &positions->raw[3 * (size_t)i], i, &row, &weight, q) !=
+            INVCAL_OK) {
             return INVCAL_NOT_ELLIPSOID; /* fit for the first pass, absurd after it */
         }
-        invcal_sums_add_row(sums, &row, mean / sensitivity(c, row.h));
-        /* j = (|eta|^2 - 1)/2 = (|eta| - 1)(|eta| + 1)/2 */
-        const invcal_real r = 2 * row.j / (1 + INVCAL_SQRT(1 + 2 * row.j));
-        squares += r * r;
-        if (!(INVCAL_FABS(r) <= q->max)) {
-            q->max = INVCAL_FABS(r);
-            q->worst = (uint8_t)i;
-        }
+        invcal_sums_add_row(sums, &row, weight);
     }
-    q->rms = INVCAL_SQRT(squares / (invcal_real)sums->count);
-    return q->rms <= ABSURD ? INVCAL_OK : INVCAL_NOT_ELLIPSOID;
+    return invcal_residuals_end(sums->count, q);
 }
 
-/* The larger of what is stated, in calibrated units, and what the residuals say. */
-static void judge_noise(invcal_real stated, invcal_real weighted_squares, invcal_quality *q)
+void invcal_judge_noise(invcal_real stated, const invcal_calibration *nominal,
+                        const invcal_calibration *c, invcal_real squares, invcal_real dof,
+                        invcal_quality *q)
 {
-    const invcal_real observed =
-        q->dof > 0 ? INVCAL_SQRT(weighted_squares / (invcal_real)q->dof) : 0;
+    const invcal_real observed = dof >= 1 ? INVCAL_SQRT(squares / dof) : 0;
 
+    stated *= INVCAL_SQRT(invcal_mean_sensitivity(c) / invcal_mean_sensitivity(nominal));
+    q->dof = (uint8_t)(dof >= 1 ? dof : 0);
     q->noise = observed > stated ? observed : stated;
     if (!(q->noise > 0)) {
         q->noise = 1; /* nobody knows: the whole field, which no one will mistake for good */
@@ -102,59 +121,69 @@ static void spread(const invcal_calibration *nominal, const invcal_calibration *
     sigma[INVCAL_GAMMA_ZY] *= (length[1] + length[2]) / 2;
 }
 
-/* sigma, weak and condition from L^-1. Weak: K is large, or the information 1 / K no more than what
- * noise in the readings themselves, about noise^2 in each row, adds to H'H: then directions that
- * determine nothing look as if they did. */
-static invcal_status judge_parameters(const invcal_real *inverse, invcal_real trace, int is_known,
-                                      invcal_quality *q)
+void invcal_judge_parameters(const invcal_real k[INVCAL_PARAMETERS], int is_known,
+                             const invcal_calibration *nominal, const invcal_calibration *c,
+                             invcal_quality *q)
 {
     const invcal_real of_noise =
         is_known ? (invcal_real)q->positions * q->noise * q->noise / NOISE_SHARE : 0;
-    invcal_real of_inverse = 0;
 
     q->weak = 0;
     for (unsigned r = 0; r < INVCAL_PARAMETERS; r++) {
-        const invcal_real k = invcal_variance(inverse, INVCAL_PARAMETERS, r);
-        if (!(k <= HOPELESS_K)) {
-            return INVCAL_UNDETERMINED;
-        }
-        if (!(k <= WEAK_K && k * of_noise <= 1)) {
+        if (!(k[r] <= INVCAL_WEAK_K && k[r] * of_noise <= 1)) {
             q->weak |= (uint16_t)(1u << r);
         }
-        q->sigma[r] = q->noise * INVCAL_SQRT(k);
-        of_inverse += k;
+        q->sigma[r] = q->noise * INVCAL_SQRT(k[r]);
     }
-    q->condition = trace * of_inverse;
-    return q->condition * INVCAL_FLOOR < 2 ? INVCAL_OK : INVCAL_UNDETERMINED;
+    spread(nominal, c, q->sigma);
+    q->verdict = (uint8_t)(q->weak ? INVCAL_WEAK : q->dof > 0 ? INVCAL_GOOD : INVCAL_NO_REDUNDANCY);
+}
+
+/* tr A^-1: the squares of all elements of L^-1. */
+invcal_real invcal_condition(const invcal_real *inverse, unsigned n, invcal_real trace)
+{
+    return trace * invcal_dot(inverse, inverse, INVCAL_PACKED_SIZE(n));
+}
+
+/* L^-1 of the second pass; refuses what is more than badly determined. */
+static invcal_status judge_system(invcal_real *a, invcal_real k[INVCAL_PARAMETERS],
+                                  invcal_quality *q)
+{
+    const invcal_real trace = invcal_trace(a, INVCAL_PARAMETERS);
+    const invcal_status status =
+        invcal_factor(a, INVCAL_PARAMETERS, INVCAL_PARAMETERS, INVCAL_FLOOR);
+
+    if (status != INVCAL_OK) {
+        return status;
+    }
+    invcal_invert(a, INVCAL_PARAMETERS);
+    for (unsigned r = 0; r < INVCAL_PARAMETERS; r++) {
+        k[r] = invcal_variance(a, INVCAL_PARAMETERS, r);
+        if (!(k[r] <= INVCAL_HOPELESS_K)) {
+            return INVCAL_UNDETERMINED;
+        }
+    }
+    q->condition = invcal_condition(a, INVCAL_PARAMETERS, trace);
+    return invcal_is_resolved(q->condition) ? INVCAL_OK : INVCAL_UNDETERMINED;
 }
 
 static invcal_status judge(const invcal_positions *positions, const invcal_calibration *c,
                            invcal_sums *sums, invcal_quality *q)
 {
-    invcal_real *a = sums->sum;
+    invcal_real k[INVCAL_PARAMETERS];
     invcal_status status = compare(positions, c, sums, q);
 
     if (status != INVCAL_OK) {
         return status;
     }
     q->left_out = positions->left_out;
-    q->positions = (uint8_t)sums->count;
-    q->dof = (uint8_t)(sums->count - INVCAL_PARAMETERS);
-    const invcal_real stated =
-        positions->noise * INVCAL_SQRT(mean_sensitivity(c) / mean_sensitivity(positions->nominal));
-    judge_noise(stated, sums->sum[INVCAL_MOMENTS + INVCAL_PARAMETERS], q);
+    invcal_judge_noise(positions->noise, positions->nominal, c,
+                       sums->sum[INVCAL_MOMENTS + INVCAL_PARAMETERS],
+                       (invcal_real)(sums->count - INVCAL_PARAMETERS), q);
     invcal_sums_system(sums);
-    const invcal_real trace = invcal_trace(a, INVCAL_PARAMETERS);
-    status = invcal_factor(a, INVCAL_PARAMETERS, INVCAL_PARAMETERS, INVCAL_FLOOR);
+    status = judge_system(sums->sum, k, q);
     if (status == INVCAL_OK) {
-        invcal_invert(a, INVCAL_PARAMETERS);
-        status = judge_parameters(a, trace, q->dof > 0 || positions->noise > 0, q);
-    }
-    if (status == INVCAL_OK) {
-        spread(positions->nominal, c, q->sigma);
-        q->verdict = (uint8_t)(q->weak      ? INVCAL_WEAK
-                               : q->dof > 0 ? INVCAL_GOOD
-                                            : INVCAL_NO_REDUNDANCY);
+        invcal_judge_parameters(k, q->dof > 0 || positions->noise > 0, positions->nominal, c, q);
     }
     return status;
 }
@@ -182,16 +211,17 @@ invcal_status invcal_positions_check(const invcal_positions *positions)
 }
 
 /* Is what the sums have determined more than rounding? If not, readings calibrated by it may look
- * well spread all the same. tr A tr A^-1 is at least the condition. L stands in sums, and is lost. */
-static int is_resolved(invcal_sums *sums, invcal_real trace)
+ * well spread all the same. L stands in the sums, and is lost. */
+static int are_resolved(invcal_real *l)
 {
-    invcal_real of_inverse = 0;
+    invcal_real trace = invcal_dot(l, l, INVCAL_PACKED_SIZE(INVCAL_PARAMETERS));
 
-    invcal_invert(sums->sum, INVCAL_PARAMETERS);
-    for (unsigned i = 0; i < INVCAL_PACKED_SIZE(INVCAL_PARAMETERS); i++) {
-        of_inverse += sums->sum[i] * sums->sum[i];
+    for (unsigned r = 0; r < INVCAL_PARAMETERS; r++) { /* the diagonal of L is reciprocal */
+        const invcal_real square = l[INVCAL_PACKED(r, r)] * l[INVCAL_PACKED(r, r)];
+        trace += 1 / square - square;
     }
-    return trace * of_inverse * INVCAL_FLOOR < 2;
+    invcal_invert(l, INVCAL_PARAMETERS);
+    return invcal_is_resolved(invcal_condition(l, INVCAL_PARAMETERS, trace));
 }
 
 invcal_status invcal_positions_solve(const invcal_positions *positions, invcal_sums *sums,
@@ -202,22 +232,10 @@ invcal_status invcal_positions_solve(const invcal_positions *positions, invcal_s
     if (status != INVCAL_OK) {
         return status;
     }
-    if (sums->count < INVCAL_PARAMETERS) {
-        return INVCAL_TOO_FEW;
-    }
-    invcal_sums_system(sums);
-    const invcal_real trace = invcal_trace(sums->sum, INVCAL_PARAMETERS);
-    status = invcal_factor(sums->sum, INVCAL_PARAMETERS, INVCAL_PARAMETERS + 1, INVCAL_FLOOR);
-    if (status != INVCAL_OK) {
-        return status;
-    }
-    invcal_back_substitute(sums->sum, INVCAL_PARAMETERS);
-    if (!is_resolved(sums, trace)) {
+    status = invcal_solve(sums, positions->nominal, out);
+    /* what is left open may take any shape */
+    if ((status == INVCAL_OK || status == INVCAL_NOT_ELLIPSOID) && !are_resolved(sums->sum)) {
         return INVCAL_UNDETERMINED;
-    }
-    status = invcal_ellipsoid(&sums->sum[INVCAL_PACKED(INVCAL_PARAMETERS, 0)], out);
-    if (status == INVCAL_OK) {
-        status = invcal_behind(positions->nominal, out);
     }
     return status == INVCAL_OK ? judge(positions, out, sums, q) : status;
 }

@@ -27,7 +27,6 @@ invcal_status invcal_session_begin(invcal_session *session, const invcal_calibra
         memset(session, 0, sizeof *session);
         session->nominal = *nominal;
         session->rests = rests;
-        session->rate = (uint16_t)rate;
         session->last = INVCAL_MOVING;
     }
     return status;

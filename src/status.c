@@ -34,7 +34,7 @@ const char *invcal_status_text(invcal_status status)
                                 "the field is no length\0"
                                 "too many of them\0"
                                 "the direction is not a unit vector\0"
-                                "there is no such position in a program\0"
+                                "there is no such program, or no such position in it\0"
                                 "the temperature is unusable\0"
                                 "the averaging times are unusable\0"
                                 "the memory's slot or granularity is unusable\0"

@@ -30,7 +30,8 @@ typedef struct {
 
 /* The exact row of a reading.
  *
- * Returns INVCAL_OK; INVCAL_NOT_FINITE; INVCAL_OUT_OF_RANGE for a length outside 0.1 ... 10. */
+ * Returns INVCAL_OK; INVCAL_NOT_FINITE; INVCAL_OUT_OF_RANGE for a length outside 0.1 ... 10: row is
+ * lost then. */
 invcal_status invcal_observe(const invcal_calibration *nominal, const invcal_real raw[3],
                              invcal_row *row);
 

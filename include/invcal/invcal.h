@@ -212,8 +212,8 @@ typedef struct {
  * zero    raw reading in no field, raw counts.
  * counts  raw counts per field (per g) of each axis; a negative one turns the axis round.
  *
- * Returns INVCAL_OK; INVCAL_BAD_NOMINAL if a number is not finite, or a count is outside 1e-12 ...
- * 1e12 or a zero beyond 1e18 of the field. */
+ * Returns INVCAL_OK; INVCAL_BAD_NOMINAL if a number is not finite, or a count is outside 1e-10 ...
+ * 1e10 or a zero beyond 1e18 of the field. */
 invcal_status invcal_nominal(const invcal_real zero[3], const invcal_real counts[3],
                              invcal_calibration *out);
 
@@ -367,7 +367,6 @@ typedef struct {
     invcal_real noise;                         /* stated, over field; 0: not known */
     invcal_real mean[INVCAL_MAX_POSITIONS][3]; /* raw counts, in the order they were taken */
     uint32_t hold;                             /* milliseconds, as stated; 0: as short as can be */
-    uint16_t rate;                             /* samples per second */
     uint8_t count;                             /* of the means */
     uint8_t last;                              /* the last event that was not INVCAL_NOTHING */
     uint8_t reason;                            /* of INVCAL_REFUSED, an invcal_status */
