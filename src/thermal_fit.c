@@ -1,4 +1,5 @@
 /* SPDX-License-Identifier: MIT */
+#include <stddef.h>
 #include <string.h>
 
 #include "invcal/expert.h"
@@ -397,8 +398,29 @@ static invcal_status find_range(const invcal_real *temperature, unsigned count, 
     return count > 0 ? INVCAL_OK : INVCAL_TOO_FEW;
 }
 
+/* What is known beforehand, over the span. */
+static invcal_status hold(job *j, const invcal_thermal_prior *prior)
+{
+    invcal_real power = 1;
+
+    for (unsigned i = 0; i < UNKNOWNS; i++) {
+        const invcal_real sigma = prior->sigma[i / N][i % N];
+        power *= i > 0 && i % N == 0 ? j->now.span : 1;
+        const invcal_real held = sigma == 0 ? 0 : 1 / (sigma * power);
+        if (!(sigma >= 0 && invcal_is_finite(sigma) && invcal_is_finite(held))) {
+            return INVCAL_BAD_PRIOR;
+        }
+        j->held[i] = held;
+        if (held > 0 && (!(j->loosest > 0) || held < j->loosest)) {
+            j->loosest = held;
+        }
+    }
+    return j->noise > 0 ? INVCAL_OK : INVCAL_BAD_NOISE;
+}
+
 static invcal_status begin(job *j, const invcal_thermal_positions *positions,
-                           const invcal_thermal *base, unsigned degree)
+                           const invcal_thermal_prior *prior, const invcal_thermal *base,
+                           unsigned degree)
 {
     const invcal_positions plain = {positions->raw, positions->count, 0, &base->nominal,
                                     positions->noise};
@@ -412,32 +434,11 @@ static invcal_status begin(job *j, const invcal_thermal_positions *positions,
     if (status == INVCAL_OK) {
         status = find_range(positions->temperature, positions->count, &j->min, &j->max);
     }
-    return status == INVCAL_OK && !(INVCAL_FABS(invcal_thermal_scaled(base, j->min)) <= FARTHEST &&
-                                    INVCAL_FABS(invcal_thermal_scaled(base, j->max)) <= FARTHEST)
-               ? INVCAL_BAD_TEMPERATURE
-               : status;
-}
-
-static invcal_status begin_with_prior(job *j, const invcal_thermal_positions *positions,
-                                      const invcal_thermal_prior *prior, const invcal_thermal *base,
-                                      unsigned degree)
-{
-    const invcal_status status = begin(j, positions, base, degree);
-    invcal_real power = 1;
-
-    for (unsigned i = 0; i < UNKNOWNS; i++) {
-        const invcal_real one = prior->sigma[i / N][i % N];
-        power *= i > 0 && i % N == 0 ? base->span : 1;
-        const invcal_real held = one == 0 ? 0 : 1 / (one * power);
-        if (!(one >= 0 && invcal_is_finite(one) && invcal_is_finite(held))) {
-            return status == INVCAL_OK ? INVCAL_BAD_PRIOR : status;
-        }
-        j->held[i] = held;
-        if (held > 0 && (!(j->loosest > 0) || held < j->loosest)) {
-            j->loosest = held;
-        }
+    if (status == INVCAL_OK && !(INVCAL_FABS(invcal_thermal_scaled(base, j->min)) <= FARTHEST &&
+                                 INVCAL_FABS(invcal_thermal_scaled(base, j->max)) <= FARTHEST)) {
+        return INVCAL_BAD_TEMPERATURE;
     }
-    return status == INVCAL_OK && !(j->noise > 0) ? INVCAL_BAD_NOISE : status;
+    return status == INVCAL_OK && prior != NULL ? hold(j, prior) : status;
 }
 
 /* Two solutions by count, and what they are worth. A prior counts for more if the data are noisier
@@ -466,71 +467,38 @@ static invcal_status run(job *j, unsigned degree, invcal_thermal *out, invcal_qu
 }
 
 invcal_status invcal_thermal_fit(const invcal_thermal_positions *positions,
-                                 const invcal_thermal *base, unsigned degree, invcal_thermal *out,
-                                 invcal_quality *quality)
+                                 const invcal_thermal_prior *prior, const invcal_thermal *base,
+                                 unsigned degree, invcal_thermal *out, invcal_quality *quality)
 {
     job j;
 
     INVCAL_ASSERT(positions && base && out && quality);
-    const invcal_status status = begin(&j, positions, base, degree);
-    return status == INVCAL_OK ? run(&j, degree, out, quality) : status;
-}
-
-invcal_status invcal_thermal_fit_with_prior(const invcal_thermal_positions *positions,
-                                            const invcal_thermal_prior *prior,
-                                            const invcal_thermal *base, unsigned degree,
-                                            invcal_thermal *out, invcal_quality *quality)
-{
-    job j;
-
-    INVCAL_ASSERT(positions && prior && base && out && quality);
-    const invcal_status status = begin_with_prior(&j, positions, prior, base, degree);
+    const invcal_status status = begin(&j, positions, prior, base, degree);
     return status == INVCAL_OK ? run(&j, degree, out, quality) : status;
 }
 
 invcal_status invcal_thermal_judge(const invcal_thermal_positions *positions,
-                                   const invcal_thermal *thermal, invcal_real temperature,
-                                   invcal_quality *quality)
+                                   const invcal_thermal_prior *prior, const invcal_thermal *thermal,
+                                   invcal_real temperature, invcal_quality *quality)
 {
     job j;
 
     INVCAL_ASSERT(positions && thermal && quality);
-    const invcal_status status = begin(&j, positions, thermal, thermal->fitted);
+    const invcal_status status = begin(&j, positions, prior, thermal, thermal->fitted);
     return status == INVCAL_OK ? judge(&j, &temperature, 1, quality) : status;
 }
 
-invcal_status invcal_thermal_judge_with_prior(const invcal_thermal_positions *positions,
-                                              const invcal_thermal_prior *prior,
-                                              const invcal_thermal *thermal,
-                                              invcal_real temperature, invcal_quality *quality)
+uint16_t invcal_thermal_from_prior(const invcal_thermal_prior *prior, const invcal_quality *quality)
 {
-    job j;
+    unsigned mask = 0;
 
-    INVCAL_ASSERT(positions && prior && thermal && quality);
-    const invcal_status status = begin_with_prior(&j, positions, prior, thermal, thermal->fitted);
-    return status == INVCAL_OK ? judge(&j, &temperature, 1, quality) : status;
-}
-
-uint16_t invcal_thermal_from_prior(const invcal_thermal_prior *prior, const invcal_thermal *thermal,
-                                   invcal_real temperature, const invcal_quality *quality)
-{
-    uint16_t mask = 0;
-
-    INVCAL_ASSERT(prior && thermal && thermal->fitted <= DEGREE && quality);
-    (void)invcal_thermal_clamp(thermal, &temperature);
+    INVCAL_ASSERT(prior && quality);
     for (unsigned r = 0; r < N; r++) {
-        invcal_real variance = -2 * quality->sigma[r] * quality->sigma[r];
-        invcal_real power = 1;
-        int is_known = 1;
-        for (unsigned a = 0; a <= thermal->fitted; a++) {
-            const invcal_real sigma = prior->sigma[a][r];
-            is_known &= sigma > 0;
-            variance += sigma * power * (sigma * power);
-            power *= temperature - thermal->reference;
-        }
-        mask |= (uint16_t)((is_known && variance < 0 ? 1u : 0u) << r);
+        const invcal_real known = prior->sigma[0][r];
+        const invcal_real sigma = quality->sigma[r];
+        mask |= (known > 0 && 2 * sigma * sigma > known * known ? 1u : 0u) << r;
     }
-    return mask;
+    return (uint16_t)mask;
 }
 
 invcal_status invcal_thermal_start(const invcal_calibration *nominal,
@@ -567,6 +535,6 @@ invcal_status invcal_thermal_calibrate(const invcal_real *raw, const invcal_real
 
     INVCAL_ASSERT((raw || count == 0) && nominal && out && quality);
     const invcal_status status = invcal_thermal_start(nominal, temperature, count, &base);
-    return status == INVCAL_OK ? invcal_thermal_fit(&positions, &base, DEGREE, out, quality)
+    return status == INVCAL_OK ? invcal_thermal_fit(&positions, NULL, &base, DEGREE, out, quality)
                                : status;
 }
