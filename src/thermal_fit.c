@@ -100,30 +100,24 @@ static invcal_status gather(job *j, unsigned n)
     return INVCAL_OK;
 }
 
-/* A coefficient known with a standard deviation is a row more, (noise / sigma) x = 0. It is 0 at the
+/* A coefficient known with a standard deviation is a row more, (noise / sigma) x = 0: it is 0 at the
  * base, and p is -x against what is there by now. */
-static void add_prior(job *j, unsigned n)
+static invcal_status solve_at_noise(job *j, unsigned n, invcal_real floor)
 {
     const invcal_real *now = &j->now.x[0][0];
     const invcal_real *base = &j->base->x[0][0];
 
-    for (unsigned i = 0; i < n; i++) {
-        const invcal_real ratio = j->noise * j->held[i];
-        j->a[INVCAL_PACKED(i, i)] += ratio * ratio;
-        j->a[INVCAL_PACKED(n, i)] -= ratio * ratio * (now[i] - base[i]);
-    }
-}
-
-static invcal_status solve_at_noise(job *j, unsigned n, invcal_real floor)
-{
     invcal_status status = gather(j, n);
-
     if (status != INVCAL_OK) {
         return status;
     }
     j->squares = j->a[INVCAL_PACKED(n, n)];
     j->largest = invcal_largest_diagonal(j->a, n);
-    add_prior(j, n);
+    for (unsigned i = 0; i < n; i++) {
+        const invcal_real ratio = j->noise * j->held[i];
+        j->a[INVCAL_PACKED(i, i)] += ratio * ratio;
+        j->a[INVCAL_PACKED(n, i)] -= ratio * ratio * (now[i] - base[i]);
+    }
     const invcal_real trace = invcal_trace(j->a, n);
     status = invcal_factor(j->a, n, n + 1, floor);
     if (status != INVCAL_OK) {
@@ -153,45 +147,39 @@ static invcal_status solve(job *j, unsigned n)
 
 /* ---- the solution --------------------------------------------------------------------------------- */
 
-/* How many coefficients from this one on no prior holds, */
-static unsigned count_free(const job *j, unsigned from, unsigned n)
+/* How many coefficients, from this one on, no prior holds, nor the positions once it is solved. */
+static unsigned count_open(const job *j, unsigned from, unsigned n, int is_solved)
 {
     unsigned count = 0;
 
     for (unsigned i = from; i < UNKNOWNS && i < n; i++) {
-        count += !(j->held[i] > 0);
+        count += !(j->held[i] > 0 || (is_solved && invcal_variance(j->a, n, i) <= INVCAL_WEAK_K));
     }
     return count;
-}
-
-/* and are those determined by the positions? */
-static int are_told(const job *j, unsigned from, unsigned n)
-{
-    for (unsigned i = from; i < UNKNOWNS && i < n; i++) {
-        if (!(j->held[i] > 0 || invcal_variance(j->a, n, i) <= INVCAL_WEAK_K)) {
-            return 0;
-        }
-    }
-    return 1;
 }
 
 /* What stands against a degree: it need not even be tried, or it has been solved. */
 static invcal_thermal_fallback try_degree(job *j, unsigned degree, invcal_status *status)
 {
     const unsigned n = (degree + 1) * N;
+    const invcal_real noise = j->noise;
 
     *status = INVCAL_TOO_FEW;
-    if (j->positions->count < count_free(j, 0, n)) {
+    if (j->positions->count < count_open(j, 0, n, 0)) {
         return INVCAL_THERMAL_FEW;
     }
-    if (j->max - j->min < (invcal_real)degree * NARROWEST && count_free(j, degree * N, n) > 0) {
+    if (j->max - j->min < (invcal_real)degree * NARROWEST && count_open(j, degree * N, n, 0) > 0) {
         return INVCAL_THERMAL_NARROW;
     }
     *status = solve(j, n);
-    if (*status == INVCAL_OK && !are_told(j, N, n)) {
+    if (*status == INVCAL_OK && count_open(j, N, n, 1) > 0) {
         *status = INVCAL_UNDETERMINED;
     }
-    return *status == INVCAL_UNDETERMINED ? INVCAL_THERMAL_OPEN : INVCAL_THERMAL_AS_ASKED;
+    if (*status != INVCAL_UNDETERMINED) {
+        return INVCAL_THERMAL_AS_ASKED;
+    }
+    j->noise = noise; /* not raised in vain */
+    return INVCAL_THERMAL_OPEN;
 }
 
 /* The highest degree that can be had, `degree` at most. */
@@ -261,8 +249,8 @@ static invcal_status interpolate(job *j)
         const invcal_real rise = (x[2][r] - x[0][r]) / 2;
         const invcal_real bend = (x[2][r] - x[1][r]) - (x[1][r] - x[0][r]);
         const invcal_real c2 = degree == 2 ? bend / (2 * step * step) : 0;
-        const invcal_real c1 = degree >= 1 ? rise / step - 2 * c2 * t : 0;
-        const invcal_real middle = degree == 1 ? x[0][r] + rise : x[1][r];
+        const invcal_real c1 = rise / step - 2 * c2 * t;
+        const invcal_real middle = degree == 2 ? x[1][r] : x[0][r] + rise;
         const invcal_real c[3] = {middle - (c1 + c2 * t) * t, c1, c2};
         for (unsigned a = 0; a <= DEGREE; a++) {
             j->now.x[a][r] = c[a];
@@ -285,7 +273,7 @@ static invcal_status improve(job *j, unsigned degree)
     now->max = is_new || j->max > now->max ? j->max : now->max;
     now->degree = is_new ? now->fitted : now->degree;
     status = interpolate(j);
-    return status == INVCAL_NOT_ELLIPSOID && !are_told(j, 0, (now->fitted + 1u) * N)
+    return status == INVCAL_NOT_ELLIPSOID && count_open(j, 0, (now->fitted + 1u) * N, 1) > 0
                ? INVCAL_UNDETERMINED /* what is left open may take any shape */
                : status;
 }

@@ -94,10 +94,8 @@ static invcal_status read(const uint8_t *bytes, uint32_t size, invcal_thermal_re
         return INVCAL_NOT_FINITE;
     }
     status = invcal_record_decode(bytes + RECORD_AT, INVCAL_RECORD_SIZE + skipped, &r->record);
-    for (unsigned i = 0; i < 3 && skipped > 0; i++) { /* version 1 was in the unit of the field */
-        for (unsigned j = 0; j < 3; j++) {
-            r->thermal.nominal.matrix[i][j] /= r->record.field;
-        }
+    for (unsigned i = 0; i < 9 && skipped > 0; i++) { /* version 1 was in the unit of the field */
+        r->thermal.nominal.matrix[i / 3][i % 3] /= r->record.field;
     }
     return status == INVCAL_OK ? check(r) : status;
 }
