@@ -58,10 +58,10 @@ invcal_status invcal_session_encode(const invcal_session *session,
     const unsigned length = length_of(session->count);
 
     INVCAL_ASSERT(session && bytes && size);
-    uint8_t *at = invcal_put_two(bytes + 4, session->count, session->rate);
+    uint8_t *at = invcal_put_two(bytes + 4, session->count, session->rests.rate);
     at = invcal_put_u32(at, session->hold);
-    at = invcal_put_u32(at, (uint32_t)session->rests.detector[0]);
-    at = invcal_put_u32(at, (uint32_t)session->rests.detector[1]);
+    at = invcal_put_u32(at, (uint32_t)session->rests.low);
+    at = invcal_put_u32(at, (uint32_t)session->rests.high);
     (void)invcal_put_reals(at, session, HEAD_REALS + 3u * session->count);
     invcal_seal(bytes, KIND, length);
     *size = length;
