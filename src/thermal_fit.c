@@ -4,7 +4,7 @@
 
 #include "invcal/expert.h"
 #include "judge.h"
-#include "thermal.h"
+#include "polynomials.h"
 #include "vector.h"
 
 #define FARTHEST INVCAL_REAL(2.0)         /* |t| */
