@@ -22,35 +22,23 @@ void invcal_apply_counts(const invcal_calibration *calibration, const int32_t ra
     invcal_correct(calibration, counts, calibrated);
 }
 
-static invcal_real largest(const invcal_real v[3])
-{
-    invcal_real most = 0;
-
-    for (unsigned i = 0; i < 3; i++) {
-        const invcal_real size = INVCAL_FABS(v[i]);
-        most = size <= most ? most : size; /* a NaN stays */
-    }
-    return most;
-}
-
-/* Singular to rounding is a determinant that its rows, made of length 1 to 1.7, do not show. */
+/* Singular to rounding is a determinant that the sizes of its rows do not show. */
 invcal_status invcal_nominal_check(const invcal_calibration *nominal)
 {
-    invcal_calibration unit;
     invcal_real cofactor[3][3];
+    invcal_real volume = 1;
 
     for (unsigned i = 0; i < 3; i++) {
-        const invcal_real scale = largest(nominal->matrix[i]);
-        if (!(scale >= SMALLEST && scale <= 1 / SMALLEST &&
-              INVCAL_FABS(nominal->offset[i]) * scale <= FARTHEST)) {
+        const invcal_real *row = nominal->matrix[i];
+        const invcal_real size = INVCAL_FABS(row[0]) + INVCAL_FABS(row[1]) + INVCAL_FABS(row[2]);
+        if (!(size >= SMALLEST && size <= 1 / SMALLEST &&
+              INVCAL_FABS(nominal->offset[i]) * size <= FARTHEST)) {
             return INVCAL_BAD_NOMINAL;
         }
-        for (unsigned j = 0; j < 3; j++) {
-            unit.matrix[i][j] = nominal->matrix[i][j] / scale;
-        }
+        volume *= size;
     }
-    const invcal_real det = invcal_cofactors((const invcal_real(*)[3])unit.matrix, cofactor);
-    return INVCAL_FABS(det) > 16 * INVCAL_EPSILON ? INVCAL_OK : INVCAL_BAD_NOMINAL;
+    const invcal_real det = invcal_cofactors(nominal->matrix, cofactor);
+    return INVCAL_FABS(det) > 16 * INVCAL_EPSILON * volume ? INVCAL_OK : INVCAL_BAD_NOMINAL;
 }
 
 invcal_status invcal_nominal(const invcal_real zero[3], const invcal_real counts[3],

@@ -27,32 +27,23 @@ invcal_status invcal_positions_sum(const invcal_positions *positions, invcal_sum
 /* INVCAL_BAD_... of what the positions were read with. */
 invcal_status invcal_positions_check(const invcal_positions *positions);
 
-/* Mean square of |A eta| over all directions: what the noise of readings becomes in calibrated ones. */
-invcal_real invcal_mean_sensitivity(const invcal_real a[3][3]);
-
 /* Second pass, now with calibrated readings: residuals without cancellation, the sums of unit
  * vectors, and each row weighted with the noise that it really has. Fills in rms, max, worst,
  * positions and left_out.
  *
- * a  of the triad behind c.
+ * a  with calibrated = a (u - delta), u what nominal makes of a reading; c the same for raw counts.
  *
  * Returns INVCAL_OK; INVCAL_NOT_ELLIPSOID if the residuals are absurd. */
 invcal_status invcal_compare(const invcal_positions *positions, const invcal_real a[3][3],
                              const invcal_calibration *c, invcal_sums *sums, invcal_quality *q);
 
-/* noise and dof: the larger of what is stated, in calibrated units, and what the residuals say. */
+/* noise and dof: the larger of what is stated and what the residuals say. */
 void invcal_judge_noise(invcal_real stated, invcal_real weighted_squares, invcal_real dof,
                         invcal_quality *q);
 
-/* sigma in calibrated units and weak from L^-1. Weak: K is large, or the information 1 / K no more
- * than ten times what noise in the readings themselves adds to H'H: then directions that determine
- * nothing look as if they did.
- *
- * of_noise  about noise^2 in each row; 0 if nobody knows the noise. */
-void invcal_judge_parameters(const invcal_real *inverse, invcal_real of_noise, invcal_quality *q);
-
-/* sigma from calibrated units to the parameters, and the verdict. */
-void invcal_judge_verdict(const invcal_real a[3][3], invcal_quality *q);
+/* sigma, weak and verdict from L^-1 of the second pass, a of it, and the noise and dof in q. */
+void invcal_judge_parameters(const invcal_real *inverse, const invcal_real a[3][3],
+                             invcal_quality *q);
 
 /* Both passes: solution, residuals, judgement. out and q are lost on failure. */
 invcal_status invcal_positions_solve(const invcal_positions *positions, invcal_sums *sums,

@@ -1,15 +1,16 @@
 /* SPDX-License-Identifier: MIT */
-#include "invcal/expert.h"
-
 #include "solve.h"
 #include "vector.h"
 
-/* a b */
-static void multiply(const invcal_real a[3][3], const invcal_real b[3][3], invcal_real out[3][3])
+/* m n^-1 */
+static void divide(const invcal_real m[3][3], const invcal_real n[3][3], invcal_real out[3][3])
 {
+    invcal_real cofactor[3][3];
+    const invcal_real det = invcal_cofactors(n, cofactor);
+
     for (unsigned i = 0; i < 3; i++) {
         for (unsigned j = 0; j < 3; j++) {
-            out[i][j] = a[i][0] * b[0][j] + a[i][1] * b[1][j] + a[i][2] * b[2][j];
+            out[i][j] = invcal_dot3(m[i], cofactor[j]) / det;
         }
     }
 }
@@ -18,13 +19,11 @@ static void multiply(const invcal_real a[3][3], const invcal_real b[3][3], invca
 void invcal_deviation(const invcal_calibration *calibration, const invcal_calibration *nominal,
                       invcal_real x[INVCAL_PARAMETERS])
 {
-    invcal_real inverse[3][3];
-    invcal_real p[3][3]; /* I + S */
     invcal_real shift[3];
+    invcal_real p[3][3]; /* I + S */
 
     INVCAL_ASSERT(calibration && nominal && x);
-    invcal_inverse3((const invcal_real(*)[3])calibration->matrix, inverse);
-    multiply((const invcal_real(*)[3])nominal->matrix, (const invcal_real(*)[3])inverse, p);
+    divide(nominal->matrix, calibration->matrix, p);
     for (unsigned i = 0; i < 3; i++) {
         shift[i] = calibration->offset[i] - nominal->offset[i];
     }
@@ -37,39 +36,43 @@ void invcal_deviation(const invcal_calibration *calibration, const invcal_calibr
     x[INVCAL_GAMMA_ZY] = p[1][2] + p[2][1];
 }
 
-/* A'A = U'U with U upper triangular: A turned. */
+/* A'A = L L', and L' is A turned. */
 void invcal_make_triangular(invcal_calibration *calibration, const invcal_calibration *nominal)
 {
-    invcal_real inverse[3][3];
     invcal_real a[3][3];
-    invcal_real f[6];
-    invcal_real *packed = f;
+    invcal_real l[INVCAL_PACKED_SIZE(3)];
 
     INVCAL_ASSERT(calibration && nominal);
-    invcal_inverse3((const invcal_real(*)[3])nominal->matrix, inverse);
-    multiply((const invcal_real(*)[3])calibration->matrix, (const invcal_real(*)[3])inverse, a);
+    divide((const invcal_real(*)[3])calibration->matrix, nominal->matrix, a);
     for (unsigned i = 0; i < 3; i++) {
         for (unsigned j = 0; j <= i; j++) {
-            *packed++ = a[0][i] * a[0][j] + a[1][i] * a[1][j] + a[2][i] * a[2][j];
+            l[INVCAL_PACKED(i, j)] = a[0][i] * a[0][j] + a[1][i] * a[1][j] + a[2][i] * a[2][j];
         }
     }
-    if (invcal_triangular_root(f, a) == INVCAL_OK) {
-        multiply((const invcal_real(*)[3])a, (const invcal_real(*)[3])nominal->matrix,
-                 calibration->matrix);
+    if (invcal_factor(l, 3, 3, 0) != INVCAL_OK) {
+        return; /* no calibration */
+    }
+    for (unsigned j = 0; j < 3; j++) {
+        const invcal_real x = nominal->matrix[0][j];
+        const invcal_real y = nominal->matrix[1][j];
+        const invcal_real z = nominal->matrix[2][j];
+        calibration->matrix[0][j] = x / l[0] + y * l[1] + z * l[3];
+        calibration->matrix[1][j] = y / l[2] + z * l[4];
+        calibration->matrix[2][j] = z / l[5];
     }
 }
 
 void invcal_sigma_offset(const invcal_quality *quality, const invcal_calibration *nominal,
                          invcal_real sigma[3])
 {
-    invcal_real inverse[3][3];
+    invcal_real cofactor[3][3];
 
     INVCAL_ASSERT(quality && nominal && sigma);
-    invcal_inverse3(nominal->matrix, inverse);
+    const invcal_real det = invcal_cofactors(nominal->matrix, cofactor);
     for (unsigned i = 0; i < 3; i++) {
         invcal_real square = 0;
         for (unsigned j = 0; j < 3; j++) {
-            const invcal_real x = inverse[i][j] * quality->sigma[INVCAL_DELTA_X + j];
+            const invcal_real x = cofactor[j][i] / det * quality->sigma[INVCAL_DELTA_X + j];
             square += x * x;
         }
         sigma[i] = INVCAL_SQRT(square);

@@ -7,8 +7,9 @@
 #include "invcal/expert.h"
 #include "vector.h"
 
-#define LONGEST INVCAL_REAL(10.0) /* semi-axis and centre, of nominal; the shortest is 1 / 10 */
-enum { STEPS = 12 };              /* of Newton's iteration: semi-axes from 0.1 to 10 take ten */
+/* Of ten: a semi-axis is at least 1/10 of nominal, and of another one; the centre is at most at 10. */
+#define SQUARE INVCAL_REAL(100.0)
+enum { STEPS = 12 }; /* of Newton's iteration: semi-axes from 0.1 to 10 take ten */
 
 invcal_real invcal_cofactors(const invcal_real m[3][3], invcal_real c[3][3])
 {
@@ -68,22 +69,20 @@ invcal_status invcal_ellipsoid(const invcal_real p[INVCAL_PARAMETERS], invcal_ca
             q[i] = -q[i];
         }
     }
-    if (invcal_factor(q, 3, 4, INVCAL_EPSILON) != INVCAL_OK || !(q[9] < 0)) {
+    if (invcal_factor(q, 3, 4, 1 / SQUARE) != INVCAL_OK || !(q[9] < 0)) {
         return INVCAL_NOT_ELLIPSOID;
     }
     const invcal_real root = INVCAL_SQRT(-q[9]);
     invcal_back_substitute(q, 3);
     for (unsigned i = 0; i < 3; i++) {
-        const invcal_real diagonal = 1 / (q[INVCAL_PACKED(i, i)] * root);
-        if (!(diagonal > 1 / LONGEST && diagonal < LONGEST)) {
-            return INVCAL_NOT_ELLIPSOID;
-        }
-        q[INVCAL_PACKED(i, i)] = diagonal;
+        q[INVCAL_PACKED(i, i)] = 1 / q[INVCAL_PACKED(i, i)];
     }
-    q[1] /= root;
-    q[3] /= root;
-    q[4] /= root;
-    if (!(invcal_dot3(delta, delta) < LONGEST * LONGEST)) {
+    for (unsigned i = 0; i < INVCAL_PACKED_SIZE(3); i++) {
+        q[i] /= root;
+    }
+    /* the squares of all elements are those of the semi-axes of A, added up */
+    if (!(invcal_dot(q, q, INVCAL_PACKED_SIZE(3)) < SQUARE &&
+          invcal_dot(delta, delta, 3) < SQUARE)) {
         return INVCAL_NOT_ELLIPSOID;
     }
     make_symmetric(q, out->matrix);
@@ -116,6 +115,8 @@ invcal_status invcal_behind(const invcal_calibration *nominal, invcal_calibratio
 invcal_status invcal_solve(invcal_sums *sums, const invcal_calibration *nominal,
                            invcal_calibration *out)
 {
+    invcal_calibration c;
+
     INVCAL_ASSERT(sums && nominal && out);
     if (sums->count < INVCAL_PARAMETERS) {
         return INVCAL_TOO_FEW;
@@ -125,7 +126,13 @@ invcal_status invcal_solve(invcal_sums *sums, const invcal_calibration *nominal,
         invcal_factor(sums->sum, INVCAL_PARAMETERS, INVCAL_PARAMETERS + 1, INVCAL_FLOOR);
     if (status == INVCAL_OK) {
         invcal_back_substitute(sums->sum, INVCAL_PARAMETERS);
-        status = invcal_ellipsoid(&sums->sum[INVCAL_PACKED(INVCAL_PARAMETERS, 0)], out);
+        status = invcal_ellipsoid(&sums->sum[INVCAL_PACKED(INVCAL_PARAMETERS, 0)], &c);
     }
-    return status == INVCAL_OK ? invcal_behind(nominal, out) : status;
+    if (status == INVCAL_OK) {
+        status = invcal_behind(nominal, &c);
+    }
+    if (status == INVCAL_OK) {
+        *out = c; /* which may be nominal */
+    }
+    return status;
 }

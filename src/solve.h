@@ -14,7 +14,8 @@ invcal_real invcal_cofactors(const invcal_real m[3][3], invcal_real c[3][3]);
 invcal_status invcal_nominal_check(const invcal_calibration *nominal);
 
 /* The coefficients p of an ellipsoid to the calibration of what lies on it. INVCAL_NOT_ELLIPSOID if
- * it is none, or its semi-axes or its centre are beyond ten times those of a perfect triad. */
+ * it is none, or no triad's: with a semi-axis below 1/10 of nominal or of another one, or a centre beyond ten times
+ * the field. */
 invcal_status invcal_ellipsoid(const invcal_real p[INVCAL_PARAMETERS], invcal_calibration *out);
 
 /* A calibration of readings that nominal has corrected becomes one of raw counts.
