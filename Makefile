@@ -12,6 +12,11 @@ PREFIX ?= /usr/local
 # A folder with unity.h and unity.c: the tests build on any Unity.
 UNITY  ?= tests/unity
 
+# Elsewhere awk and printf write 1,5 for 1.5, and sort has an order of its own.
+export LC_NUMERIC := C
+export LC_COLLATE := C
+unexport LC_ALL
+
 WARNINGS := -Wall -Wextra -Wconversion -Wdouble-promotion -Wshadow -pedantic
 # Contraction (fused multiply-add) is off: the same bits on every machine.
 FLAGS     = -std=$(STD) -ffp-contract=off $(WARNINGS) $(CFLAGS) -Iinclude
@@ -236,7 +241,7 @@ deps: ## install what all of these need beyond a C compiler (Debian, root)
 	    chromium fonts-dejavu-core poppler-utils g++ cmake pkg-config debootstrap \
 	    gcc-arm-none-eabi libnewlib-arm-none-eabi qemu-system-arm gcc-avr avr-libc simavr \
 	    gcc-riscv64-unknown-elf picolibc-riscv64-unknown-elf qemu-system-misc \
-	    gcc-powerpc-linux-gnu libc6-dev-powerpc-cross qemu-user
+	    gcc-powerpc-linux-gnu libc6-dev-powerpc-cross qemu-user locales
 
 package: ## lay a package out, in build/packages/NAME unless DEST is given (PACKAGE=name, DEST=folder)
 	$(Q)sh port/stage.sh "$(PACKAGE)" "$(or $(DEST),$(BUILD)/packages/$(PACKAGE))"

@@ -90,10 +90,13 @@ void invcal_next_beside(invcal_sums *sums, const invcal_real *current, invcal_re
 int invcal_sum_readings(const invcal_real *raw, unsigned count, const invcal_calibration *nominal,
                         invcal_sums *sums, invcal_row *last)
 {
+    invcal_row row;
+
     invcal_sums_init(sums);
     for (unsigned i = 0; i < count; i++) {
-        if (invcal_observe(nominal, &raw[3 * (size_t)i], last) == INVCAL_OK) {
-            invcal_sums_add_row(sums, last, 1);
+        if (invcal_observe(nominal, &raw[3 * (size_t)i], &row) == INVCAL_OK) {
+            invcal_sums_add_row(sums, &row, 1);
+            *last = row;
         }
     }
     return sums->count > 0;

@@ -27,26 +27,52 @@ invcal_status invcal_positions_sum(const invcal_positions *positions, invcal_sum
 /* INVCAL_BAD_... of what the positions were read with. */
 invcal_status invcal_positions_check(const invcal_positions *positions);
 
-/* Second pass, now with calibrated readings: residuals without cancellation, the sums of unit
- * vectors, and each row weighted with the noise that it really has. Fills in rms, max, worst,
- * positions and left_out.
- *
- * a  with calibrated = a (u - delta), u what nominal makes of a reading; c the same for raw counts.
- *
- * Returns INVCAL_OK; INVCAL_NOT_ELLIPSOID if the residuals are absurd. */
-invcal_status invcal_compare(const invcal_positions *positions, const invcal_real a[3][3],
-                             const invcal_calibration *c, invcal_sums *sums, invcal_quality *q);
-
-/* noise and dof: the larger of what is stated and what the residuals say. */
-void invcal_judge_noise(invcal_real stated, invcal_real weighted_squares, invcal_real dof,
-                        invcal_quality *q);
-
-/* sigma, weak and verdict from L^-1 of the second pass, a of it, and the noise and dof in q. */
-void invcal_judge_parameters(const invcal_real *inverse, const invcal_real a[3][3],
-                             invcal_quality *q);
-
 /* Both passes: solution, residuals, judgement. out and q are lost on failure. */
 invcal_status invcal_positions_solve(const invcal_positions *positions, invcal_sums *sums,
                                      invcal_calibration *out, invcal_quality *q);
+
+/* ---- the steps of a judgement ------------------------------------------------------------------ */
+
+#define INVCAL_WEAK_K INVCAL_REAL(100.0)   /* square of 10. Above: usable only within its sigma */
+#define INVCAL_HOPELESS_K INVCAL_REAL(1e6) /* square of 1000. Above: refused */
+
+/* Calibrates positions one by one: the row of the unit vector, its weight from the noise that it
+ * really has, and the residual. Between begin and end q->rms is the sum of their squares.
+ *
+ * c  the calibration that is to be judged.
+ * a  the same of readings that nominal has corrected: calibrated = a (u - delta), a symmetric.
+ *
+ * add  returns as invcal_observe; end INVCAL_NOT_ELLIPSOID for residuals of a tenth of the field. */
+void invcal_residuals_begin(invcal_quality *q);
+invcal_status invcal_residuals_add(const invcal_calibration *c, const invcal_real a[3][3],
+                                   const invcal_real raw[3], unsigned i, invcal_row *row,
+                                   invcal_real *weight, invcal_quality *q);
+invcal_status invcal_residuals_end(unsigned count, invcal_quality *q);
+
+/* All positions so: the sums of the second pass. INVCAL_NOT_ELLIPSOID if one is absurd, or all are. */
+invcal_status invcal_positions_compare(const invcal_positions *positions,
+                                       const invcal_calibration *c, const invcal_real a[3][3],
+                                       invcal_sums *sums, invcal_quality *q);
+
+/* noise and dof: the larger of what is stated and what the residuals say.
+ *
+ * squares  the sum of their weighted squares. */
+void invcal_judge_noise(invcal_real stated, invcal_real squares, invcal_real dof,
+                        invcal_quality *q);
+
+/* tr A tr A^-1 from L^-1: at least the condition. And is it more than rounding? */
+invcal_real invcal_condition(const invcal_real *inverse, unsigned n, invcal_real trace);
+static inline int invcal_is_resolved(invcal_real condition)
+{
+    return condition * INVCAL_FLOOR < 2;
+}
+
+/* weak, sigma and the verdict, from K(r,r) = k[r]. Weak: sigma is more than ten times the noise, or the
+ * information 1 / K no more than what noise in the readings themselves, about noise^2 in each row, adds
+ * to H'H: then directions that determine nothing look as if they did.
+ *
+ * is_known  the noise, from residuals or a statement. */
+void invcal_judge_parameters(const invcal_real k[INVCAL_PARAMETERS], int is_known,
+                             const invcal_real a[3][3], invcal_quality *q);
 
 #endif

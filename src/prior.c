@@ -5,8 +5,6 @@
 #include "solve.h"
 #include "vector.h"
 
-#define HOPELESS_K INVCAL_REAL(1e6) /* square of sigma over noise, with no prior to hold it */
-
 /* What is known beforehand: parameter r is 0 with standard deviation sigma[r]; 0: nothing. */
 typedef struct {
     const invcal_real *sigma;
@@ -62,14 +60,13 @@ static invcal_status factor(const invcal_sums *sums, const known *prior, invcal_
 }
 
 /* The share of parameter r that the data told, 0 ... 1: 1 - posterior / prior variance. */
-static invcal_real told_by_data(const known *prior, unsigned r, invcal_real noise,
-                                const invcal_real *inverse)
+static invcal_real told_by_data(const known *prior, unsigned r, invcal_real noise, invcal_real k)
 {
     if (!(prior->sigma[r] > 0)) {
         return 1;
     }
     const invcal_real ratio = noise / prior->sigma[r];
-    return 1 - invcal_variance(inverse, INVCAL_PARAMETERS, r) * ratio * ratio;
+    return 1 - k * ratio * ratio;
 }
 
 /* How many parameters the data had to determine: what the prior supplies does not count. */
@@ -78,29 +75,33 @@ static invcal_real told_of_all(const known *prior, invcal_real noise, const invc
     invcal_real sum = 0;
 
     for (unsigned r = 0; r < INVCAL_PARAMETERS; r++) {
-        sum += told_by_data(prior, r, noise, inverse);
+        sum += told_by_data(prior, r, noise, invcal_variance(inverse, INVCAL_PARAMETERS, r));
     }
     return sum;
 }
 
-/* A posterior is no wider than its prior; what sigma leaves out of the Jacobian may say so by a
- * second-order trifle. */
 static invcal_status judge_parameters(const known *prior, const invcal_real *inverse,
                                       const invcal_real a[3][3], invcal_quality *q,
                                       uint16_t *from_prior)
 {
+    invcal_real k[INVCAL_PARAMETERS];
     unsigned bits = 0;
 
-    invcal_judge_parameters(inverse, a, q);
     for (unsigned r = 0; r < INVCAL_PARAMETERS; r++) {
-        const invcal_real sigma = prior->sigma[r];
-        if (!(sigma > 0) && !(invcal_variance(inverse, INVCAL_PARAMETERS, r) <= HOPELESS_K)) {
+        k[r] = invcal_variance(inverse, INVCAL_PARAMETERS, r);
+        if (!(prior->sigma[r] > 0 || k[r] <= INVCAL_HOPELESS_K)) {
             return INVCAL_UNDETERMINED;
         }
-        if (sigma > 0 && q->sigma[r] > sigma) {
-            q->sigma[r] = sigma;
+        const int is_of_data = told_by_data(prior, r, q->noise, k[r]) >= INVCAL_REAL(0.5);
+        bits |= (is_of_data ? 0u : 1u) << r;
+    }
+    invcal_judge_parameters(k, 1, a, q);
+    /* A posterior is no wider than its prior; what sigma leaves out of the Jacobian may say so by a
+     * second-order trifle. */
+    for (unsigned r = 0; r < INVCAL_PARAMETERS; r++) {
+        if (prior->sigma[r] > 0 && q->sigma[r] > prior->sigma[r]) {
+            q->sigma[r] = prior->sigma[r];
         }
-        bits |= (told_by_data(prior, r, q->noise, inverse) >= INVCAL_REAL(0.5) ? 0u : 1u) << r;
     }
     *from_prior = (uint16_t)bits;
     return INVCAL_OK;
@@ -120,15 +121,14 @@ INVCAL_APART static invcal_status judge(const invcal_positions *positions, const
         return status;
     }
     invcal_invert(l.sum, INVCAL_PARAMETERS);
-    const invcal_real dof = (invcal_real)sums->count - told_of_all(prior, noise, l.sum);
     invcal_judge_noise(positions->noise, sums->sum[INVCAL_MOMENTS + INVCAL_PARAMETERS],
-                       dof >= 1 ? dof : 0, q);
+                       (invcal_real)sums->count - told_of_all(prior, noise, l.sum), q);
     status = factor(sums, prior, &q->noise, &l, &trace);
     if (status != INVCAL_OK) {
         return status;
     }
     invcal_invert(l.sum, INVCAL_PARAMETERS);
-    q->condition = trace * invcal_dot(l.sum, l.sum, INVCAL_PACKED_SIZE(INVCAL_PARAMETERS));
+    q->condition = invcal_condition(l.sum, INVCAL_PARAMETERS, trace);
     return judge_parameters(prior, l.sum, a, q, from_prior);
 }
 
@@ -150,6 +150,7 @@ INVCAL_APART static invcal_status solve(const invcal_positions *positions, const
         status = invcal_ellipsoid(&l.sum[INVCAL_PACKED(INVCAL_PARAMETERS, 0)], out);
     }
     if (status == INVCAL_OK) {
+        invcal_make_symmetric(out->matrix);
         memcpy(a, out->matrix, sizeof out->matrix);
         status = invcal_behind(positions->nominal, out);
     }
@@ -167,7 +168,7 @@ static invcal_status calibrate(const invcal_positions *positions, const known *p
         status = solve(positions, prior, &sums, a, out);
     }
     if (status == INVCAL_OK) {
-        status = invcal_compare(positions, (const invcal_real(*)[3])a, out, &sums, q);
+        status = invcal_positions_compare(positions, out, (const invcal_real(*)[3])a, &sums, q);
     }
     return status == INVCAL_OK
                ? judge(positions, prior, &sums, (const invcal_real(*)[3])a, q, from_prior)

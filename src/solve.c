@@ -7,44 +7,77 @@
 #include "invcal/expert.h"
 #include "vector.h"
 
-/* Of ten: a semi-axis is at least 1/10 of nominal, and of another one; the centre is at most at 10. */
+/* Of ten: no semi-axis is shorter than 1/10 of nominal, or of another one; the centre is within 10. */
 #define SQUARE INVCAL_REAL(100.0)
 enum { STEPS = 12 }; /* of Newton's iteration: semi-axes from 0.1 to 10 take ten */
 
 invcal_real invcal_cofactors(const invcal_real m[3][3], invcal_real c[3][3])
 {
+    static const uint8_t next[4] = {1, 2, 0, 1};
+
+    INVCAL_UNROLL
     for (unsigned i = 0; i < 3; i++) {
-        const invcal_real *a = m[i == 2 ? 0 : i + 1];
-        const invcal_real *b = m[i == 0 ? 2 : i - 1];
-        c[i][0] = a[1] * b[2] - a[2] * b[1];
-        c[i][1] = a[2] * b[0] - a[0] * b[2];
-        c[i][2] = a[0] * b[1] - a[1] * b[0];
+        const invcal_real *a = m[next[i]];
+        const invcal_real *b = m[next[i + 1]];
+        INVCAL_UNROLL
+        for (unsigned j = 0; j < 3; j++) {
+            c[i][j] = a[next[j]] * b[next[j + 1]] - a[next[j + 1]] * b[next[j]];
+        }
     }
     return invcal_dot3(m[0], c[0]);
 }
 
-/* Upper triangular R, packed by columns, to the symmetric A with A'A = R'R: R = U A with U
- * orthonormal, which Newton's iteration U <- (U + U^-T) / 2 finds from R itself. */
-static void make_symmetric(const invcal_real r[6], invcal_real a[3][3])
+void invcal_inverse3(const invcal_real m[3][3], invcal_real inverse[3][3])
 {
-    invcal_real u[3][3] = {{r[0], r[1], r[3]}, {0, r[2], r[4]}, {0, 0, r[5]}};
+    invcal_real c[3][3];
+    const invcal_real det = invcal_cofactors(m, c);
+
+    for (unsigned i = 0; i < 3; i++) {
+        for (unsigned j = 0; j < 3; j++) {
+            inverse[i][j] = c[j][i] / det;
+        }
+    }
+}
+
+/* A = U S with U orthonormal, which Newton's iteration U <- (U + U^-T) / 2 finds from A itself, and
+ * S = U'A, column by column. */
+void invcal_make_symmetric(invcal_real a[3][3])
+{
+    invcal_real u[3][3];
+    invcal_real c[3][3];
     invcal_real change = 1;
 
+    memcpy(u, a, sizeof u);
     for (unsigned step = 0; step < STEPS && change > INVCAL_EPSILON; step++) {
-        const invcal_real det = invcal_cofactors((const invcal_real(*)[3])u, a);
+        const invcal_real det = invcal_cofactors((const invcal_real(*)[3])u, c);
         change = 0;
         for (unsigned i = 0; i < 3; i++) {
             for (unsigned j = 0; j < 3; j++) {
-                const invcal_real half = (a[i][j] / det - u[i][j]) / 2;
+                const invcal_real half = (c[i][j] / det - u[i][j]) / 2;
                 u[i][j] += half;
                 change += half * half;
             }
         }
     }
+    memcpy(c, a, sizeof c);
+    INVCAL_UNROLL
     for (unsigned i = 0; i < 3; i++) {
-        a[i][0] = u[0][i] * r[0];
-        a[i][1] = u[0][i] * r[1] + u[1][i] * r[2];
-        a[i][2] = u[0][i] * r[3] + u[1][i] * r[4] + u[2][i] * r[5];
+        INVCAL_UNROLL
+        for (unsigned j = 0; j < 3; j++) {
+            a[i][j] = u[0][i] * c[0][j] + u[1][i] * c[1][j] + u[2][i] * c[2][j];
+        }
+    }
+}
+
+/* L' / root, upper triangular. The diagonal of L is reciprocal. */
+static void make_triangular(const invcal_real *l, invcal_real root, invcal_real a[3][3])
+{
+    for (unsigned r = 0; r < 3; r++) {
+        for (unsigned c = 0; c < r; c++) {
+            a[r][c] = 0;
+            a[c][r] = *l++ / root;
+        }
+        a[r][r] = 1 / (*l++ * root);
     }
 }
 
@@ -53,61 +86,57 @@ static void make_symmetric(const invcal_real r[6], invcal_real a[3][3])
  *     v = (p0 p1 p2),  Q = I + [2p3 p6 p7; p6 2p4 p8; p7 p8 2p5]
  *     delta = -Q^-1 v,  k = 1 + delta Q delta = 1 + v Q^-1 v,  A'A = Q / k
  *
- * With v below Q and -1 behind it, one Cholesky gives all: Q = L L', R = L' / sqrt(k). Where zero
+ * With v below Q and -1 behind it, one Cholesky gives all: Q = L L', A'A = L L' / k. Where zero
  * lies outside the ellipsoid, Q and k are negative, and -Q, -k do as well. */
 invcal_status invcal_ellipsoid(const invcal_real p[INVCAL_PARAMETERS], invcal_calibration *out)
 {
-    invcal_real q[INVCAL_PACKED_SIZE(4)] = {1 + 2 * p[INVCAL_DK_X], p[INVCAL_GAMMA_XY],
-                                            1 + 2 * p[INVCAL_DK_Y], p[INVCAL_GAMMA_XZ],
-                                            p[INVCAL_GAMMA_ZY],     1 + 2 * p[INVCAL_DK_Z],
-                                            p[INVCAL_DELTA_X],      p[INVCAL_DELTA_Y],
-                                            p[INVCAL_DELTA_Z],      -1};
+    static const uint8_t order[] = {INVCAL_DK_X,     INVCAL_GAMMA_XY, INVCAL_DK_Y,
+                                    INVCAL_GAMMA_XZ, INVCAL_GAMMA_ZY, INVCAL_DK_Z,
+                                    INVCAL_DELTA_X,  INVCAL_DELTA_Y,  INVCAL_DELTA_Z};
+    const invcal_real sign = 1 + 2 * p[INVCAL_DK_X] < 0 ? (invcal_real)-1 : 1;
+    invcal_real q[INVCAL_PACKED_SIZE(4)];
     invcal_real *delta = &q[INVCAL_PACKED(3, 0)];
 
-    if (q[0] < 0) {
-        for (unsigned i = 0; i < sizeof q / sizeof q[0]; i++) {
-            q[i] = -q[i];
-        }
+    for (unsigned i = 0; i < sizeof order; i++) {
+        const unsigned r = order[i];
+        q[i] = sign * (r >= INVCAL_DK_X && r <= INVCAL_DK_Z ? 1 + 2 * p[r] : p[r]);
     }
+    q[9] = -sign;
     if (invcal_factor(q, 3, 4, 1 / SQUARE) != INVCAL_OK || !(q[9] < 0)) {
         return INVCAL_NOT_ELLIPSOID;
     }
-    const invcal_real root = INVCAL_SQRT(-q[9]);
     invcal_back_substitute(q, 3);
+    make_triangular(q, INVCAL_SQRT(-q[9]), out->matrix);
     for (unsigned i = 0; i < 3; i++) {
-        q[INVCAL_PACKED(i, i)] = 1 / q[INVCAL_PACKED(i, i)];
+        out->offset[i] = delta[i];
     }
-    for (unsigned i = 0; i < INVCAL_PACKED_SIZE(3); i++) {
-        q[i] /= root;
-    }
-    /* the squares of all elements are those of the semi-axes of A, added up */
-    if (!(invcal_dot(q, q, INVCAL_PACKED_SIZE(3)) < SQUARE &&
-          invcal_dot(delta, delta, 3) < SQUARE)) {
-        return INVCAL_NOT_ELLIPSOID;
-    }
-    make_symmetric(q, out->matrix);
-    memcpy(out->offset, delta, sizeof out->offset);
-    return INVCAL_OK;
+    /* the squares of all elements of A are those of 1 / semi-axis, added up */
+    return invcal_dot(out->matrix[0], out->matrix[0], 9) < SQUARE &&
+                   invcal_dot(delta, delta, 3) < SQUARE
+               ? INVCAL_OK
+               : INVCAL_NOT_ELLIPSOID;
 }
 
 /* A (u - delta) with u = N (raw - zero): matrix = A N, offset = zero + N^-1 delta. */
 invcal_status invcal_behind(const invcal_calibration *nominal, invcal_calibration *c)
 {
+    const invcal_calibration a = *c;
     invcal_real cofactor[3][3];
-    invcal_real delta[3];
     const invcal_real det = invcal_cofactors(nominal->matrix, cofactor);
 
-    memcpy(delta, c->offset, sizeof delta);
+    INVCAL_UNROLL
     for (unsigned i = 0; i < 3; i++) {
-        invcal_real row[3];
-        memcpy(row, c->matrix[i], sizeof row);
-        invcal_real sum = 0;
+        invcal_real moved = 0;
+        INVCAL_UNROLL
         for (unsigned j = 0; j < 3; j++) {
-            sum += cofactor[j][i] * delta[j];
-            c->matrix[i][j] = row[0] * nominal->matrix[0][j] + row[1] * nominal->matrix[1][j] +
-                              row[2] * nominal->matrix[2][j];
+            moved += cofactor[j][i] * a.offset[j];
+            c->matrix[i][j] = 0;
+            INVCAL_UNROLL
+            for (unsigned k = 0; k < 3; k++) {
+                c->matrix[i][j] += a.matrix[i][k] * nominal->matrix[k][j];
+            }
         }
-        c->offset[i] = nominal->offset[i] + sum / det;
+        c->offset[i] = nominal->offset[i] + moved / det;
     }
     return invcal_are_finite(c->offset) ? INVCAL_OK : INVCAL_BAD_NOMINAL;
 }
@@ -129,6 +158,7 @@ invcal_status invcal_solve(invcal_sums *sums, const invcal_calibration *nominal,
         status = invcal_ellipsoid(&sums->sum[INVCAL_PACKED(INVCAL_PARAMETERS, 0)], &c);
     }
     if (status == INVCAL_OK) {
+        invcal_make_symmetric(c.matrix);
         status = invcal_behind(nominal, &c);
     }
     if (status == INVCAL_OK) {

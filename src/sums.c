@@ -7,7 +7,7 @@
 #include "invcal/expert.h"
 #include "vector.h"
 
-static inline void row_of(const invcal_real a[3], invcal_real h[INVCAL_PARAMETERS])
+INVCAL_INLINE void invcal_row_of(const invcal_real a[3], invcal_real h[INVCAL_PARAMETERS])
 {
     h[INVCAL_DELTA_X] = a[0];
     h[INVCAL_DELTA_Y] = a[1];
@@ -20,18 +20,13 @@ static inline void row_of(const invcal_real a[3], invcal_real h[INVCAL_PARAMETER
     h[INVCAL_GAMMA_ZY] = a[1] * a[2];
 }
 
-void invcal_row_of(const invcal_real a[3], invcal_real h[INVCAL_PARAMETERS])
-{
-    row_of(a, h);
-}
-
 /* J = (|u|^2 - 1)/2 and h(u), exact for errors of any size. A length outside 0.1 ... 10 is no
  * reading of this field, and neither is a NaN. */
-static inline invcal_status observe(const invcal_calibration *nominal, const invcal_real raw[3],
-                                    invcal_row *row)
+static INVCAL_INLINE invcal_status observe(const invcal_calibration *nominal,
+                                           const invcal_real raw[3], invcal_row *row)
 {
     invcal_correct(nominal, raw, row->h);
-    row_of(row->h, row->h);
+    invcal_row_of(row->h, row->h);
     const invcal_real square = row->h[INVCAL_DK_X] + row->h[INVCAL_DK_Y] + row->h[INVCAL_DK_Z];
     row->j = (square - 1) / 2;
     if (square >= INVCAL_REAL(0.01) && square <= INVCAL_REAL(100.0)) {
@@ -83,14 +78,8 @@ void invcal_sums_init(invcal_sums *sums)
 invcal_status invcal_observe(const invcal_calibration *nominal, const invcal_real raw[3],
                              invcal_row *row)
 {
-    invcal_row r;
-
     INVCAL_ASSERT(nominal && raw && row);
-    const invcal_status status = observe(nominal, raw, &r);
-    if (status == INVCAL_OK) {
-        *row = r;
-    }
-    return status;
+    return observe(nominal, raw, row);
 }
 
 void invcal_sums_add_row(invcal_sums *sums, const invcal_row *row, invcal_real weight)

@@ -51,7 +51,8 @@ static inline invcal_real invcal_dot3(const invcal_real a[3], const invcal_real 
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
-/* invcal_apply, to be compiled into those who call it often. */
+/* invcal_apply, compiled into those who call it often where speed is asked for. */
+#ifdef INVCAL_FAST
 static inline void invcal_correct(const invcal_calibration *c, const invcal_real raw[3],
                                   invcal_real out[3])
 {
@@ -64,6 +65,9 @@ static inline void invcal_correct(const invcal_calibration *c, const invcal_real
         out[i] = c->matrix[i][0] * x + c->matrix[i][1] * y + c->matrix[i][2] * z;
     }
 }
+#else
+#define invcal_correct invcal_apply
+#endif
 
 static inline invcal_real invcal_dot(const invcal_real *a, const invcal_real *b, unsigned n)
 {

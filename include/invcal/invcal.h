@@ -139,12 +139,12 @@ typedef enum {
 
     /* the data */
     INVCAL_NOT_FINITE,    /* a reading is NaN or infinite */
-    INVCAL_OUT_OF_RANGE,  /* a reading is below 1/10 or above 10 of the field */
     INVCAL_TOO_FEW,       /* fewer positions, or less of something else, than are needed */
     INVCAL_UNDETERMINED,  /* the positions leave some parameters open: invcal_undetermined */
     INVCAL_NOT_ELLIPSOID, /* the readings lie on no ellipsoid that a sensor triad can produce */
 
     /* a static interval that is no position */
+    INVCAL_OUT_OF_RANGE, /* a reading is below 1/10 or above 10 of the field */
     INVCAL_REST_SHORT,   /* motion came before it was READY */
     INVCAL_REST_DRIFT,   /* readings creep: a slow turn, or it settles */
     INVCAL_REST_CLIPPED, /* the end of the sensor's range was touched */
@@ -212,8 +212,8 @@ typedef struct {
  * zero    raw reading in no field, raw counts.
  * counts  raw counts per field (per g) of each axis; a negative one turns the axis round.
  *
- * Returns INVCAL_OK; INVCAL_BAD_NOMINAL if a number is not finite, or a count is outside 1e-12 ...
- * 1e12 or a zero beyond 1e18 of the field. */
+ * Returns INVCAL_OK; INVCAL_BAD_NOMINAL if a number is not finite, or a count is outside 1e-10 ...
+ * 1e10 or a zero beyond 1e18 of the field. */
 invcal_status invcal_nominal(const invcal_real zero[3], const invcal_real counts[3],
                              invcal_calibration *out);
 
@@ -327,18 +327,46 @@ typedef enum {
     INVCAL_REFUSED   /* a rest, but no position: invcal_session_why; said once */
 } invcal_event;
 
-/* Internal: the detector of rests (expert.h). */
+/* Internal: the detector of rests (expert.h). What is called a level is a logarithm, see rests.c. */
 typedef struct {
-    int32_t detector[50];
+    uint64_t square;   /* of the block being filled: sum of the squared differences to `first`, */
+    int32_t first[3];  /* its first sample, */
+    uint32_t sum[3];   /* and sums of the differences, modulo 2^32 */
+    uint32_t quantum;  /* smallest change ever seen inside a block, counts; 0: none as yet */
+    uint16_t missing;  /* samples until the block is full; 0: the next begins another */
+    uint16_t span;     /* twice what differences may be to be added quickly; 0: none, at a rail */
+    uint16_t widest;   /* what span is away from the rails */
+    uint16_t rate;     /* samples per second */
+    int32_t low, high; /* rails: a sensor that reads them may be beyond */
+    uint32_t time;     /* samples in full blocks so far, modulo 2^32 */
+
+    int16_t noise;    /* level, learned from the stream, see above */
+    int16_t wander;   /* level, also */
+    int16_t reach;    /* level, also */
+    int16_t other;    /* another noise level in the making */
+    int32_t place[3]; /* mean of the position taken last; before that, of the first block */
+
+    int32_t origin[3];     /* of the candidate: mean of its first block, zero of what follows */
+    int64_t total[3];      /* of the candidate: sum of the blocks committed, relative to origin */
+    int32_t pending[2][3]; /* sums of the newest quiet blocks: lost if motion follows */
+    int32_t once[3];       /* fading mean of its block means, 1/256 counts, relative to origin; */
+    int32_t twice[3];      /* and fading mean of that mean */
+    uint64_t variance;     /* sum over its blocks, 1/64 counts^2 */
+    uint32_t begin, end;   /* of the blocks committed */
+    uint16_t blocks;      /* committed; a rest stops growing at 65535, after one and a half hours */
+    uint16_t lag, spread; /* of `once` behind a slope of one a block; of `twice` behind `once` */
+    uint16_t dwell;       /* blocks that make a position */
+    uint8_t least;        /* the same at least */
+    uint8_t bits;         /* 1 << bits samples are a block */
+    uint8_t stage, reason, flags, seen, pended, skip, hold, drift, run, frozen; /* see rests.c */
 } invcal_rests;
 
-/* A session: 536 bytes (float, 24 positions). mean and count may be read. */
+/* A session: 572 bytes (float, 24 positions). mean and count may be read. */
 typedef struct {
     invcal_calibration nominal;                /* what it began with */
     invcal_real noise;                         /* stated, over field; 0: not known */
     invcal_real mean[INVCAL_MAX_POSITIONS][3]; /* raw counts, in the order they were taken */
     uint32_t hold;                             /* milliseconds, as stated; 0: as short as can be */
-    uint16_t rate;                             /* samples per second */
     uint8_t count;                             /* of the means */
     uint8_t last;                              /* the last event that was not INVCAL_NOTHING */
     uint8_t reason;                            /* of INVCAL_REFUSED, an invcal_status */
@@ -402,7 +430,8 @@ invcal_event invcal_session_last(const invcal_session *session);
 /* Why the last rest was refused; INVCAL_OK before the first. */
 invcal_status invcal_session_reason(const invcal_session *session);
 
-/* The same as a sentence: invcal_status_text. */
+/* The same as a sentence, such as invcal_status_text gives; those of the other statuses are not linked
+ * for it. */
 const char *invcal_session_why(const invcal_session *session);
 
 /* Which orientation to take next: of 26 directions - the faces, edges and corners of a cube - the

@@ -1,0 +1,90 @@
+/* SPDX-License-Identifier: MIT */
+#include "thermal.h"
+
+#include <string.h>
+
+#include "vector.h"
+
+#define LONGEST INVCAL_REAL(10.0) /* semi-axis, of nominal; the shortest is 1 / 10 */
+
+/* Horner's rule. */
+void invcal_polynomials(const invcal_real *c, unsigned degree, invcal_real t,
+                        invcal_real out[INVCAL_PARAMETERS])
+{
+    for (unsigned r = 0; r < INVCAL_PARAMETERS; r++) {
+        invcal_real x = 0;
+        for (unsigned a = degree + 1; a-- > 0;) {
+            x = c[a * INVCAL_PARAMETERS + r] + t * x;
+        }
+        out[r] = x;
+    }
+}
+
+/* A = (I + S)^-1. The semi-axes are within reason if the diagonals of both are, and I + S is positive
+ * definite: of its leading minors the last one is the second over the last element of A. */
+static int triad_of(const invcal_real x[INVCAL_PARAMETERS], invcal_calibration *triad)
+{
+    const invcal_real m[3][3] = {
+        {1 + x[INVCAL_DK_X], x[INVCAL_GAMMA_XY] / 2, x[INVCAL_GAMMA_XZ] / 2},
+        {x[INVCAL_GAMMA_XY] / 2, 1 + x[INVCAL_DK_Y], x[INVCAL_GAMMA_ZY] / 2},
+        {x[INVCAL_GAMMA_XZ] / 2, x[INVCAL_GAMMA_ZY] / 2, 1 + x[INVCAL_DK_Z]}};
+    int is_triad = m[0][0] * m[1][1] > m[0][1] * m[0][1];
+
+    memcpy(triad->offset, x, sizeof triad->offset);
+    invcal_inverse3(m, triad->matrix);
+    for (unsigned i = 0; i < 3; i++) {
+        is_triad &= m[i][i] > 0 && m[i][i] < LONGEST && triad->matrix[i][i] > 0 &&
+                    triad->matrix[i][i] < LONGEST && INVCAL_FABS(x[i]) < LONGEST;
+    }
+    return is_triad;
+}
+
+invcal_status invcal_thermal_triad(const invcal_thermal *thermal, invcal_real t,
+                                   invcal_calibration *triad)
+{
+    invcal_real x[INVCAL_PARAMETERS];
+
+    invcal_polynomials(&thermal->x[0][0], INVCAL_THERMAL_DEGREE, t, x);
+    return triad_of(x, triad) ? INVCAL_OK : INVCAL_NOT_ELLIPSOID;
+}
+
+invcal_status invcal_thermal_calibration(const invcal_thermal *thermal, invcal_real t,
+                                         invcal_calibration *out)
+{
+    const invcal_status status = invcal_thermal_triad(thermal, t, out);
+
+    return status == INVCAL_OK ? invcal_behind(&thermal->nominal, out) : status;
+}
+
+invcal_thermal_place invcal_thermal_clamp(const invcal_thermal *thermal, invcal_real *temperature)
+{
+    if (!(*temperature >= thermal->min)) {
+        *temperature = thermal->min;
+        return INVCAL_THERMAL_BELOW;
+    }
+    if (!(*temperature <= thermal->max)) {
+        *temperature = thermal->max;
+        return INVCAL_THERMAL_ABOVE;
+    }
+    return INVCAL_THERMAL_WITHIN;
+}
+
+invcal_status invcal_thermal_at(const invcal_thermal *thermal, invcal_real temperature,
+                                invcal_calibration *calibration, invcal_thermal_place *place)
+{
+    invcal_calibration c;
+
+    INVCAL_ASSERT(thermal && calibration && place);
+    if (!invcal_is_finite(temperature)) {
+        return INVCAL_BAD_TEMPERATURE;
+    }
+    const invcal_thermal_place where = invcal_thermal_clamp(thermal, &temperature);
+    const invcal_status status =
+        invcal_thermal_calibration(thermal, invcal_thermal_scaled(thermal, temperature), &c);
+    if (status != INVCAL_OK) {
+        return status;
+    }
+    *calibration = c;
+    *place = where;
+    return INVCAL_OK;
+}

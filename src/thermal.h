@@ -1,0 +1,31 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * Internal: a calibration of temperature between its evaluation and its fit.
+ */
+#ifndef INVCAL_THERMAL_INTERNAL_H
+#define INVCAL_THERMAL_INTERNAL_H
+
+#include "invcal/thermal.h"
+#include "solve.h"
+
+/* Nine polynomials of t: c has degree + 1 rows of nine coefficients. */
+void invcal_polynomials(const invcal_real *c, unsigned degree, invcal_real t,
+                        invcal_real out[INVCAL_PARAMETERS]);
+
+static inline invcal_real invcal_thermal_scaled(const invcal_thermal *thermal,
+                                                invcal_real temperature)
+{
+    return (temperature - thermal->reference) / thermal->span;
+}
+
+/* The triad, and the whole calibration, at t, whatever has been seen. INVCAL_NOT_ELLIPSOID if a
+ * semi-axis is beyond ten times that of a perfect triad. */
+invcal_status invcal_thermal_triad(const invcal_thermal *thermal, invcal_real t,
+                                   invcal_calibration *triad);
+invcal_status invcal_thermal_calibration(const invcal_thermal *thermal, invcal_real t,
+                                         invcal_calibration *out);
+
+/* A temperature within the range seen, and where it was. */
+invcal_thermal_place invcal_thermal_clamp(const invcal_thermal *thermal, invcal_real *temperature);
+
+#endif
