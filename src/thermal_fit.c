@@ -327,15 +327,15 @@ static invcal_status judge_at(job *j, invcal_real temperature)
 {
     const invcal_thermal *now = &j->now;
     const uint16_t weak = j->q.weak;
+    invcal_thermal_place place;
     invcal_calibration triad;
     invcal_real k[N];
+    invcal_real t;
 
-    if (!invcal_is_finite(temperature)) {
-        return INVCAL_BAD_TEMPERATURE;
+    invcal_status status = invcal_thermal_find(now, temperature, &t, &triad, &place);
+    if (status == INVCAL_OK) {
+        status = invcal_thermal_triad(now, t, &triad);
     }
-    (void)invcal_thermal_clamp(now, &temperature);
-    const invcal_real t = invcal_thermal_scaled(now, temperature);
-    const invcal_status status = invcal_thermal_triad(now, t, &triad);
     if (status != INVCAL_OK) {
         return status;
     }
