@@ -5,14 +5,27 @@
 #include <string.h>
 
 #include "bytes.h"
-#include "judge.h"
+#include "invcal/expert.h"
 
-enum { KIND = 0xC5, FIRST_VERSION = 2 };
-enum { REALS_AT = 20, HEAD_REALS = 13, MEANS_AT = 72, MEAN_SIZE = 12 };
+enum { KIND = 0xC5, OLDEST = 2 };
+enum { COUNT_AT = 4, RATE_AT = 6, HOLD_AT = 8, LOW_AT = 12, HIGH_AT = 16, REALS_AT = 20 };
+enum { MEANS_AT = 72, MEAN_SIZE = 12, BEFORE_MEANS = 13 }; /* the last in reals */
 
-static unsigned length_of(unsigned count)
+/* What a session begins with. */
+typedef struct {
+    invcal_calibration nominal;
+    invcal_real noise;
+} head;
+
+/* The reals come first in the session, too, and in the same order. */
+typedef char invcal_session_is_in_order[offsetof(invcal_session, mean) == sizeof(head) &&
+                                                sizeof(head) == BEFORE_MEANS * sizeof(invcal_real)
+                                            ? 1
+                                            : -1];
+
+static uint32_t length_of(unsigned count)
 {
-    return MEANS_AT + MEAN_SIZE * count + INVCAL_CRC_SIZE;
+    return MEANS_AT + (uint32_t)MEAN_SIZE * count + INVCAL_CRC_SIZE;
 }
 
 static int32_t get_i32(const uint8_t *bytes)
@@ -20,31 +33,23 @@ static int32_t get_i32(const uint8_t *bytes)
     const uint32_t bits = invcal_get_u32(bytes);
     int32_t value;
 
-    memcpy(&value, &bits, sizeof value);
+    memcpy(&value, &bits, sizeof value); /* the conversion would be the compiler's choice */
     return value;
 }
 
-/* What stands first in a session, too. */
-typedef struct {
-    invcal_calibration nominal;
-    invcal_real noise;
-} head;
-
-/* Could these bytes be those of a session? */
+/* Could these numbers be a session's? What invcal_session_begin looks at is left to it. */
 static invcal_status check(const uint8_t *bytes, head *h)
 {
-    const unsigned count = invcal_get_u16(bytes + 4);
     invcal_status status = INVCAL_OK;
     invcal_real mean[3];
     invcal_row row;
 
-    (void)invcal_get_reals(bytes + REALS_AT, h, HEAD_REALS);
+    (void)invcal_get_reals(bytes + REALS_AT, h, BEFORE_MEANS);
     if (!(h->noise >= 0 && h->noise < 1)) {
         return INVCAL_BAD_NOISE;
     }
-    bytes += MEANS_AT;
-    for (unsigned i = 0; i < count && status == INVCAL_OK; i++) {
-        (void)invcal_get_reals(bytes, mean, 3);
+    for (unsigned n = invcal_get_u16(bytes + COUNT_AT); n > 0 && status == INVCAL_OK; n--) {
+        (void)invcal_get_reals(bytes + MEANS_AT, mean, 3);
         status = invcal_observe(&h->nominal, mean, &row);
         bytes += MEAN_SIZE;
     }
@@ -55,16 +60,15 @@ invcal_status invcal_session_encode(const invcal_session *session,
                                     uint8_t bytes[INVCAL_SESSION_SIZE], uint32_t *size)
 {
     head h;
-    const unsigned length = length_of(session->count);
 
-    INVCAL_ASSERT(session && bytes && size);
-    uint8_t *at = invcal_put_two(bytes + 4, session->count, session->rests.rate);
+    INVCAL_ASSERT(session && bytes && size && session->count <= INVCAL_MAX_POSITIONS);
+    uint8_t *at = invcal_put_two(bytes + COUNT_AT, session->count, session->rests.rate);
     at = invcal_put_u32(at, session->hold);
     at = invcal_put_u32(at, (uint32_t)session->rests.low);
     at = invcal_put_u32(at, (uint32_t)session->rests.high);
-    (void)invcal_put_reals(at, session, HEAD_REALS + 3u * session->count);
-    invcal_seal(bytes, KIND, length);
-    *size = length;
+    (void)invcal_put_reals(at, session, BEFORE_MEANS + 3u * session->count);
+    *size = length_of(session->count);
+    invcal_seal(bytes, KIND, *size);
     return check(bytes, &h);
 }
 
@@ -73,29 +77,33 @@ invcal_status invcal_session_decode(const uint8_t *bytes, uint32_t size, invcal_
     head h;
 
     INVCAL_ASSERT(bytes && out);
-    const invcal_status status = invcal_unseal(bytes, size, KIND, FIRST_VERSION);
+    invcal_status status = invcal_unseal(bytes, size, KIND, OLDEST);
     if (status != INVCAL_OK) {
         return status;
     }
-    const unsigned count = invcal_get_u16(bytes + 4);
+    const unsigned count = invcal_get_u16(bytes + COUNT_AT);
     if (invcal_get_u16(bytes + 2) != length_of(count)) {
         return INVCAL_DAMAGED;
     }
     if (count > INVCAL_MAX_POSITIONS) {
         return INVCAL_NO_SPACE;
     }
-    const int32_t low = get_i32(bytes + 12);
-    const int32_t high = get_i32(bytes + 16);
-    if (check(bytes, &h) != INVCAL_OK || low >= high ||
-        invcal_session_begin(out, &h.nominal, invcal_get_u16(bytes + 6)) != INVCAL_OK) {
-        return INVCAL_DAMAGED;
+    const int32_t low = get_i32(bytes + LOW_AT);
+    const int32_t high = get_i32(bytes + HIGH_AT);
+    status = low < high ? check(bytes, &h) : INVCAL_BAD_RAILS;
+    if (status == INVCAL_OK) { /* the first that writes, and only if it accepts */
+        status = invcal_session_begin(out, &h.nominal, invcal_get_u16(bytes + RATE_AT));
     }
-    (void)invcal_session_rails(out, low, high);
-    invcal_session_hold(out, invcal_get_u32(bytes + 8));
-    (void)invcal_get_reals(bytes + REALS_AT, out, HEAD_REALS + 3 * count);
-    out->count = (uint8_t)count;
-    return INVCAL_OK;
+    if (status == INVCAL_OK) {
+        (void)invcal_session_rails(out, low, high);
+        invcal_session_hold(out, invcal_get_u32(bytes + HOLD_AT));
+        (void)invcal_get_reals(bytes + REALS_AT, out, BEFORE_MEANS + 3 * count);
+        out->count = (uint8_t)count;
+    }
+    return status;
 }
+
+/* ---- in a memory ------------------------------------------------------------------------------- */
 
 invcal_status invcal_save_session(const invcal_store *store, const invcal_session *session)
 {

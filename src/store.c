@@ -9,7 +9,6 @@ enum { SLOT_KIND = 0x5C, SLOT_VERSION = 1, SLOT_KIND_VERSION = SLOT_VERSION << 8
 enum { HEADER = 8, BLANK = 0xFF };
 #define CHUNK INVCAL_STORE_GRANULARITY_MAX /* a multiple of every granularity */
 #define LARGEST UINT32_C(0xFFFF)           /* size of what is stored */
-#define RESIDUE UINT32_C(0x2144DF1C)       /* CRC-32 of anything with its own CRC-32 behind it */
 
 /* What a slot holds; of two, the one with more is loaded. */
 typedef enum { UNREADABLE, EMPTY, UNCONFIRMED, CONFIRMED } state;
@@ -94,7 +93,7 @@ static state look(work *w)
             *bytes++ = w->chunk[i];
         }
     }
-    return crc == RESIDUE ? confirmation(w) : EMPTY;
+    return crc == INVCAL_CRC_RESIDUE ? confirmation(w) : EMPTY;
 }
 
 /* Begins a call: looks at both slots. */

@@ -1,9 +1,10 @@
 /* SPDX-License-Identifier: MIT */
+#include <stddef.h>
 #include <string.h>
 
 #include "invcal/expert.h"
 #include "judge.h"
-#include "thermal.h"
+#include "polynomials.h"
 #include "vector.h"
 
 #define FARTHEST INVCAL_REAL(2.0)         /* |t| */
@@ -99,30 +100,24 @@ static invcal_status gather(job *j, unsigned n)
     return INVCAL_OK;
 }
 
-/* A coefficient known with a standard deviation is a row more, (noise / sigma) x = 0. It is 0 at the
+/* A coefficient known with a standard deviation is a row more, (noise / sigma) x = 0: it is 0 at the
  * base, and p is -x against what is there by now. */
-static void add_prior(job *j, unsigned n)
+static invcal_status solve_at_noise(job *j, unsigned n, invcal_real floor)
 {
     const invcal_real *now = &j->now.x[0][0];
     const invcal_real *base = &j->base->x[0][0];
 
-    for (unsigned i = 0; i < n; i++) {
-        const invcal_real ratio = j->noise * j->held[i];
-        j->a[INVCAL_PACKED(i, i)] += ratio * ratio;
-        j->a[INVCAL_PACKED(n, i)] -= ratio * ratio * (now[i] - base[i]);
-    }
-}
-
-static invcal_status solve_at_noise(job *j, unsigned n, invcal_real floor)
-{
     invcal_status status = gather(j, n);
-
     if (status != INVCAL_OK) {
         return status;
     }
     j->squares = j->a[INVCAL_PACKED(n, n)];
     j->largest = invcal_largest_diagonal(j->a, n);
-    add_prior(j, n);
+    for (unsigned i = 0; i < n; i++) {
+        const invcal_real ratio = j->noise * j->held[i];
+        j->a[INVCAL_PACKED(i, i)] += ratio * ratio;
+        j->a[INVCAL_PACKED(n, i)] -= ratio * ratio * (now[i] - base[i]);
+    }
     const invcal_real trace = invcal_trace(j->a, n);
     status = invcal_factor(j->a, n, n + 1, floor);
     if (status != INVCAL_OK) {
@@ -152,45 +147,39 @@ static invcal_status solve(job *j, unsigned n)
 
 /* ---- the solution --------------------------------------------------------------------------------- */
 
-/* How many coefficients from this one on no prior holds, */
-static unsigned count_free(const job *j, unsigned from, unsigned n)
+/* How many coefficients, from this one on, no prior holds, nor the positions once it is solved. */
+static unsigned count_open(const job *j, unsigned from, unsigned n, int is_solved)
 {
     unsigned count = 0;
 
     for (unsigned i = from; i < UNKNOWNS && i < n; i++) {
-        count += !(j->held[i] > 0);
+        count += !(j->held[i] > 0 || (is_solved && invcal_variance(j->a, n, i) <= INVCAL_WEAK_K));
     }
     return count;
-}
-
-/* and are those determined by the positions? */
-static int are_told(const job *j, unsigned from, unsigned n)
-{
-    for (unsigned i = from; i < UNKNOWNS && i < n; i++) {
-        if (!(j->held[i] > 0 || invcal_variance(j->a, n, i) <= INVCAL_WEAK_K)) {
-            return 0;
-        }
-    }
-    return 1;
 }
 
 /* What stands against a degree: it need not even be tried, or it has been solved. */
 static invcal_thermal_fallback try_degree(job *j, unsigned degree, invcal_status *status)
 {
     const unsigned n = (degree + 1) * N;
+    const invcal_real noise = j->noise;
 
     *status = INVCAL_TOO_FEW;
-    if (j->positions->count < count_free(j, 0, n)) {
+    if (j->positions->count < count_open(j, 0, n, 0)) {
         return INVCAL_THERMAL_FEW;
     }
-    if (j->max - j->min < (invcal_real)degree * NARROWEST && count_free(j, degree * N, n) > 0) {
+    if (j->max - j->min < (invcal_real)degree * NARROWEST && count_open(j, degree * N, n, 0) > 0) {
         return INVCAL_THERMAL_NARROW;
     }
     *status = solve(j, n);
-    if (*status == INVCAL_OK && !are_told(j, N, n)) {
+    if (*status == INVCAL_OK && count_open(j, N, n, 1) > 0) {
         *status = INVCAL_UNDETERMINED;
     }
-    return *status == INVCAL_UNDETERMINED ? INVCAL_THERMAL_OPEN : INVCAL_THERMAL_AS_ASKED;
+    if (*status != INVCAL_UNDETERMINED) {
+        return INVCAL_THERMAL_AS_ASKED;
+    }
+    j->noise = noise; /* not raised in vain */
+    return INVCAL_THERMAL_OPEN;
 }
 
 /* The highest degree that can be had, `degree` at most. */
@@ -260,8 +249,8 @@ static invcal_status interpolate(job *j)
         const invcal_real rise = (x[2][r] - x[0][r]) / 2;
         const invcal_real bend = (x[2][r] - x[1][r]) - (x[1][r] - x[0][r]);
         const invcal_real c2 = degree == 2 ? bend / (2 * step * step) : 0;
-        const invcal_real c1 = degree >= 1 ? rise / step - 2 * c2 * t : 0;
-        const invcal_real middle = degree == 1 ? x[0][r] + rise : x[1][r];
+        const invcal_real c1 = rise / step - 2 * c2 * t;
+        const invcal_real middle = degree == 2 ? x[1][r] : x[0][r] + rise;
         const invcal_real c[3] = {middle - (c1 + c2 * t) * t, c1, c2};
         for (unsigned a = 0; a <= DEGREE; a++) {
             j->now.x[a][r] = c[a];
@@ -284,7 +273,7 @@ static invcal_status improve(job *j, unsigned degree)
     now->max = is_new || j->max > now->max ? j->max : now->max;
     now->degree = is_new ? now->fitted : now->degree;
     status = interpolate(j);
-    return status == INVCAL_NOT_ELLIPSOID && !are_told(j, 0, (now->fitted + 1u) * N)
+    return status == INVCAL_NOT_ELLIPSOID && count_open(j, 0, (now->fitted + 1u) * N, 1) > 0
                ? INVCAL_UNDETERMINED /* what is left open may take any shape */
                : status;
 }
@@ -397,8 +386,29 @@ static invcal_status find_range(const invcal_real *temperature, unsigned count, 
     return count > 0 ? INVCAL_OK : INVCAL_TOO_FEW;
 }
 
+/* What is known beforehand, over the span. */
+static invcal_status hold(job *j, const invcal_thermal_prior *prior)
+{
+    invcal_real power = 1;
+
+    for (unsigned i = 0; i < UNKNOWNS; i++) {
+        const invcal_real sigma = prior->sigma[i / N][i % N];
+        power *= i > 0 && i % N == 0 ? j->now.span : 1;
+        const invcal_real held = sigma == 0 ? 0 : 1 / (sigma * power);
+        if (!(sigma >= 0 && invcal_is_finite(sigma) && invcal_is_finite(held))) {
+            return INVCAL_BAD_PRIOR;
+        }
+        j->held[i] = held;
+        if (held > 0 && (!(j->loosest > 0) || held < j->loosest)) {
+            j->loosest = held;
+        }
+    }
+    return j->noise > 0 ? INVCAL_OK : INVCAL_BAD_NOISE;
+}
+
 static invcal_status begin(job *j, const invcal_thermal_positions *positions,
-                           const invcal_thermal *base, unsigned degree)
+                           const invcal_thermal_prior *prior, const invcal_thermal *base,
+                           unsigned degree)
 {
     const invcal_positions plain = {positions->raw, positions->count, 0, &base->nominal,
                                     positions->noise};
@@ -412,32 +422,11 @@ static invcal_status begin(job *j, const invcal_thermal_positions *positions,
     if (status == INVCAL_OK) {
         status = find_range(positions->temperature, positions->count, &j->min, &j->max);
     }
-    return status == INVCAL_OK && !(INVCAL_FABS(invcal_thermal_scaled(base, j->min)) <= FARTHEST &&
-                                    INVCAL_FABS(invcal_thermal_scaled(base, j->max)) <= FARTHEST)
-               ? INVCAL_BAD_TEMPERATURE
-               : status;
-}
-
-static invcal_status begin_with_prior(job *j, const invcal_thermal_positions *positions,
-                                      const invcal_thermal_prior *prior, const invcal_thermal *base,
-                                      unsigned degree)
-{
-    const invcal_status status = begin(j, positions, base, degree);
-    invcal_real power = 1;
-
-    for (unsigned i = 0; i < UNKNOWNS; i++) {
-        const invcal_real one = prior->sigma[i / N][i % N];
-        power *= i > 0 && i % N == 0 ? base->span : 1;
-        const invcal_real held = one == 0 ? 0 : 1 / (one * power);
-        if (!(one >= 0 && invcal_is_finite(one) && invcal_is_finite(held))) {
-            return status == INVCAL_OK ? INVCAL_BAD_PRIOR : status;
-        }
-        j->held[i] = held;
-        if (held > 0 && (!(j->loosest > 0) || held < j->loosest)) {
-            j->loosest = held;
-        }
+    if (status == INVCAL_OK && !(INVCAL_FABS(invcal_thermal_scaled(base, j->min)) <= FARTHEST &&
+                                 INVCAL_FABS(invcal_thermal_scaled(base, j->max)) <= FARTHEST)) {
+        return INVCAL_BAD_TEMPERATURE;
     }
-    return status == INVCAL_OK && !(j->noise > 0) ? INVCAL_BAD_NOISE : status;
+    return status == INVCAL_OK && prior != NULL ? hold(j, prior) : status;
 }
 
 /* Two solutions by count, and what they are worth. A prior counts for more if the data are noisier
@@ -466,71 +455,38 @@ static invcal_status run(job *j, unsigned degree, invcal_thermal *out, invcal_qu
 }
 
 invcal_status invcal_thermal_fit(const invcal_thermal_positions *positions,
-                                 const invcal_thermal *base, unsigned degree, invcal_thermal *out,
-                                 invcal_quality *quality)
+                                 const invcal_thermal_prior *prior, const invcal_thermal *base,
+                                 unsigned degree, invcal_thermal *out, invcal_quality *quality)
 {
     job j;
 
     INVCAL_ASSERT(positions && base && out && quality);
-    const invcal_status status = begin(&j, positions, base, degree);
-    return status == INVCAL_OK ? run(&j, degree, out, quality) : status;
-}
-
-invcal_status invcal_thermal_fit_with_prior(const invcal_thermal_positions *positions,
-                                            const invcal_thermal_prior *prior,
-                                            const invcal_thermal *base, unsigned degree,
-                                            invcal_thermal *out, invcal_quality *quality)
-{
-    job j;
-
-    INVCAL_ASSERT(positions && prior && base && out && quality);
-    const invcal_status status = begin_with_prior(&j, positions, prior, base, degree);
+    const invcal_status status = begin(&j, positions, prior, base, degree);
     return status == INVCAL_OK ? run(&j, degree, out, quality) : status;
 }
 
 invcal_status invcal_thermal_judge(const invcal_thermal_positions *positions,
-                                   const invcal_thermal *thermal, invcal_real temperature,
-                                   invcal_quality *quality)
+                                   const invcal_thermal_prior *prior, const invcal_thermal *thermal,
+                                   invcal_real temperature, invcal_quality *quality)
 {
     job j;
 
     INVCAL_ASSERT(positions && thermal && quality);
-    const invcal_status status = begin(&j, positions, thermal, thermal->fitted);
+    const invcal_status status = begin(&j, positions, prior, thermal, thermal->fitted);
     return status == INVCAL_OK ? judge(&j, &temperature, 1, quality) : status;
 }
 
-invcal_status invcal_thermal_judge_with_prior(const invcal_thermal_positions *positions,
-                                              const invcal_thermal_prior *prior,
-                                              const invcal_thermal *thermal,
-                                              invcal_real temperature, invcal_quality *quality)
+uint16_t invcal_thermal_from_prior(const invcal_thermal_prior *prior, const invcal_quality *quality)
 {
-    job j;
+    unsigned mask = 0;
 
-    INVCAL_ASSERT(positions && prior && thermal && quality);
-    const invcal_status status = begin_with_prior(&j, positions, prior, thermal, thermal->fitted);
-    return status == INVCAL_OK ? judge(&j, &temperature, 1, quality) : status;
-}
-
-uint16_t invcal_thermal_from_prior(const invcal_thermal_prior *prior, const invcal_thermal *thermal,
-                                   invcal_real temperature, const invcal_quality *quality)
-{
-    uint16_t mask = 0;
-
-    INVCAL_ASSERT(prior && thermal && thermal->fitted <= DEGREE && quality);
-    (void)invcal_thermal_clamp(thermal, &temperature);
+    INVCAL_ASSERT(prior && quality);
     for (unsigned r = 0; r < N; r++) {
-        invcal_real variance = -2 * quality->sigma[r] * quality->sigma[r];
-        invcal_real power = 1;
-        int is_known = 1;
-        for (unsigned a = 0; a <= thermal->fitted; a++) {
-            const invcal_real sigma = prior->sigma[a][r];
-            is_known &= sigma > 0;
-            variance += sigma * power * (sigma * power);
-            power *= temperature - thermal->reference;
-        }
-        mask |= (uint16_t)((is_known && variance < 0 ? 1u : 0u) << r);
+        const invcal_real known = prior->sigma[0][r];
+        const invcal_real sigma = quality->sigma[r];
+        mask |= (known > 0 && 2 * sigma * sigma > known * known ? 1u : 0u) << r;
     }
-    return mask;
+    return (uint16_t)mask;
 }
 
 invcal_status invcal_thermal_start(const invcal_calibration *nominal,
@@ -567,6 +523,6 @@ invcal_status invcal_thermal_calibrate(const invcal_real *raw, const invcal_real
 
     INVCAL_ASSERT((raw || count == 0) && nominal && out && quality);
     const invcal_status status = invcal_thermal_start(nominal, temperature, count, &base);
-    return status == INVCAL_OK ? invcal_thermal_fit(&positions, &base, DEGREE, out, quality)
+    return status == INVCAL_OK ? invcal_thermal_fit(&positions, NULL, &base, DEGREE, out, quality)
                                : status;
 }

@@ -17,11 +17,11 @@ static int find_prior(const fit_settings *settings, const thermal_wish *wish,
 {
     int is_known = fit_has_prior(settings);
 
-    *prior = (invcal_thermal_prior){.slope = {0}};
-    memcpy(prior->constant, settings->prior, sizeof prior->constant);
+    memset(prior, 0, sizeof *prior);
+    memcpy(prior->sigma[0], settings->prior, sizeof prior->sigma[0]);
     for (unsigned r = 0; r < INVCAL_PARAMETERS; r++) {
-        prior->slope[r] = wish->slope[r / 3];
-        is_known = is_known || prior->slope[r] > 0;
+        prior->sigma[1][r] = wish->slope[r / 3];
+        is_known = is_known || prior->sigma[1][r] > 0;
     }
     return is_known;
 }
@@ -36,27 +36,26 @@ static invcal_thermal_positions positions_of(const rejection *kept, const fit_se
 
 invcal_status thermal_fit_once(const rejection *kept, const fit_settings *settings,
                                const thermal_wish *wish, invcal_thermal *out,
-                               invcal_quality *quality, uint16_t *from_prior)
+                               invcal_quality *quality)
 {
     const invcal_thermal_positions given = positions_of(kept, settings);
     invcal_thermal_prior prior;
 
-    *from_prior = 0;
     const invcal_status status =
         invcal_thermal_start(&settings->nominal, kept->temperature, kept->kept_count, out);
     if (status != INVCAL_OK) {
         return status;
     }
     return find_prior(settings, wish, &prior)
-               ? invcal_thermal_fit_with_prior(&given, &prior, out, wish->degree, out, quality,
-                                               from_prior)
+               ? invcal_thermal_fit_with_prior(&given, &prior, out, wish->degree, out, quality)
                : invcal_thermal_fit(&given, out, wish->degree, out, quality);
 }
 
 /* A prior was weighed with the noise that the residuals tell. */
 static void settle_noise(thermal_fit *fit)
 {
-    if (find_prior(&fit->settings, &fit->wish, &fit->prior)) {
+    fit->has_prior = find_prior(&fit->settings, &fit->wish, &fit->prior);
+    if (fit->has_prior) {
         fit->settings.noise = fmin(1, fmax(fit->settings.noise, fit->quality.noise));
     }
 }
@@ -120,13 +119,37 @@ static fit_solution solution_at(const thermal_fit *fit, double temperature)
     return fit_solution_of(&here, &fit->settings);
 }
 
-static void complete(thermal_fit *fit, const rejection *kept, const invcal_quality *q,
-                     uint16_t from_prior)
+/* At a temperature. Returns 1; 0 where there is nothing to be judged. */
+static int judge_at(const thermal_fit *fit, const rejection *kept, double temperature,
+                    invcal_quality *q)
+{
+    const invcal_thermal_positions given = positions_of(kept, &fit->settings);
+    const invcal_thermal *c = &fit->calibration;
+
+    return (fit->has_prior ? invcal_thermal_judge_with_prior(&given, &fit->prior, c, temperature, q)
+                           : invcal_thermal_judge(&given, c, temperature, q)) == INVCAL_OK;
+}
+
+/* Parameters that the prior tells more of than the positions, somewhere in the range. */
+static void find_source(thermal_fit *fit, const rejection *kept)
+{
+    const invcal_thermal *c = &fit->calibration;
+    const double at[] = {c->min, c->reference, c->max};
+    invcal_quality q;
+
+    for (unsigned i = 0; i < 3 && fit->has_prior; i++) {
+        if (judge_at(fit, kept, at[i], &q)) {
+            fit->quality.from_prior |= invcal_thermal_from_prior(&fit->prior, c, at[i], &q);
+        }
+    }
+}
+
+static void complete(thermal_fit *fit, const rejection *kept, const invcal_quality *q)
 {
     fit->solution = solution_at(fit, fit->calibration.reference);
     fit->quality = fit_quality_of(q, &fit->settings);
-    fit->quality.from_prior = from_prior;
     settle_noise(fit);
+    find_source(fit, kept);
     find_covariance(fit, kept);
     find_slopes(fit);
     compare_without(fit, kept);
@@ -154,7 +177,6 @@ int thermal_fit_make(thermal_fit *fit, const positions *p, const fit_settings *s
 {
     const double steepest = fmax(wish->slope[0], fmax(wish->slope[1], wish->slope[2]));
     invcal_quality q;
-    uint16_t from_prior;
 
     *fit = (thermal_fit){.wish = *wish, .settings = *settings};
     fit->drift_limit = invcal_thermal_drift_limit(settings->noise, steepest);
@@ -167,9 +189,9 @@ int thermal_fit_make(thermal_fit *fit, const positions *p, const fit_settings *s
         thermal_rejection_find(rejected, p, settings, wish);
     }
     rejection_finish(rejected, p);
-    *status = thermal_fit_once(rejected, settings, wish, &fit->calibration, &q, &from_prior);
+    *status = thermal_fit_once(rejected, settings, wish, &fit->calibration, &q);
     if (*status == INVCAL_OK) {
-        complete(fit, rejected, &q, from_prior);
+        complete(fit, rejected, &q);
     } else {
         *status = explain(fit, rejected, *status, reason);
     }
@@ -200,19 +222,11 @@ void thermal_fit_to_reference(const thermal_fit *fit, const double raw[3], doubl
 void thermal_fit_judge(const thermal_fit *fit, const rejection *kept, double temperature,
                        fit_solution *solution, fit_quality *quality)
 {
-    const invcal_thermal_positions given = positions_of(kept, &fit->settings);
-    const invcal_thermal *c = &fit->calibration;
-    invcal_thermal_prior prior;
     invcal_quality q;
-    uint16_t from_prior;
 
     *solution = solution_at(fit, temperature);
     *quality = fit->quality;
-    const invcal_status status =
-        find_prior(&fit->settings, &fit->wish, &prior)
-            ? invcal_thermal_judge_with_prior(&given, &prior, c, temperature, &q, &from_prior)
-            : invcal_thermal_judge(&given, c, temperature, &q);
-    if (status == INVCAL_OK) {
+    if (judge_at(fit, kept, temperature, &q)) {
         memcpy(quality->sigma, q.sigma, sizeof quality->sigma);
     }
 }

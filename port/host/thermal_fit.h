@@ -20,6 +20,7 @@ typedef struct {
     thermal_wish wish;
     fit_settings settings; /* the noise is what a prior is weighed with */
     invcal_thermal_prior prior;
+    int has_prior;
     invcal_thermal calibration;
     fit_solution solution; /* at the reference, and what it is worth there; worst counts */
     fit_quality quality;   /* among the positions kept */
@@ -49,7 +50,7 @@ int thermal_fit_make(thermal_fit *fit, const positions *p, const fit_settings *s
  * Returns as invcal_thermal_fit. */
 invcal_status thermal_fit_once(const rejection *kept, const fit_settings *settings,
                                const thermal_wish *wish, invcal_thermal *out,
-                               invcal_quality *quality, uint16_t *from_prior);
+                               invcal_quality *quality);
 
 /* The calibration at a temperature, at most at the edge of the range seen. */
 invcal_calibration thermal_fit_at(const thermal_fit *fit, double temperature);

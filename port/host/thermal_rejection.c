@@ -24,9 +24,8 @@ static int fit(const rejection *r, const fit_settings *settings, const thermal_w
                invcal_thermal *out)
 {
     invcal_quality quality;
-    uint16_t from_prior;
 
-    return thermal_fit_once(r, settings, wish, out, &quality, &from_prior) == INVCAL_OK;
+    return thermal_fit_once(r, settings, wish, out, &quality) == INVCAL_OK;
 }
 
 /* The position that stands out most. */

@@ -89,10 +89,8 @@ int thermal_rows_covariance(const invcal_thermal *c, const rejection *kept,
 
     sum_up(c, kept, 1, covariance);
     for (unsigned i = 0; i < n; i++) {
-        const unsigned r = i % N;
-        const double sigma = i < N       ? prior->constant[r]
-                             : i < 2 * N ? prior->slope[r] * c->span
-                                         : prior->curvature[r] * c->span * c->span;
+        const unsigned power = i / N;
+        const double sigma = prior->sigma[power][i % N] * pow(c->span, power);
         if (sigma > 0) {
             covariance[INVCAL_PACKED(i, i)] += noise / sigma * (noise / sigma);
         }
