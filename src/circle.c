@@ -17,8 +17,8 @@ void invcal_circle(invcal_real degrees, invcal_real *cosine, invcal_real *sine)
         quarters += 3;
     }
     const invcal_real x = degrees * DEGREE;
-    invcal_real part[2] = {1, 1}; /* cos x, sin x / x: 1 - x^2 / (n (n - 1)) (1 - ...) */
-    for (unsigned n = TERMS; n > 1; n--) {
+    invcal_real part[2] = {1, 1};          /* cos x, sin x / x: 1 - x^2 / (n (n - 1)) (1 - ...) */
+    for (unsigned n = TERMS; n > 1; n--) { /* at most TERMS */
         part[n % 2] = 1 - part[n % 2] * x * x / (invcal_real)(n * (n - 1));
     }
     const invcal_real c = part[0];
