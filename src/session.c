@@ -4,6 +4,7 @@
 #include "guidance.h"
 #include "judge.h"
 #include "solve.h"
+#include "status.h"
 #include "vector.h"
 
 #define CLOSE INVCAL_REAL(0.9396926) /* cosine of 20 degrees */
@@ -157,7 +158,7 @@ invcal_status invcal_session_reason(const invcal_session *session)
 
 const char *invcal_session_why(const invcal_session *session)
 {
-    return invcal_status_text(invcal_session_reason(session));
+    return invcal_refusal_text(invcal_session_reason(session));
 }
 
 void invcal_session_next(const invcal_session *session, invcal_real up[3])

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-#include "invcal/invcal.h"
+#include "status.h"
 
 /* Texts stand one after the other, each with its end mark: no table of pointers, which would
  * need relocation and so writable memory. */
@@ -11,20 +11,28 @@ static const char *nth(const char *texts, unsigned n)
     return texts;
 }
 
-const char *invcal_status_text(invcal_status status)
+const char *invcal_refusal_text(invcal_status status)
 {
-    static const char texts[] = "done\0"
-                                "a reading is not a finite number\0"
-                                "a reading is far from the field: wrong scale or zero\0"
-                                "too few positions\0"
-                                "the positions leave parameters undetermined\0"
-                                "the readings lie on no ellipsoid\0"
+    static const char texts[] = "a reading is far from the field: wrong scale or zero\0"
                                 "too short: hold it still longer\0"
                                 "it creeps: turned slowly, or not settled\0"
                                 "at the end of the sensor's range\0"
                                 "readings never change: is the sensor read?\0"
                                 "too short: samples were lost\0"
-                                "nothing new: the same place as before\0"
+                                "nothing new: the same place as before";
+    const unsigned n = (unsigned)status - INVCAL_OUT_OF_RANGE;
+
+    return nth(texts, n <= INVCAL_REST_SAME - INVCAL_OUT_OF_RANGE ? n : 0);
+}
+
+const char *invcal_status_text(invcal_status status)
+{
+    enum { REFUSALS = INVCAL_REST_SAME - INVCAL_OUT_OF_RANGE + 1 };
+    static const char texts[] = "done\0"
+                                "a reading is not a finite number\0"
+                                "too few positions\0"
+                                "the positions leave parameters undetermined\0"
+                                "the readings lie on no ellipsoid\0"
                                 "the nominal calibration is unusable\0"
                                 "the sample rate is out of range\0"
                                 "the sensor's range is upside down\0"
@@ -34,7 +42,7 @@ const char *invcal_status_text(invcal_status status)
                                 "the field is no length\0"
                                 "too many of them\0"
                                 "the direction is not a unit vector\0"
-                                "there is no such program, or no such position in it\0"
+                                "there is no such position in a program\0"
                                 "the temperature is unusable\0"
                                 "the averaging times are unusable\0"
                                 "the memory's slot or granularity is unusable\0"
@@ -44,9 +52,13 @@ const char *invcal_status_text(invcal_status status)
                                 "not enough space\0"
                                 "the memory cannot be read or written\0"
                                 "unknown status";
-    const unsigned n = (unsigned)status;
+    const unsigned n =
+        (unsigned)status < INVCAL_STATUS_COUNT ? (unsigned)status : (unsigned)INVCAL_STATUS_COUNT;
 
-    return nth(texts, n < INVCAL_STATUS_COUNT ? n : INVCAL_STATUS_COUNT);
+    if (n >= INVCAL_OUT_OF_RANGE && n <= INVCAL_REST_SAME) {
+        return invcal_refusal_text(status);
+    }
+    return nth(texts, n < INVCAL_OUT_OF_RANGE ? n : n - REFUSALS);
 }
 
 const char *invcal_parameter_name(unsigned parameter)

@@ -139,12 +139,12 @@ typedef enum {
 
     /* the data */
     INVCAL_NOT_FINITE,    /* a reading is NaN or infinite */
-    INVCAL_OUT_OF_RANGE,  /* a reading is below 1/10 or above 10 of the field */
     INVCAL_TOO_FEW,       /* fewer positions, or less of something else, than are needed */
     INVCAL_UNDETERMINED,  /* the positions leave some parameters open: invcal_undetermined */
     INVCAL_NOT_ELLIPSOID, /* the readings lie on no ellipsoid that a sensor triad can produce */
 
     /* a static interval that is no position */
+    INVCAL_OUT_OF_RANGE, /* a reading is below 1/10 or above 10 of the field */
     INVCAL_REST_SHORT,   /* motion came before it was READY */
     INVCAL_REST_DRIFT,   /* readings creep: a slow turn, or it settles */
     INVCAL_REST_CLIPPED, /* the end of the sensor's range was touched */
@@ -430,7 +430,8 @@ invcal_event invcal_session_last(const invcal_session *session);
 /* Why the last rest was refused; INVCAL_OK before the first. */
 invcal_status invcal_session_reason(const invcal_session *session);
 
-/* The same as a sentence: invcal_status_text. */
+/* The same as a sentence, such as invcal_status_text gives; those of the other statuses are not linked
+ * for it. */
 const char *invcal_session_why(const invcal_session *session);
 
 /* Which orientation to take next: of 26 directions - the faces, edges and corners of a cube - the
