@@ -11,8 +11,8 @@ enum { KINDS = INVCAL_NOISE_KINDS, ALL = (1 << INVCAL_NOISE_KINDS) - 1 };
 #define ABOVE INVCAL_REAL(0.1025)                /* 1.05^2 - 1 */
 #define EDF_MIN 5                                /* with fewer, chance has too long a tail */
 #define TRUST INVCAL_REAL(0.0025)                /* variance of the model itself, relative: 5 % */
-#define STEPS 8                        /* rounds of reweighting: to 0.3 % of where they end */
-#define VISIBLE (INVCAL_REAL(1.0) / 3) /* relative standard deviation of a term */
+#define ROUNDS 8                                 /* of reweighting: to 0.3 % of where they end */
+#define VISIBLE (INVCAL_REAL(1.0) / 3)           /* relative standard deviation of a term */
 #define SHARED 2 /* on that of slow noise, which ties neighbouring tau to each other */
 #define POOR 2   /* of misfit: beyond, it is no chance */
 
@@ -169,7 +169,7 @@ static void fit(const curve *c, unsigned allowed, mixture *x)
 {
     equations e;
 
-    for (unsigned step = 0; step < STEPS; step++) {
+    for (unsigned step = 0; step < ROUNDS; step++) {
         sum_curve(c, x, &e);
         solve_best(&e, allowed, x);
     }
