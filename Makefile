@@ -12,6 +12,11 @@ PREFIX ?= /usr/local
 # A folder with unity.h and unity.c: the tests build on any Unity.
 UNITY  ?= tests/unity
 
+# Elsewhere awk and printf write 1,5 for 1.5, and sort has an order of its own.
+export LC_NUMERIC := C
+export LC_COLLATE := C
+unexport LC_ALL
+
 WARNINGS := -Wall -Wextra -Wconversion -Wdouble-promotion -Wshadow -pedantic
 # Contraction (fused multiply-add) is off: the same bits on every machine.
 FLAGS     = -std=$(STD) -ffp-contract=off $(WARNINGS) $(CFLAGS) -Iinclude
