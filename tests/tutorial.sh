@@ -34,11 +34,11 @@ result() { # 0 or 1, SENTENCE
 awk -v out="$out" '
     /^```/ && kind != "" {
         if (kind == "c") print "END_OF_FILE\ncompiles " name
-        if (kind == "sh") print "} > \"" out "/" n ".said\" 2>&1"
+        if (kind == "sh") print "} > \"$out/" n ".said\" 2>&1"
         kind = ""
         next
     }
-    /^```sh$/ { print "echo " ++n " > \"" out "/step\"\n{"; kind = "sh"; next }
+    /^```sh$/ { print "echo " ++n " > \"$out/step\"\n{"; kind = "sh"; next }
     /^```text$/ { kind = "text"; next }
     /^```(c|cpp)$/ { kind = "name"; next }
     kind == "name" { # /* name.c ... */ or // name.cpp

@@ -100,12 +100,16 @@ silent plan --sweep 5:9
 silent plan --compare edges optimal:18
 silent plan --limits 0.4,0.6,1 --svg "$work/quiet.svg"
 check "--quiet: the picture is drawn all the same" matches "$work/quiet.svg" '^</svg>$'
-for c in "calibrate $work/log.csv" "watch $work/log.csv" "plan --edges"; do
-    # shellcheck disable=SC2086
-    { run $c --json; cp "$work/stdout" "$work/loud"; run $c --json --quiet; }
-    check "--quiet: JSON is printed all the same, and nothing else: ${c%% *}" sh -c '
+only_json() { # only_json ARGUMENTS ...
+    run "$@" --json
+    cp "$work/stdout" "$work/loud"
+    run "$@" --json --quiet
+    check "--quiet: JSON is printed all the same, and nothing else: $1" sh -c '
         cmp "$1" "$2" && [ ! -s "$3" ]' sh "$work/loud" "$work/stdout" "$work/stderr"
-done
+}
+only_json calibrate "$work/log.csv"
+only_json watch "$work/log.csv"
+only_json plan --edges
 run apply "$work/quiet.json" "$work/log.csv" --quiet
 check "--quiet: apply prints its result" matches "$work/stdout" '^t,x,y,z$'
 refuses "--quiet: a refusal is told" 1 'no rest' calibrate "$xsens" --quiet
@@ -174,8 +178,11 @@ fi
 # ---- installation ------------------------------------------------------------------------------
 
 unset MAKEFLAGS MFLAGS MAKELEVEL
+# Folders as they are called from the root: make takes no blank in BUILD, and a $ for its own.
+below() { printf %s "${1#"$root"/}"; }
 installs() { # TARGET PREFIX
-    (cd "$root" && make -s "$1" BUILD="$(dirname "$tool")" DESTDIR="$work/a root" PREFIX="$2")
+    (cd "$root" && make -s "$1" BUILD="$(below "$(dirname "$tool")")" \
+        DESTDIR="$(below "$work")/a root" PREFIX="$2")
 }
 files() { (cd "$work/a root" && find . -type f | LC_ALL=C sort | tr '\n' ' '); }
 for prefix in /usr/local /opt/invcal; do
@@ -226,64 +233,65 @@ shows() { # shows FILE: the terminal, but for colours, what the file holds
 }
 coloured() { matches "$work/typed" "$escape\[1;${1}m$2$escape\[0m"; }
 
+# shellcheck disable=SC2016 # for the shell inside: a path may hold whatever quotes there are
 if command -v script > /dev/null && script -qec true /dev/null > /dev/null 2>&1 < /dev/null; then
     TERM=xterm
-    export TERM
+    long=$work/long.csv
+    export TERM work data long
     plain="$work/plain"
     "$tool" calibrate "$work/log.csv" > "$plain"
-    terminal "invcal calibrate '$work/log.csv'"
+    terminal 'invcal calibrate "$work/log.csv"'
     check "colour: good is green" coloured 32 Good:
     check "colour: nothing else differs" shows "$plain"
     check "colour: a heading is bold" matches "$work/typed" "$escape\[1m +calibrated"
-    terminal "invcal calibrate '$data/t265_positions.csv' --positions"
+    terminal 'invcal calibrate "$data/t265_positions.csv" --positions'
     check "colour: weak is red" coloured 31 Weak:
     printf '%s\n' 1,0,0 -1,0,0 0,1,0 0,-1,0 0,0,1 0,0,-1 .7,.7,0 .7,0,.7 0,.7,.7 > "$work/nine.csv"
-    terminal "invcal calibrate '$work/nine.csv' --positions --gravity 1"
+    terminal 'invcal calibrate "$work/nine.csv" --positions --gravity 1'
     check "colour: no redundancy is yellow" coloured 33 'No redundancy:'
     "$tool" simulate --plan edges --outliers 1 > "$work/wrong.csv"
-    terminal "invcal calibrate '$work/wrong.csv'"
+    terminal 'invcal calibrate "$work/wrong.csv"'
     check "colour: what was left out is red" coloured 31 'Left out:'
     terminal "invcal plan --sweep 5:9"
     check "colour: the heading of a sweep is bold" matches "$work/typed" "$escape\[1mper group"
     terminal "invcal plm"
     check "colour: an error is red" coloured 31 invcal:
-    terminal "invcal plm 2> '$work/error'"
+    terminal 'invcal plm 2> "$work/error"'
     check "colour: but not in a file" lacks "$work/error" "$escape"
     for setting in NO_COLOR=1 TERM=dumb TERM=; do
-        terminal "$setting invcal calibrate '$work/log.csv'; $setting invcal plm"
+        terminal "$setting invcal calibrate \"\$work/log.csv\"; $setting invcal plm"
         check "colour: none with $setting" lacks "$work/typed" "$escape"
     done
-    terminal "unset TERM; invcal calibrate '$work/log.csv'"
+    terminal 'unset TERM; invcal calibrate "$work/log.csv"'
     check "colour: none on a terminal without a name" lacks "$work/typed" "$escape"
-    terminal "NO_COLOR= invcal calibrate '$work/log.csv'"
+    terminal 'NO_COLOR= invcal calibrate "$work/log.csv"'
     check "colour: an empty NO_COLOR does not count" coloured 32 Good:
-    terminal "invcal watch '$work/log.csv' --target 1,1,1"
+    terminal 'invcal watch "$work/log.csv" --target 1,1,1'
     check "colour: watch: enough is green" coloured 32 enough:
 
     # 50,000 rows: the bar comes and goes.
-    long=$work/long.csv
     "$tool" simulate --plan edges --rate 400 > "$long"
     "$tool" calibrate "$long" --out "$work/long.json" --quiet
     "$tool" calibrate "$long" > "$plain"
-    terminal "invcal calibrate '$long'"
+    terminal 'invcal calibrate "$long"'
     check "progress: calibrate shows a bar" matches "$work/typed" '\[#+ +\] +[0-9]+ %, [0-9]+ position'
     check "progress: nothing of it is left" shows "$plain"
-    terminal "invcal calibrate '$long' --quiet"
+    terminal 'invcal calibrate "$long" --quiet'
     check "progress: not with --quiet" is_empty "$work/typed"
-    terminal "invcal calibrate '$long' 2> '$work/error' > /dev/null"
+    terminal 'invcal calibrate "$long" 2> "$work/error" > /dev/null'
     check "progress: not into a file" is_empty "$work/error"
-    terminal "cat '$long' | invcal calibrate -"
+    terminal 'cat "$long" | invcal calibrate -'
     check "progress: of a pipe, lines" matches "$work/typed" '[0-9]+ lines, [0-9]+ position'
     "$tool" calibrate - < "$long" > "$plain"
     check "progress: nothing of them is left" shows "$plain"
-    terminal "invcal apply '$work/long.json' '$long' > '$work/applied'"
+    terminal 'invcal apply "$work/long.json" "$long" > "$work/applied"'
     check "progress: apply shows a bar" matches "$work/typed" '\[#+ +\] +[0-9]+ %'
     check "progress: nothing of apply's is left" [ -z "$(tr -d ' \n' < "$work/shown")" ]
     "$tool" apply "$work/long.json" "$long" > "$work/expected"
     check "progress: apply's result is the same" same "$work/applied" "$work/expected"
     echo 'a,b' >> "$long"
     "$tool" apply "$work/long.json" "$long" 2> "$plain"
-    terminal "invcal apply '$work/long.json' '$long'"
+    terminal 'invcal apply "$work/long.json" "$long"'
     check "progress: an error stands on a line of its own" shows "$plain"
 else
     echo "tool: colours and progress are not tried: script is not installed"
