@@ -37,7 +37,7 @@ check "report: offset x" test "$(row 'offset x')" = "$(formula %.4f 'sqrt(1/6)')
 check "report: scale y" test "$(row 'scale y')" = "$(formula %.4f 'sqrt(7/30)')|"
 check "report: angle zy" test "$(row 'angle zy')" = "$(formula %.3f 'sqrt(8/6)')|"
 check "report: time" tells '2 min 55 s'
-check "report: its command" tells "invcal plan --per-group 6 --report $page"
+check "report: its command" tells_command "$page" invcal plan --per-group 6 --report "$page"
 check "report: all axes" tells 'All six of +x, -x, +y, -y, +z, -z stand along gravity.'
 check "report: groups" tells 'group 3'
 
@@ -271,6 +271,8 @@ awk '{ print NR * $1, NR * $2, NR * $3 }' "$work/cap.csv" > "$work/out/<b>&\"'x.
 makes_page "a hostile name" --directions "$work/out/<b>&\"'x.csv"
 check "report: it is escaped" lacks "$page" '<b>&|&"'
 check "report: and there" matches "$page" '&lt;b&gt;&amp;&quot;&#39;x\.csv'
+check "report: in the command it stands in quotes" tells_command "$page" invcal plan --directions \
+    "$work/out/<b>&\"'x.csv" --report "$page"
 makes_page "a hostile name to compare" --compare "directions:$work/out/<b>&\"'x.csv" edges
 check "report: it is escaped, too" lacks "$page" '<b>&|&"'
 

@@ -13,10 +13,9 @@ page=$work/out/page.html
 # The text of the page, without tags, styles and pictures, on one line.
 words() {
     sed '/<style>/,/<\/style>/d; /<svg /,/<\/svg>/d; s/<[^>]*>/ /g' "$page" |
-        sed "s/$(printf '\302\240')/ /g" | tr -s ' \n' ' ' |
-        sed 's/&lt;/</g; s/&gt;/>/g; s/&quot;/"/g; s/&#39;/'"'"'/g; s/&amp;/\&/g'
+        sed "s/$(printf '\302\240')/ /g" | tr -s ' \n' ' ' | plainly
 }
-says_page() { words | grep -Eq -- "$1" || { words | head -c 600 >&2; return 1; }; }
+says_page() { words | grep -Eq -- "$1" || { { words | head -c 600; echo; } >&2; return 1; }; }
 says_not() { ! words | grep -Eq -- "$1"; }
 
 is_finite() { ! grep -Eiqw -- '-?(nan|inf)' "$page"; }
@@ -73,8 +72,8 @@ size=$(awk '{ print $5 + 256 * ($6 + 256 * ($7 + 256 * $8)) }' "$work/trailer")
 check "report: CRC and size are those of the file" says_page "$size bytes, CRC-32 $crc"
 run calibrate "$data/mpu9150_0_positions.csv" --positions --gravity 9.81 --json
 check "report: the JSON has the same CRC" test "$(json "$work/stdout" source_crc)" = "\"$crc\""
-check "report: the command line is told" says_page \
-    "command invcal calibrate --report .*page\.html .*mpu9150_0_positions\.csv --positions --gravity 9\.81"
+check "report: the command line is told" tells_command "$page" invcal calibrate --report "$page" \
+    "$data/mpu9150_0_positions.csv" --positions --gravity 9.81
 in=$data/mpu9150_0_positions.csv
 makes_page "standard input" - --positions --gravity 9.81
 in=/dev/null
@@ -196,6 +195,8 @@ odd="$work/<img src=x onerror=alert(1)>&\"' \$(id).csv"
 makes_page "a hostile name and header" "$odd" --positions --noise 0.01 --nominal-name '<b>"&'
 check "report: the name is told all the same" says_page \
     "Calibration of <img src=x onerror=alert\(1\)>&\"' \\\$\(id\)\.csv"
+check "report: in the command it stands in quotes" tells_command "$page" invcal calibrate \
+    --report "$page" "$odd" --positions --noise 0.01 --nominal-name '<b>"&'
 printf 'x\377y' > "$work/bytes"
 makes_page "a name that is no UTF-8" "$work/icosahedron.csv" --positions --noise 0.01 \
     --nominal-name "$(cat "$work/bytes")"

@@ -127,6 +127,16 @@ is_page() { # FILE: HTML that is well-formed, and needs nothing else
     [ -z "$result" ] || { echo "    $result" >&2; return 1; }
 }
 
+# What a page has escaped for HTML, as it was.
+plainly() { sed 's/&lt;/</g; s/&gt;/>/g; s/&quot;/"/g; s/&#39;/'"'"'/g; s/&amp;/\&/g'; }
+
+# The page tells the command that made it, and a shell takes that apart into just these words.
+tells_command() { # FILE WORD ...
+    told=$(sed -n 's/^<dd>\(invcal .*\)<\/dd>$/\1/p' "$1" | plainly)
+    shift
+    [ "$(eval "printf '%s\n' $told")" = "$(printf '%s\n' "$@")" ] || { echo "    $told" >&2; return 1; }
+}
+
 same() { cmp -s "$1" "$2"; }
 matches() { grep -Eq -- "$2" "$1"; }
 lacks() { ! grep -Eq -- "$2" "$1"; }
