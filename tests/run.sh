@@ -2,7 +2,8 @@
 # SPDX-License-Identifier: MIT
 #
 # Runs every test that stands in the build folder $1, and the scripts beside this file, two at a
-# time. Prints a line for each suite, below it what failed, and at the end `N passed, N failed`.
+# time. Prints a line for each suite, below it what failed and where its log is, and at the end
+# `N passed, N failed`.
 # CC, CFLAGS and UNITY are handed on to scripts that compile something. ONLY='still|tool': suites with
 # such names only.
 build=$1
@@ -21,6 +22,7 @@ suites() {
             [ -x "$program" ] && echo "$real-${program##*/test_} $program"
         done
     done
+    echo "run sh $tests/run_test.sh $build/run_test"
     echo "unity sh $tests/unity/selftest.sh $build/unity"
     echo "library sh $tests/library.sh $build"
     echo "readme sh $tests/readme.sh $build"
@@ -40,6 +42,35 @@ xargs -L 1 -P 2 sh -c 'log=$1/$2.log; shift 2
     "$@" > "$log" 2>&1 < /dev/null
     echo "exit status $?" >> "$log"' suite "$logs" < "$logs/list"
 
+# Of a log: each line that says FAIL, below the first of what was said since the check before, and what
+# was said after the last check; no more than fits a screen or two.
+failures() { # LOG
+    awk '
+        function say(line) {
+            if (length(line) > 400) line = substr(line, 1, 400) " ..."
+            if (++lines <= 40) print line
+        }
+        function why(    i) {
+            for (i = 1; i <= said && i <= 10; i++) say(since[i])
+            if (said > 10) say("    ... " said - 10 " lines more")
+            said = 0
+        }
+        /: ?PASS$/ { said = 0; next }
+        /: ?FAIL(:|$)/ { why(); say($0); next }
+        / Tests .* Failures .* Ignored/ || /^[0-9]+ passed, [0-9]+ failed$/ {
+            if (!/ 0 (Failures|failed)/) summed = 1
+            next
+        }
+        /^(-*|OK|FAIL)$/ { next }
+        /^exit status/ { status = $0; next }
+        { since[++said] = $0 }
+        END {
+            why()
+            if (!summed) say(status)
+            if (lines > 40) print "    ... " lines - 40 " lines more"
+        }' "$1"
+}
+
 # A suite tells its result as "N Tests F Failures I Ignored" (Unity) or "N passed, N failed".
 # One that says neither has crashed, and one that has tried nothing tells nothing: one failure.
 while read -r name _; do
@@ -50,7 +81,7 @@ while read -r name _; do
         /^exit status / { status = $3 }
         END { if (p + f == 0 || (status && !f)) f++; print p + 0, f + 0 }' "$logs/$name.log")
     echo "$name: ${result% *} passed, ${result#* } failed"
-    [ "${result#* }" -eq 0 ] || cat "$logs/$name.log"
+    [ "${result#* }" -eq 0 ] || { failures "$logs/$name.log"; echo "    all of it: $logs/$name.log"; }
 done < "$logs/list" | awk '{ print }
     /^[a-z0-9_-]+: [0-9]+ passed, [0-9]+ failed$/ { passed += $2; failed += $4 }
     END { print passed + 0 " passed, " failed + 0 " failed"; exit failed > 0 || passed == 0 }'
