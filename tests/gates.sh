@@ -80,6 +80,7 @@ plant event src/still.c '/out->reason\|s->reason\|return/s/INVCAL_REST_FROZEN/IN
     'float-faults: .* [1-9][0-9]* failed' unit faults
 plant framework tests/unity/unity.c 's/Unity\.TestFailures++;/;/' \
     'unity: .* [1-9][0-9]* failed' unit unity
+plant verbose tests/run.sh 's/failures "\$logs/cat "$logs/' 'run: [0-9]* passed, [1-9][0-9]* failed' unit run
 plant double src/normal.c 's/wj = weight \* o->j/wj = (invcal_real)((double)weight * (double)o->j + 1e-9)/' \
     'double arithmetic.*FAIL' unit library
 plant libc src/gravity.c 's/INVCAL_SIN(latitude/tanf((float)latitude/' \
