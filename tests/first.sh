@@ -4,14 +4,16 @@
 # sh tests/first.sh BUILD [GOAL...], as root
 # The first impression: on a new Debian with a C compiler and make, and nothing else, `make demo` and
 # `make test` work; every other target of `make help` either works, too, or says in one line for each
-# thing that is missing what to install. The machine is a folder, BUILD/first/root, made by debootstrap
-# in two minutes, and kept. Two minutes more. Prints a line for each target, and at the end
-# `N passed, N failed`. With GOALs, those only.
+# thing that is missing what to install. The locale is POSIX, as on such a machine, and the path of the
+# sources has a blank, and more of which a shell makes something else. The machine is a folder,
+# BUILD/first/root, made by debootstrap in two minutes, and kept. Three minutes more. Prints a line for
+# each target, and at the end `N passed, N failed`. With GOALs, those only.
 mkdir -p "$1/first" || exit 2
 out=$(cd "$1/first" && pwd)
 shift
 cd "$(dirname "$0")/.." || exit 1
 machine=$out/root
+place="my own/it's \$HOME & (new)/invcal"
 passed=0
 failed=0
 
@@ -32,8 +34,8 @@ result() { # 0 or 1, SENTENCE
 }
 
 on_machine() { # GOAL...: make, there
-    chroot "$machine" env -i PATH=/usr/sbin:/usr/bin:/sbin:/bin HOME=/root LANG=C.UTF-8 \
-        make -C /invcal "$@" > "$out/log" 2>&1 < /dev/null
+    chroot "$machine" env -i PATH=/usr/sbin:/usr/bin:/sbin:/bin HOME=/root \
+        make -C "/$place" "$@" > "$out/log" 2>&1 < /dev/null
 }
 
 # What it says beside make's own lines, what passes and the sum: only what is missing.
@@ -50,10 +52,10 @@ if [ ! -e "$out/made" ]; then
         fail "debootstrap failed: $(tail -n 1 "$out/log")"
     touch "$out/made"
 fi
-rm -rf "$machine/invcal"
-mkdir "$machine/invcal"
+rm -rf "${machine:?}/${place%%/*}"
+mkdir -p "$machine/$place"
 # What is built here, and a cache of this script among it, stays here.
-tar -cf - --exclude="./$(basename "${out%/first}")" . | tar -xf - -C "$machine/invcal" ||
+tar -cf - --exclude="./$(basename "${out%/first}")" . | tar -xf - -C "$machine/$place" ||
     fail "the sources cannot be copied"
 
 # The demonstration first, before anything is built.
