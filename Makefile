@@ -241,7 +241,7 @@ deps: ## install what all of these need beyond a C compiler (Debian, root)
 	    chromium fonts-dejavu-core poppler-utils g++ cmake pkg-config debootstrap \
 	    gcc-arm-none-eabi libnewlib-arm-none-eabi qemu-system-arm gcc-avr avr-libc simavr \
 	    gcc-riscv64-unknown-elf picolibc-riscv64-unknown-elf qemu-system-misc \
-	    gcc-powerpc-linux-gnu libc6-dev-powerpc-cross qemu-user
+	    gcc-powerpc-linux-gnu libc6-dev-powerpc-cross qemu-user locales
 
 package: ## lay a package out, in build/packages/NAME unless DEST is given (PACKAGE=name, DEST=folder)
 	$(Q)sh port/stage.sh "$(PACKAGE)" "$(or $(DEST),$(BUILD)/packages/$(PACKAGE))"
