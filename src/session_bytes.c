@@ -68,7 +68,7 @@ invcal_status invcal_session_encode(const invcal_session *session,
     uint8_t *at = invcal_put_two(bytes + COUNT_AT, session->count, session->rests.rate);
     at = invcal_put_u32(at, session->hold);
     at = invcal_put_u32(at, (uint32_t)session->rests.low);
-    at = invcal_put_u32(at, (uint32_t)session->rests.high);
+    at = invcal_put_u32(at, (uint32_t)session->rests.low + session->rests.between + 1u);
     (void)invcal_put_reals(at, session, BEFORE_MEANS + 3u * session->count);
     *size = length_of(session->count);
     invcal_seal(bytes, SESSION_KIND, *size);

@@ -79,7 +79,7 @@ static void add(invcal_real *a, unsigned n, const invcal_row *row, invcal_real w
 static invcal_status gather(job *j, unsigned n)
 {
     const invcal_thermal_positions *p = j->positions;
-    invcal_calibration c;
+    invcal_calibration triad;
     invcal_row row;
     invcal_real weight;
 
@@ -87,10 +87,14 @@ static invcal_status gather(job *j, unsigned n)
     invcal_residuals_begin(&j->q);
     for (unsigned i = 0; i < p->count; i++) {
         const invcal_real t = invcal_thermal_scaled(&j->now, p->temperature[i]);
-        invcal_status status = invcal_thermal_calibration(&j->now, t, &c);
+        invcal_status status = invcal_thermal_triad(&j->now, t, &triad);
+        invcal_calibration c = triad;
         if (status == INVCAL_OK) {
-            status = invcal_residuals_add(&c, invcal_mean_sensitivity(&c), &p->raw[3 * (size_t)i],
-                                          i, &row, &weight, &j->q);
+            status = invcal_behind(&j->now.nominal, &c);
+        }
+        if (status == INVCAL_OK) {
+            status = invcal_residuals_add(&c, (const invcal_real(*)[3])triad.matrix,
+                                          &p->raw[3 * (size_t)i], i, &row, &weight, &j->q);
         }
         if (status != INVCAL_OK) {
             return status;
@@ -285,12 +289,8 @@ static invcal_status weigh(job *j)
 {
     const unsigned n = (j->now.fitted + 1u) * N;
     invcal_real dof = (invcal_real)j->positions->count - (invcal_real)n;
-    invcal_calibration c;
 
     invcal_status status = solve(j, n);
-    if (status == INVCAL_OK) {
-        status = invcal_thermal_calibration(&j->now, 0, &c);
-    }
     if (status != INVCAL_OK) {
         return status;
     }
@@ -298,7 +298,7 @@ static invcal_status weigh(job *j)
         const invcal_real ratio = j->noise * j->held[i];
         dof += ratio * ratio * invcal_variance(j->a, n, i);
     }
-    invcal_judge_noise(j->positions->noise, &j->now.nominal, &c, j->squares, dof, &j->q);
+    invcal_judge_noise(j->positions->noise, j->squares, dof, &j->q);
     if (j->loosest > 0) {
         j->noise = j->q.noise;
         status = solve(j, n);
@@ -327,15 +327,15 @@ static invcal_status judge_at(job *j, invcal_real temperature)
 {
     const invcal_thermal *now = &j->now;
     const uint16_t weak = j->q.weak;
-    invcal_calibration c;
+    invcal_thermal_place place;
+    invcal_calibration triad;
     invcal_real k[N];
+    invcal_real t;
 
-    if (!invcal_is_finite(temperature)) {
-        return INVCAL_BAD_TEMPERATURE;
+    invcal_status status = invcal_thermal_find(now, temperature, &t, &triad, &place);
+    if (status == INVCAL_OK) {
+        status = invcal_thermal_triad(now, t, &triad);
     }
-    (void)invcal_thermal_clamp(now, &temperature);
-    const invcal_real t = invcal_thermal_scaled(now, temperature);
-    const invcal_status status = invcal_thermal_calibration(now, t, &c);
     if (status != INVCAL_OK) {
         return status;
     }
@@ -345,7 +345,8 @@ static invcal_status judge_at(job *j, invcal_real temperature)
             return INVCAL_UNDETERMINED;
         }
     }
-    invcal_judge_parameters(k, j->q.dof > 0 || j->positions->noise > 0, &now->nominal, &c, &j->q);
+    invcal_judge_parameters(k, j->q.dof > 0 || j->positions->noise > 0,
+                            (const invcal_real(*)[3])triad.matrix, &j->q);
     j->q.weak |= weak;
     j->q.verdict = j->q.weak ? INVCAL_WEAK : j->q.verdict;
     return INVCAL_OK;

@@ -46,9 +46,8 @@ invcal_status thermal_fit_once(const rejection *kept, const fit_settings *settin
     if (status != INVCAL_OK) {
         return status;
     }
-    return find_prior(settings, wish, &prior)
-               ? invcal_thermal_fit_with_prior(&given, &prior, out, wish->degree, out, quality)
-               : invcal_thermal_fit(&given, out, wish->degree, out, quality);
+    const invcal_thermal_prior *known = find_prior(settings, wish, &prior) ? &prior : NULL;
+    return invcal_thermal_fit(&given, known, out, wish->degree, out, quality);
 }
 
 /* A prior was weighed with the noise that the residuals tell. */
@@ -126,8 +125,8 @@ static int judge_at(const thermal_fit *fit, const rejection *kept, double temper
     const invcal_thermal_positions given = positions_of(kept, &fit->settings);
     const invcal_thermal *c = &fit->calibration;
 
-    return (fit->has_prior ? invcal_thermal_judge_with_prior(&given, &fit->prior, c, temperature, q)
-                           : invcal_thermal_judge(&given, c, temperature, q)) == INVCAL_OK;
+    return invcal_thermal_judge(&given, fit->has_prior ? &fit->prior : NULL, c, temperature, q) ==
+           INVCAL_OK;
 }
 
 /* Parameters that the prior tells more of than the positions, somewhere in the range. */
@@ -139,7 +138,7 @@ static void find_source(thermal_fit *fit, const rejection *kept)
 
     for (unsigned i = 0; i < 3 && fit->has_prior; i++) {
         if (judge_at(fit, kept, at[i], &q)) {
-            fit->quality.from_prior |= invcal_thermal_from_prior(&fit->prior, c, at[i], &q);
+            fit->quality.from_prior |= invcal_thermal_from_prior(&fit->prior, &q);
         }
     }
 }
