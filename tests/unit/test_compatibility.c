@@ -178,7 +178,8 @@ static void is_session(const stored_session *old, const invcal_session *session)
 {
     TEST_ASSERT_EQUAL_UINT_MESSAGE(old->is.rate, session->rests.rate, old->name);
     TEST_ASSERT_EQUAL_INT32_MESSAGE(old->is.low, session->rests.low, old->name);
-    TEST_ASSERT_EQUAL_INT32_MESSAGE(old->is.high, session->rests.high, old->name);
+    TEST_ASSERT_EQUAL_UINT32_MESSAGE((int64_t)old->is.high - old->is.low - 1,
+                                     session->rests.between, old->name);
     TEST_ASSERT_EQUAL_UINT32_MESSAGE(old->is.hold, session->hold, old->name);
     TEST_ASSERT_EQUAL_UINT_MESSAGE(old->is.count, session->count, old->name);
     same_calibration(&old->is.nominal, &session->nominal, old->name);

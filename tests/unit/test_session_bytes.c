@@ -130,13 +130,18 @@ static void hold(invcal_session *session, const scene *s, unsigned n)
     TEST_FAIL_MESSAGE("the position was not taken");
 }
 
+static int32_t high_of(const invcal_rests *rests)
+{
+    return (int32_t)((int64_t)rests->low + rests->between + 1);
+}
+
 /* What is not kept: a stream begins. */
 static void forget_stream(invcal_session *session)
 {
     const invcal_rests old = session->rests;
 
     TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_rests_init(&session->rests, old.rate));
-    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_rests_rails(&session->rests, old.low, old.high));
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_rests_rails(&session->rests, old.low, high_of(&old)));
     invcal_rests_hold(&session->rests, session->hold);
 }
 
@@ -195,7 +200,7 @@ static uint32_t write_session(invcal_session *s, uint8_t *bytes)
     put(&at, s->rests.rate, 2);
     put(&at, s->hold, 4);
     put(&at, (uint32_t)s->rests.low, 4);
-    put(&at, (uint32_t)s->rests.high, 4);
+    put(&at, (uint32_t)high_of(&s->rests), 4);
     for (unsigned i = 0; i < REALS + 3u * s->count; i++) {
         put_real(&at, *real_of(s, i));
     }
