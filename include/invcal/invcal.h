@@ -262,9 +262,9 @@ typedef struct {
     invcal_mask left_out;  /* bit i: position i contradicts the others, and was left out */
     uint16_t weak;         /* bit r: parameter r is badly determined: sqrt(K(r,r)) above 10, or the
                               noise in the readings themselves would make it look determined */
-    uint8_t positions;     /* that made it */
-    uint8_t dof;           /* degrees of freedom left to the residuals; 0: no check */
-    uint8_t worst;         /* the position of max, from 0 */
+    uint16_t positions;    /* that made it */
+    uint16_t dof;          /* degrees of freedom left to the residuals; 0: no check */
+    uint16_t worst;        /* the position of max, from 0 */
     uint8_t verdict;       /* an invcal_verdict: what all this comes to */
 } invcal_quality;
 
@@ -277,7 +277,7 @@ invcal_real invcal_coverage(unsigned dof);
  * raw      3 count numbers: position means x y z, x y z, ... in raw counts, in any order; 9 are the least, twelve to eighteen
  *          well spread ones are good. In float a mean carries 24 bits: from counts above 2^24
  *          subtract first.
- * count    up to 255.
+ * count    up to 65534.
  * nominal  data sheet, or an earlier calibration; may be out.
  * noise    standard deviation of a position mean on each axis, over field, below 1; 0: not known,
  *          only the residuals tell.

@@ -118,7 +118,7 @@ const char *invcal_thermal_fallback_text(invcal_thermal_fallback fallback);
  *              least, at different temperatures; twelve to eighteen at each temperature are good, the
  *              same or others, in any order.
  * temperature  count numbers: the mean over each rest, see invcal_thermal_drift_limit.
- * count        up to 255.
+ * count        up to 65534.
  * nominal      data sheet, or an earlier calibration.
  * noise        as invcal_calibrate; 0: not known.
  * out          reference and span are the middle and half the range of the temperatures, at least
