@@ -146,7 +146,6 @@ static void thermal_records_of_every_release_are_read(void)
         const invcal_status expected =
             old->is.thermal.degree > INVCAL_THERMAL_DEGREE ? INVCAL_OTHER_VERSION : INVCAL_OK;
         uint8_t bytes[INVCAL_THERMAL_RECORD_SIZE];
-        uint32_t size = 0;
         const invcal_thermal *now;
         invcal_thermal_record found;
 
@@ -168,9 +167,9 @@ static void thermal_records_of_every_release_are_read(void)
         same(&old->is.thermal.max, &now->max, 1, old->name);
         same_calibration(&old->is.thermal.nominal, &now->nominal, old->name);
         same(&old->is.x[0][0], &now->x[0][0], (now->degree + 1u) * INVCAL_PARAMETERS, old->name);
-        TEST_ASSERT_EQUAL_MESSAGE(INVCAL_OK, invcal_thermal_record_encode(&found, bytes, &size),
+        TEST_ASSERT_EQUAL_MESSAGE(INVCAL_OK, invcal_thermal_record_encode(&found, bytes),
                                   old->name);
-        same_bytes(old->bytes, bytes, size, old->name);
+        same_bytes(old->bytes, bytes, INVCAL_THERMAL_RECORD_BYTES(now->degree), old->name);
     }
 }
 
