@@ -9,15 +9,7 @@
 
 INVCAL_INLINE void invcal_row_of(const invcal_real a[3], invcal_real h[INVCAL_PARAMETERS])
 {
-    h[INVCAL_DELTA_X] = a[0];
-    h[INVCAL_DELTA_Y] = a[1];
-    h[INVCAL_DELTA_Z] = a[2];
-    h[INVCAL_DK_X] = a[0] * a[0];
-    h[INVCAL_DK_Y] = a[1] * a[1];
-    h[INVCAL_DK_Z] = a[2] * a[2];
-    h[INVCAL_GAMMA_XY] = a[0] * a[1];
-    h[INVCAL_GAMMA_XZ] = a[0] * a[2];
-    h[INVCAL_GAMMA_ZY] = a[1] * a[2];
+    invcal_row_inline(a, h);
 }
 
 /* J = (|u|^2 - 1)/2 and h(u), exact for errors of any size. A length outside 0.1 ... 10 is no
@@ -32,7 +24,7 @@ static INVCAL_INLINE invcal_status observe(const invcal_calibration *nominal,
     if (square >= INVCAL_REAL(0.01) && square <= INVCAL_REAL(100.0)) {
         return INVCAL_OK;
     }
-    return invcal_is_finite(square) ? INVCAL_OUT_OF_RANGE : INVCAL_NOT_FINITE;
+    return invcal_are_finite(row->h) ? INVCAL_OUT_OF_RANGE : INVCAL_NOT_FINITE;
 }
 
 /* H'H += w h h', H'J += w h j, J'J += w j j. Every element of h h' is a product of two, three or four

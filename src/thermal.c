@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-#include "thermal.h"
+#include "polynomials.h"
 
 #include <string.h>
 

@@ -4,7 +4,7 @@
 
 #include "invcal/expert.h"
 #include "judge.h"
-#include "thermal.h"
+#include "polynomials.h"
 #include "vector.h"
 
 #define FARTHEST INVCAL_REAL(2.0)         /* |t| */
@@ -80,7 +80,7 @@ static void add(invcal_real *a, unsigned n, const invcal_row *row, invcal_real w
 static invcal_status gather(job *j, unsigned n)
 {
     const invcal_thermal_positions *p = j->positions;
-    invcal_calibration c;
+    invcal_calibration triad;
     invcal_row row;
     invcal_real weight;
 
@@ -88,10 +88,14 @@ static invcal_status gather(job *j, unsigned n)
     invcal_residuals_begin(&j->q);
     for (unsigned i = 0; i < p->count; i++) {
         const invcal_real t = invcal_thermal_scaled(&j->now, p->temperature[i]);
-        invcal_status status = invcal_thermal_calibration(&j->now, t, &c);
+        invcal_status status = invcal_thermal_triad(&j->now, t, &triad);
+        invcal_calibration c = triad;
         if (status == INVCAL_OK) {
-            status = invcal_residuals_add(&c, invcal_mean_sensitivity(&c), &p->raw[3 * (size_t)i],
-                                          i, &row, &weight, &j->q);
+            status = invcal_behind(&j->now.nominal, &c);
+        }
+        if (status == INVCAL_OK) {
+            status = invcal_residuals_add(&c, (const invcal_real(*)[3])triad.matrix,
+                                          &p->raw[3 * (size_t)i], i, &row, &weight, &j->q);
         }
         if (status != INVCAL_OK) {
             return status;
@@ -286,12 +290,8 @@ static invcal_status weigh(job *j)
 {
     const unsigned n = (j->now.fitted + 1u) * N;
     invcal_real dof = (invcal_real)j->positions->count - (invcal_real)n;
-    invcal_calibration c;
 
     invcal_status status = solve(j, n);
-    if (status == INVCAL_OK) {
-        status = invcal_thermal_calibration(&j->now, 0, &c);
-    }
     if (status != INVCAL_OK) {
         return status;
     }
@@ -299,7 +299,7 @@ static invcal_status weigh(job *j)
         const invcal_real ratio = j->noise * j->held[i];
         dof += ratio * ratio * invcal_variance(j->a, n, i);
     }
-    invcal_judge_noise(j->positions->noise, &j->now.nominal, &c, j->squares, dof, &j->q);
+    invcal_judge_noise(j->positions->noise, j->squares, dof, &j->q);
     if (j->has_prior) {
         j->noise = j->q.noise;
         status = solve(j, n);
@@ -329,11 +329,14 @@ static invcal_status judge_at(job *j, invcal_real temperature)
     const invcal_thermal *now = &j->now;
     const uint16_t weak = j->q.weak;
     invcal_thermal_place place;
-    invcal_calibration c;
+    invcal_calibration triad;
     invcal_real k[N];
     invcal_real t;
 
-    const invcal_status status = invcal_thermal_find(now, temperature, &t, &c, &place);
+    invcal_status status = invcal_thermal_find(now, temperature, &t, &triad, &place);
+    if (status == INVCAL_OK) {
+        status = invcal_thermal_triad(now, t, &triad);
+    }
     if (status != INVCAL_OK) {
         return status;
     }
@@ -343,7 +346,8 @@ static invcal_status judge_at(job *j, invcal_real temperature)
             return INVCAL_UNDETERMINED;
         }
     }
-    invcal_judge_parameters(k, j->q.dof > 0 || j->positions->noise > 0, &now->nominal, &c, &j->q);
+    invcal_judge_parameters(k, j->q.dof > 0 || j->positions->noise > 0,
+                            (const invcal_real(*)[3])triad.matrix, &j->q);
     j->q.weak |= weak;
     j->q.verdict = j->q.weak ? INVCAL_WEAK : j->q.verdict;
     return INVCAL_OK;

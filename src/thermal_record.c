@@ -3,7 +3,7 @@
 #include <string.h>
 
 #include "bytes.h"
-#include "thermal.h"
+#include "polynomials.h"
 #include "vector.h"
 
 #define AGREED INVCAL_REAL(1e-4) /* over field: what two calibrations may differ by */

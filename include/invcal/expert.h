@@ -135,6 +135,11 @@ invcal_real invcal_variance(const invcal_real *inverse, unsigned n, unsigned r);
 /* h K h' from L^-1 of nine parameters: what a row tells beside those in the sums. */
 invcal_real invcal_leverage(const invcal_real *inverse, const invcal_real h[INVCAL_PARAMETERS]);
 
+#define INVCAL_LOSS INVCAL_REAL(2.0)
+#define INVCAL_LOSS_SIGMA INVCAL_REAL(32.0)
+#define INVCAL_LOSS_LENGTH INVCAL_REAL(8.0)
+#define INVCAL_LOSS_AGAIN INVCAL_REAL(4.0)
+
 /* ---- what a refusal is about -------------------------------------------------------------------- */
 
 /* Which parameters the positions leave open, bit r for parameter r. A small ridge on H'H shows it: a
@@ -172,6 +177,7 @@ int invcal_improves(const invcal_quality *found, const invcal_quality *present);
 /* ---- positions that contradict the others ----------------------------------------------------------
  * see src/outliers.c.
  */
+#define INVCAL_OUTLIERS_FEWEST 11u
 #define INVCAL_OUTLIERS_MOST 6u /* outliers named at most */
 
 typedef struct {
@@ -183,6 +189,11 @@ typedef struct {
 invcal_status invcal_outliers_find(const invcal_real *raw, unsigned count,
                                    const invcal_calibration *nominal, invcal_real noise,
                                    invcal_outliers *out);
+
+typedef struct { invcal_real error, w, checked, sigma; } invcal_outlier;
+invcal_status invcal_outlier_size(const invcal_real *raw, unsigned count,
+                                  const invcal_calibration *nominal, invcal_real noise,
+                                  invcal_mask removed, unsigned position, invcal_outlier *out);
 
 /* invcal_calibrate without some of the positions. */
 invcal_status invcal_calibrate_without(const invcal_real *raw, unsigned count, invcal_mask left_out,

@@ -1,7 +1,9 @@
 /* SPDX-License-Identifier: MIT */
+#include <float.h>
 #include <math.h>
 #include <string.h>
 
+#include "eigen.h"
 #include "expected.h"
 #include "support.h"
 #include "unity.h"
@@ -14,18 +16,23 @@ void tearDown(void)
 {
 }
 
-enum { N = INVCAL_MAX_PARAMETERS, SUMS = INVCAL_PACKED_SIZE(INVCAL_MAX_PARAMETERS) };
-static const double tiny = FLOAT_OR_DOUBLE(6e-7, 2e-15);
+enum { N = EIGEN_MAX, SUMS = INVCAL_PACKED_SIZE(EIGEN_MAX) };
+static const double tiny = 2e-15;
 
-/* V diag(f) V', element (r, c) */
-static double compose(const invcal_eigen3 *eigen, const double f[3], unsigned r, unsigned c)
+/* The largest eigenvalue; a NaN if there is one among them. */
+static double largest_of(const double *a, unsigned n)
 {
-    double sum = 0;
+    double value[N];
+    double most = -HUGE_VAL;
 
-    for (unsigned k = 0; k < 3; k++) {
-        sum += (double)eigen->vector[r][k] * f[k] * (double)eigen->vector[c][k];
+    eigenvalues(a, n, value);
+    for (unsigned r = 0; r < n; r++) {
+        most = value[r] <= most ? most : value[r];
+        if (isnan(most)) {
+            break;
+        }
     }
-    return sum;
+    return most;
 }
 
 /* M = R diag(a) R' with known a: equal, close and far apart. */
@@ -39,8 +46,8 @@ static void eigenvalues_are_those_the_matrix_was_made_from(void)
     for (unsigned i = 0; i < sizeof values / sizeof values[0]; i++) {
         for (int repetition = 0; repetition < 50; repetition++) {
             double rotation[3][3];
-            invcal_real m[6];
-            invcal_eigen3 eigen;
+            double m[6];
+            double value[3];
             random_rotation(&random, rotation);
             for (unsigned r = 0; r < 3; r++) {
                 for (unsigned c = 0; c <= r; c++) {
@@ -48,16 +55,16 @@ static void eigenvalues_are_those_the_matrix_was_made_from(void)
                     for (unsigned k = 0; k < 3; k++) {
                         sum += rotation[r][k] * values[i][k] * rotation[c][k];
                     }
-                    m[INVCAL_PACKED(r, c)] = (invcal_real)sum;
+                    m[INVCAL_PACKED(r, c)] = sum;
                 }
             }
-            invcal_eigen3_decompose(m, &eigen);
+            eigenvalues(m, 3, value);
             double trace[4] = {0};
             double sum[4] = {0};
             for (unsigned k = 0; k < 3; k++) {
                 for (int power = 1; power <= 3; power++) {
                     trace[power] += pow(values[i][k], power);
-                    sum[power] += pow((double)eigen.value[k], power);
+                    sum[power] += pow(value[k], power);
                 }
             }
             const double scale = fmax(1, fabs(values[i][2]));
@@ -68,39 +75,14 @@ static void eigenvalues_are_those_the_matrix_was_made_from(void)
     }
 }
 
-static void axes_are_orthonormal_and_give_the_matrix_back(void)
-{
-    random_source random = random_start(2);
-
-    static const double one[3] = {1, 1, 1};
-
-    for (int i = 0; i < SOME(500); i++) {
-        invcal_real m[6];
-        invcal_eigen3 eigen;
-        for (unsigned k = 0; k < 6; k++) {
-            m[k] = (invcal_real)random_normal(&random);
-        }
-        invcal_eigen3_decompose(m, &eigen);
-        const double value[3] = {(double)eigen.value[0], (double)eigen.value[1],
-                                 (double)eigen.value[2]};
-        for (unsigned r = 0; r < 3; r++) {
-            for (unsigned c = 0; c <= r; c++) {
-                TEST_ASSERT_DOUBLE_WITHIN(10 * tiny, (double)m[INVCAL_PACKED(r, c)],
-                                          compose(&eigen, value, r, c));
-                TEST_ASSERT_DOUBLE_WITHIN(5 * tiny, r == c, compose(&eigen, one, r, c));
-            }
-        }
-    }
-}
-
 static void a_nan_in_the_matrix_shows_in_the_values(void)
 {
     for (unsigned k = 0; k < 6; k++) {
-        invcal_real m[6] = {1, (invcal_real)0.1, 1, (invcal_real)0.1, (invcal_real)0.1, 1};
-        invcal_eigen3 eigen;
-        m[k] = (invcal_real)NAN;
-        invcal_eigen3_decompose(m, &eigen);
-        TEST_ASSERT_TRUE(isnan(eigen.value[0]) || isnan(eigen.value[1]) || isnan(eigen.value[2]));
+        double m[6] = {1, 0.1, 1, 0.1, 0.1, 1};
+        double value[3];
+        m[k] = NOT_A_NUMBER;
+        eigenvalues(m, 3, value);
+        TEST_ASSERT_TRUE(isnan(value[0]) || isnan(value[1]) || isnan(value[2]));
     }
 }
 
@@ -110,15 +92,14 @@ static void condition_of_a_toeplitz_matrix_agrees_with_its_closed_form(void)
     for (unsigned n = 1; n <= N; n++) {
         const double step = acos(-1.0) / (n + 1);
         const double expected = (1 - cos(n * step)) / (1 - cos(step));
-        invcal_real a[SUMS] = {0};
+        double a[SUMS] = {0};
         for (unsigned r = 0; r < n; r++) {
             a[INVCAL_PACKED(r, r)] = 2;
             if (r > 0) {
                 a[INVCAL_PACKED(r, r - 1)] = -1;
             }
         }
-        TEST_ASSERT_DOUBLE_WITHIN(10 * tiny * expected * expected, expected,
-                                  (double)invcal_condition(a, n));
+        TEST_ASSERT_DOUBLE_WITHIN(10 * tiny * expected * expected, expected, eigen_condition(a, n));
     }
 }
 
@@ -127,12 +108,12 @@ static void condition_does_not_depend_on_the_axes(void)
 {
     random_source random = random_start(3);
 
-    for (int i = 0; i < SOME(200); i++) {
+    for (int i = 0; i < 200; i++) {
         const double condition = pow(10, random_uniform(&random, 0, 3));
         double v[N];
         double square = 0;
         double d[N];
-        invcal_real a[SUMS];
+        double a[SUMS];
         for (unsigned r = 0; r < N; r++) {
             v[r] = random_normal(&random);
             square += v[r] * v[r];
@@ -148,22 +129,22 @@ static void condition_does_not_depend_on_the_axes(void)
                     const double pc = (c == k) - 2 * v[c] * v[k] / square;
                     sum += pr * d[k] * pc;
                 }
-                a[INVCAL_PACKED(r, c)] = (invcal_real)sum;
+                a[INVCAL_PACKED(r, c)] = sum;
             }
         }
         TEST_ASSERT_DOUBLE_WITHIN(9 * tiny * condition * condition, condition,
-                                  (double)invcal_condition(a, N));
+                                  eigen_condition(a, N));
     }
 }
 
 static void condition_of_a_diagonal_matrix_is_its_spread(void)
 {
     for (unsigned n = 2; n <= N; n++) {
-        invcal_real a[SUMS] = {0};
+        double a[SUMS] = {0};
         for (unsigned r = 0; r < n; r++) {
-            a[INVCAL_PACKED(r, r)] = (invcal_real)(r + 1);
+            a[INVCAL_PACKED(r, r)] = (r + 1);
         }
-        TEST_ASSERT_DOUBLE_WITHIN(n * n * tiny, n, (double)invcal_condition(a, n));
+        TEST_ASSERT_DOUBLE_WITHIN(n * n * tiny, n, eigen_condition(a, n));
     }
 }
 
@@ -171,27 +152,27 @@ static void condition_does_not_depend_on_the_unit(void)
 {
     for (int exponent = -30; exponent <= 30; exponent += 5) {
         const double scale = pow(10, exponent);
-        invcal_real a[6] = {1, (invcal_real)0.5, 1, 0, (invcal_real)0.5, 1};
-        invcal_real one[6] = {1, 1, 1, 1, 1, 1}; /* singular */
+        double a[6] = {1, 0.5, 1, 0, 0.5, 1};
+        double one[6] = {1, 1, 1, 1, 1, 1}; /* singular */
         for (int k = 0; k < 6; k++) {
-            a[k] = (invcal_real)((double)a[k] * scale);
-            one[k] = (invcal_real)((double)one[k] * scale);
+            a[k] = (a[k] * scale);
+            one[k] = (one[k] * scale);
         }
         const double expected = (2 + sqrt(2)) / (2 - sqrt(2)); /* 1 +- 1/sqrt(2) */
-        TEST_ASSERT_DOUBLE_WITHIN(60 * tiny, expected, (double)invcal_condition(a, 3));
-        TEST_ASSERT_TRUE(invcal_condition(one, 3) == INVCAL_REAL_MAX);
+        TEST_ASSERT_DOUBLE_WITHIN(60 * tiny, expected, eigen_condition(a, 3));
+        TEST_ASSERT_TRUE(eigen_condition(one, 3) == HUGE_VAL);
     }
 }
 
 static void elements_too_small_to_matter_do_not(void)
 {
     for (int exponent = -38; exponent <= -8; exponent++) {
-        const invcal_real e = (invcal_real)pow(10, exponent);
-        invcal_real three[6] = {1, e, (invcal_real)1e-3, e, e, 1};
-        invcal_real two[3] = {(invcal_real)1e-3, e, 1};
-        const double bound = 5e6 * tiny + 1001 * (double)e;
-        TEST_ASSERT_DOUBLE_WITHIN(bound, 1000, (double)invcal_condition(three, 3));
-        TEST_ASSERT_DOUBLE_WITHIN(bound, 1000, (double)invcal_condition(two, 2));
+        const double e = pow(10, exponent);
+        double three[6] = {1, e, 1e-3, e, e, 1};
+        double two[3] = {1e-3, e, 1};
+        const double bound = 5e6 * tiny + 1001 * e;
+        TEST_ASSERT_DOUBLE_WITHIN(bound, 1000, eigen_condition(three, 3));
+        TEST_ASSERT_DOUBLE_WITHIN(bound, 1000, eigen_condition(two, 2));
     }
 }
 
@@ -201,12 +182,12 @@ static void what_is_not_positive_definite_has_no_condition(void)
 
     for (unsigned i = 0; i < sizeof bad / sizeof bad[0]; i++) {
         for (unsigned k = 0; k < N; k++) {
-            invcal_real a[SUMS] = {0};
+            double a[SUMS] = {0};
             for (unsigned r = 0; r < N; r++) {
                 a[INVCAL_PACKED(r, r)] = 1;
             }
-            a[INVCAL_PACKED(k, k)] = (invcal_real)bad[i];
-            TEST_ASSERT_TRUE(invcal_condition(a, N) == INVCAL_REAL_MAX);
+            a[INVCAL_PACKED(k, k)] = bad[i];
+            TEST_ASSERT_TRUE(eigen_condition(a, N) == HUGE_VAL);
         }
     }
 }
@@ -214,23 +195,23 @@ static void what_is_not_positive_definite_has_no_condition(void)
 static void a_nan_beside_the_diagonal_has_no_condition(void)
 {
     for (unsigned r = 1; r < N; r++) {
-        invcal_real a[SUMS] = {0};
+        double a[SUMS] = {0};
         for (unsigned k = 0; k < N; k++) {
             a[INVCAL_PACKED(k, k)] = 1;
         }
-        a[INVCAL_PACKED(r, r - 1)] = (invcal_real)NAN;
-        TEST_ASSERT_TRUE(invcal_condition(a, N) == INVCAL_REAL_MAX);
+        a[INVCAL_PACKED(r, r - 1)] = NOT_A_NUMBER;
+        TEST_ASSERT_TRUE(eigen_condition(a, N) == HUGE_VAL);
     }
 }
 
 /* ---- the largest eigenvalue alone ---- */
 
-static const double epsilon = (double)INVCAL_EPSILON;
+static const double epsilon = DBL_EPSILON;
 
-static void copy_of(const double *from, unsigned n, double factor, invcal_real *to)
+static void copy_of(const double *from, unsigned n, double factor, double *to)
 {
     for (unsigned i = 0; i < INVCAL_PACKED_SIZE(n); i++) {
-        to[i] = (invcal_real)(from[i] * factor);
+        to[i] = (from[i] * factor);
     }
 }
 
@@ -240,15 +221,14 @@ static void the_largest_eigenvalue_of_a_toeplitz_matrix_agrees_with_its_closed_f
     for (unsigned n = 1; n <= N; n++) {
         const double expected = 2 + 2 * cos(acos(-1.0) / (n + 1));
         for (int beside = -1; beside <= 1; beside += 2) {
-            invcal_real a[SUMS] = {0};
+            double a[SUMS] = {0};
             for (unsigned r = 0; r < n; r++) {
                 a[INVCAL_PACKED(r, r)] = 2;
                 if (r > 0) {
-                    a[INVCAL_PACKED(r, r - 1)] = (invcal_real)beside;
+                    a[INVCAL_PACKED(r, r - 1)] = beside;
                 }
             }
-            TEST_ASSERT_DOUBLE_WITHIN((n + 1) * epsilon * expected, expected,
-                                      (double)invcal_largest_eigenvalue(a, n));
+            TEST_ASSERT_DOUBLE_WITHIN((n + 1) * epsilon * expected, expected, largest_of(a, n));
         }
     }
 }
@@ -257,11 +237,11 @@ static void the_largest_eigenvalue_of_a_diagonal_matrix_is_its_largest_element(v
 {
     for (unsigned n = 1; n <= N; n++) {
         for (unsigned at = 0; at < n; at++) {
-            invcal_real a[SUMS] = {0};
+            double a[SUMS] = {0};
             for (unsigned r = 0; r < n; r++) {
-                a[INVCAL_PACKED(r, r)] = (invcal_real)(r == at ? 7 : 1 + 0.125 * r);
+                a[INVCAL_PACKED(r, r)] = (r == at ? 7 : 1 + 0.125 * r);
             }
-            TEST_ASSERT_DOUBLE_WITHIN(2 * 7 * epsilon, 7, (double)invcal_largest_eigenvalue(a, n));
+            TEST_ASSERT_DOUBLE_WITHIN(2 * 7 * epsilon, 7, largest_of(a, n));
         }
     }
 }
@@ -272,14 +252,13 @@ static void the_largest_eigenvalue_does_not_need_the_others(void)
     for (unsigned n = 2; n <= N; n++) {
         for (int exponent = 0; exponent <= 12; exponent++) {
             const double more = pow(10, -exponent);
-            invcal_real a[SUMS];
+            double a[SUMS];
             for (unsigned r = 0; r < n; r++) {
                 for (unsigned c = 0; c <= r; c++) {
-                    a[INVCAL_PACKED(r, c)] = (invcal_real)(r == c ? 1 + more : 1);
+                    a[INVCAL_PACKED(r, c)] = (r == c ? 1 + more : 1);
                 }
             }
-            TEST_ASSERT_DOUBLE_WITHIN((n + 0.5) * epsilon * (n + more), n + more,
-                                      (double)invcal_largest_eigenvalue(a, n));
+            TEST_ASSERT_DOUBLE_WITHIN((n + 0.5) * epsilon * (n + more), n + more, largest_of(a, n));
         }
     }
 }
@@ -288,31 +267,11 @@ static void the_largest_eigenvalue_scales_with_the_unit(void)
 {
     for (int exponent = -30; exponent <= 30; exponent++) {
         const double scale = pow(10, exponent);
-        invcal_real a[SUMS];
+        double a[SUMS];
         copy_of(expected_random9_matrix, 9, scale, a);
         const double expected = expected_random9_largest * scale;
-        TEST_ASSERT_DOUBLE_WITHIN(14 * epsilon * expected, expected,
-                                  (double)invcal_largest_eigenvalue(a, 9));
+        TEST_ASSERT_DOUBLE_WITHIN(14 * epsilon * expected, expected, largest_of(a, 9));
     }
-}
-
-/* A condition made from it is then as bad as can be. */
-static void what_has_no_eigenvalues_to_speak_of_has_the_largest_number_for_one(void)
-{
-    static const double bad[] = {NOT_A_NUMBER, INFINITE};
-
-    for (unsigned i = 0; i < sizeof bad / sizeof bad[0]; i++) {
-        for (unsigned k = 0; k < SUMS; k++) {
-            invcal_real a[SUMS] = {0};
-            for (unsigned r = 0; r < N; r++) {
-                a[INVCAL_PACKED(r, r)] = 1;
-            }
-            a[k] = (invcal_real)bad[i];
-            TEST_ASSERT_TRUE(invcal_largest_eigenvalue(a, N) == INVCAL_REAL_MAX);
-        }
-    }
-    invcal_real zero[SUMS] = {0};
-    TEST_ASSERT_TRUE(invcal_largest_eigenvalue(zero, N) == INVCAL_REAL_MAX);
 }
 
 /* P = I - 2 v v' keeps eigenvalues. The elements of P diag P are rounded too, to half of epsilon
@@ -321,14 +280,14 @@ static void the_largest_eigenvalue_does_not_depend_on_the_axes(void)
 {
     random_source random = random_start(4);
 
-    for (int i = 0; i < SOME(500); i++) {
+    for (int i = 0; i < 500; i++) {
         const unsigned n = 2 + (unsigned)i % (N - 1);
         const double largest = pow(10, random_uniform(&random, -3, 3));
         const double spread = pow(10, random_uniform(&random, 0, 10));
         double v[N];
         double d[N];
         double square = 0;
-        invcal_real a[SUMS];
+        double a[SUMS];
         for (unsigned r = 0; r < n; r++) {
             v[r] = random_normal(&random);
             square += v[r] * v[r];
@@ -343,11 +302,10 @@ static void the_largest_eigenvalue_does_not_depend_on_the_axes(void)
                     const double pc = (c == k) - 2 * v[c] * v[k] / square;
                     sum += pr * d[k] * pc;
                 }
-                a[INVCAL_PACKED(r, c)] = (invcal_real)sum;
+                a[INVCAL_PACKED(r, c)] = sum;
             }
         }
-        TEST_ASSERT_DOUBLE_WITHIN(2 * n * epsilon * largest, largest,
-                                  (double)invcal_largest_eigenvalue(a, n));
+        TEST_ASSERT_DOUBLE_WITHIN(2 * n * epsilon * largest, largest, largest_of(a, n));
     }
 }
 
@@ -357,12 +315,12 @@ static void assert_condition_of_two(const double *matrix, const double *inverse,
                                     double largest, double largest_of_inverse)
 {
     const double condition = largest * largest_of_inverse;
-    invcal_real a[SUMS];
+    double a[SUMS];
 
     copy_of(matrix, n, 1, a);
-    const double first = (double)invcal_largest_eigenvalue(a, n);
+    const double first = largest_of(a, n);
     copy_of(inverse, n, 1, a);
-    const double second = (double)invcal_largest_eigenvalue(a, n);
+    const double second = largest_of(a, n);
     TEST_ASSERT_DOUBLE_WITHIN(n * epsilon * largest, largest, first);
     TEST_ASSERT_DOUBLE_WITHIN(1.5 * n * epsilon * largest_of_inverse, largest_of_inverse, second);
     TEST_ASSERT_DOUBLE_WITHIN(2.5 * n * epsilon * condition, condition, first * second);
@@ -380,26 +338,10 @@ static void the_largest_of_a_matrix_and_its_inverse_give_its_condition(void)
                             1 / (4 * sin(step) * sin(step)), 4 * cos(2 * step) * cos(2 * step));
 }
 
-static void what_stands_behind_a_matrix_is_left_alone(void)
-{
-    for (unsigned n = 1; n < N; n++) {
-        invcal_real a[SUMS];
-        for (unsigned r = 0; r < n; r++) {
-            for (unsigned c = 0; c <= r; c++) {
-                a[INVCAL_PACKED(r, c)] = r == c ? 4 : 1;
-            }
-        }
-        a[INVCAL_PACKED_SIZE(n)] = 5;
-        (void)invcal_condition(a, n);
-        TEST_ASSERT_EQUAL_DOUBLE(5, (double)a[INVCAL_PACKED_SIZE(n)]);
-    }
-}
-
 int main(void)
 {
     UNITY_BEGIN();
     RUN_TEST(eigenvalues_are_those_the_matrix_was_made_from);
-    RUN_TEST(axes_are_orthonormal_and_give_the_matrix_back);
     RUN_TEST(a_nan_in_the_matrix_shows_in_the_values);
     RUN_TEST(condition_of_a_toeplitz_matrix_agrees_with_its_closed_form);
     RUN_TEST(condition_does_not_depend_on_the_axes);
@@ -412,9 +354,7 @@ int main(void)
     RUN_TEST(the_largest_eigenvalue_of_a_diagonal_matrix_is_its_largest_element);
     RUN_TEST(the_largest_eigenvalue_does_not_need_the_others);
     RUN_TEST(the_largest_eigenvalue_scales_with_the_unit);
-    RUN_TEST(what_has_no_eigenvalues_to_speak_of_has_the_largest_number_for_one);
     RUN_TEST(the_largest_eigenvalue_does_not_depend_on_the_axes);
     RUN_TEST(the_largest_of_a_matrix_and_its_inverse_give_its_condition);
-    RUN_TEST(what_stands_behind_a_matrix_is_left_alone);
     return UNITY_END() != 0;
 }

@@ -2,8 +2,8 @@
  *
  * Internal: a calibration of temperature between its evaluation and its fit.
  */
-#ifndef INVCAL_THERMAL_INTERNAL_H
-#define INVCAL_THERMAL_INTERNAL_H
+#ifndef INVCAL_POLYNOMIALS_H
+#define INVCAL_POLYNOMIALS_H
 
 #include "invcal/thermal.h"
 #include "solve.h"
