@@ -25,7 +25,8 @@ typedef struct {
     const invcal_thermal *base; /* what a prior holds to */
     invcal_real noise;          /* that a prior is weighed with, over field */
     invcal_real held[UNKNOWNS]; /* 1 / standard deviation of the prior; 0: none */
-    invcal_real loosest;        /* the smallest of them above 0; 0: there is no prior */
+    invcal_real loosest;        /* the smallest of them above 0 */
+    int has_prior;              /* are there any? */
     invcal_real min, max;       /* temperatures */
     invcal_thermal now;         /* what the rows are made with */
     invcal_quality q;           /* of that */
@@ -130,14 +131,14 @@ static invcal_status solve_at_noise(job *j, unsigned n, invcal_real floor)
     invcal_back_substitute(j->a, n);
     invcal_invert(j->a, n);
     j->q.condition = invcal_condition(j->a, n, trace);
-    return j->loosest > 0 || invcal_is_resolved(j->q.condition) ? INVCAL_OK : INVCAL_UNDETERMINED;
+    return j->has_prior || invcal_is_resolved(j->q.condition) ? INVCAL_OK : INVCAL_UNDETERMINED;
 }
 
 /* Where a prior has to hold what the positions leave open, the noise is raised to that with which it
  * is just more than rounding beside the largest sums. */
 static invcal_status solve(job *j, unsigned n)
 {
-    if (!(j->loosest > 0)) {
+    if (!j->has_prior) {
         return solve_at_noise(j, n, INVCAL_FLOOR);
     }
     const invcal_status status = solve_at_noise(j, n, 30 * INVCAL_FLOOR);
@@ -299,7 +300,7 @@ static invcal_status weigh(job *j)
         dof += ratio * ratio * invcal_variance(j->a, n, i);
     }
     invcal_judge_noise(j->positions->noise, j->squares, dof, &j->q);
-    if (j->loosest > 0) {
+    if (j->has_prior) {
         j->noise = j->q.noise;
         status = solve(j, n);
         j->q.noise = j->noise;
@@ -355,7 +356,7 @@ static invcal_status judge_at(job *j, invcal_real temperature)
     }
     for (unsigned r = 0; r < N; r++) {
         k[r] = variance_at(j, t, r);
-        if (!(k[r] <= INVCAL_HOPELESS_K || j->loosest > 0)) {
+        if (!(k[r] <= INVCAL_HOPELESS_K || j->held[r] > 0)) {
             return INVCAL_UNDETERMINED;
         }
     }
@@ -407,17 +408,17 @@ static invcal_status hold(job *j, const invcal_thermal_prior *prior)
 {
     invcal_real power = 1;
 
+    j->loosest = INVCAL_REAL_MAX;
     for (unsigned i = 0; i < UNKNOWNS; i++) {
         const invcal_real sigma = prior->sigma[i / N][i % N];
-        power *= i > 0 && i % N == 0 ? j->now.span : 1;
         const invcal_real held = sigma == 0 ? 0 : 1 / (sigma * power);
-        if (!(sigma >= 0 && invcal_is_finite(sigma) && invcal_is_finite(held))) {
+        if (!(sigma >= 0 && sigma <= INVCAL_REAL_MAX && held <= INVCAL_REAL_MAX)) {
             return INVCAL_BAD_PRIOR;
         }
         j->held[i] = held;
-        if (held > 0 && (!(j->loosest > 0) || held < j->loosest)) {
-            j->loosest = held;
-        }
+        j->has_prior |= held > 0;
+        j->loosest = held > 0 && held < j->loosest ? held : j->loosest;
+        power *= i % N == N - 1 ? j->now.span : 1;
     }
     return j->noise > 0 ? INVCAL_OK : INVCAL_BAD_NOISE;
 }
@@ -455,7 +456,7 @@ static invcal_status run(job *j, unsigned degree, invcal_thermal *out, invcal_qu
         return status;
     }
     status = improve(j, j->now.fitted);
-    if (status == INVCAL_OK && j->loosest > 0) {
+    if (status == INVCAL_OK && j->has_prior) {
         status = weigh(j);
         status = status == INVCAL_OK ? improve(j, j->now.fitted) : status;
     }
