@@ -2,11 +2,11 @@
 #include "judge.h"
 #include "vector.h"
 
-invcal_status invcal_calibrate(const invcal_real *raw, unsigned count,
-                               const invcal_calibration *nominal, invcal_real noise,
-                               invcal_calibration *out, invcal_quality *quality)
+invcal_status invcal_calibrate_without(const invcal_real *raw, unsigned count, invcal_mask left_out,
+                                       const invcal_calibration *nominal, invcal_real noise,
+                                       invcal_calibration *out, invcal_quality *quality)
 {
-    const invcal_positions positions = {raw, count, 0, nominal, noise};
+    const invcal_positions positions = {raw, count, left_out, nominal, noise};
     invcal_sums sums;
     invcal_calibration c;
     invcal_quality q;
@@ -21,6 +21,13 @@ invcal_status invcal_calibrate(const invcal_real *raw, unsigned count,
         *quality = q;
     }
     return status;
+}
+
+invcal_status invcal_calibrate(const invcal_real *raw, unsigned count,
+                               const invcal_calibration *nominal, invcal_real noise,
+                               invcal_calibration *out, invcal_quality *quality)
+{
+    return invcal_calibrate_without(raw, count, 0, nominal, noise, out, quality);
 }
 
 /* Cornish and Fisher's expansion of Student's quantile about the normal one, z = 1.96

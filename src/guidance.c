@@ -35,16 +35,18 @@ static void direction(unsigned n, invcal_real up[3])
 
 /* ---- what they tell --------------------------------------------------------------------------- */
 
-void invcal_ridged_inverse(invcal_sums *sums)
+invcal_real invcal_ridged_inverse(invcal_sums *sums)
 {
     invcal_real *a = sums->sum;
 
     invcal_sums_system(sums);
     const invcal_real largest = invcal_largest_diagonal(a, INVCAL_PARAMETERS);
-    invcal_add_ridge(a, INVCAL_PARAMETERS, RIDGE * (largest > 1 ? largest : 1));
+    const invcal_real ridge = RIDGE * (largest > 1 ? largest : 1);
+    invcal_add_ridge(a, INVCAL_PARAMETERS, ridge);
     /* a sum of squares and a ridge is positive definite */
     (void)invcal_factor(a, INVCAL_PARAMETERS, INVCAL_PARAMETERS, INVCAL_EPSILON);
     invcal_invert(a, INVCAL_PARAMETERS);
+    return ridge;
 }
 
 /* Of those that tell as much the closest to the present one, but rather any other than the same
@@ -75,7 +77,7 @@ void invcal_next_beside(invcal_sums *sums, const invcal_real *current, invcal_re
     invcal_real h[INVCAL_PARAMETERS];
     invcal_real most = 0;
 
-    invcal_ridged_inverse(sums);
+    (void)invcal_ridged_inverse(sums);
     for (unsigned n = 0; n < DIRECTIONS; n++) {
         direction(n, h);
         invcal_row_of(h, h);
@@ -88,10 +90,13 @@ void invcal_next_beside(invcal_sums *sums, const invcal_real *current, invcal_re
 int invcal_sum_readings(const invcal_real *raw, unsigned count, const invcal_calibration *nominal,
                         invcal_sums *sums, invcal_row *last)
 {
+    invcal_row row;
+
     invcal_sums_init(sums);
     for (unsigned i = 0; i < count; i++) {
-        if (invcal_observe(nominal, &raw[3 * (size_t)i], last) == INVCAL_OK) {
-            invcal_sums_add_row(sums, last, 1);
+        if (invcal_observe(nominal, &raw[3 * (size_t)i], &row) == INVCAL_OK) {
+            invcal_sums_add_row(sums, &row, 1);
+            *last = row;
         }
     }
     return sums->count > 0;
@@ -121,7 +126,7 @@ void invcal_prospect(const invcal_real *raw, unsigned count, const invcal_calibr
         row.j = 0;
         invcal_sums_add_row(&sums, &row, 1);
     }
-    invcal_ridged_inverse(&sums);
+    (void)invcal_ridged_inverse(&sums);
     for (unsigned r = 0; r < INVCAL_PARAMETERS; r++) {
         root[r] = INVCAL_SQRT(invcal_variance(sums.sum, INVCAL_PARAMETERS, r));
     }

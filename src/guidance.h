@@ -17,7 +17,8 @@ int invcal_sum_readings(const invcal_real *raw, unsigned count, const invcal_cal
  * current  the last reading, over field; null if there is none. */
 void invcal_next_beside(invcal_sums *sums, const invcal_real *current, invcal_real up[3]);
 
-/* L^-1 of H'H and a small ridge, of sums that are lost: works for any positions, even none. */
-void invcal_ridged_inverse(invcal_sums *sums);
+/* L^-1 of H'H and a small ridge, of sums that are lost: works for any positions, even none. Returns
+ * the ridge. */
+invcal_real invcal_ridged_inverse(invcal_sums *sums);
 
 #endif

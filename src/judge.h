@@ -36,28 +36,36 @@ invcal_status invcal_positions_solve(const invcal_positions *positions, invcal_s
 #define INVCAL_WEAK_K INVCAL_REAL(100.0)   /* square of 10. Above: usable only within its sigma */
 #define INVCAL_HOPELESS_K INVCAL_REAL(1e6) /* square of 1000. Above: refused */
 
-/* Noise, alike on the raw axes, moves the length of a reading along eta by |M' eta| times itself, M the
- * matrix of the calibration: the mean square of that over all directions. */
-invcal_real invcal_mean_sensitivity(const invcal_calibration *c);
-
-/* Calibrates positions one by one, c the calibration that is to be judged: the row of the unit vector,
- * its weight from the noise that it really has, and the residual. Between begin and end q->rms is the
- * sum of their squares.
- *
- * mean  the sensitivity of c.
+/* Calibrates positions one by one with c, the calibration that is to be judged: the row of the unit
+ * vector, and the residual. Between begin and end q->rms is the sum of their squares.
  *
  * add  returns as invcal_observe; end INVCAL_NOT_ELLIPSOID for residuals of a tenth of the field. */
 void invcal_residuals_begin(invcal_quality *q);
-invcal_status invcal_residuals_add(const invcal_calibration *c, invcal_real mean,
-                                   const invcal_real raw[3], unsigned i, invcal_row *row,
-                                   invcal_real *weight, invcal_quality *q);
+invcal_status invcal_residuals_add(const invcal_calibration *c, const invcal_real raw[3],
+                                   unsigned i, invcal_row *row, invcal_quality *q);
 invcal_status invcal_residuals_end(unsigned count, invcal_quality *q);
 
-/* noise and dof: the larger of what is stated, in calibrated units, and what the residuals say.
+/* g = A eta: noise of u, alike on its axes, moves the length of eta = A (u - delta), A symmetric, by
+ * |g| times itself. Returns |g|^2. */
+invcal_real invcal_gradient(const invcal_real a[3][3], const invcal_real eta[3], invcal_real g[3]);
+
+/* Second pass, now with calibrated readings: residuals without cancellation, and the information on
+ * the nine parameters, each row weighted with the noise that it really has.
+ *
+ * a            A of c.
+ * information  packed: sigma^2 of the parameters is noise^2 times the diagonal of its inverse.
+ * squares      of the weighted residuals: what noise of u would make of them.
+ *
+ * Returns INVCAL_OK; INVCAL_NOT_ELLIPSOID if a residual is absurd, or all are. */
+invcal_status invcal_positions_compare(const invcal_positions *positions,
+                                       const invcal_calibration *c, const invcal_real a[3][3],
+                                       invcal_real *information, invcal_real *squares,
+                                       invcal_quality *q);
+
+/* noise and dof: the larger of what is stated and what the residuals say.
  *
  * squares  the sum of their weighted squares. */
-void invcal_judge_noise(invcal_real stated, const invcal_calibration *nominal,
-                        const invcal_calibration *c, invcal_real squares, invcal_real dof,
+void invcal_judge_noise(invcal_real stated, invcal_real squares, invcal_real dof,
                         invcal_quality *q);
 
 /* tr A tr A^-1 from L^-1: at least the condition. And is it more than rounding? */
@@ -67,13 +75,12 @@ static inline int invcal_is_resolved(invcal_real condition)
     return condition * INVCAL_FLOOR < 2;
 }
 
-/* weak, sigma and the verdict, from K(r,r) = k[r]. Weak: K is large, or the information 1 / K no more
- * than what noise in the readings themselves, about noise^2 in each row, adds to H'H: then directions
- * that determine nothing look as if they did.
+/* weak, sigma and the verdict, from K(r,r) = k[r] = sigma^2 / noise^2. Weak: K is large, or the
+ * information 1 / K no more than ten times what noise in the readings themselves, about noise^2 in
+ * each row, adds to it: then directions that determine nothing look as if they did.
  *
  * is_known  the noise, from residuals or a statement. */
 void invcal_judge_parameters(const invcal_real k[INVCAL_PARAMETERS], int is_known,
-                             const invcal_calibration *nominal, const invcal_calibration *c,
-                             invcal_quality *q);
+                             const invcal_real a[3][3], invcal_quality *q);
 
 #endif

@@ -7,8 +7,9 @@
 #include "invcal/expert.h"
 #include "vector.h"
 
-#define LONGEST INVCAL_REAL(10.0) /* semi-axis and centre, of nominal; the shortest is 1 / 10 */
-enum { STEPS = 12 };              /* of Newton's iteration: semi-axes from 0.1 to 10 take ten */
+/* Of ten: no semi-axis is shorter than 1/10 of nominal, or of another one; the centre is within 10. */
+#define SQUARE INVCAL_REAL(100.0)
+enum { STEPS = 12 }; /* of Newton's iteration: semi-axes from 0.1 to 10 take ten */
 
 invcal_real invcal_cofactors(const invcal_real m[3][3], invcal_real c[3][3])
 {
@@ -68,18 +69,6 @@ void invcal_make_symmetric(invcal_real a[3][3])
     }
 }
 
-/* Are the diagonal elements of L / root within reason? */
-static int is_triad(const invcal_real *l, invcal_real root)
-{
-    for (unsigned r = 0; r < 3; r++) {
-        const invcal_real inverse = l[INVCAL_PACKED(r, r)] * root;
-        if (!(inverse > 1 / LONGEST && inverse < LONGEST)) {
-            return 0;
-        }
-    }
-    return 1;
-}
-
 /* L' / root, upper triangular. The diagonal of L is reciprocal. */
 static void make_triangular(const invcal_real *l, invcal_real root, invcal_real a[3][3])
 {
@@ -113,19 +102,19 @@ invcal_status invcal_ellipsoid(const invcal_real p[INVCAL_PARAMETERS], invcal_ca
         q[i] = sign * (r >= INVCAL_DK_X && r <= INVCAL_DK_Z ? 1 + 2 * p[r] : p[r]);
     }
     q[9] = -sign;
-    if (invcal_factor(q, 3, 4, INVCAL_EPSILON) != INVCAL_OK || !(q[9] < 0)) {
+    if (invcal_factor(q, 3, 4, 1 / SQUARE) != INVCAL_OK || !(q[9] < 0)) {
         return INVCAL_NOT_ELLIPSOID;
     }
     invcal_back_substitute(q, 3);
-    const invcal_real root = INVCAL_SQRT(-q[9]);
-    if (!(invcal_dot3(delta, delta) < LONGEST * LONGEST && is_triad(q, root))) {
-        return INVCAL_NOT_ELLIPSOID;
-    }
-    make_triangular(q, root, out->matrix);
+    make_triangular(q, INVCAL_SQRT(-q[9]), out->matrix);
     for (unsigned i = 0; i < 3; i++) {
         out->offset[i] = delta[i];
     }
-    return INVCAL_OK;
+    /* the squares of all elements of A are those of 1 / semi-axis, added up */
+    return invcal_dot(out->matrix[0], out->matrix[0], 9) < SQUARE &&
+                   invcal_dot(delta, delta, 3) < SQUARE
+               ? INVCAL_OK
+               : INVCAL_NOT_ELLIPSOID;
 }
 
 /* A (u - delta) with u = N (raw - zero): matrix = A N, offset = zero + N^-1 delta. */
@@ -155,6 +144,8 @@ invcal_status invcal_behind(const invcal_calibration *nominal, invcal_calibratio
 invcal_status invcal_solve(invcal_sums *sums, const invcal_calibration *nominal,
                            invcal_calibration *out)
 {
+    invcal_calibration c;
+
     INVCAL_ASSERT(sums && nominal && out);
     if (sums->count < INVCAL_PARAMETERS) {
         return INVCAL_TOO_FEW;
@@ -164,11 +155,14 @@ invcal_status invcal_solve(invcal_sums *sums, const invcal_calibration *nominal,
         invcal_factor(sums->sum, INVCAL_PARAMETERS, INVCAL_PARAMETERS + 1, INVCAL_FLOOR);
     if (status == INVCAL_OK) {
         invcal_back_substitute(sums->sum, INVCAL_PARAMETERS);
-        status = invcal_ellipsoid(&sums->sum[INVCAL_PACKED(INVCAL_PARAMETERS, 0)], out);
+        status = invcal_ellipsoid(&sums->sum[INVCAL_PACKED(INVCAL_PARAMETERS, 0)], &c);
     }
-    if (status != INVCAL_OK) {
-        return status;
+    if (status == INVCAL_OK) {
+        invcal_make_symmetric(c.matrix);
+        status = invcal_behind(nominal, &c);
     }
-    invcal_make_symmetric(out->matrix);
-    return invcal_behind(nominal, out);
+    if (status == INVCAL_OK) {
+        *out = c; /* which may be nominal */
+    }
+    return status;
 }

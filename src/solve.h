@@ -20,7 +20,8 @@ void invcal_make_symmetric(invcal_real a[3][3]);
 invcal_status invcal_nominal_check(const invcal_calibration *nominal);
 
 /* The coefficients p of an ellipsoid to the calibration of what lies on it, its matrix upper
- * triangular. INVCAL_NOT_ELLIPSOID if it is none, or its semi-axes or its centre are beyond ten times those of a perfect triad. */
+ * triangular. INVCAL_NOT_ELLIPSOID if it is none, or no triad's: with a semi-axis below about 1/10 of
+ * nominal or of another one, or a centre beyond ten times the field. out is lost then. */
 invcal_status invcal_ellipsoid(const invcal_real p[INVCAL_PARAMETERS], invcal_calibration *out);
 
 /* A calibration of readings that nominal has corrected becomes one of raw counts.

@@ -24,7 +24,7 @@ static INVCAL_INLINE invcal_status observe(const invcal_calibration *nominal,
     if (square >= INVCAL_REAL(0.01) && square <= INVCAL_REAL(100.0)) {
         return INVCAL_OK;
     }
-    return invcal_is_finite(square) ? INVCAL_OUT_OF_RANGE : INVCAL_NOT_FINITE;
+    return invcal_are_finite(row->h) ? INVCAL_OUT_OF_RANGE : INVCAL_NOT_FINITE;
 }
 
 /* H'H += w h h', H'J += w h j, J'J += w j j. Every element of h h' is a product of two, three or four

@@ -25,7 +25,8 @@ typedef struct {
     const invcal_thermal *base; /* what a prior holds to */
     invcal_real noise;          /* that a prior is weighed with, over field */
     invcal_real held[UNKNOWNS]; /* 1 / standard deviation of the prior; 0: none */
-    invcal_real loosest;        /* the smallest of them above 0; 0: there is no prior */
+    invcal_real loosest;        /* the smallest of them above 0 */
+    int has_prior;              /* are there any? */
     invcal_real min, max;       /* temperatures */
     invcal_thermal now;         /* what the rows are made with */
     invcal_quality q;           /* of that */
@@ -79,23 +80,27 @@ static void add(invcal_real *a, unsigned n, const invcal_row *row, invcal_real w
 static invcal_status gather(job *j, unsigned n)
 {
     const invcal_thermal_positions *p = j->positions;
-    invcal_calibration c;
+    invcal_calibration triad;
     invcal_row row;
-    invcal_real weight;
+    invcal_real g[3];
 
     memset(j->a, 0, sizeof j->a);
     invcal_residuals_begin(&j->q);
     for (unsigned i = 0; i < p->count; i++) {
         const invcal_real t = invcal_thermal_scaled(&j->now, p->temperature[i]);
-        invcal_status status = invcal_thermal_calibration(&j->now, t, &c);
+        invcal_status status = invcal_thermal_triad(&j->now, t, &triad);
+        invcal_calibration c = triad;
         if (status == INVCAL_OK) {
-            status = invcal_residuals_add(&c, invcal_mean_sensitivity(&c), &p->raw[3 * (size_t)i],
-                                          i, &row, &weight, &j->q);
+            status = invcal_behind(&j->now.nominal, &c);
+        }
+        if (status == INVCAL_OK) {
+            status = invcal_residuals_add(&c, &p->raw[3 * (size_t)i], i, &row, &j->q);
         }
         if (status != INVCAL_OK) {
             return status;
         }
-        add(j->a, n, &row, weight, t);
+        const invcal_real square = invcal_gradient((const invcal_real(*)[3])triad.matrix, row.h, g);
+        add(j->a, n, &row, 1 / square, t);
     }
     return INVCAL_OK;
 }
@@ -126,14 +131,14 @@ static invcal_status solve_at_noise(job *j, unsigned n, invcal_real floor)
     invcal_back_substitute(j->a, n);
     invcal_invert(j->a, n);
     j->q.condition = invcal_condition(j->a, n, trace);
-    return j->loosest > 0 || invcal_is_resolved(j->q.condition) ? INVCAL_OK : INVCAL_UNDETERMINED;
+    return j->has_prior || invcal_is_resolved(j->q.condition) ? INVCAL_OK : INVCAL_UNDETERMINED;
 }
 
 /* Where a prior has to hold what the positions leave open, the noise is raised to that with which it
  * is just more than rounding beside the largest sums. */
 static invcal_status solve(job *j, unsigned n)
 {
-    if (!(j->loosest > 0)) {
+    if (!j->has_prior) {
         return solve_at_noise(j, n, INVCAL_FLOOR);
     }
     const invcal_status status = solve_at_noise(j, n, 30 * INVCAL_FLOOR);
@@ -285,12 +290,8 @@ static invcal_status weigh(job *j)
 {
     const unsigned n = (j->now.fitted + 1u) * N;
     invcal_real dof = (invcal_real)j->positions->count - (invcal_real)n;
-    invcal_calibration c;
 
     invcal_status status = solve(j, n);
-    if (status == INVCAL_OK) {
-        status = invcal_thermal_calibration(&j->now, 0, &c);
-    }
     if (status != INVCAL_OK) {
         return status;
     }
@@ -298,8 +299,8 @@ static invcal_status weigh(job *j)
         const invcal_real ratio = j->noise * j->held[i];
         dof += ratio * ratio * invcal_variance(j->a, n, i);
     }
-    invcal_judge_noise(j->positions->noise, &j->now.nominal, &c, j->squares, dof, &j->q);
-    if (j->loosest > 0) {
+    invcal_judge_noise(j->positions->noise, j->squares, dof, &j->q);
+    if (j->has_prior) {
         j->noise = j->q.noise;
         status = solve(j, n);
         j->q.noise = j->noise;
@@ -322,30 +323,46 @@ static invcal_real variance_at(const job *j, invcal_real t, unsigned r)
     return sum;
 }
 
+/* From unit vectors back to the parameters. A deviation of the calibrated triad moves u by I + S
+ * times it: scale errors and offsets of an axis by 1 + dk of it, the cross terms by the geometric
+ * mean of theirs. */
+static void spread(const invcal_real a[3][3], invcal_real k[N])
+{
+    /* of x y z xx yy zz xy xz yz */
+    static const uint8_t one[N] = {0, 1, 2, 0, 1, 2, 0, 0, 1};
+    static const uint8_t other[N] = {0, 1, 2, 0, 1, 2, 1, 2, 2};
+
+    for (unsigned r = 0; r < N; r++) {
+        k[r] /= a[one[r]][one[r]] * a[other[r]][other[r]];
+    }
+}
+
 /* What was weak before remains so. */
 static invcal_status judge_at(job *j, invcal_real temperature)
 {
     const invcal_thermal *now = &j->now;
     const uint16_t weak = j->q.weak;
-    invcal_calibration c;
+    invcal_thermal_place place;
+    invcal_calibration triad;
     invcal_real k[N];
+    invcal_real t;
 
-    if (!invcal_is_finite(temperature)) {
-        return INVCAL_BAD_TEMPERATURE;
+    invcal_status status = invcal_thermal_find(now, temperature, &t, &triad, &place);
+    if (status == INVCAL_OK) {
+        status = invcal_thermal_triad(now, t, &triad);
     }
-    (void)invcal_thermal_clamp(now, &temperature);
-    const invcal_real t = invcal_thermal_scaled(now, temperature);
-    const invcal_status status = invcal_thermal_calibration(now, t, &c);
     if (status != INVCAL_OK) {
         return status;
     }
     for (unsigned r = 0; r < N; r++) {
         k[r] = variance_at(j, t, r);
-        if (!(k[r] <= INVCAL_HOPELESS_K || j->loosest > 0)) {
+        if (!(k[r] <= INVCAL_HOPELESS_K || j->held[r] > 0)) {
             return INVCAL_UNDETERMINED;
         }
     }
-    invcal_judge_parameters(k, j->q.dof > 0 || j->positions->noise > 0, &now->nominal, &c, &j->q);
+    spread((const invcal_real(*)[3])triad.matrix, k);
+    invcal_judge_parameters(k, j->q.dof > 0 || j->positions->noise > 0,
+                            (const invcal_real(*)[3])triad.matrix, &j->q);
     j->q.weak |= weak;
     j->q.verdict = j->q.weak ? INVCAL_WEAK : j->q.verdict;
     return INVCAL_OK;
@@ -391,17 +408,17 @@ static invcal_status hold(job *j, const invcal_thermal_prior *prior)
 {
     invcal_real power = 1;
 
+    j->loosest = INVCAL_REAL_MAX;
     for (unsigned i = 0; i < UNKNOWNS; i++) {
         const invcal_real sigma = prior->sigma[i / N][i % N];
-        power *= i > 0 && i % N == 0 ? j->now.span : 1;
         const invcal_real held = sigma == 0 ? 0 : 1 / (sigma * power);
-        if (!(sigma >= 0 && invcal_is_finite(sigma) && invcal_is_finite(held))) {
+        if (!(sigma >= 0 && sigma <= INVCAL_REAL_MAX && held <= INVCAL_REAL_MAX)) {
             return INVCAL_BAD_PRIOR;
         }
         j->held[i] = held;
-        if (held > 0 && (!(j->loosest > 0) || held < j->loosest)) {
-            j->loosest = held;
-        }
+        j->has_prior |= held > 0;
+        j->loosest = held > 0 && held < j->loosest ? held : j->loosest;
+        power *= i % N == N - 1 ? j->now.span : 1;
     }
     return j->noise > 0 ? INVCAL_OK : INVCAL_BAD_NOISE;
 }
@@ -439,7 +456,7 @@ static invcal_status run(job *j, unsigned degree, invcal_thermal *out, invcal_qu
         return status;
     }
     status = improve(j, j->now.fitted);
-    if (status == INVCAL_OK && j->loosest > 0) {
+    if (status == INVCAL_OK && j->has_prior) {
         status = weigh(j);
         status = status == INVCAL_OK ? improve(j, j->now.fitted) : status;
     }

@@ -67,23 +67,31 @@ static invcal_status check(const invcal_thermal_record *r)
     return status == INVCAL_OK && !agree(&r->record.calibration, &c) ? INVCAL_DAMAGED : status;
 }
 
-/* r is lost on failure. */
-static invcal_status read(const uint8_t *bytes, uint32_t size, invcal_thermal_record *r)
+/* Where the degree stands, if the length fits it. */
+static invcal_status find_degree(const uint8_t *bytes, uint32_t size, const uint8_t **at)
 {
-    invcal_status status = invcal_unseal(bytes, size, KIND, OLDEST);
-
+    const invcal_status status = invcal_unseal(bytes, size, KIND, OLDEST);
     if (status != INVCAL_OK) {
         return status;
     }
-    const unsigned skipped = bytes[1] == OLDEST ? SKIPPED : 0;
-    const unsigned length = invcal_get_u16(bytes + 2) - skipped;
-    const uint8_t *at = bytes + DEGREE_AT + skipped;
-    if (length < INVCAL_THERMAL_RECORD_BYTES(0) || length > size ||
-        length != INVCAL_THERMAL_RECORD_BYTES(at[0])) {
+    const uint32_t skipped = bytes[1] == OLDEST ? SKIPPED : 0;
+    const uint32_t length = invcal_get_u16(bytes + 2);
+    *at = bytes + DEGREE_AT + skipped;
+    if (length < INVCAL_THERMAL_RECORD_BYTES(0) + skipped ||
+        length != INVCAL_THERMAL_RECORD_BYTES(**at) + skipped) {
         return INVCAL_DAMAGED;
     }
-    if (at[0] > INVCAL_THERMAL_DEGREE) {
-        return INVCAL_OTHER_VERSION;
+    return **at <= INVCAL_THERMAL_DEGREE ? INVCAL_OK : INVCAL_OTHER_VERSION;
+}
+
+/* r is lost on failure. */
+static invcal_status read(const uint8_t *bytes, uint32_t size, invcal_thermal_record *r)
+{
+    const uint8_t *at;
+    invcal_status status = find_degree(bytes, size, &at);
+
+    if (status != INVCAL_OK) {
+        return status;
     }
     memset(r, 0, sizeof *r);
     r->thermal.degree = at[0];
@@ -93,8 +101,9 @@ static invcal_status read(const uint8_t *bytes, uint32_t size, invcal_thermal_re
     if (!invcal_get_reals(at + REALS_BEHIND, &r->thermal, count_reals(at[0]))) {
         return INVCAL_NOT_FINITE;
     }
-    status = invcal_record_decode(bytes + RECORD_AT, INVCAL_RECORD_SIZE + skipped, &r->record);
-    for (unsigned i = 0; i < 9 && skipped > 0; i++) { /* version 1 was in the unit of the field */
+    status =
+        invcal_record_decode(bytes + RECORD_AT, (uint32_t)(at - bytes) - RECORD_AT, &r->record);
+    for (unsigned i = 0; i < 9 && bytes[1] == OLDEST; i++) { /* that was in the unit of the field */
         r->thermal.nominal.matrix[i / 3][i % 3] /= r->record.field;
     }
     return status == INVCAL_OK ? check(r) : status;
@@ -119,16 +128,15 @@ invcal_status invcal_thermal_record_init(invcal_thermal_record *record,
 
 /* What was written is read again: rounded to float, it may be none. */
 invcal_status invcal_thermal_record_encode(const invcal_thermal_record *record,
-                                           uint8_t bytes[INVCAL_THERMAL_RECORD_SIZE],
-                                           uint32_t *size)
+                                           uint8_t bytes[INVCAL_THERMAL_RECORD_SIZE])
 {
     const invcal_thermal *t = &record->thermal;
     invcal_thermal_record r;
 
-    INVCAL_ASSERT(record && bytes && size);
-    invcal_status status = t->degree <= INVCAL_THERMAL_DEGREE
-                               ? invcal_record_encode(&record->record, bytes + RECORD_AT)
-                               : INVCAL_BAD_COUNT;
+    INVCAL_ASSERT(record && bytes);
+    const invcal_status status = t->degree <= INVCAL_THERMAL_DEGREE
+                                     ? invcal_record_encode(&record->record, bytes + RECORD_AT)
+                                     : INVCAL_BAD_COUNT;
     if (status != INVCAL_OK) {
         return status;
     }
@@ -137,9 +145,7 @@ invcal_status invcal_thermal_record_encode(const invcal_thermal_record *record,
                                  t->fallback | (unsigned)record->is_triangular << 8);
     (void)invcal_put_reals(at, t, count_reals(t->degree));
     invcal_seal(bytes, KIND, length);
-    status = read(bytes, length, &r);
-    *size = status == INVCAL_OK ? length : *size;
-    return status;
+    return read(bytes, length, &r);
 }
 
 invcal_status invcal_thermal_record_decode(const uint8_t *bytes, uint32_t size,

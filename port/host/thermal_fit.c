@@ -46,17 +46,17 @@ invcal_status thermal_fit_once(const rejection *kept, const fit_settings *settin
     if (status != INVCAL_OK) {
         return status;
     }
-    return find_prior(settings, wish, &prior)
-               ? invcal_thermal_fit_with_prior(&given, &prior, out, wish->degree, out, quality)
-               : invcal_thermal_fit(&given, out, wish->degree, out, quality);
+    return invcal_thermal_fit(&given, find_prior(settings, wish, &prior) ? &prior : NULL, out,
+                              wish->degree, out, quality);
 }
 
 /* A prior was weighed with the noise that the residuals tell. */
-static void settle_noise(thermal_fit *fit)
+static void settle_prior(thermal_fit *fit, const invcal_quality *q)
 {
     fit->has_prior = find_prior(&fit->settings, &fit->wish, &fit->prior);
     if (fit->has_prior) {
-        fit->settings.noise = fmin(1, fmax(fit->settings.noise, fit->quality.noise));
+        fit->quality.from_prior = invcal_thermal_from_prior(&fit->prior, q);
+        fit->settings.noise = fmax(fit->settings.noise, q->noise);
     }
 }
 
@@ -119,37 +119,11 @@ static fit_solution solution_at(const thermal_fit *fit, double temperature)
     return fit_solution_of(&here, &fit->settings);
 }
 
-/* At a temperature. Returns 1; 0 where there is nothing to be judged. */
-static int judge_at(const thermal_fit *fit, const rejection *kept, double temperature,
-                    invcal_quality *q)
-{
-    const invcal_thermal_positions given = positions_of(kept, &fit->settings);
-    const invcal_thermal *c = &fit->calibration;
-
-    return (fit->has_prior ? invcal_thermal_judge_with_prior(&given, &fit->prior, c, temperature, q)
-                           : invcal_thermal_judge(&given, c, temperature, q)) == INVCAL_OK;
-}
-
-/* Parameters that the prior tells more of than the positions, somewhere in the range. */
-static void find_source(thermal_fit *fit, const rejection *kept)
-{
-    const invcal_thermal *c = &fit->calibration;
-    const double at[] = {c->min, c->reference, c->max};
-    invcal_quality q;
-
-    for (unsigned i = 0; i < 3 && fit->has_prior; i++) {
-        if (judge_at(fit, kept, at[i], &q)) {
-            fit->quality.from_prior |= invcal_thermal_from_prior(&fit->prior, c, at[i], &q);
-        }
-    }
-}
-
 static void complete(thermal_fit *fit, const rejection *kept, const invcal_quality *q)
 {
     fit->solution = solution_at(fit, fit->calibration.reference);
     fit->quality = fit_quality_of(q, &fit->settings);
-    settle_noise(fit);
-    find_source(fit, kept);
+    settle_prior(fit, q);
     find_covariance(fit, kept);
     find_slopes(fit);
     compare_without(fit, kept);
@@ -222,11 +196,13 @@ void thermal_fit_to_reference(const thermal_fit *fit, const double raw[3], doubl
 void thermal_fit_judge(const thermal_fit *fit, const rejection *kept, double temperature,
                        fit_solution *solution, fit_quality *quality)
 {
+    const invcal_thermal_positions given = positions_of(kept, &fit->settings);
     invcal_quality q;
 
     *solution = solution_at(fit, temperature);
     *quality = fit->quality;
-    if (judge_at(fit, kept, temperature, &q)) {
+    if (invcal_thermal_judge(&given, fit->has_prior ? &fit->prior : NULL, &fit->calibration,
+                             temperature, &q) == INVCAL_OK) {
         memcpy(quality->sigma, q.sigma, sizeof quality->sigma);
     }
 }

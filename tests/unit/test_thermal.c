@@ -1215,14 +1215,9 @@ static void a_plane_with_noise_is_undetermined_rather_than_no_ellipsoid(void)
     }
 }
 
-/* Six faces and twelve edges, but those between x and y all at +x and only `tilt` off it. The pivot
- * of gamma_xy is 4 tilt^2, the largest diagonal element 8, the largest eigenvalue 11.5: between the
- * two no pivot shows it, the condition does. */
-static void an_angle_that_hardly_shows_is_refused_unless_a_prior_holds_it(void)
+/* Six faces and twelve edges, but those between x and y all at +x and only `tilt` off it. */
+static void take_with_a_hidden_angle(double tilt)
 {
-    const double tilt = FLOAT_OR_DOUBLE(2.14e-3, 1.55e-4);
-    invcal_thermal_prior prior = nothing_known;
-
     all.count = 0;
     for (unsigned i = 0; i < PLAN; i++, all.count++) {
         const double a = i & 1 ? 1 : -1;
@@ -1239,14 +1234,35 @@ static void an_angle_that_hardly_shows_is_refused_unless_a_prior_holds_it(void)
         }
         all.temperature[i] = 25;
     }
+}
+
+/* The pivot of gamma_xy is 4 tilt^2, the largest diagonal element 8, the largest eigenvalue 11.5:
+ * between the two no pivot shows it, the condition does. */
+static void an_angle_that_hardly_shows_is_refused_unless_a_prior_holds_it(void)
+{
+    const double tilt = FLOAT_OR_DOUBLE(2.14e-3, 1.55e-4);
+    invcal_thermal_prior prior = nothing_known;
+
+    take_with_a_hidden_angle(tilt);
     assert_refused(INVCAL_UNDETERMINED, 1e-6);
-    prior.sigma[0][INVCAL_GAMMA_XY] = (invcal_real)1e-4;
+    assert_refused_with_prior(INVCAL_UNDETERMINED, 1e-6, &prior); /* which knows nothing */
+    hold(&prior, 0, INVCAL_GAMMA_XY, 1e-4);
     const invcal_thermal base = centred();
     fit_with_prior(1e-6, &prior, &base);
     TEST_ASSERT_EQUAL_HEX16(1u << INVCAL_GAMMA_XY, invcal_thermal_from_prior(&prior, &quality));
     const double data = 1e-6 / (2 * tilt);
     const double both = 1 / sqrt(1 / 1e-8 + 1 / (data * data));
     TEST_ASSERT_DOUBLE_WITHIN(0.02 * both, both, (double)quality.sigma[INVCAL_GAMMA_XY]);
+}
+
+/* sqrt(K) of gamma_xy is 1 / (2 tilt) = 1700, 1000 the limit. */
+static void a_prior_on_one_parameter_is_none_on_another(void)
+{
+    invcal_thermal_prior prior = nothing_known;
+
+    take_with_a_hidden_angle(3e-4);
+    hold(&prior, 0, INVCAL_DELTA_X, 0.1);
+    assert_refused_with_prior(INVCAL_UNDETERMINED, 1e-6, &prior);
 }
 
 /* A sensor of a fifth of the scale, and a prior that knows better by 800 sigma. The residuals say
@@ -1422,6 +1438,7 @@ int main(void)
     RUN_TEST(what_is_no_ellipsoid_at_some_temperature_is_refused);
     RUN_TEST(a_plane_with_noise_is_undetermined_rather_than_no_ellipsoid);
     RUN_TEST(an_angle_that_hardly_shows_is_refused_unless_a_prior_holds_it);
+    RUN_TEST(a_prior_on_one_parameter_is_none_on_another);
     RUN_TEST(a_prior_that_nothing_can_be_reconciled_with_is_refused);
     RUN_TEST(semi_axes_beyond_their_limits_are_refused_together);
     RUN_TEST(what_cannot_be_judged_is_refused_and_the_quality_left_alone);
