@@ -18,12 +18,14 @@ export LC_COLLATE := C
 unexport LC_ALL
 
 WARNINGS := -Wall -Wextra -Wconversion -Wdouble-promotion -Wshadow -pedantic
-# Contraction (fused multiply-add) is off: the same bits on every machine.
-FLAGS     = -std=$(STD) -ffp-contract=off $(WARNINGS) $(CFLAGS) -Iinclude
+# Contraction (fused multiply-add) is off: the same bits on every machine. A square root of a negative
+# number is a NaN, and no errno.
+FLAGS     = -std=$(STD) -ffp-contract=off -fno-math-errno $(WARNINGS) $(CFLAGS) -Iinclude
 
 SOURCES := $(wildcard src/*.c)
 HOST    := $(wildcard port/host/*.c)
 SUITES  := $(patsubst tests/unit/%.c,%,$(wildcard tests/unit/test_*.c))
+TOOL_SUITES := $(patsubst tests/tool/%.c,%,$(wildcard tests/tool/test_*.c))
 DATA    := $(wildcard tests/data/*_positions.csv)
 # With ASSERT=1 programming errors stop the library (INVCAL_ASSERT).
 ASSERT_FLAGS := $(if $(ASSERT),-DINVCAL_CONFIG_HEADER='"assert_config.h"' -Itests/unit)
@@ -139,9 +141,19 @@ TOOL_FLAGS = -DINVCAL_DOUBLE=1 -DINVCAL_MAX_POSITIONS=64 -DINVCAL_ALLAN_TAUS=31 
     -DINVCAL_ALLAN_OVERLAP=4096 -DINVCAL_THERMAL_DEGREE=2
 $(BUILD)/tool/%.o: %.c
 	@mkdir -p $(@D)
-	$(Q)$(CC) $(filter-out -DINVCAL_%,$(FLAGS)) $(TOOL_FLAGS) $(ASSERT_FLAGS) -MMD -c $< -o $@
+	$(Q)$(CC) $(filter-out -DINVCAL_%,$(FLAGS)) $(TOOL_FLAGS) $(ASSERT_FLAGS) $(EXTRA) \
+	    -MMD -c $< -o $@
 
 $(BUILD)/invcal: $(HOST:%.c=$(BUILD)/tool/%.o) $(SOURCES:%.c=$(BUILD)/tool/%.o)
+	$(Q)$(CC) $(FLAGS) $^ -lm -o $@
+
+# Its unit tests.
+$(BUILD)/tool/tool.a: $(filter-out %/main.o,$(HOST:%.c=$(BUILD)/tool/%.o)) $(SOURCES:%.c=$(BUILD)/tool/%.o)
+	$(Q)rm -f $@ && $(AR) rcs $@ $^
+$(BUILD)/tool/tests/%.o: EXTRA += -DUNITY_INCLUDE_DOUBLE -DUNITY_STRICT -I$(UNITY) -Iport/host \
+    -Itests/unit -Itests/reference
+$(BUILD)/tool/test_%: $(BUILD)/tool/tests/tool/test_%.o $(BUILD)/tool/tests/unit/support.o \
+    $(BUILD)/double/unity.o $(BUILD)/tool/tool.a
 	$(Q)$(CC) $(FLAGS) $^ -lm -o $@
 
 # The manual, of the tool's own help.
@@ -153,7 +165,7 @@ $(BUILD)/invcal.1: port/host/man.sh $(BUILD)/invcal
 # One line that says what is missing: $(call need,command)
 need = @command -v $(1) > /dev/null || { echo '$(1) is not installed: make deps' >&2; exit 1; }
 
-test: $(SUITES:%=$(BUILD)/float/%) $(SUITES:%=$(BUILD)/double/%) all ## all tests with one compiler
+test: $(SUITES:%=$(BUILD)/float/%) $(SUITES:%=$(BUILD)/double/%) $(TOOL_SUITES:%=$(BUILD)/tool/%) all ## all tests with one compiler
 	$(Q)CC="$(CC)" CFLAGS="$(CFLAGS)" UNITY="$(UNITY)" sh tests/run.sh $(BUILD)
 
 coverage: ## what the tests reach: lines, branches, MC/DC of src/, lines of the tool (PART=src, PART=host)

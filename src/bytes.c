@@ -8,6 +8,17 @@
 #define EXPONENT UINT32_C(0x7F800000) /* of binary32: all set for what is not finite */
 #define NOT_A_NUMBER UINT32_C(0x7FC00000)
 
+enum { SHORTEST = 8 }; /* a frame with nothing in it */
+
+uint8_t *invcal_put_u32(uint8_t *bytes, uint32_t value)
+{
+    for (unsigned i = 0; i < 4; i++) {
+        *bytes++ = (uint8_t)(value & 0xFFu);
+        value >>= 8;
+    }
+    return bytes;
+}
+
 static uint32_t bits_of(invcal_real x)
 {
     uint32_t bits = NOT_A_NUMBER;
@@ -20,24 +31,15 @@ static uint32_t bits_of(invcal_real x)
     return bits;
 }
 
-uint8_t *invcal_put_u32(uint8_t *bytes, uint32_t value)
-{
-    for (unsigned i = 0; i < 4; i++) {
-        *bytes++ = (uint8_t)(value & 0xFFu);
-        value >>= 8;
-    }
-    return bytes;
-}
-
 uint8_t *invcal_put_reals(uint8_t *bytes, const void *reals, unsigned count)
 {
     const unsigned char *from = reals;
     invcal_real x;
 
-    for (; count > 0; count--) {
+    for (; count > 0; count--) { /* at most 13 and 3 for each position */
         memcpy(&x, from, sizeof x);
-        bytes = invcal_put_u32(bytes, bits_of(x));
         from += sizeof x;
+        bytes = invcal_put_u32(bytes, bits_of(x));
     }
     return bytes;
 }
@@ -47,7 +49,7 @@ int invcal_get_reals(const uint8_t *bytes, void *reals, unsigned count)
     unsigned char *to = reals;
     int are_finite = 1;
 
-    for (; count > 0; count--) {
+    for (; count > 0; count--) { /* at most 13 and 3 for each position */
         const uint32_t bits = invcal_get_u32(bytes);
         float f;
         memcpy(&f, &bits, sizeof f);
@@ -63,7 +65,7 @@ int invcal_get_reals(const uint8_t *bytes, void *reals, unsigned count)
 uint32_t invcal_crc32(uint32_t crc, const uint8_t *bytes, uint32_t count)
 {
     crc = ~crc;
-    for (; count > 0; count--) {
+    for (; count > 0; count--) { /* at most 65535: the length of a frame */
         crc ^= *bytes++;
         for (unsigned bit = 0; bit < 8; bit++) {
             crc = crc & 1u ? crc >> 1 ^ UINT32_C(0xEDB88320) : crc >> 1;
@@ -72,36 +74,25 @@ uint32_t invcal_crc32(uint32_t crc, const uint8_t *bytes, uint32_t count)
     return ~crc;
 }
 
-void invcal_seal(uint8_t *bytes, uint8_t kind, unsigned length)
+void invcal_seal(uint8_t *bytes, uint8_t kind, uint32_t length)
 {
-    const unsigned end = length - INVCAL_CRC_SIZE;
+    const uint32_t end = length - INVCAL_CRC_SIZE;
 
-    (void)invcal_put_two(bytes, kind | INVCAL_VERSION_OF_BYTES << 8, length);
+    (void)invcal_put_two(bytes, kind | (uint32_t)INVCAL_NEWEST << 8, length);
     (void)invcal_put_u32(bytes + end, invcal_crc32(0, bytes, end));
 }
 
-/* The shortest: nothing between length and CRC. */
-enum { SHORTEST = 8 };
-
-static int is_sound(const uint8_t *bytes, uint32_t size)
+invcal_status invcal_unseal(const uint8_t *bytes, uint32_t size, uint8_t kind, uint8_t oldest)
 {
     if (size < SHORTEST) {
-        return 0;
-    }
-    const unsigned length = invcal_get_u16(bytes + 2);
-    if (length - SHORTEST > size - SHORTEST) {
-        return 0;
-    }
-    const unsigned end = length - INVCAL_CRC_SIZE;
-    return invcal_crc32(0, bytes, end) == invcal_get_u32(bytes + end);
-}
-
-invcal_status invcal_unseal(const uint8_t *bytes, uint32_t size, uint8_t kind, unsigned first)
-{
-    if (!is_sound(bytes, size)) {
         return INVCAL_DAMAGED;
     }
-    return bytes[0] == kind && bytes[1] >= first && bytes[1] <= INVCAL_VERSION_OF_BYTES
+    const uint32_t length = invcal_get_u16(bytes + 2);
+    if (length < SHORTEST || length > size ||
+        invcal_crc32(0, bytes, length) != INVCAL_CRC_RESIDUE) {
+        return INVCAL_DAMAGED;
+    }
+    return bytes[0] == kind && bytes[1] >= oldest && bytes[1] <= INVCAL_NEWEST
                ? INVCAL_OK
                : INVCAL_OTHER_VERSION;
 }

@@ -11,43 +11,50 @@
 #error "float is not IEEE-754 binary32 here"
 #endif
 
-static inline unsigned invcal_get_u16(const uint8_t *bytes)
+/* Four bytes are one load where alignment does not matter, and gcc does not expect that. */
+#ifdef __GNUC__
+#define INVCAL_ALWAYS __attribute__((always_inline)) inline
+#else
+#define INVCAL_ALWAYS inline
+#endif
+
+static inline uint16_t invcal_get_u16(const uint8_t *bytes)
 {
-    return bytes[0] | (unsigned)bytes[1] << 8;
+    return (uint16_t)(bytes[0] | (unsigned)bytes[1] << 8);
 }
 
-static inline uint32_t invcal_get_u32(const uint8_t *bytes)
+static INVCAL_ALWAYS uint32_t invcal_get_u32(const uint8_t *bytes)
 {
     return invcal_get_u16(bytes) | (uint32_t)invcal_get_u16(bytes + 2) << 16;
 }
 
-/* Returns what is behind it. No inline function: four bytes are four stores, and that every time. */
+/* Puts four bytes. Returns what is behind them, as all that put. */
 uint8_t *invcal_put_u32(uint8_t *bytes, uint32_t value);
 
-/* Two numbers of 16 bits. */
-static inline uint8_t *invcal_put_two(uint8_t *bytes, unsigned first, unsigned second)
+/* Puts two numbers of 16 bits. */
+static inline uint8_t *invcal_put_two(uint8_t *bytes, uint32_t first, uint32_t second)
 {
-    return invcal_put_u32(bytes, (uint32_t)first | (uint32_t)second << 16);
+    return invcal_put_u32(bytes, first | second << 16);
 }
 
-/* The first count reals of a structure as binary32; one that has no float becomes a NaN. Returns
- * what is behind them. */
+/* Puts the reals that a structure begins with, as binary32; one that has no float becomes a NaN. */
 uint8_t *invcal_put_reals(uint8_t *bytes, const void *reals, unsigned count);
 
-/* And back. Returns 1 if all are finite. */
+/* Gets them. Returns 1 if all are finite. */
 int invcal_get_reals(const uint8_t *bytes, void *reals, unsigned count);
 
 /* CRC-32 (IEEE 802.3, as zlib): of "123456789" 0xCBF43926. Starts at 0, and goes on where an
  * earlier call ended. Bit by bit: a table would be larger than all that use it. */
 uint32_t invcal_crc32(uint32_t crc, const uint8_t *bytes, uint32_t count);
+#define INVCAL_CRC_RESIDUE UINT32_C(0x2144DF1C) /* of anything with its own CRC-32 behind it */
 
-/* What is stored has a frame: kind, version, length (16 bits), whatever follows, and at the length's
- * end the CRC of all of it. VERSION is the present one of every kind. */
-enum { INVCAL_CRC_SIZE = 4, INVCAL_VERSION_OF_BYTES = 2 };
-void invcal_seal(uint8_t *bytes, uint8_t kind, unsigned length);
+/* Records and sessions have a frame: kind, version, length (16 bits), whatever follows, and at the
+ * length's end the CRC of all of it. All kinds have the same newest version. */
+enum { INVCAL_CRC_SIZE = 4, INVCAL_NEWEST = 2 };
+void invcal_seal(uint8_t *bytes, uint8_t kind, uint32_t length);
 
-/* Returns INVCAL_OK; INVCAL_DAMAGED; INVCAL_OTHER_VERSION for sound bytes of another kind, or of a
- * version before `first`, or after the present one. */
-invcal_status invcal_unseal(const uint8_t *bytes, uint32_t size, uint8_t kind, unsigned first);
+/* Returns INVCAL_OK; INVCAL_DAMAGED; INVCAL_OTHER_VERSION for what is sound, but of another kind, or
+ * of a version before `oldest` or after the newest. */
+invcal_status invcal_unseal(const uint8_t *bytes, uint32_t size, uint8_t kind, uint8_t oldest);
 
 #endif

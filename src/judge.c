@@ -33,14 +33,14 @@ invcal_status invcal_residuals_add(const invcal_calibration *c, const invcal_rea
     q->rms += r * r;
     if (!(INVCAL_FABS(r) <= q->max)) {
         q->max = INVCAL_FABS(r);
-        q->worst = (uint8_t)i;
+        q->worst = (uint16_t)i;
     }
     return INVCAL_OK;
 }
 
 invcal_status invcal_residuals_end(unsigned count, invcal_quality *q)
 {
-    q->positions = (uint8_t)count;
+    q->positions = (uint16_t)count;
     q->rms = INVCAL_SQRT(q->rms / (invcal_real)count);
     return q->rms <= ABSURD ? INVCAL_OK : INVCAL_NOT_ELLIPSOID;
 }
@@ -117,7 +117,7 @@ void invcal_judge_noise(invcal_real stated, invcal_real squares, invcal_real dof
     if (dof >= 1) {
         const invcal_real observed = INVCAL_SQRT(squares / dof);
         q->noise = observed > stated ? observed : stated;
-        q->dof = (uint8_t)dof;
+        q->dof = (uint16_t)dof;
     }
     if (!(q->noise > 0)) {
         q->noise = 1; /* nobody knows: the whole field, which no one will mistake for good */
@@ -154,7 +154,7 @@ invcal_status invcal_positions_check(const invcal_positions *positions)
     if (!(positions->noise >= 0 && positions->noise < 1)) {
         return INVCAL_BAD_NOISE;
     }
-    return positions->count <= UINT8_MAX ? invcal_nominal_check(positions->nominal)
+    return positions->count < UINT16_MAX ? invcal_nominal_check(positions->nominal)
                                          : INVCAL_BAD_COUNT;
 }
 

@@ -6,15 +6,16 @@
 
 #include "bytes.h"
 #include "solve.h"
-#include "vector.h"
 
-enum { KIND = 0xCA, FIRST_VERSION = 1 };
-enum { REALS_AT = 24, TEMPERATURE_AT = 32, SIGMA_AT = 96 };
-enum { REALS = 27, REALS_BEFORE_SIGMA = 18 };
-enum { SKIPPED = 48 }; /* in version 1, before sigma: delta, dk, gamma, sigma_offset */
-#define MAY_BE_NEGATIVE UINT32_C(0x3FFC4) /* bit i: real i: temperature and calibration */
-#define INFINITE UINT32_C(0x7F800000)     /* as binary32; NaN and all that is negative are more */
-#define ABSOLUTE UINT32_C(0x7FFFFFFF)     /* all but the sign */
+enum { RECORD_KIND = 0xCA, RECORD_OLDEST = 1 };
+enum { SENSOR_AT = 4, DATE_AT = 12, RECORD_REALS_AT = 24, SIGMA_AT = 96 };
+enum { RECORD_REALS = 27, BEFORE_SIGMA = 18 }; /* reals */
+enum { EVERY_PARAMETER = 0x1FF };              /* as a mask */
+enum { RECORD_SKIPPED = 48 }; /* bytes of version 1 before sigma: delta, dk, gamma, sigma_offset */
+
+/* The reals come first in the structure, too, and in the same order. */
+typedef char invcal_record_is_in_order
+    [offsetof(invcal_record, sigma) == BEFORE_SIGMA * sizeof(invcal_real) ? 1 : -1];
 
 void invcal_record_init(invcal_record *record, const invcal_calibration *calibration,
                         const invcal_quality *quality)
@@ -33,52 +34,69 @@ void invcal_record_init(invcal_record *record, const invcal_calibration *calibra
 
 static void put_record(const invcal_record *r, uint8_t *bytes)
 {
-    memcpy(bytes + 4, r->sensor, sizeof r->sensor);
-    uint8_t *at = invcal_put_u32(bytes + 12, r->date);
+    memcpy(bytes + SENSOR_AT, r->sensor, sizeof r->sensor);
+    uint8_t *at = invcal_put_u32(bytes + DATE_AT, r->date);
     at = invcal_put_two(at, r->positions, r->weak);
-    at = invcal_put_two(at, r->from_prior, r->verdict | (unsigned)r->temperature_known << 8);
-    (void)invcal_put_reals(at, r, REALS);
-    invcal_seal(bytes, KIND, INVCAL_RECORD_SIZE);
+    at = invcal_put_two(at, r->from_prior, r->verdict | (uint32_t)r->temperature_known << 8);
+    (void)invcal_put_reals(at, r, RECORD_REALS);
+    invcal_seal(bytes, RECORD_KIND, INVCAL_RECORD_SIZE);
 }
 
-/* Does it contradict itself? */
+/* Returns 1 if all reals are finite. */
+static int get_record(const uint8_t *bytes, unsigned skipped, invcal_record *r)
+{
+    memcpy(r->sensor, bytes + SENSOR_AT, sizeof r->sensor);
+    r->date = invcal_get_u32(bytes + DATE_AT);
+    r->positions = invcal_get_u16(bytes + 16);
+    r->weak = invcal_get_u16(bytes + 18);
+    r->from_prior = invcal_get_u16(bytes + 20);
+    r->verdict = bytes[22];
+    r->temperature_known = bytes[23];
+    return invcal_get_reals(bytes + RECORD_REALS_AT, r, BEFORE_SIGMA) &&
+           invcal_get_reals(bytes + SIGMA_AT + skipped, r->sigma, INVCAL_PARAMETERS);
+}
+
+/* WEAK is what has weak parameters; the other two verdicts are 0 and 1. */
 static int is_consistent(const invcal_record *r)
 {
-    const unsigned expected = r->weak ? INVCAL_WEAK : r->verdict & 1u;
-    return (r->weak | r->from_prior) >> INVCAL_PARAMETERS == 0 && r->verdict == expected &&
+    const unsigned verdict = r->weak > 0 ? INVCAL_WEAK : r->verdict & 1u;
+
+    return r->verdict == verdict && (r->weak | r->from_prior) <= EVERY_PARAMETER &&
            (r->temperature_known ? r->temperature_known == 1 : r->temperature == 0);
 }
 
+/* Version 1 was in the unit of the field. */
+static void over_field(invcal_real *matrix, invcal_real field)
+{
+    for (unsigned i = 0; i < 9; i++) {
+        matrix[i] /= field;
+    }
+}
+
+/* Reads and judges; r is lost on failure. */
 static invcal_status read_record(const uint8_t *bytes, uint32_t size, invcal_record *r)
 {
-    invcal_status status = invcal_unseal(bytes, size, KIND, FIRST_VERSION);
+    const invcal_status status = invcal_unseal(bytes, size, RECORD_KIND, RECORD_OLDEST);
     if (status != INVCAL_OK) {
         return status;
     }
-    const unsigned skip = bytes[1] == FIRST_VERSION ? SKIPPED : 0;
-    if (invcal_get_u16(bytes + 2) != INVCAL_RECORD_SIZE + skip) {
+    const unsigned skipped = bytes[1] == RECORD_OLDEST ? RECORD_SKIPPED : 0;
+    if (invcal_get_u16(bytes + 2) != INVCAL_RECORD_SIZE + skipped) {
         return INVCAL_DAMAGED;
     }
-    memcpy(r->sensor, bytes + 4, sizeof r->sensor);
-    r->date = invcal_get_u32(bytes + 12);
-    r->positions = (uint16_t)invcal_get_u16(bytes + 16);
-    r->weak = (uint16_t)invcal_get_u16(bytes + 18);
-    r->from_prior = (uint16_t)invcal_get_u16(bytes + 20);
-    r->verdict = bytes[22];
-    r->temperature_known = bytes[23];
-    if (!(invcal_get_reals(bytes + REALS_AT, r, REALS_BEFORE_SIGMA) &&
-          invcal_get_reals(bytes + SIGMA_AT + skip, r->sigma, INVCAL_PARAMETERS))) {
+    if (!get_record(bytes, skipped, r)) {
         return INVCAL_NOT_FINITE;
     }
     if (!is_consistent(r)) {
         return INVCAL_DAMAGED;
     }
-    if (skip > 0) {
-        (void)invcal_scale(&r->calibration, 1 / r->field);
+    if (skipped > 0) {
+        over_field(r->calibration.matrix[0], r->field);
     }
     return invcal_nominal_check(&r->calibration);
 }
 
+/* What was written is read again: rounded to float, it may be none. */
 invcal_status invcal_record_encode(const invcal_record *record, uint8_t bytes[INVCAL_RECORD_SIZE])
 {
     invcal_record r;
@@ -96,16 +114,17 @@ invcal_status invcal_record_decode(const uint8_t *bytes, uint32_t size, invcal_r
     const invcal_status status = read_record(bytes, size, &r);
     if (status == INVCAL_OK) {
         *out = r;
-        return status;
     }
-    return status == INVCAL_OTHER_VERSION ? status : INVCAL_DAMAGED;
+    return status;
 }
+
+/* ---- in a memory ------------------------------------------------------------------------------- */
 
 invcal_status invcal_save(const invcal_store *store, const invcal_calibration *calibration,
                           const invcal_quality *quality)
 {
-    invcal_record r;
     uint8_t bytes[INVCAL_RECORD_SIZE];
+    invcal_record r;
 
     invcal_record_init(&r, calibration, quality);
     const invcal_status status = invcal_record_encode(&r, bytes);
@@ -114,13 +133,14 @@ invcal_status invcal_save(const invcal_store *store, const invcal_calibration *c
 
 invcal_status invcal_load(const invcal_store *store, invcal_calibration *calibration)
 {
-    invcal_record r;
     uint8_t bytes[INVCAL_RECORD_SIZE_MAX];
+    invcal_record r;
     uint32_t size;
 
+    INVCAL_ASSERT(calibration);
     invcal_status status = invcal_store_load(store, bytes, sizeof bytes, &size);
     if (status == INVCAL_OK) {
-        status = invcal_record_decode(bytes, size, &r);
+        status = read_record(bytes, size, &r);
     }
     if (status == INVCAL_OK) {
         *calibration = r.calibration;

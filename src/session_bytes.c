@@ -5,14 +5,28 @@
 #include <string.h>
 
 #include "bytes.h"
-#include "judge.h"
+#include "invcal/expert.h"
 
-enum { KIND = 0xC5, FIRST_VERSION = 2 };
-enum { REALS_AT = 20, HEAD_REALS = 13, MEANS_AT = 72, MEAN_SIZE = 12 };
+enum { SESSION_KIND = 0xC5, SESSION_OLDEST = 2 };
+enum { COUNT_AT = 4, RATE_AT = 6, HOLD_AT = 8, LOW_AT = 12, HIGH_AT = 16, SESSION_REALS_AT = 20 };
+enum { MEANS_AT = 72, MEAN_SIZE = 12, BEFORE_MEANS = 13 }; /* the last in reals */
 
-static unsigned length_of(unsigned count)
+/* What a session begins with. */
+typedef struct {
+    invcal_calibration nominal;
+    invcal_real noise;
+} session_head;
+
+/* The reals come first in the session, too, and in the same order. */
+typedef char
+    invcal_session_is_in_order[offsetof(invcal_session, mean) == sizeof(session_head) &&
+                                       sizeof(session_head) == BEFORE_MEANS * sizeof(invcal_real)
+                                   ? 1
+                                   : -1];
+
+static uint32_t length_of(unsigned count)
 {
-    return MEANS_AT + MEAN_SIZE * count + INVCAL_CRC_SIZE;
+    return MEANS_AT + (uint32_t)MEAN_SIZE * count + INVCAL_CRC_SIZE;
 }
 
 static int32_t get_i32(const uint8_t *bytes)
@@ -20,25 +34,19 @@ static int32_t get_i32(const uint8_t *bytes)
     const uint32_t bits = invcal_get_u32(bytes);
     int32_t value;
 
-    memcpy(&value, &bits, sizeof value);
+    memcpy(&value, &bits, sizeof value); /* the conversion would be the compiler's choice */
     return value;
 }
 
-/* What stands first in a session, too. */
-typedef struct {
-    invcal_calibration nominal;
-    invcal_real noise;
-} head;
-
-/* Could these bytes be those of a session? */
-static invcal_status check(const uint8_t *bytes, head *h)
+/* Could these numbers be a session's? What invcal_session_begin looks at is left to it. */
+static invcal_status check_numbers(const uint8_t *bytes, session_head *h)
 {
-    const unsigned count = invcal_get_u16(bytes + 4);
+    const unsigned count = invcal_get_u16(bytes + COUNT_AT);
     invcal_status status = INVCAL_OK;
     invcal_real mean[3];
     invcal_row row;
 
-    (void)invcal_get_reals(bytes + REALS_AT, h, HEAD_REALS);
+    (void)invcal_get_reals(bytes + SESSION_REALS_AT, h, BEFORE_MEANS);
     if (!(h->noise >= 0 && h->noise < 1)) {
         return INVCAL_BAD_NOISE;
     }
@@ -54,48 +62,51 @@ static invcal_status check(const uint8_t *bytes, head *h)
 invcal_status invcal_session_encode(const invcal_session *session,
                                     uint8_t bytes[INVCAL_SESSION_SIZE], uint32_t *size)
 {
-    head h;
-    const unsigned length = length_of(session->count);
+    session_head h;
 
-    INVCAL_ASSERT(session && bytes && size);
-    uint8_t *at = invcal_put_two(bytes + 4, session->count, session->rests.rate);
+    INVCAL_ASSERT(session && bytes && size && session->count <= INVCAL_MAX_POSITIONS);
+    uint8_t *at = invcal_put_two(bytes + COUNT_AT, session->count, session->rests.rate);
     at = invcal_put_u32(at, session->hold);
     at = invcal_put_u32(at, (uint32_t)session->rests.low);
-    at = invcal_put_u32(at, (uint32_t)session->rests.high);
-    (void)invcal_put_reals(at, session, HEAD_REALS + 3u * session->count);
-    invcal_seal(bytes, KIND, length);
-    *size = length;
-    return check(bytes, &h);
+    at = invcal_put_u32(at, (uint32_t)session->rests.low + session->rests.between + 1u);
+    (void)invcal_put_reals(at, session, BEFORE_MEANS + 3u * session->count);
+    *size = length_of(session->count);
+    invcal_seal(bytes, SESSION_KIND, *size);
+    return check_numbers(bytes, &h);
 }
 
 invcal_status invcal_session_decode(const uint8_t *bytes, uint32_t size, invcal_session *out)
 {
-    head h;
+    session_head h;
 
     INVCAL_ASSERT(bytes && out);
-    const invcal_status status = invcal_unseal(bytes, size, KIND, FIRST_VERSION);
+    invcal_status status = invcal_unseal(bytes, size, SESSION_KIND, SESSION_OLDEST);
     if (status != INVCAL_OK) {
         return status;
     }
-    const unsigned count = invcal_get_u16(bytes + 4);
+    const unsigned count = invcal_get_u16(bytes + COUNT_AT);
     if (invcal_get_u16(bytes + 2) != length_of(count)) {
         return INVCAL_DAMAGED;
     }
     if (count > INVCAL_MAX_POSITIONS) {
         return INVCAL_NO_SPACE;
     }
-    const int32_t low = get_i32(bytes + 12);
-    const int32_t high = get_i32(bytes + 16);
-    if (check(bytes, &h) != INVCAL_OK || low >= high ||
-        invcal_session_begin(out, &h.nominal, invcal_get_u16(bytes + 6)) != INVCAL_OK) {
-        return INVCAL_DAMAGED;
+    const int32_t low = get_i32(bytes + LOW_AT);
+    const int32_t high = get_i32(bytes + HIGH_AT);
+    status = low < high ? check_numbers(bytes, &h) : INVCAL_BAD_RAILS;
+    if (status == INVCAL_OK) { /* the first that writes, and only if it accepts */
+        status = invcal_session_begin(out, &h.nominal, invcal_get_u16(bytes + RATE_AT));
     }
-    (void)invcal_session_rails(out, low, high);
-    invcal_session_hold(out, invcal_get_u32(bytes + 8));
-    (void)invcal_get_reals(bytes + REALS_AT, out, HEAD_REALS + 3 * count);
-    out->count = (uint8_t)count;
-    return INVCAL_OK;
+    if (status == INVCAL_OK) {
+        (void)invcal_session_rails(out, low, high);
+        invcal_session_hold(out, invcal_get_u32(bytes + HOLD_AT));
+        (void)invcal_get_reals(bytes + SESSION_REALS_AT, out, BEFORE_MEANS + 3 * count);
+        out->count = (uint8_t)count;
+    }
+    return status;
 }
+
+/* ---- in a memory ------------------------------------------------------------------------------- */
 
 invcal_status invcal_save_session(const invcal_store *store, const invcal_session *session)
 {

@@ -1,9 +1,10 @@
 /* SPDX-License-Identifier: MIT */
+#include <stddef.h>
 #include <string.h>
 
 #include "invcal/expert.h"
 #include "judge.h"
-#include "thermal.h"
+#include "polynomials.h"
 #include "vector.h"
 
 #define FARTHEST INVCAL_REAL(2.0)         /* |t| */
@@ -24,8 +25,8 @@ typedef struct {
     const invcal_thermal *base; /* what a prior holds to */
     invcal_real noise;          /* that a prior is weighed with, over field */
     invcal_real held[UNKNOWNS]; /* 1 / standard deviation of the prior; 0: none */
-    int has_prior;              /* does any of them? */
-    uint16_t from_prior;        /* bit r: it has told more of parameter r than the positions did */
+    invcal_real loosest;        /* the smallest of them above 0 */
+    int has_prior;              /* are there any? */
     invcal_real min, max;       /* temperatures */
     invcal_thermal now;         /* what the rows are made with */
     invcal_quality q;           /* of that */
@@ -104,30 +105,24 @@ static invcal_status gather(job *j, unsigned n)
     return INVCAL_OK;
 }
 
-/* A coefficient known with a standard deviation is a row more, (noise / sigma) x = 0. It is 0 at the
+/* A coefficient known with a standard deviation is a row more, (noise / sigma) x = 0: it is 0 at the
  * base, and p is -x against what is there by now. */
-static void add_prior(job *j, unsigned n)
+static invcal_status solve_at_noise(job *j, unsigned n, invcal_real floor)
 {
     const invcal_real *now = &j->now.x[0][0];
     const invcal_real *base = &j->base->x[0][0];
 
-    for (unsigned i = 0; i < n; i++) {
-        const invcal_real ratio = j->noise * j->held[i];
-        j->a[INVCAL_PACKED(i, i)] += ratio * ratio;
-        j->a[INVCAL_PACKED(n, i)] -= ratio * ratio * (now[i] - base[i]);
-    }
-}
-
-static invcal_status solve_at_noise(job *j, unsigned n, invcal_real floor)
-{
     invcal_status status = gather(j, n);
-
     if (status != INVCAL_OK) {
         return status;
     }
     j->squares = j->a[INVCAL_PACKED(n, n)];
     j->largest = invcal_largest_diagonal(j->a, n);
-    add_prior(j, n);
+    for (unsigned i = 0; i < n; i++) {
+        const invcal_real ratio = j->noise * j->held[i];
+        j->a[INVCAL_PACKED(i, i)] += ratio * ratio;
+        j->a[INVCAL_PACKED(n, i)] -= ratio * ratio * (now[i] - base[i]);
+    }
     const invcal_real trace = invcal_trace(j->a, n);
     status = invcal_factor(j->a, n, n + 1, floor);
     if (status != INVCAL_OK) {
@@ -143,8 +138,6 @@ static invcal_status solve_at_noise(job *j, unsigned n, invcal_real floor)
  * is just more than rounding beside the largest sums. */
 static invcal_status solve(job *j, unsigned n)
 {
-    invcal_real loosest = INVCAL_REAL_MAX; /* of what is held */
-
     if (!j->has_prior) {
         return solve_at_noise(j, n, INVCAL_FLOOR);
     }
@@ -152,50 +145,46 @@ static invcal_status solve(job *j, unsigned n)
     if (status != INVCAL_UNDETERMINED) {
         return status;
     }
-    for (unsigned i = 0; i < n; i++) {
-        loosest = j->held[i] > 0 && j->held[i] < loosest ? j->held[i] : loosest;
-    }
-    const invcal_real resolved = INVCAL_SQRT(4 * INVCAL_EPSILON * j->largest) / loosest;
+    const invcal_real resolved = INVCAL_SQRT(4 * INVCAL_EPSILON * j->largest) / j->loosest;
     j->noise = j->noise >= resolved ? j->noise : resolved;
     return solve_at_noise(j, n, INVCAL_EPSILON);
 }
 
 /* ---- the solution --------------------------------------------------------------------------------- */
 
-/* Are all coefficients from this one on determined, or held? */
-static int are_told(const job *j, unsigned from, unsigned n)
+/* How many coefficients, from this one on, no prior holds, nor the positions once it is solved. */
+static unsigned count_open(const job *j, unsigned from, unsigned n, int is_solved)
 {
+    unsigned count = 0;
+
     for (unsigned i = from; i < UNKNOWNS && i < n; i++) {
-        if (!(j->held[i] > 0 || invcal_variance(j->a, n, i) <= INVCAL_WEAK_K)) {
-            return 0;
-        }
+        count += !(j->held[i] > 0 || (is_solved && invcal_variance(j->a, n, i) <= INVCAL_WEAK_K));
     }
-    return 1;
+    return count;
 }
 
 /* What stands against a degree: it need not even be tried, or it has been solved. */
 static invcal_thermal_fallback try_degree(job *j, unsigned degree, invcal_status *status)
 {
     const unsigned n = (degree + 1) * N;
-    unsigned unknown = 0;
-    int is_held = 1;
+    const invcal_real noise = j->noise;
 
-    for (unsigned i = 0; i < UNKNOWNS && i < n; i++) {
-        unknown += !(j->held[i] > 0);
-        is_held &= i + N < n || j->held[i] > 0;
-    }
     *status = INVCAL_TOO_FEW;
-    if (j->positions->count == 0 || j->positions->count < unknown) {
+    if (j->positions->count < count_open(j, 0, n, 0)) {
         return INVCAL_THERMAL_FEW;
     }
-    if (!is_held && j->max - j->min < (invcal_real)degree * NARROWEST) {
+    if (j->max - j->min < (invcal_real)degree * NARROWEST && count_open(j, degree * N, n, 0) > 0) {
         return INVCAL_THERMAL_NARROW;
     }
     *status = solve(j, n);
-    if (*status == INVCAL_OK && !are_told(j, N, n)) {
+    if (*status == INVCAL_OK && count_open(j, N, n, 1) > 0) {
         *status = INVCAL_UNDETERMINED;
     }
-    return *status == INVCAL_UNDETERMINED ? INVCAL_THERMAL_OPEN : INVCAL_THERMAL_AS_ASKED;
+    if (*status != INVCAL_UNDETERMINED) {
+        return INVCAL_THERMAL_AS_ASKED;
+    }
+    j->noise = noise; /* not raised in vain */
+    return INVCAL_THERMAL_OPEN;
 }
 
 /* The highest degree that can be had, `degree` at most. */
@@ -265,8 +254,8 @@ static invcal_status interpolate(job *j)
         const invcal_real rise = (x[2][r] - x[0][r]) / 2;
         const invcal_real bend = (x[2][r] - x[1][r]) - (x[1][r] - x[0][r]);
         const invcal_real c2 = degree == 2 ? bend / (2 * step * step) : 0;
-        const invcal_real c1 = degree >= 1 ? rise / step - 2 * c2 * t : 0;
-        const invcal_real middle = degree == 1 ? x[0][r] + rise : x[1][r];
+        const invcal_real c1 = rise / step - 2 * c2 * t;
+        const invcal_real middle = degree == 2 ? x[1][r] : x[0][r] + rise;
         const invcal_real c[3] = {middle - (c1 + c2 * t) * t, c1, c2};
         for (unsigned a = 0; a <= DEGREE; a++) {
             j->now.x[a][r] = c[a];
@@ -289,7 +278,7 @@ static invcal_status improve(job *j, unsigned degree)
     now->max = is_new || j->max > now->max ? j->max : now->max;
     now->degree = is_new ? now->fitted : now->degree;
     status = interpolate(j);
-    return status == INVCAL_NOT_ELLIPSOID && !are_told(j, 0, (now->fitted + 1u) * N)
+    return status == INVCAL_NOT_ELLIPSOID && count_open(j, 0, (now->fitted + 1u) * N, 1) > 0
                ? INVCAL_UNDETERMINED /* what is left open may take any shape */
                : status;
 }
@@ -334,22 +323,6 @@ static invcal_real variance_at(const job *j, invcal_real t, unsigned r)
     return sum;
 }
 
-/* The variance that the prior leaves to parameter r at t; 0: there is none. */
-static invcal_real prior_at(const job *j, invcal_real t, unsigned r)
-{
-    invcal_real sum = 0;
-    invcal_real power = 1;
-
-    for (unsigned i = r; i < (j->now.fitted + 1u) * N; i += N) {
-        if (!(j->held[i] > 0)) {
-            return 0;
-        }
-        sum += power / j->held[i] * (power / j->held[i]);
-        power *= t;
-    }
-    return sum;
-}
-
 /* From unit vectors back to the parameters. A deviation of the calibrated triad moves u by I + S
  * times it: scale errors and offsets of an axis by 1 + dk of it, the cross terms by the geometric
  * mean of theirs. */
@@ -367,25 +340,25 @@ static void spread(const invcal_real a[3][3], invcal_real k[N])
 /* What was weak before remains so. */
 static invcal_status judge_at(job *j, invcal_real temperature)
 {
-    invcal_thermal *now = &j->now;
+    const invcal_thermal *now = &j->now;
     const uint16_t weak = j->q.weak;
+    invcal_thermal_place place;
     invcal_calibration triad;
     invcal_real k[N];
+    invcal_real t;
 
-    (void)invcal_thermal_clamp(now, &temperature);
-    const invcal_real t = invcal_thermal_scaled(now, temperature);
-    const invcal_status status = invcal_thermal_triad(now, t, &triad);
+    invcal_status status = invcal_thermal_find(now, temperature, &t, &triad, &place);
+    if (status == INVCAL_OK) {
+        status = invcal_thermal_triad(now, t, &triad);
+    }
     if (status != INVCAL_OK) {
         return status;
     }
     for (unsigned r = 0; r < N; r++) {
-        const invcal_real prior = prior_at(j, t, r);
         k[r] = variance_at(j, t, r);
-        if (!(k[r] <= INVCAL_HOPELESS_K || prior > 0)) {
+        if (!(k[r] <= INVCAL_HOPELESS_K || j->held[r] > 0)) {
             return INVCAL_UNDETERMINED;
         }
-        const int is_of_prior = prior > 0 && k[r] * j->q.noise * j->q.noise > prior / 2;
-        j->from_prior |= (uint16_t)((unsigned)is_of_prior << r);
     }
     spread((const invcal_real(*)[3])triad.matrix, k);
     invcal_judge_parameters(k, j->q.dof > 0 || j->positions->noise > 0,
@@ -395,17 +368,21 @@ static invcal_status judge_at(job *j, invcal_real temperature)
     return INVCAL_OK;
 }
 
-/* Weighs, and judges at these temperatures. Without slopes over a range that wants some, slopes pass
- * for errors of everything else, and the residuals may not show it. */
-static invcal_status judge(job *j, const invcal_real *temperature, unsigned count)
+/* Without slopes over a range that wants some, slopes pass for errors of everything else, and the
+ * residuals may not show it. */
+static invcal_status judge(job *j, const invcal_real *temperature, unsigned count,
+                           invcal_quality *quality)
 {
     const invcal_thermal *now = &j->now;
     const int lacks_slopes = DEGREE > 0 && now->degree == 0 && !(now->max - now->min < NARROWEST);
-    invcal_status status = INVCAL_OK;
+    invcal_status status = weigh(j);
 
     j->q.weak = lacks_slopes ? (1u << N) - 1u : 0;
     for (unsigned i = 0; i < count && status == INVCAL_OK; i++) {
         status = judge_at(j, temperature[i]);
+    }
+    if (status == INVCAL_OK) {
+        *quality = j->q;
     }
     return status;
 }
@@ -426,8 +403,29 @@ static invcal_status find_range(const invcal_real *temperature, unsigned count, 
     return count > 0 ? INVCAL_OK : INVCAL_TOO_FEW;
 }
 
+/* What is known beforehand, over the span. */
+static invcal_status hold(job *j, const invcal_thermal_prior *prior)
+{
+    invcal_real power = 1;
+
+    j->loosest = INVCAL_REAL_MAX;
+    for (unsigned i = 0; i < UNKNOWNS; i++) {
+        const invcal_real sigma = prior->sigma[i / N][i % N];
+        const invcal_real held = sigma == 0 ? 0 : 1 / (sigma * power);
+        if (!(sigma >= 0 && sigma <= INVCAL_REAL_MAX && held <= INVCAL_REAL_MAX)) {
+            return INVCAL_BAD_PRIOR;
+        }
+        j->held[i] = held;
+        j->has_prior |= held > 0;
+        j->loosest = held > 0 && held < j->loosest ? held : j->loosest;
+        power *= i % N == N - 1 ? j->now.span : 1;
+    }
+    return j->noise > 0 ? INVCAL_OK : INVCAL_BAD_NOISE;
+}
+
 static invcal_status begin(job *j, const invcal_thermal_positions *positions,
-                           const invcal_thermal *base, unsigned degree)
+                           const invcal_thermal_prior *prior, const invcal_thermal *base,
+                           unsigned degree)
 {
     const invcal_positions plain = {positions->raw, positions->count, 0, &base->nominal,
                                     positions->noise};
@@ -441,30 +439,11 @@ static invcal_status begin(job *j, const invcal_thermal_positions *positions,
     if (status == INVCAL_OK) {
         status = find_range(positions->temperature, positions->count, &j->min, &j->max);
     }
-    return status == INVCAL_OK && !(INVCAL_FABS(invcal_thermal_scaled(base, j->min)) <= FARTHEST &&
-                                    INVCAL_FABS(invcal_thermal_scaled(base, j->max)) <= FARTHEST)
-               ? INVCAL_BAD_TEMPERATURE
-               : status;
-}
-
-static invcal_status begin_with_prior(job *j, const invcal_thermal_positions *positions,
-                                      const invcal_thermal_prior *prior, const invcal_thermal *base,
-                                      unsigned degree)
-{
-    const invcal_real *const sigma[3] = {prior->constant, prior->slope, prior->curvature};
-    const invcal_status status = begin(j, positions, base, degree);
-    invcal_real power = 1;
-
-    for (unsigned i = 0; i < UNKNOWNS; i++) {
-        const invcal_real one = sigma[i / N][i % N];
-        power *= i > 0 && i % N == 0 ? base->span : 1;
-        j->held[i] = one == 0 ? 0 : 1 / (one * power);
-        if (!(one >= 0 && invcal_is_finite(one) && invcal_is_finite(j->held[i]))) {
-            return status == INVCAL_OK ? INVCAL_BAD_PRIOR : status;
-        }
+    if (status == INVCAL_OK && !(INVCAL_FABS(invcal_thermal_scaled(base, j->min)) <= FARTHEST &&
+                                 INVCAL_FABS(invcal_thermal_scaled(base, j->max)) <= FARTHEST)) {
+        return INVCAL_BAD_TEMPERATURE;
     }
-    j->has_prior = 1;
-    return status == INVCAL_OK && !(j->noise > 0) ? INVCAL_BAD_NOISE : status;
+    return status == INVCAL_OK && prior != NULL ? hold(j, prior) : status;
 }
 
 /* Two solutions by count, and what they are worth. A prior counts for more if the data are noisier
@@ -476,87 +455,55 @@ static invcal_status run(job *j, unsigned degree, invcal_thermal *out, invcal_qu
     if (status != INVCAL_OK) {
         return status;
     }
-    for (unsigned pass = 0; pass <= (j->has_prior ? 1u : 0u) && status == INVCAL_OK; pass++) {
-        status = improve(j, j->now.fitted);
-        if (status == INVCAL_OK) {
-            status = weigh(j);
-        }
+    status = improve(j, j->now.fitted);
+    if (status == INVCAL_OK && j->has_prior) {
+        status = weigh(j);
+        status = status == INVCAL_OK ? improve(j, j->now.fitted) : status;
     }
     if (status == INVCAL_OK) {
         const invcal_real at[3] = {j->now.min, j->now.max, j->now.reference};
-        status = judge(j, at, 3);
+        status = judge(j, at, 3, quality);
     }
     if (status == INVCAL_OK) {
         *out = j->now;
-        *quality = j->q;
     }
     return status == INVCAL_NOT_FINITE || status == INVCAL_OUT_OF_RANGE ? INVCAL_NOT_ELLIPSOID
                                                                         : status;
 }
 
-static invcal_status run_judgement(job *j, invcal_real temperature, invcal_quality *quality)
-{
-    invcal_status status = invcal_is_finite(temperature) ? weigh(j) : INVCAL_BAD_TEMPERATURE;
-
-    if (status == INVCAL_OK) {
-        status = judge(j, &temperature, 1);
-    }
-    if (status == INVCAL_OK) {
-        *quality = j->q;
-    }
-    return status;
-}
-
 invcal_status invcal_thermal_fit(const invcal_thermal_positions *positions,
-                                 const invcal_thermal *base, unsigned degree, invcal_thermal *out,
-                                 invcal_quality *quality)
+                                 const invcal_thermal_prior *prior, const invcal_thermal *base,
+                                 unsigned degree, invcal_thermal *out, invcal_quality *quality)
 {
     job j;
 
     INVCAL_ASSERT(positions && base && out && quality);
-    const invcal_status status = begin(&j, positions, base, degree);
+    const invcal_status status = begin(&j, positions, prior, base, degree);
     return status == INVCAL_OK ? run(&j, degree, out, quality) : status;
 }
 
-invcal_status invcal_thermal_fit_with_prior(const invcal_thermal_positions *positions,
-                                            const invcal_thermal_prior *prior,
-                                            const invcal_thermal *base, unsigned degree,
-                                            invcal_thermal *out, invcal_quality *quality,
-                                            uint16_t *from_prior)
-{
-    job j;
-
-    INVCAL_ASSERT(positions && prior && base && out && quality && from_prior);
-    invcal_status status = begin_with_prior(&j, positions, prior, base, degree);
-    status = status == INVCAL_OK ? run(&j, degree, out, quality) : status;
-    *from_prior = status == INVCAL_OK ? j.from_prior : *from_prior;
-    return status;
-}
-
 invcal_status invcal_thermal_judge(const invcal_thermal_positions *positions,
-                                   const invcal_thermal *thermal, invcal_real temperature,
-                                   invcal_quality *quality)
+                                   const invcal_thermal_prior *prior, const invcal_thermal *thermal,
+                                   invcal_real temperature, invcal_quality *quality)
 {
     job j;
 
     INVCAL_ASSERT(positions && thermal && quality);
-    const invcal_status status = begin(&j, positions, thermal, thermal->fitted);
-    return status == INVCAL_OK ? run_judgement(&j, temperature, quality) : status;
+    const invcal_status status = begin(&j, positions, prior, thermal, thermal->fitted);
+    return status == INVCAL_OK ? judge(&j, &temperature, 1, quality) : status;
 }
 
-invcal_status invcal_thermal_judge_with_prior(const invcal_thermal_positions *positions,
-                                              const invcal_thermal_prior *prior,
-                                              const invcal_thermal *thermal,
-                                              invcal_real temperature, invcal_quality *quality,
-                                              uint16_t *from_prior)
+uint16_t invcal_thermal_from_prior(const invcal_thermal_prior *prior, const invcal_quality *quality)
 {
-    job j;
+    unsigned mask = 0;
 
-    INVCAL_ASSERT(positions && prior && thermal && quality && from_prior);
-    invcal_status status = begin_with_prior(&j, positions, prior, thermal, thermal->fitted);
-    status = status == INVCAL_OK ? run_judgement(&j, temperature, quality) : status;
-    *from_prior = status == INVCAL_OK ? j.from_prior : *from_prior;
-    return status;
+    INVCAL_ASSERT(prior && quality);
+    for (unsigned r = 0; r < N; r++) {
+        const invcal_real known = prior->sigma[0][r];
+        const invcal_real sigma = quality->sigma[r];
+        mask |= (known > 0 && 2 * sigma * sigma > known * known ? 1u : 0u) << r;
+    }
+    return (uint16_t)mask;
 }
 
 invcal_status invcal_thermal_start(const invcal_calibration *nominal,
@@ -593,6 +540,6 @@ invcal_status invcal_thermal_calibrate(const invcal_real *raw, const invcal_real
 
     INVCAL_ASSERT((raw || count == 0) && nominal && out && quality);
     const invcal_status status = invcal_thermal_start(nominal, temperature, count, &base);
-    return status == INVCAL_OK ? invcal_thermal_fit(&positions, &base, DEGREE, out, quality)
+    return status == INVCAL_OK ? invcal_thermal_fit(&positions, NULL, &base, DEGREE, out, quality)
                                : status;
 }

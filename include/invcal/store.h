@@ -2,18 +2,11 @@
  *
  * invcal/store.h: what survives a reset.
  *
- *     save, load      a calibration, or a session to go on with, in a memory of yours
- *     store           the memory: bytes in two slots, safe against power loss
+ *     memory          two slots of a flash, an EEPROM or a file, and how they are reached
+ *     save, load      a calibration, or a session to go on with: what most programs need
+ *     store           the same for any bytes, safe against power loss; how they stand in the slots
  *     record          a calibration with all that is known about it, as 136 bytes
  *     session bytes   a session, as 76 bytes and 12 for each position
- *
- * The first is what most programs need:
- *
- *     static const invcal_store memory = {read, erase, program, NULL, 4096, 8};
- *
- *     once: invcal_save(&memory, &calibration, &quality);
- *     then: if (invcal_load(&memory, &calibration) == INVCAL_OK)
- *               invcal_apply(&calibration, raw, g);
  *
  * invcal.h states the rules and units.
  */
@@ -26,17 +19,84 @@
 extern "C" {
 #endif
 
-/* ---- the store: bytes in two slots ---------------------------------------------------------------
+/* A program and a library whose choices differ do not link: see invcal.h. */
+#define invcal_load INVCAL_CHOSEN(invcal_load, 9)
+#define invcal_record_init INVCAL_CHOSEN(invcal_record_init, 9)
+#define invcal_record_decode INVCAL_CHOSEN(invcal_record_decode, 9)
+#define invcal_load_session INVCAL_CHOSEN(invcal_load_session, INVCAL_MAX_POSITIONS)
+#define invcal_session_decode INVCAL_CHOSEN(invcal_session_decode, INVCAL_MAX_POSITIONS)
+
+/* ---- the memory -----------------------------------------------------------------------------------
  *
- * The bytes may be anything: a record, a session, or your own. A save never touches those that a
- * load would find: it erases the other slot, programs the new ones there, reads them back, and only
- * then confirms them, with one granule of zeros behind. Wherever power fails, a later load finds
- * the old ones or the new ones in full.
+ * It is NOR flash, or anything that can behave like it. Erasing sets all bits of a slot, programming
+ * clears some. A granule is the smallest piece that can be programmed; each is programmed once at
+ * most between two erasures, as flash with error correction demands. An EEPROM, FRAM or file has
+ * granules of 1 byte, and its erase fills the slot with 0xFF. */
+
+/* How many bytes of a slot it takes to store size bytes. */
+#define INVCAL_STORE_BYTES(size, granularity)                                                      \
+    (((uint32_t)(size) + 12u + (uint32_t)(granularity) - 1u) / (uint32_t)(granularity) *           \
+         (uint32_t)(granularity) +                                                                 \
+     (uint32_t)(granularity))
+
+#define INVCAL_STORE_GRANULARITY_MAX 32u /* bytes */
+
+/* Slots are 0 and 1; offsets are from the start of the slot; the callbacks return 0, or anything
+ * else for a failure. Every one must come back only when the memory has finished. */
+typedef struct {
+    /* Reads size bytes, at most 32. Any offset and size within the slot; bytes of any alignment. */
+    int (*read)(void *context, unsigned slot, uint32_t offset, uint8_t *bytes, uint32_t size);
+    /* Sets all bytes of the slot to 0xFF. */
+    int (*erase)(void *context, unsigned slot);
+    /* Programs size bytes, at most 32, within the slot. Offset and size are multiples of the
+     * granularity, in ascending order; bytes of any alignment. */
+    int (*program)(void *context, unsigned slot, uint32_t offset, const uint8_t *bytes,
+                   uint32_t size);
+    void *context;        /* yours, handed to the callbacks */
+    uint32_t slot_size;   /* bytes, INVCAL_STORE_BYTES(most to be stored, granularity) or more */
+    uint32_t granularity; /* 1, 2, 4, 8, 16 or 32 bytes */
+} invcal_store;
+
+/* ---- a calibration, a session -------------------------------------------------------------------
  *
- * The memory is NOR flash, or anything that can behave like it. Erasing sets all bits of a slot,
- * programming clears some. A granule is the smallest piece that can be programmed; each is
- * programmed once at most between two erasures, as flash with error correction demands. An EEPROM,
- * FRAM or file has granules of 1 byte, and its erase fills the slot with 0xFF.
+ *     at first:      if (invcal_load(&result, &calibration) != INVCAL_OK)
+ *                        calibrate, and then invcal_save(&result, &calibration, &quality)
+ *     to calibrate:  if (invcal_load_session(&progress, &session) != INVCAL_OK)
+ *                        invcal_session_init(&session, 16384, 100);
+ *                    after INVCAL_TAKEN: invcal_save_session(&progress, &session)
+ *
+ * A store holds one thing: these are two. */
+
+/* Saves a calibration, and how good it is, as a record (see below); over field, so before
+ * invcal_scale.
+ *
+ * Returns INVCAL_OK; as invcal_store_save; INVCAL_NOT_FINITE, INVCAL_BAD_NOMINAL, INVCAL_DAMAGED as
+ * invcal_record_encode, of what no solution gives. Stack: about 450 bytes, without the callbacks. */
+invcal_status invcal_save(const invcal_store *store, const invcal_calibration *calibration,
+                          const invcal_quality *quality);
+
+/* Loads it. Of the rest, invcal_store_load and invcal_record_decode know.
+ *
+ * Returns INVCAL_OK; as invcal_store_load; as invcal_record_decode. INVCAL_NO_SPACE or
+ * INVCAL_OTHER_VERSION: it holds something else. Stack: about 500 bytes. */
+invcal_status invcal_load(const invcal_store *store, invcal_calibration *calibration);
+
+/* Saves a session: all that it was told and has taken, not what it knows of the stream.
+ *
+ * Returns INVCAL_OK; as invcal_store_save; as invcal_session_encode, of what no session is.
+ * Stack: about 550 bytes. */
+invcal_status invcal_save_session(const invcal_store *store, const invcal_session *session);
+
+/* Loads it, to go on with a stream that begins. On failure the session is as it was.
+ *
+ * Returns INVCAL_OK; as invcal_store_load; as invcal_session_decode. Stack: about 550 bytes. */
+invcal_status invcal_load_session(const invcal_store *store, invcal_session *session);
+
+/* ---- the store: any bytes ------------------------------------------------------------------------
+ *
+ * A save never touches what a load would find: it erases the other slot, programs the bytes there,
+ * reads them back, and only then confirms them, with one granule of zeros behind. Wherever power
+ * fails, a later load finds the old bytes or the new ones in full.
  *
  * A slot, everything with the least significant byte first:
  *
@@ -59,30 +119,6 @@ extern "C" {
  * What it cannot do: guard against a driver that reports success before the memory is done, or
  * two saves at once. The granularity belongs to the format: with another one, nothing is found. */
 
-/* How many bytes of a slot it takes to store size bytes. */
-#define INVCAL_STORE_BYTES(size, granularity)                                                      \
-    (((uint32_t)(size) + 12u + (uint32_t)(granularity) - 1u) / (uint32_t)(granularity) *           \
-         (uint32_t)(granularity) +                                                                 \
-     (uint32_t)(granularity))
-
-#define INVCAL_STORE_GRANULARITY_MAX 32u /* bytes */
-
-/* The memory. Slots are 0 and 1; offsets are from the start of the slot; the callbacks return 0,
- * or anything else for a failure. Every one must come back only when the memory has finished. */
-typedef struct {
-    /* Reads size bytes, at most 32. Any offset and size within the slot; bytes of any alignment. */
-    int (*read)(void *context, unsigned slot, uint32_t offset, uint8_t *bytes, uint32_t size);
-    /* Sets all bytes of the slot to 0xFF. */
-    int (*erase)(void *context, unsigned slot);
-    /* Programs size bytes, at most 32, within the slot. Offset and size are multiples of the
-     * granularity, in ascending order; bytes of any alignment. */
-    int (*program)(void *context, unsigned slot, uint32_t offset, const uint8_t *bytes,
-                   uint32_t size);
-    void *context;        /* yours, handed to the callbacks */
-    uint32_t slot_size;   /* bytes, INVCAL_STORE_BYTES(most to be stored, granularity) or more */
-    uint32_t granularity; /* 1, 2, 4, 8, 16 or 32 bytes */
-} invcal_store;
-
 /* Saves size bytes, 1 ... 65535. They are what is loaded from now on.
  *
  * Returns INVCAL_OK: read back and found right;
@@ -95,7 +131,7 @@ typedef struct {
  *                     neither slot can be read: nothing was erased then, and invcal_store_erase
  *                     makes a new start.
  * One slot that cannot be read (error correction, after a power cut) is erased and used.
- * Reads both slots, and the new bytes once more. Stack: about 200 bytes, without the callbacks. */
+ * Reads both slots, and the new bytes twice. Stack: about 200 bytes, without the callbacks. */
 invcal_status invcal_store_save(const invcal_store *store, const uint8_t *bytes, uint32_t size);
 
 /* Loads them.
@@ -122,44 +158,140 @@ invcal_status invcal_store_load(const invcal_store *store, uint8_t *bytes, uint3
  * something. Stack as above. */
 invcal_status invcal_store_erase(const invcal_store *store);
 
-/* ---- a calibration ------------------------------------------------------------------------------- */
+/* ---- what the bytes are ------------------------------------------------------------------------
+ *
+ * Records and sessions are the same on every machine: integers with the least significant byte
+ * first, signed ones in two's complement; reals as IEEE-754 binary32 in the same order, whatever
+ * invcal_real is. A float build loses nothing. A double build keeps 24 bits of each number, an error
+ * of 6e-8 of the value (0.002 counts of an offset of 33000); encoded again, what was decoded gives
+ * the same bytes: storing it more often loses nothing more.
+ *
+ * Both begin with their kind, their version (now 2) and their length, and end with the CRC-32 (IEEE
+ * 802.3, as zlib) of all before it. What later versions may change: everything but that. So any
+ * version can tell sound bytes of another one from damaged ones. Any change of the rest, be it one
+ * more verdict, gets another version, and what a release has written of a calibration is read by all
+ * that follow.
+ *
+ * Damage is noticed for sure if it is one to four wrong bits (in a record; one to three in a
+ * session), any run of up to 32 wrong bits, or any two bytes exchanged; else, one time in 2^32 it
+ * goes unnoticed. */
 
+/* ---- the record of a calibration ---------------------------------------------------------------
+ *
+ * For those who want to store more than invcal_save does: which sensor, when, at what temperature;
+ * or to send it.
+ *
+ *     at    size  what                         at    size  what
+ *       0   1     kind, 0xCA                    28   4     field_sigma
+ *       1   1     version, 2                    32   4     temperature
+ *       2   2     length, 136                   36   4     noise
+ *       4   8     sensor                        40   4     rms
+ *      12   4     date                          44   4     condition
+ *      16   2     positions                     48   12    offset x, y, z
+ *      18   2     weak                          60   36    matrix by rows
+ *      20   2     from_prior                    96   36    sigma of the nine parameters
+ *      22   1     verdict                      132   4     CRC
+ *      23   1     temperature_known
+ *      24   4     field
+ *
+ * Version 1, of release 0.1.0, has 48 bytes more before sigma, and its matrix gives the unit of its
+ * field: that is divided by it when it is read, and the field says which it was. */
+#define INVCAL_RECORD_SIZE 136u     /* bytes of a record */
+#define INVCAL_RECORD_SIZE_MAX 184u /* of one of any version that is read */
+
+/* What is not known is 0. */
 typedef struct {
-    invcal_real field;
-    invcal_real field_sigma;
-    invcal_real temperature;
-    invcal_real noise;
+    invcal_real field;       /* length of the field where it was made, in a unit of yours: what
+                                invcal_scale needs to put that unit into the calibration */
+    invcal_real field_sigma; /* standard deviation of that */
+    invcal_real temperature; /* at which it was made, degrees Celsius */
+    invcal_real noise;       /* this, and all below that is not explained: of invcal_quality */
     invcal_real rms;
     invcal_real condition;
-    invcal_calibration calibration;
+    invcal_calibration
+        calibration; /* over field: not after invcal_scale, which nobody could tell */
     invcal_real sigma[INVCAL_PARAMETERS];
-    uint8_t sensor[8];
-    uint32_t date;
+    uint8_t sensor[8]; /* which one: a serial number or any other bytes of yours */
+    uint32_t date;     /* when: in what you count, such as seconds since your epoch */
     uint16_t positions;
     uint16_t weak;
-    uint16_t from_prior;
+    uint16_t from_prior; /* bit r: of invcal_calibrate_with_prior (expert.h) */
     uint8_t verdict;
-    uint8_t temperature_known;
+    uint8_t temperature_known; /* 1: temperature is; 0: it is 0 */
 } invcal_record;
 
-#define INVCAL_RECORD_SIZE 136u
-#define INVCAL_RECORD_SIZE_MAX 184u
-
+/* A record of what invcal_calibrate or a session gave. All that they do not know is unknown: fill
+ * it in. */
 void invcal_record_init(invcal_record *record, const invcal_calibration *calibration,
                         const invcal_quality *quality);
+
+/* A record as bytes.
+ *
+ * Returns INVCAL_OK: invcal_record_decode accepts the bytes. On failure they are lost:
+ *   INVCAL_NOT_FINITE   a number is NaN, infinite, or beyond the largest float;
+ *   INVCAL_BAD_NOMINAL  rounded to float, the calibration is singular or absurdly scaled;
+ *   INVCAL_DAMAGED      the record contradicts itself: WEAK, and no parameter is, or the other way
+ *                       round; a tenth parameter; a temperature that is not known, and not 0.
+ * Stack: about 200 bytes. */
 invcal_status invcal_record_encode(const invcal_record *record, uint8_t bytes[INVCAL_RECORD_SIZE]);
+
+/* A record from bytes, at any alignment.
+ *
+ * size  how many bytes there are; what follows the record is not looked at.
+ *
+ * Returns INVCAL_OK;
+ *   INVCAL_DAMAGED        too few bytes, or a wrong CRC;
+ *   INVCAL_OTHER_VERSION  sound, but not of this kind, or of a version that is not known here;
+ *   as invcal_record_encode, for a content that it refuses.
+ * Stack as above. */
 invcal_status invcal_record_decode(const uint8_t *bytes, uint32_t size, invcal_record *out);
 
-invcal_status invcal_save(const invcal_store *store, const invcal_calibration *calibration,
-                          const invcal_quality *quality);
-invcal_status invcal_load(const invcal_store *store, invcal_calibration *calibration);
+/* ---- the bytes of a session ----------------------------------------------------------------------
+ *
+ * Kept is all that a session was told and has taken. Not kept is what it knows of the stream: a rest
+ * that was going on is lost, noise is learned anew, and who lies where the last position was taken
+ * may see it taken once more, which does no harm.
+ *
+ *     at    size  what                         at        size  what
+ *       0   1     kind, 0xC5                    20       12    nominal offset x, y, z
+ *       1   1     version, 2                    32       36    nominal matrix by rows
+ *       2   2     length                        68       4     noise
+ *       4   2     C, count                      72       12 C  means: x, y, z
+ *       6   2     rate                          72 + 12 C  4   CRC
+ *       8   4     hold
+ *      12   4     low, signed
+ *      16   4     high, signed
+ *
+ * Version 1, of release 0.1.0, was another procedure, and is not read: INVCAL_OTHER_VERSION. */
+#define INVCAL_SESSION_SIZE (76u + 12u * INVCAL_MAX_POSITIONS) /* bytes of a session, at most */
 
-#define INVCAL_SESSION_SIZE (76u + 12u * INVCAL_MAX_POSITIONS)
+/* A session as bytes.
+ *
+ * size  out: how many bytes it takes.
+ *
+ * Returns INVCAL_OK: invcal_session_decode accepts the bytes. Anything else can only come from a
+ * double build, of a mean or a noise that has left its range when it was rounded to float; or from a
+ * session that was never begun. What was in bytes and size is lost then:
+ *   INVCAL_NOT_FINITE, INVCAL_OUT_OF_RANGE  a mean is no reading of the field;
+ *   INVCAL_BAD_NOISE                        not below 1.
+ * Stack: about 200 bytes. */
 invcal_status invcal_session_encode(const invcal_session *session,
                                     uint8_t bytes[INVCAL_SESSION_SIZE], uint32_t *size);
+
+/* A session from bytes, at any alignment. It goes on with a stream that begins.
+ *
+ * size  how many bytes there are; what follows the session is not looked at. The ages of an
+ *       invcal_background (expert.h) may be stored there: they are not part of its session.
+ *
+ * Returns INVCAL_OK: it could have come from invcal_session_begin and the functions that follow it;
+ *   INVCAL_DAMAGED        too few bytes, a wrong CRC, or a length that does not fit the count;
+ *   INVCAL_OTHER_VERSION  sound, but not of this kind and version;
+ *   INVCAL_NO_SPACE       more positions than INVCAL_MAX_POSITIONS of this build. A larger table
+ *                         reads a smaller one;
+ *   INVCAL_BAD_NOMINAL, INVCAL_BAD_RATE, INVCAL_BAD_RAILS, INVCAL_BAD_NOISE, INVCAL_NOT_FINITE,
+ *   INVCAL_OUT_OF_RANGE   a content that no session has.
+ * Stack: about 400 bytes. */
 invcal_status invcal_session_decode(const uint8_t *bytes, uint32_t size, invcal_session *out);
-invcal_status invcal_save_session(const invcal_store *store, const invcal_session *session);
-invcal_status invcal_load_session(const invcal_store *store, invcal_session *session);
 
 #ifdef __cplusplus
 }

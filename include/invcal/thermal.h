@@ -33,7 +33,7 @@
 #ifndef INVCAL_THERMAL_H
 #define INVCAL_THERMAL_H
 
-#include "invcal/invcal.h"
+#include "invcal/store.h"
 
 #ifdef __cplusplus
 extern "C" {
@@ -51,17 +51,19 @@ extern "C" {
 #define invcal_thermal_at INVCAL_CHOSEN(invcal_thermal_at, INVCAL_THERMAL_DEGREE)
 #define invcal_thermal_calibrate INVCAL_CHOSEN(invcal_thermal_calibrate, INVCAL_THERMAL_DEGREE)
 #define invcal_thermal_start INVCAL_CHOSEN(invcal_thermal_start, INVCAL_THERMAL_DEGREE)
+#define invcal_thermal_record_decode                                                               \
+    INVCAL_CHOSEN(invcal_thermal_record_decode, INVCAL_THERMAL_DEGREE)
 
 #define INVCAL_THERMAL_ROWS (INVCAL_THERMAL_DEGREE + 1) /* coefficients of a parameter */
 
-/* A calibration for every temperature: 100, 136, 172 bytes for degree 0, 1, 2 (float). */
+/* A calibration for every temperature: 104, 140, 176 bytes for degree 0, 1, 2 (float). */
 typedef struct {
-    /* delta, dk, gamma: the coefficients of t^k, k = 0 ... INVCAL_THERMAL_DEGREE */
-    invcal_real x[INVCAL_THERMAL_ROWS][INVCAL_PARAMETERS];
-    invcal_calibration nominal;
     invcal_real reference, span; /* t = (T - reference) / span */
     invcal_real min, max;        /* temperatures seen: only between them the polynomials hold */
-    uint8_t degree;              /* of x */
+    invcal_calibration nominal;
+    /* delta, dk, gamma: the coefficients of t^k, k = 0 ... INVCAL_THERMAL_DEGREE */
+    invcal_real x[INVCAL_THERMAL_ROWS][INVCAL_PARAMETERS];
+    uint8_t degree; /* of x */
     uint8_t
         fitted; /* degree that the positions told; less than `degree` only where slopes are those
                        of the calibration that was renewed (invcal_thermal_fit) */
@@ -116,7 +118,7 @@ const char *invcal_thermal_fallback_text(invcal_thermal_fallback fallback);
  *              least, at different temperatures; twelve to eighteen at each temperature are good, the
  *              same or others, in any order.
  * temperature  count numbers: the mean over each rest, see invcal_thermal_drift_limit.
- * count        up to 255.
+ * count        up to 65534.
  * nominal      data sheet, or an earlier calibration.
  * noise        as invcal_calibrate; 0: not known.
  * out          reference and span are the middle and half the range of the temperatures, at least
@@ -175,61 +177,104 @@ invcal_status invcal_thermal_start(const invcal_calibration *nominal,
                                    const invcal_real *temperature, unsigned count,
                                    invcal_thermal *out);
 
+/* What is known beforehand of X against the base, as standard deviations about none: sigma[0] of X at
+ * the reference, sigma[1] of its slopes (per K), sigma[2] of what bends them (per K^2); 0: nothing is
+ * known. In float none should be below a thousandth of the widest, times the span. */
+typedef struct {
+    invcal_real sigma[INVCAL_THERMAL_ROWS][INVCAL_PARAMETERS];
+} invcal_thermal_prior;
+
 /* Solves for what the positions have against the base, and corrects it.
  *
  * A base with slopes keeps them where the positions tell no others, and its range with them: a few
  * positions at one temperature, degree 0, renew offset, scales and angles of a calibration that has
  * aged. Otherwise the range is that of the positions.
  *
+ * prior   null, or what is known beforehand; the noise has to be stated then. With a prior on every
+ *         slope even one temperature is enough: what the positions leave open stays at none. Where
+ *         the residuals tell more noise than is stated, the prior is weighed with theirs,
+ *         quality->noise: judge with that.
  * base    of invcal_thermal_start, or an earlier calibration; may be out.
  * degree  the highest one that is wanted.
  *
  * Returns as invcal_thermal_calibrate; INVCAL_BAD_TEMPERATURE also for one more than two spans from
- * the reference, INVCAL_BAD_COUNT for a degree above INVCAL_THERMAL_DEGREE. */
+ * the reference, INVCAL_BAD_COUNT for a degree above INVCAL_THERMAL_DEGREE, INVCAL_BAD_NOISE for a
+ * prior without it, INVCAL_BAD_PRIOR for one that is negative or not finite. */
 invcal_status invcal_thermal_fit(const invcal_thermal_positions *positions,
-                                 const invcal_thermal *base, unsigned degree, invcal_thermal *out,
-                                 invcal_quality *quality);
+                                 const invcal_thermal_prior *prior, const invcal_thermal *base,
+                                 unsigned degree, invcal_thermal *out, invcal_quality *quality);
 
 /* How good it is at a temperature: sigma, weak and verdict there. The covariance of the coefficients
  * goes through the powers of t.
  *
- * positions    those that it was made of.
+ * positions    those that it was made of; prior, too.
  * temperature  outside the range seen: at its edge, where the value is held.
  *
  * Returns as invcal_thermal_fit. */
 invcal_status invcal_thermal_judge(const invcal_thermal_positions *positions,
-                                   const invcal_thermal *thermal, invcal_real temperature,
-                                   invcal_quality *quality);
+                                   const invcal_thermal_prior *prior, const invcal_thermal *thermal,
+                                   invcal_real temperature, invcal_quality *quality);
 
-/* What is known beforehand of X against the base: standard deviations about none of X at the
- * reference, of its slopes (per K) and of what bends them (per K^2); 0: nothing is known. In float
- * none should be below a thousandth of the widest, times the span. */
+/* Bit r: the prior has told more of parameter r at the reference than the positions did: its sigma is
+ * hardly smaller. */
+uint16_t invcal_thermal_from_prior(const invcal_thermal_prior *prior,
+                                   const invcal_quality *quality);
+
+/* ---- as bytes -------------------------------------------------------------------------------------
+ *
+ * A calibration for every temperature with all that is known about it as 248, 284 or 320 bytes (degree
+ * 0, 1, 2), for a memory (store.h), a file or a radio. Numbers as in a record of store.h:
+ *
+ *     at    size  what
+ *       0   1     kind, 0xCB
+ *       1   1     version, 2
+ *       2   2     length, 212 + 36 (degree + 1)
+ *       4   136   the record of what holds at the reference (store.h)
+ *     140   1     degree
+ *     141   1     fitted
+ *     142   1     fallback
+ *     143   1     1: the frame is triangular
+ *     144   16    reference, span, min, max
+ *     160   48    nominal: offset x, y, z, matrix by rows
+ *     208   36    the coefficients x of t^0; so for each further power up to the degree
+ *     ...   4     CRC-32 of all before it
+ *
+ * A device that does not know its temperature finds a record at byte 4. In version 1, of 0.1.0, the
+ * record has 184 bytes, and matrices are in the unit of the field: it is read as well. */
+#define INVCAL_THERMAL_RECORD_BYTES(degree) (212u + 36u * ((degree) + 1u))
+/* The largest that this build writes, and reads. */
+#define INVCAL_THERMAL_RECORD_SIZE INVCAL_THERMAL_RECORD_BYTES(INVCAL_THERMAL_DEGREE)
+#define INVCAL_THERMAL_RECORD_SIZE_MAX                                                             \
+    (INVCAL_THERMAL_RECORD_SIZE + INVCAL_RECORD_SIZE_MAX - INVCAL_RECORD_SIZE)
+
 typedef struct {
-    invcal_real constant[INVCAL_PARAMETERS];
-    invcal_real slope[INVCAL_PARAMETERS];
-    invcal_real curvature[INVCAL_PARAMETERS]; /* for degree 2 */
-} invcal_thermal_prior;
+    invcal_thermal thermal;
+    invcal_record record;  /* of what holds at the reference; more may be filled in */
+    uint8_t is_triangular; /* 1: as 0.1.0 had it if asked: invcal_make_triangular makes of what
+                              invcal_thermal_at gives what the record has */
+} invcal_thermal_record;
 
-/* The same with a prior. With one on every slope even one temperature is enough: what the positions
- * leave open stays at none, within its prior. Where the residuals tell more noise than is stated, it
- * is weighed with theirs, quality->noise, and with that it is to be judged.
+/* Makes one of what invcal_thermal_calibrate gives. Returns as invcal_thermal_at. */
+invcal_status invcal_thermal_record_init(invcal_thermal_record *record,
+                                         const invcal_thermal *thermal,
+                                         const invcal_quality *quality);
+
+/* A record as bytes, INVCAL_THERMAL_RECORD_BYTES of its degree.
  *
- * positions   the noise has to be stated.
- * from_prior  bit r: the prior has told more of parameter r than the positions did, at some
- *             temperature of the range.
+ * Returns INVCAL_OK; on failure the bytes are lost: as invcal_record_encode, INVCAL_NOT_FINITE,
+ * INVCAL_BAD_NOMINAL, INVCAL_NOT_ELLIPSOID, INVCAL_BAD_COUNT for a degree above that of the build, and
+ * INVCAL_DAMAGED for what no fit gives, or a record of another calibration. Stack: about 700 bytes. */
+invcal_status invcal_thermal_record_encode(const invcal_thermal_record *record,
+                                           uint8_t bytes[INVCAL_THERMAL_RECORD_SIZE]);
+
+/* A record from bytes, at any alignment.
  *
- * Returns as invcal_thermal_fit; INVCAL_BAD_NOISE without one; INVCAL_BAD_PRIOR unless all numbers
- * are finite and not negative. Cost and stack: twice, and 0.1 KB more. */
-invcal_status invcal_thermal_fit_with_prior(const invcal_thermal_positions *positions,
-                                            const invcal_thermal_prior *prior,
-                                            const invcal_thermal *base, unsigned degree,
-                                            invcal_thermal *out, invcal_quality *quality,
-                                            uint16_t *from_prior);
-invcal_status invcal_thermal_judge_with_prior(const invcal_thermal_positions *positions,
-                                              const invcal_thermal_prior *prior,
-                                              const invcal_thermal *thermal,
-                                              invcal_real temperature, invcal_quality *quality,
-                                              uint16_t *from_prior);
+ * size  how many there are; what follows the record is not looked at.
+ *
+ * Returns INVCAL_OK; INVCAL_OTHER_VERSION for sound bytes of another kind or version, or of a degree
+ * above that of the build; as invcal_thermal_record_encode otherwise. Stack: as above. */
+invcal_status invcal_thermal_record_decode(const uint8_t *bytes, uint32_t size,
+                                           invcal_thermal_record *out);
 
 #ifdef __cplusplus
 }

@@ -8,6 +8,8 @@
 #include "command.h"
 #include "message.h"
 
+#define FEWEST 11u /* positions among which outliers are looked for */
+
 /* Position first, first + step, first + 2 step ... */
 typedef struct {
     unsigned first;
@@ -15,22 +17,20 @@ typedef struct {
 } choice_of;
 
 /* A reading that is none of this field, though most others are. */
-static int is_impossible(const positions *p, unsigned i, const invcal_settings *settings,
+static int is_impossible(const positions *p, unsigned i, const fit_settings *settings,
                          double *error)
 {
+    const double *mean = &p->mean[3 * (size_t)i];
     double u[3];
-    invcal_observation row;
+    invcal_row row;
 
-    if (invcal_observation_reading(&settings->nominal, settings->field, &p->mean[3 * (size_t)i],
-                                   u) != INVCAL_OK) {
-        return 0;
-    }
+    invcal_apply(&settings->nominal, mean, u);
     *error = sqrt(u[0] * u[0] + u[1] * u[1] + u[2] * u[2]) - 1;
-    return invcal_observation_exact(u, &row) == INVCAL_OUT_OF_RANGE;
+    return invcal_observe(&settings->nominal, mean, &row) == INVCAL_OUT_OF_RANGE;
 }
 
 /* Up to one in eight, if enough others are there to tell. */
-static void reject_impossible(rejection *r, const positions *p, const invcal_settings *settings)
+static void reject_impossible(rejection *r, const positions *p, const fit_settings *settings)
 {
     unsigned count = 0;
     double error;
@@ -38,7 +38,7 @@ static void reject_impossible(rejection *r, const positions *p, const invcal_set
     for (unsigned i = 0; i < p->count; i++) {
         count += (unsigned)is_impossible(p, i, settings, &error);
     }
-    if (8 * count > p->count || p->count < INVCAL_OUTLIERS_FEWEST + count) {
+    if (8 * count > p->count || p->count < FEWEST + count) {
         return;
     }
     for (unsigned i = 0; i < p->count; i++) {
@@ -93,22 +93,20 @@ unsigned rejection_drifting(const rejection *r)
 
 static void add(rejection *r, const invcal_outliers *found, const unsigned *number)
 {
-    for (unsigned i = 0; i < found->count; i++) {
-        rejection_add(r, (rejected_position){.position = number[found->position[i]],
-                                             .error = found->error[i],
-                                             .w = found->w[i]});
-    }
-    for (unsigned i = 0; i < INVCAL_OUTLIERS_CAPACITY; i++) {
+    for (unsigned i = 0; i < INVCAL_MAX_POSITIONS; i++) {
+        if (found->removed >> i & 1u) {
+            rejection_add(r, (rejected_position){.position = number[i], .error = 0 * (double)i});
+        }
         r->suspected += (unsigned)(found->suspected >> i & 1u);
     }
 }
 
 /* `before` of them, the first of the list, are rejected already. */
-static void find_among(rejection *r, const positions *p, const invcal_settings *settings,
+static void find_among(rejection *r, const positions *p, const fit_settings *settings,
                        choice_of which, unsigned before)
 {
-    double mean[INVCAL_OUTLIERS_CAPACITY][3];
-    unsigned number[INVCAL_OUTLIERS_CAPACITY];
+    double mean[INVCAL_MAX_POSITIONS][3];
+    unsigned number[INVCAL_MAX_POSITIONS];
     invcal_outliers found;
     unsigned count = 0;
 
@@ -118,7 +116,8 @@ static void find_among(rejection *r, const positions *p, const invcal_settings *
             memcpy(mean[count++], &p->mean[3 * (size_t)i], sizeof mean[0]);
         }
     }
-    if (invcal_outliers_find(&mean[0][0], count, settings, &found) == INVCAL_OK) {
+    if (invcal_outliers_find(&mean[0][0], count, &settings->nominal, settings->noise, &found) ==
+        INVCAL_OK) {
         add(r, &found, number);
     }
 }
@@ -148,7 +147,7 @@ void rejection_finish(rejection *r, const positions *p)
     }
 }
 
-int rejection_begin(rejection *r, const positions *p, const invcal_settings *settings, int none)
+int rejection_begin(rejection *r, const positions *p, const fit_settings *settings, int none)
 {
     *r = (rejection){0};
     r->list = calloc((size_t)p->count + 1, sizeof *r->list);
@@ -165,9 +164,9 @@ int rejection_begin(rejection *r, const positions *p, const invcal_settings *set
     return EXIT_GOOD;
 }
 
-void rejection_search(rejection *r, const positions *p, const invcal_settings *settings)
+void rejection_search(rejection *r, const positions *p, const fit_settings *settings)
 {
-    const unsigned turns = (p->count + INVCAL_OUTLIERS_CAPACITY - 1) / INVCAL_OUTLIERS_CAPACITY;
+    const unsigned turns = (p->count + INVCAL_MAX_POSITIONS - 1) / INVCAL_MAX_POSITIONS;
     const unsigned before = r->count;
 
     for (unsigned turn = 0; turn < turns; turn++) {
@@ -175,7 +174,7 @@ void rejection_search(rejection *r, const positions *p, const invcal_settings *s
     }
 }
 
-int rejection_find(rejection *r, const positions *p, const invcal_settings *settings, int none)
+int rejection_find(rejection *r, const positions *p, const fit_settings *settings, int none)
 {
     const int failure = rejection_begin(r, p, settings, none);
 

@@ -1,8 +1,11 @@
 /* SPDX-License-Identifier: MIT */
+#include <float.h>
 #include <math.h>
 #include <string.h>
 
+#include "criteria.h"
 #include "expected.h"
+#include "invcal/plan.h"
 #include "support.h"
 #include "unity.h"
 
@@ -22,45 +25,39 @@ void tearDown(void)
 enum { NINE = INVCAL_PARAMETERS };
 enum { SCALES = 0x038, ANGLES = 0x1C0, ALL = 0x1FF }; /* parameters, as bits */
 static const double TURN = 6.283185307179586;
-static const double close = FLOAT_OR_DOUBLE(1e-6, 1e-12); /* relative */
-static const double close_condition = FLOAT_OR_DOUBLE(2e-6, 1e-12);
+static const double close = 1e-12; /* relative */
+static const double close_condition = 1e-12;
 
 /* ---- helpers ---- */
 
-static void add_direction(invcal_normal *design, const double v[3])
+static invcal_sums design_of(const double v[][3], unsigned count)
 {
-    const invcal_real vertical[3] = {(invcal_real)v[0], (invcal_real)v[1], (invcal_real)v[2]};
-    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_criteria_add(design, vertical));
-}
+    invcal_sums design;
 
-static invcal_normal design_of(const double v[][3], unsigned count)
-{
-    invcal_normal design;
-
-    invcal_normal_init(&design);
+    invcal_sums_init(&design);
     for (unsigned i = 0; i < count; i++) {
-        add_direction(&design, v[i]);
+        criteria_add(&design, v[i]);
     }
     return design;
 }
 
-static invcal_criteria judge(const invcal_normal *design)
+static criteria judge(const invcal_sums *design)
 {
-    invcal_criteria criteria;
+    criteria c;
 
-    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_criteria_judge(design, &criteria));
-    return criteria;
+    TEST_ASSERT_TRUE(criteria_judge(design, &c));
+    return c;
 }
 
-static invcal_normal design_of_plan(const invcal_plan *plan)
+static invcal_sums design_of_plan(const invcal_plan *plan)
 {
-    invcal_normal design;
+    invcal_sums design;
     invcal_plan_position p;
 
-    invcal_normal_init(&design);
+    invcal_sums_init(&design);
     for (unsigned i = 0; i < 3 * plan->per_group; i++) {
         TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_plan_position_at(plan, i, &p));
-        TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_criteria_add(&design, p.vertical));
+        criteria_add(&design, p.vertical);
     }
     return design;
 }
@@ -71,18 +68,18 @@ static invcal_plan random_plan(random_source *random, unsigned per_group)
 
     plan.per_group = per_group;
     for (int g = 0; g < 3; g++) {
-        plan.start[g] = (invcal_real)random_uniform(random, -360, 360);
+        plan.start[g] = random_uniform(random, -360, 360);
     }
     return plan;
 }
 
-static void assert_near(double relative, double expected, invcal_real actual)
+static void assert_near(double relative, double expected, double actual)
 {
-    TEST_ASSERT_DOUBLE_WITHIN(relative * fabs(expected), expected, (double)actual);
+    TEST_ASSERT_DOUBLE_WITHIN(relative * fabs(expected), expected, actual);
 }
 
 /* The five figures, to the precision promised for the programs. */
-static void assert_criteria(const double expected[5], const invcal_criteria *c)
+static void assert_criteria(const double expected[5], const criteria *c)
 {
     assert_near(close, expected[0], c->sigma_delta);
     assert_near(close, expected[1], c->sigma_dk);
@@ -91,18 +88,28 @@ static void assert_criteria(const double expected[5], const invcal_criteria *c)
     assert_near(close, expected[4], c->log_det);
 }
 
-/* A design that cannot be judged: the reason is given, nothing is touched. */
-static void assert_undetermined(const invcal_normal *design)
+/* A design that cannot be judged: nothing is touched. */
+static void assert_undetermined(const invcal_sums *design)
 {
-    const invcal_normal design_before = *design;
-    invcal_criteria criteria;
-    invcal_criteria before;
+    const invcal_sums design_before = *design;
+    criteria c;
+    criteria before;
 
-    memset(&criteria, 7, sizeof criteria);
-    before = criteria;
-    TEST_ASSERT_EQUAL_INT(INVCAL_UNDETERMINED, invcal_criteria_judge(design, &criteria));
-    TEST_ASSERT_EQUAL_MEMORY(&before, &criteria, sizeof before);
+    memset(&c, 7, sizeof c);
+    before = c;
+    TEST_ASSERT_FALSE(criteria_judge(design, &c));
+    TEST_ASSERT_EQUAL_MEMORY(&before, &c, sizeof before);
     TEST_ASSERT_EQUAL_MEMORY(&design_before, design, sizeof design_before);
+}
+
+/* A set that cannot be judged, and the parameters that it leaves open. */
+static unsigned open_in(const double v[][3], unsigned count)
+{
+    const invcal_sums design = design_of(v, count);
+    const invcal_calibration unit = unit_nominal();
+
+    assert_undetermined(&design);
+    return invcal_undetermined(v[0], count, &unit);
 }
 
 static void turn_all(random_source *random, double v[][3], unsigned count)
@@ -196,10 +203,10 @@ static void a_program_of_any_size_and_starts_has_its_closed_form(void)
     for (unsigned n = 5; n <= 64; n++) {
         double expected[5];
         closed_form(n, expected);
-        for (int draw = 0; draw < SOME(60); draw++) {
+        for (int draw = 0; draw < 60; draw++) {
             const invcal_plan plan = random_plan(&random, n);
-            const invcal_normal design = design_of_plan(&plan);
-            const invcal_criteria c = judge(&design);
+            const invcal_sums design = design_of_plan(&plan);
+            const criteria c = judge(&design);
             TEST_ASSERT_EQUAL_UINT(3 * n, c.positions);
             assert_criteria(expected, &c);
         }
@@ -209,13 +216,13 @@ static void a_program_of_any_size_and_starts_has_its_closed_form(void)
 static void the_program_of_18_has_the_papers_figures(void)
 {
     const invcal_plan plan = {6, {30, 30, 120}};
-    const invcal_normal design = design_of_plan(&plan);
-    const invcal_criteria c = judge(&design);
+    const invcal_sums design = design_of_plan(&plan);
+    const criteria c = judge(&design);
 
     TEST_ASSERT_EQUAL_UINT(18, c.positions);
-    TEST_ASSERT_DOUBLE_WITHIN(6e-7, 0.408248, (double)c.sigma_delta);
-    TEST_ASSERT_DOUBLE_WITHIN(6e-7, 0.483046, (double)c.sigma_dk);
-    TEST_ASSERT_DOUBLE_WITHIN(2e-6, 1.154701, (double)c.sigma_gamma);
+    TEST_ASSERT_DOUBLE_WITHIN(6e-7, 0.408248, c.sigma_delta);
+    TEST_ASSERT_DOUBLE_WITHIN(6e-7, 0.483046, c.sigma_dk);
+    TEST_ASSERT_DOUBLE_WITHIN(2e-6, 1.154701, c.sigma_gamma);
     assert_near(close, expected_plan18_root_k[0], c.sigma_delta);
     assert_near(close, expected_plan18_root_k[3], c.sigma_dk);
     assert_near(close, expected_plan18_root_k[6], c.sigma_gamma);
@@ -226,16 +233,16 @@ static void a_program_of_18_is_worse_than_one_of_24_by_1_154701(void)
 {
     const invcal_plan six = {6, {30, 30, 120}};
     const invcal_plan eight = {8, {0, 0, 90}};
-    const invcal_normal a = design_of_plan(&six);
-    const invcal_normal b = design_of_plan(&eight);
-    const invcal_criteria c = judge(&a);
-    const invcal_criteria d = judge(&b);
+    const invcal_sums a = design_of_plan(&six);
+    const invcal_sums b = design_of_plan(&eight);
+    const criteria c = judge(&a);
+    const criteria d = judge(&b);
 
     TEST_ASSERT_TRUE(3 * d.positions == 4 * c.positions);
-    TEST_ASSERT_DOUBLE_WITHIN(2e-6, 1.154701, (double)c.sigma_delta / (double)d.sigma_delta);
-    TEST_ASSERT_DOUBLE_WITHIN(2e-6, 1.154701, (double)c.sigma_dk / (double)d.sigma_dk);
-    TEST_ASSERT_DOUBLE_WITHIN(2e-6, 1.154701, (double)c.sigma_gamma / (double)d.sigma_gamma);
-    assert_near(2 * close, (double)d.sigma_gamma * sqrt(4 / 3.0), c.sigma_gamma);
+    TEST_ASSERT_DOUBLE_WITHIN(2e-6, 1.154701, c.sigma_delta / d.sigma_delta);
+    TEST_ASSERT_DOUBLE_WITHIN(2e-6, 1.154701, c.sigma_dk / d.sigma_dk);
+    TEST_ASSERT_DOUBLE_WITHIN(2e-6, 1.154701, c.sigma_gamma / d.sigma_gamma);
+    assert_near(2 * close, d.sigma_gamma * sqrt(4 / 3.0), c.sigma_gamma);
 }
 
 /* ---- other sets of directions ---- */
@@ -254,37 +261,37 @@ static void other_sets_have_the_figures_of_the_reference(void)
 
     for (unsigned i = 0; i < 5; i++) {
         const double *expected = expected_set_criteria[i];
-        const invcal_normal design = design_of(sets[i].directions, sets[i].count);
-        const invcal_criteria c = judge(&design);
-        const double tolerance = close + 4 * (double)INVCAL_EPSILON * expected[3];
+        const invcal_sums design = design_of(sets[i].directions, sets[i].count);
+        const criteria c = judge(&design);
+        const double tolerance = close + 4 * DBL_EPSILON * expected[3];
         TEST_ASSERT_EQUAL_UINT(sets[i].count, c.positions);
         assert_near(tolerance, expected[0], c.sigma_delta);
         assert_near(tolerance, expected[1], c.sigma_dk);
         assert_near(tolerance, expected[2], c.sigma_gamma);
         assert_near(tolerance, expected[3], c.condition);
-        TEST_ASSERT_DOUBLE_WITHIN(tolerance * 10, expected[4], (double)c.log_det);
+        TEST_ASSERT_DOUBLE_WITHIN(tolerance * 10, expected[4], c.log_det);
     }
 }
 
 static void icosahedron_and_faces_with_edges_have_their_published_figures(void)
 {
-    const invcal_normal a = design_of(expected_icosahedron, 12);
-    const invcal_normal b = design_of(expected_faces_and_edges, 18);
-    const invcal_criteria c = judge(&a);
-    const invcal_criteria d = judge(&b);
+    const invcal_sums a = design_of(expected_icosahedron, 12);
+    const invcal_sums b = design_of(expected_faces_and_edges, 18);
+    const criteria c = judge(&a);
+    const criteria d = judge(&b);
 
     /* A spherical 5-design: K has 3/n, 6/n and 15/n on its diagonal, the condition is 5. */
     const double of_icosahedron[5] = {0.5, sqrt(0.5), sqrt(1.25), 5,
                                       4 * log(4) + 2 * log(1.6) + 3 * log(0.8)};
     assert_criteria(of_icosahedron, &c);
-    TEST_ASSERT_DOUBLE_WITHIN(1e-6, 0.707107, (double)c.sigma_dk);
-    TEST_ASSERT_DOUBLE_WITHIN(2e-6, 1.118034, (double)c.sigma_gamma);
+    TEST_ASSERT_DOUBLE_WITHIN(1e-6, 0.707107, c.sigma_dk);
+    TEST_ASSERT_DOUBLE_WITHIN(2e-6, 1.118034, c.sigma_gamma);
     /* sum x^2 = 2 + 8/2 = 6, sum x^4 = 2 + 8/4 = 4, sum x^2 y^2 = 4/4 = 1: eigenvalues 6 (offsets),
      * of 3 I + 11' 3, 3, 6, and 1, 1, 1. */
     const double of_faces[5] = {sqrt(1 / 6.0), sqrt(5 / 18.0), 1, 6, 4 * log(6) + 2 * log(3)};
     assert_criteria(of_faces, &d);
-    TEST_ASSERT_DOUBLE_WITHIN(1e-6, 0.408248, (double)d.sigma_delta);
-    TEST_ASSERT_DOUBLE_WITHIN(1e-6, 0.527046, (double)d.sigma_dk);
+    TEST_ASSERT_DOUBLE_WITHIN(1e-6, 0.408248, d.sigma_delta);
+    TEST_ASSERT_DOUBLE_WITHIN(1e-6, 0.527046, d.sigma_dk);
 }
 
 /* With four to a group the fifth coefficient of each series stays open, but not always a
@@ -299,8 +306,8 @@ static void twelve_edges_are_a_set_like_any_other(void)
         v[i][i / 4] = i & 1 ? sqrt(0.5) : -sqrt(0.5);
         v[i][(i / 4 + 1) % 3] = i & 2 ? sqrt(0.5) : -sqrt(0.5);
     }
-    const invcal_normal design = design_of((const double(*)[3])v, 12);
-    const invcal_criteria c = judge(&design);
+    const invcal_sums design = design_of((const double(*)[3])v, 12);
+    const criteria c = judge(&design);
     assert_criteria(expected, &c);
 }
 
@@ -317,12 +324,12 @@ static void an_icosahedron_reaches_the_bound_however_it_is_turned(void)
 {
     random_source random = random_start(3);
 
-    for (int draw = 0; draw < SOME(200); draw++) {
+    for (int draw = 0; draw < 200; draw++) {
         double v[12][3];
         memcpy(v, expected_icosahedron, sizeof v);
         turn_all(&random, v, 12);
-        const invcal_normal design = design_of((const double(*)[3])v, 12);
-        const invcal_criteria c = judge(&design);
+        const invcal_sums design = design_of((const double(*)[3])v, 12);
+        const criteria c = judge(&design);
         const double expected[5] = {0.5, sqrt(0.5), sqrt(1.25), 5, bound_of_log_det(12)};
         assert_criteria(expected, &c);
     }
@@ -334,24 +341,24 @@ static void no_random_set_passes_the_bound(void)
     unsigned judged = 0;
     double nearest = 1e9;
 
-    for (int draw = 0; draw < SOME(1000); draw++) {
+    for (int draw = 0; draw < 1000; draw++) {
         const unsigned count = 9 + (unsigned)draw % 40;
-        invcal_normal design;
-        invcal_criteria c;
-        invcal_normal_init(&design);
+        invcal_sums design;
+        criteria c;
+        invcal_sums_init(&design);
         for (unsigned i = 0; i < count; i++) {
             double v[3];
             random_direction(&random, v);
-            add_direction(&design, v);
+            criteria_add(&design, v);
         }
-        if (invcal_criteria_judge(&design, &c) == INVCAL_OK) { /* nine may be hopeless */
-            const double margin = bound_of_log_det(count) - (double)c.log_det;
+        if (criteria_judge(&design, &c)) { /* nine may be hopeless */
+            const double margin = bound_of_log_det(count) - c.log_det;
             TEST_ASSERT_TRUE(margin > 0);
             nearest = fmin(nearest, margin);
             judged++;
         }
     }
-    TEST_ASSERT_TRUE(judged >= SOME(990));
+    TEST_ASSERT_TRUE(judged >= 990);
     TEST_ASSERT_TRUE(nearest < 0.8); /* the bound is near enough to be passed by a mistake */
 }
 
@@ -365,9 +372,7 @@ static void six_faces_leave_the_angles_open(void)
         v[i][i % 3] = i / 3 % 2 ? 1 : -1;
     }
     for (unsigned count = 6; count <= 24; count += 6) {
-        const invcal_normal design = design_of((const double(*)[3])v, count);
-        assert_undetermined(&design);
-        TEST_ASSERT_EQUAL_HEX16(ANGLES, invcal_undetermined(&design));
+        TEST_ASSERT_EQUAL_HEX16(ANGLES, open_in((const double(*)[3])v, count));
     }
 }
 
@@ -377,10 +382,8 @@ static void groups_of_four_along_the_axes_leave_the_angles_open(void)
     static const double axis[3][4][3] = {{{0, 1, 0}, {0, 0, 1}, {0, -1, 0}, {0, 0, -1}},
                                          {{0, 0, -1}, {-1, 0, 0}, {0, 0, 1}, {1, 0, 0}},
                                          {{0, 1, 0}, {1, 0, 0}, {0, -1, 0}, {-1, 0, 0}}};
-    const invcal_normal design = design_of(axis[0], 12);
 
-    assert_undetermined(&design);
-    TEST_ASSERT_EQUAL_HEX16(ANGLES, invcal_undetermined(&design));
+    TEST_ASSERT_EQUAL_HEX16(ANGLES, open_in(axis[0], 12));
 }
 
 /* In the plane z = 0 nothing is seen of z. */
@@ -397,9 +400,7 @@ static void one_plane_leaves_all_that_z_takes_part_in_open(void)
             v[i][(k + 1) % 3] = cos(0.3 + TURN * i / 36);
             v[i][(k + 2) % 3] = sin(0.3 + TURN * i / 36);
         }
-        const invcal_normal design = design_of((const double(*)[3])v, 36);
-        assert_undetermined(&design);
-        TEST_ASSERT_EQUAL_HEX16(z[k], invcal_undetermined(&design));
+        TEST_ASSERT_EQUAL_HEX16(z[k], open_in((const double(*)[3])v, 36));
     }
 }
 
@@ -416,12 +417,10 @@ static void two_circles(double c, double from, double step, double v[24][3])
 /* c^2 (x^2 + y^2) = (1 - c^2) z^2 mixes the scale errors. */
 static void two_circles_leave_the_scale_errors_open(void)
 {
-    for (int draw = 0; draw < SOME(20); draw++) {
+    for (int draw = 0; draw < 20; draw++) {
         double v[24][3];
         two_circles(sqrt(0.4), 0.1 * draw, TURN / 24, v);
-        const invcal_normal design = design_of((const double(*)[3])v, 24);
-        assert_undetermined(&design);
-        TEST_ASSERT_EQUAL_HEX16(SCALES, invcal_undetermined(&design));
+        TEST_ASSERT_EQUAL_HEX16(SCALES, open_in((const double(*)[3])v, 24));
     }
 }
 
@@ -430,15 +429,13 @@ static void turned_circles_are_refused_too(void)
 {
     random_source random = random_start(5);
 
-    for (int draw = 0; draw < SOME(500); draw++) {
+    for (int draw = 0; draw < 500; draw++) {
         double v[24][3];
         const double c = random_uniform(&random, 0.2, 0.9);
         const double from = random_uniform(&random, 0, TURN);
         two_circles(c, from, random_uniform(&random, 0.2, 1), v);
         turn_all(&random, v, 24);
-        const invcal_normal design = design_of((const double(*)[3])v, 24);
-        assert_undetermined(&design);
-        TEST_ASSERT_TRUE(invcal_undetermined(&design) != 0);
+        TEST_ASSERT_TRUE(open_in((const double(*)[3])v, 24) != 0);
     }
 }
 
@@ -447,15 +444,13 @@ static void turned_faces_are_refused_too(void)
 {
     random_source random = random_start(6);
 
-    for (int draw = 0; draw < SOME(200); draw++) {
+    for (int draw = 0; draw < 200; draw++) {
         double v[18][3] = {{0}};
         for (unsigned i = 0; i < 18; i++) {
             v[i][i % 3] = i / 3 % 2 ? 1 : -1;
         }
         turn_all(&random, v, 18);
-        const invcal_normal design = design_of((const double(*)[3])v, 18);
-        assert_undetermined(&design);
-        TEST_ASSERT_TRUE(invcal_undetermined(&design) != 0);
+        TEST_ASSERT_TRUE(open_in((const double(*)[3])v, 18) != 0);
     }
 }
 
@@ -463,7 +458,7 @@ static void turned_planes_are_refused_too(void)
 {
     random_source random = random_start(13);
 
-    for (int draw = 0; draw < SOME(200); draw++) {
+    for (int draw = 0; draw < 200; draw++) {
         double v[18][3] = {{0}};
         for (unsigned i = 0; i < 18; i++) {
             const double angle = random_uniform(&random, 0, TURN);
@@ -471,9 +466,7 @@ static void turned_planes_are_refused_too(void)
             v[i][1] = sin(angle);
         }
         turn_all(&random, v, 18);
-        const invcal_normal design = design_of((const double(*)[3])v, 18);
-        assert_undetermined(&design);
-        TEST_ASSERT_TRUE(invcal_undetermined(&design) != 0);
+        TEST_ASSERT_TRUE(open_in((const double(*)[3])v, 18) != 0);
     }
 }
 
@@ -481,17 +474,12 @@ static void up_to_eight_positions_are_refused(void)
 {
     random_source random = random_start(7);
 
-    for (int draw = 0; draw < SOME(200); draw++) {
-        invcal_normal design;
-        invcal_normal_init(&design);
-        assert_undetermined(&design);
-        TEST_ASSERT_EQUAL_HEX16(ALL, invcal_undetermined(&design));
+    for (int draw = 0; draw < 200; draw++) {
+        double v[8][3];
+        TEST_ASSERT_EQUAL_HEX16(ALL, open_in((const double(*)[3])v, 0));
         for (unsigned i = 0; i < 8; i++) {
-            double v[3];
-            random_direction(&random, v);
-            add_direction(&design, v);
-            assert_undetermined(&design);
-            TEST_ASSERT_TRUE(invcal_undetermined(&design) != 0);
+            random_direction(&random, v[i]);
+            TEST_ASSERT_TRUE(open_in((const double(*)[3])v, i + 1) != 0);
         }
     }
 }
@@ -499,18 +487,13 @@ static void up_to_eight_positions_are_refused(void)
 static void sums_that_are_no_numbers_are_refused(void)
 {
     static const double bad[] = {NOT_A_NUMBER, INFINITE, -INFINITE};
-    const invcal_normal good = design_of(expected_icosahedron, 12);
+    const invcal_sums good = design_of(expected_icosahedron, 12);
 
     for (unsigned i = 0; i < INVCAL_MOMENTS; i++) {
         for (unsigned k = 0; k < 3; k++) {
-            invcal_normal design = good;
-            invcal_criteria criteria;
-            invcal_criteria before;
-            memset(&criteria, 7, sizeof criteria);
-            before = criteria;
-            design.moment[i] = (invcal_real)bad[k];
-            TEST_ASSERT_EQUAL_INT(INVCAL_UNDETERMINED, invcal_criteria_judge(&design, &criteria));
-            TEST_ASSERT_EQUAL_MEMORY(&before, &criteria, sizeof before);
+            invcal_sums design = good;
+            design.sum[i] = bad[k];
+            assert_undetermined(&design);
         }
     }
 }
@@ -544,14 +527,13 @@ static double largest_eigenvalue_of(double a[NINE][NINE])
  * whatever the pivots are. */
 static void a_flat_set_is_refused_by_its_condition(void)
 {
-    needs_53_bits();
     random_source random = random_start(8);
-    const double limit = FLOAT_OR_DOUBLE(524288, 1e8); /* 1 / INVCAL_PIVOT_FLOOR */
-    const double blur = FLOAT_OR_DOUBLE(1.5, 1.02); /* float sees no condition so large exactly */
+    const double limit = 1e8; /* 1 / INVCAL_PIVOT_FLOOR */
+    const double blur = 1.02; /* float sees no condition so large exactly */
     unsigned refused = 0;
     unsigned accepted = 0;
 
-    for (int draw = 0; draw < SOME(1000); draw++) {
+    for (int draw = 0; draw < 1000; draw++) {
         const double height = pow(10, random_uniform(&random, -3, -0.5));
         double v[24][3];
         double a[NINE][NINE];
@@ -567,31 +549,31 @@ static void a_flat_set_is_refused_by_its_condition(void)
             }
         }
         turn_all(&random, v, 24);
-        const invcal_normal design = design_of((const double(*)[3])v, 24);
+        const invcal_sums design = design_of((const double(*)[3])v, 24);
         covariance_of((const double(*)[3])v, 24, a, k);
         const double expected = largest_eigenvalue_of(a) * largest_eigenvalue_of(k);
         if (expected > blur * limit) {
             assert_undetermined(&design);
             refused++;
         } else if (expected < limit / blur) {
-            const invcal_criteria c = judge(&design);
-            assert_near(0.01 + 4 * (double)INVCAL_EPSILON * expected, expected, c.condition);
+            const criteria c = judge(&design);
+            assert_near(0.01 + 4 * DBL_EPSILON * expected, expected, c.condition);
             accepted++;
         }
     }
-    TEST_ASSERT_TRUE(refused > SOME(100) && accepted > SOME(100));
+    TEST_ASSERT_TRUE(refused > 100 && accepted > 100);
 }
 
 /* ---- what the criteria must not depend on ---- */
 
-static void assert_same(double tolerance, const invcal_criteria *a, const invcal_criteria *b)
+static void assert_same(double tolerance, const criteria *a, const criteria *b)
 {
     TEST_ASSERT_EQUAL_UINT(a->positions, b->positions);
-    assert_near(tolerance, (double)a->sigma_delta, b->sigma_delta);
-    assert_near(tolerance, (double)a->sigma_dk, b->sigma_dk);
-    assert_near(tolerance, (double)a->sigma_gamma, b->sigma_gamma);
-    assert_near(tolerance, (double)a->condition, b->condition);
-    TEST_ASSERT_DOUBLE_WITHIN(10 * tolerance, (double)a->log_det, (double)b->log_det);
+    assert_near(tolerance, a->sigma_delta, b->sigma_delta);
+    assert_near(tolerance, a->sigma_dk, b->sigma_dk);
+    assert_near(tolerance, a->sigma_gamma, b->sigma_gamma);
+    assert_near(tolerance, a->condition, b->condition);
+    TEST_ASSERT_DOUBLE_WITHIN(10 * tolerance, a->log_det, b->log_det);
 }
 
 static void order_does_not_matter(void)
@@ -605,11 +587,11 @@ static void order_does_not_matter(void)
         for (unsigned i = 0; i < 20; i++) {
             memcpy(shuffled[i], expected_scattered20[(19 + step * i) % 20], sizeof shuffled[i]);
         }
-        const invcal_normal a = design_of(expected_scattered20, 20);
-        const invcal_normal b = design_of((const double(*)[3])shuffled, 20);
-        const invcal_criteria c = judge(&a);
-        const invcal_criteria d = judge(&b);
-        assert_same(40 * 2 * (double)INVCAL_EPSILON, &c, &d);
+        const invcal_sums a = design_of(expected_scattered20, 20);
+        const invcal_sums b = design_of((const double(*)[3])shuffled, 20);
+        const criteria c = judge(&a);
+        const criteria d = judge(&b);
+        assert_same(40 * 2 * DBL_EPSILON, &c, &d);
     }
 }
 
@@ -622,11 +604,11 @@ static void directions_and_their_opposites_are_worth_the_same(void)
             opposite[i][k] = -expected_scattered20[i][k];
         }
     }
-    const invcal_normal a = design_of(expected_scattered20, 20);
-    const invcal_normal b = design_of((const double(*)[3])opposite, 20);
-    const invcal_criteria c = judge(&a);
-    const invcal_criteria d = judge(&b);
-    assert_same(40 * 2 * (double)INVCAL_EPSILON, &c, &d);
+    const invcal_sums a = design_of(expected_scattered20, 20);
+    const invcal_sums b = design_of((const double(*)[3])opposite, 20);
+    const criteria c = judge(&a);
+    const criteria d = judge(&b);
+    assert_same(40 * 2 * DBL_EPSILON, &c, &d);
 }
 
 /* Turning all directions mixes offsets among themselves by a rotation, the six of second degree
@@ -635,25 +617,25 @@ static void a_turn_keeps_log_det_and_moves_the_sigmas_with_k(void)
 {
     random_source random = random_start(9);
     const double *expected = expected_set_criteria[3]; /* scattered20 */
-    const double tolerance = close + 4 * (double)INVCAL_EPSILON * 39;
+    const double tolerance = close + 4 * DBL_EPSILON * 39;
     double smallest = 1e9;
     double largest = 0;
 
-    for (int draw = 0; draw < 10 + SOME(290); draw++) {
+    for (int draw = 0; draw < 10 + 290; draw++) {
         double v[20][3];
         double a[NINE][NINE];
         double k[NINE][NINE];
         memcpy(v, expected_scattered20, sizeof v);
         turn_all(&random, v, 20);
-        const invcal_normal design = design_of((const double(*)[3])v, 20);
-        const invcal_criteria c = judge(&design);
+        const invcal_sums design = design_of((const double(*)[3])v, 20);
+        const criteria c = judge(&design);
         covariance_of((const double(*)[3])v, 20, a, k);
-        TEST_ASSERT_DOUBLE_WITHIN(10 * tolerance, expected[4], (double)c.log_det);
+        TEST_ASSERT_DOUBLE_WITHIN(10 * tolerance, expected[4], c.log_det);
         assert_near(tolerance, largest_root(k, INVCAL_DELTA_X), c.sigma_delta);
         assert_near(tolerance, largest_root(k, INVCAL_DK_X), c.sigma_dk);
         assert_near(tolerance, largest_root(k, INVCAL_GAMMA_XY), c.sigma_gamma);
-        smallest = fmin(smallest, (double)c.sigma_gamma);
-        largest = fmax(largest, (double)c.sigma_gamma);
+        smallest = fmin(smallest, c.sigma_gamma);
+        largest = fmax(largest, c.sigma_gamma);
     }
     TEST_ASSERT_TRUE(largest > 1.1 * smallest); /* they did move */
 }
@@ -662,7 +644,7 @@ static void a_turn_keeps_log_det_and_moves_the_sigmas_with_k(void)
 static void the_worst_axis_decides_whichever_it_is(void)
 {
     const double *expected = expected_set_criteria[4]; /* tilted24 */
-    const double tolerance = close + 4 * (double)INVCAL_EPSILON * expected[3];
+    const double tolerance = close + 4 * DBL_EPSILON * expected[3];
 
     for (unsigned shift = 0; shift < 6; shift++) {
         double v[24][3];
@@ -672,13 +654,13 @@ static void the_worst_axis_decides_whichever_it_is(void)
                 v[i][k] = expected_tilted24[i][from % 3];
             }
         }
-        const invcal_normal design = design_of((const double(*)[3])v, 24);
-        const invcal_criteria c = judge(&design);
+        const invcal_sums design = design_of((const double(*)[3])v, 24);
+        const criteria c = judge(&design);
         for (int k = 0; k < 3; k++) {
-            const invcal_real sigma[3] = {c.sigma_delta, c.sigma_dk, c.sigma_gamma};
+            const double sigma[3] = {c.sigma_delta, c.sigma_dk, c.sigma_gamma};
             assert_near(tolerance, expected[k], sigma[k]);
         }
-        TEST_ASSERT_DOUBLE_WITHIN(10 * tolerance, expected[4], (double)c.log_det);
+        TEST_ASSERT_DOUBLE_WITHIN(10 * tolerance, expected[4], c.log_det);
     }
 }
 
@@ -688,17 +670,20 @@ static void visiting_every_position_twice_divides_sigma_by_the_root_of_two(void)
 
     for (unsigned n = 5; n <= 20; n++) {
         const invcal_plan plan = random_plan(&random, n);
-        const invcal_normal once = design_of_plan(&plan);
-        invcal_normal twice = once;
-        TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_normal_merge(&twice, &once));
-        const invcal_criteria c = judge(&once);
-        const invcal_criteria d = judge(&twice);
+        const invcal_sums once = design_of_plan(&plan);
+        invcal_sums twice = once;
+        for (unsigned i = 0; i < INVCAL_MOMENTS; i++) {
+            twice.sum[i] *= 2;
+        }
+        twice.count *= 2;
+        const criteria c = judge(&once);
+        const criteria d = judge(&twice);
         TEST_ASSERT_EQUAL_UINT(2 * c.positions, d.positions);
-        assert_near(close, (double)c.sigma_delta / sqrt(2), d.sigma_delta);
-        assert_near(close, (double)c.sigma_dk / sqrt(2), d.sigma_dk);
-        assert_near(close, (double)c.sigma_gamma / sqrt(2), d.sigma_gamma);
-        assert_near(close_condition, (double)c.condition, d.condition);
-        assert_near(close, (double)c.log_det + 9 * log(2), d.log_det);
+        assert_near(close, c.sigma_delta / sqrt(2), d.sigma_delta);
+        assert_near(close, c.sigma_dk / sqrt(2), d.sigma_dk);
+        assert_near(close, c.sigma_gamma / sqrt(2), d.sigma_gamma);
+        assert_near(close_condition, c.condition, d.condition);
+        assert_near(close, c.log_det + 9 * log(2), d.log_det);
     }
 }
 
@@ -706,33 +691,33 @@ static void visiting_every_position_twice_divides_sigma_by_the_root_of_two(void)
 static void weighted_sums_keep_their_condition_and_shift_log_det(void)
 {
     const invcal_plan plan = {7, {11, 22, 33}};
-    const invcal_normal design = design_of_plan(&plan);
+    const invcal_sums design = design_of_plan(&plan);
     double expected[5];
 
     closed_form(7, expected);
     for (int exponent = -24; exponent <= 24; exponent++) {
         const double weight = pow(10, exponent / 2.0);
-        invcal_normal weighted = design;
+        invcal_sums weighted = design;
         for (unsigned i = 0; i < INVCAL_MOMENTS; i++) {
-            weighted.moment[i] = (invcal_real)((double)design.moment[i] * weight);
+            weighted.sum[i] *= weight;
         }
-        const invcal_criteria c = judge(&weighted);
+        const criteria c = judge(&weighted);
         assert_near(close, expected[0] / sqrt(weight), c.sigma_delta);
         assert_near(close, expected[1] / sqrt(weight), c.sigma_dk);
         assert_near(close, expected[2] / sqrt(weight), c.sigma_gamma);
         assert_near(close_condition, 8, c.condition);
         TEST_ASSERT_DOUBLE_WITHIN(close * (fabs(expected[4]) + 9 * fabs(log(weight))),
-                                  expected[4] + 9 * log(weight), (double)c.log_det);
+                                  expected[4] + 9 * log(weight), c.log_det);
     }
 }
 
 static void weights_whose_sigma_fits_no_number_are_refused(void)
 {
     const invcal_plan plan = {7, {11, 22, 33}};
-    invcal_normal design = design_of_plan(&plan);
+    invcal_sums design = design_of_plan(&plan);
 
     for (unsigned i = 0; i < INVCAL_MOMENTS; i++) {
-        design.moment[i] = design.moment[i] / INVCAL_REAL_MAX / 64; /* K(r,r) is beyond it */
+        design.sum[i] = design.sum[i] / DBL_MAX / 64; /* K(r,r) is beyond it */
     }
     assert_undetermined(&design);
 }
@@ -745,104 +730,49 @@ static void exact_rows_are_judged_like_directions(void)
     reading_set set;
 
     read_positions(&none, expected_scattered20, 20, 0, &unused, &set);
-    const invcal_normal exact = normal_of(&set);
-    const invcal_normal design = design_of(expected_scattered20, 20);
-    const invcal_criteria c = judge(&exact);
-    const invcal_criteria d = judge(&design);
-    assert_same(2 * (double)INVCAL_EPSILON, &c, &d);
+    const invcal_sums exact = sums_of(&set);
+    const invcal_sums design = design_of(expected_scattered20, 20);
+    const criteria c = judge(&exact);
+    const criteria d = judge(&design);
+    assert_same(2 * DBL_EPSILON, &c, &d);
 }
 
 static void judging_does_not_change_the_design(void)
 {
-    const invcal_normal design = design_of(expected_scattered12, 12);
-    const invcal_normal before = design;
+    const invcal_sums design = design_of(expected_scattered12, 12);
+    const invcal_sums before = design;
 
     (void)judge(&design);
     TEST_ASSERT_EQUAL_MEMORY(&before, &design, sizeof before);
 }
 
-/* ---- what is no direction ---- */
+/* ---- what a direction adds ---- */
 
 /* A set of directions is a set of rows h(eta) that have measured nothing. */
 static void a_direction_adds_its_row_and_no_measurement(void)
 {
-    invcal_normal design;
+    invcal_sums design;
     double h[NINE];
 
-    invcal_normal_init(&design);
+    invcal_sums_init(&design);
     for (unsigned i = 0; i < 20; i++) {
         double v[3];
         for (int k = 0; k < 3; k++) { /* longer and shorter than 1, within the tolerance */
             v[k] = expected_scattered20[i][k] * (1 + (i % 2 ? 9e-5 : -9e-5));
         }
-        const invcal_normal before = design;
-        add_direction(&design, v);
+        const invcal_sums before = design;
+        criteria_add(&design, v);
         row_of(v, h);
         TEST_ASSERT_EQUAL_UINT(i + 1, design.count);
         for (unsigned r = 0; r < NINE; r++) {
             for (unsigned c = 0; c <= r; c++) {
-                TEST_ASSERT_DOUBLE_WITHIN(FLOAT_OR_DOUBLE(2e-6, 4e-15), h[r] * h[c],
+                TEST_ASSERT_DOUBLE_WITHIN(4e-15, h[r] * h[c],
                                           element(&design, r, c) - element(&before, r, c));
             }
-            TEST_ASSERT_TRUE(design.htj[r] == 0);
+            TEST_ASSERT_TRUE(design.sum[INVCAL_MOMENTS + r] == 0);
         }
-        TEST_ASSERT_TRUE(design.jtj == 0);
-        TEST_ASSERT_EQUAL_INT(INVCAL_MODEL_LINEAR, design.model);
+        TEST_ASSERT_TRUE(design.sum[INVCAL_MOMENTS + NINE] == 0);
     }
-}
-
-static void what_is_no_unit_vector_is_refused(void)
-{
-    const invcal_normal good = design_of(expected_icosahedron, 12);
-    static const double length[] = {0, 1e-30, 0.01, 0.5, 0.999, 0.9998, 1.0002, 1.001, 2, 9, 11};
-
-    for (unsigned i = 0; i < 12; i++) {
-        for (unsigned k = 0; k < sizeof length / sizeof length[0]; k++) {
-            const double *v = expected_icosahedron[i];
-            const invcal_real vertical[3] = {(invcal_real)(length[k] * v[0]),
-                                             (invcal_real)(length[k] * v[1]),
-                                             (invcal_real)(length[k] * v[2])};
-            invcal_normal design = good;
-            const invcal_status status = invcal_criteria_add(&design, vertical);
-            const int absurd = length[k] < 0.1 || length[k] > 10;
-            TEST_ASSERT_TRUE(status == INVCAL_NOT_UNIT ||
-                             (absurd && status == INVCAL_OUT_OF_RANGE));
-            TEST_ASSERT_EQUAL_MEMORY(&good, &design, sizeof good);
-        }
-    }
-}
-
-static void what_is_no_number_is_refused(void)
-{
-    static const double bad[] = {NOT_A_NUMBER, INFINITE, -INFINITE};
-    const invcal_normal good = design_of(expected_icosahedron, 12);
-
-    for (unsigned axis = 0; axis < 3; axis++) {
-        for (unsigned i = 0; i < 3; i++) {
-            for (int other = -1; other <= 1; other++) {
-                invcal_real vertical[3] = {(invcal_real)other, (invcal_real)other,
-                                           (invcal_real)other};
-                invcal_normal design = good;
-                vertical[axis] = (invcal_real)bad[i];
-                TEST_ASSERT_EQUAL_INT(INVCAL_NOT_FINITE, invcal_criteria_add(&design, vertical));
-                TEST_ASSERT_EQUAL_MEMORY(&good, &design, sizeof good);
-            }
-        }
-    }
-}
-
-static void directions_do_not_mix_with_exact_rows(void)
-{
-    const triad_truth none = {{0}};
-    const invcal_real up[3] = {0, 0, 1};
-    random_source unused = random_start(0);
-    reading_set set;
-
-    read_positions(&none, expected_icosahedron, 12, 0, &unused, &set);
-    invcal_normal exact = normal_of(&set);
-    const invcal_normal before = exact;
-    TEST_ASSERT_EQUAL_INT(INVCAL_MIXED, invcal_criteria_add(&exact, up));
-    TEST_ASSERT_EQUAL_MEMORY(&before, &exact, sizeof before);
 }
 
 /* ---- is the promise kept? ---- */
@@ -855,28 +785,28 @@ static void assert_promise_is_kept(const double v[][3], unsigned count, const do
 {
     const double noise = 1e-4;
     const double bound = 4 / sqrt(2.0 * PLAN_DRAWS);
-    const invcal_normal design = design_of(v, count);
-    const invcal_criteria c = judge(&design);
-    const double promised[3] = {(double)c.sigma_delta, (double)c.sigma_dk, (double)c.sigma_gamma};
-    const invcal_settings settings = unit_settings(0);
+    const invcal_sums design = design_of(v, count);
+    const criteria c = judge(&design);
+    const double promised[3] = {c.sigma_delta, c.sigma_dk, c.sigma_gamma};
+    const invcal_calibration unit = unit_nominal();
     random_source random = random_start(count);
     double squares[NINE] = {0};
 
     for (int draw = 0; draw < PLAN_DRAWS; draw++) {
         const triad_truth truth = triad_random(&random, 1e-3);
         reading_set set;
-        invcal_solution solution;
+        invcal_calibration calibration;
         read_positions(&truth, v, count, noise, &random, &set);
-        const invcal_normal normal = normal_of(&set);
-        TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_solve(&normal, &settings, &solution));
+        invcal_sums sums = sums_of(&set);
+        TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_solve(&sums, &unit, &calibration));
         for (unsigned r = 0; r < NINE; r++) {
-            const double error = parameter(&solution, r) - truth.x[r];
+            const double error = parameter(&calibration, r) - truth.x[r];
             squares[r] += error * error;
         }
     }
     for (unsigned block = 0; block < 3; block++) {
         double largest = 0;
-        assert_near(close, root_k[block], (invcal_real)promised[block]);
+        assert_near(close, root_k[block], promised[block]);
         for (unsigned r = 3 * block; r < 3 * block + 3; r++) {
             const double spread = sqrt(squares[r] / PLAN_DRAWS) / noise;
             TEST_ASSERT_DOUBLE_WITHIN(bound, 1, spread / root_k[block]);
@@ -899,7 +829,7 @@ static void assert_promise_of_a_program_is_kept(unsigned per_group)
         invcal_plan_position p;
         TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_plan_position_at(&plan, i, &p));
         for (int k = 0; k < 3; k++) {
-            v[i][k] = (double)p.vertical[k];
+            v[i][k] = p.vertical[k];
         }
     }
     assert_promise_is_kept((const double(*)[3])v, 3 * per_group, root_k);
@@ -925,14 +855,14 @@ static void the_sigma_promised_by_an_icosahedron_is_obtained(void)
 int main(void)
 {
     UNITY_BEGIN();
-    RUN_SLOW_TEST(a_program_of_any_size_and_starts_has_its_closed_form);
+    RUN_TEST(a_program_of_any_size_and_starts_has_its_closed_form);
     RUN_TEST(the_program_of_18_has_the_papers_figures);
     RUN_TEST(a_program_of_18_is_worse_than_one_of_24_by_1_154701);
     RUN_TEST(other_sets_have_the_figures_of_the_reference);
     RUN_TEST(icosahedron_and_faces_with_edges_have_their_published_figures);
     RUN_TEST(twelve_edges_are_a_set_like_any_other);
     RUN_TEST(an_icosahedron_reaches_the_bound_however_it_is_turned);
-    RUN_SLOW_TEST(no_random_set_passes_the_bound);
+    RUN_TEST(no_random_set_passes_the_bound);
     RUN_TEST(six_faces_leave_the_angles_open);
     RUN_TEST(groups_of_four_along_the_axes_leave_the_angles_open);
     RUN_TEST(one_plane_leaves_all_that_z_takes_part_in_open);
@@ -953,11 +883,8 @@ int main(void)
     RUN_TEST(exact_rows_are_judged_like_directions);
     RUN_TEST(judging_does_not_change_the_design);
     RUN_TEST(a_direction_adds_its_row_and_no_measurement);
-    RUN_TEST(what_is_no_unit_vector_is_refused);
-    RUN_TEST(what_is_no_number_is_refused);
-    RUN_TEST(directions_do_not_mix_with_exact_rows);
-    RUN_LONG_TEST(the_sigma_promised_by_a_program_of_18_is_obtained);
-    RUN_LONG_TEST(the_sigma_promised_by_a_program_of_15_is_obtained);
-    RUN_LONG_TEST(the_sigma_promised_by_an_icosahedron_is_obtained);
+    RUN_TEST(the_sigma_promised_by_a_program_of_18_is_obtained);
+    RUN_TEST(the_sigma_promised_by_a_program_of_15_is_obtained);
+    RUN_TEST(the_sigma_promised_by_an_icosahedron_is_obtained);
     return UNITY_END() != 0;
 }

@@ -1,0 +1,162 @@
+/* SPDX-License-Identifier: MIT */
+#include <stddef.h>
+#include <string.h>
+
+#include "bytes.h"
+#include "polynomials.h"
+#include "vector.h"
+
+#define AGREED INVCAL_REAL(1e-4) /* over field: what two calibrations may differ by */
+
+enum { KIND = 0xCB, OLDEST = 1 };
+enum { RECORD_AT = 4, DEGREE_AT = RECORD_AT + INVCAL_RECORD_SIZE, REALS_BEHIND = 4 };
+enum { SKIPPED = INVCAL_RECORD_SIZE_MAX - INVCAL_RECORD_SIZE }; /* of the record of version 1 */
+enum { BEFORE_X = 16 };                                         /* reals */
+
+/* The reals come first in the structure, too, and in the same order. */
+typedef char
+    invcal_thermal_is_in_order[offsetof(invcal_thermal, x) == BEFORE_X * sizeof(invcal_real) ? 1
+                                                                                             : -1];
+
+static unsigned count_reals(unsigned degree)
+{
+    return BEFORE_X + (degree + 1) * INVCAL_PARAMETERS;
+}
+
+/* Element (j, k) of M'M: with the offset it tells all lengths, however the calibration is turned. */
+static invcal_real gram(const invcal_calibration *c, unsigned j, unsigned k)
+{
+    return c->matrix[0][j] * c->matrix[0][k] + c->matrix[1][j] * c->matrix[1][k] +
+           c->matrix[2][j] * c->matrix[2][k];
+}
+
+static int agree(const invcal_calibration *a, const invcal_calibration *b)
+{
+    invcal_real scale[3]; /* over field per count */
+
+    for (unsigned j = 0; j < 3; j++) {
+        scale[j] = INVCAL_SQRT(gram(b, j, j));
+        if (!(INVCAL_FABS(a->offset[j] - b->offset[j]) * scale[j] <= AGREED)) {
+            return 0;
+        }
+        for (unsigned k = 0; k <= j; k++) {
+            const invcal_real change = INVCAL_FABS(gram(a, j, k) - gram(b, j, k));
+            if (!(change <= AGREED * scale[j] * scale[k])) {
+                return 0;
+            }
+        }
+    }
+    return 1;
+}
+
+/* Is it a calibration, and the record that of its reference? */
+static invcal_status check(const invcal_thermal_record *r)
+{
+    const invcal_thermal *t = &r->thermal;
+    invcal_thermal_place place;
+    invcal_calibration c;
+
+    if (!(t->span > 0 && t->min <= t->max) || t->fitted > t->degree ||
+        t->fallback > INVCAL_THERMAL_OPEN || r->is_triangular > 1) {
+        return INVCAL_DAMAGED;
+    }
+    invcal_status status = invcal_nominal_check(&t->nominal);
+    if (status == INVCAL_OK) {
+        status = invcal_thermal_at(t, t->reference, &c, &place);
+    }
+    return status == INVCAL_OK && !agree(&r->record.calibration, &c) ? INVCAL_DAMAGED : status;
+}
+
+/* Where the degree stands, if the length fits it. */
+static invcal_status find_degree(const uint8_t *bytes, uint32_t size, const uint8_t **at)
+{
+    const invcal_status status = invcal_unseal(bytes, size, KIND, OLDEST);
+    if (status != INVCAL_OK) {
+        return status;
+    }
+    const uint32_t skipped = bytes[1] == OLDEST ? SKIPPED : 0;
+    const uint32_t length = invcal_get_u16(bytes + 2);
+    *at = bytes + DEGREE_AT + skipped;
+    if (length < INVCAL_THERMAL_RECORD_BYTES(0) + skipped ||
+        length != INVCAL_THERMAL_RECORD_BYTES(**at) + skipped) {
+        return INVCAL_DAMAGED;
+    }
+    return **at <= INVCAL_THERMAL_DEGREE ? INVCAL_OK : INVCAL_OTHER_VERSION;
+}
+
+/* r is lost on failure. */
+static invcal_status read(const uint8_t *bytes, uint32_t size, invcal_thermal_record *r)
+{
+    const uint8_t *at;
+    invcal_status status = find_degree(bytes, size, &at);
+
+    if (status != INVCAL_OK) {
+        return status;
+    }
+    memset(r, 0, sizeof *r);
+    r->thermal.degree = at[0];
+    r->thermal.fitted = at[1];
+    r->thermal.fallback = at[2];
+    r->is_triangular = at[3];
+    if (!invcal_get_reals(at + REALS_BEHIND, &r->thermal, count_reals(at[0]))) {
+        return INVCAL_NOT_FINITE;
+    }
+    status =
+        invcal_record_decode(bytes + RECORD_AT, (uint32_t)(at - bytes) - RECORD_AT, &r->record);
+    for (unsigned i = 0; i < 9 && bytes[1] == OLDEST; i++) { /* that was in the unit of the field */
+        r->thermal.nominal.matrix[i / 3][i % 3] /= r->record.field;
+    }
+    return status == INVCAL_OK ? check(r) : status;
+}
+
+invcal_status invcal_thermal_record_init(invcal_thermal_record *record,
+                                         const invcal_thermal *thermal,
+                                         const invcal_quality *quality)
+{
+    invcal_thermal_place place;
+    invcal_calibration c;
+
+    INVCAL_ASSERT(record && thermal && quality);
+    const invcal_status status = invcal_thermal_at(thermal, thermal->reference, &c, &place);
+    if (status == INVCAL_OK) {
+        invcal_record_init(&record->record, &c, quality);
+        record->thermal = *thermal;
+        record->is_triangular = 0;
+    }
+    return status;
+}
+
+/* What was written is read again: rounded to float, it may be none. */
+invcal_status invcal_thermal_record_encode(const invcal_thermal_record *record,
+                                           uint8_t bytes[INVCAL_THERMAL_RECORD_SIZE])
+{
+    const invcal_thermal *t = &record->thermal;
+    invcal_thermal_record r;
+
+    INVCAL_ASSERT(record && bytes);
+    const invcal_status status = t->degree <= INVCAL_THERMAL_DEGREE
+                                     ? invcal_record_encode(&record->record, bytes + RECORD_AT)
+                                     : INVCAL_BAD_COUNT;
+    if (status != INVCAL_OK) {
+        return status;
+    }
+    const uint32_t length = INVCAL_THERMAL_RECORD_BYTES(t->degree);
+    uint8_t *at = invcal_put_two(bytes + DEGREE_AT, t->degree | (unsigned)t->fitted << 8,
+                                 t->fallback | (unsigned)record->is_triangular << 8);
+    (void)invcal_put_reals(at, t, count_reals(t->degree));
+    invcal_seal(bytes, KIND, length);
+    return read(bytes, length, &r);
+}
+
+invcal_status invcal_thermal_record_decode(const uint8_t *bytes, uint32_t size,
+                                           invcal_thermal_record *out)
+{
+    invcal_thermal_record r;
+
+    INVCAL_ASSERT(bytes && out);
+    const invcal_status status = read(bytes, size, &r);
+    if (status == INVCAL_OK) {
+        *out = r;
+    }
+    return status;
+}
