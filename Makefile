@@ -18,8 +18,9 @@ export LC_COLLATE := C
 unexport LC_ALL
 
 WARNINGS := -Wall -Wextra -Wconversion -Wdouble-promotion -Wshadow -pedantic
-# Contraction (fused multiply-add) is off: the same bits on every machine.
-FLAGS     = -std=$(STD) -ffp-contract=off $(WARNINGS) $(CFLAGS) -Iinclude
+# Contraction (fused multiply-add) is off: the same bits on every machine. A square root of a negative
+# number is a NaN, and no errno.
+FLAGS     = -std=$(STD) -ffp-contract=off -fno-math-errno $(WARNINGS) $(CFLAGS) -Iinclude
 
 SOURCES := $(wildcard src/*.c)
 HOST    := $(wildcard port/host/*.c)

@@ -58,6 +58,7 @@ static invcal_real root_mean(const invcal_allan_tau *sum)
 static unsigned stage(uint32_t m, unsigned t)
 {
     while (m > (uint32_t)INVCAL_ALLAN_OVERLAP << t) { /* at most 30 steps: m is 2^30 or less */
+        //@ assert t < 30;
         t++;
     }
     return t;
@@ -122,9 +123,11 @@ void invcal_allan_push(invcal_allan *allan, int32_t raw)
     const uint32_t samples = allan->samples + 1;
     allan->total = total;
     allan->samples = samples;
-    for (unsigned k = 0; k < allan->taus; k++, tau++) {
+    for (unsigned k = 0; k < allan->taus; k++) {
+        //@ assert \valid(tau); // number k
         t = stage(tau->m, t);
         const uint32_t lag = tau->m >> t;
+        //@ assert lag > 0; // t is as small as can be
         const uint32_t at = samples >> t;
         if (at << t != samples) {
             break; /* nor do longer strides end here */
@@ -133,6 +136,7 @@ void invcal_allan_push(invcal_allan *allan, int32_t raw)
             add_difference(tau, total, lag, at);
         }
         tau->past[at % RING] = total;
+        tau++;
     }
 }
 

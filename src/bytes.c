@@ -36,7 +36,7 @@ uint8_t *invcal_put_reals(uint8_t *bytes, const void *reals, unsigned count)
     const unsigned char *from = reals;
     invcal_real x;
 
-    for (; count > 0; count--) {
+    for (; count > 0; count--) { /* at most 13 and 3 for each position */
         memcpy(&x, from, sizeof x);
         from += sizeof x;
         bytes = invcal_put_u32(bytes, bits_of(x));
@@ -49,7 +49,7 @@ int invcal_get_reals(const uint8_t *bytes, void *reals, unsigned count)
     unsigned char *to = reals;
     int are_finite = 1;
 
-    for (; count > 0; count--) {
+    for (; count > 0; count--) { /* at most 13 and 3 for each position */
         const uint32_t bits = invcal_get_u32(bytes);
         float f;
         memcpy(&f, &bits, sizeof f);
@@ -65,7 +65,7 @@ int invcal_get_reals(const uint8_t *bytes, void *reals, unsigned count)
 uint32_t invcal_crc32(uint32_t crc, const uint8_t *bytes, uint32_t count)
 {
     crc = ~crc;
-    for (; count > 0; count--) {
+    for (; count > 0; count--) { /* at most 65535: the length of a frame */
         crc ^= *bytes++;
         for (unsigned bit = 0; bit < 8; bit++) {
             crc = crc & 1u ? crc >> 1 ^ UINT32_C(0xEDB88320) : crc >> 1;

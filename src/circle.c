@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "circle.h"
 
-#define DEGREE INVCAL_REAL(0.017453292519943296) /* in radians */
+#define RADIANS INVCAL_REAL(0.017453292519943296) /* in a degree */
 enum { TERMS = INVCAL_DOUBLE ? 17 : 10 }; /* of an eighth of a turn: the next is below rounding */
 
 void invcal_circle(invcal_real degrees, invcal_real *cosine, invcal_real *sine)
@@ -16,9 +16,9 @@ void invcal_circle(invcal_real degrees, invcal_real *cosine, invcal_real *sine)
         degrees += 90;
         quarters += 3;
     }
-    const invcal_real x = degrees * DEGREE;
-    invcal_real part[2] = {1, 1}; /* cos x, sin x / x: 1 - x^2 / (n (n - 1)) (1 - ...) */
-    for (unsigned n = TERMS; n > 1; n--) {
+    const invcal_real x = degrees * RADIANS;
+    invcal_real part[2] = {1, 1};          /* cos x, sin x / x: 1 - x^2 / (n (n - 1)) (1 - ...) */
+    for (unsigned n = TERMS; n > 1; n--) { /* at most TERMS */
         part[n % 2] = 1 - part[n % 2] * x * x / (invcal_real)(n * (n - 1));
     }
     const invcal_real c = part[0];

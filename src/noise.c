@@ -11,8 +11,8 @@ enum { KINDS = INVCAL_NOISE_KINDS, ALL = (1 << INVCAL_NOISE_KINDS) - 1 };
 #define ABOVE INVCAL_REAL(0.1025)                /* 1.05^2 - 1 */
 #define EDF_MIN 5                                /* with fewer, chance has too long a tail */
 #define TRUST INVCAL_REAL(0.0025)                /* variance of the model itself, relative: 5 % */
-#define STEPS 8                        /* rounds of reweighting: 0.3 % from the end at most */
-#define VISIBLE (INVCAL_REAL(1.0) / 3) /* relative standard deviation of a term */
+#define ROUNDS 8                                 /* of reweighting: to 0.3 % of where they end */
+#define VISIBLE (INVCAL_REAL(1.0) / 3)           /* relative standard deviation of a term */
 #define SHARED 2 /* on that of slow noise, which ties neighbouring tau to each other */
 #define POOR 2   /* of misfit: beyond, it is no chance */
 
@@ -22,6 +22,11 @@ static void shares(invcal_real tau, invcal_real of[KINDS])
     of[INVCAL_NOISE_WHITE] = 1 / tau;
     of[INVCAL_NOISE_INSTABILITY] = FLICKER;
     of[INVCAL_NOISE_WALK] = tau / 3;
+}
+
+static int has_no_negative(const invcal_real x[KINDS])
+{
+    return x[0] >= 0 && x[1] >= 0 && x[2] >= 0;
 }
 
 /* ---- what the noise is made of --------------------------------------------------------------- */
@@ -53,7 +58,7 @@ static void collect(const invcal_allan *a, curve *c)
 {
     invcal_allan_point p;
 
-    c->count = 0;
+    memset(c, 0, sizeof *c);
     memset(&p, 0, sizeof p);
     //@ loop unroll INVCAL_ALLAN_TAUS;
     for (unsigned k = 0; k < a->taus; k++) {
@@ -106,31 +111,36 @@ static void sum_curve(const curve *c, const mixture *x, equations *e)
     }
 }
 
-/* What solves for one set of kinds, the others being 0, becomes the best model so far, if it is
- * determined, no square is negative, and the sum of squares that it leaves is less than `least` by
- * more than rounding. */
-static void try_set(const equations *e, unsigned kinds, invcal_real *least, mixture *best)
+/* Makes the squares of some kinds 0. */
+static void leave_out(unsigned kinds, equations *e)
 {
-    const unsigned others = ALL & ~kinds;
+    for (unsigned i = 0; i < KINDS; i++) {
+        for (unsigned j = 0; j <= KINDS && (kinds >> i & 1u); j++) {
+            e->a[i < j ? INVCAL_PACKED(j, i) : INVCAL_PACKED(i, j)] = i == j;
+        }
+    }
+}
+
+/* What solves for one set of kinds becomes the best model so far, if it is determined, no square is
+ * negative, and the sum of squares that it leaves is less than `min` by more than rounding. */
+static void try_set(const equations *e, unsigned kinds, invcal_real *min, mixture *best)
+{
     const invcal_real rounding = 8 * INVCAL_EPSILON * e->a[INVCAL_PACKED(KINDS, KINDS)];
-    equations s = *e;
+    equations s;
     const invcal_real *x = &s.a[INVCAL_PACKED(KINDS, 0)];
     const invcal_real *left = &s.a[INVCAL_PACKED(KINDS, KINDS)];
 
-    for (unsigned i = 0; i < KINDS; i++) {
-        for (unsigned j = 0; j <= KINDS && (others >> i & 1u); j++) {
-            s.a[i < j ? INVCAL_PACKED(j, i) : INVCAL_PACKED(i, j)] = i == j;
-        }
-    }
+    s = *e;
+    leave_out(ALL & ~kinds, &s);
     if (invcal_factor(s.a, KINDS, KINDS + 1, INVCAL_FLOOR) != INVCAL_OK ||
-        !(*left < *least - rounding)) {
+        !(*left < *min - rounding)) {
         return;
     }
     invcal_back_substitute(s.a, KINDS);
-    if (!(x[0] >= 0 && x[1] >= 0 && x[2] >= 0)) {
+    if (!has_no_negative(x)) {
         return;
     }
-    *least = *left;
+    *min = *left;
     invcal_invert(s.a, KINDS);
     best->kinds = kinds;
     for (unsigned i = 0; i < KINDS; i++) {
@@ -144,12 +154,12 @@ static void try_set(const equations *e, unsigned kinds, invcal_real *least, mixt
  * negative. */
 static void solve_best(const equations *e, unsigned allowed, mixture *best)
 {
-    invcal_real least = e->a[INVCAL_PACKED(KINDS, KINDS)];
+    invcal_real min = e->a[INVCAL_PACKED(KINDS, KINDS)];
 
     memset(best, 0, sizeof *best);
     for (unsigned kinds = 1; kinds <= ALL; kinds++) {
         if ((kinds & ~allowed) == 0) {
-            try_set(e, kinds, &least, best);
+            try_set(e, kinds, &min, best);
         }
     }
 }
@@ -159,7 +169,7 @@ static void fit(const curve *c, unsigned allowed, mixture *x)
 {
     equations e;
 
-    for (unsigned step = 0; step < STEPS; step++) {
+    for (unsigned step = 0; step < ROUNDS; step++) {
         sum_curve(c, x, &e);
         solve_best(&e, allowed, x);
     }
@@ -195,10 +205,12 @@ static invcal_real misfit(const curve *c, const mixture *x)
 /* Kinds that do not stand out are left out, one by one, as long as the others explain the curve. */
 static void fit_visible(const curve *c, mixture *x)
 {
+    mixture fewer;
+
     memset(x, 0, sizeof *x);
     fit(c, ALL, x);
     for (unsigned i = hidden_kind(x); i < KINDS; i = hidden_kind(x)) { /* at most KINDS */
-        mixture fewer = *x;
+        fewer = *x;
         fit(c, x->kinds & ~(1u << i), &fewer);
         const invcal_real after = misfit(c, &fewer);
         if (after > POOR && after > 2 * misfit(c, x)) {
@@ -280,10 +292,8 @@ static invcal_real time_of(const invcal_noise *noise, invcal_real sigma)
 
 invcal_status invcal_noise_dwell(const invcal_noise *noise, invcal_real sigma, invcal_dwell *out)
 {
-    const invcal_real *c = noise->coefficient;
-
     INVCAL_ASSERT(noise && out);
-    if (!invcal_is_positive(sigma) || !(c[0] >= 0 && c[1] >= 0 && c[2] >= 0)) {
+    if (!invcal_is_positive(sigma) || !has_no_negative(noise->coefficient)) {
         return INVCAL_BAD_NOISE;
     }
     const invcal_real wanted = time_of(noise, sigma);

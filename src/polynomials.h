@@ -25,7 +25,10 @@ invcal_status invcal_thermal_triad(const invcal_thermal *thermal, invcal_real t,
 invcal_status invcal_thermal_calibration(const invcal_thermal *thermal, invcal_real t,
                                          invcal_calibration *out);
 
-/* A temperature within the range seen, and where it was. */
-invcal_thermal_place invcal_thermal_clamp(const invcal_thermal *thermal, invcal_real *temperature);
+/* The same at a temperature: its t, or that of the end of the range seen if it is outside.
+ * INVCAL_BAD_TEMPERATURE if it is not finite. */
+invcal_status invcal_thermal_find(const invcal_thermal *thermal, invcal_real temperature,
+                                  invcal_real *t, invcal_calibration *out,
+                                  invcal_thermal_place *place);
 
 #endif

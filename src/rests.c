@@ -1,77 +1,78 @@
 /* SPDX-License-Identifier: MIT */
 #include "invcal/expert.h"
 
+#include <limits.h>
 #include <string.h>
 
 #include "vector.h"
 
 /* Every constant is a time, a ratio or a probability; none has a unit of the sensor.
+ *
  * Distances and noise are squared, and sums over the three axes, throughout. They are compared as
- * levels, logarithms to base 2 in steps of 1/128: what would be a factor is a difference, and 16
- * bits hold whatever int32 can bring about. */
-#define OCTAVE 128    /* a factor of 2 */
-#define ZERO (-4096)  /* the level of 0: below any other */
-#define NONE (-16384) /* nothing is known yet */
+ * levels, logarithms to base 2: what would be a factor is a difference, and 16 bits hold whatever
+ * int32 can bring about. */
+#define OCTAVE 128        /* a factor of 2 */
+#define ONE (32 * OCTAVE) /* the level of 1 count^2 */
+#define NONE 0            /* nothing is known yet: less than any level */
 
 /* Times. A block is about 1/8 s: shorter than a move, long enough to hold some samples. */
 enum {
     BITS_MIN = 2,   /* 4 samples: three axes then give nine degrees of freedom to a variance */
-    BITS_MAX = 10,  /* at 8000 samples per second */
     LEAST = 4,      /* blocks that make a position, or more where they last less than 0.6 s */
     TRIM = 2,       /* newest blocks held back: motion begins before it is noticed, 0.3 s */
     HOLD = 4,       /* more blocks in a row that disagree end a rest: knocks are shorter */
     ELSEWHERE = 2,  /* the same where the device rests elsewhere already */
     RELEARN = 4,    /* blocks in a row of another, steady noise are a new noise level, 0.6 s; */
     RECONSIDER = 8, /* after a position at the old one, 1.2 s: a hand's fumbling is shorter */
+    SEEK = 255,     /* blocks without a smaller change than the quantum: it is known, 30 s */
     FREEZE = 8,     /* blocks in a row without any noise: the sensor is not read, 1.2 s */
+    FADE = 4,       /* the trend forgets: 1 << FADE blocks count, 2 s, as long as a short rest */
     SETTLED = 20,   /* blocks after which a trend is known well enough to be followed, 3 s */
-    DRIFTING = 10,  /* blocks in a row of a rest that drifts, until it is refused: 1.5 s */
-    FADE = 4        /* the trend forgets: 1 << FADE blocks count, 2 s, as long as a short rest */
+    DRIFTING = 10   /* blocks in a row of a rest that drifts, until it is refused: 1.5 s */
 };
 
 /* Noise. The level is a quantile: the steps up and down balance where 30 % of the blocks lie below,
  * so a third of all blocks at rest is enough to learn it. */
 enum {
     RISE = 18,              /* 1.1 */
-    FALL = 41,              /* 1/0.8 */
-    FAR_BELOW = 4 * OCTAVE, /* what came before moved: no noise is that uneven */
+    FALL = 41,              /* 1 / 0.8 */
+    FAR_BELOW = 2 * OCTAVE, /* what came before moved: no noise is that uneven */
     QUIET = 297,            /* 5 times the level: chance is 2e-4 for 9 degrees of freedom */
     HARD = 331,             /* 6 times what is allowed: motion, not a hand's unrest */
     ALIKE = 203,            /* variances of blocks of one noise level differ less: 3 times */
     HIDDEN = -2 * OCTAVE,   /* readings that toggle between two counts vary by up to 1/4 count^2
-                                 on each axis: a noise that is smaller hides in them */
+                               on each axis: a noise that is smaller hides in them */
     ALIVE = 609             /* 27: where noise is three counts an axis, none can stand still */
 };
 
 /* Place. A block mean belongs to the rest within the largest of */
 enum {
-    OF_NOISE = OCTAVE,       /* 2 times the variance of a sample: chance is 7e-4 for 4 samples, */
-    OF_WANDER = 594,         /* 5 usual steps of a hand: 25, */
-    OF_REACH = -16 * OCTAVE, /* 1/256 of the reach: 8 mg of 2 g, */
-    OF_QUANTUM = 203         /* one count on each axis: 3. */
+    OF_NOISE = OCTAVE - QUIET, /* 2 times the variance of a sample: chance is 7e-4 for 4 samples, */
+    OF_WANDER = 594,           /* 5 usual steps of a hand: 25, */
+    OF_REACH = -16 * OCTAVE,   /* 1/256 of the reach: 8 mg of 2 g, */
+    OF_QUANTUM = 203           /* one count on each axis: 3. */
 };
 
 /* Drift: a slope beyond chance, and fast. */
 enum {
-    BEYOND_CHANCE = 144,        /* 12 / 5.5: see is_drifting */
-    PER_SECOND = 203,           /* 3 sigma of an axis in a second: 9/3 */
-    OF_REACH_PER_SECOND = -2469 /* 1/800 of the reach in a second */
+    BEYOND_CHANCE = 69,          /* 8 / 5.5, see is_drifting */
+    NOISE_PER_SECOND = 203,      /* 3 sigma of an axis in a second: 9/3 */
+    REACH_PER_SECOND = -19 * 128 /* 1/720 of the reach in a second */
 };
 
-#define WIDE (INT32_C(1) << 19)     /* counts: no noise is so large, and no rest creeps so far */
+#define WIDE (INT32_C(1) << 19) /* counts: no noise is so large, and no rest creeps so far */
+#define FINE 8                  /* bits behind the point of a mean */
+#define TWO_32 INVCAL_REAL(4294967296.0)
 #define HOUR (UINT32_C(3600) * 125) /* in 1/125 s */
-#define SMALL_MAX 0x4000u           /* squares of three axes stay below 2^31 */
-#define FINE 8                      /* bits behind the point of a mean */
 
-/* A rest is looked for; one was taken by this block; one is going on; is said to be READY; is said
- * to be refused. */
+/* A rest is looked for; one was taken by the newest block; one is going on; is said to be READY; is
+ * said to be refused. */
 enum { IDLE, LEFT, SETTLING, ANNOUNCED, DISMISSED };
 
 /* Bits of flags: of the stream, */
 enum {
     TAKEN = 1, /* there has been a position: `place` is one */
     /* of the candidate, */
-    BEGUN = 2,       /* its first block has been left out */
     CLIPPED = 4,     /* some sample was at a rail */
     INTERRUPTED = 8, /* samples were lost in it */
     CHANGED = 16,    /* the x axis has changed inside a block of it; y and z in the next bits */
@@ -84,15 +85,14 @@ enum { AT_RAIL = 1, WILD = 2 };
 /* What one block shows. */
 typedef struct {
     uint64_t variance; /* inside of it, 1/64 counts^2 */
-    int32_t place[3];  /* its mean in whole counts */
-    int32_t sum[3];    /* relative to origin, if it fits */
-    int32_t mean[3];   /* relative to origin, 1/256 counts */
+    int32_t sum[3];    /* relative to origin */
+    int32_t mean[3];   /* also, 1/256 counts */
     int level;         /* of the variance */
     int limit;         /* of a quiet block's level */
-    uint8_t fits;      /* not too far from origin to be summed */
-    uint8_t quiet;     /* noise and no more */
-    uint8_t here;      /* where the rest expects it */
-    uint8_t hard;      /* far from being quiet, or from here */
+    int quiet;         /* noise and no more */
+    int fits;          /* not too far from origin */
+    int here;          /* where the rest expects it */
+    int hard;          /* far from being quiet, or from here */
 } finding;
 
 /* ---- numbers ------------------------------------------------------------------------------ */
@@ -121,88 +121,111 @@ static int32_t shifted(int32_t x, unsigned bits)
     return x < 0 ? -size : size;
 }
 
-/* a - b, no further than limit. */
-static int32_t apart(int32_t a, int32_t b, int32_t limit)
+/* a - b, or what level_of can have of it. */
+static int32_t apart(int32_t a, int32_t b)
 {
     const int64_t d = (int64_t)a - b;
 
-    return d > limit ? limit : d < -limit ? -limit : (int32_t)d;
+    return d > INT32_MAX ? INT32_MAX : d < -INT32_MAX ? -INT32_MAX : (int32_t)d;
 }
 
-/* Straight between powers of two, so up to 6 % below. */
+/* The zeros before the first one of x > 0. */
+static unsigned zeros_before(uint32_t x)
+{
+#if defined(__GNUC__) && UINT_MAX == UINT32_MAX
+    return (unsigned)__builtin_clz(x);
+#else
+    unsigned zeros = 0;
+
+    for (unsigned step = 16; step > 0; step /= 2) {
+        if (x >> (32 - step) == 0) {
+            x <<= step;
+            zeros += step;
+        }
+    }
+    return zeros;
+#endif
+}
+
+/* To base 2, in octaves; straight between powers of two, so up to 6 % below. 0 counts as 1/2. */
 static int logarithm(uint32_t x)
 {
-    int level = 6 * OCTAVE;
-
     if (x == 0) {
-        return ZERO;
+        return -OCTAVE;
     }
-    while (x >= 2 * OCTAVE) {
-        x >>= 1;
-        level += OCTAVE;
-    }
-    while (x < OCTAVE) {
-        x <<= 1;
-        level -= OCTAVE;
-    }
-    return level + (int)x;
+    const unsigned zeros = zeros_before(x);
+    return (30 - (int)zeros) * OCTAVE + (int)(x << zeros >> 24);
 }
 
-static int wide_logarithm(uint64_t x)
+/* The level of a squared length of so many bits behind the point. */
+static int level_of(const int32_t v[3], int bits)
 {
-    int level = 0;
-
-    for (; x > UINT32_MAX; x >>= 4) {
-        level += 4 * OCTAVE;
-    }
-    return level + logarithm((uint32_t)x);
-}
-
-/* The level of a squared length. */
-static int level_of(const int32_t v[3])
-{
-    uint32_t all = 0;
+    const uint32_t all = size_of(v[0]) | size_of(v[1]) | size_of(v[2]) | 0x4000u;
+    const unsigned shift = 17 - zeros_before(all);
     uint32_t sum = 0;
-    unsigned shift = 0;
 
-    for (unsigned a = 0; a < 3; a++) {
-        all |= size_of(v[a]);
-    }
-    while (all >> shift >= 0x8000) {
-        shift++;
-    }
     for (unsigned a = 0; a < 3; a++) {
         const uint32_t size = size_of(v[a]) >> shift;
         sum += size * size;
     }
-    return logarithm(sum) + (int)shift * 2 * OCTAVE;
-}
-
-/* The same of what is in 1/256 counts. */
-static int fine_level(const int32_t v[3])
-{
-    return level_of(v) - FINE * 2 * OCTAVE;
+    return logarithm(sum) + ((int)shift - bits) * 2 * OCTAVE + ONE;
 }
 
 /* ---- a block ------------------------------------------------------------------------------ */
 
-/* Where all that is close to the first sample is off the rails too, one comparison will tell both. */
+/* The next sample begins another. */
+static void drop(invcal_rests *s)
+{
+    s->missing = 0;
+    s->span = 0;
+}
+
+/* Is the reading at a rail or beyond, or closer to one than inset? */
+static int is_outside(const invcal_rests *s, int32_t raw, uint32_t inset)
+{
+    return (uint32_t)raw - (uint32_t)s->low - 1u - inset >= s->between - 2u * inset;
+}
+
+static void look_at_rails(invcal_rests *s, int32_t raw)
+{
+    if (is_outside(s, raw, 0)) {
+        s->seen |= AT_RAIL;
+    }
+}
+
+/* Twice the differences that are added quickly, a power of two: their squares, of three axes and a
+ * whole block, stay below 2^32, and they are at most an eighth of what is between the rails. */
+static uint32_t widest_span(const invcal_rests *s)
+{
+    const uint32_t quarter = s->between / 4 | 1u;
+    const unsigned by_rails = 31 - zeros_before(quarter);
+    const unsigned by_block = (32u - s->bits) / 2;
+
+    return UINT32_C(1) << (by_rails < by_block ? by_rails : by_block);
+}
+
+/* Where all that is close to the first sample is off the rails too, one comparison will tell both.
+ * Until the quantum is known, every sample is looked at. */
 static void begin(invcal_rests *s, const int32_t raw[3])
 {
-    const uint32_t margin = s->widest / 2u + 1u;
-    const uint32_t between = (uint32_t)s->high - (uint32_t)s->low - (2u * margin - 1u);
+    const uint32_t span = widest_span(s);
 
-    s->span = s->widest;
+    s->missing = (UINT32_C(1) << s->bits) - 1;
+    if (s->quantum > 0 && s->seek > 0) {
+        s->seek--;
+    }
+    s->span = s->seek > 0 ? 0 : (uint16_t)span;
+    s->square = 0;
+    s->carry = 0;
+    s->seen = 0;
     for (unsigned a = 0; a < 3; a++) {
         s->first[a] = raw[a];
         s->sum[a] = 0;
-        if ((uint32_t)raw[a] - (uint32_t)s->low - margin >= between) {
+        if (is_outside(s, raw[a], span / 2)) {
             s->span = 0;
+            look_at_rails(s, raw[a]);
         }
     }
-    s->square = 0;
-    s->seen = 0;
-    s->missing = (uint16_t)(1u << s->bits);
     if (s->stage == LEFT) {
         s->stage = IDLE;
     }
@@ -232,58 +255,97 @@ static int add_small(invcal_rests *s, const int32_t raw[3])
 /* The same for any reading: at a rail, of a large noise, or in motion; and it learns the quantum. */
 static void add_reading(invcal_rests *s, unsigned a, int32_t raw)
 {
-    const int rises = raw >= s->first[a];
     const uint32_t d = (uint32_t)raw - (uint32_t)s->first[a];
-    const uint32_t size = rises ? d : 0 - d;
+    const uint32_t size = raw >= s->first[a] ? d : 0 - d;
 
-    if (raw <= s->low || raw >= s->high) {
-        s->seen |= AT_RAIL;
-    }
+    look_at_rails(s, raw);
     if (size > 0 && (s->quantum == 0 || size < s->quantum)) {
         s->quantum = size;
+        s->seek = size > 1 ? SEEK : 0;
     }
     if (size >= WIDE) {
         s->seen |= WILD;
         return;
     }
+    const uint64_t square = (uint64_t)size * size + s->square;
     s->sum[a] += d;
-    s->square += (uint64_t)size * size;
+    s->square = (uint32_t)square;
+    s->carry += (uint32_t)(square >> 32);
 }
 
-/* Integers, so nothing cancels: variance = (n sum d^2 - (sum d)^2) / (n (n - 1)). */
-static void measure(const invcal_rests *s, finding *f)
+/* n^2 times the variance, but for n / (n - 1). Integers, so nothing cancels. */
+static uint64_t scatter_of(const invcal_rests *s)
 {
-    const unsigned bits = s->bits;
-    uint64_t scatter = s->square << bits;
+    uint64_t scatter = ((uint64_t)s->carry << 32 | s->square) << s->bits;
 
     for (unsigned a = 0; a < 3; a++) {
         const int32_t sum = as_signed(s->sum[a]);
         scatter -= (uint64_t)((int64_t)sum * sum); /* never below 0: Cauchy and Schwarz */
-        f->place[a] = as_signed((uint32_t)s->first[a] + (uint32_t)shifted(sum, bits));
     }
+    return scatter;
+}
+
+static void measure(const invcal_rests *s, uint64_t scatter, finding *f)
+{
+    const int bits = s->bits;
+
     f->variance = (scatter << 2) >> (2 * bits - 4);
-    f->level = wide_logarithm(scatter) - (int)(2 * bits) * OCTAVE +
-               ((3 * OCTAVE / 2) >> bits); /* n / (n - 1), nearly */
+    f->level = ONE - 2 * bits * OCTAVE + ((3 * OCTAVE / 2) >> bits); /* n / (n - 1), nearly */
+    for (; scatter > UINT32_MAX; scatter >>= 4) {
+        f->level += 4 * OCTAVE;
+    }
+    f->level += logarithm((uint32_t)scatter);
 }
 
 /* What a sum of a block makes of a mean, 1/256 counts. */
 static int32_t fine_mean(const invcal_rests *s, int32_t sum)
 {
-    return s->bits <= FINE ? sum * (1 << (FINE - s->bits)) : shifted(sum, s->bits - FINE);
+    return s->bits <= FINE ? sum * (1 << (FINE - s->bits)) : shifted(sum, s->bits - (unsigned)FINE);
 }
 
-/* Where the block is, relative to origin. */
+/* Where the block is, relative to origin; 0 on an axis on which that is too far. */
 static void relate(const invcal_rests *s, finding *f)
 {
-    f->fits = 1;
+    f->fits = (s->seen & WILD) == 0;
     for (unsigned a = 0; a < 3; a++) {
-        const int32_t off = apart(s->first[a], s->origin[a], WIDE);
-        if (size_of(off) >= WIDE) {
+        const int64_t off = (int64_t)s->first[a] - s->origin[a];
+        f->sum[a] = 0;
+        if (off < WIDE && off > -WIDE) {
+            f->sum[a] = as_signed(s->sum[a]) + (int32_t)off * (1 << s->bits);
+        } else {
             f->fits = 0;
         }
-        f->sum[a] = as_signed(s->sum[a]) + off * (1 << s->bits);
         f->mean[a] = fine_mean(s, f->sum[a]);
     }
+}
+
+/* The level of the distance from the last position to origin. */
+static int level_of_move(const invcal_rests *s)
+{
+    int32_t d[3];
+
+    for (unsigned a = 0; a < 3; a++) {
+        d[a] = apart(s->origin[a], s->place[a]);
+    }
+    return level_of(d, 0);
+}
+
+/* To the mean of this block, in whole counts. */
+static void move_origin(invcal_rests *s, finding *f)
+{
+    for (unsigned a = 0; a < 3; a++) {
+        const int32_t off = shifted(as_signed(s->sum[a]), s->bits);
+        s->origin[a] = as_signed((uint32_t)s->first[a] + (uint32_t)off);
+    }
+    s->reach = (int16_t)larger(s->reach, level_of_move(s));
+    relate(s, f);
+}
+
+/* Quiet blocks passed over behind motion, 0.5 s: half of what makes a position, rounded up, and
+ * the one that may have begun in motion. */
+static uint8_t edge_of(const invcal_rests *s)
+{
+    return (uint8_t)((s->least + 3u) / 2);
 }
 
 /* ---- learning from the stream ------------------------------------------------------------- */
@@ -291,7 +353,13 @@ static void relate(const invcal_rests *s, finding *f)
 /* At least one count. */
 static int quantum_level(const invcal_rests *s)
 {
-    return s->quantum > 1 ? 2 * logarithm(s->quantum) : 0;
+    return s->quantum > 1 ? 2 * logarithm(s->quantum) + ONE : ONE;
+}
+
+/* Places that differ by less are one. */
+static int resolution_level(const invcal_rests *s)
+{
+    return larger(s->reach + OF_REACH, quantum_level(s) + OF_QUANTUM);
 }
 
 /* The noise, no smaller than what quantisation hides. */
@@ -301,37 +369,34 @@ static int noise_level(const invcal_rests *s)
 }
 
 /* Follows a low quantile. */
-static int follow(int level, int x)
+static int16_t follow(int level, int x)
 {
-    if (level == NONE) {
-        return x;
+    if (level == NONE || (x >= level && x <= level + RISE)) {
+        return (int16_t)x;
     }
-    if (x >= level) {
-        return x < level + RISE ? x : level + RISE;
+    if (x > level) {
+        return (int16_t)(level + RISE);
     }
-    return x < level - FAR_BELOW ? x + FAR_BELOW : larger(x, level - FALL);
+    return (int16_t)(x < level - FAR_BELOW ? x + FAR_BELOW : larger(x, level - FALL));
 }
 
-static void learn_reach(invcal_rests *s, const finding *f)
-{
-    int32_t d[3];
-
-    for (unsigned a = 0; a < 3; a++) {
-        d[a] = apart(f->place[a], s->place[a], INT32_C(1) << 30);
-    }
-    s->reach = (int16_t)larger(s->reach, level_of(d));
-}
-
-/* A quiet block is judged by the noise so far, and then adds to it. */
+/* A quiet block is judged by the noise so far, and then adds to it. What came before one that is far
+ * below has moved, and a rest begins anew. */
 static void learn_noise(invcal_rests *s, finding *f)
 {
+    const int hidden = quantum_level(s) + HIDDEN;
+
     if (s->noise == NONE) {
         s->noise = (int16_t)f->level;
     }
-    f->limit = noise_level(s) + QUIET;
+    if (larger(f->level, hidden) < s->noise - 2 * FAR_BELOW && s->blocks < s->least) {
+        s->stage = IDLE;
+        s->skip = edge_of(s);
+    }
+    f->limit = larger(s->noise, hidden) + QUIET;
     f->quiet = (s->seen & WILD) == 0 && f->level <= f->limit;
     if (f->quiet) {
-        s->noise = (int16_t)follow(s->noise, f->level);
+        s->noise = follow(s->noise, f->level);
     }
 }
 
@@ -342,19 +407,18 @@ static int learn_new_noise(invcal_rests *s, const finding *f)
 {
     const int d = f->level - s->other;
 
-    if (f->quiet || !f->fits || (s->seen & WILD) != 0 || d > ALIKE || d < -ALIKE ||
-        fine_level(f->mean) > f->level) {
+    if (f->quiet || !f->fits || d > ALIKE || d < -ALIKE || level_of(f->mean, FINE) > f->level) {
         s->run = 0;
         s->other = (int16_t)f->level;
         return 0;
     }
     s->run++;
-    s->other = (int16_t)(s->other + d / 4);
     if (s->run < ((s->flags & TAKEN) != 0 ? RECONSIDER : RELEARN)) {
         return 0;
     }
     s->noise = s->other;
     s->run = 0;
+    s->skip = 1;
     return 1;
 }
 
@@ -371,11 +435,9 @@ static uint32_t blocks_of(const invcal_rests *s)
 static void add_trend(invcal_rests *s, const finding *f)
 {
     const uint32_t blocks = blocks_of(s);
-    unsigned fade = 0;
+    const unsigned bits = blocks > 0 ? 32 - zeros_before(blocks) : 0;
+    const unsigned fade = bits < FADE ? bits : FADE;
 
-    while (fade < FADE && blocks >> fade != 0) {
-        fade++;
-    }
     for (unsigned a = 0; a < 3; a++) {
         s->once[a] += shifted(f->mean[a] - s->once[a], fade);
         s->twice[a] += shifted(s->once[a] - s->twice[a], fade);
@@ -386,42 +448,29 @@ static void add_trend(invcal_rests *s, const finding *f)
     s->spread = (uint16_t)(spread - (spread >> fade));
 }
 
-/* The level of the candidate's own noise, no smaller than what quantisation hides. */
-static int own_noise(const invcal_rests *s)
-{
-    const int level = wide_logarithm(s->variance) - logarithm(blocks_of(s) + 1) - 6 * OCTAVE;
-
-    return larger(level, quantum_level(s) + HIDDEN);
-}
-
 /* Does the rest drift? The slope must be beyond chance, as noise and the steps between blocks tell
  * it, and fast, for the noise and for the reach: a sensor that warms up is slower.
  *
- * Of block means that scatter by v, g = spread, the slope b is known to v / (4.5 g^3), within
- * 30 %, so chance is less than 1e-7 (chi^2 of 36 for three axes) beyond b^2 g^3 = 12 / 4.5 v. */
+ * Of block means that scatter by v, g = spread, the slope b is known to v / (5.5 g^3), within
+ * 30 %, so chance is less than 1e-4 (chi^2 of 24 for three axes) beyond b^2 g^3 = 8 / 5.5 v. A
+ * step between two blocks is 2 v. */
 static int is_drifting(const invcal_rests *s)
 {
     const int32_t d[3] = {s->once[0] - s->twice[0], s->once[1] - s->twice[1],
                           s->once[2] - s->twice[2]};
-    const int noise = own_noise(s);
-    const int scatter = larger(noise - s->bits * OCTAVE, s->wander - OCTAVE);
     const int spread = logarithm(s->spread) - FINE * OCTAVE;
-    const int slope = fine_level(d) - 2 * spread;
-    const int speed = slope + 2 * (logarithm(s->rate) - s->bits * OCTAVE);
+    const int slope = level_of(d, FINE) - 2 * spread;
+    const int speed = slope + s->pace;
+    const int noise = noise_level(s);
+    const int scatter = larger(noise - s->bits * OCTAVE, s->wander - OCTAVE);
 
-    return blocks_of(s) >= LEAST && slope + 3 * spread > scatter + BEYOND_CHANCE &&
-           speed > noise + PER_SECOND && speed > s->reach + OF_REACH_PER_SECOND;
+    return slope + 3 * spread > scatter + BEYOND_CHANCE && speed > noise + NOISE_PER_SECOND &&
+           speed > s->reach + REACH_PER_SECOND;
 }
 
 /* ---- the candidate ------------------------------------------------------------------------ */
 
-/* Quiet blocks passed over behind motion, 0.3 to 0.4 s: half of what makes a position, rounded up. */
-static unsigned edge_of(const invcal_rests *s)
-{
-    return (s->least + 1u) / 2;
-}
-
-/* From this block on, when `skip` quiet ones have passed. */
+/* From the next block on, when those to be skipped have passed. */
 static void start(invcal_rests *s)
 {
     memset(s->total, 0, sizeof s->total);
@@ -434,37 +483,17 @@ static void start(invcal_rests *s)
     s->stage = SETTLING;
 }
 
-static void move_origin(invcal_rests *s, finding *f)
-{
-    memcpy(s->origin, f->place, sizeof s->origin);
-    relate(s, f);
-}
-
-/* The mean of the candidate in whole counts, to compare places. */
-static void place_of(const invcal_rests *s, int32_t place[3])
-{
-    for (unsigned a = 0; a < 3; a++) {
-        place[a] = s->origin[a] + shifted(s->once[a], FINE);
-    }
-}
-
+/* Is this the position taken last? */
 static int is_same(const invcal_rests *s)
 {
-    int32_t d[3];
-
-    place_of(s, d);
-    for (unsigned a = 0; a < 3; a++) {
-        d[a] = apart(d[a], s->place[a], INT32_C(1) << 30);
-    }
-    return (s->flags & TAKEN) != 0 &&
-           level_of(d) < larger(s->reach + OF_REACH, quantum_level(s) + OF_QUANTUM);
+    return (s->flags & TAKEN) != 0 && level_of_move(s) < resolution_level(s);
 }
 
 /* Has nothing ever changed, or one axis not, among others of a noise that it cannot be without? */
 static int is_stuck(const invcal_rests *s)
 {
     return s->quantum == 0 ||
-           ((s->flags & ALL_CHANGED) != ALL_CHANGED && own_noise(s) > quantum_level(s) + ALIVE);
+           ((s->flags & ALL_CHANGED) != ALL_CHANGED && s->noise > quantum_level(s) + ALIVE);
 }
 
 static invcal_status too_short(const invcal_rests *s)
@@ -504,9 +533,9 @@ static invcal_event finish(invcal_rests *s)
     if (why == INVCAL_OK && s->stage != ANNOUNCED && is_drifting(s)) {
         why = INVCAL_REST_DRIFT;
     }
-    const int is_nothing = s->blocks < edge_of(s) || is_said(s, why);
+    const int is_nothing = s->blocks < s->least / 2u || is_said(s, why);
     s->stage = IDLE;
-    s->skip = (uint8_t)edge_of(s);
+    s->skip = edge_of(s);
     if (is_nothing) {
         return INVCAL_MOVING;
     }
@@ -514,7 +543,7 @@ static invcal_event finish(invcal_rests *s)
     if (why != INVCAL_OK) {
         return INVCAL_REFUSED;
     }
-    place_of(s, s->place);
+    memcpy(s->place, s->origin, sizeof s->place);
     s->flags |= TAKEN;
     s->stage = LEFT;
     return INVCAL_TAKEN;
@@ -522,41 +551,38 @@ static invcal_event finish(invcal_rests *s)
 
 /* ---- decisions ---------------------------------------------------------------------------- */
 
-/* The oldest pending block is safe: no motion came within TRIM blocks behind it. The first of a
- * rest is left out, it may have begun in motion. */
-static void commit(invcal_rests *s)
+/* This pending block is safe: no motion came within TRIM blocks behind it. */
+static void commit(invcal_rests *s, const int32_t sum[3])
 {
-    const uint32_t trimmed = s->time - ((uint32_t)TRIM << s->bits);
-
-    if ((s->flags & BEGUN) == 0) {
-        s->flags |= BEGUN;
-        s->begin = trimmed;
-    } else if (s->blocks < UINT16_MAX) {
-        for (unsigned a = 0; a < 3; a++) {
-            s->total[a] += s->pending[0][a];
-        }
-        s->end = trimmed;
-        s->blocks++;
-    } /* cppcheck-suppress misra-c2012-15.7 ; full: it has blocks enough */
-    memcpy(s->pending[0], s->pending[1], sizeof s->pending[0]);
-    s->pended--;
+    for (unsigned a = 0; a < 3; a++) {
+        s->total[a] += sum[a];
+    }
+    s->end = s->time - ((uint32_t)TRIM << s->bits);
+    s->blocks++;
 }
 
 static void add_block(invcal_rests *s, const finding *f)
 {
+    int32_t *oldest = s->pending[blocks_of(s) % TRIM];
+
     add_trend(s, f);
-    if (s->pended == TRIM) {
-        commit(s);
+    if (s->blocks == UINT16_MAX) { /* it has blocks enough */
+        return;
     }
-    for (unsigned a = 0; a < 3; a++) {
-        s->pending[s->pended][a] = f->sum[a];
+    if (blocks_of(s) == 0) {
+        s->begin = s->time - (UINT32_C(1) << s->bits);
+    }
+    if (s->pended < TRIM) {
+        s->pended++;
+    } else {
+        commit(s, oldest);
+    }
+    memcpy(oldest, f->sum, sizeof f->sum);
+    s->variance += f->variance;
+    for (unsigned a = 0; a < 3 && (s->flags & ALL_CHANGED) != ALL_CHANGED; a++) {
         if (s->sum[a] != 0) { /* of differences to the first sample */
             s->flags = (uint8_t)(s->flags | (unsigned)CHANGED << a);
         }
-    }
-    s->pended++;
-    if (s->blocks < UINT16_MAX) {
-        s->variance += f->variance;
     }
 }
 
@@ -568,7 +594,7 @@ static invcal_event drifting(invcal_rests *s, finding *f)
     }
     move_origin(s, f);
     start(s);
-    s->skip = (uint8_t)edge_of(s);
+    s->skip = edge_of(s);
     s->reason = INVCAL_REST_DRIFT;
     return INVCAL_REFUSED;
 }
@@ -613,69 +639,53 @@ static invcal_event agree(invcal_rests *s, finding *f)
  * a hard blow is not trusted. */
 static invcal_event disagree(invcal_rests *s, const finding *f)
 {
-    const int elsewhere = f->quiet && f->hard;
-
     s->hold++;
     if (f->hard) {
-        s->skip = (uint8_t)edge_of(s);
+        s->skip = edge_of(s);
     }
-    return s->hold <= (elsewhere ? ELSEWHERE : HOLD) ? INVCAL_MOVING : finish(s);
+    return s->hold <= (f->quiet && f->hard ? ELSEWHERE : HOLD) ? INVCAL_MOVING : finish(s);
 }
 
-/* Where would the rest have this block? A settled one may drift slowly: its trend is followed. The
- * steps from block to block are learned here too. */
-static void expect(invcal_rests *s, finding *f)
+/* Where would the rest have this block? A settled one may drift slowly: its trend is followed. */
+static void expect(const invcal_rests *s, finding *f)
 {
-    const int level = larger(larger(noise_level(s) + OF_NOISE, s->wander + OF_WANDER),
-                             larger(s->reach + OF_REACH, quantum_level(s) + OF_QUANTUM));
+    const int level =
+        larger(resolution_level(s), larger(f->limit + OF_NOISE, s->wander + OF_WANDER));
+    const int is_settled = blocks_of(s) >= SETTLED;
     int32_t d[3];
 
     for (unsigned a = 0; a < 3; a++) {
-        const int32_t ahead = s->once[a] - s->twice[a];
-        d[a] = f->mean[a] - s->once[a];
-        if (blocks_of(s) >= SETTLED) {
-            d[a] -= ahead + ahead / (1 << FADE);
-        }
+        d[a] = f->mean[a] - s->once[a] - is_settled * (s->once[a] - s->twice[a]);
     }
-    const int jump = blocks_of(s) > 0 ? fine_level(d) : ZERO;
+    const int jump = blocks_of(s) > 0 ? level_of(d, FINE) : NONE;
     f->here = f->fits && jump <= level;
-    f->hard =
-        (s->seen & WILD) != 0 || !f->fits || f->level > f->limit + HARD || jump > level + HARD;
+    f->hard = !f->fits || f->level > f->limit + HARD || jump > level + HARD;
 }
 
 static void learn_wander(invcal_rests *s, const finding *f)
 {
-    int32_t step[3];
+    const int32_t *newest = s->pending[(blocks_of(s) + 1) % TRIM];
+    const int32_t step[3] = {f->sum[0] - newest[0], f->sum[1] - newest[1], f->sum[2] - newest[2]};
 
-    if (s->pended == 0 || s->hold > 0 || !f->fits) {
-        return;
-    }
-    for (unsigned a = 0; a < 3; a++) {
-        step[a] = f->mean[a] - fine_mean(s, s->pending[s->pended - 1][a]);
-    }
-    s->wander = (int16_t)follow(s->wander, fine_level(step));
+    s->wander = follow(s->wander, level_of(step, s->bits));
 }
 
 static invcal_event judge_moment(invcal_rests *s, finding *f)
 {
     const int fresh = learn_new_noise(s, f);
 
-    f->quiet = f->quiet || fresh;
+    f->quiet |= fresh;
     if (s->stage == IDLE || blocks_of(s) == 0) {
         move_origin(s, f);
     }
     if (s->stage == IDLE) {
         if (!f->quiet) {
-            s->skip = (uint8_t)edge_of(s);
             return INVCAL_MOVING;
         }
         start(s);
-        if (fresh) {
-            s->skip = 0;
-        }
     }
     expect(s, f);
-    if (f->quiet) {
+    if (f->quiet && f->fits && s->pended > 0 && s->hold == 0) {
         learn_wander(s, f);
     }
     return f->quiet && f->here ? agree(s, f) : disagree(s, f);
@@ -683,12 +693,12 @@ static invcal_event judge_moment(invcal_rests *s, finding *f)
 
 /* No noise at all, though the stream has shown some that would not allow it; or three axes that
  * read the same number: no triad does. */
-static int is_frozen(const invcal_rests *s, const finding *f)
+static int is_dead(const invcal_rests *s, uint64_t scatter)
 {
     const int32_t *first = s->first;
-    const int known = s->noise > quantum_level(s);
 
-    return f->level < ZERO + OCTAVE && (known || (first[0] == first[1] && first[1] == first[2]));
+    return scatter == 0 && (s->seen & WILD) == 0 &&
+           (s->noise > quantum_level(s) || (first[0] == first[1] && first[1] == first[2]));
 }
 
 static invcal_event freeze(invcal_rests *s)
@@ -709,19 +719,20 @@ static invcal_event freeze(invcal_rests *s)
 /* A block is full. */
 INVCAL_APART static invcal_event decide(invcal_rests *s)
 {
+    const uint64_t scatter = scatter_of(s);
     finding f;
 
+    drop(s);
     s->time += UINT32_C(1) << s->bits;
-    measure(s, &f);
-    if (is_frozen(s, &f)) {
+    if (is_dead(s, scatter)) {
         return freeze(s);
     }
     s->frozen = 0;
     if (s->noise == NONE) {
-        memcpy(s->place, f.place, sizeof s->place);
+        memcpy(s->place, s->first, sizeof s->place);
     }
+    measure(s, scatter, &f);
     relate(s, &f);
-    learn_reach(s, &f);
     learn_noise(s, &f);
     return judge_moment(s, &f);
 }
@@ -731,11 +742,14 @@ INVCAL_APART static invcal_event feed_any(invcal_rests *s, const int32_t raw[3])
 {
     if (s->missing == 0) {
         begin(s, raw);
+        return INVCAL_NOTHING;
     }
+    s->span = 0; /* the squares may be large now */
     for (unsigned a = 0; a < 3; a++) {
         add_reading(s, a, raw[a]);
     }
-    return --s->missing > 0 ? INVCAL_NOTHING : decide(s);
+    s->missing--;
+    return s->missing > 0 ? INVCAL_NOTHING : decide(s);
 }
 
 /* ---- what is called ----------------------------------------------------------------------- */
@@ -749,16 +763,16 @@ invcal_status invcal_rests_init(invcal_rests *rests, unsigned rate)
     memset(rests, 0, sizeof *rests);
     rests->rate = (uint16_t)rate;
     rests->bits = BITS_MIN;
-    while (11u << rests->bits < rate) { /* from 1/11 to 2/11 s */
+    while (11u << rests->bits < rate) { /* from 1/11 to 2/11 s; at most 8 steps */
         rests->bits++;
     }
+    const int pace = logarithm(rate) - rests->bits * OCTAVE;
     const unsigned blocks = (5 * rate / 8 + (1u << rests->bits) - 1) >> rests->bits;
+    rests->pace = (int16_t)(2 * pace);
     rests->least = (uint8_t)(blocks > LEAST ? blocks : LEAST);
     rests->dwell = rests->least;
-    rests->skip = (uint8_t)edge_of(rests);
-    rests->noise = NONE;
-    rests->wander = NONE;
-    rests->reach = ZERO;
+    rests->skip = edge_of(rests);
+    rests->seek = SEEK;
     return invcal_rests_rails(rests, INT32_MIN, INT32_MAX);
 }
 
@@ -768,22 +782,16 @@ invcal_status invcal_rests_rails(invcal_rests *rests, int32_t low, int32_t high)
     if (low >= high) {
         return INVCAL_BAD_RAILS;
     }
-    const uint32_t quarter = ((uint32_t)high - (uint32_t)low) / 4;
-    uint16_t widest = 2 * SMALL_MAX;
-    while (widest > quarter) { /* at most 16 steps: halved */
-        widest /= 2;
-    }
-    rests->widest = widest;
     rests->low = low;
-    rests->high = high;
+    rests->between = (uint32_t)high - (uint32_t)low - 1;
     return INVCAL_OK;
 }
 
 void invcal_rests_hold(invcal_rests *rests, uint32_t milliseconds)
 {
     INVCAL_ASSERT(rests);
-    const uint32_t eighths = milliseconds / 8 + 1;
-    const uint32_t samples = (eighths < HOUR ? eighths : HOUR) * rests->rate / 125;
+    const uint32_t time = milliseconds / 8 + 1; /* in 1/125 s */
+    const uint32_t samples = (time < HOUR ? time : HOUR) * rests->rate / 125;
     const uint32_t blocks = (samples >> rests->bits) + 1;
     rests->dwell = (uint16_t)(blocks > rests->least ? blocks : rests->least);
     if (rests->stage == ANNOUNCED && rests->blocks < rests->dwell) {
@@ -794,7 +802,7 @@ void invcal_rests_hold(invcal_rests *rests, uint32_t milliseconds)
 invcal_event invcal_rests_feed(invcal_rests *rests, const int32_t raw[3])
 {
     INVCAL_ASSERT(rests && raw);
-    if (rests->missing == 0 || rests->quantum != 1 || !add_small(rests, raw)) {
+    if (!add_small(rests, raw)) {
         return feed_any(rests, raw);
     }
     rests->missing--;
@@ -804,14 +812,14 @@ invcal_event invcal_rests_feed(invcal_rests *rests, const int32_t raw[3])
 void invcal_rests_gap(invcal_rests *rests)
 {
     INVCAL_ASSERT(rests);
-    rests->missing = 0;
+    drop(rests);
     rests->flags |= INTERRUPTED;
 }
 
 invcal_event invcal_rests_finish(invcal_rests *rests)
 {
     INVCAL_ASSERT(rests);
-    rests->missing = 0;
+    drop(rests);
     return rests->stage > LEFT ? finish(rests) : INVCAL_MOVING;
 }
 
@@ -840,18 +848,16 @@ int invcal_rests_get(const invcal_rests *rests, invcal_rest *out)
         return 0;
     }
     const uint32_t size = UINT32_C(1) << rests->bits;
-    const uint32_t blocks = blocks_of(rests) + 1; /* with the one left out */
-    const invcal_real variance =
-        (invcal_real)(uint32_t)(rests->variance >> 32) * INVCAL_REAL(4294967296.0) +
-        (invcal_real)(uint32_t)rests->variance;
+    const uint32_t degrees = blocks_of(rests) * 3 * (size - 1); /* of freedom, less than 2^28 */
+    const invcal_real squares = (invcal_real)(uint32_t)(rests->variance >> 32) * TWO_32 +
+                                (invcal_real)(uint32_t)rests->variance;
     out->count = rests->blocks * size;
     for (unsigned a = 0; a < 3; a++) {
         out->sum[a] = rests->total[a] + (int64_t)rests->origin[a] * (int64_t)out->count;
     }
     out->begin = rests->begin;
     out->end = rests->end;
-    out->variance =
-        variance / (invcal_real)(blocks * 192) * (invcal_real)size / (invcal_real)(size - 1);
+    out->variance = squares * (invcal_real)size / 64 / (invcal_real)degrees;
     return 1;
 }
 

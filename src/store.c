@@ -28,7 +28,7 @@ typedef struct {
 } work;
 
 /* Finds the end of so much: behind the CRC. Returns whether a slot holds it. */
-static int measure(work *w, uint32_t size)
+static int find_end(work *w, uint32_t size)
 {
     const uint32_t g = w->store->granularity;
 
@@ -50,7 +50,7 @@ static int read_header(work *w)
 {
     w->size = invcal_get_u16(w->chunk + 2);
     w->sequence[w->slot] = invcal_get_u32(w->chunk + 4);
-    return invcal_get_u16(w->chunk) == SLOT_KIND_VERSION && measure(w, w->size);
+    return invcal_get_u16(w->chunk) == SLOT_KIND_VERSION && find_end(w, w->size);
 }
 
 /* Any bit will do: programming them began only when all else had been read back. For the same
@@ -73,7 +73,6 @@ static state confirmation(work *w)
 static state look(work *w)
 {
     uint8_t *bytes = w->bytes;
-    uint32_t n;
 
     if (!read_chunk(w, 0, HEADER)) {
         return UNREADABLE;
@@ -83,12 +82,13 @@ static state look(work *w)
     }
     uint32_t left = w->size <= w->capacity ? w->size : 0;
     uint32_t crc = invcal_crc32(0, w->chunk, HEADER);
-    for (uint32_t at = HEADER; at < w->end; at += n) { /* at most 2049 steps */
-        n = w->end - at < CHUNK ? w->end - at : CHUNK;
+    for (uint32_t at = HEADER; at < w->end; at += CHUNK) { /* at most 2049 steps */
+        const uint32_t n = w->end - at < CHUNK ? w->end - at : CHUNK;
         if (!read_chunk(w, at, n)) {
             return UNREADABLE;
         }
         crc = invcal_crc32(crc, w->chunk, n);
+        /* cppcheck-suppress knownConditionTrueFalse ; read_header has set w->end */
         for (uint32_t i = 0; i < n && left > 0; i++, left--) {
             *bytes++ = w->chunk[i];
         }
@@ -97,15 +97,17 @@ static state look(work *w)
 }
 
 /* Begins a call: looks at both slots. */
-static invcal_status start(work *w, const invcal_store *store)
+static invcal_status survey(work *w, const invcal_store *store)
 {
     const uint32_t g = store->granularity;
 
     INVCAL_ASSERT(store->read && store->erase && store->program);
-    /* zeros: a driver that reports success and reads too little does no more harm than a bad one */
+    /* zeros: a driver that reports success and reads too little does no more harm than a worn
+     * memory */
     memset(w, 0, sizeof *w);
     w->store = store;
-    if (g - 1 >= CHUNK || (g & (g - 1)) != 0 || !measure(w, 1)) {
+    w->bytes = w->chunk; /* of capacity 0: nothing is copied */
+    if (g - 1 >= CHUNK || (g & (g - 1)) != 0 || !find_end(w, 1)) {
         return INVCAL_BAD_STORE;
     }
     w->state[0] = look(w);
@@ -127,7 +129,7 @@ static int clear(work *w)
 /* Fills chunk after chunk with header, bytes, padding and CRC, and programs them. */
 static int program(work *w, const uint8_t *bytes, uint32_t size)
 {
-    (void)measure(w, size);
+    (void)find_end(w, size);
     (void)invcal_put_u32(invcal_put_two(w->chunk, SLOT_KIND_VERSION, size),
                          w->sequence[w->kept] + 1);
     uint32_t crc = invcal_crc32(0, w->chunk, HEADER);
@@ -146,6 +148,7 @@ static int program(work *w, const uint8_t *bytes, uint32_t size)
     }
     return 1;
 }
+
 static int confirm(work *w)
 {
     memset(w->chunk, 0, CHUNK);
@@ -157,11 +160,11 @@ invcal_status invcal_store_save(const invcal_store *store, const uint8_t *bytes,
     work w;
 
     INVCAL_ASSERT(store && bytes);
-    const invcal_status status = start(&w, store);
+    const invcal_status status = survey(&w, store);
     if (status != INVCAL_OK) {
         return status;
     }
-    if (!measure(&w, size)) {
+    if (!find_end(&w, size)) {
         return size > 0 ? INVCAL_NO_SPACE : INVCAL_BAD_COUNT;
     }
     w.slot = 1 - w.kept;
@@ -176,7 +179,7 @@ invcal_status invcal_store_load(const invcal_store *store, uint8_t *bytes, uint3
     work w;
 
     INVCAL_ASSERT(store && bytes && size);
-    const invcal_status status = start(&w, store);
+    const invcal_status status = survey(&w, store);
     if (status != INVCAL_OK) {
         return status;
     }
@@ -201,7 +204,7 @@ invcal_status invcal_store_erase(const invcal_store *store)
     work w;
 
     INVCAL_ASSERT(store);
-    const invcal_status status = start(&w, store);
+    const invcal_status status = survey(&w, store);
     if (status != INVCAL_OK) {
         return status;
     }

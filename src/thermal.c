@@ -56,35 +56,36 @@ invcal_status invcal_thermal_calibration(const invcal_thermal *thermal, invcal_r
     return status == INVCAL_OK ? invcal_behind(&thermal->nominal, out) : status;
 }
 
-invcal_thermal_place invcal_thermal_clamp(const invcal_thermal *thermal, invcal_real *temperature)
+invcal_status invcal_thermal_find(const invcal_thermal *thermal, invcal_real temperature,
+                                  invcal_real *t, invcal_calibration *out,
+                                  invcal_thermal_place *place)
 {
-    if (!(*temperature >= thermal->min)) {
-        *temperature = thermal->min;
-        return INVCAL_THERMAL_BELOW;
+    if (!invcal_is_finite(temperature)) {
+        return INVCAL_BAD_TEMPERATURE;
     }
-    if (!(*temperature <= thermal->max)) {
-        *temperature = thermal->max;
-        return INVCAL_THERMAL_ABOVE;
-    }
-    return INVCAL_THERMAL_WITHIN;
+    const int is_below = !(temperature >= thermal->min);
+    const int is_above = !is_below && !(temperature <= thermal->max);
+    *place = is_below   ? INVCAL_THERMAL_BELOW
+             : is_above ? INVCAL_THERMAL_ABOVE
+                        : INVCAL_THERMAL_WITHIN;
+    *t = invcal_thermal_scaled(thermal, is_below   ? thermal->min
+                                        : is_above ? thermal->max
+                                                   : temperature);
+    return invcal_thermal_calibration(thermal, *t, out);
 }
 
 invcal_status invcal_thermal_at(const invcal_thermal *thermal, invcal_real temperature,
                                 invcal_calibration *calibration, invcal_thermal_place *place)
 {
+    invcal_thermal_place where;
     invcal_calibration c;
+    invcal_real t;
 
     INVCAL_ASSERT(thermal && calibration && place);
-    if (!invcal_is_finite(temperature)) {
-        return INVCAL_BAD_TEMPERATURE;
+    const invcal_status status = invcal_thermal_find(thermal, temperature, &t, &c, &where);
+    if (status == INVCAL_OK) {
+        *calibration = c;
+        *place = where;
     }
-    const invcal_thermal_place where = invcal_thermal_clamp(thermal, &temperature);
-    const invcal_status status =
-        invcal_thermal_calibration(thermal, invcal_thermal_scaled(thermal, temperature), &c);
-    if (status != INVCAL_OK) {
-        return status;
-    }
-    *calibration = c;
-    *place = where;
-    return INVCAL_OK;
+    return status;
 }

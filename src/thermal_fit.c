@@ -81,7 +81,7 @@ static invcal_status gather(job *j, unsigned n)
     const invcal_thermal_positions *p = j->positions;
     invcal_calibration triad;
     invcal_row row;
-    invcal_real weight;
+    invcal_real g[3];
 
     memset(j->a, 0, sizeof j->a);
     invcal_residuals_begin(&j->q);
@@ -93,13 +93,13 @@ static invcal_status gather(job *j, unsigned n)
             status = invcal_behind(&j->now.nominal, &c);
         }
         if (status == INVCAL_OK) {
-            status = invcal_residuals_add(&c, (const invcal_real(*)[3])triad.matrix,
-                                          &p->raw[3 * (size_t)i], i, &row, &weight, &j->q);
+            status = invcal_residuals_add(&c, &p->raw[3 * (size_t)i], i, &row, &j->q);
         }
         if (status != INVCAL_OK) {
             return status;
         }
-        add(j->a, n, &row, weight, t);
+        const invcal_real square = invcal_gradient((const invcal_real(*)[3])triad.matrix, row.h, g);
+        add(j->a, n, &row, 1 / square, t);
     }
     return INVCAL_OK;
 }
@@ -322,20 +322,34 @@ static invcal_real variance_at(const job *j, invcal_real t, unsigned r)
     return sum;
 }
 
+/* From unit vectors back to the parameters. A deviation of the calibrated triad moves u by I + S
+ * times it: scale errors and offsets of an axis by 1 + dk of it, the cross terms by the geometric
+ * mean of theirs. */
+static void spread(const invcal_real a[3][3], invcal_real k[N])
+{
+    /* of x y z xx yy zz xy xz yz */
+    static const uint8_t one[N] = {0, 1, 2, 0, 1, 2, 0, 0, 1};
+    static const uint8_t other[N] = {0, 1, 2, 0, 1, 2, 1, 2, 2};
+
+    for (unsigned r = 0; r < N; r++) {
+        k[r] /= a[one[r]][one[r]] * a[other[r]][other[r]];
+    }
+}
+
 /* What was weak before remains so. */
 static invcal_status judge_at(job *j, invcal_real temperature)
 {
     const invcal_thermal *now = &j->now;
     const uint16_t weak = j->q.weak;
+    invcal_thermal_place place;
     invcal_calibration triad;
     invcal_real k[N];
+    invcal_real t;
 
-    if (!invcal_is_finite(temperature)) {
-        return INVCAL_BAD_TEMPERATURE;
+    invcal_status status = invcal_thermal_find(now, temperature, &t, &triad, &place);
+    if (status == INVCAL_OK) {
+        status = invcal_thermal_triad(now, t, &triad);
     }
-    (void)invcal_thermal_clamp(now, &temperature);
-    const invcal_real t = invcal_thermal_scaled(now, temperature);
-    const invcal_status status = invcal_thermal_triad(now, t, &triad);
     if (status != INVCAL_OK) {
         return status;
     }
@@ -345,6 +359,7 @@ static invcal_status judge_at(job *j, invcal_real temperature)
             return INVCAL_UNDETERMINED;
         }
     }
+    spread((const invcal_real(*)[3])triad.matrix, k);
     invcal_judge_parameters(k, j->q.dof > 0 || j->positions->noise > 0,
                             (const invcal_real(*)[3])triad.matrix, &j->q);
     j->q.weak |= weak;

@@ -119,16 +119,15 @@ invcal_status invcal_thermal_record_init(invcal_thermal_record *record,
 
 /* What was written is read again: rounded to float, it may be none. */
 invcal_status invcal_thermal_record_encode(const invcal_thermal_record *record,
-                                           uint8_t bytes[INVCAL_THERMAL_RECORD_SIZE],
-                                           uint32_t *size)
+                                           uint8_t bytes[INVCAL_THERMAL_RECORD_SIZE])
 {
     const invcal_thermal *t = &record->thermal;
     invcal_thermal_record r;
 
-    INVCAL_ASSERT(record && bytes && size);
-    invcal_status status = t->degree <= INVCAL_THERMAL_DEGREE
-                               ? invcal_record_encode(&record->record, bytes + RECORD_AT)
-                               : INVCAL_BAD_COUNT;
+    INVCAL_ASSERT(record && bytes);
+    const invcal_status status = t->degree <= INVCAL_THERMAL_DEGREE
+                                     ? invcal_record_encode(&record->record, bytes + RECORD_AT)
+                                     : INVCAL_BAD_COUNT;
     if (status != INVCAL_OK) {
         return status;
     }
@@ -137,9 +136,7 @@ invcal_status invcal_thermal_record_encode(const invcal_thermal_record *record,
                                  t->fallback | (unsigned)record->is_triangular << 8);
     (void)invcal_put_reals(at, t, count_reals(t->degree));
     invcal_seal(bytes, KIND, length);
-    status = read(bytes, length, &r);
-    *size = status == INVCAL_OK ? length : *size;
-    return status;
+    return read(bytes, length, &r);
 }
 
 invcal_status invcal_thermal_record_decode(const uint8_t *bytes, uint32_t size,

@@ -177,6 +177,7 @@ int invcal_improves(const invcal_quality *found, const invcal_quality *present);
 /* ---- positions that contradict the others ----------------------------------------------------------
  * see src/outliers.c.
  */
+#define INVCAL_OUTLIERS_FEWEST 11u
 #define INVCAL_OUTLIERS_MOST 6u /* outliers named at most */
 
 typedef struct {
@@ -188,6 +189,11 @@ typedef struct {
 invcal_status invcal_outliers_find(const invcal_real *raw, unsigned count,
                                    const invcal_calibration *nominal, invcal_real noise,
                                    invcal_outliers *out);
+
+typedef struct { invcal_real error, w, checked, sigma; } invcal_outlier;
+invcal_status invcal_outlier_size(const invcal_real *raw, unsigned count,
+                                  const invcal_calibration *nominal, invcal_real noise,
+                                  invcal_mask removed, unsigned position, invcal_outlier *out);
 
 /* invcal_calibrate without some of the positions. */
 invcal_status invcal_calibrate_without(const invcal_real *raw, unsigned count, invcal_mask left_out,

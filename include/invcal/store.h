@@ -131,7 +131,7 @@ invcal_status invcal_load_session(const invcal_store *store, invcal_session *ses
  *                     neither slot can be read: nothing was erased then, and invcal_store_erase
  *                     makes a new start.
  * One slot that cannot be read (error correction, after a power cut) is erased and used.
- * Reads both slots, and the new bytes once more. Stack: about 200 bytes, without the callbacks. */
+ * Reads both slots, and the new bytes twice. Stack: about 200 bytes, without the callbacks. */
 invcal_status invcal_store_save(const invcal_store *store, const uint8_t *bytes, uint32_t size);
 
 /* Loads them.
@@ -271,7 +271,7 @@ invcal_status invcal_record_decode(const uint8_t *bytes, uint32_t size, invcal_r
  *
  * Returns INVCAL_OK: invcal_session_decode accepts the bytes. Anything else can only come from a
  * double build, of a mean or a noise that has left its range when it was rounded to float; or from a
- * session that was never begun. The bytes are lost then:
+ * session that was never begun. What was in bytes and size is lost then:
  *   INVCAL_NOT_FINITE, INVCAL_OUT_OF_RANGE  a mean is no reading of the field;
  *   INVCAL_BAD_NOISE                        not below 1.
  * Stack: about 200 bytes. */

@@ -259,16 +259,13 @@ invcal_status invcal_thermal_record_init(invcal_thermal_record *record,
                                          const invcal_thermal *thermal,
                                          const invcal_quality *quality);
 
-/* A record as bytes.
- *
- * size  out: how many.
+/* A record as bytes, INVCAL_THERMAL_RECORD_BYTES of its degree.
  *
  * Returns INVCAL_OK; on failure the bytes are lost: as invcal_record_encode, INVCAL_NOT_FINITE,
  * INVCAL_BAD_NOMINAL, INVCAL_NOT_ELLIPSOID, INVCAL_BAD_COUNT for a degree above that of the build, and
  * INVCAL_DAMAGED for what no fit gives, or a record of another calibration. Stack: about 700 bytes. */
 invcal_status invcal_thermal_record_encode(const invcal_thermal_record *record,
-                                           uint8_t bytes[INVCAL_THERMAL_RECORD_SIZE],
-                                           uint32_t *size);
+                                           uint8_t bytes[INVCAL_THERMAL_RECORD_SIZE]);
 
 /* A record from bytes, at any alignment.
  *

@@ -31,13 +31,13 @@ static void rotate(double a[EIGEN_MAX][EIGEN_MAX], unsigned n, unsigned p, unsig
     }
 }
 
-void eigenvalues(const double *packed, unsigned n, double *value)
+void eigenvalues(const double *a, unsigned n, double *value)
 {
-    double a[EIGEN_MAX][EIGEN_MAX];
+    double m[EIGEN_MAX][EIGEN_MAX];
 
     for (unsigned r = 0; r < n; r++) {
         for (unsigned c = 0; c <= r; c++) {
-            a[r][c] = a[c][r] = packed[INVCAL_PACKED(r, c)];
+            m[r][c] = m[c][r] = a[INVCAL_PACKED(r, c)];
         }
     }
     for (unsigned sweep = 0; sweep < SWEEPS; sweep++) {
@@ -45,30 +45,30 @@ void eigenvalues(const double *packed, unsigned n, double *value)
             for (unsigned p = 0; p < q; p++) {
                 /* What is below a hundredth of the rounding error beside it changes nothing; a NaN
                  * is rotated too, and so shows in the values. */
-                if (!(fabs(a[p][q]) <= DBL_EPSILON / 100 * (fabs(a[p][p]) + fabs(a[q][q])))) {
-                    rotate(a, n, p, q);
+                if (!(fabs(m[p][q]) <= DBL_EPSILON / 100 * (fabs(m[p][p]) + fabs(m[q][q])))) {
+                    rotate(m, n, p, q);
                 }
             }
         }
     }
     for (unsigned r = 0; r < n; r++) {
-        value[r] = a[r][r];
+        value[r] = m[r][r];
     }
 }
 
 double eigen_condition(const double *a, unsigned n)
 {
     double value[EIGEN_MAX];
-    double least = HUGE_VAL;
-    double most = 0;
+    double min = HUGE_VAL;
+    double max = 0;
 
     eigenvalues(a, n, value);
     for (unsigned r = 0; r < n; r++) {
         if (!(value[r] > 0)) {
             return HUGE_VAL;
         }
-        least = fmin(least, value[r]);
-        most = fmax(most, value[r]);
+        min = fmin(min, value[r]);
+        max = fmax(max, value[r]);
     }
-    return least > n * DBL_EPSILON * most ? most / least : HUGE_VAL;
+    return min > n * DBL_EPSILON * max ? max / min : HUGE_VAL;
 }
