@@ -46,8 +46,8 @@ invcal_status thermal_fit_once(const rejection *kept, const fit_settings *settin
     if (status != INVCAL_OK) {
         return status;
     }
-    return invcal_thermal_fit(&given, find_prior(settings, wish, &prior) ? &prior : NULL, out,
-                              wish->degree, out, quality);
+    const invcal_thermal_prior *known = find_prior(settings, wish, &prior) ? &prior : NULL;
+    return invcal_thermal_fit(&given, known, out, wish->degree, out, quality);
 }
 
 /* A prior was weighed with the noise that the residuals tell. */
