@@ -26,10 +26,16 @@ static void every_status_has_a_text_of_its_own(void)
 
 static void a_text_belongs_to_its_status(void)
 {
-    TEST_ASSERT_EQUAL_STRING("calibrated", invcal_status_text(INVCAL_OK));
-    TEST_ASSERT_EQUAL_STRING("a known direction is not a unit vector",
-                             invcal_status_text(INVCAL_NOT_UNIT));
-    TEST_ASSERT_EQUAL_STRING("fewer positions than parameters", invcal_status_text(INVCAL_TOO_FEW));
+    TEST_ASSERT_EQUAL_STRING("done", invcal_status_text(INVCAL_OK));
+    TEST_ASSERT_EQUAL_STRING("the readings lie on no ellipsoid",
+                             invcal_status_text(INVCAL_NOT_ELLIPSOID));
+    TEST_ASSERT_EQUAL_STRING("nothing new: the same place as before",
+                             invcal_status_text(INVCAL_REST_SAME));
+    TEST_ASSERT_EQUAL_STRING("the nominal calibration is unusable",
+                             invcal_status_text(INVCAL_BAD_NOMINAL));
+    TEST_ASSERT_EQUAL_STRING("the direction is not a unit vector",
+                             invcal_status_text(INVCAL_BAD_DIRECTION));
+    TEST_ASSERT_EQUAL_STRING("the memory cannot be read or written", invcal_status_text(INVCAL_IO));
 }
 
 static void an_unknown_status_has_a_text_too(void)
