@@ -1097,7 +1097,7 @@ static void unusable_arguments_are_named(void)
     invcal_thermal_positions p = positions(1e-4);
     TEST_ASSERT_EQUAL_INT(INVCAL_BAD_COUNT,
                           invcal_thermal_fit(&p, NULL, &base, DEGREE + 1, &found, &quality));
-    p.count = 256; /* that are not looked at */
+    p.count = UINT16_MAX; /* that are not looked at */
     TEST_ASSERT_EQUAL_INT(INVCAL_BAD_COUNT,
                           invcal_thermal_fit(&p, NULL, &base, DEGREE, &found, &quality));
     nominal.matrix[0][0] = 0;
