@@ -7,7 +7,7 @@
 #include "polynomials.h"
 #include "vector.h"
 
-#define FARTHEST INVCAL_REAL(2.0)         /* |t| */
+#define FARTHEST_T INVCAL_REAL(2.0)       /* |t| */
 #define NARROWEST INVCAL_REAL(5.0)        /* K, for each degree */
 #define NARROWEST_STEP INVCAL_REAL(0.125) /* of t, to a point of interpolation */
 #define USUAL_SLOPE INVCAL_REAL(1e-3)     /* 1/K */
@@ -15,8 +15,9 @@
 
 enum {
     DEGREE = INVCAL_THERMAL_DEGREE,
-    N = INVCAL_PARAMETERS,
-    UNKNOWNS = N * INVCAL_THERMAL_ROWS /* the coefficient of t^a of parameter r is number a N + r */
+    NINE = INVCAL_PARAMETERS,
+    UNKNOWNS =
+        NINE * INVCAL_THERMAL_ROWS /* number 9 a + r is what stands with t^a in parameter r */
 };
 
 /* A fit on its way. */
@@ -47,25 +48,23 @@ const char *invcal_thermal_fallback_text(invcal_thermal_fallback fallback)
 
 invcal_real invcal_thermal_drift_limit(invcal_real noise, invcal_real slope)
 {
-    if (!(noise >= 0 && slope >= 0)) {
-        return 0;
-    }
     const invcal_real limit =
         2 * (noise > 0 ? noise : USUAL_NOISE) / (slope > 0 ? slope : USUAL_SLOPE);
-    return invcal_is_finite(limit) ? limit : 0;
+
+    return noise >= 0 && slope >= 0 && invcal_is_finite(limit) ? limit : 0;
 }
 
 /* ---- the system --------------------------------------------------------------------------------- */
 
 /* The row (h, t h, t^2 h, j), and its products with itself. */
-static void add(invcal_real *a, unsigned n, const invcal_row *row, invcal_real weight,
-                invcal_real t)
+static void add_wide(invcal_real *a, unsigned n, const invcal_row *row, invcal_real weight,
+                     invcal_real t)
 {
     invcal_real wide[UNKNOWNS + 1];
 
     memcpy(wide, row->h, sizeof row->h);
-    for (unsigned i = N; i < n; i++) {
-        wide[i] = t * wide[i - N];
+    for (unsigned i = NINE; i < n; i++) {
+        wide[i] = t * wide[i - NINE];
     }
     wide[n] = row->j;
     for (unsigned r = 0; r <= n; r++) {
@@ -100,7 +99,7 @@ static invcal_status gather(job *j, unsigned n)
         if (status != INVCAL_OK) {
             return status;
         }
-        add(j->a, n, &row, weight, t);
+        add_wide(j->a, n, &row, weight, t);
     }
     return INVCAL_OK;
 }
@@ -136,7 +135,7 @@ static invcal_status solve_at_noise(job *j, unsigned n, invcal_real floor)
 
 /* Where a prior has to hold what the positions leave open, the noise is raised to that with which it
  * is just more than rounding beside the largest sums. */
-static invcal_status solve(job *j, unsigned n)
+static invcal_status solve_system(job *j, unsigned n)
 {
     if (!j->has_prior) {
         return solve_at_noise(j, n, INVCAL_FLOOR);
@@ -166,18 +165,19 @@ static unsigned count_open(const job *j, unsigned from, unsigned n, int is_solve
 /* What stands against a degree: it need not even be tried, or it has been solved. */
 static invcal_thermal_fallback try_degree(job *j, unsigned degree, invcal_status *status)
 {
-    const unsigned n = (degree + 1) * N;
+    const unsigned n = (degree + 1) * NINE;
     const invcal_real noise = j->noise;
 
     *status = INVCAL_TOO_FEW;
     if (j->positions->count < count_open(j, 0, n, 0)) {
         return INVCAL_THERMAL_FEW;
     }
-    if (j->max - j->min < (invcal_real)degree * NARROWEST && count_open(j, degree * N, n, 0) > 0) {
+    if (j->max - j->min < (invcal_real)degree * NARROWEST &&
+        count_open(j, degree * NINE, n, 0) > 0) {
         return INVCAL_THERMAL_NARROW;
     }
-    *status = solve(j, n);
-    if (*status == INVCAL_OK && count_open(j, N, n, 1) > 0) {
+    *status = solve_system(j, n);
+    if (*status == INVCAL_OK && count_open(j, NINE, n, 1) > 0) {
         *status = INVCAL_UNDETERMINED;
     }
     if (*status != INVCAL_UNDETERMINED) {
@@ -210,7 +210,7 @@ static invcal_status compose(const job *j, invcal_real t, invcal_real x[INVCAL_P
     invcal_calibration c;
     invcal_real m[3][3];
 
-    invcal_polynomials(&j->a[INVCAL_PACKED((degree + 1) * N, 0)], degree, t, x);
+    invcal_polynomials(&j->a[INVCAL_PACKED((degree + 1) * NINE, 0)], degree, t, x);
     invcal_status status = invcal_ellipsoid(x, &c);
     if (status == INVCAL_OK) {
         status = invcal_thermal_triad(&j->now, t, &first);
@@ -242,7 +242,7 @@ static invcal_status interpolate(job *j)
     const invcal_real half = (invcal_thermal_scaled(&j->now, j->now.max) - low) / 2;
     const invcal_real step = half > NARROWEST_STEP ? half : NARROWEST_STEP;
     const invcal_real t = low + half;
-    invcal_real x[3][N];
+    invcal_real x[3][NINE];
 
     for (unsigned k = 0; k < 3; k++) {
         const invcal_status status = compose(j, t + ((invcal_real)k - 1) * step, x[k]);
@@ -250,7 +250,7 @@ static invcal_status interpolate(job *j)
             return status;
         }
     }
-    for (unsigned r = 0; r < N; r++) {
+    for (unsigned r = 0; r < NINE; r++) {
         const invcal_real rise = (x[2][r] - x[0][r]) / 2;
         const invcal_real bend = (x[2][r] - x[1][r]) - (x[1][r] - x[0][r]);
         const invcal_real c2 = degree == 2 ? bend / (2 * step * step) : 0;
@@ -278,7 +278,7 @@ static invcal_status improve(job *j, unsigned degree)
     now->max = is_new || j->max > now->max ? j->max : now->max;
     now->degree = is_new ? now->fitted : now->degree;
     status = interpolate(j);
-    return status == INVCAL_NOT_ELLIPSOID && count_open(j, 0, (now->fitted + 1u) * N, 1) > 0
+    return status == INVCAL_NOT_ELLIPSOID && count_open(j, 0, (now->fitted + 1u) * NINE, 1) > 0
                ? INVCAL_UNDETERMINED /* what is left open may take any shape */
                : status;
 }
@@ -288,10 +288,10 @@ static invcal_status improve(job *j, unsigned degree)
 /* How noisy the data are, and L^-1 with that. What a prior supplies is no unknown of the data. */
 static invcal_status weigh(job *j)
 {
-    const unsigned n = (j->now.fitted + 1u) * N;
+    const unsigned n = (j->now.fitted + 1u) * NINE;
     invcal_real dof = (invcal_real)j->positions->count - (invcal_real)n;
 
-    invcal_status status = solve(j, n);
+    invcal_status status = solve_system(j, n);
     if (status != INVCAL_OK) {
         return status;
     }
@@ -302,7 +302,7 @@ static invcal_status weigh(job *j)
     invcal_judge_noise(j->positions->noise, j->squares, dof, &j->q);
     if (j->has_prior) {
         j->noise = j->q.noise;
-        status = solve(j, n);
+        status = solve_system(j, n);
         j->q.noise = j->noise;
     }
     return status == INVCAL_OK ? invcal_residuals_end(j->positions->count, &j->q) : status;
@@ -313,10 +313,10 @@ static invcal_real variance_at(const job *j, invcal_real t, unsigned r)
 {
     invcal_real sum = 0;
 
-    for (unsigned i = r; i < (j->now.fitted + 1u) * N; i++) {
+    for (unsigned i = r; i < (j->now.fitted + 1u) * NINE; i++) {
         invcal_real y = 0;
-        for (unsigned a = (i - r) / N + 1; a-- > 0;) {
-            y = j->a[INVCAL_PACKED(i, a * N + r)] + t * y;
+        for (unsigned a = (i - r) / NINE + 1; a-- > 0;) {
+            y = j->a[INVCAL_PACKED(i, a * NINE + r)] + t * y;
         }
         sum += y * y;
     }
@@ -330,17 +330,17 @@ static invcal_status judge_at(job *j, invcal_real temperature)
     const uint16_t weak = j->q.weak;
     invcal_thermal_place place;
     invcal_calibration triad;
-    invcal_real k[N];
+    invcal_real k[NINE];
     invcal_real t;
 
-    invcal_status status = invcal_thermal_find(now, temperature, &t, &triad, &place);
+    invcal_status status = invcal_thermal_find(now, temperature, &t, &place);
     if (status == INVCAL_OK) {
         status = invcal_thermal_triad(now, t, &triad);
     }
     if (status != INVCAL_OK) {
         return status;
     }
-    for (unsigned r = 0; r < N; r++) {
+    for (unsigned r = 0; r < NINE; r++) {
         k[r] = variance_at(j, t, r);
         if (!(k[r] <= INVCAL_HOPELESS_K || j->held[r] > 0)) {
             return INVCAL_UNDETERMINED;
@@ -355,14 +355,14 @@ static invcal_status judge_at(job *j, invcal_real temperature)
 
 /* Without slopes over a range that wants some, slopes pass for errors of everything else, and the
  * residuals may not show it. */
-static invcal_status judge(job *j, const invcal_real *temperature, unsigned count,
-                           invcal_quality *quality)
+static invcal_status judge_fit(job *j, const invcal_real *temperature, unsigned count,
+                               invcal_quality *quality)
 {
     const invcal_thermal *now = &j->now;
     const int lacks_slopes = DEGREE > 0 && now->degree == 0 && !(now->max - now->min < NARROWEST);
     invcal_status status = weigh(j);
 
-    j->q.weak = lacks_slopes ? (1u << N) - 1u : 0;
+    j->q.weak = lacks_slopes ? (1u << NINE) - 1u : 0;
     for (unsigned i = 0; i < count && status == INVCAL_OK; i++) {
         status = judge_at(j, temperature[i]);
     }
@@ -395,7 +395,7 @@ static invcal_status hold(job *j, const invcal_thermal_prior *prior)
 
     j->loosest = INVCAL_REAL_MAX;
     for (unsigned i = 0; i < UNKNOWNS; i++) {
-        const invcal_real sigma = prior->sigma[i / N][i % N];
+        const invcal_real sigma = prior->sigma[i / NINE][i % NINE];
         const invcal_real held = sigma == 0 ? 0 : 1 / (sigma * power);
         if (!(sigma >= 0 && sigma <= INVCAL_REAL_MAX && held <= INVCAL_REAL_MAX)) {
             return INVCAL_BAD_PRIOR;
@@ -403,14 +403,14 @@ static invcal_status hold(job *j, const invcal_thermal_prior *prior)
         j->held[i] = held;
         j->has_prior |= held > 0;
         j->loosest = held > 0 && held < j->loosest ? held : j->loosest;
-        power *= i % N == N - 1 ? j->now.span : 1;
+        power *= i % NINE == NINE - 1 ? j->now.span : 1;
     }
     return j->noise > 0 ? INVCAL_OK : INVCAL_BAD_NOISE;
 }
 
-static invcal_status begin(job *j, const invcal_thermal_positions *positions,
-                           const invcal_thermal_prior *prior, const invcal_thermal *base,
-                           unsigned degree)
+static invcal_status begin_fit(job *j, const invcal_thermal_positions *positions,
+                               const invcal_thermal_prior *prior, const invcal_thermal *base,
+                               unsigned degree)
 {
     const invcal_positions plain = {positions->raw, positions->count, 0, &base->nominal,
                                     positions->noise};
@@ -424,8 +424,8 @@ static invcal_status begin(job *j, const invcal_thermal_positions *positions,
     if (status == INVCAL_OK) {
         status = find_range(positions->temperature, positions->count, &j->min, &j->max);
     }
-    if (status == INVCAL_OK && !(INVCAL_FABS(invcal_thermal_scaled(base, j->min)) <= FARTHEST &&
-                                 INVCAL_FABS(invcal_thermal_scaled(base, j->max)) <= FARTHEST)) {
+    if (status == INVCAL_OK && !(INVCAL_FABS(invcal_thermal_scaled(base, j->min)) <= FARTHEST_T &&
+                                 INVCAL_FABS(invcal_thermal_scaled(base, j->max)) <= FARTHEST_T)) {
         return INVCAL_BAD_TEMPERATURE;
     }
     return status == INVCAL_OK && prior != NULL ? hold(j, prior) : status;
@@ -433,7 +433,7 @@ static invcal_status begin(job *j, const invcal_thermal_positions *positions,
 
 /* Two solutions by count, and what they are worth. A prior counts for more if the data are noisier
  * than stated: once more with their noise. Readings fit for the first pass may be absurd after it. */
-static invcal_status run(job *j, unsigned degree, invcal_thermal *out, invcal_quality *quality)
+static invcal_status run_fit(job *j, unsigned degree, invcal_thermal *out, invcal_quality *quality)
 {
     j->now.fallback = INVCAL_THERMAL_AS_ASKED;
     invcal_status status = improve(j, degree);
@@ -447,7 +447,7 @@ static invcal_status run(job *j, unsigned degree, invcal_thermal *out, invcal_qu
     }
     if (status == INVCAL_OK) {
         const invcal_real at[3] = {j->now.min, j->now.max, j->now.reference};
-        status = judge(j, at, 3, quality);
+        status = judge_fit(j, at, 3, quality);
     }
     if (status == INVCAL_OK) {
         *out = j->now;
@@ -463,8 +463,8 @@ invcal_status invcal_thermal_fit(const invcal_thermal_positions *positions,
     job j;
 
     INVCAL_ASSERT(positions && base && out && quality);
-    const invcal_status status = begin(&j, positions, prior, base, degree);
-    return status == INVCAL_OK ? run(&j, degree, out, quality) : status;
+    const invcal_status status = begin_fit(&j, positions, prior, base, degree);
+    return status == INVCAL_OK ? run_fit(&j, degree, out, quality) : status;
 }
 
 invcal_status invcal_thermal_judge(const invcal_thermal_positions *positions,
@@ -474,21 +474,8 @@ invcal_status invcal_thermal_judge(const invcal_thermal_positions *positions,
     job j;
 
     INVCAL_ASSERT(positions && thermal && quality);
-    const invcal_status status = begin(&j, positions, prior, thermal, thermal->fitted);
-    return status == INVCAL_OK ? judge(&j, &temperature, 1, quality) : status;
-}
-
-uint16_t invcal_thermal_from_prior(const invcal_thermal_prior *prior, const invcal_quality *quality)
-{
-    unsigned mask = 0;
-
-    INVCAL_ASSERT(prior && quality);
-    for (unsigned r = 0; r < N; r++) {
-        const invcal_real known = prior->sigma[0][r];
-        const invcal_real sigma = quality->sigma[r];
-        mask |= (known > 0 && 2 * sigma * sigma > known * known ? 1u : 0u) << r;
-    }
-    return (uint16_t)mask;
+    const invcal_status status = begin_fit(&j, positions, prior, thermal, thermal->fitted);
+    return status == INVCAL_OK ? judge_fit(&j, &temperature, 1, quality) : status;
 }
 
 invcal_status invcal_thermal_start(const invcal_calibration *nominal,
