@@ -8,12 +8,10 @@
 
 #define AGREED INVCAL_REAL(1e-4) /* over field: what two calibrations may differ by */
 
-enum { THERMAL_KIND = 0xCB, THERMAL_OLDEST = 1 };
+enum { KIND = 0xCB, OLDEST = 1 };
 enum { RECORD_AT = 4, DEGREE_AT = RECORD_AT + INVCAL_RECORD_SIZE, REALS_BEHIND = 4 };
-enum {
-    THERMAL_SKIPPED = INVCAL_RECORD_SIZE_MAX - INVCAL_RECORD_SIZE
-}; /* of the record of version 1 */
-enum { BEFORE_X = 16 }; /* reals */
+enum { SKIPPED = INVCAL_RECORD_SIZE_MAX - INVCAL_RECORD_SIZE }; /* of the record of version 1 */
+enum { BEFORE_X = 16 };                                         /* reals */
 
 /* The reals come first in the structure, too, and in the same order. */
 typedef char
@@ -32,7 +30,7 @@ static invcal_real gram(const invcal_calibration *c, unsigned j, unsigned k)
            c->matrix[2][j] * c->matrix[2][k];
 }
 
-static int agree_in_length(const invcal_calibration *a, const invcal_calibration *b)
+static int is_alike(const invcal_calibration *a, const invcal_calibration *b)
 {
     invcal_real scale[3]; /* over field per count */
 
@@ -52,7 +50,7 @@ static int agree_in_length(const invcal_calibration *a, const invcal_calibration
 }
 
 /* Is it a calibration, and the record that of its reference? */
-static invcal_status check_thermal(const invcal_thermal_record *r)
+static invcal_status check(const invcal_thermal_record *r)
 {
     const invcal_thermal *t = &r->thermal;
     invcal_thermal_place place;
@@ -66,18 +64,17 @@ static invcal_status check_thermal(const invcal_thermal_record *r)
     if (status == INVCAL_OK) {
         status = invcal_thermal_at(t, t->reference, &c, &place);
     }
-    return status == INVCAL_OK && !agree_in_length(&r->record.calibration, &c) ? INVCAL_DAMAGED
-                                                                               : status;
+    return status == INVCAL_OK && !is_alike(&r->record.calibration, &c) ? INVCAL_DAMAGED : status;
 }
 
 /* Where the degree stands, if the length fits it. */
 static invcal_status find_degree(const uint8_t *bytes, uint32_t size, const uint8_t **at)
 {
-    const invcal_status status = invcal_unseal(bytes, size, THERMAL_KIND, THERMAL_OLDEST);
+    const invcal_status status = invcal_unseal(bytes, size, KIND, OLDEST);
     if (status != INVCAL_OK) {
         return status;
     }
-    const uint32_t skipped = bytes[1] == THERMAL_OLDEST ? THERMAL_SKIPPED : 0;
+    const uint32_t skipped = bytes[1] == OLDEST ? SKIPPED : 0;
     const uint32_t length = invcal_get_u16(bytes + 2);
     *at = bytes + DEGREE_AT + skipped;
     if (length < INVCAL_THERMAL_RECORD_BYTES(0) + skipped ||
@@ -88,7 +85,7 @@ static invcal_status find_degree(const uint8_t *bytes, uint32_t size, const uint
 }
 
 /* r is lost on failure. */
-static invcal_status read_thermal(const uint8_t *bytes, uint32_t size, invcal_thermal_record *r)
+static invcal_status read(const uint8_t *bytes, uint32_t size, invcal_thermal_record *r)
 {
     const uint8_t *at;
     invcal_status status = find_degree(bytes, size, &at);
@@ -106,11 +103,10 @@ static invcal_status read_thermal(const uint8_t *bytes, uint32_t size, invcal_th
     }
     status =
         invcal_record_decode(bytes + RECORD_AT, (uint32_t)(at - bytes) - RECORD_AT, &r->record);
-    for (unsigned i = 0; i < 9 && bytes[1] == THERMAL_OLDEST;
-         i++) { /* that was in the unit of the field */
+    for (unsigned i = 0; i < 9 && bytes[1] == OLDEST; i++) { /* that was in the unit of the field */
         r->thermal.nominal.matrix[i / 3][i % 3] /= r->record.field;
     }
-    return status == INVCAL_OK ? check_thermal(r) : status;
+    return status == INVCAL_OK ? check(r) : status;
 }
 
 invcal_status invcal_thermal_record_init(invcal_thermal_record *record,
@@ -148,8 +144,8 @@ invcal_status invcal_thermal_record_encode(const invcal_thermal_record *record,
     uint8_t *at = invcal_put_two(bytes + DEGREE_AT, t->degree | (unsigned)t->fitted << 8,
                                  t->fallback | (unsigned)record->is_triangular << 8);
     (void)invcal_put_reals(at, t, count_reals(t->degree));
-    invcal_seal(bytes, THERMAL_KIND, length);
-    return read_thermal(bytes, length, &r);
+    invcal_seal(bytes, KIND, length);
+    return read(bytes, length, &r);
 }
 
 invcal_status invcal_thermal_record_decode(const uint8_t *bytes, uint32_t size,
@@ -158,7 +154,7 @@ invcal_status invcal_thermal_record_decode(const uint8_t *bytes, uint32_t size,
     invcal_thermal_record r;
 
     INVCAL_ASSERT(bytes && out);
-    const invcal_status status = read_thermal(bytes, size, &r);
+    const invcal_status status = read(bytes, size, &r);
     if (status == INVCAL_OK) {
         *out = r;
     }
