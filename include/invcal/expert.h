@@ -135,10 +135,10 @@ invcal_real invcal_variance(const invcal_real *inverse, unsigned n, unsigned r);
 /* h K h' from L^-1 of nine parameters: what a row tells beside those in the sums. */
 invcal_real invcal_leverage(const invcal_real *inverse, const invcal_real h[INVCAL_PARAMETERS]);
 
-#define INVCAL_LOSS INVCAL_REAL(2.0)
-#define INVCAL_LOSS_SIGMA INVCAL_REAL(32.0)
-#define INVCAL_LOSS_LENGTH INVCAL_REAL(8.0)
-#define INVCAL_LOSS_AGAIN INVCAL_REAL(4.0)
+#define INVCAL_LOSS INVCAL_REAL(0.5)
+#define INVCAL_LOSS_SIGMA INVCAL_REAL(8.0)
+#define INVCAL_LOSS_LENGTH INVCAL_REAL(2.0)
+#define INVCAL_LOSS_AGAIN INVCAL_REAL(0.5)
 
 /* ---- what a refusal is about -------------------------------------------------------------------- */
 
