@@ -174,7 +174,7 @@ static void bench_thermal(void)
 {
     static invcal_real means[2 * POSITIONS][3];
     static invcal_real temperature[2 * POSITIONS];
-    invcal_thermal_calibration thermal;
+    invcal_thermal thermal;
     invcal_thermal_place place;
     invcal_calibration calibration;
     invcal_quality quality;
