@@ -7,7 +7,7 @@
 #include "polynomials.h"
 #include "vector.h"
 
-#define FARTHEST_T INVCAL_REAL(2.0)       /* |t| */
+#define FARTHEST INVCAL_REAL(2.0)         /* |t| */
 #define NARROWEST INVCAL_REAL(5.0)        /* K, for each degree */
 #define NARROWEST_STEP INVCAL_REAL(0.125) /* of t, to a point of interpolation */
 #define USUAL_SLOPE INVCAL_REAL(1e-3)     /* 1/K */
@@ -16,8 +16,7 @@
 enum {
     DEGREE = INVCAL_THERMAL_DEGREE,
     NINE = INVCAL_PARAMETERS,
-    UNKNOWNS =
-        NINE * INVCAL_THERMAL_ROWS /* number 9 a + r is what stands with t^a in parameter r */
+    UNKNOWNS = NINE * INVCAL_THERMAL_ROWS /* coefficient of t^a, parameter r: number 9 a + r */
 };
 
 /* A fit on its way. */
@@ -48,17 +47,19 @@ const char *invcal_thermal_fallback_text(invcal_thermal_fallback fallback)
 
 invcal_real invcal_thermal_drift_limit(invcal_real noise, invcal_real slope)
 {
+    if (!(noise >= 0 && slope >= 0)) {
+        return 0;
+    }
     const invcal_real limit =
         2 * (noise > 0 ? noise : USUAL_NOISE) / (slope > 0 ? slope : USUAL_SLOPE);
-
-    return noise >= 0 && slope >= 0 && invcal_is_finite(limit) ? limit : 0;
+    return invcal_is_finite(limit) ? limit : 0;
 }
 
 /* ---- the system --------------------------------------------------------------------------------- */
 
 /* The row (h, t h, t^2 h, j), and its products with itself. */
-static void add_wide(invcal_real *a, unsigned n, const invcal_row *row, invcal_real weight,
-                     invcal_real t)
+static void add_at(invcal_real *a, unsigned n, const invcal_row *row, invcal_real weight,
+                   invcal_real t)
 {
     invcal_real wide[UNKNOWNS + 1];
 
@@ -81,7 +82,7 @@ static invcal_status gather(job *j, unsigned n)
     const invcal_thermal_positions *p = j->positions;
     invcal_calibration triad;
     invcal_row row;
-    invcal_real weight;
+    invcal_real g[3];
 
     memset(j->a, 0, sizeof j->a);
     invcal_residuals_begin(&j->q);
@@ -93,13 +94,13 @@ static invcal_status gather(job *j, unsigned n)
             status = invcal_behind(&j->now.nominal, &c);
         }
         if (status == INVCAL_OK) {
-            status = invcal_residuals_add(&c, (const invcal_real(*)[3])triad.matrix,
-                                          &p->raw[3 * (size_t)i], i, &row, &weight, &j->q);
+            status = invcal_residuals_add(&c, &p->raw[3 * (size_t)i], i, &row, &j->q);
         }
         if (status != INVCAL_OK) {
             return status;
         }
-        add_wide(j->a, n, &row, weight, t);
+        const invcal_real square = invcal_gradient((const invcal_real(*)[3])triad.matrix, row.h, g);
+        add_at(j->a, n, &row, 1 / square, t);
     }
     return INVCAL_OK;
 }
@@ -135,7 +136,7 @@ static invcal_status solve_at_noise(job *j, unsigned n, invcal_real floor)
 
 /* Where a prior has to hold what the positions leave open, the noise is raised to that with which it
  * is just more than rounding beside the largest sums. */
-static invcal_status solve_system(job *j, unsigned n)
+static invcal_status solve_to(job *j, unsigned n)
 {
     if (!j->has_prior) {
         return solve_at_noise(j, n, INVCAL_FLOOR);
@@ -176,7 +177,7 @@ static invcal_thermal_fallback try_degree(job *j, unsigned degree, invcal_status
         count_open(j, degree * NINE, n, 0) > 0) {
         return INVCAL_THERMAL_NARROW;
     }
-    *status = solve_system(j, n);
+    *status = solve_to(j, n);
     if (*status == INVCAL_OK && count_open(j, NINE, n, 1) > 0) {
         *status = INVCAL_UNDETERMINED;
     }
@@ -291,7 +292,7 @@ static invcal_status weigh(job *j)
     const unsigned n = (j->now.fitted + 1u) * NINE;
     invcal_real dof = (invcal_real)j->positions->count - (invcal_real)n;
 
-    invcal_status status = solve_system(j, n);
+    invcal_status status = solve_to(j, n);
     if (status != INVCAL_OK) {
         return status;
     }
@@ -302,7 +303,7 @@ static invcal_status weigh(job *j)
     invcal_judge_noise(j->positions->noise, j->squares, dof, &j->q);
     if (j->has_prior) {
         j->noise = j->q.noise;
-        status = solve_system(j, n);
+        status = solve_to(j, n);
         j->q.noise = j->noise;
     }
     return status == INVCAL_OK ? invcal_residuals_end(j->positions->count, &j->q) : status;
@@ -321,6 +322,20 @@ static invcal_real variance_at(const job *j, invcal_real t, unsigned r)
         sum += y * y;
     }
     return sum;
+}
+
+/* From unit vectors back to the parameters. A deviation of the calibrated triad moves u by I + S
+ * times it: scale errors and offsets of an axis by 1 + dk of it, the cross terms by the geometric
+ * mean of theirs. */
+static void spread(const invcal_real a[3][3], invcal_real k[NINE])
+{
+    /* of x y z xx yy zz xy xz yz */
+    static const uint8_t one[NINE] = {0, 1, 2, 0, 1, 2, 0, 0, 1};
+    static const uint8_t other[NINE] = {0, 1, 2, 0, 1, 2, 1, 2, 2};
+
+    for (unsigned r = 0; r < NINE; r++) {
+        k[r] /= a[one[r]][one[r]] * a[other[r]][other[r]];
+    }
 }
 
 /* What was weak before remains so. */
@@ -346,6 +361,7 @@ static invcal_status judge_at(job *j, invcal_real temperature)
             return INVCAL_UNDETERMINED;
         }
     }
+    spread((const invcal_real(*)[3])triad.matrix, k);
     invcal_judge_parameters(k, j->q.dof > 0 || j->positions->noise > 0,
                             (const invcal_real(*)[3])triad.matrix, &j->q);
     j->q.weak |= weak;
@@ -355,8 +371,8 @@ static invcal_status judge_at(job *j, invcal_real temperature)
 
 /* Without slopes over a range that wants some, slopes pass for errors of everything else, and the
  * residuals may not show it. */
-static invcal_status judge_fit(job *j, const invcal_real *temperature, unsigned count,
-                               invcal_quality *quality)
+static invcal_status judge_range(job *j, const invcal_real *temperature, unsigned count,
+                                 invcal_quality *quality)
 {
     const invcal_thermal *now = &j->now;
     const int lacks_slopes = DEGREE > 0 && now->degree == 0 && !(now->max - now->min < NARROWEST);
@@ -408,9 +424,9 @@ static invcal_status hold(job *j, const invcal_thermal_prior *prior)
     return j->noise > 0 ? INVCAL_OK : INVCAL_BAD_NOISE;
 }
 
-static invcal_status begin_fit(job *j, const invcal_thermal_positions *positions,
-                               const invcal_thermal_prior *prior, const invcal_thermal *base,
-                               unsigned degree)
+static invcal_status begin(job *j, const invcal_thermal_positions *positions,
+                           const invcal_thermal_prior *prior, const invcal_thermal *base,
+                           unsigned degree)
 {
     const invcal_positions plain = {positions->raw, positions->count, 0, &base->nominal,
                                     positions->noise};
@@ -424,8 +440,8 @@ static invcal_status begin_fit(job *j, const invcal_thermal_positions *positions
     if (status == INVCAL_OK) {
         status = find_range(positions->temperature, positions->count, &j->min, &j->max);
     }
-    if (status == INVCAL_OK && !(INVCAL_FABS(invcal_thermal_scaled(base, j->min)) <= FARTHEST_T &&
-                                 INVCAL_FABS(invcal_thermal_scaled(base, j->max)) <= FARTHEST_T)) {
+    if (status == INVCAL_OK && !(INVCAL_FABS(invcal_thermal_scaled(base, j->min)) <= FARTHEST &&
+                                 INVCAL_FABS(invcal_thermal_scaled(base, j->max)) <= FARTHEST)) {
         return INVCAL_BAD_TEMPERATURE;
     }
     return status == INVCAL_OK && prior != NULL ? hold(j, prior) : status;
@@ -433,7 +449,7 @@ static invcal_status begin_fit(job *j, const invcal_thermal_positions *positions
 
 /* Two solutions by count, and what they are worth. A prior counts for more if the data are noisier
  * than stated: once more with their noise. Readings fit for the first pass may be absurd after it. */
-static invcal_status run_fit(job *j, unsigned degree, invcal_thermal *out, invcal_quality *quality)
+static invcal_status run(job *j, unsigned degree, invcal_thermal *out, invcal_quality *quality)
 {
     j->now.fallback = INVCAL_THERMAL_AS_ASKED;
     invcal_status status = improve(j, degree);
@@ -447,7 +463,7 @@ static invcal_status run_fit(job *j, unsigned degree, invcal_thermal *out, invca
     }
     if (status == INVCAL_OK) {
         const invcal_real at[3] = {j->now.min, j->now.max, j->now.reference};
-        status = judge_fit(j, at, 3, quality);
+        status = judge_range(j, at, 3, quality);
     }
     if (status == INVCAL_OK) {
         *out = j->now;
@@ -463,8 +479,8 @@ invcal_status invcal_thermal_fit(const invcal_thermal_positions *positions,
     job j;
 
     INVCAL_ASSERT(positions && base && out && quality);
-    const invcal_status status = begin_fit(&j, positions, prior, base, degree);
-    return status == INVCAL_OK ? run_fit(&j, degree, out, quality) : status;
+    const invcal_status status = begin(&j, positions, prior, base, degree);
+    return status == INVCAL_OK ? run(&j, degree, out, quality) : status;
 }
 
 invcal_status invcal_thermal_judge(const invcal_thermal_positions *positions,
@@ -474,8 +490,21 @@ invcal_status invcal_thermal_judge(const invcal_thermal_positions *positions,
     job j;
 
     INVCAL_ASSERT(positions && thermal && quality);
-    const invcal_status status = begin_fit(&j, positions, prior, thermal, thermal->fitted);
-    return status == INVCAL_OK ? judge_fit(&j, &temperature, 1, quality) : status;
+    const invcal_status status = begin(&j, positions, prior, thermal, thermal->fitted);
+    return status == INVCAL_OK ? judge_range(&j, &temperature, 1, quality) : status;
+}
+
+uint16_t invcal_thermal_from_prior(const invcal_thermal_prior *prior, const invcal_quality *quality)
+{
+    unsigned mask = 0;
+
+    INVCAL_ASSERT(prior && quality);
+    for (unsigned r = 0; r < NINE; r++) {
+        const invcal_real known = prior->sigma[0][r];
+        const invcal_real sigma = quality->sigma[r];
+        mask |= (known > 0 && 2 * sigma * sigma > known * known ? 1u : 0u) << r;
+    }
+    return (uint16_t)mask;
 }
 
 invcal_status invcal_thermal_start(const invcal_calibration *nominal,
