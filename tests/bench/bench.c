@@ -153,7 +153,7 @@ static void bench_allan(void)
     uint32_t total = 0;
     enum { SAMPLES = 2048 };
 
-    (void)invcal_allan_init(&allan, NULL, INVCAL_ALLAN_TAUS, INVCAL_ALLAN_OVERLAPPING);
+    invcal_allan_init(&allan);
     for (unsigned i = 0; i < SAMPLES; i++) {
         next_sample(sample);
         begin();
@@ -162,7 +162,7 @@ static void bench_allan(void)
     }
     report("allan_push", total / SAMPLES);
     begin();
-    const invcal_status status = invcal_allan_noise(&allan, 1, 1, &noise);
+    const invcal_status status = invcal_allan_noise(&allan, 1, &noise);
     report("allan_noise", end());
     if (status != INVCAL_OK) {
         board_exit(1);
