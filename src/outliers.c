@@ -6,10 +6,10 @@
 #include "sums.h"
 #include "vector.h"
 
-#define LEVEL INVCAL_REAL(0.007)      /* false alarms: about one data set in a hundred */
-#define RIVAL_LEVEL INVCAL_REAL(0.05) /* nearly as good as the best: not less likely than this */
-#define SLACK INVCAL_REAL(1e-4)       /* of det H'H: with less left nothing checks the group */
-#define CANCELS (256 * INVCAL_EPSILON) /* of the squares: if a group leaves less, it is rounding */
+#define LEVEL INVCAL_REAL(0.007)       /* false alarms: about one data set in a hundred */
+#define RIVAL_LEVEL INVCAL_REAL(0.05)  /* nearly as good as the best: not less likely than this */
+#define SLACK INVCAL_REAL(1e-4)        /* of det H'H: with less left nothing checks the group */
+#define ROUNDED (256 * INVCAL_EPSILON) /* of the squares: to less they cannot be taken down */
 
 enum {
     GROUP = 3, /* outliers looked for together: what cannot hide one another */
@@ -27,10 +27,15 @@ typedef struct {
 /* The fit of the positions that are not left out, and the search among them. */
 typedef struct {
     invcal_positions positions;
-    invcal_sums sums; /* their number; L^-1 of their normal equations, and p behind it */
-    unsigned dof;
+    invcal_sums sums;            /* their number; L^-1 of their normal equations, and p behind it */
+    unsigned dof;                /* degrees of freedom of the squares */
     contest contests[GROUP + 1]; /* of groups of 0 ... GROUP */
 } search;
+
+static invcal_mask bit(unsigned i)
+{
+    return (invcal_mask)1 << i;
+}
 
 /* ---- the fit ---------------------------------------------------------------------------------- */
 
@@ -135,7 +140,6 @@ typedef struct {
     invcal_real y[N];
     invcal_real r;
     invcal_real m;
-    invcal_real gain;
 } member;
 
 /* A group, its last member still moving. */
@@ -161,13 +165,14 @@ static void enter(contest *c, invcal_mask out, invcal_real squares)
     }
 }
 
-/* May another member join them? A single one always; two, if they leave less than one degree of
- * freedom in n. Those of a clear group of three do; of pairs in a good set, one in ten. */
+/* May another member follow? One that is alone always takes another; two do if they leave no more of
+ * the squares than (n - 9) / n: clear groups of three have such a pair, 99 of 100 of them, but only one
+ * in ten pairs of a good set is such a one. */
 static int is_promising(const search *s, unsigned members, invcal_real squares)
 {
-    const invcal_real share = (invcal_real)(s->sums.count - N) / (invcal_real)s->sums.count;
+    const invcal_real n = (invcal_real)s->sums.count;
 
-    return members == 1 || squares <= share * s->contests[0].squares;
+    return members == 1 || n * squares <= (n - N) * s->contests[0].squares;
 }
 
 /* Position k as member d: the group enters the contest of its size. Returns 1 if k is fixed now, as
@@ -175,7 +180,7 @@ static int is_promising(const search *s, unsigned members, invcal_real squares)
 static INVCAL_INLINE int visit(search *s, group *g, unsigned size, unsigned d, unsigned k)
 {
     invcal_real squares = s->contests[0].squares;
-    const invcal_real least = CANCELS * squares;
+    const invcal_real least = ROUNDED * squares;
     invcal_real left = 1;
     invcal_real c = 0;
     member x;
@@ -188,14 +193,13 @@ static INVCAL_INLINE int visit(search *s, group *g, unsigned size, unsigned d, u
         x.r += c * f->r;
         x.m -= c * c * f->m;
         left *= f->m;
-        squares -= f->gain;
+        squares -= f->r * f->r / f->m;
     }
     if (!(left * x.m > SLACK)) {
         return 0;
     }
-    x.gain = x.r * x.r / x.m;
-    squares -= x.gain;
-    enter(&s->contests[d + 1], g->out | (invcal_mask)1 << k, squares > least ? squares : least);
+    squares -= x.r * x.r / x.m;
+    enter(&s->contests[d + 1], g->out | bit(k), squares > least ? squares : least);
     if (d + 1 >= size || !is_promising(s, d + 1, squares)) {
         return 0;
     }
@@ -221,11 +225,11 @@ static INVCAL_APART void search_groups(search *s, unsigned size)
     while (d > 0 || g.next[0] > 0) {
         if (g.next[d] == 0) { /* all tried: the member before moves on */
             d--;
-            g.out ^= (invcal_mask)1 << g.next[d];
+            g.out ^= bit(g.next[d]);
         } else {
             const unsigned k = --g.next[d];
             if (!(g.out >> k & 1u) && visit(s, &g, size, d, k)) {
-                g.out |= (invcal_mask)1 << k;
+                g.out |= bit(k);
                 d++;
                 g.next[d] = (unsigned char)(d == 1 ? k : s->positions.count);
             }
@@ -340,7 +344,7 @@ invcal_status invcal_outlier_size(const invcal_real *raw, unsigned count,
     if (status == INVCAL_OK) {
         status = position < count ? fit(&s) : INVCAL_BAD_COUNT;
     }
-    if (status == INVCAL_OK && s.dof == 0) {
+    if (status == INVCAL_OK && s.sums.count + (noise > 0) <= N) {
         status = INVCAL_TOO_FEW;
     }
     if (status != INVCAL_OK) {
@@ -348,12 +352,15 @@ invcal_status invcal_outlier_size(const invcal_real *raw, unsigned count,
     }
     const invcal_real r = whiten(&s, position, y);
     const invcal_real leverage = dot(y, y, N);
-    const int is_removed = (int)(removed >> position & 1u);
-    const invcal_real checked = is_removed ? 0 : 1 - leverage;
-    const invcal_real of = is_removed ? 1 : checked; 
+    const int is_removed = (removed & bit(position)) != 0;
+    const invcal_real m = is_removed ? 1 : 1 - leverage;
     out->sigma = INVCAL_SQRT(s.contests[0].squares / (invcal_real)s.dof);
-    out->checked = checked > 0 ? checked : 0;
-    out->error = r / of;
-    out->w = r / (out->sigma * INVCAL_SQRT(is_removed ? 1 + leverage : checked));
+    out->checked = is_removed || m < 0 ? 0 : m;
+    out->error = 0;
+    out->w = 0;
+    if (m > SLACK) { /* 1 / m is what 1 + h K h' would be without this one */
+        out->error = r / m;
+        out->w = out->error / (out->sigma * INVCAL_SQRT(is_removed ? 1 + leverage : 1 / m));
+    }
     return INVCAL_OK;
 }

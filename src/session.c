@@ -17,18 +17,19 @@ enum { NOT_ASKED, NOT_GOOD, GOOD };  /* session->good */
 invcal_status invcal_session_begin(invcal_session *session, const invcal_calibration *nominal,
                                    unsigned rate)
 {
-    invcal_rests rests;
-
     INVCAL_ASSERT(session && nominal);
     invcal_status status = invcal_nominal_check(nominal);
-    if (status == INVCAL_OK) {
-        status = invcal_rests_init(&rests, rate);
+    if (status == INVCAL_OK) { /* the first that writes, and only if it accepts */
+        status = invcal_rests_init(&session->rests, rate);
     }
     if (status == INVCAL_OK) {
-        memset(session, 0, sizeof *session);
         session->nominal = *nominal;
-        session->rests = rests;
+        session->noise = 0;
+        session->hold = 0;
+        session->count = 0;
         session->last = INVCAL_MOVING;
+        session->reason = INVCAL_OK;
+        session->good = NOT_ASKED;
     }
     return status;
 }

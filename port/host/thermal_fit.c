@@ -46,8 +46,8 @@ invcal_status thermal_fit_once(const rejection *kept, const fit_settings *settin
     if (status != INVCAL_OK) {
         return status;
     }
-    return invcal_thermal_fit(&given, find_prior(settings, wish, &prior) ? &prior : NULL, out,
-                              wish->degree, out, quality);
+    const invcal_thermal_prior *known = find_prior(settings, wish, &prior) ? &prior : NULL;
+    return invcal_thermal_fit(&given, known, out, wish->degree, out, quality);
 }
 
 /* A prior was weighed with the noise that the residuals tell. */
@@ -122,7 +122,7 @@ static fit_solution solution_at(const thermal_fit *fit, double temperature)
 static void complete(thermal_fit *fit, const rejection *kept, const invcal_quality *q)
 {
     fit->solution = solution_at(fit, fit->calibration.reference);
-    fit->quality = fit_quality_of(q, &fit->settings);
+    fit->quality = fit_quality_of(q, &fit->settings, &fit->solution);
     settle_prior(fit, q);
     find_covariance(fit, kept);
     find_slopes(fit);
