@@ -135,10 +135,10 @@ invcal_real invcal_variance(const invcal_real *inverse, unsigned n, unsigned r);
 /* h K h' from L^-1 of nine parameters: what a row tells beside those in the sums. */
 invcal_real invcal_leverage(const invcal_real *inverse, const invcal_real h[INVCAL_PARAMETERS]);
 
-#define INVCAL_LOSS INVCAL_REAL(2.0)
-#define INVCAL_LOSS_SIGMA INVCAL_REAL(32.0)
-#define INVCAL_LOSS_LENGTH INVCAL_REAL(8.0)
-#define INVCAL_LOSS_AGAIN INVCAL_REAL(4.0)
+#define INVCAL_LOSS INVCAL_REAL(0.5)
+#define INVCAL_LOSS_SIGMA INVCAL_REAL(8.0)
+#define INVCAL_LOSS_LENGTH INVCAL_REAL(2.0)
+#define INVCAL_LOSS_AGAIN INVCAL_REAL(0.5)
 
 /* ---- what a refusal is about -------------------------------------------------------------------- */
 
@@ -238,7 +238,7 @@ typedef struct {
     invcal_real w;       /* the same over its standard deviation (Baarda); 0 if nothing checks it */
     invcal_real checked; /* 1 - h K h', 0 ... 1: how much of its error its own residual shows. Below
                             0.0001 no error is found, and `error` is 0. 0 if removed */
-    invcal_real sigma;   /* standard deviation of one equation, over field, as shown by the residuals
+    invcal_real sigma; /* standard deviation of one equation, over field, as shown by the residuals
                             of all that are not removed, and by what was stated */
 } invcal_outlier;
 
