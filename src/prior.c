@@ -57,13 +57,15 @@ static invcal_status factor_with(const invcal_real *told, unsigned rows, const p
 }
 
 /* The share of parameter r that the data told, 0 ... 1: 1 - posterior / prior variance. */
-static invcal_real told_by_data(const prior_sigma *prior, unsigned r, invcal_real noise, invcal_real k)
+static invcal_real told_by_data(const prior_sigma *prior, unsigned r, invcal_real noise,
+                                invcal_real k)
 {
     return 1 - k * row_of(prior, r, noise);
 }
 
 /* information: of the second pass. */
-INVCAL_APART static invcal_status judge_with(const invcal_positions *positions, const prior_sigma *prior,
+INVCAL_APART static invcal_status judge_with(const invcal_positions *positions,
+                                             const prior_sigma *prior,
                                              const invcal_real *information, invcal_real squares,
                                              const invcal_real a[3][3], invcal_quality *q,
                                              uint16_t *from_prior)
@@ -105,8 +107,9 @@ INVCAL_APART static invcal_status judge_with(const invcal_positions *positions, 
 }
 
 /* First pass. a is what calibrates u, out what calibrates raw counts. */
-INVCAL_APART static invcal_status solve_with(const invcal_positions *positions, const prior_sigma *prior,
-                                             invcal_real a[3][3], invcal_calibration *out)
+INVCAL_APART static invcal_status solve_with(const invcal_positions *positions,
+                                             const prior_sigma *prior, invcal_real a[3][3],
+                                             invcal_calibration *out)
 {
     invcal_sums sums;
     invcal_real l[INVCAL_PACKED_SIZE(INVCAL_PARAMETERS + 1)];
