@@ -105,7 +105,8 @@ typedef double invcal_real;
 #define INVCAL_FABS fabs
 #else
 typedef float invcal_real; /* double with INVCAL_DOUBLE */
-#define INVCAL_REAL_NAME float          /* its name */
+/* Its name. (No comment on that line: Arduino's preprocessor would paste it too.) */
+#define INVCAL_REAL_NAME float
 #define INVCAL_REAL(literal) literal##f /* a constant of this type */
 #define INVCAL_EPSILON FLT_EPSILON      /* from 1 to the next number */
 #define INVCAL_REAL_MAX FLT_MAX         /* the largest number */
