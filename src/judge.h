@@ -36,23 +36,31 @@ invcal_status invcal_positions_solve(const invcal_positions *positions, invcal_s
 #define INVCAL_WEAK_K INVCAL_REAL(100.0)   /* square of 10. Above: usable only within its sigma */
 #define INVCAL_HOPELESS_K INVCAL_REAL(1e6) /* square of 1000. Above: refused */
 
-/* Calibrates positions one by one: the row of the unit vector, its weight from the noise that it
- * really has, and the residual. Between begin and end q->rms is the sum of their squares.
- *
- * c  the calibration that is to be judged.
- * a  the same of readings that nominal has corrected: calibrated = a (u - delta), a symmetric.
+/* Calibrates positions one by one with c, the calibration that is to be judged: the row of the unit
+ * vector, and the residual. Between begin and end q->rms is the sum of their squares.
  *
  * add  returns as invcal_observe; end INVCAL_NOT_ELLIPSOID for residuals of a tenth of the field. */
 void invcal_residuals_begin(invcal_quality *q);
-invcal_status invcal_residuals_add(const invcal_calibration *c, const invcal_real a[3][3],
-                                   const invcal_real raw[3], unsigned i, invcal_row *row,
-                                   invcal_real *weight, invcal_quality *q);
+invcal_status invcal_residuals_add(const invcal_calibration *c, const invcal_real raw[3],
+                                   unsigned i, invcal_row *row, invcal_quality *q);
 invcal_status invcal_residuals_end(unsigned count, invcal_quality *q);
 
-/* All positions so: the sums of the second pass. INVCAL_NOT_ELLIPSOID if one is absurd, or all are. */
+/* g = A eta: noise of u, alike on its axes, moves the length of eta = A (u - delta), A symmetric, by
+ * |g| times itself. Returns |g|^2. */
+invcal_real invcal_gradient(const invcal_real a[3][3], const invcal_real eta[3], invcal_real g[3]);
+
+/* Second pass, now with calibrated readings: residuals without cancellation, and the information on
+ * the nine parameters, each row weighted with the noise that it really has.
+ *
+ * a            A of c.
+ * information  packed: sigma^2 of the parameters is noise^2 times the diagonal of its inverse.
+ * squares      of the weighted residuals: what noise of u would make of them.
+ *
+ * Returns INVCAL_OK; INVCAL_NOT_ELLIPSOID if a residual is absurd, or all are. */
 invcal_status invcal_positions_compare(const invcal_positions *positions,
                                        const invcal_calibration *c, const invcal_real a[3][3],
-                                       invcal_sums *sums, invcal_quality *q);
+                                       invcal_real *information, invcal_real *squares,
+                                       invcal_quality *q);
 
 /* noise and dof: the larger of what is stated and what the residuals say.
  *
@@ -67,9 +75,9 @@ static inline int invcal_is_resolved(invcal_real condition)
     return condition * INVCAL_FLOOR < 2;
 }
 
-/* weak, sigma and the verdict, from K(r,r) = k[r]. Weak: sigma is more than ten times the noise, or the
- * information 1 / K no more than what noise in the readings themselves, about noise^2 in each row, adds
- * to H'H: then directions that determine nothing look as if they did.
+/* weak, sigma and the verdict, from K(r,r) = k[r] = sigma^2 / noise^2. Weak: K is large, or the
+ * information 1 / K no more than ten times what noise in the readings themselves, about noise^2 in
+ * each row, adds to it: then directions that determine nothing look as if they did.
  *
  * is_known  the noise, from residuals or a statement. */
 void invcal_judge_parameters(const invcal_real k[INVCAL_PARAMETERS], int is_known,

@@ -6,21 +6,19 @@
 #include "sums.h"
 #include "vector.h"
 
-#define LEVEL INVCAL_REAL(0.007)      /* false alarms: about one data set in a hundred */
-#define RIVAL_LEVEL INVCAL_REAL(0.05) /* nearly as good as the best: not less likely than this */
-#define SLACK INVCAL_REAL(1e-4)       /* of det H'H: with less left nothing checks the group */
-
-/* A sum of squares is what others have been taken from: less of it than this is rounding. */
-#define CANCELLED (256 * INVCAL_EPSILON)
+#define LEVEL INVCAL_REAL(0.007)       /* false alarms: about one data set in a hundred */
+#define RIVAL_LEVEL INVCAL_REAL(0.05)  /* nearly as good as the best: not less likely than this */
+#define SLACK INVCAL_REAL(1e-4)        /* of det H'H: with less left nothing checks the group */
+#define ROUNDED (256 * INVCAL_EPSILON) /* of the squares: to less they cannot be taken down */
 
 enum {
     GROUP = 3, /* outliers looked for together: what cannot hide one another */
     N = INVCAL_PARAMETERS
 };
 
-/* Groups of one size: what the best and the second best leave of the sum of squares. */
+/* Groups of one size: the best and the second best, and what is left of the sum of squares. */
 typedef struct {
-    invcal_mask best; /* these are left out; those that were before as well */
+    invcal_mask best; /* to be left out, and what was left out before */
     invcal_mask rival;
     invcal_real squares;
     invcal_real rival_squares;
@@ -29,10 +27,15 @@ typedef struct {
 /* The fit of the positions that are not left out, and the search among them. */
 typedef struct {
     invcal_positions positions;
-    unsigned dof;
-    invcal_sums sums;            /* L^-1 of their normal equations, and p behind it */
+    invcal_sums sums;            /* their number; L^-1 of their normal equations, and p behind it */
+    unsigned dof;                /* degrees of freedom of the squares */
     contest contests[GROUP + 1]; /* of groups of 0 ... GROUP */
 } search;
+
+static invcal_mask bit(unsigned i)
+{
+    return (invcal_mask)1 << i;
+}
 
 /* ---- the fit ---------------------------------------------------------------------------------- */
 
@@ -47,10 +50,10 @@ static INVCAL_INLINE invcal_real dot(const invcal_real *a, const invcal_real *b,
     return sum;
 }
 
-/* y = L^-1 h of position k: h K h' is then |y|^2. Returns its residual J + h p. */
+/* y = L^-1 h of position k, so that h K h' = |y|^2. Returns its residual J + h p. */
 static INVCAL_INLINE invcal_real whiten(const search *s, unsigned k, invcal_real y[N])
 {
-    const invcal_real *row = &s->sums.sum[INVCAL_PACKED(N, 0)]; /* p, then those of L^-1 */
+    const invcal_real *row = &s->sums.sum[INVCAL_PACKED(N, 0)]; /* p; then the rows of L^-1 */
     const invcal_real *raw = &s->positions.raw[3 * (size_t)k];
 
 #ifdef INVCAL_FAST
@@ -70,7 +73,7 @@ static INVCAL_INLINE invcal_real whiten(const search *s, unsigned k, invcal_real
     return residual;
 }
 
-/* The sums to p and L^-1. */
+/* The sums become p and L^-1. */
 static invcal_status determine(invcal_sums *sums)
 {
     invcal_real *a = sums->sum;
@@ -95,42 +98,44 @@ static invcal_real known_squares(const invcal_positions *p)
     return (invcal_real)p->count * rounding * rounding + p->noise * p->noise;
 }
 
-/* From the rows themselves: a downdate would keep the rounding errors of the outlier. The squares
- * are summed from the residuals: J'J - p'H'Hp cancels. */
+/* Sums, solution, squares: of the rows themselves, for a downdate would keep the rounding errors of
+ * an outlier; and of the residuals, for J'J - p'H'Hp cancels. */
 static INVCAL_APART invcal_status fit(search *s)
 {
-    contest *const none = &s->contests[0];
+    invcal_real squares = known_squares(&s->positions);
     invcal_real y[N];
     invcal_status status = invcal_positions_sum(&s->positions, &s->sums);
 
     if (status == INVCAL_OK) {
-        s->dof = s->sums.count - N + (s->positions.noise > 0);
         status = determine(&s->sums);
     }
-    none->best = none->rival = s->positions.left_out;
-    none->squares = known_squares(&s->positions);
+    if (status != INVCAL_OK) {
+        return status;
+    }
     for (unsigned k = 0; k < s->positions.count; k++) {
-        if (status == INVCAL_OK && !(none->best >> k & 1u)) {
+        if (!(s->positions.left_out >> k & 1u)) {
             const invcal_real r = whiten(s, k, y);
-            none->squares += r * r;
+            squares += r * r;
         }
     }
-    none->rival_squares = none->squares;
-    return status;
+    s->dof = s->sums.count - N + (s->positions.noise > 0);
+    for (unsigned k = 0; k <= GROUP; k++) {
+        s->contests[k].best = s->contests[k].rival = s->positions.left_out;
+        s->contests[k].squares = s->contests[k].rival_squares = squares;
+    }
+    return INVCAL_OK;
 }
 
 /* ---- the best group of each size ------------------------------------------------------------ */
 
-/* A position, some others left out. Without any of them
+/* A position among those that are not left out, at first
  *
- *     r = J + h p,   m = 1 - h K h' = 1 - |y|^2,
+ *     y = L^-1 h,   r = J + h p,   m = 1 - h K h' = 1 - |y|^2.
  *
- * and leaving out i takes (M = I - H K H', Gram and Schmidt)
+ * Leaving it out takes r^2 / m from the squares, and leaves m of det H'H. After position i has been
+ * left out, there are (M = I - H K H'; Gram and Schmidt)
  *
- *     c r(i) from r,   c^2 m(i) from m,   c = M(k,i) / m(i) = -y y(i) / m(i).
- *
- * Leaving out this one too takes r^2 / m from the squares, and leaves m of det H'H: whatever the order
- * of the members. */
+ *     y + c y(i),   r + c r(i),   m - c^2 m(i),   c = -M(k,i) / m(i) = y y(i) / m(i). */
 typedef struct {
     invcal_real y[N];
     invcal_real r;
@@ -140,37 +145,42 @@ typedef struct {
 /* A group, its last member still moving. */
 typedef struct {
     member fixed[GROUP - 1];
-    unsigned char next[GROUP]; /* 1 + the position that each member tries next */
+    unsigned char next[GROUP]; /* one more than what each member tries next */
     invcal_mask out;           /* the fixed members, and what was left out before */
 } group;
 
 static void enter(contest *c, invcal_mask out, invcal_real squares)
 {
-    if (squares < c->squares && out != c->best) {
+    if (out == c->best || !(squares < c->rival_squares)) {
+        return;
+    }
+    if (squares < c->squares) {
         c->rival = c->best;
         c->rival_squares = c->squares;
         c->best = out;
         c->squares = squares;
-    } else if (squares < c->rival_squares && out != c->best) {
+    } else {
         c->rival = out;
         c->rival_squares = squares;
-    } /* cppcheck-suppress misra-c2012-15.7 ; worse than both, or here already */
+    }
 }
 
-/* Is a group worth another member? A single one always, a pair if it explains its share. */
+/* May another member follow? One that is alone always takes another; two do if they leave no more of
+ * the squares than (n - 9) / n: clear groups of three have such a pair, 99 of 100 of them, but only one
+ * in ten pairs of a good set is such a one. */
 static int is_promising(const search *s, unsigned members, invcal_real squares)
 {
-    const invcal_real share = (invcal_real)(s->sums.count - N) / (invcal_real)s->sums.count;
+    const invcal_real n = (invcal_real)s->sums.count;
 
-    return members == 1 || squares <= share * s->contests[0].squares;
+    return members == 1 || n * squares <= (n - N) * s->contests[0].squares;
 }
 
-/* Position k as member d: its group enters the contest of its size. Returns 1 if it is fixed, and one
- * more may follow. */
+/* Position k as member d: the group enters the contest of its size. Returns 1 if k is fixed now, as
+ * another may follow. */
 static INVCAL_INLINE int visit(search *s, group *g, unsigned size, unsigned d, unsigned k)
 {
     invcal_real squares = s->contests[0].squares;
-    const invcal_real floor = CANCELLED * squares;
+    const invcal_real least = ROUNDED * squares;
     invcal_real left = 1;
     invcal_real c = 0;
     member x;
@@ -189,37 +199,37 @@ static INVCAL_INLINE int visit(search *s, group *g, unsigned size, unsigned d, u
         return 0;
     }
     squares -= x.r * x.r / x.m;
-    enter(&s->contests[d + 1], g->out | (invcal_mask)1 << k, squares > floor ? squares : floor);
+    enter(&s->contests[d + 1], g->out | bit(k), squares > least ? squares : least);
     if (d + 1 >= size || !is_promising(s, d + 1, squares)) {
         return 0;
     }
-    for (unsigned n = 0; n < N && d > 0; n++) {
-        x.y[n] += c * g->fixed[0].y[n];
+    if (d > 0) {
+        INVCAL_UNROLL_ROWS
+        for (unsigned n = 0; n < N; n++) {
+            x.y[n] += c * g->fixed[0].y[n];
+        }
     }
     g->fixed[d] = x;
     return 1;
 }
 
-/* All groups of one and two positions, and of three that a promising pair is in. As an odometer
- * counts: member 0 > member 1, and member 2 any other. */
-static INVCAL_APART void run(search *s, unsigned size)
+/* All groups of one and two, and those of three with a promising pair. As an odometer counts:
+ * member 0 > member 1, and member 2 any other. */
+static INVCAL_APART void search_groups(search *s, unsigned size)
 {
     group g;
     unsigned d = 0;
 
-    for (unsigned k = 1; k <= size; k++) {
-        s->contests[k] = s->contests[0];
-    }
     g.out = s->positions.left_out;
     g.next[0] = (unsigned char)s->positions.count;
     while (d > 0 || g.next[0] > 0) {
         if (g.next[d] == 0) { /* all tried: the member before moves on */
             d--;
-            g.out ^= (invcal_mask)1 << g.next[d];
+            g.out ^= bit(g.next[d]);
         } else {
             const unsigned k = --g.next[d];
             if (!(g.out >> k & 1u) && visit(s, &g, size, d, k)) {
-                g.out |= (invcal_mask)1 << k;
+                g.out |= bit(k);
                 d++;
                 g.next[d] = (unsigned char)(d == 1 ? k : s->positions.count);
             }
@@ -229,38 +239,36 @@ static INVCAL_APART void run(search *s, unsigned size)
 
 /* ---- how many of them ----------------------------------------------------------------------- */
 
-/* Is leaving out k better than leaving out any fewer, and not by chance, of so many choices? */
+/* Is leaving out k better than leaving out any fewer, and not by the chance of so many choices? */
 static int beats_fewer(const search *s, unsigned k)
 {
-    const unsigned dof = s->dof - k;
     invcal_real choices = 1;
 
     for (unsigned j = k; j-- > 0;) {
         const invcal_real z = s->contests[k].squares / s->contests[j].squares;
         choices *= (invcal_real)(s->sums.count - j) / (invcal_real)(k - j);
-        if (!(invcal_fisher_tail(z, k - j, dof) * choices <= LEVEL)) {
+        if (!(invcal_fisher_tail(z, k - j, s->dof - k) * choices <= LEVEL)) {
             return 0;
         }
     }
     return 1;
 }
 
-static int is_clear(const search *s, unsigned k)
+static int beats_rival(const search *s, unsigned k)
 {
     const contest *const c = &s->contests[k];
 
-    return invcal_fisher_tail(c->squares / c->rival_squares, 1, s->dof - k) <=
-           RIVAL_LEVEL;
+    return invcal_fisher_tail(c->squares / c->rival_squares, 1, s->dof - k) <= RIVAL_LEVEL;
 }
 
-/* The size of the largest group that is clear, or 0. suspected: the two of the largest contest without
- * a clear winner, or 0. */
+/* The size of the largest clear group, or 0. suspected: the two of the largest contest without a
+ * clear winner, or 0. */
 static INVCAL_APART unsigned judge(const search *s, unsigned size, invcal_mask *suspected)
 {
     *suspected = 0;
     for (unsigned k = size; k > 0; k--) {
         if (beats_fewer(s, k)) {
-            if (is_clear(s, k)) {
+            if (beats_rival(s, k)) {
                 return k;
             }
             if (!*suspected) {
@@ -281,7 +289,8 @@ static unsigned largest_group(const search *s)
     return size < GROUP ? size : GROUP;
 }
 
-static invcal_status start(search *s, const invcal_real *raw, unsigned count, const invcal_calibration *nominal, invcal_real noise)
+static invcal_status start(search *s, const invcal_real *raw, unsigned count,
+                           const invcal_calibration *nominal, invcal_real noise)
 {
     if (count > INVCAL_MAX_POSITIONS) {
         return INVCAL_BAD_COUNT;
@@ -310,13 +319,48 @@ invcal_status invcal_outliers_find(const invcal_real *raw, unsigned count,
     if (status != INVCAL_OK) {
         return status;
     }
-    do {
+    do { /* group by group: the largest may hide the next */
         const unsigned size = largest_group(&s);
-        run(&s, size);
+        search_groups(&s, size);
         found = judge(&s, size, &suspected);
         out->removed = s.positions.left_out;
         s.positions.left_out = s.contests[found].best;
     } while (found > 0 && fit(&s) == INVCAL_OK);
-    out->suspected = suspected;
+    /* a group that the others are not determined without cannot be spared */
+    out->suspected = suspected | (s.positions.left_out & ~out->removed);
+    return INVCAL_OK;
+}
+
+invcal_status invcal_outlier_size(const invcal_real *raw, unsigned count,
+                                  const invcal_calibration *nominal, invcal_real noise,
+                                  invcal_mask removed, unsigned position, invcal_outlier *out)
+{
+    invcal_real y[N];
+    search s;
+
+    INVCAL_ASSERT((raw || count == 0) && nominal && out);
+    invcal_status status = start(&s, raw, count, nominal, noise);
+    s.positions.left_out = removed;
+    if (status == INVCAL_OK) {
+        status = position < count ? fit(&s) : INVCAL_BAD_COUNT;
+    }
+    if (status == INVCAL_OK && s.sums.count + (noise > 0) <= N) {
+        status = INVCAL_TOO_FEW;
+    }
+    if (status != INVCAL_OK) {
+        return status;
+    }
+    const invcal_real r = whiten(&s, position, y);
+    const invcal_real leverage = dot(y, y, N);
+    const int is_removed = (removed & bit(position)) != 0;
+    const invcal_real m = is_removed ? 1 : 1 - leverage;
+    out->sigma = INVCAL_SQRT(s.contests[0].squares / (invcal_real)s.dof);
+    out->checked = is_removed || m < 0 ? 0 : m;
+    out->error = 0;
+    out->w = 0;
+    if (m > SLACK) { /* 1 / m is what 1 + h K h' would be without this one */
+        out->error = r / m;
+        out->w = out->error / (out->sigma * INVCAL_SQRT(is_removed ? 1 + leverage : 1 / m));
+    }
     return INVCAL_OK;
 }

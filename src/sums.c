@@ -9,15 +9,7 @@
 
 INVCAL_INLINE void invcal_row_of(const invcal_real a[3], invcal_real h[INVCAL_PARAMETERS])
 {
-    h[INVCAL_DELTA_X] = a[0];
-    h[INVCAL_DELTA_Y] = a[1];
-    h[INVCAL_DELTA_Z] = a[2];
-    h[INVCAL_DK_X] = a[0] * a[0];
-    h[INVCAL_DK_Y] = a[1] * a[1];
-    h[INVCAL_DK_Z] = a[2] * a[2];
-    h[INVCAL_GAMMA_XY] = a[0] * a[1];
-    h[INVCAL_GAMMA_XZ] = a[0] * a[2];
-    h[INVCAL_GAMMA_ZY] = a[1] * a[2];
+    invcal_row_inline(a, h);
 }
 
 /* J = (|u|^2 - 1)/2 and h(u), exact for errors of any size. A length outside 0.1 ... 10 is no

@@ -10,6 +10,20 @@
 /* The paper's row h(a) = (x y z x^2 y^2 z^2 xy xz yz); a may stand where h begins. */
 void invcal_row_of(const invcal_real a[3], invcal_real h[INVCAL_PARAMETERS]);
 
+/* The same, to be compiled into those who need it often. */
+static inline void invcal_row_inline(const invcal_real a[3], invcal_real h[INVCAL_PARAMETERS])
+{
+    h[INVCAL_DELTA_X] = a[0];
+    h[INVCAL_DELTA_Y] = a[1];
+    h[INVCAL_DELTA_Z] = a[2];
+    h[INVCAL_DK_X] = a[0] * a[0];
+    h[INVCAL_DK_Y] = a[1] * a[1];
+    h[INVCAL_DK_Z] = a[2] * a[2];
+    h[INVCAL_GAMMA_XY] = a[0] * a[1];
+    h[INVCAL_GAMMA_XZ] = a[0] * a[2];
+    h[INVCAL_GAMMA_ZY] = a[1] * a[2];
+}
+
 /* H'H of moments, packed. */
 void invcal_sums_expand(const invcal_real moment[INVCAL_MOMENTS], invcal_real *a);
 

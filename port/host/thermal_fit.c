@@ -50,12 +50,19 @@ invcal_status thermal_fit_once(const rejection *kept, const fit_settings *settin
     return invcal_thermal_fit(&given, known, out, wish->degree, out, quality);
 }
 
-/* A prior was weighed with the noise that the residuals tell. */
-static void settle_noise(thermal_fit *fit)
+/* A prior was weighed with the noise that the residuals tell. It has told more of a
+ * parameter than the positions have where these leave more than half of its variance. */
+static void settle_prior(thermal_fit *fit, const invcal_quality *q)
 {
     fit->has_prior = find_prior(&fit->settings, &fit->wish, &fit->prior);
     if (fit->has_prior) {
-        fit->settings.noise = fmin(1, fmax(fit->settings.noise, fit->quality.noise));
+        fit->settings.noise = fmax(fit->settings.noise, q->noise);
+    }
+    for (unsigned r = 0; r < INVCAL_PARAMETERS; r++) {
+        const double prior = fit->prior.sigma[0][r];
+        if (prior > 0 && 2 * q->sigma[r] * q->sigma[r] > prior * prior) {
+            fit->quality.from_prior |= (uint16_t)(1u << r);
+        }
     }
 }
 
@@ -118,37 +125,11 @@ static fit_solution solution_at(const thermal_fit *fit, double temperature)
     return fit_solution_of(&here, &fit->settings);
 }
 
-/* At a temperature. Returns 1; 0 where there is nothing to be judged. */
-static int judge_at(const thermal_fit *fit, const rejection *kept, double temperature,
-                    invcal_quality *q)
-{
-    const invcal_thermal_positions given = positions_of(kept, &fit->settings);
-    const invcal_thermal *c = &fit->calibration;
-
-    return invcal_thermal_judge(&given, fit->has_prior ? &fit->prior : NULL, c, temperature, q) ==
-           INVCAL_OK;
-}
-
-/* Parameters that the prior tells more of than the positions, somewhere in the range. */
-static void find_source(thermal_fit *fit, const rejection *kept)
-{
-    const invcal_thermal *c = &fit->calibration;
-    const double at[] = {c->min, c->reference, c->max};
-    invcal_quality q;
-
-    for (unsigned i = 0; i < 3 && fit->has_prior; i++) {
-        if (judge_at(fit, kept, at[i], &q)) {
-            fit->quality.from_prior |= invcal_thermal_from_prior(&fit->prior, &q);
-        }
-    }
-}
-
 static void complete(thermal_fit *fit, const rejection *kept, const invcal_quality *q)
 {
     fit->solution = solution_at(fit, fit->calibration.reference);
-    fit->quality = fit_quality_of(q, &fit->settings);
-    settle_noise(fit);
-    find_source(fit, kept);
+    fit->quality = fit_quality_of(q, &fit->settings, &fit->solution);
+    settle_prior(fit, q);
     find_covariance(fit, kept);
     find_slopes(fit);
     compare_without(fit, kept);
@@ -221,11 +202,13 @@ void thermal_fit_to_reference(const thermal_fit *fit, const double raw[3], doubl
 void thermal_fit_judge(const thermal_fit *fit, const rejection *kept, double temperature,
                        fit_solution *solution, fit_quality *quality)
 {
+    const invcal_thermal_positions given = positions_of(kept, &fit->settings);
     invcal_quality q;
 
     *solution = solution_at(fit, temperature);
     *quality = fit->quality;
-    if (judge_at(fit, kept, temperature, &q)) {
+    if (invcal_thermal_judge(&given, fit->has_prior ? &fit->prior : NULL, &fit->calibration,
+                             temperature, &q) == INVCAL_OK) {
         memcpy(quality->sigma, q.sigma, sizeof quality->sigma);
     }
 }

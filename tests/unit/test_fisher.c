@@ -2,7 +2,7 @@
 #include <math.h>
 
 #include "expected.h"
-#include "invcal/fisher.h"
+#include "fisher.h"
 #include "support.h"
 #include "unity.h"
 
