@@ -8,7 +8,7 @@
 #define EXPONENT UINT32_C(0x7F800000) /* of binary32: all set for what is not finite */
 #define NOT_A_NUMBER UINT32_C(0x7FC00000)
 
-enum { SHORTEST = 8 }; /* a frame with nothing in it */
+enum { EMPTY_FRAME = 8 }; /* a frame with nothing in it */
 
 uint8_t *invcal_put_u32(uint8_t *bytes, uint32_t value)
 {
@@ -84,11 +84,11 @@ void invcal_seal(uint8_t *bytes, uint8_t kind, uint32_t length)
 
 invcal_status invcal_unseal(const uint8_t *bytes, uint32_t size, uint8_t kind, uint8_t oldest)
 {
-    if (size < SHORTEST) {
+    if (size < EMPTY_FRAME) {
         return INVCAL_DAMAGED;
     }
     const uint32_t length = invcal_get_u16(bytes + 2);
-    if (length < SHORTEST || length > size ||
+    if (length < EMPTY_FRAME || length > size ||
         invcal_crc32(0, bytes, length) != INVCAL_CRC_RESIDUE) {
         return INVCAL_DAMAGED;
     }

@@ -38,8 +38,8 @@ static invcal_real row_of(const known *prior, unsigned r, invcal_real noise)
 /* What the positions tell, and the prior, to L; with the right-hand side behind it, if rows is ten.
  * Where the positions alone leave parameters open the noise is raised to that with which the prior is
  * just more than rounding beside the largest sums: with less, rounding errors would count as data. */
-static invcal_status factor(const invcal_real *told, unsigned rows, const known *prior,
-                            invcal_real *noise, invcal_real *l)
+static invcal_status factor_with(const invcal_real *told, unsigned rows, const known *prior,
+                                 invcal_real *noise, invcal_real *l)
 {
     const size_t size = INVCAL_PACKED_SIZE(rows) * sizeof *l;
 
@@ -63,10 +63,10 @@ static invcal_real told_by_data(const known *prior, unsigned r, invcal_real nois
 }
 
 /* information: of the second pass. */
-INVCAL_APART static invcal_status judge(const invcal_positions *positions, const known *prior,
-                                        const invcal_real *information, invcal_real squares,
-                                        const invcal_real a[3][3], invcal_quality *q,
-                                        uint16_t *from_prior)
+INVCAL_APART static invcal_status judge_with(const invcal_positions *positions, const known *prior,
+                                             const invcal_real *information, invcal_real squares,
+                                             const invcal_real a[3][3], invcal_quality *q,
+                                             uint16_t *from_prior)
 {
     invcal_real l[INVCAL_PACKED_SIZE(INVCAL_PARAMETERS)];
     invcal_real k[INVCAL_PARAMETERS];
@@ -76,7 +76,7 @@ INVCAL_APART static invcal_status judge(const invcal_positions *positions, const
     invcal_real trace = 0;
     unsigned bits = 0;
 
-    invcal_status status = factor(information, INVCAL_PARAMETERS, prior, &noise, l);
+    invcal_status status = factor_with(information, INVCAL_PARAMETERS, prior, &noise, l);
     if (status != INVCAL_OK) {
         return status;
     }
@@ -85,7 +85,7 @@ INVCAL_APART static invcal_status judge(const invcal_positions *positions, const
         dof -= told_by_data(prior, r, noise, invcal_variance(l, INVCAL_PARAMETERS, r));
     }
     invcal_judge_noise(positions->noise, squares, dof, q);
-    status = factor(information, INVCAL_PARAMETERS, prior, &q->noise, l);
+    status = factor_with(information, INVCAL_PARAMETERS, prior, &q->noise, l);
     if (status != INVCAL_OK) {
         return status;
     }
@@ -105,8 +105,8 @@ INVCAL_APART static invcal_status judge(const invcal_positions *positions, const
 }
 
 /* First pass. a is what calibrates u, out what calibrates raw counts. */
-INVCAL_APART static invcal_status solve(const invcal_positions *positions, const known *prior,
-                                        invcal_real a[3][3], invcal_calibration *out)
+INVCAL_APART static invcal_status solve_with(const invcal_positions *positions, const known *prior,
+                                             invcal_real a[3][3], invcal_calibration *out)
 {
     invcal_sums sums;
     invcal_real l[INVCAL_PACKED_SIZE(INVCAL_PARAMETERS + 1)];
@@ -120,7 +120,7 @@ INVCAL_APART static invcal_status solve(const invcal_positions *positions, const
         return INVCAL_TOO_FEW;
     }
     invcal_sums_system(&sums);
-    status = factor(sums.sum, INVCAL_PARAMETERS + 1, prior, &noise, l);
+    status = factor_with(sums.sum, INVCAL_PARAMETERS + 1, prior, &noise, l);
     if (status != INVCAL_OK) {
         return status;
     }
@@ -142,12 +142,13 @@ static invcal_status calibrate(const invcal_positions *positions, const known *p
     invcal_real m[3][3];
     const invcal_real(*a)[3] = (const invcal_real(*)[3])m;
 
-    invcal_status status = solve(positions, prior, m, out);
+    invcal_status status = solve_with(positions, prior, m, out);
     if (status == INVCAL_OK) {
         status = invcal_positions_compare(positions, out, a, information, &squares, q);
     }
-    return status == INVCAL_OK ? judge(positions, prior, information, squares, a, q, from_prior)
-                               : status;
+    return status == INVCAL_OK
+               ? judge_with(positions, prior, information, squares, a, q, from_prior)
+               : status;
 }
 
 /* The data may be noisier than stated: then the prior counts for more, and all is made once more. */

@@ -62,7 +62,7 @@ enum {
 
 #define WIDE (INT32_C(1) << 19) /* counts: no noise is so large, and no rest creeps so far */
 #define FINE 8                  /* bits behind the point of a mean */
-#define TWO_32 INVCAL_REAL(4294967296.0)
+#define TWO_TO_32 INVCAL_REAL(4294967296.0)
 #define HOUR (UINT32_C(3600) * 125) /* in 1/125 s */
 
 /* A rest is looked for; one was taken by the newest block; one is going on; is said to be READY; is
@@ -206,7 +206,7 @@ static uint32_t widest_span(const invcal_rests *s)
 
 /* Where all that is close to the first sample is off the rails too, one comparison will tell both.
  * Until the quantum is known, every sample is looked at. */
-static void begin(invcal_rests *s, const int32_t raw[3])
+static void begin_block(invcal_rests *s, const int32_t raw[3])
 {
     const uint32_t span = widest_span(s);
 
@@ -285,7 +285,7 @@ static uint64_t scatter_of(const invcal_rests *s)
     return scatter;
 }
 
-static void measure(const invcal_rests *s, uint64_t scatter, finding *f)
+static void measure_block(const invcal_rests *s, uint64_t scatter, finding *f)
 {
     const int bits = s->bits;
 
@@ -471,7 +471,7 @@ static int is_drifting(const invcal_rests *s)
 /* ---- the candidate ------------------------------------------------------------------------ */
 
 /* From the next block on, when those to be skipped have passed. */
-static void start(invcal_rests *s)
+static void start_candidate(invcal_rests *s)
 {
     memset(s->total, 0, sizeof s->total);
     s->variance = 0;
@@ -593,7 +593,7 @@ static invcal_event drifting(invcal_rests *s, finding *f)
         return INVCAL_SETTLING;
     }
     move_origin(s, f);
-    start(s);
+    start_candidate(s);
     s->skip = edge_of(s);
     s->reason = INVCAL_REST_DRIFT;
     return INVCAL_REFUSED;
@@ -682,7 +682,7 @@ static invcal_event judge_moment(invcal_rests *s, finding *f)
         if (!f->quiet) {
             return INVCAL_MOVING;
         }
-        start(s);
+        start_candidate(s);
     }
     expect(s, f);
     if (f->quiet && f->fits && s->pended > 0 && s->hold == 0) {
@@ -731,7 +731,7 @@ INVCAL_APART static invcal_event decide(invcal_rests *s)
     if (s->noise == NONE) {
         memcpy(s->place, s->first, sizeof s->place);
     }
-    measure(s, scatter, &f);
+    measure_block(s, scatter, &f);
     relate(s, &f);
     learn_noise(s, &f);
     return judge_moment(s, &f);
@@ -741,7 +741,7 @@ INVCAL_APART static invcal_event decide(invcal_rests *s)
 INVCAL_APART static invcal_event feed_any(invcal_rests *s, const int32_t raw[3])
 {
     if (s->missing == 0) {
-        begin(s, raw);
+        begin_block(s, raw);
         return INVCAL_NOTHING;
     }
     s->span = 0; /* the squares may be large now */
@@ -849,7 +849,7 @@ int invcal_rests_get(const invcal_rests *rests, invcal_rest *out)
     }
     const uint32_t size = UINT32_C(1) << rests->bits;
     const uint32_t degrees = blocks_of(rests) * 3 * (size - 1); /* of freedom, less than 2^28 */
-    const invcal_real squares = (invcal_real)(uint32_t)(rests->variance >> 32) * TWO_32 +
+    const invcal_real squares = (invcal_real)(uint32_t)(rests->variance >> 32) * TWO_TO_32 +
                                 (invcal_real)(uint32_t)rests->variance;
     out->count = rests->blocks * size;
     for (unsigned a = 0; a < 3; a++) {
@@ -865,7 +865,7 @@ int invcal_rests_get(const invcal_rests *rests, invcal_rest *out)
 
 /* 32 more bits of a quotient: of rest and the bits of next behind it, by n > rest. What is left is
  * the rest. A division of 64 bits would be the compiler's, many times as large. */
-static uint32_t divide(uint32_t *rest, uint32_t next, uint32_t n)
+static uint32_t divide_step(uint32_t *rest, uint32_t next, uint32_t n)
 {
     uint32_t quotient = 0;
 
@@ -890,7 +890,7 @@ static invcal_real mean_of(int64_t sum, uint32_t n)
     if (rest >= n) {
         return 0;
     }
-    const uint32_t whole = divide(&rest, (uint32_t)size, n);
+    const uint32_t whole = divide_step(&rest, (uint32_t)size, n);
     const invcal_real mean = (invcal_real)whole + (invcal_real)rest / (invcal_real)n;
     return sum < 0 ? -mean : mean;
 }

@@ -5,7 +5,7 @@
 
 #include "vector.h"
 
-#define LONGEST INVCAL_REAL(10.0) /* semi-axis, of nominal; the shortest is 1 / 10 */
+#define LONGEST_AXIS INVCAL_REAL(10.0) /* semi-axis, of nominal; the shortest is 1 / 10 */
 
 /* Horner's rule. */
 void invcal_polynomials(const invcal_real *c, unsigned degree, invcal_real t,
@@ -33,8 +33,8 @@ static int triad_of(const invcal_real x[INVCAL_PARAMETERS], invcal_calibration *
     memcpy(triad->offset, x, sizeof triad->offset);
     invcal_inverse3(m, triad->matrix);
     for (unsigned i = 0; i < 3; i++) {
-        is_triad &= m[i][i] > 0 && m[i][i] < LONGEST && triad->matrix[i][i] > 0 &&
-                    triad->matrix[i][i] < LONGEST && INVCAL_FABS(x[i]) < LONGEST;
+        is_triad &= m[i][i] > 0 && m[i][i] < LONGEST_AXIS && triad->matrix[i][i] > 0 &&
+                    triad->matrix[i][i] < LONGEST_AXIS && INVCAL_FABS(x[i]) < LONGEST_AXIS;
     }
     return is_triad;
 }

@@ -30,7 +30,7 @@ static invcal_real gram(const invcal_calibration *c, unsigned j, unsigned k)
            c->matrix[2][j] * c->matrix[2][k];
 }
 
-static int agree(const invcal_calibration *a, const invcal_calibration *b)
+static int is_alike(const invcal_calibration *a, const invcal_calibration *b)
 {
     invcal_real scale[3]; /* over field per count */
 
@@ -64,7 +64,7 @@ static invcal_status check(const invcal_thermal_record *r)
     if (status == INVCAL_OK) {
         status = invcal_thermal_at(t, t->reference, &c, &place);
     }
-    return status == INVCAL_OK && !agree(&r->record.calibration, &c) ? INVCAL_DAMAGED : status;
+    return status == INVCAL_OK && !is_alike(&r->record.calibration, &c) ? INVCAL_DAMAGED : status;
 }
 
 /* Where the degree stands, if the length fits it. */
