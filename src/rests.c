@@ -137,7 +137,7 @@ static unsigned zeros_before(uint32_t x)
 #else
     unsigned zeros = 0;
 
-    for (unsigned step = 16; step > 0; step /= 2) {
+    for (unsigned step = 16; step > 0; step /= 2) { /* at most 5 steps */
         if (x >> (32 - step) == 0) {
             x <<= step;
             zeros += step;
@@ -291,7 +291,7 @@ static void measure_block(const invcal_rests *s, uint64_t scatter, finding *f)
 
     f->variance = (scatter << 2) >> (2 * bits - 4);
     f->level = ONE - 2 * bits * OCTAVE + ((3 * OCTAVE / 2) >> bits); /* n / (n - 1), nearly */
-    for (; scatter > UINT32_MAX; scatter >>= 4) {
+    for (; scatter > UINT32_MAX; scatter >>= 4) {                    /* at most 8 steps */
         f->level += 4 * OCTAVE;
     }
     f->level += logarithm((uint32_t)scatter);
@@ -763,7 +763,7 @@ invcal_status invcal_rests_init(invcal_rests *rests, unsigned rate)
     memset(rests, 0, sizeof *rests);
     rests->rate = (uint16_t)rate;
     rests->bits = BITS_MIN;
-    while (11u << rests->bits < rate) { /* from 1/11 to 2/11 s; at most 8 steps */
+    while (11u << rests->bits < rate) { /* at most 10 steps: from 1/11 to 2/11 s */
         rests->bits++;
     }
     const int pace = logarithm(rate) - rests->bits * OCTAVE;

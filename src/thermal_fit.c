@@ -194,7 +194,7 @@ static invcal_status solve_highest(job *j, unsigned degree)
     invcal_status status;
     invcal_thermal_fallback why = try_degree(j, degree, &status);
 
-    while (why != INVCAL_THERMAL_AS_ASKED && degree > 0) {
+    while (why != INVCAL_THERMAL_AS_ASKED && degree > 0) { /* at most INVCAL_THERMAL_DEGREE steps */
         j->now.fallback = (uint8_t)why;
         why = try_degree(j, --degree, &status);
     }

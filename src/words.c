@@ -30,6 +30,7 @@ static char *append_tilt(char *at, invcal_real cosine)
     static const uint8_t border[] = {5, 15, 30, 49, 72, 100, 132, 168, 208, 250};
     unsigned n = 0;
 
+    /* at most 10 steps */
     while (n < sizeof border && COARSE * (1 - cosine) > border[n]) {
         n++;
     }
