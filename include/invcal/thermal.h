@@ -193,7 +193,8 @@ typedef struct {
  * prior   null, or what is known beforehand; the noise has to be stated then. With a prior on every
  *         slope even one temperature is enough: what the positions leave open stays at none. Where
  *         the residuals tell more noise than is stated, the prior is weighed with theirs,
- *         quality->noise: judge with that.
+ *         quality->noise: judge with that. Where sigma is more than 0.7 of its prior, the prior has
+ *         told more of that parameter than the positions.
  * base    of invcal_thermal_start, or an earlier calibration; may be out.
  * degree  the highest one that is wanted.
  *
@@ -214,11 +215,6 @@ invcal_status invcal_thermal_fit(const invcal_thermal_positions *positions,
 invcal_status invcal_thermal_judge(const invcal_thermal_positions *positions,
                                    const invcal_thermal_prior *prior, const invcal_thermal *thermal,
                                    invcal_real temperature, invcal_quality *quality);
-
-/* Bit r: the prior has told more of parameter r at the reference than the positions did: its sigma is
- * hardly smaller. */
-uint16_t invcal_thermal_from_prior(const invcal_thermal_prior *prior,
-                                   const invcal_quality *quality);
 
 /* ---- as bytes -------------------------------------------------------------------------------------
  *

@@ -122,7 +122,7 @@ static fit_solution solution_at(const thermal_fit *fit, double temperature)
 static void complete(thermal_fit *fit, const rejection *kept, const invcal_quality *q)
 {
     fit->solution = solution_at(fit, fit->calibration.reference);
-    fit->quality = fit_quality_of(q, &fit->settings);
+    fit->quality = fit_quality_of(q, &fit->settings, &fit->solution);
     settle_prior(fit, q);
     find_covariance(fit, kept);
     find_slopes(fit);

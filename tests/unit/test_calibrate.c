@@ -272,8 +272,8 @@ static void many_positions_count_all(void)
                                                               &calibration, &quality));
     TEST_ASSERT_EQUAL_UINT(254, quality.positions);
     TEST_ASSERT_EQUAL_UINT(245, quality.dof);
-    TEST_ASSERT_EQUAL_INT(INVCAL_BAD_COUNT,
-                          invcal_calibrate(raw[0], 256, &nominal, 0, &calibration, &quality));
+    TEST_ASSERT_EQUAL_INT(INVCAL_BAD_COUNT, invcal_calibrate(raw[0], UINT16_MAX, &nominal, 0,
+                                                             &calibration, &quality));
 }
 
 static void left_out_positions_may_leave_too_few(void)
