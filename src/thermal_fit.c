@@ -348,7 +348,7 @@ static invcal_status judge_at(job *j, invcal_real temperature)
     invcal_real k[NINE];
     invcal_real t;
 
-    invcal_status status = invcal_thermal_find(now, temperature, &t, &triad, &place);
+    invcal_status status = invcal_thermal_find(now, temperature, &t, &place);
     if (status == INVCAL_OK) {
         status = invcal_thermal_triad(now, t, &triad);
     }
