@@ -112,7 +112,7 @@ $(BUILD)/$(1)/unity.o: $(UNITY)/unity.c $(UNITY)/unity.h
 	$(Q)$$(CC) $$(FLAGS) -DUNITY_INCLUDE_DOUBLE -DUNITY_STRICT -I$(UNITY) -c $$< -o $$@
 
 $(BUILD)/$(1)/tests/unit/%.o: EXTRA += -DUNITY_INCLUDE_DOUBLE -DUNITY_STRICT -I$(UNITY) \
-    -Itests/unit -Itests/reference -I$(BUILD)
+    -Isrc -Itests/unit -Itests/reference -I$(BUILD)
 $(SUITES:%=$(BUILD)/$(1)/tests/unit/%.o): | $(BUILD)/positions.h
 
 $(BUILD)/$(1)/test_%: $(BUILD)/$(1)/tests/unit/test_%.o $(BUILD)/$(1)/tests/unit/support.o \
@@ -135,7 +135,7 @@ $(BUILD)/positions.h: tests/data/to_c.awk $(DATA)
 	@mkdir -p $(@D)
 	$(Q)awk -f $^ > $@
 
-# The host tool: the library in double, with room for more positions and averaging times than a
+# The host tool: the library in double, for more positions and averaging times than a
 # device has, and for parabolas of temperature; what CFLAGS choose for the library is not for it.
 TOOL_FLAGS = -DINVCAL_DOUBLE=1 -DINVCAL_MAX_POSITIONS=64 -DINVCAL_ALLAN_TAUS=31 \
     -DINVCAL_ALLAN_OVERLAP=4096 -DINVCAL_THERMAL_DEGREE=2
@@ -151,7 +151,7 @@ $(BUILD)/invcal: $(HOST:%.c=$(BUILD)/tool/%.o) $(SOURCES:%.c=$(BUILD)/tool/%.o)
 $(BUILD)/tool/tool.a: $(filter-out %/main.o,$(HOST:%.c=$(BUILD)/tool/%.o)) $(SOURCES:%.c=$(BUILD)/tool/%.o)
 	$(Q)rm -f $@ && $(AR) rcs $@ $^
 $(BUILD)/tool/tests/%.o: EXTRA += -DUNITY_INCLUDE_DOUBLE -DUNITY_STRICT -I$(UNITY) -Iport/host \
-    -Itests/unit -Itests/reference
+    -Isrc -Itests/unit -Itests/reference
 $(BUILD)/tool/test_%: $(BUILD)/tool/tests/tool/test_%.o $(BUILD)/tool/tests/unit/support.o \
     $(BUILD)/double/unity.o $(BUILD)/tool/tool.a
 	$(Q)$(CC) $(FLAGS) $^ -lm -o $@

@@ -23,7 +23,7 @@ FLAGS   = -std=c99 $(OPT) -ffp-contract=off -fno-math-errno -ffunction-sections 
 TESTING = -DUNITY_INCLUDE_DOUBLE -DUNITY_STRICT -DUNITY_SUPPORT_64 $(SHORT) \
           $(if $(RAM),-DTEST_RAM=$(RAM)) \
           '-DUNITY_OUTPUT_CHAR(c)=board_put(c)' \
-          -include board.h -I$(UNITY) -Itests/unit -Itests/reference -I$(BUILD)
+          -include board.h -I$(UNITY) -Isrc -Itests/unit -Itests/reference -I$(BUILD)
 
 LIBRARY := $(patsubst %.c,$(OUT)/%.o,$(wildcard src/*.c))
 SUITES  := $(patsubst tests/unit/%.c,%,$(wildcard tests/unit/test_*.c))

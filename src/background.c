@@ -19,7 +19,7 @@ invcal_status invcal_background_init(invcal_background *background,
 }
 
 /* Those behind it move up. */
-static void drop(invcal_background *b, unsigned i)
+static void drop_position(invcal_background *b, unsigned i)
 {
     b->session.count--;
     b->session.good = 0; /* to be judged anew */
@@ -81,13 +81,13 @@ invcal_event invcal_background_feed(invcal_background *background, const int32_t
     }
     background->age[session->count - 1u] = 0;
     if (!(newest_leverage(background) > TELLING)) {
-        drop(background, session->count - 1u);
+        drop_position(background, session->count - 1u);
         session->last = INVCAL_REFUSED;
         session->reason = INVCAL_REST_SAME;
         return INVCAL_REFUSED;
     }
     if (session->count == INVCAL_MAX_POSITIONS) { /* before the session would drop the oldest */
-        drop(background, least_telling(background));
+        drop_position(background, least_telling(background));
     }
     return event;
 }
@@ -97,7 +97,7 @@ void invcal_background_age(invcal_background *background)
     INVCAL_ASSERT(background);
     for (unsigned i = background->session.count; i > 0; i--) {
         if (++background->age[i - 1] >= DAYS) {
-            drop(background, i - 1);
+            drop_position(background, i - 1);
         }
     }
 }

@@ -8,7 +8,7 @@
 #define EXPONENT UINT32_C(0x7F800000) /* of binary32: all set for what is not finite */
 #define NOT_A_NUMBER UINT32_C(0x7FC00000)
 
-enum { SHORTEST = 8 }; /* a frame with nothing in it */
+enum { EMPTY_FRAME = 8 }; /* a frame with nothing in it */
 
 uint8_t *invcal_put_u32(uint8_t *bytes, uint32_t value)
 {
@@ -65,8 +65,8 @@ int invcal_get_reals(const uint8_t *bytes, void *reals, unsigned count)
 uint32_t invcal_crc32(uint32_t crc, const uint8_t *bytes, uint32_t count)
 {
     crc = ~crc;
-    for (; count > 0; count--) { /* at most 65535: the length of a frame */
-        crc ^= *bytes++;
+    for (uint32_t i = 0; i < count; i++) {
+        crc ^= bytes[i];
         for (unsigned bit = 0; bit < 8; bit++) {
             crc = crc & 1u ? crc >> 1 ^ UINT32_C(0xEDB88320) : crc >> 1;
         }
@@ -84,11 +84,11 @@ void invcal_seal(uint8_t *bytes, uint8_t kind, uint32_t length)
 
 invcal_status invcal_unseal(const uint8_t *bytes, uint32_t size, uint8_t kind, uint8_t oldest)
 {
-    if (size < SHORTEST) {
+    if (size < EMPTY_FRAME) {
         return INVCAL_DAMAGED;
     }
     const uint32_t length = invcal_get_u16(bytes + 2);
-    if (length < SHORTEST || length > size ||
+    if (length < EMPTY_FRAME || length > size ||
         invcal_crc32(0, bytes, length) != INVCAL_CRC_RESIDUE) {
         return INVCAL_DAMAGED;
     }

@@ -66,8 +66,8 @@ static INVCAL_INLINE void slope(const invcal_real g[3], invcal_real h[INVCAL_PAR
     memcpy(h, g, 3 * sizeof *h);
 }
 
-static INVCAL_INLINE void add(invcal_real *a, const invcal_real h[INVCAL_PARAMETERS],
-                              invcal_real weight)
+static INVCAL_INLINE void add_row(invcal_real *a, const invcal_real h[INVCAL_PARAMETERS],
+                                  invcal_real weight)
 {
     INVCAL_UNROLL_ROWS
     for (unsigned r = 0; r < INVCAL_PARAMETERS; r++) {
@@ -102,7 +102,7 @@ invcal_status invcal_positions_compare(const invcal_positions *positions,
         const invcal_real weight = 1 / invcal_gradient(a, row.h, g);
         *squares += weight * row.j * row.j;
         slope(g, row.h);
-        add(information, row.h, weight);
+        add_row(information, row.h, weight);
         count++;
     }
     return invcal_residuals_end(count, q);
@@ -173,7 +173,7 @@ invcal_status invcal_positions_sum(const invcal_positions *positions, invcal_sum
 
 /* The system to p, if there is a row behind the nine, and L^-1. Is what it determines more than
  * rounding? If not in nominal units, readings calibrated by it may look well spread all the same. */
-static invcal_status determine(invcal_real *a, unsigned rows, invcal_real *condition)
+static invcal_status determine_all(invcal_real *a, unsigned rows, invcal_real *condition)
 {
     const invcal_real trace = invcal_trace(a, INVCAL_PARAMETERS);
     const invcal_status status = invcal_factor(a, INVCAL_PARAMETERS, rows, INVCAL_FLOOR);
@@ -189,8 +189,9 @@ static invcal_status determine(invcal_real *a, unsigned rows, invcal_real *condi
     return invcal_is_resolved(*condition) ? INVCAL_OK : INVCAL_UNDETERMINED;
 }
 
-static invcal_status judge(const invcal_positions *positions, const invcal_calibration *c,
-                           const invcal_real a[3][3], invcal_real *information, invcal_quality *q)
+static invcal_status judge_result(const invcal_positions *positions, const invcal_calibration *c,
+                                  const invcal_real a[3][3], invcal_real *information,
+                                  invcal_quality *q)
 {
     invcal_real k[INVCAL_PARAMETERS];
     invcal_real squares;
@@ -201,7 +202,7 @@ static invcal_status judge(const invcal_positions *positions, const invcal_calib
     }
     invcal_judge_noise(positions->noise, squares, (invcal_real)(q->positions - INVCAL_PARAMETERS),
                        q);
-    status = determine(information, INVCAL_PARAMETERS, &q->condition);
+    status = determine_all(information, INVCAL_PARAMETERS, &q->condition);
     if (status != INVCAL_OK) {
         return status;
     }
@@ -226,7 +227,7 @@ invcal_status invcal_positions_solve(const invcal_positions *positions, invcal_s
     }
     if (status == INVCAL_OK) {
         invcal_sums_system(sums);
-        status = determine(sums->sum, INVCAL_PARAMETERS + 1, &q->condition);
+        status = determine_all(sums->sum, INVCAL_PARAMETERS + 1, &q->condition);
     }
     if (status != INVCAL_OK) {
         return status;
@@ -238,6 +239,7 @@ invcal_status invcal_positions_solve(const invcal_positions *positions, invcal_s
     invcal_make_symmetric(out->matrix);
     memcpy(a, out->matrix, sizeof a);
     status = invcal_behind(positions->nominal, out);
-    return status == INVCAL_OK ? judge(positions, out, (const invcal_real(*)[3])a, sums->sum, q)
-                               : status;
+    return status == INVCAL_OK
+               ? judge_result(positions, out, (const invcal_real(*)[3])a, sums->sum, q)
+               : status;
 }

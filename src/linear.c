@@ -16,8 +16,8 @@ void invcal_linear_init(invcal_linear_sums *linear)
 }
 
 /* The reading u, and h(eta). */
-static invcal_status observe(const invcal_calibration *nominal, const invcal_real raw[3],
-                             const invcal_real eta[3], invcal_real u[3], invcal_row *row)
+static invcal_status observe_along(const invcal_calibration *nominal, const invcal_real raw[3],
+                                   const invcal_real eta[3], invcal_real u[3], invcal_row *row)
 {
     const invcal_status status = invcal_observe(nominal, raw, row);
 
@@ -40,7 +40,7 @@ invcal_status invcal_linear_add_vertical(invcal_linear_sums *linear,
     invcal_row row;
 
     INVCAL_ASSERT(linear && nominal && raw && eta);
-    const invcal_status status = observe(nominal, raw, eta, u, &row);
+    const invcal_status status = observe_along(nominal, raw, eta, u, &row);
     if (status == INVCAL_OK) {
         row.j = invcal_dot3(u, eta) - 1;
         invcal_sums_add_row(&linear->sums, &row, 1);
@@ -56,7 +56,8 @@ invcal_status invcal_linear_add_scalar(invcal_linear_sums *linear,
     invcal_row row;
 
     INVCAL_ASSERT(linear && nominal && raw && eta);
-    const invcal_status status = observe(nominal, raw, eta, u, &row); /* j: that of an exact row */
+    const invcal_status status =
+        observe_along(nominal, raw, eta, u, &row); /* j: that of an exact row */
     if (status == INVCAL_OK) {
         invcal_sums_add_row(&linear->sums, &row, 1);
     }
@@ -107,11 +108,11 @@ static invcal_status correct(const invcal_real x[INVCAL_PARAMETERS], invcal_cali
 invcal_status invcal_linear_solve(invcal_linear_sums *linear, const invcal_calibration *nominal,
                                   invcal_calibration *out, invcal_real x[INVCAL_PARAMETERS])
 {
-    invcal_real *a = linear->sums.sum;
-    invcal_real *p = &a[INVCAL_PACKED(INVCAL_PARAMETERS, 0)];
     invcal_calibration c;
 
     INVCAL_ASSERT(linear && nominal && out && x);
+    invcal_real *a = linear->sums.sum;
+    invcal_real *p = &a[INVCAL_PACKED(INVCAL_PARAMETERS, 0)];
     if (linear->sums.count < INVCAL_PARAMETERS) {
         return INVCAL_TOO_FEW;
     }

@@ -165,7 +165,7 @@ static void solve_best(const equations *e, unsigned allowed, mixture *best)
 }
 
 /* The model that weighs is found in turns with its weights; x is where to begin. */
-static void fit(const curve *c, unsigned allowed, mixture *x)
+static void fit_model(const curve *c, unsigned allowed, mixture *x)
 {
     equations e;
 
@@ -208,10 +208,10 @@ static void fit_visible(const curve *c, mixture *x)
     mixture fewer;
 
     memset(x, 0, sizeof *x);
-    fit(c, ALL, x);
+    fit_model(c, ALL, x);
     for (unsigned i = hidden_kind(x); i < KINDS; i = hidden_kind(x)) { /* at most KINDS */
         fewer = *x;
-        fit(c, x->kinds & ~(1u << i), &fewer);
+        fit_model(c, x->kinds & ~(1u << i), &fewer);
         const invcal_real after = misfit(c, &fewer);
         if (after > POOR && after > 2 * misfit(c, x)) {
             return;

@@ -4,8 +4,8 @@
 #include "solve.h"
 #include "vector.h"
 
-#define SMALLEST INVCAL_REAL(1e-10) /* over field per count; the largest is its inverse */
-#define FARTHEST INVCAL_REAL(1e18)  /* zero, over field */
+#define SMALLEST INVCAL_REAL(1e-10)     /* over field per count; the largest is its inverse */
+#define FARTHEST_ZERO INVCAL_REAL(1e18) /* zero, over field */
 
 /* Singular to rounding is a determinant that its rows do not show. */
 invcal_status invcal_nominal_check(const invcal_calibration *nominal)
@@ -16,7 +16,7 @@ invcal_status invcal_nominal_check(const invcal_calibration *nominal)
     for (unsigned i = 0; i < 3; i++) {
         const invcal_real scale = INVCAL_SQRT(invcal_dot3(nominal->matrix[i], nominal->matrix[i]));
         if (!(scale >= SMALLEST && scale <= 1 / SMALLEST &&
-              INVCAL_FABS(nominal->offset[i]) * scale <= FARTHEST)) {
+              INVCAL_FABS(nominal->offset[i]) * scale <= FARTHEST_ZERO)) {
             return INVCAL_BAD_NOMINAL;
         }
         of_rows *= scale;

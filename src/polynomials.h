@@ -18,17 +18,14 @@ static inline invcal_real invcal_thermal_scaled(const invcal_thermal *thermal,
     return (temperature - thermal->reference) / thermal->span;
 }
 
-/* The triad, and the whole calibration, at t, whatever has been seen. INVCAL_NOT_ELLIPSOID if a
- * semi-axis is beyond ten times that of a perfect triad. */
+/* The calibration of u at t, whatever has been seen: A = (I + S)^-1. INVCAL_NOT_ELLIPSOID if a semi-axis
+ * is beyond ten times that of a perfect triad. */
 invcal_status invcal_thermal_triad(const invcal_thermal *thermal, invcal_real t,
                                    invcal_calibration *triad);
-invcal_status invcal_thermal_calibration(const invcal_thermal *thermal, invcal_real t,
-                                         invcal_calibration *out);
 
-/* The same at a temperature: its t, or that of the end of the range seen if it is outside.
- * INVCAL_BAD_TEMPERATURE if it is not finite. */
+/* t of a temperature, or of the end of the range seen if it is outside. INVCAL_BAD_TEMPERATURE if it
+ * is not finite. */
 invcal_status invcal_thermal_find(const invcal_thermal *thermal, invcal_real temperature,
-                                  invcal_real *t, invcal_calibration *out,
-                                  invcal_thermal_place *place);
+                                  invcal_real *t, invcal_thermal_place *place);
 
 #endif

@@ -17,18 +17,19 @@ enum { NOT_ASKED, NOT_GOOD, GOOD };  /* session->good */
 invcal_status invcal_session_begin(invcal_session *session, const invcal_calibration *nominal,
                                    unsigned rate)
 {
-    invcal_rests rests;
-
     INVCAL_ASSERT(session && nominal);
     invcal_status status = invcal_nominal_check(nominal);
-    if (status == INVCAL_OK) {
-        status = invcal_rests_init(&rests, rate);
+    if (status == INVCAL_OK) { /* the first that writes, and only if it accepts */
+        status = invcal_rests_init(&session->rests, rate);
     }
     if (status == INVCAL_OK) {
-        memset(session, 0, sizeof *session);
         session->nominal = *nominal;
-        session->rests = rests;
+        session->noise = 0;
+        session->hold = 0;
+        session->count = 0;
         session->last = INVCAL_MOVING;
+        session->reason = INVCAL_OK;
+        session->good = NOT_ASKED;
     }
     return status;
 }
@@ -98,14 +99,13 @@ static void keep(invcal_session *session, const invcal_real mean[3])
 /* A rest that is no reading of this field is better refused at once, and again when it is left. */
 INVCAL_APART static invcal_event digest(invcal_session *session, invcal_event event)
 {
-    invcal_real mean[3];
-    invcal_row row;
-
     session->last = (uint8_t)event;
     if (event == INVCAL_REFUSED) {
         session->reason = (uint8_t)invcal_rests_reason(&session->rests);
     }
     if (event == INVCAL_READY || event == INVCAL_TAKEN) {
+        invcal_real mean[3];
+        invcal_row row;
         const invcal_status status = read_rest(session, mean, &row);
         if (status != INVCAL_OK) {
             session->last = INVCAL_REFUSED;

@@ -5,7 +5,7 @@
 
 #include "vector.h"
 
-#define LONGEST INVCAL_REAL(10.0) /* semi-axis, of nominal; the shortest is 1 / 10 */
+#define LONGEST_AXIS INVCAL_REAL(10.0) /* semi-axis, of nominal; the shortest is 1 / 10 */
 
 /* Horner's rule. */
 void invcal_polynomials(const invcal_real *c, unsigned degree, invcal_real t,
@@ -33,8 +33,8 @@ static int triad_of(const invcal_real x[INVCAL_PARAMETERS], invcal_calibration *
     memcpy(triad->offset, x, sizeof triad->offset);
     invcal_inverse3(m, triad->matrix);
     for (unsigned i = 0; i < 3; i++) {
-        is_triad &= m[i][i] > 0 && m[i][i] < LONGEST && triad->matrix[i][i] > 0 &&
-                    triad->matrix[i][i] < LONGEST && INVCAL_FABS(x[i]) < LONGEST;
+        is_triad &= m[i][i] > 0 && m[i][i] < LONGEST_AXIS && triad->matrix[i][i] > 0 &&
+                    triad->matrix[i][i] < LONGEST_AXIS && INVCAL_FABS(x[i]) < LONGEST_AXIS;
     }
     return is_triad;
 }
@@ -48,30 +48,22 @@ invcal_status invcal_thermal_triad(const invcal_thermal *thermal, invcal_real t,
     return triad_of(x, triad) ? INVCAL_OK : INVCAL_NOT_ELLIPSOID;
 }
 
-invcal_status invcal_thermal_calibration(const invcal_thermal *thermal, invcal_real t,
-                                         invcal_calibration *out)
-{
-    const invcal_status status = invcal_thermal_triad(thermal, t, out);
-
-    return status == INVCAL_OK ? invcal_behind(&thermal->nominal, out) : status;
-}
-
 invcal_status invcal_thermal_find(const invcal_thermal *thermal, invcal_real temperature,
-                                  invcal_real *t, invcal_calibration *out,
-                                  invcal_thermal_place *place)
+                                  invcal_real *t, invcal_thermal_place *place)
 {
     if (!invcal_is_finite(temperature)) {
         return INVCAL_BAD_TEMPERATURE;
     }
-    const int is_below = !(temperature >= thermal->min);
-    const int is_above = !is_below && !(temperature <= thermal->max);
-    *place = is_below   ? INVCAL_THERMAL_BELOW
-             : is_above ? INVCAL_THERMAL_ABOVE
-                        : INVCAL_THERMAL_WITHIN;
-    *t = invcal_thermal_scaled(thermal, is_below   ? thermal->min
-                                        : is_above ? thermal->max
-                                                   : temperature);
-    return invcal_thermal_calibration(thermal, *t, out);
+    *place = INVCAL_THERMAL_WITHIN;
+    if (!(temperature >= thermal->min)) {
+        temperature = thermal->min;
+        *place = INVCAL_THERMAL_BELOW;
+    } else if (!(temperature <= thermal->max)) {
+        temperature = thermal->max;
+        *place = INVCAL_THERMAL_ABOVE;
+    } /* cppcheck-suppress misra-c2012-15.7 ; it is within */
+    *t = invcal_thermal_scaled(thermal, temperature);
+    return INVCAL_OK;
 }
 
 invcal_status invcal_thermal_at(const invcal_thermal *thermal, invcal_real temperature,
@@ -82,7 +74,13 @@ invcal_status invcal_thermal_at(const invcal_thermal *thermal, invcal_real tempe
     invcal_real t;
 
     INVCAL_ASSERT(thermal && calibration && place);
-    const invcal_status status = invcal_thermal_find(thermal, temperature, &t, &c, &where);
+    invcal_status status = invcal_thermal_find(thermal, temperature, &t, &where);
+    if (status == INVCAL_OK) {
+        status = invcal_thermal_triad(thermal, t, &c);
+    }
+    if (status == INVCAL_OK) {
+        status = invcal_behind(&thermal->nominal, &c);
+    }
     if (status == INVCAL_OK) {
         *calibration = c;
         *place = where;

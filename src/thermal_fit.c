@@ -15,8 +15,8 @@
 
 enum {
     DEGREE = INVCAL_THERMAL_DEGREE,
-    N = INVCAL_PARAMETERS,
-    UNKNOWNS = N * INVCAL_THERMAL_ROWS /* the coefficient of t^a of parameter r is number a N + r */
+    NINE = INVCAL_PARAMETERS,
+    UNKNOWNS = NINE * INVCAL_THERMAL_ROWS /* coefficient of t^a, parameter r: number 9 a + r */
 };
 
 /* A fit on its way. */
@@ -58,14 +58,14 @@ invcal_real invcal_thermal_drift_limit(invcal_real noise, invcal_real slope)
 /* ---- the system --------------------------------------------------------------------------------- */
 
 /* The row (h, t h, t^2 h, j), and its products with itself. */
-static void add(invcal_real *a, unsigned n, const invcal_row *row, invcal_real weight,
-                invcal_real t)
+static void add_at(invcal_real *a, unsigned n, const invcal_row *row, invcal_real weight,
+                   invcal_real t)
 {
     invcal_real wide[UNKNOWNS + 1];
 
     memcpy(wide, row->h, sizeof row->h);
-    for (unsigned i = N; i < n; i++) {
-        wide[i] = t * wide[i - N];
+    for (unsigned i = NINE; i < n; i++) {
+        wide[i] = t * wide[i - NINE];
     }
     wide[n] = row->j;
     for (unsigned r = 0; r <= n; r++) {
@@ -100,7 +100,7 @@ static invcal_status gather(job *j, unsigned n)
             return status;
         }
         const invcal_real square = invcal_gradient((const invcal_real(*)[3])triad.matrix, row.h, g);
-        add(j->a, n, &row, 1 / square, t);
+        add_at(j->a, n, &row, 1 / square, t);
     }
     return INVCAL_OK;
 }
@@ -136,7 +136,7 @@ static invcal_status solve_at_noise(job *j, unsigned n, invcal_real floor)
 
 /* Where a prior has to hold what the positions leave open, the noise is raised to that with which it
  * is just more than rounding beside the largest sums. */
-static invcal_status solve(job *j, unsigned n)
+static invcal_status solve_to(job *j, unsigned n)
 {
     if (!j->has_prior) {
         return solve_at_noise(j, n, INVCAL_FLOOR);
@@ -166,18 +166,19 @@ static unsigned count_open(const job *j, unsigned from, unsigned n, int is_solve
 /* What stands against a degree: it need not even be tried, or it has been solved. */
 static invcal_thermal_fallback try_degree(job *j, unsigned degree, invcal_status *status)
 {
-    const unsigned n = (degree + 1) * N;
+    const unsigned n = (degree + 1) * NINE;
     const invcal_real noise = j->noise;
 
     *status = INVCAL_TOO_FEW;
     if (j->positions->count < count_open(j, 0, n, 0)) {
         return INVCAL_THERMAL_FEW;
     }
-    if (j->max - j->min < (invcal_real)degree * NARROWEST && count_open(j, degree * N, n, 0) > 0) {
+    if (j->max - j->min < (invcal_real)degree * NARROWEST &&
+        count_open(j, degree * NINE, n, 0) > 0) {
         return INVCAL_THERMAL_NARROW;
     }
-    *status = solve(j, n);
-    if (*status == INVCAL_OK && count_open(j, N, n, 1) > 0) {
+    *status = solve_to(j, n);
+    if (*status == INVCAL_OK && count_open(j, NINE, n, 1) > 0) {
         *status = INVCAL_UNDETERMINED;
     }
     if (*status != INVCAL_UNDETERMINED) {
@@ -193,7 +194,7 @@ static invcal_status solve_highest(job *j, unsigned degree)
     invcal_status status;
     invcal_thermal_fallback why = try_degree(j, degree, &status);
 
-    while (why != INVCAL_THERMAL_AS_ASKED && degree > 0) {
+    while (why != INVCAL_THERMAL_AS_ASKED && degree > 0) { /* at most INVCAL_THERMAL_DEGREE */
         j->now.fallback = (uint8_t)why;
         why = try_degree(j, --degree, &status);
     }
@@ -210,7 +211,7 @@ static invcal_status compose(const job *j, invcal_real t, invcal_real x[INVCAL_P
     invcal_calibration c;
     invcal_real m[3][3];
 
-    invcal_polynomials(&j->a[INVCAL_PACKED((degree + 1) * N, 0)], degree, t, x);
+    invcal_polynomials(&j->a[INVCAL_PACKED((degree + 1) * NINE, 0)], degree, t, x);
     invcal_status status = invcal_ellipsoid(x, &c);
     if (status == INVCAL_OK) {
         status = invcal_thermal_triad(&j->now, t, &first);
@@ -242,7 +243,7 @@ static invcal_status interpolate(job *j)
     const invcal_real half = (invcal_thermal_scaled(&j->now, j->now.max) - low) / 2;
     const invcal_real step = half > NARROWEST_STEP ? half : NARROWEST_STEP;
     const invcal_real t = low + half;
-    invcal_real x[3][N];
+    invcal_real x[3][NINE];
 
     for (unsigned k = 0; k < 3; k++) {
         const invcal_status status = compose(j, t + ((invcal_real)k - 1) * step, x[k]);
@@ -250,7 +251,7 @@ static invcal_status interpolate(job *j)
             return status;
         }
     }
-    for (unsigned r = 0; r < N; r++) {
+    for (unsigned r = 0; r < NINE; r++) {
         const invcal_real rise = (x[2][r] - x[0][r]) / 2;
         const invcal_real bend = (x[2][r] - x[1][r]) - (x[1][r] - x[0][r]);
         const invcal_real c2 = degree == 2 ? bend / (2 * step * step) : 0;
@@ -278,7 +279,7 @@ static invcal_status improve(job *j, unsigned degree)
     now->max = is_new || j->max > now->max ? j->max : now->max;
     now->degree = is_new ? now->fitted : now->degree;
     status = interpolate(j);
-    return status == INVCAL_NOT_ELLIPSOID && count_open(j, 0, (now->fitted + 1u) * N, 1) > 0
+    return status == INVCAL_NOT_ELLIPSOID && count_open(j, 0, (now->fitted + 1u) * NINE, 1) > 0
                ? INVCAL_UNDETERMINED /* what is left open may take any shape */
                : status;
 }
@@ -288,10 +289,10 @@ static invcal_status improve(job *j, unsigned degree)
 /* How noisy the data are, and L^-1 with that. What a prior supplies is no unknown of the data. */
 static invcal_status weigh(job *j)
 {
-    const unsigned n = (j->now.fitted + 1u) * N;
+    const unsigned n = (j->now.fitted + 1u) * NINE;
     invcal_real dof = (invcal_real)j->positions->count - (invcal_real)n;
 
-    invcal_status status = solve(j, n);
+    invcal_status status = solve_to(j, n);
     if (status != INVCAL_OK) {
         return status;
     }
@@ -302,7 +303,7 @@ static invcal_status weigh(job *j)
     invcal_judge_noise(j->positions->noise, j->squares, dof, &j->q);
     if (j->has_prior) {
         j->noise = j->q.noise;
-        status = solve(j, n);
+        status = solve_to(j, n);
         j->q.noise = j->noise;
     }
     return status == INVCAL_OK ? invcal_residuals_end(j->positions->count, &j->q) : status;
@@ -313,10 +314,10 @@ static invcal_real variance_at(const job *j, invcal_real t, unsigned r)
 {
     invcal_real sum = 0;
 
-    for (unsigned i = r; i < (j->now.fitted + 1u) * N; i++) {
+    for (unsigned i = r; i < (j->now.fitted + 1u) * NINE; i++) {
         invcal_real y = 0;
-        for (unsigned a = (i - r) / N + 1; a-- > 0;) {
-            y = j->a[INVCAL_PACKED(i, a * N + r)] + t * y;
+        for (unsigned a = (i - r) / NINE + 1; a-- > 0;) {
+            y = j->a[INVCAL_PACKED(i, a * NINE + r)] + t * y;
         }
         sum += y * y;
     }
@@ -326,13 +327,13 @@ static invcal_real variance_at(const job *j, invcal_real t, unsigned r)
 /* From unit vectors back to the parameters. A deviation of the calibrated triad moves u by I + S
  * times it: scale errors and offsets of an axis by 1 + dk of it, the cross terms by the geometric
  * mean of theirs. */
-static void spread(const invcal_real a[3][3], invcal_real k[N])
+static void spread(const invcal_real a[3][3], invcal_real k[NINE])
 {
     /* of x y z xx yy zz xy xz yz */
-    static const uint8_t one[N] = {0, 1, 2, 0, 1, 2, 0, 0, 1};
-    static const uint8_t other[N] = {0, 1, 2, 0, 1, 2, 1, 2, 2};
+    static const uint8_t one[NINE] = {0, 1, 2, 0, 1, 2, 0, 0, 1};
+    static const uint8_t other[NINE] = {0, 1, 2, 0, 1, 2, 1, 2, 2};
 
-    for (unsigned r = 0; r < N; r++) {
+    for (unsigned r = 0; r < NINE; r++) {
         k[r] /= a[one[r]][one[r]] * a[other[r]][other[r]];
     }
 }
@@ -344,17 +345,17 @@ static invcal_status judge_at(job *j, invcal_real temperature)
     const uint16_t weak = j->q.weak;
     invcal_thermal_place place;
     invcal_calibration triad;
-    invcal_real k[N];
+    invcal_real k[NINE];
     invcal_real t;
 
-    invcal_status status = invcal_thermal_find(now, temperature, &t, &triad, &place);
+    invcal_status status = invcal_thermal_find(now, temperature, &t, &place);
     if (status == INVCAL_OK) {
         status = invcal_thermal_triad(now, t, &triad);
     }
     if (status != INVCAL_OK) {
         return status;
     }
-    for (unsigned r = 0; r < N; r++) {
+    for (unsigned r = 0; r < NINE; r++) {
         k[r] = variance_at(j, t, r);
         if (!(k[r] <= INVCAL_HOPELESS_K || j->held[r] > 0)) {
             return INVCAL_UNDETERMINED;
@@ -370,14 +371,14 @@ static invcal_status judge_at(job *j, invcal_real temperature)
 
 /* Without slopes over a range that wants some, slopes pass for errors of everything else, and the
  * residuals may not show it. */
-static invcal_status judge(job *j, const invcal_real *temperature, unsigned count,
-                           invcal_quality *quality)
+static invcal_status judge_range(job *j, const invcal_real *temperature, unsigned count,
+                                 invcal_quality *quality)
 {
     const invcal_thermal *now = &j->now;
     const int lacks_slopes = DEGREE > 0 && now->degree == 0 && !(now->max - now->min < NARROWEST);
     invcal_status status = weigh(j);
 
-    j->q.weak = lacks_slopes ? (1u << N) - 1u : 0;
+    j->q.weak = lacks_slopes ? (1u << NINE) - 1u : 0;
     for (unsigned i = 0; i < count && status == INVCAL_OK; i++) {
         status = judge_at(j, temperature[i]);
     }
@@ -410,7 +411,7 @@ static invcal_status hold(job *j, const invcal_thermal_prior *prior)
 
     j->loosest = INVCAL_REAL_MAX;
     for (unsigned i = 0; i < UNKNOWNS; i++) {
-        const invcal_real sigma = prior->sigma[i / N][i % N];
+        const invcal_real sigma = prior->sigma[i / NINE][i % NINE];
         const invcal_real held = sigma == 0 ? 0 : 1 / (sigma * power);
         if (!(sigma >= 0 && sigma <= INVCAL_REAL_MAX && held <= INVCAL_REAL_MAX)) {
             return INVCAL_BAD_PRIOR;
@@ -418,7 +419,7 @@ static invcal_status hold(job *j, const invcal_thermal_prior *prior)
         j->held[i] = held;
         j->has_prior |= held > 0;
         j->loosest = held > 0 && held < j->loosest ? held : j->loosest;
-        power *= i % N == N - 1 ? j->now.span : 1;
+        power *= i % NINE == NINE - 1 ? j->now.span : 1;
     }
     return j->noise > 0 ? INVCAL_OK : INVCAL_BAD_NOISE;
 }
@@ -462,7 +463,7 @@ static invcal_status run(job *j, unsigned degree, invcal_thermal *out, invcal_qu
     }
     if (status == INVCAL_OK) {
         const invcal_real at[3] = {j->now.min, j->now.max, j->now.reference};
-        status = judge(j, at, 3, quality);
+        status = judge_range(j, at, 3, quality);
     }
     if (status == INVCAL_OK) {
         *out = j->now;
@@ -490,20 +491,7 @@ invcal_status invcal_thermal_judge(const invcal_thermal_positions *positions,
 
     INVCAL_ASSERT(positions && thermal && quality);
     const invcal_status status = begin(&j, positions, prior, thermal, thermal->fitted);
-    return status == INVCAL_OK ? judge(&j, &temperature, 1, quality) : status;
-}
-
-uint16_t invcal_thermal_from_prior(const invcal_thermal_prior *prior, const invcal_quality *quality)
-{
-    unsigned mask = 0;
-
-    INVCAL_ASSERT(prior && quality);
-    for (unsigned r = 0; r < N; r++) {
-        const invcal_real known = prior->sigma[0][r];
-        const invcal_real sigma = quality->sigma[r];
-        mask |= (known > 0 && 2 * sigma * sigma > known * known ? 1u : 0u) << r;
-    }
-    return (uint16_t)mask;
+    return status == INVCAL_OK ? judge_range(&j, &temperature, 1, quality) : status;
 }
 
 invcal_status invcal_thermal_start(const invcal_calibration *nominal,

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "fit.h"
 
+#include <math.h>
 #include <string.h>
 
 #include "eigen.h"
@@ -47,32 +48,54 @@ fit_solution fit_solution_of(const invcal_calibration *symmetric, const fit_sett
     return s;
 }
 
-/* calibrated = A (u - delta), u what nominal makes of a reading. Noise of u moves the length of a
- * calibrated reading along eta by |A eta| times itself. */
-double fit_weight(const invcal_calibration *symmetric, const invcal_calibration *nominal,
-                  const double eta[3])
+/* calibrated = A (u - delta), u what nominal makes of a reading. */
+static void correction_of(const invcal_calibration *symmetric, const invcal_calibration *nominal,
+                          double a[3][3])
 {
     double inverse[3][3];
-    double v[3] = {0, 0, 0}; /* M' eta */
-    double square = 0;
 
     (void)matrix_inverse(nominal, inverse); /* no solution without */
     for (unsigned i = 0; i < 3; i++) {
+        const double *m = symmetric->matrix[i];
         for (unsigned j = 0; j < 3; j++) {
-            v[j] += symmetric->matrix[i][j] * eta[i];
+            a[i][j] = m[0] * inverse[0][j] + m[1] * inverse[1][j] + m[2] * inverse[2][j];
         }
     }
-    for (unsigned j = 0; j < 3; j++) { /* A' = A */
-        const double x = inverse[0][j] * v[0] + inverse[1][j] * v[1] + inverse[2][j] * v[2];
+}
+
+/* Noise of u moves the length of a calibrated reading along eta by |A eta| times itself. */
+double fit_weight(const invcal_calibration *symmetric, const invcal_calibration *nominal,
+                  const double eta[3])
+{
+    double a[3][3];
+    double square = 0;
+
+    correction_of(symmetric, nominal, a);
+    for (unsigned i = 0; i < 3; i++) {
+        const double x = a[i][0] * eta[0] + a[i][1] * eta[1] + a[i][2] * eta[2];
         square += x * x;
     }
     return 1 / square;
+}
+
+double fit_sensitivity(const invcal_calibration *symmetric, const invcal_calibration *nominal)
+{
+    double a[3][3];
+    double square = 0;
+
+    correction_of(symmetric, nominal, a);
+    for (unsigned i = 0; i < 9; i++) {
+        square += a[i / 3][i % 3] * a[i / 3][i % 3] / 3;
+    }
+    return sqrt(square);
 }
 
 void fit_information(const double *raw, unsigned count, const fit_settings *settings,
                      const fit_solution *solution, double noise,
                      double information[INVCAL_PACKED_SIZE(INVCAL_PARAMETERS)])
 {
+    const invcal_calibration *nominal = &settings->nominal;
+    const double usual = fit_sensitivity(&solution->symmetric, nominal);
     invcal_sums sums;
     invcal_row row;
 
@@ -80,7 +103,7 @@ void fit_information(const double *raw, unsigned count, const fit_settings *sett
     for (unsigned n = 0; n < count; n++) { /* as the solution did: none can fail */
         (void)invcal_observe(&solution->symmetric, &raw[3 * (size_t)n], &row);
         invcal_sums_add_row(&sums, &row,
-                            fit_weight(&solution->symmetric, &settings->nominal, row.h));
+                            usual * usual * fit_weight(&solution->symmetric, nominal, row.h));
     }
     invcal_sums_system(&sums);
     memcpy(information, sums.sum, INVCAL_PACKED_SIZE(INVCAL_PARAMETERS) * sizeof *information);
@@ -92,12 +115,14 @@ void fit_information(const double *raw, unsigned count, const fit_settings *sett
     }
 }
 
-fit_quality fit_quality_of(const invcal_quality *q, const fit_settings *settings)
+fit_quality fit_quality_of(const invcal_quality *q, const fit_settings *settings,
+                           const fit_solution *solution)
 {
     /* where the residuals show no more noise than is stated, that is a known one */
     const int is_known = settings->noise > 0 && q->noise <= settings->noise;
+    const double usual = fit_sensitivity(&solution->symmetric, &settings->nominal);
     fit_quality out = {.coverage = is_known ? NORMAL : invcal_coverage(q->dof),
-                       .noise = q->noise,
+                       .noise = q->noise < 1 ? usual * q->noise : 1,
                        .dof = q->dof,
                        .rms = q->rms,
                        .max = q->max,
@@ -142,9 +167,9 @@ invcal_status fit_make(const double *raw, unsigned count, const fit_settings *se
         return fit_explain(raw, count, settings, status, reason);
     }
     *solution = fit_solution_of(&c, settings);
-    *quality = fit_quality_of(&q, settings);
+    *quality = fit_quality_of(&q, settings, solution);
     quality->from_prior = from_prior;
-    fit_information(raw, count, settings, solution, q.noise, information);
+    fit_information(raw, count, settings, solution, quality->noise, information);
     quality->condition = eigen_condition(information, INVCAL_PARAMETERS);
     return INVCAL_OK;
 }

@@ -31,7 +31,7 @@ typedef struct {
     double sigma[INVCAL_PARAMETERS]; /* standard deviations of delta, dk, gamma, */
     double sigma_offset[3];          /* and of the offset, input units */
     double coverage;                 /* +- coverage * sigma holds the truth in 95 % of cases */
-    double noise;                    /* of a position mean behind them; 1: not known */
+    double noise;                    /* of a calibrated position mean behind them; 1: not known */
     double dof;                      /* degrees of freedom left to the residuals */
     double rms;                      /* of the residuals |calibrated| - 1, */
     double max;                      /* and the largest, without its sign */
@@ -67,12 +67,17 @@ invcal_status fit_explain(const double *raw, unsigned count, const fit_settings 
 fit_solution fit_solution_of(const invcal_calibration *symmetric, const fit_settings *settings);
 
 /* What the library says of a solution, but for the condition and what came from the prior. */
-fit_quality fit_quality_of(const invcal_quality *q, const fit_settings *settings);
+fit_quality fit_quality_of(const invcal_quality *q, const fit_settings *settings,
+                           const fit_solution *solution);
 
-/* The weight of the row of a calibrated reading eta, by the noise that it really has: 1 for the noise
- * of a nominal reading. */
+/* The weight of the row of a calibrated reading eta, by the noise that it really has: 1 for that of a
+ * nominal reading. */
 double fit_weight(const invcal_calibration *symmetric, const invcal_calibration *nominal,
                   const double eta[3]);
+
+/* How many times as large the noise of a calibrated reading is as that of a nominal one: the root
+ * mean square over all directions. */
+double fit_sensitivity(const invcal_calibration *symmetric, const invcal_calibration *nominal);
 
 /* H'WH of the calibrated readings with the prior, packed: the inverse of the covariance of the nine
  * parameters in calibrated units, over noise^2. `noise` matters with a prior only. */

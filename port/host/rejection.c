@@ -8,8 +8,6 @@
 #include "command.h"
 #include "message.h"
 
-#define FEWEST 11u /* positions among which outliers are looked for */
-
 /* Position first, first + step, first + 2 step ... */
 typedef struct {
     unsigned first;
@@ -38,7 +36,7 @@ static void reject_impossible(rejection *r, const positions *p, const fit_settin
     for (unsigned i = 0; i < p->count; i++) {
         count += (unsigned)is_impossible(p, i, settings, &error);
     }
-    if (8 * count > p->count || p->count < FEWEST + count) {
+    if (8 * count > p->count || p->count < INVCAL_OUTLIERS_FEWEST + count) {
         return;
     }
     for (unsigned i = 0; i < p->count; i++) {
@@ -91,11 +89,22 @@ unsigned rejection_drifting(const rejection *r)
     return count;
 }
 
-static void add(rejection *r, const invcal_outliers *found, const unsigned *number)
+/* Positions that are compared with each other, and their numbers. */
+typedef struct {
+    double mean[INVCAL_MAX_POSITIONS][3];
+    unsigned number[INVCAL_MAX_POSITIONS];
+    unsigned count;
+} crowd;
+
+static void add(rejection *r, const crowd *c, const fit_settings *settings,
+                const invcal_outliers *found)
 {
-    for (unsigned i = 0; i < INVCAL_MAX_POSITIONS; i++) {
-        if (found->removed >> i & 1u) {
-            rejection_add(r, (rejected_position){.position = number[i], .error = 0 * (double)i});
+    for (unsigned i = 0; i < c->count; i++) {
+        invcal_outlier one;
+        if ((found->removed >> i & 1u) &&
+            invcal_outlier_size(c->mean[0], c->count, &settings->nominal, settings->noise,
+                                found->removed, i, &one) == INVCAL_OK) {
+            rejection_add(r, (rejected_position){.position = c->number[i], .error = one.error});
         }
         r->suspected += (unsigned)(found->suspected >> i & 1u);
     }
@@ -105,20 +114,18 @@ static void add(rejection *r, const invcal_outliers *found, const unsigned *numb
 static void find_among(rejection *r, const positions *p, const fit_settings *settings,
                        choice_of which, unsigned before)
 {
-    double mean[INVCAL_MAX_POSITIONS][3];
-    unsigned number[INVCAL_MAX_POSITIONS];
+    crowd c = {.count = 0};
     invcal_outliers found;
-    unsigned count = 0;
 
     for (unsigned i = which.first; i < p->count; i += which.step) {
         if (!is_among(r, before, i)) {
-            number[count] = i;
-            memcpy(mean[count++], &p->mean[3 * (size_t)i], sizeof mean[0]);
+            c.number[c.count] = i;
+            memcpy(c.mean[c.count++], &p->mean[3 * (size_t)i], sizeof c.mean[0]);
         }
     }
-    if (invcal_outliers_find(&mean[0][0], count, &settings->nominal, settings->noise, &found) ==
+    if (invcal_outliers_find(c.mean[0], c.count, &settings->nominal, settings->noise, &found) ==
         INVCAL_OK) {
-        add(r, &found, number);
+        add(r, &c, settings, &found);
     }
 }
 

@@ -34,8 +34,8 @@ int thermal_rows_one(const invcal_thermal *c, const double raw[3], double temper
     return 1;
 }
 
-/* H'H, or H'WH. */
-static void sum_up(const invcal_thermal *c, const rejection *kept, int is_weighted, double *sum)
+/* H'WH, W a constant for each row and its weight; or H'H for a constant of 0. */
+static void sum_up(const invcal_thermal *c, const rejection *kept, double constant, double *sum)
 {
     const unsigned n = thermal_rows_unknowns(c);
     thermal_row row;
@@ -45,7 +45,7 @@ static void sum_up(const invcal_thermal *c, const rejection *kept, int is_weight
         if (!thermal_rows_one(c, &kept->kept[3 * (size_t)k], kept->temperature[k], &row)) {
             continue;
         }
-        const double weight = is_weighted ? row.weight : 1;
+        const double weight = constant > 0 ? constant * row.weight : 1;
         for (unsigned i = 0; i < n; i++) {
             for (unsigned j = 0; j <= i; j++) {
                 sum[INVCAL_PACKED(i, j)] += weight * row.h[i] * row.h[j];
@@ -86,8 +86,14 @@ int thermal_rows_covariance(const invcal_thermal *c, const rejection *kept,
                             double covariance[THERMAL_PACKED])
 {
     const unsigned n = thermal_rows_unknowns(c);
+    invcal_calibration here;
+    invcal_thermal_place place;
 
-    sum_up(c, kept, 1, covariance);
+    if (invcal_thermal_at(c, c->reference, &here, &place) != INVCAL_OK) {
+        return 0;
+    }
+    const double usual = fit_sensitivity(&here, &c->nominal);
+    sum_up(c, kept, usual * usual, covariance);
     for (unsigned i = 0; i < n; i++) {
         const unsigned power = i / N;
         const double sigma = prior->sigma[power][i % N] * pow(c->span, power);

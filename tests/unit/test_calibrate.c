@@ -27,7 +27,7 @@ typedef struct {
     const double *zero, *lsb;
     const double *offset, (*matrix)[3], (*triangular)[3], *x;
     double rms, max;
-    const double *sigma_x, *sigma_offset, *root_k;
+    const double *sigma_x, *sigma_offset;
     double condition;
     double unit; /* of the offset: 1 count, or 0.001 m/s^2 */
 } data_set;
@@ -46,7 +46,6 @@ typedef struct {
      expected_##name##_max,                                                                        \
      expected_##name##_sigma_x,                                                                    \
      expected_##name##_sigma_offset,                                                               \
-     expected_##name##_root_k,                                                                     \
      expected_##name##_condition,                                                                  \
      unit}
 
@@ -167,15 +166,11 @@ static void parameters_and_sigma_of_real_sensors_are_those_of_the_reference(void
     }
 }
 
-/* K of the reference is that of the calibrated unit vectors; scale errors are up to 2 %. */
-static void the_covariance_of_real_sensors_is_that_of_the_reference(void)
+/* The trace of a matrix of nine rows times that of its inverse: 130 at best, where the condition is 5. */
+static void the_condition_of_real_sensors_bounds_that_of_the_reference(void)
 {
     for (int i = 0; i < SETS; i++) {
         const calibrated_set c = calibrated(i);
-        for (unsigned r = 0; r < 9; r++) {
-            assert_ratio(0.02, c.set.root_k[r], (double)(c.quality.sigma[r] / c.quality.noise));
-        }
-        /* a bound: 130 at best, and 2 to 26 times the condition */
         const double ratio = (double)c.quality.condition / c.set.condition;
         TEST_ASSERT_TRUE(c.quality.condition > 129 && ratio > 2 && ratio < 26);
     }
@@ -277,8 +272,8 @@ static void many_positions_count_all(void)
                                                               &calibration, &quality));
     TEST_ASSERT_EQUAL_UINT(254, quality.positions);
     TEST_ASSERT_EQUAL_UINT(245, quality.dof);
-    TEST_ASSERT_EQUAL_INT(INVCAL_BAD_COUNT,
-                          invcal_calibrate(raw[0], 256, &nominal, 0, &calibration, &quality));
+    TEST_ASSERT_EQUAL_INT(INVCAL_BAD_COUNT, invcal_calibrate(raw[0], UINT16_MAX, &nominal, 0,
+                                                             &calibration, &quality));
 }
 
 static void left_out_positions_may_leave_too_few(void)
@@ -388,7 +383,7 @@ int main(void)
     RUN_TEST(residuals_of_real_sensors_are_those_of_the_reference);
     RUN_TEST(offsets_and_matrices_of_real_sensors_are_those_of_the_reference);
     RUN_TEST(parameters_and_sigma_of_real_sensors_are_those_of_the_reference);
-    RUN_TEST(the_covariance_of_real_sensors_is_that_of_the_reference);
+    RUN_TEST(the_condition_of_real_sensors_bounds_that_of_the_reference);
     RUN_TEST(only_the_t265_is_weak_and_its_angles_are_named);
     RUN_TEST(a_wrong_nominal_offset_does_not_change_the_result);
     RUN_TEST(no_position_at_all_is_too_few);

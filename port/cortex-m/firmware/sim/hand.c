@@ -33,8 +33,8 @@ enum {
     PULLS = 64 /* at the cable, all the time it is held */
 };
 static const uint8_t script[] = {
-    [2] = LEAVES_TOO_SOON, [5] = WEAK_FLASH | RESET, [7] = TURNS_BACK,
-    [8] = PULLS,           [9] = KNOCKS,            [11] = POWER_CUT,
+    [2] = LEAVES_TOO_SOON, [5] = WEAK_FLASH | RESET, [7] = TURNS_BACK, [8] = PULLS,
+    [9] = KNOCKS,          [11] = POWER_CUT,
 };
 
 static struct {
@@ -158,6 +158,9 @@ static void hold(float force[3])
 {
     memcpy(force, hand.to, sizeof hand.to);
     hand.held++;
+    if (happens(PULLS) && hand.held == 1) {
+        print("world: somebody pulls at the cable\n");
+    }
     for (unsigned i = 0; i < 3 && happens(PULLS); i++) {
         force[i] *= 1.05f;
     }
