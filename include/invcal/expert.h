@@ -300,7 +300,7 @@ typedef struct {
     invcal_real w;       /* the same over its standard deviation (Baarda); 0 if nothing checks it */
     invcal_real checked; /* 1 - h K h', 0 ... 1: how much of its error its own residual shows. Below
                             0.0001 no error is found, and `error` is 0. 0 if removed */
-    invcal_real sigma;   /* standard deviation of one equation, over field, as shown by the residuals
+    invcal_real sigma; /* standard deviation of one equation, over field, as shown by the residuals
                             of all that are not removed, and by what was stated */
 } invcal_outlier;
 
