@@ -196,7 +196,7 @@ EOF
         paste -s -d ' ' "$out/Apply.printed" | grep -qx '1.00 2.00 -6.00' &&
         avr-size "$out/Apply.build/Apply.ino.elf" &&
         avr-size "$out/Apply.build/Apply.ino.elf" |
-        awk 'NR == 2 { exit $1 + $2 > 12000 || $2 + $3 > 400 }'
+        awk 'NR == 2 { exit $1 + $2 > 9000 || $2 + $3 > 300 }'
 }
 
 check "it can be staged" stage_library
