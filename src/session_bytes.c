@@ -111,7 +111,7 @@ invcal_status invcal_session_decode(const uint8_t *bytes, uint32_t size, invcal_
 invcal_status invcal_save_session(const invcal_store *store, const invcal_session *session)
 {
     uint8_t bytes[INVCAL_SESSION_SIZE];
-    uint32_t size;
+    uint32_t size = 0;
 
     const invcal_status status = invcal_session_encode(session, bytes, &size);
     return status == INVCAL_OK ? invcal_store_save(store, bytes, size) : status;
@@ -120,7 +120,7 @@ invcal_status invcal_save_session(const invcal_store *store, const invcal_sessio
 invcal_status invcal_load_session(const invcal_store *store, invcal_session *session)
 {
     uint8_t bytes[INVCAL_SESSION_SIZE];
-    uint32_t size;
+    uint32_t size = 0;
 
     const invcal_status status = invcal_store_load(store, bytes, sizeof bytes, &size);
     return status == INVCAL_OK ? invcal_session_decode(bytes, size, session) : status;
