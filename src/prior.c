@@ -154,7 +154,30 @@ static invcal_status calibrate(const invcal_positions *positions, const prior_si
                : status;
 }
 
+static invcal_status check_with(const invcal_positions *positions,
+                                const invcal_real sigma[INVCAL_PARAMETERS], known *prior)
+{
+    if (!(positions->noise > 0)) {
+        return INVCAL_BAD_NOISE;
+    }
+    const invcal_status status = invcal_positions_check(positions);
+    return status == INVCAL_OK ? know(sigma, prior) : status;
+}
+
 /* The data may be noisier than stated: then the prior counts for more, and all is made once more. */
+static invcal_status calibrate_twice(invcal_positions *positions, const known *prior,
+                                     invcal_calibration *out, invcal_quality *q,
+                                     uint16_t *from_prior)
+{
+    invcal_status status = INVCAL_OK;
+
+    for (unsigned time = 0; time < 2 && status == INVCAL_OK; time++) {
+        status = calibrate(positions, prior, out, q, from_prior);
+        positions->noise = q->noise < 1 ? q->noise : 1;
+    }
+    return status;
+}
+
 invcal_status invcal_calibrate_with_prior(const invcal_real *raw, unsigned count,
                                           const invcal_calibration *nominal, invcal_real noise,
                                           const invcal_real prior[INVCAL_PARAMETERS],
@@ -168,13 +191,9 @@ invcal_status invcal_calibrate_with_prior(const invcal_real *raw, unsigned count
     uint16_t bits;
 
     INVCAL_ASSERT((raw || count == 0) && nominal && prior && out && quality && from_prior);
-    invcal_status status = noise > 0 ? invcal_positions_check(&positions) : INVCAL_BAD_NOISE;
+    invcal_status status = check_with(&positions, prior, &beforehand);
     if (status == INVCAL_OK) {
-        status = know(prior, &beforehand);
-    }
-    for (unsigned time = 0; time < 2 && status == INVCAL_OK; time++) {
-        status = calibrate(&positions, &beforehand, &c, &q, &bits);
-        positions.noise = q.noise < 1 ? q.noise : 1;
+        status = calibrate_twice(&positions, &beforehand, &c, &q, &bits);
     }
     if (status == INVCAL_OK) {
         *out = c;

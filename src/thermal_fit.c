@@ -494,19 +494,6 @@ invcal_status invcal_thermal_judge(const invcal_thermal_positions *positions,
     return status == INVCAL_OK ? judge_range(&j, &temperature, 1, quality) : status;
 }
 
-uint16_t invcal_thermal_from_prior(const invcal_thermal_prior *prior, const invcal_quality *quality)
-{
-    unsigned mask = 0;
-
-    INVCAL_ASSERT(prior && quality);
-    for (unsigned r = 0; r < NINE; r++) {
-        const invcal_real stated = prior->sigma[0][r];
-        const invcal_real sigma = quality->sigma[r];
-        mask |= (stated > 0 && 2 * sigma * sigma > stated * stated ? 1u : 0u) << r;
-    }
-    return (uint16_t)mask;
-}
-
 invcal_status invcal_thermal_start(const invcal_calibration *nominal,
                                    const invcal_real *temperature, unsigned count,
                                    invcal_thermal *out)
