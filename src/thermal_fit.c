@@ -47,12 +47,10 @@ const char *invcal_thermal_fallback_text(invcal_thermal_fallback fallback)
 
 invcal_real invcal_thermal_drift_limit(invcal_real noise, invcal_real slope)
 {
-    if (!(noise >= 0 && slope >= 0)) {
-        return 0;
-    }
     const invcal_real limit =
         2 * (noise > 0 ? noise : USUAL_NOISE) / (slope > 0 ? slope : USUAL_SLOPE);
-    return invcal_is_finite(limit) ? limit : 0;
+
+    return noise >= 0 && slope >= 0 && invcal_is_finite(limit) ? limit : 0;
 }
 
 /* ---- the system --------------------------------------------------------------------------------- */
@@ -492,19 +490,6 @@ invcal_status invcal_thermal_judge(const invcal_thermal_positions *positions,
     INVCAL_ASSERT(positions && thermal && quality);
     const invcal_status status = begin(&j, positions, prior, thermal, thermal->fitted);
     return status == INVCAL_OK ? judge_range(&j, &temperature, 1, quality) : status;
-}
-
-uint16_t invcal_thermal_from_prior(const invcal_thermal_prior *prior, const invcal_quality *quality)
-{
-    unsigned mask = 0;
-
-    INVCAL_ASSERT(prior && quality);
-    for (unsigned r = 0; r < NINE; r++) {
-        const invcal_real stated = prior->sigma[0][r];
-        const invcal_real sigma = quality->sigma[r];
-        mask |= (stated > 0 && 2 * sigma * sigma > stated * stated ? 1u : 0u) << r;
-    }
-    return (uint16_t)mask;
 }
 
 invcal_status invcal_thermal_start(const invcal_calibration *nominal,
