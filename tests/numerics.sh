@@ -4,7 +4,7 @@
 # sh tests/numerics.sh BUILD [COUNT]
 # What rounding costs: COUNT random sets of positions, solved in float and in double and compared
 # with an exact solution (tests/reference/numerics.py), against the bounds that expert.h states.
-# 100000 were run when the bounds were set; that takes about half an hour. Prints a line for each
+# 30000 were run when the bounds were set; that takes about ten minutes. Prints a line for each
 # assertion and at the end `N passed, N failed`.
 out=$1/numerics
 count=${2:-2000}
