@@ -135,7 +135,7 @@ $(BUILD)/positions.h: tests/data/to_c.awk $(DATA)
 	@mkdir -p $(@D)
 	$(Q)awk -f $^ > $@
 
-# The host tool: the library in double, with room for more positions and averaging times than a
+# The host tool: the library in double, for more positions and averaging times than a
 # device has, and for parabolas of temperature; what CFLAGS choose for the library is not for it.
 TOOL_FLAGS = -DINVCAL_DOUBLE=1 -DINVCAL_MAX_POSITIONS=64 -DINVCAL_ALLAN_TAUS=31 \
     -DINVCAL_ALLAN_OVERLAP=4096 -DINVCAL_THERMAL_DEGREE=2

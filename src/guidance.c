@@ -15,15 +15,14 @@
 enum { FACES = 6, EDGES = 12, DIRECTIONS = 26 };
 
 /* Faces, edges and corners of a cube, as signs. */
-static const int8_t directions[DIRECTIONS][3] = {
-    {0, 0, 1},   {1, 0, 0},  {0, 1, 0},   {0, -1, 0},  {-1, 0, 0},   {0, 0, -1}, {1, 0, 1},
-    {0, 1, 1},   {0, -1, 1}, {-1, 0, 1},  {1, 1, 0},   {1, -1, 0},   {-1, 1, 0}, {-1, -1, 0},
-    {1, 0, -1},  {0, 1, -1}, {0, -1, -1}, {-1, 0, -1}, {1, 1, 1},    {1, -1, 1}, {-1, 1, 1},
-    {-1, -1, 1}, {1, 1, -1}, {1, -1, -1}, {-1, 1, -1}, {-1, -1, -1},
-};
-
 static void direction(unsigned n, invcal_real up[3])
 {
+    static const int8_t directions[DIRECTIONS][3] = {
+        {0, 0, 1},   {1, 0, 0},  {0, 1, 0},   {0, -1, 0},  {-1, 0, 0},   {0, 0, -1}, {1, 0, 1},
+        {0, 1, 1},   {0, -1, 1}, {-1, 0, 1},  {1, 1, 0},   {1, -1, 0},   {-1, 1, 0}, {-1, -1, 0},
+        {1, 0, -1},  {0, 1, -1}, {0, -1, -1}, {-1, 0, -1}, {1, 1, 1},    {1, -1, 1}, {-1, 1, 1},
+        {-1, -1, 1}, {1, 1, -1}, {1, -1, -1}, {-1, 1, -1}, {-1, -1, -1},
+    };
     const invcal_real length = n < FACES           ? 1
                                : n < FACES + EDGES ? INVCAL_REAL(0.70710678118654752)
                                                    : INVCAL_REAL(0.57735026918962576);
@@ -54,14 +53,14 @@ invcal_real invcal_ridged_inverse(invcal_sums *sums)
 static unsigned choose(const invcal_real leverage[DIRECTIONS], invcal_real least,
                        const invcal_real *current)
 {
-    const invcal_real length = current ? INVCAL_SQRT(invcal_dot3(current, current)) : 0;
+    const invcal_real length = current != NULL ? INVCAL_SQRT(invcal_dot3(current, current)) : 0;
     invcal_real best = -3;
     unsigned chosen = 0;
     invcal_real up[3];
 
     for (unsigned n = 0; n < DIRECTIONS; n++) {
         direction(n, up);
-        const invcal_real cosine = length > 0 ? invcal_dot3(up, current) / length : 0;
+        const invcal_real cosine = current != NULL ? invcal_dot3(up, current) / length : 0;
         const invcal_real merit = cosine > THE_SAME ? -2 : cosine;
         if (leverage[n] >= least && merit > best + FIRST) {
             best = merit;
@@ -121,7 +120,7 @@ void invcal_prospect(const invcal_real *raw, unsigned count, const invcal_calibr
 
     INVCAL_ASSERT((raw || count == 0) && nominal && root);
     (void)invcal_sum_readings(raw, count, nominal, &sums, &row);
-    if (up) {
+    if (up != NULL) {
         invcal_row_of(up, row.h);
         row.j = 0;
         invcal_sums_add_row(&sums, &row, 1);

@@ -108,11 +108,11 @@ static invcal_status correct(const invcal_real x[INVCAL_PARAMETERS], invcal_cali
 invcal_status invcal_linear_solve(invcal_linear_sums *linear, const invcal_calibration *nominal,
                                   invcal_calibration *out, invcal_real x[INVCAL_PARAMETERS])
 {
-    invcal_real *a = linear->sums.sum;
-    invcal_real *p = &a[INVCAL_PACKED(INVCAL_PARAMETERS, 0)];
     invcal_calibration c;
 
     INVCAL_ASSERT(linear && nominal && out && x);
+    invcal_real *a = linear->sums.sum;
+    invcal_real *p = &a[INVCAL_PACKED(INVCAL_PARAMETERS, 0)];
     if (linear->sums.count < INVCAL_PARAMETERS) {
         return INVCAL_TOO_FEW;
     }

@@ -222,8 +222,8 @@ static INVCAL_APART void search_groups(search *s, unsigned size)
 
     g.out = s->positions.left_out;
     g.next[0] = (unsigned char)s->positions.count;
-    while (d > 0 || g.next[0] > 0) {
-        if (g.next[d] == 0) { /* all tried: the member before moves on */
+    while (d > 0 || g.next[0] > 0) { /* at most two steps for each group */
+        if (g.next[d] == 0) {        /* all tried: the member before moves on */
             d--;
             g.out ^= bit(g.next[d]);
         } else {
@@ -319,7 +319,7 @@ invcal_status invcal_outliers_find(const invcal_real *raw, unsigned count,
     if (status != INVCAL_OK) {
         return status;
     }
-    do { /* group by group: the largest may hide the next */
+    do { /* at most INVCAL_OUTLIERS_MOST + 1 steps: the largest group may hide the next */
         const unsigned size = largest_group(&s);
         search_groups(&s, size);
         found = judge(&s, size, &suspected);

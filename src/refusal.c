@@ -12,6 +12,7 @@ unsigned invcal_bad_reading(const invcal_real *raw, unsigned count,
     unsigned i = 0;
 
     INVCAL_ASSERT((raw || count == 0) && nominal);
+    /* at most count steps */
     while (i < count && invcal_observe(nominal, &raw[3 * (size_t)i], &row) == INVCAL_OK) {
         i++;
     }

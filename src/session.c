@@ -99,14 +99,13 @@ static void keep(invcal_session *session, const invcal_real mean[3])
 /* A rest that is no reading of this field is better refused at once, and again when it is left. */
 INVCAL_APART static invcal_event digest(invcal_session *session, invcal_event event)
 {
-    invcal_real mean[3];
-    invcal_row row;
-
     session->last = (uint8_t)event;
     if (event == INVCAL_REFUSED) {
         session->reason = (uint8_t)invcal_rests_reason(&session->rests);
     }
     if (event == INVCAL_READY || event == INVCAL_TAKEN) {
+        invcal_real mean[3];
+        invcal_row row;
         const invcal_status status = read_rest(session, mean, &row);
         if (status != INVCAL_OK) {
             session->last = INVCAL_REFUSED;

@@ -52,13 +52,14 @@ const char *invcal_status_text(invcal_status status)
                                 "not enough space\0"
                                 "the memory cannot be read or written\0"
                                 "unknown status";
-    const unsigned n =
-        (unsigned)status < INVCAL_STATUS_COUNT ? (unsigned)status : (unsigned)INVCAL_STATUS_COUNT;
+    const unsigned n = (unsigned)status;
 
     if (n >= INVCAL_OUT_OF_RANGE && n <= INVCAL_REST_SAME) {
         return invcal_refusal_text(status);
     }
-    return nth(texts, n < INVCAL_OUT_OF_RANGE ? n : n - REFUSALS);
+    return nth(texts, n < INVCAL_OUT_OF_RANGE   ? n
+                      : n < INVCAL_STATUS_COUNT ? n - REFUSALS
+                                                : INVCAL_STATUS_COUNT - REFUSALS);
 }
 
 const char *invcal_parameter_name(unsigned parameter)

@@ -93,21 +93,21 @@ invcal_status invcal_sums_add(invcal_sums *sums, const invcal_calibration *nomin
     return status;
 }
 
-/* Element (r, c) of h h' is a product of two, three or four of x, y, z: this one of the sums. */
-static const uint8_t moment_of[INVCAL_PACKED_SIZE(INVCAL_PARAMETERS)] = {
-    0,                                 /* x */
-    10, 19,                            /* y */
-    16, 25, 28,                        /* z */
-    1,  5,  8,  2,                     /* xx */
-    11, 20, 23, 6, 21,                 /* yy */
-    17, 26, 29, 9, 24, 30,             /* zz */
-    5,  11, 14, 3, 12, 15, 6,          /* xy */
-    8,  14, 17, 4, 13, 18, 7,  9,      /* xz */
-    14, 23, 26, 7, 22, 27, 13, 15, 24, /* yz */
-};
-
 void invcal_sums_expand(const invcal_real moment[INVCAL_MOMENTS], invcal_real *a)
 {
+    /* Element (r, c) of h h' is a product of two, three or four of x, y, z: this one of the sums. */
+    static const uint8_t moment_of[INVCAL_PACKED_SIZE(INVCAL_PARAMETERS)] = {
+        0,                                 /* x */
+        10, 19,                            /* y */
+        16, 25, 28,                        /* z */
+        1,  5,  8,  2,                     /* xx */
+        11, 20, 23, 6, 21,                 /* yy */
+        17, 26, 29, 9, 24, 30,             /* zz */
+        5,  11, 14, 3, 12, 15, 6,          /* xy */
+        8,  14, 17, 4, 13, 18, 7,  9,      /* xz */
+        14, 23, 26, 7, 22, 27, 13, 15, 24, /* yz */
+    };
+
     INVCAL_UNROLL
     for (unsigned i = 0; i < sizeof moment_of; i++) {
         a[i] = moment[moment_of[i]];
@@ -120,6 +120,7 @@ void invcal_sums_system(invcal_sums *sums)
     invcal_real *a = sums->sum;
 
     memcpy(moment, a, sizeof moment);
+    /* cppcheck-suppress overlappingWriteFunction ; 45 ... 54 of 31 ... 40 */
     memcpy(&a[INVCAL_PACKED(INVCAL_PARAMETERS, 0)], &a[INVCAL_MOMENTS],
            (INVCAL_PARAMETERS + 1) * sizeof *a);
     invcal_sums_expand(moment, a);

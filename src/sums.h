@@ -27,7 +27,4 @@ static inline void invcal_row_inline(const invcal_real a[3], invcal_real h[INVCA
 /* H'H of moments, packed. */
 void invcal_sums_expand(const invcal_real moment[INVCAL_MOMENTS], invcal_real *a);
 
-/* The sums become the system: the triangle of H'H, below it H'J and J'J (system.h). */
-void invcal_sums_system(invcal_sums *sums);
-
 #endif

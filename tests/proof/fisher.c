@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "arbitrary.h"
-#include "invcal/fisher.h"
+#include "fisher.h"
 
 void main(void)
 {
