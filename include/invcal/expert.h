@@ -15,6 +15,13 @@
 extern "C" {
 #endif
 
+/* A program and a library whose choices differ do not link: see invcal.h. */
+#define invcal_calibrate_without INVCAL_CHOSEN(invcal_calibrate_without, INVCAL_MAX_POSITIONS)
+#define invcal_calibrate_with_prior INVCAL_CHOSEN(invcal_calibrate_with_prior, INVCAL_MAX_POSITIONS)
+#define invcal_outliers_find INVCAL_CHOSEN(invcal_outliers_find, INVCAL_MAX_POSITIONS)
+#define invcal_outlier_size INVCAL_CHOSEN(invcal_outlier_size, INVCAL_MAX_POSITIONS)
+#define invcal_background_init INVCAL_CHOSEN(invcal_background_init, INVCAL_MAX_POSITIONS)
+
 /* ---- one position, one equation ----------------------------------------------------------------
  *
  * Every equation reads J + h p = 0 with the row of the paper
