@@ -155,7 +155,7 @@ static invcal_status calibrate(const invcal_positions *positions, const prior_si
 }
 
 static invcal_status check_with(const invcal_positions *positions,
-                                const invcal_real sigma[INVCAL_PARAMETERS], known *prior)
+                                const invcal_real sigma[INVCAL_PARAMETERS], prior_sigma *prior)
 {
     if (!(positions->noise > 0)) {
         return INVCAL_BAD_NOISE;
@@ -165,7 +165,7 @@ static invcal_status check_with(const invcal_positions *positions,
 }
 
 /* The data may be noisier than stated: then the prior counts for more, and all is made once more. */
-static invcal_status calibrate_twice(invcal_positions *positions, const known *prior,
+static invcal_status calibrate_twice(invcal_positions *positions, const prior_sigma *prior,
                                      invcal_calibration *out, invcal_quality *q,
                                      uint16_t *from_prior)
 {
