@@ -170,9 +170,10 @@ static void enter(contest *c, invcal_mask out, invcal_real squares)
  * in ten pairs of a good set is such a one. */
 static int is_promising(const search *s, unsigned members, invcal_real squares)
 {
-    const invcal_real n = (invcal_real)s->sums.count;
+    const unsigned n = s->sums.count;
 
-    return members == 1 || n * squares <= (n - N) * s->contests[0].squares;
+    return members == 1 ||
+           (invcal_real)n * squares <= (invcal_real)(n - N) * s->contests[0].squares;
 }
 
 /* Position k as member d: the group enters the contest of its size. Returns 1 if k is fixed now, as
