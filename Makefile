@@ -135,7 +135,7 @@ $(BUILD)/positions.h: tests/data/to_c.awk $(DATA)
 	@mkdir -p $(@D)
 	$(Q)awk -f $^ > $@
 
-# The host tool: the library in double, with tables for more positions and averaging times than a
+# The host tool: the library in double, for more positions and averaging times than a
 # device has, and for parabolas of temperature; what CFLAGS choose for the library is not for it.
 TOOL_FLAGS = -DINVCAL_DOUBLE=1 -DINVCAL_MAX_POSITIONS=64 -DINVCAL_ALLAN_TAUS=31 \
     -DINVCAL_ALLAN_OVERLAP=4096 -DINVCAL_THERMAL_DEGREE=2
@@ -201,9 +201,9 @@ fuzz: ## fuzzers of the library and the tool with sanitizers (SECONDS=60 each, D
 	$(call need,clang-19)
 	$(Q)DOUBLE="$(DOUBLE)" KEEP="$(KEEP)" sh tests/fuzz.sh $(BUILD) $(SECONDS)
 
-proof: ## no undefined behaviour in src/, proved by Frama-C/Eva (MODULES=..., DOUBLE=1, INT16=1)
+proof: ## no undefined behaviour in src/, proved by Frama-C/Eva (ROOMS=..., DOUBLE=1, INT16=1)
 	$(call need,frama-c)
-	$(Q)DOUBLE="$(DOUBLE)" INT16="$(INT16)" sh tests/proof.sh $(BUILD) $(MODULES)
+	$(Q)DOUBLE="$(DOUBLE)" INT16="$(INT16)" sh tests/proof.sh $(BUILD) $(ROOMS)
 
 schema: $(BUILD)/invcal ## what the tool prints as JSON, against port/host/schema.json
 	$(call need,python3)

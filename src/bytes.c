@@ -65,8 +65,8 @@ int invcal_get_reals(const uint8_t *bytes, void *reals, unsigned count)
 uint32_t invcal_crc32(uint32_t crc, const uint8_t *bytes, uint32_t count)
 {
     crc = ~crc;
-    for (; count > 0; count--) { /* at most 65535: the length of a frame */
-        crc ^= *bytes++;
+    for (uint32_t i = 0; i < count; i++) {
+        crc ^= bytes[i];
         for (unsigned bit = 0; bit < 8; bit++) {
             crc = crc & 1u ? crc >> 1 ^ UINT32_C(0xEDB88320) : crc >> 1;
         }

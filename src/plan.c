@@ -62,16 +62,16 @@ invcal_status invcal_plan_position_at(const invcal_plan *plan, unsigned i,
     if (i >= INVCAL_PLAN_GROUPS * n) {
         return INVCAL_BAD_PROGRAM;
     }
-    const unsigned group = i < n ? 0 : i < 2 * n ? 1 : 2;
-    const unsigned k = i - group * n;
-    const invcal_real turned = angle(plan->start[group], k, n);
-    out->group = group + 1;
+    const unsigned g = i < n ? 0 : i < 2 * n ? 1 : 2;
+    const unsigned k = i - g * n;
+    const invcal_real turned = angle(plan->start[g], k, n);
+    out->group = g + 1;
     out->index = k + 1;
-    out->alpha = group == 1 ? -TURN / 4 : turned; /* Table 1 */
-    out->beta = group == 0 ? 0 : group == 1 ? turned : TURN / 4;
+    out->alpha = g == 1 ? -TURN / 4 : turned; /* Table 1 */
+    out->beta = g == 0 ? 0 : g == 1 ? turned : TURN / 4;
     invcal_circle(turned, &c, &s);
     const invcal_real eta[INVCAL_PLAN_GROUPS][3] = {{0, c, s}, {-s, 0, -c}, {s, c, 0}};
-    memcpy(out->vertical, eta[group], sizeof out->vertical);
+    memcpy(out->vertical, eta[g], sizeof out->vertical);
     return INVCAL_OK;
 }
 

@@ -10,9 +10,9 @@ typedef struct {
     const invcal_real *sigma;
     invcal_real widest; /* of them */
     unsigned count;     /* of those that are stated */
-} known;
+} prior_sigma;
 
-static invcal_status know(const invcal_real sigma[INVCAL_PARAMETERS], known *prior)
+static invcal_status know(const invcal_real sigma[INVCAL_PARAMETERS], prior_sigma *prior)
 {
     prior->sigma = sigma;
     prior->widest = 0;
@@ -28,7 +28,7 @@ static invcal_status know(const invcal_real sigma[INVCAL_PARAMETERS], known *pri
 }
 
 /* One more row, noise / sigma p(r) = 0: its square, 0 if there is none. */
-static invcal_real row_of(const known *prior, unsigned r, invcal_real noise)
+static invcal_real row_of(const prior_sigma *prior, unsigned r, invcal_real noise)
 {
     const invcal_real ratio = prior->sigma[r] > 0 ? noise / prior->sigma[r] : 0;
 
@@ -38,7 +38,7 @@ static invcal_real row_of(const known *prior, unsigned r, invcal_real noise)
 /* What the positions tell, and the prior, to L; with the right-hand side behind it, if rows is ten.
  * Where the positions alone leave parameters open the noise is raised to that with which the prior is
  * just more than rounding beside the largest sums: with less, rounding errors would count as data. */
-static invcal_status factor_with(const invcal_real *told, unsigned rows, const known *prior,
+static invcal_status factor_with(const invcal_real *told, unsigned rows, const prior_sigma *prior,
                                  invcal_real *noise, invcal_real *l)
 {
     const size_t size = INVCAL_PACKED_SIZE(rows) * sizeof *l;
@@ -57,13 +57,15 @@ static invcal_status factor_with(const invcal_real *told, unsigned rows, const k
 }
 
 /* The share of parameter r that the data told, 0 ... 1: 1 - posterior / prior variance. */
-static invcal_real told_by_data(const known *prior, unsigned r, invcal_real noise, invcal_real k)
+static invcal_real told_by_data(const prior_sigma *prior, unsigned r, invcal_real noise,
+                                invcal_real k)
 {
     return 1 - k * row_of(prior, r, noise);
 }
 
 /* information: of the second pass. */
-INVCAL_APART static invcal_status judge_with(const invcal_positions *positions, const known *prior,
+INVCAL_APART static invcal_status judge_with(const invcal_positions *positions,
+                                             const prior_sigma *prior,
                                              const invcal_real *information, invcal_real squares,
                                              const invcal_real a[3][3], invcal_quality *q,
                                              uint16_t *from_prior)
@@ -105,8 +107,9 @@ INVCAL_APART static invcal_status judge_with(const invcal_positions *positions, 
 }
 
 /* First pass. a is what calibrates u, out what calibrates raw counts. */
-INVCAL_APART static invcal_status solve_with(const invcal_positions *positions, const known *prior,
-                                             invcal_real a[3][3], invcal_calibration *out)
+INVCAL_APART static invcal_status solve_with(const invcal_positions *positions,
+                                             const prior_sigma *prior, invcal_real a[3][3],
+                                             invcal_calibration *out)
 {
     invcal_sums sums;
     invcal_real l[INVCAL_PACKED_SIZE(INVCAL_PARAMETERS + 1)];
@@ -134,7 +137,7 @@ INVCAL_APART static invcal_status solve_with(const invcal_positions *positions, 
     return invcal_behind(positions->nominal, out);
 }
 
-static invcal_status calibrate(const invcal_positions *positions, const known *prior,
+static invcal_status calibrate(const invcal_positions *positions, const prior_sigma *prior,
                                invcal_calibration *out, invcal_quality *q, uint16_t *from_prior)
 {
     invcal_real information[INVCAL_PACKED_SIZE(INVCAL_PARAMETERS)];
@@ -152,7 +155,7 @@ static invcal_status calibrate(const invcal_positions *positions, const known *p
 }
 
 static invcal_status check_with(const invcal_positions *positions,
-                                const invcal_real sigma[INVCAL_PARAMETERS], known *prior)
+                                const invcal_real sigma[INVCAL_PARAMETERS], prior_sigma *prior)
 {
     if (!(positions->noise > 0)) {
         return INVCAL_BAD_NOISE;
@@ -162,7 +165,7 @@ static invcal_status check_with(const invcal_positions *positions,
 }
 
 /* The data may be noisier than stated: then the prior counts for more, and all is made once more. */
-static invcal_status calibrate_twice(invcal_positions *positions, const known *prior,
+static invcal_status calibrate_twice(invcal_positions *positions, const prior_sigma *prior,
                                      invcal_calibration *out, invcal_quality *q,
                                      uint16_t *from_prior)
 {
@@ -182,7 +185,7 @@ invcal_status invcal_calibrate_with_prior(const invcal_real *raw, unsigned count
                                           uint16_t *from_prior)
 {
     invcal_positions positions = {raw, count, 0, nominal, noise};
-    known beforehand;
+    prior_sigma beforehand;
     invcal_calibration c;
     invcal_quality q;
     uint16_t bits;

@@ -72,25 +72,23 @@ static state confirmation(work *w)
 /* Reads the slot, copies what it holds to w->bytes, and judges it. */
 static state look(work *w)
 {
-    uint8_t *bytes = w->bytes;
-
     if (!read_chunk(w, 0, HEADER)) {
         return UNREADABLE;
     }
     if (!read_header(w)) {
         return EMPTY;
     }
-    uint32_t left = w->size <= w->capacity ? w->size : 0;
+    const uint32_t copied = w->size <= w->capacity ? w->size : 0;
     uint32_t crc = invcal_crc32(0, w->chunk, HEADER);
     for (uint32_t at = HEADER; at < w->end; at += CHUNK) { /* at most 2049 steps */
-        const uint32_t n = w->end - at < CHUNK ? w->end - at : CHUNK;
+        const uint32_t left = w->end - at;
+        const uint32_t n = left < CHUNK ? left : CHUNK;
         if (!read_chunk(w, at, n)) {
             return UNREADABLE;
         }
         crc = invcal_crc32(crc, w->chunk, n);
-        /* cppcheck-suppress knownConditionTrueFalse ; read_header has set w->end */
-        for (uint32_t i = 0; i < n && left > 0; i++, left--) {
-            *bytes++ = w->chunk[i];
+        for (uint32_t i = 0, to = at - HEADER; i < n && to < copied; i++, to++) {
+            w->bytes[to] = w->chunk[i];
         }
     }
     return crc == INVCAL_CRC_RESIDUE ? confirmation(w) : EMPTY;
@@ -136,7 +134,7 @@ static int program(work *w, const uint8_t *bytes, uint32_t size)
     for (uint32_t at = HEADER; at < w->end; at++) {
         const uint32_t i = at % CHUNK;
         if (at < w->end - INVCAL_CRC_SIZE) {
-            w->chunk[i] = at < HEADER + size ? *bytes++ : BLANK;
+            w->chunk[i] = at - HEADER < size ? bytes[at - HEADER] : BLANK;
             crc = invcal_crc32(crc, &w->chunk[i], 1);
         } else {
             w->chunk[i] = (uint8_t)(crc & 0xFFu);

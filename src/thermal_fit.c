@@ -194,7 +194,7 @@ static invcal_status solve_highest(job *j, unsigned degree)
     invcal_status status;
     invcal_thermal_fallback why = try_degree(j, degree, &status);
 
-    while (why != INVCAL_THERMAL_AS_ASKED && degree > 0) { /* at most INVCAL_THERMAL_DEGREE steps */
+    while (why != INVCAL_THERMAL_AS_ASKED && degree > 0) { /* at most INVCAL_THERMAL_DEGREE */
         j->now.fallback = (uint8_t)why;
         why = try_degree(j, --degree, &status);
     }
@@ -492,19 +492,6 @@ invcal_status invcal_thermal_judge(const invcal_thermal_positions *positions,
     INVCAL_ASSERT(positions && thermal && quality);
     const invcal_status status = begin(&j, positions, prior, thermal, thermal->fitted);
     return status == INVCAL_OK ? judge_range(&j, &temperature, 1, quality) : status;
-}
-
-uint16_t invcal_thermal_from_prior(const invcal_thermal_prior *prior, const invcal_quality *quality)
-{
-    unsigned mask = 0;
-
-    INVCAL_ASSERT(prior && quality);
-    for (unsigned r = 0; r < NINE; r++) {
-        const invcal_real known = prior->sigma[0][r];
-        const invcal_real sigma = quality->sigma[r];
-        mask |= (known > 0 && 2 * sigma * sigma > known * known ? 1u : 0u) << r;
-    }
-    return (uint16_t)mask;
 }
 
 invcal_status invcal_thermal_start(const invcal_calibration *nominal,

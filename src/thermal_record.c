@@ -8,10 +8,9 @@
 
 #define AGREED INVCAL_REAL(1e-4) /* over field: what two calibrations may differ by */
 
-enum { KIND = 0xCB, OLDEST = 1 };
-enum { RECORD_AT = 4, DEGREE_AT = RECORD_AT + INVCAL_RECORD_SIZE, REALS_BEHIND = 4 };
-enum { SKIPPED = INVCAL_RECORD_SIZE_MAX - INVCAL_RECORD_SIZE }; /* of the record of version 1 */
-enum { BEFORE_X = 16 };                                         /* reals */
+enum { THERMAL_KIND = 0xCB, THERMAL_OLDEST = 1 };
+enum { RECORD_AT = 4, BEHIND_RECORD = RECORD_AT + INVCAL_RECORD_SIZE, REALS_BEHIND = 4 };
+enum { BEFORE_X = 16 }; /* reals */
 
 /* The reals come first in the structure, too, and in the same order. */
 typedef char
@@ -30,7 +29,7 @@ static invcal_real gram(const invcal_calibration *c, unsigned j, unsigned k)
            c->matrix[2][j] * c->matrix[2][k];
 }
 
-static int is_alike(const invcal_calibration *a, const invcal_calibration *b)
+static int agree_in_length(const invcal_calibration *a, const invcal_calibration *b)
 {
     invcal_real scale[3]; /* over field per count */
 
@@ -50,7 +49,7 @@ static int is_alike(const invcal_calibration *a, const invcal_calibration *b)
 }
 
 /* Is it a calibration, and the record that of its reference? */
-static invcal_status check(const invcal_thermal_record *r)
+static invcal_status check_thermal(const invcal_thermal_record *r)
 {
     const invcal_thermal *t = &r->thermal;
     invcal_thermal_place place;
@@ -64,49 +63,51 @@ static invcal_status check(const invcal_thermal_record *r)
     if (status == INVCAL_OK) {
         status = invcal_thermal_at(t, t->reference, &c, &place);
     }
-    return status == INVCAL_OK && !is_alike(&r->record.calibration, &c) ? INVCAL_DAMAGED : status;
+    return status == INVCAL_OK && !agree_in_length(&r->record.calibration, &c) ? INVCAL_DAMAGED
+                                                                               : status;
 }
 
-/* Where the degree stands, if the length fits it. */
-static invcal_status find_degree(const uint8_t *bytes, uint32_t size, const uint8_t **at)
+/* Does the length fit the degree, which stands at `at`? */
+static invcal_status check_length(const uint8_t *bytes, unsigned at)
 {
-    const invcal_status status = invcal_unseal(bytes, size, KIND, OLDEST);
-    if (status != INVCAL_OK) {
-        return status;
-    }
-    const uint32_t skipped = bytes[1] == OLDEST ? SKIPPED : 0;
-    const uint32_t length = invcal_get_u16(bytes + 2);
-    *at = bytes + DEGREE_AT + skipped;
-    if (length < INVCAL_THERMAL_RECORD_BYTES(0) + skipped ||
-        length != INVCAL_THERMAL_RECORD_BYTES(**at) + skipped) {
+    const unsigned length = invcal_get_u16(bytes + 2);
+
+    if (length <= at ||
+        length != at + REALS_BEHIND + 4 * count_reals(bytes[at]) + INVCAL_CRC_SIZE) {
         return INVCAL_DAMAGED;
     }
-    return **at <= INVCAL_THERMAL_DEGREE ? INVCAL_OK : INVCAL_OTHER_VERSION;
+    return bytes[at] <= INVCAL_THERMAL_DEGREE ? INVCAL_OK : INVCAL_OTHER_VERSION;
 }
 
 /* r is lost on failure. */
-static invcal_status read(const uint8_t *bytes, uint32_t size, invcal_thermal_record *r)
+static invcal_status read_thermal(const uint8_t *bytes, uint32_t size, invcal_thermal_record *r)
 {
-    const uint8_t *at;
-    invcal_status status = find_degree(bytes, size, &at);
-
+    invcal_status status = invcal_unseal(bytes, size, THERMAL_KIND, THERMAL_OLDEST);
     if (status != INVCAL_OK) {
         return status;
     }
-    memset(r, 0, sizeof *r);
-    r->thermal.degree = at[0];
-    r->thermal.fitted = at[1];
-    r->thermal.fallback = at[2];
-    r->is_triangular = at[3];
-    if (!invcal_get_reals(at + REALS_BEHIND, &r->thermal, count_reals(at[0]))) {
+    const int is_old = bytes[1] == THERMAL_OLDEST;
+    const unsigned record_size = is_old ? INVCAL_RECORD_SIZE_MAX : INVCAL_RECORD_SIZE;
+    const uint8_t *behind = bytes + RECORD_AT + record_size;
+    status = check_length(bytes, RECORD_AT + record_size);
+    if (status == INVCAL_OK) {
+        status = invcal_record_decode(bytes + RECORD_AT, record_size, &r->record);
+    }
+    if (status != INVCAL_OK) {
+        return status;
+    }
+    memset(&r->thermal, 0, sizeof r->thermal);
+    r->thermal.degree = behind[0];
+    r->thermal.fitted = behind[1];
+    r->thermal.fallback = behind[2];
+    r->is_triangular = behind[3];
+    if (!invcal_get_reals(behind + REALS_BEHIND, &r->thermal, count_reals(behind[0]))) {
         return INVCAL_NOT_FINITE;
     }
-    status =
-        invcal_record_decode(bytes + RECORD_AT, (uint32_t)(at - bytes) - RECORD_AT, &r->record);
-    for (unsigned i = 0; i < 9 && bytes[1] == OLDEST; i++) { /* that was in the unit of the field */
-        r->thermal.nominal.matrix[i / 3][i % 3] /= r->record.field;
+    for (unsigned i = 0; i < 9; i++) { /* version 1 was in the unit of the field */
+        r->thermal.nominal.matrix[i / 3][i % 3] /= is_old ? r->record.field : 1;
     }
-    return status == INVCAL_OK ? check(r) : status;
+    return check_thermal(r);
 }
 
 invcal_status invcal_thermal_record_init(invcal_thermal_record *record,
@@ -141,11 +142,11 @@ invcal_status invcal_thermal_record_encode(const invcal_thermal_record *record,
         return status;
     }
     const uint32_t length = INVCAL_THERMAL_RECORD_BYTES(t->degree);
-    uint8_t *at = invcal_put_two(bytes + DEGREE_AT, t->degree | (unsigned)t->fitted << 8,
+    uint8_t *at = invcal_put_two(bytes + BEHIND_RECORD, t->degree | (unsigned)t->fitted << 8,
                                  t->fallback | (unsigned)record->is_triangular << 8);
     (void)invcal_put_reals(at, t, count_reals(t->degree));
-    invcal_seal(bytes, KIND, length);
-    return read(bytes, length, &r);
+    invcal_seal(bytes, THERMAL_KIND, length);
+    return read_thermal(bytes, length, &r);
 }
 
 invcal_status invcal_thermal_record_decode(const uint8_t *bytes, uint32_t size,
@@ -154,7 +155,7 @@ invcal_status invcal_thermal_record_decode(const uint8_t *bytes, uint32_t size,
     invcal_thermal_record r;
 
     INVCAL_ASSERT(bytes && out);
-    const invcal_status status = read(bytes, size, &r);
+    const invcal_status status = read_thermal(bytes, size, &r);
     if (status == INVCAL_OK) {
         *out = r;
     }

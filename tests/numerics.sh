@@ -18,7 +18,7 @@ build() { # name double? source
     ${CC:-cc} -std=c99 -O2 -ffp-contract=off -Wall -Wextra -Wconversion -Wdouble-promotion \
         -Wshadow -pedantic -DINVCAL_DOUBLE="$2" -DUNITY_INCLUDE_DOUBLE -Iinclude -Itests/unit \
         -Itests/unity "tests/numerics/$3.c" tests/unit/support.c tests/unity/unity.c \
-        src/system.c src/sums.c src/solve.c src/calibration.c src/judge.c src/calibrate.c \
+        src/system.c src/sums.c src/solve.c src/nominal.c src/judge.c src/calibrate.c src/apply.c \
         src/result.c -lm -o "$out/$1"
 }
 build problems 1 problems && build solve-float 0 solve && build solve-double 1 solve || exit 1

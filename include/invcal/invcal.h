@@ -105,7 +105,8 @@ typedef double invcal_real;
 #define INVCAL_FABS fabs
 #else
 typedef float invcal_real; /* double with INVCAL_DOUBLE */
-#define INVCAL_REAL_NAME float          /* its name */
+/* Its name. (No comment on that line: Arduino's preprocessor would paste it too.) */
+#define INVCAL_REAL_NAME float
 #define INVCAL_REAL(literal) literal##f /* a constant of this type */
 #define INVCAL_EPSILON FLT_EPSILON      /* from 1 to the next number */
 #define INVCAL_REAL_MAX FLT_MAX         /* the largest number */
@@ -252,16 +253,17 @@ const char *invcal_verdict_text(invcal_verdict verdict);
 /* How well a calibration is known. */
 typedef struct {
     invcal_real sigma[INVCAL_PARAMETERS]; /* standard deviation of delta (over field), dk (1) and
-                                             gamma (rad) */
-    invcal_real noise; /* standard deviation of a position mean behind them, over field: the larger
-                          of stated and observed; 1, the whole field, if neither is there */
+                                             gamma (rad) against nominal: the Cramer-Rao bound */
+    invcal_real noise; /* standard deviation of a position mean on each axis behind them, over field:
+                          the larger of stated and observed; 1, the whole field, if neither is there */
     invcal_real rms;   /* of the residuals |calibrated| - 1 over the positions */
     invcal_real max;   /* the largest of these, without its sign */
-    invcal_real condition; /* of H'H of the calibrated unit vectors: a bound, tr H'H tr (H'H)^-1,
-                              2 to 9 times the condition as a rule */
+    invcal_real condition; /* of the information on the nine: tr K tr K^-1 with K = sigma^2 / noise^2,
+                              which is above the condition. 130 is the best there is */
     invcal_mask left_out;  /* bit i: position i contradicts the others, and was left out */
-    uint16_t weak;         /* bit r: parameter r is badly determined: sqrt(K(r,r)) above 10, or the
-                              noise in the readings themselves would make it look determined */
+    uint16_t weak;         /* bit r: parameter r is badly determined: its sigma is above ten times the
+                              noise, or the noise in the readings themselves would make it look
+                              determined */
     uint16_t positions;    /* that made it */
     uint16_t dof;          /* degrees of freedom left to the residuals; 0: no check */
     uint16_t worst;        /* the position of max, from 0 */
@@ -274,9 +276,9 @@ invcal_real invcal_coverage(unsigned dof);
 
 /* Calibrates from position means.
  *
- * raw      3 count numbers: position means x y z, x y z, ... in raw counts, in any order; 9 are the least, twelve to eighteen
- *          well spread ones are good. In float a mean carries 24 bits: from counts above 2^24
- *          subtract first.
+ * raw      3 count numbers: position means x y z, x y z, ... in raw counts, in any order. Nine is the
+ *          min, twelve to eighteen well spread ones are good. In float a mean carries 24 bits: from
+ *          counts above 2^24 subtract first.
  * count    up to 65534.
  * nominal  data sheet, or an earlier calibration; may be out.
  * noise    standard deviation of a position mean on each axis, over field, below 1; 0: not known,
@@ -288,14 +290,16 @@ invcal_real invcal_coverage(unsigned dof);
  * No outliers are looked for: invcal_outliers_find (expert.h), or a session.
  *
  * Returns INVCAL_OK;
- *   INVCAL_BAD_NOMINAL    see invcal_nominal; INVCAL_BAD_NOISE; INVCAL_BAD_COUNT;
+ *   INVCAL_BAD_NOMINAL    see invcal_nominal; or singular to rounding;
+ *   INVCAL_BAD_NOISE, INVCAL_BAD_COUNT;
  *   INVCAL_NOT_FINITE, INVCAL_OUT_OF_RANGE    for a reading: invcal_bad_reading says which;
  *   INVCAL_TOO_FEW        fewer than nine;
  *   INVCAL_UNDETERMINED   the positions leave parameters open, to the precision of the number type:
  *                         invcal_undetermined names them;
- *   INVCAL_NOT_ELLIPSOID  the readings lie on no ellipsoid (but, say, on a hyperboloid), on one with
- *                         a semi-axis outside 0.1 ... 10 of nominal, or scatter by a tenth of it.
- * Cost: 18,500 instructions for 18 positions. Stack: about 600 bytes. */
+ *   INVCAL_NOT_ELLIPSOID  the readings lie on no ellipsoid (but, say, on a hyperboloid), on no triad's
+ *                         (with a semi-axis below about 1/10 of nominal or of another one, or its
+ *                         centre beyond ten times the field), or scatter by a tenth of the field.
+ * Cost: 17,800 instructions for 18 positions. Stack: about 680 bytes. */
 invcal_status invcal_calibrate(const invcal_real *raw, unsigned count,
                                const invcal_calibration *nominal, invcal_real noise,
                                invcal_calibration *out, invcal_quality *quality);

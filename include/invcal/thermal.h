@@ -40,7 +40,7 @@ extern "C" {
 #endif
 
 /* The degree of the polynomials: 0 (none), 1 (slopes) or 2 (parabolas). A choice of the build, as
- * those of invcal.h; each costs 36 bytes of a calibration, and of stack 380 and then 860. */
+ * those of invcal.h; each costs 36 bytes of a calibration, and of stack 0.7 and then 1.0 KB more. */
 #ifndef INVCAL_THERMAL_DEGREE
 #define INVCAL_THERMAL_DEGREE 1
 #endif
@@ -63,10 +63,9 @@ typedef struct {
     invcal_calibration nominal;
     /* delta, dk, gamma: the coefficients of t^k, k = 0 ... INVCAL_THERMAL_DEGREE */
     invcal_real x[INVCAL_THERMAL_ROWS][INVCAL_PARAMETERS];
-    uint8_t degree; /* of x */
-    uint8_t
-        fitted; /* degree that the positions told; less than `degree` only where slopes are those
-                       of the calibration that was renewed (invcal_thermal_fit) */
+    uint8_t degree;   /* of x */
+    uint8_t fitted;   /* degree that the positions told; less than `degree` only where slopes are
+                         those of the calibration that was renewed (invcal_thermal_fit) */
     uint8_t fallback; /* an invcal_thermal_fallback: why `fitted` is less than was wanted */
 } invcal_thermal;
 
@@ -87,9 +86,9 @@ typedef enum {
  *
  * Returns INVCAL_OK; INVCAL_BAD_TEMPERATURE if it is not finite; INVCAL_BAD_NOMINAL,
  * INVCAL_NOT_ELLIPSOID if what is stored there has been damaged.
- * Cost: 600 instructions. Temperatures change slowly: make it anew when T has moved by what matters,
+ * Cost: 640 instructions. Temperatures change slowly: make it anew when T has moved by what matters,
  * 0.05 K are 5e-5 of the field at 1 mg/K, and apply it to all samples in between.
- * Stack: about 250 bytes. */
+ * Stack: about 200 bytes. */
 invcal_status invcal_thermal_at(const invcal_thermal *thermal, invcal_real temperature,
                                 invcal_calibration *calibration, invcal_thermal_place *place);
 
@@ -114,8 +113,8 @@ const char *invcal_thermal_fallback_text(invcal_thermal_fallback fallback);
 
 /* Calibrates from position means and their temperatures.
  *
- * raw          3 count numbers, as invcal_calibrate. Nine positions for each coefficient are the
- *              least, at different temperatures; twelve to eighteen at each temperature are good, the
+ * raw          3 count numbers, as invcal_calibrate. At least nine positions for each coefficient,
+ *              at different temperatures; twelve to eighteen at each temperature are good, the
  *              same or others, in any order.
  * temperature  count numbers: the mean over each rest, see invcal_thermal_drift_limit.
  * count        up to 65534.
@@ -132,8 +131,8 @@ const char *invcal_thermal_fallback_text(invcal_thermal_fallback fallback);
  * pass for errors of other kinds, which residuals need not show.
  *
  * Returns as invcal_calibrate, and INVCAL_BAD_TEMPERATURE for one that is not finite.
- * Cost: three passes over the positions, three Cholesky: 260,000 instructions for 36 positions.
- * Stack: 1.5 KB for degree 1, 2.4 KB for degree 2. */
+ * Cost: three passes over the positions, three Cholesky: 365,000 instructions for 36 positions
+ * (degree 1). Stack: 1.4, 2.1, 3.1 KB for degree 0, 1, 2. */
 invcal_status invcal_thermal_calibrate(const invcal_real *raw, const invcal_real *temperature,
                                        unsigned count, const invcal_calibration *nominal,
                                        invcal_real noise, invcal_thermal *out,

@@ -50,13 +50,19 @@ invcal_status thermal_fit_once(const rejection *kept, const fit_settings *settin
     return invcal_thermal_fit(&given, known, out, wish->degree, out, quality);
 }
 
-/* A prior was weighed with the noise that the residuals tell. */
+/* A prior was weighed with the noise that the residuals tell. It has told more of a
+ * parameter than the positions have where these leave more than half of its variance. */
 static void settle_prior(thermal_fit *fit, const invcal_quality *q)
 {
     fit->has_prior = find_prior(&fit->settings, &fit->wish, &fit->prior);
     if (fit->has_prior) {
-        fit->quality.from_prior = invcal_thermal_from_prior(&fit->prior, q);
         fit->settings.noise = fmax(fit->settings.noise, q->noise);
+    }
+    for (unsigned r = 0; r < INVCAL_PARAMETERS; r++) {
+        const double prior = fit->prior.sigma[0][r];
+        if (prior > 0 && 2 * q->sigma[r] * q->sigma[r] > prior * prior) {
+            fit->quality.from_prior |= (uint16_t)(1u << r);
+        }
     }
 }
 

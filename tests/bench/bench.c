@@ -153,7 +153,7 @@ static void bench_allan(void)
     uint32_t total = 0;
     enum { SAMPLES = 2048 };
 
-    (void)invcal_allan_init(&allan, NULL, INVCAL_ALLAN_TAUS, INVCAL_ALLAN_OVERLAPPING);
+    invcal_allan_init(&allan);
     for (unsigned i = 0; i < SAMPLES; i++) {
         next_sample(sample);
         begin();
@@ -162,7 +162,7 @@ static void bench_allan(void)
     }
     report("allan_push", total / SAMPLES);
     begin();
-    const invcal_status status = invcal_allan_noise(&allan, 1, 1, &noise);
+    const invcal_status status = invcal_allan_noise(&allan, 1, &noise);
     report("allan_noise", end());
     if (status != INVCAL_OK) {
         board_exit(1);
@@ -174,7 +174,7 @@ static void bench_thermal(void)
 {
     static invcal_real means[2 * POSITIONS][3];
     static invcal_real temperature[2 * POSITIONS];
-    invcal_thermal_calibration thermal;
+    invcal_thermal thermal;
     invcal_thermal_place place;
     invcal_calibration calibration;
     invcal_quality quality;

@@ -7,7 +7,7 @@
  * and prints for each: status verdict, the nine parameters, offset(3), matrix(9), sigma of the
  * nine, sigma of the offset(3), noise, rms, max, condition; all as hexadecimal floating-point
  * numbers, so exactly. Before the first, what the header promises: INVCAL_LOSS, _LENGTH, _SIGMA,
- * _AGAIN, INVCAL_EPSILON, INVCAL_FLOOR.
+ * _AGAIN, INVCAL_EPSILON, INVCAL_FLOOR; and INVCAL_UNDETERMINED.
  */
 #include <stdio.h>
 
@@ -73,8 +73,13 @@ int main(void)
     unsigned count;
     int is_triangular;
 
-    const invcal_real promised[] = {INVCAL_LOSS,       INVCAL_LOSS_LENGTH, INVCAL_LOSS_SIGMA,
-                                    INVCAL_LOSS_AGAIN, INVCAL_EPSILON,     INVCAL_FLOOR};
+    const invcal_real promised[] = {INVCAL_LOSS,
+                                    INVCAL_LOSS_LENGTH,
+                                    INVCAL_LOSS_SIGMA,
+                                    INVCAL_LOSS_AGAIN,
+                                    INVCAL_EPSILON,
+                                    INVCAL_FLOOR,
+                                    (invcal_real)INVCAL_UNDETERMINED};
     print_numbers(promised, sizeof promised / sizeof promised[0]);
     putchar('\n');
     while (scanf("%u %d", &count, &is_triangular) == 2) {

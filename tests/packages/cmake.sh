@@ -75,7 +75,7 @@ crossed() {
     builds -DCMAKE_SYSTEM_NAME=Generic -DCMAKE_C_COMPILER=arm-none-eabi-gcc \
         -DCMAKE_C_FLAGS='-mcpu=cortex-m4 -mthumb -mfloat-abi=hard -mfpu=fpv4-sp-d16' \
         -DCMAKE_EXE_LINKER_FLAGS=--specs=rdimon.specs &&
-        file=$folder/build/example && arm-none-eabi-nm "$file" | grep -q ' T invcal_calibrate$'
+        file=$folder/build/example && arm-none-eabi-nm "$file" | grep -q ' T invcal_calibrate_float_'
 }
 
 check "it installs" installs

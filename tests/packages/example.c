@@ -9,6 +9,7 @@
 
 #include "invcal/allan.h"
 #include "invcal/expert.h"
+#include "invcal/invcal.h"
 #include "invcal/plan.h"
 #include "invcal/store.h"
 #include "invcal/thermal.h"

@@ -7,8 +7,8 @@ digits, from the same readings, to the last bit. Every loss must be within the b
 states, no bound may be ten times too wide, and nothing may be refused that need not be.
 
 It shares no code with the library: rows, sums and the closed form are written out from design
-section 2; the root of a matrix is by Denman and Beavers, the whole Jacobian, which sigma comes
-close to, by Sylvester's equation, the condition by squaring. Arithmetic is mpmath's; MPFR (gmpy2) does the bulk, thirty times as fast, and
+section 2; the root of a matrix is by Denman and Beavers, sigma by the covariance of the calibrated
+unit vectors and Sylvester's equation, the condition by squaring. Arithmetic is mpmath's; MPFR (gmpy2) does the bulk, thirty times as fast, and
 is compared with mpmath on every MPMATH-th problem.
 """
 import math
@@ -24,9 +24,9 @@ DIGITS = 50
 CHUNK = 100  # problems made and solved at a time
 HARDEST = (94, 472, 672, 855, 872)  # of 1000 chunks the nearest to the bounds: always among them
 MPMATH = 100  # one problem in so many is solved with mpmath too,
-CONDITION = 20  # and in so many condition and Jacobian are looked at
+CONDITION = 20  # and in so many its bound is compared with the condition
 AGAIN = 5  # one in so many is solved once more with its calibration as nominal
-HOPELESS = 1e6  # the sum of K(r,r) above it is refused
+HOPELESS = 1e6  # (sigma / noise)^2 above it is refused
 HIGHEST = 1e6  # what the bounds are stated up to
 WIDEST = 10  # a bound wider than this times the largest loss says nothing
 
@@ -232,46 +232,48 @@ class Exact:
 
     def assess(self):
         """noise, sigma and condition as invcal.h and expert.h state them."""
-        gain2 = sum(x * x for line in self.a for x in line) / 3
         eta = [apply(self.a, minus(u, self.delta)) for u in self.u]
         self.lengths = [self.sqrt(dot(e, e)) for e in eta]
         gradients = [apply(self.a, e) for e in eta]
-        weights = [gain2 / dot(g, g) for g in gradients]
+        weights = [1 / dot(g, g) for g in gradients]
         right = [excess(e) for e in eta]
-        self.hth, _ = sums([row_of(e) for e in eta], right, weights)
-        self.k = inverse(self.hth)
-        stated = self.sqrt(gain2) * self.problem.noise
+        of_vectors, _ = sums([row_of(e) for e in eta], right, weights)
+        self.k = inverse(of_vectors)
         dof = self.problem.count - 9
         squares = dot(weights, map(operator.mul, right, right))
         observed = self.sqrt(squares / dof) if dof > 0 else 0
-        self.noise = max(stated, observed) or 1
-        x, y, z = (1 / self.a[i][i] for i in range(3))  # 1 + dk
-        lengths = [x, y, z, x, y, z, (x + y) / 2, (x + z) / 2, (z + y) / 2]
-        self.sigma = [length * self.noise * self.sqrt(self.k[r][r])
-                      for r, length in enumerate(lengths)]
+        self.noise = max(self.problem.noise, observed) or 1
+        self.sigma = self.spread_offset() + self.spread_matrix()
         self.sigma_offset = [self.sqrt(sum((n * s) ** 2 for n, s in zip(line, self.sigma)))
                              for line in inverse_of_three(self.problem.nominal)]
-        self.bound = trace(self.hth) * trace(self.k)
+        slopes = [[*g, g[0] * e[0], g[1] * e[1], g[2] * e[2], (g[0] * e[1] + g[1] * e[0]) / 2,
+                   (g[0] * e[2] + g[2] * e[0]) / 2, (g[1] * e[2] + g[2] * e[1]) / 2]
+                  for g, e in zip(gradients, eta)]
+        self.information, _ = sums(slopes, right, weights)
+        self.covariance = inverse(self.information)
+        self.bound = trace(self.information) * trace(self.covariance)
 
     def condition(self):
         """8 squarings tell it to a percent."""
-        return condition_of(self.hth, self.k, 8)
+        return condition_of(self.information, self.covariance, 8)
 
-    def highest_bound(self):
-        """That of the condition, or the one of the sums before the calibration."""
+    def highest(self):
+        """The bound of the condition, and that of the sums before the calibration; the largest K."""
         before = self.in_nominal_units
-        inverse_before = inverse(before)
-        return (float(max(self.bound, trace(before) * trace(inverse_before))),
-                float(max(trace(self.k), trace(inverse_before))))
+        bound = max(self.bound, trace(before) * trace(inverse(before)))
+        return float(bound), float(max(self.covariance[r][r] for r in range(9)))
 
     def variance(self, x, first):
         n = len(x)
         block = [line[first : first + n] for line in self.k[first : first + n]]
         return self.noise * self.sqrt(dot(x, apply(block, x)))
 
-    def whole_sigma(self):
-        """By the whole Jacobian: d delta = P d delta', and dP by dP P + P dP = 2 P dS P, for each of
-        the six dS."""
+    def spread_offset(self):
+        """d delta = P d delta'."""
+        return [self.variance(line, 0) for line in self.s]
+
+    def spread_matrix(self):
+        """dP by dP P + P dP = 2 P dS P, for each of the six dS."""
         places = [(0, 0), (1, 1), (2, 2), (0, 1), (0, 2), (1, 2)]
         index = {pair: i for i, pair in enumerate(places)}
         index.update({(b, a): i for (a, b), i in list(index.items())})
@@ -287,13 +289,12 @@ class Exact:
                 right[row][column] = 2 * p[i][a] * p[b][j] if a == b else (
                     p[i][a] * p[b][j] + p[i][b] * p[a][j])
         slopes = solve(left, right)
-        return [self.variance(line, 0) for line in self.s] + [
-            (1 if row < 3 else 2) * self.variance(slopes[row], 3) for row in range(6)]
+        return [(1 if row < 3 else 2) * self.variance(slopes[row], 3) for row in range(6)]
 
 
 # ---- the library's answers --------------------------------------------------------------------
 
-OK, UNDETERMINED = 0, 4
+OK = 0
 GOOD = 0
 
 
@@ -347,7 +348,7 @@ class Header:
         self.bound = dict(zip(LAWS, value))
         self.bound["noise"] = self.bound["lengths"]  # of residuals, which are lengths
         self.bound["condition"] = self.bound["sigma"]  # of the same sums
-        self.epsilon, self.floor = value[len(LAWS) :]
+        self.epsilon, self.floor, self.undetermined = value[len(LAWS) :]
 
     def share(self, law, loss, condition):
         """The loss over its bound."""
@@ -393,7 +394,6 @@ class Tally:
         self.delivered = {}  # (build, decade)
         self.refused = {}
         self.ratio = {}  # decade: the smallest and largest bound over the condition
-        self.jacobian = []  # (error of sigma, largest parameter, bound)
         self.good = 0  # the largest loss of a parameter in float, verdict good
         self.mpmath = 0
         self.faults = []
@@ -403,7 +403,6 @@ class Tally:
         self.good = max(self.good, other.good)
         self.mpmath = max(self.mpmath, other.mpmath)
         self.faults += other.faults
-        self.jacobian += other.jacobian
         for decade, (low, high) in other.ratio.items():
             mine = self.ratio.get(decade, (low, high))
             self.ratio[decade] = min(low, mine[0]), max(high, mine[1])
@@ -423,10 +422,10 @@ class Tally:
     def refusal(self, number, build, header, answer, exact):
         """Where the condition is too high, and nowhere else."""
         self.count(self.refused, build, exact.bound)
-        if answer.status != UNDETERMINED:
+        if answer.status != header.undetermined:
             self.fault(number, build, f"status {answer.status}")
-        bound, sum_of_k = exact.highest_bound()
-        if bound * header.floor < 1 and sum_of_k < 0.8 * HOPELESS:
+        bound, k = exact.highest()
+        if bound * header.floor < 1 and k < 0.8 * HOPELESS:
             self.fault(number, build, f"refused, condition {bound:.3g}")
 
     def delivery(self, number, build, header, answer, exact):
@@ -443,14 +442,11 @@ class Tally:
                 self.good = max(self.good, float(loss))
 
     def look(self, exact):
-        """What the bound is beside the condition, sigma beside that of the whole Jacobian."""
+        """What the bound is beside the condition."""
         ratio = float(exact.bound / exact.condition())
         decade = int(math.log10(exact.bound))
         low, high = self.ratio.get(decade, (ratio, ratio))
         self.ratio[decade] = min(low, ratio), max(high, ratio)
-        sigma = max(abs(float(s / w) - 1) for s, w in zip(exact.sigma, exact.whole_sigma()))
-        size = max(abs(float(x)) for x in exact.parameters)
-        self.jacobian.append((sigma, size, float(exact.bound)))
 
     def judge(self, number, build, law, share, told):
         key = build, law, int(math.log10(told))
@@ -535,6 +531,8 @@ def checks(tally, headers, count):
     for law in LAWS:
         share = max(s for (_, l, _), s in tally.largest.items() if l == law)
         yield f"{law}: the bound is {1 / share:.1f} times the largest loss", share * WIDEST > 1
+    for decade, (low, high) in sorted(tally.ratio.items()):
+        print(f"quality.condition 10^{decade}...: {low:.1f} to {high:.1f} times the condition")
     print(f"float, verdict good: a parameter loses at most {tally.good:.1e}")
 
 

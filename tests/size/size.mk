@@ -22,7 +22,7 @@ $(OUT)/program.c: README.md
 	@mkdir -p $(@D)
 	$(Q)awk '/^```c$$/ { on = 1; next } /^```$$/ { on = 0 } on' $< > $@
 $(OUT)/program.o: $(OUT)/program.c $(wildcard include/invcal/*.h)
-	$(Q)$(CC) $(FLAGS) -Itests/readme -c $< -o $@
+	$(Q)$(CC) -Itests/readme $(FLAGS) -c $< -o $@
 $(OUT)/product.elf: $(OUT)/program.o $(OUT)/tests/size/product.o $(LIBRARY)
 	$(Q)$(CC) $(FLAGS) $^ -nostartfiles -Wl,--gc-sections -Wl,-e,main -Wl,-Map=$(@:.elf=.map) $(LINK) -o $@
 

@@ -21,6 +21,5 @@ SIZE_OF(invcal_background);
 SIZE_OF(invcal_record);
 SIZE_OF(invcal_allan);
 SIZE_OF(invcal_noise);
-SIZE_OF(invcal_thermal_calibration);
-SIZE_OF(invcal_thermal_sums);
+SIZE_OF(invcal_thermal);
 SIZE_OF(invcal_thermal_record);

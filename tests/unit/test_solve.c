@@ -61,7 +61,7 @@ static void the_nine_parameters_are_those_of_the_triad(void)
         invcal_calibration calibration;
         solve_plan18(&truth, &calibration);
         for (unsigned r = 0; r < INVCAL_PARAMETERS; r++) {
-            TEST_ASSERT_DOUBLE_WITHIN(FLOAT_OR_DOUBLE(2e-6, 4e-15), truth.x[r],
+            TEST_ASSERT_DOUBLE_WITHIN(FLOAT_OR_DOUBLE(6e-7, 1e-15), truth.x[r],
                                       parameter(&calibration, r));
         }
     }
