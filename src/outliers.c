@@ -337,7 +337,7 @@ invcal_status invcal_outliers_find(const invcal_real *raw, unsigned count,
 }
 
 /* What the fit tells of position k. If it took part, 1 / m is what 1 + h K h' would be without it. */
-static void tell(const search *s, unsigned k, invcal_outlier *out)
+static INVCAL_APART void tell(const search *s, unsigned k, invcal_outlier *out)
 {
     invcal_real y[N];
     const invcal_real r = whiten(s, k, y);
