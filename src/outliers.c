@@ -172,7 +172,7 @@ static int is_promising(const search *s, unsigned members, invcal_real squares)
 {
     const invcal_real n = (invcal_real)s->sums.count;
 
-    return members == 1 || n * squares <= (n - N) * s->contests[0].squares;
+    return members == 1 || n * squares <= (n - (invcal_real)N) * s->contests[0].squares;
 }
 
 /* Position k as member d: the group enters the contest of its size. Returns 1 if k is fixed now, as
