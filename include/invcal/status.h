@@ -39,6 +39,15 @@ typedef enum {
     INVCAL_OTHER_VERSION, /* stored by a version of the library, or of another kind, unknown here */
     INVCAL_NO_SPACE,      /* does not fit into the buffer or the slot */
     INVCAL_IO,            /* the memory's driver reports a failure */
+    INVCAL_BAD_RATE,      /* not 8 to 8000 samples per second */
+    INVCAL_BAD_RAILS,     /* the least count is not below the greatest */
+    INVCAL_REST_SHORT,    /* motion came before the rest was READY */
+    INVCAL_REST_DRIFT,    /* its readings creep: a slow turn, or it settles */
+    INVCAL_REST_CLIPPED,  /* a reading was at the end of the sensor's range */
+    INVCAL_REST_FROZEN,   /* nothing has ever changed, or noise ceased, or an axis stands still amid
+                             the noise of the others: not read, or at a rail that was not stated */
+    INVCAL_REST_GAP,      /* too short, for samples were lost */
+    INVCAL_REST_SAME,     /* where the last position was taken: it tells nothing new */
     INVCAL_STATUS_COUNT   /* their number; no status */
 } invcal_status;
 

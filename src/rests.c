@@ -1,0 +1,898 @@
+/* SPDX-License-Identifier: MIT */
+#include "invcal/rests.h"
+
+#include <string.h>
+
+#include "vector.h"
+
+/* Every constant is a time, a ratio or a probability; none has a unit of the sensor.
+ * Distances and noise are squared, and sums over the three axes, throughout. They are compared as
+ * levels, logarithms to base 2 in steps of 1/128: what would be a factor is a difference, and 16
+ * bits hold whatever int32 can bring about. */
+#define OCTAVE 128    /* a factor of 2 */
+#define ZERO (-4096)  /* the level of 0: below any other */
+#define NONE (-16384) /* nothing is known yet */
+
+/* Times. A block is about 1/8 s: shorter than a move, long enough to hold some samples. */
+enum {
+    BITS_MIN = 2,   /* 4 samples: three axes then give nine degrees of freedom to a variance */
+    BITS_MAX = 10,  /* at 8000 samples per second */
+    LEAST = 4,      /* blocks that make a position, or more where they last less than 0.6 s */
+    TRIM = 2,       /* newest blocks held back: motion begins before it is noticed, 0.3 s */
+    HOLD = 4,       /* more blocks in a row that disagree end a rest: knocks are shorter */
+    ELSEWHERE = 2,  /* the same where the device rests elsewhere already */
+    RELEARN = 4,    /* blocks in a row of another, steady noise are a new noise level, 0.6 s; */
+    RECONSIDER = 8, /* after a position at the old one, 1.2 s: a hand's fumbling is shorter */
+    FREEZE = 8,     /* blocks in a row without any noise: the sensor is not read, 1.2 s */
+    SETTLED = 20,   /* blocks after which a trend is known well enough to be followed, 3 s */
+    DRIFTING = 10,  /* blocks in a row of a rest that drifts, until it is refused: 1.5 s */
+    FADE = 4        /* the trend forgets: 1 << FADE blocks count, 2 s, as long as a short rest */
+};
+
+/* Noise. The level is a quantile: the steps up and down balance where 30 % of the blocks lie below,
+ * so a third of all blocks at rest is enough to learn it. */
+enum {
+    RISE = 18,              /* 1.1 */
+    FALL = 41,              /* 1/0.8 */
+    FAR_BELOW = 4 * OCTAVE, /* what came before moved: no noise is that uneven */
+    QUIET = 297,            /* 5 times the level: chance is 2e-4 for 9 degrees of freedom */
+    HARD = 331,             /* 6 times what is allowed: motion, not a hand's unrest */
+    ALIKE = 203,            /* variances of blocks of one noise level differ less: 3 times */
+    HIDDEN = -2 * OCTAVE,   /* readings that toggle between two counts vary by up to 1/4 count^2
+                                 on each axis: a noise that is smaller hides in them */
+    ALIVE = 609             /* 27: where noise is three counts an axis, none can stand still */
+};
+
+/* Place. A block mean belongs to the rest within the largest of */
+enum {
+    OF_NOISE = OCTAVE,       /* 2 times the variance of a sample: chance is 7e-4 for 4 samples, */
+    OF_WANDER = 594,         /* 5 usual steps of a hand: 25, */
+    OF_REACH = -16 * OCTAVE, /* 1/256 of the reach: 8 mg of 2 g, */
+    OF_QUANTUM = 203         /* one count on each axis: 3. */
+};
+
+/* Drift: a slope beyond chance, and fast. */
+enum {
+    BEYOND_CHANCE = 144,        /* 12 / 5.5: see is_drifting */
+    PER_SECOND = 203,           /* 3 sigma of an axis in a second: 9/3 */
+    OF_REACH_PER_SECOND = -2469 /* 1/800 of the reach in a second */
+};
+
+#define WIDE (INT32_C(1) << 19)     /* counts: no noise is so large, and no rest creeps so far */
+#define HOUR (UINT32_C(3600) * 125) /* in 1/125 s */
+#define SMALL_MAX 0x4000u           /* squares of three axes stay below 2^31 */
+#define FINE 8                      /* bits behind the point of a mean */
+
+/* A rest is looked for; one was taken by this block; one is going on; is said to be READY; is said
+ * to be refused. */
+enum { IDLE, LEFT, SETTLING, ANNOUNCED, DISMISSED };
+
+/* Bits of flags: of the stream, */
+enum {
+    TAKEN = 1, /* there has been a position: `place` is one */
+    /* of the candidate, */
+    BEGUN = 2,       /* its first block has been left out */
+    CLIPPED = 4,     /* some sample was at a rail */
+    INTERRUPTED = 8, /* samples were lost in it */
+    CHANGED = 16,    /* the x axis has changed inside a block of it; y and z in the next bits */
+    ALL_CHANGED = 7 * CHANGED
+};
+
+/* and of the block, in `seen`. */
+enum { AT_RAIL = 1, WILD = 2 };
+
+/* What one block shows. */
+typedef struct {
+    uint64_t variance; /* inside of it, 1/64 counts^2 */
+    int32_t place[3];  /* its mean in whole counts */
+    int32_t sum[3];    /* relative to origin, if it fits */
+    int32_t mean[3];   /* relative to origin, 1/256 counts */
+    int level;         /* of the variance */
+    int limit;         /* of a quiet block's level */
+    uint8_t fits;      /* not too far from origin to be summed */
+    uint8_t quiet;     /* noise and no more */
+    uint8_t here;      /* where the rest expects it */
+    uint8_t hard;      /* far from being quiet, or from here */
+} finding;
+
+/* ---- numbers ------------------------------------------------------------------------------ */
+
+static int larger(int a, int b)
+{
+    return a > b ? a : b;
+}
+
+static uint32_t size_of(int32_t x)
+{
+    return x < 0 ? 0 - (uint32_t)x : (uint32_t)x;
+}
+
+/* What stands for a negative number modulo 2^32 is that number. */
+static int32_t as_signed(uint32_t x)
+{
+    return x <= INT32_MAX ? (int32_t)x : -(int32_t)~x - 1;
+}
+
+/* x / 2^bits, towards 0: the same for both signs. */
+static int32_t shifted(int32_t x, unsigned bits)
+{
+    const int32_t size = (int32_t)(size_of(x) >> bits);
+
+    return x < 0 ? -size : size;
+}
+
+/* a - b, no further than limit. */
+static int32_t apart(int32_t a, int32_t b, int32_t limit)
+{
+    const int64_t d = (int64_t)a - b;
+
+    return d > limit ? limit : d < -limit ? -limit : (int32_t)d;
+}
+
+/* Straight between powers of two, so up to 6 % below. */
+static int logarithm(uint32_t x)
+{
+    int level = 6 * OCTAVE;
+
+    if (x == 0) {
+        return ZERO;
+    }
+    while (x >= 2 * OCTAVE) {
+        x >>= 1;
+        level += OCTAVE;
+    }
+    while (x < OCTAVE) {
+        x <<= 1;
+        level -= OCTAVE;
+    }
+    return level + (int)x;
+}
+
+static int wide_logarithm(uint64_t x)
+{
+    int level = 0;
+
+    for (; x > UINT32_MAX; x >>= 4) {
+        level += 4 * OCTAVE;
+    }
+    return level + logarithm((uint32_t)x);
+}
+
+/* The level of a squared length. */
+static int level_of(const int32_t v[3])
+{
+    uint32_t all = 0;
+    uint32_t sum = 0;
+    unsigned shift = 0;
+
+    for (unsigned a = 0; a < 3; a++) {
+        all |= size_of(v[a]);
+    }
+    while (all >> shift >= 0x8000) {
+        shift++;
+    }
+    for (unsigned a = 0; a < 3; a++) {
+        const uint32_t size = size_of(v[a]) >> shift;
+        sum += size * size;
+    }
+    return logarithm(sum) + (int)shift * 2 * OCTAVE;
+}
+
+/* The same of what is in 1/256 counts. */
+static int fine_level(const int32_t v[3])
+{
+    return level_of(v) - FINE * 2 * OCTAVE;
+}
+
+/* ---- a block ------------------------------------------------------------------------------ */
+
+/* Where all that is close to the first sample is off the rails too, one comparison will tell both. */
+static void begin(invcal_rests *s, const int32_t raw[3])
+{
+    const uint32_t margin = s->widest / 2u + 1u;
+    const uint32_t between = (uint32_t)s->high - (uint32_t)s->low - (2u * margin - 1u);
+
+    s->span = s->widest;
+    for (unsigned a = 0; a < 3; a++) {
+        s->first[a] = raw[a];
+        s->sum[a] = 0;
+        if ((uint32_t)raw[a] - (uint32_t)s->low - margin >= between) {
+            s->span = 0;
+        }
+    }
+    s->square = 0;
+    s->seen = 0;
+    s->missing = (uint16_t)(1u << s->bits);
+    if (s->stage == LEFT) {
+        s->stage = IDLE;
+    }
+}
+
+/* Adds a sample whose differences d are all small: -span/2 <= d < span/2, seen at one blow as
+ * d + span/2 has no bit from that of span upwards. Returns 0 if they are not. Modulo 2^32, which
+ * unsigned arithmetic does everywhere alike. */
+static int add_small(invcal_rests *s, const int32_t raw[3])
+{
+    const uint32_t span = s->span;
+    const uint32_t half = span / 2;
+    const uint32_t x = (uint32_t)raw[0] - (uint32_t)s->first[0];
+    const uint32_t y = (uint32_t)raw[1] - (uint32_t)s->first[1];
+    const uint32_t z = (uint32_t)raw[2] - (uint32_t)s->first[2];
+
+    if (((x + half) | (y + half) | (z + half)) >= span) {
+        return 0;
+    }
+    s->sum[0] += x;
+    s->sum[1] += y;
+    s->sum[2] += z;
+    s->square += x * x + y * y + z * z;
+    return 1;
+}
+
+/* The same for any reading: at a rail, of a large noise, or in motion; and it learns the quantum. */
+static void add_reading(invcal_rests *s, unsigned a, int32_t raw)
+{
+    const int rises = raw >= s->first[a];
+    const uint32_t d = (uint32_t)raw - (uint32_t)s->first[a];
+    const uint32_t size = rises ? d : 0 - d;
+
+    if (raw <= s->low || raw >= s->high) {
+        s->seen |= AT_RAIL;
+    }
+    if (size > 0 && (s->quantum == 0 || size < s->quantum)) {
+        s->quantum = size;
+    }
+    if (size >= WIDE) {
+        s->seen |= WILD;
+        return;
+    }
+    s->sum[a] += d;
+    s->square += (uint64_t)size * size;
+}
+
+/* Integers, so nothing cancels: variance = (n sum d^2 - (sum d)^2) / (n (n - 1)). */
+static void measure(const invcal_rests *s, finding *f)
+{
+    const unsigned bits = s->bits;
+    uint64_t scatter = s->square << bits;
+
+    for (unsigned a = 0; a < 3; a++) {
+        const int32_t sum = as_signed(s->sum[a]);
+        scatter -= (uint64_t)((int64_t)sum * sum); /* never below 0: Cauchy and Schwarz */
+        f->place[a] = as_signed((uint32_t)s->first[a] + (uint32_t)shifted(sum, bits));
+    }
+    f->variance = (scatter << 2) >> (2 * bits - 4);
+    f->level = wide_logarithm(scatter) - (int)(2 * bits) * OCTAVE +
+               ((3 * OCTAVE / 2) >> bits); /* n / (n - 1), nearly */
+}
+
+/* What a sum of a block makes of a mean, 1/256 counts. */
+static int32_t fine_mean(const invcal_rests *s, int32_t sum)
+{
+    return s->bits <= FINE ? sum * (1 << (FINE - s->bits)) : shifted(sum, s->bits - FINE);
+}
+
+/* Where the block is, relative to origin. */
+static void relate(const invcal_rests *s, finding *f)
+{
+    f->fits = 1;
+    for (unsigned a = 0; a < 3; a++) {
+        const int32_t off = apart(s->first[a], s->origin[a], WIDE);
+        if (size_of(off) >= WIDE) {
+            f->fits = 0;
+        }
+        f->sum[a] = as_signed(s->sum[a]) + off * (1 << s->bits);
+        f->mean[a] = fine_mean(s, f->sum[a]);
+    }
+}
+
+/* ---- learning from the stream ------------------------------------------------------------- */
+
+/* At least one count. */
+static int quantum_level(const invcal_rests *s)
+{
+    return s->quantum > 1 ? 2 * logarithm(s->quantum) : 0;
+}
+
+/* The noise, no smaller than what quantisation hides. */
+static int noise_level(const invcal_rests *s)
+{
+    return larger(s->noise, quantum_level(s) + HIDDEN);
+}
+
+/* Follows a low quantile. */
+static int follow(int level, int x)
+{
+    if (level == NONE) {
+        return x;
+    }
+    if (x >= level) {
+        return x < level + RISE ? x : level + RISE;
+    }
+    return x < level - FAR_BELOW ? x + FAR_BELOW : larger(x, level - FALL);
+}
+
+static void learn_reach(invcal_rests *s, const finding *f)
+{
+    int32_t d[3];
+
+    for (unsigned a = 0; a < 3; a++) {
+        d[a] = apart(f->place[a], s->place[a], INT32_C(1) << 30);
+    }
+    s->reach = (int16_t)larger(s->reach, level_of(d));
+}
+
+/* A quiet block is judged by the noise so far, and then adds to it. */
+static void learn_noise(invcal_rests *s, finding *f)
+{
+    if (s->noise == NONE) {
+        s->noise = (int16_t)f->level;
+    }
+    f->limit = noise_level(s) + QUIET;
+    f->quiet = (s->seen & WILD) == 0 && f->level <= f->limit;
+    if (f->quiet) {
+        s->noise = (int16_t)follow(s->noise, f->level);
+    }
+}
+
+/* A fan is switched on, a table instead of a hand: blocks in a row, not quiet, but of like
+ * variance, and closer to origin, which without a candidate is the block before, than the noise
+ * that they would be made of. Returns 1 when the new level is adopted. */
+static int learn_new_noise(invcal_rests *s, const finding *f)
+{
+    const int d = f->level - s->other;
+
+    if (f->quiet || !f->fits || (s->seen & WILD) != 0 || d > ALIKE || d < -ALIKE ||
+        fine_level(f->mean) > f->level) {
+        s->run = 0;
+        s->other = (int16_t)f->level;
+        return 0;
+    }
+    s->run++;
+    s->other = (int16_t)(s->other + d / 4);
+    if (s->run < ((s->flags & TAKEN) != 0 ? RECONSIDER : RELEARN)) {
+        return 0;
+    }
+    s->noise = s->other;
+    s->run = 0;
+    return 1;
+}
+
+/* ---- the trend of a rest ------------------------------------------------------------------ */
+
+static uint32_t blocks_of(const invcal_rests *s)
+{
+    return (uint32_t)s->blocks + s->pended;
+}
+
+/* Brown's double smoothing: a fading mean, and the fading mean of that. On a slope the first lags
+ * behind, the second once more, so their difference tells the slope; `spread` is that of a slope
+ * of one a block. The first blocks count alike, nearly. */
+static void add_trend(invcal_rests *s, const finding *f)
+{
+    const uint32_t blocks = blocks_of(s);
+    unsigned fade = 0;
+
+    while (fade < FADE && blocks >> fade != 0) {
+        fade++;
+    }
+    for (unsigned a = 0; a < 3; a++) {
+        s->once[a] += shifted(f->mean[a] - s->once[a], fade);
+        s->twice[a] += shifted(s->once[a] - s->twice[a], fade);
+    }
+    const unsigned lag = s->lag + (1u << FINE);
+    const unsigned spread = s->spread + (lag >> fade);
+    s->lag = (uint16_t)(lag - (lag >> fade));
+    s->spread = (uint16_t)(spread - (spread >> fade));
+}
+
+/* The level of the candidate's own noise, no smaller than what quantisation hides. */
+static int own_noise(const invcal_rests *s)
+{
+    const int level = wide_logarithm(s->variance) - logarithm(blocks_of(s) + 1) - 6 * OCTAVE;
+
+    return larger(level, quantum_level(s) + HIDDEN);
+}
+
+/* Does the rest drift? The slope must be beyond chance, as noise and the steps between blocks tell
+ * it, and fast, for the noise and for the reach: a sensor that warms up is slower.
+ *
+ * Of block means that scatter by v, g = spread, the slope b is known to v / (4.5 g^3), within
+ * 30 %, so chance is less than 1e-7 (chi^2 of 36 for three axes) beyond b^2 g^3 = 12 / 4.5 v. */
+static int is_drifting(const invcal_rests *s)
+{
+    const int32_t d[3] = {s->once[0] - s->twice[0], s->once[1] - s->twice[1],
+                          s->once[2] - s->twice[2]};
+    const int noise = own_noise(s);
+    const int scatter = larger(noise - s->bits * OCTAVE, s->wander - OCTAVE);
+    const int spread = logarithm(s->spread) - FINE * OCTAVE;
+    const int slope = fine_level(d) - 2 * spread;
+    const int speed = slope + 2 * (logarithm(s->rate) - s->bits * OCTAVE);
+
+    return blocks_of(s) >= LEAST && slope + 3 * spread > scatter + BEYOND_CHANCE &&
+           speed > noise + PER_SECOND && speed > s->reach + OF_REACH_PER_SECOND;
+}
+
+/* ---- the candidate ------------------------------------------------------------------------ */
+
+/* Quiet blocks passed over behind motion, 0.3 to 0.4 s: half of what makes a position, rounded up. */
+static unsigned edge_of(const invcal_rests *s)
+{
+    return (s->least + 1u) / 2;
+}
+
+/* From this block on, when `skip` quiet ones have passed. */
+static void start(invcal_rests *s)
+{
+    memset(s->total, 0, sizeof s->total);
+    s->variance = 0;
+    s->blocks = 0;
+    s->pended = 0;
+    s->hold = 0;
+    s->drift = 0;
+    s->flags &= TAKEN;
+    s->stage = SETTLING;
+}
+
+static void move_origin(invcal_rests *s, finding *f)
+{
+    memcpy(s->origin, f->place, sizeof s->origin);
+    relate(s, f);
+}
+
+/* The mean of the candidate in whole counts, to compare places. */
+static void place_of(const invcal_rests *s, int32_t place[3])
+{
+    for (unsigned a = 0; a < 3; a++) {
+        place[a] = s->origin[a] + shifted(s->once[a], FINE);
+    }
+}
+
+static int is_same(const invcal_rests *s)
+{
+    int32_t d[3];
+
+    place_of(s, d);
+    for (unsigned a = 0; a < 3; a++) {
+        d[a] = apart(d[a], s->place[a], INT32_C(1) << 30);
+    }
+    return (s->flags & TAKEN) != 0 &&
+           level_of(d) < larger(s->reach + OF_REACH, quantum_level(s) + OF_QUANTUM);
+}
+
+/* Has nothing ever changed, or one axis not, among others of a noise that it cannot be without? */
+static int is_stuck(const invcal_rests *s)
+{
+    return s->quantum == 0 ||
+           ((s->flags & ALL_CHANGED) != ALL_CHANGED && own_noise(s) > quantum_level(s) + ALIVE);
+}
+
+static invcal_status too_short(const invcal_rests *s)
+{
+    return (s->flags & INTERRUPTED) != 0 ? INVCAL_REST_GAP : INVCAL_REST_SHORT;
+}
+
+/* What is wrong with the candidate, drift aside. */
+static invcal_status fault(const invcal_rests *s)
+{
+    if (s->blocks < s->least) {
+        return too_short(s);
+    }
+    if ((s->flags & CLIPPED) != 0) {
+        return INVCAL_REST_CLIPPED;
+    }
+    if (is_stuck(s)) {
+        return INVCAL_REST_FROZEN;
+    }
+    if (is_same(s)) {
+        return INVCAL_REST_SAME;
+    }
+    return s->blocks < s->dwell ? too_short(s) : INVCAL_OK;
+}
+
+/* Nothing is refused twice. */
+static int is_said(const invcal_rests *s, invcal_status why)
+{
+    return s->stage == DISMISSED && s->reason == (uint8_t)why;
+}
+
+/* The rest is over. A faint one is not worth a word. */
+static invcal_event finish(invcal_rests *s)
+{
+    invcal_status why = fault(s);
+
+    if (why == INVCAL_OK && s->stage != ANNOUNCED && is_drifting(s)) {
+        why = INVCAL_REST_DRIFT;
+    }
+    const int is_nothing = s->blocks < edge_of(s) || is_said(s, why);
+    s->stage = IDLE;
+    s->skip = (uint8_t)edge_of(s);
+    if (is_nothing) {
+        return INVCAL_MOVING;
+    }
+    s->reason = (uint8_t)why;
+    if (why != INVCAL_OK) {
+        return INVCAL_REFUSED;
+    }
+    place_of(s, s->place);
+    s->flags |= TAKEN;
+    s->stage = LEFT;
+    return INVCAL_TAKEN;
+}
+
+/* ---- decisions ---------------------------------------------------------------------------- */
+
+/* The oldest pending block is safe: no motion came within TRIM blocks behind it. The first of a
+ * rest is left out, it may have begun in motion. */
+static void commit(invcal_rests *s)
+{
+    const uint32_t trimmed = s->time - ((uint32_t)TRIM << s->bits);
+
+    if ((s->flags & BEGUN) == 0) {
+        s->flags |= BEGUN;
+        s->begin = trimmed;
+    } else if (s->blocks < UINT16_MAX) {
+        for (unsigned a = 0; a < 3; a++) {
+            s->total[a] += s->pending[0][a];
+        }
+        s->end = trimmed;
+        s->blocks++;
+    } /* cppcheck-suppress misra-c2012-15.7 ; full: it has blocks enough */
+    memcpy(s->pending[0], s->pending[1], sizeof s->pending[0]);
+    s->pended--;
+}
+
+static void add_block(invcal_rests *s, const finding *f)
+{
+    add_trend(s, f);
+    if (s->pended == TRIM) {
+        commit(s);
+    }
+    for (unsigned a = 0; a < 3; a++) {
+        s->pending[s->pended][a] = f->sum[a];
+        if (s->sum[a] != 0) { /* of differences to the first sample */
+            s->flags = (uint8_t)(s->flags | (unsigned)CHANGED << a);
+        }
+    }
+    s->pended++;
+    if (s->blocks < UINT16_MAX) {
+        s->variance += f->variance;
+    }
+}
+
+static invcal_event drifting(invcal_rests *s, finding *f)
+{
+    s->drift++;
+    if (s->drift < DRIFTING) {
+        return INVCAL_SETTLING;
+    }
+    move_origin(s, f);
+    start(s);
+    s->skip = (uint8_t)edge_of(s);
+    s->reason = INVCAL_REST_DRIFT;
+    return INVCAL_REFUSED;
+}
+
+/* Is there news of the candidate? */
+static invcal_event announce(invcal_rests *s, finding *f)
+{
+    if (s->blocks < s->least) {
+        return INVCAL_SETTLING;
+    }
+    if (is_drifting(s)) {
+        return drifting(s, f);
+    }
+    s->drift = 0;
+    if (s->stage == ANNOUNCED) {
+        return INVCAL_SETTLING;
+    }
+    const invcal_status why = fault(s);
+    if (is_said(s, why) || why == too_short(s)) {
+        return INVCAL_SETTLING;
+    }
+    s->reason = (uint8_t)why;
+    s->stage = why == INVCAL_OK ? ANNOUNCED : DISMISSED;
+    return why == INVCAL_OK ? INVCAL_READY : INVCAL_REFUSED;
+}
+
+static invcal_event agree(invcal_rests *s, finding *f)
+{
+    if ((s->seen & AT_RAIL) != 0) {
+        s->flags |= CLIPPED;
+    }
+    if (s->skip > 0) {
+        s->skip--;
+        return INVCAL_SETTLING;
+    }
+    s->hold = 0;
+    add_block(s, f);
+    return announce(s, f);
+}
+
+/* A knock passes, motion does not; and another place is quiet, but not here. What comes next after
+ * a hard blow is not trusted. */
+static invcal_event disagree(invcal_rests *s, const finding *f)
+{
+    const int elsewhere = f->quiet && f->hard;
+
+    s->hold++;
+    if (f->hard) {
+        s->skip = (uint8_t)edge_of(s);
+    }
+    return s->hold <= (elsewhere ? ELSEWHERE : HOLD) ? INVCAL_MOVING : finish(s);
+}
+
+/* Where would the rest have this block? A settled one may drift slowly: its trend is followed. The
+ * steps from block to block are learned here too. */
+static void expect(invcal_rests *s, finding *f)
+{
+    const int level = larger(larger(noise_level(s) + OF_NOISE, s->wander + OF_WANDER),
+                             larger(s->reach + OF_REACH, quantum_level(s) + OF_QUANTUM));
+    int32_t d[3];
+
+    for (unsigned a = 0; a < 3; a++) {
+        const int32_t ahead = s->once[a] - s->twice[a];
+        d[a] = f->mean[a] - s->once[a];
+        if (blocks_of(s) >= SETTLED) {
+            d[a] -= ahead + ahead / (1 << FADE);
+        }
+    }
+    const int jump = blocks_of(s) > 0 ? fine_level(d) : ZERO;
+    f->here = f->fits && jump <= level;
+    f->hard =
+        (s->seen & WILD) != 0 || !f->fits || f->level > f->limit + HARD || jump > level + HARD;
+}
+
+static void learn_wander(invcal_rests *s, const finding *f)
+{
+    int32_t step[3];
+
+    if (s->pended == 0 || s->hold > 0 || !f->fits) {
+        return;
+    }
+    for (unsigned a = 0; a < 3; a++) {
+        step[a] = f->mean[a] - fine_mean(s, s->pending[s->pended - 1][a]);
+    }
+    s->wander = (int16_t)follow(s->wander, fine_level(step));
+}
+
+static invcal_event judge_moment(invcal_rests *s, finding *f)
+{
+    const int fresh = learn_new_noise(s, f);
+
+    f->quiet = f->quiet || fresh;
+    if (s->stage == IDLE || blocks_of(s) == 0) {
+        move_origin(s, f);
+    }
+    if (s->stage == IDLE) {
+        if (!f->quiet) {
+            s->skip = (uint8_t)edge_of(s);
+            return INVCAL_MOVING;
+        }
+        start(s);
+        if (fresh) {
+            s->skip = 0;
+        }
+    }
+    expect(s, f);
+    if (f->quiet) {
+        learn_wander(s, f);
+    }
+    return f->quiet && f->here ? agree(s, f) : disagree(s, f);
+}
+
+/* No noise at all, though the stream has shown some that would not allow it; or three axes that
+ * read the same number: no triad does. */
+static int is_frozen(const invcal_rests *s, const finding *f)
+{
+    const int32_t *first = s->first;
+    const int known = s->noise > quantum_level(s);
+
+    return f->level < ZERO + OCTAVE && (known || (first[0] == first[1] && first[1] == first[2]));
+}
+
+static invcal_event freeze(invcal_rests *s)
+{
+    if (s->frozen < UINT8_MAX) {
+        s->frozen++;
+    }
+    if (s->stage != IDLE && ++s->hold > HOLD) {
+        return finish(s);
+    }
+    if (s->frozen != FREEZE) {
+        return INVCAL_MOVING;
+    }
+    s->reason = INVCAL_REST_FROZEN;
+    return INVCAL_REFUSED;
+}
+
+/* A block is full. */
+INVCAL_APART static invcal_event decide(invcal_rests *s)
+{
+    finding f;
+
+    s->time += UINT32_C(1) << s->bits;
+    measure(s, &f);
+    if (is_frozen(s, &f)) {
+        return freeze(s);
+    }
+    s->frozen = 0;
+    if (s->noise == NONE) {
+        memcpy(s->place, f.place, sizeof s->place);
+    }
+    relate(s, &f);
+    learn_reach(s, &f);
+    learn_noise(s, &f);
+    return judge_moment(s, &f);
+}
+
+/* A sample that begins a block, that is not close to its first, or that may tell the quantum. */
+INVCAL_APART static invcal_event feed_any(invcal_rests *s, const int32_t raw[3])
+{
+    if (s->missing == 0) {
+        begin(s, raw);
+    }
+    for (unsigned a = 0; a < 3; a++) {
+        add_reading(s, a, raw[a]);
+    }
+    return --s->missing > 0 ? INVCAL_NOTHING : decide(s);
+}
+
+/* ---- what is called ----------------------------------------------------------------------- */
+
+invcal_status invcal_rests_init(invcal_rests *rests, unsigned rate)
+{
+    INVCAL_ASSERT(rests);
+    if (rate < INVCAL_RATE_MIN || rate > INVCAL_RATE_MAX) {
+        return INVCAL_BAD_RATE;
+    }
+    memset(rests, 0, sizeof *rests);
+    rests->rate = (uint16_t)rate;
+    rests->bits = BITS_MIN;
+    while (11u << rests->bits < rate) { /* from 1/11 to 2/11 s */
+        rests->bits++;
+    }
+    const unsigned blocks = (5 * rate / 8 + (1u << rests->bits) - 1) >> rests->bits;
+    rests->least = (uint8_t)(blocks > LEAST ? blocks : LEAST);
+    rests->dwell = rests->least;
+    rests->skip = (uint8_t)edge_of(rests);
+    rests->noise = NONE;
+    rests->wander = NONE;
+    rests->reach = ZERO;
+    return invcal_rests_rails(rests, INT32_MIN, INT32_MAX);
+}
+
+invcal_status invcal_rests_rails(invcal_rests *rests, int32_t low, int32_t high)
+{
+    INVCAL_ASSERT(rests);
+    if (low >= high) {
+        return INVCAL_BAD_RAILS;
+    }
+    const uint32_t quarter = ((uint32_t)high - (uint32_t)low) / 4;
+    uint16_t widest = 2 * SMALL_MAX;
+    while (widest > quarter) { /* at most 16 steps: halved */
+        widest /= 2;
+    }
+    rests->widest = widest;
+    rests->low = low;
+    rests->high = high;
+    return INVCAL_OK;
+}
+
+void invcal_rests_hold(invcal_rests *rests, unsigned milliseconds)
+{
+    INVCAL_ASSERT(rests);
+    const uint32_t eighths = (uint32_t)milliseconds / 8 + 1;
+    const uint32_t samples = (eighths < HOUR ? eighths : HOUR) * rests->rate / 125;
+    const uint32_t blocks = (samples >> rests->bits) + 1;
+    rests->dwell = (uint16_t)(blocks > rests->least ? blocks : rests->least);
+    if (rests->stage == ANNOUNCED && rests->blocks < rests->dwell) {
+        rests->stage = SETTLING;
+    }
+}
+
+invcal_event invcal_rests_feed(invcal_rests *rests, const int32_t raw[3])
+{
+    INVCAL_ASSERT(rests && raw);
+    if (rests->missing == 0 || rests->quantum != 1 || !add_small(rests, raw)) {
+        return feed_any(rests, raw);
+    }
+    rests->missing--;
+    return rests->missing > 0 ? INVCAL_NOTHING : decide(rests);
+}
+
+void invcal_rests_gap(invcal_rests *rests)
+{
+    INVCAL_ASSERT(rests);
+    rests->missing = 0;
+    rests->flags |= INTERRUPTED;
+}
+
+invcal_event invcal_rests_finish(invcal_rests *rests)
+{
+    INVCAL_ASSERT(rests);
+    rests->missing = 0;
+    return rests->stage > LEFT ? finish(rests) : INVCAL_MOVING;
+}
+
+unsigned invcal_rests_progress(const invcal_rests *rests)
+{
+    INVCAL_ASSERT(rests);
+    if (rests->stage <= LEFT) {
+        return 0;
+    }
+    if (rests->stage == ANNOUNCED) {
+        return 100;
+    }
+    return rests->blocks < rests->dwell ? (unsigned)(100ul * rests->blocks / rests->dwell) : 99;
+}
+
+invcal_status invcal_rests_reason(const invcal_rests *rests)
+{
+    INVCAL_ASSERT(rests);
+    return (invcal_status)rests->reason;
+}
+
+int invcal_rests_get(const invcal_rests *rests, invcal_rest *out)
+{
+    INVCAL_ASSERT(rests && out);
+    if (rests->stage != ANNOUNCED && rests->stage != LEFT) {
+        return 0;
+    }
+    const uint32_t size = UINT32_C(1) << rests->bits;
+    const uint32_t blocks = blocks_of(rests) + 1; /* with the one left out */
+    const invcal_real variance =
+        (invcal_real)(uint32_t)(rests->variance >> 32) * INVCAL_REAL(4294967296.0) +
+        (invcal_real)(uint32_t)rests->variance;
+    out->count = rests->blocks * size;
+    for (unsigned a = 0; a < 3; a++) {
+        out->sum[a] = rests->total[a] + (int64_t)rests->origin[a] * (int64_t)out->count;
+    }
+    out->begin = rests->begin;
+    out->end = rests->end;
+    out->variance =
+        variance / (invcal_real)(blocks * 192) * (invcal_real)size / (invcal_real)(size - 1);
+    return 1;
+}
+
+/* ---- the mean ----------------------------------------------------------------------------- */
+
+/* 32 more bits of a quotient: of rest and the bits of next behind it, by n > rest. What is left is
+ * the rest. A division of 64 bits would be the compiler's, many times as large. */
+static uint32_t divide(uint32_t *rest, uint32_t next, uint32_t n)
+{
+    uint32_t quotient = 0;
+
+    for (unsigned i = 0; i < 32; i++) {
+        const uint32_t carry = *rest >> 31;
+        *rest = *rest << 1 | next >> 31;
+        next <<= 1;
+        quotient <<= 1;
+        if (carry != 0 || *rest >= n) {
+            *rest -= n;
+            quotient |= 1;
+        }
+    }
+    return quotient;
+}
+
+static invcal_real mean_of(int64_t sum, uint32_t n)
+{
+    const uint64_t size = sum < 0 ? 0 - (uint64_t)sum : (uint64_t)sum;
+    uint32_t rest = (uint32_t)(size >> 32);
+
+    if (rest >= n) {
+        return 0;
+    }
+    const uint32_t whole = divide(&rest, (uint32_t)size, n);
+    const invcal_real mean = (invcal_real)whole + (invcal_real)rest / (invcal_real)n;
+    return sum < 0 ? -mean : mean;
+}
+
+void invcal_rest_mean(const invcal_rest *rest, invcal_real mean[3])
+{
+    INVCAL_ASSERT(rest && mean);
+    for (unsigned a = 0; a < 3; a++) {
+        mean[a] = mean_of(rest->sum[a], rest->count);
+    }
+}

@@ -1,0 +1,1187 @@
+/* SPDX-License-Identifier: MIT */
+#include <math.h>
+#include <string.h>
+
+#include "invcal/rests.h"
+#include "support.h"
+#include "unity.h"
+
+void setUp(void)
+{
+}
+
+void tearDown(void)
+{
+}
+
+/* ---- a simulated sensor, and a record of what is found in its stream ------------------------- */
+
+enum { RESTS = ROOM(128, 24) };
+
+typedef struct {
+    long begin, end; /* samples */
+} window;
+
+typedef struct {
+    /* the sensor */
+    double rate;   /* samples per second */
+    double counts; /* per g */
+    double noise;  /* g, each axis */
+    double drift;  /* g/s on the x axis */
+    int32_t low, high;
+    unsigned stuck; /* 1, 2, 3: this axis reads one and the same number */
+    random_source random;
+    /* what is done to its counts: these must not matter */
+    int32_t scale;
+    int32_t shift[3];
+    unsigned order;
+    /* the stream */
+    invcal_rests detector;
+    long samples;
+    int32_t last[3];
+    unsigned rests;
+    window truth[RESTS];
+    /* what was found */
+    unsigned taken, ready, refused[INVCAL_STATUS_COUNT];
+    unsigned ready_before; /* since the position before */
+    unsigned seen[INVCAL_REFUSED + 1];
+    invcal_rest rest[RESTS];
+    uint32_t events; /* a checksum of all of them */
+    unsigned progress;
+} bench;
+
+static bench b;
+
+static void setup_rails(double rate, double counts, double noise, int32_t low, int32_t high)
+{
+    memset(&b, 0, sizeof b);
+    b.rate = rate;
+    b.counts = counts;
+    b.noise = noise;
+    b.low = low;
+    b.high = high;
+    b.scale = 1;
+    b.random = random_start((uint32_t)(rate + counts));
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_rests_init(&b.detector, (unsigned)(rate + 0.5)));
+    if (low < high) {
+        TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_rests_rails(&b.detector, low, high));
+    }
+}
+
+static void setup(double rate, double counts, double noise)
+{
+    setup_rails(rate, counts, noise, 0, 0);
+}
+
+/* What is to be read after an event: the rest that is READY and held, or was just TAKEN. */
+static void note(invcal_event event)
+{
+    invcal_rest rest;
+    invcal_rest before;
+
+    b.events = b.events * 31 + (uint32_t)event;
+    b.seen[event]++;
+    memset(&before, 0x5A, sizeof before);
+    memcpy(&rest, &before, sizeof rest);
+    const int is_there = invcal_rests_get(&b.detector, &rest);
+    if (event == INVCAL_READY) {
+        b.ready++;
+        b.ready_before++;
+        TEST_ASSERT_EQUAL_UINT(1, b.ready_before);
+        TEST_ASSERT_TRUE(is_there);
+    }
+    if (event == INVCAL_TAKEN) {
+        if (TEST_RAM < 65536 && b.taken == RESTS) {
+            skip_large();
+        }
+        TEST_ASSERT_TRUE(b.taken < RESTS && is_there);
+        TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_rests_reason(&b.detector));
+        b.rest[b.taken++] = rest;
+        b.ready_before = 0;
+    }
+    if (event == INVCAL_REFUSED) {
+        TEST_ASSERT_NOT_EQUAL(INVCAL_OK, invcal_rests_reason(&b.detector));
+        b.refused[invcal_rests_reason(&b.detector)]++;
+        b.ready_before = 0;
+    }
+    if (!is_there) {
+        TEST_ASSERT_TRUE(memcmp(&before, &rest, sizeof rest) == 0);
+    }
+}
+
+static void push(const int32_t raw[3])
+{
+    memcpy(b.last, raw, sizeof b.last);
+    b.samples++;
+    note(invcal_rests_feed(&b.detector, raw));
+    b.progress = invcal_rests_progress(&b.detector);
+    TEST_ASSERT_TRUE(b.progress <= 100);
+}
+
+static void end_of_stream(void)
+{
+    note(invcal_rests_finish(&b.detector));
+}
+
+static int32_t whole(double x)
+{
+    return x < -2147483648.0 ? INT32_MIN : x > 2147483647.0 ? INT32_MAX : (int32_t)floor(x + 0.5);
+}
+
+/* One sample of a triad that points along `up`, with a linear acceleration a, g. */
+static void sense(const double up[3], const double a[3])
+{
+    int32_t count[3];
+    int32_t raw[3];
+
+    for (unsigned i = 0; i < 3; i++) {
+        const double warm = i == 0 ? b.drift * (double)b.samples / b.rate : 0;
+        const double noise = b.noise * random_normal(&b.random);
+        count[i] = whole((up[i] + a[i] + warm + noise) * b.counts);
+        if (b.low < b.high) {
+            count[i] = count[i] < b.low ? b.low : count[i] > b.high ? b.high : count[i];
+        }
+    }
+    for (unsigned i = 0; i < 3; i++) {
+        raw[i] = (b.stuck == i + 1 ? 55 : count[(i + b.order) % 3]) * b.scale + b.shift[i];
+    }
+    push(raw);
+}
+
+static const double none[3] = {0, 0, 0};
+static const double face[6][3] = {{0, 0, 1},       {0.6, 0.8, 0},    {-0.8, 0.36, 0.48},
+                                  {0, -0.6, -0.8}, {0.7, 0.1, -0.7}, {-0.5, 0.7, -0.5}};
+
+/* The rest goes on. */
+static void keep(unsigned k, double seconds)
+{
+    for (long i = 0; i < (long)(seconds * b.rate); i++) {
+        sense(face[k], none);
+    }
+    b.truth[b.rests - 1].end = b.samples;
+}
+
+static void hold(unsigned k, double seconds)
+{
+    TEST_ASSERT_TRUE(b.rests < RESTS);
+    b.truth[b.rests++].begin = b.samples;
+    keep(k, seconds);
+}
+
+static void knock(unsigned k)
+{
+    const double a[3] = {0.5, -0.3, 0.2};
+
+    sense(face[k], a);
+}
+
+/* A smooth turn (a polynomial of degree five), shaken by a hand. */
+static void turn(unsigned from, unsigned to, double seconds)
+{
+    const long n = (long)(seconds * b.rate);
+
+    for (long i = 0; i < n; i++) {
+        const double u = ((double)i + 0.5) / (double)n;
+        const double s = u * u * u * (10 - 15 * u + 6 * u * u);
+        double up[3];
+        double shake[3];
+        for (unsigned a = 0; a < 3; a++) {
+            up[a] = face[from][a] * (1 - s) + face[to][a] * s;
+            shake[a] = 0.1 * sin(3.14159 * u) * sin(9 * u * seconds + a);
+        }
+        sense(up, shake);
+    }
+}
+
+static void freeze(double seconds)
+{
+    const int32_t raw[3] = {b.last[0], b.last[1], b.last[2]};
+
+    for (long i = 0; i < (long)(seconds * b.rate); i++) {
+        push(raw);
+    }
+}
+
+/* Six rests, with moves before and behind. */
+static void six_rests(double seconds)
+{
+    turn(5, 0, 2);
+    for (unsigned k = 0; k < 6; k++) {
+        hold(k, seconds);
+        turn(k, (k + 1) % 6, 1);
+    }
+    end_of_stream();
+}
+
+/* Position i lies in the true rest i, and uses most of it. */
+static void check_windows(unsigned count, double lost)
+{
+    TEST_ASSERT_EQUAL_UINT(count, b.taken);
+    TEST_ASSERT_EQUAL_UINT(count, b.rests);
+    for (unsigned i = 0; i < count; i++) {
+        const invcal_rest *r = &b.rest[i];
+        TEST_ASSERT_TRUE((long)r->begin >= b.truth[i].begin);
+        TEST_ASSERT_TRUE((long)r->end <= b.truth[i].end);
+        TEST_ASSERT_TRUE(r->count <= r->end - r->begin);
+        TEST_ASSERT_TRUE((double)r->count >=
+                         (double)(b.truth[i].end - b.truth[i].begin) - lost * b.rate);
+    }
+}
+
+/* ---- finding ---------------------------------------------------------------------------------- */
+
+static void rests_are_found_from_10_hz_to_8_khz(void)
+{
+    static const double rates[] = {10,  12.5, 20,  26,   32,   50,   100, 104,
+                                   200, 400,  833, 1000, 1600, 3200, 8000};
+
+    for (unsigned r = 0; r < 15; r++) {
+        setup(rates[r], 16384, 2e-3);
+        six_rests(rates[r] < 32 ? 6 : 2.5);
+        check_windows(6, rates[r] < 32 ? 4.6 : 1.2);
+        TEST_ASSERT_EQUAL_UINT(6, b.ready);
+    }
+}
+
+static void rests_of_two_seconds_at_either_end_of_a_stream_count(void)
+{
+    setup(100, 16384, 1e-3);
+    for (unsigned k = 0; k < 6; k++) {
+        hold(k, 2);
+        if (k < 5) {
+            turn(k, k + 1, 0.5);
+        }
+    }
+    end_of_stream();
+    check_windows(6, 1.2);
+}
+
+/* Noise, resolution, rate, rests and moves at random; in every second stream each rest is knocked
+ * once. */
+static void random_streams_give_all_their_rests_and_nothing_else(void)
+{
+    static const double rates[] = {50, 100, 200, 400};
+
+    for (uint32_t seed = 0; seed < 40; seed++) {
+        random_source random = random_start(1000 + seed);
+        const double noise = 2e-4 * pow(25, random_uniform(&random, 0, 1));
+        const double counts = 512 * pow(64, random_uniform(&random, 0, 1));
+        unsigned at = 0;
+        setup(rates[seed % 4], counts, noise);
+        b.random = random_start(seed);
+        for (unsigned k = 0; k < 15; k++) {
+            const unsigned next = (at + 1 + (unsigned)random_uniform(&random, 0, 4.99)) % 6;
+            hold(at, random_uniform(&random, 1.3, 3));
+            if (seed % 2) {
+                knock(at);
+            }
+            keep(at, random_uniform(&random, 1.3, 2));
+            turn(at, next, random_uniform(&random, 0.5, 2));
+            at = next;
+        }
+        end_of_stream();
+        check_windows(15, seed % 2 ? 3 : 1.2);
+        /* One that has never changed is dismissed as frozen until the motion behind it. */
+        TEST_ASSERT_EQUAL_UINT(15, b.ready + b.refused[INVCAL_REST_FROZEN]);
+        TEST_ASSERT_TRUE(b.ready >= 14);
+    }
+}
+
+/* 60 minutes in all about a horizontal axis that never stops; noise up to 1 mg. */
+static void a_turntable_never_rests(void)
+{
+    static const double rates[] = {100, 200, 400};
+
+    for (uint32_t seed = 0; seed < 20; seed++) {
+        random_source random = random_start(seed);
+        const double speed = 0.3 * pow(10, random_uniform(&random, 0, 1)) * 3.14159265 / 180;
+        double m[3][3];
+        random_rotation(&random, m);
+        setup(rates[seed % 3], 2000 * pow(8, random_uniform(&random, 0, 1)),
+              seed % 2 ? 1e-3 : 2e-5 * pow(50, random_uniform(&random, 0, 1)));
+        b.random = random;
+        for (long i = 0; i < (long)(180 * b.rate); i++) {
+            const double c = cos(speed * (double)i / b.rate);
+            const double s = sin(speed * (double)i / b.rate);
+            const double up[3] = {c * m[0][0] + s * m[1][0], c * m[0][1] + s * m[1][1],
+                                  c * m[0][2] + s * m[1][2]};
+            sense(up, none);
+        }
+        end_of_stream();
+        TEST_ASSERT_EQUAL_UINT(0, b.taken);
+        TEST_ASSERT_EQUAL_UINT(0, b.ready);
+        TEST_ASSERT_TRUE(b.refused[INVCAL_REST_DRIFT] > 0);
+    }
+}
+
+static void motion_without_a_rest_gives_nothing(void)
+{
+    setup(100, 16384, 1e-3);
+    for (unsigned k = 0; k < 200; k++) {
+        turn(k % 6, (k + 1) % 6, 0.5 + 0.007 * k);
+    }
+    end_of_stream();
+    TEST_ASSERT_EQUAL_UINT(0, b.taken);
+    TEST_ASSERT_EQUAL_UINT(0, b.ready);
+}
+
+static void a_swinging_device_does_not_rest(void)
+{
+    setup(100, 16384, 1e-3);
+    hold(0, 3);
+    turn(0, 1, 1);
+    for (long i = 0; i < 6000; i++) {
+        const double swing[3] = {0, 0.1 * sin(0.02 * 6.2832 * (double)i), 0};
+        sense(face[1], swing);
+    }
+    end_of_stream();
+    check_windows(1, 1.2);
+}
+
+/* ---- what is summed --------------------------------------------------------------------------- */
+
+/* The same stream twice: the second time the samples of one window are summed here. */
+static void sums_are_exact(void)
+{
+    static const double counts[] = {128, 16384, 134217728.0, 2147483000.0};
+
+    for (unsigned c = 0; c < 4; c++) {
+        const double noise = fmin(1e-3, 5e4 / counts[c]);
+        setup(100, counts[c], noise);
+        hold(1, 4);
+        turn(1, 3, 1);
+        hold(3, 3);
+        end_of_stream();
+        check_windows(2, 1.2);
+        for (unsigned w = 0; w < 2; w++) {
+            const invcal_rest rest = b.rest[w];
+            int64_t sum[3] = {0};
+            setup(100, counts[c], noise);
+            for (long i = 0; i < (long)rest.end; i++) { /* the rests only differ by the face */
+                const int first = i < 400;
+                if (first || i >= 500) {
+                    sense(face[first ? 1 : 3], none);
+                } else if (i == 400) {
+                    turn(1, 3, 1);
+                }
+                for (unsigned a = 0; a < 3 && i >= (long)rest.begin; a++) {
+                    sum[a] += b.last[a];
+                }
+            }
+            TEST_ASSERT_EQUAL_UINT32(rest.end - rest.begin, rest.count);
+            for (unsigned a = 0; a < 3; a++) {
+                TEST_ASSERT_EQUAL_INT64(sum[a], rest.sum[a]);
+            }
+        }
+    }
+}
+
+static void variance_is_that_of_one_sample(void)
+{
+    setup(400, 16384, 1e-3);
+    hold(1, 20);
+    turn(1, 2, 1);
+    const double sigma = 1e-3 * 16384;
+    TEST_ASSERT_EQUAL_UINT(1, b.taken);
+    TEST_ASSERT_DOUBLE_WITHIN(0.02 * sigma * sigma, sigma * sigma, (double)b.rest[0].variance);
+}
+
+static void means_hold_all_bits_there_are(void)
+{
+    static const struct {
+        int64_t sum;
+        uint32_t count;
+    } row[] = {{0, 7},
+               {1, 3},
+               {-1, 3},
+               {INT64_C(33102) * 777 + 1, 777},
+               {-(INT64_C(1) << 31) * 65535000, 65535000},
+               {((INT64_C(1) << 31) - 1) * 65535000, 65535000},
+               {((INT64_C(1) << 23) - 1) * 4294967295 + 2147483647, 4294967295u},
+               {INT64_C(1000000007) * 333333 - 1, 333333}};
+
+    for (unsigned i = 0; i < 8; i++) {
+        const invcal_rest rest = {{row[i].sum, -row[i].sum, 0}, row[i].count, 0, 0, 0};
+        invcal_real mean[3];
+        const int64_t q = row[i].sum / row[i].count;
+        const double exact =
+            (double)q + (double)(row[i].sum - q * row[i].count) / (double)row[i].count;
+        invcal_rest_mean(&rest, mean);
+        TEST_ASSERT_DOUBLE_WITHIN(FLOAT_OR_DOUBLE(6.1e-8, 1.2e-16) * fabs(exact), exact,
+                                  (double)mean[0]);
+        TEST_ASSERT_DOUBLE_WITHIN(FLOAT_OR_DOUBLE(6.1e-8, 1.2e-16) * fabs(exact), -exact,
+                                  (double)mean[1]);
+        TEST_ASSERT_TRUE(mean[2] == 0);
+    }
+    const invcal_rest empty = {{5, 5, 5}, 0, 0, 0, 0};
+    invcal_real mean[3] = {1, 1, 1};
+    invcal_rest_mean(&empty, mean);
+    TEST_ASSERT_TRUE(mean[0] == 0 && mean[1] == 0 && mean[2] == 0);
+}
+
+/* ---- what must not matter ------------------------------------------------------------------- */
+
+static void record(int32_t scale, int32_t shift, unsigned order, bench *out)
+{
+    setup(100, 4096, 1.5e-3);
+    b.scale = scale;
+    b.order = order;
+    for (unsigned a = 0; a < 3; a++) {
+        b.shift[a] = shift * ((int32_t)a + 1);
+    }
+    turn(5, 0, 1);
+    for (unsigned k = 0; k < 6; k++) {
+        hold(k, 2);
+        knock(k);
+        keep(k, 1 + 0.3 * k);
+        turn(k, (k + 1) % 6, 1);
+    }
+    end_of_stream();
+    check_windows(6, 2.5);
+    *out = b;
+}
+
+static void check_same(const bench *one, const bench *two, int exactly)
+{
+    TEST_ASSERT_EQUAL_UINT(one->taken, two->taken);
+    if (exactly) {
+        TEST_ASSERT_EQUAL_UINT32(one->events, two->events);
+    }
+    for (unsigned i = 0; i < one->taken; i++) {
+        const invcal_rest *p = &one->rest[i];
+        const invcal_rest *q = &two->rest[i];
+        TEST_ASSERT_EQUAL_UINT32(p->begin, q->begin);
+        TEST_ASSERT_EQUAL_UINT32(p->end, q->end);
+        TEST_ASSERT_EQUAL_UINT32(p->count, q->count);
+        for (unsigned a = 0; a < 3; a++) {
+            const unsigned axis = (a + two->order) % 3;
+            const int64_t from = (int64_t)one->shift[axis] * p->count;
+            const int64_t moved = q->sum[a] - (int64_t)two->shift[a] * q->count;
+            TEST_ASSERT_EQUAL_INT64((p->sum[axis] - from) * two->scale, moved);
+        }
+    }
+}
+
+static void unit_offset_and_order_of_the_axes_do_not_matter(void)
+{
+    static const struct {
+        int32_t scale;
+        int32_t shift;
+        unsigned order;
+        int exactly;
+    } row[] = {{2, 0, 0, 1}, {64, 0, 0, 1},       {128, 0, 0, 1},        {1000, 0, 0, 0},
+               {3, 0, 0, 0}, {1, 12345678, 0, 1}, {1, -700000000, 0, 1}, {1, 0, 1, 0},
+               {1, 0, 2, 0}, {-1, 0, 0, 1},       {1000, -77777, 2, 0}};
+    static bench plain;
+    static bench other;
+
+    record(1, 0, 0, &plain);
+    for (unsigned i = 0; i < 11; i++) {
+        record(row[i].scale, row[i].shift, row[i].order, &other);
+        check_same(&plain, &other, row[i].exactly);
+    }
+}
+
+static void a_copy_of_the_state_goes_on_alike(void)
+{
+    static bench half;
+    invcal_rests copy;
+
+    setup(100, 4096, 1.5e-3);
+    hold(1, 3);
+    turn(1, 2, 0.7);
+    hold(2, 1.13);
+    memcpy(&copy, &b.detector, sizeof copy);
+    half = b;
+    keep(2, 2);
+    turn(2, 3, 1);
+    const uint32_t events = b.events;
+    const invcal_rest last = b.rest[b.taken - 1];
+    TEST_ASSERT_EQUAL_UINT(2, b.taken);
+    b = half;
+    memset(&b.detector, 0x5A, sizeof b.detector);
+    memcpy(&b.detector, &copy, sizeof copy);
+    keep(2, 2);
+    turn(2, 3, 1);
+    TEST_ASSERT_EQUAL_UINT32(events, b.events);
+    TEST_ASSERT_EQUAL_INT64(last.sum[0], b.rest[1].sum[0]);
+    TEST_ASSERT_EQUAL_UINT32(last.end, b.rest[1].end);
+}
+
+/* ---- rests that are no positions ------------------------------------------------------------- */
+
+static unsigned all_refused(void)
+{
+    unsigned n = 0;
+
+    for (unsigned i = 0; i < INVCAL_STATUS_COUNT; i++) {
+        n += b.refused[i];
+    }
+    return n;
+}
+
+/* Holds what creeps along x at 4 mg/s, 0.2 degrees/s, from one second to another. */
+static void creep(unsigned k, double from, double to)
+{
+    for (double t = from; t < to; t += 1 / b.rate) {
+        const double a[3] = {0.004 * t, 0, 0};
+        sense(face[k], a);
+    }
+}
+
+static void a_slow_turn_is_refused_for_drift_while_it_lasts(void)
+{
+    setup(100, 16384, 5e-4);
+    hold(0, 3);
+    turn(0, 1, 1);
+    hold(1, 3);
+    turn(1, 2, 1);
+    creep(2, 0, 2);
+    TEST_ASSERT_EQUAL_UINT(0, all_refused());
+    creep(2, 2, 4);
+    TEST_ASSERT_EQUAL_UINT(1, b.refused[INVCAL_REST_DRIFT]);
+    creep(2, 4, 12);
+    TEST_ASSERT_TRUE(b.refused[INVCAL_REST_DRIFT] >= 2);
+    turn(2, 3, 1);
+    hold(3, 3);
+    end_of_stream();
+    check_windows(3, 1.2);
+    TEST_ASSERT_EQUAL_UINT(3, b.ready);
+    TEST_ASSERT_EQUAL_UINT(b.refused[INVCAL_REST_DRIFT], all_refused());
+}
+
+static void a_sensor_that_warms_up_does_rest(void)
+{
+    static const double noises[] = {5e-4, 5e-5, 2e-5};
+
+    for (unsigned n = 0; n < 3; n++) {
+        for (int sign = -1; sign <= 1; sign += 2) {
+            setup(100, n == 2 ? 131072 : 16384, noises[n]);
+            b.drift = sign * 2e-4;
+            six_rests(5);
+            check_windows(6, 1.2);
+        }
+    }
+}
+
+/* 54 mg in all: the rest is expected where its trend leads. */
+static void a_warming_sensor_may_rest_for_minutes_at_first(void)
+{
+    setup(100, 16384, 2e-4);
+    b.drift = 3e-4;
+    hold(1, 180);
+    turn(1, 2, 1);
+    hold(2, 3);
+    turn(2, 3, 1);
+    check_windows(2, 1.2);
+    TEST_ASSERT_EQUAL_UINT(0, all_refused());
+}
+
+/* The events of so many seconds of shaking, and nothing before them. */
+static void shake(double seconds)
+{
+    memset(b.seen, 0, sizeof b.seen);
+    for (long i = 0; i < (long)(seconds * b.rate); i++) {
+        const double t = (double)i / b.rate;
+        const double a[3] = {t * sin(90 * t), (0.5 + t) * cos(7 * t), 0};
+        sense(face[1], a);
+    }
+}
+
+/* Six blocks a second: motion, also where a rest is disturbed for a moment, and goes on. */
+static void what_is_shaken_is_moving_and_does_not_settle(void)
+{
+    setup(100, 16384, 5e-4);
+    hold(1, 3);
+    shake(0.3);
+    TEST_ASSERT_TRUE(b.seen[INVCAL_MOVING] >= 1 && b.seen[INVCAL_MOVING] <= 2);
+    TEST_ASSERT_EQUAL_UINT(0, b.seen[INVCAL_SETTLING] + b.taken);
+    keep(1, 2);
+    shake(2);
+    TEST_ASSERT_EQUAL_UINT(1, b.seen[INVCAL_TAKEN]);
+    shake(1);
+    TEST_ASSERT_TRUE(b.seen[INVCAL_MOVING] >= 6);
+    TEST_ASSERT_EQUAL_UINT(0, b.seen[INVCAL_SETTLING]);
+}
+
+/* Three rests of a sensor of 100 counts/g, in units of a tenth of a count; from the second second of
+ * the middle one on it is moved by some counts, for a while. */
+static void rest_moved_by(double x, double y, double seconds)
+{
+    const double a[3] = {x / 100, y / 100, 0};
+
+    setup(100, 100, 2e-3);
+    b.scale = 10;
+    hold(0, 3);
+    turn(0, 1, 1);
+    hold(1, 2);
+    for (long i = 0; i < (long)(seconds * b.rate); i++) {
+        sense(face[1], a);
+    }
+    keep(1, 2);
+    turn(1, 2, 1);
+    hold(2, 3);
+    end_of_stream();
+}
+
+/* One count on two axes is near; three counts on one are not, but no blow either, and pass if they
+ * last no longer than a hand's unrest. */
+static void a_few_counts_for_a_while_do_not_end_a_rest(void)
+{
+    rest_moved_by(1, 1, 2);
+    check_windows(3, 1.2);
+    TEST_ASSERT_EQUAL_UINT(0, all_refused());
+    rest_moved_by(3, 0, 0.3);
+    check_windows(3, 1.3);
+    TEST_ASSERT_EQUAL_UINT(0, all_refused());
+}
+
+static void a_rest_at_a_rail_is_refused_as_clipped(void)
+{
+    setup_rails(100, 1000, 1e-3, -650, 650);
+    hold(2, 3); /* -0.8 g on x */
+    turn(2, 5, 1);
+    hold(5, 3); /* 0.7 g on y */
+    turn(5, 1, 1);
+    hold(1, 3); /* 0.8 g on y */
+    end_of_stream();
+    TEST_ASSERT_EQUAL_UINT(0, b.taken);
+    TEST_ASSERT_EQUAL_UINT(3, b.refused[INVCAL_REST_CLIPPED]);
+    TEST_ASSERT_EQUAL_UINT(3, all_refused());
+    setup_rails(100, 1000, 1e-3, -900, 900); /* now it fits */
+    hold(2, 3);
+    turn(2, 5, 1);
+    hold(5, 3);
+    turn(5, 1, 1);
+    hold(1, 3);
+    end_of_stream();
+    check_windows(3, 1.2);
+}
+
+static void the_ends_of_int32_clip_where_no_rails_are_given(void)
+{
+    setup(100, 2147483000.0, 1e-5);
+    hold(0, 3); /* 1 g: at the end */
+    turn(0, 1, 1);
+    hold(1, 3);
+    end_of_stream();
+    TEST_ASSERT_EQUAL_UINT(1, b.taken);
+    TEST_ASSERT_EQUAL_UINT(1, b.refused[INVCAL_REST_CLIPPED]);
+}
+
+static void a_sensor_that_never_speaks_is_frozen_and_says_so_once(void)
+{
+    static const int32_t dead[2][3] = {{0, 0, 0}, {100, 200, 16000}};
+
+    for (unsigned k = 0; k < 2; k++) {
+        setup(100, 16384, 1e-3);
+        for (unsigned i = 0; i < 3000; i++) {
+            push(dead[k]);
+        }
+        end_of_stream();
+        TEST_ASSERT_EQUAL_UINT(0, b.taken);
+        TEST_ASSERT_EQUAL_UINT(0, b.ready);
+        TEST_ASSERT_EQUAL_UINT(1, b.refused[INVCAL_REST_FROZEN]);
+        TEST_ASSERT_EQUAL_UINT(1, all_refused());
+    }
+}
+
+/* Its noise would be some counts, and it has none: not read, or at a rail that nobody stated. */
+static void an_axis_that_stands_still_amid_noise_is_refused_as_frozen(void)
+{
+    for (unsigned axis = 1; axis <= 3; axis++) {
+        setup(100, 16384, 3e-4); /* 5 counts */
+        b.stuck = axis;
+        six_rests(3);
+        TEST_ASSERT_EQUAL_UINT(0, b.taken);
+        TEST_ASSERT_EQUAL_UINT(6, b.refused[INVCAL_REST_FROZEN]);
+        TEST_ASSERT_EQUAL_UINT(6, all_refused());
+    }
+}
+
+/* A noise of 3 counts on each of two axes: 18 of 27. A third that has none may be one whose noise is
+ * a tenth of a count. */
+static void where_there_is_little_noise_an_axis_may_stand_still(void)
+{
+    for (int32_t scale = 1; scale <= 64; scale += 63) { /* counts in steps of 64: likewise */
+        setup(100, 16384, 1.83e-4);
+        b.stuck = 2;
+        b.scale = scale;
+        six_rests(3);
+        check_windows(6, 1.6);
+        TEST_ASSERT_EQUAL_UINT(0, all_refused());
+    }
+}
+
+static void zeros_at_power_up_do_no_harm(void)
+{
+    setup(100, 16384, 1e-3);
+    freeze(3);
+    six_rests(3);
+    check_windows(6, 1.6);
+    TEST_ASSERT_EQUAL_UINT(1, b.refused[INVCAL_REST_FROZEN]);
+}
+
+static void a_sensor_that_freezes_in_motion_gives_no_rest(void)
+{
+    setup(100, 16384, 1e-3);
+    hold(0, 3);
+    turn(0, 1, 1);
+    hold(1, 3);
+    turn(1, 2, 0.5);
+    freeze(6);
+    turn(2, 3, 1);
+    hold(3, 3);
+    end_of_stream();
+    check_windows(3, 1.2);
+    TEST_ASSERT_EQUAL_UINT(1, b.refused[INVCAL_REST_FROZEN]);
+}
+
+static void a_sensor_that_freezes_in_a_rest_ends_it(void)
+{
+    setup(100, 16384, 1e-3);
+    hold(0, 3);
+    turn(0, 1, 1);
+    hold(1, 3);
+    freeze(6);
+    turn(1, 3, 1);
+    hold(3, 3);
+    end_of_stream();
+    check_windows(3, 1.2);
+    TEST_ASSERT_EQUAL_UINT(1, b.refused[INVCAL_REST_FROZEN]);
+}
+
+static void lost_samples_do_not_end_a_rest_that_goes_on(void)
+{
+    setup(100, 16384, 1e-3);
+    hold(0, 3);
+    invcal_rests_gap(&b.detector);
+    keep(0, 3);
+    turn(0, 1, 1);
+    hold(1, 3);
+    end_of_stream();
+    check_windows(2, 2);
+    TEST_ASSERT_TRUE(b.rest[0].end - b.rest[0].begin > 480);
+    TEST_ASSERT_EQUAL_UINT(2, b.ready);
+}
+
+static void lost_samples_may_hide_a_motion(void)
+{
+    setup(100, 16384, 1e-3);
+    for (unsigned k = 0; k < 5; k++) {
+        hold(k, 3);
+        invcal_rests_gap(&b.detector);
+    }
+    end_of_stream();
+    check_windows(5, 1.4);
+}
+
+static void a_rest_cut_short_by_lost_samples_is_refused_for_the_gap(void)
+{
+    setup(100, 16384, 1e-3);
+    hold(0, 3);
+    turn(0, 1, 1);
+    hold(1, 1.3);
+    TEST_ASSERT_EQUAL_UINT(1, b.ready);
+    invcal_rests_gap(&b.detector);
+    turn(1, 2, 1);
+    hold(2, 3);
+    end_of_stream();
+    TEST_ASSERT_EQUAL_UINT(2, b.taken);
+    TEST_ASSERT_EQUAL_UINT(1, b.refused[INVCAL_REST_GAP]);
+    TEST_ASSERT_EQUAL_UINT(1, all_refused());
+}
+
+static void a_short_rest_is_refused_as_short(void)
+{
+    setup(100, 16384, 1e-3);
+    hold(0, 3);
+    turn(0, 1, 1);
+    hold(1, 1.25);
+    turn(1, 2, 1);
+    hold(2, 3);
+    end_of_stream();
+    TEST_ASSERT_EQUAL_UINT(2, b.taken);
+    TEST_ASSERT_EQUAL_UINT(1, b.refused[INVCAL_REST_SHORT]);
+    TEST_ASSERT_EQUAL_UINT(1, all_refused());
+}
+
+static void the_same_place_again_is_refused_once(void)
+{
+    setup(100, 16384, 1e-3);
+    hold(0, 3);
+    turn(0, 1, 0.6);
+    turn(1, 0, 0.6);
+    hold(0, 5);
+    TEST_ASSERT_EQUAL_UINT(99, b.progress);
+    turn(0, 2, 1);
+    hold(2, 3);
+    end_of_stream();
+    TEST_ASSERT_EQUAL_UINT(2, b.taken);
+    TEST_ASSERT_EQUAL_UINT(2, b.ready);
+    TEST_ASSERT_EQUAL_UINT(1, b.refused[INVCAL_REST_SAME]);
+    TEST_ASSERT_EQUAL_UINT(1, all_refused());
+}
+
+/* ---- rests that are positions all the same ---------------------------------------------------- */
+
+static void a_knock_is_left_out_of_the_rest(void)
+{
+    setup(100, 16384, 1e-3);
+    hold(1, 2);
+    knock(1);
+    keep(1, 2);
+    turn(1, 2, 1);
+    hold(2, 3);
+    end_of_stream();
+    check_windows(2, 2.2);
+    TEST_ASSERT_TRUE(b.rest[0].count < b.rest[0].end - b.rest[0].begin);
+    TEST_ASSERT_TRUE(b.rest[0].end > 350);
+    for (unsigned a = 0; a < 3; a++) {
+        TEST_ASSERT_DOUBLE_WITHIN(5e-4, face[1][a],
+                                  (double)b.rest[0].sum[a] / b.rest[0].count / 16384);
+    }
+}
+
+static void counts_larger_than_the_noise_are_no_obstacle(void)
+{
+    setup(100, 128, 1e-3); /* 7.8 mg: most rests read the same all the time */
+    for (unsigned k = 1; k < 6; k++) {
+        hold(k, 4);
+        turn(k, (k + 1) % 6, 1);
+    }
+    end_of_stream();
+    check_windows(5, 1.4);
+    setup(100, 128, 1e-4);
+    hold(1, 20);
+    turn(1, 2, 1);
+    hold(2, 20);
+    end_of_stream();
+    check_windows(2, 1.4);
+}
+
+/* One count on each axis in the midst of a rest without noise: temperature, no motion. */
+static void readings_that_toggle_by_one_count_are_one_rest(void)
+{
+    setup(100, 128, 1e-5);
+    hold(1, 3);
+    turn(1, 2, 1);
+    hold(2, 3);
+    turn(2, 3, 1);
+    b.truth[b.rests].begin = b.samples;
+    for (unsigned i = 0; i < 600; i++) {
+        const int32_t up = i >= 300;
+        const int32_t raw[3] = {10 + up, -70 - up, 90 + up};
+        push(raw);
+    }
+    b.truth[b.rests++].end = b.samples;
+    turn(3, 4, 1);
+    hold(4, 3);
+    end_of_stream();
+    check_windows(4, 1.3);
+}
+
+static void a_stream_that_begins_in_motion_learns_soon(void)
+{
+    static const double rates[] = {50, 100, 400};
+
+    for (unsigned r = 0; r < 3; r++) {
+        setup(rates[r], 16384, 5e-4);
+        for (double t = 0; t < 1; t += 1 / b.rate) {
+            const double shake[3] = {0.5 * sin(9 * t), 0.5 * sin(1 + 7 * t), 0.3 * sin(5 * t)};
+            sense(face[0], shake);
+        }
+        for (unsigned k = 1; k < 6; k++) {
+            hold(k, 3);
+            turn(k, (k + 1) % 6, 1);
+        }
+        end_of_stream();
+        check_windows(5, 1.8);
+    }
+}
+
+static void two_minutes_of_rest_are_one_position(void)
+{
+    setup(100, 16384, 1e-3);
+    hold(1, 120);
+    TEST_ASSERT_EQUAL_UINT(100, b.progress);
+    turn(1, 2, 1);
+    hold(2, 3);
+    end_of_stream();
+    check_windows(2, 1.2);
+    TEST_ASSERT_EQUAL_UINT(2, b.ready);
+}
+
+static void a_fan_switched_on_is_a_new_noise_level(void)
+{
+    setup(100, 16384, 3e-4);
+    hold(0, 3);
+    turn(0, 1, 1);
+    hold(1, 3);
+    turn(1, 2, 1);
+    b.noise = 3e-3;
+    for (unsigned k = 2; k < 6; k++) {
+        hold(k, 4);
+        turn(k, (k + 1) % 6, 1);
+    }
+    end_of_stream();
+    check_windows(6, 2);
+    b.noise = 3e-4; /* and off again */
+    for (unsigned k = 1; k < 6; k++) {
+        hold(k, 4);
+        turn(k, (k + 1) % 6, 1);
+    }
+    check_windows(11, 2);
+}
+
+/* ---- what is told meanwhile ------------------------------------------------------------------- */
+
+static void progress_rises_to_100_at_ready_and_falls_with_motion(void)
+{
+    unsigned before = 0;
+
+    setup(100, 16384, 1e-3);
+    for (unsigned i = 0; i < 300; i++) {
+        sense(face[1], none);
+        TEST_ASSERT_TRUE(b.progress >= before);
+        TEST_ASSERT_EQUAL_INT(b.ready > 0, b.progress == 100);
+        before = b.progress;
+    }
+    TEST_ASSERT_EQUAL_UINT(100, before);
+    turn(1, 2, 1);
+    TEST_ASSERT_EQUAL_UINT(1, b.taken);
+    TEST_ASSERT_TRUE(b.progress < 100);
+    turn(2, 3, 1);
+    TEST_ASSERT_EQUAL_UINT(0, b.progress);
+}
+
+static void the_position_in_the_making_can_be_read_from_ready_on(void)
+{
+    uint32_t count = 0;
+
+    setup(100, 16384, 1e-3);
+    for (unsigned i = 0; i < 600; i++) {
+        invcal_rest rest;
+        memset(&rest, 0, sizeof rest);
+        sense(face[1], none);
+        TEST_ASSERT_EQUAL_INT(b.ready > 0, invcal_rests_get(&b.detector, &rest));
+        TEST_ASSERT_TRUE(rest.count >= count);
+        count = rest.count;
+        TEST_ASSERT_EQUAL_UINT32(count, rest.end - rest.begin);
+        TEST_ASSERT_EQUAL_INT(b.ready > 0, count > 0);
+    }
+    invcal_rest rest;
+    TEST_ASSERT_EQUAL_INT(1, invcal_rests_get(&b.detector, &rest));
+    end_of_stream();
+    TEST_ASSERT_EQUAL_UINT(1, b.taken);
+    TEST_ASSERT_EQUAL_UINT32(rest.count, b.rest[0].count);
+    TEST_ASSERT_EQUAL_INT64(rest.sum[1], b.rest[0].sum[1]);
+    TEST_ASSERT_EQUAL_UINT32(rest.begin, b.rest[0].begin);
+    TEST_ASSERT_EQUAL_UINT32(rest.end, b.rest[0].end);
+    TEST_ASSERT_TRUE(rest.variance == b.rest[0].variance);
+    TEST_ASSERT_EQUAL_INT(1, invcal_rests_get(&b.detector, &rest)); /* until the next sample */
+    sense(face[1], none);
+    TEST_ASSERT_EQUAL_INT(0, invcal_rests_get(&b.detector, &rest));
+}
+
+static void finish_answers_in_every_state(void)
+{
+    setup(100, 16384, 1e-3);
+    TEST_ASSERT_EQUAL_INT(INVCAL_MOVING, invcal_rests_finish(&b.detector));
+    hold(0, 0.3);
+    TEST_ASSERT_EQUAL_INT(INVCAL_MOVING, invcal_rests_finish(&b.detector));
+    setup(100, 16384, 1e-3);
+    hold(0, 1.2); /* not enough, but not nothing */
+    TEST_ASSERT_EQUAL_UINT(0, b.ready);
+    TEST_ASSERT_EQUAL_INT(INVCAL_REFUSED, invcal_rests_finish(&b.detector));
+    TEST_ASSERT_EQUAL_INT(INVCAL_REST_SHORT, invcal_rests_reason(&b.detector));
+    hold(0, 3);
+    TEST_ASSERT_EQUAL_UINT(1, b.ready);
+    TEST_ASSERT_EQUAL_INT(INVCAL_TAKEN, invcal_rests_finish(&b.detector));
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_rests_reason(&b.detector));
+    TEST_ASSERT_EQUAL_INT(INVCAL_MOVING, invcal_rests_finish(&b.detector));
+    b.ready_before = 0;
+    turn(0, 1, 1);
+    TEST_ASSERT_EQUAL_INT(INVCAL_MOVING, invcal_rests_finish(&b.detector));
+    hold(1, 3); /* the stream may go on */
+    sense(face[1], none);
+    sense(face[1], none);
+    TEST_ASSERT_EQUAL_INT(INVCAL_TAKEN, invcal_rests_finish(&b.detector));
+    for (unsigned i = 1; i <= 16; i++) { /* with a block of its own, of 16 samples */
+        const invcal_event event = invcal_rests_feed(&b.detector, b.last);
+        TEST_ASSERT_EQUAL_INT(i == 16, event != INVCAL_NOTHING);
+    }
+}
+
+/* ---- settings and hostile streams ------------------------------------------------------------- */
+
+static void init_refuses_rates_and_rails_out_of_range(void)
+{
+    static const unsigned rates[] = {0, 1, 7, 8001, 32768, 65535};
+    invcal_rests detector;
+    invcal_rests before;
+
+    memset(&detector, 0x5A, sizeof detector);
+    memcpy(&before, &detector, sizeof before);
+    for (unsigned i = 0; i < 6; i++) {
+        TEST_ASSERT_EQUAL_INT(INVCAL_BAD_RATE, invcal_rests_init(&detector, rates[i]));
+    }
+    TEST_ASSERT_TRUE(memcmp(&before, &detector, sizeof detector) == 0);
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_rests_init(&detector, 8));
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_rests_init(&detector, 8000));
+    TEST_ASSERT_EQUAL_UINT(0, invcal_rests_progress(&detector));
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_rests_reason(&detector));
+    memcpy(&before, &detector, sizeof before);
+    TEST_ASSERT_EQUAL_INT(INVCAL_BAD_RAILS, invcal_rests_rails(&detector, 9, 9));
+    TEST_ASSERT_EQUAL_INT(INVCAL_BAD_RAILS, invcal_rests_rails(&detector, 9, -9));
+    TEST_ASSERT_EQUAL_INT(INVCAL_BAD_RAILS, invcal_rests_rails(&detector, 0, 0));
+    TEST_ASSERT_EQUAL_INT(INVCAL_BAD_RAILS, invcal_rests_rails(&detector, INT32_MAX, INT32_MIN));
+    TEST_ASSERT_TRUE(memcmp(&before, &detector, sizeof detector) == 0);
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_rests_rails(&detector, INT32_MIN, INT32_MAX));
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_rests_rails(&detector, 0, 1));
+}
+
+static void random_bits_and_alternating_extremes_are_no_rest(void)
+{
+    for (unsigned kind = 0; kind < 3; kind++) {
+        setup(kind == 2 ? 8000 : 100, 1, 0);
+        for (uint32_t i = 0; i < 100000; i++) {
+            int32_t raw[3];
+            for (unsigned a = 0; a < 3; a++) {
+                const int32_t end = (i + (kind == 2 ? a : 0)) & 1 ? INT32_MAX : INT32_MIN;
+                raw[a] = kind ? end : whole(random_uniform(&b.random, -2147483648.0, 2147483647.0));
+            }
+            push(raw);
+        }
+        end_of_stream();
+        TEST_ASSERT_EQUAL_UINT(0, b.taken);
+        TEST_ASSERT_EQUAL_UINT(0, b.ready);
+    }
+}
+
+/* The sensor jumps between ends and rests, with noise of one count, anywhere in int32. */
+static void jumps_through_all_of_int32_overflow_nothing(void)
+{
+    static const int32_t at[] = {INT32_MIN + 40, INT32_MAX - 40, 0, -1000000000, 2000000000, 5};
+
+    setup(200, 1, 0);
+    for (unsigned k = 0; k < 6; k++) {
+        b.truth[b.rests].begin = b.samples;
+        for (unsigned i = 0; i < 600; i++) {
+            int32_t raw[3];
+            for (unsigned a = 0; a < 3; a++) {
+                raw[a] = at[(k + a) % 6] + (int32_t)random_uniform(&b.random, -9, 9);
+            }
+            push(raw);
+        }
+        b.truth[b.rests++].end = b.samples;
+    }
+    end_of_stream();
+    check_windows(6, 1.5);
+}
+
+static void ten_million_equal_samples_and_life_after(void)
+{
+    const int32_t raw[3] = {100, 200, 16000};
+
+    setup(100, 16384, 1e-3);
+    for (unsigned long i = 0; i < 10000000; i++) {
+        note(invcal_rests_feed(&b.detector, raw));
+    }
+    TEST_ASSERT_EQUAL_UINT(1, b.refused[INVCAL_REST_FROZEN]);
+    TEST_ASSERT_EQUAL_UINT(0, b.taken);
+    turn(5, 1, 1);
+    for (unsigned k = 1; k < 5; k++) {
+        hold(k, 3);
+        turn(k, k + 1, 1);
+    }
+    TEST_ASSERT_TRUE(b.taken >= 4);
+    TEST_ASSERT_TRUE((long)b.rest[b.taken - 1].begin - 10000000 >= b.truth[3].begin);
+}
+
+/* At 8 Hz a block has 4 samples: 65535 blocks are soon full. */
+static void a_rest_stops_growing_before_its_counters_overflow(void)
+{
+    setup(8, 16384, 1e-3);
+    hold(1, 33000);
+    invcal_rest rest;
+    TEST_ASSERT_EQUAL_INT(1, invcal_rests_get(&b.detector, &rest));
+    TEST_ASSERT_EQUAL_UINT32(65535u * 4, rest.count);
+    keep(1, 100);
+    end_of_stream();
+    TEST_ASSERT_EQUAL_UINT(1, b.taken);
+    TEST_ASSERT_EQUAL_UINT32(rest.count, b.rest[0].count);
+    for (unsigned a = 0; a < 3; a++) {
+        TEST_ASSERT_EQUAL_INT64(rest.sum[a], b.rest[0].sum[a]);
+        TEST_ASSERT_DOUBLE_WITHIN(1e-5, face[1][a], (double)rest.sum[a] / rest.count / 16384);
+    }
+}
+
+/* After 2^32 samples, a week at 8 kHz, indices begin again; nothing else depends on them. */
+static void the_count_of_samples_may_wrap(void)
+{
+    static bench plain;
+
+    setup(100, 16384, 1e-3);
+    six_rests(3);
+    plain = b;
+    setup(100, 16384, 1e-3);
+    b.detector.time = UINT32_MAX - 300;
+    six_rests(3);
+    TEST_ASSERT_EQUAL_UINT32(plain.events, b.events);
+    for (unsigned i = 0; i < 6; i++) {
+        TEST_ASSERT_EQUAL_UINT32(plain.rest[i].count, b.rest[i].count);
+        TEST_ASSERT_EQUAL_UINT32(plain.rest[i].begin - 301, b.rest[i].begin);
+        TEST_ASSERT_EQUAL_UINT32(plain.rest[i].end - 301, b.rest[i].end);
+    }
+}
+
+int main(void)
+{
+    UNITY_BEGIN();
+    RUN_LONG_TEST(rests_are_found_from_10_hz_to_8_khz);
+    RUN_TEST(rests_of_two_seconds_at_either_end_of_a_stream_count);
+    RUN_LONG_TEST(random_streams_give_all_their_rests_and_nothing_else);
+    RUN_LONG_TEST(a_turntable_never_rests);
+    RUN_SLOW_TEST(motion_without_a_rest_gives_nothing);
+    RUN_TEST(a_swinging_device_does_not_rest);
+    RUN_TEST(sums_are_exact);
+    RUN_TEST(variance_is_that_of_one_sample);
+    RUN_TEST(means_hold_all_bits_there_are);
+    RUN_SLOW_TEST(unit_offset_and_order_of_the_axes_do_not_matter);
+    RUN_TEST(a_copy_of_the_state_goes_on_alike);
+    RUN_TEST(a_slow_turn_is_refused_for_drift_while_it_lasts);
+    RUN_LONG_TEST(a_sensor_that_warms_up_does_rest);
+    RUN_SLOW_TEST(a_warming_sensor_may_rest_for_minutes_at_first);
+    RUN_TEST(what_is_shaken_is_moving_and_does_not_settle);
+    RUN_TEST(a_few_counts_for_a_while_do_not_end_a_rest);
+    RUN_TEST(a_rest_at_a_rail_is_refused_as_clipped);
+    RUN_TEST(the_ends_of_int32_clip_where_no_rails_are_given);
+    RUN_TEST(a_sensor_that_never_speaks_is_frozen_and_says_so_once);
+    RUN_TEST(an_axis_that_stands_still_amid_noise_is_refused_as_frozen);
+    RUN_TEST(where_there_is_little_noise_an_axis_may_stand_still);
+    RUN_TEST(zeros_at_power_up_do_no_harm);
+    RUN_TEST(a_sensor_that_freezes_in_motion_gives_no_rest);
+    RUN_TEST(a_sensor_that_freezes_in_a_rest_ends_it);
+    RUN_TEST(lost_samples_do_not_end_a_rest_that_goes_on);
+    RUN_TEST(lost_samples_may_hide_a_motion);
+    RUN_TEST(a_rest_cut_short_by_lost_samples_is_refused_for_the_gap);
+    RUN_TEST(a_short_rest_is_refused_as_short);
+    RUN_TEST(the_same_place_again_is_refused_once);
+    RUN_TEST(a_knock_is_left_out_of_the_rest);
+    RUN_TEST(counts_larger_than_the_noise_are_no_obstacle);
+    RUN_TEST(readings_that_toggle_by_one_count_are_one_rest);
+    RUN_TEST(a_stream_that_begins_in_motion_learns_soon);
+    RUN_SLOW_TEST(two_minutes_of_rest_are_one_position);
+    RUN_TEST(a_fan_switched_on_is_a_new_noise_level);
+    RUN_TEST(progress_rises_to_100_at_ready_and_falls_with_motion);
+    RUN_TEST(the_position_in_the_making_can_be_read_from_ready_on);
+    RUN_TEST(finish_answers_in_every_state);
+    RUN_TEST(init_refuses_rates_and_rails_out_of_range);
+    RUN_SLOW_TEST(random_bits_and_alternating_extremes_are_no_rest);
+    RUN_TEST(jumps_through_all_of_int32_overflow_nothing);
+    RUN_LONG_TEST(ten_million_equal_samples_and_life_after);
+    RUN_LONG_TEST(a_rest_stops_growing_before_its_counters_overflow);
+    RUN_TEST(the_count_of_samples_may_wrap);
+    return UNITY_END();
+}
