@@ -1,22 +1,23 @@
 /* SPDX-License-Identifier: MIT */
 #include "invcal/rests.h"
 
+#include <limits.h>
 #include <string.h>
 
 #include "vector.h"
 
 /* Every constant is a time, a ratio or a probability; none has a unit of the sensor.
+ *
  * Distances and noise are squared, and sums over the three axes, throughout. They are compared as
- * levels, logarithms to base 2 in steps of 1/128: what would be a factor is a difference, and 16
- * bits hold whatever int32 can bring about. */
-#define OCTAVE 128    /* a factor of 2 */
-#define ZERO (-4096)  /* the level of 0: below any other */
-#define NONE (-16384) /* nothing is known yet */
+ * levels, logarithms to base 2: what would be a factor is a difference, and 16 bits hold whatever
+ * int32 can bring about. */
+#define OCTAVE 128        /* a factor of 2 */
+#define ONE (32 * OCTAVE) /* the level of 1 count^2 */
+#define NONE 0            /* nothing is known yet: less than any level */
 
 /* Times. A block is about 1/8 s: shorter than a move, long enough to hold some samples. */
 enum {
     BITS_MIN = 2,   /* 4 samples: three axes then give nine degrees of freedom to a variance */
-    BITS_MAX = 10,  /* at 8000 samples per second */
     LEAST = 4,      /* blocks that make a position, or more where they last less than 0.6 s */
     TRIM = 2,       /* newest blocks held back: motion begins before it is noticed, 0.3 s */
     HOLD = 4,       /* more blocks in a row that disagree end a rest: knocks are shorter */
@@ -24,22 +25,22 @@ enum {
     RELEARN = 4,    /* blocks in a row of another, steady noise are a new noise level, 0.6 s; */
     RECONSIDER = 8, /* after a position at the old one, 1.2 s: a hand's fumbling is shorter */
     FREEZE = 8,     /* blocks in a row without any noise: the sensor is not read, 1.2 s */
+    FADE = 4,       /* the trend forgets: 1 << FADE blocks count, 2 s, as long as a short rest */
     SETTLED = 20,   /* blocks after which a trend is known well enough to be followed, 3 s */
-    DRIFTING = 10,  /* blocks in a row of a rest that drifts, until it is refused: 1.5 s */
-    FADE = 4        /* the trend forgets: 1 << FADE blocks count, 2 s, as long as a short rest */
+    DRIFTING = 10   /* blocks in a row of a rest that drifts, until it is refused: 1.5 s */
 };
 
 /* Noise. The level is a quantile: the steps up and down balance where 30 % of the blocks lie below,
  * so a third of all blocks at rest is enough to learn it. */
 enum {
     RISE = 18,              /* 1.1 */
-    FALL = 41,              /* 1/0.8 */
-    FAR_BELOW = 4 * OCTAVE, /* what came before moved: no noise is that uneven */
+    FALL = 41,              /* 1 / 0.8 */
+    FAR_BELOW = 2 * OCTAVE, /* what came before moved: no noise is that uneven */
     QUIET = 297,            /* 5 times the level: chance is 2e-4 for 9 degrees of freedom */
     HARD = 331,             /* 6 times what is allowed: motion, not a hand's unrest */
     ALIKE = 203,            /* variances of blocks of one noise level differ less: 3 times */
     HIDDEN = -2 * OCTAVE,   /* readings that toggle between two counts vary by up to 1/4 count^2
-                                 on each axis: a noise that is smaller hides in them */
+                               on each axis: a noise that is smaller hides in them */
     ALIVE = 609             /* 27: where noise is three counts an axis, none can stand still */
 };
 
@@ -53,25 +54,24 @@ enum {
 
 /* Drift: a slope beyond chance, and fast. */
 enum {
-    BEYOND_CHANCE = 144,        /* 12 / 5.5: see is_drifting */
-    PER_SECOND = 203,           /* 3 sigma of an axis in a second: 9/3 */
-    OF_REACH_PER_SECOND = -2469 /* 1/800 of the reach in a second */
+    BEYOND_CHANCE = 69,          /* 8 / 5.5, see is_drifting */
+    NOISE_PER_SECOND = 203,      /* 3 sigma of an axis in a second: 9/3 */
+    REACH_PER_SECOND = -19 * 128 /* 1/720 of the reach in a second */
 };
 
 #define WIDE (INT32_C(1) << 19)     /* counts: no noise is so large, and no rest creeps so far */
-#define HOUR (UINT32_C(3600) * 125) /* in 1/125 s */
 #define SMALL_MAX 0x4000u           /* squares of three axes stay below 2^31 */
 #define FINE 8                      /* bits behind the point of a mean */
+#define HOUR (UINT32_C(3600) * 125) /* in 1/125 s */
 
-/* A rest is looked for; one was taken by this block; one is going on; is said to be READY; is said
- * to be refused. */
+/* A rest is looked for; one was taken by the newest block; one is going on; is said to be READY; is
+ * said to be refused. */
 enum { IDLE, LEFT, SETTLING, ANNOUNCED, DISMISSED };
 
 /* Bits of flags: of the stream, */
 enum {
     TAKEN = 1, /* there has been a position: `place` is one */
     /* of the candidate, */
-    BEGUN = 2,       /* its first block has been left out */
     CLIPPED = 4,     /* some sample was at a rail */
     INTERRUPTED = 8, /* samples were lost in it */
     CHANGED = 16,    /* the x axis has changed inside a block of it; y and z in the next bits */
@@ -84,15 +84,14 @@ enum { AT_RAIL = 1, WILD = 2 };
 /* What one block shows. */
 typedef struct {
     uint64_t variance; /* inside of it, 1/64 counts^2 */
-    int32_t place[3];  /* its mean in whole counts */
-    int32_t sum[3];    /* relative to origin, if it fits */
-    int32_t mean[3];   /* relative to origin, 1/256 counts */
+    int32_t sum[3];    /* relative to origin */
+    int32_t mean[3];   /* also, 1/256 counts */
     int level;         /* of the variance */
     int limit;         /* of a quiet block's level */
-    uint8_t fits;      /* not too far from origin to be summed */
-    uint8_t quiet;     /* noise and no more */
-    uint8_t here;      /* where the rest expects it */
-    uint8_t hard;      /* far from being quiet, or from here */
+    int quiet;         /* noise and no more */
+    int fits;          /* not too far from origin */
+    int here;          /* where the rest expects it */
+    int hard;          /* far from being quiet, or from here */
 } finding;
 
 /* ---- numbers ------------------------------------------------------------------------------ */
@@ -129,80 +128,83 @@ static int32_t apart(int32_t a, int32_t b, int32_t limit)
     return d > limit ? limit : d < -limit ? -limit : (int32_t)d;
 }
 
-/* Straight between powers of two, so up to 6 % below. */
+/* The zeros before the first one of x > 0. */
+static unsigned zeros_before(uint32_t x)
+{
+#if defined(__GNUC__) && UINT_MAX == UINT32_MAX
+    return (unsigned)__builtin_clz(x);
+#else
+    unsigned zeros = 0;
+
+    for (unsigned step = 16; step > 0; step /= 2) {
+        if (x >> (32 - step) == 0) {
+            x <<= step;
+            zeros += step;
+        }
+    }
+    return zeros;
+#endif
+}
+
+/* To base 2, in octaves; straight between powers of two, so up to 6 % below. 0 counts as 1/2. */
 static int logarithm(uint32_t x)
 {
-    int level = 6 * OCTAVE;
-
     if (x == 0) {
-        return ZERO;
+        return -OCTAVE;
     }
-    while (x >= 2 * OCTAVE) {
-        x >>= 1;
-        level += OCTAVE;
-    }
-    while (x < OCTAVE) {
-        x <<= 1;
-        level -= OCTAVE;
-    }
-    return level + (int)x;
+    const unsigned zeros = zeros_before(x);
+    return (30 - (int)zeros) * OCTAVE + (int)(x << zeros >> 24);
 }
 
-static int wide_logarithm(uint64_t x)
+/* The level of a squared length of so many bits behind the point, |v| <= 2^30. */
+static int level_of(const int32_t v[3], int bits)
 {
-    int level = 0;
-
-    for (; x > UINT32_MAX; x >>= 4) {
-        level += 4 * OCTAVE;
-    }
-    return level + logarithm((uint32_t)x);
-}
-
-/* The level of a squared length. */
-static int level_of(const int32_t v[3])
-{
-    uint32_t all = 0;
+    const uint32_t all = size_of(v[0]) | size_of(v[1]) | size_of(v[2]) | 0x4000u;
+    const unsigned shift = 17 - zeros_before(all);
     uint32_t sum = 0;
-    unsigned shift = 0;
 
-    for (unsigned a = 0; a < 3; a++) {
-        all |= size_of(v[a]);
-    }
-    while (all >> shift >= 0x8000) {
-        shift++;
-    }
     for (unsigned a = 0; a < 3; a++) {
         const uint32_t size = size_of(v[a]) >> shift;
         sum += size * size;
     }
-    return logarithm(sum) + (int)shift * 2 * OCTAVE;
-}
-
-/* The same of what is in 1/256 counts. */
-static int fine_level(const int32_t v[3])
-{
-    return level_of(v) - FINE * 2 * OCTAVE;
+    return logarithm(sum) + ((int)shift - bits) * 2 * OCTAVE + ONE;
 }
 
 /* ---- a block ------------------------------------------------------------------------------ */
 
-/* Where all that is close to the first sample is off the rails too, one comparison will tell both. */
+/* The next sample begins another. */
+static void drop(invcal_rests *s)
+{
+    s->missing = 0;
+    s->span = 0;
+}
+
+static void look_at_rails(invcal_rests *s, int32_t raw)
+{
+    if (raw <= s->low || raw >= s->high) {
+        s->seen |= AT_RAIL;
+    }
+}
+
+/* Where all that is close to the first sample is off the rails too, one comparison will tell both.
+ * Until the quantum is known to be one count, every sample is looked at. */
 static void begin(invcal_rests *s, const int32_t raw[3])
 {
     const uint32_t margin = s->widest / 2u + 1u;
     const uint32_t between = (uint32_t)s->high - (uint32_t)s->low - (2u * margin - 1u);
 
-    s->span = s->widest;
+    s->missing = (UINT32_C(1) << s->bits) - 1u;
+    s->span = s->quantum == 1 ? s->widest : 0;
+    s->square = 0;
+    s->seen = 0;
     for (unsigned a = 0; a < 3; a++) {
         s->first[a] = raw[a];
         s->sum[a] = 0;
         if ((uint32_t)raw[a] - (uint32_t)s->low - margin >= between) {
             s->span = 0;
+            look_at_rails(s, raw[a]);
         }
     }
-    s->square = 0;
-    s->seen = 0;
-    s->missing = (uint16_t)(1u << s->bits);
     if (s->stage == LEFT) {
         s->stage = IDLE;
     }
@@ -232,13 +234,10 @@ static int add_small(invcal_rests *s, const int32_t raw[3])
 /* The same for any reading: at a rail, of a large noise, or in motion; and it learns the quantum. */
 static void add_reading(invcal_rests *s, unsigned a, int32_t raw)
 {
-    const int rises = raw >= s->first[a];
     const uint32_t d = (uint32_t)raw - (uint32_t)s->first[a];
-    const uint32_t size = rises ? d : 0 - d;
+    const uint32_t size = raw >= s->first[a] ? d : 0 - d;
 
-    if (raw <= s->low || raw >= s->high) {
-        s->seen |= AT_RAIL;
-    }
+    look_at_rails(s, raw);
     if (size > 0 && (s->quantum == 0 || size < s->quantum)) {
         s->quantum = size;
     }
@@ -250,20 +249,28 @@ static void add_reading(invcal_rests *s, unsigned a, int32_t raw)
     s->square += (uint64_t)size * size;
 }
 
-/* Integers, so nothing cancels: variance = (n sum d^2 - (sum d)^2) / (n (n - 1)). */
-static void measure(const invcal_rests *s, finding *f)
+/* n^2 times the variance, but for n / (n - 1). Integers, so nothing cancels. */
+static uint64_t scatter_of(const invcal_rests *s)
 {
-    const unsigned bits = s->bits;
-    uint64_t scatter = s->square << bits;
+    uint64_t scatter = s->square << s->bits;
 
     for (unsigned a = 0; a < 3; a++) {
         const int32_t sum = as_signed(s->sum[a]);
         scatter -= (uint64_t)((int64_t)sum * sum); /* never below 0: Cauchy and Schwarz */
-        f->place[a] = as_signed((uint32_t)s->first[a] + (uint32_t)shifted(sum, bits));
     }
+    return scatter;
+}
+
+static void measure(const invcal_rests *s, uint64_t scatter, finding *f)
+{
+    const int bits = s->bits;
+
     f->variance = (scatter << 2) >> (2 * bits - 4);
-    f->level = wide_logarithm(scatter) - (int)(2 * bits) * OCTAVE +
-               ((3 * OCTAVE / 2) >> bits); /* n / (n - 1), nearly */
+    f->level = ONE - 2 * bits * OCTAVE + ((3 * OCTAVE / 2) >> bits); /* n / (n - 1), nearly */
+    for (; scatter > UINT32_MAX; scatter >>= 4) {
+        f->level += 4 * OCTAVE;
+    }
+    f->level += logarithm((uint32_t)scatter);
 }
 
 /* What a sum of a block makes of a mean, 1/256 counts. */
@@ -275,7 +282,7 @@ static int32_t fine_mean(const invcal_rests *s, int32_t sum)
 /* Where the block is, relative to origin. */
 static void relate(const invcal_rests *s, finding *f)
 {
-    f->fits = 1;
+    f->fits = (s->seen & WILD) == 0;
     for (unsigned a = 0; a < 3; a++) {
         const int32_t off = apart(s->first[a], s->origin[a], WIDE);
         if (size_of(off) >= WIDE) {
@@ -286,12 +293,33 @@ static void relate(const invcal_rests *s, finding *f)
     }
 }
 
+/* To the mean of this block, in whole counts. How far is that from the last position? */
+static void move_origin(invcal_rests *s, finding *f)
+{
+    int32_t d[3];
+
+    for (unsigned a = 0; a < 3; a++) {
+        const int32_t off = shifted(as_signed(s->sum[a]), s->bits);
+        s->origin[a] = as_signed((uint32_t)s->first[a] + (uint32_t)off);
+        d[a] = apart(s->origin[a], s->place[a], INT32_C(1) << 30);
+    }
+    s->reach = (uint16_t)larger(s->reach, level_of(d, 0));
+    relate(s, f);
+}
+
+/* Quiet blocks passed over behind motion, 0.5 s: half of what makes a position, rounded up, and
+ * the one that may have begun in motion. */
+static uint8_t edge_of(const invcal_rests *s)
+{
+    return (uint8_t)((s->least + 3u) / 2);
+}
+
 /* ---- learning from the stream ------------------------------------------------------------- */
 
 /* At least one count. */
 static int quantum_level(const invcal_rests *s)
 {
-    return s->quantum > 1 ? 2 * logarithm(s->quantum) : 0;
+    return s->quantum > 1 ? 2 * logarithm(s->quantum) + ONE : ONE;
 }
 
 /* The noise, no smaller than what quantisation hides. */
@@ -301,37 +329,33 @@ static int noise_level(const invcal_rests *s)
 }
 
 /* Follows a low quantile. */
-static int follow(int level, int x)
+static uint16_t follow(int level, int x)
 {
-    if (level == NONE) {
-        return x;
+    if (level == NONE || (x >= level && x <= level + RISE)) {
+        return (uint16_t)x;
     }
-    if (x >= level) {
-        return x < level + RISE ? x : level + RISE;
+    if (x > level) {
+        return (uint16_t)(level + RISE);
     }
-    return x < level - FAR_BELOW ? x + FAR_BELOW : larger(x, level - FALL);
+    return (uint16_t)(x < level - FAR_BELOW ? x + FAR_BELOW : larger(x, level - FALL));
 }
 
-static void learn_reach(invcal_rests *s, const finding *f)
-{
-    int32_t d[3];
-
-    for (unsigned a = 0; a < 3; a++) {
-        d[a] = apart(f->place[a], s->place[a], INT32_C(1) << 30);
-    }
-    s->reach = (int16_t)larger(s->reach, level_of(d));
-}
-
-/* A quiet block is judged by the noise so far, and then adds to it. */
+/* A quiet block is judged by the noise so far, and then adds to it. What came before one that is far
+ * below has moved, and a rest begins anew. */
 static void learn_noise(invcal_rests *s, finding *f)
 {
     if (s->noise == NONE) {
-        s->noise = (int16_t)f->level;
+        s->noise = (uint16_t)f->level;
+    }
+    if (larger(f->level, quantum_level(s) + HIDDEN) < s->noise - 2 * FAR_BELOW &&
+        s->blocks < s->least) {
+        s->stage = IDLE;
+        s->skip = edge_of(s);
     }
     f->limit = noise_level(s) + QUIET;
     f->quiet = (s->seen & WILD) == 0 && f->level <= f->limit;
     if (f->quiet) {
-        s->noise = (int16_t)follow(s->noise, f->level);
+        s->noise = follow(s->noise, f->level);
     }
 }
 
@@ -342,14 +366,12 @@ static int learn_new_noise(invcal_rests *s, const finding *f)
 {
     const int d = f->level - s->other;
 
-    if (f->quiet || !f->fits || (s->seen & WILD) != 0 || d > ALIKE || d < -ALIKE ||
-        fine_level(f->mean) > f->level) {
+    if (f->quiet || !f->fits || d > ALIKE || d < -ALIKE || level_of(f->mean, FINE) > f->level) {
         s->run = 0;
-        s->other = (int16_t)f->level;
+        s->other = (uint16_t)f->level;
         return 0;
     }
     s->run++;
-    s->other = (int16_t)(s->other + d / 4);
     if (s->run < ((s->flags & TAKEN) != 0 ? RECONSIDER : RELEARN)) {
         return 0;
     }
@@ -386,42 +408,29 @@ static void add_trend(invcal_rests *s, const finding *f)
     s->spread = (uint16_t)(spread - (spread >> fade));
 }
 
-/* The level of the candidate's own noise, no smaller than what quantisation hides. */
-static int own_noise(const invcal_rests *s)
-{
-    const int level = wide_logarithm(s->variance) - logarithm(blocks_of(s) + 1) - 6 * OCTAVE;
-
-    return larger(level, quantum_level(s) + HIDDEN);
-}
-
 /* Does the rest drift? The slope must be beyond chance, as noise and the steps between blocks tell
  * it, and fast, for the noise and for the reach: a sensor that warms up is slower.
  *
- * Of block means that scatter by v, g = spread, the slope b is known to v / (4.5 g^3), within
- * 30 %, so chance is less than 1e-7 (chi^2 of 36 for three axes) beyond b^2 g^3 = 12 / 4.5 v. */
+ * Of block means that scatter by v, g = spread, the slope b is known to v / (5.5 g^3), within
+ * 30 %, so chance is less than 1e-4 (chi^2 of 24 for three axes) beyond b^2 g^3 = 8 / 5.5 v. A
+ * step between two blocks is 2 v. */
 static int is_drifting(const invcal_rests *s)
 {
     const int32_t d[3] = {s->once[0] - s->twice[0], s->once[1] - s->twice[1],
                           s->once[2] - s->twice[2]};
-    const int noise = own_noise(s);
-    const int scatter = larger(noise - s->bits * OCTAVE, s->wander - OCTAVE);
     const int spread = logarithm(s->spread) - FINE * OCTAVE;
-    const int slope = fine_level(d) - 2 * spread;
-    const int speed = slope + 2 * (logarithm(s->rate) - s->bits * OCTAVE);
+    const int slope = level_of(d, FINE) - 2 * spread;
+    const int speed = slope + s->pace;
+    const int noise = noise_level(s);
+    const int scatter = larger(noise - s->bits * OCTAVE, s->wander - OCTAVE);
 
     return blocks_of(s) >= LEAST && slope + 3 * spread > scatter + BEYOND_CHANCE &&
-           speed > noise + PER_SECOND && speed > s->reach + OF_REACH_PER_SECOND;
+           speed > noise + NOISE_PER_SECOND && speed > s->reach + REACH_PER_SECOND;
 }
 
 /* ---- the candidate ------------------------------------------------------------------------ */
 
-/* Quiet blocks passed over behind motion, 0.3 to 0.4 s: half of what makes a position, rounded up. */
-static unsigned edge_of(const invcal_rests *s)
-{
-    return (s->least + 1u) / 2;
-}
-
-/* From this block on, when `skip` quiet ones have passed. */
+/* From the next block on, when those to be skipped have passed. */
 static void start(invcal_rests *s)
 {
     memset(s->total, 0, sizeof s->total);
@@ -432,12 +441,6 @@ static void start(invcal_rests *s)
     s->drift = 0;
     s->flags &= TAKEN;
     s->stage = SETTLING;
-}
-
-static void move_origin(invcal_rests *s, finding *f)
-{
-    memcpy(s->origin, f->place, sizeof s->origin);
-    relate(s, f);
 }
 
 /* The mean of the candidate in whole counts, to compare places. */
@@ -457,14 +460,14 @@ static int is_same(const invcal_rests *s)
         d[a] = apart(d[a], s->place[a], INT32_C(1) << 30);
     }
     return (s->flags & TAKEN) != 0 &&
-           level_of(d) < larger(s->reach + OF_REACH, quantum_level(s) + OF_QUANTUM);
+           level_of(d, 0) < larger(s->reach + OF_REACH, quantum_level(s) + OF_QUANTUM);
 }
 
 /* Has nothing ever changed, or one axis not, among others of a noise that it cannot be without? */
 static int is_stuck(const invcal_rests *s)
 {
     return s->quantum == 0 ||
-           ((s->flags & ALL_CHANGED) != ALL_CHANGED && own_noise(s) > quantum_level(s) + ALIVE);
+           ((s->flags & ALL_CHANGED) != ALL_CHANGED && s->noise > quantum_level(s) + ALIVE);
 }
 
 static invcal_status too_short(const invcal_rests *s)
@@ -504,9 +507,9 @@ static invcal_event finish(invcal_rests *s)
     if (why == INVCAL_OK && s->stage != ANNOUNCED && is_drifting(s)) {
         why = INVCAL_REST_DRIFT;
     }
-    const int is_nothing = s->blocks < edge_of(s) || is_said(s, why);
+    const int is_nothing = s->blocks < s->least / 2u || is_said(s, why);
     s->stage = IDLE;
-    s->skip = (uint8_t)edge_of(s);
+    s->skip = edge_of(s);
     if (is_nothing) {
         return INVCAL_MOVING;
     }
@@ -522,24 +525,21 @@ static invcal_event finish(invcal_rests *s)
 
 /* ---- decisions ---------------------------------------------------------------------------- */
 
-/* The oldest pending block is safe: no motion came within TRIM blocks behind it. The first of a
- * rest is left out, it may have begun in motion. */
+/* The oldest pending block is safe: no motion came within TRIM blocks behind it. */
 static void commit(invcal_rests *s)
 {
-    const uint32_t trimmed = s->time - ((uint32_t)TRIM << s->bits);
-
-    if ((s->flags & BEGUN) == 0) {
-        s->flags |= BEGUN;
-        s->begin = trimmed;
-    } else if (s->blocks < UINT16_MAX) {
+    s->pended--;
+    if (s->blocks < UINT16_MAX) { /* full: it has blocks enough */
         for (unsigned a = 0; a < 3; a++) {
             s->total[a] += s->pending[0][a];
         }
-        s->end = trimmed;
+        s->end = s->time - ((uint32_t)TRIM << s->bits);
+        if (s->blocks == 0) {
+            s->begin = s->end - (UINT32_C(1) << s->bits);
+        }
         s->blocks++;
-    } /* cppcheck-suppress misra-c2012-15.7 ; full: it has blocks enough */
+    }
     memcpy(s->pending[0], s->pending[1], sizeof s->pending[0]);
-    s->pended--;
 }
 
 static void add_block(invcal_rests *s, const finding *f)
@@ -568,7 +568,7 @@ static invcal_event drifting(invcal_rests *s, finding *f)
     }
     move_origin(s, f);
     start(s);
-    s->skip = (uint8_t)edge_of(s);
+    s->skip = edge_of(s);
     s->reason = INVCAL_REST_DRIFT;
     return INVCAL_REFUSED;
 }
@@ -613,22 +613,20 @@ static invcal_event agree(invcal_rests *s, finding *f)
  * a hard blow is not trusted. */
 static invcal_event disagree(invcal_rests *s, const finding *f)
 {
-    const int elsewhere = f->quiet && f->hard;
-
     s->hold++;
     if (f->hard) {
-        s->skip = (uint8_t)edge_of(s);
+        s->skip = edge_of(s);
     }
-    return s->hold <= (elsewhere ? ELSEWHERE : HOLD) ? INVCAL_MOVING : finish(s);
+    return s->hold <= (f->quiet && f->hard ? ELSEWHERE : HOLD) ? INVCAL_MOVING : finish(s);
 }
 
-/* Where would the rest have this block? A settled one may drift slowly: its trend is followed. The
- * steps from block to block are learned here too. */
-static void expect(invcal_rests *s, finding *f)
+/* Where would the rest have this block? A settled one may drift slowly: its trend is followed. */
+static void expect(const invcal_rests *s, finding *f)
 {
     const int level = larger(larger(noise_level(s) + OF_NOISE, s->wander + OF_WANDER),
                              larger(s->reach + OF_REACH, quantum_level(s) + OF_QUANTUM));
     int32_t d[3];
+    int jump = NONE;
 
     for (unsigned a = 0; a < 3; a++) {
         const int32_t ahead = s->once[a] - s->twice[a];
@@ -637,45 +635,40 @@ static void expect(invcal_rests *s, finding *f)
             d[a] -= ahead + ahead / (1 << FADE);
         }
     }
-    const int jump = blocks_of(s) > 0 ? fine_level(d) : ZERO;
+    if (blocks_of(s) > 0) {
+        jump = level_of(d, FINE);
+    }
     f->here = f->fits && jump <= level;
-    f->hard =
-        (s->seen & WILD) != 0 || !f->fits || f->level > f->limit + HARD || jump > level + HARD;
+    f->hard = !f->fits || f->level > f->limit + HARD || jump > level + HARD;
 }
 
 static void learn_wander(invcal_rests *s, const finding *f)
 {
     int32_t step[3];
 
-    if (s->pended == 0 || s->hold > 0 || !f->fits) {
-        return;
-    }
     for (unsigned a = 0; a < 3; a++) {
         step[a] = f->mean[a] - fine_mean(s, s->pending[s->pended - 1][a]);
     }
-    s->wander = (int16_t)follow(s->wander, fine_level(step));
+    s->wander = follow(s->wander, level_of(step, FINE));
 }
 
 static invcal_event judge_moment(invcal_rests *s, finding *f)
 {
     const int fresh = learn_new_noise(s, f);
 
-    f->quiet = f->quiet || fresh;
+    f->quiet |= fresh;
     if (s->stage == IDLE || blocks_of(s) == 0) {
         move_origin(s, f);
     }
     if (s->stage == IDLE) {
+        s->skip = fresh ? 1 : f->quiet ? s->skip : edge_of(s);
         if (!f->quiet) {
-            s->skip = (uint8_t)edge_of(s);
             return INVCAL_MOVING;
         }
         start(s);
-        if (fresh) {
-            s->skip = 0;
-        }
     }
     expect(s, f);
-    if (f->quiet) {
+    if (f->quiet && f->fits && s->pended > 0 && s->hold == 0) {
         learn_wander(s, f);
     }
     return f->quiet && f->here ? agree(s, f) : disagree(s, f);
@@ -683,12 +676,11 @@ static invcal_event judge_moment(invcal_rests *s, finding *f)
 
 /* No noise at all, though the stream has shown some that would not allow it; or three axes that
  * read the same number: no triad does. */
-static int is_frozen(const invcal_rests *s, const finding *f)
+static int is_dead(const invcal_rests *s)
 {
     const int32_t *first = s->first;
-    const int known = s->noise > quantum_level(s);
 
-    return f->level < ZERO + OCTAVE && (known || (first[0] == first[1] && first[1] == first[2]));
+    return s->noise > quantum_level(s) || (first[0] == first[1] && first[1] == first[2]);
 }
 
 static invcal_event freeze(invcal_rests *s)
@@ -709,19 +701,20 @@ static invcal_event freeze(invcal_rests *s)
 /* A block is full. */
 INVCAL_APART static invcal_event decide(invcal_rests *s)
 {
+    const uint64_t scatter = scatter_of(s);
     finding f;
 
+    drop(s);
     s->time += UINT32_C(1) << s->bits;
-    measure(s, &f);
-    if (is_frozen(s, &f)) {
+    if (scatter == 0 && is_dead(s)) {
         return freeze(s);
     }
     s->frozen = 0;
     if (s->noise == NONE) {
-        memcpy(s->place, f.place, sizeof s->place);
+        memcpy(s->place, s->first, sizeof s->place);
     }
+    measure(s, scatter, &f);
     relate(s, &f);
-    learn_reach(s, &f);
     learn_noise(s, &f);
     return judge_moment(s, &f);
 }
@@ -731,11 +724,13 @@ INVCAL_APART static invcal_event feed_any(invcal_rests *s, const int32_t raw[3])
 {
     if (s->missing == 0) {
         begin(s, raw);
+        return INVCAL_NOTHING;
     }
     for (unsigned a = 0; a < 3; a++) {
         add_reading(s, a, raw[a]);
     }
-    return --s->missing > 0 ? INVCAL_NOTHING : decide(s);
+    s->missing--;
+    return s->missing > 0 ? INVCAL_NOTHING : decide(s);
 }
 
 /* ---- what is called ----------------------------------------------------------------------- */
@@ -749,16 +744,15 @@ invcal_status invcal_rests_init(invcal_rests *rests, unsigned rate)
     memset(rests, 0, sizeof *rests);
     rests->rate = (uint16_t)rate;
     rests->bits = BITS_MIN;
-    while (11u << rests->bits < rate) { /* from 1/11 to 2/11 s */
+    while (11u << rests->bits < rate) { /* from 1/11 to 2/11 s; at most 8 steps */
         rests->bits++;
     }
+    const int pace = logarithm(rate) - rests->bits * OCTAVE;
     const unsigned blocks = (5 * rate / 8 + (1u << rests->bits) - 1) >> rests->bits;
+    rests->pace = (uint16_t)(2 * pace);
     rests->least = (uint8_t)(blocks > LEAST ? blocks : LEAST);
     rests->dwell = rests->least;
-    rests->skip = (uint8_t)edge_of(rests);
-    rests->noise = NONE;
-    rests->wander = NONE;
-    rests->reach = ZERO;
+    rests->skip = edge_of(rests);
     return invcal_rests_rails(rests, INT32_MIN, INT32_MAX);
 }
 
@@ -782,8 +776,8 @@ invcal_status invcal_rests_rails(invcal_rests *rests, int32_t low, int32_t high)
 void invcal_rests_hold(invcal_rests *rests, unsigned milliseconds)
 {
     INVCAL_ASSERT(rests);
-    const uint32_t eighths = (uint32_t)milliseconds / 8 + 1;
-    const uint32_t samples = (eighths < HOUR ? eighths : HOUR) * rests->rate / 125;
+    const uint32_t time = (uint32_t)milliseconds / 8 + 1; /* in 1/125 s */
+    const uint32_t samples = (time < HOUR ? time : HOUR) * rests->rate / 125;
     const uint32_t blocks = (samples >> rests->bits) + 1;
     rests->dwell = (uint16_t)(blocks > rests->least ? blocks : rests->least);
     if (rests->stage == ANNOUNCED && rests->blocks < rests->dwell) {
@@ -794,7 +788,7 @@ void invcal_rests_hold(invcal_rests *rests, unsigned milliseconds)
 invcal_event invcal_rests_feed(invcal_rests *rests, const int32_t raw[3])
 {
     INVCAL_ASSERT(rests && raw);
-    if (rests->missing == 0 || rests->quantum != 1 || !add_small(rests, raw)) {
+    if (!add_small(rests, raw)) {
         return feed_any(rests, raw);
     }
     rests->missing--;
@@ -804,14 +798,14 @@ invcal_event invcal_rests_feed(invcal_rests *rests, const int32_t raw[3])
 void invcal_rests_gap(invcal_rests *rests)
 {
     INVCAL_ASSERT(rests);
-    rests->missing = 0;
+    drop(rests);
     rests->flags |= INTERRUPTED;
 }
 
 invcal_event invcal_rests_finish(invcal_rests *rests)
 {
     INVCAL_ASSERT(rests);
-    rests->missing = 0;
+    drop(rests);
     return rests->stage > LEFT ? finish(rests) : INVCAL_MOVING;
 }
 
@@ -840,7 +834,6 @@ int invcal_rests_get(const invcal_rests *rests, invcal_rest *out)
         return 0;
     }
     const uint32_t size = UINT32_C(1) << rests->bits;
-    const uint32_t blocks = blocks_of(rests) + 1; /* with the one left out */
     const invcal_real variance =
         (invcal_real)(uint32_t)(rests->variance >> 32) * INVCAL_REAL(4294967296.0) +
         (invcal_real)(uint32_t)rests->variance;
@@ -850,8 +843,8 @@ int invcal_rests_get(const invcal_rests *rests, invcal_rest *out)
     }
     out->begin = rests->begin;
     out->end = rests->end;
-    out->variance =
-        variance / (invcal_real)(blocks * 192) * (invcal_real)size / (invcal_real)(size - 1);
+    out->variance = variance / (invcal_real)(blocks_of(rests) * 192) * (invcal_real)size /
+                    (invcal_real)(size - 1);
     return 1;
 }
 

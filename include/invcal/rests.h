@@ -65,39 +65,39 @@ typedef struct {
     invcal_real variance; /* of one sample about its block, counts^2, the mean of the three axes */
 } invcal_rest;
 
-/* The detector; 200 bytes at most on a 32-bit machine. Nothing in it is meant to be read or changed.
- * What is called a level is a logarithm, see rests.c. */
+/* The detector: 200 bytes. Nothing in it is meant to be read or changed. What is called a level is a
+ * logarithm, see rests.c. */
 typedef struct {
-    uint64_t square;   /* of the block being filled: sum of the squared differences to `first`, */
-    int32_t first[3];  /* its first sample, */
-    uint32_t sum[3];   /* and sums of the differences, modulo 2^32 */
-    uint32_t quantum;  /* smallest change ever seen inside a block, counts; 0: none as yet */
-    uint16_t missing;  /* samples until the block is full; 0: the next begins another */
-    uint16_t span;     /* twice what differences may be to be added quickly; 0: none, at a rail */
-    uint16_t widest;   /* what span is away from the rails */
-    uint16_t rate;     /* samples per second */
-    int32_t low, high; /* rails: a sensor that reads them may be beyond */
-    uint32_t time;     /* samples in full blocks so far, modulo 2^32 */
-
-    int16_t noise;    /* level, learned from the stream, see above */
-    int16_t wander;   /* level, also */
-    int16_t reach;    /* level, also */
-    int16_t other;    /* another noise level in the making */
-    int32_t place[3]; /* mean of the position taken last; before that, of the first block */
-
-    int32_t origin[3];     /* of the candidate: mean of its first block, zero of what follows */
-    int64_t total[3];      /* of the candidate: sum of the blocks committed, relative to origin */
-    int32_t pending[2][3]; /* sums of the newest quiet blocks: lost if motion follows */
-    int32_t once[3];       /* fading mean of its block means, 1/256 counts, relative to origin; */
-    int32_t twice[3];      /* and fading mean of that mean */
-    uint64_t variance;     /* sum over its blocks, 1/64 counts^2 */
-    uint32_t begin, end;   /* of the blocks committed */
-    uint16_t blocks;      /* committed; a rest stops growing at 65535, after one and a half hours */
-    uint16_t lag, spread; /* of `once` behind a slope of one a block; of `twice` behind `once` */
-    uint16_t dwell;       /* blocks that make a position */
-    uint8_t least;        /* the same at least */
-    uint8_t bits;         /* 1 << bits samples are a block */
     uint8_t stage, reason, flags, seen, pended, skip, hold, drift, run, frozen; /* see rests.c */
+    uint8_t bits;      /* a block has 1 << bits samples */
+    uint8_t least;     /* blocks that make a position, however short the time to hold */
+    uint16_t dwell;    /* the same with it */
+    uint16_t rate;     /* samples per second */
+    uint16_t pace;     /* level of (blocks per second)^2 */
+    uint16_t noise;    /* level, learned from the stream, see above; 0: nothing is known yet */
+    uint16_t wander;   /* and this */
+    uint16_t reach;    /* and this */
+    uint16_t other;    /* another noise level in the making */
+    uint16_t widest;   /* what span is away from the rails */
+    uint16_t span;     /* twice what differences may be to be added quickly; 0: none */
+    uint16_t blocks;   /* of the candidate: committed. It stops growing at 65535, after 1.6 hours */
+    uint16_t lag;      /* of `once` behind a slope of one a block, 1/256 blocks */
+    uint16_t spread;   /* and of `twice` behind `once` */
+    uint32_t missing;  /* samples until the block is full; 0: the next begins another */
+    uint32_t quantum;  /* smallest change ever seen inside a block, counts; 0: none as yet */
+    uint32_t time;     /* samples in full blocks so far, modulo 2^32 */
+    int32_t low, high; /* rails: a sensor that reads them may be beyond */
+    uint32_t begin, end;   /* of the blocks committed */
+    int32_t first[3];      /* sample of the block being filled, */
+    uint32_t sum[3];       /* sums of the differences to it, modulo 2^32, */
+    uint64_t square;       /* and of their squares, the three axes together */
+    int32_t origin[3];     /* a place that means of blocks are relative to */
+    int32_t once[3];       /* fading mean of the candidate's block means, 1/256 counts, */
+    int32_t twice[3];      /* and fading mean of that mean */
+    int32_t place[3];      /* mean of the position taken last; before that, the first sample */
+    int64_t total[3];      /* sum of the blocks committed, relative to origin */
+    int32_t pending[2][3]; /* sums of the newest quiet blocks: lost if motion follows */
+    uint64_t variance;     /* sum over the candidate's blocks, 1/64 counts^2 */
 } invcal_rests;
 
 /* Begins a stream.
