@@ -24,6 +24,7 @@ enum {
     ELSEWHERE = 2,  /* the same where the device rests elsewhere already */
     RELEARN = 4,    /* blocks in a row of another, steady noise are a new noise level, 0.6 s; */
     RECONSIDER = 8, /* after a position at the old one, 1.2 s: a hand's fumbling is shorter */
+    SEEK = 255,     /* blocks without a smaller change than the quantum: it is known, 30 s */
     FREEZE = 8,     /* blocks in a row without any noise: the sensor is not read, 1.2 s */
     FADE = 4,       /* the trend forgets: 1 << FADE blocks count, 2 s, as long as a short rest */
     SETTLED = 20,   /* blocks after which a trend is known well enough to be followed, 3 s */
@@ -46,10 +47,10 @@ enum {
 
 /* Place. A block mean belongs to the rest within the largest of */
 enum {
-    OF_NOISE = OCTAVE,       /* 2 times the variance of a sample: chance is 7e-4 for 4 samples, */
-    OF_WANDER = 594,         /* 5 usual steps of a hand: 25, */
-    OF_REACH = -16 * OCTAVE, /* 1/256 of the reach: 8 mg of 2 g, */
-    OF_QUANTUM = 203         /* one count on each axis: 3. */
+    OF_NOISE = OCTAVE - QUIET, /* 2 times the variance of a sample: chance is 7e-4 for 4 samples, */
+    OF_WANDER = 594,           /* 5 usual steps of a hand: 25, */
+    OF_REACH = -16 * OCTAVE,   /* 1/256 of the reach: 8 mg of 2 g, */
+    OF_QUANTUM = 203           /* one count on each axis: 3. */
 };
 
 /* Drift: a slope beyond chance, and fast. */
@@ -59,9 +60,9 @@ enum {
     REACH_PER_SECOND = -19 * 128 /* 1/720 of the reach in a second */
 };
 
-#define WIDE (INT32_C(1) << 19)     /* counts: no noise is so large, and no rest creeps so far */
-#define SMALL_MAX 0x4000u           /* squares of three axes stay below 2^31 */
-#define FINE 8                      /* bits behind the point of a mean */
+#define WIDE (INT32_C(1) << 19) /* counts: no noise is so large, and no rest creeps so far */
+#define FINE 8                  /* bits behind the point of a mean */
+#define TWO_32 INVCAL_REAL(4294967296.0)
 #define HOUR (UINT32_C(3600) * 125) /* in 1/125 s */
 
 /* A rest is looked for; one was taken by the newest block; one is going on; is said to be READY; is
@@ -120,12 +121,12 @@ static int32_t shifted(int32_t x, unsigned bits)
     return x < 0 ? -size : size;
 }
 
-/* a - b, no further than limit. */
-static int32_t apart(int32_t a, int32_t b, int32_t limit)
+/* a - b, or what level_of can have of it. */
+static int32_t apart(int32_t a, int32_t b)
 {
     const int64_t d = (int64_t)a - b;
 
-    return d > limit ? limit : d < -limit ? -limit : (int32_t)d;
+    return d > INT32_MAX ? INT32_MAX : d < -INT32_MAX ? -INT32_MAX : (int32_t)d;
 }
 
 /* The zeros before the first one of x > 0. */
@@ -156,13 +157,14 @@ static int logarithm(uint32_t x)
     return (30 - (int)zeros) * OCTAVE + (int)(x << zeros >> 24);
 }
 
-/* The level of a squared length of so many bits behind the point, |v| <= 2^30. */
+/* The level of a squared length of so many bits behind the point. */
 static int level_of(const int32_t v[3], int bits)
 {
     const uint32_t all = size_of(v[0]) | size_of(v[1]) | size_of(v[2]) | 0x4000u;
     const unsigned shift = 17 - zeros_before(all);
     uint32_t sum = 0;
 
+    INVCAL_UNROLL
     for (unsigned a = 0; a < 3; a++) {
         const uint32_t size = size_of(v[a]) >> shift;
         sum += size * size;
@@ -179,28 +181,48 @@ static void drop(invcal_rests *s)
     s->span = 0;
 }
 
+/* Is the reading at a rail or beyond, or closer to one than inset? */
+static int is_outside(const invcal_rests *s, int32_t raw, uint32_t inset)
+{
+    return (uint32_t)raw - (uint32_t)s->low - 1u - inset >= s->between - 2u * inset;
+}
+
 static void look_at_rails(invcal_rests *s, int32_t raw)
 {
-    if (raw <= s->low || raw >= s->high) {
+    if (is_outside(s, raw, 0)) {
         s->seen |= AT_RAIL;
     }
 }
 
+/* Twice the differences that are added quickly, a power of two: their squares, of three axes and a
+ * whole block, stay below 2^32, and they are at most an eighth of what is between the rails. */
+static uint32_t widest_span(const invcal_rests *s)
+{
+    const uint32_t quarter = s->between / 4 | 1u;
+    const unsigned by_rails = 31 - zeros_before(quarter);
+    const unsigned by_block = (32u - s->bits) / 2;
+
+    return UINT32_C(1) << (by_rails < by_block ? by_rails : by_block);
+}
+
 /* Where all that is close to the first sample is off the rails too, one comparison will tell both.
- * Until the quantum is known to be one count, every sample is looked at. */
+ * Until the quantum is known, every sample is looked at. */
 static void begin(invcal_rests *s, const int32_t raw[3])
 {
-    const uint32_t margin = s->widest / 2u + 1u;
-    const uint32_t between = (uint32_t)s->high - (uint32_t)s->low - (2u * margin - 1u);
+    const uint32_t span = widest_span(s);
 
-    s->missing = (UINT32_C(1) << s->bits) - 1u;
-    s->span = s->quantum == 1 ? s->widest : 0;
+    s->missing = (UINT32_C(1) << s->bits) - 1;
+    if (s->quantum > 0 && s->seek > 0) {
+        s->seek--;
+    }
+    s->span = s->seek > 0 ? 0 : (uint16_t)span;
     s->square = 0;
+    s->carry = 0;
     s->seen = 0;
     for (unsigned a = 0; a < 3; a++) {
         s->first[a] = raw[a];
         s->sum[a] = 0;
-        if ((uint32_t)raw[a] - (uint32_t)s->low - margin >= between) {
+        if (is_outside(s, raw[a], span / 2)) {
             s->span = 0;
             look_at_rails(s, raw[a]);
         }
@@ -240,19 +262,22 @@ static void add_reading(invcal_rests *s, unsigned a, int32_t raw)
     look_at_rails(s, raw);
     if (size > 0 && (s->quantum == 0 || size < s->quantum)) {
         s->quantum = size;
+        s->seek = size > 1 ? SEEK : 0;
     }
     if (size >= WIDE) {
         s->seen |= WILD;
         return;
     }
+    const uint64_t square = (uint64_t)size * size + s->square;
     s->sum[a] += d;
-    s->square += (uint64_t)size * size;
+    s->square = (uint32_t)square;
+    s->carry += (uint32_t)(square >> 32);
 }
 
 /* n^2 times the variance, but for n / (n - 1). Integers, so nothing cancels. */
 static uint64_t scatter_of(const invcal_rests *s)
 {
-    uint64_t scatter = s->square << s->bits;
+    uint64_t scatter = ((uint64_t)s->carry << 32 | s->square) << s->bits;
 
     for (unsigned a = 0; a < 3; a++) {
         const int32_t sum = as_signed(s->sum[a]);
@@ -279,31 +304,41 @@ static int32_t fine_mean(const invcal_rests *s, int32_t sum)
     return s->bits <= FINE ? sum * (1 << (FINE - s->bits)) : shifted(sum, s->bits - FINE);
 }
 
-/* Where the block is, relative to origin. */
+/* Where the block is, relative to origin; 0 on an axis on which that is too far. */
 static void relate(const invcal_rests *s, finding *f)
 {
     f->fits = (s->seen & WILD) == 0;
     for (unsigned a = 0; a < 3; a++) {
-        const int32_t off = apart(s->first[a], s->origin[a], WIDE);
-        if (size_of(off) >= WIDE) {
+        const int64_t off = (int64_t)s->first[a] - s->origin[a];
+        f->sum[a] = 0;
+        if (off < WIDE && off > -WIDE) {
+            f->sum[a] = as_signed(s->sum[a]) + (int32_t)off * (1 << s->bits);
+        } else {
             f->fits = 0;
         }
-        f->sum[a] = as_signed(s->sum[a]) + off * (1 << s->bits);
         f->mean[a] = fine_mean(s, f->sum[a]);
     }
 }
 
-/* To the mean of this block, in whole counts. How far is that from the last position? */
-static void move_origin(invcal_rests *s, finding *f)
+/* The level of the way from the last position to origin. */
+static int level_of_way(const invcal_rests *s)
 {
     int32_t d[3];
 
     for (unsigned a = 0; a < 3; a++) {
+        d[a] = apart(s->origin[a], s->place[a]);
+    }
+    return level_of(d, 0);
+}
+
+/* To the mean of this block, in whole counts. */
+static void move_origin(invcal_rests *s, finding *f)
+{
+    for (unsigned a = 0; a < 3; a++) {
         const int32_t off = shifted(as_signed(s->sum[a]), s->bits);
         s->origin[a] = as_signed((uint32_t)s->first[a] + (uint32_t)off);
-        d[a] = apart(s->origin[a], s->place[a], INT32_C(1) << 30);
     }
-    s->reach = (uint16_t)larger(s->reach, level_of(d, 0));
+    s->reach = (uint16_t)larger(s->reach, level_of_way(s));
     relate(s, f);
 }
 
@@ -320,6 +355,12 @@ static uint8_t edge_of(const invcal_rests *s)
 static int quantum_level(const invcal_rests *s)
 {
     return s->quantum > 1 ? 2 * logarithm(s->quantum) + ONE : ONE;
+}
+
+/* Places that differ by less are one. */
+static int resolution_level(const invcal_rests *s)
+{
+    return larger(s->reach + OF_REACH, quantum_level(s) + OF_QUANTUM);
 }
 
 /* The noise, no smaller than what quantisation hides. */
@@ -344,15 +385,16 @@ static uint16_t follow(int level, int x)
  * below has moved, and a rest begins anew. */
 static void learn_noise(invcal_rests *s, finding *f)
 {
+    const int hidden = quantum_level(s) + HIDDEN;
+
     if (s->noise == NONE) {
         s->noise = (uint16_t)f->level;
     }
-    if (larger(f->level, quantum_level(s) + HIDDEN) < s->noise - 2 * FAR_BELOW &&
-        s->blocks < s->least) {
+    if (larger(f->level, hidden) < s->noise - 2 * FAR_BELOW && s->blocks < s->least) {
         s->stage = IDLE;
         s->skip = edge_of(s);
     }
-    f->limit = noise_level(s) + QUIET;
+    f->limit = larger(s->noise, hidden) + QUIET;
     f->quiet = (s->seen & WILD) == 0 && f->level <= f->limit;
     if (f->quiet) {
         s->noise = follow(s->noise, f->level);
@@ -377,6 +419,7 @@ static int learn_new_noise(invcal_rests *s, const finding *f)
     }
     s->noise = s->other;
     s->run = 0;
+    s->skip = 1;
     return 1;
 }
 
@@ -393,11 +436,9 @@ static uint32_t blocks_of(const invcal_rests *s)
 static void add_trend(invcal_rests *s, const finding *f)
 {
     const uint32_t blocks = blocks_of(s);
-    unsigned fade = 0;
+    const unsigned bits = blocks > 0 ? 32 - zeros_before(blocks) : 0;
+    const unsigned fade = bits < FADE ? bits : FADE;
 
-    while (fade < FADE && blocks >> fade != 0) {
-        fade++;
-    }
     for (unsigned a = 0; a < 3; a++) {
         s->once[a] += shifted(f->mean[a] - s->once[a], fade);
         s->twice[a] += shifted(s->once[a] - s->twice[a], fade);
@@ -424,8 +465,8 @@ static int is_drifting(const invcal_rests *s)
     const int noise = noise_level(s);
     const int scatter = larger(noise - s->bits * OCTAVE, s->wander - OCTAVE);
 
-    return blocks_of(s) >= LEAST && slope + 3 * spread > scatter + BEYOND_CHANCE &&
-           speed > noise + NOISE_PER_SECOND && speed > s->reach + REACH_PER_SECOND;
+    return slope + 3 * spread > scatter + BEYOND_CHANCE && speed > noise + NOISE_PER_SECOND &&
+           speed > s->reach + REACH_PER_SECOND;
 }
 
 /* ---- the candidate ------------------------------------------------------------------------ */
@@ -443,24 +484,10 @@ static void start(invcal_rests *s)
     s->stage = SETTLING;
 }
 
-/* The mean of the candidate in whole counts, to compare places. */
-static void place_of(const invcal_rests *s, int32_t place[3])
-{
-    for (unsigned a = 0; a < 3; a++) {
-        place[a] = s->origin[a] + shifted(s->once[a], FINE);
-    }
-}
-
+/* Is this the position taken last? */
 static int is_same(const invcal_rests *s)
 {
-    int32_t d[3];
-
-    place_of(s, d);
-    for (unsigned a = 0; a < 3; a++) {
-        d[a] = apart(d[a], s->place[a], INT32_C(1) << 30);
-    }
-    return (s->flags & TAKEN) != 0 &&
-           level_of(d, 0) < larger(s->reach + OF_REACH, quantum_level(s) + OF_QUANTUM);
+    return (s->flags & TAKEN) != 0 && level_of_way(s) < resolution_level(s);
 }
 
 /* Has nothing ever changed, or one axis not, among others of a noise that it cannot be without? */
@@ -517,7 +544,7 @@ static invcal_event finish(invcal_rests *s)
     if (why != INVCAL_OK) {
         return INVCAL_REFUSED;
     }
-    place_of(s, s->place);
+    memcpy(s->place, s->origin, sizeof s->place);
     s->flags |= TAKEN;
     s->stage = LEFT;
     return INVCAL_TAKEN;
@@ -525,38 +552,38 @@ static invcal_event finish(invcal_rests *s)
 
 /* ---- decisions ---------------------------------------------------------------------------- */
 
-/* The oldest pending block is safe: no motion came within TRIM blocks behind it. */
-static void commit(invcal_rests *s)
+/* This pending block is safe: no motion came within TRIM blocks behind it. */
+static void commit(invcal_rests *s, const int32_t sum[3])
 {
-    s->pended--;
-    if (s->blocks < UINT16_MAX) { /* full: it has blocks enough */
-        for (unsigned a = 0; a < 3; a++) {
-            s->total[a] += s->pending[0][a];
-        }
-        s->end = s->time - ((uint32_t)TRIM << s->bits);
-        if (s->blocks == 0) {
-            s->begin = s->end - (UINT32_C(1) << s->bits);
-        }
-        s->blocks++;
+    for (unsigned a = 0; a < 3; a++) {
+        s->total[a] += sum[a];
     }
-    memcpy(s->pending[0], s->pending[1], sizeof s->pending[0]);
+    s->end = s->time - ((uint32_t)TRIM << s->bits);
+    if (s->blocks == 0) {
+        s->begin = s->end - (UINT32_C(1) << s->bits);
+    }
+    s->blocks++;
 }
 
 static void add_block(invcal_rests *s, const finding *f)
 {
+    int32_t *oldest = s->pending[blocks_of(s) % TRIM];
+
     add_trend(s, f);
-    if (s->pended == TRIM) {
-        commit(s);
+    if (s->blocks == UINT16_MAX) { /* it has blocks enough */
+        return;
     }
-    for (unsigned a = 0; a < 3; a++) {
-        s->pending[s->pended][a] = f->sum[a];
+    if (s->pended < TRIM) {
+        s->pended++;
+    } else {
+        commit(s, oldest);
+    }
+    memcpy(oldest, f->sum, sizeof f->sum);
+    s->variance += f->variance;
+    for (unsigned a = 0; a < 3 && (s->flags & ALL_CHANGED) != ALL_CHANGED; a++) {
         if (s->sum[a] != 0) { /* of differences to the first sample */
             s->flags = (uint8_t)(s->flags | (unsigned)CHANGED << a);
         }
-    }
-    s->pended++;
-    if (s->blocks < UINT16_MAX) {
-        s->variance += f->variance;
     }
 }
 
@@ -623,33 +650,25 @@ static invcal_event disagree(invcal_rests *s, const finding *f)
 /* Where would the rest have this block? A settled one may drift slowly: its trend is followed. */
 static void expect(const invcal_rests *s, finding *f)
 {
-    const int level = larger(larger(noise_level(s) + OF_NOISE, s->wander + OF_WANDER),
-                             larger(s->reach + OF_REACH, quantum_level(s) + OF_QUANTUM));
+    const int level =
+        larger(resolution_level(s), larger(f->limit + OF_NOISE, s->wander + OF_WANDER));
+    const int is_settled = blocks_of(s) >= SETTLED;
     int32_t d[3];
-    int jump = NONE;
 
     for (unsigned a = 0; a < 3; a++) {
-        const int32_t ahead = s->once[a] - s->twice[a];
-        d[a] = f->mean[a] - s->once[a];
-        if (blocks_of(s) >= SETTLED) {
-            d[a] -= ahead + ahead / (1 << FADE);
-        }
+        d[a] = f->mean[a] - s->once[a] - is_settled * (s->once[a] - s->twice[a]);
     }
-    if (blocks_of(s) > 0) {
-        jump = level_of(d, FINE);
-    }
+    const int jump = blocks_of(s) > 0 ? level_of(d, FINE) : NONE;
     f->here = f->fits && jump <= level;
     f->hard = !f->fits || f->level > f->limit + HARD || jump > level + HARD;
 }
 
 static void learn_wander(invcal_rests *s, const finding *f)
 {
-    int32_t step[3];
+    const int32_t *newest = s->pending[(blocks_of(s) + 1) % TRIM];
+    const int32_t step[3] = {f->sum[0] - newest[0], f->sum[1] - newest[1], f->sum[2] - newest[2]};
 
-    for (unsigned a = 0; a < 3; a++) {
-        step[a] = f->mean[a] - fine_mean(s, s->pending[s->pended - 1][a]);
-    }
-    s->wander = follow(s->wander, level_of(step, FINE));
+    s->wander = follow(s->wander, level_of(step, s->bits));
 }
 
 static invcal_event judge_moment(invcal_rests *s, finding *f)
@@ -661,7 +680,6 @@ static invcal_event judge_moment(invcal_rests *s, finding *f)
         move_origin(s, f);
     }
     if (s->stage == IDLE) {
-        s->skip = fresh ? 1 : f->quiet ? s->skip : edge_of(s);
         if (!f->quiet) {
             return INVCAL_MOVING;
         }
@@ -726,6 +744,7 @@ INVCAL_APART static invcal_event feed_any(invcal_rests *s, const int32_t raw[3])
         begin(s, raw);
         return INVCAL_NOTHING;
     }
+    s->span = 0; /* the squares may be large now */
     for (unsigned a = 0; a < 3; a++) {
         add_reading(s, a, raw[a]);
     }
@@ -753,6 +772,7 @@ invcal_status invcal_rests_init(invcal_rests *rests, unsigned rate)
     rests->least = (uint8_t)(blocks > LEAST ? blocks : LEAST);
     rests->dwell = rests->least;
     rests->skip = edge_of(rests);
+    rests->seek = SEEK;
     return invcal_rests_rails(rests, INT32_MIN, INT32_MAX);
 }
 
@@ -762,14 +782,8 @@ invcal_status invcal_rests_rails(invcal_rests *rests, int32_t low, int32_t high)
     if (low >= high) {
         return INVCAL_BAD_RAILS;
     }
-    const uint32_t quarter = ((uint32_t)high - (uint32_t)low) / 4;
-    uint16_t widest = 2 * SMALL_MAX;
-    while (widest > quarter) { /* at most 16 steps: halved */
-        widest /= 2;
-    }
-    rests->widest = widest;
     rests->low = low;
-    rests->high = high;
+    rests->between = (uint32_t)high - (uint32_t)low - 1;
     return INVCAL_OK;
 }
 
@@ -834,17 +848,16 @@ int invcal_rests_get(const invcal_rests *rests, invcal_rest *out)
         return 0;
     }
     const uint32_t size = UINT32_C(1) << rests->bits;
-    const invcal_real variance =
-        (invcal_real)(uint32_t)(rests->variance >> 32) * INVCAL_REAL(4294967296.0) +
-        (invcal_real)(uint32_t)rests->variance;
+    const uint32_t degrees = blocks_of(rests) * 3 * (size - 1); /* of freedom, less than 2^28 */
+    const invcal_real squares = (invcal_real)(uint32_t)(rests->variance >> 32) * TWO_32 +
+                                (invcal_real)(uint32_t)rests->variance;
     out->count = rests->blocks * size;
     for (unsigned a = 0; a < 3; a++) {
         out->sum[a] = rests->total[a] + (int64_t)rests->origin[a] * (int64_t)out->count;
     }
     out->begin = rests->begin;
     out->end = rests->end;
-    out->variance = variance / (invcal_real)(blocks_of(rests) * 192) * (invcal_real)size /
-                    (invcal_real)(size - 1);
+    out->variance = squares * (invcal_real)size / 64 / (invcal_real)degrees;
     return 1;
 }
 

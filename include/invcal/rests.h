@@ -68,29 +68,30 @@ typedef struct {
 /* The detector: 200 bytes. Nothing in it is meant to be read or changed. What is called a level is a
  * logarithm, see rests.c. */
 typedef struct {
-    uint8_t stage, reason, flags, seen, pended, skip, hold, drift, run, frozen; /* see rests.c */
-    uint8_t bits;      /* a block has 1 << bits samples */
-    uint8_t least;     /* blocks that make a position, however short the time to hold */
-    uint16_t dwell;    /* the same with it */
-    uint16_t rate;     /* samples per second */
-    uint16_t pace;     /* level of (blocks per second)^2 */
-    uint16_t noise;    /* level, learned from the stream, see above; 0: nothing is known yet */
-    uint16_t wander;   /* and this */
-    uint16_t reach;    /* and this */
-    uint16_t other;    /* another noise level in the making */
-    uint16_t widest;   /* what span is away from the rails */
-    uint16_t span;     /* twice what differences may be to be added quickly; 0: none */
-    uint16_t blocks;   /* of the candidate: committed. It stops growing at 65535, after 1.6 hours */
-    uint16_t lag;      /* of `once` behind a slope of one a block, 1/256 blocks */
-    uint16_t spread;   /* and of `twice` behind `once` */
-    uint32_t missing;  /* samples until the block is full; 0: the next begins another */
-    uint32_t quantum;  /* smallest change ever seen inside a block, counts; 0: none as yet */
-    uint32_t time;     /* samples in full blocks so far, modulo 2^32 */
-    int32_t low, high; /* rails: a sensor that reads them may be beyond */
+    uint8_t stage, reason, flags, seen, pended, skip, hold, drift, run, frozen, seek; /* rests.c */
+    uint8_t bits;     /* a block has 1 << bits samples */
+    uint8_t least;    /* blocks that make a position, however short the time to hold */
+    uint16_t dwell;   /* the same with it */
+    uint16_t rate;    /* samples per second */
+    uint16_t pace;    /* level of (blocks per second)^2 */
+    uint16_t noise;   /* level, learned from the stream, see above; 0: nothing is known yet */
+    uint16_t wander;  /* and this */
+    uint16_t reach;   /* and this */
+    uint16_t other;   /* another noise level in the making */
+    uint16_t span;    /* twice what differences may be to be added quickly; 0: none */
+    uint16_t blocks;  /* of the candidate: committed. It stops growing at 65535, after 1.6 hours */
+    uint16_t lag;     /* of `once` behind a slope of one a block, 1/256 blocks */
+    uint16_t spread;  /* and of `twice` behind `once` */
+    uint32_t missing; /* samples until the block is full; 0: the next begins another */
+    uint32_t quantum; /* smallest change ever seen inside a block, counts; 0: none as yet */
+    uint32_t time;    /* samples in full blocks so far, modulo 2^32 */
+    int32_t low;      /* rail, the least that the sensor reads */
+    uint32_t between; /* readings between low and the other rail */
     uint32_t begin, end;   /* of the blocks committed */
     int32_t first[3];      /* sample of the block being filled, */
     uint32_t sum[3];       /* sums of the differences to it, modulo 2^32, */
-    uint64_t square;       /* and of their squares, the three axes together */
+    uint32_t square;       /* and of their squares, the three axes together; its overflow */
+    uint32_t carry;        /* counts here */
     int32_t origin[3];     /* a place that means of blocks are relative to */
     int32_t once[3];       /* fading mean of the candidate's block means, 1/256 counts, */
     int32_t twice[3];      /* and fading mean of that mean */
