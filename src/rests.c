@@ -164,7 +164,6 @@ static int level_of(const int32_t v[3], int bits)
     const unsigned shift = 17 - zeros_before(all);
     uint32_t sum = 0;
 
-    INVCAL_UNROLL
     for (unsigned a = 0; a < 3; a++) {
         const uint32_t size = size_of(v[a]) >> shift;
         sum += size * size;
@@ -301,7 +300,7 @@ static void measure(const invcal_rests *s, uint64_t scatter, finding *f)
 /* What a sum of a block makes of a mean, 1/256 counts. */
 static int32_t fine_mean(const invcal_rests *s, int32_t sum)
 {
-    return s->bits <= FINE ? sum * (1 << (FINE - s->bits)) : shifted(sum, s->bits - FINE);
+    return s->bits <= FINE ? sum * (1 << (FINE - s->bits)) : shifted(sum, s->bits - (unsigned)FINE);
 }
 
 /* Where the block is, relative to origin; 0 on an axis on which that is too far. */
@@ -320,8 +319,8 @@ static void relate(const invcal_rests *s, finding *f)
     }
 }
 
-/* The level of the way from the last position to origin. */
-static int level_of_way(const invcal_rests *s)
+/* The level of the distance from the last position to origin. */
+static int level_of_move(const invcal_rests *s)
 {
     int32_t d[3];
 
@@ -338,7 +337,7 @@ static void move_origin(invcal_rests *s, finding *f)
         const int32_t off = shifted(as_signed(s->sum[a]), s->bits);
         s->origin[a] = as_signed((uint32_t)s->first[a] + (uint32_t)off);
     }
-    s->reach = (uint16_t)larger(s->reach, level_of_way(s));
+    s->reach = (int16_t)larger(s->reach, level_of_move(s));
     relate(s, f);
 }
 
@@ -370,15 +369,15 @@ static int noise_level(const invcal_rests *s)
 }
 
 /* Follows a low quantile. */
-static uint16_t follow(int level, int x)
+static int16_t follow(int level, int x)
 {
     if (level == NONE || (x >= level && x <= level + RISE)) {
-        return (uint16_t)x;
+        return (int16_t)x;
     }
     if (x > level) {
-        return (uint16_t)(level + RISE);
+        return (int16_t)(level + RISE);
     }
-    return (uint16_t)(x < level - FAR_BELOW ? x + FAR_BELOW : larger(x, level - FALL));
+    return (int16_t)(x < level - FAR_BELOW ? x + FAR_BELOW : larger(x, level - FALL));
 }
 
 /* A quiet block is judged by the noise so far, and then adds to it. What came before one that is far
@@ -388,7 +387,7 @@ static void learn_noise(invcal_rests *s, finding *f)
     const int hidden = quantum_level(s) + HIDDEN;
 
     if (s->noise == NONE) {
-        s->noise = (uint16_t)f->level;
+        s->noise = (int16_t)f->level;
     }
     if (larger(f->level, hidden) < s->noise - 2 * FAR_BELOW && s->blocks < s->least) {
         s->stage = IDLE;
@@ -410,7 +409,7 @@ static int learn_new_noise(invcal_rests *s, const finding *f)
 
     if (f->quiet || !f->fits || d > ALIKE || d < -ALIKE || level_of(f->mean, FINE) > f->level) {
         s->run = 0;
-        s->other = (uint16_t)f->level;
+        s->other = (int16_t)f->level;
         return 0;
     }
     s->run++;
@@ -487,7 +486,7 @@ static void start(invcal_rests *s)
 /* Is this the position taken last? */
 static int is_same(const invcal_rests *s)
 {
-    return (s->flags & TAKEN) != 0 && level_of_way(s) < resolution_level(s);
+    return (s->flags & TAKEN) != 0 && level_of_move(s) < resolution_level(s);
 }
 
 /* Has nothing ever changed, or one axis not, among others of a noise that it cannot be without? */
@@ -559,9 +558,6 @@ static void commit(invcal_rests *s, const int32_t sum[3])
         s->total[a] += sum[a];
     }
     s->end = s->time - ((uint32_t)TRIM << s->bits);
-    if (s->blocks == 0) {
-        s->begin = s->end - (UINT32_C(1) << s->bits);
-    }
     s->blocks++;
 }
 
@@ -572,6 +568,9 @@ static void add_block(invcal_rests *s, const finding *f)
     add_trend(s, f);
     if (s->blocks == UINT16_MAX) { /* it has blocks enough */
         return;
+    }
+    if (blocks_of(s) == 0) {
+        s->begin = s->time - (UINT32_C(1) << s->bits);
     }
     if (s->pended < TRIM) {
         s->pended++;
@@ -694,11 +693,12 @@ static invcal_event judge_moment(invcal_rests *s, finding *f)
 
 /* No noise at all, though the stream has shown some that would not allow it; or three axes that
  * read the same number: no triad does. */
-static int is_dead(const invcal_rests *s)
+static int is_dead(const invcal_rests *s, uint64_t scatter)
 {
     const int32_t *first = s->first;
 
-    return s->noise > quantum_level(s) || (first[0] == first[1] && first[1] == first[2]);
+    return scatter == 0 && (s->seen & WILD) == 0 &&
+           (s->noise > quantum_level(s) || (first[0] == first[1] && first[1] == first[2]));
 }
 
 static invcal_event freeze(invcal_rests *s)
@@ -724,7 +724,7 @@ INVCAL_APART static invcal_event decide(invcal_rests *s)
 
     drop(s);
     s->time += UINT32_C(1) << s->bits;
-    if (scatter == 0 && is_dead(s)) {
+    if (is_dead(s, scatter)) {
         return freeze(s);
     }
     s->frozen = 0;
@@ -768,7 +768,7 @@ invcal_status invcal_rests_init(invcal_rests *rests, unsigned rate)
     }
     const int pace = logarithm(rate) - rests->bits * OCTAVE;
     const unsigned blocks = (5 * rate / 8 + (1u << rests->bits) - 1) >> rests->bits;
-    rests->pace = (uint16_t)(2 * pace);
+    rests->pace = (int16_t)(2 * pace);
     rests->least = (uint8_t)(blocks > LEAST ? blocks : LEAST);
     rests->dwell = rests->least;
     rests->skip = edge_of(rests);

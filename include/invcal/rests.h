@@ -73,11 +73,11 @@ typedef struct {
     uint8_t least;    /* blocks that make a position, however short the time to hold */
     uint16_t dwell;   /* the same with it */
     uint16_t rate;    /* samples per second */
-    uint16_t pace;    /* level of (blocks per second)^2 */
-    uint16_t noise;   /* level, learned from the stream, see above; 0: nothing is known yet */
-    uint16_t wander;  /* and this */
-    uint16_t reach;   /* and this */
-    uint16_t other;   /* another noise level in the making */
+    int16_t pace;     /* level of (blocks per second)^2 */
+    int16_t noise;    /* level, learned from the stream, see above; 0: nothing is known yet */
+    int16_t wander;   /* and this */
+    int16_t reach;    /* and this */
+    int16_t other;    /* another noise level in the making */
     uint16_t span;    /* twice what differences may be to be added quickly; 0: none */
     uint16_t blocks;  /* of the candidate: committed. It stops growing at 65535, after 1.6 hours */
     uint16_t lag;     /* of `once` behind a slope of one a block, 1/256 blocks */

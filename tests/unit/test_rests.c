@@ -1,4 +1,5 @@
 /* SPDX-License-Identifier: MIT */
+#include <float.h>
 #include <math.h>
 #include <string.h>
 
@@ -44,6 +45,7 @@ typedef struct {
     /* what was found */
     unsigned taken, ready, refused[INVCAL_STATUS_COUNT];
     unsigned ready_before; /* since the position before */
+    int is_held;           /* READY, and neither taken nor refused since */
     unsigned seen[INVCAL_REFUSED + 1];
     invcal_rest rest[RESTS];
     uint32_t events; /* a checksum of all of them */
@@ -87,23 +89,26 @@ static void note(invcal_event event)
     if (event == INVCAL_READY) {
         b.ready++;
         b.ready_before++;
+        b.is_held = 1;
         TEST_ASSERT_EQUAL_UINT(1, b.ready_before);
-        TEST_ASSERT_TRUE(is_there);
     }
     if (event == INVCAL_TAKEN) {
         if (TEST_RAM < 65536 && b.taken == RESTS) {
             skip_large();
         }
-        TEST_ASSERT_TRUE(b.taken < RESTS && is_there);
+        TEST_ASSERT_TRUE(b.taken < RESTS);
         TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_rests_reason(&b.detector));
         b.rest[b.taken++] = rest;
         b.ready_before = 0;
+        b.is_held = 0;
     }
     if (event == INVCAL_REFUSED) {
         TEST_ASSERT_NOT_EQUAL(INVCAL_OK, invcal_rests_reason(&b.detector));
         b.refused[invcal_rests_reason(&b.detector)]++;
         b.ready_before = 0;
+        b.is_held = 0;
     }
+    TEST_ASSERT_EQUAL_INT(b.is_held || event == INVCAL_TAKEN, is_there);
     if (!is_there) {
         TEST_ASSERT_TRUE(memcmp(&before, &rest, sizeof rest) == 0);
     }
@@ -120,7 +125,11 @@ static void push(const int32_t raw[3])
 
 static void end_of_stream(void)
 {
-    note(invcal_rests_finish(&b.detector));
+    const invcal_event event = invcal_rests_finish(&b.detector);
+
+    if (event != INVCAL_MOVING) { /* what was taken just before is still to be read */
+        note(event);
+    }
 }
 
 static int32_t whole(double x)
@@ -384,6 +393,229 @@ static void variance_is_that_of_one_sample(void)
     const double sigma = 1e-3 * 16384;
     TEST_ASSERT_EQUAL_UINT(1, b.taken);
     TEST_ASSERT_DOUBLE_WITHIN(0.02 * sigma * sigma, sigma * sigma, (double)b.rest[0].variance);
+}
+
+/* Normal noise about three centres. */
+static void noisy(random_source *random, const double centre[3], double sigma, int32_t raw[3])
+{
+    for (unsigned a = 0; a < 3; a++) {
+        raw[a] = whole(centre[a] + sigma * random_normal(random));
+    }
+}
+
+/* What the samples of one block give: their sum, and their variance about its mean. */
+typedef struct {
+    int64_t sum[3];
+    double square, off[3];
+    unsigned samples;
+} block_sums;
+
+static double add_to_block(block_sums *k, unsigned size, const double centre[3],
+                           const int32_t raw[3])
+{
+    for (unsigned a = 0; a < 3; a++) {
+        const double d = (double)((int64_t)raw[a] - (int64_t)centre[a]);
+        k->off[a] += d;
+        k->square += d * d;
+    }
+    if (++k->samples < size) {
+        return 0;
+    }
+    double scatter = k->square;
+    for (unsigned a = 0; a < 3; a++) {
+        scatter -= k->off[a] * k->off[a] / size;
+    }
+    memset(k, 0, sizeof *k);
+    return scatter / (size - 1);
+}
+
+/* Samples until something is said of the first block. */
+static unsigned block_size(unsigned rate)
+{
+    invcal_rests detector;
+    int32_t raw[3] = {7, 0, 0};
+    unsigned n = 1;
+
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_rests_init(&detector, rate));
+    while (invcal_rests_feed(&detector, raw) == INVCAL_NOTHING) {
+        raw[0] = (int32_t)n++;
+    }
+    return n;
+}
+
+static void a_block_is_an_eighth_of_a_second_or_four_samples(void)
+{
+    for (unsigned rate = 8; rate <= 8000; rate += 1 + rate / 20) {
+        const unsigned n = block_size(rate);
+        TEST_ASSERT_TRUE(n >= 4 && (n == 4 || 11 * n < 2 * rate));
+        TEST_ASSERT_TRUE(11 * n >= rate);
+    }
+}
+
+/* A rest of 24 blocks, and again, to sum what has been found. Returns 0 if chance has disturbed it:
+ * of four samples that happens. */
+static unsigned check_rest(unsigned rate, const double centre[3], double sigma, uint32_t seed)
+{
+    const unsigned size = block_size(rate);
+    random_source random = random_start(seed);
+    block_sums k = {{0}, 0, {0}, 0};
+    int64_t sum[3] = {0};
+    double variance = 0;
+    int32_t raw[3];
+
+    setup(rate, 1, 0);
+    for (unsigned i = 0; i < 24 * size; i++) {
+        noisy(&random, centre, sigma, raw);
+        push(raw);
+    }
+    end_of_stream();
+    TEST_ASSERT_EQUAL_UINT(1, b.taken);
+    const invcal_rest *r = &b.rest[0];
+    if (r->end - r->begin != r->count || r->end + 2 * size != 24 * size) {
+        TEST_ASSERT_EQUAL_UINT(4, size);
+        return 0;
+    }
+    random = random_start(seed);
+    for (unsigned i = 0; i < 24 * size; i++) { /* the newest two tell of the variance too */
+        noisy(&random, centre, sigma, raw);
+        variance += i < r->begin ? 0 : add_to_block(&k, size, centre, raw);
+        for (unsigned a = 0; a < 3 && i >= r->begin && i < r->end; a++) {
+            sum[a] += raw[a];
+        }
+    }
+    for (unsigned a = 0; a < 3; a++) {
+        TEST_ASSERT_EQUAL_INT64(sum[a], r->sum[a]);
+    }
+    variance /= 3.0 * (r->count / size + 2);
+    TEST_ASSERT_DOUBLE_WITHIN((3e-7 + 1000 * DBL_EPSILON) * variance + 0.01, variance,
+                              (double)r->variance);
+    return 1;
+}
+
+static void sums_are_exact_and_variance_too_for_any_offset_and_noise(void)
+{
+    static const double centres[][3] = {
+        {0, 0, 0}, {33000, -7, 2e6}, {1.9e9, -1.9e9, 40}, {-2147000000.0, 2147000000.0, 0}};
+    static const double sigmas[] = {0.4, 10, 300, 1500, 6000, 65000};
+    static const unsigned rates[] = {20, 100, 1000, 8000};
+    unsigned checked = 0;
+
+    needs_53_bits();
+    for (unsigned c = 0; c < 4; c++) {
+        for (unsigned n = 0; n < 6; n++) {
+            for (unsigned r = 0; r < 4; r++) {
+                checked += check_rest(rates[r], centres[c], sigmas[n], 10 * c + n);
+            }
+        }
+    }
+    TEST_ASSERT_TRUE(checked >= 90); /* of 96 */
+}
+
+/* Every sample but the first of a block is as far off as it may be, on all axes, up and down. */
+static void push_extremes(int32_t base, int32_t distance, unsigned size, unsigned blocks)
+{
+    for (unsigned i = 0; i < blocks * size; i++) {
+        const int32_t d = i % size == 0 ? 0 : (i & 1) != 0 ? distance : -distance;
+        const int32_t raw[3] = {base + d, base - d, base / 2 + d};
+        push(raw);
+    }
+}
+
+#define WIDE 524288
+
+static void nothing_overflows_at_the_largest_distance(void)
+{
+    static const int32_t bases[] = {0, INT32_MAX - WIDE, INT32_MIN + WIDE};
+    static const unsigned rates[] = {8, 100, 8000};
+
+    for (unsigned k = 0; k < 9; k++) {
+        const unsigned size = block_size(rates[k % 3]);
+        setup(rates[k % 3], 1, 0);
+        push_extremes(bases[k / 3], WIDE - 1, size, 30);
+        end_of_stream();
+        TEST_ASSERT_EQUAL_UINT(1, b.taken);
+        const invcal_rest *r = &b.rest[0];
+        const int64_t blocks = r->count / size;
+        const int64_t off = WIDE - 1; /* one more is up than down */
+        const double d = (WIDE - 1.0) * (WIDE - 1.0);
+        TEST_ASSERT_EQUAL_INT64(bases[k / 3] * (int64_t)r->count + blocks * off, r->sum[0]);
+        TEST_ASSERT_EQUAL_INT64(bases[k / 3] * (int64_t)r->count - blocks * off, r->sum[1]);
+        TEST_ASSERT_EQUAL_INT64(bases[k / 3] / 2 * (int64_t)r->count + blocks * off, r->sum[2]);
+        TEST_ASSERT_DOUBLE_WITHIN(1e-6 * d, d - d / (size * (size - 1)), (double)r->variance);
+    }
+}
+
+static void samples_too_far_from_the_first_are_no_rest(void)
+{
+    static const int32_t value[][2] = {{0, WIDE},
+                                       {0, -WIDE},
+                                       {INT32_MIN, INT32_MAX},
+                                       {INT32_MAX, INT32_MIN},
+                                       {INT32_MAX - 5, INT32_MIN + 5},
+                                       {INT32_MIN + 5, INT32_MAX - 5}};
+
+    for (unsigned k = 0; k < 18; k++) {
+        setup(50, 1, 0);
+        for (unsigned i = 0; i < 400; i++) {
+            int32_t raw[3] = {0, 0, 0};
+            raw[k % 3] = value[k / 3][i & 1];
+            push(raw);
+        }
+        end_of_stream();
+        TEST_ASSERT_EQUAL_UINT(0, b.ready + b.taken);
+        TEST_ASSERT_EQUAL_UINT(0, b.seen[INVCAL_REFUSED]);
+    }
+}
+
+/* What came before a gap is in no sum of the block that begins behind it. */
+static void a_dropped_block_leaves_nothing_in_the_next(void)
+{
+    const int32_t other[3] = {INT32_MIN, 70000, -1};
+    static bench plain;
+
+    for (unsigned dropped = 0; dropped < 2; dropped++) {
+        plain = b;
+        setup(100, 16384, 1e-3);
+        hold(1, 1.28); /* 8 blocks */
+        for (unsigned i = 0; i < 15 * dropped; i++) {
+            push(other);
+        }
+        invcal_rests_gap(&b.detector);
+        keep(1, 1.28);
+        end_of_stream();
+    }
+    TEST_ASSERT_EQUAL_UINT(1, b.taken);
+    TEST_ASSERT_EQUAL_UINT32(plain.rest[0].count, b.rest[0].count);
+    for (unsigned a = 0; a < 3; a++) {
+        TEST_ASSERT_EQUAL_INT64(plain.rest[0].sum[a], b.rest[0].sum[a]);
+    }
+    TEST_ASSERT_TRUE(plain.rest[0].variance == b.rest[0].variance);
+    TEST_ASSERT_EQUAL_UINT32(plain.rest[0].end, b.rest[0].end);
+}
+
+/* Where counts go in steps of 64, that is known after half a minute, and samples are added as
+ * quickly as any: the sums stay exact, and rails are noticed. */
+static void a_coarse_sensor_is_summed_and_clipped_after_minutes_too(void)
+{
+    setup_rails(100, 256, 4e-3, -230, 230);
+    b.scale = 64;
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_rests_rails(&b.detector, -230 * 64, 230 * 64));
+    for (unsigned k = 0; k < 12; k++) {
+        hold(k % 2 ? 1 : 5, 6);
+        turn(k % 2 ? 1 : 5, k % 2 ? 5 : 1, 1);
+    }
+    check_windows(12, 1.2);
+    for (unsigned i = 0; i < 12; i++) {
+        for (unsigned a = 0; a < 3; a++) {
+            TEST_ASSERT_DOUBLE_WITHIN(2e-3, face[i % 2 ? 1 : 5][a],
+                                      (double)b.rest[i].sum[a] / b.rest[i].count / 256 / 64);
+            TEST_ASSERT_EQUAL_INT(0, b.rest[i].sum[a] % 64);
+        }
+    }
+    hold(0, 3); /* 1 g: beyond 0.9 */
+    end_of_stream();
+    TEST_ASSERT_EQUAL_UINT(12, b.taken);
+    TEST_ASSERT_EQUAL_UINT(1, b.refused[INVCAL_REST_CLIPPED]);
 }
 
 static void means_hold_all_bits_there_are(void)
@@ -656,6 +888,75 @@ static void a_rest_at_a_rail_is_refused_as_clipped(void)
     hold(1, 3);
     end_of_stream();
     check_windows(3, 1.2);
+}
+
+/* A rest of 20 blocks of 16 that toggle about `at`; one sample in the midst of it reads `odd`. */
+static unsigned clipped_with(int32_t low, int32_t high, const int32_t at[3], unsigned sample,
+                             unsigned axis, int32_t odd)
+{
+    setup(100, 1, 0);
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_rests_rails(&b.detector, low, high));
+    for (unsigned i = 0; i < 20 * 16; i++) {
+        int32_t raw[3] = {at[0] + (int32_t)(i & 1), at[1] - (int32_t)(i & 1), at[2]};
+        if (i == 12 * 16 + sample) {
+            raw[axis] = odd;
+        }
+        push(raw);
+    }
+    end_of_stream();
+    TEST_ASSERT_EQUAL_UINT(1, b.taken + b.refused[INVCAL_REST_CLIPPED]);
+    return b.refused[INVCAL_REST_CLIPPED];
+}
+
+static void a_sample_at_a_rail_or_beyond_is_clipped_on_any_axis_at_any_time(void)
+{
+    static const int32_t rails[][2] = {
+        {-2048, 2047}, {-32768, 32767}, {0, 65535}, {7, 11}, {INT32_MIN, INT32_MAX}};
+
+    for (unsigned k = 0; k < 5; k++) {
+        const int32_t low = rails[k][0];
+        const int32_t high = rails[k][1];
+        const int32_t at[3] = {low + 1, high - 1, low + 2};
+        for (unsigned i = 0; i < 48; i += 1 + i % 3) {
+            const unsigned axis = i % 3;
+            const int32_t rail = axis == 1 ? high : low;
+            const int32_t beyond = axis == 1 ? 1 : -1;
+            TEST_ASSERT_EQUAL_UINT(0, clipped_with(low, high, at, i / 3, axis, rail - beyond));
+            TEST_ASSERT_EQUAL_UINT(1, clipped_with(low, high, at, i / 3, axis, rail));
+            if (k < 4) {
+                TEST_ASSERT_EQUAL_UINT(1, clipped_with(low, high, at, i / 3, axis, rail + beyond));
+            }
+        }
+    }
+}
+
+/* Blocks that begin at any distance from a rail, and come to a count from it, or reach it. */
+static unsigned clipped_from(int32_t distance, int32_t reached)
+{
+    const int32_t low = -131072;
+    const int32_t high = 131071;
+
+    setup(100, 1, 0);
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_rests_rails(&b.detector, low, high));
+    for (unsigned i = 0; i < 20 * 16; i++) {
+        const int32_t d = i % 16 == 0 ? distance : reached;
+        const int32_t raw[3] = {low + d, high - d - (int32_t)(i & 1), (int32_t)(i & 1)};
+        push(raw);
+    }
+    end_of_stream();
+    TEST_ASSERT_EQUAL_UINT(1, b.taken + b.refused[INVCAL_REST_CLIPPED]);
+    return b.refused[INVCAL_REST_CLIPPED];
+}
+
+static void a_rail_is_seen_from_any_distance(void)
+{
+    for (int32_t distance = 1; distance <= 65536; distance *= 2) {
+        for (int32_t off = -1; off <= 1; off++) {
+            const int begins_there = distance + off == 0;
+            TEST_ASSERT_EQUAL_UINT(begins_there, clipped_from(distance + off, 1));
+            TEST_ASSERT_EQUAL_UINT(1, clipped_from(distance + off, 0));
+        }
+    }
 }
 
 static void the_ends_of_int32_clip_where_no_rails_are_given(void)
@@ -934,6 +1235,128 @@ static void a_fan_switched_on_is_a_new_noise_level(void)
     check_windows(11, 2);
 }
 
+/* ---- how long to hold -------------------------------------------------------------------------- */
+
+/* Seconds that were measured when READY was said. */
+static double seconds_at_ready(unsigned rate, unsigned milliseconds)
+{
+    invcal_rest rest = {{0}, 0, 0, 0, 0};
+    unsigned before = 0;
+
+    setup(rate, 16384, 1e-3);
+    invcal_rests_hold(&b.detector, milliseconds);
+    for (unsigned long i = 0; i < 20ul * rate && b.ready == 0; i++) {
+        sense(face[1], none);
+        TEST_ASSERT_TRUE(b.progress >= before);
+        before = b.progress;
+    }
+    TEST_ASSERT_EQUAL_UINT(100, before);
+    TEST_ASSERT_EQUAL_INT(1, invcal_rests_get(&b.detector, &rest));
+    return (double)rest.count / rate;
+}
+
+static void a_rest_is_held_as_long_as_is_asked_and_no_longer(void)
+{
+    static const unsigned rates[] = {8, 50, 100, 1000};
+
+    for (unsigned r = 0; r < 4; r++) {
+        const double shortest = seconds_at_ready(rates[r], 0);
+        TEST_ASSERT_TRUE(shortest >= 0.5 && shortest <= (rates[r] < 32 ? 2 : 0.7));
+        TEST_ASSERT_TRUE(fabs(seconds_at_ready(rates[r], 300) - shortest) < 1e-9);
+        for (unsigned ms = 2500; ms <= 10000; ms += 1250) {
+            const double measured = seconds_at_ready(rates[r], ms);
+            TEST_ASSERT_TRUE(measured >= ms / 1000.0);
+            TEST_ASSERT_TRUE(measured <= ms / 1000.0 + (rates[r] < 32 ? 1 : 0.36));
+        }
+    }
+}
+
+/* And its place is not one that has been taken. */
+static void a_rest_left_before_its_time_is_refused_as_short(void)
+{
+    setup(100, 16384, 1e-3);
+    invcal_rests_hold(&b.detector, 3000);
+    hold(1, 3.5);
+    turn(1, 2, 1);
+    TEST_ASSERT_EQUAL_UINT(0, b.taken);
+    TEST_ASSERT_EQUAL_UINT(1, b.refused[INVCAL_REST_SHORT]);
+    turn(2, 1, 1);
+    hold(1, 4.6);
+    TEST_ASSERT_EQUAL_UINT(1, b.ready);
+    turn(1, 3, 1);
+    hold(3, 3.5);
+    invcal_rests_gap(&b.detector);
+    turn(3, 4, 1);
+    TEST_ASSERT_EQUAL_UINT(1, b.taken);
+    TEST_ASSERT_EQUAL_UINT(1, b.refused[INVCAL_REST_GAP]);
+    TEST_ASSERT_EQUAL_UINT(2, all_refused());
+}
+
+static void the_time_to_hold_may_change_in_the_midst_of_a_rest(void)
+{
+    invcal_rest rest;
+
+    setup(100, 16384, 1e-3);
+    hold(1, 2);
+    TEST_ASSERT_EQUAL_UINT(1, b.ready);
+    invcal_rests_hold(&b.detector, 500); /* no longer than it has been: READY as before */
+    TEST_ASSERT_EQUAL_UINT(100, invcal_rests_progress(&b.detector));
+    invcal_rests_hold(&b.detector, 4000);
+    TEST_ASSERT_EQUAL_INT(0, invcal_rests_get(&b.detector, &rest));
+    TEST_ASSERT_TRUE(invcal_rests_progress(&b.detector) > 15);
+    TEST_ASSERT_TRUE(invcal_rests_progress(&b.detector) < 50);
+    b.ready_before = 0;
+    b.is_held = 0;
+    keep(1, 2);
+    TEST_ASSERT_EQUAL_UINT(1, b.ready);
+    keep(1, 1.5);
+    TEST_ASSERT_EQUAL_UINT(2, b.ready);
+    invcal_rests_hold(&b.detector, 3600000);
+    b.ready_before = 0;
+    b.is_held = 0;
+    keep(1, 1);
+    TEST_ASSERT_EQUAL_UINT(2, b.ready);
+    TEST_ASSERT_EQUAL_UINT(0, b.progress);
+    invcal_rests_hold(&b.detector, 0);
+    keep(1, 0.17);
+    TEST_ASSERT_EQUAL_UINT(3, b.ready);
+    turn(1, 2, 1);
+    check_windows(1, 1.2);
+    TEST_ASSERT_EQUAL_UINT(0, all_refused());
+}
+
+/* Nobody waits for a minute to hear that the first second was no good. */
+static void faults_are_told_before_the_time_has_passed(void)
+{
+    setup(100, 16384, 5e-4);
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_rests_rails(&b.detector, -16380, 16380));
+    invcal_rests_hold(&b.detector, 60000);
+    hold(0, 2);
+    TEST_ASSERT_EQUAL_UINT(1, b.refused[INVCAL_REST_CLIPPED]);
+    turn(0, 1, 1);
+    creep(1, 0, 4);
+    TEST_ASSERT_EQUAL_UINT(1, b.refused[INVCAL_REST_DRIFT]);
+    turn(1, 0, 1);
+    hold(0, 2);
+    TEST_ASSERT_EQUAL_UINT(2, b.refused[INVCAL_REST_CLIPPED]);
+}
+
+/* An hour is the most: 4 samples in a block of half a second, 7200 of them and one. */
+static void an_hour_is_the_longest_time_to_hold(void)
+{
+    if (sizeof(unsigned) < 4) {
+        TEST_IGNORE_MESSAGE("65 s is the longest here");
+    }
+    for (unsigned i = 0; i < 2; i++) {
+        setup(8, 16384, 1e-3);
+        invcal_rests_hold(&b.detector, i == 0 ? 3600000u : 4294967295u);
+        hold(1, 3600);
+        TEST_ASSERT_EQUAL_UINT(0, b.ready);
+        keep(1, 30);
+        TEST_ASSERT_EQUAL_UINT(1, b.ready);
+    }
+}
+
 /* ---- what is told meanwhile ------------------------------------------------------------------- */
 
 static void progress_rises_to_100_at_ready_and_falls_with_motion(void)
@@ -1001,6 +1424,7 @@ static void finish_answers_in_every_state(void)
     TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_rests_reason(&b.detector));
     TEST_ASSERT_EQUAL_INT(INVCAL_MOVING, invcal_rests_finish(&b.detector));
     b.ready_before = 0;
+    b.is_held = 0;
     turn(0, 1, 1);
     TEST_ASSERT_EQUAL_INT(INVCAL_MOVING, invcal_rests_finish(&b.detector));
     hold(1, 3); /* the stream may go on */
@@ -1147,6 +1571,12 @@ int main(void)
     RUN_TEST(a_swinging_device_does_not_rest);
     RUN_TEST(sums_are_exact);
     RUN_TEST(variance_is_that_of_one_sample);
+    RUN_TEST(a_block_is_an_eighth_of_a_second_or_four_samples);
+    RUN_SLOW_TEST(sums_are_exact_and_variance_too_for_any_offset_and_noise);
+    RUN_TEST(nothing_overflows_at_the_largest_distance);
+    RUN_TEST(samples_too_far_from_the_first_are_no_rest);
+    RUN_TEST(a_dropped_block_leaves_nothing_in_the_next);
+    RUN_TEST(a_coarse_sensor_is_summed_and_clipped_after_minutes_too);
     RUN_TEST(means_hold_all_bits_there_are);
     RUN_SLOW_TEST(unit_offset_and_order_of_the_axes_do_not_matter);
     RUN_TEST(a_copy_of_the_state_goes_on_alike);
@@ -1156,6 +1586,8 @@ int main(void)
     RUN_TEST(what_is_shaken_is_moving_and_does_not_settle);
     RUN_TEST(a_few_counts_for_a_while_do_not_end_a_rest);
     RUN_TEST(a_rest_at_a_rail_is_refused_as_clipped);
+    RUN_SLOW_TEST(a_sample_at_a_rail_or_beyond_is_clipped_on_any_axis_at_any_time);
+    RUN_SLOW_TEST(a_rail_is_seen_from_any_distance);
     RUN_TEST(the_ends_of_int32_clip_where_no_rails_are_given);
     RUN_TEST(a_sensor_that_never_speaks_is_frozen_and_says_so_once);
     RUN_TEST(an_axis_that_stands_still_amid_noise_is_refused_as_frozen);
@@ -1174,6 +1606,11 @@ int main(void)
     RUN_TEST(a_stream_that_begins_in_motion_learns_soon);
     RUN_SLOW_TEST(two_minutes_of_rest_are_one_position);
     RUN_TEST(a_fan_switched_on_is_a_new_noise_level);
+    RUN_SLOW_TEST(a_rest_is_held_as_long_as_is_asked_and_no_longer);
+    RUN_TEST(a_rest_left_before_its_time_is_refused_as_short);
+    RUN_TEST(the_time_to_hold_may_change_in_the_midst_of_a_rest);
+    RUN_TEST(faults_are_told_before_the_time_has_passed);
+    RUN_SLOW_TEST(an_hour_is_the_longest_time_to_hold);
     RUN_TEST(progress_rises_to_100_at_ready_and_falls_with_motion);
     RUN_TEST(the_position_in_the_making_can_be_read_from_ready_on);
     RUN_TEST(finish_answers_in_every_state);
