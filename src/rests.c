@@ -27,7 +27,7 @@ enum {
     SEEK = 255,     /* blocks without a smaller change than the quantum: it is known, 30 s */
     FREEZE = 8,     /* blocks in a row without any noise: the sensor is not read, 1.2 s */
     FADE = 4,       /* the trend forgets: 1 << FADE blocks count, 2 s, as long as a short rest */
-    SETTLED = 20,   /* blocks after which a trend is known well enough to be followed, 3 s */
+    SETTLED = 12,   /* blocks after which a trend is known well enough to be followed, 1.8 s */
     DRIFTING = 10   /* blocks in a row of a rest that drifts, until it is refused: 1.5 s */
 };
 
@@ -61,7 +61,8 @@ enum {
 };
 
 #define WIDE (INT32_C(1) << 19) /* counts: no noise is so large, and no rest creeps so far */
-#define FINE 8                  /* bits behind the point of a mean */
+#define MEAN_MAX (2 * WIDE << FINE)
+#define FINE 8 /* bits behind the point of a mean */
 #define TWO_32 INVCAL_REAL(4294967296.0)
 #define HOUR (UINT32_C(3600) * 125) /* in 1/125 s */
 
@@ -100,6 +101,11 @@ typedef struct {
 static int larger(int a, int b)
 {
     return a > b ? a : b;
+}
+
+static uint32_t smaller(uint32_t a, uint32_t b)
+{
+    return a < b ? a : b;
 }
 
 static uint32_t size_of(int32_t x)
@@ -157,11 +163,21 @@ static int logarithm(uint32_t x)
     return (30 - (int)zeros) * OCTAVE + (int)(x << zeros >> 24);
 }
 
+static int wide_logarithm(uint64_t x)
+{
+    int level = 0;
+
+    for (; x > UINT32_MAX; x >>= 4) {
+        level += 4 * OCTAVE;
+    }
+    return level + logarithm((uint32_t)x);
+}
+
 /* The level of a squared length of so many bits behind the point. */
 static int level_of(const int32_t v[3], int bits)
 {
-    const uint32_t all = size_of(v[0]) | size_of(v[1]) | size_of(v[2]) | 0x4000u;
-    const unsigned shift = 17 - zeros_before(all);
+    const unsigned zeros = zeros_before(size_of(v[0]) | size_of(v[1]) | size_of(v[2]) | 1);
+    const unsigned shift = zeros < 17 ? 17 - zeros : 0;
     uint32_t sum = 0;
 
     for (unsigned a = 0; a < 3; a++) {
@@ -198,10 +214,9 @@ static void look_at_rails(invcal_rests *s, int32_t raw)
 static uint32_t widest_span(const invcal_rests *s)
 {
     const uint32_t quarter = s->between / 4 | 1u;
-    const unsigned by_rails = 31 - zeros_before(quarter);
-    const unsigned by_block = (32u - s->bits) / 2;
+    const uint32_t bits = smaller(31 - zeros_before(quarter), (32u - s->bits) / 2);
 
-    return UINT32_C(1) << (by_rails < by_block ? by_rails : by_block);
+    return UINT32_C(1) << bits;
 }
 
 /* Where all that is close to the first sample is off the rails too, one comparison will tell both.
@@ -290,11 +305,8 @@ static void measure(const invcal_rests *s, uint64_t scatter, finding *f)
     const int bits = s->bits;
 
     f->variance = (scatter << 2) >> (2 * bits - 4);
-    f->level = ONE - 2 * bits * OCTAVE + ((3 * OCTAVE / 2) >> bits); /* n / (n - 1), nearly */
-    for (; scatter > UINT32_MAX; scatter >>= 4) {
-        f->level += 4 * OCTAVE;
-    }
-    f->level += logarithm((uint32_t)scatter);
+    f->level = wide_logarithm(scatter) + ONE - 2 * bits * OCTAVE +
+               ((3 * OCTAVE / 2) >> bits); /* n / (n - 1), nearly */
 }
 
 /* What a sum of a block makes of a mean, 1/256 counts. */
@@ -307,11 +319,14 @@ static int32_t fine_mean(const invcal_rests *s, int32_t sum)
 static void relate(const invcal_rests *s, finding *f)
 {
     f->fits = (s->seen & WILD) == 0;
+    INVCAL_UNROLL
     for (unsigned a = 0; a < 3; a++) {
         const int64_t off = (int64_t)s->first[a] - s->origin[a];
+        const int32_t sum = as_signed(s->sum[a]);
+        //@ assert -(WIDE << s->bits) <= sum <= WIDE << s->bits; // of so many, each less than WIDE
         f->sum[a] = 0;
         if (off < WIDE && off > -WIDE) {
-            f->sum[a] = as_signed(s->sum[a]) + (int32_t)off * (1 << s->bits);
+            f->sum[a] = sum + (int32_t)off * (1 << s->bits);
         } else {
             f->fits = 0;
         }
@@ -371,27 +386,28 @@ static int noise_level(const invcal_rests *s)
 /* Follows a low quantile. */
 static int16_t follow(int level, int x)
 {
-    if (level == NONE || (x >= level && x <= level + RISE)) {
+    if (level == NONE || (x >= level - FALL && x <= level + RISE)) {
         return (int16_t)x;
     }
-    if (x > level) {
-        return (int16_t)(level + RISE);
-    }
-    return (int16_t)(x < level - FAR_BELOW ? x + FAR_BELOW : larger(x, level - FALL));
+    return (int16_t)(x > level ? level + RISE : level - FALL);
 }
 
-/* A quiet block is judged by the noise so far, and then adds to it. What came before one that is far
- * below has moved, and a rest begins anew. */
+/* A block is judged by the noise so far, and a quiet one adds to it. Before one that is far below,
+ * what came has moved; below that once more, a rest begins anew. */
 static void learn_noise(invcal_rests *s, finding *f)
 {
     const int hidden = quantum_level(s) + HIDDEN;
+    const int below = s->noise - larger(f->level, hidden);
 
     if (s->noise == NONE) {
         s->noise = (int16_t)f->level;
-    }
-    if (larger(f->level, hidden) < s->noise - 2 * FAR_BELOW && s->blocks < s->least) {
-        s->stage = IDLE;
-        s->skip = edge_of(s);
+    } else if (s->blocks < s->least && below > FAR_BELOW) {
+        s->noise = (int16_t)(s->noise - below + FAR_BELOW);
+        if (below > 2 * FAR_BELOW) {
+            s->wander = NONE;
+            s->skip = edge_of(s);
+            s->stage = IDLE;
+        }
     }
     f->limit = larger(s->noise, hidden) + QUIET;
     f->quiet = (s->seen & WILD) == 0 && f->level <= f->limit;
@@ -435,12 +451,14 @@ static uint32_t blocks_of(const invcal_rests *s)
 static void add_trend(invcal_rests *s, const finding *f)
 {
     const uint32_t blocks = blocks_of(s);
-    const unsigned bits = blocks > 0 ? 32 - zeros_before(blocks) : 0;
-    const unsigned fade = bits < FADE ? bits : FADE;
+    const unsigned fade = blocks > 0 ? (unsigned)smaller(32 - zeros_before(blocks), FADE) : 0;
 
+    INVCAL_UNROLL
     for (unsigned a = 0; a < 3; a++) {
         s->once[a] += shifted(f->mean[a] - s->once[a], fade);
+        //@ assert -MEAN_MAX <= s->once[a] <= MEAN_MAX; // between two that are
         s->twice[a] += shifted(s->once[a] - s->twice[a], fade);
+        //@ assert -MEAN_MAX <= s->twice[a] <= MEAN_MAX; // as before
     }
     const unsigned lag = s->lag + (1u << FINE);
     const unsigned spread = s->spread + (lag >> fade);
@@ -492,8 +510,10 @@ static int is_same(const invcal_rests *s)
 /* Has nothing ever changed, or one axis not, among others of a noise that it cannot be without? */
 static int is_stuck(const invcal_rests *s)
 {
+    const int own = wide_logarithm(s->variance) - logarithm(blocks_of(s)) + ONE - 6 * OCTAVE;
+
     return s->quantum == 0 ||
-           ((s->flags & ALL_CHANGED) != ALL_CHANGED && s->noise > quantum_level(s) + ALIVE);
+           ((s->flags & ALL_CHANGED) != ALL_CHANGED && own > quantum_level(s) + ALIVE);
 }
 
 static invcal_status too_short(const invcal_rests *s)
@@ -556,6 +576,8 @@ static void commit(invcal_rests *s, const int32_t sum[3])
 {
     for (unsigned a = 0; a < 3; a++) {
         s->total[a] += sum[a];
+        //@ assert -UINT16_MAX * (2 * WIDE << s->bits) <= s->total[a]; // as many blocks at most
+        //@ assert s->total[a] <= UINT16_MAX * (2 * WIDE << s->bits);
     }
     s->end = s->time - ((uint32_t)TRIM << s->bits);
     s->blocks++;
@@ -791,7 +813,7 @@ void invcal_rests_hold(invcal_rests *rests, unsigned milliseconds)
 {
     INVCAL_ASSERT(rests);
     const uint32_t time = (uint32_t)milliseconds / 8 + 1; /* in 1/125 s */
-    const uint32_t samples = (time < HOUR ? time : HOUR) * rests->rate / 125;
+    const uint32_t samples = smaller(time, HOUR) * rests->rate / 125;
     const uint32_t blocks = (samples >> rests->bits) + 1;
     rests->dwell = (uint16_t)(blocks > rests->least ? blocks : rests->least);
     if (rests->stage == ANNOUNCED && rests->blocks < rests->dwell) {
