@@ -18,11 +18,12 @@
  * makes it better. The slope of the last two seconds tells a slow turn, which no threshold on a
  * variance sees: 0.3 degrees/s (up to 1 mg of noise, 100 Hz or more) is never taken for a rest.
  *
- * All three axes are treated alike and together, and the decisions do not depend on unit, offset or
- * order of the axes. Everything is computed in integers. Raw counts may be any int32. Noise may
- * reach 65,000 counts (standard deviation), more looks like motion; and so do readings that creep
- * away by more than 500,000 counts in one rest. Noise is what stays the same: a vibration that does
- * so too counts as rest, and adds to the variance. A magnetometer's samples are found the same.
+ * All three axes are treated alike and together, and the decisions depend neither on offset nor on
+ * order of the axes, and on the unit only as far as logarithms are rounded. Everything is computed
+ * in integers. Raw counts may be any int32. Noise may reach 65,000 counts (standard deviation), more
+ * looks like motion; so do readings that creep away by more than 500,000 counts in one rest. Noise
+ * is what stays the same: a vibration that does so too counts as rest, and adds to the variance. A
+ * magnetometer's samples are found the same.
  *
  * A rest wants 2 seconds (from 32 Hz on; 5 at 10 Hz). About 0.5 s are cut off at its beginning,
  * 0.3 s at its end.
@@ -95,7 +96,7 @@ typedef struct {
     int32_t origin[3];     /* a place that means of blocks are relative to */
     int32_t once[3];       /* fading mean of the candidate's block means, 1/256 counts, */
     int32_t twice[3];      /* and fading mean of that mean */
-    int32_t place[3];      /* mean of the position taken last; before that, the first sample */
+    int32_t place[3];      /* where the position taken last was; before that, the first sample */
     int64_t total[3];      /* sum of the blocks committed, relative to origin */
     int32_t pending[2][3]; /* sums of the newest quiet blocks: lost if motion follows */
     uint64_t variance;     /* sum over the candidate's blocks, 1/64 counts^2 */
@@ -118,13 +119,16 @@ invcal_status invcal_rests_rails(invcal_rests *rests, int32_t low, int32_t high)
  * too short. A rest that is READY and has not been measured so long is READY no more: it will be
  * said again.
  *
- * milliseconds  up to an hour, more counts as that. Less than what makes a position anyway, 0.6 s,
- *               counts as that. */
+ * milliseconds  up to an hour, more counts as that; where unsigned has 16 bits it ends at 65 s. Less
+ *               than what makes a position anyway, 0.6 s, counts as that. */
 void invcal_rests_hold(invcal_rests *rests, unsigned milliseconds);
 
 /* Takes in one sample, of any value.
  *
- * Returns what happened. A position is handed out 0.6 to 1 s after motion began. */
+ * Returns what happened. A position is handed out 0.5 to 1.1 s after motion began.
+ * Cost: 45 instructions on a Cortex-M4, 70 on an M0+, more close to a rail, in motion, with noise of
+ * hundreds of counts, and, if the sensor counts in steps, in the first half minute; with every full
+ * block 650 or 1,300 more. No division. Stack: about 170 bytes (Cortex-M4F, -Os). */
 invcal_event invcal_rests_feed(invcal_rests *rests, const int32_t raw[3]);
 
 /* Samples were lost here; a block begins anew. The rest goes on if what comes agrees with it, and
