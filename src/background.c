@@ -41,7 +41,7 @@ INVCAL_APART static invcal_real newest_leverage(const invcal_background *b)
     invcal_sums sums;
     invcal_row row;
 
-    (void)invcal_sum_readings(b->session.mean[0], last, &b->session.nominal, &sums, &row);
+    invcal_sum_readings(b->session.mean[0], last, &b->session.nominal, &sums, row.h);
     (void)invcal_ridged_inverse(&sums);
     row_at(b, last, &row);
     return invcal_leverage(sums.sum, row.h);
@@ -55,8 +55,7 @@ INVCAL_APART static unsigned least_telling(const invcal_background *b)
     invcal_sums sums;
     invcal_row row;
 
-    (void)invcal_sum_readings(b->session.mean[0], b->session.count, &b->session.nominal, &sums,
-                              &row);
+    invcal_sum_readings(b->session.mean[0], b->session.count, &b->session.nominal, &sums, row.h);
     (void)invcal_ridged_inverse(&sums);
     for (unsigned i = 0; i < b->session.count; i++) {
         row_at(b, i, &row);

@@ -51,16 +51,16 @@ invcal_real invcal_ridged_inverse(invcal_sums *sums)
 /* Of those that tell as much the closest to the present one, but rather any other than the same
  * again. */
 static unsigned choose(const invcal_real leverage[DIRECTIONS], invcal_real least,
-                       const invcal_real *current)
+                       const invcal_real current[3])
 {
-    const invcal_real length = current != NULL ? INVCAL_SQRT(invcal_dot3(current, current)) : 0;
+    const invcal_real length = INVCAL_SQRT(invcal_dot3(current, current));
     invcal_real best = -3;
     unsigned chosen = 0;
     invcal_real up[3];
 
     for (unsigned n = 0; n < DIRECTIONS; n++) {
         direction(n, up);
-        const invcal_real cosine = current != NULL ? invcal_dot3(up, current) / length : 0;
+        const invcal_real cosine = length > 0 ? invcal_dot3(up, current) / length : 0;
         const invcal_real merit = cosine > THE_SAME ? -2 : cosine;
         if (leverage[n] >= least && merit > best + FIRST) {
             best = merit;
@@ -70,7 +70,7 @@ static unsigned choose(const invcal_real leverage[DIRECTIONS], invcal_real least
     return chosen;
 }
 
-void invcal_next_beside(invcal_sums *sums, const invcal_real *current, invcal_real up[3])
+void invcal_next_beside(invcal_sums *sums, const invcal_real current[3], invcal_real up[3])
 {
     invcal_real leverage[DIRECTIONS];
     invcal_real h[INVCAL_PARAMETERS];
@@ -86,30 +86,30 @@ void invcal_next_beside(invcal_sums *sums, const invcal_real *current, invcal_re
     direction(choose(leverage, EQUAL * most, current), up);
 }
 
-int invcal_sum_readings(const invcal_real *raw, unsigned count, const invcal_calibration *nominal,
-                        invcal_sums *sums, invcal_row *last)
+void invcal_sum_readings(const invcal_real *raw, unsigned count, const invcal_calibration *nominal,
+                         invcal_sums *sums, invcal_real last[3])
 {
     invcal_row row;
 
     invcal_sums_init(sums);
+    memset(last, 0, 3 * sizeof *last);
     for (unsigned i = 0; i < count; i++) {
         if (invcal_observe(nominal, &raw[3 * (size_t)i], &row) == INVCAL_OK) {
             invcal_sums_add_row(sums, &row, 1);
-            *last = row;
+            memcpy(last, row.h, 3 * sizeof *last);
         }
     }
-    return sums->count > 0;
 }
 
 void invcal_next(const invcal_real *raw, unsigned count, const invcal_calibration *nominal,
                  invcal_real up[3])
 {
     invcal_sums sums;
-    invcal_row row;
+    invcal_real last[3];
 
     INVCAL_ASSERT((raw || count == 0) && nominal && up);
-    const int is_any = invcal_sum_readings(raw, count, nominal, &sums, &row);
-    invcal_next_beside(&sums, is_any ? row.h : NULL, up);
+    invcal_sum_readings(raw, count, nominal, &sums, last);
+    invcal_next_beside(&sums, last, up);
 }
 
 void invcal_prospect(const invcal_real *raw, unsigned count, const invcal_calibration *nominal,
@@ -119,7 +119,7 @@ void invcal_prospect(const invcal_real *raw, unsigned count, const invcal_calibr
     invcal_row row;
 
     INVCAL_ASSERT((raw || count == 0) && nominal && root);
-    (void)invcal_sum_readings(raw, count, nominal, &sums, &row);
+    invcal_sum_readings(raw, count, nominal, &sums, row.h);
     if (up != NULL) {
         invcal_row_of(up, row.h);
         row.j = 0;

@@ -7,15 +7,16 @@
 
 #include "invcal/expert.h"
 
-/* The sums of positions; those that are no readings are passed over. The row of the last that is one
- * goes into last. Returns whether there was any. */
-int invcal_sum_readings(const invcal_real *raw, unsigned count, const invcal_calibration *nominal,
-                        invcal_sums *sums, invcal_row *last);
+/* The sums of positions; those that are no readings are passed over.
+ *
+ * last  out: the last that is one, over field; 0 if there is none. */
+void invcal_sum_readings(const invcal_real *raw, unsigned count, const invcal_calibration *nominal,
+                         invcal_sums *sums, invcal_real last[3]);
 
 /* The direction to take next beside the rows in sums, which are lost.
  *
- * current  the last reading, over field; null if there is none. */
-void invcal_next_beside(invcal_sums *sums, const invcal_real *current, invcal_real up[3]);
+ * current  the last reading, over field; 0 if there is none. */
+void invcal_next_beside(invcal_sums *sums, const invcal_real current[3], invcal_real up[3]);
 
 /* L^-1 of H'H and a small ridge, of sums that are lost: works for any positions, even none. Returns
  * the ridge. */

@@ -23,11 +23,11 @@ uint16_t invcal_undetermined(const invcal_real *raw, unsigned count,
                              const invcal_calibration *nominal)
 {
     invcal_sums sums;
-    invcal_row last;
+    invcal_real last[3];
     unsigned open = 0;
 
     INVCAL_ASSERT((raw || count == 0) && nominal);
-    (void)invcal_sum_readings(raw, count, nominal, &sums, &last);
+    invcal_sum_readings(raw, count, nominal, &sums, last);
     const invcal_real ridge = invcal_ridged_inverse(&sums);
     for (unsigned r = 0; r < INVCAL_PARAMETERS; r++) {
         const invcal_real k = invcal_variance(sums.sum, INVCAL_PARAMETERS, r);

@@ -166,13 +166,15 @@ void invcal_session_next(const invcal_session *session, invcal_real up[3])
     invcal_sums sums;
     invcal_row row;
     invcal_real held[3];
+    invcal_real last[3];
 
     INVCAL_ASSERT(session && up);
-    (void)invcal_sum_readings(session->mean[0], session->count, &session->nominal, &sums, &row);
+    invcal_sum_readings(session->mean[0], session->count, &session->nominal, &sums, last);
     if (session->last != INVCAL_TAKEN && read_rest(session, held, &row) == INVCAL_OK) {
         invcal_sums_add_row(&sums, &row, 1);
+        memcpy(last, row.h, sizeof last);
     }
-    invcal_next_beside(&sums, sums.count > 0 ? row.h : NULL, up);
+    invcal_next_beside(&sums, last, up);
 }
 
 const char *invcal_session_next_words(const invcal_session *session, char words[INVCAL_WORDS])

@@ -87,6 +87,7 @@ static state look(work *w)
             return UNREADABLE;
         }
         crc = invcal_crc32(crc, w->chunk, n);
+        /* cppcheck-suppress knownConditionTrueFalse ; read_header has set w->end */
         for (uint32_t i = 0, to = at - HEADER; i < n && to < copied; i++, to++) {
             w->bytes[to] = w->chunk[i];
         }

@@ -6,11 +6,6 @@
 #define LARGER INVCAL_REAL(1e-3)  /* of components that differ by less, the first counts */
 #define COARSE INVCAL_REAL(640.0) /* unit of the table: 1/640 */
 
-/* 0, 1 and 2 stand for the axes, the largest component first; # for the tilt. */
-static const char upright[] = "0 up";
-static const char tilted[] = "0 up, tilt # deg, 1 rises";
-static const char tilted_twice[] = "0 up, tilt # deg, 1 and 2 rise";
-
 /* z, x and y, the largest component first; of equal ones in this order. */
 static void rank(const invcal_real up[3], unsigned axis[3])
 {
@@ -34,6 +29,7 @@ static unsigned tilt(invcal_real cosine)
     static const uint8_t border[] = {5, 15, 30, 49, 72, 100, 132, 168, 208, 250};
     unsigned n = 0;
 
+    /* at most 10 steps */
     while (n < sizeof border && COARSE * (1 - cosine) > border[n]) {
         n++;
     }
@@ -51,6 +47,10 @@ static char *put_degrees(char *at, unsigned degrees)
 
 const char *invcal_words(const invcal_real up[3], char words[INVCAL_WORDS])
 {
+    /* 0, 1 and 2 stand for the axes, the largest component first; # for the tilt */
+    static const char upright[] = "0 up";
+    static const char tilted[] = "0 up, tilt # deg, 1 rises";
+    static const char tilted_twice[] = "0 up, tilt # deg, 1 and 2 rise";
     unsigned axis[3];
     char *at = words;
 
@@ -61,8 +61,9 @@ const char *invcal_words(const invcal_real up[3], char words[INVCAL_WORDS])
     for (; *text != '\0'; text++) { /* at most 31 steps: the length of the texts above */
         const unsigned n = (unsigned)(*text - '0');
         if (n < 3) {
-            *at++ = up[axis[n]] < 0 ? '-' : '+';
-            *at++ = (char)('x' + axis[n]);
+            const unsigned which = axis[n];
+            *at++ = up[which] < 0 ? '-' : '+';
+            *at++ = (char)('x' + which);
         } else if (*text == '#') {
             at = put_degrees(at, tilt(INVCAL_FABS(up[axis[0]])));
         } else {

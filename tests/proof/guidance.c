@@ -26,8 +26,6 @@ void main(void)
     invcal_prospect(NULL, 0, &nominal, NULL, root);
     invcal_prospect(raw, BETWEEN(1, COUNT), &nominal, up, root);
     ANY(sums);
-    invcal_next_beside(&sums, NULL, next);
-    ANY(sums);
     invcal_next_beside(&sums, up, next);
     ANY(sums);
     (void)invcal_ridged_inverse(&sums);

@@ -1,12 +1,14 @@
 /* SPDX-License-Identifier: MIT */
 #include "arbitrary.h"
 #include "invcal/expert.h"
+#include "invcal/thermal.h"
 
-// eva: -eva-auto-loop-unroll 12 -eva-slevel 20
-// config: -D__OPTIMIZE__=1
+// eva: -eva-precision 0 -eva-auto-loop-unroll 30
+// config: -D__OPTIMIZE__=1 -DINVCAL_THERMAL_DEGREE=0
+// config: -DINVCAL_THERMAL_DEGREE=2
 
-/* As many as thermal.h asks for at its largest. */
-enum { MOST = 27 };
+/* The sizes that the library asks for. */
+enum { MOST = 9 * (1 + INVCAL_THERMAL_DEGREE) };
 
 /* In a buffer of exactly so many elements. */
 static void solve(unsigned n, unsigned rows)
@@ -35,9 +37,10 @@ static void solve(unsigned n, unsigned rows)
 
 void main(void)
 {
-    //@ loop unroll MOST;
-    for (unsigned n = 1; n <= MOST; n++) {
-        solve(n, n);
-        solve(n, n + 1);
+    static const unsigned sizes[] = {1, 2, 3, 9, 9 * (1 + INVCAL_THERMAL_DEGREE)};
+
+    for (unsigned i = 0; i < sizeof sizes / sizeof *sizes; i++) {
+        solve(sizes[i], sizes[i]);
+        solve(sizes[i], sizes[i] + 1);
     }
 }

@@ -2,7 +2,7 @@
 #include "arbitrary.h"
 #include "invcal/invcal.h"
 
-// eva: -eva-auto-loop-unroll 12 -eva-slevel 1000
+// eva: -eva-auto-loop-unroll 32 -eva-slevel 2000 -eva-slevel-function rank:0,tilt:0
 
 void main(void)
 {
