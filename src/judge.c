@@ -117,6 +117,7 @@ void invcal_judge_noise(invcal_real stated, invcal_real squares, invcal_real dof
     if (dof >= 1) {
         const invcal_real observed = INVCAL_SQRT(squares / dof);
         q->noise = observed > stated ? observed : stated;
+        //@ assert \is_finite(dof) && dof < 65536; // no more than positions
         q->dof = (uint16_t)dof;
     }
     if (!(q->noise > 0)) {

@@ -173,7 +173,9 @@ static invcal_status calibrate_twice(invcal_positions *positions, const prior_si
 
     for (unsigned time = 0; time < 2 && status == INVCAL_OK; time++) {
         status = calibrate(positions, prior, out, q, from_prior);
-        positions->noise = q->noise < 1 ? q->noise : 1;
+        if (status == INVCAL_OK) {
+            positions->noise = q->noise < 1 ? q->noise : 1;
+        }
     }
     return status;
 }
