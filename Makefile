@@ -227,7 +227,7 @@ derived: $(BUILD)/invcal $(BUILD)/invcal.1 ## layout, expected.h, man page, pict
 	$(call need,mandoc)
 	$(Q)sh tests/derived.sh $(BUILD)
 
-numerics: ## what rounding costs, against 50 digits and the bounds of quality.h (COUNT=100000: half an hour)
+numerics: ## what rounding costs, against 50 digits and the bounds of expert.h (COUNT=30000: ten minutes)
 	$(call need,python3)
 	$(Q)CC="$(CC)" sh tests/numerics.sh $(BUILD) $(COUNT)
 

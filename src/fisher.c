@@ -27,7 +27,7 @@ static invcal_real incomplete_beta(invcal_real x, unsigned twice_a, unsigned twi
         b++;
     }
     term /= a;
-    /* at most 15 dof + 20 steps, with double 35 dof + 50 */
+    /* at most 15 of the larger + 20 steps, with double 35 of it + 50 */
     while (term > INVCAL_EPSILON / 16 * sum) {
         sum += term;
         term *= x * (a + b) / (a + 1);

@@ -20,8 +20,8 @@
  *
  * Relative error for m up to 31 and dof up to 59: 3e-6 (float, results above 1e-20), 1e-12
  * (double).
- * Cost: m/2 + dof steps; for odd m up to 15 dof + 20 (double: 35 dof + 50) steps more, most of them
- * where the answer is about 0.3. Stack: about 40 bytes. */
+ * Cost: (m + dof)/2 steps, and up to 15 of the larger + 20 (double: 35 of it + 50), most of them where
+ * the answer is about 0.3. Stack: 56 bytes. */
 invcal_real invcal_fisher_tail(invcal_real z, unsigned m, unsigned dof);
 
 #endif

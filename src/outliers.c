@@ -119,9 +119,9 @@ static INVCAL_APART invcal_status fit(search *s)
         }
     }
     s->dof = s->sums.count - N + (s->positions.noise > 0);
+    const contest nobody = {s->positions.left_out, s->positions.left_out, squares, squares};
     for (unsigned k = 0; k <= GROUP; k++) {
-        s->contests[k].best = s->contests[k].rival = s->positions.left_out;
-        s->contests[k].squares = s->contests[k].rival_squares = squares;
+        s->contests[k] = nobody;
     }
     return INVCAL_OK;
 }
@@ -170,9 +170,10 @@ static void enter(contest *c, invcal_mask out, invcal_real squares)
  * in ten pairs of a good set is such a one. */
 static int is_promising(const search *s, unsigned members, invcal_real squares)
 {
-    const invcal_real n = (invcal_real)s->sums.count;
+    const unsigned n = s->sums.count;
 
-    return members == 1 || n * squares <= (n - N) * s->contests[0].squares;
+    return members == 1 ||
+           (invcal_real)n * squares <= (invcal_real)(n - N) * s->contests[0].squares;
 }
 
 /* Position k as member d: the group enters the contest of its size. Returns 1 if k is fixed now, as
@@ -180,7 +181,7 @@ static int is_promising(const search *s, unsigned members, invcal_real squares)
 static INVCAL_INLINE int visit(search *s, group *g, unsigned size, unsigned d, unsigned k)
 {
     invcal_real squares = s->contests[0].squares;
-    const invcal_real least = ROUNDED * squares;
+    const invcal_real min = ROUNDED * squares;
     invcal_real left = 1;
     invcal_real c = 0;
     member x;
@@ -189,6 +190,7 @@ static INVCAL_INLINE int visit(search *s, group *g, unsigned size, unsigned d, u
     x.m = 1 - dot(x.y, x.y, N);
     for (unsigned i = 0; i < d; i++) {
         const member *const f = &g->fixed[i];
+        //@ assert \initialized(f); // d of them have been fixed
         c = dot(x.y, f->y, N) / f->m;
         x.r += c * f->r;
         x.m -= c * c * f->m;
@@ -199,7 +201,7 @@ static INVCAL_INLINE int visit(search *s, group *g, unsigned size, unsigned d, u
         return 0;
     }
     squares -= x.r * x.r / x.m;
-    enter(&s->contests[d + 1], g->out | bit(k), squares > least ? squares : least);
+    enter(&s->contests[d + 1], g->out | bit(k), squares > min ? squares : min);
     if (d + 1 >= size || !is_promising(s, d + 1, squares)) {
         return 0;
     }
@@ -225,12 +227,14 @@ static INVCAL_APART void search_groups(search *s, unsigned size)
     while (d > 0 || g.next[0] > 0) { /* at most two steps for each group */
         if (g.next[d] == 0) {        /* all tried: the member before moves on */
             d--;
+            //@ split d;
             g.out ^= bit(g.next[d]);
         } else {
             const unsigned k = --g.next[d];
             if (!(g.out >> k & 1u) && visit(s, &g, size, d, k)) {
                 g.out |= bit(k);
                 d++;
+                //@ split d;
                 g.next[d] = (unsigned char)(d == 1 ? k : s->positions.count);
             }
         }
@@ -321,6 +325,7 @@ invcal_status invcal_outliers_find(const invcal_real *raw, unsigned count,
     }
     do { /* at most INVCAL_OUTLIERS_MOST + 1 steps: the largest group may hide the next */
         const unsigned size = largest_group(&s);
+        //@ split size;
         search_groups(&s, size);
         found = judge(&s, size, &suspected);
         out->removed = s.positions.left_out;
@@ -331,11 +336,29 @@ invcal_status invcal_outliers_find(const invcal_real *raw, unsigned count,
     return INVCAL_OK;
 }
 
+/* What the fit tells of position k. If it took part, 1 / m is what 1 + h K h' would be without it. */
+static INVCAL_APART void tell(const search *s, unsigned k, invcal_outlier *out)
+{
+    invcal_real y[N];
+    const invcal_real r = whiten(s, k, y);
+    const invcal_real leverage = dot(y, y, N);
+    const int is_removed = (s->positions.left_out & bit(k)) != 0;
+    const invcal_real m = is_removed ? 1 : 1 - leverage;
+
+    out->sigma = INVCAL_SQRT(s->contests[0].squares / (invcal_real)s->dof);
+    out->checked = is_removed || m < 0 ? 0 : m;
+    out->error = 0;
+    out->w = 0;
+    if (m > SLACK) {
+        out->error = r / m;
+        out->w = out->error / (out->sigma * INVCAL_SQRT(is_removed ? 1 + leverage : 1 / m));
+    }
+}
+
 invcal_status invcal_outlier_size(const invcal_real *raw, unsigned count,
                                   const invcal_calibration *nominal, invcal_real noise,
                                   invcal_mask removed, unsigned position, invcal_outlier *out)
 {
-    invcal_real y[N];
     search s;
 
     INVCAL_ASSERT((raw || count == 0) && nominal && out);
@@ -347,20 +370,8 @@ invcal_status invcal_outlier_size(const invcal_real *raw, unsigned count,
     if (status == INVCAL_OK && s.sums.count + (noise > 0) <= N) {
         status = INVCAL_TOO_FEW;
     }
-    if (status != INVCAL_OK) {
-        return status;
+    if (status == INVCAL_OK) {
+        tell(&s, position, out);
     }
-    const invcal_real r = whiten(&s, position, y);
-    const invcal_real leverage = dot(y, y, N);
-    const int is_removed = (removed & bit(position)) != 0;
-    const invcal_real m = is_removed ? 1 : 1 - leverage;
-    out->sigma = INVCAL_SQRT(s.contests[0].squares / (invcal_real)s.dof);
-    out->checked = is_removed || m < 0 ? 0 : m;
-    out->error = 0;
-    out->w = 0;
-    if (m > SLACK) { /* 1 / m is what 1 + h K h' would be without this one */
-        out->error = r / m;
-        out->w = out->error / (out->sigma * INVCAL_SQRT(is_removed ? 1 + leverage : 1 / m));
-    }
-    return INVCAL_OK;
+    return status;
 }

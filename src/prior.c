@@ -169,13 +169,11 @@ static invcal_status calibrate_twice(invcal_positions *positions, const prior_si
                                      invcal_calibration *out, invcal_quality *q,
                                      uint16_t *from_prior)
 {
-    invcal_status status = INVCAL_OK;
+    invcal_status status = calibrate(positions, prior, out, q, from_prior);
 
-    for (unsigned time = 0; time < 2 && status == INVCAL_OK; time++) {
+    if (status == INVCAL_OK) {
+        positions->noise = q->noise < 1 ? q->noise : 1;
         status = calibrate(positions, prior, out, q, from_prior);
-        if (status == INVCAL_OK) {
-            positions->noise = q->noise < 1 ? q->noise : 1;
-        }
     }
     return status;
 }

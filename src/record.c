@@ -135,7 +135,7 @@ invcal_status invcal_load(const invcal_store *store, invcal_calibration *calibra
 {
     uint8_t bytes[INVCAL_RECORD_SIZE_MAX];
     invcal_record r;
-    uint32_t size;
+    uint32_t size = 0;
 
     INVCAL_ASSERT(calibration);
     invcal_status status = invcal_store_load(store, bytes, sizeof bytes, &size);

@@ -55,14 +55,13 @@ enum {
 
 /* Drift: a slope beyond chance, and fast. */
 enum {
-    BEYOND_CHANCE = 69,          /* 8 / 5.5, see is_drifting */
-    NOISE_PER_SECOND = 203,      /* 3 sigma of an axis in a second: 9/3 */
-    REACH_PER_SECOND = -19 * 128 /* 1/720 of the reach in a second */
+    BEYOND_CHANCE = 69,             /* 8 / 5.5, see is_drifting */
+    NOISE_PER_SECOND = 203,         /* 3 sigma of an axis in a second: 9/3 */
+    REACH_PER_SECOND = -19 * OCTAVE /* 1/720 of the reach in a second */
 };
 
 #define WIDE (INT32_C(1) << 19) /* counts: no noise is so large, and no rest creeps so far */
 #define FINE 8                  /* bits behind the point of a mean */
-#define MEAN_MAX (2 * WIDE << FINE)
 #define TWO_TO_32 INVCAL_REAL(4294967296.0)
 #define HOUR (UINT32_C(3600) * 125) /* in 1/125 s */
 
@@ -74,20 +73,28 @@ enum { IDLE, LEFT, SETTLING, ANNOUNCED, DISMISSED };
 enum {
     TAKEN = 1, /* there has been a position: `place` is one */
     /* of the candidate, */
-    CLIPPED = 4,     /* some sample was at a rail */
-    INTERRUPTED = 8, /* samples were lost in it */
-    CHANGED = 16,    /* the x axis has changed inside a block of it; y and z in the next bits */
+    CLIPPED = 2,     /* some sample was at a rail */
+    INTERRUPTED = 4, /* samples were lost in it */
+    CHANGED = 8,     /* the x axis has changed inside a block of it; y and z in the next bits */
     ALL_CHANGED = 7 * CHANGED
 };
 
 /* and of the block, in `seen`. */
 enum { AT_RAIL = 1, WILD = 2 };
 
-/* What one block shows. */
+/* What a block does to the rest: nothing that is known yet, or motion; the sensor is not read; it is
+ * quiet, but passed over; it belongs to the rest; it ends it. */
+typedef enum { MOVED, DEAD, PASSED, ADDED, ENDED } verdict;
+
+/* Where a block is, relative to origin. */
+typedef struct {
+    int32_t sum[3];
+    int32_t mean[3]; /* 1/256 counts */
+} location;
+
+/* What it shows. */
 typedef struct {
     uint64_t variance; /* inside of it, 1/64 counts^2 */
-    int32_t sum[3];    /* relative to origin */
-    int32_t mean[3];   /* also, 1/256 counts */
     int level;         /* of the variance */
     int limit;         /* of a quiet block's level */
     int quiet;         /* noise and no more */
@@ -108,9 +115,9 @@ static uint32_t smaller(uint32_t a, uint32_t b)
     return a < b ? a : b;
 }
 
-static uint32_t size_of(int32_t x)
+static uint32_t magnitude(int32_t x)
 {
-    return x < 0 ? 0 - (uint32_t)x : (uint32_t)x;
+    return x < 0 ? ~(uint32_t)x + 1u : (uint32_t)x;
 }
 
 /* What stands for a negative number modulo 2^32 is that number. */
@@ -122,28 +129,27 @@ static int32_t as_signed(uint32_t x)
 /* x / 2^bits, towards 0: the same for both signs. */
 static int32_t shifted(int32_t x, unsigned bits)
 {
-    const int32_t size = (int32_t)(size_of(x) >> bits);
+    const uint32_t size = magnitude(x) >> bits;
 
-    return x < 0 ? -size : size;
+    return x < 0 ? -(int32_t)size : (int32_t)size;
 }
 
-/* a - b, or what level_of can have of it. */
-static int32_t apart(int32_t a, int32_t b)
+/* |a - b| */
+static uint32_t between(int32_t a, int32_t b)
 {
-    const int64_t d = (int64_t)a - b;
-
-    return d > INT32_MAX ? INT32_MAX : d < -INT32_MAX ? -INT32_MAX : (int32_t)d;
+    return a >= b ? (uint32_t)a - (uint32_t)b : (uint32_t)b - (uint32_t)a;
 }
 
 /* The zeros before the first one of x > 0. */
 static unsigned zeros_before(uint32_t x)
 {
+/* cppcheck-suppress misra-c2012-20.9 ; of limits.h */
 #if defined(__GNUC__) && UINT_MAX == UINT32_MAX
     return (unsigned)__builtin_clz(x);
 #else
     unsigned zeros = 0;
 
-    for (unsigned step = 16; step > 0; step /= 2) {
+    for (unsigned step = 16; step > 0; step /= 2) { /* at most 5 steps */
         if (x >> (32 - step) == 0) {
             x <<= step;
             zeros += step;
@@ -154,7 +160,7 @@ static unsigned zeros_before(uint32_t x)
 }
 
 /* To base 2, in octaves; straight between powers of two, so up to 6 % below. 0 counts as 1/2. */
-static int logarithm(uint32_t x)
+static int octaves(uint32_t x)
 {
     if (x == 0) {
         return -OCTAVE;
@@ -163,31 +169,36 @@ static int logarithm(uint32_t x)
     return (30 - (int)zeros) * OCTAVE + (int)(x << zeros >> 24);
 }
 
-static int wide_logarithm(uint64_t x)
+static int wide_octaves(uint64_t x)
 {
     int level = 0;
 
-    for (; x > UINT32_MAX; x >>= 4) {
+    for (; x > UINT32_MAX; x >>= 4) { /* at most 8 steps */
         level += 4 * OCTAVE;
     }
-    return level + logarithm((uint32_t)x);
+    return level + octaves((uint32_t)x);
 }
 
-/* The level of a squared length of so many bits behind the point. */
-static int level_of(const int32_t v[3], int bits)
+/* The level of a squared distance; numbers of so many bits behind the point. */
+static int level_between(const int32_t a[3], const int32_t b[3], int bits)
 {
-    const unsigned zeros = zeros_before(size_of(v[0]) | size_of(v[1]) | size_of(v[2]) | 1);
+    const uint32_t d[3] = {between(a[0], b[0]), between(a[1], b[1]), between(a[2], b[2])};
+    const unsigned zeros = zeros_before(d[0] | d[1] | d[2] | 1);
     const unsigned shift = zeros < 17 ? 17 - zeros : 0;
-    uint32_t sum = 0;
+    const uint32_t x = d[0] >> shift;
+    const uint32_t y = d[1] >> shift;
+    const uint32_t z = d[2] >> shift;
 
-    for (unsigned a = 0; a < 3; a++) {
-        const uint32_t size = size_of(v[a]) >> shift;
-        sum += size * size;
-    }
-    return logarithm(sum) + ((int)shift - bits) * 2 * OCTAVE + ONE;
+    return octaves(x * x + y * y + z * z) + ((int)shift - bits) * 2 * OCTAVE + ONE;
 }
 
 /* ---- a block ------------------------------------------------------------------------------ */
+
+/* Its samples. */
+static uint32_t samples_of(const invcal_rests *s)
+{
+    return UINT32_C(1) << s->bits;
+}
 
 /* The next sample begins another. */
 static void drop(invcal_rests *s)
@@ -221,11 +232,11 @@ static uint32_t widest_span(const invcal_rests *s)
 
 /* Where all that is close to the first sample is off the rails too, one comparison will tell both.
  * Until the quantum is known, every sample is looked at. */
-static void begin_block(invcal_rests *s, const int32_t raw[3])
+static void begin(invcal_rests *s, const int32_t raw[3])
 {
     const uint32_t span = widest_span(s);
 
-    s->missing = (UINT32_C(1) << s->bits) - 1;
+    s->missing = samples_of(s) - 1;
     if (s->quantum > 0 && s->seek > 0) {
         s->seek--;
     }
@@ -233,6 +244,7 @@ static void begin_block(invcal_rests *s, const int32_t raw[3])
     s->square = 0;
     s->carry = 0;
     s->seen = 0;
+    INVCAL_UNROLL
     for (unsigned a = 0; a < 3; a++) {
         s->first[a] = raw[a];
         s->sum[a] = 0;
@@ -271,7 +283,7 @@ static int add_small(invcal_rests *s, const int32_t raw[3])
 static void add_reading(invcal_rests *s, unsigned a, int32_t raw)
 {
     const uint32_t d = (uint32_t)raw - (uint32_t)s->first[a];
-    const uint32_t size = raw >= s->first[a] ? d : 0 - d;
+    const uint32_t size = raw >= s->first[a] ? d : ~d + 1u;
 
     look_at_rails(s, raw);
     if (size > 0 && (s->quantum == 0 || size < s->quantum)) {
@@ -295,65 +307,59 @@ static uint64_t scatter_of(const invcal_rests *s)
 
     for (unsigned a = 0; a < 3; a++) {
         const int32_t sum = as_signed(s->sum[a]);
-        scatter -= (uint64_t)((int64_t)sum * sum); /* never below 0: Cauchy and Schwarz */
+        const int64_t square = (int64_t)sum * sum;
+        scatter -= (uint64_t)square; /* never below 0: Cauchy and Schwarz */
     }
     return scatter;
 }
 
 static void measure_block(const invcal_rests *s, uint64_t scatter, finding *f)
 {
-    const int bits = s->bits;
+    const unsigned twice = 2u * s->bits;
+    const unsigned correction = 3u * OCTAVE / 2 >> s->bits; /* n / (n - 1), nearly */
 
-    f->variance = (scatter << 2) >> (2 * bits - 4);
-    f->level = wide_logarithm(scatter) + ONE - 2 * bits * OCTAVE +
-               ((3 * OCTAVE / 2) >> bits); /* n / (n - 1), nearly */
+    f->variance = (scatter << 2) >> (twice - 4);
+    f->level = ONE + wide_octaves(scatter) - (int)twice * OCTAVE + (int)correction;
 }
 
 /* What a sum of a block makes of a mean, 1/256 counts. */
 static int32_t fine_mean(const invcal_rests *s, int32_t sum)
 {
-    return s->bits <= FINE ? sum * (1 << (FINE - s->bits)) : shifted(sum, s->bits - (unsigned)FINE);
+    const unsigned bits = s->bits;
+
+    return bits > FINE ? shifted(sum, bits - FINE) : sum * (int32_t)(UINT32_C(1) << (FINE - bits));
 }
 
-/* Where the block is, relative to origin; 0 on an axis on which that is too far. */
-static void relate(const invcal_rests *s, finding *f)
+/* Where is the block? 0 on an axis on which that is too far from origin; returns 0 then, too. */
+static int relate(const invcal_rests *s, location *at)
 {
-    f->fits = (s->seen & WILD) == 0;
+    int fits = (s->seen & WILD) == 0;
+
     INVCAL_UNROLL
     for (unsigned a = 0; a < 3; a++) {
-        const int64_t off = (int64_t)s->first[a] - s->origin[a];
+        const uint32_t size = between(s->first[a], s->origin[a]);
         const int32_t sum = as_signed(s->sum[a]);
         //@ assert -(WIDE << s->bits) <= sum <= WIDE << s->bits; // of so many, each less than WIDE
-        f->sum[a] = 0;
-        if (off < WIDE && off > -WIDE) {
-            f->sum[a] = sum + (int32_t)off * (1 << s->bits);
+        at->sum[a] = 0;
+        if (size < WIDE) {
+            const int32_t off = s->first[a] > s->origin[a] ? (int32_t)size : -(int32_t)size;
+            at->sum[a] = sum + off * (int32_t)samples_of(s);
         } else {
-            f->fits = 0;
+            fits = 0;
         }
-        f->mean[a] = fine_mean(s, f->sum[a]);
+        at->mean[a] = fine_mean(s, at->sum[a]);
     }
-}
-
-/* The level of the distance from the last position to origin. */
-static int level_of_move(const invcal_rests *s)
-{
-    int32_t d[3];
-
-    for (unsigned a = 0; a < 3; a++) {
-        d[a] = apart(s->origin[a], s->place[a]);
-    }
-    return level_of(d, 0);
+    return fits;
 }
 
 /* To the mean of this block, in whole counts. */
-static void move_origin(invcal_rests *s, finding *f)
+static void move_origin(invcal_rests *s)
 {
     for (unsigned a = 0; a < 3; a++) {
         const int32_t off = shifted(as_signed(s->sum[a]), s->bits);
         s->origin[a] = as_signed((uint32_t)s->first[a] + (uint32_t)off);
     }
-    s->reach = (int16_t)larger(s->reach, level_of_move(s));
-    relate(s, f);
+    s->reach = (int16_t)larger(s->reach, level_between(s->origin, s->place, 0));
 }
 
 /* Quiet blocks passed over behind motion, 0.5 s: half of what makes a position, rounded up, and
@@ -368,7 +374,7 @@ static uint8_t edge_of(const invcal_rests *s)
 /* At least one count. */
 static int quantum_level(const invcal_rests *s)
 {
-    return s->quantum > 1 ? 2 * logarithm(s->quantum) + ONE : ONE;
+    return s->quantum > 1 ? 2 * octaves(s->quantum) + ONE : ONE;
 }
 
 /* Places that differ by less are one. */
@@ -392,22 +398,31 @@ static int16_t follow(int level, int x)
     return (int16_t)(x > level ? level + RISE : level - FALL);
 }
 
-/* A block is judged by the noise so far, and a quiet one adds to it. Before one that is far below,
- * what came has moved; below that once more, a rest begins anew. */
+/* A block has so much less noise that what came before it has moved; so much less still, that a rest
+ * begins anew. */
+static void unlearn(invcal_rests *s, int below)
+{
+    if (below > FAR_BELOW) {
+        s->noise = (int16_t)(s->noise - below + FAR_BELOW);
+    }
+    if (below > 2 * FAR_BELOW) {
+        s->wander = NONE;
+        s->skip = edge_of(s);
+        s->stage = IDLE;
+    }
+}
+
+/* A block is judged by the noise so far, and a quiet one adds to it. Where there are blocks enough
+ * for a position, an odd one changes little. */
 static void learn_noise(invcal_rests *s, finding *f)
 {
     const int hidden = quantum_level(s) + HIDDEN;
-    const int below = s->noise - larger(f->level, hidden);
 
     if (s->noise == NONE) {
         s->noise = (int16_t)f->level;
-    } else if (s->blocks < s->least && below > FAR_BELOW) {
-        s->noise = (int16_t)(s->noise - below + FAR_BELOW);
-        if (below > 2 * FAR_BELOW) {
-            s->wander = NONE;
-            s->skip = edge_of(s);
-            s->stage = IDLE;
-        }
+    }
+    if (s->blocks < s->least) {
+        unlearn(s, s->noise - larger(f->level, hidden));
     }
     f->limit = larger(s->noise, hidden) + QUIET;
     f->quiet = (s->seen & WILD) == 0 && f->level <= f->limit;
@@ -419,11 +434,13 @@ static void learn_noise(invcal_rests *s, finding *f)
 /* A fan is switched on, a table instead of a hand: blocks in a row, not quiet, but of like
  * variance, and closer to origin, which without a candidate is the block before, than the noise
  * that they would be made of. Returns 1 when the new level is adopted. */
-static int learn_new_noise(invcal_rests *s, const finding *f)
+static int learn_new_noise(invcal_rests *s, const finding *f, const location *at)
 {
+    static const int32_t zero[3] = {0, 0, 0};
     const int d = f->level - s->other;
 
-    if (f->quiet || !f->fits || d > ALIKE || d < -ALIKE || level_of(f->mean, FINE) > f->level) {
+    if (f->quiet || !f->fits || d > ALIKE || d < -ALIKE ||
+        level_between(at->mean, zero, FINE) > f->level) {
         s->run = 0;
         s->other = (int16_t)f->level;
         return 0;
@@ -448,20 +465,20 @@ static uint32_t blocks_of(const invcal_rests *s)
 /* Brown's double smoothing: a fading mean, and the fading mean of that. On a slope the first lags
  * behind, the second once more, so their difference tells the slope; `spread` is that of a slope
  * of one a block. The first blocks count alike, nearly. */
-static void add_trend(invcal_rests *s, const finding *f)
+static void add_trend(invcal_rests *s, const int32_t mean[3])
 {
     const uint32_t blocks = blocks_of(s);
     const unsigned fade = blocks > 0 ? (unsigned)smaller(32 - zeros_before(blocks), FADE) : 0;
 
     INVCAL_UNROLL
     for (unsigned a = 0; a < 3; a++) {
-        s->once[a] += shifted(f->mean[a] - s->once[a], fade);
-        //@ assert -MEAN_MAX <= s->once[a] <= MEAN_MAX; // between two that are
+        s->once[a] += shifted(mean[a] - s->once[a], fade);
+        //@ assert -0x10000000 <= s->once[a] <= 0x10000000; // between two that are
         s->twice[a] += shifted(s->once[a] - s->twice[a], fade);
-        //@ assert -MEAN_MAX <= s->twice[a] <= MEAN_MAX; // as before
+        //@ assert -0x10000000 <= s->twice[a] <= 0x10000000; // as before
     }
-    const unsigned lag = s->lag + (1u << FINE);
-    const unsigned spread = s->spread + (lag >> fade);
+    const uint32_t lag = s->lag + (UINT32_C(1) << FINE);
+    const uint32_t spread = s->spread + (lag >> fade);
     s->lag = (uint16_t)(lag - (lag >> fade));
     s->spread = (uint16_t)(spread - (spread >> fade));
 }
@@ -474,10 +491,8 @@ static void add_trend(invcal_rests *s, const finding *f)
  * step between two blocks is 2 v. */
 static int is_drifting(const invcal_rests *s)
 {
-    const int32_t d[3] = {s->once[0] - s->twice[0], s->once[1] - s->twice[1],
-                          s->once[2] - s->twice[2]};
-    const int spread = logarithm(s->spread) - FINE * OCTAVE;
-    const int slope = level_of(d, FINE) - 2 * spread;
+    const int spread = octaves(s->spread) - FINE * OCTAVE;
+    const int slope = level_between(s->once, s->twice, FINE) - 2 * spread;
     const int speed = slope + s->pace;
     const int noise = noise_level(s);
     const int scatter = larger(noise - s->bits * OCTAVE, s->wander - OCTAVE);
@@ -501,16 +516,156 @@ static void start_candidate(invcal_rests *s)
     s->stage = SETTLING;
 }
 
+/* ---- decisions ---------------------------------------------------------------------------- */
+
+/* This pending block is safe: no motion came within TRIM blocks behind it. */
+static void commit(invcal_rests *s, const int32_t sum[3])
+{
+    INVCAL_UNROLL
+    for (unsigned a = 0; a < 3; a++) {
+        s->total[a] += sum[a];
+        //@ assert -UINT16_MAX * (2 * WIDE << s->bits) <= s->total[a]; // as many blocks at most
+        //@ assert s->total[a] <= UINT16_MAX * (2 * WIDE << s->bits);
+    }
+    s->end = s->time - TRIM * samples_of(s);
+    s->blocks++;
+}
+
+static void add_block(invcal_rests *s, const location *at, uint64_t variance)
+{
+    int32_t *oldest = s->pending[blocks_of(s) % TRIM];
+
+    add_trend(s, at->mean);
+    if (s->blocks == UINT16_MAX) { /* it has blocks enough */
+        return;
+    }
+    if (blocks_of(s) == 0) {
+        s->begin = s->time - samples_of(s);
+    }
+    if (s->pended < TRIM) {
+        s->pended++;
+    } else {
+        commit(s, oldest);
+    }
+    memcpy(oldest, at->sum, sizeof at->sum);
+    s->variance += variance;
+    for (unsigned a = 0; a < 3 && (s->flags & ALL_CHANGED) != ALL_CHANGED; a++) {
+        if (s->sum[a] != 0) { /* of differences to the first sample */
+            s->flags = (uint8_t)(s->flags | (unsigned)CHANGED << a);
+        }
+    }
+}
+
+static verdict agree(invcal_rests *s, const finding *f, const location *at)
+{
+    if ((s->seen & AT_RAIL) != 0) {
+        s->flags |= CLIPPED;
+    }
+    if (s->skip > 0) {
+        s->skip--;
+        return PASSED;
+    }
+    s->hold = 0;
+    add_block(s, at, f->variance);
+    return ADDED;
+}
+
+/* A knock passes, motion does not; and another place is quiet, but not here. What comes next after
+ * a hard blow is not trusted. */
+static verdict disagree(invcal_rests *s, const finding *f)
+{
+    s->hold++;
+    if (f->hard) {
+        s->skip = edge_of(s);
+    }
+    return s->hold <= (f->quiet && f->hard ? ELSEWHERE : HOLD) ? MOVED : ENDED;
+}
+
+/* Where would the rest have this block? A settled one may drift slowly: its trend is followed. */
+static void expect(const invcal_rests *s, finding *f, const location *at)
+{
+    const int level =
+        larger(resolution_level(s), larger(f->limit + OF_NOISE, s->wander + OF_WANDER));
+    const int is_settled = blocks_of(s) >= SETTLED;
+    int32_t expected[3];
+
+    for (unsigned a = 0; a < 3; a++) {
+        expected[a] = s->once[a] + is_settled * (s->once[a] - s->twice[a]);
+    }
+    const int jump = blocks_of(s) > 0 ? level_between(at->mean, expected, FINE) : NONE;
+    f->here = f->fits && jump <= level;
+    f->hard = !f->fits || f->level > f->limit + HARD || jump > level + HARD;
+}
+
+static void learn_wander(invcal_rests *s, const finding *f, const location *at)
+{
+    const int32_t *newest = s->pending[(blocks_of(s) + 1) % TRIM];
+
+    if (f->quiet && f->fits && s->pended > 0 && s->hold == 0) {
+        s->wander = follow(s->wander, level_between(at->sum, newest, s->bits));
+    }
+}
+
+static verdict judge_moment(invcal_rests *s, finding *f, location *at)
+{
+    f->quiet |= learn_new_noise(s, f, at);
+    if (s->stage == IDLE || blocks_of(s) == 0) {
+        move_origin(s);
+        f->fits = relate(s, at);
+    }
+    if (s->stage == IDLE) {
+        if (!f->quiet) {
+            return MOVED;
+        }
+        start_candidate(s);
+    }
+    expect(s, f, at);
+    learn_wander(s, f, at);
+    return f->quiet && f->here ? agree(s, f, at) : disagree(s, f);
+}
+
+/* No noise at all, though the stream has shown some that would not allow it; or three axes that
+ * read the same number: no triad does. */
+static int is_dead(const invcal_rests *s, uint64_t scatter)
+{
+    const int32_t *first = s->first;
+
+    return scatter == 0 && (s->seen & WILD) == 0 &&
+           (s->noise > quantum_level(s) || (first[0] == first[1] && first[1] == first[2]));
+}
+
+/* Apart from what is then done, for the sake of the stack. */
+INVCAL_APART static verdict judge(invcal_rests *s)
+{
+    const uint64_t scatter = scatter_of(s);
+    location at;
+    finding f;
+
+    if (is_dead(s, scatter)) {
+        return DEAD;
+    }
+    s->frozen = 0;
+    if (s->noise == NONE) {
+        memcpy(s->place, s->first, sizeof s->place);
+    }
+    measure_block(s, scatter, &f);
+    f.fits = relate(s, &at);
+    learn_noise(s, &f);
+    return judge_moment(s, &f, &at);
+}
+
+/* ---- events ------------------------------------------------------------------------------- */
+
 /* Is this the position taken last? */
 static int is_same(const invcal_rests *s)
 {
-    return (s->flags & TAKEN) != 0 && level_of_move(s) < resolution_level(s);
+    return (s->flags & TAKEN) != 0 && level_between(s->origin, s->place, 0) < resolution_level(s);
 }
 
 /* Has nothing ever changed, or one axis not, among others of a noise that it cannot be without? */
 static int is_stuck(const invcal_rests *s)
 {
-    const int own = wide_logarithm(s->variance) - logarithm(blocks_of(s)) + ONE - 6 * OCTAVE;
+    const int own = wide_octaves(s->variance) - octaves(blocks_of(s)) + ONE - 6 * OCTAVE;
 
     return s->quantum == 0 ||
            ((s->flags & ALL_CHANGED) != ALL_CHANGED && own > quantum_level(s) + ALIVE);
@@ -569,52 +724,13 @@ static invcal_event finish(invcal_rests *s)
     return INVCAL_TAKEN;
 }
 
-/* ---- decisions ---------------------------------------------------------------------------- */
-
-/* This pending block is safe: no motion came within TRIM blocks behind it. */
-static void commit(invcal_rests *s, const int32_t sum[3])
-{
-    for (unsigned a = 0; a < 3; a++) {
-        s->total[a] += sum[a];
-        //@ assert -UINT16_MAX * (2 * WIDE << s->bits) <= s->total[a]; // as many blocks at most
-        //@ assert s->total[a] <= UINT16_MAX * (2 * WIDE << s->bits);
-    }
-    s->end = s->time - ((uint32_t)TRIM << s->bits);
-    s->blocks++;
-}
-
-static void add_block(invcal_rests *s, const finding *f)
-{
-    int32_t *oldest = s->pending[blocks_of(s) % TRIM];
-
-    add_trend(s, f);
-    if (s->blocks == UINT16_MAX) { /* it has blocks enough */
-        return;
-    }
-    if (blocks_of(s) == 0) {
-        s->begin = s->time - (UINT32_C(1) << s->bits);
-    }
-    if (s->pended < TRIM) {
-        s->pended++;
-    } else {
-        commit(s, oldest);
-    }
-    memcpy(oldest, f->sum, sizeof f->sum);
-    s->variance += f->variance;
-    for (unsigned a = 0; a < 3 && (s->flags & ALL_CHANGED) != ALL_CHANGED; a++) {
-        if (s->sum[a] != 0) { /* of differences to the first sample */
-            s->flags = (uint8_t)(s->flags | (unsigned)CHANGED << a);
-        }
-    }
-}
-
-static invcal_event drifting(invcal_rests *s, finding *f)
+static invcal_event drifting(invcal_rests *s)
 {
     s->drift++;
     if (s->drift < DRIFTING) {
         return INVCAL_SETTLING;
     }
-    move_origin(s, f);
+    move_origin(s);
     start_candidate(s);
     s->skip = edge_of(s);
     s->reason = INVCAL_REST_DRIFT;
@@ -622,13 +738,13 @@ static invcal_event drifting(invcal_rests *s, finding *f)
 }
 
 /* Is there news of the candidate? */
-static invcal_event announce(invcal_rests *s, finding *f)
+static invcal_event announce(invcal_rests *s)
 {
     if (s->blocks < s->least) {
         return INVCAL_SETTLING;
     }
     if (is_drifting(s)) {
-        return drifting(s, f);
+        return drifting(s);
     }
     s->drift = 0;
     if (s->stage == ANNOUNCED) {
@@ -641,86 +757,6 @@ static invcal_event announce(invcal_rests *s, finding *f)
     s->reason = (uint8_t)why;
     s->stage = why == INVCAL_OK ? ANNOUNCED : DISMISSED;
     return why == INVCAL_OK ? INVCAL_READY : INVCAL_REFUSED;
-}
-
-static invcal_event agree(invcal_rests *s, finding *f)
-{
-    if ((s->seen & AT_RAIL) != 0) {
-        s->flags |= CLIPPED;
-    }
-    if (s->skip > 0) {
-        s->skip--;
-        return INVCAL_SETTLING;
-    }
-    s->hold = 0;
-    add_block(s, f);
-    return announce(s, f);
-}
-
-/* A knock passes, motion does not; and another place is quiet, but not here. What comes next after
- * a hard blow is not trusted. */
-static invcal_event disagree(invcal_rests *s, const finding *f)
-{
-    s->hold++;
-    if (f->hard) {
-        s->skip = edge_of(s);
-    }
-    return s->hold <= (f->quiet && f->hard ? ELSEWHERE : HOLD) ? INVCAL_MOVING : finish(s);
-}
-
-/* Where would the rest have this block? A settled one may drift slowly: its trend is followed. */
-static void expect(const invcal_rests *s, finding *f)
-{
-    const int level =
-        larger(resolution_level(s), larger(f->limit + OF_NOISE, s->wander + OF_WANDER));
-    const int is_settled = blocks_of(s) >= SETTLED;
-    int32_t d[3];
-
-    for (unsigned a = 0; a < 3; a++) {
-        d[a] = f->mean[a] - s->once[a] - is_settled * (s->once[a] - s->twice[a]);
-    }
-    const int jump = blocks_of(s) > 0 ? level_of(d, FINE) : NONE;
-    f->here = f->fits && jump <= level;
-    f->hard = !f->fits || f->level > f->limit + HARD || jump > level + HARD;
-}
-
-static void learn_wander(invcal_rests *s, const finding *f)
-{
-    const int32_t *newest = s->pending[(blocks_of(s) + 1) % TRIM];
-    const int32_t step[3] = {f->sum[0] - newest[0], f->sum[1] - newest[1], f->sum[2] - newest[2]};
-
-    s->wander = follow(s->wander, level_of(step, s->bits));
-}
-
-static invcal_event judge_moment(invcal_rests *s, finding *f)
-{
-    const int fresh = learn_new_noise(s, f);
-
-    f->quiet |= fresh;
-    if (s->stage == IDLE || blocks_of(s) == 0) {
-        move_origin(s, f);
-    }
-    if (s->stage == IDLE) {
-        if (!f->quiet) {
-            return INVCAL_MOVING;
-        }
-        start_candidate(s);
-    }
-    expect(s, f);
-    if (f->quiet && f->fits && s->pended > 0 && s->hold == 0) {
-        learn_wander(s, f);
-    }
-    return f->quiet && f->here ? agree(s, f) : disagree(s, f);
-}
-
-/* No noise at all, though the stream has shown some that would not allow it; or three axes that
- * read the same number: no triad does. */
-static int is_dead(const invcal_rests *s, uint64_t scatter)
-{
-    const int32_t *first = s->first;
-
-    return scatter == 0 && (s->seen & WILD) == 0 &&
-           (s->noise > quantum_level(s) || (first[0] == first[1] && first[1] == first[2]));
 }
 
 static invcal_event freeze(invcal_rests *s)
@@ -741,29 +777,34 @@ static invcal_event freeze(invcal_rests *s)
 /* A block is full. */
 INVCAL_APART static invcal_event decide(invcal_rests *s)
 {
-    const uint64_t scatter = scatter_of(s);
-    finding f;
+    invcal_event event = INVCAL_MOVING;
 
     drop(s);
-    s->time += UINT32_C(1) << s->bits;
-    if (is_dead(s, scatter)) {
-        return freeze(s);
+    s->time += samples_of(s);
+    switch (judge(s)) {
+    case ADDED:
+        event = announce(s);
+        break;
+    case PASSED:
+        event = INVCAL_SETTLING;
+        break;
+    case ENDED:
+        event = finish(s);
+        break;
+    case DEAD:
+        event = freeze(s);
+        break;
+    default:
+        break;
     }
-    s->frozen = 0;
-    if (s->noise == NONE) {
-        memcpy(s->place, s->first, sizeof s->place);
-    }
-    measure_block(s, scatter, &f);
-    relate(s, &f);
-    learn_noise(s, &f);
-    return judge_moment(s, &f);
+    return event;
 }
 
 /* A sample that begins a block, that is not close to its first, or that may tell the quantum. */
 INVCAL_APART static invcal_event feed_any(invcal_rests *s, const int32_t raw[3])
 {
     if (s->missing == 0) {
-        begin_block(s, raw);
+        begin(s, raw);
         return INVCAL_NOTHING;
     }
     s->span = 0; /* the squares may be large now */
@@ -785,10 +826,10 @@ invcal_status invcal_rests_init(invcal_rests *rests, unsigned rate)
     memset(rests, 0, sizeof *rests);
     rests->rate = (uint16_t)rate;
     rests->bits = BITS_MIN;
-    while (11u << rests->bits < rate) { /* from 1/11 to 2/11 s; at most 8 steps */
+    while (11u << rests->bits < rate) { /* at most 8 steps: a block is 1/11 to 2/11 s */
         rests->bits++;
     }
-    const int pace = logarithm(rate) - rests->bits * OCTAVE;
+    const int pace = octaves(rate) - rests->bits * OCTAVE;
     const unsigned blocks = (5 * rate / 8 + (1u << rests->bits) - 1) >> rests->bits;
     rests->pace = (int16_t)(2 * pace);
     rests->least = (uint8_t)(blocks > LEAST ? blocks : LEAST);
@@ -854,7 +895,11 @@ unsigned invcal_rests_progress(const invcal_rests *rests)
     if (rests->stage == ANNOUNCED) {
         return 100;
     }
-    return rests->blocks < rests->dwell ? (unsigned)(100ul * rests->blocks / rests->dwell) : 99;
+    if (rests->blocks >= rests->dwell) {
+        return 99;
+    }
+    const uint32_t percent = UINT32_C(100) * rests->blocks / rests->dwell;
+    return (unsigned)percent;
 }
 
 invcal_status invcal_rests_reason(const invcal_rests *rests)
@@ -869,7 +914,7 @@ int invcal_rests_get(const invcal_rests *rests, invcal_rest *out)
     if (rests->stage != ANNOUNCED && rests->stage != LEFT) {
         return 0;
     }
-    const uint32_t size = UINT32_C(1) << rests->bits;
+    const uint32_t size = samples_of(rests);
     const uint32_t degrees = blocks_of(rests) * 3 * (size - 1); /* of freedom, less than 2^28 */
     const invcal_real squares = (invcal_real)(uint32_t)(rests->variance >> 32) * TWO_TO_32 +
                                 (invcal_real)(uint32_t)rests->variance;
@@ -887,7 +932,7 @@ int invcal_rests_get(const invcal_rests *rests, invcal_rest *out)
 
 /* 32 more bits of a quotient: of rest and the bits of next behind it, by n > rest. What is left is
  * the rest. A division of 64 bits would be the compiler's, many times as large. */
-static uint32_t divide_step(uint32_t *rest, uint32_t next, uint32_t n)
+static uint32_t long_divide(uint32_t *rest, uint32_t next, uint32_t n)
 {
     uint32_t quotient = 0;
 
@@ -906,13 +951,13 @@ static uint32_t divide_step(uint32_t *rest, uint32_t next, uint32_t n)
 
 static invcal_real mean_of(int64_t sum, uint32_t n)
 {
-    const uint64_t size = sum < 0 ? 0 - (uint64_t)sum : (uint64_t)sum;
+    const uint64_t size = sum < 0 ? ~(uint64_t)sum + 1u : (uint64_t)sum;
     uint32_t rest = (uint32_t)(size >> 32);
 
     if (rest >= n) {
         return 0;
     }
-    const uint32_t whole = divide_step(&rest, (uint32_t)size, n);
+    const uint32_t whole = long_divide(&rest, (uint32_t)size, n);
     const invcal_real mean = (invcal_real)whole + (invcal_real)rest / (invcal_real)n;
     return sum < 0 ? -mean : mean;
 }

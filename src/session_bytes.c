@@ -5,7 +5,7 @@
 #include <string.h>
 
 #include "bytes.h"
-#include "invcal/expert.h"
+#include "solve.h"
 
 enum { SESSION_KIND = 0xC5, SESSION_OLDEST = 2 };
 enum { COUNT_AT = 4, RATE_AT = 6, HOLD_AT = 8, LOW_AT = 12, HIGH_AT = 16, SESSION_REALS_AT = 20 };
@@ -38,11 +38,10 @@ static int32_t get_i32(const uint8_t *bytes)
     return value;
 }
 
-/* Could these numbers be a session's? What invcal_session_begin looks at is left to it. */
+/* Could these numbers be a session's? */
 static invcal_status check_numbers(const uint8_t *bytes, session_head *h)
 {
     const unsigned count = invcal_get_u16(bytes + COUNT_AT);
-    invcal_status status = INVCAL_OK;
     invcal_real mean[3];
     invcal_row row;
 
@@ -50,6 +49,7 @@ static invcal_status check_numbers(const uint8_t *bytes, session_head *h)
     if (!(h->noise >= 0 && h->noise < 1)) {
         return INVCAL_BAD_NOISE;
     }
+    invcal_status status = invcal_nominal_check(&h->nominal);
     bytes += MEANS_AT;
     for (unsigned i = 0; i < count && status == INVCAL_OK; i++) {
         (void)invcal_get_reals(bytes, mean, 3);
@@ -111,7 +111,7 @@ invcal_status invcal_session_decode(const uint8_t *bytes, uint32_t size, invcal_
 invcal_status invcal_save_session(const invcal_store *store, const invcal_session *session)
 {
     uint8_t bytes[INVCAL_SESSION_SIZE];
-    uint32_t size;
+    uint32_t size = 0;
 
     const invcal_status status = invcal_session_encode(session, bytes, &size);
     return status == INVCAL_OK ? invcal_store_save(store, bytes, size) : status;
@@ -120,7 +120,7 @@ invcal_status invcal_save_session(const invcal_store *store, const invcal_sessio
 invcal_status invcal_load_session(const invcal_store *store, invcal_session *session)
 {
     uint8_t bytes[INVCAL_SESSION_SIZE];
-    uint32_t size;
+    uint32_t size = 0;
 
     const invcal_status status = invcal_store_load(store, bytes, sizeof bytes, &size);
     return status == INVCAL_OK ? invcal_session_decode(bytes, size, session) : status;

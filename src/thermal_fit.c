@@ -47,12 +47,10 @@ const char *invcal_thermal_fallback_text(invcal_thermal_fallback fallback)
 
 invcal_real invcal_thermal_drift_limit(invcal_real noise, invcal_real slope)
 {
-    if (!(noise >= 0 && slope >= 0)) {
-        return 0;
-    }
     const invcal_real limit =
         2 * (noise > 0 ? noise : USUAL_NOISE) / (slope > 0 ? slope : USUAL_SLOPE);
-    return invcal_is_finite(limit) ? limit : 0;
+
+    return noise >= 0 && slope >= 0 && invcal_is_finite(limit) ? limit : 0;
 }
 
 /* ---- the system --------------------------------------------------------------------------------- */

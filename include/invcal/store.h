@@ -71,7 +71,7 @@ typedef struct {
  * invcal_scale.
  *
  * Returns INVCAL_OK; as invcal_store_save; INVCAL_NOT_FINITE, INVCAL_BAD_NOMINAL, INVCAL_DAMAGED as
- * invcal_record_encode, of what no solution gives. Stack: about 450 bytes, without the callbacks. */
+ * invcal_record_encode, of what no solution gives. Stack: about 500 bytes, without the callbacks. */
 invcal_status invcal_save(const invcal_store *store, const invcal_calibration *calibration,
                           const invcal_quality *quality);
 
@@ -84,12 +84,12 @@ invcal_status invcal_load(const invcal_store *store, invcal_calibration *calibra
 /* Saves a session: all that it was told and has taken, not what it knows of the stream.
  *
  * Returns INVCAL_OK; as invcal_store_save; as invcal_session_encode, of what no session is.
- * Stack: about 550 bytes. */
+ * Stack: about 600 bytes. */
 invcal_status invcal_save_session(const invcal_store *store, const invcal_session *session);
 
 /* Loads it, to go on with a stream that begins. On failure the session is as it was.
  *
- * Returns INVCAL_OK; as invcal_store_load; as invcal_session_decode. Stack: about 550 bytes. */
+ * Returns INVCAL_OK; as invcal_store_load; as invcal_session_decode. Stack: about 600 bytes. */
 invcal_status invcal_load_session(const invcal_store *store, invcal_session *session);
 
 /* ---- the store: any bytes ------------------------------------------------------------------------
@@ -104,7 +104,7 @@ invcal_status invcal_load_session(const invcal_store *store, invcal_session *ses
  *     0         1     kind, 0x5C
  *     1         1     version, 1
  *     2         2     size of what is stored
- *     4         4     sequence number: one more than that of the save before, modulo 2^32
+ *     4         4     sequence number: one more than that of the save before, if any, mod 2^32
  *     8         size  what is stored
  *               ...   0xFF, up to 4 bytes before the end of a granule
  *     E - 4     4     CRC-32 (IEEE 802.3, as zlib) of all bytes before it
@@ -230,9 +230,9 @@ void invcal_record_init(invcal_record *record, const invcal_calibration *calibra
  * Returns INVCAL_OK: invcal_record_decode accepts the bytes. On failure they are lost:
  *   INVCAL_NOT_FINITE   a number is NaN, infinite, or beyond the largest float;
  *   INVCAL_BAD_NOMINAL  rounded to float, the calibration is singular or absurdly scaled;
- *   INVCAL_DAMAGED      the record contradicts itself: WEAK, and no parameter is, or the other way
- *                       round; a tenth parameter; a temperature that is not known, and not 0.
- * Stack: about 200 bytes. */
+ *   INVCAL_DAMAGED      the record contradicts itself: WEAK, and no parameter is, or the reverse;
+ *                       a tenth parameter; a temperature that is not known, and not 0.
+ * Stack: about 300 bytes. */
 invcal_status invcal_record_encode(const invcal_record *record, uint8_t bytes[INVCAL_RECORD_SIZE]);
 
 /* A record from bytes, at any alignment.
@@ -269,12 +269,12 @@ invcal_status invcal_record_decode(const uint8_t *bytes, uint32_t size, invcal_r
  *
  * size  out: how many bytes it takes.
  *
- * Returns INVCAL_OK: invcal_session_decode accepts the bytes. Anything else can only come from a
- * double build, of a mean or a noise that has left its range when it was rounded to float; or from a
- * session that was never begun. What was in bytes and size is lost then:
- *   INVCAL_NOT_FINITE, INVCAL_OUT_OF_RANGE  a mean is no reading of the field;
- *   INVCAL_BAD_NOISE                        not below 1.
- * Stack: about 200 bytes. */
+ * Returns INVCAL_OK: invcal_session_decode accepts the bytes. Anything else comes only of a session
+ * that was never begun, or from a double build, of a number that has left its range when it was
+ * rounded to float. What was in bytes and size is lost then:
+ *   INVCAL_BAD_NOMINAL, INVCAL_BAD_NOISE    the nominal calibration, the noise;
+ *   INVCAL_NOT_FINITE, INVCAL_OUT_OF_RANGE  a mean is no reading of the field.
+ * Stack: about 250 bytes. */
 invcal_status invcal_session_encode(const invcal_session *session,
                                     uint8_t bytes[INVCAL_SESSION_SIZE], uint32_t *size);
 
@@ -290,7 +290,7 @@ invcal_status invcal_session_encode(const invcal_session *session,
  *                         reads a smaller one;
  *   INVCAL_BAD_NOMINAL, INVCAL_BAD_RATE, INVCAL_BAD_RAILS, INVCAL_BAD_NOISE, INVCAL_NOT_FINITE,
  *   INVCAL_OUT_OF_RANGE   a content that no session has.
- * Stack: about 400 bytes. */
+ * Stack: about 250 bytes. */
 invcal_status invcal_session_decode(const uint8_t *bytes, uint32_t size, invcal_session *out);
 
 #ifdef __cplusplus

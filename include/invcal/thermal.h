@@ -48,11 +48,19 @@ extern "C" {
 #error "INVCAL_THERMAL_DEGREE must be 0, 1 or 2"
 #endif
 
-#define invcal_thermal_at INVCAL_CHOSEN(invcal_thermal_at, INVCAL_THERMAL_DEGREE)
-#define invcal_thermal_calibrate INVCAL_CHOSEN(invcal_thermal_calibrate, INVCAL_THERMAL_DEGREE)
-#define invcal_thermal_start INVCAL_CHOSEN(invcal_thermal_start, INVCAL_THERMAL_DEGREE)
-#define invcal_thermal_record_decode                                                               \
-    INVCAL_CHOSEN(invcal_thermal_record_decode, INVCAL_THERMAL_DEGREE)
+/* The degree counts, and the positions, as quality has a bit for each. */
+#define INVCAL_THERMAL_CHOSEN(name)                                                                \
+    INVCAL_THERMAL_CHOSEN_(name, INVCAL_THERMAL_DEGREE, INVCAL_MAX_POSITIONS)
+#define INVCAL_THERMAL_CHOSEN_(name, degree, positions)                                            \
+    INVCAL_THERMAL_CHOSEN__(name, degree, positions) /* step of it */
+#define INVCAL_THERMAL_CHOSEN__(name, degree, positions)                                           \
+    INVCAL_CHOSEN(name, degree##_##positions) /* step of it */
+#define invcal_thermal_at INVCAL_THERMAL_CHOSEN(invcal_thermal_at)
+#define invcal_thermal_calibrate INVCAL_THERMAL_CHOSEN(invcal_thermal_calibrate)
+#define invcal_thermal_start INVCAL_THERMAL_CHOSEN(invcal_thermal_start)
+#define invcal_thermal_fit INVCAL_THERMAL_CHOSEN(invcal_thermal_fit)
+#define invcal_thermal_judge INVCAL_THERMAL_CHOSEN(invcal_thermal_judge)
+#define invcal_thermal_record_decode INVCAL_THERMAL_CHOSEN(invcal_thermal_record_decode)
 
 #define INVCAL_THERMAL_ROWS (INVCAL_THERMAL_DEGREE + 1) /* coefficients of a parameter */
 

@@ -38,12 +38,13 @@ takes_config() { # a header of choices reaches library and user
         "$out/chosen"
 }
 
-# A tree in which the two files stand for src and include.
+# A tree in which the two files stand for src and include: each header is the one header.
 lay_tree() {
-    mkdir -p "$out/tree/src" "$out/tree/include/invcal" &&
-        cp "$files"/invcal.[ch] "$out/tree/src/" &&
-        cp "$files/invcal.h" "$out/tree/include/invcal/" &&
-        ln -s "$root/port" "$root/tests" "$out/tree/"
+    mkdir -p "$out/tree/src" "$out/tree/include/invcal" && cp "$files"/invcal.[ch] "$out/tree/src/" &&
+        for header in include/invcal/*.h; do
+            cp "$files/invcal.h" "$out/tree/$header" || return
+        done
+    ln -s "$root/port" "$root/tests" "$out/tree/"
 }
 
 same_bits() { # TARGET

@@ -1,31 +1,34 @@
 /* SPDX-License-Identifier: MIT */
-#include <stddef.h>
-
 #include "arbitrary.h"
 #include "invcal/expert.h"
 
-// eva: -eva-precision 0 -eva-auto-loop-unroll 12 -eva-slevel 20
-// eva: -eva-split-return-function start:0,fit:0,determine:0,invcal_positions_check:0,invcal_positions_sum:0,invcal_sums_add:0,invcal_observe:0,invcal_factor:0
+// eva: -eva-precision 0 -eva-auto-loop-unroll 46 -eva-split-return full -eva-slevel 10
 // config: -DINVCAL_MAX_POSITIONS=64
-// config: -D__OPTIMIZE__=1
+// trusted: 1
+
+static invcal_real raw[3 * INVCAL_MAX_POSITIONS];
+static invcal_calibration nominal;
 
 void main(void)
 {
-    static invcal_real raw[3 * INVCAL_MAX_POSITIONS];
-    invcal_calibration nominal;
-    invcal_outliers outliers;
-    invcal_outlier outlier;
-    invcal_mask removed;
     invcal_real noise;
+    invcal_mask removed;
+    invcal_outliers outliers;
+    invcal_outlier one;
+    unsigned count;
+    unsigned position;
 
     ANY(raw);
     ANY(nominal);
-    ANY(removed);
     ANY(noise);
-    (void)invcal_outliers_find(NULL, 0, &nominal, noise, &outliers);
-    (void)invcal_outliers_find(raw, BETWEEN(1, INVCAL_MAX_POSITIONS), &nominal, noise, &outliers);
-    (void)invcal_outliers_find(raw, BETWEEN(INVCAL_MAX_POSITIONS + 1, 0xFFFFFFFF), &nominal, noise,
-                               &outliers);
-    (void)invcal_outlier_size(raw, BETWEEN(1, INVCAL_MAX_POSITIONS), &nominal, noise, removed,
-                              BETWEEN(0, 0xFFFFFFFF), &outlier);
+    ANY(removed);
+    ANY(position);
+    (void)invcal_outliers_find(raw, BETWEEN(0, INVCAL_MAX_POSITIONS), &nominal, noise, &outliers);
+    (void)invcal_outlier_size(raw, BETWEEN(0, INVCAL_MAX_POSITIONS), &nominal, noise, removed,
+                              position, &one);
+    ANY(count);
+    if (count > INVCAL_MAX_POSITIONS) {
+        (void)invcal_outliers_find(raw, count, &nominal, noise, &outliers);
+        (void)invcal_outlier_size(raw, count, &nominal, noise, removed, position, &one);
+    }
 }

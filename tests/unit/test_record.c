@@ -108,15 +108,15 @@ static void assert_equal_records(invcal_record *expected, invcal_record *actual)
 
 static void assert_encodes(const invcal_record *r, uint8_t bytes[SIZE])
 {
-    uint8_t room[SIZE + MARGIN];
+    uint8_t buffer[SIZE + MARGIN];
     const invcal_record before = *r;
 
-    memset(room, 0x5A, sizeof room);
-    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_record_encode(r, room + 1)); /* odd address */
+    memset(buffer, 0x5A, sizeof buffer);
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_record_encode(r, buffer + 1)); /* odd address */
     TEST_ASSERT_EQUAL_MEMORY(&before, r, sizeof before);
-    TEST_ASSERT_EQUAL_HEX8(0x5A, room[0]);
-    TEST_ASSERT_EACH_EQUAL_HEX8(0x5A, room + 1 + SIZE, MARGIN - 1);
-    memcpy(bytes, room + 1, SIZE);
+    TEST_ASSERT_EQUAL_HEX8(0x5A, buffer[0]);
+    TEST_ASSERT_EACH_EQUAL_HEX8(0x5A, buffer + 1 + SIZE, MARGIN - 1);
+    memcpy(bytes, buffer + 1, SIZE);
 }
 
 static void assert_not_encoded(invcal_status expected, const invcal_record *r)
@@ -128,11 +128,11 @@ static void assert_not_encoded(invcal_status expected, const invcal_record *r)
 
 static void assert_decodes(const uint8_t *bytes, uint32_t size, invcal_record *out)
 {
-    uint8_t room[SIZE + MARGIN + 1];
+    uint8_t buffer[SIZE + MARGIN + 1];
 
-    memcpy(room + 1, bytes, size);
+    memcpy(buffer + 1, bytes, size);
     memset(out, 0x5A, sizeof *out);
-    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_record_decode(room + 1, size, out));
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_record_decode(buffer + 1, size, out));
 }
 
 static int is_refused(invcal_status expected, const uint8_t *bytes, uint32_t size)

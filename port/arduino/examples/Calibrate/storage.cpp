@@ -8,8 +8,8 @@
 
 #include <EEPROM.h>
 
-/* Two slots for the calibration, and behind them two for the session: of the 1,024 bytes of an Uno they
- * hold 22 positions. With more a session is not stored any more. */
+/* Two slots for the calibration, and behind them two for the session: of 1,024 bytes, the least that
+ * there is, they hold 22 positions. With more a session is not stored any more. */
 const int SMALLEST_EEPROM = 1024;
 const int CALIBRATION_SLOT = INVCAL_STORE_BYTES(INVCAL_RECORD_SIZE, 1);
 const int SESSION_SLOT = SMALLEST_EEPROM / 2 - CALIBRATION_SLOT;
