@@ -6,7 +6,7 @@
 
 // eva: -eva-precision 0 -eva-auto-loop-unroll 30 -eva-slevel 40 -eva-slevel-merge-after-loop @all -eva-slevel-function gather:500
 // What is written only if a function returns 0, or does not, is told apart by it.
-// eva: -eva-split-return-function gather:0,solve_at_noise:0,solve_to:0,try_degree:0,solve_highest:0,compose:0,interpolate:0,improve:0,weigh:0,judge_at:0,judge_range:0,find_range:0,hold:0,begin:0,run:0
+// eva: -eva-split-return-function gather:0,solve_at_noise:0,solve_to:0,try_degree:0,solve_highest:0,compose:0,interpolate:0,improve:0,weigh:0,judge_at:0,judge_range:0,find_range:0,hold:0,set_up:0,run:0
 // eva: -eva-split-return-function invcal_observe:0,invcal_residuals_add:0,invcal_residuals_end:0,invcal_positions_check:0,invcal_factor:0,invcal_ellipsoid:0,invcal_behind:0,invcal_thermal_find:0,invcal_thermal_triad:0
 // config: -DINVCAL_THERMAL_DEGREE=2
 // config: -DINVCAL_THERMAL_DEGREE=0

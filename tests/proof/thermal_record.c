@@ -3,7 +3,7 @@
 #include "invcal/thermal.h"
 
 // eva: -eva-precision 0 -eva-auto-loop-unroll 128 -eva-slevel 200 -eva-slevel-merge-after-loop @all -eva-slevel-function invcal_crc32:0
-// eva: -eva-split-return-function invcal_unseal:0,read_thermal:0,check_length:0,check_thermal:0,invcal_record_decode:0,invcal_record_encode:0,read_record:0,invcal_nominal_check:0
+// eva: -eva-split-return-function invcal_unseal:0,read_thermal:0,check_length:0,check_thermal:0,invcal_record_encode:0,read_record:0,invcal_nominal_check:0
 // config: -DINVCAL_THERMAL_DEGREE=0
 // config: -DINVCAL_THERMAL_DEGREE=2
 
