@@ -53,7 +53,7 @@ static invcal_observation any_row(source *s, unsigned number)
         return row;
     }
     require_finite(row.h, INVCAL_PARAMETERS);
-    require_finite(&row.j, 1);
+    require_finite(&row.h[INVCAL_J], 1);
     return row;
 }
 
