@@ -122,7 +122,7 @@ void invcal_prospect(const invcal_real *raw, unsigned count, const invcal_calibr
     invcal_sum_readings(raw, count, nominal, &sums, row.h);
     if (up != NULL) {
         invcal_row_of(up, row.h);
-        row.j = 0;
+        row.h[INVCAL_J] = 0;
         invcal_sums_add_row(&sums, &row, 1);
     }
     (void)invcal_ridged_inverse(&sums);

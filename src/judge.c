@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "solve.h"
+#include "sums.h"
 #include "vector.h"
 
 #define NOISE_SHARE INVCAL_REAL(0.1) /* of the information on a parameter: above, it is weak */
@@ -14,9 +15,11 @@
 /* ---- residuals ---------------------------------------------------------------------------------- */
 
 /* |eta| - 1 of j = (|eta|^2 - 1)/2 = (|eta| - 1)(|eta| + 1)/2 */
-void invcal_residuals_add(invcal_residuals *residuals, unsigned i, const invcal_row *row)
+INVCAL_INLINE void invcal_residuals_add(invcal_residuals *residuals, unsigned i,
+                                        const invcal_row *row)
 {
-    const invcal_real r = 2 * row->j / (1 + INVCAL_SQRT(1 + 2 * row->j));
+    const invcal_real twice = 2 * row->h[INVCAL_J];
+    const invcal_real r = twice / (1 + INVCAL_SQRT(1 + twice));
 
     residuals->rms += r * r;
     if (!(INVCAL_FABS(r) <= residuals->max)) {
@@ -32,7 +35,8 @@ invcal_status invcal_residuals_end(invcal_residuals *residuals)
     return residuals->rms <= ABSURD ? INVCAL_OK : INVCAL_NOT_ELLIPSOID;
 }
 
-invcal_real invcal_gradient(const invcal_real a[3][3], const invcal_real eta[3], invcal_real g[3])
+INVCAL_INLINE invcal_real invcal_gradient(const invcal_real a[3][3], const invcal_real eta[3],
+                                          invcal_real g[3])
 {
     INVCAL_UNROLL
     for (unsigned i = 0; i < 3; i++) {
@@ -62,39 +66,21 @@ static INVCAL_INLINE void add_calibrated(invcal_sums *sums, const invcal_real a[
 
     const invcal_real weight = 1 / invcal_gradient(a, row->h, g);
     slope(row->h, g);
-    g[INVCAL_PARAMETERS] = row->j;
-    invcal_rank_one(sums->sum, g, INVCAL_PARAMETERS + 1, weight);
-}
-
-/* All that are not left out: the first pass, or with residuals the second. */
-static invcal_status add_all(const invcal_positions *positions, const invcal_calibration *c,
-                             const invcal_real a[3][3], invcal_sums *sums,
-                             invcal_residuals *residuals)
-{
-    invcal_row row;
-
-    invcal_sums_init(sums);
-    for (unsigned i = 0; i < positions->count; i++) {
-        if (invcal_is_left_out(positions, i)) {
-            continue;
-        }
-        const invcal_status status = invcal_observe(c, &positions->raw[3 * (size_t)i], &row);
-        if (status != INVCAL_OK) {
-            return status;
-        }
-        if (residuals == NULL) {
-            invcal_sums_add_row(sums, &row, 1);
-        } else {
-            invcal_residuals_add(residuals, i, &row);
-            add_calibrated(sums, a, &row);
-        }
-    }
-    return INVCAL_OK;
+    g[INVCAL_J] = row->h[INVCAL_J];
+    invcal_rank_one(sums->sum, g, INVCAL_PARAMETERS + 1, weight, NULL);
 }
 
 invcal_status invcal_positions_sum(const invcal_positions *positions, invcal_sums *sums)
 {
-    return add_all(positions, positions->nominal, NULL, sums, NULL);
+    invcal_status status = INVCAL_OK;
+
+    invcal_sums_init(sums);
+    for (unsigned i = 0; i < positions->count && status == INVCAL_OK; i++) {
+        if (!invcal_is_left_out(positions, i)) {
+            status = invcal_sums_add(sums, positions->nominal, &positions->raw[3 * (size_t)i]);
+        }
+    }
+    return status;
 }
 
 invcal_status invcal_positions_compare(const invcal_positions *positions,
@@ -102,11 +88,21 @@ invcal_status invcal_positions_compare(const invcal_positions *positions,
                                        invcal_sums *sums, invcal_residuals *residuals)
 {
     static const invcal_residuals none = {0, 0, 0, 0};
+    invcal_row row;
 
     *residuals = none;
-    return add_all(positions, c, a, sums, residuals) == INVCAL_OK
-               ? invcal_residuals_end(residuals)
-               : INVCAL_NOT_ELLIPSOID; /* fit for the first pass, absurd after it */
+    invcal_sums_init(sums);
+    for (unsigned i = 0; i < positions->count; i++) {
+        if (invcal_is_left_out(positions, i)) {
+            continue;
+        }
+        if (invcal_observe(c, &positions->raw[3 * (size_t)i], &row) != INVCAL_OK) {
+            return INVCAL_NOT_ELLIPSOID; /* fit for the first pass, absurd after it */
+        }
+        invcal_residuals_add(residuals, i, &row);
+        add_calibrated(sums, a, &row);
+    }
+    return invcal_residuals_end(residuals);
 }
 
 invcal_status invcal_positions_check(const invcal_positions *positions)
@@ -119,9 +115,11 @@ invcal_status invcal_positions_check(const invcal_positions *positions)
 }
 
 /* If not determined in nominal units, readings calibrated by it may look well spread all the same. */
-invcal_status invcal_determine(invcal_real *a, unsigned rows, invcal_real *condition)
+invcal_status invcal_determine(invcal_real *a, unsigned rows, invcal_real k[INVCAL_PARAMETERS],
+                               invcal_real *condition)
 {
     const invcal_real trace = invcal_trace(a, INVCAL_PARAMETERS);
+    invcal_real of_inverse = 0;
     const invcal_status status = invcal_factor(a, INVCAL_PARAMETERS, rows, INVCAL_FLOOR);
 
     if (status != INVCAL_OK) {
@@ -131,8 +129,17 @@ invcal_status invcal_determine(invcal_real *a, unsigned rows, invcal_real *condi
         invcal_back_substitute(a, INVCAL_PARAMETERS);
     }
     invcal_invert(a, INVCAL_PARAMETERS);
-    *condition = invcal_condition(a, INVCAL_PARAMETERS, trace);
-    return invcal_is_resolved(*condition) ? INVCAL_OK : INVCAL_UNDETERMINED;
+    for (unsigned r = 0; r < INVCAL_PARAMETERS; r++) { /* A^-1 = L^-T L^-1 */
+        k[r] = 0;
+        for (unsigned c = 0; c <= r; c++, a++) {
+            k[c] += *a * *a;
+            of_inverse += *a * *a;
+        }
+    }
+    *condition = trace * of_inverse;
+    /* in float the first is the narrower, in double the second */
+    return invcal_is_resolved(*condition) && of_inverse <= INVCAL_HOPELESS_K ? INVCAL_OK
+                                                                             : INVCAL_UNDETERMINED;
 }
 
 /* ---- judgement ---------------------------------------------------------------------------------- */
@@ -160,18 +167,17 @@ void invcal_judge_noise(invcal_real stated, invcal_real squares, invcal_real dof
     }
 }
 
-void invcal_judge_parameters(const invcal_real k[INVCAL_PARAMETERS], int is_known,
-                             const invcal_real a[3][3], invcal_quality *q)
+void invcal_judge_parameters(const invcal_real k[INVCAL_PARAMETERS], const invcal_real a[3][3],
+                             invcal_quality *q)
 {
     /* in calibrated units: |A eta| times itself, here the mean square over all directions */
-    const invcal_real of_noise =
-        (invcal_real)q->positions * q->noise * q->noise * invcal_dot(a[0], a[0], 9) / 3;
-    const invcal_real most =
-        is_known && of_noise * INVCAL_WEAK_K > NOISE_SHARE ? NOISE_SHARE / of_noise : INVCAL_WEAK_K;
+    const invcal_real square = q->noise * q->noise * invcal_dot(a[0], a[0], 9) / 3;
+    const invcal_real of_noise = q->noise < 1 ? (invcal_real)q->positions * square : 0;
 
     q->weak = 0;
     for (unsigned r = 0; r < INVCAL_PARAMETERS; r++) {
-        q->weak |= (uint16_t)((k[r] <= most ? 0u : 1u) << r);
+        const int is_strong = k[r] <= INVCAL_WEAK_K && k[r] * of_noise <= NOISE_SHARE;
+        q->weak |= (uint16_t)((is_strong ? 0u : 1u) << r);
         q->sigma[r] = q->noise * INVCAL_SQRT(k[r]);
     }
     q->verdict = (uint8_t)(q->weak ? INVCAL_WEAK : q->dof > 0 ? INVCAL_GOOD : INVCAL_NO_REDUNDANCY);
@@ -185,10 +191,11 @@ invcal_real invcal_condition(const invcal_real *inverse, unsigned n, invcal_real
 
 /* ---- all in one --------------------------------------------------------------------------------- */
 
-/* a: A of the calibration, which is of the raw counts. */
-static invcal_status solve(const invcal_positions *positions, invcal_sums *sums, invcal_real a[3][3],
-                           invcal_calibration *c)
+/* triad: what calibrates u. */
+static invcal_status solve(const invcal_positions *positions, invcal_sums *sums,
+                           invcal_calibration *triad)
 {
+    invcal_real k[INVCAL_PARAMETERS];
     invcal_real condition;
 
     invcal_status status = invcal_positions_sum(positions, sums);
@@ -197,17 +204,14 @@ static invcal_status solve(const invcal_positions *positions, invcal_sums *sums,
     }
     if (status == INVCAL_OK) {
         invcal_sums_system(sums);
-        status = invcal_determine(sums->sum, INVCAL_PARAMETERS + 1, &condition);
+        status = invcal_determine(sums->sum, INVCAL_PARAMETERS + 1, k, &condition);
     }
     if (status != INVCAL_OK) {
         return status;
     }
-    status = invcal_ellipsoid(&sums->sum[INVCAL_PACKED(INVCAL_PARAMETERS, 0)], c);
-    if (status != INVCAL_OK) { /* what is left open may take any shape */
-        return condition > OPEN ? INVCAL_UNDETERMINED : status;
-    }
-    memcpy(a, c->matrix, sizeof c->matrix);
-    return invcal_behind(positions->nominal, c);
+    status = invcal_ellipsoid(&sums->sum[INVCAL_PACKED(INVCAL_PARAMETERS, 0)], triad);
+    /* what is left open may take any shape */
+    return status != INVCAL_OK && condition > OPEN ? INVCAL_UNDETERMINED : status;
 }
 
 invcal_status invcal_calibrate_without(const invcal_real *raw, unsigned count, invcal_mask left_out,
@@ -215,30 +219,27 @@ invcal_status invcal_calibrate_without(const invcal_real *raw, unsigned count, i
                                        invcal_calibration *out, invcal_quality *quality)
 {
     const invcal_positions positions = {raw, count, left_out, nominal, noise};
+    invcal_calibration triad;
+    const invcal_real(*a)[3] = (const invcal_real(*)[3])triad.matrix;
     invcal_calibration c;
     invcal_residuals residuals;
     invcal_sums sums;
-    invcal_real m[3][3];
-    const invcal_real(*a)[3] = (const invcal_real(*)[3])m;
     invcal_real k[INVCAL_PARAMETERS];
     invcal_real condition;
 
     INVCAL_ASSERT((raw || count == 0) && nominal && out && quality);
     invcal_status status = invcal_positions_check(&positions);
     if (status == INVCAL_OK) {
-        status = solve(&positions, &sums, m, &c);
+        status = solve(&positions, &sums, &triad);
+    }
+    if (status == INVCAL_OK) {
+        status = invcal_behind(nominal, &triad, &c);
     }
     if (status == INVCAL_OK) {
         status = invcal_positions_compare(&positions, &c, a, &sums, &residuals);
     }
     if (status == INVCAL_OK) {
-        status = invcal_determine(sums.sum, INVCAL_PARAMETERS, &condition);
-    }
-    for (unsigned r = 0; r < INVCAL_PARAMETERS && status == INVCAL_OK; r++) {
-        k[r] = invcal_variance(sums.sum, INVCAL_PARAMETERS, r);
-        if (INVCAL_DOUBLE && !(k[r] <= INVCAL_HOPELESS_K)) { /* never, in float: is_resolved */
-            status = INVCAL_UNDETERMINED;
-        }
+        status = invcal_determine(sums.sum, INVCAL_PARAMETERS, k, &condition);
     }
     if (status == INVCAL_OK) {
         *out = c; /* which may be nominal */
@@ -247,7 +248,7 @@ invcal_status invcal_calibrate_without(const invcal_real *raw, unsigned count, i
         invcal_judge_residuals(&residuals, quality);
         invcal_judge_noise(noise, sums.sum[INVCAL_PACKED(INVCAL_PARAMETERS, INVCAL_PARAMETERS)],
                            (invcal_real)(residuals.count - INVCAL_PARAMETERS), quality);
-        invcal_judge_parameters(k, quality->dof > 0 || noise > 0, a, quality);
+        invcal_judge_parameters(k, a, quality);
     }
     return status;
 }

@@ -27,9 +27,14 @@ invcal_status invcal_positions_check(const invcal_positions *positions);
 /* First pass: the sums of all that are not left out. Returns as invcal_observe. */
 invcal_status invcal_positions_sum(const invcal_positions *positions, invcal_sums *sums);
 
-/* The system of nine to L^-1, and to p if there is a row behind them. INVCAL_UNDETERMINED if what it
- * determines is no more than rounding. */
-invcal_status invcal_determine(invcal_real *a, unsigned rows, invcal_real *condition);
+/* The system of nine to L^-1, and to p if there is a row behind them.
+ *
+ * k          the diagonal of the inverse.
+ * condition  tr A tr A^-1: at least that of A.
+ *
+ * INVCAL_UNDETERMINED if what it determines is no more than rounding. */
+invcal_status invcal_determine(invcal_real *a, unsigned rows, invcal_real k[INVCAL_PARAMETERS],
+                               invcal_real *condition);
 
 /* ---- the steps of a judgement ------------------------------------------------------------------ */
 
@@ -84,10 +89,8 @@ static inline int invcal_is_resolved(invcal_real condition)
 
 /* weak, sigma and the verdict, from K(r,r) = k[r] = sigma^2 / noise^2. Weak: K is large, or the
  * information 1 / K no more than ten times what noise in the readings themselves, about noise^2 in
- * each row, adds to it: then directions that determine nothing look as if they did.
- *
- * is_known  the noise, from residuals or a statement. */
-void invcal_judge_parameters(const invcal_real k[INVCAL_PARAMETERS], int is_known,
-                             const invcal_real a[3][3], invcal_quality *q);
+ * each row, adds to it: then directions that determine nothing look as if they did. */
+void invcal_judge_parameters(const invcal_real k[INVCAL_PARAMETERS], const invcal_real a[3][3],
+                             invcal_quality *q);
 
 #endif

@@ -42,7 +42,7 @@ invcal_status invcal_linear_add_vertical(invcal_linear_sums *linear,
     INVCAL_ASSERT(linear && nominal && raw && eta);
     const invcal_status status = observe_along(nominal, raw, eta, u, &row);
     if (status == INVCAL_OK) {
-        row.j = invcal_dot3(u, eta) - 1;
+        row.h[INVCAL_J] = invcal_dot3(u, eta) - 1;
         invcal_sums_add_row(&linear->sums, &row, 1);
     }
     return status;
@@ -108,6 +108,7 @@ static invcal_status correct(const invcal_real x[INVCAL_PARAMETERS], invcal_cali
 invcal_status invcal_linear_solve(invcal_linear_sums *linear, const invcal_calibration *nominal,
                                   invcal_calibration *out, invcal_real x[INVCAL_PARAMETERS])
 {
+    invcal_calibration triad;
     invcal_calibration c;
 
     INVCAL_ASSERT(linear && nominal && out && x);
@@ -125,9 +126,9 @@ invcal_status invcal_linear_solve(invcal_linear_sums *linear, const invcal_calib
     for (unsigned r = 0; r < INVCAL_PARAMETERS; r++) {
         p[r] = -p[r]; /* X = -p */
     }
-    status = correct(p, &c);
+    status = correct(p, &triad);
     if (status == INVCAL_OK) {
-        status = invcal_behind(nominal, &c);
+        status = invcal_behind(nominal, &triad, &c);
     }
     if (status == INVCAL_OK) {
         *out = c;

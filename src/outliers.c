@@ -93,7 +93,7 @@ static INVCAL_APART invcal_status fit(search *s)
     invcal_status status = invcal_positions_sum(&s->positions, &s->sums);
     if (status == INVCAL_OK) {
         invcal_sums_system(&s->sums);
-        status = invcal_determine(s->sums.sum, N + 1, &condition); /* p and L^-1 */
+        status = invcal_determine(s->sums.sum, N + 1, y, &condition); /* p and L^-1 */
     }
     if (status != INVCAL_OK) {
         return status;

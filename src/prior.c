@@ -102,15 +102,14 @@ INVCAL_APART static invcal_status judge_with(const invcal_positions *positions,
         trace += information[INVCAL_PACKED(r, r)] + row_of(prior, r, q->noise);
     }
     q->condition = invcal_condition(l, INVCAL_PARAMETERS, trace);
-    invcal_judge_parameters(k, 1, a, q);
+    invcal_judge_parameters(k, a, q);
     *from_prior = (uint16_t)bits;
     return INVCAL_OK;
 }
 
-/* First pass. a is what calibrates u, out what calibrates raw counts. */
+/* First pass. triad calibrates u. */
 INVCAL_APART static invcal_status solve_with(const invcal_positions *positions,
-                                             const prior_sigma *prior, invcal_real a[3][3],
-                                             invcal_calibration *out)
+                                             const prior_sigma *prior, invcal_calibration *triad)
 {
     invcal_sums sums;
     invcal_real l[INVCAL_PACKED_SIZE(INVCAL_PARAMETERS + 1)];
@@ -129,12 +128,7 @@ INVCAL_APART static invcal_status solve_with(const invcal_positions *positions,
         return status;
     }
     invcal_back_substitute(l, INVCAL_PARAMETERS);
-    status = invcal_ellipsoid(&l[INVCAL_PACKED(INVCAL_PARAMETERS, 0)], out);
-    if (status != INVCAL_OK) {
-        return status;
-    }
-    memcpy(a, out->matrix, sizeof out->matrix);
-    return invcal_behind(positions->nominal, out);
+    return invcal_ellipsoid(&l[INVCAL_PACKED(INVCAL_PARAMETERS, 0)], triad);
 }
 
 static invcal_status calibrate(const invcal_positions *positions, const prior_sigma *prior,
@@ -142,10 +136,13 @@ static invcal_status calibrate(const invcal_positions *positions, const prior_si
 {
     invcal_sums sums;
     invcal_residuals residuals;
-    invcal_real m[3][3];
-    const invcal_real(*a)[3] = (const invcal_real(*)[3])m;
+    invcal_calibration triad;
+    const invcal_real(*a)[3] = (const invcal_real(*)[3])triad.matrix;
 
-    invcal_status status = solve_with(positions, prior, m, out);
+    invcal_status status = solve_with(positions, prior, &triad);
+    if (status == INVCAL_OK) {
+        status = invcal_behind(positions->nominal, &triad, out);
+    }
     if (status == INVCAL_OK) {
         status = invcal_positions_compare(positions, out, a, &sums, &residuals);
     }

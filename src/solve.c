@@ -118,30 +118,32 @@ invcal_status invcal_ellipsoid(const invcal_real p[INVCAL_PARAMETERS], invcal_ca
 }
 
 /* A (u - delta) with u = N (raw - zero): matrix = A N, offset = zero + N^-1 delta. */
-invcal_status invcal_behind(const invcal_calibration *nominal, invcal_calibration *c)
+invcal_status invcal_behind(const invcal_calibration *nominal, const invcal_calibration *triad,
+                            invcal_calibration *out)
 {
-    const invcal_real delta[3] = {c->offset[0], c->offset[1], c->offset[2]};
     const invcal_real(*n)[3] = nominal->matrix;
+    const invcal_real *delta = triad->offset;
     invcal_real cofactor[3][3];
     const invcal_real det = invcal_cofactors(n, cofactor);
 
     INVCAL_UNROLL
     for (unsigned i = 0; i < 3; i++) {
-        const invcal_real a[3] = {c->matrix[i][0], c->matrix[i][1], c->matrix[i][2]};
+        const invcal_real *a = triad->matrix[i];
         INVCAL_UNROLL
         for (unsigned j = 0; j < 3; j++) {
-            c->matrix[i][j] = a[0] * n[0][j] + a[1] * n[1][j] + a[2] * n[2][j];
+            out->matrix[i][j] = a[0] * n[0][j] + a[1] * n[1][j] + a[2] * n[2][j];
         }
-        c->offset[i] = nominal->offset[i] + (cofactor[0][i] * delta[0] + cofactor[1][i] * delta[1] +
-                                             cofactor[2][i] * delta[2]) /
-                                                det;
+        out->offset[i] =
+            nominal->offset[i] +
+            (cofactor[0][i] * delta[0] + cofactor[1][i] * delta[1] + cofactor[2][i] * delta[2]) / det;
     }
-    return invcal_are_finite(c->offset) ? INVCAL_OK : INVCAL_BAD_NOMINAL;
+    return invcal_are_finite(out->offset) ? INVCAL_OK : INVCAL_BAD_NOMINAL;
 }
 
 invcal_status invcal_solve(invcal_sums *sums, const invcal_calibration *nominal,
                            invcal_calibration *out)
 {
+    invcal_calibration triad;
     invcal_calibration c;
 
     INVCAL_ASSERT(sums && nominal && out);
@@ -153,10 +155,10 @@ invcal_status invcal_solve(invcal_sums *sums, const invcal_calibration *nominal,
         invcal_factor(sums->sum, INVCAL_PARAMETERS, INVCAL_PARAMETERS + 1, INVCAL_FLOOR);
     if (status == INVCAL_OK) {
         invcal_back_substitute(sums->sum, INVCAL_PARAMETERS);
-        status = invcal_ellipsoid(&sums->sum[INVCAL_PACKED(INVCAL_PARAMETERS, 0)], &c);
+        status = invcal_ellipsoid(&sums->sum[INVCAL_PACKED(INVCAL_PARAMETERS, 0)], &triad);
     }
     if (status == INVCAL_OK) {
-        status = invcal_behind(nominal, &c);
+        status = invcal_behind(nominal, &triad, &c);
     }
     if (status == INVCAL_OK) {
         *out = c; /* which may be nominal */

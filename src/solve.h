@@ -24,8 +24,9 @@ invcal_status invcal_nominal_check(const invcal_calibration *nominal);
  * nominal or of another one, or a centre beyond ten times the field. out is lost then. */
 invcal_status invcal_ellipsoid(const invcal_real p[INVCAL_PARAMETERS], invcal_calibration *out);
 
-/* A calibration of readings that nominal has corrected becomes one of raw counts.
- * INVCAL_BAD_NOMINAL if nominal is singular: c is lost then. */
-invcal_status invcal_behind(const invcal_calibration *nominal, invcal_calibration *c);
+/* The calibration of a triad, that is of readings that nominal has corrected, to one of raw counts.
+ * INVCAL_BAD_NOMINAL if nominal is singular: out is lost then. */
+invcal_status invcal_behind(const invcal_calibration *nominal, const invcal_calibration *triad,
+                            invcal_calibration *out);
 
 #endif

@@ -2,6 +2,7 @@
 #include "sums.h"
 
 #include <limits.h>
+#include <stddef.h>
 #include <string.h>
 
 #include "invcal/expert.h"
@@ -20,7 +21,7 @@ static INVCAL_INLINE invcal_status observe(const invcal_calibration *nominal,
     invcal_correct(nominal, raw, row->h);
     invcal_row_of(row->h, row->h);
     const invcal_real square = row->h[INVCAL_DK_X] + row->h[INVCAL_DK_Y] + row->h[INVCAL_DK_Z];
-    row->j = (square - 1) / 2;
+    row->h[INVCAL_J] = (square - 1) / 2;
     if (square >= INVCAL_REAL(0.01) && square <= INVCAL_REAL(100.0)) {
         return INVCAL_OK;
     }
@@ -28,41 +29,44 @@ static INVCAL_INLINE invcal_status observe(const invcal_calibration *nominal,
 }
 
 /* Elements of H'H are products of two, three or four of x, y, z, and 31 of 45 different: this one
- * stands for each, itself or an earlier one. */
-static const uint8_t same_as[INVCAL_PACKED_SIZE(INVCAL_PARAMETERS)] = {
-    0,                                  /* x */
-    1,  2,                              /* y */
-    3,  4,  5,                          /* z */
-    6,  7,  8,  9,                      /* xx */
-    10, 11, 12, 13, 14,                 /* yy */
-    15, 16, 17, 18, 19, 20,             /* zz */
-    7,  10, 23, 24, 25, 26, 13,         /* xy */
-    8,  23, 15, 31, 32, 33, 34, 18,     /* xz */
-    23, 12, 16, 34, 40, 41, 32, 26, 19, /* yz */
+ * stands for each, itself or an earlier one. J is behind the row. */
+static const uint8_t same_as[INVCAL_PACKED_SIZE(INVCAL_PARAMETERS + 1)] = {
+    0,                                      /* x */
+    1,  2,                                  /* y */
+    3,  4,  5,                              /* z */
+    6,  7,  8,  9,                          /* xx */
+    10, 11, 12, 13, 14,                     /* yy */
+    15, 16, 17, 18, 19, 20,                 /* zz */
+    7,  10, 23, 24, 25, 26, 13,             /* xy */
+    8,  23, 15, 31, 32, 33, 34, 18,         /* xz */
+    23, 12, 16, 34, 40, 41, 32, 26, 19,     /* yz */
+    45, 46, 47, 48, 49, 50, 51, 52, 53, 54, /* J */
 };
 
-/* H'H += w h h', H'J += w h j, J'J += w j j. */
+void invcal_rank_one(invcal_real *a, const invcal_real *v, unsigned n, invcal_real weight,
+                     const uint8_t *same)
+{
+#ifdef INVCAL_FAST
+    if (n == INVCAL_PARAMETERS + 1 && !same) {
+        invcal_rank_one_inline(a, v, INVCAL_PARAMETERS + 1, weight, NULL);
+        return;
+    }
+    if (!same) {
+        invcal_rank_one_inline(a, v, n, weight, NULL);
+        return;
+    }
+#endif
+    invcal_rank_one_inline(a, v, n, weight, same);
+}
+
+/* H'H += w h h', H'J += w h J, J'J += w J J. */
 static INVCAL_INLINE void add(invcal_sums *sums, const invcal_row *row, invcal_real weight)
 {
-    const invcal_real wj = weight * row->j;
-    invcal_real *sum = sums->sum;
-    unsigned i = 0;
-
-    INVCAL_UNROLL
-    for (unsigned r = 0; r < INVCAL_PARAMETERS; r++) {
-        const invcal_real wh = weight * row->h[r];
-        INVCAL_UNROLL
-        for (unsigned c = 0; c <= r; c++, i++) {
-            if (same_as[i] == i) {
-                sum[i] += wh * row->h[c];
-            }
-        }
-    }
-    INVCAL_UNROLL
-    for (unsigned r = 0; r < INVCAL_PARAMETERS; r++, i++) {
-        sum[i] += wj * row->h[r];
-    }
-    sum[i] += wj * row->j;
+#ifdef INVCAL_FAST
+    invcal_rank_one_inline(sums->sum, row->h, INVCAL_PARAMETERS + 1, weight, same_as);
+#else
+    invcal_rank_one(sums->sum, row->h, INVCAL_PARAMETERS + 1, weight, same_as);
+#endif
     sums->count += sums->count < UINT_MAX; /* 0 would say that they are empty */
 }
 

@@ -5,6 +5,7 @@
 #include "invcal/expert.h"
 #include "judge.h"
 #include "polynomials.h"
+#include "sums.h"
 #include "vector.h"
 
 #define FARTHEST INVCAL_REAL(2.0)         /* |t| */
@@ -62,12 +63,12 @@ static void add_at(invcal_real *a, unsigned n, const invcal_row *row, invcal_rea
 {
     invcal_real wide[UNKNOWNS + 1];
 
-    memcpy(wide, row->h, sizeof row->h);
+    memcpy(wide, row->h, NINE * sizeof *wide);
     for (unsigned i = NINE; i < n; i++) {
         wide[i] = t * wide[i - NINE];
     }
-    wide[n] = row->j;
-    invcal_rank_one(a, wide, n + 1, weight);
+    wide[n] = row->h[INVCAL_J];
+    invcal_rank_one(a, wide, n + 1, weight, NULL);
 }
 
 /* All positions, calibrated with what is there by now. */
@@ -75,6 +76,7 @@ static invcal_status gather(job *j, unsigned n)
 {
     const invcal_thermal_positions *p = j->positions;
     invcal_calibration triad;
+    invcal_calibration c;
     invcal_row row;
     invcal_real g[3];
 
@@ -83,9 +85,8 @@ static invcal_status gather(job *j, unsigned n)
     for (unsigned i = 0; i < p->count; i++) {
         const invcal_real t = invcal_thermal_scaled(&j->now, p->temperature[i]);
         invcal_status status = invcal_thermal_triad(&j->now, t, &triad);
-        invcal_calibration c = triad;
         if (status == INVCAL_OK) {
-            status = invcal_behind(&j->now.nominal, &c);
+            status = invcal_behind(&j->now.nominal, &triad, &c);
         }
         if (status == INVCAL_OK) {
             status = invcal_observe(&c, &p->raw[3 * (size_t)i], &row);
@@ -214,16 +215,17 @@ static invcal_status compose(const job *j, invcal_real t, invcal_real x[INVCAL_P
 {
     const unsigned degree = j->now.fitted;
     invcal_calibration first;
+    invcal_calibration second;
     invcal_calibration c;
     invcal_real m[3][3];
 
     invcal_polynomials(&j->a[INVCAL_PACKED((degree + 1) * NINE, 0)], degree, t, x);
-    invcal_status status = invcal_ellipsoid(x, &c);
+    invcal_status status = invcal_ellipsoid(x, &second);
     if (status == INVCAL_OK) {
         status = invcal_thermal_triad(&j->now, t, &first);
     }
     if (status == INVCAL_OK) {
-        status = invcal_behind(&first, &c);
+        status = invcal_behind(&first, &second, &c);
     }
     if (status != INVCAL_OK) {
         return status;
@@ -373,8 +375,7 @@ static invcal_status judge_at(job *j, invcal_real temperature)
         }
     }
     spread((const invcal_real(*)[3])triad.matrix, k);
-    invcal_judge_parameters(k, j->q.dof > 0 || j->positions->noise > 0,
-                            (const invcal_real(*)[3])triad.matrix, &j->q);
+    invcal_judge_parameters(k, (const invcal_real(*)[3])triad.matrix, &j->q);
     j->q.weak |= weak;
     j->q.verdict = j->q.weak ? INVCAL_WEAK : j->q.verdict;
     return INVCAL_OK;

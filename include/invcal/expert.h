@@ -30,9 +30,9 @@ extern "C" {
  *
  * With u the reading over field, not normalised, J = (|u|^2 - 1)/2 + h(u) p = 0 is the equation of
  * an ellipsoid: exact for errors of any size, and linear in p. */
+#define INVCAL_J INVCAL_PARAMETERS /* where J stands: behind the row */
 typedef struct {
-    invcal_real h[INVCAL_PARAMETERS]; /* the row; the first three are u itself */
-    invcal_real j;                    /* the composition */
+    invcal_real h[INVCAL_PARAMETERS + 1]; /* the row; the first three are u itself; and J */
 } invcal_row;
 
 /* The exact row of a reading.
@@ -113,9 +113,6 @@ invcal_status invcal_solve(invcal_sums *sums, const invcal_calibration *nominal,
 
 /* The sums become the system: every element of H'H in its place. */
 void invcal_sums_system(invcal_sums *sums);
-
-/* A += weight v v', of n rows. */
-void invcal_rank_one(invcal_real *a, const invcal_real *v, unsigned n, invcal_real weight);
 
 /* The sum, and the largest, of the diagonal; the latter at least 0, NaN passed over. */
 invcal_real invcal_trace(const invcal_real *a, unsigned n);

@@ -29,7 +29,7 @@ int thermal_rows_one(const invcal_thermal *c, const double raw[3], double temper
     for (unsigned i = N; i < thermal_rows_unknowns(c); i++) {
         out->h[i] = out->h[i - N] * t;
     }
-    out->residual = sqrt(1 + 2 * row.j) - 1;
+    out->residual = sqrt(1 + 2 * row.h[INVCAL_J]) - 1;
     out->weight = fit_weight(&here, &c->nominal, row.h);
     return 1;
 }

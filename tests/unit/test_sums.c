@@ -29,7 +29,7 @@ static void rows_stand_in_the_order_of_the_paper(void)
     for (int r = 0; r < 9; r++) {
         TEST_ASSERT_EQUAL_DOUBLE(expected[r], (double)row.h[r]);
     }
-    TEST_ASSERT_EQUAL_DOUBLE(6.5, (double)row.j); /* (14 - 1)/2 */
+    TEST_ASSERT_EQUAL_DOUBLE(6.5, (double)row.h[INVCAL_J]); /* (14 - 1)/2 */
 }
 
 /* A sphere of radius R about c: |u|^2 - 2 c u + |c|^2 = R^2. Times s = 1/(R^2 - |c|^2) this is
@@ -56,7 +56,7 @@ static void the_exact_row_vanishes_on_a_sphere_of_any_size_and_place(void)
         }
         invcal_row row;
         TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_observe(&nominal, u, &row));
-        double sum = (double)row.j;
+        double sum = (double)row.h[INVCAL_J];
         for (int r = 0; r < 9; r++) {
             sum += (double)row.h[r] * p[r];
         }
@@ -182,8 +182,8 @@ static double product_of(unsigned r, unsigned c)
     double sum = 0;
 
     for (int i = 0; i < COUNT; i++) {
-        const double x = (double)(r < 9 ? rows[i].h[r] : rows[i].j);
-        sum += x * (double)(c < 9 ? rows[i].h[c] : rows[i].j);
+        const double x = (double)rows[i].h[r];
+        sum += x * (double)rows[i].h[c];
     }
     return sum;
 }
