@@ -131,9 +131,10 @@ invcal_status invcal_determine(invcal_real *a, unsigned rows, invcal_real k[INVC
     invcal_invert(a, INVCAL_PARAMETERS);
     for (unsigned r = 0; r < INVCAL_PARAMETERS; r++) { /* A^-1 = L^-T L^-1 */
         k[r] = 0;
-        for (unsigned c = 0; c <= r; c++, a++) {
+        for (unsigned c = 0; c <= r; c++) {
             k[c] += *a * *a;
             of_inverse += *a * *a;
+            a++;
         }
     }
     *condition = trace * of_inverse;
@@ -195,7 +196,6 @@ invcal_real invcal_condition(const invcal_real *inverse, unsigned n, invcal_real
 static invcal_status solve(const invcal_positions *positions, invcal_sums *sums,
                            invcal_calibration *triad)
 {
-    invcal_real k[INVCAL_PARAMETERS];
     invcal_real condition;
 
     invcal_status status = invcal_positions_sum(positions, sums);
@@ -203,6 +203,7 @@ static invcal_status solve(const invcal_positions *positions, invcal_sums *sums,
         status = INVCAL_TOO_FEW;
     }
     if (status == INVCAL_OK) {
+        invcal_real k[INVCAL_PARAMETERS];
         invcal_sums_system(sums);
         status = invcal_determine(sums->sum, INVCAL_PARAMETERS + 1, k, &condition);
     }

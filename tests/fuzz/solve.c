@@ -19,15 +19,16 @@ enum { MOST = 40 }; /* positions */
 
 /* ---- sums --------------------------------------------------------------------------------------- */
 
-/* Moments, H'J and J'J. */
+/* Whatever may stand in them. */
 static invcal_sums any_sums(source *s)
 {
-    enum { KEPT = INVCAL_MOMENTS + INVCAL_PARAMETERS + 1 };
     invcal_sums sums;
 
     invcal_sums_init(&sums);
-    for (unsigned i = 0; i < KEPT; i++) {
-        sums.sum[i] = take_real(s, i < INVCAL_MOMENTS ? (invcal_real)(i % 3) : 0);
+    for (unsigned r = 0; r <= INVCAL_PARAMETERS; r++) {
+        for (unsigned c = 0; c <= r; c++) {
+            sums.sum[INVCAL_PACKED(r, c)] = take_real(s, r == c ? 3 : 0);
+        }
     }
     sums.count = take_byte(s) % 2 ? take_u32(s) : 18;
     return sums;
@@ -71,7 +72,7 @@ static invcal_sums sums_of_rows(source *s, const conditions *c)
         }
         if (status == INVCAL_OK) {
             require_finite(row.h, INVCAL_PARAMETERS);
-            require_finite(&row.j, 1);
+            require_finite(&row.h[INVCAL_J], 1);
         }
         REQUIRE(sums.count == before.count + (status == INVCAL_OK));
     }
