@@ -7,29 +7,30 @@
 #include "sums.h"
 #include "vector.h"
 
-#define RIDGE INVCAL_REAL(1e-4)   /* of the largest diagonal element: between weak and good */
-#define EQUAL INVCAL_REAL(0.99)   /* leverages above this share of the largest are equal */
-#define THE_SAME INVCAL_REAL(0.9) /* cosine of 26 degrees: closer is the same position again */
-#define FIRST INVCAL_REAL(1e-3)   /* of cosines that differ by less, the first counts */
+#define RIDGE INVCAL_REAL(1e-5)       /* over the trace and 10: between weak and good */
+#define ACROSS INVCAL_REAL(0.0078125)     /* to turn right over costs 1/64 of what it tells */
+#define THE_SAME INVCAL_REAL(0.9)         /* cosine of 26 degrees: closer is the same position again */
+#define CLEARLY INVCAL_REAL(1.001)        /* of directions that differ by less, the first counts */
 
-enum { FACES = 6, EDGES = 12, DIRECTIONS = 26 };
+enum { DIRECTIONS = 27 }; /* and none in their middle */
 
-/* Faces, edges and corners of a cube, as signs. */
-static void direction(unsigned n, invcal_real up[3])
+/* Faces, edges and corners of a cube, from +x +y +z down to -x -y -z. Returns 0 for the middle. */
+static int direction(unsigned n, invcal_real up[3])
 {
-    static const int8_t directions[DIRECTIONS][3] = {
-        {0, 0, 1},   {1, 0, 0},  {0, 1, 0},   {0, -1, 0},  {-1, 0, 0},   {0, 0, -1}, {1, 0, 1},
-        {0, 1, 1},   {0, -1, 1}, {-1, 0, 1},  {1, 1, 0},   {1, -1, 0},   {-1, 1, 0}, {-1, -1, 0},
-        {1, 0, -1},  {0, 1, -1}, {0, -1, -1}, {-1, 0, -1}, {1, 1, 1},    {1, -1, 1}, {-1, 1, 1},
-        {-1, -1, 1}, {1, 1, -1}, {1, -1, -1}, {-1, 1, -1}, {-1, -1, -1},
-    };
-    const invcal_real length = n < FACES           ? 1
-                               : n < FACES + EDGES ? INVCAL_REAL(0.70710678118654752)
-                                                   : INVCAL_REAL(0.57735026918962576);
+    static const invcal_real length[] = {0, 1, INVCAL_REAL(0.70710678118654752),
+                                         INVCAL_REAL(0.57735026918962576)};
+    unsigned squares = 0;
 
     for (unsigned i = 0; i < 3; i++) {
-        up[i] = (invcal_real)directions[n][i] * length;
+        const int sign = 1 - (int)(n % 3);
+        up[i] = (invcal_real)sign;
+        squares += n % 3 != 1;
+        n /= 3;
     }
+    for (unsigned i = 0; i < 3; i++) {
+        up[i] *= length[squares];
+    }
+    return squares > 0;
 }
 
 /* ---- what they tell --------------------------------------------------------------------------- */
@@ -39,8 +40,7 @@ invcal_real invcal_ridged_inverse(invcal_sums *sums)
     invcal_real *a = sums->sum;
 
     invcal_sums_system(sums);
-    const invcal_real largest = invcal_largest_diagonal(a, INVCAL_PARAMETERS);
-    const invcal_real ridge = RIDGE * (largest > 1 ? largest : 1);
+    const invcal_real ridge = RIDGE * (10 + invcal_trace(a, INVCAL_PARAMETERS));
     invcal_add_ridge(a, INVCAL_PARAMETERS, ridge);
     /* a sum of squares and a ridge is positive definite */
     (void)invcal_factor(a, INVCAL_PARAMETERS, INVCAL_PARAMETERS, INVCAL_EPSILON);
@@ -48,42 +48,27 @@ invcal_real invcal_ridged_inverse(invcal_sums *sums)
     return ridge;
 }
 
-/* Of those that tell as much the closest to the present one, but rather any other than the same
- * again. */
-static unsigned choose(const invcal_real leverage[DIRECTIONS], invcal_real least,
-                       const invcal_real current[3])
-{
-    const invcal_real length = INVCAL_SQRT(invcal_dot3(current, current));
-    invcal_real best = -3;
-    unsigned chosen = 0;
-    invcal_real up[3];
-
-    for (unsigned n = 0; n < DIRECTIONS; n++) {
-        direction(n, up);
-        const invcal_real cosine = length > 0 ? invcal_dot3(up, current) / length : 0;
-        const invcal_real merit = cosine > THE_SAME ? -2 : cosine;
-        if (leverage[n] >= least && merit > best + FIRST) {
-            best = merit;
-            chosen = n;
-        }
-    }
-    return chosen;
-}
-
+/* The direction that tells most; of those that tell as much the closest to the present one, but not
+ * the same again. */
 void invcal_next_beside(invcal_sums *sums, const invcal_real current[3], invcal_real up[3])
 {
-    invcal_real leverage[DIRECTIONS];
+    const invcal_real length = INVCAL_SQRT(invcal_dot3(current, current));
     invcal_real h[INVCAL_PARAMETERS];
-    invcal_real most = 0;
+    invcal_real best = 0;
 
     (void)invcal_ridged_inverse(sums);
     for (unsigned n = 0; n < DIRECTIONS; n++) {
-        direction(n, h);
+        if (!direction(n, h)) {
+            continue;
+        }
+        const invcal_real cosine = length > 0 ? invcal_dot3(h, current) / length : 0;
         invcal_row_of(h, h);
-        leverage[n] = invcal_leverage(sums->sum, h);
-        most = leverage[n] > most ? leverage[n] : most;
+        const invcal_real merit = invcal_leverage(sums->sum, h) * (1 + ACROSS * cosine);
+        if (cosine <= THE_SAME && merit > CLEARLY * best) {
+            best = merit;
+            memcpy(up, h, 3 * sizeof *up);
+        }
     }
-    direction(choose(leverage, EQUAL * most, current), up);
 }
 
 void invcal_sum_readings(const invcal_real *raw, unsigned count, const invcal_calibration *nominal,

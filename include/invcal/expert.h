@@ -427,8 +427,8 @@ invcal_status invcal_linear_solve(invcal_linear_sums *linear, const invcal_calib
 /* The direction to take next.
  *
  * positions  those so far; none at the beginning. Those that are no readings are passed over.
- * Of directions whose h K h' is within 1 % of the largest, the nearest to the last position, but
- * none within 26 degrees of it if there is another. */
+ * Of directions that tell about as much, the closest to the last position: one right across counts
+ * 1.6 % less. None within 26 degrees of it. */
 void invcal_next(const invcal_real *raw, unsigned count, const invcal_calibration *nominal,
                  invcal_real up[3]);
 

@@ -14,7 +14,7 @@ void criteria_add(invcal_sums *design, const double vertical[3])
     const double x = vertical[0];
     const double y = vertical[1];
     const double z = vertical[2];
-    const invcal_row row = {{x, y, z, x * x, y * y, z * z, x * y, x * z, y * z}, 0};
+    const invcal_row row = {{x, y, z, x * x, y * y, z * z, x * y, x * z, y * z, 0}};
 
     invcal_sums_add_row(design, &row, 1);
 }

@@ -20,7 +20,7 @@ void tearDown(void)
 }
 
 enum { N = INVCAL_PARAMETERS };
-static const double RIDGE = 1e-4;
+static const double RIDGE = 1e-5; /* over the trace and 10 */
 
 /* ---- an independent computation, in double --------------------------------------------------- */
 
@@ -74,7 +74,7 @@ static inverse_matrix covariance(const reading_list *list, double ridge, const d
 {
     double a[N][N] = {{0}};
     double h[N];
-    double largest = 1;
+    double trace = 10;
 
     for (unsigned i = 0; i < list->count; i++) {
         const invcal_real *u = &list->u[3 * i];
@@ -95,10 +95,10 @@ static inverse_matrix covariance(const reading_list *list, double ridge, const d
         }
     }
     for (int r = 0; r < N; r++) {
-        largest = fmax(largest, a[r][r]);
+        trace += a[r][r];
     }
     for (int r = 0; r < N; r++) {
-        a[r][r] += ridge * largest;
+        a[r][r] += ridge * trace;
     }
     return invert(a);
 }
@@ -301,19 +301,19 @@ static void the_first_positions_are_faces_then_corners(void)
 {
     static const char *const expected[] = {
         "+z up",
-        "+x up",
         "+y up",
-        "-x up",
+        "+x up",
         "-y up",
+        "-x up",
         "-z up",
         "-z up, tilt 55 deg, +x and +y rise",
         "+z up, tilt 55 deg, +x and +y rise",
-        "+z up, tilt 55 deg, +x and -y rise",
-        "-z up, tilt 55 deg, +x and -y rise",
-        "-z up, tilt 55 deg, -x and -y rise",
-        "+z up, tilt 55 deg, -x and -y rise",
         "+z up, tilt 55 deg, -x and +y rise",
         "-z up, tilt 55 deg, -x and +y rise",
+        "-z up, tilt 55 deg, -x and -y rise",
+        "+z up, tilt 55 deg, -x and -y rise",
+        "+z up, tilt 55 deg, +x and -y rise",
+        "-z up, tilt 55 deg, +x and -y rise",
     };
     reading_list list = {{0}, 0};
     char words[INVCAL_WORDS];
@@ -329,35 +329,31 @@ static void the_first_positions_are_faces_then_corners(void)
 
 /* ---- the choice -------------------------------------------------------------------------------- */
 
-/* Is up the closest to the last reading of those within 1 % of the largest leverage? Within the
- * rounding of float. */
+/* Does up tell most, but for a share of 1/64 by which a move right over counts less than none? Within
+ * the rounding of float. */
 static void assert_choice(const reading_list *list, const double up[3])
 {
     const inverse_matrix k = covariance(list, RIDGE, NULL);
+    double current[3] = {0, 0, 0};
     double other[3];
-    double most = 0;
 
-    TEST_ASSERT_DOUBLE_WITHIN(4 * (double)INVCAL_EPSILON, 1, length3(up));
-    for (int code = 0; code < 27; code++) {
-        most = direction_of(code, other) ? fmax(most, leverage_of(&k, other)) : most;
+    for (int i = 0; i < 3 && list->count > 0; i++) {
+        current[i] = (double)list->u[3 * (list->count - 1) + (unsigned)i];
     }
-    TEST_ASSERT_GREATER_OR_EQUAL_DOUBLE(most * FLOAT_OR_DOUBLE(0.988, 0.98999),
-                                        leverage_of(&k, up));
-    if (list->count > 0) {
-        const invcal_real *u = &list->u[3 * (list->count - 1)];
-        const double current[3] = {(double)u[0], (double)u[1], (double)u[2]};
-        const double closeness = cosine(up, current);
-        for (int code = 0; code < 27; code++) {
-            if (direction_of(code, other) && leverage_of(&k, other) >= 0.993 * most) {
-                const double closer = cosine(other, current);
-                TEST_ASSERT_TRUE(closer > 0.8999 || closeness <= 0.9001);
-                TEST_ASSERT_TRUE(closer > 0.8999 || closeness > closer - 2e-3);
-            }
+    const double closeness = list->count > 0 ? cosine(up, current) : 0;
+    const double merit = leverage_of(&k, up) * (1 + closeness / 128);
+    TEST_ASSERT_DOUBLE_WITHIN(4 * (double)INVCAL_EPSILON, 1, length3(up));
+    TEST_ASSERT_LESS_OR_EQUAL_DOUBLE(0.9001, closeness);
+    for (int code = 0; code < 27; code++) {
+        if (direction_of(code, other)) {
+            const double closer = list->count > 0 ? cosine(other, current) : 0;
+            TEST_ASSERT_TRUE(closer > 0.8999 || leverage_of(&k, other) * (1 + closer / 128) <=
+                                                    merit * FLOAT_OR_DOUBLE(1.004, 1.00101));
         }
     }
 }
 
-static void the_direction_asked_for_tells_most_and_is_the_closest_such(void)
+static void the_direction_asked_for_tells_most_and_is_not_far(void)
 {
     random_source random = random_start(3);
 
@@ -387,7 +383,7 @@ static void only_faces_edges_and_corners_are_asked_for(void)
     }
 }
 
-static void the_position_taken_last_is_not_asked_for_again_while_another_is_as_good(void)
+static void what_is_within_reach_of_the_last_position_is_not_asked_for(void)
 {
     for (int axis = 0; axis < 3; axis++) {
         for (int sign = -1; sign <= 1; sign += 2) {
@@ -402,7 +398,8 @@ static void the_position_taken_last_is_not_asked_for_again_while_another_is_as_g
     }
 }
 
-static void where_nothing_else_is_as_good_the_same_position_is_asked_for_again(void)
+/* Not even where it tells most. */
+static void the_position_taken_last_is_never_asked_for_again(void)
 {
     reading_list list = {{0}, 0};
     double up[3];
@@ -418,7 +415,7 @@ static void where_nothing_else_is_as_good_the_same_position_is_asked_for_again(v
     }
     add_reading(&list, up);
     ask(&list, up);
-    TEST_ASSERT_TRUE(sign_of(up[0]) == 1 && sign_of(up[1]) == 1 && sign_of(up[2]) == 1);
+    TEST_ASSERT_TRUE(sign_of(up[0]) < 1 || sign_of(up[1]) < 1 || sign_of(up[2]) < 1);
 }
 
 static void what_is_no_reading_is_passed_over(void)
@@ -611,10 +608,10 @@ int main(void)
     RUN_TEST(nine_positions_as_asked_determine_everything_and_eighteen_come_close_to_the_best);
     RUN_LONG_TEST(hands_that_miss_by_10_degrees_get_nearly_as_far);
     RUN_TEST(the_first_positions_are_faces_then_corners);
-    RUN_TEST(the_direction_asked_for_tells_most_and_is_the_closest_such);
+    RUN_TEST(the_direction_asked_for_tells_most_and_is_not_far);
     RUN_TEST(only_faces_edges_and_corners_are_asked_for);
-    RUN_TEST(the_position_taken_last_is_not_asked_for_again_while_another_is_as_good);
-    RUN_TEST(where_nothing_else_is_as_good_the_same_position_is_asked_for_again);
+    RUN_TEST(what_is_within_reach_of_the_last_position_is_not_asked_for);
+    RUN_TEST(the_position_taken_last_is_never_asked_for_again);
     RUN_SLOW_TEST(what_is_no_reading_is_passed_over);
     RUN_SLOW_TEST(the_prospect_is_sigma_without_and_with_the_position);
     RUN_TEST(with_eighteen_positions_the_prospect_is_that_of_the_sums_alone);
