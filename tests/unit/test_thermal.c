@@ -626,16 +626,14 @@ static void raw_counts_give_the_right_lengths_at_every_temperature(void)
 /* Programs and libraries of different choices do not link. */
 static void the_choices_stand_in_the_names(void)
 {
-#define NAME(function) INVCAL_TEXT(function)
-    char name[64];
-    const char *const kind = INVCAL_DOUBLE ? "double" : "float";
-
-    TEST_ASSERT_EQUAL_UINT(strlen("invcal_thermal_at_") + strlen(kind) + 2,
-                           strlen(NAME(invcal_thermal_at)));
-    memcpy(name, NAME(invcal_thermal_at), sizeof NAME(invcal_thermal_at));
-    TEST_ASSERT_EQUAL_INT('0' + DEGREE, name[strlen(name) - 1]);
-    TEST_ASSERT_NOT_NULL(strstr(NAME(invcal_thermal_calibrate), kind));
-    TEST_ASSERT_NOT_NULL(strstr(NAME(invcal_thermal_start), kind));
+#define CHOICES                                                                                    \
+    "_" INVCAL_TEXT(INVCAL_REAL_NAME) "_" INVCAL_TEXT(INVCAL_THERMAL_DEGREE) "_" INVCAL_TEXT(      \
+        INVCAL_MAX_POSITIONS)
+    TEST_ASSERT_EQUAL_STRING("invcal_thermal_at" CHOICES, INVCAL_TEXT(invcal_thermal_at));
+    TEST_ASSERT_EQUAL_STRING("invcal_thermal_start" CHOICES, INVCAL_TEXT(invcal_thermal_start));
+    TEST_ASSERT_EQUAL_STRING("invcal_thermal_fit" CHOICES, INVCAL_TEXT(invcal_thermal_fit));
+    TEST_ASSERT_EQUAL_STRING("invcal_thermal_calibrate" CHOICES,
+                             INVCAL_TEXT(invcal_thermal_calibrate));
 }
 
 /* ---- judgement ---------------------------------------------------------------------------- */
