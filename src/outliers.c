@@ -181,7 +181,7 @@ static int is_promising(const search *s, unsigned members, invcal_real squares)
 static INVCAL_INLINE int visit(search *s, group *g, unsigned size, unsigned d, unsigned k)
 {
     invcal_real squares = s->contests[0].squares;
-    const invcal_real least = ROUNDED * squares;
+    const invcal_real min = ROUNDED * squares;
     invcal_real left = 1;
     invcal_real c = 0;
     member x;
@@ -201,7 +201,7 @@ static INVCAL_INLINE int visit(search *s, group *g, unsigned size, unsigned d, u
         return 0;
     }
     squares -= x.r * x.r / x.m;
-    enter(&s->contests[d + 1], g->out | bit(k), squares > least ? squares : least);
+    enter(&s->contests[d + 1], g->out | bit(k), squares > min ? squares : min);
     if (d + 1 >= size || !is_promising(s, d + 1, squares)) {
         return 0;
     }

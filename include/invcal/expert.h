@@ -319,7 +319,7 @@ typedef struct {
  * position  from 0: one that is removed, or one that is not.
  *
  * Returns as invcal_outliers_find; INVCAL_BAD_COUNT if there is no such position; INVCAL_TOO_FEW if no
- * residual is left. Cost: 12,000 instructions for 18 positions. Stack: 560 bytes. */
+ * residual is left. Cost: 8,200 instructions for 18 positions. Stack: 560 bytes. */
 invcal_status invcal_outlier_size(const invcal_real *raw, unsigned count,
                                   const invcal_calibration *nominal, invcal_real noise,
                                   invcal_mask removed, unsigned position, invcal_outlier *out);

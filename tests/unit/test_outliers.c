@@ -281,11 +281,11 @@ static double share_exact(unsigned some, double times, unsigned draws)
 
 static void of_faces_and_edges_met_by_hand_exactly_the_wrong_ones_are_found(void)
 {
-    static const double least[3][2] = {{0.985, 0.985}, {0.96, 0.98}, {0.70, 0.95}};
+    static const double min[3][2] = {{0.985, 0.985}, {0.96, 0.98}, {0.70, 0.95}};
 
     for (unsigned some = 1; some <= 3; some++) {
-        TEST_ASSERT_GREATER_OR_EQUAL_DOUBLE(least[some - 1][0], share_exact(some, 20, 2 * DRAWS));
-        TEST_ASSERT_GREATER_OR_EQUAL_DOUBLE(least[some - 1][1], share_exact(some, 100, 2 * DRAWS));
+        TEST_ASSERT_GREATER_OR_EQUAL_DOUBLE(min[some - 1][0], share_exact(some, 20, 2 * DRAWS));
+        TEST_ASSERT_GREATER_OR_EQUAL_DOUBLE(min[some - 1][1], share_exact(some, 100, 2 * DRAWS));
     }
 }
 
