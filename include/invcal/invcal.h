@@ -254,20 +254,22 @@ const char *invcal_verdict_text(invcal_verdict verdict);
 typedef struct {
     invcal_real sigma[INVCAL_PARAMETERS]; /* standard deviation of delta (over field), dk (1) and
                                              gamma (rad) against nominal: the Cramer-Rao bound */
-    invcal_real noise; /* standard deviation of a position mean on each axis behind them, over field:
-                          the larger of stated and observed; 1, the whole field, if neither is there */
+    invcal_real noise; /* standard deviation of a position mean on each axis behind them, over
+                          field: the larger of stated and observed; 1, the whole field, if neither
+                          is there */
     invcal_real rms;   /* of the residuals |calibrated| - 1 over the positions */
     invcal_real max;   /* the largest of these, without its sign */
-    invcal_real condition; /* of the information on the nine: tr K tr K^-1 with K = sigma^2 / noise^2,
-                              which is above the condition. 130 is the best there is */
-    invcal_mask left_out;  /* bit i: position i contradicts the others, and was left out */
-    uint16_t weak;         /* bit r: parameter r is badly determined: its sigma is above ten times the
-                              noise, or the noise in the readings themselves would make it look
-                              determined */
-    uint16_t positions;    /* that made it */
-    uint16_t dof;          /* degrees of freedom left to the residuals; 0: no check */
-    uint16_t worst;        /* the position of max, from 0 */
-    uint8_t verdict;       /* an invcal_verdict: what all this comes to */
+    /* of the information on the nine: tr K tr K^-1 with K = sigma^2 / noise^2, which is above the
+     * condition. 130 is the best there is */
+    invcal_real condition;
+    invcal_mask left_out; /* bit i: position i contradicts the others, and was left out */
+    /* bit r: parameter r is badly determined: its sigma is above ten times the noise, or the noise
+     * in the readings themselves would make it look determined */
+    uint16_t weak;
+    uint16_t positions; /* that made it */
+    uint16_t dof;       /* degrees of freedom left to the residuals; 0: no check */
+    uint16_t worst;     /* the position of max, from 0 */
+    uint8_t verdict;    /* an invcal_verdict: what all this comes to */
 } invcal_quality;
 
 /* The factor k for which +- k sigma covers 95 %: Student's t for a sigma estimated with dof degrees
