@@ -117,8 +117,10 @@ invcal_status invcal_solve(invcal_sums *sums, const invcal_calibration *nominal,
 /* The sums become the system: the triangle of H'H, below it H'J and J'J. */
 void invcal_sums_system(invcal_sums *sums);
 
-/* The sum, and the largest, of the diagonal; the latter at least 0, NaN passed over. */
+/* The sum of the diagonal. */
 invcal_real invcal_trace(const invcal_real *a, unsigned n);
+
+/* The largest element of the diagonal, at least 0; NaN is passed over. */
 invcal_real invcal_largest_diagonal(const invcal_real *a, unsigned n);
 
 /* Adds x to the diagonal: a ridge, or an equal prior. */
@@ -239,8 +241,8 @@ void invcal_sigma_offset(const invcal_quality *quality, const invcal_calibration
  * then.
  *
  * Returns 1 if its verdict is no worse, and the sum of the squares of its nine 95 % intervals,
- * invcal_coverage(dof) sigma, is smaller: a sigma that is small by luck does not win. 0 otherwise,
- * and for equals. Cost: 160 instructions. Stack: about 60 bytes. */
+ * invcal_coverage of dof times sigma, is smaller: a sigma that is small by luck does not win. 0
+ * otherwise, and for equals. Cost: 160 instructions. Stack: about 60 bytes. */
 int invcal_improves(const invcal_quality *found, const invcal_quality *present);
 
 /* ---- positions that contradict the others ------------------------------------------------------
@@ -386,7 +388,7 @@ typedef struct {
 /* Empties the sums. All bytes zero is the same state. */
 void invcal_linear_init(invcal_linear_sums *linear);
 
-/* Adds a position of known direction by J1, or by J2. Do not mix them.
+/* Adds a position of known direction by J1.
  *
  * nominal  the same for all of them.
  * raw      a position mean, raw counts.
@@ -397,6 +399,8 @@ void invcal_linear_init(invcal_linear_sums *linear);
 invcal_status invcal_linear_add_vertical(invcal_linear_sums *linear,
                                          const invcal_calibration *nominal,
                                          const invcal_real raw[3], const invcal_real eta[3]);
+
+/* The same by J2. Do not mix them in the same sums. */
 invcal_status invcal_linear_add_scalar(invcal_linear_sums *linear,
                                        const invcal_calibration *nominal, const invcal_real raw[3],
                                        const invcal_real eta[3]);
@@ -429,7 +433,9 @@ invcal_status invcal_linear_solve(invcal_linear_sums *linear, const invcal_calib
 
 /* The direction to take next.
  *
- * positions  those so far; none at the beginning. Those that are no readings are passed over.
+ * raw, count  the positions so far; none at the beginning. Those that are no readings are passed
+ *             over.
+ *
  * Of directions whose h K h' is within 1 % of the largest, the nearest to the last position, but
  * none within 26 degrees of it if there is another. */
 void invcal_next(const invcal_real *raw, unsigned count, const invcal_calibration *nominal,
@@ -546,7 +552,7 @@ void invcal_rest_mean(const invcal_rest *rest, invcal_real mean[3]);
  * keeps what tells most, up to INVCAL_MAX_POSITIONS - 1; an old position gives way before a new
  * one, and goes after 88 days. */
 typedef struct {
-    invcal_session session;
+    invcal_session session;            /* the positions, and all that it knows */
     uint8_t age[INVCAL_MAX_POSITIONS]; /* days */
 } invcal_background;
 

@@ -355,12 +355,12 @@ typedef struct {
     int32_t low;      /* rail, the least that the sensor reads */
     uint32_t between; /* readings between low and the other rail */
     uint32_t begin, end;   /* of the blocks committed */
-    int32_t first[3];      /* sample of the block being filled, */
-    uint32_t sum[3];       /* sums of the differences to it, modulo 2^32, */
-    uint32_t square;       /* and of their squares, the three axes together; its overflow */
-    uint32_t carry;        /* counts here */
+    int32_t first[3];      /* sample of the block being filled */
+    uint32_t sum[3];       /* sums of the differences to it, modulo 2^32 */
+    uint32_t square;       /* and of their squares, the three axes together, modulo 2^32 */
+    uint32_t carry;        /* how often that square has overflowed */
     int32_t origin[3];     /* a place that means of blocks are relative to */
-    int32_t once[3];       /* fading mean of the candidate's block means, 1/256 counts, */
+    int32_t once[3];       /* fading mean of the candidate's block means, 1/256 counts */
     int32_t twice[3];      /* and fading mean of that mean */
     int32_t place[3];      /* mean of the position taken last; before that, the first sample */
     int64_t total[3];      /* sum of the blocks committed, relative to origin */
@@ -368,7 +368,9 @@ typedef struct {
     uint64_t variance;     /* sum over the candidate's blocks, 1/64 counts^2 */
 } invcal_rests;
 
-/* A session: 572 bytes (float, 24 positions). mean and count may be read. */
+/* A session: 572 bytes (float, 24 positions). mean and count may be read. nominal may be replaced, as
+ * means are in counts: by one with which all of them are readings (invcal_bad_reading, expert.h).
+ * invcal_session_is_good looks at it when the next position is taken. */
 typedef struct {
     invcal_calibration nominal;                /* what it began with */
     invcal_real noise;                         /* stated, over field; 0: not known */
