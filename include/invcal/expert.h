@@ -297,8 +297,8 @@ typedef struct {
  *   INVCAL_TOO_FEW        fewer than INVCAL_OUTLIERS_FEWEST;
  *   INVCAL_NOT_FINITE, INVCAL_OUT_OF_RANGE    for a reading: invcal_bad_reading says which;
  *   INVCAL_UNDETERMINED   the positions leave parameters open: invcal_undetermined names them.
- * Cost: 64,000 to 190,000 instructions for 18 good positions, as many triples are worth a try; 310,000
- * if some are wrong. Stack: 560 bytes. */
+ * Cost: 69,000 to 260,000 instructions for 18 good positions, as many triples are worth a try; up to
+ * 520,000 if some are wrong. Stack: 560 bytes. */
 invcal_status invcal_outliers_find(const invcal_real *raw, unsigned count,
                                    const invcal_calibration *nominal, invcal_real noise,
                                    invcal_outliers *out);
