@@ -1,27 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-#include "judge.h"
+#include "invcal/expert.h"
 #include "vector.h"
-
-invcal_status invcal_calibrate_without(const invcal_real *raw, unsigned count, invcal_mask left_out,
-                                       const invcal_calibration *nominal, invcal_real noise,
-                                       invcal_calibration *out, invcal_quality *quality)
-{
-    const invcal_positions positions = {raw, count, left_out, nominal, noise};
-    invcal_sums sums;
-    invcal_calibration c;
-    invcal_quality q;
-
-    INVCAL_ASSERT((raw || count == 0) && nominal && out && quality);
-    invcal_status status = invcal_positions_check(&positions);
-    if (status == INVCAL_OK) {
-        status = invcal_positions_solve(&positions, &sums, &c, &q);
-    }
-    if (status == INVCAL_OK) {
-        *out = c;
-        *quality = q;
-    }
-    return status;
-}
 
 invcal_status invcal_calibrate(const invcal_real *raw, unsigned count,
                                const invcal_calibration *nominal, invcal_real noise,

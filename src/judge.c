@@ -13,36 +13,23 @@
 
 /* ---- residuals ---------------------------------------------------------------------------------- */
 
-void invcal_residuals_begin(invcal_quality *q)
+/* |eta| - 1 of j = (|eta|^2 - 1)/2 = (|eta| - 1)(|eta| + 1)/2 */
+void invcal_residuals_add(invcal_residuals *residuals, unsigned i, const invcal_row *row)
 {
-    q->rms = 0;
-    q->max = 0;
-    q->worst = 0;
-}
-
-/* j = (|eta|^2 - 1)/2 = (|eta| - 1)(|eta| + 1)/2 */
-invcal_status invcal_residuals_add(const invcal_calibration *c, const invcal_real raw[3],
-                                   unsigned i, invcal_row *row, invcal_quality *q)
-{
-    const invcal_status status = invcal_observe(c, raw, row);
-
-    if (status != INVCAL_OK) {
-        return status;
-    }
     const invcal_real r = 2 * row->j / (1 + INVCAL_SQRT(1 + 2 * row->j));
-    q->rms += r * r;
-    if (!(INVCAL_FABS(r) <= q->max)) {
-        q->max = INVCAL_FABS(r);
-        q->worst = (uint16_t)i;
+
+    residuals->rms += r * r;
+    if (!(INVCAL_FABS(r) <= residuals->max)) {
+        residuals->max = INVCAL_FABS(r);
+        residuals->worst = i;
     }
-    return INVCAL_OK;
+    residuals->count++;
 }
 
-invcal_status invcal_residuals_end(unsigned count, invcal_quality *q)
+invcal_status invcal_residuals_end(invcal_residuals *residuals)
 {
-    q->positions = (uint16_t)count;
-    q->rms = INVCAL_SQRT(q->rms / (invcal_real)count);
-    return q->rms <= ABSURD ? INVCAL_OK : INVCAL_NOT_ELLIPSOID;
+    residuals->rms = INVCAL_SQRT(residuals->rms / (invcal_real)residuals->count);
+    return residuals->rms <= ABSURD ? INVCAL_OK : INVCAL_NOT_ELLIPSOID;
 }
 
 invcal_real invcal_gradient(const invcal_real a[3][3], const invcal_real eta[3], invcal_real g[3])
@@ -54,61 +41,109 @@ invcal_real invcal_gradient(const invcal_real a[3][3], const invcal_real eta[3],
     return invcal_dot3(g, g);
 }
 
+/* ---- the passes --------------------------------------------------------------------------------- */
+
 /* How X moves j: d eta = -A (d delta + dS eta), so dj = eta d eta = -g (d delta + dS eta). */
-static INVCAL_INLINE void slope(const invcal_real g[3], invcal_real h[INVCAL_PARAMETERS])
+static INVCAL_INLINE void slope(const invcal_real eta[3], invcal_real g[INVCAL_PARAMETERS])
 {
-    h[INVCAL_DK_X] = g[0] * h[0];
-    h[INVCAL_DK_Y] = g[1] * h[1];
-    h[INVCAL_DK_Z] = g[2] * h[2];
-    h[INVCAL_GAMMA_XY] = (g[0] * h[1] + g[1] * h[0]) / 2;
-    h[INVCAL_GAMMA_XZ] = (g[0] * h[2] + g[2] * h[0]) / 2;
-    h[INVCAL_GAMMA_ZY] = (g[1] * h[2] + g[2] * h[1]) / 2;
-    memcpy(h, g, 3 * sizeof *h);
+    g[INVCAL_DK_X] = g[0] * eta[0];
+    g[INVCAL_DK_Y] = g[1] * eta[1];
+    g[INVCAL_DK_Z] = g[2] * eta[2];
+    g[INVCAL_GAMMA_XY] = (g[0] * eta[1] + g[1] * eta[0]) / 2;
+    g[INVCAL_GAMMA_XZ] = (g[0] * eta[2] + g[2] * eta[0]) / 2;
+    g[INVCAL_GAMMA_ZY] = (g[1] * eta[2] + g[2] * eta[1]) / 2;
 }
 
-static INVCAL_INLINE void add_row(invcal_real *a, const invcal_real h[INVCAL_PARAMETERS],
-                                  invcal_real weight)
+/* A calibrated position, weighted with the noise that it really has. */
+static INVCAL_INLINE void add_calibrated(invcal_sums *sums, const invcal_real a[3][3],
+                                         const invcal_row *row)
 {
-    INVCAL_UNROLL_ROWS
-    for (unsigned r = 0; r < INVCAL_PARAMETERS; r++) {
-        const invcal_real weighted = weight * h[r];
-        INVCAL_UNROLL_ROWS
-        for (unsigned c = 0; c <= r; c++) {
-            *a++ += weighted * h[c];
-        }
-    }
+    invcal_real g[INVCAL_PARAMETERS + 1];
+
+    const invcal_real weight = 1 / invcal_gradient(a, row->h, g);
+    slope(row->h, g);
+    g[INVCAL_PARAMETERS] = row->j;
+    invcal_rank_one(sums->sum, g, INVCAL_PARAMETERS + 1, weight);
 }
 
-invcal_status invcal_positions_compare(const invcal_positions *positions,
-                                       const invcal_calibration *c, const invcal_real a[3][3],
-                                       invcal_real *information, invcal_real *squares,
-                                       invcal_quality *q)
+/* All that are not left out: the first pass, or with residuals the second. */
+static invcal_status add_all(const invcal_positions *positions, const invcal_calibration *c,
+                             const invcal_real a[3][3], invcal_sums *sums,
+                             invcal_residuals *residuals)
 {
-    unsigned count = 0;
-    invcal_real g[3];
     invcal_row row;
 
-    memset(information, 0, INVCAL_PACKED_SIZE(INVCAL_PARAMETERS) * sizeof *information);
-    *squares = 0;
-    invcal_residuals_begin(q);
-    q->left_out = positions->left_out;
+    invcal_sums_init(sums);
     for (unsigned i = 0; i < positions->count; i++) {
         if (invcal_is_left_out(positions, i)) {
             continue;
         }
-        if (invcal_residuals_add(c, &positions->raw[3 * (size_t)i], i, &row, q) != INVCAL_OK) {
-            return INVCAL_NOT_ELLIPSOID; /* fit for the first pass, absurd after it */
+        const invcal_status status = invcal_observe(c, &positions->raw[3 * (size_t)i], &row);
+        if (status != INVCAL_OK) {
+            return status;
         }
-        const invcal_real weight = 1 / invcal_gradient(a, row.h, g);
-        *squares += weight * row.j * row.j;
-        slope(g, row.h);
-        add_row(information, row.h, weight);
-        count++;
+        if (residuals == NULL) {
+            invcal_sums_add_row(sums, &row, 1);
+        } else {
+            invcal_residuals_add(residuals, i, &row);
+            add_calibrated(sums, a, &row);
+        }
     }
-    return invcal_residuals_end(count, q);
+    return INVCAL_OK;
+}
+
+invcal_status invcal_positions_sum(const invcal_positions *positions, invcal_sums *sums)
+{
+    return add_all(positions, positions->nominal, NULL, sums, NULL);
+}
+
+invcal_status invcal_positions_compare(const invcal_positions *positions,
+                                       const invcal_calibration *c, const invcal_real a[3][3],
+                                       invcal_sums *sums, invcal_residuals *residuals)
+{
+    static const invcal_residuals none = {0, 0, 0, 0};
+
+    *residuals = none;
+    return add_all(positions, c, a, sums, residuals) == INVCAL_OK
+               ? invcal_residuals_end(residuals)
+               : INVCAL_NOT_ELLIPSOID; /* fit for the first pass, absurd after it */
+}
+
+invcal_status invcal_positions_check(const invcal_positions *positions)
+{
+    if (!(positions->noise >= 0 && positions->noise < 1)) {
+        return INVCAL_BAD_NOISE;
+    }
+    return positions->count < UINT16_MAX ? invcal_nominal_check(positions->nominal)
+                                         : INVCAL_BAD_COUNT;
+}
+
+/* If not determined in nominal units, readings calibrated by it may look well spread all the same. */
+invcal_status invcal_determine(invcal_real *a, unsigned rows, invcal_real *condition)
+{
+    const invcal_real trace = invcal_trace(a, INVCAL_PARAMETERS);
+    const invcal_status status = invcal_factor(a, INVCAL_PARAMETERS, rows, INVCAL_FLOOR);
+
+    if (status != INVCAL_OK) {
+        return status;
+    }
+    if (rows > INVCAL_PARAMETERS) {
+        invcal_back_substitute(a, INVCAL_PARAMETERS);
+    }
+    invcal_invert(a, INVCAL_PARAMETERS);
+    *condition = invcal_condition(a, INVCAL_PARAMETERS, trace);
+    return invcal_is_resolved(*condition) ? INVCAL_OK : INVCAL_UNDETERMINED;
 }
 
 /* ---- judgement ---------------------------------------------------------------------------------- */
+
+void invcal_judge_residuals(const invcal_residuals *residuals, invcal_quality *q)
+{
+    q->rms = residuals->rms;
+    q->max = residuals->max;
+    q->worst = (uint16_t)residuals->worst;
+    q->positions = (uint16_t)residuals->count;
+}
 
 void invcal_judge_noise(invcal_real stated, invcal_real squares, invcal_real dof, invcal_quality *q)
 {
@@ -147,99 +182,71 @@ invcal_real invcal_condition(const invcal_real *inverse, unsigned n, invcal_real
     return trace * invcal_dot(inverse, inverse, INVCAL_PACKED_SIZE(n));
 }
 
-/* ---- both passes -------------------------------------------------------------------------------- */
+/* ---- all in one --------------------------------------------------------------------------------- */
 
-invcal_status invcal_positions_check(const invcal_positions *positions)
+/* a: A of the calibration, which is of the raw counts. */
+static invcal_status solve(const invcal_positions *positions, invcal_sums *sums,
+                           invcal_real a[3][3], invcal_calibration *c)
 {
-    if (!(positions->noise >= 0 && positions->noise < 1)) {
-        return INVCAL_BAD_NOISE;
-    }
-    return positions->count < UINT16_MAX ? invcal_nominal_check(positions->nominal)
-                                         : INVCAL_BAD_COUNT;
-}
+    invcal_real condition;
 
-invcal_status invcal_positions_sum(const invcal_positions *positions, invcal_sums *sums)
-{
-    invcal_status status = INVCAL_OK;
-
-    invcal_sums_init(sums);
-    for (unsigned i = 0; i < positions->count && status == INVCAL_OK; i++) {
-        if (!invcal_is_left_out(positions, i)) {
-            status = invcal_sums_add(sums, positions->nominal, &positions->raw[3 * (size_t)i]);
-        }
-    }
-    return status;
-}
-
-/* The system to p, if there is a row behind the nine, and L^-1. Is what it determines more than
- * rounding? If not in nominal units, readings calibrated by it may look well spread all the same. */
-static invcal_status determine_all(invcal_real *a, unsigned rows, invcal_real *condition)
-{
-    const invcal_real trace = invcal_trace(a, INVCAL_PARAMETERS);
-    const invcal_status status = invcal_factor(a, INVCAL_PARAMETERS, rows, INVCAL_FLOOR);
-
-    if (status != INVCAL_OK) {
-        return status;
-    }
-    if (rows > INVCAL_PARAMETERS) {
-        invcal_back_substitute(a, INVCAL_PARAMETERS);
-    }
-    invcal_invert(a, INVCAL_PARAMETERS);
-    *condition = invcal_condition(a, INVCAL_PARAMETERS, trace);
-    return invcal_is_resolved(*condition) ? INVCAL_OK : INVCAL_UNDETERMINED;
-}
-
-static invcal_status judge_result(const invcal_positions *positions, const invcal_calibration *c,
-                                  const invcal_real a[3][3], invcal_real *information,
-                                  invcal_quality *q)
-{
-    invcal_real k[INVCAL_PARAMETERS];
-    invcal_real squares;
-    invcal_status status = invcal_positions_compare(positions, c, a, information, &squares, q);
-
-    if (status != INVCAL_OK) {
-        return status;
-    }
-    invcal_judge_noise(positions->noise, squares, (invcal_real)(q->positions - INVCAL_PARAMETERS),
-                       q);
-    status = determine_all(information, INVCAL_PARAMETERS, &q->condition);
-    if (status != INVCAL_OK) {
-        return status;
-    }
-    for (unsigned r = 0; r < INVCAL_PARAMETERS; r++) {
-        k[r] = invcal_variance(information, INVCAL_PARAMETERS, r);
-        if (INVCAL_DOUBLE && !(k[r] <= INVCAL_HOPELESS_K)) { /* never, in float: is_resolved */
-            return INVCAL_UNDETERMINED;
-        }
-    }
-    invcal_judge_parameters(k, q->dof > 0 || positions->noise > 0, a, q);
-    return INVCAL_OK;
-}
-
-invcal_status invcal_positions_solve(const invcal_positions *positions, invcal_sums *sums,
-                                     invcal_calibration *out, invcal_quality *q)
-{
-    invcal_real a[3][3];
     invcal_status status = invcal_positions_sum(positions, sums);
-
     if (status == INVCAL_OK && sums->count < INVCAL_PARAMETERS) {
         status = INVCAL_TOO_FEW;
     }
     if (status == INVCAL_OK) {
         invcal_sums_system(sums);
-        status = determine_all(sums->sum, INVCAL_PARAMETERS + 1, &q->condition);
+        status = invcal_determine(sums->sum, INVCAL_PARAMETERS + 1, &condition);
     }
     if (status != INVCAL_OK) {
         return status;
     }
-    status = invcal_ellipsoid(&sums->sum[INVCAL_PACKED(INVCAL_PARAMETERS, 0)], out);
+    status = invcal_ellipsoid(&sums->sum[INVCAL_PACKED(INVCAL_PARAMETERS, 0)], c);
     if (status != INVCAL_OK) { /* what is left open may take any shape */
-        return q->condition > OPEN ? INVCAL_UNDETERMINED : status;
+        return condition > OPEN ? INVCAL_UNDETERMINED : status;
     }
-    invcal_make_symmetric(out->matrix);
-    memcpy(a, out->matrix, sizeof a);
-    status = invcal_behind(positions->nominal, out);
-    return status == INVCAL_OK
-               ? judge_result(positions, out, (const invcal_real(*)[3])a, sums->sum, q)
-               : status;
+    memcpy(a, c->matrix, sizeof c->matrix);
+    return invcal_behind(positions->nominal, c);
+}
+
+invcal_status invcal_calibrate_without(const invcal_real *raw, unsigned count, invcal_mask left_out,
+                                       const invcal_calibration *nominal, invcal_real noise,
+                                       invcal_calibration *out, invcal_quality *quality)
+{
+    const invcal_positions positions = {raw, count, left_out, nominal, noise};
+    invcal_calibration c;
+    invcal_residuals residuals;
+    invcal_sums sums;
+    invcal_real m[3][3];
+    const invcal_real(*a)[3] = (const invcal_real(*)[3])m;
+    invcal_real k[INVCAL_PARAMETERS];
+    invcal_real condition;
+
+    INVCAL_ASSERT((raw || count == 0) && nominal && out && quality);
+    invcal_status status = invcal_positions_check(&positions);
+    if (status == INVCAL_OK) {
+        status = solve(&positions, &sums, m, &c);
+    }
+    if (status == INVCAL_OK) {
+        status = invcal_positions_compare(&positions, &c, a, &sums, &residuals);
+    }
+    if (status == INVCAL_OK) {
+        status = invcal_determine(sums.sum, INVCAL_PARAMETERS, &condition);
+    }
+    for (unsigned r = 0; r < INVCAL_PARAMETERS && status == INVCAL_OK; r++) {
+        k[r] = invcal_variance(sums.sum, INVCAL_PARAMETERS, r);
+        if (INVCAL_DOUBLE && !(k[r] <= INVCAL_HOPELESS_K)) { /* never, in float: is_resolved */
+            status = INVCAL_UNDETERMINED;
+        }
+    }
+    if (status == INVCAL_OK) {
+        *out = c; /* which may be nominal */
+        quality->left_out = left_out;
+        quality->condition = condition;
+        invcal_judge_residuals(&residuals, quality);
+        invcal_judge_noise(noise, sums.sum[INVCAL_PACKED(INVCAL_PARAMETERS, INVCAL_PARAMETERS)],
+                           (invcal_real)(residuals.count - INVCAL_PARAMETERS), quality);
+        invcal_judge_parameters(k, quality->dof > 0 || noise > 0, a, quality);
+    }
+    return status;
 }

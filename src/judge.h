@@ -21,46 +21,53 @@ static inline int invcal_is_left_out(const invcal_positions *positions, unsigned
     return positions->left_out && i < INVCAL_MAX_POSITIONS && (positions->left_out >> i & 1u);
 }
 
-/* First pass: the sums of all that are not left out. Returns as invcal_observe. */
-invcal_status invcal_positions_sum(const invcal_positions *positions, invcal_sums *sums);
-
 /* INVCAL_BAD_... of what the positions were read with. */
 invcal_status invcal_positions_check(const invcal_positions *positions);
 
-/* Both passes: solution, residuals, judgement. out and q are lost on failure. */
-invcal_status invcal_positions_solve(const invcal_positions *positions, invcal_sums *sums,
-                                     invcal_calibration *out, invcal_quality *q);
+/* First pass: the sums of all that are not left out. Returns as invcal_observe. */
+invcal_status invcal_positions_sum(const invcal_positions *positions, invcal_sums *sums);
+
+/* The system of nine to L^-1, and to p if there is a row behind them. INVCAL_UNDETERMINED if what it
+ * determines is no more than rounding. */
+invcal_status invcal_determine(invcal_real *a, unsigned rows, invcal_real *condition);
 
 /* ---- the steps of a judgement ------------------------------------------------------------------ */
 
 #define INVCAL_WEAK_K INVCAL_REAL(100.0)   /* square of 10. Above: usable only within its sigma */
 #define INVCAL_HOPELESS_K INVCAL_REAL(1e6) /* square of 1000. Above: refused */
 
-/* Calibrates positions one by one with c, the calibration that is to be judged: the row of the unit
- * vector, and the residual. Between begin and end q->rms is the sum of their squares.
- *
- * add  returns as invcal_observe; end INVCAL_NOT_ELLIPSOID for residuals of a tenth of the field. */
-void invcal_residuals_begin(invcal_quality *q);
-invcal_status invcal_residuals_add(const invcal_calibration *c, const invcal_real raw[3],
-                                   unsigned i, invcal_row *row, invcal_quality *q);
-invcal_status invcal_residuals_end(unsigned count, invcal_quality *q);
+/* Of calibrated lengths, each less 1. */
+typedef struct {
+    invcal_real rms; /* before the end: the sum of their squares */
+    invcal_real max; /* without its sign */
+    unsigned worst;  /* the position of max */
+    unsigned count;
+} invcal_residuals;
+
+/* Position i, calibrated. */
+void invcal_residuals_add(invcal_residuals *residuals, unsigned i, const invcal_row *row);
+
+/* Returns INVCAL_OK; INVCAL_NOT_ELLIPSOID for an rms of a tenth of the field. */
+invcal_status invcal_residuals_end(invcal_residuals *residuals);
+
+/* rms, max, worst, positions. */
+void invcal_judge_residuals(const invcal_residuals *residuals, invcal_quality *q);
 
 /* g = A eta: noise of u, alike on its axes, moves the length of eta = A (u - delta), A symmetric, by
  * |g| times itself. Returns |g|^2. */
 invcal_real invcal_gradient(const invcal_real a[3][3], const invcal_real eta[3], invcal_real g[3]);
 
-/* Second pass, now with calibrated readings: residuals without cancellation, and the information on
- * the nine parameters, each row weighted with the noise that it really has.
+/* Second pass, with c, what calibrates the raw counts: residuals without cancellation, and the
+ * information on the nine parameters, each row weighted with the noise that it really has.
  *
- * a            A of c.
- * information  packed: sigma^2 of the parameters is noise^2 times the diagonal of its inverse.
- * squares      of the weighted residuals: what noise of u would make of them.
+ * a     A of c.
+ * sums  as a system: sigma^2 of the parameters is noise^2 times the diagonal of its inverse. The last
+ *       element: what noise of u would make of the residuals, their weighted squares.
  *
  * Returns INVCAL_OK; INVCAL_NOT_ELLIPSOID if a residual is absurd, or all are. */
 invcal_status invcal_positions_compare(const invcal_positions *positions,
                                        const invcal_calibration *c, const invcal_real a[3][3],
-                                       invcal_real *information, invcal_real *squares,
-                                       invcal_quality *q);
+                                       invcal_sums *sums, invcal_residuals *residuals);
 
 /* noise and dof: the larger of what is stated and what the residuals say.
  *

@@ -73,22 +73,6 @@ static INVCAL_INLINE invcal_real whiten(const search *s, unsigned k, invcal_real
     return residual;
 }
 
-/* The sums become p and L^-1. */
-static invcal_status determine(invcal_sums *sums)
-{
-    invcal_real *a = sums->sum;
-
-    invcal_sums_system(sums);
-    const invcal_real trace = invcal_trace(a, N);
-    const invcal_status status = invcal_factor(a, N, N + 1, INVCAL_FLOOR);
-    if (status != INVCAL_OK) {
-        return status;
-    }
-    invcal_back_substitute(a, N);
-    invcal_invert(a, N);
-    return invcal_is_resolved(invcal_condition(a, N, trace)) ? INVCAL_OK : INVCAL_UNDETERMINED;
-}
-
 /* What is known of the noise besides the residuals: the rounding errors of readings and sums, so
  * that exact readings have no outliers, and the noise stated, as one residual more. */
 static invcal_real known_squares(const invcal_positions *p)
@@ -103,11 +87,13 @@ static invcal_real known_squares(const invcal_positions *p)
 static INVCAL_APART invcal_status fit(search *s)
 {
     invcal_real squares = known_squares(&s->positions);
+    invcal_real condition;
     invcal_real y[N];
-    invcal_status status = invcal_positions_sum(&s->positions, &s->sums);
 
+    invcal_status status = invcal_positions_sum(&s->positions, &s->sums);
     if (status == INVCAL_OK) {
-        status = determine(&s->sums);
+        invcal_sums_system(&s->sums);
+        status = invcal_determine(s->sums.sum, N + 1, &condition); /* p and L^-1 */
     }
     if (status != INVCAL_OK) {
         return status;

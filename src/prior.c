@@ -66,7 +66,7 @@ static invcal_real told_by_data(const prior_sigma *prior, unsigned r, invcal_rea
 /* information: of the second pass. */
 INVCAL_APART static invcal_status judge_with(const invcal_positions *positions,
                                              const prior_sigma *prior,
-                                             const invcal_real *information, invcal_real squares,
+                                             const invcal_real *information,
                                              const invcal_real a[3][3], invcal_quality *q,
                                              uint16_t *from_prior)
 {
@@ -86,7 +86,8 @@ INVCAL_APART static invcal_status judge_with(const invcal_positions *positions,
     for (unsigned r = 0; r < INVCAL_PARAMETERS; r++) {
         dof -= told_by_data(prior, r, noise, invcal_variance(l, INVCAL_PARAMETERS, r));
     }
-    invcal_judge_noise(positions->noise, squares, dof, q);
+    invcal_judge_noise(positions->noise,
+                       information[INVCAL_PACKED(INVCAL_PARAMETERS, INVCAL_PARAMETERS)], dof, q);
     status = factor_with(information, INVCAL_PARAMETERS, prior, &q->noise, l);
     if (status != INVCAL_OK) {
         return status;
@@ -132,7 +133,6 @@ INVCAL_APART static invcal_status solve_with(const invcal_positions *positions,
     if (status != INVCAL_OK) {
         return status;
     }
-    invcal_make_symmetric(out->matrix);
     memcpy(a, out->matrix, sizeof out->matrix);
     return invcal_behind(positions->nominal, out);
 }
@@ -140,18 +140,21 @@ INVCAL_APART static invcal_status solve_with(const invcal_positions *positions,
 static invcal_status calibrate(const invcal_positions *positions, const prior_sigma *prior,
                                invcal_calibration *out, invcal_quality *q, uint16_t *from_prior)
 {
-    invcal_real information[INVCAL_PACKED_SIZE(INVCAL_PARAMETERS)];
-    invcal_real squares;
+    invcal_sums sums;
+    invcal_residuals residuals;
     invcal_real m[3][3];
     const invcal_real(*a)[3] = (const invcal_real(*)[3])m;
 
     invcal_status status = solve_with(positions, prior, m, out);
     if (status == INVCAL_OK) {
-        status = invcal_positions_compare(positions, out, a, information, &squares, q);
+        status = invcal_positions_compare(positions, out, a, &sums, &residuals);
     }
-    return status == INVCAL_OK
-               ? judge_with(positions, prior, information, squares, a, q, from_prior)
-               : status;
+    if (status != INVCAL_OK) {
+        return status;
+    }
+    q->left_out = 0;
+    invcal_judge_residuals(&residuals, q);
+    return judge_with(positions, prior, sums.sum, a, q, from_prior);
 }
 
 static invcal_status check_with(const invcal_positions *positions,

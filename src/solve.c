@@ -39,11 +39,11 @@ void invcal_inverse3(const invcal_real m[3][3], invcal_real inverse[3][3])
     }
 }
 
-/* A = U S with U orthonormal, which Newton's iteration U <- (U + U^-T) / 2 finds from A itself, and
- * S = U'A, column by column. */
+/* a = S U' with U orthonormal, which Newton's iteration U <- (U + U^-T) / 2 finds from a itself, and
+ * S = a U, row by row. */
 void invcal_make_symmetric(invcal_real a[3][3])
 {
-    invcal_real u[3][3];
+    invcal_real u[3][3]; /* U' */
     invcal_real c[3][3];
     invcal_real change = 1;
 
@@ -59,23 +59,22 @@ void invcal_make_symmetric(invcal_real a[3][3])
             }
         }
     }
-    memcpy(c, a, sizeof c);
-    INVCAL_UNROLL
     for (unsigned i = 0; i < 3; i++) {
-        INVCAL_UNROLL
-        for (unsigned j = 0; j < 3; j++) {
-            a[i][j] = u[0][i] * c[0][j] + u[1][i] * c[1][j] + u[2][i] * c[2][j];
-        }
+        const invcal_real x = invcal_dot3(a[i], u[0]);
+        const invcal_real y = invcal_dot3(a[i], u[1]);
+        a[i][2] = invcal_dot3(a[i], u[2]);
+        a[i][1] = y;
+        a[i][0] = x;
     }
 }
 
-/* L' / root, upper triangular. The diagonal of L is reciprocal. */
+/* L / root. The diagonal of L is reciprocal. */
 static void make_triangular(const invcal_real *l, invcal_real root, invcal_real a[3][3])
 {
     for (unsigned r = 0; r < 3; r++) {
         for (unsigned c = 0; c < r; c++) {
-            a[r][c] = 0;
-            a[c][r] = *l++ / root;
+            a[c][r] = 0;
+            a[r][c] = *l++ / root;
         }
         a[r][r] = 1 / (*l++ * root);
     }
@@ -84,9 +83,9 @@ static void make_triangular(const invcal_real *l, invcal_real root, invcal_real 
 /* Centre and axes of an ellipsoid as a calibration of u:
  *
  *     v = (p0 p1 p2),  Q = I + [2p3 p6 p7; p6 2p4 p8; p7 p8 2p5]
- *     delta = -Q^-1 v,  k = 1 + delta Q delta = 1 + v Q^-1 v,  A'A = Q / k
+ *     delta = -Q^-1 v,  k = 1 + delta Q delta = 1 + v Q^-1 v,  A A = Q / k
  *
- * With v below Q and -1 behind it, one Cholesky gives all: Q = L L', A'A = L L' / k. Where zero
+ * With v below Q and -1 behind it, one Cholesky gives all: Q = L L', A A = L L' / k. Where zero
  * lies outside the ellipsoid, Q and k are negative, and -Q, -k do as well. */
 invcal_status invcal_ellipsoid(const invcal_real p[INVCAL_PARAMETERS], invcal_calibration *out)
 {
@@ -110,6 +109,7 @@ invcal_status invcal_ellipsoid(const invcal_real p[INVCAL_PARAMETERS], invcal_ca
     for (unsigned i = 0; i < 3; i++) {
         out->offset[i] = delta[i];
     }
+    invcal_make_symmetric(out->matrix);
     /* the squares of all elements of A are those of 1 / semi-axis, added up */
     return invcal_dot(out->matrix[0], out->matrix[0], 9) < SQUARE &&
                    invcal_dot(delta, delta, 3) < SQUARE
@@ -120,23 +120,21 @@ invcal_status invcal_ellipsoid(const invcal_real p[INVCAL_PARAMETERS], invcal_ca
 /* A (u - delta) with u = N (raw - zero): matrix = A N, offset = zero + N^-1 delta. */
 invcal_status invcal_behind(const invcal_calibration *nominal, invcal_calibration *c)
 {
-    const invcal_calibration a = *c;
+    const invcal_real delta[3] = {c->offset[0], c->offset[1], c->offset[2]};
+    const invcal_real(*n)[3] = nominal->matrix;
     invcal_real cofactor[3][3];
-    const invcal_real det = invcal_cofactors(nominal->matrix, cofactor);
+    const invcal_real det = invcal_cofactors(n, cofactor);
 
     INVCAL_UNROLL
     for (unsigned i = 0; i < 3; i++) {
-        invcal_real moved = 0;
+        const invcal_real a[3] = {c->matrix[i][0], c->matrix[i][1], c->matrix[i][2]};
         INVCAL_UNROLL
         for (unsigned j = 0; j < 3; j++) {
-            moved += cofactor[j][i] * a.offset[j];
-            c->matrix[i][j] = 0;
-            INVCAL_UNROLL
-            for (unsigned k = 0; k < 3; k++) {
-                c->matrix[i][j] += a.matrix[i][k] * nominal->matrix[k][j];
-            }
+            c->matrix[i][j] = a[0] * n[0][j] + a[1] * n[1][j] + a[2] * n[2][j];
         }
-        c->offset[i] = nominal->offset[i] + moved / det;
+        c->offset[i] = nominal->offset[i] + (cofactor[0][i] * delta[0] + cofactor[1][i] * delta[1] +
+                                             cofactor[2][i] * delta[2]) /
+                                                det;
     }
     return invcal_are_finite(c->offset) ? INVCAL_OK : INVCAL_BAD_NOMINAL;
 }
@@ -158,7 +156,6 @@ invcal_status invcal_solve(invcal_sums *sums, const invcal_calibration *nominal,
         status = invcal_ellipsoid(&sums->sum[INVCAL_PACKED(INVCAL_PARAMETERS, 0)], &c);
     }
     if (status == INVCAL_OK) {
-        invcal_make_symmetric(c.matrix);
         status = invcal_behind(nominal, &c);
     }
     if (status == INVCAL_OK) {

@@ -13,14 +13,14 @@ invcal_real invcal_cofactors(const invcal_real m[3][3], invcal_real c[3][3]);
 /* m^-1; an m that is singular gives what is not finite. */
 void invcal_inverse3(const invcal_real m[3][3], invcal_real inverse[3][3]);
 
-/* a becomes the symmetric matrix of the same a'a. */
+/* a becomes the symmetric matrix of the same a a'. */
 void invcal_make_symmetric(invcal_real a[3][3]);
 
 /* INVCAL_BAD_NOMINAL if the calibration is singular, not finite, or absurdly scaled. */
 invcal_status invcal_nominal_check(const invcal_calibration *nominal);
 
-/* The coefficients p of an ellipsoid to the calibration of what lies on it, its matrix upper
- * triangular. INVCAL_NOT_ELLIPSOID if it is none, or no triad's: with a semi-axis below about 1/10 of
+/* The coefficients p of an ellipsoid to the calibration of what lies on it, its matrix
+ * symmetric. INVCAL_NOT_ELLIPSOID if it is none, or no triad's: with a semi-axis below about 1/10 of
  * nominal or of another one, or a centre beyond ten times the field. out is lost then. */
 invcal_status invcal_ellipsoid(const invcal_real p[INVCAL_PARAMETERS], invcal_calibration *out);
 

@@ -27,37 +27,42 @@ static INVCAL_INLINE invcal_status observe(const invcal_calibration *nominal,
     return invcal_are_finite(row->h) ? INVCAL_OUT_OF_RANGE : INVCAL_NOT_FINITE;
 }
 
-/* H'H += w h h', H'J += w h j, J'J += w j j. Every element of h h' is a product of two, three or four
- * of x, y, z: each of the 31 is made of the one before it. */
+/* Elements of H'H are products of two, three or four of x, y, z, and 31 of 45 different: this one
+ * stands for each, itself or an earlier one. */
+static const uint8_t same_as[INVCAL_PACKED_SIZE(INVCAL_PARAMETERS)] = {
+    0,                                  /* x */
+    1,  2,                              /* y */
+    3,  4,  5,                          /* z */
+    6,  7,  8,  9,                      /* xx */
+    10, 11, 12, 13, 14,                 /* yy */
+    15, 16, 17, 18, 19, 20,             /* zz */
+    7,  10, 23, 24, 25, 26, 13,         /* xy */
+    8,  23, 15, 31, 32, 33, 34, 18,     /* xz */
+    23, 12, 16, 34, 40, 41, 32, 26, 19, /* yz */
+};
+
+/* H'H += w h h', H'J += w h j, J'J += w j j. */
 static INVCAL_INLINE void add(invcal_sums *sums, const invcal_row *row, invcal_real weight)
 {
     const invcal_real wj = weight * row->j;
-    const invcal_real *a = row->h;
     invcal_real *sum = sums->sum;
+    unsigned i = 0;
 
     INVCAL_UNROLL
-    for (unsigned i = 0; i < 3; i++) {
-        const invcal_real first = weight * a[i];
+    for (unsigned r = 0; r < INVCAL_PARAMETERS; r++) {
+        const invcal_real wh = weight * row->h[r];
         INVCAL_UNROLL
-        for (unsigned j = i; j < 3; j++) {
-            const invcal_real second = first * a[j];
-            *sum++ += second;
-            INVCAL_UNROLL
-            for (unsigned k = j; k < 3; k++) {
-                const invcal_real third = second * a[k];
-                *sum++ += third;
-                INVCAL_UNROLL
-                for (unsigned l = k; l < 3; l++) {
-                    *sum++ += third * a[l];
-                }
+        for (unsigned c = 0; c <= r; c++, i++) {
+            if (same_as[i] == i) {
+                sum[i] += wh * row->h[c];
             }
         }
     }
     INVCAL_UNROLL
-    for (unsigned r = 0; r < INVCAL_PARAMETERS; r++) {
-        *sum++ += wj * row->h[r];
+    for (unsigned r = 0; r < INVCAL_PARAMETERS; r++, i++) {
+        sum[i] += wj * row->h[r];
     }
-    *sum += wj * row->j;
+    sum[i] += wj * row->j;
     sums->count += sums->count < UINT_MAX; /* 0 would say that they are empty */
 }
 
@@ -93,35 +98,10 @@ invcal_status invcal_sums_add(invcal_sums *sums, const invcal_calibration *nomin
     return status;
 }
 
-void invcal_sums_expand(const invcal_real moment[INVCAL_MOMENTS], invcal_real *a)
-{
-    /* Element (r, c) of h h' is a product of two, three or four of x, y, z: this one of the sums. */
-    static const uint8_t moment_of[INVCAL_PACKED_SIZE(INVCAL_PARAMETERS)] = {
-        0,                                 /* x */
-        10, 19,                            /* y */
-        16, 25, 28,                        /* z */
-        1,  5,  8,  2,                     /* xx */
-        11, 20, 23, 6, 21,                 /* yy */
-        17, 26, 29, 9, 24, 30,             /* zz */
-        5,  11, 14, 3, 12, 15, 6,          /* xy */
-        8,  14, 17, 4, 13, 18, 7,  9,      /* xz */
-        14, 23, 26, 7, 22, 27, 13, 15, 24, /* yz */
-    };
-
-    INVCAL_UNROLL
-    for (unsigned i = 0; i < sizeof moment_of; i++) {
-        a[i] = moment[moment_of[i]];
-    }
-}
-
 void invcal_sums_system(invcal_sums *sums)
 {
-    invcal_real moment[INVCAL_MOMENTS];
-    invcal_real *a = sums->sum;
-
-    memcpy(moment, a, sizeof moment);
-    /* cppcheck-suppress overlappingWriteFunction ; 45 ... 54 of 31 ... 40 */
-    memcpy(&a[INVCAL_PACKED(INVCAL_PARAMETERS, 0)], &a[INVCAL_MOMENTS],
-           (INVCAL_PARAMETERS + 1) * sizeof *a);
-    invcal_sums_expand(moment, a);
+    INVCAL_UNROLL
+    for (unsigned i = 0; i < sizeof same_as; i++) {
+        sums->sum[i] = sums->sum[same_as[i]];
+    }
 }

@@ -24,7 +24,4 @@ static inline void invcal_row_inline(const invcal_real a[3], invcal_real h[INVCA
     h[INVCAL_GAMMA_ZY] = a[1] * a[2];
 }
 
-/* H'H of moments, packed. */
-void invcal_sums_expand(const invcal_real moment[INVCAL_MOMENTS], invcal_real *a);
-
 #endif

@@ -30,6 +30,30 @@ invcal_real invcal_largest_diagonal(const invcal_real *a, unsigned n)
     return largest(a, n);
 }
 
+static INVCAL_INLINE void rank_one(invcal_real *a, const invcal_real *v, unsigned n,
+                                   invcal_real weight)
+{
+    INVCAL_UNROLL_ROWS
+    for (unsigned r = 0; r < n; r++) {
+        const invcal_real weighted = weight * v[r];
+        INVCAL_UNROLL_ROWS
+        for (unsigned c = 0; c <= r; c++) {
+            *a++ += weighted * v[c];
+        }
+    }
+}
+
+void invcal_rank_one(invcal_real *a, const invcal_real *v, unsigned n, invcal_real weight)
+{
+#ifdef INVCAL_FAST
+    if (n == INVCAL_PARAMETERS + 1) {
+        rank_one(a, v, INVCAL_PARAMETERS + 1, weight);
+        return;
+    }
+#endif
+    rank_one(a, v, n, weight);
+}
+
 /* L(r,c) = (A(r,c) - sum L(r,k) L(c,k)) / L(c,c), L(r,r) = sqrt(A(r,r) - sum L(r,k)^2). */
 static INVCAL_INLINE invcal_status factor(invcal_real *a, unsigned n, unsigned rows,
                                           invcal_real floor)

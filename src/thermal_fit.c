@@ -29,6 +29,7 @@ typedef struct {
     int has_prior;              /* are there any? */
     invcal_real min, max;       /* temperatures */
     invcal_thermal now;         /* what the rows are made with */
+    invcal_residuals residuals; /* of that */
     invcal_quality q;           /* of that */
     invcal_real squares;        /* weighted, of the residuals */
     invcal_real largest;        /* on the diagonal of the system */
@@ -66,12 +67,7 @@ static void add_at(invcal_real *a, unsigned n, const invcal_row *row, invcal_rea
         wide[i] = t * wide[i - NINE];
     }
     wide[n] = row->j;
-    for (unsigned r = 0; r <= n; r++) {
-        const invcal_real weighted = weight * wide[r];
-        for (unsigned c = 0; c <= r; c++) {
-            *a++ += weighted * wide[c];
-        }
-    }
+    invcal_rank_one(a, wide, n + 1, weight);
 }
 
 /* All positions, calibrated with what is there by now. */
@@ -83,7 +79,7 @@ static invcal_status gather(job *j, unsigned n)
     invcal_real g[3];
 
     memset(j->a, 0, sizeof j->a);
-    invcal_residuals_begin(&j->q);
+    memset(&j->residuals, 0, sizeof j->residuals);
     for (unsigned i = 0; i < p->count; i++) {
         const invcal_real t = invcal_thermal_scaled(&j->now, p->temperature[i]);
         invcal_status status = invcal_thermal_triad(&j->now, t, &triad);
@@ -92,11 +88,12 @@ static invcal_status gather(job *j, unsigned n)
             status = invcal_behind(&j->now.nominal, &c);
         }
         if (status == INVCAL_OK) {
-            status = invcal_residuals_add(&c, &p->raw[3 * (size_t)i], i, &row, &j->q);
+            status = invcal_observe(&c, &p->raw[3 * (size_t)i], &row);
         }
         if (status != INVCAL_OK) {
             return status;
         }
+        invcal_residuals_add(&j->residuals, i, &row);
         const invcal_real square = invcal_gradient((const invcal_real(*)[3])triad.matrix, row.h, g);
         add_at(j->a, n, &row, 1 / square, t);
     }
@@ -200,6 +197,17 @@ static invcal_status solve_highest(job *j, unsigned degree)
     return status;
 }
 
+static void turn(invcal_real m[3][3])
+{
+    for (unsigned i = 0; i < 3; i++) {
+        for (unsigned j = 0; j < i; j++) {
+            const invcal_real x = m[i][j];
+            m[i][j] = m[j][i];
+            m[j][i] = x;
+        }
+    }
+}
+
 /* X at t of what is there by now, and of p together: delta = delta1 + (I + S1) delta2,
  * A'A = (A2 A1)'(A2 A1). */
 static invcal_status compose(const job *j, invcal_real t, invcal_real x[INVCAL_PARAMETERS])
@@ -220,6 +228,7 @@ static invcal_status compose(const job *j, invcal_real t, invcal_real x[INVCAL_P
     if (status != INVCAL_OK) {
         return status;
     }
+    turn(c.matrix);
     invcal_make_symmetric(c.matrix);
     invcal_inverse3((const invcal_real(*)[3])c.matrix, m);
     memcpy(x, c.offset, sizeof c.offset);
@@ -304,7 +313,11 @@ static invcal_status weigh(job *j)
         status = solve_to(j, n);
         j->q.noise = j->noise;
     }
-    return status == INVCAL_OK ? invcal_residuals_end(j->positions->count, &j->q) : status;
+    if (status == INVCAL_OK) {
+        status = invcal_residuals_end(&j->residuals);
+    }
+    invcal_judge_residuals(&j->residuals, &j->q);
+    return status;
 }
 
 /* K(r,r) of X(t): the squared length of L^-1 (1 t t^2). */

@@ -53,12 +53,9 @@ invcal_status invcal_observe(const invcal_calibration *nominal, const invcal_rea
 /* How many elements that takes. */
 #define INVCAL_PACKED_SIZE(n) ((n) * ((n) + 1u) / 2u)
 
-#define INVCAL_MOMENTS 31u /* different elements of H'H */
-
 /* The sums of all positions: 224 bytes. */
 typedef struct {
-    /* The moments xx xxx xxxx xxxy ... zzzz; H'J; J'J. What is behind them is used where they are
-     * solved. */
+    /* The triangle of H'H, but for elements that equal an earlier one; behind it H'J and J'J. */
     invcal_real sum[INVCAL_PACKED_SIZE(INVCAL_PARAMETERS + 1)];
     unsigned count; /* rows in the sums; at most UINT_MAX */
 } invcal_sums;
@@ -114,8 +111,11 @@ invcal_status invcal_solve(invcal_sums *sums, const invcal_calibration *nominal,
  * behind it might as well be. */
 #define INVCAL_FLOOR (INVCAL_DOUBLE ? INVCAL_REAL(1e-8) : 16 * INVCAL_EPSILON)
 
-/* The sums become the system: the triangle of H'H, below it H'J and J'J. */
+/* The sums become the system: every element of H'H in its place. */
 void invcal_sums_system(invcal_sums *sums);
+
+/* A += weight v v', of n rows. */
+void invcal_rank_one(invcal_real *a, const invcal_real *v, unsigned n, invcal_real weight);
 
 /* The sum of the diagonal. */
 invcal_real invcal_trace(const invcal_real *a, unsigned n);

@@ -340,8 +340,11 @@ static void unreal_sums_are_refused(void)
     reading_set set;
 
     read_positions(&truth, expected_plan18, 18, 0, &random, &set);
-    for (unsigned i = 0; i < INVCAL_MOMENTS + INVCAL_PARAMETERS; i++) {
+    for (unsigned i = 0; i < INVCAL_PACKED(INVCAL_PARAMETERS, INVCAL_PARAMETERS); i++) {
         invcal_sums sums = sums_of(&set);
+        if (sums.sum[i] == 0) { /* equals an earlier one, which stands for both */
+            continue;
+        }
         invcal_calibration calibration;
         invcal_calibration before;
         memset(&calibration, 7, sizeof calibration);

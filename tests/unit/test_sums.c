@@ -170,7 +170,7 @@ static invcal_sums sum_of(int first, int last)
 
 static void assert_equal_sums(const invcal_sums *a, const invcal_sums *b)
 {
-    for (unsigned i = 0; i < INVCAL_MOMENTS + INVCAL_PARAMETERS + 1; i++) {
+    for (unsigned i = 0; i < INVCAL_PACKED_SIZE(INVCAL_PARAMETERS + 1); i++) {
         TEST_ASSERT_DOUBLE_WITHIN(small, (double)a->sum[i], (double)b->sum[i]);
     }
     TEST_ASSERT_EQUAL_UINT(a->count, b->count);
