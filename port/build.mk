@@ -26,7 +26,7 @@ TESTING = -DUNITY_INCLUDE_DOUBLE -DUNITY_STRICT -DUNITY_SUPPORT_64 $(SHORT) \
           -include board.h -I$(UNITY) -Isrc -Itests/unit -Itests/reference -I$(BUILD)
 
 LIBRARY := $(patsubst %.c,$(OUT)/%.o,$(wildcard src/*.c))
-SUITES  := $(patsubst tests/unit/%.c,%,$(wildcard tests/unit/test_*.c))
+SUITES  := $(filter-out $(WITHOUT),$(patsubst tests/unit/%.c,%,$(wildcard tests/unit/test_*.c)))
 # A suite that is too large is several images: PARTS_test_session := 0 1 2 in target.mk.
 IMAGES  := $(foreach s,$(SUITES),$(if $(PARTS_$s),$(PARTS_$s:%=$s.%),$s))
 COMMON  := $(BOARD:%.c=$(OUT)/%.o)

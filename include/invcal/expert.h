@@ -114,8 +114,10 @@ invcal_status invcal_solve(invcal_sums *sums, const invcal_calibration *nominal,
 /* The sums become the system: every element of H'H in its place. */
 void invcal_sums_system(invcal_sums *sums);
 
-/* The sum, and the largest, of the diagonal; the latter at least 0, NaN passed over. */
+/* The sum of the diagonal. */
 invcal_real invcal_trace(const invcal_real *a, unsigned n);
+
+/* The largest element of the diagonal, at least 0; NaN is passed over. */
 invcal_real invcal_largest_diagonal(const invcal_real *a, unsigned n);
 
 /* Adds x to the diagonal: a ridge, or an equal prior. */
@@ -236,8 +238,8 @@ void invcal_sigma_offset(const invcal_quality *quality, const invcal_calibration
  * then.
  *
  * Returns 1 if its verdict is no worse, and the sum of the squares of its nine 95 % intervals,
- * invcal_coverage(dof) sigma, is smaller: a sigma that is small by luck does not win. 0 otherwise,
- * and for equals. Cost: 160 instructions. Stack: about 60 bytes. */
+ * invcal_coverage of dof times sigma, is smaller: a sigma that is small by luck does not win. 0
+ * otherwise, and for equals. Cost: 160 instructions. Stack: about 60 bytes. */
 int invcal_improves(const invcal_quality *found, const invcal_quality *present);
 
 /* ---- positions that contradict the others ------------------------------------------------------
@@ -292,8 +294,8 @@ typedef struct {
  *   INVCAL_TOO_FEW        fewer than INVCAL_OUTLIERS_FEWEST;
  *   INVCAL_NOT_FINITE, INVCAL_OUT_OF_RANGE    for a reading: invcal_bad_reading says which;
  *   INVCAL_UNDETERMINED   the positions leave parameters open: invcal_undetermined names them.
- * Cost: 64,000 to 190,000 instructions for 18 good positions, as many triples are worth a try; 310,000
- * if some are wrong. Stack: 560 bytes. */
+ * Cost: 69,000 to 260,000 instructions for 18 good positions, as many triples are worth a try; up to
+ * 520,000 if some are wrong. Stack: 560 bytes. */
 invcal_status invcal_outliers_find(const invcal_real *raw, unsigned count,
                                    const invcal_calibration *nominal, invcal_real noise,
                                    invcal_outliers *out);
@@ -383,7 +385,7 @@ typedef struct {
 /* Empties the sums. All bytes zero is the same state. */
 void invcal_linear_init(invcal_linear_sums *linear);
 
-/* Adds a position of known direction by J1, or by J2. Do not mix them.
+/* Adds a position of known direction by J1.
  *
  * nominal  the same for all of them.
  * raw      a position mean, raw counts.
@@ -394,6 +396,8 @@ void invcal_linear_init(invcal_linear_sums *linear);
 invcal_status invcal_linear_add_vertical(invcal_linear_sums *linear,
                                          const invcal_calibration *nominal,
                                          const invcal_real raw[3], const invcal_real eta[3]);
+
+/* The same by J2. Do not mix them in the same sums. */
 invcal_status invcal_linear_add_scalar(invcal_linear_sums *linear,
                                        const invcal_calibration *nominal, const invcal_real raw[3],
                                        const invcal_real eta[3]);
@@ -426,7 +430,9 @@ invcal_status invcal_linear_solve(invcal_linear_sums *linear, const invcal_calib
 
 /* The direction to take next.
  *
- * positions  those so far; none at the beginning. Those that are no readings are passed over.
+ * raw, count  the positions so far; none at the beginning. Those that are no readings are passed
+ *             over.
+ *
  * Of directions that tell about as much, the closest to the last position: one right across counts
  * 1.6 % less. None within 26 degrees of it. */
 void invcal_next(const invcal_real *raw, unsigned count, const invcal_calibration *nominal,
@@ -543,7 +549,7 @@ void invcal_rest_mean(const invcal_rest *rest, invcal_real mean[3]);
  * keeps what tells most, up to INVCAL_MAX_POSITIONS - 1; an old position gives way before a new
  * one, and goes after 88 days. */
 typedef struct {
-    invcal_session session;
+    invcal_session session;            /* the positions, and all that it knows */
     uint8_t age[INVCAL_MAX_POSITIONS]; /* days */
 } invcal_background;
 

@@ -1,4 +1,5 @@
 /* SPDX-License-Identifier: MIT */
+#include <limits.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -1122,7 +1123,7 @@ static void ten_positions_or_fewer_and_more_than_there_may_be_are_refused(void)
     for (; set.count <= MAX_POSITIONS; set.count++) {
         assert_refused(INVCAL_BAD_COUNT, &set);
     }
-    set.count = 0xFFFFFFFFu;
+    set.count = UINT_MAX;
     assert_refused(INVCAL_BAD_COUNT, &set);
 }
 
@@ -1144,7 +1145,7 @@ static void a_size_without_a_position_or_without_a_residual_is_refused(void)
     TEST_ASSERT_EQUAL_INT(INVCAL_BAD_COUNT,
                           invcal_outlier_size(set.u[0], 12, &nominal, 0, 0, 12, &out));
     TEST_ASSERT_EQUAL_INT(INVCAL_BAD_COUNT,
-                          invcal_outlier_size(set.u[0], 12, &nominal, 0, 0, 0xFFFFFFFFu, &out));
+                          invcal_outlier_size(set.u[0], 12, &nominal, 0, 0, UINT_MAX, &out));
     TEST_ASSERT_EQUAL_INT(INVCAL_TOO_FEW,
                           invcal_outlier_size(set.u[0], 12, &nominal, 0, 7, 0, &out));
     TEST_ASSERT_EQUAL_INT(INVCAL_UNDETERMINED,
