@@ -131,9 +131,10 @@ invcal_status invcal_determine(invcal_real *a, unsigned rows, invcal_real k[INVC
     invcal_invert(a, INVCAL_PARAMETERS);
     for (unsigned r = 0; r < INVCAL_PARAMETERS; r++) { /* A^-1 = L^-T L^-1 */
         k[r] = 0;
-        for (unsigned c = 0; c <= r; c++, a++) {
+        for (unsigned c = 0; c <= r; c++) {
             k[c] += *a * *a;
             of_inverse += *a * *a;
+            a++;
         }
     }
     *condition = trace * of_inverse;
@@ -159,6 +160,7 @@ void invcal_judge_noise(invcal_real stated, invcal_real squares, invcal_real dof
     if (dof >= 1) {
         const invcal_real observed = INVCAL_SQRT(squares / dof);
         q->noise = observed > stated ? observed : stated;
+        //@ assert \is_finite(dof) && dof < 65536; // no more than positions
         q->dof = (uint16_t)dof;
     }
     if (!(q->noise > 0)) {
@@ -194,7 +196,6 @@ invcal_real invcal_condition(const invcal_real *inverse, unsigned n, invcal_real
 static invcal_status solve(const invcal_positions *positions, invcal_sums *sums,
                            invcal_calibration *triad)
 {
-    invcal_real k[INVCAL_PARAMETERS];
     invcal_real condition;
 
     invcal_status status = invcal_positions_sum(positions, sums);
@@ -202,6 +203,7 @@ static invcal_status solve(const invcal_positions *positions, invcal_sums *sums,
         status = INVCAL_TOO_FEW;
     }
     if (status == INVCAL_OK) {
+        invcal_real k[INVCAL_PARAMETERS];
         invcal_sums_system(sums);
         status = invcal_determine(sums->sum, INVCAL_PARAMETERS + 1, k, &condition);
     }

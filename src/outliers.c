@@ -253,7 +253,7 @@ static int beats_rival(const search *s, unsigned k)
 
 /* The size of the largest clear group, or 0. suspected: the two of the largest contest without a
  * clear winner, or 0. */
-static INVCAL_APART unsigned judge(const search *s, unsigned size, invcal_mask *suspected)
+static INVCAL_APART unsigned clear_group(const search *s, unsigned size, invcal_mask *suspected)
 {
     *suspected = 0;
     for (unsigned k = size; k > 0; k--) {
@@ -313,7 +313,7 @@ invcal_status invcal_outliers_find(const invcal_real *raw, unsigned count,
         const unsigned size = largest_group(&s);
         //@ split size;
         search_groups(&s, size);
-        found = judge(&s, size, &suspected);
+        found = clear_group(&s, size, &suspected);
         out->removed = s.positions.left_out;
         s.positions.left_out = s.contests[found].best;
     } while (found > 0 && fit(&s) == INVCAL_OK);

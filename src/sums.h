@@ -31,9 +31,9 @@ void invcal_rank_one(invcal_real *a, const invcal_real *v, unsigned n, invcal_re
                      const uint8_t *same);
 
 /* The same, to be compiled into those who need it often. */
-static INVCAL_INLINE void invcal_rank_one_inline(invcal_real *restrict a,
-                                                 const invcal_real *restrict v, unsigned n,
-                                                 invcal_real weight, const uint8_t *same)
+static inline INVCAL_INLINE void invcal_rank_one_inline(invcal_real *restrict a,
+                                                        const invcal_real *restrict v, unsigned n,
+                                                        invcal_real weight, const uint8_t *same)
 {
     unsigned i = 0;
 
@@ -41,10 +41,11 @@ static INVCAL_INLINE void invcal_rank_one_inline(invcal_real *restrict a,
     for (unsigned r = 0; r < n; r++) {
         const invcal_real weighted = weight * v[r];
         INVCAL_UNROLL_ROWS
-        for (unsigned c = 0; c <= r; c++, i++) {
+        for (unsigned c = 0; c <= r; c++) {
             if (!same || same[i] == i) {
                 a[i] += weighted * v[c];
             }
+            i++;
         }
     }
 }

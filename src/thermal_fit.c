@@ -436,9 +436,9 @@ static invcal_status hold(job *j, const invcal_thermal_prior *prior)
     return j->noise > 0 ? INVCAL_OK : INVCAL_BAD_NOISE;
 }
 
-static invcal_status begin(job *j, const invcal_thermal_positions *positions,
-                           const invcal_thermal_prior *prior, const invcal_thermal *base,
-                           unsigned degree)
+static invcal_status set_up(job *j, const invcal_thermal_positions *positions,
+                            const invcal_thermal_prior *prior, const invcal_thermal *base,
+                            unsigned degree)
 {
     const invcal_positions plain = {positions->raw, positions->count, 0, &base->nominal,
                                     positions->noise};
@@ -491,7 +491,7 @@ invcal_status invcal_thermal_fit(const invcal_thermal_positions *positions,
     job j;
 
     INVCAL_ASSERT(positions && base && out && quality);
-    const invcal_status status = begin(&j, positions, prior, base, degree);
+    const invcal_status status = set_up(&j, positions, prior, base, degree);
     return status == INVCAL_OK ? run(&j, degree, out, quality) : status;
 }
 
@@ -502,7 +502,7 @@ invcal_status invcal_thermal_judge(const invcal_thermal_positions *positions,
     job j;
 
     INVCAL_ASSERT(positions && thermal && quality);
-    const invcal_status status = begin(&j, positions, prior, thermal, thermal->fitted);
+    const invcal_status status = set_up(&j, positions, prior, thermal, thermal->fitted);
     return status == INVCAL_OK ? judge_range(&j, &temperature, 1, quality) : status;
 }
 
