@@ -8,6 +8,7 @@
 #include "vector.h"
 
 /* Of ten: no semi-axis is shorter than 1/10 of nominal, or of another one; the centre is within 10. */
+#define LARGEST INVCAL_REAL(10.0)
 #define SQUARE INVCAL_REAL(100.0)
 enum { STEPS = 12 }; /* of Newton's iteration: semi-axes from 0.1 to 10 take ten */
 
@@ -115,6 +116,25 @@ invcal_status invcal_ellipsoid(const invcal_real p[INVCAL_PARAMETERS], invcal_ca
                    invcal_dot(delta, delta, 3) < SQUARE
                ? INVCAL_OK
                : INVCAL_NOT_ELLIPSOID;
+}
+
+invcal_status invcal_triad(const invcal_real x[INVCAL_PARAMETERS], invcal_calibration *triad)
+{
+    const invcal_real xy = x[INVCAL_GAMMA_XY] / 2;
+    const invcal_real xz = x[INVCAL_GAMMA_XZ] / 2;
+    const invcal_real zy = x[INVCAL_GAMMA_ZY] / 2;
+    const invcal_real p[3][3] = {{1 + x[INVCAL_DK_X], xy, xz},
+                                 {xy, 1 + x[INVCAL_DK_Y], zy},
+                                 {xz, zy, 1 + x[INVCAL_DK_Z]}}; /* I + S */
+    int is_triad = p[0][0] * p[1][1] > xy * xy;
+
+    invcal_inverse3(p, triad->matrix);
+    for (unsigned i = 0; i < 3; i++) {
+        triad->offset[i] = x[i];
+        is_triad &= p[i][i] > 0 && p[i][i] < LARGEST && triad->matrix[i][i] > 0 &&
+                    triad->matrix[i][i] < LARGEST && INVCAL_FABS(x[i]) < LARGEST;
+    }
+    return is_triad ? INVCAL_OK : INVCAL_NOT_ELLIPSOID;
 }
 
 /* A (u - delta) with u = N (raw - zero): matrix = A N, offset = zero + N^-1 delta. */

@@ -24,6 +24,11 @@ invcal_status invcal_nominal_check(const invcal_calibration *nominal);
  * nominal or of another one, or a centre beyond ten times the field. out is lost then. */
 invcal_status invcal_ellipsoid(const invcal_real p[INVCAL_PARAMETERS], invcal_calibration *out);
 
+/* The calibration of u from X = (delta, dk, gamma): A = (I + S)^-1. INVCAL_NOT_ELLIPSOID unless I + S is
+ * positive definite, the diagonals of both below 10, and delta too: of the leading minors of I + S the
+ * last is the second over the last element of A. triad is lost then. */
+invcal_status invcal_triad(const invcal_real x[INVCAL_PARAMETERS], invcal_calibration *triad);
+
 /* The calibration of a triad, that is of readings that nominal has corrected, to one of raw counts.
  * INVCAL_BAD_NOMINAL if nominal is singular: out is lost then. */
 invcal_status invcal_behind(const invcal_calibration *nominal, const invcal_calibration *triad,

@@ -414,7 +414,7 @@ invcal_status invcal_linear_add_scalar(invcal_linear_sums *linear,
  * Returns INVCAL_OK;
  *   INVCAL_TOO_FEW        fewer than nine positions;
  *   INVCAL_UNDETERMINED   the directions leave parameters open;
- *   INVCAL_NOT_ELLIPSOID  a semi-axis of I + S is outside 0.1 ... 10, or delta longer than 10;
+ *   INVCAL_NOT_ELLIPSOID  a semi-axis of I + S is outside about 0.1 ... 10, or delta beyond 10;
  *   INVCAL_BAD_NOMINAL    its matrix has no inverse.
  * Cost: 2,400 instructions. Stack: about 330 bytes. */
 invcal_status invcal_linear_solve(invcal_linear_sums *linear, const invcal_calibration *nominal,
