@@ -19,7 +19,7 @@ WARNINGS := -Wall -Wextra -Wshadow -Wdouble-promotion
 # Contraction (fused multiply-add) is off: the same bits on every machine. A square root of a negative
 # number is a NaN, and no errno.
 FLAGS   = -std=c99 $(OPT) -ffp-contract=off -fno-math-errno -ffunction-sections -fdata-sections $(WARNINGS) $(CPU) \
-          -DINVCAL_DOUBLE=$(REAL) -Iinclude -Iport -MMD -MP -MP
+          -DINVCAL_DOUBLE=$(REAL) -Iinclude -Iport -MMD -MP
 TESTING = -DUNITY_INCLUDE_DOUBLE -DUNITY_STRICT -DUNITY_SUPPORT_64 $(SHORT) \
           $(if $(RAM),-DTEST_RAM=$(RAM)) \
           '-DUNITY_OUTPUT_CHAR(c)=board_put(c)' \

@@ -210,7 +210,8 @@ static invcal_status solve(const invcal_positions *positions, invcal_sums *sums,
     if (status != INVCAL_OK) {
         return status;
     }
-    status = invcal_ellipsoid(&sums->sum[INVCAL_PACKED(INVCAL_PARAMETERS, 0)], triad);
+    invcal_real *a = sums->sum;
+    status = invcal_ellipsoid(&a[INVCAL_PACKED(INVCAL_PARAMETERS, 0)], a, triad);
     /* what is left open may take any shape */
     return status != INVCAL_OK && condition > OPEN ? INVCAL_UNDETERMINED : status;
 }
@@ -234,7 +235,8 @@ invcal_status invcal_calibrate_without(const invcal_real *raw, unsigned count, i
         status = solve(&positions, &sums, &triad);
     }
     if (status == INVCAL_OK) {
-        status = invcal_behind(nominal, &triad, &c);
+        c = triad;
+        status = invcal_behind(nominal, &c);
     }
     if (status == INVCAL_OK) {
         status = invcal_positions_compare(&positions, &c, a, &sums, &residuals);

@@ -65,7 +65,6 @@ invcal_status invcal_linear_add_scalar(invcal_linear_sums *linear,
 invcal_status invcal_linear_solve(invcal_linear_sums *linear, const invcal_calibration *nominal,
                                   invcal_calibration *out, invcal_real x[INVCAL_PARAMETERS])
 {
-    invcal_calibration triad;
     invcal_calibration c;
 
     INVCAL_ASSERT(linear && nominal && out && x);
@@ -83,9 +82,9 @@ invcal_status invcal_linear_solve(invcal_linear_sums *linear, const invcal_calib
     for (unsigned r = 0; r < INVCAL_PARAMETERS; r++) {
         p[r] = -p[r]; /* X = -p */
     }
-    status = invcal_triad(p, &triad);
+    status = invcal_triad(p, &c);
     if (status == INVCAL_OK) {
-        status = invcal_behind(nominal, &triad, &c);
+        status = invcal_behind(nominal, &c);
     }
     if (status == INVCAL_OK) {
         *out = c;

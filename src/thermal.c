@@ -47,17 +47,16 @@ invcal_status invcal_thermal_at(const invcal_thermal *thermal, invcal_real tempe
                                 invcal_calibration *calibration, invcal_thermal_place *place)
 {
     invcal_thermal_place where;
-    invcal_calibration triad;
     invcal_calibration c;
     invcal_real t;
 
     INVCAL_ASSERT(thermal && calibration && place);
     invcal_status status = invcal_thermal_find(thermal, temperature, &t, &where);
     if (status == INVCAL_OK) {
-        status = invcal_thermal_triad(thermal, t, &triad);
+        status = invcal_thermal_triad(thermal, t, &c);
     }
     if (status == INVCAL_OK) {
-        status = invcal_behind(&thermal->nominal, &triad, &c);
+        status = invcal_behind(&thermal->nominal, &c);
     }
     if (status == INVCAL_OK) {
         *calibration = c;

@@ -87,7 +87,8 @@ static invcal_status gather(job *j, unsigned n)
         const invcal_real t = invcal_thermal_scaled(&j->now, p->temperature[i]);
         invcal_status status = invcal_thermal_triad(&j->now, t, &triad);
         if (status == INVCAL_OK) {
-            status = invcal_behind(&j->now.nominal, &triad, &c);
+            c = triad;
+            status = invcal_behind(&j->now.nominal, &c);
         }
         if (status == INVCAL_OK) {
             status = invcal_observe(&c, &p->raw[3 * (size_t)i], &row);
@@ -218,23 +219,23 @@ static invcal_status compose(const job *j, invcal_real t, invcal_real x[INVCAL_P
 {
     const unsigned degree = j->now.fitted;
     invcal_calibration first;
-    invcal_calibration second;
     invcal_calibration c;
+    invcal_real work[INVCAL_WORK];
     invcal_real m[3][3];
 
     invcal_polynomials(&j->a[INVCAL_PACKED((degree + 1) * NINE, 0)], degree, t, x);
-    invcal_status status = invcal_ellipsoid(x, &second);
+    invcal_status status = invcal_ellipsoid(x, work, &c);
     if (status == INVCAL_OK) {
         status = invcal_thermal_triad(&j->now, t, &first);
     }
     if (status == INVCAL_OK) {
-        status = invcal_behind(&first, &second, &c);
+        status = invcal_behind(&first, &c);
     }
     if (status != INVCAL_OK) {
         return status;
     }
     turn(c.matrix);
-    invcal_make_symmetric(c.matrix);
+    invcal_make_symmetric(c.matrix, work);
     invcal_inverse3((const invcal_real(*)[3])c.matrix, m);
     memcpy(x, c.offset, sizeof c.offset);
     for (unsigned i = 0; i < 3; i++) {

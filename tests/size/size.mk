@@ -29,13 +29,13 @@ $(OUT)/product.elf: $(OUT)/program.o $(OUT)/tests/size/product.o $(LIBRARY)
 # "header function" of all public functions.
 $(OUT)/public: $(wildcard include/invcal/*.h)
 	@mkdir -p $(@D)
-	$(Q)printf '#include "invcal/%s"\n' $(HEADERS) | $(CC) $(FLAGS:-MMD=) -E -x c - | \
+	$(Q)printf '#include "invcal/%s"\n' $(HEADERS) | $(CC) $(filter-out -MMD -MP,$(FLAGS)) -E -x c - | \
 	    awk -f tests/size/public.awk > $@
 
 # The same of those that only the library's own headers declare, and the public ones again.
 $(OUT)/declared: $(wildcard src/*.h include/invcal/*.h)
 	@mkdir -p $(@D)
-	$(Q)printf '#include "%s"\n' $(wildcard src/*.h) | $(CC) $(FLAGS:-MMD=) -I. -E -x c - | \
+	$(Q)printf '#include "%s"\n' $(wildcard src/*.h) | $(CC) $(filter-out -MMD -MP,$(FLAGS)) -I. -E -x c - | \
 	    awk -f tests/size/public.awk > $@
 
 .PHONY: programs
