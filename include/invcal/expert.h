@@ -251,11 +251,12 @@ int invcal_improves(const invcal_quality *found, const invcal_quality *present);
  * tried, and the sums of squares S compared that the best of each size leaves:
  *
  *     leaving out k of n is better than leaving out j < k of them, if
- *     P(F > f) choose(n - j, k - j) <= 0.007,   f = (S_j - S_k) / (k - j) / (S_k / (n - 9 - k)),
+ *     P(F > f) choose(n - j, k - j) <= 0.0075,  f = (S_j - S_k) / (k - j) / (S_k / (n - 9 - k)),
  *
- * Fisher's F of the best of so many choices (Bonferroni's inequality). The largest group that beats
- * every smaller one, and of which no rival of the same size is nearly as good (P above 0.05), is taken
- * out, and the search repeated among the rest. Two degrees of freedom are left.
+ * Fisher's F of the best of so many choices (Bonferroni's inequality), P by its leading terms, up to a
+ * quarter too large. The largest group that beats every smaller one, and of which no rival of the same
+ * size is nearly as good (P above 0.06), is taken out, and the search repeated among the rest. Two
+ * degrees of freedom are left.
  *
  * All groups of one and two are tried. Of three, those with a pair that leaves S_2 <= S_0 (n - 9) / n:
  * in 99 of 100 sets with three outliers that gives the answer of trying all, at a third of the cost. */

@@ -547,10 +547,11 @@ static double determinant_left(const decision *d, invcal_mask group)
     return left;
 }
 
-/* Is the chance, times the number of choices, within the level? */
+/* Is the chance, times the number of choices, within the level? The library's is a quarter higher at
+ * most. */
 static int is_below(decision *d, double chance, double level)
 {
-    d->close |= fabs(chance / level - 1) < 0.03;
+    d->close |= chance > level / 1.27 && chance < 1.03 * level;
     return chance <= level;
 }
 
@@ -564,11 +565,11 @@ static int is_significant(decision *d, const winners *w, unsigned n, unsigned k,
         for (unsigned i = 1; i <= k - j; i++) {
             chance *= (double)(n - k + i) / i;
         }
-        if (!is_below(d, chance, 0.007)) {
+        if (!is_below(d, chance, 0.0075)) {
             return 0;
         }
     }
-    *is_clear = is_below(d, tail(w[k].squares / w[k].rival_squares, 1, dof), 0.05);
+    *is_clear = is_below(d, tail(w[k].squares / w[k].rival_squares, 1, dof), 0.06);
     return 1;
 }
 
