@@ -368,7 +368,7 @@ typedef struct {
     uint64_t variance;     /* sum over the candidate's blocks, 1/64 counts^2 */
 } invcal_rests;
 
-/* A session: 572 bytes (float, 24 positions). mean and count may be read. nominal may be replaced, as
+/* A session: 552 bytes (float, 24 positions). mean and count may be read. nominal may be replaced, as
  * means are in counts: by one with which all of them are readings (invcal_bad_reading, expert.h).
  * invcal_session_is_good looks at it when the next position is taken. */
 typedef struct {
