@@ -100,7 +100,7 @@ demo: $(BUILD)/invcal ## from a raw log to calibrated readings; then a real sens
 define variant
 $(BUILD)/$(1)/%.o: %.c
 	@mkdir -p $$(@D)
-	$(Q)$$(CC) $$(FLAGS) -DINVCAL_DOUBLE=$(2) $(DEGREE_FLAGS) $$(EXTRA) -MMD -c $$< -o $$@
+	$(Q)$$(CC) $$(FLAGS) -DINVCAL_DOUBLE=$(2) $(DEGREE_FLAGS) $$(EXTRA) -MMD -MP -c $$< -o $$@
 
 $(BUILD)/$(1)/src/%.o: EXTRA += $(ASSERT_FLAGS)
 
@@ -142,7 +142,7 @@ TOOL_FLAGS = -DINVCAL_DOUBLE=1 -DINVCAL_MAX_POSITIONS=64 -DINVCAL_ALLAN_TAUS=31 
 $(BUILD)/tool/%.o: %.c
 	@mkdir -p $(@D)
 	$(Q)$(CC) $(filter-out -DINVCAL_%,$(FLAGS)) $(TOOL_FLAGS) $(ASSERT_FLAGS) $(EXTRA) \
-	    -MMD -c $< -o $@
+	    -MMD -MP -c $< -o $@
 
 $(BUILD)/invcal: $(HOST:%.c=$(BUILD)/tool/%.o) $(SOURCES:%.c=$(BUILD)/tool/%.o)
 	$(Q)$(CC) $(FLAGS) $^ -lm -o $@

@@ -48,7 +48,7 @@ INVCAL_INLINE invcal_real invcal_gradient(const invcal_real a[3][3], const invca
 /* ---- the passes --------------------------------------------------------------------------------- */
 
 /* How X moves j: d eta = -A (d delta + dS eta), so dj = eta d eta = -g (d delta + dS eta). */
-static INVCAL_INLINE void slope(const invcal_real eta[3], invcal_real g[INVCAL_PARAMETERS])
+INVCAL_INLINE void invcal_slope(const invcal_real eta[3], invcal_real g[INVCAL_PARAMETERS])
 {
     g[INVCAL_DK_X] = g[0] * eta[0];
     g[INVCAL_DK_Y] = g[1] * eta[1];
@@ -65,7 +65,7 @@ static INVCAL_INLINE void add_calibrated(invcal_sums *sums, const invcal_real a[
     invcal_real g[INVCAL_PARAMETERS + 1];
 
     const invcal_real weight = 1 / invcal_gradient(a, row->h, g);
-    slope(row->h, g);
+    invcal_slope(row->h, g);
     g[INVCAL_J] = row->h[INVCAL_J];
     invcal_rank_one(sums->sum, g, INVCAL_PARAMETERS + 1, weight, NULL);
 }
@@ -210,7 +210,8 @@ static invcal_status solve(const invcal_positions *positions, invcal_sums *sums,
     if (status != INVCAL_OK) {
         return status;
     }
-    status = invcal_ellipsoid(&sums->sum[INVCAL_PACKED(INVCAL_PARAMETERS, 0)], triad);
+    invcal_real *a = sums->sum;
+    status = invcal_ellipsoid(&a[INVCAL_PACKED(INVCAL_PARAMETERS, 0)], a, triad);
     /* what is left open may take any shape */
     return status != INVCAL_OK && condition > OPEN ? INVCAL_UNDETERMINED : status;
 }
@@ -234,7 +235,8 @@ invcal_status invcal_calibrate_without(const invcal_real *raw, unsigned count, i
         status = solve(&positions, &sums, &triad);
     }
     if (status == INVCAL_OK) {
-        status = invcal_behind(nominal, &triad, &c);
+        c = triad;
+        status = invcal_behind(nominal, &c);
     }
     if (status == INVCAL_OK) {
         status = invcal_positions_compare(&positions, &c, a, &sums, &residuals);

@@ -62,6 +62,9 @@ void invcal_judge_residuals(const invcal_residuals *residuals, invcal_quality *q
  * |g| times itself. Returns |g|^2. */
 invcal_real invcal_gradient(const invcal_real a[3][3], const invcal_real eta[3], invcal_real g[3]);
 
+/* g to the row of eta: how X moves J, but for the sign. */
+void invcal_slope(const invcal_real eta[3], invcal_real g[INVCAL_PARAMETERS]);
+
 /* Second pass, with c, what calibrates the raw counts: residuals without cancellation, and the
  * information on the nine parameters, each row weighted with the noise that it really has.
  *

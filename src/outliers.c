@@ -1,14 +1,14 @@
 /* SPDX-License-Identifier: MIT */
 #include <stddef.h>
 
-#include "fisher.h"
 #include "judge.h"
 #include "sums.h"
 #include "vector.h"
 
-#define LEVEL INVCAL_REAL(0.007)       /* false alarms: about one data set in a hundred */
-#define RIVAL_LEVEL INVCAL_REAL(0.05)  /* nearly as good as the best: not less likely than this */
+#define LEVEL INVCAL_REAL(0.0075)      /* false alarms: about one data set in a hundred */
+#define RIVAL_LEVEL INVCAL_REAL(0.06)  /* nearly as good as the best: not less likely than this */
 #define SLACK INVCAL_REAL(1e-4)        /* of det H'H: with less left nothing checks the group */
+#define PI INVCAL_REAL(3.14159265358979324)
 #define ROUNDED (256 * INVCAL_EPSILON) /* of the squares: to less they cannot be taken down */
 
 enum {
@@ -229,6 +229,30 @@ static INVCAL_APART void search_groups(search *s, unsigned size)
 
 /* ---- how many of them ----------------------------------------------------------------------- */
 
+/* How often chance alone makes one sum of squares so small beside another: m unknowns more take it down
+ * to z of itself, and leave dof residuals. The tail of Fisher's F, I_z(dof/2, m/2), m up to three, by
+ * its leading terms: with t = dof (1 - z) / 2
+ *
+ *     z^(dof/2) / sqrt(pi t) (1, sqrt(pi t), 1 + 2 t),
+ *
+ * which are too large, by 1/(2 t) of the first or, for one residual, by a quarter: on the safe side.
+ * Not finite, or above 1, for z of 1 or above. */
+static invcal_real chance(invcal_real z, unsigned m, unsigned dof)
+{
+    const invcal_real root = INVCAL_SQRT(z);
+    const invcal_real t = (invcal_real)dof * (1 - z) / 2;
+    invcal_real p = 1;
+
+    for (unsigned i = 0; i < dof; i++) {
+        p *= root;
+    }
+    if (m == 2) {
+        return p;
+    }
+    p /= INVCAL_SQRT(PI * t);
+    return m == 1 ? p : p * (1 + 2 * t);
+}
+
 /* Is leaving out k better than leaving out any fewer, and not by the chance of so many choices? */
 static int beats_fewer(const search *s, unsigned k)
 {
@@ -237,7 +261,7 @@ static int beats_fewer(const search *s, unsigned k)
     for (unsigned j = k; j-- > 0;) {
         const invcal_real z = s->contests[k].squares / s->contests[j].squares;
         choices *= (invcal_real)(s->sums.count - j) / (invcal_real)(k - j);
-        if (!(invcal_fisher_tail(z, k - j, s->dof - k) * choices <= LEVEL)) {
+        if (!(chance(z, k - j, s->dof - k) * choices <= LEVEL)) {
             return 0;
         }
     }
@@ -248,7 +272,7 @@ static int beats_rival(const search *s, unsigned k)
 {
     const contest *const c = &s->contests[k];
 
-    return invcal_fisher_tail(c->squares / c->rival_squares, 1, s->dof - k) <= RIVAL_LEVEL;
+    return chance(c->squares / c->rival_squares, 1, s->dof - k) <= RIVAL_LEVEL;
 }
 
 /* The size of the largest clear group, or 0. suspected: the two of the largest contest without a

@@ -128,7 +128,7 @@ INVCAL_APART static invcal_status solve_with(const invcal_positions *positions,
         return status;
     }
     invcal_back_substitute(l, INVCAL_PARAMETERS);
-    return invcal_ellipsoid(&l[INVCAL_PACKED(INVCAL_PARAMETERS, 0)], triad);
+    return invcal_ellipsoid(&l[INVCAL_PACKED(INVCAL_PARAMETERS, 0)], l, triad);
 }
 
 static invcal_status calibrate(const invcal_positions *positions, const prior_sigma *prior,
@@ -141,7 +141,8 @@ static invcal_status calibrate(const invcal_positions *positions, const prior_si
 
     invcal_status status = solve_with(positions, prior, &triad);
     if (status == INVCAL_OK) {
-        status = invcal_behind(positions->nominal, &triad, out);
+        *out = triad;
+        status = invcal_behind(positions->nominal, out);
     }
     if (status == INVCAL_OK) {
         status = invcal_positions_compare(positions, out, a, &sums, &residuals);

@@ -84,7 +84,7 @@ enum { AT_RAIL = 1, WILD = 2 };
 
 /* What a block does to the rest: nothing that is known yet, or motion; the sensor is not read; it is
  * quiet, but passed over; it belongs to the rest; it ends it. */
-typedef enum { MOVED, DEAD, PASSED, ADDED, ENDED } verdict;
+typedef enum { MOVED, DEAD, PASSED, ADDED, ENDED } fate;
 
 /* Where a block is, relative to origin. */
 typedef struct {
@@ -232,7 +232,7 @@ static uint32_t widest_span(const invcal_rests *s)
 
 /* Where all that is close to the first sample is off the rails too, one comparison will tell both.
  * Until the quantum is known, every sample is looked at. */
-static void begin(invcal_rests *s, const int32_t raw[3])
+static void begin_block(invcal_rests *s, const int32_t raw[3])
 {
     const uint32_t span = widest_span(s);
 
@@ -556,7 +556,7 @@ static void add_block(invcal_rests *s, const location *at, uint64_t variance)
     }
 }
 
-static verdict agree(invcal_rests *s, const finding *f, const location *at)
+static fate agree(invcal_rests *s, const finding *f, const location *at)
 {
     if ((s->seen & AT_RAIL) != 0) {
         s->flags |= CLIPPED;
@@ -572,7 +572,7 @@ static verdict agree(invcal_rests *s, const finding *f, const location *at)
 
 /* A knock passes, motion does not; and another place is quiet, but not here. What comes next after
  * a hard blow is not trusted. */
-static verdict disagree(invcal_rests *s, const finding *f)
+static fate disagree(invcal_rests *s, const finding *f)
 {
     s->hold++;
     if (f->hard) {
@@ -606,7 +606,7 @@ static void learn_wander(invcal_rests *s, const finding *f, const location *at)
     }
 }
 
-static verdict judge_moment(invcal_rests *s, finding *f, location *at)
+static fate judge_moment(invcal_rests *s, finding *f, location *at)
 {
     f->quiet |= learn_new_noise(s, f, at);
     if (s->stage == IDLE || blocks_of(s) == 0) {
@@ -635,7 +635,7 @@ static int is_dead(const invcal_rests *s, uint64_t scatter)
 }
 
 /* Apart from what is then done, for the sake of the stack. */
-INVCAL_APART static verdict judge(invcal_rests *s)
+INVCAL_APART static fate judge_block(invcal_rests *s)
 {
     const uint64_t scatter = scatter_of(s);
     location at;
@@ -781,7 +781,7 @@ INVCAL_APART static invcal_event decide(invcal_rests *s)
 
     drop(s);
     s->time += samples_of(s);
-    switch (judge(s)) {
+    switch (judge_block(s)) {
     case ADDED:
         event = announce(s);
         break;
@@ -804,7 +804,7 @@ INVCAL_APART static invcal_event decide(invcal_rests *s)
 INVCAL_APART static invcal_event feed_any(invcal_rests *s, const int32_t raw[3])
 {
     if (s->missing == 0) {
-        begin(s, raw);
+        begin_block(s, raw);
         return INVCAL_NOTHING;
     }
     s->span = 0; /* the squares may be large now */

@@ -1,11 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "polynomials.h"
 
-#include <string.h>
-
 #include "vector.h"
-
-#define LONGEST_AXIS INVCAL_REAL(10.0) /* semi-axis, of nominal; the shortest is 1 / 10 */
 
 /* Horner's rule. */
 void invcal_polynomials(const invcal_real *c, unsigned degree, invcal_real t,
@@ -20,32 +16,13 @@ void invcal_polynomials(const invcal_real *c, unsigned degree, invcal_real t,
     }
 }
 
-/* A = (I + S)^-1. The semi-axes are within reason if the diagonals of both are, and I + S is positive
- * definite: of its leading minors the last one is the second over the last element of A. */
-static int triad_of(const invcal_real x[INVCAL_PARAMETERS], invcal_calibration *triad)
-{
-    const invcal_real m[3][3] = {
-        {1 + x[INVCAL_DK_X], x[INVCAL_GAMMA_XY] / 2, x[INVCAL_GAMMA_XZ] / 2},
-        {x[INVCAL_GAMMA_XY] / 2, 1 + x[INVCAL_DK_Y], x[INVCAL_GAMMA_ZY] / 2},
-        {x[INVCAL_GAMMA_XZ] / 2, x[INVCAL_GAMMA_ZY] / 2, 1 + x[INVCAL_DK_Z]}};
-    int is_triad = m[0][0] * m[1][1] > m[0][1] * m[0][1];
-
-    memcpy(triad->offset, x, sizeof triad->offset);
-    invcal_inverse3(m, triad->matrix);
-    for (unsigned i = 0; i < 3; i++) {
-        is_triad &= m[i][i] > 0 && m[i][i] < LONGEST_AXIS && triad->matrix[i][i] > 0 &&
-                    triad->matrix[i][i] < LONGEST_AXIS && INVCAL_FABS(x[i]) < LONGEST_AXIS;
-    }
-    return is_triad;
-}
-
 invcal_status invcal_thermal_triad(const invcal_thermal *thermal, invcal_real t,
                                    invcal_calibration *triad)
 {
     invcal_real x[INVCAL_PARAMETERS];
 
     invcal_polynomials(&thermal->x[0][0], INVCAL_THERMAL_DEGREE, t, x);
-    return triad_of(x, triad) ? INVCAL_OK : INVCAL_NOT_ELLIPSOID;
+    return invcal_triad(x, triad);
 }
 
 invcal_status invcal_thermal_find(const invcal_thermal *thermal, invcal_real temperature,
@@ -70,17 +47,16 @@ invcal_status invcal_thermal_at(const invcal_thermal *thermal, invcal_real tempe
                                 invcal_calibration *calibration, invcal_thermal_place *place)
 {
     invcal_thermal_place where;
-    invcal_calibration triad;
     invcal_calibration c;
     invcal_real t;
 
     INVCAL_ASSERT(thermal && calibration && place);
     invcal_status status = invcal_thermal_find(thermal, temperature, &t, &where);
     if (status == INVCAL_OK) {
-        status = invcal_thermal_triad(thermal, t, &triad);
+        status = invcal_thermal_triad(thermal, t, &c);
     }
     if (status == INVCAL_OK) {
-        status = invcal_behind(&thermal->nominal, &triad, &c);
+        status = invcal_behind(&thermal->nominal, &c);
     }
     if (status == INVCAL_OK) {
         *calibration = c;

@@ -28,6 +28,7 @@ typedef struct {
     invcal_real held[UNKNOWNS]; /* 1 / standard deviation of the prior; 0: none */
     invcal_real loosest;        /* the smallest of them above 0 */
     int has_prior;              /* are there any? */
+    int is_judged;              /* the rows are the slopes at the solution, not those that find it */
     invcal_real min, max;       /* temperatures */
     invcal_thermal now;         /* what the rows are made with */
     invcal_residuals residuals; /* of that */
@@ -58,16 +59,16 @@ invcal_real invcal_thermal_drift_limit(invcal_real noise, invcal_real slope)
 /* ---- the system --------------------------------------------------------------------------------- */
 
 /* The row (h, t h, t^2 h, j), and its products with itself. */
-static void add_at(invcal_real *a, unsigned n, const invcal_row *row, invcal_real weight,
+static void add_at(invcal_real *a, unsigned n, const invcal_real row[NINE + 1], invcal_real weight,
                    invcal_real t)
 {
     invcal_real wide[UNKNOWNS + 1];
 
-    memcpy(wide, row->h, NINE * sizeof *wide);
+    memcpy(wide, row, NINE * sizeof *wide);
     for (unsigned i = NINE; i < n; i++) {
         wide[i] = t * wide[i - NINE];
     }
-    wide[n] = row->h[INVCAL_J];
+    wide[n] = row[INVCAL_J];
     invcal_rank_one(a, wide, n + 1, weight, NULL);
 }
 
@@ -78,7 +79,7 @@ static invcal_status gather(job *j, unsigned n)
     invcal_calibration triad;
     invcal_calibration c;
     invcal_row row;
-    invcal_real g[3];
+    invcal_real g[NINE + 1];
 
     memset(j->a, 0, sizeof j->a);
     memset(&j->residuals, 0, sizeof j->residuals);
@@ -86,7 +87,8 @@ static invcal_status gather(job *j, unsigned n)
         const invcal_real t = invcal_thermal_scaled(&j->now, p->temperature[i]);
         invcal_status status = invcal_thermal_triad(&j->now, t, &triad);
         if (status == INVCAL_OK) {
-            status = invcal_behind(&j->now.nominal, &triad, &c);
+            c = triad;
+            status = invcal_behind(&j->now.nominal, &c);
         }
         if (status == INVCAL_OK) {
             status = invcal_observe(&c, &p->raw[3 * (size_t)i], &row);
@@ -96,7 +98,9 @@ static invcal_status gather(job *j, unsigned n)
         }
         invcal_residuals_add(&j->residuals, i, &row);
         const invcal_real square = invcal_gradient((const invcal_real(*)[3])triad.matrix, row.h, g);
-        add_at(j->a, n, &row, 1 / square, t);
+        invcal_slope(row.h, g);
+        g[INVCAL_J] = row.h[INVCAL_J];
+        add_at(j->a, n, j->is_judged ? g : row.h, 1 / square, t);
     }
     return INVCAL_OK;
 }
@@ -215,23 +219,23 @@ static invcal_status compose(const job *j, invcal_real t, invcal_real x[INVCAL_P
 {
     const unsigned degree = j->now.fitted;
     invcal_calibration first;
-    invcal_calibration second;
     invcal_calibration c;
+    invcal_real work[INVCAL_WORK];
     invcal_real m[3][3];
 
     invcal_polynomials(&j->a[INVCAL_PACKED((degree + 1) * NINE, 0)], degree, t, x);
-    invcal_status status = invcal_ellipsoid(x, &second);
+    invcal_status status = invcal_ellipsoid(x, work, &c);
     if (status == INVCAL_OK) {
         status = invcal_thermal_triad(&j->now, t, &first);
     }
     if (status == INVCAL_OK) {
-        status = invcal_behind(&first, &second, &c);
+        status = invcal_behind(&first, &c);
     }
     if (status != INVCAL_OK) {
         return status;
     }
     turn(c.matrix);
-    invcal_make_symmetric(c.matrix);
+    invcal_make_symmetric(c.matrix, work);
     invcal_inverse3((const invcal_real(*)[3])c.matrix, m);
     memcpy(x, c.offset, sizeof c.offset);
     for (unsigned i = 0; i < 3; i++) {
@@ -301,6 +305,7 @@ static invcal_status weigh(job *j)
     const unsigned n = (j->now.fitted + 1u) * NINE;
     invcal_real dof = (invcal_real)j->positions->count - (invcal_real)n;
 
+    j->is_judged = 1;
     invcal_status status = solve_to(j, n);
     if (status != INVCAL_OK) {
         return status;
@@ -337,20 +342,6 @@ static invcal_real variance_at(const job *j, invcal_real t, unsigned r)
     return sum;
 }
 
-/* From unit vectors back to the parameters. A deviation of the calibrated triad moves u by I + S
- * times it: scale errors and offsets of an axis by 1 + dk of it, the cross terms by the geometric
- * mean of theirs. */
-static void spread(const invcal_real a[3][3], invcal_real k[NINE])
-{
-    /* of x y z xx yy zz xy xz yz */
-    static const uint8_t one[NINE] = {0, 1, 2, 0, 1, 2, 0, 0, 1};
-    static const uint8_t other[NINE] = {0, 1, 2, 0, 1, 2, 1, 2, 2};
-
-    for (unsigned r = 0; r < NINE; r++) {
-        k[r] /= a[one[r]][one[r]] * a[other[r]][other[r]];
-    }
-}
-
 /* What was weak before remains so. */
 static invcal_status judge_at(job *j, invcal_real temperature)
 {
@@ -374,7 +365,6 @@ static invcal_status judge_at(job *j, invcal_real temperature)
             return INVCAL_UNDETERMINED;
         }
     }
-    spread((const invcal_real(*)[3])triad.matrix, k);
     invcal_judge_parameters(k, (const invcal_real(*)[3])triad.matrix, &j->q);
     j->q.weak |= weak;
     j->q.verdict = j->q.weak ? INVCAL_WEAK : j->q.verdict;

@@ -120,14 +120,14 @@ plant misra src/gravity.c 's/^    const invcal_real h = /    const unsigned long
     'misra' make rules
 plant heap src/status.c 's/^static const char \*nth/#include <stdlib.h>\nvoid *invcal_heap(void) { return malloc(1); }\n&/' \
     'malloc' make rules
-plant loop src/fisher.c 's/^    return sum < 1 ? sum : 1;/    while (sum > 2) { sum -= 1; }\n&/' \
-    'fisher.c.*loop|loop.*fisher.c' make rules
+plant loop src/system.c 's/^    return sum;/    while (sum > 2) { sum -= 1; }\n&/' \
+    'system.c.*loop|loop.*system.c' make rules
 
 # ---- packages and releases --------------------------------------------------------------------
 
 plant record src/record.c 's/r->sigma_dk, 3/r->sigma_gamma, 3/' \
     'float-compatibility: .* [1-9][0-9]* failed' unit compatibility
-plant clash src/fisher.c '/^#include "vector.h"/s/$/\nenum { RINGS = 1 };/' \
+plant clash src/guidance.c '/^#include "vector.h"/s/$/\nenum { RINGS = 1 };/' \
     'gcc, float: README.md.*: FAIL' packages amalgamation
 plant library Makefile 's|(BUILD)/double/libinvcal.a:lib|(BUILD)/float/libinvcal.a:lib|' \
     'invcal-double: README.md.*: FAIL' packages pkg-config

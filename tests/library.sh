@@ -39,9 +39,9 @@ doubles() {
         END { if (n) printf "%d double instructions", n }'
 }
 
-# Positions and distributions are computed: no tables in these modules. Single constants are none.
+# Positions are computed: no tables in these modules. Single constants are none.
 tables() {
-    size -A "$1/src/plan.o" "$1/src/circle.o" "$1/src/fisher.o" |
+    size -A "$1/src/plan.o" "$1/src/circle.o" |
         awk '$1 ~ /^\.rodata/ && $1 !~ /^\.rodata\.cst/ { n += $2 }
             END { if (n > 64) printf "%d bytes of read-only data", n }'
 }
@@ -62,7 +62,7 @@ for real in float double; do
     case " $CFLAGS" in *-fsanitize* | *coverage*) continue ;; esac
     result "$real: needs nothing but $allowed" "$(undefined "$lib" "$allowed")"
     result "$real: no writable data" "$(writable "$lib")"
-    result "$real: plan, circle and fisher hold no table over 64 bytes" "$(tables "$build/$real")"
+    result "$real: plan and circle hold no table over 64 bytes" "$(tables "$build/$real")"
     result "$real: all public names begin with invcal_" "$(foreign "$lib")"
 done
 case " $CFLAGS$(uname -m)" in

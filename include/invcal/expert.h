@@ -114,8 +114,10 @@ invcal_status invcal_solve(invcal_sums *sums, const invcal_calibration *nominal,
 /* The sums become the system: every element of H'H in its place. */
 void invcal_sums_system(invcal_sums *sums);
 
-/* The sum, and the largest, of the diagonal; the latter at least 0, NaN passed over. */
+/* The sum of the diagonal. */
 invcal_real invcal_trace(const invcal_real *a, unsigned n);
+
+/* The largest element of the diagonal, at least 0; NaN is passed over. */
 invcal_real invcal_largest_diagonal(const invcal_real *a, unsigned n);
 
 /* Adds x to the diagonal: a ridge, or an equal prior. */
@@ -236,8 +238,8 @@ void invcal_sigma_offset(const invcal_quality *quality, const invcal_calibration
  * then.
  *
  * Returns 1 if its verdict is no worse, and the sum of the squares of its nine 95 % intervals,
- * invcal_coverage(dof) sigma, is smaller: a sigma that is small by luck does not win. 0 otherwise,
- * and for equals. Cost: 160 instructions. Stack: about 60 bytes. */
+ * invcal_coverage of dof times sigma, is smaller: a sigma that is small by luck does not win. 0
+ * otherwise, and for equals. Cost: 160 instructions. Stack: about 60 bytes. */
 int invcal_improves(const invcal_quality *found, const invcal_quality *present);
 
 /* ---- positions that contradict the others ------------------------------------------------------
@@ -249,11 +251,12 @@ int invcal_improves(const invcal_quality *found, const invcal_quality *present);
  * tried, and the sums of squares S compared that the best of each size leaves:
  *
  *     leaving out k of n is better than leaving out j < k of them, if
- *     P(F > f) choose(n - j, k - j) <= 0.007,   f = (S_j - S_k) / (k - j) / (S_k / (n - 9 - k)),
+ *     P(F > f) choose(n - j, k - j) <= 0.0075,  f = (S_j - S_k) / (k - j) / (S_k / (n - 9 - k)),
  *
- * Fisher's F of the best of so many choices (Bonferroni's inequality). The largest group that beats
- * every smaller one, and of which no rival of the same size is nearly as good (P above 0.05), is taken
- * out, and the search repeated among the rest. Two degrees of freedom are left.
+ * Fisher's F of the best of so many choices (Bonferroni's inequality), P by its leading terms, up to a
+ * quarter too large. The largest group that beats every smaller one, and of which no rival of the same
+ * size is nearly as good (P above 0.06), is taken out, and the search repeated among the rest. Two
+ * degrees of freedom are left.
  *
  * All groups of one and two are tried. Of three, those with a pair that leaves S_2 <= S_0 (n - 9) / n:
  * in 99 of 100 sets with three outliers that gives the answer of trying all, at a third of the cost. */
@@ -292,8 +295,8 @@ typedef struct {
  *   INVCAL_TOO_FEW        fewer than INVCAL_OUTLIERS_FEWEST;
  *   INVCAL_NOT_FINITE, INVCAL_OUT_OF_RANGE    for a reading: invcal_bad_reading says which;
  *   INVCAL_UNDETERMINED   the positions leave parameters open: invcal_undetermined names them.
- * Cost: 64,000 to 190,000 instructions for 18 good positions, as many triples are worth a try; 310,000
- * if some are wrong. Stack: 560 bytes. */
+ * Cost: 69,000 to 260,000 instructions for 18 good positions, as many triples are worth a try; up to
+ * 520,000 if some are wrong. Stack: 560 bytes. */
 invcal_status invcal_outliers_find(const invcal_real *raw, unsigned count,
                                    const invcal_calibration *nominal, invcal_real noise,
                                    invcal_outliers *out);
@@ -383,7 +386,7 @@ typedef struct {
 /* Empties the sums. All bytes zero is the same state. */
 void invcal_linear_init(invcal_linear_sums *linear);
 
-/* Adds a position of known direction by J1, or by J2. Do not mix them.
+/* Adds a position of known direction by J1.
  *
  * nominal  the same for all of them.
  * raw      a position mean, raw counts.
@@ -394,6 +397,8 @@ void invcal_linear_init(invcal_linear_sums *linear);
 invcal_status invcal_linear_add_vertical(invcal_linear_sums *linear,
                                          const invcal_calibration *nominal,
                                          const invcal_real raw[3], const invcal_real eta[3]);
+
+/* The same by J2. Do not mix them in the same sums. */
 invcal_status invcal_linear_add_scalar(invcal_linear_sums *linear,
                                        const invcal_calibration *nominal, const invcal_real raw[3],
                                        const invcal_real eta[3]);
@@ -410,7 +415,7 @@ invcal_status invcal_linear_add_scalar(invcal_linear_sums *linear,
  * Returns INVCAL_OK;
  *   INVCAL_TOO_FEW        fewer than nine positions;
  *   INVCAL_UNDETERMINED   the directions leave parameters open;
- *   INVCAL_NOT_ELLIPSOID  a semi-axis of I + S is outside 0.1 ... 10, or delta longer than 10;
+ *   INVCAL_NOT_ELLIPSOID  a semi-axis of I + S is outside about 0.1 ... 10, or delta beyond 10;
  *   INVCAL_BAD_NOMINAL    its matrix has no inverse.
  * Cost: 2,400 instructions. Stack: about 330 bytes. */
 invcal_status invcal_linear_solve(invcal_linear_sums *linear, const invcal_calibration *nominal,
@@ -426,7 +431,9 @@ invcal_status invcal_linear_solve(invcal_linear_sums *linear, const invcal_calib
 
 /* The direction to take next.
  *
- * positions  those so far; none at the beginning. Those that are no readings are passed over.
+ * raw, count  the positions so far; none at the beginning. Those that are no readings are passed
+ *             over.
+ *
  * Of directions that tell about as much, the closest to the last position: one right across counts
  * 1.6 % less. None within 26 degrees of it. */
 void invcal_next(const invcal_real *raw, unsigned count, const invcal_calibration *nominal,
@@ -543,7 +550,7 @@ void invcal_rest_mean(const invcal_rest *rest, invcal_real mean[3]);
  * keeps what tells most, up to INVCAL_MAX_POSITIONS - 1; an old position gives way before a new
  * one, and goes after 88 days. */
 typedef struct {
-    invcal_session session;
+    invcal_session session;            /* the positions, and all that it knows */
     uint8_t age[INVCAL_MAX_POSITIONS]; /* days */
 } invcal_background;
 

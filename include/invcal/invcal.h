@@ -254,20 +254,22 @@ const char *invcal_verdict_text(invcal_verdict verdict);
 typedef struct {
     invcal_real sigma[INVCAL_PARAMETERS]; /* standard deviation of delta (over field), dk (1) and
                                              gamma (rad) against nominal: the Cramer-Rao bound */
-    invcal_real noise; /* standard deviation of a position mean on each axis behind them, over field:
-                          the larger of stated and observed; 1, the whole field, if neither is there */
+    invcal_real noise; /* standard deviation of a position mean on each axis behind them, over
+                          field: the larger of stated and observed; 1, the whole field, if neither
+                          is there */
     invcal_real rms;   /* of the residuals |calibrated| - 1 over the positions */
     invcal_real max;   /* the largest of these, without its sign */
-    invcal_real condition; /* of the information on the nine: tr K tr K^-1 with K = sigma^2 / noise^2,
-                              which is above the condition. 130 is the best there is */
-    invcal_mask left_out;  /* bit i: position i contradicts the others, and was left out */
-    uint16_t weak;         /* bit r: parameter r is badly determined: its sigma is above ten times the
-                              noise, or the noise in the readings themselves would make it look
-                              determined */
-    uint16_t positions;    /* that made it */
-    uint16_t dof;          /* degrees of freedom left to the residuals; 0: no check */
-    uint16_t worst;        /* the position of max, from 0 */
-    uint8_t verdict;       /* an invcal_verdict: what all this comes to */
+    /* of the information on the nine: tr K tr K^-1 with K = sigma^2 / noise^2, which is above the
+     * condition. 130 is the best there is */
+    invcal_real condition;
+    invcal_mask left_out; /* bit i: position i contradicts the others, and was left out */
+    /* bit r: parameter r is badly determined: its sigma is above ten times the noise, or the noise
+     * in the readings themselves would make it look determined */
+    uint16_t weak;
+    uint16_t positions; /* that made it */
+    uint16_t dof;       /* degrees of freedom left to the residuals; 0: no check */
+    uint16_t worst;     /* the position of max, from 0 */
+    uint8_t verdict;    /* an invcal_verdict: what all this comes to */
 } invcal_quality;
 
 /* The factor k for which +- k sigma covers 95 %: Student's t for a sigma estimated with dof degrees
@@ -353,12 +355,12 @@ typedef struct {
     int32_t low;      /* rail, the least that the sensor reads */
     uint32_t between; /* readings between low and the other rail */
     uint32_t begin, end;   /* of the blocks committed */
-    int32_t first[3];      /* sample of the block being filled, */
-    uint32_t sum[3];       /* sums of the differences to it, modulo 2^32, */
-    uint32_t square;       /* and of their squares, the three axes together; its overflow */
-    uint32_t carry;        /* counts here */
+    int32_t first[3];      /* sample of the block being filled */
+    uint32_t sum[3];       /* sums of the differences to it, modulo 2^32 */
+    uint32_t square;       /* and of their squares, the three axes together, modulo 2^32 */
+    uint32_t carry;        /* how often that square has overflowed */
     int32_t origin[3];     /* a place that means of blocks are relative to */
-    int32_t once[3];       /* fading mean of the candidate's block means, 1/256 counts, */
+    int32_t once[3];       /* fading mean of the candidate's block means, 1/256 counts */
     int32_t twice[3];      /* and fading mean of that mean */
     int32_t place[3];      /* mean of the position taken last; before that, the first sample */
     int64_t total[3];      /* sum of the blocks committed, relative to origin */
@@ -366,7 +368,9 @@ typedef struct {
     uint64_t variance;     /* sum over the candidate's blocks, 1/64 counts^2 */
 } invcal_rests;
 
-/* A session: 572 bytes (float, 24 positions). mean and count may be read. */
+/* A session: 552 bytes (float, 24 positions). mean and count may be read. nominal may be replaced, as
+ * means are in counts: by one with which all of them are readings (invcal_bad_reading, expert.h).
+ * invcal_session_is_good looks at it when the next position is taken. */
 typedef struct {
     invcal_calibration nominal;                /* what it began with */
     invcal_real noise;                         /* stated, over field; 0: not known */
@@ -470,8 +474,8 @@ int invcal_session_is_at(const invcal_session *session, const invcal_real up[3])
 /* Solves what has been taken so far, without the positions that contradict the others
  * (quality.left_out; see invcal_outliers_find). The session is not changed: more may follow.
  *
- * Returns as invcal_calibrate. Cost: up to 130,000 instructions for 18 positions.
- * Stack: about 850 bytes. */
+ * Returns as invcal_calibrate. Cost: 87,000 to 270,000 instructions for 18 good positions, up to
+ * 540,000 if some are wrong. Stack: about 850 bytes. */
 invcal_status invcal_session_solve(const invcal_session *session, invcal_calibration *out,
                                    invcal_quality *quality);
 

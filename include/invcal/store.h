@@ -205,18 +205,18 @@ typedef struct {
                                 invcal_scale needs to put that unit into the calibration */
     invcal_real field_sigma; /* standard deviation of that */
     invcal_real temperature; /* at which it was made, degrees Celsius */
-    invcal_real noise;       /* this, and all below that is not explained: of invcal_quality */
-    invcal_real rms;
-    invcal_real condition;
-    invcal_calibration
-        calibration; /* over field: not after invcal_scale, which nobody could tell */
-    invcal_real sigma[INVCAL_PARAMETERS];
-    uint8_t sensor[8]; /* which one: a serial number or any other bytes of yours */
-    uint32_t date;     /* when: in what you count, such as seconds since your epoch */
-    uint16_t positions;
-    uint16_t weak;
-    uint16_t from_prior; /* bit r: of invcal_calibrate_with_prior (expert.h) */
-    uint8_t verdict;
+    invcal_real noise;       /* of invcal_quality */
+    invcal_real rms;         /* of invcal_quality */
+    invcal_real condition;   /* of invcal_quality */
+    /* over field: not after invcal_scale, which nobody could tell */
+    invcal_calibration calibration;
+    invcal_real sigma[INVCAL_PARAMETERS]; /* of invcal_quality */
+    uint8_t sensor[8];         /* which one: a serial number or any other bytes of yours */
+    uint32_t date;             /* when: in what you count, such as seconds since your epoch */
+    uint16_t positions;        /* of invcal_quality */
+    uint16_t weak;             /* of invcal_quality */
+    uint16_t from_prior;       /* bit r: of invcal_calibrate_with_prior (expert.h) */
+    uint8_t verdict;           /* of invcal_quality */
     uint8_t temperature_known; /* 1: temperature is; 0: it is 0 */
 } invcal_record;
 

@@ -68,7 +68,7 @@ extern "C" {
 typedef struct {
     invcal_real reference, span; /* t = (T - reference) / span */
     invcal_real min, max;        /* temperatures seen: only between them the polynomials hold */
-    invcal_calibration nominal;
+    invcal_calibration nominal;  /* what x is against */
     /* delta, dk, gamma: the coefficients of t^k, k = 0 ... INVCAL_THERMAL_DEGREE */
     invcal_real x[INVCAL_THERMAL_ROWS][INVCAL_PARAMETERS];
     uint8_t degree;   /* of x */
@@ -168,10 +168,10 @@ invcal_real invcal_thermal_drift_limit(invcal_real noise, invcal_real slope);
 
 /* Positions, and what they were read with: see invcal_thermal_calibrate. */
 typedef struct {
-    const invcal_real *raw;
-    const invcal_real *temperature;
-    unsigned count;
-    invcal_real noise;
+    const invcal_real *raw;         /* 3 count numbers */
+    const invcal_real *temperature; /* count numbers */
+    unsigned count;                 /* of the positions */
+    invcal_real noise;              /* of a position mean, over field; 0: not known */
 } invcal_thermal_positions;
 
 /* A base: X = 0 at all temperatures.
@@ -188,7 +188,7 @@ invcal_status invcal_thermal_start(const invcal_calibration *nominal,
  * the reference, sigma[1] of its slopes (per K), sigma[2] of what bends them (per K^2); 0: nothing is
  * known. In float none should be below a thousandth of the widest, times the span. */
 typedef struct {
-    invcal_real sigma[INVCAL_THERMAL_ROWS][INVCAL_PARAMETERS];
+    invcal_real sigma[INVCAL_THERMAL_ROWS][INVCAL_PARAMETERS]; /* 0: not known */
 } invcal_thermal_prior;
 
 /* Solves for what the positions have against the base, and corrects it.
@@ -247,13 +247,15 @@ invcal_status invcal_thermal_judge(const invcal_thermal_positions *positions,
 #define INVCAL_THERMAL_RECORD_BYTES(degree) (212u + 36u * ((degree) + 1u))
 /* The largest that this build writes, and reads. */
 #define INVCAL_THERMAL_RECORD_SIZE INVCAL_THERMAL_RECORD_BYTES(INVCAL_THERMAL_DEGREE)
+/* The same of any version that is read. */
 #define INVCAL_THERMAL_RECORD_SIZE_MAX                                                             \
     (INVCAL_THERMAL_RECORD_SIZE + INVCAL_RECORD_SIZE_MAX - INVCAL_RECORD_SIZE)
 
+/* What the bytes say. */
 typedef struct {
-    invcal_thermal thermal;
-    invcal_record record;  /* of what holds at the reference; more may be filled in */
-    uint8_t is_triangular; /* 1: as 0.1.0 had it if asked: invcal_make_triangular makes of what
+    invcal_thermal thermal; /* the calibration for every temperature */
+    invcal_record record;   /* of what holds at the reference; more may be filled in */
+    uint8_t is_triangular;  /* 1: as 0.1.0 had it if asked: invcal_make_triangular makes of what
                               invcal_thermal_at gives what the record has */
 } invcal_thermal_record;
 

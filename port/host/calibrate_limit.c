@@ -5,8 +5,8 @@
 #include <math.h>
 #include <string.h>
 
-#include "../../src/fisher.h"
 #include "calibrate.h"
+#include "f_tail.h"
 #include "figure.h"
 #include "matrix.h"
 
@@ -67,7 +67,7 @@ static int is_disturbed(const calibrate_result *r)
     const unsigned dof = (unsigned)fmin(1000, r->quality.dof);
 
     return dof >= 1 && times * times > 2 &&
-           invcal_fisher_tail(1 / (1 + times * times * dof / MANY), dof, MANY) <= UNLIKELY;
+           f_tail(1 / (1 + times * times * dof / MANY), dof, MANY) <= UNLIKELY;
 }
 
 /* Sigma of the length in the worst direction over the least that can be had there, which so many

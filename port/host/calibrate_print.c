@@ -7,7 +7,9 @@
 #include "figure.h"
 #include "gravity.h"
 #include "matrix.h"
+#include "message.h"
 #include "number.h"
+#include "options.h"
 #include "paint.h"
 #include "parameters.h"
 
@@ -249,6 +251,7 @@ static void print_next(FILE *file, const calibrate_result *result, const calibra
 {
     const fit_quality *q = &result->quality;
     const char *saved = wish->saved;
+    char path[MESSAGE_MAX];
     char advice[128];
     char text[TEXT_MAX];
 
@@ -265,7 +268,8 @@ static void print_next(FILE *file, const calibrate_result *result, const calibra
             break;
         }
         fprintf(file, "Next: %scorrect readings with: invcal apply %s LOG\n",
-                saved ? "" : "save it with --out CAL.json, then ", saved ? saved : "CAL.json");
+                saved ? "" : "save it with --out CAL.json, then ",
+                options_quoted(saved ? saved : "CAL.json", path, sizeof path));
         break;
     case INVCAL_NO_REDUNDANCY:
         fprintf(file, "Next: add 3 or more positions in other directions, to check the fit.\n");

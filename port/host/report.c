@@ -8,6 +8,7 @@
 #include "gravity.h"
 #include "input.h"
 #include "number.h"
+#include "options.h"
 #include "parameters.h"
 #include "report_facts.h"
 
@@ -96,8 +97,9 @@ static void write_doubt(page *p, const report_facts *f)
 static void write_verdict(page *p, const report_facts *f)
 {
     const char *saved = f->wish->saved;
+    char path[MESSAGE_MAX];
     char sentence[TEXT_MAX];
-    char next[TEXT_MAX];
+    char next[MESSAGE_MAX + TEXT_MAX];
     char advice[128];
 
     switch (f->result->quality.verdict) {
@@ -108,7 +110,8 @@ static void write_verdict(page *p, const report_facts *f)
         }
         say_good(f, sentence);
         snprintf(next, sizeof next, "%scorrect readings with invcal apply %s LOG.",
-                 saved ? "" : "save it with --out CAL.json, and ", saved ? saved : "CAL.json");
+                 saved ? "" : "save it with --out CAL.json, and ",
+                 options_quoted(saved ? saved : "CAL.json", path, sizeof path));
         if (calibrate_is_rough(f->result)) {
             page_verdict(p, PAGE_CAUTION, "! Rough", sentence,
                          "look for what disturbs the positions: a hand, a vibration, clipping, a "

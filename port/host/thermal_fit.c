@@ -4,9 +4,9 @@
 #include <math.h>
 #include <string.h>
 
-#include "../../src/fisher.h"
 #include "command.h"
 #include "eigen.h"
+#include "f_tail.h"
 #include "matrix.h"
 #include "number.h"
 #include "thermal_rejection.h"
@@ -111,7 +111,7 @@ static void compare_without(thermal_fit *fit, const rejection *kept)
     fit->without = nine.rms;
     if (more > 0 && kept->kept_count > used && nine.rms > 0) {
         const double ratio = fit->quality.rms / nine.rms;
-        fit->significance = invcal_fisher_tail(ratio * ratio, more, kept->kept_count - used);
+        fit->significance = f_tail(ratio * ratio, more, kept->kept_count - used);
     }
 }
 

@@ -3,7 +3,7 @@
 
 #include <math.h>
 
-#include "../../src/fisher.h"
+#include "f_tail.h"
 
 #define ALLOWED 0.007 /* chance to leave out a good one */
 #define SUSPECTS_MOST 24u
@@ -79,8 +79,7 @@ static judgement judge(const rejection *r, const invcal_thermal *c, const fit_se
     const double left = fmax(0, squares - most.drop);
     *one = (rejected_position){.position = rejection_original(r, most.kept),
                                .error = most.residual / most.checked};
-    return invcal_fisher_tail(left / squares, 1, dof) * r->kept_count <= ALLOWED ? CONTRADICTS
-                                                                                 : DOUBTFUL;
+    return f_tail(left / squares, 1, dof) * r->kept_count <= ALLOWED ? CONTRADICTS : DOUBTFUL;
 }
 
 /* Beside others that were still there an error is not what it is beside the good ones. */

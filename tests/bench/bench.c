@@ -132,6 +132,40 @@ static uint32_t feed(unsigned rate)
     return total / (5 * rate);
 }
 
+/* Three seconds in each position; the first `wrong` of them read 1 % too much. */
+static uint32_t solve_session(unsigned wrong)
+{
+    enum { RATE = 32, SECONDS = 3 };
+    int32_t sample[3];
+    invcal_calibration calibration;
+    invcal_quality quality;
+    unsigned left_out = 0;
+
+    (void)invcal_session_begin(&session, &nominal, RATE);
+    for (unsigned i = 0; i < POSITIONS; i++) {
+        for (unsigned k = 0; k < RATE * SECONDS; k++) {
+            next_sample(sample);
+            sample[2] -= 8192;
+            for (unsigned a = 0; a < 3; a++) {
+                const int32_t mean = (int32_t)raw[i][a];
+                sample[a] += i < wrong ? mean + mean / 100 : mean;
+            }
+            (void)invcal_session_feed(&session, sample);
+        }
+    }
+    (void)invcal_session_finish(&session);
+    begin();
+    const invcal_status status = invcal_session_solve(&session, &calibration, &quality);
+    const uint32_t count = end();
+    for (invcal_mask set = quality.left_out; set; set &= set - 1) {
+        left_out++;
+    }
+    if (session.count != POSITIONS || status != INVCAL_OK || left_out != wrong) {
+        board_exit(1);
+    }
+    return count;
+}
+
 static void bench_session(void)
 {
     invcal_real up[3];
@@ -207,6 +241,9 @@ int main(void)
     bench_session();
     bench_allan();
     bench_thermal();
+    report("session_solve", solve_session(0));
+    report("session_solve_1_wrong", solve_session(1));
+    report("session_solve_3_wrong", solve_session(3));
     report_text("OK\n");
     return 0;
 }

@@ -29,11 +29,18 @@ $(OUT)/product.elf: $(OUT)/program.o $(OUT)/tests/size/product.o $(LIBRARY)
 # "header function" of all public functions.
 $(OUT)/public: $(wildcard include/invcal/*.h)
 	@mkdir -p $(@D)
-	$(Q)printf '#include "invcal/%s"\n' $(HEADERS) | $(CC) $(FLAGS:-MMD=) -E -x c - | \
+	$(Q)printf '#include "invcal/%s"\n' $(HEADERS) | $(CC) $(filter-out -MMD -MP,$(FLAGS)) -E -x c - | \
+	    awk -f tests/size/public.awk > $@
+
+# The same of those that only the library's own headers declare, and the public ones again.
+$(OUT)/declared: $(wildcard src/*.h include/invcal/*.h)
+	@mkdir -p $(@D)
+	$(Q)printf '#include "%s"\n' $(wildcard src/*.h) | $(CC) $(filter-out -MMD -MP,$(FLAGS)) -I. -E -x c - | \
 	    awk -f tests/size/public.awk > $@
 
 .PHONY: programs
-programs: $(OUT)/core.elf $(OUT)/judged.elf $(OUT)/product.elf $(OUT)/whole.elf $(OUT)/tests/size/structures.o
+programs: $(OUT)/core.elf $(OUT)/judged.elf $(OUT)/product.elf $(OUT)/whole.elf \
+    $(OUT)/tests/size/structures.o $(OUT)/declared
 
 # The program that measures its stack, and its run.
 $(OUT)/depth.elf: $(OUT)/tests/size/depth.o $(COMMON) $(LIBRARY)

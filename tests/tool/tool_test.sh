@@ -215,6 +215,17 @@ accepts "--out writes a file" calibrate "$data/xsens_mti_positions.csv" --positi
 check "--out writes the same as --json" same "$work/saved.json" "$work/cal.json"
 check "the table says where it was saved" grep -Fq "Saved in $work/saved.json" \
     "$work/stdout"
+# In its folder, as the path to there may have a blank or a quote itself.
+saves() { # NAME: prints the command behind `Next:`
+    (cd "$work" && "$tool" calibrate xsens.csv --positions --out "$1" --report odd.html) |
+        sed -n 's/^Next: correct readings with: invcal //p'
+}
+check "and how to use it" [ "$(saves saved.json)" = 'apply saved.json LOG' ]
+check "a path with a blank and a quote in it is quoted" \
+    [ "$(saves "it's saved.json")" = "apply 'it'\\''s saved.json' LOG" ]
+check "a shell takes it for one" sh -c 'cd "$1" && eval "\"\$2\" $3" > odd && test -s odd' sh \
+    "$work" "$tool" "apply 'it'\\''s saved.json' xsens.csv"
+check "the report quotes it, too" grep -q "apply [^ ]*it[^ ]*\\\\[^ ]*s saved.json[^ ]* LOG" "$work/odd.html"
 accepts "--out and --json go together" calibrate "$data/xsens_mti_positions.csv" --positions \
     --gravity 9.81744 --out "$work/saved.json" --json
 check "both hold the same" same "$work/saved.json" "$work/stdout"

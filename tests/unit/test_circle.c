@@ -33,7 +33,7 @@ static void cosine_and_sine_agree_with_libm_over_the_whole_turn(void)
 {
     random_source random = random_start(1);
 
-    for (int i = -180000; i <= 180000; i += TEST_SHORT) {
+    for (int32_t i = -180000; i <= 180000; i += TEST_SHORT) {
         assert_agrees_with_libm(i / 1000.0);
     }
     for (int i = 0; i < SOME(20000); i++) {

@@ -541,8 +541,8 @@ static void nothing_overflows_at_the_largest_distance(void)
         TEST_ASSERT_EQUAL_INT64(bases[k / 3] * (int64_t)r->count + blocks * off, r->sum[0]);
         TEST_ASSERT_EQUAL_INT64(bases[k / 3] * (int64_t)r->count - blocks * off, r->sum[1]);
         TEST_ASSERT_EQUAL_INT64(bases[k / 3] / 2 * (int64_t)r->count + blocks * off, r->sum[2]);
-        TEST_ASSERT_DOUBLE_WITHIN((1e-6 + 300 * DBL_EPSILON) * d, d - d / (size * (size - 1)),
-                                  (double)r->variance);
+        TEST_ASSERT_DOUBLE_WITHIN((1e-6 + 300 * DBL_EPSILON) * d,
+                                  d - d / ((double)size * (size - 1)), (double)r->variance);
     }
 }
 

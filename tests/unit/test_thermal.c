@@ -631,8 +631,9 @@ static void the_choices_stand_in_the_names(void)
     const char *const at = NAME(invcal_thermal_at);
 
     TEST_ASSERT_NOT_NULL(strstr(at, kind));
-    TEST_ASSERT_EQUAL_STRING("_" INVCAL_TEXT(INVCAL_THERMAL_DEGREE) "_" INVCAL_TEXT(INVCAL_MAX_POSITIONS),
-                             strstr(at, kind) + strlen(kind));
+    TEST_ASSERT_EQUAL_STRING(
+        "_" INVCAL_TEXT(INVCAL_THERMAL_DEGREE) "_" INVCAL_TEXT(INVCAL_MAX_POSITIONS),
+        strstr(at, kind) + strlen(kind));
     TEST_ASSERT_NOT_NULL(strstr(NAME(invcal_thermal_calibrate), kind));
     TEST_ASSERT_NOT_NULL(strstr(NAME(invcal_thermal_start), kind));
 }

@@ -123,7 +123,7 @@ static invcal_thermal_record golden_record(void)
     r.record.rms = INVCAL_REAL(0.000244140625);
     r.record.condition = INVCAL_REAL(8.25);
     for (unsigned i = 0; i < INVCAL_PARAMETERS; i++) {
-        r.record.sigma[i] = (invcal_real)(1e-4 * (i + 1));
+        r.record.sigma[i] = (invcal_real)(i + 1) / 10000;
     }
     memcpy(r.record.sensor, "SN-00042", 8);
     r.record.date = 0x6543210Fu;
