@@ -6,7 +6,7 @@
 #include "invcal/store.h"
 #include "solve.h"
 
-// eva: -eva-precision 0 -eva-auto-loop-unroll 46 -eva-slevel 20 -eva-slevel-function main:500,invcal_crc32:0,check_numbers:200,invcal_get_reals:2000,invcal_put_reals:2000
+// eva: -eva-precision 0 -eva-auto-loop-unroll 46 -eva-slevel 5 -eva-slevel-function main:500,decode_short:20,invcal_load_session_float_24:200,invcal_session_decode_float_24:200,invcal_session_encode:20,decode:20,invcal_unseal:20,invcal_crc32:0,check_numbers:100,invcal_get_reals:250,invcal_put_reals:250
 // eva: -eva-split-return full
 // stubs: store session nominal sums
 
