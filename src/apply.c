@@ -2,17 +2,22 @@
 #include "invcal/invcal.h"
 #include "vector.h"
 
+#ifndef INVCAL_FAST
+invcal_real invcal_dot3(const invcal_real a[3], const invcal_real b[3])
+{
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+#endif
+
 void invcal_apply(const invcal_calibration *calibration, const invcal_real raw[3],
                   invcal_real calibrated[3])
 {
-    const invcal_real x = raw[0] - calibration->offset[0];
-    const invcal_real y = raw[1] - calibration->offset[1];
-    const invcal_real z = raw[2] - calibration->offset[2];
+    const invcal_real u[3] = {raw[0] - calibration->offset[0], raw[1] - calibration->offset[1],
+                              raw[2] - calibration->offset[2]};
 
     INVCAL_UNROLL
     for (unsigned i = 0; i < 3; i++) {
-        const invcal_real *row = calibration->matrix[i];
-        calibrated[i] = row[0] * x + row[1] * y + row[2] * z;
+        calibrated[i] = invcal_dot3(calibration->matrix[i], u);
     }
 }
 

@@ -40,14 +40,14 @@ INVCAL_INLINE invcal_real invcal_gradient(const invcal_real a[3][3], const invca
 {
     INVCAL_UNROLL
     for (unsigned i = 0; i < 3; i++) {
-        g[i] = a[i][0] * eta[0] + a[i][1] * eta[1] + a[i][2] * eta[2];
+        g[i] = invcal_dot3(a[i], eta);
     }
     return invcal_dot3(g, g);
 }
 
 /* ---- the passes --------------------------------------------------------------------------------- */
 
-/* How X moves j: d eta = -A (d delta + dS eta), so dj = eta d eta = -g (d delta + dS eta). */
+/* How X moves J: d eta = -A (d delta + dS eta), so dJ = eta d eta = -g (d delta + dS eta). */
 INVCAL_INLINE void invcal_slope(const invcal_real eta[3], invcal_real g[INVCAL_PARAMETERS])
 {
     g[INVCAL_DK_X] = g[0] * eta[0];
@@ -87,7 +87,7 @@ invcal_status invcal_positions_compare(const invcal_positions *positions,
                                        const invcal_calibration *c, const invcal_real a[3][3],
                                        invcal_sums *sums, invcal_residuals *residuals)
 {
-    static const invcal_residuals none = {0, 0, 0, 0};
+    const invcal_residuals none = {0, 0, 0, 0};
     invcal_row row;
 
     *residuals = none;
@@ -175,13 +175,14 @@ void invcal_judge_parameters(const invcal_real k[INVCAL_PARAMETERS], const invca
     const invcal_real square = q->noise * q->noise * invcal_dot(a[0], a[0], 9) / 3;
     const invcal_real of_noise = q->noise < 1 ? (invcal_real)q->positions * square : 0;
 
-    q->weak = 0;
+    unsigned weak = 0;
     for (unsigned r = 0; r < INVCAL_PARAMETERS; r++) {
         const int is_strong = k[r] <= INVCAL_WEAK_K && k[r] * of_noise <= NOISE_SHARE;
-        q->weak |= (uint16_t)((is_strong ? 0u : 1u) << r);
+        weak |= (is_strong ? 0u : 1u) << r;
         q->sigma[r] = q->noise * INVCAL_SQRT(k[r]);
     }
-    q->verdict = (uint8_t)(q->weak ? INVCAL_WEAK : q->dof > 0 ? INVCAL_GOOD : INVCAL_NO_REDUNDANCY);
+    q->weak = (uint16_t)weak;
+    q->verdict = (uint8_t)(weak > 0 ? INVCAL_WEAK : q->dof > 0 ? INVCAL_GOOD : INVCAL_NO_REDUNDANCY);
 }
 
 /* tr A^-1: the squares of all elements of L^-1. */

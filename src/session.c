@@ -36,12 +36,10 @@ invcal_status invcal_session_begin(invcal_session *session, const invcal_calibra
 
 invcal_status invcal_session_init(invcal_session *session, invcal_real counts, unsigned rate)
 {
-    const invcal_real zero[3] = {0, 0, 0};
-    const invcal_real each[3] = {counts, counts, counts};
-    invcal_calibration nominal;
+    const invcal_real k = 1 / counts;
+    const invcal_calibration nominal = {{0, 0, 0}, {{k, 0, 0}, {0, k, 0}, {0, 0, k}}};
 
-    const invcal_status status = invcal_nominal(zero, each, &nominal);
-    return status == INVCAL_OK ? invcal_session_begin(session, &nominal, rate) : status;
+    return invcal_session_begin(session, &nominal, rate);
 }
 
 invcal_status invcal_session_rails(invcal_session *session, int32_t low, int32_t high)

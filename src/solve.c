@@ -25,7 +25,7 @@ invcal_real invcal_cofactors(const invcal_real m[3][3], invcal_real c[3][3])
             c[i][j] = a[next[j]] * b[next[j + 1]] - a[next[j + 1]] * b[next[j]];
         }
     }
-    return invcal_dot3(m[0], c[0]);
+    return m[0][0] * c[0][0] + m[0][1] * c[0][1] + m[0][2] * c[0][2];
 }
 
 void invcal_inverse3(const invcal_real m[3][3], invcal_real inverse[3][3])
@@ -61,11 +61,10 @@ void invcal_make_symmetric(invcal_real a[3][3], invcal_real work[INVCAL_WORK])
         }
     }
     for (unsigned i = 0; i < 3; i++) {
-        const invcal_real x = invcal_dot3(a[i], u[0]);
-        const invcal_real y = invcal_dot3(a[i], u[1]);
-        a[i][2] = invcal_dot3(a[i], u[2]);
-        a[i][1] = y;
-        a[i][0] = x;
+        for (unsigned j = 0; j < 3; j++) {
+            c[0][j] = invcal_dot3(a[i], u[j]);
+        }
+        memcpy(a[i], c[0], sizeof a[i]);
     }
 }
 

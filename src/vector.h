@@ -40,15 +40,20 @@ static inline int invcal_is_positive(invcal_real x)
     return x > 0 && x <= INVCAL_REAL_MAX;
 }
 
+/* a b, compiled into those who call it where speed is asked for. */
+#ifdef INVCAL_FAST
+static inline invcal_real invcal_dot3(const invcal_real a[3], const invcal_real b[3])
+{
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+#else
+invcal_real invcal_dot3(const invcal_real a[3], const invcal_real b[3]);
+#endif
+
 /* Are all three? What is not finite makes a NaN of 0, and so of the sum. */
 static inline int invcal_are_finite(const invcal_real v[3])
 {
     return v[0] * 0 + v[1] * 0 + v[2] * 0 == 0;
-}
-
-static inline invcal_real invcal_dot3(const invcal_real a[3], const invcal_real b[3])
-{
-    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
 /* invcal_apply, compiled into those who call it often where speed is asked for. */
