@@ -28,9 +28,9 @@ typedef struct {
     invcal_real held[UNKNOWNS]; /* 1 / standard deviation of the prior; 0: none */
     invcal_real loosest;        /* the smallest of them above 0 */
     int has_prior;              /* are there any? */
-    int is_judged;              /* the rows are the slopes at the solution, not those that find it */
-    invcal_real min, max;       /* temperatures */
-    invcal_thermal now;         /* what the rows are made with */
+    int is_judged;        /* the rows are the slopes at the solution, not those that find it */
+    invcal_real min, max; /* temperatures */
+    invcal_thermal now;   /* what the rows are made with */
     invcal_residuals residuals; /* of that */
     invcal_quality q;           /* of that */
     invcal_real squares;        /* weighted, of the residuals */
@@ -320,7 +320,7 @@ static invcal_status weigh(job *j)
         status = solve_to(j, n);
         j->q.noise = j->noise;
     }
-    if (status == INVCAL_OK) {
+    if (status == INVCAL_OK) { /* uncovered: more noise makes a prior hold more, never less */
         status = invcal_residuals_end(&j->residuals);
     }
     invcal_judge_residuals(&j->residuals, &j->q);
@@ -470,8 +470,7 @@ static invcal_status run(job *j, unsigned degree, invcal_thermal *out, invcal_qu
     if (status == INVCAL_OK) {
         *out = j->now;
     }
-    return status == INVCAL_NOT_FINITE || status == INVCAL_OUT_OF_RANGE ? INVCAL_NOT_ELLIPSOID
-                                                                        : status;
+    return status == INVCAL_OUT_OF_RANGE ? INVCAL_NOT_ELLIPSOID : status;
 }
 
 invcal_status invcal_thermal_fit(const invcal_thermal_positions *positions,
