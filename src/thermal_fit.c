@@ -168,6 +168,7 @@ static invcal_thermal_fallback try_degree(job *j, unsigned degree, invcal_status
 {
     const unsigned n = (degree + 1) * NINE;
     const invcal_real noise = j->noise;
+    //@ split n;
 
     *status = INVCAL_TOO_FEW;
     if (j->positions->count < count_open(j, 0, n, 0)) {
@@ -218,6 +219,7 @@ static void turn(invcal_real m[3][3])
 static invcal_status compose(const job *j, invcal_real t, invcal_real x[INVCAL_PARAMETERS])
 {
     const unsigned degree = j->now.fitted;
+    //@ split degree;
     invcal_calibration first;
     invcal_calibration c;
     invcal_real work[INVCAL_WORK];
@@ -287,6 +289,7 @@ static invcal_status improve(job *j, unsigned degree)
     if (status != INVCAL_OK) {
         return status;
     }
+    //@ split now->fitted;
     const int is_new = now->fitted >= now->degree; /* else slopes are kept, and where they hold */
     now->min = is_new || j->min < now->min ? j->min : now->min;
     now->max = is_new || j->max > now->max ? j->max : now->max;
@@ -305,6 +308,7 @@ static invcal_status weigh(job *j)
     const unsigned n = (j->now.fitted + 1u) * NINE;
     invcal_real dof = (invcal_real)j->positions->count - (invcal_real)n;
 
+    //@ split n;
     j->is_judged = 1;
     invcal_status status = solve_to(j, n);
     if (status != INVCAL_OK) {
@@ -332,6 +336,7 @@ static invcal_real variance_at(const job *j, invcal_real t, unsigned r)
 {
     invcal_real sum = 0;
 
+    //@ split j->now.fitted;
     for (unsigned i = r; i < (j->now.fitted + 1u) * NINE; i++) {
         invcal_real y = 0;
         for (unsigned a = (i - r) / NINE + 1; a-- > 0;) {

@@ -8,7 +8,10 @@
 // config: -DINVCAL_THERMAL_DEGREE=0
 // config: -DINVCAL_THERMAL_DEGREE=2
 
-enum { BEHIND = INVCAL_RECORD_SIZE_MAX - INVCAL_RECORD_SIZE, LARGEST = INVCAL_THERMAL_RECORD_BYTES(255u) + BEHIND };
+enum {
+    BEHIND = INVCAL_RECORD_SIZE_MAX - INVCAL_RECORD_SIZE,
+    LARGEST = INVCAL_THERMAL_RECORD_BYTES(255u) + BEHIND
+};
 
 /* ---- what other modules do -------------------------------------------------------------------- */
 
@@ -37,19 +40,20 @@ invcal_status invcal_record_decode(const uint8_t *bytes, uint32_t size, invcal_r
     return INVCAL_DAMAGED;
 }
 
-invcal_status invcal_behind(const invcal_calibration *nominal, const invcal_calibration *triad,
-                            invcal_calibration *out)
+invcal_status invcal_behind(const invcal_calibration *nominal, invcal_calibration *c)
 {
     (void)nominal->matrix[2][2];
-    (void)triad->matrix[2][2];
-    ANY(*out);
+    (void)c->matrix[2][2];
+    ANY(*c);
     return BETWEEN(0, 1) ? INVCAL_OK : INVCAL_BAD_NOMINAL;
 }
 
-void invcal_inverse3(const invcal_real m[3][3], invcal_real inverse[3][3])
+/* Whatever X is. */
+invcal_status invcal_triad(const invcal_real x[INVCAL_PARAMETERS], invcal_calibration *triad)
 {
-    (void)m[2][2];
-    Frama_C_make_unknown((char *)inverse, 9 * sizeof(invcal_real));
+    (void)x[INVCAL_PARAMETERS - 1];
+    ANY(*triad);
+    return BETWEEN(0, 1) ? INVCAL_OK : INVCAL_NOT_ELLIPSOID;
 }
 
 invcal_status invcal_nominal_check(const invcal_calibration *nominal)

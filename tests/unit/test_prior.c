@@ -77,6 +77,26 @@ static void what_a_prior_holds_is_never_hopeless(void)
     }
 }
 
+/* A prior of many fields says nothing, and the noise that it would be resolved beside is no noise of a
+ * reading: what it alone holds is weak, however often it is solved. */
+static void a_prior_wider_than_reason_is_weak(void)
+{
+    static const double wide[9] = {0, 0, 0, 0, 0, 0, 1e8, 1e8, 1e8};
+    random_source random = random_start(6);
+    const triad_truth truth = triad_random(&random, 0.01);
+    reading_set set;
+    outcome o;
+
+    if (INVCAL_DOUBLE) {
+        TEST_IGNORE_MESSAGE("double tells so wide a prior from nothing known, and refuses");
+    }
+    read_positions(&truth, faces, 6, 1e-4, &random, &set);
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, calibrate(&set, 1e-4, wide, &o));
+    TEST_ASSERT_EQUAL_INT(INVCAL_WEAK, o.quality.verdict);
+    TEST_ASSERT_EQUAL_HEX16(0x1C0, o.from_prior & 0x1C0);
+    TEST_ASSERT_TRUE((double)o.quality.noise >= 1);
+}
+
 /* What a prior is silent about, and the positions too, is refused as ever. */
 static void what_no_prior_holds_may_be_hopeless(void)
 {
@@ -362,6 +382,7 @@ int main(void)
     UNITY_BEGIN();
     RUN_TEST(a_partial_prior_needs_as_many_positions_as_it_leaves_open);
     RUN_TEST(what_a_prior_holds_is_never_hopeless);
+    RUN_TEST(a_prior_wider_than_reason_is_weak);
     RUN_TEST(what_no_prior_holds_may_be_hopeless);
     RUN_TEST(what_hardly_shows_is_solved_or_refused_as_open);
     RUN_TEST(a_prior_is_weighed_against_the_noise_that_is_there);
