@@ -487,15 +487,15 @@ static void add_trend(invcal_rests *s, const int32_t mean[3])
  * it, and fast, for the noise and for the reach: a sensor that warms up is slower.
  *
  * Of block means that scatter by v, g = spread, the slope b is known to v / (5.5 g^3), within
- * 30 %, so chance is less than 1e-4 (chi^2 of 24 for three axes) beyond b^2 g^3 = 8 / 5.5 v. A
- * step between two blocks is 2 v. */
+ * 30 %, so chance is less than 1e-4 (chi^2 of 24 for three axes) beyond b^2 g^3 = 8 / 5.5 v. A step
+ * between two blocks is 2 v, and b^2 more: a quarter of it is taken for v. */
 static int is_drifting(const invcal_rests *s)
 {
     const int spread = octaves(s->spread) - FINE * OCTAVE;
     const int slope = level_between(s->once, s->twice, FINE) - 2 * spread;
     const int speed = slope + s->pace;
     const int noise = noise_level(s);
-    const int scatter = larger(noise - s->bits * OCTAVE, s->wander - OCTAVE);
+    const int scatter = larger(noise - s->bits * OCTAVE, s->wander - 2 * OCTAVE);
 
     return slope + 3 * spread > scatter + BEYOND_CHANCE && speed > noise + NOISE_PER_SECOND &&
            speed > s->reach + REACH_PER_SECOND;
@@ -708,7 +708,7 @@ static invcal_event finish(invcal_rests *s)
     if (why == INVCAL_OK && s->stage != ANNOUNCED && is_drifting(s)) {
         why = INVCAL_REST_DRIFT;
     }
-    const int is_nothing = s->blocks < s->least / 2u || is_said(s, why);
+    const int is_nothing = s->blocks < s->least / 4u || is_said(s, why);
     s->stage = IDLE;
     s->skip = edge_of(s);
     if (is_nothing) {

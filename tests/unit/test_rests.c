@@ -306,7 +306,7 @@ static void a_turntable_never_rests(void)
         const double speed = 0.3 * pow(10, random_uniform(&random, 0, 1)) * 3.14159265 / 180;
         double m[3][3];
         random_rotation(&random, m);
-        setup(rates[seed % 3], 2000 * pow(8, random_uniform(&random, 0, 1)),
+        setup(rates[seed % 3], 500 * pow(32, random_uniform(&random, 0, 1)),
               seed % 2 ? 1e-3 : 2e-5 * pow(50, random_uniform(&random, 0, 1)));
         b.random = random;
         for (long i = 0; i < (long)(180 * b.rate); i++) {
