@@ -23,9 +23,8 @@ enum {
     TRIM = 2,      /* newest blocks held back: motion begins before it is noticed, 0.3 s */
     HOLD = 4,      /* more blocks in a row that disagree end a rest: knocks are shorter */
     ELSEWHERE = 2, /* the same where the device rests elsewhere already */
-    RELEARN = 4,   /* blocks in a row of another, steady noise are a new noise level, 0.6 s; twice as
-                      many after a position at the old one: a hand's fumbling is shorter */
-    SEEK = 255,    /* blocks without a smaller change than the quantum: it is known, 30 s */
+    RELEARN = 4,   /* blocks in a row of another, steady noise are a new noise level, 0.6 s; twice
+                      as many after a position at the old one: a hand's fumbling is shorter */
     FREEZE = 8,    /* blocks in a row without any noise: the sensor is not read, 1.2 s */
     FADE = 4,      /* the trend forgets: 1 << FADE blocks count, 2 s, as long as a short rest */
     DRIFTING = 10, /* blocks in a row of a rest that drifts, until it is refused: 1.5 s */
@@ -47,10 +46,10 @@ enum {
 
 /* Place. A block mean belongs to the rest within the largest of */
 enum {
-    OF_NOISE = OCTAVE,         /* 2 times the variance of a sample: chance is 7e-4 for 4 samples, */
-    OF_WANDER = 594,           /* 5 usual steps of a hand: 25, */
-    OF_REACH = -16 * OCTAVE,   /* 1/256 of the reach: 8 mg of 2 g, */
-    OF_QUANTUM = 203           /* one count on each axis: 3. */
+    OF_NOISE = OCTAVE,       /* 2 times the variance of a sample: chance is 7e-4 for 4 samples, */
+    OF_WANDER = 594,         /* 5 usual steps of a hand: 25, */
+    OF_REACH = -16 * OCTAVE, /* 1/256 of the reach: 8 mg of 2 g, */
+    OF_QUANTUM = 203         /* one count on each axis: 3. */
 };
 
 /* Drift: a slope beyond chance, and fast. */
@@ -60,20 +59,20 @@ enum {
     REACH_PER_SECOND = -19 * OCTAVE /* 1/720 of the reach in a second */
 };
 
-#define WIDE (INT32_C(1) << 19) /* counts: no noise is so large, and no rest creeps so far */
-#define FINE 10                 /* bits behind the point of a mean: exact, of any block */
-#define SHORTEST 620             /* ms that make a position */
+#define WIDE (INT32_C(1) << 19)     /* counts: no noise is so large, no rest creeps so far */
+#define FINE 10                     /* bits behind the point of a mean: exact for any block */
+#define SHORTEST 620                /* milliseconds that make a position */
 #define HOUR (UINT32_C(3600) * 125) /* in 1/125 s */
 
-/* What has been said of the rest: nothing; it is READY; it was TAKEN by the newest block; it is
- * REFUSED. One that can be read is odd. */
+/* What has been said of the rest: nothing; it is READY; it is REFUSED; it was TAKEN by the newest
+ * block. What can be read is odd. */
 enum { SETTLING, HELD, DISMISSED, LEFT };
 
 /* Bits of flags, and of `seen`, which is the newest block's. */
 enum {
     CLIPPED = 1, /* some sample was at a rail */
     LOST = 2,    /* samples were lost */
-    WILD = 4,    /* some sample was too far from the first to be added */
+    WILD = 4,    /* some sample was too far from the first: no sum means anything */
     CHANGED = 8, /* the x axis has changed inside a block; y and z in the next bits */
     ALL_CHANGED = 7 * CHANGED
 };
@@ -156,20 +155,21 @@ INVCAL_APART static int distance(const int32_t a[3], const int32_t b[3])
 }
 
 /* The same of origin, in whole counts, and the position before. */
-static int distance_from_place(const invcal_rests *s)
+INVCAL_APART static int distance_from_place(const invcal_rests *s)
 {
     return distance(s->origin, s->place) + 2 * FINE * OCTAVE;
 }
 
 /* ---- a block ------------------------------------------------------------------------------ */
 
-/* The rest is over: another one begins behind 0.5 s of quiet blocks. That is half of what makes a
- * position, rounded up, and the one that may have begun in motion. */
+/* Behind motion 0.5 s of quiet blocks are passed over: half of what makes a position, rounded up,
+ * and the one that may have begun in motion. */
 static void skip(invcal_rests *s)
 {
     s->skip = (uint8_t)((s->least + 3u) / 2);
 }
 
+/* There is no rest: the next one is looked for. */
 static void clear(invcal_rests *s)
 {
     memset(&s->rest, 0, sizeof s->rest);
@@ -208,16 +208,16 @@ static void begin(invcal_rests *s, const int32_t raw[3])
 
 /* A sample that begins a block, that is not close to its first, or that may tell the quantum.
  *
- * Differences are added quickly up to a power of two that keeps the squares of three axes and a whole
- * block below 2^32, and all that is so close to the first sample off the rails: one comparison will
- * tell both. Until the quantum is known, every sample is looked at. */
+ * The next are added quickly if they differ by less than a power of two which keeps the squares of
+ * three axes and a whole block below 2^32, and all that is so close off the rails: one comparison
+ * will tell both. As long as the quantum may become smaller every sample is looked at. */
 INVCAL_APART static void add_any(invcal_rests *s, const int32_t raw[3])
 {
     uint32_t room = 0; /* behind a large difference the squares may be large */
 
     if (s->missing == 0) {
         begin(s, raw);
-        room = UINT32_C(1) << (30 - s->bits) / 2;
+        room = UINT32_C(1) << (30u - s->bits) / 2;
     }
     for (unsigned a = 0; a < 3; a++) {
         const uint32_t above = (uint32_t)raw[a] - (uint32_t)s->low - 1u;
@@ -231,7 +231,7 @@ INVCAL_APART static void add_any(invcal_rests *s, const int32_t raw[3])
         if (size >= WIDE) {
             s->seen |= WILD;
         }
-        if (size - 1u < s->quantum - 1u) { /* and not 0, which is no change and none as yet */
+        if (size - 1u < s->quantum - 1u) { /* 0 is no change, or none as yet: more than any */
             s->quantum = size;
         }
         s->sum[a] += (uint32_t)raw[a] - (uint32_t)s->first[a];
@@ -286,7 +286,7 @@ static int quantum_level(const invcal_rests *s)
 }
 
 /* Places that differ by less are one. */
-static int resolution_level(const invcal_rests *s)
+INVCAL_APART static int resolution_level(const invcal_rests *s)
 {
     return larger(s->reach + OF_REACH, quantum_level(s) + OF_QUANTUM);
 }
@@ -311,9 +311,9 @@ INVCAL_APART static int follow(int level, int x)
     return larger(x, level - FALL);
 }
 
-/* Is the block quiet? It is judged by the noise so far, and a quiet one adds to that. One that has so
- * much less noise that what came before has moved sets a new level; with so much less still, a rest
- * begins anew. But where there are blocks enough for a position, an odd one changes little. */
+/* Is the block quiet? It is judged by the noise so far, and a quiet one adds to that. One that has
+ * so much less noise that what came before has moved sets the level, and a rest begins anew; but
+ * where there are blocks enough for a position, an odd one changes little. */
 static int learn_noise(invcal_rests *s, int level)
 {
     if (s->noise == NONE) {
@@ -331,9 +331,9 @@ static int learn_noise(invcal_rests *s, int level)
     return 1;
 }
 
-/* A fan is switched on, a table instead of a hand: blocks in a row, not quiet, but of like variance,
- * and each within the noise that they would be made of from where it is expected, which without a
- * rest is where the block before was. Returns 1 when the new level is adopted. */
+/* A fan is switched on, a table instead of a hand: blocks in a row, not quiet, but of like
+ * variance, and closer to where they are expected, which without a rest is where the block before
+ * was, than the noise that they would be made of. Returns 1 when the new level is adopted. */
 static int learn_new_noise(invcal_rests *s, int level, int jump)
 {
     const int d = level - s->other;
@@ -355,8 +355,8 @@ static int learn_new_noise(invcal_rests *s, int level, int jump)
 
 /* ---- the trend of a rest ------------------------------------------------------------------ */
 
-/* The mean from origin; and how far it is from where the rest would have it, which may drift slowly:
- * its trend is followed. */
+/* The mean from origin; returns how far it is from where the rest would have it, which may drift
+ * slowly: its trend is followed. */
 static int locate(const invcal_rests *s, const int32_t from_first[3], int32_t mean[3])
 {
     int32_t expected[3];
@@ -388,29 +388,35 @@ static void add_block(invcal_rests *s, const int32_t mean[3], uint64_t variance)
     s->end = s->time;
     s->rest.variance += variance >> (2 * FINE - 6);
     for (unsigned a = 0; a < 3; a++) {
-        s->flags |= (uint8_t)((s->sum[a] != 0) * CHANGED << a); /* of differences to the first */
+        if (s->sum[a] != 0) { /* of differences to the first sample */
+            s->flags = (uint8_t)(s->flags | (unsigned)CHANGED << a);
+        }
         s->rest.total[a] += shifted(s->rest.pending[0][a], FINE - s->bits);
+        //@ assert -UINT16_MAX * (2 * WIDE << s->bits) <= s->rest.total[a]; // so many at most
+        //@ assert s->rest.total[a] <= UINT16_MAX * (2 * WIDE << s->bits);
         s->rest.pending[0][a] = s->rest.pending[1][a];
         s->rest.pending[1][a] = mean[a];
         s->rest.once[a] += shifted(mean[a] - s->rest.once[a], fade);
+        //@ assert -(2 * WIDE << FINE) < s->rest.once[a] < 2 * WIDE << FINE; // between two that are
         s->rest.twice[a] += shifted(s->rest.once[a] - s->rest.twice[a], fade);
+        //@ assert -(2 * WIDE << FINE) < s->rest.twice[a] < 2 * WIDE << FINE; // as before
     }
 }
 
-/* Does the rest drift? The slope must be beyond chance, as noise and the steps between blocks tell
- * it, and fast, for the noise and for the reach: a sensor that warms up is slower.
+/* Does the rest drift? The slope must be beyond chance, as noise and what a hand wanders tell it, and
+ * fast, for the noise and for the reach: a sensor that warms up is slower.
  *
  * On a slope of one a block `once` and `twice` differ by g: 15 in the end, and a quarter of the
  * number of blocks, within 20 %, until then. Of block means that scatter by v the slope b is known
  * to v / (5.5 g^3), within 30 %, so chance is less than 1e-4 (chi^2 of 24 for three axes) beyond
- * b^2 g^3 = 8 / 5.5 v. A step between two blocks is 2 v, and b^2 more: a quarter of it is taken for
- * v. */
+ * b^2 g^3 = 8 / 5.5 v. What blocks wander from their trend holds the slope too, up to 8 b^2 before
+ * the trend is known: an eighth of it is taken for v. */
 static int is_drifting(const invcal_rests *s)
 {
     const int g = octaves(smaller((uint32_t)s->blocks + TRIM, 60)) - 2 * OCTAVE;
     const int slope = distance(s->rest.once, s->rest.twice) - 2 * g;
     const int speed = slope + 2 * octaves(s->rate) - 2 * OCTAVE * s->bits;
-    const int scatter = larger(s->noise - s->bits * OCTAVE, s->wander - 2 * OCTAVE);
+    const int scatter = larger(s->noise - s->bits * OCTAVE, s->wander - 3 * OCTAVE);
 
     return slope + 3 * g > scatter + BEYOND_CHANCE &&
            speed > larger(s->noise + NOISE_PER_SECOND, s->reach + REACH_PER_SECOND);
@@ -497,8 +503,8 @@ static invcal_event announce(invcal_rests *s)
 
 /* ---- decisions ---------------------------------------------------------------------------- */
 
-/* A knock passes, and what comes behind it is not trusted at once; motion does not; and another place
- * is quiet, but not here. */
+/* A knock passes, and what comes behind it is not trusted at once; motion does not; and another
+ * place is quiet, but not here. */
 static invcal_event disagree(invcal_rests *s, int is_quiet)
 {
     if (!is_quiet) {
@@ -508,6 +514,7 @@ static invcal_event disagree(invcal_rests *s, int is_quiet)
     return s->hold <= (is_quiet ? ELSEWHERE : HOLD) ? INVCAL_MOVING : finish(s);
 }
 
+/* The block belongs to the rest. */
 INVCAL_APART static invcal_event agree(invcal_rests *s, const int32_t mean[3], uint64_t variance)
 {
     s->flags |= s->seen;
@@ -528,12 +535,12 @@ static int is_even(const invcal_rests *s)
     return s->first[0] == s->first[1] && s->first[1] == s->first[2];
 }
 
-/* A block is full. */
+/* A block is full. Is it quiet, and where it is expected? One without any noise, where there has
+ * been some, is not read from the sensor. */
 INVCAL_APART static invcal_event decide(invcal_rests *s)
 {
     int32_t from_first[3];
     int32_t mean[3];
-
     const uint32_t begin = s->time;
 
     drop(s);
@@ -559,17 +566,17 @@ INVCAL_APART static invcal_event decide(invcal_rests *s)
     } else {
         is_quiet = learn_new_noise(s, level, jump);
     }
-    const int near = larger(resolution_level(s),
-                            larger(s->noise + OF_NOISE, s->wander + OF_WANDER));
+    const int limit = larger(resolution_level(s),
+                             larger(s->noise + OF_NOISE, s->wander + OF_WANDER));
     if (s->blocks == -TRIM) {
         s->begin = begin;
         s->flags = 0;
         jump = NONE;
         move_origin(s, from_first, mean);
-    } else if (is_quiet) {
-        s->wander = (uint16_t)follow(s->wander, distance(mean, s->rest.pending[1]));
+    } else if (is_quiet && jump < BEYOND) {
+        s->wander = (uint16_t)follow(s->wander, jump);
     }
-    if (is_quiet && jump <= near) {
+    if (is_quiet && jump <= limit) {
         return agree(s, mean, variance);
     }
     return disagree(s, is_quiet);
@@ -580,7 +587,7 @@ INVCAL_APART static invcal_event decide(invcal_rests *s)
 /* Of the raw samples. */
 static int64_t sum_of(const invcal_rests *s, unsigned a)
 {
-    return s->rest.total[a] + (int64_t)s->origin[a] * (s->blocks << s->bits);
+    return s->rest.total[a] + (int64_t)s->origin[a] * (int64_t)((uint32_t)s->blocks << s->bits);
 }
 
 /* A conversion of 64 bits would be the compiler's, many times as large. */
@@ -697,7 +704,7 @@ int invcal_rests_get(const invcal_rests *rests, invcal_rest *out)
 int invcal_rests_mean(const invcal_rests *rests, invcal_real mean[3])
 {
     INVCAL_ASSERT(rests && mean);
-    const invcal_real count = (invcal_real)(rests->blocks << rests->bits);
+    const invcal_real count = (invcal_real)((uint32_t)rests->blocks << rests->bits);
     for (unsigned a = 0; a < 3 && rests->stage % 2 != 0; a++) {
         const uint64_t total = (uint64_t)rests->rest.total[a];
         const invcal_real high = (invcal_real)as_signed((uint32_t)(total >> 16));

@@ -451,7 +451,7 @@ void invcal_prospect(const invcal_real *raw, unsigned count, const invcal_calibr
  * beginning. What noise is, the stream itself must tell:
  *
  *     noise    variance inside a block of about 1/8 s, a low quantile of all quiet blocks
- *     wander   squared step from block mean to block mean, a low quantile too: a hand holds it
+ *     wander   squared distance of a block mean from the trend, a low quantile too: a hand holds it
  *     quantum  the smallest change of a reading
  *     reach    how far readings have moved from the last rest: the scale of "another place"
  *

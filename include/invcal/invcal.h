@@ -357,14 +357,15 @@ typedef struct {
     uint32_t time;    /* samples in full blocks so far, modulo 2^32 */
     int32_t low;      /* rail, the least that the sensor reads */
     uint32_t between; /* readings between low and the other rail */
-    int32_t blocks;   /* of the rest: summed. It stops growing at 65535, after 1.6 hours */
-    uint32_t begin, end;       /* of them */
-    int32_t origin[3];         /* a place that means of blocks are relative to */
-    int32_t place[3];          /* that of the position taken last; before that, the first sample */
+    int32_t blocks;   /* summed of the rest, up to 65535, after 1.6 hours; -2: none, and the next
+                         two will be pending */
+    uint32_t begin, end; /* of the rest: first block's first sample; behind the newest block */
+    int32_t origin[3];   /* a place that means of blocks are relative to */
+    int32_t place[3];    /* that of the position taken last; before that, the first sample */
     struct {
-        int64_t total[3];      /* sum of the means of the blocks, 1/1024 counts */
-        uint64_t variance;     /* the same of their variances, 1/64 counts^2 */
-        int32_t pending[2][3]; /* means of the newest: not summed, lost if motion follows */
+        int64_t total[3];      /* sums of the samples of the blocks, relative to origin */
+        uint64_t variance;     /* sum over the blocks and the two pending, 1/64 counts^2 */
+        int32_t pending[2][3]; /* means of the newest, 1/1024 counts: lost if motion follows */
         int32_t once[3];       /* fading mean of the means, */
         int32_t twice[3];      /* and fading mean of that mean */
     } rest;

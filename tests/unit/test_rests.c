@@ -681,7 +681,7 @@ static void a_coarse_sensor_is_summed_and_clipped_after_minutes_too(void)
     TEST_ASSERT_EQUAL_UINT(1, b.refused[INVCAL_REST_CLIPPED]);
 }
 
-/* Every mean in this file is compared with its sum; here where an invcal_real does not hold the counts. */
+/* Every mean in this file is compared with its sum; here are counts that no invcal_real holds. */
 static void means_hold_all_bits_there_are(void)
 {
     static const double counts[] = {100, 33102, 16777217.0, 2147483000.0};
