@@ -334,11 +334,11 @@ static int learn_noise(invcal_rests *s, int level)
 /* A fan is switched on, a table instead of a hand: blocks in a row, not quiet, but of like
  * variance, and closer to where they are expected, which without a rest is where the block before
  * was, than the noise that they would be made of. Returns 1 when the new level is adopted. */
-static int learn_new_noise(invcal_rests *s, int level, int jump)
+static int learn_new_noise(invcal_rests *s, int is_quiet, int level, int jump)
 {
     const int d = level - s->other;
 
-    if (d > ALIKE || d < -ALIKE || jump > level) {
+    if (is_quiet || d > ALIKE || d < -ALIKE || jump > level) {
         s->run = 0;
         s->other = (uint16_t)level;
         return 0;
@@ -560,12 +560,7 @@ INVCAL_APART static invcal_event decide(invcal_rests *s)
     const int level = larger(level_of(variance), quantum + HIDDEN);
     int is_quiet = learn_noise(s, level);
     int jump = locate(s, from_first, mean);
-    if (is_quiet) {
-        s->run = 0;
-        s->other = (uint16_t)level;
-    } else {
-        is_quiet = learn_new_noise(s, level, jump);
-    }
+    is_quiet |= learn_new_noise(s, is_quiet, level, jump);
     const int limit = larger(resolution_level(s),
                              larger(s->noise + OF_NOISE, s->wander + OF_WANDER));
     if (s->blocks == -TRIM) {
@@ -587,7 +582,7 @@ INVCAL_APART static invcal_event decide(invcal_rests *s)
 /* Of the raw samples. */
 static int64_t sum_of(const invcal_rests *s, unsigned a)
 {
-    return s->rest.total[a] + (int64_t)s->origin[a] * (int64_t)((uint32_t)s->blocks << s->bits);
+    return s->rest.total[a] + (int64_t)s->origin[a] * (int32_t)((uint32_t)s->blocks << s->bits);
 }
 
 /* A conversion of 64 bits would be the compiler's, many times as large. */
