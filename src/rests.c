@@ -11,10 +11,10 @@
  * Distances and noise are squared, and sums over the three axes, throughout. They are compared as
  * levels, logarithms to base 2: what would be a factor is a difference, and 16 bits hold whatever
  * int32 can bring about. */
-#define OCTAVE 128        /* a factor of 2 */
-#define ONE (32 * OCTAVE) /* the level of 1 count^2 */
-#define NONE 0            /* nothing is known yet: less than any level */
-#define BEYOND INT16_MAX  /* more than any level */
+#define OCTAVE 128            /* a factor of 2 */
+#define ONE (32 * OCTAVE)     /* the level of 1 count^2 */
+#define NONE 0                /* nothing is known yet: less than any level */
+#define BEYOND (127 * OCTAVE) /* more than any level */
 
 /* Times. A block is about 1/8 s: shorter than a move, long enough to hold some samples. */
 enum {
@@ -111,7 +111,7 @@ static uint32_t between(int32_t a, int32_t b)
 static unsigned top_of(uint32_t x)
 {
 /* cppcheck-suppress misra-c2012-20.9 ; of limits.h */
-#if defined(__GNUC__) && UINT_MAX == UINT32_MAX
+#if defined(__GNUC__) && UINT_MAX == UINT32_MAX && !defined(__FRAMAC__)
     return 31u - (unsigned)__builtin_clz(x | 1);
 #else
     unsigned top = 0;
@@ -374,6 +374,12 @@ static int locate(const invcal_rests *s, const int32_t from_first[3], int32_t me
     return larger(jump, distance(mean, expected));
 }
 
+/* A fading mean moves towards x. */
+static int32_t faded(int32_t mean, int32_t x, unsigned fade)
+{
+    return as_signed((uint32_t)mean + (uint32_t)shifted(x - mean, fade));
+}
+
 /* The rest has one block more: what is held back longest is safe now, as no motion came behind it.
  *
  * Brown's double smoothing: a fading mean, and the fading mean of that. On a slope the first lags
@@ -388,6 +394,7 @@ static void add_block(invcal_rests *s, const int32_t mean[3], uint64_t variance)
     s->end = s->time;
     s->rest.variance += variance >> (2 * FINE - 6);
     for (unsigned a = 0; a < 3; a++) {
+        //@ assert -(2 * WIDE << FINE) < mean[a] < 2 * WIDE << FINE; // both parts: see locate
         if (s->sum[a] != 0) { /* of differences to the first sample */
             s->flags = (uint8_t)(s->flags | (unsigned)CHANGED << a);
         }
@@ -396,9 +403,9 @@ static void add_block(invcal_rests *s, const int32_t mean[3], uint64_t variance)
         //@ assert s->rest.total[a] <= UINT16_MAX * (2 * WIDE << s->bits);
         s->rest.pending[0][a] = s->rest.pending[1][a];
         s->rest.pending[1][a] = mean[a];
-        s->rest.once[a] += shifted(mean[a] - s->rest.once[a], fade);
+        s->rest.once[a] = faded(s->rest.once[a], mean[a], fade);
         //@ assert -(2 * WIDE << FINE) < s->rest.once[a] < 2 * WIDE << FINE; // between two that are
-        s->rest.twice[a] += shifted(s->rest.once[a] - s->rest.twice[a], fade);
+        s->rest.twice[a] = faded(s->rest.twice[a], s->rest.once[a], fade);
         //@ assert -(2 * WIDE << FINE) < s->rest.twice[a] < 2 * WIDE << FINE; // as before
     }
 }
