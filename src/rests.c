@@ -410,8 +410,8 @@ static void add_block(invcal_rests *s, const int32_t mean[3], uint64_t variance)
     }
 }
 
-/* Does the rest drift? The slope must be beyond chance, as noise and what a hand wanders tell it, and
- * fast, for the noise and for the reach: a sensor that warms up is slower.
+/* Does the rest drift? The slope must be beyond chance, as noise and what a hand wanders tell it,
+ * and fast, for the noise and for the reach: a sensor that warms up is slower.
  *
  * On a slope of one a block `once` and `twice` differ by g: 15 in the end, and a quarter of the
  * number of blocks, within 20 %, until then. Of block means that scatter by v the slope b is known
