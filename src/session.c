@@ -71,13 +71,9 @@ void invcal_session_hold(invcal_session *session, uint32_t milliseconds)
 /* The reading of the rest that is READY or has been TAKEN just now. */
 static invcal_status read_rest(const invcal_session *session, invcal_real mean[3], invcal_row *row)
 {
-    invcal_rest rest;
-
-    if (!invcal_rests_get(&session->rests, &rest)) {
-        return INVCAL_TOO_FEW;
-    }
-    invcal_rest_mean(&rest, mean);
-    return invcal_observe(&session->nominal, mean, row);
+    return invcal_rests_mean(&session->rests, mean)
+               ? invcal_observe(&session->nominal, mean, row)
+               : INVCAL_TOO_FEW;
 }
 
 /* The table is in the order of taking; where it is full the oldest goes. */
