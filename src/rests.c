@@ -170,7 +170,7 @@ static void skip(invcal_rests *s)
 }
 
 /* There is no rest: the next one is looked for. */
-static void clear(invcal_rests *s)
+static void clear_rest(invcal_rests *s)
 {
     memset(&s->rest, 0, sizeof s->rest);
     s->blocks = -TRIM;
@@ -196,7 +196,7 @@ static void drop(invcal_rests *s)
 static void begin(invcal_rests *s, const int32_t raw[3])
 {
     if (s->stage == LEFT) {
-        clear(s);
+        clear_rest(s);
     }
     s->missing = (uint16_t)samples_of(s);
     memcpy(s->first, raw, sizeof s->first);
@@ -322,7 +322,7 @@ static int learn_noise(invcal_rests *s, int level)
     }
     if (s->blocks < s->least && level < s->noise - FAR_BELOW) {
         s->noise = (uint16_t)level;
-        clear(s);
+        clear_rest(s);
     }
     if (level > s->noise + QUIET) {
         return 0;
@@ -461,7 +461,7 @@ static invcal_status fault(const invcal_rests *s)
     return (s->flags & LOST) != 0 ? INVCAL_REST_GAP : INVCAL_REST_SHORT;
 }
 
-static invcal_event tell(invcal_rests *s, invcal_status why, invcal_event event)
+static invcal_event say(invcal_rests *s, invcal_status why, invcal_event event)
 {
     s->reason = (uint8_t)why;
     return event;
@@ -480,13 +480,13 @@ static invcal_event finish(invcal_rests *s)
     const int is_nothing = s->blocks < s->least / 4 || is_said(s, why);
 
     if (why != INVCAL_OK) {
-        clear(s);
-        return is_nothing ? INVCAL_MOVING : tell(s, why, INVCAL_REFUSED);
+        clear_rest(s);
+        return is_nothing ? INVCAL_MOVING : say(s, why, INVCAL_REFUSED);
     }
     memcpy(s->place, s->origin, sizeof s->place);
     s->taken = 1;
     s->stage = LEFT;
-    return tell(s, why, INVCAL_TAKEN);
+    return say(s, why, INVCAL_TAKEN);
 }
 
 /* Is there news of the rest? It may become long enough, or settle, as long as it goes on. */
@@ -496,8 +496,8 @@ static invcal_event announce(invcal_rests *s)
         s->drift = is_drifting(s) ? s->drift + 1 : 0;
     }
     if (s->drift == DRIFTING) {
-        clear(s);
-        return tell(s, INVCAL_REST_DRIFT, INVCAL_REFUSED);
+        clear_rest(s);
+        return say(s, INVCAL_REST_DRIFT, INVCAL_REFUSED);
     }
     const invcal_status why = fault(s);
     if (s->stage == HELD || is_said(s, why) || why == INVCAL_REST_DRIFT ||
@@ -505,7 +505,7 @@ static invcal_event announce(invcal_rests *s)
         return INVCAL_SETTLING;
     }
     s->stage = why == INVCAL_OK ? HELD : DISMISSED;
-    return tell(s, why, why == INVCAL_OK ? INVCAL_READY : INVCAL_REFUSED);
+    return say(s, why, why == INVCAL_OK ? INVCAL_READY : INVCAL_REFUSED);
 }
 
 /* ---- decisions ---------------------------------------------------------------------------- */
@@ -560,7 +560,7 @@ INVCAL_APART static invcal_event decide(invcal_rests *s)
     if (variance == 0 && (s->noise > quantum || is_even(s))) {
         s->run++;
         if (s->run >= FREEZE && s->reason != INVCAL_REST_FROZEN) {
-            return tell(s, INVCAL_REST_FROZEN, INVCAL_REFUSED);
+            return say(s, INVCAL_REST_FROZEN, INVCAL_REFUSED);
         }
         return disagree(s, 0);
     }
@@ -615,7 +615,7 @@ invcal_status invcal_rests_init(invcal_rests *rests, unsigned rate)
     rests->least = LEAST;
     invcal_rests_hold(rests, SHORTEST);
     rests->least = (uint8_t)rests->dwell;
-    clear(rests);
+    clear_rest(rests);
     return invcal_rests_rails(rests, INT32_MIN, INT32_MAX);
 }
 
