@@ -377,15 +377,20 @@ typedef struct {
  * means are in counts: by one with which all of them are readings (invcal_bad_reading, expert.h).
  * invcal_session_is_good looks at it when the next position is taken. */
 typedef struct {
-    invcal_calibration nominal;                /* what it began with */
-    invcal_real noise;                         /* stated, over field; 0: not known */
-    invcal_real mean[INVCAL_MAX_POSITIONS][3]; /* raw counts, in the order they were taken */
+    /* what lasts: store.h */
+    uint32_t layout;                           /* of this, to be told from another build's */
     uint32_t hold;                             /* milliseconds, as stated; 0: as short as can be */
+    int32_t low, high;                         /* rails */
+    uint32_t rate;                             /* samples per second */
     uint8_t count;                             /* of the means */
     uint8_t last;                              /* the last event that was not INVCAL_NOTHING */
     uint8_t reason;                            /* of INVCAL_REFUSED, an invcal_status */
     uint8_t good;                              /* internal: is_good, as known by now */
-    invcal_rests rests;                        /* the detector */
+    invcal_calibration nominal;                /* what it began with */
+    invcal_real noise;                         /* stated, over field; 0: not known */
+    invcal_real mean[INVCAL_MAX_POSITIONS][3]; /* raw counts, in the order they were taken */
+    /* what does not */
+    invcal_rests rests; /* the detector */
 } invcal_session;
 
 /* Begins a session for a sensor whose zero is 0 and whose axes have one scale.
