@@ -1,31 +1,45 @@
 /* SPDX-License-Identifier: MIT */
-#include <stddef.h>
+#include "arbitrary.h"
+#include "invcal/store.h"
 
-#include "driver.h"
+// stubs: store session
 
-// eva: -eva-precision 0 -eva-slevel 60 -eva-split-return auto
-
-static invcal_session session;
-
-/* What was put back is anything, of any length. */
-static void resume(void)
+invcal_status invcal_store_load(const invcal_store *store, uint8_t *bytes, uint32_t capacity,
+                                uint32_t *size)
 {
-    ANY(session);
-    (void)invcal_session_resume(&session, any_u32());
+    (void)store->slot_size;
+    *size = BETWEEN(1, capacity);
+    Frama_C_make_unknown((char *)bytes, capacity);
+    return (invcal_status)BETWEEN(INVCAL_OK, INVCAL_IO);
 }
 
-static void keep(void)
+invcal_status invcal_store_save(const invcal_store *store, const uint8_t *bytes, uint32_t size)
 {
-    const invcal_store store = {any_read, any_erase, any_program, NULL, 1024, 8};
+    (void)store->slot_size;
+    (void)bytes[BETWEEN(0, size - 1)];
+    return (invcal_status)BETWEEN(INVCAL_OK, INVCAL_IO);
+}
 
-    ANY(session);
-    session.count = (uint8_t)BETWEEN(0, INVCAL_MAX_POSITIONS);
-    (void)invcal_save_session(&store, &session);
-    (void)invcal_load_session(&store, &session);
+uint32_t invcal_session_size(const invcal_session *session)
+{
+    (void)session->count;
+    return BETWEEN(1, INVCAL_SESSION_SIZE);
+}
+
+invcal_status invcal_session_resume(invcal_session *session, uint32_t size)
+{
+    (void)size;
+    ANY(*session);
+    return (invcal_status)BETWEEN(INVCAL_OK, INVCAL_IO);
 }
 
 void main(void)
 {
-    resume();
-    keep();
+    invcal_session session;
+    invcal_store store;
+
+    ANY(store);
+    ANY(session);
+    (void)invcal_save_session(&store, &session);
+    (void)invcal_load_session(&store, &session);
 }
