@@ -201,9 +201,9 @@ fuzz: ## fuzzers of the library and the tool with sanitizers (SECONDS=60 each, D
 	$(call need,clang-19)
 	$(Q)DOUBLE="$(DOUBLE)" KEEP="$(KEEP)" sh tests/fuzz.sh $(BUILD) $(SECONDS)
 
-proof: ## no undefined behaviour in src/, proved by Frama-C/Eva (ROOMS=..., DOUBLE=1, INT16=1)
+proof: ## no undefined behaviour in src/, proved by Frama-C/Eva (MODULES=..., DOUBLE=1, INT16=1)
 	$(call need,frama-c)
-	$(Q)DOUBLE="$(DOUBLE)" INT16="$(INT16)" sh tests/proof.sh $(BUILD) $(ROOMS)
+	$(Q)DOUBLE="$(DOUBLE)" INT16="$(INT16)" sh tests/proof.sh $(BUILD) $(MODULES)
 
 schema: $(BUILD)/invcal ## what the tool prints as JSON, against port/host/schema.json
 	$(call need,python3)

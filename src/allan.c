@@ -132,7 +132,7 @@ void invcal_allan_push(invcal_allan *allan, int32_t raw)
         if (at << t != samples) {
             break; /* nor do longer strides end here */
         }
-        if (at >= 2 * lag && tau->count < UINT32_MAX && !(allan->is_apart && at % lag != 0)) {
+        if (at >= 2 * lag && tau->count < UINT32_MAX && (!allan->is_apart || at % lag == 0)) {
             add_difference(tau, total, lag, at);
         }
         tau->past[at % RING] = total;

@@ -21,6 +21,7 @@ invcal_status invcal_background_init(invcal_background *background,
 /* Those behind it move up. */
 static void drop_position(invcal_background *b, unsigned i)
 {
+    //@ split i;
     b->session.count--;
     b->session.good = 0; /* to be judged anew */
     for (; i < b->session.count; i++) {

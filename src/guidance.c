@@ -8,9 +8,9 @@
 #include "vector.h"
 
 #define RIDGE INVCAL_REAL(1e-5)       /* over the trace and 10: between weak and good */
-#define ACROSS INVCAL_REAL(0.0078125)     /* to turn right over costs 1/64 of what it tells */
-#define THE_SAME INVCAL_REAL(0.9)         /* cosine of 26 degrees: closer is the same position again */
-#define CLEARLY INVCAL_REAL(1.001)        /* of directions that differ by less, the first counts */
+#define ACROSS INVCAL_REAL(0.0078125) /* to turn right over costs 1/64 of what it tells */
+#define THE_SAME INVCAL_REAL(0.9)     /* cosine of 26 degrees: closer is the same position again */
+#define CLEARLY INVCAL_REAL(1.001)    /* of directions that differ by less, the first counts */
 
 enum { DIRECTIONS = 27 }; /* and none in their middle */
 

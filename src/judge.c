@@ -182,7 +182,9 @@ void invcal_judge_parameters(const invcal_real k[INVCAL_PARAMETERS], const invca
         q->sigma[r] = q->noise * INVCAL_SQRT(k[r]);
     }
     q->weak = (uint16_t)weak;
-    q->verdict = (uint8_t)(weak > 0 ? INVCAL_WEAK : q->dof > 0 ? INVCAL_GOOD : INVCAL_NO_REDUNDANCY);
+    q->verdict = (uint8_t)(weak > 0     ? INVCAL_WEAK
+                           : q->dof > 0 ? INVCAL_GOOD
+                                        : INVCAL_NO_REDUNDANCY);
 }
 
 /* tr A^-1: the squares of all elements of L^-1. */

@@ -39,7 +39,7 @@ invcal_status invcal_determine(invcal_real *a, unsigned rows, invcal_real k[INVC
 /* ---- the steps of a judgement ------------------------------------------------------------------ */
 
 #define INVCAL_WEAK_K INVCAL_REAL(100.0)   /* square of 10. Above: usable only within its sigma */
-#define INVCAL_HOPELESS_K INVCAL_REAL(1e6) /* square of 1000. Above: refused */
+#define INVCAL_HOPELESS_K INVCAL_REAL(1e6) /* square of 1000, all nine K together. Above: refused */
 
 /* Of calibrated lengths, each less 1. */
 typedef struct {

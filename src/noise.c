@@ -65,8 +65,12 @@ static void collect(const invcal_allan *a, curve *c)
         if (invcal_allan_get(a, k, &p) != INVCAL_OK || !(p.edf >= EDF_MIN) || !(p.adev > 0)) {
             continue;
         }
-        c->first = c->count > 0 ? c->first : p;
-        c->lowest = c->count > 0 && p.adev >= c->lowest.adev ? c->lowest : p;
+        if (c->count == 0) {
+            c->first = p;
+        }
+        if (c->count == 0 || p.adev < c->lowest.adev) {
+            c->lowest = p;
+        }
         c->last = p;
         const invcal_real ratio = p.adev / c->first.adev;
         c->tau[c->count] = (invcal_real)p.m / (invcal_real)c->first.m;

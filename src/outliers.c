@@ -5,9 +5,9 @@
 #include "sums.h"
 #include "vector.h"
 
-#define LEVEL INVCAL_REAL(0.0075)      /* false alarms: about one data set in a hundred */
-#define RIVAL_LEVEL INVCAL_REAL(0.06)  /* nearly as good as the best: not less likely than this */
-#define SLACK INVCAL_REAL(1e-4)        /* of det H'H: with less left nothing checks the group */
+#define LEVEL INVCAL_REAL(0.0075)     /* false alarms: about one data set in a hundred */
+#define RIVAL_LEVEL INVCAL_REAL(0.06) /* nearly as good as the best: not less likely than this */
+#define SLACK INVCAL_REAL(1e-4)       /* of det H'H: with less left nothing checks the group */
 #define PI INVCAL_REAL(3.14159265358979324)
 #define ROUNDED (256 * INVCAL_EPSILON) /* of the squares: to less they cannot be taken down */
 

@@ -56,6 +56,16 @@ static invcal_status factor_with(const invcal_real *told, unsigned rows, const p
     return invcal_factor(l, INVCAL_PARAMETERS, rows, INVCAL_EPSILON);
 }
 
+/* The same of the nine alone to L^-1. */
+static invcal_status invert_with(const invcal_real *told, const prior_sigma *prior,
+                                 invcal_real *noise, invcal_real *l)
+{
+    const invcal_status status = factor_with(told, INVCAL_PARAMETERS, prior, noise, l);
+
+    invcal_invert(l, INVCAL_PARAMETERS); /* of whatever is there: nobody looks at it on failure */
+    return status;
+}
+
 /* The share of parameter r that the data told, 0 ... 1: 1 - posterior / prior variance. */
 static invcal_real told_by_data(const prior_sigma *prior, unsigned r, invcal_real noise,
                                 invcal_real k)
@@ -78,21 +88,19 @@ INVCAL_APART static invcal_status judge_with(const invcal_positions *positions,
     invcal_real trace = 0;
     unsigned bits = 0;
 
-    invcal_status status = factor_with(information, INVCAL_PARAMETERS, prior, &noise, l);
+    invcal_status status = invert_with(information, prior, &noise, l);
+    if (status == INVCAL_OK) {
+        for (unsigned r = 0; r < INVCAL_PARAMETERS; r++) {
+            dof -= told_by_data(prior, r, noise, invcal_variance(l, INVCAL_PARAMETERS, r));
+        }
+        invcal_judge_noise(positions->noise,
+                           information[INVCAL_PACKED(INVCAL_PARAMETERS, INVCAL_PARAMETERS)], dof,
+                           q);
+        status = invert_with(information, prior, &q->noise, l);
+    }
     if (status != INVCAL_OK) {
         return status;
     }
-    invcal_invert(l, INVCAL_PARAMETERS);
-    for (unsigned r = 0; r < INVCAL_PARAMETERS; r++) {
-        dof -= told_by_data(prior, r, noise, invcal_variance(l, INVCAL_PARAMETERS, r));
-    }
-    invcal_judge_noise(positions->noise,
-                       information[INVCAL_PACKED(INVCAL_PARAMETERS, INVCAL_PARAMETERS)], dof, q);
-    status = factor_with(information, INVCAL_PARAMETERS, prior, &q->noise, l);
-    if (status != INVCAL_OK) {
-        return status;
-    }
-    invcal_invert(l, INVCAL_PARAMETERS);
     for (unsigned r = 0; r < INVCAL_PARAMETERS; r++) {
         k[r] = invcal_variance(l, INVCAL_PARAMETERS, r);
         if (!(prior->sigma[r] > 0 || k[r] <= INVCAL_HOPELESS_K)) {

@@ -3,7 +3,7 @@
 
 #include "guidance.h"
 
-#define HELD INVCAL_REAL(0.1) /* share of a parameter that the ridge holds; above: it is open */
+#define RIDGED INVCAL_REAL(0.1) /* share of a parameter that the ridge holds; above: it is open */
 
 unsigned invcal_bad_reading(const invcal_real *raw, unsigned count,
                             const invcal_calibration *nominal)
@@ -31,7 +31,7 @@ uint16_t invcal_undetermined(const invcal_real *raw, unsigned count,
     const invcal_real ridge = invcal_ridged_inverse(&sums);
     for (unsigned r = 0; r < INVCAL_PARAMETERS; r++) {
         const invcal_real k = invcal_variance(sums.sum, INVCAL_PARAMETERS, r);
-        open |= (ridge * k <= HELD ? 0u : 1u) << r;
+        open |= (ridge * k <= RIDGED ? 0u : 1u) << r;
     }
     return (uint16_t)open;
 }

@@ -1,7 +1,9 @@
 /* SPDX-License-Identifier: MIT */
+#include <stddef.h>
 #include <string.h>
 
 #include "guidance.h"
+#include "invcal/store.h"
 #include "judge.h"
 #include "solve.h"
 #include "status.h"
@@ -12,24 +14,42 @@
 enum { DOF = 3 };                    /* residuals to spare before sigma is believed */
 enum { NOT_ASKED, NOT_GOOD, GOOD };  /* session->good */
 
+/* Before the means, and what tells that from another layout, number type or order of bytes. */
+#define HEAD ((uint32_t)offsetof(invcal_session, mean))
+#define LAYOUT (UINT32_C(0xC5030000) + (uint32_t)sizeof(invcal_real) * 256u + HEAD)
+
 /* ---- settings --------------------------------------------------------------------------------- */
+
+/* The first that writes, and only if it accepts. */
+static invcal_status begin_stream(invcal_session *session, const invcal_calibration *nominal,
+                                  unsigned rate)
+{
+    invcal_status status = invcal_nominal_check(nominal);
+    if (status == INVCAL_OK) {
+        status = invcal_rests_init(&session->rests, rate);
+    }
+    if (status == INVCAL_OK) {
+        session->last = INVCAL_MOVING;
+        session->reason = INVCAL_OK;
+        session->good = NOT_ASKED;
+    }
+    return status;
+}
 
 invcal_status invcal_session_begin(invcal_session *session, const invcal_calibration *nominal,
                                    unsigned rate)
 {
     INVCAL_ASSERT(session && nominal);
-    invcal_status status = invcal_nominal_check(nominal);
-    if (status == INVCAL_OK) { /* the first that writes, and only if it accepts */
-        status = invcal_rests_init(&session->rests, rate);
-    }
+    const invcal_status status = begin_stream(session, nominal, rate);
     if (status == INVCAL_OK) {
+        session->layout = LAYOUT;
+        session->hold = 0;
+        session->low = INT32_MIN;
+        session->high = INT32_MAX;
+        session->rate = rate;
+        session->count = 0;
         session->nominal = *nominal;
         session->noise = 0;
-        session->hold = 0;
-        session->count = 0;
-        session->last = INVCAL_MOVING;
-        session->reason = INVCAL_OK;
-        session->good = NOT_ASKED;
     }
     return status;
 }
@@ -45,7 +65,12 @@ invcal_status invcal_session_init(invcal_session *session, invcal_real counts, u
 invcal_status invcal_session_rails(invcal_session *session, int32_t low, int32_t high)
 {
     INVCAL_ASSERT(session);
-    return invcal_rests_rails(&session->rests, low, high);
+    const invcal_status status = invcal_rests_rails(&session->rests, low, high);
+    if (status == INVCAL_OK) {
+        session->low = low;
+        session->high = high;
+    }
+    return status;
 }
 
 invcal_status invcal_session_noise(invcal_session *session, invcal_real noise)
@@ -66,18 +91,44 @@ void invcal_session_hold(invcal_session *session, uint32_t milliseconds)
     invcal_rests_hold(&session->rests, milliseconds);
 }
 
+/* ---- after a reset ----------------------------------------------------------------------------- */
+
+uint32_t invcal_session_size(const invcal_session *session)
+{
+    INVCAL_ASSERT(session && session->count <= INVCAL_MAX_POSITIONS);
+    return HEAD + (uint32_t)sizeof session->mean[0] * session->count;
+}
+
+invcal_status invcal_session_resume(invcal_session *session, uint32_t size)
+{
+    INVCAL_ASSERT(session);
+    if (size < HEAD || session->layout != LAYOUT) {
+        return INVCAL_OTHER_VERSION;
+    }
+    if (session->count > INVCAL_MAX_POSITIONS || size != invcal_session_size(session)) {
+        return INVCAL_DAMAGED;
+    }
+    if (!(session->noise >= 0 && session->noise < 1)) {
+        return INVCAL_BAD_NOISE;
+    }
+    invcal_status status = begin_stream(session, &session->nominal, (unsigned)session->rate);
+    if (status == INVCAL_OK) {
+        status = invcal_rests_rails(&session->rests, session->low, session->high);
+    }
+    if (status == INVCAL_OK) {
+        invcal_rests_hold(&session->rests, session->hold);
+    }
+    return status;
+}
+
 /* ---- samples ---------------------------------------------------------------------------------- */
 
 /* The reading of the rest that is READY or has been TAKEN just now. */
 static invcal_status read_rest(const invcal_session *session, invcal_real mean[3], invcal_row *row)
 {
-    invcal_rest rest;
-
-    if (!invcal_rests_get(&session->rests, &rest)) {
-        return INVCAL_TOO_FEW;
-    }
-    invcal_rest_mean(&rest, mean);
-    return invcal_observe(&session->nominal, mean, row);
+    return invcal_rests_mean(&session->rests, mean)
+               ? invcal_observe(&session->nominal, mean, row)
+               : INVCAL_TOO_FEW;
 }
 
 /* The table is in the order of taking; where it is full the oldest goes. */
@@ -188,10 +239,10 @@ int invcal_session_is_at(const invcal_session *session, const invcal_real up[3])
     invcal_row row;
 
     INVCAL_ASSERT(session && up);
-    if (session->count == 0 ||
-        invcal_observe(&session->nominal, session->mean[session->count - 1], &row) != INVCAL_OK) {
+    if (session->count == 0) {
         return 0;
     }
+    (void)invcal_observe(&session->nominal, session->mean[session->count - 1], &row); /* accepted */
     return invcal_dot3(row.h, up) >= CLOSE * INVCAL_SQRT(invcal_dot3(row.h, row.h));
 }
 

@@ -8,7 +8,7 @@
 #include "vector.h"
 
 /* Of ten: no semi-axis is shorter than 1/10 of nominal, or of another one; the centre is within 10. */
-#define LARGEST INVCAL_REAL(10.0)
+#define LONGEST INVCAL_REAL(10.0)
 #define SQUARE INVCAL_REAL(100.0)
 enum { STEPS = 12 }; /* of Newton's iteration: semi-axes from 0.1 to 10 take ten */
 
@@ -131,8 +131,8 @@ invcal_status invcal_triad(const invcal_real x[INVCAL_PARAMETERS], invcal_calibr
     invcal_inverse3(p, triad->matrix);
     for (unsigned i = 0; i < 3; i++) {
         triad->offset[i] = x[i];
-        is_triad &= p[i][i] > 0 && p[i][i] < LARGEST && triad->matrix[i][i] > 0 &&
-                    triad->matrix[i][i] < LARGEST && INVCAL_FABS(x[i]) < LARGEST;
+        is_triad &= p[i][i] > 0 && p[i][i] < LONGEST && triad->matrix[i][i] > 0 &&
+                    triad->matrix[i][i] < LONGEST && INVCAL_FABS(x[i]) < LONGEST;
     }
     return is_triad ? INVCAL_OK : INVCAL_NOT_ELLIPSOID;
 }

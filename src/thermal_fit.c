@@ -28,9 +28,9 @@ typedef struct {
     invcal_real held[UNKNOWNS]; /* 1 / standard deviation of the prior; 0: none */
     invcal_real loosest;        /* the smallest of them above 0 */
     int has_prior;              /* are there any? */
-    int is_judged;              /* the rows are the slopes at the solution, not those that find it */
-    invcal_real min, max;       /* temperatures */
-    invcal_thermal now;         /* what the rows are made with */
+    int is_judged;        /* the rows are the slopes at the solution, not those that find it */
+    invcal_real min, max; /* temperatures */
+    invcal_thermal now;   /* what the rows are made with */
     invcal_residuals residuals; /* of that */
     invcal_quality q;           /* of that */
     invcal_real squares;        /* weighted, of the residuals */
@@ -168,6 +168,7 @@ static invcal_thermal_fallback try_degree(job *j, unsigned degree, invcal_status
 {
     const unsigned n = (degree + 1) * NINE;
     const invcal_real noise = j->noise;
+    //@ split n;
 
     *status = INVCAL_TOO_FEW;
     if (j->positions->count < count_open(j, 0, n, 0)) {
@@ -218,6 +219,7 @@ static void turn(invcal_real m[3][3])
 static invcal_status compose(const job *j, invcal_real t, invcal_real x[INVCAL_PARAMETERS])
 {
     const unsigned degree = j->now.fitted;
+    //@ split degree;
     invcal_calibration first;
     invcal_calibration c;
     invcal_real work[INVCAL_WORK];
@@ -287,6 +289,7 @@ static invcal_status improve(job *j, unsigned degree)
     if (status != INVCAL_OK) {
         return status;
     }
+    //@ split now->fitted;
     const int is_new = now->fitted >= now->degree; /* else slopes are kept, and where they hold */
     now->min = is_new || j->min < now->min ? j->min : now->min;
     now->max = is_new || j->max > now->max ? j->max : now->max;
@@ -305,6 +308,7 @@ static invcal_status weigh(job *j)
     const unsigned n = (j->now.fitted + 1u) * NINE;
     invcal_real dof = (invcal_real)j->positions->count - (invcal_real)n;
 
+    //@ split n;
     j->is_judged = 1;
     invcal_status status = solve_to(j, n);
     if (status != INVCAL_OK) {
@@ -320,7 +324,7 @@ static invcal_status weigh(job *j)
         status = solve_to(j, n);
         j->q.noise = j->noise;
     }
-    if (status == INVCAL_OK) {
+    if (status == INVCAL_OK) { /* uncovered: more noise makes a prior hold more, never less */
         status = invcal_residuals_end(&j->residuals);
     }
     invcal_judge_residuals(&j->residuals, &j->q);
@@ -332,6 +336,7 @@ static invcal_real variance_at(const job *j, invcal_real t, unsigned r)
 {
     invcal_real sum = 0;
 
+    //@ split j->now.fitted;
     for (unsigned i = r; i < (j->now.fitted + 1u) * NINE; i++) {
         invcal_real y = 0;
         for (unsigned a = (i - r) / NINE + 1; a-- > 0;) {
@@ -470,8 +475,7 @@ static invcal_status run(job *j, unsigned degree, invcal_thermal *out, invcal_qu
     if (status == INVCAL_OK) {
         *out = j->now;
     }
-    return status == INVCAL_NOT_FINITE || status == INVCAL_OUT_OF_RANGE ? INVCAL_NOT_ELLIPSOID
-                                                                        : status;
+    return status == INVCAL_OUT_OF_RANGE ? INVCAL_NOT_ELLIPSOID : status;
 }
 
 invcal_status invcal_thermal_fit(const invcal_thermal_positions *positions,

@@ -88,7 +88,6 @@ static invcal_status read_thermal(const uint8_t *bytes, uint32_t size, invcal_th
     }
     const int is_old = bytes[1] == THERMAL_OLDEST;
     const unsigned record_size = is_old ? INVCAL_RECORD_SIZE_MAX : INVCAL_RECORD_SIZE;
-    const uint8_t *behind = bytes + RECORD_AT + record_size;
     status = check_length(bytes, RECORD_AT + record_size);
     if (status == INVCAL_OK) {
         status = invcal_record_decode(bytes + RECORD_AT, record_size, &r->record);
@@ -96,6 +95,7 @@ static invcal_status read_thermal(const uint8_t *bytes, uint32_t size, invcal_th
     if (status != INVCAL_OK) {
         return status;
     }
+    const uint8_t *behind = bytes + RECORD_AT + record_size;
     memset(&r->thermal, 0, sizeof r->thermal);
     r->thermal.degree = behind[0];
     r->thermal.fitted = behind[1];

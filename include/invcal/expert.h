@@ -455,7 +455,7 @@ void invcal_prospect(const invcal_real *raw, unsigned count, const invcal_calibr
  * beginning. What noise is, the stream itself must tell:
  *
  *     noise    variance inside a block of about 1/8 s, a low quantile of all quiet blocks
- *     wander   squared step from block mean to block mean, a low quantile too: a hand holds it
+ *     wander   squared distance of a block mean from the trend, a low quantile too: a hand holds it
  *     quantum  the smallest change of a reading
  *     reach    how far readings have moved from the last rest: the scale of "another place"
  *
@@ -538,10 +538,9 @@ invcal_status invcal_rests_reason(const invcal_rests *rests);
  * one just TAKEN, until the next sample. Returns 1; 0, out untouched, if there is neither. */
 int invcal_rests_get(const invcal_rests *rests, invcal_rest *out);
 
-/* The mean of the samples: sum / count in whole counts and a fraction, so nothing that an
- * invcal_real can hold is lost to the size of the sum. 0 for a rest with no samples, or a sum that
- * so many int32 do not have. */
-void invcal_rest_mean(const invcal_rest *rest, invcal_real mean[3]);
+/* The mean of its samples alone: the first one's whole counts and what they differ by, so nothing is
+ * lost to the size of the sum. Within 1 ulp of the largest reading; returns as invcal_rests_get. */
+int invcal_rests_mean(const invcal_rests *rests, invcal_real mean[3]);
 
 /* ---- in the background -------------------------------------------------------------------------
  *

@@ -335,52 +335,62 @@ typedef enum {
 
 /* Internal: the detector of rests (expert.h). What is called a level is a logarithm, see rests.c. */
 typedef struct {
-    uint8_t stage, reason, flags, seen, pended, skip, hold, drift, run, frozen, seek; /* rests.c */
-    uint8_t bits;     /* a block has 1 << bits samples */
+    uint8_t stage, flags, hold, drift; /* of the rest that is looked for, see rests.c */
+    uint8_t skip;     /* quiet blocks to be passed over before it begins */
+    uint8_t reason;   /* of what was refused last */
+    uint8_t taken;    /* there has been a position: `place` is one */
+    uint8_t seen;     /* of the block */
+    uint8_t run;      /* blocks in a row of another noise level, or of none */
     uint8_t least;    /* blocks that make a position, however short the time to hold */
     uint16_t dwell;   /* the same with it */
     uint16_t rate;    /* samples per second */
-    int16_t pace;     /* level of (blocks per second)^2 */
-    int16_t noise;    /* level, learned from the stream, see above; 0: nothing is known yet */
-    int16_t wander;   /* and this */
-    int16_t reach;    /* and this */
-    int16_t other;    /* another noise level in the making */
-    uint16_t span;    /* twice what differences may be to be added quickly; 0: none */
-    uint16_t blocks;  /* of the candidate: committed. It stops growing at 65535, after 1.6 hours */
-    uint16_t lag;     /* of `once` behind a slope of one a block, 1/256 blocks */
-    uint16_t spread;  /* and of `twice` behind `once` */
-    uint32_t missing; /* samples until the block is full; 0: the next begins another */
+    uint16_t noise;   /* level, learned from the stream, see above; 0: nothing is known yet */
+    uint16_t wander;  /* and this */
+    uint16_t reach;   /* and this */
+    uint16_t other;   /* another noise level in the making */
+    uint16_t bits;    /* a block has 1 << bits samples */
+    uint16_t missing; /* samples until it is full; 0: the next begins another */
+    uint32_t span;    /* twice what differences may be to be added quickly; 0: none */
+    int32_t first[3]; /* sample of the block, */
+    uint32_t sum[3];  /* sums of the differences to it, modulo 2^32, */
+    uint32_t square;  /* and of their squares, the three axes together; its overflow */
+    uint32_t carry;   /* counts here */
     uint32_t quantum; /* smallest change ever seen inside a block, counts; 0: none as yet */
     uint32_t time;    /* samples in full blocks so far, modulo 2^32 */
     int32_t low;      /* rail, the least that the sensor reads */
     uint32_t between; /* readings between low and the other rail */
-    uint32_t begin, end;   /* of the blocks committed */
-    int32_t first[3];      /* sample of the block being filled */
-    uint32_t sum[3];       /* sums of the differences to it, modulo 2^32 */
-    uint32_t square;       /* and of their squares, the three axes together, modulo 2^32 */
-    uint32_t carry;        /* how often that square has overflowed */
-    int32_t origin[3];     /* a place that means of blocks are relative to */
-    int32_t once[3];       /* fading mean of the candidate's block means, 1/256 counts */
-    int32_t twice[3];      /* and fading mean of that mean */
-    int32_t place[3];      /* mean of the position taken last; before that, the first sample */
-    int64_t total[3];      /* sum of the blocks committed, relative to origin */
-    int32_t pending[2][3]; /* sums of the newest quiet blocks: lost if motion follows */
-    uint64_t variance;     /* sum over the candidate's blocks, 1/64 counts^2 */
+    int32_t blocks;   /* summed of the rest, up to 65535, after 1.6 hours; -2: none, and the next
+                         two will be pending */
+    uint32_t begin, end; /* of the rest: first block's first sample; behind the newest block */
+    int32_t origin[3];   /* a place that means of blocks are relative to */
+    int32_t place[3];    /* that of the position taken last; before that, the first sample */
+    struct {
+        int64_t total[3];      /* sums of the samples of the blocks, relative to origin */
+        uint64_t variance;     /* sum over the blocks and the two pending, 1/64 counts^2 */
+        int32_t pending[2][3]; /* means of the newest, 1/1024 counts: lost if motion follows */
+        int32_t once[3];       /* fading mean of the means, */
+        int32_t twice[3];      /* and fading mean of that mean */
+    } rest;
 } invcal_rests;
 
 /* A session: 552 bytes (float, 24 positions). mean and count may be read. nominal may be replaced, as
  * means are in counts: by one with which all of them are readings (invcal_bad_reading, expert.h).
  * invcal_session_is_good looks at it when the next position is taken. */
 typedef struct {
-    invcal_calibration nominal;                /* what it began with */
-    invcal_real noise;                         /* stated, over field; 0: not known */
-    invcal_real mean[INVCAL_MAX_POSITIONS][3]; /* raw counts, in the order they were taken */
+    /* what lasts: store.h */
+    uint32_t layout;                           /* of this, to be told from another build's */
     uint32_t hold;                             /* milliseconds, as stated; 0: as short as can be */
+    int32_t low, high;                         /* rails */
+    uint32_t rate;                             /* samples per second */
     uint8_t count;                             /* of the means */
     uint8_t last;                              /* the last event that was not INVCAL_NOTHING */
     uint8_t reason;                            /* of INVCAL_REFUSED, an invcal_status */
     uint8_t good;                              /* internal: is_good, as known by now */
-    invcal_rests rests;                        /* the detector */
+    invcal_calibration nominal;                /* what it began with */
+    invcal_real noise;                         /* stated, over field; 0: not known */
+    invcal_real mean[INVCAL_MAX_POSITIONS][3]; /* raw counts, in the order they were taken */
+    /* what does not */
+    invcal_rests rests; /* the detector */
 } invcal_session;
 
 /* Begins a session for a sensor whose zero is 0 and whose axes have one scale.

@@ -6,12 +6,13 @@
  *     save, load      a calibration, or a session to go on with: what most programs need
  *     store           the same for any bytes, safe against power loss; how they stand in the slots
  *     record          a calibration with all that is known about it, as 136 bytes
- *     session bytes   a session, as 76 bytes and 12 for each position
  *
  * invcal.h states the rules and units.
  */
 #ifndef INVCAL_STORE_H
 #define INVCAL_STORE_H
+
+#include <stddef.h>
 
 #include "invcal/invcal.h"
 
@@ -24,7 +25,7 @@ extern "C" {
 #define invcal_record_init INVCAL_CHOSEN(invcal_record_init, 9)
 #define invcal_record_decode INVCAL_CHOSEN(invcal_record_decode, 9)
 #define invcal_load_session INVCAL_CHOSEN(invcal_load_session, INVCAL_MAX_POSITIONS)
-#define invcal_session_decode INVCAL_CHOSEN(invcal_session_decode, INVCAL_MAX_POSITIONS)
+#define invcal_session_resume INVCAL_CHOSEN(invcal_session_resume, INVCAL_MAX_POSITIONS)
 
 /* ---- the memory -----------------------------------------------------------------------------------
  *
@@ -81,15 +82,14 @@ invcal_status invcal_save(const invcal_store *store, const invcal_calibration *c
  * INVCAL_OTHER_VERSION: it holds something else. Stack: about 500 bytes. */
 invcal_status invcal_load(const invcal_store *store, invcal_calibration *calibration);
 
-/* Saves a session: all that it was told and has taken, not what it knows of the stream.
+/* Saves what lasts of a session: see invcal_session_size.
  *
- * Returns INVCAL_OK; as invcal_store_save; as invcal_session_encode, of what no session is.
- * Stack: about 600 bytes. */
+ * Returns as invcal_store_save. Stack as that. */
 invcal_status invcal_save_session(const invcal_store *store, const invcal_session *session);
 
-/* Loads it, to go on with a stream that begins. On failure the session is as it was.
+/* Loads it, to go on with a stream that begins. If anything fails, begin the session anew.
  *
- * Returns INVCAL_OK; as invcal_store_load; as invcal_session_decode. Stack: about 600 bytes. */
+ * Returns as invcal_store_load, then as invcal_session_resume. Stack as these. */
 invcal_status invcal_load_session(const invcal_store *store, invcal_session *session);
 
 /* ---- the store: any bytes ------------------------------------------------------------------------
@@ -158,28 +158,22 @@ invcal_status invcal_store_load(const invcal_store *store, uint8_t *bytes, uint3
  * something. Stack as above. */
 invcal_status invcal_store_erase(const invcal_store *store);
 
-/* ---- what the bytes are ------------------------------------------------------------------------
- *
- * Records and sessions are the same on every machine: integers with the least significant byte
- * first, signed ones in two's complement; reals as IEEE-754 binary32 in the same order, whatever
- * invcal_real is. A float build loses nothing. A double build keeps 24 bits of each number, an error
- * of 6e-8 of the value (0.002 counts of an offset of 33000); encoded again, what was decoded gives
- * the same bytes: storing it more often loses nothing more.
- *
- * Both begin with their kind, their version (now 2) and their length, and end with the CRC-32 (IEEE
- * 802.3, as zlib) of all before it. What later versions may change: everything but that. So any
- * version can tell sound bytes of another one from damaged ones. Any change of the rest, be it one
- * more verdict, gets another version, and what a release has written of a calibration is read by all
- * that follow.
- *
- * Damage is noticed for sure if it is one to four wrong bits (in a record; one to three in a
- * session), any run of up to 32 wrong bits, or any two bytes exchanged; else, one time in 2^32 it
- * goes unnoticed. */
-
 /* ---- the record of a calibration ---------------------------------------------------------------
  *
  * For those who want to store more than invcal_save does: which sensor, when, at what temperature;
- * or to send it.
+ * or to send it. It is the same on every machine: integers with the least significant byte first;
+ * reals as IEEE-754 binary32 in the same order, whatever invcal_real is. A float build loses nothing.
+ * A double build keeps 24 bits of each number, an error of 6e-8 of the value (0.002 counts of an
+ * offset of 33000); encoded again, what was decoded gives the same bytes: storing it more often loses
+ * nothing more.
+ *
+ * It begins with its kind, its version (now 2) and its length, and ends with the CRC-32 (IEEE 802.3, as
+ * zlib) of all before it. What later versions may change: everything but that. So any version can tell
+ * sound bytes of another one from damaged ones. Any change of the rest, be it one more verdict, gets
+ * another version, and what a release has written is read by all that follow.
+ *
+ * Damage is noticed for sure if it is one to four wrong bits, any run of up to 32 wrong bits, or any two
+ * bytes exchanged; else, one time in 2^32 it goes unnoticed.
  *
  *     at    size  what                         at    size  what
  *       0   1     kind, 0xCA                    28   4     field_sigma
@@ -246,52 +240,34 @@ invcal_status invcal_record_encode(const invcal_record *record, uint8_t bytes[IN
  * Stack as above. */
 invcal_status invcal_record_decode(const uint8_t *bytes, uint32_t size, invcal_record *out);
 
-/* ---- the bytes of a session ----------------------------------------------------------------------
+/* ---- what lasts of a session ---------------------------------------------------------------------
  *
- * Kept is all that a session was told and has taken. Not kept is what it knows of the stream: a rest
- * that was going on is lost, noise is learned anew, and who lies where the last position was taken
- * may see it taken once more, which does no harm.
+ * All that it was told and has taken stands at the beginning of the structure. What it knows of the
+ * stream stands behind: a rest that was going on is lost, noise is learned anew, and who lies where
+ * the last position was taken may see it taken once more, which does no harm.
  *
- *     at    size  what                         at        size  what
- *       0   1     kind, 0xC5                    20       12    nominal offset x, y, z
- *       1   1     version, 2                    32       36    nominal matrix by rows
- *       2   2     length                        68       4     noise
- *       4   2     C, count                      72       12 C  means: x, y, z
- *       6   2     rate                          72 + 12 C  4   CRC
- *       8   4     hold
- *      12   4     low, signed
- *      16   4     high, signed
- *
- * Version 1, of release 0.1.0, was another procedure, and is not read: INVCAL_OTHER_VERSION. */
-#define INVCAL_SESSION_SIZE (76u + 12u * INVCAL_MAX_POSITIONS) /* bytes of a session, at most */
+ * These bytes are the device's own: another number type, order of bytes or version of the library
+ * refuses them. A table of another size takes them if they fit. Those of release 0.1.0 are refused, as
+ * its procedure was another one. */
+#define INVCAL_SESSION_SIZE                                                                        \
+    ((uint32_t)(offsetof(invcal_session, mean) +                                                   \
+                3 * INVCAL_MAX_POSITIONS * sizeof(invcal_real))) /* bytes at most */
 
-/* A session as bytes.
- *
- * size  out: how many bytes it takes.
- *
- * Returns INVCAL_OK: invcal_session_decode accepts the bytes. Anything else comes only of a session
- * that was never begun, or from a double build, of a number that has left its range when it was
- * rounded to float. What was in bytes and size is lost then:
- *   INVCAL_BAD_NOMINAL, INVCAL_BAD_NOISE    the nominal calibration, the noise;
- *   INVCAL_NOT_FINITE, INVCAL_OUT_OF_RANGE  a mean is no reading of the field.
- * Stack: about 250 bytes. */
-invcal_status invcal_session_encode(const invcal_session *session,
-                                    uint8_t bytes[INVCAL_SESSION_SIZE], uint32_t *size);
+/* How many bytes of a session, from its beginning, last. Who has other means than an invcal_store keeps
+ * these. */
+uint32_t invcal_session_size(const invcal_session *session);
 
-/* A session from bytes, at any alignment. It goes on with a stream that begins.
+/* Goes on with a session whose first bytes have been put back, and a stream that begins. If it fails,
+ * begin the session anew.
  *
- * size  how many bytes there are; what follows the session is not looked at. The ages of an
- *       invcal_background (expert.h) may be stored there: they are not part of its session.
+ * size  how many bytes were put back.
  *
- * Returns INVCAL_OK: it could have come from invcal_session_begin and the functions that follow it;
- *   INVCAL_DAMAGED        too few bytes, a wrong CRC, or a length that does not fit the count;
- *   INVCAL_OTHER_VERSION  sound, but not of this kind and version;
- *   INVCAL_NO_SPACE       more positions than INVCAL_MAX_POSITIONS of this build. A larger table
- *                         reads a smaller one;
- *   INVCAL_BAD_NOMINAL, INVCAL_BAD_RATE, INVCAL_BAD_RAILS, INVCAL_BAD_NOISE, INVCAL_NOT_FINITE,
- *   INVCAL_OUT_OF_RANGE   a content that no session has.
- * Stack: about 250 bytes. */
-invcal_status invcal_session_decode(const uint8_t *bytes, uint32_t size, invcal_session *out);
+ * Returns INVCAL_OK;
+ *   INVCAL_OTHER_VERSION  they are not what a build like this has kept;
+ *   INVCAL_DAMAGED        nor are they as long as their table;
+ *   INVCAL_BAD_NOMINAL, INVCAL_BAD_RATE, INVCAL_BAD_RAILS, INVCAL_BAD_NOISE    a content that no
+ *   session has. The means are not looked at: any that is no reading is refused by what solves. */
+invcal_status invcal_session_resume(invcal_session *session, uint32_t size);
 
 #ifdef __cplusplus
 }

@@ -53,9 +53,8 @@ int rests_take(positions *p, const invcal_rest *rest, double unit, const recordi
                                     place.drift};
     double mean[3];
 
-    invcal_rest_mean(rest, mean);
     for (unsigned i = 0; i < 3; i++) {
-        mean[i] *= unit;
+        mean[i] = (double)rest->sum[i] / rest->count * unit;
         p->noise_square[i] += rest->variance * unit * unit / rest->count;
     }
     return positions_add(p, mean, &origin);

@@ -24,11 +24,11 @@ all: $(NAMES:%=$(OUT)/fuzz-%)
 
 $(OUT)/library/%.o: %.c
 	@mkdir -p $(@D)
-	$(CC) $(FLAGS) -fsanitize=fuzzer-no-link -DINVCAL_DOUBLE=$(DOUBLE) -MMD -c $< -o $@
+	$(CC) $(FLAGS) -fsanitize=fuzzer-no-link -DINVCAL_DOUBLE=$(DOUBLE) -MMD -MP -c $< -o $@
 
 $(OUT)/tool/%.o: %.c
 	@mkdir -p $(@D)
-	$(CC) $(FLAGS) -fsanitize=fuzzer-no-link $(if $(filter tests/%,$<),,$(TOOL)) -MMD -c $< -o $@
+	$(CC) $(FLAGS) -fsanitize=fuzzer-no-link $(if $(filter tests/%,$<),,$(TOOL)) -MMD -MP -c $< -o $@
 
 $(OUT)/fuzz-%: $(OUT)/library/tests/fuzz/%.o $(LIBRARY_OBJECTS)
 	$(CC) $(FLAGS) -fsanitize=fuzzer $^ -lm -o $@

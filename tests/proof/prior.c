@@ -27,6 +27,6 @@ void main(void)
     ANY(prior);
     ANY(noise);
     (void)invcal_calibrate_with_prior(NULL, 0, &nominal, noise, prior, &out, &quality, &from_prior);
-    (void)invcal_calibrate_with_prior(raw, BETWEEN(1, COUNT), &nominal, noise, prior, &out, &quality,
-                                      &from_prior);
+    (void)invcal_calibrate_with_prior(raw, BETWEEN(1, COUNT), &nominal, noise, prior, &out,
+                                      &quality, &from_prior);
 }

@@ -4,7 +4,7 @@
 #include "history_rests.h"
 
 // eva: -eva-precision 0 -eva-auto-loop-unroll 32 -eva-slevel 40
-// trusted: 5
+// trusted: 6
 
 static void begin(unsigned bits)
 {
@@ -54,18 +54,18 @@ static void look(unsigned bits)
 {
     invcal_rests rests;
     invcal_rest rest;
+    invcal_real mean[3];
 
     any_rests(&rests, bits);
     invcal_rests_progress(&rests);
     invcal_rests_reason(&rests);
     invcal_rests_get(&rests, &rest);
+    invcal_rests_mean(&rests, mean);
 }
 
 void main(void)
 {
     invcal_rests rests;
-    invcal_rest rest;
-    invcal_real mean[3];
 
     (void)invcal_rests_init(&rests, BETWEEN(0, UINT_MAX));
     //@ loop unroll 9;
@@ -76,6 +76,4 @@ void main(void)
         finish(bits);
         look(bits);
     }
-    ANY(rest);
-    invcal_rest_mean(&rest, mean);
 }

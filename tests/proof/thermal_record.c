@@ -1,13 +1,68 @@
 /* SPDX-License-Identifier: MIT */
 #include "arbitrary.h"
 #include "invcal/thermal.h"
+#include "solve.h"
 
-// eva: -eva-precision 0 -eva-auto-loop-unroll 128 -eva-slevel 200 -eva-slevel-merge-after-loop @all -eva-slevel-function invcal_crc32:0
-// eva: -eva-split-return-function invcal_unseal:0,read_thermal:0,check_length:0,check_thermal:0,invcal_record_encode:0,read_record:0,invcal_nominal_check:0
+// eva: -eva-precision 0 -eva-auto-loop-unroll 128 -eva-slevel 200 -eva-slevel-merge-after-loop @all -eva-slevel-function invcal_crc32:0 -eva-split-return full
+// stubs: record solve nominal
 // config: -DINVCAL_THERMAL_DEGREE=0
 // config: -DINVCAL_THERMAL_DEGREE=2
 
-enum { BEHIND = INVCAL_RECORD_SIZE_MAX - INVCAL_RECORD_SIZE, LARGEST = INVCAL_THERMAL_RECORD_BYTES(255u) + BEHIND };
+enum {
+    BEHIND = INVCAL_RECORD_SIZE_MAX - INVCAL_RECORD_SIZE,
+    LARGEST = INVCAL_THERMAL_RECORD_BYTES(255u) + BEHIND
+};
+
+/* ---- what other modules do -------------------------------------------------------------------- */
+
+void invcal_record_init(invcal_record *record, const invcal_calibration *calibration,
+                        const invcal_quality *quality)
+{
+    (void)calibration->matrix[2][2];
+    (void)quality->verdict;
+    ANY(*record);
+}
+
+invcal_status invcal_record_encode(const invcal_record *record, uint8_t bytes[INVCAL_RECORD_SIZE])
+{
+    (void)record->temperature_known;
+    Frama_C_make_unknown((char *)bytes, INVCAL_RECORD_SIZE);
+    return BETWEEN(0, 1) ? INVCAL_OK : INVCAL_DAMAGED;
+}
+
+invcal_status invcal_record_decode(const uint8_t *bytes, uint32_t size, invcal_record *out)
+{
+    (void)bytes[size - 1];
+    if (BETWEEN(0, 1)) {
+        ANY(*out);
+        return INVCAL_OK;
+    }
+    return INVCAL_DAMAGED;
+}
+
+invcal_status invcal_behind(const invcal_calibration *nominal, invcal_calibration *c)
+{
+    (void)nominal->matrix[2][2];
+    (void)c->matrix[2][2];
+    ANY(*c);
+    return BETWEEN(0, 1) ? INVCAL_OK : INVCAL_BAD_NOMINAL;
+}
+
+/* Whatever X is. */
+invcal_status invcal_triad(const invcal_real x[INVCAL_PARAMETERS], invcal_calibration *triad)
+{
+    (void)x[INVCAL_PARAMETERS - 1];
+    ANY(*triad);
+    return BETWEEN(0, 1) ? INVCAL_OK : INVCAL_NOT_ELLIPSOID;
+}
+
+invcal_status invcal_nominal_check(const invcal_calibration *nominal)
+{
+    (void)nominal->matrix[2][2];
+    return BETWEEN(0, 1) ? INVCAL_OK : INVCAL_BAD_NOMINAL;
+}
+
+/* ---- the record ------------------------------------------------------------------------------- */
 
 /* From a buffer of exactly so many bytes, of any version, that state a length (its lower byte from
  * range[0] to range[1], its upper one from range[2] to range[3]) and, where version `version` has it,
@@ -32,6 +87,19 @@ static void decode(uint32_t size, const unsigned range[4], unsigned version, uns
     (void)invcal_thermal_record_decode(bytes, size, &record);
 }
 
+/* The same for all lengths of a range below 512; those that are there apart from those that are not. */
+static void decode_lengths(uint32_t size, unsigned low, unsigned high, unsigned version)
+{
+    while (low <= high) {
+        unsigned last = low | 255;
+        last = last > size && low <= size ? size : last;
+        last = last < high ? last : high;
+        const unsigned range[4] = {low % 256, last % 256, low / 256, low / 256};
+        decode(size, range, version, 0, 255);
+        low = last + 1;
+    }
+}
+
 /* The length of each degree that this build reads, with any degree; and all other lengths. */
 static void decode_version(uint32_t size, unsigned version)
 {
@@ -40,17 +108,15 @@ static void decode_version(uint32_t size, unsigned version)
 
     for (unsigned degree = 0; degree <= INVCAL_THERMAL_DEGREE; degree++) {
         const unsigned length = INVCAL_THERMAL_RECORD_BYTES(degree) + more;
-        const unsigned between[4] = {next, length % 256 - 1, length / 256, length / 256};
         const unsigned exact[4] = {length % 256, length % 256, length / 256, length / 256};
-        decode(size, between, version, 0, 255);
+        decode_lengths(size, next, length - 1, version);
         for (unsigned stated = 0; stated <= INVCAL_THERMAL_DEGREE; stated++) {
             decode(size, exact, version, stated, stated);
         }
         decode(size, exact, version, INVCAL_THERMAL_DEGREE + 1, 255);
-        next = length % 256 + 1;
+        next = length + 1;
     }
-    decode(size, (const unsigned[4]){0, 255, 0, 0}, version, 0, 255);
-    decode(size, (const unsigned[4]){next, 255, 1, 1}, version, 0, 255);
+    decode_lengths(size, next, 511, version);
     decode(size, (const unsigned[4]){0, 255, 2, 255}, version, 0, 255);
 }
 

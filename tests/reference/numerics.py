@@ -26,7 +26,7 @@ HARDEST = (290, 106, 111, 256, 70)  # of 300 chunks the nearest to the bounds: a
 MPMATH = 100  # one problem in so many is solved with mpmath too,
 CONDITION = 20  # and in so many its bound is compared with the condition
 AGAIN = 5  # one in so many is solved once more with its calibration as nominal
-HOPELESS = 1e6  # (sigma / noise)^2 above it is refused
+HOPELESS = 1e6  # the sum of the nine (sigma / noise)^2: above it is refused
 HIGHEST = 1e6  # what the bounds are stated up to
 WIDEST = 10  # a bound wider than this times the largest loss says nothing
 
@@ -258,10 +258,12 @@ class Exact:
         return condition_of(self.information, self.covariance, 8)
 
     def highest(self):
-        """The bound of the condition, and that of the sums before the calibration; the largest K."""
+        """The bound of the condition, and that of the sums before the calibration; the larger of
+        the traces of both K."""
         before = self.in_nominal_units
-        bound = max(self.bound, trace(before) * trace(inverse(before)))
-        return float(bound), float(max(self.covariance[r][r] for r in range(9)))
+        k_before = trace(inverse(before))
+        bound = max(self.bound, trace(before) * k_before)
+        return float(bound), float(max(trace(self.covariance), k_before))
 
     def variance(self, x, first):
         n = len(x)

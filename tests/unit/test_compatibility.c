@@ -22,7 +22,7 @@ void tearDown(void)
 
 /* ---- what was written ---------------------------------------------------------------------------- */
 
-enum { TABLE = 24, PRESENT = 2 };
+enum { PRESENT = 2 };
 
 typedef struct {
     const char *name;
@@ -52,13 +52,7 @@ typedef struct {
     const uint8_t *bytes;
     uint32_t size;
     struct {
-        unsigned version; /* 1: nothing else is told */
-        unsigned rate, count;
-        uint32_t hold;
-        int32_t low, high;
-        invcal_calibration nominal;
-        invcal_real noise;
-        invcal_real mean[TABLE][3];
+        unsigned version;
     } is;
 } stored_session;
 
@@ -173,45 +167,16 @@ static void thermal_records_of_every_release_are_read(void)
     }
 }
 
-static void is_session(const stored_session *old, const invcal_session *session)
-{
-    TEST_ASSERT_EQUAL_UINT_MESSAGE(old->is.rate, session->rests.rate, old->name);
-    TEST_ASSERT_EQUAL_INT32_MESSAGE(old->is.low, session->rests.low, old->name);
-    TEST_ASSERT_EQUAL_UINT32_MESSAGE((int64_t)old->is.high - old->is.low - 1,
-                                     session->rests.between, old->name);
-    TEST_ASSERT_EQUAL_UINT32_MESSAGE(old->is.hold, session->hold, old->name);
-    TEST_ASSERT_EQUAL_UINT_MESSAGE(old->is.count, session->count, old->name);
-    same_calibration(&old->is.nominal, &session->nominal, old->name);
-    same(&old->is.noise, &session->noise, 1, old->name);
-    same(&old->is.mean[0][0], &session->mean[0][0], 3 * old->is.count, old->name);
-}
-
-/* The procedure of 0.1.0 was another one: its sessions are told from damaged ones, and refused. */
-static void sessions_of_this_procedure_are_read_and_can_be_solved(void)
+/* The procedure of 0.1.0 was another one: its sessions are known, and refused. */
+static void sessions_of_earlier_releases_are_refused_by_name(void)
 {
     for (unsigned i = 0; i < COUNT(sessions); i++) {
         static invcal_session session; /* large for a stack */
         const stored_session *old = &sessions[i];
-        const invcal_status expected = old->is.version < PRESENT              ? INVCAL_OTHER_VERSION
-                                       : old->is.count > INVCAL_MAX_POSITIONS ? INVCAL_NO_SPACE
-                                                                              : INVCAL_OK;
-        uint8_t bytes[INVCAL_SESSION_SIZE];
-        uint32_t size = 0;
-        invcal_calibration calibration;
-        invcal_quality quality;
+        const uint32_t size = old->size < INVCAL_SESSION_SIZE ? old->size : INVCAL_SESSION_SIZE;
 
-        TEST_ASSERT_EQUAL_MESSAGE(expected, invcal_session_decode(old->bytes, old->size, &session),
-                                  old->name);
-        if (expected != INVCAL_OK) {
-            continue;
-        }
-        is_session(old, &session);
-        TEST_ASSERT_EQUAL_MESSAGE(INVCAL_OK, invcal_session_encode(&session, bytes, &size),
-                                  old->name);
-        TEST_ASSERT_EQUAL_UINT32_MESSAGE(old->size, size, old->name);
-        same_bytes(old->bytes, bytes, size, old->name);
-        TEST_ASSERT_EQUAL_MESSAGE(old->is.count > 0 ? INVCAL_OK : INVCAL_TOO_FEW,
-                                  invcal_session_solve(&session, &calibration, &quality),
+        memcpy(&session, old->bytes, size);
+        TEST_ASSERT_EQUAL_MESSAGE(INVCAL_OTHER_VERSION, invcal_session_resume(&session, size),
                                   old->name);
     }
 }
@@ -270,7 +235,7 @@ int main(void)
     UNITY_BEGIN();
     RUN_TEST(records_of_every_release_are_read);
     RUN_TEST(thermal_records_of_every_release_are_read);
-    RUN_TEST(sessions_of_this_procedure_are_read_and_can_be_solved);
+    RUN_TEST(sessions_of_earlier_releases_are_refused_by_name);
     RUN_TEST(the_latest_calibration_is_found_in_a_flash_of_every_release);
     return UNITY_END();
 }

@@ -77,6 +77,26 @@ static void what_a_prior_holds_is_never_hopeless(void)
     }
 }
 
+/* A prior of many fields says nothing, and the noise that it would be resolved beside is no noise of a
+ * reading: what it alone holds is weak, however often it is solved. */
+static void a_prior_wider_than_reason_is_weak(void)
+{
+    static const double wide[9] = {0, 0, 0, 0, 0, 0, 1e8, 1e8, 1e8};
+    random_source random = random_start(6);
+    const triad_truth truth = triad_random(&random, 0.01);
+    reading_set set;
+    outcome o;
+
+    if (INVCAL_DOUBLE) {
+        TEST_IGNORE_MESSAGE("double tells so wide a prior from nothing known, and refuses");
+    }
+    read_positions(&truth, faces, 6, 1e-4, &random, &set);
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, calibrate(&set, 1e-4, wide, &o));
+    TEST_ASSERT_EQUAL_INT(INVCAL_WEAK, o.quality.verdict);
+    TEST_ASSERT_EQUAL_HEX16(0x1C0, o.from_prior & 0x1C0);
+    TEST_ASSERT_TRUE((double)o.quality.noise >= 1);
+}
+
 /* What a prior is silent about, and the positions too, is refused as ever. */
 static void what_no_prior_holds_may_be_hopeless(void)
 {
@@ -92,6 +112,44 @@ static void what_no_prior_holds_may_be_hopeless(void)
     }
     set.count = 12;
     TEST_ASSERT_EQUAL_INT(INVCAL_UNDETERMINED, calibrate(&set, 1e-4, of_offsets, &o));
+}
+
+/* Six faces and edges that show gamma_xy by `tilt` only, which no prior holds: at some tilt it is no
+ * more than rounding, once in the first pass, once in the second. Either is a refusal. */
+static void what_hardly_shows_is_solved_or_refused_as_open(void)
+{
+    static const double of_offsets[9] = {0.01, 0.01, 0.01, 0, 0, 0, 0, 0, 0};
+    double directions[12][3];
+    const triad_truth truth = {{0.001, 0, 0, 0.002, 0, 0, 0, 0, 0.003}};
+    random_source unused = random_start(0);
+    unsigned solved = 0;
+    reading_set set;
+    outcome o;
+    outcome before;
+
+    for (unsigned step = 0; step < SOME(4000); step++) {
+        const double tilt = pow(10, -5 + 4 * (double)step / SOME(4000));
+        memcpy(directions, faces, sizeof faces);
+        for (unsigned i = 6; i < 12; i++) {
+            const double a = i % 2 ? 1 : -1;
+            const double edge[3][3] = {{a, 0, 1}, {0, a, 1}, {1, a * tilt, 0}};
+            const double length = length3(edge[i % 3]);
+            for (unsigned k = 0; k < 3; k++) {
+                directions[i][k] = edge[i % 3][k] / length;
+            }
+        }
+        read_positions(&truth, directions, 12, 0, &unused, &set);
+        memset(&o, 7, sizeof o);
+        before = o;
+        const invcal_status status = calibrate(&set, 1e-7, of_offsets, &o);
+        if (status == INVCAL_OK) {
+            solved++;
+        } else {
+            TEST_ASSERT_EQUAL_INT(INVCAL_UNDETERMINED, status);
+            TEST_ASSERT_EQUAL_MEMORY(&before, &o, sizeof o);
+        }
+    }
+    TEST_ASSERT_TRUE(solved > SOME(4000) / 4 && solved < SOME(4000));
 }
 
 /* Residuals larger than the stated noise make the prior count for more, never for less. */
@@ -324,7 +382,9 @@ int main(void)
     UNITY_BEGIN();
     RUN_TEST(a_partial_prior_needs_as_many_positions_as_it_leaves_open);
     RUN_TEST(what_a_prior_holds_is_never_hopeless);
+    RUN_TEST(a_prior_wider_than_reason_is_weak);
     RUN_TEST(what_no_prior_holds_may_be_hopeless);
+    RUN_TEST(what_hardly_shows_is_solved_or_refused_as_open);
     RUN_TEST(a_prior_is_weighed_against_the_noise_that_is_there);
     RUN_TEST(noise_seen_shrinks_like_noise_stated);
     RUN_TEST(what_a_prior_tells_leaves_degrees_of_freedom);

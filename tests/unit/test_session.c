@@ -758,6 +758,9 @@ static void unusable_settings_are_refused_by_name_and_nothing_is_written(void)
     TEST_ASSERT_EQUAL_INT(INVCAL_BAD_NOMINAL, invcal_session_init(&session, (invcal_real)NAN, 100));
     TEST_ASSERT_EQUAL_INT(INVCAL_BAD_RATE, invcal_session_init(&session, 16384, 0));
     TEST_ASSERT_EQUAL_MEMORY(&before, &session, sizeof session);
+    memset(&b.room, 0x5A, sizeof b.room);
+    TEST_ASSERT_EQUAL_INT(INVCAL_BAD_RATE, invcal_background_init(&b.room, &good, 7));
+    TEST_ASSERT_EACH_EQUAL_HEX8(0x5A, &b.room, sizeof b.room);
 
     TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_session_init(&session, 16384, 100));
     before = session;

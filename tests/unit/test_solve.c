@@ -3,6 +3,7 @@
 #include <string.h>
 
 #include "expected.h"
+#include "solve.h"
 #include "support.h"
 #include "unity.h"
 
@@ -332,6 +333,19 @@ static void a_nominal_without_an_inverse_is_refused(void)
     }
 }
 
+/* Newton's iteration halves what is far above 1 at each step: it ends before a flat matrix does. */
+static void a_matrix_of_no_triad_ends_as_well(void)
+{
+    invcal_real a[3][3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, (invcal_real)1e-6}};
+    invcal_real work[INVCAL_WORK];
+
+    invcal_make_symmetric(a, work);
+    for (unsigned i = 0; i < 9; i++) {
+        TEST_ASSERT_TRUE(isfinite(a[i / 3][i % 3]));
+    }
+    TEST_ASSERT_TRUE(fabs((double)a[2][2]) > 1e-4); /* not yet 1e-6: no result */
+}
+
 static void unreal_sums_are_refused(void)
 {
     random_source random = random_start(9);
@@ -401,6 +415,7 @@ int main(void)
     RUN_TEST(the_solution_may_take_the_place_of_nominal);
     RUN_TEST(fewer_than_nine_positions_are_too_few);
     RUN_TEST(a_nominal_without_an_inverse_is_refused);
+    RUN_TEST(a_matrix_of_no_triad_ends_as_well);
     RUN_TEST(unreal_sums_are_refused);
     RUN_TEST(semi_axes_beyond_their_limits_are_no_triads);
     return UNITY_END() != 0;

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include <string.h>
 
+#include "status.h"
 #include "support.h"
 #include "unity.h"
 
@@ -46,6 +47,16 @@ static void an_unknown_status_has_a_text_too(void)
     TEST_ASSERT_EQUAL_STRING("unknown verdict", invcal_verdict_text((invcal_verdict)3));
 }
 
+/* A mean that is no number was refused for the same reason as one that is too large. */
+static void any_other_refusal_is_a_reading_far_from_the_field(void)
+{
+    const char *far_away = invcal_refusal_text(INVCAL_OUT_OF_RANGE);
+
+    TEST_ASSERT_EQUAL_STRING(far_away, invcal_refusal_text(INVCAL_NOT_FINITE));
+    TEST_ASSERT_EQUAL_STRING(far_away, invcal_refusal_text(INVCAL_STATUS_COUNT));
+    TEST_ASSERT_TRUE(strcmp(far_away, invcal_refusal_text(INVCAL_REST_SAME)) != 0);
+}
+
 static void parameters_are_named_in_the_order_of_the_paper(void)
 {
     static const char *const name[] = {"delta_x", "delta_y",  "delta_z",  "dk_x",     "dk_y",
@@ -70,6 +81,7 @@ int main(void)
     RUN_TEST(every_status_has_a_text_of_its_own);
     RUN_TEST(a_text_belongs_to_its_status);
     RUN_TEST(an_unknown_status_has_a_text_too);
+    RUN_TEST(any_other_refusal_is_a_reading_far_from_the_field);
     RUN_TEST(parameters_are_named_in_the_order_of_the_paper);
     RUN_TEST(verdicts_are_named_as_in_the_report);
     return UNITY_END() != 0;

@@ -1017,6 +1017,28 @@ static void renewing_at_one_temperature_keeps_the_slopes_and_the_range(void)
     TEST_ASSERT_EQUAL_INT(INVCAL_THERMAL_AS_ASKED, found.fallback); /* no slopes were wanted */
 }
 
+/* Where what is kept holds grows with what is seen. */
+static void renewing_beyond_the_range_widens_it(void)
+{
+    static const double at[2] = {-40, 95};
+    const sensor s = straight(1);
+    random_source random = random_start(18);
+
+    if (DEGREE < 1) {
+        TEST_IGNORE_MESSAGE("needs degree 1");
+    }
+    take_three(&s, 1e-5, &random);
+    fit_all(1e-4, 25, 45, DEGREE);
+    for (int i = 0; i < 2; i++) {
+        all.count = 0;
+        take(&s, at[i], PLAN, 1e-5, &random);
+        const invcal_thermal_positions p = positions(1e-4);
+        TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_thermal_fit(&p, NULL, &found, 0, &found, &quality));
+        TEST_ASSERT_EQUAL_UINT(DEGREE, found.degree);
+        TEST_ASSERT_TRUE((double)found.min == -40 && (double)found.max == (i == 0 ? 70 : 95));
+    }
+}
+
 static void temperatures_beyond_two_spans_are_refused(void)
 {
     const sensor s = straight(0);
@@ -1267,6 +1289,19 @@ static void an_angle_that_hardly_shows_is_refused_unless_a_prior_holds_it(void)
     TEST_ASSERT_DOUBLE_WITHIN(0.02 * both, both, (double)quality.sigma[INVCAL_GAMMA_XY]);
 }
 
+/* However much wider than the noise it is: alone it is never hopeless. */
+static void what_only_a_prior_tells_has_its_sigma(void)
+{
+    invcal_thermal_prior prior = nothing_known;
+
+    take_with_a_hidden_angle(0);
+    hold(&prior, 0, INVCAL_GAMMA_XY, 0.01);
+    const invcal_thermal base = centred();
+    fit_with_prior(1e-6, &prior, &base);
+    TEST_ASSERT_EQUAL_HEX16(1u << INVCAL_GAMMA_XY, from_prior(&prior));
+    TEST_ASSERT_DOUBLE_WITHIN(2e-4, 0.01, (double)quality.sigma[INVCAL_GAMMA_XY]);
+}
+
 /* sqrt(K) of gamma_xy is 1 / (2 tilt) = 1700, 1000 the limit. */
 static void a_prior_on_one_parameter_is_none_on_another(void)
 {
@@ -1290,6 +1325,21 @@ static void a_prior_that_nothing_can_be_reconciled_with_is_refused(void)
     take(&s, 25, PLAN, 6e-3, &random);
     calibrate_all(1e-5);
     assert_refused_with_prior(INVCAL_NOT_ELLIPSOID, 1e-5, &prior);
+}
+
+/* Lengths of 0.7 and 1.3: a sphere goes between them, but no sensor reads like that. */
+static void readings_of_two_fields_are_refused_though_a_prior_solves_them(void)
+{
+    const sensor s = straight(0);
+    const invcal_thermal_prior prior = equal_prior(1e-3);
+    random_source random = random_start(27);
+
+    all.count = 0;
+    take(&s, 25, PLAN, 0, &random);
+    for (unsigned i = 0; i < 3 * all.count; i++) {
+        all.raw[i] *= (i / 3) % 2 ? INVCAL_REAL(0.7) : INVCAL_REAL(1.3);
+    }
+    assert_refused_with_prior(INVCAL_NOT_ELLIPSOID, 0.5, &prior);
 }
 
 /* A base whose x axis is 5 times the nominal one, and readings that are 3 times as long still. */
@@ -1440,6 +1490,7 @@ int main(void)
     RUN_TEST(noise_as_large_as_the_field_leaves_everything_to_the_prior);
     RUN_TEST(a_prior_that_is_none_or_has_no_noise_is_refused);
     RUN_TEST(renewing_at_one_temperature_keeps_the_slopes_and_the_range);
+    RUN_TEST(renewing_beyond_the_range_widens_it);
     RUN_TEST(temperatures_beyond_two_spans_are_refused);
     RUN_TEST(the_range_is_that_of_the_temperatures_in_any_order);
     RUN_TEST(the_order_of_the_positions_does_not_matter);
@@ -1449,8 +1500,10 @@ int main(void)
     RUN_TEST(a_reading_that_is_absurd_once_it_is_calibrated_is_refused);
     RUN_TEST(what_is_no_ellipsoid_at_some_temperature_is_refused);
     RUN_TEST(a_plane_with_noise_is_undetermined_rather_than_no_ellipsoid);
+    RUN_TEST(what_only_a_prior_tells_has_its_sigma);
     RUN_TEST(an_angle_that_hardly_shows_is_refused_unless_a_prior_holds_it);
     RUN_TEST(a_prior_on_one_parameter_is_none_on_another);
+    RUN_TEST(readings_of_two_fields_are_refused_though_a_prior_solves_them);
     RUN_TEST(a_prior_that_nothing_can_be_reconciled_with_is_refused);
     RUN_TEST(semi_axes_beyond_their_limits_are_refused_together);
     RUN_TEST(what_cannot_be_judged_is_refused_and_the_quality_left_alone);

@@ -67,35 +67,6 @@ def thermal(degree):
                  b"".join(struct.pack("<9f", *row) for row in x))
 
 
-# ---- sessions --------------------------------------------------------------------------------------
-
-def session(count, noise, hold, low, high):
-    """Readings all over the sphere: a spiral."""
-    golden = 2.399963229728653 # angle, rad
-    means = b""
-    for i in range(count):
-        z = 1 - (2 * i + 1) / count
-        sine, cosine = sin_cos(golden * i)
-        up = [(1 - z * z) ** 0.5 * cosine, (1 - z * z) ** 0.5 * sine, z]
-        means += struct.pack("<3f", *[130 * (k + 1) + 4096 * (1 + 0.01 * k) * up[k] for k in range(3)])
-    nominal = [[2.44e-4, 1e-7, 2e-7], [3e-7, 2.43e-4, 4e-7], [5e-7, 6e-7, 2.45e-4]]
-    return frame(0xC5, struct.pack("<HHIii", count, 50, hold, low, high) +
-                 calibration([120.5, 250.25, 380.75], nominal) + struct.pack("<f", noise) + means)
-
-
-def sin_cos(angle):
-    """Of a Taylor series, which is the same everywhere; libm is not."""
-    part, sine, cosine = 1.0, 0.0, 0.0
-    angle = angle % 6.283185307179586
-    for n in range(40):
-        if n % 2:
-            sine += part if n % 4 == 1 else -part
-        else:
-            cosine += part if n % 4 == 0 else -part
-        part *= angle / (n + 1)
-    return sine, cosine
-
-
 # ---- a flash ---------------------------------------------------------------------------------------
 
 def slot(sequence, content, granularity=8):
@@ -117,9 +88,6 @@ def main():
     show("record_cold", record(temperature=None))
     for degree in range(3):
         show("thermal_record_%d" % degree, thermal(degree))
-    show("session_begun", session(0, 0, 0, -2147483647, 2147483647))
-    show("session_few", session(12, 0.00031, 2500, -32768, 32767))
-    show("session_full", session(24, 0, 3600000, -32768, 32766))
     show("store", slot(0, record(date=0x65432100)) + slot(1, record()))
 
 

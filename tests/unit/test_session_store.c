@@ -1,10 +1,9 @@
 /* SPDX-License-Identifier: MIT
  *
- * Sessions that are fed samples, stored, and go on: as bytes, and through a simulated NOR flash
+ * Sessions that are fed samples, kept, and go on: by their bytes, and through a simulated NOR flash
  * that loses power.
  */
-#include <float.h>
-#include <stdlib.h>
+#include <stddef.h>
 #include <string.h>
 
 #include "invcal/expert.h"
@@ -12,10 +11,13 @@
 #include "support.h"
 #include "unity.h"
 
-enum { SIZE = INVCAL_SESSION_SIZE, MOST = INVCAL_MAX_POSITIONS, MARGIN = 64 };
-enum { REALS = 13, REALS_AT = 20, MEANS_AT = 72, MEAN = 12 };
-enum { NOISE = 12 };
-enum { FILL = 0x5A };
+enum {
+    HEAD = offsetof(invcal_session, mean),
+    SIZE = HEAD + sizeof(((invcal_session *)NULL)->mean),
+    MEAN = 3 * sizeof(invcal_real),
+    MOST = INVCAL_MAX_POSITIONS,
+    FILL = 0x5A
+};
 
 /* ---- a device and what happens to it ----------------------------------------------------------- */
 
@@ -130,18 +132,13 @@ static void hold(invcal_session *session, const scene *s, unsigned n)
     TEST_FAIL_MESSAGE("the position was not taken");
 }
 
-static int32_t high_of(const invcal_rests *rests)
-{
-    return (int32_t)((int64_t)rests->low + rests->between + 1);
-}
-
 /* What is not kept: a stream begins. */
 static void forget_stream(invcal_session *session)
 {
     const invcal_rests old = session->rests;
 
     TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_rests_init(&session->rests, old.rate));
-    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_rests_rails(&session->rests, old.low, high_of(&old)));
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_rests_rails(&session->rests, session->low, session->high));
     invcal_rests_hold(&session->rests, session->hold);
 }
 
@@ -156,155 +153,53 @@ static invcal_session session_after(const scene *s, unsigned positions)
     return session;
 }
 
-/* ---- the format, written out from the table in store.h ----------------------------------------- */
+/* ---- keeping, and going on ---------------------------------------------------------------------- */
 
-/* Real number i of a session, in the order of the table. */
-static invcal_real *real_of(invcal_session *session, unsigned i)
+/* What was said last is said no more. */
+static uint32_t keep(const invcal_session *session, uint8_t bytes[SIZE])
 {
-    return i < 3       ? &session->nominal.offset[i]
-           : i < NOISE ? &session->nominal.matrix[(i - 3) / 3][(i - 3) % 3]
-           : i < REALS ? &session->noise
-                       : &session->mean[(i - REALS) / 3][(i - REALS) % 3];
-}
+    const uint32_t size = invcal_session_size(session);
+    invcal_session quiet = *session;
 
-static void put(uint8_t **at, uint32_t value, unsigned size)
-{
-    for (unsigned i = 0; i < size; i++) {
-        *(*at)++ = (uint8_t)(value >> 8 * i & 0xFFu);
-    }
-}
-
-static void put_real(uint8_t **at, invcal_real x)
-{
-    const float f = (float)x;
-    uint32_t bits;
-
-    memcpy(&bits, &f, sizeof bits);
-    put(at, bits, 4);
-}
-
-static void seal(uint8_t *bytes, uint32_t length)
-{
-    uint8_t *at = bytes + 2;
-
-    put(&at, length, 2);
-    seal_bytes(bytes, length - 4);
-}
-
-static uint32_t write_session(invcal_session *s, uint8_t *bytes)
-{
-    uint8_t *at = bytes;
-
-    put(&at, 0x02C5, 4);
-    put(&at, s->count, 2);
-    put(&at, s->rests.rate, 2);
-    put(&at, s->hold, 4);
-    put(&at, (uint32_t)s->rests.low, 4);
-    put(&at, (uint32_t)high_of(&s->rests), 4);
-    for (unsigned i = 0; i < REALS + 3u * s->count; i++) {
-        put_real(&at, *real_of(s, i));
-    }
-    const uint32_t length = (uint32_t)(at - bytes) + 4;
-    seal(bytes, length);
-    return length;
-}
-
-/* ---- encoding and decoding --------------------------------------------------------------------- */
-
-static uint32_t encode(const invcal_session *session, uint8_t bytes[SIZE])
-{
-    static uint8_t buffer[SIZE + 2 * MARGIN];
-    uint32_t size = 0;
-
-    memset(buffer, FILL, sizeof buffer);
-    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_session_encode(session, buffer + 1, &size)); /* odd */
+    quiet.last = INVCAL_MOVING;
+    quiet.reason = INVCAL_OK;
+    quiet.good = 0;
     TEST_ASSERT_TRUE(size <= SIZE);
-    TEST_ASSERT_EQUAL_HEX8(FILL, buffer[0]);
-    TEST_ASSERT_EACH_EQUAL_HEX8(FILL, buffer + 1 + size, sizeof buffer - 1 - size);
-    memcpy(bytes, buffer + 1, size);
+    memcpy(bytes, &quiet, size);
     return size;
 }
 
-static invcal_session decode(const uint8_t *bytes, uint32_t size)
+static invcal_session resume(const uint8_t *bytes, uint32_t size)
 {
-    uint8_t *exact = malloc(size + 1); /* so that a sanitizer sees a read behind it */
     invcal_session out;
 
-    memcpy(exact + 1, bytes, size);
     memset(&out, FILL, sizeof out);
-    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_session_decode(exact + 1, size, &out));
-    free(exact);
+    memcpy(&out, bytes, size);
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_session_resume(&out, size));
     return out;
 }
 
-static int is_refused(invcal_status expected, const uint8_t *bytes, uint32_t size)
+static void assert_refused(invcal_status expected, const invcal_session *session, uint32_t size)
 {
-    invcal_session out;
-    const uint8_t *byte = (const uint8_t *)&out;
+    invcal_session s = *session;
 
-    memset(&out, FILL, sizeof out);
-    if (invcal_session_decode(bytes, size, &out) != expected) {
-        return 0;
-    }
-    for (size_t i = 0; i < sizeof out; i++) {
-        if (byte[i] != FILL) {
-            return 0;
-        }
-    }
-    return 1;
-}
-
-static void assert_not_encoded(invcal_status expected, const invcal_session *session)
-{
-    uint8_t bytes[SIZE];
-    uint32_t size;
-
-    TEST_ASSERT_EQUAL_INT(expected, invcal_session_encode(session, bytes, &size));
-}
-
-/* How many of the means are readings of the field. */
-static unsigned readings_of(const invcal_session *session)
-{
-    unsigned count = 0;
-    invcal_row row;
-
-    for (unsigned i = 0; i < session->count; i++) {
-        count += invcal_observe(&session->nominal, session->mean[i], &row) == INVCAL_OK;
-    }
-    return count;
+    TEST_ASSERT_EQUAL_INT(expected, invcal_session_resume(&s, size));
 }
 
 /* All but what it knows of the stream: that is as after its beginning. */
-static void assert_same(invcal_session *before, invcal_session *after)
+static void assert_same(const invcal_session *before, const invcal_session *after)
 {
     invcal_session fresh = *before;
 
-    TEST_ASSERT_EQUAL_UINT(before->count, after->count);
-    for (unsigned i = 0; i < REALS + 3u * before->count; i++) {
-        const invcal_real e = (invcal_real)(float)*real_of(before, i);
-        TEST_ASSERT_EQUAL_MEMORY(&e, real_of(after, i), sizeof e);
-    }
-    TEST_ASSERT_EQUAL_UINT32(before->hold, after->hold);
     forget_stream(&fresh);
+    fresh.last = INVCAL_MOVING;
+    fresh.reason = INVCAL_OK;
+    fresh.good = after->good; /* asked anew */
+    TEST_ASSERT_EQUAL_MEMORY(&fresh, after, invcal_session_size(before));
     TEST_ASSERT_EQUAL_MEMORY(&fresh.rests, &after->rests, sizeof fresh.rests);
-    TEST_ASSERT_EQUAL_INT(INVCAL_MOVING, invcal_session_last(after));
-    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_session_reason(after));
 }
 
-static void assert_same_numbers(const invcal_real *before, const invcal_real *after,
-                                unsigned number, double scale)
-{
-#if INVCAL_DOUBLE
-    for (unsigned i = 0; i < number; i++) {
-        TEST_ASSERT_DOUBLE_WITHIN(1e-5 * scale, before[i], after[i]);
-    }
-#else
-    (void)scale;
-    TEST_ASSERT_EQUAL_MEMORY(before, after, number * sizeof *before);
-#endif
-}
-
-/* The same result, in float to the bit. Returns 1 if there was one. */
+/* The same result. Returns 1 if there was one. */
 static int assert_same_result(const invcal_session *before, const invcal_session *after)
 {
     invcal_calibration c[2];
@@ -315,36 +210,14 @@ static int assert_same_result(const invcal_session *before, const invcal_session
     if (status != INVCAL_OK) {
         return 0;
     }
-    assert_same_numbers(c[0].offset, c[1].offset, 3, counts);
-    for (unsigned i = 0; i < 3; i++) {
-        assert_same_numbers(c[0].matrix[i], c[1].matrix[i], 3, 1 / counts);
-    }
-    for (unsigned r = 0; r < INVCAL_PARAMETERS; r++) { /* of a weak one there is more to differ */
-        assert_same_numbers(&q[0].sigma[r], &q[1].sigma[r], 1, 1 + (double)q[0].sigma[r]);
-    }
+    TEST_ASSERT_EQUAL_MEMORY(&c[0], &c[1], sizeof c[0]);
+    TEST_ASSERT_EQUAL_MEMORY(q[0].sigma, q[1].sigma, sizeof q[0].sigma);
     TEST_ASSERT_EQUAL_INT(q[0].verdict, q[1].verdict);
     TEST_ASSERT_TRUE(q[0].left_out == q[1].left_out);
     return 1;
 }
 
 /* ---- what is kept ------------------------------------------------------------------------------ */
-
-/* The bytes of the session below, by Python:
- *
- *     import struct, zlib
- *     b = struct.pack('<BBHHHIii19f', 0xC5, 2, 100, 2, 125, 2500, -32768, 32767, *reals, *means)
- *     b += struct.pack('<I', zlib.crc32(b))
- */
-enum { GOLDEN = 100 };
-static const uint8_t golden[GOLDEN] = {
-    0xC5, 0x02, 0x64, 0x00, 0x02, 0x00, 0x7D, 0x00, 0xC4, 0x09, 0x00, 0x00, 0x00, 0x80, 0xFF,
-    0xFF, 0xFF, 0x7F, 0x00, 0x00, 0x00, 0x00, 0xC9, 0x42, 0x00, 0x40, 0x48, 0xC3, 0x00, 0x00,
-    0x4B, 0x42, 0x00, 0x00, 0x00, 0x3F, 0x00, 0x00, 0x00, 0x3C, 0x00, 0x00, 0x80, 0xBC, 0x00,
-    0x00, 0x00, 0x00, 0x00, 0x00, 0x80, 0x3E, 0x00, 0x00, 0x00, 0x3D, 0x00, 0x00, 0x00, 0x00,
-    0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x80, 0x3F, 0x00, 0x00, 0x80, 0x3A, 0x00, 0x00, 0xCD,
-    0x42, 0x00, 0x80, 0x48, 0xC3, 0x00, 0x00, 0x4E, 0x42, 0x00, 0x80, 0xCA, 0x42, 0x00, 0x80,
-    0x44, 0xC3, 0x00, 0x00, 0x4A, 0x42, 0xA2, 0xCD, 0x22, 0xFE,
-};
 
 static invcal_session golden_session(void)
 {
@@ -367,36 +240,26 @@ static invcal_session golden_session(void)
     return s;
 }
 
-static void a_session_has_the_bytes_of_the_table(void)
-{
-    const invcal_session s = golden_session();
-    uint8_t bytes[SIZE];
-
-    TEST_ASSERT_EQUAL_UINT32(GOLDEN, encode(&s, bytes));
-    TEST_ASSERT_EQUAL_HEX8_ARRAY(golden, bytes, GOLDEN);
-}
-
-static void the_bytes_of_the_table_give_the_session(void)
-{
-    invcal_session expected = golden_session();
-    invcal_session s = decode(golden, GOLDEN);
-
-    assert_same(&expected, &s);
-}
-
 static void the_length_depends_on_the_positions(void)
 {
     const scene s = make_scene(OVERFULL, 2);
     invcal_session session = begin(&s);
-    uint8_t bytes[SIZE];
 
     for (unsigned n = 0; n <= MOST + 2; n++) {
-        const unsigned length = 76 + 12 * (n < MOST ? n : MOST);
-        TEST_ASSERT_EQUAL_UINT32(length, encode(&session, bytes));
-        TEST_ASSERT_EQUAL_UINT8(length % 256, bytes[2]);
-        TEST_ASSERT_EQUAL_UINT8(length / 256, bytes[3]);
+        TEST_ASSERT_EQUAL_UINT32(HEAD + MEAN * (n < MOST ? n : MOST),
+                                 invcal_session_size(&session));
         hold(&session, &s, n);
     }
+    TEST_ASSERT_EQUAL_UINT32(INVCAL_SESSION_SIZE, invcal_session_size(&session));
+}
+
+/* Nothing in between is left to chance. */
+static void what_lasts_has_no_gaps(void)
+{
+    const size_t words = 4 * sizeof(uint32_t) + sizeof(int32_t) + 4;
+
+    TEST_ASSERT_EQUAL_size_t(words + sizeof(invcal_calibration) + sizeof(invcal_real), HEAD);
+    TEST_ASSERT_EQUAL_size_t(HEAD + MEAN * MOST, SIZE);
 }
 
 /* Sessions of all kinds, empty to complete. */
@@ -409,17 +272,10 @@ static void a_session_comes_back_as_it_was(void)
         invcal_session session = begin(&s);
         for (unsigned n = 0; n <= s.positions; n++) {
             uint8_t bytes[SIZE];
-            uint8_t written[SIZE];
-            uint8_t again[SIZE];
-            const uint32_t size = encode(&session, bytes);
-            TEST_ASSERT_EQUAL_UINT32(size, write_session(&session, written));
-            TEST_ASSERT_EQUAL_MEMORY(written, bytes, size);
-            invcal_session back = decode(bytes, size);
+            invcal_session back = resume(bytes, keep(&session, bytes));
             assert_same(&session, &back);
             results += assert_same_result(&session, &back);
             TEST_ASSERT_EQUAL_INT(invcal_session_is_good(&session), invcal_session_is_good(&back));
-            TEST_ASSERT_EQUAL_UINT32(size, encode(&back, again));
-            TEST_ASSERT_EQUAL_MEMORY(bytes, again, size);
             if (n < s.positions) {
                 hold(&session, &s, n);
             }
@@ -438,22 +294,19 @@ static void a_session_goes_on_as_if_there_had_been_no_reset(void)
         const unsigned resets = s.positions - 2;
         invcal_session session = session_after(&s, resets);
         uint8_t bytes[SIZE];
-        invcal_session back = decode(bytes, encode(&session, bytes));
+        invcal_session back = resume(bytes, keep(&session, bytes));
         forget_stream(&session);
         session.last = INVCAL_MOVING;
         for (unsigned n = resets; n < s.positions; n++) {
             invcal_real next[2][3];
             invcal_session_next(&session, next[0]);
             invcal_session_next(&back, next[1]);
-            for (unsigned i = 0; i < 3; i++) {
-                TEST_ASSERT_DOUBLE_WITHIN(FLOAT_OR_DOUBLE(0, 1e-5), (double)next[0][i],
-                                          (double)next[1][i]);
-            }
+            TEST_ASSERT_EQUAL_MEMORY(next[0], next[1], sizeof next[0]);
             hold(&session, &s, n);
             hold(&back, &s, n);
         }
         TEST_ASSERT_EQUAL_UINT(session.count, back.count);
-        assert_same_numbers(&session.mean[0][0], &back.mean[0][0], 3u * session.count, counts);
+        TEST_ASSERT_EQUAL_MEMORY(session.mean, back.mean, session.count * sizeof session.mean[0]);
         TEST_ASSERT_EQUAL_INT(1, assert_same_result(&session, &back));
     }
 }
@@ -465,33 +318,15 @@ static void a_rest_that_was_going_on_is_forgotten(void)
     invcal_session session = session_after(&s, 5);
     random_source random = random_start(9);
     uint8_t bytes[SIZE];
-    uint8_t again[SIZE];
     const double eta[3] = {0.6, 0, 0.8};
 
-    const uint32_t size = encode(&session, bytes);
     for (unsigned i = 0; i < 60; i++) {
         (void)feed(&session, &s, eta, &random);
     }
     TEST_ASSERT_EQUAL_UINT(100, invcal_session_progress(&session));
-    TEST_ASSERT_EQUAL_UINT32(size, encode(&session, again));
-    TEST_ASSERT_EQUAL_MEMORY(bytes, again, size);
-    invcal_session back = decode(bytes, size);
+    invcal_session back = resume(bytes, keep(&session, bytes));
     TEST_ASSERT_EQUAL_INT(INVCAL_MOVING, invcal_session_finish(&back));
     TEST_ASSERT_EQUAL_INT(INVCAL_TAKEN, invcal_session_finish(&session));
-}
-
-static void bytes_behind_a_session_are_not_looked_at(void)
-{
-    uint8_t bytes[GOLDEN + MARGIN];
-    invcal_session expected = golden_session();
-
-    for (unsigned fill = 0; fill < 256; fill += 85) {
-        memset(bytes, (int)fill, sizeof bytes);
-        memcpy(bytes, golden, GOLDEN);
-        invcal_session s = decode(bytes, sizeof bytes);
-        assert_same(&expected, &s);
-        TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_session_decode(bytes, 0xFFFFFFFFu, &s));
-    }
 }
 
 static void rails_of_any_kind_come_back(void)
@@ -504,7 +339,7 @@ static void rails_of_any_kind_come_back(void)
         uint8_t bytes[SIZE];
         invcal_session session = begin(&s);
         TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_session_rails(&session, rail[i][0], rail[i][1]));
-        invcal_session back = decode(bytes, encode(&session, bytes));
+        invcal_session back = resume(bytes, keep(&session, bytes));
         assert_same(&session, &back);
     }
 }
@@ -523,7 +358,7 @@ static void every_rate_and_time_to_hold_comes_back(void)
             invcal_session session;
             TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_session_begin(&session, &s.nominal, rate[i]));
             invcal_session_hold(&session, milliseconds[k]);
-            invcal_session back = decode(bytes, encode(&session, bytes));
+            invcal_session back = resume(bytes, keep(&session, bytes));
             TEST_ASSERT_EQUAL_UINT32(milliseconds[k], back.hold);
             assert_same(&session, &back);
         }
@@ -532,267 +367,95 @@ static void every_rate_and_time_to_hold_comes_back(void)
 
 /* ---- what is refused --------------------------------------------------------------------------- */
 
-/* In the order of the table: nominal, noise, means. */
-static invcal_status status_of_bad_real(unsigned i)
-{
-    return i < NOISE ? INVCAL_BAD_NOMINAL : i < REALS ? INVCAL_BAD_NOISE : INVCAL_NOT_FINITE;
-}
-
-static void a_number_that_is_not_finite_is_not_encoded(void)
+static void a_number_that_is_not_finite_is_refused(void)
 {
     static const double bad[] = {NOT_A_NUMBER, INFINITE, -INFINITE};
 
     for (unsigned k = 0; k < 3; k++) {
-        for (unsigned i = 0; i < REALS + 6; i++) {
-            invcal_session session = golden_session();
-            *real_of(&session, i) = (invcal_real)bad[k];
-            assert_not_encoded(status_of_bad_real(i), &session);
+        for (unsigned i = 0; i < 13; i++) {
+            invcal_session s = golden_session();
+            invcal_real *number = i < 3    ? &s.nominal.offset[i]
+                                  : i < 12 ? &s.nominal.matrix[(i - 3) / 3][i % 3]
+                                           : &s.noise;
+            *number = (invcal_real)bad[k];
+            assert_refused(i < 12 ? INVCAL_BAD_NOMINAL : INVCAL_BAD_NOISE, &s,
+                           invcal_session_size(&s));
         }
     }
 }
 
-static void a_number_that_leaves_its_range_as_a_float_is_not_encoded(void)
-{
-#if INVCAL_DOUBLE
-    invcal_session session = golden_session();
-    session.mean[1][2] = 1e39;
-    assert_not_encoded(INVCAL_NOT_FINITE, &session);
-    session = golden_session();
-    session.noise = 1 - 1e-9;
-    assert_not_encoded(INVCAL_BAD_NOISE, &session);
-    session = golden_session();
-    session.nominal.matrix[1][0] = session.nominal.matrix[0][0];
-    session.nominal.matrix[1][1] =
-        session.nominal.matrix[0][1] * (1 + 1e-9); /* singular as floats */
-    session.nominal.matrix[1][2] = session.nominal.matrix[0][2];
-    assert_not_encoded(INVCAL_BAD_NOMINAL, &session);
-    session = golden_session(); /* of numbers that are floats; ten fields are none */
-    memset(&session.nominal, 0, sizeof session.nominal);
-    for (unsigned i = 0; i < 3; i++) {
-        session.nominal.offset[i] = 3.0 / 4096;
-        session.nominal.matrix[i][i] = 1.0 / 1256;
-        session.mean[0][i] = 3.0 / 4096 + (i == 2 ? 12560 - 1e-7 : 0);
-    }
-    session.count = 1;
-    TEST_ASSERT_EQUAL_UINT(1, readings_of(&session));
-    TEST_ASSERT_TRUE((double)(float)session.mean[0][2] > 12560 + 3.0 / 4096);
-    assert_not_encoded(INVCAL_OUT_OF_RANGE, &session);
-#else
-    TEST_ASSERT_TRUE(INVCAL_REAL_MAX <= FLT_MAX); /* there is none */
-#endif
-}
-
-static void a_session_that_was_never_begun_is_not_encoded(void)
-{
-    invcal_session session;
-
-    memset(&session, 0, sizeof session);
-    assert_not_encoded(INVCAL_BAD_NOMINAL, &session);
-}
-
-static void a_mean_that_is_no_reading_is_neither_encoded_nor_decoded(void)
-{
-    static const double bad[][3] = {{100.5, -200.25, 50.75}, {9e9, 0, 0}, {100.5, -200.25, 50.84}};
-
-    for (unsigned k = 0; k < 3; k++) {
-        for (unsigned i = 0; i < 2; i++) {
-            invcal_session session = golden_session();
-            uint8_t bytes[SIZE];
-            for (unsigned j = 0; j < 3; j++) {
-                session.mean[i][j] = (invcal_real)bad[k][j];
-            }
-            assert_not_encoded(INVCAL_OUT_OF_RANGE, &session);
-            TEST_ASSERT_TRUE(
-                is_refused(INVCAL_OUT_OF_RANGE, bytes, write_session(&session, bytes)));
-        }
-    }
-}
-
-static void a_number_that_is_not_finite_is_not_decoded(void)
-{
-    static const uint32_t bits[] = {0x7FC00000, 0xFF800001, 0x7F800000, 0xFF800000};
-    const scene s = make_scene(OVERFULL, 9);
-    const invcal_session overfull = session_after(&s, MOST + 1);
-    uint8_t bytes[SIZE];
-    uint8_t sound[SIZE];
-    const uint32_t size = encode(&overfull, sound);
-
-    for (unsigned i = 0; i < REALS + 3 * MOST; i++) {
-        for (unsigned k = 0; k < 4; k++) {
-            uint8_t *number = bytes + REALS_AT + 4 * i;
-            memcpy(bytes, sound, size);
-            put(&number, bits[k], 4);
-            seal(bytes, size);
-            TEST_ASSERT_TRUE(is_refused(status_of_bad_real(i), bytes, size));
-        }
-    }
-}
-
-/* Field by field: where, how many bytes, and what must not stand there. */
 static void contents_that_no_session_has_are_refused(void)
 {
-    static const struct {
-        uint32_t at;
-        unsigned size;
-        uint32_t value;
-        invcal_status status;
-    } bad[] = {
-        {4, 2, 1, INVCAL_DAMAGED}, /* a count that the length does not bear out */
-        {4, 2, 3, INVCAL_DAMAGED},
-        {4, 2, 0, INVCAL_DAMAGED},
-        {4, 2, 0xFFFF, INVCAL_DAMAGED},
-        {5, 1, 0x80, INVCAL_DAMAGED},
-        {6, 2, 0, INVCAL_BAD_RATE},
-        {6, 2, 7, INVCAL_BAD_RATE},
-        {6, 2, 8001, INVCAL_BAD_RATE},
-        {6, 2, 0xFFFF, INVCAL_BAD_RATE},
-        {12, 4, 32767, INVCAL_BAD_RAILS},
-        {12, 4, 0x7FFFFFFF, INVCAL_BAD_RAILS},
-        {16, 4, 0x80000000, INVCAL_BAD_RAILS},
-        {16, 4, 0xFFFF8000, INVCAL_BAD_RAILS},
-        {48, 4, 0, INVCAL_BAD_NOMINAL}, /* a matrix without its middle; the readings remain some */
-        {68, 4, 0xBA800000, INVCAL_BAD_NOISE},
-        {68, 4, 0x3F800000, INVCAL_BAD_NOISE},
-        {72, 4, 0x50000000, INVCAL_OUT_OF_RANGE},
-    };
+    static const uint32_t rates[] = {0, 7, 8001, 0xFFFF};
+    const invcal_session good = golden_session();
+    const uint32_t size = invcal_session_size(&good);
+    invcal_session s;
 
-    for (unsigned i = 0; i < sizeof bad / sizeof bad[0]; i++) {
-        uint8_t bytes[GOLDEN];
-        uint8_t *at = bytes + bad[i].at;
-        memcpy(bytes, golden, GOLDEN);
-        put(&at, bad[i].value, bad[i].size);
-        seal(bytes, GOLDEN);
-        TEST_ASSERT_TRUE_MESSAGE(is_refused(bad[i].status, bytes, GOLDEN), "not refused");
+    for (unsigned i = 0; i < 4; i++) {
+        s = good;
+        s.rate = rates[i];
+        assert_refused(INVCAL_BAD_RATE, &s, size);
     }
+    s = good;
+    s.low = s.high;
+    assert_refused(INVCAL_BAD_RAILS, &s, size);
+    s = good;
+    s.noise = 1;
+    assert_refused(INVCAL_BAD_NOISE, &s, size);
+    s.noise = (invcal_real)-0.001;
+    assert_refused(INVCAL_BAD_NOISE, &s, size);
+    s = good;
+    s.nominal.matrix[1][1] = s.nominal.matrix[1][2] = 0;
+    assert_refused(INVCAL_BAD_NOMINAL, &s, size);
 }
 
-/* Returns the length. The golden session with another size of its table. */
-static uint32_t with_table(unsigned count, uint8_t *bytes)
+static void a_length_that_is_not_that_of_the_table_is_refused(void)
 {
-    uint8_t *at = bytes + 4;
-    const uint32_t length = 76 + MEAN * count;
+    invcal_session s = golden_session();
+    const uint32_t whole = invcal_session_size(&s);
 
-    memcpy(bytes, golden, MEANS_AT);
-    put(&at, count, 2);
-    for (unsigned i = 0; i < count; i++) {
-        memcpy(bytes + MEANS_AT + MEAN * i, golden + MEANS_AT, MEAN);
+    for (uint32_t size = 0; size <= SIZE + 20; size++) {
+        if (size != whole) {
+            assert_refused(size < HEAD ? INVCAL_OTHER_VERSION : INVCAL_DAMAGED, &s, size);
+        }
     }
-    seal(bytes, length);
-    return length;
-}
-
-static void a_table_larger_than_that_of_this_build_has_no_space(void)
-{
-    static uint8_t bytes[ROOM(65535, 2400)];
-
-    for (unsigned count = 0; count < ROOM(5000u, 150u); count += count < 80 ? 1 : 100) {
-        const uint32_t length = with_table(count, bytes);
+    for (unsigned count = 0; count < 256; count++) {
+        s.count = (uint8_t)count;
+        if (count != 2) {
+            assert_refused(INVCAL_DAMAGED, &s, whole);
+        }
         if (count > MOST) {
-            TEST_ASSERT_TRUE(is_refused(INVCAL_NO_SPACE, bytes, length));
-        } else {
-            TEST_ASSERT_EQUAL_UINT(count, decode(bytes, length).count);
+            assert_refused(INVCAL_DAMAGED, &s, HEAD + MEAN * count);
         }
     }
 }
 
-static void any_wrong_bit_is_noticed(void)
+/* Any bit of it: another layout, number type, order of bytes. */
+static void another_layout_is_named_so(void)
 {
-    for (int kind = 0; kind < KINDS; kind++) {
-        const scene s = make_scene(kind, 11);
-        const invcal_session session = session_after(&s, s.positions);
-        uint8_t bytes[SIZE];
-        const uint32_t size = encode(&session, bytes);
-        for (uint32_t bit = 0; bit < 8 * size; bit++) {
-            bytes[bit / 8] ^= (uint8_t)(1u << bit % 8);
-            TEST_ASSERT_TRUE(is_refused(INVCAL_DAMAGED, bytes, size));
-            bytes[bit / 8] ^= (uint8_t)(1u << bit % 8);
-        }
+    const invcal_session good = golden_session();
+
+    for (unsigned bit = 0; bit < 32; bit++) {
+        invcal_session s = good;
+        s.layout ^= UINT32_C(1) << bit;
+        assert_refused(INVCAL_OTHER_VERSION, &s, invcal_session_size(&s));
     }
+    const uint32_t other = INVCAL_DOUBLE ? 4 : 8; /* bytes of a number */
+    TEST_ASSERT_TRUE((good.layout >> 8 & 0xFFu) != other && (good.layout & 0xFFu) == HEAD);
 }
 
-static void a_session_without_its_end_is_noticed(void)
-{
-    const scene s = make_scene(PLAIN, 12);
-    const invcal_session session = session_after(&s, s.positions);
-    uint8_t bytes[SIZE];
-    const uint32_t whole = encode(&session, bytes);
-
-    for (uint32_t size = 0; size < whole; size++) {
-        uint8_t *exact = malloc(size + 1); /* so that a sanitizer sees a read behind it */
-        memcpy(exact + 1, bytes, size);
-        TEST_ASSERT_TRUE(is_refused(INVCAL_DAMAGED, exact + 1, size));
-        free(exact);
-    }
-}
-
-/* Nor is one that was sealed again: the length must be that of the content. */
-static void a_length_that_is_not_that_of_the_content_is_refused(void)
-{
-    uint8_t bytes[GOLDEN + 300];
-
-    for (uint32_t length = 8; length <= sizeof bytes; length++) {
-        memset(bytes, 0, sizeof bytes);
-        memcpy(bytes, golden, GOLDEN);
-        seal(bytes, length);
-        if (length != GOLDEN) {
-            uint8_t *exact = malloc(length);
-            memcpy(exact, bytes, length);
-            TEST_ASSERT_TRUE(is_refused(INVCAL_DAMAGED, exact, length));
-            free(exact);
-        }
-    }
-    for (uint8_t length = 0; length < 8; length++) {
-        uint8_t tiny[8] = {0xC5, 2, 0, 0, 0, 0, 0, 0};
-        tiny[2] = length;
-        TEST_ASSERT_TRUE(is_refused(INVCAL_DAMAGED, tiny, 8));
-    }
-}
-
-static void sound_bytes_of_another_kind_or_version_are_named_so(void)
-{
-    static const uint16_t lengths[] = {8, 9, 75, 76, GOLDEN, 140};
-
-    for (unsigned k = 0; k < 6; k++) {
-        for (unsigned at = 0; at < 2; at++) {
-            for (unsigned value = 0; value < 256; value++) {
-                uint8_t bytes[GOLDEN + MARGIN] = {0};
-                memcpy(bytes, golden, GOLDEN);
-                bytes[at] = (uint8_t)value;
-                seal(bytes, lengths[k]);
-                if (value != golden[at]) {
-                    TEST_ASSERT_TRUE(is_refused(INVCAL_OTHER_VERSION, bytes, lengths[k]));
-                }
-                TEST_ASSERT_TRUE(is_refused(INVCAL_DAMAGED, bytes, lengths[k] - 1u));
-            }
-        }
-    }
-}
-
-static void a_record_is_no_session_and_a_session_no_record(void)
-{
-    uint8_t bytes[INVCAL_RECORD_SIZE];
-    invcal_record record;
-
-    memset(&record, 0, sizeof record);
-    record.calibration = golden_session().nominal;
-    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_record_encode(&record, bytes));
-    TEST_ASSERT_TRUE(is_refused(INVCAL_OTHER_VERSION, bytes, sizeof bytes));
-    TEST_ASSERT_EQUAL_INT(INVCAL_OTHER_VERSION, invcal_record_decode(golden, GOLDEN, &record));
-}
-
-/* What is accepted can be fed, solved, guided, and gives the same bytes again. */
-static void random_contents_with_a_right_crc_do_no_harm(void)
+/* What is accepted can be fed, solved and guided. */
+static void any_content_does_no_harm(void)
 {
     const scene s = make_scene(TUNED, 13);
     const invcal_session session = session_after(&s, 12);
     random_source random = random_start(3);
     uint8_t sound[SIZE];
-    const uint32_t size = encode(&session, sound);
+    const uint32_t size = keep(&session, sound);
     unsigned accepted = 0;
 
     for (unsigned k = 0; k < 20000; k++) {
         uint8_t bytes[SIZE];
-        uint8_t again[SIZE];
         invcal_session out;
         invcal_calibration calibration;
         invcal_quality quality;
@@ -800,22 +463,20 @@ static void random_contents_with_a_right_crc_do_no_harm(void)
         const int32_t raw[3] = {1, -2, 3};
         memcpy(bytes, sound, size);
         for (unsigned i = 0; i < 1 + k % 3; i++) {
-            const uint32_t at = (uint32_t)random_uniform(&random, 4, k % 2 ? 24 : size - 4.0);
-            bytes[at] = (uint8_t)random_uniform(&random, 0, 256);
+            bytes[(uint32_t)random_uniform(&random, 4, k % 2 ? HEAD : size)] =
+                (uint8_t)random_uniform(&random, 0, 256);
         }
-        seal(bytes, size);
         memset(&out, 0, sizeof out);
-        if (invcal_session_decode(bytes, size, &out) == INVCAL_OK) {
+        memcpy(&out, bytes, size);
+        if (invcal_session_resume(&out, size) == INVCAL_OK) {
             accepted++;
-            TEST_ASSERT_EQUAL_UINT(out.count, readings_of(&out));
             (void)invcal_session_solve(&out, &calibration, &quality);
             invcal_session_next(&out, next);
+            TEST_ASSERT_DOUBLE_WITHIN(1e-6, 1, length3((double[3]){next[0], next[1], next[2]}));
             (void)invcal_session_feed(&out, raw);
-            TEST_ASSERT_EQUAL_UINT32(size, encode(&out, again));
-            TEST_ASSERT_EQUAL_MEMORY(bytes, again, size);
         }
     }
-    TEST_ASSERT_TRUE(accepted > 1000 && accepted < 19000);
+    TEST_ASSERT_TRUE(accepted > 1000 && accepted < 19500);
 }
 
 /* ---- a memory that loses power ------------------------------------------------------------------ */
@@ -941,8 +602,8 @@ static void live(int kind, uint32_t seed)
     invcal_session session = begin(&lived.scene);
 
     for (unsigned n = 0; n <= lived.scene.positions && n <= LONGEST; n++) {
-        lived.size[n] = encode(&session, lived.bytes[n]);
-        session = decode(lived.bytes[n], lived.size[n]);
+        lived.size[n] = keep(&session, lived.bytes[n]);
+        session = resume(lived.bytes[n], lived.size[n]);
         if (n < lived.scene.positions) {
             hold(&session, &lived.scene, n);
         }
@@ -951,7 +612,7 @@ static void live(int kind, uint32_t seed)
 
 static int save(unsigned n)
 {
-    const invcal_session session = decode(lived.bytes[n], lived.size[n]);
+    const invcal_session session = resume(lived.bytes[n], lived.size[n]);
 
     return invcal_save_session(&store, &session) == INVCAL_OK;
 }
@@ -962,7 +623,7 @@ static unsigned load(unsigned n, invcal_session *session)
     static uint8_t bytes[SIZE];
 
     TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_load_session(&store, session));
-    const uint32_t size = encode(session, bytes);
+    const uint32_t size = keep(session, bytes);
     const int is_new = size == lived.size[n + 1] && memcmp(bytes, lived.bytes[n + 1], size) == 0;
     if (!is_new) {
         TEST_ASSERT_EQUAL_UINT32(lived.size[n], size);
@@ -977,7 +638,7 @@ static void go_on(invcal_session *session, unsigned n)
     static uint8_t bytes[SIZE];
 
     hold(session, &lived.scene, n);
-    TEST_ASSERT_EQUAL_UINT32(lived.size[n + 1], encode(session, bytes));
+    TEST_ASSERT_EQUAL_UINT32(lived.size[n + 1], keep(session, bytes));
     TEST_ASSERT_EQUAL_MEMORY(lived.bytes[n + 1], bytes, lived.size[n + 1]);
 }
 
@@ -1050,7 +711,7 @@ static void a_power_cut_in_any_step_of_a_save_loses_no_position(void)
         live(seed % 25 == 24 ? OVERFULL : (int)(seed % 2), 100 + seed);
         const unsigned end = lived.scene.positions;
         const invcal_session never = session_after(&lived.scene, end);
-        const invcal_session last = decode(lived.bytes[end], lived.size[end]);
+        const invcal_session last = resume(lived.bytes[end], lived.size[end]);
         TEST_ASSERT_EQUAL_UINT(never.count, last.count);
         assert_same_result(&never, &last);
         taken += last.count;
@@ -1094,66 +755,52 @@ static void a_power_cut_in_the_first_save_leaves_nothing_or_the_session(void)
     TEST_ASSERT_GREATER_THAN_UINT((unsigned)(SLOT / step), none);
 }
 
-/* And whatever stands there instead: a running session stays as it is. */
-static void a_session_that_cannot_be_loaded_leaves_the_present_one_as_it_was(void)
+/* And whatever stands there instead. */
+static void what_is_no_session_is_not_loaded(void)
 {
-    static const uint8_t large[SIZE + 1] = {0xC5};
+    static const uint8_t large[SIZE + 1] = {0xC5, 1}; /* as release 0.1.0 began */
     static const struct {
         const uint8_t *bytes;
         uint32_t size;
         invcal_status status;
     } stored[] = {{NULL, 0, INVCAL_NO_RECORD},
-                  {large, SIZE, INVCAL_DAMAGED},
+                  {large, 1, INVCAL_OTHER_VERSION},
+                  {large, HEAD, INVCAL_OTHER_VERSION},
+                  {large, SIZE, INVCAL_OTHER_VERSION},
                   {large, SIZE + 1, INVCAL_NO_SPACE}};
     const invcal_session before = golden_session();
+    invcal_session session = before;
 
     new_flash(8);
-    for (unsigned i = 0; i < 3; i++) {
-        invcal_session session;
-        memcpy(&session, &before, sizeof session);
+    for (unsigned i = 0; i < 5; i++) {
         if (stored[i].size > 0) {
             TEST_ASSERT_EQUAL_INT(INVCAL_OK,
                                   invcal_store_save(&store, stored[i].bytes, stored[i].size));
         }
         TEST_ASSERT_EQUAL_INT(stored[i].status, invcal_load_session(&store, &session));
-        TEST_ASSERT_EQUAL_MEMORY(&before, &session, sizeof session);
     }
-    invcal_session bad = before;
-    bad.mean[1][0] = (invcal_real)9e9;
-    const invcal_store blind = store;
     store.granularity = 3;
-    TEST_ASSERT_EQUAL_INT(INVCAL_OUT_OF_RANGE, invcal_save_session(&blind, &bad));
     TEST_ASSERT_EQUAL_INT(INVCAL_BAD_STORE, invcal_save_session(&store, &before));
 }
 
 int main(void)
 {
     UNITY_BEGIN();
-    RUN_TEST(a_session_has_the_bytes_of_the_table);
-    RUN_TEST(the_bytes_of_the_table_give_the_session);
     RUN_SLOW_TEST(the_length_depends_on_the_positions);
+    RUN_TEST(what_lasts_has_no_gaps);
     RUN_SLOW_TEST(a_session_comes_back_as_it_was);
     RUN_TEST(a_session_goes_on_as_if_there_had_been_no_reset);
     RUN_TEST(a_rest_that_was_going_on_is_forgotten);
-    RUN_TEST(bytes_behind_a_session_are_not_looked_at);
     RUN_TEST(rails_of_any_kind_come_back);
     RUN_TEST(every_rate_and_time_to_hold_comes_back);
-    RUN_TEST(a_number_that_is_not_finite_is_not_encoded);
-    RUN_TEST(a_number_that_leaves_its_range_as_a_float_is_not_encoded);
-    RUN_TEST(a_session_that_was_never_begun_is_not_encoded);
-    RUN_TEST(a_mean_that_is_no_reading_is_neither_encoded_nor_decoded);
-    RUN_SLOW_TEST(a_number_that_is_not_finite_is_not_decoded);
+    RUN_TEST(a_number_that_is_not_finite_is_refused);
     RUN_TEST(contents_that_no_session_has_are_refused);
-    RUN_SLOW_TEST(a_table_larger_than_that_of_this_build_has_no_space);
-    RUN_SLOW_TEST(any_wrong_bit_is_noticed);
-    RUN_TEST(a_session_without_its_end_is_noticed);
-    RUN_TEST(a_length_that_is_not_that_of_the_content_is_refused);
-    RUN_SLOW_TEST(sound_bytes_of_another_kind_or_version_are_named_so);
-    RUN_TEST(a_record_is_no_session_and_a_session_no_record);
-    RUN_LONG_TEST(random_contents_with_a_right_crc_do_no_harm);
+    RUN_TEST(a_length_that_is_not_that_of_the_table_is_refused);
+    RUN_TEST(another_layout_is_named_so);
+    RUN_LONG_TEST(any_content_does_no_harm);
     RUN_LONG_TEST(a_power_cut_in_any_step_of_a_save_loses_no_position);
     RUN_LONG_TEST(a_power_cut_at_any_byte_of_a_save_loses_no_position);
     RUN_TEST(a_power_cut_in_the_first_save_leaves_nothing_or_the_session);
-    RUN_TEST(a_session_that_cannot_be_loaded_leaves_the_present_one_as_it_was);
+    RUN_TEST(what_is_no_session_is_not_loaded);
     return UNITY_END() != 0;
 }
