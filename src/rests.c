@@ -27,8 +27,7 @@ enum {
                       as many after a position at the old one: a hand's fumbling is shorter */
     FREEZE = 8,    /* blocks in a row without any noise: the sensor is not read, 1.2 s */
     FADE = 4,      /* the trend forgets: 1 << FADE blocks count, 2 s, as long as a short rest */
-    DRIFTING = 10, /* blocks in a row of a rest that drifts, until it is refused: 1.5 s */
-    MOST = 65535   /* blocks of a rest that are summed */
+    DRIFTING = 10  /* blocks in a row of a rest that drifts, until it is refused: 1.5 s */
 };
 
 /* Noise. The level is a quantile: the steps up and down balance where 30 % of the blocks lie below,
@@ -61,6 +60,7 @@ enum {
 
 #define WIDE (INT32_C(1) << 19)     /* counts: no noise is so large, no rest creeps so far */
 #define FINE 10                     /* bits behind the point of a mean: exact for any block */
+#define MOST INT32_C(65535)         /* blocks of a rest that are summed */
 #define SHORTEST 620                /* milliseconds that make a position */
 #define HOUR (UINT32_C(3600) * 125) /* in 1/125 s */
 
@@ -299,7 +299,7 @@ static void move_origin(invcal_rests *s, const int32_t from_first[3], int32_t me
         s->origin[a] = as_signed((uint32_t)s->first[a] + (uint32_t)whole);
         mean[a] = from_first[a] - whole * (INT32_C(1) << FINE);
     }
-    s->reach = (uint16_t)larger(s->reach, distance_from_place(s));
+    s->reach = (int16_t)larger(s->reach, distance_from_place(s));
 }
 
 /* Follows a low quantile. */
@@ -317,17 +317,17 @@ INVCAL_APART static int follow(int level, int x)
 static int learn_noise(invcal_rests *s, int level)
 {
     if (s->noise == NONE) {
-        s->noise = (uint16_t)level;
+        s->noise = (int16_t)level;
         memcpy(s->place, s->first, sizeof s->place);
     }
     if (s->blocks < s->least && level < s->noise - FAR_BELOW) {
-        s->noise = (uint16_t)level;
+        s->noise = (int16_t)level;
         clear_rest(s);
     }
     if (level > s->noise + QUIET) {
         return 0;
     }
-    s->noise = (uint16_t)follow(s->noise, level);
+    s->noise = (int16_t)follow(s->noise, level);
     return 1;
 }
 
@@ -340,7 +340,7 @@ static int learn_new_noise(invcal_rests *s, int is_quiet, int level, int jump)
 
     if (is_quiet || d > ALIKE || d < -ALIKE || jump > level) {
         s->run = 0;
-        s->other = (uint16_t)level;
+        s->other = (int16_t)level;
         return 0;
     }
     s->run++;
@@ -493,7 +493,7 @@ static invcal_event finish(invcal_rests *s)
 static invcal_event announce(invcal_rests *s)
 {
     if (s->blocks >= s->least) {
-        s->drift = is_drifting(s) ? s->drift + 1 : 0;
+        s->drift = is_drifting(s) ? (uint8_t)(s->drift + 1u) : 0;
     }
     if (s->drift == DRIFTING) {
         clear_rest(s);
@@ -576,7 +576,7 @@ INVCAL_APART static invcal_event decide(invcal_rests *s)
         jump = NONE;
         move_origin(s, from_first, mean);
     } else if (is_quiet && jump < BEYOND) {
-        s->wander = (uint16_t)follow(s->wander, jump);
+        s->wander = (int16_t)follow(s->wander, jump);
     }
     if (is_quiet && jump <= limit) {
         return agree(s, mean, variance);

@@ -342,13 +342,13 @@ typedef struct {
     uint8_t seen;     /* of the block */
     uint8_t run;      /* blocks in a row of another noise level, or of none */
     uint8_t least;    /* blocks that make a position, however short the time to hold */
+    uint8_t bits;     /* a block has 1 << bits samples */
     uint16_t dwell;   /* the same with it */
     uint16_t rate;    /* samples per second */
-    uint16_t noise;   /* level, learned from the stream, see above; 0: nothing is known yet */
-    uint16_t wander;  /* and this */
-    uint16_t reach;   /* and this */
-    uint16_t other;   /* another noise level in the making */
-    uint16_t bits;    /* a block has 1 << bits samples */
+    int16_t noise;    /* level, learned from the stream, see above; 0: nothing is known yet */
+    int16_t wander;   /* and this */
+    int16_t reach;    /* and this */
+    int16_t other;    /* another noise level in the making */
     uint16_t missing; /* samples until it is full; 0: the next begins another */
     uint32_t span;    /* twice what differences may be to be added quickly; 0: none */
     int32_t first[3]; /* sample of the block, */
