@@ -262,8 +262,8 @@ void require_calibration(const invcal_calibration *calibration, const invcal_cal
     const double slack = 1e-3 + 1000 * leaning * (double)INVCAL_EPSILON;
     if (slack < 0.05) { /* the limits are those of the library, but for rounding */
         axes_of(calibration, nominal, p);
-        REQUIRE(is_definite(0.1 - slack, p));
-        REQUIRE(centre_of(calibration, nominal, &hidden) < 10 * (1 + slack) + hidden);
+        REQUIRE(is_definite(1 / 30.0 - slack, p));
+        REQUIRE(centre_of(calibration, nominal, &hidden) < 17.33 * (1 + slack) + hidden);
     }
 }
 

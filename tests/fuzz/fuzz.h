@@ -57,8 +57,9 @@ void require_sigma(const invcal_real *x, unsigned count);
 /* A calibration that is stored, or nominal: finite, its matrix regular. */
 void require_regular(const invcal_calibration *calibration);
 
-/* A solution: finite, against its nominal positive definite, no semi-axis shorter than 0.1, the centre
- * within 10. Where nominal is all but singular rounding hides what it is: finite. */
+/* A solution: finite, against its nominal positive definite, no semi-axis shorter than 1/30, the centre
+ * within 10 on each axis: what all kinds of solutions keep. Where nominal is all but singular rounding
+ * hides what it is: finite. */
 void require_calibration(const invcal_calibration *calibration, const invcal_calibration *nominal);
 
 /* The same; and as much when it is turned and in a unit, as the conditions want it. */
