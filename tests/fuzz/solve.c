@@ -291,7 +291,7 @@ static void look_at_thermal(const invcal_thermal *thermal, const invcal_quality 
     require_quality(quality, count);
     mark(&out, sizeof out);
     if (invcal_thermal_at(thermal, take_real(s, 25), &out, &place) == INVCAL_OK) {
-        require_calibration(&out, &thermal->nominal);
+        require_calibration(&out, &thermal->nominal, 1);
         REQUIRE(place <= INVCAL_THERMAL_ABOVE);
     } else {
         require_mark(&out, sizeof out);
@@ -617,6 +617,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
         break;
     case 9:
         c = take_conditions(&s);
+        c.is_linear = 1;
         solve_linear(&s, &c);
         break;
     default:
