@@ -165,7 +165,9 @@ $(BUILD)/invcal.1: port/host/man.sh $(BUILD)/invcal
 # One line that says what is missing: $(call need,command)
 need = @command -v $(1) > /dev/null || { echo '$(1) is not installed: make deps' >&2; exit 1; }
 
-test: $(SUITES:%=$(BUILD)/float/%) $(SUITES:%=$(BUILD)/double/%) $(TOOL_SUITES:%=$(BUILD)/tool/%) all ## all tests with one compiler
+# With UNITS=1 those of the library only, and no tool is built.
+TOOL_TESTS := $(if $(UNITS),,$(TOOL_SUITES:%=$(BUILD)/tool/%) all)
+test: $(SUITES:%=$(BUILD)/float/%) $(SUITES:%=$(BUILD)/double/%) $(TOOL_TESTS) ## all tests with one compiler
 	$(Q)CC="$(CC)" CFLAGS="$(CFLAGS)" UNITY="$(UNITY)" sh tests/run.sh $(BUILD)
 
 coverage: ## what the tests reach: lines, branches, MC/DC of src/, lines of the tool (PART=src, PART=host)
