@@ -250,7 +250,8 @@ static double centre_of(const invcal_calibration *calibration, const invcal_cali
     return sqrt(square);
 }
 
-void require_calibration(const invcal_calibration *calibration, const invcal_calibration *nominal)
+void require_calibration(const invcal_calibration *calibration, const invcal_calibration *nominal,
+                         int is_of_angles)
 {
     double unused[3][3];
     double p[3][3];
@@ -262,8 +263,9 @@ void require_calibration(const invcal_calibration *calibration, const invcal_cal
     const double slack = 1e-3 + 1000 * leaning * (double)INVCAL_EPSILON;
     if (slack < 0.05) { /* the limits are those of the library, but for rounding */
         axes_of(calibration, nominal, p);
-        REQUIRE(is_definite(0.1 - slack, p));
-        REQUIRE(centre_of(calibration, nominal, &hidden) < 10 * (1 + slack) + hidden);
+        REQUIRE(is_definite((is_of_angles ? 1 / 30.0 : 0.1) - slack, p));
+        REQUIRE(centre_of(calibration, nominal, &hidden) <
+                (is_of_angles ? 17.33 : 10) * (1 + slack) + hidden);
     }
 }
 
@@ -272,7 +274,7 @@ void require_solution(const invcal_calibration *calibration, const conditions *c
     invcal_calibration other = *calibration;
     invcal_real x[INVCAL_PARAMETERS];
 
-    require_calibration(calibration, &c->nominal);
+    require_calibration(calibration, &c->nominal, c->is_linear);
     invcal_deviation(calibration, &c->nominal, x);
     require_finite(x, INVCAL_PARAMETERS);
     if (c->is_triangular) {

@@ -35,6 +35,7 @@ typedef struct {
     invcal_real prior[INVCAL_PARAMETERS];
     invcal_real field;
     int is_triangular;
+    int is_linear; /* made of X */
 } conditions;
 
 /* Conditions for readings of some thousand counts; all that they hold may be unusual. */
@@ -58,8 +59,10 @@ void require_sigma(const invcal_real *x, unsigned count);
 void require_regular(const invcal_calibration *calibration);
 
 /* A solution: finite, against its nominal positive definite, no semi-axis shorter than 0.1, the centre
- * within 10. Where nominal is all but singular rounding hides what it is: finite. */
-void require_calibration(const invcal_calibration *calibration, const invcal_calibration *nominal);
+ * within 10; of one that was made of X = (delta, dk, gamma), 1/30, and 10 on each axis. Where nominal
+ * is all but singular rounding hides what it is: finite. */
+void require_calibration(const invcal_calibration *calibration, const invcal_calibration *nominal,
+                         int is_of_angles);
 
 /* The same; and as much when it is turned and in a unit, as the conditions want it. */
 void require_solution(const invcal_calibration *calibration, const conditions *c);

@@ -20,6 +20,7 @@ LIBRARY_OBJECTS := $(patsubst %.c,$(OUT)/library/%.o,$(wildcard src/*.c) tests/f
 TOOL_OBJECTS := $(patsubst %.c,$(OUT)/tool/%.o,$(wildcard src/*.c port/host/*.c) tests/fuzz/tool.c)
 
 .PHONY: all
+.SECONDARY:
 all: $(NAMES:%=$(OUT)/fuzz-%)
 
 $(OUT)/library/%.o: %.c
