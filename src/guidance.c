@@ -64,7 +64,7 @@ void invcal_next_beside(invcal_sums *sums, const invcal_real current[3], invcal_
         const invcal_real cosine = length > 0 ? invcal_dot3(h, current) / length : 0;
         invcal_row_of(h, h);
         const invcal_real merit = invcal_leverage(sums->sum, h) * (1 + ACROSS * cosine);
-        if (cosine <= THE_SAME && merit > CLEARLY * best) {
+        if (cosine <= THE_SAME && !(merit <= CLEARLY * best)) { /* any, were all of them NaN */
             best = merit;
             memcpy(up, h, 3 * sizeof *up);
         }

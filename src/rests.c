@@ -59,7 +59,7 @@ enum {
 };
 
 #define WIDE (INT32_C(1) << 19)     /* counts: no noise is so large, no rest creeps so far */
-#define FINE 10                     /* bits behind the point of a mean: exact for any block */
+#define FINE 10u                    /* bits behind the point of a mean: exact for any block */
 #define MOST INT32_C(65535)         /* blocks of a rest that are summed */
 #define SHORTEST 620                /* milliseconds that make a position */
 #define HOUR (UINT32_C(3600) * 125) /* in 1/125 s */
@@ -98,7 +98,9 @@ static int32_t as_signed(uint32_t x)
 /* x / 2^bits, towards 0: the same for both signs. */
 INVCAL_APART static int32_t shifted(int32_t x, unsigned bits)
 {
-    return x < 0 ? -(-x >> bits) : x >> bits;
+    const int32_t size = (int32_t)((uint32_t)(x < 0 ? -x : x) >> bits);
+
+    return x < 0 ? -size : size;
 }
 
 /* |a - b| */
@@ -157,7 +159,7 @@ INVCAL_APART static int distance(const int32_t a[3], const int32_t b[3])
 /* The same of origin, in whole counts, and the position before. */
 INVCAL_APART static int distance_from_place(const invcal_rests *s)
 {
-    return distance(s->origin, s->place) + 2 * FINE * OCTAVE;
+    return distance(s->origin, s->place) + 2 * (int)FINE * OCTAVE;
 }
 
 /* ---- a block ------------------------------------------------------------------------------ */
@@ -344,7 +346,7 @@ static int learn_new_noise(invcal_rests *s, int is_quiet, int level, int jump)
         return 0;
     }
     s->run++;
-    if (s->run < RELEARN << s->taken) {
+    if (s->run < (unsigned)RELEARN << s->taken) {
         return 0;
     }
     s->noise = s->other;
@@ -489,7 +491,14 @@ static invcal_event finish(invcal_rests *s)
     return say(s, why, INVCAL_TAKEN);
 }
 
-/* Is there news of the rest? It may become long enough, or settle, as long as it goes on. */
+/* It may become long enough, or settle, as long as it goes on. */
+static int is_news(const invcal_rests *s, invcal_status why)
+{
+    return s->stage != HELD && !is_said(s, why) && why != INVCAL_REST_DRIFT &&
+           why != INVCAL_REST_SHORT && why != INVCAL_REST_GAP;
+}
+
+/* Is there news of the rest? */
 static invcal_event announce(invcal_rests *s)
 {
     if (s->blocks >= s->least) {
@@ -500,8 +509,7 @@ static invcal_event announce(invcal_rests *s)
         return say(s, INVCAL_REST_DRIFT, INVCAL_REFUSED);
     }
     const invcal_status why = fault(s);
-    if (s->stage == HELD || is_said(s, why) || why == INVCAL_REST_DRIFT ||
-        why == INVCAL_REST_SHORT || why == INVCAL_REST_GAP) {
+    if (!is_news(s, why)) {
         return INVCAL_SETTLING;
     }
     s->stage = why == INVCAL_OK ? HELD : DISMISSED;
@@ -536,48 +544,53 @@ INVCAL_APART static invcal_event agree(invcal_rests *s, const int32_t mean[3], u
     return announce(s);
 }
 
-/* Three axes that read the same number: no triad does. */
-static int is_even(const invcal_rests *s)
+/* Without any noise, where there has been some; or three axes that read the same number, as no triad
+ * does: it is not read from the sensor. */
+static int is_dead(const invcal_rests *s, uint64_t variance)
 {
-    return s->first[0] == s->first[1] && s->first[1] == s->first[2];
+    return variance == 0 && (s->noise > quantum_level(s) ||
+                             (s->first[0] == s->first[1] && s->first[1] == s->first[2]));
 }
 
-/* A block is full. Is it quiet, and where it is expected? One without any noise, where there has
- * been some, is not read from the sensor. */
+static invcal_event freeze(invcal_rests *s)
+{
+    s->run++;
+    if (s->run >= FREEZE && s->reason != INVCAL_REST_FROZEN) {
+        return say(s, INVCAL_REST_FROZEN, INVCAL_REFUSED);
+    }
+    return disagree(s, 0);
+}
+
+/* A block is full. Is it quiet, and where it is expected? */
 INVCAL_APART static invcal_event decide(invcal_rests *s)
 {
     int32_t from_first[3];
     int32_t mean[3];
-    const uint32_t begin = s->time;
+    const uint32_t start = s->time;
 
     drop(s);
-    s->time = begin + samples_of(s);
+    s->time = start + samples_of(s);
     if ((s->seen & WILD) != 0) {
         return disagree(s, 0);
     }
     const uint64_t variance = measure(s, from_first);
-    const int quantum = quantum_level(s);
-    if (variance == 0 && (s->noise > quantum || is_even(s))) {
-        s->run++;
-        if (s->run >= FREEZE && s->reason != INVCAL_REST_FROZEN) {
-            return say(s, INVCAL_REST_FROZEN, INVCAL_REFUSED);
-        }
-        return disagree(s, 0);
+    if (is_dead(s, variance)) {
+        return freeze(s);
     }
-    const int level = larger(level_of(variance), quantum + HIDDEN);
+    const int level = larger(level_of(variance), quantum_level(s) + HIDDEN);
     int is_quiet = learn_noise(s, level);
     int jump = locate(s, from_first, mean);
     is_quiet |= learn_new_noise(s, is_quiet, level, jump);
     const int limit = larger(resolution_level(s),
                              larger(s->noise + OF_NOISE, s->wander + OF_WANDER));
     if (s->blocks == -TRIM) {
-        s->begin = begin;
+        s->begin = start;
         s->flags = 0;
         jump = NONE;
         move_origin(s, from_first, mean);
     } else if (is_quiet && jump < BEYOND) {
         s->wander = (int16_t)follow(s->wander, jump);
-    }
+    } /* cppcheck-suppress misra-c2012-15.7 ; there is nothing to learn */
     if (is_quiet && jump <= limit) {
         return agree(s, mean, variance);
     }

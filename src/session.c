@@ -16,7 +16,7 @@ enum { NOT_ASKED, NOT_GOOD, GOOD };  /* session->good */
 
 /* Before the means, and what tells that from another layout, number type or order of bytes. */
 #define HEAD ((uint32_t)offsetof(invcal_session, mean))
-#define LAYOUT (UINT32_C(0xC5030000) + (uint32_t)sizeof(invcal_real) * 256u + HEAD)
+#define LAYOUT (UINT32_C(0x5E030000) + (uint32_t)sizeof(invcal_real) * 256u + HEAD)
 
 /* ---- settings --------------------------------------------------------------------------------- */
 

@@ -19,10 +19,11 @@ const char *invcal_refusal_text(invcal_status status)
                                 "at the end of the sensor's range\0"
                                 "readings never change: is the sensor read?\0"
                                 "too short: samples were lost\0"
-                                "nothing new: the same place as before";
+                                "nothing new: the same place as before\0";
+    enum { REFUSALS = INVCAL_REST_SAME - INVCAL_OUT_OF_RANGE + 1 };
     const unsigned n = (unsigned)status - INVCAL_OUT_OF_RANGE;
 
-    return nth(texts, n <= INVCAL_REST_SAME - INVCAL_OUT_OF_RANGE ? n : 0);
+    return nth(texts, n < REFUSALS ? n : REFUSALS);
 }
 
 const char *invcal_status_text(invcal_status status)

@@ -7,7 +7,7 @@
 
 #include "invcal/invcal.h"
 
-/* Of INVCAL_OUT_OF_RANGE ... INVCAL_REST_SAME; any other is a reading that is far from the field. */
+/* Of INVCAL_OUT_OF_RANGE ... INVCAL_REST_SAME; any other has none. */
 const char *invcal_refusal_text(invcal_status status);
 
 #endif

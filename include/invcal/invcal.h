@@ -449,8 +449,8 @@ invcal_event invcal_session_last(const invcal_session *session);
 /* Why the last rest was refused; INVCAL_OK before the first. */
 invcal_status invcal_session_reason(const invcal_session *session);
 
-/* The same as a sentence, such as invcal_status_text gives; those of the other statuses are not linked
- * for it. */
+/* The same as a sentence, such as invcal_status_text gives, "" before the first; those of the other
+ * statuses are not linked for it. */
 const char *invcal_session_why(const invcal_session *session);
 
 /* Which orientation to take next: of 26 directions - the faces, edges and corners of a cube - the

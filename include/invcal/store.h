@@ -251,7 +251,7 @@ invcal_status invcal_record_decode(const uint8_t *bytes, uint32_t size, invcal_r
  * its procedure was another one. */
 #define INVCAL_SESSION_SIZE                                                                        \
     ((uint32_t)(offsetof(invcal_session, mean) +                                                   \
-                3 * INVCAL_MAX_POSITIONS * sizeof(invcal_real))) /* bytes at most */
+                sizeof(invcal_real[INVCAL_MAX_POSITIONS][3]))) /* bytes at most */
 
 /* How many bytes of a session, from its beginning, last. Who has other means than an invcal_store keeps
  * these. */
