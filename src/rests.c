@@ -27,9 +27,9 @@ enum {
                       as many after a position at the old one: a hand's fumbling is shorter */
     FREEZE = 8,    /* blocks in a row without any noise: the sensor is not read, 1.2 s */
     FADE = 4,      /* the trend forgets: 1 << FADE blocks count, 2 s, as long as a short rest */
-    DRIFTING = 10, /* blocks in a row of a rest that drifts, until it is refused: 1.5 s */
-    MOST = 65535   /* blocks of a rest that are summed */
+    DRIFTING = 10  /* blocks in a row of a rest that drifts, until it is refused: 1.5 s */
 };
+#define MOST INT32_C(65535) /* blocks of a rest that are summed; more than an int of 16 bits */
 
 /* Noise. The level is a quantile: the steps up and down balance where 30 % of the blocks lie below,
  * so a third of all blocks at rest is enough to learn it. */
@@ -288,7 +288,7 @@ static int quantum_level(const invcal_rests *s)
 /* Places that differ by less are one. */
 INVCAL_APART static int resolution_level(const invcal_rests *s)
 {
-    return larger(s->reach + OF_REACH, quantum_level(s) + OF_QUANTUM);
+    return larger((int)s->reach + OF_REACH, quantum_level(s) + OF_QUANTUM);
 }
 
 /* To the mean of this block, in whole counts. */
@@ -299,7 +299,7 @@ static void move_origin(invcal_rests *s, const int32_t from_first[3], int32_t me
         s->origin[a] = as_signed((uint32_t)s->first[a] + (uint32_t)whole);
         mean[a] = from_first[a] - whole * (INT32_C(1) << FINE);
     }
-    s->reach = (uint16_t)larger(s->reach, distance_from_place(s));
+    s->reach = (uint16_t)larger((int)s->reach, distance_from_place(s));
 }
 
 /* Follows a low quantile. */
@@ -320,14 +320,14 @@ static int learn_noise(invcal_rests *s, int level)
         s->noise = (uint16_t)level;
         memcpy(s->place, s->first, sizeof s->place);
     }
-    if (s->blocks < s->least && level < s->noise - FAR_BELOW) {
+    if (s->blocks < s->least && level < (int)s->noise - FAR_BELOW) {
         s->noise = (uint16_t)level;
         clear_rest(s);
     }
-    if (level > s->noise + QUIET) {
+    if (level > (int)s->noise + QUIET) {
         return 0;
     }
-    s->noise = (uint16_t)follow(s->noise, level);
+    s->noise = (uint16_t)follow((int)s->noise, level);
     return 1;
 }
 
@@ -336,7 +336,7 @@ static int learn_noise(invcal_rests *s, int level)
  * was, than the noise that they would be made of. Returns 1 when the new level is adopted. */
 static int learn_new_noise(invcal_rests *s, int is_quiet, int level, int jump)
 {
-    const int d = level - s->other;
+    const int d = level - (int)s->other;
 
     if (is_quiet || d > ALIKE || d < -ALIKE || jump > level) {
         s->run = 0;
@@ -422,11 +422,11 @@ static int is_drifting(const invcal_rests *s)
 {
     const int g = octaves(smaller((uint32_t)s->blocks + TRIM, 60)) - 2 * OCTAVE;
     const int slope = distance(s->rest.once, s->rest.twice) - 2 * g;
-    const int speed = slope + 2 * octaves(s->rate) - 2 * OCTAVE * s->bits;
-    const int scatter = larger(s->noise - s->bits * OCTAVE, s->wander - 3 * OCTAVE);
+    const int speed = slope + 2 * octaves(s->rate) - 2 * OCTAVE * (int)s->bits;
+    const int scatter = larger((int)s->noise - (int)s->bits * OCTAVE, (int)s->wander - 3 * OCTAVE);
 
     return slope + 3 * g > scatter + BEYOND_CHANCE &&
-           speed > larger(s->noise + NOISE_PER_SECOND, s->reach + REACH_PER_SECOND);
+           speed > larger((int)s->noise + NOISE_PER_SECOND, (int)s->reach + REACH_PER_SECOND);
 }
 
 /* ---- what is said of a rest --------------------------------------------------------------- */
@@ -435,7 +435,7 @@ static int is_drifting(const invcal_rests *s)
 static int is_stuck(const invcal_rests *s)
 {
     return s->quantum == 0 ||
-           ((s->flags & ALL_CHANGED) != ALL_CHANGED && s->noise > quantum_level(s) + ALIVE);
+           ((s->flags & ALL_CHANGED) != ALL_CHANGED && (int)s->noise > quantum_level(s) + ALIVE);
 }
 
 /* What is wrong with it? */
@@ -493,7 +493,7 @@ static invcal_event finish(invcal_rests *s)
 static invcal_event announce(invcal_rests *s)
 {
     if (s->blocks >= s->least) {
-        s->drift = is_drifting(s) ? s->drift + 1 : 0;
+        s->drift = (uint8_t)(is_drifting(s) ? s->drift + 1 : 0);
     }
     if (s->drift == DRIFTING) {
         clear_rest(s);
@@ -557,7 +557,7 @@ INVCAL_APART static invcal_event decide(invcal_rests *s)
     }
     const uint64_t variance = measure(s, from_first);
     const int quantum = quantum_level(s);
-    if (variance == 0 && (s->noise > quantum || is_even(s))) {
+    if (variance == 0 && ((int)s->noise > quantum || is_even(s))) {
         s->run++;
         if (s->run >= FREEZE && s->reason != INVCAL_REST_FROZEN) {
             return say(s, INVCAL_REST_FROZEN, INVCAL_REFUSED);
@@ -568,15 +568,15 @@ INVCAL_APART static invcal_event decide(invcal_rests *s)
     int is_quiet = learn_noise(s, level);
     int jump = locate(s, from_first, mean);
     is_quiet |= learn_new_noise(s, is_quiet, level, jump);
-    const int limit = larger(resolution_level(s),
-                             larger(s->noise + OF_NOISE, s->wander + OF_WANDER));
+    const int limit =
+        larger(resolution_level(s), larger((int)s->noise + OF_NOISE, (int)s->wander + OF_WANDER));
     if (s->blocks == -TRIM) {
         s->begin = begin;
         s->flags = 0;
         jump = NONE;
         move_origin(s, from_first, mean);
     } else if (is_quiet && jump < BEYOND) {
-        s->wander = (uint16_t)follow(s->wander, jump);
+        s->wander = (uint16_t)follow((int)s->wander, jump);
     }
     if (is_quiet && jump <= limit) {
         return agree(s, mean, variance);

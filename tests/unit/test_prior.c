@@ -138,7 +138,7 @@ static void what_hardly_shows_is_solved_or_refused_as_open(void)
                 directions[i][k] = edge[i % 3][k] / length;
             }
         }
-        read_positions(&truth, directions, 12, 0, &unused, &set);
+        read_positions(&truth, (const double(*)[3])directions, 12, 0, &unused, &set);
         memset(&o, 7, sizeof o);
         before = o;
         const invcal_status status = calibrate(&set, 1e-7, of_offsets, &o);
