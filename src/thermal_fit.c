@@ -447,8 +447,8 @@ static invcal_status set_up(job *j, const invcal_thermal_positions *positions,
     if (status == INVCAL_OK) {
         status = find_range(positions->temperature, positions->count, &j->min, &j->max);
     }
-    if (status == INVCAL_OK && !(INVCAL_FABS(invcal_thermal_scaled(base, j->min)) <= FARTHEST &&
-                                 INVCAL_FABS(invcal_thermal_scaled(base, j->max)) <= FARTHEST)) {
+    if (status == INVCAL_OK && (!(INVCAL_FABS(invcal_thermal_scaled(base, j->min)) <= FARTHEST) ||
+                                !(INVCAL_FABS(invcal_thermal_scaled(base, j->max)) <= FARTHEST))) {
         return INVCAL_BAD_TEMPERATURE;
     }
     return status == INVCAL_OK && prior != NULL ? hold(j, prior) : status;

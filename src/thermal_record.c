@@ -55,7 +55,7 @@ static invcal_status check_thermal(const invcal_thermal_record *r)
     invcal_thermal_place place;
     invcal_calibration c;
 
-    if (!(t->span > 0 && t->min <= t->max) || t->fitted > t->degree ||
+    if (!(t->span > 0) || !(t->min <= t->max) || t->fitted > t->degree ||
         t->fallback > INVCAL_THERMAL_OPEN || r->is_triangular > 1) {
         return INVCAL_DAMAGED;
     }

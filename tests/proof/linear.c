@@ -3,7 +3,7 @@
 #include "invcal/expert.h"
 
 // eva: -eva-auto-loop-unroll 12 -eva-slevel 50
-// eva: -eva-split-return-function invcal_observe:0,observe_along:0,invcal_factor:0,correct:0,invcal_behind:0
+// eva: -eva-split-return full
 
 void main(void)
 {

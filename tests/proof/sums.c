@@ -1,12 +1,35 @@
 /* SPDX-License-Identifier: MIT */
 #include "sums.h"
+
+#include <stddef.h>
+
 #include "arbitrary.h"
 
 // eva: -eva-auto-loop-unroll 64
 // config: -D__OPTIMIZE__=1
 
+enum { MOST = 27 }; /* unknowns, of a parabola of temperature */
+
+/* Of so many rows, all elements or some. */
+static void rank_one(unsigned n)
+{
+    static invcal_real a[INVCAL_PACKED_SIZE(MOST + 1)];
+    static uint8_t same[INVCAL_PACKED_SIZE(MOST + 1)];
+    invcal_real v[MOST + 1];
+    invcal_real weight;
+
+    ANY(a);
+    ANY(same);
+    ANY(v);
+    ANY(weight);
+    invcal_rank_one(a, v, n, weight, NULL);
+    invcal_rank_one(a, v, n, weight, same);
+}
+
 void main(void)
 {
+    rank_one(INVCAL_PARAMETERS + 1);
+    rank_one(MOST + 1);
     invcal_sums sums;
     invcal_calibration nominal;
     invcal_real raw[3];

@@ -9,6 +9,8 @@
 // eva: -eva-precision 0 -eva-auto-loop-unroll 30 -eva-slevel 12 -eva-slevel-merge-after-loop @all -eva-split-return full
 // config: -DINVCAL_THERMAL_DEGREE=2
 // config: -DINVCAL_THERMAL_DEGREE=0
+// dead: judge_range 1
+// The test for slopes, and its constant, is decided when it is compiled.
 // stubs: thermal solve nominal sums system judge
 
 /* ---- what other modules do -------------------------------------------------------------------- */
