@@ -581,8 +581,8 @@ INVCAL_APART static invcal_event decide(invcal_rests *s)
     int is_quiet = learn_noise(s, level);
     int jump = locate(s, from_first, mean);
     is_quiet |= learn_new_noise(s, is_quiet, level, jump);
-    const int limit = larger(resolution_level(s),
-                             larger(s->noise + OF_NOISE, s->wander + OF_WANDER));
+    const int limit =
+        larger(resolution_level(s), larger(s->noise + OF_NOISE, s->wander + OF_WANDER));
     if (s->blocks == -TRIM) {
         s->begin = start;
         s->flags = 0;

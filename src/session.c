@@ -126,9 +126,8 @@ invcal_status invcal_session_resume(invcal_session *session, uint32_t size)
 /* The reading of the rest that is READY or has been TAKEN just now. */
 static invcal_status read_rest(const invcal_session *session, invcal_real mean[3], invcal_row *row)
 {
-    return invcal_rests_mean(&session->rests, mean)
-               ? invcal_observe(&session->nominal, mean, row)
-               : INVCAL_TOO_FEW;
+    return invcal_rests_mean(&session->rests, mean) ? invcal_observe(&session->nominal, mean, row)
+                                                    : INVCAL_TOO_FEW;
 }
 
 /* The table is in the order of taking; where it is full the oldest goes. */

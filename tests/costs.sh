@@ -26,6 +26,12 @@ row() { # title, what
 
 # The line of README.md that begins with $1 is to begin with $2.
 expect() {
+    case $2 in *'|  |'* | *'takes ')
+        echo "not measured: $2"
+        failed=$((failed + 1))
+        return
+        ;;
+    esac
     if [ -n "$UPDATE" ]; then
         awk -v head="$1" -v line="$2" 'index($0, head) == 1 {
                 $0 = head ~ /[|]$/ ? line : line substr($0, length(head) + match( \

@@ -31,6 +31,8 @@ extern "C" {
  * With u the reading over field, not normalised, J = (|u|^2 - 1)/2 + h(u) p = 0 is the equation of
  * an ellipsoid: exact for errors of any size, and linear in p. */
 #define INVCAL_J INVCAL_PARAMETERS /* where J stands: behind the row */
+
+/* One equation. */
 typedef struct {
     invcal_real h[INVCAL_PARAMETERS + 1]; /* the row; the first three are u itself; and J */
 } invcal_row;

@@ -6,7 +6,7 @@
 #include "invcal/expert.h"
 
 #define LEVEL_MAX 16383
-#define WIDEST ((int32_t)1 << 20) /* counts: of a mean from origin */
+#define WIDEST ((int32_t)1 << 20)       /* counts: of a mean from origin */
 #define MEAN_MOST (INT32_C(0x3FFFFFFF)) /* the same in 1/1024 counts, and less */
 #define TOTAL_MOST(bits) (UINT16_MAX * ((int64_t)WIDEST << (bits)))
 

@@ -97,8 +97,8 @@ static invcal_row row_of(int kind, const triad_truth *truth, const double eta[3]
     triad_read(truth, eta, u);
     const double vertical = u[0] * x + u[1] * y + u[2] * z - 1;
     const double scalar = (u[0] * u[0] + u[1] * u[1] + u[2] * u[2] - 1) / 2;
-    return (invcal_row){{x, y, z, x * x, y * y, z * z, x * y, x * z, y * z,
-                        kind == J1 ? vertical : scalar}};
+    return (invcal_row){
+        {x, y, z, x * x, y * y, z * z, x * y, x * z, y * z, kind == J1 ? vertical : scalar}};
 }
 
 /* ---- J to coefficients to parameters ---- */
