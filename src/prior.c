@@ -66,11 +66,17 @@ static invcal_status invert_with(const invcal_real *told, const prior_sigma *pri
     return status;
 }
 
-/* The share of parameter r that the data told, 0 ... 1: 1 - posterior / prior variance. */
+/* The share of parameter r that the data told: 1 - posterior / prior variance; 0 where rounding has made
+ * the posterior the larger. */
 static invcal_real told_by_data(const prior_sigma *prior, unsigned r, invcal_real noise,
-                                invcal_real k)
+                                invcal_real *k)
 {
-    return 1 - k * row_of(prior, r, noise);
+    const invcal_real row = row_of(prior, r, noise);
+
+    if (*k * row > 1) {
+        *k = 1 / row;
+    }
+    return 1 - *k * row;
 }
 
 /* information: of the second pass. */
@@ -91,7 +97,8 @@ INVCAL_APART static invcal_status judge_with(const invcal_positions *positions,
     invcal_status status = invert_with(information, prior, &noise, l);
     if (status == INVCAL_OK) {
         for (unsigned r = 0; r < INVCAL_PARAMETERS; r++) {
-            dof -= told_by_data(prior, r, noise, invcal_variance(l, INVCAL_PARAMETERS, r));
+            k[r] = invcal_variance(l, INVCAL_PARAMETERS, r);
+            dof -= told_by_data(prior, r, noise, &k[r]);
         }
         invcal_judge_noise(positions->noise,
                            information[INVCAL_PACKED(INVCAL_PARAMETERS, INVCAL_PARAMETERS)], dof,
@@ -106,7 +113,7 @@ INVCAL_APART static invcal_status judge_with(const invcal_positions *positions,
         if (!(prior->sigma[r] > 0 || k[r] <= INVCAL_HOPELESS_K)) {
             return INVCAL_UNDETERMINED;
         }
-        bits |= (told_by_data(prior, r, q->noise, k[r]) >= INVCAL_REAL(0.5) ? 0u : 1u) << r;
+        bits |= (told_by_data(prior, r, q->noise, &k[r]) >= INVCAL_REAL(0.5) ? 0u : 1u) << r;
         trace += information[INVCAL_PACKED(r, r)] + row_of(prior, r, q->noise);
     }
     q->condition = invcal_condition(l, INVCAL_PARAMETERS, trace);

@@ -212,7 +212,7 @@ static void calibrate(source *s)
     look_at_guidance(&mean[0][0], count, &c, s);
 }
 
-/* Sigma is never above the prior, but for what rounding costs it (expert.h). */
+/* Sigma is never above the prior. */
 static void calibrate_with_prior(source *s)
 {
     invcal_real mean[MOST][3];
@@ -235,8 +235,7 @@ static void calibrate_with_prior(source *s)
     require_solution(&out, &c);
     require_quality(&quality, count);
     REQUIRE(from_prior < 1u << INVCAL_PARAMETERS && quality.noise >= c.noise);
-    const invcal_real most =
-        INVCAL_REAL(1.01) + INVCAL_LOSS_SIGMA * INVCAL_EPSILON * quality.condition;
+    const invcal_real most = 1 + 8 * INVCAL_EPSILON;
     for (unsigned r = 0; r < INVCAL_PARAMETERS; r++) {
         REQUIRE(c.prior[r] >= 0);
         REQUIRE(c.prior[r] > 0 || !(from_prior >> r & 1u));
