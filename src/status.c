@@ -23,7 +23,7 @@ const char *invcal_refusal_text(invcal_status status)
     enum { REFUSALS = INVCAL_REST_SAME - INVCAL_OUT_OF_RANGE + 1 };
     const unsigned n = (unsigned)status - INVCAL_OUT_OF_RANGE;
 
-    return nth(texts, n < REFUSALS ? n : REFUSALS);
+    return nth(texts, status == INVCAL_OK ? REFUSALS : n < REFUSALS ? n : 0);
 }
 
 const char *invcal_status_text(invcal_status status)

@@ -7,7 +7,8 @@
 
 #include "invcal/invcal.h"
 
-/* Of INVCAL_OUT_OF_RANGE ... INVCAL_REST_SAME; any other has none. */
+/* Of INVCAL_OUT_OF_RANGE ... INVCAL_REST_SAME; "" for INVCAL_OK; any other is a reading that is far from
+ * the field. */
 const char *invcal_refusal_text(invcal_status status);
 
 #endif

@@ -55,6 +55,7 @@ static void any_other_refusal_is_a_reading_far_from_the_field(void)
     TEST_ASSERT_EQUAL_STRING(far_away, invcal_refusal_text(INVCAL_NOT_FINITE));
     TEST_ASSERT_EQUAL_STRING(far_away, invcal_refusal_text(INVCAL_STATUS_COUNT));
     TEST_ASSERT_TRUE(strcmp(far_away, invcal_refusal_text(INVCAL_REST_SAME)) != 0);
+    TEST_ASSERT_EQUAL_STRING("", invcal_refusal_text(INVCAL_OK));
 }
 
 static void parameters_are_named_in_the_order_of_the_paper(void)
