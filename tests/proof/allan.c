@@ -1,11 +1,10 @@
 /* SPDX-License-Identifier: MIT */
 #include "history_allan.h"
 
-// eva: -eva-precision 0 -eva-auto-loop-unroll 40 -eva-slevel 40 -eva-slevel-function stage:200
+// eva: -eva-precision 0 -eva-auto-loop-unroll 40 -eva-slevel 300 -eva-slevel-function stage:200
 // wide: -DINVCAL_ALLAN_TAUS=31 -DINVCAL_ALLAN_OVERLAP=16384
 // config: -DINVCAL_ALLAN_TAUS=1 -DINVCAL_ALLAN_OVERLAP=1
-// trusted: 3
-// trusted: -DINVCAL_ALLAN_TAUS=1 1
+// trusted: 1
 // dead: -DINVCAL_ALLAN_TAUS=1 invcal_allan_begin_float_1_1 1 of one averaging time none is before another
 
 static void begin(void)

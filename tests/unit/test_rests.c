@@ -830,6 +830,24 @@ static void a_slow_turn_is_refused_for_drift_while_it_lasts(void)
     TEST_ASSERT_EQUAL_UINT(b.refused[INVCAL_REST_DRIFT], all_refused());
 }
 
+/* What has been READY is not refused for the last second before it is left. */
+static void a_position_that_creeps_as_it_is_left_is_one(void)
+{
+    for (int tenths = 5; tenths < 14; tenths++) {
+        setup(100, 16384, 5e-4);
+        hold(0, 3);
+        turn(0, 1, 1);
+        hold(1, 3);
+        TEST_ASSERT_EQUAL_UINT(2, b.ready);
+        creep(1, 0, tenths / 10.0);
+        turn(1, 2, 1);
+        hold(2, 3);
+        end_of_stream();
+        TEST_ASSERT_EQUAL_UINT(3, b.ready);
+        TEST_ASSERT_EQUAL_UINT(0, all_refused());
+    }
+}
+
 static void a_sensor_that_warms_up_does_rest(void)
 {
     static const double noises[] = {5e-4, 5e-5, 2e-5};
@@ -1675,6 +1693,7 @@ int main(void)
     RUN_SLOW_TEST(unit_offset_and_order_of_the_axes_do_not_matter);
     RUN_TEST(a_copy_of_the_state_goes_on_alike);
     RUN_TEST(a_slow_turn_is_refused_for_drift_while_it_lasts);
+    RUN_TEST(a_position_that_creeps_as_it_is_left_is_one);
     RUN_LONG_TEST(a_sensor_that_warms_up_does_rest);
     RUN_SLOW_TEST(a_warming_sensor_may_rest_for_minutes_at_first);
     RUN_TEST(what_is_shaken_is_moving_and_does_not_settle);

@@ -473,7 +473,8 @@ static void any_content_does_no_harm(void)
             accepted++;
             (void)invcal_session_solve(&out, &calibration, &quality);
             invcal_session_next(&out, next);
-            TEST_ASSERT_DOUBLE_WITHIN(1e-6, 1, length3((double[3]){next[0], next[1], next[2]}));
+            TEST_ASSERT_DOUBLE_WITHIN(
+                1e-6, 1, length3((double[3]){(double)next[0], (double)next[1], (double)next[2]}));
             (void)invcal_session_feed(&out, raw);
         }
     }
