@@ -222,11 +222,11 @@ static invcal_status compose(const job *j, invcal_real t, invcal_real x[INVCAL_P
     //@ split degree;
     invcal_calibration first;
     invcal_calibration c;
-    invcal_real work[INVCAL_WORK];
+    invcal_real scratch[INVCAL_WORK];
     invcal_real m[3][3];
 
     invcal_polynomials(&j->a[INVCAL_PACKED((degree + 1) * NINE, 0)], degree, t, x);
-    invcal_status status = invcal_ellipsoid(x, work, &c);
+    invcal_status status = invcal_ellipsoid(x, scratch, &c);
     if (status == INVCAL_OK) {
         status = invcal_thermal_triad(&j->now, t, &first);
     }
@@ -237,7 +237,7 @@ static invcal_status compose(const job *j, invcal_real t, invcal_real x[INVCAL_P
         return status;
     }
     turn(c.matrix);
-    invcal_make_symmetric(c.matrix, work);
+    invcal_make_symmetric(c.matrix, scratch);
     invcal_inverse3((const invcal_real(*)[3])c.matrix, m);
     memcpy(x, c.offset, sizeof c.offset);
     for (unsigned i = 0; i < 3; i++) {

@@ -351,8 +351,8 @@ typedef struct {
     int16_t other;       /* another noise level in the making */
     uint16_t missing;    /* samples until it is full; 0: the next begins another */
     uint32_t span;       /* twice what differences may be to be added quickly; 0: none */
-    int32_t first[3];    /* sample of the block, */
-    uint32_t sum[3];     /* sums of the differences to it, modulo 2^32, */
+    int32_t first[3];    /* sample of the block */
+    uint32_t sum[3];     /* sums of the differences to it, modulo 2^32 */
     uint32_t square;     /* and of their squares, the three axes together, modulo 2^32 */
     uint32_t carry;      /* how often that has overflowed */
     uint32_t quantum;    /* smallest change ever seen inside a block, counts; 0: none as yet */

@@ -4,7 +4,7 @@
  * as it says, and hold it still until it says "good". At the end the calibration is stored; from
  * then on calibrated readings are printed, after the next power-on too. Send c to calibrate anew.
  *
- * It takes 42 KB of flash and 3 KB of RAM: a Mega, not an Uno. The sensor is in sensor.cpp, the memory
+ * It takes 38 KB of flash and 3 KB of RAM: a Mega, not an Uno. The sensor is in sensor.cpp, the memory
  * in storage.cpp: change them for other ones.
  */
 #include <invcal.h>
