@@ -99,7 +99,7 @@ void invcal_sums_add_row(invcal_sums *sums, const invcal_row *row, invcal_real w
  *   INVCAL_UNDETERMINED   the positions leave parameters open;
  *   INVCAL_NOT_ELLIPSOID  the readings lie on no ellipsoid, or on no triad's: see invcal_calibrate;
  *   INVCAL_BAD_NOMINAL    its matrix has no inverse.
- * Cost: 3,000 instructions. Stack: about 240 bytes. */
+ * Cost: 2,900 instructions. Stack: about 180 bytes. */
 invcal_status invcal_solve(invcal_sums *sums, const invcal_calibration *nominal,
                            invcal_calibration *out);
 
@@ -298,7 +298,7 @@ typedef struct {
  *   INVCAL_NOT_FINITE, INVCAL_OUT_OF_RANGE    for a reading: invcal_bad_reading says which;
  *   INVCAL_UNDETERMINED   the positions leave parameters open: invcal_undetermined names them.
  * Cost: 69,000 to 260,000 instructions for 18 good positions, as many triples are worth a try; up to
- * 520,000 if some are wrong. Stack: 560 bytes. */
+ * 520,000 if some are wrong. Stack: 590 bytes. */
 invcal_status invcal_outliers_find(const invcal_real *raw, unsigned count,
                                    const invcal_calibration *nominal, invcal_real noise,
                                    invcal_outliers *out);
@@ -321,7 +321,7 @@ typedef struct {
  * position  from 0: one that is removed, or one that is not.
  *
  * Returns as invcal_outliers_find; INVCAL_BAD_COUNT if there is no such position; INVCAL_TOO_FEW if no
- * residual is left. Cost: 8,200 instructions for 18 positions. Stack: 560 bytes. */
+ * residual is left. Cost: 8,200 instructions for 18 positions. Stack: 590 bytes. */
 invcal_status invcal_outlier_size(const invcal_real *raw, unsigned count,
                                   const invcal_calibration *nominal, invcal_real noise,
                                   invcal_mask removed, unsigned position, invcal_outlier *out);
@@ -419,7 +419,7 @@ invcal_status invcal_linear_add_scalar(invcal_linear_sums *linear,
  *   INVCAL_UNDETERMINED   the directions leave parameters open;
  *   INVCAL_NOT_ELLIPSOID  a semi-axis of I + S is outside about 0.1 ... 10, or delta beyond 10;
  *   INVCAL_BAD_NOMINAL    its matrix has no inverse.
- * Cost: 2,400 instructions. Stack: about 330 bytes. */
+ * Cost: 2,300 instructions. Stack: about 220 bytes. */
 invcal_status invcal_linear_solve(invcal_linear_sums *linear, const invcal_calibration *nominal,
                                   invcal_calibration *out, invcal_real x[INVCAL_PARAMETERS]);
 

@@ -301,7 +301,7 @@ invcal_real invcal_coverage(unsigned dof);
  *   INVCAL_NOT_ELLIPSOID  the readings lie on no ellipsoid (but, say, on a hyperboloid), on no triad's
  *                         (with a semi-axis below about 1/10 of nominal or of another one, or its
  *                         centre beyond ten times the field), or scatter by a tenth of the field.
- * Cost: 17,800 instructions for 18 positions. Stack: about 680 bytes. */
+ * Cost: 18,000 instructions for 18 positions. Stack: about 620 bytes. */
 invcal_status invcal_calibrate(const invcal_real *raw, unsigned count,
                                const invcal_calibration *nominal, invcal_real noise,
                                invcal_calibration *out, invcal_quality *quality);
@@ -373,7 +373,7 @@ typedef struct {
     } rest;                    /* the one that is looked for */
 } invcal_rests;
 
-/* A session: 552 bytes (float, 24 positions). mean and count may be read. nominal may be replaced, as
+/* A session: 568 bytes (float, 24 positions). mean and count may be read. nominal may be replaced, as
  * means are in counts: by one with which all of them are readings (invcal_bad_reading, expert.h).
  * invcal_session_is_good looks at it when the next position is taken. */
 typedef struct {
@@ -430,7 +430,7 @@ void invcal_session_hold(invcal_session *session, uint32_t milliseconds);
  * Positions beyond INVCAL_MAX_POSITIONS take the place of the oldest.
  *
  * Bounded: it never solves. Cost: 62 instructions on average at 1 kHz, 98 at 100 Hz.
- * Stack: about 200 bytes. */
+ * Stack: about 230 bytes. */
 invcal_event invcal_session_feed(invcal_session *session, const int32_t raw[3]);
 
 /* Samples were lost here. A rest goes on if what comes agrees with it. */
@@ -460,7 +460,7 @@ const char *invcal_session_why(const invcal_session *session);
  *
  * up  out: the direction that is to point upwards, in the frame of the case: a unit vector.
  *
- * Cost: 16,000 instructions. Stack: about 400 bytes. */
+ * Cost: 14,000 instructions. Stack: about 470 bytes. */
 void invcal_session_next(const invcal_session *session, invcal_real up[3]);
 
 #define INVCAL_WORDS 40u /* bytes, with the terminating zero */
@@ -485,7 +485,7 @@ int invcal_session_is_at(const invcal_session *session, const invcal_real up[3])
  * (quality.left_out; see invcal_outliers_find). The session is not changed: more may follow.
  *
  * Returns as invcal_calibrate. Cost: 87,000 to 270,000 instructions for 18 good positions, up to
- * 540,000 if some are wrong. Stack: about 850 bytes. */
+ * 540,000 if some are wrong. Stack: about 640 bytes. */
 invcal_status invcal_session_solve(const invcal_session *session, invcal_calibration *out,
                                    invcal_quality *quality);
 
