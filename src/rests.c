@@ -215,20 +215,20 @@ static void begin(invcal_rests *s, const int32_t raw[3])
  * will tell both. As long as the quantum may become smaller every sample is looked at. */
 INVCAL_APART static void add_any(invcal_rests *s, const int32_t raw[3])
 {
-    uint32_t room = 0; /* behind a large difference the squares may be large */
+    uint32_t margin = 0; /* behind a large difference the squares may be large */
 
     if (s->missing == 0) {
         begin(s, raw);
-        room = UINT32_C(1) << (30u - s->bits) / 2;
+        margin = UINT32_C(1) << (30u - s->bits) / 2;
     }
     for (unsigned a = 0; a < 3; a++) {
         const uint32_t above = (uint32_t)raw[a] - (uint32_t)s->low - 1u;
         const uint32_t size = between(raw[a], s->first[a]);
         const uint64_t square = (uint64_t)size * size + s->square;
-        room = smaller(room, smaller(above, s->between - 1u - above));
+        margin = smaller(margin, smaller(above, s->between - 1u - above));
         if (above >= s->between) {
             s->seen |= CLIPPED;
-            room = 0;
+            margin = 0;
         }
         if (size >= WIDE) {
             s->seen |= WILD;
@@ -240,7 +240,7 @@ INVCAL_APART static void add_any(invcal_rests *s, const int32_t raw[3])
         s->square = (uint32_t)square;
         s->carry += (uint32_t)(square >> 32);
     }
-    s->span = s->quantum == 1 && room > 0 ? UINT32_C(2) << top_of(room) : 0;
+    s->span = s->quantum == 1 && margin > 0 ? UINT32_C(2) << top_of(margin) : 0;
 }
 
 /* Adds a sample whose differences d are all small: -span/2 <= d < span/2, seen at one blow as

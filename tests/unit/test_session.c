@@ -29,7 +29,7 @@ enum { EVENTS = INVCAL_REFUSED + 1, DAYS = 88 };
 static const double zero[3] = {120, -340, 51}; /* counts of the nominal sensor in no field */
 
 typedef struct {
-    invcal_background room; /* the session lives in it; used as such where is_background */
+    invcal_background background; /* the session lives in it; used as such where is_background */
     invcal_session *s;
     int is_background;
     /* the sensor */
@@ -70,7 +70,7 @@ static void begin(double size, uint32_t seed)
     if (size > 0) {
         b.truth = triad_random(&b.random, size);
     }
-    b.s = &b.room.session;
+    b.s = &b.background.session;
     b.noise = NOISE;
     b.rest_time = 2.5;
     b.up[0] = 0.36; /* no position of any test */
@@ -85,7 +85,7 @@ static void begin_background(double size, uint32_t seed)
 
     begin(size, seed);
     b.is_background = 1;
-    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_background_init(&b.room, &sheet, (unsigned)RATE));
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_background_init(&b.background, &sheet, (unsigned)RATE));
 }
 
 /* An event, whatever it is, agrees with what can be asked. */
@@ -108,7 +108,7 @@ static void note(invcal_event event)
 static void feed(const int32_t raw[3])
 {
     const invcal_event event =
-        b.is_background ? invcal_background_feed(&b.room, raw) : invcal_session_feed(b.s, raw);
+        b.is_background ? invcal_background_feed(&b.background, raw) : invcal_session_feed(b.s, raw);
 
     if (event != INVCAL_NOTHING) {
         note(event);
@@ -697,21 +697,21 @@ static void positions_vanish_after_their_days_and_younger_ones_stay(void)
     begin_background(0.03, 27);
     visit_plan(0, 4);
     for (unsigned day = 0; day < 10; day++) {
-        invcal_background_age(&b.room);
+        invcal_background_age(&b.background);
     }
     visit_plan(6, 3);
     TEST_ASSERT_EQUAL_UINT(7, b.s->count);
     const invcal_session young = *b.s;
     for (unsigned day = 10; day < DAYS; day++) {
-        invcal_background_age(&b.room);
+        invcal_background_age(&b.background);
     }
     TEST_ASSERT_EQUAL_UINT(3, b.s->count);
     TEST_ASSERT_EQUAL_MEMORY(young.mean[4], b.s->mean[0], 3 * sizeof young.mean[0]);
     for (unsigned day = 0; day < 10; day++) {
-        invcal_background_age(&b.room);
+        invcal_background_age(&b.background);
     }
     TEST_ASSERT_EQUAL_UINT(0, b.s->count);
-    invcal_background_age(&b.room);
+    invcal_background_age(&b.background);
     TEST_ASSERT_EQUAL_UINT(0, b.s->count);
 }
 
@@ -723,7 +723,7 @@ static void an_old_position_gives_way_before_a_new_one(void)
     }
     const unsigned old = b.s->count;
     for (unsigned day = 0; day < DAYS - 2; day++) {
-        invcal_background_age(&b.room);
+        invcal_background_age(&b.background);
     }
     for (unsigned i = 0; b.s->count == b.seen[INVCAL_TAKEN] && i < 400; i++) {
         double to[3];
@@ -732,7 +732,7 @@ static void an_old_position_gives_way_before_a_new_one(void)
     }
     unsigned young = 0;
     for (unsigned i = 0; i < b.s->count; i++) {
-        young += b.room.age[i] == 0;
+        young += b.background.age[i] == 0;
     }
     TEST_ASSERT_EQUAL_UINT(b.seen[INVCAL_TAKEN] - old, young); /* none of them has gone */
 }
@@ -758,9 +758,9 @@ static void unusable_settings_are_refused_by_name_and_nothing_is_written(void)
     TEST_ASSERT_EQUAL_INT(INVCAL_BAD_NOMINAL, invcal_session_init(&session, (invcal_real)NAN, 100));
     TEST_ASSERT_EQUAL_INT(INVCAL_BAD_RATE, invcal_session_init(&session, 16384, 0));
     TEST_ASSERT_EQUAL_MEMORY(&before, &session, sizeof session);
-    memset(&b.room, 0x5A, sizeof b.room);
-    TEST_ASSERT_EQUAL_INT(INVCAL_BAD_RATE, invcal_background_init(&b.room, &good, 7));
-    TEST_ASSERT_EACH_EQUAL_HEX8(0x5A, &b.room, sizeof b.room);
+    memset(&b.background, 0x5A, sizeof b.background);
+    TEST_ASSERT_EQUAL_INT(INVCAL_BAD_RATE, invcal_background_init(&b.background, &good, 7));
+    TEST_ASSERT_EACH_EQUAL_HEX8(0x5A, &b.background, sizeof b.background);
 
     TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_session_init(&session, 16384, 100));
     before = session;
@@ -796,7 +796,7 @@ static void a_session_may_be_moved_at_any_time(void)
         turn(expected_plan18[i]);
         memcpy(&other, b.s, sizeof other);
         memset(b.s, 0xA5, sizeof *b.s);
-        b.s = b.s == &other ? &b.room.session : b.s;
+        b.s = b.s == &other ? &b.background.session : b.s;
         memcpy(b.s, &other, sizeof other);
         hold(b.rest_time);
         leave();
