@@ -107,8 +107,8 @@ static void note(invcal_event event)
 
 static void feed(const int32_t raw[3])
 {
-    const invcal_event event =
-        b.is_background ? invcal_background_feed(&b.background, raw) : invcal_session_feed(b.s, raw);
+    const invcal_event event = b.is_background ? invcal_background_feed(&b.background, raw)
+                                               : invcal_session_feed(b.s, raw);
 
     if (event != INVCAL_NOTHING) {
         note(event);
