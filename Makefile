@@ -18,12 +18,14 @@ export LC_COLLATE := C
 unexport LC_ALL
 
 WARNINGS := -Wall -Wextra -Wconversion -Wdouble-promotion -Wshadow -pedantic
-# Contraction (fused multiply-add) is off: the same bits on every machine.
-FLAGS     = -std=$(STD) -ffp-contract=off $(WARNINGS) $(CFLAGS) -Iinclude
+# Contraction (fused multiply-add) is off: the same bits on every machine. A square root of a negative
+# number is a NaN, and no errno.
+FLAGS     = -std=$(STD) -ffp-contract=off -fno-math-errno $(WARNINGS) $(CFLAGS) -Iinclude
 
 SOURCES := $(wildcard src/*.c)
 HOST    := $(wildcard port/host/*.c)
 SUITES  := $(patsubst tests/unit/%.c,%,$(wildcard tests/unit/test_*.c))
+TOOL_SUITES := $(patsubst tests/tool/%.c,%,$(wildcard tests/tool/test_*.c))
 DATA    := $(wildcard tests/data/*_positions.csv)
 # With ASSERT=1 programming errors stop the library (INVCAL_ASSERT).
 ASSERT_FLAGS := $(if $(ASSERT),-DINVCAL_CONFIG_HEADER='"assert_config.h"' -Itests/unit)
@@ -98,7 +100,7 @@ demo: $(BUILD)/invcal ## from a raw log to calibrated readings; then a real sens
 define variant
 $(BUILD)/$(1)/%.o: %.c
 	@mkdir -p $$(@D)
-	$(Q)$$(CC) $$(FLAGS) -DINVCAL_DOUBLE=$(2) $(DEGREE_FLAGS) $$(EXTRA) -MMD -c $$< -o $$@
+	$(Q)$$(CC) $$(FLAGS) -DINVCAL_DOUBLE=$(2) $(DEGREE_FLAGS) $$(EXTRA) -MMD -MP -c $$< -o $$@
 
 $(BUILD)/$(1)/src/%.o: EXTRA += $(ASSERT_FLAGS)
 
@@ -110,7 +112,7 @@ $(BUILD)/$(1)/unity.o: $(UNITY)/unity.c $(UNITY)/unity.h
 	$(Q)$$(CC) $$(FLAGS) -DUNITY_INCLUDE_DOUBLE -DUNITY_STRICT -I$(UNITY) -c $$< -o $$@
 
 $(BUILD)/$(1)/tests/unit/%.o: EXTRA += -DUNITY_INCLUDE_DOUBLE -DUNITY_STRICT -I$(UNITY) \
-    -Itests/unit -Itests/reference -I$(BUILD)
+    -Isrc -Itests/unit -Itests/reference -I$(BUILD)
 $(SUITES:%=$(BUILD)/$(1)/tests/unit/%.o): | $(BUILD)/positions.h
 
 $(BUILD)/$(1)/test_%: $(BUILD)/$(1)/tests/unit/test_%.o $(BUILD)/$(1)/tests/unit/support.o \
@@ -133,15 +135,25 @@ $(BUILD)/positions.h: tests/data/to_c.awk $(DATA)
 	@mkdir -p $(@D)
 	$(Q)awk -f $^ > $@
 
-# The host tool: the library in double, with room for more positions and averaging times than a
+# The host tool: the library in double, for more positions and averaging times than a
 # device has, and for parabolas of temperature; what CFLAGS choose for the library is not for it.
 TOOL_FLAGS = -DINVCAL_DOUBLE=1 -DINVCAL_MAX_POSITIONS=64 -DINVCAL_ALLAN_TAUS=31 \
     -DINVCAL_ALLAN_OVERLAP=4096 -DINVCAL_THERMAL_DEGREE=2
 $(BUILD)/tool/%.o: %.c
 	@mkdir -p $(@D)
-	$(Q)$(CC) $(filter-out -DINVCAL_%,$(FLAGS)) $(TOOL_FLAGS) $(ASSERT_FLAGS) -MMD -c $< -o $@
+	$(Q)$(CC) $(filter-out -DINVCAL_%,$(FLAGS)) $(TOOL_FLAGS) $(ASSERT_FLAGS) $(EXTRA) \
+	    -MMD -MP -c $< -o $@
 
 $(BUILD)/invcal: $(HOST:%.c=$(BUILD)/tool/%.o) $(SOURCES:%.c=$(BUILD)/tool/%.o)
+	$(Q)$(CC) $(FLAGS) $^ -lm -o $@
+
+# Its unit tests.
+$(BUILD)/tool/tool.a: $(filter-out %/main.o,$(HOST:%.c=$(BUILD)/tool/%.o)) $(SOURCES:%.c=$(BUILD)/tool/%.o)
+	$(Q)rm -f $@ && $(AR) rcs $@ $^
+$(BUILD)/tool/tests/%.o: EXTRA += -DUNITY_INCLUDE_DOUBLE -DUNITY_STRICT -I$(UNITY) -Iport/host \
+    -Isrc -Itests/unit -Itests/reference
+$(BUILD)/tool/test_%: $(BUILD)/tool/tests/tool/test_%.o $(BUILD)/tool/tests/unit/support.o \
+    $(BUILD)/double/unity.o $(BUILD)/tool/tool.a
 	$(Q)$(CC) $(FLAGS) $^ -lm -o $@
 
 # The manual, of the tool's own help.
@@ -153,7 +165,9 @@ $(BUILD)/invcal.1: port/host/man.sh $(BUILD)/invcal
 # One line that says what is missing: $(call need,command)
 need = @command -v $(1) > /dev/null || { echo '$(1) is not installed: make deps' >&2; exit 1; }
 
-test: $(SUITES:%=$(BUILD)/float/%) $(SUITES:%=$(BUILD)/double/%) all ## all tests with one compiler
+# With UNITS=1 those of the library only, and no tool is built.
+TOOL_TESTS := $(if $(UNITS),,$(TOOL_SUITES:%=$(BUILD)/tool/%) all)
+test: $(SUITES:%=$(BUILD)/float/%) $(SUITES:%=$(BUILD)/double/%) $(TOOL_TESTS) ## all tests with one compiler
 	$(Q)CC="$(CC)" CFLAGS="$(CFLAGS)" UNITY="$(UNITY)" sh tests/run.sh $(BUILD)
 
 coverage: ## what the tests reach: lines, branches, MC/DC of src/, lines of the tool (PART=src, PART=host)
@@ -189,9 +203,9 @@ fuzz: ## fuzzers of the library and the tool with sanitizers (SECONDS=60 each, D
 	$(call need,clang-19)
 	$(Q)DOUBLE="$(DOUBLE)" KEEP="$(KEEP)" sh tests/fuzz.sh $(BUILD) $(SECONDS)
 
-proof: ## no undefined behaviour in src/, proved by Frama-C/Eva (ROOMS=..., DOUBLE=1, INT16=1)
+proof: ## no undefined behaviour in src/, proved by Frama-C/Eva (MODULES=..., DOUBLE=1, INT16=1)
 	$(call need,frama-c)
-	$(Q)DOUBLE="$(DOUBLE)" INT16="$(INT16)" sh tests/proof.sh $(BUILD) $(ROOMS)
+	$(Q)DOUBLE="$(DOUBLE)" INT16="$(INT16)" sh tests/proof.sh $(BUILD) $(MODULES)
 
 schema: $(BUILD)/invcal ## what the tool prints as JSON, against port/host/schema.json
 	$(call need,python3)
@@ -215,7 +229,7 @@ derived: $(BUILD)/invcal $(BUILD)/invcal.1 ## layout, expected.h, man page, pict
 	$(call need,mandoc)
 	$(Q)sh tests/derived.sh $(BUILD)
 
-numerics: ## what rounding costs, against 50 digits and the bounds of quality.h (COUNT=100000: half an hour)
+numerics: ## what rounding costs, against 50 digits and the bounds of expert.h (COUNT=30000: ten minutes)
 	$(call need,python3)
 	$(Q)CC="$(CC)" sh tests/numerics.sh $(BUILD) $(COUNT)
 

@@ -12,7 +12,7 @@
 #     # ...          a comment
 #
 # In files of the package itself, under port/PACKAGE, @VERSION@, @MAJOR@, @MINOR@ and @PATCH@
-# become those of include/invcal/config.h. Exit status 2, one line, and no DEST if that fails.
+# become those of include/invcal/invcal.h. Exit status 2, one line, and no DEST if that fails.
 fail() {
     echo "stage.sh: $1" >&2
     [ -z "$begun" ] || rm -rf "$dest"

@@ -5,132 +5,56 @@
 #ifndef INVCAL_BYTES_H
 #define INVCAL_BYTES_H
 
-#include <float.h>
-#include <math.h>
-#include <stdint.h>
-#include <string.h>
-
-#include "invcal/config.h"
+#include "invcal/invcal.h"
 
 #if FLT_RADIX != 2 || FLT_MANT_DIG != 24 || FLT_MAX_EXP != 128
 #error "float is not IEEE-754 binary32 here"
 #endif
 
-static inline void invcal_put_u16(uint8_t *bytes, uint16_t value)
-{
-    bytes[0] = (uint8_t)(value & 0xFFu);
-    bytes[1] = (uint8_t)(value >> 8);
-}
+/* Four bytes are one load where alignment does not matter, and gcc does not expect that. */
+#ifdef __GNUC__
+#define INVCAL_ALWAYS __attribute__((always_inline)) inline
+#else
+#define INVCAL_ALWAYS inline
+#endif
 
 static inline uint16_t invcal_get_u16(const uint8_t *bytes)
 {
     return (uint16_t)(bytes[0] | (unsigned)bytes[1] << 8);
 }
 
-static inline void invcal_put_u32(uint8_t *bytes, uint32_t value)
-{
-    invcal_put_u16(bytes, (uint16_t)(value & 0xFFFFu));
-    invcal_put_u16(bytes + 2, (uint16_t)(value >> 16));
-}
-
-static inline uint32_t invcal_get_u32(const uint8_t *bytes)
+static INVCAL_ALWAYS uint32_t invcal_get_u32(const uint8_t *bytes)
 {
     return invcal_get_u16(bytes) | (uint32_t)invcal_get_u16(bytes + 2) << 16;
 }
 
-static inline void invcal_put_float(uint8_t *bytes, float value)
-{
-    uint32_t bits;
+/* Puts four bytes. Returns what is behind them, as all that put. */
+uint8_t *invcal_put_u32(uint8_t *bytes, uint32_t value);
 
-    memcpy(&bits, &value, sizeof bits);
-    invcal_put_u32(bytes, bits);
+/* Puts two numbers of 16 bits. */
+static inline uint8_t *invcal_put_two(uint8_t *bytes, uint32_t first, uint32_t second)
+{
+    return invcal_put_u32(bytes, first | second << 16);
 }
 
-static inline float invcal_get_float(const uint8_t *bytes)
-{
-    const uint32_t bits = invcal_get_u32(bytes);
-    float value;
+/* Puts the reals that a structure begins with, as binary32; one that has no float becomes a NaN. */
+uint8_t *invcal_put_reals(uint8_t *bytes, const void *reals, unsigned count);
 
-    memcpy(&value, &bits, sizeof value);
-    return value;
-}
+/* Gets them. Returns 1 if all are finite. */
+int invcal_get_reals(const uint8_t *bytes, void *reals, unsigned count);
 
 /* CRC-32 (IEEE 802.3, as zlib): of "123456789" 0xCBF43926. Starts at 0, and goes on where an
- * earlier call ended. Bit by bit: a table would be larger than both rooms that use it. */
-static inline uint32_t invcal_crc32(uint32_t crc, const uint8_t *bytes, uint32_t count)
-{
-    crc = ~crc;
-    for (uint32_t i = 0; i < count; i++) {
-        crc ^= bytes[i];
-        for (unsigned bit = 0; bit < 8; bit++) {
-            crc = crc & 1u ? crc >> 1 ^ UINT32_C(0xEDB88320) : crc >> 1;
-        }
-    }
-    return ~crc;
-}
+ * earlier call ended. Bit by bit: a table would be larger than all that use it. */
+uint32_t invcal_crc32(uint32_t crc, const uint8_t *bytes, uint32_t count);
+#define INVCAL_CRC_RESIDUE UINT32_C(0x2144DF1C) /* of anything with its own CRC-32 behind it */
 
-/* Kind, version, length (16 bits), whatever follows, and at the length's end the CRC of all of it:
- * are these bytes something of the sort, of whatever kind and version? */
-enum { INVCAL_CRC_SIZE = 4, INVCAL_SOUND_MIN = 8 };
-static inline int invcal_is_sound(const uint8_t *bytes, uint32_t size)
-{
-    if (size < INVCAL_SOUND_MIN) {
-        return 0;
-    }
-    const uint16_t length = invcal_get_u16(bytes + 2);
-    if (length < INVCAL_SOUND_MIN || length > size) {
-        return 0;
-    }
-    const uint16_t end = (uint16_t)(length - INVCAL_CRC_SIZE);
-    return invcal_crc32(0, bytes, end) == invcal_get_u32(bytes + end);
-}
+/* Records and sessions have a frame: kind, version, length (16 bits), whatever follows, and at the
+ * length's end the CRC of all of it. All kinds have the same newest version. */
+enum { INVCAL_CRC_SIZE = 4, INVCAL_NEWEST = 2 };
+void invcal_seal(uint8_t *bytes, uint8_t kind, uint32_t length);
 
-/* What is written as zeros where there is nothing to tell. */
-static inline int invcal_are_zero(const uint8_t *bytes, unsigned count)
-{
-    uint8_t any = 0;
-
-    for (unsigned i = 0; i < count; i++) {
-        any |= bytes[i];
-    }
-    return any == 0;
-}
-
-/* One way through many reals, with something to do at each: an action by name, as a pointer to a
- * function would be a constant that needs relocation. */
-typedef enum { INVCAL_PUT, INVCAL_GET, INVCAL_TO_FLOAT } invcal_action;
-typedef struct {
-    invcal_action what;
-    uint8_t *to;
-    const uint8_t *from;
-    int finite; /* 1 as long as all were, and fitted into a float */
-} invcal_way;
-
-/* Returns what x becomes: as it is when put, as it was stored when got, else as it will be. */
-static inline invcal_real invcal_way_act(invcal_way *w, invcal_real x)
-{
-    if (w->what == INVCAL_GET) {
-        x = (invcal_real)invcal_get_float(w->from);
-        w->from += 4;
-    }
-    /* compared first: the conversion of a larger number is undefined */
-    if (!(INVCAL_FABS(x) <= (invcal_real)FLT_MAX)) {
-        w->finite = 0;
-        return x;
-    }
-    if (w->what == INVCAL_PUT) {
-        invcal_put_float(w->to, (float)x);
-        w->to += 4;
-        return x;
-    }
-    return (invcal_real)(float)x;
-}
-
-static inline void invcal_way_each(invcal_way *w, invcal_real *x, unsigned count)
-{
-    for (unsigned i = 0; i < count; i++) {
-        x[i] = invcal_way_act(w, x[i]);
-    }
-}
+/* Returns INVCAL_OK; INVCAL_DAMAGED; INVCAL_OTHER_VERSION for what is sound, but of another kind, or
+ * of a version before `oldest` or after the newest. */
+invcal_status invcal_unseal(const uint8_t *bytes, uint32_t size, uint8_t kind, uint8_t oldest);
 
 #endif

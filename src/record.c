@@ -1,113 +1,149 @@
 /* SPDX-License-Identifier: MIT */
-#include "invcal/record.h"
+#include "invcal/store.h"
 
+#include <stddef.h>
 #include <string.h>
 
 #include "bytes.h"
-#include "vector.h"
+#include "solve.h"
 
-enum { RECORD_KIND = 0xCA, RECORD_VERSION = 1, RECORD_REALS_AT = 24, TEMPERATURE_AT = 32 };
+enum { RECORD_KIND = 0xCA, RECORD_OLDEST = 1 };
+enum { SENSOR_AT = 4, DATE_AT = 12, RECORD_REALS_AT = 24, SIGMA_AT = 96 };
+enum { RECORD_REALS = 27, BEFORE_SIGMA = 18 }; /* reals */
+enum { EVERY_PARAMETER = 0x1FF };              /* as a mask */
+enum { RECORD_SKIPPED = 48 }; /* bytes of version 1 before sigma: delta, dk, gamma, sigma_offset */
 
-/* In the order of their bytes. */
-static void each_record_real(invcal_way *w, invcal_record *r)
+/* The reals come first in the structure, too, and in the same order. */
+typedef char invcal_record_is_in_order
+    [offsetof(invcal_record, sigma) == BEFORE_SIGMA * sizeof(invcal_real) ? 1 : -1];
+
+void invcal_record_init(invcal_record *record, const invcal_calibration *calibration,
+                        const invcal_quality *quality)
 {
-    invcal_way_each(w, &r->field, 1);
-    invcal_way_each(w, &r->field_sigma, 1);
-    invcal_way_each(w, &r->temperature, 1);
-    invcal_way_each(w, &r->noise, 1);
-    invcal_way_each(w, &r->residual_rms, 1);
-    invcal_way_each(w, &r->condition, 1);
-    invcal_way_each(w, r->calibration.offset, 3);
-    for (unsigned i = 0; i < 3; i++) {
-        invcal_way_each(w, r->calibration.matrix[i], 3);
-    }
-    invcal_way_each(w, r->delta, 3);
-    invcal_way_each(w, r->dk, 3);
-    invcal_way_each(w, r->gamma, 3);
-    invcal_way_each(w, r->sigma_offset, 3);
-    invcal_way_each(w, r->sigma_delta, 3);
-    invcal_way_each(w, r->sigma_dk, 3);
-    invcal_way_each(w, r->sigma_gamma, 3);
+    INVCAL_ASSERT(record && calibration && quality);
+    memset(record, 0, sizeof *record);
+    record->noise = quality->noise;
+    record->rms = quality->rms;
+    record->condition = quality->condition;
+    record->calibration = *calibration;
+    memcpy(record->sigma, quality->sigma, sizeof record->sigma);
+    record->positions = quality->positions;
+    record->weak = quality->weak;
+    record->verdict = quality->verdict;
 }
 
-/* Rounds a record to float and judges what remains: what passes here passes when it is read. */
-static invcal_status settle_record(invcal_record *r)
+static void put_record(const invcal_record *r, uint8_t *bytes)
 {
-    invcal_real inverse[3][3];
-    invcal_way w = {INVCAL_TO_FLOAT, NULL, NULL, 1};
-
-    each_record_real(&w, r);
-    if (!w.finite) {
-        return INVCAL_NOT_FINITE;
-    }
-    if (!(r->field > 0) || (unsigned)r->verdict > INVCAL_WEAK || r->temperature_known > 1) {
-        return INVCAL_BAD_SETTING;
-    }
-    return invcal_calibration_inverse(&r->calibration, inverse);
+    memcpy(bytes + SENSOR_AT, r->sensor, sizeof r->sensor);
+    uint8_t *at = invcal_put_u32(bytes + DATE_AT, r->date);
+    at = invcal_put_two(at, r->positions, r->weak);
+    at = invcal_put_two(at, r->from_prior, r->verdict | (uint32_t)r->temperature_known << 8);
+    (void)invcal_put_reals(at, r, RECORD_REALS);
+    invcal_seal(bytes, RECORD_KIND, INVCAL_RECORD_SIZE);
 }
 
-invcal_status invcal_record_encode(const invcal_record *record, uint8_t bytes[INVCAL_RECORD_SIZE])
+/* Returns 1 if all reals are finite. */
+static int get_record(const uint8_t *bytes, unsigned skipped, invcal_record *r)
 {
-    INVCAL_ASSERT(record && bytes);
-    const invcal_real most = (invcal_real)FLT_MAX;
-    invcal_record r = *record;
-    invcal_way w = {INVCAL_PUT, bytes + RECORD_REALS_AT, NULL, 1};
+    memcpy(r->sensor, bytes + SENSOR_AT, sizeof r->sensor);
+    r->date = invcal_get_u32(bytes + DATE_AT);
+    r->positions = invcal_get_u16(bytes + 16);
+    r->weak = invcal_get_u16(bytes + 18);
+    r->from_prior = invcal_get_u16(bytes + 20);
+    r->verdict = bytes[22];
+    r->temperature_known = bytes[23];
+    return invcal_get_reals(bytes + RECORD_REALS_AT, r, BEFORE_SIGMA) &&
+           invcal_get_reals(bytes + SIGMA_AT + skipped, r->sigma, INVCAL_PARAMETERS);
+}
 
-    r.temperature_known = r.temperature_known != 0;
-    if (!r.temperature_known) {
-        r.temperature = 0;
+/* WEAK is what has weak parameters; the other two verdicts are 0 and 1. */
+static int is_consistent(const invcal_record *r)
+{
+    const unsigned verdict = r->weak > 0 ? INVCAL_WEAK : r->verdict & 1u;
+
+    return r->verdict == verdict && (r->weak | r->from_prior) <= EVERY_PARAMETER &&
+           (r->temperature_known ? r->temperature_known == 1 : r->temperature == 0);
+}
+
+/* Version 1 was in the unit of the field. */
+static void over_field(invcal_real *matrix, invcal_real field)
+{
+    for (unsigned i = 0; i < 9; i++) {
+        matrix[i] /= field;
     }
-    if (r.condition > most && invcal_is_finite(r.condition)) {
-        r.condition = most;
-    }
-    const invcal_status status = settle_record(&r);
+}
+
+/* Reads and judges; r is lost on failure. */
+static invcal_status read_record(const uint8_t *bytes, uint32_t size, invcal_record *r)
+{
+    const invcal_status status = invcal_unseal(bytes, size, RECORD_KIND, RECORD_OLDEST);
     if (status != INVCAL_OK) {
         return status;
     }
-    bytes[0] = RECORD_KIND;
-    bytes[1] = RECORD_VERSION;
-    invcal_put_u16(bytes + 2, INVCAL_RECORD_SIZE);
-    memcpy(bytes + 4, r.sensor, sizeof r.sensor);
-    invcal_put_u32(bytes + 12, r.date);
-    invcal_put_u16(bytes + 16, r.positions);
-    invcal_put_u16(bytes + 18, r.undetermined);
-    invcal_put_u16(bytes + 20, r.from_prior);
-    bytes[22] = (uint8_t)r.verdict;
-    bytes[23] = r.temperature_known;
-    each_record_real(&w, &r);
-    //@ assert \initialized(bytes + (0 .. INVCAL_RECORD_SIZE - INVCAL_CRC_SIZE - 1)); // as settled
-    invcal_put_u32(w.to, invcal_crc32(0, bytes, INVCAL_RECORD_SIZE - INVCAL_CRC_SIZE));
-    return INVCAL_OK;
+    const unsigned skipped = bytes[1] == RECORD_OLDEST ? RECORD_SKIPPED : 0;
+    if (invcal_get_u16(bytes + 2) != INVCAL_RECORD_SIZE + skipped) {
+        return INVCAL_DAMAGED;
+    }
+    if (!get_record(bytes, skipped, r)) {
+        return INVCAL_NOT_FINITE;
+    }
+    if (!is_consistent(r)) {
+        return INVCAL_DAMAGED;
+    }
+    if (skipped > 0) {
+        over_field(r->calibration.matrix[0], r->field);
+    }
+    return invcal_nominal_check(&r->calibration);
+}
+
+/* What was written is read again: rounded to float, it may be none. */
+invcal_status invcal_record_encode(const invcal_record *record, uint8_t bytes[INVCAL_RECORD_SIZE])
+{
+    invcal_record r;
+
+    INVCAL_ASSERT(record && bytes);
+    put_record(record, bytes);
+    return read_record(bytes, INVCAL_RECORD_SIZE, &r);
 }
 
 invcal_status invcal_record_decode(const uint8_t *bytes, uint32_t size, invcal_record *out)
 {
-    INVCAL_ASSERT(bytes && out);
     invcal_record r;
 
-    if (!invcal_is_sound(bytes, size)) {
-        return INVCAL_DAMAGED;
+    INVCAL_ASSERT(bytes && out);
+    const invcal_status status = read_record(bytes, size, &r);
+    if (status == INVCAL_OK) {
+        *out = r;
     }
-    if (bytes[0] != RECORD_KIND || bytes[1] != RECORD_VERSION) {
-        return INVCAL_OTHER_VERSION;
+    return status;
+}
+
+/* ---- in a memory ------------------------------------------------------------------------------- */
+
+invcal_status invcal_save(const invcal_store *store, const invcal_calibration *calibration,
+                          const invcal_quality *quality)
+{
+    uint8_t bytes[INVCAL_RECORD_SIZE];
+    invcal_record r;
+
+    invcal_record_init(&r, calibration, quality);
+    const invcal_status status = invcal_record_encode(&r, bytes);
+    return status == INVCAL_OK ? invcal_store_save(store, bytes, sizeof bytes) : status;
+}
+
+invcal_status invcal_load(const invcal_store *store, invcal_calibration *calibration)
+{
+    uint8_t bytes[INVCAL_RECORD_SIZE_MAX];
+    invcal_record r;
+    uint32_t size = 0;
+
+    INVCAL_ASSERT(calibration);
+    invcal_status status = invcal_store_load(store, bytes, sizeof bytes, &size);
+    if (status == INVCAL_OK) {
+        status = read_record(bytes, size, &r);
     }
-    if (invcal_get_u16(bytes + 2) != INVCAL_RECORD_SIZE) {
-        return INVCAL_DAMAGED;
+    if (status == INVCAL_OK) {
+        *calibration = r.calibration;
     }
-    memset(&r, 0, sizeof r); /* each_real looks at what it replaces */
-    memcpy(r.sensor, bytes + 4, sizeof r.sensor);
-    r.date = invcal_get_u32(bytes + 12);
-    r.positions = invcal_get_u16(bytes + 16);
-    r.undetermined = invcal_get_u16(bytes + 18);
-    r.from_prior = invcal_get_u16(bytes + 20);
-    r.verdict = (invcal_verdict)bytes[22];
-    r.temperature_known = bytes[23];
-    invcal_way w = {INVCAL_GET, NULL, bytes + RECORD_REALS_AT, 1};
-    each_record_real(&w, &r);
-    if (settle_record(&r) != INVCAL_OK ||
-        (!r.temperature_known && !invcal_are_zero(bytes + TEMPERATURE_AT, 4))) {
-        return INVCAL_DAMAGED;
-    }
-    *out = r;
-    return INVCAL_OK;
+    return status;
 }

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-#include "invcal/status.h"
+#include "status.h"
 
 /* Texts stand one after the other, each with its end mark: no table of pointers, which would
  * need relocation and so writable memory. */
@@ -11,27 +11,56 @@ static const char *nth(const char *texts, unsigned n)
     return texts;
 }
 
+const char *invcal_refusal_text(invcal_status status)
+{
+    static const char texts[] = "a reading is far from the field: wrong scale or zero\0"
+                                "too short: hold it still longer\0"
+                                "it creeps: turned slowly, or not settled\0"
+                                "at the end of the sensor's range\0"
+                                "readings never change: is the sensor read?\0"
+                                "too short: samples were lost\0"
+                                "nothing new: the same place as before\0";
+    enum { REFUSALS = INVCAL_REST_SAME - INVCAL_OUT_OF_RANGE + 1 };
+    const unsigned n = (unsigned)status - INVCAL_OUT_OF_RANGE;
+
+    return nth(texts, status == INVCAL_OK ? REFUSALS : n < REFUSALS ? n : 0);
+}
+
 const char *invcal_status_text(invcal_status status)
 {
-    static const char texts[] =
-        "calibrated\0"
-        "a reading is not a finite number\0"
-        "a reading is below a tenth or above ten times the field: wrong scale, zero or field\0"
-        "a known direction is not a unit vector\0"
-        "a setting is not usable: field, noise, weight, prior, nominal calibration or plan\0"
-        "exact and linear equations cannot be solved together\0"
-        "fewer positions than parameters\0"
-        "the positions leave parameters undetermined\0"
-        "the readings lie on no ellipsoid: not one sensor at rest in one field\0"
-        "nothing is stored\0"
-        "the stored bytes are damaged\0"
-        "stored in a form that is not known here\0"
-        "not enough space\0"
-        "the memory cannot be read or written\0"
-        "unknown status";
+    enum { REFUSALS = INVCAL_REST_SAME - INVCAL_OUT_OF_RANGE + 1 };
+    static const char texts[] = "done\0"
+                                "a reading is not a finite number\0"
+                                "too few positions\0"
+                                "the positions leave parameters undetermined\0"
+                                "the readings lie on no ellipsoid\0"
+                                "the nominal calibration is unusable\0"
+                                "the sample rate is out of range\0"
+                                "the sensor's range is upside down\0"
+                                "the noise is out of range\0"
+                                "the weight is unusable\0"
+                                "the prior is unusable\0"
+                                "the field is no length\0"
+                                "too many of them\0"
+                                "the direction is not a unit vector\0"
+                                "there is no such position in a program\0"
+                                "the temperature is unusable\0"
+                                "the averaging times are unusable\0"
+                                "the memory's slot or granularity is unusable\0"
+                                "nothing is stored\0"
+                                "the stored bytes are damaged\0"
+                                "stored in a form that is not known here\0"
+                                "not enough space\0"
+                                "the memory cannot be read or written\0"
+                                "unknown status";
     const unsigned n = (unsigned)status;
 
-    return nth(texts, n < INVCAL_STATUS_COUNT ? n : INVCAL_STATUS_COUNT);
+    if (n >= INVCAL_OUT_OF_RANGE && n <= INVCAL_REST_SAME) {
+        return invcal_refusal_text(status);
+    }
+    return nth(texts, n < INVCAL_OUT_OF_RANGE   ? n
+                      : n < INVCAL_STATUS_COUNT ? n - REFUSALS
+                                                : INVCAL_STATUS_COUNT - REFUSALS);
 }
 
 const char *invcal_parameter_name(unsigned parameter)
@@ -42,4 +71,12 @@ const char *invcal_parameter_name(unsigned parameter)
                                 "?";
 
     return nth(names, parameter < INVCAL_PARAMETERS ? parameter : INVCAL_PARAMETERS);
+}
+
+const char *invcal_verdict_text(invcal_verdict verdict)
+{
+    static const char names[] = "good\0no redundancy\0weak\0unknown verdict";
+    const unsigned n = (unsigned)verdict;
+
+    return nth(names, n <= INVCAL_WEAK ? n : INVCAL_WEAK + 1u);
 }

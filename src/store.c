@@ -6,73 +6,62 @@
 #include "bytes.h"
 
 enum { SLOT_KIND = 0x5C, SLOT_VERSION = 1, SLOT_KIND_VERSION = SLOT_VERSION << 8 | SLOT_KIND };
-enum { HEADER = 8, CRC_SIZE = 4, BLANK = 0xFF };
+enum { HEADER = 8, BLANK = 0xFF };
 #define CHUNK INVCAL_STORE_GRANULARITY_MAX /* a multiple of every granularity */
-#define LARGEST_RECORD UINT32_C(0xFFFF)
-#define RESIDUE UINT32_C(0x2144DF1C) /* CRC-32 of anything with its own CRC-32 behind it */
+#define LARGEST UINT32_C(0xFFFF)           /* size of what is stored */
 
 /* What a slot holds; of two, the one with more is loaded. */
 typedef enum { UNREADABLE, EMPTY, UNCONFIRMED, CONFIRMED } state;
 
-typedef struct {
-    state state;
-    uint32_t size;
-    uint32_t sequence;
-} content;
-
 /* What one call works with. */
 typedef struct {
     const invcal_store *store;
-    content slot[2];
-    uint32_t end; /* of the record looked at or programmed last: there is its confirmation */
+    unsigned slot; /* the one that is looked at, erased and programmed */
+    unsigned kept; /* the one that is loaded, and so must survive */
+    state state[2];
+    uint32_t sequence[2];
+    uint32_t size;     /* of what was looked at last */
+    uint32_t end;      /* of the same: there is its confirmation */
+    uint8_t *bytes;    /* for what is looked at, */
+    uint32_t capacity; /* if it is no more than this */
     uint8_t chunk[CHUNK];
-} desk;
+} work;
 
-/* Where the CRC ends and the confirmation begins. */
-static uint32_t end_of(const invcal_store *store, uint32_t size)
+/* Finds the end of so much: behind the CRC. Returns whether a slot holds it. */
+static int find_end(work *w, uint32_t size)
 {
-    return (size + HEADER + CRC_SIZE + store->granularity - 1) & ~(store->granularity - 1);
+    const uint32_t g = w->store->granularity;
+
+    w->end = (size + HEADER + INVCAL_CRC_SIZE + g - 1) & ~(g - 1);
+    return size - 1 < LARGEST && w->end + g <= w->store->slot_size;
 }
 
-static int fits(const invcal_store *store, uint32_t size)
+static int read_chunk(work *w, uint32_t at, uint32_t count)
 {
-    return size <= LARGEST_RECORD && end_of(store, size) + store->granularity <= store->slot_size;
+    return w->store->read(w->store->context, w->slot, at, w->chunk, count) == 0;
 }
 
-static int is_usable(const invcal_store *store)
+static int program_chunk(const work *w, uint32_t at, uint32_t count)
 {
-    const uint32_t g = store->granularity;
-
-    INVCAL_ASSERT(store->read && store->erase && store->program);
-    return g >= 1 && g <= INVCAL_STORE_GRANULARITY_MAX && (g & (g - 1)) == 0 && fits(store, 1);
+    return w->store->program(w->store->context, w->slot, at, w->chunk, count) == 0;
 }
 
-/* Zeros: a driver that reports success and reads too little does no more harm than a bad memory. */
-static void open_desk(desk *d, const invcal_store *store)
+static int read_header(work *w)
 {
-    memset(d, 0, sizeof *d);
-    d->store = store;
+    w->size = invcal_get_u16(w->chunk + 2);
+    w->sequence[w->slot] = invcal_get_u32(w->chunk + 4);
+    return invcal_get_u16(w->chunk) == SLOT_KIND_VERSION && find_end(w, w->size);
 }
 
-static int read_chunk(desk *d, unsigned slot, uint32_t at, uint32_t count)
-{
-    return d->store->read(d->store->context, slot, at, d->chunk, count) == 0;
-}
-
-static int program_chunk(const desk *d, unsigned slot, uint32_t at, uint32_t count)
-{
-    return d->store->program(d->store->context, slot, at, d->chunk, count) == 0;
-}
-
-/* Any bit will do: programming them began only when the record had been read back. For the same
+/* Any bit will do: programming them began only when all else had been read back. For the same
  * reason a granule that cannot be read says no more than a blank one. */
-static state confirmation(desk *d, unsigned slot)
+static state confirmation(work *w)
 {
-    const uint32_t count = d->store->granularity;
+    const uint32_t count = w->store->granularity;
 
-    if (read_chunk(d, slot, d->end, count)) {
+    if (read_chunk(w, w->end, count)) {
         for (uint32_t i = 0; i < count; i++) {
-            if (d->chunk[i] != BLANK) {
+            if (w->chunk[i] != BLANK) {
                 return CONFIRMED;
             }
         }
@@ -80,154 +69,147 @@ static state confirmation(desk *d, unsigned slot)
     return UNCONFIRMED;
 }
 
-static int read_header(const desk *d, content *found)
+/* Reads the slot, copies what it holds to w->bytes, and judges it. */
+static state look(work *w)
 {
-    found->size = invcal_get_u16(d->chunk + 2);
-    found->sequence = invcal_get_u32(d->chunk + 4);
-    return invcal_get_u16(d->chunk) == SLOT_KIND_VERSION && found->size > 0 &&
-           fits(d->store, found->size);
-}
-
-/* Reads a slot and judges it. The first bytes of its record, at most capacity, are copied. */
-static state look(desk *d, unsigned slot, uint8_t *bytes, uint32_t capacity)
-{
-    content *found = &d->slot[slot];
-    uint32_t crc = 0;
-    uint32_t n;
-
-    found->sequence = 0;
-    d->end = HEADER;
-    /* at most 2050 steps: 8 bytes, then 32 at a time */
-    for (uint32_t at = 0; at < d->end; at += n) {
-        const uint32_t left = d->end - at;
-        n = left < CHUNK ? left : CHUNK;
-        if (!read_chunk(d, slot, at, n)) {
+    if (!read_chunk(w, 0, HEADER)) {
+        return UNREADABLE;
+    }
+    if (!read_header(w)) {
+        return EMPTY;
+    }
+    const uint32_t copied = w->size <= w->capacity ? w->size : 0;
+    uint32_t crc = invcal_crc32(0, w->chunk, HEADER);
+    for (uint32_t at = HEADER; at < w->end; at += CHUNK) { /* at most 2049 steps */
+        const uint32_t left = w->end - at;
+        const uint32_t n = left < CHUNK ? left : CHUNK;
+        if (!read_chunk(w, at, n)) {
             return UNREADABLE;
         }
-        crc = invcal_crc32(crc, d->chunk, n);
-        if (at == 0) {
-            if (!read_header(d, found)) {
-                return EMPTY;
-            }
-            d->end = end_of(d->store, found->size);
-            continue;
-        }
-        for (uint32_t i = 0, to = at - HEADER; i < n && to < capacity; i++, to++) {
-            bytes[to] = d->chunk[i];
+        crc = invcal_crc32(crc, w->chunk, n);
+        /* cppcheck-suppress knownConditionTrueFalse ; read_header has set w->end */
+        for (uint32_t i = 0, to = at - HEADER; i < n && to < copied; i++, to++) {
+            w->bytes[to] = w->chunk[i];
         }
     }
-    return crc == RESIDUE ? confirmation(d, slot) : EMPTY;
+    return crc == INVCAL_CRC_RESIDUE ? confirmation(w) : EMPTY;
 }
 
-/* Looks at both slots. Returns the one that is loaded, and so must survive. */
-static unsigned survey(desk *d)
+/* Begins a call: looks at both slots. */
+static invcal_status survey(work *w, const invcal_store *store)
 {
-    const content *a = &d->slot[0];
-    const content *b = &d->slot[1];
+    const uint32_t g = store->granularity;
 
-    for (unsigned slot = 0; slot < 2; slot++) {
-        d->slot[slot].state = look(d, slot, NULL, 0);
+    INVCAL_ASSERT(store->read && store->erase && store->program);
+    /* zeros: a driver that reports success and reads too little does no more harm than a worn
+     * memory */
+    memset(w, 0, sizeof *w);
+    w->store = store;
+    w->bytes = w->chunk; /* of capacity 0: nothing is copied */
+    if (g - 1 >= CHUNK || (g & (g - 1)) != 0 || !find_end(w, 1)) {
+        return INVCAL_BAD_STORE;
     }
-    if (a->state != b->state) {
-        return b->state > a->state;
-    }
-    const unsigned later = b->sequence - a->sequence < UINT32_C(0x80000000); /* modulo 2^32 */
-    return a->state == CONFIRMED ? later : 1 - later;
+    w->state[0] = look(w);
+    w->slot = 1;
+    w->state[1] = look(w);
+    /* modulo 2^32 */
+    const int is_later = w->sequence[1] - w->sequence[0] < UINT32_C(0x80000000);
+    w->kept = w->state[0] == w->state[1] ? is_later == (w->state[0] == CONFIRMED)
+                                         : w->state[0] < w->state[1];
+    return INVCAL_OK;
 }
 
 /* Looks again afterwards: there are memories that ignore what they are told. */
-static int clear(desk *d, unsigned slot)
+static int clear(work *w)
 {
-    return d->store->erase(d->store->context, slot) == 0 && look(d, slot, NULL, 0) == EMPTY;
+    return w->store->erase(w->store->context, w->slot) == 0 && look(w) == EMPTY;
 }
 
-/* Fills chunk after chunk with header, record, padding and CRC, and programs them. */
-static int program(desk *d, unsigned slot, uint32_t sequence, const uint8_t *bytes, uint32_t size)
+/* Fills chunk after chunk with header, bytes, padding and CRC, and programs them. */
+static int program(work *w, const uint8_t *bytes, uint32_t size)
 {
-    const uint32_t end = end_of(d->store, size);
-
-    invcal_put_u16(d->chunk, SLOT_KIND_VERSION);
-    invcal_put_u16(d->chunk + 2, (uint16_t)size);
-    invcal_put_u32(d->chunk + 4, sequence);
-    uint32_t crc = invcal_crc32(0, d->chunk, HEADER);
-    for (uint32_t at = HEADER; at < end; at++) {
-        const uint32_t n = at % CHUNK + 1;
-        uint8_t *byte = &d->chunk[n - 1];
-        if (at < end - CRC_SIZE) {
-            *byte = at - HEADER < size ? bytes[at - HEADER] : BLANK;
-            crc = invcal_crc32(crc, byte, 1);
+    (void)find_end(w, size);
+    (void)invcal_put_u32(invcal_put_two(w->chunk, SLOT_KIND_VERSION, size),
+                         w->sequence[w->kept] + 1);
+    uint32_t crc = invcal_crc32(0, w->chunk, HEADER);
+    for (uint32_t at = HEADER; at < w->end; at++) {
+        const uint32_t i = at % CHUNK;
+        if (at < w->end - INVCAL_CRC_SIZE) {
+            w->chunk[i] = at - HEADER < size ? bytes[at - HEADER] : BLANK;
+            crc = invcal_crc32(crc, &w->chunk[i], 1);
         } else {
-            *byte = (uint8_t)(crc & 0xFFu);
+            w->chunk[i] = (uint8_t)(crc & 0xFFu);
             crc >>= 8;
         }
-        if ((n == CHUNK || at + 1 == end) && !program_chunk(d, slot, at + 1 - n, n)) {
+        if ((i == CHUNK - 1 || at == w->end - 1) && !program_chunk(w, at - i, i + 1)) {
             return 0;
         }
     }
     return 1;
 }
 
-static int confirm(desk *d, unsigned slot)
+static int confirm(work *w)
 {
-    memset(d->chunk, 0, CHUNK);
-    return program_chunk(d, slot, d->end, d->store->granularity) &&
-           confirmation(d, slot) == CONFIRMED;
+    memset(w->chunk, 0, CHUNK);
+    return program_chunk(w, w->end, w->store->granularity) && look(w) == CONFIRMED;
 }
 
 invcal_status invcal_store_save(const invcal_store *store, const uint8_t *bytes, uint32_t size)
 {
-    INVCAL_ASSERT(store && bytes);
-    desk d;
+    work w;
 
-    open_desk(&d, store);
-    if (!is_usable(store) || size == 0) {
-        return INVCAL_BAD_SETTING;
+    INVCAL_ASSERT(store && bytes);
+    const invcal_status status = survey(&w, store);
+    if (status != INVCAL_OK) {
+        return status;
     }
-    if (!fits(store, size)) {
-        return INVCAL_NO_SPACE;
+    if (!find_end(&w, size)) {
+        return size > 0 ? INVCAL_NO_SPACE : INVCAL_BAD_COUNT;
     }
-    const unsigned kept = survey(&d);
-    const unsigned slot = 1 - kept;
-    const int done = d.slot[kept].state != UNREADABLE && clear(&d, slot) &&
-                     program(&d, slot, d.slot[kept].sequence + 1, bytes, size) &&
-                     look(&d, slot, NULL, 0) > EMPTY && confirm(&d, slot);
+    w.slot = 1 - w.kept;
+    const int done = w.state[w.kept] != UNREADABLE && clear(&w) && program(&w, bytes, size) &&
+                     look(&w) > EMPTY && confirm(&w);
     return done ? INVCAL_OK : INVCAL_IO;
 }
 
 invcal_status invcal_store_load(const invcal_store *store, uint8_t *bytes, uint32_t capacity,
                                 uint32_t *size)
 {
-    INVCAL_ASSERT(store && bytes && size);
-    desk d;
+    work w;
 
-    open_desk(&d, store);
-    if (!is_usable(store)) {
-        return INVCAL_BAD_SETTING;
+    INVCAL_ASSERT(store && bytes && size);
+    const invcal_status status = survey(&w, store);
+    if (status != INVCAL_OK) {
+        return status;
     }
-    const unsigned slot = survey(&d);
-    if (d.slot[slot].state <= EMPTY) {
-        return d.slot[1 - slot].state == UNREADABLE ? INVCAL_IO : INVCAL_NO_RECORD;
+    if (w.state[w.kept] <= EMPTY) {
+        return w.state[1 - w.kept] == UNREADABLE ? INVCAL_IO : INVCAL_NO_RECORD;
     }
-    const uint32_t found = d.slot[slot].size;
-    if (found > capacity) {
-        return INVCAL_NO_SPACE;
-    }
-    if (look(&d, slot, bytes, found) <= EMPTY || d.slot[slot].size != found) {
+    w.slot = w.kept;
+    w.bytes = bytes;
+    w.capacity = capacity;
+    if (look(&w) <= EMPTY) {
         return INVCAL_IO;
     }
-    *size = found;
+    if (w.size > capacity) {
+        return INVCAL_NO_SPACE;
+    }
+    *size = w.size;
     return INVCAL_OK;
 }
 
 invcal_status invcal_store_erase(const invcal_store *store)
 {
-    INVCAL_ASSERT(store);
-    desk d;
+    work w;
 
-    open_desk(&d, store);
-    if (!is_usable(store)) {
-        return INVCAL_BAD_SETTING;
+    INVCAL_ASSERT(store);
+    const invcal_status status = survey(&w, store);
+    if (status != INVCAL_OK) {
+        return status;
     }
-    const unsigned last = survey(&d);
-    return clear(&d, 1 - last) && clear(&d, last) ? INVCAL_OK : INVCAL_IO;
+    w.slot = 1 - w.kept;
+    int done = clear(&w);
+    w.slot = w.kept;
+    done = done && clear(&w);
+    return done ? INVCAL_OK : INVCAL_IO;
 }

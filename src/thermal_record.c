@@ -1,156 +1,163 @@
 /* SPDX-License-Identifier: MIT */
-#include "invcal/thermal_record.h"
-
+#include <stddef.h>
 #include <string.h>
 
 #include "bytes.h"
+#include "polynomials.h"
 #include "vector.h"
 
-enum {
-    THERMAL_KIND = 0xCB,
-    THERMAL_VERSION = 1,
-    RECORD_AT = 4,
-    DEGREE_AT = 188,
-    THERMAL_REALS_AT = 192
-};
+#define AGREED INVCAL_REAL(1e-4) /* over field: what two calibrations may differ by */
 
-/* In the order of their bytes. The field stands in the record. */
-static void each_thermal_real(invcal_way *w, invcal_thermal_calibration *c)
+enum { THERMAL_KIND = 0xCB, THERMAL_OLDEST = 1 };
+enum { RECORD_AT = 4, BEHIND_RECORD = RECORD_AT + INVCAL_RECORD_SIZE, REALS_BEHIND = 4 };
+enum { BEFORE_X = 16 }; /* reals */
+
+/* The reals come first in the structure, too, and in the same order. */
+typedef char
+    invcal_thermal_is_in_order[offsetof(invcal_thermal, x) == BEFORE_X * sizeof(invcal_real) ? 1
+                                                                                             : -1];
+
+static unsigned count_reals(unsigned degree)
 {
-    invcal_way_each(w, &c->reference, 1);
-    invcal_way_each(w, &c->span, 1);
-    invcal_way_each(w, &c->least, 1);
-    invcal_way_each(w, &c->greatest, 1);
-    invcal_way_each(w, c->nominal.offset, 3);
-    for (unsigned i = 0; i < 3; i++) {
-        invcal_way_each(w, c->nominal.matrix[i], 3);
-    }
-    for (unsigned k = 0; k <= c->degree; k++) {
-        invcal_way_each(w, c->x[k], INVCAL_PARAMETERS);
-    }
+    return BEFORE_X + (degree + 1) * INVCAL_PARAMETERS;
 }
 
-static int is_consistent_thermal(const invcal_thermal_calibration *c)
+/* Element (j, k) of M'M: with the offset it tells all lengths, however the calibration is turned. */
+static invcal_real gram(const invcal_calibration *c, unsigned j, unsigned k)
 {
-    return c->span > 0 && c->least <= c->greatest && c->fitted <= c->degree &&
-           (unsigned)c->fallback <= INVCAL_THERMAL_OPEN &&
-           (unsigned)c->frame <= INVCAL_FRAME_TRIANGULAR;
+    return c->matrix[0][j] * c->matrix[0][k] + c->matrix[1][j] * c->matrix[1][k] +
+           c->matrix[2][j] * c->matrix[2][k];
 }
 
-/* Rounds a calibration to float and judges what remains, as record.c does. */
-static invcal_status settle_thermal(invcal_thermal_calibration *c, invcal_solution *at_reference)
+static int agree_in_length(const invcal_calibration *a, const invcal_calibration *b)
 {
-    invcal_way w = {INVCAL_TO_FLOAT, NULL, NULL, 1};
+    invcal_real scale[3]; /* over field per count */
+
+    for (unsigned j = 0; j < 3; j++) {
+        scale[j] = INVCAL_SQRT(gram(b, j, j));
+        if (!(INVCAL_FABS(a->offset[j] - b->offset[j]) * scale[j] <= AGREED)) {
+            return 0;
+        }
+        for (unsigned k = 0; k <= j; k++) {
+            const invcal_real change = INVCAL_FABS(gram(a, j, k) - gram(b, j, k));
+            if (!(change <= AGREED * scale[j] * scale[k])) {
+                return 0;
+            }
+        }
+    }
+    return 1;
+}
+
+/* Is it a calibration, and the record that of its reference? */
+static invcal_status check_thermal(const invcal_thermal_record *r)
+{
+    const invcal_thermal *t = &r->thermal;
     invcal_thermal_place place;
+    invcal_calibration c;
 
-    if (c->degree > INVCAL_THERMAL_DEGREE) {
-        return INVCAL_BAD_SETTING;
-    }
-    invcal_way_each(&w, &c->field, 1);
-    each_thermal_real(&w, c);
-    if (!w.finite) {
-        return INVCAL_NOT_FINITE;
-    }
-    if (!is_consistent_thermal(c)) {
-        return INVCAL_BAD_SETTING;
-    }
-    return invcal_thermal_at(c, c->reference, at_reference, &place);
-}
-
-/* Settles the calibration, and puts the record of what holds at its reference: what else is known
- * stands in `known`. */
-static invcal_status put_reference(invcal_thermal_calibration *c, const invcal_record *known,
-                                   uint8_t bytes[INVCAL_RECORD_SIZE])
-{
-    invcal_record r = *known;
-    invcal_solution s;
-
-    memset(&s, 0, sizeof s); /* written only if there is one */
-    const invcal_status status = settle_thermal(c, &s);
-    if (status != INVCAL_OK) {
-        return status;
-    }
-    r.calibration = s.calibration;
-    memcpy(r.delta, s.delta, sizeof r.delta);
-    memcpy(r.dk, s.dk, sizeof r.dk);
-    memcpy(r.gamma, s.gamma, sizeof r.gamma);
-    r.field = c->field;
-    return invcal_record_encode(&r, bytes);
-}
-
-invcal_status invcal_thermal_record_encode(const invcal_thermal_record *record,
-                                           uint8_t bytes[INVCAL_THERMAL_RECORD_SIZE],
-                                           uint32_t *length)
-{
-    INVCAL_ASSERT(record && bytes && length);
-    invcal_thermal_calibration c = record->thermal;
-    invcal_way w = {INVCAL_PUT, bytes + THERMAL_REALS_AT, NULL, 1};
-    const invcal_status status = put_reference(&c, &record->record, bytes + RECORD_AT);
-
-    if (status != INVCAL_OK) {
-        return status;
-    }
-    const uint32_t size = INVCAL_THERMAL_RECORD_BYTES(c.degree);
-    bytes[0] = THERMAL_KIND;
-    bytes[1] = THERMAL_VERSION;
-    invcal_put_u16(bytes + 2, (uint16_t)size);
-    bytes[DEGREE_AT] = c.degree;
-    bytes[DEGREE_AT + 1] = c.fitted;
-    bytes[DEGREE_AT + 2] = (uint8_t)c.fallback;
-    bytes[DEGREE_AT + 3] = (uint8_t)c.frame;
-    each_thermal_real(&w, &c);
-    //@ assert \initialized(bytes + (0 .. size - INVCAL_CRC_SIZE - 1)); // all fitted into floats
-    invcal_put_u32(w.to, invcal_crc32(0, bytes, size - INVCAL_CRC_SIZE));
-    *length = size;
-    return INVCAL_OK;
-}
-
-/* What a sound record of this kind and version says of its own shape. */
-static invcal_status check_shape(const uint8_t *bytes)
-{
-    const uint32_t length = invcal_get_u16(bytes + 2);
-
-    if (length < INVCAL_THERMAL_RECORD_BYTES(0u) ||
-        length != INVCAL_THERMAL_RECORD_BYTES(bytes[DEGREE_AT])) {
+    if (!(t->span > 0) || !(t->min <= t->max) || t->fitted > t->degree ||
+        t->fallback > INVCAL_THERMAL_OPEN || r->is_triangular > 1) {
         return INVCAL_DAMAGED;
     }
-    return bytes[DEGREE_AT] > INVCAL_THERMAL_DEGREE ? INVCAL_OTHER_VERSION : INVCAL_OK;
+    invcal_status status = invcal_nominal_check(&t->nominal);
+    if (status == INVCAL_OK) {
+        status = invcal_thermal_at(t, t->reference, &c, &place);
+    }
+    return status == INVCAL_OK && !agree_in_length(&r->record.calibration, &c) ? INVCAL_DAMAGED
+                                                                               : status;
+}
+
+/* Does the length fit the degree, which stands at `at`? */
+static invcal_status check_length(const uint8_t *bytes, unsigned at)
+{
+    const unsigned length = invcal_get_u16(bytes + 2);
+
+    if (length <= at ||
+        length != at + REALS_BEHIND + 4 * count_reals(bytes[at]) + INVCAL_CRC_SIZE) {
+        return INVCAL_DAMAGED;
+    }
+    return bytes[at] <= INVCAL_THERMAL_DEGREE ? INVCAL_OK : INVCAL_OTHER_VERSION;
+}
+
+/* r is lost on failure. */
+static invcal_status read_thermal(const uint8_t *bytes, uint32_t size, invcal_thermal_record *r)
+{
+    invcal_status status = invcal_unseal(bytes, size, THERMAL_KIND, THERMAL_OLDEST);
+    if (status != INVCAL_OK) {
+        return status;
+    }
+    const int is_old = bytes[1] == THERMAL_OLDEST;
+    const unsigned record_size = is_old ? INVCAL_RECORD_SIZE_MAX : INVCAL_RECORD_SIZE;
+    status = check_length(bytes, RECORD_AT + record_size);
+    if (status == INVCAL_OK) {
+        status = invcal_record_decode(bytes + RECORD_AT, record_size, &r->record);
+    }
+    if (status != INVCAL_OK) {
+        return status;
+    }
+    const uint8_t *behind = bytes + RECORD_AT + record_size;
+    memset(&r->thermal, 0, sizeof r->thermal);
+    r->thermal.degree = behind[0];
+    r->thermal.fitted = behind[1];
+    r->thermal.fallback = behind[2];
+    r->is_triangular = behind[3];
+    if (!invcal_get_reals(behind + REALS_BEHIND, &r->thermal, count_reals(behind[0]))) {
+        return INVCAL_NOT_FINITE;
+    }
+    for (unsigned i = 0; i < 9; i++) { /* version 1 was in the unit of the field */
+        r->thermal.nominal.matrix[i / 3][i % 3] /= is_old ? r->record.field : 1;
+    }
+    return check_thermal(r);
+}
+
+invcal_status invcal_thermal_record_init(invcal_thermal_record *record,
+                                         const invcal_thermal *thermal,
+                                         const invcal_quality *quality)
+{
+    invcal_thermal_place place;
+    invcal_calibration c;
+
+    INVCAL_ASSERT(record && thermal && quality);
+    const invcal_status status = invcal_thermal_at(thermal, thermal->reference, &c, &place);
+    if (status == INVCAL_OK) {
+        invcal_record_init(&record->record, &c, quality);
+        record->thermal = *thermal;
+        record->is_triangular = 0;
+    }
+    return status;
+}
+
+/* What was written is read again: rounded to float, it may be none. */
+invcal_status invcal_thermal_record_encode(const invcal_thermal_record *record,
+                                           uint8_t bytes[INVCAL_THERMAL_RECORD_SIZE])
+{
+    const invcal_thermal *t = &record->thermal;
+    invcal_thermal_record r;
+
+    INVCAL_ASSERT(record && bytes);
+    const invcal_status status = t->degree <= INVCAL_THERMAL_DEGREE
+                                     ? invcal_record_encode(&record->record, bytes + RECORD_AT)
+                                     : INVCAL_BAD_COUNT;
+    if (status != INVCAL_OK) {
+        return status;
+    }
+    const uint32_t length = INVCAL_THERMAL_RECORD_BYTES(t->degree);
+    uint8_t *at = invcal_put_two(bytes + BEHIND_RECORD, t->degree | (unsigned)t->fitted << 8,
+                                 t->fallback | (unsigned)record->is_triangular << 8);
+    (void)invcal_put_reals(at, t, count_reals(t->degree));
+    invcal_seal(bytes, THERMAL_KIND, length);
+    return read_thermal(bytes, length, &r);
 }
 
 invcal_status invcal_thermal_record_decode(const uint8_t *bytes, uint32_t size,
                                            invcal_thermal_record *out)
 {
-    INVCAL_ASSERT(bytes && out);
-    invcal_thermal_calibration c = {0};
-    invcal_record r;
-    uint8_t again[INVCAL_RECORD_SIZE];
+    invcal_thermal_record r;
 
-    if (!invcal_is_sound(bytes, size)) {
-        return INVCAL_DAMAGED;
+    INVCAL_ASSERT(bytes && out);
+    const invcal_status status = read_thermal(bytes, size, &r);
+    if (status == INVCAL_OK) {
+        *out = r;
     }
-    if (bytes[0] != THERMAL_KIND || bytes[1] != THERMAL_VERSION) {
-        return INVCAL_OTHER_VERSION;
-    }
-    invcal_status status = check_shape(bytes);
-    if (status != INVCAL_OK) {
-        return status;
-    }
-    memset(&r, 0, sizeof r); /* a record is written only if it is one */
-    status = invcal_record_decode(bytes + RECORD_AT, INVCAL_RECORD_SIZE, &r);
-    if (status != INVCAL_OK) {
-        return status;
-    }
-    c.field = r.field;
-    c.degree = bytes[DEGREE_AT];
-    c.fitted = bytes[DEGREE_AT + 1];
-    c.fallback = (invcal_thermal_fallback)bytes[DEGREE_AT + 2];
-    c.frame = (invcal_frame)bytes[DEGREE_AT + 3];
-    invcal_way w = {INVCAL_GET, NULL, bytes + THERMAL_REALS_AT, 1};
-    each_thermal_real(&w, &c);
-    if (put_reference(&c, &r, again) != INVCAL_OK) { /* never encoded */
-        return INVCAL_DAMAGED;
-    }
-    out->thermal = c;
-    out->record = r;
-    return INVCAL_OK;
+    return status;
 }

@@ -1,29 +1,34 @@
 /* SPDX-License-Identifier: MIT
  *
- * Internal: the few vector operations that several rooms share.
+ * Internal: the few operations that several modules share.
  */
 #ifndef INVCAL_VECTOR_H
 #define INVCAL_VECTOR_H
 
 #include <math.h>
 
-#include "invcal/config.h"
+#include "invcal/invcal.h"
 
-/* Before a loop of few, known steps: unrolled, unless the compiler is told to save space. */
+/* Where the compiler is told to be fast, loops of few, known steps are unrolled; where it is told to
+ * save space, nothing is. */
 #if defined(__GNUC__) && !defined(__clang__) && defined(__OPTIMIZE__) && !defined(__OPTIMIZE_SIZE__)
-#define INVCAL_UNROLL _Pragma("GCC unroll 45")
+#define INVCAL_FAST
+#define INVCAL_UNROLL _Pragma("GCC unroll 64")
+#define INVCAL_UNROLL_ROWS _Pragma("GCC unroll 10")
+#define INVCAL_INLINE __attribute__((always_inline)) inline
 #else
 #define INVCAL_UNROLL
+#define INVCAL_UNROLL_ROWS
+#define INVCAL_INLINE
 #endif
 
-/* Before a function whose frame should not lie under those of what its caller calls besides. */
+/* Before a function whose frame should not lie under those of what its caller calls besides, or that
+ * takes less code where it is called than in each place. */
 #ifdef __GNUC__
 #define INVCAL_APART __attribute__((noinline))
 #else
 #define INVCAL_APART
 #endif
-
-#define INVCAL_DEGREE INVCAL_REAL(0.017453292519943296) /* in radians */
 
 /* False for NaN too. */
 static inline int invcal_is_finite(invcal_real x)
@@ -36,16 +41,39 @@ static inline int invcal_is_positive(invcal_real x)
     return x > 0 && x <= INVCAL_REAL_MAX;
 }
 
+/* a b, compiled into those who call it where speed is asked for. */
+#ifdef INVCAL_FAST
+static inline invcal_real invcal_dot3(const invcal_real a[3], const invcal_real b[3])
+{
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+#else
+invcal_real invcal_dot3(const invcal_real a[3], const invcal_real b[3]);
+#endif
+
 /* Are all three? What is not finite makes a NaN of 0, and so of the sum. */
 static inline int invcal_are_finite(const invcal_real v[3])
 {
     return v[0] * 0 + v[1] * 0 + v[2] * 0 == 0;
 }
 
-static inline invcal_real invcal_dot3(const invcal_real a[3], const invcal_real b[3])
+/* invcal_apply, compiled into those who call it often where speed is asked for. */
+#ifdef INVCAL_FAST
+static inline void invcal_correct(const invcal_calibration *c, const invcal_real raw[3],
+                                  invcal_real out[3])
 {
-    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+    const invcal_real x = raw[0] - c->offset[0];
+    const invcal_real y = raw[1] - c->offset[1];
+    const invcal_real z = raw[2] - c->offset[2];
+
+    INVCAL_UNROLL
+    for (unsigned i = 0; i < 3; i++) {
+        out[i] = c->matrix[i][0] * x + c->matrix[i][1] * y + c->matrix[i][2] * z;
+    }
 }
+#else
+#define invcal_correct invcal_apply
+#endif
 
 static inline invcal_real invcal_dot(const invcal_real *a, const invcal_real *b, unsigned n)
 {

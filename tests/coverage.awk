@@ -32,7 +32,7 @@ function see(kind, at, line, hit) {
     file = base(substr($0, 1, length($0) - 1))
     if (!(file in known)) {
         known[file] = 1
-        files[++rooms] = file
+        files[++modules] = file
     }
     next
 }
@@ -128,12 +128,12 @@ END {
             stale++
         }
     }
-    printf "%-28s", part == "src" ? "room" : "file"
+    printf "%-28s", part == "src" ? "module" : "file"
     for (k = 1; k <= kinds; k++) {
         printf " %18s", kind[k] == "MC/DC" ? kind[k] : kind[k] (kind[k] == "branch" ? "es" : "s")
     }
     print ""
-    for (i = 1; i <= rooms; i++) {
+    for (i = 1; i <= modules; i++) {
         if (total["line", files[i]] && (part == "src" || percent("line", files[i]) < 95)) {
             print cells(files[i])
         }

@@ -31,7 +31,8 @@ expected() {
         diff tests/reference/expected.h "$build/expected.h"
 }
 releases() {
-    python3 tests/reference/releases/values.py > "$build/values.h" &&
+    python3 tests/reference/releases/pack.py | diff tests/reference/releases/0.2.0.txt - &&
+        python3 tests/reference/releases/values.py > "$build/values.h" &&
         diff tests/reference/releases/values.h "$build/values.h"
 }
 scripts() {

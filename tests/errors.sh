@@ -41,7 +41,7 @@ rows() { # LIST
 
 # A program that prints the names of a list, each with what the function says of it.
 program() { # LIST FUNCTION
-    printf '#include <stdio.h>\n#include "invcal/invcal.h"\nint main(void)\n{\n'
+    printf '#include <stdio.h>\n#include "invcal/thermal.h"\nint main(void)\n{\n'
     sed "s/.*/    printf(\"&|%s\\\\n\", $2(&));/" "$1"
     printf '    return 0;\n}\n'
 }
@@ -61,11 +61,9 @@ type() { # HEADER TYPE [FUNCTION]
     result $? "$2: in the words of $3"
 }
 
-type status.h invcal_status invcal_status_text
-type quality.h invcal_verdict invcal_verdict_text
-type session.h invcal_session_what
-type still.h invcal_still_event
-type still.h invcal_rest_reason invcal_rest_reason_text
+type invcal.h invcal_status invcal_status_text
+type invcal.h invcal_verdict invcal_verdict_text
+type invcal.h invcal_event
 type thermal.h invcal_thermal_fallback invcal_thermal_fallback_text
 type thermal.h invcal_thermal_place
 type allan.h invcal_dwell_end

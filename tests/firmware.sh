@@ -67,7 +67,7 @@ resumed() {
 counted() {
     log '
         /^session stored, positions: / { stored = $NF }
-        /position taken: / {
+        /^position taken: / {
             if ($NF != stored + 1) print "position " $NF " after " stored + 0
             most = $NF
         }
@@ -78,6 +78,18 @@ asked() {
     log '
         /^next: [+-][xyz] up/ { if (!seen[$0]++) different++ }
         END { if (different < 9) print different + 0 " orientations were asked for" }'
+}
+
+# The one that was taken while somebody pulled, and no other. It does not keep the end away.
+outlier() {
+    log '
+        /^world: somebody pulls/ { pulled++; next_is = 1 }
+        /^position taken: / { if (next_is) wrong = $NF; next_is = 0; most = $NF }
+        /^left out, / { left++; if ($NF != wrong) print "left out " $NF ", but wrong is " wrong }
+        END {
+            if (pulled != 1 || left != 1) print pulled + 0 " planted, " left + 0 " left out"
+            if (most >= 24) print "ended only when the table was full"
+        }'
 }
 
 # Before any reset: what comes after one may begin in motion, and look like another short rest.
@@ -155,9 +167,10 @@ check "asks for orientations" asked
 check "was reset twice and went on with as many positions" resumed
 check "counts its positions" counted
 check "a rest too short is named" too_short
-check "the same place is named" said '^refused: the same place' 1
+check "the same place is named" said '^refused: nothing new: the same place' 1
 check "flash that fails is named" said '^session not stored: the memory' 1
 check "each store finds only its own" said '^stored calibration: nothing is stored$' 3
+check "a position that is wrong by 50 mg is left out" outlier
 check "its verdict is good" said '^verdict: good$' 1
 check "offsets are true within 4 sigma" true_to 'offset' offset_x offset_y offset_z
 check "scale errors are true within 4 sigma" true_to 'scale errors' dk_x dk_y dk_z

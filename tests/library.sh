@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: MIT
 #
 # What the finished library may contain: $1 is the build folder with float/ and double/.
-# It needs from libc only memcpy, memset and square roots (sin, cos, fabs are allowed), it keeps
+# It needs from libc only memcpy, memset and square roots (fabs is allowed), it keeps
 # no writable data, and its float build holds no double arithmetic.
 build=$1
 passed=0
@@ -39,9 +39,9 @@ doubles() {
         END { if (n) printf "%d double instructions", n }'
 }
 
-# Positions are computed one at a time: no tables in these rooms. Single constants are none.
+# Positions are computed: no tables in these modules. Single constants are none.
 tables() {
-    size -A "$1/src/plan.o" "$1/src/criteria.o" "$1/src/series.o" |
+    size -A "$1/src/plan.o" "$1/src/circle.o" |
         awk '$1 ~ /^\.rodata/ && $1 !~ /^\.rodata\.cst/ { n += $2 }
             END { if (n > 64) printf "%d bytes of read-only data", n }'
 }
@@ -56,14 +56,13 @@ for real in float double; do
         continue
     fi
     result "$real: the library is there" ""
-    # gcc makes one call, sincos, of a sine and a cosine of the same angle where libc has it.
-    allowed='memcpy|memset|sqrtf|sinf|cosf|sincosf|fabsf'
-    [ $real = double ] && allowed='memcpy|memset|sqrt|sin|cos|sincos|fabs'
+    allowed='memcpy|memset|sqrtf|fabsf'
+    [ $real = double ] && allowed='memcpy|memset|sqrt|fabs'
     # What sanitizers and coverage bring along is not the library's.
     case " $CFLAGS" in *-fsanitize* | *coverage*) continue ;; esac
     result "$real: needs nothing but $allowed" "$(undefined "$lib" "$allowed")"
     result "$real: no writable data" "$(writable "$lib")"
-    result "$real: plan, criteria and series hold no table over 64 bytes" "$(tables "$build/$real")"
+    result "$real: plan and circle hold no table over 64 bytes" "$(tables "$build/$real")"
     result "$real: all public names begin with invcal_" "$(foreign "$lib")"
 done
 case " $CFLAGS$(uname -m)" in

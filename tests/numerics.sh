@@ -3,8 +3,8 @@
 #
 # sh tests/numerics.sh BUILD [COUNT]
 # What rounding costs: COUNT random sets of positions, solved in float and in double and compared
-# with an exact solution (tests/reference/numerics.py), against the bounds that quality.h states.
-# 100000 were run when the bounds were set; that takes about half an hour. Prints a line for each
+# with an exact solution (tests/reference/numerics.py), against the bounds that expert.h states.
+# 30000 were run when the bounds were set; that takes about ten minutes. Prints a line for each
 # assertion and at the end `N passed, N failed`.
 out=$1/numerics
 count=${2:-2000}
@@ -17,7 +17,8 @@ build() { # name double? source
     # shellcheck disable=SC2086 # options are words
     ${CC:-cc} -std=c99 -O2 -ffp-contract=off -Wall -Wextra -Wconversion -Wdouble-promotion \
         -Wshadow -pedantic -DINVCAL_DOUBLE="$2" -DUNITY_INCLUDE_DOUBLE -Iinclude -Itests/unit \
-        -Itests/unity "tests/numerics/$3.c" tests/unit/support.c tests/unity/unity.c src/*.c -lm -o "$out/$1"
+        -Itests/unity "tests/numerics/$3.c" tests/unit/support.c tests/unity/unity.c src/*.c \
+        -lm -o "$out/$1"
 }
 build problems 1 problems && build solve-float 0 solve && build solve-double 1 solve || exit 1
 /usr/bin/python3 tests/reference/numerics.py "$out" "$count"

@@ -57,14 +57,8 @@ stage() {
     sh port/stage.sh "$1" "$out/$1"
 }
 
-# README.md's example as $out/example.c, and what it prints as $out/expected.
-example() {
-    awk '/^```c$/ { on = 1; next } /^```$/ { on = 0 } on' README.md > "$out/example.c"
-    awk '/^```text$/ { on = 1; next } /^```$/ { on = 0 } on' README.md > "$out/expected"
-    [ -s "$out/example.c" ] && [ -s "$out/expected" ]
-}
-
-# prints_as_expected COMMAND...: it prints what README.md says its example prints.
+# prints_as_expected COMMAND...: it prints what the example, tests/packages/example.c, has to.
+example=$root/tests/packages/example.c
 prints_as_expected() {
-    "$@" > "$out/printed" && diff "$out/expected" "$out/printed"
+    "$@" > "$out/printed" && diff "$root/tests/packages/expected.txt" "$out/printed"
 }

@@ -17,9 +17,9 @@ suites() {
     for name in allan plan tool thermal log input citizen report plan_report export fault release; do
         echo "$name sh $tests/tool/${name}_test.sh $build/invcal $build/tool"
     done
-    for real in double float; do
-        for program in "$build/$real"/test_*; do
-            [ -x "$program" ] && echo "$real-${program##*/test_} $program"
+    for part in double float tool; do
+        for program in "$build/$part"/test_*; do
+            [ -x "$program" ] && echo "$part-${program##*/test_} $program"
         done
     done
     echo "run sh $tests/run_test.sh $build/run_test"

@@ -5,7 +5,7 @@
 # `make size`: flash, stack and structures on every target, against tests/size/budgets.txt.
 # $1: folder to build in. TARGETS: folders, all under port/ unless given. V=1: every function too.
 # UPDATE=1: writes the budgets anew. A target is called by its last folder. Everything is compiled
-# anew: what is left of a room that is gone would count. How the stack is computed: size/stack.awk.
+# anew: what is left of a module that is gone would count. How the stack is computed: size/stack.awk.
 build=$1
 budgets=tests/size/budgets.txt
 passed=0
@@ -39,23 +39,30 @@ stacks() {
     "${prefix}objdump" -d "$out/whole.elf" |
         awk -f tests/size/hex.awk -f tests/size/code.awk > "$out/code"
     grep '^frame\.' $budgets > "$out/frames"
-    awk -f tests/size/public.awk include/invcal/*.h > "$out/public"
     case $prefix in avr-*) pushed=2 ;; *) pushed=0 ;; esac
     awk -v return_size=$pushed -v library="$out/src/" -f tests/size/stack.awk "$out/frames" \
         "$out/public" "$out/whole.sections" "$out/code" "$out"/src/*.su
 }
 
-undeclared() { # a public function that is not seen would not be measured
-    awk -f tests/size/public.awk include/invcal/*.h src/*.h > "$out/declared"
+undeclared() { # a function that no header declares is nobody's, and one not seen is not measured
     "${prefix}nm" -g --defined-only "$out"/src/*.o | awk 'FILENAME != "-" { known[$2]; next }
         $2 == "T" && !($3 in known) { print "fault", $3 " is global, and declared in no header" }' \
-        "$out/declared" -
+        "$out/public" "$out/declared" -
+}
+
+# All of it, libc and the compiler's library too. Uninitialised data is not flash.
+flash() { # program
+    "${prefix}size" -A "$out/$1.elf" | awk -v program="$1" '
+        $1 ~ /^\.(text|rodata|data|ARM\.exidx|s?rodata|sdata|vectors|init|fini)/ { n += $2 }
+        END { print "linked." program, n + 0 }'
 }
 
 measure() {
-    "${prefix}size" -A "$out"/src/*.o | awk -f tests/size/rooms.awk
-    linked core
-    linked everything
+    "${prefix}size" -A "$out"/src/*.o | awk -f tests/size/modules.awk
+    flash core
+    flash judged
+    flash product
+    linked product
     linked whole | grep '^own'
     "${prefix}nm" -S -t d "$out/tests/size/structures.o" |
         awk 'sub(/^size_of_/, "", $4) { print "sizeof." $4, $2 + 0 }'
@@ -89,7 +96,7 @@ size_of() {
         fail "tests/size/depth.c does not run"
         return
     fi
-    grep -oE 'invcal_[a-z_]+ [0-9]+' "$out/depth.log" > "$out/depths"
+    grep -oE 'invcal_[a-z_0-9]+ [0-9]+' "$out/depth.log" > "$out/depths"
     awk -v target="$name" -v V="$V" -f tests/size/report.awk $budgets "$out/measured" \
         "$build/$name.figures" "$out/depths" > "$out/report"
     sed '$d' "$out/report"

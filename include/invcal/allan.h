@@ -3,21 +3,32 @@
  * invcal/allan.h: the noise of a sensor at rest: Allan deviation, what it is made of, and how long
  * a position must be measured.
  *
- * One struct for each axis; samples at rest go in one by one, as raw counts. For an averaging time
- * of m samples the Allan deviation is
+ *     static invcal_allan allan;                                one axis at rest, for hours
+ *     invcal_allan_init(&allan);
+ *     for every sample:
+ *         invcal_allan_push(&allan, raw);
+ *     invcal_allan_noise(&allan, 100, &noise);                  100 samples a second
+ *     invcal_noise_dwell(&noise, 1e-4f * 16384, &dwell);        1e-4 of the field wanted
+ *     invcal_session_hold(&session, (uint32_t)(1000 * dwell.seconds));
+ *     invcal_session_noise(&session, dwell.sigma / 16384);
+ *
+ * Here the unit is the raw count throughout. The last two lines want dwell.seconds below 3600: more
+ * than an hour a session does not hold. (The worst axis decides.)
+ *
+ * For an averaging time of m samples the Allan deviation is
  *
  *     adev^2 = < (x(i) - 2 x(i - m) + x(i - 2m))^2 > / (2 m^2),      x the running total,
  *
  * half the mean square step from the mean of m samples to that of the next m. (NIST SP 1065,
- * section 5.2.4: the overlapping estimator.) Memory is fixed, a pyramid of rings: stage t holds the
- * total of every 2^t-th sample as far back as 2 INVCAL_ALLAN_OVERLAP of them, and serves m up to
- * 2^t INVCAL_ALLAN_OVERLAP. So windows of INVCAL_ALLAN_OVERLAP samples or less begin at every
- * sample, longer ones at every 2^t-th: octaves overlap INVCAL_ALLAN_OVERLAP times, and 4 times give
- * 93 % of the degrees of freedom that white noise has to give.
+ * section 5.2.4: the overlapping estimator.) Memory is fixed: of the totals an averaging time keeps
+ * the last 2 INVCAL_ALLAN_OVERLAP of every 2^t-th sample, with the smallest t for which they reach
+ * back far enough, m <= 2^t INVCAL_ALLAN_OVERLAP. So windows of INVCAL_ALLAN_OVERLAP samples or less
+ * begin at every sample, longer ones at every 2^t-th: octaves overlap INVCAL_ALLAN_OVERLAP times, and
+ * 4 times give 93 % of the degrees of freedom that white noise has to give.
  *
  * All of it is integer arithmetic, exact: totals modulo 2^64, of which the differences need 63
- * bits; their squares are summed in 128 bits. Only invcal_allan_get rounds, once. There is no
- * limit to the length of a stream:
+ * bits; their squares are summed in 128 bits. Only invcal_allan_get rounds. There is no limit to the
+ * length of a stream:
  *
  *     a square sum   holds 2^(128 - 2b) m^-2 differences of readings that change by b bits: 2^48 of
  *                    24 bits at m = 65536. What does not fit is noticed, and not offered;
@@ -32,68 +43,84 @@
 #ifndef INVCAL_ALLAN_H
 #define INVCAL_ALLAN_H
 
-#include <stdint.h>
-
-#include "invcal/cholesky.h"
+#include "invcal/invcal.h"
 
 #ifdef __cplusplus
 extern "C" {
 #endif
 
+/* ---- what a build may choose, in plain digits; invcal.h says how ------------------------------ */
+
+/* How many averaging times are kept, 1 ... 31. Each costs 24 + 16 INVCAL_ALLAN_OVERLAP bytes of an
+ * axis. */
+#ifndef INVCAL_ALLAN_TAUS
+#define INVCAL_ALLAN_TAUS 16
+#endif
+
+/* How many times the windows of the longer ones overlap, a power of two up to 16384. */
+#ifndef INVCAL_ALLAN_OVERLAP
+#define INVCAL_ALLAN_OVERLAP 4
+#endif
+
+#if INVCAL_ALLAN_TAUS < 1 || INVCAL_ALLAN_TAUS > 31
+#error "INVCAL_ALLAN_TAUS must be from 1 to 31"
+#endif
+#if INVCAL_ALLAN_OVERLAP < 1 || INVCAL_ALLAN_OVERLAP > 16384 ||                                    \
+    (INVCAL_ALLAN_OVERLAP & (INVCAL_ALLAN_OVERLAP - 1)) != 0
+#error "INVCAL_ALLAN_OVERLAP must be a power of two from 1 to 16384"
+#endif
+
+/* Both stand in the names of the functions that every use begins with. */
+#define INVCAL_ALLAN_CHOSEN(name)                                                                  \
+    INVCAL_ALLAN_CHOSEN_(name, INVCAL_ALLAN_TAUS, INVCAL_ALLAN_OVERLAP)
+#define INVCAL_ALLAN_CHOSEN_(name, taus, overlap) INVCAL_ALLAN_CHOSEN__(name, taus, overlap)
+#define INVCAL_ALLAN_CHOSEN__(name, taus, overlap) INVCAL_CHOSEN(name, taus##_##overlap)
+#define invcal_allan_init INVCAL_ALLAN_CHOSEN(invcal_allan_init)
+#define invcal_allan_begin INVCAL_ALLAN_CHOSEN(invcal_allan_begin)
+
+/* ---- samples in, Allan deviations out ----------------------------------------------------------- */
+
 #define INVCAL_ALLAN_LONGEST (UINT32_C(1) << 30) /* samples: differences then fit 63 bits */
-
-/* The base-2 logarithm of a power of two up to 65536. */
-#define INVCAL_ALLAN_LOG2(p)                                                                       \
-    ((((p) & 0xAAAA) != 0) + 2 * (((p) & 0xCCCC) != 0) + 4 * (((p) & 0xF0F0) != 0) +               \
-     8 * (((p) & 0xFF00) != 0))
-/* One ring for each octave above INVCAL_ALLAN_OVERLAP, one for all below. */
-#define INVCAL_ALLAN_RINGS                                                                         \
-    (INVCAL_ALLAN_TAUS > INVCAL_ALLAN_LOG2(INVCAL_ALLAN_OVERLAP)                                   \
-         ? INVCAL_ALLAN_TAUS - INVCAL_ALLAN_LOG2(INVCAL_ALLAN_OVERLAP)                             \
-         : 1)
-
-/* Where the windows of an averaging time begin. */
-typedef enum {
-    INVCAL_ALLAN_OVERLAPPING, /* windows as close as memory allows: the better estimate */
-    INVCAL_ALLAN_APART        /* one window begins where another ends: NIST SP 1065, 5.2.2 */
-} invcal_allan_windows;
 
 /* Internal: an averaging time, and its sum. */
 typedef struct {
+    uint64_t past[2 * INVCAL_ALLAN_OVERLAP]; /* totals: a ring */
     uint64_t low, high; /* of the squares of all differences; all bits 1: it did not fit */
     uint32_t m;         /* samples */
     uint32_t count;     /* differences in the sum */
 } invcal_allan_tau;
 
-/* One axis; 1328 bytes. Nothing in it is meant to be changed. */
+/* One axis; 1424 bytes. Nothing in it is meant to be changed. */
 typedef struct {
-    uint64_t past[INVCAL_ALLAN_RINGS][2 * INVCAL_ALLAN_OVERLAP]; /* totals */
-    invcal_allan_tau tau[INVCAL_ALLAN_TAUS];                     /* in ascending order */
-    uint64_t total;                                              /* of all samples, modulo 2^64 */
-    uint32_t samples;                  /* since the last gap, modulo 2^32 */
-    uint8_t stage[INVCAL_ALLAN_RINGS]; /* a ring keeps every 2^stage-th total */
-    uint8_t end[INVCAL_ALLAN_RINGS];   /* number of averaging times up to this ring */
-    uint8_t rings, taus, windows;      /* how many are in use; invcal_allan_windows */
+    invcal_allan_tau tau[INVCAL_ALLAN_TAUS]; /* in ascending order */
+    uint64_t total;                          /* of all samples, modulo 2^64 */
+    uint32_t samples;                        /* since the last gap, modulo 2^32 */
+    uint8_t taus;                            /* how many are in use */
+    uint8_t is_apart;                        /* invcal_allan_apart */
 } invcal_allan;
 
-/* Begins a stream.
+/* Begins a stream, with the octaves 1, 2, 4 ... samples for averaging times. */
+void invcal_allan_init(invcal_allan *allan);
+
+/* Begins a stream with averaging times of one's own.
  *
- * m      averaging times in samples, ascending, 1 ... INVCAL_ALLAN_LONGEST. One above
- *        INVCAL_ALLAN_OVERLAP must be a multiple of the stride 2^t of the lowest stage that serves
- *        it. NULL: the octaves 1, 2, 4 ...
+ * m      in samples, ascending, 1 ... INVCAL_ALLAN_LONGEST. One above INVCAL_ALLAN_OVERLAP must be a
+ *        multiple of its 2^t: INVCAL_ALLAN_OVERLAP / 2 to INVCAL_ALLAN_OVERLAP of them.
  * count  how many, 1 ... INVCAL_ALLAN_TAUS.
  *
- * Returns INVCAL_OK; INVCAL_BAD_SETTING for any other list, or windows; INVCAL_NO_SPACE if the
- * list needs more than INVCAL_ALLAN_RINGS stages (octaves do not). */
-invcal_status invcal_allan_init(invcal_allan *allan, const uint32_t *m, unsigned count,
-                                invcal_allan_windows windows);
+ * Returns INVCAL_OK; INVCAL_BAD_TAU for any other list. */
+invcal_status invcal_allan_begin(invcal_allan *allan, const uint32_t *m, unsigned count);
+
+/* From now on one window begins where another ends (NIST SP 1065, 5.2.2), for the comparison with
+ * published figures; as close as memory allows they tell more. Divides 32 bits for each difference. */
+void invcal_allan_apart(invcal_allan *allan);
 
 /* Takes in one sample, of any value.
  *
  * Cost: a 64-bit difference, its square and a 128-bit addition for each averaging time up to
- * INVCAL_ALLAN_OVERLAP; at every 2^t-th sample another one for each of stage t. Of 16 octaves:
- * 4 on average, 16 at most; 330 and 1200 instructions on a Cortex-M4, 830 and 3000 on a
- * Cortex-M0+, 5300 and 20000 cycles on an ATmega. INVCAL_ALLAN_APART divides 32 bits for each. */
+ * INVCAL_ALLAN_OVERLAP; at every 2^t-th sample another one for each that has this t. Of 16 octaves:
+ * 4 on average, 16 at most; 350 and 1300 instructions on a Cortex-M4, 800 and 2900 on a
+ * Cortex-M0+, 5700 and 17000 cycles on an ATmega. */
 void invcal_allan_push(invcal_allan *allan, int32_t raw);
 
 /* Samples were lost here, or the sensor moved: no window reaches across. All sums stay. */
@@ -112,25 +139,25 @@ typedef struct {
  *
  * index  0 ... count - 1, in the order of the list.
  *
- * edf is that of white noise, NIST SP 1065, table 5 (W FM; Howe, Allan and Barnes 1981), taken
- * at the ring's stage, where averages of 2^t samples are white again, n totals of them:
+ * edf is that of white noise, NIST SP 1065, table 5 (W FM; Howe, Allan and Barnes 1981), of
+ * averages of 2^t samples, which are white again, n totals of them:
  *
  *     edf = (3 (n - 1) / (2 m') - 2 (n - 2) / n) 4 m'^2 / (4 m'^2 + 5),    m' = m / 2^t
  *
  * It is 3 % from the exact figure where edf > 10, 10 % below. Flicker noise has 1.2 times less,
  * a random walk 1.5 times less. Gaps, which cost differences, are counted as such.
  *
- * Returns INVCAL_OK; INVCAL_BAD_SETTING if there is no such index; INVCAL_TOO_FEW if no two
- * windows have been filled; INVCAL_NO_SPACE if the squares do not fit 128 bits. */
+ * Returns INVCAL_OK; INVCAL_BAD_TAU if there is no such index; INVCAL_TOO_FEW if no two windows
+ * have been filled; INVCAL_NO_SPACE if the squares do not fit 128 bits. */
 invcal_status invcal_allan_get(const invcal_allan *allan, unsigned index, invcal_allan_point *out);
 
 /* ---- what the noise is made of ---------------------------------------------------------------
  *
  *     adev^2(tau) = N^2 / tau + (2 ln 2 / pi) B^2 + K^2 tau / 3         (IEEE Std 952, annex C)
  *
- * tau in s. With readings in m/s^2: N in m/s^2/sqrt(Hz) (times 60 a velocity random walk in
- * m/s/sqrt(h); over 9.80665e-6 in ug/sqrt(Hz)), B in m/s^2, K in m/s^2 sqrt(Hz), which is
- * m/s^3/sqrt(Hz). One-sided densities: 2 N^2 white, B^2 / (pi f) flicker. */
+ * tau in s, N in counts/sqrt(Hz), B in counts, K in counts sqrt(Hz). Over the counts per g, and
+ * times 1e6, they are ug/sqrt(Hz), ug, ug sqrt(Hz); N in m/s^2/sqrt(Hz) times 60 is a velocity
+ * random walk in m/s/sqrt(h). One-sided densities: 2 N^2 white, B^2 / (pi f) flicker. */
 enum {
     INVCAL_NOISE_WHITE,       /* N: slope -1/2 */
     INVCAL_NOISE_INSTABILITY, /* B: bias instability, flicker noise; the floor is 0.664 B */
@@ -141,20 +168,19 @@ enum {
 /* The noise model, and how well it is known. */
 typedef struct {
     invcal_real coefficient[INVCAL_NOISE_KINDS]; /* N, B, K; 0 where it is not visible */
-    invcal_real relative[INVCAL_NOISE_KINDS];    /* its relative standard deviation; 0 likewise */
+    invcal_real relative[INVCAL_NOISE_KINDS];    /* its relative standard deviation; 0 with it */
     uint8_t visible;                             /* bit k: kind k is there */
     invcal_real misfit;   /* root mean square of what the model leaves, in its sigma: below 1.5, or
                              the noise is not of these kinds: filtered, a vibration, a drift */
-    invcal_real minimum;  /* the smallest adev seen, field units */
+    invcal_real minimum;  /* the smallest adev seen, counts */
     invcal_real best;     /* tau of that, s */
     invcal_real shortest; /* the averaging times that took part, s */
-    invcal_real longest;  /* likewise */
+    invcal_real longest;  /* from the one to the other */
 } invcal_noise;
 
 /* Fits the model to all averaging times of 5 degrees of freedom or more.
  *
  * rate  samples per second.
- * lsb   field units per count: that of the axis, 1 for results in counts.
  *
  * Least squares of adev^2 over the model, weighted by edf / 2, but none closer than 5 %: so far
  * the model itself is trusted. Coefficients are not negative: of the seven sets of kinds the best
@@ -163,14 +189,13 @@ typedef struct {
  * relative takes the averaging times for independent; for B and K, which tie them to each other,
  * it is doubled. Simulated records scatter by 0.3 to 1.1 of it.
  *
- * Returns INVCAL_OK; INVCAL_BAD_SETTING unless rate and lsb are positive, and such that the results
- * fit the number type; INVCAL_TOO_FEW if no kind is visible: go on sampling, 20 of them show white
- * noise. Readings that never change show none.
- * Cost: 62,000 instructions on a Cortex-M4F for 16 octaves. Stack: about 800 bytes (float). */
-invcal_status invcal_allan_noise(const invcal_allan *allan, invcal_real rate, invcal_real lsb,
-                                 invcal_noise *noise);
+ * Returns INVCAL_OK; INVCAL_BAD_RATE unless rate is positive, and such that the results fit the
+ * number type; INVCAL_TOO_FEW if no kind is visible: go on sampling, 20 of them show white noise.
+ * Readings that never change show none.
+ * Cost: 50,000 instructions for 16 octaves. Stack: about 650 bytes. */
+invcal_status invcal_allan_noise(const invcal_allan *allan, invcal_real rate, invcal_noise *noise);
 
-/* adev(tau) of the model, field units; tau > 0 in s, else NaN or infinity. */
+/* adev(tau) of the model, counts; tau > 0 in s, else NaN or infinity. */
 invcal_real invcal_noise_sigma(const invcal_noise *noise, invcal_real tau);
 
 /* ---- how long to stay ------------------------------------------------------------------------ */
@@ -186,7 +211,7 @@ typedef enum {
 /* How long to stay, and what for. */
 typedef struct {
     invcal_real seconds;  /* after which the mean is as good as it is to be */
-    invcal_real sigma;    /* of the mean after that time, by the model, field units */
+    invcal_real sigma;    /* of the mean after that time, by the model, counts */
     invcal_dwell_end end; /* as wanted, or why not */
 } invcal_dwell;
 
@@ -196,6 +221,7 @@ typedef struct {
  *
  * noise  from invcal_allan_noise, or a data sheet's coefficients in a struct otherwise 0: then
  *        nothing counts as seen.
+ * sigma  wanted, counts. (Any unit will do that noise and sigma have in common.)
  *
  * What sigma means: adev(T)^2 is half the mean square difference of two means, each over T, one
  * after the other. For white noise that is the variance of a mean, and for a random walk (K^2 T/3)
@@ -204,7 +230,7 @@ typedef struct {
  * n ln n / (2 (n - 1) ln 2) for flicker (n = 18: 2.2), n / 2 for a random walk (Barnes, bias
  * function B1, NIST Technical Note 375), if no time is lost between them.
  *
- * Returns INVCAL_OK; INVCAL_BAD_SETTING if sigma is not positive, a coefficient negative or not
+ * Returns INVCAL_OK; INVCAL_BAD_NOISE if sigma is not positive, a coefficient negative or not
  * finite, all are 0, or N and shortest are; or if the time exceeds the number type. */
 invcal_status invcal_noise_dwell(const invcal_noise *noise, invcal_real sigma, invcal_dwell *out);
 

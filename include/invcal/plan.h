@@ -15,22 +15,22 @@
  *     2       -90                          start 2 + 360 (l - 1)/N
  *     3       start 3 + 360 (l - 1)/N      90                           l = 1 ... N
  *
- * Five positions in a group are the least: each is a series of five coefficients (series.h). (Four
- * off the axes, the twelve edges of a cube, determine the nine parameters together, but no group.)
- * What a program is worth does not depend on the start angles: sigma of the offsets
- * sqrt(1/N), of the scale errors sqrt(7/(5N)), of the non-orthogonality terms sqrt(8/N), times
- * the noise of a position mean; the condition is 8 (criteria.h computes them for any directions).
- * The start angles decide which axes stand exactly along gravity.
+ * Five positions in a group are the minimum: within a group every composition is a series of five
+ * coefficients, a0 + a1 cos + b1 sin + a2 cos 2 + b2 sin 2 of the angle that turns. (Four off the
+ * axes, the twelve edges of a cube, determine the nine parameters together, but no group.)
+ * What a program is worth does not depend on the start angles: sigma of the offsets sqrt(1/N), of
+ * the scale errors sqrt(7/(5N)), of the non-orthogonality terms sqrt(8/N), times the noise of a
+ * position mean; the condition is 8. (`invcal plan`, the host tool, computes them for any
+ * directions.) The start angles decide which axes stand exactly along gravity.
  *
- * Positions are computed one at a time, so a device that follows a program stores no table.
- * A stand is not needed: whoever holds the device in the hand may follow the verticals, roughly.
+ * Positions are computed one at a time, so a device that follows a program stores no table:
+ * invcal_session_is_at tells whether one has been taken. A stand is not needed: whoever holds the
+ * device in the hand may follow the verticals, roughly.
  */
 #ifndef INVCAL_PLAN_H
 #define INVCAL_PLAN_H
 
-#include <stdint.h>
-
-#include "invcal/status.h"
+#include "invcal/invcal.h"
 
 #ifdef __cplusplus
 extern "C" {
@@ -38,7 +38,9 @@ extern "C" {
 
 #define INVCAL_PLAN_GROUPS 3u           /* of a program */
 #define INVCAL_PLAN_PER_GROUP_MIN 5u    /* positions in a group */
-#define INVCAL_PLAN_PER_GROUP_MAX 1000u /* likewise */
+#define INVCAL_PLAN_PER_GROUP_MAX 1000u /* the most of them */
+
+#define invcal_plan_position_at INVCAL_CHOSEN(invcal_plan_position_at, 9) /* see invcal.h */
 
 /* A program: three groups, each a full turn. */
 typedef struct {
@@ -51,7 +53,7 @@ typedef struct {
     unsigned group;          /* 1 ... 3 */
     unsigned index;          /* l, 1 ... N */
     invcal_real alpha;       /* outer angle, degrees, above -180, at most 180 */
-    invcal_real beta;        /* inner angle, likewise */
+    invcal_real beta;        /* inner angle, in the same range */
     invcal_real vertical[3]; /* eta: unit vector of the up direction in the instrument frame */
 } invcal_plan_position;
 
@@ -59,16 +61,16 @@ typedef struct {
  *
  * Returns INVCAL_OK;
  *   INVCAL_TOO_FEW      fewer than 5 positions in a group: its five coefficients stay open;
- *   INVCAL_BAD_SETTING  more than INVCAL_PLAN_PER_GROUP_MAX, or a start angle that is NaN or
+ *   INVCAL_BAD_PROGRAM  more than INVCAL_PLAN_PER_GROUP_MAX, or a start angle that is NaN or
  *                       outside -360 ... 360. */
 invcal_status invcal_plan_check(const invcal_plan *plan);
 
 /* Position i of a program, i from 0 to 3 N - 1: Table 1 and eta(alpha, beta).
  * Multiples of 90 degrees give components that are exactly 0 and 1.
  *
- * Returns INVCAL_OK; INVCAL_TOO_FEW or INVCAL_BAD_SETTING by invcal_plan_check;
- * INVCAL_BAD_SETTING if there is no position i.
- * Cost: two sines and two cosines. Error of a component: 1e-15 (double), 3e-7 (float). */
+ * Returns INVCAL_OK; INVCAL_TOO_FEW or INVCAL_BAD_PROGRAM by invcal_plan_check;
+ * INVCAL_BAD_PROGRAM if there is no position i.
+ * Error of a component: 3e-7 (float), 1e-15 (double). Cost: 300 instructions. Stack: 120 bytes. */
 invcal_status invcal_plan_position_at(const invcal_plan *plan, unsigned i,
                                       invcal_plan_position *out);
 
@@ -81,7 +83,7 @@ invcal_status invcal_plan_position_at(const invcal_plan *plan, unsigned i,
  * six, and the same angles give +z, -x, -y. (From N = 901 on a quarter of a step is below the
  * 0.1 degrees of invcal_axis_up, and all six count as covered.)
  *
- * Returns INVCAL_OK; INVCAL_TOO_FEW, INVCAL_BAD_SETTING for an N outside its range. */
+ * Returns INVCAL_OK; INVCAL_TOO_FEW, INVCAL_BAD_PROGRAM for an N outside its range. */
 invcal_status invcal_plan_starts(unsigned per_group, invcal_real start[INVCAL_PLAN_GROUPS]);
 
 /* The six directions of the axes as bits: 1 << INVCAL_AXIS_PLUS_X and so on. */

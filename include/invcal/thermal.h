@@ -2,44 +2,30 @@
  *
  * invcal/thermal.h: a calibration for every temperature.
  *
- * Offsets, scales and angles are polynomials of temperature of the degree INVCAL_THERMAL_DEGREE
- * (config.h), here on a reference temperature and a span, so that t stays within about -1 ... 1:
+ *     invcal_thermal_calibrate   positions at several temperatures in, a calibration out
+ *     invcal_thermal_at          what holds at a temperature, to be applied to samples
+ *
+ * Offsets, scales and angles are polynomials of temperature of the degree INVCAL_THERMAL_DEGREE,
+ * here on a reference temperature and a span, so that t stays within about -1 ... 1:
  *
  *     t = (T - reference) / span,   X(T) = x0 + x1 t + x2 t^2,   X = (delta, dk, gamma)
  *
- * Positions of all temperatures together give all coefficients: the row h(u) of the exact equation
- * becomes h(u) (x) (1 t t^2), the unknowns 18 or 27, and one Cholesky solves for them. H'H
- * consists of 9x9 blocks, of which (a, b) is the sum of t^(a+b) h h': so the sums are those of
- * normal.h, 2 degree + 1 times, and grow neither with positions nor with temperatures. At every
- * temperature the same closed form (solution.h) makes the calibration, exact for errors of any
- * size.
+ * Positions of all temperatures together tell all coefficients: the row h(u) of the exact equation
+ * becomes (h, t h, t^2 h), the unknowns 18 or 27, and one Cholesky solves for them.
  *
- * Why there is no iterative refinement, as in the paper's ref. 12: the widened rows are linear in
- * the coefficients and exact at every temperature. One solve has the minimum over all of them, and
- * there is nothing that would have to converge.
+ * Why it solves twice: linear in the equation are the coefficients p of the ellipsoid, and where X
+ * is linear in temperature, as in sensors it nearly is, p is not; they differ by the square of slope
+ * times span. One solve leaves 1.3e-3 of the field (degree 1, -20 ... 70 C, slopes of 1 mg/K and
+ * 500 ppm/K). So X is taken from it at the ends of the range, by the closed form, and the second
+ * solve is for what is left between that and the readings: 9e-7. Twice by count; nothing has to
+ * converge, as it must in the paper's ref. 12.
  *
- * What that leaves, and why invcal_thermal_calibrate solves twice: twice by count, not until
- * something converges. Linear in the equation are the coefficients p of the ellipsoid, and where
- * X is linear in temperature, as in sensors it nearly is, p is not: they differ by the square of
- * slope times span. One solve of degree 1 leaves 1.3e-3 of the field (rms over -20 ... 70 C, every
- * slope at 1 mg/K and 500 ppm/K), many times the noise; a degree of 2 for p would pay for nine
- * unknowns that the sensor does not have. So X is taken from the first solve at the ends of the
- * range, by the closed form, as a polynomial of its own, and the second solve is for what is left
- * between it and the readings. That is small, and its square is nothing: 9e-7 remain, a hundredth
- * of a noise of 1e-4. Only a prior asks for one solve more: it has to be weighed with the noise
- * that the residuals tell.
- *
- * How good it is (tests; 18 positions at each of -20, 25, 70 C, noise 1e-4 of the field, slopes up
- * to 1 mg/K, 500 ppm/K, 100 urad/K). Degree 1: the error over the range and all directions is 0.99
- * to 1.01 of the Cramer-Rao bound of the 18 parameters, 5e-5 of the field. Nine parameters for the
- * same positions: 300 to 550 times that, 2 to 3 % of the field. Degree 2 for a sensor that is bent:
- * 0.99 to 1.01 of the bound of 27 parameters, which is 1.26 times that of 18: do not ask for it
- * without need. What is not a polynomial of this degree stays in the residuals, and so in the
- * noise and every sigma.
- *
- * In float, 18 and 27 unknowns lose 5e-8 of the field, no more than nine: as t is scaled, and
- * slopes that only a small part of the span tells are left out (INVCAL_THERMAL_OPEN) before
- * rounding would make them.
+ * How good it is (18 positions at each of -20, 25, 70 C, noise 1e-4 of the field, slopes up to
+ * 1 mg/K, 500 ppm/K, 100 urad/K). Degree 1: the error over the range and all directions is 0.99 to
+ * 1.01 of the Cramer-Rao bound of the 18 parameters, 5e-5 of the field. Nine parameters for the same
+ * positions: 300 to 550 times that. Degree 2 for a sensor that is bent: 0.99 to 1.01 of the bound of
+ * 27 parameters, which is 1.26 times that of 18: do not ask for it without need. What is no
+ * polynomial of this degree stays in the residuals, and so in the noise and every sigma.
  *
  * Temperatures are in K or degrees C, from the sensor's own thermometer if it has one. It need not
  * be right, but must tell the same each time.
@@ -47,30 +33,74 @@
 #ifndef INVCAL_THERMAL_H
 #define INVCAL_THERMAL_H
 
-#include "invcal/calibrate.h"
+#include "invcal/store.h"
 
 #ifdef __cplusplus
 extern "C" {
 #endif
 
-#define INVCAL_THERMAL_ROWS (INVCAL_THERMAL_DEGREE + 1)     /* coefficients of a parameter */
-#define INVCAL_THERMAL_SUMS (2 * INVCAL_THERMAL_DEGREE + 1) /* powers of t in H'H */
+/* The degree of the polynomials: 0 (none), 1 (slopes) or 2 (parabolas). A choice of the build, as
+ * those of invcal.h; each costs 36 bytes of a calibration, and of stack 0.7 and then 1.0 KB more. */
+#ifndef INVCAL_THERMAL_DEGREE
+#define INVCAL_THERMAL_DEGREE 1
+#endif
+#if INVCAL_THERMAL_DEGREE < 0 || INVCAL_THERMAL_DEGREE > 2
+#error "INVCAL_THERMAL_DEGREE must be 0, 1 or 2"
+#endif
 
-/* What the user knows of temperature. All zero is a good start. */
+/* The degree counts, and the positions, as quality has a bit for each. */
+#define INVCAL_THERMAL_CHOSEN(name)                                                                \
+    INVCAL_THERMAL_CHOSEN_(name, INVCAL_THERMAL_DEGREE, INVCAL_MAX_POSITIONS)
+#define INVCAL_THERMAL_CHOSEN_(name, degree, positions)                                            \
+    INVCAL_THERMAL_CHOSEN__(name, degree, positions) /* step of it */
+#define INVCAL_THERMAL_CHOSEN__(name, degree, positions)                                           \
+    INVCAL_CHOSEN(name, degree##_##positions) /* step of it */
+#define invcal_thermal_at INVCAL_THERMAL_CHOSEN(invcal_thermal_at)
+#define invcal_thermal_calibrate INVCAL_THERMAL_CHOSEN(invcal_thermal_calibrate)
+#define invcal_thermal_start INVCAL_THERMAL_CHOSEN(invcal_thermal_start)
+#define invcal_thermal_fit INVCAL_THERMAL_CHOSEN(invcal_thermal_fit)
+#define invcal_thermal_judge INVCAL_THERMAL_CHOSEN(invcal_thermal_judge)
+#define invcal_thermal_record_decode INVCAL_THERMAL_CHOSEN(invcal_thermal_record_decode)
+
+#define INVCAL_THERMAL_ROWS (INVCAL_THERMAL_DEGREE + 1) /* coefficients of a parameter */
+
+/* A calibration for every temperature: 104, 140, 176 bytes for degree 0, 1, 2 (float). */
 typedef struct {
-    invcal_real reference; /* t = 0; not used while span is 0 */
-    invcal_real span;      /* t = 1 at reference + span, K: half the range of use. 0, with
-                              invcal_thermal_calibrate only: reference and span are the middle and
-                              half the range of the temperatures given, at least 1 K */
-    /* What is known beforehand of the slopes of delta (1/K: field over field), dk (1/K) and gamma
-     * (rad/K), and of what bends them (the same per K^2): standard deviations about none; 0:
-     * nothing is known. Needs the noise stated. With a prior on every slope even one temperature
-     * is enough: what the positions leave open stays at none, within its prior. In float none
-     * should be below a thousandth of the widest, times the span. */
-    invcal_real slope[INVCAL_PARAMETERS];
-    invcal_real curvature[INVCAL_PARAMETERS]; /* for degree 2 */
-    uint8_t less; /* so much below INVCAL_THERMAL_DEGREE is the highest degree that is wanted */
-} invcal_thermal_settings;
+    invcal_real reference, span; /* t = (T - reference) / span */
+    invcal_real min, max;        /* temperatures seen: only between them the polynomials hold */
+    invcal_calibration nominal;  /* what x is against */
+    /* delta, dk, gamma: the coefficients of t^k, k = 0 ... INVCAL_THERMAL_DEGREE */
+    invcal_real x[INVCAL_THERMAL_ROWS][INVCAL_PARAMETERS];
+    uint8_t degree;   /* of x */
+    uint8_t fitted;   /* degree that the positions told; less than `degree` only where slopes are
+                         those of the calibration that was renewed (invcal_thermal_fit) */
+    uint8_t fallback; /* an invcal_thermal_fallback: why `fitted` is less than was wanted */
+} invcal_thermal;
+
+/* ---- at a temperature --------------------------------------------------------------------------- */
+
+/* Where a temperature lies. */
+typedef enum {
+    INVCAL_THERMAL_WITHIN, /* in the range seen */
+    INVCAL_THERMAL_BELOW,  /* colder: what holds at `min` is given */
+    INVCAL_THERMAL_ABOVE   /* warmer: what holds at `max` is given */
+} invcal_thermal_place;
+
+/* The calibration at a temperature, for invcal_apply, by the exact closed form. It is all that a
+ * device links which has its calibration from elsewhere.
+ *
+ * Outside the range seen the polynomial tells nothing. There the value at its edge is held, and place
+ * says so: what the sensor does beyond is not known, and no sigma covers it.
+ *
+ * Returns INVCAL_OK; INVCAL_BAD_TEMPERATURE if it is not finite; INVCAL_BAD_NOMINAL,
+ * INVCAL_NOT_ELLIPSOID if what is stored there has been damaged.
+ * Cost: 640 instructions. Temperatures change slowly: make it anew when T has moved by what matters,
+ * 0.05 K are 5e-5 of the field at 1 mg/K, and apply it to all samples in between.
+ * Stack: about 200 bytes. */
+invcal_status invcal_thermal_at(const invcal_thermal *thermal, invcal_real temperature,
+                                invcal_calibration *calibration, invcal_thermal_place *place);
+
+/* ---- the fit ------------------------------------------------------------------------------------- */
 
 /* Why the degree is lower than was wanted: what stood against one more. */
 typedef enum {
@@ -78,186 +108,178 @@ typedef enum {
     INVCAL_THERMAL_FEW,      /* fewer positions than coefficients without a prior: 9 (degree + 1) */
     INVCAL_THERMAL_NARROW,   /* temperatures of less than 5 K for each degree, and no prior: a
                                 thermometer on a chip is some 0.5 K off what it should tell (steps,
-                                lag, heat of its own), and over less a tenth of a slope would be
-                                its error */
+                                lag, heat of its own), and over less a tenth of a slope would be its
+                                error */
     INVCAL_THERMAL_OPEN      /* the positions do not tell the slopes: some coefficient's sqrt(K)
-                                exceeds 10, the limit of a weak parameter (quality.h). So it is
-                                when temperatures fill less than 8 % of the span, when there are
-                                but two for a parabola, or not enough orientations at one of two */
+                                exceeds 10, the limit of a weak parameter. So it is when temperatures
+                                fill less than 8 % of the span, when there are but two for a
+                                parabola, or not enough orientations at one of two */
 } invcal_thermal_fallback;
 
 /* A phrase for it, in plain English, in read-only memory. Any other value: "unknown reason". */
 const char *invcal_thermal_fallback_text(invcal_thermal_fallback fallback);
 
-/* A calibration for every temperature: 108, 144, 180 bytes for degree 0, 1, 2 (float, Cortex-M). */
-typedef struct {
-    /* delta, dk, gamma: the coefficients of t^k, k = 0 ... INVCAL_THERMAL_DEGREE */
-    invcal_real x[INVCAL_THERMAL_ROWS][INVCAL_PARAMETERS];
-    invcal_calibration nominal;  /* of the settings */
-    invcal_real field;           /* likewise */
-    invcal_real reference, span; /* t = (T - reference) / span */
-    invcal_real least, greatest; /* temperatures seen: only between them the polynomials hold */
-    invcal_frame frame;          /* of the settings */
-    invcal_thermal_fallback fallback; /* why `fitted` is less than was wanted */
-    uint8_t degree;                   /* of x */
-    uint8_t fitted; /* degree that the positions told; less than `degree` only where slopes came
-                       from the calibration that was renewed (invcal_thermal_solve) */
-} invcal_thermal_calibration;
-
-/* Calibrates from position means and their temperatures: rows, two solutions, residuals,
- * judgement.
+/* Calibrates from position means and their temperatures.
  *
- * raw          3 count numbers, as invcal_calibrate. Nine positions for each coefficient are the
- *              least, at different temperatures; twelve to eighteen at each temperature are good,
- *              the same or others. Order does not matter.
+ * raw          3 count numbers, as invcal_calibrate. At least nine positions for each coefficient,
+ *              at different temperatures; twelve to eighteen at each temperature are good, the
+ *              same or others, in any order.
  * temperature  count numbers: the mean over each rest, see invcal_thermal_drift_limit.
- * settings     see invcal_settings; its prior is that of X at the reference.
- * quality      of the calibration at the reference (or the end of the range next to it); verdict,
- *              undetermined and from_prior hold for all the range. Sigma elsewhere:
- *              invcal_thermal_assess. The noise and residuals are those over all temperatures.
- * reason       null, or what was wrong; written on failure only.
+ * count        up to 65534.
+ * nominal      data sheet, or an earlier calibration.
+ * noise        as invcal_calibrate; 0: not known.
+ * out          reference and span are the middle and half the range of the temperatures, at least
+ *              1 K.
+ * quality      of the calibration at the reference; verdict and weak hold for all the range. Sigma
+ *              elsewhere: invcal_thermal_judge. Noise, residuals and condition are those of all
+ *              positions and coefficients.
  *
- * Slopes that the positions do not tell are left out, and out->fallback says so: a lower degree is
- * no failure. But with no slopes at all over 5 K or more the verdict is weak and undetermined
- * names everything: slopes then pass for errors of other kinds, which residuals need not show.
+ * Slopes that the positions do not tell are left out, and out->fallback says so: a lower degree is no
+ * failure. But with no slopes at all over 5 K or more the verdict is weak in everything: slopes then
+ * pass for errors of other kinds, which residuals need not show.
  *
- * Returns as invcal_calibrate; INVCAL_NOT_FINITE (with the position) for a temperature that is
- * none; INVCAL_BAD_SETTING also for a temperature more than two spans from the reference.
- * Cost: three passes over the positions, two solutions, three judgements: 508,000 instructions for
- * 54 positions (degree 1, Cortex-M4F); half as much again with a prior. Stack: 3.6 KB for degree 1, 4.9 KB for degree 2. */
+ * Returns as invcal_calibrate, and INVCAL_BAD_TEMPERATURE for one that is not finite.
+ * Cost: three passes over the positions, three Cholesky: 365,000 instructions for 36 positions
+ * (degree 1). Stack: 1.4, 2.1, 3.1 KB for degree 0, 1, 2. */
 invcal_status invcal_thermal_calibrate(const invcal_real *raw, const invcal_real *temperature,
-                                       unsigned count, const invcal_settings *settings,
-                                       const invcal_thermal_settings *thermal,
-                                       invcal_thermal_calibration *out, invcal_quality *quality,
-                                       invcal_reason *reason);
+                                       unsigned count, const invcal_calibration *nominal,
+                                       invcal_real noise, invcal_thermal *out,
+                                       invcal_quality *quality);
 
-/* Where a temperature lies. */
-typedef enum {
-    INVCAL_THERMAL_WITHIN, /* in the range seen */
-    INVCAL_THERMAL_BELOW,  /* colder: what holds at `least` is given */
-    INVCAL_THERMAL_ABOVE   /* warmer: what holds at `greatest` is given */
-} invcal_thermal_place;
-
-/* The calibration at a temperature, for invcal_apply, by the exact closed form.
- *
- * Outside the range seen the polynomial tells nothing. There the value at its edge is held, and
- * place says so: what the sensor does beyond is not known, and no sigma covers it.
- *
- * Returns INVCAL_OK; INVCAL_NOT_FINITE for a temperature that is NaN or infinite;
- * INVCAL_BAD_SETTING, INVCAL_NOT_ELLIPSOID if the calibration has been damaged.
- * Cost: 25 calls of invcal_apply (1,070 instructions, Cortex-M4F). Temperatures change slowly:
- * make it anew when T has moved by what matters, 0.05 K are 5e-5 of the field at 1 mg/K, and apply
- * it to all samples in between. Stack: about 450 bytes. */
-invcal_status invcal_thermal_at(const invcal_thermal_calibration *calibration,
-                                invcal_real temperature, invcal_solution *solution,
-                                invcal_thermal_place *place);
-
-/* How far temperature may drift in one rest that is to be a position, K from least to greatest.
+/* How far temperature may drift in one rest that is to be a position, K from min to max.
  *
  * X is nearly linear over a rest: the mean reading belongs to the mean temperature, and drift by
- * itself does no harm. But a thermometer that lags behind the sensor may be wrong by half of it.
- * The limit is where that makes as much as the noise of one position:
+ * itself does no harm. But a thermometer that lags behind the sensor may be wrong by half of it. The
+ * limit is where that makes as much as the noise of one position: 2 noise / slope.
  *
- *     limit = 2 noise / slope
+ * noise  of a position mean, over field; 0: not known, 1e-4.
+ * slope  the largest one of an offset, 1/K; 0: not known, 1 mg/K. Both unknown make 0.2 K.
  *
- * with the noise stated, or 1e-4 of the field, and the largest slope of the prior, or 1 mg/K:
- * 0.2 K unless something else is known. 0, no drift at all, where that is no number: for a field
- * that is not positive, or noise without end. Fail closed: take a rest if drift <= limit, and else
- * wait for the sensor to settle. */
-invcal_real invcal_thermal_drift_limit(const invcal_settings *settings,
-                                       const invcal_thermal_settings *thermal);
+ * Fails closed: 0, no drift at all, for a noise or slope that is negative or no number. Take a rest
+ * if drift <= limit, and else wait for the sensor to settle. */
+invcal_real invcal_thermal_drift_limit(invcal_real noise, invcal_real slope);
 
-/* ---- position by position -------------------------------------------------------------------
+/* ---- by parts, for other choices ------------------------------------------------------------------
  *
- * What invcal_thermal_calibrate is made of, for positions that come and go, that are not kept, or
- * that renew an earlier calibration:
- *
- *     start with the nominal, or have an earlier calibration: the base
- *     add every position
- *     solve: the base, corrected
- *
- * X against the base is what is solved for, and one solve is enough if that is small: a tenth of
- * the slopes above leave a hundredth of the error above, 1e-5. With the positions at hand add them
- * again, on what has been solved for, and solve again; the same sums are the residuals of what
- * they were made with, and invcal_thermal_assess judges by them. */
+ *     invcal_thermal_start    a base that knows the nominal calibration only; or take an earlier one
+ *     invcal_thermal_fit      the base, corrected by what the positions tell
+ *     invcal_thermal_judge    how good that is at a temperature
+ */
 
-/* A base that knows nothing but the nominal calibration: X = 0 at all temperatures.
- *
- * thermal  a span > 0 is needed: that of use.
- *
- * Returns INVCAL_OK; INVCAL_BAD_SETTING for unusable settings (invcal_settings_check), a prior
- * that is negative, not finite, or there without the noise, a degree below 0, or no reference or
- * span. */
-invcal_status invcal_thermal_start(const invcal_settings *settings,
-                                   const invcal_thermal_settings *thermal,
-                                   invcal_thermal_calibration *out);
-
-/* The rows of readings that were calibrated with a base, each times the powers of its t.
- * 192, 536, 880 bytes for degree 0, 1, 2. */
+/* Positions, and what they were read with: see invcal_thermal_calibrate. */
 typedef struct {
-    invcal_normal sum[INVCAL_THERMAL_SUMS]; /* of t^k; the first counts */
-    invcal_real squares;                    /* residuals of the base, as in residual.h */
-    invcal_real max;                        /* the largest of them, without its sign */
-    unsigned worst;                         /* the position of that, from 0 */
-    invcal_real least, greatest;            /* temperatures */
-} invcal_thermal_sums;
+    const invcal_real *raw;         /* 3 count numbers */
+    const invcal_real *temperature; /* count numbers */
+    unsigned count;                 /* of the positions */
+    invcal_real noise;              /* of a position mean, over field; 0: not known */
+} invcal_thermal_positions;
 
-/* Empties the sums. All bytes zero is the same state. */
-void invcal_thermal_init(invcal_thermal_sums *sums);
-
-/* Adds one position.
+/* A base: X = 0 at all temperatures.
  *
- * base  the same for all of them.
+ * temperature  count numbers, those of the positions or the ends of the range of use. Their middle
+ *              is the reference, half their range the span, at least 1 K.
  *
- * Returns INVCAL_OK; INVCAL_NOT_FINITE for the reading or the temperature; INVCAL_OUT_OF_RANGE if
- * the calibrated reading is outside 0.1 ... 10 of the field; INVCAL_BAD_SETTING for a temperature
- * more than two spans from the reference.
- * Cost: six times that of a row in normal.h for degree 1. Stack: about 690 bytes. */
-invcal_status invcal_thermal_add(invcal_thermal_sums *sums, const invcal_thermal_calibration *base,
-                                 const invcal_real raw[3], invcal_real temperature);
+ * Returns INVCAL_OK; INVCAL_BAD_NOMINAL, INVCAL_BAD_TEMPERATURE, INVCAL_TOO_FEW if there are none. */
+invcal_status invcal_thermal_start(const invcal_calibration *nominal,
+                                   const invcal_real *temperature, unsigned count,
+                                   invcal_thermal *out);
 
-/* Takes out a position that was added before with the same base. What is left equals the sums
- * without it to rounding; but the temperatures seen do not shrink, and the largest residual stays
- * that of all which were there. Without the last one the sums are empty again.
- * Returns as invcal_thermal_add, and INVCAL_TOO_FEW if the sums are empty. */
-invcal_status invcal_thermal_remove(invcal_thermal_sums *sums,
-                                    const invcal_thermal_calibration *base,
-                                    const invcal_real raw[3], invcal_real temperature);
+/* What is known beforehand of X against the base, as standard deviations about none: sigma[0] of X at
+ * the reference, sigma[1] of its slopes (per K), sigma[2] of what bends them (per K^2); 0: nothing is
+ * known. In float none should be below a thousandth of the widest, times the span. */
+typedef struct {
+    invcal_real sigma[INVCAL_THERMAL_ROWS][INVCAL_PARAMETERS]; /* 0: not known */
+} invcal_thermal_prior;
 
 /* Solves for what the positions have against the base, and corrects it.
  *
- * sums      made with base. Not changed.
- * settings  noise and prior; nominal, field and frame are those of the base. What is known
- *           beforehand is known of the deviation from the base.
- * thermal   slopes and curvatures of the prior; reference and span are those of the base.
- * out       may be the base. Its range is that of the sums. A base with slopes keeps them where
- *           the positions tell no others: at one temperature an offset is renewed, and the
- *           slopes stay.
+ * A base with slopes keeps them where the positions tell no others, and its range with them: a few
+ * positions at one temperature, degree 0, renew offset, scales and angles of a calibration that has
+ * aged. Otherwise the range is that of the positions.
  *
- * Returns INVCAL_OK, whatever the degree; INVCAL_BAD_SETTING, INVCAL_TOO_FEW,
- * INVCAL_UNDETERMINED, INVCAL_NOT_ELLIPSOID as invcal_solve.
- * Cost: (9 (degree + 1))^3 / 3 multiply-adds. Stack: 1.7 KB for degree 1, 2.6 KB for degree 2. */
-invcal_status invcal_thermal_solve(const invcal_thermal_sums *sums,
-                                   const invcal_thermal_calibration *base,
-                                   const invcal_settings *settings,
-                                   const invcal_thermal_settings *thermal,
-                                   invcal_thermal_calibration *out);
+ * prior   null, or what is known beforehand; the noise has to be stated then. With a prior on every
+ *         slope even one temperature is enough: what the positions leave open stays at none. Where
+ *         the residuals tell more noise than is stated, the prior is weighed with theirs,
+ *         quality->noise: judge with that. Where sigma is more than 0.7 of its prior, the prior has
+ *         told more of that parameter than the positions.
+ * base    of invcal_thermal_start, or an earlier calibration; may be out.
+ * degree  the highest one that is wanted.
+ *
+ * Returns as invcal_thermal_calibrate; INVCAL_BAD_TEMPERATURE also for one more than two spans from
+ * the reference, INVCAL_BAD_COUNT for a degree above INVCAL_THERMAL_DEGREE, INVCAL_BAD_NOISE for a
+ * prior without it, INVCAL_BAD_PRIOR for one that is negative or not finite. */
+invcal_status invcal_thermal_fit(const invcal_thermal_positions *positions,
+                                 const invcal_thermal_prior *prior, const invcal_thermal *base,
+                                 unsigned degree, invcal_thermal *out, invcal_quality *quality);
 
-/* Judges a calibration at a temperature: sigma of everything there, condition, verdict
- * (quality.h). The covariance of the coefficients goes through the powers of t and the Jacobian at
- * that temperature; dof counts the coefficients. Weak, all parameters, where slopes are wanting
- * (invcal_thermal_calibrate).
+/* How good it is at a temperature: sigma, weak and verdict there. The covariance of the coefficients
+ * goes through the powers of t.
  *
- * sums         of all its positions, made with this calibration as the base.
- * temperature  outside the range seen: sigma at its edge, where the value is held.
+ * positions    those that it was made of; prior, too.
+ * temperature  outside the range seen: at its edge, where the value is held.
  *
- * Returns as invcal_assess, and INVCAL_NOT_FINITE for the temperature.
- * Stack: 2.0 KB for degree 1, 2.9 KB for degree 2. */
-invcal_status invcal_thermal_assess(const invcal_thermal_sums *sums,
-                                    const invcal_thermal_calibration *calibration,
-                                    const invcal_settings *settings,
-                                    const invcal_thermal_settings *thermal, invcal_real temperature,
-                                    invcal_quality *quality);
+ * Returns as invcal_thermal_fit. */
+invcal_status invcal_thermal_judge(const invcal_thermal_positions *positions,
+                                   const invcal_thermal_prior *prior, const invcal_thermal *thermal,
+                                   invcal_real temperature, invcal_quality *quality);
+
+/* ---- as bytes -------------------------------------------------------------------------------------
+ *
+ * A calibration for every temperature with all that is known about it as 248, 284 or 320 bytes (degree
+ * 0, 1, 2), for a memory (store.h), a file or a radio. Numbers as in a record of store.h:
+ *
+ *     at    size  what
+ *       0   1     kind, 0xCB
+ *       1   1     version, 2
+ *       2   2     length, 212 + 36 (degree + 1)
+ *       4   136   the record of what holds at the reference (store.h)
+ *     140   1     degree
+ *     141   1     fitted
+ *     142   1     fallback
+ *     143   1     1: the frame is triangular
+ *     144   16    reference, span, min, max
+ *     160   48    nominal: offset x, y, z, matrix by rows
+ *     208   36    the coefficients x of t^0; so for each further power up to the degree
+ *     ...   4     CRC-32 of all before it
+ *
+ * A device that does not know its temperature finds a record at byte 4. In version 1, of 0.1.0, the
+ * record has 184 bytes, and matrices are in the unit of the field: it is read as well. */
+#define INVCAL_THERMAL_RECORD_BYTES(degree) (212u + 36u * ((degree) + 1u))
+/* The largest that this build writes, and reads. */
+#define INVCAL_THERMAL_RECORD_SIZE INVCAL_THERMAL_RECORD_BYTES(INVCAL_THERMAL_DEGREE)
+/* The same of any version that is read. */
+#define INVCAL_THERMAL_RECORD_SIZE_MAX                                                             \
+    (INVCAL_THERMAL_RECORD_SIZE + INVCAL_RECORD_SIZE_MAX - INVCAL_RECORD_SIZE)
+
+/* What the bytes say. */
+typedef struct {
+    invcal_thermal thermal; /* the calibration for every temperature */
+    invcal_record record;   /* of what holds at the reference; more may be filled in */
+    uint8_t is_triangular;  /* 1: as 0.1.0 had it if asked: invcal_make_triangular makes of what
+                              invcal_thermal_at gives what the record has */
+} invcal_thermal_record;
+
+/* Makes one of what invcal_thermal_calibrate gives. Returns as invcal_thermal_at. */
+invcal_status invcal_thermal_record_init(invcal_thermal_record *record,
+                                         const invcal_thermal *thermal,
+                                         const invcal_quality *quality);
+
+/* A record as bytes, INVCAL_THERMAL_RECORD_BYTES of its degree.
+ *
+ * Returns INVCAL_OK; on failure the bytes are lost: as invcal_record_encode, INVCAL_NOT_FINITE,
+ * INVCAL_BAD_NOMINAL, INVCAL_NOT_ELLIPSOID, INVCAL_BAD_COUNT for a degree above that of the build, and
+ * INVCAL_DAMAGED for what no fit gives, or a record of another calibration. Stack: about 700 bytes. */
+invcal_status invcal_thermal_record_encode(const invcal_thermal_record *record,
+                                           uint8_t bytes[INVCAL_THERMAL_RECORD_SIZE]);
+
+/* A record from bytes, at any alignment.
+ *
+ * size  how many there are; what follows the record is not looked at.
+ *
+ * Returns INVCAL_OK; INVCAL_OTHER_VERSION for sound bytes of another kind or version, or of a degree
+ * above that of the build; as invcal_thermal_record_encode otherwise. Stack: as above. */
+invcal_status invcal_thermal_record_decode(const uint8_t *bytes, uint32_t size,
+                                           invcal_thermal_record *out);
 
 #ifdef __cplusplus
 }

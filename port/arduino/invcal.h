@@ -2,4 +2,4 @@
  *
  * invcal.h: for sketches, which find libraries by a header in src/ itself.
  */
-#include "invcal/invcal.h"
+#include "invcal/store.h"

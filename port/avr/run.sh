@@ -5,6 +5,6 @@
 # else that it prints is coloured. It has no exit status of the program: the last line tells it.
 # After a crash it would wait for a debugger, hence the time limit.
 escape=$(printf '\033')
-timeout 120 simavr -m "$1" -f 16000000 "$2" 2>&1 |
+timeout 300 simavr -m "$1" -f 16000000 "$2" 2>&1 |
     sed -n "s/^\(${escape}\[0m\)*${escape}\[32m\(.*\)\.\$/\2/p" |
     awk '{ print; fflush(); last = $0 } END { exit last != "OK" }'

@@ -105,7 +105,7 @@ static int read_request(int argc, char **argv, request *r)
 
     *r = (request){.wish = {.to = HUGE_VAL}};
     int failure = options_parse(&syntax, argc, argv, r->value, &w->file);
-    w->windows = r->value[APART] ? INVCAL_ALLAN_APART : INVCAL_ALLAN_OVERLAPPING;
+    w->is_apart = r->value[APART] != NULL;
     w->command = r->command;
     options_command(syntax.command, argc, argv, r->command, sizeof r->command);
     failure = failure ? failure : check_files(r);

@@ -18,7 +18,7 @@ typedef struct {
     double rate;   /* samples a second; 0: not told */
     unsigned taus; /* of --tau; 0: octaves */
     double tau[INVCAL_ALLAN_TAUS];
-    invcal_allan_windows windows;
+    int is_apart;        /* one window begins where another ends; else they overlap */
     double sigma;        /* of a position mean that is wanted; 0: not told */
     double lsb;          /* field units per input unit; 0: not told */
     double gravity;      /* length of the field; 0: not told */

@@ -15,7 +15,7 @@ static void print_source(FILE *file, const allan_result *r, const allan_wish *wi
     fprintf(file, "%lu samples, %.6g s at %.6g samples a second, %lu gap%s\n", r->samples,
             (double)r->samples / r->rate, r->rate, r->gaps, r->gaps == 1 ? "" : "s");
     fprintf(file, "Allan deviation, %s, %s\n\n",
-            wish->windows == INVCAL_ALLAN_APART ? "of windows apart" : "overlapping", r->unit);
+            wish->is_apart ? "of windows apart" : "overlapping", r->unit);
 }
 
 static void print_rows(FILE *file, const allan_result *r)

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * One pass over the log: the pyramid of each axis, and whether it has been at rest.
+ * One pass over the log: the sums of each axis, and whether it has been at rest.
  */
 #include <math.h>
 #include <string.h>
@@ -11,7 +11,7 @@
 #include "motion.h"
 #include "progress.h"
 
-#define NEAR_TAU 1e-6           /* of a sample interval: so near to a multiple is meant */
+#define WITHIN_TAU 1e-6         /* of a sample interval: so close to a multiple is meant */
 #define UNREACHED 1e-3          /* of the smallest deviation: no mean is as good */
 #define FLOOR_SQUARE 0.44127120 /* 2 ln 2 / pi */
 
@@ -44,7 +44,7 @@ static int find_length(double tau, double rate, uint32_t *m)
 {
     const double length = nearbyint(tau * rate);
 
-    if (!(length >= 1) || fabs(tau * rate - length) > NEAR_TAU * length) {
+    if (!(length >= 1) || fabs(tau * rate - length) > WITHIN_TAU * length) {
         return refuse_tau(tau, rate, "is no multiple of the interval,", 1 / rate);
     }
     if (!(length <= INVCAL_ALLAN_LONGEST)) {
@@ -61,7 +61,6 @@ static int find_length(double tau, double rate, uint32_t *m)
 static int begin_streams(const allan_wish *wish, double rate)
 {
     uint32_t m[INVCAL_ALLAN_TAUS];
-    const unsigned count = wish->taus > 0 ? wish->taus : INVCAL_ALLAN_TAUS;
 
     for (unsigned k = 0; k < wish->taus; k++) {
         const int failure = find_length(wish->tau[k], rate, &m[k]);
@@ -70,10 +69,14 @@ static int begin_streams(const allan_wish *wish, double rate)
         }
     }
     for (unsigned i = 0; i < 3; i++) {
-        if (invcal_allan_init(&stream[i], wish->taus > 0 ? m : NULL, count, wish->windows) !=
-            INVCAL_OK) {
+        if (wish->taus == 0) {
+            invcal_allan_init(&stream[i]);
+        } else if (invcal_allan_begin(&stream[i], m, wish->taus) != INVCAL_OK) {
             return message_usage("allan", "--tau: must ascend, at most %u times",
                                  (unsigned)INVCAL_ALLAN_TAUS);
+        }
+        if (wish->is_apart) {
+            invcal_allan_apart(&stream[i]);
         }
     }
     return EXIT_GOOD;
@@ -179,15 +182,20 @@ static void find_rows(allan_result *r, unsigned taus, double unit)
 static int find_noise(allan_result *r, double unit)
 {
     for (unsigned i = 0; i < 3; i++) {
+        invcal_noise *n = &r->noise[i];
         if (r->samples > 1 && motion_is_frozen(&watched, i)) {
             message("%s: %c never changes: its noise is less than a count, or it is not read",
                     r->name, "xyz"[i]);
             return EXIT_DATA;
         }
-        if (invcal_allan_noise(&stream[i], r->rate, unit, &r->noise[i]) != INVCAL_OK) {
+        if (invcal_allan_noise(&stream[i], r->rate, n) != INVCAL_OK) {
             message("%s: %lu sample%s no noise of %c at these averaging times: log longer, at rest",
                     r->name, r->samples, r->samples == 1 ? " shows" : "s show", "xyz"[i]);
             return EXIT_DATA;
+        }
+        n->minimum *= unit;
+        for (unsigned k = 0; k < INVCAL_NOISE_KINDS; k++) {
+            n->coefficient[k] *= unit;
         }
     }
     return EXIT_GOOD;

@@ -148,7 +148,7 @@ static void write_origin(page *p, const allan_result *r, const allan_wish *wish)
     page_fact(p, "samples", "%lu from %.6g s to %.6g s, at %.6g a second, %lu gaps", r->samples,
               r->from, r->to, r->rate, r->gaps);
     page_fact(p, "estimator", "%s",
-              wish->windows == INVCAL_ALLAN_APART
+              wish->is_apart
                   ? "windows apart (NIST SP 1065, 5.2.2)"
                   : "overlapping (NIST SP 1065, 5.2.4); above 4096 samples 2048 times or more");
     if (r->gravity > 0) {

@@ -10,9 +10,9 @@
 #include "calibration_file.h"
 #include "columns.h"
 #include "design.h"
+#include "gravity.h"
 #include "command.h"
 #include "input.h"
-#include "invcal/gravity.h"
 #include "live.h"
 #include "message.h"
 #include "noise_file.h"
@@ -109,7 +109,7 @@ typedef struct {
     double place[2];           /* latitude, height */
     thermal_wish thermal;
     invcal_plan plan;
-    invcal_settings settings; /* all but the nominal, and the noise unless stated */
+    fit_settings settings; /* all but the nominal, and the noise unless stated */
 } request;
 
 static int usage(const request *r, unsigned which, const char *what)
@@ -129,11 +129,15 @@ static int read_place(request *r)
     if (!failure && r->value[HEIGHT]) {
         failure = options_numbers(r->syntax, HEIGHT, r->value[HEIGHT], 1, &r->place[1], NULL);
     }
-    if (!failure && invcal_gravity(r->place[0], r->place[1], &r->settings.field) != INVCAL_OK) {
-        failure = fabs(r->place[0]) <= 90 ? usage(r, HEIGHT, "is -500 to 10000 m above the sea")
-                                          : usage(r, LATITUDE, "is -90 to 90 degrees");
+    if (failure) {
+        return failure;
     }
-    return failure;
+    r->settings.field = gravity_at(r->place[0], r->place[1]);
+    if (isnan(r->settings.field)) {
+        return fabs(r->place[0]) <= 90 ? usage(r, HEIGHT, "is -500 to 10000 m above the sea")
+                                       : usage(r, LATITUDE, "is -90 to 90 degrees");
+    }
+    return EXIT_GOOD;
 }
 
 static int read_gravity(request *r)
@@ -161,14 +165,10 @@ static int read_frame(request *r)
 {
     const char *name = r->value[FRAME] ? r->value[FRAME] : "symmetric";
 
-    if (strcmp(name, "triangular") == 0) {
-        r->settings.frame = INVCAL_FRAME_TRIANGULAR;
-    } else if (strcmp(name, "symmetric") == 0) {
-        r->settings.frame = INVCAL_FRAME_SYMMETRIC;
-    } else {
-        return usage(r, FRAME, "is symmetric or triangular");
-    }
-    return EXIT_GOOD;
+    r->settings.is_triangular = strcmp(name, "triangular") == 0;
+    return r->settings.is_triangular || strcmp(name, "symmetric") == 0
+               ? EXIT_GOOD
+               : usage(r, FRAME, "is symmetric or triangular");
 }
 
 static int read_nominal(request *r)
@@ -214,6 +214,7 @@ static int read_noise(request *r)
         if (!failure && !(r->settings.noise > 0)) {
             failure = usage(r, NOISE, "a standard deviation is above 0");
         }
+        r->settings.noise /= r->settings.field;
     }
     return failure;
 }
@@ -276,7 +277,7 @@ static int read_log_options(request *r)
     }
     if (r->value[RATE]) {
         failure = options_numbers(r->syntax, RATE, r->value[RATE], 1, &r->rate, NULL);
-        if (!failure && !(r->rate >= INVCAL_STILL_RATE_MIN && r->rate <= INVCAL_STILL_RATE_MAX)) {
+        if (!failure && !(r->rate >= SAMPLES_RATE_MIN && r->rate <= SAMPLES_RATE_MAX)) {
             failure = usage(r, RATE, "is 8 to 8000 samples a second");
         }
     }
@@ -394,7 +395,7 @@ static int read_request(int argc, char **argv, const option_syntax *syntax, requ
 /* No calculation can be made with numbers so large or so small. */
 static int refuse_nominal(const request *r, const positions *data, const nominal_choice *n)
 {
-    const invcal_reason all = {data->count, (1u << INVCAL_PARAMETERS) - 1};
+    const fit_reason all = {data->count, (1u << INVCAL_PARAMETERS) - 1};
 
     if (r->value[LSB]) {
         return usage(r, LSB, "is too small or too large a scale for any calculation");
@@ -443,7 +444,6 @@ static int settle_nominal(const request *r, const positions *data, nominal_choic
 {
     double zero[3];
     double lsb[3];
-    double inverse[3][3];
 
     if (r->value[NOMINAL]) {
         n->zero = n->lsb = NOMINAL_EARLIER;
@@ -455,15 +455,13 @@ static int settle_nominal(const request *r, const positions *data, nominal_choic
     if (!has_scale && n->lsb == NOMINAL_RANGE) {
         return refuse_nominal(r, data, n);
     }
-    if (invcal_calibration_nominal(r->value[ZERO] ? r->zero : zero, r->value[LSB] ? r->lsb : lsb,
-                                   &n->calibration) != INVCAL_OK ||
-        invcal_calibration_inverse(&n->calibration, inverse) != INVCAL_OK) {
-        return refuse_nominal(r, data, n);
-    }
-    return EXIT_GOOD;
+    return nominal_make(r->value[ZERO] ? r->zero : zero, r->value[LSB] ? r->lsb : lsb,
+                        r->settings.field, &n->calibration)
+               ? EXIT_GOOD
+               : refuse_nominal(r, data, n);
 }
 
-/* The noise of a position mean from std and n, in field units: the root mean square over axes. */
+/* The noise of a position mean from std and n: the root mean square over axes. */
 static double noise_of_file(const positions *data, const invcal_calibration *c)
 {
     double square = 0;
@@ -480,16 +478,16 @@ static int settle_noise(const request *r, const positions *data, calibrate_resul
 {
     result->is_noise_given = r->value[NOISE] != NULL;
     if (!r->value[NOISE] && data->has_noise) {
-        result->settings.noise = noise_of_file(data, &result->nominal.calibration);
+        result->settings.noise = noise_of_file(data, &result->settings.nominal);
     }
-    if (!(result->settings.noise <= result->settings.field)) {
+    if (!(result->settings.noise < 1)) {
         if (r->value[NOISE]) {
             return usage(r, NOISE, "is larger than the field (--gravity)");
         }
         message("%s: its std columns tell a noise larger than the field (--gravity)", data->name);
         return EXIT_FILE;
     }
-    if (invcal_has_prior(&result->settings) && !(result->settings.noise > 0)) {
+    if (fit_has_prior(&result->settings) && !(result->settings.noise > 0)) {
         return usage(r, PRIOR,
                      "is weighed against the noise of a position mean, so state that: "
                      "--noise, or columns std and n");
@@ -502,14 +500,14 @@ static int settle_noise(const request *r, const positions *data, calibrate_resul
     return EXIT_GOOD;
 }
 
-static double residual_of_nominal(const positions *data, const invcal_settings *settings)
+static double residual_of_nominal(const positions *data, const invcal_calibration *nominal)
 {
     double squares = 0;
 
     for (unsigned n = 0; n < data->count; n++) {
         double v[3];
-        invcal_apply(&settings->nominal, &data->mean[3 * (size_t)n], v);
-        const double r = sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]) / settings->field - 1;
+        invcal_apply(nominal, &data->mean[3 * (size_t)n], v);
+        const double r = sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]) - 1;
         squares += r * r;
     }
     return sqrt(squares / data->count);
@@ -518,23 +516,19 @@ static double residual_of_nominal(const positions *data, const invcal_settings *
 /* Which parameters exceed what the data sheet allows, by more than their uncertainty. */
 static uint16_t beyond(const calibrate_result *result)
 {
-    const invcal_solution *s = &result->solution;
-    const invcal_quality *q = &result->quality;
-    const double *const values[3] = {s->delta, s->dk, s->gamma};
-    const double *const sigmas[3] = {q->sigma_delta, q->sigma_dk, q->sigma_gamma};
+    const fit_quality *q = &result->quality;
     const double spread = calibrate_knows_noise(result) ? q->coverage : 0;
     unsigned bits = 0;
 
     for (unsigned p = 0; p < INVCAL_PARAMETERS && result->tolerance; p++) {
-        const unsigned kind = p / 3;
-        const double least = fabs(values[kind][p % 3]) - spread * sigmas[kind][p % 3];
-        bits |= (unsigned)!(least <= result->tolerance[kind]) << p;
+        const double least = fabs(result->solution.x[p]) - spread * q->sigma[p];
+        bits |= (unsigned)!(least <= result->tolerance[p / 3]) << p;
     }
     return (uint16_t)bits;
 }
 
 static int refuse(const request *r, const calibrate_result *result, invcal_status status,
-                  const invcal_reason *reason)
+                  const fit_reason *reason)
 {
     const int json = r->value[JSON] != NULL;
 
@@ -548,7 +542,7 @@ static int refuse(const request *r, const calibrate_result *result, invcal_statu
 /* Nine parameters. */
 static int solve_plain(const request *r, calibrate_result *result)
 {
-    invcal_reason reason;
+    fit_reason reason;
     const int failure = rejection_find(&result->rejected, result->data, &result->settings,
                                        r->value[KEEP_ALL] != NULL);
 
@@ -556,8 +550,8 @@ static int solve_plain(const request *r, calibrate_result *result)
         return failure;
     }
     const invcal_status status =
-        invcal_calibrate(result->rejected.kept, result->rejected.kept_count, &result->settings,
-                         &result->solution, &result->quality, &reason);
+        fit_make(result->rejected.kept, result->rejected.kept_count, &result->settings,
+                 &result->solution, &result->quality, &reason);
     if (status != INVCAL_OK) {
         reason.position = rejection_original(&result->rejected, reason.position);
         return refuse(r, result, status, &reason);
@@ -569,7 +563,7 @@ static int solve_plain(const request *r, calibrate_result *result)
 static int solve_thermal(const request *r, calibrate_result *result)
 {
     invcal_status status;
-    invcal_reason reason;
+    fit_reason reason;
 
     if (!result->data->has_temperature) {
         message("%s: has no column of temperature in °C, K or °F, which --thermal needs: name it "
@@ -598,7 +592,7 @@ static int probe_temperature(calibrate_result *result)
     const thermal_wish wish = {.degree = 1};
     rejection rejected = {0};
     invcal_status status = INVCAL_TOO_FEW;
-    invcal_reason reason;
+    fit_reason reason;
     int failure = EXIT_GOOD;
 
     if (result->data->has_temperature) {
@@ -616,7 +610,7 @@ static int solve(const request *r, const positions *data, calibrate_result *resu
     result->settings = r->settings;
     result->place = r->value[LATITUDE] ? r->place : NULL;
     int failure = settle_nominal(r, data, &result->nominal);
-    result->settings.nominal = result->nominal.calibration;
+    result->settings.nominal = fit_over_field(&result->nominal.calibration, r->settings.field);
     failure = failure ? failure : settle_noise(r, data, result);
     failure = failure             ? failure
               : r->value[THERMAL] ? solve_thermal(r, result)
@@ -628,7 +622,7 @@ static int solve(const request *r, const positions *data, calibrate_result *resu
     result->quality.worst = rejection_original(&result->rejected, result->quality.worst);
     result->tolerance = r->value[TOLERANCE] ? r->tolerance : NULL;
     result->beyond = beyond(result);
-    result->residual_before = residual_of_nominal(data, &result->settings);
+    result->residual_before = residual_of_nominal(data, &result->settings.nominal);
     return EXIT_GOOD;
 }
 
@@ -649,7 +643,7 @@ int calibrate_knows_noise(const calibrate_result *result)
 
 double calibrate_unexplained(const calibrate_result *result)
 {
-    const double expected = result->settings.noise / result->settings.field;
+    const double expected = result->settings.noise;
     const double times = expected > 0 ? result->quality.noise / expected : 0;
 
     return times >= UNEXPLAINED ? times : 0;
@@ -665,7 +659,7 @@ int calibrate_has_lost_many(const calibrate_result *result)
 int calibrate_is_rough(const calibrate_result *result)
 {
     return calibrate_has_lost_many(result) ||
-           (calibrate_unexplained(result) >= DISAGREEING && result->quality.residual_rms >= ROUGH);
+           (calibrate_unexplained(result) >= DISAGREEING && result->quality.rms >= ROUGH);
 }
 
 static calibrate_wish wish_of(const request *r)

@@ -7,7 +7,7 @@
 
 #include <stdio.h>
 
-#include "invcal/calibrate.h"
+#include "fit.h"
 #include "nominal.h"
 #include "positions.h"
 #include "rejection.h"
@@ -27,9 +27,9 @@ typedef struct {
     const rests_summary *log; /* what they were found in; null: they were given */
     rejection rejected;
     nominal_choice nominal;
-    invcal_settings settings;
-    invcal_solution solution;
-    invcal_quality quality;  /* worst counts among all positions */
+    fit_settings settings;
+    fit_solution solution;
+    fit_quality quality;     /* worst counts among all positions */
     const double *tolerance; /* data sheet limits of offsets (over the field), scale errors and
                                 angles (rad); null: not stated */
     uint16_t beyond;         /* bit r: parameter r exceeds them, and its interval of 95 % does */
@@ -51,10 +51,11 @@ double calibrate_guess_error(const calibrate_result *result);
 /* The calibration that holds for a position. */
 invcal_calibration calibrate_at(const calibrate_result *result, unsigned position);
 
-/* What the positions kept leave uncertain (at the reference temperature), for a noise of `unit`,
- * and the normal equations behind it. */
-void calibrate_spread(const calibrate_result *result, double unit, uncertainty *u,
-                      invcal_normal *normal);
+/* The reading of a position kept, at the reference temperature. */
+void calibrate_reading(const calibrate_result *result, unsigned kept, double out[3]);
+
+/* What the positions kept leave uncertain (at the reference temperature), for a noise of `unit`. */
+void calibrate_spread(const calibrate_result *result, double unit, uncertainty *u);
 
 /* 0 if neither the user nor the residuals tell the noise: sigma then means nothing. */
 int calibrate_knows_noise(const calibrate_result *result);
@@ -107,15 +108,15 @@ void calibrate_print(FILE *file, const calibrate_result *result, const calibrate
 
 /* Says why there is no calibration: one line on stderr, and, if `json`, an object on stdout.
  *
- * status    what the library answered, not INVCAL_OK.
+ * status    what fit_make answered, not INVCAL_OK.
  * reason    its details.
  * settings  what it was asked.
  * nominal   where the zero and scale came from.
  *
  * Returns EXIT_DATA. */
-int calibrate_refuse(const positions *data, const invcal_settings *settings,
-                     const nominal_choice *nominal, invcal_status status,
-                     const invcal_reason *reason, int json);
+int calibrate_refuse(const positions *data, const fit_settings *settings,
+                     const nominal_choice *nominal, invcal_status status, const fit_reason *reason,
+                     int json);
 
 /* Says that the temperature drifted in so many rests that too few are left. Returns EXIT_DATA. */
 int calibrate_all_drift(const calibrate_result *result, int json);

@@ -37,25 +37,25 @@ static void write_nominal(json_writer *w, const nominal_choice *nominal)
 
 static void write_quality(json_writer *w, const calibrate_result *result)
 {
-    const invcal_quality *q = &result->quality;
+    const fit_quality *q = &result->quality;
     const int known = calibrate_knows_noise(result);
 
     json_object(w, "sigma");
     write_sigma(w, "offset", q->sigma_offset, known);
-    write_sigma(w, "delta", q->sigma_delta, known);
-    write_sigma(w, "dk", q->sigma_dk, known);
-    write_sigma(w, "gamma", q->sigma_gamma, known);
+    write_sigma(w, "delta", &q->sigma[INVCAL_DELTA_X], known);
+    write_sigma(w, "dk", &q->sigma[INVCAL_DK_X], known);
+    write_sigma(w, "gamma", &q->sigma[INVCAL_GAMMA_XY], known);
     json_object_end(w);
     json_number(w, "interval95", q->coverage);
     json_number(w, "noise", known ? q->noise * result->settings.field : NUMBER_UNKNOWN);
     json_number(w, "degrees_of_freedom", q->dof);
-    json_number(w, "residual_rms", q->residual_rms);
-    json_number(w, "residual_max", q->residual_max);
+    json_number(w, "residual_rms", q->rms);
+    json_number(w, "residual_max", q->max);
     json_number(w, "residual_worst", q->worst + 1.0);
     json_number(w, "residual_before", result->residual_before);
     json_number(w, "condition", q->condition);
     json_text(w, "verdict", invcal_verdict_text(q->verdict));
-    json_parameters(w, "undetermined", q->undetermined);
+    json_parameters(w, "undetermined", q->weak);
 }
 
 static void write_source(json_writer *w, uint16_t from_prior)
@@ -89,25 +89,26 @@ static void write_nine(json_writer *w, const char *name, const double x[INVCAL_P
 /* All that invcal_thermal_at needs, in one place; then what there is to know of it. */
 static void write_thermal(json_writer *w, const thermal_fit *fit)
 {
-    const invcal_thermal_calibration *c = &fit->calibration;
+    const invcal_thermal *c = &fit->calibration;
+    const invcal_calibration nominal = fit_in_field_units(&c->nominal, fit->settings.field);
 
     json_object(w, "thermal");
     json_number(w, "degree", c->fitted);
     json_number(w, "reference", c->reference);
     json_number(w, "span", c->span);
-    json_number(w, "least", c->least);
-    json_number(w, "greatest", c->greatest);
-    json_number(w, "field", c->field);
-    json_text(w, "frame", c->frame == INVCAL_FRAME_TRIANGULAR ? "triangular" : "symmetric");
-    json_vector(w, "nominal_offset", c->nominal.offset);
-    json_matrix(w, "nominal_matrix", c->nominal.matrix);
+    json_number(w, "least", c->min);
+    json_number(w, "greatest", c->max);
+    json_number(w, "field", fit->settings.field);
+    json_text(w, "frame", fit->settings.is_triangular ? "triangular" : "symmetric");
+    json_vector(w, "nominal_offset", nominal.offset);
+    json_matrix(w, "nominal_matrix", nominal.matrix);
     json_list(w, "coefficients");
     for (unsigned a = 0; a <= c->fitted; a++) {
         write_nine(w, NULL, c->x[a]);
     }
     json_list_end(w);
     json_number(w, "asked", fit->wish.degree);
-    json_text(w, "fallback", invcal_thermal_fallback_text(c->fallback));
+    json_text(w, "fallback", invcal_thermal_fallback_text((invcal_thermal_fallback)c->fallback));
     write_nine(w, "slope", fit->slope);
     write_nine(w, "slope_sigma", fit->slope_sigma);
     json_number(w, "residual_rms_without", fit->without);
@@ -117,7 +118,9 @@ static void write_thermal(json_writer *w, const thermal_fit *fit)
 
 void calibrate_json(FILE *file, const calibrate_result *result)
 {
-    const invcal_solution *s = &result->solution;
+    const double field = result->settings.field;
+    const fit_solution *s = &result->solution;
+    const invcal_calibration c = fit_in_field_units(&s->calibration, field);
     json_writer w;
 
     json_begin(&w, file);
@@ -126,22 +129,21 @@ void calibrate_json(FILE *file, const calibrate_result *result)
     json_number(&w, "positions", result->data->count);
     json_numbers(&w, "rejected", result->rejected.number, result->rejected.count);
     json_number(&w, "suspected", result->rejected.suspected);
-    json_number(&w, "gravity", result->settings.field);
+    json_number(&w, "gravity", field);
     json_text(&w, "unit", unit_name(result->data->seen.unit));
     json_text(&w, "unit_from", unit_origin_name(result->data->seen.unit_from));
-    json_vector(&w, "offset", s->calibration.offset);
-    json_matrix(&w, "matrix", s->calibration.matrix);
-    json_text(&w, "frame",
-              result->settings.frame == INVCAL_FRAME_TRIANGULAR ? "triangular" : "symmetric");
+    json_vector(&w, "offset", c.offset);
+    json_matrix(&w, "matrix", c.matrix);
+    json_text(&w, "frame", result->settings.is_triangular ? "triangular" : "symmetric");
     write_nominal(&w, &result->nominal);
-    json_vector(&w, "delta", s->delta);
-    json_vector(&w, "dk", s->dk);
-    json_vector(&w, "gamma", s->gamma);
+    json_vector(&w, "delta", &s->x[INVCAL_DELTA_X]);
+    json_vector(&w, "dk", &s->x[INVCAL_DK_X]);
+    json_vector(&w, "gamma", &s->x[INVCAL_GAMMA_XY]);
     write_quality(&w, result);
     if (result->tolerance) {
         json_parameters(&w, "beyond", result->beyond);
     }
-    if (invcal_has_prior(&result->settings)) {
+    if (fit_has_prior(&result->settings)) {
         write_source(&w, result->quality.from_prior);
     }
     if (result->temperature == CALIBRATE_THERMAL) {

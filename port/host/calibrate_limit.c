@@ -6,8 +6,9 @@
 #include <string.h>
 
 #include "calibrate.h"
+#include "f_tail.h"
 #include "figure.h"
-#include "invcal/fisher.h"
+#include "matrix.h"
 
 #define UNLIKELY 0.05
 #define MANY 60u         /* degrees of freedom behind the noise of the samples: as good as known */
@@ -17,13 +18,12 @@
 int calibrate_wants_slopes(const calibrate_result *r)
 {
     return r->temperature == CALIBRATE_THERMAL && r->fit.calibration.fitted == 0 &&
-           r->quality.verdict == INVCAL_WEAK &&
-           r->quality.undetermined == (1u << INVCAL_PARAMETERS) - 1;
+           r->quality.verdict == INVCAL_WEAK && r->quality.weak == (1u << INVCAL_PARAMETERS) - 1;
 }
 
 double calibrate_guess_error(const calibrate_result *r)
 {
-    const double *dk = r->solution.dk;
+    const double *dk = &r->solution.x[INVCAL_DK_X];
 
     return nominal_is_guess(&r->nominal) ? fmax(fabs(dk[0]), fmax(fabs(dk[1]), fabs(dk[2]))) : 0;
 }
@@ -35,8 +35,7 @@ invcal_calibration calibrate_at(const calibrate_result *r, unsigned position)
                : r->solution.calibration;
 }
 
-/* The reading of a position kept, at the reference temperature. */
-static void reading_of(const calibrate_result *r, unsigned kept, double out[3])
+void calibrate_reading(const calibrate_result *r, unsigned kept, double out[3])
 {
     const double *mean = &r->rejected.kept[3 * (size_t)kept];
 
@@ -47,24 +46,15 @@ static void reading_of(const calibrate_result *r, unsigned kept, double out[3])
     }
 }
 
-void calibrate_spread(const calibrate_result *r, double unit, uncertainty *u, invcal_normal *normal)
+void calibrate_spread(const calibrate_result *r, double unit, uncertainty *u)
 {
-    invcal_residuals residuals;
-
-    /* The calibration has been made of them, so none of this can fail. */
-    invcal_residuals_init(&residuals, &r->solution);
-    for (unsigned n = 0; n < r->rejected.kept_count; n++) {
-        double raw[3];
-        double reading[3];
-        reading_of(r, n, raw);
-        (void)invcal_observation_reading(&r->settings.nominal, r->settings.field, raw, reading);
-        (void)invcal_residuals_add(&residuals, reading, 1, NULL);
-    }
-    (void)invcal_covariance(&residuals, &r->settings, r->quality.noise, u->covariance);
     if (r->temperature == CALIBRATE_THERMAL) { /* the first nine coefficients: at the reference */
         memcpy(u->covariance, r->fit.covariance, sizeof u->covariance);
+    } else {
+        fit_information(r->rejected.kept, r->rejected.kept_count, &r->settings, &r->solution,
+                        r->quality.noise, u->covariance);
+        (void)matrix_invert_packed(u->covariance, INVCAL_PARAMETERS); /* no result without */
     }
-    *normal = residuals.normal;
     u->unit = unit;
     uncertainty_search(u);
 }
@@ -73,11 +63,11 @@ void calibrate_spread(const calibrate_result *r, double unit, uncertainty *u, in
  * chance. */
 static int is_disturbed(const calibrate_result *r)
 {
-    const double times = r->quality.noise * r->settings.field / r->settings.noise;
+    const double times = r->quality.noise / r->settings.noise;
     const unsigned dof = (unsigned)fmin(1000, r->quality.dof);
 
     return dof >= 1 && times * times > 2 &&
-           invcal_fisher_tail(1 / (1 + times * times * dof / MANY), dof, MANY) <= UNLIKELY;
+           f_tail(1 / (1 + times * times * dof / MANY), dof, MANY) <= UNLIKELY;
 }
 
 /* Sigma of the length in the worst direction over the least that can be had there, which so many
@@ -103,13 +93,13 @@ const char *calibrate_limit(const calibrate_result *r, const uncertainty *length
     const char *noise = r->is_noise_given ? "noise stated" : "noise of the samples";
     char number[FIGURE_MAX];
 
-    if (depends_on_temperature(r) && r->fit.without > 2 * r->fit.quality.residual_rms) {
+    if (depends_on_temperature(r) && r->fit.without > 2 * r->fit.quality.rms) {
         snprintf(text, CALIBRATE_LIMIT_MAX,
                  "temperature, which --thermal would take into account.");
     } else if (calibrate_wants_slopes(r)) {
         snprintf(text, CALIBRATE_LIMIT_MAX,
                  "temperature: slopes are wanting, and pass for errors of other kinds.");
-    } else if (uneven >= UNEVEN && !invcal_has_prior(&r->settings)) {
+    } else if (uneven >= UNEVEN && !fit_has_prior(&r->settings)) {
         snprintf(
             text, CALIBRATE_LIMIT_MAX,
             "the orientations%s: in the worst direction (%s) ± is %s times what %u well spread "
@@ -127,8 +117,7 @@ const char *calibrate_limit(const calibrate_result *r, const uncertainty *length
             text, CALIBRATE_LIMIT_MAX,
             "handling, drift or temperature: the positions disagree by %s times the %s. Longer "
             "rests do not help; steadier ones do.",
-            figure_digits(r->quality.noise * r->settings.field / r->settings.noise, 2, number),
-            noise);
+            figure_digits(r->quality.noise / r->settings.noise, 2, number), noise);
     } else {
         snprintf(text, CALIBRATE_LIMIT_MAX,
                  "the %s, which explains the residuals. Rests four times as long, or four times as "
@@ -154,7 +143,7 @@ static unsigned steepest_offset(const thermal_fit *fit)
 const char *calibrate_advice(const calibrate_result *r, char text[CALIBRATE_LIMIT_MAX])
 {
     const thermal_fit *fit = &r->fit;
-    const double range = fit->calibration.greatest - fit->calibration.least;
+    const double range = fit->calibration.max - fit->calibration.min;
     const char *unit = unit_is_gravity(r->settings.field) ? "mg" : "‰ of the field";
     const unsigned most = steepest_offset(fit);
     char before[FIGURE_MAX];
@@ -169,7 +158,8 @@ const char *calibrate_advice(const calibrate_result *r, char text[CALIBRATE_LIMI
         snprintf(text, CALIBRATE_LIMIT_MAX,
                  "Whether the readings depend on temperature cannot be told: %s (%.1f K, %u "
                  "positions).",
-                 invcal_thermal_fallback_text(fit->calibration.fallback), range, r->data->count);
+                 invcal_thermal_fallback_text((invcal_thermal_fallback)fit->calibration.fallback),
+                 range, r->data->count);
     } else if (!depends_on_temperature(r)) {
         snprintf(text, CALIBRATE_LIMIT_MAX,
                  "The residuals do not depend on temperature, as far as %.1f K show (chance alone: "
@@ -183,7 +173,7 @@ const char *calibrate_advice(const calibrate_result *r, char text[CALIBRATE_LIMI
                  figure_with_sigma(1e3 * fit->slope[most], 1e3 * fit->slope_sigma[most],
                                    FIGURE_SIGNED, slope),
                  unit, figure_digits(1e3 * fit->without, 3, before),
-                 figure_digits(1e3 * fit->quality.residual_rms, 3, after), unit);
+                 figure_digits(1e3 * fit->quality.rms, 3, after), unit);
     }
     return text;
 }

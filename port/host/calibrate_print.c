@@ -5,8 +5,11 @@
 
 #include "calibrate.h"
 #include "figure.h"
-#include "invcal/gravity.h"
+#include "gravity.h"
+#include "matrix.h"
+#include "message.h"
 #include "number.h"
+#include "options.h"
 #include "paint.h"
 #include "parameters.h"
 
@@ -67,13 +70,14 @@ static void print_scales(FILE *file, const calibrate_result *r, int known)
     snprintf(unit, sizeof unit, "%s per %s", calibrate_input_unit(r),
              unit_is_gravity(r->settings.field) ? "m/s²" : "field unit");
 
-    (void)invcal_calibration_inverse(&r->nominal.calibration, inverse); /* no result without */
+    (void)matrix_inverse(&r->nominal.calibration, inverse); /* no result without */
     for (unsigned i = 0; i < 3; i++) {
         const double nominal = inverse[i][i];
         const figure f = {.label = "scale",
                           .axis = {"xyz"[i]},
-                          .value = nominal * (1 + r->solution.dk[i]),
-                          .sigma = known ? fabs(nominal) * r->quality.sigma_dk[i] : NUMBER_UNKNOWN,
+                          .value = nominal * (1 + r->solution.x[INVCAL_DK_X + i]),
+                          .sigma = known ? fabs(nominal) * r->quality.sigma[INVCAL_DK_X + i]
+                                         : NUMBER_UNKNOWN,
                           .nominal = nominal,
                           .unit = unit};
         print_figure(file, &f);
@@ -87,8 +91,8 @@ static void print_errors(FILE *file, const calibrate_result *r, int known)
     for (unsigned i = 0; i < 3; i++) {
         const figure f = {.label = "scale error",
                           .axis = {"xyz"[i]},
-                          .value = 100 * r->solution.dk[i],
-                          .sigma = known ? 100 * r->quality.sigma_dk[i] : NUMBER_UNKNOWN,
+                          .value = 100 * r->solution.x[INVCAL_DK_X + i],
+                          .sigma = known ? 100 * r->quality.sigma[INVCAL_DK_X + i] : NUMBER_UNKNOWN,
                           .nominal = NUMBER_UNKNOWN,
                           .unit = "%"};
         print_figure(file, &f);
@@ -96,9 +100,9 @@ static void print_errors(FILE *file, const calibrate_result *r, int known)
     for (unsigned i = 0; i < 3; i++) {
         const figure f = {.label = "angle",
                           .axis = {pairs[i][0], pairs[i][1]},
-                          .value = FIGURE_DEGREES * r->solution.gamma[i],
-                          .sigma =
-                              known ? FIGURE_DEGREES * r->quality.sigma_gamma[i] : NUMBER_UNKNOWN,
+                          .value = FIGURE_DEGREES * r->solution.x[INVCAL_GAMMA_XY + i],
+                          .sigma = known ? FIGURE_DEGREES * r->quality.sigma[INVCAL_GAMMA_XY + i]
+                                         : NUMBER_UNKNOWN,
                           .nominal = 0,
                           .unit = "degrees off square"};
         print_figure(file, &f);
@@ -128,14 +132,13 @@ static const char *residual_text(double residual, double field, char text[TEXT_M
 
 static void print_residuals(FILE *file, const calibrate_result *r, const char *nominal_name)
 {
-    const invcal_quality *q = &r->quality;
+    const fit_quality *q = &r->quality;
     const double field = r->settings.field;
     char text[TEXT_MAX];
 
-    fprintf(file, "residual rms  %s\n", residual_text(q->residual_rms, field, text));
+    fprintf(file, "residual rms  %s\n", residual_text(q->rms, field, text));
     fprintf(file, "         max  %s, at position %u (line %lu)\n",
-            residual_text(q->residual_max, field, text), q->worst + 1,
-            r->data->origin[q->worst].line);
+            residual_text(q->max, field, text), q->worst + 1, r->data->origin[q->worst].line);
     fprintf(file, "  rms before  %s (%s alone)\n", residual_text(r->residual_before, field, text),
             nominal_name);
     if (calibrate_knows_noise(r)) {
@@ -143,7 +146,7 @@ static void print_residuals(FILE *file, const calibrate_result *r, const char *n
                 q->noise * field, calibrate_field_unit(r), q->dof);
         if (r->settings.noise > 0) {
             fprintf(file, " (%s: %.3g)", r->is_noise_given ? "stated" : "of samples",
-                    r->settings.noise);
+                    r->settings.noise * field);
         }
         fprintf(file, "\n±             one standard deviation; %.2f of them cover 95 %%\n",
                 q->coverage);
@@ -178,17 +181,16 @@ static void print_limit(FILE *file, const calibrate_result *result)
 {
     static const char label[] = "limited by    ";
     char text[CALIBRATE_LIMIT_MAX];
-    invcal_normal normal;
     uncertainty length;
 
-    calibrate_spread(result, 1, &length, &normal);
+    calibrate_spread(result, 1, &length);
     fprintf(file, "%s", label);
     calibrate_print_wrapped(file, sizeof label - 1, calibrate_limit(result, &length, text));
 }
 
 static void print_verdict(FILE *file, const calibrate_result *result)
 {
-    const invcal_quality *q = &result->quality;
+    const fit_quality *q = &result->quality;
     /* NOLINTNEXTLINE(clang-analyzer-deadcode.DeadStores): a verdict is always one of three */
     const char *word = "";
     paint colour = PAINT_RED;
@@ -226,7 +228,7 @@ static void print_verdict(FILE *file, const calibrate_result *result)
         break;
     case INVCAL_WEAK:
         word = "Weak:";
-        parameters_list(q->undetermined, list, sizeof list);
+        parameters_list(q->weak, list, sizeof list);
         snprintf(text, sizeof text, " %s %s badly determined; use the result only within its ±.",
                  list, strchr(list, ',') ? "are" : "is");
         break;
@@ -247,8 +249,9 @@ static void print_verdict(FILE *file, const calibrate_result *result)
 
 static void print_next(FILE *file, const calibrate_result *result, const calibrate_wish *wish)
 {
-    const invcal_quality *q = &result->quality;
+    const fit_quality *q = &result->quality;
     const char *saved = wish->saved;
+    char path[MESSAGE_MAX];
     char advice[128];
     char text[TEXT_MAX];
 
@@ -265,7 +268,8 @@ static void print_next(FILE *file, const calibrate_result *result, const calibra
             break;
         }
         fprintf(file, "Next: %scorrect readings with: invcal apply %s LOG\n",
-                saved ? "" : "save it with --out CAL.json, then ", saved ? saved : "CAL.json");
+                saved ? "" : "save it with --out CAL.json, then ",
+                options_quoted(saved ? saved : "CAL.json", path, sizeof path));
         break;
     case INVCAL_NO_REDUNDANCY:
         fprintf(file, "Next: add 3 or more positions in other directions, to check the fit.\n");
@@ -277,7 +281,7 @@ static void print_next(FILE *file, const calibrate_result *result, const calibra
             break;
         }
         snprintf(text, sizeof text, "Next: add positions with %s.",
-                 parameters_advice(q->undetermined, advice, sizeof advice));
+                 parameters_advice(q->weak, advice, sizeof advice));
         calibrate_print_wrapped(file, 0, text);
         break;
     }
@@ -316,7 +320,7 @@ static void print_log(FILE *file, const calibrate_result *result)
         if (log->refused[i] > 0) {
             fprintf(file, "%*u rest%s refused: %s\n", 8, log->refused[i],
                     log->refused[i] == 1 ? "" : "s",
-                    invcal_rest_reason_text((invcal_rest_reason)i));
+                    rests_reason_text((invcal_status)(INVCAL_REST_SHORT + i)));
         }
     }
 }
@@ -327,7 +331,7 @@ static void print_place(FILE *file, const calibrate_result *result)
         fprintf(file,
                 "That is normal gravity at %.6g degrees, %.6g m, ±%.4f: an error scales all "
                 "readings alike,\nand does nothing else.\n",
-                result->place[0], result->place[1], (double)INVCAL_GRAVITY_SIGMA);
+                result->place[0], result->place[1], GRAVITY_SIGMA);
     }
 }
 

@@ -30,7 +30,7 @@ static const char *status_name(invcal_status status)
 }
 
 /* Without a prior for it a parameter takes a position. */
-static unsigned positions_needed(const invcal_settings *settings)
+static unsigned positions_needed(const fit_settings *settings)
 {
     unsigned needed = 0;
 
@@ -52,7 +52,7 @@ static void say_undetermined(uint16_t bits, char *text)
 }
 
 /* A reading that cannot be one of this field: by how much, and what may be wrong. */
-static void say_out_of_range(const positions *data, const invcal_settings *settings,
+static void say_out_of_range(const positions *data, const fit_settings *settings,
                              const nominal_choice *nominal, unsigned position, char *text)
 {
     double v[3];
@@ -60,7 +60,7 @@ static void say_out_of_range(const positions *data, const invcal_settings *setti
     const int by_unit = nominal->lsb == NOMINAL_UNIT;
 
     invcal_apply(&settings->nominal, &data->mean[3 * (size_t)position], v);
-    const double length = sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]) / settings->field;
+    const double length = sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
     snprintf(text, REASON_MAX, "position %u reads %.3g of the field with %s: %s", position + 1,
              length,
              by_range  ? "zero and scale from the data's range"
@@ -72,9 +72,9 @@ static void say_out_of_range(const positions *data, const invcal_settings *setti
                        : "check --gravity, and the nominal zero and scale, and their units");
 }
 
-static void say_why(const positions *data, const invcal_settings *settings,
-                    const nominal_choice *nominal, invcal_status status,
-                    const invcal_reason *reason, char *text)
+static void say_why(const positions *data, const fit_settings *settings,
+                    const nominal_choice *nominal, invcal_status status, const fit_reason *reason,
+                    char *text)
 {
     switch (status) {
     case INVCAL_TOO_FEW:
@@ -103,9 +103,9 @@ static void say_why(const positions *data, const invcal_settings *settings,
     }
 }
 
-int calibrate_refuse(const positions *data, const invcal_settings *settings,
-                     const nominal_choice *nominal, invcal_status status,
-                     const invcal_reason *reason, int json)
+int calibrate_refuse(const positions *data, const fit_settings *settings,
+                     const nominal_choice *nominal, invcal_status status, const fit_reason *reason,
+                     int json)
 {
     char text[REASON_MAX];
     json_writer w;
@@ -168,7 +168,7 @@ int calibrate_no_rest(const positions *data, const rests_summary *log, int json)
         if (log->refused[i] > 0) {
             const size_t length = strlen(text);
             snprintf(text + length, sizeof text - length, "; %u: %s", log->refused[i],
-                     invcal_rest_reason_text((invcal_rest_reason)i));
+                     rests_reason_text((invcal_status)(INVCAL_REST_SHORT + i)));
         }
     }
     if (log->samples < FEW_SAMPLES) {

@@ -28,17 +28,17 @@ static slope_unit unit_of(const calibrate_result *r, unsigned parameter)
 
 static void print_fitted(FILE *file, const thermal_fit *fit)
 {
-    const invcal_thermal_calibration *c = &fit->calibration;
+    const invcal_thermal *c = &fit->calibration;
     static const char *const words[] = {"no slopes", "straight lines", "parabolas"};
     char text[TEXT_MAX];
 
     snprintf(text, sizeof text, "temperature   %.2f ... %.2f °C seen, %s; all above is at %.2f °C",
-             c->least, c->greatest, words[c->fitted], c->reference);
+             c->min, c->max, words[c->fitted], c->reference);
     calibrate_print_wrapped(file, 0, text);
     if (c->fallback != INVCAL_THERMAL_AS_ASKED) {
         snprintf(text, sizeof text, "%s instead of %s: %s.",
                  c->fitted > 0 ? "Straight lines" : "No slopes", words[fit->wish.degree],
-                 invcal_thermal_fallback_text(c->fallback));
+                 invcal_thermal_fallback_text((invcal_thermal_fallback)c->fallback));
         calibrate_print_wrapped(file, 0, text);
     }
 }
@@ -83,7 +83,7 @@ void calibrate_print_thermal(FILE *file, const calibrate_result *r)
                  "much as with temperature.",
                  figure_digits((is_gravity ? 1e3 : 1e2) * fit->without, 3, without),
                  is_gravity ? "mg" : "% of the field",
-                 figure_digits(fit->without / r->quality.residual_rms, 3, value));
+                 figure_digits(fit->without / r->quality.rms, 3, value));
         calibrate_print_wrapped(file, 0, text);
     }
 }

@@ -5,8 +5,10 @@
 #include <string.h>
 
 #include "command.h"
+#include "fit.h"
 #include "input.h"
 #include "json_read.h"
+#include "matrix.h"
 #include "message.h"
 #include "number.h"
 
@@ -134,7 +136,7 @@ static int read_sigma_member(json_reader *r, const char *name, void *into)
 
 /* The thermal calibration, and which of its members were there. */
 typedef struct {
-    invcal_thermal_calibration *into;
+    calibration_file *file;
     double degree;
     unsigned rows;
     unsigned seen;
@@ -161,7 +163,7 @@ static int read_coefficients(json_reader *r, thermal_reading *t)
         if (t->rows == INVCAL_THERMAL_ROWS) {
             return json_error(r, "\"coefficients\" are of degree 2 at most");
         }
-        double *row = t->into->x[t->rows];
+        double *row = t->file->thermal.x[t->rows];
         for (unsigned i = 0; i < INVCAL_PARAMETERS; i++) {
             row[i] = NUMBER_UNKNOWN;
         }
@@ -176,9 +178,9 @@ static int read_thermal_member(json_reader *r, const char *name, void *into)
         "degree", "reference",      "span",           "least",        "greatest",
         "field",  "nominal_offset", "nominal_matrix", "coefficients", "frame"};
     thermal_reading *t = into;
-    invcal_thermal_calibration *c = t->into;
+    invcal_thermal *c = &t->file->thermal;
     double *const number[] = {&t->degree, &c->reference, &c->span,
-                              &c->least,  &c->greatest,  &c->field};
+                              &c->min,    &c->max,       &t->file->thermal_field};
     unsigned k = 0;
 
     while (k < 10 && !is(name, names[k])) {
@@ -193,22 +195,36 @@ static int read_thermal_member(json_reader *r, const char *name, void *into)
                     : json_skip(r);
 }
 
+int calibration_file_at(const calibration_file *file, double temperature, invcal_calibration *out)
+{
+    invcal_calibration c;
+    invcal_thermal_place place;
+
+    if (invcal_thermal_at(&file->thermal, temperature, &c, &place) != INVCAL_OK) {
+        return 0;
+    }
+    if (file->is_triangular) {
+        invcal_make_triangular(&c, &file->thermal.nominal);
+    }
+    *out = fit_in_field_units(&c, file->thermal_field);
+    return 1;
+}
+
 /* It must hold at both ends of its range. */
 static int is_usable(const thermal_reading *t)
 {
-    const invcal_thermal_calibration *c = t->into;
-    invcal_solution solution;
-    invcal_thermal_place place;
+    const invcal_thermal *c = &t->file->thermal;
+    invcal_calibration out;
 
-    return t->seen == (1u << 10) - 1 && c->span > 0 && c->least <= c->greatest && t->rows >= 1 &&
+    return t->seen == (1u << 10) - 1 && c->span > 0 && c->min <= c->max && t->rows >= 1 &&
            !(t->degree < t->rows - 1.0) && !(t->degree > t->rows - 1.0) &&
-           invcal_thermal_at(c, c->least, &solution, &place) == INVCAL_OK &&
-           invcal_thermal_at(c, c->greatest, &solution, &place) == INVCAL_OK;
+           t->file->thermal_field > 0 && calibration_file_at(t->file, c->min, &out) &&
+           calibration_file_at(t->file, c->max, &out);
 }
 
 static int read_thermal(json_reader *r, calibration_file *file)
 {
-    thermal_reading t = {.into = &file->thermal};
+    thermal_reading t = {.file = file};
     const int failure = read_object(r, read_thermal_member, &t);
 
     if (failure) {
@@ -216,8 +232,8 @@ static int read_thermal(json_reader *r, calibration_file *file)
     }
     file->has_thermal = 1;
     file->thermal.fitted = file->thermal.degree = (uint8_t)(t.rows > 0 ? t.rows - 1 : 0);
-    file->thermal.frame =
-        is(t.frame, "triangular") ? INVCAL_FRAME_TRIANGULAR : INVCAL_FRAME_SYMMETRIC;
+    file->thermal.nominal = fit_over_field(&file->thermal.nominal, file->thermal_field);
+    file->is_triangular = is(t.frame, "triangular");
     return is_usable(&t) ? EXIT_GOOD
                          : json_error(r, "\"thermal\" is incomplete, or no calibration; make the "
                                          "file again with invcal calibrate --thermal");
@@ -299,7 +315,7 @@ static int read_path(const char *path, calibration_file *out, reading_depth dept
     }
     json_start(&r, file, input_name(path));
     int failure = read_calibration(&r, &x);
-    if (!failure && invcal_calibration_inverse(&out->calibration, inverse) != INVCAL_OK) {
+    if (!failure && !matrix_inverse(&out->calibration, inverse)) {
         message("%s: \"matrix\" is singular: this is no calibration", input_name(path));
         failure = EXIT_FILE;
     }

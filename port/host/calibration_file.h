@@ -29,8 +29,10 @@ typedef struct {
     double sigma_gamma[3];  /* of angles, rad */
     char verdict[CALIBRATION_FILE_WORD];
     char undetermined[CALIBRATION_FILE_NAMES]; /* names with commas between */
-    int has_thermal; /* the calibration is that at the reference temperature of */
-    invcal_thermal_calibration thermal;
+    int has_thermal;        /* the calibration is that at the reference temperature of */
+    invcal_thermal thermal; /* over the field, */
+    double thermal_field;   /* of this length, */
+    int is_triangular;      /* and its frame */
 } calibration_file;
 
 /* Reads a JSON object with "offset", 3 numbers in input units, and "matrix", 3 rows of 3 numbers
@@ -45,5 +47,9 @@ int calibration_file_read_thermal(const char *path, calibration_file *out);
 
 /* The same with everything else that it tells; then the members above are checked as well. */
 int calibration_file_read_all(const char *path, calibration_file *out);
+
+/* The calibration at a temperature, in field units; at most that at the edge of the range seen.
+ * Returns 1; 0, with out untouched, if there is none. */
+int calibration_file_at(const calibration_file *file, double temperature, invcal_calibration *out);
 
 #endif

@@ -9,10 +9,10 @@
 
 #define WITHIN (1 + 1e-9) /* a limit that is met exactly is met, whatever rounding says */
 
-double choice_worst(const invcal_criteria *criteria, const double limits[3])
+double choice_worst(const criteria *c, const double limits[3])
 {
-    return fmax(criteria->sigma_delta / limits[0],
-                fmax(criteria->sigma_dk / limits[1], criteria->sigma_gamma / limits[2]));
+    return fmax(c->sigma_delta / limits[0],
+                fmax(c->sigma_dk / limits[1], c->sigma_gamma / limits[2]));
 }
 
 /* The positions that fit into the budget, at most DESIGN_MAX. */
@@ -123,8 +123,8 @@ static void refuse(choice *c, const choice_request *request, unsigned allowed)
 /* Which of two sets, both there, is better. */
 static unsigned better(const choice *c, const choice_request *request)
 {
-    const invcal_criteria *stand_set = &c->set[CHOICE_STAND]->criteria;
-    const invcal_criteria *free_set = &c->set[CHOICE_FREE]->criteria;
+    const criteria *stand_set = &c->set[CHOICE_STAND]->criteria;
+    const criteria *free_set = &c->set[CHOICE_FREE]->criteria;
 
     if (!request->limits) {
         return free_set->log_det > stand_set->log_det ? CHOICE_FREE : CHOICE_STAND;

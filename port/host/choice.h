@@ -40,6 +40,6 @@ typedef struct {
 int choice_make(choice *c, const choice_request *request);
 
 /* The largest sigma / limit of a set. */
-double choice_worst(const invcal_criteria *criteria, const double limits[3]);
+double choice_worst(const criteria *c, const double limits[3]);
 
 #endif

@@ -7,7 +7,7 @@
 #ifndef COMMAND_H
 #define COMMAND_H
 
-#include "invcal/config.h"
+#include "invcal/invcal.h"
 
 #if !INVCAL_DOUBLE
 #error "the host tool is compiled with -DINVCAL_DOUBLE=1"

@@ -7,7 +7,6 @@
 #include <string.h>
 
 #include "command.h"
-#include "invcal/solution.h"
 #include "message.h"
 #include "number.h"
 #include "optimal.h"
@@ -33,21 +32,39 @@ double design_noise(const design_cost *cost)
     return cost->noise / sqrt(cost->dwell);
 }
 
+static const invcal_calibration unit = {{0, 0, 0}, {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
+
+/* The directions as readings of a perfect triad; until the next call. */
+static const double *readings(const design *d)
+{
+    static double up[3 * DESIGN_MAX];
+
+    for (unsigned n = 0; n < d->count; n++) {
+        memcpy(&up[3 * (size_t)n], d->position[n].vertical, sizeof d->position[n].vertical);
+    }
+    return up;
+}
+
+void design_next(const design *d, double up[3])
+{
+    invcal_next(readings(d), d->count, &unit, up);
+}
+
 static void judge(design *d)
 {
-    invcal_normal_init(&d->normal);
+    invcal_sums_init(&d->sums);
     d->axes = 0;
     for (unsigned n = 0; n < d->count; n++) {
         const double *v = d->position[n].vertical;
-        (void)invcal_criteria_add(&d->normal, v); /* unit vectors are accepted */
+        criteria_add(&d->sums, v);
         d->axes |= invcal_axis_up(v);
         for (unsigned i = 0; i < 3; i++) {
             d->range[i][0] = n == 0 || v[i] < d->range[i][0] ? v[i] : d->range[i][0];
             d->range[i][1] = n == 0 || v[i] > d->range[i][1] ? v[i] : d->range[i][1];
         }
     }
-    d->is_solvable = invcal_criteria_judge(&d->normal, &d->criteria) == INVCAL_OK;
-    d->undetermined = d->is_solvable ? 0 : invcal_undetermined(&d->normal);
+    d->is_solvable = criteria_judge(&d->sums, &d->criteria);
+    d->undetermined = d->is_solvable ? 0 : invcal_undetermined(readings(d), d->count, &unit);
     if (!d->is_solvable) {
         char list[128];
         char advice[128];

@@ -5,7 +5,7 @@
 #ifndef DESIGN_H
 #define DESIGN_H
 
-#include "invcal/criteria.h"
+#include "criteria.h"
 #include "invcal/plan.h"
 
 #define DESIGN_MAX (INVCAL_PLAN_GROUPS * INVCAL_PLAN_PER_GROUP_MAX)
@@ -21,11 +21,11 @@ typedef struct {
     char name[80];    /* "3 x 6", "icosahedron" */
     invcal_plan plan; /* of a stand program; else per_group is 0 */
     unsigned count;
-    invcal_normal normal; /* H'H */
+    invcal_sums sums; /* H'H */
     int is_solvable;
     char refusal[400];     /* if it is not solvable: why, for people, */
     uint16_t undetermined; /* and the parameters that it leaves open */
-    invcal_criteria criteria;
+    criteria criteria;
     uint8_t axes;       /* that point along gravity: bits of INVCAL_AXIS_PLUS_X ... */
     double range[3][2]; /* what each axis feels, least and most, over the field */
     design_position position[DESIGN_MAX];
@@ -56,6 +56,9 @@ void design_directions(design *d, const char *name, double (*direction)[3], unsi
 
 /* Makes and judges `count` directions, balanced to the limits (optimal_within). */
 void design_balanced(design *d, unsigned count, const double limits[3]);
+
+/* The direction that would add most to a set, a unit vector. */
+void design_next(const design *d, double up[3]);
 
 /* The name of an axis, "+x" ... "-z". */
 const char *design_axis_name(unsigned axis);

@@ -48,7 +48,7 @@ static void begin(FILE *file, const export_job *job)
     fputs(" *\n", file);
 }
 
-/* invcal/calibration.h: calibrated = matrix (raw - offset), raw and offset in input units, matrix
+/* invcal/invcal.h: calibrated = matrix (raw - offset), raw and offset in input units, matrix
  * in field units per input unit: the members of the file, as they are. INVCAL_REAL gives each
  * number the suffix of the build, so that all digits count in double, and none is a double in
  * float. A suffix needs a point or an exponent in front of it. The initialiser is positional for
@@ -63,7 +63,7 @@ static void write_c(FILE *file, const export_job *job)
     export_comment(file, EXPORT_COMMENT_C, "raw in input units, calibrated in %s.",
                    export_field_unit(job));
     fprintf(file, " */\n#ifndef INVCAL_EXPORT_%s_H\n#define INVCAL_EXPORT_%s_H\n\n", name, name);
-    fprintf(file, "#include \"invcal/calibration.h\"\n\n");
+    fprintf(file, "#include \"invcal/invcal.h\"\n\n");
     fprintf(file, "static const invcal_calibration %s = {\n    ", name);
     write_row(file, c->offset, 1, "INVCAL_REAL(", ")");
     fputs(",\n    {", file);

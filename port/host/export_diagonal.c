@@ -3,8 +3,9 @@
 
 #include <math.h>
 
+#include "eigen.h"
 #include "export_text.h"
-#include "invcal/eigen.h"
+#include "matrix.h"
 #include "message.h"
 
 #define MG 1000.0
@@ -15,16 +16,15 @@
 static void squares(double p[3][3], double value[3])
 {
     double packed[6];
-    invcal_eigen3 e;
 
     for (unsigned r = 0; r < 3; r++) {
         for (unsigned c = 0; c <= r; c++) {
             packed[INVCAL_PACKED(r, c)] = p[0][r] * p[0][c] + p[1][r] * p[1][c] + p[2][r] * p[2][c];
         }
     }
-    invcal_eigen3_decompose(packed, &e);
+    eigenvalues(packed, 3, value);
     for (unsigned i = 0; i < 3; i++) {
-        value[i] = fmax(e.value[i], 0); /* rounding */
+        value[i] = fmax(value[i], 0); /* rounding */
     }
 }
 
@@ -86,7 +86,7 @@ export_diagonal export_diagonal_fit(const invcal_calibration *full)
     double b[3][3];
     double cut_off[3];
 
-    (void)invcal_calibration_inverse(full, b); /* has been inverted before: export_driver */
+    (void)matrix_inverse(full, b); /* has been inverted before: export_driver */
     for (unsigned i = 0; i < 3; i++) {
         d.scale[i] = b[i][i] / (b[i][0] * b[i][0] + b[i][1] * b[i][1] + b[i][2] * b[i][2]);
         cut_off[i] = full->matrix[i][i];

@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "command.h"
+#include "matrix.h"
 #include "message.h"
 #include "unit.h"
 
@@ -78,7 +79,7 @@ int export_driver(export_job *job, const double *zero, const double *lsb)
                              job->source);
     }
     see_from_driver(job, driver_zero, driver_lsb);
-    if (invcal_calibration_inverse(&job->driver, inverse) != INVCAL_OK ||
+    if (!matrix_inverse(&job->driver, inverse) ||
         !(fabs(job->driver.offset[0]) + fabs(job->driver.offset[1]) + fabs(job->driver.offset[2]) <
           1e30)) {
         return message_usage("export", "%s: no calculation can be made with the driver's scale, %s",

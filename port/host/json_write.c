@@ -4,7 +4,7 @@
 #include <float.h>
 #include <math.h>
 
-#include "invcal/normal.h"
+#include "invcal/expert.h"
 #include "number.h"
 #include "utf8.h"
 
@@ -149,7 +149,7 @@ void json_symmetric(json_writer *w, const char *name, const double *packed, unsi
 {
     json_list(w, name);
     for (unsigned r = 0; r < n; r++) {
-        double row[INVCAL_MAX_PARAMETERS];
+        double row[INVCAL_PARAMETERS];
         for (unsigned c = 0; c < n; c++) {
             row[c] = packed[c <= r ? INVCAL_PACKED(r, c) : INVCAL_PACKED(c, r)];
         }

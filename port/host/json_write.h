@@ -35,7 +35,7 @@ void json_numbers(json_writer *w, const char *name, const double *x, unsigned n)
 void json_vector(json_writer *w, const char *name, const double x[3]);
 void json_matrix(json_writer *w, const char *name, const double (*m)[3]);
 
-/* A symmetric matrix that is stored packed (INVCAL_PACKED), n at most INVCAL_MAX_PARAMETERS, as
+/* A symmetric matrix that is stored packed (INVCAL_PACKED), n at most INVCAL_PARAMETERS, as
  * a list of its rows. */
 void json_symmetric(json_writer *w, const char *name, const double *packed, unsigned n);
 

@@ -9,16 +9,18 @@
 #include <unistd.h>
 
 #include "command.h"
+#include "fit.h"
 #include "input.h"
-#include "invcal/session.h"
 #include "message.h"
 #include "nominal.h"
 #include "paint.h"
 #include "samples.h"
 
 #define DEGREES 57.295779513082321
-#define RENEW 4u    /* positions whose range says more than the first reading */
-#define FAR_OFF 0.7 /* mean of unit vectors that differ less than positions do */
+#define RENEW 4u          /* positions whose range says more than the first reading */
+#define FAR_OFF 0.7       /* mean of unit vectors that differ less than positions do */
+#define HOLD_MAX 60       /* seconds: what the first rest tells is cut off there */
+#define HOLD_LONGEST 3600 /* seconds that can be demanded */
 
 /* All are too large for the stack. */
 static samples live_log;
@@ -29,11 +31,46 @@ typedef struct {
     positions *p;
     const live_wish *wish;
     rests_summary *summary;
+    unsigned taken; /* positions */
+    unsigned step;  /* of the program: the position that is to be next */
+    int is_enough;  /* the target has been reached */
     int is_terminal;
-    int is_refused;            /* said of the rest that is going on */
-    double lsb;                /* as guessed for zero at 0 */
-    invcal_session_what shown; /* of the line that changes */
+    int is_refused;     /* said of the rest that is going on */
+    double lsb;         /* as guessed for zero at 0 */
+    invcal_event shown; /* of the line that changes */
 } stage;
+
+/* ---- the program ------------------------------------------------------------------------------- */
+
+/* The program's position number `step`. Returns 0 if there is no program, or none such in it. */
+static int program_at(const stage *s, unsigned step, double up[3])
+{
+    invcal_plan_position position;
+
+    if (s->wish->plan.per_group == 0 ||
+        invcal_plan_position_at(&s->wish->plan, step, &position) != INVCAL_OK) {
+        return 0;
+    }
+    memcpy(up, position.vertical, sizeof position.vertical);
+    return 1;
+}
+
+/* The position taken last is the one that the program has asked for; without a program any is. */
+static int is_asked(const stage *s, const invcal_session *of)
+{
+    double up[3];
+
+    return !program_at(s, s->step, up) || invcal_session_is_at(of, up);
+}
+
+/* The position that is to be next. One that is READY and still held counts as taken. */
+static unsigned next_step(const stage *s)
+{
+    invcal_session left = session;
+
+    return s->step + (invcal_session_progress(&session) == 100 &&
+                      invcal_session_finish(&left) == INVCAL_TAKEN && is_asked(s, &left));
+}
 
 /* ---- what the person sees ---------------------------------------------------------------------- */
 
@@ -46,39 +83,40 @@ static void end_line(stage *s)
 }
 
 /* Where to turn next. Returns 0, with no words, if there is nowhere. */
-static int next_words(char words[INVCAL_GUIDANCE_WORDS])
+static int next_words(const stage *s, char words[INVCAL_WORDS])
 {
-    invcal_guidance next;
+    double up[3];
 
     words[0] = '\0';
-    if (invcal_session_next(&session, &next) != INVCAL_OK) {
-        return 0;
+    if (s->wish->plan.per_group == 0) {
+        (void)invcal_session_next_words(&session, words);
+    } else if (program_at(s, next_step(s), up)) {
+        (void)invcal_words(up, words);
     }
-    invcal_guidance_words(next.up, words);
-    return 1;
+    return words[0] != '\0';
 }
 
 /* The changing line: only on a terminal, and only if there is news. */
-static void show(stage *s, const invcal_event *event)
+static void show(stage *s, invcal_event event)
 {
-    char words[INVCAL_GUIDANCE_WORDS];
+    char words[INVCAL_WORDS];
 
-    if (event->what == INVCAL_SESSION_MOVING) {
+    if (event == INVCAL_MOVING) {
         s->is_refused = 0;
     }
-    if (!s->is_terminal && event->what == INVCAL_SESSION_READY) {
-        fprintf(s->wish->talk, "good: move on%s%s\n", next_words(words) ? " to " : "", words);
+    if (!s->is_terminal && event == INVCAL_READY) {
+        fprintf(s->wish->talk, "good: move on%s%s\n", next_words(s, words) ? " to " : "", words);
     }
-    if (!s->is_terminal || s->is_refused ||
-        (event->what == INVCAL_SESSION_MOVING && s->shown == event->what)) {
+    if (!s->is_terminal || s->is_refused || (event == INVCAL_MOVING && s->shown == event)) {
         return;
     }
-    s->shown = event->what;
+    s->shown = event;
     end_line(s);
-    if (event->what == INVCAL_SESSION_SETTLING && event->progress < 100) {
-        fprintf(s->wish->talk, "  hold still ... %3u %%", event->progress);
-    } else if (event->what != INVCAL_SESSION_MOVING) {
-        fprintf(s->wish->talk, "  good: move on%s%s", next_words(words) ? " to " : "", words);
+    const unsigned progress = invcal_session_progress(&session);
+    if (event == INVCAL_SETTLING && progress < 100) {
+        fprintf(s->wish->talk, "  hold still ... %3u %%", progress);
+    } else if (event != INVCAL_MOVING) {
+        fprintf(s->wish->talk, "  good: move on%s%s", next_words(s, words) ? " to " : "", words);
     } else {
         fprintf(s->wish->talk, "  moving");
     }
@@ -87,9 +125,9 @@ static void show(stage *s, const invcal_event *event)
 
 static void say_next(stage *s)
 {
-    char words[INVCAL_GUIDANCE_WORDS];
+    char words[INVCAL_WORDS];
 
-    if (next_words(words)) {
+    if (next_words(s, words)) {
         fprintf(s->wish->talk, "next: %s\n", words);
     }
 }
@@ -102,15 +140,17 @@ static double largest(const double v[3])
 /* How exactly everything is known, once it can be told. */
 static void say_sigma(stage *s)
 {
-    invcal_solution solution;
+    invcal_calibration calibration;
     invcal_quality q;
 
-    if (invcal_session_solve(&session, &solution, &q, NULL) != INVCAL_OK || !(q.dof > 0)) {
+    if (invcal_session_solve(&session, &calibration, &q) != INVCAL_OK || q.dof == 0) {
         return;
     }
+    const double coverage = invcal_coverage(q.dof);
     fprintf(s->wish->talk, "; to 95 %%: offsets ± %.2g mg, scales ± %.2g %%, angles ± %.2g deg",
-            q.coverage * 1e3 * largest(q.sigma_delta), q.coverage * 1e2 * largest(q.sigma_dk),
-            q.coverage * DEGREES * largest(q.sigma_gamma));
+            coverage * 1e3 * largest(&q.sigma[INVCAL_DELTA_X]),
+            coverage * 1e2 * largest(&q.sigma[INVCAL_DK_X]),
+            coverage * DEGREES * largest(&q.sigma[INVCAL_GAMMA_XY]));
 }
 
 static void say_end(FILE *talk, const char *word, const char *what)
@@ -119,34 +159,32 @@ static void say_end(FILE *talk, const char *word, const char *what)
             paint_off(talk), what);
 }
 
-static void say_taken(stage *s, const invcal_event *event)
+/* What a position has brought about. */
+typedef enum { USED, NOT_ASKED, ENOUGH, FINISHED } outcome;
+
+static void say_taken(stage *s, outcome what)
 {
     end_line(s);
-    fprintf(s->wish->talk, "position %u taken", event->positions);
+    fprintf(s->wish->talk, "position %u taken", s->taken);
     say_sigma(s);
-    if (event->what == INVCAL_SESSION_TAKEN && !event->is_asked) {
-        fprintf(s->wish->talk, "; not the one asked for, but used");
-    }
-    fprintf(s->wish->talk, "\n");
-    if (event->what == INVCAL_SESSION_ENOUGH) {
+    fprintf(s->wish->talk, "%s\n", what == NOT_ASKED ? "; not the one asked for, but used" : "");
+    if (what == ENOUGH) {
         say_end(s->wish->talk, "enough:", "the target is reached");
-    } else if (event->what == INVCAL_SESSION_FINISHED) {
+    } else if (what == FINISHED) {
         say_end(s->wish->talk, "finished:", "the program is complete");
     }
 }
 
-static void say_refused(stage *s, const invcal_event *event)
+static void say_refused(stage *s, int is_left)
 {
     if (s->is_refused) {
         s->is_refused = 0; /* it has been left */
         return;
     }
-    s->is_refused = event->rest.count == 0;
+    s->is_refused = !is_left;
     end_line(s);
     fprintf(s->wish->talk, "%srefused:%s %s\n", paint_on(s->wish->talk, PAINT_RED),
-            paint_off(s->wish->talk),
-            event->reason != INVCAL_REST_GOOD ? invcal_rest_reason_text(event->reason)
-                                              : invcal_status_text(event->status));
+            paint_off(s->wish->talk), rests_reason_text(invcal_session_reason(&session)));
 }
 
 /* What the stream was taken for: whoever sees a wrong column can stop at once. */
@@ -187,7 +225,28 @@ static int is_zero_far_off(const stage *s)
     return length > FAR_OFF * s->p->count;
 }
 
-/* Then the middle of the ranges is the better zero, and the widest tells the scale. */
+/* Over the field, for counts of the log. Returns 1 if it is usable. */
+static int nominal_of_counts(const live_wish *wish, const double zero[3], const double lsb[3],
+                             invcal_calibration *out)
+{
+    double counts[3];
+    double zero_counts[3];
+
+    for (unsigned i = 0; i < 3; i++) {
+        zero_counts[i] = zero[i] / live_log.unit;
+        counts[i] = wish->field / (lsb[i] * live_log.unit);
+    }
+    return invcal_nominal(zero_counts, counts, out) == INVCAL_OK;
+}
+
+/* All positions so far are readings of the field with this nominal. */
+static int fits_all(const invcal_calibration *nominal)
+{
+    return invcal_bad_reading(session.mean[0], session.count, nominal) == session.count;
+}
+
+/* Then the middle of the ranges is the better zero, and the widest tells the scale. The table of the
+ * session is in counts: it takes another nominal at any time. */
 static void renew_nominal(const stage *s)
 {
     invcal_calibration nominal;
@@ -199,40 +258,124 @@ static void renew_nominal(const stage *s)
         !nominal_from_range(s->p, s->wish->field, zero, lsb)) {
         return;
     }
-    const double least = fmin(lsb[0], fmin(lsb[1], lsb[2]));
-    for (unsigned i = 0; i < 3; i++) {
-        zero[i] /= live_log.unit;
-        lsb[i] = least * live_log.unit;
-    }
-    if (invcal_calibration_nominal(zero, lsb, &nominal) == INVCAL_OK) {
-        (void)invcal_session_renew(&session, &nominal); /* else the old one goes on */
+    lsb[0] = lsb[1] = lsb[2] = fmin(lsb[0], fmin(lsb[1], lsb[2]));
+    if (nominal_of_counts(s->wish, zero, lsb, &nominal) && fits_all(&nominal)) {
+        session.nominal = nominal; /* else the old one goes on */
     }
 }
 
-static int digest(stage *s, const invcal_event *event)
+/* ---- how long to stay -------------------------------------------------------------------------- */
+
+static void hold(double seconds)
+{
+    invcal_session_hold(&session, (uint32_t)ceil(1000 * seconds));
+}
+
+/* The first rest tells the noise: T = s^2 / (sigma^2 rate), s^2 that of a sample, the mean over the
+ * axes. That is white noise. Returns whether the rest has been held as long. */
+static int is_held_long_enough(const stage *s)
+{
+    const invcal_calibration *c = &session.nominal;
+    const double sigma = s->wish->mean_sigma / s->wish->field;
+    invcal_rest rest;
+    double square = 0;
+
+    if (!(sigma > 0) || s->wish->noise || s->taken > 0 ||
+        !invcal_rests_get(&session.rests, &rest)) {
+        return 1;
+    }
+    for (unsigned i = 0; i < 9; i++) {
+        square += c->matrix[i / 3][i % 3] * c->matrix[i / 3][i % 3] / 3;
+    }
+    hold(fmin(HOLD_MAX, square * rest.variance / (sigma * sigma) / live_log.rate));
+    return invcal_session_progress(&session) == 100;
+}
+
+/* ---- what becomes of a rest -------------------------------------------------------------------- */
+
+static int take_rest(stage *s)
+{
+    invcal_rest rest;
+
+    return invcal_rests_get(&session.rests, &rest)
+               ? rests_take(s->p, &rest, live_log.unit, &live_recording)
+               : EXIT_GOOD;
+}
+
+/* A target that is 0 is any. */
+static int reaches_target(const stage *s)
+{
+    double target[3];
+    int is_wanted = 0;
+
+    for (unsigned i = 0; i < 3; i++) {
+        is_wanted = is_wanted || s->wish->target[i] > 0;
+        target[i] = s->wish->target[i] > 0 ? s->wish->target[i] : INVCAL_REAL_MAX;
+    }
+    return is_wanted && invcal_session_reaches(&session, target);
+}
+
+static outcome count_position(stage *s)
+{
+    const unsigned last = INVCAL_PLAN_GROUPS * s->wish->plan.per_group;
+    const int asked = is_asked(s, &session);
+
+    s->taken++;
+    if (asked && s->step < last) {
+        s->step++;
+        if (s->step == last) {
+            return FINISHED;
+        }
+    }
+    if (!s->is_enough && reaches_target(s)) {
+        s->is_enough = 1;
+        return ENOUGH;
+    }
+    return asked ? USED : NOT_ASKED;
+}
+
+static int take(stage *s)
+{
+    const outcome what = count_position(s);
+    const int failure = take_rest(s);
+
+    renew_nominal(s);
+    say_taken(s, what);
+    say_next(s);
+    return failure;
+}
+
+static int refuse(stage *s)
+{
+    const invcal_status reason = invcal_session_reason(&session);
+    const int is_rest = reason < INVCAL_REST_SHORT || reason > INVCAL_REST_SAME;
+    const int is_left = is_rest && invcal_session_progress(&session) == 0;
+    int failure = EXIT_GOOD;
+
+    if (!is_rest) {
+        rests_refuse(s->summary, reason, &live_recording);
+    } else if (is_left) { /* the calibration may think otherwise of it */
+        failure = take_rest(s);
+    }
+    say_refused(s, is_left);
+    return failure;
+}
+
+static int digest(stage *s, invcal_event event)
 {
     int failure = EXIT_GOOD;
 
-    switch (event->what) {
-    case INVCAL_SESSION_TAKEN:
-    case INVCAL_SESSION_ENOUGH:
-    case INVCAL_SESSION_FINISHED:
-        failure = rests_take(s->p, &event->rest, live_log.unit, &live_recording);
-        renew_nominal(s);
-        say_taken(s, event);
-        say_next(s);
+    switch (event) {
+    case INVCAL_TAKEN:
+        failure = take(s);
         break;
-    case INVCAL_SESSION_REFUSED:
-        if (event->reason != INVCAL_REST_GOOD) {
-            s->summary->refused[event->reason]++;
-            timeline_refuse(&live_recording.outline);
-        } else if (event->rest.count > 0) { /* the calibration may think otherwise of it */
-            failure = rests_take(s->p, &event->rest, live_log.unit, &live_recording);
-        }
-        say_refused(s, event);
+    case INVCAL_REFUSED:
+        failure = refuse(s);
         break;
-    case INVCAL_SESSION_NOTHING:
-    case INVCAL_SESSION_COVERED:
+    case INVCAL_NOTHING:
+        break;
+    case INVCAL_READY:
+        show(s, is_held_long_enough(s) ? INVCAL_READY : INVCAL_SETTLING);
         break;
     default:
         show(s, event);
@@ -241,6 +384,8 @@ static int digest(stage *s, const invcal_event *event)
     fflush(s->wish->talk);
     return failure;
 }
+
+/* ---- the stream -------------------------------------------------------------------------------- */
 
 /* The largest of the first readings stands for the field. */
 static double guess_lsb(const live_wish *wish, const double zero[3])
@@ -258,35 +403,26 @@ static double guess_lsb(const live_wish *wish, const double zero[3])
     return most > 0 ? wish->field / sqrt(most) : 1;
 }
 
-static int32_t rail(double value)
+/* The nominal calibration, over the field, for counts of the log. Returns 1 if it is usable. */
+static int set_nominal(const live_wish *wish, invcal_calibration *out)
 {
-    return (int32_t)fmax(INT32_MIN, fmin(INT32_MAX, nearbyint(value / live_log.unit)));
-}
-
-/* The nominal calibration for counts of the log. */
-static invcal_status set_nominal(const live_wish *wish, invcal_calibration *out)
-{
-    double zero[3] = {0, 0, 0};
-    double scale[3];
+    static const double origin[3] = {0, 0, 0};
+    const double *zero = wish->zero ? wish->zero : origin;
     double guess = stated_scale(wish);
+    double lsb[3];
 
     if (wish->nominal) {
-        *out = *wish->nominal;
-        for (unsigned i = 0; i < 9; i++) {
-            out->offset[i / 3] /= i % 3 == 0 ? live_log.unit : 1;
-            out->matrix[i / 3][i % 3] *= live_log.unit;
+        *out = fit_over_field(wish->nominal, wish->field / live_log.unit);
+        for (unsigned i = 0; i < 3; i++) {
+            out->offset[i] /= live_log.unit;
         }
-        return INVCAL_OK;
-    }
-    for (unsigned i = 0; i < 3; i++) {
-        zero[i] = wish->zero ? wish->zero[i] : 0;
+        return 1;
     }
     guess = guess > 0 ? guess : guess_lsb(wish, zero);
     for (unsigned i = 0; i < 3; i++) {
-        scale[i] = (wish->lsb ? wish->lsb[i] : guess) * live_log.unit;
-        zero[i] /= live_log.unit;
+        lsb[i] = wish->lsb ? wish->lsb[i] : guess;
     }
-    return invcal_calibration_nominal(zero, scale, out);
+    return nominal_of_counts(wish, zero, lsb, out);
 }
 
 /* Holds each position as long as the axis that takes longest. */
@@ -298,16 +434,16 @@ static int hold_by_noise(const live_wish *wish)
     for (unsigned i = 0; i < 3; i++) {
         invcal_dwell d;
         if (invcal_noise_dwell(&wish->noise[i], wish->mean_sigma / wish->field, &d) != INVCAL_OK ||
-            d.seconds > INVCAL_SESSION_HOLD_LONGEST) {
+            d.seconds > HOLD_LONGEST) {
             message("--allan: by this noise a mean as good as %g takes more than %d s: ask for "
                     "less by --mean-sigma",
-                    wish->mean_sigma, INVCAL_SESSION_HOLD_LONGEST);
+                    wish->mean_sigma, HOLD_LONGEST);
             return EXIT_USAGE;
         }
         longest = fmax(longest, d.seconds);
         floor = d.end == INVCAL_DWELL_FLOOR ? fmax(floor, d.sigma * wish->field) : floor;
     }
-    invcal_session_hold(&session, longest);
+    hold(longest);
     fprintf(wish->talk, "each position: %.3g s by the noise measured", longest);
     if (floor > 0) {
         fprintf(wish->talk, "; longer does not help: a mean is good to %.2g", floor);
@@ -318,15 +454,13 @@ static int hold_by_noise(const live_wish *wish)
 
 static int begin(const live_wish *wish)
 {
-    invcal_session_setup setup = {.plan = wish->plan, .rate = live_log.rate};
+    const double *clip = wish->clip;
+    invcal_calibration nominal;
 
-    setup.settings.field = wish->field;
-    memcpy(setup.target, wish->target, sizeof setup.target);
-    setup.mean_sigma = wish->mean_sigma;
-    setup.low = wish->clip ? rail(wish->clip[0]) : 0;
-    setup.high = wish->clip ? rail(wish->clip[1]) : 0;
-    if (set_nominal(wish, &setup.settings.nominal) != INVCAL_OK ||
-        invcal_session_init(&session, &setup) != INVCAL_OK) {
+    if (!set_nominal(wish, &nominal) ||
+        invcal_session_begin(&session, &nominal, samples_whole_rate(&live_log)) != INVCAL_OK ||
+        (clip && invcal_session_rails(&session, samples_count(&live_log, clip[0]),
+                                      samples_count(&live_log, clip[1])) != INVCAL_OK)) {
         message("%s: %.6g samples a second, or the nominal calibration, is not usable",
                 live_log.table.name, live_log.rate);
         return EXIT_FILE;
@@ -336,7 +470,6 @@ static int begin(const live_wish *wish)
 
 static int watch(stage *s)
 {
-    invcal_event event;
     sample now;
     int more = 0;
     int failure = EXIT_GOOD;
@@ -350,15 +483,14 @@ static int watch(stage *s)
         }
         s->summary->samples++;
         recording_sample(&live_recording, &live_log, &now);
-        if (invcal_session_feed(&session, now.raw, now.temperature, &event) !=
-            INVCAL_SESSION_NOTHING) {
+        const invcal_event event = invcal_session_feed(&session, now.raw);
+        if (event != INVCAL_NOTHING) {
             recording_filled(&live_recording);
-            failure = digest(s, &event);
+            failure = digest(s, event);
         }
     }
     if (!failure && more == 0) {
-        (void)invcal_session_finish(&session, &event);
-        failure = digest(s, &event);
+        failure = digest(s, invcal_session_finish(&session));
     }
     end_line(s);
     if (more < 0 || failure) {

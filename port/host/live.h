@@ -8,7 +8,6 @@
 #include <stdio.h>
 
 #include "invcal/allan.h"
-#include "invcal/calibration.h"
 #include "invcal/plan.h"
 #include "rests.h"
 
@@ -30,8 +29,8 @@ typedef struct {
 } live_wish;
 
 /* Reads a stream to its end, or until somebody interrupts it (Ctrl-C), tells what to do, and
- * collects the positions. What is malformed is told and skipped. On a terminal the progress of a rest is shown on one line that
- * changes.
+ * collects the positions. What is malformed is told and skipped. On a terminal the progress of a rest
+ * is shown on one line that changes.
  *
  * Returns, and is to be released, as rests_read. */
 int live_read(positions *p, const char *path, const live_wish *wish, rests_summary *summary);

@@ -27,6 +27,24 @@ int nominal_from_range(const positions *p, double field, double zero[3], double 
     return widest > 0;
 }
 
+int nominal_make(const double zero[3], const double lsb[3], double field, invcal_calibration *out)
+{
+    double counts[3];
+    invcal_calibration over_field;
+
+    for (unsigned i = 0; i < 3; i++) {
+        counts[i] = field / lsb[i];
+    }
+    if (invcal_nominal(zero, counts, &over_field) != INVCAL_OK) {
+        return 0;
+    }
+    *out = (invcal_calibration){.offset = {zero[0], zero[1], zero[2]}};
+    for (unsigned i = 0; i < 3; i++) {
+        out->matrix[i][i] = lsb[i];
+    }
+    return 1;
+}
+
 int nominal_is_guess(const nominal_choice *n)
 {
     return n->zero == NOMINAL_RANGE || n->lsb == NOMINAL_RANGE;

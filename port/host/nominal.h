@@ -5,7 +5,7 @@
 #ifndef NOMINAL_H
 #define NOMINAL_H
 
-#include "invcal/calibration.h"
+#include "invcal/invcal.h"
 #include "positions.h"
 
 typedef enum {
@@ -16,7 +16,7 @@ typedef enum {
 } nominal_origin;
 
 typedef struct {
-    invcal_calibration calibration;
+    invcal_calibration calibration; /* field units per input unit, as it was stated */
     nominal_origin zero;
     nominal_origin lsb;
 } nominal_choice;
@@ -31,6 +31,10 @@ typedef struct {
  *
  * Returns 1; 0, with lsb left undefined, if there is no range or none that gives usable numbers. */
 int nominal_from_range(const positions *p, double field, double zero[3], double lsb[3]);
+
+/* A calibration in field units from zero and scale. Returns 1; 0, with out untouched, if no
+ * calculation can be made with them over this field. */
+int nominal_make(const double zero[3], const double lsb[3], double field, invcal_calibration *out);
 
 /* Zero or scale are from the range: how far the sensor is from them says nothing about it. */
 int nominal_is_guess(const nominal_choice *n);

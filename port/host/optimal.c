@@ -5,7 +5,7 @@
 #include <string.h>
 
 #include "command.h"
-#include "invcal/criteria.h"
+#include "invcal/expert.h"
 #include "invcal/plan.h"
 
 enum { P = INVCAL_PARAMETERS, SUMS = INVCAL_PACKED_SIZE(INVCAL_PARAMETERS) };
@@ -73,14 +73,16 @@ static double covariance(const problem *p, vectors x, double K[P][P])
     for (unsigned r = 0; r < P; r++) {
         a[INVCAL_PACKED(r, r)] += RIDGE;
     }
-    (void)invcal_cholesky_factor(a, P, 0); /* positive definite by the ridge */
+    (void)invcal_factor(a, P, P, 0); /* positive definite by the ridge */
+    invcal_invert(a, P);
     for (unsigned r = 0; r < P; r++) {
-        log_det += 2 * log(a[INVCAL_PACKED(r, r)]);
-    }
-    invcal_cholesky_inverse(a, P);
-    for (unsigned r = 0; r < P; r++) {
-        for (unsigned c = 0; c <= r; c++) {
-            K[r][c] = K[c][r] = a[INVCAL_PACKED(r, c)];
+        log_det -= 2 * log(a[INVCAL_PACKED(r, r)]);
+        for (unsigned c = 0; c <= r; c++) { /* K = L'^-1 L^-1 */
+            double sum = 0;
+            for (unsigned i = r; i < P; i++) {
+                sum += a[INVCAL_PACKED(i, r)] * a[INVCAL_PACKED(i, c)];
+            }
+            K[r][c] = K[c][r] = sum;
         }
     }
     return log_det;

@@ -156,7 +156,6 @@ static size_t put_argument(char *text, size_t size, size_t at, const char *argum
                                 "_-+=:,./@%";
     const int is_plain = *argument != '\0' && argument[strspn(argument, plain)] == '\0';
 
-    at = put(text, size, at, ' ');
     at = is_plain ? at : put(text, size, at, '\'');
     for (const char *c = argument; *c != '\0'; c++) {
         for (const char *out = *c == '\'' ? "'\\''" : NULL; out && *out != '\0'; out++) {
@@ -167,6 +166,13 @@ static size_t put_argument(char *text, size_t size, size_t at, const char *argum
     return is_plain ? at : put(text, size, at, '\'');
 }
 
+const char *options_quoted(const char *argument, char *text, size_t size)
+{
+    text[0] = '\0';
+    (void)put_argument(text, size, 0, argument);
+    return text;
+}
+
 void options_command(const char *command, int argc, char **argv, char *text, size_t size)
 {
     size_t at;
@@ -174,6 +180,6 @@ void options_command(const char *command, int argc, char **argv, char *text, siz
     snprintf(text, size, "invcal %s", command);
     at = strlen(text);
     for (int i = 0; i < argc; i++) {
-        at = put_argument(text, size, at, argv[i]);
+        at = put_argument(text, size, put(text, size, at, ' '), argv[i]);
     }
 }

@@ -45,6 +45,10 @@ int options_parse(const option_syntax *syntax, int argc, char **argv, const char
 int options_numbers(const option_syntax *syntax, unsigned which, const char *value, unsigned wanted,
                     double *out, int *single);
 
+/* An argument as one would type it: in quotes if a shell would take it apart. Cut to size. Returns
+ * text. */
+const char *options_quoted(const char *argument, char *text, size_t size);
+
 /* The command line as one would type it: "invcal calibrate 'my log.csv' --json". Cut to size. */
 void options_command(const char *command, int argc, char **argv, char *text, size_t size);
 

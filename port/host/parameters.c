@@ -4,7 +4,7 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "invcal/status.h"
+#include "invcal/invcal.h"
 
 static void append(char *text, size_t size, const char *more)
 {

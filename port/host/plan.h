@@ -16,7 +16,7 @@
 /* One of the paper's programs in a sweep over N. */
 typedef struct {
     unsigned per_group;
-    invcal_criteria criteria;
+    criteria criteria;
     uint8_t axes;
 } plan_row;
 

@@ -3,6 +3,8 @@
 
 #include <math.h>
 
+#include "matrix.h"
+
 void plan_facts_find(plan_facts *f, const design *d, const choice_request *request, const choice *c)
 {
     double *K = f->length_sigma.covariance;
@@ -11,9 +13,8 @@ void plan_facts_find(plan_facts *f, const design *d, const choice_request *reque
     f->request = request;
     f->choice = c;
     f->noise = request->cost.noise > 0 ? design_noise(&request->cost) : 0;
-    invcal_normal_matrix(&d->normal, K);
-    (void)invcal_cholesky_factor(K, INVCAL_PARAMETERS, INVCAL_PIVOT_FLOOR); /* it is solvable */
-    invcal_cholesky_inverse(K, INVCAL_PARAMETERS);
+    criteria_information(&d->sums, K);
+    (void)matrix_invert_packed(K, INVCAL_PARAMETERS); /* it is solvable */
     for (unsigned r = 0; r < INVCAL_PARAMETERS; r++) {
         f->sigma[r] = sqrt(K[INVCAL_PACKED(r, r)]);
     }

@@ -1,17 +1,18 @@
 /* SPDX-License-Identifier: MIT */
 #include "command.h"
-#include "invcal/series.h"
 #include "json_write.h"
+#include "matrix.h"
 #include "number.h"
 #include "plan.h"
 #include "plan_labour.h"
+#include "series.h"
 
 unsigned plan_missing(uint8_t axes)
 {
     return ~(unsigned)axes & ((1u << INVCAL_AXES) - 1);
 }
 
-static void write_criteria(json_writer *w, const invcal_criteria *c, int is_solvable)
+static void write_criteria(json_writer *w, const criteria *c, int is_solvable)
 {
     json_number(w, "sigma_delta", is_solvable ? c->sigma_delta : NUMBER_UNKNOWN);
     json_number(w, "sigma_dk", is_solvable ? c->sigma_dk : NUMBER_UNKNOWN);
@@ -31,12 +32,12 @@ static void write_groups(json_writer *w, const invcal_plan *plan)
 {
     const double half = plan->per_group / 2.0;
     const double bound = plan->per_group * half * half * half * half;
-    double sums[INVCAL_PACKED_SIZE(INVCAL_SERIES_TERMS)];
+    double sums[INVCAL_PACKED_SIZE(SERIES_TERMS)];
     double det[INVCAL_PLAN_GROUPS];
 
     for (unsigned g = 0; g < INVCAL_PLAN_GROUPS; g++) {
-        (void)invcal_series_information(plan, g + 1, sums); /* the plan is usable */
-        det[g] = bound * invcal_series_efficiency(sums);
+        (void)series_information(plan, g + 1, sums); /* the plan is usable */
+        det[g] = bound * series_efficiency(sums);
     }
     json_vector(w, "group_det", det);
     json_number(w, "group_det_bound", bound);
@@ -62,12 +63,11 @@ static void write_positions(json_writer *w, const design *d)
 /* K = (H'H)^-1, packed; the set is solvable. */
 static void write_covariance(json_writer *w, const design *d)
 {
-    invcal_real work[INVCAL_PACKED_SIZE(INVCAL_PARAMETERS)];
+    double work[INVCAL_PACKED_SIZE(INVCAL_PARAMETERS)];
 
-    invcal_normal_matrix(&d->normal, work);
+    criteria_information(&d->sums, work);
     json_symmetric(w, "hth", work, INVCAL_PARAMETERS);
-    (void)invcal_cholesky_factor(work, INVCAL_PARAMETERS, INVCAL_PIVOT_FLOOR);
-    invcal_cholesky_inverse(work, INVCAL_PARAMETERS);
+    (void)matrix_invert_packed(work, INVCAL_PARAMETERS);
     json_symmetric(w, "covariance", work, INVCAL_PARAMETERS);
 }
 

@@ -3,11 +3,11 @@
 #include <string.h>
 
 #include "figure.h"
-#include "invcal/series.h"
 #include "paint.h"
 #include "parameters.h"
 #include "plan_labour.h"
 #include "plan_words.h"
+#include "series.h"
 
 static void print_positions(FILE *file, const design *d)
 {
@@ -47,7 +47,7 @@ static void print_sigma(FILE *file, const char *what, double sigma, const char *
 static void print_sigmas(FILE *file, const design *d, const design_cost *cost)
 {
     const double noise = cost->noise > 0 ? design_noise(cost) : 0;
-    const invcal_criteria *c = &d->criteria;
+    const criteria *c = &d->criteria;
 
     fprintf(file, "%ssigma%s, times the noise of a position mean", paint_on(file, PAINT_BOLD),
             paint_off(file));
@@ -65,7 +65,7 @@ static void print_sigmas(FILE *file, const design *d, const design_cost *cost)
 /* What invcal calibrate would say of such a set, and how it stands to the limits. */
 static void print_verdict(FILE *file, const design *d, const choice_request *request)
 {
-    const invcal_criteria *c = &d->criteria;
+    const criteria *c = &d->criteria;
 
     if (request->limits) {
         const double worst = choice_worst(c, request->limits);
@@ -114,20 +114,20 @@ static void print_groups(FILE *file, const invcal_plan *plan)
 {
     const double half = plan->per_group / 2.0;
     const double bound = plan->per_group * half * half * half * half;
-    double sums[INVCAL_PACKED_SIZE(INVCAL_SERIES_TERMS)];
+    double sums[INVCAL_PACKED_SIZE(SERIES_TERMS)];
 
     fprintf(file, "det H5'H5 of the groups over %.8g, the most of %u positions on a circle:", bound,
             plan->per_group);
     for (unsigned g = 1; g <= INVCAL_PLAN_GROUPS; g++) {
-        (void)invcal_series_information(plan, g, sums); /* the plan is usable */
-        fprintf(file, " %.4f", invcal_series_efficiency(sums));
+        (void)series_information(plan, g, sums); /* the plan is usable */
+        fprintf(file, " %.4f", series_efficiency(sums));
     }
     putc('\n', file);
 }
 
 static void print_candidate(FILE *file, const design *d, const choice_request *request)
 {
-    const invcal_criteria *c = &d->criteria;
+    const criteria *c = &d->criteria;
 
     fprintf(file, "%-24.24s%10u%10.6g%10.4f%10.4f%10.4f", d->name, d->count,
             design_seconds(d->count, &request->cost), c->sigma_delta, c->sigma_dk, c->sigma_gamma);
@@ -207,7 +207,7 @@ void plan_print_sweep(FILE *file, const plan_row *rows, unsigned count)
             "positions", "offsets", "scales", "angles", "condition", "ln det H'H",
             "axes along gravity", paint_off(file));
     for (unsigned i = 0; i < count; i++) {
-        const invcal_criteria *c = &rows[i].criteria;
+        const criteria *c = &rows[i].criteria;
         fprintf(file, "%9u%11u%10.6f%10.6f%10.6f%11.4f%12.4f   %s\n", rows[i].per_group,
                 c->positions, c->sigma_delta, c->sigma_dk, c->sigma_gamma, c->condition, c->log_det,
                 plan_missing(rows[i].axes) ? plan_axes_text(rows[i].axes, text) : "all six");
@@ -237,8 +237,8 @@ void plan_print_comparison(FILE *file, const design *a, const design *b,
                            const choice_request *request)
 {
     const design_cost *cost = &request->cost;
-    const invcal_criteria *p = &a->criteria;
-    const invcal_criteria *q = &b->criteria;
+    const criteria *p = &a->criteria;
+    const criteria *q = &b->criteria;
 
     fprintf(file, "Two sets; sigma times the noise of a position mean; ratio of the second to the "
                   "first\n\n");

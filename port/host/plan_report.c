@@ -45,12 +45,12 @@ static const char *missing_text(const design *d, char text[TEXT_MAX])
 }
 
 /* The position that would add most, in words. */
-static void next_words(const design *d, char words[INVCAL_GUIDANCE_WORDS])
+static void next_words(const design *d, char words[INVCAL_WORDS])
 {
-    invcal_guidance next;
+    double up[3];
 
-    (void)invcal_guidance_next(&d->normal, NULL, &next); /* the sums are good */
-    invcal_guidance_words(next.up, words);
+    design_next(d, up);
+    invcal_words(up, words);
 }
 
 static void say_weak(page *p, const plan_facts *f)
@@ -58,7 +58,7 @@ static void say_weak(page *p, const plan_facts *f)
     char sentence[TEXT_MAX];
     char next[TEXT_MAX];
     char list[PLAN_WORDS_MAX];
-    char words[INVCAL_GUIDANCE_WORDS];
+    char words[INVCAL_WORDS];
     unsigned weak = 0;
 
     for (unsigned r = 0; r < INVCAL_PARAMETERS; r++) {
@@ -91,7 +91,7 @@ static void say_beyond(page *p, const plan_facts *f)
 static void say_unchecked(page *p, const plan_facts *f)
 {
     char next[TEXT_MAX];
-    char words[INVCAL_GUIDANCE_WORDS];
+    char words[INVCAL_WORDS];
 
     next_words(f->set, words);
     snprintf(next, sizeof next, "add three or more positions in other directions. Begin with: %s.",
@@ -131,7 +131,7 @@ static void say_good(page *p, const plan_facts *f)
 
 static void write_verdict(page *p, const plan_facts *f)
 {
-    const invcal_criteria *c = &f->set->criteria;
+    const criteria *c = &f->set->criteria;
 
     if (!(plan_sigma_largest(c) <= PLAN_WEAK)) {
         say_weak(p, f);

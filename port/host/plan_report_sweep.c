@@ -64,7 +64,7 @@ static void draw(FILE *file, const void *data, double width)
 
 static void write_row(page *p, const page_table *sheet, const plan_row *row)
 {
-    const invcal_criteria *c = &row->criteria;
+    const criteria *c = &row->criteria;
     char text[COLUMNS][PLAN_WORDS_MAX];
     const char *cells[COLUMNS];
     char number[FIGURE_MAX];

@@ -50,14 +50,14 @@ const char *plan_time_text(double seconds, char text[PLAN_WORDS_MAX])
     return text;
 }
 
-double plan_sigma(const invcal_criteria *c, unsigned kind)
+double plan_sigma(const criteria *c, unsigned kind)
 {
     const double sigma[PLAN_KINDS] = {c->sigma_delta, c->sigma_dk, c->sigma_gamma};
 
     return sigma[kind];
 }
 
-double plan_sigma_largest(const invcal_criteria *c)
+double plan_sigma_largest(const criteria *c)
 {
     return fmax(c->sigma_delta, fmax(c->sigma_dk, c->sigma_gamma));
 }

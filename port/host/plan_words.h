@@ -28,8 +28,8 @@ typedef struct {
 extern const plan_kind plan_kinds[PLAN_KINDS];
 
 /* The largest sigma of a kind, over the noise of a position mean; and of all kinds. */
-double plan_sigma(const invcal_criteria *c, unsigned kind);
-double plan_sigma_largest(const invcal_criteria *c);
+double plan_sigma(const criteria *c, unsigned kind);
+double plan_sigma_largest(const criteria *c);
 
 /* A sigma that is given over the noise: "0.0183 mg", or, if `noise` of a position mean over the
  * field is not told (0), "0.408", of which plan_times says what it means. Returns text. */

@@ -9,7 +9,7 @@
 
 #include "columns.h"
 
-#define POSITIONS_MAX 1000000u
+#define POSITIONS_MAX 65534u /* what invcal_calibrate takes */
 
 /* Where a mean comes from. What is not known is NaN. */
 typedef struct {

@@ -1,13 +1,13 @@
 /* SPDX-License-Identifier: MIT
  *
  * recording.h: what is remembered of a log beside its rests, in fixed memory: where in the file and
- * when each block of invcal_still began (where samples were lost or lines skipped, counting does
+ * when each block of invcal_rests began (where samples were lost or lines skipped, counting does
  * not tell), and its outline.
  */
 #ifndef RECORDING_H
 #define RECORDING_H
 
-#include "invcal/still.h"
+#include "invcal/expert.h"
 #include "samples.h"
 #include "timeline.h"
 

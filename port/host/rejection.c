@@ -15,22 +15,20 @@ typedef struct {
 } choice_of;
 
 /* A reading that is none of this field, though most others are. */
-static int is_impossible(const positions *p, unsigned i, const invcal_settings *settings,
+static int is_impossible(const positions *p, unsigned i, const fit_settings *settings,
                          double *error)
 {
+    const double *mean = &p->mean[3 * (size_t)i];
     double u[3];
-    invcal_observation row;
+    invcal_row row;
 
-    if (invcal_observation_reading(&settings->nominal, settings->field, &p->mean[3 * (size_t)i],
-                                   u) != INVCAL_OK) {
-        return 0;
-    }
+    invcal_apply(&settings->nominal, mean, u);
     *error = sqrt(u[0] * u[0] + u[1] * u[1] + u[2] * u[2]) - 1;
-    return invcal_observation_exact(u, &row) == INVCAL_OUT_OF_RANGE;
+    return invcal_observe(&settings->nominal, mean, &row) == INVCAL_OUT_OF_RANGE;
 }
 
 /* Up to one in eight, if enough others are there to tell. */
-static void reject_impossible(rejection *r, const positions *p, const invcal_settings *settings)
+static void reject_impossible(rejection *r, const positions *p, const fit_settings *settings)
 {
     unsigned count = 0;
     double error;
@@ -91,35 +89,43 @@ unsigned rejection_drifting(const rejection *r)
     return count;
 }
 
-static void add(rejection *r, const invcal_outliers *found, const unsigned *number)
+/* Positions that are compared with each other, and their numbers. */
+typedef struct {
+    double mean[INVCAL_MAX_POSITIONS][3];
+    unsigned number[INVCAL_MAX_POSITIONS];
+    unsigned count;
+} crowd;
+
+static void add(rejection *r, const crowd *c, const fit_settings *settings,
+                const invcal_outliers *found)
 {
-    for (unsigned i = 0; i < found->count; i++) {
-        rejection_add(r, (rejected_position){.position = number[found->position[i]],
-                                             .error = found->error[i],
-                                             .w = found->w[i]});
-    }
-    for (unsigned i = 0; i < INVCAL_OUTLIERS_CAPACITY; i++) {
+    for (unsigned i = 0; i < c->count; i++) {
+        invcal_outlier one;
+        if ((found->removed >> i & 1u) &&
+            invcal_outlier_size(c->mean[0], c->count, &settings->nominal, settings->noise,
+                                found->removed, i, &one) == INVCAL_OK) {
+            rejection_add(r, (rejected_position){.position = c->number[i], .error = one.error});
+        }
         r->suspected += (unsigned)(found->suspected >> i & 1u);
     }
 }
 
 /* `before` of them, the first of the list, are rejected already. */
-static void find_among(rejection *r, const positions *p, const invcal_settings *settings,
+static void find_among(rejection *r, const positions *p, const fit_settings *settings,
                        choice_of which, unsigned before)
 {
-    double mean[INVCAL_OUTLIERS_CAPACITY][3];
-    unsigned number[INVCAL_OUTLIERS_CAPACITY];
+    crowd c = {.count = 0};
     invcal_outliers found;
-    unsigned count = 0;
 
     for (unsigned i = which.first; i < p->count; i += which.step) {
         if (!is_among(r, before, i)) {
-            number[count] = i;
-            memcpy(mean[count++], &p->mean[3 * (size_t)i], sizeof mean[0]);
+            c.number[c.count] = i;
+            memcpy(c.mean[c.count++], &p->mean[3 * (size_t)i], sizeof c.mean[0]);
         }
     }
-    if (invcal_outliers_find(&mean[0][0], count, settings, &found) == INVCAL_OK) {
-        add(r, &found, number);
+    if (invcal_outliers_find(c.mean[0], c.count, &settings->nominal, settings->noise, &found) ==
+        INVCAL_OK) {
+        add(r, &c, settings, &found);
     }
 }
 
@@ -148,7 +154,7 @@ void rejection_finish(rejection *r, const positions *p)
     }
 }
 
-int rejection_begin(rejection *r, const positions *p, const invcal_settings *settings, int none)
+int rejection_begin(rejection *r, const positions *p, const fit_settings *settings, int none)
 {
     *r = (rejection){0};
     r->list = calloc((size_t)p->count + 1, sizeof *r->list);
@@ -165,9 +171,9 @@ int rejection_begin(rejection *r, const positions *p, const invcal_settings *set
     return EXIT_GOOD;
 }
 
-void rejection_search(rejection *r, const positions *p, const invcal_settings *settings)
+void rejection_search(rejection *r, const positions *p, const fit_settings *settings)
 {
-    const unsigned turns = (p->count + INVCAL_OUTLIERS_CAPACITY - 1) / INVCAL_OUTLIERS_CAPACITY;
+    const unsigned turns = (p->count + INVCAL_MAX_POSITIONS - 1) / INVCAL_MAX_POSITIONS;
     const unsigned before = r->count;
 
     for (unsigned turn = 0; turn < turns; turn++) {
@@ -175,7 +181,7 @@ void rejection_search(rejection *r, const positions *p, const invcal_settings *s
     }
 }
 
-int rejection_find(rejection *r, const positions *p, const invcal_settings *settings, int none)
+int rejection_find(rejection *r, const positions *p, const fit_settings *settings, int none)
 {
     const int failure = rejection_begin(r, p, settings, none);
 

@@ -5,13 +5,12 @@
 #ifndef REJECTION_H
 #define REJECTION_H
 
-#include "invcal/outlier.h"
+#include "fit.h"
 #include "positions.h"
 
 typedef struct {
     unsigned position; /* from 0 */
     double error;      /* what it reads too much, over the field */
-    double w;          /* that over its standard deviation */
     double drift;      /* K in the rest, if it is left out for that; else 0 */
 } rejected_position;
 
@@ -26,22 +25,22 @@ typedef struct {
 } rejection;
 
 /* Looks for outliers (invcal_outliers_find), in turns among every k-th position if there are more
- * than INVCAL_OUTLIERS_CAPACITY. Sets that cannot be judged, because they are too few or
+ * than INVCAL_MAX_POSITIONS. Sets that cannot be judged, because they are too few or
  * undetermined, lose none: calibrating them tells why.
  *
  * none  1: looks for none.
  *
  * Returns EXIT_GOOD; EXIT_FILE, with a message, without memory. To be released with
  * rejection_free in either case. */
-int rejection_find(rejection *r, const positions *p, const invcal_settings *settings, int none);
+int rejection_find(rejection *r, const positions *p, const fit_settings *settings, int none);
 
 /* The same in steps, for those who have reasons of their own: begins with readings that are none of
  * this field, adds, removes, searches (nine parameters), and finishes as often as kept ones are
  * wanted. */
-int rejection_begin(rejection *r, const positions *p, const invcal_settings *settings, int none);
+int rejection_begin(rejection *r, const positions *p, const fit_settings *settings, int none);
 void rejection_add(rejection *r, rejected_position one);
 void rejection_remove(rejection *r, unsigned position);
-void rejection_search(rejection *r, const positions *p, const invcal_settings *settings);
+void rejection_search(rejection *r, const positions *p, const fit_settings *settings);
 void rejection_finish(rejection *r, const positions *p);
 
 int rejection_has(const rejection *r, unsigned position);

@@ -5,9 +5,10 @@
 #include <string.h>
 
 #include "command.h"
+#include "gravity.h"
 #include "input.h"
-#include "invcal/gravity.h"
 #include "number.h"
+#include "options.h"
 #include "parameters.h"
 #include "report_facts.h"
 
@@ -26,7 +27,7 @@ static const char *worst_spread(const report_facts *f, char text[FIGURE_MAX])
 /* What stands behind the result. */
 static void say_support(const report_facts *f, char text[SUPPORT_MAX])
 {
-    const invcal_quality *q = &f->result->quality;
+    const fit_quality *q = &f->result->quality;
     const double times = calibrate_unexplained(f->result);
     char list[128];
 
@@ -75,9 +76,8 @@ static void say_weak(const report_facts *f, char *text)
         text, TEXT_MAX,
         "The positions tell too little of %s: use the calibration only within its ±. In the "
         "worst direction (%s) the length of a corrected reading is uncertain by ±%s %s (95 %%).",
-        parameters_list(f->result->quality.undetermined, list, sizeof list),
-        f->length_sigma.worst_words, worst_spread(f, spread),
-        f->knows_noise ? f->unit : "times the noise of a position mean");
+        parameters_list(f->result->quality.weak, list, sizeof list), f->length_sigma.worst_words,
+        worst_spread(f, spread), f->knows_noise ? f->unit : "times the noise of a position mean");
 }
 
 /* Residuals that cannot be laid at one position's door: the fit is not to be relied on. */
@@ -97,8 +97,9 @@ static void write_doubt(page *p, const report_facts *f)
 static void write_verdict(page *p, const report_facts *f)
 {
     const char *saved = f->wish->saved;
+    char path[MESSAGE_MAX];
     char sentence[TEXT_MAX];
-    char next[TEXT_MAX];
+    char next[MESSAGE_MAX + TEXT_MAX];
     char advice[128];
 
     switch (f->result->quality.verdict) {
@@ -109,7 +110,8 @@ static void write_verdict(page *p, const report_facts *f)
         }
         say_good(f, sentence);
         snprintf(next, sizeof next, "%scorrect readings with invcal apply %s LOG.",
-                 saved ? "" : "save it with --out CAL.json, and ", saved ? saved : "CAL.json");
+                 saved ? "" : "save it with --out CAL.json, and ",
+                 options_quoted(saved ? saved : "CAL.json", path, sizeof path));
         if (calibrate_is_rough(f->result)) {
             page_verdict(p, PAGE_CAUTION, "! Rough", sentence,
                          "look for what disturbs the positions: a hand, a vibration, clipping, a "
@@ -136,8 +138,7 @@ static void write_verdict(page *p, const report_facts *f)
             break;
         }
         snprintf(next, sizeof next, "add positions with %s. Begin with: %s.",
-                 parameters_advice(f->result->quality.undetermined, advice, sizeof advice),
-                 f->next_words);
+                 parameters_advice(f->result->quality.weak, advice, sizeof advice), f->next_words);
         page_verdict(p, PAGE_BAD, "✗ Weak", sentence, next);
         break;
     }
@@ -159,7 +160,7 @@ static void write_improvement(page *p, const report_facts *f)
     }
     snprintf(text, sizeof text, "%s%s%s %s",
              is_guess ? "" : figure_digits(REPORT_PARTS * r->residual_before, 3, before),
-             is_guess ? "" : " → ", figure_digits(REPORT_PARTS * r->quality.residual_rms, 3, after),
+             is_guess ? "" : " → ", figure_digits(REPORT_PARTS * r->quality.rms, 3, after),
              f->unit);
     snprintf(what, sizeof what, "rms error of %s in these positions, %s", f->length,
              is_guess ? "calibrated" : "before and after");
@@ -220,16 +221,17 @@ static void write_temperature(page *p, const report_facts *f)
 
 static void write_matrix(page *p, const report_facts *f)
 {
-    const invcal_calibration *c = &f->result->solution.calibration;
+    const calibrate_result *r = f->result;
+    const invcal_calibration c = fit_in_field_units(&r->solution.calibration, r->settings.field);
 
-    page_fact(p, "offset", "%.9g, %.9g, %.9g %s", c->offset[0], c->offset[1], c->offset[2],
-              calibrate_input_unit(f->result));
+    page_fact(p, "offset", "%.9g, %.9g, %.9g %s", c.offset[0], c.offset[1], c.offset[2],
+              calibrate_input_unit(r));
     for (unsigned i = 0; i < 3; i++) {
-        page_fact(p, i == 0 ? "matrix" : "", "%.9g, %.9g, %.9g", c->matrix[i][0], c->matrix[i][1],
-                  c->matrix[i][2]);
+        page_fact(p, i == 0 ? "matrix" : "", "%.9g, %.9g, %.9g", c.matrix[i][0], c.matrix[i][1],
+                  c.matrix[i][2]);
     }
     page_fact(p, "frame", "%s",
-              f->result->settings.frame == INVCAL_FRAME_TRIANGULAR
+              r->settings.is_triangular
                   ? "triangular: only the x sensor feels a field along the x axis"
                   : "symmetric: axes as near to the case as can be");
 }
@@ -260,7 +262,7 @@ static void write_origin(page *p, const report_facts *f)
         page_fact(p, "normal gravity",
                   "at %.6g degrees, %.6g m, ±%.4f m/s²: an error scales all readings alike, and "
                   "does nothing else",
-                  r->place[0], r->place[1], (double)INVCAL_GRAVITY_SIGMA);
+                  r->place[0], r->place[1], GRAVITY_SIGMA);
     }
     page_fact(p, "positions", "%u used, %u left out", r->rejected.kept_count, r->rejected.count);
     write_temperature(p, f);
@@ -269,8 +271,8 @@ static void write_origin(page *p, const report_facts *f)
     page_fact(p, "condition", "%.4g", r->quality.condition);
     page_fact(p, "degrees of freedom", "%.4g", r->quality.dof);
     if (r->settings.noise > 0) {
-        page_fact(p, "noise", "%.3g %s of a position mean, %s", r->settings.noise,
-                  calibrate_field_unit(r),
+        page_fact(p, "noise", "%.3g %s of a position mean, %s",
+                  r->settings.noise * r->settings.field, calibrate_field_unit(r),
                   r->is_noise_given ? "stated" : "from the scatter of the samples");
     }
     page_facts_end(p);

@@ -16,16 +16,15 @@ static double length(const double v[3])
 static void find_positions(report_facts *f)
 {
     const calibrate_result *r = f->result;
-    const double field = r->settings.field;
 
     for (unsigned n = 0; n < f->count; n++) {
         report_position *at = &f->position[n];
         double v[3];
         invcal_apply(&r->settings.nominal, &r->data->mean[3 * (size_t)n], v);
-        at->before = REPORT_PARTS * (length(v) / field - 1);
+        at->before = REPORT_PARTS * (length(v) - 1);
         const invcal_calibration here = calibrate_at(r, n);
         invcal_apply(&here, &r->data->mean[3 * (size_t)n], v);
-        at->after = REPORT_PARTS * (length(v) / field - 1);
+        at->after = REPORT_PARTS * (length(v) - 1);
         for (unsigned i = 0; i < 3; i++) {
             at->up[i] = length(v) > 0 ? v[i] / length(v) : i == 2;
         }
@@ -35,36 +34,50 @@ static void find_positions(report_facts *f)
     }
 }
 
+/* Where to turn next, beside the positions kept. Returns 0 without memory. */
+static int find_next(report_facts *f)
+{
+    const unsigned kept = f->result->rejected.kept_count;
+    double *raw = calloc(3 * (size_t)kept + 1, sizeof *raw);
+
+    if (!raw) {
+        return 0;
+    }
+    for (unsigned n = 0; n < kept; n++) {
+        calibrate_reading(f->result, n, &raw[3 * (size_t)n]);
+    }
+    invcal_next(raw, kept, &f->result->solution.symmetric, f->next);
+    (void)invcal_words(f->next, f->next_words);
+    free(raw);
+    return 1;
+}
+
 static void set_marks(report_facts *f)
 {
     for (unsigned n = 0; n < f->count; n++) {
         memcpy(f->mark[n].up, f->position[n].up, sizeof f->mark[n].up);
         f->mark[n].kind = f->position[n].is_left_out ? SPHERE_LEFT_OUT : SPHERE_POSITION;
     }
-    memcpy(f->mark[f->count].up, f->next.up, sizeof f->next.up);
+    memcpy(f->mark[f->count].up, f->next, sizeof f->next);
     f->mark[f->count].kind = SPHERE_NEXT;
 }
 
 int report_facts_find(report_facts *f, const calibrate_result *result, const calibrate_wish *wish)
 {
-    const double field = result->settings.field;
-
     *f = (report_facts){.result = result, .wish = wish, .count = result->data->count};
-    f->is_gravity = unit_is_gravity(field);
+    f->is_gravity = unit_is_gravity(result->settings.field);
     f->unit = f->is_gravity ? "mg" : "‰ of the field";
     f->length = f->is_gravity ? "|a|" : "length";
     f->knows_noise = calibrate_knows_noise(result);
     f->noise = f->knows_noise ? REPORT_PARTS * result->quality.noise : 1;
     f->position = calloc(f->count, sizeof *f->position);
     f->mark = calloc((size_t)f->count + 1, sizeof *f->mark);
-    if (!f->position || !f->mark) {
+    if (!f->position || !f->mark || !find_next(f)) {
         message("%s: not enough memory for a report of %u positions", result->data->name, f->count);
         return EXIT_FILE;
     }
     find_positions(f);
-    calibrate_spread(result, f->noise, &f->length_sigma, &f->normal);
-    (void)invcal_guidance_next(&f->normal, NULL, &f->next);
-    invcal_guidance_words(f->next.up, f->next_words);
+    calibrate_spread(result, f->noise, &f->length_sigma);
     set_marks(f);
     return EXIT_GOOD;
 }

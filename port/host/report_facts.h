@@ -31,11 +31,10 @@ typedef struct {
     unsigned count;
     report_position *position; /* count of them */
     sphere_mark *mark;         /* the same for the sphere, and behind them the next one */
-    invcal_normal normal;      /* of the calibrated readings that were kept */
     double noise;              /* of a position mean, thousandths; 1 if not known */
     uncertainty length_sigma;  /* of the calibrated length, in units of the noise above */
-    invcal_guidance next;
-    char next_words[INVCAL_GUIDANCE_WORDS];
+    double next[3];            /* the direction to take next, in the calibrated frame, */
+    char next_words[INVCAL_WORDS];
 } report_facts;
 
 /* EXIT_GOOD; EXIT_FILE, with a message, without memory. To be released in either case. */

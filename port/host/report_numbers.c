@@ -66,7 +66,7 @@ static int is_listed(const report_facts *f, unsigned n)
     const report_position *at = &f->position[n];
 
     return f->count <= LISTED || at->is_left_out ||
-           fabs(at->after) >= 0.7 * REPORT_PARTS * f->result->quality.residual_max;
+           fabs(at->after) >= 0.7 * REPORT_PARTS * f->result->quality.max;
 }
 
 void report_numbers(page *p, const report_facts *f)

@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "chart.h"
+#include "matrix.h"
 #include "parameters.h"
 #include "report_facts.h"
 
@@ -37,19 +38,14 @@ static const char *unit_of(const report_facts *f, unsigned kind)
 
 static double value_of(const report_facts *f, unsigned kind, unsigned i)
 {
-    const invcal_solution *s = &f->result->solution;
-    const double *const values[3] = {s->delta, s->dk, s->gamma};
-
-    return kinds[kind].scale * values[kind][i];
+    return kinds[kind].scale * f->result->solution.x[3 * kind + i];
 }
 
 /* NaN: not known. */
 static double sigma_of(const report_facts *f, unsigned kind, unsigned i)
 {
-    const invcal_quality *q = &f->result->quality;
-    const double *const sigmas[3] = {q->sigma_delta, q->sigma_dk, q->sigma_gamma};
-
-    return f->knows_noise ? kinds[kind].scale * sigmas[kind][i] : (double)NAN;
+    return f->knows_noise ? kinds[kind].scale * f->result->quality.sigma[3 * kind + i]
+                          : (double)NAN;
 }
 
 /* Of the data sheet, or NaN. */
@@ -71,7 +67,7 @@ static int is_beyond(const report_facts *f, unsigned kind, unsigned i)
 
 static int is_weak(const report_facts *f, unsigned kind, unsigned i)
 {
-    return f->result->quality.undetermined >> (3 * kind + i) & 1;
+    return f->result->quality.weak >> (3 * kind + i) & 1;
 }
 
 /* ---- the table --------------------------------------------------------------------------------- */
@@ -81,18 +77,18 @@ static void raw_cells(const report_facts *f, unsigned kind, unsigned i, char raw
                       char nominal[CELL])
 {
     const calibrate_result *r = f->result;
-    const double dk = r->solution.dk[i];
+    const double dk = r->solution.x[INVCAL_DK_X + i];
     double inverse[3][3];
     double value = r->solution.calibration.offset[i];
     double sigma = r->quality.sigma_offset[i];
     double before = r->nominal.calibration.offset[i];
     char text[FIGURE_MAX];
 
-    (void)invcal_calibration_inverse(&r->nominal.calibration, inverse); /* no result without */
+    (void)matrix_inverse(&r->nominal.calibration, inverse); /* no result without */
     if (kind == 1) {
         before = inverse[i][i];
         value = before * (1 + dk);
-        sigma = fabs(before) * r->quality.sigma_dk[i];
+        sigma = fabs(before) * r->quality.sigma[INVCAL_DK_X + i];
     }
     sigma = f->knows_noise ? sigma : (double)NAN;
     snprintf(raw, CELL, "%s", kind == 2 ? "" : figure_with_sigma(value, sigma, FIGURE_PLAIN, text));
@@ -288,7 +284,6 @@ void report_parameters(page *p, const report_facts *f)
     snprintf(caption, sizeof caption, "Deviation from nominal.%s%s%s",
              f->knows_noise ? " Whiskers: 95 % of cases." : "",
              f->result->tolerance ? " Dashed: limits of the data sheet." : "",
-             invcal_has_prior(&f->result->settings) ? " Shaded: prior, one standard deviation."
-                                                    : "");
+             fit_has_prior(&f->result->settings) ? " Shaded: prior, one standard deviation." : "");
     page_picture(p, caption, draw_bars, f);
 }

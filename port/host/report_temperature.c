@@ -61,9 +61,9 @@ static void write_slope(page *p, const page_table *sheet, const report_facts *f,
 {
     static const char *const kinds[KINDS] = {"offset", "scale", "angle"};
     const thermal_fit *fit = &f->result->fit;
-    const invcal_thermal_calibration *c = &fit->calibration;
+    const invcal_thermal *c = &fit->calibration;
     const kind k = kind_of(f, parameter / 3);
-    const double range = c->greatest - c->least;
+    const double range = c->max - c->min;
     char name[CELL];
     char slope[FIGURE_MAX];
     char change[FIGURE_MAX];
@@ -106,9 +106,9 @@ typedef struct {
 
 static double temperature_at(const thermal_fit *fit, unsigned step)
 {
-    const invcal_thermal_calibration *c = &fit->calibration;
+    const invcal_thermal *c = &fit->calibration;
 
-    return c->least + (c->greatest - c->least) * step / STEPS;
+    return c->min + (c->max - c->min) * step / STEPS;
 }
 
 static void find_curves(const report_facts *f, unsigned which, curves *c)
@@ -116,14 +116,13 @@ static void find_curves(const report_facts *f, unsigned which, curves *c)
     const kind k = kind_of(f, which);
 
     for (unsigned step = 0; step <= STEPS; step++) {
-        invcal_solution s;
-        invcal_quality q;
-        thermal_fit_judge(&f->result->fit, temperature_at(&f->result->fit, step), &s, &q);
-        const double *const values[] = {s.delta, s.dk, s.gamma};
-        const double *const sigmas[] = {q.sigma_delta, q.sigma_dk, q.sigma_gamma};
+        fit_solution s;
+        fit_quality q;
+        thermal_fit_judge(&f->result->fit, &f->result->rejected,
+                          temperature_at(&f->result->fit, step), &s, &q);
         for (unsigned i = 0; i < KINDS; i++) {
-            c->value[i][step] = k.scale * values[which][i];
-            c->half[i][step] = f->knows_noise ? k.scale * q.coverage * sigmas[which][i] : 0;
+            c->value[i][step] = k.scale * s.x[3 * which + i];
+            c->half[i][step] = f->knows_noise ? k.scale * q.coverage * q.sigma[3 * which + i] : 0;
         }
     }
 }
@@ -225,14 +224,14 @@ static void name_axis(FILE *file, const ruler *x, double height)
 static void draw_parameters(FILE *file, const void *data, double width)
 {
     const report_facts *f = data;
-    const invcal_thermal_calibration *c = &f->result->fit.calibration;
-    const ruler x = temperature_ruler(c->least, c->greatest, width);
+    const invcal_thermal *c = &f->result->fit.calibration;
+    const ruler x = temperature_ruler(c->min, c->max, width);
     char text[TEXT_MAX];
 
     snprintf(text, sizeof text,
              "Offsets, scale errors and angles against temperature from %.4g to %.4g °C, with the "
              "band that holds the truth in 95 %% of cases. The table above tells the slopes.",
-             c->least, c->greatest);
+             c->min, c->max);
     svg_begin_inline(file, width, height_of(KINDS, GAP), "The parameters over temperature", text);
     for (unsigned which = 0; which < KINDS; which++) {
         draw_kind(file, f, which, &x);
@@ -256,7 +255,7 @@ static double residual_of(const report_facts *f, unsigned n, terms which)
     }
     invcal_apply(&fit->nine.calibration, &f->result->data->mean[3 * (size_t)n], v);
     const double length = sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
-    return REPORT_PARTS * (length / f->result->settings.field - 1);
+    return REPORT_PARTS * (length - 1);
 }
 
 static double reach_of(const report_facts *f, terms which)
@@ -348,21 +347,21 @@ static void draw_residuals(FILE *file, const void *data, double width)
 
 static void say_fitted(page *p, const report_facts *f)
 {
-    const invcal_thermal_calibration *c = &f->result->fit.calibration;
+    const invcal_thermal *c = &f->result->fit.calibration;
 
     if (c->fitted == 0) {
-        page_say(p, "The positions were at %.2f ... %.2f °C. No slopes: %s.", c->least, c->greatest,
-                 invcal_thermal_fallback_text(c->fallback));
+        page_say(p, "The positions were at %.2f ... %.2f °C. No slopes: %s.", c->min, c->max,
+                 invcal_thermal_fallback_text((invcal_thermal_fallback)c->fallback));
         return;
     }
     page_say(p,
              "The positions were at %.2f ... %.2f °C: %s of temperature describe offsets, scales "
              "and angles there. The parameters on this page are those at %.2f °C. Outside that "
              "range invcal apply holds what is true at its edge, and says so.",
-             c->least, c->greatest, c->fitted > 1 ? "parabolas" : "straight lines", c->reference);
+             c->min, c->max, c->fitted > 1 ? "parabolas" : "straight lines", c->reference);
     if (c->fallback != INVCAL_THERMAL_AS_ASKED) {
         page_say(p, "Parabolas were asked for, but not to be had: %s.",
-                 invcal_thermal_fallback_text(c->fallback));
+                 invcal_thermal_fallback_text((invcal_thermal_fallback)c->fallback));
     }
 }
 
@@ -376,7 +375,7 @@ static void say_difference(page *p, const report_facts *f)
              "Nine parameters alone leave an rms error of %s %s in the same positions, with "
              "temperature it is %s %s.",
              figure_digits(REPORT_PARTS * fit->without, 3, before), f->unit,
-             figure_digits(REPORT_PARTS * f->result->quality.residual_rms, 3, after), f->unit);
+             figure_digits(REPORT_PARTS * f->result->quality.rms, 3, after), f->unit);
 }
 
 static void write_thermal(page *p, const report_facts *f)

@@ -157,7 +157,7 @@ static void say_refused(page *p, const rests_summary *log)
         if (log->refused[i] > 0) {
             page_say(p, "%u rest%s refused: %s.", log->refused[i],
                      log->refused[i] == 1 ? " was" : "s were",
-                     invcal_rest_reason_text((invcal_rest_reason)i));
+                     rests_reason_text((invcal_status)(INVCAL_REST_SHORT + i)));
         }
     }
 }

@@ -17,6 +17,35 @@ typedef struct {
     rests_summary *summary;
 } reading;
 
+const char *rests_reason_text(invcal_status reason)
+{
+    switch (reason) {
+    case INVCAL_REST_SHORT:
+        return "too short: hold it still longer";
+    case INVCAL_REST_DRIFT:
+        return "readings creep: turned slowly, or not settled";
+    case INVCAL_REST_CLIPPED:
+        return "at the end of the sensor's range";
+    case INVCAL_REST_FROZEN:
+        return "readings, or those of an axis, never change: is the sensor read?";
+    case INVCAL_REST_GAP:
+        return "too short: samples were lost";
+    case INVCAL_REST_SAME:
+        return "the same place as before";
+    case INVCAL_OUT_OF_RANGE:
+        return "a reading is below a tenth or above ten times the field: wrong scale, zero or "
+               "field";
+    default:
+        return invcal_status_text(reason);
+    }
+}
+
+void rests_refuse(rests_summary *summary, invcal_status reason, recording *log)
+{
+    summary->refused[reason - INVCAL_REST_SHORT]++;
+    timeline_refuse(&log->outline);
+}
+
 int rests_take(positions *p, const invcal_rest *rest, double unit, const recording *log)
 {
     const recording_place place = recording_find(log, rest);
@@ -24,9 +53,8 @@ int rests_take(positions *p, const invcal_rest *rest, double unit, const recordi
                                     place.drift};
     double mean[3];
 
-    invcal_rest_mean(rest, mean);
     for (unsigned i = 0; i < 3; i++) {
-        mean[i] *= unit;
+        mean[i] = (double)rest->sum[i] / rest->count * unit;
         p->noise_square[i] += rest->variance * unit * unit / rest->count;
     }
     return positions_add(p, mean, &origin);
@@ -45,24 +73,20 @@ void rests_end(positions *p, const samples *log, rests_summary *summary)
     p->has_temperature = log->has_temperature;
 }
 
-static int digest(reading *r, const invcal_still *still, invcal_still_event seen,
-                  const invcal_rest *rest)
-{
-    if (seen == INVCAL_STILL_REFUSED) {
-        r->summary->refused[invcal_still_reason(still)]++;
-        timeline_refuse(&log_recording.outline);
-    }
-    return seen == INVCAL_STILL_TAKEN ? rests_take(r->p, rest, r->unit, &log_recording) : EXIT_GOOD;
-}
-
-static int32_t rail(double value, double unit)
-{
-    return (int32_t)fmax(INT32_MIN, fmin(INT32_MAX, nearbyint(value / unit)));
-}
-
-static int read_samples(reading *r, samples *log, invcal_still *still)
+static int digest(reading *r, const invcal_rests *rests, invcal_event event)
 {
     invcal_rest rest;
+
+    if (event == INVCAL_REFUSED) {
+        rests_refuse(r->summary, invcal_rests_reason(rests), &log_recording);
+    }
+    return event == INVCAL_TAKEN && invcal_rests_get(rests, &rest)
+               ? rests_take(r->p, &rest, r->unit, &log_recording)
+               : EXIT_GOOD;
+}
+
+static int read_samples(reading *r, samples *log, invcal_rests *rests)
+{
     sample s;
     int more;
     int failure = EXIT_GOOD;
@@ -70,14 +94,14 @@ static int read_samples(reading *r, samples *log, invcal_still *still)
     recording_begin(&log_recording, log);
     while (!failure && (more = samples_next(log, &s)) == 1) {
         if (s.is_gap) {
-            invcal_still_gap(still);
+            invcal_rests_gap(rests);
         }
         r->summary->samples++;
         recording_sample(&log_recording, log, &s);
-        const invcal_still_event seen = invcal_still_push(still, s.raw, &rest);
-        if (seen != INVCAL_STILL_NONE) {
+        const invcal_event event = invcal_rests_feed(rests, s.raw);
+        if (event != INVCAL_NOTHING) {
             recording_filled(&log_recording);
-            failure = digest(r, still, seen, &rest);
+            failure = digest(r, rests, event);
         }
         progress_show(&log->table, r->p->count);
     }
@@ -85,26 +109,37 @@ static int read_samples(reading *r, samples *log, invcal_still *still)
     if (failure || more < 0) {
         return EXIT_FILE;
     }
-    return digest(r, still, invcal_still_finish(still, &rest), &rest);
+    return digest(r, rests, invcal_rests_finish(rests));
+}
+
+static int begin(invcal_rests *rests, const samples *log, const double *clip)
+{
+    if (invcal_rests_init(rests, samples_whole_rate(log)) != INVCAL_OK) {
+        message("%s: %.6g samples a second: rests are found at 8 to 8000", log->table.name,
+                log->rate);
+        return EXIT_FILE;
+    }
+    if (clip && invcal_rests_rails(rests, samples_count(log, clip[0]),
+                                   samples_count(log, clip[1])) != INVCAL_OK) {
+        message("%s: --clip: the two are the same reading", log->table.name);
+        return EXIT_FILE;
+    }
+    return EXIT_GOOD;
 }
 
 int rests_read(positions *p, const char *path, double rate, const double clip[2],
                rests_summary *summary)
 {
     static samples log; /* too large for the stack */
-    invcal_still still;
+    invcal_rests rests;
     int failure = samples_open(&log, path, rate, 0);
     reading r = {p, log.unit, summary};
 
     *p = (positions){.name = log.table.name, .has_noise = 1, .seen = log.where.seen};
     *summary = (rests_summary){
         .rate = log.rate, .is_rate_known = log.is_rate_known, .outline = &log_recording.outline};
-    if (!failure && invcal_still_init(&still, log.rate, clip ? rail(clip[0], log.unit) : 0,
-                                      clip ? rail(clip[1], log.unit) : 0) != INVCAL_OK) {
-        message("%s: %.6g samples a second: rests are found at 8 to 8000", p->name, log.rate);
-        failure = EXIT_FILE;
-    }
-    failure = failure ? failure : read_samples(&r, &log, &still);
+    failure = failure ? failure : begin(&rests, &log, clip);
+    failure = failure ? failure : read_samples(&r, &log, &rests);
     samples_close(&log);
     rests_end(p, &log, summary);
     return failure;

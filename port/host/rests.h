@@ -5,11 +5,12 @@
 #ifndef RESTS_H
 #define RESTS_H
 
-#include "invcal/still.h"
+#include "invcal/expert.h"
 #include "positions.h"
 #include "recording.h"
 
-enum { RESTS_REASONS = INVCAL_REST_SAME + 1 };
+/* INVCAL_REST_SHORT ... INVCAL_REST_SAME: why a rest is no position. */
+enum { RESTS_REASONS = INVCAL_REST_SAME - INVCAL_REST_SHORT + 1 };
 
 /* What was seen besides the positions. */
 typedef struct {
@@ -19,9 +20,15 @@ typedef struct {
     int is_rate_known;
     unsigned long gaps;              /* in the times, or of lines that were skipped */
     unsigned long skipped;           /* malformed lines of a live stream */
-    unsigned refused[RESTS_REASONS]; /* rests, by their reason */
+    unsigned refused[RESTS_REASONS]; /* rests, by their reason, from INVCAL_REST_SHORT on */
     const timeline *outline;
 } rests_summary;
+
+/* Why a rest is no position, or its mean no reading of this field. */
+const char *rests_reason_text(invcal_status reason);
+
+/* Counts a rest that was refused for an INVCAL_REST_. */
+void rests_refuse(rests_summary *summary, invcal_status reason, recording *log);
 
 /* Adds a rest to the positions. `unit` is that of a count. Returns as positions_add. */
 int rests_take(positions *p, const invcal_rest *rest, double unit, const recording *log);

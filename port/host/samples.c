@@ -6,7 +6,6 @@
 #include <string.h>
 
 #include "command.h"
-#include "invcal/still.h"
 #include "message.h"
 
 #define RATE_GUESS 100.0
@@ -146,7 +145,7 @@ static int find_rate(samples *s)
     }
     const double step = usual_step(s);
     s->rate = round_rate(1 / step);
-    if (!(s->rate >= INVCAL_STILL_RATE_MIN && s->rate <= INVCAL_STILL_RATE_MAX)) {
+    if (!(s->rate >= SAMPLES_RATE_MIN && s->rate <= SAMPLES_RATE_MAX)) {
         message(
             "%s:%lu: the times go on by %.6g, which are no seconds of a log of 8 to 8000 samples a "
             "second: put the unit into the heading (t_ms, t_us), state --rate, or leave the column "
@@ -197,9 +196,14 @@ int samples_open(samples *s, const char *path, double rate, int live)
     return rate > 0 ? EXIT_GOOD : find_rate(s);
 }
 
-static int32_t to_counts(double value, double unit)
+unsigned samples_whole_rate(const samples *s)
 {
-    return (int32_t)fmax(INT32_MIN, fmin(INT32_MAX, nearbyint(value / unit)));
+    return (unsigned)fmin(UINT16_MAX, nearbyint(s->rate));
+}
+
+int32_t samples_count(const samples *s, double value)
+{
+    return (int32_t)fmax(INT32_MIN, fmin(INT32_MAX, nearbyint(value / s->unit)));
 }
 
 /* Times of any unit are of no use, nor are those that jump. */
@@ -226,7 +230,7 @@ int samples_next(samples *s, sample *out)
         out->line = s->table.line;
     }
     for (unsigned i = 0; i < 3; i++) {
-        out->raw[i] = to_counts(v[i], s->unit);
+        out->raw[i] = samples_count(s, v[i]);
     }
     out->time = v[TIME];
     out->temperature = v[TEMPERATURE];

@@ -12,6 +12,9 @@
 
 #include "columns.h"
 
+#define SAMPLES_RATE_MIN 8 /* samples a second in which rests are found */
+#define SAMPLES_RATE_MAX 8000
+
 #define SAMPLES_AHEAD 256u     /* lines that decide, */
 #define SAMPLES_PAUSE 60.0     /* seconds that a log may pause and go on */
 #define SAMPLES_AHEAD_LIVE 32u /* of a live stream */
@@ -60,6 +63,12 @@ typedef struct {
  * sample, or the times do not tell a rate within 8 ... 8000. The structure is large and must not
  * be moved. To be closed with samples_close in either case. */
 int samples_open(samples *s, const char *path, double rate, int live);
+
+/* The rate in whole samples a second, as the library wants it. */
+unsigned samples_whole_rate(const samples *s);
+
+/* A reading in counts; beyond an int32 the nearest. */
+int32_t samples_count(const samples *s, double value);
 
 /* The next sample. Returns 1; 0 at the end; -1, with a message, for a malformed line. */
 int samples_next(samples *s, sample *out);

@@ -11,28 +11,27 @@ void thermal_correction_begin(thermal_correction *c, const calibration_file *fil
     *c = (thermal_correction){.file = file,
                               .now = file->calibration,
                               .at = NUMBER_UNKNOWN,
-                              .coldest = file->thermal.least,
-                              .warmest = file->thermal.greatest};
+                              .coldest = file->thermal.min,
+                              .warmest = file->thermal.max};
 }
 
 const invcal_calibration *thermal_correction_at(thermal_correction *c, double temperature)
 {
-    invcal_solution solution;
-    invcal_thermal_place place;
+    invcal_calibration here;
 
     if (!c->file->has_thermal) {
         return &c->now;
     }
     c->readings++;
-    c->below += temperature < c->file->thermal.least;
-    c->above += temperature > c->file->thermal.greatest;
+    c->below += temperature < c->file->thermal.min;
+    c->above += temperature > c->file->thermal.max;
     c->coldest = fmin(c->coldest, temperature);
     c->warmest = fmax(c->warmest, temperature);
     /* It holds at both ends of its range (calibration_file.h); where it should not in between, the
      * last one stays. */
     if (!(fabs(temperature - c->at) <= THERMAL_CORRECTION_STEP) &&
-        invcal_thermal_at(&c->file->thermal, temperature, &solution, &place) == INVCAL_OK) {
-        c->now = solution.calibration;
+        calibration_file_at(c->file, temperature, &here)) {
+        c->now = here;
         c->at = temperature;
     }
     return &c->now;
@@ -40,13 +39,13 @@ const invcal_calibration *thermal_correction_at(thermal_correction *c, double te
 
 void thermal_correction_end(const thermal_correction *c, const char *log)
 {
-    const invcal_thermal_calibration *t = &c->file->thermal;
-    const double farthest = fmax(t->least - c->coldest, c->warmest - t->greatest);
+    const invcal_thermal *t = &c->file->thermal;
+    const double farthest = fmax(t->min - c->coldest, c->warmest - t->max);
 
     if (c->below + c->above > 0) {
         message(
             "warning: %s: %lu of %lu readings are up to %.3g K outside %.6g ... %.6g °C, where the "
             "calibration was made: they are corrected as at its edge",
-            log, c->below + c->above, c->readings, farthest, t->least, t->greatest);
+            log, c->below + c->above, c->readings, farthest, t->min, t->max);
     }
 }

@@ -5,11 +5,9 @@
 #ifndef THERMAL_FIT_H
 #define THERMAL_FIT_H
 
-#include "invcal/thermal.h"
 #include "positions.h"
 #include "rejection.h"
-
-#define THERMAL_COEFFICIENTS (INVCAL_THERMAL_ROWS * INVCAL_PARAMETERS)
+#include "thermal_rows.h"
 
 /* What is asked for. */
 typedef struct {
@@ -20,20 +18,19 @@ typedef struct {
 
 typedef struct {
     thermal_wish wish;
-    invcal_settings settings; /* the noise is what a prior is weighed with */
-    invcal_thermal_settings thermal;
-    invcal_thermal_calibration calibration;
-    invcal_solution solution; /* at the reference, and what it is worth there; worst counts */
-    invcal_quality quality;   /* among the positions kept */
-    invcal_thermal_sums sums; /* of them, on the calibration */
-    double covariance[INVCAL_PACKED_SIZE(THERMAL_COEFFICIENTS)]; /* of the coefficients in
-                                     calibrated units, over noise^2: 9 (fitted + 1) unknowns */
-    double slope[INVCAL_PARAMETERS]; /* of delta, dk, gamma, per K at the reference, */
+    fit_settings settings; /* the noise is what a prior is weighed with */
+    invcal_thermal_prior prior;
+    int has_prior;
+    invcal_thermal calibration;
+    fit_solution solution; /* at the reference, and what it is worth there; worst counts */
+    fit_quality quality;   /* among the positions kept */
+    double covariance[THERMAL_PACKED]; /* of the coefficients in calibrated units, over noise^2 */
+    double slope[INVCAL_PARAMETERS];   /* of delta, dk, gamma, per K at the reference, */
     double slope_sigma[INVCAL_PARAMETERS];
-    invcal_solution nine; /* nine parameters alone for the same positions, */
-    double without;       /* and the rms of their residuals; NaN: they have no solution */
-    double significance;  /* chance that slopes that are none make the difference; 1: no slopes */
-    double drift_limit;   /* K in a rest: those with more are left out */
+    fit_solution nine;   /* nine parameters alone for the same positions, */
+    double without;      /* and the rms of their residuals; NaN: they have no solution */
+    double significance; /* chance that slopes that are none make the difference; 1: no slopes */
+    double drift_limit;  /* K in a rest: those with more are left out */
 } thermal_fit;
 
 /* Fits the positions at which no temperature drifted and which do not contradict the others.
@@ -44,9 +41,16 @@ typedef struct {
  * reason    out: details; its position counts in all positions.
  *
  * Returns EXIT_GOOD; EXIT_FILE, with a message, without memory. */
-int thermal_fit_make(thermal_fit *fit, const positions *p, const invcal_settings *settings,
+int thermal_fit_make(thermal_fit *fit, const positions *p, const fit_settings *settings,
                      const thermal_wish *wish, rejection *rejected, invcal_status *status,
-                     invcal_reason *reason);
+                     fit_reason *reason);
+
+/* A fit to positions, as it is asked for: that of thermal_fit_make, which has centred temperatures.
+ *
+ * Returns as invcal_thermal_fit. */
+invcal_status thermal_fit_once(const rejection *kept, const fit_settings *settings,
+                               const thermal_wish *wish, invcal_thermal *out,
+                               invcal_quality *quality);
 
 /* The calibration at a temperature, at most at the edge of the range seen. */
 invcal_calibration thermal_fit_at(const thermal_fit *fit, double temperature);
@@ -55,8 +59,10 @@ invcal_calibration thermal_fit_at(const thermal_fit *fit, double temperature);
 void thermal_fit_to_reference(const thermal_fit *fit, const double raw[3], double temperature,
                               double out[3]);
 
-/* Parameters and their sigma at a temperature in the range seen. */
-void thermal_fit_judge(const thermal_fit *fit, double temperature, invcal_solution *solution,
-                       invcal_quality *quality);
+/* Parameters and their sigma at a temperature in the range seen.
+ *
+ * kept  the positions that it was made of. */
+void thermal_fit_judge(const thermal_fit *fit, const rejection *kept, double temperature,
+                       fit_solution *solution, fit_quality *quality);
 
 #endif

@@ -1,12 +1,9 @@
 /* SPDX-License-Identifier: MIT */
 #include "thermal_rejection.h"
 
-#include <float.h>
 #include <math.h>
 
-#include "invcal/fisher.h"
-#include "thermal_fit.h"
-#include "thermal_rows.h"
+#include "f_tail.h"
 
 #define ALLOWED 0.007 /* chance to leave out a good one */
 #define SUSPECTS_MOST 24u
@@ -22,6 +19,15 @@ void thermal_rejection_drifting(rejection *r, const positions *p, double limit)
     }
 }
 
+/* A fit to those that are left. Returns 0 if there is none. */
+static int fit(const rejection *r, const fit_settings *settings, const thermal_wish *wish,
+               invcal_thermal *out)
+{
+    invcal_quality quality;
+
+    return thermal_fit_once(r, settings, wish, out, &quality) == INVCAL_OK;
+}
+
 /* The position that stands out most. */
 typedef struct {
     unsigned kept;
@@ -31,29 +37,24 @@ typedef struct {
     double squares; /* of all */
 } suspect;
 
-static suspect find_suspect(const invcal_thermal_calibration *c, const rejection *r,
-                            const double *l)
+static suspect find_suspect(const invcal_thermal *c, const rejection *r, const double *inverse)
 {
-    double row[THERMAL_COEFFICIENTS];
-    double residual;
+    const unsigned n = thermal_rows_unknowns(c);
     suspect most = {0, 0, 1, 0, 0};
+    thermal_row row;
 
-    for (unsigned n = 0; n < r->kept_count; n++) {
-        double checked = 1;
-        if (!thermal_row(c, &r->kept[3 * (size_t)n], r->temperature[n], row, &residual)) {
+    for (unsigned k = 0; k < r->kept_count; k++) {
+        if (!thermal_rows_one(c, &r->kept[3 * (size_t)k], r->temperature[k], &row)) {
             continue;
         }
-        const unsigned count = INVCAL_PARAMETERS * (c->fitted + 1u);
-        invcal_cholesky_forward(l, count, row);
-        for (unsigned i = 0; i < count; i++) {
-            checked -= row[i] * row[i];
-        }
-        most.squares += residual * residual;
-        if (checked > CHECKED && residual * residual / checked > most.drop) {
-            most.kept = n;
-            most.drop = residual * residual / checked;
+        const double square = row.residual * row.residual;
+        const double checked = 1 - thermal_rows_leverage(inverse, n, row.h);
+        most.squares += square;
+        if (checked > CHECKED && square / checked > most.drop) {
+            most.kept = k;
+            most.drop = square / checked;
             most.checked = checked;
-            most.residual = residual;
+            most.residual = row.residual;
         }
     }
     return most;
@@ -62,42 +63,38 @@ static suspect find_suspect(const invcal_thermal_calibration *c, const rejection
 /* What stands out most of those that are left, and whether it contradicts them. */
 typedef enum { NOTHING, DOUBTFUL, CONTRADICTS } judgement;
 
-static judgement judge(const rejection *r, const invcal_thermal_calibration *c,
-                       const invcal_settings *settings, rejected_position *one)
+static judgement judge(const rejection *r, const invcal_thermal *c, const fit_settings *settings,
+                       rejected_position *one)
 {
-    const unsigned unknowns = INVCAL_PARAMETERS * (c->fitted + 1u);
+    const unsigned unknowns = thermal_rows_unknowns(c);
     const unsigned stated = settings->noise > 0;
-    const double expected = settings->noise / settings->field;
-    double l[INVCAL_PACKED_SIZE(THERMAL_COEFFICIENTS)];
+    double inverse[THERMAL_PACKED];
 
-    if (r->kept_count + stated < unknowns + 3 || !thermal_rows_factor(c, r, settings, NULL, 0, l)) {
+    if (r->kept_count + stated < unknowns + 3 || !thermal_rows_inverse(c, r, inverse)) {
         return NOTHING;
     }
-    const suspect most = find_suspect(c, r, l);
+    const suspect most = find_suspect(c, r, inverse);
     const unsigned dof = r->kept_count + stated - unknowns - 1;
-    const double squares = most.squares + expected * expected;
+    const double squares = most.squares + settings->noise * settings->noise;
     const double left = fmax(0, squares - most.drop);
     *one = (rejected_position){.position = rejection_original(r, most.kept),
-                               .error = most.residual / most.checked,
-                               .w = sqrt(most.drop / fmax(left / dof, DBL_MIN))};
-    return invcal_fisher_tail(left / squares, 1, dof) * r->kept_count <= ALLOWED ? CONTRADICTS
-                                                                                 : DOUBTFUL;
+                               .error = most.residual / most.checked};
+    return f_tail(left / squares, 1, dof) * r->kept_count <= ALLOWED ? CONTRADICTS : DOUBTFUL;
 }
 
 /* Beside others that were still there an error is not what it is beside the good ones. */
 static void restate_errors(rejection *r, const positions *p, const unsigned *position,
-                           unsigned count, const invcal_thermal_calibration *c)
+                           unsigned count, const invcal_thermal *c)
 {
-    double row[THERMAL_COEFFICIENTS];
-    double residual;
+    thermal_row row;
 
     for (unsigned i = 0; i < r->count; i++) {
         rejected_position *one = &r->list[i];
         for (unsigned k = 0; k < count; k++) {
             if (position[k] == one->position &&
-                thermal_row(c, &p->mean[3 * (size_t)one->position],
-                            p->origin[one->position].temperature, row, &residual)) {
-                one->error = residual;
+                thermal_rows_one(c, &p->mean[3 * (size_t)one->position],
+                                 p->origin[one->position].temperature, &row)) {
+                one->error = row.residual;
             }
         }
     }
@@ -105,20 +102,17 @@ static void restate_errors(rejection *r, const positions *p, const unsigned *pos
 
 /* Leaves out, one after another, what stands out most. Those up to the last that contradicts are
  * wrong; the others come back. */
-static void reject(rejection *r, const positions *p, const invcal_settings *settings,
-                   const invcal_thermal_settings *thermal)
+static void reject(rejection *r, const positions *p, const fit_settings *settings,
+                   const thermal_wish *wish)
 {
     const unsigned most = p->count / 8 < SUSPECTS_MOST ? p->count / 8 : SUSPECTS_MOST;
     unsigned position[SUSPECTS_MOST];
     unsigned count = 0;
     unsigned wrong = 0;
-    invcal_thermal_calibration c;
-    invcal_quality quality;
+    invcal_thermal c;
     rejected_position one;
 
-    while (count < most &&
-           invcal_thermal_calibrate(r->kept, r->temperature, r->kept_count, settings, thermal, &c,
-                                    &quality, NULL) == INVCAL_OK) {
+    while (count < most && fit(r, settings, wish, &c)) {
         const judgement seen = judge(r, &c, settings, &one);
         if (seen == NOTHING) {
             break;
@@ -132,26 +126,22 @@ static void reject(rejection *r, const positions *p, const invcal_settings *sett
         rejection_remove(r, position[--count]);
     }
     rejection_finish(r, p);
-    if (wrong > 1 && invcal_thermal_calibrate(r->kept, r->temperature, r->kept_count, settings,
-                                              thermal, &c, &quality, NULL) == INVCAL_OK) {
+    if (wrong > 1 && fit(r, settings, wish, &c)) {
         restate_errors(r, p, position, wrong, &c);
     }
 }
 
-void thermal_rejection_find(rejection *r, const positions *p, const invcal_settings *settings,
-                            const invcal_thermal_settings *thermal)
+void thermal_rejection_find(rejection *r, const positions *p, const fit_settings *settings,
+                            const thermal_wish *wish)
 {
-    invcal_thermal_calibration c;
-    invcal_quality quality;
+    invcal_thermal c;
 
     rejection_finish(r, p);
-    if (p->count > THERMAL_REJECTION_MOST ||
-        invcal_thermal_calibrate(r->kept, r->temperature, r->kept_count, settings, thermal, &c,
-                                 &quality, NULL) != INVCAL_OK) {
+    if (p->count > THERMAL_REJECTION_MOST || !fit(r, settings, wish, &c)) {
         return;
     }
     if (c.fitted > 0) {
-        reject(r, p, settings, thermal);
+        reject(r, p, settings, wish);
     } else if (c.fallback == INVCAL_THERMAL_NARROW) {
         rejection_search(r, p, settings);
     }

@@ -20,8 +20,7 @@
 #ifndef THERMAL_REJECTION_H
 #define THERMAL_REJECTION_H
 
-#include "invcal/thermal.h"
-#include "rejection.h"
+#include "thermal_fit.h"
 
 #define THERMAL_REJECTION_MOST 1000u /* of more positions none is left out: it would take long */
 
@@ -30,7 +29,7 @@ void thermal_rejection_drifting(rejection *r, const positions *p, double limit);
 
 /* Adds those that contradict the others. At one temperature the library tells which; at several, but
  * without slopes, nothing does: all that are at another temperature than most would be left out. */
-void thermal_rejection_find(rejection *r, const positions *p, const invcal_settings *settings,
-                            const invcal_thermal_settings *thermal);
+void thermal_rejection_find(rejection *r, const positions *p, const fit_settings *settings,
+                            const thermal_wish *wish);
 
 #endif

@@ -4,65 +4,102 @@
 #include <math.h>
 #include <string.h>
 
-#include "thermal_fit.h"
+#include "matrix.h"
 
 enum { N = INVCAL_PARAMETERS };
 
-int thermal_row(const invcal_thermal_calibration *c, const double raw[3], double temperature,
-                double *row, double *residual)
+unsigned thermal_rows_unknowns(const invcal_thermal *c)
+{
+    return N * (c->fitted + 1u);
+}
+
+int thermal_rows_one(const invcal_thermal *c, const double raw[3], double temperature,
+                     thermal_row *out)
 {
     const double t = (temperature - c->reference) / c->span;
-    invcal_solution here;
+    invcal_calibration here;
     invcal_thermal_place place;
-    invcal_observation observed;
+    invcal_row row;
 
     if (invcal_thermal_at(c, temperature, &here, &place) != INVCAL_OK ||
-        invcal_observe(&here.calibration, c->field, raw, &observed) != INVCAL_OK) {
+        invcal_observe(&here, raw, &row) != INVCAL_OK) {
         return 0;
     }
-    memcpy(row, observed.h, sizeof observed.h);
-    for (unsigned i = N; i < N * (c->fitted + 1u); i++) {
-        row[i] = row[i - N] * t;
+    memcpy(out->h, row.h, sizeof row.h);
+    for (unsigned i = N; i < thermal_rows_unknowns(c); i++) {
+        out->h[i] = out->h[i - N] * t;
     }
-    *residual = sqrt(1 + 2 * observed.j) - 1;
+    out->residual = sqrt(1 + 2 * row.h[INVCAL_J]) - 1;
+    out->weight = fit_weight(&here, &c->nominal, row.h);
     return 1;
 }
 
-static void add_prior(const invcal_thermal_calibration *c, const invcal_settings *settings,
-                      const invcal_thermal_settings *thermal, double noise, double *sum)
+/* H'WH, W a constant for each row and its weight; or H'H for a constant of 0. */
+static void sum_up(const invcal_thermal *c, const rejection *kept, double constant, double *sum)
 {
-    for (unsigned i = 0; i < N * (c->fitted + 1u); i++) {
-        const unsigned r = i % N;
-        const double prior = i < N       ? settings->prior[r]
-                             : i < 2 * N ? thermal->slope[r] * c->span
-                                         : thermal->curvature[r] * c->span * c->span;
-        if (prior > 0) {
-            sum[INVCAL_PACKED(i, i)] += noise / prior * (noise / prior);
+    const unsigned n = thermal_rows_unknowns(c);
+    thermal_row row;
+
+    memset(sum, 0, THERMAL_PACKED * sizeof *sum);
+    for (unsigned k = 0; k < kept->kept_count; k++) {
+        if (!thermal_rows_one(c, &kept->kept[3 * (size_t)k], kept->temperature[k], &row)) {
+            continue;
+        }
+        const double weight = constant > 0 ? constant * row.weight : 1;
+        for (unsigned i = 0; i < n; i++) {
+            for (unsigned j = 0; j <= i; j++) {
+                sum[INVCAL_PACKED(i, j)] += weight * row.h[i] * row.h[j];
+            }
         }
     }
 }
 
-int thermal_rows_factor(const invcal_thermal_calibration *c, const rejection *kept,
-                        const invcal_settings *settings, const invcal_thermal_settings *thermal,
-                        double noise, double *l)
+int thermal_rows_inverse(const invcal_thermal *c, const rejection *kept,
+                         double inverse[THERMAL_PACKED])
 {
-    const unsigned count = N * (c->fitted + 1u);
-    double row[THERMAL_COEFFICIENTS];
-    double residual;
+    const unsigned n = thermal_rows_unknowns(c);
 
-    memset(l, 0, INVCAL_PACKED_SIZE(THERMAL_COEFFICIENTS) * sizeof *l);
-    for (unsigned n = 0; n < kept->kept_count; n++) {
-        if (!thermal_row(c, &kept->kept[3 * (size_t)n], kept->temperature[n], row, &residual)) {
-            continue;
+    sum_up(c, kept, 0, inverse);
+    if (invcal_factor(inverse, n, n, INVCAL_FLOOR) != INVCAL_OK) {
+        return 0;
+    }
+    invcal_invert(inverse, n);
+    return 1;
+}
+
+double thermal_rows_leverage(const double *inverse, unsigned n, const double *h)
+{
+    double sum = 0;
+
+    for (unsigned r = 0; r < n; r++) {
+        double y = 0;
+        for (unsigned c = 0; c <= r; c++) {
+            y += *inverse++ * h[c];
         }
-        for (unsigned i = 0; i < count; i++) {
-            for (unsigned j = 0; j <= i; j++) {
-                l[INVCAL_PACKED(i, j)] += row[i] * row[j];
-            }
+        sum += y * y;
+    }
+    return sum;
+}
+
+int thermal_rows_covariance(const invcal_thermal *c, const rejection *kept,
+                            const invcal_thermal_prior *prior, double noise,
+                            double covariance[THERMAL_PACKED])
+{
+    const unsigned n = thermal_rows_unknowns(c);
+    invcal_calibration here;
+    invcal_thermal_place place;
+
+    if (invcal_thermal_at(c, c->reference, &here, &place) != INVCAL_OK) {
+        return 0;
+    }
+    const double usual = fit_sensitivity(&here, &c->nominal);
+    sum_up(c, kept, usual * usual, covariance);
+    for (unsigned i = 0; i < n; i++) {
+        const unsigned power = i / N;
+        const double sigma = prior->sigma[power][i % N] * pow(c->span, power);
+        if (sigma > 0) {
+            covariance[INVCAL_PACKED(i, i)] += noise / sigma * (noise / sigma);
         }
     }
-    if (thermal) {
-        add_prior(c, settings, thermal, noise, l);
-    }
-    return invcal_cholesky_factor(l, count, INVCAL_PIVOT_FLOOR) == INVCAL_OK;
+    return matrix_invert_packed(covariance, n);
 }

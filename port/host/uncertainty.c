@@ -5,7 +5,6 @@
 #include <string.h>
 
 #include "chart.h"
-#include "invcal/observation.h"
 
 #define TURN 6.2831853071795865
 #define STEP (TURN / 72) /* of the search for the most uncertain direction */
@@ -15,10 +14,11 @@
 double uncertainty_sigma(const void *context, const double up[3])
 {
     const uncertainty *u = context;
-    invcal_observation row;
+    static const invcal_calibration unit = {{0}, {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
+    invcal_row row;
     double square = 0;
 
-    if (invcal_observation_exact(up, &row) != INVCAL_OK) {
+    if (invcal_observe(&unit, up, &row) != INVCAL_OK) {
         return 0;
     }
     for (unsigned i = 0; i < INVCAL_PARAMETERS; i++) {
@@ -44,7 +44,7 @@ void uncertainty_search(uncertainty *u)
             }
         }
     }
-    invcal_guidance_words(u->worst, u->worst_words);
+    (void)invcal_words(u->worst, u->worst_words);
 }
 
 /* Equal steps, or 1, 2, 5, 10 ... where sigma spans much. */

@@ -2,13 +2,13 @@
  *
  * uncertainty.h: how exactly nine parameters tell the length of a reading, direction by direction.
  *
- * The row h of a reading (observation.h) and the covariance K of the nine give its variance,
+ * The row h of a reading (invcal/expert.h) and the covariance K of the nine give its variance,
  * h K h'.
  */
 #ifndef UNCERTAINTY_H
 #define UNCERTAINTY_H
 
-#include "invcal/guidance.h"
+#include "invcal/expert.h"
 #include "sphere.h"
 
 typedef struct {
@@ -16,8 +16,8 @@ typedef struct {
     double unit;  /* the noise of a position mean in the unit to tell; 1 for multiples of it */
     double least; /* sigma of the length, over all directions */
     double most;
-    double worst[3];                         /* the direction of the latter, */
-    char worst_words[INVCAL_GUIDANCE_WORDS]; /* and in words */
+    double worst[3];                /* the direction of the latter, */
+    char worst_words[INVCAL_WORDS]; /* and in words */
 } uncertainty;
 
 /* Finds the least and the most, by a grid of 5 degrees; covariance and unit are given. */

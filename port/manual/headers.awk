@@ -9,11 +9,17 @@
 #     Returns ...; below it  INVCAL_...  text               \return, \retval
 #     Cost: ..., Stack: ..., Error: ...                     a paragraph with this title
 #     invcal_..., INVCAL_... in the text                    a link
+#
+# The macros that put a build's choices into names are left out: functions are called by their names.
 { line[NR] = $0 }
 
 END {
     for (i = 1; i <= NR; i++) {
-        if (line[i] ~ /^ *\/\*/) {
+        if (line[i] ~ /^#define (invcal_|INVCAL_[A-Z_]*CHOSEN)/) {
+            while (line[i] ~ /\\$/) {
+                i++
+            }
+        } else if (line[i] ~ /^ *\/\*/) {
             i = comment(i)
         } else if (line[i] ~ /;.*\/\*|,.*\/\*|^ +INVCAL_.*\/\*|^#define.*\/\*/) {
             i = behind(i)

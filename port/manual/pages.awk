@@ -45,11 +45,12 @@ function spans(text,    out, code) {
 }
 
 # A name of the library alone in a code span becomes a link, and an error if there is no such name.
-# (INVCAL_CONFIG_HEADER is one that only its user defines.)
+# (INVCAL_CONFIG_HEADER is one that only its user
+# defines, and some are as the linker has them: invcal_session_init_float_24.)
 function names(text,    out, name) {
     while (match(text, /`(invcal|INVCAL)_[A-Za-z0-9_]+`/)) {
         name = substr(text, RSTART + 1, RLENGTH - 2)
-        out = out substr(text, 1, RSTART - 1) "<tt>" (name == "INVCAL_CONFIG_HEADER" ? "" : "#") name "</tt>"
+        out = out substr(text, 1, RSTART - 1) "<tt>" (name ~ /^INVCAL_CONFIG_HEADER$|_(float|double)_/ ? "" : "#") name "</tt>"
         text = substr(text, RSTART + RLENGTH)
     }
     return out text

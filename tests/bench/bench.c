@@ -3,16 +3,17 @@
  * Instructions (AVR: cycles) that each operation takes, by the counter of the emulated machine.
  * Prints one line for each, its name and the figure, and OK. Counting itself is subtracted.
  */
-#include <string.h>
-
 #include "../report.h"
-#include "invcal/invcal.h"
+#include "invcal/allan.h"
+#include "invcal/expert.h"
+#include "invcal/plan.h"
+#include "invcal/thermal.h"
 
 enum { POSITIONS = 18, REPEATS = 16 };
 
 /* The paper's program of 18 positions read by a sensor with errors of some percent, raw counts. */
 static invcal_real raw[POSITIONS][3];
-static invcal_settings settings;
+static invcal_calibration nominal;
 static invcal_session session;
 
 /* ---- the clock ------------------------------------------------------------------------------ */
@@ -38,14 +39,12 @@ static void make_positions(void)
                                              {INVCAL_REAL(-0.01), INVCAL_REAL(0.97), 0},
                                              {INVCAL_REAL(0.02), 0, INVCAL_REAL(1.01)}};
     const invcal_real zero[3] = {0, 0, 0};
-    const invcal_real scale[3] = {1 / INVCAL_REAL(8192.0), 1 / INVCAL_REAL(8192.0),
-                                  1 / INVCAL_REAL(8192.0)};
+    const invcal_real counts[3] = {8192, 8192, 8192};
     invcal_plan plan = {.per_group = POSITIONS / INVCAL_PLAN_GROUPS};
     invcal_plan_position p;
 
     (void)invcal_plan_starts(plan.per_group, plan.start);
-    (void)invcal_calibration_nominal(zero, scale, &settings.nominal);
-    settings.field = 1;
+    (void)invcal_nominal(zero, counts, &nominal);
     for (unsigned i = 0; i < POSITIONS; i++) {
         (void)invcal_plan_position_at(&plan, i, &p);
         for (unsigned a = 0; a < 3; a++) {
@@ -59,59 +58,48 @@ static void make_positions(void)
     }
 }
 
-static void add_position(invcal_normal *normal, const invcal_real position[3])
-{
-    invcal_observation row;
-
-    if (invcal_observe(&settings.nominal, settings.field, position, &row) == INVCAL_OK) {
-        (void)invcal_normal_add(normal, &row, 1);
-    }
-}
-
 static void bench_core(void)
 {
-    invcal_normal normal;
-    invcal_solution solution;
+    invcal_sums sums;
+    invcal_calibration calibration;
     invcal_real calibrated[3];
 
     begin();
-    invcal_normal_init(&normal);
+    invcal_sums_init(&sums);
     for (unsigned i = 0; i < POSITIONS; i++) {
-        add_position(&normal, raw[i]);
+        (void)invcal_sums_add(&sums, &nominal, raw[i]);
     }
-    const invcal_status status = invcal_solve(&normal, &settings, &solution);
+    const invcal_status status = invcal_solve(&sums, &nominal, &calibration);
     report("18_positions_and_solve", end());
     if (status != INVCAL_OK) {
         board_exit(1);
     }
+    invcal_sums_init(&sums);
     begin();
-    add_position(&normal, raw[0]);
+    (void)invcal_sums_add(&sums, &nominal, raw[0]);
     report("add_position", end());
     begin();
-    (void)invcal_solve(&normal, &settings, &solution);
-    report("solve", end());
-    begin();
     for (unsigned i = 0; i < REPEATS; i++) {
-        invcal_apply(&solution.calibration, raw[i], calibrated);
+        invcal_apply(&calibration, raw[i], calibrated);
     }
     report("apply", end() / REPEATS);
 }
 
 static void bench_all(void)
 {
-    invcal_solution solution;
+    invcal_calibration calibration;
     invcal_quality quality;
     invcal_outliers outliers;
 
     begin();
     const invcal_status status =
-        invcal_calibrate(&raw[0][0], POSITIONS, &settings, &solution, &quality, NULL);
+        invcal_calibrate(raw[0], POSITIONS, &nominal, 0, &calibration, &quality);
     report("18_positions_and_everything", end());
     if (status != INVCAL_OK || quality.verdict != INVCAL_GOOD) {
         board_exit(1);
     }
     begin();
-    (void)invcal_outliers_find(&raw[0][0], POSITIONS, &settings, &outliers);
+    (void)invcal_outliers_find(raw[0], POSITIONS, &nominal, 0, &outliers);
     report("outliers_of_18", end());
 }
 
@@ -129,38 +117,64 @@ static void next_sample(int32_t sample[3])
 /* Five seconds at rest, decisions included. */
 static uint32_t feed(unsigned rate)
 {
-    invcal_session_setup setup;
-    invcal_event event;
     int32_t sample[3];
     uint32_t total = 0;
 
-    memset(&setup, 0, sizeof setup);
-    setup.settings = settings;
-    setup.rate = (invcal_real)rate;
-    if (invcal_session_init(&session, &setup) != INVCAL_OK) {
+    if (invcal_session_begin(&session, &nominal, rate) != INVCAL_OK) {
         board_exit(1);
     }
     for (unsigned i = 0; i < 5 * rate; i++) {
         next_sample(sample);
         begin();
-        (void)invcal_session_feed(&session, sample, 20, &event);
+        (void)invcal_session_feed(&session, sample);
         total += end();
     }
     return total / (5 * rate);
 }
 
+/* Three seconds in each position; the first `wrong` of them read 1 % too much. */
+static uint32_t solve_session(unsigned wrong)
+{
+    enum { RATE = 32, SECONDS = 3 };
+    int32_t sample[3];
+    invcal_calibration calibration;
+    invcal_quality quality;
+    unsigned left_out = 0;
+
+    (void)invcal_session_begin(&session, &nominal, RATE);
+    for (unsigned i = 0; i < POSITIONS; i++) {
+        for (unsigned k = 0; k < RATE * SECONDS; k++) {
+            next_sample(sample);
+            sample[2] -= 8192;
+            for (unsigned a = 0; a < 3; a++) {
+                const int32_t mean = (int32_t)raw[i][a];
+                sample[a] += i < wrong ? mean + mean / 100 : mean;
+            }
+            (void)invcal_session_feed(&session, sample);
+        }
+    }
+    (void)invcal_session_finish(&session);
+    begin();
+    const invcal_status status = invcal_session_solve(&session, &calibration, &quality);
+    const uint32_t count = end();
+    for (invcal_mask set = quality.left_out; set; set &= set - 1) {
+        left_out++;
+    }
+    if (session.count != POSITIONS || status != INVCAL_OK || left_out != wrong) {
+        board_exit(1);
+    }
+    return count;
+}
+
 static void bench_session(void)
 {
-    invcal_guidance next;
+    invcal_real up[3];
 
     report("feed_100_Hz", feed(100));
     report("feed_400_Hz", feed(400));
     report("feed_1000_Hz", feed(1000));
-    for (unsigned i = 0; i < POSITIONS; i++) {
-        add_position(&session.normal, raw[i]);
-    }
     begin();
-    (void)invcal_session_next(&session, &next);
+    invcal_next(raw[0], POSITIONS, &nominal, up);
     report("next_orientation", end());
 }
 
@@ -173,7 +187,7 @@ static void bench_allan(void)
     uint32_t total = 0;
     enum { SAMPLES = 2048 };
 
-    (void)invcal_allan_init(&allan, NULL, INVCAL_ALLAN_TAUS, INVCAL_ALLAN_OVERLAPPING);
+    invcal_allan_init(&allan);
     for (unsigned i = 0; i < SAMPLES; i++) {
         next_sample(sample);
         begin();
@@ -182,7 +196,7 @@ static void bench_allan(void)
     }
     report("allan_push", total / SAMPLES);
     begin();
-    const invcal_status status = invcal_allan_noise(&allan, 1, 1, &noise);
+    const invcal_status status = invcal_allan_noise(&allan, 1, &noise);
     report("allan_noise", end());
     if (status != INVCAL_OK) {
         board_exit(1);
@@ -194,13 +208,11 @@ static void bench_thermal(void)
 {
     static invcal_real means[2 * POSITIONS][3];
     static invcal_real temperature[2 * POSITIONS];
-    invcal_thermal_settings thermal;
-    invcal_thermal_calibration calibration;
+    invcal_thermal thermal;
     invcal_thermal_place place;
-    invcal_solution solution;
+    invcal_calibration calibration;
     invcal_quality quality;
 
-    memset(&thermal, 0, sizeof thermal);
     for (unsigned i = 0; i < 2 * POSITIONS; i++) {
         temperature[i] = i < POSITIONS ? 10 : 50;
         for (unsigned a = 0; a < 3; a++) {
@@ -208,15 +220,14 @@ static void bench_thermal(void)
         }
     }
     begin();
-    invcal_status status =
-        invcal_thermal_calibrate(&means[0][0], temperature, 2 * POSITIONS, &settings, &thermal,
-                                 &calibration, &quality, NULL);
+    const invcal_status status = invcal_thermal_calibrate(means[0], temperature, 2 * POSITIONS,
+                                                          &nominal, 0, &thermal, &quality);
     report("36_positions_thermal", end());
-    if (status != INVCAL_OK || calibration.fitted != INVCAL_THERMAL_DEGREE) {
+    if (status != INVCAL_OK || thermal.fitted != INVCAL_THERMAL_DEGREE) {
         board_exit(1);
     }
     begin();
-    (void)invcal_thermal_at(&calibration, 30, &solution, &place);
+    (void)invcal_thermal_at(&thermal, 30, &calibration, &place);
     report("thermal_at", end());
 }
 
@@ -230,6 +241,9 @@ int main(void)
     bench_session();
     bench_allan();
     bench_thermal();
+    report("session_solve", solve_session(0));
+    report("session_solve_1_wrong", solve_session(1));
+    report("session_solve_3_wrong", solve_session(3));
     report_text("OK\n");
     return 0;
 }

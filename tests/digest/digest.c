@@ -10,15 +10,16 @@
 #include "../../src/bytes.h"
 #include "../report.h"
 #include "expected.h"
-#include "invcal/invcal.h"
+#include "invcal/expert.h"
 #include "positions.h"
 
 #if INVCAL_DOUBLE || FLT_EVAL_METHOD
 #error "the digest is that of the float build, where floats are computed as floats"
 #endif
 
-enum { MAX_POSITIONS = 48 };
-static float raw[MAX_POSITIONS][3];
+enum { MOST = 48 }; /* positions */
+static float raw[MOST][3];
+static invcal_calibration nominal;
 
 /* ---- output --------------------------------------------------------------------------------- */
 
@@ -55,52 +56,62 @@ static void results(const char *name, const float *x, unsigned count)
 
 /* ---- calibrations --------------------------------------------------------------------------- */
 
-static void solution_results(const invcal_solution *solution)
+static void calibration_results(const invcal_calibration *calibration)
 {
-    results("offset", solution->calibration.offset, 3);
-    results("matrix", &solution->calibration.matrix[0][0], 9);
-    results("delta", solution->delta, 3);
-    results("dk", solution->dk, 3);
-    results("gamma", solution->gamma, 3);
+    float x[INVCAL_PARAMETERS];
+
+    invcal_deviation(calibration, &nominal, x);
+    results("offset", calibration->offset, 3);
+    results("matrix", &calibration->matrix[0][0], 9);
+    results("deviation", x, INVCAL_PARAMETERS);
 }
 
 static void quality_results(const invcal_quality *quality)
 {
-    results("sigma_offset", quality->sigma_offset, 3);
-    results("sigma_delta", quality->sigma_delta, 3);
-    results("sigma_dk", quality->sigma_dk, 3);
-    results("sigma_gamma", quality->sigma_gamma, 3);
+    const float coverage = invcal_coverage(quality->dof);
+    float sigma[3];
+
+    invcal_sigma_offset(quality, &nominal, sigma);
+    results("sigma_offset", sigma, 3);
+    results("sigma", quality->sigma, INVCAL_PARAMETERS);
     results("noise", &quality->noise, 1);
-    results("dof", &quality->dof, 1);
-    results("coverage", &quality->coverage, 1);
-    results("residual_rms", &quality->residual_rms, 1);
-    results("residual_max", &quality->residual_max, 1);
+    results("rms", &quality->rms, 1);
+    results("max", &quality->max, 1);
     results("condition", &quality->condition, 1);
+    results("coverage", &coverage, 1);
+    result("left_out", (uint32_t)quality->left_out);
+    result("weak", quality->weak);
+    result("positions", quality->positions);
+    result("dof", quality->dof);
     result("worst", quality->worst);
-    result("undetermined", quality->undetermined);
-    result("from_prior", quality->from_prior);
     result("verdict", quality->verdict);
 }
 
-static void calibrate(const char *name, unsigned count, const invcal_settings *settings)
+static void begin_set(const char *name, invcal_status status)
 {
-    invcal_solution solution;
-    invcal_quality quality;
-    invcal_reason reason;
-    const invcal_status status =
-        invcal_calibrate(&raw[0][0], count, settings, &solution, &quality, &reason);
-
     report_text("set ");
     report_text(name);
     board_put('\n');
     result("status", status);
-    if (status == INVCAL_OK) {
-        solution_results(&solution);
-        quality_results(&quality);
-    } else {
-        result("position", reason.position);
-        result("undetermined", reason.undetermined);
+}
+
+static void calibrate(const char *name, unsigned count, float noise)
+{
+    invcal_calibration calibration;
+    invcal_quality quality;
+    const invcal_status status =
+        invcal_calibrate(raw[0], count, &nominal, noise, &calibration, &quality);
+
+    begin_set(name, status);
+    if (status != INVCAL_OK) {
+        result("position", invcal_bad_reading(raw[0], count, &nominal));
+        result("undetermined", invcal_undetermined(raw[0], count, &nominal));
+        return;
     }
+    calibration_results(&calibration);
+    quality_results(&quality);
+    invcal_make_triangular(&calibration, &nominal);
+    results("triangular", &calibration.matrix[0][0], 9);
 }
 
 /* ---- real sensors --------------------------------------------------------------------------- */
@@ -108,19 +119,18 @@ static void calibrate(const char *name, unsigned count, const invcal_settings *s
 static void real_set(const char *name, const double position[][3], unsigned count, double gravity,
                      const double zero[3], const double lsb[3])
 {
-    invcal_settings settings = {.field = (float)gravity};
-
-    if (count > MAX_POSITIONS) {
+    if (count > MOST) {
         board_exit(1);
     }
+    memset(&nominal, 0, sizeof nominal);
     for (unsigned axis = 0; axis < 3; axis++) {
-        settings.nominal.offset[axis] = (float)zero[axis];
-        settings.nominal.matrix[axis][axis] = (float)lsb[axis];
+        nominal.offset[axis] = (float)zero[axis];
+        nominal.matrix[axis][axis] = (float)lsb[axis] / (float)gravity;
         for (unsigned i = 0; i < count; i++) {
             raw[i][axis] = (float)position[i][axis];
         }
     }
-    calibrate(name, count, &settings);
+    calibrate(name, count, 0);
 }
 
 #define REAL_SET(name)                                                                             \
@@ -178,40 +188,71 @@ static void simulate(unsigned count, float size, float noise)
     }
 }
 
-static invcal_settings counts(void)
+static void counts(void)
 {
-    invcal_settings settings = {.field = 1, .noise = 1e-3f};
+    static const float zero[3] = {32768, 32768, 32768};
+    static const float scale[3] = {4096, 4096, 4096};
 
-    for (int axis = 0; axis < 3; axis++) {
-        settings.nominal.offset[axis] = 32768;
-        settings.nominal.matrix[axis][axis] = 1.0f / 4096;
-    }
-    return settings;
+    (void)invcal_nominal(zero, scale, &nominal);
 }
 
 static void simulated_sets(void)
 {
-    invcal_settings settings = counts();
-
     for (unsigned count = 9; count <= 24; count++) {
         simulate(count, count % 2 ? 0.01f : 0.1f, 1e-3f);
-        settings.frame = count % 3 ? INVCAL_FRAME_SYMMETRIC : INVCAL_FRAME_TRIANGULAR;
-        calibrate("simulated", count, &settings);
+        calibrate("simulated", count, 1e-3f);
     }
-    settings.noise = 0;
-    calibrate("unknown noise", 24, &settings);
+    calibrate("unknown noise", 24, 0);
 }
 
 static void sets_with_a_prior(void)
 {
-    invcal_settings settings = counts();
+    float prior[INVCAL_PARAMETERS];
 
     for (int r = 0; r < INVCAL_PARAMETERS; r++) {
-        settings.prior[r] = 0.02f;
+        prior[r] = 0.02f;
     }
     for (unsigned count = 4; count <= 12; count += 4) {
+        invcal_calibration calibration;
+        invcal_quality quality;
+        uint16_t from_prior;
         simulate(count, 0.02f, 1e-3f);
-        calibrate("prior", count, &settings);
+        const invcal_status status = invcal_calibrate_with_prior(
+            raw[0], count, &nominal, 1e-3f, prior, &calibration, &quality, &from_prior);
+        begin_set("prior", status);
+        if (status == INVCAL_OK) {
+            calibration_results(&calibration);
+            quality_results(&quality);
+            result("from_prior", from_prior);
+        }
+    }
+}
+
+/* One position in six is wrong by a tenth of the field. */
+static void sets_with_outliers(void)
+{
+    for (unsigned count = 12; count <= 24; count += 6) {
+        invcal_calibration calibration;
+        invcal_quality quality;
+        invcal_outliers outliers;
+        simulate(count, 0.02f, 1e-3f);
+        for (unsigned i = 3; i < count; i += 6) {
+            raw[i][i % 3] += 410;
+        }
+        invcal_status status = invcal_outliers_find(raw[0], count, &nominal, 0, &outliers);
+        begin_set("outliers", status);
+        if (status != INVCAL_OK) {
+            continue;
+        }
+        result("removed", (uint32_t)outliers.removed);
+        result("suspected", (uint32_t)outliers.suspected);
+        status = invcal_calibrate_without(raw[0], count, outliers.removed, &nominal, 0,
+                                          &calibration, &quality);
+        result("status", status);
+        if (status == INVCAL_OK) {
+            calibration_results(&calibration);
+            quality_results(&quality);
+        }
     }
 }
 
@@ -219,24 +260,20 @@ static void sets_with_a_prior(void)
 
 static void refusals(void)
 {
-    invcal_settings settings = counts();
-
     simulate(18, 0.02f, 1e-3f);
-    calibrate("too few", 8, &settings);
-    settings.field = 0;
-    calibrate("no field", 18, &settings);
-    settings.field = 1;
+    calibrate("too few", 8, 1e-3f);
+    calibrate("absurd noise", 18, 1);
     raw[11][1] = NAN;
-    calibrate("not finite", 18, &settings);
-    memcpy(raw[11], settings.nominal.offset, sizeof raw[11]);
-    calibrate("out of range", 18, &settings);
+    calibrate("not finite", 18, 1e-3f);
+    memcpy(raw[11], nominal.offset, sizeof raw[11]);
+    calibrate("out of range", 18, 1e-3f);
     simulate(18, 0.02f, 0.5f);
-    calibrate("not of one length", 18, &settings);
+    calibrate("not of one length", 18, 1e-3f);
     simulate(18, 0, 0);
     for (int i = 0; i < 18; i++) {
         raw[i][2] = raw[0][2];
     }
-    calibrate("at one height", 18, &settings);
+    calibrate("at one height", 18, 1e-3f);
 }
 
 int main(void)
@@ -245,8 +282,10 @@ int main(void)
     REAL_SET(mpu9150_0);
     REAL_SET(mpu9150_1);
     REAL_SET(t265);
+    counts();
     simulated_sets();
     sets_with_a_prior();
+    sets_with_outliers();
     refusals();
     put_line("digest", digest);
     return 0;

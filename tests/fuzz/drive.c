@@ -1,20 +1,22 @@
 /* SPDX-License-Identifier: MIT */
 #include "drive.h"
 
+#include <math.h>
 #include <string.h>
+
+#include "invcal/store.h"
 
 enum { SAMPLES_MOST = 40000 }; /* of one input: so it takes milliseconds */
 
 /* What goes on, and what is known of it. */
 typedef struct {
     invcal_session *session;
+    invcal_background *background; /* null if there is none */
     source *s;
     unsigned left; /* samples that may still be fed */
     uint32_t random;
     int32_t place[3];          /* where the sensor is, counts */
     int32_t least[3], most[3]; /* of all samples */
-    unsigned positions;        /* of the event before */
-    invcal_real temperature;
 } drive_state;
 
 static uint32_t next_random(drive_state *d)
@@ -25,137 +27,173 @@ static uint32_t next_random(drive_state *d)
 
 /* ---- what must hold --------------------------------------------------------------------------- */
 
-static int is_taken(invcal_session_what what)
-{
-    return what == INVCAL_SESSION_TAKEN || what == INVCAL_SESSION_ENOUGH ||
-           what == INVCAL_SESSION_FINISHED;
-}
-
 /* Of any session, begun or resumed. */
 static void look_at_session(const drive_state *d)
 {
     const invcal_session *session = d->session;
+    const unsigned most = INVCAL_MAX_POSITIONS - (d->background != NULL);
+    invcal_row row;
 
-    REQUIRE(session->stored <= INVCAL_MAX_POSITIONS);
-    REQUIRE(session->stored <= session->normal.count);
-    REQUIRE(session->hold >= 0 && session->hold <= INVCAL_SESSION_HOLD_LONGEST);
-    REQUIRE(session->is_enough <= 1 && session->is_ready <= 1);
-    REQUIRE(session->step <= INVCAL_PLAN_GROUPS * session->setup.plan.per_group);
-    REQUIRE(session->coldest <= session->warmest);
-    require_finite(&session->temperature, 1);
-    for (unsigned i = 0; i < session->stored; i++) {
+    REQUIRE(session->count <= most);
+    REQUIRE(session->noise >= 0 && session->noise < 1);
+    REQUIRE(invcal_session_last(session) <= INVCAL_REFUSED);
+    REQUIRE(invcal_session_last(session) != INVCAL_NOTHING);
+    REQUIRE(invcal_session_reason(session) < INVCAL_STATUS_COUNT);
+    REQUIRE(invcal_session_progress(session) <= 100);
+    REQUIRE(strcmp(invcal_session_why(session), "unknown status") != 0);
+    for (unsigned i = 0; i < session->count; i++) {
         require_finite(session->mean[i], 3);
+        REQUIRE(invcal_observe(&session->nominal, session->mean[i], &row) == INVCAL_OK);
+        REQUIRE(!d->background || d->background->age[i] < 88);
     }
 }
 
 /* The mean lies among the samples that there have been. */
-static void look_at_rest(const drive_state *d, const invcal_rest *rest)
+static void look_at_rest(const drive_state *d, const invcal_rest *rest, invcal_real mean[3])
 {
-    invcal_real mean[3];
-
     REQUIRE(rest->count > 0 && rest->end - rest->begin >= rest->count);
     require_sigma(&rest->variance, 1);
-    invcal_rest_mean(rest, mean);
+    REQUIRE(invcal_rests_mean(&d->session->rests, mean));
     for (unsigned a = 0; a < 3; a++) {
         REQUIRE(rest->sum[a] >= (int64_t)d->least[a] * (int64_t)rest->count);
         REQUIRE(rest->sum[a] <= (int64_t)d->most[a] * (int64_t)rest->count);
-        REQUIRE(mean[a] >= (invcal_real)d->least[a] && mean[a] <= (invcal_real)d->most[a]);
+        const invcal_real low = (invcal_real)d->least[a];
+        const invcal_real high = (invcal_real)d->most[a];
+        const invcal_real ulp =
+            2 * INVCAL_EPSILON * (INVCAL_FABS(low) + INVCAL_FABS(high)); /* or more */
+        REQUIRE(mean[a] >= low - ulp && mean[a] <= high + ulp);
     }
 }
 
-static void look_at_event(drive_state *d, invcal_session_what what, const invcal_event *event)
+/* What it says that it has done since `before`, it has. */
+static void look_at_event(const drive_state *d, invcal_event event, const invcal_session *before)
 {
-    const int is_background = d->session->setup.background != 0;
+    const invcal_session *session = d->session;
+    const unsigned more = event == INVCAL_TAKEN && before->count < INVCAL_MAX_POSITIONS;
+    invcal_real mean[3];
+    invcal_rest rest;
 
-    REQUIRE(what == event->what && what <= INVCAL_SESSION_FINISHED);
-    REQUIRE(event->progress <= 100);
-    REQUIRE(event->positions == d->session->normal.count);
-    REQUIRE(event->reason <= INVCAL_REST_SAME);
-    REQUIRE(event->status < INVCAL_STATUS_COUNT);
-    if (what == INVCAL_SESSION_REFUSED) {
-        REQUIRE((event->reason == INVCAL_REST_GOOD) == (event->status != INVCAL_OK));
+    REQUIRE(event <= INVCAL_REFUSED);
+    if (event == INVCAL_NOTHING) {
+        REQUIRE(session->last == before->last && session->reason == before->reason);
+        REQUIRE(session->good == before->good);
+    } else {
+        REQUIRE(event == invcal_session_last(session));
     }
-    if (is_taken(what) || what == INVCAL_SESSION_COVERED) {
-        look_at_rest(d, &event->rest);
+    if (event == INVCAL_READY || event == INVCAL_TAKEN) {
+        REQUIRE(invcal_rests_get(&session->rests, &rest));
+        look_at_rest(d, &rest, mean);
     }
-    if (!is_background) {
-        const unsigned more = is_taken(what) && d->positions < UINT32_MAX;
-        REQUIRE(event->positions == d->positions + more);
-        REQUIRE(what != INVCAL_SESSION_COVERED);
+    if (event == INVCAL_READY) {
+        REQUIRE(invcal_session_progress(session) == 100);
     }
-    d->positions = event->positions;
+    if (event == INVCAL_REFUSED) {
+        REQUIRE(session->reason == INVCAL_NOT_FINITE ||
+                (session->reason >= INVCAL_OUT_OF_RANGE && session->reason <= INVCAL_REST_SAME));
+    }
+    if (!d->background) {
+        REQUIRE(session->count == before->count + more);
+        REQUIRE(event != INVCAL_TAKEN ||
+                memcmp(session->mean[session->count - 1u], mean, sizeof mean) == 0);
+    }
+    if (event != INVCAL_TAKEN) {
+        REQUIRE(session->count == before->count);
+        REQUIRE(memcmp(session->mean, before->mean, before->count * sizeof before->mean[0]) == 0);
+    }
     look_at_session(d);
 }
 
-static void solve(const drive_state *d, int looks_for_outliers)
+/* Is it what is_good and reaches say? */
+static void look_at_answers(const drive_state *d, invcal_status status, const invcal_quality *q)
 {
-    invcal_outliers outliers;
-    invcal_solution solution;
+    const invcal_real zero[3] = {0, 0, 0};
+    const invcal_real any[3] = {INVCAL_REAL_MAX, INVCAL_REAL_MAX, INVCAL_REAL_MAX};
+    const int is_good =
+        status == INVCAL_OK && q->verdict == INVCAL_GOOD && (q->dof >= 3 || d->session->noise > 0);
+
+    REQUIRE(invcal_session_is_good(d->session) == is_good);
+    REQUIRE(invcal_session_is_good(d->session) == is_good); /* as known by now */
+    REQUIRE(invcal_session_reaches(d->session, any) == is_good);
+    REQUIRE(!invcal_session_reaches(d->session, zero));
+}
+
+static void solve(const drive_state *d, int looks_at_answers)
+{
+    const invcal_session *session = d->session;
+    const conditions c = {.nominal = session->nominal, .field = 1};
+    invcal_calibration out;
     invcal_quality quality;
 
-    mark(&solution, sizeof solution);
+    mark(&out, sizeof out);
     mark(&quality, sizeof quality);
-    if (invcal_session_solve(d->session, &solution, &quality,
-                             looks_for_outliers ? &outliers : NULL) != INVCAL_OK) {
-        require_mark(&solution, sizeof solution);
+    const invcal_status status = invcal_session_solve(session, &out, &quality);
+    if (status == INVCAL_OK) {
+        require_solution(&out, &c);
+        require_quality(&quality, session->count);
+    } else {
+        require_mark(&out, sizeof out);
         require_mark(&quality, sizeof quality);
-        return;
     }
-    require_solution(&solution);
-    require_quality(&quality);
-    REQUIRE(quality.worst < d->session->stored);
+    if (looks_at_answers) {
+        look_at_answers(d, status, &quality);
+    }
 }
 
-/* Returns 1 if there is something left to do. */
-static int ask_next(const drive_state *d, invcal_real up[3])
+static void ask_next(const drive_state *d, invcal_real up[3])
 {
-    char words[INVCAL_GUIDANCE_WORDS];
-    invcal_guidance next;
+    char words[INVCAL_WORDS];
+    char again[INVCAL_WORDS];
 
-    mark(&next, sizeof next);
-    if (invcal_session_next(d->session, &next) != INVCAL_OK) {
-        require_mark(&next, sizeof next);
-        return 0;
-    }
-    require_finite(next.up, 3);
-    REQUIRE(is_finite(next.gain) && next.gain >= 0);
-    require_sigma(next.before, INVCAL_PARAMETERS);
-    require_sigma(next.after, INVCAL_PARAMETERS);
-    invcal_guidance_words(next.up, words);
+    invcal_session_next(d->session, up);
+    require_direction(up);
+    REQUIRE(invcal_session_next_words(d->session, words) == words);
     REQUIRE(memchr(words, '\0', sizeof words));
-    memcpy(up, next.up, sizeof next.up);
-    return 1;
+    REQUIRE(strcmp(invcal_words(up, again), words) == 0);
+    REQUIRE((invcal_session_is_at(d->session, up) & ~1) == 0);
 }
 
-/* Power off and on: the session goes on, and its bytes are the same again. */
-static void resume(drive_state *d)
+/* What the positions so far tell, and what they leave open. */
+static void prospect(const drive_state *d)
 {
-    uint8_t bytes[INVCAL_RESUME_SIZE];
-    uint8_t again[INVCAL_RESUME_SIZE];
-    invcal_session resumed;
-    uint32_t size;
-    uint32_t size_again;
+    const invcal_session *session = d->session;
+    const invcal_real *raw = session->mean[0];
+    invcal_real before[INVCAL_PARAMETERS];
+    invcal_real after[INVCAL_PARAMETERS];
+    invcal_real up[3];
 
-    if (invcal_resume_encode(d->session, bytes, &size) != INVCAL_OK) {
-        return;
-    }
-    REQUIRE(size <= sizeof bytes);
-    REQUIRE(invcal_resume_decode(bytes, size, &resumed) == INVCAL_OK);
-    REQUIRE(invcal_resume_encode(&resumed, again, &size_again) == INVCAL_OK);
-    REQUIRE(size_again == size && memcmp(bytes, again, size) == 0);
-    if (!INVCAL_DOUBLE && d->session->normal.count <= d->session->stored) {
-        REQUIRE(memcmp(&resumed.normal, &d->session->normal, sizeof resumed.normal) == 0);
-    }
-    *d->session = resumed;
-    d->positions = resumed.normal.count;
+    ask_next(d, up);
+    invcal_prospect(raw, session->count, &session->nominal, NULL, before);
+    invcal_prospect(raw, session->count, &session->nominal, up, after);
+    require_sigma(before, INVCAL_PARAMETERS);
+    require_sigma(after, INVCAL_PARAMETERS);
+    REQUIRE(invcal_undetermined(raw, session->count, &session->nominal) < 1u << INVCAL_PARAMETERS);
+    REQUIRE(invcal_bad_reading(raw, session->count, &session->nominal) == session->count);
+}
+
+/* Power off and on: the session goes on. */
+static void resume(const drive_state *d)
+{
+    invcal_session *session = d->session;
+    const uint32_t size = invcal_session_size(session);
+    invcal_session resumed;
+
+    REQUIRE(size <= INVCAL_SESSION_SIZE);
+    mark(&resumed, sizeof resumed);
+    memcpy(&resumed, session, size);
+    REQUIRE(invcal_session_resume(&resumed, size) == INVCAL_OK);
+    REQUIRE(resumed.count == session->count && resumed.hold == session->hold);
+    REQUIRE(resumed.rests.rate == session->rests.rate && resumed.rests.low == session->rests.low &&
+            resumed.rests.between == session->rests.between);
+    REQUIRE(memcmp(&resumed.nominal, &session->nominal, sizeof resumed.nominal) == 0);
+    REQUIRE(resumed.noise == session->noise);
+    REQUIRE(memcmp(resumed.mean, session->mean, resumed.count * sizeof resumed.mean[0]) == 0);
+    *session = resumed;
 }
 
 /* ---- what can be done to it ------------------------------------------------------------------- */
 
 static void feed(drive_state *d, const int32_t raw[3])
 {
-    invcal_event event;
-
     if (d->left == 0) {
         return;
     }
@@ -164,13 +202,11 @@ static void feed(drive_state *d, const int32_t raw[3])
         d->least[a] = raw[a] < d->least[a] ? raw[a] : d->least[a];
         d->most[a] = raw[a] > d->most[a] ? raw[a] : d->most[a];
     }
-    mark(&event, sizeof event);
-    const invcal_session_what what = invcal_session_feed(d->session, raw, d->temperature, &event);
-    if (what == INVCAL_SESSION_NOTHING) {
-        require_mark(&event, sizeof event);
-    } else {
-        look_at_event(d, what, &event);
-    }
+    const invcal_session before = *d->session;
+    look_at_event(d,
+                  d->background ? invcal_background_feed(d->background, raw)
+                                : invcal_session_feed(d->session, raw),
+                  &before);
 }
 
 static int32_t saturated(int64_t x)
@@ -207,7 +243,7 @@ static void move(drive_state *d, const int32_t to[3], unsigned samples)
     memcpy(d->place, to, sizeof d->place);
 }
 
-/* About the field of settings with usual numbers: some thousand counts. */
+/* About the field of a usual nominal calibration: some thousand counts. */
 static void turn(drive_state *d, const invcal_real up[3], unsigned samples)
 {
     int32_t to[3];
@@ -228,9 +264,7 @@ static void turn_to(drive_state *d, unsigned direction, unsigned samples)
 
 static unsigned second_of(const drive_state *d)
 {
-    const invcal_real rate = d->session->setup.rate;
-
-    return rate < 8000 ? (unsigned)rate : 8000;
+    return d->session->rests.rate;
 }
 
 /* Rests in some directions, as a person would. */
@@ -253,7 +287,8 @@ static void follow(drive_state *d, unsigned count)
     const uint32_t noise = take_byte(d->s) % 32;
     invcal_real up[3];
 
-    while (ask_next(d, up) && count-- > 0) {
+    while (count-- > 0) {
+        ask_next(d, up);
         turn(d, up, second_of(d));
         rest(d, 2 * second_of(d) + 44, noise);
     }
@@ -273,33 +308,43 @@ static void any_samples(drive_state *d)
     memcpy(d->place, raw, sizeof raw);
 }
 
-static void renew(drive_state *d)
+/* Rails and a noise, which are refused or hold from now on. */
+static void restate(const drive_state *d)
 {
-    const invcal_settings other = take_settings(d->s);
+    const invcal_session before = *d->session;
+    const invcal_real noise = take_real(d->s, INVCAL_REAL(0.0001));
+    const int32_t low = take_i32(d->s);
+    const int32_t high = take_i32(d->s);
+
+    if (invcal_session_noise(d->session, noise) != INVCAL_OK) {
+        REQUIRE(memcmp(&before, d->session, sizeof before) == 0);
+    } else {
+        REQUIRE(d->session->noise == noise && noise > 0 && noise < 1);
+    }
+    const invcal_session between = *d->session;
+    REQUIRE((invcal_session_rails(d->session, low, high) == INVCAL_OK) == (low < high));
+    if (!(low < high)) {
+        REQUIRE(memcmp(&between, d->session, sizeof between) == 0);
+    }
+}
+
+/* In the background no stream ends. */
+static void end_stream(const drive_state *d)
+{
     const invcal_session before = *d->session;
 
-    if (invcal_session_renew(d->session, &other.nominal) != INVCAL_OK) {
-        REQUIRE(memcmp(&before, d->session, sizeof before) == 0);
+    if (!d->background) {
+        const invcal_event event = invcal_session_finish(d->session);
+        REQUIRE(event == INVCAL_TAKEN || event == INVCAL_REFUSED || event == INVCAL_MOVING);
+        look_at_event(d, event, &before);
     }
 }
 
-static void end_stream(drive_state *d)
+static void age(const drive_state *d)
 {
-    invcal_event event;
-
-    mark(&event, sizeof event);
-    const invcal_session_what what = invcal_session_finish(d->session, &event);
-    if (what != INVCAL_SESSION_NOTHING) {
-        look_at_event(d, what, &event);
+    for (unsigned days = take_byte(d->s) % 64; days > 0 && d->background; days--) {
+        invcal_background_age(d->background);
     }
-}
-
-static void age(drive_state *d)
-{
-    for (unsigned days = take_byte(d->s) % 64; days > 0; days--) {
-        invcal_session_age(d->session);
-    }
-    d->positions = d->session->normal.count;
 }
 
 static void act(drive_state *d, unsigned action)
@@ -323,7 +368,7 @@ static void act(drive_state *d, unsigned action)
         invcal_session_gap(d->session);
         break;
     case 5:
-        invcal_session_hold(d->session, take_real(d->s, (invcal_real)amount));
+        invcal_session_hold(d->session, take_byte(d->s) == 1 ? take_u32(d->s) : amount * 500);
         break;
     case 6:
         end_stream(d);
@@ -339,13 +384,13 @@ static void act(drive_state *d, unsigned action)
         age(d);
         break;
     case 11:
-        renew(d);
+        restate(d);
         break;
     case 12:
         resume(d);
         break;
     case 13:
-        d->temperature = take_real(d->s, (invcal_real)amount * 5);
+        prospect(d);
         break;
     case 14:
         rest(d, (amount + 1) * second_of(d), take_u32(d->s) >> (take_byte(d->s) % 32));
@@ -357,15 +402,14 @@ static void act(drive_state *d, unsigned action)
     look_at_session(d);
 }
 
-void drive(invcal_session *session, source *s)
+void drive(invcal_session *session, invcal_background *background, source *s)
 {
-    invcal_real up[3];
     drive_state d = {.session = session,
+                     .background = background,
                      .s = s,
                      .left = SAMPLES_MOST,
                      .least = {INT32_MAX, INT32_MAX, INT32_MAX},
-                     .most = {INT32_MIN, INT32_MIN, INT32_MIN},
-                     .positions = session->normal.count};
+                     .most = {INT32_MIN, INT32_MIN, INT32_MIN}};
 
     look_at_session(&d);
     while (s->left > 0) {
@@ -374,6 +418,6 @@ void drive(invcal_session *session, source *s)
     end_stream(&d);
     solve(&d, 0);
     solve(&d, 1);
-    (void)ask_next(&d, up);
+    prospect(&d);
     resume(&d);
 }

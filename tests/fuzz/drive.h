@@ -8,7 +8,8 @@
 
 #include "fuzz.h"
 
-/* Until the bytes end. */
-void drive(invcal_session *session, source *s);
+/* Until the bytes end. The background's ages, and its own way to feed, count only if there is one; its
+ * session is the session then. */
+void drive(invcal_session *session, invcal_background *background, source *s);
 
 #endif

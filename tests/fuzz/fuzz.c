@@ -6,6 +6,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "solve.h"
+
 uint8_t take_byte(source *s)
 {
     if (s->left == 0) {
@@ -96,34 +98,31 @@ static void take_nominal(source *s, invcal_calibration *nominal)
     }
 }
 
-invcal_settings take_settings(source *s)
+conditions take_conditions(source *s)
 {
-    enum { NOMINAL = 1, FIELD = 2, NOISE = 4, PRIOR = 8, TRIANGULAR = 16, FRAME = 32 };
+    enum { NOMINAL = 1, FIELD = 2, NOISE = 4, PRIOR = 8, TRIANGULAR = 16 };
     const unsigned unusual = take_byte(s);
-    invcal_settings settings;
+    conditions c;
 
-    memset(&settings, 0, sizeof settings);
+    memset(&c, 0, sizeof c);
     for (unsigned i = 0; i < 3; i++) {
-        settings.nominal.matrix[i][i] = INVCAL_REAL(0.001);
+        c.nominal.matrix[i][i] = INVCAL_REAL(0.001);
     }
-    settings.field = 1;
+    c.field = 1;
     if (unusual & NOMINAL) {
-        take_nominal(s, &settings.nominal);
+        take_nominal(s, &c.nominal);
     }
     if (unusual & FIELD) {
-        settings.field = take_real(s, 1);
+        c.field = take_real(s, 1);
     }
     if (unusual & NOISE) {
-        settings.noise = take_real(s, INVCAL_REAL(0.0001));
+        c.noise = take_real(s, INVCAL_REAL(0.0001));
     }
     for (unsigned r = 0; r < INVCAL_PARAMETERS && unusual & PRIOR; r++) {
-        settings.prior[r] = take_real(s, INVCAL_REAL(0.05));
+        c.prior[r] = take_real(s, INVCAL_REAL(0.05));
     }
-    settings.frame = unusual & TRIANGULAR ? INVCAL_FRAME_TRIANGULAR : INVCAL_FRAME_SYMMETRIC;
-    if (unusual & FRAME) {
-        settings.frame = (invcal_frame)take_byte(s);
-    }
-    return settings;
+    c.is_triangular = (unusual & TRIANGULAR) != 0;
+    return c;
 }
 
 void direction_of(unsigned number, invcal_real up[3])
@@ -162,59 +161,171 @@ void require_sigma(const invcal_real *x, unsigned count)
     }
 }
 
-void require_calibration(const invcal_calibration *calibration)
+void require_regular(const invcal_calibration *calibration)
 {
-    invcal_real inverse[3][3];
-
     require_finite(calibration->offset, 3);
     require_finite(&calibration->matrix[0][0], 9);
-    REQUIRE(invcal_calibration_inverse(calibration, inverse) == INVCAL_OK);
+    REQUIRE(invcal_nominal_check(calibration) == INVCAL_OK);
 }
 
-/* Sylvester, in double, of I + S and of its distance to the limits. */
-static int is_definite(double shift, double sign, const invcal_solution *solution)
+/* ---- solutions, looked at in double ----------------------------------------------------------- */
+
+/* m^-1, and the product of the lengths of the rows over the determinant: above 1 by how much they
+ * lean towards each other. */
+static double invert(const invcal_real m[3][3], double inverse[3][3])
 {
-    const double x = shift + sign * (double)solution->dk[0];
-    const double y = shift + sign * (double)solution->dk[1];
-    const double z = shift + sign * (double)solution->dk[2];
-    const double xy = sign * (double)solution->gamma[0] / 2;
-    const double xz = sign * (double)solution->gamma[1] / 2;
-    const double yz = sign * (double)solution->gamma[2] / 2;
+    double c[3][3];
+    double lengths = 1;
+
+    for (unsigned i = 0; i < 3; i++) {
+        const invcal_real *a = m[(i + 1) % 3];
+        const invcal_real *b = m[(i + 2) % 3];
+        double square = 0;
+        for (unsigned j = 0; j < 3; j++) {
+            const unsigned k = (j + 1) % 3;
+            const unsigned l = (j + 2) % 3;
+            c[i][j] = (double)a[k] * (double)b[l] - (double)a[l] * (double)b[k];
+            square += (double)m[i][j] * (double)m[i][j];
+        }
+        lengths *= sqrt(square);
+    }
+    const double det =
+        (double)m[0][0] * c[0][0] + (double)m[0][1] * c[0][1] + (double)m[0][2] * c[0][2];
+    for (unsigned i = 0; i < 3; i++) {
+        for (unsigned j = 0; j < 3; j++) {
+            inverse[i][j] = c[j][i] / det;
+        }
+    }
+    return lengths / fabs(det);
+}
+
+/* I + S = N M^-1. */
+static void axes_of(const invcal_calibration *calibration, const invcal_calibration *nominal,
+                    double p[3][3])
+{
+    double inverse[3][3];
+
+    (void)invert((const invcal_real(*)[3])calibration->matrix, inverse);
+    for (unsigned i = 0; i < 3; i++) {
+        for (unsigned j = 0; j < 3; j++) {
+            p[i][j] = 0;
+            for (unsigned k = 0; k < 3; k++) {
+                p[i][j] += (double)nominal->matrix[i][k] * inverse[k][j];
+            }
+        }
+    }
+}
+
+/* Sylvester, of the symmetric part of p less `shift`. */
+static int is_definite(double shift, double p[3][3])
+{
+    const double x = p[0][0] - shift;
+    const double y = p[1][1] - shift;
+    const double z = p[2][2] - shift;
+    const double xy = (p[0][1] + p[1][0]) / 2;
+    const double xz = (p[0][2] + p[2][0]) / 2;
+    const double yz = (p[1][2] + p[2][1]) / 2;
 
     return x > 0 && x * y - xy * xy > 0 &&
            x * (y * z - yz * yz) - xy * (xy * z - yz * xz) + xz * (xy * yz - y * xz) > 0;
 }
 
-void require_solution(const invcal_solution *solution)
+/* How far the centre is from the zero of nominal; and what rounding of a large zero hides of it. */
+static double centre_of(const invcal_calibration *calibration, const invcal_calibration *nominal,
+                        double *hidden)
 {
-    const double slack = 1e-3; /* the limits are those of the library, but for rounding */
+    double square = 0;
+    double lost = 0;
 
-    require_finite(solution->delta, 3);
-    require_finite(solution->dk, 3);
-    require_finite(solution->gamma, 3);
-    REQUIRE(is_definite(1 - 0.1 + slack, 1, solution));
-    REQUIRE(is_definite(10 * (1 + slack) - 1, -1, solution));
-    require_finite(solution->calibration.offset, 3);
-    require_finite(&solution->calibration.matrix[0][0], 9);
+    for (unsigned i = 0; i < 3; i++) {
+        double delta = 0;
+        for (unsigned j = 0; j < 3; j++) {
+            const double n = (double)nominal->matrix[i][j];
+            delta += n * ((double)calibration->offset[j] - (double)nominal->offset[j]);
+            lost += fabs(n * (double)calibration->offset[j]) + fabs(n * (double)nominal->offset[j]);
+        }
+        square += delta * delta;
+    }
+    *hidden = lost * (double)INVCAL_EPSILON;
+    return sqrt(square);
 }
 
-void require_quality(const invcal_quality *quality)
+void require_calibration(const invcal_calibration *calibration, const invcal_calibration *nominal,
+                         int is_of_angles)
 {
-    require_sigma(quality->sigma_offset, 3);
-    require_sigma(quality->sigma_delta, 3);
-    require_sigma(quality->sigma_dk, 3);
-    require_sigma(quality->sigma_gamma, 3);
-    require_sigma(&quality->noise, 1);
-    require_sigma(&quality->dof, 1);
-    require_sigma(&quality->residual_rms, 1);
-    require_sigma(&quality->residual_max, 1);
-    require_finite(&quality->condition, 1);
-    REQUIRE(quality->noise > 0 && quality->condition >= 1);
-    REQUIRE(quality->coverage > 1 && quality->coverage < 13);
-    REQUIRE(quality->verdict <= INVCAL_WEAK);
-    REQUIRE(quality->undetermined < 1u << INVCAL_PARAMETERS);
-    REQUIRE(quality->from_prior < 1u << INVCAL_PARAMETERS);
-    REQUIRE((quality->verdict == INVCAL_WEAK) == (quality->undetermined != 0));
+    double unused[3][3];
+    double p[3][3];
+    double hidden;
+
+    require_finite(calibration->offset, 3);
+    require_finite(&calibration->matrix[0][0], 9);
+    const double leaning = invert((const invcal_real(*)[3])nominal->matrix, unused);
+    const double slack = 1e-3 + 1000 * leaning * (double)INVCAL_EPSILON;
+    if (slack < 0.05) { /* the limits are those of the library, but for rounding */
+        axes_of(calibration, nominal, p);
+        REQUIRE(is_definite((is_of_angles ? 1 / 30.0 : 0.1) - slack, p));
+        REQUIRE(centre_of(calibration, nominal, &hidden) <
+                (is_of_angles ? 17.33 : 10) * (1 + slack) + hidden);
+    }
+}
+
+void require_solution(const invcal_calibration *calibration, const conditions *c)
+{
+    invcal_calibration other = *calibration;
+    invcal_real x[INVCAL_PARAMETERS];
+
+    require_calibration(calibration, &c->nominal, c->is_linear);
+    invcal_deviation(calibration, &c->nominal, x);
+    require_finite(x, INVCAL_PARAMETERS);
+    if (c->is_triangular) {
+        invcal_make_triangular(&other, &c->nominal);
+        require_finite(&other.matrix[0][0], 9);
+        REQUIRE(memcmp(other.offset, calibration->offset, sizeof other.offset) == 0);
+    }
+    const invcal_calibration before = other;
+    const int is_field = is_finite(c->field) && c->field > 0;
+    REQUIRE((invcal_scale(&other, c->field) == INVCAL_OK) == is_field);
+    if (!is_field || c->field == 1) {
+        REQUIRE(memcmp(&before, &other, sizeof other) == 0);
+    }
+}
+
+unsigned count_bits(invcal_mask set)
+{
+    unsigned count = 0;
+
+    for (; set > 0; set &= set - 1) {
+        count++;
+    }
+    return count;
+}
+
+void require_quality(const invcal_quality *q, unsigned count)
+{
+    const invcal_real coverage = invcal_coverage(q->dof);
+
+    require_sigma(q->sigma, INVCAL_PARAMETERS);
+    require_sigma(&q->noise, 1);
+    require_sigma(&q->rms, 1);
+    require_sigma(&q->max, 1);
+    REQUIRE(q->noise > 0 && q->condition >= 1);
+    REQUIRE(q->rms <= INVCAL_REAL(0.1) && q->rms <= q->max * INVCAL_REAL(1.0001));
+    REQUIRE(coverage > 1 && coverage < 13);
+    REQUIRE(q->positions > 0 && q->positions + count_bits(q->left_out) == count);
+    REQUIRE(q->dof <= q->positions && q->worst < count);
+    REQUIRE(q->worst >= INVCAL_MAX_POSITIONS || !(q->left_out >> q->worst & 1u));
+    REQUIRE(q->verdict <= INVCAL_WEAK && q->weak < 1u << INVCAL_PARAMETERS);
+    REQUIRE((q->verdict == INVCAL_WEAK) == (q->weak != 0));
+    REQUIRE(q->verdict == INVCAL_WEAK || (q->verdict == INVCAL_GOOD) == (q->dof > 0));
+    REQUIRE(!invcal_improves(q, q));
+}
+
+void require_direction(const invcal_real up[3])
+{
+    const double square = (double)up[0] * (double)up[0] + (double)up[1] * (double)up[1] +
+                          (double)up[2] * (double)up[2];
+
+    REQUIRE(fabs(square - 1) < 1e-5);
 }
 
 enum { MARK = 0xA5 };

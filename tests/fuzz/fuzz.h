@@ -9,7 +9,7 @@
 #include <stddef.h>
 #include <stdint.h>
 
-#include "invcal/invcal.h"
+#include "invcal/expert.h"
 
 /* The entry that libFuzzer calls. */
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
@@ -28,8 +28,18 @@ int32_t take_i32(source *s);
  * one of the special values (NaN, infinite, denormal, the largest ...), or any bits at all. */
 invcal_real take_real(source *s, invcal_real usual);
 
-/* Settings for readings of some thousand counts; all that they hold may be unusual. */
-invcal_settings take_settings(source *s);
+/* What positions are solved with, and what is done to the result. */
+typedef struct {
+    invcal_calibration nominal;
+    invcal_real noise;
+    invcal_real prior[INVCAL_PARAMETERS];
+    invcal_real field;
+    int is_triangular;
+    int is_linear; /* made of X */
+} conditions;
+
+/* Conditions for readings of some thousand counts; all that they hold may be unusual. */
+conditions take_conditions(source *s);
 
 /* 24 directions, well spread. */
 void direction_of(unsigned number, invcal_real up[3]);
@@ -45,13 +55,26 @@ int is_finite(invcal_real x);
 void require_finite(const invcal_real *x, unsigned count);
 void require_sigma(const invcal_real *x, unsigned count);
 
-/* A calibration that may be used: finite, its matrix regular. */
-void require_calibration(const invcal_calibration *calibration);
+/* A calibration that is stored, or nominal: finite, its matrix regular. */
+void require_regular(const invcal_calibration *calibration);
 
-/* The same, and positive definite against its nominal, semi-axes within 0.1 ... 10. */
-void require_solution(const invcal_solution *solution);
+/* A solution: finite, against its nominal positive definite, no semi-axis shorter than 0.1, the centre
+ * within 10; of one that was made of X = (delta, dk, gamma), 1/30, and 10 on each axis. Where nominal
+ * is all but singular rounding hides what it is: finite. */
+void require_calibration(const invcal_calibration *calibration, const invcal_calibration *nominal,
+                         int is_of_angles);
 
-void require_quality(const invcal_quality *quality);
+/* The same; and as much when it is turned and in a unit, as the conditions want it. */
+void require_solution(const invcal_calibration *calibration, const conditions *c);
+
+/* What is said of count positions with some left out, and how it hangs together. */
+void require_quality(const invcal_quality *quality, unsigned count);
+
+/* A unit vector. */
+void require_direction(const invcal_real up[3]);
+
+/* The bits of a set. */
+unsigned count_bits(invcal_mask set);
 
 /* An output that must stay as it is where a function fails: marked before, looked at behind. */
 void mark(void *object, size_t size);

@@ -20,15 +20,16 @@ LIBRARY_OBJECTS := $(patsubst %.c,$(OUT)/library/%.o,$(wildcard src/*.c) tests/f
 TOOL_OBJECTS := $(patsubst %.c,$(OUT)/tool/%.o,$(wildcard src/*.c port/host/*.c) tests/fuzz/tool.c)
 
 .PHONY: all
+.SECONDARY:
 all: $(NAMES:%=$(OUT)/fuzz-%)
 
 $(OUT)/library/%.o: %.c
 	@mkdir -p $(@D)
-	$(CC) $(FLAGS) -fsanitize=fuzzer-no-link -DINVCAL_DOUBLE=$(DOUBLE) -MMD -c $< -o $@
+	$(CC) $(FLAGS) -fsanitize=fuzzer-no-link -DINVCAL_DOUBLE=$(DOUBLE) -MMD -MP -c $< -o $@
 
 $(OUT)/tool/%.o: %.c
 	@mkdir -p $(@D)
-	$(CC) $(FLAGS) -fsanitize=fuzzer-no-link $(if $(filter tests/%,$<),,$(TOOL)) -MMD -c $< -o $@
+	$(CC) $(FLAGS) -fsanitize=fuzzer-no-link $(if $(filter tests/%,$<),,$(TOOL)) -MMD -MP -c $< -o $@
 
 $(OUT)/fuzz-%: $(OUT)/library/tests/fuzz/%.o $(LIBRARY_OBJECTS)
 	$(CC) $(FLAGS) -fsanitize=fuzzer $^ -lm -o $@

@@ -3,7 +3,8 @@
  * Bytes that may be anything as a record, with temperature or without, as a session and as the two
  * slots of a flash memory.
  * What is accepted packs again to the same bytes, and is sane; a session that is accepted goes on
- * being fed. The store finds the old record or the new one, wherever power fails.
+ * being fed. The store finds what was saved before or what is saved now, wherever power fails; load
+ * makes of it what decode does.
  * fuzz: at least 20 inputs a second
  */
 #include <stdlib.h>
@@ -11,20 +12,28 @@
 
 #include "bytes.h"
 #include "drive.h"
+#include "invcal/thermal.h"
 
 /* ---- records and sessions --------------------------------------------------------------------- */
 
-enum { RECORD_AT = 4, THERMAL_AT = RECORD_AT + INVCAL_RECORD_SIZE }; /* in a thermal one */
+enum { RECORD_AT = 4, LEAST = 4 + INVCAL_CRC_SIZE }; /* in a thermal record; of all */
 
 /* Puts the right CRC where the length says that there is one. */
 static void repair(uint8_t *bytes, size_t size)
 {
-    const size_t length = size >= INVCAL_SOUND_MIN ? invcal_get_u16(bytes + 2) : 0;
+    const size_t length = size >= LEAST ? invcal_get_u16(bytes + 2) : 0;
 
-    if (length >= INVCAL_SOUND_MIN && length <= size) {
+    if (length >= LEAST && length <= size) {
         const uint32_t end = (uint32_t)length - INVCAL_CRC_SIZE;
         invcal_put_u32(bytes + end, invcal_crc32(0, bytes, end));
     }
+}
+
+/* Records of version 1 were in the unit of their field: made anew they may be other bytes, and, as
+ * reals are stored as float, from a double build even none. */
+static int is_old(const uint8_t *bytes)
+{
+    return bytes[1] < INVCAL_NEWEST;
 }
 
 static void look_at_record(const uint8_t *bytes, uint32_t size)
@@ -37,28 +46,28 @@ static void look_at_record(const uint8_t *bytes, uint32_t size)
         require_mark(&r, sizeof r);
         return;
     }
-    require_calibration(&r.calibration);
-    require_finite(r.delta, 3);
-    require_finite(r.dk, 3);
-    require_finite(r.gamma, 3);
-    require_finite(r.sigma_offset, 3);
-    require_finite(r.sigma_delta, 3);
-    require_finite(r.sigma_dk, 3);
-    require_finite(r.sigma_gamma, 3);
-    REQUIRE(is_finite(r.field) && r.field > 0);
-    REQUIRE(r.verdict <= INVCAL_WEAK && r.temperature_known <= 1);
-    REQUIRE(invcal_record_encode(&r, again) == INVCAL_OK);
-    REQUIRE(memcmp(bytes, again, sizeof again) == 0);
+    require_regular(&r.calibration);
+    require_finite(&r.field, 1);
+    require_finite(&r.field_sigma, 1);
+    require_finite(&r.temperature, 1);
+    require_finite(&r.noise, 1);
+    require_finite(&r.rms, 1);
+    require_finite(&r.condition, 1);
+    require_finite(r.sigma, INVCAL_PARAMETERS);
+    REQUIRE((r.verdict == INVCAL_WEAK) == (r.weak != 0) && r.verdict <= INVCAL_WEAK);
+    REQUIRE(r.weak < 1u << INVCAL_PARAMETERS && r.from_prior < 1u << INVCAL_PARAMETERS);
+    REQUIRE(r.temperature_known <= 1 && (r.temperature_known || r.temperature == 0));
+    const invcal_status status = invcal_record_encode(&r, again);
+    REQUIRE(status == INVCAL_OK || (INVCAL_DOUBLE && is_old(bytes)));
+    REQUIRE(is_old(bytes) || memcmp(bytes, again, sizeof again) == 0);
+    REQUIRE(status != INVCAL_OK || invcal_record_decode(again, sizeof again, &r) == INVCAL_OK);
 }
 
-/* What it says again holds at the reference: its record may have said something else. */
 static void look_at_thermal(const uint8_t *bytes, uint32_t size)
 {
     uint8_t again[INVCAL_THERMAL_RECORD_SIZE];
     uint8_t once_more[INVCAL_THERMAL_RECORD_SIZE];
     invcal_thermal_record r;
-    uint32_t length;
-    uint32_t length_once_more;
 
     mark(&r, sizeof r);
     if (invcal_thermal_record_decode(bytes, size, &r) != INVCAL_OK) {
@@ -66,31 +75,49 @@ static void look_at_thermal(const uint8_t *bytes, uint32_t size)
         return;
     }
     REQUIRE(r.thermal.fitted <= r.thermal.degree && r.thermal.degree <= INVCAL_THERMAL_DEGREE);
-    REQUIRE(invcal_thermal_record_encode(&r, again, &length) == INVCAL_OK);
-    REQUIRE(length <= size && memcmp(bytes + THERMAL_AT, again + THERMAL_AT,
-                                     length - THERMAL_AT - INVCAL_CRC_SIZE) == 0);
-    look_at_record(again + RECORD_AT, INVCAL_RECORD_SIZE);
-    REQUIRE(invcal_thermal_record_decode(again, length, &r) == INVCAL_OK);
-    REQUIRE(invcal_thermal_record_encode(&r, once_more, &length_once_more) == INVCAL_OK);
-    REQUIRE(length_once_more == length && memcmp(again, once_more, length) == 0);
-}
-
-/* Bytes behind those of the session lead it on. */
-static void look_at_session(const uint8_t *bytes, uint32_t size)
-{
-    uint8_t again[INVCAL_RESUME_SIZE];
-    invcal_session session;
-    uint32_t length;
-
-    mark(&session, sizeof session);
-    if (invcal_resume_decode(bytes, size, &session) != INVCAL_OK) {
-        require_mark(&session, sizeof session);
+    REQUIRE(r.thermal.fallback <= INVCAL_THERMAL_OPEN && r.is_triangular <= 1);
+    REQUIRE(r.thermal.span > 0 && r.thermal.min <= r.thermal.max);
+    require_regular(&r.thermal.nominal);
+    require_finite(&r.thermal.x[0][0], INVCAL_THERMAL_ROWS * INVCAL_PARAMETERS);
+    const uint32_t length = INVCAL_THERMAL_RECORD_BYTES(r.thermal.degree);
+    const invcal_status status = invcal_thermal_record_encode(&r, again);
+    REQUIRE(status == INVCAL_OK || (INVCAL_DOUBLE && is_old(bytes)));
+    if (status != INVCAL_OK) {
         return;
     }
-    REQUIRE(invcal_resume_encode(&session, again, &length) == INVCAL_OK);
-    REQUIRE(length <= size && memcmp(bytes, again, length) == 0);
-    source s = {bytes + length, size - length};
-    drive(&session, &s);
+    REQUIRE(is_old(bytes) || (length <= size && memcmp(bytes, again, length) == 0));
+    look_at_record(again + RECORD_AT, INVCAL_RECORD_SIZE);
+    REQUIRE(invcal_thermal_record_decode(again, length, &r) == INVCAL_OK);
+    REQUIRE(invcal_thermal_record_encode(&r, once_more) == INVCAL_OK);
+    REQUIRE(memcmp(again, once_more, length) == 0);
+}
+
+/* Bytes behind those of the session lead it on, if all its means are readings. */
+static void look_at_session(const uint8_t *bytes, uint32_t size)
+{
+    invcal_session begun;
+    invcal_session session;
+    invcal_calibration calibration;
+    invcal_quality quality;
+    invcal_real up[3];
+
+    mark(&session, sizeof session);
+    memcpy(&session, bytes, size < INVCAL_SESSION_SIZE ? size : INVCAL_SESSION_SIZE);
+    REQUIRE(invcal_session_init(&begun, 1, 50) == INVCAL_OK);
+    session.layout = begun.layout; /* or next to nothing would get in */
+    const uint32_t length = size < INVCAL_SESSION_SIZE && session.count <= INVCAL_MAX_POSITIONS
+                                ? invcal_session_size(&session)
+                                : size;
+    if (length > size || invcal_session_resume(&session, length) != INVCAL_OK) {
+        return;
+    }
+    (void)invcal_session_solve(&session, &calibration, &quality);
+    invcal_session_next(&session, up);
+    require_finite(up, 3);
+    if (invcal_bad_reading(session.mean[0], session.count, &session.nominal) == session.count) {
+        source s = {bytes + length, size - length};
+        drive(&session, NULL, &s);
+    }
 }
 
 static void unpack(source *s, unsigned how)
@@ -124,20 +151,20 @@ static void pack(source *s)
         for (unsigned j = 0; j < 3; j++) {
             r.calibration.matrix[i][j] = take_real(s, i == j);
         }
-        r.sigma_offset[i] = take_real(s, 1);
+    }
+    for (unsigned i = 0; i < INVCAL_PARAMETERS; i++) {
+        r.sigma[i] = take_real(s, 1);
     }
     r.field = take_real(s, 1);
     r.temperature_known = take_byte(s);
-    r.temperature = take_real(s, 25);
-    r.condition = take_real(s, 10);
-    r.verdict = (invcal_verdict)(take_byte(s) % 5);
-    mark(bytes, sizeof bytes);
-    if (invcal_record_encode(&r, bytes) != INVCAL_OK) {
-        require_mark(bytes, sizeof bytes);
-        return;
+    r.temperature = take_real(s, r.temperature_known ? 25 : 0);
+    r.condition = take_real(s, 200);
+    r.weak = take_byte(s);
+    r.verdict = take_byte(s) % 5;
+    if (invcal_record_encode(&r, bytes) == INVCAL_OK) {
+        look_at_record(bytes, sizeof bytes);
+        REQUIRE(invcal_record_decode(bytes, sizeof bytes, &r) == INVCAL_OK);
     }
-    look_at_record(bytes, sizeof bytes);
-    REQUIRE(invcal_record_decode(bytes, sizeof bytes, &r) == INVCAL_OK);
 }
 
 /* ---- the store -------------------------------------------------------------------------------- */
@@ -252,6 +279,35 @@ static void load(const invcal_store *store, content *c)
     REQUIRE(c->size <= SLOT_MOST);
 }
 
+/* What load and load_session make of it: as decode would. */
+static void load_as(const invcal_store *store, const content *c)
+{
+    invcal_calibration calibration;
+    invcal_session session;
+    invcal_record r;
+    invcal_status wanted = c->status;
+
+    mark(&calibration, sizeof calibration);
+    mark(&session, sizeof session);
+    if (wanted == INVCAL_OK) {
+        wanted = invcal_record_decode(c->bytes, c->size, &r);
+    }
+    REQUIRE(invcal_load(store, &calibration) == wanted);
+    if (wanted == INVCAL_OK) {
+        REQUIRE(memcmp(&calibration, &r.calibration, sizeof calibration) == 0);
+    } else {
+        require_mark(&calibration, sizeof calibration);
+    }
+    wanted = c->status;
+    if (wanted == INVCAL_OK && c->size > INVCAL_SESSION_SIZE) {
+        wanted = INVCAL_NO_SPACE;
+    } else if (wanted == INVCAL_OK) {
+        memcpy(&session, c->bytes, c->size);
+        wanted = invcal_session_resume(&session, c->size);
+    }
+    REQUIRE(invcal_load_session(store, &session) == wanted);
+}
+
 static int is_same(const content *a, const content *b)
 {
     return a->status == b->status && a->size == b->size && memcmp(a->bytes, b->bytes, a->size) == 0;
@@ -265,6 +321,39 @@ static invcal_status save(flash *f, const invcal_store *store, content *wish)
         wish->bytes[i] = (uint8_t)(take_byte(f->s) + i);
     }
     return invcal_store_save(store, wish->bytes, wish->size);
+}
+
+/* A calibration, as its record. */
+static invcal_status save_calibration(flash *f, const invcal_store *store, content *wish)
+{
+    const invcal_quality quality = {.noise = 1, .condition = 200, .positions = 12};
+    invcal_calibration calibration = {{0, 0, 0}, {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
+    invcal_record r;
+
+    memset(wish, 0, sizeof *wish);
+    calibration.offset[0] = take_real(f->s, 10);
+    invcal_record_init(&r, &calibration, &quality);
+    const invcal_status status = invcal_record_encode(&r, wish->bytes);
+    wish->size = INVCAL_RECORD_SIZE;
+    const invcal_status saved = invcal_save(store, &calibration, &quality);
+    REQUIRE(status == INVCAL_OK || saved == status);
+    return saved;
+}
+
+/* A session with one position. */
+static invcal_status save_session(flash *f, const invcal_store *store, content *wish)
+{
+    invcal_session session;
+
+    memset(wish, 0, sizeof *wish);
+    REQUIRE(invcal_session_init(&session, 1000, 50) == INVCAL_OK);
+    session.mean[0][0] = 1000;
+    session.mean[0][1] = 20;
+    session.mean[0][2] = (invcal_real)take_byte(f->s);
+    session.count = 1;
+    wish->size = invcal_session_size(&session);
+    memcpy(wish->bytes, &session, wish->size);
+    return invcal_save_session(store, &session);
 }
 
 /* One save or erasure, with or without a power cut; what is loaded behind it is what was there, or
@@ -284,6 +373,8 @@ static void change(flash *f, const invcal_store *store)
         memset(&wish, 0, sizeof wish);
         wish.status = INVCAL_NO_RECORD;
         status = invcal_store_erase(store);
+    } else if (what & 32u) {
+        status = what & 64u ? save_session(f, store, &wish) : save_calibration(f, store, &wish);
     } else {
         status = save(f, store, &wish);
     }
@@ -297,6 +388,7 @@ static void change(flash *f, const invcal_store *store)
     } else {
         REQUIRE(may_be_lost || is_same(&after, &before) || is_same(&after, &wish));
     }
+    load_as(store, &after);
 }
 
 static void use_store(source *s)

@@ -1,58 +1,68 @@
 /* SPDX-License-Identifier: MIT
  *
- * A session with any setup, fed with anything: rests and moves as of a person, any int32, any
- * temperature, gaps, holds, other nominal calibrations, days that go by, power that goes. After every
- * event its counts are consistent; a calibration that it delivers is finite and positive definite.
+ * A session with any setup, or one in the background, fed with anything: rests and moves as of a
+ * person, any int32, gaps, holds, other rails, days that go by, power that goes. After every event its
+ * counts are consistent; a calibration that it delivers is finite and positive definite.
  * fuzz: at least 10 inputs a second
  */
 #include <string.h>
 
 #include "drive.h"
 
-static invcal_session_setup take_setup(source *s)
-{
-    enum { PLAN = 1, TARGET = 2, MEAN_SIGMA = 4, RATE = 8, RAILS = 16, BACKGROUND = 32 };
-    static const invcal_real rate[] = {8, 10, 25, 50};
-    const unsigned unusual = take_byte(s);
-    invcal_session_setup setup;
+enum { NOISE = 1, HOLD = 2, RAILS = 4, RATE = 8, COUNTS = 16, BACKGROUND = 32 };
 
-    memset(&setup, 0, sizeof setup);
-    setup.settings = take_settings(s);
-    setup.rate = rate[unusual >> 6];
-    if (unusual & PLAN) {
-        setup.plan.per_group = take_byte(s);
-        for (unsigned g = 0; g < INVCAL_PLAN_GROUPS; g++) {
-            setup.plan.start[g] = take_real(s, 30);
-        }
+static unsigned take_rate(source *s, unsigned unusual)
+{
+    static const unsigned rate[] = {8, 10, 25, 50};
+
+    return unusual & RATE ? take_u32(s) % 10000 : rate[unusual >> 6];
+}
+
+/* Returns 1 if it has begun; what is refused is untouched. */
+static int begin(invcal_background *b, source *s, unsigned unusual)
+{
+    const conditions c = take_conditions(s);
+    const unsigned rate = take_rate(s, unusual);
+    invcal_status status;
+
+    mark(b, sizeof *b);
+    if (unusual & BACKGROUND) {
+        status = invcal_background_init(b, &c.nominal, rate);
+    } else if (unusual & COUNTS) {
+        status = invcal_session_init(&b->session, take_real(s, 1000), rate);
+    } else {
+        status = invcal_session_begin(&b->session, &c.nominal, rate);
     }
-    for (unsigned i = 0; i < 3 && unusual & TARGET; i++) {
-        setup.target[i] = take_real(s, INVCAL_REAL(0.01));
+    if (status != INVCAL_OK) {
+        require_mark(b, sizeof *b);
+        REQUIRE(status == INVCAL_BAD_NOMINAL || status == INVCAL_BAD_RATE);
+        return 0;
     }
-    if (unusual & MEAN_SIGMA) {
-        setup.mean_sigma = take_real(s, INVCAL_REAL(0.001));
-    }
-    if (unusual & RATE) {
-        setup.rate = take_real(s, 100);
-    }
-    if (unusual & RAILS) {
-        setup.low = take_i32(s);
-        setup.high = take_i32(s);
-    }
-    setup.background = unusual & BACKGROUND ? 1 : 0;
-    return setup;
+    REQUIRE(rate >= INVCAL_RATE_MIN && rate <= INVCAL_RATE_MAX);
+    require_regular(&b->session.nominal);
+    REQUIRE(b->session.count == 0 && invcal_session_reason(&b->session) == INVCAL_OK);
+    return 1;
 }
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
 {
     source s = {data, size};
-    const invcal_session_setup setup = take_setup(&s);
-    invcal_session session;
+    const unsigned unusual = take_byte(&s);
+    invcal_background b;
 
-    mark(&session, sizeof session);
-    if (invcal_session_init(&session, &setup) != INVCAL_OK) {
-        require_mark(&session, sizeof session);
+    if (!begin(&b, &s, unusual)) {
         return 0;
     }
-    drive(&session, &s);
+    if (unusual & NOISE) {
+        (void)invcal_session_noise(&b.session, take_real(&s, INVCAL_REAL(0.001)));
+    }
+    if (unusual & HOLD) {
+        invcal_session_hold(&b.session, take_u32(&s));
+    }
+    if (unusual & RAILS) {
+        const int32_t low = take_i32(&s);
+        (void)invcal_session_rails(&b.session, low, take_i32(&s));
+    }
+    drive(&b.session, unusual & BACKGROUND ? &b : NULL, &s);
     return 0;
 }

@@ -1,174 +1,129 @@
 /* SPDX-License-Identifier: MIT
  *
- * Normal equations, rows, readings and settings that may be anything: if a calibration is
- * delivered, it is finite, positive definite, and its sigma finite and not negative; if not, the
- * outputs are untouched. Likewise the rooms about it: outliers, temperature, guidance, criteria,
- * series, Allan deviation, gravity.
+ * Sums, rows, readings and conditions that may be anything: if a calibration is delivered, it is
+ * finite, positive definite, and its sigma finite and not negative; if not, the outputs are untouched.
+ * Likewise what stands beside it: known directions, a prior, outliers, temperature, guidance, Allan
+ * deviation, programs, and what is done with a calibration.
  * fuzz: at least 50 inputs a second
  */
+#include <math.h>
 #include <string.h>
 
 #include "fuzz.h"
+#include "invcal/allan.h"
+#include "invcal/plan.h"
+#include "invcal/thermal.h"
+#include "solve.h"
 
 enum { MOST = 40 }; /* positions */
 
-/* ---- normal equations ------------------------------------------------------------------------ */
+/* ---- sums --------------------------------------------------------------------------------------- */
 
-static invcal_normal any_sums(source *s)
+/* Whatever may stand in them. */
+static invcal_sums any_sums(source *s)
 {
-    invcal_normal normal;
+    invcal_sums sums;
 
-    memset(&normal, 0, sizeof normal);
-    for (unsigned i = 0; i < INVCAL_MOMENTS; i++) {
-        normal.moment[i] = take_real(s, (invcal_real)(i % 3));
+    invcal_sums_init(&sums);
+    for (unsigned r = 0; r <= INVCAL_PARAMETERS; r++) {
+        for (unsigned c = 0; c <= r; c++) {
+            sums.sum[INVCAL_PACKED(r, c)] = take_real(s, r == c ? 3 : 0);
+        }
     }
-    for (unsigned r = 0; r < INVCAL_PARAMETERS; r++) {
-        normal.htj[r] = take_real(s, 0);
-    }
-    normal.jtj = take_real(s, 0);
-    normal.count = take_byte(s) % 2 ? take_u32(s) : 18;
-    normal.model = take_byte(s) % 2 ? INVCAL_MODEL_LINEAR : INVCAL_MODEL_ELLIPSOID;
-    return normal;
+    sums.count = take_byte(s) % 2 ? take_u32(s) : 18;
+    return sums;
 }
 
-static invcal_observation any_row(source *s, unsigned number)
+static invcal_real take_weight(source *s)
 {
-    invcal_observation row;
-    invcal_real u[3];
+    const invcal_real weight = take_real(s, 1);
+
+    return is_finite(weight) && weight >= 0 ? weight : 1;
+}
+
+static void take_reading(source *s, unsigned number, invcal_real raw[3])
+{
     invcal_real up[3];
 
     direction_of(number, up);
-    for (unsigned i = 0; i < 3; i++) {
-        u[i] = take_real(s, up[i]);
+    for (unsigned a = 0; a < 3; a++) {
+        raw[a] = take_real(s, 1000 * up[a]);
     }
-    memset(&row, 0, sizeof row);
-    mark(&row, sizeof row);
-    const unsigned kind = take_byte(s);
-    const invcal_status status = kind % 4 < 2    ? invcal_observation_exact(u, &row)
-                                 : kind % 4 == 2 ? invcal_observation_first_order(u, up, &row)
-                                                 : invcal_observation_vertical(u, up, &row);
-    if (status != INVCAL_OK) {
-        require_mark(&row, sizeof row);
-        memset(&row, 0, sizeof row);
-        return row;
-    }
-    require_finite(row.h, INVCAL_PARAMETERS);
-    require_finite(&row.j, 1);
-    return row;
 }
 
-/* Sums of rows that were added, taken out, merged and faded. */
-static invcal_normal sums_of_rows(source *s)
+/* Sums of rows with weights, or of readings; a reading that is refused leaves them as they are. */
+static invcal_sums sums_of_rows(source *s, const conditions *c)
 {
-    const unsigned kind = take_byte(s) % 4; /* of all rows, or they would not mix */
     const unsigned count = take_byte(s) % MOST;
-    invcal_normal normal;
-    invcal_normal other;
+    invcal_real raw[3];
+    invcal_sums sums;
+    invcal_row row;
 
-    invcal_normal_init(&normal);
-    invcal_normal_init(&other);
+    invcal_sums_init(&sums);
     for (unsigned i = 0; i < count; i++) {
-        const invcal_observation row = any_row(s, i);
-        const invcal_real weight = take_real(s, 1);
-        const unsigned action = take_byte(s);
-        if ((action + kind) % 16 == 1) {
-            (void)invcal_normal_remove(&normal, &row, weight);
-        } else {
-            (void)invcal_normal_add(action % 16 == 2 ? &other : &normal, &row, weight);
+        take_reading(s, i, raw);
+        const invcal_sums before = sums;
+        const invcal_status status = invcal_observe(&c->nominal, raw, &row);
+        if (take_byte(s) % 4 == 0) {
+            REQUIRE(invcal_sums_add(&sums, &c->nominal, raw) == status);
+            REQUIRE(status == INVCAL_OK || memcmp(&before, &sums, sizeof sums) == 0);
+        } else if (status == INVCAL_OK) {
+            invcal_sums_add_row(&sums, &row, take_weight(s));
         }
-        if (action % 16 == 3) {
-            (void)invcal_normal_scale(&normal, weight);
+        if (status == INVCAL_OK) {
+            require_finite(row.h, INVCAL_PARAMETERS);
+            require_finite(&row.h[INVCAL_J], 1);
         }
+        REQUIRE(sums.count == before.count + (status == INVCAL_OK));
     }
-    (void)invcal_normal_merge(&normal, &other);
-    return normal;
+    return sums;
 }
 
-static void look_at_guidance(const invcal_normal *normal, const invcal_real *current)
+static void solve(invcal_sums *sums, const conditions *c)
 {
-    char words[INVCAL_GUIDANCE_WORDS];
-    invcal_guidance next;
+    invcal_calibration out;
 
-    mark(&next, sizeof next);
-    if (invcal_guidance_next(normal, current, &next) != INVCAL_OK) {
-        require_mark(&next, sizeof next);
-        return;
+    mark(&out, sizeof out);
+    if (invcal_solve(sums, &c->nominal, &out) != INVCAL_OK) {
+        require_mark(&out, sizeof out);
+    } else if (invcal_nominal_check(&c->nominal) == INVCAL_OK) {
+        require_solution(&out, c);
     }
-    require_finite(next.up, 3);
-    REQUIRE(is_finite(next.gain) && next.gain >= 0);
-    require_sigma(next.before, INVCAL_PARAMETERS);
-    require_sigma(next.after, INVCAL_PARAMETERS);
-    invcal_guidance_words(next.up, words);
-    REQUIRE(memchr(words, '\0', sizeof words));
 }
 
-static void look_at_criteria(const invcal_normal *normal)
+/* Known directions, by either composition. */
+static void solve_linear(source *s, const conditions *c)
 {
-    invcal_criteria criteria;
-
-    mark(&criteria, sizeof criteria);
-    if (invcal_criteria_judge(normal, &criteria) != INVCAL_OK) {
-        require_mark(&criteria, sizeof criteria);
-        return;
-    }
-    require_sigma(&criteria.sigma_delta, 1);
-    require_sigma(&criteria.sigma_dk, 1);
-    require_sigma(&criteria.sigma_gamma, 1);
-    REQUIRE(is_finite(criteria.condition) && criteria.condition >= 1);
-    REQUIRE(is_finite(criteria.log_det));
-}
-
-static void assess(const invcal_solution *solution, const invcal_settings *settings, source *s)
-{
-    invcal_real covariance[INVCAL_PACKED_SIZE(INVCAL_PARAMETERS)];
+    const int is_vertical = take_byte(s) % 2;
     const unsigned count = take_byte(s) % MOST;
-    invcal_residuals residuals;
-    invcal_quality quality;
-    invcal_real residual;
-    invcal_real u[3];
+    invcal_real x[INVCAL_PARAMETERS];
+    invcal_real raw[3];
+    invcal_real eta[3];
+    invcal_calibration out;
+    invcal_linear_sums linear;
 
-    invcal_residuals_init(&residuals, solution);
+    invcal_linear_init(&linear);
     for (unsigned i = 0; i < count; i++) {
-        direction_of(i, u);
-        for (unsigned a = 0; a < 3; a++) {
-            u[a] = take_real(s, u[a]);
-        }
-        if (invcal_residuals_add(&residuals, u, take_real(s, 1), &residual) == INVCAL_OK) {
-            REQUIRE(is_finite(residual));
-        }
+        take_reading(s, i, raw);
+        direction_of(i, eta);
+        eta[i % 3] = take_real(s, eta[i % 3]);
+        const invcal_linear_sums before = linear;
+        const invcal_status status =
+            is_vertical ? invcal_linear_add_vertical(&linear, &c->nominal, raw, eta)
+                        : invcal_linear_add_scalar(&linear, &c->nominal, raw, eta);
+        REQUIRE(status == INVCAL_OK || memcmp(&before, &linear, sizeof linear) == 0);
     }
-    mark(&quality, sizeof quality);
-    if (invcal_assess(&residuals, residuals.count + take_byte(s) / 32, settings, solution,
-                      &quality) != INVCAL_OK) {
-        require_mark(&quality, sizeof quality);
+    mark(&out, sizeof out);
+    mark(x, sizeof x);
+    if (invcal_linear_solve(&linear, &c->nominal, &out, x) != INVCAL_OK) {
+        require_mark(&out, sizeof out);
+        require_mark(x, sizeof x);
         return;
     }
-    require_quality(&quality);
-    if (invcal_covariance(&residuals, settings, quality.noise, covariance) == INVCAL_OK) {
-        require_finite(covariance, INVCAL_PACKED_SIZE(INVCAL_PARAMETERS));
+    require_finite(x, INVCAL_PARAMETERS);
+    if (invcal_nominal_check(&c->nominal) == INVCAL_OK) {
+        require_solution(&out, c);
     }
-}
-
-static void solve(const invcal_normal *normal, source *s)
-{
-    const invcal_settings settings = take_settings(s);
-    invcal_real current[3];
-    invcal_solution solution;
-
-    mark(&solution, sizeof solution);
-    if (invcal_solve(normal, &settings, &solution) == INVCAL_OK) {
-        REQUIRE(invcal_settings_check(&settings) == INVCAL_OK);
-        require_solution(&solution);
-        assess(&solution, &settings, s);
-    } else {
-        require_mark(&solution, sizeof solution);
-    }
-    REQUIRE(invcal_undetermined(normal) < 1u << INVCAL_PARAMETERS);
-    for (unsigned i = 0; i < 3; i++) {
-        current[i] = take_real(s, i == 2);
-    }
-    look_at_guidance(normal, take_byte(s) % 2 ? current : NULL);
-    look_at_criteria(normal);
 }
 
 /* ---- position means --------------------------------------------------------------------------- */
@@ -194,93 +149,155 @@ static unsigned take_means(source *s, invcal_real mean[MOST][3])
     return count;
 }
 
+/* What is said of a refusal, and what comes next. */
+static void look_at_guidance(const invcal_real *raw, unsigned count, const conditions *c, source *s)
+{
+    const int is_nominal = invcal_nominal_check(&c->nominal) == INVCAL_OK;
+    const unsigned bad = invcal_bad_reading(raw, count, &c->nominal);
+    invcal_real root[INVCAL_PARAMETERS];
+    invcal_real up[3];
+    invcal_row row;
+
+    REQUIRE(bad <= count);
+    for (unsigned i = 0; i < bad; i++) {
+        REQUIRE(invcal_observe(&c->nominal, raw + 3 * i, &row) == INVCAL_OK);
+    }
+    REQUIRE(bad == count || invcal_observe(&c->nominal, raw + 3 * bad, &row) != INVCAL_OK);
+    if (!is_nominal) {
+        return;
+    }
+    REQUIRE(invcal_undetermined(raw, count, &c->nominal) < 1u << INVCAL_PARAMETERS);
+    invcal_next(raw, count, &c->nominal, up);
+    require_direction(up);
+    invcal_prospect(raw, count, &c->nominal, take_byte(s) % 2 ? up : NULL, root);
+    require_sigma(root, INVCAL_PARAMETERS);
+}
+
+/* The offset's sigma, in counts. */
+static void look_at_offset(const invcal_quality *quality, const conditions *c)
+{
+    invcal_real sigma[3];
+
+    invcal_sigma_offset(quality, &c->nominal, sigma);
+    require_sigma(sigma, 3);
+}
+
 static void calibrate(source *s)
 {
     invcal_real mean[MOST][3];
     const unsigned count = take_means(s, mean);
-    const invcal_settings settings = take_settings(s);
-    invcal_solution solution;
+    const conditions c = take_conditions(s);
+    const invcal_mask left_out = take_byte(s) % 2 ? take_u32(s) : 0;
+    const invcal_mask all =
+        (invcal_mask) ~(invcal_mask)0 >> (sizeof all * 8 - INVCAL_MAX_POSITIONS);
+    invcal_calibration out;
     invcal_quality quality;
-    invcal_reason reason = {0, 0};
 
-    mark(&solution, sizeof solution);
+    mark(&out, sizeof out);
     mark(&quality, sizeof quality);
-    if (invcal_calibrate(&mean[0][0], count, &settings, &solution, &quality, &reason) !=
-        INVCAL_OK) {
-        require_mark(&solution, sizeof solution);
+    if (invcal_calibrate_without(&mean[0][0], count, left_out & all, &c.nominal, c.noise, &out,
+                                 &quality) == INVCAL_OK) {
+        require_solution(&out, &c);
+        invcal_mask of_these = left_out & all;
+        of_these &= count < INVCAL_MAX_POSITIONS ? ((invcal_mask)1 << count) - 1 : all;
+        REQUIRE(quality.left_out == (left_out & all));
+        quality.left_out = of_these; /* what stands behind the last position leaves nothing out */
+        require_quality(&quality, count);
+        REQUIRE(quality.noise >= c.noise);
+        look_at_offset(&quality, &c);
+    } else {
+        require_mark(&out, sizeof out);
         require_mark(&quality, sizeof quality);
-        REQUIRE(reason.position <= count);
-        REQUIRE(reason.undetermined < 1u << INVCAL_PARAMETERS);
+    }
+    look_at_guidance(&mean[0][0], count, &c, s);
+}
+
+/* Sigma is never above the prior. */
+static void calibrate_with_prior(source *s)
+{
+    invcal_real mean[MOST][3];
+    const unsigned count = take_means(s, mean);
+    const conditions c = take_conditions(s);
+    invcal_calibration out;
+    invcal_quality quality;
+    uint16_t from_prior;
+
+    mark(&out, sizeof out);
+    mark(&quality, sizeof quality);
+    mark(&from_prior, sizeof from_prior);
+    if (invcal_calibrate_with_prior(&mean[0][0], count, &c.nominal, c.noise, c.prior, &out,
+                                    &quality, &from_prior) != INVCAL_OK) {
+        require_mark(&out, sizeof out);
+        require_mark(&quality, sizeof quality);
+        require_mark(&from_prior, sizeof from_prior);
         return;
     }
-    require_solution(&solution);
-    require_quality(&quality);
-    REQUIRE(quality.worst < count);
+    require_solution(&out, &c);
+    require_quality(&quality, count);
+    REQUIRE(from_prior < 1u << INVCAL_PARAMETERS && quality.noise >= c.noise);
+    const invcal_real most = 1 + 8 * INVCAL_EPSILON;
+    for (unsigned r = 0; r < INVCAL_PARAMETERS; r++) {
+        REQUIRE(c.prior[r] >= 0);
+        REQUIRE(c.prior[r] > 0 || !(from_prior >> r & 1u));
+        REQUIRE(c.prior[r] == 0 || quality.sigma[r] <= c.prior[r] * most);
+    }
 }
 
 static void find_outliers(source *s)
 {
     invcal_real mean[MOST][3];
     const unsigned count = take_means(s, mean);
-    const invcal_settings settings = take_settings(s);
+    const conditions c = take_conditions(s);
     invcal_outliers found;
+    invcal_outlier one;
 
     mark(&found, sizeof found);
-    if (invcal_outliers_find(&mean[0][0], count, &settings, &found) != INVCAL_OK) {
+    if (invcal_outliers_find(&mean[0][0], count, &c.nominal, c.noise, &found) != INVCAL_OK) {
         require_mark(&found, sizeof found);
         return;
     }
-    REQUIRE(found.count <= INVCAL_OUTLIERS_MOST);
-    require_sigma(&found.sigma, 1);
-    for (unsigned i = 0; i < count; i++) {
-        REQUIRE(found.checked[i] >= 0 && found.checked[i] <= 1);
-    }
-    for (unsigned i = 0; i < found.count; i++) {
-        REQUIRE(found.position[i] < count && (found.removed >> found.position[i] & 1u));
-        REQUIRE(i == 0 || found.position[i] > found.position[i - 1]);
-        require_finite(&found.error[i], 1);
-        require_finite(&found.w[i], 1);
-    }
+    REQUIRE(count_bits(found.removed) <= INVCAL_OUTLIERS_MOST);
     REQUIRE((found.removed & found.suspected) == 0);
+    REQUIRE(count >= INVCAL_OUTLIERS_FEWEST && count <= INVCAL_MAX_POSITIONS);
+    for (unsigned i = 0; i <= count; i++) {
+        const invcal_mask removed = take_byte(s) == 1 ? take_u32(s) : found.removed;
+        mark(&one, sizeof one);
+        if (invcal_outlier_size(&mean[0][0], count, &c.nominal, c.noise, removed, i, &one) !=
+            INVCAL_OK) {
+            require_mark(&one, sizeof one);
+            continue;
+        }
+        REQUIRE(i < count && one.checked >= 0 && one.checked <= 1);
+        require_sigma(&one.sigma, 1);
+        require_finite(&one.error, 1);
+        REQUIRE(!(removed >> i & 1u) || one.checked == 0);
+    }
 }
 
 /* ---- temperature ------------------------------------------------------------------------------ */
 
-static invcal_thermal_settings take_thermal(source *s)
+static void look_at_thermal(const invcal_thermal *thermal, const invcal_quality *quality,
+                            unsigned count, source *s)
 {
-    enum { SPAN = 1, SLOPE = 2, CURVATURE = 4, LESS = 8 };
-    const unsigned unusual = take_byte(s);
-    invcal_thermal_settings thermal;
-
-    memset(&thermal, 0, sizeof thermal);
-    if (unusual & SPAN) {
-        thermal.reference = take_real(s, 25);
-        thermal.span = take_real(s, 45);
-    }
-    for (unsigned r = 0; r < INVCAL_PARAMETERS && unusual & SLOPE; r++) {
-        thermal.slope[r] = take_real(s, INVCAL_REAL(0.001));
-    }
-    for (unsigned r = 0; r < INVCAL_PARAMETERS && unusual & CURVATURE; r++) {
-        thermal.curvature[r] = take_real(s, INVCAL_REAL(0.00001));
-    }
-    thermal.less = unusual & LESS ? take_byte(s) : 0;
-    return thermal;
-}
-
-static void look_at_thermal(const invcal_thermal_calibration *calibration, source *s)
-{
+    uint8_t bytes[INVCAL_THERMAL_RECORD_SIZE];
+    invcal_thermal_record record;
     invcal_thermal_place place;
-    invcal_solution solution;
+    invcal_calibration out;
 
-    require_finite(&calibration->x[0][0], INVCAL_THERMAL_ROWS * INVCAL_PARAMETERS);
-    REQUIRE(calibration->degree <= INVCAL_THERMAL_DEGREE);
-    REQUIRE(calibration->fitted <= calibration->degree);
-    REQUIRE(calibration->least <= calibration->greatest);
-    mark(&solution, sizeof solution);
-    if (invcal_thermal_at(calibration, take_real(s, 25), &solution, &place) == INVCAL_OK) {
-        require_solution(&solution);
+    require_finite(&thermal->x[0][0], INVCAL_THERMAL_ROWS * INVCAL_PARAMETERS);
+    REQUIRE(thermal->degree <= INVCAL_THERMAL_DEGREE && thermal->fitted <= thermal->degree);
+    REQUIRE(thermal->min <= thermal->max && thermal->fallback <= INVCAL_THERMAL_OPEN);
+    require_quality(quality, count);
+    mark(&out, sizeof out);
+    if (invcal_thermal_at(thermal, take_real(s, 25), &out, &place) == INVCAL_OK) {
+        require_calibration(&out, &thermal->nominal, 1);
+        REQUIRE(place <= INVCAL_THERMAL_ABOVE);
     } else {
-        require_mark(&solution, sizeof solution);
+        require_mark(&out, sizeof out);
+    }
+    if (invcal_thermal_record_init(&record, thermal, quality) == INVCAL_OK &&
+        invcal_thermal_record_encode(&record, bytes) == INVCAL_OK) {
+        REQUIRE(invcal_thermal_record_decode(bytes, sizeof bytes, &record) == INVCAL_OK);
     }
 }
 
@@ -304,66 +321,86 @@ static void calibrate_thermal(source *s)
     invcal_real mean[MOST][3];
     invcal_real temperature[MOST];
     const unsigned count = take_thermal_means(s, mean, temperature);
-    const invcal_settings settings = take_settings(s);
-    const invcal_thermal_settings thermal = take_thermal(s);
-    invcal_thermal_calibration calibration;
+    const conditions c = take_conditions(s);
+    invcal_thermal thermal;
     invcal_quality quality;
-    invcal_reason reason;
 
-    mark(&calibration, sizeof calibration);
+    mark(&thermal, sizeof thermal);
     mark(&quality, sizeof quality);
-    if (invcal_thermal_calibrate(&mean[0][0], temperature, count, &settings, &thermal, &calibration,
-                                 &quality, &reason) != INVCAL_OK) {
-        require_mark(&calibration, sizeof calibration);
+    if (invcal_thermal_calibrate(&mean[0][0], temperature, count, &c.nominal, c.noise, &thermal,
+                                 &quality) != INVCAL_OK) {
+        require_mark(&thermal, sizeof thermal);
         require_mark(&quality, sizeof quality);
-        REQUIRE(reason.position <= count);
         return;
     }
-    look_at_thermal(&calibration, s);
-    require_quality(&quality);
-    REQUIRE(!(invcal_thermal_drift_limit(&settings, &thermal) < 0));
+    look_at_thermal(&thermal, &quality, count, s);
 }
 
-/* The same position by position, with a base. */
+/* Of nothing, of slopes, or of anything. */
+static invcal_thermal_prior take_thermal_prior(source *s)
+{
+    enum { VALUES = 1, SLOPES = 2, BENDS = 4 };
+    const unsigned unusual = take_byte(s);
+    invcal_thermal_prior prior;
+
+    memset(&prior, 0, sizeof prior);
+    for (unsigned a = 0; a < INVCAL_THERMAL_ROWS; a++) {
+        for (unsigned r = 0; r < INVCAL_PARAMETERS && unusual & (unsigned)VALUES << a; r++) {
+            prior.sigma[a][r] = take_real(s, a == 0 ? INVCAL_REAL(0.05) : INVCAL_REAL(0.001));
+        }
+    }
+    return prior;
+}
+
+/* The same by parts: from a base, in turns. */
 static void renew_thermal(source *s)
 {
     invcal_real mean[MOST][3];
     invcal_real temperature[MOST];
     const unsigned count = take_thermal_means(s, mean, temperature);
-    const invcal_settings settings = take_settings(s);
-    const invcal_thermal_settings thermal = take_thermal(s);
-    invcal_thermal_calibration base;
-    invcal_thermal_sums sums;
+    const conditions c = take_conditions(s);
+    const invcal_thermal_prior prior = take_thermal_prior(s);
+    const invcal_thermal_prior *known = take_byte(s) % 2 ? &prior : NULL;
+    const invcal_thermal_positions positions = {&mean[0][0], temperature, count, c.noise};
+    const invcal_real ends[2] = {take_real(s, -10), take_real(s, 70)};
+    invcal_thermal base;
     invcal_quality quality;
 
     mark(&base, sizeof base);
-    if (invcal_thermal_start(&settings, &thermal, &base) != INVCAL_OK) {
+    if (invcal_thermal_start(&c.nominal, ends, 2, &base) != INVCAL_OK) {
         require_mark(&base, sizeof base);
         return;
     }
     for (unsigned rounds = take_byte(s) % 3 + 1; rounds > 0; rounds--) {
-        invcal_thermal_init(&sums);
-        for (unsigned i = 0; i < count; i++) {
-            (void)invcal_thermal_add(&sums, &base, mean[i], temperature[i]);
-        }
-        if (count > 0 && take_byte(s) % 4 == 1) {
-            (void)invcal_thermal_remove(&sums, &base, mean[0], temperature[0]);
-        }
-        if (invcal_thermal_solve(&sums, &base, &settings, &thermal, &base) != INVCAL_OK) {
+        const invcal_thermal before = base;
+        mark(&quality, sizeof quality);
+        if (invcal_thermal_fit(&positions, known, &base, take_byte(s) % 4, &base, &quality) !=
+            INVCAL_OK) {
+            REQUIRE(memcmp(&before, &base, sizeof base) == 0);
+            require_mark(&quality, sizeof quality);
             return;
         }
-        look_at_thermal(&base, s);
+        look_at_thermal(&base, &quality, count, s);
     }
     mark(&quality, sizeof quality);
-    if (invcal_thermal_assess(&sums, &base, &settings, &thermal, take_real(s, 25), &quality) ==
-        INVCAL_OK) {
-        require_quality(&quality);
+    if (invcal_thermal_judge(&positions, known, &base, take_real(s, 25), &quality) == INVCAL_OK) {
+        require_quality(&quality, count);
     } else {
         require_mark(&quality, sizeof quality);
     }
 }
 
-/* ---- the rest --------------------------------------------------------------------------------- */
+static void look_at_drift(source *s)
+{
+    const invcal_real noise = take_real(s, INVCAL_REAL(0.0001));
+    const invcal_real slope = take_real(s, INVCAL_REAL(0.001));
+    const invcal_real limit = invcal_thermal_drift_limit(noise, slope);
+
+    require_sigma(&limit, 1);
+    REQUIRE((noise >= 0 && slope >= 0) || limit == 0);
+}
+
+/* ---- noise ------------------------------------------------------------------------------------ */
 
 static void look_at_noise(const invcal_noise *noise, source *s)
 {
@@ -395,35 +432,13 @@ static void push_samples(invcal_allan *allan, source *s)
     }
 }
 
-static void look_at_allan(source *s)
+static void look_at_points(const invcal_allan *allan, unsigned count)
 {
-    uint32_t m[INVCAL_ALLAN_TAUS + 1];
-    const unsigned count = take_byte(s) % (INVCAL_ALLAN_TAUS + 2);
-    const int are_octaves = take_byte(s) % 2 == 0;
-    const invcal_allan_windows windows = (invcal_allan_windows)(take_byte(s) % 3);
-    invcal_allan allan;
     invcal_allan_point point;
-    invcal_noise noise;
 
-    for (unsigned i = 0; i < count && !are_octaves; i++) {
-        const uint32_t step = take_byte(s);
-        m[i] =
-            step > 250 ? take_u32(s) : (i > 0 ? m[i - 1] : 0) + (step & 15u) * (1u << (step >> 4));
-    }
-    mark(&allan, sizeof allan);
-    if (invcal_allan_init(&allan, are_octaves ? NULL : m, count, windows) != INVCAL_OK) {
-        require_mark(&allan, sizeof allan);
-        return;
-    }
-    while (s->left > 8) {
-        push_samples(&allan, s);
-        if (take_byte(s) % 8 == 1) {
-            invcal_allan_gap(&allan);
-        }
-    }
     for (unsigned i = 0; i <= count; i++) {
         mark(&point, sizeof point);
-        if (invcal_allan_get(&allan, i, &point) == INVCAL_OK) {
+        if (invcal_allan_get(allan, i, &point) == INVCAL_OK) {
             REQUIRE(i < count && point.count > 0);
             require_sigma(&point.adev, 1);
             REQUIRE(is_finite(point.edf) && point.edf > 0);
@@ -432,9 +447,52 @@ static void look_at_allan(source *s)
             require_mark(&point, sizeof point);
         }
     }
+}
+
+/* Returns how many averaging times there are; 0 if the list was refused. */
+static unsigned begin_allan(invcal_allan *allan, source *s)
+{
+    uint32_t m[INVCAL_ALLAN_TAUS + 1];
+    const unsigned count = take_byte(s) % (INVCAL_ALLAN_TAUS + 2);
+
+    if (take_byte(s) % 2 == 0) {
+        invcal_allan_init(allan);
+        return INVCAL_ALLAN_TAUS;
+    }
+    for (unsigned i = 0; i < count; i++) {
+        const uint32_t step = take_byte(s);
+        m[i] =
+            step > 250 ? take_u32(s) : (i > 0 ? m[i - 1] : 0) + (step & 15u) * (1u << (step >> 4));
+    }
+    mark(allan, sizeof *allan);
+    if (invcal_allan_begin(allan, m, count) != INVCAL_OK) {
+        require_mark(allan, sizeof *allan);
+        return 0;
+    }
+    return count;
+}
+
+static void look_at_allan(source *s)
+{
+    invcal_allan allan;
+    invcal_noise noise;
+    const unsigned count = begin_allan(&allan, s);
+
+    if (count == 0) {
+        return;
+    }
+    if (take_byte(s) % 2) {
+        invcal_allan_apart(&allan);
+    }
+    while (s->left > 8) {
+        push_samples(&allan, s);
+        if (take_byte(s) % 8 == 1) {
+            invcal_allan_gap(&allan);
+        }
+    }
+    look_at_points(&allan, count);
     mark(&noise, sizeof noise);
-    if (invcal_allan_noise(&allan, take_real(s, 100), take_real(s, INVCAL_REAL(0.001)), &noise) !=
-        INVCAL_OK) {
+    if (invcal_allan_noise(&allan, take_real(s, 100), &noise) != INVCAL_OK) {
         require_mark(&noise, sizeof noise);
         return;
     }
@@ -457,65 +515,83 @@ static void any_noise(source *s)
     look_at_noise(&noise, s);
 }
 
+/* ---- the rest --------------------------------------------------------------------------------- */
+
 static void look_at_plan(source *s)
 {
     invcal_plan plan = {take_byte(s) % 2 ? take_u32(s) % 1100 : 6, {0, 0, 0}};
-    invcal_real coefficient[INVCAL_PLAN_GROUPS][INVCAL_SERIES_TERMS];
-    invcal_real x[INVCAL_PARAMETERS];
     invcal_plan_position position;
-    invcal_series series;
 
     for (unsigned g = 0; g < INVCAL_PLAN_GROUPS; g++) {
         plan.start[g] = take_real(s, 30);
     }
     mark(&position, sizeof position);
     if (invcal_plan_position_at(&plan, take_byte(s), &position) == INVCAL_OK) {
-        require_finite(position.vertical, 3);
+        require_direction(position.vertical);
         REQUIRE(position.group >= 1 && position.group <= INVCAL_PLAN_GROUPS);
+        REQUIRE(position.alpha > -180 && position.alpha <= 180);
+        REQUIRE(position.beta > -180 && position.beta <= 180);
     } else {
         require_mark(&position, sizeof position);
     }
-    mark(&series, sizeof series);
-    if (invcal_series_init(&series, &plan) != INVCAL_OK) {
-        require_mark(&series, sizeof series);
-        return;
-    }
-    for (unsigned i = 0; i < 3 * plan.per_group; i++) {
-        (void)invcal_series_add(&series, take_real(s, INVCAL_REAL(0.01)));
-    }
-    if (invcal_series_coefficients(&series, coefficient) == INVCAL_OK) {
-        require_finite(&coefficient[0][0], INVCAL_PLAN_GROUPS * INVCAL_SERIES_TERMS);
-        REQUIRE(invcal_series_solve(&series, x) == INVCAL_OK);
-        require_finite(x, INVCAL_PARAMETERS);
+    const uint8_t axes = invcal_axis_up(position.vertical); /* be it what it may */
+    REQUIRE((axes & (axes - 1)) == 0 && axes < 1u << INVCAL_AXES);
+    if (invcal_plan_starts(plan.per_group, plan.start) == INVCAL_OK) {
+        REQUIRE(invcal_plan_check(&plan) == INVCAL_OK);
     }
 }
 
-static void look_at_gravity(source *s)
+/* A nominal calibration, and a calibration in use. */
+static void use(source *s)
 {
-    const invcal_real latitude = take_real(s, 45);
-    const invcal_real height = take_real(s, 100);
-    invcal_real g = -1;
+    const conditions c = take_conditions(s);
+    char words[INVCAL_WORDS];
+    invcal_calibration made;
+    invcal_real zero[3];
+    invcal_real counts[3];
+    invcal_real raw[3];
+    invcal_real same[3];
+    int32_t sample[3];
 
-    if (invcal_gravity(latitude, height, &g) == INVCAL_OK) {
-        REQUIRE(g > INVCAL_REAL(9.7) && g < INVCAL_REAL(9.9));
-    } else {
-        REQUIRE(g == -1);
+    for (unsigned a = 0; a < 3; a++) {
+        zero[a] = take_real(s, 20);
+        counts[a] = take_real(s, 1000);
+        sample[a] = take_i32(s);
+        raw[a] = (invcal_real)sample[a];
     }
+    mark(&made, sizeof made);
+    if (invcal_nominal(zero, counts, &made) == INVCAL_OK) {
+        require_regular(&made);
+        require_solution(&made, &(conditions){.nominal = made, .field = c.field});
+    } else {
+        require_mark(&made, sizeof made);
+    }
+    invcal_apply(&c.nominal, raw, same);
+    invcal_apply(&c.nominal, raw, raw); /* the same array */
+    REQUIRE(memcmp(raw, same, sizeof raw) == 0);
+    invcal_apply_counts(&c.nominal, sample, raw);
+    REQUIRE(memcmp(raw, same, sizeof raw) == 0);
+    REQUIRE(invcal_words(raw, words) == words && memchr(words, '\0', sizeof words));
+    look_at_drift(s);
 }
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
 {
     source s = {data, size};
-    invcal_normal normal;
+    const unsigned what = take_byte(&s) % 11;
+    conditions c;
+    invcal_sums sums;
 
-    switch (take_byte(&s) % 10) {
+    switch (what) {
     case 0:
-        normal = any_sums(&s);
-        solve(&normal, &s);
+        c = take_conditions(&s);
+        sums = any_sums(&s);
+        solve(&sums, &c);
         break;
     case 1:
-        normal = sums_of_rows(&s);
-        solve(&normal, &s);
+        c = take_conditions(&s);
+        sums = sums_of_rows(&s, &c);
+        solve(&sums, &c);
         break;
     case 2:
         find_outliers(&s);
@@ -536,10 +612,19 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
         look_at_plan(&s);
         break;
     case 8:
-        look_at_gravity(&s);
+        use(&s);
+        break;
+    case 9:
+        c = take_conditions(&s);
+        c.is_linear = 1;
+        solve_linear(&s, &c);
         break;
     default:
-        calibrate(&s);
+        if (take_byte(&s) % 2) {
+            calibrate_with_prior(&s);
+        } else {
+            calibrate(&s);
+        }
         break;
     }
     return 0;

@@ -4,8 +4,8 @@
 Runs the unit tests on SAMPLE mutants of the FILEs (default: all of src/), two at a time, and demands
 that they kill 90 % of them. BUILD has the tests, BUILD/mutation those with TEST_SHORT: mutation.sh
 makes both. A mutant is killed when it makes a suite fail, crash or take forever: the short form of
-every suite that links the room, its own and the quick ones first, in float and in double; then, in
-float, the room's own with the sanitizers of `make check`, and its own as a whole.
+every suite that links the module, its own and the quick ones first, in float and in double; then, in
+float, the module's own with the sanitizers of `make check`, and its own as a whole.
 One that compiles to the same bytes, or to none, is no mutant and not counted.
 
 Survivors stand in survivors.txt with a reason, which changes no figure. One that does not is
@@ -49,10 +49,10 @@ def read(path):
 
 # ---- building and running ------------------------------------------------------------------------
 
-def compiled(folder, room, flags):
-    """The object of folder/src/room.c, or None if that is no C."""
-    path = "%s/%s.o" % (folder, room)
-    done = subprocess.run([*CC, *flags, "-c", "-o", path, "%s/src/%s.c" % (folder, room)],
+def compiled(folder, module, flags):
+    """The object of folder/src/module.c, or None if that is no C."""
+    path = "%s/%s.o" % (folder, module)
+    done = subprocess.run([*CC, *flags, "-c", "-o", path, "%s/src/%s.c" % (folder, module)],
                           stderr=subprocess.DEVNULL, check=False)
     return path if done.returncode == 0 else None
 
@@ -79,39 +79,39 @@ def passes(program, seconds):
 
 
 class Workshop:
-    """What all mutants need: which suites link which rooms, and what they cost."""
+    """What all mutants need: which suites link which modules, and what they cost."""
 
     def __init__(self, build, folder):
         self.tests = {"short": build + "/mutation", "own": build + "/mutation", "full": build}
-        self.rooms, self.cost = {}, {}
+        self.modules, self.cost = {}, {}
         for suite in map(name_of, glob.glob("tests/unit/test_*.c")):
             said = link(self.tests["short"] + "/float", suite, [], folder + "/suite", "-Wl,-M")
-            self.rooms[suite] = set(re.findall(r"libinvcal\.a\((\w+)\.o\)", said))
+            self.modules[suite] = set(re.findall(r"libinvcal\.a\((\w+)\.o\)", said))
             start = time.perf_counter()
             if not passes(folder + "/suite", SECONDS["short"]):
                 sys.exit(suite + " fails, and nothing is changed yet")
             self.cost[suite] = time.perf_counter() - start
 
-    def suites(self, kind, file, rooms):
+    def suites(self, kind, file, modules):
         own = "test_" + name_of(file)
-        if kind != "short" and own in self.rooms:
+        if kind != "short" and own in self.modules:
             return [own]
-        return sorted((s for s in self.rooms if kind != "full" and self.rooms[s] & rooms),
+        return sorted((s for s in self.modules if kind != "full" and self.modules[s] & modules),
                       key=lambda s: (s != own, self.cost[s]))
 
     @functools.lru_cache(maxsize=None)
-    def require(self, kind, suite, real, options, rooms):
+    def require(self, kind, suite, real, options, modules):
         """What fails by itself, or for want of sanitizers, kills nothing."""
         with tempfile.TemporaryDirectory() as folder:
             shutil.copytree("src", folder + "/src")
-            objects = [compiled(folder, room, flags_of(kind, real, options)) for room in rooms]
+            objects = [compiled(folder, m, flags_of(kind, real, options)) for m in modules]
             link("%s/%s" % (self.tests[kind], real), suite, objects, folder + "/suite", *options)
             if not passes(folder + "/suite", SECONDS[kind]):
                 sys.exit("%s fails (%s, %s), and nothing is changed yet" % (suite, kind, real))
 
     def judge(self, mutant):
         """One of RESULTS, and what killed it."""
-        rooms = rooms_with(mutant.file)
+        modules = modules_with(mutant.file)
         differs = False
         with tempfile.TemporaryDirectory() as folder:
             shutil.copytree("src", folder + "/src")
@@ -119,7 +119,7 @@ class Workshop:
                 file.write(mutants.apply(mutant, read(mutant.file)))
             for kind, real, options in ROUNDS:
                 tests = "%s/%s" % (self.tests[kind], real)
-                objects = [compiled(folder, room, flags_of(kind, real, options)) for room in rooms]
+                objects = [compiled(folder, m, flags_of(kind, real, options)) for m in modules]
                 if None in objects:
                     return "invalid", ""
                 if ROUNDS.index((kind, real, options)) < 2:
@@ -129,16 +129,16 @@ class Workshop:
                     differs = True
                 if not differs:
                     break
-                for suite in self.suites(kind, mutant.file, rooms):
+                for suite in self.suites(kind, mutant.file, modules):
                     link(tests, suite, objects, folder + "/suite", *options)
                     if not passes(folder + "/suite", SECONDS[kind]):
-                        self.require(kind, suite, real, options, rooms)
+                        self.require(kind, suite, real, options, modules)
                         return "killed", " ".join(["by", kind, suite, real, *options[:1]])
         return "survived" if differs else "same", ""
 
 
-def rooms_with(file):
-    """The rooms that a source is compiled into: itself, or those that include a header."""
+def modules_with(file):
+    """The modules that a source is compiled into: itself, or those that include a header."""
     found = {os.path.basename(file)}
     for _ in range(3):  # headers include headers
         for other in glob.glob("src/*.[ch]"):
@@ -183,8 +183,8 @@ def summary(counts):
 def main():
     build, sample, seed = sys.argv[1], int(sys.argv[2]), sys.argv[3]
     files = sys.argv[4:] or sorted(glob.glob("src/*.[ch]"))
-    statuses = set(re.findall(r"^    (INVCAL_\w+)",
-                              read("include/invcal/status.h").split("INVCAL_STATUS_COUNT")[0], re.M))
+    header = read("include/invcal/invcal.h").split("INVCAL_STATUS_COUNT")[0]
+    statuses = set(re.findall(r"^    (INVCAL_\w+)", header.rsplit("typedef enum {")[-1], re.M))
     everything = [m for f in files for m in mutants.mutants_of(f, statuses, seed)]
     chosen = sorted(everything, key=lambda m: m.key)[:sample]
     known = {k for k in known_survivors() if k[0] in files}

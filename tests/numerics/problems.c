@@ -19,7 +19,7 @@ void tearDown(void)
 }
 
 enum { LEAST = 9 };
-static const double LOWEST = 5;     /* the condition of positions spread evenly over the sphere */
+static const double LOWEST = 150;   /* of positions spread evenly over the sphere it is 130 */
 static const double HIGHEST = 1e6;  /* what the bound is stated up to, */
 static const double HOPELESS = 1e9; /* and where refusals are looked for */
 
@@ -98,20 +98,27 @@ static void spread_set(direction_set open, direction_set move, unsigned count, d
     }
 }
 
+/* A bound as quality.condition is one: tr H'H tr (H'H)^-1. */
 static double condition_of(direction_set directions, unsigned count)
 {
-    invcal_normal normal;
-    invcal_observation row;
-    invcal_real hth[INVCAL_PACKED_SIZE(INVCAL_PARAMETERS)];
+    const invcal_calibration nominal = unit_nominal();
+    invcal_sums sums;
 
-    invcal_normal_init(&normal);
+    invcal_sums_init(&sums);
     for (unsigned i = 0; i < count; i++) {
-        if (invcal_observation_exact(directions[i], &row) == INVCAL_OK) {
-            (void)invcal_normal_add(&normal, &row, 1);
-        }
+        (void)invcal_sums_add(&sums, &nominal, directions[i]);
     }
-    invcal_normal_matrix(&normal, hth);
-    return invcal_condition(hth, INVCAL_PARAMETERS);
+    invcal_sums_system(&sums);
+    const double trace = invcal_trace(sums.sum, INVCAL_PARAMETERS);
+    if (invcal_factor(sums.sum, INVCAL_PARAMETERS, INVCAL_PARAMETERS, 1e-13) != INVCAL_OK) {
+        return INFINITE;
+    }
+    invcal_invert(sums.sum, INVCAL_PARAMETERS);
+    double of_inverse = 0;
+    for (unsigned r = 0; r < INVCAL_PARAMETERS; r++) {
+        of_inverse += invcal_variance(sums.sum, INVCAL_PARAMETERS, r);
+    }
+    return trace * of_inverse;
 }
 
 /* Directions whose condition is the wanted one within a third; the less the spread, the higher. */
@@ -144,49 +151,48 @@ static unsigned directions_of(random_source *source, double wanted, direction_se
 
 /* What the sensor's data sheet may say: fields and units that occur. The matrix is scaled axes, or
  * an earlier calibration with cross terms. Everything as a float holds it. */
-static invcal_settings nominal_of(random_source *source)
+static invcal_calibration nominal_of(random_source *source)
 {
-    static const double unit[][3] = {
-        /* field, units of the field in one count, largest zero */
-        {1, 1, 0},         {9.80665, 1, 0},      {9.81, 0.0024, 33000}, {1, 0.000061, 100},
-        {48.5, 0.15, 300}, {9.8, 0.0005986, 30}, {1000, 0.061, 20},     {9.80665, 1e-7, 1e7},
+    static const double unit[][2] = {
+        /* of the field in one count, largest zero */
+        {1, 0},           {1 / 9.80665, 0},      {0.0024 / 9.81, 33000}, {0.000061, 100},
+        {0.15 / 48, 300}, {0.0005986 / 9.8, 30}, {0.061 / 1000, 20},     {1e-7 / 9.80665, 1e7},
     };
     const double *u = unit[(int)random_uniform(source, 0, sizeof unit / sizeof unit[0])];
     const int is_crossed = random_uniform(source, 0, 1) < 0.3;
-    invcal_settings settings = {.field = (float)u[0]};
+    invcal_calibration nominal;
 
     for (int i = 0; i < 3; i++) {
         const double sign = random_uniform(source, 0, 1) < 0.2 ? -1 : 1;
-        settings.nominal.offset[i] = (float)(u[2] * random_uniform(source, -1, 1));
+        nominal.offset[i] = (float)(u[1] * random_uniform(source, -1, 1));
         for (int j = 0; j < 3; j++) {
             const double cross = is_crossed ? random_uniform(source, -0.05, 0.05) : 0;
-            settings.nominal.matrix[i][j] = (float)(u[1] * (i == j ? sign : cross));
+            nominal.matrix[i][j] = (float)(u[0] * (i == j ? sign : cross));
         }
     }
-    settings.frame =
-        random_uniform(source, 0, 1) < 0.25 ? INVCAL_FRAME_TRIANGULAR : INVCAL_FRAME_SYMMETRIC;
-    return settings;
+    return nominal;
 }
 
-static void print_settings(const invcal_settings *settings)
+static void print_nominal(const invcal_calibration *nominal)
 {
-    printf(" %d %a %a", (int)settings->frame, settings->field, settings->noise);
     for (int i = 0; i < 3; i++) {
-        printf(" %a", settings->nominal.offset[i]);
+        printf(" %a", nominal->offset[i]);
     }
     for (int i = 0; i < 9; i++) {
-        printf(" %a", settings->nominal.matrix[i / 3][i % 3]);
+        printf(" %a", nominal->matrix[i / 3][i % 3]);
     }
 }
 
-/* raw = zero + N^-1 field u */
-static void print_raw(const invcal_settings *settings, double inverse[3][3], const double u[3])
+/* raw = zero + N^-1 u */
+static void print_raw(const invcal_calibration *nominal, const double u[3])
 {
+    double inverse[3][3];
+
+    inverse3((const double(*)[3])nominal->matrix, inverse);
     for (int i = 0; i < 3; i++) {
         const double *row = inverse[i];
         printf(" %a",
-               (double)(float)(settings->nominal.offset[i] +
-                               settings->field * (row[0] * u[0] + row[1] * u[1] + row[2] * u[2])));
+               (double)(float)(nominal->offset[i] + row[0] * u[0] + row[1] * u[1] + row[2] * u[2]));
     }
 }
 
@@ -200,22 +206,21 @@ static void problem(random_source *source)
     const double noise = random_uniform(source, 0, 1) < 0.2
                              ? 0
                              : 0.01 * pow(10, random_uniform(source, -4, 0)) / sqrt(wanted);
-    invcal_settings settings = nominal_of(source);
+    const invcal_calibration nominal = nominal_of(source);
+    const int is_triangular = random_uniform(source, 0, 1) < 0.25;
+    const int is_stated = random_uniform(source, 0, 1) < 0.5;
     direction_set directions;
-    double inverse[3][3];
     double u[3];
 
     const unsigned count = directions_of(source, wanted, directions);
-    settings.noise = random_uniform(source, 0, 1) < 0.5 ? 0 : (float)(noise * settings.field);
-    (void)invcal_calibration_inverse(&settings.nominal, inverse);
-    printf("%u", count);
-    print_settings(&settings);
+    printf("%u %d %a", count, is_triangular, (double)(is_stated ? (float)noise : 0));
+    print_nominal(&nominal);
     for (unsigned i = 0; i < count; i++) {
         triad_read(&truth, directions[i], u);
         for (int r = 0; r < 3; r++) {
             u[r] += noise * random_normal(source);
         }
-        print_raw(&settings, inverse, u);
+        print_raw(&nominal, u);
     }
     putchar('\n');
 }

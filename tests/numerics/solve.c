@@ -2,12 +2,12 @@
  *
  * Solves the problems on its input, one a line,
  *
- *     count frame field noise zero(3) nominal(9, by rows) raw(3 count)
+ *     count triangular? noise zero(3) nominal(9, by rows) raw(3 count)
  *
  * and prints for each: status verdict, the nine parameters, offset(3), matrix(9), sigma of the
- * nine, sigma of the offset(3), noise, residual_rms, residual_max, condition; all as hexadecimal
- * floating-point numbers, so exactly. Before the first, what the headers promise: INVCAL_LOSS,
- * _LENGTH, _SIGMA, _AGAIN, INVCAL_EPSILON, INVCAL_PIVOT_FLOOR.
+ * nine, sigma of the offset(3), noise, rms, max, condition; all as hexadecimal floating-point
+ * numbers, so exactly. Before the first, what the header promises: INVCAL_LOSS, _LENGTH, _SIGMA,
+ * _AGAIN, INVCAL_EPSILON, INVCAL_FLOOR; and INVCAL_UNDETERMINED.
  */
 #include <stdio.h>
 
@@ -42,21 +42,28 @@ static void print_numbers(const invcal_real *from, unsigned count)
     }
 }
 
-static void print_result(invcal_status status, const invcal_solution *s, const invcal_quality *q)
+static void print_result(invcal_status status, const invcal_calibration *c,
+                         const invcal_calibration *nominal, int is_triangular,
+                         const invcal_quality *q)
 {
+    invcal_calibration turned = *c;
+    invcal_real x[INVCAL_PARAMETERS];
+    invcal_real sigma_offset[3];
+
+    invcal_deviation(c, nominal, x);
+    invcal_sigma_offset(q, nominal, sigma_offset);
+    if (is_triangular) {
+        invcal_make_triangular(&turned, nominal);
+    }
     printf("%d %d", (int)status, (int)q->verdict);
-    print_numbers(s->delta, 3);
-    print_numbers(s->dk, 3);
-    print_numbers(s->gamma, 3);
-    print_numbers(s->calibration.offset, 3);
-    print_numbers(s->calibration.matrix[0], 9);
-    print_numbers(q->sigma_delta, 3);
-    print_numbers(q->sigma_dk, 3);
-    print_numbers(q->sigma_gamma, 3);
-    print_numbers(q->sigma_offset, 3);
+    print_numbers(x, INVCAL_PARAMETERS);
+    print_numbers(turned.offset, 3);
+    print_numbers(turned.matrix[0], 9);
+    print_numbers(q->sigma, INVCAL_PARAMETERS);
+    print_numbers(sigma_offset, 3);
     print_numbers(&q->noise, 1);
-    print_numbers(&q->residual_rms, 1);
-    print_numbers(&q->residual_max, 1);
+    print_numbers(&q->rms, 1);
+    print_numbers(&q->max, 1);
     print_numbers(&q->condition, 1);
     putchar('\n');
 }
@@ -64,26 +71,31 @@ static void print_result(invcal_status status, const invcal_solution *s, const i
 int main(void)
 {
     unsigned count;
-    int frame;
+    int is_triangular;
 
-    const invcal_real promised[] = {INVCAL_LOSS,       INVCAL_LOSS_LENGTH, INVCAL_LOSS_SIGMA,
-                                    INVCAL_LOSS_AGAIN, INVCAL_EPSILON,     INVCAL_PIVOT_FLOOR};
+    const invcal_real promised[] = {INVCAL_LOSS,
+                                    INVCAL_LOSS_LENGTH,
+                                    INVCAL_LOSS_SIGMA,
+                                    INVCAL_LOSS_AGAIN,
+                                    INVCAL_EPSILON,
+                                    INVCAL_FLOOR,
+                                    (invcal_real)INVCAL_UNDETERMINED};
     print_numbers(promised, sizeof promised / sizeof promised[0]);
     putchar('\n');
-    while (scanf("%u %d", &count, &frame) == 2) {
-        invcal_settings settings = {.frame =
-                                        frame ? INVCAL_FRAME_TRIANGULAR : INVCAL_FRAME_SYMMETRIC};
+    while (scanf("%u %d", &count, &is_triangular) == 2) {
+        invcal_calibration nominal;
+        invcal_calibration found;
+        invcal_real noise;
         invcal_real raw[MAX_POSITIONS][3];
-        invcal_solution solution = {.delta = {0}};
         invcal_quality quality = {.dof = 0};
-        if (count > MAX_POSITIONS || !read_numbers(&settings.field, 1) ||
-            !read_numbers(&settings.noise, 1) || !read_numbers(settings.nominal.offset, 3) ||
-            !read_numbers(settings.nominal.matrix[0], 9) || !read_numbers(raw[0], 3 * count)) {
+        if (count > MAX_POSITIONS || !read_numbers(&noise, 1) || !read_numbers(nominal.offset, 3) ||
+            !read_numbers(nominal.matrix[0], 9) || !read_numbers(raw[0], 3 * count)) {
             return 1;
         }
+        found = nominal;
         const invcal_status status =
-            invcal_calibrate(raw[0], count, &settings, &solution, &quality, NULL);
-        print_result(status, &solution, &quality);
+            invcal_calibrate(raw[0], count, &nominal, noise, &found, &quality);
+        print_result(status, &found, &nominal, is_triangular, &quality);
     }
     return ferror(stdin) || ferror(stdout);
 }

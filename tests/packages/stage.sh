@@ -10,7 +10,7 @@ dest="$out/a folder/laid out"
 
 mkdir -p "$tree/port/toy" "$tree/src" "$tree/include/invcal"
 cp port/stage.sh port/version.sh "$tree/port/"
-printf '#define INVCAL_VERSION_%s\n' 'MAJOR 12' 'MINOR 0' 'PATCH 345' > "$tree/include/invcal/config.h"
+printf '#define INVCAL_VERSION_%s\n' 'MAJOR 12' 'MINOR 0' 'PATCH 345' > "$tree/include/invcal/invcal.h"
 echo 'version @VERSION@, @MAJOR@-@MINOR@-@PATCH@' > "$tree/port/toy/manifest"
 echo 'echo made > "$1/made.txt"' > "$tree/port/toy/make.sh"
 echo 'exit 3' > "$tree/port/toy/fail.sh"
@@ -62,7 +62,7 @@ refuses_tilde() {
 }
 
 check "it copies, renames and makes" lays_out
-check "a package's own files get the version of config.h" substitutes
+check "a package's own files get the version of invcal.h" substitutes
 check "a folder that holds something is left alone" keeps_full_folder
 check "a file that is not there is named" refuses 'port/toy/files:4: no file src/three.c' \
     'src/one.c ./' 'src/three.c ./'

@@ -89,7 +89,7 @@ check "so in the repository, where port/ is the module" module_yml port
 check "sample.yaml keeps to the rules" sample_yaml
 check "its Kconfig can be read" top_kconfig "$module"
 check "its options can be listed" read_options
-check "they and their defaults are those of config.h" same_defaults
+check "they and their defaults are those of the headers" same_defaults
 check "and so are their ranges" same_ranges
 check "each reaches the library and the application" builds_with_options
 check "without CONFIG_INVCAL it adds nothing" builds_without

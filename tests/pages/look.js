@@ -22,6 +22,17 @@
   const describe = (e) => '<' + e.tagName + (e.getAttribute('class') ? ' class="' +
     e.getAttribute('class') + '"' : '') + '>';
   const number = (x) => String(Math.round(x * 100) / 100);
+  // What does not change while the page is looked at is asked for once: a page has some 100,000
+  // questions about some 1,000 elements.
+  const once = (ask) => {
+    const answers = new Map();
+    return (e) => {
+      if (!answers.has(e)) {
+        answers.set(e, ask(e));
+      }
+      return answers.get(e);
+    };
+  };
 
   // ---- colours: [r, g, b, alpha], 0 ... 1 ----
   const canvas = document.createElementNS('http://www.w3.org/1999/xhtml', 'canvas');
@@ -49,7 +60,7 @@
   };
   const hex = (c) => '#' + c.slice(0, 3).map((v) =>
     Math.round(255 * v).toString(16).padStart(2, '0')).join('');
-  const opacity = (e) => e ? Number(style(e).opacity) * opacity(e.parentElement) : 1;
+  const opacity = once((e) => e ? Number(style(e).opacity) * opacity(e.parentElement) : 1);
   const bare = () => { // what a page without any background shows
     if (view.print || isSvg(root)) {
       return [1, 1, 1, 1];
@@ -64,7 +75,7 @@
   const BARE = bare();
 
   // The colours that a fill or stroke may have: one, or those of the stops of a gradient.
-  const paint = (e, which) => {
+  const findPaint = (e, which) => {
     const value = style(e)[which];
     const alpha = style(e)[which + 'Opacity'] * opacity(e);
     const gradient = /^url\("?#([^")]+)"?\)/.exec(value);
@@ -79,20 +90,28 @@
       : [colour(value)];
     return list.map((c) => [c[0], c[1], c[2], c[3] * alpha]);
   };
+  const paints = {fill: once((e) => findPaint(e, 'fill')),
+    stroke: once((e) => findPaint(e, 'stroke'))};
+  const paint = (e, which) => paints[which](e);
+  const isShape = once((e) => e.matches(SHAPES));
+  const hasPicture = once((e) => style(e).backgroundImage !== 'none');
+  const background = once((e) => {
+    if ((isSvg(e) && e.tagName !== 'svg') ||
+      (view.print && style(e).printColorAdjust !== 'exact')) {
+      return []; // text; backgrounds are not printed
+    }
+    const c = colour(style(e).backgroundColor);
+    return [[c[0], c[1], c[2], c[3] * opacity(e)]];
+  });
 
   // What an element paints at a point: colours it may have there, or none.
   const painted = (e, x, y) => {
-    const s = style(e);
-    if (e.matches(SHAPES)) {
+    if (isShape(e)) {
       const at = new DOMPoint(x, y).matrixTransform(e.getScreenCTM().inverse());
       const stroke = e.isPointInStroke(at) ? paint(e, 'stroke') : [];
       return stroke.length ? stroke : e.isPointInFill(at) ? paint(e, 'fill') : [];
     }
-    if ((isSvg(e) && e.tagName !== 'svg') || (view.print && s.printColorAdjust !== 'exact')) {
-      return []; // text; backgrounds are not printed
-    }
-    const c = colour(s.backgroundColor);
-    return [[c[0], c[1], c[2], c[3] * opacity(e)]];
+    return background(e);
   };
 
   // The colours that layers, topmost first, may add up to.
@@ -109,9 +128,11 @@
   const scroller = (e) => e && e !== document.body && e !== root
     ? (!isSvg(e) && scrolls(style(e).overflowX) ? e : scroller(e.parentElement)) : null;
 
+  let marks = null; // where those are that are no decoration, until something is scrolled
   const showIn = (area, box) => { // scrolls a box into sight
     const b = area && area.getBoundingClientRect();
     if (area && (box.right > b.right || box.left < b.left)) {
+      marks = null;
       area.scrollLeft += (box.left + box.right - b.left - b.right) / 2;
     }
   };
@@ -257,11 +278,9 @@
   // A few points of a text; where marks are near, each pixel along its middle, both ways, so that
   // no line runs through it unseen.
   const pointsIn = (b, t) => {
-    const near = isSvg(t.element) && drawn.some((e) => {
-      const m = e.getBoundingClientRect();
-      return !e.matches(DECORATIVE) && m.left < b.right && m.right > b.left &&
-        m.top < b.bottom && m.bottom > b.top;
-    });
+    marks ||= drawn.filter((e) => !e.matches(DECORATIVE)).map((e) => e.getBoundingClientRect());
+    const near = isSvg(t.element) && marks.some((m) =>
+      m.left < b.right && m.right > b.left && m.top < b.bottom && m.bottom > b.top);
     const steps = (n, from, to) =>
       Array.from({length: n}, (_, k) => from + (k + 0.5) / n * (to - from));
     const row = steps(near ? Math.ceil(b.right - b.left) : 3, b.left, b.right);
@@ -292,12 +311,12 @@
         if (hidden) {
           return `${quote(t.string)}: covered by ${describe(hidden)}`;
         }
-        const picture = stack.slice(at).find((e) => style(e).backgroundImage !== 'none');
+        const picture = stack.slice(at).find(hasPicture);
         if (picture) {
           return `${quote(t.string)}: a background picture lies behind it`;
         }
         const behind = blend([halo, ...stack.slice(at).map((e) => painted(e, x, y))]);
-        const sheet = stack.filter((e) => e.matches('.paper') || !e.matches(SHAPES));
+        const sheet = stack.filter((e) => e.matches('.paper') || !isShape(e));
         const dark = blend(sheet.map((e) => painted(e, x, y))).find((c) => luminance(c) < 0.7);
         if (dark) {
           found.paper.push(`${quote(t.string)} on ${hex(dark)}`);

@@ -30,6 +30,7 @@ MARGIN = 38       # 1 cm, where the page states none
 VIEWS = {"phone": (360, 740, 2, 7.5), "desktop": (1280, 900, 1, 9), "print": (None, None, 1, 8)}
 PICTURE_FONT = 6  # a picture alone shrinks to the phone, and can be enlarged
 STRIP = 6000      # highest screenshot, CSS pixels
+SHOTS = os.environ.get("SHOTS") != "0"  # half of the time goes into pictures of all that is right
 # Least CIEDE2000 difference of two data colours that nothing else tells apart. The palette of Okabe
 # and Ito, made for all eyes, has 10.9 between orange and purple for tritanopia.
 UNLIKE = 10
@@ -179,7 +180,7 @@ class Gate:
         high = max(height, self.set_view(width, height, scale))
         self.set_view(width, high, scale)  # all of it in sight
         found = self.run(LOOK, {"print": view == "print", "font": font})
-        self.screenshot("%s-%s-%s" % (path.name, view, scheme), width, high)
+        before = len(self.failed)
         where = "%s at %s, %s" % (path.name, view, scheme)
         self.check(where, checks.CUT, found["cut"])
         self.check(where, checks.OVERLAP, found["overlap"])
@@ -194,6 +195,8 @@ class Gate:
         if view == "desktop":
             self.colours(where, found["colours"])
         self.words = found["words"]
+        if SHOTS or len(self.failed) > before:
+            self.screenshot("%s-%s-%s" % (path.name, view, scheme), width, high)
 
     def screenshot(self, name, width, high):
         for number, top in enumerate(range(0, high, STRIP)):
@@ -228,8 +231,6 @@ class Gate:
         pdf.write_bytes(base64.b64decode(data))
         boxes = subprocess.run(["pdftotext", "-bbox", str(pdf), "-"], check=True,
                                capture_output=True, text=True).stdout
-        subprocess.run(["pdftoppm", "-r", "80", "-png", str(pdf), str(pdf.with_suffix(".pdf"))],
-                       check=True)
         faults, letters, sheets = [], collections.Counter(), 0
         for line in boxes.splitlines():
             sheet = re.search(r'<page width="([\d.]+)" height="([\d.]+)"', line)
@@ -253,6 +254,9 @@ class Gate:
                 "%s (%d)" % item for item in lost.most_common()))
         self.check(path.name + " on paper", checks.SHEETS, faults,
                    ", A4, %d page%s" % (sheets, "" if sheets == 1 else "s"))
+        if SHOTS or faults:
+            subprocess.run(["pdftoppm", "-r", "80", "-png", str(pdf),
+                            str(pdf.with_suffix(".pdf"))], check=True)
 
 
 def plain(text):

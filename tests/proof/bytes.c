@@ -2,17 +2,37 @@
 #include "arbitrary.h"
 #include "bytes.h"
 
+// eva: -eva-auto-loop-unroll 10 -eva-slevel-function invcal_crc32:0
+// dead: bits_of 2
+// dead: -DINVCAL_DOUBLE=1 bits_of 1
+// The test for a double, and its constant, is decided when it is compiled.
+
+/* From a buffer of exactly so many bytes. */
+static void unseal(uint32_t size)
+{
+    uint8_t buffer[300];
+    uint8_t *bytes = &buffer[sizeof buffer - size];
+
+    ANY(buffer);
+    (void)invcal_unseal(bytes, size, 0xCA, 1);
+    if (size >= 8) {
+        invcal_seal(bytes, 0xCA, BETWEEN(8, size));
+    }
+}
+
 void main(void)
 {
-    uint8_t bytes[300];
-    const uint32_t size = BETWEEN(0, sizeof bytes);
-    invcal_way way = {INVCAL_GET, bytes, bytes, 1};
+    uint8_t bytes[36];
     invcal_real reals[9];
 
+    //@ loop unroll 12;
+    for (uint32_t size = 0; size < 12; size++) {
+        unseal(size);
+    }
+    unseal(300);
     ANY(bytes);
     ANY(reals);
-    ANY(way.what);
-    invcal_is_sound(bytes, size);
-    invcal_are_zero(bytes, size);
-    invcal_way_each(&way, reals, 9);
+    (void)invcal_get_reals(bytes, reals, 9);
+    ANY(reals);
+    (void)invcal_put_reals(bytes, reals, 9);
 }

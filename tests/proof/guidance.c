@@ -1,25 +1,32 @@
 /* SPDX-License-Identifier: MIT */
+#include "guidance.h"
+
 #include <stddef.h>
 
 #include "arbitrary.h"
-#include "invcal/guidance.h"
 
-// eva: -eva-precision 0 -eva-auto-loop-unroll 128 -eva-split-return full -eva-slevel 200 -eva-slevel-merge-after-loop @all
-// trusted: 1
-// Of the directions the one with the largest gain qualifies, as no gain is a NaN: the pivots of L
-// bound it.
+// eva: -eva-auto-loop-unroll 30 -eva-slevel 60 -eva-split-return-function invcal_observe:0
+
+enum { COUNT = 100 };
 
 void main(void)
 {
-    invcal_normal normal;
+    static invcal_real raw[3 * COUNT];
+    invcal_calibration nominal;
+    invcal_sums sums;
     invcal_real up[3];
-    invcal_guidance next;
-    char words[INVCAL_GUIDANCE_WORDS];
+    invcal_real next[3];
+    invcal_real root[INVCAL_PARAMETERS];
 
-    ANY(normal);
+    ANY(raw);
+    ANY(nominal);
     ANY(up);
-    (void)invcal_guidance_next(&normal, NULL, &next);
-    (void)invcal_guidance_next(&normal, up, &next);
-    (void)invcal_guidance_of(&normal, up, &next);
-    invcal_guidance_words(up, words);
+    invcal_next(NULL, 0, &nominal, next);
+    invcal_next(raw, BETWEEN(1, COUNT), &nominal, next);
+    invcal_prospect(NULL, 0, &nominal, NULL, root);
+    invcal_prospect(raw, BETWEEN(1, COUNT), &nominal, up, root);
+    ANY(sums);
+    invcal_next_beside(&sums, up, next);
+    ANY(sums);
+    (void)invcal_ridged_inverse(&sums);
 }

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT
  *
  * What any sequence of calls leaves in a structure that only the library writes, proved as one
- * proves by induction: the proof of its room begins with any state for which the invariant holds
+ * proves by induction: the proof of its module begins with any state for which the invariant holds
  * (as much of it as the code relies on), makes any one call, and shows that it still holds; and
  * that it does after init. So no loop has to be followed, and no number of samples is too many.
  */

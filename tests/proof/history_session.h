@@ -2,21 +2,20 @@
 #ifndef HISTORY_SESSION_H
 #define HISTORY_SESSION_H
 
-#include "history_still.h"
-#include "invcal/session.h"
+#include "history_rests.h"
 
-/* Any session, begun with any setup that its init accepts. */
-static void any_session(invcal_session *s)
+/* Any session at these rates. */
+static void any_session(invcal_session *s, unsigned bits)
 {
     ANY(*s);
-    any_still(&s->still);
-    s->stored = (uint16_t)BETWEEN(0, INVCAL_MAX_POSITIONS);
+    any_rests(&s->rests, bits);
+    s->count = (uint8_t)BETWEEN(0, INVCAL_MAX_POSITIONS);
 }
 
-static void check_session(const invcal_session *s)
+static void check_session(const invcal_session *s, unsigned bits)
 {
-    check_still(&s->still);
-    HOLDS(s->stored <= INVCAL_MAX_POSITIONS);
+    check_rests(&s->rests, bits);
+    HOLDS(s->count <= INVCAL_MAX_POSITIONS);
 }
 
 #endif

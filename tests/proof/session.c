@@ -1,95 +1,259 @@
 /* SPDX-License-Identifier: MIT */
-#include <stddef.h>
+#include <limits.h>
 
-#include "history_session.h"
+#include "arbitrary.h"
+#include "guidance.h"
+#include "invcal/store.h"
+#include "status.h"
 
-// eva: -eva-precision 0 -eva-auto-loop-unroll 31 -eva-slevel 40 -eva-slevel-merge-after-loop @all -eva-slevel-function extreme:2000,compare:500,nth_kept:500,invcal_faded:0
-// What is written only if a function returns this is told apart by it.
-// eva: -eva-split-return-function check_setup:0,read_mean:0,held_row:0,solve_positions:0,solve_without_outliers:0,invcal_session_init:0
-// eva: -eva-split-return-function invcal_still_init:0,invcal_still_push:4,decide:4,judge_moment:4,agree:4,announce_still:4,disagree:4,freeze:4,finish:4,invcal_still_finish:4,invcal_still_current:0,fault:0
-// eva: -eva-split-return-function invcal_settings_check:0,check_settings:0,invcal_calibration_inverse:0,divide:0,invcal_plan_check:0,invcal_plan_position_at:0
-// eva: -eva-split-return-function invcal_observe:0,invcal_observation_reading:0,invcal_observation_exact:0,exact:0,invcal_observation_vertical:0,linear:0,scale:0,check_reading:0,check_vertical:0,invcal_normal_add:0
-// eva: -eva-split-return-function invcal_calibrate_sums:0,solve_and_assess:0,weigh_prior_again:0,compare:0,invcal_residuals_add:0
-// eva: -eva-split-return-function invcal_solve:0,solve_normal:0,invcal_triad_of_ellipsoid:0,invcal_triad_join:0,invcal_information_factor:0,invcal_cholesky_factor:0,step_towards:0
-// eva: -eva-split-return-function invcal_assess:0,judge:0,judge_noise:0,judge_condition:0,parameters_of_data:0,invert:0,invcal_evidence_parameters:0
-// eva: -eva-split-return-function invcal_outliers_find:0,fit_without:0,solve_without:0,sum_rows:0,read_position:0,factor_with:0,direction:0
-// config: -DINVCAL_MAX_POSITIONS=64
-// trusted: 15
-// A position that is dropped is one of the table's; a share of seconds is one of numbers that have
-// been compared. The others are those of the rooms that it calls, which say why.
+// eva: -eva-precision 0 -eva-auto-loop-unroll 32 -eva-slevel 100 -eva-split-return full
+// stubs: rests judge outliers guidance words status
 
 static invcal_session session;
 
-static void any_begin(void)
-{
-    invcal_session_setup setup;
-    invcal_session begun;
+/* ---- what other modules do -------------------------------------------------------------------- */
 
-    ANY(setup);
-    if (invcal_session_init(&begun, &setup) == INVCAL_OK) {
-        HOLDS(begun.stored == 0);
+static invcal_status any_status(void)
+{
+    return (invcal_status)BETWEEN(INVCAL_OK, INVCAL_STATUS_COUNT - 1);
+}
+
+static invcal_event any_event(invcal_rests *rests)
+{
+    ANY(*rests);
+    return (invcal_event)BETWEEN(INVCAL_NOTHING, INVCAL_REFUSED);
+}
+
+invcal_status invcal_rests_init(invcal_rests *rests, unsigned rate)
+{
+    const invcal_status status = any_status();
+
+    (void)rate;
+    if (status == INVCAL_OK) {
+        ANY(*rests);
+    }
+    return status;
+}
+
+invcal_status invcal_rests_rails(invcal_rests *rests, int32_t low, int32_t high)
+{
+    (void)low;
+    (void)high;
+    ANY(*rests);
+    return any_status();
+}
+
+void invcal_rests_hold(invcal_rests *rests, uint32_t milliseconds)
+{
+    (void)milliseconds;
+    ANY(*rests);
+}
+
+invcal_event invcal_rests_feed(invcal_rests *rests, const int32_t raw[3])
+{
+    (void)raw[2];
+    return any_event(rests);
+}
+
+void invcal_rests_gap(invcal_rests *rests)
+{
+    ANY(*rests);
+}
+
+invcal_event invcal_rests_finish(invcal_rests *rests)
+{
+    return any_event(rests);
+}
+
+unsigned invcal_rests_progress(const invcal_rests *rests)
+{
+    (void)rests->bits;
+    return BETWEEN(0, 100);
+}
+
+invcal_status invcal_rests_reason(const invcal_rests *rests)
+{
+    (void)rests->reason;
+    return any_status();
+}
+
+int invcal_rests_mean(const invcal_rests *rests, invcal_real mean[3])
+{
+    (void)rests->bits;
+    if (BETWEEN(0, 1)) {
+        Frama_C_make_unknown((char *)mean, 3 * sizeof *mean);
+        return 1;
+    }
+    return 0;
+}
+
+/* Any reading of the array may be looked at. */
+static void look_at(const invcal_real *raw, unsigned count)
+{
+    if (count > 0) {
+        (void)raw[BETWEEN(0, 3 * count - 1)];
     }
 }
 
-static void any_feed(void)
+invcal_status invcal_outliers_find(const invcal_real *raw, unsigned count,
+                                   const invcal_calibration *nominal, invcal_real noise,
+                                   invcal_outliers *out)
 {
-    int32_t raw[3];
-    invcal_real temperature;
-    invcal_event event;
+    const invcal_status status = any_status();
 
-    ANY(raw);
-    ANY(temperature);
-    any_session(&session);
-    (void)invcal_session_feed(&session, raw, temperature, &event);
-    check_session(&session);
+    look_at(raw, count);
+    (void)nominal->matrix[2][2];
+    (void)noise;
+    if (status == INVCAL_OK) {
+        ANY(*out);
+    }
+    return status;
 }
 
-static void any_finish(void)
+invcal_status invcal_calibrate_without(const invcal_real *raw, unsigned count, invcal_mask left_out,
+                                       const invcal_calibration *nominal, invcal_real noise,
+                                       invcal_calibration *out, invcal_quality *quality)
 {
-    invcal_event event;
+    const invcal_status status = any_status();
 
-    any_session(&session);
-    (void)invcal_session_finish(&session, &event);
-    check_session(&session);
+    look_at(raw, count);
+    (void)left_out;
+    (void)nominal->matrix[2][2];
+    (void)noise;
+    if (status == INVCAL_OK) {
+        ANY(*out);
+        ANY(*quality);
+    }
+    return status;
+}
+
+void invcal_sum_readings(const invcal_real *raw, unsigned count, const invcal_calibration *nominal,
+                         invcal_sums *sums, invcal_real last[3])
+{
+    look_at(raw, count);
+    (void)nominal->matrix[2][2];
+    ANY(*sums);
+    Frama_C_make_unknown((char *)last, 3 * sizeof *last);
+}
+
+void invcal_next_beside(invcal_sums *sums, const invcal_real current[3], invcal_real up[3])
+{
+    ANY(*sums);
+    (void)current[2];
+    Frama_C_make_unknown((char *)up, 3 * sizeof *up);
+}
+
+const char *invcal_words(const invcal_real up[3], char words[INVCAL_WORDS])
+{
+    (void)up[2];
+    Frama_C_make_unknown(words, INVCAL_WORDS);
+    return words;
+}
+
+const char *invcal_refusal_text(invcal_status status)
+{
+    return status == INVCAL_OK ? "" : "any";
+}
+
+/* ---- the session ------------------------------------------------------------------------------ */
+
+static void any_session(void)
+{
+    ANY(session);
+    session.count = (uint8_t)BETWEEN(0, INVCAL_MAX_POSITIONS);
+}
+
+static void check_session(void)
+{
+    (void)(1 / (session.count <= INVCAL_MAX_POSITIONS)); /* an alarm, if it does not hold */
+}
+
+static void any_begin(void)
+{
+    invcal_calibration nominal;
+    invcal_real counts;
+    invcal_session begun;
+
+    ANY(nominal);
+    ANY(counts);
+    if (invcal_session_init(&begun, counts, BETWEEN(0, UINT_MAX)) == INVCAL_OK) {
+        session = begun;
+        check_session();
+    }
+    if (invcal_session_begin(&begun, &nominal, BETWEEN(0, UINT_MAX)) == INVCAL_OK) {
+        session = begun;
+        check_session();
+    }
 }
 
 static void any_change(void)
 {
-    invcal_real seconds;
-    invcal_calibration nominal;
+    int32_t raw[3];
+    invcal_real noise;
+    int32_t low, high;
 
-    ANY(seconds);
-    ANY(nominal);
-    any_session(&session);
-    invcal_session_hold(&session, seconds);
+    ANY(raw);
+    ANY(noise);
+    ANY(low);
+    ANY(high);
+    any_session();
+    (void)invcal_session_feed(&session, raw);
+    check_session();
+    any_session();
+    (void)invcal_session_finish(&session);
+    check_session();
+    invcal_session_hold(&session, BETWEEN(0, 0xFFFFFFFF));
     invcal_session_gap(&session);
-    (void)invcal_session_renew(&session, &nominal);
-    invcal_session_age(&session);
-    check_session(&session);
+    (void)invcal_session_noise(&session, noise);
+    (void)invcal_session_rails(&session, low, high);
+    check_session();
+}
+
+/* What was put back is anything, of any length; what goes on is a session, with a table within it. */
+static void any_resume(void)
+{
+    any_session();
+    (void)(1 / (invcal_session_size(&session) <= INVCAL_SESSION_SIZE));
+    ANY(session);
+    if (invcal_session_resume(&session, BETWEEN(0, 0xFFFFFFFF)) == INVCAL_OK) {
+        check_session();
+    }
 }
 
 static void any_look(void)
 {
-    invcal_guidance next;
-    invcal_solution solution;
-    invcal_quality found;
-    invcal_quality present;
-    invcal_outliers outliers;
+    char words[INVCAL_WORDS];
+    invcal_real up[3];
 
-    any_session(&session);
-    (void)invcal_session_next(&session, &next);
-    (void)invcal_session_solve(&session, &solution, &found, NULL);
-    (void)invcal_session_solve(&session, &solution, &found, &outliers);
-    ANY(found);
-    ANY(present);
-    (void)invcal_session_improves(&found, &present);
+    any_session();
+    ANY(up);
+    (void)invcal_session_progress(&session);
+    (void)invcal_session_last(&session);
+    (void)invcal_session_reason(&session);
+    (void)invcal_session_why(&session);
+    (void)invcal_session_is_at(&session, up);
+    invcal_session_next(&session, up);
+    (void)invcal_session_next_words(&session, words);
+}
+
+static void any_result(void)
+{
+    invcal_calibration out;
+    invcal_quality quality;
+    invcal_real target[3];
+
+    any_session();
+    ANY(target);
+    (void)invcal_session_solve(&session, &out, &quality);
+    (void)invcal_session_is_good(&session);
+    (void)invcal_session_reaches(&session, target);
 }
 
 void main(void)
 {
     any_begin();
-    any_feed();
-    any_finish();
     any_change();
+    any_resume();
     any_look();
+    any_result();
 }

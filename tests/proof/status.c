@@ -1,14 +1,19 @@
 /* SPDX-License-Identifier: MIT */
-#include "arbitrary.h"
-#include "invcal/status.h"
+#include "status.h"
 
-// eva: -eva-precision 0 -eva-slevel 1000
+#include "arbitrary.h"
+
+// eva: -eva-precision 0 -eva-slevel 2000
 void main(void)
 {
     for (unsigned n = 0; n <= INVCAL_STATUS_COUNT; n++) {
-        invcal_status_text((invcal_status)n);
-        invcal_parameter_name(n);
+        (void)invcal_status_text((invcal_status)n);
+        (void)invcal_refusal_text((invcal_status)n);
+        (void)invcal_parameter_name(n);
+        (void)invcal_verdict_text((invcal_verdict)n);
     }
-    invcal_status_text((invcal_status)BETWEEN(INVCAL_STATUS_COUNT, 0xFFFFFFFF));
-    invcal_parameter_name(BETWEEN(INVCAL_STATUS_COUNT, 0xFFFFFFFF));
+    (void)invcal_status_text((invcal_status)BETWEEN(INVCAL_STATUS_COUNT, 0xFFFFFFFF));
+    (void)invcal_refusal_text((invcal_status)BETWEEN(INVCAL_STATUS_COUNT, 0xFFFFFFFF));
+    (void)invcal_parameter_name(BETWEEN(INVCAL_STATUS_COUNT, 0xFFFFFFFF));
+    (void)invcal_verdict_text((invcal_verdict)BETWEEN(INVCAL_STATUS_COUNT, 0xFFFFFFFF));
 }

@@ -2,44 +2,9 @@
 #include <limits.h>
 #include <stddef.h>
 
-#include "arbitrary.h"
-#include "invcal/store.h"
+#include "driver.h"
 
 // eva: -eva-precision 0 -eva-auto-loop-unroll 8 -eva-slevel 0 -eva-slevel-function main:100
-
-/* A driver that answers anything, and a memory that reads as anything, each time anew; or as
- * nothing, whatever the answer. */
-static int read(void *context, unsigned slot, uint32_t offset, uint8_t *bytes, uint32_t size)
-{
-    (void)context;
-    (void)slot;
-    (void)offset;
-    if (Frama_C_int_interval(0, 1)) {
-        Frama_C_make_unknown((char *)bytes, size);
-    }
-    return Frama_C_int_interval(-1, 1);
-}
-
-static int erase(void *context, unsigned slot)
-{
-    (void)context;
-    (void)slot;
-    return Frama_C_int_interval(-1, 1);
-}
-
-static uint8_t sink;
-
-static int program(void *context, unsigned slot, uint32_t offset, const uint8_t *bytes,
-                   uint32_t size)
-{
-    (void)context;
-    (void)slot;
-    (void)offset;
-    for (uint32_t i = 0; i < size; i++) {
-        sink ^= bytes[i];
-    }
-    return Frama_C_int_interval(-1, 1);
-}
 
 /* One more than a record may have; with an int of 16 bits, all that there may be. */
 #define LARGEST (UINT_MAX > 0xFFFF ? 0x10000 : 0x7FFE)
@@ -71,7 +36,7 @@ static void use_all(invcal_store *store)
 
 void main(void)
 {
-    invcal_store store = {read, erase, program, NULL, 0, 0};
+    invcal_store store = {any_read, any_erase, any_program, NULL, 0, 0};
 
     ANY(memory);
     for (store.granularity = 1; store.granularity <= INVCAL_STORE_GRANULARITY_MAX + 1;

@@ -1,75 +1,158 @@
 /* SPDX-License-Identifier: MIT */
 #include "arbitrary.h"
-#include "invcal/thermal_record.h"
+#include "invcal/thermal.h"
+#include "solve.h"
 
-// eva: -eva-precision 0 -eva-auto-loop-unroll 128 -eva-split-return full -eva-slevel 200 -eva-slevel-merge-after-loop @all -eva-slevel-function invcal_crc32:0
+// eva: -eva-precision 0 -eva-auto-loop-unroll 128 -eva-slevel 200 -eva-slevel-merge-after-loop @all -eva-slevel-function invcal_crc32:0 -eva-split-return full
+// stubs: record solve nominal
 // config: -DINVCAL_THERMAL_DEGREE=0
 // config: -DINVCAL_THERMAL_DEGREE=2
-// trusted: 2
-// What has been settled fits into floats, and is put: proved of the record in its own room.
 
-enum { DEGREE_AT = 188, LARGEST = INVCAL_THERMAL_RECORD_BYTES(255u) };
+enum {
+    BEHIND = INVCAL_RECORD_SIZE_MAX - INVCAL_RECORD_SIZE,
+    LARGEST = INVCAL_THERMAL_RECORD_BYTES(255u) + BEHIND
+};
 
-/* From a buffer of exactly so many bytes, that state a length (its lower byte from low to high, its
- * upper one from low2 to high2) and a degree from least to most. */
-static void decode(uint32_t size, const unsigned range[4], unsigned least, unsigned most)
+/* ---- what other modules do -------------------------------------------------------------------- */
+
+void invcal_record_init(invcal_record *record, const invcal_calibration *calibration,
+                        const invcal_quality *quality)
+{
+    (void)calibration->matrix[2][2];
+    (void)quality->verdict;
+    ANY(*record);
+}
+
+invcal_status invcal_record_encode(const invcal_record *record, uint8_t bytes[INVCAL_RECORD_SIZE])
+{
+    (void)record->temperature_known;
+    Frama_C_make_unknown((char *)bytes, INVCAL_RECORD_SIZE);
+    return BETWEEN(0, 1) ? INVCAL_OK : INVCAL_DAMAGED;
+}
+
+invcal_status invcal_record_decode(const uint8_t *bytes, uint32_t size, invcal_record *out)
+{
+    (void)bytes[size - 1];
+    if (BETWEEN(0, 1)) {
+        ANY(*out);
+        return INVCAL_OK;
+    }
+    return INVCAL_DAMAGED;
+}
+
+invcal_status invcal_behind(const invcal_calibration *nominal, invcal_calibration *c)
+{
+    (void)nominal->matrix[2][2];
+    (void)c->matrix[2][2];
+    ANY(*c);
+    return BETWEEN(0, 1) ? INVCAL_OK : INVCAL_BAD_NOMINAL;
+}
+
+/* Whatever X is. */
+invcal_status invcal_triad(const invcal_real x[INVCAL_PARAMETERS], invcal_calibration *triad)
+{
+    (void)x[INVCAL_PARAMETERS - 1];
+    ANY(*triad);
+    return BETWEEN(0, 1) ? INVCAL_OK : INVCAL_NOT_ELLIPSOID;
+}
+
+invcal_status invcal_nominal_check(const invcal_calibration *nominal)
+{
+    (void)nominal->matrix[2][2];
+    return BETWEEN(0, 1) ? INVCAL_OK : INVCAL_BAD_NOMINAL;
+}
+
+/* ---- the record ------------------------------------------------------------------------------- */
+
+/* From a buffer of exactly so many bytes, of any version, that state a length (its lower byte from
+ * range[0] to range[1], its upper one from range[2] to range[3]) and, where version `version` has it,
+ * a degree from least to most. */
+static void decode(uint32_t size, const unsigned range[4], unsigned version, unsigned least,
+                   unsigned most)
 {
     static uint8_t buffer[LARGEST + 1];
+    const uint32_t degree_at = 4 + (version == 1 ? INVCAL_RECORD_SIZE_MAX : INVCAL_RECORD_SIZE);
     uint8_t *bytes = &buffer[sizeof buffer - size];
     invcal_thermal_record record;
 
     ANY(buffer);
-    if (size > DEGREE_AT) {
-        bytes[DEGREE_AT] = (uint8_t)BETWEEN(least, most);
+    if (size > degree_at) {
+        bytes[degree_at] = (uint8_t)BETWEEN(least, most);
     }
     if (size >= 4) {
+        bytes[1] = (uint8_t)version;
         bytes[2] = (uint8_t)BETWEEN(range[0], range[1]);
         bytes[3] = (uint8_t)BETWEEN(range[2], range[3]);
     }
     (void)invcal_thermal_record_decode(bytes, size, &record);
 }
 
-/* The length of each degree that this build reads, with any degree; and all other lengths. */
-static void decode_all(uint32_t size)
+/* The same for all lengths of a range below 512; those that are there apart from those that are not. */
+static void decode_lengths(uint32_t size, unsigned low, unsigned high, unsigned version)
 {
+    while (low <= high) {
+        unsigned last = low | 255;
+        last = last > size && low <= size ? size : last;
+        last = last < high ? last : high;
+        const unsigned range[4] = {low % 256, last % 256, low / 256, low / 256};
+        decode(size, range, version, 0, 255);
+        low = last + 1;
+    }
+}
+
+/* The length of each degree that this build reads, with any degree; and all other lengths. */
+static void decode_version(uint32_t size, unsigned version)
+{
+    const unsigned more = version == 1 ? BEHIND : 0;
     unsigned next = 0;
 
     for (unsigned degree = 0; degree <= INVCAL_THERMAL_DEGREE; degree++) {
-        const unsigned at = INVCAL_THERMAL_RECORD_BYTES(degree) - 256;
-        const unsigned between[4] = {next, at - 1, 1, 1};
-        const unsigned exact[4] = {at, at, 1, 1};
-        decode(size, between, 0, 255);
+        const unsigned length = INVCAL_THERMAL_RECORD_BYTES(degree) + more;
+        const unsigned exact[4] = {length % 256, length % 256, length / 256, length / 256};
+        decode_lengths(size, next, length - 1, version);
         for (unsigned stated = 0; stated <= INVCAL_THERMAL_DEGREE; stated++) {
-            decode(size, exact, stated, stated);
+            decode(size, exact, version, stated, stated);
         }
-        decode(size, exact, INVCAL_THERMAL_DEGREE + 1, 255);
-        next = at + 1;
+        decode(size, exact, version, INVCAL_THERMAL_DEGREE + 1, 255);
+        next = length + 1;
     }
-    decode(size, (const unsigned[4]){0, 255, 0, 0}, 0, 255);
-    decode(size, (const unsigned[4]){next, 255, 1, 1}, 0, 255);
-    decode(size, (const unsigned[4]){0, 255, 2, 255}, 0, 255);
+    decode_lengths(size, next, 511, version);
+    decode(size, (const unsigned[4]){0, 255, 2, 255}, version, 0, 255);
 }
 
 static void encode(unsigned least, unsigned most)
 {
     uint8_t bytes[INVCAL_THERMAL_RECORD_SIZE];
     invcal_thermal_record record;
-    uint32_t length;
 
     ANY(record);
     record.thermal.degree = (uint8_t)BETWEEN(least, most);
-    (void)invcal_thermal_record_encode(&record, bytes, &length);
+    (void)invcal_thermal_record_encode(&record, bytes);
+}
+
+static void init(void)
+{
+    invcal_thermal thermal;
+    invcal_quality quality;
+    invcal_thermal_record record;
+
+    ANY(thermal);
+    ANY(quality);
+    (void)invcal_thermal_record_init(&record, &thermal, &quality);
 }
 
 void main(void)
 {
-    static const uint32_t size[] = {0, 1, 7, 8, 187, 295, 296, 331, 332, 367, 368, LARGEST};
+    static const uint32_t size[] = {0, 1, 7, 8, 140, 188, 248, 284, 296, 320, 332, 368, LARGEST};
 
     for (unsigned i = 0; i < sizeof size / sizeof *size; i++) {
-        decode_all(size[i]);
+        decode_version(size[i], 1);
+        decode_version(size[i], 2);
     }
+    decode(LARGEST, (const unsigned[4]){0, 255, 0, 255}, 3, 0, 255);
     for (unsigned degree = 0; degree <= INVCAL_THERMAL_DEGREE; degree++) {
         encode(degree, degree);
     }
     encode(INVCAL_THERMAL_DEGREE + 1, 255);
+    init();
 }

@@ -59,36 +59,8 @@ static const double expected_xsens_mti_sigma_x[9] = {
 static const double expected_xsens_mti_sigma_offset[3] = {
     0.24380898309683954, 0.13814400912539349, 0.15029828737729806};
 
-/* square roots of the diagonal of K = (sum w h h')^-1, h = h(calibrated) */
-static const double expected_xsens_mti_root_k[9] = {
-    0.52615581328617977, 0.29915997830455354, 0.32376740211007266, 0.55661563923697355,
-    0.2996315498756173, 0.33631251491851932, 1.2001795375761839, 4.1723145216297128,
-    1.0562478644363924};
-
 /* of sum w h h': largest over smallest eigenvalue */
 static const double expected_xsens_mti_condition = 331.94352347572845;
-
-/* geometric fit (Gauss-Newton, minimum of sum r^2): offset, input units */
-static const double expected_xsens_mti_geometric_offset[3] = {
-    33123.830749266795, 33275.15502327049, 32364.493688846334};
-
-/* its matrix, A symmetric */
-static const double expected_xsens_mti_geometric_matrix[3][3] = {
-    {0.0024129725147355604, -4.1267836008784297e-06, -1.1023551833550793e-05},
-    {-4.1909618777029788e-06, 0.0024268737532414813, -2.5867518960771876e-05},
-    {-1.1147543455599138e-05, -2.5757896112660764e-05, 0.0024123355043698721}};
-
-/* its parameters */
-static const double expected_xsens_mti_geometric_x[9] = {
-    0.021427745835185332, 0.00013973746592488206, -0.010580066909975521, 0.02143993632030286,
-    0.00012957763796222875, 0.010457430640321168, 0.0035733077989503498, 0.00937358204613414,
-    0.021465145323068261};
-
-/* root mean square of its r */
-static const double expected_xsens_mti_geometric_rms = 9.9857132437291266e-05;
-
-/* its largest |r| */
-static const double expected_xsens_mti_geometric_max = 0.00021446038880612583;
 
 
 /* ---- mpu9150_0: InvenSense MPU-9150, m/s^2; recording of mikoff/imu-calib (MIT); 24 positions
@@ -144,36 +116,8 @@ static const double expected_mpu9150_0_sigma_x[9] = {
 static const double expected_mpu9150_0_sigma_offset[3] = {
     0.00076399309815909286, 0.00081264977407661284, 0.00074379726369523756};
 
-/* square roots of the diagonal of K = (sum w h h')^-1, h = h(calibrated) */
-static const double expected_mpu9150_0_root_k[9] = {
-    0.35487279639375535, 0.37773834117403593, 0.34455138898205739, 0.50678418929721725,
-    0.54027085268073449, 0.49873237842481688, 0.8831181227512509, 0.7472484028403158,
-    0.78332795554793677};
-
 /* of sum w h h': largest over smallest eigenvalue */
 static const double expected_mpu9150_0_condition = 7.7514362790982227;
-
-/* geometric fit (Gauss-Newton, minimum of sum r^2): offset, input units */
-static const double expected_mpu9150_0_geometric_offset[3] = {
-    0.10242248697854123, 0.096918295209648703, 0.34435013640690676};
-
-/* its matrix, A symmetric */
-static const double expected_mpu9150_0_geometric_matrix[3][3] = {
-    {0.99645569236932907, -0.00017411748901944259, -0.0030503013811508462},
-    {-0.00017035064057041355, 0.99678140322505693, -0.0011222496689139462},
-    {-0.0026666291427639697, -0.0010027853489594297, 0.99373833900368547}};
-
-/* its parameters */
-static const double expected_mpu9150_0_geometric_x[9] = {
-    0.0009500382142473969, -0.0024309355455361236, 0.004671124435920021, 0.010080174867665881,
-    0.032070734272277968, 0.15857033670882531, 0.00035911971349955493, 0.0062013315628960354,
-    0.0023321808287555318};
-
-/* root mean square of its r */
-static const double expected_mpu9150_0_geometric_rms = 0.00017012077986099084;
-
-/* its largest |r| */
-static const double expected_mpu9150_0_geometric_max = 0.00033340515062052489;
 
 
 /* ---- mpu9150_1: InvenSense MPU-9150, m/s^2; recording of mikoff/imu-calib (MIT); 24 positions
@@ -229,36 +173,8 @@ static const double expected_mpu9150_1_sigma_x[9] = {
 static const double expected_mpu9150_1_sigma_offset[3] = {
     0.00080273566685212685, 0.00089782949886247796, 0.00085251096370389556};
 
-/* square roots of the diagonal of K = (sum w h h')^-1, h = h(calibrated) */
-static const double expected_mpu9150_1_root_k[9] = {
-    0.34295464772195688, 0.38352064022587029, 0.3625711213189583, 0.4877218845665815,
-    0.55088369122565961, 0.52060245027310603, 0.8184161287616627, 0.76908910517237516,
-    0.84327773891171687};
-
 /* of sum w h h': largest over smallest eigenvalue */
 static const double expected_mpu9150_1_condition = 7.8407903571327546;
-
-/* geometric fit (Gauss-Newton, minimum of sum r^2): offset, input units */
-static const double expected_mpu9150_1_geometric_offset[3] = {
-    0.088571001307836392, 0.070224207987355125, 0.33915142763121314};
-
-/* its matrix, A symmetric */
-static const double expected_mpu9150_1_geometric_matrix[3][3] = {
-    {0.99532622673164317, -3.5197983752933541e-05, -0.0013431587111350674},
-    {-3.4591498360322053e-05, 0.99535780337101765, 0.0025397378792967129},
-    {-0.001183747025847159, 0.0022775550155042673, 0.99084647003142445}};
-
-/* its parameters */
-static const double expected_mpu9150_1_geometric_x[9] = {
-    -0.0016606389552091636, -0.0014064528531721259, 0.0021415025373419977, 0.010967890766881042,
-    0.028664716665700942, 0.15230493647343954, 6.522876775555731e-05, 0.0027407020930945531,
-    -0.0052732588120039088};
-
-/* root mean square of its r */
-static const double expected_mpu9150_1_geometric_rms = 0.00019112313341254628;
-
-/* its largest |r| */
-static const double expected_mpu9150_1_geometric_max = 0.00048716356451072862;
 
 
 /* ---- t265: Intel RealSense T265, m/s^2; recording of cggos/imu_tk (BSD); 41 positions */
@@ -313,36 +229,8 @@ static const double expected_t265_sigma_x[9] = {
 static const double expected_t265_sigma_offset[3] = {
     0.0021847159282227724, 0.0014741429633141248, 0.001653650865310411};
 
-/* square roots of the diagonal of K = (sum w h h')^-1, h = h(calibrated) */
-static const double expected_t265_root_k[9] = {
-    0.39878850791434128, 0.27204623390825816, 0.30492423393759804, 1.8796914065316388,
-    0.83056499792609451, 0.84516146266321979, 58.38777932284637, 47.18089285172897,
-    32.10763089087839};
-
 /* of sum w h h': largest over smallest eigenvalue */
 static const double expected_t265_condition = 68360.541255513672;
-
-/* geometric fit (Gauss-Newton, minimum of sum r^2): offset, input units */
-static const double expected_t265_geometric_offset[3] = {
-    -0.19195870581149968, 0.57358214406863051, -0.23265370551127704};
-
-/* its matrix, A symmetric */
-static const double expected_t265_geometric_matrix[3][3] = {
-    {1.0069028521607906, 0.017528309462660104, -0.022579955606675882},
-    {0.017323556904883741, 1.0185332973514378, 0.0003311652361327991},
-    {-0.022367735735835809, 0.00033193010643065425, 1.0163706715199388}};
-
-/* its parameters */
-static const double expected_t265_geometric_x[9] = {
-    0.0002975213464150585, -6.8491024987203601e-09, 0.00017336346911596558,
-    0.00020995510285082549, -1.8103892808992934e-05, -2.0273164240719897e-06,
-    -0.034440439645282719, 0.04445307161010166, -0.0014167883038352302};
-
-/* root mean square of its r */
-static const double expected_t265_geometric_rms = 0.00049726979075159338;
-
-/* its largest |r| */
-static const double expected_t265_geometric_max = 0.001475686850772151;
 
 
 /* ---- The paper's program of 18 positions: N = 6, starts 30, 30, 120 degrees */
@@ -678,12 +566,6 @@ static const double expected_pascal5_factor[15] = {
 static const double expected_pascal5_inverse[15] = {
     5.0, -10.0, 30.0, 10.0, -35.0, 46.0, -5.0, 19.0, -27.0, 17.0, 1.0, -4.0, 6.0, -4.0, 1.0};
 
-/* its determinant */
-static const double expected_pascal5_determinant = 1.0;
-
-/* largest over smallest eigenvalue, by rotations */
-static const double expected_pascal5_condition = 8517.5243611376591;
-
 /* M'M + I, the elements of M random integers -2 ... 2 */
 static const double expected_random9_matrix[45] = {
     24.0, 8.0, 15.0, 3.0, 12.0, 20.0, -7.0, -10.0, -13.0, 21.0, 3.0, 1.0, 7.0, -5.0, 15.0, 5.0,
@@ -718,12 +600,6 @@ static const double expected_random9_inverse[45] = {
     0.067962232385778046, -0.086248099016533381, 0.097926917883869452, -0.057367350286276098,
     -0.15637788770254157, -0.10583335359823508, -0.046456657156781586, -0.06325682199315559,
     0.20739488201546608};
-
-/* its determinant */
-static const double expected_random9_determinant = 951974350.0;
-
-/* largest over smallest eigenvalue, by rotations */
-static const double expected_random9_condition = 55.435733028876008;
 
 /* of the tridiagonal matrices (-1, 2, -1), n = 2 ... 9: from eigenvalues 2 - 2 cos(k pi / (n +
    1)) */

@@ -348,7 +348,7 @@ class Fit:
 
 
 def data_set(out, folder, name, gravity, source):
-    """Both fits of one data set, their uncertainty and observability."""
+    """The fit of one data set, and its uncertainty; the geometric fit is compared on stderr."""
     positions = read_positions("%s/%s_positions.csv" % (folder, name))
     gravity = Fraction(gravity)
     zero, lsb = nominal(positions, gravity)
@@ -377,14 +377,7 @@ def data_set(out, folder, name, gravity, source):
         " central differences, w = mean |A eta|^2 / |A eta|^2")
     put("sigma_offset", [s * unit for s, unit in zip(sigma, one.unit)],
         "sigma of the offset, input units")
-    put("root_k", root_k, "square roots of the diagonal of K = (sum w h h')^-1, h = h(calibrated)")
     put("condition", condition(information), "of sum w h h': largest over smallest eigenvalue")
-    put("geometric_offset", iterated.offset,
-        "geometric fit (Gauss-Newton, minimum of sum r^2): offset, input units")
-    put("geometric_matrix", iterated.matrix, "its matrix, A symmetric")
-    put("geometric_x", iterated.x, "its parameters")
-    put("geometric_rms", iterated.rms, "root mean square of its r")
-    put("geometric_max", iterated.max, "its largest |r|")
     report(name, one, iterated, sigma, root_k, condition(information))
 
 
@@ -696,13 +689,11 @@ def random_matrix(n, seed):
 
 
 def put_exact(out, name, a, what):
-    """A matrix of integers with its factor, inverse and determinant."""
+    """A matrix of integers with its factor and inverse."""
     low, determinant = exact_factor(fractions(a))
     out.put(name + "_matrix", packed(a), what)
     out.put(name + "_factor", packed(low), "its Cholesky factor, from exact pivots")
     out.put(name + "_inverse", packed(inverse(fractions(a))), "its inverse, exact, rounded once")
-    out.put(name + "_determinant", determinant, "its determinant")
-    out.put(name + "_condition", condition(a), "largest over smallest eigenvalue, by rotations")
     say("%s: determinant %s, condition %.4g" % (name, determinant, condition(a)))
 
 

@@ -5,20 +5,20 @@
 # bounds.txt states the maximum. Any other loop carries a comment `at most ...` on its first line or
 # on the line above. No goto makes loops of its own. Prints what is wrong.
 # Usage: awk -f loops.awk BOUNDS SOURCE...
-#     BOUNDS  lines "room | bound | at most"
+#     BOUNDS  lines "module | bound | at most"
 FNR == 1 { file++ }
 file == 1 && (/^#/ || NF == 0) { next }
 file == 1 {
     if (split($0, part, / *\| */) != 3 || part[3] == "") {
-        print FILENAME ":" FNR ": not `room | bound | at most`"
+        print FILENAME ":" FNR ": not `module | bound | at most`"
     }
     stated[part[1], part[2]] = FILENAME ":" FNR
     next
 }
 FNR == 1 {
-    room = FILENAME
-    sub(/.*\//, "", room)
-    sub(/\..*/, "", room)
+    module = FILENAME
+    sub(/.*\//, "", module)
+    sub(/\..*/, "", module)
 }
 {
     code = $0
@@ -78,8 +78,8 @@ function counted(    part, bound, column) {
     }
     bound = bound_of(part[1], part[2], part[3])
     if (bound == "") commented()
-    else if (bound !~ /^[0-9A-Z_ +*\/()?:u]+$/ && !is_around(bound, column)) {
-        if ((room, bound) in stated) used[room, bound] = 1
+    else if (bound !~ /^([0-9A-Z_ +*\/()?:u]|sizeof [a-z_]+)+$/ && !is_around(bound, column)) {
+        if ((module, bound) in stated) used[module, bound] = 1
         else say("no maximum of `" bound "` in bounds.txt")
     }
     counter_at[column] = counter

@@ -22,10 +22,11 @@
 /* text, and memory without a length in sight */
 #pragma GCC poison strcpy strncpy strcat strncat strtok gets atoi atof strtol strtod memmove
 /* what costs too much, or is not the same everywhere */
+#pragma GCC poison sin cos tan sinf cosf tanf sincos sincosf
 #pragma GCC poison pow powf exp expf log logf asin acos atan atan2 asinf acosf atanf atan2f
 #pragma GCC poison rand srand clock errno thread_local _Thread_local volatile
 #if !INVCAL_DOUBLE
 /* the float build: no double, nor the functions that return one */
-#pragma GCC poison double sqrt fabs sin cos
+#pragma GCC poison double sqrt fabs
 #endif
 #pragma GCC poison asm __asm__ union

@@ -7,7 +7,7 @@
 #include <stddef.h>
 
 #include "../report.h"
-#include "invcal/invcal.h"
+#include "invcal/expert.h"
 
 enum { DEPTH = 3072, GUARD = 48, PAINT = 0xA5 };
 
@@ -51,11 +51,10 @@ __attribute__((noinline)) static unsigned used(uintptr_t top)
 }
 
 static invcal_session session;
-static invcal_solution solution;
+static invcal_sums sums;
+static invcal_calibration calibration;
 static invcal_quality quality;
-static invcal_outliers outliers;
-static invcal_event event;
-static invcal_guidance guidance;
+static invcal_real up[3];
 
 /* How many bytes of stack a call takes. */
 #define MEASURE(call) (paint(stack_pointer()), (void)(call), used(stack_pointer()))
@@ -73,7 +72,7 @@ static unsigned feed_position(const int32_t rest[3], uint32_t *random)
             *random = *random * UINT32_C(1664525) + UINT32_C(1013904223);
             raw[k] = rest[k] + (int32_t)((*random >> 20) & size) - (int32_t)(size / 2);
         }
-        const unsigned depth = MEASURE(invcal_session_feed(&session, raw, 20, &event));
+        const unsigned depth = MEASURE(invcal_session_feed(&session, raw));
         deepest = depth > deepest ? depth : deepest;
     }
     return deepest;
@@ -88,21 +87,13 @@ static const int8_t direction[18][3] = {
 
 int main(void)
 {
-    static invcal_session_setup setup = {
-        .settings = {.field = 1,
-                     .nominal = {.matrix = {{1 / 1024.0f, 0, 0},
-                                            {0, 1 / 1024.0f, 0},
-                                            {0, 0, 1 / 1024.0f}}}},
-        .target = {0.1f, 0.1f, 0.1f},
-        .rate = 50,
-    };
     uint32_t random = 1;
     unsigned deepest = 0;
 
 #ifdef __AVR__
     __asm volatile("cli"); /* the interrupts of the board have a stack use of their own */
 #endif
-    if (invcal_session_init(&session, &setup) != INVCAL_OK) {
+    if (invcal_session_init(&session, 1024, 50) != INVCAL_OK) {
         return 1;
     }
     for (unsigned i = 0; i < 18; i++) {
@@ -113,18 +104,16 @@ int main(void)
         const unsigned depth = feed_position(rest, &random);
         deepest = depth > deepest ? depth : deepest;
     }
-    if (session.stored < 16) {
+    if (session.count < 16) {
         return 1;
     }
     report("invcal_session_feed", deepest);
-    report("invcal_session_solve",
-           MEASURE(invcal_session_solve(&session, &solution, &quality, &outliers)));
-    report("invcal_session_next", MEASURE(invcal_session_next(&session, &guidance)));
-    report("invcal_solve",
-           MEASURE(invcal_solve(&session.normal, &session.setup.settings, &solution)));
-    report("invcal_calibrate",
-           MEASURE(invcal_calibrate(&session.mean[0][0], session.stored, &session.setup.settings,
-                                    &solution, &quality, NULL)));
+    report("invcal_session_solve", MEASURE(invcal_session_solve(&session, &calibration, &quality)));
+    report("invcal_session_next", MEASURE((invcal_session_next(&session, up), 0)));
+    for (unsigned i = 0; i < session.count; i++) {
+        (void)invcal_sums_add(&sums, &session.nominal, session.mean[i]);
+    }
+    report("invcal_solve", MEASURE(invcal_solve(&sums, &session.nominal, &calibration)));
     report_text("OK\n");
     return 0;
 }

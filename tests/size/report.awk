@@ -48,18 +48,18 @@ function depth(name, bytes) {
     else passed++
 }
 
-function room_table(    i, k, kind, room, total) {
+function module_table(    i, k, kind, module, total) {
     split("text rodata data bss", kind, " ")
-    printf "\n%-12s%7s%8s%6s%6s%8s%8s%8s %8s  %s\n", "room", "text", "rodata", "data", "bss", "flash",
+    printf "\n%-12s%7s%8s%6s%6s%8s%8s%8s %8s  %s\n", "module", "text", "rodata", "data", "bss", "flash",
         "at most", "stack", "at most", "deepest"
     for (i = 1; i <= figures; i++) {
-        if (order[i] !~ /^flash\./) continue
-        room = substr(order[i], 7)
-        printf "%-12s%7d%8d%6d%6d%8d%8s%8d%-1s%8s  %s\n", room, measured["text." room],
-            measured["rodata." room], measured["data." room], measured["bss." room],
-            figure["flash." room], budget["flash." room], deepest[room], plus[room],
-            budget["stack." room], who[room]
-        for (k = 1; k <= 4; k++) total[k] += measured[kind[k] "." room]
+        if (order[i] !~ /^module\./) continue
+        module = substr(order[i], 8)
+        printf "%-12s%7d%8d%6d%6d%8d%8s%8d%-1s%8s  %s\n", module, measured["text." module],
+            measured["rodata." module], measured["data." module], measured["bss." module],
+            figure["module." module], budget["module." module], deepest[module], plus[module],
+            budget["stack." module], who[module]
+        for (k = 1; k <= 4; k++) total[k] += measured[kind[k] "." module]
     }
     printf "%-12s%7d%8d%6d%6d%8d%8s\n", "all", total[1], total[2], total[3], total[4],
         figure["flash"], budget["flash"]
@@ -68,7 +68,7 @@ function room_table(    i, k, kind, room, total) {
 function figure_table(    i) {
     printf "\n%-28s%8s%12s%12s\n", "figure", "is", "at most", target == "m4f" ? "wanted" : ""
     for (i = 1; i <= figures; i++) {
-        if (order[i] ~ /^(flash|stack)/) continue
+        if (order[i] ~ /^(flash$|module|stack)/) continue
         printf "%-28s%8d%12s%12s\n", order[i], figure[order[i]], budget[order[i]],
             issue[order[i]] == "-" ? "" : issue[order[i]]
     }
@@ -92,7 +92,7 @@ END {
     for (what in budget) {
         if (budget[what] != "-" && figure[what] == "") fail(what " has a budget, and was not measured")
     }
-    room_table()
+    module_table()
     figure_table()
     printf "\n%-28s%8s%12s\n", "stack", "measured", "computed"
     for (i = 1; i <= measures; i++) print depths[i]

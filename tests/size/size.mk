@@ -5,24 +5,42 @@
 override OPT := -Os -fstack-usage
 include port/build.mk
 
-public = $(shell awk -f tests/size/public.awk $(1) | cut -d ' ' -f 2)
+HEADERS := $(notdir $(wildcard include/invcal/*.h))
 
-# Programs without start-up and main: what the linker keeps for these functions.
-# What a device needs for offset and matrix:
-CORE := invcal_observation_reading invcal_observation_exact invcal_normal_init invcal_normal_add \
-        invcal_solve invcal_apply
-EVERYTHING := $(call public,$(patsubst %,include/invcal/%.h,session guidance outlier plan store record))
-WHOLE := $(call public,$(wildcard include/invcal/*.h))
+# Programs without start-up. What a device needs for offset and matrix; the same with every sigma
+# and the verdict; and all that there is.
+$(OUT)/core.elf:   WANTED = invcal_sums_init invcal_sums_add invcal_solve invcal_apply
+$(OUT)/judged.elf: WANTED = invcal_calibrate invcal_apply
+$(OUT)/whole.elf:  WANTED = %
+$(OUT)/core.elf $(OUT)/judged.elf $(OUT)/whole.elf: $(LIBRARY) $(OUT)/public
+	$(Q)$(CC) $(FLAGS) $(LIBRARY) -nostartfiles -Wl,--gc-sections -Wl,-e,0 \
+	    $$(awk -v wanted="$(WANTED)" -f tests/size/wanted.awk $(OUT)/public) \
+	    -Wl,-Map=$(@:.elf=.map) $(LINK) -o $@
 
-$(OUT)/core.elf: FUNCTIONS = $(CORE)
-$(OUT)/everything.elf: FUNCTIONS = $(EVERYTHING)
-$(OUT)/whole.elf: FUNCTIONS = $(WHOLE)
-$(OUT)/core.elf $(OUT)/everything.elf $(OUT)/whole.elf: $(LIBRARY)
-	$(Q)$(CC) $(FLAGS) $^ -nostartfiles -Wl,--gc-sections -Wl,-e,invcal_solve \
-	    $(FUNCTIONS:%=-Wl,--require-defined=%) -Wl,-Map=$(@:.elf=.map) $(LINK) -o $@
+# The program of README.md on a board without drivers.
+$(OUT)/program.c: README.md
+	@mkdir -p $(@D)
+	$(Q)awk '/^```c$$/ { on = 1; next } /^```$$/ { on = 0 } on' $< > $@
+$(OUT)/program.o: $(OUT)/program.c $(wildcard include/invcal/*.h)
+	$(Q)$(CC) -Itests/readme $(FLAGS) -c $< -o $@
+$(OUT)/product.elf: $(OUT)/program.o $(OUT)/tests/size/product.o $(LIBRARY)
+	$(Q)$(CC) $(FLAGS) $^ -nostartfiles -Wl,--gc-sections -Wl,-e,main -Wl,-Map=$(@:.elf=.map) $(LINK) -o $@
+
+# "header function" of all public functions.
+$(OUT)/public: $(wildcard include/invcal/*.h)
+	@mkdir -p $(@D)
+	$(Q)printf '#include "invcal/%s"\n' $(HEADERS) | $(CC) $(filter-out -MMD -MP,$(FLAGS)) -E -x c - | \
+	    awk -f tests/size/public.awk > $@
+
+# The same of those that only the library's own headers declare, and the public ones again.
+$(OUT)/declared: $(wildcard src/*.h include/invcal/*.h)
+	@mkdir -p $(@D)
+	$(Q)printf '#include "%s"\n' $(wildcard src/*.h) | $(CC) $(filter-out -MMD -MP,$(FLAGS)) -I. -E -x c - | \
+	    awk -f tests/size/public.awk > $@
 
 .PHONY: programs
-programs: $(OUT)/core.elf $(OUT)/everything.elf $(OUT)/whole.elf $(OUT)/tests/size/structures.o
+programs: $(OUT)/core.elf $(OUT)/judged.elf $(OUT)/product.elf $(OUT)/whole.elf \
+    $(OUT)/tests/size/structures.o $(OUT)/declared
 
 # The program that measures its stack, and its run.
 $(OUT)/depth.elf: $(OUT)/tests/size/depth.o $(COMMON) $(LIBRARY)

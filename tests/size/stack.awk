@@ -2,7 +2,7 @@
 #
 # The worst-case stack of functions, from the frames that the compiler states (-fstack-usage) and
 # the calls that the linked program makes. Prints for each public function
-#     "stack" room function bytes callbacks path
+#     "stack" module function bytes callbacks path
 # where callbacks is 1 if some function on the way calls where a pointer points, and path names the
 # frames of the deepest way, "function:bytes,function:bytes"; and "fault ..." for each recursion,
 # frame without a bound, frame that nobody knows, use of the heap, and call of the library for
@@ -16,14 +16,14 @@
 #
 # Usage: awk -v library=FOLDER/src/ -f stack.awk FRAMES PUBLIC SECTIONS CODE SU...
 #     FRAMES    lines "frame.FUNCTION bytes", a return address that a call pushes not counted
-#     PUBLIC    lines "room function", by public.awk
+#     PUBLIC    lines "header function", by public.awk
 #     SECTIONS  by sections.awk; library: how their file names begin, if they are the library's
 #     CODE      by code.awk
 #     SU        what -fstack-usage has written
 
 FNR == 1 { file++ }
 file == 1 { allowed[substr($1, 7)] = $2; next }
-file == 2 { room[++publics] = $1; function_of[publics] = $2; next }
+file == 2 { function_of[++publics] = $2; next }
 file == 3 { if ($1 ~ /^\.text/) section(); next }
 file == 4 { code[++codes] = $0; next }
 { usage() }
@@ -163,11 +163,16 @@ function path(n,    text) {
     return text
 }
 
+function module(file) {
+    gsub(/.*\/|\.o$/, "", file)
+    return file
+}
+
 END {
     for (line = 1; line <= codes; line++) read_line()
     for (p = 1; p <= publics; p++) {
         n = address_of[function_of[p]]
         if (!n) fault(function_of[p] " is declared, and not in the program")
-        else print "stack", room[p], function_of[p], worst(n), calls_back[n] + 0, path(n)
+        else print "stack", module(object[n]), function_of[p], worst(n), calls_back[n] + 0, path(n)
     }
 }

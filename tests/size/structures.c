@@ -2,25 +2,24 @@
  *
  * The sizes of the structures that firmware keeps, for nm to read: an array as large as each.
  */
-#include "invcal/invcal.h"
+#include "invcal/allan.h"
+#include "invcal/expert.h"
+#include "invcal/store.h"
+#include "invcal/thermal.h"
 
 #define SIZE_OF(name)                                                                              \
     extern char size_of_##name[sizeof(name)];                                                      \
     char size_of_##name[sizeof(name)]
 
 SIZE_OF(invcal_calibration);
-SIZE_OF(invcal_observation);
-SIZE_OF(invcal_normal);
-SIZE_OF(invcal_solution);
-SIZE_OF(invcal_residuals);
+SIZE_OF(invcal_row);
+SIZE_OF(invcal_sums);
 SIZE_OF(invcal_quality);
-SIZE_OF(invcal_outliers);
-SIZE_OF(invcal_still);
+SIZE_OF(invcal_rests);
 SIZE_OF(invcal_session);
+SIZE_OF(invcal_background);
 SIZE_OF(invcal_record);
 SIZE_OF(invcal_allan);
 SIZE_OF(invcal_noise);
-SIZE_OF(invcal_thermal_settings);
-SIZE_OF(invcal_thermal_calibration);
-SIZE_OF(invcal_thermal_sums);
+SIZE_OF(invcal_thermal);
 SIZE_OF(invcal_thermal_record);

@@ -325,7 +325,7 @@ known_unit mg 0.00980665 9.80665
 cat > "$work/try.c" <<'EOF'
 #include <stdio.h>
 #include <stdlib.h>
-#include "invcal/calibration.h"
+#include "invcal/invcal.h"
 #include "accel.h"
 #include "arrays.h"
 

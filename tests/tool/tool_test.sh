@@ -14,9 +14,9 @@ cut -d, -f1-3 "$data/xsens_mti_positions.csv" | tail -n +2 > "$work/xsens.csv"
 
 good=$work/good.csv
 accepts "--version succeeds" --version
-check "--version tells the version of config.h" [ "$(cat "$work/stdout")" = "invcal $(awk '
+check "--version tells the version of invcal.h" [ "$(cat "$work/stdout")" = "invcal $(awk '
     /^#define INVCAL_VERSION_(MAJOR|MINOR|PATCH) / { v = v dot $3; dot = "." } END { print v }' \
-    "$here/../../include/invcal/config.h")" ]
+    "$here/../../include/invcal/invcal.h")" ]
 "$tool" calibrate --help > "$work/help"
 for o in positions gravity frame zero lsb nominal nominal-name noise prior out json quiet; do
     check "calibrate --help explains --$o" matches "$work/help" "^  --$o "
@@ -215,6 +215,17 @@ accepts "--out writes a file" calibrate "$data/xsens_mti_positions.csv" --positi
 check "--out writes the same as --json" same "$work/saved.json" "$work/cal.json"
 check "the table says where it was saved" grep -Fq "Saved in $work/saved.json" \
     "$work/stdout"
+# In its folder, as the path to there may have a blank or a quote itself.
+saves() { # NAME: prints the command behind `Next:`
+    (cd "$work" && "$tool" calibrate xsens.csv --positions --out "$1" --report odd.html) |
+        sed -n 's/^Next: correct readings with: invcal //p'
+}
+check "and how to use it" [ "$(saves saved.json)" = 'apply saved.json LOG' ]
+check "a path with a blank and a quote in it is quoted" \
+    [ "$(saves "it's saved.json")" = "apply 'it'\\''s saved.json' LOG" ]
+check "a shell takes it for one" sh -c 'cd "$1" && eval "\"\$2\" $3" > odd && test -s odd' sh \
+    "$work" "$tool" "apply 'it'\\''s saved.json' xsens.csv"
+check "the report quotes it, too" grep -q "apply [^ ]*it[^ ]*\\\\[^ ]*s saved.json[^ ]* LOG" "$work/odd.html"
 accepts "--out and --json go together" calibrate "$data/xsens_mti_positions.csv" --positions \
     --gravity 9.81744 --out "$work/saved.json" --json
 check "both hold the same" same "$work/saved.json" "$work/stdout"
@@ -516,8 +527,8 @@ echo 1,2,3,four >> "$work/long.csv"
 run_limited apply "$work/apply.json" "$work/long.csv"
 check "apply: nothing is printed if the last of them is bad" was_refused 3 'long\.csv:300002: col'
 rm -f "$work/long.csv"
-awk 'BEGIN { for (i = 0; i < 1000001; i++) print "1 2 3" }' > "$work/bad.csv"
-refuses_file "more than a million positions" 3 'bad\.csv:1000001: more than 1000000' "$work/bad.csv"
+awk 'BEGIN { for (i = 0; i < 65535; i++) print "1 2 3" }' > "$work/bad.csv"
+refuses_file "more positions than the library takes" 3 'bad\.csv:65535: more than 65534' "$work/bad.csv"
 rm -f "$work/bad.csv"
 
 # ---- data that cannot be calibrated -------------------------------------------------------------
@@ -573,9 +584,10 @@ hopeless "a position of 1e30 with a given nominal" "$f" 'out of range' \
     'hopeless\.csv:7: position 7 reads .* check --gravity' --zero 0,0,0 --lsb 1 --keep-all
 run calibrate "$f" --positions --zero 0,0,0 --lsb 1 --json
 check "a position of 1e30 is left out and named" test "$(json "$work/stdout" rejected)" = '[7]'
-awk 'NR == 1 { print "x,y,z\n# comment" } { print NR == 7 ? "1e300,-1e300,3" : $0 }' "$good" > "$f"
+awk -F, 'NR == 1 { print "x,y,z\n# comment" }
+    { print NR == 7 ? "1e300,-1e300,3" : $1 "e-10," $2 "e-10," $3 "e-10" }' "$good" > "$f"
 hopeless "a position that overflows in the calculation" "$f" 'not finite' \
-    'hopeless\.csv:9: position 7 is too large' --zero 0,0,0 --lsb 1e20 --gravity 1e21
+    'hopeless\.csv:9: position 7 is too large' --zero 0,0,0 --lsb 1e10
 awk 'NR % 2 { print "1.7e308,-1.7e308,1.7e308"; next } { print "-1.7e308,1.7e308,-1.7e308" }' \
     "$good" > "$f"
 hopeless "the largest numbers" "$f" '.*' 'hopeless'

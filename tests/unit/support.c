@@ -3,7 +3,6 @@
 
 #include <float.h>
 #include <math.h>
-#include <string.h>
 
 #include "unity.h"
 
@@ -141,49 +140,42 @@ void read_positions(const triad_truth *truth, const double directions[][3], unsi
     }
 }
 
-invcal_settings unit_settings(double noise)
+invcal_calibration unit_nominal(void)
 {
-    invcal_settings settings;
-
-    memset(&settings, 0, sizeof settings);
-    for (int i = 0; i < 3; i++) {
-        settings.nominal.matrix[i][i] = 1;
-    }
-    settings.field = 1;
-    settings.noise = (invcal_real)noise;
-    return settings;
+    return (invcal_calibration){{0, 0, 0}, {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
 }
 
-invcal_normal normal_of(const reading_set *set)
+invcal_sums sums_of(const reading_set *set)
 {
-    invcal_normal normal;
-    invcal_observation row;
+    const invcal_calibration nominal = unit_nominal();
+    invcal_sums sums;
 
-    invcal_normal_init(&normal);
+    invcal_sums_init(&sums);
     for (unsigned i = 0; i < set->count; i++) {
-        TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_observation_exact(set->u[i], &row));
-        TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_normal_add(&normal, &row, 1));
+        TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_sums_add(&sums, &nominal, set->u[i]));
     }
-    return normal;
+    return sums;
 }
 
-double element(const invcal_normal *normal, unsigned r, unsigned c)
+double element(const invcal_sums *sums, unsigned r, unsigned c)
 {
-    invcal_real hth[INVCAL_PACKED_SIZE(INVCAL_PARAMETERS)];
+    invcal_sums system = *sums;
 
-    invcal_normal_matrix(normal, hth);
-    return (double)hth[INVCAL_PACKED(r, c)];
+    invcal_sums_system(&system);
+    return (double)system.sum[INVCAL_PACKED(r, c)];
 }
 
-invcal_status calibrate_set(const reading_set *set, const invcal_settings *settings,
-                            invcal_solution *solution, invcal_quality *quality,
-                            invcal_reason *reason)
+invcal_status calibrate_set(const reading_set *set, double noise, invcal_calibration *calibration,
+                            invcal_quality *quality)
 {
-    return invcal_calibrate(&set->u[0][0], set->count, settings, solution, quality, reason);
+    const invcal_calibration nominal = unit_nominal();
+
+    return invcal_calibrate(&set->u[0][0], set->count, &nominal, (invcal_real)noise, calibration,
+                            quality);
 }
 
-double calibrated_length(const invcal_solution *solution, const triad_truth *truth,
-                         const double eta[3], double field)
+double calibrated_length(const invcal_calibration *calibration, const triad_truth *truth,
+                         const double eta[3])
 {
     double u[3];
     invcal_real raw[3];
@@ -193,23 +185,62 @@ double calibrated_length(const invcal_solution *solution, const triad_truth *tru
     for (int i = 0; i < 3; i++) {
         raw[i] = (invcal_real)u[i];
     }
-    invcal_apply(&solution->calibration, raw, out);
+    invcal_apply(calibration, raw, out);
     const double v[3] = {(double)out[0], (double)out[1], (double)out[2]};
-    return length3(v) / field;
+    return length3(v);
 }
 
-double parameter(const invcal_solution *solution, unsigned r)
+void inverse3(const double m[3][3], double inverse[3][3])
 {
-    return (double)(r < 3   ? solution->delta[r]
-                    : r < 6 ? solution->dk[r - 3]
-                            : solution->gamma[r - 6]);
+    for (int i = 0; i < 3; i++) {
+        const int i1 = (i + 1) % 3;
+        const int i2 = (i + 2) % 3;
+        for (int j = 0; j < 3; j++) {
+            const int j1 = (j + 1) % 3;
+            const int j2 = (j + 2) % 3;
+            inverse[j][i] = m[i1][j1] * m[i2][j2] - m[i1][j2] * m[i2][j1];
+        }
+    }
+    const double det = m[0][0] * inverse[0][0] + m[0][1] * inverse[1][0] + m[0][2] * inverse[2][0];
+    for (int i = 0; i < 9; i++) {
+        inverse[i / 3][i % 3] /= det;
+    }
 }
 
-double sigma_of_parameter(const invcal_quality *quality, unsigned r)
+triad_truth truth_of(const invcal_calibration *calibration, const invcal_calibration *nominal)
 {
-    return (double)(r < 3   ? quality->sigma_delta[r]
-                    : r < 6 ? quality->sigma_dk[r - 3]
-                            : quality->sigma_gamma[r - 6]);
+    static const int pair[3][2] = {{0, 1}, {0, 2}, {2, 1}};
+    double m[3][3];
+    double inverse[3][3];
+    double p[3][3] = {{0}}; /* I + S */
+    triad_truth truth;
+
+    for (int i = 0; i < 9; i++) {
+        m[i / 3][i % 3] = (double)calibration->matrix[i / 3][i % 3];
+    }
+    inverse3((const double(*)[3])m, inverse);
+    for (int i = 0; i < 3; i++) {
+        truth.x[i] = 0;
+        for (int k = 0; k < 3; k++) {
+            const double n = (double)nominal->matrix[i][k];
+            truth.x[i] += n * ((double)calibration->offset[k] - (double)nominal->offset[k]);
+            for (int j = 0; j < 3; j++) {
+                p[i][j] += n * inverse[k][j];
+            }
+        }
+    }
+    for (int i = 0; i < 3; i++) {
+        truth.x[INVCAL_DK_X + i] = p[i][i] - 1;
+        truth.x[INVCAL_GAMMA_XY + i] = p[pair[i][0]][pair[i][1]] + p[pair[i][1]][pair[i][0]];
+    }
+    return truth;
+}
+
+double parameter(const invcal_calibration *calibration, unsigned r)
+{
+    const invcal_calibration nominal = unit_nominal();
+
+    return truth_of(calibration, &nominal).x[r];
 }
 
 uint32_t crc_by_table(const uint8_t *bytes, uint32_t count)

@@ -9,7 +9,7 @@
 #include <math.h>
 #include <stdint.h>
 
-#include "invcal/invcal.h"
+#include "invcal/expert.h"
 
 /* Random numbers (xorshift64*): the same everywhere for the same seed. */
 typedef struct {
@@ -44,27 +44,32 @@ typedef struct {
 void read_positions(const triad_truth *truth, const double directions[][3], unsigned count,
                     double sigma, random_source *source, reading_set *out);
 
-/* Settings for readings over field: nominal identity, field 1, noise as given (0: not known). */
-invcal_settings unit_settings(double noise);
+/* The nominal calibration of readings that are over field already: the identity. */
+invcal_calibration unit_nominal(void);
 
-/* The normal equations of exact rows; every row must be accepted. */
-invcal_normal normal_of(const reading_set *set);
+/* The sums of exact rows; every reading must be accepted. */
+invcal_sums sums_of(const reading_set *set);
 
-/* Element (r, c), c <= r, of H'WH. */
-double element(const invcal_normal *normal, unsigned r, unsigned c);
+/* Element (r, c), c <= r, of H'H. */
+double element(const invcal_sums *sums, unsigned r, unsigned c);
 
 /* invcal_calibrate on a set of readings over field. */
-invcal_status calibrate_set(const reading_set *set, const invcal_settings *settings,
-                            invcal_solution *solution, invcal_quality *quality,
-                            invcal_reason *reason);
+invcal_status calibrate_set(const reading_set *set, double noise, invcal_calibration *calibration,
+                            invcal_quality *quality);
 
 /* The length of a calibrated reading of eta, over field. */
-double calibrated_length(const invcal_solution *solution, const triad_truth *truth,
-                         const double eta[3], double field);
+double calibrated_length(const invcal_calibration *calibration, const triad_truth *truth,
+                         const double eta[3]);
 
-/* Parameter r of a solution, and its sigma. */
-double parameter(const invcal_solution *solution, unsigned r);
-double sigma_of_parameter(const invcal_quality *quality, unsigned r);
+/* m^-1, by Cramer's rule. */
+void inverse3(const double m[3][3], double inverse[3][3]);
+
+/* The parameters that a symmetric calibration stands for: delta = N (offset - zero) and
+ * I + S = N M^-1, M its matrix, N and zero those of the nominal calibration. */
+triad_truth truth_of(const invcal_calibration *calibration, const invcal_calibration *nominal);
+
+/* Parameter r of a calibration of readings over field. */
+double parameter(const invcal_calibration *calibration, unsigned r);
 
 double length3(const double v[3]);
 

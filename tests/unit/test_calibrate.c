@@ -27,7 +27,7 @@ typedef struct {
     const double *zero, *lsb;
     const double *offset, (*matrix)[3], (*triangular)[3], *x;
     double rms, max;
-    const double *sigma_x, *sigma_offset, *root_k;
+    const double *sigma_x, *sigma_offset;
     double condition;
     double unit; /* of the offset: 1 count, or 0.001 m/s^2 */
 } data_set;
@@ -46,7 +46,6 @@ typedef struct {
      expected_##name##_max,                                                                        \
      expected_##name##_sigma_x,                                                                    \
      expected_##name##_sigma_offset,                                                               \
-     expected_##name##_root_k,                                                                     \
      expected_##name##_condition,                                                                  \
      unit}
 
@@ -60,22 +59,21 @@ static data_set set_number(int i)
     return sets[i];
 }
 
-static invcal_settings settings_of(const data_set *set, const double zero_error[3])
+/* zero_error: of the nominal, counts; may be null. */
+static invcal_calibration nominal_of(const data_set *set, const double zero_error[3])
 {
-    invcal_settings settings;
+    invcal_calibration nominal = unit_nominal();
 
-    memset(&settings, 0, sizeof settings);
-    settings.field = (invcal_real)set->gravity;
     for (int k = 0; k < 3; k++) {
-        settings.nominal.offset[k] = (invcal_real)(set->zero[k] + (zero_error ? zero_error[k] : 0));
-        settings.nominal.matrix[k][k] = (invcal_real)set->lsb[k];
+        nominal.offset[k] = (invcal_real)(set->zero[k] + (zero_error ? zero_error[k] : 0));
+        nominal.matrix[k][k] = (invcal_real)(set->lsb[k] / set->gravity);
     }
-    return settings;
+    return nominal;
 }
 
 /* Calibrates a data set, which must succeed. */
-static void calibrate(const data_set *set, const invcal_settings *settings,
-                      invcal_solution *solution, invcal_quality *quality)
+static void calibrate(const data_set *set, const invcal_calibration *nominal,
+                      invcal_calibration *calibration, invcal_quality *quality)
 {
     static invcal_real raw[3 * MAX_POSITIONS];
 
@@ -84,14 +82,14 @@ static void calibrate(const data_set *set, const invcal_settings *settings,
         raw[i] = (invcal_real)set->position[i / 3][i % 3];
     }
     TEST_ASSERT_EQUAL_INT(INVCAL_OK,
-                          invcal_calibrate(raw, set->count, settings, solution, quality, NULL));
+                          invcal_calibrate(raw, set->count, nominal, 0, calibration, quality));
 }
 
 /* A data set, calibrated with the nominal that the reference took. */
 typedef struct {
     data_set set;
-    invcal_settings settings;
-    invcal_solution solution;
+    invcal_calibration nominal;
+    invcal_calibration calibration;
     invcal_quality quality;
 } calibrated_set;
 
@@ -100,13 +98,15 @@ static calibrated_set calibrated(int i)
     calibrated_set c;
 
     c.set = set_number(i);
-    c.settings = settings_of(&c.set, NULL);
-    calibrate(&c.set, &c.settings, &c.solution, &c.quality);
+    c.nominal = nominal_of(&c.set, NULL);
+    calibrate(&c.set, &c.nominal, &c.calibration, &c.quality);
     return c;
 }
 
 /* Must reach: 0.1 %, float 0.5 %. It does better; the tighter bounds keep it so. */
 static const double percent = FLOAT_OR_DOUBLE(0.005, 0.001);
+
+static const double sigma_bound = FLOAT_OR_DOUBLE(0.005, 1e-4);
 
 static void assert_ratio(double bound, double expected, double actual)
 {
@@ -117,29 +117,29 @@ static void residuals_of_real_sensors_are_those_of_the_reference(void)
 {
     for (int i = 0; i < SETS; i++) {
         const calibrated_set c = calibrated(i);
-        assert_ratio(percent, c.set.rms, (double)c.quality.residual_rms);
-        assert_ratio(percent, c.set.max, (double)c.quality.residual_max);
+        assert_ratio(percent, c.set.rms, (double)c.quality.rms);
+        assert_ratio(percent, c.set.max, (double)c.quality.max);
     }
 }
 
 static void offsets_and_matrices_of_real_sensors_are_those_of_the_reference(void)
 {
     for (int i = 0; i < SETS; i++) {
-        const data_set set = set_number(i);
-        invcal_settings settings = settings_of(&set, NULL);
-        invcal_solution solution;
-        invcal_quality quality;
-        for (int frame = 0; frame < 2; frame++) {
-            settings.frame = frame ? INVCAL_FRAME_TRIANGULAR : INVCAL_FRAME_SYMMETRIC;
-            const double(*matrix)[3] = frame ? set.triangular : set.matrix;
-            calibrate(&set, &settings, &solution, &quality);
+        calibrated_set c = calibrated(i);
+        TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_scale(&c.calibration, (invcal_real)c.set.gravity));
+        for (int is_triangular = 0; is_triangular < 2; is_triangular++) {
+            const double(*matrix)[3] = is_triangular ? c.set.triangular : c.set.matrix;
+            if (is_triangular) {
+                calibrate(&c.set, &c.nominal, &c.calibration, &c.quality);
+                invcal_make_triangular(&c.calibration, &c.nominal);
+                (void)invcal_scale(&c.calibration, (invcal_real)c.set.gravity);
+            }
             for (int r = 0; r < 3; r++) {
-                TEST_ASSERT_DOUBLE_WITHIN(FLOAT_OR_DOUBLE(0.01, 1e-6) * set.unit, set.offset[r],
-                                          (double)solution.calibration.offset[r]);
-                for (int c = 0; c < 3; c++) {
+                TEST_ASSERT_DOUBLE_WITHIN(FLOAT_OR_DOUBLE(0.01, 1e-6) * c.set.unit, c.set.offset[r],
+                                          (double)c.calibration.offset[r]);
+                for (int k = 0; k < 3; k++) {
                     TEST_ASSERT_DOUBLE_WITHIN(FLOAT_OR_DOUBLE(5e-6, 1e-10) * matrix[0][0],
-                                              matrix[r][c],
-                                              (double)solution.calibration.matrix[r][c]);
+                                              matrix[r][k], (double)c.calibration.matrix[r][k]);
                 }
             }
         }
@@ -150,42 +150,29 @@ static void parameters_and_sigma_of_real_sensors_are_those_of_the_reference(void
 {
     for (int i = 0; i < SETS; i++) {
         const calibrated_set c = calibrated(i);
+        invcal_real x[INVCAL_PARAMETERS];
+        invcal_real sigma_offset[3];
+        invcal_deviation(&c.calibration, &c.nominal, x);
+        invcal_sigma_offset(&c.quality, &c.nominal, sigma_offset);
         for (unsigned r = 0; r < 9; r++) {
             TEST_ASSERT_DOUBLE_WITHIN(FLOAT_OR_DOUBLE(0.01, 1e-6) * c.set.sigma_x[r], c.set.x[r],
-                                      parameter(&c.solution, r));
+                                      (double)x[r]);
             /* The reference differentiates |A (u - delta)| numerically at the solution. */
-            assert_ratio(FLOAT_OR_DOUBLE(0.005, 1e-4), c.set.sigma_x[r],
-                         sigma_of_parameter(&c.quality, r));
+            assert_ratio(sigma_bound, c.set.sigma_x[r], (double)c.quality.sigma[r]);
         }
         for (int k = 0; k < 3; k++) {
-            assert_ratio(FLOAT_OR_DOUBLE(0.005, 1e-4), c.set.sigma_offset[k],
-                         (double)c.quality.sigma_offset[k]);
+            assert_ratio(sigma_bound, c.set.sigma_offset[k], (double)sigma_offset[k]);
         }
-        assert_ratio(FLOAT_OR_DOUBLE(0.02, 1e-8), c.set.condition, (double)c.quality.condition);
     }
 }
 
-static void the_covariance_of_real_sensors_is_that_of_the_reference(void)
+/* The trace of a matrix of nine rows times that of its inverse: 130 at best, where the condition is 5. */
+static void the_condition_of_real_sensors_bounds_that_of_the_reference(void)
 {
     for (int i = 0; i < SETS; i++) {
         const calibrated_set c = calibrated(i);
-        invcal_residuals residuals;
-        invcal_real K[INVCAL_PACKED_SIZE(INVCAL_PARAMETERS)];
-        invcal_residuals_init(&residuals, &c.solution);
-        for (unsigned k = 0; k < c.set.count; k++) {
-            const invcal_real raw[3] = {(invcal_real)c.set.position[k][0],
-                                        (invcal_real)c.set.position[k][1],
-                                        (invcal_real)c.set.position[k][2]};
-            invcal_real u[3];
-            invcal_observation_reading(&c.settings.nominal, c.settings.field, raw, u);
-            TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_residuals_add(&residuals, u, 1, NULL));
-        }
-        TEST_ASSERT_EQUAL_INT(INVCAL_OK,
-                              invcal_covariance(&residuals, &c.settings, c.quality.noise, K));
-        for (unsigned r = 0; r < 9; r++) {
-            assert_ratio(FLOAT_OR_DOUBLE(1e-3, 1e-9), c.set.root_k[r],
-                         sqrt((double)K[INVCAL_PACKED(r, r)]));
-        }
+        const double ratio = (double)c.quality.condition / c.set.condition;
+        TEST_ASSERT_TRUE(c.quality.condition > 129 && ratio > 2 && ratio < 26);
     }
 }
 
@@ -194,7 +181,7 @@ static void only_the_t265_is_weak_and_its_angles_are_named(void)
     for (int i = 0; i < SETS; i++) {
         const calibrated_set c = calibrated(i);
         TEST_ASSERT_EQUAL_INT(i == T265 ? INVCAL_WEAK : INVCAL_GOOD, c.quality.verdict);
-        TEST_ASSERT_EQUAL_HEX16(i == T265 ? 0x1C0 : 0, c.quality.undetermined);
+        TEST_ASSERT_EQUAL_HEX16(i == T265 ? 0x1C0 : 0, c.quality.weak);
     }
 }
 
@@ -203,323 +190,191 @@ static void a_wrong_nominal_offset_does_not_change_the_result(void)
 {
     static const double wrong[3] = {530, -530, 530};
     const data_set set = set_number(0);
-    const invcal_settings settings = settings_of(&set, wrong);
-    invcal_solution solution;
+    const invcal_calibration nominal = nominal_of(&set, wrong);
+    invcal_calibration calibration;
     invcal_quality quality;
 
-    calibrate(&set, &settings, &solution, &quality);
-    assert_ratio(percent, set.rms, (double)quality.residual_rms);
+    calibrate(&set, &nominal, &calibration, &quality);
+    assert_ratio(percent, set.rms, (double)quality.rms);
     for (int k = 0; k < 3; k++) {
         /* sigma is 0.2 counts: the fit of noisy data knows its nominal in the eighth digit */
         TEST_ASSERT_DOUBLE_WITHIN(FLOAT_OR_DOUBLE(0.02, 1e-3), set.offset[k],
-                                  (double)solution.calibration.offset[k]);
+                                  (double)calibration.offset[k]);
     }
-}
-
-static void a_refusal_names_position_and_parameters(void)
-{
-    const invcal_settings settings = unit_settings(0);
-    invcal_real raw[8][3] = {{1, 0, 0},  {0, 1, 0},  {0, 0, 1}, {-1, 0, 0},
-                             {0, -1, 0}, {0, 0, -1}, {1, 0, 0}, {0, 1, 0}};
-    invcal_solution solution;
-    invcal_quality quality;
-    invcal_reason reason = {77, 77};
-
-    TEST_ASSERT_EQUAL_INT(INVCAL_TOO_FEW,
-                          invcal_calibrate(&raw[0][0], 8, &settings, &solution, &quality, &reason));
-    TEST_ASSERT_EQUAL_UINT(8, reason.position);
-    TEST_ASSERT_EQUAL_HEX16(0x1C0, reason.undetermined);
-    raw[5][1] = (invcal_real)NAN;
-    TEST_ASSERT_EQUAL_INT(INVCAL_NOT_FINITE,
-                          invcal_calibrate(&raw[0][0], 8, &settings, &solution, &quality, &reason));
-    TEST_ASSERT_EQUAL_UINT(5, reason.position);
-}
-
-static void unusable_settings_are_no_fault_of_a_position(void)
-{
-    const invcal_real raw[9 * 3] = {0};
-    invcal_settings settings = unit_settings(0);
-    invcal_solution solution;
-    invcal_quality quality;
-    invcal_reason reason;
-
-    settings.nominal.matrix[2][0] = (invcal_real)NAN;
-    TEST_ASSERT_EQUAL_INT(INVCAL_BAD_SETTING,
-                          invcal_calibrate(raw, 9, &settings, &solution, &quality, &reason));
-    TEST_ASSERT_EQUAL_UINT(9, reason.position);
 }
 
 static void no_position_at_all_is_too_few(void)
 {
-    const invcal_settings settings = unit_settings(0);
+    const invcal_calibration nominal = unit_nominal();
     const invcal_real raw[3] = {0, 0, 1};
-    invcal_solution solution;
+    invcal_calibration calibration;
     invcal_quality quality;
-    invcal_reason reason;
 
     TEST_ASSERT_EQUAL_INT(INVCAL_TOO_FEW,
-                          invcal_calibrate(raw, 0, &settings, &solution, &quality, &reason));
-    TEST_ASSERT_EQUAL_HEX16(0x1FF, reason.undetermined);
+                          invcal_calibrate(raw, 0, &nominal, 0, &calibration, &quality));
 }
 
-/* With a prior for some parameters only, positions must be as many as the others. */
-static void a_partial_prior_needs_as_many_positions_as_it_leaves_open(void)
-{
-    random_source random = random_start(1);
-    const triad_truth truth = triad_random(&random, 0.01);
-    static const double face[6][3] = {{1, 0, 0},  {0, 1, 0},  {0, 0, 1},
-                                      {-1, 0, 0}, {0, -1, 0}, {0, 0, -1}};
-    invcal_settings settings = unit_settings(1e-4);
-    reading_set set;
-    invcal_solution solution;
-    invcal_quality quality;
-
-    for (int r = 6; r < 9; r++) {
-        settings.prior[r] = (invcal_real)0.01; /* only the angles are known beforehand */
-    }
-    read_positions(&truth, face, 6, 1e-4, &random, &set);
-    TEST_ASSERT_EQUAL_INT(INVCAL_OK, calibrate_set(&set, &settings, &solution, &quality, NULL));
-    TEST_ASSERT_EQUAL_HEX16(0x1C0, quality.from_prior);
-    set.count = 5;
-    TEST_ASSERT_EQUAL_INT(INVCAL_TOO_FEW,
-                          calibrate_set(&set, &settings, &solution, &quality, NULL));
-}
-
-/* Readings so exact that the prior is 2000 times their noise: what it alone holds has a K that would
- * be hopeless without it. */
-static void what_a_prior_holds_is_never_hopeless(void)
-{
-    random_source random = random_start(5);
-    const triad_truth truth = triad_random(&random, 0.01);
-    static const double face[6][3] = {{1, 0, 0},  {0, 1, 0},  {0, 0, 1},
-                                      {-1, 0, 0}, {0, -1, 0}, {0, 0, -1}};
-    invcal_settings settings = unit_settings(5e-6);
-    reading_set set;
-    invcal_solution solution;
-    invcal_quality quality;
-
-    for (int r = 6; r < 9; r++) {
-        settings.prior[r] = (invcal_real)0.01;
-    }
-    read_positions(&truth, face, 6, 5e-6, &random, &set);
-    TEST_ASSERT_EQUAL_INT(INVCAL_OK, calibrate_set(&set, &settings, &solution, &quality, NULL));
-    TEST_ASSERT_EQUAL_INT(INVCAL_WEAK, quality.verdict);
-    TEST_ASSERT_EQUAL_HEX16(0x1C0, quality.from_prior);
-    for (int i = 0; i < 3; i++) {
-        TEST_ASSERT_DOUBLE_WITHIN(2e-4, 0.01, (double)quality.sigma_gamma[i]);
-    }
-}
-
-/* Residuals larger than the stated noise make the prior count for more, never for less. */
-static void a_prior_is_weighed_against_the_noise_that_is_there(void)
-{
-    random_source random = random_start(2);
-    const triad_truth truth = triad_random(&random, 0.01);
-    invcal_settings settings = unit_settings(1e-5);
-    reading_set set;
-    invcal_solution solution;
-    invcal_quality quality;
-
-    for (int r = 0; r < 9; r++) {
-        settings.prior[r] = (invcal_real)0.01;
-    }
-    read_positions(&truth, expected_plan18, 18, 1e-3, &random, &set);
-    TEST_ASSERT_EQUAL_INT(INVCAL_OK, calibrate_set(&set, &settings, &solution, &quality, NULL));
-    TEST_ASSERT_DOUBLE_WITHIN(5e-4, 1e-3, (double)quality.noise);
-    /* sigma is that of the two together: 1/s^2 = 1/prior^2 + 1/data^2 */
-    const double data = (double)quality.noise * expected_plan18_root_k[0];
-    const double both = 1 / sqrt(1 / (0.01 * 0.01) + 1 / (data * data));
-    TEST_ASSERT_DOUBLE_WITHIN(0.02 * both, both, (double)quality.sigma_delta[0]);
-    TEST_ASSERT_EQUAL_HEX16(0, quality.from_prior);
-}
-
-/* Stated at a ten thousandth it would leave the prior nothing to say, and the angles where the
- * readings put them; as it is, it takes half of them away. */
-static void noise_seen_shrinks_like_noise_stated(void)
-{
-    static const triad_truth truth = {{0, 0, 0, 0, 0, 0, 0.03, -0.03, 0.03}};
-    random_source random = random_start(6);
-
-    for (int draw = 0; draw < 5; draw++) {
-        const double stated[2] = {1e-6, 1e-2};
-        reading_set set;
-        invcal_solution solution[2];
-        invcal_quality quality;
-        read_positions(&truth, expected_plan18, 18, 1e-2, &random, &set);
-        for (int i = 0; i < 2; i++) {
-            invcal_settings settings = unit_settings(stated[i]);
-            for (int r = 0; r < 9; r++) {
-                settings.prior[r] = (invcal_real)0.01;
-            }
-            TEST_ASSERT_EQUAL_INT(INVCAL_OK,
-                                  calibrate_set(&set, &settings, &solution[i], &quality, NULL));
-        }
-        for (unsigned r = 0; r < 9; r++) {
-            TEST_ASSERT_DOUBLE_WITHIN(sigma_of_parameter(&quality, r), parameter(&solution[1], r),
-                                      parameter(&solution[0], r));
-        }
-    }
-}
-
-/* That the noise comes from residuals is not forgotten when the solution is made once more: with
- * 18 degrees of freedom or fewer Student's factor is 2.10 or more. */
-static void coverage_beside_a_prior_is_that_of_the_residuals(void)
-{
-    random_source random = random_start(4);
-    invcal_settings settings = unit_settings(1e-5);
-
-    for (int r = 0; r < 9; r++) {
-        settings.prior[r] = (invcal_real)0.01;
-    }
-    for (int draw = 0; draw < SOME(20); draw++) {
-        const triad_truth truth = triad_random(&random, 0.01);
-        reading_set set;
-        invcal_solution solution;
-        invcal_quality quality;
-        read_positions(&truth, expected_plan18, 18, 1e-3, &random, &set);
-        TEST_ASSERT_EQUAL_INT(INVCAL_OK, calibrate_set(&set, &settings, &solution, &quality, NULL));
-        TEST_ASSERT_TRUE(quality.coverage > (invcal_real)2.1);
-    }
-}
-
-/* Position 1 is in no sum, position 5 has the largest residual of the others, and all but the last
- * have faded: as if the rest had been added one by one with their weights. */
-static void kept_positions_count_by_their_age_unless_they_are_left_out(void)
+/* Position 1 is in no sum, position 5 has the largest residual of the others: as if the rest had
+ * been the only ones. */
+static void positions_that_are_left_out_do_not_count(void)
 {
     enum { COUNT = 18, OUT = 1, WORST = 5 };
     random_source random = random_start(5);
     const triad_truth truth = triad_random(&random, 0.01);
-    const invcal_settings settings = unit_settings(0);
-    uint8_t age[COUNT];
-    invcal_normal normal;
-    invcal_residuals residuals;
-    invcal_observation row;
-    invcal_solution solution;
-    invcal_quality expected;
+    const invcal_calibration nominal = unit_nominal();
+    invcal_calibration expected;
+    invcal_calibration calibration;
+    invcal_quality of_expected;
     invcal_quality quality;
     reading_set set;
+    reading_set rest;
 
     read_positions(&truth, expected_plan18, COUNT, 1e-4, &random, &set);
-    set.u[OUT][0] += (invcal_real)0.05;
+    set.u[OUT][0] = (invcal_real)NAN;
     set.u[WORST][2] += (invcal_real)0.005;
-    invcal_normal_init(&normal);
+    rest.count = 0;
     for (unsigned i = 0; i < COUNT; i++) {
-        age[i] = (uint8_t)(4 * (COUNT - 1 - i));
-        TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_observation_exact(set.u[i], &row));
         if (i != OUT) {
-            const invcal_real weight = (invcal_real)pow(31.0 / 32, age[i]);
-            TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_normal_add(&normal, &row, weight));
+            memcpy(rest.u[rest.count++], set.u[i], sizeof set.u[i]);
         }
     }
-    const invcal_positions positions = {&set.u[0][0], age, COUNT, (invcal_mask)1 << OUT};
-    TEST_ASSERT_EQUAL_INT(
-        INVCAL_OK, invcal_calibrate_sums(&normal, &positions, &settings, &solution, &quality));
-    invcal_residuals_init(&residuals, &solution);
-    for (unsigned i = 0; i < COUNT; i++) {
-        const invcal_real weight = (invcal_real)pow(31.0 / 32, age[i]);
-        if (i != OUT) {
-            (void)invcal_residuals_add(&residuals, set.u[i], weight, NULL);
-        }
-    }
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, calibrate_set(&rest, 1e-3, &expected, &of_expected));
     TEST_ASSERT_EQUAL_INT(INVCAL_OK,
-                          invcal_assess(&residuals, COUNT - 1, &settings, &solution, &expected));
+                          invcal_calibrate_without(set.u[0], COUNT, (invcal_mask)1 << OUT, &nominal,
+                                                   (invcal_real)1e-3, &calibration, &quality));
+    TEST_ASSERT_EQUAL_MEMORY(&expected, &calibration, sizeof expected);
+    TEST_ASSERT_EQUAL_MEMORY(of_expected.sigma, quality.sigma, sizeof quality.sigma);
     TEST_ASSERT_EQUAL_UINT(WORST, quality.worst);
-    assert_ratio(1e-5, (double)expected.noise, (double)quality.noise);
-    assert_ratio(1e-5, (double)expected.sigma_dk[0], (double)quality.sigma_dk[0]);
+    TEST_ASSERT_EQUAL_UINT(COUNT - 1, quality.positions);
+    TEST_ASSERT_EQUAL_UINT(COUNT - 10, quality.dof);
+    TEST_ASSERT_TRUE(quality.left_out == (invcal_mask)1 << OUT);
+    TEST_ASSERT_TRUE(of_expected.left_out == 0);
 }
 
-/* A list that is not the one of the sums, and a reading in it that is none. */
-static void positions_that_cannot_be_those_of_the_sums_are_refused(void)
+/* Beyond INVCAL_MAX_POSITIONS none can be left out, and 255 are as many as there may be. */
+static void many_positions_count_all(void)
 {
+    static invcal_real raw[256][3];
+    const invcal_mask first = 1;
     random_source random = random_start(6);
-    const triad_truth truth = triad_random(&random, 0.01);
-    const invcal_settings settings = unit_settings(0);
-    invcal_solution solution;
+    const invcal_calibration nominal = unit_nominal();
+    invcal_calibration calibration;
     invcal_quality quality;
-    invcal_quality before;
+
+    for (unsigned i = 0; i < 256; i++) {
+        double eta[3];
+        random_direction(&random, eta);
+        for (int k = 0; k < 3; k++) {
+            raw[i][k] = (invcal_real)eta[k];
+        }
+    }
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_calibrate_without(raw[0], 255, first, &nominal, 0,
+                                                              &calibration, &quality));
+    TEST_ASSERT_EQUAL_UINT(254, quality.positions);
+    TEST_ASSERT_EQUAL_UINT(245, quality.dof);
+    TEST_ASSERT_EQUAL_INT(INVCAL_BAD_COUNT, invcal_calibrate(raw[0], UINT16_MAX, &nominal, 0,
+                                                             &calibration, &quality));
+}
+
+static void left_out_positions_may_leave_too_few(void)
+{
+    random_source random = random_start(7);
+    const triad_truth truth = triad_random(&random, 0.01);
+    const invcal_calibration nominal = unit_nominal();
+    invcal_calibration calibration;
+    invcal_quality quality;
     reading_set set;
 
-    memset(&quality, 7, sizeof quality);
-    before = quality;
+    read_positions(&truth, expected_plan18, 12, 1e-4, &random, &set);
+    TEST_ASSERT_EQUAL_INT(INVCAL_TOO_FEW, invcal_calibrate_without(set.u[0], 12, 0xF0u, &nominal, 0,
+                                                                   &calibration, &quality));
+}
+
+static void the_calibration_may_take_the_place_of_nominal(void)
+{
+    random_source random = random_start(8);
+    const triad_truth truth = triad_random(&random, 0.1);
+    const invcal_calibration nominal = unit_nominal();
+    invcal_calibration calibration;
+    invcal_calibration place = nominal;
+    invcal_quality quality;
+    reading_set set;
+
     read_positions(&truth, expected_plan18, 18, 1e-4, &random, &set);
-    const invcal_normal normal = normal_of(&set);
-    const invcal_positions positions = {&set.u[0][0], NULL, 18, 0};
-    for (int i = 0; i < 2; i++) {
-        set.u[7][1] = (invcal_real)(i ? 1000 : NOT_A_NUMBER);
-        TEST_ASSERT_EQUAL_INT(
-            INVCAL_NOT_ELLIPSOID,
-            invcal_calibrate_sums(&normal, &positions, &settings, &solution, &quality));
-    }
-    TEST_ASSERT_EQUAL_MEMORY(&before, &quality, sizeof quality);
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, calibrate_set(&set, 0, &calibration, &quality));
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_calibrate(set.u[0], 18, &place, 0, &place, &quality));
+    TEST_ASSERT_EQUAL_MEMORY(&calibration, &place, sizeof place);
 }
 
-/* The same readings and priors, once over field and once in m/s^2 of counts: tilts by 10 degrees,
- * which leave much to the prior. */
-/* Their squares are summed up. */
-static void a_sigma_beyond_the_number_type_is_refused(void)
+/* With the calibration found as nominal p and J are next to nothing, and so is what is lost. */
+static void a_second_time_finds_next_to_nothing(void)
 {
-    const invcal_real many = INVCAL_SQRT(INVCAL_REAL_MAX) * 1000; /* counts over field */
-    random_source random = random_start(4);
-    const triad_truth truth = triad_random(&random, 0.01);
+    random_source random = random_start(9);
+    const triad_truth truth = triad_random(&random, 0.1);
+    invcal_calibration first;
+    invcal_calibration second;
+    invcal_quality quality;
+    invcal_real x[INVCAL_PARAMETERS];
     reading_set set;
-    invcal_settings settings = unit_settings(0.01);
-    invcal_solution solution;
-    invcal_quality quality = {.noise = 77};
 
-    read_positions(&truth, expected_plan18, 18, 1e-2, &random, &set);
-    for (unsigned i = 0; i < 18; i++) {
-        set.u[i][0] *= many;
+    read_positions(&truth, expected_plan18, 18, 0, &random, &set);
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, calibrate_set(&set, 0, &first, &quality));
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_calibrate(set.u[0], 18, &first, 0, &second, &quality));
+    invcal_deviation(&second, &first, x);
+    for (unsigned r = 0; r < INVCAL_PARAMETERS; r++) {
+        TEST_ASSERT_DOUBLE_WITHIN(FLOAT_OR_DOUBLE(1e-6, 1e-14), 0, (double)x[r]);
     }
-    settings.nominal.matrix[0][0] /= many;
-    TEST_ASSERT_EQUAL_INT(INVCAL_BAD_SETTING,
-                          calibrate_set(&set, &settings, &solution, &quality, NULL));
-    TEST_ASSERT_TRUE(quality.noise == 77);
-    for (unsigned i = 0; i < 18; i++) {
-        set.u[i][0] /= 1000000;
-    }
-    settings.nominal.matrix[0][0] *= 1000000;
-    TEST_ASSERT_EQUAL_INT(INVCAL_OK, calibrate_set(&set, &settings, &solution, &quality, NULL));
-    TEST_ASSERT_TRUE(quality.sigma_offset[0] > 0 && quality.sigma_offset[0] < many);
 }
 
-static void a_prior_weighs_the_same_in_any_unit(void)
+static void assert_refused(const invcal_calibration *nominal, double noise, invcal_status expected)
 {
-    random_source random = random_start(3);
+    random_source random = random_start(10);
     const triad_truth truth = triad_random(&random, 0.01);
-    invcal_settings unit = unit_settings(1e-3);
-    invcal_settings counts = unit_settings(9.8e-3);
-    double v[12][3];
+    invcal_calibration calibration;
+    invcal_calibration before;
+    invcal_quality quality;
+    invcal_quality quality_before;
     reading_set set;
-    reading_set raw;
-    invcal_solution solution[2];
-    invcal_quality quality[2];
 
-    for (int i = 0; i < 12; i++) {
-        v[i][0] = random_uniform(&random, -0.17, 0.17);
-        v[i][1] = random_uniform(&random, -0.17, 0.17);
-        v[i][2] = sqrt(1 - v[i][0] * v[i][0] - v[i][1] * v[i][1]);
+    memset(&calibration, 7, sizeof calibration);
+    memset(&quality, 7, sizeof quality);
+    before = calibration;
+    quality_before = quality;
+    read_positions(&truth, expected_plan18, 18, 1e-4, &random, &set);
+    TEST_ASSERT_EQUAL_INT(expected, invcal_calibrate(set.u[0], 18, nominal, (invcal_real)noise,
+                                                     &calibration, &quality));
+    TEST_ASSERT_EQUAL_MEMORY(&before, &calibration, sizeof before);
+    TEST_ASSERT_EQUAL_MEMORY(&quality_before, &quality, sizeof quality);
+}
+
+static void an_unusable_noise_is_refused(void)
+{
+    static const double bad[] = {-1e-3, 1, 1.5, NOT_A_NUMBER, INFINITE};
+    const invcal_calibration nominal = unit_nominal();
+
+    for (unsigned i = 0; i < sizeof bad / sizeof bad[0]; i++) {
+        assert_refused(&nominal, bad[i], INVCAL_BAD_NOISE);
     }
-    read_positions(&truth, (const double(*)[3])v, 12, 1e-4, &random, &set);
-    raw.count = set.count;
-    for (int i = 0; i < 12 * 3; i++) {
-        raw.u[i / 3][i % 3] = 400 * set.u[i / 3][i % 3];
+}
+
+static void an_unusable_nominal_is_refused(void)
+{
+    static const double bad[] = {NOT_A_NUMBER, INFINITE, -INFINITE};
+
+    for (unsigned i = 0; i < sizeof bad / sizeof bad[0]; i++) {
+        for (int k = 0; k < 12; k++) {
+            invcal_calibration nominal = unit_nominal();
+            if (k < 3) {
+                nominal.offset[k] = (invcal_real)bad[i];
+            } else {
+                nominal.matrix[k / 3 - 1][k % 3] = (invcal_real)bad[i];
+            }
+            assert_refused(&nominal, 0, INVCAL_BAD_NOMINAL);
+        }
     }
-    counts.field = (invcal_real)9.8;
-    for (int r = 0; r < 9; r++) {
-        unit.prior[r] = counts.prior[r] = (invcal_real)0.01;
-        counts.nominal.matrix[r % 3][r % 3] = (invcal_real)(9.8 / 400);
-    }
-    TEST_ASSERT_EQUAL_INT(INVCAL_OK, calibrate_set(&set, &unit, &solution[0], &quality[0], NULL));
-    TEST_ASSERT_EQUAL_INT(INVCAL_OK, calibrate_set(&raw, &counts, &solution[1], &quality[1], NULL));
-    for (unsigned r = 0; r < 9; r++) {
-        const double sigma = sigma_of_parameter(&quality[0], r);
-        TEST_ASSERT_DOUBLE_WITHIN(FLOAT_OR_DOUBLE(1e-2, 1e-9) * sigma, parameter(&solution[0], r),
-                                  parameter(&solution[1], r));
-        TEST_ASSERT_DOUBLE_WITHIN(FLOAT_OR_DOUBLE(1e-2, 1e-9) * sigma, sigma,
-                                  sigma_of_parameter(&quality[1], r));
-    }
-    TEST_ASSERT_EQUAL_HEX16(quality[0].from_prior, quality[1].from_prior);
-    TEST_ASSERT_TRUE(quality[0].from_prior != 0);
+    invcal_calibration nominal = unit_nominal();
+    nominal.matrix[1][1] = 0;
+    assert_refused(&nominal, 0, INVCAL_BAD_NOMINAL);
 }
 
 int main(void)
@@ -528,20 +383,16 @@ int main(void)
     RUN_TEST(residuals_of_real_sensors_are_those_of_the_reference);
     RUN_TEST(offsets_and_matrices_of_real_sensors_are_those_of_the_reference);
     RUN_TEST(parameters_and_sigma_of_real_sensors_are_those_of_the_reference);
-    RUN_TEST(the_covariance_of_real_sensors_is_that_of_the_reference);
+    RUN_TEST(the_condition_of_real_sensors_bounds_that_of_the_reference);
     RUN_TEST(only_the_t265_is_weak_and_its_angles_are_named);
     RUN_TEST(a_wrong_nominal_offset_does_not_change_the_result);
-    RUN_TEST(a_refusal_names_position_and_parameters);
-    RUN_TEST(unusable_settings_are_no_fault_of_a_position);
     RUN_TEST(no_position_at_all_is_too_few);
-    RUN_TEST(a_partial_prior_needs_as_many_positions_as_it_leaves_open);
-    RUN_TEST(what_a_prior_holds_is_never_hopeless);
-    RUN_TEST(a_prior_is_weighed_against_the_noise_that_is_there);
-    RUN_TEST(a_sigma_beyond_the_number_type_is_refused);
-    RUN_TEST(a_prior_weighs_the_same_in_any_unit);
-    RUN_TEST(noise_seen_shrinks_like_noise_stated);
-    RUN_TEST(coverage_beside_a_prior_is_that_of_the_residuals);
-    RUN_TEST(kept_positions_count_by_their_age_unless_they_are_left_out);
-    RUN_TEST(positions_that_cannot_be_those_of_the_sums_are_refused);
+    RUN_TEST(positions_that_are_left_out_do_not_count);
+    RUN_TEST(many_positions_count_all);
+    RUN_TEST(left_out_positions_may_leave_too_few);
+    RUN_TEST(the_calibration_may_take_the_place_of_nominal);
+    RUN_TEST(a_second_time_finds_next_to_nothing);
+    RUN_TEST(an_unusable_noise_is_refused);
+    RUN_TEST(an_unusable_nominal_is_refused);
     return UNITY_END() != 0;
 }

@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "expected.h"
+#include "invcal/plan.h"
 #include "support.h"
 #include "unity.h"
 
@@ -297,9 +298,9 @@ static void a_position_beyond_the_program_is_refused(void)
         const unsigned n = per_group[k];
         const invcal_plan plan = plan_of(n, 1, 2, 3);
         TEST_ASSERT_EQUAL_UINT(n, position_at(&plan, 3 * n - 1).index);
-        assert_refused(INVCAL_BAD_SETTING, &plan, 3 * n);
-        assert_refused(INVCAL_BAD_SETTING, &plan, 3 * n + 1);
-        assert_refused(INVCAL_BAD_SETTING, &plan, UINT_MAX);
+        assert_refused(INVCAL_BAD_PROGRAM, &plan, 3 * n);
+        assert_refused(INVCAL_BAD_PROGRAM, &plan, 3 * n + 1);
+        assert_refused(INVCAL_BAD_PROGRAM, &plan, UINT_MAX);
     }
 }
 
@@ -320,7 +321,7 @@ static void absurd_numbers_of_positions_are_refused_with_a_reason(void)
 
     for (unsigned k = 0; k < sizeof numbers / sizeof numbers[0]; k++) {
         const unsigned n = numbers[k];
-        const invcal_status expected = n < 5 ? INVCAL_TOO_FEW : INVCAL_BAD_SETTING;
+        const invcal_status expected = n < 5 ? INVCAL_TOO_FEW : INVCAL_BAD_PROGRAM;
         const invcal_plan plan = plan_of(n, 0, 0, 0);
         invcal_real start[3] = {7, 8, 9};
         TEST_ASSERT_EQUAL_INT(expected, invcal_plan_check(&plan));
@@ -343,9 +344,9 @@ static void starts_that_are_no_angles_are_refused(void)
         for (unsigned group = 0; group < 3; group++) {
             invcal_plan plan = plan_of(6, 30, 30, 120);
             plan.start[group] = (invcal_real)bad[i];
-            TEST_ASSERT_EQUAL_INT(INVCAL_BAD_SETTING, invcal_plan_check(&plan));
+            TEST_ASSERT_EQUAL_INT(INVCAL_BAD_PROGRAM, invcal_plan_check(&plan));
             for (unsigned k = 0; k < 18; k++) {
-                assert_refused(INVCAL_BAD_SETTING, &plan, k);
+                assert_refused(INVCAL_BAD_PROGRAM, &plan, k);
             }
         }
     }
@@ -354,14 +355,14 @@ static void starts_that_are_no_angles_are_refused(void)
 /* The axes within so many degrees of a vertical, by the chord between them. */
 static unsigned axes_within(double angle, const invcal_real vertical[3])
 {
-    unsigned near = 0;
+    unsigned axes = 0;
 
     for (unsigned a = 0; a < INVCAL_AXES; a++) {
         const double off[3] = {(double)vertical[0] - axis[a][0], (double)vertical[1] - axis[a][1],
                                (double)vertical[2] - axis[a][2]};
-        near |= (unsigned)(length3(off) < angle * (double)RADIAN) << a;
+        axes |= (unsigned)(length3(off) < angle * (double)RADIAN) << a;
     }
-    return near;
+    return axes;
 }
 
 /* The axes of some positions of a plan, 0.1 degrees being blurred by 5 %. */

@@ -3,7 +3,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "invcal/record.h"
+#include "invcal/store.h"
 #include "support.h"
 #include "unity.h"
 
@@ -15,16 +15,29 @@ void tearDown(void)
 {
 }
 
-enum { SIZE = INVCAL_RECORD_SIZE, REALS = 39, MARGIN = 64 };
+enum { SIZE = INVCAL_RECORD_SIZE, REALS = 27, MARGIN = 64 };
 
 /* The bytes of the record below, by Python:
  *
  *     import struct, zlib
- *     b = struct.pack('<BBH8sIHHHBB39f', 0xCA, 1, 184, b'SN-00042', 0x6543210F, 18, 0x101, 0x82,
+ *     b = struct.pack('<BBH8sIHHHBB27f', 0xCA, 2, 136, b'SN-00042', 0x6543210F, 18, 0x101, 0x82,
  *         2, 1, *reals)       # the numbers of golden_reals
  *     b += struct.pack('<I', zlib.crc32(b))
  */
 static const uint8_t golden[SIZE] = {
+    0xCA, 0x02, 0x88, 0x00, 0x53, 0x4E, 0x2D, 0x30, 0x30, 0x30, 0x34, 0x32, 0x0F, 0x21, 0x43, 0x65,
+    0x12, 0x00, 0x01, 0x01, 0x82, 0x00, 0x02, 0x01, 0x00, 0x00, 0x1D, 0x41, 0x00, 0x00, 0x00, 0x3B,
+    0x00, 0x00, 0x48, 0xC1, 0x00, 0x00, 0x80, 0x3A, 0x00, 0x00, 0x80, 0x39, 0x00, 0x00, 0x04, 0x41,
+    0x80, 0x63, 0x01, 0x47, 0x40, 0xFC, 0x01, 0xC7, 0x80, 0xD1, 0xFC, 0x46, 0x52, 0x49, 0x1D, 0x3B,
+    0x82, 0xA8, 0x7B, 0x37, 0xAC, 0xC5, 0x27, 0xB6, 0xAC, 0xC5, 0x27, 0xB7, 0x0A, 0xD7, 0x23, 0x3B,
+    0x9C, 0x53, 0x49, 0x36, 0xBD, 0x37, 0x86, 0x36, 0xAC, 0xC5, 0xA7, 0xB6, 0xC3, 0x64, 0x2A, 0xBB,
+    0x17, 0xB7, 0xD1, 0x38, 0x17, 0xB7, 0x51, 0x39, 0x52, 0x49, 0x9D, 0x39, 0x17, 0xB7, 0xD1, 0x39,
+    0x6F, 0x12, 0x03, 0x3A, 0x52, 0x49, 0x1D, 0x3A, 0x34, 0x80, 0x37, 0x3A, 0x17, 0xB7, 0x51, 0x3A,
+    0xFA, 0xED, 0x6B, 0x3A, 0x04, 0xD0, 0x8C, 0x86,
+};
+
+/* As version 1 wrote it: 48 bytes more before sigma. */
+static const uint8_t golden_1[SIZE + 48] = {
     0xCA, 0x01, 0xB8, 0x00, 0x53, 0x4E, 0x2D, 0x30, 0x30, 0x30, 0x34, 0x32, 0x0F, 0x21, 0x43, 0x65,
     0x12, 0x00, 0x01, 0x01, 0x82, 0x00, 0x02, 0x01, 0x00, 0x00, 0x1D, 0x41, 0x00, 0x00, 0x00, 0x3B,
     0x00, 0x00, 0x48, 0xC1, 0x00, 0x00, 0x80, 0x3A, 0x00, 0x00, 0x80, 0x39, 0x00, 0x00, 0x04, 0x41,
@@ -39,35 +52,24 @@ static const uint8_t golden[SIZE] = {
     0xFA, 0xED, 0x6B, 0x3A, 0x9C, 0x1E, 0x9F, 0x51,
 };
 
-/* field, field_sigma, temperature, noise, residual_rms, condition; offset, matrix; delta, dk,
- * gamma; sigma_offset, sigma_delta, sigma_dk, sigma_gamma. */
+/* field, field_sigma, temperature, noise, rms, condition; offset, matrix; sigma. */
 static const double golden_reals[REALS] = {
-    9.8125, 0.001953125, -12.5,   0.0009765625, 0.000244140625, 8.25,  33123.5, -33276.25, 32360.75,
-    0.0024, 1.5e-5,      -2.5e-6, -1e-5,        0.0025,         3e-6,  4e-6,    -5e-6,     -0.0026,
-    0.01,   -0.02,       0.03,    0.001,        -0.002,         0.003, -0.0001, 0.0002,    -0.0003,
-    0.25,   0.5,         0.75,    1e-4,         2e-4,           3e-4,  4e-4,    5e-4,      6e-4,
-    7e-4,   8e-4,        9e-4,
+    9.8125, 0.001953125, -12.5,   0.0009765625, 0.000244140625, 8.25, 33123.5, -33276.25, 32360.75,
+    0.0024, 1.5e-5,      -2.5e-6, -1e-5,        0.0025,         3e-6, 4e-6,    -5e-6,     -0.0026,
+    1e-4,   2e-4,        3e-4,    4e-4,         5e-4,           6e-4, 7e-4,    8e-4,      9e-4,
 };
-enum { FIELD = 0, TEMPERATURE = 2, CONDITION = 5, MATRIX = 9, REALS_AT = 24 };
+enum { FIELD = 0, TEMPERATURE = 2, OFFSET = 6, MATRIX = 9, SIGMA = 18, REALS_AT = 24 };
 
-/* Real number i of a record, in the order of the table in record.h. */
+/* Real number i of a record, in the order of the table in store.h. */
 static invcal_real *real_of(invcal_record *r, unsigned i)
 {
-    invcal_real *const single[] = {&r->field, &r->field_sigma,  &r->temperature,
-                                   &r->noise, &r->residual_rms, &r->condition};
-    invcal_real *const triple[] = {r->calibration.offset,
-                                   r->calibration.matrix[0],
-                                   r->calibration.matrix[1],
-                                   r->calibration.matrix[2],
-                                   r->delta,
-                                   r->dk,
-                                   r->gamma,
-                                   r->sigma_offset,
-                                   r->sigma_delta,
-                                   r->sigma_dk,
-                                   r->sigma_gamma};
+    invcal_real *const single[] = {&r->field, &r->field_sigma, &r->temperature,
+                                   &r->noise, &r->rms,         &r->condition};
 
-    return i < 6 ? single[i] : &triple[(i - 6) / 3][(i - 6) % 3];
+    return i < OFFSET   ? single[i]
+           : i < MATRIX ? &r->calibration.offset[i - OFFSET]
+           : i < SIGMA  ? &r->calibration.matrix[(i - MATRIX) / 3][(i - MATRIX) % 3]
+                        : &r->sigma[i - SIGMA];
 }
 
 static invcal_record golden_record(void)
@@ -81,7 +83,7 @@ static invcal_record golden_record(void)
     memcpy(r.sensor, "SN-00042", 8);
     r.date = 0x6543210Fu;
     r.positions = 18;
-    r.undetermined = 0x101;
+    r.weak = 0x101;
     r.from_prior = 0x82;
     r.verdict = INVCAL_WEAK;
     r.temperature_known = 1;
@@ -98,7 +100,7 @@ static void assert_equal_records(invcal_record *expected, invcal_record *actual)
     TEST_ASSERT_EQUAL_MEMORY(expected->sensor, actual->sensor, 8);
     TEST_ASSERT_EQUAL_HEX32(expected->date, actual->date);
     TEST_ASSERT_EQUAL_HEX16(expected->positions, actual->positions);
-    TEST_ASSERT_EQUAL_HEX16(expected->undetermined, actual->undetermined);
+    TEST_ASSERT_EQUAL_HEX16(expected->weak, actual->weak);
     TEST_ASSERT_EQUAL_HEX16(expected->from_prior, actual->from_prior);
     TEST_ASSERT_EQUAL_INT(expected->verdict, actual->verdict);
     TEST_ASSERT_EQUAL_INT(expected->temperature_known, actual->temperature_known);
@@ -106,33 +108,31 @@ static void assert_equal_records(invcal_record *expected, invcal_record *actual)
 
 static void assert_encodes(const invcal_record *r, uint8_t bytes[SIZE])
 {
-    uint8_t room[SIZE + MARGIN];
+    uint8_t buffer[SIZE + MARGIN];
     const invcal_record before = *r;
 
-    memset(room, 0x5A, sizeof room);
-    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_record_encode(r, room + 1)); /* odd address */
+    memset(buffer, 0x5A, sizeof buffer);
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_record_encode(r, buffer + 1)); /* odd address */
     TEST_ASSERT_EQUAL_MEMORY(&before, r, sizeof before);
-    TEST_ASSERT_EQUAL_HEX8(0x5A, room[0]);
-    TEST_ASSERT_EACH_EQUAL_HEX8(0x5A, room + 1 + SIZE, MARGIN - 1);
-    memcpy(bytes, room + 1, SIZE);
+    TEST_ASSERT_EQUAL_HEX8(0x5A, buffer[0]);
+    TEST_ASSERT_EACH_EQUAL_HEX8(0x5A, buffer + 1 + SIZE, MARGIN - 1);
+    memcpy(bytes, buffer + 1, SIZE);
 }
 
 static void assert_not_encoded(invcal_status expected, const invcal_record *r)
 {
     uint8_t bytes[SIZE];
 
-    memset(bytes, 0x5A, sizeof bytes);
     TEST_ASSERT_EQUAL_INT(expected, invcal_record_encode(r, bytes));
-    TEST_ASSERT_EACH_EQUAL_HEX8(0x5A, bytes, SIZE);
 }
 
 static void assert_decodes(const uint8_t *bytes, uint32_t size, invcal_record *out)
 {
-    uint8_t room[SIZE + MARGIN + 1];
+    uint8_t buffer[SIZE + MARGIN + 1];
 
-    memcpy(room + 1, bytes, size);
+    memcpy(buffer + 1, bytes, size);
     memset(out, 0x5A, sizeof *out);
-    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_record_decode(room + 1, size, out));
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_record_decode(buffer + 1, size, out));
 }
 
 static int is_refused(invcal_status expected, const uint8_t *bytes, uint32_t size)
@@ -159,15 +159,14 @@ static invcal_record random_record(random_source *random)
         const double base = i % 4 == 0 ? 1 : 0;
         *real_of(&r, MATRIX + i) = (invcal_real)(base + random_uniform(random, -0.2, 0.2));
     }
-    r.field = INVCAL_FABS(r.field);
     for (unsigned i = 0; i < 8; i++) {
         r.sensor[i] = (uint8_t)random_uniform(random, 0, 256);
     }
     r.date = (uint32_t)random_uniform(random, 0, 4294967296.0);
     r.positions = (uint16_t)random_uniform(random, 0, 65536);
-    r.undetermined = (uint16_t)random_uniform(random, 0, 512);
+    r.verdict = (uint8_t)random_uniform(random, 0, 3);
+    r.weak = (uint16_t)(r.verdict == INVCAL_WEAK ? random_uniform(random, 1, 512) : 0);
     r.from_prior = (uint16_t)random_uniform(random, 0, 512);
-    r.verdict = (invcal_verdict)(unsigned)random_uniform(random, 0, 3);
     r.temperature_known = 1;
     return r;
 }
@@ -209,7 +208,7 @@ static void a_record_comes_back_as_it_was(void)
     }
 }
 
-/* Largest, smallest, subnormal, and both zeros. */
+/* Largest, smallest, subnormal, and both zeros: wherever a calibration does not need another. */
 static void reals_at_the_limits_of_float_come_back(void)
 {
     static const float limit[] = {FLT_MAX, -FLT_MAX, FLT_MIN, 1.4e-45f, -1.4e-45f, 0, -0.0f};
@@ -218,71 +217,70 @@ static void reals_at_the_limits_of_float_come_back(void)
         invcal_record r = golden_record();
         invcal_record back;
         uint8_t bytes[SIZE];
-        for (unsigned i = 1; i < REALS; i++) {
-            if (i < MATRIX || i >= MATRIX + 9) {
+        for (unsigned i = 0; i < REALS; i++) {
+            if (i < OFFSET || i >= SIGMA) {
                 *real_of(&r, i) = (invcal_real)limit[k];
             }
         }
-        r.field = (invcal_real)(k % 2 ? 1.4e-45f : FLT_MAX);
         assert_encodes(&r, bytes);
         assert_decodes(bytes, SIZE, &back);
         assert_equal_records(&r, &back);
     }
 }
 
-static void an_unknown_temperature_is_not_looked_at(void)
+static void a_new_record_holds_what_is_known_and_says_of_the_rest_that_it_is_not(void)
 {
-    static const double any[] = {NOT_A_NUMBER, INFINITE, 25, 0};
-
-    for (unsigned i = 0; i < 4; i++) {
-        invcal_record r = golden_record();
-        invcal_record back;
-        uint8_t bytes[SIZE];
-        r.temperature_known = 0;
-        r.temperature = (invcal_real)any[i];
-        assert_encodes(&r, bytes);
-        TEST_ASSERT_EACH_EQUAL_HEX8(0, bytes + REALS_AT + 4 * TEMPERATURE, 4);
-        assert_decodes(bytes, SIZE, &back);
-        TEST_ASSERT_EQUAL_INT(0, back.temperature_known);
-        TEST_ASSERT_TRUE(back.temperature >= 0 && back.temperature <= 0);
-    }
-}
-
-static void an_unknown_temperature_is_not_decoded(void)
-{
+    invcal_record expected = golden_record();
+    invcal_record r;
+    invcal_quality q;
     uint8_t bytes[SIZE];
 
-    for (unsigned i = 0; i < 4; i++) {
-        memcpy(bytes, golden, SIZE);
-        bytes[23] = 0;
-        memset(bytes + REALS_AT + 4 * TEMPERATURE, 0, 4);
-        bytes[REALS_AT + 4 * TEMPERATURE + i] = 0x80; /* the fourth is -0 */
-        seal_bytes(bytes, SIZE - 4);
-        TEST_ASSERT_TRUE(is_refused(INVCAL_DAMAGED, bytes, SIZE));
-    }
-}
-
-static void any_nonzero_mark_of_a_known_temperature_will_do(void)
-{
-    invcal_record r = golden_record();
-    uint8_t bytes[SIZE];
-
-    r.temperature_known = 0xC0;
+    memset(&r, 0x5A, sizeof r);
+    memset(&q, 0x5A, sizeof q);
+    memcpy(q.sigma, expected.sigma, sizeof q.sigma);
+    q.noise = expected.noise;
+    q.rms = expected.rms;
+    q.condition = expected.condition;
+    q.weak = expected.weak;
+    q.positions = 18;
+    q.verdict = INVCAL_WEAK;
+    invcal_record_init(&r, &expected.calibration, &q);
+    expected.field = 0;
+    expected.field_sigma = 0;
+    expected.temperature = 0;
+    expected.temperature_known = 0;
+    expected.from_prior = 0;
+    expected.date = 0;
+    memset(expected.sensor, 0, sizeof expected.sensor);
     assert_encodes(&r, bytes);
-    TEST_ASSERT_EQUAL_MEMORY(golden, bytes, SIZE);
+    assert_decodes(bytes, SIZE, &r);
+    assert_equal_records(&expected, &r);
 }
 
-static void a_huge_condition_is_stored_as_the_largest_float(void)
+/* 48 bytes more, and a matrix in units of the field. */
+static void a_record_of_version_1_is_read_over_field(void)
 {
-    invcal_record r = golden_record();
-    invcal_record back;
-    uint8_t bytes[SIZE];
+    invcal_record expected = golden_record();
+    invcal_record r;
 
-    r.condition = INVCAL_REAL_MAX; /* as invcal_assess may give */
-    assert_encodes(&r, bytes);
-    assert_decodes(bytes, SIZE, &back);
-    TEST_ASSERT_TRUE(back.condition <= (invcal_real)FLT_MAX);
-    TEST_ASSERT_TRUE(back.condition >= (invcal_real)FLT_MAX);
+    assert_decodes(golden_1, sizeof golden_1, &r);
+    for (unsigned i = MATRIX; i < SIGMA; i++) {
+        const double over_field = (double)(float)golden_reals[i] / golden_reals[FIELD];
+        TEST_ASSERT_DOUBLE_WITHIN(fabs(over_field) * (double)INVCAL_EPSILON, over_field,
+                                  (double)*real_of(&r, i));
+        *real_of(&r, i) = (invcal_real)(float)golden_reals[i];
+    }
+    assert_equal_records(&expected, &r);
+}
+
+static void a_field_of_version_1_that_is_none_is_refused(void)
+{
+    uint8_t bytes[sizeof golden_1];
+
+    memcpy(bytes, golden_1, sizeof bytes);
+    memset(bytes + REALS_AT, 0, 4);
+    seal_bytes(bytes, sizeof bytes - 4);
+    TEST_ASSERT_TRUE(is_refused(INVCAL_BAD_NOMINAL, bytes, sizeof bytes));
 }
 
 static void bytes_behind_a_record_are_not_looked_at(void)
@@ -315,11 +313,15 @@ static void a_number_that_is_not_finite_is_neither_encoded_nor_decoded(void)
             assert_not_encoded(INVCAL_NOT_FINITE, &r);
         }
         for (unsigned k = 0; k < 4; k++) {
-            uint8_t bytes[SIZE];
+            uint8_t bytes[sizeof golden_1];
             memcpy(bytes, golden, SIZE);
             memcpy(bytes + REALS_AT + 4 * i, bits[k], 4);
             seal_bytes(bytes, SIZE - 4);
-            TEST_ASSERT_TRUE(is_refused(INVCAL_DAMAGED, bytes, SIZE));
+            TEST_ASSERT_TRUE(is_refused(INVCAL_NOT_FINITE, bytes, SIZE));
+            memcpy(bytes, golden_1, sizeof bytes);
+            memcpy(bytes + REALS_AT + 4 * i + (i < SIGMA ? 0 : 48), bits[k], 4);
+            seal_bytes(bytes, sizeof bytes - 4);
+            TEST_ASSERT_TRUE(is_refused(INVCAL_NOT_FINITE, bytes, sizeof bytes));
         }
     }
 }
@@ -331,40 +333,25 @@ static void a_number_beyond_float_is_not_encoded(void)
         for (int sign = -1; sign <= 1; sign += 2) {
             invcal_record r = golden_record();
             *real_of(&r, i) = sign * 3.4028235e38; /* just above the largest */
-            if (i == CONDITION && sign > 0) {
-                continue;
-            }
             assert_not_encoded(INVCAL_NOT_FINITE, &r);
         }
     }
     invcal_record r = golden_record();
-    r.field = 1e-46; /* 0 as a float */
-    assert_not_encoded(INVCAL_BAD_SETTING, &r);
-    r = golden_record();
     for (unsigned i = 0; i < 9; i++) {
-        *real_of(&r, MATRIX + i) *= 1e-50;
+        *real_of(&r, MATRIX + i) *= 1e-50; /* 0 as a float */
     }
-    assert_not_encoded(INVCAL_BAD_SETTING, &r);
+    assert_not_encoded(INVCAL_BAD_NOMINAL, &r);
+    r = golden_record();
+    r.calibration.matrix[0][0] = 1; /* singular as a float */
+    r.calibration.matrix[0][1] = 1;
+    r.calibration.matrix[0][2] = 0;
+    r.calibration.matrix[1][0] = 1;
+    r.calibration.matrix[1][1] = 1 + 1e-9;
+    r.calibration.matrix[1][2] = 0;
+    assert_not_encoded(INVCAL_BAD_NOMINAL, &r);
 #else
     TEST_ASSERT_TRUE(INVCAL_REAL_MAX <= FLT_MAX); /* there is none */
 #endif
-}
-
-static void a_field_that_is_not_positive_is_neither_encoded_nor_decoded(void)
-{
-    static const double bad[] = {0, -1, -1e-30};
-    static const uint8_t bits[][4] = {{0, 0, 0, 0}, {0, 0, 0, 0x80}, {0, 0, 0x80, 0xBF}};
-
-    for (unsigned k = 0; k < 3; k++) {
-        invcal_record r = golden_record();
-        uint8_t bytes[SIZE];
-        r.field = (invcal_real)bad[k];
-        assert_not_encoded(INVCAL_BAD_SETTING, &r);
-        memcpy(bytes, golden, SIZE);
-        memcpy(bytes + REALS_AT, bits[k], 4);
-        seal_bytes(bytes, SIZE - 4);
-        TEST_ASSERT_TRUE(is_refused(INVCAL_DAMAGED, bytes, SIZE));
-    }
 }
 
 static void a_singular_matrix_is_neither_encoded_nor_decoded(void)
@@ -372,42 +359,67 @@ static void a_singular_matrix_is_neither_encoded_nor_decoded(void)
     for (unsigned row = 0; row < 3; row++) {
         invcal_record r = golden_record();
         uint8_t bytes[SIZE];
-        memcpy(r.calibration.matrix[row], r.calibration.matrix[(row + 1) % 3], 3 * sizeof r.dk[0]);
-        assert_not_encoded(INVCAL_BAD_SETTING, &r);
-        memset(r.calibration.matrix[row], 0, 3 * sizeof r.dk[0]);
-        assert_not_encoded(INVCAL_BAD_SETTING, &r);
+        memcpy(r.calibration.matrix[row], r.calibration.matrix[(row + 1) % 3], 3 * sizeof r.field);
+        assert_not_encoded(INVCAL_BAD_NOMINAL, &r);
+        memset(r.calibration.matrix[row], 0, 3 * sizeof r.field);
+        assert_not_encoded(INVCAL_BAD_NOMINAL, &r);
         memcpy(bytes, golden, SIZE);
         memset(bytes + REALS_AT + 4 * (MATRIX + 3 * row), 0, 12);
         seal_bytes(bytes, SIZE - 4);
-        TEST_ASSERT_TRUE(is_refused(INVCAL_DAMAGED, bytes, SIZE));
+        TEST_ASSERT_TRUE(is_refused(INVCAL_BAD_NOMINAL, bytes, SIZE));
     }
 }
 
-static void an_unknown_verdict_or_mark_is_neither_encoded_nor_decoded(void)
+/* A verdict that the weak parameters do not bear out, a parameter that there is not, a temperature
+ * that is not known and yet stated: encoded or decoded, of either version. */
+static void a_record_that_contradicts_itself_is_neither_encoded_nor_decoded(void)
 {
-    invcal_record r = golden_record();
-    uint8_t bytes[SIZE];
+    for (unsigned k = 0; k < 3 * 16 * 16 * 4; k++) {
+        const uint8_t verdict = (uint8_t)(k % 4);
+        const unsigned weak = k / 4 % 16 ? 1u << (k / 4 % 16 - 1) : 0;
+        const unsigned from_prior = k / 64 % 16 ? 1u << (k / 64 % 16 - 1) : 0;
+        const uint8_t known = (uint8_t)(k / 1024);
+        const int is_good = verdict == (weak ? INVCAL_WEAK : verdict & 1) && weak < 512 &&
+                            from_prior < 512 && known == 1;
+        invcal_record r = golden_record();
+        uint8_t bytes[sizeof golden_1];
+        r.verdict = verdict;
+        r.weak = (uint16_t)weak;
+        r.from_prior = (uint16_t)from_prior;
+        r.temperature_known = known;
+        TEST_ASSERT_EQUAL_INT(is_good ? INVCAL_OK : INVCAL_DAMAGED,
+                              invcal_record_encode(&r, bytes));
+        for (unsigned version = 1; version <= 2; version++) {
+            const uint32_t size = version == 1 ? sizeof golden_1 : SIZE;
+            memcpy(bytes, version == 1 ? golden_1 : golden, size);
+            bytes[18] = (uint8_t)(weak & 0xFF);
+            bytes[19] = (uint8_t)(weak >> 8);
+            bytes[20] = (uint8_t)(from_prior & 0xFF);
+            bytes[21] = (uint8_t)(from_prior >> 8);
+            bytes[22] = verdict;
+            bytes[23] = known;
+            seal_bytes(bytes, size - 4);
+            TEST_ASSERT_EQUAL_INT(is_good, !is_refused(INVCAL_DAMAGED, bytes, size));
+        }
+    }
+}
 
-    r.verdict = (invcal_verdict)3;
-    assert_not_encoded(INVCAL_BAD_SETTING, &r);
-    r.verdict = (invcal_verdict)-1;
-    assert_not_encoded(INVCAL_BAD_SETTING, &r);
-    for (unsigned at = 22; at <= 23; at++) {
-        for (unsigned value = 0; value < 256; value++) {
-            invcal_record back;
-            memcpy(bytes, golden, SIZE);
-            bytes[at] = (uint8_t)value;
-            if (at == 23 && value == 0) {
-                memset(bytes + REALS_AT + 4 * TEMPERATURE, 0, 4);
-            }
-            seal_bytes(bytes, SIZE - 4);
-            if (value < (at == 22 ? 3u : 2u)) {
-                assert_decodes(bytes, SIZE, &back);
-                TEST_ASSERT_EQUAL_UINT(value,
-                                       at == 22 ? (unsigned)back.verdict : back.temperature_known);
-            } else {
-                TEST_ASSERT_TRUE(is_refused(INVCAL_DAMAGED, bytes, SIZE));
-            }
+static void an_unknown_temperature_is_zero(void)
+{
+    static const double any[] = {25, -1, 1e-40, 0};
+
+    for (unsigned i = 0; i < 4; i++) {
+        invcal_record r = golden_record();
+        invcal_record back;
+        uint8_t bytes[SIZE];
+        r.temperature_known = 0;
+        r.temperature = (invcal_real)any[i];
+        if (i < 3) {
+            assert_not_encoded(INVCAL_DAMAGED, &r);
+        } else {
+            assert_encodes(&r, bytes);
+            assert_decodes(bytes, SIZE, &back);
+            assert_equal_records(&r, &back);
         }
     }
 }
@@ -518,22 +530,24 @@ static void blank_and_random_bytes_are_no_record(void)
 
 static void a_sound_record_of_another_kind_or_version_is_named_so(void)
 {
-    static const uint16_t lengths[] = {8, 9, 40, 183, 184, 185, 240};
+    static const uint16_t lengths[] = {8, 9, 40, 135, 136, 137, 183, 184, 185, 190};
 
     for (unsigned k = 0; k < sizeof lengths / sizeof lengths[0]; k++) {
         for (unsigned at = 0; at < 2; at++) {
             for (unsigned value = 0; value < 256; value++) {
                 uint8_t bytes[SIZE + MARGIN] = {0};
                 const uint16_t length = lengths[k];
-                memcpy(bytes, golden, SIZE);
+                memcpy(bytes, golden_1, sizeof golden_1);
+                bytes[1] = 2;
                 bytes[at] = (uint8_t)value;
                 bytes[2] = (uint8_t)(length & 0xFF);
                 bytes[3] = (uint8_t)(length >> 8);
                 seal_bytes(bytes, length - 4u);
-                if (value != golden[at]) {
+                if (at == 0 ? value != golden[0] : value < 1 || value > 2) {
                     TEST_ASSERT_TRUE(is_refused(INVCAL_OTHER_VERSION, bytes, length));
                     TEST_ASSERT_TRUE(is_refused(INVCAL_OTHER_VERSION, bytes, sizeof bytes));
-                } else if (length != SIZE) { /* this version has but one length */
+                } else if (length !=
+                           (bytes[1] == 1 ? sizeof golden_1 : SIZE)) { /* it has but one */
                     TEST_ASSERT_TRUE(is_refused(INVCAL_DAMAGED, bytes, sizeof bytes));
                 }
                 TEST_ASSERT_TRUE(is_refused(INVCAL_DAMAGED, bytes, length - 1u));
@@ -554,6 +568,104 @@ static void a_length_shorter_than_any_record_is_refused(void)
     }
 }
 
+/* ---- in a memory ------------------------------------------------------------------------------- */
+
+enum { SLOT = 224 };
+static uint8_t memory[2][SLOT];
+static int is_stuck; /* nothing is programmed */
+
+static int memory_read(void *context, unsigned slot, uint32_t offset, uint8_t *bytes, uint32_t size)
+{
+    (void)context;
+    memcpy(bytes, &memory[slot][offset], size);
+    return 0;
+}
+
+static int memory_erase(void *context, unsigned slot)
+{
+    (void)context;
+    memset(memory[slot], 0xFF, SLOT);
+    return 0;
+}
+
+static int memory_program(void *context, unsigned slot, uint32_t offset, const uint8_t *bytes,
+                          uint32_t size)
+{
+    (void)context;
+    memcpy(&memory[slot][offset], bytes, size);
+    return is_stuck;
+}
+
+static const invcal_store store = {memory_read, memory_erase, memory_program, NULL, SLOT, 8};
+
+static int is_loaded(invcal_status expected, invcal_calibration *calibration)
+{
+    uint8_t before[sizeof *calibration];
+
+    memset(calibration, 0x5A, sizeof *calibration);
+    memset(before, 0x5A, sizeof before);
+    return invcal_load(&store, calibration) == expected &&
+           (expected == INVCAL_OK || memcmp(before, calibration, sizeof before) == 0);
+}
+
+/* The golden calibration, and a quality that may go with it. */
+static invcal_status save_golden(uint8_t verdict)
+{
+    const invcal_record r = golden_record();
+    invcal_quality q;
+
+    memset(&q, 0, sizeof q);
+    memcpy(q.sigma, r.sigma, sizeof q.sigma);
+    q.verdict = verdict;
+    return invcal_save(&store, &r.calibration, &q);
+}
+
+static void a_calibration_that_was_saved_is_loaded_and_so_is_its_record(void)
+{
+    invcal_record expected = golden_record();
+    invcal_calibration c;
+    invcal_record r;
+    uint8_t bytes[INVCAL_RECORD_SIZE_MAX];
+    uint32_t size = 0;
+
+    memset(memory, 0xFF, sizeof memory);
+    TEST_ASSERT_TRUE(is_loaded(INVCAL_NO_RECORD, &c));
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, save_golden(INVCAL_NO_REDUNDANCY));
+    TEST_ASSERT_TRUE(is_loaded(INVCAL_OK, &c));
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_store_load(&store, bytes, sizeof bytes, &size));
+    assert_decodes(bytes, size, &r);
+    TEST_ASSERT_EQUAL_UINT32(SIZE, size);
+    TEST_ASSERT_EQUAL_INT(INVCAL_NO_REDUNDANCY, r.verdict);
+    for (unsigned i = OFFSET; i < SIGMA; i++) {
+        const invcal_real e = (invcal_real)(float)*real_of(&expected, i);
+        TEST_ASSERT_EQUAL_MEMORY(&e, real_of(&r, i), sizeof e);
+    }
+    TEST_ASSERT_EQUAL_MEMORY(&r.calibration, &c, sizeof c);
+}
+
+static void a_failure_of_either_side_is_told_and_leaves_all_as_it_was(void)
+{
+    static const uint8_t other[INVCAL_RECORD_SIZE_MAX + 1] = {1};
+    invcal_calibration c;
+    uint8_t before[sizeof memory];
+
+    memset(memory, 0xFF, sizeof memory);
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, save_golden(INVCAL_GOOD));
+    memcpy(before, memory, sizeof memory);
+    TEST_ASSERT_EQUAL_INT(INVCAL_DAMAGED, save_golden(INVCAL_WEAK)); /* and no parameter is */
+    TEST_ASSERT_EQUAL_MEMORY(before, memory, sizeof memory);
+    is_stuck = 1;
+    TEST_ASSERT_EQUAL_INT(INVCAL_IO, save_golden(INVCAL_GOOD));
+    is_stuck = 0;
+    TEST_ASSERT_TRUE(is_loaded(INVCAL_OK, &c));
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_store_save(&store, golden, 20)); /* part of one */
+    TEST_ASSERT_TRUE(is_loaded(INVCAL_DAMAGED, &c));
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_store_save(&store, golden_1, sizeof golden_1));
+    TEST_ASSERT_TRUE(is_loaded(INVCAL_OK, &c));
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_store_save(&store, other, sizeof other));
+    TEST_ASSERT_TRUE(is_loaded(INVCAL_NO_SPACE, &c));
+}
+
 int main(void)
 {
     UNITY_BEGIN();
@@ -561,16 +673,15 @@ int main(void)
     RUN_TEST(the_bytes_of_the_table_give_the_record);
     RUN_TEST(a_record_comes_back_as_it_was);
     RUN_TEST(reals_at_the_limits_of_float_come_back);
-    RUN_TEST(an_unknown_temperature_is_not_looked_at);
-    RUN_TEST(an_unknown_temperature_is_not_decoded);
-    RUN_TEST(any_nonzero_mark_of_a_known_temperature_will_do);
-    RUN_TEST(a_huge_condition_is_stored_as_the_largest_float);
+    RUN_TEST(a_new_record_holds_what_is_known_and_says_of_the_rest_that_it_is_not);
+    RUN_TEST(a_record_of_version_1_is_read_over_field);
+    RUN_TEST(a_field_of_version_1_that_is_none_is_refused);
     RUN_TEST(bytes_behind_a_record_are_not_looked_at);
     RUN_TEST(a_number_that_is_not_finite_is_neither_encoded_nor_decoded);
     RUN_TEST(a_number_beyond_float_is_not_encoded);
-    RUN_TEST(a_field_that_is_not_positive_is_neither_encoded_nor_decoded);
     RUN_TEST(a_singular_matrix_is_neither_encoded_nor_decoded);
-    RUN_TEST(an_unknown_verdict_or_mark_is_neither_encoded_nor_decoded);
+    RUN_TEST(a_record_that_contradicts_itself_is_neither_encoded_nor_decoded);
+    RUN_TEST(an_unknown_temperature_is_zero);
     RUN_TEST(any_wrong_bit_is_noticed);
     RUN_LONG_TEST(any_four_wrong_bits_are_noticed);
     RUN_SLOW_TEST(any_two_bytes_exchanged_are_noticed);
@@ -578,5 +689,7 @@ int main(void)
     RUN_TEST(blank_and_random_bytes_are_no_record);
     RUN_SLOW_TEST(a_sound_record_of_another_kind_or_version_is_named_so);
     RUN_TEST(a_length_shorter_than_any_record_is_refused);
+    RUN_TEST(a_calibration_that_was_saved_is_loaded_and_so_is_its_record);
+    RUN_TEST(a_failure_of_either_side_is_told_and_leaves_all_as_it_was);
     return UNITY_END() != 0;
 }

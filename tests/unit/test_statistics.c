@@ -48,19 +48,18 @@ typedef struct {
 static spread_result measure_spread(const triad_truth *truth, double sigma, double stated)
 {
     random_source random = random_start(1);
-    const invcal_settings settings = unit_settings(stated);
     spread_result result = {{0}, {0}};
 
     for (int draw = 0; draw < SPREAD_DRAWS; draw++) {
         reading_set set;
-        invcal_solution solution;
+        invcal_calibration calibration;
         invcal_quality quality;
         read_positions(truth, expected_plan18, 18, sigma, &random, &set);
-        TEST_ASSERT_EQUAL_INT(INVCAL_OK, calibrate_set(&set, &settings, &solution, &quality, NULL));
+        TEST_ASSERT_EQUAL_INT(INVCAL_OK, calibrate_set(&set, stated, &calibration, &quality));
         TEST_ASSERT_EQUAL_INT(INVCAL_GOOD, quality.verdict);
         for (unsigned r = 0; r < 9; r++) {
-            const double error = parameter(&solution, r) - truth->x[r];
-            const double s = sigma_of_parameter(&quality, r);
+            const double error = parameter(&calibration, r) - truth->x[r];
+            const double s = (double)quality.sigma[r];
             result.spread[r] += error * error;
             result.sigma[r] += s * s;
         }
@@ -107,20 +106,19 @@ typedef struct {
 static tally try_random_sets(unsigned positions, double stated, unsigned draws)
 {
     random_source random = random_start(positions);
-    const invcal_settings settings = unit_settings(stated);
     tally t = {0, 0, 0, 0};
 
     for (unsigned draw = 0; draw < draws; draw++) {
         const triad_truth truth = triad_random(&random, 0.03);
         double v[18][3];
         reading_set set;
-        invcal_solution solution;
+        invcal_calibration calibration;
         invcal_quality quality;
         for (unsigned i = 0; i < positions; i++) {
             random_direction(&random, v[i]);
         }
         read_positions(&truth, (const double(*)[3])v, positions, 1e-3, &random, &set);
-        if (calibrate_set(&set, &settings, &solution, &quality, NULL) != INVCAL_OK) {
+        if (calibrate_set(&set, stated, &calibration, &quality) != INVCAL_OK) {
             t.refused++;
             continue;
         }
@@ -130,10 +128,10 @@ static tally try_random_sets(unsigned positions, double stated, unsigned draws)
         t.good++;
         double worst = 0;
         for (unsigned r = 0; r < 9; r++) {
-            const double error = fabs(parameter(&solution, r) - truth.x[r]);
-            const double ratio = error / sigma_of_parameter(&quality, r);
+            const double error = fabs(parameter(&calibration, r) - truth.x[r]);
+            const double ratio = error / (double)quality.sigma[r];
             worst = fmax(worst, ratio);
-            t.covered += ratio <= (double)quality.coverage;
+            t.covered += ratio <= (double)invcal_coverage(quality.dof);
         }
         t.beyond5 += !(worst <= 5);
     }
@@ -190,7 +188,6 @@ typedef void (*position_maker)(random_source *random, double v[][3], unsigned *c
 static outcome try_case(position_maker make, double outlier, double bad)
 {
     random_source random = random_start(1);
-    const invcal_settings settings = unit_settings(0);
     outcome result = {0, 0, 0, 0, 0};
     double error[200];
     double sigma[200];
@@ -202,7 +199,7 @@ static outcome try_case(position_maker make, double outlier, double bad)
         double direction[3];
         unsigned count;
         reading_set set;
-        invcal_solution solution;
+        invcal_calibration calibration;
         invcal_quality quality;
         make(&random, v, &count);
         read_positions(&truth, (const double(*)[3])v, count, 1e-4, &random, &set);
@@ -210,7 +207,7 @@ static outcome try_case(position_maker make, double outlier, double bad)
         for (int k = 0; k < 3; k++) {
             set.u[draw % (int)count][k] += (invcal_real)(outlier * direction[k] + bad);
         }
-        if (calibrate_set(&set, &settings, &solution, &quality, NULL) != INVCAL_OK) {
+        if (calibrate_set(&set, 0, &calibration, &quality) != INVCAL_OK) {
             result.refused++;
             continue;
         }
@@ -219,9 +216,9 @@ static outcome try_case(position_maker make, double outlier, double bad)
         error[delivered] = 0;
         sigma[delivered] = 0;
         for (unsigned r = 0; r < 9; r++) {
-            const double e = fabs(parameter(&solution, r) - truth.x[r]);
+            const double e = fabs(parameter(&calibration, r) - truth.x[r]);
             error[delivered] = fmax(error[delivered], e);
-            sigma[delivered] = fmax(sigma[delivered], sigma_of_parameter(&quality, r));
+            sigma[delivered] = fmax(sigma[delivered], (double)quality.sigma[r]);
         }
         delivered++;
     }
@@ -303,6 +300,20 @@ static void the_comparison_in_the_readme_is_true(void)
     TEST_ASSERT_DOUBLE_WITHIN(0.5e-3, 7.2e-3, wrong.sigma);
 }
 
+static invcal_status calibrate_with_prior(const reading_set *set, double noise,
+                                          const double prior[9], invcal_calibration *calibration,
+                                          invcal_quality *quality, uint16_t *from_prior)
+{
+    const invcal_calibration nominal = unit_nominal();
+    invcal_real sigma[INVCAL_PARAMETERS];
+
+    for (unsigned r = 0; r < INVCAL_PARAMETERS; r++) {
+        sigma[r] = (invcal_real)prior[r];
+    }
+    return invcal_calibrate_with_prior(set->u[0], set->count, &nominal, (invcal_real)noise, sigma,
+                                       calibration, quality, from_prior);
+}
+
 /* A device that can only be tilted by 10 degrees, with factory tolerances as prior. */
 static void tilts_alone_with_a_prior(double noise, double stated, double *covered,
                                      unsigned *from_prior)
@@ -313,15 +324,14 @@ static void tilts_alone_with_a_prior(double noise, double stated, double *covere
 
     *from_prior = 0;
     for (int draw = 0; draw < DRAWS; draw++) {
-        invcal_settings settings = unit_settings(stated);
         triad_truth truth;
         double v[12][3];
         reading_set set;
-        invcal_solution solution;
+        invcal_calibration calibration;
         invcal_quality quality;
+        uint16_t bits;
         for (int r = 0; r < 9; r++) {
             truth.x[r] = sigma[r] * random_normal(&random);
-            settings.prior[r] = (invcal_real)sigma[r];
         }
         for (int i = 0; i < 12; i++) {
             const double tilt = random_uniform(&random, 0, 10) / 57.29577951308232;
@@ -331,14 +341,15 @@ static void tilts_alone_with_a_prior(double noise, double stated, double *covere
             v[i][2] = cos(tilt);
         }
         read_positions(&truth, (const double(*)[3])v, 12, noise, &random, &set);
-        TEST_ASSERT_EQUAL_INT(INVCAL_OK, calibrate_set(&set, &settings, &solution, &quality, NULL));
+        TEST_ASSERT_EQUAL_INT(
+            INVCAL_OK, calibrate_with_prior(&set, stated, sigma, &calibration, &quality, &bits));
         for (unsigned r = 0; r < 9; r++) {
-            const double s = sigma_of_parameter(&quality, r);
-            TEST_ASSERT_LESS_OR_EQUAL_DOUBLE((double)settings.prior[r], s);
-            within += fabs(parameter(&solution, r) - truth.x[r]) <= 3 * s;
+            const double s = (double)quality.sigma[r];
+            TEST_ASSERT_LESS_OR_EQUAL_DOUBLE((double)(invcal_real)sigma[r], s);
+            within += fabs(parameter(&calibration, r) - truth.x[r]) <= 3 * s;
         }
-        *from_prior |= quality.from_prior;
-        TEST_ASSERT_TRUE(quality.from_prior != 0x1FF); /* the data told something */
+        *from_prior |= bits;
+        TEST_ASSERT_TRUE(bits != 0x1FF); /* the data told something */
     }
     *covered = within / (9.0 * DRAWS);
 }
@@ -377,27 +388,27 @@ static void intervals_follow_student_with_a_prior_too(void)
         unsigned covered = 0;
         unsigned good = 0;
         for (int draw = 0; draw < 2 * DRAWS; draw++) {
+            static const double prior[9] = {0.3, 0.3, 0.3, 0.3, 0.3, 0.3, 0.3, 0.3, 0.3};
             const triad_truth truth = triad_random(&random, 0.03);
-            invcal_settings settings = unit_settings(1e-5);
             double v[18][3];
             reading_set set;
-            invcal_solution solution;
+            invcal_calibration calibration;
             invcal_quality quality;
+            uint16_t bits;
             for (unsigned k = 0; k < positions[i]; k++) {
                 random_direction(&random, v[k]);
             }
-            for (unsigned r = 0; r < 9; r++) {
-                settings.prior[r] = (invcal_real)0.3;
-            }
             read_positions(&truth, (const double(*)[3])v, positions[i], 1e-3, &random, &set);
-            if (calibrate_set(&set, &settings, &solution, &quality, NULL) != INVCAL_OK ||
+            if (calibrate_with_prior(&set, 1e-5, prior, &calibration, &quality, &bits) !=
+                    INVCAL_OK ||
                 quality.verdict != INVCAL_GOOD) {
                 continue;
             }
             good++;
+            const double coverage = (double)invcal_coverage(quality.dof);
             for (unsigned r = 0; r < 9; r++) {
-                const double error = fabs(parameter(&solution, r) - truth.x[r]);
-                covered += error <= (double)quality.coverage * sigma_of_parameter(&quality, r);
+                const double error = fabs(parameter(&calibration, r) - truth.x[r]);
+                covered += error <= coverage * (double)quality.sigma[r];
             }
         }
         TEST_ASSERT_GREATER_OR_EQUAL_DOUBLE(0.935, covered / (9.0 * good));
@@ -412,19 +423,20 @@ static void a_wide_prior_does_not_hurt_the_others(void)
     int draws = 500;
 
     for (int draw = 0; draw < draws; draw++) {
-        invcal_settings settings = unit_settings(1e-4);
+        static const double prior[9] = {10, 10, 10, 10, 10, 10, 1e-3, 1e-3, 1e-3};
         triad_truth truth = triad_random(&random, 0.03);
         reading_set set;
-        invcal_solution solution;
+        invcal_calibration calibration;
         invcal_quality quality;
-        for (unsigned r = 0; r < 9; r++) {
-            settings.prior[r] = (invcal_real)(r < 6 ? 10 : 1e-3);
-            truth.x[r] = r < 6 ? truth.x[r] : 1e-3 * random_normal(&random);
+        uint16_t bits;
+        for (unsigned r = 6; r < 9; r++) {
+            truth.x[r] = 1e-3 * random_normal(&random);
         }
         read_positions(&truth, expected_plan18, 18, 1e-4, &random, &set);
-        TEST_ASSERT_EQUAL_INT(INVCAL_OK, calibrate_set(&set, &settings, &solution, &quality, NULL));
+        TEST_ASSERT_EQUAL_INT(
+            INVCAL_OK, calibrate_with_prior(&set, 1e-4, prior, &calibration, &quality, &bits));
         for (unsigned r = 6; r < 9; r++) {
-            const double error = parameter(&solution, r) - truth.x[r];
+            const double error = parameter(&calibration, r) - truth.x[r];
             squares += error * error;
         }
     }
@@ -437,38 +449,36 @@ static void offsets_spread_as_reported_whatever_the_nominal(void)
     static const double t[3][3] = {{80, 30, -20}, {-35, 60, 50}, {20, -40, 120}};
     random_source random = random_start(1);
     const triad_truth truth = triad_random(&random, 0.03);
-    invcal_settings settings = unit_settings(0);
-    invcal_calibration forward = {{0, 0, 0}, {{0}}};
+    invcal_calibration nominal = unit_nominal();
+    double inverse[3][3];
     double spread[3] = {0};
     double sigma[3] = {0};
 
-    for (int r = 0; r < 3; r++) {
-        for (int c = 0; c < 3; c++) {
-            forward.matrix[r][c] = (invcal_real)t[r][c];
-        }
+    inverse3(t, inverse);
+    for (int i = 0; i < 9; i++) {
+        nominal.matrix[i / 3][i % 3] = (invcal_real)inverse[i / 3][i % 3];
     }
-    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_calibration_inverse(&forward, settings.nominal.matrix));
-    settings.field = 10;
     for (int draw = 0; draw < SPREAD_DRAWS; draw++) {
         reading_set set;
-        invcal_solution solution;
+        invcal_calibration calibration;
         invcal_quality quality;
+        invcal_real s[3];
         read_positions(&truth, expected_plan18, 18, 1e-3, &random, &set);
         for (unsigned i = 0; i < 18; i++) { /* u to counts */
             const double u[3] = {(double)set.u[i][0], (double)set.u[i][1], (double)set.u[i][2]};
             for (int k = 0; k < 3; k++) {
-                set.u[i][k] =
-                    (invcal_real)(10 * (t[k][0] * u[0] + t[k][1] * u[1] + t[k][2] * u[2]));
+                set.u[i][k] = (invcal_real)(t[k][0] * u[0] + t[k][1] * u[1] + t[k][2] * u[2]);
             }
         }
-        TEST_ASSERT_EQUAL_INT(INVCAL_OK, calibrate_set(&set, &settings, &solution, &quality, NULL));
+        TEST_ASSERT_EQUAL_INT(INVCAL_OK,
+                              invcal_calibrate(set.u[0], 18, &nominal, 0, &calibration, &quality));
+        invcal_sigma_offset(&quality, &nominal, s);
         for (int k = 0; k < 3; k++) {
             const double *d = truth.x;
-            const double offset = 10 * (t[k][0] * d[0] + t[k][1] * d[1] + t[k][2] * d[2]);
-            const double error = (double)solution.calibration.offset[k] - offset;
-            const double s = (double)quality.sigma_offset[k];
+            const double offset = t[k][0] * d[0] + t[k][1] * d[1] + t[k][2] * d[2];
+            const double error = (double)calibration.offset[k] - offset;
             spread[k] += error * error;
-            sigma[k] += s * s;
+            sigma[k] += (double)(s[k] * s[k]);
         }
     }
     for (int k = 0; k < 3; k++) {
@@ -479,42 +489,47 @@ static void offsets_spread_as_reported_whatever_the_nominal(void)
 /* An earlier calibration as nominal; three positions; only the offsets have moved, by 5 mg. */
 static void three_positions_renew_the_offsets_of_an_earlier_calibration(void)
 {
+    static const double known[9] = {0.02, 0.02, 0.02, 1e-4, 1e-4, 1e-4, 1e-4, 1e-4, 1e-4};
+    invcal_real prior[9];
     random_source random = random_start(1);
     unsigned within = 0;
 
+    for (int r = 0; r < 9; r++) {
+        prior[r] = (invcal_real)known[r];
+    }
     for (int draw = 0; draw < DRAWS; draw++) {
         const triad_truth truth = triad_random(&random, 0.05);
-        const invcal_settings first = unit_settings(1e-4);
-        invcal_settings again = first;
         triad_truth moved = truth;
         reading_set set;
-        invcal_solution earlier;
-        invcal_solution solution;
+        invcal_calibration earlier;
+        invcal_calibration calibration;
         invcal_quality quality;
+        uint16_t from_prior;
         double shift[3];
         read_positions(&truth, expected_plan18, 18, 0, &random, &set);
-        TEST_ASSERT_EQUAL_INT(INVCAL_OK, calibrate_set(&set, &first, &earlier, &quality, NULL));
-        again.nominal = earlier.calibration;
+        TEST_ASSERT_EQUAL_INT(INVCAL_OK, calibrate_set(&set, 1e-4, &earlier, &quality));
         for (int k = 0; k < 3; k++) {
             shift[k] = 5e-3 * random_normal(&random);
             moved.x[k] += shift[k];
-            again.prior[k] = (invcal_real)0.02;
-            again.prior[3 + k] = (invcal_real)1e-4;
-            again.prior[6 + k] = (invcal_real)1e-4;
         }
         double v[3][3];
         random_rotation(&random, v); /* any three directions at right angles */
         read_positions(&moved, (const double(*)[3])v, 3, 1e-4, &random, &set);
-        TEST_ASSERT_EQUAL_INT(INVCAL_OK, calibrate_set(&set, &again, &solution, &quality, NULL));
+        TEST_ASSERT_EQUAL_INT(
+            INVCAL_OK, invcal_calibrate_with_prior(set.u[0], 3, &earlier, (invcal_real)1e-4, prior,
+                                                   &calibration, &quality, &from_prior));
         TEST_ASSERT_EQUAL_INT(INVCAL_NO_REDUNDANCY, quality.verdict);
-        TEST_ASSERT_EQUAL_HEX16(0x1F8, quality.from_prior); /* scale and angles: not new */
+        TEST_ASSERT_EQUAL_HEX16(0x1F8, from_prior); /* scale and angles: not new */
+        const triad_truth found = truth_of(&calibration, &earlier);
+        invcal_real sigma[3];
+        invcal_sigma_offset(&quality, &earlier, sigma);
         for (int k = 0; k < 3; k++) {
-            const double error = (double)solution.calibration.offset[k] -
-                                 (double)earlier.calibration.offset[k] - shift[k];
-            within += fabs(error) <= 3 * (double)quality.sigma_offset[k];
-            TEST_ASSERT_DOUBLE_WITHIN(5e-4, 0, (double)solution.dk[k]);
-            TEST_ASSERT_DOUBLE_WITHIN(5e-4, 0, (double)solution.gamma[k]);
-            TEST_ASSERT_LESS_OR_EQUAL_DOUBLE(4e-4, (double)quality.sigma_offset[k]);
+            const double error =
+                (double)calibration.offset[k] - (double)earlier.offset[k] - shift[k];
+            within += fabs(error) <= 3 * (double)sigma[k];
+            TEST_ASSERT_DOUBLE_WITHIN(5e-4, 0, found.x[3 + k]);
+            TEST_ASSERT_DOUBLE_WITHIN(5e-4, 0, found.x[6 + k]);
+            TEST_ASSERT_LESS_OR_EQUAL_DOUBLE(4e-4, (double)sigma[k]);
         }
     }
     TEST_ASSERT_GREATER_OR_EQUAL_DOUBLE(0.99, within / (3.0 * DRAWS));

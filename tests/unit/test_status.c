@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include <string.h>
 
+#include "status.h"
 #include "support.h"
 #include "unity.h"
 
@@ -16,7 +17,7 @@ static void every_status_has_a_text_of_its_own(void)
 {
     for (int a = 0; a < INVCAL_STATUS_COUNT; a++) {
         const char *text = invcal_status_text((invcal_status)a);
-        TEST_ASSERT_TRUE(strlen(text) > 5);
+        TEST_ASSERT_TRUE(strlen(text) > 3);
         TEST_ASSERT_TRUE(strcmp(text, "unknown status") != 0);
         for (int b = 0; b < a; b++) {
             TEST_ASSERT_TRUE(strcmp(text, invcal_status_text((invcal_status)b)) != 0);
@@ -26,10 +27,16 @@ static void every_status_has_a_text_of_its_own(void)
 
 static void a_text_belongs_to_its_status(void)
 {
-    TEST_ASSERT_EQUAL_STRING("calibrated", invcal_status_text(INVCAL_OK));
-    TEST_ASSERT_EQUAL_STRING("a known direction is not a unit vector",
-                             invcal_status_text(INVCAL_NOT_UNIT));
-    TEST_ASSERT_EQUAL_STRING("fewer positions than parameters", invcal_status_text(INVCAL_TOO_FEW));
+    TEST_ASSERT_EQUAL_STRING("done", invcal_status_text(INVCAL_OK));
+    TEST_ASSERT_EQUAL_STRING("the readings lie on no ellipsoid",
+                             invcal_status_text(INVCAL_NOT_ELLIPSOID));
+    TEST_ASSERT_EQUAL_STRING("nothing new: the same place as before",
+                             invcal_status_text(INVCAL_REST_SAME));
+    TEST_ASSERT_EQUAL_STRING("the nominal calibration is unusable",
+                             invcal_status_text(INVCAL_BAD_NOMINAL));
+    TEST_ASSERT_EQUAL_STRING("the direction is not a unit vector",
+                             invcal_status_text(INVCAL_BAD_DIRECTION));
+    TEST_ASSERT_EQUAL_STRING("the memory cannot be read or written", invcal_status_text(INVCAL_IO));
 }
 
 static void an_unknown_status_has_a_text_too(void)
@@ -38,6 +45,17 @@ static void an_unknown_status_has_a_text_too(void)
     TEST_ASSERT_EQUAL_STRING("unknown status", invcal_status_text((invcal_status)-1));
     TEST_ASSERT_EQUAL_STRING("unknown verdict", invcal_verdict_text((invcal_verdict)-1));
     TEST_ASSERT_EQUAL_STRING("unknown verdict", invcal_verdict_text((invcal_verdict)3));
+}
+
+/* A mean that is no number was refused for the same reason as one that is too large. */
+static void any_other_refusal_is_a_reading_far_from_the_field(void)
+{
+    const char *far_away = invcal_refusal_text(INVCAL_OUT_OF_RANGE);
+
+    TEST_ASSERT_EQUAL_STRING(far_away, invcal_refusal_text(INVCAL_NOT_FINITE));
+    TEST_ASSERT_EQUAL_STRING(far_away, invcal_refusal_text(INVCAL_STATUS_COUNT));
+    TEST_ASSERT_TRUE(strcmp(far_away, invcal_refusal_text(INVCAL_REST_SAME)) != 0);
+    TEST_ASSERT_EQUAL_STRING("", invcal_refusal_text(INVCAL_OK));
 }
 
 static void parameters_are_named_in_the_order_of_the_paper(void)
@@ -64,6 +82,7 @@ int main(void)
     RUN_TEST(every_status_has_a_text_of_its_own);
     RUN_TEST(a_text_belongs_to_its_status);
     RUN_TEST(an_unknown_status_has_a_text_too);
+    RUN_TEST(any_other_refusal_is_a_reading_far_from_the_field);
     RUN_TEST(parameters_are_named_in_the_order_of_the_paper);
     RUN_TEST(verdicts_are_named_as_in_the_report);
     return UNITY_END() != 0;

@@ -328,16 +328,34 @@ static void the_crc_has_the_check_value_of_the_standard(void)
 
 static void numbers_have_their_least_byte_first(void)
 {
-    uint8_t b[4];
+    static const uint8_t expected[] = {0x81, 0x02, 0x03, 0xF4, 0x02, 0x81, 0xFE, 0x00};
+    uint8_t b[8];
 
-    invcal_put_u16(b, 0x8102u);
-    TEST_ASSERT_TRUE(b[0] == 0x02 && b[1] == 0x81 && invcal_get_u16(b) == 0x8102u);
-    invcal_put_u32(b, 0xF4030281u);
-    TEST_ASSERT_TRUE(b[0] == 0x81 && b[1] == 0x02 && b[2] == 0x03 && b[3] == 0xF4);
+    TEST_ASSERT_TRUE(invcal_put_u32(b, 0xF4030281u) == b + 4);
+    TEST_ASSERT_TRUE(invcal_put_two(b + 4, 0x8102u, 0x00FEu) == b + 8);
+    TEST_ASSERT_EQUAL_HEX8_ARRAY(expected, b, 8);
     TEST_ASSERT_EQUAL_HEX32(0xF4030281u, invcal_get_u32(b));
-    invcal_put_float(b, -6.5f); /* 0xC0D00000 */
-    TEST_ASSERT_TRUE(b[0] == 0 && b[1] == 0 && b[2] == 0xD0 && b[3] == 0xC0);
-    TEST_ASSERT_TRUE(invcal_get_float(b) <= -6.5f && invcal_get_float(b) >= -6.5f);
+    TEST_ASSERT_EQUAL_HEX16(0x8102u, invcal_get_u16(b + 4));
+}
+
+static void reals_are_binary32(void)
+{
+    static const invcal_real x[] = {INVCAL_REAL(-6.5), INVCAL_REAL(1.0), 0}; /* 0xC0D00000 ... */
+    static const uint8_t expected[] = {0, 0, 0xD0, 0xC0, 0, 0, 0x80, 0x3F, 0, 0, 0, 0};
+    uint8_t b[12];
+    invcal_real y[3];
+
+    TEST_ASSERT_TRUE(invcal_put_reals(b, x, 3) == b + 12);
+    TEST_ASSERT_EQUAL_HEX8_ARRAY(expected, b, 12);
+    TEST_ASSERT_EQUAL_INT(1, invcal_get_reals(b, y, 3));
+    TEST_ASSERT_EQUAL_MEMORY(x, y, sizeof x);
+    for (uint8_t sign = 0; sign < 2; sign++) {
+        b[4] = sign; /* not a number, and infinite */
+        b[6] = 0x80;
+        b[7] = (uint8_t)(sign ? 0xFF : 0x7F);
+        TEST_ASSERT_EQUAL_INT(0, invcal_get_reals(b, y, 3));
+        TEST_ASSERT_EQUAL_INT(1, invcal_get_reals(b, y, 1));
+    }
 }
 
 static void a_slot_holds_the_bytes_of_the_table(void)
@@ -476,7 +494,7 @@ static void a_size_that_cannot_be_stored_is_refused(void)
         TEST_ASSERT_EQUAL_INT(INVCAL_NO_SPACE,
                               invcal_store_save(&flash.store, record(2, 20), much[i]));
     }
-    assert_save(INVCAL_BAD_SETTING, 2, 0);
+    assert_save(INVCAL_BAD_COUNT, 2, 0);
     TEST_ASSERT_EQUAL_INT(calls, flash.erases + flash.programs);
     flash.store.slot_size = SLOT;
     assert_loads(1, 20);
@@ -506,9 +524,9 @@ static void settings_that_cannot_work_are_refused(void)
         flash.store.granularity = i < COUNT ? bad[i] : 8;
         flash.store.slot_size = i < COUNT ? SLOT : i == COUNT ? 0 : INVCAL_STORE_BYTES(1, 8) - 1;
         const int calls = flash.reads + flash.erases + flash.programs;
-        assert_save(INVCAL_BAD_SETTING, 2, 1);
-        assert_refuses(INVCAL_BAD_SETTING);
-        TEST_ASSERT_EQUAL_INT(INVCAL_BAD_SETTING, invcal_store_erase(&flash.store));
+        assert_save(INVCAL_BAD_STORE, 2, 1);
+        assert_refuses(INVCAL_BAD_STORE);
+        TEST_ASSERT_EQUAL_INT(INVCAL_BAD_STORE, invcal_store_erase(&flash.store));
         TEST_ASSERT_EQUAL_INT(calls, flash.reads + flash.erases + flash.programs);
     }
     flash.store.granularity = 8;
@@ -892,7 +910,7 @@ static void a_callback_that_fails_leaves_the_old_record_or_the_new_one(void)
             assert_loads(4, 103);
         }
         TEST_ASSERT_EQUAL_INT(INVCAL_OK, status); /* there are not so many calls */
-        TEST_ASSERT_EQUAL_INT(kind == READ ? 1 + 5 + 1 : kind == ERASE ? 1 : 5, refused);
+        TEST_ASSERT_EQUAL_INT(kind == READ ? 1 + 5 + 6 : kind == ERASE ? 1 : 5, refused);
     }
 }
 
@@ -1103,6 +1121,7 @@ int main(void)
     UNITY_BEGIN();
     RUN_TEST(the_crc_has_the_check_value_of_the_standard);
     RUN_TEST(numbers_have_their_least_byte_first);
+    RUN_TEST(reals_are_binary32);
     RUN_TEST(a_slot_holds_the_bytes_of_the_table);
     RUN_SLOW_TEST(what_was_saved_is_loaded_at_any_size_and_granularity);
     RUN_TEST(the_last_of_many_saves_is_loaded_also_when_the_sequence_wraps);

@@ -5,7 +5,7 @@
 #include <float.h>
 #include <string.h>
 
-#include "invcal/thermal_record.h"
+#include "invcal/thermal.h"
 #include "support.h"
 #include "unity.h"
 
@@ -21,27 +21,49 @@ enum {
     DEGREE = INVCAL_THERMAL_DEGREE,
     SIZE = INVCAL_THERMAL_RECORD_SIZE,
     FLAT = INVCAL_THERMAL_RECORD_BYTES(0), /* of degree 0 */
+    OLD = FLAT + 48,                       /* the same of version 1 */
     MARGIN = 16,
     RECORD_AT = 4,
-    DEGREE_AT = 188,
-    REALS_AT = 192,
-    SPAN_AT = 196,
-    MATRIX_AT = 220,
-    X_AT = 256
+    DEGREE_AT = 140,
+    REALS_AT = 144,
+    SPAN_AT = 148,
+    OFFSET_AT = 160,
+    MATRIX_AT = 172,
+    X_AT = 208
 };
 
 /* A record of degree 0 whose coefficients are none, so that at the reference the nominal holds. By
  * Python, numbers as in golden_record:
  *
  *     import struct, zlib
- *     b = struct.pack('<BBH8sIHHHBB39f', 0xCA, 1, 184, b'SN-00042', 0x6543210F, 54, 0x101, 0x82,
- *         2, 1, *reals)       # record.h
+ *     b = struct.pack('<BBH8sIHHHBB27f', 0xCA, 2, 136, b'SN-00042', 0x6543210F, 54, 0x101, 0x82,
+ *         2, 1, *reals)       # store.h
  *     b += struct.pack('<I', zlib.crc32(b))
- *     b = struct.pack('<BBH184sBBBB25f', 0xCB, 1, 296, b, 0, 0, 1, 0, 25, 45, -20.5, 70.25,
+ *     b = struct.pack('<BBH136sBBBB25f', 0xCB, 2, 248, b, 0, 0, 1, 0, 25, 45, -20.5, 70.25,
  *         *offset, *matrix, *[0] * 9)
  *     b += struct.pack('<I', zlib.crc32(b))
  */
 static const uint8_t golden[FLAT] = {
+    0xCB, 0x02, 0xF8, 0x00, 0xCA, 0x02, 0x88, 0x00, 0x53, 0x4E, 0x2D, 0x30, 0x30, 0x30, 0x34, 0x32,
+    0x0F, 0x21, 0x43, 0x65, 0x36, 0x00, 0x01, 0x01, 0x82, 0x00, 0x02, 0x01, 0x00, 0x00, 0x1D, 0x41,
+    0x00, 0x00, 0x00, 0x3B, 0x00, 0x00, 0xC8, 0x41, 0x00, 0x00, 0x80, 0x3A, 0x00, 0x00, 0x80, 0x39,
+    0x00, 0x00, 0x04, 0x41, 0x80, 0x63, 0x01, 0x47, 0x40, 0xFC, 0x01, 0xC7, 0x80, 0xD1, 0xFC, 0x46,
+    0x0A, 0xD7, 0x23, 0x3B, 0x82, 0xA8, 0x7B, 0x37, 0xAC, 0xC5, 0x27, 0xB6, 0xAC, 0xC5, 0x27, 0xB7,
+    0x8F, 0xC2, 0x75, 0x3B, 0x9C, 0x53, 0x49, 0x36, 0xBD, 0x37, 0x86, 0x36, 0xAC, 0xC5, 0xA7, 0xB6,
+    0x0A, 0xD7, 0xA3, 0xBB, 0x17, 0xB7, 0xD1, 0x38, 0x17, 0xB7, 0x51, 0x39, 0x52, 0x49, 0x9D, 0x39,
+    0x17, 0xB7, 0xD1, 0x39, 0x6F, 0x12, 0x03, 0x3A, 0x52, 0x49, 0x1D, 0x3A, 0x34, 0x80, 0x37, 0x3A,
+    0x17, 0xB7, 0x51, 0x3A, 0xFA, 0xED, 0x6B, 0x3A, 0x36, 0x23, 0x23, 0x78, 0x00, 0x00, 0x01, 0x00,
+    0x00, 0x00, 0xC8, 0x41, 0x00, 0x00, 0x34, 0x42, 0x00, 0x00, 0xA4, 0xC1, 0x00, 0x80, 0x8C, 0x42,
+    0x80, 0x63, 0x01, 0x47, 0x40, 0xFC, 0x01, 0xC7, 0x80, 0xD1, 0xFC, 0x46, 0x0A, 0xD7, 0x23, 0x3B,
+    0x82, 0xA8, 0x7B, 0x37, 0xAC, 0xC5, 0x27, 0xB6, 0xAC, 0xC5, 0x27, 0xB7, 0x8F, 0xC2, 0x75, 0x3B,
+    0x9C, 0x53, 0x49, 0x36, 0xBD, 0x37, 0x86, 0x36, 0xAC, 0xC5, 0xA7, 0xB6, 0x0A, 0xD7, 0xA3, 0xBB,
+    0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00,
+    0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00,
+    0x00, 0x00, 0x00, 0x00, 0xAC, 0xDD, 0x4F, 0xAF,
+};
+
+/* What 0.1.0 made of the same numbers, in m/s^2: 0xCA, 1, 184 and 0xCB, 1, 296. */
+static const uint8_t golden_of_version_1[OLD] = {
     0xCB, 0x01, 0x28, 0x01, 0xCA, 0x01, 0xB8, 0x00, 0x53, 0x4E, 0x2D, 0x30, 0x30, 0x30, 0x34, 0x32,
     0x0F, 0x21, 0x43, 0x65, 0x36, 0x00, 0x01, 0x01, 0x82, 0x00, 0x02, 0x01, 0x00, 0x00, 0x1D, 0x41,
     0x00, 0x00, 0x00, 0x3B, 0x00, 0x00, 0xC8, 0x41, 0x00, 0x00, 0x80, 0x3A, 0x00, 0x00, 0x80, 0x39,
@@ -87,29 +109,38 @@ static invcal_thermal_record golden_record(void)
 
     memset(&r, 0, sizeof r);
     r.thermal.nominal = golden_calibration();
-    r.thermal.field = INVCAL_REAL(9.8125);
     r.thermal.reference = 25;
     r.thermal.span = 45;
-    r.thermal.least = INVCAL_REAL(-20.5);
-    r.thermal.greatest = INVCAL_REAL(70.25);
+    r.thermal.min = INVCAL_REAL(-20.5);
+    r.thermal.max = INVCAL_REAL(70.25);
     r.thermal.fallback = INVCAL_THERMAL_FEW;
+    r.record.calibration = golden_calibration();
+    r.record.field = INVCAL_REAL(9.8125);
     r.record.field_sigma = INVCAL_REAL(0.001953125);
     r.record.temperature = 25;
     r.record.temperature_known = 1;
     r.record.noise = INVCAL_REAL(0.0009765625);
-    r.record.residual_rms = INVCAL_REAL(0.000244140625);
+    r.record.rms = INVCAL_REAL(0.000244140625);
     r.record.condition = INVCAL_REAL(8.25);
-    take_three(r.record.sigma_offset, 0.25, 0.5, 0.75);
-    take_three(r.record.sigma_delta, 1e-4, 2e-4, 3e-4);
-    take_three(r.record.sigma_dk, 4e-4, 5e-4, 6e-4);
-    take_three(r.record.sigma_gamma, 7e-4, 8e-4, 9e-4);
+    for (unsigned i = 0; i < INVCAL_PARAMETERS; i++) {
+        r.record.sigma[i] = (invcal_real)(i + 1) / 10000;
+    }
     memcpy(r.record.sensor, "SN-00042", 8);
     r.record.date = 0x6543210Fu;
     r.record.positions = 54;
-    r.record.undetermined = 0x101;
+    r.record.weak = 0x101;
     r.record.from_prior = 0x82;
     r.record.verdict = INVCAL_WEAK;
     return r;
+}
+
+/* The calibration at the reference, as the record has to have it. */
+static void settle(invcal_thermal_record *r)
+{
+    invcal_thermal_place place;
+
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_thermal_at(&r->thermal, r->thermal.reference,
+                                                       &r->record.calibration, &place));
 }
 
 /* A calibration of the highest degree, with errors of some per cent. */
@@ -124,51 +155,44 @@ static invcal_thermal_record random_record(random_source *random)
     }
     r.thermal.reference = (invcal_real)random_uniform(random, -20, 60);
     r.thermal.span = (invcal_real)random_uniform(random, 1, 60);
-    r.thermal.least = r.thermal.reference - r.thermal.span;
-    r.thermal.greatest = r.thermal.reference + r.thermal.span / 2;
+    r.thermal.min = r.thermal.reference - r.thermal.span;
+    r.thermal.max = r.thermal.reference + r.thermal.span / 2;
     r.thermal.degree = DEGREE;
     r.thermal.fitted = (uint8_t)random_uniform(random, 0, DEGREE + 1);
-    r.thermal.fallback = (invcal_thermal_fallback)(unsigned)random_uniform(random, 0, 4);
-    r.thermal.frame = (invcal_frame)(unsigned)random_uniform(random, 0, 2);
+    r.thermal.fallback = (uint8_t)random_uniform(random, 0, 4);
+    settle(&r);
     return r;
 }
 
 static uint32_t assert_encodes(const invcal_thermal_record *r, uint8_t bytes[SIZE])
 {
-    uint8_t room[SIZE + MARGIN];
-    uint32_t length = 0;
+    const uint32_t length = INVCAL_THERMAL_RECORD_BYTES(r->thermal.degree);
+    uint8_t space[SIZE + MARGIN];
 
-    memset(room, 0x5A, sizeof room);
-    TEST_ASSERT_EQUAL_INT(INVCAL_OK,
-                          invcal_thermal_record_encode(r, room + 1, &length)); /* odd address */
-    TEST_ASSERT_EQUAL_UINT32(INVCAL_THERMAL_RECORD_BYTES(r->thermal.degree), length);
-    TEST_ASSERT_EQUAL_HEX8(0x5A, room[0]);
-    TEST_ASSERT_EACH_EQUAL_HEX8(0x5A, room + 1 + length, SIZE + MARGIN - 1 - length);
-    memcpy(bytes, room + 1, length);
+    memset(space, 0x5A, sizeof space);
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_thermal_record_encode(r, space + 1)); /* odd address */
+    TEST_ASSERT_EQUAL_HEX8(0x5A, space[0]);
+    TEST_ASSERT_EACH_EQUAL_HEX8(0x5A, space + 1 + length, SIZE + MARGIN - 1 - length);
+    memcpy(bytes, space + 1, length);
     return length;
 }
 
 static void assert_not_encoded(invcal_status expected, const invcal_thermal_record *r)
 {
-    uint8_t bytes[SIZE];
-    uint32_t length = 77;
+    uint8_t bytes[SIZE + MARGIN];
 
     memset(bytes, 0x5A, sizeof bytes);
-    TEST_ASSERT_EQUAL_INT(expected, invcal_thermal_record_encode(r, bytes, &length));
-    TEST_ASSERT_EACH_EQUAL_HEX8(0x5A, bytes, SIZE);
-    TEST_ASSERT_EQUAL_UINT32(77, length);
+    TEST_ASSERT_EQUAL_INT(expected, invcal_thermal_record_encode(r, bytes));
+    TEST_ASSERT_EACH_EQUAL_HEX8(0x5A, bytes + SIZE, MARGIN);
 }
 
 static void assert_refused(invcal_status expected, const uint8_t *bytes, uint32_t size)
 {
     static invcal_thermal_record out;
-    const uint8_t *written = (const uint8_t *)&out;
 
     memset(&out, 0x5A, sizeof out);
     TEST_ASSERT_EQUAL_INT(expected, invcal_thermal_record_decode(bytes, size, &out));
-    for (unsigned i = 0; i < sizeof out; i++) {
-        TEST_ASSERT_EQUAL_HEX8(0x5A, written[i]);
-    }
+    TEST_ASSERT_EACH_EQUAL_HEX8(0x5A, &out, sizeof out);
 }
 
 /* Numbers are equal to the bit, after rounding to float. */
@@ -180,18 +204,15 @@ static void assert_rounded(const invcal_real *expected, const invcal_real *actua
     }
 }
 
-static void assert_equal_thermals(const invcal_thermal_calibration *e,
-                                  const invcal_thermal_calibration *a)
+static void assert_equal_thermals(const invcal_thermal *e, const invcal_thermal *a)
 {
     assert_rounded(&e->x[0][0], &a->x[0][0], (DEGREE + 1) * INVCAL_PARAMETERS);
     assert_rounded(e->nominal.offset, a->nominal.offset, 3);
     assert_rounded(&e->nominal.matrix[0][0], &a->nominal.matrix[0][0], 9);
-    assert_rounded(&e->field, &a->field, 1);
     assert_rounded(&e->reference, &a->reference, 1);
     assert_rounded(&e->span, &a->span, 1);
-    assert_rounded(&e->least, &a->least, 1);
-    assert_rounded(&e->greatest, &a->greatest, 1);
-    TEST_ASSERT_EQUAL_INT(e->frame, a->frame);
+    assert_rounded(&e->min, &a->min, 1);
+    assert_rounded(&e->max, &a->max, 1);
     TEST_ASSERT_EQUAL_INT(e->fallback, a->fallback);
     TEST_ASSERT_EQUAL_INT(e->degree, a->degree);
     TEST_ASSERT_EQUAL_INT(e->fitted, a->fitted);
@@ -199,19 +220,17 @@ static void assert_equal_thermals(const invcal_thermal_calibration *e,
 
 static void assert_equal_judgements(const invcal_record *e, const invcal_record *a)
 {
+    assert_rounded(&e->field, &a->field, 1);
     assert_rounded(&e->field_sigma, &a->field_sigma, 1);
     assert_rounded(&e->temperature, &a->temperature, 1);
     assert_rounded(&e->noise, &a->noise, 1);
-    assert_rounded(&e->residual_rms, &a->residual_rms, 1);
+    assert_rounded(&e->rms, &a->rms, 1);
     assert_rounded(&e->condition, &a->condition, 1);
-    assert_rounded(e->sigma_offset, a->sigma_offset, 3);
-    assert_rounded(e->sigma_delta, a->sigma_delta, 3);
-    assert_rounded(e->sigma_dk, a->sigma_dk, 3);
-    assert_rounded(e->sigma_gamma, a->sigma_gamma, 3);
+    assert_rounded(e->sigma, a->sigma, INVCAL_PARAMETERS);
     TEST_ASSERT_EQUAL_MEMORY(e->sensor, a->sensor, 8);
     TEST_ASSERT_EQUAL_HEX32(e->date, a->date);
     TEST_ASSERT_EQUAL_HEX16(e->positions, a->positions);
-    TEST_ASSERT_EQUAL_HEX16(e->undetermined, a->undetermined);
+    TEST_ASSERT_EQUAL_HEX16(e->weak, a->weak);
     TEST_ASSERT_EQUAL_HEX16(e->from_prior, a->from_prior);
     TEST_ASSERT_EQUAL_INT(e->verdict, a->verdict);
 }
@@ -238,9 +257,63 @@ static void the_bytes_of_the_table_give_the_record(void)
     assert_equal_judgements(&expected.record, &r.record);
     assert_rounded(nominal.offset, r.record.calibration.offset, 3);
     assert_rounded(&nominal.matrix[0][0], &r.record.calibration.matrix[0][0], 9);
+    TEST_ASSERT_EQUAL_UINT(0, r.is_triangular);
 }
 
-/* Coefficient i of t^k stands at 256 + 36 k + 4 i, as a binary32. */
+/* The same numbers, but matrices in m/s^2: over field they are 1 / 9.8125 of it. */
+static void the_bytes_of_version_1_give_the_record_over_field(void)
+{
+    const invcal_real field = INVCAL_REAL(9.8125);
+    invcal_thermal_record now;
+    invcal_thermal_record r;
+    uint8_t bytes[OLD + MARGIN] = {0};
+
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_thermal_record_decode(golden, FLAT, &now));
+    memcpy(bytes, golden_of_version_1, OLD);
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_thermal_record_decode(bytes, sizeof bytes, &r));
+    assert_equal_judgements(&now.record, &r.record);
+    for (unsigned i = 0; i < 3; i++) {
+        for (unsigned k = 0; k < 3; k++) {
+            const invcal_real over_field = now.thermal.nominal.matrix[i][k] / field;
+            TEST_ASSERT_TRUE(r.thermal.nominal.matrix[i][k] == over_field);
+            TEST_ASSERT_TRUE(r.record.calibration.matrix[i][k] == over_field);
+        }
+    }
+    memcpy(r.thermal.nominal.matrix, now.thermal.nominal.matrix, sizeof r.thermal.nominal.matrix);
+    assert_equal_thermals(&now.thermal, &r.thermal);
+    TEST_ASSERT_EQUAL_UINT(0, r.is_triangular);
+}
+
+/* 0.1.0 turned calibrations to the triangular frame if asked: what holds at the reference differs
+ * from what invcal_thermal_at gives by that, and no lengths do. */
+static void a_triangular_record_of_version_1_is_read_and_kept(void)
+{
+    random_source random = random_start(6);
+    invcal_thermal_record r = random_record(&random);
+    const invcal_real(*m)[3] = (const invcal_real(*)[3])r.record.calibration.matrix;
+    invcal_thermal_record back;
+    invcal_real turned[3][3];
+    double turn[3][3];
+    uint8_t bytes[SIZE];
+
+    random_rotation(&random, turn);
+    for (int i = 0; i < 3; i++) {
+        for (int j = 0; j < 3; j++) {
+            turned[i][j] = 0;
+            for (int k = 0; k < 3; k++) {
+                turned[i][j] += (invcal_real)turn[i][k] * m[k][j];
+            }
+        }
+    }
+    memcpy(r.record.calibration.matrix, turned, sizeof turned);
+    r.is_triangular = 1;
+    const uint32_t length = assert_encodes(&r, bytes);
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_thermal_record_decode(bytes, length, &back));
+    TEST_ASSERT_EQUAL_UINT(1, back.is_triangular);
+    assert_rounded(&turned[0][0], &back.record.calibration.matrix[0][0], 9);
+}
+
+/* Coefficient i of t^k stands at 208 + 36 k + 4 i, as a binary32. */
 static void the_coefficients_of_every_power_stand_where_the_table_says(void)
 {
     random_source random = random_start(1);
@@ -285,27 +358,22 @@ static void what_holds_at_the_reference_is_a_record_of_its_own(void)
 {
     random_source random = random_start(3);
     invcal_thermal_record r = random_record(&random);
-    invcal_solution solution;
     invcal_record part;
     triad_truth truth;
     uint8_t bytes[SIZE];
 
-    take_three(r.thermal.nominal.offset, 0, 0, 0);
-    for (unsigned i = 0; i < 3; i++) {
-        take_three(r.thermal.nominal.matrix[i], i == 0, i == 1, i == 2);
-    }
-    r.thermal.field = 1;
+    r.thermal.nominal = unit_nominal();
+    settle(&r);
     assert_encodes(&r, bytes);
     TEST_ASSERT_EQUAL_INT(INVCAL_OK,
                           invcal_record_decode(bytes + RECORD_AT, INVCAL_RECORD_SIZE, &part));
     for (unsigned i = 0; i < INVCAL_PARAMETERS; i++) {
         truth.x[i] = (double)r.thermal.x[0][i];
     }
-    solution.calibration = part.calibration;
     for (int i = 0; i < 20; i++) {
         double direction[3];
         random_direction(&random, direction);
-        TEST_ASSERT_DOUBLE_WITHIN(3e-7, 1, calibrated_length(&solution, &truth, direction, 1));
+        TEST_ASSERT_DOUBLE_WITHIN(3e-7, 1, calibrated_length(&part.calibration, &truth, direction));
     }
 }
 
@@ -320,22 +388,43 @@ static void bytes_behind_a_record_are_not_looked_at(void)
     TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_thermal_record_decode(bytes, 0xFFFFFFFFu, &r));
 }
 
+static void a_record_begins_with_what_was_fitted(void)
+{
+    random_source random = random_start(5);
+    const invcal_thermal thermal = random_record(&random).thermal;
+    invcal_quality quality;
+    invcal_thermal_record r;
+    uint8_t bytes[SIZE];
+
+    memset(&quality, 0, sizeof quality);
+    quality.noise = INVCAL_REAL(0.25);
+    quality.positions = 54;
+    memset(&r, 0x5A, sizeof r);
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_thermal_record_init(&r, &thermal, &quality));
+    TEST_ASSERT_EQUAL_UINT(54, r.record.positions);
+    TEST_ASSERT_TRUE(r.record.noise == quality.noise);
+    assert_encodes(&r, bytes);
+    r.thermal.x[0][INVCAL_DK_X] = -2;
+    const invcal_thermal bad = r.thermal;
+    TEST_ASSERT_EQUAL_INT(INVCAL_NOT_ELLIPSOID, invcal_thermal_record_init(&r, &bad, &quality));
+}
+
 /* ---- what is refused --------------------------------------------------------------------------- */
 
 /* Every real of the thermal part. */
-enum { REALS = 17 + (DEGREE + 1) * INVCAL_PARAMETERS };
-static invcal_real *real_of(invcal_thermal_calibration *c, unsigned i)
+enum { REALS = 16 + (DEGREE + 1) * INVCAL_PARAMETERS };
+static invcal_real *real_of(invcal_thermal *t, unsigned i)
 {
-    invcal_real *const single[] = {&c->field, &c->reference, &c->span, &c->least, &c->greatest};
+    invcal_real *const single[] = {&t->reference, &t->span, &t->min, &t->max};
 
-    if (i < 5) {
+    if (i < 4) {
         return single[i];
     }
-    if (i < 8) {
-        return &c->nominal.offset[i - 5];
+    if (i < 7) {
+        return &t->nominal.offset[i - 4];
     }
-    return i < 17 ? &c->nominal.matrix[(i - 8) / 3][(i - 8) % 3]
-                  : &c->x[(i - 17) / 9][(i - 17) % 9];
+    return i < 16 ? &t->nominal.matrix[(i - 7) / 3][(i - 7) % 3]
+                  : &t->x[(i - 16) / 9][(i - 16) % 9];
 }
 
 static void a_number_that_is_not_finite_is_not_encoded(void)
@@ -361,7 +450,7 @@ static void a_number_that_is_not_finite_is_not_decoded(void)
         bytes[at + 2] = 0xC0;
         bytes[at + 3] = 0x7F;
         seal_bytes(bytes, FLAT - 4);
-        assert_refused(INVCAL_DAMAGED, bytes, FLAT);
+        assert_refused(INVCAL_NOT_FINITE, bytes, FLAT);
     }
 }
 
@@ -371,31 +460,31 @@ static void what_is_never_calibrated_is_not_encoded(void)
     invcal_thermal_record r = good;
 
     r.thermal.span = 0;
-    assert_not_encoded(INVCAL_BAD_SETTING, &r);
+    assert_not_encoded(INVCAL_DAMAGED, &r);
     r = good;
-    r.thermal.least = INVCAL_REAL(70.5);
-    assert_not_encoded(INVCAL_BAD_SETTING, &r);
+    r.thermal.min = INVCAL_REAL(70.5);
+    assert_not_encoded(INVCAL_DAMAGED, &r);
     r = good;
     r.thermal.degree = DEGREE + 1;
-    assert_not_encoded(INVCAL_BAD_SETTING, &r);
+    assert_not_encoded(INVCAL_BAD_COUNT, &r);
     r = good;
     r.thermal.fitted = 1;
-    assert_not_encoded(INVCAL_BAD_SETTING, &r);
+    assert_not_encoded(INVCAL_DAMAGED, &r);
     r = good;
-    r.thermal.fallback = (invcal_thermal_fallback)(INVCAL_THERMAL_OPEN + 1);
-    assert_not_encoded(INVCAL_BAD_SETTING, &r);
+    r.thermal.fallback = INVCAL_THERMAL_OPEN + 1;
+    assert_not_encoded(INVCAL_DAMAGED, &r);
     r = good;
-    r.thermal.frame = (invcal_frame)(INVCAL_FRAME_TRIANGULAR + 1);
-    assert_not_encoded(INVCAL_BAD_SETTING, &r);
+    r.is_triangular = 2;
+    assert_not_encoded(INVCAL_DAMAGED, &r);
     r = good;
-    r.thermal.field = 0;
-    assert_not_encoded(INVCAL_BAD_SETTING, &r);
-    r = good;
-    r.record.verdict = (invcal_verdict)(INVCAL_WEAK + 1);
-    assert_not_encoded(INVCAL_BAD_SETTING, &r);
+    r.record.verdict = INVCAL_WEAK + 1;
+    assert_not_encoded(INVCAL_DAMAGED, &r);
     r = good;
     r.thermal.x[0][INVCAL_DK_X] = -2;
     assert_not_encoded(INVCAL_NOT_ELLIPSOID, &r);
+    r = good;
+    memset(r.thermal.nominal.matrix[1], 0, sizeof r.thermal.nominal.matrix[1]);
+    assert_not_encoded(INVCAL_BAD_NOMINAL, &r);
 }
 
 static void what_is_never_encoded_is_not_decoded(void)
@@ -403,13 +492,46 @@ static void what_is_never_encoded_is_not_decoded(void)
     static const struct {
         unsigned at;
         uint8_t byte;
-    } wrong[] = {{2, 255},           {DEGREE_AT, 1},     {DEGREE_AT + 1, 1},
+    } wrong[] = {{2, 247},           {DEGREE_AT, 1},     {DEGREE_AT + 1, 1},
                  {DEGREE_AT + 2, 4}, {DEGREE_AT + 3, 2}, {SPAN_AT + 3, 0xC2}};
 
     for (unsigned i = 0; i < sizeof wrong / sizeof wrong[0]; i++) {
         uint8_t bytes[FLAT];
         memcpy(bytes, golden, FLAT);
         bytes[wrong[i].at] = wrong[i].byte;
+        seal_bytes(bytes, bytes[2] - 4u);
+        assert_refused(INVCAL_DAMAGED, bytes, FLAT);
+    }
+}
+
+/* Whose record is it? 0.1.0 did not ask: a device that knows its temperature read one calibration, and
+ * one that does not another. */
+static void a_record_of_another_calibration_is_refused(void)
+{
+    random_source random = random_start(7);
+
+    for (unsigned i = 0; i < 12; i++) {
+        invcal_thermal_record r = random_record(&random);
+        invcal_calibration *c = &r.record.calibration;
+        uint8_t bytes[SIZE];
+        /* a thousandth of the field, or of a scale */
+        if (i < 3) {
+            c->offset[i] += (invcal_real)1e-3 / c->matrix[i][i];
+        } else {
+            const unsigned k = i - 3;
+            c->matrix[k / 3][k % 3] += (invcal_real)1e-3 * c->matrix[k % 3][k % 3];
+        }
+        assert_not_encoded(INVCAL_DAMAGED, &r);
+        settle(&r);
+        assert_encodes(&r, bytes);
+    }
+    /* in bytes: the offset of x is 1 of 33123.5 counts more, 0.0025 of the field, in either place */
+    const unsigned at[] = {RECORD_AT + 48, OFFSET_AT};
+    for (unsigned i = 0; i < 2; i++) {
+        uint8_t bytes[FLAT];
+        memcpy(bytes, golden, FLAT);
+        bytes[at[i] + 1] += 1;
+        seal_bytes(bytes + RECORD_AT, INVCAL_RECORD_SIZE - 4);
         seal_bytes(bytes, FLAT - 4);
         assert_refused(INVCAL_DAMAGED, bytes, FLAT);
     }
@@ -417,24 +539,18 @@ static void what_is_never_encoded_is_not_decoded(void)
 
 /* A nominal matrix of 1e-38 to 1e38 has an inverse, what comes of it at the reference has none: a
  * fuzzer found that such a record came in and could not go out again. */
-static void a_calibration_without_inverse_is_damage(void)
+static void a_calibration_without_inverse_is_refused(void)
 {
     static const uint8_t matrix[36] = {0x12, 0x13, 0x14, 0x15, 0x16, 0x17, 0x18, 0x19, 0x1A,
                                        0x1B, 0x1C, 0x1D, 0x1E, 0x1F, 0x20, 0x01, 0x05, 0x00,
                                        0x02, 0x11, 0x22, 0xFF, 0x00, 0xFF, 0x00, 0xFF, 0x00,
                                        0xFF, 0x00, 0x10, 0x00, 0x40, 0x2D, 0xFD, 0x7F, 0xBF};
-    static const uint8_t x[36] = {0x6F, 0x12, 0x83, 0x3A, 0xE8, 0x90, 0xB4, 0x2D, 0xB7,
-                                  0x87, 0xA0, 0xAD, 0xE8, 0x90, 0xB4, 0x2D, 0x36, 0x06,
-                                  0x81, 0x3A, 0xC5, 0x6A, 0x11, 0xAD, 0xB7, 0x87, 0xA0,
-                                  0xAD, 0xC5, 0x6A, 0x11, 0xAD, 0x81, 0x80, 0x80, 0x3A};
     uint8_t bytes[FLAT];
 
     memcpy(bytes, golden, FLAT);
     memcpy(bytes + MATRIX_AT, matrix, sizeof matrix);
-    memcpy(bytes + X_AT, x, sizeof x);
-    bytes[DEGREE_AT + 3] = INVCAL_FRAME_TRIANGULAR;
     seal_bytes(bytes, FLAT - 4);
-    assert_refused(INVCAL_DAMAGED, bytes, FLAT);
+    assert_refused(INVCAL_BAD_NOMINAL, bytes, FLAT);
 }
 
 /* Sound as a whole, but what stands at byte 4 is not. */
@@ -448,17 +564,34 @@ static void a_damaged_part_is_damage(void)
     assert_refused(INVCAL_DAMAGED, bytes, FLAT);
 }
 
+/* A record of version 1 within version 2, or the other way round, has another size. */
+static void versions_are_not_mixed(void)
+{
+    uint8_t bytes[OLD];
+
+    memcpy(bytes, golden_of_version_1, OLD);
+    bytes[1] = 2;
+    seal_bytes(bytes, OLD - 4);
+    assert_refused(INVCAL_DAMAGED, bytes, OLD);
+    memcpy(bytes, golden, FLAT);
+    bytes[1] = 1;
+    seal_bytes(bytes, FLAT - 4);
+    assert_refused(INVCAL_DAMAGED, bytes, FLAT);
+}
+
 static void a_sound_record_that_is_too_short_is_damaged(void)
 {
-    uint8_t bytes[FLAT];
+    uint8_t bytes[OLD];
 
-    memcpy(bytes, golden, FLAT);
-    for (unsigned length = 8; length < FLAT; length++) {
-        bytes[2] = (uint8_t)(length & 0xFFu);
-        bytes[3] = (uint8_t)(length >> 8);
-        seal_bytes(bytes, length - 4);
-        assert_refused(INVCAL_DAMAGED, bytes, length);
-        memcpy(bytes, golden, FLAT);
+    for (unsigned version = 1; version <= 2; version++) {
+        const unsigned size = version == 1 ? OLD : FLAT;
+        for (unsigned length = 8; length < size; length++) {
+            memcpy(bytes, version == 1 ? golden_of_version_1 : golden, size);
+            bytes[2] = (uint8_t)(length & 0xFFu);
+            bytes[3] = (uint8_t)(length >> 8);
+            seal_bytes(bytes, length - 4);
+            assert_refused(INVCAL_DAMAGED, bytes, length);
+        }
     }
 }
 
@@ -472,10 +605,13 @@ static void another_kind_version_or_a_higher_degree_is_named(void)
     seal_bytes(bytes, FLAT - 4);
     assert_refused(INVCAL_OTHER_VERSION, bytes, FLAT);
     bytes[0] = 0xCB;
-    bytes[1] = 2;
+    bytes[1] = 3;
     seal_bytes(bytes, FLAT - 4);
     assert_refused(INVCAL_OTHER_VERSION, bytes, FLAT);
-    bytes[1] = 1;
+    bytes[1] = 0;
+    seal_bytes(bytes, FLAT - 4);
+    assert_refused(INVCAL_OTHER_VERSION, bytes, FLAT);
+    bytes[1] = 2;
     bytes[2] = (uint8_t)(HIGHER & 0xFFu);
     bytes[3] = (uint8_t)(HIGHER >> 8);
     bytes[DEGREE_AT] = DEGREE + 1;
@@ -505,19 +641,24 @@ int main(void)
     UNITY_BEGIN();
     RUN_TEST(a_record_has_the_bytes_of_the_table);
     RUN_TEST(the_bytes_of_the_table_give_the_record);
+    RUN_TEST(the_bytes_of_version_1_give_the_record_over_field);
+    RUN_TEST(a_triangular_record_of_version_1_is_read_and_kept);
     RUN_TEST(the_coefficients_of_every_power_stand_where_the_table_says);
     RUN_TEST(a_record_comes_back_as_it_was);
     RUN_TEST(what_holds_at_the_reference_is_a_record_of_its_own);
     RUN_TEST(bytes_behind_a_record_are_not_looked_at);
+    RUN_TEST(a_record_begins_with_what_was_fitted);
     RUN_TEST(a_number_that_is_not_finite_is_not_encoded);
     RUN_TEST(a_number_that_is_not_finite_is_not_decoded);
     RUN_TEST(what_is_never_calibrated_is_not_encoded);
     RUN_TEST(what_is_never_encoded_is_not_decoded);
-    RUN_TEST(a_calibration_without_inverse_is_damage);
+    RUN_TEST(a_record_of_another_calibration_is_refused);
+    RUN_TEST(a_calibration_without_inverse_is_refused);
     RUN_TEST(a_damaged_part_is_damage);
+    RUN_TEST(versions_are_not_mixed);
     RUN_TEST(a_sound_record_that_is_too_short_is_damaged);
     RUN_TEST(another_kind_version_or_a_higher_degree_is_named);
     RUN_TEST(any_wrong_bit_is_damage);
     RUN_TEST(a_cut_record_is_damaged);
-    return UNITY_END();
+    return UNITY_END() != 0;
 }

@@ -4,11 +4,9 @@
  */
 #include "flash.h"
 
-#include "invcal/resume.h"
-
 /* Does the largest record fit into a sector? An array of -1 elements does not compile. */
 typedef char session_fits
-    [FLASH_SECTOR_SIZE >= INVCAL_STORE_BYTES(INVCAL_RESUME_SIZE, FLASH_GRANULARITY) ? 1 : -1];
+    [FLASH_SECTOR_SIZE >= INVCAL_STORE_BYTES(INVCAL_SESSION_SIZE, FLASH_GRANULARITY) ? 1 : -1];
 
 static unsigned sector_of(const void *context, unsigned slot)
 {

@@ -7,9 +7,9 @@
 
 #include <stdint.h>
 
-#define IMU_RATE 100.0f            /* samples per second */
-#define IMU_SCALE (1.0f / 8192.0f) /* g for one count, by the data sheet */
-#define IMU_LOW INT32_C(-32768)    /* counts at which it clips */
+#define IMU_RATE 100u           /* samples per second */
+#define IMU_COUNTS 8192.0f      /* counts for 1 g, by the data sheet */
+#define IMU_LOW INT32_C(-32768) /* counts at which it clips */
 #define IMU_HIGH INT32_C(32767)
 
 typedef enum {

@@ -2,15 +2,16 @@
  *
  * keep.h: what is kept in the flash: the session that is going on, and the calibration.
  *
- * Whatever fails is told, and returned.
+ * Whatever fails is told, and returned. A flash that fails once may not fail again, so saving is
+ * tried three times.
  */
 #ifndef KEEP_H
 #define KEEP_H
 
-#include "invcal/session.h"
+#include "invcal/store.h"
 
 invcal_status keep_load_calibration(invcal_calibration *calibration);
-invcal_status keep_save_calibration(const invcal_session *session, const invcal_solution *solution,
+invcal_status keep_save_calibration(const invcal_calibration *calibration,
                                     const invcal_quality *quality);
 
 invcal_status keep_load_session(invcal_session *session);

@@ -9,15 +9,13 @@
  * After every position the session is stored, at the end the calibration. All that happens is told
  * on the UART: whoever holds the device needs nothing else.
  *
- * RAM: the session, 1,016 bytes, and in keep.c 748 bytes to store it. Stack: 1,900 bytes on a
- * Cortex-M4F, most of them in solve.
+ * RAM: the session, 552 bytes. Stack: 984 bytes on a Cortex-M4F, most of them in solve.
  */
 #include "imu.h"
 #include "keep.h"
 #include "tell.h"
 #include "uart.h"
 
-#define MOST 20u  /* positions; then it is solved, were the target not reached */
 #define SHOWN 50u /* one calibrated sample in so many is shown */
 
 static invcal_session session;
@@ -26,87 +24,81 @@ static invcal_session session;
 
 static invcal_status begin_session(void)
 {
-    static const invcal_real zero[3] = {0, 0, 0};
-    static const invcal_real scale[3] = {IMU_SCALE, IMU_SCALE, IMU_SCALE};
-    invcal_session_setup setup = {
-        .settings = {.field = 1, .noise = 0.00015f}, /* g; of the mean of a position */
-        .target = {0.0001f, 0.0001f, 0.0003f},       /* g; 1; rad: that is enough */
-        .rate = IMU_RATE,
-        .low = IMU_LOW,
-        .high = IMU_HIGH,
-    };
-    invcal_status status = invcal_calibration_nominal(zero, scale, &setup.settings.nominal);
+    const invcal_status status = invcal_session_init(&session, IMU_COUNTS, IMU_RATE);
 
     if (status == INVCAL_OK) {
-        status = invcal_session_init(&session, &setup);
+        (void)invcal_session_rails(&session, IMU_LOW, IMU_HIGH);
+        (void)invcal_session_noise(&session, 0.00015f); /* g, of the mean of a position */
     }
     tell("new session", status == INVCAL_OK ? "begun" : invcal_status_text(status));
     return status;
 }
 
-static void digest(const invcal_event *event)
+/* Is what was taken enough, or all that there is room for? A position that contradicts the others is
+ * left out of what is asked here: it does not keep the end away. */
+static int is_enough(void)
 {
-    tell_event(event);
-    switch (event->what) {
-    case INVCAL_SESSION_READY:
-    case INVCAL_SESSION_REFUSED:
-        tell_next(&session);
-        break;
-    case INVCAL_SESSION_TAKEN:
-    case INVCAL_SESSION_ENOUGH:
-        (void)keep_save_session(&session); /* if it fails, and was told, only a reset is feared */
-        break;
-    default:
-        break;
-    }
+    static const invcal_real enough[3] = {0.0001f, 0.0001f, 0.0003f}; /* sigma: g, 1, rad */
+
+    return session.count == INVCAL_MAX_POSITIONS || invcal_session_reaches(&session, enough);
 }
 
-/* Until the target is reached. A position that contradicts the others keeps it away; so there is an
- * end, and solve finds out which one it is. */
+/* Returns 1 when it is enough. */
+static int digest(invcal_event event)
+{
+    tell_event(&session, event);
+    if (event == INVCAL_READY || event == INVCAL_REFUSED) {
+        tell_next(&session);
+    }
+    if (event != INVCAL_TAKEN) {
+        return 0;
+    }
+    (void)keep_save_session(&session); /* if it fails, and was told, only a reset is feared */
+    return is_enough();
+}
+
 static imu_status take_positions(void)
 {
     imu_sample sample;
-    invcal_event event;
+    int done = is_enough(); /* one that is stored may have come to its end */
 
-    tell_next(&session);
-    while (!session.is_enough && session.normal.count < MOST) {
+    if (!done) {
+        tell_next(&session);
+    }
+    while (!done) {
         const imu_status status = imu_next(&sample);
         if (status == IMU_LOST) { /* the flash took its time */
             invcal_session_gap(&session);
         } else if (status != IMU_OK) {
             return status;
         }
-        if (invcal_session_feed(&session, sample.raw, sample.temperature, &event) !=
-            INVCAL_SESSION_NOTHING) {
-            digest(&event);
-        }
+        done = digest(invcal_session_feed(&session, sample.raw));
     }
     return IMU_OK;
 }
 
 /* ---- the calibration -------------------------------------------------------------------------- */
 
-/* Without positions that contradict the others. Returns 1 and stores it if it is good. */
+/* Returns 1 if it is good: it is stored then. */
 static int solve(invcal_calibration *calibration)
 {
-    invcal_solution solution;
     invcal_quality quality;
-    invcal_outliers outliers;
-    const invcal_status status = invcal_session_solve(&session, &solution, &quality, &outliers);
+    const invcal_status status = invcal_session_solve(&session, calibration, &quality);
 
     if (status != INVCAL_OK) {
         tell("not calibrated", invcal_status_text(status));
         return 0;
     }
-    for (unsigned i = 0; i < outliers.count; i++) {
-        tell_count("left out, for it contradicts the others: position", outliers.position[i] + 1);
+    for (unsigned i = 0; i < session.count; i++) {
+        if (quality.left_out >> i & 1u) {
+            tell_count("left out, for it contradicts the others: position", i + 1);
+        }
     }
-    tell_calibration(&solution, &quality);
+    tell_calibration(calibration, &session.nominal, &quality);
     if (quality.verdict != INVCAL_GOOD) {
         return 0;
     }
-    *calibration = solution.calibration;
-    if (keep_save_calibration(&session, &solution, &quality) == INVCAL_OK) {
+    if (keep_save_calibration(calibration, &quality) == INVCAL_OK) {
         (void)keep_forget_session(); /* if it fails: the calibration is looked for first */
     }
     return 1;
@@ -141,9 +133,8 @@ static void measure(const invcal_calibration *calibration)
     imu_status status;
 
     for (unsigned n = 1; (status = imu_next(&sample)) == IMU_OK || status == IMU_LOST; n++) {
-        invcal_real a[3] = {(invcal_real)sample.raw[0], (invcal_real)sample.raw[1],
-                            (invcal_real)sample.raw[2]};
-        invcal_apply(calibration, a, a);
+        invcal_real a[3];
+        invcal_apply_counts(calibration, sample.raw, a);
         if (n % SHOWN == 0) {
             tell_reading(a);
         }

@@ -3,6 +3,7 @@
 
 #include <math.h>
 
+#include "invcal/expert.h"
 #include "print.h"
 
 void tell(const char *what, const char *text)
@@ -23,36 +24,29 @@ void tell_count(const char *what, unsigned count)
 
 void tell_next(const invcal_session *session)
 {
-    invcal_guidance next;
-    char words[INVCAL_GUIDANCE_WORDS];
-    const invcal_status status = invcal_session_next(session, &next);
+    char words[INVCAL_WORDS];
 
-    if (status == INVCAL_OK) {
-        invcal_guidance_words(next.up, words);
-    }
-    tell("next", status == INVCAL_OK ? words : invcal_status_text(status));
+    tell("next", invcal_session_next_words(session, words));
 }
 
-void tell_event(const invcal_event *event)
+void tell_event(const invcal_session *session, invcal_event event)
 {
-    switch (event->what) {
-    case INVCAL_SESSION_SETTLING:
-        if (event->progress > 0 && event->progress < 100) {
-            tell_count("hold still, percent", event->progress);
+    const unsigned progress = invcal_session_progress(session);
+
+    switch (event) {
+    case INVCAL_SETTLING:
+        if (progress > 0 && progress < 100) {
+            tell_count("hold still, percent", progress);
         }
         break;
-    case INVCAL_SESSION_READY:
+    case INVCAL_READY:
         print("good: move on\n");
         break;
-    case INVCAL_SESSION_REFUSED:
-        tell("refused", event->reason != INVCAL_REST_GOOD ? invcal_rest_reason_text(event->reason)
-                                                          : invcal_status_text(event->status));
+    case INVCAL_REFUSED:
+        tell("refused", invcal_session_why(session));
         break;
-    case INVCAL_SESSION_TAKEN:
-    case INVCAL_SESSION_ENOUGH:
-        tell_count(event->what == INVCAL_SESSION_ENOUGH ? "enough, position taken"
-                                                        : "position taken",
-                   event->positions);
+    case INVCAL_TAKEN:
+        tell_count("position taken", session->count);
         break;
     default:
         break; /* moving */
@@ -69,22 +63,28 @@ static void tell_vector(const char *name, const invcal_real v[3], unsigned digit
     print("\n");
 }
 
-void tell_calibration(const invcal_solution *solution, const invcal_quality *quality)
+void tell_calibration(const invcal_calibration *calibration, const invcal_calibration *nominal,
+                      const invcal_quality *quality)
 {
-    tell("verdict", invcal_verdict_text(quality->verdict));
-    tell_vector("offset, counts:     ", solution->calibration.offset, 2);
-    tell_vector("sigma:              ", quality->sigma_offset, 2);
+    invcal_real sigma[3];
+    invcal_real x[INVCAL_PARAMETERS];
+
+    invcal_sigma_offset(quality, nominal, sigma);
+    invcal_deviation(calibration, nominal, x);
+    tell("verdict", invcal_verdict_text((invcal_verdict)quality->verdict));
+    tell_vector("offset, counts:     ", calibration->offset, 2);
+    tell_vector("sigma:              ", sigma, 2);
     for (unsigned i = 0; i < 3; i++) {
         invcal_real row[3];
         for (unsigned k = 0; k < 3; k++) {
-            row[k] = 1e6f * solution->calibration.matrix[i][k];
+            row[k] = 1e6f * calibration->matrix[i][k];
         }
         tell_vector("matrix, ug per count:", row, 3);
     }
-    tell_vector("scale errors:       ", solution->dk, 5);
-    tell_vector("sigma:              ", quality->sigma_dk, 5);
-    tell_vector("cross terms, rad:   ", solution->gamma, 5);
-    tell_vector("sigma:              ", quality->sigma_gamma, 5);
+    tell_vector("scale errors:       ", &x[INVCAL_DK_X], 5);
+    tell_vector("sigma:              ", &quality->sigma[INVCAL_DK_X], 5);
+    tell_vector("cross terms, rad:   ", &x[INVCAL_GAMMA_XY], 5);
+    tell_vector("sigma:              ", &quality->sigma[INVCAL_GAMMA_XY], 5);
 }
 
 void tell_reading(const invcal_real a[3])

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 # shellcheck shell=sh disable=SC2154 # package.sh sets what is not set here
 #
-# For packages whose options come from Kconfig: they are those of config.h, and they reach the
+# For packages whose options come from Kconfig: they are those of the headers, and they reach the
 # compiler. Set before: kconfig, the Kconfig file, and enable, what has to be chosen for them to be
 # there (INVCAL=y, or nothing).
 
@@ -23,12 +23,12 @@ read_options() {
 same_defaults() {
     awk '$1 == "#ifndef" { name = $2; next }
         $1 == "#define" && $2 == name && $3 ~ /^[0-9]+$/ { print name, $3 }' \
-        include/invcal/config.h | sort > "$out/defaults"
+        include/invcal/*.h | sort > "$out/defaults"
     cut -d ' ' -f 1,4 "$out/options" | diff "$out/defaults" -
 }
 
-accepts() { # NAME VALUE: does config.h?
-    echo '#include "invcal/config.h"' | cc -Iinclude "-D$1=$2" -fsyntax-only -x c -
+accepts() { # NAME VALUE: do the headers?
+    printf '#include "invcal/%s.h"\n' allan thermal | cc -Iinclude "-D$1=$2" -fsyntax-only -x c -
 }
 
 takes() { # NAME VALUE: does Kconfig? Its booleans are n and y.
@@ -39,15 +39,15 @@ takes() { # NAME VALUE: does Kconfig? Its booleans are n and y.
     esac
 }
 
-# Kconfig and config.h agree on the least and the most, and on what is beyond.
+# Kconfig and the headers agree on the least and the most, and on what is beyond.
 same_ranges() {
     while read -r option least most rest; do
         for value in "$least" "$most"; do
-            accepts "$option" "$value" || { echo "config.h refuses $option $value"; return 1; }
+            accepts "$option" "$value" || { echo "the headers refuse $option $value"; return 1; }
             takes "$option" "$value" || { echo "Kconfig refuses $option $value"; return 1; }
         done
         for value in $((least - 1)) $((most + 1)); do
-            ! accepts "$option" "$value" || { echo "config.h accepts $option $value"; return 1; }
+            ! accepts "$option" "$value" || { echo "the headers accept $option $value"; return 1; }
             ! takes "$option" "$value" || { echo "Kconfig accepts $option $value"; return 1; }
         done
     done < "$out/options"
@@ -63,7 +63,7 @@ others() {
 # A program that compiles only if all of them have reached it.
 others_as_program() {
     awk '{ print "#if " $1 " != " $2 "\n#error \"" $1 " is not as chosen\"\n#endif" }
-        BEGIN { print "#include \"invcal/invcal.h\"" }
+        BEGIN { print "#include \"invcal/allan.h\"\n#include \"invcal/thermal.h\"" }
         END { print "int main(void) { return invcal_status_text(INVCAL_OK)[0] == 0; }" }' \
         "$out/others" > "$out/others.c"
 }

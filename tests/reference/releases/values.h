@@ -212,214 +212,304 @@ static const uint8_t store_0_1_0[] = {0x5c, 0x01, 0xb8, 0x00, 0x01, 0x00, 0x00, 
     0x71, 0x39, 0xcb, 0x2d, 0x4f, 0x7d, 0xff, 0xff, 0xff, 0xff, 0xb7, 0x92, 0x6d, 0xb1, 0x00, 0x00,
     0x00, 0x00, 0x00, 0x00, 0x00, 0x00};
 
+static const uint8_t record_0_2_0[] = {0xca, 0x02, 0x88, 0x00, 0x11, 0x22, 0x33, 0x44, 0x55, 0x66,
+    0x77, 0x88, 0x01, 0x21, 0x43, 0x65, 0x34, 0x12, 0x42, 0x01, 0x81, 0x01, 0x02, 0x01, 0x3c, 0x14,
+    0x1d, 0x41, 0x6f, 0x12, 0x03, 0x3a, 0x00, 0x00, 0x48, 0xc1, 0x6f, 0x12, 0x03, 0x39, 0xbd, 0x3a,
+    0xc7, 0x38, 0x00, 0x00, 0x5c, 0x41, 0xc0, 0x63, 0x01, 0x47, 0x20, 0xfb, 0x01, 0x47, 0x00, 0xd9,
+    0xfc, 0x46, 0x90, 0xf9, 0x80, 0x39, 0x5c, 0x7c, 0xe1, 0xb4, 0xe8, 0x52, 0x96, 0xb5, 0x6f, 0x3e,
+    0xe5, 0xb4, 0xc7, 0x7f, 0x81, 0x39, 0x0e, 0x7f, 0x30, 0xb6, 0x81, 0xaa, 0x97, 0xb5, 0x42, 0xd3,
+    0x2f, 0xb6, 0xff, 0x05, 0x82, 0x39, 0x30, 0x62, 0x9f, 0x38, 0xcd, 0xac, 0xa5, 0x38, 0x49, 0x10,
+    0xae, 0x38, 0xd5, 0xe8, 0xd5, 0x38, 0x93, 0x1a, 0xda, 0x38, 0x30, 0x65, 0xe0, 0x38, 0xbd, 0x3a,
+    0x47, 0x39, 0x72, 0x33, 0x5c, 0x39, 0x28, 0x2c, 0x71, 0x39, 0x4e, 0xd9, 0x81, 0xc5};
+
+static const uint8_t record_cold_0_2_0[] = {0xca, 0x02, 0x88, 0x00, 0x11, 0x22, 0x33, 0x44, 0x55,
+    0x66, 0x77, 0x88, 0x01, 0x21, 0x43, 0x65, 0x34, 0x12, 0x42, 0x01, 0x81, 0x01, 0x02, 0x00, 0x3c,
+    0x14, 0x1d, 0x41, 0x6f, 0x12, 0x03, 0x3a, 0x00, 0x00, 0x00, 0x00, 0x6f, 0x12, 0x03, 0x39, 0xbd,
+    0x3a, 0xc7, 0x38, 0x00, 0x00, 0x5c, 0x41, 0xc0, 0x63, 0x01, 0x47, 0x20, 0xfb, 0x01, 0x47, 0x00,
+    0xd9, 0xfc, 0x46, 0x90, 0xf9, 0x80, 0x39, 0x5c, 0x7c, 0xe1, 0xb4, 0xe8, 0x52, 0x96, 0xb5, 0x6f,
+    0x3e, 0xe5, 0xb4, 0xc7, 0x7f, 0x81, 0x39, 0x0e, 0x7f, 0x30, 0xb6, 0x81, 0xaa, 0x97, 0xb5, 0x42,
+    0xd3, 0x2f, 0xb6, 0xff, 0x05, 0x82, 0x39, 0x30, 0x62, 0x9f, 0x38, 0xcd, 0xac, 0xa5, 0x38, 0x49,
+    0x10, 0xae, 0x38, 0xd5, 0xe8, 0xd5, 0x38, 0x93, 0x1a, 0xda, 0x38, 0x30, 0x65, 0xe0, 0x38, 0xbd,
+    0x3a, 0x47, 0x39, 0x72, 0x33, 0x5c, 0x39, 0x28, 0x2c, 0x71, 0x39, 0x7e, 0xe5, 0xcd, 0x4b};
+
+static const uint8_t thermal_record_0_0_2_0[] = {0xcb, 0x02, 0xf8, 0x00, 0xca, 0x02, 0x88, 0x00,
+    0x11, 0x22, 0x33, 0x44, 0x55, 0x66, 0x77, 0x88, 0x01, 0x21, 0x43, 0x65, 0x34, 0x12, 0x42, 0x01,
+    0x81, 0x01, 0x02, 0x01, 0x3c, 0x14, 0x1d, 0x41, 0x6f, 0x12, 0x03, 0x3a, 0x00, 0x00, 0xb4, 0x41,
+    0x6f, 0x12, 0x03, 0x39, 0xbd, 0x3a, 0xc7, 0x38, 0x00, 0x00, 0x5c, 0x41, 0x97, 0x04, 0x00, 0x47,
+    0x20, 0x07, 0x00, 0x47, 0x21, 0x0a, 0x00, 0x47, 0xe9, 0xd6, 0x7e, 0x39, 0xbe, 0x31, 0x50, 0xb5,
+    0x9f, 0xe2, 0x7b, 0xb5, 0x75, 0xa8, 0x46, 0xb5, 0x9e, 0x62, 0x84, 0x39, 0xd6, 0xf7, 0x8e, 0xb5,
+    0xe6, 0x39, 0x66, 0xb5, 0x9d, 0xe8, 0x88, 0xb5, 0x3f, 0x57, 0x89, 0x39, 0x30, 0x62, 0x9f, 0x38,
+    0xcd, 0xac, 0xa5, 0x38, 0x49, 0x10, 0xae, 0x38, 0xd5, 0xe8, 0xd5, 0x38, 0x93, 0x1a, 0xda, 0x38,
+    0x30, 0x65, 0xe0, 0x38, 0xbd, 0x3a, 0x47, 0x39, 0x72, 0x33, 0x5c, 0x39, 0x28, 0x2c, 0x71, 0x39,
+    0xa4, 0xa6, 0xd5, 0xe0, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0xb4, 0x41, 0x00, 0x00, 0x3d, 0x42,
+    0x00, 0x00, 0xa6, 0xc1, 0x00, 0x00, 0x8b, 0x42, 0x80, 0x00, 0x00, 0x47, 0x80, 0xfe, 0xff, 0x46,
+    0x80, 0xfd, 0xff, 0x46, 0x40, 0xda, 0x7f, 0x39, 0x56, 0xe5, 0xd8, 0x33, 0x18, 0x0b, 0xdb, 0x33,
+    0xd9, 0x30, 0xdd, 0x33, 0x17, 0x0b, 0x85, 0x39, 0x5c, 0x7c, 0xe1, 0x33, 0x1e, 0xa2, 0xe3, 0x33,
+    0xdf, 0xc7, 0xe5, 0x33, 0x0e, 0x29, 0x8a, 0x39, 0x6f, 0x12, 0x83, 0x3a, 0x6f, 0x12, 0x03, 0x3b,
+    0xa6, 0x9b, 0x44, 0x3b, 0x6f, 0x12, 0x83, 0x3b, 0x0a, 0xd7, 0xa3, 0x3b, 0xa6, 0x9b, 0xc4, 0x3b,
+    0x42, 0x60, 0xe5, 0x3b, 0x6f, 0x12, 0x03, 0x3c, 0xbc, 0x74, 0x13, 0x3c, 0xd0, 0x2d, 0x51, 0x7f};
+
+static const uint8_t thermal_record_1_0_2_0[] = {0xcb, 0x02, 0x1c, 0x01, 0xca, 0x02, 0x88, 0x00,
+    0x11, 0x22, 0x33, 0x44, 0x55, 0x66, 0x77, 0x88, 0x01, 0x21, 0x43, 0x65, 0x34, 0x12, 0x42, 0x01,
+    0x81, 0x01, 0x02, 0x01, 0x3c, 0x14, 0x1d, 0x41, 0x6f, 0x12, 0x03, 0x3a, 0x00, 0x00, 0xb4, 0x41,
+    0x6f, 0x12, 0x03, 0x39, 0xbd, 0x3a, 0xc7, 0x38, 0x00, 0x00, 0x5c, 0x41, 0x97, 0x04, 0x00, 0x47,
+    0x20, 0x07, 0x00, 0x47, 0x21, 0x0a, 0x00, 0x47, 0xe9, 0xd6, 0x7e, 0x39, 0xbe, 0x31, 0x50, 0xb5,
+    0x9f, 0xe2, 0x7b, 0xb5, 0x75, 0xa8, 0x46, 0xb5, 0x9e, 0x62, 0x84, 0x39, 0xd6, 0xf7, 0x8e, 0xb5,
+    0xe6, 0x39, 0x66, 0xb5, 0x9d, 0xe8, 0x88, 0xb5, 0x3f, 0x57, 0x89, 0x39, 0x30, 0x62, 0x9f, 0x38,
+    0xcd, 0xac, 0xa5, 0x38, 0x49, 0x10, 0xae, 0x38, 0xd5, 0xe8, 0xd5, 0x38, 0x93, 0x1a, 0xda, 0x38,
+    0x30, 0x65, 0xe0, 0x38, 0xbd, 0x3a, 0x47, 0x39, 0x72, 0x33, 0x5c, 0x39, 0x28, 0x2c, 0x71, 0x39,
+    0xa4, 0xa6, 0xd5, 0xe0, 0x01, 0x00, 0x02, 0x00, 0x00, 0x00, 0xb4, 0x41, 0x00, 0x00, 0x3d, 0x42,
+    0x00, 0x00, 0xa6, 0xc1, 0x00, 0x00, 0x8b, 0x42, 0x80, 0x00, 0x00, 0x47, 0x80, 0xfe, 0xff, 0x46,
+    0x80, 0xfd, 0xff, 0x46, 0x40, 0xda, 0x7f, 0x39, 0x56, 0xe5, 0xd8, 0x33, 0x18, 0x0b, 0xdb, 0x33,
+    0xd9, 0x30, 0xdd, 0x33, 0x17, 0x0b, 0x85, 0x39, 0x5c, 0x7c, 0xe1, 0x33, 0x1e, 0xa2, 0xe3, 0x33,
+    0xdf, 0xc7, 0xe5, 0x33, 0x0e, 0x29, 0x8a, 0x39, 0x6f, 0x12, 0x83, 0x3a, 0x6f, 0x12, 0x03, 0x3b,
+    0xa6, 0x9b, 0x44, 0x3b, 0x6f, 0x12, 0x83, 0x3b, 0x0a, 0xd7, 0xa3, 0x3b, 0xa6, 0x9b, 0xc4, 0x3b,
+    0x42, 0x60, 0xe5, 0x3b, 0x6f, 0x12, 0x03, 0x3c, 0xbc, 0x74, 0x13, 0x3c, 0xe0, 0x2d, 0x90, 0x3a,
+    0x27, 0xa0, 0x09, 0x3b, 0x5f, 0x29, 0x4b, 0x3b, 0x4b, 0x59, 0x86, 0x3b, 0xe7, 0x1d, 0xa7, 0x3b,
+    0x82, 0xe2, 0xc7, 0x3b, 0x1e, 0xa7, 0xe8, 0x3b, 0xdd, 0xb5, 0x04, 0x3c, 0x2b, 0x18, 0x15, 0x3c,
+    0x56, 0xf9, 0xb4, 0x9e};
+
+static const uint8_t thermal_record_2_0_2_0[] = {0xcb, 0x02, 0x40, 0x01, 0xca, 0x02, 0x88, 0x00,
+    0x11, 0x22, 0x33, 0x44, 0x55, 0x66, 0x77, 0x88, 0x01, 0x21, 0x43, 0x65, 0x34, 0x12, 0x42, 0x01,
+    0x81, 0x01, 0x02, 0x01, 0x3c, 0x14, 0x1d, 0x41, 0x6f, 0x12, 0x03, 0x3a, 0x00, 0x00, 0xb4, 0x41,
+    0x6f, 0x12, 0x03, 0x39, 0xbd, 0x3a, 0xc7, 0x38, 0x00, 0x00, 0x5c, 0x41, 0x97, 0x04, 0x00, 0x47,
+    0x20, 0x07, 0x00, 0x47, 0x21, 0x0a, 0x00, 0x47, 0xe9, 0xd6, 0x7e, 0x39, 0xbe, 0x31, 0x50, 0xb5,
+    0x9f, 0xe2, 0x7b, 0xb5, 0x75, 0xa8, 0x46, 0xb5, 0x9e, 0x62, 0x84, 0x39, 0xd6, 0xf7, 0x8e, 0xb5,
+    0xe6, 0x39, 0x66, 0xb5, 0x9d, 0xe8, 0x88, 0xb5, 0x3f, 0x57, 0x89, 0x39, 0x30, 0x62, 0x9f, 0x38,
+    0xcd, 0xac, 0xa5, 0x38, 0x49, 0x10, 0xae, 0x38, 0xd5, 0xe8, 0xd5, 0x38, 0x93, 0x1a, 0xda, 0x38,
+    0x30, 0x65, 0xe0, 0x38, 0xbd, 0x3a, 0x47, 0x39, 0x72, 0x33, 0x5c, 0x39, 0x28, 0x2c, 0x71, 0x39,
+    0xa4, 0xa6, 0xd5, 0xe0, 0x02, 0x02, 0x00, 0x00, 0x00, 0x00, 0xb4, 0x41, 0x00, 0x00, 0x3d, 0x42,
+    0x00, 0x00, 0xa6, 0xc1, 0x00, 0x00, 0x8b, 0x42, 0x80, 0x00, 0x00, 0x47, 0x80, 0xfe, 0xff, 0x46,
+    0x80, 0xfd, 0xff, 0x46, 0x40, 0xda, 0x7f, 0x39, 0x56, 0xe5, 0xd8, 0x33, 0x18, 0x0b, 0xdb, 0x33,
+    0xd9, 0x30, 0xdd, 0x33, 0x17, 0x0b, 0x85, 0x39, 0x5c, 0x7c, 0xe1, 0x33, 0x1e, 0xa2, 0xe3, 0x33,
+    0xdf, 0xc7, 0xe5, 0x33, 0x0e, 0x29, 0x8a, 0x39, 0x6f, 0x12, 0x83, 0x3a, 0x6f, 0x12, 0x03, 0x3b,
+    0xa6, 0x9b, 0x44, 0x3b, 0x6f, 0x12, 0x83, 0x3b, 0x0a, 0xd7, 0xa3, 0x3b, 0xa6, 0x9b, 0xc4, 0x3b,
+    0x42, 0x60, 0xe5, 0x3b, 0x6f, 0x12, 0x03, 0x3c, 0xbc, 0x74, 0x13, 0x3c, 0xe0, 0x2d, 0x90, 0x3a,
+    0x27, 0xa0, 0x09, 0x3b, 0x5f, 0x29, 0x4b, 0x3b, 0x4b, 0x59, 0x86, 0x3b, 0xe7, 0x1d, 0xa7, 0x3b,
+    0x82, 0xe2, 0xc7, 0x3b, 0x1e, 0xa7, 0xe8, 0x3b, 0xdd, 0xb5, 0x04, 0x3c, 0x2b, 0x18, 0x15, 0x3c,
+    0x52, 0x49, 0x9d, 0x3a, 0xe0, 0x2d, 0x10, 0x3b, 0x17, 0xb7, 0x51, 0x3b, 0x27, 0xa0, 0x89, 0x3b,
+    0xc3, 0x64, 0xaa, 0x3b, 0x5f, 0x29, 0xcb, 0x3b, 0xfa, 0xed, 0xeb, 0x3b, 0x4b, 0x59, 0x06, 0x3c,
+    0x99, 0xbb, 0x16, 0x3c, 0x91, 0xe3, 0x53, 0x3c};
+
+static const uint8_t store_0_2_0[] = {0x5c, 0x01, 0x88, 0x00, 0x00, 0x00, 0x00, 0x00, 0xca, 0x02,
+    0x88, 0x00, 0x11, 0x22, 0x33, 0x44, 0x55, 0x66, 0x77, 0x88, 0x00, 0x21, 0x43, 0x65, 0x34, 0x12,
+    0x42, 0x01, 0x81, 0x01, 0x02, 0x01, 0x3c, 0x14, 0x1d, 0x41, 0x6f, 0x12, 0x03, 0x3a, 0x00, 0x00,
+    0x48, 0xc1, 0x6f, 0x12, 0x03, 0x39, 0xbd, 0x3a, 0xc7, 0x38, 0x00, 0x00, 0x5c, 0x41, 0xc0, 0x63,
+    0x01, 0x47, 0x20, 0xfb, 0x01, 0x47, 0x00, 0xd9, 0xfc, 0x46, 0x90, 0xf9, 0x80, 0x39, 0x5c, 0x7c,
+    0xe1, 0xb4, 0xe8, 0x52, 0x96, 0xb5, 0x6f, 0x3e, 0xe5, 0xb4, 0xc7, 0x7f, 0x81, 0x39, 0x0e, 0x7f,
+    0x30, 0xb6, 0x81, 0xaa, 0x97, 0xb5, 0x42, 0xd3, 0x2f, 0xb6, 0xff, 0x05, 0x82, 0x39, 0x30, 0x62,
+    0x9f, 0x38, 0xcd, 0xac, 0xa5, 0x38, 0x49, 0x10, 0xae, 0x38, 0xd5, 0xe8, 0xd5, 0x38, 0x93, 0x1a,
+    0xda, 0x38, 0x30, 0x65, 0xe0, 0x38, 0xbd, 0x3a, 0x47, 0x39, 0x72, 0x33, 0x5c, 0x39, 0x28, 0x2c,
+    0x71, 0x39, 0x8f, 0x37, 0x8f, 0x54, 0xff, 0xff, 0xff, 0xff, 0xbd, 0x6a, 0xc1, 0x1f, 0x00, 0x00,
+    0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x5c, 0x01, 0x88, 0x00, 0x01, 0x00, 0x00, 0x00, 0xca, 0x02,
+    0x88, 0x00, 0x11, 0x22, 0x33, 0x44, 0x55, 0x66, 0x77, 0x88, 0x01, 0x21, 0x43, 0x65, 0x34, 0x12,
+    0x42, 0x01, 0x81, 0x01, 0x02, 0x01, 0x3c, 0x14, 0x1d, 0x41, 0x6f, 0x12, 0x03, 0x3a, 0x00, 0x00,
+    0x48, 0xc1, 0x6f, 0x12, 0x03, 0x39, 0xbd, 0x3a, 0xc7, 0x38, 0x00, 0x00, 0x5c, 0x41, 0xc0, 0x63,
+    0x01, 0x47, 0x20, 0xfb, 0x01, 0x47, 0x00, 0xd9, 0xfc, 0x46, 0x90, 0xf9, 0x80, 0x39, 0x5c, 0x7c,
+    0xe1, 0xb4, 0xe8, 0x52, 0x96, 0xb5, 0x6f, 0x3e, 0xe5, 0xb4, 0xc7, 0x7f, 0x81, 0x39, 0x0e, 0x7f,
+    0x30, 0xb6, 0x81, 0xaa, 0x97, 0xb5, 0x42, 0xd3, 0x2f, 0xb6, 0xff, 0x05, 0x82, 0x39, 0x30, 0x62,
+    0x9f, 0x38, 0xcd, 0xac, 0xa5, 0x38, 0x49, 0x10, 0xae, 0x38, 0xd5, 0xe8, 0xd5, 0x38, 0x93, 0x1a,
+    0xda, 0x38, 0x30, 0x65, 0xe0, 0x38, 0xbd, 0x3a, 0x47, 0x39, 0x72, 0x33, 0x5c, 0x39, 0x28, 0x2c,
+    0x71, 0x39, 0x4e, 0xd9, 0x81, 0xc5, 0xff, 0xff, 0xff, 0xff, 0x80, 0x66, 0x76, 0x39, 0x00, 0x00,
+    0x00, 0x00, 0x00, 0x00, 0x00, 0x00};
+
 static const stored_record records[] = {
     {"record of 0.1.0", record_0_1_0, sizeof record_0_1_0, {.sensor = {17, 34, 51, 68, 85, 102, 119,
-    136}, .date = 1698898177u, .positions = 4660, .undetermined = 322, .from_prior = 385, .verdict =
-    (invcal_verdict)2, .temperature_known = 1, .field = FLOAT(9.81744003), .field_sigma =
-    FLOAT(0.000500000024), .temperature = FLOAT(-12.5), .noise = FLOAT(0.000125000006),
-    .residual_rms = FLOAT(9.50000031e-05), .condition = FLOAT(13.75), .calibration = {.offset =
-    {FLOAT(33123.75), FLOAT(33275.125), FLOAT(32364.5)}, .matrix = {{FLOAT(0.00240999996),
-    FLOAT(-4.12500003e-06), FLOAT(-1.10000001e-05)}, {FLOAT(-4.1899998e-06), FLOAT(0.00242000003),
-    FLOAT(-2.58e-05)}, {FLOAT(-1.10999999e-05), FLOAT(-2.56999992e-05), FLOAT(0.00243000011)}}},
-    .delta = {FLOAT(0.0212999992), FLOAT(-0.00710000005), FLOAT(0.0153999999)}, .dk =
-    {FLOAT(-0.0116999997), FLOAT(0.00419999985), FLOAT(0.00879999995)}, .gamma =
-    {FLOAT(0.00329999998), FLOAT(-0.00910000037), FLOAT(0.0214000009)}, .sigma_offset =
-    {FLOAT(0.310000002), FLOAT(0.319999993), FLOAT(0.370000005)}, .sigma_delta =
-    {FLOAT(7.59999966e-05), FLOAT(7.89999976e-05), FLOAT(8.2999999e-05)}, .sigma_dk =
-    {FLOAT(0.000101999998), FLOAT(0.000103999999), FLOAT(0.000107)}, .sigma_gamma =
-    {FLOAT(0.000190000006), FLOAT(0.000209999998), FLOAT(0.000230000005)}}},
+    136}, .date = 1698898177u, .positions = 4660, .weak = 322, .from_prior = 385, .verdict = 2,
+    .temperature_known = 1, .field = FLOAT(9.81744003), .field_sigma = FLOAT(0.000500000024),
+    .temperature = FLOAT(-12.5), .noise = FLOAT(0.000125000006), .rms = FLOAT(9.50000031e-05),
+    .condition = FLOAT(13.75), .calibration = {.offset = {FLOAT(33123.75), FLOAT(33275.125),
+    FLOAT(32364.5)}, .matrix = {{FLOAT(0.000245481505), FLOAT(-4.20170637e-07),
+    FLOAT(-1.12045503e-06)}, {FLOAT(-4.26791484e-07), FLOAT(0.000246500109),
+    FLOAT(-2.62797633e-06)}, {FLOAT(-1.13064097e-06), FLOAT(-2.6177903e-06),
+    FLOAT(0.000247518712)}}}, .sigma = {FLOAT(7.59999966e-05), FLOAT(7.89999976e-05),
+    FLOAT(8.2999999e-05), FLOAT(0.000101999998), FLOAT(0.000103999999), FLOAT(0.000107),
+    FLOAT(0.000190000006), FLOAT(0.000209999998), FLOAT(0.000230000005)}}},
+    {"record of 0.2.0", record_0_2_0, sizeof record_0_2_0, {.sensor = {17, 34, 51, 68, 85, 102, 119,
+    136}, .date = 1698898177u, .positions = 4660, .weak = 322, .from_prior = 385, .verdict = 2,
+    .temperature_known = 1, .field = FLOAT(9.81744003), .field_sigma = FLOAT(0.000500000024),
+    .temperature = FLOAT(-12.5), .noise = FLOAT(0.000125000006), .rms = FLOAT(9.50000031e-05),
+    .condition = FLOAT(13.75), .calibration = {.offset = {FLOAT(33123.75), FLOAT(33275.125),
+    FLOAT(32364.5)}, .matrix = {{FLOAT(0.000246000011), FLOAT(-4.19999992e-07),
+    FLOAT(-1.11999998e-06)}, {FLOAT(-4.27000003e-07), FLOAT(0.000246999989),
+    FLOAT(-2.62999993e-06)}, {FLOAT(-1.12999999e-06), FLOAT(-2.62000003e-06),
+    FLOAT(0.000247999997)}}}, .sigma = {FLOAT(7.59999966e-05), FLOAT(7.89999976e-05),
+    FLOAT(8.2999999e-05), FLOAT(0.000101999998), FLOAT(0.000103999999), FLOAT(0.000107),
+    FLOAT(0.000190000006), FLOAT(0.000209999998), FLOAT(0.000230000005)}}},
+    {"record_cold of 0.2.0", record_cold_0_2_0, sizeof record_cold_0_2_0, {.sensor = {17, 34, 51, 68,
+    85, 102, 119, 136}, .date = 1698898177u, .positions = 4660, .weak = 322, .from_prior = 385,
+    .verdict = 2, .temperature_known = 0, .field = FLOAT(9.81744003), .field_sigma =
+    FLOAT(0.000500000024), .temperature = FLOAT(0.0), .noise = FLOAT(0.000125000006), .rms =
+    FLOAT(9.50000031e-05), .condition = FLOAT(13.75), .calibration = {.offset = {FLOAT(33123.75),
+    FLOAT(33275.125), FLOAT(32364.5)}, .matrix = {{FLOAT(0.000246000011), FLOAT(-4.19999992e-07),
+    FLOAT(-1.11999998e-06)}, {FLOAT(-4.27000003e-07), FLOAT(0.000246999989),
+    FLOAT(-2.62999993e-06)}, {FLOAT(-1.12999999e-06), FLOAT(-2.62000003e-06),
+    FLOAT(0.000247999997)}}}, .sigma = {FLOAT(7.59999966e-05), FLOAT(7.89999976e-05),
+    FLOAT(8.2999999e-05), FLOAT(0.000101999998), FLOAT(0.000103999999), FLOAT(0.000107),
+    FLOAT(0.000190000006), FLOAT(0.000209999998), FLOAT(0.000230000005)}}},
 };
 
 static const stored_thermal thermals[] = {
     {"thermal_record_0 of 0.1.0", thermal_record_0_0_1_0, sizeof thermal_record_0_0_1_0, {.record =
-    {.sensor = {17, 34, 51, 68, 85, 102, 119, 136}, .date = 1698898177u, .positions = 4660,
-    .undetermined = 322, .from_prior = 385, .verdict = (invcal_verdict)2, .temperature_known = 1,
-    .field = FLOAT(9.81744003), .field_sigma = FLOAT(0.000500000024), .temperature = FLOAT(-12.5),
-    .noise = FLOAT(0.000125000006), .residual_rms = FLOAT(9.50000031e-05), .condition =
-    FLOAT(13.75), .calibration = {.offset = {FLOAT(32772.582), FLOAT(32775.1094),
-    FLOAT(32778.1094)}, .matrix = {{FLOAT(0.00239052274), FLOAT(-1.61778717e-05),
-    FLOAT(-1.9381614e-05)}, {FLOAT(1.01545459e-06), FLOAT(0.00248363218), FLOAT(-2.20526381e-05)},
-    {FLOAT(1.05365893e-06), FLOAT(1.06359926e-06), FLOAT(0.00257649482)}}}, .delta =
-    {FLOAT(0.00100000005), FLOAT(0.00200000009), FLOAT(0.00300000003)}, .dk = {FLOAT(0.00400000019),
-    FLOAT(0.00500000035), FLOAT(0.00600000005)}, .gamma = {FLOAT(0.00700000022),
-    FLOAT(0.00800000038), FLOAT(0.00900000054)}, .sigma_offset = {FLOAT(0.310000002),
-    FLOAT(0.319999993), FLOAT(0.370000005)}, .sigma_delta = {FLOAT(7.59999966e-05),
-    FLOAT(7.89999976e-05), FLOAT(8.2999999e-05)}, .sigma_dk = {FLOAT(0.000101999998),
-    FLOAT(0.000103999999), FLOAT(0.000107)}, .sigma_gamma = {FLOAT(0.000190000006),
-    FLOAT(0.000209999998), FLOAT(0.000230000005)}}, .degree = 0, .fitted = 0, .fallback = 0, .frame
-    = 1, .reference = FLOAT(22.5), .span = FLOAT(47.25), .least = FLOAT(-20.75), .greatest =
-    FLOAT(69.5), .nominal = {.offset = {FLOAT(32768.5), FLOAT(32767.25), FLOAT(32766.75)}, .matrix =
-    {{FLOAT(0.00240000011), FLOAT(1.01000001e-06), FLOAT(1.02000001e-06)}, {FLOAT(1.03000002e-06),
-    FLOAT(0.00249599991), FLOAT(1.04999992e-06)}, {FLOAT(1.05999993e-06), FLOAT(1.07000005e-06),
-    FLOAT(0.00259200018)}}}, .x = {{FLOAT(0.00100000005), FLOAT(0.00200000009),
-    FLOAT(0.00300000003), FLOAT(0.00400000019), FLOAT(0.00500000035), FLOAT(0.00600000005),
-    FLOAT(0.00700000022), FLOAT(0.00800000038), FLOAT(0.00900000054)}}}},
+    {.sensor = {17, 34, 51, 68, 85, 102, 119, 136}, .date = 1698898177u, .positions = 4660, .weak =
+    322, .from_prior = 385, .verdict = 2, .temperature_known = 1, .field = FLOAT(9.81744003),
+    .field_sigma = FLOAT(0.000500000024), .temperature = FLOAT(-12.5), .noise =
+    FLOAT(0.000125000006), .rms = FLOAT(9.50000031e-05), .condition = FLOAT(13.75), .calibration =
+    {.offset = {FLOAT(32772.582), FLOAT(32775.1094), FLOAT(32778.1094)}, .matrix =
+    {{FLOAT(0.000243497565), FLOAT(-1.64787069e-06), FLOAT(-1.97420244e-06)},
+    {FLOAT(1.03433745e-07), FLOAT(0.00025298165), FLOAT(-2.24627174e-06)}, {FLOAT(1.07325222e-07),
+    FLOAT(1.08337739e-07), FLOAT(0.000262440597)}}}, .sigma = {FLOAT(7.59999966e-05),
+    FLOAT(7.89999976e-05), FLOAT(8.2999999e-05), FLOAT(0.000101999998), FLOAT(0.000103999999),
+    FLOAT(0.000107), FLOAT(0.000190000006), FLOAT(0.000209999998), FLOAT(0.000230000005)}}, .thermal
+    = {.degree = 0, .fitted = 0, .fallback = 0, .reference = FLOAT(22.5), .span = FLOAT(47.25), .min
+    = FLOAT(-20.75), .max = FLOAT(69.5), .nominal = {.offset = {FLOAT(32768.5), FLOAT(32767.25),
+    FLOAT(32766.75)}, .matrix = {{FLOAT(0.000244462926), FLOAT(1.02878144e-07),
+    FLOAT(1.0389674e-07)}, {FLOAT(1.04915336e-07), FLOAT(0.000254241422), FLOAT(1.06952517e-07)},
+    {FLOAT(1.07971113e-07), FLOAT(1.08989721e-07), FLOAT(0.000264019966)}}}}, .is_triangular = 1, .x
+    = {{FLOAT(0.00100000005), FLOAT(0.00200000009), FLOAT(0.00300000003), FLOAT(0.00400000019),
+    FLOAT(0.00500000035), FLOAT(0.00600000005), FLOAT(0.00700000022), FLOAT(0.00800000038),
+    FLOAT(0.00900000054)}}}},
     {"thermal_record_1 of 0.1.0", thermal_record_1_0_1_0, sizeof thermal_record_1_0_1_0, {.record =
-    {.sensor = {17, 34, 51, 68, 85, 102, 119, 136}, .date = 1698898177u, .positions = 4660,
-    .undetermined = 322, .from_prior = 385, .verdict = (invcal_verdict)2, .temperature_known = 1,
-    .field = FLOAT(9.81744003), .field_sigma = FLOAT(0.000500000024), .temperature = FLOAT(-12.5),
-    .noise = FLOAT(0.000125000006), .residual_rms = FLOAT(9.50000031e-05), .condition =
-    FLOAT(13.75), .calibration = {.offset = {FLOAT(32772.582), FLOAT(32775.1094),
-    FLOAT(32778.1094)}, .matrix = {{FLOAT(0.00239052274), FLOAT(-1.61778717e-05),
-    FLOAT(-1.9381614e-05)}, {FLOAT(1.01545459e-06), FLOAT(0.00248363218), FLOAT(-2.20526381e-05)},
-    {FLOAT(1.05365893e-06), FLOAT(1.06359926e-06), FLOAT(0.00257649482)}}}, .delta =
-    {FLOAT(0.00100000005), FLOAT(0.00200000009), FLOAT(0.00300000003)}, .dk = {FLOAT(0.00400000019),
-    FLOAT(0.00500000035), FLOAT(0.00600000005)}, .gamma = {FLOAT(0.00700000022),
-    FLOAT(0.00800000038), FLOAT(0.00900000054)}, .sigma_offset = {FLOAT(0.310000002),
-    FLOAT(0.319999993), FLOAT(0.370000005)}, .sigma_delta = {FLOAT(7.59999966e-05),
-    FLOAT(7.89999976e-05), FLOAT(8.2999999e-05)}, .sigma_dk = {FLOAT(0.000101999998),
-    FLOAT(0.000103999999), FLOAT(0.000107)}, .sigma_gamma = {FLOAT(0.000190000006),
-    FLOAT(0.000209999998), FLOAT(0.000230000005)}}, .degree = 1, .fitted = 0, .fallback = 2, .frame
-    = 1, .reference = FLOAT(22.5), .span = FLOAT(47.25), .least = FLOAT(-20.75), .greatest =
-    FLOAT(69.5), .nominal = {.offset = {FLOAT(32768.5), FLOAT(32767.25), FLOAT(32766.75)}, .matrix =
-    {{FLOAT(0.00240000011), FLOAT(1.01000001e-06), FLOAT(1.02000001e-06)}, {FLOAT(1.03000002e-06),
-    FLOAT(0.00249599991), FLOAT(1.04999992e-06)}, {FLOAT(1.05999993e-06), FLOAT(1.07000005e-06),
-    FLOAT(0.00259200018)}}}, .x = {{FLOAT(0.00100000005), FLOAT(0.00200000009),
-    FLOAT(0.00300000003), FLOAT(0.00400000019), FLOAT(0.00500000035), FLOAT(0.00600000005),
-    FLOAT(0.00700000022), FLOAT(0.00800000038), FLOAT(0.00900000054)}, {FLOAT(0.00109999999),
-    FLOAT(0.00210000016), FLOAT(0.00310000009), FLOAT(0.00410000002), FLOAT(0.00510000018),
-    FLOAT(0.00609999988), FLOAT(0.00710000005), FLOAT(0.00810000021), FLOAT(0.00910000037)}}}},
+    {.sensor = {17, 34, 51, 68, 85, 102, 119, 136}, .date = 1698898177u, .positions = 4660, .weak =
+    322, .from_prior = 385, .verdict = 2, .temperature_known = 1, .field = FLOAT(9.81744003),
+    .field_sigma = FLOAT(0.000500000024), .temperature = FLOAT(-12.5), .noise =
+    FLOAT(0.000125000006), .rms = FLOAT(9.50000031e-05), .condition = FLOAT(13.75), .calibration =
+    {.offset = {FLOAT(32772.582), FLOAT(32775.1094), FLOAT(32778.1094)}, .matrix =
+    {{FLOAT(0.000243497565), FLOAT(-1.64787069e-06), FLOAT(-1.97420244e-06)},
+    {FLOAT(1.03433745e-07), FLOAT(0.00025298165), FLOAT(-2.24627174e-06)}, {FLOAT(1.07325222e-07),
+    FLOAT(1.08337739e-07), FLOAT(0.000262440597)}}}, .sigma = {FLOAT(7.59999966e-05),
+    FLOAT(7.89999976e-05), FLOAT(8.2999999e-05), FLOAT(0.000101999998), FLOAT(0.000103999999),
+    FLOAT(0.000107), FLOAT(0.000190000006), FLOAT(0.000209999998), FLOAT(0.000230000005)}}, .thermal
+    = {.degree = 1, .fitted = 0, .fallback = 2, .reference = FLOAT(22.5), .span = FLOAT(47.25), .min
+    = FLOAT(-20.75), .max = FLOAT(69.5), .nominal = {.offset = {FLOAT(32768.5), FLOAT(32767.25),
+    FLOAT(32766.75)}, .matrix = {{FLOAT(0.000244462926), FLOAT(1.02878144e-07),
+    FLOAT(1.0389674e-07)}, {FLOAT(1.04915336e-07), FLOAT(0.000254241422), FLOAT(1.06952517e-07)},
+    {FLOAT(1.07971113e-07), FLOAT(1.08989721e-07), FLOAT(0.000264019966)}}}}, .is_triangular = 1, .x
+    = {{FLOAT(0.00100000005), FLOAT(0.00200000009), FLOAT(0.00300000003), FLOAT(0.00400000019),
+    FLOAT(0.00500000035), FLOAT(0.00600000005), FLOAT(0.00700000022), FLOAT(0.00800000038),
+    FLOAT(0.00900000054)}, {FLOAT(0.00109999999), FLOAT(0.00210000016), FLOAT(0.00310000009),
+    FLOAT(0.00410000002), FLOAT(0.00510000018), FLOAT(0.00609999988), FLOAT(0.00710000005),
+    FLOAT(0.00810000021), FLOAT(0.00910000037)}}}},
     {"thermal_record_2 of 0.1.0", thermal_record_2_0_1_0, sizeof thermal_record_2_0_1_0, {.record =
-    {.sensor = {17, 34, 51, 68, 85, 102, 119, 136}, .date = 1698898177u, .positions = 4660,
-    .undetermined = 322, .from_prior = 385, .verdict = (invcal_verdict)2, .temperature_known = 1,
-    .field = FLOAT(9.81744003), .field_sigma = FLOAT(0.000500000024), .temperature = FLOAT(-12.5),
-    .noise = FLOAT(0.000125000006), .residual_rms = FLOAT(9.50000031e-05), .condition =
-    FLOAT(13.75), .calibration = {.offset = {FLOAT(32772.582), FLOAT(32775.1094),
-    FLOAT(32778.1094)}, .matrix = {{FLOAT(0.00239052274), FLOAT(-1.61778717e-05),
-    FLOAT(-1.9381614e-05)}, {FLOAT(1.01545459e-06), FLOAT(0.00248363218), FLOAT(-2.20526381e-05)},
-    {FLOAT(1.05365893e-06), FLOAT(1.06359926e-06), FLOAT(0.00257649482)}}}, .delta =
-    {FLOAT(0.00100000005), FLOAT(0.00200000009), FLOAT(0.00300000003)}, .dk = {FLOAT(0.00400000019),
-    FLOAT(0.00500000035), FLOAT(0.00600000005)}, .gamma = {FLOAT(0.00700000022),
-    FLOAT(0.00800000038), FLOAT(0.00900000054)}, .sigma_offset = {FLOAT(0.310000002),
-    FLOAT(0.319999993), FLOAT(0.370000005)}, .sigma_delta = {FLOAT(7.59999966e-05),
-    FLOAT(7.89999976e-05), FLOAT(8.2999999e-05)}, .sigma_dk = {FLOAT(0.000101999998),
-    FLOAT(0.000103999999), FLOAT(0.000107)}, .sigma_gamma = {FLOAT(0.000190000006),
-    FLOAT(0.000209999998), FLOAT(0.000230000005)}}, .degree = 2, .fitted = 2, .fallback = 0, .frame
-    = 1, .reference = FLOAT(22.5), .span = FLOAT(47.25), .least = FLOAT(-20.75), .greatest =
-    FLOAT(69.5), .nominal = {.offset = {FLOAT(32768.5), FLOAT(32767.25), FLOAT(32766.75)}, .matrix =
-    {{FLOAT(0.00240000011), FLOAT(1.01000001e-06), FLOAT(1.02000001e-06)}, {FLOAT(1.03000002e-06),
-    FLOAT(0.00249599991), FLOAT(1.04999992e-06)}, {FLOAT(1.05999993e-06), FLOAT(1.07000005e-06),
-    FLOAT(0.00259200018)}}}, .x = {{FLOAT(0.00100000005), FLOAT(0.00200000009),
-    FLOAT(0.00300000003), FLOAT(0.00400000019), FLOAT(0.00500000035), FLOAT(0.00600000005),
-    FLOAT(0.00700000022), FLOAT(0.00800000038), FLOAT(0.00900000054)}, {FLOAT(0.00109999999),
-    FLOAT(0.00210000016), FLOAT(0.00310000009), FLOAT(0.00410000002), FLOAT(0.00510000018),
-    FLOAT(0.00609999988), FLOAT(0.00710000005), FLOAT(0.00810000021), FLOAT(0.00910000037)},
-    {FLOAT(0.00120000006), FLOAT(0.00219999999), FLOAT(0.00319999992), FLOAT(0.00420000032),
-    FLOAT(0.00520000048), FLOAT(0.00620000018), FLOAT(0.00720000034), FLOAT(0.00820000004),
-    FLOAT(0.0092000002)}}}},
+    {.sensor = {17, 34, 51, 68, 85, 102, 119, 136}, .date = 1698898177u, .positions = 4660, .weak =
+    322, .from_prior = 385, .verdict = 2, .temperature_known = 1, .field = FLOAT(9.81744003),
+    .field_sigma = FLOAT(0.000500000024), .temperature = FLOAT(-12.5), .noise =
+    FLOAT(0.000125000006), .rms = FLOAT(9.50000031e-05), .condition = FLOAT(13.75), .calibration =
+    {.offset = {FLOAT(32772.582), FLOAT(32775.1094), FLOAT(32778.1094)}, .matrix =
+    {{FLOAT(0.000243497565), FLOAT(-1.64787069e-06), FLOAT(-1.97420244e-06)},
+    {FLOAT(1.03433745e-07), FLOAT(0.00025298165), FLOAT(-2.24627174e-06)}, {FLOAT(1.07325222e-07),
+    FLOAT(1.08337739e-07), FLOAT(0.000262440597)}}}, .sigma = {FLOAT(7.59999966e-05),
+    FLOAT(7.89999976e-05), FLOAT(8.2999999e-05), FLOAT(0.000101999998), FLOAT(0.000103999999),
+    FLOAT(0.000107), FLOAT(0.000190000006), FLOAT(0.000209999998), FLOAT(0.000230000005)}}, .thermal
+    = {.degree = 2, .fitted = 2, .fallback = 0, .reference = FLOAT(22.5), .span = FLOAT(47.25), .min
+    = FLOAT(-20.75), .max = FLOAT(69.5), .nominal = {.offset = {FLOAT(32768.5), FLOAT(32767.25),
+    FLOAT(32766.75)}, .matrix = {{FLOAT(0.000244462926), FLOAT(1.02878144e-07),
+    FLOAT(1.0389674e-07)}, {FLOAT(1.04915336e-07), FLOAT(0.000254241422), FLOAT(1.06952517e-07)},
+    {FLOAT(1.07971113e-07), FLOAT(1.08989721e-07), FLOAT(0.000264019966)}}}}, .is_triangular = 1, .x
+    = {{FLOAT(0.00100000005), FLOAT(0.00200000009), FLOAT(0.00300000003), FLOAT(0.00400000019),
+    FLOAT(0.00500000035), FLOAT(0.00600000005), FLOAT(0.00700000022), FLOAT(0.00800000038),
+    FLOAT(0.00900000054)}, {FLOAT(0.00109999999), FLOAT(0.00210000016), FLOAT(0.00310000009),
+    FLOAT(0.00410000002), FLOAT(0.00510000018), FLOAT(0.00609999988), FLOAT(0.00710000005),
+    FLOAT(0.00810000021), FLOAT(0.00910000037)}, {FLOAT(0.00120000006), FLOAT(0.00219999999),
+    FLOAT(0.00319999992), FLOAT(0.00420000032), FLOAT(0.00520000048), FLOAT(0.00620000018),
+    FLOAT(0.00720000034), FLOAT(0.00820000004), FLOAT(0.0092000002)}}}},
+    {"thermal_record_0 of 0.2.0", thermal_record_0_0_2_0, sizeof thermal_record_0_0_2_0, {.record =
+    {.sensor = {17, 34, 51, 68, 85, 102, 119, 136}, .date = 1698898177u, .positions = 4660, .weak =
+    322, .from_prior = 385, .verdict = 2, .temperature_known = 1, .field = FLOAT(9.81744003),
+    .field_sigma = FLOAT(0.000500000024), .temperature = FLOAT(22.5), .noise =
+    FLOAT(0.000125000006), .rms = FLOAT(9.50000031e-05), .condition = FLOAT(13.75), .calibration =
+    {.offset = {FLOAT(32772.5898), FLOAT(32775.125), FLOAT(32778.1289)}, .matrix =
+    {{FLOAT(0.000243033879), FLOAT(-7.75584226e-07), FLOAT(-9.38345636e-07)},
+    {FLOAT(-7.40058852e-07), FLOAT(0.000252504775), FLOAT(-1.06519542e-06)},
+    {FLOAT(-8.57659302e-07), FLOAT(-1.0200489e-06), FLOAT(0.000261956797)}}}, .sigma =
+    {FLOAT(7.59999966e-05), FLOAT(7.89999976e-05), FLOAT(8.2999999e-05), FLOAT(0.000101999998),
+    FLOAT(0.000103999999), FLOAT(0.000107), FLOAT(0.000190000006), FLOAT(0.000209999998),
+    FLOAT(0.000230000005)}}, .thermal = {.degree = 0, .fitted = 0, .fallback = 0, .reference =
+    FLOAT(22.5), .span = FLOAT(47.25), .min = FLOAT(-20.75), .max = FLOAT(69.5), .nominal = {.offset
+    = {FLOAT(32768.5), FLOAT(32767.25), FLOAT(32766.75)}, .matrix = {{FLOAT(0.000243999995),
+    FLOAT(1.00999998e-07), FLOAT(1.02000001e-07)}, {FLOAT(1.02999998e-07), FLOAT(0.000253759994),
+    FLOAT(1.04999998e-07)}, {FLOAT(1.06000002e-07), FLOAT(1.06999998e-07),
+    FLOAT(0.000263519993)}}}}, .is_triangular = 0, .x = {{FLOAT(0.00100000005),
+    FLOAT(0.00200000009), FLOAT(0.00300000003), FLOAT(0.00400000019), FLOAT(0.00499999989),
+    FLOAT(0.00600000005), FLOAT(0.00700000022), FLOAT(0.00800000038), FLOAT(0.00899999961)}}}},
+    {"thermal_record_1 of 0.2.0", thermal_record_1_0_2_0, sizeof thermal_record_1_0_2_0, {.record =
+    {.sensor = {17, 34, 51, 68, 85, 102, 119, 136}, .date = 1698898177u, .positions = 4660, .weak =
+    322, .from_prior = 385, .verdict = 2, .temperature_known = 1, .field = FLOAT(9.81744003),
+    .field_sigma = FLOAT(0.000500000024), .temperature = FLOAT(22.5), .noise =
+    FLOAT(0.000125000006), .rms = FLOAT(9.50000031e-05), .condition = FLOAT(13.75), .calibration =
+    {.offset = {FLOAT(32772.5898), FLOAT(32775.125), FLOAT(32778.1289)}, .matrix =
+    {{FLOAT(0.000243033879), FLOAT(-7.75584226e-07), FLOAT(-9.38345636e-07)},
+    {FLOAT(-7.40058852e-07), FLOAT(0.000252504775), FLOAT(-1.06519542e-06)},
+    {FLOAT(-8.57659302e-07), FLOAT(-1.0200489e-06), FLOAT(0.000261956797)}}}, .sigma =
+    {FLOAT(7.59999966e-05), FLOAT(7.89999976e-05), FLOAT(8.2999999e-05), FLOAT(0.000101999998),
+    FLOAT(0.000103999999), FLOAT(0.000107), FLOAT(0.000190000006), FLOAT(0.000209999998),
+    FLOAT(0.000230000005)}}, .thermal = {.degree = 1, .fitted = 0, .fallback = 2, .reference =
+    FLOAT(22.5), .span = FLOAT(47.25), .min = FLOAT(-20.75), .max = FLOAT(69.5), .nominal = {.offset
+    = {FLOAT(32768.5), FLOAT(32767.25), FLOAT(32766.75)}, .matrix = {{FLOAT(0.000243999995),
+    FLOAT(1.00999998e-07), FLOAT(1.02000001e-07)}, {FLOAT(1.02999998e-07), FLOAT(0.000253759994),
+    FLOAT(1.04999998e-07)}, {FLOAT(1.06000002e-07), FLOAT(1.06999998e-07),
+    FLOAT(0.000263519993)}}}}, .is_triangular = 0, .x = {{FLOAT(0.00100000005),
+    FLOAT(0.00200000009), FLOAT(0.00300000003), FLOAT(0.00400000019), FLOAT(0.00499999989),
+    FLOAT(0.00600000005), FLOAT(0.00700000022), FLOAT(0.00800000038), FLOAT(0.00899999961)},
+    {FLOAT(0.00109999999), FLOAT(0.00209999993), FLOAT(0.00310000009), FLOAT(0.00410000002),
+    FLOAT(0.00510000018), FLOAT(0.00609999988), FLOAT(0.00710000005), FLOAT(0.00810000021),
+    FLOAT(0.00910000037)}}}},
+    {"thermal_record_2 of 0.2.0", thermal_record_2_0_2_0, sizeof thermal_record_2_0_2_0, {.record =
+    {.sensor = {17, 34, 51, 68, 85, 102, 119, 136}, .date = 1698898177u, .positions = 4660, .weak =
+    322, .from_prior = 385, .verdict = 2, .temperature_known = 1, .field = FLOAT(9.81744003),
+    .field_sigma = FLOAT(0.000500000024), .temperature = FLOAT(22.5), .noise =
+    FLOAT(0.000125000006), .rms = FLOAT(9.50000031e-05), .condition = FLOAT(13.75), .calibration =
+    {.offset = {FLOAT(32772.5898), FLOAT(32775.125), FLOAT(32778.1289)}, .matrix =
+    {{FLOAT(0.000243033879), FLOAT(-7.75584226e-07), FLOAT(-9.38345636e-07)},
+    {FLOAT(-7.40058852e-07), FLOAT(0.000252504775), FLOAT(-1.06519542e-06)},
+    {FLOAT(-8.57659302e-07), FLOAT(-1.0200489e-06), FLOAT(0.000261956797)}}}, .sigma =
+    {FLOAT(7.59999966e-05), FLOAT(7.89999976e-05), FLOAT(8.2999999e-05), FLOAT(0.000101999998),
+    FLOAT(0.000103999999), FLOAT(0.000107), FLOAT(0.000190000006), FLOAT(0.000209999998),
+    FLOAT(0.000230000005)}}, .thermal = {.degree = 2, .fitted = 2, .fallback = 0, .reference =
+    FLOAT(22.5), .span = FLOAT(47.25), .min = FLOAT(-20.75), .max = FLOAT(69.5), .nominal = {.offset
+    = {FLOAT(32768.5), FLOAT(32767.25), FLOAT(32766.75)}, .matrix = {{FLOAT(0.000243999995),
+    FLOAT(1.00999998e-07), FLOAT(1.02000001e-07)}, {FLOAT(1.02999998e-07), FLOAT(0.000253759994),
+    FLOAT(1.04999998e-07)}, {FLOAT(1.06000002e-07), FLOAT(1.06999998e-07),
+    FLOAT(0.000263519993)}}}}, .is_triangular = 0, .x = {{FLOAT(0.00100000005),
+    FLOAT(0.00200000009), FLOAT(0.00300000003), FLOAT(0.00400000019), FLOAT(0.00499999989),
+    FLOAT(0.00600000005), FLOAT(0.00700000022), FLOAT(0.00800000038), FLOAT(0.00899999961)},
+    {FLOAT(0.00109999999), FLOAT(0.00209999993), FLOAT(0.00310000009), FLOAT(0.00410000002),
+    FLOAT(0.00510000018), FLOAT(0.00609999988), FLOAT(0.00710000005), FLOAT(0.00810000021),
+    FLOAT(0.00910000037)}, {FLOAT(0.00120000006), FLOAT(0.00219999999), FLOAT(0.00319999992),
+    FLOAT(0.00419999985), FLOAT(0.00520000001), FLOAT(0.00620000018), FLOAT(0.00719999988),
+    FLOAT(0.00820000004), FLOAT(0.0092000002)}}}},
 };
 
 static const stored_session sessions[] = {
-    {"session_program of 0.1.0", session_program_0_1_0, sizeof session_program_0_1_0, {.setup =
-    {.settings = {.nominal = {.offset = {FLOAT(120.5), FLOAT(250.25), FLOAT(380.75)}, .matrix =
-    {{FLOAT(0.00240000011), FLOAT(9.99999997e-07), FLOAT(1.99999999e-06)}, {FLOAT(3.00000011e-06),
-    FLOAT(0.00230000005), FLOAT(3.99999999e-06)}, {FLOAT(4.99999987e-06), FLOAT(6.00000021e-06),
-    FLOAT(0.00249999994)}}}, .field = FLOAT(9.80665016), .noise = FLOAT(0.00310000009), .prior =
-    {FLOAT(0.0), FLOAT(0.0), FLOAT(0.0), FLOAT(0.0), FLOAT(0.0), FLOAT(0.0), FLOAT(0.0), FLOAT(0.0),
-    FLOAT(0.0)}, .frame = (invcal_frame)0}, .plan = {.per_group = 6, .start = {FLOAT(30.0),
-    FLOAT(31.5), FLOAT(120.0)}}, .target = {FLOAT(0.00109999999), FLOAT(0.00120000006),
-    FLOAT(0.0013)}, .mean_sigma = FLOAT(0.00079999998), .rate = FLOAT(50.0), .low = -32768, .high =
-    32767, .background = 0}, .stored = 14, .step = 14, .taken = 14, .is_enough = 1, .temperature =
-    FLOAT(25.75), .coldest = FLOAT(22.5), .warmest = FLOAT(29.0), .hold = FLOAT(1.09185159), .mean =
-    {{FLOAT(236.771927), FLOAT(3649.41235), FLOAT(2442.00879)}, {FLOAT(211.666672),
-    FLOAT(137.283951), FLOAT(4494.40137)}, {FLOAT(186.938278), FLOAT(-3374.62964),
-    FLOAT(2441.77783)}, {FLOAT(187.237183), FLOAT(-3374.62817), FLOAT(-1661.80774)},
-    {FLOAT(211.635803), FLOAT(137.024689), FLOAT(-3714.1543)}, {FLOAT(236.814819),
-    FLOAT(3648.87036), FLOAT(-1662.38269)}, {FLOAT(-1949.98718), FLOAT(137.378204),
-    FLOAT(-3109.26294)}, {FLOAT(-3923.67896), FLOAT(137.209869), FLOAT(497.382721)},
-    {FLOAT(-1762.32104), FLOAT(137.228394), FLOAT(3996.4939)}, {FLOAT(2373.30762),
-    FLOAT(137.083328), FLOAT(3889.38452)}, {FLOAT(4347.49365), FLOAT(137.240738),
-    FLOAT(282.506165)}, {FLOAT(2186.08643), FLOAT(137.302475), FLOAT(-3216.91357)},
-    {FLOAT(3779.94238), FLOAT(-1890.79492), FLOAT(389.929474)}, {FLOAT(183.722229),
-    FLOAT(-3918.02466), FLOAT(390.166656)}}, .age = {0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0},
-    .sums = {0}}},
-    {"session_sums of 0.1.0", session_sums_0_1_0, sizeof session_sums_0_1_0, {.setup = {.settings =
-    {.nominal = {.offset = {FLOAT(120.5), FLOAT(250.25), FLOAT(380.75)}, .matrix =
-    {{FLOAT(0.00240000011), FLOAT(9.99999997e-07), FLOAT(1.99999999e-06)}, {FLOAT(3.00000011e-06),
-    FLOAT(0.00230000005), FLOAT(3.99999999e-06)}, {FLOAT(4.99999987e-06), FLOAT(6.00000021e-06),
-    FLOAT(0.00249999994)}}}, .field = FLOAT(9.80665016), .noise = FLOAT(0.00310000009), .prior =
-    {FLOAT(0.0), FLOAT(0.0), FLOAT(0.0), FLOAT(0.0), FLOAT(0.0), FLOAT(0.0), FLOAT(0.0), FLOAT(0.0),
-    FLOAT(0.0)}, .frame = (invcal_frame)1}, .plan = {.per_group = 0, .start = {FLOAT(0.0),
-    FLOAT(0.0), FLOAT(0.0)}}, .target = {FLOAT(0.0), FLOAT(0.0), FLOAT(0.0)}, .mean_sigma =
-    FLOAT(0.0), .rate = FLOAT(50.0), .low = -32768, .high = 32767, .background = 0}, .stored = 32,
-    .step = 0, .taken = 35, .is_enough = 0, .temperature = FLOAT(26.25), .coldest = FLOAT(22.0),
-    .warmest = FLOAT(30.5), .hold = FLOAT(0.0), .mean = {{FLOAT(-2449.96484), FLOAT(-259.298248),
-    FLOAT(-2728.04395)}, {FLOAT(-1981.00623), FLOAT(-1426.51233), FLOAT(3497.22852)},
-    {FLOAT(770.962952), FLOAT(-1916.67896), FLOAT(3882.74683)}, {FLOAT(2741.23071),
-    FLOAT(2129.27563), FLOAT(2949.51294)}, {FLOAT(-2208.87036), FLOAT(2528.54932),
-    FLOAT(-1876.21606)}, {FLOAT(-2246.64819), FLOAT(3044.27783), FLOAT(-1073.12964)},
-    {FLOAT(-437.243591), FLOAT(-3778.37183), FLOAT(-480.89743)}, {FLOAT(-2972.59253),
-    FLOAT(2206.30249), FLOAT(-1154.24072)}, {FLOAT(-2363.77783), FLOAT(-693.129639),
-    FLOAT(-2714.76538)}, {FLOAT(2981.20508), FLOAT(-2684.42944), FLOAT(-626.461548)},
-    {FLOAT(-935.703674), FLOAT(3033.77148), FLOAT(-2238.12964)}, {FLOAT(2939.9939),
-    FLOAT(2238.10498), FLOAT(-1863.79016)}, {FLOAT(-149.371796), FLOAT(2956.22437),
-    FLOAT(-2535.52563)}, {FLOAT(-373.716064), FLOAT(2481.46289), FLOAT(3685.14819)},
-    {FLOAT(2893.8457), FLOAT(3219.13574), FLOAT(3.95679021)}, {FLOAT(-2728.06421),
-    FLOAT(766.397461), FLOAT(-2421.51294)}, {FLOAT(2733.87646), FLOAT(-1632.10498),
-    FLOAT(-2314.43823)}, {FLOAT(-1411.51233), FLOAT(-282.117279), FLOAT(-3362.20996)},
-    {FLOAT(2467.56421), FLOAT(-2786.73706), FLOAT(-1337.96155)}, {FLOAT(-3085.04932),
-    FLOAT(-1522.36426), FLOAT(2233.60498)}, {FLOAT(2445.45679), FLOAT(1522.85181),
-    FLOAT(3554.17285)}, {FLOAT(2677.92944), FLOAT(-2039.83972), FLOAT(2824.75635)},
-    {FLOAT(2999.08643), FLOAT(2598.48145), FLOAT(2146.72852)}, {FLOAT(-840.512329),
-    FLOAT(-2598.92603), FLOAT(-2460.16675)}, {FLOAT(-2346.09619), FLOAT(1538.41028),
-    FLOAT(3278.39746)}, {FLOAT(-2401.37036), FLOAT(-322.172852), FLOAT(3540.03711)},
-    {FLOAT(3878.80859), FLOAT(1813.45056), FLOAT(-514.203674)}, {FLOAT(1792.99353),
-    FLOAT(3156.62817), FLOAT(-1870.80774)}, {FLOAT(-3645.93213), FLOAT(821.938293),
-    FLOAT(1686.81482)}, {FLOAT(2194.94434), FLOAT(-2183.64209), FLOAT(3108.67896)},
-    {FLOAT(-3045.05127), FLOAT(-1908.93591), FLOAT(1875.47437)}, {FLOAT(1514.62964),
-    FLOAT(3776.58643), FLOAT(-902.555542)}}, .age = {0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0,
-    0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0}, .sums = {FLOAT(11.3170118), FLOAT(0.488793433),
-    FLOAT(1.01054287), FLOAT(10.2289877), FLOAT(-2.41181445), FLOAT(13.4980412),
-    FLOAT(-0.614283323), FLOAT(0.713473201), FLOAT(-0.278371453), FLOAT(1.05125773),
-    FLOAT(0.60884738), FLOAT(-1.41556203), FLOAT(1.30209124), FLOAT(-1.79591453),
-    FLOAT(0.712809503), FLOAT(-0.861332059), FLOAT(5.40783453), FLOAT(0.338387907),
-    FLOAT(-0.0904389545), FLOAT(2.4462235), FLOAT(-0.462005556), FLOAT(3.56122971),
-    FLOAT(0.137203157), FLOAT(0.0798604488), FLOAT(0.0225236453), FLOAT(1.056849),
-    FLOAT(4.60455847), FLOAT(-0.940759003), FLOAT(2.9499867), FLOAT(-0.827506661),
-    FLOAT(7.26365805), FLOAT(0.122079864), FLOAT(-0.323932827), FLOAT(0.183972612),
-    FLOAT(0.0491381958), FLOAT(-0.114109978), FLOAT(0.138416767), FLOAT(0.00466056354),
-    FLOAT(0.0178637486), FLOAT(0.090771623), FLOAT(0.0257122051)}}},
-    {"session_background of 0.1.0", session_background_0_1_0, sizeof session_background_0_1_0, {.setup =
-    {.settings = {.nominal = {.offset = {FLOAT(120.5), FLOAT(250.25), FLOAT(380.75)}, .matrix =
-    {{FLOAT(0.00240000011), FLOAT(9.99999997e-07), FLOAT(1.99999999e-06)}, {FLOAT(3.00000011e-06),
-    FLOAT(0.00230000005), FLOAT(3.99999999e-06)}, {FLOAT(4.99999987e-06), FLOAT(6.00000021e-06),
-    FLOAT(0.00249999994)}}}, .field = FLOAT(9.80665016), .noise = FLOAT(0.00310000009), .prior =
-    {FLOAT(0.0199999996), FLOAT(0.0209999997), FLOAT(0.0219999999), FLOAT(0.023),
-    FLOAT(0.0240000002), FLOAT(0.0250000004), FLOAT(0.0260000005), FLOAT(0.0269999988),
-    FLOAT(0.0280000009)}, .frame = (invcal_frame)0}, .plan = {.per_group = 0, .start = {FLOAT(0.0),
-    FLOAT(0.0), FLOAT(0.0)}}, .target = {FLOAT(0.0), FLOAT(0.0), FLOAT(0.0)}, .mean_sigma =
-    FLOAT(0.0), .rate = FLOAT(50.0), .low = -32768, .high = 32767, .background = 1}, .stored = 14,
-    .step = 0, .taken = 14, .is_enough = 0, .temperature = FLOAT(23.625), .coldest = FLOAT(22.0),
-    .warmest = FLOAT(25.25), .hold = FLOAT(0.0), .mean = {{FLOAT(-2150.34131), FLOAT(583.841248),
-    FLOAT(3726.73804)}, {FLOAT(-813.19751), FLOAT(-3267.0), FLOAT(-1607.31482)}, {FLOAT(3057.83325),
-    FLOAT(3093.76538), FLOAT(570.69751)}, {FLOAT(-2468.17944), FLOAT(-1946.14099),
-    FLOAT(2715.48706)}, {FLOAT(568.549377), FLOAT(542.327148), FLOAT(4458.41992)},
-    {FLOAT(1294.17285), FLOAT(4057.8396), FLOAT(352.858032)}, {FLOAT(-3465.01929),
-    FLOAT(-1745.33337), FLOAT(455.14743)}, {FLOAT(-2612.03076), FLOAT(2555.75317),
-    FLOAT(-1315.06177)}, {FLOAT(114.314812), FLOAT(-3910.43823), FLOAT(629.376526)},
-    {FLOAT(-3380.35254), FLOAT(1730.87817), FLOAT(1599.09619)}, {FLOAT(3642.11108),
-    FLOAT(-1790.48767), FLOAT(-778.746887)}, {FLOAT(-1082.83948), FLOAT(3311.64209),
-    FLOAT(2583.72852)}, {FLOAT(2658.76929), FLOAT(3125.96802), FLOAT(1768.95508)},
-    {FLOAT(-3280.87036), FLOAT(-1640.55554), FLOAT(1687.5)}}, .age = {5, 5, 4, 4, 4, 3, 3, 3, 2, 2,
-    2, 1, 1, 1}, .sums = {0}}},
+    {"session_program of 0.1.0", session_program_0_1_0, sizeof session_program_0_1_0, {.version = 1}},
+    {"session_sums of 0.1.0", session_sums_0_1_0, sizeof session_sums_0_1_0, {.version = 1}},
+    {"session_background of 0.1.0", session_background_0_1_0, sizeof session_background_0_1_0, {.version
+    = 1}},
 };
 
 static const stored_flash flashes[] = {
     {"store of 0.1.0", store_0_1_0, sizeof store_0_1_0, {.sensor = {17, 34, 51, 68, 85, 102, 119, 136},
-    .date = 1698898177u, .positions = 4660, .undetermined = 322, .from_prior = 385, .verdict =
-    (invcal_verdict)2, .temperature_known = 1, .field = FLOAT(9.81744003), .field_sigma =
-    FLOAT(0.000500000024), .temperature = FLOAT(-12.5), .noise = FLOAT(0.000125000006),
-    .residual_rms = FLOAT(9.50000031e-05), .condition = FLOAT(13.75), .calibration = {.offset =
-    {FLOAT(33123.75), FLOAT(33275.125), FLOAT(32364.5)}, .matrix = {{FLOAT(0.00240999996),
-    FLOAT(-4.12500003e-06), FLOAT(-1.10000001e-05)}, {FLOAT(-4.1899998e-06), FLOAT(0.00242000003),
-    FLOAT(-2.58e-05)}, {FLOAT(-1.10999999e-05), FLOAT(-2.56999992e-05), FLOAT(0.00243000011)}}},
-    .delta = {FLOAT(0.0212999992), FLOAT(-0.00710000005), FLOAT(0.0153999999)}, .dk =
-    {FLOAT(-0.0116999997), FLOAT(0.00419999985), FLOAT(0.00879999995)}, .gamma =
-    {FLOAT(0.00329999998), FLOAT(-0.00910000037), FLOAT(0.0214000009)}, .sigma_offset =
-    {FLOAT(0.310000002), FLOAT(0.319999993), FLOAT(0.370000005)}, .sigma_delta =
-    {FLOAT(7.59999966e-05), FLOAT(7.89999976e-05), FLOAT(8.2999999e-05)}, .sigma_dk =
-    {FLOAT(0.000101999998), FLOAT(0.000103999999), FLOAT(0.000107)}, .sigma_gamma =
-    {FLOAT(0.000190000006), FLOAT(0.000209999998), FLOAT(0.000230000005)}}},
+    .date = 1698898177u, .positions = 4660, .weak = 322, .from_prior = 385, .verdict = 2,
+    .temperature_known = 1, .field = FLOAT(9.81744003), .field_sigma = FLOAT(0.000500000024),
+    .temperature = FLOAT(-12.5), .noise = FLOAT(0.000125000006), .rms = FLOAT(9.50000031e-05),
+    .condition = FLOAT(13.75), .calibration = {.offset = {FLOAT(33123.75), FLOAT(33275.125),
+    FLOAT(32364.5)}, .matrix = {{FLOAT(0.000245481505), FLOAT(-4.20170637e-07),
+    FLOAT(-1.12045503e-06)}, {FLOAT(-4.26791484e-07), FLOAT(0.000246500109),
+    FLOAT(-2.62797633e-06)}, {FLOAT(-1.13064097e-06), FLOAT(-2.6177903e-06),
+    FLOAT(0.000247518712)}}}, .sigma = {FLOAT(7.59999966e-05), FLOAT(7.89999976e-05),
+    FLOAT(8.2999999e-05), FLOAT(0.000101999998), FLOAT(0.000103999999), FLOAT(0.000107),
+    FLOAT(0.000190000006), FLOAT(0.000209999998), FLOAT(0.000230000005)}}},
+    {"store of 0.2.0", store_0_2_0, sizeof store_0_2_0, {.sensor = {17, 34, 51, 68, 85, 102, 119, 136},
+    .date = 1698898177u, .positions = 4660, .weak = 322, .from_prior = 385, .verdict = 2,
+    .temperature_known = 1, .field = FLOAT(9.81744003), .field_sigma = FLOAT(0.000500000024),
+    .temperature = FLOAT(-12.5), .noise = FLOAT(0.000125000006), .rms = FLOAT(9.50000031e-05),
+    .condition = FLOAT(13.75), .calibration = {.offset = {FLOAT(33123.75), FLOAT(33275.125),
+    FLOAT(32364.5)}, .matrix = {{FLOAT(0.000246000011), FLOAT(-4.19999992e-07),
+    FLOAT(-1.11999998e-06)}, {FLOAT(-4.27000003e-07), FLOAT(0.000246999989),
+    FLOAT(-2.62999993e-06)}, {FLOAT(-1.12999999e-06), FLOAT(-2.62000003e-06),
+    FLOAT(0.000247999997)}}}, .sigma = {FLOAT(7.59999966e-05), FLOAT(7.89999976e-05),
+    FLOAT(8.2999999e-05), FLOAT(0.000101999998), FLOAT(0.000103999999), FLOAT(0.000107),
+    FLOAT(0.000190000006), FLOAT(0.000209999998), FLOAT(0.000230000005)}}},
 };
 
 #endif

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
-"""What stands in the bytes that released versions wrote, read by the tables of record.h,
-thermal_record.h, resume.h and store.h, apart from the library.
+"""What stands in the bytes that released versions wrote, read by the tables of their headers (0.1.0:
+record.h, thermal_record.h, resume.h, store.h; since then store.h and thermal.h), apart from the library.
 
     cd tests/reference/releases && python3 values.py > values.h
 """
@@ -14,8 +14,8 @@ class Reader:
     """Takes numbers from bytes, the least significant byte first."""
 
     def __init__(self, data, kind):
-        size = struct.unpack_from("<H", data, 2)[0]
-        assert data[0] == kind and data[1] == 1, "kind and version"
+        self.version, size = data[1], struct.unpack_from("<H", data, 2)[0]
+        assert data[0] == kind and self.version in (1, 2), "kind and version"
         assert size <= len(data), "length"
         assert zlib.crc32(data[:size - 4]) == struct.unpack_from("<I", data, size - 4)[0], "CRC"
         self.data, self.size, self.at = data, size, 4
@@ -52,58 +52,44 @@ def rows(numbers):
 
 # ---- the formats ----------------------------------------------------------------------------------
 
+def calibration(r, field=1):
+    """Version 1 was in the unit of the field."""
+    offset, matrix = r.take("f", 3), r.take("f", 9)
+    return {"offset": offset, "matrix": rows([x / (field if r.version == 1 else 1) for x in matrix])}
+
+
 def record(data):
     r = Reader(data, 0xCA)
     out = {"sensor": r.take("B", 8), "date": r.take("I"), "positions": r.take("H"),
-           "undetermined": r.take("H"), "from_prior": r.take("H"),
-           "verdict": "(invcal_verdict)%d" % r.take("B"), "temperature_known": r.take("B")}
-    for name in ("field", "field_sigma", "temperature", "noise", "residual_rms", "condition"):
+           "weak": r.take("H"), "from_prior": r.take("H"), "verdict": r.take("B"),
+           "temperature_known": r.take("B")}
+    for name in ("field", "field_sigma", "temperature", "noise", "rms", "condition"):
         out[name] = r.take("f")
-    out["calibration"] = {"offset": r.take("f", 3), "matrix": rows(r.take("f", 9))}
-    for name in ("delta", "dk", "gamma", "sigma_offset", "sigma_delta", "sigma_dk", "sigma_gamma"):
-        out[name] = r.take("f", 3)
+    out["calibration"] = calibration(r, out["field"])
+    if r.version == 1:
+        r.take("f", 12) # delta, dk, gamma, sigma_offset: the calibration and sigma tell
+    out["sigma"] = r.take("f", 9)
     r.end()
     return out
 
 
 def thermal_record(data):
     r = Reader(data, 0xCB)
-    out = {"record": record(data[4:188])}
-    r.at = 188
-    for name in ("degree", "fitted", "fallback", "frame"):
-        out[name] = r.take("B")
-    for name in ("reference", "span", "least", "greatest"):
+    inner = record(data[4:4 + struct.unpack_from("<H", data, 6)[0]])
+    r.at = 4 + struct.unpack_from("<H", data, 6)[0]
+    out = {name: r.take("B") for name in ("degree", "fitted", "fallback")}
+    triangular = r.take("B")
+    for name in ("reference", "span", "min", "max"):
         out[name] = r.take("f")
-    out["nominal"] = {"offset": r.take("f", 3), "matrix": rows(r.take("f", 9))}
-    out["x"] = [r.take("f", 9) for _ in range(out["degree"] + 1)]
+    out["nominal"] = calibration(r, inner["field"])
+    x = [r.take("f", 9) for _ in range(out["degree"] + 1)]
     r.end()
-    return out
+    return {"record": inner, "thermal": out, "is_triangular": triangular, "x": x}
 
 
 def session(data):
-    r = Reader(data, 0xC5)
-    stored, step, taken, per_group = r.take("H"), r.take("H"), r.take("I"), r.take("H")
-    frame, flags = r.take("B"), r.take("B")
-    low, high = r.take("i"), r.take("i")
-    nominal = {"offset": r.take("f", 3), "matrix": rows(r.take("f", 9))}
-    settings = {"nominal": nominal, "field": r.take("f"), "noise": r.take("f"),
-                "prior": r.take("f", 9), "frame": "(invcal_frame)%d" % frame}
-    plan = {"per_group": per_group, "start": r.take("f", 3)}
-    target, rate = r.take("f", 3), r.take("f")
-    temperature, coldest, warmest = r.take("f", 3)
-    mean_sigma, hold = r.take("f", 2)
-    means, ages = [], []
-    for _ in range(stored):
-        means.append(r.take("f", 3))
-        ages.append(r.take("B"))
-    sums = r.take("f", 164 // 4) if taken > stored else []
-    r.end()
-    return {"setup": {"settings": settings, "plan": plan, "target": target,
-                      "mean_sigma": mean_sigma, "rate": rate, "low": low, "high": high,
-                      "background": flags & 1},
-            "stored": stored, "step": step, "taken": taken, "is_enough": flags >> 1,
-            "temperature": temperature, "coldest": coldest, "warmest": warmest, "hold": hold,
-            "mean": means, "age": ages, "sums": sums or [0]}
+    assert data[0] == 0xC5, "kind"
+    return {"version": data[1]} # of another procedure
 
 
 def store(data):

@@ -11,7 +11,7 @@ enum {
     ACCEL_CONFIG = 0x1C,
     ACCEL_CONFIG2 = 0x1D, /* not in the MPU-6050 */
     INT_STATUS = 0x3A,
-    ACCEL_XOUT_H = 0x3B, /* x, y, z, temperature: 2 bytes each, the high one first */
+    ACCEL_XOUT_H = 0x3B, /* x, y, z: 2 bytes each, the high one first */
     PWR_MGMT_1 = 0x6B,
     WHO_AM_I = 0x75,
     MPU6050 = 0x68, /* what WHO_AM_I says; the others' accelerometers are alike */
@@ -68,10 +68,10 @@ static int32_t count_of(const uint8_t bytes[2])
     return (int16_t)((uint16_t)bytes[0] << 8 | bytes[1]);
 }
 
-sensor_status sensor_next(int32_t raw[3], float &temperature)
+sensor_status sensor_next(int32_t raw[3])
 {
     const unsigned long begin = millis();
-    uint8_t bytes[8];
+    uint8_t bytes[6];
 
     do {
         if (millis() - begin > PATIENCE || !get(INT_STATUS, bytes, 1)) {
@@ -79,7 +79,7 @@ sensor_status sensor_next(int32_t raw[3], float &temperature)
         }
     } while (!(bytes[0] & 1));
     const unsigned long now = micros();
-    const bool is_lost = now - latest > 1.5e6f / SENSOR_RATE;
+    const bool is_lost = now - latest > 1500000UL / SENSOR_RATE;
     latest = now;
     if (!get(ACCEL_XOUT_H, bytes, sizeof bytes)) {
         return SENSOR_SILENT;
@@ -87,7 +87,5 @@ sensor_status sensor_next(int32_t raw[3], float &temperature)
     for (int i = 0; i < 3; i++) {
         raw[i] = count_of(&bytes[2 * i]);
     }
-    temperature = chip == MPU6050 ? count_of(&bytes[6]) / 340.0f + 36.53f
-                                  : count_of(&bytes[6]) / 333.87f + 21.0f;
     return is_lost ? SENSOR_LOST : SENSOR_OK;
 }

@@ -7,9 +7,9 @@
 
 #include <Arduino.h>
 
-const float SENSOR_RATE = 100;           /* samples per second */
-const float SENSOR_SCALE = 1.0f / 16384; /* g for one count, by the data sheet: range 2 g */
-const int32_t SENSOR_LOW = -32768;       /* counts at which it clips */
+const unsigned SENSOR_RATE = 100;  /* samples per second */
+const float SENSOR_COUNTS = 16384; /* counts for 1 g, by the data sheet: range 2 g */
+const int32_t SENSOR_LOW = -32768; /* counts at which it clips */
 const int32_t SENSOR_HIGH = 32767;
 
 enum sensor_status {
@@ -21,7 +21,7 @@ enum sensor_status {
 /* Sets the chip up. False if nobody answers, or another chip. */
 bool sensor_begin();
 
-/* Waits for the next sample: counts, and degrees Celsius. */
-sensor_status sensor_next(int32_t raw[3], float &temperature);
+/* Waits for the next sample, counts. */
+sensor_status sensor_next(int32_t raw[3]);
 
 #endif

@@ -7,76 +7,48 @@
 #include "storage.h"
 
 #include <EEPROM.h>
-#include <string.h>
 
-/* Two slots at the beginning of the EEPROM. */
-const int SLOT = INVCAL_STORE_BYTES(INVCAL_RECORD_SIZE, 1);
+/* Two slots for the calibration, and behind them two for the session: of 1,024 bytes, the least that
+ * there is, they hold 22 positions. With more a session is not stored any more. */
+const int SMALLEST_EEPROM = 1024;
+const int CALIBRATION_SLOT = INVCAL_STORE_BYTES(INVCAL_RECORD_SIZE, 1);
+const int SESSION_SLOT = SMALLEST_EEPROM / 2 - CALIBRATION_SLOT;
 
-static int read(void *, unsigned slot, uint32_t offset, uint8_t *bytes, uint32_t size)
+const int SLOT_SIZE[] = {CALIBRATION_SLOT, SESSION_SLOT};
+static int begin[] = {0, 2 * CALIBRATION_SLOT};
+
+static int address(const void *context, unsigned slot, uint32_t offset)
+{
+    const int *first = (const int *)context;
+
+    return *first + (int)slot * SLOT_SIZE[first - begin] + (int)offset;
+}
+
+static int read(void *context, unsigned slot, uint32_t offset, uint8_t *bytes, uint32_t size)
 {
     for (uint32_t i = 0; i < size; i++) {
-        bytes[i] = EEPROM.read((int)slot * SLOT + (int)(offset + i));
+        bytes[i] = EEPROM.read(address(context, slot, offset + i));
     }
     return 0;
 }
 
-static int erase_slot(void *, unsigned slot)
+static int erase_slot(void *context, unsigned slot)
 {
-    for (int i = 0; i < SLOT; i++) {
-        EEPROM.update((int)slot * SLOT + i, 0xFF);
+    const int size = SLOT_SIZE[(const int *)context - begin];
+
+    for (int i = 0; i < size; i++) {
+        EEPROM.update(address(context, slot, i), 0xFF);
     }
     return 0;
 }
 
-static int program(void *, unsigned slot, uint32_t offset, const uint8_t *bytes, uint32_t size)
+static int program(void *context, unsigned slot, uint32_t offset, const uint8_t *bytes, uint32_t size)
 {
     for (uint32_t i = 0; i < size; i++) {
-        EEPROM.update((int)slot * SLOT + (int)(offset + i), bytes[i]);
+        EEPROM.update(address(context, slot, offset + i), bytes[i]);
     }
     return 0;
 }
 
-static const invcal_store store = {read, erase_slot, program, NULL, (uint32_t)SLOT, 1};
-
-invcal_status storage_load(invcal_calibration &calibration)
-{
-    uint8_t bytes[INVCAL_RECORD_SIZE];
-    uint32_t size;
-    invcal_record record;
-    invcal_status status = invcal_store_load(&store, bytes, sizeof bytes, &size);
-
-    if (status == INVCAL_OK) {
-        status = invcal_record_decode(bytes, size, &record);
-    }
-    if (status == INVCAL_OK) {
-        calibration = record.calibration;
-    }
-    return status;
-}
-
-invcal_status storage_save(const invcal_session &session, const invcal_solution &solution,
-                           const invcal_quality &quality)
-{
-    uint8_t bytes[INVCAL_RECORD_SIZE];
-    invcal_record record = {};
-
-    record.calibration = solution.calibration;
-    memcpy(record.delta, solution.delta, sizeof record.delta);
-    memcpy(record.dk, solution.dk, sizeof record.dk);
-    memcpy(record.gamma, solution.gamma, sizeof record.gamma);
-    memcpy(record.sigma_offset, quality.sigma_offset, sizeof record.sigma_offset);
-    memcpy(record.sigma_delta, quality.sigma_delta, sizeof record.sigma_delta);
-    memcpy(record.sigma_dk, quality.sigma_dk, sizeof record.sigma_dk);
-    memcpy(record.sigma_gamma, quality.sigma_gamma, sizeof record.sigma_gamma);
-    record.field = session.setup.settings.field;
-    record.temperature = session.temperature;
-    record.temperature_known = 1;
-    record.noise = quality.noise;
-    record.residual_rms = quality.residual_rms;
-    record.condition = quality.condition;
-    record.verdict = quality.verdict;
-    record.positions = (uint16_t)session.normal.count;
-    record.undetermined = quality.undetermined;
-    const invcal_status status = invcal_record_encode(&record, bytes);
-    return status == INVCAL_OK ? invcal_store_save(&store, bytes, sizeof bytes) : status;
-}
+const invcal_store calibration_store = {read, erase_slot, program, &begin[0], CALIBRATION_SLOT, 1};
+const invcal_store session_store = {read, erase_slot, program, &begin[1], SESSION_SLOT, 1};

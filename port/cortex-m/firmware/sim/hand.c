@@ -29,10 +29,11 @@ enum {
     KNOCKS = 4,
     RESET = 8,
     WEAK_FLASH = 16,
-    POWER_CUT = 32
+    POWER_CUT = 32,
+    PULLS = 64 /* at the cable, all the time it is held */
 };
 static const uint8_t script[] = {
-    [2] = LEAVES_TOO_SOON, [5] = WEAK_FLASH | RESET, [7] = TURNS_BACK,
+    [2] = LEAVES_TOO_SOON, [5] = WEAK_FLASH | RESET, [7] = TURNS_BACK, [8] = PULLS,
     [9] = KNOCKS,          [11] = POWER_CUT,
 };
 
@@ -157,6 +158,12 @@ static void hold(float force[3])
 {
     memcpy(force, hand.to, sizeof hand.to);
     hand.held++;
+    if (happens(PULLS) && hand.held == 1) {
+        print("world: somebody pulls at the cable\n");
+    }
+    for (unsigned i = 0; i < 3 && happens(PULLS); i++) {
+        force[i] *= 1.05f;
+    }
     if (happens(KNOCKS) && hand.held >= KNOCK_AT && hand.held < KNOCK_END) {
         force[0] += 6 * sim_noise(); /* beyond 4 g */
     }

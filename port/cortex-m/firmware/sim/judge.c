@@ -7,7 +7,7 @@
 #include "board.h"
 #include "flash.h"
 #include "imu.h"
-#include "invcal/record.h"
+#include "invcal/expert.h"
 #include "print.h"
 #include "sim.h"
 
@@ -15,7 +15,7 @@
 #define LENGTH 0.001f /* that a calibrated reading of 1 g may be off */
 
 /* One number beside its truth. Returns 1 if it is good. */
-static int is_near(const char *name, float truth, float stored, float sigma)
+static int is_close(const char *name, float truth, float stored, float sigma)
 {
     const float off = (stored - truth) / sigma;
 
@@ -34,24 +34,29 @@ static int is_near(const char *name, float truth, float stored, float sigma)
 /* The offsets in counts, and the nine parameters by the data sheet's scale. */
 static int are_parameters_good(const invcal_record *record)
 {
+    static const invcal_real zero[3] = {0, 0, 0};
+    static const invcal_real counts[3] = {IMU_COUNTS, IMU_COUNTS, IMU_COUNTS};
     static const char *const offset[3] = {"offset_x", "offset_y", "offset_z"};
     static const uint8_t pair[3][2] = {{0, 1}, {0, 2}, {2, 1}};
-    int good = 1;
+    invcal_calibration nominal;
+    invcal_real x[INVCAL_PARAMETERS];
+    int good = invcal_nominal(zero, counts, &nominal) == INVCAL_OK;
 
+    invcal_deviation(&record->calibration, &nominal, x);
     for (unsigned i = 0; i < 3; i++) {
-        good &= is_near(offset[i], sim_truth.offset[i], record->calibration.offset[i],
-                        record->sigma_offset[i]);
+        good &= is_close(offset[i], sim_truth.offset[i], record->calibration.offset[i],
+                         record->sigma[i] * IMU_COUNTS);
     }
     for (unsigned i = 0; i < 3; i++) {
-        const float dk = sim_truth.gain[i][i] * IMU_SCALE - 1;
-        good &=
-            is_near(invcal_parameter_name(INVCAL_DK_X + i), dk, record->dk[i], record->sigma_dk[i]);
+        const unsigned r = INVCAL_DK_X + i;
+        const float dk = sim_truth.gain[i][i] / IMU_COUNTS - 1;
+        good &= is_close(invcal_parameter_name(r), dk, x[r], record->sigma[r]);
     }
     for (unsigned i = 0; i < 3; i++) {
+        const unsigned r = INVCAL_GAMMA_XY + i;
         const unsigned a = pair[i][0], b = pair[i][1];
-        const float gamma = (sim_truth.gain[a][b] + sim_truth.gain[b][a]) * IMU_SCALE;
-        good &= is_near(invcal_parameter_name(INVCAL_GAMMA_XY + i), gamma, record->gamma[i],
-                        record->sigma_gamma[i]);
+        const float gamma = (sim_truth.gain[a][b] + sim_truth.gain[b][a]) / IMU_COUNTS;
+        good &= is_close(invcal_parameter_name(r), gamma, x[r], record->sigma[r]);
     }
     return good;
 }

@@ -5,18 +5,18 @@
  * calibrated readings are printed. The sensor is in sensor.c.
  */
 #include <stdio.h>
-#include <string.h>
 
 #include "nvs.h"
 #include "nvs_flash.h"
 
-#include "invcal/invcal.h"
+#include "invcal/expert.h"
+#include "invcal/store.h"
 #include "sensor.h"
 
-#define MOST 20u  /* positions; then it is solved, were the target not reached */
 #define SHOWN 50u /* one calibrated sample in so many is shown */
 
 static invcal_session session;
+static float temperature; /* degrees Celsius, of the latest sample */
 
 /* ---- the calibration in the flash ------------------------------------------------------------- */
 
@@ -68,29 +68,14 @@ static esp_err_t write_record(const uint8_t bytes[INVCAL_RECORD_SIZE])
     return error;
 }
 
-static void save(const invcal_solution *solution, const invcal_quality *quality)
+static void save(const invcal_calibration *calibration, const invcal_quality *quality)
 {
     uint8_t bytes[INVCAL_RECORD_SIZE];
-    invcal_record record = {
-        .calibration = solution->calibration,
-        .field = session.setup.settings.field,
-        .temperature = session.temperature,
-        .temperature_known = 1,
-        .noise = quality->noise,
-        .residual_rms = quality->residual_rms,
-        .condition = quality->condition,
-        .verdict = quality->verdict,
-        .positions = (uint16_t)session.normal.count,
-        .undetermined = quality->undetermined,
-    };
+    invcal_record record;
 
-    memcpy(record.delta, solution->delta, sizeof record.delta);
-    memcpy(record.dk, solution->dk, sizeof record.dk);
-    memcpy(record.gamma, solution->gamma, sizeof record.gamma);
-    memcpy(record.sigma_offset, quality->sigma_offset, sizeof record.sigma_offset);
-    memcpy(record.sigma_delta, quality->sigma_delta, sizeof record.sigma_delta);
-    memcpy(record.sigma_dk, quality->sigma_dk, sizeof record.sigma_dk);
-    memcpy(record.sigma_gamma, quality->sigma_gamma, sizeof record.sigma_gamma);
+    invcal_record_init(&record, calibration, quality);
+    record.temperature = temperature;
+    record.temperature_known = 1;
     if (invcal_record_encode(&record, bytes) == INVCAL_OK && write_record(bytes) == ESP_OK) {
         printf("calibration stored\n");
     } else {
@@ -102,30 +87,20 @@ static void save(const invcal_solution *solution, const invcal_quality *quality)
 
 static void tell_next(void)
 {
-    invcal_guidance next;
-    char words[INVCAL_GUIDANCE_WORDS];
+    char words[INVCAL_WORDS];
 
-    if (invcal_session_next(&session, &next) == INVCAL_OK) {
-        invcal_guidance_words(next.up, words);
-        printf("next: %s\n", words);
-    }
+    printf("next: %s\n", invcal_session_next_words(&session, words));
 }
 
 static invcal_status begin_session(void)
 {
-    static const invcal_real zero[3] = {0, 0, 0};
-    static const invcal_real scale[3] = {SENSOR_SCALE, SENSOR_SCALE, SENSOR_SCALE};
-    invcal_session_setup setup = {
-        .settings = {.field = 1, .noise = 0.0003f}, /* g; of the mean of a position */
-        .target = {0.0002f, 0.0003f, 0.0005f},      /* g; 1; rad: sigma that is enough */
-        .rate = SENSOR_RATE,
-        .low = SENSOR_LOW,
-        .high = SENSOR_HIGH,
-    };
-    invcal_status status = invcal_calibration_nominal(zero, scale, &setup.settings.nominal);
+    invcal_status status = invcal_session_init(&session, SENSOR_COUNTS, SENSOR_RATE);
 
     if (status == INVCAL_OK) {
-        status = invcal_session_init(&session, &setup);
+        status = invcal_session_rails(&session, SENSOR_LOW, SENSOR_HIGH);
+    }
+    if (status == INVCAL_OK) {
+        status = invcal_session_noise(&session, 0.0003f); /* g, of the mean of a position */
     }
     if (status != INVCAL_OK) {
         printf("session: %s\n", invcal_status_text(status));
@@ -136,27 +111,26 @@ static invcal_status begin_session(void)
     return status;
 }
 
-static void tell(const invcal_event *event)
+static void tell(invcal_event event)
 {
-    switch (event->what) {
-    case INVCAL_SESSION_SETTLING:
-        if (event->progress > 0 && event->progress < 100) {
-            printf("hold still, percent: %u\n", event->progress);
+    const unsigned progress = invcal_session_progress(&session);
+
+    switch (event) {
+    case INVCAL_SETTLING:
+        if (progress > 0 && progress < 100) {
+            printf("hold still, percent: %u\n", progress);
         }
         break;
-    case INVCAL_SESSION_READY:
+    case INVCAL_READY:
         printf("good: move on\n");
         tell_next();
         break;
-    case INVCAL_SESSION_REFUSED:
-        printf("refused: %s\n", event->reason != INVCAL_REST_GOOD
-                                    ? invcal_rest_reason_text(event->reason)
-                                    : invcal_status_text(event->status));
+    case INVCAL_REFUSED:
+        printf("refused: %s\n", invcal_session_why(&session));
         tell_next();
         break;
-    case INVCAL_SESSION_TAKEN:
-    case INVCAL_SESSION_ENOUGH:
-        printf("positions taken: %u\n", event->positions);
+    case INVCAL_TAKEN:
+        printf("positions taken: %u\n", (unsigned)session.count);
         break;
     default:
         break; /* moving */
@@ -171,25 +145,31 @@ static void tell_vector(const char *name, const invcal_real v[3])
 /* Without positions that contradict the others. Returns 1 and stores it if it is good. */
 static int solve(invcal_calibration *calibration)
 {
-    invcal_solution solution;
     invcal_quality quality;
-    invcal_outliers outliers;
-    const invcal_status status = invcal_session_solve(&session, &solution, &quality, &outliers);
+    invcal_real sigma[3];
+    invcal_real x[INVCAL_PARAMETERS];
+    const invcal_status status = invcal_session_solve(&session, calibration, &quality);
 
     if (status != INVCAL_OK) {
         printf("not calibrated: %s\n", invcal_status_text(status));
         return 0;
     }
-    printf("verdict: %s\n", invcal_verdict_text(quality.verdict));
-    tell_vector("offset, counts:", solution.calibration.offset);
-    tell_vector("sigma:", quality.sigma_offset);
-    tell_vector("scale errors:", solution.dk);
-    tell_vector("sigma:", quality.sigma_dk);
+    for (unsigned i = 0; i < session.count; i++) {
+        if (quality.left_out >> i & 1u) {
+            printf("left out, for it contradicts the others: position %u\n", i + 1);
+        }
+    }
+    invcal_sigma_offset(&quality, &session.nominal, sigma);
+    invcal_deviation(calibration, &session.nominal, x);
+    printf("verdict: %s\n", invcal_verdict_text((invcal_verdict)quality.verdict));
+    tell_vector("offset, counts:", calibration->offset);
+    tell_vector("sigma:", sigma);
+    tell_vector("scale errors:", &x[INVCAL_DK_X]);
+    tell_vector("sigma:", &quality.sigma[INVCAL_DK_X]);
     if (quality.verdict != INVCAL_GOOD) {
         return 0;
     }
-    *calibration = solution.calibration;
-    save(&solution, &quality);
+    save(calibration, &quality);
     return 1;
 }
 
@@ -197,14 +177,12 @@ static int solve(invcal_calibration *calibration)
 static int calibrate(invcal_calibration *calibration)
 {
     int32_t raw[3];
-    float temperature;
-    invcal_event event;
 
     do {
         if (begin_session() != INVCAL_OK) {
             return 0;
         }
-        while (!session.is_enough && session.normal.count < MOST) {
+        while (!invcal_session_is_good(&session)) {
             const sensor_status status = sensor_next(raw, &temperature);
             if (status == SENSOR_SILENT) {
                 printf("sensor: no answer\n");
@@ -213,9 +191,7 @@ static int calibrate(invcal_calibration *calibration)
             if (status == SENSOR_LOST) { /* while text was printed, or a position was solved */
                 invcal_session_gap(&session);
             }
-            if (invcal_session_feed(&session, raw, temperature, &event) != INVCAL_SESSION_NOTHING) {
-                tell(&event);
-            }
+            tell(invcal_session_feed(&session, raw));
         }
     } while (!solve(calibration));
     return 1;
@@ -225,11 +201,10 @@ static int calibrate(invcal_calibration *calibration)
 static void measure(const invcal_calibration *calibration)
 {
     int32_t raw[3];
-    float temperature;
 
     for (unsigned n = 1; sensor_next(raw, &temperature) != SENSOR_SILENT; n++) {
-        invcal_real a[3] = {(invcal_real)raw[0], (invcal_real)raw[1], (invcal_real)raw[2]};
-        invcal_apply(calibration, a, a);
+        invcal_real a[3];
+        invcal_apply_counts(calibration, raw, a);
         if (n % SHOWN == 0) {
             tell_vector("a, g:", a);
         }

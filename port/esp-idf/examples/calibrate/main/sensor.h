@@ -7,9 +7,9 @@
 
 #include <stdint.h>
 
-#define SENSOR_RATE 100             /* samples per second */
-#define SENSOR_SCALE (1.0f / 16384) /* g for one count, by the data sheet: range 2 g */
-#define SENSOR_LOW INT32_C(-32768)  /* counts at which it clips */
+#define SENSOR_RATE 100            /* samples per second */
+#define SENSOR_COUNTS 16384.0f     /* counts for 1 g, by the data sheet: range 2 g */
+#define SENSOR_LOW INT32_C(-32768) /* counts at which it clips */
 #define SENSOR_HIGH INT32_C(32767)
 
 typedef enum {

@@ -16,12 +16,14 @@
 #include <zephyr/settings/settings.h>
 #include <zephyr/sys/printk.h>
 
-#include "invcal/invcal.h"
+#include "invcal/expert.h"
+#include "invcal/store.h"
 
 #define RATE 100u    /* samples per second */
 #define UNITS 100000 /* for 1 m/s^2 */
-#define MOST 20u     /* positions; then it is solved, were the target not reached */
-#define SHOWN 50u    /* one calibrated sample in so many is shown */
+#define G INVCAL_REAL(9.80665)
+#define COUNTS (UNITS * G) /* units for 1 g */
+#define SHOWN 50u          /* one calibrated sample in so many is shown */
 
 static const struct device *const accelerometer = DEVICE_DT_GET(DT_ALIAS(accel0));
 static invcal_session session;
@@ -90,30 +92,15 @@ static int load(invcal_calibration *calibration)
         printk("settings: cannot be read\n");
     }
     *calibration = record.calibration;
-    return record.field > 0;
+    return record.positions > 0;
 }
 
-static void save(const invcal_solution *solution, const invcal_quality *quality)
+static void save(const invcal_calibration *calibration, const invcal_quality *quality)
 {
     uint8_t bytes[INVCAL_RECORD_SIZE];
-    invcal_record record = {
-        .calibration = solution->calibration,
-        .field = session.setup.settings.field,
-        .noise = quality->noise,
-        .residual_rms = quality->residual_rms,
-        .condition = quality->condition,
-        .verdict = quality->verdict,
-        .positions = (uint16_t)session.normal.count,
-        .undetermined = quality->undetermined,
-    };
+    invcal_record record;
 
-    memcpy(record.delta, solution->delta, sizeof record.delta);
-    memcpy(record.dk, solution->dk, sizeof record.dk);
-    memcpy(record.gamma, solution->gamma, sizeof record.gamma);
-    memcpy(record.sigma_offset, quality->sigma_offset, sizeof record.sigma_offset);
-    memcpy(record.sigma_delta, quality->sigma_delta, sizeof record.sigma_delta);
-    memcpy(record.sigma_dk, quality->sigma_dk, sizeof record.sigma_dk);
-    memcpy(record.sigma_gamma, quality->sigma_gamma, sizeof record.sigma_gamma);
+    invcal_record_init(&record, calibration, quality);
     if (invcal_record_encode(&record, bytes) == INVCAL_OK &&
         settings_save_one("invcal/record", bytes, sizeof bytes) == 0) {
         printk("calibration stored\n");
@@ -126,31 +113,17 @@ static void save(const invcal_solution *solution, const invcal_quality *quality)
 
 static void tell_next(void)
 {
-    invcal_guidance next;
-    char words[INVCAL_GUIDANCE_WORDS];
+    char words[INVCAL_WORDS];
 
-    if (invcal_session_next(&session, &next) == INVCAL_OK) {
-        invcal_guidance_words(next.up, words);
-        printk("next: %s\n", words);
-    }
+    printk("next: %s\n", invcal_session_next_words(&session, words));
 }
 
 static invcal_status begin_session(void)
 {
-    static const invcal_real zero[3] = {0, 0, 0};
-    static const invcal_real scale[3] = {INVCAL_REAL(1.0) / UNITS, INVCAL_REAL(1.0) / UNITS,
-                                         INVCAL_REAL(1.0) / UNITS};
-    invcal_session_setup setup = {
-        .settings = {.field = INVCAL_REAL(9.80665),
-                     .noise = INVCAL_REAL(0.003)}, /* m/s^2; of the mean of a position */
-        .target = {INVCAL_REAL(0.0002), INVCAL_REAL(0.0003),
-                   INVCAL_REAL(0.0005)}, /* sigma in g, 1 and rad: that is enough */
-        .rate = RATE,
-    };
-    invcal_status status = invcal_calibration_nominal(zero, scale, &setup.settings.nominal);
+    invcal_status status = invcal_session_init(&session, COUNTS, RATE);
 
-    if (status == INVCAL_OK) {
-        status = invcal_session_init(&session, &setup);
+    if (status == INVCAL_OK) { /* of the mean of a position, over g: 3 mm/s^2 */
+        status = invcal_session_noise(&session, INVCAL_REAL(0.0003));
     }
     if (status != INVCAL_OK) {
         printk("session: %s\n", invcal_status_text(status));
@@ -161,27 +134,26 @@ static invcal_status begin_session(void)
     return status;
 }
 
-static void tell(const invcal_event *event)
+static void tell(invcal_event event)
 {
-    switch (event->what) {
-    case INVCAL_SESSION_SETTLING:
-        if (event->progress > 0 && event->progress < 100) {
-            printk("hold still, percent: %u\n", event->progress);
+    const unsigned progress = invcal_session_progress(&session);
+
+    switch (event) {
+    case INVCAL_SETTLING:
+        if (progress > 0 && progress < 100) {
+            printk("hold still, percent: %u\n", progress);
         }
         break;
-    case INVCAL_SESSION_READY:
+    case INVCAL_READY:
         printk("good: move on\n");
         tell_next();
         break;
-    case INVCAL_SESSION_REFUSED:
-        printk("refused: %s\n", event->reason != INVCAL_REST_GOOD
-                                    ? invcal_rest_reason_text(event->reason)
-                                    : invcal_status_text(event->status));
+    case INVCAL_REFUSED:
+        printk("refused: %s\n", invcal_session_why(&session));
         tell_next();
         break;
-    case INVCAL_SESSION_TAKEN:
-    case INVCAL_SESSION_ENOUGH:
-        printk("positions taken: %u\n", event->positions);
+    case INVCAL_TAKEN:
+        printk("positions taken: %u\n", (unsigned)session.count);
         break;
     default:
         break; /* moving */
@@ -196,25 +168,31 @@ static void tell_vector(const char *name, const invcal_real v[3])
 /* Without positions that contradict the others. Returns 1 and stores it if it is good. */
 static int solve(invcal_calibration *calibration)
 {
-    invcal_solution solution;
     invcal_quality quality;
-    invcal_outliers outliers;
-    const invcal_status status = invcal_session_solve(&session, &solution, &quality, &outliers);
+    invcal_real sigma[3];
+    invcal_real x[INVCAL_PARAMETERS];
+    const invcal_status status = invcal_session_solve(&session, calibration, &quality);
 
     if (status != INVCAL_OK) {
         printk("not calibrated: %s\n", invcal_status_text(status));
         return 0;
     }
-    printk("verdict: %s\n", invcal_verdict_text(quality.verdict));
-    tell_vector("offset, 10 um/s^2:", solution.calibration.offset);
-    tell_vector("sigma:", quality.sigma_offset);
-    tell_vector("scale errors:", solution.dk);
-    tell_vector("sigma:", quality.sigma_dk);
+    for (unsigned i = 0; i < session.count; i++) {
+        if (quality.left_out >> i & 1u) {
+            printk("left out, for it contradicts the others: position %u\n", i + 1);
+        }
+    }
+    invcal_sigma_offset(&quality, &session.nominal, sigma);
+    invcal_deviation(calibration, &session.nominal, x);
+    printk("verdict: %s\n", invcal_verdict_text((invcal_verdict)quality.verdict));
+    tell_vector("offset, 10 um/s^2:", calibration->offset);
+    tell_vector("sigma:", sigma);
+    tell_vector("scale errors:", &x[INVCAL_DK_X]);
+    tell_vector("sigma:", &quality.sigma[INVCAL_DK_X]);
     if (quality.verdict != INVCAL_GOOD) {
         return 0;
     }
-    *calibration = solution.calibration;
-    save(&solution, &quality);
+    save(calibration, &quality);
     return 1;
 }
 
@@ -222,13 +200,12 @@ static int solve(invcal_calibration *calibration)
 static int calibrate(invcal_calibration *calibration)
 {
     int32_t raw[3];
-    invcal_event event;
 
     do {
         if (begin_session() != INVCAL_OK) {
             return -EINVAL;
         }
-        while (!session.is_enough && session.normal.count < MOST) {
+        while (!invcal_session_is_good(&session)) {
             const int due = next_sample(raw);
             if (due < 0) {
                 return due;
@@ -236,9 +213,7 @@ static int calibrate(invcal_calibration *calibration)
             if (due > 1) {
                 invcal_session_gap(&session);
             }
-            if (invcal_session_feed(&session, raw, 0, &event) != INVCAL_SESSION_NOTHING) {
-                tell(&event);
-            }
+            tell(invcal_session_feed(&session, raw));
         }
     } while (!solve(calibration));
     return 0;
@@ -258,12 +233,17 @@ int main(void)
     if (!is_found) {
         error = calibrate(&calibration);
     }
+    if (error == 0 && invcal_scale(&calibration, G) != INVCAL_OK) { /* to m/s^2, no sooner */
+        error = -EINVAL;
+    }
     for (unsigned n = 1; error == 0; n++) { /* what your device does with it */
+        invcal_real a[3];
         const int due = next_sample(raw);
-        invcal_real a[3] = {(invcal_real)raw[0], (invcal_real)raw[1], (invcal_real)raw[2]};
-        error = due < 0 ? due : 0;
-        invcal_apply(&calibration, a, a);
-        if (error == 0 && n % SHOWN == 0) {
+        if (due < 0) {
+            return due;
+        }
+        invcal_apply_counts(&calibration, raw, a);
+        if (n % SHOWN == 0) {
             tell_vector("a, m/s^2:", a);
         }
     }

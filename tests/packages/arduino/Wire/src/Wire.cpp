@@ -1,16 +1,22 @@
 /* SPDX-License-Identifier: MIT */
 #include "Wire.h"
 
+#include <avr/eeprom.h>
 #include <avr/interrupt.h>
 #include <avr/sleep.h>
 
 /* In samples, hundredths of a second. */
 const unsigned HOLD = 350;
 const unsigned TURN = 150;
-const unsigned AGAIN = 400;         /* after the reset */
+const unsigned AGAIN = 400;         /* after the last reset */
 const unsigned long PERIOD = 10000; /* microseconds: a sample */
 const unsigned BYTE = 23;           /* microseconds: 9 bits at 400 kHz */
 const unsigned PLACES = 18;
+/* What happens at a place: */
+const unsigned RESET_AT = 4;
+const unsigned PULLED_AT = 7;  /* somebody pulls at the cable: all readings are 50 mg wrong */
+const unsigned CUT_AT = 10;    /* power fails while it is on the way from here to the next, and */
+const unsigned CUT_AFTER = 300; /* so many bytes of the EEPROM have been written */
 const float NOISE = 40; /* counts, 2.4 mg */
 
 /* counts = offset + 16384 gain (specific force in g), in the range of 2 g */
@@ -25,13 +31,21 @@ static const int8_t places[PLACES][3] = {
     {1, -1, 0}, {1, 0, -1}, {0, 1, -1}, {-1, -1, 0}, {-1, 0, -1}, {0, -1, -1},
 };
 
-/* Survives a reset. */
-static uint16_t lives __attribute__((section(".noinit")));
-static uint16_t magic __attribute__((section(".noinit")));
+/* What goes on while the processor is reset. */
+static struct {
+    uint16_t magic;
+    uint8_t lives;
+    uint8_t place;    /* where the sensor is, or is on the way from */
+    bool is_cut;      /* power has failed once */
+    bool is_last;     /* all places have been visited */
+    bool is_reset;    /* at RESET_AT, once */
+    bool is_told;     /* that somebody pulls */
+    uint16_t deepest; /* of the stack, bytes */
+} world __attribute__((section(".noinit")));
 
 static uint32_t state = 1;
-static unsigned tick; /* samples so far, those among them that nobody has read, */
-static unsigned lost;
+static unsigned tick; /* samples since the place was reached or life began, in all those that nobody */
+static unsigned lost; /* has read, */
 static unsigned long due; /* and when the next one will be there */
 
 /* Four bytes: nearly normal, standard deviation 1. */
@@ -56,48 +70,60 @@ static void paint()
     }
 }
 
-static int depth()
+static void look_how_deep()
 {
     const uint8_t *p = &__heap_start;
 
     while (*p == PAINT) {
         p++;
     }
-    return (const uint8_t *)RAMEND - p + 1;
+    const uint16_t depth = (const uint8_t *)RAMEND - p + 1;
+    if (depth > world.deepest) {
+        world.deepest = depth;
+    }
 }
 
 /* ---- the ends --------------------------------------------------------------------------------- */
 
-static void show_truth()
+static void start_anew()
 {
-    for (int i = 0; i < 3; i++) {
-        Serial.print(F("world: truth "));
-        Serial.print(offset[i]);
-        Serial.print(' ');
-        Serial.println(gain[i][i] - 1, 5);
-    }
-}
-
-static void finish()
-{
-    show_truth();
-    Serial.flush();
-    cli();
-    sleep_enable();
-    for (;;) {
-        sleep_cpu(); /* the simulator ends */
-    }
-}
-
-static void reset()
-{
-    Serial.print(F("world: samples that nobody has read: "));
-    Serial.println(lost);
-    Serial.print(F("world: stack, bytes: "));
-    Serial.println(depth());
-    Serial.flush();
     cli();
     __asm volatile("jmp 0");
+}
+
+static void show(const __FlashStringHelper *name, const float v[3])
+{
+    Serial.print(name);
+    for (int i = 0; i < 3; i++) {
+        Serial.print(' ');
+        Serial.print(v[i], 4);
+    }
+    Serial.println();
+}
+
+/* The processor is reset, and all is well. */
+static void reset()
+{
+    look_how_deep();
+    Serial.print(F("world: reset; samples that nobody has read: "));
+    Serial.println(lost);
+    Serial.flush();
+    start_anew();
+}
+
+/* Power fails: the byte that is being written reads as something else. */
+void world_writes(uint8_t *at)
+{
+    static unsigned written;
+
+    if (world.place == CUT_AT && !world.is_cut && ++written == CUT_AFTER) {
+        eeprom_write_byte(at, 0x5A);
+        look_how_deep();
+        Serial.println(F("world: power fails while the EEPROM is written"));
+        Serial.flush();
+        world.is_cut = true;
+        start_anew();
+    }
 }
 
 static void to_unit(float v[3])
@@ -122,16 +148,17 @@ static void place_of(unsigned place, float up[3])
 static void feel(float force[3])
 {
     static const float aside[3] = {0.5f, -0.3f, 0.4f};
-    const unsigned place = tick / (HOLD + TURN) % PLACES;
-    const unsigned within = tick % (HOLD + TURN);
     float next[3];
 
-    place_of(place, force);
-    if (within < HOLD || lives > 1) {
+    place_of(world.place, force);
+    if (tick < HOLD || world.is_last) {
+        for (int i = 0; i < 3 && world.place == PULLED_AT; i++) {
+            force[i] *= 1.05f;
+        }
         return;
     }
-    place_of((place + 1) % PLACES, next);
-    const float part = (float)(within - HOLD) / TURN;
+    place_of(world.place + 1, next);
+    const float part = (float)(tick - HOLD) / TURN;
     for (int i = 0; i < 3; i++) {
         force[i] = (1 - part) * force[i] + part * next[i] + 4 * part * (1 - part) * aside[i];
     }
@@ -141,9 +168,51 @@ static void feel(float force[3])
     }
 }
 
+static void finish()
+{
+    float up[3];
+
+    place_of(world.place, up);
+    show(F("world: up"), up);
+    show(F("world: offset"), offset);
+    look_how_deep();
+    Serial.print(F("world: stack, bytes: "));
+    Serial.println(world.deepest);
+    Serial.flush();
+    cli();
+    sleep_enable();
+    for (;;) {
+        sleep_cpu(); /* the simulator ends */
+    }
+}
+
+/* What the hour brings. */
+static void go_on()
+{
+    if (world.is_last && tick >= AGAIN) {
+        finish();
+    }
+    if (world.place == RESET_AT && tick >= HOLD / 2 && !world.is_reset) {
+        world.is_reset = true;
+        reset();
+    }
+    if (world.place == PULLED_AT && !world.is_told) {
+        world.is_told = true;
+        Serial.println(F("world: somebody pulls at the cable"));
+    }
+    if (!world.is_last && tick >= HOLD + TURN) {
+        world.place++;
+        tick = 0;
+        if (world.place == PLACES - 1) {
+            world.is_last = true;
+            reset();
+        }
+    }
+}
+
 /* ---- the chip --------------------------------------------------------------------------------- */
 
-/* Of the register maps. It is an MPU-6050, and after the reset an MPU-9250. */
+/* Of the register maps. It is an MPU-6050, and in the last life an MPU-9250. */
 enum {
     ADDRESS = 0x68,
     SMPLRT_DIV = 0x19,
@@ -177,12 +246,7 @@ static void convert()
     const uint8_t range = registers[ACCEL_CONFIG] >> 3 & 3;
     float force[3];
 
-    if (lives == 1 && tick >= PLACES * (HOLD + TURN)) {
-        reset();
-    }
-    if (lives > 1 && tick >= AGAIN) {
-        finish();
-    }
+    go_on();
     feel(force);
     for (uint8_t i = 0; i < 3; i++) {
         const float counts =
@@ -201,7 +265,7 @@ static uint8_t look(uint8_t address)
     if (address != INT_STATUS) {
         return registers[address];
     }
-    const uint8_t filter = registers[lives > 1 ? ACCEL_CONFIG2 : CONFIG] & 7;
+    const uint8_t filter = registers[world.is_last ? ACCEL_CONFIG2 : CONFIG] & 7;
     if (registers[PWR_MGMT_1] & 0x40 || filter == 0 || filter == 7 || registers[SMPLRT_DIV] != 9 ||
         (long)(micros() - due) < 0) {
         return 0;
@@ -218,11 +282,14 @@ void TwoWire::begin()
 {
     const uint16_t mark = 0xBEEF;
 
-    lives = magic == mark ? lives + 1 : 1;
-    magic = mark;
-    state = lives;
+    if (world.magic != mark) {
+        memset(&world, 0, sizeof world);
+        world.magic = mark;
+    }
+    world.lives++;
+    state = world.lives;
     paint();
-    registers[WHO_AM_I] = lives > 1 ? 0x71 : 0x68;
+    registers[WHO_AM_I] = world.is_last ? 0x71 : 0x68;
     registers[PWR_MGMT_1] = 0x40; /* asleep */
     due = micros();
 }

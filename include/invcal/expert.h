@@ -1,0 +1,574 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * invcal/expert.h: the steps one by one, and the options that few programs need.
+ *
+ *     raw samples -> rests -> row -> sums -> solve -> judge
+ *
+ * What is not called is not linked. invcal.h states the rules and units.
+ */
+#ifndef INVCAL_EXPERT_H
+#define INVCAL_EXPERT_H
+
+#include "invcal/invcal.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* A program and a library whose choices differ do not link: see invcal.h. */
+#define invcal_calibrate_without INVCAL_CHOSEN(invcal_calibrate_without, INVCAL_MAX_POSITIONS)
+#define invcal_calibrate_with_prior INVCAL_CHOSEN(invcal_calibrate_with_prior, INVCAL_MAX_POSITIONS)
+#define invcal_outliers_find INVCAL_CHOSEN(invcal_outliers_find, INVCAL_MAX_POSITIONS)
+#define invcal_outlier_size INVCAL_CHOSEN(invcal_outlier_size, INVCAL_MAX_POSITIONS)
+#define invcal_background_init INVCAL_CHOSEN(invcal_background_init, INVCAL_MAX_POSITIONS)
+
+/* ---- one position, one equation ----------------------------------------------------------------
+ *
+ * Every equation reads J + h p = 0 with the row of the paper
+ *
+ *     h(a) = (x y z x^2 y^2 z^2 xy xz yz).
+ *
+ * With u the reading over field, not normalised, J = (|u|^2 - 1)/2 + h(u) p = 0 is the equation of
+ * an ellipsoid: exact for errors of any size, and linear in p. */
+#define INVCAL_J INVCAL_PARAMETERS /* where J stands: behind the row */
+
+/* One equation. */
+typedef struct {
+    invcal_real h[INVCAL_PARAMETERS + 1]; /* the row; the first three are u itself; and J */
+} invcal_row;
+
+/* The exact row of a reading.
+ *
+ * Returns INVCAL_OK; INVCAL_NOT_FINITE; INVCAL_OUT_OF_RANGE for a length outside 0.1 ... 10: row is
+ * lost then. */
+invcal_status invcal_observe(const invcal_calibration *nominal, const invcal_real raw[3],
+                             invcal_row *row);
+
+/* ---- the normal equations, position by position ------------------------------------------------
+ *
+ * The sums H'H, H'J, J'J of all rows: their size does not depend on the number of positions, and
+ * order does not matter beyond rounding. Every element of h h' is a product of two, three or four
+ * of x, y, z, and of 45 only 31 are different. */
+
+/* A symmetric matrix of n rows, lower triangle by rows: (r, c) with c <= r stands here. */
+#define INVCAL_PACKED(r, c) ((r) * ((r) + 1u) / 2u + (c))
+/* How many elements that takes. */
+#define INVCAL_PACKED_SIZE(n) ((n) * ((n) + 1u) / 2u)
+
+/* The sums of all positions: 224 bytes. */
+typedef struct {
+    /* The triangle of H'H, but for elements that equal an earlier one; behind it H'J and J'J. */
+    invcal_real sum[INVCAL_PACKED_SIZE(INVCAL_PARAMETERS + 1)];
+    unsigned count; /* rows in the sums; at most UINT_MAX */
+} invcal_sums;
+
+/* Empties the sums. All bytes zero is the same state. */
+void invcal_sums_init(invcal_sums *sums);
+
+/* Adds a position.
+ *
+ * nominal  the same for all of them.
+ *
+ * Returns as invcal_observe. Cost: 230 instructions, no division. */
+invcal_status invcal_sums_add(invcal_sums *sums, const invcal_calibration *nominal,
+                              const invcal_real raw[3]);
+
+/* Adds a row that has been made before.
+ *
+ * weight  1 for a position like the others; (sigma_usual / sigma_this)^2 for another precision;
+ *         finite. Nothing is checked. */
+void invcal_sums_add_row(invcal_sums *sums, const invcal_row *row, invcal_real weight);
+
+/* Solves them (mathematics.md, "From p to the calibration"):
+ *
+ *     p = -(H'H)^-1 H'J                                               one 9x9 Cholesky
+ *     v = (p0 p1 p2),  Q = I + [2 p3 p6 p7; p6 2 p4 p8; p7 p8 2 p5]
+ *     delta = -Q^-1 v,  k = 1 + delta Q delta,  A'A = Q / k,  A symmetric
+ *     calibrated = A (u - delta)
+ *
+ * No iteration that could fail to converge.
+ *
+ * sums     are lost: copy them if more positions are to follow.
+ * nominal  the one they were added with; may be out.
+ *
+ * It does not judge: INVCAL_OK says solvable, invcal_calibrate says how good. What hardly more than
+ * rounding has determined may pass as solvable.
+ *
+ * Returns INVCAL_OK;
+ *   INVCAL_TOO_FEW        fewer than nine positions;
+ *   INVCAL_UNDETERMINED   the positions leave parameters open;
+ *   INVCAL_NOT_ELLIPSOID  the readings lie on no ellipsoid, or on no triad's: see invcal_calibrate;
+ *   INVCAL_BAD_NOMINAL    its matrix has no inverse.
+ * Cost: 2,900 instructions. Stack: about 180 bytes. */
+invcal_status invcal_solve(invcal_sums *sums, const invcal_calibration *nominal,
+                           invcal_calibration *out);
+
+/* ---- the system of equations -------------------------------------------------------------------
+ *
+ * A symmetric system of n unknowns, A p = -b, in one packed triangle. Row n, if there is one, is b'
+ * with the constant behind it: the factorisation of A carries it along, and so solves half of the
+ * system. */
+
+/* Below this a pivot, over the largest element of the diagonal, is rounding error, or the parameter
+ * behind it might as well be. */
+#define INVCAL_FLOOR (INVCAL_DOUBLE ? INVCAL_REAL(1e-8) : 16 * INVCAL_EPSILON)
+
+/* The sums become the system: every element of H'H in its place. */
+void invcal_sums_system(invcal_sums *sums);
+
+/* The sum of the diagonal. */
+invcal_real invcal_trace(const invcal_real *a, unsigned n);
+
+/* The largest element of the diagonal, at least 0; NaN is passed over. */
+invcal_real invcal_largest_diagonal(const invcal_real *a, unsigned n);
+
+/* Adds x to the diagonal: a ridge, or an equal prior. */
+void invcal_add_ridge(invcal_real *a, unsigned n, invcal_real x);
+
+/* A = L L' in place. The diagonal becomes 1 / L(r,r): nothing that follows divides. Rows from n to
+ * rows - 1 are divided by L' only: b' becomes y' of L y = b, and the constant what A leaves of it.
+ *
+ * floor  a pivot counts as zero unless it exceeds floor times the largest element of the diagonal:
+ *        INVCAL_FLOOR. Relative to the largest, not to the pivot's own: the latter lets matrices
+ *        through that are singular to rounding.
+ *
+ * Returns INVCAL_OK; INVCAL_UNDETERMINED if a pivot is too small, negative or NaN: a is lost.
+ * Cost: n^3/6 multiply-adds, n square roots. */
+invcal_status invcal_factor(invcal_real *a, unsigned n, unsigned rows, invcal_real floor);
+
+/* y in row n becomes p = -L'^-1 y. */
+void invcal_back_substitute(invcal_real *l, unsigned n);
+
+/* L becomes L^-1: A^-1(r,r) is then the squared length of column r, x'A^-1 x that of L^-1 x. */
+void invcal_invert(invcal_real *l, unsigned n);
+
+/* A^-1(r,r) from L^-1. */
+invcal_real invcal_variance(const invcal_real *inverse, unsigned n, unsigned r);
+
+/* h K h' from L^-1 of nine parameters: what a row tells beside those in the sums. */
+invcal_real invcal_leverage(const invcal_real *inverse, const invcal_real h[INVCAL_PARAMETERS]);
+
+/* ---- what rounding costs -----------------------------------------------------------------------
+ *
+ * Against the exact solution of the same readings, for 9 to 64 positions, errors up to 20 % and a
+ * quality.condition up to 10^6:
+ *
+ *     |parameter - exact|    <= INVCAL_LOSS        INVCAL_EPSILON condition
+ *     |sigma / exact - 1|    <= INVCAL_LOSS_SIGMA  INVCAL_EPSILON condition
+ *     |length - exact|       <= INVCAL_LOSS_LENGTH INVCAL_EPSILON sqrt(condition)
+ *
+ * the last for the positions of the solution, over field, and so for its residuals. Sums and
+ * Cholesky give the exact solution of equations H'H p = -H'J that are off by some epsilon of their
+ * largest element; (H'H)^-1 makes that epsilon times condition in p, and H (H'H)^-1 its root in
+ * the lengths (Higham, Accuracy and Stability of Numerical Algorithms, 10.1 and 20.4). The
+ * theory's factors grow with the number of positions; these are measured (make numerics: 30,000
+ * random sets, 50 digits).
+ *
+ * sigma does not know of it: in float it is the smaller of the two where a position mean is better
+ * than about INVCAL_EPSILON sqrt(condition) of the field. Such positions are solved once more, with
+ * the calibration found as nominal: p and J are next to nothing then, and so is what is lost of
+ * them,
+ *
+ *     |parameter - exact|    <= INVCAL_LOSS_AGAIN  INVCAL_EPSILON sqrt(condition) */
+#define INVCAL_LOSS INVCAL_REAL(1.0)        /* as above */
+#define INVCAL_LOSS_SIGMA INVCAL_REAL(8.0)  /* as above */
+#define INVCAL_LOSS_LENGTH INVCAL_REAL(4.0) /* as above */
+#define INVCAL_LOSS_AGAIN INVCAL_REAL(4.0)  /* as above */
+
+/* ---- what a refusal is about ---------------------------------------------------------------- */
+
+/* Which parameters the positions leave open: INVCAL_TOO_FEW, INVCAL_UNDETERMINED. A small ridge on
+ * H'H shows it: a parameter that the ridge holds by more than a tenth is one that the data do not.
+ * Rough by nature, and never a verdict: noise makes much look determined that is not.
+ *
+ * raw      3 count numbers, as for invcal_calibrate. Those that are no readings are passed over.
+ * count    any; no positions leave all nine open.
+ * nominal  the one of the refusal.
+ *
+ * Returns bit r for parameter r; 0: none. Cost: 7,700 instructions for 18 positions. Stack: about
+ * 460 bytes. */
+uint16_t invcal_undetermined(const invcal_real *raw, unsigned count,
+                             const invcal_calibration *nominal);
+
+/* Which position is no reading of this field: INVCAL_NOT_FINITE, INVCAL_OUT_OF_RANGE.
+ *
+ * raw, count, nominal  those of the refusal.
+ *
+ * Returns the first of them, from 0; count if all are readings. Cost: 76 instructions for each.
+ * Stack: about 80 bytes. */
+unsigned invcal_bad_reading(const invcal_real *raw, unsigned count,
+                            const invcal_calibration *nominal);
+
+/* ---- the result, looked at otherwise -------------------------------------------------------- */
+
+/* X = (delta, dk, gamma): what a calibration says of the sensor, against nominal. It reads
+ * u = (I + S) eta + delta, and is corrected by A = (I + S)^-1.
+ *
+ * calibration  in the symmetric frame, as it was solved: neither turned (invcal_make_triangular)
+ *              nor in another unit (invcal_scale).
+ * nominal      the one that it was solved with.
+ * x            delta over field, dk (1), gamma (rad): right to some INVCAL_EPSILON.
+ *
+ * Nothing is checked: what is no calibration gives what is no number. Cost: 350 instructions.
+ * Stack: about 150 bytes. */
+void invcal_deviation(const invcal_calibration *calibration, const invcal_calibration *nominal,
+                      invcal_real x[INVCAL_PARAMETERS]);
+
+/* Lengths cannot tell how the calibrated frame is turned against the case. The symmetric correction
+ * is closest to the axes of nominal; this turns it to the upper triangular one, as imu_tk has it:
+ * only the x sensor feels a field along the calibrated x axis. Offsets, lengths and sigma are the
+ * same.
+ *
+ * calibration  as for invcal_deviation. What is no calibration is left alone.
+ * nominal      the one that it was solved with. Is its matrix diagonal, the new one is exactly 0
+ *              below the diagonal.
+ *
+ * Cost: 660 instructions. Stack: about 180 bytes. */
+void invcal_make_triangular(invcal_calibration *calibration, const invcal_calibration *nominal);
+
+/* The standard deviation of the offset in raw counts: quality.sigma of delta through the inverse of
+ * nominal. Where the matrix of nominal is not diagonal, delta of its axes count as independent of
+ * each other: right to some percent, as positions to all sides make them so.
+ *
+ * sigma  of the three raw axes, counts.
+ *
+ * Cost: 230 instructions. Stack: about 110 bytes. */
+void invcal_sigma_offset(const invcal_quality *quality, const invcal_calibration *nominal,
+                         invcal_real sigma[3]);
+
+/* Is `found` the better of two calibrations? For a device that has one, and makes another now and
+ * then.
+ *
+ * Returns 1 if its verdict is no worse, and the sum of the squares of its nine 95 % intervals,
+ * invcal_coverage of dof times sigma, is smaller: a sigma that is small by luck does not win. 0
+ * otherwise, and for equals. Cost: 160 instructions. Stack: about 60 bytes. */
+int invcal_improves(const invcal_quality *found, const invcal_quality *present);
+
+/* ---- positions that contradict the others ------------------------------------------------------
+ *
+ * A position that was read in motion, with a hand on the case or beside a magnet spoils the
+ * calibration silently: 0.05 g in one of 18 costs 9.5 mg. Baarda's data snooping (mathematics.md,
+ * "Outliers") compares each residual with its standard deviation sigma sqrt(1 - h K h'), but two
+ * wrong positions hide one another and put the blame on a third. So groups of one, two and three are
+ * tried, and the sums of squares S compared that the best of each size leaves:
+ *
+ *     leaving out k of n is better than leaving out j < k of them, if
+ *     P(F > f) choose(n - j, k - j) <= 0.0075,  f = (S_j - S_k) / (k - j) / (S_k / (n - 9 - k)),
+ *
+ * Fisher's F of the best of so many choices (Bonferroni's inequality), P by its leading terms, up to a
+ * quarter too large. The largest group that beats every smaller one, and of which no rival of the same
+ * size is nearly as good (P above 0.06), is taken out, and the search repeated among the rest. Two
+ * degrees of freedom are left.
+ *
+ * All groups of one and two are tried. Of three, those with a pair that leaves S_2 <= S_0 (n - 9) / n:
+ * in 99 of 100 sets with three outliers that gives the answer of trying all, at a third of the cost. */
+
+#define INVCAL_OUTLIERS_FEWEST 11u /* positions; and these only beside a stated noise, else 12 */
+#define INVCAL_OUTLIERS_MOST 6u    /* outliers named at most */
+
+/* Which positions contradict the others. */
+typedef struct {
+    invcal_mask removed;   /* bit i: position i is an outlier: leave it out, or repeat it */
+    invcal_mask suspected; /* bit i: position i is of two groups that contend: one of them is wrong,
+                              the residuals do not tell which. Repeat these. 0 as a rule */
+} invcal_outliers;
+
+/* Looks for positions that contradict the others.
+ *
+ * raw      3 count numbers: position means, as for invcal_calibrate.
+ * count    INVCAL_OUTLIERS_FEWEST ... INVCAL_MAX_POSITIONS.
+ * nominal  data sheet, or an earlier calibration.
+ * noise    standard deviation of a position mean, over field, below 1; 0: not known. It counts like
+ *          one residual more: it helps where few are left, and keeps lucky ones from making outliers
+ *          of the rest.
+ * out      the outliers. What is not removed may be given to invcal_calibrate_without.
+ *
+ * Found, with noise of 1e-4 and programs of plan.h: one of 18, wrong by 0.002 or 0.05, in at least
+ * 99.5 % (and the error afterwards is 80e-6, that of 17 good ones); two of 18 and three of 24, by 0.002
+ * to 0.1 of either sign, in at least 97 %. Of six faces and twelve edges that a hand has met within 6
+ * degrees: one, two, three by 20 times the noise in 98.5, 96, 70 %, by 100 times in 98.5, 98, 95 %.
+ * Without outliers about one data set in a hundred loses a position. Random orientations show less:
+ * 0.002 in one of 18 is found in 97 %, in one of 14 in 63 %, in one of 12 in 5 %. More than three
+ * wrong ones of 24 may hide each other. In float an error a thousand times the noise may need a round
+ * of its own before others are seen.
+ *
+ * Returns INVCAL_OK, with or without outliers;
+ *   INVCAL_BAD_NOMINAL, INVCAL_BAD_NOISE, INVCAL_BAD_COUNT;
+ *   INVCAL_TOO_FEW        fewer than INVCAL_OUTLIERS_FEWEST;
+ *   INVCAL_NOT_FINITE, INVCAL_OUT_OF_RANGE    for a reading: invcal_bad_reading says which;
+ *   INVCAL_UNDETERMINED   the positions leave parameters open: invcal_undetermined names them.
+ * Cost: 69,000 to 260,000 instructions for 18 good positions, as many triples are worth a try; up to
+ * 520,000 if some are wrong. Stack: 590 bytes. */
+invcal_status invcal_outliers_find(const invcal_real *raw, unsigned count,
+                                   const invcal_calibration *nominal, invcal_real noise,
+                                   invcal_outliers *out);
+
+/* A position, as those see it that were not removed, itself excepted. */
+typedef struct {
+    invcal_real error;   /* what it reads too much, over field */
+    invcal_real w;       /* the same over its standard deviation (Baarda); 0 if nothing checks it */
+    invcal_real checked; /* 1 - h K h', 0 ... 1: how much of its error its own residual shows. Below
+                            0.0001 no error is found, and `error` is 0. 0 if removed */
+    invcal_real sigma; /* standard deviation of one equation, over field, as shown by the residuals
+                            of all that are not removed, and by what was stated */
+} invcal_outlier;
+
+/* By how much a position is wrong.
+ *
+ * raw, count, nominal, noise  as for invcal_outliers_find.
+ * removed   bit i: position i is left out of the fit: what invcal_outliers_find removes, or another
+ *           choice.
+ * position  from 0: one that is removed, or one that is not.
+ *
+ * Returns as invcal_outliers_find; INVCAL_BAD_COUNT if there is no such position; INVCAL_TOO_FEW if no
+ * residual is left. Cost: 8,200 instructions for 18 positions. Stack: 590 bytes. */
+invcal_status invcal_outlier_size(const invcal_real *raw, unsigned count,
+                                  const invcal_calibration *nominal, invcal_real noise,
+                                  invcal_mask removed, unsigned position, invcal_outlier *out);
+
+/* invcal_calibrate without some of the positions: outliers.
+ *
+ * left_out  bit i: position i does not count, whatever it reads. Of the first INVCAL_MAX_POSITIONS;
+ *           those behind them all count. quality.left_out repeats it, quality.worst counts from 0
+ *           in raw, those left out included.
+ *
+ * The rest as invcal_calibrate. */
+invcal_status invcal_calibrate_without(const invcal_real *raw, unsigned count, invcal_mask left_out,
+                                       const invcal_calibration *nominal, invcal_real noise,
+                                       invcal_calibration *out, invcal_quality *quality);
+
+/* ---- what is known beforehand ------------------------------------------------------------------
+ *
+ * Parameter r is 0 with standard deviation sigma(r): one more row, noise / sigma(r) X(r) = 0,
+ * which makes the solution a Bayesian update (mathematics.md, "Prior"). What the positions leave
+ * open then stays where nominal has it, with the sigma of the prior: a device that can only be
+ * tilted, or three positions that renew the offsets of an earlier calibration. */
+
+/* invcal_calibrate with a prior.
+ *
+ * raw, count, nominal  as for invcal_calibrate. Positions need be as many as the parameters
+ *                      without a prior, and at least one.
+ * noise       standard deviation of a position mean on each axis, over field, above 0 and below 1:
+ *             what the prior is weighed with. If the residuals show more, the solution is made once
+ *             more with that. Where the positions alone leave parameters open, it is raised to what
+ *             the number type can resolve beside the prior, in float to sqrt(count) / 2000 of the
+ *             widest: with less, rounding errors would count as data.
+ * prior       standard deviation of each parameter's deviation from nominal, over field, 1 or rad,
+ *             up to about 0.2 (beyond, p is no longer -X); 0: not known. Not all are 0.
+ * quality     sigma is never above the prior. dof counts what the data told: a parameter that the
+ *             prior supplies costs no position; rounded down. noise may have been raised. condition
+ *             is that of the rows with the prior; beside priors of very different width it may be
+ *             infinite.
+ * from_prior  bit r: the prior has told more of parameter r than the data.
+ *
+ * Returns as invcal_calibrate; INVCAL_BAD_PRIOR if a number is negative or not finite, or all are
+ * 0. INVCAL_UNDETERMINED is for parameters without a prior.
+ * Cost: 45,000 instructions for 18 positions. Stack: about 1,070 bytes. */
+invcal_status invcal_calibrate_with_prior(const invcal_real *raw, unsigned count,
+                                          const invcal_calibration *nominal, invcal_real noise,
+                                          const invcal_real prior[INVCAL_PARAMETERS],
+                                          invcal_calibration *out, invcal_quality *quality,
+                                          uint16_t *from_prior);
+
+/* ---- known directions: a stand -----------------------------------------------------------------
+ *
+ * With the direction eta known, the paper's compositions are linear in X = (delta, dk, gamma), here
+ * as J + h(eta) p = 0 with p = -X:
+ *
+ *     J1 = u eta - 1            the vertical composition: exactly linear
+ *     J2 = (|u|^2 - 1)/2        the scalar composition: leaves an error of second order in X,
+ *                               1e-4 at errors of 1 %, 1e-2 at errors of 10 %
+ *
+ * They are as good as the stand's directions, which is why invcal_calibrate asks for none. Exact
+ * rows have another meaning of p: these sums are a type of their own. */
+typedef struct {
+    invcal_sums sums; /* of h(eta) and J */
+} invcal_linear_sums;
+
+/* Empties the sums. All bytes zero is the same state. */
+void invcal_linear_init(invcal_linear_sums *linear);
+
+/* Adds a position of known direction by J1.
+ *
+ * nominal  the same for all of them.
+ * raw      a position mean, raw counts.
+ * eta      the up direction in the frame of the unit, unit length within 1e-4.
+ *
+ * Returns INVCAL_OK; INVCAL_NOT_FINITE, INVCAL_OUT_OF_RANGE as invcal_observe;
+ * INVCAL_BAD_DIRECTION. Cost: 370 instructions. Stack: about 130 bytes. */
+invcal_status invcal_linear_add_vertical(invcal_linear_sums *linear,
+                                         const invcal_calibration *nominal,
+                                         const invcal_real raw[3], const invcal_real eta[3]);
+
+/* The same by J2. Do not mix them in the same sums. */
+invcal_status invcal_linear_add_scalar(invcal_linear_sums *linear,
+                                       const invcal_calibration *nominal, const invcal_real raw[3],
+                                       const invcal_real eta[3]);
+
+/* Solves them: A = (I + S)^-1.
+ *
+ * linear   sums: are lost.
+ * nominal  the one they were added with; may be out.
+ * out      the calibration.
+ * x        the nine parameters, in the order of the paper.
+ *
+ * It does not judge.
+ *
+ * Returns INVCAL_OK;
+ *   INVCAL_TOO_FEW        fewer than nine positions;
+ *   INVCAL_UNDETERMINED   the directions leave parameters open;
+ *   INVCAL_NOT_ELLIPSOID  a semi-axis of I + S is outside about 0.1 ... 10, or delta beyond 10;
+ *   INVCAL_BAD_NOMINAL    its matrix has no inverse.
+ * Cost: 2,300 instructions. Stack: about 220 bytes. */
+invcal_status invcal_linear_solve(invcal_linear_sums *linear, const invcal_calibration *nominal,
+                                  invcal_calibration *out, invcal_real x[INVCAL_PARAMETERS]);
+
+/* ---- where to turn next ------------------------------------------------------------------------
+ *
+ * Of 26 directions - the 6 faces, 12 edges and 8 corners of a cube - the one with the largest
+ * h K h' is asked for, K = (H'H)^-1 of the positions so far: it multiplies det H'H by the most,
+ * 1 + h K h' (greedy D-optimal design). A small ridge on H'H makes that work from the first
+ * position on. Nine positions that follow determine everything, sqrt(K(r,r)) at most 3.01; eighteen
+ * come within 0.3 of the largest log det H'H there can be. Hand errors of 10 degrees cost little. */
+
+/* The direction to take next.
+ *
+ * raw, count  the positions so far; none at the beginning. Those that are no readings are passed
+ *             over.
+ *
+ * Of directions that tell about as much, the closest to the last position: one right across counts
+ * 1.6 % less. None within 26 degrees of it. */
+void invcal_next(const invcal_real *raw, unsigned count, const invcal_calibration *nominal,
+                 invcal_real up[3]);
+
+/* sqrt(K(r,r)) of the positions so far: sigma of parameter r over that of a position mean.
+ *
+ * up  null, or a direction as if it had been taken too: what it will improve. The ridge ends what is
+ *     open at about 100. */
+void invcal_prospect(const invcal_real *raw, unsigned count, const invcal_calibration *nominal,
+                     const invcal_real *up, invcal_real root[INVCAL_PARAMETERS]);
+
+/* ---- rests -------------------------------------------------------------------------------------
+ *
+ * Whoever calibrates turns the device, holds it, turns it again. Here the rests (static intervals:
+ * stretches of the stream in which nothing but noise changes the readings) are found in the stream
+ * of raw samples, what still moves at their ends is cut off, and the samples between are summed
+ * exactly. There is nothing to tune: no threshold in counts or m/s^2, no quiet time at the
+ * beginning. What noise is, the stream itself must tell:
+ *
+ *     noise    variance inside a block of about 1/8 s, a low quantile of all quiet blocks
+ *     wander   squared distance of a block mean from the trend, a low quantile too: a hand holds it
+ *     quantum  the smallest change of a reading
+ *     reach    how far readings have moved from the last rest: the scale of "another place"
+ *
+ * A block is quiet if its variance is that of the noise, and belongs to the rest if its mean is
+ * where the rest expects it. Blocks of 0.6 s, behind those cut off, make a position; holding on
+ * makes it better. The slope of the last two seconds tells a slow turn, which no threshold on a
+ * variance sees: 0.3 degrees/s (up to 1 mg of noise, 100 Hz or more) is never taken for a rest.
+ *
+ * All three axes are treated alike and together, and the decisions do not depend on unit, offset or
+ * order of the axes. Everything is computed in integers. Raw counts may be any int32. Noise may
+ * reach 65,000 counts (standard deviation), more looks like motion; and so do readings that creep
+ * away by more than 500,000 counts in one rest. Noise is what stays the same: a vibration that does
+ * so too counts as rest, and adds to the variance. A magnetometer's samples are found the same.
+ *
+ * A rest wants 2 seconds (from 32 Hz on; 5 at 10 Hz). About 0.5 s are cut off at its beginning,
+ * 0.3 s at its end.
+ *
+ * Let a stream begin at rest, if you can: what it begins with is taken for noise until something
+ * quieter is seen, and in motion of several g the first second may look like a rest.
+ */
+#define INVCAL_RATE_MIN 8    /* samples per second */
+#define INVCAL_RATE_MAX 8000 /* the same */
+
+/* A rest. */
+typedef struct {
+    int64_t sum[3];       /* of the raw samples, exact */
+    uint32_t count;       /* how many, > 0 */
+    uint32_t begin, end;  /* index of the first, and of the one after the last; fewer than
+                             end - begin are summed if the rest was disturbed in between. Samples
+                             count from 0, in blocks that were full, modulo 2^32 */
+    invcal_real variance; /* of one sample about its block, counts^2, the mean of the three axes */
+} invcal_rest;
+
+/* Begins a stream.
+ *
+ * rate  samples per second, INVCAL_RATE_MIN ... INVCAL_RATE_MAX; to 10 % is good enough.
+ *
+ * Returns INVCAL_OK; INVCAL_BAD_RATE for any other. */
+invcal_status invcal_rests_init(invcal_rests *rests, unsigned rate);
+
+/* The counts at which the sensor clips (-32768, 32767), to be called before the first sample. Not
+ * called: clipping is not noticed, but at the ends of int32.
+ *
+ * Returns INVCAL_OK; INVCAL_BAD_RAILS unless low < high. */
+invcal_status invcal_rests_rails(invcal_rests *rests, int32_t low, int32_t high);
+
+/* From now on a rest must be measured for so long, what is cut off not counted, or is refused as
+ * too short. A rest that is READY and has not been measured so long is READY no more: it will be
+ * said again.
+ *
+ * milliseconds  up to an hour, more counts as that. Less than what makes a position anyway, 0.6 s,
+ *               counts as that. */
+void invcal_rests_hold(invcal_rests *rests, uint32_t milliseconds);
+
+/* Takes in one sample, of any value.
+ *
+ * Returns what happened. A position is handed out 0.6 to 1 s after motion began. */
+invcal_event invcal_rests_feed(invcal_rests *rests, const int32_t raw[3]);
+
+/* Samples were lost here; a block begins anew. The rest goes on if what comes agrees with it, and
+ * ends as by motion if it does not. */
+void invcal_rests_gap(invcal_rests *rests);
+
+/* The stream ends: the rest that is going on, if any, is closed as motion would.
+ *
+ * Returns INVCAL_TAKEN, INVCAL_REFUSED, or INVCAL_MOVING if there is none. Samples may follow; what
+ * has been learned stays. */
+invcal_event invcal_rests_finish(invcal_rests *rests);
+
+/* How much of a position is there, percent of the time to hold: 0 in motion, 100 from READY on. It
+ * does not fall as long as the rest goes on, unless it is refused for drift and begins anew, or is
+ * to be held longer. */
+unsigned invcal_rests_progress(const invcal_rests *rests);
+
+/* Why the last rest was REFUSED: an INVCAL_REST_ of invcal_status. INVCAL_OK after READY or TAKEN,
+ * and before the first. */
+invcal_status invcal_rests_reason(const invcal_rests *rests);
+
+/* The rest that is READY, as good as it is by now, the newest quarter of a second held back; or the
+ * one just TAKEN, until the next sample. Returns 1; 0, out untouched, if there is neither. */
+int invcal_rests_get(const invcal_rests *rests, invcal_rest *out);
+
+/* The mean of its samples alone: the first one's whole counts and what they differ by, so nothing is
+ * lost to the size of the sum. Within 1 ulp of the largest reading; returns as invcal_rests_get. */
+int invcal_rests_mean(const invcal_rests *rests, invcal_real mean[3]);
+
+/* ---- in the background -------------------------------------------------------------------------
+ *
+ * The same for a device that nobody calibrates on purpose: fed with whatever comes in days. A rest
+ * in a direction that is well covered is passed over (INVCAL_REFUSED, INVCAL_REST_SAME); the table
+ * keeps what tells most, up to INVCAL_MAX_POSITIONS - 1; an old position gives way before a new
+ * one, and goes after 88 days. */
+typedef struct {
+    invcal_session session;            /* the positions, and all that it knows */
+    uint8_t age[INVCAL_MAX_POSITIONS]; /* days */
+} invcal_background;
+
+/* Begins: as invcal_session_begin. The session inside may be set up by the functions of invcal.h,
+ * read, and solved. */
+invcal_status invcal_background_init(invcal_background *background,
+                                     const invcal_calibration *nominal, unsigned rate);
+
+/* Feeds one sample: as invcal_session_feed, but what tells hardly anything new is refused. At the
+ * end of a rest it compares the positions kept: up to 40,000 instructions. */
+invcal_event invcal_background_feed(invcal_background *background, const int32_t raw[3]);
+
+/* A day has gone by. */
+void invcal_background_age(invcal_background *background);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

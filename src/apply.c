@@ -1,0 +1,44 @@
+/* SPDX-License-Identifier: MIT */
+#include "invcal/invcal.h"
+#include "vector.h"
+
+#ifndef INVCAL_FAST
+invcal_real invcal_dot3(const invcal_real a[3], const invcal_real b[3])
+{
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+#endif
+
+void invcal_apply(const invcal_calibration *calibration, const invcal_real raw[3],
+                  invcal_real calibrated[3])
+{
+    const invcal_real u[3] = {raw[0] - calibration->offset[0], raw[1] - calibration->offset[1],
+                              raw[2] - calibration->offset[2]};
+
+    INVCAL_UNROLL
+    for (unsigned i = 0; i < 3; i++) {
+        calibrated[i] = invcal_dot3(calibration->matrix[i], u);
+    }
+}
+
+void invcal_apply_counts(const invcal_calibration *calibration, const int32_t raw[3],
+                         invcal_real calibrated[3])
+{
+    const invcal_real counts[3] = {(invcal_real)raw[0], (invcal_real)raw[1], (invcal_real)raw[2]};
+
+    invcal_apply(calibration, counts, calibrated);
+}
+
+invcal_status invcal_scale(invcal_calibration *calibration, invcal_real field)
+{
+    INVCAL_ASSERT(calibration);
+    if (!invcal_is_positive(field)) {
+        return INVCAL_BAD_FIELD;
+    }
+    for (unsigned i = 0; i < 3; i++) {
+        for (unsigned j = 0; j < 3; j++) {
+            calibration->matrix[i][j] *= field;
+        }
+    }
+    return INVCAL_OK;
+}

@@ -1,0 +1,103 @@
+/* SPDX-License-Identifier: MIT */
+#include <string.h>
+
+#include "guidance.h"
+#include "vector.h"
+
+#define TELLING INVCAL_REAL(0.45) /* h K h' of a position that is worth its place: 9 of 20 */
+enum { DAYS = 88 };               /* a position lasts */
+
+invcal_status invcal_background_init(invcal_background *background,
+                                     const invcal_calibration *nominal, unsigned rate)
+{
+    INVCAL_ASSERT(background && nominal);
+    const invcal_status status = invcal_session_begin(&background->session, nominal, rate);
+    if (status == INVCAL_OK) {
+        memset(background->age, 0, sizeof background->age);
+    }
+    return status;
+}
+
+/* Those behind it move up. */
+static void drop_position(invcal_background *b, unsigned i)
+{
+    //@ split i;
+    b->session.count--;
+    b->session.good = 0; /* to be judged anew */
+    for (; i < b->session.count; i++) {
+        memcpy(b->session.mean[i], b->session.mean[i + 1], sizeof b->session.mean[0]);
+        b->age[i] = b->age[i + 1];
+    }
+}
+
+static void row_at(const invcal_background *b, unsigned i, invcal_row *row)
+{
+    (void)invcal_observe(&b->session.nominal, b->session.mean[i], row); /* it was accepted */
+}
+
+/* h K h' of the position taken last, beside the others. */
+INVCAL_APART static invcal_real newest_leverage(const invcal_background *b)
+{
+    const unsigned last = b->session.count - 1u;
+    invcal_sums sums;
+    invcal_row row;
+
+    invcal_sum_readings(b->session.mean[0], last, &b->session.nominal, &sums, row.h);
+    (void)invcal_ridged_inverse(&sums);
+    row_at(b, last, &row);
+    return invcal_leverage(sums.sum, row.h);
+}
+
+/* The position without which det H'H loses least, an old one rather than a new one. */
+INVCAL_APART static unsigned least_telling(const invcal_background *b)
+{
+    invcal_real least = INVCAL_REAL_MAX;
+    unsigned which = 0;
+    invcal_sums sums;
+    invcal_row row;
+
+    invcal_sum_readings(b->session.mean[0], b->session.count, &b->session.nominal, &sums, row.h);
+    (void)invcal_ridged_inverse(&sums);
+    for (unsigned i = 0; i < b->session.count; i++) {
+        row_at(b, i, &row);
+        const invcal_real left = (invcal_real)(DAYS - b->age[i]);
+        const invcal_real worth = left * invcal_leverage(sums.sum, row.h);
+        if (worth < least) {
+            least = worth;
+            which = i;
+        }
+    }
+    return which;
+}
+
+invcal_event invcal_background_feed(invcal_background *background, const int32_t raw[3])
+{
+    invcal_session *session = &background->session;
+
+    INVCAL_ASSERT(background && raw);
+    const invcal_event event = invcal_session_feed(session, raw);
+    if (event != INVCAL_TAKEN) {
+        return event;
+    }
+    background->age[session->count - 1u] = 0;
+    if (!(newest_leverage(background) > TELLING)) {
+        drop_position(background, session->count - 1u);
+        session->last = INVCAL_REFUSED;
+        session->reason = INVCAL_REST_SAME;
+        return INVCAL_REFUSED;
+    }
+    if (session->count == INVCAL_MAX_POSITIONS) { /* before the session would drop the oldest */
+        drop_position(background, least_telling(background));
+    }
+    return event;
+}
+
+void invcal_background_age(invcal_background *background)
+{
+    INVCAL_ASSERT(background);
+    for (unsigned i = background->session.count; i > 0; i--) {
+        if (++background->age[i - 1] >= DAYS) {
+            drop_position(background, i - 1);
+        }
+    }
+}

@@ -1,0 +1,98 @@
+/* SPDX-License-Identifier: MIT */
+#include "bytes.h"
+
+#include <string.h>
+
+#include "vector.h"
+
+#define EXPONENT UINT32_C(0x7F800000) /* of binary32: all set for what is not finite */
+#define NOT_A_NUMBER UINT32_C(0x7FC00000)
+
+enum { EMPTY_FRAME = 8 }; /* a frame with nothing in it */
+
+uint8_t *invcal_put_u32(uint8_t *bytes, uint32_t value)
+{
+    for (unsigned i = 0; i < 4; i++) {
+        *bytes++ = (uint8_t)(value & 0xFFu);
+        value >>= 8;
+    }
+    return bytes;
+}
+
+static uint32_t bits_of(invcal_real x)
+{
+    uint32_t bits = NOT_A_NUMBER;
+
+    /* the conversion of a number beyond the largest float is undefined */
+    if (!INVCAL_DOUBLE || INVCAL_FABS(x) <= (invcal_real)FLT_MAX) {
+        const float f = (float)x;
+        memcpy(&bits, &f, sizeof bits);
+    }
+    return bits;
+}
+
+uint8_t *invcal_put_reals(uint8_t *bytes, const void *reals, unsigned count)
+{
+    const unsigned char *from = reals;
+    invcal_real x;
+
+    for (; count > 0; count--) { /* at most 13 and 3 for each position */
+        memcpy(&x, from, sizeof x);
+        from += sizeof x;
+        bytes = invcal_put_u32(bytes, bits_of(x));
+    }
+    return bytes;
+}
+
+int invcal_get_reals(const uint8_t *bytes, void *reals, unsigned count)
+{
+    unsigned char *to = reals;
+    int are_finite = 1;
+
+    for (; count > 0; count--) { /* at most 13 and 3 for each position */
+        const uint32_t bits = invcal_get_u32(bytes);
+        float f;
+        memcpy(&f, &bits, sizeof f);
+        const invcal_real x = (invcal_real)f;
+        memcpy(to, &x, sizeof x);
+        are_finite &= (bits & EXPONENT) != EXPONENT;
+        to += sizeof x;
+        bytes += 4;
+    }
+    return are_finite;
+}
+
+uint32_t invcal_crc32(uint32_t crc, const uint8_t *bytes, uint32_t count)
+{
+    crc = ~crc;
+    for (uint32_t i = 0; i < count; i++) {
+        crc ^= bytes[i];
+        for (unsigned bit = 0; bit < 8; bit++) {
+            crc = crc & 1u ? crc >> 1 ^ UINT32_C(0xEDB88320) : crc >> 1;
+        }
+    }
+    return ~crc;
+}
+
+void invcal_seal(uint8_t *bytes, uint8_t kind, uint32_t length)
+{
+    const uint32_t end = length - INVCAL_CRC_SIZE;
+
+    (void)invcal_put_two(bytes, kind | (uint32_t)INVCAL_NEWEST << 8, length);
+    (void)invcal_put_u32(bytes + end, invcal_crc32(0, bytes, end));
+}
+
+invcal_status invcal_unseal(const uint8_t *bytes, uint32_t size, uint8_t kind, uint8_t oldest)
+{
+    if (size < EMPTY_FRAME) {
+        return INVCAL_DAMAGED;
+    }
+    const uint32_t length = invcal_get_u16(bytes + 2);
+    if (length < EMPTY_FRAME || length > size ||
+        invcal_crc32(0, bytes, length) != INVCAL_CRC_RESIDUE) {
+        return INVCAL_DAMAGED;
+    }
+    return bytes[0] == kind && bytes[1] >= oldest && bytes[1] <= INVCAL_NEWEST
+               ? INVCAL_OK
+               : INVCAL_OTHER_VERSION;
+}

@@ -1,0 +1,29 @@
+/* SPDX-License-Identifier: MIT */
+#include "circle.h"
+
+#define RADIANS INVCAL_REAL(0.017453292519943296) /* in a degree */
+enum { TERMS = INVCAL_DOUBLE ? 17 : 10 }; /* of an eighth of a turn: the next is below rounding */
+
+void invcal_circle(invcal_real degrees, invcal_real *cosine, invcal_real *sine)
+{
+    unsigned quarters = 0;
+
+    while (degrees > 45) { /* at most two steps, each exact */
+        degrees -= 90;
+        quarters += 1;
+    }
+    while (degrees < -45) { /* at most two steps */
+        degrees += 90;
+        quarters += 3;
+    }
+    const invcal_real x = degrees * RADIANS;
+    invcal_real part[2] = {1, 1};          /* cos x, sin x / x: 1 - x^2 / (n (n - 1)) (1 - ...) */
+    for (unsigned n = TERMS; n > 1; n--) { /* at most TERMS */
+        part[n % 2] = 1 - part[n % 2] * x * x / (invcal_real)(n * (n - 1));
+    }
+    const invcal_real c = part[0];
+    const invcal_real s = part[1] * x;
+    const invcal_real wave[4] = {s, c, -s, -c}; /* the sine, a quarter of a turn on and on */
+    *sine = wave[quarters % 4];
+    *cosine = wave[(quarters + 1) % 4];
+}

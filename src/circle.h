@@ -1,0 +1,13 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * Internal: cosine and sine, without libc's, which bring 4 KB for angles beyond any need.
+ */
+#ifndef INVCAL_CIRCLE_H
+#define INVCAL_CIRCLE_H
+
+#include "invcal/invcal.h"
+
+/* Of -180 ... 180 degrees, to 1.2e-7 (float) and 2.2e-16 (double); 0 and 1 are exact. */
+void invcal_circle(invcal_real degrees, invcal_real *cosine, invcal_real *sine);
+
+#endif

@@ -1,0 +1,260 @@
+/* SPDX-License-Identifier: MIT */
+#include "judge.h"
+
+#include <stddef.h>
+#include <string.h>
+
+#include "solve.h"
+#include "sums.h"
+#include "vector.h"
+
+#define NOISE_SHARE INVCAL_REAL(0.1) /* of the information on a parameter: above, it is weak */
+#define ABSURD INVCAL_REAL(0.1)      /* rms of the residuals; above: no readings of one field */
+#define OPEN INVCAL_REAL(1e4)        /* quality.condition; above: parameters are left open */
+
+/* ---- residuals ---------------------------------------------------------------------------------- */
+
+/* |eta| - 1 of j = (|eta|^2 - 1)/2 = (|eta| - 1)(|eta| + 1)/2 */
+INVCAL_INLINE void invcal_residuals_add(invcal_residuals *residuals, unsigned i,
+                                        const invcal_row *row)
+{
+    const invcal_real twice = 2 * row->h[INVCAL_J];
+    const invcal_real r = twice / (1 + INVCAL_SQRT(1 + twice));
+
+    residuals->rms += r * r;
+    if (!(INVCAL_FABS(r) <= residuals->max)) {
+        residuals->max = INVCAL_FABS(r);
+        residuals->worst = i;
+    }
+    residuals->count++;
+}
+
+invcal_status invcal_residuals_end(invcal_residuals *residuals)
+{
+    residuals->rms = INVCAL_SQRT(residuals->rms / (invcal_real)residuals->count);
+    return residuals->rms <= ABSURD ? INVCAL_OK : INVCAL_NOT_ELLIPSOID;
+}
+
+INVCAL_INLINE invcal_real invcal_gradient(const invcal_real a[3][3], const invcal_real eta[3],
+                                          invcal_real g[3])
+{
+    INVCAL_UNROLL
+    for (unsigned i = 0; i < 3; i++) {
+        g[i] = invcal_dot3(a[i], eta);
+    }
+    return invcal_dot3(g, g);
+}
+
+/* ---- the passes --------------------------------------------------------------------------------- */
+
+/* How X moves J: d eta = -A (d delta + dS eta), so dJ = eta d eta = -g (d delta + dS eta). */
+INVCAL_INLINE void invcal_slope(const invcal_real eta[3], invcal_real g[INVCAL_PARAMETERS])
+{
+    g[INVCAL_DK_X] = g[0] * eta[0];
+    g[INVCAL_DK_Y] = g[1] * eta[1];
+    g[INVCAL_DK_Z] = g[2] * eta[2];
+    g[INVCAL_GAMMA_XY] = (g[0] * eta[1] + g[1] * eta[0]) / 2;
+    g[INVCAL_GAMMA_XZ] = (g[0] * eta[2] + g[2] * eta[0]) / 2;
+    g[INVCAL_GAMMA_ZY] = (g[1] * eta[2] + g[2] * eta[1]) / 2;
+}
+
+/* A calibrated position, weighted with the noise that it really has. */
+static INVCAL_INLINE void add_calibrated(invcal_sums *sums, const invcal_real a[3][3],
+                                         const invcal_row *row)
+{
+    invcal_real g[INVCAL_PARAMETERS + 1];
+
+    const invcal_real weight = 1 / invcal_gradient(a, row->h, g);
+    invcal_slope(row->h, g);
+    g[INVCAL_J] = row->h[INVCAL_J];
+    invcal_rank_one(sums->sum, g, INVCAL_PARAMETERS + 1, weight, NULL);
+}
+
+invcal_status invcal_positions_sum(const invcal_positions *positions, invcal_sums *sums)
+{
+    invcal_status status = INVCAL_OK;
+
+    invcal_sums_init(sums);
+    for (unsigned i = 0; i < positions->count && status == INVCAL_OK; i++) {
+        if (!invcal_is_left_out(positions, i)) {
+            status = invcal_sums_add(sums, positions->nominal, &positions->raw[3 * (size_t)i]);
+        }
+    }
+    return status;
+}
+
+invcal_status invcal_positions_compare(const invcal_positions *positions,
+                                       const invcal_calibration *c, const invcal_real a[3][3],
+                                       invcal_sums *sums, invcal_residuals *residuals)
+{
+    const invcal_residuals none = {0, 0, 0, 0};
+    invcal_row row;
+
+    *residuals = none;
+    invcal_sums_init(sums);
+    for (unsigned i = 0; i < positions->count; i++) {
+        if (invcal_is_left_out(positions, i)) {
+            continue;
+        }
+        if (invcal_observe(c, &positions->raw[3 * (size_t)i], &row) != INVCAL_OK) {
+            return INVCAL_NOT_ELLIPSOID; /* fit for the first pass, absurd after it */
+        }
+        invcal_residuals_add(residuals, i, &row);
+        add_calibrated(sums, a, &row);
+    }
+    return invcal_residuals_end(residuals);
+}
+
+invcal_status invcal_positions_check(const invcal_positions *positions)
+{
+    if (!(positions->noise >= 0 && positions->noise < 1)) {
+        return INVCAL_BAD_NOISE;
+    }
+    return positions->count < UINT16_MAX ? invcal_nominal_check(positions->nominal)
+                                         : INVCAL_BAD_COUNT;
+}
+
+/* If not determined in nominal units, readings calibrated by it may look well spread all the same. */
+invcal_status invcal_determine(invcal_real *a, unsigned rows, invcal_real k[INVCAL_PARAMETERS],
+                               invcal_real *condition)
+{
+    const invcal_real trace = invcal_trace(a, INVCAL_PARAMETERS);
+    invcal_real of_inverse = 0;
+    const invcal_status status = invcal_factor(a, INVCAL_PARAMETERS, rows, INVCAL_FLOOR);
+
+    if (status != INVCAL_OK) {
+        return status;
+    }
+    if (rows > INVCAL_PARAMETERS) {
+        invcal_back_substitute(a, INVCAL_PARAMETERS);
+    }
+    invcal_invert(a, INVCAL_PARAMETERS);
+    for (unsigned r = 0; r < INVCAL_PARAMETERS; r++) { /* A^-1 = L^-T L^-1 */
+        k[r] = 0;
+        for (unsigned c = 0; c <= r; c++) {
+            k[c] += *a * *a;
+            of_inverse += *a * *a;
+            a++;
+        }
+    }
+    *condition = trace * of_inverse;
+    /* in float the first is the narrower, in double the second */
+    return invcal_is_resolved(*condition) && of_inverse <= INVCAL_HOPELESS_K ? INVCAL_OK
+                                                                             : INVCAL_UNDETERMINED;
+}
+
+/* ---- judgement ---------------------------------------------------------------------------------- */
+
+void invcal_judge_residuals(const invcal_residuals *residuals, invcal_quality *q)
+{
+    q->rms = residuals->rms;
+    q->max = residuals->max;
+    q->worst = (uint16_t)residuals->worst;
+    q->positions = (uint16_t)residuals->count;
+}
+
+void invcal_judge_noise(invcal_real stated, invcal_real squares, invcal_real dof, invcal_quality *q)
+{
+    q->noise = stated;
+    q->dof = 0;
+    if (dof >= 1) {
+        const invcal_real observed = INVCAL_SQRT(squares / dof);
+        q->noise = observed > stated ? observed : stated;
+        //@ assert \is_finite(dof) && dof < 65536; // no more than positions
+        q->dof = (uint16_t)dof;
+    }
+    if (!(q->noise > 0)) {
+        q->noise = 1; /* nobody knows: the whole field, which no one will mistake for good */
+    }
+}
+
+void invcal_judge_parameters(const invcal_real k[INVCAL_PARAMETERS], const invcal_real a[3][3],
+                             invcal_quality *q)
+{
+    /* in calibrated units: |A eta| times itself, here the mean square over all directions */
+    const invcal_real square = q->noise * q->noise * invcal_dot(a[0], a[0], 9) / 3;
+    const invcal_real of_noise = q->noise < 1 ? (invcal_real)q->positions * square : 0;
+
+    unsigned weak = 0;
+    for (unsigned r = 0; r < INVCAL_PARAMETERS; r++) {
+        const int is_strong = k[r] <= INVCAL_WEAK_K && k[r] * of_noise <= NOISE_SHARE;
+        weak |= (is_strong ? 0u : 1u) << r;
+        q->sigma[r] = q->noise * INVCAL_SQRT(k[r]);
+    }
+    q->weak = (uint16_t)weak;
+    q->verdict = (uint8_t)(weak > 0     ? INVCAL_WEAK
+                           : q->dof > 0 ? INVCAL_GOOD
+                                        : INVCAL_NO_REDUNDANCY);
+}
+
+/* tr A^-1: the squares of all elements of L^-1. */
+invcal_real invcal_condition(const invcal_real *inverse, unsigned n, invcal_real trace)
+{
+    return trace * invcal_dot(inverse, inverse, INVCAL_PACKED_SIZE(n));
+}
+
+/* ---- all in one --------------------------------------------------------------------------------- */
+
+/* triad: what calibrates u. */
+static invcal_status solve(const invcal_positions *positions, invcal_sums *sums,
+                           invcal_calibration *triad)
+{
+    invcal_real condition;
+
+    invcal_status status = invcal_positions_sum(positions, sums);
+    if (status == INVCAL_OK && sums->count < INVCAL_PARAMETERS) {
+        status = INVCAL_TOO_FEW;
+    }
+    if (status == INVCAL_OK) {
+        invcal_real k[INVCAL_PARAMETERS];
+        invcal_sums_system(sums);
+        status = invcal_determine(sums->sum, INVCAL_PARAMETERS + 1, k, &condition);
+    }
+    if (status != INVCAL_OK) {
+        return status;
+    }
+    invcal_real *a = sums->sum;
+    status = invcal_ellipsoid(&a[INVCAL_PACKED(INVCAL_PARAMETERS, 0)], a, triad);
+    /* what is left open may take any shape */
+    return status != INVCAL_OK && condition > OPEN ? INVCAL_UNDETERMINED : status;
+}
+
+invcal_status invcal_calibrate_without(const invcal_real *raw, unsigned count, invcal_mask left_out,
+                                       const invcal_calibration *nominal, invcal_real noise,
+                                       invcal_calibration *out, invcal_quality *quality)
+{
+    const invcal_positions positions = {raw, count, left_out, nominal, noise};
+    invcal_calibration triad;
+    const invcal_real(*a)[3] = (const invcal_real(*)[3])triad.matrix;
+    invcal_calibration c;
+    invcal_residuals residuals;
+    invcal_sums sums;
+    invcal_real k[INVCAL_PARAMETERS];
+    invcal_real condition;
+
+    INVCAL_ASSERT((raw || count == 0) && nominal && out && quality);
+    invcal_status status = invcal_positions_check(&positions);
+    if (status == INVCAL_OK) {
+        status = solve(&positions, &sums, &triad);
+    }
+    if (status == INVCAL_OK) {
+        c = triad;
+        status = invcal_behind(nominal, &c);
+    }
+    if (status == INVCAL_OK) {
+        status = invcal_positions_compare(&positions, &c, a, &sums, &residuals);
+    }
+    if (status == INVCAL_OK) {
+        status = invcal_determine(sums.sum, INVCAL_PARAMETERS, k, &condition);
+    }
+    if (status == INVCAL_OK) {
+        *out = c; /* which may be nominal */
+        quality->left_out = left_out;
+        quality->condition = condition;
+        invcal_judge_residuals(&residuals, quality);
+        invcal_judge_noise(noise, sums.sum[INVCAL_PACKED(INVCAL_PARAMETERS, INVCAL_PARAMETERS)],
+                           (invcal_real)(residuals.count - INVCAL_PARAMETERS), quality);
+        invcal_judge_parameters(k, a, quality);
+    }
+    return status;
+}

@@ -1,0 +1,99 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * Internal: the steps of a judgement, for those who have other equations behind the nine parameters.
+ */
+#ifndef INVCAL_JUDGE_H
+#define INVCAL_JUDGE_H
+
+#include "invcal/expert.h"
+
+/* Positions, and what they were read with. */
+typedef struct {
+    const invcal_real *raw;
+    unsigned count;
+    invcal_mask left_out; /* only of the first INVCAL_MAX_POSITIONS */
+    const invcal_calibration *nominal;
+    invcal_real noise; /* stated, over field; 0: not known */
+} invcal_positions;
+
+static inline int invcal_is_left_out(const invcal_positions *positions, unsigned i)
+{
+    return positions->left_out && i < INVCAL_MAX_POSITIONS && (positions->left_out >> i & 1u);
+}
+
+/* INVCAL_BAD_... of what the positions were read with. */
+invcal_status invcal_positions_check(const invcal_positions *positions);
+
+/* First pass: the sums of all that are not left out. Returns as invcal_observe. */
+invcal_status invcal_positions_sum(const invcal_positions *positions, invcal_sums *sums);
+
+/* The system of nine to L^-1, and to p if there is a row behind them.
+ *
+ * k          the diagonal of the inverse.
+ * condition  tr A tr A^-1: at least that of A.
+ *
+ * INVCAL_UNDETERMINED if what it determines is no more than rounding. */
+invcal_status invcal_determine(invcal_real *a, unsigned rows, invcal_real k[INVCAL_PARAMETERS],
+                               invcal_real *condition);
+
+/* ---- the steps of a judgement ------------------------------------------------------------------ */
+
+#define INVCAL_WEAK_K INVCAL_REAL(100.0)   /* square of 10. Above: usable only within its sigma */
+#define INVCAL_HOPELESS_K INVCAL_REAL(1e6) /* square of 1000, all nine K together. Above: refused */
+
+/* Of calibrated lengths, each less 1. */
+typedef struct {
+    invcal_real rms; /* before the end: the sum of their squares */
+    invcal_real max; /* without its sign */
+    unsigned worst;  /* the position of max */
+    unsigned count;
+} invcal_residuals;
+
+/* Position i, calibrated. */
+void invcal_residuals_add(invcal_residuals *residuals, unsigned i, const invcal_row *row);
+
+/* Returns INVCAL_OK; INVCAL_NOT_ELLIPSOID for an rms of a tenth of the field. */
+invcal_status invcal_residuals_end(invcal_residuals *residuals);
+
+/* rms, max, worst, positions. */
+void invcal_judge_residuals(const invcal_residuals *residuals, invcal_quality *q);
+
+/* g = A eta: noise of u, alike on its axes, moves the length of eta = A (u - delta), A symmetric, by
+ * |g| times itself. Returns |g|^2. */
+invcal_real invcal_gradient(const invcal_real a[3][3], const invcal_real eta[3], invcal_real g[3]);
+
+/* g to the row of eta: how X moves J, but for the sign. */
+void invcal_slope(const invcal_real eta[3], invcal_real g[INVCAL_PARAMETERS]);
+
+/* Second pass, with c, what calibrates the raw counts: residuals without cancellation, and the
+ * information on the nine parameters, each row weighted with the noise that it really has.
+ *
+ * a     A of c.
+ * sums  as a system: sigma^2 of the parameters is noise^2 times the diagonal of its inverse. The last
+ *       element: what noise of u would make of the residuals, their weighted squares.
+ *
+ * Returns INVCAL_OK; INVCAL_NOT_ELLIPSOID if a residual is absurd, or all are. */
+invcal_status invcal_positions_compare(const invcal_positions *positions,
+                                       const invcal_calibration *c, const invcal_real a[3][3],
+                                       invcal_sums *sums, invcal_residuals *residuals);
+
+/* noise and dof: the larger of what is stated and what the residuals say.
+ *
+ * squares  the sum of their weighted squares. */
+void invcal_judge_noise(invcal_real stated, invcal_real squares, invcal_real dof,
+                        invcal_quality *q);
+
+/* tr A tr A^-1 from L^-1: at least the condition. And is it more than rounding? */
+invcal_real invcal_condition(const invcal_real *inverse, unsigned n, invcal_real trace);
+static inline int invcal_is_resolved(invcal_real condition)
+{
+    return condition * INVCAL_FLOOR < 2;
+}
+
+/* weak, sigma and the verdict, from K(r,r) = k[r] = sigma^2 / noise^2. Weak: K is large, or the
+ * information 1 / K no more than ten times what noise in the readings themselves, about noise^2 in
+ * each row, adds to it: then directions that determine nothing look as if they did. */
+void invcal_judge_parameters(const invcal_real k[INVCAL_PARAMETERS], const invcal_real a[3][3],
+                             invcal_quality *q);
+
+#endif

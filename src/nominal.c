@@ -1,0 +1,44 @@
+/* SPDX-License-Identifier: MIT */
+#include <string.h>
+
+#include "solve.h"
+#include "vector.h"
+
+#define SMALLEST INVCAL_REAL(1e-10)     /* over field per count; the largest is its inverse */
+#define FARTHEST_ZERO INVCAL_REAL(1e18) /* zero, over field */
+
+/* Singular to rounding is a determinant that its rows do not show. */
+invcal_status invcal_nominal_check(const invcal_calibration *nominal)
+{
+    invcal_real cofactor[3][3];
+    invcal_real of_rows = 16 * INVCAL_EPSILON;
+
+    for (unsigned i = 0; i < 3; i++) {
+        const invcal_real scale = INVCAL_SQRT(invcal_dot3(nominal->matrix[i], nominal->matrix[i]));
+        if (!(scale >= SMALLEST && scale <= 1 / SMALLEST &&
+              INVCAL_FABS(nominal->offset[i]) * scale <= FARTHEST_ZERO)) {
+            return INVCAL_BAD_NOMINAL;
+        }
+        of_rows *= scale;
+    }
+    const invcal_real det = invcal_cofactors(nominal->matrix, cofactor);
+    return INVCAL_FABS(det) > of_rows ? INVCAL_OK : INVCAL_BAD_NOMINAL;
+}
+
+invcal_status invcal_nominal(const invcal_real zero[3], const invcal_real counts[3],
+                             invcal_calibration *out)
+{
+    invcal_calibration nominal;
+
+    INVCAL_ASSERT(zero && counts && out);
+    memset(&nominal, 0, sizeof nominal);
+    for (unsigned i = 0; i < 3; i++) {
+        nominal.offset[i] = zero[i];
+        nominal.matrix[i][i] = 1 / counts[i];
+    }
+    const invcal_status status = invcal_nominal_check(&nominal);
+    if (status == INVCAL_OK) {
+        *out = nominal;
+    }
+    return status;
+}

@@ -1,0 +1,31 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * Internal: a calibration of temperature between its evaluation and its fit.
+ */
+#ifndef INVCAL_POLYNOMIALS_H
+#define INVCAL_POLYNOMIALS_H
+
+#include "invcal/thermal.h"
+#include "solve.h"
+
+/* Nine polynomials of t: c has degree + 1 rows of nine coefficients. */
+void invcal_polynomials(const invcal_real *c, unsigned degree, invcal_real t,
+                        invcal_real out[INVCAL_PARAMETERS]);
+
+static inline invcal_real invcal_thermal_scaled(const invcal_thermal *thermal,
+                                                invcal_real temperature)
+{
+    return (temperature - thermal->reference) / thermal->span;
+}
+
+/* The calibration of u at t, whatever has been seen: A = (I + S)^-1. INVCAL_NOT_ELLIPSOID if a semi-axis
+ * is beyond ten times that of a perfect triad. */
+invcal_status invcal_thermal_triad(const invcal_thermal *thermal, invcal_real t,
+                                   invcal_calibration *triad);
+
+/* t of a temperature, or of the end of the range seen if it is outside. INVCAL_BAD_TEMPERATURE if it
+ * is not finite. */
+invcal_status invcal_thermal_find(const invcal_thermal *thermal, invcal_real temperature,
+                                  invcal_real *t, invcal_thermal_place *place);
+
+#endif

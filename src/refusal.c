@@ -1,0 +1,37 @@
+/* SPDX-License-Identifier: MIT */
+#include <stddef.h>
+
+#include "guidance.h"
+
+#define RIDGED INVCAL_REAL(0.1) /* share of a parameter that the ridge holds; above: it is open */
+
+unsigned invcal_bad_reading(const invcal_real *raw, unsigned count,
+                            const invcal_calibration *nominal)
+{
+    invcal_row row;
+    unsigned i = 0;
+
+    INVCAL_ASSERT((raw || count == 0) && nominal);
+    /* at most count steps */
+    while (i < count && invcal_observe(nominal, &raw[3 * (size_t)i], &row) == INVCAL_OK) {
+        i++;
+    }
+    return i;
+}
+
+uint16_t invcal_undetermined(const invcal_real *raw, unsigned count,
+                             const invcal_calibration *nominal)
+{
+    invcal_sums sums;
+    invcal_real last[3];
+    unsigned open = 0;
+
+    INVCAL_ASSERT((raw || count == 0) && nominal);
+    invcal_sum_readings(raw, count, nominal, &sums, last);
+    const invcal_real ridge = invcal_ridged_inverse(&sums);
+    for (unsigned r = 0; r < INVCAL_PARAMETERS; r++) {
+        const invcal_real k = invcal_variance(sums.sum, INVCAL_PARAMETERS, r);
+        open |= (ridge * k <= RIDGED ? 0u : 1u) << r;
+    }
+    return (uint16_t)open;
+}

@@ -1,0 +1,730 @@
+/* SPDX-License-Identifier: MIT */
+#include "invcal/expert.h"
+
+#include <limits.h>
+#include <string.h>
+
+#include "vector.h"
+
+/* Every constant is a time, a ratio or a probability; none has a unit of the sensor.
+ *
+ * Distances and noise are squared, and sums over the three axes, throughout. They are compared as
+ * levels, logarithms to base 2: what would be a factor is a difference, and 16 bits hold whatever
+ * int32 can bring about. */
+#define OCTAVE 128            /* a factor of 2 */
+#define ONE (32 * OCTAVE)     /* the level of 1 count^2 */
+#define NONE 0                /* nothing is known yet: less than any level */
+#define BEYOND (127 * OCTAVE) /* more than any level */
+
+/* Times. A block is about 1/8 s: shorter than a move, long enough to hold some samples. */
+enum {
+    BITS_MIN = 2,  /* 4 samples: three axes then give nine degrees of freedom to a variance */
+    LEAST = 4,     /* blocks that make a position, or more where they last less than 0.6 s */
+    TRIM = 2,      /* newest blocks held back: motion begins before it is noticed, 0.3 s */
+    HOLD = 4,      /* more blocks in a row that disagree end a rest: knocks are shorter */
+    ELSEWHERE = 2, /* the same where the device rests elsewhere already */
+    RELEARN = 4,   /* blocks in a row of another, steady noise are a new noise level, 0.6 s; twice
+                      as many after a position at the old one: a hand's fumbling is shorter */
+    FREEZE = 8,    /* blocks in a row without any noise: the sensor is not read, 1.2 s */
+    FADE = 4,      /* the trend forgets: 1 << FADE blocks count, 2 s, as long as a short rest */
+    DRIFTING = 10  /* blocks in a row of a rest that drifts, until it is refused: 1.5 s */
+};
+
+/* Noise. The level is a quantile: the steps up and down balance where 30 % of the blocks lie below,
+ * so a third of all blocks at rest is enough to learn it. */
+enum {
+    RISE = 18,              /* 1.1 */
+    FALL = 41,              /* 1 / 0.8 */
+    FAR_BELOW = 4 * OCTAVE, /* what came before moved: no noise is that uneven */
+    QUIET = 297,            /* 5 times the level: chance is 2e-4 for 9 degrees of freedom */
+    ALIKE = 203,            /* variances of blocks of one noise level differ less: 3 times */
+    HIDDEN = -2 * OCTAVE,   /* readings that toggle between two counts vary by up to 1/4 count^2
+                               on each axis: a noise that is smaller hides in them */
+    ALIVE = 576             /* 24: where noise is nearly three counts an axis, none stands still */
+};
+
+/* Place. A block mean belongs to the rest within the largest of */
+enum {
+    OF_NOISE = OCTAVE,       /* 2 times the variance of a sample: chance is 7e-4 for 4 samples, */
+    OF_WANDER = 594,         /* 5 usual steps of a hand: 25, */
+    OF_REACH = -16 * OCTAVE, /* 1/256 of the reach: 8 mg of 2 g, */
+    OF_QUANTUM = 203         /* one count on each axis: 3. */
+};
+
+/* Drift: a slope beyond chance, and fast. */
+enum {
+    BEYOND_CHANCE = 69,             /* 8 / 5.5, see is_drifting */
+    NOISE_PER_SECOND = 203,         /* 3 sigma of an axis in a second: 9/3 */
+    REACH_PER_SECOND = -19 * OCTAVE /* 1/720 of the reach in a second */
+};
+
+#define WIDE (INT32_C(1) << 19)     /* counts: no noise is so large, no rest creeps so far */
+#define FINE 10u                    /* bits behind the point of a mean: exact for any block */
+#define MOST INT32_C(65535)         /* blocks of a rest that are summed */
+#define SHORTEST 620                /* milliseconds that make a position */
+#define HOUR (UINT32_C(3600) * 125) /* in 1/125 s */
+
+/* What has been said of the rest: nothing; it is READY; it is REFUSED; it was TAKEN by the newest
+ * block. What can be read is odd. */
+enum { SETTLING, HELD, DISMISSED, LEFT };
+
+/* Bits of flags, and of `seen`, which is the newest block's. */
+enum {
+    CLIPPED = 1, /* some sample was at a rail */
+    LOST = 2,    /* samples were lost */
+    WILD = 4,    /* some sample was too far from the first: no sum means anything */
+    CHANGED = 8, /* the x axis has changed inside a block; y and z in the next bits */
+    ALL_CHANGED = 7 * CHANGED
+};
+
+/* ---- numbers ------------------------------------------------------------------------------ */
+
+static int larger(int a, int b)
+{
+    return a > b ? a : b;
+}
+
+static uint32_t smaller(uint32_t a, uint32_t b)
+{
+    return a < b ? a : b;
+}
+
+/* What stands for a negative number modulo 2^32 is that number. */
+static int32_t as_signed(uint32_t x)
+{
+    return x <= INT32_MAX ? (int32_t)x : -(int32_t)~x - 1;
+}
+
+/* x / 2^bits, towards 0: the same for both signs. */
+INVCAL_APART static int32_t shifted(int32_t x, unsigned bits)
+{
+    const int32_t size = (int32_t)((uint32_t)(x < 0 ? -x : x) >> bits);
+
+    return x < 0 ? -size : size;
+}
+
+/* |a - b| */
+static uint32_t between(int32_t a, int32_t b)
+{
+    return a >= b ? (uint32_t)a - (uint32_t)b : (uint32_t)b - (uint32_t)a;
+}
+
+/* The position of the first one of x, from 0; 0 for 0 too. */
+static unsigned top_of(uint32_t x)
+{
+/* cppcheck-suppress misra-c2012-20.9 ; of limits.h */
+#if defined(__GNUC__) && UINT_MAX == UINT32_MAX && !defined(__FRAMAC__)
+    return 31u - (unsigned)__builtin_clz(x | 1);
+#else
+    unsigned top = 0;
+
+    for (; x > 1; x >>= 1) { /* at most 31 steps */
+        top++;
+    }
+    return top;
+#endif
+}
+
+/* To base 2, in octaves; straight between powers of two, so up to 6 % below. 0 counts as 1/2. */
+static int octaves(uint32_t x)
+{
+    const unsigned top = top_of(x);
+
+    return ((int)top - 1) * OCTAVE + (int)(x << (31 - top) >> 24);
+}
+
+/* The level of a square whose unit is 1/2^20: a variance, the square of a mean. */
+INVCAL_APART static int level_of(uint64_t square)
+{
+    int level = ONE - 2 * FINE * OCTAVE;
+
+    for (; square > UINT32_MAX; square >>= 4) { /* at most 8 steps */
+        level += 4 * OCTAVE;
+    }
+    return level + octaves((uint32_t)square);
+}
+
+/* The level of a squared distance of means. */
+INVCAL_APART static int distance(const int32_t a[3], const int32_t b[3])
+{
+    uint64_t square = 0;
+
+    for (unsigned i = 0; i < 3; i++) {
+        const uint32_t d = between(a[i], b[i]) / 2; /* of which there are squares in 64 bits */
+        square += (uint64_t)d * d;
+    }
+    return level_of(square) + 2 * OCTAVE;
+}
+
+/* The same of origin, in whole counts, and the position before. */
+INVCAL_APART static int distance_from_place(const invcal_rests *s)
+{
+    return distance(s->origin, s->place) + 2 * (int)FINE * OCTAVE;
+}
+
+/* ---- a block ------------------------------------------------------------------------------ */
+
+/* Behind motion 0.5 s of quiet blocks are passed over: half of what makes a position, rounded up,
+ * and the one that may have begun in motion. */
+static void skip(invcal_rests *s)
+{
+    s->skip = (uint8_t)((s->least + 3u) / 2);
+}
+
+/* There is no rest: the next one is looked for. */
+static void clear_rest(invcal_rests *s)
+{
+    memset(&s->rest, 0, sizeof s->rest);
+    s->blocks = -TRIM;
+    s->stage = SETTLING;
+    s->hold = 0;
+    s->drift = 0;
+    skip(s);
+}
+
+/* Its samples. */
+static uint32_t samples_of(const invcal_rests *s)
+{
+    return UINT32_C(1) << s->bits;
+}
+
+/* The next sample begins another. */
+static void drop(invcal_rests *s)
+{
+    s->missing = 0;
+    s->span = 0;
+}
+
+static void begin(invcal_rests *s, const int32_t raw[3])
+{
+    if (s->stage == LEFT) {
+        clear_rest(s);
+    }
+    s->missing = (uint16_t)samples_of(s);
+    memcpy(s->first, raw, sizeof s->first);
+    memset(s->sum, 0, sizeof s->sum);
+    s->square = 0;
+    s->carry = 0;
+    s->seen = 0;
+}
+
+/* A sample that begins a block, that is not close to its first, or that may tell the quantum.
+ *
+ * The next are added quickly if they differ by less than a power of two which keeps the squares of
+ * three axes and a whole block below 2^32, and all that is so close off the rails: one comparison
+ * will tell both. As long as the quantum may become smaller every sample is looked at. */
+INVCAL_APART static void add_any(invcal_rests *s, const int32_t raw[3])
+{
+    uint32_t margin = 0; /* behind a large difference the squares may be large */
+
+    if (s->missing == 0) {
+        begin(s, raw);
+        margin = UINT32_C(1) << (30u - s->bits) / 2;
+    }
+    for (unsigned a = 0; a < 3; a++) {
+        const uint32_t above = (uint32_t)raw[a] - (uint32_t)s->low - 1u;
+        const uint32_t size = between(raw[a], s->first[a]);
+        const uint64_t square = (uint64_t)size * size + s->square;
+        margin = smaller(margin, smaller(above, s->between - 1u - above));
+        if (above >= s->between) {
+            s->seen |= CLIPPED;
+            margin = 0;
+        }
+        if (size >= WIDE) {
+            s->seen |= WILD;
+        }
+        if (size - 1u < s->quantum - 1u) { /* 0 is no change, or none as yet: more than any */
+            s->quantum = size;
+        }
+        s->sum[a] += (uint32_t)raw[a] - (uint32_t)s->first[a];
+        s->square = (uint32_t)square;
+        s->carry += (uint32_t)(square >> 32);
+    }
+    s->span = s->quantum == 1 && margin > 0 ? UINT32_C(2) << top_of(margin) : 0;
+}
+
+/* Adds a sample whose differences d are all small: -span/2 <= d < span/2, seen at one blow as
+ * d + span/2 has no bit from that of span upwards. Returns 0 if they are not. Modulo 2^32, which
+ * unsigned arithmetic does everywhere alike. */
+static int add_small(invcal_rests *s, const int32_t raw[3])
+{
+    const uint32_t span = s->span;
+    const uint32_t half = span / 2;
+    const uint32_t x = (uint32_t)raw[0] - (uint32_t)s->first[0];
+    const uint32_t y = (uint32_t)raw[1] - (uint32_t)s->first[1];
+    const uint32_t z = (uint32_t)raw[2] - (uint32_t)s->first[2];
+
+    if (((x + half) | (y + half) | (z + half)) >= span) {
+        return 0;
+    }
+    s->sum[0] += x;
+    s->sum[1] += y;
+    s->sum[2] += z;
+    s->square += x * x + y * y + z * z;
+    return 1;
+}
+
+/* The block's mean, from its first sample; and its variance, 1/2^20 counts^2, but for n / (n - 1).
+ * Integers, so nothing cancels, and it is never below 0: Cauchy and Schwarz. */
+static uint64_t measure(const invcal_rests *s, int32_t mean[3])
+{
+    const unsigned scale = FINE - s->bits;
+    uint64_t variance = ((uint64_t)s->carry << 32 | s->square) * (UINT32_C(1) << (scale + FINE));
+
+    for (unsigned a = 0; a < 3; a++) {
+        mean[a] = as_signed(s->sum[a] << scale);
+        //@ assert -(WIDE << FINE) <= mean[a] <= WIDE << FINE; // of what is less than WIDE
+        variance -= (uint64_t)((int64_t)mean[a] * mean[a]);
+    }
+    return variance;
+}
+
+/* ---- learning from the stream ------------------------------------------------------------- */
+
+/* Of 1/2 count until it is known. */
+static int quantum_level(const invcal_rests *s)
+{
+    return 2 * octaves(s->quantum) + ONE;
+}
+
+/* Places that differ by less are one. */
+INVCAL_APART static int resolution_level(const invcal_rests *s)
+{
+    return larger(s->reach + OF_REACH, quantum_level(s) + OF_QUANTUM);
+}
+
+/* To the mean of this block, in whole counts. */
+static void move_origin(invcal_rests *s, const int32_t from_first[3], int32_t mean[3])
+{
+    for (unsigned a = 0; a < 3; a++) {
+        const int32_t whole = shifted(from_first[a], FINE);
+        s->origin[a] = as_signed((uint32_t)s->first[a] + (uint32_t)whole);
+        mean[a] = from_first[a] - whole * (INT32_C(1) << FINE);
+    }
+    s->reach = (int16_t)larger(s->reach, distance_from_place(s));
+}
+
+/* Follows a low quantile. */
+INVCAL_APART static int follow(int level, int x)
+{
+    if (level != NONE && x > level + RISE) {
+        return level + RISE;
+    }
+    return larger(x, level - FALL);
+}
+
+/* Is the block quiet? It is judged by the noise so far, and a quiet one adds to that. One that has
+ * so much less noise that what came before has moved sets the level, and a rest begins anew; but
+ * where there are blocks enough for a position, an odd one changes little. */
+static int learn_noise(invcal_rests *s, int level)
+{
+    if (s->noise == NONE) {
+        s->noise = (int16_t)level;
+        memcpy(s->place, s->first, sizeof s->place);
+    }
+    if (s->blocks < s->least && level < s->noise - FAR_BELOW) {
+        s->noise = (int16_t)level;
+        clear_rest(s);
+    }
+    if (level > s->noise + QUIET) {
+        return 0;
+    }
+    s->noise = (int16_t)follow(s->noise, level);
+    return 1;
+}
+
+/* A fan is switched on, a table instead of a hand: blocks in a row, not quiet, but of like
+ * variance, and closer to where they are expected, which without a rest is where the block before
+ * was, than the noise that they would be made of. Returns 1 when the new level is adopted. */
+static int learn_new_noise(invcal_rests *s, int is_quiet, int level, int jump)
+{
+    const int d = level - s->other;
+
+    if (is_quiet || d > ALIKE || d < -ALIKE || jump > level) {
+        s->run = 0;
+        s->other = (int16_t)level;
+        return 0;
+    }
+    s->run++;
+    if (s->run < (unsigned)RELEARN << s->taken) {
+        return 0;
+    }
+    s->noise = s->other;
+    s->run = 0;
+    s->skip = 1;
+    return 1;
+}
+
+/* ---- the trend of a rest ------------------------------------------------------------------ */
+
+/* The mean from origin; returns how far it is from where the rest would have it, which may drift
+ * slowly: its trend is followed. */
+static int locate(const invcal_rests *s, const int32_t from_first[3], int32_t mean[3])
+{
+    int32_t expected[3];
+    int jump = NONE;
+
+    for (unsigned a = 0; a < 3; a++) {
+        const uint32_t off = (uint32_t)s->first[a] - (uint32_t)s->origin[a];
+        const uint32_t once = (uint32_t)s->rest.once[a];
+        mean[a] = as_signed((uint32_t)from_first[a] + (off << FINE));
+        expected[a] = as_signed(2 * once - (uint32_t)s->rest.twice[a]);
+        if (between(s->first[a], s->origin[a]) >= WIDE) {
+            jump = BEYOND;
+        }
+    }
+    return larger(jump, distance(mean, expected));
+}
+
+/* A fading mean moves towards x. */
+static int32_t faded(int32_t mean, int32_t x, unsigned fade)
+{
+    return as_signed((uint32_t)mean + (uint32_t)shifted(x - mean, fade));
+}
+
+/* The rest has one block more: what is held back longest is safe now, as no motion came behind it.
+ *
+ * Brown's double smoothing: a fading mean, and the fading mean of that. On a slope the first lags
+ * behind, the second once more, so their difference tells the slope. The first blocks count alike,
+ * nearly. */
+static void add_block(invcal_rests *s, const int32_t mean[3], uint64_t variance)
+{
+    const uint32_t n = (uint32_t)(s->blocks + TRIM);
+    const unsigned fade = (unsigned)smaller(top_of(2 * n + 1), FADE);
+
+    s->blocks++;
+    s->end = s->time;
+    s->rest.variance += variance >> (2 * FINE - 6);
+    for (unsigned a = 0; a < 3; a++) {
+        //@ assert -(2 * WIDE << FINE) < mean[a] < 2 * WIDE << FINE; // both parts: see locate
+        if (s->sum[a] != 0) { /* of differences to the first sample */
+            s->flags = (uint8_t)(s->flags | (unsigned)CHANGED << a);
+        }
+        s->rest.total[a] += shifted(s->rest.pending[0][a], FINE - s->bits);
+        //@ assert -UINT16_MAX * (2 * WIDE << s->bits) <= s->rest.total[a]; // so many at most
+        //@ assert s->rest.total[a] <= UINT16_MAX * (2 * WIDE << s->bits);
+        s->rest.pending[0][a] = s->rest.pending[1][a];
+        s->rest.pending[1][a] = mean[a];
+        s->rest.once[a] = faded(s->rest.once[a], mean[a], fade);
+        //@ assert -(2 * WIDE << FINE) < s->rest.once[a] < 2 * WIDE << FINE; // between two that are
+        s->rest.twice[a] = faded(s->rest.twice[a], s->rest.once[a], fade);
+        //@ assert -(2 * WIDE << FINE) < s->rest.twice[a] < 2 * WIDE << FINE; // as before
+    }
+}
+
+/* Does the rest drift? The slope must be beyond chance, as noise and what a hand wanders tell it,
+ * and fast, for the noise and for the reach: a sensor that warms up is slower.
+ *
+ * On a slope of one a block `once` and `twice` differ by g: 15 in the end, and a quarter of the
+ * number of blocks, within 20 %, until then. Of block means that scatter by v the slope b is known
+ * to v / (5.5 g^3), within 30 %, so chance is less than 1e-4 (chi^2 of 24 for three axes) beyond
+ * b^2 g^3 = 8 / 5.5 v. What blocks wander from their trend holds the slope too, up to 8 b^2 before
+ * the trend is known: an eighth of it is taken for v. */
+static int is_drifting(const invcal_rests *s)
+{
+    const int g = octaves(smaller((uint32_t)s->blocks + TRIM, 60)) - 2 * OCTAVE;
+    const int slope = distance(s->rest.once, s->rest.twice) - 2 * g;
+    const int speed = slope + 2 * octaves(s->rate) - 2 * OCTAVE * s->bits;
+    const int scatter = larger(s->noise - s->bits * OCTAVE, s->wander - 3 * OCTAVE);
+
+    return slope + 3 * g > scatter + BEYOND_CHANCE &&
+           speed > larger(s->noise + NOISE_PER_SECOND, s->reach + REACH_PER_SECOND);
+}
+
+/* ---- what is said of a rest --------------------------------------------------------------- */
+
+/* Has nothing ever changed, or one axis not, among others of a noise that it cannot be without? */
+static int is_stuck(const invcal_rests *s)
+{
+    return s->quantum == 0 ||
+           ((s->flags & ALL_CHANGED) != ALL_CHANGED && s->noise > quantum_level(s) + ALIVE);
+}
+
+/* What is wrong with it? */
+static invcal_status fault(const invcal_rests *s)
+{
+    if (s->blocks >= s->least) {
+        if (s->drift > 0 && s->stage != HELD) {
+            return INVCAL_REST_DRIFT;
+        }
+        if ((s->flags & CLIPPED) != 0) {
+            return INVCAL_REST_CLIPPED;
+        }
+        if (is_stuck(s)) {
+            return INVCAL_REST_FROZEN;
+        }
+        if (s->taken && distance_from_place(s) < resolution_level(s)) {
+            return INVCAL_REST_SAME;
+        }
+        if (s->blocks >= s->dwell) {
+            return INVCAL_OK;
+        }
+    }
+    return (s->flags & LOST) != 0 ? INVCAL_REST_GAP : INVCAL_REST_SHORT;
+}
+
+static invcal_event say(invcal_rests *s, invcal_status why, invcal_event event)
+{
+    s->reason = (uint8_t)why;
+    return event;
+}
+
+/* Nothing is refused twice. */
+static int is_said(const invcal_rests *s, invcal_status why)
+{
+    return s->stage == DISMISSED && s->reason == (uint8_t)why;
+}
+
+/* The rest is over. A faint one is not worth a word. */
+static invcal_event finish(invcal_rests *s)
+{
+    const invcal_status why = fault(s);
+    const int is_nothing = s->blocks < s->least / 4 || is_said(s, why);
+
+    if (why != INVCAL_OK) {
+        clear_rest(s);
+        return is_nothing ? INVCAL_MOVING : say(s, why, INVCAL_REFUSED);
+    }
+    memcpy(s->place, s->origin, sizeof s->place);
+    s->taken = 1;
+    s->stage = LEFT;
+    return say(s, why, INVCAL_TAKEN);
+}
+
+/* It may become long enough, or settle, as long as it goes on. */
+static int is_news(const invcal_rests *s, invcal_status why)
+{
+    return s->stage != HELD && !is_said(s, why) && why != INVCAL_REST_DRIFT &&
+           why != INVCAL_REST_SHORT && why != INVCAL_REST_GAP;
+}
+
+/* Is there news of the rest? */
+static invcal_event announce(invcal_rests *s)
+{
+    if (s->blocks >= s->least) {
+        s->drift = is_drifting(s) ? (uint8_t)(s->drift + 1u) : 0;
+    }
+    if (s->drift == DRIFTING) {
+        clear_rest(s);
+        return say(s, INVCAL_REST_DRIFT, INVCAL_REFUSED);
+    }
+    const invcal_status why = fault(s);
+    if (!is_news(s, why)) {
+        return INVCAL_SETTLING;
+    }
+    s->stage = why == INVCAL_OK ? HELD : DISMISSED;
+    return say(s, why, why == INVCAL_OK ? INVCAL_READY : INVCAL_REFUSED);
+}
+
+/* ---- decisions ---------------------------------------------------------------------------- */
+
+/* A knock passes, and what comes behind it is not trusted at once; motion does not; and another
+ * place is quiet, but not here. */
+static invcal_event disagree(invcal_rests *s, int is_quiet)
+{
+    if (!is_quiet) {
+        skip(s);
+    }
+    s->hold++;
+    return s->hold <= (is_quiet ? ELSEWHERE : HOLD) ? INVCAL_MOVING : finish(s);
+}
+
+/* The block belongs to the rest. */
+INVCAL_APART static invcal_event agree(invcal_rests *s, const int32_t mean[3], uint64_t variance)
+{
+    s->flags |= s->seen;
+    if (s->skip > 0) {
+        s->skip--;
+        return INVCAL_SETTLING;
+    }
+    s->hold = 0;
+    if (s->blocks < MOST) {
+        add_block(s, mean, variance);
+    }
+    return announce(s);
+}
+
+/* Without any noise, where there has been some; or three axes that read the same number, as no triad
+ * does: it is not read from the sensor. */
+static int is_dead(const invcal_rests *s, uint64_t variance)
+{
+    return variance == 0 && (s->noise > quantum_level(s) ||
+                             (s->first[0] == s->first[1] && s->first[1] == s->first[2]));
+}
+
+static invcal_event freeze(invcal_rests *s)
+{
+    s->run++;
+    if (s->run >= FREEZE && s->reason != INVCAL_REST_FROZEN) {
+        return say(s, INVCAL_REST_FROZEN, INVCAL_REFUSED);
+    }
+    return disagree(s, 0);
+}
+
+/* A block is full. Is it quiet, and where it is expected? */
+INVCAL_APART static invcal_event decide(invcal_rests *s)
+{
+    int32_t from_first[3];
+    int32_t mean[3];
+    const uint32_t start = s->time;
+
+    drop(s);
+    s->time = start + samples_of(s);
+    if ((s->seen & WILD) != 0) {
+        return disagree(s, 0);
+    }
+    const uint64_t variance = measure(s, from_first);
+    if (is_dead(s, variance)) {
+        return freeze(s);
+    }
+    const int level = larger(level_of(variance), quantum_level(s) + HIDDEN);
+    int is_quiet = learn_noise(s, level);
+    int jump = locate(s, from_first, mean);
+    is_quiet |= learn_new_noise(s, is_quiet, level, jump);
+    const int limit =
+        larger(resolution_level(s), larger(s->noise + OF_NOISE, s->wander + OF_WANDER));
+    if (s->blocks == -TRIM) {
+        s->begin = start;
+        s->flags = 0;
+        jump = NONE;
+        move_origin(s, from_first, mean);
+    } else if (is_quiet && jump < BEYOND) {
+        s->wander = (int16_t)follow(s->wander, jump);
+    } /* cppcheck-suppress misra-c2012-15.7 ; there is nothing to learn */
+    if (is_quiet && jump <= limit) {
+        return agree(s, mean, variance);
+    }
+    return disagree(s, is_quiet);
+}
+
+/* ---- sums and means ----------------------------------------------------------------------- */
+
+/* Of the raw samples. */
+static int64_t sum_of(const invcal_rests *s, unsigned a)
+{
+    return s->rest.total[a] + (int64_t)s->origin[a] * (int32_t)((uint32_t)s->blocks << s->bits);
+}
+
+/* A conversion of 64 bits would be the compiler's, many times as large. */
+static invcal_real as_real(uint64_t x)
+{
+    return (invcal_real)(uint32_t)(x >> 32) * INVCAL_REAL(4294967296.0) + (invcal_real)(uint32_t)x;
+}
+
+/* ---- what is called ----------------------------------------------------------------------- */
+
+invcal_status invcal_rests_init(invcal_rests *rests, unsigned rate)
+{
+    INVCAL_ASSERT(rests);
+    if (rate < INVCAL_RATE_MIN || rate > INVCAL_RATE_MAX) {
+        return INVCAL_BAD_RATE;
+    }
+    memset(rests, 0, sizeof *rests);
+    rests->rate = (uint16_t)rate;
+    rests->bits = BITS_MIN;
+    while (11u << rests->bits < rate) { /* at most 8 steps: a block is 1/11 to 2/11 s */
+        rests->bits++;
+    }
+    rests->least = LEAST;
+    invcal_rests_hold(rests, SHORTEST);
+    rests->least = (uint8_t)rests->dwell;
+    clear_rest(rests);
+    return invcal_rests_rails(rests, INT32_MIN, INT32_MAX);
+}
+
+invcal_status invcal_rests_rails(invcal_rests *rests, int32_t low, int32_t high)
+{
+    INVCAL_ASSERT(rests);
+    if (low >= high) {
+        return INVCAL_BAD_RAILS;
+    }
+    rests->low = low;
+    rests->between = (uint32_t)high - (uint32_t)low - 1;
+    return INVCAL_OK;
+}
+
+void invcal_rests_hold(invcal_rests *rests, uint32_t milliseconds)
+{
+    INVCAL_ASSERT(rests);
+    const uint32_t time = milliseconds / 8 + 1; /* in 1/125 s */
+    const uint32_t samples = smaller(time, HOUR) * rests->rate / 125;
+    const uint32_t blocks = (samples >> rests->bits) + 1;
+    rests->dwell = (uint16_t)(blocks > rests->least ? blocks : rests->least);
+    if (rests->stage == HELD && rests->blocks < rests->dwell) {
+        rests->stage = SETTLING;
+    }
+}
+
+invcal_event invcal_rests_feed(invcal_rests *rests, const int32_t raw[3])
+{
+    INVCAL_ASSERT(rests && raw);
+    if (!add_small(rests, raw)) {
+        add_any(rests, raw);
+    }
+    rests->missing--;
+    return rests->missing > 0 ? INVCAL_NOTHING : decide(rests);
+}
+
+void invcal_rests_gap(invcal_rests *rests)
+{
+    INVCAL_ASSERT(rests);
+    drop(rests);
+    rests->flags |= LOST;
+}
+
+invcal_event invcal_rests_finish(invcal_rests *rests)
+{
+    INVCAL_ASSERT(rests);
+    drop(rests);
+    return rests->stage == LEFT ? INVCAL_MOVING : finish(rests);
+}
+
+unsigned invcal_rests_progress(const invcal_rests *rests)
+{
+    INVCAL_ASSERT(rests);
+    if (rests->blocks <= 0 || rests->stage == LEFT) {
+        return 0;
+    }
+    if (rests->stage == HELD) {
+        return 100;
+    }
+    const uint32_t percent = 100 * (uint32_t)rests->blocks / rests->dwell;
+    return (unsigned)smaller(percent, 99);
+}
+
+invcal_status invcal_rests_reason(const invcal_rests *rests)
+{
+    INVCAL_ASSERT(rests);
+    return (invcal_status)rests->reason;
+}
+
+int invcal_rests_get(const invcal_rests *rests, invcal_rest *out)
+{
+    INVCAL_ASSERT(rests && out);
+    if (rests->stage % 2 == 0) {
+        return 0;
+    }
+    const uint32_t size = samples_of(rests);
+    const uint32_t degrees = (uint32_t)(rests->blocks + TRIM) * 3 * (size - 1); /* of freedom */
+    out->count = (uint32_t)rests->blocks * size;
+    for (unsigned a = 0; a < 3; a++) {
+        out->sum[a] = sum_of(rests, a);
+    }
+    out->begin = rests->begin;
+    out->end = rests->end - TRIM * size;
+    out->variance = as_real(rests->rest.variance) * (invcal_real)size / 64 / (invcal_real)degrees;
+    return 1;
+}
+
+int invcal_rests_mean(const invcal_rests *rests, invcal_real mean[3])
+{
+    INVCAL_ASSERT(rests && mean);
+    const invcal_real count = (invcal_real)((uint32_t)rests->blocks << rests->bits);
+    for (unsigned a = 0; a < 3 && rests->stage % 2 != 0; a++) {
+        const uint64_t total = (uint64_t)rests->rest.total[a];
+        const invcal_real high = (invcal_real)as_signed((uint32_t)(total >> 16));
+        mean[a] = (invcal_real)rests->origin[a] +
+                  (high * 65536 + (invcal_real)(uint32_t)(total & 65535)) / count;
+    }
+    return rests->stage % 2;
+}

@@ -1,0 +1,185 @@
+/* SPDX-License-Identifier: MIT */
+#include "solve.h"
+
+#include <string.h>
+
+#include "sums.h"
+#include "invcal/expert.h"
+#include "vector.h"
+
+/* Of ten: no semi-axis is shorter than 1/10 of nominal, or of another one; the centre is within 10. */
+#define LONGEST INVCAL_REAL(10.0)
+#define SQUARE INVCAL_REAL(100.0)
+enum { STEPS = 12 }; /* of Newton's iteration: semi-axes from 0.1 to 10 take ten */
+
+invcal_real invcal_cofactors(const invcal_real m[3][3], invcal_real c[3][3])
+{
+    static const uint8_t next[4] = {1, 2, 0, 1};
+
+    INVCAL_UNROLL
+    for (unsigned i = 0; i < 3; i++) {
+        const invcal_real *a = m[next[i]];
+        const invcal_real *b = m[next[i + 1]];
+        INVCAL_UNROLL
+        for (unsigned j = 0; j < 3; j++) {
+            c[i][j] = a[next[j]] * b[next[j + 1]] - a[next[j + 1]] * b[next[j]];
+        }
+    }
+    return m[0][0] * c[0][0] + m[0][1] * c[0][1] + m[0][2] * c[0][2];
+}
+
+void invcal_inverse3(const invcal_real m[3][3], invcal_real inverse[3][3])
+{
+    invcal_real c[3][3];
+    const invcal_real det = invcal_cofactors(m, c);
+
+    for (unsigned i = 0; i < 3; i++) {
+        for (unsigned j = 0; j < 3; j++) {
+            inverse[i][j] = c[j][i] / det;
+        }
+    }
+}
+
+/* a = S U' with U orthonormal, which Newton's iteration U <- (U + U^-T) / 2 finds from a itself, and
+ * S = a U, row by row. */
+void invcal_make_symmetric(invcal_real a[3][3], invcal_real work[INVCAL_WORK])
+{
+    invcal_real(*u)[3] = (invcal_real(*)[3])work;       /* U' */
+    invcal_real(*c)[3] = (invcal_real(*)[3])(work + 9); /* its cofactors */
+    invcal_real change = 1;
+
+    memcpy(u, a, 9 * sizeof *work);
+    for (unsigned step = 0; step < STEPS && change > INVCAL_EPSILON; step++) {
+        const invcal_real det = invcal_cofactors((const invcal_real(*)[3])u, c);
+        change = 0;
+        for (unsigned i = 0; i < 3; i++) {
+            for (unsigned j = 0; j < 3; j++) {
+                const invcal_real half = (c[i][j] / det - u[i][j]) / 2;
+                u[i][j] += half;
+                change += half * half;
+            }
+        }
+    }
+    for (unsigned i = 0; i < 3; i++) {
+        for (unsigned j = 0; j < 3; j++) {
+            c[0][j] = invcal_dot3(a[i], u[j]);
+        }
+        memcpy(a[i], c[0], sizeof a[i]);
+    }
+}
+
+/* L / root. The diagonal of L is reciprocal. */
+static void make_triangular(const invcal_real *l, invcal_real root, invcal_real a[3][3])
+{
+    for (unsigned r = 0; r < 3; r++) {
+        for (unsigned c = 0; c < r; c++) {
+            a[c][r] = 0;
+            a[r][c] = *l++ / root;
+        }
+        a[r][r] = 1 / (*l++ * root);
+    }
+}
+
+/* Centre and axes of an ellipsoid as a calibration of u:
+ *
+ *     v = (p0 p1 p2),  Q = I + [2p3 p6 p7; p6 2p4 p8; p7 p8 2p5]
+ *     delta = -Q^-1 v,  k = 1 + delta Q delta = 1 + v Q^-1 v,  A A = Q / k
+ *
+ * With v below Q and -1 behind it, one Cholesky gives all: Q = L L', A A = L L' / k. Where zero
+ * lies outside the ellipsoid, Q and k are negative, and -Q, -k do as well. */
+invcal_status invcal_ellipsoid(const invcal_real p[INVCAL_PARAMETERS],
+                               invcal_real work[INVCAL_WORK], invcal_calibration *out)
+{
+    static const uint8_t order[] = {INVCAL_DK_X,     INVCAL_GAMMA_XY, INVCAL_DK_Y,
+                                    INVCAL_GAMMA_XZ, INVCAL_GAMMA_ZY, INVCAL_DK_Z,
+                                    INVCAL_DELTA_X,  INVCAL_DELTA_Y,  INVCAL_DELTA_Z};
+    const invcal_real sign = 1 + 2 * p[INVCAL_DK_X] < 0 ? (invcal_real)-1 : 1;
+    invcal_real *q = work;
+    invcal_real *delta = &q[INVCAL_PACKED(3, 0)];
+
+    for (unsigned i = 0; i < sizeof order; i++) {
+        const unsigned r = order[i];
+        q[i] = sign * (r >= INVCAL_DK_X && r <= INVCAL_DK_Z ? 1 + 2 * p[r] : p[r]);
+    }
+    q[9] = -sign;
+    if (invcal_factor(q, 3, 4, 1 / SQUARE) != INVCAL_OK || !(q[9] < 0)) {
+        return INVCAL_NOT_ELLIPSOID;
+    }
+    invcal_back_substitute(q, 3);
+    make_triangular(q, INVCAL_SQRT(-q[9]), out->matrix);
+    for (unsigned i = 0; i < 3; i++) {
+        out->offset[i] = delta[i];
+    }
+    invcal_make_symmetric(out->matrix, work);
+    /* the squares of all elements of A are those of 1 / semi-axis, added up */
+    return invcal_dot(out->matrix[0], out->matrix[0], 9) < SQUARE &&
+                   invcal_dot3(out->offset, out->offset) < SQUARE
+               ? INVCAL_OK
+               : INVCAL_NOT_ELLIPSOID;
+}
+
+invcal_status invcal_triad(const invcal_real x[INVCAL_PARAMETERS], invcal_calibration *triad)
+{
+    const invcal_real xy = x[INVCAL_GAMMA_XY] / 2;
+    const invcal_real xz = x[INVCAL_GAMMA_XZ] / 2;
+    const invcal_real zy = x[INVCAL_GAMMA_ZY] / 2;
+    const invcal_real p[3][3] = {{1 + x[INVCAL_DK_X], xy, xz},
+                                 {xy, 1 + x[INVCAL_DK_Y], zy},
+                                 {xz, zy, 1 + x[INVCAL_DK_Z]}}; /* I + S */
+    int is_triad = p[0][0] * p[1][1] > xy * xy;
+
+    invcal_inverse3(p, triad->matrix);
+    for (unsigned i = 0; i < 3; i++) {
+        triad->offset[i] = x[i];
+        is_triad &= p[i][i] > 0 && p[i][i] < LONGEST && triad->matrix[i][i] > 0 &&
+                    triad->matrix[i][i] < LONGEST && INVCAL_FABS(x[i]) < LONGEST;
+    }
+    return is_triad ? INVCAL_OK : INVCAL_NOT_ELLIPSOID;
+}
+
+/* A (u - delta) with u = N (raw - zero): matrix = A N, offset = zero + N^-1 delta. */
+invcal_status invcal_behind(const invcal_calibration *nominal, invcal_calibration *c)
+{
+    const invcal_real delta[3] = {c->offset[0], c->offset[1], c->offset[2]};
+    const invcal_real(*n)[3] = nominal->matrix;
+    invcal_real cofactor[3][3];
+    const invcal_real det = invcal_cofactors(n, cofactor);
+
+    INVCAL_UNROLL
+    for (unsigned i = 0; i < 3; i++) {
+        const invcal_real a[3] = {c->matrix[i][0], c->matrix[i][1], c->matrix[i][2]};
+        INVCAL_UNROLL
+        for (unsigned j = 0; j < 3; j++) {
+            c->matrix[i][j] = a[0] * n[0][j] + a[1] * n[1][j] + a[2] * n[2][j];
+        }
+        c->offset[i] = nominal->offset[i] + (cofactor[0][i] * delta[0] + cofactor[1][i] * delta[1] +
+                                             cofactor[2][i] * delta[2]) /
+                                                det;
+    }
+    return invcal_are_finite(c->offset) ? INVCAL_OK : INVCAL_BAD_NOMINAL;
+}
+
+invcal_status invcal_solve(invcal_sums *sums, const invcal_calibration *nominal,
+                           invcal_calibration *out)
+{
+    invcal_calibration c;
+
+    INVCAL_ASSERT(sums && nominal && out);
+    if (sums->count < INVCAL_PARAMETERS) {
+        return INVCAL_TOO_FEW;
+    }
+    invcal_real *a = sums->sum;
+    invcal_sums_system(sums);
+    invcal_status status = invcal_factor(a, INVCAL_PARAMETERS, INVCAL_PARAMETERS + 1, INVCAL_FLOOR);
+    if (status == INVCAL_OK) {
+        invcal_back_substitute(a, INVCAL_PARAMETERS);
+        status = invcal_ellipsoid(&a[INVCAL_PACKED(INVCAL_PARAMETERS, 0)], a, &c);
+    }
+    if (status == INVCAL_OK) {
+        status = invcal_behind(nominal, &c);
+    }
+    if (status == INVCAL_OK) {
+        *out = c; /* which may be nominal */
+    }
+    return status;
+}

@@ -1,0 +1,170 @@
+/* SPDX-License-Identifier: MIT */
+#include "invcal/expert.h"
+
+#include "vector.h"
+
+invcal_real invcal_trace(const invcal_real *a, unsigned n)
+{
+    invcal_real sum = 0;
+
+    for (unsigned r = 0; r < n; r++) {
+        sum += a[INVCAL_PACKED(r, r)];
+    }
+    return sum;
+}
+
+static INVCAL_INLINE invcal_real largest(const invcal_real *a, unsigned n)
+{
+    invcal_real most = 0;
+
+    INVCAL_UNROLL_ROWS
+    for (unsigned r = 0; r < n; r++) {
+        const invcal_real d = a[INVCAL_PACKED(r, r)];
+        most = d > most ? d : most;
+    }
+    return most;
+}
+
+invcal_real invcal_largest_diagonal(const invcal_real *a, unsigned n)
+{
+    return largest(a, n);
+}
+
+/* L(r,c) = (A(r,c) - sum L(r,k) L(c,k)) / L(c,c), L(r,r) = sqrt(A(r,r) - sum L(r,k)^2). */
+static INVCAL_INLINE invcal_status factor(invcal_real *a, unsigned n, unsigned rows,
+                                          invcal_real floor)
+{
+    const invcal_real least = floor * largest(a, n);
+    invcal_real *row = a;
+
+    INVCAL_UNROLL_ROWS
+    for (unsigned r = 0; r < rows; r++) {
+        const invcal_real *l = a;
+        invcal_real pivot = row[r];
+        INVCAL_UNROLL_ROWS
+        for (unsigned c = 0; c < r; c++) {
+            invcal_real x = row[c];
+            INVCAL_UNROLL_ROWS
+            for (unsigned k = 0; k < c; k++) {
+                x -= l[k] * row[k];
+            }
+            x *= l[c];
+            row[c] = x;
+            pivot -= x * x;
+            l += c + 1;
+        }
+        row[r] = pivot;
+        if (r < n) {
+            if (!(pivot > least)) {
+                return INVCAL_UNDETERMINED;
+            }
+            row[r] = 1 / INVCAL_SQRT(pivot);
+        }
+        row += r + 1;
+    }
+    return INVCAL_OK;
+}
+
+/* Where speed is asked for, sizes that are known are compiled for themselves. */
+invcal_status invcal_factor(invcal_real *a, unsigned n, unsigned rows, invcal_real floor)
+{
+    INVCAL_ASSERT(a && n >= 1);
+#ifdef INVCAL_FAST
+    if (n == INVCAL_PARAMETERS) {
+        return rows == n ? factor(a, INVCAL_PARAMETERS, INVCAL_PARAMETERS, floor)
+                         : factor(a, INVCAL_PARAMETERS, INVCAL_PARAMETERS + 1, floor);
+    }
+#endif
+    return factor(a, n, rows, floor);
+}
+
+/* By columns of L': once p(r) is known, its share is taken from those above. */
+static INVCAL_INLINE void back_substitute(invcal_real *l, unsigned n)
+{
+    invcal_real *p = &l[INVCAL_PACKED(n, 0)];
+
+    INVCAL_UNROLL_ROWS
+    for (unsigned r = n; r-- > 0;) {
+        const invcal_real *row = &l[INVCAL_PACKED(r, 0)];
+        p[r] *= -row[r];
+        INVCAL_UNROLL_ROWS
+        for (unsigned c = 0; c < r; c++) {
+            p[c] += row[c] * p[r];
+        }
+    }
+}
+
+void invcal_back_substitute(invcal_real *l, unsigned n)
+{
+#ifdef INVCAL_FAST
+    if (n == INVCAL_PARAMETERS) {
+        back_substitute(l, INVCAL_PARAMETERS);
+        return;
+    }
+#endif
+    back_substitute(l, n);
+}
+
+static INVCAL_INLINE void invert(invcal_real *l, unsigned n)
+{
+    invcal_real *row = l;
+
+    INVCAL_UNROLL_ROWS
+    for (unsigned r = 0; r < n; r++) {
+        INVCAL_UNROLL_ROWS
+        for (unsigned c = 0; c < r; c++) {
+            invcal_real sum = 0;
+            INVCAL_UNROLL_ROWS
+            for (unsigned k = c; k < r; k++) {
+                sum += row[k] * l[INVCAL_PACKED(k, c)];
+            }
+            row[c] = -sum * row[r];
+        }
+        row += r + 1;
+    }
+}
+
+void invcal_invert(invcal_real *l, unsigned n)
+{
+#ifdef INVCAL_FAST
+    if (n == INVCAL_PARAMETERS) {
+        invert(l, INVCAL_PARAMETERS);
+        return;
+    }
+#endif
+    invert(l, n);
+}
+
+invcal_real invcal_variance(const invcal_real *inverse, unsigned n, unsigned r)
+{
+    invcal_real sum = 0;
+
+    for (unsigned i = r; i < n; i++) {
+        const invcal_real x = inverse[INVCAL_PACKED(i, r)];
+        sum += x * x;
+    }
+    return sum;
+}
+
+invcal_real invcal_leverage(const invcal_real *inverse, const invcal_real h[INVCAL_PARAMETERS])
+{
+    invcal_real sum = 0;
+
+    INVCAL_UNROLL_ROWS
+    for (unsigned r = 0; r < INVCAL_PARAMETERS; r++) {
+        invcal_real y = 0;
+        INVCAL_UNROLL_ROWS
+        for (unsigned c = 0; c <= r; c++) {
+            y += *inverse++ * h[c];
+        }
+        sum += y * y;
+    }
+    return sum;
+}
+
+void invcal_add_ridge(invcal_real *a, unsigned n, invcal_real x)
+{
+    for (unsigned r = 0; r < n; r++) {
+        a[INVCAL_PACKED(r, r)] += x;
+    }
+}

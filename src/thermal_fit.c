@@ -1,0 +1,539 @@
+/* SPDX-License-Identifier: MIT */
+#include <stddef.h>
+#include <string.h>
+
+#include "invcal/expert.h"
+#include "judge.h"
+#include "polynomials.h"
+#include "sums.h"
+#include "vector.h"
+
+#define FARTHEST INVCAL_REAL(2.0)         /* |t| */
+#define NARROWEST INVCAL_REAL(5.0)        /* K, for each degree */
+#define NARROWEST_STEP INVCAL_REAL(0.125) /* of t, to a point of interpolation */
+#define USUAL_SLOPE INVCAL_REAL(1e-3)     /* 1/K */
+#define USUAL_NOISE INVCAL_REAL(1e-4)     /* over field */
+
+enum {
+    DEGREE = INVCAL_THERMAL_DEGREE,
+    NINE = INVCAL_PARAMETERS,
+    UNKNOWNS = NINE * INVCAL_THERMAL_ROWS /* coefficient of t^a, parameter r: number 9 a + r */
+};
+
+/* A fit on its way. */
+typedef struct {
+    const invcal_thermal_positions *positions;
+    const invcal_thermal *base; /* what a prior holds to */
+    invcal_real noise;          /* that a prior is weighed with, over field */
+    invcal_real held[UNKNOWNS]; /* 1 / standard deviation of the prior; 0: none */
+    invcal_real loosest;        /* the smallest of them above 0 */
+    int has_prior;              /* are there any? */
+    int is_judged;        /* the rows are the slopes at the solution, not those that find it */
+    invcal_real min, max; /* temperatures */
+    invcal_thermal now;   /* what the rows are made with */
+    invcal_residuals residuals; /* of that */
+    invcal_quality q;           /* of that */
+    invcal_real squares;        /* weighted, of the residuals */
+    invcal_real largest;        /* on the diagonal of the system */
+    /* The system of n = 9 (degree + 1) unknowns; solved: L^-1, and p in row n. */
+    invcal_real a[INVCAL_PACKED_SIZE(UNKNOWNS + 1)];
+} job;
+
+const char *invcal_thermal_fallback_text(invcal_thermal_fallback fallback)
+{
+    return fallback == INVCAL_THERMAL_AS_ASKED ? "as asked"
+           : fallback == INVCAL_THERMAL_FEW    ? "too few positions for slopes"
+           : fallback == INVCAL_THERMAL_NARROW ? "too narrow a range of temperatures for slopes"
+           : fallback == INVCAL_THERMAL_OPEN   ? "positions and temperatures leave slopes open"
+                                               : "unknown reason";
+}
+
+invcal_real invcal_thermal_drift_limit(invcal_real noise, invcal_real slope)
+{
+    const invcal_real limit =
+        2 * (noise > 0 ? noise : USUAL_NOISE) / (slope > 0 ? slope : USUAL_SLOPE);
+
+    return noise >= 0 && slope >= 0 && invcal_is_finite(limit) ? limit : 0;
+}
+
+/* ---- the system --------------------------------------------------------------------------------- */
+
+/* The row (h, t h, t^2 h, j), and its products with itself. */
+static void add_at(invcal_real *a, unsigned n, const invcal_real row[NINE + 1], invcal_real weight,
+                   invcal_real t)
+{
+    invcal_real wide[UNKNOWNS + 1];
+
+    memcpy(wide, row, NINE * sizeof *wide);
+    for (unsigned i = NINE; i < n; i++) {
+        wide[i] = t * wide[i - NINE];
+    }
+    wide[n] = row[INVCAL_J];
+    invcal_rank_one(a, wide, n + 1, weight, NULL);
+}
+
+/* All positions, calibrated with what is there by now. */
+static invcal_status gather(job *j, unsigned n)
+{
+    const invcal_thermal_positions *p = j->positions;
+    invcal_calibration triad;
+    invcal_calibration c;
+    invcal_row row;
+    invcal_real g[NINE + 1];
+
+    memset(j->a, 0, sizeof j->a);
+    memset(&j->residuals, 0, sizeof j->residuals);
+    for (unsigned i = 0; i < p->count; i++) {
+        const invcal_real t = invcal_thermal_scaled(&j->now, p->temperature[i]);
+        invcal_status status = invcal_thermal_triad(&j->now, t, &triad);
+        if (status == INVCAL_OK) {
+            c = triad;
+            status = invcal_behind(&j->now.nominal, &c);
+        }
+        if (status == INVCAL_OK) {
+            status = invcal_observe(&c, &p->raw[3 * (size_t)i], &row);
+        }
+        if (status != INVCAL_OK) {
+            return status;
+        }
+        invcal_residuals_add(&j->residuals, i, &row);
+        const invcal_real square = invcal_gradient((const invcal_real(*)[3])triad.matrix, row.h, g);
+        invcal_slope(row.h, g);
+        g[INVCAL_J] = row.h[INVCAL_J];
+        add_at(j->a, n, j->is_judged ? g : row.h, 1 / square, t);
+    }
+    return INVCAL_OK;
+}
+
+/* A coefficient known with a standard deviation is a row more, (noise / sigma) x = 0: it is 0 at the
+ * base, and p is -x against what is there by now. */
+static invcal_status solve_at_noise(job *j, unsigned n, invcal_real floor)
+{
+    const invcal_real *now = &j->now.x[0][0];
+    const invcal_real *base = &j->base->x[0][0];
+
+    invcal_status status = gather(j, n);
+    if (status != INVCAL_OK) {
+        return status;
+    }
+    j->squares = j->a[INVCAL_PACKED(n, n)];
+    j->largest = invcal_largest_diagonal(j->a, n);
+    for (unsigned i = 0; i < n; i++) {
+        const invcal_real ratio = j->noise * j->held[i];
+        j->a[INVCAL_PACKED(i, i)] += ratio * ratio;
+        j->a[INVCAL_PACKED(n, i)] -= ratio * ratio * (now[i] - base[i]);
+    }
+    const invcal_real trace = invcal_trace(j->a, n);
+    status = invcal_factor(j->a, n, n + 1, floor);
+    if (status != INVCAL_OK) {
+        return status;
+    }
+    invcal_back_substitute(j->a, n);
+    invcal_invert(j->a, n);
+    j->q.condition = invcal_condition(j->a, n, trace);
+    return j->has_prior || invcal_is_resolved(j->q.condition) ? INVCAL_OK : INVCAL_UNDETERMINED;
+}
+
+/* Where a prior has to hold what the positions leave open, the noise is raised to that with which it
+ * is just more than rounding beside the largest sums. */
+static invcal_status solve_to(job *j, unsigned n)
+{
+    if (!j->has_prior) {
+        return solve_at_noise(j, n, INVCAL_FLOOR);
+    }
+    const invcal_status status = solve_at_noise(j, n, 30 * INVCAL_FLOOR);
+    if (status != INVCAL_UNDETERMINED) {
+        return status;
+    }
+    const invcal_real resolved = INVCAL_SQRT(4 * INVCAL_EPSILON * j->largest) / j->loosest;
+    j->noise = j->noise >= resolved ? j->noise : resolved;
+    return solve_at_noise(j, n, INVCAL_EPSILON);
+}
+
+/* ---- the solution --------------------------------------------------------------------------------- */
+
+/* How many coefficients, from this one on, no prior holds, nor the positions once it is solved. */
+static unsigned count_open(const job *j, unsigned from, unsigned n, int is_solved)
+{
+    unsigned count = 0;
+
+    for (unsigned i = from; i < UNKNOWNS && i < n; i++) {
+        count += !(j->held[i] > 0 || (is_solved && invcal_variance(j->a, n, i) <= INVCAL_WEAK_K));
+    }
+    return count;
+}
+
+/* What stands against a degree: it need not even be tried, or it has been solved. */
+static invcal_thermal_fallback try_degree(job *j, unsigned degree, invcal_status *status)
+{
+    const unsigned n = (degree + 1) * NINE;
+    const invcal_real noise = j->noise;
+    //@ split n;
+
+    *status = INVCAL_TOO_FEW;
+    if (j->positions->count < count_open(j, 0, n, 0)) {
+        return INVCAL_THERMAL_FEW;
+    }
+    if (j->max - j->min < (invcal_real)degree * NARROWEST &&
+        count_open(j, degree * NINE, n, 0) > 0) {
+        return INVCAL_THERMAL_NARROW;
+    }
+    *status = solve_to(j, n);
+    if (*status == INVCAL_OK && count_open(j, NINE, n, 1) > 0) {
+        *status = INVCAL_UNDETERMINED;
+    }
+    if (*status != INVCAL_UNDETERMINED) {
+        return INVCAL_THERMAL_AS_ASKED;
+    }
+    j->noise = noise; /* not raised in vain */
+    return INVCAL_THERMAL_OPEN;
+}
+
+/* The highest degree that can be had, `degree` at most. */
+static invcal_status solve_highest(job *j, unsigned degree)
+{
+    invcal_status status;
+    invcal_thermal_fallback why = try_degree(j, degree, &status);
+
+    while (why != INVCAL_THERMAL_AS_ASKED && degree > 0) { /* at most INVCAL_THERMAL_DEGREE */
+        j->now.fallback = (uint8_t)why;
+        why = try_degree(j, --degree, &status);
+    }
+    j->now.fitted = (uint8_t)degree;
+    return status;
+}
+
+static void turn(invcal_real m[3][3])
+{
+    for (unsigned i = 0; i < 3; i++) {
+        for (unsigned j = 0; j < i; j++) {
+            const invcal_real x = m[i][j];
+            m[i][j] = m[j][i];
+            m[j][i] = x;
+        }
+    }
+}
+
+/* X at t of what is there by now, and of p together: delta = delta1 + (I + S1) delta2,
+ * A'A = (A2 A1)'(A2 A1). */
+static invcal_status compose(const job *j, invcal_real t, invcal_real x[INVCAL_PARAMETERS])
+{
+    const unsigned degree = j->now.fitted;
+    //@ split degree;
+    invcal_calibration first;
+    invcal_calibration c;
+    invcal_real scratch[INVCAL_WORK];
+    invcal_real m[3][3];
+
+    invcal_polynomials(&j->a[INVCAL_PACKED((degree + 1) * NINE, 0)], degree, t, x);
+    invcal_status status = invcal_ellipsoid(x, scratch, &c);
+    if (status == INVCAL_OK) {
+        status = invcal_thermal_triad(&j->now, t, &first);
+    }
+    if (status == INVCAL_OK) {
+        status = invcal_behind(&first, &c);
+    }
+    if (status != INVCAL_OK) {
+        return status;
+    }
+    turn(c.matrix);
+    invcal_make_symmetric(c.matrix, scratch);
+    invcal_inverse3((const invcal_real(*)[3])c.matrix, m);
+    memcpy(x, c.offset, sizeof c.offset);
+    for (unsigned i = 0; i < 3; i++) {
+        x[INVCAL_DK_X + i] = m[i][i] - 1;
+    }
+    x[INVCAL_GAMMA_XY] = 2 * m[0][1];
+    x[INVCAL_GAMMA_XZ] = 2 * m[0][2];
+    x[INVCAL_GAMMA_ZY] = 2 * m[1][2];
+    return INVCAL_OK;
+}
+
+/* The polynomials of X through what it is at both ends of the range and, for a parabola, in the
+ * middle: Newton's interpolation, about t = 0. */
+static invcal_status interpolate(job *j)
+{
+    const unsigned degree = j->now.degree;
+    const invcal_real low = invcal_thermal_scaled(&j->now, j->now.min);
+    const invcal_real half = (invcal_thermal_scaled(&j->now, j->now.max) - low) / 2;
+    const invcal_real step = half > NARROWEST_STEP ? half : NARROWEST_STEP;
+    const invcal_real t = low + half;
+    invcal_real x[3][NINE];
+
+    for (unsigned k = 0; k < 3; k++) {
+        const invcal_status status = compose(j, t + ((invcal_real)k - 1) * step, x[k]);
+        if (status != INVCAL_OK) {
+            return status;
+        }
+    }
+    for (unsigned r = 0; r < NINE; r++) {
+        const invcal_real rise = (x[2][r] - x[0][r]) / 2;
+        const invcal_real bend = (x[2][r] - x[1][r]) - (x[1][r] - x[0][r]);
+        const invcal_real c2 = degree == 2 ? bend / (2 * step * step) : 0;
+        const invcal_real c1 = rise / step - 2 * c2 * t;
+        const invcal_real middle = degree == 2 ? x[1][r] : x[0][r] + rise;
+        const invcal_real c[3] = {middle - (c1 + c2 * t) * t, c1, c2};
+        for (unsigned a = 0; a <= DEGREE; a++) {
+            j->now.x[a][r] = c[a];
+        }
+    }
+    return INVCAL_OK;
+}
+
+/* Solves for what is left against the calibration that is there by now. */
+static invcal_status improve(job *j, unsigned degree)
+{
+    invcal_thermal *now = &j->now;
+    invcal_status status = solve_highest(j, degree);
+
+    if (status != INVCAL_OK) {
+        return status;
+    }
+    //@ split now->fitted;
+    const int is_new = now->fitted >= now->degree; /* else slopes are kept, and where they hold */
+    now->min = is_new || j->min < now->min ? j->min : now->min;
+    now->max = is_new || j->max > now->max ? j->max : now->max;
+    now->degree = is_new ? now->fitted : now->degree;
+    status = interpolate(j);
+    return status == INVCAL_NOT_ELLIPSOID && count_open(j, 0, (now->fitted + 1u) * NINE, 1) > 0
+               ? INVCAL_UNDETERMINED /* what is left open may take any shape */
+               : status;
+}
+
+/* ---- the judgement -------------------------------------------------------------------------------- */
+
+/* How noisy the data are, and L^-1 with that. What a prior supplies is no unknown of the data. */
+static invcal_status weigh(job *j)
+{
+    const unsigned n = (j->now.fitted + 1u) * NINE;
+    invcal_real dof = (invcal_real)j->positions->count - (invcal_real)n;
+
+    //@ split n;
+    j->is_judged = 1;
+    invcal_status status = solve_to(j, n);
+    if (status != INVCAL_OK) {
+        return status;
+    }
+    for (unsigned i = 0; i < n; i++) {
+        const invcal_real ratio = j->noise * j->held[i];
+        dof += ratio * ratio * invcal_variance(j->a, n, i);
+    }
+    invcal_judge_noise(j->positions->noise, j->squares, dof, &j->q);
+    if (j->has_prior) {
+        j->noise = j->q.noise;
+        status = solve_to(j, n);
+        j->q.noise = j->noise;
+    }
+    if (status == INVCAL_OK) { /* uncovered: more noise makes a prior hold more, never less */
+        status = invcal_residuals_end(&j->residuals);
+    }
+    invcal_judge_residuals(&j->residuals, &j->q);
+    return status;
+}
+
+/* K(r,r) of X(t): the squared length of L^-1 (1 t t^2). */
+static invcal_real variance_at(const job *j, invcal_real t, unsigned r)
+{
+    invcal_real sum = 0;
+
+    //@ split j->now.fitted;
+    for (unsigned i = r; i < (j->now.fitted + 1u) * NINE; i++) {
+        invcal_real y = 0;
+        for (unsigned a = (i - r) / NINE + 1; a-- > 0;) {
+            y = j->a[INVCAL_PACKED(i, a * NINE + r)] + t * y;
+        }
+        sum += y * y;
+    }
+    return sum;
+}
+
+/* What was weak before remains so. */
+static invcal_status judge_at(job *j, invcal_real temperature)
+{
+    const invcal_thermal *now = &j->now;
+    const uint16_t weak = j->q.weak;
+    invcal_thermal_place place;
+    invcal_calibration triad;
+    invcal_real k[NINE];
+    invcal_real t;
+
+    invcal_status status = invcal_thermal_find(now, temperature, &t, &place);
+    if (status == INVCAL_OK) {
+        status = invcal_thermal_triad(now, t, &triad);
+    }
+    if (status != INVCAL_OK) {
+        return status;
+    }
+    for (unsigned r = 0; r < NINE; r++) {
+        k[r] = variance_at(j, t, r);
+        if (!(k[r] <= INVCAL_HOPELESS_K || j->held[r] > 0)) {
+            return INVCAL_UNDETERMINED;
+        }
+    }
+    invcal_judge_parameters(k, (const invcal_real(*)[3])triad.matrix, &j->q);
+    j->q.weak |= weak;
+    j->q.verdict = j->q.weak ? INVCAL_WEAK : j->q.verdict;
+    return INVCAL_OK;
+}
+
+/* Without slopes over a range that wants some, slopes pass for errors of everything else, and the
+ * residuals may not show it. */
+static invcal_status judge_range(job *j, const invcal_real *temperature, unsigned count,
+                                 invcal_quality *quality)
+{
+    const invcal_thermal *now = &j->now;
+    const int lacks_slopes = DEGREE > 0 && now->degree == 0 && !(now->max - now->min < NARROWEST);
+    invcal_status status = weigh(j);
+
+    j->q.weak = lacks_slopes ? (1u << NINE) - 1u : 0;
+    for (unsigned i = 0; i < count && status == INVCAL_OK; i++) {
+        status = judge_at(j, temperature[i]);
+    }
+    if (status == INVCAL_OK) {
+        *quality = j->q;
+    }
+    return status;
+}
+
+/* ---- all in one ----------------------------------------------------------------------------------- */
+
+static invcal_status find_range(const invcal_real *temperature, unsigned count, invcal_real *min,
+                                invcal_real *max)
+{
+    for (unsigned i = 0; i < count; i++) {
+        const invcal_real one = temperature[i];
+        if (!invcal_is_finite(one)) {
+            return INVCAL_BAD_TEMPERATURE;
+        }
+        *min = i > 0 && *min < one ? *min : one;
+        *max = i > 0 && *max > one ? *max : one;
+    }
+    return count > 0 ? INVCAL_OK : INVCAL_TOO_FEW;
+}
+
+/* What is known beforehand, over the span. */
+static invcal_status hold(job *j, const invcal_thermal_prior *prior)
+{
+    invcal_real power = 1;
+
+    j->loosest = INVCAL_REAL_MAX;
+    for (unsigned i = 0; i < UNKNOWNS; i++) {
+        const invcal_real sigma = prior->sigma[i / NINE][i % NINE];
+        const invcal_real held = sigma == 0 ? 0 : 1 / (sigma * power);
+        if (!(sigma >= 0 && sigma <= INVCAL_REAL_MAX && held <= INVCAL_REAL_MAX)) {
+            return INVCAL_BAD_PRIOR;
+        }
+        j->held[i] = held;
+        j->has_prior |= held > 0;
+        j->loosest = held > 0 && held < j->loosest ? held : j->loosest;
+        power *= i % NINE == NINE - 1 ? j->now.span : 1;
+    }
+    return j->noise > 0 ? INVCAL_OK : INVCAL_BAD_NOISE;
+}
+
+static invcal_status set_up(job *j, const invcal_thermal_positions *positions,
+                            const invcal_thermal_prior *prior, const invcal_thermal *base,
+                            unsigned degree)
+{
+    const invcal_positions plain = {positions->raw, positions->count, 0, &base->nominal,
+                                    positions->noise};
+
+    memset(j, 0, sizeof *j);
+    j->positions = positions;
+    j->base = base;
+    j->noise = positions->noise;
+    j->now = *base;
+    invcal_status status = degree <= DEGREE ? invcal_positions_check(&plain) : INVCAL_BAD_COUNT;
+    if (status == INVCAL_OK) {
+        status = find_range(positions->temperature, positions->count, &j->min, &j->max);
+    }
+    if (status == INVCAL_OK && (!(INVCAL_FABS(invcal_thermal_scaled(base, j->min)) <= FARTHEST) ||
+                                !(INVCAL_FABS(invcal_thermal_scaled(base, j->max)) <= FARTHEST))) {
+        return INVCAL_BAD_TEMPERATURE;
+    }
+    return status == INVCAL_OK && prior != NULL ? hold(j, prior) : status;
+}
+
+/* Two solutions by count, and what they are worth. A prior counts for more if the data are noisier
+ * than stated: once more with their noise. Readings fit for the first pass may be absurd after it. */
+static invcal_status run(job *j, unsigned degree, invcal_thermal *out, invcal_quality *quality)
+{
+    j->now.fallback = INVCAL_THERMAL_AS_ASKED;
+    invcal_status status = improve(j, degree);
+    if (status != INVCAL_OK) {
+        return status;
+    }
+    status = improve(j, j->now.fitted);
+    if (status == INVCAL_OK && j->has_prior) {
+        status = weigh(j);
+        status = status == INVCAL_OK ? improve(j, j->now.fitted) : status;
+    }
+    if (status == INVCAL_OK) {
+        const invcal_real at[3] = {j->now.min, j->now.max, j->now.reference};
+        status = judge_range(j, at, 3, quality);
+    }
+    if (status == INVCAL_OK) {
+        *out = j->now;
+    }
+    return status == INVCAL_OUT_OF_RANGE ? INVCAL_NOT_ELLIPSOID : status;
+}
+
+invcal_status invcal_thermal_fit(const invcal_thermal_positions *positions,
+                                 const invcal_thermal_prior *prior, const invcal_thermal *base,
+                                 unsigned degree, invcal_thermal *out, invcal_quality *quality)
+{
+    job j;
+
+    INVCAL_ASSERT(positions && base && out && quality);
+    const invcal_status status = set_up(&j, positions, prior, base, degree);
+    return status == INVCAL_OK ? run(&j, degree, out, quality) : status;
+}
+
+invcal_status invcal_thermal_judge(const invcal_thermal_positions *positions,
+                                   const invcal_thermal_prior *prior, const invcal_thermal *thermal,
+                                   invcal_real temperature, invcal_quality *quality)
+{
+    job j;
+
+    INVCAL_ASSERT(positions && thermal && quality);
+    const invcal_status status = set_up(&j, positions, prior, thermal, thermal->fitted);
+    return status == INVCAL_OK ? judge_range(&j, &temperature, 1, quality) : status;
+}
+
+invcal_status invcal_thermal_start(const invcal_calibration *nominal,
+                                   const invcal_real *temperature, unsigned count,
+                                   invcal_thermal *out)
+{
+    invcal_real min = 0;
+    invcal_real max = 0;
+
+    INVCAL_ASSERT(nominal && (temperature || count == 0) && out);
+    invcal_status status = invcal_nominal_check(nominal);
+    if (status == INVCAL_OK) {
+        status = find_range(temperature, count, &min, &max);
+    }
+    if (status == INVCAL_OK) {
+        const invcal_real half = max / 2 - min / 2;
+        memset(out, 0, sizeof *out);
+        out->nominal = *nominal;
+        out->reference = min + half;
+        out->span = half >= 1 ? half : 1;
+        out->min = min;
+        out->max = max;
+    }
+    return status;
+}
+
+invcal_status invcal_thermal_calibrate(const invcal_real *raw, const invcal_real *temperature,
+                                       unsigned count, const invcal_calibration *nominal,
+                                       invcal_real noise, invcal_thermal *out,
+                                       invcal_quality *quality)
+{
+    const invcal_thermal_positions positions = {raw, temperature, count, noise};
+    invcal_thermal base;
+
+    INVCAL_ASSERT((raw || count == 0) && nominal && out && quality);
+    const invcal_status status = invcal_thermal_start(nominal, temperature, count, &base);
+    return status == INVCAL_OK ? invcal_thermal_fit(&positions, NULL, &base, DEGREE, out, quality)
+                               : status;
+}

@@ -1,0 +1,21 @@
+/* SPDX-License-Identifier: MIT */
+#include "arbitrary.h"
+#include "invcal/invcal.h"
+
+void main(void)
+{
+    invcal_calibration calibration;
+    invcal_real raw[3];
+    invcal_real field;
+    int32_t counts[3];
+    invcal_real out[3];
+
+    ANY(calibration);
+    ANY(raw);
+    ANY(field);
+    ANY(counts);
+    invcal_apply(&calibration, raw, out);
+    invcal_apply(&calibration, raw, raw);
+    invcal_apply_counts(&calibration, counts, out);
+    (void)invcal_scale(&calibration, field);
+}

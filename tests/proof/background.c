@@ -1,0 +1,90 @@
+/* SPDX-License-Identifier: MIT */
+#include <limits.h>
+
+#include "arbitrary.h"
+#include "guidance.h"
+
+// eva: -eva-precision 0 -eva-auto-loop-unroll 32 -eva-slevel 40 -eva-split-return full
+// stubs: session guidance
+
+/* ---- what other modules do -------------------------------------------------------------------- */
+
+invcal_status invcal_session_begin(invcal_session *session, const invcal_calibration *nominal,
+                                   unsigned rate)
+{
+    (void)nominal->matrix[2][2];
+    (void)rate;
+    if (BETWEEN(0, 1)) {
+        ANY(*session);
+        session->count = 0;
+        return INVCAL_OK;
+    }
+    return INVCAL_BAD_NOMINAL;
+}
+
+/* A place in the table is taken only if it says so. */
+invcal_event invcal_session_feed(invcal_session *session, const int32_t raw[3])
+{
+    const unsigned count = session->count;
+    const invcal_event event = (invcal_event)BETWEEN(INVCAL_NOTHING, INVCAL_REFUSED);
+
+    (void)raw[2];
+    ANY(*session);
+    session->count = (uint8_t)(event == INVCAL_TAKEN ? count + 1 : count);
+    return event;
+}
+
+void invcal_sum_readings(const invcal_real *raw, unsigned count, const invcal_calibration *nominal,
+                         invcal_sums *sums, invcal_real last[3])
+{
+    if (count > 0) {
+        (void)raw[BETWEEN(0, 3 * count - 1)];
+    }
+    (void)nominal->matrix[2][2];
+    ANY(*sums);
+    Frama_C_make_unknown((char *)last, 3 * sizeof *last);
+}
+
+invcal_real invcal_ridged_inverse(invcal_sums *sums)
+{
+    invcal_real ridge;
+
+    ANY(*sums);
+    ANY(ridge);
+    return ridge;
+}
+
+/* ---- in the background ------------------------------------------------------------------------ */
+
+static invcal_background b;
+
+static void any_background(unsigned count)
+{
+    ANY(b);
+    b.session.count = (uint8_t)count;
+}
+
+static void check_background(void)
+{
+    (void)(1 / (b.session.count < INVCAL_MAX_POSITIONS)); /* an alarm, if it does not hold */
+}
+
+void main(void)
+{
+    invcal_calibration nominal;
+    int32_t raw[3];
+
+    ANY(nominal);
+    ANY(raw);
+    if (invcal_background_init(&b, &nominal, BETWEEN(0, UINT_MAX)) == INVCAL_OK) {
+        check_background();
+    }
+    for (unsigned count = 0; count < INVCAL_MAX_POSITIONS; count++) {
+        any_background(count);
+        (void)invcal_background_feed(&b, raw);
+        check_background();
+        any_background(count);
+        invcal_background_age(&b);
+        check_background();
+    }
+}

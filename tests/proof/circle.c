@@ -1,0 +1,14 @@
+/* SPDX-License-Identifier: MIT */
+#include "circle.h"
+#include "arbitrary.h"
+
+// eva: -eva-auto-loop-unroll 20 -eva-slevel 20
+
+void main(void)
+{
+    const invcal_real degrees = (invcal_real)Frama_C_double_interval(-180, 180);
+    invcal_real cosine;
+    invcal_real sine;
+
+    invcal_circle(degrees, &cosine, &sine);
+}

@@ -1,0 +1,94 @@
+/* SPDX-License-Identifier: MIT */
+#include "judge.h"
+
+#include <stddef.h>
+
+#include "arbitrary.h"
+
+// eva: -eva-precision 0 -eva-auto-loop-unroll 12 -eva-slevel 50 -eva-slevel-merge-after-loop @all
+// eva: -eva-split-return-function invcal_observe:0,invcal_positions_sum:0,invcal_positions_compare:0,invcal_factor:0,invcal_ellipsoid:0,invcal_behind:0,invcal_residuals_end:0,invcal_determine:0,solve:0
+// trusted: 1
+// No more degrees of freedom than positions: a difference of two counts that no interval sees.
+// config: -D__OPTIMIZE__=1
+// config: -DINVCAL_MAX_POSITIONS=64
+
+enum { COUNT = 100 };
+
+static invcal_real raw[3 * COUNT];
+static invcal_calibration nominal;
+static invcal_real a[3][3];
+
+static void any_passes(void)
+{
+    invcal_positions positions;
+    invcal_sums sums;
+    invcal_calibration out;
+    invcal_residuals residuals;
+
+    ANY(positions);
+    positions.raw = raw;
+    positions.nominal = &nominal;
+    (void)invcal_positions_check(&positions);
+    positions.count = BETWEEN(0, COUNT);
+    (void)invcal_positions_sum(&positions, &sums);
+    ANY(out);
+    (void)invcal_positions_compare(&positions, &out, (const invcal_real(*)[3])a, &sums, &residuals);
+}
+
+static void any_steps(void)
+{
+    invcal_real system[INVCAL_PACKED_SIZE(INVCAL_PARAMETERS + 1)];
+    invcal_real k[INVCAL_PARAMETERS];
+    invcal_real g[3];
+    invcal_real x;
+    invcal_real y;
+    invcal_row row;
+    invcal_residuals residuals;
+    invcal_quality q;
+
+    ANY(row);
+    ANY(residuals);
+    ANY(q);
+    ANY(x);
+    ANY(y);
+    invcal_residuals_add(&residuals, BETWEEN(0, 0xFFFFFFFF), &row);
+    (void)invcal_residuals_end(&residuals);
+    invcal_judge_residuals(&residuals, &q);
+    (void)invcal_gradient((const invcal_real(*)[3])a, raw, g);
+    invcal_judge_noise(x, y, (invcal_real)Frama_C_double_interval(-1e30, 0xFFFE), &q);
+    ANY(system);
+    (void)invcal_condition(system, INVCAL_PARAMETERS, x);
+    (void)invcal_is_resolved(x);
+    (void)invcal_determine(system, INVCAL_PARAMETERS, k, &y);
+    ANY(system);
+    (void)invcal_determine(system, INVCAL_PARAMETERS + 1, k, &y);
+    ANY(k);
+    invcal_judge_parameters(k, (const invcal_real(*)[3])a, &q);
+}
+
+/* Of any positions, and of none; the result may take the place of nominal. */
+static void any_calibrate(void)
+{
+    invcal_mask left_out;
+    invcal_real noise;
+    invcal_calibration out;
+    invcal_quality quality;
+
+    ANY(left_out);
+    ANY(noise);
+    (void)invcal_calibrate_without(NULL, 0, left_out, &nominal, noise, &out, &quality);
+    (void)invcal_calibrate_without(raw, BETWEEN(1, COUNT), left_out, &nominal, noise, &out,
+                                   &quality);
+    (void)invcal_calibrate_without(raw, BETWEEN(1, COUNT), left_out, &nominal, noise, &nominal,
+                                   &quality);
+}
+
+void main(void)
+{
+    ANY(raw);
+    ANY(nominal);
+    ANY(a);
+    any_passes();
+    any_steps();
+    any_calibrate();
+}

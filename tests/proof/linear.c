@@ -1,0 +1,27 @@
+/* SPDX-License-Identifier: MIT */
+#include "arbitrary.h"
+#include "invcal/expert.h"
+
+// eva: -eva-auto-loop-unroll 12 -eva-slevel 50
+// eva: -eva-split-return full
+
+void main(void)
+{
+    invcal_linear_sums linear;
+    invcal_calibration nominal;
+    invcal_calibration out;
+    invcal_real raw[3];
+    invcal_real eta[3];
+    invcal_real x[INVCAL_PARAMETERS];
+
+    invcal_linear_init(&linear);
+    ANY(linear);
+    ANY(nominal);
+    ANY(raw);
+    ANY(eta);
+    (void)invcal_linear_add_vertical(&linear, &nominal, raw, eta);
+    (void)invcal_linear_add_scalar(&linear, &nominal, raw, eta);
+    ANY(linear);
+    (void)invcal_linear_solve(&linear, &nominal, &out, x);
+    (void)invcal_linear_solve(&linear, &nominal, &nominal, x);
+}

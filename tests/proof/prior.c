@@ -1,0 +1,32 @@
+/* SPDX-License-Identifier: MIT */
+#include <stddef.h>
+
+#include "arbitrary.h"
+#include "invcal/expert.h"
+
+// eva: -eva-precision 0 -eva-auto-loop-unroll 12 -eva-slevel 50 -eva-slevel-merge-after-loop @all,-calibrate_twice
+// eva: -eva-split-return-function check_with:0,know:0,calibrate:0,calibrate_twice:0,solve_with:0,factor_with:0,judge_with:0,invcal_observe:0,invcal_positions_sum:0,invcal_positions_compare:0,invcal_factor:0,invcal_ellipsoid:0,invcal_behind:0,invcal_residuals_end:0
+// trusted: 1
+// No more degrees of freedom than positions: a prior tells what it tells, K(r,r) is at most its
+// variance, but for rounding.
+
+enum { COUNT = 100 };
+
+void main(void)
+{
+    static invcal_real raw[3 * COUNT];
+    invcal_calibration nominal;
+    invcal_real prior[INVCAL_PARAMETERS];
+    invcal_calibration out;
+    invcal_quality quality;
+    invcal_real noise;
+    uint16_t from_prior;
+
+    ANY(raw);
+    ANY(nominal);
+    ANY(prior);
+    ANY(noise);
+    (void)invcal_calibrate_with_prior(NULL, 0, &nominal, noise, prior, &out, &quality, &from_prior);
+    (void)invcal_calibrate_with_prior(raw, BETWEEN(1, COUNT), &nominal, noise, prior, &out,
+                                      &quality, &from_prior);
+}

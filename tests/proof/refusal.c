@@ -1,0 +1,24 @@
+/* SPDX-License-Identifier: MIT */
+#include <stddef.h>
+
+#include "arbitrary.h"
+#include "invcal/expert.h"
+
+// eva: -eva-auto-loop-unroll 12 -eva-slevel 50 -eva-split-return-function invcal_observe:0
+
+enum { COUNT = 100 };
+
+void main(void)
+{
+    static invcal_real raw[3 * COUNT];
+    invcal_calibration nominal;
+    unsigned count;
+
+    ANY(raw);
+    ANY(nominal);
+    count = BETWEEN(1, COUNT);
+    (void)invcal_bad_reading(NULL, 0, &nominal);
+    (void)invcal_bad_reading(&raw[0], count, &nominal);
+    (void)invcal_undetermined(NULL, 0, &nominal);
+    (void)invcal_undetermined(&raw[0], count, &nominal);
+}

@@ -1,0 +1,79 @@
+/* SPDX-License-Identifier: MIT */
+#include <limits.h>
+
+#include "history_rests.h"
+
+// eva: -eva-precision 0 -eva-auto-loop-unroll 32 -eva-slevel 40
+// trusted: 6
+
+static void begin(unsigned bits)
+{
+    int32_t low, high;
+    invcal_rests rests;
+
+    ANY(low);
+    ANY(high);
+    if (invcal_rests_init(&rests, BETWEEN(RATE_FROM(bits), RATE_TO(bits))) == INVCAL_OK) {
+        check_rests(&rests, bits);
+        (void)invcal_rests_rails(&rests, low, high);
+        check_rests(&rests, bits);
+    }
+}
+
+static void feed(unsigned bits)
+{
+    int32_t raw[3];
+    invcal_rests rests;
+
+    ANY(raw);
+    any_rests(&rests, bits);
+    invcal_rests_feed(&rests, raw);
+    check_rests(&rests, bits);
+}
+
+static void hold(unsigned bits)
+{
+    invcal_rests rests;
+
+    any_rests(&rests, bits);
+    invcal_rests_hold(&rests, BETWEEN(0, UINT_MAX));
+    invcal_rests_gap(&rests);
+    check_rests(&rests, bits);
+}
+
+static void finish(unsigned bits)
+{
+    invcal_rests rests;
+
+    any_rests(&rests, bits);
+    invcal_rests_finish(&rests);
+    check_rests(&rests, bits);
+}
+
+static void look(unsigned bits)
+{
+    invcal_rests rests;
+    invcal_rest rest;
+    invcal_real mean[3];
+
+    any_rests(&rests, bits);
+    invcal_rests_progress(&rests);
+    invcal_rests_reason(&rests);
+    invcal_rests_get(&rests, &rest);
+    invcal_rests_mean(&rests, mean);
+}
+
+void main(void)
+{
+    invcal_rests rests;
+
+    (void)invcal_rests_init(&rests, BETWEEN(0, UINT_MAX));
+    //@ loop unroll 9;
+    for (unsigned bits = 2; bits <= 10; bits++) {
+        begin(bits);
+        feed(bits);
+        hold(bits);
+        finish(bits);
+        look(bits);
+    }
+}

@@ -1,0 +1,45 @@
+/* SPDX-License-Identifier: MIT */
+#include "arbitrary.h"
+#include "invcal/store.h"
+
+// stubs: store session
+
+invcal_status invcal_store_load(const invcal_store *store, uint8_t *bytes, uint32_t capacity,
+                                uint32_t *size)
+{
+    (void)store->slot_size;
+    *size = BETWEEN(1, capacity);
+    Frama_C_make_unknown((char *)bytes, capacity);
+    return (invcal_status)BETWEEN(INVCAL_OK, INVCAL_IO);
+}
+
+invcal_status invcal_store_save(const invcal_store *store, const uint8_t *bytes, uint32_t size)
+{
+    (void)store->slot_size;
+    (void)bytes[BETWEEN(0, size - 1)];
+    return (invcal_status)BETWEEN(INVCAL_OK, INVCAL_IO);
+}
+
+uint32_t invcal_session_size(const invcal_session *session)
+{
+    (void)session->count;
+    return BETWEEN(1, INVCAL_SESSION_SIZE);
+}
+
+invcal_status invcal_session_resume(invcal_session *session, uint32_t size)
+{
+    (void)size;
+    ANY(*session);
+    return (invcal_status)BETWEEN(INVCAL_OK, INVCAL_IO);
+}
+
+void main(void)
+{
+    invcal_session session;
+    invcal_store store;
+
+    ANY(store);
+    ANY(session);
+    (void)invcal_save_session(&store, &session);
+    (void)invcal_load_session(&store, &session);
+}

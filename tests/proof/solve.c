@@ -1,0 +1,30 @@
+/* SPDX-License-Identifier: MIT */
+#include "solve.h"
+#include "arbitrary.h"
+
+// eva: -eva-auto-loop-unroll 12 -eva-slevel 50 -eva-split-return full
+
+void main(void)
+{
+    invcal_sums sums;
+    invcal_calibration nominal;
+    invcal_calibration out;
+    invcal_real p[INVCAL_PARAMETERS];
+    invcal_real m[3][3];
+    invcal_real c[3][3];
+    invcal_real work[INVCAL_WORK];
+
+    ANY(sums);
+    ANY(nominal);
+    ANY(p);
+    ANY(m);
+    (void)invcal_cofactors((const invcal_real(*)[3])m, c);
+    invcal_inverse3((const invcal_real(*)[3])m, c);
+    invcal_make_symmetric(m, work);
+    (void)invcal_ellipsoid(p, work, &out);
+    (void)invcal_triad(p, &out);
+    ANY(out);
+    (void)invcal_behind(&nominal, &out);
+    (void)invcal_solve(&sums, &nominal, &out);
+    (void)invcal_solve(&sums, &nominal, &nominal);
+}

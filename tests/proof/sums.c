@@ -1,0 +1,53 @@
+/* SPDX-License-Identifier: MIT */
+#include "sums.h"
+
+#include <stddef.h>
+
+#include "arbitrary.h"
+
+// eva: -eva-auto-loop-unroll 64
+// config: -D__OPTIMIZE__=1
+
+enum { MOST = 27 }; /* unknowns, of a parabola of temperature */
+
+/* Of so many rows, all elements or some. */
+static void rank_one(unsigned n)
+{
+    static invcal_real a[INVCAL_PACKED_SIZE(MOST + 1)];
+    static uint8_t same[INVCAL_PACKED_SIZE(MOST + 1)];
+    invcal_real v[MOST + 1];
+    invcal_real weight;
+
+    ANY(a);
+    ANY(same);
+    ANY(v);
+    ANY(weight);
+    invcal_rank_one(a, v, n, weight, NULL);
+    invcal_rank_one(a, v, n, weight, same);
+}
+
+void main(void)
+{
+    rank_one(INVCAL_PARAMETERS + 1);
+    rank_one(MOST + 1);
+    invcal_sums sums;
+    invcal_calibration nominal;
+    invcal_real raw[3];
+    invcal_real weight;
+    invcal_real h[INVCAL_PARAMETERS];
+    invcal_row row;
+
+    invcal_sums_init(&sums);
+    ANY(nominal);
+    ANY(raw);
+    ANY(weight);
+    (void)invcal_observe(&nominal, raw, &row);
+    (void)invcal_sums_add(&sums, &nominal, raw);
+    ANY(sums);
+    ANY(row);
+    (void)invcal_sums_add(&sums, &nominal, raw);
+    invcal_sums_add_row(&sums, &row, weight);
+    invcal_row_of(raw, h);
+    invcal_row_of(h, h);
+    invcal_sums_system(&sums);
+}

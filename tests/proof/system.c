@@ -1,0 +1,46 @@
+/* SPDX-License-Identifier: MIT */
+#include "arbitrary.h"
+#include "invcal/expert.h"
+#include "invcal/thermal.h"
+
+// eva: -eva-precision 0 -eva-auto-loop-unroll 30
+// config: -D__OPTIMIZE__=1 -DINVCAL_THERMAL_DEGREE=0
+// config: -DINVCAL_THERMAL_DEGREE=2
+
+/* The sizes that the library asks for. */
+enum { MOST = 9 * (1 + INVCAL_THERMAL_DEGREE) };
+
+/* In a buffer of exactly so many elements. */
+static void solve(unsigned n, unsigned rows)
+{
+    static invcal_real buffer[INVCAL_PACKED_SIZE(MOST + 1)];
+    invcal_real *a = &buffer[INVCAL_PACKED_SIZE(MOST + 1) - INVCAL_PACKED_SIZE(rows)];
+    invcal_real floor;
+    invcal_real h[INVCAL_PARAMETERS];
+
+    ANY(buffer);
+    ANY(floor);
+    ANY(h);
+    (void)invcal_trace(a, n);
+    (void)invcal_largest_diagonal(a, n);
+    invcal_add_ridge(a, n, floor);
+    (void)invcal_factor(a, n, rows, floor);
+    if (rows > n) {
+        invcal_back_substitute(a, n);
+    }
+    invcal_invert(a, n);
+    (void)invcal_variance(a, n, BETWEEN(0, n - 1));
+    if (n == INVCAL_PARAMETERS) {
+        (void)invcal_leverage(a, h);
+    }
+}
+
+void main(void)
+{
+    static const unsigned sizes[] = {1, 2, 3, 9, 9 * (1 + INVCAL_THERMAL_DEGREE)};
+
+    for (unsigned i = 0; i < sizeof sizes / sizeof *sizes; i++) {
+        solve(sizes[i], sizes[i]);
+        solve(sizes[i], sizes[i] + 1);
+    }
+}

@@ -1,0 +1,287 @@
+/* SPDX-License-Identifier: MIT */
+#include <stddef.h>
+
+#include "arbitrary.h"
+#include "judge.h"
+#include "polynomials.h"
+#include "sums.h"
+
+// eva: -eva-precision 0 -eva-auto-loop-unroll 30 -eva-slevel 12 -eva-slevel-merge-after-loop @all -eva-split-return full
+// config: -DINVCAL_THERMAL_DEGREE=2
+// config: -DINVCAL_THERMAL_DEGREE=0
+// dead: judge_range 1
+// The test for slopes, and its constant, is decided when it is compiled.
+// stubs: thermal solve nominal sums system judge
+
+/* ---- what other modules do -------------------------------------------------------------------- */
+
+#define UNKNOWN(array, count) Frama_C_make_unknown((char *)(array), (count) * sizeof *(array))
+
+static invcal_status or_fail(invcal_status failure)
+{
+    return BETWEEN(0, 1) ? INVCAL_OK : failure;
+}
+
+static invcal_real any_real(void)
+{
+    invcal_real x;
+
+    ANY(x);
+    return x;
+}
+
+invcal_status invcal_thermal_triad(const invcal_thermal *thermal, invcal_real t,
+                                   invcal_calibration *triad)
+{
+    (void)thermal->x[INVCAL_THERMAL_DEGREE][8];
+    (void)t;
+    ANY(*triad);
+    return or_fail(INVCAL_NOT_ELLIPSOID);
+}
+
+invcal_status invcal_thermal_find(const invcal_thermal *thermal, invcal_real temperature,
+                                  invcal_real *t, invcal_thermal_place *place)
+{
+    (void)thermal->span;
+    (void)temperature;
+    ANY(*t);
+    *place = INVCAL_THERMAL_WITHIN;
+    return or_fail(INVCAL_BAD_TEMPERATURE);
+}
+
+void invcal_polynomials(const invcal_real *c, unsigned degree, invcal_real t,
+                        invcal_real out[INVCAL_PARAMETERS])
+{
+    (void)c[(degree + 1) * INVCAL_PARAMETERS - 1];
+    (void)t;
+    UNKNOWN(out, INVCAL_PARAMETERS);
+}
+
+invcal_status invcal_behind(const invcal_calibration *nominal, invcal_calibration *c)
+{
+    (void)nominal->matrix[2][2];
+    (void)c->matrix[2][2];
+    ANY(*c);
+    return or_fail(INVCAL_BAD_NOMINAL);
+}
+
+invcal_status invcal_ellipsoid(const invcal_real p[INVCAL_PARAMETERS],
+                               invcal_real work[INVCAL_WORK], invcal_calibration *out)
+{
+    (void)p[INVCAL_PARAMETERS - 1];
+    UNKNOWN(work, INVCAL_WORK);
+    ANY(*out);
+    return or_fail(INVCAL_NOT_ELLIPSOID);
+}
+
+void invcal_make_symmetric(invcal_real a[3][3], invcal_real work[INVCAL_WORK])
+{
+    (void)a[2][2];
+    UNKNOWN(work, INVCAL_WORK);
+    UNKNOWN(a, 3);
+}
+
+void invcal_inverse3(const invcal_real m[3][3], invcal_real inverse[3][3])
+{
+    (void)m[2][2];
+    UNKNOWN(inverse, 3);
+}
+
+invcal_status invcal_nominal_check(const invcal_calibration *nominal)
+{
+    (void)nominal->matrix[2][2];
+    return or_fail(INVCAL_BAD_NOMINAL);
+}
+
+invcal_status invcal_observe(const invcal_calibration *nominal, const invcal_real reading[3],
+                             invcal_row *row)
+{
+    (void)nominal->matrix[2][2];
+    (void)reading[2];
+    ANY(*row);
+    return BETWEEN(0, 1) ? INVCAL_OK : BETWEEN(0, 1) ? INVCAL_NOT_FINITE : INVCAL_OUT_OF_RANGE;
+}
+
+void invcal_rank_one(invcal_real *a, const invcal_real *v, unsigned n, invcal_real weight,
+                     const uint8_t *same)
+{
+    for (unsigned i = 0; i < n; i++) {
+        (void)(v[i] + weight);
+    }
+    (void)same;
+    UNKNOWN(a, INVCAL_PACKED_SIZE(n));
+}
+
+invcal_real invcal_trace(const invcal_real *a, unsigned n)
+{
+    (void)a[INVCAL_PACKED_SIZE(n) - 1];
+    return any_real();
+}
+
+invcal_real invcal_largest_diagonal(const invcal_real *a, unsigned n)
+{
+    (void)a[INVCAL_PACKED_SIZE(n) - 1];
+    return any_real();
+}
+
+invcal_status invcal_factor(invcal_real *a, unsigned n, unsigned rows, invcal_real floor)
+{
+    (void)n;
+    (void)floor;
+    UNKNOWN(a, INVCAL_PACKED_SIZE(rows));
+    return or_fail(INVCAL_UNDETERMINED);
+}
+
+void invcal_back_substitute(invcal_real *l, unsigned n)
+{
+    UNKNOWN(l, INVCAL_PACKED_SIZE(n + 1));
+}
+
+void invcal_invert(invcal_real *l, unsigned n)
+{
+    UNKNOWN(l, INVCAL_PACKED_SIZE(n));
+}
+
+invcal_real invcal_variance(const invcal_real *inverse, unsigned n, unsigned r)
+{
+    (void)inverse[INVCAL_PACKED_SIZE(n) - 1];
+    (void)(1 / (r < n)); /* an alarm, if there is no such parameter */
+    return any_real();
+}
+
+invcal_real invcal_condition(const invcal_real *inverse, unsigned n, invcal_real trace)
+{
+    (void)inverse[INVCAL_PACKED_SIZE(n) - 1];
+    (void)trace;
+    return any_real();
+}
+
+invcal_status invcal_positions_check(const invcal_positions *positions)
+{
+    (void)positions->nominal->matrix[2][2];
+    return BETWEEN(0, 1) ? INVCAL_OK : BETWEEN(0, 1) ? INVCAL_BAD_NOISE : INVCAL_BAD_COUNT;
+}
+
+void invcal_residuals_add(invcal_residuals *residuals, unsigned i, const invcal_row *row)
+{
+    (void)i;
+    (void)row->h[0];
+    ANY(*residuals);
+}
+
+invcal_status invcal_residuals_end(invcal_residuals *residuals)
+{
+    ANY(*residuals);
+    return or_fail(INVCAL_NOT_ELLIPSOID);
+}
+
+void invcal_judge_residuals(const invcal_residuals *residuals, invcal_quality *q)
+{
+    q->rms = residuals->rms;
+    q->max = residuals->max;
+    q->worst = (uint16_t)BETWEEN(0, 0xFFFF);
+    q->positions = (uint16_t)BETWEEN(0, 0xFFFF);
+}
+
+invcal_real invcal_gradient(const invcal_real a[3][3], const invcal_real eta[3], invcal_real g[3])
+{
+    (void)a[2][2];
+    (void)eta[2];
+    UNKNOWN(g, 3);
+    return any_real();
+}
+
+void invcal_slope(const invcal_real eta[3], invcal_real g[INVCAL_PARAMETERS])
+{
+    (void)(eta[2] + g[2]);
+    UNKNOWN(g, INVCAL_PARAMETERS);
+}
+
+void invcal_judge_noise(invcal_real stated, invcal_real squares, invcal_real dof, invcal_quality *q)
+{
+    (void)(stated + squares + dof);
+    ANY(q->noise);
+    q->dof = (uint16_t)BETWEEN(0, 0xFFFF);
+}
+
+void invcal_judge_parameters(const invcal_real k[INVCAL_PARAMETERS], const invcal_real a[3][3],
+                             invcal_quality *q)
+{
+    (void)(k[INVCAL_PARAMETERS - 1] + a[2][2] + q->noise);
+    UNKNOWN(q->sigma, INVCAL_PARAMETERS);
+    q->weak = (uint16_t)BETWEEN(0, 0x1FF);
+    q->verdict = (uint8_t)BETWEEN(INVCAL_GOOD, INVCAL_WEAK);
+}
+
+/* ---- the fit ---------------------------------------------------------------------------------- */
+
+enum { COUNT = 100 };
+
+static invcal_real raw[3 * COUNT];
+static invcal_real temperature[COUNT];
+
+static void any_look(void)
+{
+    invcal_calibration nominal;
+    invcal_thermal_fallback fallback;
+    invcal_real noise;
+    invcal_real slope;
+    invcal_thermal out;
+
+    ANY(nominal);
+    ANY(fallback);
+    ANY(noise);
+    ANY(slope);
+    (void)invcal_thermal_fallback_text(fallback);
+    (void)invcal_thermal_drift_limit(noise, slope);
+    (void)invcal_thermal_start(&nominal, NULL, 0, &out);
+    (void)invcal_thermal_start(&nominal, temperature, BETWEEN(1, COUNT), &out);
+}
+
+static void any_calibrate(void)
+{
+    invcal_calibration nominal;
+    invcal_real noise;
+    invcal_thermal out;
+    invcal_quality quality;
+
+    ANY(nominal);
+    ANY(noise);
+    (void)invcal_thermal_calibrate(NULL, NULL, 0, &nominal, noise, &out, &quality);
+    (void)invcal_thermal_calibrate(raw, temperature, BETWEEN(1, COUNT), &nominal, noise, &out,
+                                   &quality);
+}
+
+/* From a base that has told so much. */
+static void any_fit(const invcal_thermal_prior *prior, unsigned fitted)
+{
+    invcal_thermal_positions positions = {raw, temperature, BETWEEN(0, COUNT), 0};
+    invcal_thermal base;
+    invcal_thermal out;
+    invcal_quality quality;
+    invcal_real at;
+
+    ANY(positions.noise);
+    ANY(base);
+    ANY(at);
+    base.fitted = (uint8_t)fitted;
+    for (unsigned degree = 0; degree <= INVCAL_THERMAL_DEGREE + 1; degree++) {
+        (void)invcal_thermal_fit(&positions, prior, &base, degree, &out, &quality);
+    }
+    (void)invcal_thermal_judge(&positions, prior, &base, at, &quality);
+}
+
+void main(void)
+{
+    invcal_thermal_prior prior;
+
+    ANY(raw);
+    ANY(temperature);
+    ANY(prior);
+    any_look();
+    any_calibrate();
+    for (unsigned fitted = 0; fitted <= INVCAL_THERMAL_DEGREE + 1; fitted++) {
+        any_fit(NULL, fitted);
+        any_fit(&prior, fitted);
+    }
+}

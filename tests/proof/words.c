@@ -1,0 +1,14 @@
+/* SPDX-License-Identifier: MIT */
+#include "arbitrary.h"
+#include "invcal/invcal.h"
+
+// eva: -eva-auto-loop-unroll 32 -eva-slevel 2000 -eva-slevel-function rank:0,tilt:0
+
+void main(void)
+{
+    invcal_real up[3];
+    char words[INVCAL_WORDS];
+
+    ANY(up);
+    (void)invcal_words(up, words);
+}

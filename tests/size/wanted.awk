@@ -1,0 +1,13 @@
+# SPDX-License-Identifier: MIT
+#
+# The linker's options that keep the functions named in wanted, "%" for all. What a build has chosen
+# may stand behind a name: invcal_apply_float_9, invcal_allan_init_float_16_4.
+BEGIN {
+    split(wanted, names, " ")
+    for (i in names) is_wanted[names[i]]
+}
+{
+    plain = $2
+    sub(/_(float|double)_[0-9_]+$/, "", plain)
+    if (wanted == "%" || plain in is_wanted) print "-Wl,--require-defined=" $2
+}

@@ -1,0 +1,392 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * How good a calibration says it is.
+ */
+#include <math.h>
+#include <string.h>
+
+#include "expected.h"
+#include "support.h"
+#include "unity.h"
+
+void setUp(void)
+{
+}
+
+void tearDown(void)
+{
+}
+
+/* The paper's 18 positions with errors of `size`, calibrated. */
+typedef struct {
+    reading_set set;
+    invcal_calibration calibration;
+    invcal_quality quality;
+} scene;
+
+static scene plan18(uint32_t seed, double size, double sigma, double stated)
+{
+    random_source random = random_start(seed);
+    const triad_truth truth = triad_random(&random, size);
+    scene s;
+
+    read_positions(&truth, expected_plan18, 18, sigma, &random, &s.set);
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, calibrate_set(&s.set, stated, &s.calibration, &s.quality));
+    return s;
+}
+
+static void sigma_over_noise_of_the_papers_program_is_the_papers(void)
+{
+    /* Without errors of the triad: they would weight the rows. */
+    const scene s = plan18(1, 0, 0, 1e-3);
+    double of_inverse = 0;
+    double trace = 0;
+
+    for (int i = 0; i < 18; i++) {
+        const double *u = expected_plan18[i];
+        trace += u[0] * u[0] + u[1] * u[1] + u[2] * u[2] + pow(u[0], 4) + pow(u[1], 4) +
+                 pow(u[2], 4) + pow(u[0] * u[1], 2) + pow(u[0] * u[2], 2) + pow(u[1] * u[2], 2);
+    }
+    for (unsigned r = 0; r < 9; r++) {
+        const double root = expected_plan18_root_k[r];
+        of_inverse += root * root;
+        TEST_ASSERT_DOUBLE_WITHIN(FLOAT_OR_DOUBLE(2e-9, 1e-15), 1e-3 * root,
+                                  (double)s.quality.sigma[r]);
+    }
+    TEST_ASSERT_DOUBLE_WITHIN(FLOAT_OR_DOUBLE(1e-3, 1e-10), trace * of_inverse,
+                              (double)s.quality.condition);
+    TEST_ASSERT_EQUAL_INT(INVCAL_GOOD, s.quality.verdict);
+    TEST_ASSERT_EQUAL_HEX16(0, s.quality.weak);
+    TEST_ASSERT_EQUAL_UINT(18, s.quality.positions);
+    TEST_ASSERT_EQUAL_UINT(9, s.quality.dof);
+    TEST_ASSERT_TRUE(s.quality.left_out == 0);
+}
+
+static void residuals_are_calibrated_lengths_minus_one(void)
+{
+    const scene s = plan18(2, 0.1, 1e-3, 0);
+    double squares = 0;
+    double worst = 0;
+    unsigned at = 0;
+
+    for (unsigned i = 0; i < 18; i++) {
+        invcal_real v[3];
+        invcal_apply(&s.calibration, s.set.u[i], v);
+        const double d[3] = {(double)v[0], (double)v[1], (double)v[2]};
+        const double expected = length3(d) - 1;
+        squares += expected * expected;
+        at = fabs(expected) > worst ? i : at;
+        worst = fmax(worst, fabs(expected));
+    }
+    TEST_ASSERT_DOUBLE_WITHIN(FLOAT_OR_DOUBLE(3e-7, 1e-15), sqrt(squares / 18),
+                              (double)s.quality.rms);
+    TEST_ASSERT_DOUBLE_WITHIN(FLOAT_OR_DOUBLE(3e-7, 1e-15), worst, (double)s.quality.max);
+    TEST_ASSERT_EQUAL_UINT(at, s.quality.worst);
+}
+
+/* The length of eta where u = (I + S) eta + delta, by Cramer's rule. */
+static double length_at(const double x[9], const double u[3])
+{
+    const double s[3][3] = {{1 + x[3], x[6] / 2, x[7] / 2},
+                            {x[6] / 2, 1 + x[4], x[8] / 2},
+                            {x[7] / 2, x[8] / 2, 1 + x[5]}};
+    double eta[3] = {0, 0, 0};
+    double determinant = 0;
+
+    for (int r = 0; r < 3; r++) {
+        for (int c = 0; c < 3; c++) {
+            const double cofactor = s[(r + 1) % 3][(c + 1) % 3] * s[(r + 2) % 3][(c + 2) % 3] -
+                                    s[(r + 1) % 3][(c + 2) % 3] * s[(r + 2) % 3][(c + 1) % 3];
+            eta[c] += cofactor * (u[r] - x[r]);
+            determinant += s[r][c] * cofactor / 3;
+        }
+    }
+    return length3(eta) / determinant;
+}
+
+/* The noise of u that residuals show: r(i) = |A (u - delta)| - 1 moves by |A eta| times it. */
+static double observed_noise(const scene *s, unsigned count)
+{
+    double squares = 0;
+
+    for (unsigned i = 0; i < count; i++) {
+        invcal_real v[3];
+        double eta[3];
+        double gradient = 0;
+        invcal_apply(&s->calibration, s->set.u[i], v);
+        for (int k = 0; k < 3; k++) {
+            eta[k] = (double)v[k];
+        }
+        for (int k = 0; k < 3; k++) {
+            const double x = (double)s->calibration.matrix[0][k] * eta[0] +
+                             (double)s->calibration.matrix[1][k] * eta[1] +
+                             (double)s->calibration.matrix[2][k] * eta[2];
+            gradient += x * x;
+        }
+        const double j = (eta[0] * eta[0] + eta[1] * eta[1] + eta[2] * eta[2] - 1) / 2;
+        squares += j * j / gradient;
+    }
+    return sqrt(squares / (count - 9));
+}
+
+static void the_noise_is_the_larger_of_stated_and_observed(void)
+{
+    scene s = plan18(3, 0.1, 1e-3, 0);
+    const double observed = observed_noise(&s, 18);
+
+    TEST_ASSERT_DOUBLE_WITHIN(1e-3 * observed, observed, (double)s.quality.noise);
+    TEST_ASSERT_DOUBLE_WITHIN(5e-4, 1e-3, observed);
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK,
+                          calibrate_set(&s.set, observed / 2, &s.calibration, &s.quality));
+    TEST_ASSERT_DOUBLE_WITHIN(1e-3 * observed, observed, (double)s.quality.noise);
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK,
+                          calibrate_set(&s.set, observed * 2, &s.calibration, &s.quality));
+    TEST_ASSERT_DOUBLE_WITHIN(1e-6 * observed, 2 * observed, (double)s.quality.noise);
+}
+
+/* Noise of a reading in calibrated units, over noise: mean square over all directions. */
+static double gain2(const invcal_calibration *calibration)
+{
+    double sum = 0;
+
+    for (int i = 0; i < 9; i++) {
+        const double x = (double)calibration->matrix[i / 3][i % 3];
+        sum += x * x / 3;
+    }
+    return sum;
+}
+
+/* One residual to spare tells the noise, however badly: a parameter is weak where its sigma is more
+ * than ten times that, or the information on it no more than ten times what noise in ten readings
+ * makes of nothing. */
+static void one_residual_is_enough_to_tell_what_is_weak(void)
+{
+    random_source random = random_start(12);
+    const triad_truth truth = triad_random(&random, 0.01);
+    unsigned count[2] = {0, 0};
+
+    for (unsigned draw = 0; draw < 40; draw++) {
+        scene s;
+        unsigned weak = 0;
+        read_positions(&truth, &expected_faces_and_edges[draw % 9], 10, 0.02, &random, &s.set);
+        if (calibrate_set(&s.set, 0, &s.calibration, &s.quality) != INVCAL_OK) {
+            continue;
+        }
+        for (unsigned r = 0; r < INVCAL_PARAMETERS; r++) {
+            const double sigma = (double)s.quality.sigma[r];
+            const int is_large = sigma > 10 * (double)s.quality.noise;
+            const int is_noisy = 10 * sigma * sigma * gain2(&s.calibration) > 0.1;
+            weak |= (unsigned)(is_large || is_noisy) << r;
+            count[is_noisy] += !is_large;
+        }
+        TEST_ASSERT_EQUAL_UINT(1, s.quality.dof);
+        TEST_ASSERT_EQUAL_HEX16(weak, s.quality.weak);
+    }
+    TEST_ASSERT_TRUE(count[0] > 0 && count[1] > 0);
+}
+
+static const double nine_directions[9][3] = {{1, 0, 0},     {0, 1, 0},     {0, 0, 1},
+                                             {-1, 0, 0},    {0, -1, 0},    {0, 0, -1},
+                                             {0.6, 0.8, 0}, {0.6, 0, 0.8}, {0, 0.6, 0.8}};
+
+static void nine_positions_of_absurd_noise_are_weak(void)
+{
+    const triad_truth none = {{0}};
+    random_source unused = random_start(0);
+    scene s;
+
+    read_positions(&none, nine_directions, 9, 0, &unused, &s.set);
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, calibrate_set(&s.set, 0.2, &s.calibration, &s.quality));
+    TEST_ASSERT_EQUAL_INT(INVCAL_WEAK, s.quality.verdict);
+}
+
+static void nine_positions_have_no_redundancy(void)
+{
+    random_source random = random_start(5);
+    const triad_truth truth = triad_random(&random, 0.01);
+    scene s;
+
+    read_positions(&truth, nine_directions, 9, 1e-4, &random, &s.set);
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, calibrate_set(&s.set, 1e-4, &s.calibration, &s.quality));
+    TEST_ASSERT_EQUAL_INT(INVCAL_NO_REDUNDANCY, s.quality.verdict);
+    TEST_ASSERT_EQUAL_UINT(0, s.quality.dof);
+    TEST_ASSERT_DOUBLE_WITHIN(1e-9, 1e-4, (double)s.quality.noise);
+    /* Nobody knows the noise: sigma is finite, and absurd enough not to be believed. */
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, calibrate_set(&s.set, 0, &s.calibration, &s.quality));
+    TEST_ASSERT_EQUAL_INT(INVCAL_NO_REDUNDANCY, s.quality.verdict);
+    TEST_ASSERT_TRUE(s.quality.noise == 1);
+    for (unsigned r = 0; r < 9; r++) {
+        TEST_ASSERT_TRUE((double)s.quality.sigma[r] > 0.1 && s.quality.sigma[r] < 10);
+    }
+}
+
+/* Every position within 18 degrees of an axis, as on the T265: angles are hardly seen. */
+static void positions_close_to_the_axes_are_weak_and_name_the_angles(void)
+{
+    random_source random = random_start(6);
+    const triad_truth truth = triad_random(&random, 0.01);
+    double v[30][3];
+    scene s;
+
+    for (int i = 0; i < 30; i++) {
+        for (int k = 0; k < 3; k++) {
+            v[i][k] = random_uniform(&random, -0.03, 0.03);
+        }
+        v[i][i % 3] = (i / 3) % 2 ? 1 : -1;
+        const double length = length3(v[i]);
+        for (int k = 0; k < 3; k++) {
+            v[i][k] /= length;
+        }
+    }
+    read_positions(&truth, (const double(*)[3])v, 30, 1e-5, &random, &s.set);
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, calibrate_set(&s.set, 0, &s.calibration, &s.quality));
+    TEST_ASSERT_EQUAL_INT(INVCAL_WEAK, s.quality.verdict);
+    TEST_ASSERT_EQUAL_HEX16(0x1C0, s.quality.weak);
+}
+
+/* Adds a position with noise sigma in u to the information on x, by central differences. */
+static void inform(const double x[9], const double u[3], double sigma, double information[9][9])
+{
+    const double step = 1e-5;
+    double slope[9];
+    double of_u = 0;
+
+    for (int r = 0; r < 9; r++) {
+        double high[9];
+        double low[9];
+        memcpy(high, x, sizeof high);
+        memcpy(low, x, sizeof low);
+        high[r] += step;
+        low[r] -= step;
+        slope[r] = (length_at(high, u) - length_at(low, u)) / (2 * step);
+        of_u += r < 3 ? slope[r] * slope[r] : 0; /* u and delta differ by the sign */
+    }
+    for (int r = 0; r < 9; r++) {
+        for (int c = 0; c < 9; c++) {
+            information[r][c] += slope[r] * slope[c] / (sigma * sigma * of_u);
+        }
+    }
+}
+
+/* a <- a^-1, by Gauss and Jordan; positive definite, so that no pivot is small. */
+static void invert(double a[9][9])
+{
+    for (int k = 0; k < 9; k++) {
+        const double pivot = 1 / a[k][k];
+        a[k][k] = 1;
+        for (int c = 0; c < 9; c++) {
+            a[k][c] *= pivot;
+        }
+        for (int r = 0; r < 9; r++) {
+            if (r != k) {
+                const double factor = a[r][k];
+                a[r][k] = 0;
+                for (int c = 0; c < 9; c++) {
+                    a[r][c] -= factor * a[k][c];
+                }
+            }
+        }
+    }
+}
+
+/* The standard deviations that no unbiased estimate of x from the paper's program can go below. */
+static void cramer_rao(const triad_truth *truth, double noise, double bound[9])
+{
+    double information[9][9] = {{0}};
+
+    for (int i = 0; i < 18; i++) {
+        double u[3];
+        triad_read(truth, expected_plan18[i], u);
+        inform(truth->x, u, noise, information);
+    }
+    invert(information);
+    for (unsigned r = 0; r < 9; r++) {
+        bound[r] = sqrt(information[r][r]);
+    }
+}
+
+static double worst_ratio(const triad_truth *truth)
+{
+    random_source unused = random_start(0);
+    double bound[9];
+    double worst = 0;
+    scene s;
+
+    read_positions(truth, expected_plan18, 18, 0, &unused, &s.set);
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, calibrate_set(&s.set, 1e-4, &s.calibration, &s.quality));
+    cramer_rao(truth, 1e-4, bound);
+    for (unsigned r = 0; r < 9; r++) {
+        worst = fmax(worst, fabs((double)s.quality.sigma[r] / bound[r] - 1));
+    }
+    return worst;
+}
+
+static void sigma_is_the_cramer_rao_bound_for_errors_of_any_size(void)
+{
+    random_source random = random_start(11);
+
+    needs_53_bits();
+    for (int draw = 0; draw < 50; draw++) {
+        const triad_truth truth = triad_random(&random, draw % 2 ? 0.1 : 0.2);
+        TEST_ASSERT_LESS_OR_EQUAL_DOUBLE(FLOAT_OR_DOUBLE(1e-5, 1e-8), worst_ratio(&truth));
+    }
+}
+
+static void sigma_is_the_cramer_rao_bound_beside_large_cross_terms(void)
+{
+    static const triad_truth truth = {{0.05, -0.1, 0.08, 0.1, -0.05, 0.15, 0.3, -0.2, 0.25}};
+
+    needs_53_bits();
+    TEST_ASSERT_LESS_OR_EQUAL_DOUBLE(FLOAT_OR_DOUBLE(1e-5, 1e-8), worst_ratio(&truth));
+}
+
+/* The same sensor with another scale in its data sheet: everything is over that field then. */
+static void a_wrong_scale_of_nominal_scales_what_is_over_field_only(void)
+{
+    const scene s = plan18(7, 0.01, 1e-3, 0);
+    scene twice = s;
+
+    for (unsigned i = 0; i < 18; i++) {
+        for (int k = 0; k < 3; k++) {
+            twice.set.u[i][k] *= 2;
+        }
+    }
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK,
+                          calibrate_set(&twice.set, 0, &twice.calibration, &twice.quality));
+    for (unsigned r = 0; r < 9; r++) {
+        const double expected = 2 * (double)s.quality.sigma[r];
+        TEST_ASSERT_DOUBLE_WITHIN(1e-3 * expected, expected, (double)twice.quality.sigma[r]);
+    }
+    TEST_ASSERT_DOUBLE_WITHIN(2e-6, 2 * (double)s.quality.noise, (double)twice.quality.noise);
+    TEST_ASSERT_DOUBLE_WITHIN(FLOAT_OR_DOUBLE(3e-7, 1e-15), (double)s.quality.rms,
+                              (double)twice.quality.rms);
+    TEST_ASSERT_EQUAL_HEX16(s.quality.weak, twice.quality.weak);
+}
+
+static void coverage_is_students_quantile(void)
+{
+    for (unsigned i = 0; i < EXPECTED_STUDENT_COUNT; i++) {
+        const double expected = expected_student_t[i];
+        TEST_ASSERT_DOUBLE_WITHIN(2e-3 * expected, expected,
+                                  (double)invcal_coverage((unsigned)expected_student_dof[i]));
+    }
+    TEST_ASSERT_TRUE(invcal_coverage(0) == invcal_coverage(1));
+    TEST_ASSERT_DOUBLE_WITHIN(0.004, 1.96, (double)invcal_coverage(65535u));
+}
+
+int main(void)
+{
+    UNITY_BEGIN();
+    RUN_TEST(sigma_over_noise_of_the_papers_program_is_the_papers);
+    RUN_TEST(residuals_are_calibrated_lengths_minus_one);
+    RUN_TEST(the_noise_is_the_larger_of_stated_and_observed);
+    RUN_TEST(one_residual_is_enough_to_tell_what_is_weak);
+    RUN_TEST(nine_positions_of_absurd_noise_are_weak);
+    RUN_TEST(nine_positions_have_no_redundancy);
+    RUN_TEST(positions_close_to_the_axes_are_weak_and_name_the_angles);
+    RUN_SLOW_TEST(sigma_is_the_cramer_rao_bound_for_errors_of_any_size);
+    RUN_TEST(sigma_is_the_cramer_rao_bound_beside_large_cross_terms);
+    RUN_TEST(a_wrong_scale_of_nominal_scales_what_is_over_field_only);
+    RUN_TEST(coverage_is_students_quantile);
+    return UNITY_END() != 0;
+}
