@@ -3,9 +3,14 @@
 #include "vector.h"
 
 #ifndef INVCAL_FAST
-invcal_real invcal_dot3(const invcal_real a[3], const invcal_real b[3])
+invcal_real invcal_dot(const invcal_real *a, const invcal_real *b, unsigned n)
 {
-    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+    invcal_real sum = 0;
+
+    for (unsigned i = 0; i < n; i++) {
+        sum += a[i] * b[i];
+    }
+    return sum;
 }
 #endif
 

@@ -11,10 +11,12 @@
 #define ACROSS INVCAL_REAL(0.0078125) /* to turn right over costs 1/64 of what it tells */
 #define THE_SAME INVCAL_REAL(0.9)     /* cosine of 26 degrees: closer is the same position again */
 #define CLEARLY INVCAL_REAL(1.001)    /* of directions that differ by less, the first counts */
+#define NO_LENGTH INVCAL_REAL(1e-6)   /* square of what stands for it */
 
-enum { DIRECTIONS = 27 }; /* and none in their middle */
+enum { DIRECTIONS = 43 }; /* from 0 to the last, 222 to base 4 */
 
-/* Faces, edges and corners of a cube, from +x +y +z down to -x -y -z. Returns 0 for the middle. */
+/* Faces, edges and corners of a cube: n to base 4 has a digit for each axis, x first, 0 for +, 1 for
+ * neither, 2 for -. Their middle is 0. Returns 0 if a digit is 3. */
 static int direction(unsigned n, invcal_real up[3])
 {
     static const invcal_real length[] = {0, 1, INVCAL_REAL(0.70710678118654752),
@@ -22,15 +24,18 @@ static int direction(unsigned n, invcal_real up[3])
     unsigned squares = 0;
 
     for (unsigned i = 0; i < 3; i++) {
-        const int sign = 1 - (int)(n % 3);
+        const int sign = 1 - (int)(n & 3u);
+        if (sign < -1) {
+            return 0;
+        }
         up[i] = (invcal_real)sign;
-        squares += n % 3 != 1;
-        n /= 3;
+        squares += sign != 0;
+        n >>= 2;
     }
     for (unsigned i = 0; i < 3; i++) {
         up[i] *= length[squares];
     }
-    return squares > 0;
+    return 1;
 }
 
 /* ---- what they tell --------------------------------------------------------------------------- */
@@ -52,21 +57,23 @@ invcal_real invcal_ridged_inverse(invcal_sums *sums)
  * the same again. */
 void invcal_next_beside(invcal_sums *sums, const invcal_real current[3], invcal_real up[3])
 {
-    const invcal_real length = INVCAL_SQRT(invcal_dot3(current, current));
+    const invcal_real length = INVCAL_SQRT(invcal_dot3(current, current) + NO_LENGTH);
     invcal_real h[INVCAL_PARAMETERS];
+    invcal_real d[3];
     invcal_real best = 0;
 
     (void)invcal_ridged_inverse(sums);
     for (unsigned n = 0; n < DIRECTIONS; n++) {
-        if (!direction(n, h)) {
+        if (!direction(n, d)) {
             continue;
         }
-        const invcal_real cosine = length > 0 ? invcal_dot3(h, current) / length : 0;
-        invcal_row_of(h, h);
-        const invcal_real merit = invcal_leverage(sums->sum, h) * (1 + ACROSS * cosine);
-        if (cosine <= THE_SAME && !(merit <= CLEARLY * best)) { /* any, were all of them NaN */
+        const invcal_real along = invcal_dot3(d, current);
+        memcpy(h, d, sizeof d);
+        invcal_row_of(h);
+        const invcal_real merit = invcal_leverage(sums->sum, h) * (length + ACROSS * along);
+        if (along <= THE_SAME * length && !(merit <= CLEARLY * best)) { /* any, were all NaN */
             best = merit;
-            memcpy(up, h, 3 * sizeof *up);
+            memcpy(up, d, sizeof d);
         }
     }
 }
@@ -106,7 +113,8 @@ void invcal_prospect(const invcal_real *raw, unsigned count, const invcal_calibr
     INVCAL_ASSERT((raw || count == 0) && nominal && root);
     invcal_sum_readings(raw, count, nominal, &sums, row.h);
     if (up != NULL) {
-        invcal_row_of(up, row.h);
+        memcpy(row.h, up, 3 * sizeof *up);
+        invcal_row_of(row.h);
         row.h[INVCAL_J] = 0;
         invcal_sums_add_row(&sums, &row, 1);
     }

@@ -47,25 +47,15 @@ INVCAL_INLINE invcal_real invcal_gradient(const invcal_real a[3][3], const invca
 
 /* ---- the passes --------------------------------------------------------------------------------- */
 
-/* How X moves J: d eta = -A (d delta + dS eta), so dJ = eta d eta = -g (d delta + dS eta). */
-INVCAL_INLINE void invcal_slope(const invcal_real eta[3], invcal_real g[INVCAL_PARAMETERS])
-{
-    g[INVCAL_DK_X] = g[0] * eta[0];
-    g[INVCAL_DK_Y] = g[1] * eta[1];
-    g[INVCAL_DK_Z] = g[2] * eta[2];
-    g[INVCAL_GAMMA_XY] = (g[0] * eta[1] + g[1] * eta[0]) / 2;
-    g[INVCAL_GAMMA_XZ] = (g[0] * eta[2] + g[2] * eta[0]) / 2;
-    g[INVCAL_GAMMA_ZY] = (g[1] * eta[2] + g[2] * eta[1]) / 2;
-}
-
-/* A calibrated position, weighted with the noise that it really has. */
+/* A calibrated position, weighted with the noise that it really has. How X moves J, but for the sign:
+ * d eta = -A (d delta + dS eta), so dJ = eta d eta = -g (d delta + dS eta). */
 static INVCAL_INLINE void add_calibrated(invcal_sums *sums, const invcal_real a[3][3],
                                          const invcal_row *row)
 {
     invcal_real g[INVCAL_PARAMETERS + 1];
 
     const invcal_real weight = 1 / invcal_gradient(a, row->h, g);
-    invcal_slope(row->h, g);
+    invcal_products(row->h, g);
     g[INVCAL_J] = row->h[INVCAL_J];
     invcal_rank_one(sums->sum, g, INVCAL_PARAMETERS + 1, weight, NULL);
 }
@@ -156,12 +146,9 @@ void invcal_judge_residuals(const invcal_residuals *residuals, invcal_quality *q
 void invcal_judge_noise(invcal_real stated, invcal_real squares, invcal_real dof, invcal_quality *q)
 {
     q->noise = stated;
-    q->dof = 0;
     if (dof >= 1) {
         const invcal_real observed = INVCAL_SQRT(squares / dof);
         q->noise = observed > stated ? observed : stated;
-        //@ assert \is_finite(dof) && dof < 65536; // no more than positions
-        q->dof = (uint16_t)dof;
     }
     if (!(q->noise > 0)) {
         q->noise = 1; /* nobody knows: the whole field, which no one will mistake for good */
@@ -251,9 +238,10 @@ invcal_status invcal_calibrate_without(const invcal_real *raw, unsigned count, i
         *out = c; /* which may be nominal */
         quality->left_out = left_out;
         quality->condition = condition;
+        quality->dof = (uint16_t)(residuals.count - INVCAL_PARAMETERS);
         invcal_judge_residuals(&residuals, quality);
         invcal_judge_noise(noise, sums.sum[INVCAL_PACKED(INVCAL_PARAMETERS, INVCAL_PARAMETERS)],
-                           (invcal_real)(residuals.count - INVCAL_PARAMETERS), quality);
+                           (invcal_real)quality->dof, quality);
         invcal_judge_parameters(k, a, quality);
     }
     return status;

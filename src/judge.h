@@ -62,9 +62,6 @@ void invcal_judge_residuals(const invcal_residuals *residuals, invcal_quality *q
  * |g| times itself. Returns |g|^2. */
 invcal_real invcal_gradient(const invcal_real a[3][3], const invcal_real eta[3], invcal_real g[3]);
 
-/* g to the row of eta: how X moves J, but for the sign. */
-void invcal_slope(const invcal_real eta[3], invcal_real g[INVCAL_PARAMETERS]);
-
 /* Second pass, with c, what calibrates the raw counts: residuals without cancellation, and the
  * information on the nine parameters, each row weighted with the noise that it really has.
  *
@@ -77,11 +74,19 @@ invcal_status invcal_positions_compare(const invcal_positions *positions,
                                        const invcal_calibration *c, const invcal_real a[3][3],
                                        invcal_sums *sums, invcal_residuals *residuals);
 
-/* noise and dof: the larger of what is stated and what the residuals say.
+/* noise: the larger of what is stated and what the residuals say.
  *
- * squares  the sum of their weighted squares. */
+ * squares  the sum of their weighted squares.
+ * dof      their degrees of freedom; below 1 they say nothing. */
 void invcal_judge_noise(invcal_real stated, invcal_real squares, invcal_real dof,
                         invcal_quality *q);
+
+/* The whole ones of them. */
+static inline uint16_t invcal_whole(invcal_real dof)
+{
+    //@ assert \is_finite(dof) && dof < 65536; // no more than positions
+    return dof >= 1 ? (uint16_t)dof : 0;
+}
 
 /* tr A tr A^-1 from L^-1: at least the condition. And is it more than rounding? */
 invcal_real invcal_condition(const invcal_real *inverse, unsigned n, invcal_real trace);

@@ -26,7 +26,8 @@ static invcal_status observe_along(const invcal_calibration *nominal, const invc
         return INVCAL_BAD_DIRECTION;
     }
     memcpy(u, row->h, 3 * sizeof u[0]);
-    invcal_row_of(eta, row->h);
+    memcpy(row->h, eta, 3 * sizeof *eta);
+    invcal_row_of(row->h);
     return INVCAL_OK;
 }
 

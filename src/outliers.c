@@ -27,9 +27,10 @@ typedef struct {
 /* The fit of the positions that are not left out, and the search among them. */
 typedef struct {
     invcal_positions positions;
-    invcal_sums sums;            /* their number; L^-1 of their normal equations, and p behind it */
     unsigned dof;                /* degrees of freedom of the squares */
+    invcal_real promising;       /* squares that a pair leaves at most, see visit */
     contest contests[GROUP + 1]; /* of groups of 0 ... GROUP */
+    invcal_sums sums;            /* their number; L^-1 of their normal equations, and p behind it */
 } search;
 
 static invcal_mask bit(unsigned i)
@@ -39,38 +40,14 @@ static invcal_mask bit(unsigned i)
 
 /* ---- the fit ---------------------------------------------------------------------------------- */
 
-static INVCAL_INLINE invcal_real dot(const invcal_real *a, const invcal_real *b, unsigned n)
+/* Position k as y = L^-1 h, and its residual r = J + h p behind it. Returns m = 1 - h K h' = 1 - |y|^2. */
+static INVCAL_INLINE invcal_real whiten(const search *s, unsigned k, invcal_row *row)
 {
-    invcal_real sum = a[0] * b[0];
+    const invcal_real *l = s->sums.sum;
 
-    INVCAL_UNROLL_ROWS
-    for (unsigned i = 1; i < n; i++) {
-        sum += a[i] * b[i];
-    }
-    return sum;
-}
-
-/* y = L^-1 h of position k, so that h K h' = |y|^2. Returns its residual J + h p. */
-static INVCAL_INLINE invcal_real whiten(const search *s, unsigned k, invcal_real y[N])
-{
-    const invcal_real *row = &s->sums.sum[INVCAL_PACKED(N, 0)]; /* p; then the rows of L^-1 */
-    const invcal_real *raw = &s->positions.raw[3 * (size_t)k];
-
-#ifdef INVCAL_FAST
-    invcal_correct(s->positions.nominal, raw, y);
-    invcal_row_inline(y, y);
-#else
-    invcal_apply(s->positions.nominal, raw, y);
-    invcal_row_of(y, y);
-#endif
-    const invcal_real j = (y[INVCAL_DK_X] + y[INVCAL_DK_Y] + y[INVCAL_DK_Z] - 1) / 2;
-    const invcal_real residual = j + dot(row, y, N);
-    INVCAL_UNROLL_ROWS
-    for (unsigned r = N; r > 0; r--) {
-        row -= r;
-        y[r - 1] = dot(row, y, r);
-    }
-    return residual;
+    (void)invcal_observe_often(s->positions.nominal, &s->positions.raw[3 * (size_t)k], row);
+    row->h[INVCAL_J] += invcal_dot(&l[INVCAL_PACKED(N, 0)], row->h, N);
+    return 1 - invcal_leverage_often(l, row->h);
 }
 
 /* What is known of the noise besides the residuals: the rounding errors of readings and sums, so
@@ -88,23 +65,25 @@ static INVCAL_APART invcal_status fit(search *s)
 {
     invcal_real squares = known_squares(&s->positions);
     invcal_real condition;
-    invcal_real y[N];
+    invcal_row row;
 
     invcal_status status = invcal_positions_sum(&s->positions, &s->sums);
     if (status == INVCAL_OK) {
         invcal_sums_system(&s->sums);
-        status = invcal_determine(s->sums.sum, N + 1, y, &condition); /* p and L^-1 */
+        status = invcal_determine(s->sums.sum, N + 1, row.h, &condition); /* p and L^-1 */
     }
     if (status != INVCAL_OK) {
         return status;
     }
     for (unsigned k = 0; k < s->positions.count; k++) {
         if (!(s->positions.left_out >> k & 1u)) {
-            const invcal_real r = whiten(s, k, y);
-            squares += r * r;
+            (void)whiten(s, k, &row);
+            squares += row.h[INVCAL_J] * row.h[INVCAL_J];
         }
     }
-    s->dof = s->sums.count - N + (s->positions.noise > 0);
+    const unsigned spare = s->sums.count - N;
+    s->dof = spare + (s->positions.noise > 0);
+    s->promising = squares * (invcal_real)spare / (invcal_real)s->sums.count;
     const contest nobody = {s->positions.left_out, s->positions.left_out, squares, squares};
     for (unsigned k = 0; k <= GROUP; k++) {
         s->contests[k] = nobody;
@@ -114,26 +93,24 @@ static INVCAL_APART invcal_status fit(search *s)
 
 /* ---- the best group of each size ------------------------------------------------------------ */
 
-/* A position among those that are not left out, at first
+/* One position after another is left out. Position k is at first
  *
  *     y = L^-1 h,   r = J + h p,   m = 1 - h K h' = 1 - |y|^2.
  *
- * Leaving it out takes r^2 / m from the squares, and leaves m of det H'H. After position i has been
- * left out, there are (M = I - H K H'; Gram and Schmidt)
+ * Leaving it out takes r^2 / m from the squares, and leaves m of det H'H. Behind each position i that
+ * was left out before, with M = I - H K H' (Cholesky of M, row by row)
  *
- *     y + c y(i),   r + c r(i),   m - c^2 m(i),   c = -M(k,i) / m(i) = y y(i) / m(i). */
+ *     r + e r(i) / sqrt(m(i)),   m - e^2,   e = -M(k,i) / sqrt(m(i)) = y y(i) / sqrt(m(i)),
+ *
+ * and e goes on as one more element of y. */
 typedef struct {
-    invcal_real y[N];
-    invcal_real r;
-    invcal_real m;
+    invcal_mask out;     /* with this one */
+    invcal_real squares; /* without it */
+    invcal_real left;    /* of det H'H */
+    invcal_real root;    /* of m */
+    invcal_real ratio;   /* r / root */
+    invcal_row y;        /* e behind it: 0 of the first; there is none behind the third */
 } member;
-
-/* A group, its last member still moving. */
-typedef struct {
-    member fixed[GROUP - 1];
-    unsigned char next[GROUP]; /* one more than what each member tries next */
-    invcal_mask out;           /* the fixed members, and what was left out before */
-} group;
 
 static void enter(contest *c, invcal_mask out, invcal_real squares)
 {
@@ -151,77 +128,58 @@ static void enter(contest *c, invcal_mask out, invcal_real squares)
     }
 }
 
-/* May another member follow? One that is alone always takes another; two do if they leave no more of
- * the squares than (n - 9) / n: clear groups of three have such a pair, 99 of 100 of them, but only one
- * in ten pairs of a good set is such a one. */
-static int is_promising(const search *s, unsigned members, invcal_real squares)
+/* Position k as member d, from 1: the group enters the contest of its size. Returns 1 if another may
+ * follow: to one always; to two if they leave no more of the squares than (n - 9) / n. Clear groups of
+ * three have such a pair, 99 of 100 of them, but only one in ten pairs of a good set is such a one. */
+static INVCAL_OFTEN int visit(search *s, member *group, unsigned d, unsigned k)
 {
-    const unsigned n = s->sums.count;
+    member *const x = &group[d];
+    const member *const before = x - 1;
+    const invcal_real min = ROUNDED * s->contests[0].squares;
 
-    return members == 1 ||
-           (invcal_real)n * squares <= (invcal_real)(n - N) * s->contests[0].squares;
-}
-
-/* Position k as member d: the group enters the contest of its size. Returns 1 if k is fixed now, as
- * another may follow. */
-static INVCAL_INLINE int visit(search *s, group *g, unsigned size, unsigned d, unsigned k)
-{
-    invcal_real squares = s->contests[0].squares;
-    const invcal_real min = ROUNDED * squares;
-    invcal_real left = 1;
-    invcal_real c = 0;
-    member x;
-
-    x.r = whiten(s, k, x.y);
-    x.m = 1 - dot(x.y, x.y, N);
-    for (unsigned i = 0; i < d; i++) {
-        const member *const f = &g->fixed[i];
-        //@ assert \initialized(f); // d of them have been fixed
-        c = dot(x.y, f->y, N) / f->m;
-        x.r += c * f->r;
-        x.m -= c * c * f->m;
-        left *= f->m;
-        squares -= f->r * f->r / f->m;
-    }
-    if (!(left * x.m > SLACK)) {
+    if (before->out >> k & 1u) {
         return 0;
     }
-    squares -= x.r * x.r / x.m;
-    enter(&s->contests[d + 1], g->out | bit(k), squares > min ? squares : min);
-    if (d + 1 >= size || !is_promising(s, d + 1, squares)) {
+    invcal_real m = whiten(s, k, &x->y);
+    invcal_real r = x->y.h[INVCAL_J];
+    x->y.h[INVCAL_J] = 0;
+    for (const member *f = &group[1]; f < x; f++) {
+        const invcal_real e = invcal_dot(x->y.h, f->y.h, N + 1) / f->root;
+        x->y.h[INVCAL_J] = e;
+        r += e * f->ratio;
+        m -= e * e;
+    }
+    x->left = before->left * m;
+    if (!(x->left > SLACK)) {
         return 0;
     }
-    if (d > 0) {
-        INVCAL_UNROLL_ROWS
-        for (unsigned n = 0; n < N; n++) {
-            x.y[n] += c * g->fixed[0].y[n];
-        }
-    }
-    g->fixed[d] = x;
-    return 1;
+    x->out = before->out | bit(k);
+    x->root = INVCAL_SQRT(m);
+    x->ratio = r / x->root;
+    x->squares = before->squares - x->ratio * x->ratio;
+    enter(&s->contests[d], x->out, x->squares > min ? x->squares : min);
+    return d == 1 || x->squares <= s->promising;
 }
 
-/* All groups of one and two, and those of three with a promising pair. As an odometer counts:
- * member 0 > member 1, and member 2 any other. */
+/* All groups of one and two, and those of three with a promising pair. */
 static INVCAL_APART void search_groups(search *s, unsigned size)
 {
-    group g;
-    unsigned d = 0;
+    const unsigned count = s->positions.count;
+    member group[GROUP + 1];
 
-    g.out = s->positions.left_out;
-    g.next[0] = (unsigned char)s->positions.count;
-    while (d > 0 || g.next[0] > 0) { /* at most two steps for each group */
-        if (g.next[d] == 0) {        /* all tried: the member before moves on */
-            d--;
-            //@ split d;
-            g.out ^= bit(g.next[d]);
-        } else {
-            const unsigned k = --g.next[d];
-            if (!(g.out >> k & 1u) && visit(s, &g, size, d, k)) {
-                g.out |= bit(k);
-                d++;
-                //@ split d;
-                g.next[d] = (unsigned char)(d == 1 ? k : s->positions.count);
+    group[0].out = s->positions.left_out;
+    group[0].squares = s->contests[0].squares;
+    group[0].left = 1;
+    for (unsigned i = count; i-- > 0;) {
+        if (!visit(s, group, 1, i) || size < 2) {
+            continue;
+        }
+        for (unsigned j = i; j-- > 0;) {
+            if (!visit(s, group, 2, j) || size < 3) {
+                continue;
+            }
+            for (unsigned k = count; k-- > 0;) {
+                (void)visit(s, group, 3, k);
             }
         }
     }
@@ -349,19 +307,18 @@ invcal_status invcal_outliers_find(const invcal_real *raw, unsigned count,
 /* What the fit tells of position k. If it took part, 1 / m is what 1 + h K h' would be without it. */
 static INVCAL_APART void tell(const search *s, unsigned k, invcal_outlier *out)
 {
-    invcal_real y[N];
-    const invcal_real r = whiten(s, k, y);
-    const invcal_real leverage = dot(y, y, N);
+    invcal_row row;
+    const invcal_real checked = whiten(s, k, &row);
     const int is_removed = (s->positions.left_out & bit(k)) != 0;
-    const invcal_real m = is_removed ? 1 : 1 - leverage;
+    const invcal_real m = is_removed ? 1 : checked;
 
     out->sigma = INVCAL_SQRT(s->contests[0].squares / (invcal_real)s->dof);
     out->checked = is_removed || m < 0 ? 0 : m;
     out->error = 0;
     out->w = 0;
     if (m > SLACK) {
-        out->error = r / m;
-        out->w = out->error / (out->sigma * INVCAL_SQRT(is_removed ? 1 + leverage : 1 / m));
+        out->error = row.h[INVCAL_J] / m;
+        out->w = out->error / (out->sigma * INVCAL_SQRT(is_removed ? 2 - checked : 1 / m));
     }
 }
 

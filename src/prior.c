@@ -100,6 +100,7 @@ INVCAL_APART static invcal_status judge_with(const invcal_positions *positions,
             k[r] = invcal_variance(l, INVCAL_PARAMETERS, r);
             dof -= told_by_data(prior, r, noise, &k[r]);
         }
+        q->dof = invcal_whole(dof);
         invcal_judge_noise(positions->noise,
                            information[INVCAL_PACKED(INVCAL_PARAMETERS, INVCAL_PARAMETERS)], dof,
                            q);

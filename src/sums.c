@@ -8,24 +8,14 @@
 #include "invcal/expert.h"
 #include "vector.h"
 
-INVCAL_INLINE void invcal_row_of(const invcal_real a[3], invcal_real h[INVCAL_PARAMETERS])
+void invcal_products(const invcal_real eta[3], invcal_real g[INVCAL_PARAMETERS])
 {
-    invcal_row_inline(a, h);
-}
-
-/* J = (|u|^2 - 1)/2 and h(u), exact for errors of any size. A length outside 0.1 ... 10 is no
- * reading of this field, and neither is a NaN. */
-static INVCAL_INLINE invcal_status observe(const invcal_calibration *nominal,
-                                           const invcal_real raw[3], invcal_row *row)
-{
-    invcal_correct(nominal, raw, row->h);
-    invcal_row_of(row->h, row->h);
-    const invcal_real square = row->h[INVCAL_DK_X] + row->h[INVCAL_DK_Y] + row->h[INVCAL_DK_Z];
-    row->h[INVCAL_J] = (square - 1) / 2;
-    if (square >= INVCAL_REAL(0.01) && square <= INVCAL_REAL(100.0)) {
-        return INVCAL_OK;
-    }
-    return invcal_are_finite(row->h) ? INVCAL_OUT_OF_RANGE : INVCAL_NOT_FINITE;
+    g[INVCAL_DK_X] = g[0] * eta[0];
+    g[INVCAL_DK_Y] = g[1] * eta[1];
+    g[INVCAL_DK_Z] = g[2] * eta[2];
+    g[INVCAL_GAMMA_XY] = (g[0] * eta[1] + g[1] * eta[0]) / 2;
+    g[INVCAL_GAMMA_XZ] = (g[0] * eta[2] + g[2] * eta[0]) / 2;
+    g[INVCAL_GAMMA_ZY] = (g[1] * eta[2] + g[2] * eta[1]) / 2;
 }
 
 /* Elements of H'H are products of two, three or four of x, y, z, and 31 of 45 different: this one
@@ -80,7 +70,7 @@ invcal_status invcal_observe(const invcal_calibration *nominal, const invcal_rea
                              invcal_row *row)
 {
     INVCAL_ASSERT(nominal && raw && row);
-    return observe(nominal, raw, row);
+    return invcal_observe_inline(nominal, raw, row);
 }
 
 void invcal_sums_add_row(invcal_sums *sums, const invcal_row *row, invcal_real weight)
@@ -95,7 +85,7 @@ invcal_status invcal_sums_add(invcal_sums *sums, const invcal_calibration *nomin
     invcal_row row;
 
     INVCAL_ASSERT(sums && nominal && raw);
-    const invcal_status status = observe(nominal, raw, &row);
+    const invcal_status status = invcal_observe_often(nominal, raw, &row);
     if (status == INVCAL_OK) {
         add(sums, &row, 1);
     }

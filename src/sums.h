@@ -8,22 +8,67 @@
 #include "invcal/expert.h"
 #include "vector.h"
 
-/* The paper's row h(a) = (x y z x^2 y^2 z^2 xy xz yz); a may stand where h begins. */
-void invcal_row_of(const invcal_real a[3], invcal_real h[INVCAL_PARAMETERS]);
+/* What is behind the g that a row begins with:
+ *
+ *     (g_x x, g_y y, g_z z, (g_x y + g_y x) / 2, (g_x z + g_z x) / 2, (g_y z + g_z y) / 2)
+ *
+ * eta = (x y z) may be g itself. */
+void invcal_products(const invcal_real eta[3], invcal_real g[INVCAL_PARAMETERS]);
 
-/* The same, to be compiled into those who need it often. */
-static inline void invcal_row_inline(const invcal_real a[3], invcal_real h[INVCAL_PARAMETERS])
+/* The paper's row h = (x y z x^2 y^2 z^2 xy xz yz), from the three that it begins with. */
+static inline void invcal_row_of(invcal_real h[INVCAL_PARAMETERS])
 {
-    h[INVCAL_DELTA_X] = a[0];
-    h[INVCAL_DELTA_Y] = a[1];
-    h[INVCAL_DELTA_Z] = a[2];
-    h[INVCAL_DK_X] = a[0] * a[0];
-    h[INVCAL_DK_Y] = a[1] * a[1];
-    h[INVCAL_DK_Z] = a[2] * a[2];
-    h[INVCAL_GAMMA_XY] = a[0] * a[1];
-    h[INVCAL_GAMMA_XZ] = a[0] * a[2];
-    h[INVCAL_GAMMA_ZY] = a[1] * a[2];
+#ifdef INVCAL_FAST
+    h[INVCAL_DK_X] = h[0] * h[0];
+    h[INVCAL_DK_Y] = h[1] * h[1];
+    h[INVCAL_DK_Z] = h[2] * h[2];
+    h[INVCAL_GAMMA_XY] = h[0] * h[1];
+    h[INVCAL_GAMMA_XZ] = h[0] * h[2];
+    h[INVCAL_GAMMA_ZY] = h[1] * h[2];
+#else
+    invcal_products(h, h); /* the same numbers: two halves of what is equal */
+#endif
 }
+
+/* J = (|u|^2 - 1)/2 and h(u), exact for errors of any size. A length outside 0.1 ... 10 is no
+ * reading of this field, and neither is a NaN. */
+static inline invcal_status invcal_observe_inline(const invcal_calibration *nominal,
+                                                  const invcal_real raw[3], invcal_row *row)
+{
+    invcal_correct(nominal, raw, row->h);
+    invcal_row_of(row->h);
+    const invcal_real square = row->h[INVCAL_DK_X] + row->h[INVCAL_DK_Y] + row->h[INVCAL_DK_Z];
+    row->h[INVCAL_J] = (square - 1) / 2;
+    if (square >= INVCAL_REAL(0.01) && square <= INVCAL_REAL(100.0)) {
+        return INVCAL_OK;
+    }
+    return invcal_are_finite(row->h) ? INVCAL_OUT_OF_RANGE : INVCAL_NOT_FINITE;
+}
+
+/* h becomes y = L^-1 h, from its end. Returns |y|^2. */
+static INVCAL_INLINE invcal_real invcal_leverage_inline(const invcal_real *inverse,
+                                                        invcal_real h[INVCAL_PARAMETERS])
+{
+    const invcal_real *row = &inverse[INVCAL_PACKED_SIZE(INVCAL_PARAMETERS)];
+    invcal_real sum = 0;
+
+    INVCAL_UNROLL_ROWS
+    for (unsigned r = INVCAL_PARAMETERS; r > 0; r--) {
+        row -= r;
+        h[r - 1] = invcal_dot(row, h, r);
+        sum += h[r - 1] * h[r - 1];
+    }
+    return sum;
+}
+
+/* These for those who need them often: compiled into them where speed is asked for. */
+#ifdef INVCAL_FAST
+#define invcal_observe_often invcal_observe_inline
+#define invcal_leverage_often invcal_leverage_inline
+#else
+#define invcal_observe_often invcal_observe
+#define invcal_leverage_often invcal_leverage
+#endif
 
 /* A += weight v v', a packed triangle of n rows. Elements i of same[i] != i are passed over; NULL:
  * none is. */

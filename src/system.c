@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "invcal/expert.h"
 
+#include "sums.h"
 #include "vector.h"
 
 invcal_real invcal_trace(const invcal_real *a, unsigned n)
@@ -146,20 +147,9 @@ invcal_real invcal_variance(const invcal_real *inverse, unsigned n, unsigned r)
     return sum;
 }
 
-invcal_real invcal_leverage(const invcal_real *inverse, const invcal_real h[INVCAL_PARAMETERS])
+invcal_real invcal_leverage(const invcal_real *inverse, invcal_real h[INVCAL_PARAMETERS])
 {
-    invcal_real sum = 0;
-
-    INVCAL_UNROLL_ROWS
-    for (unsigned r = 0; r < INVCAL_PARAMETERS; r++) {
-        invcal_real y = 0;
-        INVCAL_UNROLL_ROWS
-        for (unsigned c = 0; c <= r; c++) {
-            y += *inverse++ * h[c];
-        }
-        sum += y * y;
-    }
-    return sum;
+    return invcal_leverage_inline(inverse, h);
 }
 
 void invcal_add_ridge(invcal_real *a, unsigned n, invcal_real x)

@@ -98,7 +98,7 @@ static invcal_status gather(job *j, unsigned n)
         }
         invcal_residuals_add(&j->residuals, i, &row);
         const invcal_real square = invcal_gradient((const invcal_real(*)[3])triad.matrix, row.h, g);
-        invcal_slope(row.h, g);
+        invcal_products(row.h, g);
         g[INVCAL_J] = row.h[INVCAL_J];
         add_at(j->a, n, j->is_judged ? g : row.h, 1 / square, t);
     }
@@ -318,6 +318,7 @@ static invcal_status weigh(job *j)
         const invcal_real ratio = j->noise * j->held[i];
         dof += ratio * ratio * invcal_variance(j->a, n, i);
     }
+    j->q.dof = invcal_whole(dof);
     invcal_judge_noise(j->positions->noise, j->squares, dof, &j->q);
     if (j->has_prior) {
         j->noise = j->q.noise;

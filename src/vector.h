@@ -16,10 +16,12 @@
 #define INVCAL_UNROLL _Pragma("GCC unroll 64")
 #define INVCAL_UNROLL_ROWS _Pragma("GCC unroll 10")
 #define INVCAL_INLINE __attribute__((always_inline)) inline
+#define INVCAL_OFTEN INVCAL_INLINE
 #else
 #define INVCAL_UNROLL
 #define INVCAL_UNROLL_ROWS
 #define INVCAL_INLINE
+#define INVCAL_OFTEN INVCAL_APART
 #endif
 
 /* Before a function whose frame should not lie under those of what its caller calls besides, or that
@@ -41,15 +43,25 @@ static inline int invcal_is_positive(invcal_real x)
     return x > 0 && x <= INVCAL_REAL_MAX;
 }
 
-/* a b, compiled into those who call it where speed is asked for. */
+/* a b of n >= 1 elements, compiled into those who call it where speed is asked for. */
 #ifdef INVCAL_FAST
-static inline invcal_real invcal_dot3(const invcal_real a[3], const invcal_real b[3])
+static INVCAL_INLINE invcal_real invcal_dot(const invcal_real *a, const invcal_real *b, unsigned n)
 {
-    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+    invcal_real sum = a[0] * b[0];
+
+    INVCAL_UNROLL_ROWS
+    for (unsigned i = 1; i < n; i++) {
+        sum += a[i] * b[i];
+    }
+    return sum;
 }
 #else
-invcal_real invcal_dot3(const invcal_real a[3], const invcal_real b[3]);
+invcal_real invcal_dot(const invcal_real *a, const invcal_real *b, unsigned n);
 #endif
+static inline invcal_real invcal_dot3(const invcal_real a[3], const invcal_real b[3])
+{
+    return invcal_dot(a, b, 3);
+}
 
 /* Are all three? What is not finite makes a NaN of 0, and so of the sum. */
 static inline int invcal_are_finite(const invcal_real v[3])
@@ -74,15 +86,5 @@ static inline void invcal_correct(const invcal_calibration *c, const invcal_real
 #else
 #define invcal_correct invcal_apply
 #endif
-
-static inline invcal_real invcal_dot(const invcal_real *a, const invcal_real *b, unsigned n)
-{
-    invcal_real sum = 0;
-
-    for (unsigned i = 0; i < n; i++) {
-        sum += a[i] * b[i];
-    }
-    return sum;
-}
 
 #endif

@@ -145,8 +145,9 @@ void invcal_invert(invcal_real *l, unsigned n);
 /* A^-1(r,r) from L^-1. */
 invcal_real invcal_variance(const invcal_real *inverse, unsigned n, unsigned r);
 
-/* h K h' from L^-1 of nine parameters: what a row tells beside those in the sums. */
-invcal_real invcal_leverage(const invcal_real *inverse, const invcal_real h[INVCAL_PARAMETERS]);
+/* h K h' from L^-1 of nine parameters: what a row tells beside those in the sums. h becomes y = L^-1 h,
+ * whose squared length that is. */
+invcal_real invcal_leverage(const invcal_real *inverse, invcal_real h[INVCAL_PARAMETERS]);
 
 /* ---- what rounding costs -----------------------------------------------------------------------
  *
