@@ -160,12 +160,17 @@ void invcal_judge_parameters(const invcal_real k[INVCAL_PARAMETERS], const invca
 {
     /* in calibrated units: |A eta| times itself, here the mean square over all directions */
     const invcal_real square = q->noise * q->noise * invcal_dot(a[0], a[0], 9) / 3;
-    const invcal_real of_noise = q->noise < 1 ? (invcal_real)q->positions * square : 0;
-
+    const invcal_real of_noise = (invcal_real)q->positions * square;
+    invcal_real most = INVCAL_WEAK_K;
     unsigned weak = 0;
+
+    if (q->noise < 1 && most * of_noise > NOISE_SHARE) {
+        most = NOISE_SHARE / of_noise;
+    }
     for (unsigned r = 0; r < INVCAL_PARAMETERS; r++) {
-        const int is_strong = k[r] <= INVCAL_WEAK_K && k[r] * of_noise <= NOISE_SHARE;
-        weak |= (is_strong ? 0u : 1u) << r;
+        if (!(k[r] <= most)) {
+            weak |= 1u << r;
+        }
         q->sigma[r] = q->noise * INVCAL_SQRT(k[r]);
     }
     q->weak = (uint16_t)weak;
