@@ -165,20 +165,18 @@ static INVCAL_OFTEN int visit(search *s, member *group, unsigned d, unsigned k)
 static INVCAL_APART void search_groups(search *s, unsigned size)
 {
     const unsigned count = s->positions.count;
-    member group[GROUP + 1];
+    member group[GROUP + 1] = {
+        {s->positions.left_out, s->contests[0].squares, 1, 0, 0, {{0}}}}; /* of nobody */
 
-    group[0].out = s->positions.left_out;
-    group[0].squares = s->contests[0].squares;
-    group[0].left = 1;
-    for (unsigned i = count; i-- > 0;) {
+    for (unsigned i = 0; i < count; i++) {
         if (!visit(s, group, 1, i) || size < 2) {
             continue;
         }
-        for (unsigned j = i; j-- > 0;) {
+        for (unsigned j = 0; j < i; j++) {
             if (!visit(s, group, 2, j) || size < 3) {
                 continue;
             }
-            for (unsigned k = count; k-- > 0;) {
+            for (unsigned k = 0; k < count; k++) {
                 (void)visit(s, group, 3, k);
             }
         }

@@ -7,7 +7,6 @@
 
 // eva: -eva-precision 0 -eva-auto-loop-unroll 12 -eva-slevel 50 -eva-slevel-merge-after-loop @all
 // eva: -eva-split-return-function invcal_observe:0,invcal_positions_sum:0,invcal_positions_compare:0,invcal_factor:0,invcal_ellipsoid:0,invcal_behind:0,invcal_residuals_end:0,invcal_determine:0,solve:0
-// trusted: 1
 // No more degrees of freedom than positions: a difference of two counts that no interval sees.
 // config: -D__OPTIMIZE__=1
 // config: -DINVCAL_MAX_POSITIONS=64
@@ -55,7 +54,9 @@ static void any_steps(void)
     (void)invcal_residuals_end(&residuals);
     invcal_judge_residuals(&residuals, &q);
     (void)invcal_gradient((const invcal_real(*)[3])a, raw, g);
-    invcal_judge_noise(x, y, (invcal_real)Frama_C_double_interval(-1e30, 0xFFFE), &q);
+    const invcal_real dof = (invcal_real)Frama_C_double_interval(-1e30, 0xFFFE);
+    invcal_judge_noise(x, y, dof, &q);
+    (void)invcal_whole(dof);
     ANY(system);
     (void)invcal_condition(system, INVCAL_PARAMETERS, x);
     (void)invcal_is_resolved(x);

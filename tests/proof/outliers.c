@@ -4,7 +4,6 @@
 
 // eva: -eva-precision 0 -eva-auto-loop-unroll 46 -eva-split-return full -eva-slevel 10
 // config: -DINVCAL_MAX_POSITIONS=64
-// trusted: 1
 
 static invcal_real raw[3 * INVCAL_MAX_POSITIONS];
 static invcal_calibration nominal;

@@ -47,7 +47,9 @@ void main(void)
     ANY(row);
     (void)invcal_sums_add(&sums, &nominal, raw);
     invcal_sums_add_row(&sums, &row, weight);
-    invcal_row_of(raw, h);
-    invcal_row_of(h, h);
+    ANY(h);
+    invcal_products(raw, h);
+    invcal_row_of(h);
+    (void)invcal_leverage_inline(sums.sum, h);
     invcal_sums_system(&sums);
 }

@@ -191,7 +191,7 @@ invcal_real invcal_gradient(const invcal_real a[3][3], const invcal_real eta[3],
     return any_real();
 }
 
-void invcal_slope(const invcal_real eta[3], invcal_real g[INVCAL_PARAMETERS])
+void invcal_products(const invcal_real eta[3], invcal_real g[INVCAL_PARAMETERS])
 {
     (void)(eta[2] + g[2]);
     UNKNOWN(g, INVCAL_PARAMETERS);
