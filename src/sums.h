@@ -46,8 +46,8 @@ static inline invcal_status invcal_observe_inline(const invcal_calibration *nomi
 }
 
 /* h becomes y = L^-1 h, from its end. Returns |y|^2. */
-static INVCAL_INLINE invcal_real invcal_leverage_inline(const invcal_real *inverse,
-                                                        invcal_real h[INVCAL_PARAMETERS])
+static inline INVCAL_INLINE invcal_real invcal_leverage_inline(const invcal_real *inverse,
+                                                               invcal_real h[INVCAL_PARAMETERS])
 {
     const invcal_real *row = &inverse[INVCAL_PACKED_SIZE(INVCAL_PARAMETERS)];
     invcal_real sum = 0;

@@ -5,9 +5,10 @@
 # UndefinedBehaviorSanitizer and INVCAL_ASSERT, and optimised otherwise than `make test` itself
 # (gcc, C99, -O2). $1: folder to build in.
 # Compilers that are not installed are named and counted as a failure; `make deps` gets them.
-# The scripts that try the tool run once: they are slow under sanitizers, and the fuzzers of the tool
-# are clang's. With BRIEF=1 they leave out what differs in numbers only, which `make test` tries. The
-# tool is built by gcc with sanitizers, and by clang without. CONFIGURATION=gcc: those with such names only. ONLY: see run.sh.
+# The scripts that try the tool run once, under gcc's sanitizers: they are slow, and the fuzzers of the
+# tool are clang's. With BRIEF=1 they leave out what differs in numbers only, which `make test` tries.
+# clang builds the tool without sanitizers. CONFIGURATION=gcc: those with such names only. ONLY: see
+# run.sh.
 # With more arguments, it is one configuration: NAME COMPILER STANDARD ASSERT DEGREE ONLY FLAG..., -
 # for what is not to be set; DEGREE is that of thermal.h.
 out=$1
@@ -42,7 +43,7 @@ all() {
     units='^float-|^double-'
     echo "gcc-sanitizers gcc c11 1 - - $san
 clang-sanitizers $clang c99 1 2 $units $san
-clang-c11 $clang c11 - 0 $units -O3"
+clang-c11 $clang c11 - 0 $units|^tool- -O3"
 }
 
 cd "$(dirname "$0")/.." || exit 1
