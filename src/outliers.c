@@ -104,12 +104,16 @@ static INVCAL_APART invcal_status fit(search *s)
  *
  * and e goes on as one more element of y. */
 typedef struct {
-    invcal_mask out;     /* with this one */
-    invcal_real squares; /* without it */
-    invcal_real left;    /* of det H'H */
-    invcal_real root;    /* of m */
-    invcal_real ratio;   /* r / root */
-    invcal_row y;        /* e behind it: 0 of the first; there is none behind the third */
+    invcal_mask out;     /* those that are left out by now */
+    invcal_real squares; /* of the others */
+    invcal_real det;     /* of H'H, over that of all */
+} left_over;
+
+typedef struct {
+    left_over over;
+    invcal_real root;  /* of m */
+    invcal_real ratio; /* r / root */
+    invcal_row y;      /* e behind it: 0 of the first; there is none behind the third */
 } member;
 
 static void enter(contest *c, invcal_mask out, invcal_real squares)
@@ -128,13 +132,13 @@ static void enter(contest *c, invcal_mask out, invcal_real squares)
     }
 }
 
-/* Position k as member d, from 1: the group enters the contest of its size. Returns 1 if another may
- * follow: to one always; to two if they leave no more of the squares than (n - 9) / n. Clear groups of
- * three have such a pair, 99 of 100 of them, but only one in ten pairs of a good set is such a one. */
-static INVCAL_OFTEN int visit(search *s, member *group, unsigned d, unsigned k)
+/* Position k as member d: the group enters the contest of its size. Returns 1 if another may follow: to
+ * one always; to two if they leave no more of the squares than (n - 9) / n. Clear groups of three have
+ * such a pair, 99 of 100 of them, but only one in ten pairs of a good set is such a one. */
+static INVCAL_OFTEN int visit(search *s, const left_over *before, member *group, unsigned d,
+                              unsigned k)
 {
     member *const x = &group[d];
-    const member *const before = x - 1;
     const invcal_real min = ROUNDED * s->contests[0].squares;
 
     if (before->out >> k & 1u) {
@@ -143,41 +147,41 @@ static INVCAL_OFTEN int visit(search *s, member *group, unsigned d, unsigned k)
     invcal_real m = whiten(s, k, &x->y);
     invcal_real r = x->y.h[INVCAL_J];
     x->y.h[INVCAL_J] = 0;
-    for (const member *f = &group[1]; f < x; f++) {
+    for (const member *f = group; f < x; f++) {
         const invcal_real e = invcal_dot(x->y.h, f->y.h, N + 1) / f->root;
         x->y.h[INVCAL_J] = e;
         r += e * f->ratio;
         m -= e * e;
     }
-    x->left = before->left * m;
-    if (!(x->left > SLACK)) {
+    x->over.det = before->det * m;
+    if (!(x->over.det > SLACK)) {
         return 0;
     }
-    x->out = before->out | bit(k);
+    x->over.out = before->out | bit(k);
     x->root = INVCAL_SQRT(m);
     x->ratio = r / x->root;
-    x->squares = before->squares - x->ratio * x->ratio;
-    enter(&s->contests[d], x->out, x->squares > min ? x->squares : min);
-    return d == 1 || x->squares <= s->promising;
+    x->over.squares = before->squares - x->ratio * x->ratio;
+    enter(&s->contests[d + 1], x->over.out, x->over.squares > min ? x->over.squares : min);
+    return d == 0 || x->over.squares <= s->promising;
 }
 
 /* All groups of one and two, and those of three with a promising pair. */
 static INVCAL_APART void search_groups(search *s, unsigned size)
 {
     const unsigned count = s->positions.count;
-    member group[GROUP + 1] = {
-        {s->positions.left_out, s->contests[0].squares, 1, 0, 0, {{0}}}}; /* of nobody */
+    const left_over all = {s->positions.left_out, s->contests[0].squares, 1};
+    member group[GROUP] = {{{0, 0, 0}, 0, 0, {{0}}}};
 
     for (unsigned i = 0; i < count; i++) {
-        if (!visit(s, group, 1, i) || size < 2) {
+        if (!visit(s, &all, group, 0, i) || size < 2) {
             continue;
         }
         for (unsigned j = 0; j < i; j++) {
-            if (!visit(s, group, 2, j) || size < 3) {
+            if (!visit(s, &group[0].over, group, 1, j) || size < 3) {
                 continue;
             }
             for (unsigned k = 0; k < count; k++) {
-                (void)visit(s, group, 3, k);
+                (void)visit(s, &group[1].over, group, 2, k);
             }
         }
     }

@@ -7,24 +7,24 @@ include port/build.mk
 
 HEADERS := $(notdir $(wildcard include/invcal/*.h))
 
-# Programs without start-up. What a device needs for offset and matrix; the same with every sigma
-# and the verdict; and all that there is.
-$(OUT)/core.elf:   WANTED = invcal_sums_init invcal_sums_add invcal_solve invcal_apply
-$(OUT)/judged.elf: WANTED = invcal_calibrate invcal_apply
-$(OUT)/whole.elf:  WANTED = %
-$(OUT)/core.elf $(OUT)/judged.elf $(OUT)/whole.elf: $(LIBRARY) $(OUT)/public
+# Programs without start-up, of library functions alone. What a device needs for offset and matrix; the
+# same with every sigma and the verdict; what the program of README.md calls; and all that there is.
+$(OUT)/core.elf:    WANTED = invcal_sums_init invcal_sums_add invcal_solve invcal_apply
+$(OUT)/judged.elf:  WANTED = invcal_calibrate invcal_apply
+$(OUT)/product.elf: WANTED = $(shell $(subst gcc,nm,$(CC)) -u $(OUT)/program.o | sed -n 's/.* invcal_/invcal_/p')
+$(OUT)/whole.elf:   WANTED = %
+$(OUT)/product.elf: $(OUT)/program.o
+$(OUT)/core.elf $(OUT)/judged.elf $(OUT)/product.elf $(OUT)/whole.elf: $(LIBRARY) $(OUT)/public
 	$(Q)$(CC) $(FLAGS) $(LIBRARY) -nostartfiles -Wl,--gc-sections -Wl,-e,0 \
 	    $$(awk -v wanted="$(WANTED)" -f tests/size/wanted.awk $(OUT)/public) \
 	    -Wl,-Map=$(@:.elf=.map) $(LINK) -o $@
 
-# The program of README.md on a board without drivers.
+# The program of README.md.
 $(OUT)/program.c: README.md
 	@mkdir -p $(@D)
 	$(Q)awk '/^```c$$/ { on = 1; next } /^```$$/ { on = 0 } on' $< > $@
 $(OUT)/program.o: $(OUT)/program.c $(wildcard include/invcal/*.h)
 	$(Q)$(CC) -Itests/readme $(FLAGS) -c $< -o $@
-$(OUT)/product.elf: $(OUT)/program.o $(OUT)/tests/size/product.o $(LIBRARY)
-	$(Q)$(CC) $(FLAGS) $^ -nostartfiles -Wl,--gc-sections -Wl,-e,main -Wl,-Map=$(@:.elf=.map) $(LINK) -o $@
 
 # "header function" of all public functions.
 $(OUT)/public: $(wildcard include/invcal/*.h)

@@ -4,10 +4,12 @@
 # may stand behind a name: invcal_apply_float_9, invcal_allan_init_float_16_4.
 BEGIN {
     split(wanted, names, " ")
-    for (i in names) is_wanted[names[i]]
+    for (i in names) is_wanted[plain(names[i])]
+}
+function plain(name) {
+    sub(/_(float|double)_[0-9_]+$/, "", name)
+    return name
 }
 {
-    plain = $2
-    sub(/_(float|double)_[0-9_]+$/, "", plain)
-    if (wanted == "%" || plain in is_wanted) print "-Wl,--require-defined=" $2
+    if (wanted == "%" || plain($2) in is_wanted) print "-Wl,--require-defined=" $2
 }
