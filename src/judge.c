@@ -55,22 +55,39 @@ static INVCAL_INLINE void add_calibrated(invcal_sums *sums, const invcal_real a[
     invcal_real g[INVCAL_PARAMETERS + 1];
 
     const invcal_real weight = 1 / invcal_gradient(a, row->h, g);
-    invcal_products(row->h, g);
+    invcal_products_often(row->h, g);
     g[INVCAL_J] = row->h[INVCAL_J];
     invcal_rank_one(sums->sum, g, INVCAL_PARAMETERS + 1, weight, NULL);
 }
 
-invcal_status invcal_positions_sum(const invcal_positions *positions, invcal_sums *sums)
+/* The rows of all that are not left out: exact ones without a, those of calibrated positions with it. */
+static invcal_status pass(const invcal_positions *positions, const invcal_calibration *c,
+                          const invcal_real a[3][3], invcal_sums *sums, invcal_residuals *residuals)
 {
-    invcal_status status = INVCAL_OK;
+    invcal_row row;
 
     invcal_sums_init(sums);
-    for (unsigned i = 0; i < positions->count && status == INVCAL_OK; i++) {
-        if (!invcal_is_left_out(positions, i)) {
-            status = invcal_sums_add(sums, positions->nominal, &positions->raw[3 * (size_t)i]);
+    for (unsigned i = 0; i < positions->count; i++) {
+        if (invcal_is_left_out(positions, i)) {
+            continue;
+        }
+        const invcal_status status = invcal_observe_often(c, &positions->raw[3 * (size_t)i], &row);
+        if (status != INVCAL_OK) {
+            return status;
+        }
+        if (a) {
+            invcal_residuals_add(residuals, i, &row);
+            add_calibrated(sums, a, &row);
+        } else {
+            invcal_sums_add_row(sums, &row, 1);
         }
     }
-    return status;
+    return INVCAL_OK;
+}
+
+invcal_status invcal_positions_sum(const invcal_positions *positions, invcal_sums *sums)
+{
+    return pass(positions, positions->nominal, NULL, sums, NULL);
 }
 
 invcal_status invcal_positions_compare(const invcal_positions *positions,
@@ -78,21 +95,11 @@ invcal_status invcal_positions_compare(const invcal_positions *positions,
                                        invcal_sums *sums, invcal_residuals *residuals)
 {
     const invcal_residuals none = {0, 0, 0, 0};
-    invcal_row row;
 
     *residuals = none;
-    invcal_sums_init(sums);
-    for (unsigned i = 0; i < positions->count; i++) {
-        if (invcal_is_left_out(positions, i)) {
-            continue;
-        }
-        if (invcal_observe(c, &positions->raw[3 * (size_t)i], &row) != INVCAL_OK) {
-            return INVCAL_NOT_ELLIPSOID; /* fit for the first pass, absurd after it */
-        }
-        invcal_residuals_add(residuals, i, &row);
-        add_calibrated(sums, a, &row);
-    }
-    return invcal_residuals_end(residuals);
+    /* what was fit for the first pass may be absurd after it */
+    return pass(positions, c, a, sums, residuals) == INVCAL_OK ? invcal_residuals_end(residuals)
+                                                               : INVCAL_NOT_ELLIPSOID;
 }
 
 invcal_status invcal_positions_check(const invcal_positions *positions)

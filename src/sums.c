@@ -10,12 +10,7 @@
 
 void invcal_products(const invcal_real eta[3], invcal_real g[INVCAL_PARAMETERS])
 {
-    g[INVCAL_DK_X] = g[0] * eta[0];
-    g[INVCAL_DK_Y] = g[1] * eta[1];
-    g[INVCAL_DK_Z] = g[2] * eta[2];
-    g[INVCAL_GAMMA_XY] = (g[0] * eta[1] + g[1] * eta[0]) / 2;
-    g[INVCAL_GAMMA_XZ] = (g[0] * eta[2] + g[2] * eta[0]) / 2;
-    g[INVCAL_GAMMA_ZY] = (g[1] * eta[2] + g[2] * eta[1]) / 2;
+    invcal_products_inline(eta, g);
 }
 
 /* Elements of H'H are products of two, three or four of x, y, z, and 31 of 45 different: this one

@@ -15,6 +15,17 @@
  * eta = (x y z) may be g itself. */
 void invcal_products(const invcal_real eta[3], invcal_real g[INVCAL_PARAMETERS]);
 
+static inline void invcal_products_inline(const invcal_real eta[3],
+                                          invcal_real g[INVCAL_PARAMETERS])
+{
+    g[INVCAL_DK_X] = g[0] * eta[0];
+    g[INVCAL_DK_Y] = g[1] * eta[1];
+    g[INVCAL_DK_Z] = g[2] * eta[2];
+    g[INVCAL_GAMMA_XY] = (g[0] * eta[1] + g[1] * eta[0]) / 2;
+    g[INVCAL_GAMMA_XZ] = (g[0] * eta[2] + g[2] * eta[0]) / 2;
+    g[INVCAL_GAMMA_ZY] = (g[1] * eta[2] + g[2] * eta[1]) / 2;
+}
+
 /* The paper's row h = (x y z x^2 y^2 z^2 xy xz yz), from the three that it begins with. */
 static inline void invcal_row_of(invcal_real h[INVCAL_PARAMETERS])
 {
@@ -63,9 +74,11 @@ static inline INVCAL_INLINE invcal_real invcal_leverage_inline(const invcal_real
 
 /* These for those who need them often: compiled into them where speed is asked for. */
 #ifdef INVCAL_FAST
+#define invcal_products_often invcal_products_inline
 #define invcal_observe_often invcal_observe_inline
 #define invcal_leverage_often invcal_leverage_inline
 #else
+#define invcal_products_often invcal_products
 #define invcal_observe_often invcal_observe
 #define invcal_leverage_often invcal_leverage
 #endif
