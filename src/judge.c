@@ -31,7 +31,7 @@ INVCAL_INLINE void invcal_residuals_add(invcal_residuals *residuals, unsigned i,
 
 invcal_status invcal_residuals_end(invcal_residuals *residuals)
 {
-    residuals->rms = INVCAL_SQRT(residuals->rms / (invcal_real)residuals->count);
+    residuals->rms = INVCAL_SQRT(residuals->rms / invcal_number(residuals->count));
     return residuals->rms <= ABSURD ? INVCAL_OK : INVCAL_NOT_ELLIPSOID;
 }
 
@@ -167,7 +167,7 @@ void invcal_judge_parameters(const invcal_real k[INVCAL_PARAMETERS], const invca
 {
     /* in calibrated units: |A eta| times itself, here the mean square over all directions */
     const invcal_real square = q->noise * q->noise * invcal_dot(a[0], a[0], 9) / 3;
-    const invcal_real of_noise = (invcal_real)q->positions * square;
+    const invcal_real of_noise = invcal_number(q->positions) * square;
     invcal_real most = INVCAL_WEAK_K;
     unsigned weak = 0;
 
@@ -253,7 +253,7 @@ invcal_status invcal_calibrate_without(const invcal_real *raw, unsigned count, i
         quality->dof = (uint16_t)(residuals.count - INVCAL_PARAMETERS);
         invcal_judge_residuals(&residuals, quality);
         invcal_judge_noise(noise, sums.sum[INVCAL_PACKED(INVCAL_PARAMETERS, INVCAL_PARAMETERS)],
-                           (invcal_real)quality->dof, quality);
+                           invcal_number(quality->dof), quality);
         invcal_judge_parameters(k, a, quality);
     }
     return status;

@@ -56,7 +56,7 @@ static invcal_real known_squares(const invcal_positions *p)
 {
     const invcal_real rounding = 8 * INVCAL_EPSILON;
 
-    return (invcal_real)p->count * rounding * rounding + p->noise * p->noise;
+    return invcal_number(p->count) * rounding * rounding + p->noise * p->noise;
 }
 
 /* Sums, solution, squares: of the rows themselves, for a downdate would keep the rounding errors of
@@ -83,7 +83,7 @@ static INVCAL_APART invcal_status fit(search *s)
     }
     const unsigned spare = s->sums.count - N;
     s->dof = spare + (s->positions.noise > 0);
-    s->promising = squares * (invcal_real)spare / (invcal_real)s->sums.count;
+    s->promising = squares * invcal_number(spare) / invcal_number(s->sums.count);
     const contest nobody = {s->positions.left_out, s->positions.left_out, squares, squares};
     for (unsigned k = 0; k <= GROUP; k++) {
         s->contests[k] = nobody;
@@ -200,7 +200,7 @@ static INVCAL_APART void search_groups(search *s, unsigned size)
 static invcal_real chance(invcal_real z, unsigned m, unsigned dof)
 {
     const invcal_real root = INVCAL_SQRT(z);
-    const invcal_real t = (invcal_real)dof * (1 - z) / 2;
+    const invcal_real t = invcal_number(dof) * (1 - z) / 2;
     invcal_real p = 1;
 
     for (unsigned i = 0; i < dof; i++) {
@@ -220,7 +220,7 @@ static int beats_fewer(const search *s, unsigned k)
 
     for (unsigned j = k; j-- > 0;) {
         const invcal_real z = s->contests[k].squares / s->contests[j].squares;
-        choices *= (invcal_real)(s->sums.count - j) / (invcal_real)(k - j);
+        choices *= invcal_number(s->sums.count - j) / invcal_number(k - j);
         if (!(chance(z, k - j, s->dof - k) * choices <= LEVEL)) {
             return 0;
         }
@@ -314,7 +314,7 @@ static INVCAL_APART void tell(const search *s, unsigned k, invcal_outlier *out)
     const int is_removed = (s->positions.left_out & bit(k)) != 0;
     const invcal_real m = is_removed ? 1 : checked;
 
-    out->sigma = INVCAL_SQRT(s->contests[0].squares / (invcal_real)s->dof);
+    out->sigma = INVCAL_SQRT(s->contests[0].squares / invcal_number(s->dof));
     out->checked = is_removed || m < 0 ? 0 : m;
     out->error = 0;
     out->w = 0;

@@ -32,6 +32,12 @@
 #define INVCAL_APART
 #endif
 
+/* Of a count, below 2^31: signed as raw counts are, so that one conversion does for all. */
+static inline invcal_real invcal_number(unsigned n)
+{
+    return (invcal_real)(int32_t)n;
+}
+
 /* False for NaN too. */
 static inline int invcal_is_finite(invcal_real x)
 {
@@ -66,7 +72,7 @@ static inline invcal_real invcal_dot3(const invcal_real a[3], const invcal_real 
 /* Are all three? What is not finite makes a NaN of 0, and so of the sum. */
 static inline int invcal_are_finite(const invcal_real v[3])
 {
-    return v[0] * 0 + v[1] * 0 + v[2] * 0 == 0;
+    return v[0] * 0 + v[1] * 0 + v[2] * 0 >= 0;
 }
 
 /* invcal_apply, compiled into those who call it often where speed is asked for. */
