@@ -12,20 +12,19 @@
 #define SQUARE INVCAL_REAL(100.0)
 enum { STEPS = 12 }; /* of Newton's iteration: semi-axes from 0.1 to 10 take ten */
 
+static INVCAL_OFTEN void cross(const invcal_real *a, const invcal_real *b, invcal_real *restrict c)
+{
+    c[0] = a[1] * b[2] - a[2] * b[1];
+    c[1] = a[2] * b[0] - a[0] * b[2];
+    c[2] = a[0] * b[1] - a[1] * b[0];
+}
+
 invcal_real invcal_cofactors(const invcal_real m[3][3], invcal_real c[3][3])
 {
-    static const uint8_t next[4] = {1, 2, 0, 1};
-
-    INVCAL_UNROLL
-    for (unsigned i = 0; i < 3; i++) {
-        const invcal_real *a = m[next[i]];
-        const invcal_real *b = m[next[i + 1]];
-        INVCAL_UNROLL
-        for (unsigned j = 0; j < 3; j++) {
-            c[i][j] = a[next[j]] * b[next[j + 1]] - a[next[j + 1]] * b[next[j]];
-        }
-    }
-    return m[0][0] * c[0][0] + m[0][1] * c[0][1] + m[0][2] * c[0][2];
+    cross(m[1], m[2], c[0]);
+    cross(m[2], m[0], c[1]);
+    cross(m[0], m[1], c[2]);
+    return invcal_dot3(m[0], c[0]);
 }
 
 void invcal_inverse3(const invcal_real m[3][3], invcal_real inverse[3][3])

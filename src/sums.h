@@ -18,12 +18,16 @@ void invcal_products(const invcal_real eta[3], invcal_real g[INVCAL_PARAMETERS])
 static inline void invcal_products_inline(const invcal_real eta[3],
                                           invcal_real g[INVCAL_PARAMETERS])
 {
-    g[INVCAL_DK_X] = g[0] * eta[0];
-    g[INVCAL_DK_Y] = g[1] * eta[1];
-    g[INVCAL_DK_Z] = g[2] * eta[2];
-    g[INVCAL_GAMMA_XY] = (g[0] * eta[1] + g[1] * eta[0]) / 2;
-    g[INVCAL_GAMMA_XZ] = (g[0] * eta[2] + g[2] * eta[0]) / 2;
-    g[INVCAL_GAMMA_ZY] = (g[1] * eta[2] + g[2] * eta[1]) / 2;
+    const invcal_real x = eta[0];
+    const invcal_real y = eta[1];
+    const invcal_real z = eta[2];
+
+    g[INVCAL_DK_X] = g[0] * x;
+    g[INVCAL_DK_Y] = g[1] * y;
+    g[INVCAL_DK_Z] = g[2] * z;
+    g[INVCAL_GAMMA_XY] = (g[0] * y + g[1] * x) / 2;
+    g[INVCAL_GAMMA_XZ] = (g[0] * z + g[2] * x) / 2;
+    g[INVCAL_GAMMA_ZY] = (g[1] * z + g[2] * y) / 2;
 }
 
 /* The paper's row h = (x y z x^2 y^2 z^2 xy xz yz), from the three that it begins with. */
