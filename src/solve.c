@@ -71,9 +71,8 @@ void invcal_make_symmetric(invcal_real a[3][3], invcal_real work[INVCAL_WORK])
 static void make_triangular(const invcal_real *l, invcal_real root, invcal_real a[3][3])
 {
     for (unsigned r = 0; r < 3; r++) {
-        for (unsigned c = 0; c < r; c++) {
-            a[c][r] = 0;
-            a[r][c] = *l++ / root;
+        for (unsigned c = 0; c < 3; c++) {
+            a[r][c] = c < r ? *l++ / root : 0;
         }
         a[r][r] = 1 / (*l++ * root);
     }
