@@ -7,11 +7,9 @@
 #include "bytes.h"
 #include "solve.h"
 
-enum { RECORD_KIND = 0xCA, RECORD_OLDEST = 1 };
-enum { SENSOR_AT = 4, DATE_AT = 12, RECORD_REALS_AT = 24, SIGMA_AT = 96 };
+enum { SENSOR_AT = 4, DATE_AT = 12, RECORD_REALS_AT = 24 };
 enum { RECORD_REALS = 27, BEFORE_SIGMA = 18 }; /* reals */
 enum { EVERY_PARAMETER = 0x1FF };              /* as a mask */
-enum { RECORD_SKIPPED = 48 }; /* bytes of version 1 before sigma: delta, dk, gamma, sigma_offset */
 
 /* The reals come first in the structure, too, and in the same order. */
 typedef char invcal_record_is_in_order
@@ -37,13 +35,13 @@ static void put_record(const invcal_record *r, uint8_t *bytes)
     memcpy(bytes + SENSOR_AT, r->sensor, sizeof r->sensor);
     uint8_t *at = invcal_put_u32(bytes + DATE_AT, r->date);
     at = invcal_put_two(at, r->positions, r->weak);
-    at = invcal_put_two(at, r->from_prior, r->verdict | (uint32_t)r->temperature_known << 8);
+    at = invcal_put_two(at, r->from_prior, r->verdict | (unsigned)r->temperature_known << 8);
     (void)invcal_put_reals(at, r, RECORD_REALS);
-    invcal_seal(bytes, RECORD_KIND, INVCAL_RECORD_SIZE);
+    invcal_seal(bytes, INVCAL_RECORD_KIND, INVCAL_RECORD_SIZE);
 }
 
 /* Returns 1 if all reals are finite. */
-static int get_record(const uint8_t *bytes, unsigned skipped, invcal_record *r)
+static int get_record(const uint8_t *bytes, invcal_record *r)
 {
     memcpy(r->sensor, bytes + SENSOR_AT, sizeof r->sensor);
     r->date = invcal_get_u32(bytes + DATE_AT);
@@ -52,8 +50,7 @@ static int get_record(const uint8_t *bytes, unsigned skipped, invcal_record *r)
     r->from_prior = invcal_get_u16(bytes + 20);
     r->verdict = bytes[22];
     r->temperature_known = bytes[23];
-    return invcal_get_reals(bytes + RECORD_REALS_AT, r, BEFORE_SIGMA) &&
-           invcal_get_reals(bytes + SIGMA_AT + skipped, r->sigma, INVCAL_PARAMETERS);
+    return invcal_get_reals(bytes + RECORD_REALS_AT, r, RECORD_REALS);
 }
 
 /* WEAK is what has weak parameters; the other two verdicts are 0 and 1. */
@@ -65,33 +62,21 @@ static int is_consistent(const invcal_record *r)
            (r->temperature_known ? r->temperature_known == 1 : r->temperature == 0);
 }
 
-/* Version 1 was in the unit of the field. */
-static void over_field(invcal_real *matrix, invcal_real field)
-{
-    for (unsigned i = 0; i < 9; i++) {
-        matrix[i] /= field;
-    }
-}
-
 /* Reads and judges; r is lost on failure. */
 static invcal_status read_record(const uint8_t *bytes, uint32_t size, invcal_record *r)
 {
-    const invcal_status status = invcal_unseal(bytes, size, RECORD_KIND, RECORD_OLDEST);
+    const invcal_status status = invcal_unseal(bytes, size, INVCAL_RECORD_KIND);
     if (status != INVCAL_OK) {
         return status;
     }
-    const unsigned skipped = bytes[1] == RECORD_OLDEST ? RECORD_SKIPPED : 0;
-    if (invcal_get_u16(bytes + 2) != INVCAL_RECORD_SIZE + skipped) {
+    if (invcal_get_u16(bytes + 2) != INVCAL_RECORD_SIZE) {
         return INVCAL_DAMAGED;
     }
-    if (!get_record(bytes, skipped, r)) {
+    if (!get_record(bytes, r)) {
         return INVCAL_NOT_FINITE;
     }
     if (!is_consistent(r)) {
         return INVCAL_DAMAGED;
-    }
-    if (skipped > 0) {
-        over_field(r->calibration.matrix[0], r->field);
     }
     return invcal_nominal_check(&r->calibration);
 }
@@ -133,7 +118,7 @@ invcal_status invcal_save(const invcal_store *store, const invcal_calibration *c
 
 invcal_status invcal_load(const invcal_store *store, invcal_calibration *calibration)
 {
-    uint8_t bytes[INVCAL_RECORD_SIZE_MAX];
+    uint8_t bytes[INVCAL_RECORD_SIZE];
     invcal_record r;
     uint32_t size = 0;
 
