@@ -7,13 +7,17 @@
 #include "bytes.h"
 #include "solve.h"
 
-enum { SENSOR_AT = 4, DATE_AT = 12, RECORD_REALS_AT = 24 };
-enum { RECORD_REALS = 27, BEFORE_SIGMA = 18 }; /* reals */
-enum { EVERY_PARAMETER = 0x1FF };              /* as a mask */
+enum { SENSOR_AT = 4, DATE_AT = 12, POSITIONS_AT = 16, WEAK_AT = 18, PRIOR_AT = 20 };
+enum { VERDICT_AT = 22, KNOWN_AT = 23, REALS_AT = 24, NOISE_AT = 36 };
+enum { RECORD_REALS = 27, BEFORE_SIGMA = 18, CALIBRATION_REALS = 12 };
+enum { EVERY_PARAMETER = 0x1FF }; /* as a mask */
 
 /* The reals come first in the structure, too, and in the same order. */
 typedef char invcal_record_is_in_order
     [offsetof(invcal_record, sigma) == BEFORE_SIGMA * sizeof(invcal_real) ? 1 : -1];
+typedef char invcal_rms_is_behind_noise
+    [offsetof(invcal_quality, rms) == offsetof(invcal_quality, noise) + sizeof(invcal_real) ? 1
+                                                                                            : -1];
 
 void invcal_record_init(invcal_record *record, const invcal_calibration *calibration,
                         const invcal_quality *quality)
@@ -37,33 +41,22 @@ static void put_record(const invcal_record *r, uint8_t *bytes)
     at = invcal_put_two(at, r->positions, r->weak);
     at = invcal_put_two(at, r->from_prior, r->verdict | (unsigned)r->temperature_known << 8);
     (void)invcal_put_reals(at, r, RECORD_REALS);
-    invcal_seal(bytes, INVCAL_RECORD_KIND, INVCAL_RECORD_SIZE);
-}
-
-/* Returns 1 if all reals are finite. */
-static int get_record(const uint8_t *bytes, invcal_record *r)
-{
-    memcpy(r->sensor, bytes + SENSOR_AT, sizeof r->sensor);
-    r->date = invcal_get_u32(bytes + DATE_AT);
-    r->positions = invcal_get_u16(bytes + 16);
-    r->weak = invcal_get_u16(bytes + 18);
-    r->from_prior = invcal_get_u16(bytes + 20);
-    r->verdict = bytes[22];
-    r->temperature_known = bytes[23];
-    return invcal_get_reals(bytes + RECORD_REALS_AT, r, RECORD_REALS);
 }
 
 /* WEAK is what has weak parameters; the other two verdicts are 0 and 1. */
-static int is_consistent(const invcal_record *r)
+static int is_consistent(const uint8_t *bytes, const invcal_record *r)
 {
-    const unsigned verdict = r->weak > 0 ? INVCAL_WEAK : r->verdict & 1u;
+    const unsigned weak = invcal_get_u16(bytes + WEAK_AT);
+    const unsigned verdict = weak > 0 ? INVCAL_WEAK : bytes[VERDICT_AT] & 1u;
+    const unsigned known = bytes[KNOWN_AT];
 
-    return r->verdict == verdict && (r->weak | r->from_prior) <= EVERY_PARAMETER &&
-           (r->temperature_known ? r->temperature_known == 1 : r->temperature == 0);
+    return bytes[VERDICT_AT] == verdict &&
+           (weak | invcal_get_u16(bytes + PRIOR_AT)) <= EVERY_PARAMETER &&
+           (known > 0 ? known == 1 : r->temperature == 0);
 }
 
-/* Reads and judges; r is lost on failure. */
-static invcal_status read_record(const uint8_t *bytes, uint32_t size, invcal_record *r)
+/* Reads the reals and judges all; r is lost on failure. */
+static invcal_status read_reals(const uint8_t *bytes, uint32_t size, invcal_record *r)
 {
     const invcal_status status = invcal_unseal(bytes, size, INVCAL_RECORD_KIND);
     if (status != INVCAL_OK) {
@@ -72,23 +65,26 @@ static invcal_status read_record(const uint8_t *bytes, uint32_t size, invcal_rec
     if (invcal_get_u16(bytes + 2) != INVCAL_RECORD_SIZE) {
         return INVCAL_DAMAGED;
     }
-    if (!get_record(bytes, r)) {
+    if (!invcal_get_reals(bytes + REALS_AT, r, RECORD_REALS)) {
         return INVCAL_NOT_FINITE;
     }
-    if (!is_consistent(r)) {
-        return INVCAL_DAMAGED;
-    }
-    return invcal_nominal_check(&r->calibration);
+    return is_consistent(bytes, r) ? invcal_nominal_check(&r->calibration) : INVCAL_DAMAGED;
 }
 
 /* What was written is read again: rounded to float, it may be none. */
-invcal_status invcal_record_encode(const invcal_record *record, uint8_t bytes[INVCAL_RECORD_SIZE])
+static invcal_status seal_record(uint8_t *bytes)
 {
     invcal_record r;
 
+    invcal_seal(bytes, INVCAL_RECORD_KIND, INVCAL_RECORD_SIZE);
+    return read_reals(bytes, INVCAL_RECORD_SIZE, &r);
+}
+
+invcal_status invcal_record_encode(const invcal_record *record, uint8_t bytes[INVCAL_RECORD_SIZE])
+{
     INVCAL_ASSERT(record && bytes);
     put_record(record, bytes);
-    return read_record(bytes, INVCAL_RECORD_SIZE, &r);
+    return seal_record(bytes);
 }
 
 invcal_status invcal_record_decode(const uint8_t *bytes, uint32_t size, invcal_record *out)
@@ -96,8 +92,15 @@ invcal_status invcal_record_decode(const uint8_t *bytes, uint32_t size, invcal_r
     invcal_record r;
 
     INVCAL_ASSERT(bytes && out);
-    const invcal_status status = read_record(bytes, size, &r);
+    const invcal_status status = read_reals(bytes, size, &r);
     if (status == INVCAL_OK) {
+        memcpy(r.sensor, bytes + SENSOR_AT, sizeof r.sensor);
+        r.date = invcal_get_u32(bytes + DATE_AT);
+        r.positions = invcal_get_u16(bytes + POSITIONS_AT);
+        r.weak = invcal_get_u16(bytes + WEAK_AT);
+        r.from_prior = invcal_get_u16(bytes + PRIOR_AT);
+        r.verdict = bytes[VERDICT_AT];
+        r.temperature_known = bytes[KNOWN_AT];
         *out = r;
     }
     return status;
@@ -105,14 +108,21 @@ invcal_status invcal_record_decode(const uint8_t *bytes, uint32_t size, invcal_r
 
 /* ---- in a memory ------------------------------------------------------------------------------- */
 
+/* The bytes of what invcal_record_init makes, without it. */
 invcal_status invcal_save(const invcal_store *store, const invcal_calibration *calibration,
                           const invcal_quality *quality)
 {
     uint8_t bytes[INVCAL_RECORD_SIZE];
-    invcal_record r;
 
-    invcal_record_init(&r, calibration, quality);
-    const invcal_status status = invcal_record_encode(&r, bytes);
+    INVCAL_ASSERT(calibration && quality);
+    memset(bytes, 0, sizeof bytes);
+    (void)invcal_put_two(bytes + POSITIONS_AT, quality->positions, quality->weak);
+    bytes[VERDICT_AT] = quality->verdict;
+    uint8_t *at = invcal_put_reals(bytes + NOISE_AT, &quality->noise, 2); /* and rms */
+    at = invcal_put_reals(at, &quality->condition, 1);
+    at = invcal_put_reals(at, calibration, CALIBRATION_REALS);
+    (void)invcal_put_reals(at, quality->sigma, INVCAL_PARAMETERS);
+    const invcal_status status = seal_record(bytes);
     return status == INVCAL_OK ? invcal_store_save(store, bytes, sizeof bytes) : status;
 }
 
@@ -125,7 +135,7 @@ invcal_status invcal_load(const invcal_store *store, invcal_calibration *calibra
     INVCAL_ASSERT(calibration);
     invcal_status status = invcal_store_load(store, bytes, sizeof bytes, &size);
     if (status == INVCAL_OK) {
-        status = read_record(bytes, size, &r);
+        status = read_reals(bytes, size, &r);
     }
     if (status == INVCAL_OK) {
         *calibration = r.calibration;

@@ -133,13 +133,17 @@ static invcal_status read_rest(const invcal_session *session, invcal_real mean[3
 /* The table is in the order of taking; where it is full the oldest goes. */
 static void keep(invcal_session *session, const invcal_real mean[3])
 {
+    invcal_real *all = session->mean[0];
+
     if (session->count == INVCAL_MAX_POSITIONS) {
         session->count--;
-        for (unsigned i = 0; i < session->count; i++) {
-            memcpy(session->mean[i], session->mean[i + 1], sizeof session->mean[0]);
+        for (unsigned i = 0; i < 3 * (INVCAL_MAX_POSITIONS - 1); i++) {
+            all[i] = all[i + 3];
         }
     }
-    memcpy(session->mean[session->count], mean, sizeof session->mean[0]);
+    for (unsigned a = 0; a < 3; a++) {
+        session->mean[session->count][a] = mean[a];
+    }
     session->count++;
     session->good = NOT_ASKED;
 }
@@ -215,14 +219,15 @@ void invcal_session_next(const invcal_session *session, invcal_real up[3])
     invcal_row row;
     invcal_real held[3];
     invcal_real last[3];
+    const invcal_real *present = last;
 
     INVCAL_ASSERT(session && up);
     invcal_sum_readings(session->mean[0], session->count, &session->nominal, &sums, last);
     if (session->last != INVCAL_TAKEN && read_rest(session, held, &row) == INVCAL_OK) {
         invcal_sums_add_row(&sums, &row, 1);
-        memcpy(last, row.h, sizeof last);
+        present = row.h;
     }
-    invcal_next_beside(&sums, last, up);
+    invcal_next_beside(&sums, present, up);
 }
 
 const char *invcal_session_next_words(const invcal_session *session, char words[INVCAL_WORDS])

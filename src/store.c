@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "invcal/store.h"
 
+#include <limits.h>
 #include <string.h>
 
 #include "bytes.h"
@@ -8,7 +9,13 @@
 enum { SLOT_KIND = 0x5C, SLOT_VERSION = 1, SLOT_KIND_VERSION = SLOT_VERSION << 8 | SLOT_KIND };
 enum { HEADER = 8, BLANK = 0xFF };
 #define CHUNK INVCAL_STORE_GRANULARITY_MAX /* a multiple of every granularity */
-#define LARGEST UINT32_C(0xFFFF)           /* size of what is stored */
+
+/* Most that is stored: a size has two bytes, and offsets are of type unsigned. */
+#if UINT_MAX > 0xFFFF
+#define LARGEST 0xFFFFu
+#else
+#define LARGEST (UINT_MAX - HEADER - INVCAL_CRC_SIZE - 2 * CHUNK)
+#endif
 
 /* What a slot holds; of two, the one with more is loaded. */
 typedef enum { UNREADABLE, EMPTY, UNCONFIRMED, CONFIRMED } state;
@@ -16,51 +23,57 @@ typedef enum { UNREADABLE, EMPTY, UNCONFIRMED, CONFIRMED } state;
 /* What one call works with. */
 typedef struct {
     const invcal_store *store;
-    unsigned slot; /* the one that is looked at, erased and programmed */
-    unsigned kept; /* the one that is loaded, and so must survive */
-    state state[2];
-    uint32_t sequence[2];
-    uint32_t size;     /* of what was looked at last */
-    uint32_t end;      /* of the same: there is its confirmation */
+    unsigned slot;     /* the one that is looked at, erased and programmed */
+    unsigned size;     /* of what was looked at last */
+    unsigned end;      /* of the same: there is its confirmation */
+    uint32_t sequence; /* of the same; after survey of what is loaded */
+    state kept;        /* of the slot that is loaded, and so must survive */
+    state other;       /* of the other slot */
     uint8_t *bytes;    /* for what is looked at, */
     uint32_t capacity; /* if it is no more than this */
     uint8_t chunk[CHUNK];
 } work;
 
+static unsigned granularity_of(const work *w)
+{
+    return (unsigned)w->store->granularity;
+}
+
 /* Finds the end of so much: behind the CRC. Returns whether a slot holds it. */
 static int find_end(work *w, uint32_t size)
 {
-    const uint32_t g = w->store->granularity;
+    const unsigned g = granularity_of(w);
 
-    w->end = (size + HEADER + INVCAL_CRC_SIZE + g - 1) & ~(g - 1);
+    w->end = ((unsigned)size + HEADER + INVCAL_CRC_SIZE + g - 1) & ~(g - 1);
     return size - 1 < LARGEST && w->end + g <= w->store->slot_size;
 }
 
-static int read_chunk(work *w, uint32_t at, uint32_t count)
+static int read_chunk(work *w, unsigned at, unsigned count)
 {
     return w->store->read(w->store->context, w->slot, at, w->chunk, count) == 0;
 }
 
-static int program_chunk(const work *w, uint32_t at, uint32_t count)
+static int program_chunk(const work *w, unsigned at, unsigned count)
 {
     return w->store->program(w->store->context, w->slot, at, w->chunk, count) == 0;
 }
 
 static int read_header(work *w)
 {
+    if (!read_chunk(w, 0, HEADER)) {
+        return 0;
+    }
     w->size = invcal_get_u16(w->chunk + 2);
-    w->sequence[w->slot] = invcal_get_u32(w->chunk + 4);
-    return invcal_get_u16(w->chunk) == SLOT_KIND_VERSION && find_end(w, w->size);
+    w->sequence = invcal_get_u32(w->chunk + 4);
+    return 1;
 }
 
 /* Any bit will do: programming them began only when all else had been read back. For the same
  * reason a granule that cannot be read says no more than a blank one. */
 static state confirmation(work *w)
 {
-    const uint32_t count = w->store->granularity;
-
-    if (read_chunk(w, w->end, count)) {
-        for (uint32_t i = 0; i < count; i++) {
+    if (read_chunk(w, w->end, granularity_of(w))) {
+        for (unsigned i = 0; i < granularity_of(w); i++) {
             if (w->chunk[i] != BLANK) {
                 return CONFIRMED;
             }
@@ -72,50 +85,54 @@ static state confirmation(work *w)
 /* Reads the slot, copies what it holds to w->bytes, and judges it. */
 static state look(work *w)
 {
-    if (!read_chunk(w, 0, HEADER)) {
+    if (!read_header(w)) {
         return UNREADABLE;
     }
-    if (!read_header(w)) {
+    if (invcal_get_u16(w->chunk) != SLOT_KIND_VERSION || !find_end(w, w->size)) {
         return EMPTY;
     }
-    const uint32_t copied = w->size <= w->capacity ? w->size : 0;
+    const unsigned all = w->size <= w->capacity ? w->size : 0;
+    unsigned copied = 0;
     uint32_t crc = invcal_crc32(0, w->chunk, HEADER);
-    for (uint32_t at = HEADER; at < w->end; at += CHUNK) { /* at most 2049 steps */
-        const uint32_t left = w->end - at;
-        const uint32_t n = left < CHUNK ? left : CHUNK;
+    for (unsigned at = HEADER; at < w->end; at += CHUNK) { /* at most 2050 steps */
+        const unsigned left = w->end - at;
+        const unsigned n = left < CHUNK ? left : CHUNK;
         if (!read_chunk(w, at, n)) {
             return UNREADABLE;
         }
         crc = invcal_crc32(crc, w->chunk, n);
-        /* cppcheck-suppress knownConditionTrueFalse ; read_header has set w->end */
-        for (uint32_t i = 0, to = at - HEADER; i < n && to < copied; i++, to++) {
-            w->bytes[to] = w->chunk[i];
+        for (unsigned i = 0; i < n && copied < all; i++) {
+            w->bytes[copied] = w->chunk[i];
+            copied++;
         }
     }
     return crc == INVCAL_CRC_RESIDUE ? confirmation(w) : EMPTY;
 }
 
-/* Begins a call: looks at both slots. */
+/* Begins a call: looks at both slots, and then at the one that is loaded. */
 static invcal_status survey(work *w, const invcal_store *store)
 {
     const uint32_t g = store->granularity;
 
     INVCAL_ASSERT(store->read && store->erase && store->program);
     /* zeros: a driver that reports success and reads too little does no more harm than a worn
-     * memory */
+     * memory; and nothing is copied */
     memset(w, 0, sizeof *w);
     w->store = store;
-    w->bytes = w->chunk; /* of capacity 0: nothing is copied */
     if (g - 1 >= CHUNK || (g & (g - 1)) != 0 || !find_end(w, 1)) {
         return INVCAL_BAD_STORE;
     }
-    w->state[0] = look(w);
+    const state first = look(w);
+    const uint32_t sequence = w->sequence;
     w->slot = 1;
-    w->state[1] = look(w);
-    /* modulo 2^32 */
-    const int is_later = w->sequence[1] - w->sequence[0] < UINT32_C(0x80000000);
-    w->kept = w->state[0] == w->state[1] ? is_later == (w->state[0] == CONFIRMED)
-                                         : w->state[0] < w->state[1];
+    const state second = look(w);
+    const int is_later = w->sequence - sequence < UINT32_C(0x80000000); /* modulo 2^32 */
+    if (first == second ? is_later != (first == CONFIRMED) : first > second) {
+        w->slot = 0;
+        w->sequence = sequence;
+    }
+    w->kept = first > second ? first : second;
+    w->other = first > second ? second : first;
     return INVCAL_OK;
 }
 
@@ -126,32 +143,36 @@ static int clear(work *w)
 }
 
 /* Fills chunk after chunk with header, bytes, padding and CRC, and programs them. */
-static int program(work *w, const uint8_t *bytes, uint32_t size)
+static int program(work *w, const uint8_t *bytes, unsigned size, uint32_t sequence)
 {
     (void)find_end(w, size);
-    (void)invcal_put_u32(invcal_put_two(w->chunk, SLOT_KIND_VERSION, size),
-                         w->sequence[w->kept] + 1);
+    (void)invcal_put_u32(invcal_put_two(w->chunk, SLOT_KIND_VERSION, size), sequence);
     uint32_t crc = invcal_crc32(0, w->chunk, HEADER);
-    for (uint32_t at = HEADER; at < w->end; at++) {
-        const uint32_t i = at % CHUNK;
-        if (at < w->end - INVCAL_CRC_SIZE) {
-            w->chunk[i] = at - HEADER < size ? bytes[at - HEADER] : BLANK;
-            crc = invcal_crc32(crc, &w->chunk[i], 1);
-        } else {
-            w->chunk[i] = (uint8_t)(crc & 0xFFu);
-            crc >>= 8;
+    unsigned i = HEADER;
+    unsigned at = HEADER;
+    do { /* at most 2050 steps */
+        for (; i < CHUNK && at < w->end; i++, at++) {
+            uint8_t *byte = &w->chunk[i];
+            if (at < w->end - INVCAL_CRC_SIZE) {
+                *byte = at - HEADER < size ? bytes[at - HEADER] : BLANK;
+                crc = invcal_crc32(crc, byte, 1);
+            } else {
+                *byte = (uint8_t)(crc & 0xFFu);
+                crc >>= 8;
+            }
         }
-        if ((i == CHUNK - 1 || at == w->end - 1) && !program_chunk(w, at - i, i + 1)) {
+        if (!program_chunk(w, at - i, i)) {
             return 0;
         }
-    }
+        i = 0;
+    } while (at < w->end);
     return 1;
 }
 
 static int confirm(work *w)
 {
     memset(w->chunk, 0, CHUNK);
-    return program_chunk(w, w->end, w->store->granularity) && look(w) == CONFIRMED;
+    return program_chunk(w, w->end, granularity_of(w)) && look(w) == CONFIRMED;
 }
 
 invcal_status invcal_store_save(const invcal_store *store, const uint8_t *bytes, uint32_t size)
@@ -166,9 +187,10 @@ invcal_status invcal_store_save(const invcal_store *store, const uint8_t *bytes,
     if (!find_end(&w, size)) {
         return size > 0 ? INVCAL_NO_SPACE : INVCAL_BAD_COUNT;
     }
-    w.slot = 1 - w.kept;
-    const int done = w.state[w.kept] != UNREADABLE && clear(&w) && program(&w, bytes, size) &&
-                     look(&w) > EMPTY && confirm(&w);
+    const uint32_t next = w.sequence + 1;
+    w.slot = 1 - w.slot;
+    const int done = w.kept != UNREADABLE && clear(&w) &&
+                     program(&w, bytes, (unsigned)size, next) && look(&w) > EMPTY && confirm(&w);
     return done ? INVCAL_OK : INVCAL_IO;
 }
 
@@ -182,10 +204,9 @@ invcal_status invcal_store_load(const invcal_store *store, uint8_t *bytes, uint3
     if (status != INVCAL_OK) {
         return status;
     }
-    if (w.state[w.kept] <= EMPTY) {
-        return w.state[1 - w.kept] == UNREADABLE ? INVCAL_IO : INVCAL_NO_RECORD;
+    if (w.kept <= EMPTY) {
+        return w.other == UNREADABLE ? INVCAL_IO : INVCAL_NO_RECORD;
     }
-    w.slot = w.kept;
     w.bytes = bytes;
     w.capacity = capacity;
     if (look(&w) <= EMPTY) {
@@ -207,9 +228,9 @@ invcal_status invcal_store_erase(const invcal_store *store)
     if (status != INVCAL_OK) {
         return status;
     }
-    w.slot = 1 - w.kept;
+    w.slot = 1 - w.slot;
     int done = clear(&w);
-    w.slot = w.kept;
+    w.slot = 1 - w.slot;
     done = done && clear(&w);
     return done ? INVCAL_OK : INVCAL_IO;
 }

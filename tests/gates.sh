@@ -125,7 +125,7 @@ plant loop src/circle.c 's/^    const invcal_real x = /    while (degrees > 1e9f
 
 # ---- packages and releases --------------------------------------------------------------------
 
-plant record src/record.c 's/r->weak = invcal_get_u16(bytes + 18)/r->weak = invcal_get_u16(bytes + 20)/' \
+plant record src/record.c 's/r.weak = invcal_get_u16(bytes + WEAK_AT)/r.weak = invcal_get_u16(bytes + PRIOR_AT)/' \
     'float-compatibility: .* [1-9][0-9]* failed' unit compatibility
 plant clash src/circle.c 's/^enum { TERMS/enum { DIRECTIONS = 1 };\n&/' \
     'gcc, float: README.md.*: FAIL' packages amalgamation

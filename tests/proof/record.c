@@ -66,11 +66,13 @@ static void save(void)
     invcal_store store;
     invcal_calibration calibration;
     invcal_quality quality;
+    invcal_record record;
 
     ANY(store);
     ANY(calibration);
     ANY(quality);
     (void)invcal_save(&store, &calibration, &quality);
+    invcal_record_init(&record, &calibration, &quality);
 }
 
 static void read(uint32_t size, unsigned low, unsigned high)

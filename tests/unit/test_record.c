@@ -680,6 +680,32 @@ static void a_calibration_that_was_saved_is_loaded_and_so_is_its_record(void)
     TEST_ASSERT_EQUAL_MEMORY(&r.calibration, &c, sizeof c);
 }
 
+static void what_is_saved_is_the_record_that_init_makes(void)
+{
+    const invcal_record golden_one = golden_record();
+    invcal_record r;
+    invcal_quality q;
+    uint8_t expected[SIZE];
+    uint8_t bytes[SIZE];
+    uint32_t size = 0;
+
+    memset(&q, 0x5A, sizeof q);
+    memcpy(q.sigma, golden_one.sigma, sizeof q.sigma);
+    q.noise = golden_one.noise;
+    q.rms = golden_one.rms;
+    q.condition = golden_one.condition;
+    q.weak = golden_one.weak;
+    q.positions = golden_one.positions;
+    q.verdict = INVCAL_WEAK;
+    invcal_record_init(&r, &golden_one.calibration, &q);
+    assert_encodes(&r, expected);
+    memset(memory, 0xFF, sizeof memory);
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_save(&store, &golden_one.calibration, &q));
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_store_load(&store, bytes, sizeof bytes, &size));
+    TEST_ASSERT_EQUAL_UINT32(SIZE, size);
+    TEST_ASSERT_EQUAL_HEX8_ARRAY(expected, bytes, SIZE);
+}
+
 static void a_failure_of_either_side_is_told_and_leaves_all_as_it_was(void)
 {
     static const uint8_t other[INVCAL_RECORD_SIZE_V1 + 1] = {1};
@@ -745,6 +771,7 @@ int main(void)
     RUN_SLOW_TEST(a_sound_record_of_another_kind_or_version_is_named_so);
     RUN_TEST(a_length_shorter_than_any_record_is_refused);
     RUN_TEST(a_calibration_that_was_saved_is_loaded_and_so_is_its_record);
+    RUN_TEST(what_is_saved_is_the_record_that_init_makes);
     RUN_TEST(a_failure_of_either_side_is_told_and_leaves_all_as_it_was);
     RUN_TEST(what_0_1_0_saved_is_loaded_by_its_own_function);
     return UNITY_END() != 0;
