@@ -25,7 +25,6 @@ typedef struct {
     const invcal_store *store;
     unsigned slot;     /* the one that is looked at, erased and programmed */
     unsigned size;     /* of what was looked at last */
-    unsigned end;      /* of the same: there is its confirmation */
     uint32_t sequence; /* of the same; after survey of what is loaded */
     state kept;        /* of the slot that is loaded, and so must survive */
     state other;       /* of the other slot */
@@ -39,40 +38,31 @@ static unsigned granularity_of(const work *w)
     return (unsigned)w->store->granularity;
 }
 
-/* Finds the end of so much: behind the CRC. Returns whether a slot holds it. */
-static int find_end(work *w, uint32_t size)
+/* The end of so much, behind the CRC; 0 if a slot does not hold it. */
+static unsigned end_of(const work *w, uint32_t size)
 {
     const unsigned g = granularity_of(w);
+    const unsigned end = ((unsigned)size + HEADER + INVCAL_CRC_SIZE + g - 1) & ~(g - 1);
 
-    w->end = ((unsigned)size + HEADER + INVCAL_CRC_SIZE + g - 1) & ~(g - 1);
-    return size - 1 < LARGEST && w->end + g <= w->store->slot_size;
+    return size - 1 < LARGEST && end + g <= w->store->slot_size ? end : 0;
 }
 
+/* Returns 0, or what the driver says of a failure. */
 static int read_chunk(work *w, unsigned at, unsigned count)
 {
-    return w->store->read(w->store->context, w->slot, at, w->chunk, count) == 0;
+    return w->store->read(w->store->context, w->slot, at, w->chunk, count);
 }
 
 static int program_chunk(const work *w, unsigned at, unsigned count)
 {
-    return w->store->program(w->store->context, w->slot, at, w->chunk, count) == 0;
-}
-
-static int read_header(work *w)
-{
-    if (!read_chunk(w, 0, HEADER)) {
-        return 0;
-    }
-    w->size = invcal_get_u16(w->chunk + 2);
-    w->sequence = invcal_get_u32(w->chunk + 4);
-    return 1;
+    return w->store->program(w->store->context, w->slot, at, w->chunk, count);
 }
 
 /* Any bit will do: programming them began only when all else had been read back. For the same
  * reason a granule that cannot be read says no more than a blank one. */
-static state confirmation(work *w)
+static state confirmation(work *w, unsigned end)
 {
-    if (read_chunk(w, w->end, granularity_of(w))) {
+    if (read_chunk(w, end, granularity_of(w)) == 0) {
         for (unsigned i = 0; i < granularity_of(w); i++) {
             if (w->chunk[i] != BLANK) {
                 return CONFIRMED;
@@ -85,19 +75,22 @@ static state confirmation(work *w)
 /* Reads the slot, copies what it holds to w->bytes, and judges it. */
 static state look(work *w)
 {
-    if (!read_header(w)) {
+    if (read_chunk(w, 0, HEADER) != 0) {
         return UNREADABLE;
     }
-    if (invcal_get_u16(w->chunk) != SLOT_KIND_VERSION || !find_end(w, w->size)) {
+    w->size = invcal_get_u16(w->chunk + 2);
+    w->sequence = invcal_get_u32(w->chunk + 4);
+    const unsigned end = end_of(w, w->size);
+    if (invcal_get_u16(w->chunk) != SLOT_KIND_VERSION || end == 0) {
         return EMPTY;
     }
     const unsigned all = w->size <= w->capacity ? w->size : 0;
     unsigned copied = 0;
     uint32_t crc = invcal_crc32(0, w->chunk, HEADER);
-    for (unsigned at = HEADER; at < w->end; at += CHUNK) { /* at most 2050 steps */
-        const unsigned left = w->end - at;
+    for (unsigned at = HEADER; at < end; at += CHUNK) { /* at most 2050 steps */
+        const unsigned left = end - at;
         const unsigned n = left < CHUNK ? left : CHUNK;
-        if (!read_chunk(w, at, n)) {
+        if (read_chunk(w, at, n) != 0) {
             return UNREADABLE;
         }
         crc = invcal_crc32(crc, w->chunk, n);
@@ -106,7 +99,7 @@ static state look(work *w)
             copied++;
         }
     }
-    return crc == INVCAL_CRC_RESIDUE ? confirmation(w) : EMPTY;
+    return crc == INVCAL_CRC_RESIDUE ? confirmation(w, end) : EMPTY;
 }
 
 /* Begins a call: looks at both slots, and then at the one that is loaded. */
@@ -119,20 +112,22 @@ static invcal_status survey(work *w, const invcal_store *store)
      * memory; and nothing is copied */
     memset(w, 0, sizeof *w);
     w->store = store;
-    if (g - 1 >= CHUNK || (g & (g - 1)) != 0 || !find_end(w, 1)) {
+    if (g - 1 >= CHUNK || (g & (g - 1)) != 0 || end_of(w, 1) == 0) {
         return INVCAL_BAD_STORE;
     }
-    const state first = look(w);
+    w->kept = look(w);
     const uint32_t sequence = w->sequence;
     w->slot = 1;
-    const state second = look(w);
+    w->other = look(w);
     const int is_later = w->sequence - sequence < UINT32_C(0x80000000); /* modulo 2^32 */
-    if (first == second ? is_later != (first == CONFIRMED) : first > second) {
+    if (w->kept == w->other ? is_later == (w->kept == CONFIRMED) : w->kept < w->other) {
+        const state kept = w->other;
+        w->other = w->kept;
+        w->kept = kept;
+    } else {
         w->slot = 0;
         w->sequence = sequence;
     }
-    w->kept = first > second ? first : second;
-    w->other = first > second ? second : first;
     return INVCAL_OK;
 }
 
@@ -143,17 +138,16 @@ static int clear(work *w)
 }
 
 /* Fills chunk after chunk with header, bytes, padding and CRC, and programs them. */
-static int program(work *w, const uint8_t *bytes, unsigned size, uint32_t sequence)
+static int program(work *w, const uint8_t *bytes, unsigned size, unsigned end, uint32_t sequence)
 {
-    (void)find_end(w, size);
     (void)invcal_put_u32(invcal_put_two(w->chunk, SLOT_KIND_VERSION, size), sequence);
     uint32_t crc = invcal_crc32(0, w->chunk, HEADER);
     unsigned i = HEADER;
     unsigned at = HEADER;
     do { /* at most 2050 steps */
-        for (; i < CHUNK && at < w->end; i++, at++) {
+        for (; i < CHUNK && at < end; i++, at++) {
             uint8_t *byte = &w->chunk[i];
-            if (at < w->end - INVCAL_CRC_SIZE) {
+            if (at < end - INVCAL_CRC_SIZE) {
                 *byte = at - HEADER < size ? bytes[at - HEADER] : BLANK;
                 crc = invcal_crc32(crc, byte, 1);
             } else {
@@ -161,18 +155,18 @@ static int program(work *w, const uint8_t *bytes, unsigned size, uint32_t sequen
                 crc >>= 8;
             }
         }
-        if (!program_chunk(w, at - i, i)) {
+        if (program_chunk(w, at - i, i) != 0) {
             return 0;
         }
         i = 0;
-    } while (at < w->end);
+    } while (at < end);
     return 1;
 }
 
-static int confirm(work *w)
+static int confirm(work *w, unsigned end)
 {
     memset(w->chunk, 0, CHUNK);
-    return program_chunk(w, w->end, granularity_of(w)) && look(w) == CONFIRMED;
+    return program_chunk(w, end, granularity_of(w)) == 0 && look(w) == CONFIRMED;
 }
 
 invcal_status invcal_store_save(const invcal_store *store, const uint8_t *bytes, uint32_t size)
@@ -184,13 +178,15 @@ invcal_status invcal_store_save(const invcal_store *store, const uint8_t *bytes,
     if (status != INVCAL_OK) {
         return status;
     }
-    if (!find_end(&w, size)) {
+    const unsigned end = end_of(&w, size);
+    if (end == 0) {
         return size > 0 ? INVCAL_NO_SPACE : INVCAL_BAD_COUNT;
     }
     const uint32_t next = w.sequence + 1;
     w.slot = 1 - w.slot;
     const int done = w.kept != UNREADABLE && clear(&w) &&
-                     program(&w, bytes, (unsigned)size, next) && look(&w) > EMPTY && confirm(&w);
+                     program(&w, bytes, (unsigned)size, end, next) && look(&w) > EMPTY &&
+                     confirm(&w, end);
     return done ? INVCAL_OK : INVCAL_IO;
 }
 

@@ -283,8 +283,8 @@ uint32_t invcal_session_size(const invcal_session *session);
  * Returns INVCAL_OK;
  *   INVCAL_OTHER_VERSION  they are not what a build like this has kept;
  *   INVCAL_DAMAGED        nor are they as long as their table;
- *   INVCAL_BAD_NOMINAL, INVCAL_BAD_RATE, INVCAL_BAD_RAILS, INVCAL_BAD_NOISE    a content that no
- *   session has. The means are not looked at: any that is no reading is refused by what solves. */
+ *   INVCAL_BAD_NOMINAL, INVCAL_BAD_RATE, INVCAL_BAD_RAILS    a content that no session has. The means
+ *   and the noise are not looked at: any that is none is refused by what solves. */
 invcal_status invcal_session_resume(invcal_session *session, uint32_t size);
 
 #ifdef __cplusplus
