@@ -92,8 +92,7 @@ invcal_status invcal_unseal(const uint8_t *bytes, uint32_t size, unsigned kind)
         return INVCAL_DAMAGED;
     }
     const unsigned length = invcal_get_u16(bytes + 2);
-    if (length < EMPTY_FRAME || length > size ||
-        invcal_crc32(0, bytes, length) != INVCAL_CRC_RESIDUE) {
+    if (length > size || invcal_crc32(0, bytes, length) != INVCAL_CRC_RESIDUE) {
         return INVCAL_DAMAGED;
     }
     return invcal_get_u16(bytes) == kind ? INVCAL_OK : INVCAL_OTHER_VERSION;
