@@ -55,7 +55,9 @@ int invcal_get_reals(const uint8_t *bytes, void *reals, unsigned count)
         memcpy(&f, &bits, sizeof f);
         const invcal_real x = (invcal_real)f;
         memcpy(to, &x, sizeof x);
-        are_finite &= (bits & EXPONENT) != EXPONENT;
+        if ((bits & EXPONENT) == EXPONENT) {
+            are_finite = 0;
+        }
         to += sizeof x;
         bytes += 4;
     }

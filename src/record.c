@@ -8,7 +8,7 @@
 #include "solve.h"
 
 enum { SENSOR_AT = 4, DATE_AT = 12, POSITIONS_AT = 16, WEAK_AT = 18, PRIOR_AT = 20 };
-enum { VERDICT_AT = 22, KNOWN_AT = 23, REALS_AT = 24, NOISE_AT = 36 };
+enum { VERDICT_AT = 22, KNOWN_AT = 23, REALS_AT = 24, NOISE_AT = 36, OFFSET_AT = 48 };
 enum { RECORD_REALS = 27, BEFORE_SIGMA = 18, CALIBRATION_REALS = 12 };
 enum { EVERY_PARAMETER = 0x1FF }; /* as a mask */
 
@@ -138,7 +138,7 @@ invcal_status invcal_load(const invcal_store *store, invcal_calibration *calibra
         status = read_reals(bytes, size, &r);
     }
     if (status == INVCAL_OK) {
-        *calibration = r.calibration;
+        (void)invcal_get_reals(bytes + OFFSET_AT, calibration, CALIBRATION_REALS);
     }
     return status;
 }

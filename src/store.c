@@ -30,6 +30,7 @@ typedef struct {
     state other;       /* of the other slot */
     uint8_t *bytes;    /* for what is looked at, */
     uint32_t capacity; /* if it is no more than this */
+    unsigned copied;   /* of it */
     uint8_t chunk[CHUNK];
 } work;
 
@@ -84,8 +85,7 @@ static state look(work *w)
     if (invcal_get_u16(w->chunk) != SLOT_KIND_VERSION || end == 0) {
         return EMPTY;
     }
-    const unsigned all = w->size <= w->capacity ? w->size : 0;
-    unsigned copied = 0;
+    w->copied = w->size <= w->capacity ? w->size : 0;
     uint32_t crc = invcal_crc32(0, w->chunk, HEADER);
     for (unsigned at = HEADER; at < end; at += CHUNK) { /* at most 2050 steps */
         const unsigned left = end - at;
@@ -94,9 +94,11 @@ static state look(work *w)
             return UNREADABLE;
         }
         crc = invcal_crc32(crc, w->chunk, n);
-        for (unsigned i = 0; i < n && copied < all; i++) {
-            w->bytes[copied] = w->chunk[i];
-            copied++;
+        for (unsigned i = 0; i < n; i++) {
+            const unsigned to = at - HEADER + i;
+            if (to < w->copied) {
+                w->bytes[to] = w->chunk[i];
+            }
         }
     }
     return crc == INVCAL_CRC_RESIDUE ? confirmation(w, end) : EMPTY;
