@@ -15,7 +15,7 @@ enum { EVERY_PARAMETER = 0x1FF }; /* as a mask */
 /* The reals come first in the structure, too, and in the same order. */
 typedef char invcal_record_is_in_order
     [offsetof(invcal_record, sigma) == BEFORE_SIGMA * sizeof(invcal_real) ? 1 : -1];
-typedef char invcal_rms_is_behind_noise
+typedef char invcal_quality_is_in_order
     [offsetof(invcal_quality, rms) == offsetof(invcal_quality, noise) + sizeof(invcal_real) ? 1
                                                                                             : -1];
 

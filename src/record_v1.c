@@ -53,17 +53,17 @@ invcal_status invcal_record_from_v1(const uint8_t *old, uint32_t size,
 invcal_status invcal_load_v1(const invcal_store *store, invcal_calibration *calibration)
 {
     uint8_t old[INVCAL_RECORD_SIZE_V1];
-    uint8_t bytes[INVCAL_RECORD_SIZE];
-    invcal_record r;
     uint32_t size = 0;
 
     INVCAL_ASSERT(calibration);
     invcal_status status = invcal_store_load(store, old, sizeof old, &size);
     if (status == INVCAL_OK) {
+        uint8_t bytes[INVCAL_RECORD_SIZE];
+        invcal_record r;
         status = renew(old, size, bytes, &r);
-    }
-    if (status == INVCAL_OK) {
-        *calibration = r.calibration;
+        if (status == INVCAL_OK) {
+            *calibration = r.calibration;
+        }
     }
     return status;
 }

@@ -11,6 +11,7 @@ enum { HEADER = 8, BLANK = 0xFF };
 #define CHUNK INVCAL_STORE_GRANULARITY_MAX /* a multiple of every granularity */
 
 /* Most that is stored: a size has two bytes, and offsets are of type unsigned. */
+/* cppcheck-suppress misra-c2012-20.9 ; of limits.h */
 #if UINT_MAX > 0xFFFF
 #define LARGEST 0xFFFFu
 #else
@@ -30,7 +31,6 @@ typedef struct {
     state other;       /* of the other slot */
     uint8_t *bytes;    /* for what is looked at, */
     uint32_t capacity; /* if it is no more than this */
-    unsigned copied;   /* of it */
     uint8_t chunk[CHUNK];
 } work;
 
@@ -63,14 +63,29 @@ static int program_chunk(const work *w, unsigned at, unsigned count)
  * reason a granule that cannot be read says no more than a blank one. */
 static state confirmation(work *w, unsigned end)
 {
-    if (read_chunk(w, end, granularity_of(w)) == 0) {
-        for (unsigned i = 0; i < granularity_of(w); i++) {
+    const unsigned count = granularity_of(w);
+
+    if (read_chunk(w, end, count) == 0) {
+        for (unsigned i = 0; i < count; i++) {
             if (w->chunk[i] != BLANK) {
                 return CONFIRMED;
             }
         }
     }
     return UNCONFIRMED;
+}
+
+/* Copies the chunk that begins with byte `first` of what is stored. */
+static void copy(const work *w, unsigned first, unsigned count)
+{
+    const unsigned all = w->size <= w->capacity ? w->size : 0;
+
+    for (unsigned i = 0; i < count; i++) {
+        const unsigned to = first + i;
+        if (to < all) {
+            w->bytes[to] = w->chunk[i];
+        }
+    }
 }
 
 /* Reads the slot, copies what it holds to w->bytes, and judges it. */
@@ -85,7 +100,6 @@ static state look(work *w)
     if (invcal_get_u16(w->chunk) != SLOT_KIND_VERSION || end == 0) {
         return EMPTY;
     }
-    w->copied = w->size <= w->capacity ? w->size : 0;
     uint32_t crc = invcal_crc32(0, w->chunk, HEADER);
     for (unsigned at = HEADER; at < end; at += CHUNK) { /* at most 2050 steps */
         const unsigned left = end - at;
@@ -94,12 +108,7 @@ static state look(work *w)
             return UNREADABLE;
         }
         crc = invcal_crc32(crc, w->chunk, n);
-        for (unsigned i = 0; i < n; i++) {
-            const unsigned to = at - HEADER + i;
-            if (to < w->copied) {
-                w->bytes[to] = w->chunk[i];
-            }
-        }
+        copy(w, at - HEADER, n);
     }
     return crc == INVCAL_CRC_RESIDUE ? confirmation(w, end) : EMPTY;
 }
