@@ -285,7 +285,7 @@ invcal_status invcal_thermal_record_decode(const uint8_t *bytes, uint32_t size,
 /* Makes a record of one of version 1, which 0.1.0 has written, as invcal_record_from_v1 does.
  *
  * Returns as invcal_thermal_record_decode, INVCAL_OTHER_VERSION for any version but 1; on failure the
- * bytes are lost. Stack: about 800 bytes. */
+ * bytes are lost. Stack: about 950 bytes. */
 invcal_status invcal_thermal_record_from_v1(const uint8_t *old, uint32_t size,
                                             uint8_t bytes[INVCAL_THERMAL_RECORD_SIZE]);
 

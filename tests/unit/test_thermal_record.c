@@ -297,6 +297,28 @@ static void the_bytes_of_version_1_give_the_record_over_field(void)
     TEST_ASSERT_EQUAL_UINT(0, r.is_triangular);
 }
 
+static void each_version_has_its_function(void)
+{
+    invcal_thermal_record r;
+    uint8_t bytes[OLD];
+    uint8_t now[SIZE];
+
+    TEST_ASSERT_EQUAL_INT(INVCAL_OTHER_VERSION,
+                          invcal_thermal_record_decode(golden_of_version_1, OLD, &r));
+    TEST_ASSERT_EQUAL_INT(INVCAL_OTHER_VERSION, invcal_thermal_record_from_v1(golden, FLAT, now));
+    memcpy(bytes, golden_of_version_1, OLD);
+    bytes[OLD - 5] ^= 1; /* a coefficient */
+    TEST_ASSERT_EQUAL_INT(INVCAL_DAMAGED, invcal_thermal_record_from_v1(bytes, OLD, now));
+    memcpy(bytes, golden_of_version_1, OLD);
+    bytes[DEGREE_AT + 48] = 1; /* which has another length */
+    seal_bytes(bytes, OLD - 4);
+    TEST_ASSERT_EQUAL_INT(INVCAL_DAMAGED, invcal_thermal_record_from_v1(bytes, OLD, now));
+    memcpy(bytes, golden_of_version_1, OLD);
+    bytes[RECORD_AT + 20] ^= 1; /* of the record within */
+    seal_bytes(bytes, OLD - 4);
+    TEST_ASSERT_EQUAL_INT(INVCAL_DAMAGED, invcal_thermal_record_from_v1(bytes, OLD, now));
+}
+
 /* 0.1.0 turned calibrations to the triangular frame if asked: what holds at the reference differs
  * from what invcal_thermal_at gives by that, and no lengths do. */
 static void a_triangular_record_of_version_1_is_read_and_kept(void)
@@ -655,6 +677,7 @@ int main(void)
     RUN_TEST(a_record_has_the_bytes_of_the_table);
     RUN_TEST(the_bytes_of_the_table_give_the_record);
     RUN_TEST(the_bytes_of_version_1_give_the_record_over_field);
+    RUN_TEST(each_version_has_its_function);
     RUN_TEST(a_triangular_record_of_version_1_is_read_and_kept);
     RUN_TEST(the_coefficients_of_every_power_stand_where_the_table_says);
     RUN_TEST(a_record_comes_back_as_it_was);
