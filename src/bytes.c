@@ -36,7 +36,7 @@ uint8_t *invcal_put_reals(uint8_t *bytes, const void *reals, unsigned count)
     const unsigned char *from = reals;
     invcal_real x;
 
-    for (; count > 0; count--) { /* at most 13 and 3 for each position */
+    for (; count > 0; count--) { /* at most 43: of a thermal record */
         memcpy(&x, from, sizeof x);
         from += sizeof x;
         bytes = invcal_put_u32(bytes, bits_of(x));
@@ -49,50 +49,53 @@ int invcal_get_reals(const uint8_t *bytes, void *reals, unsigned count)
     unsigned char *to = reals;
     int are_finite = 1;
 
-    for (; count > 0; count--) { /* at most 13 and 3 for each position */
+    for (; count > 0; count--) { /* at most 43: of a thermal record */
         const uint32_t bits = invcal_get_u32(bytes);
         float f;
         memcpy(&f, &bits, sizeof f);
         const invcal_real x = (invcal_real)f;
         memcpy(to, &x, sizeof x);
-        are_finite &= (bits & EXPONENT) != EXPONENT;
+        if ((bits & EXPONENT) == EXPONENT) {
+            are_finite = 0;
+        }
         to += sizeof x;
         bytes += 4;
     }
     return are_finite;
 }
 
-uint32_t invcal_crc32(uint32_t crc, const uint8_t *bytes, uint32_t count)
+uint32_t invcal_crc32(uint32_t crc, const uint8_t *bytes, unsigned count)
 {
     crc = ~crc;
-    for (uint32_t i = 0; i < count; i++) {
+    for (unsigned i = 0; i < count; i++) {
         crc ^= bytes[i];
         for (unsigned bit = 0; bit < 8; bit++) {
-            crc = crc & 1u ? crc >> 1 ^ UINT32_C(0xEDB88320) : crc >> 1;
+            const uint8_t is_odd = (uint8_t)(crc & 1u); /* a byte, for the AVR */
+            crc >>= 1;
+            if (is_odd) {
+                crc ^= UINT32_C(0xEDB88320);
+            }
         }
     }
     return ~crc;
 }
 
-void invcal_seal(uint8_t *bytes, uint8_t kind, uint32_t length)
+void invcal_seal(uint8_t *bytes, unsigned kind, unsigned length)
 {
-    const uint32_t end = length - INVCAL_CRC_SIZE;
+    const unsigned end = length - INVCAL_CRC_SIZE;
 
-    (void)invcal_put_two(bytes, kind | (uint32_t)INVCAL_NEWEST << 8, length);
+    (void)invcal_put_two(bytes, kind, length);
     (void)invcal_put_u32(bytes + end, invcal_crc32(0, bytes, end));
 }
 
-invcal_status invcal_unseal(const uint8_t *bytes, uint32_t size, uint8_t kind, uint8_t oldest)
+invcal_status invcal_unseal(const uint8_t *bytes, uint32_t size, unsigned kind)
 {
     if (size < EMPTY_FRAME) {
         return INVCAL_DAMAGED;
     }
-    const uint32_t length = invcal_get_u16(bytes + 2);
-    if (length < EMPTY_FRAME || length > size ||
-        invcal_crc32(0, bytes, length) != INVCAL_CRC_RESIDUE) {
+    const unsigned length = invcal_get_u16(bytes + 2);
+    if (length > size || invcal_crc32(0, bytes, length) != INVCAL_CRC_RESIDUE) {
         return INVCAL_DAMAGED;
     }
-    return bytes[0] == kind && bytes[1] >= oldest && bytes[1] <= INVCAL_NEWEST
-               ? INVCAL_OK
-               : INVCAL_OTHER_VERSION;
+    return invcal_get_u16(bytes) == kind ? INVCAL_OK : INVCAL_OTHER_VERSION;
 }

@@ -32,9 +32,9 @@ static INVCAL_ALWAYS uint32_t invcal_get_u32(const uint8_t *bytes)
 uint8_t *invcal_put_u32(uint8_t *bytes, uint32_t value);
 
 /* Puts two numbers of 16 bits. */
-static inline uint8_t *invcal_put_two(uint8_t *bytes, uint32_t first, uint32_t second)
+static inline uint8_t *invcal_put_two(uint8_t *bytes, unsigned first, unsigned second)
 {
-    return invcal_put_u32(bytes, first | second << 16);
+    return invcal_put_u32(bytes, first | (uint32_t)second << 16);
 }
 
 /* Puts the reals that a structure begins with, as binary32; one that has no float becomes a NaN. */
@@ -45,16 +45,25 @@ int invcal_get_reals(const uint8_t *bytes, void *reals, unsigned count);
 
 /* CRC-32 (IEEE 802.3, as zlib): of "123456789" 0xCBF43926. Starts at 0, and goes on where an
  * earlier call ended. Bit by bit: a table would be larger than all that use it. */
-uint32_t invcal_crc32(uint32_t crc, const uint8_t *bytes, uint32_t count);
+uint32_t invcal_crc32(uint32_t crc, const uint8_t *bytes, unsigned count);
 #define INVCAL_CRC_RESIDUE UINT32_C(0x2144DF1C) /* of anything with its own CRC-32 behind it */
 
-/* Records and sessions have a frame: kind, version, length (16 bits), whatever follows, and at the
- * length's end the CRC of all of it. All kinds have the same newest version. */
-enum { INVCAL_CRC_SIZE = 4, INVCAL_NEWEST = 2 };
-void invcal_seal(uint8_t *bytes, uint8_t kind, uint32_t length);
+/* Records have a frame: kind, version, length (16 bits), whatever follows, and at the length's end the
+ * CRC of all of it. */
+enum { INVCAL_CRC_SIZE = 4 };
+enum {
+    INVCAL_RECORD_KIND = 0x02CA, /* version and kind */
+    INVCAL_RECORD_KIND_V1 = 0x01CA,
+    INVCAL_THERMAL_KIND = 0x02CB,
+    INVCAL_THERMAL_KIND_V1 = 0x01CB
+};
+void invcal_seal(uint8_t *bytes, unsigned kind, unsigned length);
 
-/* Returns INVCAL_OK; INVCAL_DAMAGED; INVCAL_OTHER_VERSION for what is sound, but of another kind, or
- * of a version before `oldest` or after the newest. */
-invcal_status invcal_unseal(const uint8_t *bytes, uint32_t size, uint8_t kind, uint8_t oldest);
+/* Returns INVCAL_OK; INVCAL_DAMAGED; INVCAL_OTHER_VERSION for what is sound, but of another kind or
+ * version. */
+invcal_status invcal_unseal(const uint8_t *bytes, uint32_t size, unsigned kind);
+
+/* Divides a matrix by the field that a record of version 1 has. */
+void invcal_over_field(const uint8_t *record, uint8_t *matrix);
 
 #endif

@@ -7,15 +7,17 @@
 #include "bytes.h"
 #include "solve.h"
 
-enum { RECORD_KIND = 0xCA, RECORD_OLDEST = 1 };
-enum { SENSOR_AT = 4, DATE_AT = 12, RECORD_REALS_AT = 24, SIGMA_AT = 96 };
-enum { RECORD_REALS = 27, BEFORE_SIGMA = 18 }; /* reals */
-enum { EVERY_PARAMETER = 0x1FF };              /* as a mask */
-enum { RECORD_SKIPPED = 48 }; /* bytes of version 1 before sigma: delta, dk, gamma, sigma_offset */
+enum { SENSOR_AT = 4, DATE_AT = 12, POSITIONS_AT = 16, WEAK_AT = 18, PRIOR_AT = 20 };
+enum { VERDICT_AT = 22, KNOWN_AT = 23, REALS_AT = 24, NOISE_AT = 36, OFFSET_AT = 48 };
+enum { RECORD_REALS = 27, BEFORE_SIGMA = 18, CALIBRATION_REALS = 12 };
+enum { EVERY_PARAMETER = 0x1FF }; /* as a mask */
 
 /* The reals come first in the structure, too, and in the same order. */
 typedef char invcal_record_is_in_order
     [offsetof(invcal_record, sigma) == BEFORE_SIGMA * sizeof(invcal_real) ? 1 : -1];
+typedef char invcal_quality_is_in_order
+    [offsetof(invcal_quality, rms) == offsetof(invcal_quality, noise) + sizeof(invcal_real) ? 1
+                                                                                            : -1];
 
 void invcal_record_init(invcal_record *record, const invcal_calibration *calibration,
                         const invcal_quality *quality)
@@ -37,73 +39,52 @@ static void put_record(const invcal_record *r, uint8_t *bytes)
     memcpy(bytes + SENSOR_AT, r->sensor, sizeof r->sensor);
     uint8_t *at = invcal_put_u32(bytes + DATE_AT, r->date);
     at = invcal_put_two(at, r->positions, r->weak);
-    at = invcal_put_two(at, r->from_prior, r->verdict | (uint32_t)r->temperature_known << 8);
+    at = invcal_put_two(at, r->from_prior, r->verdict | (unsigned)r->temperature_known << 8);
     (void)invcal_put_reals(at, r, RECORD_REALS);
-    invcal_seal(bytes, RECORD_KIND, INVCAL_RECORD_SIZE);
-}
-
-/* Returns 1 if all reals are finite. */
-static int get_record(const uint8_t *bytes, unsigned skipped, invcal_record *r)
-{
-    memcpy(r->sensor, bytes + SENSOR_AT, sizeof r->sensor);
-    r->date = invcal_get_u32(bytes + DATE_AT);
-    r->positions = invcal_get_u16(bytes + 16);
-    r->weak = invcal_get_u16(bytes + 18);
-    r->from_prior = invcal_get_u16(bytes + 20);
-    r->verdict = bytes[22];
-    r->temperature_known = bytes[23];
-    return invcal_get_reals(bytes + RECORD_REALS_AT, r, BEFORE_SIGMA) &&
-           invcal_get_reals(bytes + SIGMA_AT + skipped, r->sigma, INVCAL_PARAMETERS);
 }
 
 /* WEAK is what has weak parameters; the other two verdicts are 0 and 1. */
-static int is_consistent(const invcal_record *r)
+static int is_consistent(const uint8_t *bytes, const invcal_record *r)
 {
-    const unsigned verdict = r->weak > 0 ? INVCAL_WEAK : r->verdict & 1u;
+    const unsigned weak = invcal_get_u16(bytes + WEAK_AT);
+    const unsigned verdict = weak > 0 ? INVCAL_WEAK : bytes[VERDICT_AT] & 1u;
+    const unsigned known = bytes[KNOWN_AT];
 
-    return r->verdict == verdict && (r->weak | r->from_prior) <= EVERY_PARAMETER &&
-           (r->temperature_known ? r->temperature_known == 1 : r->temperature == 0);
+    return bytes[VERDICT_AT] == verdict &&
+           (weak | invcal_get_u16(bytes + PRIOR_AT)) <= EVERY_PARAMETER &&
+           (known > 0 ? known == 1 : r->temperature == 0);
 }
 
-/* Version 1 was in the unit of the field. */
-static void over_field(invcal_real *matrix, invcal_real field)
+/* Reads the reals and judges all; r is lost on failure. */
+static invcal_status read_reals(const uint8_t *bytes, uint32_t size, invcal_record *r)
 {
-    for (unsigned i = 0; i < 9; i++) {
-        matrix[i] /= field;
-    }
-}
-
-/* Reads and judges; r is lost on failure. */
-static invcal_status read_record(const uint8_t *bytes, uint32_t size, invcal_record *r)
-{
-    const invcal_status status = invcal_unseal(bytes, size, RECORD_KIND, RECORD_OLDEST);
+    const invcal_status status = invcal_unseal(bytes, size, INVCAL_RECORD_KIND);
     if (status != INVCAL_OK) {
         return status;
     }
-    const unsigned skipped = bytes[1] == RECORD_OLDEST ? RECORD_SKIPPED : 0;
-    if (invcal_get_u16(bytes + 2) != INVCAL_RECORD_SIZE + skipped) {
+    if (invcal_get_u16(bytes + 2) != INVCAL_RECORD_SIZE) {
         return INVCAL_DAMAGED;
     }
-    if (!get_record(bytes, skipped, r)) {
+    if (!invcal_get_reals(bytes + REALS_AT, r, RECORD_REALS)) {
         return INVCAL_NOT_FINITE;
     }
-    if (!is_consistent(r)) {
-        return INVCAL_DAMAGED;
-    }
-    if (skipped > 0) {
-        over_field(r->calibration.matrix[0], r->field);
-    }
-    return invcal_nominal_check(&r->calibration);
+    return is_consistent(bytes, r) ? invcal_nominal_check(&r->calibration) : INVCAL_DAMAGED;
 }
 
 /* What was written is read again: rounded to float, it may be none. */
-invcal_status invcal_record_encode(const invcal_record *record, uint8_t bytes[INVCAL_RECORD_SIZE])
+static invcal_status seal_record(uint8_t *bytes)
 {
     invcal_record r;
 
+    invcal_seal(bytes, INVCAL_RECORD_KIND, INVCAL_RECORD_SIZE);
+    return read_reals(bytes, INVCAL_RECORD_SIZE, &r);
+}
+
+invcal_status invcal_record_encode(const invcal_record *record, uint8_t bytes[INVCAL_RECORD_SIZE])
+{
     INVCAL_ASSERT(record && bytes);
     put_record(record, bytes);
-    return read_record(bytes, INVCAL_RECORD_SIZE, &r);
+    return seal_record(bytes);
 }
 
 invcal_status invcal_record_decode(const uint8_t *bytes, uint32_t size, invcal_record *out)
@@ -111,8 +92,15 @@ invcal_status invcal_record_decode(const uint8_t *bytes, uint32_t size, invcal_r
     invcal_record r;
 
     INVCAL_ASSERT(bytes && out);
-    const invcal_status status = read_record(bytes, size, &r);
+    const invcal_status status = read_reals(bytes, size, &r);
     if (status == INVCAL_OK) {
+        memcpy(r.sensor, bytes + SENSOR_AT, sizeof r.sensor);
+        r.date = invcal_get_u32(bytes + DATE_AT);
+        r.positions = invcal_get_u16(bytes + POSITIONS_AT);
+        r.weak = invcal_get_u16(bytes + WEAK_AT);
+        r.from_prior = invcal_get_u16(bytes + PRIOR_AT);
+        r.verdict = bytes[VERDICT_AT];
+        r.temperature_known = bytes[KNOWN_AT];
         *out = r;
     }
     return status;
@@ -120,30 +108,37 @@ invcal_status invcal_record_decode(const uint8_t *bytes, uint32_t size, invcal_r
 
 /* ---- in a memory ------------------------------------------------------------------------------- */
 
+/* The bytes of what invcal_record_init makes, without it. */
 invcal_status invcal_save(const invcal_store *store, const invcal_calibration *calibration,
                           const invcal_quality *quality)
 {
     uint8_t bytes[INVCAL_RECORD_SIZE];
-    invcal_record r;
 
-    invcal_record_init(&r, calibration, quality);
-    const invcal_status status = invcal_record_encode(&r, bytes);
+    INVCAL_ASSERT(calibration && quality);
+    memset(bytes, 0, sizeof bytes);
+    (void)invcal_put_two(bytes + POSITIONS_AT, quality->positions, quality->weak);
+    bytes[VERDICT_AT] = quality->verdict;
+    uint8_t *at = invcal_put_reals(bytes + NOISE_AT, &quality->noise, 2); /* and rms */
+    at = invcal_put_reals(at, &quality->condition, 1);
+    at = invcal_put_reals(at, calibration, CALIBRATION_REALS);
+    (void)invcal_put_reals(at, quality->sigma, INVCAL_PARAMETERS);
+    const invcal_status status = seal_record(bytes);
     return status == INVCAL_OK ? invcal_store_save(store, bytes, sizeof bytes) : status;
 }
 
 invcal_status invcal_load(const invcal_store *store, invcal_calibration *calibration)
 {
-    uint8_t bytes[INVCAL_RECORD_SIZE_MAX];
+    uint8_t bytes[INVCAL_RECORD_SIZE];
     invcal_record r;
     uint32_t size = 0;
 
     INVCAL_ASSERT(calibration);
     invcal_status status = invcal_store_load(store, bytes, sizeof bytes, &size);
     if (status == INVCAL_OK) {
-        status = read_record(bytes, size, &r);
+        status = read_reals(bytes, size, &r);
     }
     if (status == INVCAL_OK) {
-        *calibration = r.calibration;
+        (void)invcal_get_reals(bytes + OFFSET_AT, calibration, CALIBRATION_REALS);
     }
     return status;
 }

@@ -16,13 +16,13 @@ enum { NOT_ASKED, NOT_GOOD, GOOD };  /* session->good */
 
 /* Before the means, and what tells that from another layout, number type or order of bytes. */
 #define HEAD ((uint32_t)offsetof(invcal_session, mean))
-#define LAYOUT (UINT32_C(0x5E030000) + (uint32_t)sizeof(invcal_real) * 256u + HEAD)
+#define LAYOUT (UINT32_C(0x5E040000) + (uint32_t)sizeof(invcal_real) * 256u + HEAD)
 
 /* ---- settings --------------------------------------------------------------------------------- */
 
 /* The first that writes, and only if it accepts. */
-static invcal_status begin_stream(invcal_session *session, const invcal_calibration *nominal,
-                                  unsigned rate)
+INVCAL_APART static invcal_status begin_stream(invcal_session *session,
+                                               const invcal_calibration *nominal, unsigned rate)
 {
     invcal_status status = invcal_nominal_check(nominal);
     if (status == INVCAL_OK) {
@@ -57,7 +57,12 @@ invcal_status invcal_session_begin(invcal_session *session, const invcal_calibra
 invcal_status invcal_session_init(invcal_session *session, invcal_real counts, unsigned rate)
 {
     const invcal_real k = 1 / counts;
-    const invcal_calibration nominal = {{0, 0, 0}, {{k, 0, 0}, {0, k, 0}, {0, 0, k}}};
+    invcal_calibration nominal;
+
+    memset(&nominal, 0, sizeof nominal);
+    nominal.matrix[0][0] = k;
+    nominal.matrix[1][1] = k;
+    nominal.matrix[2][2] = k;
 
     return invcal_session_begin(session, &nominal, rate);
 }
@@ -108,9 +113,6 @@ invcal_status invcal_session_resume(invcal_session *session, uint32_t size)
     if (session->count > INVCAL_MAX_POSITIONS || size != invcal_session_size(session)) {
         return INVCAL_DAMAGED;
     }
-    if (!(session->noise >= 0 && session->noise < 1)) {
-        return INVCAL_BAD_NOISE;
-    }
     invcal_status status = begin_stream(session, &session->nominal, (unsigned)session->rate);
     if (status == INVCAL_OK) {
         status = invcal_rests_rails(&session->rests, session->low, session->high);
@@ -133,14 +135,16 @@ static invcal_status read_rest(const invcal_session *session, invcal_real mean[3
 /* The table is in the order of taking; where it is full the oldest goes. */
 static void keep(invcal_session *session, const invcal_real mean[3])
 {
-    if (session->count == INVCAL_MAX_POSITIONS) {
-        session->count--;
-        for (unsigned i = 0; i < session->count; i++) {
+    unsigned count = session->count;
+
+    if (count == INVCAL_MAX_POSITIONS) {
+        count--;
+        for (unsigned i = 0; i < count; i++) { /* row by row: one loop becomes memmove */
             memcpy(session->mean[i], session->mean[i + 1], sizeof session->mean[0]);
         }
     }
-    memcpy(session->mean[session->count], mean, sizeof session->mean[0]);
-    session->count++;
+    memcpy(session->mean[count], mean, sizeof session->mean[0]);
+    session->count = (uint8_t)(count + 1u);
     session->good = NOT_ASKED;
 }
 
@@ -215,14 +219,15 @@ void invcal_session_next(const invcal_session *session, invcal_real up[3])
     invcal_row row;
     invcal_real held[3];
     invcal_real last[3];
+    const invcal_real *present = last;
 
     INVCAL_ASSERT(session && up);
     invcal_sum_readings(session->mean[0], session->count, &session->nominal, &sums, last);
     if (session->last != INVCAL_TAKEN && read_rest(session, held, &row) == INVCAL_OK) {
         invcal_sums_add_row(&sums, &row, 1);
-        memcpy(last, row.h, sizeof last);
+        present = row.h;
     }
-    invcal_next_beside(&sums, last, up);
+    invcal_next_beside(&sums, present, up);
 }
 
 const char *invcal_session_next_words(const invcal_session *session, char words[INVCAL_WORDS])

@@ -13,7 +13,7 @@ static const char *nth(const char *texts, unsigned n)
 
 const char *invcal_refusal_text(invcal_status status)
 {
-    static const char texts[] = "a reading is far from the field: wrong scale or zero\0"
+    static const char texts[] = "far from the field: wrong scale or zero\0"
                                 "too short: hold it still longer\0"
                                 "it creeps: turned slowly, or not settled\0"
                                 "at the end of the sensor's range\0"
@@ -41,7 +41,7 @@ const char *invcal_status_text(invcal_status status)
                                 "the weight is unusable\0"
                                 "the prior is unusable\0"
                                 "the field is no length\0"
-                                "too many of them\0"
+                                "the count is out of range\0"
                                 "the direction is not a unit vector\0"
                                 "there is no such position in a program\0"
                                 "the temperature is unusable\0"

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "invcal/store.h"
 
+#include <limits.h>
 #include <string.h>
 
 #include "bytes.h"
@@ -8,7 +9,14 @@
 enum { SLOT_KIND = 0x5C, SLOT_VERSION = 1, SLOT_KIND_VERSION = SLOT_VERSION << 8 | SLOT_KIND };
 enum { HEADER = 8, BLANK = 0xFF };
 #define CHUNK INVCAL_STORE_GRANULARITY_MAX /* a multiple of every granularity */
-#define LARGEST UINT32_C(0xFFFF)           /* size of what is stored */
+
+/* Most that is stored: a size has two bytes, and offsets are of type unsigned. */
+/* cppcheck-suppress misra-c2012-20.9 ; of limits.h */
+#if UINT_MAX > 0xFFFF
+#define LARGEST 0xFFFFu
+#else
+#define LARGEST (UINT_MAX - HEADER - INVCAL_CRC_SIZE - 2 * CHUNK)
+#endif
 
 /* What a slot holds; of two, the one with more is loaded. */
 typedef enum { UNREADABLE, EMPTY, UNCONFIRMED, CONFIRMED } state;
@@ -16,51 +24,49 @@ typedef enum { UNREADABLE, EMPTY, UNCONFIRMED, CONFIRMED } state;
 /* What one call works with. */
 typedef struct {
     const invcal_store *store;
-    unsigned slot; /* the one that is looked at, erased and programmed */
-    unsigned kept; /* the one that is loaded, and so must survive */
-    state state[2];
-    uint32_t sequence[2];
-    uint32_t size;     /* of what was looked at last */
-    uint32_t end;      /* of the same: there is its confirmation */
+    unsigned slot;     /* the one that is looked at, erased and programmed */
+    unsigned size;     /* of what was looked at last */
+    uint32_t sequence; /* of the same; after survey of what is loaded */
+    state kept;        /* of the slot that is loaded, and so must survive */
+    state other;       /* of the other slot */
     uint8_t *bytes;    /* for what is looked at, */
     uint32_t capacity; /* if it is no more than this */
     uint8_t chunk[CHUNK];
 } work;
 
-/* Finds the end of so much: behind the CRC. Returns whether a slot holds it. */
-static int find_end(work *w, uint32_t size)
+static unsigned granularity_of(const work *w)
 {
-    const uint32_t g = w->store->granularity;
-
-    w->end = (size + HEADER + INVCAL_CRC_SIZE + g - 1) & ~(g - 1);
-    return size - 1 < LARGEST && w->end + g <= w->store->slot_size;
+    return (unsigned)w->store->granularity;
 }
 
-static int read_chunk(work *w, uint32_t at, uint32_t count)
+/* The end of so much, behind the CRC; 0 if a slot does not hold it. */
+static unsigned end_of(const work *w, uint32_t size)
 {
-    return w->store->read(w->store->context, w->slot, at, w->chunk, count) == 0;
+    const unsigned g = granularity_of(w);
+    const unsigned end = ((unsigned)size + HEADER + INVCAL_CRC_SIZE + g - 1) & ~(g - 1);
+
+    return size - 1 < LARGEST && end + g <= w->store->slot_size ? end : 0;
 }
 
-static int program_chunk(const work *w, uint32_t at, uint32_t count)
+/* Returns 0, or what the driver says of a failure. */
+static int read_chunk(work *w, unsigned at, unsigned count)
 {
-    return w->store->program(w->store->context, w->slot, at, w->chunk, count) == 0;
+    return w->store->read(w->store->context, w->slot, at, w->chunk, count);
 }
 
-static int read_header(work *w)
+static int program_chunk(const work *w, unsigned at, unsigned count)
 {
-    w->size = invcal_get_u16(w->chunk + 2);
-    w->sequence[w->slot] = invcal_get_u32(w->chunk + 4);
-    return invcal_get_u16(w->chunk) == SLOT_KIND_VERSION && find_end(w, w->size);
+    return w->store->program(w->store->context, w->slot, at, w->chunk, count);
 }
 
 /* Any bit will do: programming them began only when all else had been read back. For the same
  * reason a granule that cannot be read says no more than a blank one. */
-static state confirmation(work *w)
+static state confirmation(work *w, unsigned end)
 {
-    const uint32_t count = w->store->granularity;
+    const unsigned count = granularity_of(w);
 
-    if (read_chunk(w, w->end, count)) {
-        for (uint32_t i = 0; i < count; i++) {
+    if (read_chunk(w, end, count) == 0) {
+        for (unsigned i = 0; i < count; i++) {
             if (w->chunk[i] != BLANK) {
                 return CONFIRMED;
             }
@@ -69,53 +75,70 @@ static state confirmation(work *w)
     return UNCONFIRMED;
 }
 
-/* Reads the slot, copies what it holds to w->bytes, and judges it. */
-static state look(work *w)
+/* Copies the chunk that begins with byte `first` of what is stored. */
+static void copy(const work *w, unsigned first, unsigned count)
 {
-    if (!read_chunk(w, 0, HEADER)) {
-        return UNREADABLE;
-    }
-    if (!read_header(w)) {
-        return EMPTY;
-    }
-    const uint32_t copied = w->size <= w->capacity ? w->size : 0;
-    uint32_t crc = invcal_crc32(0, w->chunk, HEADER);
-    for (uint32_t at = HEADER; at < w->end; at += CHUNK) { /* at most 2049 steps */
-        const uint32_t left = w->end - at;
-        const uint32_t n = left < CHUNK ? left : CHUNK;
-        if (!read_chunk(w, at, n)) {
-            return UNREADABLE;
-        }
-        crc = invcal_crc32(crc, w->chunk, n);
-        /* cppcheck-suppress knownConditionTrueFalse ; read_header has set w->end */
-        for (uint32_t i = 0, to = at - HEADER; i < n && to < copied; i++, to++) {
+    const unsigned all = w->size <= w->capacity ? w->size : 0;
+
+    for (unsigned i = 0; i < count; i++) {
+        const unsigned to = first + i;
+        if (to < all) {
             w->bytes[to] = w->chunk[i];
         }
     }
-    return crc == INVCAL_CRC_RESIDUE ? confirmation(w) : EMPTY;
 }
 
-/* Begins a call: looks at both slots. */
+/* Reads the slot, copies what it holds to w->bytes, and judges it. */
+static state look(work *w)
+{
+    if (read_chunk(w, 0, HEADER) != 0) {
+        return UNREADABLE;
+    }
+    w->size = invcal_get_u16(w->chunk + 2);
+    w->sequence = invcal_get_u32(w->chunk + 4);
+    const unsigned end = end_of(w, w->size);
+    if (invcal_get_u16(w->chunk) != SLOT_KIND_VERSION || end == 0) {
+        return EMPTY;
+    }
+    uint32_t crc = invcal_crc32(0, w->chunk, HEADER);
+    for (unsigned at = HEADER; at < end; at += CHUNK) { /* at most 2050 steps */
+        const unsigned left = end - at;
+        const unsigned n = left < CHUNK ? left : CHUNK;
+        if (read_chunk(w, at, n) != 0) {
+            return UNREADABLE;
+        }
+        crc = invcal_crc32(crc, w->chunk, n);
+        copy(w, at - HEADER, n);
+    }
+    return crc == INVCAL_CRC_RESIDUE ? confirmation(w, end) : EMPTY;
+}
+
+/* Begins a call: looks at both slots, and then at the one that is loaded. */
 static invcal_status survey(work *w, const invcal_store *store)
 {
     const uint32_t g = store->granularity;
 
     INVCAL_ASSERT(store->read && store->erase && store->program);
     /* zeros: a driver that reports success and reads too little does no more harm than a worn
-     * memory */
+     * memory; and nothing is copied */
     memset(w, 0, sizeof *w);
     w->store = store;
-    w->bytes = w->chunk; /* of capacity 0: nothing is copied */
-    if (g - 1 >= CHUNK || (g & (g - 1)) != 0 || !find_end(w, 1)) {
+    if (g - 1 >= CHUNK || (g & (g - 1)) != 0 || end_of(w, 1) == 0) {
         return INVCAL_BAD_STORE;
     }
-    w->state[0] = look(w);
+    w->kept = look(w);
+    const uint32_t sequence = w->sequence;
     w->slot = 1;
-    w->state[1] = look(w);
-    /* modulo 2^32 */
-    const int is_later = w->sequence[1] - w->sequence[0] < UINT32_C(0x80000000);
-    w->kept = w->state[0] == w->state[1] ? is_later == (w->state[0] == CONFIRMED)
-                                         : w->state[0] < w->state[1];
+    w->other = look(w);
+    const int is_later = w->sequence - sequence < UINT32_C(0x80000000); /* modulo 2^32 */
+    if (w->kept == w->other ? is_later == (w->kept == CONFIRMED) : w->kept < w->other) {
+        const state kept = w->other;
+        w->other = w->kept;
+        w->kept = kept;
+    } else {
+        w->slot = 0;
+        w->sequence = sequence;
+    }
     return INVCAL_OK;
 }
 
@@ -126,32 +149,35 @@ static int clear(work *w)
 }
 
 /* Fills chunk after chunk with header, bytes, padding and CRC, and programs them. */
-static int program(work *w, const uint8_t *bytes, uint32_t size)
+static int program(work *w, const uint8_t *bytes, unsigned size, unsigned end, uint32_t sequence)
 {
-    (void)find_end(w, size);
-    (void)invcal_put_u32(invcal_put_two(w->chunk, SLOT_KIND_VERSION, size),
-                         w->sequence[w->kept] + 1);
+    (void)invcal_put_u32(invcal_put_two(w->chunk, SLOT_KIND_VERSION, size), sequence);
     uint32_t crc = invcal_crc32(0, w->chunk, HEADER);
-    for (uint32_t at = HEADER; at < w->end; at++) {
-        const uint32_t i = at % CHUNK;
-        if (at < w->end - INVCAL_CRC_SIZE) {
-            w->chunk[i] = at - HEADER < size ? bytes[at - HEADER] : BLANK;
-            crc = invcal_crc32(crc, &w->chunk[i], 1);
-        } else {
-            w->chunk[i] = (uint8_t)(crc & 0xFFu);
-            crc >>= 8;
+    unsigned i = HEADER;
+    unsigned at = HEADER;
+    do { /* at most 2050 steps */
+        for (; i < CHUNK && at < end; i++, at++) {
+            uint8_t *byte = &w->chunk[i];
+            if (at < end - INVCAL_CRC_SIZE) {
+                *byte = at - HEADER < size ? bytes[at - HEADER] : BLANK;
+                crc = invcal_crc32(crc, byte, 1);
+            } else {
+                *byte = (uint8_t)(crc & 0xFFu);
+                crc >>= 8;
+            }
         }
-        if ((i == CHUNK - 1 || at == w->end - 1) && !program_chunk(w, at - i, i + 1)) {
+        if (program_chunk(w, at - i, i) != 0) {
             return 0;
         }
-    }
+        i = 0;
+    } while (at < end);
     return 1;
 }
 
-static int confirm(work *w)
+static int confirm(work *w, unsigned end)
 {
     memset(w->chunk, 0, CHUNK);
-    return program_chunk(w, w->end, w->store->granularity) && look(w) == CONFIRMED;
+    return program_chunk(w, end, granularity_of(w)) == 0 && look(w) == CONFIRMED;
 }
 
 invcal_status invcal_store_save(const invcal_store *store, const uint8_t *bytes, uint32_t size)
@@ -163,12 +189,15 @@ invcal_status invcal_store_save(const invcal_store *store, const uint8_t *bytes,
     if (status != INVCAL_OK) {
         return status;
     }
-    if (!find_end(&w, size)) {
+    const unsigned end = end_of(&w, size);
+    if (end == 0) {
         return size > 0 ? INVCAL_NO_SPACE : INVCAL_BAD_COUNT;
     }
-    w.slot = 1 - w.kept;
-    const int done = w.state[w.kept] != UNREADABLE && clear(&w) && program(&w, bytes, size) &&
-                     look(&w) > EMPTY && confirm(&w);
+    const uint32_t next = w.sequence + 1;
+    w.slot = 1 - w.slot;
+    const int done = w.kept != UNREADABLE && clear(&w) &&
+                     program(&w, bytes, (unsigned)size, end, next) && look(&w) > EMPTY &&
+                     confirm(&w, end);
     return done ? INVCAL_OK : INVCAL_IO;
 }
 
@@ -182,10 +211,9 @@ invcal_status invcal_store_load(const invcal_store *store, uint8_t *bytes, uint3
     if (status != INVCAL_OK) {
         return status;
     }
-    if (w.state[w.kept] <= EMPTY) {
-        return w.state[1 - w.kept] == UNREADABLE ? INVCAL_IO : INVCAL_NO_RECORD;
+    if (w.kept <= EMPTY) {
+        return w.other == UNREADABLE ? INVCAL_IO : INVCAL_NO_RECORD;
     }
-    w.slot = w.kept;
     w.bytes = bytes;
     w.capacity = capacity;
     if (look(&w) <= EMPTY) {
@@ -207,9 +235,9 @@ invcal_status invcal_store_erase(const invcal_store *store)
     if (status != INVCAL_OK) {
         return status;
     }
-    w.slot = 1 - w.kept;
+    w.slot = 1 - w.slot;
     int done = clear(&w);
-    w.slot = w.kept;
+    w.slot = 1 - w.slot;
     done = done && clear(&w);
     return done ? INVCAL_OK : INVCAL_IO;
 }

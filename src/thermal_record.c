@@ -8,7 +8,6 @@
 
 #define AGREED INVCAL_REAL(1e-4) /* over field: what two calibrations may differ by */
 
-enum { THERMAL_KIND = 0xCB, THERMAL_OLDEST = 1 };
 enum { RECORD_AT = 4, BEHIND_RECORD = RECORD_AT + INVCAL_RECORD_SIZE, REALS_BEHIND = 4 };
 enum { BEFORE_X = 16 }; /* reals */
 
@@ -67,8 +66,7 @@ static invcal_status check_thermal(const invcal_thermal_record *r)
                                                                                : status;
 }
 
-/* Does the length fit the degree, which stands at `at`? */
-static invcal_status check_length(const uint8_t *bytes, unsigned at)
+invcal_status invcal_thermal_check_length(const uint8_t *bytes, unsigned at)
 {
     const unsigned length = invcal_get_u16(bytes + 2);
 
@@ -82,32 +80,25 @@ static invcal_status check_length(const uint8_t *bytes, unsigned at)
 /* r is lost on failure. */
 static invcal_status read_thermal(const uint8_t *bytes, uint32_t size, invcal_thermal_record *r)
 {
-    invcal_status status = invcal_unseal(bytes, size, THERMAL_KIND, THERMAL_OLDEST);
-    if (status != INVCAL_OK) {
-        return status;
-    }
-    const int is_old = bytes[1] == THERMAL_OLDEST;
-    const unsigned record_size = is_old ? INVCAL_RECORD_SIZE_MAX : INVCAL_RECORD_SIZE;
-    status = check_length(bytes, RECORD_AT + record_size);
+    invcal_status status = invcal_unseal(bytes, size, INVCAL_THERMAL_KIND);
     if (status == INVCAL_OK) {
-        status = invcal_record_decode(bytes + RECORD_AT, record_size, &r->record);
+        status = invcal_thermal_check_length(bytes, BEHIND_RECORD);
+    }
+    if (status == INVCAL_OK) {
+        status = invcal_record_decode(bytes + RECORD_AT, INVCAL_RECORD_SIZE, &r->record);
     }
     if (status != INVCAL_OK) {
         return status;
     }
-    const uint8_t *behind = bytes + RECORD_AT + record_size;
+    const uint8_t *behind = bytes + BEHIND_RECORD;
     memset(&r->thermal, 0, sizeof r->thermal);
     r->thermal.degree = behind[0];
     r->thermal.fitted = behind[1];
     r->thermal.fallback = behind[2];
     r->is_triangular = behind[3];
-    if (!invcal_get_reals(behind + REALS_BEHIND, &r->thermal, count_reals(behind[0]))) {
-        return INVCAL_NOT_FINITE;
-    }
-    for (unsigned i = 0; i < 9; i++) { /* version 1 was in the unit of the field */
-        r->thermal.nominal.matrix[i / 3][i % 3] /= is_old ? r->record.field : 1;
-    }
-    return check_thermal(r);
+    return invcal_get_reals(behind + REALS_BEHIND, &r->thermal, count_reals(behind[0]))
+               ? check_thermal(r)
+               : INVCAL_NOT_FINITE;
 }
 
 invcal_status invcal_thermal_record_init(invcal_thermal_record *record,
@@ -141,11 +132,11 @@ invcal_status invcal_thermal_record_encode(const invcal_thermal_record *record,
     if (status != INVCAL_OK) {
         return status;
     }
-    const uint32_t length = INVCAL_THERMAL_RECORD_BYTES(t->degree);
+    const unsigned length = INVCAL_THERMAL_RECORD_BYTES(t->degree);
     uint8_t *at = invcal_put_two(bytes + BEHIND_RECORD, t->degree | (unsigned)t->fitted << 8,
                                  t->fallback | (unsigned)record->is_triangular << 8);
     (void)invcal_put_reals(at, t, count_reals(t->degree));
-    invcal_seal(bytes, THERMAL_KIND, length);
+    invcal_seal(bytes, INVCAL_THERMAL_KIND, length);
     return read_thermal(bytes, length, &r);
 }
 

@@ -2,74 +2,79 @@
 #include "invcal/invcal.h"
 #include "vector.h"
 
-#define NAMED INVCAL_REAL(0.1)    /* a component below is none: 6 degrees */
-#define LARGER INVCAL_REAL(1e-3)  /* of components that differ by less, the first counts */
-#define COARSE INVCAL_REAL(640.0) /* unit of the table: 1/640 */
+/* Components are counted in parts. */
+#define WHOLE 640    /* of the unit vector */
+enum { NAMED = 64 }; /* an axis with no more is not named: 6 degrees */
+enum { TEXTS = 7 };
 
-/* z, x and y, the largest component first; of equal ones in this order. */
-static void rank(const invcal_real up[3], unsigned axis[3])
+/* The tilt in units of 5 degrees, 1 at least, of which the cosine is so many parts less than 1. */
+static unsigned tilt(unsigned less)
 {
-    axis[0] = 2;
-    axis[1] = 0;
-    axis[2] = 1;
-    for (unsigned i = 0; i < 3; i++) { /* pairs 0 1, 1 2, 0 1: sorted */
-        const unsigned k = i % 2;
-        if (INVCAL_FABS(up[axis[k + 1]]) > INVCAL_FABS(up[axis[k]]) + LARGER) {
-            const unsigned other = axis[k];
-            axis[k] = axis[k + 1];
-            axis[k + 1] = other;
-        }
-    }
-}
-
-/* The angle whose cosine this is, to 5 degrees; 5 at least. */
-static unsigned tilt(invcal_real cosine)
-{
-    /* 1 - cosine of 7.5, 12.5 ... 52.5 degrees */
+    /* of 7.5, 12.5 ... 52.5 degrees */
     static const uint8_t border[] = {5, 15, 30, 49, 72, 100, 132, 168, 208, 250};
     unsigned n = 0;
 
-    /* at most 10 steps */
-    while (n < sizeof border && COARSE * (1 - cosine) > border[n]) {
+    while (n < sizeof border && less > border[n]) { /* at most 10 steps */
         n++;
     }
-    return 5 * (n + 1);
+    return n + 1;
 }
 
-static char *put_degrees(char *at, unsigned degrees)
+/* Puts text number n: before the first, second, third axis; behind the third, second, first. # is the
+ * tilt, of so many times 5 degrees. */
+static char *put(char *at, unsigned n, unsigned fives)
 {
-    if (degrees >= 10) {
-        *at++ = (char)('0' + degrees / 10);
+    static const char texts[] = "\0 up, tilt # deg, \0 and \0 rise\0 rises\0 up\0";
+    const char *text = texts;
+
+    while (n > 0) { /* at most 42 steps: the length of all */
+        n -= *text++ == '\0';
     }
-    *at++ = (char)('0' + degrees % 10);
+    for (; *text != '\0'; text++) { /* at most 17 steps: that of the longest */
+        *at = *text;
+        if (*text == '#') {
+            *at = (char)('0' + fives / 2);
+            at += fives > 1;
+            *at = fives % 2 == 0 ? '0' : '5';
+        }
+        at++;
+    }
     return at;
 }
 
 const char *invcal_words(const invcal_real up[3], char words[INVCAL_WORDS])
 {
-    /* 0, 1 and 2 stand for the axes, the largest component first; # for the tilt */
-    static const char upright[] = "0 up";
-    static const char tilted[] = "0 up, tilt # deg, 1 rises";
-    static const char tilted_twice[] = "0 up, tilt # deg, 1 and 2 rise";
-    unsigned axis[3];
+    unsigned size[3];
+    unsigned largest = 0;
+    unsigned axis = 0;
+    unsigned named = 0;
     char *at = words;
 
     INVCAL_ASSERT(up && words);
-    rank(up, axis);
-    const char *text = INVCAL_FABS(up[axis[1]]) > NAMED ? tilted : upright;
-    text = INVCAL_FABS(up[axis[2]]) > NAMED ? tilted_twice : text;
-    for (; *text != '\0'; text++) { /* at most 31 steps: the length of the texts above */
-        const unsigned n = (unsigned)(*text - '0');
-        if (n < 3) {
-            const unsigned which = axis[n];
-            *at++ = up[which] < 0 ? '-' : '+';
-            *at++ = (char)('x' + which);
-        } else if (*text == '#') {
-            at = put_degrees(at, tilt(INVCAL_FABS(up[axis[0]])));
-        } else {
-            *at++ = *text;
+    for (unsigned i = 0; i < 3; i++) {
+        const invcal_real x = INVCAL_FABS(up[i]);
+        unsigned parts = WHOLE;
+        if (x < 1) {
+            //@ assert \is_finite(x); // no NaN is less than 1
+            parts = (unsigned)(x * WHOLE);
+        }
+        size[i] = parts;
+        const unsigned rank = parts + (i ^ 1u); /* of equal ones z is the largest, then x */
+        if (rank > largest) {
+            largest = rank;
+            axis = i;
         }
     }
-    *at = '\0';
+    const unsigned fives = tilt(WHOLE - size[axis]);
+    for (unsigned i = 0; i < 3; i++) { /* the largest first, then in the order x, y, z, x */
+        if (size[axis] > NAMED) {
+            at = put(at, named, fives);
+            *at++ = up[axis] < 0 ? '-' : '+';
+            *at++ = (char)('x' + axis);
+            named++;
+        }
+        axis = axis == 2 ? 0 : axis + 1;
+    }
+    *put(at, TEXTS - 1 - named, fives) = '\0';
     return words;
 }

@@ -386,8 +386,8 @@ typedef struct {
     uint8_t last;                              /* the last event that was not INVCAL_NOTHING */
     uint8_t reason;                            /* of INVCAL_REFUSED, an invcal_status */
     uint8_t good;                              /* internal: is_good, as known by now */
-    invcal_calibration nominal;                /* what it began with */
     invcal_real noise;                         /* stated, over field; 0: not known */
+    invcal_calibration nominal;                /* what it began with */
     invcal_real mean[INVCAL_MAX_POSITIONS][3]; /* raw counts, in the order they were taken */
     /* what does not */
     invcal_rests rests; /* the detector */

@@ -22,6 +22,7 @@ extern "C" {
 
 /* A program and a library whose choices differ do not link: see invcal.h. */
 #define invcal_load INVCAL_CHOSEN(invcal_load, 9)
+#define invcal_load_v1 INVCAL_CHOSEN(invcal_load_v1, 9)
 #define invcal_record_init INVCAL_CHOSEN(invcal_record_init, 9)
 #define invcal_record_decode INVCAL_CHOSEN(invcal_record_decode, 9)
 #define invcal_load_session INVCAL_CHOSEN(invcal_load_session, INVCAL_MAX_POSITIONS)
@@ -81,6 +82,12 @@ invcal_status invcal_save(const invcal_store *store, const invcal_calibration *c
  * Returns INVCAL_OK; as invcal_store_load; as invcal_record_decode. INVCAL_NO_SPACE or
  * INVCAL_OTHER_VERSION: it holds something else. Stack: about 500 bytes. */
 invcal_status invcal_load(const invcal_store *store, invcal_calibration *calibration);
+
+/* The same of what release 0.1.0 saved, for a device that has been in use since then: it asks this one
+ * if invcal_load fails. Over field, as all calibrations; what is saved from now on invcal_load knows.
+ *
+ * Returns as invcal_load. Stack: about 800 bytes. */
+invcal_status invcal_load_v1(const invcal_store *store, invcal_calibration *calibration);
 
 /* Saves what lasts of a session: see invcal_session_size.
  *
@@ -170,7 +177,7 @@ invcal_status invcal_store_erase(const invcal_store *store);
  * It begins with its kind, its version (now 2) and its length, and ends with the CRC-32 (IEEE 802.3, as
  * zlib) of all before it. What later versions may change: everything but that. So any version can tell
  * sound bytes of another one from damaged ones. Any change of the rest, be it one more verdict, gets
- * another version, and what a release has written is read by all that follow.
+ * another version, and for what a release has written all that follow have a function.
  *
  * Damage is noticed for sure if it is one to four wrong bits, any run of up to 32 wrong bits, or any two
  * bytes exchanged; else, one time in 2^32 it goes unnoticed.
@@ -189,9 +196,9 @@ invcal_status invcal_store_erase(const invcal_store *store);
  *      24   4     field
  *
  * Version 1, of release 0.1.0, has 48 bytes more before sigma, and its matrix gives the unit of its
- * field: that is divided by it when it is read, and the field says which it was. */
-#define INVCAL_RECORD_SIZE 136u     /* bytes of a record */
-#define INVCAL_RECORD_SIZE_MAX 184u /* of one of any version that is read */
+ * field. */
+#define INVCAL_RECORD_SIZE 136u    /* bytes of a record */
+#define INVCAL_RECORD_SIZE_V1 184u /* of one of version 1 */
 
 /* What is not known is 0. */
 typedef struct {
@@ -240,6 +247,17 @@ invcal_status invcal_record_encode(const invcal_record *record, uint8_t bytes[IN
  * Stack as above. */
 invcal_status invcal_record_decode(const uint8_t *bytes, uint32_t size, invcal_record *out);
 
+/* Makes a record of one of version 1: the matrix is divided by the field, and rounded once more; the
+ * field still says which it was.
+ *
+ * old, size  as bytes of invcal_record_decode.
+ * bytes      out: other bytes than old. They may be stored in its place.
+ *
+ * Returns INVCAL_OK: invcal_record_decode accepts the bytes. On failure they are lost:
+ *   as invcal_record_decode, INVCAL_OTHER_VERSION for any version but 1. Stack: about 500 bytes. */
+invcal_status invcal_record_from_v1(const uint8_t *old, uint32_t size,
+                                    uint8_t bytes[INVCAL_RECORD_SIZE]);
+
 /* ---- what lasts of a session ---------------------------------------------------------------------
  *
  * All that it was told and has taken stands at the beginning of the structure. What it knows of the
@@ -265,8 +283,8 @@ uint32_t invcal_session_size(const invcal_session *session);
  * Returns INVCAL_OK;
  *   INVCAL_OTHER_VERSION  they are not what a build like this has kept;
  *   INVCAL_DAMAGED        nor are they as long as their table;
- *   INVCAL_BAD_NOMINAL, INVCAL_BAD_RATE, INVCAL_BAD_RAILS, INVCAL_BAD_NOISE    a content that no
- *   session has. The means are not looked at: any that is no reading is refused by what solves. */
+ *   INVCAL_BAD_NOMINAL, INVCAL_BAD_RATE, INVCAL_BAD_RAILS    a content that no session has. The means
+ *   and the noise are not looked at: any that is none is refused by what solves. */
 invcal_status invcal_session_resume(invcal_session *session, uint32_t size);
 
 #ifdef __cplusplus

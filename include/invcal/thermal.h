@@ -61,6 +61,7 @@ extern "C" {
 #define invcal_thermal_fit INVCAL_THERMAL_CHOSEN(invcal_thermal_fit)
 #define invcal_thermal_judge INVCAL_THERMAL_CHOSEN(invcal_thermal_judge)
 #define invcal_thermal_record_decode INVCAL_THERMAL_CHOSEN(invcal_thermal_record_decode)
+#define invcal_thermal_record_from_v1 INVCAL_THERMAL_CHOSEN(invcal_thermal_record_from_v1)
 
 #define INVCAL_THERMAL_ROWS (INVCAL_THERMAL_DEGREE + 1) /* coefficients of a parameter */
 
@@ -243,13 +244,13 @@ invcal_status invcal_thermal_judge(const invcal_thermal_positions *positions,
  *     ...   4     CRC-32 of all before it
  *
  * A device that does not know its temperature finds a record at byte 4. In version 1, of 0.1.0, the
- * record has 184 bytes, and matrices are in the unit of the field: it is read as well. */
+ * record has 184 bytes, and matrices are in the unit of the field. */
 #define INVCAL_THERMAL_RECORD_BYTES(degree) (212u + 36u * ((degree) + 1u))
 /* The largest that this build writes, and reads. */
 #define INVCAL_THERMAL_RECORD_SIZE INVCAL_THERMAL_RECORD_BYTES(INVCAL_THERMAL_DEGREE)
-/* The same of any version that is read. */
-#define INVCAL_THERMAL_RECORD_SIZE_MAX                                                             \
-    (INVCAL_THERMAL_RECORD_SIZE + INVCAL_RECORD_SIZE_MAX - INVCAL_RECORD_SIZE)
+/* The same of version 1. */
+#define INVCAL_THERMAL_RECORD_SIZE_V1                                                              \
+    (INVCAL_THERMAL_RECORD_SIZE + INVCAL_RECORD_SIZE_V1 - INVCAL_RECORD_SIZE)
 
 /* What the bytes say. */
 typedef struct {
@@ -280,6 +281,13 @@ invcal_status invcal_thermal_record_encode(const invcal_thermal_record *record,
  * above that of the build; as invcal_thermal_record_encode otherwise. Stack: as above. */
 invcal_status invcal_thermal_record_decode(const uint8_t *bytes, uint32_t size,
                                            invcal_thermal_record *out);
+
+/* Makes a record of one of version 1, which 0.1.0 has written, as invcal_record_from_v1 does.
+ *
+ * Returns as invcal_thermal_record_decode, INVCAL_OTHER_VERSION for any version but 1; on failure the
+ * bytes are lost. Stack: about 950 bytes. */
+invcal_status invcal_thermal_record_from_v1(const uint8_t *old, uint32_t size,
+                                            uint8_t bytes[INVCAL_THERMAL_RECORD_SIZE]);
 
 #ifdef __cplusplus
 }

@@ -29,13 +29,6 @@ static void repair(uint8_t *bytes, size_t size)
     }
 }
 
-/* Records of version 1 were in the unit of their field: made anew they may be other bytes, and, as
- * reals are stored as float, from a double build even none. */
-static int is_old(const uint8_t *bytes)
-{
-    return bytes[1] < INVCAL_NEWEST;
-}
-
 static void look_at_record(const uint8_t *bytes, uint32_t size)
 {
     uint8_t again[INVCAL_RECORD_SIZE];
@@ -57,16 +50,26 @@ static void look_at_record(const uint8_t *bytes, uint32_t size)
     REQUIRE((r.verdict == INVCAL_WEAK) == (r.weak != 0) && r.verdict <= INVCAL_WEAK);
     REQUIRE(r.weak < 1u << INVCAL_PARAMETERS && r.from_prior < 1u << INVCAL_PARAMETERS);
     REQUIRE(r.temperature_known <= 1 && (r.temperature_known || r.temperature == 0));
-    const invcal_status status = invcal_record_encode(&r, again);
-    REQUIRE(status == INVCAL_OK || (INVCAL_DOUBLE && is_old(bytes)));
-    REQUIRE(is_old(bytes) || memcmp(bytes, again, sizeof again) == 0);
-    REQUIRE(status != INVCAL_OK || invcal_record_decode(again, sizeof again, &r) == INVCAL_OK);
+    REQUIRE(invcal_record_encode(&r, again) == INVCAL_OK);
+    REQUIRE(memcmp(bytes, again, sizeof again) == 0);
+}
+
+/* What becomes one of the present version. */
+static void look_at_record_v1(const uint8_t *bytes, uint32_t size)
+{
+    uint8_t now[INVCAL_RECORD_SIZE];
+    invcal_record r;
+
+    if (invcal_record_from_v1(bytes, size, now) == INVCAL_OK) {
+        REQUIRE(invcal_record_decode(bytes, size, &r) == INVCAL_OTHER_VERSION);
+        REQUIRE(invcal_record_decode(now, sizeof now, &r) == INVCAL_OK);
+        look_at_record(now, sizeof now);
+    }
 }
 
 static void look_at_thermal(const uint8_t *bytes, uint32_t size)
 {
     uint8_t again[INVCAL_THERMAL_RECORD_SIZE];
-    uint8_t once_more[INVCAL_THERMAL_RECORD_SIZE];
     invcal_thermal_record r;
 
     mark(&r, sizeof r);
@@ -80,16 +83,21 @@ static void look_at_thermal(const uint8_t *bytes, uint32_t size)
     require_regular(&r.thermal.nominal);
     require_finite(&r.thermal.x[0][0], INVCAL_THERMAL_ROWS * INVCAL_PARAMETERS);
     const uint32_t length = INVCAL_THERMAL_RECORD_BYTES(r.thermal.degree);
-    const invcal_status status = invcal_thermal_record_encode(&r, again);
-    REQUIRE(status == INVCAL_OK || (INVCAL_DOUBLE && is_old(bytes)));
-    if (status != INVCAL_OK) {
-        return;
-    }
-    REQUIRE(is_old(bytes) || (length <= size && memcmp(bytes, again, length) == 0));
+    REQUIRE(invcal_thermal_record_encode(&r, again) == INVCAL_OK);
+    REQUIRE(length <= size && memcmp(bytes, again, length) == 0);
     look_at_record(again + RECORD_AT, INVCAL_RECORD_SIZE);
-    REQUIRE(invcal_thermal_record_decode(again, length, &r) == INVCAL_OK);
-    REQUIRE(invcal_thermal_record_encode(&r, once_more) == INVCAL_OK);
-    REQUIRE(memcmp(again, once_more, length) == 0);
+}
+
+static void look_at_thermal_v1(const uint8_t *bytes, uint32_t size)
+{
+    uint8_t now[INVCAL_THERMAL_RECORD_SIZE];
+    invcal_thermal_record r;
+
+    if (invcal_thermal_record_from_v1(bytes, size, now) == INVCAL_OK) {
+        REQUIRE(invcal_thermal_record_decode(bytes, size, &r) == INVCAL_OTHER_VERSION);
+        REQUIRE(invcal_thermal_record_decode(now, sizeof now, &r) == INVCAL_OK);
+        look_at_thermal(now, sizeof now);
+    }
 }
 
 /* Bytes behind those of the session lead it on, if all its means are readings. */
@@ -134,7 +142,9 @@ static void unpack(source *s, unsigned how)
         repair(bytes, size);
     }
     look_at_record(bytes, size);
+    look_at_record_v1(bytes, size);
     look_at_thermal(bytes, size);
+    look_at_thermal_v1(bytes, size);
     look_at_session(bytes, size);
     free(bytes);
 }
@@ -290,7 +300,8 @@ static void load_as(const invcal_store *store, const content *c)
     mark(&calibration, sizeof calibration);
     mark(&session, sizeof session);
     if (wanted == INVCAL_OK) {
-        wanted = invcal_record_decode(c->bytes, c->size, &r);
+        wanted = c->size <= INVCAL_RECORD_SIZE ? invcal_record_decode(c->bytes, c->size, &r)
+                                               : INVCAL_NO_SPACE;
     }
     REQUIRE(invcal_load(store, &calibration) == wanted);
     if (wanted == INVCAL_OK) {

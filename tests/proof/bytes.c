@@ -14,9 +14,9 @@ static void unseal(uint32_t size)
     uint8_t *bytes = &buffer[sizeof buffer - size];
 
     ANY(buffer);
-    (void)invcal_unseal(bytes, size, 0xCA, 1);
+    (void)invcal_unseal(bytes, size, INVCAL_RECORD_KIND);
     if (size >= 8) {
-        invcal_seal(bytes, 0xCA, BETWEEN(8, size));
+        invcal_seal(bytes, INVCAL_RECORD_KIND, BETWEEN(8, size));
     }
 }
 

@@ -8,10 +8,7 @@
 // config: -DINVCAL_THERMAL_DEGREE=0
 // config: -DINVCAL_THERMAL_DEGREE=2
 
-enum {
-    BEHIND = INVCAL_RECORD_SIZE_MAX - INVCAL_RECORD_SIZE,
-    LARGEST = INVCAL_THERMAL_RECORD_BYTES(255u) + BEHIND
-};
+enum { LARGEST = INVCAL_THERMAL_RECORD_BYTES(255u) };
 
 /* ---- what other modules do -------------------------------------------------------------------- */
 
@@ -65,13 +62,11 @@ invcal_status invcal_nominal_check(const invcal_calibration *nominal)
 /* ---- the record ------------------------------------------------------------------------------- */
 
 /* From a buffer of exactly so many bytes, of any version, that state a length (its lower byte from
- * range[0] to range[1], its upper one from range[2] to range[3]) and, where version `version` has it,
- * a degree from least to most. */
-static void decode(uint32_t size, const unsigned range[4], unsigned version, unsigned least,
-                   unsigned most)
+ * range[0] to range[1], its upper one from range[2] to range[3]) and a degree from least to most. */
+static void decode(uint32_t size, const unsigned range[4], unsigned least, unsigned most)
 {
     static uint8_t buffer[LARGEST + 1];
-    const uint32_t degree_at = 4 + (version == 1 ? INVCAL_RECORD_SIZE_MAX : INVCAL_RECORD_SIZE);
+    const uint32_t degree_at = 4 + INVCAL_RECORD_SIZE;
     uint8_t *bytes = &buffer[sizeof buffer - size];
     invcal_thermal_record record;
 
@@ -80,7 +75,6 @@ static void decode(uint32_t size, const unsigned range[4], unsigned version, uns
         bytes[degree_at] = (uint8_t)BETWEEN(least, most);
     }
     if (size >= 4) {
-        bytes[1] = (uint8_t)version;
         bytes[2] = (uint8_t)BETWEEN(range[0], range[1]);
         bytes[3] = (uint8_t)BETWEEN(range[2], range[3]);
     }
@@ -88,36 +82,35 @@ static void decode(uint32_t size, const unsigned range[4], unsigned version, uns
 }
 
 /* The same for all lengths of a range below 512; those that are there apart from those that are not. */
-static void decode_lengths(uint32_t size, unsigned low, unsigned high, unsigned version)
+static void decode_lengths(uint32_t size, unsigned low, unsigned high)
 {
     while (low <= high) {
         unsigned last = low | 255;
         last = last > size && low <= size ? size : last;
         last = last < high ? last : high;
         const unsigned range[4] = {low % 256, last % 256, low / 256, low / 256};
-        decode(size, range, version, 0, 255);
+        decode(size, range, 0, 255);
         low = last + 1;
     }
 }
 
 /* The length of each degree that this build reads, with any degree; and all other lengths. */
-static void decode_version(uint32_t size, unsigned version)
+static void decode_all(uint32_t size)
 {
-    const unsigned more = version == 1 ? BEHIND : 0;
     unsigned next = 0;
 
     for (unsigned degree = 0; degree <= INVCAL_THERMAL_DEGREE; degree++) {
-        const unsigned length = INVCAL_THERMAL_RECORD_BYTES(degree) + more;
+        const unsigned length = INVCAL_THERMAL_RECORD_BYTES(degree);
         const unsigned exact[4] = {length % 256, length % 256, length / 256, length / 256};
-        decode_lengths(size, next, length - 1, version);
+        decode_lengths(size, next, length - 1);
         for (unsigned stated = 0; stated <= INVCAL_THERMAL_DEGREE; stated++) {
-            decode(size, exact, version, stated, stated);
+            decode(size, exact, stated, stated);
         }
-        decode(size, exact, version, INVCAL_THERMAL_DEGREE + 1, 255);
+        decode(size, exact, INVCAL_THERMAL_DEGREE + 1, 255);
         next = length + 1;
     }
-    decode_lengths(size, next, 511, version);
-    decode(size, (const unsigned[4]){0, 255, 2, 255}, version, 0, 255);
+    decode_lengths(size, next, 511);
+    decode(size, (const unsigned[4]){0, 255, 2, 255}, 0, 255);
 }
 
 static void encode(unsigned least, unsigned most)
@@ -143,13 +136,11 @@ static void init(void)
 
 void main(void)
 {
-    static const uint32_t size[] = {0, 1, 7, 8, 140, 188, 248, 284, 296, 320, 332, 368, LARGEST};
+    static const uint32_t size[] = {0, 1, 7, 8, 140, 248, 284, 320, LARGEST};
 
     for (unsigned i = 0; i < sizeof size / sizeof *size; i++) {
-        decode_version(size[i], 1);
-        decode_version(size[i], 2);
+        decode_all(size[i]);
     }
-    decode(LARGEST, (const unsigned[4]){0, 255, 0, 255}, 3, 0, 255);
     for (unsigned degree = 0; degree <= INVCAL_THERMAL_DEGREE; degree++) {
         encode(degree, degree);
     }

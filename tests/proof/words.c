@@ -2,7 +2,8 @@
 #include "arbitrary.h"
 #include "invcal/invcal.h"
 
-// eva: -eva-auto-loop-unroll 32 -eva-slevel 2000 -eva-slevel-function rank:0,tilt:0
+// eva: -eva-auto-loop-unroll 32 -eva-slevel 2000
+// trusted: 1
 
 void main(void)
 {

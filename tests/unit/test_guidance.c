@@ -574,6 +574,8 @@ static void other_directions_have_words_to_five_degrees(void)
         {{0.2147, 0, 0.9767}, "+z up, tilt 10 deg, +x rises"}, /* 12.4 */
         {{0.2181, 0, 0.9759}, "+z up, tilt 15 deg, +x rises"}, /* 12.6 */
         {{0.2, -0.9165, 0.3464}, "-y up, tilt 25 deg, +z and +x rise"},
+        {{0.3464, -0.9165, 0.2}, "-y up, tilt 25 deg, +z and +x rise"}, /* x and z the same */
+        {{-0.9165, 0.2, -0.3464}, "-x up, tilt 25 deg, +y and -z rise"},
     };
 
     for (unsigned i = 0; i < sizeof expected / sizeof expected[0]; i++) {

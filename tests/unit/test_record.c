@@ -126,13 +126,25 @@ static void assert_not_encoded(invcal_status expected, const invcal_record *r)
     TEST_ASSERT_EQUAL_INT(expected, invcal_record_encode(r, bytes));
 }
 
+/* As a program does that may find either version. */
+static invcal_status decode(const uint8_t *bytes, uint32_t size, invcal_record *out)
+{
+    uint8_t now[SIZE];
+
+    if (size < 2 || bytes[1] != 1) {
+        return invcal_record_decode(bytes, size, out);
+    }
+    const invcal_status status = invcal_record_from_v1(bytes, size, now);
+    return status == INVCAL_OK ? invcal_record_decode(now, SIZE, out) : status;
+}
+
 static void assert_decodes(const uint8_t *bytes, uint32_t size, invcal_record *out)
 {
     uint8_t buffer[SIZE + MARGIN + 1];
 
     memcpy(buffer + 1, bytes, size);
     memset(out, 0x5A, sizeof *out);
-    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_record_decode(buffer + 1, size, out));
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, decode(buffer + 1, size, out));
 }
 
 static int is_refused(invcal_status expected, const uint8_t *bytes, uint32_t size)
@@ -142,8 +154,7 @@ static int is_refused(invcal_status expected, const uint8_t *bytes, uint32_t siz
 
     memset(&out, 0x5A, sizeof out);
     memset(before, 0x5A, sizeof before);
-    return invcal_record_decode(bytes, size, &out) == expected &&
-           memcmp(&out, before, sizeof out) == 0;
+    return decode(bytes, size, &out) == expected && memcmp(&out, before, sizeof out) == 0;
 }
 
 static invcal_record random_record(random_source *random)
@@ -266,7 +277,7 @@ static void a_record_of_version_1_is_read_over_field(void)
     assert_decodes(golden_1, sizeof golden_1, &r);
     for (unsigned i = MATRIX; i < SIGMA; i++) {
         const double over_field = (double)(float)golden_reals[i] / golden_reals[FIELD];
-        TEST_ASSERT_DOUBLE_WITHIN(fabs(over_field) * (double)INVCAL_EPSILON, over_field,
+        TEST_ASSERT_DOUBLE_WITHIN(fabs(over_field) * (double)FLT_EPSILON, over_field,
                                   (double)*real_of(&r, i));
         *real_of(&r, i) = (invcal_real)(float)golden_reals[i];
     }
@@ -280,7 +291,21 @@ static void a_field_of_version_1_that_is_none_is_refused(void)
     memcpy(bytes, golden_1, sizeof bytes);
     memset(bytes + REALS_AT, 0, 4);
     seal_bytes(bytes, sizeof bytes - 4);
-    TEST_ASSERT_TRUE(is_refused(INVCAL_BAD_NOMINAL, bytes, sizeof bytes));
+    TEST_ASSERT_TRUE(is_refused(INVCAL_NOT_FINITE, bytes, sizeof bytes));
+}
+
+/* What a program does not call it does not link: either function knows one. */
+static void each_version_has_its_function(void)
+{
+    uint8_t bytes[SIZE];
+    uint8_t again[SIZE];
+    invcal_record r;
+
+    TEST_ASSERT_EQUAL_INT(INVCAL_OTHER_VERSION,
+                          invcal_record_decode(golden_1, sizeof golden_1, &r));
+    TEST_ASSERT_EQUAL_INT(INVCAL_OTHER_VERSION, invcal_record_from_v1(golden, SIZE, bytes));
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_record_from_v1(golden_1, sizeof golden_1, bytes));
+    TEST_ASSERT_EQUAL_INT(INVCAL_OTHER_VERSION, invcal_record_from_v1(bytes, SIZE, again));
 }
 
 static void bytes_behind_a_record_are_not_looked_at(void)
@@ -598,14 +623,26 @@ static int memory_program(void *context, unsigned slot, uint32_t offset, const u
 
 static const invcal_store store = {memory_read, memory_erase, memory_program, NULL, SLOT, 8};
 
-static int is_loaded(invcal_status expected, invcal_calibration *calibration)
+typedef invcal_status loader(const invcal_store *from, invcal_calibration *calibration);
+
+static int is_loaded_by(loader *load, invcal_status expected, invcal_calibration *calibration)
 {
     uint8_t before[sizeof *calibration];
 
     memset(calibration, 0x5A, sizeof *calibration);
     memset(before, 0x5A, sizeof before);
-    return invcal_load(&store, calibration) == expected &&
+    return load(&store, calibration) == expected &&
            (expected == INVCAL_OK || memcmp(before, calibration, sizeof before) == 0);
+}
+
+static int is_loaded(invcal_status expected, invcal_calibration *calibration)
+{
+    return is_loaded_by(invcal_load, expected, calibration);
+}
+
+static int is_loaded_v1(invcal_status expected, invcal_calibration *calibration)
+{
+    return is_loaded_by(invcal_load_v1, expected, calibration);
 }
 
 /* The golden calibration, and a quality that may go with it. */
@@ -625,7 +662,7 @@ static void a_calibration_that_was_saved_is_loaded_and_so_is_its_record(void)
     invcal_record expected = golden_record();
     invcal_calibration c;
     invcal_record r;
-    uint8_t bytes[INVCAL_RECORD_SIZE_MAX];
+    uint8_t bytes[INVCAL_RECORD_SIZE_V1];
     uint32_t size = 0;
 
     memset(memory, 0xFF, sizeof memory);
@@ -643,9 +680,35 @@ static void a_calibration_that_was_saved_is_loaded_and_so_is_its_record(void)
     TEST_ASSERT_EQUAL_MEMORY(&r.calibration, &c, sizeof c);
 }
 
+static void what_is_saved_is_the_record_that_init_makes(void)
+{
+    const invcal_record golden_one = golden_record();
+    invcal_record r;
+    invcal_quality q;
+    uint8_t expected[SIZE];
+    uint8_t bytes[SIZE];
+    uint32_t size = 0;
+
+    memset(&q, 0x5A, sizeof q);
+    memcpy(q.sigma, golden_one.sigma, sizeof q.sigma);
+    q.noise = golden_one.noise;
+    q.rms = golden_one.rms;
+    q.condition = golden_one.condition;
+    q.weak = golden_one.weak;
+    q.positions = golden_one.positions;
+    q.verdict = INVCAL_WEAK;
+    invcal_record_init(&r, &golden_one.calibration, &q);
+    assert_encodes(&r, expected);
+    memset(memory, 0xFF, sizeof memory);
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_save(&store, &golden_one.calibration, &q));
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_store_load(&store, bytes, sizeof bytes, &size));
+    TEST_ASSERT_EQUAL_UINT32(SIZE, size);
+    TEST_ASSERT_EQUAL_HEX8_ARRAY(expected, bytes, SIZE);
+}
+
 static void a_failure_of_either_side_is_told_and_leaves_all_as_it_was(void)
 {
-    static const uint8_t other[INVCAL_RECORD_SIZE_MAX + 1] = {1};
+    static const uint8_t other[INVCAL_RECORD_SIZE_V1 + 1] = {1};
     invcal_calibration c;
     uint8_t before[sizeof memory];
 
@@ -660,10 +723,27 @@ static void a_failure_of_either_side_is_told_and_leaves_all_as_it_was(void)
     TEST_ASSERT_TRUE(is_loaded(INVCAL_OK, &c));
     TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_store_save(&store, golden, 20)); /* part of one */
     TEST_ASSERT_TRUE(is_loaded(INVCAL_DAMAGED, &c));
-    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_store_save(&store, golden_1, sizeof golden_1));
-    TEST_ASSERT_TRUE(is_loaded(INVCAL_OK, &c));
     TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_store_save(&store, other, sizeof other));
     TEST_ASSERT_TRUE(is_loaded(INVCAL_NO_SPACE, &c));
+    TEST_ASSERT_TRUE(is_loaded_v1(INVCAL_NO_SPACE, &c));
+}
+
+static void what_0_1_0_saved_is_loaded_by_its_own_function(void)
+{
+    invcal_calibration c;
+    invcal_record r;
+
+    memset(memory, 0xFF, sizeof memory);
+    TEST_ASSERT_TRUE(is_loaded_v1(INVCAL_NO_RECORD, &c));
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_store_save(&store, golden_1, sizeof golden_1));
+    TEST_ASSERT_TRUE(is_loaded(INVCAL_NO_SPACE, &c)); /* it is larger */
+    TEST_ASSERT_TRUE(is_loaded_v1(INVCAL_OK, &c));
+    assert_decodes(golden_1, sizeof golden_1, &r);
+    TEST_ASSERT_EQUAL_MEMORY(&r.calibration, &c, sizeof c);
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_store_save(&store, golden_1, 20));
+    TEST_ASSERT_TRUE(is_loaded_v1(INVCAL_DAMAGED, &c));
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, save_golden(INVCAL_GOOD));
+    TEST_ASSERT_TRUE(is_loaded_v1(INVCAL_OTHER_VERSION, &c));
 }
 
 int main(void)
@@ -676,6 +756,7 @@ int main(void)
     RUN_TEST(a_new_record_holds_what_is_known_and_says_of_the_rest_that_it_is_not);
     RUN_TEST(a_record_of_version_1_is_read_over_field);
     RUN_TEST(a_field_of_version_1_that_is_none_is_refused);
+    RUN_TEST(each_version_has_its_function);
     RUN_TEST(bytes_behind_a_record_are_not_looked_at);
     RUN_TEST(a_number_that_is_not_finite_is_neither_encoded_nor_decoded);
     RUN_TEST(a_number_beyond_float_is_not_encoded);
@@ -690,6 +771,8 @@ int main(void)
     RUN_SLOW_TEST(a_sound_record_of_another_kind_or_version_is_named_so);
     RUN_TEST(a_length_shorter_than_any_record_is_refused);
     RUN_TEST(a_calibration_that_was_saved_is_loaded_and_so_is_its_record);
+    RUN_TEST(what_is_saved_is_the_record_that_init_makes);
     RUN_TEST(a_failure_of_either_side_is_told_and_leaves_all_as_it_was);
+    RUN_TEST(what_0_1_0_saved_is_loaded_by_its_own_function);
     return UNITY_END() != 0;
 }

@@ -186,12 +186,24 @@ static void assert_not_encoded(invcal_status expected, const invcal_thermal_reco
     TEST_ASSERT_EACH_EQUAL_HEX8(0x5A, bytes + SIZE, MARGIN);
 }
 
+/* As a program does that may find either version. */
+static invcal_status decode(const uint8_t *bytes, uint32_t size, invcal_thermal_record *out)
+{
+    uint8_t now[SIZE];
+
+    if (size < 2 || bytes[1] != 1) {
+        return invcal_thermal_record_decode(bytes, size, out);
+    }
+    const invcal_status status = invcal_thermal_record_from_v1(bytes, size, now);
+    return status == INVCAL_OK ? invcal_thermal_record_decode(now, SIZE, out) : status;
+}
+
 static void assert_refused(invcal_status expected, const uint8_t *bytes, uint32_t size)
 {
     static invcal_thermal_record out;
 
     memset(&out, 0x5A, sizeof out);
-    TEST_ASSERT_EQUAL_INT(expected, invcal_thermal_record_decode(bytes, size, &out));
+    TEST_ASSERT_EQUAL_INT(expected, decode(bytes, size, &out));
     TEST_ASSERT_EACH_EQUAL_HEX8(0x5A, &out, sizeof out);
 }
 
@@ -270,11 +282,12 @@ static void the_bytes_of_version_1_give_the_record_over_field(void)
 
     TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_thermal_record_decode(golden, FLAT, &now));
     memcpy(bytes, golden_of_version_1, OLD);
-    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_thermal_record_decode(bytes, sizeof bytes, &r));
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, decode(bytes, sizeof bytes, &r));
     assert_equal_judgements(&now.record, &r.record);
     for (unsigned i = 0; i < 3; i++) {
         for (unsigned k = 0; k < 3; k++) {
-            const invcal_real over_field = now.thermal.nominal.matrix[i][k] / field;
+            const invcal_real over_field =
+                (invcal_real)(float)(now.thermal.nominal.matrix[i][k] / field);
             TEST_ASSERT_TRUE(r.thermal.nominal.matrix[i][k] == over_field);
             TEST_ASSERT_TRUE(r.record.calibration.matrix[i][k] == over_field);
         }
@@ -282,6 +295,28 @@ static void the_bytes_of_version_1_give_the_record_over_field(void)
     memcpy(r.thermal.nominal.matrix, now.thermal.nominal.matrix, sizeof r.thermal.nominal.matrix);
     assert_equal_thermals(&now.thermal, &r.thermal);
     TEST_ASSERT_EQUAL_UINT(0, r.is_triangular);
+}
+
+static void each_version_has_its_function(void)
+{
+    invcal_thermal_record r;
+    uint8_t bytes[OLD];
+    uint8_t now[SIZE];
+
+    TEST_ASSERT_EQUAL_INT(INVCAL_OTHER_VERSION,
+                          invcal_thermal_record_decode(golden_of_version_1, OLD, &r));
+    TEST_ASSERT_EQUAL_INT(INVCAL_OTHER_VERSION, invcal_thermal_record_from_v1(golden, FLAT, now));
+    memcpy(bytes, golden_of_version_1, OLD);
+    bytes[OLD - 5] ^= 1; /* a coefficient */
+    TEST_ASSERT_EQUAL_INT(INVCAL_DAMAGED, invcal_thermal_record_from_v1(bytes, OLD, now));
+    memcpy(bytes, golden_of_version_1, OLD);
+    bytes[DEGREE_AT + 48] = 1; /* which has another length */
+    seal_bytes(bytes, OLD - 4);
+    TEST_ASSERT_EQUAL_INT(INVCAL_DAMAGED, invcal_thermal_record_from_v1(bytes, OLD, now));
+    memcpy(bytes, golden_of_version_1, OLD);
+    bytes[RECORD_AT + 20] ^= 1; /* of the record within */
+    seal_bytes(bytes, OLD - 4);
+    TEST_ASSERT_EQUAL_INT(INVCAL_DAMAGED, invcal_thermal_record_from_v1(bytes, OLD, now));
 }
 
 /* 0.1.0 turned calibrations to the triangular frame if asked: what holds at the reference differs
@@ -642,6 +677,7 @@ int main(void)
     RUN_TEST(a_record_has_the_bytes_of_the_table);
     RUN_TEST(the_bytes_of_the_table_give_the_record);
     RUN_TEST(the_bytes_of_version_1_give_the_record_over_field);
+    RUN_TEST(each_version_has_its_function);
     RUN_TEST(a_triangular_record_of_version_1_is_read_and_kept);
     RUN_TEST(the_coefficients_of_every_power_stand_where_the_table_says);
     RUN_TEST(a_record_comes_back_as_it_was);
