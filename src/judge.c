@@ -57,7 +57,7 @@ static INVCAL_INLINE void add_calibrated(invcal_sums *sums, const invcal_real a[
     const invcal_real weight = 1 / invcal_gradient(a, row->h, g);
     invcal_products_often(row->h, g);
     g[INVCAL_J] = row->h[INVCAL_J];
-    invcal_rank_one(sums->sum, g, INVCAL_PARAMETERS + 1, weight, NULL);
+    invcal_rank_one(sums->sum, g, INVCAL_PARAMETERS + 1, weight);
 }
 
 /* The rows of all that are not left out: exact ones without a, those of calibrated positions with it. */

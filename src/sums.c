@@ -13,44 +13,37 @@ void invcal_products(const invcal_real eta[3], invcal_real g[INVCAL_PARAMETERS])
     invcal_products_inline(eta, g);
 }
 
-/* Elements of H'H are products of two, three or four of x, y, z, and 31 of 45 different: this one
- * stands for each, itself or an earlier one. J is behind the row. */
-static const uint8_t same_as[INVCAL_PACKED_SIZE(INVCAL_PARAMETERS + 1)] = {
-    0,                                      /* x */
-    1,  2,                                  /* y */
-    3,  4,  5,                              /* z */
-    6,  7,  8,  9,                          /* xx */
-    10, 11, 12, 13, 14,                     /* yy */
-    15, 16, 17, 18, 19, 20,                 /* zz */
-    7,  10, 23, 24, 25, 26, 13,             /* xy */
-    8,  23, 15, 31, 32, 33, 34, 18,         /* xz */
-    23, 12, 16, 34, 40, 41, 32, 26, 19,     /* yz */
-    45, 46, 47, 48, 49, 50, 51, 52, 53, 54, /* J */
+/* Elements of H'H are products of two, three or four of x, y, z, and 31 of 45 different: these are
+ * earlier ones again, and taken from there. J is behind the row. */
+static const uint8_t again[][2] = {
+    {21, 7},  {22, 10}, {27, 13},                                         /* xy */
+    {28, 8},  {29, 23}, {30, 15}, {35, 18},                               /* xz */
+    {36, 23}, {37, 12}, {38, 16}, {39, 34}, {42, 32}, {43, 26}, {44, 19}, /* yz */
 };
 
-void invcal_rank_one(invcal_real *a, const invcal_real *v, unsigned n, invcal_real weight,
-                     const uint8_t *same)
+/* Where speed is asked for they are not even summed: a bit for each. */
+#ifdef INVCAL_FAST
+#define AGAIN UINT64_C(0x1CF878600000)
+#endif
+
+void invcal_rank_one(invcal_real *a, const invcal_real *v, unsigned n, invcal_real weight)
 {
 #ifdef INVCAL_FAST
-    if (n == INVCAL_PARAMETERS + 1 && !same) {
-        invcal_rank_one_inline(a, v, INVCAL_PARAMETERS + 1, weight, NULL);
-        return;
-    }
-    if (!same) {
-        invcal_rank_one_inline(a, v, n, weight, NULL);
+    if (n == INVCAL_PARAMETERS + 1) {
+        invcal_rank_one_inline(a, v, INVCAL_PARAMETERS + 1, weight, 0);
         return;
     }
 #endif
-    invcal_rank_one_inline(a, v, n, weight, same);
+    invcal_rank_one_inline(a, v, n, weight, 0);
 }
 
 /* H'H += w h h', H'J += w h J, J'J += w J J. */
 static INVCAL_INLINE void add(invcal_sums *sums, const invcal_row *row, invcal_real weight)
 {
 #ifdef INVCAL_FAST
-    invcal_rank_one_inline(sums->sum, row->h, INVCAL_PARAMETERS + 1, weight, same_as);
+    invcal_rank_one_inline(sums->sum, row->h, INVCAL_PARAMETERS + 1, weight, AGAIN);
 #else
-    invcal_rank_one(sums->sum, row->h, INVCAL_PARAMETERS + 1, weight, same_as);
+    invcal_rank_one(sums->sum, row->h, INVCAL_PARAMETERS + 1, weight);
 #endif
     sums->count += sums->count < UINT_MAX; /* 0 would say that they are empty */
 }
@@ -90,7 +83,7 @@ invcal_status invcal_sums_add(invcal_sums *sums, const invcal_calibration *nomin
 void invcal_sums_system(invcal_sums *sums)
 {
     INVCAL_UNROLL
-    for (unsigned i = 0; i < sizeof same_as; i++) {
-        sums->sum[i] = sums->sum[same_as[i]];
+    for (unsigned i = 0; i < sizeof again / sizeof again[0]; i++) {
+        sums->sum[again[i][0]] = sums->sum[again[i][1]];
     }
 }

@@ -87,15 +87,13 @@ static inline INVCAL_INLINE invcal_real invcal_leverage_inline(const invcal_real
 #define invcal_leverage_often invcal_leverage
 #endif
 
-/* A += weight v v', a packed triangle of n rows. Elements i of same[i] != i are passed over; NULL:
- * none is. */
-void invcal_rank_one(invcal_real *a, const invcal_real *v, unsigned n, invcal_real weight,
-                     const uint8_t *same);
+/* A += weight v v', a packed triangle of n rows. */
+void invcal_rank_one(invcal_real *a, const invcal_real *v, unsigned n, invcal_real weight);
 
-/* The same, to be compiled into those who need it often. */
+/* The same, to be compiled into those who need it often. Bit i of skipped: element i stays. */
 static inline INVCAL_INLINE void invcal_rank_one_inline(invcal_real *restrict a,
                                                         const invcal_real *restrict v, unsigned n,
-                                                        invcal_real weight, const uint8_t *same)
+                                                        invcal_real weight, uint64_t skipped)
 {
     unsigned i = 0;
 
@@ -104,7 +102,7 @@ static inline INVCAL_INLINE void invcal_rank_one_inline(invcal_real *restrict a,
         const invcal_real weighted = weight * v[r];
         INVCAL_UNROLL_ROWS
         for (unsigned c = 0; c <= r; c++) {
-            if (!same || same[i] == i) {
+            if (skipped == 0 || !(skipped >> i & 1u)) {
                 a[i] += weighted * v[c];
             }
             i++;

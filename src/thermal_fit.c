@@ -69,7 +69,7 @@ static void add_at(invcal_real *a, unsigned n, const invcal_real row[NINE + 1], 
         wide[i] = t * wide[i - NINE];
     }
     wide[n] = row[INVCAL_J];
-    invcal_rank_one(a, wide, n + 1, weight, NULL);
+    invcal_rank_one(a, wide, n + 1, weight);
 }
 
 /* All positions, calibrated with what is there by now. */

@@ -102,13 +102,11 @@ invcal_status invcal_observe(const invcal_calibration *nominal, const invcal_rea
     return BETWEEN(0, 1) ? INVCAL_OK : BETWEEN(0, 1) ? INVCAL_NOT_FINITE : INVCAL_OUT_OF_RANGE;
 }
 
-void invcal_rank_one(invcal_real *a, const invcal_real *v, unsigned n, invcal_real weight,
-                     const uint8_t *same)
+void invcal_rank_one(invcal_real *a, const invcal_real *v, unsigned n, invcal_real weight)
 {
     for (unsigned i = 0; i < n; i++) {
         (void)(v[i] + weight);
     }
-    (void)same;
     UNKNOWN(a, INVCAL_PACKED_SIZE(n));
 }
 
