@@ -4,8 +4,9 @@
 #include "guidance.h"
 #include "vector.h"
 
-#define TELLING INVCAL_REAL(0.45) /* h K h' of a position that is worth its place: 9 of 20 */
-enum { DAYS = 88 };               /* a position lasts */
+/* h K h' of a position that is worth its place: 9 of 20 beside the others, l; l / (1 + l) with itself. */
+#define TELLING INVCAL_REAL(0.31034482758620690)
+enum { DAYS = 88 }; /* a position lasts */
 
 invcal_status invcal_background_init(invcal_background *background,
                                      const invcal_calibration *nominal, unsigned rate)
@@ -30,44 +31,38 @@ static void drop_position(invcal_background *b, unsigned i)
     }
 }
 
-static void row_at(const invcal_background *b, unsigned i, invcal_row *row)
+/* Looks at the position taken last, and which one the others can do without: that without which det H'H
+ * loses least, an old one rather than a new one. Returns what became of the new one. */
+INVCAL_APART static invcal_event sift(invcal_background *b)
 {
-    (void)invcal_observe(&b->session.nominal, b->session.mean[i], row); /* it was accepted */
-}
-
-/* h K h' of the position taken last, beside the others. */
-INVCAL_APART static invcal_real newest_leverage(const invcal_background *b)
-{
-    const unsigned last = b->session.count - 1u;
-    invcal_sums sums;
-    invcal_row row;
-
-    invcal_sum_readings(b->session.mean[0], last, &b->session.nominal, &sums, row.h);
-    (void)invcal_ridged_inverse(&sums);
-    row_at(b, last, &row);
-    return invcal_leverage(sums.sum, row.h);
-}
-
-/* The position without which det H'H loses least, an old one rather than a new one. */
-INVCAL_APART static unsigned least_telling(const invcal_background *b)
-{
+    invcal_session *session = &b->session;
     invcal_real least = INVCAL_REAL_MAX;
+    invcal_real leverage = 0;
     unsigned which = 0;
     invcal_sums sums;
     invcal_row row;
 
-    invcal_sum_readings(b->session.mean[0], b->session.count, &b->session.nominal, &sums, row.h);
+    invcal_sum_readings(session->mean[0], session->count, &session->nominal, &sums, row.h);
     (void)invcal_ridged_inverse(&sums);
     for (unsigned i = 0; i < b->session.count; i++) {
-        row_at(b, i, &row);
-        const invcal_real left = (invcal_real)(DAYS - b->age[i]);
-        const invcal_real worth = left * invcal_leverage(sums.sum, row.h);
+        (void)invcal_observe(&session->nominal, session->mean[i], &row); /* it was accepted */
+        leverage = invcal_leverage(sums.sum, row.h); /* in the end that of the newest */
+        const invcal_real worth = (invcal_real)(DAYS - b->age[i]) * leverage;
         if (worth < least) {
             least = worth;
             which = i;
         }
     }
-    return which;
+    if (!(leverage > TELLING)) {
+        drop_position(b, session->count - 1u);
+        session->last = INVCAL_REFUSED;
+        session->reason = INVCAL_REST_SAME;
+        return INVCAL_REFUSED;
+    }
+    if (session->count == INVCAL_MAX_POSITIONS) { /* before the session would drop the oldest */
+        drop_position(b, which);
+    }
+    return INVCAL_TAKEN;
 }
 
 invcal_event invcal_background_feed(invcal_background *background, const int32_t raw[3])
@@ -80,16 +75,7 @@ invcal_event invcal_background_feed(invcal_background *background, const int32_t
         return event;
     }
     background->age[session->count - 1u] = 0;
-    if (!(newest_leverage(background) > TELLING)) {
-        drop_position(background, session->count - 1u);
-        session->last = INVCAL_REFUSED;
-        session->reason = INVCAL_REST_SAME;
-        return INVCAL_REFUSED;
-    }
-    if (session->count == INVCAL_MAX_POSITIONS) { /* before the session would drop the oldest */
-        drop_position(background, least_telling(background));
-    }
-    return event;
+    return sift(background);
 }
 
 void invcal_background_age(invcal_background *background)

@@ -13,21 +13,26 @@ void invcal_linear_init(invcal_linear_sums *linear)
     invcal_sums_init(&linear->sums);
 }
 
-/* The reading u, and h(eta). */
-static invcal_status observe_along(const invcal_calibration *nominal, const invcal_real raw[3],
-                                   const invcal_real eta[3], invcal_real u[3], invcal_row *row)
+/* h(eta), and J1 of the reading u, or J2: that of an exact row. */
+static invcal_status add(invcal_linear_sums *linear, const invcal_calibration *nominal,
+                         const invcal_real raw[3], const invcal_real eta[3], int is_vertical)
 {
-    const invcal_status status = invcal_observe(nominal, raw, row);
+    invcal_row row;
 
+    INVCAL_ASSERT(linear && nominal && raw && eta);
+    const invcal_status status = invcal_observe(nominal, raw, &row);
     if (status != INVCAL_OK) {
         return status;
     }
     if (!(INVCAL_FABS(invcal_dot3(eta, eta) - 1) <= ON_UNIT)) {
         return INVCAL_BAD_DIRECTION;
     }
-    memcpy(u, row->h, 3 * sizeof u[0]);
-    memcpy(row->h, eta, 3 * sizeof *eta);
-    invcal_row_of(row->h);
+    if (is_vertical) {
+        row.h[INVCAL_J] = invcal_dot3(row.h, eta) - 1;
+    }
+    memcpy(row.h, eta, 3 * sizeof *eta);
+    invcal_row_of(row.h);
+    invcal_sums_add_row(&linear->sums, &row, 1);
     return INVCAL_OK;
 }
 
@@ -35,32 +40,14 @@ invcal_status invcal_linear_add_vertical(invcal_linear_sums *linear,
                                          const invcal_calibration *nominal,
                                          const invcal_real raw[3], const invcal_real eta[3])
 {
-    invcal_real u[3];
-    invcal_row row;
-
-    INVCAL_ASSERT(linear && nominal && raw && eta);
-    const invcal_status status = observe_along(nominal, raw, eta, u, &row);
-    if (status == INVCAL_OK) {
-        row.h[INVCAL_J] = invcal_dot3(u, eta) - 1;
-        invcal_sums_add_row(&linear->sums, &row, 1);
-    }
-    return status;
+    return add(linear, nominal, raw, eta, 1);
 }
 
 invcal_status invcal_linear_add_scalar(invcal_linear_sums *linear,
                                        const invcal_calibration *nominal, const invcal_real raw[3],
                                        const invcal_real eta[3])
 {
-    invcal_real u[3];
-    invcal_row row;
-
-    INVCAL_ASSERT(linear && nominal && raw && eta);
-    const invcal_status status =
-        observe_along(nominal, raw, eta, u, &row); /* j: that of an exact row */
-    if (status == INVCAL_OK) {
-        invcal_sums_add_row(&linear->sums, &row, 1);
-    }
-    return status;
+    return add(linear, nominal, raw, eta, 0);
 }
 
 invcal_status invcal_linear_solve(invcal_linear_sums *linear, const invcal_calibration *nominal,

@@ -2,8 +2,7 @@
 #include <string.h>
 
 #include "invcal/allan.h"
-#include "invcal/expert.h"
-#include "vector.h"
+#include "sums.h"
 
 enum { KINDS = INVCAL_NOISE_KINDS, ALL = (1 << INVCAL_NOISE_KINDS) - 1 };
 
@@ -67,8 +66,9 @@ static void collect(const invcal_allan *a, curve *c)
         }
         if (c->count == 0) {
             c->first = p;
+            c->lowest = p;
         }
-        if (c->count == 0 || p.adev < c->lowest.adev) {
+        if (p.adev < c->lowest.adev) {
             c->lowest = p;
         }
         c->last = p;
@@ -92,35 +92,21 @@ static invcal_real model(const curve *c, const mixture *x, unsigned k, invcal_re
 static void sum_curve(const curve *c, const mixture *x, equations *e)
 {
     invcal_real row[KINDS + 1];
-    invcal_real *a;
+    invcal_real *a = e->a;
 
     memset(e->a, 0, sizeof e->a);
     for (unsigned k = 0; k < c->count; k++) {
         const invcal_real scale = 1 / model(c, x, k, row);
         row[KINDS] = -c->variance[k];
-        a = e->a;
         for (unsigned i = 0; i <= KINDS; i++) {
             row[i] *= scale;
-            for (unsigned j = 0; j <= i; j++) {
-                *a++ += c->weight[k] * row[i] * row[j];
-            }
         }
+        invcal_rank_one_inline(e->a, row, KINDS + 1, c->weight[k]);
     }
-    a = e->a;
     for (unsigned i = 0; i <= KINDS; i++) {
         e->unit[i] = i < KINDS ? 1 / INVCAL_SQRT(a[i]) : 1;
         for (unsigned j = 0; j <= i; j++) {
             *a++ *= e->unit[i] * e->unit[j];
-        }
-    }
-}
-
-/* Makes the squares of some kinds 0. */
-static void leave_out(unsigned kinds, equations *e)
-{
-    for (unsigned i = 0; i < KINDS; i++) {
-        for (unsigned j = 0; j <= KINDS && (kinds >> i & 1u); j++) {
-            e->a[i < j ? INVCAL_PACKED(j, i) : INVCAL_PACKED(i, j)] = i == j;
         }
     }
 }
@@ -130,52 +116,50 @@ static void leave_out(unsigned kinds, equations *e)
 static void try_set(const equations *e, unsigned kinds, invcal_real *min, mixture *best)
 {
     const invcal_real rounding = 8 * INVCAL_EPSILON * e->a[INVCAL_PACKED(KINDS, KINDS)];
-    equations s;
-    const invcal_real *x = &s.a[INVCAL_PACKED(KINDS, 0)];
-    const invcal_real *left = &s.a[INVCAL_PACKED(KINDS, KINDS)];
+    const unsigned with = kinds | 1u << KINDS; /* and the right side */
+    invcal_real a[INVCAL_PACKED_SIZE(KINDS + 1)];
+    const invcal_real *x = &a[INVCAL_PACKED(KINDS, 0)];
+    const invcal_real *left = &a[INVCAL_PACKED(KINDS, KINDS)];
 
-    s = *e;
-    leave_out(ALL & ~kinds, &s);
-    if (invcal_factor(s.a, KINDS, KINDS + 1, INVCAL_FLOOR) != INVCAL_OK ||
+    for (unsigned i = 0; i <= KINDS; i++) { /* the squares of other kinds become 0 */
+        for (unsigned j = 0; j <= i; j++) {
+            const unsigned at = INVCAL_PACKED(i, j);
+            a[at] = i == j || (with >> i & with >> j & 1u) ? e->a[at] : 0;
+        }
+    }
+    if (invcal_factor(a, KINDS, KINDS + 1, INVCAL_FLOOR) != INVCAL_OK ||
         !(*left < *min - rounding)) {
         return;
     }
-    invcal_back_substitute(s.a, KINDS);
+    invcal_back_substitute(a, KINDS);
     if (!has_no_negative(x)) {
         return;
     }
     *min = *left;
-    invcal_invert(s.a, KINDS);
+    invcal_invert(a, KINDS);
     best->kinds = kinds;
     for (unsigned i = 0; i < KINDS; i++) {
-        const invcal_real sigma = INVCAL_SQRT(invcal_variance(s.a, KINDS, i));
+        const invcal_real sigma = INVCAL_SQRT(invcal_variance(a, KINDS, i));
         best->square[i] = x[i] * e->unit[i];
         best->relative[i] = x[i] > 0 ? (i == INVCAL_NOISE_WHITE ? 1 : SHARED) * sigma / x[i] : 0;
     }
 }
 
-/* The best set within those allowed: least squares under the condition that no square is
- * negative. */
-static void solve_best(const equations *e, unsigned allowed, mixture *best)
-{
-    invcal_real min = e->a[INVCAL_PACKED(KINDS, KINDS)];
-
-    memset(best, 0, sizeof *best);
-    for (unsigned kinds = 1; kinds <= ALL; kinds++) {
-        if ((kinds & ~allowed) == 0) {
-            try_set(e, kinds, &min, best);
-        }
-    }
-}
-
-/* The model that weighs is found in turns with its weights; x is where to begin. */
+/* The best set of kinds within those allowed: least squares under the condition that no square is
+ * negative. The model that weighs is found in turns with its weights; x is where to begin. */
 static void fit_model(const curve *c, unsigned allowed, mixture *x)
 {
     equations e;
 
     for (unsigned step = 0; step < ROUNDS; step++) {
         sum_curve(c, x, &e);
-        solve_best(&e, allowed, x);
+        invcal_real min = e.a[INVCAL_PACKED(KINDS, KINDS)];
+        memset(x, 0, sizeof *x);
+        for (unsigned kinds = 1; kinds <= ALL; kinds++) {
+            if ((kinds & ~allowed) == 0) {
+                try_set(&e, kinds, &min, x);
+            }
+        }
     }
 }
 

@@ -5,18 +5,31 @@
 #include "solve.h"
 #include "vector.h"
 
-/* What is known beforehand: parameter r is 0 with standard deviation sigma[r]; 0: nothing. */
+enum { SYSTEM = INVCAL_PACKED_SIZE(INVCAL_PARAMETERS + 1) };
+
+/* What is known beforehand: parameter r is 0 with standard deviation sigma[r]; 0: nothing. And what the
+ * positions make of it. */
 typedef struct {
     const invcal_real *sigma;
     invcal_real widest; /* of them */
     unsigned count;     /* of those that are stated */
-} prior_sigma;
+    invcal_real noise;  /* that they are weighed with */
+    invcal_calibration c;
+    invcal_quality q;
+    uint16_t from_prior;
+} update;
 
-static invcal_status know(const invcal_real sigma[INVCAL_PARAMETERS], prior_sigma *prior)
+static invcal_status know(const invcal_positions *positions, update *prior)
 {
-    prior->sigma = sigma;
-    prior->widest = 0;
-    prior->count = 0;
+    const invcal_real *sigma = prior->sigma;
+
+    if (!(positions->noise > 0)) {
+        return INVCAL_BAD_NOISE;
+    }
+    const invcal_status status = invcal_positions_check(positions);
+    if (status != INVCAL_OK) {
+        return status;
+    }
     for (unsigned r = 0; r < INVCAL_PARAMETERS; r++) {
         if (!(sigma[r] >= 0 && sigma[r] <= INVCAL_REAL_MAX)) {
             return INVCAL_BAD_PRIOR;
@@ -28,118 +41,45 @@ static invcal_status know(const invcal_real sigma[INVCAL_PARAMETERS], prior_sigm
 }
 
 /* One more row, noise / sigma p(r) = 0: its square, 0 if there is none. */
-static invcal_real row_of(const prior_sigma *prior, unsigned r, invcal_real noise)
+static invcal_real row_of(const update *prior, unsigned r)
 {
-    const invcal_real ratio = prior->sigma[r] > 0 ? noise / prior->sigma[r] : 0;
+    const invcal_real ratio = prior->sigma[r] > 0 ? prior->noise / prior->sigma[r] : 0;
 
     return ratio * ratio;
 }
 
-/* What the positions tell, and the prior, to L; with the right-hand side behind it, if rows is ten.
- * Where the positions alone leave parameters open the noise is raised to that with which the prior is
- * just more than rounding beside the largest sums: with less, rounding errors would count as data. */
-static invcal_status factor_with(const invcal_real *told, unsigned rows, const prior_sigma *prior,
-                                 invcal_real *noise, invcal_real *l)
+/* What the positions tell, and the prior, to L. Where the positions alone leave parameters open the
+ * noise is raised to that with which the prior is just more than rounding beside the largest sums:
+ * with less, rounding errors would count as data. */
+static invcal_status factor_with(const invcal_real *told, update *prior, invcal_real l[SYSTEM])
 {
-    const size_t size = INVCAL_PACKED_SIZE(rows) * sizeof *l;
+    const invcal_real largest = invcal_largest_diagonal(told, INVCAL_PARAMETERS);
 
-    memcpy(l, told, size);
-    const invcal_real largest = invcal_largest_diagonal(l, INVCAL_PARAMETERS);
+    memcpy(l, told, SYSTEM * sizeof *l);
     if (invcal_factor(l, INVCAL_PARAMETERS, INVCAL_PARAMETERS, 30 * INVCAL_FLOOR) != INVCAL_OK) {
         const invcal_real resolved = prior->widest * INVCAL_SQRT(4 * INVCAL_EPSILON * largest);
-        *noise = *noise >= resolved ? *noise : resolved;
+        prior->noise = prior->noise >= resolved ? prior->noise : resolved;
     }
-    memcpy(l, told, size);
+    memcpy(l, told, SYSTEM * sizeof *l);
     for (unsigned r = 0; r < INVCAL_PARAMETERS; r++) {
-        l[INVCAL_PACKED(r, r)] += row_of(prior, r, *noise);
+        l[INVCAL_PACKED(r, r)] += row_of(prior, r);
     }
-    return invcal_factor(l, INVCAL_PARAMETERS, rows, INVCAL_EPSILON);
-}
-
-/* The same of the nine alone to L^-1. */
-static invcal_status invert_with(const invcal_real *told, const prior_sigma *prior,
-                                 invcal_real *noise, invcal_real *l)
-{
-    const invcal_status status = factor_with(told, INVCAL_PARAMETERS, prior, noise, l);
-
-    invcal_invert(l, INVCAL_PARAMETERS); /* of whatever is there: nobody looks at it on failure */
-    return status;
-}
-
-/* The share of parameter r that the data told: 1 - posterior / prior variance; 0 where rounding has made
- * the posterior the larger. */
-static invcal_real told_by_data(const prior_sigma *prior, unsigned r, invcal_real noise,
-                                invcal_real *k)
-{
-    const invcal_real row = row_of(prior, r, noise);
-
-    if (*k * row > 1) {
-        *k = 1 / row;
-    }
-    return 1 - *k * row;
-}
-
-/* information: of the second pass. */
-INVCAL_APART static invcal_status judge_with(const invcal_positions *positions,
-                                             const prior_sigma *prior,
-                                             const invcal_real *information,
-                                             const invcal_real a[3][3], invcal_quality *q,
-                                             uint16_t *from_prior)
-{
-    invcal_real l[INVCAL_PACKED_SIZE(INVCAL_PARAMETERS)];
-    invcal_real k[INVCAL_PARAMETERS];
-    invcal_real noise = positions->noise;
-    invcal_real dof =
-        (invcal_real)q->positions; /* a parameter that the prior supplies costs none */
-    invcal_real trace = 0;
-    unsigned bits = 0;
-
-    invcal_status status = invert_with(information, prior, &noise, l);
-    if (status == INVCAL_OK) {
-        for (unsigned r = 0; r < INVCAL_PARAMETERS; r++) {
-            k[r] = invcal_variance(l, INVCAL_PARAMETERS, r);
-            dof -= told_by_data(prior, r, noise, &k[r]);
-        }
-        q->dof = invcal_whole(dof);
-        invcal_judge_noise(positions->noise,
-                           information[INVCAL_PACKED(INVCAL_PARAMETERS, INVCAL_PARAMETERS)], dof,
-                           q);
-        status = invert_with(information, prior, &q->noise, l);
-    }
-    if (status != INVCAL_OK) {
-        return status;
-    }
-    for (unsigned r = 0; r < INVCAL_PARAMETERS; r++) {
-        k[r] = invcal_variance(l, INVCAL_PARAMETERS, r);
-        if (!(prior->sigma[r] > 0 || k[r] <= INVCAL_HOPELESS_K)) {
-            return INVCAL_UNDETERMINED;
-        }
-        bits |= (told_by_data(prior, r, q->noise, &k[r]) >= INVCAL_REAL(0.5) ? 0u : 1u) << r;
-        trace += information[INVCAL_PACKED(r, r)] + row_of(prior, r, q->noise);
-    }
-    q->condition = invcal_condition(l, INVCAL_PARAMETERS, trace);
-    invcal_judge_parameters(k, a, q);
-    *from_prior = (uint16_t)bits;
-    return INVCAL_OK;
+    return invcal_factor(l, INVCAL_PARAMETERS, INVCAL_PARAMETERS + 1, INVCAL_EPSILON);
 }
 
 /* First pass. triad calibrates u. */
-INVCAL_APART static invcal_status solve_with(const invcal_positions *positions,
-                                             const prior_sigma *prior, invcal_calibration *triad)
+static invcal_status solve_with(const invcal_positions *positions, update *prior, invcal_sums *sums,
+                                invcal_real l[SYSTEM], invcal_calibration *triad)
 {
-    invcal_sums sums;
-    invcal_real l[INVCAL_PACKED_SIZE(INVCAL_PARAMETERS + 1)];
-    invcal_real noise = positions->noise;
-
-    invcal_status status = invcal_positions_sum(positions, &sums);
+    invcal_status status = invcal_positions_sum(positions, sums);
     if (status != INVCAL_OK) {
         return status;
     }
-    if (sums.count == 0 || sums.count + prior->count < INVCAL_PARAMETERS) {
+    if (sums->count == 0 || sums->count + prior->count < INVCAL_PARAMETERS) {
         return INVCAL_TOO_FEW;
     }
-    invcal_sums_system(&sums);
-    status = factor_with(sums.sum, INVCAL_PARAMETERS + 1, prior, &noise, l);
+    invcal_sums_system(sums);
+    status = factor_with(sums->sum, prior, l);
     if (status != INVCAL_OK) {
         return status;
     }
@@ -147,75 +87,96 @@ INVCAL_APART static invcal_status solve_with(const invcal_positions *positions,
     return invcal_ellipsoid(&l[INVCAL_PACKED(INVCAL_PARAMETERS, 0)], l, triad);
 }
 
-static invcal_status calibrate(const invcal_positions *positions, const prior_sigma *prior,
-                               invcal_calibration *out, invcal_quality *q, uint16_t *from_prior)
+/* Of the second pass. A parameter that the prior supplies costs no degree of freedom, and its sigma is
+ * that of the prior at most, but for rounding. */
+static invcal_status judge_with(const invcal_real *information, update *prior,
+                                invcal_real l[SYSTEM], const invcal_real a[3][3])
+{
+    invcal_quality *q = &prior->q;
+    invcal_real k[INVCAL_PARAMETERS];
+    invcal_real dof = (invcal_real)q->positions;
+    invcal_real trace = 0;
+    unsigned bits = 0;
+
+    const invcal_status status = factor_with(information, prior, l);
+    if (status != INVCAL_OK) {
+        return status;
+    }
+    invcal_invert(l, INVCAL_PARAMETERS);
+    for (unsigned r = 0; r < INVCAL_PARAMETERS; r++) {
+        const invcal_real row = row_of(prior, r);
+        k[r] = invcal_variance(l, INVCAL_PARAMETERS, r);
+        if (!(prior->sigma[r] > 0 || k[r] <= INVCAL_HOPELESS_K)) {
+            return INVCAL_UNDETERMINED;
+        }
+        if (k[r] * row > 1) {
+            k[r] = 1 / row;
+        }
+        bits |= (k[r] * row <= INVCAL_REAL(0.5) ? 0u : 1u) << r;
+        dof -= 1 - k[r] * row;
+        trace += information[INVCAL_PACKED(r, r)] + row;
+    }
+    q->dof = invcal_whole(dof);
+    q->condition = invcal_condition(l, INVCAL_PARAMETERS, trace);
+    invcal_judge_noise(prior->noise, information[SYSTEM - 1], dof, q);
+    invcal_judge_parameters(k, a, q);
+    prior->from_prior = (uint16_t)bits;
+    return INVCAL_OK;
+}
+
+static invcal_status calibrate(const invcal_positions *positions, update *prior)
 {
     invcal_sums sums;
     invcal_residuals residuals;
     invcal_calibration triad;
+    invcal_real l[SYSTEM];
     const invcal_real(*a)[3] = (const invcal_real(*)[3])triad.matrix;
 
-    invcal_status status = solve_with(positions, prior, &triad);
+    invcal_status status = solve_with(positions, prior, &sums, l, &triad);
     if (status == INVCAL_OK) {
-        *out = triad;
-        status = invcal_behind(positions->nominal, out);
+        prior->c = triad;
+        status = invcal_behind(positions->nominal, &prior->c);
     }
     if (status == INVCAL_OK) {
-        status = invcal_positions_compare(positions, out, a, &sums, &residuals);
+        status = invcal_positions_compare(positions, &prior->c, a, &sums, &residuals);
     }
     if (status != INVCAL_OK) {
         return status;
     }
-    q->left_out = 0;
-    invcal_judge_residuals(&residuals, q);
-    return judge_with(positions, prior, sums.sum, a, q, from_prior);
-}
-
-static invcal_status check_with(const invcal_positions *positions,
-                                const invcal_real sigma[INVCAL_PARAMETERS], prior_sigma *prior)
-{
-    if (!(positions->noise > 0)) {
-        return INVCAL_BAD_NOISE;
-    }
-    const invcal_status status = invcal_positions_check(positions);
-    return status == INVCAL_OK ? know(sigma, prior) : status;
-}
-
-/* The data may be noisier than stated: then the prior counts for more, and all is made once more. */
-static invcal_status calibrate_twice(invcal_positions *positions, const prior_sigma *prior,
-                                     invcal_calibration *out, invcal_quality *q,
-                                     uint16_t *from_prior)
-{
-    invcal_status status = calibrate(positions, prior, out, q, from_prior);
-
-    if (status == INVCAL_OK) {
-        positions->noise = q->noise < 1 ? q->noise : 1;
-        status = calibrate(positions, prior, out, q, from_prior);
+    invcal_judge_residuals(&residuals, &prior->q);
+    status = judge_with(sums.sum, prior, l, a);
+    if (status == INVCAL_OK) { /* and with the noise that is there */
+        prior->noise = prior->q.noise;
+        status = judge_with(sums.sum, prior, l, a);
     }
     return status;
 }
 
+/* The data may be noisier than stated: then the prior counts for more, and all is made once more. */
 invcal_status invcal_calibrate_with_prior(const invcal_real *raw, unsigned count,
                                           const invcal_calibration *nominal, invcal_real noise,
                                           const invcal_real prior[INVCAL_PARAMETERS],
                                           invcal_calibration *out, invcal_quality *quality,
                                           uint16_t *from_prior)
 {
-    invcal_positions positions = {raw, count, 0, nominal, noise};
-    prior_sigma beforehand;
-    invcal_calibration c;
-    invcal_quality q;
-    uint16_t bits;
+    const invcal_positions positions = {raw, count, 0, nominal, noise};
+    update u;
 
     INVCAL_ASSERT((raw || count == 0) && nominal && prior && out && quality && from_prior);
-    invcal_status status = check_with(&positions, prior, &beforehand);
+    memset(&u, 0, sizeof u);
+    u.sigma = prior;
+    u.noise = noise;
+    invcal_status status = know(&positions, &u);
     if (status == INVCAL_OK) {
-        status = calibrate_twice(&positions, &beforehand, &c, &q, &bits);
+        status = calibrate(&positions, &u);
     }
     if (status == INVCAL_OK) {
-        *out = c;
-        *quality = q;
-        *from_prior = bits;
+        status = calibrate(&positions, &u);
+    }
+    if (status == INVCAL_OK) {
+        *out = u.c;
+        *quality = u.q;
+        *from_prior = u.from_prior;
     }
     return status;
 }

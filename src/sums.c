@@ -21,27 +21,35 @@ static const uint8_t again[][2] = {
     {36, 23}, {37, 12}, {38, 16}, {39, 34}, {42, 32}, {43, 26}, {44, 19}, /* yz */
 };
 
-/* Where speed is asked for they are not even summed: a bit for each. */
-#ifdef INVCAL_FAST
-#define AGAIN UINT64_C(0x1CF878600000)
-#endif
-
 void invcal_rank_one(invcal_real *a, const invcal_real *v, unsigned n, invcal_real weight)
 {
 #ifdef INVCAL_FAST
     if (n == INVCAL_PARAMETERS + 1) {
-        invcal_rank_one_inline(a, v, INVCAL_PARAMETERS + 1, weight, 0);
+        invcal_rank_one_inline(a, v, INVCAL_PARAMETERS + 1, weight);
         return;
     }
 #endif
-    invcal_rank_one_inline(a, v, n, weight, 0);
+    invcal_rank_one_inline(a, v, n, weight);
 }
 
-/* H'H += w h h', H'J += w h J, J'J += w J J. */
+/* H'H += w h h', H'J += w h J, J'J += w J J. Where speed is asked for, what is there already is not summed
+ * again: a bit for each. */
 static INVCAL_INLINE void add(invcal_sums *sums, const invcal_row *row, invcal_real weight)
 {
 #ifdef INVCAL_FAST
-    invcal_rank_one_inline(sums->sum, row->h, INVCAL_PARAMETERS + 1, weight, AGAIN);
+    unsigned i = 0;
+
+    INVCAL_UNROLL_ROWS
+    for (unsigned r = 0; r < INVCAL_PARAMETERS + 1; r++) {
+        const invcal_real weighted = weight * row->h[r];
+        INVCAL_UNROLL_ROWS
+        for (unsigned c = 0; c <= r; c++) {
+            if (!(UINT64_C(0x1CF878600000) >> i & 1u)) {
+                sums->sum[i] += weighted * row->h[c];
+            }
+            i++;
+        }
+    }
 #else
     invcal_rank_one(sums->sum, row->h, INVCAL_PARAMETERS + 1, weight);
 #endif

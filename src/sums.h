@@ -90,22 +90,17 @@ static inline INVCAL_INLINE invcal_real invcal_leverage_inline(const invcal_real
 /* A += weight v v', a packed triangle of n rows. */
 void invcal_rank_one(invcal_real *a, const invcal_real *v, unsigned n, invcal_real weight);
 
-/* The same, to be compiled into those who need it often. Bit i of skipped: element i stays. */
+/* The same, to be compiled into those who need it often. */
 static inline INVCAL_INLINE void invcal_rank_one_inline(invcal_real *restrict a,
                                                         const invcal_real *restrict v, unsigned n,
-                                                        invcal_real weight, uint64_t skipped)
+                                                        invcal_real weight)
 {
-    unsigned i = 0;
-
     INVCAL_UNROLL_ROWS
     for (unsigned r = 0; r < n; r++) {
         const invcal_real weighted = weight * v[r];
         INVCAL_UNROLL_ROWS
         for (unsigned c = 0; c <= r; c++) {
-            if (skipped == 0 || !(skipped >> i & 1u)) {
-                a[i] += weighted * v[c];
-            }
-            i++;
+            *a++ += weighted * v[c];
         }
     }
 }

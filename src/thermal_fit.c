@@ -26,8 +26,7 @@ typedef struct {
     const invcal_thermal *base; /* what a prior holds to */
     invcal_real noise;          /* that a prior is weighed with, over field */
     invcal_real held[UNKNOWNS]; /* 1 / standard deviation of the prior; 0: none */
-    invcal_real loosest;        /* the smallest of them above 0 */
-    int has_prior;              /* are there any? */
+    invcal_real widest;         /* the largest of these standard deviations; 0: no prior at all */
     int is_judged;        /* the rows are the slopes at the solution, not those that find it */
     invcal_real min, max; /* temperatures */
     invcal_thermal now;   /* what the rows are made with */
@@ -59,17 +58,16 @@ invcal_real invcal_thermal_drift_limit(invcal_real noise, invcal_real slope)
 /* ---- the system --------------------------------------------------------------------------------- */
 
 /* The row (h, t h, t^2 h, j), and its products with itself. */
-static void add_at(invcal_real *a, unsigned n, const invcal_real row[NINE + 1], invcal_real weight,
-                   invcal_real t)
+static void add_at(job *j, unsigned n, const invcal_row *row, invcal_real weight, invcal_real t)
 {
     invcal_real wide[UNKNOWNS + 1];
 
-    memcpy(wide, row, NINE * sizeof *wide);
+    memcpy(wide, row->h, NINE * sizeof *wide);
     for (unsigned i = NINE; i < n; i++) {
         wide[i] = t * wide[i - NINE];
     }
-    wide[n] = row[INVCAL_J];
-    invcal_rank_one(a, wide, n + 1, weight);
+    wide[n] = row->h[INVCAL_J];
+    invcal_rank_one(j->a, wide, n + 1, weight);
 }
 
 /* All positions, calibrated with what is there by now. */
@@ -77,32 +75,31 @@ static invcal_status gather(job *j, unsigned n)
 {
     const invcal_thermal_positions *p = j->positions;
     invcal_calibration triad;
-    invcal_calibration c;
+    invcal_real u[3];
+    invcal_real g[NINE];
     invcal_row row;
-    invcal_real g[NINE + 1];
 
     memset(j->a, 0, sizeof j->a);
     memset(&j->residuals, 0, sizeof j->residuals);
     for (unsigned i = 0; i < p->count; i++) {
         const invcal_real t = invcal_thermal_scaled(&j->now, p->temperature[i]);
+        invcal_apply(&j->now.nominal, &p->raw[3 * (size_t)i], u);
         invcal_status status = invcal_thermal_triad(&j->now, t, &triad);
         if (status == INVCAL_OK) {
-            c = triad;
-            status = invcal_behind(&j->now.nominal, &c);
-        }
-        if (status == INVCAL_OK) {
-            status = invcal_observe(&c, &p->raw[3 * (size_t)i], &row);
+            status = invcal_observe(&triad, u, &row);
         }
         if (status != INVCAL_OK) {
             return status;
         }
         invcal_residuals_add(&j->residuals, i, &row);
         const invcal_real square = invcal_gradient((const invcal_real(*)[3])triad.matrix, row.h, g);
-        invcal_products(row.h, g);
-        g[INVCAL_J] = row.h[INVCAL_J];
-        add_at(j->a, n, j->is_judged ? g : row.h, 1 / square, t);
+        if (j->is_judged) {
+            invcal_products(row.h, g);
+            memcpy(row.h, g, sizeof g);
+        }
+        add_at(j, n, &row, 1 / square, t);
     }
-    return INVCAL_OK;
+    return j->is_judged ? invcal_residuals_end(&j->residuals) : INVCAL_OK;
 }
 
 /* A coefficient known with a standard deviation is a row more, (noise / sigma) x = 0: it is 0 at the
@@ -131,23 +128,21 @@ static invcal_status solve_at_noise(job *j, unsigned n, invcal_real floor)
     invcal_back_substitute(j->a, n);
     invcal_invert(j->a, n);
     j->q.condition = invcal_condition(j->a, n, trace);
-    return j->has_prior || invcal_is_resolved(j->q.condition) ? INVCAL_OK : INVCAL_UNDETERMINED;
+    return j->widest > 0 || invcal_is_resolved(j->q.condition) ? INVCAL_OK : INVCAL_UNDETERMINED;
 }
 
 /* Where a prior has to hold what the positions leave open, the noise is raised to that with which it
  * is just more than rounding beside the largest sums. */
 static invcal_status solve_to(job *j, unsigned n)
 {
-    if (!j->has_prior) {
-        return solve_at_noise(j, n, INVCAL_FLOOR);
+    invcal_status status = solve_at_noise(j, n, j->widest > 0 ? 30 * INVCAL_FLOOR : INVCAL_FLOOR);
+
+    if (status == INVCAL_UNDETERMINED && j->widest > 0) {
+        const invcal_real resolved = j->widest * INVCAL_SQRT(4 * INVCAL_EPSILON * j->largest);
+        j->noise = j->noise >= resolved ? j->noise : resolved;
+        status = solve_at_noise(j, n, INVCAL_EPSILON);
     }
-    const invcal_status status = solve_at_noise(j, n, 30 * INVCAL_FLOOR);
-    if (status != INVCAL_UNDETERMINED) {
-        return status;
-    }
-    const invcal_real resolved = INVCAL_SQRT(4 * INVCAL_EPSILON * j->largest) / j->loosest;
-    j->noise = j->noise >= resolved ? j->noise : resolved;
-    return solve_at_noise(j, n, INVCAL_EPSILON);
+    return status;
 }
 
 /* ---- the solution --------------------------------------------------------------------------------- */
@@ -203,19 +198,8 @@ static invcal_status solve_highest(job *j, unsigned degree)
     return status;
 }
 
-static void turn(invcal_real m[3][3])
-{
-    for (unsigned i = 0; i < 3; i++) {
-        for (unsigned j = 0; j < i; j++) {
-            const invcal_real x = m[i][j];
-            m[i][j] = m[j][i];
-            m[j][i] = x;
-        }
-    }
-}
-
 /* X at t of what is there by now, and of p together: delta = delta1 + (I + S1) delta2,
- * A'A = (A2 A1)'(A2 A1). */
+ * (I + S)^2 = (A2 A1)^-1 (A2 A1)^-T. */
 static invcal_status compose(const job *j, invcal_real t, invcal_real x[INVCAL_PARAMETERS])
 {
     const unsigned degree = j->now.fitted;
@@ -236,9 +220,8 @@ static invcal_status compose(const job *j, invcal_real t, invcal_real x[INVCAL_P
     if (status != INVCAL_OK) {
         return status;
     }
-    turn(c.matrix);
-    invcal_make_symmetric(c.matrix, scratch);
     invcal_inverse3((const invcal_real(*)[3])c.matrix, m);
+    invcal_make_symmetric(m, scratch);
     memcpy(x, c.offset, sizeof c.offset);
     for (unsigned i = 0; i < 3; i++) {
         x[INVCAL_DK_X + i] = m[i][i] - 1;
@@ -250,29 +233,30 @@ static invcal_status compose(const job *j, invcal_real t, invcal_real x[INVCAL_P
 }
 
 /* The polynomials of X through what it is at both ends of the range and, for a parabola, in the
- * middle: Newton's interpolation, about t = 0. */
+ * middle m: mean + slope (t - m) + c2 ((t - m)^2 - half^2). */
 static invcal_status interpolate(job *j)
 {
-    const unsigned degree = j->now.degree;
     const invcal_real low = invcal_thermal_scaled(&j->now, j->now.min);
-    const invcal_real half = (invcal_thermal_scaled(&j->now, j->now.max) - low) / 2;
-    const invcal_real step = half > NARROWEST_STEP ? half : NARROWEST_STEP;
-    const invcal_real t = low + half;
+    const invcal_real range = invcal_thermal_scaled(&j->now, j->now.max) - low;
+    const invcal_real half = range / 2 > NARROWEST_STEP ? range / 2 : NARROWEST_STEP;
+    const invcal_real m = low + range / 2;
+    const invcal_real place[3] = {m - half, m + half, m};
+    const unsigned places = j->now.degree > 1 ? 3 : 2;
     invcal_real x[3][NINE];
 
-    for (unsigned k = 0; k < 3; k++) {
-        const invcal_status status = compose(j, t + ((invcal_real)k - 1) * step, x[k]);
+    //@ split places;
+    for (unsigned k = 0; k < places; k++) {
+        const invcal_status status = compose(j, place[k], x[k]);
         if (status != INVCAL_OK) {
             return status;
         }
     }
     for (unsigned r = 0; r < NINE; r++) {
-        const invcal_real rise = (x[2][r] - x[0][r]) / 2;
-        const invcal_real bend = (x[2][r] - x[1][r]) - (x[1][r] - x[0][r]);
-        const invcal_real c2 = degree == 2 ? bend / (2 * step * step) : 0;
-        const invcal_real c1 = rise / step - 2 * c2 * t;
-        const invcal_real middle = degree == 2 ? x[1][r] : x[0][r] + rise;
-        const invcal_real c[3] = {middle - (c1 + c2 * t) * t, c1, c2};
+        const invcal_real mean = (x[0][r] + x[1][r]) / 2;
+        const invcal_real slope = (x[1][r] - x[0][r]) / (2 * half);
+        const invcal_real c2 = places > 2 ? (mean - x[2][r]) / (half * half) : 0;
+        const invcal_real c[3] = {mean - slope * m + c2 * (m * m - half * half), slope - 2 * c2 * m,
+                                  c2};
         for (unsigned a = 0; a <= DEGREE; a++) {
             j->now.x[a][r] = c[a];
         }
@@ -320,15 +304,12 @@ static invcal_status weigh(job *j)
     }
     j->q.dof = invcal_whole(dof);
     invcal_judge_noise(j->positions->noise, j->squares, dof, &j->q);
-    if (j->has_prior) {
+    invcal_judge_residuals(&j->residuals, &j->q);
+    if (j->widest > 0) {
         j->noise = j->q.noise;
         status = solve_to(j, n);
         j->q.noise = j->noise;
     }
-    if (status == INVCAL_OK) { /* uncovered: more noise makes a prior hold more, never less */
-        status = invcal_residuals_end(&j->residuals);
-    }
-    invcal_judge_residuals(&j->residuals, &j->q);
     return status;
 }
 
@@ -348,11 +329,9 @@ static invcal_real variance_at(const job *j, invcal_real t, unsigned r)
     return sum;
 }
 
-/* What was weak before remains so. */
 static invcal_status judge_at(job *j, invcal_real temperature)
 {
     const invcal_thermal *now = &j->now;
-    const uint16_t weak = j->q.weak;
     invcal_thermal_place place;
     invcal_calibration triad;
     invcal_real k[NINE];
@@ -372,26 +351,27 @@ static invcal_status judge_at(job *j, invcal_real temperature)
         }
     }
     invcal_judge_parameters(k, (const invcal_real(*)[3])triad.matrix, &j->q);
-    j->q.weak |= weak;
-    j->q.verdict = j->q.weak ? INVCAL_WEAK : j->q.verdict;
     return INVCAL_OK;
 }
 
-/* Without slopes over a range that wants some, slopes pass for errors of everything else, and the
- * residuals may not show it. */
+/* At several temperatures: what is weak at one is weak. Without slopes over a range that wants some
+ * everything is, as slopes pass for errors of everything else, and the residuals may not show it. */
 static invcal_status judge_range(job *j, const invcal_real *temperature, unsigned count,
                                  invcal_quality *quality)
 {
     const invcal_thermal *now = &j->now;
     const int lacks_slopes = DEGREE > 0 && now->degree == 0 && !(now->max - now->min < NARROWEST);
+    unsigned weak = lacks_slopes ? (1u << NINE) - 1u : 0;
     invcal_status status = weigh(j);
 
-    j->q.weak = lacks_slopes ? (1u << NINE) - 1u : 0;
     for (unsigned i = 0; i < count && status == INVCAL_OK; i++) {
         status = judge_at(j, temperature[i]);
+        weak |= j->q.weak;
     }
     if (status == INVCAL_OK) {
         *quality = j->q;
+        quality->weak = (uint16_t)weak;
+        quality->verdict = weak > 0 ? INVCAL_WEAK : j->q.verdict;
     }
     return status;
 }
@@ -417,16 +397,14 @@ static invcal_status hold(job *j, const invcal_thermal_prior *prior)
 {
     invcal_real power = 1;
 
-    j->loosest = INVCAL_REAL_MAX;
     for (unsigned i = 0; i < UNKNOWNS; i++) {
-        const invcal_real sigma = prior->sigma[i / NINE][i % NINE];
-        const invcal_real held = sigma == 0 ? 0 : 1 / (sigma * power);
-        if (!(sigma >= 0 && sigma <= INVCAL_REAL_MAX && held <= INVCAL_REAL_MAX)) {
+        const invcal_real stated = prior->sigma[i / NINE][i % NINE];
+        const invcal_real sigma = stated * power;
+        j->held[i] = stated == 0 ? 0 : 1 / sigma;
+        if (!(sigma >= 0 && sigma <= INVCAL_REAL_MAX && j->held[i] <= INVCAL_REAL_MAX)) {
             return INVCAL_BAD_PRIOR;
         }
-        j->held[i] = held;
-        j->has_prior |= held > 0;
-        j->loosest = held > 0 && held < j->loosest ? held : j->loosest;
+        j->widest = sigma > j->widest ? sigma : j->widest;
         power *= i % NINE == NINE - 1 ? j->now.span : 1;
     }
     return j->noise > 0 ? INVCAL_OK : INVCAL_BAD_NOISE;
@@ -465,7 +443,7 @@ static invcal_status run(job *j, unsigned degree, invcal_thermal *out, invcal_qu
         return status;
     }
     status = improve(j, j->now.fitted);
-    if (status == INVCAL_OK && j->has_prior) {
+    if (status == INVCAL_OK && j->widest > 0) {
         status = weigh(j);
         status = status == INVCAL_OK ? improve(j, j->now.fitted) : status;
     }

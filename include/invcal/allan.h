@@ -12,33 +12,29 @@
  *     invcal_session_hold(&session, (uint32_t)(1000 * dwell.seconds));
  *     invcal_session_noise(&session, dwell.sigma / 16384);
  *
- * Here the unit is the raw count throughout. The last two lines want dwell.seconds below 3600: more
- * than an hour a session does not hold. (The worst axis decides.)
+ * The worst axis decides; a session holds no more than an hour. The unit is the raw count throughout.
  *
  * For an averaging time of m samples the Allan deviation is
  *
  *     adev^2 = < (x(i) - 2 x(i - m) + x(i - 2m))^2 > / (2 m^2),      x the running total,
  *
- * half the mean square step from the mean of m samples to that of the next m. (NIST SP 1065,
- * section 5.2.4: the overlapping estimator.) Memory is fixed: of the totals an averaging time keeps
- * the last 2 INVCAL_ALLAN_OVERLAP of every 2^t-th sample, with the smallest t for which they reach
- * back far enough, m <= 2^t INVCAL_ALLAN_OVERLAP. So windows of INVCAL_ALLAN_OVERLAP samples or less
- * begin at every sample, longer ones at every 2^t-th: octaves overlap INVCAL_ALLAN_OVERLAP times, and
- * 4 times give 93 % of the degrees of freedom that white noise has to give.
+ * half the mean square step from the mean of m samples to that of the next m (NIST SP 1065, section
+ * 5.2.4: the overlapping estimator). Memory is fixed: windows begin at every 2^t-th sample, with the
+ * smallest t for which m <= 2^t INVCAL_ALLAN_OVERLAP. So those of INVCAL_ALLAN_OVERLAP samples or less
+ * begin at every sample, and longer octaves overlap INVCAL_ALLAN_OVERLAP times: 4 times give 93 % of
+ * the degrees of freedom that white noise has to give.
  *
- * All of it is integer arithmetic, exact: totals modulo 2^64, of which the differences need 63
- * bits; their squares are summed in 128 bits. Only invcal_allan_get rounds. There is no limit to the
- * length of a stream:
+ * Sums are integers, and exact; only invcal_allan_get rounds. There is no limit to the length of a
+ * stream:
  *
  *     a square sum   holds 2^(128 - 2b) m^-2 differences of readings that change by b bits: 2^48 of
  *                    24 bits at m = 65536. What does not fit is noticed, and not offered;
  *     count          of differences ends at 2^32 - 1, 49 days at 1 kHz. A tau then stays as it is;
  *     2^32 samples   act as a gap.
  *
- * Feed it with samples at rest only, and with nothing that has been averaged or filtered before:
- * a filter in the sensor makes short averaging times look better than they are. Begin the list
- * above its time constant then. Where noise is smaller than a count, the short ones show the
- * rounding (slope -1 instead of -1/2).
+ * Feed it with samples at rest only. A filter in the sensor makes averaging times up to its time
+ * constant look better than they are: begin the list above it. Where noise is smaller than a count, the
+ * short ones show the rounding (slope -1 instead of -1/2).
  */
 #ifndef INVCAL_ALLAN_H
 #define INVCAL_ALLAN_H
@@ -51,13 +47,12 @@ extern "C" {
 
 /* ---- what a build may choose, in plain digits; invcal.h says how ------------------------------ */
 
-/* How many averaging times are kept, 1 ... 31. Each costs 24 + 16 INVCAL_ALLAN_OVERLAP bytes of an
- * axis. */
+/* How many averaging times are kept, each in 24 + 16 INVCAL_ALLAN_OVERLAP bytes of an axis. */
 #ifndef INVCAL_ALLAN_TAUS
 #define INVCAL_ALLAN_TAUS 16
 #endif
 
-/* How many times the windows of the longer ones overlap, a power of two up to 16384. */
+/* How many times the windows of the longer ones overlap. */
 #ifndef INVCAL_ALLAN_OVERLAP
 #define INVCAL_ALLAN_OVERLAP 4
 #endif
@@ -111,8 +106,8 @@ void invcal_allan_init(invcal_allan *allan);
  * Returns INVCAL_OK; INVCAL_BAD_TAU for any other list. */
 invcal_status invcal_allan_begin(invcal_allan *allan, const uint32_t *m, unsigned count);
 
-/* From now on one window begins where another ends (NIST SP 1065, 5.2.2), for the comparison with
- * published figures; as close as memory allows they tell more. Divides 32 bits for each difference. */
+/* From now on one window begins where another ends (NIST SP 1065, 5.2.2): for the comparison with
+ * published figures, as overlapping ones tell more. Divides 32 bits for each difference. */
 void invcal_allan_apart(invcal_allan *allan);
 
 /* Takes in one sample, of any value.
@@ -139,13 +134,13 @@ typedef struct {
  *
  * index  0 ... count - 1, in the order of the list.
  *
- * edf is that of white noise, NIST SP 1065, table 5 (W FM; Howe, Allan and Barnes 1981), of
- * averages of 2^t samples, which are white again, n totals of them:
+ * edf is that of white noise, by NIST SP 1065, table 5 (W FM; Howe, Allan and Barnes 1981), of n
+ * totals of averages of 2^t samples:
  *
  *     edf = (3 (n - 1) / (2 m') - 2 (n - 2) / n) 4 m'^2 / (4 m'^2 + 5),    m' = m / 2^t
  *
- * It is 3 % from the exact figure where edf > 10, 10 % below. Flicker noise has 1.2 times less,
- * a random walk 1.5 times less. Gaps, which cost differences, are counted as such.
+ * 3 % from the exact figure where edf > 10, 10 % below. Flicker noise has 1.2 times less, a random
+ * walk 1.5 times less. Gaps cost differences, and so edf.
  *
  * Returns INVCAL_OK; INVCAL_BAD_TAU if there is no such index; INVCAL_TOO_FEW if no two windows
  * have been filled; INVCAL_NO_SPACE if the squares do not fit 128 bits. */
@@ -182,16 +177,15 @@ typedef struct {
  *
  * rate  samples per second.
  *
- * Least squares of adev^2 over the model, weighted by edf / 2, but none closer than 5 %: so far
- * the model itself is trusted. Coefficients are not negative: of the seven sets of kinds the best
- * of those is taken in which none is; what then does not stand out by 3 sigma is left out, one by
- * one, unless nothing else explains the curve.
- * relative takes the averaging times for independent; for B and K, which tie them to each other,
- * it is doubled. Simulated records scatter by 0.3 to 1.1 of it.
+ * Least squares of adev^2 over the model, weighted by edf / 2, but none closer than 5 %: so far the
+ * model itself is trusted. Of the seven sets of kinds it is the best without a negative coefficient;
+ * what then does not stand out by 3 sigma is left out, one by one, unless nothing else explains the
+ * curve. relative takes the averaging times for independent; for B and K, which tie them to each
+ * other, it is doubled. Simulated records scatter by 0.3 to 1.1 of it.
  *
- * Returns INVCAL_OK; INVCAL_BAD_RATE unless rate is positive, and such that the results fit the
- * number type; INVCAL_TOO_FEW if no kind is visible: go on sampling, 20 of them show white noise.
- * Readings that never change show none.
+ * Returns INVCAL_OK; INVCAL_BAD_RATE unless rate is positive, and the results fit the number type;
+ * INVCAL_TOO_FEW if no kind is visible: go on sampling, 20 samples show white noise. Readings that
+ * never change show none.
  * Cost: 50,000 instructions for 16 octaves. Stack: about 650 bytes. */
 invcal_status invcal_allan_noise(const invcal_allan *allan, invcal_real rate, invcal_noise *noise);
 
@@ -202,9 +196,8 @@ invcal_real invcal_noise_sigma(const invcal_noise *noise, invcal_real tau);
 
 /* Is the mean as good as wanted after that time? */
 typedef enum {
-    INVCAL_DWELL_REACHED, /* after so long the mean is as good as wanted */
-    INVCAL_DWELL_BEYOND,  /* the same, but no averaging time as long has been seen: whether the
-                             noise goes on falling, nobody knows */
+    INVCAL_DWELL_REACHED, /* it is */
+    INVCAL_DWELL_BEYOND,  /* it is, if noise goes on falling beyond the averaging times seen */
     INVCAL_DWELL_FLOOR    /* never as good as wanted: this is the longest that is worth while */
 } invcal_dwell_end;
 
@@ -223,12 +216,8 @@ typedef struct {
  *        nothing counts as seen.
  * sigma  wanted, counts. (Any unit will do that noise and sigma have in common.)
  *
- * What sigma means: adev(T)^2 is half the mean square difference of two means, each over T, one
- * after the other. For white noise that is the variance of a mean, and for a random walk (K^2 T/3)
- * that about the value at the beginning of the rest. Over a session of n positions slow noise
- * does more: the means scatter about their common mean by adev(T)^2 times 1 for white noise,
- * n ln n / (2 (n - 1) ln 2) for flicker (n = 18: 2.2), n / 2 for a random walk (Barnes, bias
- * function B1, NIST Technical Note 375), if no time is lost between them.
+ * sigma is adev(T): the standard deviation of a mean in white noise. Over a session slow noise does
+ * more (mathematics.md, "How long to stay").
  *
  * Returns INVCAL_OK; INVCAL_BAD_NOISE if sigma is not positive, a coefficient negative or not
  * finite, all are 0, or N and shortest are; or if the time exceeds the number type. */

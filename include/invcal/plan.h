@@ -15,13 +15,8 @@
  *     2       -90                          start 2 + 360 (l - 1)/N
  *     3       start 3 + 360 (l - 1)/N      90                           l = 1 ... N
  *
- * Five positions in a group are the minimum: within a group every composition is a series of five
- * coefficients, a0 + a1 cos + b1 sin + a2 cos 2 + b2 sin 2 of the angle that turns. (Four off the
- * axes, the twelve edges of a cube, determine the nine parameters together, but no group.)
- * What a program is worth does not depend on the start angles: sigma of the offsets sqrt(1/N), of
- * the scale errors sqrt(7/(5N)), of the non-orthogonality terms sqrt(8/N), times the noise of a
- * position mean; the condition is 8. (`invcal plan`, the host tool, computes them for any
- * directions.) The start angles decide which axes stand exactly along gravity.
+ * What a program is worth does not depend on the start angles (mathematics.md, "Programs"; the host
+ * tool tells it for any directions). They decide which axes stand exactly along gravity.
  *
  * Positions are computed one at a time, so a device that follows a program stores no table:
  * invcal_session_is_at tells whether one has been taken. A stand is not needed: whoever holds the
@@ -37,7 +32,7 @@ extern "C" {
 #endif
 
 #define INVCAL_PLAN_GROUPS 3u           /* of a program */
-#define INVCAL_PLAN_PER_GROUP_MIN 5u    /* positions in a group */
+#define INVCAL_PLAN_PER_GROUP_MIN 5u    /* positions in a group: the coefficients of its series */
 #define INVCAL_PLAN_PER_GROUP_MAX 1000u /* the most of them */
 
 #define invcal_plan_position_at INVCAL_CHOSEN(invcal_plan_position_at, 9) /* see invcal.h */
@@ -57,7 +52,7 @@ typedef struct {
     invcal_real vertical[3]; /* eta: unit vector of the up direction in the instrument frame */
 } invcal_plan_position;
 
-/* Is the plan usable? Asked by all functions that take one.
+/* Is the plan usable?
  *
  * Returns INVCAL_OK;
  *   INVCAL_TOO_FEW      fewer than 5 positions in a group: its five coefficients stay open;
@@ -76,12 +71,10 @@ invcal_status invcal_plan_position_at(const invcal_plan *plan, unsigned i,
 
 /* Start angles with which a program points as many of the axes x, y, z up and down as can be.
  *
- * The paper asks that each axis stands along +g and along -g somewhere. An even N does it with
- * 90 - 360/N floor(N/4) for groups 1 and 2 and 180 - 360/N for group 3: group 1 then holds +-z,
- * group 2 +-x, group 3 +-y; N = 6 gives 30, 30, 120, the paper's Table 2. An odd N cannot:
- * opposite directions are half a turn apart, N/2 steps, so each group has at most one of the
- * six, and the same angles give +z, -x, -y. (From N = 901 on a quarter of a step is below the
- * 0.1 degrees of invcal_axis_up, and all six count as covered.)
+ * The paper asks for each axis along +g and along -g. An even N does it with 90 - 360/N floor(N/4) for
+ * groups 1 and 2 and 180 - 360/N for group 3: +-z, +-x, +-y; N = 6 gives 30, 30, 120, the paper's
+ * Table 2. With an odd N, whose steps meet no opposite directions, the same angles give +z, -x, -y.
+ * (From N = 901 on a quarter of a step is below the 0.1 degrees of invcal_axis_up: all six count.)
  *
  * Returns INVCAL_OK; INVCAL_TOO_FEW, INVCAL_BAD_PROGRAM for an N outside its range. */
 invcal_status invcal_plan_starts(unsigned per_group, invcal_real start[INVCAL_PLAN_GROUPS]);
@@ -97,11 +90,10 @@ enum {
     INVCAL_AXES             /* their number */
 };
 
-/* Which axis points up, within 0.1 degrees: one bit, or 0 if none does.
+/* Which axis points up, within 0.1 degrees: one bit, or 0 if none does. A plan's axes are those of its
+ * positions, or-ed together.
  *
- * vertical  a unit vector; one that is not (or a NaN) is along no axis or along one, but harmless.
- *
- * A plan's axes are those of its positions, or-ed together. */
+ * vertical  a unit vector; any other, or a NaN, does no harm. */
 uint8_t invcal_axis_up(const invcal_real vertical[3]);
 
 #ifdef __cplusplus

@@ -5,27 +5,15 @@
  *     invcal_thermal_calibrate   positions at several temperatures in, a calibration out
  *     invcal_thermal_at          what holds at a temperature, to be applied to samples
  *
- * Offsets, scales and angles are polynomials of temperature of the degree INVCAL_THERMAL_DEGREE,
- * here on a reference temperature and a span, so that t stays within about -1 ... 1:
+ * Offsets, scales and angles are polynomials of temperature of the degree INVCAL_THERMAL_DEGREE, on a
+ * reference temperature and a span, so that t stays within about -1 ... 1:
  *
  *     t = (T - reference) / span,   X(T) = x0 + x1 t + x2 t^2,   X = (delta, dk, gamma)
  *
- * Positions of all temperatures together tell all coefficients: the row h(u) of the exact equation
- * becomes (h, t h, t^2 h), the unknowns 18 or 27, and one Cholesky solves for them.
- *
- * Why it solves twice: linear in the equation are the coefficients p of the ellipsoid, and where X
- * is linear in temperature, as in sensors it nearly is, p is not; they differ by the square of slope
- * times span. One solve leaves 1.3e-3 of the field (degree 1, -20 ... 70 C, slopes of 1 mg/K and
- * 500 ppm/K). So X is taken from it at the ends of the range, by the closed form, and the second
- * solve is for what is left between that and the readings: 9e-7. Twice by count; nothing has to
- * converge, as it must in the paper's ref. 12.
- *
- * How good it is (18 positions at each of -20, 25, 70 C, noise 1e-4 of the field, slopes up to
- * 1 mg/K, 500 ppm/K, 100 urad/K). Degree 1: the error over the range and all directions is 0.99 to
- * 1.01 of the Cramer-Rao bound of the 18 parameters, 5e-5 of the field. Nine parameters for the same
- * positions: 300 to 550 times that. Degree 2 for a sensor that is bent: 0.99 to 1.01 of the bound of
- * 27 parameters, which is 1.26 times that of 18: do not ask for it without need. What is no
- * polynomial of this degree stays in the residuals, and so in the noise and every sigma.
+ * Positions of all temperatures together tell all coefficients. Two solves by count, the second for what
+ * the first leaves: nothing has to converge (mathematics.md, "Temperature"). The error over the range is
+ * the Cramer-Rao bound of the coefficients; a parabola's is 1.26 times that of a line, so do not ask for
+ * it without need. What is no polynomial of this degree stays in the residuals, and so in every sigma.
  *
  * Temperatures are in K or degrees C, from the sensor's own thermometer if it has one. It need not
  * be right, but must tell the same each time.
@@ -39,8 +27,7 @@
 extern "C" {
 #endif
 
-/* The degree of the polynomials: 0 (none), 1 (slopes) or 2 (parabolas). A choice of the build, as
- * those of invcal.h; each costs 36 bytes of a calibration, and of stack 0.7 and then 1.0 KB more. */
+/* The degree of the polynomials: 0 (none), 1 (slopes) or 2 (parabolas), a choice of the build. */
 #ifndef INVCAL_THERMAL_DEGREE
 #define INVCAL_THERMAL_DEGREE 1
 #endif
@@ -90,14 +77,13 @@ typedef enum {
 /* The calibration at a temperature, for invcal_apply, by the exact closed form. It is all that a
  * device links which has its calibration from elsewhere.
  *
- * Outside the range seen the polynomial tells nothing. There the value at its edge is held, and place
- * says so: what the sensor does beyond is not known, and no sigma covers it.
+ * Outside the range seen the value at its edge is held, and place says so: what the sensor does there
+ * is not known, and no sigma covers it.
  *
  * Returns INVCAL_OK; INVCAL_BAD_TEMPERATURE if it is not finite; INVCAL_BAD_NOMINAL,
  * INVCAL_NOT_ELLIPSOID if what is stored there has been damaged.
- * Cost: 640 instructions. Temperatures change slowly: make it anew when T has moved by what matters,
- * 0.05 K are 5e-5 of the field at 1 mg/K, and apply it to all samples in between.
- * Stack: about 200 bytes. */
+ * Cost: 640 instructions. Make it anew only when T has moved by what matters: at 1 mg/K, 0.05 K are
+ * 5e-5 of the field. Stack: about 200 bytes. */
 invcal_status invcal_thermal_at(const invcal_thermal *thermal, invcal_real temperature,
                                 invcal_calibration *calibration, invcal_thermal_place *place);
 
@@ -107,14 +93,11 @@ invcal_status invcal_thermal_at(const invcal_thermal *thermal, invcal_real tempe
 typedef enum {
     INVCAL_THERMAL_AS_ASKED, /* it is not */
     INVCAL_THERMAL_FEW,      /* fewer positions than coefficients without a prior: 9 (degree + 1) */
-    INVCAL_THERMAL_NARROW,   /* temperatures of less than 5 K for each degree, and no prior: a
-                                thermometer on a chip is some 0.5 K off what it should tell (steps,
-                                lag, heat of its own), and over less a tenth of a slope would be its
-                                error */
+    INVCAL_THERMAL_NARROW,   /* temperatures of less than 5 K for each degree, and no prior: the
+                                0.5 K of a chip's thermometer would be a tenth of a slope */
     INVCAL_THERMAL_OPEN      /* the positions do not tell the slopes: some coefficient's sqrt(K)
-                                exceeds 10, the limit of a weak parameter. So it is when temperatures
-                                fill less than 8 % of the span, when there are but two for a
-                                parabola, or not enough orientations at one of two */
+                                exceeds 10. Temperatures fill less than 8 % of the span, are but two
+                                for a parabola, or one of two has too few orientations */
 } invcal_thermal_fallback;
 
 /* A phrase for it, in plain English, in read-only memory. Any other value: "unknown reason". */
@@ -123,49 +106,37 @@ const char *invcal_thermal_fallback_text(invcal_thermal_fallback fallback);
 /* Calibrates from position means and their temperatures.
  *
  * raw          3 count numbers, as invcal_calibrate. At least nine positions for each coefficient,
- *              at different temperatures; twelve to eighteen at each temperature are good, the
- *              same or others, in any order.
+ *              at different temperatures; twelve to eighteen at each are good, in any order.
  * temperature  count numbers: the mean over each rest, see invcal_thermal_drift_limit.
- * count        up to 65534.
- * nominal      data sheet, or an earlier calibration.
- * noise        as invcal_calibrate; 0: not known.
+ * count, nominal, noise  as invcal_calibrate.
  * out          reference and span are the middle and half the range of the temperatures, at least
  *              1 K.
- * quality      of the calibration at the reference; verdict and weak hold for all the range. Sigma
- *              elsewhere: invcal_thermal_judge. Noise, residuals and condition are those of all
- *              positions and coefficients.
+ * quality      sigma at the reference; elsewhere: invcal_thermal_judge. All the rest is of the whole
+ *              range, and of all positions and coefficients.
  *
- * Slopes that the positions do not tell are left out, and out->fallback says so: a lower degree is no
- * failure. But with no slopes at all over 5 K or more the verdict is weak in everything: slopes then
- * pass for errors of other kinds, which residuals need not show.
+ * Slopes that the positions do not tell are left out, and out->fallback says why: that is no failure.
+ * But without any over 5 K or more everything is weak: slopes then pass for errors of other kinds,
+ * which residuals need not show.
  *
  * Returns as invcal_calibrate, and INVCAL_BAD_TEMPERATURE for one that is not finite.
- * Cost: three passes over the positions, three Cholesky: 365,000 instructions for 36 positions
- * (degree 1). Stack: 1.4, 2.1, 3.1 KB for degree 0, 1, 2. */
+ * Cost: 350,000 instructions for 36 positions (degree 1). Stack: 1.4, 2.1, 3.1 KB for degree 0, 1, 2. */
 invcal_status invcal_thermal_calibrate(const invcal_real *raw, const invcal_real *temperature,
                                        unsigned count, const invcal_calibration *nominal,
                                        invcal_real noise, invcal_thermal *out,
                                        invcal_quality *quality);
 
-/* How far temperature may drift in one rest that is to be a position, K from min to max.
- *
- * X is nearly linear over a rest: the mean reading belongs to the mean temperature, and drift by
- * itself does no harm. But a thermometer that lags behind the sensor may be wrong by half of it. The
- * limit is where that makes as much as the noise of one position: 2 noise / slope.
+/* How far temperature may drift in one rest that is to be a position, K from min to max: 2 noise /
+ * slope. A thermometer that lags behind the sensor is wrong by half the drift at most, and that then
+ * makes no more than the noise of a position. (The drift itself does no harm: the mean reading belongs
+ * to the mean temperature.)
  *
  * noise  of a position mean, over field; 0: not known, 1e-4.
  * slope  the largest one of an offset, 1/K; 0: not known, 1 mg/K. Both unknown make 0.2 K.
  *
- * Fails closed: 0, no drift at all, for a noise or slope that is negative or no number. Take a rest
- * if drift <= limit, and else wait for the sensor to settle. */
+ * Returns 0, no drift at all, for a noise or slope that is negative or no number. */
 invcal_real invcal_thermal_drift_limit(invcal_real noise, invcal_real slope);
 
-/* ---- by parts, for other choices ------------------------------------------------------------------
- *
- *     invcal_thermal_start    a base that knows the nominal calibration only; or take an earlier one
- *     invcal_thermal_fit      the base, corrected by what the positions tell
- *     invcal_thermal_judge    how good that is at a temperature
- */
+/* ---- by parts, for other choices ------------------------------------------------------------------ */
 
 /* Positions, and what they were read with: see invcal_thermal_calibrate. */
 typedef struct {
@@ -175,10 +146,10 @@ typedef struct {
     invcal_real noise;              /* of a position mean, over field; 0: not known */
 } invcal_thermal_positions;
 
-/* A base: X = 0 at all temperatures.
+/* A base that knows the nominal calibration only: X = 0 at all temperatures.
  *
- * temperature  count numbers, those of the positions or the ends of the range of use. Their middle
- *              is the reference, half their range the span, at least 1 K.
+ * temperature  count numbers, those of the positions or the ends of the range of use: they make
+ *              reference and span, as in invcal_thermal_calibrate.
  *
  * Returns INVCAL_OK; INVCAL_BAD_NOMINAL, INVCAL_BAD_TEMPERATURE, INVCAL_TOO_FEW if there are none. */
 invcal_status invcal_thermal_start(const invcal_calibration *nominal,
@@ -199,10 +170,9 @@ typedef struct {
  * aged. Otherwise the range is that of the positions.
  *
  * prior   null, or what is known beforehand; the noise has to be stated then. With a prior on every
- *         slope even one temperature is enough: what the positions leave open stays at none. Where
- *         the residuals tell more noise than is stated, the prior is weighed with theirs,
- *         quality->noise: judge with that. Where sigma is more than 0.7 of its prior, the prior has
- *         told more of that parameter than the positions.
+ *         slope even one temperature is enough. Where the residuals tell more noise than is stated, the
+ *         prior is weighed with theirs, quality->noise: judge with that. Where sigma is more than 0.7
+ *         of its prior, the prior has told more of that parameter than the positions.
  * base    of invcal_thermal_start, or an earlier calibration; may be out.
  * degree  the highest one that is wanted.
  *
@@ -213,11 +183,11 @@ invcal_status invcal_thermal_fit(const invcal_thermal_positions *positions,
                                  const invcal_thermal_prior *prior, const invcal_thermal *base,
                                  unsigned degree, invcal_thermal *out, invcal_quality *quality);
 
-/* How good it is at a temperature: sigma, weak and verdict there. The covariance of the coefficients
- * goes through the powers of t.
+/* How good it is at a temperature: sigma, weak and verdict there, from the covariance of the
+ * coefficients and the powers of t.
  *
- * positions    those that it was made of; prior, too.
- * temperature  outside the range seen: at its edge, where the value is held.
+ * positions, prior  those that it was made of.
+ * temperature       outside the range seen: at its edge, where the value is held.
  *
  * Returns as invcal_thermal_fit. */
 invcal_status invcal_thermal_judge(const invcal_thermal_positions *positions,
@@ -256,8 +226,7 @@ invcal_status invcal_thermal_judge(const invcal_thermal_positions *positions,
 typedef struct {
     invcal_thermal thermal; /* the calibration for every temperature */
     invcal_record record;   /* of what holds at the reference; more may be filled in */
-    uint8_t is_triangular;  /* 1: as 0.1.0 had it if asked: invcal_make_triangular makes of what
-                              invcal_thermal_at gives what the record has */
+    uint8_t is_triangular;  /* 1: that has been through invcal_make_triangular, as 0.1.0 offered */
 } invcal_thermal_record;
 
 /* Makes one of what invcal_thermal_calibrate gives. Returns as invcal_thermal_at. */

@@ -7,11 +7,14 @@
 #include "sums.h"
 
 // eva: -eva-precision 0 -eva-auto-loop-unroll 30 -eva-slevel 12 -eva-slevel-merge-after-loop @all -eva-split-return full
+// trusted: 1
+// As for prior.c.
 // config: -DINVCAL_THERMAL_DEGREE=2
 // config: -DINVCAL_THERMAL_DEGREE=0
 // dead: judge_range 1
 // The test for slopes, and its constant, is decided when it is compiled.
-// stubs: thermal solve nominal sums system judge
+// dead: -DINVCAL_THERMAL_DEGREE=0 add_at 3 count_open 1 judge_range 6 solve_highest 6 try_degree 1 nor is there a lower degree, or a slope
+// stubs: thermal solve nominal sums system judge apply
 
 /* ---- what other modules do -------------------------------------------------------------------- */
 
@@ -72,6 +75,14 @@ invcal_status invcal_ellipsoid(const invcal_real p[INVCAL_PARAMETERS],
     UNKNOWN(work, INVCAL_WORK);
     ANY(*out);
     return or_fail(INVCAL_NOT_ELLIPSOID);
+}
+
+void invcal_apply(const invcal_calibration *calibration, const invcal_real raw[3],
+                  invcal_real calibrated[3])
+{
+    (void)calibration->matrix[2][2];
+    (void)raw[2];
+    UNKNOWN(calibrated, 3);
 }
 
 void invcal_make_symmetric(invcal_real a[3][3], invcal_real work[INVCAL_WORK])
@@ -199,7 +210,6 @@ void invcal_judge_noise(invcal_real stated, invcal_real squares, invcal_real dof
 {
     (void)(stated + squares + dof);
     ANY(q->noise);
-    q->dof = (uint16_t)BETWEEN(0, 0xFFFF);
 }
 
 void invcal_judge_parameters(const invcal_real k[INVCAL_PARAMETERS], const invcal_real a[3][3],
