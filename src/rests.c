@@ -37,6 +37,7 @@ enum {
     FALL = 41,              /* 1 / 0.8 */
     FAR_BELOW = 4 * OCTAVE, /* what came before moved: no noise is that uneven */
     QUIET = 297,            /* 5 times the level: chance is 2e-4 for 9 degrees of freedom */
+    HARD = 331,             /* 6 times what is allowed: motion, not a hand's unrest */
     ALIKE = 203,            /* variances of blocks of one noise level differ less: 3 times */
     HIDDEN = -2 * OCTAVE,   /* readings that toggle between two counts vary by up to 1/4 count^2
                                on each axis: a noise that is smaller hides in them */
@@ -313,15 +314,17 @@ INVCAL_APART static int follow(int level, int x)
     return larger(x, level - FALL);
 }
 
-/* Is the block quiet? It is judged by the noise so far, and a quiet one adds to that. One that has
- * so much less noise that what came before has moved sets the level, and a rest begins anew; but
- * where there are blocks enough for a position, an odd one changes little. */
+/* Is the block quiet? It is judged by the noise so far, no less than the quantum hides, and a quiet
+ * one adds to that. One that has so much less noise that what came before has moved sets the level,
+ * and a rest begins anew; but where there are blocks enough for a position, an odd one changes
+ * little. */
 static int learn_noise(invcal_rests *s, int level)
 {
     if (s->noise == NONE) {
         s->noise = (int16_t)level;
         memcpy(s->place, s->first, sizeof s->place);
     }
+    s->noise = (int16_t)larger(s->noise, quantum_level(s) + HIDDEN);
     if (s->blocks < s->least && level < s->noise - FAR_BELOW) {
         s->noise = (int16_t)level;
         clear_rest(s);
@@ -518,11 +521,11 @@ static invcal_event announce(invcal_rests *s)
 
 /* ---- decisions ---------------------------------------------------------------------------- */
 
-/* A knock passes, and what comes behind it is not trusted at once; motion does not; and another
- * place is quiet, but not here. */
-static invcal_event disagree(invcal_rests *s, int is_quiet)
+/* A knock passes, motion does not; and another place is quiet, but not here. What comes behind a blow
+ * is not trusted at once, nor behind any motion as long as there is no position. */
+static invcal_event disagree(invcal_rests *s, int is_quiet, int excess)
 {
-    if (!is_quiet) {
+    if (excess > HARD || (!is_quiet && s->blocks < s->least)) {
         skip(s);
     }
     s->hold++;
@@ -558,7 +561,7 @@ static invcal_event freeze(invcal_rests *s)
     if (s->run >= FREEZE && s->reason != INVCAL_REST_FROZEN) {
         return say(s, INVCAL_REST_FROZEN, INVCAL_REFUSED);
     }
-    return disagree(s, 0);
+    return disagree(s, 0, BEYOND);
 }
 
 /* A block is full. Is it quiet, and where it is expected? */
@@ -571,7 +574,7 @@ INVCAL_APART static invcal_event decide(invcal_rests *s)
     drop(s);
     s->time = start + samples_of(s);
     if ((s->seen & WILD) != 0) {
-        return disagree(s, 0);
+        return disagree(s, 0, BEYOND);
     }
     const uint64_t variance = measure(s, from_first);
     if (is_dead(s, variance)) {
@@ -591,10 +594,11 @@ INVCAL_APART static invcal_event decide(invcal_rests *s)
     } else if (is_quiet && jump < BEYOND) {
         s->wander = (int16_t)follow(s->wander, jump);
     } /* cppcheck-suppress misra-c2012-15.7 ; there is nothing to learn */
+    const int excess = larger(level - s->noise - QUIET, jump - limit);
     if (is_quiet && jump <= limit) {
         return agree(s, mean, variance);
     }
-    return disagree(s, is_quiet);
+    return disagree(s, is_quiet, excess);
 }
 
 /* ---- sums and means ----------------------------------------------------------------------- */
