@@ -1,8 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "invcal/allan.h"
 
-#include <string.h>
-
 #include "vector.h"
 
 #define RING (2u * INVCAL_ALLAN_OVERLAP) /* a power of two */
@@ -72,7 +70,7 @@ static int is_usable(uint32_t m)
 void invcal_allan_init(invcal_allan *allan)
 {
     INVCAL_ASSERT(allan);
-    memset(allan, 0, sizeof *allan);
+    invcal_zero(allan, sizeof *allan);
     for (; allan->taus < INVCAL_ALLAN_TAUS; allan->taus++) {
         allan->tau[allan->taus].m = UINT32_C(1) << allan->taus;
     }
@@ -89,7 +87,7 @@ invcal_status invcal_allan_begin(invcal_allan *allan, const uint32_t *m, unsigne
             return INVCAL_BAD_TAU;
         }
     }
-    memset(allan, 0, sizeof *allan);
+    invcal_zero(allan, sizeof *allan);
     allan->taus = (uint8_t)count;
     for (unsigned k = 0; k < count; k++) {
         allan->tau[k].m = m[k];

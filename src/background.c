@@ -14,7 +14,7 @@ invcal_status invcal_background_init(invcal_background *background,
     INVCAL_ASSERT(background && nominal);
     const invcal_status status = invcal_session_begin(&background->session, nominal, rate);
     if (status == INVCAL_OK) {
-        memset(background->age, 0, sizeof background->age);
+        invcal_zero(background->age, sizeof background->age);
     }
     return status;
 }

@@ -46,7 +46,9 @@ invcal_real invcal_ridged_inverse(invcal_sums *sums)
 
     invcal_sums_system(sums);
     const invcal_real ridge = RIDGE * (10 + invcal_trace(a, INVCAL_PARAMETERS));
-    invcal_add_ridge(a, INVCAL_PARAMETERS, ridge);
+    for (unsigned r = 0; r < INVCAL_PARAMETERS; r++) {
+        a[INVCAL_PACKED(r, r)] += ridge;
+    }
     /* a sum of squares and a ridge is positive definite */
     (void)invcal_factor(a, INVCAL_PARAMETERS, INVCAL_PARAMETERS, INVCAL_EPSILON);
     invcal_invert(a, INVCAL_PARAMETERS);
@@ -84,7 +86,7 @@ void invcal_sum_readings(const invcal_real *raw, unsigned count, const invcal_ca
     invcal_row row;
 
     invcal_sums_init(sums);
-    memset(last, 0, 3 * sizeof *last);
+    invcal_zero(last, 3 * sizeof *last);
     for (unsigned i = 0; i < count; i++) {
         if (invcal_observe(nominal, &raw[3 * (size_t)i], &row) == INVCAL_OK) {
             invcal_sums_add_row(sums, &row, 1);

@@ -2,7 +2,6 @@
 #include "judge.h"
 
 #include <stddef.h>
-#include <string.h>
 
 #include "solve.h"
 #include "sums.h"
@@ -94,9 +93,7 @@ invcal_status invcal_positions_compare(const invcal_positions *positions,
                                        const invcal_calibration *c, const invcal_real a[3][3],
                                        invcal_sums *sums, invcal_residuals *residuals)
 {
-    const invcal_residuals none = {0, 0, 0, 0};
-
-    *residuals = none;
+    invcal_zero(residuals, sizeof *residuals);
     /* what was fit for the first pass may be absurd after it */
     return pass(positions, c, a, sums, residuals) == INVCAL_OK ? invcal_residuals_end(residuals)
                                                                : INVCAL_NOT_ELLIPSOID;

@@ -1,5 +1,4 @@
 /* SPDX-License-Identifier: MIT */
-#include <string.h>
 
 #include "invcal/allan.h"
 #include "sums.h"
@@ -57,8 +56,8 @@ static void collect(const invcal_allan *a, curve *c)
 {
     invcal_allan_point p;
 
-    memset(c, 0, sizeof *c);
-    memset(&p, 0, sizeof p);
+    invcal_zero(c, sizeof *c);
+    invcal_zero(&p, sizeof p);
     //@ loop unroll INVCAL_ALLAN_TAUS;
     for (unsigned k = 0; k < a->taus; k++) {
         if (invcal_allan_get(a, k, &p) != INVCAL_OK || !(p.edf >= EDF_MIN) || !(p.adev > 0)) {
@@ -94,7 +93,7 @@ static void sum_curve(const curve *c, const mixture *x, equations *e)
     invcal_real row[KINDS + 1];
     invcal_real *a = e->a;
 
-    memset(e->a, 0, sizeof e->a);
+    invcal_zero(e->a, sizeof e->a);
     for (unsigned k = 0; k < c->count; k++) {
         const invcal_real scale = 1 / model(c, x, k, row);
         row[KINDS] = -c->variance[k];
@@ -154,7 +153,7 @@ static void fit_model(const curve *c, unsigned allowed, mixture *x)
     for (unsigned step = 0; step < ROUNDS; step++) {
         sum_curve(c, x, &e);
         invcal_real min = e.a[INVCAL_PACKED(KINDS, KINDS)];
-        memset(x, 0, sizeof *x);
+        invcal_zero(x, sizeof *x);
         for (unsigned kinds = 1; kinds <= ALL; kinds++) {
             if ((kinds & ~allowed) == 0) {
                 try_set(&e, kinds, &min, x);
@@ -195,7 +194,7 @@ static void fit_visible(const curve *c, mixture *x)
 {
     mixture fewer;
 
-    memset(x, 0, sizeof *x);
+    invcal_zero(x, sizeof *x);
     fit_model(c, ALL, x);
     for (unsigned i = hidden_kind(x); i < KINDS; i = hidden_kind(x)) { /* at most KINDS */
         fewer = *x;

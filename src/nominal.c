@@ -1,5 +1,4 @@
 /* SPDX-License-Identifier: MIT */
-#include <string.h>
 
 #include "solve.h"
 #include "vector.h"
@@ -31,7 +30,7 @@ invcal_status invcal_nominal(const invcal_real zero[3], const invcal_real counts
     invcal_calibration nominal;
 
     INVCAL_ASSERT(zero && counts && out);
-    memset(&nominal, 0, sizeof nominal);
+    invcal_zero(&nominal, sizeof nominal);
     for (unsigned i = 0; i < 3; i++) {
         nominal.offset[i] = zero[i];
         nominal.matrix[i][i] = 1 / counts[i];

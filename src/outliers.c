@@ -170,8 +170,9 @@ static INVCAL_APART void search_groups(search *s, unsigned size)
 {
     const unsigned count = s->positions.count;
     const left_over all = {s->positions.left_out, s->contests[0].squares, 1};
-    member group[GROUP] = {{{0, 0, 0}, 0, 0, {{0}}}};
+    member group[GROUP];
 
+    invcal_zero(group, sizeof group);
     for (unsigned i = 0; i < count; i++) {
         if (!visit(s, &all, group, 0, i) || size < 2) {
             continue;

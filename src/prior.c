@@ -163,7 +163,7 @@ invcal_status invcal_calibrate_with_prior(const invcal_real *raw, unsigned count
     update u;
 
     INVCAL_ASSERT((raw || count == 0) && nominal && prior && out && quality && from_prior);
-    memset(&u, 0, sizeof u);
+    invcal_zero(&u, sizeof u);
     u.sigma = prior;
     u.noise = noise;
     invcal_status status = know(&positions, &u);

@@ -6,6 +6,7 @@
 
 #include "bytes.h"
 #include "solve.h"
+#include "vector.h"
 
 enum { SENSOR_AT = 4, DATE_AT = 12, POSITIONS_AT = 16, WEAK_AT = 18, PRIOR_AT = 20 };
 enum { VERDICT_AT = 22, KNOWN_AT = 23, REALS_AT = 24, NOISE_AT = 36, OFFSET_AT = 48 };
@@ -23,7 +24,7 @@ void invcal_record_init(invcal_record *record, const invcal_calibration *calibra
                         const invcal_quality *quality)
 {
     INVCAL_ASSERT(record && calibration && quality);
-    memset(record, 0, sizeof *record);
+    invcal_zero(record, sizeof *record);
     record->noise = quality->noise;
     record->rms = quality->rms;
     record->condition = quality->condition;
@@ -115,7 +116,7 @@ invcal_status invcal_save(const invcal_store *store, const invcal_calibration *c
     uint8_t bytes[INVCAL_RECORD_SIZE];
 
     INVCAL_ASSERT(calibration && quality);
-    memset(bytes, 0, sizeof bytes);
+    invcal_zero(bytes, sizeof bytes);
     (void)invcal_put_two(bytes + POSITIONS_AT, quality->positions, quality->weak);
     bytes[VERDICT_AT] = quality->verdict;
     uint8_t *at = invcal_put_reals(bytes + NOISE_AT, &quality->noise, 2); /* and rms */

@@ -2,7 +2,6 @@
 #include "invcal/expert.h"
 
 #include <limits.h>
-#include <string.h>
 
 #include "vector.h"
 
@@ -573,7 +572,7 @@ static int is_dead(const invcal_rests *s, int quantum)
 /* A rest may begin with this block. */
 static void look_for(invcal_rests *s)
 {
-    memset(&s->rest, 0, sizeof s->rest);
+    invcal_zero(&s->rest, sizeof s->rest);
     s->flags = 0;
     if (s->reach == NONE) {
         mark_place(s);
@@ -664,7 +663,7 @@ invcal_status invcal_rests_init(invcal_rests *rests, unsigned rate)
     if (rate < INVCAL_RATE_MIN || rate > INVCAL_RATE_MAX) {
         return INVCAL_BAD_RATE;
     }
-    memset(rests, 0, sizeof *rests);
+    invcal_zero(rests, sizeof *rests);
     rests->bits = BITS_MIN;
     while (11u << rests->bits < rate) { /* at most 8 steps: a block is 1/11 to 2/11 s */
         rests->bits++;

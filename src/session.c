@@ -59,7 +59,7 @@ invcal_status invcal_session_init(invcal_session *session, invcal_real counts, u
     const invcal_real k = 1 / counts;
     invcal_calibration nominal;
 
-    memset(&nominal, 0, sizeof nominal);
+    invcal_zero(&nominal, sizeof nominal);
     nominal.matrix[0][0] = k;
     nominal.matrix[1][1] = k;
     nominal.matrix[2][2] = k;

@@ -2,9 +2,9 @@
 #include "invcal/store.h"
 
 #include <limits.h>
-#include <string.h>
 
 #include "bytes.h"
+#include "vector.h"
 
 enum { SLOT_KIND = 0x5C, SLOT_VERSION = 1, SLOT_KIND_VERSION = SLOT_VERSION << 8 | SLOT_KIND };
 enum { HEADER = 8, BLANK = 0xFF };
@@ -121,7 +121,7 @@ static invcal_status survey(work *w, const invcal_store *store)
     INVCAL_ASSERT(store->read && store->erase && store->program);
     /* zeros: a driver that reports success and reads too little does no more harm than a worn
      * memory; and nothing is copied */
-    memset(w, 0, sizeof *w);
+    invcal_zero(w, sizeof *w);
     w->store = store;
     if (g - 1 >= CHUNK || (g & (g - 1)) != 0 || end_of(w, 1) == 0) {
         return INVCAL_BAD_STORE;
@@ -176,7 +176,7 @@ static int program(work *w, const uint8_t *bytes, unsigned size, unsigned end, u
 
 static int confirm(work *w, unsigned end)
 {
-    memset(w->chunk, 0, CHUNK);
+    invcal_zero(w->chunk, CHUNK);
     return program_chunk(w, end, granularity_of(w)) == 0 && look(w) == CONFIRMED;
 }
 

@@ -3,7 +3,6 @@
 
 #include <limits.h>
 #include <stddef.h>
-#include <string.h>
 
 #include "invcal/expert.h"
 #include "vector.h"
@@ -59,7 +58,7 @@ static INVCAL_INLINE void add(invcal_sums *sums, const invcal_row *row, invcal_r
 void invcal_sums_init(invcal_sums *sums)
 {
     INVCAL_ASSERT(sums);
-    memset(sums, 0, sizeof *sums);
+    invcal_zero(sums, sizeof *sums);
 }
 
 invcal_status invcal_observe(const invcal_calibration *nominal, const invcal_real raw[3],

@@ -151,10 +151,3 @@ invcal_real invcal_leverage(const invcal_real *inverse, invcal_real h[INVCAL_PAR
 {
     return invcal_leverage_inline(inverse, h);
 }
-
-void invcal_add_ridge(invcal_real *a, unsigned n, invcal_real x)
-{
-    for (unsigned r = 0; r < n; r++) {
-        a[INVCAL_PACKED(r, r)] += x;
-    }
-}

@@ -79,8 +79,8 @@ static invcal_status gather(job *j, unsigned n)
     invcal_real g[NINE];
     invcal_row row;
 
-    memset(j->a, 0, sizeof j->a);
-    memset(&j->residuals, 0, sizeof j->residuals);
+    invcal_zero(j->a, sizeof j->a);
+    invcal_zero(&j->residuals, sizeof j->residuals);
     for (unsigned i = 0; i < p->count; i++) {
         const invcal_real t = invcal_thermal_scaled(&j->now, p->temperature[i]);
         invcal_apply(&j->now.nominal, &p->raw[3 * (size_t)i], u);
@@ -417,7 +417,7 @@ static invcal_status set_up(job *j, const invcal_thermal_positions *positions,
     const invcal_positions plain = {positions->raw, positions->count, 0, &base->nominal,
                                     positions->noise};
 
-    memset(j, 0, sizeof *j);
+    invcal_zero(j, sizeof *j);
     j->positions = positions;
     j->base = base;
     j->noise = positions->noise;
@@ -493,7 +493,7 @@ invcal_status invcal_thermal_start(const invcal_calibration *nominal,
     }
     if (status == INVCAL_OK) {
         const invcal_real half = max / 2 - min / 2;
-        memset(out, 0, sizeof *out);
+        invcal_zero(out, sizeof *out);
         out->nominal = *nominal;
         out->reference = min + half;
         out->span = half >= 1 ? half : 1;

@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: MIT */
 #include <stddef.h>
-#include <string.h>
 
 #include "bytes.h"
 #include "polynomials.h"
@@ -91,7 +90,7 @@ static invcal_status read_thermal(const uint8_t *bytes, uint32_t size, invcal_th
         return status;
     }
     const uint8_t *behind = bytes + BEHIND_RECORD;
-    memset(&r->thermal, 0, sizeof r->thermal);
+    invcal_zero(&r->thermal, sizeof r->thermal);
     r->thermal.degree = behind[0];
     r->thermal.fitted = behind[1];
     r->thermal.fallback = behind[2];

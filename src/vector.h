@@ -6,6 +6,7 @@
 #define INVCAL_VECTOR_H
 
 #include <math.h>
+#include <string.h>
 
 #include "invcal/invcal.h"
 
@@ -30,6 +31,12 @@
 #define INVCAL_APART __attribute__((noinline))
 #else
 #define INVCAL_APART
+#endif
+
+/* Zeros. Where space is to be saved not by memset, of which newlib's takes 160 bytes. */
+void(invcal_zero)(void *object, size_t size);
+#if defined(INVCAL_FAST) || defined(__FRAMAC__)
+#define invcal_zero(object, size) ((void)memset(object, 0, size))
 #endif
 
 /* Of a count, below 2^31: signed as raw counts are, so that one conversion does for all. */

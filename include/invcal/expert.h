@@ -122,9 +122,6 @@ invcal_real invcal_trace(const invcal_real *a, unsigned n);
 /* The largest element of the diagonal, at least 0; NaN is passed over. */
 invcal_real invcal_largest_diagonal(const invcal_real *a, unsigned n);
 
-/* Adds x to the diagonal: a ridge, or an equal prior. */
-void invcal_add_ridge(invcal_real *a, unsigned n, invcal_real x);
-
 /* A = L L' in place. The diagonal becomes 1 / L(r,r): nothing that follows divides. Rows from n to
  * rows - 1 are divided by L' only: b' becomes y' of L y = b, and the constant what A leaves of it.
  *

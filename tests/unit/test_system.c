@@ -125,7 +125,7 @@ static void leverage_is_the_variance_of_a_combination(void)
 }
 
 /* The elements on the diagonal are 1 2 ... n; a NaN is neither of the largest nor of a sum. */
-static void trace_largest_element_and_ridge_are_of_the_diagonal(void)
+static void trace_and_largest_element_are_of_the_diagonal(void)
 {
     invcal_real a[SUMS];
 
@@ -133,15 +133,9 @@ static void trace_largest_element_and_ridge_are_of_the_diagonal(void)
         fill_min(a, n);
         TEST_ASSERT_EQUAL_DOUBLE(n * (n + 1) / 2, (double)invcal_trace(a, n));
         TEST_ASSERT_EQUAL_DOUBLE(n, (double)invcal_largest_diagonal(a, n));
-        invcal_add_ridge(a, n, 3);
-        for (unsigned r = 0; r < n; r++) {
-            for (unsigned c = 0; c <= r; c++) {
-                TEST_ASSERT_EQUAL_DOUBLE(c + 1 + (r == c ? 3 : 0), (double)a[INVCAL_PACKED(r, c)]);
-            }
-        }
     }
     a[INVCAL_PACKED(8, 8)] = (invcal_real)NAN;
-    TEST_ASSERT_EQUAL_DOUBLE(8 + 3, (double)invcal_largest_diagonal(a, N));
+    TEST_ASSERT_EQUAL_DOUBLE(8, (double)invcal_largest_diagonal(a, N));
     a[0] = -1;
     TEST_ASSERT_EQUAL_DOUBLE(0, (double)invcal_largest_diagonal(a, 1));
 }
@@ -297,7 +291,7 @@ int main(void)
     RUN_TEST(inverse_and_variances_agree_with_the_closed_form);
     RUN_TEST(a_system_is_solved_along_with_its_matrix);
     RUN_TEST(leverage_is_the_variance_of_a_combination);
-    RUN_TEST(trace_largest_element_and_ridge_are_of_the_diagonal);
+    RUN_TEST(trace_and_largest_element_are_of_the_diagonal);
     RUN_TEST(a_random_matrix_agrees_with_exact_rational_arithmetic);
     RUN_TEST(the_pascal_matrix_agrees_with_its_integer_inverse);
     RUN_TEST(matrices_of_deficient_rank_are_refused);
