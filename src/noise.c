@@ -4,7 +4,7 @@
 #include "invcal/allan.h"
 #include "sums.h"
 
-enum { KINDS = INVCAL_NOISE_KINDS, ALL = (1 << INVCAL_NOISE_KINDS) - 1 };
+enum { KINDS = INVCAL_NOISE_KINDS, SIDE = 1 << INVCAL_NOISE_KINDS, ALL = SIDE - 1 };
 
 #define FLICKER INVCAL_REAL(0.44127120030530317) /* 2 ln 2 / pi */
 #define ABOVE INVCAL_REAL(0.1025)                /* 1.05^2 - 1 */
@@ -64,13 +64,8 @@ static void collect(const invcal_allan *a, curve *c)
         if (invcal_allan_get(a, k, &p) != INVCAL_OK || !(p.edf >= EDF_MIN) || !(p.adev > 0)) {
             continue;
         }
-        if (c->count == 0) {
-            c->first = p;
-            c->lowest = p;
-        }
-        if (p.adev < c->lowest.adev) {
-            c->lowest = p;
-        }
+        c->first = c->count > 0 ? c->first : p;
+        c->lowest = c->count > 0 && c->lowest.adev <= p.adev ? c->lowest : p;
         c->last = p;
         const invcal_real ratio = p.adev / c->first.adev;
         c->tau[c->count] = (invcal_real)p.m / (invcal_real)c->first.m;
@@ -92,7 +87,6 @@ static invcal_real model(const curve *c, const mixture *x, unsigned k, invcal_re
 static void sum_curve(const curve *c, const mixture *x, equations *e)
 {
     invcal_real row[KINDS + 1];
-    invcal_real *a = e->a;
 
     memset(e->a, 0, sizeof e->a);
     for (unsigned k = 0; k < c->count; k++) {
@@ -103,10 +97,24 @@ static void sum_curve(const curve *c, const mixture *x, equations *e)
         }
         invcal_rank_one_inline(e->a, row, KINDS + 1, c->weight[k], NULL);
     }
+    invcal_real *a = e->a;
     for (unsigned i = 0; i <= KINDS; i++) {
         e->unit[i] = i < KINDS ? 1 / INVCAL_SQRT(a[i]) : 1;
         for (unsigned j = 0; j <= i; j++) {
             *a++ *= e->unit[i] * e->unit[j];
+        }
+    }
+}
+
+/* The equations of some kinds, and the right side: the squares of the others become 0. */
+static void choose(const equations *e, unsigned rows, invcal_real *a)
+{
+    const invcal_real *from = e->a;
+
+    for (unsigned i = 0; i <= KINDS; i++) {
+        for (unsigned j = 0; j <= i; j++) {
+            *a++ = i == j || (rows >> i & rows >> j & 1u) ? *from : 0;
+            from++;
         }
     }
 }
@@ -116,17 +124,11 @@ static void sum_curve(const curve *c, const mixture *x, equations *e)
 static void try_set(const equations *e, unsigned kinds, invcal_real *min, mixture *best)
 {
     const invcal_real rounding = 8 * INVCAL_EPSILON * e->a[INVCAL_PACKED(KINDS, KINDS)];
-    const unsigned with = kinds | 1u << KINDS; /* and the right side */
     invcal_real a[INVCAL_PACKED_SIZE(KINDS + 1)];
     const invcal_real *x = &a[INVCAL_PACKED(KINDS, 0)];
     const invcal_real *left = &a[INVCAL_PACKED(KINDS, KINDS)];
 
-    for (unsigned i = 0; i <= KINDS; i++) { /* the squares of other kinds become 0 */
-        for (unsigned j = 0; j <= i; j++) {
-            const unsigned at = INVCAL_PACKED(i, j);
-            a[at] = i == j || (with >> i & with >> j & 1u) ? e->a[at] : 0;
-        }
-    }
+    choose(e, kinds | SIDE, a);
     if (invcal_factor(a, KINDS, KINDS + 1, INVCAL_FLOOR) != INVCAL_OK ||
         !(*left < *min - rounding)) {
         return;
