@@ -4,7 +4,7 @@
 #include "invcal/allan.h"
 #include "sums.h"
 
-enum { KINDS = INVCAL_NOISE_KINDS, SIDE = 1 << INVCAL_NOISE_KINDS, ALL = SIDE - 1 };
+enum { KINDS = INVCAL_NOISE_KINDS, ALL = (1 << INVCAL_NOISE_KINDS) - 1 };
 
 #define FLICKER INVCAL_REAL(0.44127120030530317) /* 2 ln 2 / pi */
 #define ABOVE INVCAL_REAL(0.1025)                /* 1.05^2 - 1 */
@@ -64,8 +64,12 @@ static void collect(const invcal_allan *a, curve *c)
         if (invcal_allan_get(a, k, &p) != INVCAL_OK || !(p.edf >= EDF_MIN) || !(p.adev > 0)) {
             continue;
         }
-        c->first = c->count > 0 ? c->first : p;
-        c->lowest = c->count > 0 && c->lowest.adev <= p.adev ? c->lowest : p;
+        if (c->count == 0) {
+            c->first = p;
+        }
+        if (c->count == 0 || p.adev < c->lowest.adev) {
+            c->lowest = p;
+        }
         c->last = p;
         const invcal_real ratio = p.adev / c->first.adev;
         c->tau[c->count] = (invcal_real)p.m / (invcal_real)c->first.m;
@@ -106,14 +110,14 @@ static void sum_curve(const curve *c, const mixture *x, equations *e)
     }
 }
 
-/* The equations of some kinds, and the right side: the squares of the others become 0. */
-static void choose(const equations *e, unsigned rows, invcal_real *a)
+/* The equations without some kinds: their squares become 0. */
+static void leave_out(const equations *e, unsigned kinds, invcal_real *a)
 {
     const invcal_real *from = e->a;
 
     for (unsigned i = 0; i <= KINDS; i++) {
         for (unsigned j = 0; j <= i; j++) {
-            *a++ = i == j || (rows >> i & rows >> j & 1u) ? *from : 0;
+            *a++ = i == j || ((kinds >> i | kinds >> j) & 1u) == 0 ? *from : 0;
             from++;
         }
     }
@@ -128,7 +132,7 @@ static void try_set(const equations *e, unsigned kinds, invcal_real *min, mixtur
     const invcal_real *x = &a[INVCAL_PACKED(KINDS, 0)];
     const invcal_real *left = &a[INVCAL_PACKED(KINDS, KINDS)];
 
-    choose(e, kinds | SIDE, a);
+    leave_out(e, ALL & ~kinds, a);
     if (invcal_factor(a, KINDS, KINDS + 1, INVCAL_FLOOR) != INVCAL_OK ||
         !(*left < *min - rounding)) {
         return;
