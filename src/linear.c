@@ -14,8 +14,8 @@ void invcal_linear_init(invcal_linear_sums *linear)
 }
 
 /* h(eta), and J1 of the reading u, or J2: that of an exact row. */
-static invcal_status add(invcal_linear_sums *linear, const invcal_calibration *nominal,
-                         const invcal_real raw[3], const invcal_real eta[3], int is_vertical)
+static invcal_status add_along(invcal_linear_sums *linear, const invcal_calibration *nominal,
+                               const invcal_real raw[3], const invcal_real eta[3], int is_vertical)
 {
     invcal_row row;
 
@@ -40,14 +40,14 @@ invcal_status invcal_linear_add_vertical(invcal_linear_sums *linear,
                                          const invcal_calibration *nominal,
                                          const invcal_real raw[3], const invcal_real eta[3])
 {
-    return add(linear, nominal, raw, eta, 1);
+    return add_along(linear, nominal, raw, eta, 1);
 }
 
 invcal_status invcal_linear_add_scalar(invcal_linear_sums *linear,
                                        const invcal_calibration *nominal, const invcal_real raw[3],
                                        const invcal_real eta[3])
 {
-    return add(linear, nominal, raw, eta, 0);
+    return add_along(linear, nominal, raw, eta, 0);
 }
 
 invcal_status invcal_linear_solve(invcal_linear_sums *linear, const invcal_calibration *nominal,

@@ -65,9 +65,8 @@ static void collect(const invcal_allan *a, curve *c)
         }
         if (c->count == 0) {
             c->first = p;
-            c->lowest = p;
         }
-        if (p.adev < c->lowest.adev) {
+        if (c->count == 0 || p.adev < c->lowest.adev) {
             c->lowest = p;
         }
         c->last = p;
@@ -91,7 +90,6 @@ static invcal_real model(const curve *c, const mixture *x, unsigned k, invcal_re
 static void sum_curve(const curve *c, const mixture *x, equations *e)
 {
     invcal_real row[KINDS + 1];
-    invcal_real *a = e->a;
 
     invcal_zero(e->a, sizeof e->a);
     for (unsigned k = 0; k < c->count; k++) {
@@ -102,10 +100,24 @@ static void sum_curve(const curve *c, const mixture *x, equations *e)
         }
         invcal_rank_one_inline(e->a, row, KINDS + 1, c->weight[k]);
     }
+    invcal_real *a = e->a;
     for (unsigned i = 0; i <= KINDS; i++) {
         e->unit[i] = i < KINDS ? 1 / INVCAL_SQRT(a[i]) : 1;
         for (unsigned j = 0; j <= i; j++) {
             *a++ *= e->unit[i] * e->unit[j];
+        }
+    }
+}
+
+/* The equations without some kinds: their squares become 0. */
+static void leave_out(const equations *e, unsigned kinds, invcal_real *a)
+{
+    const invcal_real *from = e->a;
+
+    for (unsigned i = 0; i <= KINDS; i++) {
+        for (unsigned j = 0; j <= i; j++) {
+            *a++ = i == j || ((kinds >> i | kinds >> j) & 1u) == 0 ? *from : 0;
+            from++;
         }
     }
 }
@@ -115,17 +127,11 @@ static void sum_curve(const curve *c, const mixture *x, equations *e)
 static void try_set(const equations *e, unsigned kinds, invcal_real *min, mixture *best)
 {
     const invcal_real rounding = 8 * INVCAL_EPSILON * e->a[INVCAL_PACKED(KINDS, KINDS)];
-    const unsigned with = kinds | 1u << KINDS; /* and the right side */
     invcal_real a[INVCAL_PACKED_SIZE(KINDS + 1)];
     const invcal_real *x = &a[INVCAL_PACKED(KINDS, 0)];
     const invcal_real *left = &a[INVCAL_PACKED(KINDS, KINDS)];
 
-    for (unsigned i = 0; i <= KINDS; i++) { /* the squares of other kinds become 0 */
-        for (unsigned j = 0; j <= i; j++) {
-            const unsigned at = INVCAL_PACKED(i, j);
-            a[at] = i == j || (with >> i & with >> j & 1u) ? e->a[at] : 0;
-        }
-    }
+    leave_out(e, ALL & ~kinds, a);
     if (invcal_factor(a, KINDS, KINDS + 1, INVCAL_FLOOR) != INVCAL_OK ||
         !(*left < *min - rounding)) {
         return;

@@ -397,15 +397,18 @@ static invcal_status hold(job *j, const invcal_thermal_prior *prior)
 {
     invcal_real power = 1;
 
-    for (unsigned i = 0; i < UNKNOWNS; i++) {
-        const invcal_real stated = prior->sigma[i / NINE][i % NINE];
-        const invcal_real sigma = stated * power;
-        j->held[i] = stated == 0 ? 0 : 1 / sigma;
-        if (!(sigma >= 0 && sigma <= INVCAL_REAL_MAX && j->held[i] <= INVCAL_REAL_MAX)) {
-            return INVCAL_BAD_PRIOR;
+    for (unsigned a = 0; a <= DEGREE; a++) {
+        for (unsigned r = 0; r < NINE; r++) {
+            const invcal_real stated = prior->sigma[a][r];
+            const invcal_real sigma = stated * power;
+            const invcal_real held = stated == 0 ? 0 : 1 / sigma;
+            if (!(sigma >= 0 && sigma <= INVCAL_REAL_MAX && held <= INVCAL_REAL_MAX)) {
+                return INVCAL_BAD_PRIOR;
+            }
+            j->held[a * NINE + r] = held;
+            j->widest = sigma > j->widest ? sigma : j->widest;
         }
-        j->widest = sigma > j->widest ? sigma : j->widest;
-        power *= i % NINE == NINE - 1 ? j->now.span : 1;
+        power *= j->now.span;
     }
     return j->noise > 0 ? INVCAL_OK : INVCAL_BAD_NOISE;
 }
