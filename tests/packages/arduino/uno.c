@@ -25,7 +25,7 @@
 
 enum { CLOCK = 16000000 };                       /* of the processor */
 enum { RATE = 100, SAMPLE_US = 1000000 / RATE }; /* of the sensor */
-enum { PATIENCE = 300 * RATE };                  /* in samples, as the next two */
+enum { PATIENCE = 200 * RATE };                  /* in samples, as the next two */
 enum { THINK = RATE / 2, MOVE = RATE };          /* of the hand */
 enum { READINGS = 10 };                          /* calibrated ones, at the end */
 /* What happens when so many positions have been taken: */
