@@ -253,7 +253,7 @@ deps: ## install what all of these need beyond a C compiler (Debian, root)
 	    arduino-builder arduino-core-avr arduino-ctags python3-kconfiglib python3-yaml libxml2-utils \
 	    python3-mpmath python3-gmpy2 shellcheck man-db groff mandoc doxygen bash \
 	    chromium fonts-dejavu-core poppler-utils g++ cmake pkg-config debootstrap \
-	    gcc-arm-none-eabi libnewlib-arm-none-eabi qemu-system-arm gcc-avr avr-libc simavr \
+	    gcc-arm-none-eabi libnewlib-arm-none-eabi qemu-system-arm gcc-avr avr-libc simavr libsimavr-dev \
 	    gcc-riscv64-unknown-elf picolibc-riscv64-unknown-elf qemu-system-misc \
 	    gcc-powerpc-linux-gnu libc6-dev-powerpc-cross qemu-user locales
 

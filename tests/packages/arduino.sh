@@ -2,14 +2,20 @@
 # SPDX-License-Identifier: MIT
 # shellcheck disable=SC2154 # package.sh sets what is not set here
 #
-# The Arduino library, as Arduino's own builder takes it: the example for a Mega 2560; and, with a bus
-# in place of Wire on which there is a simulated MPU-6050, and an EEPROM that takes its time
-# (tests/packages/arduino), run in simavr from power-on to the calibration found in the EEPROM after the
-# last reset: through a reset, a power cut while the session is stored, and a position that is wrong.
+# The Arduino library, as Arduino's own builder takes it: the example is built for a board, and the
+# image, as it would be flashed, runs in simavr on that board's processor, with a simulated MPU-6050 on
+# its I2C bus and a hand that does what it is told (tests/packages/arduino/uno.c): from power-on to the
+# calibration found in the EEPROM after the last; through a reset, a power cut while the session is
+# stored, and a position that is wrong.
 . "$(dirname "$0")/../package.sh"
-need arduino-builder avr-g++ avr-size simavr
+need arduino-builder avr-g++ avr-size simavr gcc
 library=$out/libraries/invcal
 cores=/usr/share/arduino/hardware
+board=${ARDUINO_BOARD:-mega} # or uno
+case $board in
+mega) fqbn=mega:cpu=atmega2560 mcu=atmega2560 ;;
+uno) fqbn=uno mcu=atmega328p ;;
+esac
 
 stage_library() {
     sh port/stage.sh arduino "$library"
@@ -57,7 +63,7 @@ builds() {
 
 builds_example() {
     mkdir "$out/Calibrate" && cp "$library"/examples/Calibrate/* "$out/Calibrate/" &&
-        builds mega:cpu=atmega2560 Calibrate
+        builds "$fqbn" Calibrate
 }
 
 ram() { # SKETCH
@@ -68,16 +74,21 @@ ram() { # SKETCH
 takes_options() {
     mkdir "$out/Small" && cp "$library"/examples/Calibrate/* "$out/Small/" &&
         mv "$out/Small/Calibrate.ino" "$out/Small/Small.ino" &&
-        builds mega:cpu=atmega2560 Small -DINVCAL_MAX_POSITIONS=20 &&
+        builds "$fqbn" Small -DINVCAL_MAX_POSITIONS=20 &&
         echo "$(ram Calibrate) bytes, and with fewer positions $(ram Small)" &&
         [ $(($(ram Calibrate) - $(ram Small))) -eq 48 ]
 }
 
 builds_simulation() {
-    cp -R tests/packages/arduino/* "$out/libraries/" &&
-        mkdir "$out/Simulated" && cp "$library"/examples/Calibrate/* "$out/Simulated/" &&
-        mv "$out/Simulated/Calibrate.ino" "$out/Simulated/Simulated.ino" &&
-        builds mega:cpu=atmega2560 Simulated
+    gcc -O2 -std=c99 -Wall -Wextra -Wconversion -Wshadow -Werror -Iinclude tests/packages/arduino/uno.c \
+        "$build/float/libinvcal.a" -lsimavr -lm -o "$out/uno"
+}
+
+runs_session() {
+    timeout 600 "$out/uno" "$mcu" "$out/Calibrate.build/Calibrate.ino.elf" > "$out/session"
+    status=$?
+    tail -n 3 "$out/session"
+    [ "$status" -eq 0 ]
 }
 
 # runs MCU SKETCH: what comes from the UART, into $out/SKETCH.printed. simavr colours it, and shows
@@ -97,7 +108,7 @@ said() {
     awk 'NR == FNR { pattern[++n] = $0; next }
         i < n && $0 ~ pattern[i + 1] { i++ }
         END { if (i < n) print "not said: " pattern[i + 1]; exit i < n }' \
-        "$out/patterns" "$out/Simulated.printed"
+        "$out/patterns" "$out/session"
 }
 
 # As many positions after each reset as were stored last.
@@ -105,7 +116,7 @@ went_on() {
     awk '/^world: power fails/ { cut = 1; next } # that position was not stored
         /^positions taken: / { before = stored; stored = $NF; next }
         /^goes on, / { found++; if ($NF != (cut ? before : stored)) { print; bad++ }; stored = $NF; cut = 0 }
-        END { exit bad > 0 || found != 2 }' "$out/Simulated.printed"
+        END { exit bad > 0 || found != 2 }' "$out/session"
 }
 
 # The one that was taken while somebody pulled, and no other.
@@ -113,49 +124,48 @@ outlier() {
     awk '/^world: somebody pulls/ { next_is = 1 }
         next_is && /^positions taken: / { wrong = $NF; next_is = 0 }
         /^left out, / { left++; if ($NF != wrong) { print "wrong is " wrong ": " $0; bad++ } }
-        END { exit bad > 0 || left != 1 }' "$out/Simulated.printed"
+        END { exit bad > 0 || left != 1 }' "$out/session"
 }
 
-# Offsets within 4 of the sigma printed with them, which is in mg.
+# What the EEPROM holds, against the sensor that was simulated: within 2 mg in all directions.
 near_truth() {
-    awk '/^offset, counts:/ { for (i = 1; i <= 3; i++) value[i] = $(NF - 3 + i) }
-        /^sigma, mg:/ { for (i = 1; i <= 3; i++) sigma[i] = 16.384 * $(NF - 3 + i) }
-        /^world: offset/ { for (i = 1; i <= 3; i++) truth[i] = $(NF - 3 + i) }
-        END {
-            for (i = 1; i <= 3; i++) {
-                off = value[i] - truth[i]
-                if (sigma[i] > 0 && off * off <= 16 * sigma[i] ^ 2) good++
-                else print value[i], "+-", sigma[i], "truth", truth[i]
-            }
-            exit good != 3
-        }' "$out/Simulated.printed"
+    awk '/^world: what is stored is wrong by / { n++; good += $(NF - 3) > 0 && $(NF - 3) < 2 }
+        END { exit n != 1 || good != 1 }' "$out/session"
 }
 
-# Readings after the last reset, where the sensor is held still: what points up, each within 5 of the
+# Readings after the last power-on, where the sensor is held still: what points up, each within 5 of the
 # noise of a sample, 2.4 mg, and their means within 3 mg.
 readings() {
     awk '/^stored calibration: found/ { found = 1 }
-        found && /^a, g:/ { n++; for (i = 1; i <= 3; i++) { a[n, i] = $(2 + i); sum[i] += $(2 + i) } }
-        /^world: up/ { for (i = 1; i <= 3; i++) up[i] = $(2 + i) }
+        found && /^a, mg:/ { n++; for (i = 1; i <= 3; i++) { a[n, i] = $(2 + i); sum[i] += $(2 + i) } }
+        /^world: up, mg:/ { for (i = 1; i <= 3; i++) up[i] = $(3 + i) }
         function off(x, y) { return x < y ? y - x : x - y }
         END {
             for (i = 1; i <= 3; i++) {
-                for (k = 1; k <= n; k++) if (off(a[k, i], up[i]) > 0.012) { print a[k, i], up[i]; bad++ }
-                if (n > 0 && off(sum[i] / n, up[i]) > 0.003) { print "mean", sum[i] / n, up[i]; bad++ }
+                for (k = 1; k <= n; k++) if (off(a[k, i], up[i]) > 12) { print a[k, i], up[i]; bad++ }
+                if (n > 0 && off(sum[i] / n, up[i]) > 3) { print "mean", sum[i] / n, up[i]; bad++ }
             }
             exit bad > 0 || n < 5
-        }' "$out/Simulated.printed"
+        }' "$out/session"
 }
 
 # What README.md says that the example takes: enough, and not more than a tenth too much.
 costs() {
     set -- "$(avr-size "$out/Calibrate.build/Calibrate.ino.elf" | awk 'NR == 2 { print $1 + $2, $2 + $3 }')" \
-        "$(sed -n 's/^world: stack, bytes: //p' "$out/Simulated.printed")" \
+        "$(sed -n 's/^world: RAM .*, stack //p' "$out/session")" \
         "$(tr '\n' ' ' < "$library/README.md" | sed 's/,//g;
             s/.*takes \([0-9]*\) bytes of flash and \([0-9]*\) of RAM and up to \([0-9]*\) of stack.*/\1 \2 \3/')"
     echo "$@"
     echo "$@" | awk '{ for (i = 1; i <= 3; i++) good += $i > 0 && $(i + 3) >= $i && $(i + 3) <= 1.1 * $i }
         END { exit good != 3 }'
+}
+
+# Flash, and RAM with the deepest stack.
+fits_uno() {
+    set -- "$(avr-size "$out/Calibrate.build/Calibrate.ino.elf" | awk 'NR == 2 { print $1 + $2 }')" \
+        "$(awk '/^world: RAM / { print $3 + $5 }' "$out/session")"
+    echo "$1 bytes of flash, $2 of RAM"
+    [ "$1" -le 28672 ] && [ "$2" -le 1638 ]
 }
 
 # An Uno, 32 KB of flash and 2 KB of RAM: who only applies what is stored pays only for that.
@@ -192,7 +202,7 @@ void loop()
 {
 }
 EOF
-    mv "$out/libraries/EEPROM" "$out/EEPROM" && builds uno Apply && runs atmega328p Apply &&
+    builds uno Apply && runs atmega328p Apply &&
         paste -s -d ' ' "$out/Apply.printed" | grep -qx '1.00 2.00 -6.00' &&
         avr-size "$out/Apply.build/Apply.ino.elf" &&
         avr-size "$out/Apply.build/Apply.ino.elf" |
@@ -202,20 +212,21 @@ EOF
 check "it can be staged" stage_library
 check "library.properties keeps to the specification" properties
 check "a sketch sees one header of it, no others" one_header
-check "the example builds for a Mega 2560, without a warning" builds_example
+check "the example builds for $board, without a warning" builds_example
 check "a macro reaches library and sketch" takes_options
-check "it builds with a simulated sensor on the bus" builds_simulation
-check "it runs, from power-on to the end" runs atmega2560 Simulated
+check "the simulated board builds" builds_simulation
+check "the image runs on it, from power-on to the end" runs_session
 check "it asks, takes positions, and is content" said '^stored calibration: none$' \
     '^calibration begins$' '^next: [+]z up$' '^good: move on$' '^positions taken: 4$' \
     '^world: reset' '^goes on, positions taken: 4$' '^next: .*tilt' '^world: power fails' \
-    '^goes on, positions taken: ' '^verdict: good$' '^calibration stored$' '^a, g: ' '^world: reset' \
-    '^stored calibration: found$' '^a, g: '
+    '^goes on, positions taken: ' '^verdict: good$' '^calibration stored$' '^world: power returns$' \
+    '^stored calibration: found$' '^a, mg: '
 check "after a reset and a power cut it goes on with what was stored" went_on
 check "a position that is wrong by 50 mg is left out" outlier
 check "samples were lost, as the chip does not wait" said 'nobody has read: [1-9]'
-check "what it prints is true within 4 sigma" near_truth
-check "after the last reset it finds and applies what was stored" readings
+check "what it has stored is true within 2 mg" near_truth
+check "after the last power-on it finds and applies what was stored" readings
 check "README.md says what it takes" costs
+[ "$board" = mega ] || check "it leaves an Uno 4 KB of flash and 400 bytes of RAM" fits_uno
 check "an Uno stores, finds and applies a calibration" applies_on_uno
 finish

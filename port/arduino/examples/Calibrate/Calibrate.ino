@@ -4,8 +4,9 @@
  * as it says, and hold it still until it says "good". At the end the calibration is stored; from
  * then on calibrated readings are printed, after the next power-on too. Send c to calibrate anew.
  *
- * It takes 38 KB of flash and 3 KB of RAM: a Mega, not an Uno. The sensor is in sensor.cpp, the memory
- * in storage.cpp: change them for other ones.
+ * It takes 34 KB of flash and 2 KB of RAM: a Mega, not an Uno. The sensor is in sensor.cpp, the memory
+ * in storage.cpp: change them for other ones. For little memory it prints whole numbers, and its texts
+ * lie in flash.
  */
 #include <invcal.h>
 
@@ -18,21 +19,25 @@ static invcal_session session;
 static invcal_calibration calibration;
 static bool is_calibrated;
 
+/* Not compiled into loop, or its variables would lie on the stack while the others run. */
+#define APART __attribute__((noinline))
+
 /* Never comes back: there is nothing left to do without a reset. */
-static void stop(const __FlashStringHelper *why)
+static void stop(const __FlashStringHelper *text)
 {
-    Serial.println(why);
+    Serial.println(text);
     Serial.flush();
     for (;;) {
     }
 }
 
-static void show(const __FlashStringHelper *name, const float v[3], float unit, int digits)
+/* As whole numbers, for which less code is linked than for float. */
+static void show(const __FlashStringHelper *name, const float v[3], float unit)
 {
     Serial.print(name);
     for (int i = 0; i < 3; i++) {
         Serial.print(' ');
-        Serial.print(v[i] * unit, digits);
+        Serial.print(lround(v[i] * unit));
     }
     Serial.println();
 }
@@ -57,8 +62,44 @@ static void begin_session()
     Serial.println(F("calibration begins"));
 }
 
+/* invcal_session_why says the same; but on an AVR it says it from RAM. */
+static const __FlashStringHelper *why()
+{
+    switch (invcal_session_reason(&session)) {
+    case INVCAL_REST_SHORT:
+        return F("too short: hold it still longer");
+    case INVCAL_REST_DRIFT:
+        return F("it creeps: turned slowly, or not settled");
+    case INVCAL_REST_CLIPPED:
+        return F("at the end of the sensor's range");
+    case INVCAL_REST_FROZEN:
+        return F("readings never change: is the sensor read?");
+    case INVCAL_REST_GAP:
+        return F("too short: samples were lost");
+    case INVCAL_REST_SAME:
+        return F("nothing new: the same place as before");
+    default:
+        return F("far from 1 g: wrong scale, or a broken sensor");
+    }
+}
+
+static APART bool is_good()
+{
+    return invcal_session_is_good(&session);
+}
+
+static APART void save(const invcal_quality &quality)
+{
+    if (invcal_save(&calibration_store, &calibration, &quality) == INVCAL_OK) {
+        invcal_store_erase(&session_store);
+        Serial.println(F("calibration stored"));
+    } else {
+        Serial.println(F("calibration not stored: the EEPROM fails"));
+    }
+}
+
 /* Without positions that contradict the others. */
-static void solve()
+static APART void solve()
 {
     invcal_quality quality;
 
@@ -72,17 +113,9 @@ static void solve()
         }
     }
     Serial.println(F("verdict: good"));
-    show(F("offset, counts:"), calibration.offset, 1, 2);
-    show(F("sigma, mg:"), quality.sigma, 1000, 3);
-    show(F("sigma of scale errors, millionths:"), quality.sigma + INVCAL_DK_X, 1e6f, 1);
-    show(F("sigma of cross terms, microradian:"), quality.sigma + INVCAL_GAMMA_XY, 1e6f, 1);
+    show(F("offset, counts:"), calibration.offset, 1);
     is_calibrated = true;
-    if (invcal_save(&calibration_store, &calibration, &quality) == INVCAL_OK) {
-        invcal_store_erase(&session_store);
-        Serial.println(F("calibration stored"));
-    } else {
-        Serial.println(F("calibration not stored: the EEPROM fails"));
-    }
+    save(quality);
 }
 
 static void calibrate(const int32_t raw[3])
@@ -94,14 +127,14 @@ static void calibrate(const int32_t raw[3])
         break;
     case INVCAL_REFUSED:
         Serial.print(F("refused: "));
-        Serial.println(invcal_session_why(&session));
+        Serial.println(why());
         show_next();
         break;
     case INVCAL_TAKEN:
         Serial.print(F("positions taken: "));
         Serial.println(session.count);
         invcal_save_session(&session_store, &session); /* to go on there after a reset */
-        if (invcal_session_is_good(&session)) {
+        if (is_good()) {
             solve();
         }
         break;
@@ -120,11 +153,11 @@ static void measure(const int32_t raw[3])
 
     invcal_apply_counts(&calibration, raw, a);
     if (++n % SHOWN == 0) {
-        show(F("a, g:"), a, 1, 4);
+        show(F("a, mg:"), a, 1000);
     }
 }
 
-void setup()
+APART void setup()
 {
     Serial.begin(115200);
     if (!sensor_begin()) {

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "sensor.h"
 
-#include <Wire.h>
+#include "i2c.h"
 
 /* Of the register maps of the MPU-6000/6050, MPU-6500, MPU-9250 and MPU-9255. */
 enum {
@@ -20,30 +20,19 @@ enum {
     MPU9255 = 0x73
 };
 
-const unsigned long PATIENCE = 100; /* milliseconds */
+const unsigned PATIENCE = 100; /* milliseconds */
 
 static uint8_t chip;
-static unsigned long latest; /* microseconds, of the latest sample */
+static unsigned latest; /* milliseconds, of the latest sample */
 
 static bool set(uint8_t address, uint8_t value)
 {
-    Wire.beginTransmission(ADDRESS);
-    Wire.write(address);
-    Wire.write(value);
-    return Wire.endTransmission() == 0;
+    return i2c_set(ADDRESS, address, value);
 }
 
 static bool get(uint8_t address, uint8_t *bytes, uint8_t size)
 {
-    Wire.beginTransmission(ADDRESS);
-    Wire.write(address);
-    if (Wire.endTransmission(false) != 0 || Wire.requestFrom((uint8_t)ADDRESS, size) != size) {
-        return false;
-    }
-    for (uint8_t i = 0; i < size; i++) {
-        bytes[i] = Wire.read();
-    }
-    return true;
+    return i2c_get(ADDRESS, address, bytes, size);
 }
 
 static bool is_known()
@@ -53,8 +42,7 @@ static bool is_known()
 
 bool sensor_begin()
 {
-    Wire.begin();
-    Wire.setClock(400000);
+    i2c_begin();
     if (!get(WHO_AM_I, &chip, 1) || !is_known()) {
         return false;
     }
@@ -70,16 +58,16 @@ static int32_t count_of(const uint8_t bytes[2])
 
 sensor_status sensor_next(int32_t raw[3])
 {
-    const unsigned long begin = millis();
+    const unsigned begin = millis();
     uint8_t bytes[6];
 
     do {
-        if (millis() - begin > PATIENCE || !get(INT_STATUS, bytes, 1)) {
+        if ((unsigned)millis() - begin > PATIENCE || !get(INT_STATUS, bytes, 1)) {
             return SENSOR_SILENT;
         }
     } while (!(bytes[0] & 1));
-    const unsigned long now = micros();
-    const bool is_lost = now - latest > 1500000UL / SENSOR_RATE;
+    const unsigned now = millis();
+    const bool is_lost = now - latest > 1500 / SENSOR_RATE;
     latest = now;
     if (!get(ACCEL_XOUT_H, bytes, sizeof bytes)) {
         return SENSOR_SILENT;

@@ -14,41 +14,49 @@ const int SMALLEST_EEPROM = 1024;
 const int CALIBRATION_SLOT = INVCAL_STORE_BYTES(INVCAL_RECORD_SIZE, 1);
 const int SESSION_SLOT = SMALLEST_EEPROM / 2 - CALIBRATION_SLOT;
 
-const int SLOT_SIZE[] = {CALIBRATION_SLOT, SESSION_SLOT};
-static int begin[] = {0, 2 * CALIBRATION_SLOT};
+/* Where a store begins, and the size of its slots. */
+struct region {
+    int begin, size;
+};
+static region calibrations = {0, CALIBRATION_SLOT};
+static region sessions = {2 * CALIBRATION_SLOT, SESSION_SLOT};
 
-static int address(const void *context, unsigned slot, uint32_t offset)
+static int address(const void *context, unsigned slot)
 {
-    const int *first = (const int *)context;
+    const region *r = (const region *)context;
 
-    return *first + (int)slot * SLOT_SIZE[first - begin] + (int)offset;
+    return slot == 0 ? r->begin : r->begin + r->size;
 }
 
 static int read(void *context, unsigned slot, uint32_t offset, uint8_t *bytes, uint32_t size)
 {
-    for (uint32_t i = 0; i < size; i++) {
-        bytes[i] = EEPROM.read(address(context, slot, offset + i));
+    int at = address(context, slot) + (int)offset;
+
+    for (uint8_t n = size; n > 0; n--) {
+        *bytes++ = EEPROM.read(at++);
     }
     return 0;
 }
 
 static int erase_slot(void *context, unsigned slot)
 {
-    const int size = SLOT_SIZE[(const int *)context - begin];
+    int at = address(context, slot);
 
-    for (int i = 0; i < size; i++) {
-        EEPROM.update(address(context, slot, i), 0xFF);
+    for (int n = ((const region *)context)->size; n > 0; n--) {
+        EEPROM.update(at++, 0xFF);
     }
     return 0;
 }
 
 static int program(void *context, unsigned slot, uint32_t offset, const uint8_t *bytes, uint32_t size)
 {
-    for (uint32_t i = 0; i < size; i++) {
-        EEPROM.update(address(context, slot, offset + i), bytes[i]);
+    int at = address(context, slot) + (int)offset;
+
+    for (uint8_t n = size; n > 0; n--) {
+        EEPROM.update(at++, *bytes++);
     }
     return 0;
 }
 
-const invcal_store calibration_store = {read, erase_slot, program, &begin[0], CALIBRATION_SLOT, 1};
-const invcal_store session_store = {read, erase_slot, program, &begin[1], SESSION_SLOT, 1};
+const invcal_store calibration_store = {read, erase_slot, program, &calibrations, CALIBRATION_SLOT, 1};
+const invcal_store session_store = {read, erase_slot, program, &sessions, SESSION_SLOT, 1};
