@@ -55,19 +55,21 @@ enum {
 /* Drift: a slope beyond chance, and fast. */
 enum {
     BEYOND_CHANCE = 69,             /* 8 / 5.5, see is_drifting */
+    PER_SECOND = -2313,             /* 2 log2 of 125 / 65536, see pace */
     NOISE_PER_SECOND = 203,         /* 3 sigma of an axis in a second: 9/3 */
     REACH_PER_SECOND = -19 * OCTAVE /* 1/720 of the reach in a second */
 };
 
 #define WIDE (INT32_C(1) << 19)     /* counts: no noise is so large, no rest creeps so far */
+#define NEAR (UINT32_C(1) << 12)    /* counts: what is closer to the first is added quickly */
 #define FINE 10u                    /* bits behind the point of a mean: exact for any block */
-#define MOST INT32_C(65535)         /* blocks of a rest that are summed */
+#define MOST 65535u                 /* blocks of a rest that are summed */
 #define SHORTEST 620                /* milliseconds that make a position */
 #define HOUR (UINT32_C(3600) * 125) /* in 1/125 s */
 
-/* What has been said of the rest: nothing; it is READY; it is REFUSED; it was TAKEN by the newest
- * block. What can be read is odd. */
-enum { SETTLING, HELD, DISMISSED, LEFT };
+/* What has been said of the rest, beside why it was REFUSED: it is READY; nothing; it was TAKEN by the
+ * newest block. */
+enum { HELD = INVCAL_OK, SETTLING = INVCAL_STATUS_COUNT, LEFT };
 
 /* Bits of flags, and of `seen`, which is the newest block's. */
 enum {
@@ -77,6 +79,13 @@ enum {
     CHANGED = 8, /* the x axis has changed inside a block; y and z in the next bits */
     ALL_CHANGED = 7 * CHANGED
 };
+
+/* Before what takes less code apart from its callers, where that is asked for. */
+#ifdef __OPTIMIZE_SIZE__
+#define COMPACT INVCAL_APART
+#else
+#define COMPACT
+#endif
 
 /* ---- numbers ------------------------------------------------------------------------------ */
 
@@ -96,18 +105,18 @@ static int32_t as_signed(uint32_t x)
     return x <= INT32_MAX ? (int32_t)x : -(int32_t)~x - 1;
 }
 
-/* x / 2^bits, towards 0: the same for both signs. */
-INVCAL_APART static int32_t shifted(int32_t x, unsigned bits)
+/* |x| of what stands for a number modulo 2^32. */
+static uint32_t size_of(uint32_t x)
 {
-    const int32_t size = (int32_t)((uint32_t)(x < 0 ? -x : x) >> bits);
-
-    return x < 0 ? -size : size;
+    return x <= INT32_MAX ? x : 0u - x;
 }
 
-/* |a - b| */
-static uint32_t between(int32_t a, int32_t b)
+/* x / 2^bits, towards 0: the same for both signs. */
+static int32_t shifted(int32_t x, unsigned bits)
 {
-    return a >= b ? (uint32_t)a - (uint32_t)b : (uint32_t)b - (uint32_t)a;
+    const int32_t size = (int32_t)(size_of((uint32_t)x) >> bits);
+
+    return x < 0 ? -size : size;
 }
 
 /* The position of the first one of x, from 0; 0 for 0 too. */
@@ -134,8 +143,27 @@ static int octaves(uint32_t x)
     return ((int)top - 1) * OCTAVE + (int)(x << (31 - top) >> 24);
 }
 
+/* On processors of few bits this takes more than a call. */
+COMPACT static void add_to(uint64_t *sum, uint64_t x)
+{
+    *sum += x;
+}
+
+/* Adds x^2. Where the processor has no product of 64 bits the compiler's is a large function. */
+COMPACT static void add_square(uint64_t *sum, uint32_t x)
+{
+#ifdef __ARM_ARCH_6M__
+    const uint32_t low = x & 0xFFFFu;
+    const uint32_t high = x >> 16;
+
+    *sum += ((uint64_t)(high * high) << 32) + low * low + ((uint64_t)(high * low) << 17);
+#else
+    *sum += (uint64_t)x * x;
+#endif
+}
+
 /* The level of a square whose unit is 1/2^20: a variance, the square of a mean. */
-INVCAL_APART static int level_of(uint64_t square)
+COMPACT static int level_of(uint64_t square)
 {
     int level = ONE - 2 * FINE * OCTAVE;
 
@@ -145,22 +173,33 @@ INVCAL_APART static int level_of(uint64_t square)
     return level + octaves((uint32_t)square);
 }
 
-/* The level of a squared distance of means. */
-INVCAL_APART static int distance(const int32_t a[3], const int32_t b[3])
+/* The level of the squared length of d. */
+COMPACT static int length_of(const int32_t d[3])
 {
     uint64_t square = 0;
 
-    for (unsigned i = 0; i < 3; i++) {
-        const uint32_t d = between(a[i], b[i]) / 2; /* of which there are squares in 64 bits */
-        square += (uint64_t)d * d;
+    for (unsigned a = 0; a < 3; a++) {
+        add_square(&square, size_of((uint32_t)d[a]));
     }
-    return level_of(square) + 2 * OCTAVE;
+    return level_of(square);
 }
 
-/* The same of origin, in whole counts, and the position before. */
-INVCAL_APART static int distance_from_place(const invcal_rests *s)
+/* The level of the distance of the rest from the position before. */
+COMPACT static int distance_from_place(const invcal_rests *s)
 {
-    return distance(s->origin, s->place) + 2 * (int)FINE * OCTAVE;
+    int32_t d[3];
+
+    for (unsigned a = 0; a < 3; a++) {
+        d[a] = as_signed((uint32_t)s->axis[a].origin - (uint32_t)s->axis[a].place);
+    }
+    return length_of(d) + 2 * (int)FINE * OCTAVE;
+}
+
+INVCAL_APART static void mark_place(invcal_rests *s)
+{
+    for (unsigned a = 0; a < 3; a++) {
+        s->axis[a].place = s->axis[a].origin;
+    }
 }
 
 /* ---- a block ------------------------------------------------------------------------------ */
@@ -173,10 +212,10 @@ static void skip(invcal_rests *s)
 }
 
 /* There is no rest: the next one is looked for. */
-static void clear_rest(invcal_rests *s)
+INVCAL_APART static void clear_rest(invcal_rests *s)
 {
-    memset(&s->rest, 0, sizeof s->rest);
-    s->blocks = -TRIM;
+    s->blocks = 0;
+    s->pended = 0;
     s->stage = SETTLING;
     s->hold = 0;
     s->drift = 0;
@@ -184,9 +223,9 @@ static void clear_rest(invcal_rests *s)
 }
 
 /* Its samples. */
-static uint32_t samples_of(const invcal_rests *s)
+static uint16_t samples_of(const invcal_rests *s)
 {
-    return UINT32_C(1) << s->bits;
+    return (uint16_t)(1u << s->bits);
 }
 
 /* The next sample begins another. */
@@ -196,54 +235,56 @@ static void drop(invcal_rests *s)
     s->span = 0;
 }
 
+/* Differences are to the first sample. */
 static void begin(invcal_rests *s, const int32_t raw[3])
 {
     if (s->stage == LEFT) {
         clear_rest(s);
     }
-    s->missing = (uint16_t)samples_of(s);
-    memcpy(s->first, raw, sizeof s->first);
-    memset(s->sum, 0, sizeof s->sum);
+    s->missing = samples_of(s);
     s->square = 0;
-    s->carry = 0;
     s->seen = 0;
+#ifndef __OPTIMIZE_SIZE__
+    s->span = s->quantum == 1 ? 2 * NEAR : 0;
+#endif
+    for (unsigned a = 0; a < 3; a++) {
+        s->axis[a].first = raw[a];
+        s->axis[a].sum = 0;
+#ifndef __OPTIMIZE_SIZE__
+        const uint32_t above = (uint32_t)raw[a] - (uint32_t)s->low - 1u;
+        if (above >= s->between || smaller(above, s->between - 1u - above) < NEAR) {
+            s->span = 0;
+        }
+#endif
+    }
 }
 
-/* A sample that begins a block, that is not close to its first, or that may tell the quantum.
- *
- * The next are added quickly if they differ by less than a power of two which keeps the squares of
- * three axes and a whole block below 2^32, and all that is so close off the rails: one comparison
- * will tell both. As long as the quantum may become smaller every sample is looked at. */
+/* Any sample. */
 INVCAL_APART static void add_any(invcal_rests *s, const int32_t raw[3])
 {
-    uint32_t margin = 0; /* behind a large difference the squares may be large */
-
     if (s->missing == 0) {
         begin(s, raw);
-        margin = UINT32_C(1) << (30u - s->bits) / 2;
     }
+    unsigned seen = s->seen;
     for (unsigned a = 0; a < 3; a++) {
-        const uint32_t above = (uint32_t)raw[a] - (uint32_t)s->low - 1u;
-        const uint32_t size = between(raw[a], s->first[a]);
-        const uint64_t square = (uint64_t)size * size + s->square;
-        margin = smaller(margin, smaller(above, s->between - 1u - above));
-        if (above >= s->between) {
-            s->seen |= CLIPPED;
-            margin = 0;
+        const uint32_t d = (uint32_t)raw[a] - (uint32_t)s->axis[a].first;
+        const uint32_t size = raw[a] < s->axis[a].first ? 0u - d : d;
+        s->axis[a].sum += d;
+        add_square(&s->square, size);
+        if ((uint32_t)raw[a] - (uint32_t)s->low - 1u >= s->between) {
+            seen |= CLIPPED;
         }
         if (size >= WIDE) {
-            s->seen |= WILD;
+            seen |= WILD;
         }
         if (size - 1u < s->quantum - 1u) { /* 0 is no change, or none as yet: more than any */
             s->quantum = size;
         }
-        s->sum[a] += (uint32_t)raw[a] - (uint32_t)s->first[a];
-        s->square = (uint32_t)square;
-        s->carry += (uint32_t)(square >> 32);
     }
-    s->span = s->quantum == 1 && margin > 0 ? UINT32_C(2) << top_of(margin) : 0;
+    s->seen = (uint8_t)seen;
 }
 
+#ifndef __OPTIMIZE_SIZE__
 /* Adds a sample whose differences d are all small: -span/2 <= d < span/2, seen at one blow as
  * d + span/2 has no bit from that of span upwards. Returns 0 if they are not. Modulo 2^32, which
  * unsigned arithmetic does everywhere alike. */
@@ -251,62 +292,56 @@ static int add_small(invcal_rests *s, const int32_t raw[3])
 {
     const uint32_t span = s->span;
     const uint32_t half = span / 2;
-    const uint32_t x = (uint32_t)raw[0] - (uint32_t)s->first[0];
-    const uint32_t y = (uint32_t)raw[1] - (uint32_t)s->first[1];
-    const uint32_t z = (uint32_t)raw[2] - (uint32_t)s->first[2];
+    const uint32_t x = (uint32_t)raw[0] - (uint32_t)s->axis[0].first;
+    const uint32_t y = (uint32_t)raw[1] - (uint32_t)s->axis[1].first;
+    const uint32_t z = (uint32_t)raw[2] - (uint32_t)s->axis[2].first;
 
     if (((x + half) | (y + half) | (z + half)) >= span) {
         return 0;
     }
-    s->sum[0] += x;
-    s->sum[1] += y;
-    s->sum[2] += z;
+    s->axis[0].sum += x;
+    s->axis[1].sum += y;
+    s->axis[2].sum += z;
     s->square += x * x + y * y + z * z;
     return 1;
 }
+#endif
 
-/* The block's mean, from its first sample; and its variance, 1/2^20 counts^2, but for n / (n - 1).
- * Integers, so nothing cancels, and it is never below 0: Cauchy and Schwarz. */
-static uint64_t measure(const invcal_rests *s, int32_t mean[3])
+/* The block's mean, from its first sample, and in place of the squares its variance, 1/2^20 counts^2,
+ * but for n / (n - 1). Integers, so nothing cancels, and it is never below 0: Cauchy and Schwarz. */
+static void measure(invcal_rests *s)
 {
-    const unsigned scale = FINE - s->bits;
-    uint64_t variance = ((uint64_t)s->carry << 32 | s->square) * (UINT32_C(1) << (scale + FINE));
+    const unsigned up = 2 * FINE - s->bits; /* 10 to 18 */
+    const uint32_t low = (uint32_t)s->square;
+    const uint32_t high = (uint32_t)(s->square >> 32);
+    uint64_t square = 0;
 
     for (unsigned a = 0; a < 3; a++) {
-        mean[a] = as_signed(s->sum[a] << scale);
-        //@ assert -(WIDE << FINE) <= mean[a] <= WIDE << FINE; // of what is less than WIDE
-        variance -= (uint64_t)((int64_t)mean[a] * mean[a]);
+        s->axis[a].sum <<= FINE - s->bits;
+        if (s->axis[a].sum != 0) {
+            s->seen = (uint8_t)(s->seen | (unsigned)CHANGED << a);
+        }
+        add_square(&square, size_of(s->axis[a].sum));
     }
-    return variance;
+    s->square = ((uint64_t)(high << up | low >> (32 - up)) << 32 | low << up) - square;
 }
 
 /* ---- learning from the stream ------------------------------------------------------------- */
 
 /* Of 1/2 count until it is known. */
-static int quantum_level(const invcal_rests *s)
+COMPACT static int quantum_level(const invcal_rests *s)
 {
     return 2 * octaves(s->quantum) + ONE;
 }
 
 /* Places that differ by less are one. */
-INVCAL_APART static int resolution_level(const invcal_rests *s)
+COMPACT static int resolution_level(const invcal_rests *s)
 {
     return larger(s->reach + OF_REACH, quantum_level(s) + OF_QUANTUM);
 }
 
-/* To the mean of this block, in whole counts. */
-static void move_origin(invcal_rests *s, const int32_t from_first[3], int32_t mean[3])
-{
-    for (unsigned a = 0; a < 3; a++) {
-        const int32_t whole = shifted(from_first[a], FINE);
-        s->origin[a] = as_signed((uint32_t)s->first[a] + (uint32_t)whole);
-        mean[a] = from_first[a] - whole * (INT32_C(1) << FINE);
-    }
-    s->reach = (int16_t)larger(s->reach, distance_from_place(s));
-}
-
 /* Follows a low quantile. */
-INVCAL_APART static int follow(int level, int x)
+COMPACT static int follow(int level, int x)
 {
     if (level != NONE && x > level + RISE) {
         return level + RISE;
@@ -314,120 +349,114 @@ INVCAL_APART static int follow(int level, int x)
     return larger(x, level - FALL);
 }
 
-/* Is the block quiet? It is judged by the noise so far, no less than the quantum hides, and a quiet
- * one adds to that. One that has so much less noise that what came before has moved sets the level,
- * and a rest begins anew; but where there are blocks enough for a position, an odd one changes
- * little. */
-static int learn_noise(invcal_rests *s, int level)
+/* A block is judged by the noise so far, no less than the quantum hides, and a quiet one adds to that.
+ * One that has so much less noise that what came before has moved sets the level, and a rest begins
+ * anew; but where there are blocks enough for a position, an odd one changes little. */
+static void learn_noise(invcal_rests *s, int level, int hidden)
 {
-    if (s->noise == NONE) {
-        s->noise = (int16_t)level;
-        memcpy(s->place, s->first, sizeof s->place);
-    }
-    s->noise = (int16_t)larger(s->noise, quantum_level(s) + HIDDEN);
-    if (s->blocks < s->least && level < s->noise - FAR_BELOW) {
-        s->noise = (int16_t)level;
+    int noise = larger(s->noise, hidden);
+
+    if (s->noise == NONE || (s->blocks < s->least && level < noise - FAR_BELOW)) {
+        noise = level;
         clear_rest(s);
     }
-    if (level > s->noise + QUIET) {
-        return 0;
-    }
-    s->noise = (int16_t)follow(s->noise, level);
-    return 1;
+    s->noise = (int16_t)(level <= noise + QUIET ? follow(noise, level) : noise);
 }
 
 /* A fan is switched on, a table instead of a hand: blocks in a row, not quiet, but of like
  * variance, and closer to where they are expected, which without a rest is where the block before
- * was, than the noise that they would be made of. Returns 1 when the new level is adopted. */
-static int learn_new_noise(invcal_rests *s, int is_quiet, int level, int jump)
+ * was, than the noise that they would be made of. Then that is the noise. */
+static void learn_new_noise(invcal_rests *s, int level, int jump)
 {
     const int d = level - s->other;
 
-    if (is_quiet || d > ALIKE || d < -ALIKE || jump > level) {
+    if (level <= s->noise + QUIET || d > ALIKE || d < -ALIKE || jump > level) {
         s->run = 0;
         s->other = (int16_t)level;
-        return 0;
+        return;
     }
     s->run++;
-    if (s->run < (unsigned)RELEARN << s->taken) {
-        return 0;
+    if (s->run >= (unsigned)RELEARN << s->taken) {
+        s->noise = s->other;
+        s->run = 0;
+        s->skip = 1;
     }
-    s->noise = s->other;
-    s->run = 0;
-    s->skip = 1;
-    return 1;
 }
 
 /* ---- the trend of a rest ------------------------------------------------------------------ */
 
-/* The mean from origin; returns how far it is from where the rest would have it, which may drift
- * slowly: its trend is followed. */
-static int locate(const invcal_rests *s, const int32_t from_first[3], int32_t mean[3])
+/* The mean from origin, which without a rest moves to it, in whole counts; returns how far the block
+ * is from where the rest would have it, which may drift slowly: its trend is followed. */
+static int locate(invcal_rests *s)
 {
-    int32_t expected[3];
+    int32_t d[3];
     int jump = NONE;
 
     for (unsigned a = 0; a < 3; a++) {
-        const uint32_t off = (uint32_t)s->first[a] - (uint32_t)s->origin[a];
-        const uint32_t once = (uint32_t)s->rest.once[a];
-        mean[a] = as_signed((uint32_t)from_first[a] + (off << FINE));
-        expected[a] = as_signed(2 * once - (uint32_t)s->rest.twice[a]);
-        if (between(s->first[a], s->origin[a]) >= WIDE) {
+        invcal_rests_axis *x = &s->axis[a];
+        uint32_t off = (uint32_t)x->first - (uint32_t)x->origin;
+        d[a] = as_signed(x->sum + (off << FINE) - (uint32_t)s->rest.once[a] -
+                         (uint32_t)s->rest.lag[a]);
+        if (off + WIDE >= 2 * WIDE) {
             jump = BEYOND;
         }
+        if (s->pended == 0) {
+            off = 0u - (uint32_t)shifted(as_signed(x->sum), FINE);
+            x->origin = as_signed((uint32_t)x->first - off);
+        }
+        x->sum += off << FINE;
     }
-    return larger(jump, distance(mean, expected));
+    return larger(jump, length_of(d));
 }
 
-/* A fading mean moves towards x. */
-static int32_t faded(int32_t mean, int32_t x, unsigned fade)
+/* With those held back. */
+static uint32_t blocks_of(const invcal_rests *s)
 {
-    return as_signed((uint32_t)mean + (uint32_t)shifted(x - mean, fade));
+    return (uint32_t)s->blocks + s->pended;
 }
 
 /* The rest has one block more: what is held back longest is safe now, as no motion came behind it.
  *
  * Brown's double smoothing: a fading mean, and the fading mean of that. On a slope the first lags
- * behind, the second once more, so their difference tells the slope. The first blocks count alike,
+ * behind, the second once more: that lag tells the slope. The first blocks count alike,
  * nearly. */
-static void add_block(invcal_rests *s, const int32_t mean[3], uint64_t variance)
+static void add_block(invcal_rests *s)
 {
-    const uint32_t n = (uint32_t)(s->blocks + TRIM);
-    const unsigned fade = (unsigned)smaller(top_of(2 * n + 1), FADE);
+    const unsigned fade = (unsigned)smaller(top_of(2 * blocks_of(s) + 1), FADE);
 
-    s->blocks++;
+    if (s->pended < TRIM) {
+        s->pended++;
+    } else {
+        s->blocks++;
+    }
     s->end = s->time;
-    s->rest.variance += variance >> (2 * FINE - 6);
+    s->rest.variance += s->square >> (2 * FINE - 6);
     for (unsigned a = 0; a < 3; a++) {
-        //@ assert -(2 * WIDE << FINE) < mean[a] < 2 * WIDE << FINE; // both parts: see locate
-        if (s->sum[a] != 0) { /* of differences to the first sample */
-            s->flags = (uint8_t)(s->flags | (unsigned)CHANGED << a);
-        }
-        s->rest.total[a] += shifted(s->rest.pending[0][a], FINE - s->bits);
-        //@ assert -UINT16_MAX * (2 * WIDE << s->bits) <= s->rest.total[a]; // so many at most
-        //@ assert s->rest.total[a] <= UINT16_MAX * (2 * WIDE << s->bits);
+        invcal_rests_axis *x = &s->axis[a];
+        add_to(&s->rest.total[a],
+               (uint64_t)(int64_t)shifted(s->rest.pending[0][a], FINE - s->bits));
         s->rest.pending[0][a] = s->rest.pending[1][a];
-        s->rest.pending[1][a] = mean[a];
-        s->rest.once[a] = faded(s->rest.once[a], mean[a], fade);
-        //@ assert -(2 * WIDE << FINE) < s->rest.once[a] < 2 * WIDE << FINE; // between two that are
-        s->rest.twice[a] = faded(s->rest.twice[a], s->rest.once[a], fade);
-        //@ assert -(2 * WIDE << FINE) < s->rest.twice[a] < 2 * WIDE << FINE; // as before
+        s->rest.pending[1][a] = as_signed(x->sum);
+        const int32_t step = shifted(as_signed(x->sum) - s->rest.once[a], fade);
+        const int32_t lag = s->rest.lag[a] + step;
+        s->rest.once[a] += step;
+        s->rest.lag[a] = lag - shifted(lag, fade);
     }
 }
 
 /* Does the rest drift? The slope must be beyond chance, as noise and what a hand wanders tell it,
  * and fast, for the noise and for the reach: a sensor that warms up is slower.
  *
- * On a slope of one a block `once` and `twice` differ by g: 15 in the end, and a quarter of the
+ * On a slope of one a block the lag is g: 15 in the end, and a quarter of the
  * number of blocks, within 20 %, until then. Of block means that scatter by v the slope b is known
  * to v / (5.5 g^3), within 30 %, so chance is less than 1e-4 (chi^2 of 24 for three axes) beyond
  * b^2 g^3 = 8 / 5.5 v. What blocks wander from their trend holds the slope too, up to 8 b^2 before
  * the trend is known: an eighth of it is taken for v. */
 static int is_drifting(const invcal_rests *s)
 {
-    const int g = octaves(smaller((uint32_t)s->blocks + TRIM, 60)) - 2 * OCTAVE;
-    const int slope = distance(s->rest.once, s->rest.twice) - 2 * g;
-    const int speed = slope + 2 * octaves(s->rate) - 2 * OCTAVE * s->bits;
+    const int g = octaves(smaller(blocks_of(s), 60)) - 2 * OCTAVE;
+    const int slope = length_of(s->rest.lag) - 2 * g;
+    const int speed = slope + 2 * octaves(s->pace) + PER_SECOND;
     const int scatter = larger(s->noise - s->bits * OCTAVE, s->wander - 3 * OCTAVE);
 
     return slope + 3 * g > scatter + BEYOND_CHANCE &&
@@ -444,7 +473,7 @@ static int is_stuck(const invcal_rests *s)
 }
 
 /* What is wrong with it? */
-static invcal_status fault(const invcal_rests *s)
+INVCAL_APART static invcal_status fault(const invcal_rests *s)
 {
     if (s->blocks >= s->least) {
         if (s->drift > 0 && s->stage != HELD) {
@@ -472,23 +501,17 @@ static invcal_event say(invcal_rests *s, invcal_status why, invcal_event event)
     return event;
 }
 
-/* Nothing is refused twice. */
-static int is_said(const invcal_rests *s, invcal_status why)
-{
-    return s->stage == DISMISSED && s->reason == (uint8_t)why;
-}
-
 /* The rest is over. A faint one is not worth a word. */
-static invcal_event finish(invcal_rests *s)
+INVCAL_APART static invcal_event finish(invcal_rests *s)
 {
     const invcal_status why = fault(s);
-    const int is_nothing = s->blocks < s->least / 4 || is_said(s, why);
+    const int is_nothing = s->blocks < s->least / 4 || s->stage == (uint8_t)why; /* nothing twice */
 
     if (why != INVCAL_OK) {
         clear_rest(s);
         return is_nothing ? INVCAL_MOVING : say(s, why, INVCAL_REFUSED);
     }
-    memcpy(s->place, s->origin, sizeof s->place);
+    mark_place(s);
     s->taken = 1;
     s->stage = LEFT;
     return say(s, why, INVCAL_TAKEN);
@@ -497,7 +520,7 @@ static invcal_event finish(invcal_rests *s)
 /* It may become long enough, or settle, as long as it goes on. */
 static int is_news(const invcal_rests *s, invcal_status why)
 {
-    return s->stage != HELD && !is_said(s, why) && why != INVCAL_REST_DRIFT &&
+    return s->stage != HELD && s->stage != (uint8_t)why && why != INVCAL_REST_DRIFT &&
            why != INVCAL_REST_SHORT && why != INVCAL_REST_GAP;
 }
 
@@ -515,7 +538,7 @@ static invcal_event announce(invcal_rests *s)
     if (!is_news(s, why)) {
         return INVCAL_SETTLING;
     }
-    s->stage = why == INVCAL_OK ? HELD : DISMISSED;
+    s->stage = (uint8_t)why;
     return say(s, why, why == INVCAL_OK ? INVCAL_READY : INVCAL_REFUSED);
 }
 
@@ -523,7 +546,7 @@ static invcal_event announce(invcal_rests *s)
 
 /* A knock passes, motion does not; and another place is quiet, but not here. What comes behind a blow
  * is not trusted at once, nor behind any motion as long as there is no position. */
-static invcal_event disagree(invcal_rests *s, int is_quiet, int excess)
+INVCAL_APART static invcal_event disagree(invcal_rests *s, int is_quiet, int excess)
 {
     if (excess > HARD || (!is_quiet && s->blocks < s->least)) {
         skip(s);
@@ -533,7 +556,7 @@ static invcal_event disagree(invcal_rests *s, int is_quiet, int excess)
 }
 
 /* The block belongs to the rest. */
-INVCAL_APART static invcal_event agree(invcal_rests *s, const int32_t mean[3], uint64_t variance)
+INVCAL_APART static invcal_event agree(invcal_rests *s)
 {
     s->flags |= s->seen;
     if (s->skip > 0) {
@@ -542,71 +565,87 @@ INVCAL_APART static invcal_event agree(invcal_rests *s, const int32_t mean[3], u
     }
     s->hold = 0;
     if (s->blocks < MOST) {
-        add_block(s, mean, variance);
+        add_block(s);
     }
     return announce(s);
 }
 
 /* Without any noise, where there has been some; or three axes that read the same number, as no triad
  * does: it is not read from the sensor. */
-static int is_dead(const invcal_rests *s, uint64_t variance)
+static int is_dead(const invcal_rests *s, int quantum)
 {
-    return variance == 0 && (s->noise > quantum_level(s) ||
-                             (s->first[0] == s->first[1] && s->first[1] == s->first[2]));
+    return s->square == 0 && (s->noise > quantum || (s->axis[0].first == s->axis[1].first &&
+                                                     s->axis[1].first == s->axis[2].first));
 }
 
-static invcal_event freeze(invcal_rests *s)
+/* A rest may begin with this block. */
+static void start(invcal_rests *s)
 {
-    s->run++;
-    if (s->run >= FREEZE && s->reason != INVCAL_REST_FROZEN) {
-        return say(s, INVCAL_REST_FROZEN, INVCAL_REFUSED);
+    memset(&s->rest, 0, sizeof s->rest);
+    s->flags = 0;
+    if (s->reach == NONE) {
+        mark_place(s);
     }
-    return disagree(s, 0, BEYOND);
+    s->reach = (int16_t)larger(s->reach, distance_from_place(s));
+}
+
+/* The block is alive. Returns by what it exceeds what belongs to the rest, and says whether it is
+ * quiet. */
+static int judge(invcal_rests *s, int quantum, int *is_quiet)
+{
+    const int level = larger(level_of(s->square), quantum + HIDDEN);
+    int jump = locate(s);
+
+    learn_noise(s, level, quantum + HIDDEN);
+    learn_new_noise(s, level, jump);
+    const int excess = level - s->noise - QUIET;
+    const int limit =
+        larger(resolution_level(s), larger(s->noise + OF_NOISE, s->wander + OF_WANDER));
+    *is_quiet = excess <= 0;
+    if (s->pended == 0) {
+        start(s);
+        jump = NONE;
+    } else if (*is_quiet && jump < BEYOND) {
+        s->wander = (int16_t)follow(s->wander, jump);
+    } /* cppcheck-suppress misra-c2012-15.7 ; there is nothing to learn */
+    return larger(excess, jump - limit);
 }
 
 /* A block is full. Is it quiet, and where it is expected? */
 INVCAL_APART static invcal_event decide(invcal_rests *s)
 {
-    int32_t from_first[3];
-    int32_t mean[3];
-    const uint32_t start = s->time;
+    const int quantum = quantum_level(s);
+    int is_quiet = 0;
+    int excess = BEYOND;
 
+    if (s->pended == 0) {
+        s->begin = s->time;
+    }
     drop(s);
-    s->time = start + samples_of(s);
-    if ((s->seen & WILD) != 0) {
-        return disagree(s, 0, BEYOND);
+    s->time += samples_of(s);
+    if ((s->seen & WILD) == 0) {
+        measure(s);
+        if (!is_dead(s, quantum)) {
+            excess = judge(s, quantum, &is_quiet);
+        } else if (++s->run >= FREEZE && s->reason != INVCAL_REST_FROZEN) {
+            return say(s, INVCAL_REST_FROZEN, INVCAL_REFUSED);
+        }
     }
-    const uint64_t variance = measure(s, from_first);
-    if (is_dead(s, variance)) {
-        return freeze(s);
-    }
-    const int level = larger(level_of(variance), quantum_level(s) + HIDDEN);
-    int is_quiet = learn_noise(s, level);
-    int jump = locate(s, from_first, mean);
-    is_quiet |= learn_new_noise(s, is_quiet, level, jump);
-    const int limit =
-        larger(resolution_level(s), larger(s->noise + OF_NOISE, s->wander + OF_WANDER));
-    if (s->blocks == -TRIM) {
-        s->begin = start;
-        s->flags = 0;
-        jump = NONE;
-        move_origin(s, from_first, mean);
-    } else if (is_quiet && jump < BEYOND) {
-        s->wander = (int16_t)follow(s->wander, jump);
-    } /* cppcheck-suppress misra-c2012-15.7 ; there is nothing to learn */
-    const int excess = larger(level - s->noise - QUIET, jump - limit);
-    if (is_quiet && jump <= limit) {
-        return agree(s, mean, variance);
-    }
-    return disagree(s, is_quiet, excess);
+    return excess <= 0 ? agree(s) : disagree(s, is_quiet, excess);
 }
 
 /* ---- sums and means ----------------------------------------------------------------------- */
 
+static int is_readable(const invcal_rests *s)
+{
+    return s->stage == HELD || s->stage == LEFT;
+}
+
 /* Of the raw samples. */
 static int64_t sum_of(const invcal_rests *s, unsigned a)
 {
-    return s->rest.total[a] + (int64_t)s->origin[a] * (int32_t)((uint32_t)s->blocks << s->bits);
+    return (int64_t)s->rest.total[a] +
+           (int64_t)s->axis[a].origin * (int32_t)((uint32_t)s->blocks << s->bits);
 }
 
 /* A conversion of 64 bits would be the compiler's, many times as large. */
@@ -624,11 +663,11 @@ invcal_status invcal_rests_init(invcal_rests *rests, unsigned rate)
         return INVCAL_BAD_RATE;
     }
     memset(rests, 0, sizeof *rests);
-    rests->rate = (uint16_t)rate;
     rests->bits = BITS_MIN;
     while (11u << rests->bits < rate) { /* at most 8 steps: a block is 1/11 to 2/11 s */
         rests->bits++;
     }
+    rests->pace = (uint16_t)(rate * UINT32_C(33555) >> (6 + rests->bits)) + 1u;
     rests->least = LEAST;
     invcal_rests_hold(rests, SHORTEST);
     rests->least = (uint8_t)rests->dwell;
@@ -650,9 +689,8 @@ invcal_status invcal_rests_rails(invcal_rests *rests, int32_t low, int32_t high)
 void invcal_rests_hold(invcal_rests *rests, uint32_t milliseconds)
 {
     INVCAL_ASSERT(rests);
-    const uint32_t time = milliseconds / 8 + 1; /* in 1/125 s */
-    const uint32_t samples = smaller(time, HOUR) * rests->rate / 125;
-    const uint32_t blocks = (samples >> rests->bits) + 1;
+    const uint32_t time = smaller(milliseconds / 8 + 1, HOUR);
+    const uint32_t blocks = (time * rests->pace >> 16) + 1;
     rests->dwell = (uint16_t)(blocks > rests->least ? blocks : rests->least);
     if (rests->stage == HELD && rests->blocks < rests->dwell) {
         rests->stage = SETTLING;
@@ -662,7 +700,10 @@ void invcal_rests_hold(invcal_rests *rests, uint32_t milliseconds)
 invcal_event invcal_rests_feed(invcal_rests *rests, const int32_t raw[3])
 {
     INVCAL_ASSERT(rests && raw);
-    if (!add_small(rests, raw)) {
+#ifndef __OPTIMIZE_SIZE__
+    if (!add_small(rests, raw))
+#endif
+    {
         add_any(rests, raw);
     }
     rests->missing--;
@@ -686,7 +727,7 @@ invcal_event invcal_rests_finish(invcal_rests *rests)
 unsigned invcal_rests_progress(const invcal_rests *rests)
 {
     INVCAL_ASSERT(rests);
-    if (rests->blocks <= 0 || rests->stage == LEFT) {
+    if (rests->blocks == 0 || rests->stage == LEFT) {
         return 0;
     }
     if (rests->stage == HELD) {
@@ -705,11 +746,11 @@ invcal_status invcal_rests_reason(const invcal_rests *rests)
 int invcal_rests_get(const invcal_rests *rests, invcal_rest *out)
 {
     INVCAL_ASSERT(rests && out);
-    if (rests->stage % 2 == 0) {
+    if (!is_readable(rests)) {
         return 0;
     }
     const uint32_t size = samples_of(rests);
-    const uint32_t degrees = (uint32_t)(rests->blocks + TRIM) * 3 * (size - 1); /* of freedom */
+    const uint32_t degrees = blocks_of(rests) * 3 * (size - 1); /* of freedom */
     out->count = (uint32_t)rests->blocks * size;
     for (unsigned a = 0; a < 3; a++) {
         out->sum[a] = sum_of(rests, a);
@@ -723,12 +764,15 @@ int invcal_rests_get(const invcal_rests *rests, invcal_rest *out)
 int invcal_rests_mean(const invcal_rests *rests, invcal_real mean[3])
 {
     INVCAL_ASSERT(rests && mean);
+    if (!is_readable(rests)) {
+        return 0;
+    }
     const invcal_real count = (invcal_real)((uint32_t)rests->blocks << rests->bits);
-    for (unsigned a = 0; a < 3 && rests->stage % 2 != 0; a++) {
-        const uint64_t total = (uint64_t)rests->rest.total[a];
+    for (unsigned a = 0; a < 3; a++) {
+        const uint64_t total = rests->rest.total[a];
         const invcal_real high = (invcal_real)as_signed((uint32_t)(total >> 16));
-        mean[a] = (invcal_real)rests->origin[a] +
+        mean[a] = (invcal_real)rests->axis[a].origin +
                   (high * 65536 + (invcal_real)(uint32_t)(total & 65535)) / count;
     }
-    return rests->stage % 2;
+    return 1;
 }

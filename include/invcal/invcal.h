@@ -333,9 +333,18 @@ typedef enum {
     INVCAL_REFUSED   /* a rest, but no position: invcal_session_why; said once */
 } invcal_event;
 
+/* Internal: an axis of the detector of rests. Means are in 1/1024 counts. */
+typedef struct {
+    int32_t first;  /* sample of the block */
+    uint32_t sum;   /* of the differences to it, modulo 2^32; then the block's mean from origin */
+    int32_t origin; /* a place that means of blocks are relative to */
+    int32_t place;  /* that of the position taken last; before that, of the first block */
+} invcal_rests_axis;
+
 /* Internal: the detector of rests (expert.h). What is called a level is a logarithm, see rests.c. */
 typedef struct {
     uint8_t stage, flags, hold, drift; /* of the rest that is looked for, see rests.c */
+    uint8_t pended;                    /* its newest blocks that are held back, up to 2; 0: none */
     uint8_t skip;                      /* quiet blocks to be passed over before it begins */
     uint8_t reason;                    /* of what was refused last */
     uint8_t taken;                     /* there has been a position: `place` is one */
@@ -344,32 +353,28 @@ typedef struct {
     uint8_t least;       /* blocks that make a position, however short the time to hold */
     uint8_t bits;        /* a block has 1 << bits samples */
     uint16_t dwell;      /* the same with it */
-    uint16_t rate;       /* samples per second */
+    uint16_t blocks;     /* summed of the rest, without those held back; at most 1.6 hours */
+    uint16_t pace;       /* blocks in 1/125 s, 1/65536 */
     int16_t noise;       /* level, learned from the stream, see above; 0: nothing is known yet */
     int16_t wander;      /* and this */
     int16_t reach;       /* and this */
     int16_t other;       /* another noise level in the making */
     uint16_t missing;    /* samples until it is full; 0: the next begins another */
     uint32_t span;       /* twice what differences may be to be added quickly; 0: none */
-    int32_t first[3];    /* sample of the block */
-    uint32_t sum[3];     /* sums of the differences to it, modulo 2^32 */
-    uint32_t square;     /* and of their squares, the three axes together, modulo 2^32 */
-    uint32_t carry;      /* how often that has overflowed */
     uint32_t quantum;    /* smallest change ever seen inside a block, counts; 0: none as yet */
     uint32_t time;       /* samples in full blocks so far, modulo 2^32 */
     int32_t low;         /* rail, the least that the sensor reads */
     uint32_t between;    /* readings between low and the other rail */
-    int32_t blocks;      /* summed of the rest, up to 65535, after 1.6 hours; -2: none, and the next
-                         two will be pending */
+    uint64_t square;     /* of the block: squares of the differences, the three axes together; then
+                         their variance */
     uint32_t begin, end; /* of the rest: first block's first sample; behind the newest block */
-    int32_t origin[3];   /* a place that means of blocks are relative to */
-    int32_t place[3];    /* that of the position taken last; before that, the first sample */
+    invcal_rests_axis axis[3];
     struct {
-        int64_t total[3];      /* sums of the samples of the blocks, relative to origin */
-        uint64_t variance;     /* sum over the blocks and the two pending, 1/64 counts^2 */
-        int32_t pending[2][3]; /* means of the newest, 1/1024 counts: lost if motion follows */
+        uint64_t variance;     /* sum over the blocks and those held back, 1/64 counts^2 */
+        uint64_t total[3];     /* sums of the samples, relative to origin, modulo 2^64 */
+        int32_t pending[2][3]; /* means of the blocks held back: lost if motion follows */
         int32_t once[3];       /* fading mean of the means */
-        int32_t twice[3];      /* and fading mean of that mean */
+        int32_t lag[3];        /* how far the fading mean of that mean is behind it */
     } rest;                    /* the one that is looked for */
 } invcal_rests;
 

@@ -182,7 +182,7 @@ static void resume(const drive_state *d)
     memcpy(&resumed, session, size);
     REQUIRE(invcal_session_resume(&resumed, size) == INVCAL_OK);
     REQUIRE(resumed.count == session->count && resumed.hold == session->hold);
-    REQUIRE(resumed.rests.rate == session->rests.rate && resumed.rests.low == session->rests.low &&
+    REQUIRE(resumed.rests.pace == session->rests.pace && resumed.rests.low == session->rests.low &&
             resumed.rests.between == session->rests.between);
     REQUIRE(memcmp(&resumed.nominal, &session->nominal, sizeof resumed.nominal) == 0);
     REQUIRE(resumed.noise == session->noise);
