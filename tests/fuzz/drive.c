@@ -264,7 +264,7 @@ static void turn_to(drive_state *d, unsigned direction, unsigned samples)
 
 static unsigned second_of(const drive_state *d)
 {
-    return d->session->rests.rate;
+    return (unsigned)d->session->rate;
 }
 
 /* Rests in some directions, as a person would. */
