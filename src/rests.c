@@ -64,12 +64,12 @@ enum {
 #define NEAR (UINT32_C(1) << 12)    /* counts: what is closer to the first is added quickly */
 #define FINE 10u                    /* bits behind the point of a mean: exact for any block */
 #define MOST 65535u                 /* blocks of a rest that are summed */
-#define SHORTEST 620                /* milliseconds that make a position */
+#define SHORTEST UINT32_C(163578)   /* seconds that make a position, 1/2^18: 0.624 */
 #define HOUR (UINT32_C(3600) * 125) /* in 1/125 s */
 
 /* What has been said of the rest, beside why it was REFUSED: it is READY; nothing; it was TAKEN by the
  * newest block. */
-enum { HELD = INVCAL_OK, SETTLING = INVCAL_STATUS_COUNT, LEFT };
+enum { HELD = INVCAL_OK, SETTLING = INVCAL_STATUS_COUNT, LEFT = INVCAL_STATUS_COUNT + 1 };
 
 /* Bits of flags, and of `seen`, which is the newest block's. */
 enum {
@@ -80,10 +80,13 @@ enum {
     ALL_CHANGED = 7 * CHANGED
 };
 
-/* Before what takes less code apart from its callers, where that is asked for. */
+/* Where the compiler is to save space, all samples are added one way, which takes three times as long;
+ * and what stands behind COMPACT is not copied into its callers. */
 #ifdef __OPTIMIZE_SIZE__
+#define QUICK 0
 #define COMPACT INVCAL_APART
 #else
+#define QUICK 1
 #define COMPACT
 #endif
 
@@ -114,9 +117,9 @@ static uint32_t size_of(uint32_t x)
 /* x / 2^bits, towards 0: the same for both signs. */
 static int32_t shifted(int32_t x, unsigned bits)
 {
-    const int32_t size = (int32_t)(size_of((uint32_t)x) >> bits);
+    const uint32_t size = size_of((uint32_t)x) >> bits;
 
-    return x < 0 ? -size : size;
+    return as_signed(x < 0 ? 0u - size : size);
 }
 
 /* The position of the first one of x, from 0; 0 for 0 too. */
@@ -143,14 +146,8 @@ static int octaves(uint32_t x)
     return ((int)top - 1) * OCTAVE + (int)(x << (31 - top) >> 24);
 }
 
-/* On processors of few bits this takes more than a call. */
-COMPACT static void add_to(uint64_t *sum, uint64_t x)
-{
-    *sum += x;
-}
-
 /* Adds x^2. Where the processor has no product of 64 bits the compiler's is a large function. */
-COMPACT static void add_square(uint64_t *sum, uint32_t x)
+COMPACT static void add_squared(uint64_t *sum, uint32_t x)
 {
 #ifdef __ARM_ARCH_6M__
     const uint32_t low = x & 0xFFFFu;
@@ -179,7 +176,7 @@ COMPACT static int length_of(const int32_t d[3])
     uint64_t square = 0;
 
     for (unsigned a = 0; a < 3; a++) {
-        add_square(&square, size_of((uint32_t)d[a]));
+        add_squared(&square, size_of((uint32_t)d[a]));
     }
     return level_of(square);
 }
@@ -195,6 +192,7 @@ COMPACT static int distance_from_place(const invcal_rests *s)
     return length_of(d) + 2 * (int)FINE * OCTAVE;
 }
 
+/* Which is the first, or has been taken. */
 INVCAL_APART static void mark_place(invcal_rests *s)
 {
     for (unsigned a = 0; a < 3; a++) {
@@ -235,7 +233,8 @@ static void drop(invcal_rests *s)
     s->span = 0;
 }
 
-/* Differences are to the first sample. */
+/* Differences are to the first sample. Only where that is far from the rails, and the quantum known,
+ * may others be added quickly. */
 static void begin(invcal_rests *s, const int32_t raw[3])
 {
     if (s->stage == LEFT) {
@@ -244,22 +243,19 @@ static void begin(invcal_rests *s, const int32_t raw[3])
     s->missing = samples_of(s);
     s->square = 0;
     s->seen = 0;
-#ifndef __OPTIMIZE_SIZE__
-    s->span = s->quantum == 1 ? 2 * NEAR : 0;
-#endif
+    s->span = QUICK && s->quantum == 1 ? 2 * NEAR : 0;
     for (unsigned a = 0; a < 3; a++) {
         s->axis[a].first = raw[a];
         s->axis[a].sum = 0;
-#ifndef __OPTIMIZE_SIZE__
         const uint32_t above = (uint32_t)raw[a] - (uint32_t)s->low - 1u;
-        if (above >= s->between || smaller(above, s->between - 1u - above) < NEAR) {
+        if (QUICK && (above >= s->between || smaller(above, s->between - 1u - above) < NEAR)) {
             s->span = 0;
         }
-#endif
     }
 }
 
-/* Any sample. */
+/* Any sample: the first of a block, one that is far from it, that is near a rail, or that may tell the
+ * quantum. */
 INVCAL_APART static void add_any(invcal_rests *s, const int32_t raw[3])
 {
     if (s->missing == 0) {
@@ -270,7 +266,7 @@ INVCAL_APART static void add_any(invcal_rests *s, const int32_t raw[3])
         const uint32_t d = (uint32_t)raw[a] - (uint32_t)s->axis[a].first;
         const uint32_t size = raw[a] < s->axis[a].first ? 0u - d : d;
         s->axis[a].sum += d;
-        add_square(&s->square, size);
+        add_squared(&s->square, size);
         if ((uint32_t)raw[a] - (uint32_t)s->low - 1u >= s->between) {
             seen |= CLIPPED;
         }
@@ -284,7 +280,6 @@ INVCAL_APART static void add_any(invcal_rests *s, const int32_t raw[3])
     s->seen = (uint8_t)seen;
 }
 
-#ifndef __OPTIMIZE_SIZE__
 /* Adds a sample whose differences d are all small: -span/2 <= d < span/2, seen at one blow as
  * d + span/2 has no bit from that of span upwards. Returns 0 if they are not. Modulo 2^32, which
  * unsigned arithmetic does everywhere alike. */
@@ -305,7 +300,6 @@ static int add_small(invcal_rests *s, const int32_t raw[3])
     s->square += x * x + y * y + z * z;
     return 1;
 }
-#endif
 
 /* The block's mean, from its first sample, and in place of the squares its variance, 1/2^20 counts^2,
  * but for n / (n - 1). Integers, so nothing cancels, and it is never below 0: Cauchy and Schwarz. */
@@ -321,7 +315,7 @@ static void measure(invcal_rests *s)
         if (s->axis[a].sum != 0) {
             s->seen = (uint8_t)(s->seen | (unsigned)CHANGED << a);
         }
-        add_square(&square, size_of(s->axis[a].sum));
+        add_squared(&square, size_of(s->axis[a].sum));
     }
     s->square = ((uint64_t)(high << up | low >> (32 - up)) << 32 | low << up) - square;
 }
@@ -329,7 +323,7 @@ static void measure(invcal_rests *s)
 /* ---- learning from the stream ------------------------------------------------------------- */
 
 /* Of 1/2 count until it is known. */
-COMPACT static int quantum_level(const invcal_rests *s)
+static int quantum_level(const invcal_rests *s)
 {
     return 2 * octaves(s->quantum) + ONE;
 }
@@ -418,9 +412,8 @@ static uint32_t blocks_of(const invcal_rests *s)
 /* The rest has one block more: what is held back longest is safe now, as no motion came behind it.
  *
  * Brown's double smoothing: a fading mean, and the fading mean of that. On a slope the first lags
- * behind, the second once more: that lag tells the slope. The first blocks count alike,
- * nearly. */
-static void add_block(invcal_rests *s)
+ * behind, the second once more: that lag tells the slope. The first blocks count alike, nearly. */
+COMPACT static void add_block(invcal_rests *s)
 {
     const unsigned fade = (unsigned)smaller(top_of(2 * blocks_of(s) + 1), FADE);
 
@@ -433,24 +426,23 @@ static void add_block(invcal_rests *s)
     s->rest.variance += s->square >> (2 * FINE - 6);
     for (unsigned a = 0; a < 3; a++) {
         invcal_rests_axis *x = &s->axis[a];
-        add_to(&s->rest.total[a],
-               (uint64_t)(int64_t)shifted(s->rest.pending[0][a], FINE - s->bits));
+        s->rest.total[a] += (uint64_t)(int64_t)shifted(s->rest.pending[0][a], FINE - s->bits);
         s->rest.pending[0][a] = s->rest.pending[1][a];
         s->rest.pending[1][a] = as_signed(x->sum);
-        const int32_t step = shifted(as_signed(x->sum) - s->rest.once[a], fade);
-        const int32_t lag = s->rest.lag[a] + step;
-        s->rest.once[a] += step;
-        s->rest.lag[a] = lag - shifted(lag, fade);
+        const uint32_t once = (uint32_t)s->rest.once[a];
+        const uint32_t step = (uint32_t)shifted(as_signed(x->sum - once), fade);
+        const uint32_t lag = (uint32_t)s->rest.lag[a] + step;
+        s->rest.once[a] = as_signed(once + step);
+        s->rest.lag[a] = as_signed(lag - (uint32_t)shifted(as_signed(lag), fade));
     }
 }
 
 /* Does the rest drift? The slope must be beyond chance, as noise and what a hand wanders tell it,
  * and fast, for the noise and for the reach: a sensor that warms up is slower.
  *
- * On a slope of one a block the lag is g: 15 in the end, and a quarter of the
- * number of blocks, within 20 %, until then. Of block means that scatter by v the slope b is known
- * to v / (5.5 g^3), within 30 %, so chance is less than 1e-4 (chi^2 of 24 for three axes) beyond
- * b^2 g^3 = 8 / 5.5 v. What blocks wander from their trend holds the slope too, up to 8 b^2 before
+ * On a slope of one a block the lag is g: 15 in the end, and a quarter of the number of blocks,
+ * within 20 %, until then. Of block means that scatter by v the slope b is known to v / (5.5 g^3),
+ * within 30 %, so chance is less than 1e-4 (chi^2 of 24 for three axes) beyond b^2 g^3 = 8 / 5.5 v. What blocks wander from their trend holds the slope too, up to 8 b^2 before
  * the trend is known: an eighth of it is taken for v. */
 static int is_drifting(const invcal_rests *s)
 {
@@ -556,7 +548,7 @@ INVCAL_APART static invcal_event disagree(invcal_rests *s, int is_quiet, int exc
 }
 
 /* The block belongs to the rest. */
-INVCAL_APART static invcal_event agree(invcal_rests *s)
+static invcal_event agree(invcal_rests *s)
 {
     s->flags |= s->seen;
     if (s->skip > 0) {
@@ -579,7 +571,7 @@ static int is_dead(const invcal_rests *s, int quantum)
 }
 
 /* A rest may begin with this block. */
-static void start(invcal_rests *s)
+static void look_for(invcal_rests *s)
 {
     memset(&s->rest, 0, sizeof s->rest);
     s->flags = 0;
@@ -603,12 +595,19 @@ static int judge(invcal_rests *s, int quantum, int *is_quiet)
         larger(resolution_level(s), larger(s->noise + OF_NOISE, s->wander + OF_WANDER));
     *is_quiet = excess <= 0;
     if (s->pended == 0) {
-        start(s);
+        look_for(s);
         jump = NONE;
     } else if (*is_quiet && jump < BEYOND) {
         s->wander = (int16_t)follow(s->wander, jump);
     } /* cppcheck-suppress misra-c2012-15.7 ; there is nothing to learn */
     return larger(excess, jump - limit);
+}
+
+/* Has that just become long enough to be told, and has it not been? */
+static int is_frozen(invcal_rests *s)
+{
+    s->run++;
+    return s->run >= FREEZE && s->reason != INVCAL_REST_FROZEN;
 }
 
 /* A block is full. Is it quiet, and where it is expected? */
@@ -627,9 +626,9 @@ INVCAL_APART static invcal_event decide(invcal_rests *s)
         measure(s);
         if (!is_dead(s, quantum)) {
             excess = judge(s, quantum, &is_quiet);
-        } else if (++s->run >= FREEZE && s->reason != INVCAL_REST_FROZEN) {
+        } else if (is_frozen(s)) {
             return say(s, INVCAL_REST_FROZEN, INVCAL_REFUSED);
-        }
+        } /* cppcheck-suppress misra-c2012-15.7 ; it disagrees */
     }
     return excess <= 0 ? agree(s) : disagree(s, is_quiet, excess);
 }
@@ -644,8 +643,11 @@ static int is_readable(const invcal_rests *s)
 /* Of the raw samples. */
 static int64_t sum_of(const invcal_rests *s, unsigned a)
 {
-    return (int64_t)s->rest.total[a] +
-           (int64_t)s->axis[a].origin * (int32_t)((uint32_t)s->blocks << s->bits);
+    const int64_t off = (int64_t)s->rest.total[a];
+
+    //@ assert -UINT16_MAX * (2 * WIDE << s->bits) <= off; // so many at most
+    //@ assert off <= UINT16_MAX * (2 * WIDE << s->bits);
+    return off + (int64_t)s->axis[a].origin * (int32_t)((uint32_t)s->blocks << s->bits);
 }
 
 /* A conversion of 64 bits would be the compiler's, many times as large. */
@@ -667,10 +669,10 @@ invcal_status invcal_rests_init(invcal_rests *rests, unsigned rate)
     while (11u << rests->bits < rate) { /* at most 8 steps: a block is 1/11 to 2/11 s */
         rests->bits++;
     }
-    rests->pace = (uint16_t)(rate * UINT32_C(33555) >> (6 + rests->bits)) + 1u;
-    rests->least = LEAST;
-    invcal_rests_hold(rests, SHORTEST);
-    rests->least = (uint8_t)rests->dwell;
+    rests->pace = (uint16_t)((rate * UINT32_C(33555) >> (6 + rests->bits)) + 1);
+    const uint32_t least = (rate * SHORTEST >> (18 + rests->bits)) + 1;
+    rests->least = (uint8_t)(least > LEAST ? least : LEAST);
+    rests->dwell = rests->least;
     clear_rest(rests);
     return invcal_rests_rails(rests, INT32_MIN, INT32_MAX);
 }
@@ -700,10 +702,7 @@ void invcal_rests_hold(invcal_rests *rests, uint32_t milliseconds)
 invcal_event invcal_rests_feed(invcal_rests *rests, const int32_t raw[3])
 {
     INVCAL_ASSERT(rests && raw);
-#ifndef __OPTIMIZE_SIZE__
-    if (!add_small(rests, raw))
-#endif
-    {
+    if (!QUICK || !add_small(rests, raw)) {
         add_any(rests, raw);
     }
     rests->missing--;

@@ -4,7 +4,7 @@
 #include "history_rests.h"
 
 // eva: -eva-precision 0 -eva-auto-loop-unroll 32 -eva-slevel 40
-// trusted: 6
+// trusted: 2
 
 static void begin(unsigned bits)
 {

@@ -135,8 +135,7 @@ static void hold(invcal_session *session, const scene *s, unsigned n)
 /* What is not kept: a stream begins. */
 static void forget_stream(invcal_session *session)
 {
-    TEST_ASSERT_EQUAL_INT(INVCAL_OK,
-                          invcal_rests_init(&session->rests, (unsigned)session->rate));
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_rests_init(&session->rests, (unsigned)session->rate));
     TEST_ASSERT_EQUAL_INT(INVCAL_OK,
                           invcal_rests_rails(&session->rests, session->low, session->high));
     invcal_rests_hold(&session->rests, session->hold);
