@@ -1354,6 +1354,27 @@ static void a_rest_is_held_as_long_as_is_asked_and_no_longer(void)
     }
 }
 
+/* Blocks are counted without a division: against exact times, at all rates. */
+static void no_time_to_hold_is_cut_short_at_any_rate(void)
+{
+    invcal_rests detector;
+
+    for (uint32_t rate = 8; rate <= 8000; rate += TEST_SHORT) {
+        TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_rests_init(&detector, (unsigned)rate));
+        const uint32_t size = UINT32_C(1) << detector.bits;
+        const uint32_t least = 78 * rate / 125 / size + 1; /* 0.624 s */
+        TEST_ASSERT_EQUAL_UINT32(least < 4 ? 4 : least, detector.least);
+        TEST_ASSERT_EQUAL_UINT32(detector.least, detector.dwell);
+        for (uint64_t ms = 1; ms <= 3600000; ms *= 3) {
+            invcal_rests_hold(&detector, (uint32_t)ms);
+            const uint64_t held = (uint64_t)detector.dwell * size * 1000; /* over rate: ms */
+            const uint64_t most = (ms + ms / 1000 + 8) * rate + size * UINT64_C(1000);
+            TEST_ASSERT_TRUE(held >= ms * rate);
+            TEST_ASSERT_TRUE(detector.dwell == detector.least || held <= most);
+        }
+    }
+}
+
 /* And its place is not one that has been taken. */
 static void a_rest_left_before_its_time_is_refused_as_short(void)
 {
@@ -1720,6 +1741,7 @@ int main(void)
     RUN_SLOW_TEST(two_minutes_of_rest_are_one_position);
     RUN_TEST(a_fan_switched_on_is_a_new_noise_level);
     RUN_SLOW_TEST(a_rest_is_held_as_long_as_is_asked_and_no_longer);
+    RUN_SLOW_TEST(no_time_to_hold_is_cut_short_at_any_rate);
     RUN_TEST(a_rest_left_before_its_time_is_refused_as_short);
     RUN_TEST(the_time_to_hold_may_change_in_the_midst_of_a_rest);
     RUN_TEST(faults_are_told_before_the_time_has_passed);
