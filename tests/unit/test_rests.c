@@ -1132,6 +1132,19 @@ static void lost_samples_do_not_end_a_rest_that_goes_on(void)
     TEST_ASSERT_EQUAL_UINT(2, b.ready);
 }
 
+static void lost_samples_before_it_is_ready_do_not_refuse_a_rest(void)
+{
+    setup(100, 16384, 1e-3);
+    hold(0, 1);
+    TEST_ASSERT_EQUAL_UINT(0, b.ready);
+    invcal_rests_gap(&b.detector);
+    keep(0, 3);
+    TEST_ASSERT_EQUAL_UINT(1, b.ready);
+    turn(0, 1, 1);
+    TEST_ASSERT_EQUAL_UINT(1, b.taken);
+    TEST_ASSERT_EQUAL_UINT(0, all_refused());
+}
+
 static void lost_samples_may_hide_a_motion(void)
 {
     setup(100, 16384, 1e-3);
@@ -1729,6 +1742,7 @@ int main(void)
     RUN_TEST(a_sensor_that_freezes_in_motion_gives_no_rest);
     RUN_TEST(a_sensor_that_freezes_in_a_rest_ends_it);
     RUN_TEST(lost_samples_do_not_end_a_rest_that_goes_on);
+    RUN_TEST(lost_samples_before_it_is_ready_do_not_refuse_a_rest);
     RUN_TEST(lost_samples_may_hide_a_motion);
     RUN_TEST(a_rest_cut_short_by_lost_samples_is_refused_for_the_gap);
     RUN_TEST(a_short_rest_is_refused_as_short);
