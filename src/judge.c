@@ -59,7 +59,7 @@ static INVCAL_INLINE void add_calibrated(invcal_sums *sums, const invcal_real a[
     invcal_rank_one(sums->sum, g, INVCAL_PARAMETERS + 1, weight);
 }
 
-/* The rows of all that are not left out: exact ones without a, those of calibrated positions with it. */
+/* The rows of all that are not left out: exact ones, or with residuals those of calibrated positions. */
 static invcal_status pass(const invcal_positions *positions, const invcal_calibration *c,
                           const invcal_real a[3][3], invcal_sums *sums, invcal_residuals *residuals)
 {
@@ -74,7 +74,7 @@ static invcal_status pass(const invcal_positions *positions, const invcal_calibr
         if (status != INVCAL_OK) {
             return status;
         }
-        if (a) {
+        if (residuals != NULL) {
             invcal_residuals_add(residuals, i, &row);
             add_calibrated(sums, a, &row);
         } else {

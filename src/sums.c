@@ -12,14 +12,6 @@ void invcal_products(const invcal_real eta[3], invcal_real g[INVCAL_PARAMETERS])
     invcal_products_inline(eta, g);
 }
 
-/* Elements of H'H are products of two, three or four of x, y, z, and 31 of 45 different: these are
- * earlier ones again, and taken from there. J is behind the row. */
-static const uint8_t again[][2] = {
-    {21, 7},  {22, 10}, {27, 13},                                         /* xy */
-    {28, 8},  {29, 23}, {30, 15}, {35, 18},                               /* xz */
-    {36, 23}, {37, 12}, {38, 16}, {39, 34}, {42, 32}, {43, 26}, {44, 19}, /* yz */
-};
-
 void invcal_rank_one(invcal_real *a, const invcal_real *v, unsigned n, invcal_real weight)
 {
 #ifdef INVCAL_FAST
@@ -31,8 +23,8 @@ void invcal_rank_one(invcal_real *a, const invcal_real *v, unsigned n, invcal_re
     invcal_rank_one_inline(a, v, n, weight);
 }
 
-/* H'H += w h h', H'J += w h J, J'J += w J J. Where speed is asked for, what is there already is not summed
- * again: a bit for each. */
+/* H'H += w h h', H'J += w h J, J'J += w J J. Where speed is asked for, what invcal_sums_system takes from
+ * elsewhere is not summed: a bit for each. */
 static INVCAL_INLINE void add(invcal_sums *sums, const invcal_row *row, invcal_real weight)
 {
 #ifdef INVCAL_FAST
@@ -87,10 +79,19 @@ invcal_status invcal_sums_add(invcal_sums *sums, const invcal_calibration *nomin
     return status;
 }
 
+/* Elements of H'H are products of two, three or four of x, y, z, and 31 of 45 different: the others are
+ * earlier ones again, and taken from there. J is behind the row. */
 void invcal_sums_system(invcal_sums *sums)
 {
+    enum { REPEATED = 14 };
+    static const uint8_t again[REPEATED][2] = {
+        {21, 7},  {22, 10}, {27, 13},                                         /* xy */
+        {28, 8},  {29, 23}, {30, 15}, {35, 18},                               /* xz */
+        {36, 23}, {37, 12}, {38, 16}, {39, 34}, {42, 32}, {43, 26}, {44, 19}, /* yz */
+    };
+
     INVCAL_UNROLL
-    for (unsigned i = 0; i < sizeof again / sizeof again[0]; i++) {
+    for (unsigned i = 0; i < REPEATED; i++) {
         sums->sum[again[i][0]] = sums->sum[again[i][1]];
     }
 }

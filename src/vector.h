@@ -34,9 +34,11 @@
 #endif
 
 /* Zeros. Where space is to be saved not by memset, of which newlib's takes 160 bytes. */
-void(invcal_zero)(void *object, size_t size);
+void invcal_zero_bytes(void *object, size_t size);
 #if defined(INVCAL_FAST) || defined(__FRAMAC__)
 #define invcal_zero(object, size) ((void)memset(object, 0, size))
+#else
+#define invcal_zero invcal_zero_bytes
 #endif
 
 /* Of a count, below 2^31: signed as raw counts are, so that one conversion does for all. */

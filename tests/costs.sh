@@ -63,7 +63,7 @@ row "flash, everything" flash
 row "stack, \`invcal_solve\`" invcal_solve
 row "stack, \`invcal_session_feed\`" invcal_session_feed
 row "stack, \`invcal_session_solve\`" invcal_session_solve
-head='nothing but the words. On a Cortex-M4F it takes '
+head='nothing but the words. On a Cortex-M4F all that it calls takes '
 expect "$head" "$head$(figure m4f flash.product)"
 expect '| invcal, the core |' \
     "| invcal, the core | 9 | $(figure m4f 18_positions_and_solve) | $(figure m4f flash.core) | $(figure m4f memory.core) | 0 |"

@@ -7,5 +7,5 @@ void main(void)
 {
     uint8_t bytes[64];
 
-    (invcal_zero)(bytes, BETWEEN(0, sizeof bytes));
+    invcal_zero_bytes(bytes, BETWEEN(0, sizeof bytes));
 }

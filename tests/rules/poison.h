@@ -24,7 +24,7 @@
 /* what costs too much, or is not the same everywhere */
 #pragma GCC poison sin cos tan sinf cosf tanf sincos sincosf
 #pragma GCC poison pow powf exp expf log logf asin acos atan atan2 asinf acosf atanf atan2f
-#pragma GCC poison rand srand clock errno thread_local _Thread_local volatile
+#pragma GCC poison rand srand clock errno thread_local _Thread_local
 #if !INVCAL_DOUBLE
 /* the float build: no double, nor the functions that return one */
 #pragma GCC poison double sqrt fabs
