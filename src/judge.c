@@ -215,9 +215,12 @@ static invcal_status solve(const invcal_positions *positions, invcal_sums *sums,
     return status != INVCAL_OK && condition > OPEN ? INVCAL_UNDETERMINED : status;
 }
 
-invcal_status invcal_calibrate_without(const invcal_real *raw, unsigned count, invcal_mask left_out,
-                                       const invcal_calibration *nominal, invcal_real noise,
-                                       invcal_calibration *out, invcal_quality *quality)
+/* Apart: what calls it has looked for outliers before. */
+INVCAL_APART invcal_status invcal_calibrate_without(const invcal_real *raw, unsigned count,
+                                                    invcal_mask left_out,
+                                                    const invcal_calibration *nominal,
+                                                    invcal_real noise, invcal_calibration *out,
+                                                    invcal_quality *quality)
 {
     const invcal_positions positions = {raw, count, left_out, nominal, noise};
     invcal_calibration triad;

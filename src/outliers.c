@@ -35,7 +35,7 @@ typedef struct {
 
 static invcal_mask bit(unsigned i)
 {
-    return (invcal_mask)1 << i;
+    return (invcal_mask)((invcal_mask)1 << i);
 }
 
 /* ---- the fit ---------------------------------------------------------------------------------- */

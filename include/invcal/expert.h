@@ -57,7 +57,7 @@ invcal_status invcal_observe(const invcal_calibration *nominal, const invcal_rea
 
 /* The sums of all positions: 224 bytes. */
 typedef struct {
-    /* The triangle of H'H, but for elements that equal an earlier one; behind it H'J and J'J. */
+    /* The triangle of H'H, where what equals an earlier element is not read; behind it H'J and J'J. */
     invcal_real sum[INVCAL_PACKED_SIZE(INVCAL_PARAMETERS + 1)];
     unsigned count; /* rows in the sums; at most UINT_MAX */
 } invcal_sums;

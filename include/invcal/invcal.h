@@ -70,8 +70,10 @@ extern "C" {
 #endif
 
 /* How many positions a session keeps, and among how many outliers are looked for: a number from 12
- * to 64, in plain digits. Each costs 12 bytes of the session (float). */
-#ifndef INVCAL_MAX_POSITIONS
+ * to 64, in plain digits. Each costs 12 bytes of the session (float). By default 24, on an AVR 16. */
+#if !defined(INVCAL_MAX_POSITIONS) && defined(__AVR__)
+#define INVCAL_MAX_POSITIONS 16 /* with 2 KB of RAM, as an Arduino Uno has them */
+#elif !defined(INVCAL_MAX_POSITIONS)
 #define INVCAL_MAX_POSITIONS 24
 #endif
 
@@ -126,7 +128,9 @@ typedef float invcal_real; /* double with INVCAL_DOUBLE */
 #define invcal_session_begin INVCAL_CHOSEN(invcal_session_begin, INVCAL_MAX_POSITIONS)
 
 /* A set of positions: bit i for position i. */
-#if INVCAL_MAX_POSITIONS > 32
+#if INVCAL_MAX_POSITIONS <= 16
+typedef uint16_t invcal_mask;
+#elif INVCAL_MAX_POSITIONS > 32
 typedef uint64_t invcal_mask;
 #else
 typedef uint32_t invcal_mask;

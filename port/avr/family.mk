@@ -2,8 +2,8 @@
 # What all AVR targets share. Start-up is avr-libc's.
 PREFIX   := avr-
 OPT      := -Os
-# avr-libc's sqrtf is its sqrt: double is float there, and nothing is promoted.
-CPU       = -mmcu=$(MCU) -Wno-double-promotion
+# As many positions as elsewhere: the same tests. avr-libc's sqrtf is its sqrt: double is float there, and nothing is promoted.
+CPU       = -mmcu=$(MCU) -Wno-double-promotion -DINVCAL_MAX_POSITIONS=24
 LINK     := -lm
 BOARD    := port/avr/board.c
 RUN       = sh port/avr/run.sh $(MCU)

@@ -11,7 +11,7 @@
 need arduino-builder avr-g++ avr-size simavr gcc
 library=$out/libraries/invcal
 cores=/usr/share/arduino/hardware
-board=${ARDUINO_BOARD:-mega} # or uno
+board=${ARDUINO_BOARD:-uno} # or mega
 case $board in
 mega) fqbn=mega:cpu=atmega2560 mcu=atmega2560 ;;
 uno) fqbn=uno mcu=atmega328p ;;
@@ -74,7 +74,7 @@ ram() { # SKETCH
 takes_options() {
     mkdir "$out/Small" && cp "$library"/examples/Calibrate/* "$out/Small/" &&
         mv "$out/Small/Calibrate.ino" "$out/Small/Small.ino" &&
-        builds "$fqbn" Small -DINVCAL_MAX_POSITIONS=20 &&
+        builds "$fqbn" Small -DINVCAL_MAX_POSITIONS=12 &&
         echo "$(ram Calibrate) bytes, and with fewer positions $(ram Small)" &&
         [ $(($(ram Calibrate) - $(ram Small))) -eq 48 ]
 }

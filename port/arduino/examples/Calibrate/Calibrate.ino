@@ -4,9 +4,9 @@
  * as it says, and hold it still until it says "good". At the end the calibration is stored; from
  * then on calibrated readings are printed, after the next power-on too. Send c to calibrate anew.
  *
- * It takes 34 KB of flash and 2 KB of RAM: a Mega, not an Uno. The sensor is in sensor.cpp, the memory
- * in storage.cpp: change them for other ones. For little memory it prints whole numbers, and its texts
- * lie in flash.
+ * It takes 28 KB of flash and 1.6 KB of RAM: an Uno will do. The sensor is in sensor.cpp, the memory in
+ * storage.cpp: change them for other ones. For little memory it prints whole numbers, and its texts lie
+ * in flash.
  */
 #include <invcal.h>
 
@@ -37,7 +37,8 @@ static void show(const __FlashStringHelper *name, const float v[3], float unit)
     Serial.print(name);
     for (int i = 0; i < 3; i++) {
         Serial.print(' ');
-        Serial.print(lround(v[i] * unit));
+        const float x = v[i] * unit;
+        Serial.print((long)(x < 0 ? x - 0.5f : x + 0.5f));
     }
     Serial.println();
 }
@@ -83,28 +84,23 @@ static const __FlashStringHelper *why()
     }
 }
 
-static APART bool is_good()
-{
-    return invcal_session_is_good(&session);
-}
-
 static APART void save(const invcal_quality &quality)
 {
-    if (invcal_save(&calibration_store, &calibration, &quality) == INVCAL_OK) {
-        invcal_store_erase(&session_store);
-        Serial.println(F("calibration stored"));
-    } else {
-        Serial.println(F("calibration not stored: the EEPROM fails"));
-    }
+    const bool done = invcal_save(&calibration_store, &calibration, &quality) == INVCAL_OK;
+
+    Serial.println(done ? F("calibration stored")
+                        : F("calibration not stored: the EEPROM fails"));
 }
 
-/* Without positions that contradict the others. */
+/* Without positions that contradict the others. Nothing happens before that is good, and by residuals
+ * enough: as invcal_session_is_good, which solves too. */
 static APART void solve()
 {
     invcal_quality quality;
 
-    if (invcal_session_solve(&session, &calibration, &quality) != INVCAL_OK) {
-        return; /* it was good a moment ago */
+    if (invcal_session_solve(&session, &calibration, &quality) != INVCAL_OK ||
+        quality.verdict != INVCAL_GOOD || quality.dof < 3) {
+        return;
     }
     for (unsigned i = 0; i < session.count; i++) {
         if (quality.left_out >> i & 1) {
@@ -134,9 +130,7 @@ static void calibrate(const int32_t raw[3])
         Serial.print(F("positions taken: "));
         Serial.println(session.count);
         invcal_save_session(&session_store, &session); /* to go on there after a reset */
-        if (is_good()) {
-            solve();
-        }
+        solve();
         break;
     default:
         break; /* moving, settling */
@@ -152,7 +146,8 @@ static void measure(const int32_t raw[3])
     float a[3];
 
     invcal_apply_counts(&calibration, raw, a);
-    if (++n % SHOWN == 0) {
+    if (++n == SHOWN) {
+        n = 0;
         show(F("a, mg:"), a, 1000);
     }
 }
