@@ -5,7 +5,16 @@
 
 void main(void)
 {
+    invcal_real a[3];
+    invcal_real b[3];
     uint8_t bytes[64];
 
+    ANY(a);
+    ANY(b);
+    (void)invcal_is_finite(a[0]);
+    (void)invcal_is_positive(a[0]);
+    (void)invcal_are_finite(a);
+    (void)invcal_dot3(a, b);
+    (void)invcal_number(BETWEEN(0, 0x7FFFFFFF));
     invcal_zero_bytes(bytes, BETWEEN(0, sizeof bytes));
 }
