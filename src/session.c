@@ -126,14 +126,15 @@ invcal_status invcal_session_resume(invcal_session *session, uint32_t size)
 /* ---- samples ---------------------------------------------------------------------------------- */
 
 /* The reading of the rest that is READY or has been TAKEN just now. */
-static invcal_status read_rest(const invcal_session *session, invcal_real mean[3], invcal_row *row)
+INVCAL_APART static invcal_status read_rest(const invcal_session *session, invcal_row *row)
 {
-    return invcal_rests_mean(&session->rests, mean) ? invcal_observe(&session->nominal, mean, row)
-                                                    : INVCAL_TOO_FEW;
+    return invcal_rests_mean(&session->rests, row->h)
+               ? invcal_observe(&session->nominal, row->h, row)
+               : INVCAL_TOO_FEW;
 }
 
 /* The table is in the order of taking; where it is full the oldest goes. */
-static void keep(invcal_session *session, const invcal_real mean[3])
+static void keep(invcal_session *session)
 {
     unsigned count = session->count;
 
@@ -143,7 +144,7 @@ static void keep(invcal_session *session, const invcal_real mean[3])
             memcpy(session->mean[i], session->mean[i + 1], sizeof session->mean[0]);
         }
     }
-    memcpy(session->mean[count], mean, sizeof session->mean[0]);
+    (void)invcal_rests_mean(&session->rests, session->mean[count]); /* TAKEN: there is one */
     session->count = (uint8_t)(count + 1u);
     session->good = NOT_ASKED;
 }
@@ -156,14 +157,13 @@ INVCAL_APART static invcal_event digest(invcal_session *session, invcal_event ev
         session->reason = (uint8_t)invcal_rests_reason(&session->rests);
     }
     if (event == INVCAL_READY || event == INVCAL_TAKEN) {
-        invcal_real mean[3];
         invcal_row row;
-        const invcal_status status = read_rest(session, mean, &row);
+        const invcal_status status = read_rest(session, &row);
         if (status != INVCAL_OK) {
             session->last = INVCAL_REFUSED;
             session->reason = (uint8_t)status;
         } else if (event == INVCAL_TAKEN) {
-            keep(session, mean);
+            keep(session);
         } /* cppcheck-suppress misra-c2012-15.7 ; READY: it may still become better */
     }
     return (invcal_event)session->last;
@@ -217,13 +217,12 @@ void invcal_session_next(const invcal_session *session, invcal_real up[3])
 {
     invcal_sums sums;
     invcal_row row;
-    invcal_real held[3];
     invcal_real last[3];
     const invcal_real *present = last;
 
     INVCAL_ASSERT(session && up);
     invcal_sum_readings(session->mean[0], session->count, &session->nominal, &sums, last);
-    if (session->last != INVCAL_TAKEN && read_rest(session, held, &row) == INVCAL_OK) {
+    if (session->last != INVCAL_TAKEN && read_rest(session, &row) == INVCAL_OK) {
         invcal_sums_add_row(&sums, &row, 1);
         present = row.h;
     }

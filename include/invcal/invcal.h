@@ -71,9 +71,10 @@ extern "C" {
 
 /* How many positions a session keeps, and among how many outliers are looked for: a number from 12
  * to 64, in plain digits. Each costs 12 bytes of the session (float). By default 24, on an AVR 16. */
-#if !defined(INVCAL_MAX_POSITIONS) && defined(__AVR__)
+#if defined(__AVR__) && !defined(INVCAL_MAX_POSITIONS)
 #define INVCAL_MAX_POSITIONS 16 /* with 2 KB of RAM, as an Arduino Uno has them */
-#elif !defined(INVCAL_MAX_POSITIONS)
+#endif
+#ifndef INVCAL_MAX_POSITIONS
 #define INVCAL_MAX_POSITIONS 24
 #endif
 
@@ -372,7 +373,7 @@ typedef struct {
     uint64_t square;     /* of the block: squares of the differences, the three axes together; then
                          their variance */
     uint32_t begin, end; /* of the rest: first block's first sample; behind the newest block */
-    invcal_rests_axis axis[3];
+    invcal_rests_axis axis[3]; /* x, y, z */
     struct {
         uint64_t variance;     /* sum over the blocks and those held back, 1/64 counts^2 */
         uint64_t total[3];     /* sums of the samples, relative to origin, modulo 2^64 */
