@@ -165,6 +165,9 @@ int is_repeated(unsigned i)
     while (i >= INVCAL_PACKED(r + 1, 0)) {
         r++;
     }
+    if (r == INVCAL_PARAMETERS) { /* that of J */
+        return 0;
+    }
     const unsigned wanted = product[r] + product[i - INVCAL_PACKED(r, 0)];
     for (unsigned row = 0; row <= r; row++) {
         for (unsigned c = 0; c <= row && INVCAL_PACKED(row, c) < i; c++) {
