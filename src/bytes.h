@@ -63,7 +63,7 @@ void invcal_seal(uint8_t *bytes, unsigned kind, unsigned length);
  * version. */
 invcal_status invcal_unseal(const uint8_t *bytes, uint32_t size, unsigned kind);
 
-/* Divides a matrix by the field that a record of version 1 has. */
-void invcal_over_field(const uint8_t *record, uint8_t *matrix);
+/* The matrix of a record of version 1, which is in the unit of its field. */
+void invcal_over_field(invcal_real *matrix, invcal_real field);
 
 #endif

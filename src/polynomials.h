@@ -28,8 +28,4 @@ invcal_status invcal_thermal_triad(const invcal_thermal *thermal, invcal_real t,
 invcal_status invcal_thermal_find(const invcal_thermal *thermal, invcal_real temperature,
                                   invcal_real *t, invcal_thermal_place *place);
 
-/* Does the length of a thermal record fit its degree, which stands at `at`? INVCAL_DAMAGED if not;
- * INVCAL_OTHER_VERSION for a degree above that of the build. */
-invcal_status invcal_thermal_check_length(const uint8_t *bytes, unsigned at);
-
 #endif

@@ -7,63 +7,58 @@
 
 #include "bytes.h"
 #include "invcal/store.h"
+#include "solve.h"
 
-enum { FIELD_AT = 24, MATRIX_AT = 60, SIGMA_AT = 96, SIGMA_SIZE = 36 };
+enum { SIGMA_AT = 96, SIGMA_SIZE = 36 };
 enum { SKIPPED = INVCAL_RECORD_SIZE_V1 - INVCAL_RECORD_SIZE };
 
-void invcal_over_field(const uint8_t *record, uint8_t *matrix)
+void invcal_over_field(invcal_real *matrix, invcal_real field)
 {
-    invcal_real field;
-    invcal_real m[9];
-
-    (void)invcal_get_reals(record + FIELD_AT, &field, 1);
-    (void)invcal_get_reals(matrix, m, 9);
     for (unsigned i = 0; i < 9; i++) {
-        m[i] /= field;
+        matrix[i] /= field;
     }
-    (void)invcal_put_reals(matrix, m, 9);
 }
 
-/* r is what the new bytes say. */
-static invcal_status renew(const uint8_t *old, uint32_t size, uint8_t *bytes, invcal_record *r)
+invcal_status invcal_record_decode_v1(const uint8_t *bytes, uint32_t size, invcal_record *out)
 {
-    const invcal_status status = invcal_unseal(old, size, INVCAL_RECORD_KIND_V1);
+    uint8_t now[INVCAL_RECORD_SIZE]; /* in the order of the present version */
+    invcal_record r;
+
+    INVCAL_ASSERT(bytes && out);
+    invcal_status status = invcal_unseal(bytes, size, INVCAL_RECORD_KIND_V1);
     if (status != INVCAL_OK) {
         return status;
     }
-    if (invcal_get_u16(old + 2) != INVCAL_RECORD_SIZE_V1) {
+    if (invcal_get_u16(bytes + 2) != INVCAL_RECORD_SIZE_V1) {
         return INVCAL_DAMAGED;
     }
-    memcpy(bytes, old, SIGMA_AT);
-    memcpy(bytes + SIGMA_AT, old + SIGMA_AT + SKIPPED, SIGMA_SIZE);
-    invcal_over_field(old, bytes + MATRIX_AT);
-    invcal_seal(bytes, INVCAL_RECORD_KIND, INVCAL_RECORD_SIZE);
-    return invcal_record_decode(bytes, INVCAL_RECORD_SIZE, r);
-}
-
-invcal_status invcal_record_from_v1(const uint8_t *old, uint32_t size,
-                                    uint8_t bytes[INVCAL_RECORD_SIZE])
-{
-    invcal_record r;
-
-    INVCAL_ASSERT(old && bytes);
-    return renew(old, size, bytes, &r);
+    memcpy(now, bytes, SIGMA_AT);
+    memcpy(now + SIGMA_AT, bytes + SIGMA_AT + SKIPPED, SIGMA_SIZE);
+    invcal_seal(now, INVCAL_RECORD_KIND, sizeof now);
+    status = invcal_record_decode(now, sizeof now, &r);
+    if (status == INVCAL_OK) {
+        invcal_over_field(r.calibration.matrix[0], r.field);
+        status = invcal_nominal_check(&r.calibration);
+    }
+    if (status == INVCAL_OK) {
+        *out = r;
+    }
+    return status;
 }
 
 invcal_status invcal_load_v1(const invcal_store *store, invcal_calibration *calibration)
 {
-    uint8_t old[INVCAL_RECORD_SIZE_V1];
+    uint8_t bytes[INVCAL_RECORD_SIZE_V1];
+    invcal_record r;
     uint32_t size = 0;
 
     INVCAL_ASSERT(calibration);
-    invcal_status status = invcal_store_load(store, old, sizeof old, &size);
+    invcal_status status = invcal_store_load(store, bytes, sizeof bytes, &size);
     if (status == INVCAL_OK) {
-        uint8_t bytes[INVCAL_RECORD_SIZE];
-        invcal_record r;
-        status = renew(old, size, bytes, &r);
-        if (status == INVCAL_OK) {
-            *calibration = r.calibration;
-        }
+        status = invcal_record_decode_v1(bytes, size, &r);
+    }
+    if (status == INVCAL_OK) {
+        *calibration = r.calibration;
     }
     return status;
 }

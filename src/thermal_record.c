@@ -3,6 +3,7 @@
 
 #include "bytes.h"
 #include "polynomials.h"
+#include "thermal_record.h"
 #include "vector.h"
 
 #define AGREED INVCAL_REAL(1e-4) /* over field: what two calibrations may differ by */
@@ -46,8 +47,7 @@ static int agree_in_length(const invcal_calibration *a, const invcal_calibration
     return 1;
 }
 
-/* Is it a calibration, and the record that of its reference? */
-static invcal_status check_thermal(const invcal_thermal_record *r)
+invcal_status invcal_thermal_check(const invcal_thermal_record *r)
 {
     const invcal_thermal *t = &r->thermal;
     invcal_thermal_place place;
@@ -76,6 +76,18 @@ invcal_status invcal_thermal_check_length(const uint8_t *bytes, unsigned at)
     return bytes[at] <= INVCAL_THERMAL_DEGREE ? INVCAL_OK : INVCAL_OTHER_VERSION;
 }
 
+invcal_status invcal_thermal_read(const uint8_t *behind, invcal_thermal_record *r)
+{
+    invcal_zero(&r->thermal, sizeof r->thermal);
+    r->thermal.degree = behind[0];
+    r->thermal.fitted = behind[1];
+    r->thermal.fallback = behind[2];
+    r->is_triangular = behind[3];
+    return invcal_get_reals(behind + REALS_BEHIND, &r->thermal, count_reals(behind[0]))
+               ? INVCAL_OK
+               : INVCAL_NOT_FINITE;
+}
+
 /* r is lost on failure. */
 static invcal_status read_thermal(const uint8_t *bytes, uint32_t size, invcal_thermal_record *r)
 {
@@ -86,18 +98,10 @@ static invcal_status read_thermal(const uint8_t *bytes, uint32_t size, invcal_th
     if (status == INVCAL_OK) {
         status = invcal_record_decode(bytes + RECORD_AT, INVCAL_RECORD_SIZE, &r->record);
     }
-    if (status != INVCAL_OK) {
-        return status;
+    if (status == INVCAL_OK) {
+        status = invcal_thermal_read(bytes + BEHIND_RECORD, r);
     }
-    const uint8_t *behind = bytes + BEHIND_RECORD;
-    invcal_zero(&r->thermal, sizeof r->thermal);
-    r->thermal.degree = behind[0];
-    r->thermal.fitted = behind[1];
-    r->thermal.fallback = behind[2];
-    r->is_triangular = behind[3];
-    return invcal_get_reals(behind + REALS_BEHIND, &r->thermal, count_reals(behind[0]))
-               ? check_thermal(r)
-               : INVCAL_NOT_FINITE;
+    return status == INVCAL_OK ? invcal_thermal_check(r) : status;
 }
 
 invcal_status invcal_thermal_record_init(invcal_thermal_record *record,

@@ -1,32 +1,35 @@
-/* SPDX-License-Identifier: MIT */
-#include <string.h>
-
+/* SPDX-License-Identifier: MIT
+ *
+ * Thermal records of version 1, of release 0.1.0: matrices are in the unit of the field.
+ */
 #include "bytes.h"
 #include "invcal/thermal.h"
-#include "polynomials.h"
+#include "thermal_record.h"
 
-enum { WITHIN_AT = 4, NOMINAL_MATRIX_AT = 172 }; /* the record within, and the matrix */
-enum { BEHIND = WITHIN_AT + INVCAL_RECORD_SIZE, BEHIND_V1 = WITHIN_AT + INVCAL_RECORD_SIZE_V1 };
+enum { RECORD_AT_V1 = 4, BEHIND_V1 = RECORD_AT_V1 + INVCAL_RECORD_SIZE_V1 };
 
-invcal_status invcal_thermal_record_from_v1(const uint8_t *old, uint32_t size,
-                                            uint8_t bytes[INVCAL_THERMAL_RECORD_SIZE])
+invcal_status invcal_thermal_record_decode_v1(const uint8_t *bytes, uint32_t size,
+                                              invcal_thermal_record *out)
 {
     invcal_thermal_record r;
 
-    INVCAL_ASSERT(old && bytes);
-    invcal_status status = invcal_unseal(old, size, INVCAL_THERMAL_KIND_V1);
+    INVCAL_ASSERT(bytes && out);
+    invcal_status status = invcal_unseal(bytes, size, INVCAL_THERMAL_KIND_V1);
     if (status == INVCAL_OK) {
-        status = invcal_thermal_check_length(old, BEHIND_V1);
+        status = invcal_thermal_check_length(bytes, BEHIND_V1);
     }
     if (status == INVCAL_OK) {
-        status = invcal_record_from_v1(old + WITHIN_AT, INVCAL_RECORD_SIZE_V1, bytes + WITHIN_AT);
+        status = invcal_record_decode_v1(bytes + RECORD_AT_V1, INVCAL_RECORD_SIZE_V1, &r.record);
     }
-    if (status != INVCAL_OK) {
-        return status;
+    if (status == INVCAL_OK) {
+        status = invcal_thermal_read(bytes + BEHIND_V1, &r);
     }
-    const unsigned length = INVCAL_THERMAL_RECORD_BYTES(old[BEHIND_V1]);
-    memcpy(bytes + BEHIND, old + BEHIND_V1, length - BEHIND);
-    invcal_over_field(old + WITHIN_AT, bytes + NOMINAL_MATRIX_AT);
-    invcal_seal(bytes, INVCAL_THERMAL_KIND, length);
-    return invcal_thermal_record_decode(bytes, length, &r);
+    if (status == INVCAL_OK) {
+        invcal_over_field(r.thermal.nominal.matrix[0], r.record.field);
+        status = invcal_thermal_check(&r);
+    }
+    if (status == INVCAL_OK) {
+        *out = r;
+    }
+    return status;
 }

@@ -247,16 +247,11 @@ invcal_status invcal_record_encode(const invcal_record *record, uint8_t bytes[IN
  * Stack as above. */
 invcal_status invcal_record_decode(const uint8_t *bytes, uint32_t size, invcal_record *out);
 
-/* Makes a record of one of version 1: the matrix is divided by the field, and rounded once more; the
- * field still says which it was.
+/* The same of a record of version 1, which release 0.1.0 wrote: over field, as all are now; `field` still
+ * says in which unit it was.
  *
- * old, size  as bytes of invcal_record_decode.
- * bytes      out: other bytes than old. They may be stored in its place.
- *
- * Returns INVCAL_OK: invcal_record_decode accepts the bytes. On failure they are lost:
- *   as invcal_record_decode, INVCAL_OTHER_VERSION for any version but 1. Stack: about 500 bytes. */
-invcal_status invcal_record_from_v1(const uint8_t *old, uint32_t size,
-                                    uint8_t bytes[INVCAL_RECORD_SIZE]);
+ * Returns as invcal_record_decode; INVCAL_OTHER_VERSION for any version but 1. Stack: about 500 bytes. */
+invcal_status invcal_record_decode_v1(const uint8_t *bytes, uint32_t size, invcal_record *out);
 
 /* ---- what lasts of a session ---------------------------------------------------------------------
  *

@@ -48,7 +48,7 @@ extern "C" {
 #define invcal_thermal_fit INVCAL_THERMAL_CHOSEN(invcal_thermal_fit)
 #define invcal_thermal_judge INVCAL_THERMAL_CHOSEN(invcal_thermal_judge)
 #define invcal_thermal_record_decode INVCAL_THERMAL_CHOSEN(invcal_thermal_record_decode)
-#define invcal_thermal_record_from_v1 INVCAL_THERMAL_CHOSEN(invcal_thermal_record_from_v1)
+#define invcal_thermal_record_decode_v1 INVCAL_THERMAL_CHOSEN(invcal_thermal_record_decode_v1)
 
 #define INVCAL_THERMAL_ROWS (INVCAL_THERMAL_DEGREE + 1) /* coefficients of a parameter */
 
@@ -251,12 +251,12 @@ invcal_status invcal_thermal_record_encode(const invcal_thermal_record *record,
 invcal_status invcal_thermal_record_decode(const uint8_t *bytes, uint32_t size,
                                            invcal_thermal_record *out);
 
-/* Makes a record of one of version 1, which 0.1.0 has written, as invcal_record_from_v1 does.
+/* The same of a record of version 1, which release 0.1.0 wrote: over field, as all are now.
  *
- * Returns as invcal_thermal_record_decode, INVCAL_OTHER_VERSION for any version but 1; on failure the
- * bytes are lost. Stack: about 950 bytes. */
-invcal_status invcal_thermal_record_from_v1(const uint8_t *old, uint32_t size,
-                                            uint8_t bytes[INVCAL_THERMAL_RECORD_SIZE]);
+ * Returns as invcal_thermal_record_decode; INVCAL_OTHER_VERSION for any version but 1. Stack: about 1,000
+ * bytes. */
+invcal_status invcal_thermal_record_decode_v1(const uint8_t *bytes, uint32_t size,
+                                              invcal_thermal_record *out);
 
 #ifdef __cplusplus
 }

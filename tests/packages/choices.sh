@@ -41,7 +41,7 @@ for function in invcal_calibrate invcal_session_init invcal_session_begin invcal
         -DINVCAL_MAX_POSITIONS=64
 done
 for function in invcal_thermal_at invcal_thermal_calibrate invcal_thermal_start invcal_thermal_fit \
-    invcal_thermal_judge invcal_thermal_record_decode invcal_thermal_record_from_v1; do
+    invcal_thermal_judge invcal_thermal_record_decode invcal_thermal_record_decode_v1; do
     check "$function links as the library was compiled" links $function "$build/float/libinvcal.a"
     for choice in THERMAL_DEGREE=2 MAX_POSITIONS=64 DOUBLE=1; do
         check "$function: not with $choice" refuses $function "$build/float/libinvcal.a" -DINVCAL_$choice

@@ -1,64 +1,14 @@
 /* SPDX-License-Identifier: MIT */
-#include <stddef.h>
+#include "any_record.h"
 
-#include "arbitrary.h"
-#include "invcal/store.h"
-
-// eva: -eva-precision 0 -eva-auto-loop-unroll 40 -eva-slevel 20 -eva-slevel-function main:400,invcal_crc32:0 -eva-split-return full
+// eva: -eva-precision 0 -eva-auto-loop-unroll 40 -eva-slevel 20 -eva-slevel-function read_all:400,invcal_crc32:0 -eva-split-return full
 // stubs: store
-
-/* From a buffer of exactly so many bytes, that state a length from low to high. */
-static void decode(uint32_t size, unsigned low, unsigned high)
-{
-    uint8_t buffer[INVCAL_RECORD_SIZE + 2];
-    uint8_t *bytes = &buffer[sizeof buffer - size];
-    invcal_record record;
-
-    ANY(buffer);
-    if (size >= 4) {
-        bytes[2] = (uint8_t)BETWEEN(low, high);
-        bytes[3] = 0;
-    }
-    (void)invcal_record_decode(bytes, size, &record);
-}
-
-/* ---- the store: any failure, or so many bytes ------------------------------------------------- */
-
-static unsigned loaded[3]; /* how many, and the length that they state: from, to */
-
-invcal_status invcal_store_load(const invcal_store *store, uint8_t *bytes, uint32_t capacity,
-                                uint32_t *size)
-{
-    (void)store->slot_size;
-    if (loaded[0] > capacity || BETWEEN(0, 1)) {
-        return (invcal_status)BETWEEN(INVCAL_BAD_STORE, INVCAL_IO);
-    }
-    Frama_C_make_unknown((char *)bytes, loaded[0]);
-    if (loaded[0] >= 4) {
-        bytes[2] = (uint8_t)BETWEEN(loaded[1], loaded[2]);
-        bytes[3] = 0;
-    }
-    *size = loaded[0];
-    return INVCAL_OK;
-}
 
 invcal_status invcal_store_save(const invcal_store *store, const uint8_t *bytes, uint32_t size)
 {
     (void)store->slot_size;
     (void)bytes[size - 1];
     return (invcal_status)BETWEEN(INVCAL_OK, INVCAL_IO);
-}
-
-static void load(uint32_t size, unsigned low, unsigned high)
-{
-    invcal_store store;
-    invcal_calibration calibration;
-
-    ANY(store);
-    loaded[0] = size;
-    loaded[1] = low;
-    loaded[2] = high;
-    (void)invcal_load(&store, &calibration);
 }
 
 static void save(void)
@@ -75,29 +25,18 @@ static void save(void)
     invcal_record_init(&record, &calibration, &quality);
 }
 
-static void read(uint32_t size, unsigned low, unsigned high)
+static void encode(void)
 {
-    decode(size, low, high);
-    load(size, low, high);
+    uint8_t bytes[INVCAL_RECORD_SIZE];
+    invcal_record record;
+
+    ANY(record);
+    (void)invcal_record_encode(&record, bytes);
 }
 
 void main(void)
 {
     save();
-    uint8_t bytes[INVCAL_RECORD_SIZE];
-    invcal_record record;
-
-    static const uint32_t sizes[] = {0, 3, 4, 7, 8, 9, 100, 135, 136, 137, 138};
-
-    for (unsigned i = 0; i < sizeof sizes / sizeof *sizes; i++) {
-        const uint32_t size = sizes[i];
-        read(size, 0, INVCAL_RECORD_SIZE - 1);
-        read(size, INVCAL_RECORD_SIZE, INVCAL_RECORD_SIZE);
-        read(size, INVCAL_RECORD_SIZE + 1, 255);
-    }
-    ANY(bytes);
-    bytes[3] = (uint8_t)BETWEEN(1, 255);
-    (void)invcal_record_decode(bytes, sizeof bytes, &record);
-    ANY(record);
-    (void)invcal_record_encode(&record, bytes);
+    encode();
+    read_all(invcal_record_decode, invcal_load, INVCAL_RECORD_SIZE);
 }

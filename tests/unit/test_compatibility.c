@@ -113,31 +113,16 @@ static void same_bytes(const uint8_t *expected, const uint8_t *actual, uint32_t 
     }
 }
 
-static int is_of_version_1(const uint8_t *bytes)
-{
-    return bytes[1] == 1;
-}
-
 static invcal_status read_record(const uint8_t *bytes, uint32_t size, invcal_record *out)
 {
-    uint8_t now[INVCAL_RECORD_SIZE];
-
-    if (!is_of_version_1(bytes)) {
-        return invcal_record_decode(bytes, size, out);
-    }
-    const invcal_status status = invcal_record_from_v1(bytes, size, now);
-    return status == INVCAL_OK ? invcal_record_decode(now, sizeof now, out) : status;
+    return bytes[1] == 1 ? invcal_record_decode_v1(bytes, size, out)
+                         : invcal_record_decode(bytes, size, out);
 }
 
 static invcal_status read_thermal(const uint8_t *bytes, uint32_t size, invcal_thermal_record *out)
 {
-    uint8_t now[INVCAL_THERMAL_RECORD_SIZE];
-
-    if (!is_of_version_1(bytes)) {
-        return invcal_thermal_record_decode(bytes, size, out);
-    }
-    const invcal_status status = invcal_thermal_record_from_v1(bytes, size, now);
-    return status == INVCAL_OK ? invcal_thermal_record_decode(now, sizeof now, out) : status;
+    return bytes[1] == 1 ? invcal_thermal_record_decode_v1(bytes, size, out)
+                         : invcal_thermal_record_decode(bytes, size, out);
 }
 
 /* ---- tests ---------------------------------------------------------------------------------------- */

@@ -189,13 +189,8 @@ static void assert_not_encoded(invcal_status expected, const invcal_thermal_reco
 /* As a program does that may find either version. */
 static invcal_status decode(const uint8_t *bytes, uint32_t size, invcal_thermal_record *out)
 {
-    uint8_t now[SIZE];
-
-    if (size < 2 || bytes[1] != 1) {
-        return invcal_thermal_record_decode(bytes, size, out);
-    }
-    const invcal_status status = invcal_thermal_record_from_v1(bytes, size, now);
-    return status == INVCAL_OK ? invcal_thermal_record_decode(now, SIZE, out) : status;
+    return size >= 2 && bytes[1] == 1 ? invcal_thermal_record_decode_v1(bytes, size, out)
+                                      : invcal_thermal_record_decode(bytes, size, out);
 }
 
 static void assert_refused(invcal_status expected, const uint8_t *bytes, uint32_t size)
@@ -286,8 +281,7 @@ static void the_bytes_of_version_1_give_the_record_over_field(void)
     assert_equal_judgements(&now.record, &r.record);
     for (unsigned i = 0; i < 3; i++) {
         for (unsigned k = 0; k < 3; k++) {
-            const invcal_real over_field =
-                (invcal_real)(float)(now.thermal.nominal.matrix[i][k] / field);
+            const invcal_real over_field = now.thermal.nominal.matrix[i][k] / field;
             TEST_ASSERT_TRUE(r.thermal.nominal.matrix[i][k] == over_field);
             TEST_ASSERT_TRUE(r.record.calibration.matrix[i][k] == over_field);
         }
@@ -301,22 +295,21 @@ static void each_version_has_its_function(void)
 {
     invcal_thermal_record r;
     uint8_t bytes[OLD];
-    uint8_t now[SIZE];
 
     TEST_ASSERT_EQUAL_INT(INVCAL_OTHER_VERSION,
                           invcal_thermal_record_decode(golden_of_version_1, OLD, &r));
-    TEST_ASSERT_EQUAL_INT(INVCAL_OTHER_VERSION, invcal_thermal_record_from_v1(golden, FLAT, now));
+    TEST_ASSERT_EQUAL_INT(INVCAL_OTHER_VERSION, invcal_thermal_record_decode_v1(golden, FLAT, &r));
     memcpy(bytes, golden_of_version_1, OLD);
     bytes[OLD - 5] ^= 1; /* a coefficient */
-    TEST_ASSERT_EQUAL_INT(INVCAL_DAMAGED, invcal_thermal_record_from_v1(bytes, OLD, now));
+    TEST_ASSERT_EQUAL_INT(INVCAL_DAMAGED, invcal_thermal_record_decode_v1(bytes, OLD, &r));
     memcpy(bytes, golden_of_version_1, OLD);
     bytes[DEGREE_AT + 48] = 1; /* which has another length */
     seal_bytes(bytes, OLD - 4);
-    TEST_ASSERT_EQUAL_INT(INVCAL_DAMAGED, invcal_thermal_record_from_v1(bytes, OLD, now));
+    TEST_ASSERT_EQUAL_INT(INVCAL_DAMAGED, invcal_thermal_record_decode_v1(bytes, OLD, &r));
     memcpy(bytes, golden_of_version_1, OLD);
     bytes[RECORD_AT + 20] ^= 1; /* of the record within */
     seal_bytes(bytes, OLD - 4);
-    TEST_ASSERT_EQUAL_INT(INVCAL_DAMAGED, invcal_thermal_record_from_v1(bytes, OLD, now));
+    TEST_ASSERT_EQUAL_INT(INVCAL_DAMAGED, invcal_thermal_record_decode_v1(bytes, OLD, &r));
 }
 
 /* 0.1.0 turned calibrations to the triangular frame if asked: what holds at the reference differs
