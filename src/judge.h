@@ -24,7 +24,8 @@ static inline int invcal_is_left_out(const invcal_positions *positions, unsigned
 /* INVCAL_BAD_... of what the positions were read with. */
 invcal_status invcal_positions_check(const invcal_positions *positions);
 
-/* First pass: the sums of all that are not left out. Returns as invcal_observe. */
+/* First pass: the sums of all that are not left out, as far as they are readings. Returns as
+ * invcal_observe. */
 invcal_status invcal_positions_sum(const invcal_positions *positions, invcal_sums *sums);
 
 /* The system of nine to L^-1, and to p if there is a row behind them.

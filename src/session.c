@@ -113,6 +113,9 @@ invcal_status invcal_session_resume(invcal_session *session, uint32_t size)
     if (session->count > INVCAL_MAX_POSITIONS || size != invcal_session_size(session)) {
         return INVCAL_DAMAGED;
     }
+    if (!(session->noise >= 0 && session->noise < 1)) {
+        return INVCAL_BAD_NOISE;
+    }
     invcal_status status = begin_stream(session, &session->nominal, (unsigned)session->rate);
     if (status == INVCAL_OK) {
         status = invcal_rests_rails(&session->rests, session->low, session->high);
@@ -213,20 +216,30 @@ const char *invcal_session_why(const invcal_session *session)
     return invcal_refusal_text(invcal_session_reason(session));
 }
 
+/* The position that was taken last: 0 if there is none. */
+INVCAL_APART static int read_last(const invcal_session *session, invcal_row *row)
+{
+    if (session->count == 0) {
+        return 0;
+    }
+    (void)invcal_observe(&session->nominal, session->mean[session->count - 1], row); /* accepted */
+    return 1;
+}
+
 void invcal_session_next(const invcal_session *session, invcal_real up[3])
 {
     invcal_sums sums;
     invcal_row row;
-    invcal_real last[3];
-    const invcal_real *present = last;
 
     INVCAL_ASSERT(session && up);
-    invcal_sum_readings(session->mean[0], session->count, &session->nominal, &sums, last);
+    const invcal_positions taken = {session->mean[0], session->count, 0, &session->nominal, 0};
+    (void)invcal_positions_sum(&taken, &sums); /* accepted */
     if (session->last != INVCAL_TAKEN && read_rest(session, &row) == INVCAL_OK) {
         invcal_sums_add_row(&sums, &row, 1);
-        present = row.h;
-    }
-    invcal_next_beside(&sums, present, up);
+    } else if (!read_last(session, &row)) {
+        invcal_zero(&row, sizeof row);
+    } /* cppcheck-suppress misra-c2012-15.7 ; the row is that of the last position */
+    invcal_next_beside(&sums, row.h, up);
 }
 
 const char *invcal_session_next_words(const invcal_session *session, char words[INVCAL_WORDS])
@@ -242,11 +255,8 @@ int invcal_session_is_at(const invcal_session *session, const invcal_real up[3])
     invcal_row row;
 
     INVCAL_ASSERT(session && up);
-    if (session->count == 0) {
-        return 0;
-    }
-    (void)invcal_observe(&session->nominal, session->mean[session->count - 1], &row); /* accepted */
-    return invcal_dot3(row.h, up) >= CLOSE * INVCAL_SQRT(invcal_dot3(row.h, row.h));
+    return read_last(session, &row) &&
+           invcal_dot3(row.h, up) >= CLOSE * INVCAL_SQRT(invcal_dot3(row.h, row.h));
 }
 
 /* ---- the result ------------------------------------------------------------------------------- */

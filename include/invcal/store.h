@@ -126,12 +126,12 @@ invcal_status invcal_load_session(const invcal_store *store, invcal_session *ses
  * What it cannot do: guard against a driver that reports success before the memory is done, or
  * two saves at once. The granularity belongs to the format: with another one, nothing is found. */
 
-/* Saves size bytes, 1 ... 65535. They are what is loaded from now on.
+/* Saves size bytes, 1 ... 65535 (65459 where int has 16 bits). They are what is loaded from now on.
  *
  * Returns INVCAL_OK: read back and found right;
  *   INVCAL_BAD_STORE  a granularity not in the list above, or a slot too small for anything;
  *   INVCAL_BAD_COUNT  size 0;
- *   INVCAL_NO_SPACE   more than a slot holds, or than 65535: nothing was erased;
+ *   INVCAL_NO_SPACE   more than a slot holds, or than the above: nothing was erased;
  *   INVCAL_IO         a callback failed, or what was read back differs: a worn or protected memory.
  *                     The old bytes are still loaded; the new ones are only if the very last step
  *                     failed, that of confirming them, or if there were no old ones. Also if
@@ -278,8 +278,8 @@ uint32_t invcal_session_size(const invcal_session *session);
  * Returns INVCAL_OK;
  *   INVCAL_OTHER_VERSION  they are not what a build like this has kept;
  *   INVCAL_DAMAGED        nor are they as long as their table;
- *   INVCAL_BAD_NOMINAL, INVCAL_BAD_RATE, INVCAL_BAD_RAILS    a content that no session has. The means
- *   and the noise are not looked at: any that is none is refused by what solves. */
+ *   INVCAL_BAD_NOMINAL, INVCAL_BAD_NOISE, INVCAL_BAD_RATE, INVCAL_BAD_RAILS    a content that no session
+ *   has. The means are not looked at: what solves refuses any that is none. */
 invcal_status invcal_session_resume(invcal_session *session, uint32_t size);
 
 #ifdef __cplusplus
