@@ -23,8 +23,30 @@ void invcal_rank_one(invcal_real *a, const invcal_real *v, unsigned n, invcal_re
     invcal_rank_one_inline(a, v, n, weight);
 }
 
-/* H'H += w h h', H'J += w h J, J'J += w J J. Where speed is asked for, what invcal_sums_system takes from
- * elsewhere is not summed: a bit for each. */
+/* Elements of H'H are products of two, three or four of x, y, z, and 31 of 45 different: those in the
+ * first column are the earlier ones in the second again. */
+enum { REPEATED = 14 };
+/* cppcheck-suppress misra-c2012-8.9 ; where speed is asked for, two functions use it */
+static const uint8_t again[REPEATED][2] = {
+    {21, 7},  {22, 10}, {27, 13},                                         /* xy */
+    {28, 8},  {29, 23}, {30, 15}, {35, 18},                               /* xz */
+    {36, 23}, {37, 12}, {38, 16}, {39, 34}, {42, 32}, {43, 26}, {44, 19}, /* yz */
+};
+
+#ifdef INVCAL_FAST
+static INVCAL_INLINE int is_repeated(unsigned i)
+{
+    INVCAL_UNROLL
+    for (unsigned k = 0; k < REPEATED; k++) {
+        if (again[k][0] == i) {
+            return 1;
+        }
+    }
+    return 0;
+}
+#endif
+
+/* H'H += w h h', H'J += w h J, J'J += w J J. Where speed is asked for, nothing is summed twice. */
 static INVCAL_INLINE void add(invcal_sums *sums, const invcal_row *row, invcal_real weight)
 {
 #ifdef INVCAL_FAST
@@ -35,7 +57,7 @@ static INVCAL_INLINE void add(invcal_sums *sums, const invcal_row *row, invcal_r
         const invcal_real weighted = weight * row->h[r];
         INVCAL_UNROLL_ROWS
         for (unsigned c = 0; c <= r; c++) {
-            if (!(UINT64_C(0x1CF878600000) >> i & 1u)) {
+            if (!is_repeated(i)) {
                 sums->sum[i] += weighted * row->h[c];
             }
             i++;
@@ -79,17 +101,9 @@ invcal_status invcal_sums_add(invcal_sums *sums, const invcal_calibration *nomin
     return status;
 }
 
-/* Elements of H'H are products of two, three or four of x, y, z, and 31 of 45 different: the others are
- * earlier ones again, and taken from there. J is behind the row. */
+/* J is behind the row. */
 void invcal_sums_system(invcal_sums *sums)
 {
-    enum { REPEATED = 14 };
-    static const uint8_t again[REPEATED][2] = {
-        {21, 7},  {22, 10}, {27, 13},                                         /* xy */
-        {28, 8},  {29, 23}, {30, 15}, {35, 18},                               /* xz */
-        {36, 23}, {37, 12}, {38, 16}, {39, 34}, {42, 32}, {43, 26}, {44, 19}, /* yz */
-    };
-
     INVCAL_UNROLL
     for (unsigned i = 0; i < REPEATED; i++) {
         sums->sum[again[i][0]] = sums->sum[again[i][1]];
