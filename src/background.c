@@ -4,8 +4,8 @@
 #include "guidance.h"
 #include "vector.h"
 
-/* h K h' of a position that is worth its place: 9 of 20 beside the others, l; l / (1 + l) with itself. */
-#define TELLING INVCAL_REAL(0.31034482758620690)
+/* h K h' of a position that is worth its place: l = 9 of 20 beside the others, l / (1 + l) with itself. */
+#define TELLING (INVCAL_REAL(9.0) / 29)
 enum { DAYS = 88 }; /* a position lasts */
 
 invcal_status invcal_background_init(invcal_background *background,

@@ -11,7 +11,7 @@
 #define ACROSS INVCAL_REAL(0.0078125) /* to turn right over costs 1/64 of what it tells */
 #define THE_SAME INVCAL_REAL(0.9)     /* cosine of 26 degrees: closer is the same position again */
 #define CLEARLY INVCAL_REAL(1.001)    /* of directions that differ by less, the first counts */
-#define NO_LENGTH INVCAL_REAL(1e-6)   /* square of what stands for it */
+#define NO_LENGTH INVCAL_REAL(1e-6)   /* a square: so that 0 has a length too */
 
 enum { DIRECTIONS = 43 }; /* from 0 to the last, 222 to base 4 */
 

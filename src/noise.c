@@ -1,5 +1,4 @@
 /* SPDX-License-Identifier: MIT */
-
 #include "invcal/allan.h"
 #include "sums.h"
 

@@ -1,5 +1,4 @@
 /* SPDX-License-Identifier: MIT */
-
 #include "solve.h"
 #include "vector.h"
 

@@ -441,8 +441,9 @@ COMPACT static void add_block(invcal_rests *s)
  *
  * On a slope of one a block the lag is g: 15 in the end, and a quarter of the number of blocks,
  * within 20 %, until then. Of block means that scatter by v the slope b is known to v / (5.5 g^3),
- * within 30 %, so chance is less than 1e-4 (chi^2 of 24 for three axes) beyond b^2 g^3 = 8 / 5.5 v. What blocks wander from their trend holds the slope too, up to 8 b^2 before
- * the trend is known: an eighth of it is taken for v. */
+ * within 30 %, so chance is less than 1e-4 (chi^2 of 24 for three axes) beyond b^2 g^3 = 8 / 5.5 v. What
+ * blocks wander from their trend holds the slope too, up to 8 b^2 before the trend is known: an eighth of
+ * it is taken for v. */
 static int is_drifting(const invcal_rests *s)
 {
     const int g = octaves(smaller(blocks_of(s), 60)) - 2 * OCTAVE;

@@ -2,7 +2,8 @@
 # What all AVR targets share. Start-up is avr-libc's.
 PREFIX   := avr-
 OPT      := -Os
-# As many positions as elsewhere: the same tests. avr-libc's sqrtf is its sqrt: double is float there, and nothing is promoted.
+# avr-libc's sqrtf is its sqrt: double is float there, and nothing is promoted. As many positions as
+# elsewhere: the same tests.
 CPU       = -mmcu=$(MCU) -Wno-double-promotion -DINVCAL_MAX_POSITIONS=24
 LINK     := -lm
 BOARD    := port/avr/board.c
