@@ -6,7 +6,8 @@
 # (gcc, C99, -O2). $1: folder to build in.
 # Compilers that are not installed are named and counted as a failure; `make deps` gets them.
 # The scripts that try the tool run once, under gcc's sanitizers: they are slow, and the fuzzers of the
-# tool are clang's. With BRIEF=1 they leave out what differs in numbers only, which `make test` tries.
+# tool are clang's. With BRIEF=1 they leave out what differs in numbers only, and the tutorial, which
+# `make test` tries.
 # clang builds the tool without sanitizers. CONFIGURATION=gcc: those with such names only. ONLY: see
 # run.sh.
 # With more arguments, it is one configuration: NAME COMPILER STANDARD ASSERT DEGREE ONLY FLAG..., -
@@ -39,7 +40,7 @@ configurations() {
 }
 
 all() {
-    san='-O1 -g -fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer'
+    san='-O1 -g1 -fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer'
     units='^float-|^double-'
     echo "gcc-sanitizers gcc c11 1 - - $san
 clang-sanitizers $clang c99 1 2 $units $san

@@ -4,8 +4,8 @@
 # Runs every test that stands in the build folder $1, and the scripts beside this file, two at a
 # time. Prints a line for each suite, below it what failed and where its log is, and at the end
 # `N passed, N failed`.
-# CC, CFLAGS and UNITY are handed on to scripts that compile something. ONLY='still|tool': suites with
-# such names only.
+# CC, CFLAGS and UNITY are handed on to scripts that compile something. ONLY='rests|tool': suites with
+# such names only. BRIEF=1: without the pages that are followed word by word.
 build=$1
 tests=$(dirname "$0")
 logs=$build/run
@@ -27,6 +27,7 @@ suites() {
     echo "library sh $tests/library.sh $build"
     echo "readme sh $tests/readme.sh $build"
     echo "errors sh $tests/errors.sh $build"
+    [ "$BRIEF" ] && return
     echo "tutorial sh $tests/tutorial.sh $build tutorial"
     echo "porting sh $tests/tutorial.sh $build porting"
 }
