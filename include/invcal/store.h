@@ -86,7 +86,7 @@ invcal_status invcal_load(const invcal_store *store, invcal_calibration *calibra
 /* The same of what release 0.1.0 saved, for a device that has been in use since then: it asks this one
  * if invcal_load fails. Over field, as all calibrations; what is saved from now on invcal_load knows.
  *
- * Returns as invcal_load. Stack: about 800 bytes. */
+ * Returns as invcal_load. Stack: about 900 bytes. */
 invcal_status invcal_load_v1(const invcal_store *store, invcal_calibration *calibration);
 
 /* Saves what lasts of a session: see invcal_session_size.

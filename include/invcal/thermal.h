@@ -253,7 +253,7 @@ invcal_status invcal_thermal_record_decode(const uint8_t *bytes, uint32_t size,
 
 /* The same of a record of version 1, which release 0.1.0 wrote: over field, as all are now.
  *
- * Returns as invcal_thermal_record_decode; INVCAL_OTHER_VERSION for any version but 1. Stack: about 1,000
+ * Returns as invcal_thermal_record_decode; INVCAL_OTHER_VERSION for any version but 1. Stack: about 800
  * bytes. */
 invcal_status invcal_thermal_record_decode_v1(const uint8_t *bytes, uint32_t size,
                                               invcal_thermal_record *out);
