@@ -59,11 +59,13 @@ def closing(tokens, i):
 
 
 def declares_array(tokens, i):
-    """Is the bracket at i the size in `type name[...]`?"""
+    """Is the bracket at i the size in `type name[...]`, or of what `type (*name)[...]` points to?"""
     while i > 0 and tokens[i - 1][0] == "]":
         i -= 1
         while tokens[i][0] != "[":
             i -= 1
+    if tokens[i - 1][0] == ")":
+        return any(t[0] == "(" and u[0] == "*" for t, u in (tokens[i - 4:i - 2], tokens[i - 3:i - 1]))
     return (i >= 2 and tokens[i - 1]["name"] and tokens[i - 2][0] != "return"
             and (tokens[i - 2]["name"] or (tokens[i - 2][0] == "*"
                                            and tokens[i - 2].end() == tokens[i - 1].start())))

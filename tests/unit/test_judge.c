@@ -185,6 +185,25 @@ static void one_residual_is_enough_to_tell_what_is_weak(void)
     TEST_ASSERT_TRUE(count[0] > 0 && count[1] > 0);
 }
 
+/* Noise of the readings adds about 18 noise^2 to every information, 1 / K. */
+static void noise_of_a_tenth_of_the_information_is_weak(void)
+{
+    double most = 0;
+
+    for (unsigned r = 0; r < INVCAL_PARAMETERS; r++) {
+        most = fmax(most, expected_plan18_root_k[r]);
+    }
+    const double border = sqrt(0.1 / 18) / most;
+    const scene below = plan18(1, 0, 0, 0.98 * border);
+    const scene above = plan18(1, 0, 0, 1.02 * border);
+    TEST_ASSERT_EQUAL_INT(INVCAL_GOOD, below.quality.verdict);
+    TEST_ASSERT_EQUAL_INT(INVCAL_WEAK, above.quality.verdict);
+    for (unsigned r = 0; r < INVCAL_PARAMETERS; r++) {
+        TEST_ASSERT_EQUAL_INT(expected_plan18_root_k[r] > most / 1.01,
+                              above.quality.weak >> r & 1u);
+    }
+}
+
 static const double nine_directions[9][3] = {{1, 0, 0},     {0, 1, 0},     {0, 0, 1},
                                              {-1, 0, 0},    {0, -1, 0},    {0, 0, -1},
                                              {0.6, 0.8, 0}, {0.6, 0, 0.8}, {0, 0.6, 0.8}};
@@ -381,6 +400,7 @@ int main(void)
     RUN_TEST(residuals_are_calibrated_lengths_minus_one);
     RUN_TEST(the_noise_is_the_larger_of_stated_and_observed);
     RUN_TEST(one_residual_is_enough_to_tell_what_is_weak);
+    RUN_TEST(noise_of_a_tenth_of_the_information_is_weak);
     RUN_TEST(nine_positions_of_absurd_noise_are_weak);
     RUN_TEST(nine_positions_have_no_redundancy);
     RUN_TEST(positions_close_to_the_axes_are_weak_and_name_the_angles);

@@ -340,6 +340,8 @@ static void rails_of_any_kind_come_back(void)
         TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_session_rails(&session, rail[i][0], rail[i][1]));
         invcal_session back = resume(bytes, keep(&session, bytes));
         assert_same(&session, &back);
+        TEST_ASSERT_EQUAL_INT32(rail[i][0], back.low);
+        TEST_ASSERT_EQUAL_INT32(rail[i][1], back.high);
     }
 }
 
