@@ -8,12 +8,13 @@
 # The scripts that try the tool run once, under gcc's sanitizers: they are slow, and the fuzzers of the
 # tool are clang's. With BRIEF=1 they leave out what differs in numbers only, and the tutorial, which
 # `make test` tries.
-# clang builds the tool without sanitizers. CONFIGURATION=gcc: those with such names only. ONLY: see
+# clang builds the tool without sanitizers, and tries degree 0 of thermal.h. CONFIGURATION=gcc: those with such names only. ONLY: see
 # run.sh.
 # With more arguments, it is one configuration: NAME COMPILER STANDARD ASSERT DEGREE ONLY FLAG..., -
 # for what is not to be set; DEGREE is that of thermal.h.
 out=$1
 clang=${CLANG:-clang-19}
+thermal='^float-thermal|^double-thermal'
 
 # Leaves `N passed, N failed`, or what is missing, in NAME.result.
 run() {
@@ -26,8 +27,18 @@ run() {
         return
     fi
     case $name in clang-sanitizers) units=1 ;; *) units= ;; esac
-    make -s -j2 test BUILD="$out/$name" CC="$compiler" STD="$std" CFLAGS="$* -Werror" UNITS="$units" \
-        ASSERT="${assert#-}" DEGREE="${degree#-}" ONLY="$only" BRIEF=1 > "$log" 2>&1 || status=1
+    goals=test
+    if [ "$only" = "$thermal" ]; then # all is built, but of the suites only these
+        goals=all
+        for suite in thermal thermal_record; do
+            goals="$goals $out/$name/float/test_$suite $out/$name/double/test_$suite"
+        done
+    fi
+    # shellcheck disable=SC2086 # several goals
+    make -s -j2 $goals BUILD="$out/$name" CC="$compiler" STD="$std" CFLAGS="$* -Werror" \
+        UNITS="$units" ASSERT="${assert#-}" DEGREE="${degree#-}" ONLY="$only" BRIEF=1 \
+        > "$log" 2>&1 || status=1
+    [ "$goals" = test ] || ONLY=$only sh tests/run.sh "$out/$name" >> "$log" 2>&1 || status=1
     [ $status -eq 0 ] || cat "$log"
     # What does not build has failed, too.
     awk -v status=$status '/^[0-9]+ passed, [0-9]+ failed$/ { passed = $1; failed = $3 }
@@ -44,7 +55,7 @@ all() {
     units='^float-|^double-'
     echo "gcc-sanitizers gcc c11 1 - - $san
 clang-sanitizers $clang c99 1 2 $units $san
-clang-c11 $clang c11 - 0 $units|^tool- -O3"
+clang-c11 $clang c11 - 0 $thermal -O3"
 }
 
 cd "$(dirname "$0")/.." || exit 1

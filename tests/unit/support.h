@@ -102,6 +102,7 @@ void skip_long(void);
 /* Likewise a test of a billion cycles, where 8 bits at a time are computed. */
 #define RUN_SLOW_TEST(test) RUN_AS(test, TEST_SHORT > 100 ? skip_slow : (test))
 void skip_slow(void);
+#define SLOW(elsewhere, there) (TEST_SHORT > 100 ? (there) : (elsewhere))
 
 /* A suite that is too large for a machine is built as TEST_PARTS images. Each runs the tests whose
  * line in main, divided by TEST_PARTS, leaves TEST_PART; the compiler drops the others. */

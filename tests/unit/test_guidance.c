@@ -570,8 +570,8 @@ static void other_directions_have_words_to_five_degrees(void)
         {{-0.5, 0, 0.8660254}, "+z up, tilt 30 deg, -x rises"},
         {{0.9962, 0, -0.0872}, "+x up"},
         {{0, 0.1219, -0.9925}, "-z up, tilt 5 deg, +y rises"},
-        {{0.1011, 0, 0.9949}, "+z up"},                        /* 5.80 */
-        {{0.1020, 0, 0.9948}, "+z up, tilt 5 deg, +x rises"},  /* 5.85 */
+        {{0.1011, 0, 0.9949}, "+z up"},                       /* 5.80 */
+        {{0.1020, 0, 0.9948}, "+z up, tilt 5 deg, +x rises"}, /* 5.85 */
         {{0.1736, 0, 0.9848}, "+z up, tilt 10 deg, +x rises"},
         {{0.2147, 0, 0.9767}, "+z up, tilt 10 deg, +x rises"}, /* 12.4 */
         {{0.2181, 0, 0.9759}, "+z up, tilt 15 deg, +x rises"}, /* 12.6 */
