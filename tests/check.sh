@@ -27,7 +27,7 @@ run() {
         return
     fi
     case $name in clang-sanitizers) units=1 ;; *) units= ;; esac
-    goals=test
+    goals='test'
     if [ "$only" = "$thermal" ]; then # all is built, but of the suites only these
         goals=all
         for suite in thermal thermal_record; do
