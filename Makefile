@@ -211,9 +211,10 @@ schema: $(BUILD)/invcal ## what the tool prints as JSON, against port/host/schem
 	$(call need,python3)
 	$(Q)sh tests/tool/schema.sh $(BUILD)/invcal $(BUILD)/tool
 
-pages: $(BUILD)/invcal ## the reports in a browser: phone, desktop, paper; light and dark (SELF=1: the gate too)
+pages: $(BUILD)/invcal ## the reports in a browser: phone, desktop, paper; light and dark (PAGES=names, SELF=1: the gate too)
 	$(call need,chromium)
-	$(Q)sh tests/pages/set.sh $(BUILD)/invcal $(BUILD)/pages/of > $(BUILD)/pages.list
+	$(Q)sh tests/pages/set.sh $(BUILD)/invcal $(BUILD)/pages/of > $(BUILD)/pages.all
+	$(Q)grep -E '/($(or $(PAGES),.*))[.](html|svg)$$' $(BUILD)/pages.all > $(BUILD)/pages.list
 	$(Q)rm -f $(BUILD)/pages/chromium.log
 	$(Q)$(if $(SELF),sh tests/pages.sh --self-test $(BUILD) &&) sh tests/pages/all.sh $(BUILD)
 
