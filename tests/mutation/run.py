@@ -94,13 +94,15 @@ class Workshop:
 
     @functools.lru_cache(maxsize=None)
     def own(self, file):
-        """The suite of its name, or else the one that names its functions most often."""
+        """The suite of its name, or else the one that names most of its functions, and most often."""
         if "test_" + name_of(file) in self.modules:
             return "test_" + name_of(file)
         functions = re.findall(r"^\w.*?\b(invcal_\w+)\(", read(file), re.M)
-        return max(self.modules, key=lambda suite: sum(
-            functions.count(word)
-            for word in re.findall(r"\w+", read("tests/unit/%s.c" % suite))))
+
+        def named(suite):
+            words = re.findall(r"\w+", read("tests/unit/%s.c" % suite))
+            return len(set(functions) & set(words)), sum(map(functions.count, words))
+        return max(self.modules, key=named)
 
     def suites(self, kind, file, modules):
         own = self.own(file)

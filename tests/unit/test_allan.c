@@ -607,6 +607,7 @@ static void check_noise(const invcal_noise *noise, const source *s, double toler
         TEST_ASSERT_DOUBLE_WITHIN(tolerance * expected[i], expected[i],
                                   (double)noise->coefficient[i]);
         TEST_ASSERT_EQUAL_INT(expected[i] > 0, noise->relative[i] > 0);
+        TEST_ASSERT_TRUE(expected[i] > 0 || noise->relative[i] == 0);
     }
 }
 

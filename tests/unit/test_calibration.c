@@ -93,7 +93,8 @@ static void nominal_puts_the_inverse_of_the_counts_on_the_diagonal(void)
 
 static void nominal_refuses_what_is_no_scale_and_leaves_the_output_alone(void)
 {
-    static const double bad[] = {0, NOT_A_NUMBER, INFINITE, -INFINITE, 1e-11, 1e11};
+    static const double bad[] = {0,     NOT_A_NUMBER, INFINITE, -INFINITE,
+                                 1e-11, 0.95e-10,     1.05e10,  1e11};
 
     for (unsigned i = 0; i < sizeof bad / sizeof bad[0]; i++) {
         for (unsigned axis = 0; axis < 3; axis++) {

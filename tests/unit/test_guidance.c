@@ -591,6 +591,25 @@ static void other_directions_have_words_to_five_degrees(void)
     }
 }
 
+/* The tilt is that of the nearest five degrees, but for a unit vector in parts of 640. */
+static void the_tilt_changes_between_two_fives(void)
+{
+    for (unsigned i = 0; i < 10; i++) {
+        for (int side = -1; side <= 1; side += 2) {
+            const double degrees = 7.5 + 5 * i + side * (i == 0 ? 0.4 : 0.12);
+            const double radians = degrees / 57.29577951308232;
+            /* above 45 degrees to both other axes */
+            const double across = i < 8 ? sin(radians) : sin(radians) / sqrt(2);
+            const invcal_real up[3] = {(invcal_real)across, (invcal_real)(i < 8 ? 0 : across),
+                                       (invcal_real)cos(radians)};
+            char words[INVCAL_WORDS];
+            const char *tilt = strstr(invcal_words(up, words), "tilt ");
+            TEST_ASSERT_NOT_NULL(tilt);
+            TEST_ASSERT_EQUAL_INT(5 * (int)(i + 1 + (side > 0)), atoi(tilt + 5));
+        }
+    }
+}
+
 /* Whatever the numbers, no byte beyond the words is written, and they end. */
 static void words_for_no_direction_do_no_harm(void)
 {
@@ -622,6 +641,7 @@ int main(void)
     RUN_TEST(from_positions_on_a_plane_it_leads_out_of_the_plane);
     RUN_TEST(all_26_directions_have_their_words);
     RUN_TEST(other_directions_have_words_to_five_degrees);
+    RUN_TEST(the_tilt_changes_between_two_fives);
     RUN_TEST(words_for_no_direction_do_no_harm);
     return UNITY_END() != 0;
 }

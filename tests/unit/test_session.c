@@ -428,6 +428,12 @@ static void samples_that_were_lost_are_told_and_the_rest_goes_on(void)
     hold(1);
     leave();
     TEST_ASSERT_EQUAL_UINT(1, b.s->count);
+    turn(expected_plan18[1]);
+    hold(1); /* too short, and it is said why */
+    invcal_session_gap(b.s);
+    leave();
+    TEST_ASSERT_EQUAL_UINT(1, b.s->count);
+    TEST_ASSERT_EQUAL_INT(INVCAL_REST_GAP, invcal_session_reason(b.s));
 }
 
 /* ---- where to turn next ----------------------------------------------------------------------- */
@@ -508,6 +514,13 @@ static void a_position_is_at_a_direction_within_twenty_degrees(void)
     visit(to);
     TEST_ASSERT_EQUAL_UINT(2, b.s->count);
     TEST_ASSERT_FALSE(invcal_session_is_at(b.s, up));
+
+    begin(0, 15); /* the angle, whatever the length */
+    for (unsigned i = 0; i < 3; i++) {
+        b.s->nominal.matrix[i][i] *= (invcal_real)0.8;
+    }
+    visit(z);
+    TEST_ASSERT_TRUE(invcal_session_is_at(b.s, up));
 }
 
 /* ---- is it enough? ---------------------------------------------------------------------------- */
@@ -521,6 +534,8 @@ static void it_is_good_from_twelve_positions_on(void)
         visit(up);
         TEST_ASSERT_EQUAL_INT(i >= 12, invcal_session_is_good(b.s));
     }
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_session_noise(b.s, (invcal_real)0.3));
+    TEST_ASSERT_FALSE(invcal_session_is_good(b.s)); /* asked anew */
 }
 
 static void with_a_stated_noise_one_position_to_spare_is_enough(void)
@@ -730,6 +745,8 @@ static void an_old_position_gives_way_before_a_new_one(void)
         random_direction(&b.random, to);
         visit(to);
     }
+    TEST_ASSERT_EQUAL_UINT(
+        0, b.background.age[b.s->count - 1]); /* that of one that has gone was not */
     unsigned young = 0;
     for (unsigned i = 0; i < b.s->count; i++) {
         young += b.background.age[i] == 0;

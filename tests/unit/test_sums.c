@@ -97,12 +97,25 @@ static void assert_refused(const double reading[3], invcal_status expected)
 
 static void readings_that_cannot_be_of_this_field_are_refused(void)
 {
-    static const double bad[][3] = {{0, 0, 0},          {1e-3, 0, 0},   {1e-40, 1e-40, 0},
-                                    {0.09, 0.01, 0.01}, {10.1, 0, 0},   {1e30, 0, 0},
-                                    {0, -1e30, 1},      {0, 7.2, -7.2}, {1e19, 1e19, 1e19}};
+    static const double bad[][3] = {{0, 0, 0},      {1e-3, 0, 0},   {1e-40, 1e-40, 0},
+                                    {0.0995, 0, 0}, {10.05, 0, 0},  {1e30, 0, 0},
+                                    {0, -1e30, 1},  {0, 7.2, -7.2}, {1e19, 1e19, 1e19}};
 
     for (unsigned i = 0; i < sizeof bad / sizeof bad[0]; i++) {
         assert_refused(bad[i], INVCAL_OUT_OF_RANGE);
+    }
+}
+
+static void a_tenth_and_ten_times_the_field_are_readings(void)
+{
+    static const double good[][3] = {{0.1005, 0, 0}, {0, -9.95, 0}};
+    invcal_row row;
+
+    for (unsigned i = 0; i < sizeof good / sizeof good[0]; i++) {
+        const invcal_real u[3] = {(invcal_real)good[i][0], (invcal_real)good[i][1],
+                                  (invcal_real)good[i][2]};
+        const invcal_calibration nominal = unit_nominal();
+        TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_observe(&nominal, u, &row));
     }
 }
 
@@ -278,6 +291,7 @@ int main(void)
     RUN_TEST(the_exact_row_vanishes_on_a_sphere_of_any_size_and_place);
     RUN_TEST(a_reading_is_what_the_nominal_calibration_makes_of_it);
     RUN_TEST(readings_that_cannot_be_of_this_field_are_refused);
+    RUN_TEST(a_tenth_and_ten_times_the_field_are_readings);
     RUN_TEST(readings_that_are_no_numbers_are_refused);
     RUN_TEST(readings_are_refused_whatever_number_of_the_nominal_is_none);
     RUN_TEST(sums_built_row_by_row_are_those_of_the_matrix);

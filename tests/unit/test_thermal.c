@@ -1074,6 +1074,15 @@ static void the_range_is_that_of_the_temperatures_in_any_order(void)
         TEST_ASSERT_TRUE(found.max == (invcal_real)(from + 20));
         TEST_ASSERT_TRUE(found.reference == (invcal_real)(from + 10));
         TEST_ASSERT_TRUE(found.span == 10);
+        const invcal_calibration nominal = unit_nominal();
+        invcal_real temperature[3];
+        invcal_thermal start;
+        for (int i = 0; i < 3; i++) {
+            temperature[i] = (invcal_real)(from + 10 * order[k % 6][i]);
+        }
+        TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_thermal_start(&nominal, temperature, 3, &start));
+        TEST_ASSERT_TRUE(start.min == (invcal_real)from);
+        TEST_ASSERT_TRUE(start.max == (invcal_real)(from + 20));
     }
 }
 
