@@ -5,7 +5,7 @@
 
 #include "arbitrary.h"
 
-// eva: -eva-auto-loop-unroll 30 -eva-slevel 60 -eva-split-return-function invcal_observe:0
+// eva: -eva-precision 0 -eva-auto-loop-unroll 30 -eva-slevel 60 -eva-split-return-function invcal_observe:0
 
 enum { COUNT = 100 };
 

@@ -2,7 +2,7 @@
 #include "arbitrary.h"
 #include "invcal/expert.h"
 
-// eva: -eva-auto-loop-unroll 12 -eva-slevel 50
+// eva: -eva-precision 0 -eva-auto-loop-unroll 12 -eva-slevel 50
 // eva: -eva-split-return full
 
 void main(void)

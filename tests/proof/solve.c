@@ -2,7 +2,7 @@
 #include "solve.h"
 #include "arbitrary.h"
 
-// eva: -eva-auto-loop-unroll 12 -eva-slevel 50 -eva-split-return full
+// eva: -eva-precision 0 -eva-auto-loop-unroll 12 -eva-slevel 50 -eva-split-return full
 
 void main(void)
 {
