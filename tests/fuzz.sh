@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: MIT
 #
 # sh tests/fuzz.sh BUILD SECONDS [NAME...]
-# Runs the fuzzers tests/fuzz/NAME.c, or all of them, for so many seconds each, all at a time, from
+# Runs the fuzzers tests/fuzz/NAME.c, or all of them, for so many seconds each, two at a time, from
 # the seeds in tests/fuzz/seeds/NAME. Prints a line for each, and at the end `N passed, N failed`.
 # A fuzzer passes if it has found nothing and tried as many inputs as its file says. What it has
 # found stands in BUILD/fuzz/NAME/found-*; what it has learned, in BUILD/fuzz/NAME/corpus, is the
@@ -25,6 +25,6 @@ if ! make -s -j2 -f tests/fuzz/fuzz.mk OUT="$out" NAMES="$*" DOUBLE="${DOUBLE:-0
     echo "0 passed, $# failed"
     exit 1
 fi
-printf '%s\n' "$@" | xargs -P 8 -n 1 sh tests/fuzz/run.sh "$out" "$seconds" |
+printf '%s\n' "$@" | xargs -P 2 -n 1 sh tests/fuzz/run.sh "$out" "$seconds" |
     awk '{ print } / PASS$/ { p++ } / FAIL$/ { f++ }
         END { print p + 0 " passed, " f + 0 " failed"; exit f > 0 || p + f < wanted }' wanted=$#

@@ -8,7 +8,7 @@
 . "$(dirname "$0")/../package.sh" # after it, as it ends with a sum if a command is missing
 need gcc clang-19 arm-none-eabi-gcc riscv64-unknown-elf-gcc avr-gcc powerpc-linux-gnu-gcc \
     qemu-system-arm qemu-system-riscv32 simavr qemu-ppc
-strict='-std=c99 -O2 -ffp-contract=off -Wall -Wextra -Wconversion -Wdouble-promotion -Wshadow
+strict='-std=c99 -O1 -ffp-contract=off -Wall -Wextra -Wconversion -Wdouble-promotion -Wshadow
     -pedantic -Werror'
 files=$out/amalgamation/invcal
 
