@@ -108,18 +108,29 @@ void board_show(const char *text)
     }
 }
 
+/* Where the device is, and then along each axis. */
 void board_use(const invcal_real g[3])
 {
     static unsigned samples;
     static double worst;
     const double error = sqrt((double)g[0] * g[0] + (double)g[1] * g[1] + (double)g[2] * g[2]) - 1;
 
-    worst = fabs(error) > worst ? fabs(error) : worst;
-    if (++samples == RATE) {
+    if (time_there >= MOVE) {
+        worst = fabs(error) > worst ? fabs(error) : worst;
+    }
+    if (++samples % RATE != 0) {
+        return;
+    }
+    if (samples == 4 * RATE) {
         printf("calibrated: at rest |a| is 1 g within %s\n",
                worst < 0.003 ? "3 mg" : "more than 3 mg");
         exit(worst < 0.003 ? 0 : 1);
     }
+    for (unsigned i = 0; i < 3; i++) {
+        from[i] = up[i];
+        up[i] = i == samples / RATE - 1;
+    }
+    time_there = 0;
 }
 
 /* ---- the memory: four slots in a file ------------------------------------------------------------ */
