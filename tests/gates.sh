@@ -168,7 +168,7 @@ plant page port/host/page.c 's/max-width/min-width/' 'FAIL' make pages PAGES=xse
 # ---- packages ---------------------------------------------------------------------------------
 
 plant range port/Kconfig.options 's/range 12 64/range 12 65/' \
-    'config.h refuses INVCAL_MAX_POSITIONS 65' make check-packages PACKAGES=esp-idf
+    'INVCAL_MAX_POSITIONS must be from 12 to 64' make check-packages PACKAGES=esp-idf
 plant option port/zephyr/CMakeLists.txt '/INVCAL_ALLAN_TAUS=/d' \
     'INVCAL_ALLAN_TAUS is not as chosen' make check-packages PACKAGES=zephyr
 plant pack port/cmsis-pack/invcal.invcal.pdsc '/session\.c/d' \
