@@ -20,8 +20,22 @@ invcal_real invcal_coverage(unsigned dof)
         return INVCAL_REAL(4.30265);
     }
     const invcal_real n = (invcal_real)dof;
-    return INVCAL_REAL(1.959964) +
+    return INVCAL_NORMAL +
            (INVCAL_REAL(2.372271) +
             (INVCAL_REAL(2.822498) + (INVCAL_REAL(2.555849) + INVCAL_REAL(1.589534) / n) / n) / n) /
                n;
+}
+
+/* The mean squares of the row over all directions: x 1/3, x^2 1/5, xy 1/15. */
+invcal_real invcal_accuracy(const invcal_quality *quality, invcal_real gravity)
+{
+    INVCAL_ASSERT(quality);
+    const invcal_real *const delta = &quality->sigma[INVCAL_DELTA_X];
+    const invcal_real *const dk = &quality->sigma[INVCAL_DK_X];
+    const invcal_real *const gamma = &quality->sigma[INVCAL_GAMMA_XY];
+    const invcal_real wide = invcal_coverage(quality->sigma_dof);
+    const invcal_real square =
+        invcal_dot3(delta, delta) / 3 + invcal_dot3(dk, dk) / 5 + invcal_dot3(gamma, gamma) / 15;
+
+    return INVCAL_SQRT(wide * wide * square + INVCAL_NORMAL * INVCAL_NORMAL * gravity * gravity);
 }

@@ -9,6 +9,9 @@
 
 #define NOISE_SHARE INVCAL_REAL(0.1) /* of the information on a parameter: above, it is weak */
 #define ABSURD INVCAL_REAL(0.1)      /* rms of the residuals; above: no readings of one field */
+#define LIKELY INVCAL_REAL(1.73)     /* exceeded in 5 % of cases: the noise is more than stated */
+#define POSSIBLE INVCAL_REAL(3.0)    /* in 0.3 %: what is there is no noise */
+#define SILENT INVCAL_REAL(-2.8)     /* not reached in 0.1 % at most: it is not that noise */
 #define OPEN INVCAL_REAL(1e4)        /* quality.condition; above: parameters are left open */
 
 /* ---- residuals ---------------------------------------------------------------------------------- */
@@ -139,6 +142,17 @@ invcal_status invcal_determine(invcal_real *a, unsigned rows, invcal_real k[INVC
 
 /* ---- judgement ---------------------------------------------------------------------------------- */
 
+void invcal_judge_begin(invcal_quality *q)
+{
+    q->left_out = 0;
+    q->suspected = 0;
+    q->size = 0;
+    q->systematic = INVCAL_NO_SYSTEMATIC;
+    q->axis = 0;
+    q->unchecked = INVCAL_UNCHECKED;
+    q->verdict = INVCAL_GOOD;
+}
+
 void invcal_judge_residuals(const invcal_residuals *residuals, invcal_quality *q)
 {
     q->rms = residuals->rms;
@@ -147,16 +161,36 @@ void invcal_judge_residuals(const invcal_residuals *residuals, invcal_quality *q
     q->positions = (uint16_t)residuals->count;
 }
 
+/* How far residuals are above a noise, in standard deviations: the root of 2 chi squared is nearly normal,
+ * about that of 2 dof - 1 (Fisher). 0 if there is nothing to compare. */
+static INVCAL_APART invcal_real excess(invcal_real stated, invcal_real squares, invcal_real dof)
+{
+    const invcal_real known = stated * stated;
+
+    return known > 0 && dof >= 1 ? INVCAL_SQRT(2 * squares / known) - INVCAL_SQRT(2 * dof - 1) : 0;
+}
+
 void invcal_judge_noise(invcal_real stated, invcal_real squares, invcal_real dof, invcal_quality *q)
 {
-    q->noise = stated;
-    if (dof >= 1) {
-        const invcal_real observed = INVCAL_SQRT(squares / dof);
-        q->noise = observed > stated ? observed : stated;
+    const invcal_real above = excess(stated, squares, dof);
+    const unsigned weight = stated > 0 && above <= LIKELY ? INVCAL_STATED : 0;
+    const invcal_real share = invcal_number(weight);
+
+    if (!(above <= POSSIBLE)) {
+        invcal_raise(q, INVCAL_ROUGH);
     }
-    if (!(q->noise > 0)) {
-        q->noise = 1; /* nobody knows: the whole field, which no one will mistake for good */
+    q->sigma_dof = (uint16_t)(q->dof + weight);
+    q->noise = 1; /* nobody knows: the whole field, which no one will mistake for good */
+    if (q->sigma_dof > 0) {
+        q->noise = INVCAL_SQRT((share * stated * stated + squares) / (share + dof));
     }
+}
+
+/* A noise of which the residuals show next to nothing is none. Where a prior is weighed with it they are not
+ * asked. */
+static invcal_real believed(invcal_real stated, invcal_real squares, invcal_real dof)
+{
+    return excess(stated, squares, dof) >= SILENT ? stated : 0;
 }
 
 void invcal_judge_parameters(const invcal_real k[INVCAL_PARAMETERS], const invcal_real a[3][3],
@@ -178,9 +212,11 @@ void invcal_judge_parameters(const invcal_real k[INVCAL_PARAMETERS], const invca
         q->sigma[r] = q->noise * INVCAL_SQRT(k[r]);
     }
     q->weak = (uint16_t)weak;
-    q->verdict = (uint8_t)(weak > 0     ? INVCAL_WEAK
-                           : q->dof > 0 ? INVCAL_GOOD
-                                        : INVCAL_NO_REDUNDANCY);
+    if (weak > 0) {
+        q->verdict = INVCAL_WEAK;
+    } else if (q->dof == 0) {
+        invcal_raise(q, INVCAL_NO_REDUNDANCY);
+    } /* cppcheck-suppress misra-c2012-15.7 ; noise has told what there is */
 }
 
 /* tr A^-1: the squares of all elements of L^-1. */
@@ -215,14 +251,11 @@ static invcal_status solve(const invcal_positions *positions, invcal_sums *sums,
     return status != INVCAL_OK && condition > OPEN ? INVCAL_UNDETERMINED : status;
 }
 
-/* Apart: what calls it has looked for outliers before. */
-INVCAL_APART invcal_status invcal_calibrate_without(const invcal_real *raw, unsigned count,
-                                                    invcal_mask left_out,
-                                                    const invcal_calibration *nominal,
-                                                    invcal_real noise, invcal_calibration *out,
-                                                    invcal_quality *quality)
+/* Apart: what calls it looks for more. */
+INVCAL_APART invcal_status invcal_positions_calibrate(const invcal_positions *positions,
+                                                      invcal_calibration *out,
+                                                      invcal_quality *quality)
 {
-    const invcal_positions positions = {raw, count, left_out, nominal, noise};
     invcal_calibration triad;
     const invcal_real(*a)[3] = (const invcal_real(*)[3])triad.matrix;
     invcal_calibration c;
@@ -231,30 +264,41 @@ INVCAL_APART invcal_status invcal_calibrate_without(const invcal_real *raw, unsi
     invcal_real k[INVCAL_PARAMETERS];
     invcal_real condition;
 
-    INVCAL_ASSERT((raw || count == 0) && nominal && out && quality);
-    invcal_status status = invcal_positions_check(&positions);
+    invcal_status status = invcal_positions_check(positions);
     if (status == INVCAL_OK) {
-        status = solve(&positions, &sums, &triad);
+        status = solve(positions, &sums, &triad);
     }
     if (status == INVCAL_OK) {
         c = triad;
-        status = invcal_behind(nominal, &c);
+        status = invcal_behind(positions->nominal, &c);
     }
     if (status == INVCAL_OK) {
-        status = invcal_positions_compare(&positions, &c, a, &sums, &residuals);
+        status = invcal_positions_compare(positions, &c, a, &sums, &residuals);
     }
     if (status == INVCAL_OK) {
         status = invcal_determine(sums.sum, INVCAL_PARAMETERS, k, &condition);
     }
     if (status == INVCAL_OK) {
         *out = c; /* which may be nominal */
-        quality->left_out = left_out;
+        invcal_judge_begin(quality);
+        quality->left_out = positions->left_out;
         quality->condition = condition;
         quality->dof = (uint16_t)(residuals.count - INVCAL_PARAMETERS);
         invcal_judge_residuals(&residuals, quality);
-        invcal_judge_noise(noise, sums.sum[INVCAL_PACKED(INVCAL_PARAMETERS, INVCAL_PARAMETERS)],
-                           invcal_number(quality->dof), quality);
+        const invcal_real squares = sums.sum[INVCAL_PACKED(INVCAL_PARAMETERS, INVCAL_PARAMETERS)];
+        const invcal_real dof = invcal_number(quality->dof);
+        invcal_judge_noise(believed(positions->noise, squares, dof), squares, dof, quality);
         invcal_judge_parameters(k, a, quality);
     }
     return status;
+}
+
+invcal_status invcal_calibrate_without(const invcal_real *raw, unsigned count, invcal_mask left_out,
+                                       const invcal_calibration *nominal, invcal_real noise,
+                                       invcal_calibration *out, invcal_quality *quality)
+{
+    const invcal_positions positions = {raw, count, left_out, nominal, noise};
+
+    INVCAL_ASSERT((raw || count == 0) && nominal && out && quality);
+    return invcal_positions_calibrate(&positions, out, quality);
 }

@@ -37,6 +37,10 @@ invcal_status invcal_positions_sum(const invcal_positions *positions, invcal_sum
 invcal_status invcal_determine(invcal_real *a, unsigned rows, invcal_real k[INVCAL_PARAMETERS],
                                invcal_real *condition);
 
+/* invcal_calibrate_without. */
+invcal_status invcal_positions_calibrate(const invcal_positions *positions, invcal_calibration *out,
+                                         invcal_quality *quality);
+
 /* ---- the steps of a judgement ------------------------------------------------------------------ */
 
 #define INVCAL_WEAK_K INVCAL_REAL(100.0)   /* square of 10. Above: usable only within its sigma */
@@ -55,6 +59,12 @@ void invcal_residuals_add(invcal_residuals *residuals, unsigned i, const invcal_
 
 /* Returns INVCAL_OK; INVCAL_NOT_ELLIPSOID for an rms of a tenth of the field. */
 invcal_status invcal_residuals_end(invcal_residuals *residuals);
+
+/* Nothing has been found, for nothing has been looked for. */
+void invcal_judge_begin(invcal_quality *q);
+
+/* A bit for each systematic error. */
+enum { INVCAL_UNCHECKED = 0x1E };
 
 /* rms, max, worst, positions. */
 void invcal_judge_residuals(const invcal_residuals *residuals, invcal_quality *q);
@@ -75,18 +85,34 @@ invcal_status invcal_positions_compare(const invcal_positions *positions,
                                        const invcal_calibration *c, const invcal_real a[3][3],
                                        invcal_sums *sums, invcal_residuals *residuals);
 
-/* noise: the larger of what is stated and what the residuals say.
+/* Only a worse one counts. */
+static inline void invcal_raise(invcal_quality *q, unsigned verdict)
+{
+    if (verdict > q->verdict) {
+        q->verdict = (uint8_t)verdict;
+    }
+}
+
+enum { INVCAL_STATED = 4 }; /* residuals that a stated noise counts as */
+
+/* noise and sigma_dof, from it and dof. The noise stated counts as some residuals, unless these show clearly
+ * more (in 95 % of cases); if they show more than noise can be (99.7 %), the verdict is raised.
  *
- * squares  the sum of their weighted squares.
- * dof      their degrees of freedom; below 1 they say nothing. */
+ * squares  the sum of the weighted squares of the residuals.
+ * dof      their degrees of freedom, of which q->dof are whole; below 1 they say nothing. */
 void invcal_judge_noise(invcal_real stated, invcal_real squares, invcal_real dof,
                         invcal_quality *q);
 
-/* The whole ones of them. */
+/* The whole ones of them, and so many that a stated noise may still be added. */
 static inline uint16_t invcal_whole(invcal_real dof)
 {
-    //@ assert \is_finite(dof) && dof < 65536; // no more than positions
-    return dof >= 1 ? (uint16_t)dof : 0;
+    const invcal_real most = UINT16_MAX - INVCAL_STATED;
+
+    if (!(dof >= 1)) {
+        return 0;
+    }
+    //@ assert \is_finite(dof); // no NaN is at least 1
+    return (uint16_t)(dof < most ? dof : most); /* uncovered: that many positions beside a prior */
 }
 
 /* tr A tr A^-1 from L^-1: at least the condition. And is it more than rounding? */

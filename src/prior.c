@@ -11,9 +11,11 @@ enum { SYSTEM = INVCAL_PACKED_SIZE(INVCAL_PARAMETERS + 1) };
  * positions make of it. */
 typedef struct {
     const invcal_real *sigma;
-    invcal_real widest; /* of them */
-    unsigned count;     /* of those that are stated */
-    invcal_real noise;  /* that they are weighed with */
+    invcal_real widest;   /* of them */
+    unsigned count;       /* of those that are stated */
+    invcal_real stated;   /* noise, */
+    invcal_real noise;    /* the one that they are weighed with, */
+    invcal_real resolved; /* and the least that can be, beside what the positions leave open */
     invcal_calibration c;
     invcal_quality q;
     uint16_t from_prior;
@@ -58,6 +60,7 @@ static invcal_status factor_with(const invcal_real *told, update *prior, invcal_
     memcpy(l, told, SYSTEM * sizeof *l);
     if (invcal_factor(l, INVCAL_PARAMETERS, INVCAL_PARAMETERS, 30 * INVCAL_FLOOR) != INVCAL_OK) {
         const invcal_real resolved = prior->widest * INVCAL_SQRT(4 * INVCAL_EPSILON * largest);
+        prior->resolved = prior->resolved >= resolved ? prior->resolved : resolved;
         prior->noise = prior->noise >= resolved ? prior->noise : resolved;
     }
     memcpy(l, told, SYSTEM * sizeof *l);
@@ -118,7 +121,11 @@ static invcal_status judge_with(const invcal_real *information, update *prior,
     }
     q->dof = invcal_whole(dof);
     q->condition = invcal_condition(l, INVCAL_PARAMETERS, trace);
-    invcal_judge_noise(prior->noise, information[SYSTEM - 1], dof, q);
+    invcal_judge_begin(q);
+    invcal_judge_noise(prior->stated, information[SYSTEM - 1], dof, q);
+    const invcal_real seen = q->noise >= prior->resolved ? q->noise : prior->resolved;
+    q->noise = prior->noise; /* that the prior was weighed with */
+    prior->noise = seen;
     invcal_judge_parameters(k, a, q);
     prior->from_prior = (uint16_t)bits;
     return INVCAL_OK;
@@ -146,7 +153,6 @@ static invcal_status calibrate(const invcal_positions *positions, update *prior)
     invcal_judge_residuals(&residuals, &prior->q);
     status = judge_with(sums.sum, prior, l, a);
     if (status == INVCAL_OK) { /* and with the noise that is there */
-        prior->noise = prior->q.noise;
         status = judge_with(sums.sum, prior, l, a);
     }
     return status;
@@ -165,6 +171,7 @@ invcal_status invcal_calibrate_with_prior(const invcal_real *raw, unsigned count
     INVCAL_ASSERT((raw || count == 0) && nominal && prior && out && quality && from_prior);
     invcal_zero(&u, sizeof u);
     u.sigma = prior;
+    u.stated = noise;
     u.noise = noise;
     invcal_status status = know(&positions, &u);
     if (status == INVCAL_OK) {

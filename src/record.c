@@ -44,14 +44,14 @@ static void put_record(const invcal_record *r, uint8_t *bytes)
     (void)invcal_put_reals(at, r, RECORD_REALS);
 }
 
-/* WEAK is what has weak parameters; the other two verdicts are 0 and 1. */
+/* What has weak parameters is WEAK or worse, and nothing else is WEAK. */
 static int is_consistent(const uint8_t *bytes, const invcal_record *r)
 {
     const unsigned weak = invcal_get_u16(bytes + WEAK_AT);
-    const unsigned verdict = weak > 0 ? INVCAL_WEAK : bytes[VERDICT_AT] & 1u;
+    const unsigned verdict = bytes[VERDICT_AT];
     const unsigned known = bytes[KNOWN_AT];
 
-    return bytes[VERDICT_AT] == verdict &&
+    return verdict <= INVCAL_WEAK && (weak > 0) == (verdict == INVCAL_WEAK) &&
            (weak | invcal_get_u16(bytes + PRIOR_AT)) <= EVERY_PARAMETER &&
            (known > 0 ? known == 1 : r->temperature == 0);
 }

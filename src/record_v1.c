@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT
  *
- * Records of version 1, of release 0.1.0: its matrices are in the unit of the field, and delta, dk,
- * gamma and sigma_offset stand before sigma.
+ * Records of version 1, of release 0.1.0: its matrices are in the unit of the field; delta, dk, gamma and
+ * sigma_offset stand before sigma; and weak was the third verdict and the last.
  */
 #include <string.h>
 
@@ -9,7 +9,7 @@
 #include "invcal/store.h"
 #include "solve.h"
 
-enum { SIGMA_AT = 96, SIGMA_SIZE = 36 };
+enum { VERDICT_AT_V1 = 22, WEAK_V1 = 2, SIGMA_AT = 96, SIGMA_SIZE = 36 };
 enum { SKIPPED = INVCAL_RECORD_SIZE_V1 - INVCAL_RECORD_SIZE };
 
 void invcal_over_field(invcal_real *matrix, invcal_real field)
@@ -29,10 +29,13 @@ invcal_status invcal_record_decode_v1(const uint8_t *bytes, uint32_t size, invca
     if (status != INVCAL_OK) {
         return status;
     }
-    if (invcal_get_u16(bytes + 2) != INVCAL_RECORD_SIZE_V1) {
+    if (invcal_get_u16(bytes + 2) != INVCAL_RECORD_SIZE_V1 || bytes[VERDICT_AT_V1] > WEAK_V1) {
         return INVCAL_DAMAGED;
     }
     memcpy(now, bytes, SIGMA_AT);
+    if (now[VERDICT_AT_V1] == WEAK_V1) {
+        now[VERDICT_AT_V1] = INVCAL_WEAK;
+    }
     memcpy(now + SIGMA_AT, bytes + SIGMA_AT + SKIPPED, SIGMA_SIZE);
     invcal_seal(now, INVCAL_RECORD_KIND, sizeof now);
     status = invcal_record_decode(now, sizeof now, &r);

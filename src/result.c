@@ -82,7 +82,7 @@ void invcal_sigma_offset(const invcal_quality *quality, const invcal_calibration
 /* Squared half widths of the intervals: a sigma that is small by luck does not win. */
 static invcal_real squares(const invcal_quality *q)
 {
-    const invcal_real coverage = invcal_coverage(q->dof);
+    const invcal_real coverage = invcal_coverage(q->sigma_dof);
 
     return coverage * coverage * invcal_dot(q->sigma, q->sigma, INVCAL_PARAMETERS);
 }

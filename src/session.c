@@ -10,7 +10,6 @@
 #include "vector.h"
 
 #define CLOSE INVCAL_REAL(0.9396926) /* cosine of 20 degrees */
-#define NORMAL INVCAL_REAL(1.959964) /* sigma that hold 95 % where the noise is known */
 enum { DOF = 3 };                    /* residuals to spare before sigma is believed */
 enum { NOT_ASKED, NOT_GOOD, GOOD };  /* session->good */
 
@@ -261,22 +260,12 @@ int invcal_session_is_at(const invcal_session *session, const invcal_real up[3])
 
 /* ---- the result ------------------------------------------------------------------------------- */
 
-/* Where no outliers can be looked for, none are left out. */
-INVCAL_APART static invcal_mask outliers_of(const invcal_session *session)
-{
-    invcal_outliers outliers = {0, 0};
-
-    (void)invcal_outliers_find(session->mean[0], session->count, &session->nominal, session->noise,
-                               &outliers);
-    return outliers.removed;
-}
-
 invcal_status invcal_session_solve(const invcal_session *session, invcal_calibration *out,
                                    invcal_quality *quality)
 {
     INVCAL_ASSERT(session && out && quality);
-    return invcal_calibrate_without(session->mean[0], session->count, outliers_of(session),
-                                    &session->nominal, session->noise, out, quality);
+    return invcal_calibrate_judged(session->mean[0], session->count, &session->nominal,
+                                   session->noise, out, quality);
 }
 
 /* NOT_GOOD, or GOOD and its quality. */
@@ -309,11 +298,19 @@ int invcal_session_reaches(const invcal_session *session, const invcal_real targ
     if (judge_session(session, &q) != GOOD) {
         return 0;
     }
-    const invcal_real wider = invcal_coverage(q.dof) / NORMAL;
+    const invcal_real wider = invcal_coverage(q.sigma_dof) / INVCAL_NORMAL;
     for (unsigned r = 0; r < INVCAL_PARAMETERS; r++) {
         if (!(q.sigma[r] * wider <= target[r / 3])) {
             return 0;
         }
     }
     return 1;
+}
+
+int invcal_session_meets(const invcal_session *session, invcal_real need, invcal_real gravity)
+{
+    invcal_quality q;
+
+    INVCAL_ASSERT(session);
+    return judge_session(session, &q) == GOOD && invcal_accuracy(&q, gravity) <= need;
 }

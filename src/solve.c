@@ -136,7 +136,7 @@ invcal_status invcal_triad(const invcal_real x[INVCAL_PARAMETERS], invcal_calibr
 }
 
 /* A (u - delta) with u = N (raw - zero): matrix = A N, offset = zero + N^-1 delta. */
-invcal_status invcal_behind(const invcal_calibration *nominal, invcal_calibration *c)
+static INVCAL_APART void put_behind(const invcal_calibration *nominal, invcal_calibration *c)
 {
     const invcal_real delta[3] = {c->offset[0], c->offset[1], c->offset[2]};
     const invcal_real(*n)[3] = nominal->matrix;
@@ -154,7 +154,13 @@ invcal_status invcal_behind(const invcal_calibration *nominal, invcal_calibratio
                                              cofactor[2][i] * delta[2]) /
                                                 det;
     }
-    return invcal_are_finite(c->offset) ? INVCAL_OK : INVCAL_BAD_NOMINAL;
+}
+
+/* What could not be a nominal cannot be stored either. */
+invcal_status invcal_behind(const invcal_calibration *nominal, invcal_calibration *c)
+{
+    put_behind(nominal, c);
+    return invcal_nominal_check(c);
 }
 
 invcal_status invcal_solve(invcal_sums *sums, const invcal_calibration *nominal,

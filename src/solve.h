@@ -34,7 +34,7 @@ invcal_status invcal_ellipsoid(const invcal_real p[INVCAL_PARAMETERS],
 invcal_status invcal_triad(const invcal_real x[INVCAL_PARAMETERS], invcal_calibration *triad);
 
 /* The calibration of a triad, that is of readings that nominal has corrected, becomes one of raw
- * counts. INVCAL_BAD_NOMINAL if nominal is singular: c is lost then. */
+ * counts. INVCAL_BAD_NOMINAL if it could be none itself: c is lost then. */
 invcal_status invcal_behind(const invcal_calibration *nominal, invcal_calibration *c);
 
 #endif

@@ -75,7 +75,8 @@ const char *invcal_parameter_name(unsigned parameter)
 
 const char *invcal_verdict_text(invcal_verdict verdict)
 {
-    static const char names[] = "good\0no redundancy\0weak\0unknown verdict";
+    static const char names[] = "good\0no redundancy\0rough\0drifting\0bent\0weak\0"
+                                "unknown verdict";
     const unsigned n = (unsigned)verdict;
 
     return nth(names, n <= INVCAL_WEAK ? n : INVCAL_WEAK + 1u);

@@ -45,6 +45,12 @@ static inline void invcal_row_of(invcal_real h[INVCAL_PARAMETERS])
 #endif
 }
 
+/* |u|^2 of its row. */
+static inline invcal_real invcal_square_of(const invcal_real h[INVCAL_PARAMETERS])
+{
+    return h[INVCAL_DK_X] + h[INVCAL_DK_Y] + h[INVCAL_DK_Z];
+}
+
 /* J = (|u|^2 - 1)/2 and h(u), exact for errors of any size. A length outside 0.1 ... 10 is no
  * reading of this field, and neither is a NaN. */
 static inline invcal_status invcal_observe_inline(const invcal_calibration *nominal,
@@ -52,7 +58,7 @@ static inline invcal_status invcal_observe_inline(const invcal_calibration *nomi
 {
     invcal_correct(nominal, raw, row->h);
     invcal_row_of(row->h);
-    const invcal_real square = row->h[INVCAL_DK_X] + row->h[INVCAL_DK_Y] + row->h[INVCAL_DK_Z];
+    const invcal_real square = invcal_square_of(row->h);
     row->h[INVCAL_J] = (square - 1) / 2;
     if (square >= INVCAL_REAL(0.01) && square <= INVCAL_REAL(100.0)) {
         return INVCAL_OK;

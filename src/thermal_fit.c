@@ -302,6 +302,7 @@ static invcal_status weigh(job *j)
         const invcal_real ratio = j->noise * j->held[i];
         dof += ratio * ratio * invcal_variance(j->a, n, i);
     }
+    invcal_judge_begin(&j->q);
     j->q.dof = invcal_whole(dof);
     invcal_judge_noise(j->positions->noise, j->squares, dof, &j->q);
     invcal_judge_residuals(&j->residuals, &j->q);

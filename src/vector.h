@@ -41,6 +41,8 @@ void invcal_zero_bytes(void *object, size_t size);
 #define invcal_zero invcal_zero_bytes
 #endif
 
+#define INVCAL_NORMAL INVCAL_REAL(1.959964) /* sigma that hold 95 % where the noise is known */
+
 /* Of a count, below 2^31: signed as raw counts are, so that one conversion does for all. */
 static inline invcal_real invcal_number(unsigned n)
 {

@@ -125,6 +125,7 @@ typedef float invcal_real; /* double with INVCAL_DOUBLE */
 #define invcal_apply INVCAL_CHOSEN(invcal_apply, 9)
 #define invcal_nominal INVCAL_CHOSEN(invcal_nominal, 9)
 #define invcal_calibrate INVCAL_CHOSEN(invcal_calibrate, INVCAL_MAX_POSITIONS)
+#define invcal_calibrate_judged INVCAL_CHOSEN(invcal_calibrate_judged, INVCAL_MAX_POSITIONS)
 #define invcal_session_init INVCAL_CHOSEN(invcal_session_init, INVCAL_MAX_POSITIONS)
 #define invcal_session_begin INVCAL_CHOSEN(invcal_session_begin, INVCAL_MAX_POSITIONS)
 
@@ -244,42 +245,78 @@ invcal_status invcal_scale(invcal_calibration *calibration, invcal_real field);
 
 /* ---- how good it is ---------------------------------------------------------------------------- */
 
-/* May the calibration be used? */
+/* An error that positions share, and that no nine parameters describe. */
+typedef enum {
+    INVCAL_NO_SYSTEMATIC, /* none was found */
+    INVCAL_DRIFT,         /* the offset changes from the first position to the last */
+    INVCAL_QUADRATIC,     /* an axis that points x up reads x^2 too much, times the size */
+    INVCAL_CUBIC,         /* the same with x^3 */
+    INVCAL_HYSTERESIS /* an axis that was turned upwards to get there reads more than one turned down */
+} invcal_systematic;
+
+/* May the calibration be used? The larger, the worse: of two that hold it is the larger. */
 typedef enum {
     INVCAL_GOOD,          /* every parameter determined, and checked by positions to spare */
-    INVCAL_NO_REDUNDANCY, /* determined, but as many equations as unknowns: nothing checks it */
+    INVCAL_NO_REDUNDANCY, /* determined, but by as many directions as unknowns: nothing checks it */
+    INVCAL_ROUGH,         /* residuals that noise does not explain, or too many positions that
+                             contradict the others: something is wrong */
+    INVCAL_DRIFTING,      /* the sensor drifts: let it warm up, or be quicker */
+    INVCAL_BENT,          /* nonlinearity or hysteresis: no nine parameters describe this sensor */
     INVCAL_WEAK           /* some parameter is determined badly, see quality.weak: usable only
                              within its large sigma */
 } invcal_verdict;
 
-/* "good", "no redundancy", "weak"; any other value gives "unknown verdict". */
+/* "good", "no redundancy", "rough", "drifting", "bent", "weak"; any other value gives "unknown
+ * verdict". */
 const char *invcal_verdict_text(invcal_verdict verdict);
 
 /* How well a calibration is known. */
 typedef struct {
-    invcal_real sigma[INVCAL_PARAMETERS]; /* standard deviation of delta (over field), dk (1) and
-                                             gamma (rad) against nominal: the Cramer-Rao bound */
-    invcal_real noise; /* standard deviation of a position mean on each axis behind them, over
-                          field: the larger of stated and observed; 1, the whole field, if neither
-                          is there */
+    uint8_t verdict;    /* an invcal_verdict: what all this comes to */
+    uint8_t systematic; /* an invcal_systematic: what was found */
+    uint8_t axis;       /* where that is: 0 x, 1 y, 2 z */
+    /* bit k: systematic error k was not looked for, or the positions hardly tell it from the nine */
+    uint8_t unchecked;
+    /* bit r: parameter r is badly determined: its sigma is above ten times the noise, or the noise
+     * in the readings themselves would make it look determined */
+    uint16_t weak;
+    uint16_t positions;    /* that made it */
+    uint16_t dof;          /* degrees of freedom left to the residuals; 0: no check */
+    uint16_t sigma_dof;    /* degrees of freedom behind sigma, for invcal_coverage */
+    uint16_t worst;        /* the position of max, from 0 */
+    invcal_mask left_out;  /* bit i: position i contradicts the others, and was left out */
+    invcal_mask suspected; /* bit i: position i may be the one of these that is wrong */
+    /* of the systematic error, over field: by how much the offset has grown from the first position to the
+     * last; the coefficient of x^2 or x^3; what "up" reads more than "down" */
+    invcal_real size;
+    invcal_real noise; /* standard deviation of a position mean on each axis behind sigma, over
+                          field: what is stated and what is observed together, or what is observed
+                          where that is clearly more, or next to nothing beside what is stated; 1,
+                          the whole field, if neither is there */
     invcal_real rms;   /* of the residuals |calibrated| - 1 over the positions */
     invcal_real max;   /* the largest of these, without its sign */
     /* of the information on the nine: tr K tr K^-1 with K = sigma^2 / noise^2, which is above the
      * condition. 130 is the best there is */
     invcal_real condition;
-    invcal_mask left_out; /* bit i: position i contradicts the others, and was left out */
-    /* bit r: parameter r is badly determined: its sigma is above ten times the noise, or the noise
-     * in the readings themselves would make it look determined */
-    uint16_t weak;
-    uint16_t positions; /* that made it */
-    uint16_t dof;       /* degrees of freedom left to the residuals; 0: no check */
-    uint16_t worst;     /* the position of max, from 0 */
-    uint8_t verdict;    /* an invcal_verdict: what all this comes to */
+    invcal_real sigma[INVCAL_PARAMETERS]; /* standard deviation of delta (over field), dk (1) and
+                                             gamma (rad) against nominal: the Cramer-Rao bound */
 } invcal_quality;
 
 /* The factor k for which +- k sigma covers 95 %: Student's t for a sigma estimated with dof degrees
  * of freedom, 12.706 at 1 (and at 0), 1.960 for very many. Exact to 0.002 (relative). */
 invcal_real invcal_coverage(unsigned dof);
+
+/* How exact a calibrated length is: the half-width of the interval that holds what is wrong with it in
+ * 95 % of cases, over field, the root mean square over all directions. The noise of the reading itself
+ * comes on top.
+ *
+ * gravity  what is stated of the field's magnitude: its standard deviation, over field. 0.0027 if it is
+ *          9.80665 m/s^2 somewhere on Earth, 0.00005 if latitude and height told it; 0 if the field
+ *          itself is the unit.
+ *
+ * From sigma alone, as if the scale errors were independent: within 10 % (mathematics.md, "Accuracy").
+ * Cost: 150 instructions. */
+invcal_real invcal_accuracy(const invcal_quality *quality, invcal_real gravity);
 
 /* Calibrates from position means.
  *
@@ -294,7 +331,7 @@ invcal_real invcal_coverage(unsigned dof);
  *          (mathematics.md, "From p to the calibration").
  * quality  how good it is. Look at its verdict before you use the calibration.
  *
- * No outliers are looked for: invcal_outliers_find (expert.h), or a session.
+ * It judges by the size of the residuals alone: invcal_calibrate_judged looks at what is behind them.
  *
  * Returns INVCAL_OK;
  *   INVCAL_BAD_NOMINAL    see invcal_nominal; or singular to rounding;
@@ -310,6 +347,22 @@ invcal_real invcal_coverage(unsigned dof);
 invcal_status invcal_calibrate(const invcal_real *raw, unsigned count,
                                const invcal_calibration *nominal, invcal_real noise,
                                invcal_calibration *out, invcal_quality *quality);
+
+/* The same, and looks for what the nine parameters do not explain (mathematics.md, "Judgement"): positions
+ * that contradict the others, which are left out; and errors that all share - a drift, a nonlinearity,
+ * hysteresis - which are named with their axis and size. Directions within 5 degrees count once.
+ *
+ * count  up to INVCAL_MAX_POSITIONS, in the order in which they were visited, at equal intervals.
+ * out    not nominal.
+ *
+ * In quality, left_out, suspected, systematic, axis, size and unchecked are set, and the verdict is by all of
+ * these. Of 18 good positions about one set in a hundred is not called good.
+ *
+ * Returns as invcal_calibrate; INVCAL_BAD_COUNT for more than INVCAL_MAX_POSITIONS.
+ * Cost: 120,000 instructions for 18 good positions. Stack: about 980 bytes. */
+invcal_status invcal_calibrate_judged(const invcal_real *raw, unsigned count,
+                                      const invcal_calibration *nominal, invcal_real noise,
+                                      invcal_calibration *out, invcal_quality *quality);
 
 /* ---- a session: the whole procedure -------------------------------------------------------------
  *
@@ -492,10 +545,10 @@ const char *invcal_words(const invcal_real up[3], char words[INVCAL_WORDS]);
 int invcal_session_is_at(const invcal_session *session, const invcal_real up[3]);
 
 /* Solves what has been taken so far, without the positions that contradict the others
- * (quality.left_out; see invcal_outliers_find). The session is not changed: more may follow.
+ * (quality.left_out; see invcal_calibrate_judged). The session is not changed: more may follow.
  *
- * Returns as invcal_calibrate. Cost: 87,000 to 270,000 instructions for 18 good positions, up to
- * 540,000 if some are wrong. Stack: about 640 bytes. */
+ * Returns as invcal_calibrate. Cost: 190,000 instructions for 18 good positions, up to 400,000 if
+ * some are wrong. Stack: about 1,000 bytes. */
 invcal_status invcal_session_solve(const invcal_session *session, invcal_calibration *out,
                                    invcal_quality *quality);
 
@@ -507,6 +560,10 @@ int invcal_session_is_good(invcal_session *session);
  * leave open, is within the target: sigma of delta (over field), dk (1), gamma (rad). Solves: ask
  * it after a position was taken. */
 int invcal_session_reaches(const invcal_session *session, const invcal_real target[3]);
+
+/* The same in one number: 1 if it is good, and invcal_accuracy, with the same gravity, is no more than
+ * needed. Solves: ask it after a position was taken. */
+int invcal_session_meets(const invcal_session *session, invcal_real need, invcal_real gravity);
 
 #ifdef __cplusplus
 }

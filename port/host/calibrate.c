@@ -5,11 +5,13 @@
 #include "calibrate.h"
 
 #include <math.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include "calibration_file.h"
 #include "columns.h"
 #include "design.h"
+#include "fit_drift.h"
 #include "gravity.h"
 #include "command.h"
 #include "input.h"
@@ -44,6 +46,7 @@ enum {
     ALLAN,
     KEEP_ALL,
     TOLERANCE,
+    NEED,
     OUT,
     REPORT,
     JSON,
@@ -74,6 +77,7 @@ static const option options[OPTIONS] = {
     [ALLAN] = {"--allan", 1},
     [KEEP_ALL] = {"--keep-all", 0},
     [TOLERANCE] = {"--tolerance", 1},
+    [NEED] = {"--need", 1},
     [OUT] = {"--out", 1},
     [REPORT] = {"--report", 1},
     [JSON] = {"--json", 0},
@@ -83,9 +87,8 @@ static const char *const operands[] = {"LOG"};
 static const option_syntax calibrate_syntax = {"calibrate", options, OPTIONS, operands, 1, 0};
 static const option_syntax watch_syntax = {"watch", options, OPTIONS, operands, 1, 0};
 
-#define DISAGREEING 10.0 /* times the noise, */
-#define ROUGH 0.005      /* and this of the field: a good calibration is another thing */
-#define MANY_LEFT_OUT 6  /* more than one position in so many: chance does not take these */
+#define MANY_LEFT_OUT 6 /* more than one position in so many: chance does not take these */
+#define ON_EARTH 0.0027 /* of g, from the equator to the poles */
 #define COMMAND_MAX 2000u
 #define UNEXPLAINED 3.0 /* times the noise: a hand that holds the device comes near it */
 
@@ -103,10 +106,12 @@ typedef struct {
     double clip[2];
     reading_unit unit; /* of --unit */
     double target[3];
+    double need; /* 0: not given */
     double mean_sigma;
     double tolerance[3];
     char command[COMMAND_MAX]; /* the command line, for the report */
     double place[2];           /* latitude, height */
+    double field_sigma;        /* what the length of the field may be wrong by, field units */
     thermal_wish thermal;
     invcal_plan plan;
     fit_settings settings; /* all but the nominal, and the noise unless stated */
@@ -133,11 +138,34 @@ static int read_place(request *r)
         return failure;
     }
     r->settings.field = gravity_at(r->place[0], r->place[1]);
+    r->field_sigma = GRAVITY_SIGMA;
     if (isnan(r->settings.field)) {
         return fabs(r->place[0]) <= 90 ? usage(r, HEIGHT, "is -500 to 10000 m above the sea")
                                        : usage(r, LATITUDE, "is -90 to 90 degrees");
     }
     return EXIT_GOOD;
+}
+
+/* G, or G with what it may be wrong by: 9.80665+-0.027, or the sign for that. */
+static int read_field(request *r)
+{
+    static const char *const signs[] = {"+-", "±"};
+    const char *text = r->value[GRAVITY];
+    char length[64];
+
+    r->field_sigma = 0;
+    for (unsigned i = 0; i < 2; i++) {
+        const char *sign = strstr(text, signs[i]);
+        if (sign && (size_t)(sign - text) < sizeof length) {
+            snprintf(length, sizeof length, "%.*s", (int)(sign - text), text);
+            const int failure = options_numbers(r->syntax, GRAVITY, sign + strlen(signs[i]), 1,
+                                                &r->field_sigma, NULL);
+            return failure
+                       ? failure
+                       : options_numbers(r->syntax, GRAVITY, length, 1, &r->settings.field, NULL);
+        }
+    }
+    return options_numbers(r->syntax, GRAVITY, text, 1, &r->settings.field, NULL);
 }
 
 static int read_gravity(request *r)
@@ -151,12 +179,15 @@ static int read_gravity(request *r)
         return usage(r, HEIGHT, "alone tells no field; state --latitude, too");
     }
     r->settings.field = 9.80665;
+    r->field_sigma = ON_EARTH * r->settings.field;
     if (r->value[GRAVITY]) {
-        failure =
-            options_numbers(r->syntax, GRAVITY, r->value[GRAVITY], 1, &r->settings.field, NULL);
+        failure = read_field(r);
     }
     if (!failure && !(r->settings.field > 0)) {
         failure = usage(r, GRAVITY, "the length of a field is above 0");
+    }
+    if (!failure && !(r->field_sigma >= 0)) {
+        failure = usage(r, GRAVITY, "a standard deviation is not negative");
     }
     return failure;
 }
@@ -350,6 +381,19 @@ static int read_tolerance(request *r)
     return failure;
 }
 
+static int read_need(request *r)
+{
+    int failure = EXIT_GOOD;
+
+    if (r->value[NEED]) {
+        failure = options_numbers(r->syntax, NEED, r->value[NEED], 1, &r->need, NULL);
+        if (!failure && !(r->need > 0)) {
+            failure = usage(r, NEED, "is above 0: what lengths may be wrong by, field units");
+        }
+    }
+    return failure;
+}
+
 /* Three different files. */
 static int check_files(const request *r)
 {
@@ -389,6 +433,7 @@ static int read_request(int argc, char **argv, const option_syntax *syntax, requ
     failure = failure ? failure : read_log_options(r);
     failure = failure ? failure : read_live_options(r);
     failure = failure ? failure : read_tolerance(r);
+    failure = failure ? failure : read_need(r);
     return failure ? failure : read_prior(r);
 }
 
@@ -539,6 +584,65 @@ static int refuse(const request *r, const calibrate_result *result, invcal_statu
                             json);
 }
 
+/* What was found among the positions beside outliers. */
+static void judge(calibrate_result *result)
+{
+    const invcal_quality *found = &result->rejected.found;
+    fit_quality *q = &result->quality;
+
+    if (!result->rejected.is_judged) {
+        return;
+    }
+    q->systematic = found->systematic;
+    q->axis = found->axis;
+    q->size = found->size;
+    q->unchecked = found->unchecked;
+    q->dof -= found->positions - INVCAL_PARAMETERS - found->dof; /* directions visited again */
+    if (found->verdict > q->verdict) {
+        q->verdict = (invcal_verdict)found->verdict;
+    }
+}
+
+static double time_of(const positions *p, unsigned i)
+{
+    const position_origin *o = &p->origin[i];
+
+    return isnan(o->begin) ? i : (o->begin + o->end) / 2;
+}
+
+double calibrate_tau(const positions *data, unsigned position)
+{
+    const double first = time_of(data, 0);
+
+    return (time_of(data, position) - first) / (time_of(data, data->count - 1) - first) - 0.5;
+}
+
+/* A drift that was named is fitted, too; what that does not explain was none, but a step perhaps. */
+static void fit_drift(calibrate_result *result)
+{
+    rejection *r = &result->rejected;
+    double *tau = calloc((size_t)r->kept_count + 1, sizeof *tau);
+    fit_solution solution;
+    fit_quality q;
+
+    for (unsigned k = 0; tau && k < r->kept_count; k++) {
+        tau[k] = calibrate_tau(result->data, rejection_original(r, k));
+    }
+    if (tau && isfinite(tau[0]) && !fit_has_prior(&result->settings) &&
+        fit_drift_make(r->kept, tau, r->kept_count, &result->settings, &solution, &q, result->drift,
+                       result->drift_sigma) == INVCAL_OK) {
+        result->is_drift_fitted = q.verdict != INVCAL_ROUGH;
+        if (result->is_drift_fitted) {
+            result->solution = solution;
+            result->quality = q;
+        } else {
+            r->found.systematic = INVCAL_NO_SYSTEMATIC;
+            r->found.verdict = INVCAL_ROUGH;
+        }
+    }
+    free(tau);
+}
+
 /* Nine parameters. */
 static int solve_plain(const request *r, calibrate_result *result)
 {
@@ -556,6 +660,10 @@ static int solve_plain(const request *r, calibrate_result *result)
         reason.position = rejection_original(&result->rejected, reason.position);
         return refuse(r, result, status, &reason);
     }
+    if (result->rejected.is_judged && result->rejected.found.verdict == INVCAL_DRIFTING) {
+        fit_drift(result);
+    }
+    judge(result);
     return EXIT_GOOD;
 }
 
@@ -604,6 +712,26 @@ static int probe_temperature(calibrate_result *result)
     return failure;
 }
 
+/* A length that is known so well, apart from what the field may be wrong by. */
+static double accuracy_of(const fit_quality *q)
+{
+    invcal_quality quality = {.sigma_dof = (uint16_t)fmin(UINT16_MAX, q->sigma_dof)};
+
+    memcpy(quality.sigma, q->sigma, sizeof quality.sigma);
+    return invcal_accuracy(&quality, 0);
+}
+
+/* A field that is wrong makes all three scales wrong alike. */
+static void inherit_field(const request *r, calibrate_result *result)
+{
+    result->field_sigma = r->field_sigma / r->settings.field;
+    result->is_field_stated = r->value[GRAVITY] || r->value[LATITUDE];
+    for (unsigned p = INVCAL_DK_X; p <= INVCAL_DK_Z; p++) {
+        double *sigma = &result->quality.sigma[p];
+        *sigma = sqrt(*sigma * *sigma + result->field_sigma * result->field_sigma);
+    }
+}
+
 static int solve(const request *r, const positions *data, calibrate_result *result)
 {
     result->data = data;
@@ -619,6 +747,9 @@ static int solve(const request *r, const positions *data, calibrate_result *resu
     if (failure) {
         return failure;
     }
+    result->accuracy = accuracy_of(&result->quality);
+    result->need = r->need;
+    inherit_field(r, result);
     result->quality.worst = rejection_original(&result->rejected, result->quality.worst);
     result->tolerance = r->value[TOLERANCE] ? r->tolerance : NULL;
     result->beyond = beyond(result);
@@ -641,10 +772,16 @@ int calibrate_knows_noise(const calibrate_result *result)
     return result->settings.noise > 0 || result->quality.noise < 1;
 }
 
-double calibrate_unexplained(const calibrate_result *result)
+double calibrate_times(const calibrate_result *result)
 {
     const double expected = result->settings.noise;
-    const double times = expected > 0 ? result->quality.noise / expected : 0;
+
+    return expected > 0 ? result->quality.noise / expected : 0;
+}
+
+double calibrate_unexplained(const calibrate_result *result)
+{
+    const double times = calibrate_times(result);
 
     return times >= UNEXPLAINED ? times : 0;
 }
@@ -654,12 +791,6 @@ int calibrate_has_lost_many(const calibrate_result *result)
     const rejection *r = &result->rejected;
 
     return MANY_LEFT_OUT * (r->count - rejection_drifting(r)) > r->count + r->kept_count;
-}
-
-int calibrate_is_rough(const calibrate_result *result)
-{
-    return calibrate_has_lost_many(result) ||
-           (calibrate_unexplained(result) >= DISAGREEING && result->quality.rms >= ROUGH);
 }
 
 static calibrate_wish wish_of(const request *r)
@@ -742,6 +873,8 @@ static int read_live(const request *r, const double *clip, positions *data, rest
     wish.zero = r->value[ZERO] ? r->zero : NULL;
     wish.lsb = r->value[LSB] ? r->lsb : NULL;
     memcpy(wish.target, r->target, sizeof wish.target);
+    wish.need = r->need / r->settings.field;
+    wish.field_sigma = r->field_sigma / r->settings.field;
     wish.mean_sigma = r->mean_sigma;
     if (r->value[ALLAN]) {
         const int failure = noise_file_read(r->value[ALLAN], noise);
@@ -838,8 +971,13 @@ static const char *const help[] = {
     "  --clip LOW,HIGH     the least and the greatest reading of the sensor, in input units:\n"
     "                      rests that touch them are refused\n"
     "  --keep-all          leaves no position out\n",
-    "  --gravity G         length of the field, in the unit of the result; default 9.80665\n"
-    "                      (m/s^2). For a magnetometer that of the earth's field, e.g. 48.5 (uT)\n"
+    "  --gravity G[+-S]    length of the field, in the unit of the result, and what it may be "
+    "wrong\n"
+    "                      by; default 9.80665+-0.027 (m/s^2), as is true anywhere on Earth. For "
+    "a\n"
+    "                      magnetometer that of the earth's field, e.g. 48.5 (uT). The scales "
+    "inherit\n"
+    "                      its error, all alike\n"
     "  --latitude DEG      in place of --gravity: normal gravity there (WGS 84), north positive;\n"
     "                      the real one differs by some 0.0005 m/s^2, which scales all readings\n"
     "                      alike and does nothing else\n"
@@ -873,6 +1011,8 @@ static const char *const help[] = {
     "  --tolerance D,K,G   limits of the data sheet for offsets (over the field), scale errors\n"
     "                      and angles (rad): says which parameters are beyond. Needs --zero\n"
     "                      and --lsb, or --nominal\n"
+    "  --need U            what calibrated lengths may be wrong by in 95 % of cases, in the unit\n"
+    "                      of --gravity: says whether they are that good, and what is missing\n"
     "  --out CAL.json      write the result to a file, as JSON, for invcal apply\n"
     "  --report R.html     write a page with the verdict, figures and pictures: one file that\n"
     "                      needs nothing else, for screen and paper\n"
@@ -932,6 +1072,8 @@ static const char *const watch_help[] = {
     "  --rate HZ           samples a second; default: by the column t, else 100\n"
     "  --clip LOW,HIGH     the least and the greatest reading of the sensor\n"
     "  --keep-all          leaves no position out\n"
+    "  --need U            what calibrated lengths may be wrong by in 95 % of cases, in the unit\n"
+    "                      of --gravity: says when that is reached\n"
     "  --tolerance D,K,G   limits of the data sheet: says which parameters are beyond\n"
     "  --out CAL.json      write the result to a file, as JSON, for invcal apply\n"
     "  --report R.html     write a page with the verdict, figures and pictures\n"

@@ -33,8 +33,15 @@ typedef struct {
     const double *tolerance; /* data sheet limits of offsets (over the field), scale errors and
                                 angles (rad); null: not stated */
     uint16_t beyond;         /* bit r: parameter r exceeds them, and its interval of 95 % does */
-    int is_noise_given;      /* by --noise, not by the scatter of the samples */
-    double residual_before;  /* root mean square of |nominal calibration| / field - 1 */
+    double field_sigma;      /* of the field, over itself: a part of sigma of the scales, */
+    int is_field_stated;     /* as stated; or because it was not */
+    double accuracy; /* 95 % of lengths are right within that, over the field, if the field is */
+    double need;     /* what is asked of all of it, field units; 0: nothing */
+    int is_drift_fitted;   /* the calibration holds in the middle of the session, and is freed of */
+    double drift[3];       /* this: from the first position to the last, over the field, */
+    double drift_sigma[3]; /* and how well that is known */
+    int is_noise_given;    /* by --noise, not by the scatter of the samples */
+    double residual_before; /* root mean square of |nominal calibration| / field - 1 */
     calibrate_temperature temperature;
     thermal_fit fit;
     const double *place; /* latitude and height that tell the field; null: it was stated */
@@ -51,8 +58,15 @@ double calibrate_guess_error(const calibrate_result *result);
 /* The calibration that holds for a position. */
 invcal_calibration calibrate_at(const calibrate_result *result, unsigned position);
 
+/* Its reading without the drift that was fitted. */
+void calibrate_level(const calibrate_result *result, unsigned position, double out[3]);
+
 /* The reading of a position kept, at the reference temperature. */
 void calibrate_reading(const calibrate_result *result, unsigned kept, double out[3]);
+
+/* When a position was taken, by the clock of the log or else by its number: from -1/2 at the first to 1/2
+ * at the last; not finite, if they are one. */
+double calibrate_tau(const positions *data, unsigned position);
 
 /* What the positions kept leave uncertain (at the reference temperature), for a noise of `unit`. */
 void calibrate_spread(const calibrate_result *result, double unit, uncertainty *u);
@@ -61,16 +75,22 @@ void calibrate_spread(const calibrate_result *result, double unit, uncertainty *
 int calibrate_knows_noise(const calibrate_result *result);
 
 /* How many times the noise of a position mean is as large as that stated, or as the scatter of the
- * samples tells; 0 if that explains it, or nothing is known. */
+ * samples tells; 0: that is not known. */
+double calibrate_times(const calibrate_result *result);
+
+/* The same where it is much; else 0. */
 double calibrate_unexplained(const calibrate_result *result);
 
 /* 1 if more than one position in six contradicts the others and is left out: whatever did that,
  * a knock or a step of an offset, has hardly spared the others. */
 int calibrate_has_lost_many(const calibrate_result *result);
 
-/* 1 if positions disagree by so much that people should not be told "good": ten times the noise,
- * and 5 mg; or if many are lost. */
-int calibrate_is_rough(const calibrate_result *result);
+/* The residuals have more than twice the variance that the noise stated explains, and that is no
+ * chance. */
+int calibrate_is_disturbed(const calibrate_result *result);
+
+/* Some direction is told far worse than so many positions could. */
+int calibrate_is_uneven(const calibrate_result *result);
 
 /* What the calibrated readings and the file's are in: "m/s²" or "field units"; "counts", ... */
 const char *calibrate_field_unit(const calibrate_result *result);

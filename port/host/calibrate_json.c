@@ -3,7 +3,9 @@
 
 #include "calibrate.h"
 #include "json_write.h"
+#include "need.h"
 #include "number.h"
+#include "verdict.h"
 
 /* Three numbers as they are, or as not known. */
 static void write_sigma(json_writer *w, const char *name, const double sigma[3], int known)
@@ -35,6 +37,26 @@ static void write_nominal(json_writer *w, const nominal_choice *nominal)
     json_object_end(w);
 }
 
+/* What was found beside outliers, and what could not be looked for. */
+static void write_systematic(json_writer *w, const calibrate_result *result)
+{
+    const fit_quality *q = &result->quality;
+    const char axis[] = {(char)('x' + q->axis), '\0'};
+
+    if (q->systematic != INVCAL_NO_SYSTEMATIC) {
+        json_object(w, "systematic");
+        json_text(w, "kind", verdict_systematic(q->systematic));
+        json_text(w, "axis", axis);
+        json_number(w, "size", q->size);
+        if (result->is_drift_fitted) {
+            json_vector(w, "drift", result->drift);
+            json_vector(w, "drift_sigma", result->drift_sigma);
+        }
+        json_object_end(w);
+    }
+    json_names(w, "unchecked", q->unchecked, INVCAL_HYSTERESIS + 1, verdict_systematic);
+}
+
 static void write_quality(json_writer *w, const calibrate_result *result)
 {
     const fit_quality *q = &result->quality;
@@ -55,7 +77,23 @@ static void write_quality(json_writer *w, const calibrate_result *result)
     json_number(w, "residual_before", result->residual_before);
     json_number(w, "condition", q->condition);
     json_text(w, "verdict", invcal_verdict_text(q->verdict));
+    write_systematic(w, result);
     json_parameters(w, "undetermined", q->weak);
+}
+
+/* What lengths are right within, and what is missing to what is needed. */
+static void write_accuracy(json_writer *w, const calibrate_result *result)
+{
+    const double field = result->settings.field;
+    const int known = calibrate_knows_noise(result);
+
+    json_number(w, "accuracy95", known ? need_reached(result) * field : NUMBER_UNKNOWN);
+    if (result->need > 0) {
+        json_object(w, "need");
+        json_number(w, "wanted", result->need);
+        json_text(w, "missing", need_word(need_judge(result)));
+        json_object_end(w);
+    }
 }
 
 static void write_source(json_writer *w, uint16_t from_prior)
@@ -130,6 +168,7 @@ void calibrate_json(FILE *file, const calibrate_result *result)
     json_numbers(&w, "rejected", result->rejected.number, result->rejected.count);
     json_number(&w, "suspected", result->rejected.suspected);
     json_number(&w, "gravity", field);
+    json_number(&w, "gravity_sigma", result->field_sigma * field);
     json_text(&w, "unit", unit_name(result->data->seen.unit));
     json_text(&w, "unit_from", unit_origin_name(result->data->seen.unit_from));
     json_vector(&w, "offset", c.offset);
@@ -140,6 +179,7 @@ void calibrate_json(FILE *file, const calibrate_result *result)
     json_vector(&w, "dk", &s->x[INVCAL_DK_X]);
     json_vector(&w, "gamma", &s->x[INVCAL_GAMMA_XY]);
     write_quality(&w, result);
+    write_accuracy(&w, result);
     if (result->tolerance) {
         json_parameters(&w, "beyond", result->beyond);
     }

@@ -35,6 +35,21 @@ invcal_calibration calibrate_at(const calibrate_result *r, unsigned position)
                : r->solution.calibration;
 }
 
+void calibrate_level(const calibrate_result *r, unsigned position, double out[3])
+{
+    double inverse[3][3];
+
+    memcpy(out, &r->data->mean[3 * (size_t)position], 3 * sizeof *out);
+    if (r->is_drift_fitted && matrix_inverse(&r->settings.nominal, inverse)) {
+        const double tau = calibrate_tau(r->data, position);
+        for (unsigned i = 0; i < 3; i++) {
+            for (unsigned j = 0; j < 3; j++) {
+                out[i] -= tau * inverse[i][j] * r->drift[j];
+            }
+        }
+    }
+}
+
 void calibrate_reading(const calibrate_result *r, unsigned kept, double out[3])
 {
     const double *mean = &r->rejected.kept[3 * (size_t)kept];
@@ -59,11 +74,9 @@ void calibrate_spread(const calibrate_result *r, double unit, uncertainty *u)
     uncertainty_search(u);
 }
 
-/* The residuals have more than twice the variance that the noise stated explains, and that is no
- * chance. */
-static int is_disturbed(const calibrate_result *r)
+int calibrate_is_disturbed(const calibrate_result *r)
 {
-    const double times = r->quality.noise / r->settings.noise;
+    const double times = calibrate_times(r);
     const unsigned dof = (unsigned)fmin(1000, r->quality.dof);
 
     return dof >= 1 && times * times > 2 &&
@@ -79,6 +92,14 @@ static double unevenness(const calibrate_result *r, const uncertainty *length)
     const double count = r->rejected.kept_count / (is_parabola ? 3.0 : 1.0);
 
     return length->most / length->unit / sqrt((double)INVCAL_PARAMETERS / count);
+}
+
+int calibrate_is_uneven(const calibrate_result *r)
+{
+    uncertainty length;
+
+    calibrate_spread(r, 1, &length);
+    return unevenness(r, &length) >= UNEVEN && !fit_has_prior(&r->settings);
 }
 
 static int depends_on_temperature(const calibrate_result *r)
@@ -112,7 +133,7 @@ const char *calibrate_limit(const calibrate_result *r, const uncertainty *length
                      ? "what the positions disagree by. Whether that is noise or handling shows "
                        "when the noise is stated (--noise, columns std and n)."
                      : "not known: neither the noise nor positions to spare tell.");
-    } else if (is_disturbed(r)) {
+    } else if (calibrate_is_disturbed(r)) {
         snprintf(
             text, CALIBRATE_LIMIT_MAX,
             "handling, drift or temperature: the positions disagree by %s times the %s. Longer "

@@ -8,10 +8,12 @@
 #include "gravity.h"
 #include "matrix.h"
 #include "message.h"
+#include "need.h"
 #include "number.h"
 #include "options.h"
 #include "paint.h"
 #include "parameters.h"
+#include "verdict.h"
 
 #define LINE_WIDTH 99u
 #define TEXT_MAX 512
@@ -150,6 +152,13 @@ static void print_residuals(FILE *file, const calibrate_result *r, const char *n
         }
         fprintf(file, "\n±             one standard deviation; %.2f of them cover 95 %%\n",
                 q->coverage);
+        if (r->field_sigma > 0) {
+            fprintf(file, "of g          %.2g %% in the ± of the scales, alike in all three%s\n",
+                    1e2 * r->field_sigma,
+                    r->is_field_stated
+                        ? ""
+                        : ";\n              --gravity or --latitude tells it better");
+        }
         if (calibrate_unexplained(r) > 0) {
             fprintf(
                 file,
@@ -188,50 +197,36 @@ static void print_limit(FILE *file, const calibrate_result *result)
     calibrate_print_wrapped(file, sizeof label - 1, calibrate_limit(result, &length, text));
 }
 
+static paint colour_of(invcal_verdict verdict)
+{
+    return verdict == INVCAL_GOOD                                       ? PAINT_GREEN
+           : verdict == INVCAL_NO_REDUNDANCY || verdict == INVCAL_ROUGH ? PAINT_YELLOW
+                                                                        : PAINT_RED;
+}
+
 static void print_verdict(FILE *file, const calibrate_result *result)
 {
     const fit_quality *q = &result->quality;
-    /* NOLINTNEXTLINE(clang-analyzer-deadcode.DeadStores): a verdict is always one of three */
-    const char *word = "";
-    paint colour = PAINT_RED;
     char list[128];
-    char text[TEXT_MAX] = "";
+    char cause[VERDICT_MAX];
+    char word[32];
+    char text[VERDICT_MAX + 8];
 
-    switch (q->verdict) {
-    case INVCAL_GOOD:
-        if (result->rejected.suspected > 0) {
-            word = "Contradictory:";
-            colour = PAINT_YELLOW;
-            snprintf(text, sizeof text,
-                     " every parameter is determined, but %u positions contradict one another; "
-                     "nothing tells which of them are wrong.",
-                     result->rejected.suspected);
-            break;
-        }
-        word = calibrate_is_rough(result) ? "Rough:" : "Good:";
-        colour = calibrate_is_rough(result) ? PAINT_YELLOW : PAINT_GREEN;
+    snprintf(word, sizeof word, "%s:", verdict_word(result));
+    const paint colour = colour_of(q->verdict);
+    if (strcmp(word, "Good:") == 0) {
         snprintf(text, sizeof text,
-                 " every parameter is determined; degrees of freedom left to check it: %.3g.",
-                 q->dof);
-        if (calibrate_has_lost_many(result)) {
-            snprintf(text, sizeof text,
-                     " every parameter is determined, but %u of %u positions are left out: what "
-                     "was wrong with them may be wrong with all. Measure again.",
-                     result->rejected.count, result->data->count);
-        }
-        break;
-    case INVCAL_NO_REDUNDANCY:
-        word = "No redundancy:";
-        colour = PAINT_YELLOW;
+                 " every parameter is determined; degrees of freedom left to check it: %.3g. %s",
+                 q->dof, verdict_unchecked(result, cause));
+    } else if (q->verdict == INVCAL_NO_REDUNDANCY) {
         snprintf(text, sizeof text,
-                 " every parameter is determined, but no position is left to check the result.");
-        break;
-    case INVCAL_WEAK:
-        word = "Weak:";
-        parameters_list(q->weak, list, sizeof list);
+                 " every parameter is determined, but no direction is left to check the result.");
+    } else if (q->verdict == INVCAL_WEAK) {
+        (void)parameters_list(q->weak, list, sizeof list);
         snprintf(text, sizeof text, " %s %s badly determined; use the result only within its ±.",
                  list, strchr(list, ',') ? "are" : "is");
-        break;
+    } else {
+        snprintf(text, sizeof text, " %s", verdict_cause(result, cause));
     }
     fprintf(file, "%s%s%s", paint_on(file, colour), word, paint_off(file));
     calibrate_print_wrapped(file, strlen(word), text);
@@ -239,6 +234,9 @@ static void print_verdict(FILE *file, const calibrate_result *result)
         snprintf(text, sizeof text, "Beyond the limits of the data sheet: %s.",
                  parameters_list(result->beyond, list, sizeof list));
         calibrate_print_wrapped(file, 0, text);
+    }
+    if (result->need > 0) {
+        calibrate_print_wrapped(file, 0, need_text(result, cause));
     }
     if (q->from_prior) {
         snprintf(text, sizeof text, "Known from the prior rather than from the positions: %s.",
@@ -253,7 +251,8 @@ static void print_next(FILE *file, const calibrate_result *result, const calibra
     const char *saved = wish->saved;
     char path[MESSAGE_MAX];
     char advice[128];
-    char text[TEXT_MAX];
+    char remedy[VERDICT_MAX];
+    char text[VERDICT_MAX + 8];
 
     if (saved) {
         fprintf(file, "Saved in %s.\n", saved);
@@ -261,29 +260,22 @@ static void print_next(FILE *file, const calibrate_result *result, const calibra
     if (wish->report) {
         fprintf(file, "Report in %s.\n", wish->report);
     }
-    switch (q->verdict) {
-    case INVCAL_GOOD:
-        if (result->rejected.suspected > 0) {
-            fprintf(file, "Next: repeat the measurement, with more positions, each at rest.\n");
-            break;
-        }
-        fprintf(file, "Next: %scorrect readings with: invcal apply %s LOG\n",
-                saved ? "" : "save it with --out CAL.json, then ",
-                options_quoted(saved ? saved : "CAL.json", path, sizeof path));
-        break;
-    case INVCAL_NO_REDUNDANCY:
+    if (q->verdict == INVCAL_NO_REDUNDANCY) {
         fprintf(file, "Next: add 3 or more positions in other directions, to check the fit.\n");
-        break;
-    case INVCAL_WEAK:
-        if (calibrate_wants_slopes(result)) {
-            fprintf(file, "Next: measure nine positions or more at each of two temperatures, 5 K "
-                          "apart or more.\n");
-            break;
-        }
+    } else if (q->verdict == INVCAL_WEAK && calibrate_wants_slopes(result)) {
+        fprintf(file, "Next: measure nine positions or more at each of two temperatures, 5 K "
+                      "apart or more.\n");
+    } else if (q->verdict == INVCAL_WEAK) {
         snprintf(text, sizeof text, "Next: add positions with %s.",
                  parameters_advice(q->weak, advice, sizeof advice));
         calibrate_print_wrapped(file, 0, text);
-        break;
+    } else if (strcmp(verdict_word(result), "Good") == 0) {
+        fprintf(file, "Next: %scorrect readings with: invcal apply %s LOG\n",
+                saved ? "" : "save it with --out CAL.json, then ",
+                options_quoted(saved ? saved : "CAL.json", path, sizeof path));
+    } else {
+        snprintf(text, sizeof text, "Next: %s", verdict_remedy(result, remedy));
+        calibrate_print_wrapped(file, 0, text);
     }
 }
 

@@ -6,6 +6,7 @@
 
 #include "command.h"
 #include "optimal.h"
+#include "order.h"
 
 #define WITHIN (1 + 1e-9) /* a limit that is met exactly is met, whatever rounding says */
 
@@ -94,6 +95,7 @@ static int choose_free(design *d, const choice_request *request, unsigned allowe
     }
     if (!request->limits) {
         optimal_directions(most, direction);
+        order_directions(direction, most);
         design_directions(d, "free directions", direction, most);
         return 1;
     }

@@ -10,6 +10,7 @@
 #include "message.h"
 #include "number.h"
 #include "optimal.h"
+#include "order.h"
 #include "parameters.h"
 #include "positions.h"
 
@@ -50,6 +51,16 @@ void design_next(const design *d, double up[3])
     invcal_next(readings(d), d->count, &unit, up);
 }
 
+static double hidden_by(const design *d)
+{
+    double direction[DESIGN_MAX][3];
+
+    for (unsigned n = 0; n < d->count; n++) {
+        memcpy(direction[n], d->position[n].vertical, sizeof direction[n]);
+    }
+    return d->count > 1 ? order_hides_drift((const double(*)[3])direction, d->count) : HUGE_VAL;
+}
+
 static void judge(design *d)
 {
     invcal_sums_init(&d->sums);
@@ -64,6 +75,7 @@ static void judge(design *d)
         }
     }
     d->is_solvable = criteria_judge(&d->sums, &d->criteria);
+    d->hidden = hidden_by(d);
     d->undetermined = d->is_solvable ? 0 : invcal_undetermined(readings(d), d->count, &unit);
     if (!d->is_solvable) {
         char list[128];
@@ -120,6 +132,7 @@ void design_balanced(design *d, unsigned count, const double limits[3])
     double direction[OPTIMAL_MAX][3];
 
     (void)optimal_within(count, limits, direction);
+    order_directions(direction, count);
     design_directions(d, "free directions", direction, count);
 }
 
@@ -169,6 +182,7 @@ static void make_solid(design *d, const char *name)
     if (strcmp(name, "edges") == 0) {
         count = add_pairs(direction, count, 1, 1);
     }
+    order_directions(direction, count);
     design_directions(d, name, direction, count);
 }
 
@@ -257,6 +271,7 @@ static int make_optimal(design *d, const char *command, const char *text)
     if (!failure) {
         snprintf(name, sizeof name, "optimal %u", n);
         optimal_directions(n, direction);
+        order_directions(direction, n);
         design_directions(d, name, direction, n);
     }
     return failure;

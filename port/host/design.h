@@ -27,6 +27,7 @@ typedef struct {
     uint16_t undetermined; /* and the parameters that it leaves open */
     criteria criteria;
     uint8_t axes;       /* that point along gravity: bits of INVCAL_AXIS_PLUS_X ... */
+    double hidden;      /* by how much sigma grows if a drift is to be told apart, in this order */
     double range[3][2]; /* what each axis feels, least and most, over the field */
     design_position position[DESIGN_MAX];
 } design; /* large: not for the stack */

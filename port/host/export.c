@@ -173,7 +173,7 @@ static void warn(const export_job *job)
     } else if (strcmp(c->verdict, "no redundancy") == 0) {
         message("warning: %s: no position to spare has checked it; it is exported as it is",
                 job->source);
-    } else if (*c->verdict && strcmp(c->verdict, "good") != 0) {
+    } else if (*c->verdict && strcmp(c->verdict, "good") != 0 && !(c->suspected > 0)) {
         message("warning: %s: %s calibration; it is exported as it is", job->source, c->verdict);
     }
 }

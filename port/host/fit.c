@@ -7,8 +7,6 @@
 #include "eigen.h"
 #include "matrix.h"
 
-#define NORMAL 1.959964 /* sigma that hold 95 % where the noise is known */
-
 int fit_has_prior(const fit_settings *settings)
 {
     int has_prior = 0;
@@ -118,16 +116,16 @@ void fit_information(const double *raw, unsigned count, const fit_settings *sett
 fit_quality fit_quality_of(const invcal_quality *q, const fit_settings *settings,
                            const fit_solution *solution)
 {
-    /* where the residuals show no more noise than is stated, that is a known one */
-    const int is_known = settings->noise > 0 && q->noise <= settings->noise;
     const double usual = fit_sensitivity(&solution->symmetric, &settings->nominal);
-    fit_quality out = {.coverage = is_known ? NORMAL : invcal_coverage(q->dof),
+    fit_quality out = {.coverage = invcal_coverage(q->sigma_dof),
                        .noise = q->noise < 1 ? usual * q->noise : 1,
                        .dof = q->dof,
+                       .sigma_dof = q->sigma_dof,
                        .rms = q->rms,
                        .max = q->max,
                        .worst = q->worst,
                        .weak = q->weak,
+                       .unchecked = q->unchecked,
                        .verdict = (invcal_verdict)q->verdict};
 
     memcpy(out.sigma, q->sigma, sizeof out.sigma);

@@ -32,13 +32,18 @@ typedef struct {
     double sigma_offset[3];          /* and of the offset, input units */
     double coverage;                 /* +- coverage * sigma holds the truth in 95 % of cases */
     double noise;                    /* of a calibrated position mean behind them; 1: not known */
-    double dof;                      /* degrees of freedom left to the residuals */
+    double dof;                      /* degrees of freedom left to the residuals, */
+    double sigma_dof;                /* and those behind sigma */
     double rms;                      /* of the residuals |calibrated| - 1, */
     double max;                      /* and the largest, without its sign */
     unsigned worst;                  /* its position, from 0 */
     double condition;                /* of H'WH, prior included */
     uint16_t weak;                   /* bit r: parameter r is badly determined */
     uint16_t from_prior;             /* bit r: the prior tells more about it than the positions */
+    double size;                     /* of the systematic error, over the field */
+    unsigned systematic;             /* an invcal_systematic, */
+    unsigned axis;                   /* where it is largest, */
+    unsigned unchecked;              /* and bit k: of this one nothing is known */
     invcal_verdict verdict;
 } fit_quality;
 

@@ -169,7 +169,7 @@ static void say_taken(stage *s, outcome what)
     say_sigma(s);
     fprintf(s->wish->talk, "%s\n", what == NOT_ASKED ? "; not the one asked for, but used" : "");
     if (what == ENOUGH) {
-        say_end(s->wish->talk, "enough:", "the target is reached");
+        say_end(s->wish->talk, "enough:", "what is wanted is reached");
     } else if (what == FINISHED) {
         say_end(s->wish->talk, "finished:", "the program is complete");
     }
@@ -312,7 +312,10 @@ static int reaches_target(const stage *s)
         is_wanted = is_wanted || s->wish->target[i] > 0;
         target[i] = s->wish->target[i] > 0 ? s->wish->target[i] : INVCAL_REAL_MAX;
     }
-    return is_wanted && invcal_session_reaches(&session, target);
+    if (s->wish->need > 0 && !invcal_session_meets(&session, s->wish->need, s->wish->field_sigma)) {
+        return 0;
+    }
+    return is_wanted ? invcal_session_reaches(&session, target) : s->wish->need > 0;
 }
 
 static outcome count_position(stage *s)

@@ -22,6 +22,8 @@ typedef struct {
     const double *lsb;  /* positions */
     invcal_plan plan;   /* per_group 0: free hand */
     double target[3];   /* sigma that is enough; 0: any */
+    double need;        /* what lengths may be wrong by, over the field; 0: anything */
+    double field_sigma; /* what the field may, over itself */
     double mean_sigma;  /* of a position mean that is wanted, field units; 0: any */
     const invcal_noise *noise; /* of three axes, over the field, in place of what the first rest
                                   tells; null: there is none. Needs mean_sigma */

@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "command.h"
+#include "optimal.h"
 #include "plan.h"
 
 #define PI 3.14159265358979323846
@@ -171,10 +172,14 @@ static void try_stands(labour *l)
     }
 }
 
+/* Their order does not matter yet. */
 static void try_directions(labour *l, design *work)
 {
+    double direction[OPTIMAL_MAX][3];
+
     for (unsigned n = OPTIMAL_MIN; n <= LABOUR_MAX && !is_enough(l, CHOICE_FREE, n); n++) {
-        design_balanced(work, n, l->limits);
+        (void)optimal_within(n, l->limits, direction);
+        design_directions(work, "", direction, n);
         if (work->is_solvable) {
             const double sigma[3] = {work->criteria.sigma_delta, work->criteria.sigma_dk,
                                      work->criteria.sigma_gamma};

@@ -60,6 +60,13 @@ static void print_sigmas(FILE *file, const design *d, const design_cost *cost)
     print_sigma(file, "angles", c->sigma_gamma, "degrees", FIGURE_DEGREES * noise);
     fprintf(file, "condition %.4f (1 is the best), ln det H'H %.4f (more is better)\n",
             c->condition, c->log_det);
+    if (isfinite(d->hidden)) {
+        fprintf(file,
+                "visited in this order, to tell a drift apart costs %.2f times sigma at most\n",
+                d->hidden);
+    } else {
+        fprintf(file, "visited in this order, a drift cannot be told from the nine parameters\n");
+    }
 }
 
 /* What invcal calibrate would say of such a set, and how it stands to the limits. */

@@ -33,6 +33,8 @@ typedef struct {
     int has_noise;          /* the file tells std and n of each position */
     double noise_square[3]; /* then for each axis the mean over the positions of std^2 / n: the
                                variance of a position mean, input units squared, finite */
+    double scatter;         /* of a log: sum over the positions of the variance of a sample, */
+    double quantum;         /* and the smallest step of a reading, input units; 0: not known */
 } positions;
 
 /* Reads a table of position means ("-": standard input).

@@ -9,8 +9,20 @@ void recording_begin(recording *r, const samples *log)
 {
     r->blocks = 0;
     r->fill = r->size = 0;
+    r->quantum = 0;
     r->has_temperature = log->has_temperature;
     timeline_begin(&r->outline, log->rate);
+}
+
+static void note_step(recording *r, const sample *s)
+{
+    for (unsigned i = 0; i < 3; i++) {
+        const double step = fabs((double)s->raw[i] - r->before[i]);
+        if (r->blocks > 0 && step > 0 && !(r->quantum > 0 && r->quantum <= step)) {
+            r->quantum = step;
+        }
+        r->before[i] = s->raw[i];
+    }
 }
 
 void recording_sample(recording *r, const samples *log, const sample *s)
@@ -24,7 +36,9 @@ void recording_sample(recording *r, const samples *log, const sample *s)
     r->open.temperature += s->temperature;
     for (unsigned i = 0; i < 3; i++) {
         value[i] = s->raw[i] * log->unit;
+        r->open.sum[i] += s->raw[i];
     }
+    note_step(r, s);
     value[3] = s->temperature;
     timeline_add(&r->outline, s->clock, value);
 }
@@ -45,6 +59,23 @@ static unsigned long block_of(const recording *r, uint32_t index)
     return block < oldest ? oldest : block;
 }
 
+/* Of the mean of an axis: batch means. */
+static double variance_of_mean(const recording *r, unsigned long first, unsigned long last,
+                               unsigned axis)
+{
+    const double count = (double)(last - first);
+    double sum = 0;
+    double squares = 0;
+
+    for (unsigned long k = first; k < last; k++) {
+        const double mean = r->block[k % RECORDING_BLOCKS].sum[axis] / r->size;
+        const double reference = r->block[first % RECORDING_BLOCKS].sum[axis] / r->size;
+        sum += mean - reference;
+        squares += (mean - reference) * (mean - reference);
+    }
+    return (squares - sum * sum / count) / (count * (count - 1));
+}
+
 recording_place recording_find(const recording *r, const invcal_rest *rest)
 {
     const unsigned long first = block_of(r, rest->begin);
@@ -59,7 +90,7 @@ recording_place recording_find(const recording *r, const invcal_rest *rest)
         temperature += sum;
         moment += ((double)(k - first) - (count - 1) / 2) * sum;
     }
-    return (recording_place){
+    recording_place place = {
         .line = r->block[first % RECORDING_BLOCKS].line,
         .begin = r->block[first % RECORDING_BLOCKS].clock,
         .end = last < r->blocks ? r->block[last % RECORDING_BLOCKS].clock : r->outline.duration,
@@ -67,4 +98,9 @@ recording_place recording_find(const recording *r, const invcal_rest *rest)
         .drift = is_known && count > 1 ? fabs(12 * moment / (r->size * (count * count - 1)))
                                        : NUMBER_UNKNOWN,
     };
+    for (unsigned i = 0; i < 3; i++) {
+        const unsigned long end = last < r->blocks ? last : r->blocks;
+        place.variance[i] = end > first + 1 ? variance_of_mean(r, first, end, i) : NUMBER_UNKNOWN;
+    }
+    return place;
 }

@@ -16,7 +16,8 @@
 typedef struct {
     unsigned long line; /* of the first sample */
     double clock;
-    double temperature; /* sum over its samples */
+    double temperature; /* sums over its samples */
+    double sum[3];      /* counts */
 } recording_block;
 
 typedef struct {
@@ -26,6 +27,8 @@ typedef struct {
     unsigned fill;        /* and its samples so far */
     unsigned size;        /* samples of a block; 0: not known yet */
     int has_temperature;
+    int32_t before[3]; /* the last sample, */
+    double quantum;    /* and the smallest step of any axis from one to the next; 0: none yet */
     timeline outline;
 } recording; /* large: not for the stack */
 
@@ -37,6 +40,7 @@ typedef struct {
     double temperature; /* mean; NaN: not known */
     double drift;       /* of temperature from begin to end, K without sign, by the straight line
                            through its blocks: a thermometer's noise is no drift */
+    double variance[3]; /* of its mean, counts^2, as its blocks tell: tremor is no white noise */
 } recording_place;
 
 void recording_begin(recording *r, const samples *log);

@@ -6,7 +6,11 @@
 #include <string.h>
 
 #include "command.h"
+#include "f_tail.h"
 #include "message.h"
+
+#define ALLOWED 0.007 /* chance to leave out a good one of all */
+#define FEWEST 11u    /* positions for an outlier to be told from the others */
 
 /* Position first, first + step, first + 2 step ... */
 typedef struct {
@@ -36,7 +40,7 @@ static void reject_impossible(rejection *r, const positions *p, const fit_settin
     for (unsigned i = 0; i < p->count; i++) {
         count += (unsigned)is_impossible(p, i, settings, &error);
     }
-    if (8 * count > p->count || p->count < INVCAL_OUTLIERS_FEWEST + count) {
+    if (8 * count > p->count || p->count < FEWEST + count) {
         return;
     }
     for (unsigned i = 0; i < p->count; i++) {
@@ -96,18 +100,13 @@ typedef struct {
     unsigned count;
 } crowd;
 
-static void add(rejection *r, const crowd *c, const fit_settings *settings,
-                const invcal_outliers *found)
+/* What a position reads too much, calibrated. */
+static double excess(const invcal_calibration *c, const double *mean)
 {
-    for (unsigned i = 0; i < c->count; i++) {
-        invcal_outlier one;
-        if ((found->removed >> i & 1u) &&
-            invcal_outlier_size(c->mean[0], c->count, &settings->nominal, settings->noise,
-                                found->removed, i, &one) == INVCAL_OK) {
-            rejection_add(r, (rejected_position){.position = c->number[i], .error = one.error});
-        }
-        r->suspected += (unsigned)(found->suspected >> i & 1u);
-    }
+    double v[3];
+
+    invcal_apply(c, mean, v);
+    return sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]) - 1;
 }
 
 /* `before` of them, the first of the list, are rejected already. */
@@ -115,7 +114,8 @@ static void find_among(rejection *r, const positions *p, const fit_settings *set
                        choice_of which, unsigned before)
 {
     crowd c = {.count = 0};
-    invcal_outliers found;
+    invcal_calibration calibration;
+    invcal_quality q;
 
     for (unsigned i = which.first; i < p->count; i += which.step) {
         if (!is_among(r, before, i)) {
@@ -123,9 +123,20 @@ static void find_among(rejection *r, const positions *p, const fit_settings *set
             memcpy(c.mean[c.count++], &p->mean[3 * (size_t)i], sizeof c.mean[0]);
         }
     }
-    if (invcal_outliers_find(c.mean[0], c.count, &settings->nominal, settings->noise, &found) ==
-        INVCAL_OK) {
-        add(r, &c, settings, &found);
+    if (invcal_calibrate_judged(c.mean[0], c.count, &settings->nominal, settings->noise,
+                                &calibration, &q) != INVCAL_OK) {
+        return;
+    }
+    for (unsigned i = 0; i < c.count; i++) {
+        r->suspected += (unsigned)(q.suspected >> i & 1u);
+        if (q.left_out >> i & 1u) {
+            rejection_add(r, (rejected_position){.position = c.number[i],
+                                                 .error = excess(&calibration, c.mean[i])});
+        }
+    }
+    if (which.first == 0) {
+        r->found = q;
+        r->is_judged = 1;
     }
 }
 
@@ -171,6 +182,27 @@ int rejection_begin(rejection *r, const positions *p, const fit_settings *settin
     return EXIT_GOOD;
 }
 
+/* Of many turns each has its false alarms: those come back that do not contradict all the others
+ * together, Bonferroni's inequality and Student's t. */
+static void reconsider(rejection *r, const positions *p, const fit_settings *settings,
+                       unsigned before)
+{
+    invcal_calibration c;
+    invcal_quality q;
+
+    rejection_finish(r, p);
+    if (invcal_calibrate(r->kept, r->kept_count, &settings->nominal, 0, &c, &q) != INVCAL_OK) {
+        return;
+    }
+    const double noise = q.noise * fit_sensitivity(&c, &settings->nominal);
+    for (unsigned k = r->count; k-- > before;) {
+        const double t = excess(&c, &p->mean[3 * (size_t)r->list[k].position]) / noise;
+        if (!(f_tail(1 / (1 + t * t / q.dof), 1, q.dof) * p->count <= ALLOWED)) {
+            rejection_remove(r, r->list[k].position);
+        }
+    }
+}
+
 void rejection_search(rejection *r, const positions *p, const fit_settings *settings)
 {
     const unsigned turns = (p->count + INVCAL_MAX_POSITIONS - 1) / INVCAL_MAX_POSITIONS;
@@ -178,6 +210,9 @@ void rejection_search(rejection *r, const positions *p, const fit_settings *sett
 
     for (unsigned turn = 0; turn < turns; turn++) {
         find_among(r, p, settings, (choice_of){turn, turns}, before);
+    }
+    if (turns > 1 && r->count > before) {
+        reconsider(r, p, settings, before);
     }
 }
 

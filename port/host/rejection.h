@@ -22,11 +22,13 @@ typedef struct {
     double *kept;        /* the others: 3 numbers each, */
     double *temperature; /* and one */
     unsigned kept_count;
+    invcal_quality found; /* what the first turn was judged to be, */
+    int is_judged;        /* if it was */
 } rejection;
 
-/* Looks for outliers (invcal_outliers_find), in turns among every k-th position if there are more
- * than INVCAL_MAX_POSITIONS. Sets that cannot be judged, because they are too few or
- * undetermined, lose none: calibrating them tells why.
+/* Looks for outliers (invcal_calibrate_judged), in turns among every k-th position if there are more
+ * than INVCAL_MAX_POSITIONS; then those stay out that contradict all others, too. Sets that cannot be
+ * judged, because they are too few or undetermined, lose none: calibrating them tells why.
  *
  * none  1: looks for none.
  *

@@ -1,20 +1,22 @@
 /* SPDX-License-Identifier: MIT */
 #include "report.h"
 
+#include <ctype.h>
 #include <math.h>
 #include <string.h>
 
 #include "command.h"
 #include "gravity.h"
 #include "input.h"
+#include "need.h"
 #include "number.h"
 #include "options.h"
 #include "parameters.h"
 #include "report_facts.h"
+#include "verdict.h"
 
 #define TEXT_MAX 800
 #define SUPPORT_MAX 200
-#define DISAGREEING 10.0 /* times the noise: positions do not confirm one another */
 
 /* ---- what it comes to -------------------------------------------------------------------------- */
 
@@ -28,13 +30,9 @@ static const char *worst_spread(const report_facts *f, char text[FIGURE_MAX])
 static void say_support(const report_facts *f, char text[SUPPORT_MAX])
 {
     const fit_quality *q = &f->result->quality;
-    const double times = calibrate_unexplained(f->result);
     char list[128];
 
-    if (times >= DISAGREEING) {
-        snprintf(text, SUPPORT_MAX,
-                 "but the positions disagree by %.0f times what the noise explains", times);
-    } else if (q->from_prior) {
+    if (q->from_prior) {
         snprintf(text, SUPPORT_MAX, "but %s by the prior rather than by the positions",
                  parameters_list(q->from_prior, list, sizeof list));
     } else {
@@ -80,47 +78,51 @@ static void say_weak(const report_facts *f, char *text)
         worst_spread(f, spread), f->knows_noise ? f->unit : "times the noise of a position mean");
 }
 
-/* Residuals that cannot be laid at one position's door: the fit is not to be relied on. */
-static void write_doubt(page *p, const report_facts *f)
+/* What is to be done with a good one. */
+static void say_how_to_use(const report_facts *f, char *text, size_t size)
+{
+    const char *saved = f->wish->saved;
+    char path[MESSAGE_MAX];
+
+    snprintf(text, size, "%scorrect readings with invcal apply %s LOG.",
+             saved ? "" : "save it with --out CAL.json, and ",
+             options_quoted(saved ? saved : "CAL.json", path, sizeof path));
+}
+
+static void write_weak(page *p, const report_facts *f)
 {
     char sentence[TEXT_MAX];
+    char next[TEXT_MAX];
+    char advice[128];
 
-    snprintf(sentence, sizeof sentence,
-             "All nine parameters are determined, but %u positions contradict one another, and "
-             "nothing tells which of them are wrong: the truth may lie far outside the ±.",
-             f->result->rejected.suspected);
-    page_verdict(p, PAGE_CAUTION, "! Contradictory", sentence,
-                 "repeat the measurement, with more positions and each of them at rest, so that "
-                 "wrong ones stand out.");
+    say_weak(f, sentence);
+    if (calibrate_wants_slopes(f->result)) {
+        snprintf(next, sizeof next,
+                 "measure nine positions or more at each of two temperatures, 5 K apart or more.");
+    } else {
+        snprintf(next, sizeof next, "add positions with %s. Begin with: %s.",
+                 parameters_advice(f->result->quality.weak, advice, sizeof advice), f->next_words);
+    }
+    page_verdict(p, PAGE_BAD, "✗ Weak", sentence, next);
 }
 
 static void write_verdict(page *p, const report_facts *f)
 {
-    const char *saved = f->wish->saved;
-    char path[MESSAGE_MAX];
+    const invcal_verdict verdict = f->result->quality.verdict;
+    const char *word = verdict_word(f->result);
+    char marked[64];
     char sentence[TEXT_MAX];
     char next[MESSAGE_MAX + TEXT_MAX];
-    char advice[128];
+    char text[VERDICT_MAX];
 
-    switch (f->result->quality.verdict) {
-    case INVCAL_GOOD:
-        if (f->result->rejected.suspected > 0) {
-            write_doubt(p, f);
-            break;
-        }
+    if (strcmp(word, "Good") == 0) {
         say_good(f, sentence);
-        snprintf(next, sizeof next, "%scorrect readings with invcal apply %s LOG.",
-                 saved ? "" : "save it with --out CAL.json, and ",
-                 options_quoted(saved ? saved : "CAL.json", path, sizeof path));
-        if (calibrate_is_rough(f->result)) {
-            page_verdict(p, PAGE_CAUTION, "! Rough", sentence,
-                         "look for what disturbs the positions: a hand, a vibration, clipping, a "
-                         "knock, a sensor that drifts. Then measure again.");
-        } else {
-            page_verdict(p, PAGE_GOOD, "✓ Good", sentence, next);
+        say_how_to_use(f, next, sizeof next);
+        page_verdict(p, PAGE_GOOD, "✓ Good", sentence, next);
+        if (*verdict_unchecked(f->result, text)) {
+            page_say(p, "%s", text);
         }
-        break;
-    case INVCAL_NO_REDUNDANCY:
+    } else if (verdict == INVCAL_NO_REDUNDANCY) {
         snprintf(next, sizeof next,
                  "add three or more positions in other directions. Begin with: %s.", f->next_words);
         page_verdict(
@@ -128,19 +130,18 @@ static void write_verdict(page *p, const report_facts *f)
             "All nine parameters are determined, but there is no position to spare: nothing "
             "checks the result, and one wrong position would spoil it unnoticed.",
             next);
-        break;
-    case INVCAL_WEAK:
-        say_weak(f, sentence);
-        if (calibrate_wants_slopes(f->result)) {
-            page_verdict(p, PAGE_BAD, "✗ Weak", sentence,
-                         "measure nine positions or more at each of two temperatures, 5 K apart or "
-                         "more.");
-            break;
-        }
-        snprintf(next, sizeof next, "add positions with %s. Begin with: %s.",
-                 parameters_advice(f->result->quality.weak, advice, sizeof advice), f->next_words);
-        page_verdict(p, PAGE_BAD, "✗ Weak", sentence, next);
-        break;
+    } else if (verdict == INVCAL_WEAK) {
+        write_weak(p, f);
+    } else {
+        const int is_bad = verdict == INVCAL_DRIFTING || verdict == INVCAL_BENT;
+        snprintf(marked, sizeof marked, "%s %s", is_bad ? "✗" : "!", word);
+        (void)verdict_cause(f->result, sentence);
+        sentence[0] = (char)toupper((unsigned char)sentence[0]);
+        page_verdict(p, is_bad ? PAGE_BAD : PAGE_CAUTION, marked, sentence,
+                     verdict_remedy(f->result, text));
+    }
+    if (f->result->need > 0) {
+        page_say(p, "%s", need_text(f->result, text));
     }
 }
 

@@ -23,7 +23,8 @@ static void find_positions(report_facts *f)
         invcal_apply(&r->settings.nominal, &r->data->mean[3 * (size_t)n], v);
         at->before = REPORT_PARTS * (length(v) - 1);
         const invcal_calibration here = calibrate_at(r, n);
-        invcal_apply(&here, &r->data->mean[3 * (size_t)n], v);
+        calibrate_level(r, n, v);
+        invcal_apply(&here, v, v);
         at->after = REPORT_PARTS * (length(v) - 1);
         for (unsigned i = 0; i < 3; i++) {
             at->up[i] = length(v) > 0 ? v[i] / length(v) : i == 2;

@@ -8,6 +8,8 @@
 #include "progress.h"
 #include "samples.h"
 
+#define PI 3.14159265358979324
+
 /* Too large for the stack. */
 static recording log_recording;
 
@@ -51,19 +53,56 @@ int rests_take(positions *p, const invcal_rest *rest, double unit, const recordi
     const recording_place place = recording_find(log, rest);
     const position_origin origin = {place.line, place.begin, place.end, place.temperature,
                                     place.drift};
+    const double white = rest->variance / rest->count;
     double mean[3];
 
     for (unsigned i = 0; i < 3; i++) {
+        const double variance = isnan(place.variance[i]) ? white : place.variance[i];
         mean[i] = (double)rest->sum[i] / rest->count * unit;
-        p->noise_square[i] += rest->variance * unit * unit / rest->count;
+        p->noise_square[i] += variance * unit * unit;
     }
+    p->scatter += rest->variance * unit * unit;
+    p->quantum = log->quantum * unit;
     return positions_add(p, mean, &origin);
+}
+
+/* What rounding to steps of q leaves in a mean, however many samples it has: of noise s the cells of the
+ * quantiser average all but this (the first terms of a Fourier series). */
+static double floor_square(double q, double s)
+{
+    double sum = 0;
+
+    for (unsigned k = 1; k <= 5; k++) {
+        sum += exp(-4 * PI * PI * k * k * s * s / (q * q)) / (k * k);
+    }
+    return q * q / (2 * PI * PI) * sum;
+}
+
+/* The noise s behind samples of variance v = s^2 + q^2/12 - floor^2(s): by bisection, as v grows with s. */
+static double noise_behind(double q, double v)
+{
+    double low = 0;
+    double high = sqrt(v);
+
+    for (unsigned i = 0; i < 60; i++) {
+        const double s = (low + high) / 2;
+        if (s * s + q * q / 12 - floor_square(q, s) < v) {
+            low = s;
+        } else {
+            high = s;
+        }
+    }
+    return (low + high) / 2;
 }
 
 void rests_end(positions *p, const samples *log, rests_summary *summary)
 {
     for (unsigned i = 0; i < 3 && p->count > 0; i++) {
         p->noise_square[i] /= p->count;
+        if (p->quantum > 0) {
+            const double s = noise_behind(p->quantum, p->scatter / p->count);
+            p->noise_square[i] += floor_square(p->quantum, s);
+        }
     }
     p->bytes = log->table.bytes;
     p->crc = log->table.crc;

@@ -68,7 +68,7 @@ static void calibration_results(const invcal_calibration *calibration)
 
 static void quality_results(const invcal_quality *quality)
 {
-    const float coverage = invcal_coverage(quality->dof);
+    const float coverage = invcal_coverage(quality->sigma_dof);
     float sigma[3];
 
     invcal_sigma_offset(quality, &nominal, sigma);
@@ -79,11 +79,17 @@ static void quality_results(const invcal_quality *quality)
     results("max", &quality->max, 1);
     results("condition", &quality->condition, 1);
     results("coverage", &coverage, 1);
+    results("size", &quality->size, 1);
     result("left_out", (uint32_t)quality->left_out);
+    result("suspected", (uint32_t)quality->suspected);
     result("weak", quality->weak);
     result("positions", quality->positions);
     result("dof", quality->dof);
+    result("sigma_dof", quality->sigma_dof);
     result("worst", quality->worst);
+    result("systematic", quality->systematic);
+    result("axis", quality->axis);
+    result("unchecked", quality->unchecked);
     result("verdict", quality->verdict);
 }
 
@@ -228,31 +234,35 @@ static void sets_with_a_prior(void)
     }
 }
 
-/* One position in six is wrong by a tenth of the field. */
-static void sets_with_outliers(void)
+static void judge(const char *name, unsigned count)
+{
+    invcal_calibration calibration;
+    invcal_quality quality;
+    const invcal_status status =
+        invcal_calibrate_judged(raw[0], count, &nominal, 0, &calibration, &quality);
+
+    begin_set(name, status);
+    if (status == INVCAL_OK) {
+        calibration_results(&calibration);
+        quality_results(&quality);
+    }
+}
+
+/* One position in six is wrong by a tenth of the field; or x drifts by a thousandth from each to
+ * the next. */
+static void sets_with_outliers_or_drift(void)
 {
     for (unsigned count = 12; count <= 24; count += 6) {
-        invcal_calibration calibration;
-        invcal_quality quality;
-        invcal_outliers outliers;
         simulate(count, 0.02f, 1e-3f);
         for (unsigned i = 3; i < count; i += 6) {
             raw[i][i % 3] += 410;
         }
-        invcal_status status = invcal_outliers_find(raw[0], count, &nominal, 0, &outliers);
-        begin_set("outliers", status);
-        if (status != INVCAL_OK) {
-            continue;
+        judge("outliers", count);
+        simulate(count, 0.02f, 1e-3f);
+        for (unsigned i = 0; i < count; i++) {
+            raw[i][0] += 4 * (float)i;
         }
-        result("removed", (uint32_t)outliers.removed);
-        result("suspected", (uint32_t)outliers.suspected);
-        status = invcal_calibrate_without(raw[0], count, outliers.removed, &nominal, 0,
-                                          &calibration, &quality);
-        result("status", status);
-        if (status == INVCAL_OK) {
-            calibration_results(&calibration);
-            quality_results(&quality);
-        }
+        judge("drift", count);
     }
 }
 
@@ -285,7 +295,7 @@ int main(void)
     counts();
     simulated_sets();
     sets_with_a_prior();
-    sets_with_outliers();
+    sets_with_outliers_or_drift();
     refusals();
     put_line("digest", digest);
     return 0;

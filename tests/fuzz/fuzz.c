@@ -302,7 +302,7 @@ unsigned count_bits(invcal_mask set)
 
 void require_quality(const invcal_quality *q, unsigned count)
 {
-    const invcal_real coverage = invcal_coverage(q->dof);
+    const invcal_real coverage = invcal_coverage(q->sigma_dof);
 
     require_sigma(q->sigma, INVCAL_PARAMETERS);
     require_sigma(&q->noise, 1);
@@ -312,12 +312,27 @@ void require_quality(const invcal_quality *q, unsigned count)
     REQUIRE(q->rms <= INVCAL_REAL(0.1) && q->rms <= q->max * INVCAL_REAL(1.0001));
     REQUIRE(coverage > 1 && coverage < 13);
     REQUIRE(q->positions > 0 && q->positions + count_bits(q->left_out) == count);
-    REQUIRE(q->dof <= q->positions && q->worst < count);
+    REQUIRE(q->dof <= q->positions && q->dof <= q->sigma_dof && q->worst < count);
     REQUIRE(q->worst >= INVCAL_MAX_POSITIONS || !(q->left_out >> q->worst & 1u));
     REQUIRE(q->verdict <= INVCAL_WEAK && q->weak < 1u << INVCAL_PARAMETERS);
     REQUIRE((q->verdict == INVCAL_WEAK) == (q->weak != 0));
-    REQUIRE(q->verdict == INVCAL_WEAK || (q->verdict == INVCAL_GOOD) == (q->dof > 0));
+    REQUIRE(q->verdict > INVCAL_NO_REDUNDANCY || (q->verdict == INVCAL_GOOD) == (q->dof > 0));
+    REQUIRE((q->left_out & q->suspected) == 0);
+    REQUIRE(q->systematic <= INVCAL_HYSTERESIS && q->axis < 3 && (q->unchecked & ~0x1Eu) == 0);
+    REQUIRE(q->verdict == INVCAL_WEAK ||
+            (q->verdict == INVCAL_DRIFTING) == (q->systematic == INVCAL_DRIFT));
+    REQUIRE(q->verdict == INVCAL_WEAK ||
+            (q->verdict == INVCAL_BENT) == (q->systematic > INVCAL_DRIFT));
+    require_finite(&q->size, 1);
     REQUIRE(!invcal_improves(q, q));
+}
+
+/* A noise stated counts as four residuals. */
+void require_noise(const invcal_quality *q, invcal_real stated)
+{
+    const double least = (double)stated * sqrt(4.0 / (4.0 + q->positions));
+
+    REQUIRE((double)q->noise >= least * (1 - 8 * (double)INVCAL_EPSILON));
 }
 
 void require_direction(const invcal_real up[3])

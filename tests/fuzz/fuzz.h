@@ -69,6 +69,7 @@ void require_solution(const invcal_calibration *calibration, const conditions *c
 
 /* What is said of count positions with some left out, and how it hangs together. */
 void require_quality(const invcal_quality *quality, unsigned count);
+void require_noise(const invcal_quality *quality, invcal_real stated);
 
 /* A unit vector. */
 void require_direction(const invcal_real up[3]);

@@ -172,7 +172,7 @@ static void pack(source *s)
     r.temperature = take_real(s, r.temperature_known ? 25 : 0);
     r.condition = take_real(s, 200);
     r.weak = take_byte(s);
-    r.verdict = take_byte(s) % 5;
+    r.verdict = take_byte(s) % 6;
     if (invcal_record_encode(&r, bytes) == INVCAL_OK) {
         look_at_record(bytes, sizeof bytes);
         REQUIRE(invcal_record_decode(bytes, sizeof bytes, &r) == INVCAL_OK);

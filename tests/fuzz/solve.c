@@ -2,7 +2,7 @@
  *
  * Sums, rows, readings and conditions that may be anything: if a calibration is delivered, it is
  * finite, positive definite, and its sigma finite and not negative; if not, the outputs are untouched.
- * Likewise what stands beside it: known directions, a prior, outliers, temperature, guidance, Allan
+ * Likewise what stands beside it: known directions, a prior, judgement, temperature, guidance, Allan
  * deviation, programs, and what is done with a calibration.
  * fuzz: at least 50 inputs a second
  */
@@ -203,7 +203,7 @@ static void calibrate(source *s)
         REQUIRE(quality.left_out == (left_out & all));
         quality.left_out = of_these; /* what stands behind the last position leaves nothing out */
         require_quality(&quality, count);
-        REQUIRE(quality.noise >= c.noise);
+        require_noise(&quality, c.noise);
         look_at_offset(&quality, &c);
     } else {
         require_mark(&out, sizeof out);
@@ -234,7 +234,8 @@ static void calibrate_with_prior(source *s)
     }
     require_solution(&out, &c);
     require_quality(&quality, count);
-    REQUIRE(from_prior < 1u << INVCAL_PARAMETERS && quality.noise >= c.noise);
+    require_noise(&quality, c.noise);
+    REQUIRE(from_prior < 1u << INVCAL_PARAMETERS);
     const invcal_real most = 1 + 8 * INVCAL_EPSILON;
     for (unsigned r = 0; r < INVCAL_PARAMETERS; r++) {
         REQUIRE(c.prior[r] >= 0);
@@ -243,35 +244,34 @@ static void calibrate_with_prior(source *s)
     }
 }
 
-static void find_outliers(source *s)
+/* In the order in which they were visited: what contradicts the others is left out. */
+static void calibrate_judged(source *s)
 {
     invcal_real mean[MOST][3];
     const unsigned count = take_means(s, mean);
     const conditions c = take_conditions(s);
-    invcal_outliers found;
-    invcal_outlier one;
+    const int is_robust = take_byte(s) % 4 == 0;
+    invcal_calibration out;
+    invcal_quality quality;
 
-    mark(&found, sizeof found);
-    if (invcal_outliers_find(&mean[0][0], count, &c.nominal, c.noise, &found) != INVCAL_OK) {
-        require_mark(&found, sizeof found);
+    mark(&out, sizeof out);
+    mark(&quality, sizeof quality);
+    if ((is_robust ? invcal_calibrate_robust : invcal_calibrate_judged)(
+            &mean[0][0], count, &c.nominal, c.noise, &out, &quality) != INVCAL_OK) {
+        require_mark(&out, sizeof out);
+        require_mark(&quality, sizeof quality);
         return;
     }
-    REQUIRE(count_bits(found.removed) <= INVCAL_OUTLIERS_MOST);
-    REQUIRE((found.removed & found.suspected) == 0);
-    REQUIRE(count >= INVCAL_OUTLIERS_FEWEST && count <= INVCAL_MAX_POSITIONS);
-    for (unsigned i = 0; i <= count; i++) {
-        const invcal_mask removed = take_byte(s) == 1 ? take_u32(s) : found.removed;
-        mark(&one, sizeof one);
-        if (invcal_outlier_size(&mean[0][0], count, &c.nominal, c.noise, removed, i, &one) !=
-            INVCAL_OK) {
-            require_mark(&one, sizeof one);
-            continue;
-        }
-        REQUIRE(i < count && one.checked >= 0 && one.checked <= 1);
-        require_sigma(&one.sigma, 1);
-        require_finite(&one.error, 1);
-        REQUIRE(!(removed >> i & 1u) || one.checked == 0);
-    }
+    REQUIRE(count >= INVCAL_PARAMETERS && count <= INVCAL_MAX_POSITIONS);
+    require_solution(&out, &c);
+    require_quality(&quality, count);
+    require_noise(&quality, c.noise);
+    REQUIRE(((quality.left_out | quality.suspected) >> (count - 1)) <= 1);
+    const unsigned left_out = count_bits(quality.left_out);
+    REQUIRE(left_out == 0 || left_out + INVCAL_PARAMETERS + 2 <= count);
+    REQUIRE(left_out * 6 <= count || quality.verdict >= INVCAL_ROUGH);
+    REQUIRE(!is_robust ||
+            (quality.unchecked == 0x1E && quality.systematic == INVCAL_NO_SYSTEMATIC));
 }
 
 /* ---- temperature ------------------------------------------------------------------------------ */
@@ -594,7 +594,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
         solve(&sums, &c);
         break;
     case 2:
-        find_outliers(&s);
+        calibrate_judged(&s);
         break;
     case 3:
         calibrate_thermal(&s);

@@ -30,9 +30,9 @@ for function in invcal_apply invcal_nominal invcal_load invcal_load_v1 invcal_re
     check "$function: not from double to float" refuses $function "$build/float/libinvcal.a" -DINVCAL_DOUBLE=1
     check "$function: not from float to double" refuses $function "$build/double/libinvcal.a"
 done
-for function in invcal_calibrate invcal_session_init invcal_session_begin invcal_load_session \
-    invcal_session_resume invcal_calibrate_without invcal_calibrate_with_prior invcal_outliers_find \
-    invcal_outlier_size invcal_background_init; do
+for function in invcal_calibrate invcal_calibrate_judged invcal_session_init invcal_session_begin \
+    invcal_load_session invcal_session_resume invcal_calibrate_without invcal_calibrate_robust \
+    invcal_calibrate_with_prior invcal_background_init; do
     check "$function links as the library was compiled" links $function "$build/float/libinvcal.a"
     check "$function: not from double to float" refuses $function "$build/float/libinvcal.a" -DINVCAL_DOUBLE=1
     check "$function: not with fewer positions" refuses $function "$build/float/libinvcal.a" \

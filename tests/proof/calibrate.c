@@ -22,5 +22,7 @@ void main(void)
     ANY(nominal);
     ANY(noise);
     (void)invcal_coverage(BETWEEN(0, 0xFFFFFFFF));
+    ANY(quality);
+    (void)invcal_accuracy(&quality, noise);
     (void)invcal_calibrate(raw, BETWEEN(1, COUNT), &nominal, noise, &out, &quality);
 }

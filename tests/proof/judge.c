@@ -6,8 +6,7 @@
 #include "arbitrary.h"
 
 // eva: -eva-precision 0 -eva-auto-loop-unroll 12 -eva-slevel 50 -eva-slevel-merge-after-loop @all
-// eva: -eva-split-return-function invcal_observe:0,invcal_positions_sum:0,invcal_positions_compare:0,invcal_factor:0,invcal_ellipsoid:0,invcal_behind:0,invcal_residuals_end:0,invcal_determine:0,solve:0
-// No more degrees of freedom than positions: a difference of two counts that no interval sees.
+// eva: -eva-split-return-function invcal_observe:0,invcal_positions_sum:0,invcal_positions_compare:0,invcal_factor:0,invcal_ellipsoid:0,invcal_behind:0,invcal_residuals_end:0,invcal_determine:0,solve:0,invcal_positions_calibrate:0
 // config: -D__OPTIMIZE__=1
 // config: -DINVCAL_MAX_POSITIONS=64
 
@@ -17,11 +16,22 @@ static invcal_real raw[3 * COUNT];
 static invcal_calibration nominal;
 static invcal_real a[3][3];
 
+/* All is there. */
+static void read(const invcal_quality *q)
+{
+    (void)q->sigma[BETWEEN(0, INVCAL_PARAMETERS - 1)];
+    (void)(q->noise + q->rms + q->max + q->condition + q->size);
+    (void)(q->left_out + q->suspected);
+    (void)(q->weak + q->positions + q->dof + q->sigma_dof + q->worst);
+    (void)(q->systematic + q->axis + q->unchecked + q->verdict);
+}
+
 static void any_passes(void)
 {
     invcal_positions positions;
     invcal_sums sums;
     invcal_calibration out;
+    invcal_quality quality;
     invcal_residuals residuals;
 
     ANY(positions);
@@ -29,6 +39,9 @@ static void any_passes(void)
     positions.nominal = &nominal;
     (void)invcal_positions_check(&positions);
     positions.count = BETWEEN(0, COUNT);
+    if (invcal_positions_calibrate(&positions, &out, &quality) == INVCAL_OK) {
+        read(&quality);
+    }
     (void)invcal_positions_sum(&positions, &sums);
     ANY(out);
     (void)invcal_positions_compare(&positions, &out, (const invcal_real(*)[3])a, &sums, &residuals);
@@ -54,7 +67,7 @@ static void any_steps(void)
     (void)invcal_residuals_end(&residuals);
     invcal_judge_residuals(&residuals, &q);
     (void)invcal_gradient((const invcal_real(*)[3])a, raw, g);
-    const invcal_real dof = (invcal_real)Frama_C_double_interval(-1e30, 0xFFFE);
+    const invcal_real dof = (invcal_real)Frama_C_double_interval(-1e30, 1e30);
     invcal_judge_noise(x, y, dof, &q);
     (void)invcal_whole(dof);
     ANY(system);

@@ -1,33 +1,29 @@
 /* SPDX-License-Identifier: MIT */
-#include "arbitrary.h"
-#include "invcal/expert.h"
+#include "outliers.h"
 
-// eva: -eva-precision 0 -eva-auto-loop-unroll 46 -eva-split-return full -eva-slevel 10
+#include "arbitrary.h"
+
+// eva: -eva-precision 0 -eva-auto-loop-unroll 12 -eva-partition-history 1 -eva-interprocedural-history
+// config: -D__OPTIMIZE__=1
 // config: -DINVCAL_MAX_POSITIONS=64
 
-static invcal_real raw[3 * INVCAL_MAX_POSITIONS];
-static invcal_calibration nominal;
-
+/* In any fit of as many positions as the mask has bits, at most. */
 void main(void)
 {
-    invcal_real noise;
-    invcal_mask removed;
-    invcal_outliers outliers;
-    invcal_outlier one;
-    unsigned count;
-    unsigned position;
+    static invcal_real raw[3 * INVCAL_MAX_POSITIONS];
+    invcal_calibration nominal;
+    invcal_fit fit;
+    invcal_group found;
 
     ANY(raw);
     ANY(nominal);
-    ANY(noise);
-    ANY(removed);
-    ANY(position);
-    (void)invcal_outliers_find(raw, BETWEEN(0, INVCAL_MAX_POSITIONS), &nominal, noise, &outliers);
-    (void)invcal_outlier_size(raw, BETWEEN(0, INVCAL_MAX_POSITIONS), &nominal, noise, removed,
-                              position, &one);
-    ANY(count);
-    if (count > INVCAL_MAX_POSITIONS) {
-        (void)invcal_outliers_find(raw, count, &nominal, noise, &outliers);
-        (void)invcal_outlier_size(raw, count, &nominal, noise, removed, position, &one);
-    }
+    ANY(fit);
+    fit.positions.raw = raw;
+    fit.positions.count = BETWEEN(0, INVCAL_MAX_POSITIONS);
+    fit.positions.nominal = &nominal;
+    invcal_outliers_search(&fit, &found);
+    (void)found.group; /* there, whatever was found */
+    (void)found.suspected;
+    (void)found.chance;
+    (void)invcal_are_many(found.group, fit.positions.count);
 }

@@ -7,8 +7,6 @@
 // eva: -eva-precision 0 -eva-auto-loop-unroll 12 -eva-slevel 50 -eva-slevel-merge-after-loop @all
 // eva: -eva-split-return-function know:0,calibrate:0,solve_with:0,factor_with:0,judge_with:0,invcal_observe:0,invcal_positions_sum:0,invcal_positions_compare:0,invcal_factor:0,invcal_ellipsoid:0,invcal_behind:0,invcal_residuals_end:0
 // trusted: 1
-// No more degrees of freedom than positions: a prior tells what it tells, K(r,r) is at most its
-// variance, but for rounding.
 
 enum { COUNT = 100 };
 

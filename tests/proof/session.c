@@ -8,7 +8,7 @@
 #include "status.h"
 
 // eva: -eva-precision 0 -eva-auto-loop-unroll 32 -eva-slevel 100 -eva-split-return full
-// stubs: rests judge outliers guidance words status
+// stubs: rests judge judged guidance words status
 
 static invcal_session session;
 
@@ -96,29 +96,13 @@ static void look_at(const invcal_real *raw, unsigned count)
     }
 }
 
-invcal_status invcal_outliers_find(const invcal_real *raw, unsigned count,
-                                   const invcal_calibration *nominal, invcal_real noise,
-                                   invcal_outliers *out)
+invcal_status invcal_calibrate_judged(const invcal_real *raw, unsigned count,
+                                      const invcal_calibration *nominal, invcal_real noise,
+                                      invcal_calibration *out, invcal_quality *quality)
 {
     const invcal_status status = any_status();
 
     look_at(raw, count);
-    (void)nominal->matrix[2][2];
-    (void)noise;
-    if (status == INVCAL_OK) {
-        ANY(*out);
-    }
-    return status;
-}
-
-invcal_status invcal_calibrate_without(const invcal_real *raw, unsigned count, invcal_mask left_out,
-                                       const invcal_calibration *nominal, invcal_real noise,
-                                       invcal_calibration *out, invcal_quality *quality)
-{
-    const invcal_status status = any_status();
-
-    look_at(raw, count);
-    (void)left_out;
     (void)nominal->matrix[2][2];
     (void)noise;
     if (status == INVCAL_OK) {
@@ -247,6 +231,7 @@ static void any_result(void)
     (void)invcal_session_solve(&session, &out, &quality);
     (void)invcal_session_is_good(&session);
     (void)invcal_session_reaches(&session, target);
+    (void)invcal_session_meets(&session, target[0], target[1]);
 }
 
 void main(void)

@@ -8,7 +8,6 @@
 
 // eva: -eva-precision 0 -eva-auto-loop-unroll 30 -eva-slevel 12 -eva-slevel-merge-after-loop @all -eva-split-return full
 // trusted: 1
-// As for prior.c.
 // config: -DINVCAL_THERMAL_DEGREE=2
 // config: -DINVCAL_THERMAL_DEGREE=0
 // dead: judge_range 1
@@ -184,6 +183,17 @@ invcal_status invcal_residuals_end(invcal_residuals *residuals)
     return or_fail(INVCAL_NOT_ELLIPSOID);
 }
 
+void invcal_judge_begin(invcal_quality *q)
+{
+    q->left_out = 0;
+    q->suspected = 0;
+    q->size = 0;
+    q->systematic = INVCAL_NO_SYSTEMATIC;
+    q->axis = 0;
+    q->unchecked = INVCAL_UNCHECKED;
+    q->verdict = INVCAL_GOOD;
+}
+
 void invcal_judge_residuals(const invcal_residuals *residuals, invcal_quality *q)
 {
     q->rms = residuals->rms;
@@ -209,16 +219,20 @@ void invcal_products(const invcal_real eta[3], invcal_real g[INVCAL_PARAMETERS])
 void invcal_judge_noise(invcal_real stated, invcal_real squares, invcal_real dof, invcal_quality *q)
 {
     (void)(stated + squares + dof);
+    (void)q->verdict;
     ANY(q->noise);
+    ANY(q->sigma_dof);
+    q->verdict = (uint8_t)BETWEEN(INVCAL_GOOD, INVCAL_ROUGH);
 }
 
 void invcal_judge_parameters(const invcal_real k[INVCAL_PARAMETERS], const invcal_real a[3][3],
                              invcal_quality *q)
 {
     (void)(k[INVCAL_PARAMETERS - 1] + a[2][2] + q->noise);
+    (void)(q->positions + q->dof + q->verdict);
     UNKNOWN(q->sigma, INVCAL_PARAMETERS);
     q->weak = (uint16_t)BETWEEN(0, 0x1FF);
-    q->verdict = (uint8_t)BETWEEN(INVCAL_GOOD, INVCAL_WEAK);
+    q->verdict = (uint8_t)BETWEEN(INVCAL_GOOD, INVCAL_ROUGH);
 }
 
 /* ---- the fit ---------------------------------------------------------------------------------- */

@@ -26,6 +26,7 @@ HARDEST = (290, 106, 111, 256, 70)  # of 300 chunks the nearest to the bounds: a
 MPMATH = 100  # one problem in so many is solved with mpmath too,
 CONDITION = 20  # and in so many its bound is compared with the condition
 AGAIN = 5  # one in so many is solved once more with its calibration as nominal
+ABOVE, BELOW = 1.73, -2.8  # 95 % are below the one, 99.9 % above the other
 HOPELESS = 1e6  # the sum of the nine (sigma / noise)^2: above it is refused
 HIGHEST = 1e6  # what the bounds are stated up to
 WIDEST = 10  # a bound wider than this times the largest loss says nothing
@@ -241,8 +242,7 @@ class Exact:
         self.k = inverse(of_vectors)
         dof = self.problem.count - 9
         squares = dot(weights, map(operator.mul, right, right))
-        observed = self.sqrt(squares / dof) if dof > 0 else 0
-        self.noise = max(self.problem.noise, observed) or 1
+        self.noise = self.noise_of(squares, dof)
         self.sigma = self.spread_offset() + self.spread_matrix()
         self.sigma_offset = [self.sqrt(sum((n * s) ** 2 for n, s in zip(line, self.sigma)))
                              for line in inverse_of_three(self.problem.nominal)]
@@ -252,6 +252,16 @@ class Exact:
         self.information, _ = sums(slopes, right, weights)
         self.covariance = inverse(self.information)
         self.bound = trace(self.information) * trace(self.covariance)
+
+    def noise_of(self, squares, dof):
+        """The noise stated counts as four residuals, unless those that are there show clearly more, or
+        next to nothing of it: the root of 2 chi squared is about that of 2 dof - 1 (Fisher)."""
+        known = self.problem.noise ** 2
+        above = 0
+        if known > 0 and dof > 0:
+            above = self.sqrt(2 * squares / known) - math.sqrt(2 * dof - 1)
+        weight = 4 if known > 0 and BELOW <= above <= ABOVE else 0
+        return self.sqrt((weight * known + squares) / (weight + dof)) if weight + dof > 0 else 1
 
     def condition(self):
         """8 squarings tell it to a percent."""

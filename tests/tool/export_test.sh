@@ -451,12 +451,14 @@ cut -d, -f1-3 "$data/xsens_mti_positions.csv" > "$work/real.csv"
 "$tool" apply "$work/real.json" "$work/real.csv" | tail -n +2 > "$work/applied"
 tail -n +2 "$work/real.csv" | paste -d, - "$work/applied" | tr ',' ' ' > "$work/truth"
 in=$work/real.json
-accepts "a calibration comes from standard input" export - --format imu_tk
+run export - --format imu_tk
 in=/dev/null
+check "a calibration comes from standard input" went_well
+check "one that is rough with a warning" says 'warning: standard input: rough calibration'
 awk '/^#/ { exit } { print }' "$work/stdout" > "$work/numbers"
 check "imu_tk: a real sensor: as apply" within 1e-6 imu_tk "$work/truth"
 check "its comment tells verdict, positions, sigma, gravity and source" sh -c '
-    for word in "verdict: good" "positions: 38" "offset  *0.2" "gravity: 9.81744 m.s^2" "standard input"; do
+    for word in "verdict: rough" "positions: 38" "offset  *0.2" "gravity: 9.81744 m.s^2" "standard input"; do
         grep -q "^# .*$word" "$1" || exit 1
     done' sh "$work/stdout"
 run export "$work/real.json" --format ros --zero 32768,32768,32768 --lsb 0.0024
@@ -471,7 +473,7 @@ accepts "the truth of a simulation is exported" export "$work/simulated.json" --
 
 # ---- warnings, hostile texts -------------------------------------------------------------------
 
-"$tool" simulate --plan edges --outliers 2 --seed 5 --noise 0.002 > "$work/doubt.csv"
+"$tool" simulate --plan per-group:5 --outliers 3 --seed 33 --noise 0.002 > "$work/doubt.csv"
 "$tool" calibrate "$work/doubt.csv" --quiet --out "$work/doubt.json"
 run export "$work/doubt.json" --format c
 check "one whose positions contradict one another, too, with a warning" says \

@@ -116,7 +116,7 @@ planted() { # planted SENTENCE SED: a calibration that was good, with a mistake
 }
 planted "a member too many" 's/"gravity"/"extra": 1, &/'
 planted "a member that is missing" '/"condition"/d'
-planted "a misspelt verdict" 's/"good"/"fine"/'
+planted "a misspelt verdict" 's/"verdict": "[a-z ]*"/"verdict": "fine"/'
 planted "a number that is none" 's/"gravity": [0-9.]*/"gravity": NaN/'
 planted "a member that is there twice" 's/"frame"/"suspected": 0, &/'
 planted "a name in a list that is no parameter" 's/"undetermined": \[/&"delta_w"/'

@@ -188,11 +188,11 @@ check "it may be the nominal" succeeded
 
 # ---- logs ---------------------------------------------------------------------------------------
 
-"$tool" simulate --plan edges --temperature 10,40 --drift 0.001 --dwell 8 --noise 0.002 \
+"$tool" simulate --plan per-group:12 --temperature 10,40 --drift 0.001 --dwell 8 --noise 0.002 \
     --truth "$work/truth.json" > "$work/warm.csv"
 run calibrate "$work/warm.csv" --thermal 1
 check "rests in which the temperature drifts are left out; none is left" was_refused 1 \
-    'drifted by more than 0.[0-9]+ K in 18 of 18 rests.*--keep-all'
+    'drifted by more than 0.[0-9]+ K in 36 of 36 rests.*--keep-all'
 run calibrate "$work/warm.csv" --thermal 1 --json
 check "the same as JSON" matches "$work/stdout" '"error": "too few"'
 run calibrate "$work/warm.csv" --thermal 1 --keep-all --zero 0,0,0 --lsb 0.000598550415 --json

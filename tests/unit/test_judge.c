@@ -37,8 +37,9 @@ static scene plan18(uint32_t seed, double size, double sigma, double stated)
 
 static void sigma_over_noise_of_the_papers_program_is_the_papers(void)
 {
-    /* Without errors of the triad: they would weight the rows. */
-    const scene s = plan18(1, 0, 0, 1e-3);
+    /* Without errors of the triad: they would weight the rows. The noise is that of rounding. */
+    const scene s = plan18(1, 0, 0, 0);
+    const double noise = (double)s.quality.noise;
     double of_inverse = 0;
     double trace = 0;
 
@@ -50,7 +51,7 @@ static void sigma_over_noise_of_the_papers_program_is_the_papers(void)
     for (unsigned r = 0; r < 9; r++) {
         const double root = expected_plan18_root_k[r];
         of_inverse += root * root;
-        TEST_ASSERT_DOUBLE_WITHIN(FLOAT_OR_DOUBLE(2e-9, 1e-15), 1e-3 * root,
+        TEST_ASSERT_DOUBLE_WITHIN(FLOAT_OR_DOUBLE(2e-6, 1e-12) * noise, noise * root,
                                   (double)s.quality.sigma[r]);
     }
     TEST_ASSERT_DOUBLE_WITHIN(FLOAT_OR_DOUBLE(1e-3, 1e-10), trace * of_inverse,
@@ -59,7 +60,19 @@ static void sigma_over_noise_of_the_papers_program_is_the_papers(void)
     TEST_ASSERT_EQUAL_HEX16(0, s.quality.weak);
     TEST_ASSERT_EQUAL_UINT(18, s.quality.positions);
     TEST_ASSERT_EQUAL_UINT(9, s.quality.dof);
+    TEST_ASSERT_EQUAL_UINT(9, s.quality.sigma_dof);
     TEST_ASSERT_TRUE(s.quality.left_out == 0);
+}
+
+/* It judges by the size of the residuals alone, and says so. */
+static void what_was_not_looked_for_is_unchecked(void)
+{
+    const scene s = plan18(1, 0.01, 1e-3, 0);
+
+    TEST_ASSERT_EQUAL_HEX8(0x1E, s.quality.unchecked); /* drift, quadratic, cubic, hysteresis */
+    TEST_ASSERT_EQUAL_UINT(INVCAL_NO_SYSTEMATIC, s.quality.systematic);
+    TEST_ASSERT_TRUE(s.quality.left_out == 0 && s.quality.suspected == 0);
+    TEST_ASSERT_TRUE(s.quality.axis == 0 && s.quality.size == 0);
 }
 
 static void residuals_are_calibrated_lengths_minus_one(void)
@@ -129,19 +142,85 @@ static double observed_noise(const scene *s, unsigned count)
     return sqrt(squares / (count - 9));
 }
 
-static void the_noise_is_the_larger_of_stated_and_observed(void)
+/* Calibrates anew, with so much noise stated. */
+static const invcal_quality *judge_again(scene *s, double stated)
 {
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, calibrate_set(&s->set, stated, &s->calibration, &s->quality));
+    return &s->quality;
+}
+
+static void a_noise_that_is_not_stated_is_the_one_observed(void)
+{
+    const scene s = plan18(3, 0.1, 1e-3, 0);
+    const double observed = observed_noise(&s, 18);
+
+    TEST_ASSERT_DOUBLE_WITHIN(5e-4, 1e-3, observed);
+    TEST_ASSERT_DOUBLE_WITHIN(1e-3 * observed, observed, (double)s.quality.noise);
+    TEST_ASSERT_EQUAL_UINT(9, s.quality.sigma_dof);
+    TEST_ASSERT_EQUAL_INT(INVCAL_GOOD, s.quality.verdict);
+}
+
+static void a_noise_that_is_stated_counts_as_four_residuals(void)
+{
+    static const double times[] = {0.75, 1, 1.5, 2};
     scene s = plan18(3, 0.1, 1e-3, 0);
     const double observed = observed_noise(&s, 18);
 
-    TEST_ASSERT_DOUBLE_WITHIN(1e-3 * observed, observed, (double)s.quality.noise);
-    TEST_ASSERT_DOUBLE_WITHIN(5e-4, 1e-3, observed);
-    TEST_ASSERT_EQUAL_INT(INVCAL_OK,
-                          calibrate_set(&s.set, observed / 2, &s.calibration, &s.quality));
-    TEST_ASSERT_DOUBLE_WITHIN(1e-3 * observed, observed, (double)s.quality.noise);
-    TEST_ASSERT_EQUAL_INT(INVCAL_OK,
-                          calibrate_set(&s.set, observed * 2, &s.calibration, &s.quality));
-    TEST_ASSERT_DOUBLE_WITHIN(1e-6 * observed, 2 * observed, (double)s.quality.noise);
+    for (unsigned i = 0; i < sizeof times / sizeof times[0]; i++) {
+        const double stated = times[i] * observed;
+        const double both = sqrt((4 * stated * stated + 9 * observed * observed) / 13);
+        const invcal_quality *q = judge_again(&s, stated);
+        TEST_ASSERT_DOUBLE_WITHIN(1e-3 * both, both, (double)q->noise);
+        TEST_ASSERT_EQUAL_UINT(13, q->sigma_dof);
+        TEST_ASSERT_EQUAL_UINT(9, q->dof);
+        TEST_ASSERT_EQUAL_INT(INVCAL_GOOD, q->verdict);
+    }
+}
+
+/* More than it shows in one of 20 sets is not believed, nor less than in one of 2000; and more than in one
+ * of 333 is no noise. The quantiles below are Fisher's; three residuals have none. */
+static void residuals_that_chi_squared_excludes_overrule_the_noise_stated(void)
+{
+    static const struct {
+        unsigned positions;
+        double at005, at95, at997; /* quantiles of chi squared */
+    } of[] = {{12, 0, 7.8147, 13.9314},
+              {15, 0.133451, 12.5916, 19.8047},
+              {18, 0.875302, 16.9190, 24.9741}};
+    random_source random = random_start(14);
+    const triad_truth truth = triad_random(&random, 0.1);
+
+    for (unsigned i = 0; i < sizeof of / sizeof of[0]; i++) {
+        const unsigned n = of[i].positions;
+        double v[18][3];
+        scene s;
+        for (unsigned k = 0; k < n; k++) {
+            random_direction(&random, v[k]);
+        }
+        read_positions(&truth, (const double(*)[3])v, n, 1e-4, &random, &s.set);
+        (void)judge_again(&s, 0);
+        const double observed = observed_noise(&s, n);
+        const double at95 = observed * sqrt((n - 9) / of[i].at95);
+        const double at997 = observed * sqrt((n - 9) / of[i].at997);
+        if (of[i].at005 > 0) {
+            const double at005 = observed * sqrt((n - 9) / of[i].at005);
+            TEST_ASSERT_EQUAL_UINT(n - 9, judge_again(&s, 100 * observed)->sigma_dof);
+            TEST_ASSERT_EQUAL_UINT(n - 9, judge_again(&s, 1.01 * at005)->sigma_dof);
+            TEST_ASSERT_DOUBLE_WITHIN(1e-3 * observed, observed, (double)s.quality.noise);
+            TEST_ASSERT_EQUAL_UINT(n - 9 + 4, judge_again(&s, 0.99 * at005)->sigma_dof);
+        }
+        TEST_ASSERT_EQUAL_UINT(n - 9 + 4, judge_again(&s, 1.01 * at95)->sigma_dof);
+        TEST_ASSERT_EQUAL_INT(INVCAL_GOOD, s.quality.verdict);
+        TEST_ASSERT_EQUAL_UINT(n - 9, judge_again(&s, 0.99 * at95)->sigma_dof);
+        TEST_ASSERT_DOUBLE_WITHIN(1e-3 * observed, observed, (double)s.quality.noise);
+        TEST_ASSERT_EQUAL_INT(INVCAL_GOOD, s.quality.verdict);
+        TEST_ASSERT_EQUAL_INT(INVCAL_GOOD, judge_again(&s, 1.01 * at997)->verdict);
+        TEST_ASSERT_EQUAL_INT(INVCAL_ROUGH, judge_again(&s, 0.99 * at997)->verdict);
+        TEST_ASSERT_DOUBLE_WITHIN(1e-3 * observed, observed, (double)s.quality.noise);
+        TEST_ASSERT_EQUAL_UINT(n - 9, s.quality.sigma_dof);
+        TEST_ASSERT_EQUAL_INT(INVCAL_ROUGH, judge_again(&s, 1e-6 * observed)->verdict);
+        TEST_ASSERT_EQUAL_HEX16(0, s.quality.weak);
+    }
 }
 
 /* Noise of a reading in calibrated units, over noise: mean square over all directions. */
@@ -185,25 +264,6 @@ static void one_residual_is_enough_to_tell_what_is_weak(void)
     TEST_ASSERT_TRUE(count[0] > 0 && count[1] > 0);
 }
 
-/* Noise of the readings adds about 18 noise^2 to every information, 1 / K. */
-static void noise_of_a_tenth_of_the_information_is_weak(void)
-{
-    double most = 0;
-
-    for (unsigned r = 0; r < INVCAL_PARAMETERS; r++) {
-        most = fmax(most, expected_plan18_root_k[r]);
-    }
-    const double border = sqrt(0.1 / 18) / most;
-    const scene below = plan18(1, 0, 0, 0.98 * border);
-    const scene above = plan18(1, 0, 0, 1.02 * border);
-    TEST_ASSERT_EQUAL_INT(INVCAL_GOOD, below.quality.verdict);
-    TEST_ASSERT_EQUAL_INT(INVCAL_WEAK, above.quality.verdict);
-    for (unsigned r = 0; r < INVCAL_PARAMETERS; r++) {
-        TEST_ASSERT_EQUAL_INT(expected_plan18_root_k[r] > most / 1.01,
-                              above.quality.weak >> r & 1u);
-    }
-}
-
 static const double nine_directions[9][3] = {{1, 0, 0},     {0, 1, 0},     {0, 0, 1},
                                              {-1, 0, 0},    {0, -1, 0},    {0, 0, -1},
                                              {0.6, 0.8, 0}, {0.6, 0, 0.8}, {0, 0.6, 0.8}};
@@ -230,10 +290,12 @@ static void nine_positions_have_no_redundancy(void)
     TEST_ASSERT_EQUAL_INT(INVCAL_NO_REDUNDANCY, s.quality.verdict);
     TEST_ASSERT_EQUAL_UINT(0, s.quality.dof);
     TEST_ASSERT_DOUBLE_WITHIN(1e-9, 1e-4, (double)s.quality.noise);
+    TEST_ASSERT_EQUAL_UINT(4, s.quality.sigma_dof);
     /* Nobody knows the noise: sigma is finite, and absurd enough not to be believed. */
     TEST_ASSERT_EQUAL_INT(INVCAL_OK, calibrate_set(&s.set, 0, &s.calibration, &s.quality));
     TEST_ASSERT_EQUAL_INT(INVCAL_NO_REDUNDANCY, s.quality.verdict);
     TEST_ASSERT_TRUE(s.quality.noise == 1);
+    TEST_ASSERT_EQUAL_UINT(0, s.quality.sigma_dof);
     for (unsigned r = 0; r < 9; r++) {
         TEST_ASSERT_TRUE((double)s.quality.sigma[r] > 0.1 && s.quality.sigma[r] < 10);
     }
@@ -260,6 +322,9 @@ static void positions_close_to_the_axes_are_weak_and_name_the_angles(void)
     read_positions(&truth, (const double(*)[3])v, 30, 1e-5, &random, &s.set);
     TEST_ASSERT_EQUAL_INT(INVCAL_OK, calibrate_set(&s.set, 0, &s.calibration, &s.quality));
     TEST_ASSERT_EQUAL_INT(INVCAL_WEAK, s.quality.verdict);
+    TEST_ASSERT_EQUAL_HEX16(0x1C0, s.quality.weak);
+    /* And weak it is, be it rough as well. */
+    TEST_ASSERT_EQUAL_INT(INVCAL_WEAK, judge_again(&s, 1e-6)->verdict);
     TEST_ASSERT_EQUAL_HEX16(0x1C0, s.quality.weak);
 }
 
@@ -308,34 +373,55 @@ static void invert(double a[9][9])
     }
 }
 
-/* The standard deviations that no unbiased estimate of x from the paper's program can go below. */
-static void cramer_rao(const triad_truth *truth, double noise, double bound[9])
+/* K of a set of positions, for a noise of 1, and the least that an unbiased estimate can have. */
+static void covariance(const triad_truth *truth, const double v[][3], int count, double k[9][9])
 {
-    double information[9][9] = {{0}};
-
-    for (int i = 0; i < 18; i++) {
+    memset(k, 0, 81 * sizeof k[0][0]);
+    for (int i = 0; i < count; i++) {
         double u[3];
-        triad_read(truth, expected_plan18[i], u);
-        inform(truth->x, u, noise, information);
+        triad_read(truth, v[i], u);
+        inform(truth->x, u, 1, k);
     }
-    invert(information);
-    for (unsigned r = 0; r < 9; r++) {
-        bound[r] = sqrt(information[r][r]);
+    invert(k);
+}
+
+/* Noise of the readings adds about 9 noise^2 to every information, 1 / K. Without residuals it is that
+ * stated. */
+static void noise_of_a_tenth_of_the_information_is_weak(void)
+{
+    const triad_truth none = {{0}};
+    random_source unused = random_start(0);
+    double k[9][9];
+    double most = 0;
+    scene s;
+
+    covariance(&none, nine_directions, 9, k);
+    for (unsigned r = 0; r < INVCAL_PARAMETERS; r++) {
+        most = fmax(most, k[r][r]);
+    }
+    const double border = sqrt(0.1 / 9 / most);
+    read_positions(&none, nine_directions, 9, 0, &unused, &s.set);
+    TEST_ASSERT_EQUAL_INT(INVCAL_NO_REDUNDANCY, judge_again(&s, 0.98 * border)->verdict);
+    TEST_ASSERT_EQUAL_INT(INVCAL_WEAK, judge_again(&s, 1.02 * border)->verdict);
+    for (unsigned r = 0; r < INVCAL_PARAMETERS; r++) {
+        TEST_ASSERT_EQUAL_INT(k[r][r] > most / 1.01, s.quality.weak >> r & 1);
     }
 }
 
+/* At the noise that rounding makes. */
 static double worst_ratio(const triad_truth *truth)
 {
     random_source unused = random_start(0);
-    double bound[9];
+    double k[9][9];
     double worst = 0;
     scene s;
 
     read_positions(truth, expected_plan18, 18, 0, &unused, &s.set);
-    TEST_ASSERT_EQUAL_INT(INVCAL_OK, calibrate_set(&s.set, 1e-4, &s.calibration, &s.quality));
-    cramer_rao(truth, 1e-4, bound);
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, calibrate_set(&s.set, 0, &s.calibration, &s.quality));
+    covariance(truth, expected_plan18, 18, k);
     for (unsigned r = 0; r < 9; r++) {
-        worst = fmax(worst, fabs((double)s.quality.sigma[r] / bound[r] - 1));
+        const double bound = (double)s.quality.noise * sqrt(k[r][r]);
+        worst = fmax(worst, fabs((double)s.quality.sigma[r] / bound - 1));
     }
     return worst;
 }
@@ -382,6 +468,41 @@ static void a_wrong_scale_of_nominal_scales_what_is_over_field_only(void)
     TEST_ASSERT_EQUAL_HEX16(s.quality.weak, twice.quality.weak);
 }
 
+/* Lengths are wrong by h X, and the mean of h h' over all directions is known. What it makes of all of K,
+ * with the correlations, is near what it makes of the diagonal. */
+static void accuracy_is_what_lengths_are_wrong_by(void)
+{
+    const triad_truth none = {{0}};
+    random_source random = random_start(31);
+
+    for (unsigned r = 0; r < INVCAL_PARAMETERS; r++) {
+        const double length = 3.18245e-3 * sqrt(r < 3 ? 1. / 3 : r < 6 ? 1. / 5 : 1. / 15);
+        invcal_quality q = {.sigma_dof = 3};
+        q.sigma[r] = INVCAL_REAL(1e-3);
+        TEST_ASSERT_DOUBLE_WITHIN(2e-3 * length, length, (double)invcal_accuracy(&q, 0));
+        TEST_ASSERT_DOUBLE_WITHIN(1e-5, hypot(length, 1.959964 * 0.0027),
+                                  (double)invcal_accuracy(&q, INVCAL_REAL(0.0027)));
+    }
+    for (unsigned draw = 0; draw < 40; draw++) {
+        double v[18][3];
+        double k[9][9];
+        double square = 0;
+        scene s;
+        for (unsigned i = 0; i < 18; i++) {
+            random_direction(&random, v[i]);
+        }
+        covariance(&none, (const double(*)[3])v, 18, k);
+        for (unsigned r = 0; r < 9; r++) {
+            square += k[r][r] * (r < 3 ? 1. / 3 : r < 6 ? 1. / 5 : 1. / 15);
+        }
+        square += (k[3][4] + k[3][5] + k[4][5]) * 2 / 15; /* the mean of x^2 y^2 is 1/15 */
+        read_positions(&none, (const double(*)[3])v, 18, 1e-4, &random, &s.set);
+        (void)judge_again(&s, 0);
+        const double length = 2.262157 * (double)s.quality.noise * sqrt(square);
+        TEST_ASSERT_DOUBLE_WITHIN(0.1 * length, length, (double)invcal_accuracy(&s.quality, 0));
+    }
+}
+
 static void coverage_is_students_quantile(void)
 {
     for (unsigned i = 0; i < EXPECTED_STUDENT_COUNT; i++) {
@@ -398,7 +519,10 @@ int main(void)
     UNITY_BEGIN();
     RUN_TEST(sigma_over_noise_of_the_papers_program_is_the_papers);
     RUN_TEST(residuals_are_calibrated_lengths_minus_one);
-    RUN_TEST(the_noise_is_the_larger_of_stated_and_observed);
+    RUN_TEST(what_was_not_looked_for_is_unchecked);
+    RUN_TEST(a_noise_that_is_not_stated_is_the_one_observed);
+    RUN_TEST(a_noise_that_is_stated_counts_as_four_residuals);
+    RUN_TEST(residuals_that_chi_squared_excludes_overrule_the_noise_stated);
     RUN_TEST(one_residual_is_enough_to_tell_what_is_weak);
     RUN_TEST(noise_of_a_tenth_of_the_information_is_weak);
     RUN_TEST(nine_positions_of_absurd_noise_are_weak);
@@ -407,6 +531,7 @@ int main(void)
     RUN_SLOW_TEST(sigma_is_the_cramer_rao_bound_for_errors_of_any_size);
     RUN_TEST(sigma_is_the_cramer_rao_bound_beside_large_cross_terms);
     RUN_TEST(a_wrong_scale_of_nominal_scales_what_is_over_field_only);
+    RUN_TEST(accuracy_is_what_lengths_are_wrong_by);
     RUN_TEST(coverage_is_students_quantile);
     return UNITY_END() != 0;
 }

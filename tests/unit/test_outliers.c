@@ -15,8 +15,12 @@
 #define DRAWS 2000 /* slow machines may take fewer; the bounds below are for these */
 #endif
 
+/* Which is tried: the one that judges, or the one that looks for outliers only. */
+static int is_robust;
+
 void setUp(void)
 {
+    is_robust = 0;
 }
 
 void tearDown(void)
@@ -103,38 +107,37 @@ static invcal_mask spoil_some(random_source *random, unsigned some, double low, 
     return bad;
 }
 
-static invcal_outliers find(const reading_set *set, double stated)
+static invcal_status judge_set(const reading_set *set, double stated, invcal_calibration *out,
+                               invcal_quality *quality)
 {
     const invcal_calibration nominal = unit_nominal();
-    invcal_outliers out;
 
-    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_outliers_find(set->u[0], set->count, &nominal,
-                                                          (invcal_real)stated, &out));
-    return out;
+    return (is_robust ? invcal_calibrate_robust : invcal_calibrate_judged)(
+        set->u[0], set->count, &nominal, (invcal_real)stated, out, quality);
 }
 
-/* Root mean square of |calibrated| - 1 over all directions, calibrated without some positions. */
-static double error_without(const triad_truth *truth, const reading_set *set, invcal_mask removed)
+static invcal_quality find(const reading_set *set, double stated)
 {
-    const invcal_calibration nominal = unit_nominal();
-    reading_set left;
-    invcal_calibration solution;
+    invcal_calibration calibration;
+    invcal_quality quality;
+
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, judge_set(set, stated, &calibration, &quality));
+    TEST_ASSERT_EQUAL_UINT(set->count - size_of(quality.left_out), quality.positions);
+    assert_set(0, quality.left_out & quality.suspected);
+    return quality;
+}
+
+/* Root mean square of |calibrated| - 1 over all directions. */
+static double error_of(const triad_truth *truth, const invcal_calibration *solution)
+{
     const int points = 200; /* of Fibonacci's spiral */
     double squares = 0;
 
-    left.count = 0;
-    for (unsigned i = 0; i < set->count; i++) {
-        if (!(removed & bit(i))) {
-            memcpy(left.u[left.count++], set->u[i], sizeof set->u[i]);
-        }
-    }
-    invcal_sums sums = sums_of(&left);
-    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_solve(&sums, &nominal, &solution));
     for (int i = 0; i < points; i++) {
         const double z = 1 - (2 * i + 1.0) / points;
         const double angle = 2.399963229728653 * i;
         const double eta[3] = {sqrt(1 - z * z) * cos(angle), sqrt(1 - z * z) * sin(angle), z};
-        const double e = calibrated_length(&solution, truth, eta) - 1;
+        const double e = calibrated_length(solution, truth, eta) - 1;
         squares += e * e;
     }
     return sqrt(squares / points);
@@ -151,10 +154,10 @@ typedef struct {
 } experiment;
 
 typedef struct {
-    double found;     /* shares of the draws: all that was planted was removed, */
+    double found;     /* shares of the draws: all that was planted was left out, */
     double innocent;  /* something else was, */
     double suspected; /* something is suspected, */
-    double named;     /* all that was planted is removed or suspected */
+    double named;     /* all that was planted is left out or suspected */
     double refused;   /* the positions determine too little */
     double error;     /* root mean square error of the calibration afterwards */
 } shares;
@@ -162,14 +165,14 @@ typedef struct {
 static shares try_often(const experiment *e, unsigned draws)
 {
     random_source random = random_start(e->positions + 100 * e->random_positions + e->some);
-    const invcal_calibration nominal = unit_nominal();
     shares s = {0, 0, 0, 0, 0, 0};
 
     for (unsigned draw = 0; draw < draws; draw++) {
         const triad_truth truth = triad_random(&random, 0.03);
         double v[CAPACITY][3];
         reading_set set;
-        invcal_outliers out;
+        invcal_calibration solution;
+        invcal_quality q;
         double error = 0;
         if (e->positions) {
             (void)program_of(e->positions, v);
@@ -179,18 +182,17 @@ static shares try_often(const experiment *e, unsigned draws)
         read_positions(&truth, (const double(*)[3])v, e->positions + e->random_positions, SIGMA,
                        &random, &set);
         const invcal_mask bad = spoil_some(&random, e->some, e->low, e->high, &set, &error);
-        if (invcal_outliers_find(set.u[0], set.count, &nominal, (invcal_real)e->stated, &out) !=
-            INVCAL_OK) {
+        if (judge_set(&set, e->stated, &solution, &q) != INVCAL_OK) {
             s.refused++;
             continue;
         }
-        assert_set(0, out.removed & out.suspected);
-        s.found += (out.removed & bad) == bad;
-        s.innocent += (out.removed & ~bad) != 0;
-        s.suspected += out.suspected != 0;
-        s.named += ((out.removed | out.suspected) & bad) == bad;
+        assert_set(0, q.left_out & q.suspected);
+        s.found += (q.left_out & bad) == bad;
+        s.innocent += (q.left_out & ~bad) != 0;
+        s.suspected += q.suspected != 0;
+        s.named += ((q.left_out | q.suspected) & bad) == bad;
         if (e->positions) {
-            const double after = error_without(&truth, &set, out.removed);
+            const double after = error_of(&truth, &solution);
             s.error += after * after;
         }
     }
@@ -207,8 +209,9 @@ static void one_of_18_that_is_wrong_is_found_and_the_calibration_is_as_good_as_w
 {
     static const double sizes[] = {0.05, 0.002};
 
-    for (int i = 0; i < 2; i++) {
-        const experiment e = {18, 0, 1, sizes[i], sizes[i], 0};
+    for (int i = 0; i < 4; i++) {
+        const experiment e = {18, 0, 1, sizes[i % 2], sizes[i % 2], 0};
+        is_robust = i / 2;
         const shares s = try_often(&e, DRAWS);
         TEST_ASSERT_GREATER_OR_EQUAL_DOUBLE(0.995, s.found);
         TEST_ASSERT_LESS_OR_EQUAL_DOUBLE(0.016, s.innocent);
@@ -258,7 +261,7 @@ static void faces_and_edges(random_source *random, double v[][3])
     TEST_ASSERT_EQUAL_UINT(18, n);
 }
 
-/* The share of sets in which exactly those are removed that are wrong, by so many times the noise. */
+/* The share of sets in which just those are left out that are wrong, by so many times the noise. */
 static double share_exact(unsigned some, double times, unsigned draws)
 {
     const double noise = 0.0005;
@@ -274,7 +277,7 @@ static double share_exact(unsigned some, double times, unsigned draws)
         read_positions(&truth, (const double(*)[3])v, 18, noise, &random, &set);
         const invcal_mask bad =
             spoil_some(&random, some, 0.75 * times * noise, 1.25 * times * noise, &set, &error);
-        exact += find(&set, 0).removed == bad;
+        exact += find(&set, 0).left_out == bad;
     }
     return (double)exact / draws;
 }
@@ -297,24 +300,27 @@ static void clean_positions_lose_one_in_a_hundred_sets_or_fewer(void)
                                    {0, 14, 0, 0, 0, 0},
                                    {0, 16, 0, 0, 0, 0}};
 
-    for (unsigned i = 0; i < sizeof e / sizeof e[0]; i++) {
+    for (unsigned k = 0; k < 2 * sizeof e / sizeof e[0]; k++) {
+        const unsigned i = k / 2;
+        is_robust = k % 2;
         const shares s = try_often(&e[i], DRAWS);
         TEST_ASSERT_LESS_OR_EQUAL_DOUBLE(e[i].positions ? 0.015 : 0.02, s.innocent);
-        TEST_ASSERT_GREATER_OR_EQUAL_DOUBLE(0.001, s.innocent); /* by a test, not by none */
+        if (e[i].random_positions != 12) { /* which leave float hardly a digit */
+            TEST_ASSERT_GREATER_OR_EQUAL_DOUBLE(0.001, s.innocent); /* by a test, not by none */
+        }
         TEST_ASSERT_LESS_OR_EQUAL_DOUBLE(0.003, s.suspected);
         TEST_ASSERT_LESS_OR_EQUAL_DOUBLE(0.002, s.refused);
     }
 }
 
 /* Eleven leave one degree of freedom beside an outlier, which would prove what it likes. */
-static void of_eleven_positions_none_is_removed_unless_the_noise_is_stated(void)
+static void of_eleven_positions_none_is_left_out(void)
 {
-    const experiment silent = {0, 11, 1, 0.05, 0.05, 0};
-    const experiment stated = {0, 11, 1, 0.05, 0.05, 1e-4};
-    const shares s = try_often(&silent, DRAWS / 4);
-
-    TEST_ASSERT_TRUE(s.found == 0 && s.innocent == 0 && s.suspected == 0);
-    TEST_ASSERT_GREATER_OR_EQUAL_DOUBLE(0.3, try_often(&stated, DRAWS / 4).found);
+    for (unsigned i = 0; i < 2; i++) {
+        const experiment e = {0, 11, 1, 0.05, 0.05, i * 1e-4};
+        const shares s = try_often(&e, DRAWS / 4);
+        TEST_ASSERT_TRUE(s.found == 0 && s.innocent == 0 && s.suspected == 0);
+    }
 }
 
 static void a_stated_noise_helps_where_few_residuals_are_left(void)
@@ -322,7 +328,7 @@ static void a_stated_noise_helps_where_few_residuals_are_left(void)
     const experiment silent = {0, 12, 1, 0.002, 0.002, 0};
     const experiment stated = {0, 12, 1, 0.002, 0.002, 1e-4};
 
-    TEST_ASSERT_GREATER_OR_EQUAL_DOUBLE(2 * try_often(&silent, DRAWS / 2).found,
+    TEST_ASSERT_GREATER_OR_EQUAL_DOUBLE(1.3 * try_often(&silent, DRAWS / 2).found,
                                         try_often(&stated, DRAWS / 2).found);
 }
 
@@ -341,16 +347,24 @@ static void a_stated_noise_may_be_wrong(void)
     }
 }
 
-static void the_innocent_are_not_removed_where_two_positions_may_be_the_wrong_one(void)
+static void the_innocent_stay_where_two_positions_may_be_the_wrong_one(void)
 {
     const experiment e = {0, 12, 1, 0.002, 0.002, 1e-4};
     const shares s = try_often(&e, DRAWS);
 
     TEST_ASSERT_LESS_OR_EQUAL_DOUBLE(0.008, s.innocent);
-    TEST_ASSERT_GREATER_OR_EQUAL_DOUBLE(s.found + 0.03, s.named); /* suspected, not removed */
+    TEST_ASSERT_GREATER_OR_EQUAL_DOUBLE(s.found + 0.01, s.named); /* suspected, not left out */
 }
 
 /* ---- an independent computation, in double ---------------------------------------------------------- */
+
+/* Positions calibrated with the solution of those that are not left out by now. */
+typedef struct {
+    unsigned count;
+    double v[CAPACITY][3];
+    double stated;
+    invcal_mask removed;
+} calibrated;
 
 typedef struct {
     double l[N][N]; /* Cholesky's factor of H'H */
@@ -358,11 +372,11 @@ typedef struct {
     double squares;
 } least_squares;
 
-static double row_of(const reading_set *set, unsigned i, double h[N])
+static double row_of(const calibrated *all, unsigned i, double h[N])
 {
-    const double x = (double)set->u[i][0];
-    const double y = (double)set->u[i][1];
-    const double z = (double)set->u[i][2];
+    const double x = all->v[i][0];
+    const double y = all->v[i][1];
+    const double z = all->v[i][2];
     const double row[N] = {x, y, z, x * x, y * y, z * z, x * y, x * z, y * z};
 
     memcpy(h, row, sizeof row);
@@ -379,43 +393,55 @@ static void solve_lower(const least_squares *s, double x[N])
     }
 }
 
-static double residual_of(const least_squares *s, const reading_set *set, unsigned i)
+static void solve_upper(const least_squares *s, double x[N])
 {
-    double h[N];
-    double e = row_of(set, i, h);
-
-    for (int r = 0; r < N; r++) {
-        e += h[r] * s->p[r];
+    for (int r = N; r-- > 0;) {
+        for (int k = r + 1; k < N; k++) {
+            x[r] -= s->l[k][r] * x[k];
+        }
+        x[r] /= s->l[r][r];
     }
-    return e;
 }
 
-/* h K h' */
-static double leverage_of(const least_squares *s, const reading_set *set, unsigned i)
+/* What the nine leave of a column of so many numbers, and of J if it is null. */
+static double reduce(const least_squares *s, const calibrated *all, invcal_mask removed,
+                     const double *column, double left[CAPACITY])
 {
+    double p[N] = {0};
     double h[N];
-    double sum = 0;
+    double squares = 0;
 
-    (void)row_of(set, i, h);
-    solve_lower(s, h);
-    for (int r = 0; r < N; r++) {
-        sum += h[r] * h[r];
+    for (unsigned i = 0; i < all->count; i++) {
+        const double j = row_of(all, i, h);
+        left[i] = removed & bit(i) ? 0 : column ? column[i] : j;
+        for (int r = 0; r < N; r++) {
+            p[r] -= h[r] * left[i];
+        }
     }
-    return sum;
+    solve_lower(s, p);
+    solve_upper(s, p);
+    for (unsigned i = 0; i < all->count; i++) {
+        (void)row_of(all, i, h);
+        for (int r = 0; r < N && !(removed & bit(i)); r++) {
+            left[i] += h[r] * p[r];
+        }
+        squares += left[i] * left[i];
+    }
+    return squares;
 }
 
-static least_squares fit_without(const reading_set *set, invcal_mask removed)
+static least_squares fit_without(const calibrated *all, invcal_mask removed)
 {
     least_squares s = {{{0}}, {0}, 0};
+    double left[CAPACITY];
     double h[N];
 
-    for (unsigned i = 0; i < set->count; i++) {
-        const double j = row_of(set, i, h);
+    for (unsigned i = 0; i < all->count; i++) {
+        (void)row_of(all, i, h);
         for (int r = 0; r < N && !(removed & bit(i)); r++) {
             for (int c = 0; c <= r; c++) {
                 s.l[r][c] += h[r] * h[c];
             }
-            s.p[r] -= h[r] * j;
         }
     }
     for (int r = 0; r < N; r++) {
@@ -426,18 +452,9 @@ static least_squares fit_without(const reading_set *set, invcal_mask removed)
             s.l[r][c] = r == c ? sqrt(s.l[r][r]) : s.l[r][c] / s.l[c][c];
         }
     }
-    solve_lower(&s, s.p);
-    for (int r = N; r-- > 0;) {
-        for (int k = r + 1; k < N; k++) {
-            s.p[r] -= s.l[k][r] * s.p[k];
-        }
-        s.p[r] /= s.l[r][r];
-    }
-    for (unsigned i = 0; i < set->count; i++) {
-        if (!(removed & bit(i))) {
-            s.squares += pow(residual_of(&s, set, i), 2);
-        }
-    }
+    /* Residuals of so many may be rounding. */
+    const double rounding = 8 * (double)INVCAL_EPSILON;
+    s.squares = reduce(&s, all, removed, NULL, left) + all->count * rounding * rounding;
     return s;
 }
 
@@ -453,318 +470,486 @@ static double part(double from, double to, unsigned m, unsigned dof)
     return sum * (to - from);
 }
 
+/* How often noise alone makes m unknowns leave no more than z of the squares, and dof residuals. */
 static double tail(double z, unsigned m, unsigned dof)
 {
+    if (dof == 0 || m == 0 || z >= 1) {
+        return 1;
+    }
     const double angle = asin(sqrt(z));
     const double below = part(0, angle, m, dof);
 
     return below / (below + part(angle, 1.5707963267948966, m, dof));
 }
 
-/* Sums of squares below this share of that of all positions are rounding. */
-static const double ROUNDED = 256 * (double)INVCAL_EPSILON;
-
-/* What is known of the noise besides the residuals. */
-static double known_squares(const reading_set *set, double stated)
-{
-    const double rounding = 8 * (double)INVCAL_EPSILON;
-
-    return set->count * rounding * rounding + stated * stated;
-}
-
-/* Does some pair of a group leave no more than this? */
-static int has_pair(const double pair[CAPACITY][CAPACITY], unsigned count, invcal_mask group,
-                    double most)
-{
-    for (unsigned i = 0; i < count; i++) {
-        for (unsigned j = 0; j < i; j++) {
-            if ((group & bit(i)) && (group & bit(j)) && pair[i][j] <= most) {
-                return 1;
-            }
-        }
-    }
-    return 0;
-}
-
-/* Of the groups of k positions beside those removed: the best, the second best, and the squares
- * that they leave. Every group is fitted anew. Of three, only those with a pair that leaves no more
- * than a share of the squares. */
-typedef struct {
-    invcal_mask best, rival;
-    double squares, rival_squares;
-} winners;
-
-static winners best_of(const reading_set *set, double stated, invcal_mask removed, unsigned k,
-                       double share)
-{
-    static double pair[CAPACITY][CAPACITY];
-    const double known = known_squares(set, stated);
-    const double all = fit_without(set, removed).squares + known;
-    winners w = {0, 0, INFINITE, INFINITE};
-
-    for (unsigned i = 0; i < set->count && k == 3; i++) {
-        for (unsigned j = 0; j < i; j++) {
-            const invcal_mask both = bit(i) | bit(j);
-            pair[i][j] =
-                both & removed ? INFINITE : fit_without(set, removed | both).squares + known;
-        }
-    }
-    for (invcal_mask group = 0; group < bit(set->count); group++) {
-        if (size_of(group) == k && !(group & removed) &&
-            (k < 3 || has_pair((const double(*)[CAPACITY])pair, set->count, group, share * all))) {
-            const double left = fit_without(set, removed | group).squares + known;
-            const double squares = left > ROUNDED * all ? left : ROUNDED * all;
-            if (squares < w.squares) {
-                w = (winners){group, w.best, squares, w.squares};
-            } else if (squares < w.rival_squares) {
-                w.rival = group;
-                w.rival_squares = squares;
-            }
-        }
-    }
-    return w;
-}
+/* ---- its decisions */
 
 typedef struct {
-    const reading_set *set;
-    double stated;
-    invcal_mask removed;
-    invcal_mask suspected;
-    int close; /* some decision is within 3 % of its level: rounding may turn it; or hangs on a
-                  group that leaves next to nothing to determine the parameters by */
+    invcal_mask removed, suspected;
+    unsigned systematic, axis, unchecked;
+    int is_rough; /* something is wrong, and the residuals do not tell what */
+    int close; /* some decision is within 3 % of its level, or within what the library's chance is too
+                     large: it may turn out otherwise there */
 } decision;
 
-/* det H'H without a group over that with it: 1 - h K h' of its members one after the other. */
-static double determinant_left(const decision *d, invcal_mask group)
-{
-    const least_squares with = fit_without(d->set, d->removed);
-    const least_squares without = fit_without(d->set, d->removed | group);
-    double left = 1;
+/* A round of it. */
+typedef struct {
+    const calibrated *all;
+    least_squares fit;
+    unsigned n; /* positions that are not left out */
+    decision *d;
+} job;
 
-    for (int r = 0; r < N; r++) {
-        left *= pow(without.l[r][r] / with.l[r][r], 2);
-    }
-    return left;
-}
-
-/* Is the chance, times the number of choices, within the level? The library's is a quarter higher at
- * most. */
+/* Is the chance, times the number of choices, within the level? The library's is a quarter higher
+ * at most. */
 static int is_below(decision *d, double chance, double level)
 {
     d->close |= chance > level / 1.27 && chance < 1.03 * level;
     return chance <= level;
 }
 
-/* Does leaving out k more beat leaving out fewer, and is no rival nearly as good? */
-static int is_significant(decision *d, const winners *w, unsigned n, unsigned k, int *is_clear)
+/* Is one of two of them smaller? */
+static int is_less(decision *d, double chance, double other)
 {
-    const unsigned dof = n - 9 - k + (d->stated > 0);
+    d->close |= chance > other / 1.3 && chance < 1.3 * other;
+    return chance < other;
+}
 
-    for (unsigned j = 0; j < k; j++) {
-        double chance = tail(w[k].squares / w[j].squares, k - j, dof);
-        for (unsigned i = 1; i <= k - j; i++) {
-            chance *= (double)(n - k + i) / i;
+/* Does a variance grow by more than would make sigma half as large again? */
+static int is_hidden(decision *d, double factor)
+{
+    d->close |= fabs(factor / 2.25 - 1) < 0.001;
+    return factor > 2.25;
+}
+
+/* The noise stated counts as so many residuals; squares below 256 epsilon of all are rounding. */
+static double chance_of(const job *j, double after, double before, unsigned m, unsigned unknowns,
+                        unsigned residuals)
+{
+    const double least = 256 * (double)INVCAL_EPSILON * j->fit.squares;
+    const double known = residuals * j->all->stated * j->all->stated;
+    const unsigned spare = j->n > 9 + unknowns ? j->n - 9 - unknowns : 0;
+
+    return tail((fmax(after, least) + known) / (before + known), m,
+                spare + (known > 0 ? residuals : 0));
+}
+
+/* Of the groups of k positions beside those removed: the best, the second best, and the squares
+ * that they leave. */
+typedef struct {
+    invcal_mask best, rival;
+    double squares, rival_squares;
+} winners;
+
+static void enter(winners *w, invcal_mask group, double squares)
+{
+    if (squares < w->squares) {
+        *w = (winners){group, w->best, squares, w->squares};
+    } else if (squares < w->rival_squares) {
+        w->rival = group;
+        w->rival_squares = squares;
+    }
+}
+
+/* The smallest squares that a pair of a group leaves. */
+static double best_pair(const double pair[CAPACITY][CAPACITY], unsigned count, invcal_mask group)
+{
+    double least = INFINITE;
+
+    for (unsigned i = 0; i < count; i++) {
+        for (unsigned j = 0; j < i; j++) {
+            if ((group & bit(i)) && (group & bit(j))) {
+                least = fmin(least, pair[i][j]);
+            }
         }
-        if (!is_below(d, chance, 0.0075)) {
+    }
+    return least;
+}
+
+/* Of a set of the same size, the next. */
+static invcal_mask next_group(invcal_mask group)
+{
+    const invcal_mask low = group & (~group + 1);
+    const invcal_mask sum = group + low;
+
+    return (((sum ^ group) >> 2) / low) | sum;
+}
+
+/* Every group is fitted anew. Of three, only those with a pair that leaves no more than (n - 9) / n
+ * of the squares; it is close if a little more or less makes other winners. */
+static winners best_of(const job *j, unsigned k)
+{
+    static double pair[CAPACITY][CAPACITY];
+    const unsigned count = j->all->count;
+    const invcal_mask removed = j->all->removed;
+    const double most = j->fit.squares * (j->n - 9.0) / j->n;
+    winners w[3] = {{removed, removed, j->fit.squares, j->fit.squares}};
+
+    w[1] = w[2] = w[0];
+    for (unsigned a = 0; a < count && k == 3; a++) {
+        for (unsigned b = 0; b < a; b++) {
+            const invcal_mask both = bit(a) | bit(b);
+            pair[a][b] = both & removed ? INFINITE : fit_without(j->all, removed | both).squares;
+        }
+    }
+    for (invcal_mask group = bit(k) - 1; k > 0 && group < bit(count); group = next_group(group)) {
+        const double of_pair =
+            k == 3 ? best_pair((const double(*)[CAPACITY])pair, count, group) : 0;
+        if (!(group & removed) && of_pair <= 1.01 * most) {
+            const double left = fit_without(j->all, removed | group).squares;
+            for (int i = 0; i < 3; i++) {
+                if (of_pair <= (0.99 + 0.01 * i) * most) {
+                    enter(&w[i], group, left);
+                }
+            }
+        }
+    }
+    j->d->close |= w[0].best != w[2].best || w[0].rival != w[2].rival;
+    return w[1];
+}
+
+/* det H'H without the group. */
+static double determinant_without(const job *j, invcal_mask group)
+{
+    const least_squares without = fit_without(j->all, j->all->removed | group);
+    double product = 1;
+
+    for (int r = 0; r < N; r++) {
+        product *= pow(without.l[r][r], 2);
+    }
+    return product;
+}
+
+/* Is there a member whose error the others show by hardly more than 1 % of its square, beside the
+ * other members? Below that the library does not look at it. */
+static int is_hardly_checked(const job *j, invcal_mask group)
+{
+    const double whole = determinant_without(j, group);
+
+    for (unsigned i = 0; i < j->all->count; i++) {
+        if (group & bit(i) & ~j->all->removed &&
+            !(whole > 0.0103 * determinant_without(j, group & ~bit(i)))) {
+            return 1;
+        }
+    }
+    return 0;
+}
+
+/* The group that is clear, or those that are suspected, and their chance. */
+typedef struct {
+    invcal_mask group, suspected;
+    unsigned size;
+    double squares, chance;
+} outliers;
+
+/* Does leaving out k more beat leaving out fewer, and, if the noise is stated, without it, too? */
+static int is_significant(const job *j, const winners *w, unsigned k, double *chance)
+{
+    const int is_stated = j->all->stated > 0;
+    double choices = 1;
+
+    for (unsigned less = k; less-- > 0;) {
+        choices *= (double)(j->n - less) / (k - less);
+        *chance = choices * chance_of(j, w[k].squares, w[less].squares, k - less, k, 1);
+        if (!is_below(j->d, *chance, 0.0075)) {
             return 0;
         }
     }
-    *is_clear = is_below(d, tail(w[k].squares / w[k].rival_squares, 1, dof), 0.06);
-    return 1;
+    const double own = choices * chance_of(j, w[k].squares, w[0].squares, k, k, 0);
+    return !is_stated || is_below(j->d, own, 0.02);
 }
 
-/* The best three hang on a pair that is within 1 % of its share. */
-static int hangs_on_a_pair(const decision *d, unsigned k, double share)
+static outliers find_group(const job *j)
 {
-    const winners less = best_of(d->set, d->stated, d->removed, k, 0.99 * share);
-    const winners more = best_of(d->set, d->stated, d->removed, k, 1.01 * share);
+    const unsigned spare = j->n - 11;
+    const unsigned most = spare < 3 ? spare : 3;
+    outliers found = {0, 0, 0, 0, INFINITE};
+    winners w[4];
 
-    return less.best != more.best || less.rival != more.rival;
-}
-
-/* The rule of the header, by fitting every group. */
-static void decide(decision *d)
-{
-    invcal_mask found;
-
-    do {
-        const unsigned out = size_of(d->removed);
-        const unsigned n = d->set->count - out;
-        const unsigned spare = n - 11 + (d->stated > 0);
-        const unsigned most = spare < 3 ? spare : 3;
-        winners w[4];
-        found = 0;
-        d->suspected = 0;
-        const double share = (n - 9.0) / n;
-        for (unsigned k = 0; k <= most; k++) {
-            w[k] = best_of(d->set, d->stated, d->removed, k, share);
-            d->close |= k == 3 && hangs_on_a_pair(d, k, share);
-            d->close |= !(determinant_left(d, w[k].best) > 1.1e-4);
-            d->close |= !(determinant_left(d, w[k].rival) > 1.1e-4);
+    for (unsigned k = 0; k <= most; k++) {
+        w[k] = best_of(j, k);
+        j->d->close |= is_hardly_checked(j, w[k].best) || is_hardly_checked(j, w[k].rival);
+    }
+    for (unsigned k = most; k > 0 && !found.group; k--) {
+        double chance;
+        if (!is_significant(j, w, k, &chance)) {
+            continue;
         }
-        for (unsigned k = most; k > 0 && !found; k--) {
-            int is_clear;
-            if (is_significant(d, w, n, k, &is_clear)) {
-                found = is_clear ? w[k].best : 0;
-                d->suspected |= is_clear || d->suspected ? 0 : w[k].best | w[k].rival;
+        if (is_below(j->d, chance_of(j, w[k].squares, w[k].rival_squares, 1, k, 1), 0.05)) {
+            found = (outliers){w[k].best, found.suspected, k, w[k].squares, chance};
+        } else if (!found.suspected) {
+            found = (outliers){0, w[k].best | w[k].rival, k, w[k].squares, chance};
+        }
+    }
+    return found;
+}
+
+/* What three columns more make of the squares. */
+typedef struct {
+    unsigned rank;
+    double squares;
+    double size[3];
+    double hidden; /* the largest factor by which they make a variance of the nine grow */
+} test;
+
+/* The error of an axis that points x up, and pointed elsewhere before: as quality.size means it. */
+static double error_of_axis(unsigned kind, double x, double before, double tau)
+{
+    return kind == INVCAL_DRIFT       ? tau
+           : kind == INVCAL_QUADRATIC ? x * x
+           : kind == INVCAL_CUBIC     ? x * x * x
+           : x - before > 1e-3        ? 0.5
+           : x - before < -1e-3       ? -0.5
+                                      : 0;
+}
+
+/* Gram and Schmidt's way: each without what the nine and those before it are made of. */
+static test test_for(const job *j, unsigned kind, unsigned step)
+{
+    const calibrated *all = j->all;
+    double left[3][CAPACITY];
+    double of_r[3];
+    double r[CAPACITY];
+    double mix[3][3];
+    test t = {0, j->fit.squares, {0, 0, 0}, 0};
+
+    (void)reduce(&j->fit, all, all->removed, NULL, r);
+    for (int a = 0; a < 3; a++) {
+        double column[CAPACITY];
+        double whole = 0;
+        for (unsigned i = 0; i < all->count; i++) {
+            const double x = all->v[i][a];
+            const double tau = step ? (i < step ? -0.5 : 0.5) : i / (all->count - 1.0) - 0.5;
+            column[i] = x * error_of_axis(kind, x, i > 0 ? all->v[i - 1][a] : x, tau);
+            /* near what is a scale and an offset itself, so that little is left */
+            column[i] -= kind == INVCAL_CUBIC ? 6.0 / 7 * x * x : 0;
+            column[i] -= kind == INVCAL_QUADRATIC ? 0.6 * x : 0;
+            whole += all->removed & bit(i) ? 0 : column[i] * column[i];
+        }
+        t.hidden = fmax(t.hidden, whole / reduce(&j->fit, all, all->removed, column, left[a]));
+        for (int b = 0; b < a; b++) {
+            double along = 0;
+            for (unsigned i = 0; i < all->count; i++) {
+                along += left[a][i] * left[b][i];
+            }
+            mix[a][b] = along;
+            for (unsigned i = 0; i < all->count; i++) {
+                left[a][i] -= along * left[b][i];
             }
         }
-        d->removed |= found;
-    } while (found);
+        double square = 0;
+        for (unsigned i = 0; i < all->count; i++) {
+            square += left[a][i] * left[a][i];
+        }
+        const int is_told = square > 0.001 * whole;
+        j->d->close |= square > 0.0097 * whole && square < 0.0103 * whole;
+        of_r[a] = 0;
+        mix[a][a] = is_told ? 1 / sqrt(square) : 0;
+        for (unsigned i = 0; i < all->count; i++) {
+            left[a][i] *= mix[a][a];
+            of_r[a] += left[a][i] * r[i];
+        }
+        t.rank += (unsigned)is_told;
+        t.squares -= of_r[a] * of_r[a];
+    }
+    for (int a = 3; a-- > 0;) {
+        double sum = of_r[a];
+        for (int b = a + 1; b < 3; b++) {
+            sum -= t.size[b] * mix[b][a];
+        }
+        t.size[a] = sum * mix[a][a];
+    }
+    return t;
 }
 
-static void the_rule_of_the_header_decides(void)
+/* The best systematic error that can be named, its chance, and what it leaves; and what the best of
+ * all leaves. */
+typedef struct {
+    unsigned kind, axis;
+    double chance;
+    double left;
+    double least;
+    int is_significant;
+    unsigned unchecked;
+} shared;
+
+static int may_be_named(const job *j, const test *t, shared *s)
+{
+    const int may = j->n >= 9 + t->rank + 2;
+
+    if (may) {
+        s->least = fmin(s->least, t->squares);
+    }
+    return may;
+}
+
+static shared find_kind(const job *j)
+{
+    const double level = j->all->stated > 0 ? 0.002 : 0.004;
+    shared s = {INVCAL_NO_SYSTEMATIC, 0, 1, INFINITE, INFINITE, 0, 0};
+
+    for (unsigned kind = INVCAL_DRIFT; kind <= INVCAL_HYSTERESIS; kind++) {
+        const test t = test_for(j, kind, 0);
+        const int may = may_be_named(j, &t, &s);
+        const double chance = chance_of(j, t.squares, j->fit.squares, t.rank, t.rank, 4);
+        const double own = chance_of(j, t.squares, j->fit.squares, t.rank, t.rank, 0);
+        s.unchecked |= is_hidden(j->d, t.hidden) ? 1u << kind : 0;
+        if (t.rank == 0 || !is_below(j->d, fmin(chance, own), level)) {
+            continue;
+        }
+        s.is_significant = 1;
+        if (may && is_below(j->d, own, 0.02) && t.squares < s.left) {
+            s.kind = kind;
+            s.chance = chance;
+            s.left = t.squares;
+            s.axis = 0;
+            for (unsigned a = 1; a < 3; a++) {
+                s.axis = fabs(t.size[a]) > fabs(t.size[s.axis]) ? a : s.axis;
+            }
+        }
+    }
+    return s;
+}
+
+/* Two or more may be what a systematic error, or a step, looks like. */
+static int is_ambiguous(const job *j, const outliers *found, shared *s)
+{
+    const unsigned third = (j->all->count + 2) / 3;
+
+    for (unsigned step = third; step <= j->all->count - third; step++) {
+        const test t = test_for(j, INVCAL_DRIFT, step);
+        (void)may_be_named(j, &t, s);
+    }
+    return s->least < INFINITE &&
+           !is_below(j->d, chance_of(j, found->squares, s->least, 1, found->size, 4), 0.3);
+}
+
+/* An outlier is the simpler cause. What float cannot hold is decided by the squares. */
+static int is_likelier(decision *d, const outliers *found, const shared *s)
+{
+    const double most = fmax(found->chance, s->chance);
+
+    if (!INVCAL_DOUBLE && most < 1e-36) {
+        d->close |= most > 1e-44;
+        return found->squares < s->left;
+    }
+    return is_less(d, found->chance, 7.4 * s->chance);
+}
+
+/* Returns what is to be left out, too. */
+static invcal_mask decide_once(const calibrated *all, decision *d)
+{
+    const job j = {all, fit_without(all, all->removed), all->count - size_of(all->removed), d};
+    const outliers found = find_group(&j);
+    shared s = find_kind(&j);
+
+    d->suspected = found.suspected;
+    d->unchecked = s.unchecked;
+    d->is_rough = 0;
+    d->systematic = INVCAL_NO_SYSTEMATIC;
+    if (found.size == 0 || !is_likelier(d, &found, &s)) {
+        d->systematic = s.kind;
+        d->axis = s.axis;
+        d->is_rough = s.is_significant && s.kind == INVCAL_NO_SYSTEMATIC;
+        return 0;
+    }
+    d->is_rough = !found.group || (found.size > 1 && is_ambiguous(&j, &found, &s));
+    return d->is_rough ? 0 : found.group;
+}
+
+/* Round by round, until more than one in six is left out. */
+static decision decide(const reading_set *set, double stated)
+{
+    const invcal_calibration nominal = unit_nominal();
+    calibrated all = {set->count, {{0}}, stated, 0};
+    decision d = {0, 0, 0, 0, 0, 0, 0};
+    invcal_mask more;
+
+    do {
+        invcal_calibration c;
+        invcal_quality q;
+        if (invcal_calibrate_without(set->u[0], set->count, d.removed, &nominal,
+                                     (invcal_real)stated, &c, &q) != INVCAL_OK) {
+            d.close = 1;
+            return d;
+        }
+        for (unsigned i = 0; i < set->count; i++) {
+            for (int k = 0; k < 3; k++) {
+                all.v[i][k] = 0;
+                for (int m = 0; m < 3; m++) {
+                    const double from = (double)set->u[i][m] - (double)c.offset[m];
+                    all.v[i][k] += (double)c.matrix[k][m] * from;
+                }
+            }
+        }
+        if (6 * size_of(d.removed) > set->count) {
+            return (decision){
+                .removed = d.removed, .unchecked = 0x1E, .is_rough = 1, .close = d.close};
+        }
+        all.removed = d.removed;
+        more = decide_once(&all, &d);
+        d.removed |= more;
+    } while (more);
+    return d;
+}
+
+/* An error that all share, as test_for has it, on one axis. */
+static void bend(reading_set *set, unsigned kind, unsigned axis, double size)
+{
+    double before = 0;
+
+    for (unsigned i = 0; i < set->count; i++) {
+        const double x = (double)set->u[i][axis];
+        const double tau = i / (set->count - 1.0) - 0.5;
+        set->u[i][axis] += (invcal_real)(size * error_of_axis(kind, x, i > 0 ? before : x, tau));
+        before = x;
+    }
+}
+
+/* Of random sets: clean, with one to three outliers, with an error that all share, or with both. */
+static void the_rules_of_judgement_decide(void)
 {
     random_source random = random_start(5);
     unsigned with[5] = {0};
+    unsigned named[5] = {0};
     unsigned rivalled = 0;
+    unsigned rough = 0;
 
-    for (unsigned draw = 0; draw < FLOAT_OR_DOUBLE(200, 1000); draw++) { /* float: a few differ */
+    for (unsigned draw = 0; draw < 1000; draw++) {
         const triad_truth truth = triad_random(&random, 0.03);
-        const unsigned count = 11 + draw % 5;
+        const unsigned count = 11 + draw % 7;
+        const double stated = draw % 2 ? SIGMA : 0;
         const double size = draw % 3 ? 0.05 : 0.002;
         double v[CAPACITY][3];
         reading_set set;
         double error = 0;
         random_directions(&random, count, v);
         read_positions(&truth, (const double(*)[3])v, count, SIGMA, &random, &set);
-        (void)spoil_some(&random, draw / 5 % 4, 0.3 * size, size, &set, &error);
-        decision d = {&set, draw % 2 ? 1e-4 : 0, 0, 0, 0};
-        decide(&d);
+        if (draw / 28 % 2) {
+            bend(&set, 1 + draw / 56 % 4, draw % 3, 0.1 * size);
+        }
+        (void)spoil_some(&random, draw / 7 % 4, 0.3 * size, size, &set, &error);
+        const decision d = decide(&set, stated);
         if (!d.close) {
-            const invcal_outliers out = find(&set, d.stated);
-            assert_set(d.removed, out.removed);
-            TEST_ASSERT_EQUAL_INT(d.suspected != 0, out.suspected != 0);
+            const invcal_quality q = find(&set, stated);
+            assert_set(d.removed, q.left_out);
+            TEST_ASSERT_EQUAL_INT(d.systematic, q.systematic);
+            TEST_ASSERT_TRUE(d.systematic == INVCAL_NO_SYSTEMATIC || d.axis == q.axis);
+            TEST_ASSERT_EQUAL_HEX8(d.unchecked, q.unchecked);
+            TEST_ASSERT_EQUAL_INT(d.suspected != 0, q.suspected != 0);
             if (INVCAL_DOUBLE) { /* float cannot rank what is last in a row of contenders */
-                assert_set(d.suspected, out.suspected);
+                assert_set(d.suspected, q.suspected);
             }
+            TEST_ASSERT_TRUE(!d.is_rough || q.verdict == INVCAL_ROUGH || q.verdict == INVCAL_WEAK);
             with[size_of(d.removed)]++;
+            named[d.systematic]++;
             rivalled += d.suspected != 0;
+            rough += (unsigned)d.is_rough;
         }
     }
     /* All answers have been seen. */
-    TEST_ASSERT_TRUE(with[0] > 20 && with[1] > 20 && with[2] > 3 && with[3] > 3 && rivalled > 3);
-}
-
-/* ---- what is reported --------------------------------------------------------------------------------- */
-
-static invcal_outlier look_at(const reading_set *set, double stated, invcal_mask removed,
-                              unsigned i)
-{
-    const invcal_calibration nominal = unit_nominal();
-    invcal_outlier out;
-
-    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_outlier_size(set->u[0], set->count, &nominal,
-                                                         (invcal_real)stated, removed, i, &out));
-    return out;
-}
-
-/* Error and w from the fit without this position, whether it was removed or not. */
-static void assert_reported(const reading_set *set, double stated, invcal_mask removed)
-{
-    const least_squares s = fit_without(set, removed);
-    const double dof = set->count - 9.0 - size_of(removed) + (stated > 0);
-    const double sigma = sqrt((s.squares + stated * stated) / dof);
-
-    for (unsigned i = 0; i < set->count; i++) {
-        const invcal_outlier out = look_at(set, stated, removed, i);
-        const double checked = removed & bit(i) ? 0 : 1 - leverage_of(&s, set, i);
-        TEST_ASSERT_DOUBLE_WITHIN(FLOAT_OR_DOUBLE(1e-2, 1e-9), 1, (double)out.sigma / sigma);
-        TEST_ASSERT_DOUBLE_WITHIN(FLOAT_OR_DOUBLE(1e-4, 1e-11), checked, (double)out.checked);
-        if (removed & bit(i) || checked > 0.02) {
-            const least_squares without = fit_without(set, removed | bit(i));
-            const double error = residual_of(&without, set, i);
-            const double w = error / (sigma * sqrt(1 + leverage_of(&without, set, i)));
-            TEST_ASSERT_DOUBLE_WITHIN(FLOAT_OR_DOUBLE(3e-5, 1e-12), error, (double)out.error);
-            TEST_ASSERT_DOUBLE_WITHIN(FLOAT_OR_DOUBLE(2e-2, 1e-6) * (1 + fabs(w)), w,
-                                      (double)out.w);
-        }
-    }
-}
-
-/* Baarda's own: of the fit with this position, and sigma of the fit without. */
-static void assert_baarda(const reading_set *set, double stated, invcal_mask removed, unsigned i)
-{
-    const double dof = set->count - 9.0 - size_of(removed) + (stated > 0);
-    const double sigma = sqrt((fit_without(set, removed).squares + stated * stated) / dof);
-    const least_squares with = fit_without(set, removed & ~bit(i));
-    const double w = residual_of(&with, set, i) / (sigma * sqrt(1 - leverage_of(&with, set, i)));
-
-    TEST_ASSERT_DOUBLE_WITHIN(FLOAT_OR_DOUBLE(2e-2, 1e-6), 1,
-                              (double)look_at(set, stated, removed, i).w / w);
-}
-
-static void errors_w_leverage_and_sigma_are_those_of_the_definition(void)
-{
-    random_source random = random_start(6);
-    unsigned total = 0;
-
-    for (unsigned draw = 0; draw < SOME(200); draw++) {
-        const triad_truth truth = triad_random(&random, 0.03);
-        const unsigned count = 18 + draw % 7;
-        const double stated = draw % 2 ? 1e-4 : 0;
-        double v[CAPACITY][3];
-        reading_set set;
-        double error = 0;
-        random_directions(&random, count, v);
-        read_positions(&truth, (const double(*)[3])v, count, SIGMA, &random, &set);
-        (void)spoil_some(&random, draw % 4, 0.005, 0.1, &set, &error);
-        const invcal_mask removed = find(&set, stated).removed;
-        assert_reported(&set, stated, removed);
-        for (unsigned i = 0; i < count; i++) {
-            if (removed & bit(i)) {
-                assert_baarda(&set, stated, removed, i);
-                total++;
-            }
-        }
-    }
-    TEST_ASSERT_TRUE(total > SOME(200));
-}
-
-static void the_error_reported_is_the_one_that_was_planted(void)
-{
-    random_source random = random_start(7);
-
-    for (int draw = 0; draw < SOME(200); draw++) {
-        const triad_truth truth = triad_random(&random, 0.03);
-        double v[CAPACITY][3];
-        reading_set set;
-        double error = 0;
-        (void)program_of(24, v);
-        read_positions(&truth, (const double(*)[3])v, 24, SIGMA, &random, &set);
-        const invcal_mask bad = spoil_some(&random, 1, 0.002, 0.05, &set, &error);
-        unsigned wrong = 0;
-        while (!(bad & bit(wrong))) {
-            wrong++;
-        }
-        for (int is_removed = 0; is_removed < 2; is_removed++) { /* the same, found or not */
-            const invcal_outlier out = look_at(&set, 0, is_removed ? bad : 0, wrong);
-            /* Nominal readings deviate by some 5 %, and noise by 6 sigma. */
-            TEST_ASSERT_DOUBLE_WITHIN(0.12 * fabs(error) + 8e-4, error, (double)out.error);
-            TEST_ASSERT_TRUE((out.w > 0) == (error > 0));
-        }
-    }
-}
-
-static void what_is_checked_by_all_positions_together_is_their_redundancy(void)
-{
-    random_source random = random_start(8);
-
-    for (unsigned count = 11; count <= CAPACITY; count++) {
-        const triad_truth truth = triad_random(&random, 0.03);
-        double v[CAPACITY][3];
-        reading_set set;
-        double sum = 0;
-        random_directions(&random, count, v);
-        read_positions(&truth, (const double(*)[3])v, count, SIGMA, &random, &set);
-        const invcal_mask removed = find(&set, 0).removed;
-        for (unsigned i = 0; i < count; i++) {
-            const double checked = (double)look_at(&set, 0, removed, i).checked;
-            TEST_ASSERT_TRUE(checked >= 0 && checked <= 1);
-            sum += checked;
-        }
-        TEST_ASSERT_DOUBLE_WITHIN(FLOAT_OR_DOUBLE(2e-3, 1e-9), count - 9.0 - size_of(removed), sum);
-    }
+    TEST_ASSERT_TRUE(with[0] > 20 && with[1] > 20 && with[2] > 3 && with[3] > 3 && rivalled > 1);
+    TEST_ASSERT_TRUE(named[1] > 3 && named[2] > 3 && named[3] > 3 && named[4] > 3 && rough > 3);
 }
 
 /* ---- what must not matter ------------------------------------------------------------------------------ */
@@ -788,10 +973,10 @@ static reading_set set_with_two(void)
 static void the_order_of_positions_does_not_matter(void)
 {
     const reading_set set = set_with_two();
-    const invcal_outliers expected = find(&set, 0);
+    const invcal_quality expected = find(&set, 0);
     random_source random = random_start(10);
 
-    assert_set(bit(3) | bit(22), expected.removed);
+    assert_set(bit(3) | bit(22), expected.left_out);
     for (int draw = 0; draw < SOME(50); draw++) {
         unsigned from[CAPACITY]; /* where each comes from */
         reading_set permuted;
@@ -809,30 +994,23 @@ static void the_order_of_positions_does_not_matter(void)
         for (unsigned i = 0; i < 24; i++) {
             wanted |= from[i] == 3 || from[i] == 22 ? bit(i) : 0;
         }
-        assert_set(wanted, find(&permuted, 0).removed);
-        for (unsigned i = 0; i < 24; i++) {
-            const invcal_outlier here = look_at(&permuted, 0, wanted, i);
-            const invcal_outlier there = look_at(&set, 0, expected.removed, from[i]);
-            TEST_ASSERT_DOUBLE_WITHIN(FLOAT_OR_DOUBLE(1e-2, 1e-9), 1,
-                                      (double)(here.sigma / there.sigma));
-            TEST_ASSERT_DOUBLE_WITHIN(FLOAT_OR_DOUBLE(2e-5, 1e-12), (double)there.checked,
-                                      (double)here.checked);
-            TEST_ASSERT_DOUBLE_WITHIN(FLOAT_OR_DOUBLE(1e-5, 1e-12), (double)there.error,
-                                      (double)here.error);
-        }
+        const invcal_quality q = find(&permuted, 0);
+        assert_set(wanted, q.left_out);
+        TEST_ASSERT_DOUBLE_WITHIN(FLOAT_OR_DOUBLE(1e-2, 1e-9), 1,
+                                  (double)(q.noise / expected.noise));
     }
 }
 
 static void units_do_not_matter(void)
 {
     const reading_set set = set_with_two();
-    const invcal_mask expected = find(&set, 1e-4).removed;
+    const invcal_quality expected = find(&set, 1e-4);
     const invcal_real zero[3] = {500, -300, 100};
     const invcal_real counts[3] = {1000, -1000, 1000};
     invcal_real raw[3 * CAPACITY];
     invcal_calibration nominal;
-    invcal_outliers out;
-    invcal_outlier one;
+    invcal_calibration out;
+    invcal_quality q;
 
     TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_nominal(zero, counts, &nominal));
     for (unsigned i = 0; i < 24; i++) {
@@ -842,15 +1020,13 @@ static void units_do_not_matter(void)
         }
     }
     TEST_ASSERT_EQUAL_INT(INVCAL_OK,
-                          invcal_outliers_find(raw, 24, &nominal, (invcal_real)1e-4, &out));
-    assert_set(expected, out.removed);
-    for (unsigned i = 0; i < 24; i++) {
-        const invcal_outlier same = look_at(&set, 1e-4, expected, i);
-        TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_outlier_size(raw, 24, &nominal, (invcal_real)1e-4,
-                                                             expected, i, &one));
-        TEST_ASSERT_DOUBLE_WITHIN(FLOAT_OR_DOUBLE(1e-2, 1e-9), 1, (double)(one.sigma / same.sigma));
-        TEST_ASSERT_DOUBLE_WITHIN(FLOAT_OR_DOUBLE(1e-5, 1e-12), (double)same.error,
-                                  (double)one.error);
+                          invcal_calibrate_judged(raw, 24, &nominal, (invcal_real)1e-4, &out, &q));
+    assert_set(bit(3) | bit(22), q.left_out);
+    TEST_ASSERT_EQUAL_INT(expected.verdict, q.verdict);
+    TEST_ASSERT_EQUAL_HEX8(expected.unchecked, q.unchecked);
+    for (unsigned r = 0; r < N; r++) {
+        TEST_ASSERT_DOUBLE_WITHIN(FLOAT_OR_DOUBLE(1e-2, 1e-9), 1,
+                                  (double)(q.sigma[r] / expected.sigma[r]));
     }
 }
 
@@ -871,11 +1047,13 @@ static void exact_readings_have_no_outliers(void)
             (void)program_of(24, v);
         }
         read_positions(&truth, (const double(*)[3])v, draw % 3 ? count : 24, 0, &random, &set);
-        const invcal_outliers out = find(&set, 0);
-        assert_set(0, out.removed);
-        assert_set(0, out.suspected);
-        const double sigma = (double)look_at(&set, 0, 0, 0).sigma;
-        TEST_ASSERT_TRUE(sigma > 0 && sigma < FLOAT_OR_DOUBLE(1e-5, 1e-14));
+        for (is_robust = 0; is_robust < 2; is_robust++) {
+            const invcal_quality q = find(&set, 0);
+            assert_set(0, q.left_out);
+            assert_set(0, q.suspected);
+            TEST_ASSERT_EQUAL_INT(INVCAL_NO_SYSTEMATIC, q.systematic);
+            TEST_ASSERT_TRUE((double)q.noise < FLOAT_OR_DOUBLE(1e-5, 1e-14));
+        }
     }
 }
 
@@ -890,9 +1068,11 @@ static void among_exact_readings_an_error_just_above_rounding_is_found(void)
         (void)program_of(24, v);
         read_positions(&truth, (const double(*)[3])v, 24, 0, &random, &set);
         spoil(&set, i, FLOAT_OR_DOUBLE(5e-5, 1e-13));
-        assert_set(bit(i), find(&set, 0).removed);
-        /* But not if the noise stated explains it. */
-        assert_set(0, find(&set, FLOAT_OR_DOUBLE(5e-5, 1e-13)).removed);
+        for (is_robust = 0; is_robust < 2; is_robust++) {
+            assert_set(bit(i), find(&set, 0).left_out);
+            /* But not if the noise stated explains it. */
+            assert_set(0, find(&set, FLOAT_OR_DOUBLE(5e-5, 1e-13)).left_out);
+        }
     }
 }
 
@@ -909,25 +1089,77 @@ static void every_position_of_a_full_set_can_be_named(void)
         read_positions(&truth, (const double(*)[3])v, CAPACITY, 1e-6, &random, &set);
         spoil(&set, i, 0.05);
         spoil(&set, other, -0.03);
-        const invcal_outliers out = find(&set, 0);
-        assert_set(bit(i) | bit(other), out.removed & (bit(i) | bit(other)));
-        TEST_ASSERT_TRUE(size_of(out.removed) <= 3);
+        const invcal_mask left_out = find(&set, 0).left_out;
+        assert_set(bit(i) | bit(other), left_out & (bit(i) | bit(other)));
+        TEST_ASSERT_TRUE(size_of(left_out) <= 3);
     }
 }
 
-static void no_more_than_six_are_named(void)
+static void more_than_one_in_six_are_rough(void)
 {
     random_source random = random_start(14);
+    unsigned most = 0;
 
     for (int draw = 0; draw < SOME(20); draw++) {
         const triad_truth truth = triad_random(&random, 0.03);
         double v[CAPACITY][3];
         reading_set set;
+        invcal_calibration out;
+        invcal_quality q;
         double error = 0;
         random_directions(&random, CAPACITY, v);
         read_positions(&truth, (const double(*)[3])v, CAPACITY, SIGMA, &random, &set);
         (void)spoil_some(&random, 4 + (unsigned)draw % 9, 0.01, 0.5, &set, &error);
-        TEST_ASSERT_TRUE(size_of(find(&set, 0).removed) <= INVCAL_OUTLIERS_MOST);
+        const invcal_status status = judge_set(&set, 0, &out, &q);
+        if (status == INVCAL_OK) {
+            TEST_ASSERT_TRUE(size_of(q.left_out) * 6 <= CAPACITY || q.verdict >= INVCAL_ROUGH);
+            most = size_of(q.left_out) > most ? size_of(q.left_out) : most;
+        } else {
+            TEST_ASSERT_EQUAL_INT(INVCAL_NOT_ELLIPSOID, status);
+        }
+    }
+    TEST_ASSERT_TRUE(most > CAPACITY / 6 || TEST_SHORT > 1);
+}
+
+/* A reading of four times the field pulls the ellipsoid to itself; the other positions, all but some on
+ * two planes, would allow it. */
+static void what_no_rest_reads_is_left_out_all_the_same(void)
+{
+    random_source random = random_start(16);
+
+    for (unsigned i = 0; i < 24; i++) {
+        const triad_truth truth = triad_random(&random, 0.03);
+        double v[CAPACITY][3];
+        reading_set set;
+        (void)program_of(24, v);
+        read_positions(&truth, (const double(*)[3])v, 24, SIGMA, &random, &set);
+        spoil(&set, i, 3);
+        for (is_robust = 0; is_robust < 2; is_robust++) {
+            const invcal_quality q = find(&set, 0);
+            assert_set(bit(i), q.left_out & bit(i));
+            TEST_ASSERT_LESS_OR_EQUAL_UINT(2, size_of(q.left_out));
+        }
+    }
+}
+
+/* All together make no ellipsoid, nor do they without the first that is found. */
+static void what_makes_no_ellipsoid_is_looked_for_round_by_round(void)
+{
+    random_source random = random_start(17);
+    const triad_truth truth = triad_random(&random, 0.03);
+    double v[CAPACITY][3];
+    reading_set set;
+
+    (void)program_of(24, v);
+    read_positions(&truth, (const double(*)[3])v, 24, SIGMA, &random, &set);
+    spoil(&set, 10, -1.65);
+    spoil(&set, 5, 0.35);
+    spoil(&set, 18, -2.5);
+    spoil(&set, 14, 1.2);
+    for (is_robust = 0; is_robust < 2; is_robust++) {
+        const invcal_quality q = find(&set, 0);
+        assert_set(bit(5) | bit(10) | bit(14) | bit(18), q.left_out);
+        TEST_ASSERT_EQUAL_INT(INVCAL_GOOD, q.verdict);
     }
 }
 
@@ -946,17 +1178,17 @@ static void equal_positions_check_one_another(void)
         }
     }
     read_positions(&truth, (const double(*)[3])v, 20, SIGMA, &random, &set);
-    assert_set(0, find(&set, 0).removed);
+    assert_set(0, find(&set, 0).left_out);
     /* One of two: the ten directions leave one residual to tell which, and it does not suffice;
      * but that it is one of these two is certain. */
     spoil(&set, 4, 0.02);
-    const invcal_outliers out = find(&set, 0);
-    assert_set(0, (out.removed | out.suspected) & ~(bit(4) | bit(14)));
-    TEST_ASSERT_TRUE((out.removed | out.suspected) & bit(4));
+    const invcal_quality q = find(&set, 0);
+    assert_set(0, (q.left_out | q.suspected) & ~(bit(4) | bit(14)));
+    TEST_ASSERT_TRUE((q.left_out | q.suspected) & bit(4));
     /* With a third the majority decides. */
     memcpy(set.u[20], set.u[14], sizeof set.u[20]);
     set.count = 21;
-    assert_set(bit(4), find(&set, 0).removed);
+    assert_set(bit(4), find(&set, 0).left_out);
 }
 
 static void a_position_that_nothing_checks_is_not_blamed(void)
@@ -977,15 +1209,13 @@ static void a_position_that_nothing_checks_is_not_blamed(void)
     v[17][2] = -1; /* alone tells z^2 from z */
     read_positions(&truth, (const double(*)[3])v, 18, 1e-6, &random, &set);
     spoil(&set, 17, 0.02);
-    const invcal_outliers out = find(&set, 0);
-    assert_set(0, out.removed & bit(17));
-    const invcal_outlier one = look_at(&set, 0, out.removed, 17);
-    TEST_ASSERT_TRUE((double)one.checked < 1e-4 && one.error == 0 && one.w == 0);
+    assert_set(0, find(&set, 0).left_out & bit(17));
 }
 
-/* Directions within a band about the equator, so narrow that the condition is next to its limit: some
- * that are wrong cannot be left out, for the others would leave parameters open. */
-static void what_the_others_are_not_determined_without_is_suspected_and_stays(void)
+/* Directions within a band about the equator, so narrow that the condition is next to its limit:
+ * some that are wrong cannot be left out, for the others would leave parameters open. Then all
+ * stay. */
+static void what_the_others_are_not_determined_without_stays_and_is_told(void)
 {
     const invcal_calibration nominal = unit_nominal();
     random_source random = random_start(21);
@@ -996,8 +1226,8 @@ static void what_the_others_are_not_determined_without_is_suspected_and_stays(vo
         const double width = FLOAT_OR_DOUBLE(0.1, 0.02);
         double v[14][3];
         reading_set set;
-        invcal_outliers out;
-        invcal_outlier one;
+        invcal_calibration out;
+        invcal_quality q;
         random_directions(&random, 14, v);
         for (unsigned i = 0; i < 14; i++) {
             v[i][2] *= width;
@@ -1009,40 +1239,50 @@ static void what_the_others_are_not_determined_without_is_suspected_and_stays(vo
         read_positions(&truth, (const double(*)[3])v, 14, FLOAT_OR_DOUBLE(1e-5, 1e-9), &random,
                        &set);
         spoil(&set, draw % 14, 0.02);
-        if (invcal_outliers_find(set.u[0], 14, &nominal, 0, &out) == INVCAL_OK) {
-            TEST_ASSERT_EQUAL_INT(
-                INVCAL_OK, invcal_outlier_size(set.u[0], 14, &nominal, 0, out.removed, 0, &one));
-            stayed += out.suspected != 0 &&
-                      invcal_outlier_size(set.u[0], 14, &nominal, 0, out.removed | out.suspected, 0,
-                                          &one) == INVCAL_UNDETERMINED;
+        if (judge_set(&set, 0, &out, &q) == INVCAL_OK && q.left_out == 0 &&
+            invcal_calibrate_without(set.u[0], 14, bit(draw % 14), &nominal, 0, &out, &q) ==
+                INVCAL_UNDETERMINED) {
+            TEST_ASSERT_EQUAL_INT(INVCAL_OK, judge_set(&set, 0, &out, &q));
+            TEST_ASSERT_TRUE(q.verdict != INVCAL_GOOD);
+            stayed++;
         }
     }
     TEST_ASSERT_TRUE(stayed > SOME(10));
 }
 
-/* Rounding would make less than nothing of it, now and then. */
-static void what_nothing_checks_is_checked_by_zero(void)
+/* What it leaves out is no error that all share, and that it says. */
+static void one_that_is_only_robust_leaves_systematic_errors_unchecked(void)
 {
-    random_source random = random_start(17);
-    double v[14][3];
-    reading_set set;
+    const invcal_real target = (invcal_real)(5 * SIGMA);
+    random_source random = random_start(22);
+    reading_set set = set_with_two();
+    invcal_calibration c = unit_nominal();
+    invcal_calibration same;
+    invcal_quality q;
 
-    for (unsigned k = 0; k < SOME(200); k++) {
-        const triad_truth truth = triad_random(&random, 0.03);
-        const double turned = random_uniform(&random, 0, 1);
-        for (unsigned i = 0; i < 14; i++) { /* ten on a plane leave four unknowns to the others */
-            const double z = i < 10 ? 0 : i == 10 ? 1 : i == 11 ? -1 : 0.8;
-            v[i][0] = sqrt(1 - z * z) * cos(turned + i);
-            v[i][1] = sqrt(1 - z * z) * sin(turned + i);
-            v[i][2] = z;
-        }
-        read_positions(&truth, (const double(*)[3])v, 14, 1e-6, &random, &set);
-        for (unsigned i = 10; i < 14; i++) {
-            const invcal_outlier one = look_at(&set, 0, 0, i);
-            TEST_ASSERT_TRUE(one.checked >= 0 && (double)one.checked < 1e-4);
-            TEST_ASSERT_TRUE(one.error == 0 && one.w == 0);
-        }
-    }
+    is_robust = 1;
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, judge_set(&set, SIGMA, &same, &q));
+    assert_set(bit(3) | bit(22), q.left_out);
+    TEST_ASSERT_EQUAL_HEX8(0x1E, q.unchecked);
+    TEST_ASSERT_EQUAL_INT(INVCAL_GOOD, q.verdict);
+    TEST_ASSERT_TRUE(q.sigma[0] < target);
+    /* out may be nominal */
+    TEST_ASSERT_EQUAL_INT(
+        INVCAL_OK, invcal_calibrate_robust(set.u[0], set.count, &c, (invcal_real)SIGMA, &c, &q));
+    TEST_ASSERT_EQUAL_MEMORY(&same, &c, sizeof c);
+    /* the same without them */
+    const invcal_calibration nominal = unit_nominal();
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK,
+                          invcal_calibrate_without(set.u[0], set.count, bit(3) | bit(22), &nominal,
+                                                   (invcal_real)SIGMA, &c, &q));
+    TEST_ASSERT_EQUAL_MEMORY(&same, &c, sizeof c);
+    /* and a drift may pass for outliers */
+    const triad_truth truth = triad_random(&random, 0.03);
+    read_positions(&truth, expected_plan18, 18, SIGMA, &random, &set);
+    bend(&set, INVCAL_DRIFT, 0, 0.005);
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, judge_set(&set, SIGMA, &c, &q));
+    TEST_ASSERT_EQUAL_INT(INVCAL_NO_SYSTEMATIC, q.systematic);
+    TEST_ASSERT_EQUAL_HEX8(0x1E, q.unchecked);
 }
 
 /* Real sensors: the first positions of recordings, in g, and one of them spoiled. */
@@ -1056,14 +1296,14 @@ static void assert_real(const double positions[][3], unsigned count, double zero
             set.u[i][k] = (invcal_real)((positions[i][k] - zero) * scale);
         }
     }
-    assert_set(0, find(&set, 0).removed);
+    assert_set(0, find(&set, 0).left_out);
     unsigned found = 0;
     for (unsigned i = 0; i < count; i++) {
         reading_set spoiled = set;
         spoil(&spoiled, i, 0.02);
-        const invcal_mask removed = find(&spoiled, 0).removed;
-        assert_set(removed, removed & bit(i)); /* no other */
-        found += removed == bit(i);
+        const invcal_mask left_out = find(&spoiled, 0).left_out;
+        assert_set(left_out, left_out & bit(i)); /* no other */
+        found += left_out == bit(i);
     }
     TEST_ASSERT_TRUE(found >= count - 1);
 }
@@ -1075,161 +1315,6 @@ static void real_positions_have_no_outliers_but_those_that_are_made(void)
     assert_real(mpu9150_1_positions, 24, 0, 1 / 9.81);
 }
 
-/* ---- refusals -------------------------------------------------------------------------------------------- */
-
-static void assert_refused_by(invcal_status expected, const reading_set *set,
-                              const invcal_calibration *nominal, double noise)
-{
-    invcal_outliers out;
-    invcal_outliers before;
-    invcal_outlier one;
-    invcal_outlier unchanged;
-
-    memset(&out, 0x5A, sizeof out);
-    before = out;
-    TEST_ASSERT_EQUAL_INT(
-        expected, invcal_outliers_find(set->u[0], set->count, nominal, (invcal_real)noise, &out));
-    TEST_ASSERT_EQUAL_MEMORY(&before, &out, sizeof out);
-    if (set->count >= INVCAL_OUTLIERS_FEWEST) {
-        memset(&one, 0x5A, sizeof one);
-        unchanged = one;
-        TEST_ASSERT_EQUAL_INT(expected, invcal_outlier_size(set->u[0], set->count, nominal,
-                                                            (invcal_real)noise, 0, 0, &one));
-        TEST_ASSERT_EQUAL_MEMORY(&unchanged, &one, sizeof one);
-    }
-}
-
-static void assert_refused(invcal_status expected, const reading_set *set)
-{
-    const invcal_calibration nominal = unit_nominal();
-
-    assert_refused_by(expected, set, &nominal, 0);
-}
-
-static void ten_positions_or_fewer_and_more_than_there_may_be_are_refused(void)
-{
-    random_source random = random_start(17);
-    double v[MAX_POSITIONS][3];
-    reading_set set;
-    const triad_truth truth = triad_random(&random, 0.03);
-
-    random_directions(&random, MAX_POSITIONS, v);
-    read_positions(&truth, (const double(*)[3])v, MAX_POSITIONS, SIGMA, &random, &set);
-    for (set.count = 0; set.count < INVCAL_OUTLIERS_FEWEST; set.count++) {
-        assert_refused(INVCAL_TOO_FEW, &set);
-    }
-    for (; set.count <= CAPACITY; set.count++) {
-        (void)find(&set, 0);
-    }
-    for (; set.count <= MAX_POSITIONS; set.count++) {
-        assert_refused(INVCAL_BAD_COUNT, &set);
-    }
-    set.count = UINT_MAX;
-    assert_refused(INVCAL_BAD_COUNT, &set);
-}
-
-/* An error is told only of a position that is there, and by residuals that are. */
-static void a_size_without_a_position_or_without_a_residual_is_refused(void)
-{
-    const invcal_calibration nominal = unit_nominal();
-    random_source random = random_start(18);
-    const triad_truth truth = triad_random(&random, 0.03);
-    double v[12][3];
-    reading_set set;
-    invcal_outlier out;
-    invcal_outlier before;
-
-    random_directions(&random, 12, v);
-    read_positions(&truth, (const double(*)[3])v, 12, SIGMA, &random, &set);
-    memset(&out, 0x5A, sizeof out);
-    before = out;
-    TEST_ASSERT_EQUAL_INT(INVCAL_BAD_COUNT,
-                          invcal_outlier_size(set.u[0], 12, &nominal, 0, 0, 12, &out));
-    TEST_ASSERT_EQUAL_INT(INVCAL_BAD_COUNT,
-                          invcal_outlier_size(set.u[0], 12, &nominal, 0, 0, UINT_MAX, &out));
-    TEST_ASSERT_EQUAL_INT(INVCAL_TOO_FEW,
-                          invcal_outlier_size(set.u[0], 12, &nominal, 0, 7, 0, &out));
-    TEST_ASSERT_EQUAL_INT(INVCAL_UNDETERMINED,
-                          invcal_outlier_size(set.u[0], 12, &nominal, 0, 15, 0, &out));
-    TEST_ASSERT_EQUAL_INT(INVCAL_UNDETERMINED,
-                          invcal_outlier_size(set.u[0], 12, &nominal, 0, 0xFFF, 0, &out));
-    TEST_ASSERT_EQUAL_MEMORY(&before, &out, sizeof out);
-    /* Nine, and the noise stated. */
-    TEST_ASSERT_EQUAL_INT(
-        INVCAL_OK, invcal_outlier_size(set.u[0], 12, &nominal, (invcal_real)SIGMA, 7, 0, &out));
-    TEST_ASSERT_DOUBLE_WITHIN(0.1 * SIGMA, SIGMA, (double)out.sigma);
-}
-
-static void readings_that_are_none_are_refused(void)
-{
-    static const struct {
-        double value;
-        invcal_status status;
-    } bad[] = {{NOT_A_NUMBER, INVCAL_NOT_FINITE},
-               {INFINITE, INVCAL_NOT_FINITE},
-               {-INFINITE, INVCAL_NOT_FINITE},
-               {11, INVCAL_OUT_OF_RANGE},
-               {1e30, INVCAL_OUT_OF_RANGE}};
-
-    for (unsigned b = 0; b < sizeof bad / sizeof bad[0]; b++) {
-        for (unsigned i = 0; i < 24; i++) {
-            reading_set set = set_with_two();
-            set.u[i][i % 3] = (invcal_real)bad[b].value;
-            assert_refused(bad[b].status, &set);
-        }
-    }
-    reading_set set = set_with_two();
-    memset(set.u[23], 0, sizeof set.u[23]);
-    assert_refused(INVCAL_OUT_OF_RANGE, &set);
-}
-
-static void an_unusable_noise_or_nominal_is_refused(void)
-{
-    static const double bad[] = {-1, NOT_A_NUMBER, INFINITE, 1, 2}; /* 1: as much as the field */
-    const reading_set set = set_with_two();
-    invcal_calibration nominal = unit_nominal();
-
-    for (int i = 0; i < 5; i++) {
-        assert_refused_by(INVCAL_BAD_NOISE, &set, &nominal, bad[i]);
-    }
-    memset(nominal.matrix[1], 0, sizeof nominal.matrix[1]);
-    assert_refused_by(INVCAL_BAD_NOMINAL, &set, &nominal, 0);
-    nominal = unit_nominal();
-    nominal.offset[2] = (invcal_real)NAN;
-    assert_refused_by(INVCAL_BAD_NOMINAL, &set, &nominal, 0);
-}
-
-static void positions_that_determine_nothing_are_refused(void)
-{
-    random_source random = random_start(18);
-
-    for (int draw = 0; draw < SOME(300); draw++) {
-        const double noise = draw % 2 ? 1e-5 : 0;
-        const triad_truth truth = triad_random(&random, 0.03);
-        double side[3][3];
-        double v[CAPACITY][3];
-        reading_set set;
-        random_rotation(&random, side);
-        for (unsigned i = 0; i < 24; i++) {
-            const double angle = random_uniform(&random, 0, 6.283185307179586);
-            /* a plane, a cone, two cones: these show in no pivot, now and then */
-            const double z = draw % 3 == 0 ? 0 : draw % 3 == 1 || i % 2 ? 0.5 : -0.3;
-            for (int k = 0; k < 3; k++) {
-                v[i][k] = z * side[2][k] +
-                          sqrt(1 - z * z) * (cos(angle) * side[0][k] + sin(angle) * side[1][k]);
-            }
-        }
-        read_positions(&truth, (const double(*)[3])v, 24, noise, &random, &set);
-        assert_refused(INVCAL_UNDETERMINED, &set);
-        for (unsigned i = 0; i < 24; i++) { /* six faces, four times each */
-            memset(v[i], 0, sizeof v[i]);
-            v[i][i % 3] = i % 6 < 3 ? 1 : -1;
-        }
-        read_positions(&truth, (const double(*)[3])v, 24, noise, &random, &set);
-        assert_refused(INVCAL_UNDETERMINED, &set);
-    }
-}
-
 int main(void)
 {
     UNITY_BEGIN();
@@ -1238,29 +1323,23 @@ int main(void)
     RUN_LONG_TEST(of_faces_and_edges_met_by_hand_exactly_the_wrong_ones_are_found);
     RUN_LONG_TEST(more_than_three_are_found_group_by_group);
     RUN_LONG_TEST(clean_positions_lose_one_in_a_hundred_sets_or_fewer);
-    RUN_LONG_TEST(of_eleven_positions_none_is_removed_unless_the_noise_is_stated);
+    RUN_LONG_TEST(of_eleven_positions_none_is_left_out);
     RUN_LONG_TEST(a_stated_noise_helps_where_few_residuals_are_left);
     RUN_LONG_TEST(a_stated_noise_may_be_wrong);
-    RUN_LONG_TEST(the_innocent_are_not_removed_where_two_positions_may_be_the_wrong_one);
-    RUN_LONG_TEST(the_rule_of_the_header_decides);
-    RUN_SLOW_TEST(errors_w_leverage_and_sigma_are_those_of_the_definition);
-    RUN_TEST(the_error_reported_is_the_one_that_was_planted);
-    RUN_SLOW_TEST(what_is_checked_by_all_positions_together_is_their_redundancy);
+    RUN_LONG_TEST(the_innocent_stay_where_two_positions_may_be_the_wrong_one);
+    RUN_LONG_TEST(the_rules_of_judgement_decide);
     RUN_TEST(the_order_of_positions_does_not_matter);
     RUN_SLOW_TEST(units_do_not_matter);
     RUN_LONG_TEST(exact_readings_have_no_outliers);
     RUN_TEST(among_exact_readings_an_error_just_above_rounding_is_found);
     RUN_LONG_TEST(every_position_of_a_full_set_can_be_named);
-    RUN_SLOW_TEST(no_more_than_six_are_named);
+    RUN_SLOW_TEST(more_than_one_in_six_are_rough);
+    RUN_TEST(what_no_rest_reads_is_left_out_all_the_same);
+    RUN_TEST(what_makes_no_ellipsoid_is_looked_for_round_by_round);
     RUN_TEST(equal_positions_check_one_another);
     RUN_TEST(a_position_that_nothing_checks_is_not_blamed);
-    RUN_LONG_TEST(what_the_others_are_not_determined_without_is_suspected_and_stays);
-    RUN_TEST(what_nothing_checks_is_checked_by_zero);
+    RUN_LONG_TEST(what_the_others_are_not_determined_without_stays_and_is_told);
+    RUN_TEST(one_that_is_only_robust_leaves_systematic_errors_unchecked);
     RUN_LONG_TEST(real_positions_have_no_outliers_but_those_that_are_made);
-    RUN_SLOW_TEST(ten_positions_or_fewer_and_more_than_there_may_be_are_refused);
-    RUN_TEST(a_size_without_a_position_or_without_a_residual_is_refused);
-    RUN_TEST(readings_that_are_none_are_refused);
-    RUN_TEST(an_unusable_noise_or_nominal_is_refused);
-    RUN_TEST(positions_that_determine_nothing_are_refused);
     return UNITY_END() != 0;
 }

@@ -152,7 +152,7 @@ static void what_hardly_shows_is_solved_or_refused_as_open(void)
     TEST_ASSERT_TRUE(solved > SOME(4000) / 4 && solved < SOME(4000));
 }
 
-/* Residuals larger than the stated noise make the prior count for more, never for less. */
+/* Residuals larger than the stated noise make the prior count for more. */
 static void a_prior_is_weighed_against_the_noise_that_is_there(void)
 {
     random_source random = random_start(2);
@@ -193,14 +193,24 @@ static void noise_seen_shrinks_like_noise_stated(void)
     }
 }
 
-/* What the prior tells of a parameter, the posterior over the prior variance, the data need not:
- * counted at the noise stated, which the readings have. */
+/* What the prior tells of a parameter, the posterior over the prior variance, the data need not. */
+static double dof_of(const outcome *o, const double prior[9])
+{
+    double dof = o->quality.positions;
+
+    for (unsigned r = 0; r < 9; r++) {
+        const double ratio = (double)o->quality.sigma[r] / prior[r];
+        dof -= 1 - ratio * ratio;
+    }
+    return dof;
+}
+
+/* The noise stated counts as four residuals beside them. */
 static void what_a_prior_tells_leaves_degrees_of_freedom(void)
 {
     random_source random = random_start(5);
     const triad_truth truth = triad_random(&random, 0.001);
     double prior[9];
-    double dof = 18;
     reading_set set;
     outcome o;
 
@@ -208,14 +218,14 @@ static void what_a_prior_tells_leaves_degrees_of_freedom(void)
         prior[r] = 5e-4 * (r + 1);
     }
     read_positions(&truth, expected_plan18, 18, 1e-4, &random, &set);
-    TEST_ASSERT_EQUAL_INT(INVCAL_OK, calibrate(&set, 1e-3, prior, &o));
-    TEST_ASSERT_TRUE(o.quality.noise == (invcal_real)1e-3); /* more than the residuals show */
-    for (unsigned r = 0; r < 9; r++) {
-        const double ratio = (double)o.quality.sigma[r] / prior[r];
-        dof -= 1 - ratio * ratio;
-    }
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, calibrate(&set, 2e-3, prior, &o));
+    const double dof = dof_of(&o, prior);
     TEST_ASSERT_TRUE(dof > 9.5 && dof < 17.5);
     TEST_ASSERT_EQUAL_UINT((unsigned)dof, o.quality.dof);
+    TEST_ASSERT_EQUAL_UINT((unsigned)(dof + 4), o.quality.sigma_dof);
+    const double rms = (double)o.quality.rms;
+    const double noise = sqrt((4 * 4e-6 + 18 * rms * rms) / (4 + dof));
+    TEST_ASSERT_DOUBLE_WITHIN(0.01 * noise, noise, (double)o.quality.noise);
 }
 
 /* Readings as noisy as the field tell nothing: what is left is the prior, of each its own. */
@@ -268,10 +278,11 @@ static void a_prior_that_is_true_leaves_the_solution_alone(void)
 
     read_positions(&none, expected_plan18, 18, 0, &unused, &set);
     TEST_ASSERT_EQUAL_INT(INVCAL_OK, calibrate(&set, 1e-3, equal, &o));
+    const double noise = 1e-3 * sqrt(4 / (4 + dof_of(&o, equal)));
     for (unsigned r = 0; r < 9; r++) {
         TEST_ASSERT_DOUBLE_WITHIN(FLOAT_OR_DOUBLE(1e-6, 1e-14), 0, parameter(&o.calibration, r));
         /* 1/s^2 = 1/prior^2 + 1/data^2 where no two parameters depend on each other */
-        const double data = 1e-3 * expected_plan18_root_k[r];
+        const double data = noise * expected_plan18_root_k[r];
         const double both = 1 / sqrt(1 / (0.01 * 0.01) + 1 / (data * data));
         const double bound = r >= INVCAL_DK_X && r <= INVCAL_DK_Z ? 0.01 : 1e-4;
         TEST_ASSERT_DOUBLE_WITHIN(bound * both, both, (double)o.quality.sigma[r]);

@@ -200,7 +200,7 @@ static void the_offset_sigma_goes_through_the_inverse_of_nominal(void)
 static void of_equal_verdicts_the_smaller_sigma_improves(void)
 {
     for (unsigned r = 0; r < INVCAL_PARAMETERS; r++) {
-        invcal_quality small = {.dof = 9, .verdict = INVCAL_GOOD};
+        invcal_quality small = {.sigma_dof = 9, .verdict = INVCAL_GOOD};
         for (unsigned k = 0; k < INVCAL_PARAMETERS; k++) {
             small.sigma[k] = INVCAL_REAL(1e-3);
         }
@@ -217,28 +217,30 @@ static void a_worse_verdict_never_improves(void)
 {
     for (unsigned i = 0; i <= INVCAL_WEAK; i++) {
         for (unsigned k = 0; k <= INVCAL_WEAK; k++) {
-            const invcal_quality found = {.sigma = {1}, .dof = 9, .verdict = (uint8_t)i};
-            const invcal_quality present = {.sigma = {2}, .dof = 9, .verdict = (uint8_t)k};
+            const invcal_quality found = {.sigma = {1}, .sigma_dof = 9, .verdict = (uint8_t)i};
+            const invcal_quality present = {.sigma = {2}, .sigma_dof = 9, .verdict = (uint8_t)k};
             TEST_ASSERT_EQUAL_INT(i <= k, invcal_improves(&found, &present));
         }
     }
 }
 
-/* Student's factor is 12.7 for one degree of freedom, 2.2 for ten. */
+/* Student's factor is 12.7 for one degree of freedom, 2.2 for ten. It is those behind sigma that
+ * count, a stated noise among them, not those of the residuals. */
 static void a_sigma_that_is_small_by_luck_does_not_win(void)
 {
-    invcal_quality lucky = {.sigma = {1}, .dof = 1, .verdict = INVCAL_GOOD};
-    const invcal_quality sound = {.sigma = {3}, .dof = 10, .verdict = INVCAL_GOOD};
+    invcal_quality lucky = {.sigma = {1}, .dof = 10, .sigma_dof = 1, .verdict = INVCAL_GOOD};
+    const invcal_quality sound = {.sigma = {3}, .dof = 1, .sigma_dof = 10, .verdict = INVCAL_GOOD};
 
     TEST_ASSERT_EQUAL_INT(0, invcal_improves(&lucky, &sound));
-    lucky.dof = 10;
+    lucky.sigma_dof = 10;
     TEST_ASSERT_EQUAL_INT(1, invcal_improves(&lucky, &sound));
 }
 
 static void what_is_no_number_never_improves(void)
 {
-    const invcal_quality nan = {.sigma = {(invcal_real)NAN}, .dof = 9, .verdict = INVCAL_GOOD};
-    const invcal_quality present = {.sigma = {2}, .dof = 9, .verdict = INVCAL_GOOD};
+    const invcal_quality nan = {
+        .sigma = {(invcal_real)NAN}, .sigma_dof = 9, .verdict = INVCAL_GOOD};
+    const invcal_quality present = {.sigma = {2}, .sigma_dof = 9, .verdict = INVCAL_GOOD};
 
     TEST_ASSERT_EQUAL_INT(0, invcal_improves(&nan, &present));
 }

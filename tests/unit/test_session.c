@@ -534,7 +534,7 @@ static void it_is_good_from_twelve_positions_on(void)
         visit(up);
         TEST_ASSERT_EQUAL_INT(i >= 12, invcal_session_is_good(b.s));
     }
-    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_session_noise(b.s, (invcal_real)0.3));
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_session_noise(b.s, (invcal_real)1e-7));
     TEST_ASSERT_FALSE(invcal_session_is_good(b.s)); /* asked anew */
 }
 
@@ -618,6 +618,23 @@ static void a_target_is_reached_when_every_sigma_is_within_it(void)
     TEST_ASSERT_TRUE(invcal_session_reaches(b.s, wide));
     TEST_ASSERT_FALSE(invcal_session_reaches(b.s, narrow));
     TEST_ASSERT_FALSE(invcal_session_reaches(b.s, none));
+}
+
+/* 0.3 mg of noise in a sample, 18 positions: lengths are right within some 0.1 mg. */
+static void a_need_is_met_when_lengths_and_the_field_are_within_it(void)
+{
+    const invcal_real need = INVCAL_REAL(1e-3);
+
+    begin(0.05, 19);
+    visit_plan(0, 9);
+    TEST_ASSERT_FALSE(invcal_session_meets(b.s, 1, 0)); /* nothing to spare */
+    visit_plan(9, 9);
+    TEST_ASSERT_TRUE(invcal_session_meets(b.s, need, 0));
+    TEST_ASSERT_TRUE(invcal_session_meets(b.s, need, INVCAL_REAL(4e-4)));
+    TEST_ASSERT_FALSE(invcal_session_meets(b.s, need, INVCAL_REAL(5.2e-4))); /* times 1.96 */
+    TEST_ASSERT_FALSE(invcal_session_meets(b.s, INVCAL_REAL(1e-8), 0));
+    TEST_ASSERT_FALSE(invcal_session_meets(b.s, (invcal_real)NAN, 0));
+    TEST_ASSERT_FALSE(invcal_session_meets(b.s, need, (invcal_real)NAN));
 }
 
 static void too_few_positions_and_positions_on_a_plane_are_refused(void)
@@ -880,6 +897,7 @@ int main(void)
     RUN_TEST(a_wrong_position_is_named_and_left_out);
     RUN_TEST(among_fewer_than_eleven_no_outlier_is_looked_for);
     RUN_SLOW_TEST(a_target_is_reached_when_every_sigma_is_within_it);
+    RUN_SLOW_TEST(a_need_is_met_when_lengths_and_the_field_are_within_it);
     RUN_TEST(too_few_positions_and_positions_on_a_plane_are_refused);
     RUN_TEST(a_solution_does_not_change_the_session);
     RUN_TEST(where_the_table_is_full_the_oldest_position_goes);

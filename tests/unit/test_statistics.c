@@ -43,12 +43,13 @@ static triad_truth reference_truth(double size)
 typedef struct {
     double spread[9]; /* root mean square error of each parameter */
     double sigma[9];  /* root mean square of its reported sigma */
+    double good;      /* share of the draws */
 } spread_result;
 
 static spread_result measure_spread(const triad_truth *truth, double sigma, double stated)
 {
     random_source random = random_start(1);
-    spread_result result = {{0}, {0}};
+    spread_result result = {{0}, {0}, 0};
 
     for (int draw = 0; draw < SPREAD_DRAWS; draw++) {
         reading_set set;
@@ -56,7 +57,7 @@ static spread_result measure_spread(const triad_truth *truth, double sigma, doub
         invcal_quality quality;
         read_positions(truth, expected_plan18, 18, sigma, &random, &set);
         TEST_ASSERT_EQUAL_INT(INVCAL_OK, calibrate_set(&set, stated, &calibration, &quality));
-        TEST_ASSERT_EQUAL_INT(INVCAL_GOOD, quality.verdict);
+        result.good += quality.verdict == INVCAL_GOOD ? 1.0 / SPREAD_DRAWS : 0;
         for (unsigned r = 0; r < 9; r++) {
             const double error = parameter(&calibration, r) - truth->x[r];
             const double s = (double)quality.sigma[r];
@@ -77,6 +78,7 @@ static void the_spread_is_the_cramer_rao_bound_and_sigma_says_so(void)
         const double sigma = i % 2 ? 1e-3 : 1e-4;
         const triad_truth truth = reference_truth(sizes[i / 2]);
         const spread_result s = measure_spread(&truth, sigma, 0);
+        TEST_ASSERT_DOUBLE_WITHIN(1e-9, 1, s.good);
         for (unsigned r = 0; r < 9; r++) {
             TEST_ASSERT_DOUBLE_WITHIN(0.05, 1, s.spread[r] / (sigma * expected_crb[i / 2][r]));
             TEST_ASSERT_DOUBLE_WITHIN(0.05, 1, s.sigma[r] / s.spread[r]);
@@ -84,15 +86,17 @@ static void the_spread_is_the_cramer_rao_bound_and_sigma_says_so(void)
     }
 }
 
-/* With the noise stated, sigma is the larger of stated and observed: never too small, and with 9
- * degrees of freedom too large by sqrt(E max(1, chi^2/9)) = 1.092. */
-static void a_stated_noise_is_a_lower_bound(void)
+/* A noise that is stated, and true, counts as four residuals beside nine, but in the one draw of 20
+ * whose chi^2 exceeds 16.9: that makes E sigma^2 1 + (4/117) E (chi^2 - 9; chi^2 > 16.9) = 1.0186.
+ * In three draws of a thousand it exceeds what noise can be. */
+static void a_stated_noise_that_is_true_leaves_sigma_right(void)
 {
     const triad_truth truth = reference_truth(0.1);
     const spread_result s = measure_spread(&truth, 1e-3, 1e-3);
 
+    TEST_ASSERT_DOUBLE_WITHIN(0.002, 0.997, s.good);
     for (unsigned r = 0; r < 9; r++) {
-        TEST_ASSERT_DOUBLE_WITHIN(0.05, 1.092, s.sigma[r] / s.spread[r]);
+        TEST_ASSERT_DOUBLE_WITHIN(0.03, 1.009, s.sigma[r] / s.spread[r]);
     }
 }
 
@@ -131,7 +135,7 @@ static tally try_random_sets(unsigned positions, double stated, unsigned draws)
             const double error = fabs(parameter(&calibration, r) - truth.x[r]);
             const double ratio = error / (double)quality.sigma[r];
             worst = fmax(worst, ratio);
-            t.covered += ratio <= (double)invcal_coverage(quality.dof);
+            t.covered += ratio <= (double)invcal_coverage(quality.sigma_dof);
         }
         t.beyond5 += !(worst <= 5);
     }
@@ -146,7 +150,7 @@ static void random_sets_are_good_only_when_they_are(void)
     for (int i = 0; i < 4; i++) {
         const tally t = try_random_sets(positions[i], 1e-3, DRAWS);
         TEST_ASSERT_LESS_OR_EQUAL_DOUBLE(refused[i], (double)t.refused / DRAWS);
-        TEST_ASSERT_LESS_OR_EQUAL_DOUBLE(0.001, (double)t.beyond5 / (t.good + 1e-9));
+        TEST_ASSERT_LESS_OR_EQUAL_DOUBLE(0.002, (double)t.beyond5 / (t.good + 1e-9));
         /* Nine positions are never good: nothing checks them. */
         TEST_ASSERT_TRUE(positions[i] == 9 ? t.good == 0 : t.good > DRAWS / 20);
     }
@@ -378,7 +382,7 @@ static void a_prior_is_not_overruled_by_understated_noise(void)
 }
 
 /* Priors so wide that they hardly matter, and a stated noise that is far too small: the residuals
- * tell the noise, so intervals are Student's all the same. */
+ * tell the noise, and that it is rough, so intervals are Student's all the same. */
 static void intervals_follow_student_with_a_prior_too(void)
 {
     static const unsigned positions[] = {10, 12, 18};
@@ -386,7 +390,8 @@ static void intervals_follow_student_with_a_prior_too(void)
 
     for (int i = 0; i < 3; i++) {
         unsigned covered = 0;
-        unsigned good = 0;
+        unsigned solved = 0;
+        unsigned rough = 0;
         for (int draw = 0; draw < 2 * DRAWS; draw++) {
             static const double prior[9] = {0.3, 0.3, 0.3, 0.3, 0.3, 0.3, 0.3, 0.3, 0.3};
             const triad_truth truth = triad_random(&random, 0.03);
@@ -401,17 +406,19 @@ static void intervals_follow_student_with_a_prior_too(void)
             read_positions(&truth, (const double(*)[3])v, positions[i], 1e-3, &random, &set);
             if (calibrate_with_prior(&set, 1e-5, prior, &calibration, &quality, &bits) !=
                     INVCAL_OK ||
-                quality.verdict != INVCAL_GOOD) {
+                quality.weak != 0 || quality.dof == 0) {
                 continue;
             }
-            good++;
-            const double coverage = (double)invcal_coverage(quality.dof);
+            solved++;
+            rough += quality.verdict == INVCAL_ROUGH;
+            const double coverage = (double)invcal_coverage(quality.sigma_dof);
             for (unsigned r = 0; r < 9; r++) {
                 const double error = fabs(parameter(&calibration, r) - truth.x[r]);
                 covered += error <= coverage * (double)quality.sigma[r];
             }
         }
-        TEST_ASSERT_GREATER_OR_EQUAL_DOUBLE(0.935, covered / (9.0 * good));
+        TEST_ASSERT_GREATER_OR_EQUAL_DOUBLE(0.935, covered / (9.0 * solved));
+        TEST_ASSERT_GREATER_OR_EQUAL_DOUBLE(0.95, (double)rough / solved);
     }
 }
 
@@ -539,7 +546,7 @@ int main(void)
 {
     UNITY_BEGIN();
     RUN_LONG_TEST(the_spread_is_the_cramer_rao_bound_and_sigma_says_so);
-    RUN_LONG_TEST(a_stated_noise_is_a_lower_bound);
+    RUN_LONG_TEST(a_stated_noise_that_is_true_leaves_sigma_right);
     RUN_LONG_TEST(random_sets_are_good_only_when_they_are);
     RUN_LONG_TEST(without_stated_noise_intervals_follow_student);
     RUN_SLOW_TEST(the_comparison_in_the_readme_is_true);

@@ -44,7 +44,7 @@ static void an_unknown_status_has_a_text_too(void)
     TEST_ASSERT_EQUAL_STRING("unknown status", invcal_status_text(INVCAL_STATUS_COUNT));
     TEST_ASSERT_EQUAL_STRING("unknown status", invcal_status_text((invcal_status)-1));
     TEST_ASSERT_EQUAL_STRING("unknown verdict", invcal_verdict_text((invcal_verdict)-1));
-    TEST_ASSERT_EQUAL_STRING("unknown verdict", invcal_verdict_text((invcal_verdict)3));
+    TEST_ASSERT_EQUAL_STRING("unknown verdict", invcal_verdict_text((invcal_verdict)6));
 }
 
 /* A mean that is no number was refused for the same reason as one that is too large. */
@@ -74,6 +74,9 @@ static void verdicts_are_named_as_in_the_report(void)
     TEST_ASSERT_EQUAL_STRING("good", invcal_verdict_text(INVCAL_GOOD));
     TEST_ASSERT_EQUAL_STRING("no redundancy", invcal_verdict_text(INVCAL_NO_REDUNDANCY));
     TEST_ASSERT_EQUAL_STRING("weak", invcal_verdict_text(INVCAL_WEAK));
+    TEST_ASSERT_EQUAL_STRING("rough", invcal_verdict_text(INVCAL_ROUGH));
+    TEST_ASSERT_EQUAL_STRING("drifting", invcal_verdict_text(INVCAL_DRIFTING));
+    TEST_ASSERT_EQUAL_STRING("bent", invcal_verdict_text(INVCAL_BENT));
 }
 
 int main(void)

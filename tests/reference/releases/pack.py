@@ -26,7 +26,7 @@ def record(date=0x65432101, temperature=-12.5, offset=None, matrix=None):
     """WEAK, with parameters 1, 6 and 8 weak."""
     sigma = [7.6e-5, 7.9e-5, 8.3e-5, 1.02e-4, 1.04e-4, 1.07e-4, 1.9e-4, 2.1e-4, 2.3e-4]
     return frame(0xCA, bytes.fromhex("1122334455667788") +
-                 struct.pack("<IHHHBB", date, 0x1234, 0x0142, 0x0181, 2, temperature is not None) +
+                 struct.pack("<IHHHBB", date, 0x1234, 0x0142, 0x0181, 5, temperature is not None) +
                  struct.pack("<6f", 9.81744, 0.0005, temperature or 0, 1.25e-4, 9.5e-5, 13.75) +
                  calibration(offset or OFFSET, matrix or MATRIX) + struct.pack("<9f", *sigma))
 

@@ -9,6 +9,7 @@
  * in flash.
  */
 #include <invcal.h>
+#include <invcal/expert.h>
 
 #include "sensor.h"
 #include "storage.h"
@@ -93,12 +94,13 @@ static APART void save(const invcal_quality &quality)
 }
 
 /* Without positions that contradict the others. Nothing happens before that is good, and by residuals
- * enough: as invcal_session_is_good, which solves too. */
+ * enough. invcal_session_solve looks for drift and nonlinearity, too, for which an Uno has no space. */
 static APART void solve()
 {
     invcal_quality quality;
 
-    if (invcal_session_solve(&session, &calibration, &quality) != INVCAL_OK ||
+    if (invcal_calibrate_robust(session.mean[0], session.count, &session.nominal, session.noise,
+                                &calibration, &quality) != INVCAL_OK ||
         quality.verdict != INVCAL_GOOD || quality.dof < 3) {
         return;
     }

@@ -1,0 +1,152 @@
+/* SPDX-License-Identifier: MIT */
+#include "diagnosis.h"
+
+#include <stddef.h>
+
+#include "outliers.h"
+#include "systematic.h"
+#include "vector.h"
+
+#define SIGNIFICANT INVCAL_REAL(0.002)
+#define UNSTATED INVCAL_REAL(0.004) /* the same, where no noise is stated */
+#define NAMEABLE INVCAL_REAL(0.02)  /* of the residuals alone */
+#define FAVOUR INVCAL_REAL(7.4)     /* times as likely: an outlier is the simpler cause */
+#define AMBIGUOUS INVCAL_REAL(0.3)
+#define SHOWN INVCAL_REAL(0.44444) /* sigma grows to 1.5 of itself at most */
+
+static invcal_real chance_of(const invcal_fit *fit, const invcal_test *t, unsigned stated)
+{
+    return invcal_chance(fit, t->squares, fit->squares, t->rank, t->rank, stated);
+}
+
+/* Of all kinds of systematic errors. */
+typedef struct {
+    invcal_test best;   /* of those that can be named, the most significant: what it is, */
+    unsigned kind;      /* or INVCAL_NO_SYSTEMATIC; */
+    unsigned verdict;   /* that it deserves, or that of what is there and cannot be named; */
+    invcal_real chance; /* and how often it is none */
+    invcal_real least;  /* squares that the best of all with degrees of freedom to spare leaves */
+    unsigned unchecked; /* as in invcal_quality */
+} diagnosis;
+
+/* Returns 1 if its columns leave enough degrees of freedom for it to be named. */
+static int test(const invcal_fit *fit, diagnosis *d, unsigned kind, unsigned step, invcal_test *t)
+{
+    invcal_test_for(fit, kind, step, t);
+    if (fit->sums.count < INVCAL_PARAMETERS + INVCAL_SPARE + t->rank) {
+        return 0;
+    }
+    if (t->squares < d->least) {
+        d->least = t->squares;
+    }
+    return 1;
+}
+
+/* Can its own residuals name it, and better than what was named? */
+static int is_clearer(const diagnosis *d, const invcal_test *t, invcal_real own)
+{
+    return own <= NAMEABLE && t->squares < d->best.squares;
+}
+
+static void try_kind(const invcal_fit *fit, diagnosis *d, unsigned kind)
+{
+    const invcal_real level = fit->positions.noise > 0 ? SIGNIFICANT : UNSTATED;
+    invcal_test t;
+    const int may_be_named = test(fit, d, kind, 0, &t);
+    const invcal_real own = chance_of(fit, &t, 0);
+    const invcal_real chance = chance_of(fit, &t, INVCAL_STATED);
+    const invcal_real less = chance <= own ? chance : own;
+
+    if (!(t.shown >= SHOWN)) {
+        d->unchecked |= 1u << kind;
+    }
+    if (t.rank == 0 || !(less <= level)) {
+        return;
+    }
+    if (d->verdict == INVCAL_GOOD) {
+        d->verdict = INVCAL_ROUGH;
+    }
+    if (may_be_named && is_clearer(d, &t, own)) {
+        d->best = t;
+        d->kind = kind;
+        d->chance = chance;
+        d->verdict = kind == INVCAL_DRIFT ? INVCAL_DRIFTING : INVCAL_BENT;
+    }
+}
+
+static void try_kinds(const invcal_fit *fit, diagnosis *d)
+{
+    invcal_zero(d, sizeof *d); /* INVCAL_NO_SYSTEMATIC, INVCAL_GOOD */
+    d->best.squares = INVCAL_REAL_MAX;
+    d->chance = 1;
+    d->least = INVCAL_REAL_MAX;
+    for (unsigned kind = INVCAL_DRIFT; kind <= INVCAL_HYSTERESIS; kind++) {
+        try_kind(fit, d, kind);
+    }
+}
+
+/* Two or more may be what a systematic error, or a step, looks like. */
+static int is_ambiguous(const invcal_fit *fit, diagnosis *d, const invcal_group *g)
+{
+    const unsigned n = fit->positions.count;
+    invcal_test t;
+
+    for (unsigned step = (n + 2) / 3; step <= n - (n + 2) / 3; step++) {
+        (void)test(fit, d, INVCAL_DRIFT, step, &t);
+    }
+    return invcal_chance(fit, g->squares, d->least, 1, g->size, INVCAL_STATED) > AMBIGUOUS;
+}
+
+/* Where both are so unlikely that float cannot say how much, no position is blamed. */
+static int is_likelier(const invcal_group *g, const diagnosis *d)
+{
+    return g->chance < d->chance * FAVOUR;
+}
+
+static void name(const diagnosis *d, invcal_quality *q)
+{
+    q->systematic = (uint8_t)d->kind;
+    for (unsigned a = 0; a < 3 && d->kind != INVCAL_NO_SYSTEMATIC; a++) {
+        if (INVCAL_FABS(d->best.size[a]) > INVCAL_FABS(q->size)) {
+            q->size = d->best.size[a];
+            q->axis = (uint8_t)a;
+        }
+    }
+}
+
+/* Returns what is to be left out. */
+static INVCAL_APART invcal_mask choose(const invcal_fit *fit, const invcal_group *g,
+                                       invcal_quality *q)
+{
+    diagnosis d;
+
+    try_kinds(fit, &d);
+    q->unchecked = (uint8_t)d.unchecked;
+    q->suspected = g->suspected;
+    if (!is_likelier(g, &d)) {
+        invcal_raise(q, d.verdict);
+        name(&d, q);
+        return 0;
+    }
+    if (!g->group || (g->size > 1 && is_ambiguous(fit, &d, g))) {
+        invcal_raise(q, INVCAL_ROUGH);
+        return 0;
+    }
+    return g->group;
+}
+
+invcal_mask invcal_diagnose(const invcal_positions *positions, const invcal_calibration *c,
+                            invcal_quality *q)
+{
+    invcal_mask out = 0;
+    invcal_group g;
+    invcal_fit fit;
+
+    fit.positions = *positions;
+    fit.positions.nominal = c;
+    if (invcal_fit_solve(&fit) == INVCAL_OK) { /* uncovered: else c was determined by rounding */
+        invcal_outliers_search(&fit, &g);
+        out = q != NULL ? choose(&fit, &g, q) : g.group;
+    }
+    return out;
+}

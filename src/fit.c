@@ -1,0 +1,65 @@
+/* SPDX-License-Identifier: MIT */
+#include "fit.h"
+
+#include "vector.h"
+
+#define ROUNDING (32 * INVCAL_EPSILON) /* root of the squares, as readings and sums make them */
+#define ROUNDED (256 * INVCAL_EPSILON) /* of the squares: to less they cannot be taken down */
+#define HALF_PI INVCAL_REAL(1.57079632679489662)
+
+void invcal_fit_row(const invcal_fit *fit, unsigned k, invcal_column x)
+{
+    invcal_fit_row_inline(fit, k, x);
+}
+
+/* Squares of the residuals themselves, for J'J - p'H'Hp cancels where nominal is far off. */
+invcal_status invcal_fit_solve(invcal_fit *fit)
+{
+    invcal_real condition;
+    invcal_column x;
+
+    invcal_status status = invcal_positions_sum(&fit->positions, &fit->sums);
+    if (status == INVCAL_OK) {
+        invcal_sums_system(&fit->sums);
+        status =
+            invcal_determine(fit->sums.sum, INVCAL_PARAMETERS + 1, x, &condition); /* L^-1 and p */
+    }
+    if (status != INVCAL_OK) {
+        return status;
+    }
+    fit->squares = ROUNDING * ROUNDING;
+    for (unsigned k = 0; k < fit->positions.count; k++) {
+        if (!invcal_is_left_out(&fit->positions, k)) {
+            invcal_fit_row_often(fit, k, x);
+            fit->squares += x[INVCAL_REST] * x[INVCAL_REST];
+        }
+    }
+    return INVCAL_OK;
+}
+
+invcal_real invcal_fit_append(const invcal_fit *fit, invcal_column columns[INVCAL_MORE], unsigned d)
+{
+    return invcal_fit_append_inline(fit, columns, d);
+}
+
+invcal_real invcal_chance(const invcal_fit *fit, invcal_real after, invcal_real before, unsigned m,
+                          unsigned unknowns, unsigned stated)
+{
+    const invcal_real least = ROUNDED * fit->squares;
+    const invcal_real noise = fit->positions.noise;
+    const unsigned more = noise > 0 ? stated : 0;
+    const invcal_real known = invcal_number(more) * noise * noise;
+    const unsigned dof = invcal_fit_spare(fit, unknowns) + more;
+    const invcal_real z = ((after > least ? after : least) + known) / (before + known);
+    const invcal_real half = INVCAL_SQRT(z);
+    const invcal_real twice = invcal_number(dof) * (1 - z);
+    invcal_real p = m == 3 ? 1 + twice : 1;
+
+    for (unsigned i = 0; i < dof; i++) {
+        p *= half;
+    }
+    if (m != 2) {
+        p /= INVCAL_SQRT(HALF_PI * twice);
+    }
+    return p < 1 ? p : 1;
+}

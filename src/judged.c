@@ -1,0 +1,87 @@
+/* SPDX-License-Identifier: MIT */
+#include "diagnosis.h"
+#include "outliers.h"
+
+#include <stddef.h>
+
+#include "vector.h"
+
+#define VISITED INVCAL_REAL(0.0228) /* three times the square of the chord of 5 degrees */
+
+/* Has the direction of position i been visited before? near: a squared distance, counts. */
+static int is_visited(const invcal_positions *p, invcal_mask left_out, unsigned i, invcal_real near)
+{
+    for (unsigned k = 0; k < i; k++) {
+        invcal_real square = 0;
+        INVCAL_UNROLL
+        for (unsigned a = 0; a < 3; a++) {
+            const invcal_real d = p->raw[3 * i + a] - p->raw[3 * k + a];
+            square += d * d;
+        }
+        if (!(left_out >> k & 1u) && square <= near) {
+            return 1;
+        }
+    }
+    return 0;
+}
+
+/* A direction that is visited again is no check. A count is as much
+ * as the matrix makes of it, the root mean square over all directions. */
+static void judge_directions(const invcal_positions *p, const invcal_calibration *c,
+                             invcal_quality *q)
+{
+    const invcal_real near = VISITED / invcal_dot(c->matrix[0], c->matrix[0], 9);
+
+    for (unsigned i = 0; i < p->count; i++) {
+        if (!(q->left_out >> i & 1u) && is_visited(p, q->left_out, i, near) && q->dof > 0) {
+            q->dof--;
+        }
+    }
+    if (q->dof == 0) {
+        invcal_raise(q, INVCAL_NO_REDUNDANCY);
+    }
+}
+
+/* Group by group, as one may hide the next. One may even be so wrong that all together make no ellipsoid:
+ * then it is looked for in nominal units. */
+static invcal_status leave_out_groups(invcal_positions *p, invcal_calibration *c, invcal_quality *q)
+{
+    int is_solved = 0;
+
+    for (;;) { /* at most INVCAL_MAX_POSITIONS / 6 + 3 times */
+        const invcal_status status = invcal_positions_calibrate(p, c, q);
+        invcal_mask more = 0;
+        if (status == INVCAL_OK && invcal_are_many(q->positions, p->count)) {
+            is_solved = 1;
+            invcal_raise(q, INVCAL_ROUGH);
+        } else if (status == INVCAL_OK) {
+            is_solved = 1;
+            more = invcal_diagnose(p, c, q);
+        } else if (is_solved) {
+            invcal_raise(q, INVCAL_ROUGH); /* the others are not determined without it */
+        } else if (status == INVCAL_NOT_ELLIPSOID) {
+            more = invcal_diagnose(p, p->nominal, NULL);
+        } /* cppcheck-suppress misra-c2012-15.7 ; there is no calibration */
+        if (more == 0) {
+            return is_solved ? INVCAL_OK : status;
+        }
+        p->left_out |= more;
+    }
+}
+
+invcal_status invcal_calibrate_judged(const invcal_real *raw, unsigned count,
+                                      const invcal_calibration *nominal, invcal_real noise,
+                                      invcal_calibration *out, invcal_quality *quality)
+{
+    invcal_positions positions = {raw, count, 0, nominal, noise};
+
+    INVCAL_ASSERT((raw || count == 0) && nominal && out && out != nominal && quality);
+    if (count > INVCAL_MAX_POSITIONS) {
+        return INVCAL_BAD_COUNT;
+    }
+    const invcal_status status = leave_out_groups(&positions, out, quality);
+    if (status == INVCAL_OK) {
+        judge_directions(&positions, out, quality);
+    }
+    return status;
+}

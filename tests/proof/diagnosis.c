@@ -1,0 +1,29 @@
+/* SPDX-License-Identifier: MIT */
+#include "diagnosis.h"
+
+#include <stddef.h>
+
+#include "arbitrary.h"
+
+// eva: -eva-precision 0 -eva-auto-loop-unroll 12 -eva-partition-history 1 -eva-interprocedural-history
+// config: -D__OPTIMIZE__=1
+// config: -DINVCAL_MAX_POSITIONS=64
+
+/* Of as many positions as the mask has bits, at most; of which nothing is known, or anything. */
+void main(void)
+{
+    static invcal_real raw[3 * INVCAL_MAX_POSITIONS];
+    invcal_calibration nominal;
+    invcal_positions positions;
+    invcal_quality quality;
+
+    ANY(raw);
+    ANY(nominal);
+    ANY(positions);
+    ANY(quality);
+    positions.raw = raw;
+    positions.count = BETWEEN(0, INVCAL_MAX_POSITIONS);
+    positions.nominal = &nominal;
+    (void)invcal_diagnose(&positions, &nominal, NULL);
+    (void)invcal_diagnose(&positions, &nominal, &quality);
+}

@@ -1,0 +1,76 @@
+/* SPDX-License-Identifier: MIT */
+#include "fit.h"
+
+#include "arbitrary.h"
+
+// eva: -eva-precision 0 -eva-auto-loop-unroll 12 -eva-slevel 50 -eva-slevel-merge-after-loop @all
+// eva: -eva-split-return-function invcal_observe:0,invcal_positions_sum:0,invcal_factor:0,invcal_determine:0,invcal_fit_solve:0
+// config: -D__OPTIMIZE__=1
+// config: -DINVCAL_MAX_POSITIONS=64
+
+static invcal_real raw[3 * INVCAL_MAX_POSITIONS];
+static invcal_calibration nominal;
+
+/* Of any positions, as the diagnosis asks for them: as many as the mask has bits, at most. */
+static void any_fit(invcal_fit *fit)
+{
+    ANY(*fit);
+    fit->positions.raw = raw;
+    fit->positions.count = BETWEEN(0, INVCAL_MAX_POSITIONS);
+    fit->positions.nominal = &nominal;
+}
+
+static void any_solve(void)
+{
+    invcal_fit any;
+    invcal_fit fit; /* of which only the positions are there */
+    invcal_column row;
+    invcal_column columns[INVCAL_MORE];
+
+    any_fit(&any);
+    fit.positions = any.positions;
+    if (invcal_fit_solve(&fit) == INVCAL_OK) {
+        invcal_fit_row(&fit, BETWEEN(0, INVCAL_MAX_POSITIONS - 1), row);
+        ANY(columns);
+        (void)invcal_fit_append(&fit, columns, 0);
+        (void)invcal_chance(&fit, fit.squares, fit.squares, 1, 0, 0);
+        (void)invcal_fit_spare(&fit, BETWEEN(0, 0xFFFFFFFF));
+    }
+}
+
+/* One of the positions, and as many unknowns as there may be. */
+static void any_unknowns(void)
+{
+    invcal_fit fit;
+    invcal_column row;
+    invcal_column columns[INVCAL_MORE];
+
+    any_fit(&fit);
+    invcal_fit_row(&fit, BETWEEN(0, INVCAL_MAX_POSITIONS - 1), row);
+    for (unsigned d = 0; d < INVCAL_MORE; d++) {
+        ANY(columns);
+        (void)invcal_fit_append(&fit, columns, d);
+    }
+}
+
+static void any_chance(void)
+{
+    invcal_fit fit;
+    invcal_real x;
+    invcal_real y;
+
+    any_fit(&fit);
+    ANY(x);
+    ANY(y);
+    (void)invcal_chance(&fit, x, y, BETWEEN(0, 0xFFFFFFFF), BETWEEN(0, 0xFFFFFFFF),
+                        BETWEEN(0, 0xFFFFFFFF));
+}
+
+void main(void)
+{
+    ANY(raw);
+    ANY(nominal);
+    any_solve();
+    any_unknowns();
+    any_chance();
+}

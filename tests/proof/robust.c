@@ -1,0 +1,73 @@
+/* SPDX-License-Identifier: MIT */
+#include <stddef.h>
+
+#include "arbitrary.h"
+#include "outliers.h"
+
+// eva: -eva-precision 0 -eva-slevel 10 -eva-split-return full
+// config: -D__OPTIMIZE__=1
+// config: -DINVCAL_MAX_POSITIONS=64
+// stubs: judge fit outliers
+
+/* ---- what other modules do -------------------------------------------------------------------- */
+
+/* Any reading may be looked at, and there are no more than the mask has bits: an alarm, if not. */
+static void look_at(const invcal_positions *positions)
+{
+    (void)(1 / (positions->count <= INVCAL_MAX_POSITIONS));
+    if (positions->count > 0) {
+        (void)positions->raw[BETWEEN(0, 3 * positions->count - 1)];
+    }
+    (void)positions->nominal->matrix[2][2];
+    (void)positions->left_out;
+    (void)positions->noise;
+}
+
+invcal_status invcal_positions_calibrate(const invcal_positions *positions, invcal_calibration *out,
+                                         invcal_quality *quality)
+{
+    const invcal_status status = (invcal_status)BETWEEN(INVCAL_OK, INVCAL_STATUS_COUNT - 1);
+
+    look_at(positions);
+    if (status == INVCAL_OK) {
+        ANY(*out);
+        ANY(*quality);
+    }
+    return status;
+}
+
+invcal_status invcal_fit_solve(invcal_fit *fit)
+{
+    look_at(&fit->positions);
+    ANY(fit->squares);
+    ANY(fit->sums);
+    return (invcal_status)BETWEEN(INVCAL_OK, INVCAL_STATUS_COUNT - 1);
+}
+
+void invcal_outliers_search(const invcal_fit *fit, invcal_group *found)
+{
+    look_at(&fit->positions);
+    ANY(*found);
+}
+
+/* ---- positions: none, any, too many; the result may take the place of nominal ---------------- */
+
+void main(void)
+{
+    static invcal_real raw[3 * INVCAL_MAX_POSITIONS];
+    invcal_calibration nominal;
+    invcal_real noise;
+    invcal_calibration out;
+    invcal_quality quality;
+
+    ANY(raw);
+    ANY(nominal);
+    ANY(noise);
+    (void)invcal_calibrate_robust(NULL, 0, &nominal, noise, &out, &quality);
+    (void)invcal_calibrate_robust(raw, BETWEEN(1, INVCAL_MAX_POSITIONS), &nominal, noise, &out,
+                                  &quality);
+    (void)invcal_calibrate_robust(raw, BETWEEN(INVCAL_MAX_POSITIONS + 1, 0xFFFFFFFF), &nominal,
+                                  noise, &out, &quality);
+    (void)invcal_calibrate_robust(raw, BETWEEN(1, INVCAL_MAX_POSITIONS), &nominal, noise, &nominal,
+                                  &quality);
+}

@@ -1,0 +1,29 @@
+/* SPDX-License-Identifier: MIT */
+#include "systematic.h"
+
+#include "arbitrary.h"
+
+// eva: -eva-precision 0 -eva-auto-loop-unroll 12 -eva-slevel 20
+// config: -D__OPTIMIZE__=1
+// config: -DINVCAL_MAX_POSITIONS=64
+
+/* In any fit of as many positions as the mask has bits, at most; of any kind, at any step. */
+void main(void)
+{
+    static invcal_real raw[3 * INVCAL_MAX_POSITIONS];
+    invcal_calibration nominal;
+    invcal_fit fit;
+    invcal_test test;
+
+    ANY(raw);
+    ANY(nominal);
+    ANY(fit);
+    fit.positions.raw = raw;
+    fit.positions.count = BETWEEN(0, INVCAL_MAX_POSITIONS);
+    fit.positions.nominal = &nominal;
+    invcal_test_for(&fit, BETWEEN(0, 0xFFFFFFFF), BETWEEN(0, 0xFFFFFFFF), &test);
+    (void)test.rank; /* all is there */
+    (void)test.squares;
+    (void)test.size[BETWEEN(0, 2)];
+    (void)test.shown;
+}

@@ -1,0 +1,157 @@
+#!/bin/sh
+# SPDX-License-Identifier: MIT
+#
+# What the tool calls a calibration, file by file: verdict_test.sh path/to/invcal builddir. Ten
+# files of each trouble; the verdict, its cause, and what becomes of the parameters.
+here=$(dirname "$0")
+# shellcheck source=tests/tool/support.sh
+. "$here/support.sh"
+
+# files TROUBLE: $work/TROUBLE.1 ... and what is said of each, .said and .json
+files() {
+    for seed in 1 2 3 4 5 6 7 8 9 10; do
+        file=$work/$1.$seed
+        awk -v trouble="$1" -v seed="$seed" -f "$here/trouble.awk" > "$file"
+        "$tool" calibrate "$file" --positions --zero 0,0,0 --lsb 1 --noise 0.000980665 \
+            > "$file.said" 2>&1
+        "$tool" calibrate "$file" --positions --zero 0,0,0 --lsb 1 --noise 0.000980665 --json \
+            > "$file.json" 2>&1
+    done
+}
+
+# How many of the ten say that, in text and in JSON.
+count() { grep -El -- "$2" "$work/$1".*."$3" | wc -l; }
+called() { # TROUBLE TEXT JSON [LEAST]
+    [ "$(count "$1" "$2" said)" -ge "${4:-10}" ] && [ "$(count "$1" "$3" json)" -ge "${4:-10}" ]
+}
+
+# The parameters of every file are within 5 of their sigma.
+are_right() { # TROUBLE [FIRST PARAMETER: delta, dk or gamma]
+    for json in "$work/$1".*.json; do
+        for kind in delta dk gamma; do
+            json "$json" "$kind" | tr -d '[],'
+            awk -v kind="$kind" '/"sigma"/ { on = 1 } on && $1 == "\"" kind "\":" { print; exit }' "$json" |
+                sed 's/.*\[//; s/[],]/ /g'
+        done
+    done | awk 'BEGIN { split("0.03 -0.02 0.01 0.02 -0.03 0.01 0.008 0 -0.02", truth) }
+        NR % 2 { split($0, x); next }
+        { split($0, sigma)
+          for (i = 1; i <= 3; i++) {
+              d = x[i] - truth[(NR / 2 - 1) % 3 * 3 + i]
+              if (!(d * d <= 25 * sigma[i] * sigma[i])) { print x[i], truth[(NR / 2 - 1) % 3 * 3 + i], sigma[i]; bad = 1 }
+          } }
+        END { exit bad || NR != 60 }'
+}
+
+files none
+check "verdict: what is in order is good, nine times of ten" called none '^Good: ' '"good"' 9
+check "verdict: and right" are_right none
+
+files drift
+check "verdict: a drift is named" called drift '^Drifting: the offsets drift, by ' '"drifting"'
+check "verdict: it is fitted: the calibration is that of the middle" are_right drift
+has_drift() {
+    for json in "$work"/drift.*.json; do
+        near 0.0005 "$(sed -n 's/^ *"drift": \[\(.*\)\],$/\1/p' "$json" | tr -d ,)" '0.003 -0.004 0' || return 1
+    done
+}
+check "verdict: and the drift is told" has_drift
+
+files step
+check "verdict: a step is not called good" called step '^(Rough|Drifting|Bent): ' '"(rough|drifting|bent)"'
+
+files quadratic
+check "verdict: a quadratic error is named with its axis and size" called quadratic \
+    '^Bent: the y axis is not linear: .* (4\.[5-9]|5\.[0-4]?) mg more' '"kind": "quadratic"'
+files cubic
+check "verdict: a cubic error, too" called cubic \
+    '^Bent: the x axis is not linear: .* (19|20|21) mg more' '"kind": "cubic"'
+files hysteresis
+check "verdict: and hysteresis" called hysteresis \
+    '^Bent: the z axis depends on where it comes from: turned upwards it reads (3\.[5-9]|4\.[0-4]?) mg' \
+    '"kind": "hysteresis"'
+
+files repeated
+check "verdict: nine directions again and again have no redundancy" called repeated \
+    '^(No redundancy|Weak): ' '"degrees_of_freedom": 0'
+files noisy
+check "verdict: noise beyond what is stated is told" called noisy \
+    '^Rough: the positions disagree by [3-7](\.[0-9])? times the noise stated' '"rough"'
+files wrong
+check "verdict: two wrong positions are left out" called wrong '^Left out: position 20 ' \
+    '"rejected": \[4, 20\]'
+check "verdict: and do no harm" are_right wrong
+files spoilt
+check "verdict: seven of 24 are too many" called spoilt '^(Rough|Bent|Drifting|Contradictory): ' \
+    '"(rough|bent|drifting)"'
+
+# ---- good enough? ------------------------------------------------------------------------------------
+
+# What lengths are right within, from the sigma in the file; those of dk hold the field's already.
+accuracy() {
+    awk -F'[][,:]' '/"sigma"/ { on = 1 } /"interval95"/ { wide = $2 } /"gravity":/ { g = $2 } /"gravity_sigma"/ { f = $2 }
+        on && /"(delta|dk|gamma)"/ { for (i = 3; i <= 5; i++) square[$1] += $i * $i }
+        /"interval95"/ { on = 0 }
+        END { for (k in square) {
+                  if (k ~ /delta/) sum += square[k] / 3
+                  if (k ~ /dk/) sum += (square[k] - 3 * f * f / g / g) / 5
+                  if (k ~ /gamma/) sum += square[k] / 15
+              }
+              printf "%.9g", g * sqrt(wide * wide * sum + (1.959964 * f / g) ^ 2) }' "$1"
+}
+
+needs() { # MISSING SENTENCE TROUBLE NEED GRAVITY
+    run calibrate "$work/$3.1" --positions --zero 0,0,0 --lsb 1 --noise 0.000980665 --gravity "$5" --need "$4"
+    matches "$work/stdout" "$2" &&
+        run calibrate "$work/$3.1" --positions --zero 0,0,0 --lsb 1 --noise 0.000980665 --gravity "$5" --need "$4" \
+            --json && grep -q "\"missing\": \"$1\"" "$work/stdout" && is_json "$work/stdout"
+}
+exact='9.80665+-0'
+needs nothing . none 1 $exact
+check "need: lengths are right within what sigma says" near 1e-6 "$(json "$work/stdout" accuracy95)" \
+    "$(accuracy "$work/stdout")"
+needs nothing . none 1 '9.80665+-0.01'
+check "need: and what the field says" near 1e-6 "$(json "$work/stdout" accuracy95)" "$(accuracy "$work/stdout")"
+check "need: it is met" needs nothing '^Good for ±0\.0020 m/s²: lengths are right within ±0\.001[0-9]+' \
+    none 0.002 $exact
+check "need: another g is missing" needs gravity '^Not good for ±0\.010 m/s²: .*the length of' none 0.01 \
+    '9.80665+-0.027'
+check "need: more positions are" needs positions \
+    '^Not good for ±0\.0010 m/s²: .* Missing: about [45][0-9]' none 0.001 $exact
+check "need: longer rests are" needs 'longer rests' '2[0-9] times as long' none 0.0003 $exact
+check "need: a warm sensor is" needs warm-up '^Not good for ±1\.0 m/s²\. Missing: a sensor that has' drift 1 $exact
+check "need: a linear one is" needs linearity 'Missing: a sensor that is linear' cubic 1 $exact
+check "need: steadier positions are" needs steadiness 'Missing: steadier positions' noisy 1 $exact
+check "need: other directions are" needs directions 'Missing: positions in directions' repeated 1 $exact
+run calibrate "$work/none.1" --positions --need 0
+check "need: has to be above 0" [ "$code" -eq 2 ]
+run calibrate "$work/none.1" --positions --need 0.06 --report "$work/need.html"
+check "need: the report tells it" grep -q 'Good for ±0.060 m/s²' "$work/need.html"
+
+# ---- the noise of a rest ---------------------------------------------------------------------------
+
+# The offsets of a simulated log are within 4 sigma of the truth, and sigma is no larger than LARGEST counts.
+log() { # LARGEST ARGUMENTS...
+    largest=$1
+    shift
+    for seed in 1 2 3 4; do
+        "$tool" simulate --plan edges --seed $seed --truth "$work/truth.json" "$@" > "$work/log.csv"
+        lsb=$(awk -v lsb="${LSB:-0.000598550415}" 'BEGIN { print lsb }')
+        run calibrate "$work/log.csv" --zero 0,0,0 --lsb "$lsb" --json
+        cp "$work/stdout" "$work/log.json"
+        {
+            json "$work/log.json" offset
+            json "$work/truth.json" offset
+            awk '/"sigma"/ { on = 1 } on && /"offset"/ { print; exit }' "$work/log.json" | sed 's/.*: //'
+        } | tr -d '[],' | awk -v most="$largest" '{ split($0, row); for (i = 1; i <= 3; i++) x[NR, i] = row[i] }
+            END { for (i = 1; i <= 3; i++) {
+                d = (x[1, i] - x[2, i]) / x[3, i]
+                if (!(d * d <= 16 && x[3, i] <= most)) exit 1 } }' || return 1
+        grep -q '"verdict": "good"' "$work/log.json" || return 1
+    done
+}
+check "verdict: a hand's tremor is in the noise of its rests" log 4 --tremor 0.003
+# One step is 4 mg, the noise 0.3 mg: no mean of a rest is better than about a quarter of a step.
+LSB=0.04
+check "verdict: and so are the steps of a coarse sensor" log 0.2 --lsb 0.04 --noise 0.0003
+finish
