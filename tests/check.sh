@@ -8,13 +8,14 @@
 # The scripts that try the tool run once, under gcc's sanitizers: they are slow, and the fuzzers of the
 # tool are clang's. With BRIEF=1 they leave out what differs in numbers only, and the tutorial, which
 # `make test` tries.
-# clang builds the tool without sanitizers, and tries degree 0 of thermal.h. CONFIGURATION=gcc: those with such names only. ONLY: see
-# run.sh.
+# clang builds the tool without sanitizers, and tries degree 0 of thermal.h; gcc-tables draws the tables of
+# test_judged.c 1,500 times. CONFIGURATION=gcc: those with such names only. ONLY: see run.sh.
 # With more arguments, it is one configuration: NAME COMPILER STANDARD ASSERT DEGREE ONLY FLAG..., -
 # for what is not to be set; DEGREE is that of thermal.h.
 out=$1
 clang=${CLANG:-clang-19}
 thermal='^float-thermal|^double-thermal'
+tables='^float-judged|^double-judged'
 
 # Leaves `N passed, N failed`, or what is missing, in NAME.result.
 run() {
@@ -27,10 +28,13 @@ run() {
         return
     fi
     case $name in clang-sanitizers) units=1 ;; *) units= ;; esac
-    goals='test'
-    if [ "$only" = "$thermal" ]; then # all is built, but of the suites only these
-        goals=all
-        for suite in thermal thermal_record; do
+    case $only in # of the suites only these
+    "$thermal") goals=all suites='thermal thermal_record' ;;
+    "$tables") goals='' suites=judged ;;
+    *) goals='test' suites= ;;
+    esac
+    if [ -n "$suites" ]; then
+        for suite in $suites; do
             goals="$goals $out/$name/float/test_$suite $out/$name/double/test_$suite"
         done
     fi
@@ -55,7 +59,8 @@ all() {
     units='^float-|^double-'
     echo "gcc-sanitizers gcc c11 1 - - $san
 clang-sanitizers $clang c99 1 2 $units $san
-clang-c11 $clang c11 - 0 $thermal -O3"
+clang-c11 $clang c11 - 0 $thermal -O3
+gcc-tables gcc c99 - - $tables -O2 -DDRAWS=1500"
 }
 
 cd "$(dirname "$0")/.." || exit 1
