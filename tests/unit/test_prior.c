@@ -268,6 +268,31 @@ static void noise_is_raised_only_where_a_prior_has_to_hold_something(void)
                               (double)o.quality.noise);
 }
 
+/* Six faces, tilted by less than rounding shows: what the sums seem to tell of the angles is rounding. */
+static void what_rounding_seems_to_tell_is_held_by_the_prior(void)
+{
+    random_source random = random_start(12);
+    const double root = sqrt(FLOAT_OR_DOUBLE(1.2e-7, 2.2e-16));
+
+    for (int i = 0; i < 20; i++) {
+        const triad_truth truth = triad_random(&random, 0.01);
+        const double t = root * pow(10, 0.1 * i - 1.5);
+        double tilted[6][3];
+        reading_set set;
+        outcome o;
+        for (int k = 0; k < 6; k++) {
+            for (int a = 0; a < 3; a++) {
+                tilted[k][a] = faces[k][a] + t * (faces[k][(a + 1) % 3] - faces[k][(a + 2) % 3]);
+            }
+        }
+        read_positions(&truth, (const double(*)[3])tilted, 6, 0, &random, &set);
+        TEST_ASSERT_EQUAL_INT(INVCAL_OK, calibrate(&set, root * root, equal, &o));
+        for (unsigned r = INVCAL_GAMMA_XY; r <= INVCAL_GAMMA_ZY; r++) {
+            TEST_ASSERT_GREATER_THAN_DOUBLE(0.5 * equal[r], (double)o.quality.sigma[r]);
+        }
+    }
+}
+
 /* Without errors of the triad what is known of it changes nothing but sigma. */
 static void a_prior_that_is_true_leaves_the_solution_alone(void)
 {
@@ -401,6 +426,7 @@ int main(void)
     RUN_TEST(what_a_prior_tells_leaves_degrees_of_freedom);
     RUN_TEST(sigma_of_what_is_not_told_is_the_prior_of_each);
     RUN_TEST(noise_is_raised_only_where_a_prior_has_to_hold_something);
+    RUN_TEST(what_rounding_seems_to_tell_is_held_by_the_prior);
     RUN_TEST(a_prior_that_is_true_leaves_the_solution_alone);
     RUN_TEST(a_prior_weighs_the_same_in_any_unit);
     RUN_TEST(unusable_arguments_are_refused_and_the_outputs_left_alone);
