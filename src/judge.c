@@ -142,17 +142,6 @@ invcal_status invcal_determine(invcal_real *a, unsigned rows, invcal_real k[INVC
 
 /* ---- judgement ---------------------------------------------------------------------------------- */
 
-void invcal_judge_begin(invcal_quality *q)
-{
-    q->left_out = 0;
-    q->suspected = 0;
-    q->size = 0;
-    q->systematic = INVCAL_NO_SYSTEMATIC;
-    q->axis = 0;
-    q->unchecked = INVCAL_UNCHECKED;
-    q->verdict = INVCAL_GOOD;
-}
-
 void invcal_judge_residuals(const invcal_residuals *residuals, invcal_quality *q)
 {
     q->rms = residuals->rms;
@@ -188,9 +177,12 @@ void invcal_judge_noise(invcal_real stated, invcal_real squares, invcal_real dof
 
 /* A noise of which the residuals show next to nothing is none. Where a prior is weighed with it they are not
  * asked. */
-static invcal_real believed(invcal_real stated, invcal_real squares, invcal_real dof)
+void invcal_weigh_noise(invcal_real stated, invcal_real squares, invcal_quality *quality)
 {
-    return excess(stated, squares, dof) >= SILENT ? stated : 0;
+    const invcal_real dof = invcal_number(quality->dof);
+    const int is_silent = excess(stated, squares, dof) < SILENT;
+
+    invcal_judge_noise(is_silent ? 0 : stated, squares, dof, quality);
 }
 
 void invcal_judge_parameters(const invcal_real k[INVCAL_PARAMETERS], const invcal_real a[3][3],
@@ -212,11 +204,7 @@ void invcal_judge_parameters(const invcal_real k[INVCAL_PARAMETERS], const invca
         q->sigma[r] = q->noise * INVCAL_SQRT(k[r]);
     }
     q->weak = (uint16_t)weak;
-    if (weak > 0) {
-        q->verdict = INVCAL_WEAK;
-    } else if (q->dof == 0) {
-        invcal_raise(q, INVCAL_NO_REDUNDANCY);
-    } /* cppcheck-suppress misra-c2012-15.7 ; noise has told what there is */
+    invcal_raise(q, weak > 0 ? INVCAL_WEAK : q->dof > 0 ? INVCAL_GOOD : INVCAL_NO_REDUNDANCY);
 }
 
 /* tr A^-1: the squares of all elements of L^-1. */
@@ -285,9 +273,8 @@ INVCAL_APART invcal_status invcal_positions_calibrate(const invcal_positions *po
         quality->condition = condition;
         quality->dof = (uint16_t)(residuals.count - INVCAL_PARAMETERS);
         invcal_judge_residuals(&residuals, quality);
-        const invcal_real squares = sums.sum[INVCAL_PACKED(INVCAL_PARAMETERS, INVCAL_PARAMETERS)];
-        const invcal_real dof = invcal_number(quality->dof);
-        invcal_judge_noise(believed(positions->noise, squares, dof), squares, dof, quality);
+        invcal_weigh_noise(positions->noise,
+                           sums.sum[INVCAL_PACKED(INVCAL_PARAMETERS, INVCAL_PARAMETERS)], quality);
         invcal_judge_parameters(k, a, quality);
     }
     return status;

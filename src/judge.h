@@ -60,11 +60,19 @@ void invcal_residuals_add(invcal_residuals *residuals, unsigned i, const invcal_
 /* Returns INVCAL_OK; INVCAL_NOT_ELLIPSOID for an rms of a tenth of the field. */
 invcal_status invcal_residuals_end(invcal_residuals *residuals);
 
-/* Nothing has been found, for nothing has been looked for. */
-void invcal_judge_begin(invcal_quality *q);
+enum { INVCAL_UNCHECKED = 0x1E }; /* a bit for each systematic error */
 
-/* A bit for each systematic error. */
-enum { INVCAL_UNCHECKED = 0x1E };
+/* Nothing has been found, for nothing has been looked for. */
+static inline void invcal_judge_begin(invcal_quality *q)
+{
+    q->left_out = 0;
+    q->suspected = 0;
+    q->size = 0;
+    q->systematic = INVCAL_NO_SYSTEMATIC;
+    q->axis = 0;
+    q->unchecked = INVCAL_UNCHECKED;
+    q->verdict = INVCAL_GOOD;
+}
 
 /* rms, max, worst, positions. */
 void invcal_judge_residuals(const invcal_residuals *residuals, invcal_quality *q);

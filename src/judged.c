@@ -25,8 +25,8 @@ static int is_visited(const invcal_positions *p, invcal_mask left_out, unsigned 
     return 0;
 }
 
-/* A direction that is visited again is no check. A count is as much
- * as the matrix makes of it, the root mean square over all directions. */
+/* A direction that is visited again is no check. A count is as much as the matrix makes of it, the root mean
+ * square over all directions. */
 static void judge_directions(const invcal_positions *p, const invcal_calibration *c,
                              invcal_quality *q)
 {
@@ -48,7 +48,7 @@ static invcal_status leave_out_groups(invcal_positions *p, invcal_calibration *c
 {
     int is_solved = 0;
 
-    for (;;) { /* at most INVCAL_MAX_POSITIONS / 6 + 3 times */
+    for (;;) { /* at most INVCAL_MAX_POSITIONS times: each but the last leaves one out */
         const invcal_status status = invcal_positions_calibrate(p, c, q);
         invcal_mask more = 0;
         if (status == INVCAL_OK && invcal_are_many(q->positions, p->count)) {

@@ -5,8 +5,6 @@
 #include "sums.h"
 #include "vector.h"
 
-#define ON_UNIT INVCAL_REAL(2e-4) /* of the square of a direction's length: 1e-4 of the length */
-
 void invcal_linear_init(invcal_linear_sums *linear)
 {
     INVCAL_ASSERT(linear);
@@ -24,7 +22,7 @@ static invcal_status add_along(invcal_linear_sums *linear, const invcal_calibrat
     if (status != INVCAL_OK) {
         return status;
     }
-    if (!(INVCAL_FABS(invcal_dot3(eta, eta) - 1) <= ON_UNIT)) {
+    if (!invcal_is_unit(eta)) {
         return INVCAL_BAD_DIRECTION;
     }
     if (is_vertical) {

@@ -16,7 +16,7 @@ void invcal_inverse3(const invcal_real m[3][3], invcal_real inverse[3][3]);
 /* How many numbers the next two work with; their stack would lie under that of what they call. */
 enum { INVCAL_WORK = 18 };
 
-/* a becomes the symmetric matrix of the same a a'. */
+/* a = S R becomes S, the symmetric matrix of the same a a'; the orthonormal R is what work begins with. */
 void invcal_make_symmetric(invcal_real a[3][3], invcal_real work[INVCAL_WORK]);
 
 /* INVCAL_BAD_NOMINAL if the calibration is singular, not finite, or absurdly scaled. */

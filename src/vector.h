@@ -86,6 +86,12 @@ static inline int invcal_are_finite(const invcal_real v[3])
     return v[0] * 0 + v[1] * 0 + v[2] * 0 >= 0;
 }
 
+/* A unit vector, within 1e-4 of its length? */
+static inline int invcal_is_unit(const invcal_real v[3])
+{
+    return INVCAL_FABS(invcal_dot3(v, v) - 1) <= INVCAL_REAL(2e-4);
+}
+
 /* invcal_apply, compiled into those who call it often where speed is asked for. */
 #ifdef INVCAL_FAST
 static inline void invcal_correct(const invcal_calibration *c, const invcal_real raw[3],

@@ -233,6 +233,18 @@ void invcal_make_triangular(invcal_calibration *calibration, const invcal_calibr
 void invcal_sigma_offset(const invcal_quality *quality, const invcal_calibration *nominal,
                          invcal_real sigma[3]);
 
+/* Weighs a stated noise against what residuals show (mathematics.md, "Uncertainty"), for who has equations
+ * of his own. It counts as four residuals, unless they show clearly more (in 95 % of cases) or next to
+ * nothing; then they alone count. More than noise can be (99.7 %) raises the verdict to rough.
+ *
+ * stated   standard deviation of a position mean on each axis, over field; 0: not known.
+ * squares  the sum of the squares of the residuals, each over the noise of its row for a noise of 1.
+ * quality  dof and verdict: read; noise, sigma_dof and verdict: set. noise is 1, the whole field, if there
+ *          is neither a residual nor a stated noise.
+ *
+ * Cost: 100 instructions. Stack: about 60 bytes. */
+void invcal_weigh_noise(invcal_real stated, invcal_real squares, invcal_quality *quality);
+
 /* Is `found` the better of two calibrations? For a device that has one, and makes another now and
  * then.
  *
@@ -244,8 +256,8 @@ int invcal_improves(const invcal_quality *found, const invcal_quality *present);
 /* ---- without some of the positions -------------------------------------------------------------- */
 
 /* invcal_calibrate_judged without the search for systematic errors, of which all are unchecked, and without
- * counting directions: what is left is good if no position contradicts the others. Half of the code of
- * that, for what else has no space: an ATmega328P.
+ * counting directions: what is left is good if no position contradicts the others. It takes half the flash,
+ * for a device like an ATmega328P that cannot hold the whole.
  *
  * out  may be nominal.
  *
@@ -307,8 +319,15 @@ invcal_status invcal_calibrate_with_prior(const invcal_real *raw, unsigned count
  *     J2 = (|u|^2 - 1)/2        the scalar composition: leaves an error of second order in X,
  *                               1e-4 at errors of 1 %, 1e-2 at errors of 10 %
  *
- * They are as good as the stand's directions, which is why invcal_calibrate asks for none. Exact
- * rows have another meaning of p: these sums are a type of their own. */
+ * Lengths do not see a direction that is wrong by d at all, which is why invcal_calibrate asks for
+ * none. In J1 it is an error of -|d|^2/2 + eta S d, S the matrix of dk and gamma / 2. The second
+ * part is s |d| at most, s half of what the eigenvalues of S differ by:
+ *
+ *     d          lengths   J1, s = 0.02     full vector
+ *     1 mrad     0         5e-7 + 2e-5      1e-3
+ *     10 mrad    0         5e-5 + 2e-4      1e-2
+ *
+ * Exact rows have another meaning of p: these sums are a type of their own. */
 typedef struct {
     invcal_sums sums; /* of h(eta) and J */
 } invcal_linear_sums;
@@ -350,6 +369,56 @@ invcal_status invcal_linear_add_scalar(invcal_linear_sums *linear,
  * Cost: 2,300 instructions. Stack: about 220 bytes. */
 invcal_status invcal_linear_solve(invcal_linear_sums *linear, const invcal_calibration *nominal,
                                   invcal_calibration *out, invcal_real x[INVCAL_PARAMETERS]);
+
+/* The full vector. Lengths do not show how the unit is turned on the stand, and J1 shows it to the
+ * second order only. All three readings of a position do, to the first:
+ *
+ *     u = M eta + delta,    M = (I + S) R
+ *
+ * with R the mounting: a direction eta of the stand's frame is R eta in the frame of the unit. That is
+ * linear in the twelve elements of M and delta, and the three axes share one system of 4x4; I + S and R are
+ * the polar decomposition of M. An angle that is wrong by d counts to the first order here (the table above): so
+ * take the parameters from the lengths, and from here what those do not show. */
+typedef struct {
+    /* The triangle of (eta 1 u)'(eta 1 u) over all positions. */
+    invcal_real sum[INVCAL_PACKED_SIZE(7)];
+    unsigned count; /* positions in the sums; at most UINT_MAX */
+} invcal_full_vector;
+
+/* Empties the sums. All bytes zero is the same state. */
+void invcal_full_vector_init(invcal_full_vector *full);
+
+/* Adds a position of known direction.
+ *
+ * nominal  the same for all of them.
+ * raw      a position mean, raw counts.
+ * eta      the up direction in the frame of the stand, unit length within 1e-4.
+ *
+ * Returns as invcal_linear_add_vertical. Cost: 430 instructions. Stack: about 140 bytes. */
+invcal_status invcal_full_vector_add(invcal_full_vector *full, const invcal_calibration *nominal,
+                                     const invcal_real raw[3], const invcal_real eta[3]);
+
+/* Solves them, for errors of any size.
+ *
+ * full      sums: are lost.
+ * nominal   the one they were added with; may be out.
+ * out       the calibration, in the frame of the stand: calibrated readings are its eta.
+ * x         the nine parameters, in the frame of the unit and the order of the paper.
+ * mounting  R. With N positions on each of three great circles, as the paper has them, and a noise s of
+ *           every axis, its three angles have the standard deviation s / sqrt(2 N).
+ *
+ * It does not judge.
+ *
+ * Returns INVCAL_OK;
+ *   INVCAL_TOO_FEW        fewer than four positions;
+ *   INVCAL_UNDETERMINED   the ends of the directions lie in a plane, as those of a circle do;
+ *   INVCAL_NOT_ELLIPSOID  a semi-axis of I + S is outside about 0.1 ... 10, or delta beyond 10; or the
+ *                         directions are mirrored: an angle counts the other way;
+ *   INVCAL_BAD_NOMINAL    its matrix has no inverse.
+ * Cost: 2,900 instructions. Stack: about 290 bytes. */
+invcal_status invcal_full_vector_solve(invcal_full_vector *full, const invcal_calibration *nominal,
+                                       invcal_calibration *out, invcal_real x[INVCAL_PARAMETERS],
+                                       invcal_real mounting[3][3]);
 
 /* ---- where to turn next ------------------------------------------------------------------------
  *

@@ -69,6 +69,7 @@ static void any_steps(void)
     (void)invcal_gradient((const invcal_real(*)[3])a, raw, g);
     const invcal_real dof = (invcal_real)Frama_C_double_interval(-1e30, 1e30);
     invcal_judge_noise(x, y, dof, &q);
+    invcal_weigh_noise(x, y, &q);
     (void)invcal_whole(dof);
     ANY(system);
     (void)invcal_condition(system, INVCAL_PARAMETERS, x);

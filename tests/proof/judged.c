@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include <stddef.h>
 
-#include "arbitrary.h"
+#include "any_positions.h"
 #include "diagnosis.h"
 
 // eva: -eva-precision 0 -eva-slevel 10 -eva-split-return full
@@ -10,31 +10,6 @@
 // stubs: judge diagnosis
 
 /* ---- what other modules do -------------------------------------------------------------------- */
-
-/* Any reading may be looked at, and there are no more than the mask has bits: an alarm, if not. */
-static void look_at(const invcal_positions *positions)
-{
-    (void)(1 / (positions->count <= INVCAL_MAX_POSITIONS));
-    if (positions->count > 0) {
-        (void)positions->raw[BETWEEN(0, 3 * positions->count - 1)];
-    }
-    (void)positions->nominal->matrix[2][2];
-    (void)positions->left_out;
-    (void)positions->noise;
-}
-
-invcal_status invcal_positions_calibrate(const invcal_positions *positions, invcal_calibration *out,
-                                         invcal_quality *quality)
-{
-    const invcal_status status = (invcal_status)BETWEEN(INVCAL_OK, INVCAL_STATUS_COUNT - 1);
-
-    look_at(positions);
-    if (status == INVCAL_OK) {
-        ANY(*out);
-        ANY(*quality);
-    }
-    return status;
-}
 
 invcal_mask invcal_diagnose(const invcal_positions *positions, const invcal_calibration *c,
                             invcal_quality *q)

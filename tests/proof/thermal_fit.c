@@ -183,17 +183,6 @@ invcal_status invcal_residuals_end(invcal_residuals *residuals)
     return or_fail(INVCAL_NOT_ELLIPSOID);
 }
 
-void invcal_judge_begin(invcal_quality *q)
-{
-    q->left_out = 0;
-    q->suspected = 0;
-    q->size = 0;
-    q->systematic = INVCAL_NO_SYSTEMATIC;
-    q->axis = 0;
-    q->unchecked = INVCAL_UNCHECKED;
-    q->verdict = INVCAL_GOOD;
-}
-
 void invcal_judge_residuals(const invcal_residuals *residuals, invcal_quality *q)
 {
     q->rms = residuals->rms;

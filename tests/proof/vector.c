@@ -14,6 +14,7 @@ void main(void)
     (void)invcal_is_finite(a[0]);
     (void)invcal_is_positive(a[0]);
     (void)invcal_are_finite(a);
+    (void)invcal_is_unit(a);
     (void)invcal_dot3(a, b);
     (void)invcal_number(BETWEEN(0, 0x7FFFFFFF));
     invcal_zero_bytes(bytes, BETWEEN(0, sizeof bytes));

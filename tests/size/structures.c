@@ -14,6 +14,7 @@
 SIZE_OF(invcal_calibration);
 SIZE_OF(invcal_row);
 SIZE_OF(invcal_sums);
+SIZE_OF(invcal_full_vector);
 SIZE_OF(invcal_quality);
 SIZE_OF(invcal_rests);
 SIZE_OF(invcal_session);

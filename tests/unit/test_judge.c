@@ -223,6 +223,41 @@ static void residuals_that_chi_squared_excludes_overrule_the_noise_stated(void)
     }
 }
 
+/* Six residuals: 2 chi squared of 0.02, 12, 32 and 60 against 2 dof - 1 = 11. */
+static void a_stated_noise_is_weighed_against_residuals_of_other_equations(void)
+{
+    static const struct {
+        double stated, squares;
+        unsigned dof;
+        double variance;
+        unsigned sigma_dof;
+        invcal_verdict verdict;
+    } of[] = {{1e-3, 6e-6, 6, 1e-6, 10, INVCAL_GOOD},      {1e-3, 9e-6, 6, 1.3e-6, 10, INVCAL_GOOD},
+              {1e-3, 16e-6, 6, 16e-6 / 6, 6, INVCAL_GOOD}, {1e-3, 30e-6, 6, 5e-6, 6, INVCAL_ROUGH},
+              {1e-3, 1e-8, 6, 1e-8 / 6, 6, INVCAL_GOOD},   {0, 6e-6, 6, 1e-6, 6, INVCAL_GOOD},
+              {1e-3, 0, 0, 1e-6, 4, INVCAL_GOOD},          {0, 0, 0, 1, 0, INVCAL_GOOD},
+              {1e-3, (double)NAN, 6, 0, 6, INVCAL_ROUGH}};
+
+    for (unsigned i = 0; i < sizeof of / sizeof of[0]; i++) {
+        invcal_quality q = {0};
+        q.dof = (uint16_t)of[i].dof;
+        q.verdict = INVCAL_GOOD;
+        invcal_weigh_noise((invcal_real)of[i].stated, (invcal_real)of[i].squares, &q);
+        if (of[i].variance > 0) {
+            const double noise = sqrt(of[i].variance);
+            TEST_ASSERT_DOUBLE_WITHIN(1e-6 * noise, noise, (double)q.noise);
+        } else {
+            TEST_ASSERT_FALSE((double)q.noise < 1);
+        }
+        TEST_ASSERT_EQUAL_UINT(of[i].sigma_dof, q.sigma_dof);
+        TEST_ASSERT_EQUAL_UINT(of[i].dof, q.dof);
+        TEST_ASSERT_EQUAL_INT(of[i].verdict, q.verdict);
+        q.verdict = INVCAL_WEAK; /* the worse one stays */
+        invcal_weigh_noise((invcal_real)of[i].stated, (invcal_real)of[i].squares, &q);
+        TEST_ASSERT_EQUAL_INT(INVCAL_WEAK, q.verdict);
+    }
+}
+
 /* Noise of a reading in calibrated units, over noise: mean square over all directions. */
 static double gain2(const invcal_calibration *calibration)
 {
@@ -522,6 +557,7 @@ int main(void)
     RUN_TEST(what_was_not_looked_for_is_unchecked);
     RUN_TEST(a_noise_that_is_not_stated_is_the_one_observed);
     RUN_TEST(a_noise_that_is_stated_counts_as_four_residuals);
+    RUN_TEST(a_stated_noise_is_weighed_against_residuals_of_other_equations);
     RUN_TEST(residuals_that_chi_squared_excludes_overrule_the_noise_stated);
     RUN_TEST(one_residual_is_enough_to_tell_what_is_weak);
     RUN_TEST(noise_of_a_tenth_of_the_information_is_weak);

@@ -98,6 +98,28 @@ static void known_directions_give_the_triad_exactly_for_errors_of_any_size(void)
     }
 }
 
+/* As many as there are parameters. */
+static void nine_positions_are_enough(void)
+{
+    const invcal_calibration nominal = unit_nominal();
+    random_source random = random_start(5);
+    const triad_truth truth = triad_random(&random, 0.1);
+    invcal_linear_sums linear;
+    invcal_calibration calibration;
+    invcal_real x[INVCAL_PARAMETERS];
+
+    invcal_linear_init(&linear);
+    for (int i = 0; i < 9; i++) { /* three of each group */
+        const double *eta = expected_plan18[2 * i];
+        TEST_ASSERT_EQUAL_INT(INVCAL_OK,
+                              add_reading(invcal_linear_add_vertical, &linear, &truth, eta));
+    }
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_linear_solve(&linear, &nominal, &calibration, x));
+    for (unsigned r = 0; r < INVCAL_PARAMETERS; r++) {
+        TEST_ASSERT_DOUBLE_WITHIN(FLOAT_OR_DOUBLE(1e-5, 1e-12), truth.x[r], (double)x[r]);
+    }
+}
+
 /* The exact row's reason to be: what the paper's first-order row leaves, by the reference. */
 static double first_order_error(double size, double *rms)
 {
@@ -301,6 +323,7 @@ int main(void)
     UNITY_BEGIN();
     RUN_TEST(the_vertical_row_is_linear_for_errors_of_any_size);
     RUN_TEST(known_directions_give_the_triad_exactly_for_errors_of_any_size);
+    RUN_TEST(nine_positions_are_enough);
     RUN_TEST(the_first_order_row_leaves_the_error_that_the_design_states);
     RUN_TEST(any_regular_matrix_may_be_nominal);
     RUN_TEST(readings_that_cannot_be_of_this_field_are_refused);

@@ -257,6 +257,32 @@ static void two_solves_leave_nothing_that_matters_of_steep_slopes(void)
     TEST_ASSERT_DOUBLE_WITHIN(0.1e-6, 0.93e-6, sqrt(square_error_of_range(&steep, -20, 70, NULL)));
 }
 
+/* As the manual says: slopes of these sizes, with all signs. What float loses is 5e-8. */
+static void two_solves_leave_as_little_of_steep_slopes_of_any_signs(void)
+{
+    random_source unused = random_start(0);
+    double least = 1;
+    double most = 0;
+
+    if (DEGREE != 1) {
+        TEST_IGNORE_MESSAGE("stated for degree 1");
+    }
+    for (int signs = 0; signs < 512; signs++) {
+        double slope[INVCAL_PARAMETERS];
+        for (int r = 0; r < INVCAL_PARAMETERS; r++) {
+            slope[r] = fabs(expected_thermal_slope[0][r]) * (signs >> r & 1 ? 1 : -1);
+        }
+        const sensor s = {expected_thermal_constant, slope, NULL};
+        take_three(&s, 0, &unused);
+        fit_all(1e-4, 25, 45, DEGREE);
+        const double error = sqrt(square_error_of_range(&s, -20, 70, NULL));
+        least = fmin(least, error);
+        most = fmax(most, error);
+    }
+    TEST_ASSERT_DOUBLE_WITHIN(0.05e-6, 0.51e-6, least);
+    TEST_ASSERT_DOUBLE_WITHIN(0.05e-6, 1.96e-6, most);
+}
+
 /* Wherever in the span the temperatures lie; with nominal errors of 18 % too. */
 static void a_part_of_the_span_and_a_bad_nominal_are_as_good(void)
 {
@@ -1506,6 +1532,7 @@ int main(void)
     UNITY_BEGIN();
     RUN_TEST(slopes_of_a_sensor_without_noise_come_out);
     RUN_SLOW_TEST(two_solves_leave_nothing_that_matters_of_steep_slopes);
+    RUN_LONG_TEST(two_solves_leave_as_little_of_steep_slopes_of_any_signs);
     RUN_TEST(a_part_of_the_span_and_a_bad_nominal_are_as_good);
     RUN_LONG_TEST(the_error_is_the_cramer_rao_bound_and_that_of_nine_parameters_hundreds_of_it);
     RUN_LONG_TEST(a_bent_sensor_comes_to_the_bound_of_27_parameters);
