@@ -12,6 +12,7 @@
 #include "command.h"
 #include "input.h"
 #include "message.h"
+#include "nonlinear_correction.h"
 #include "number.h"
 #include "options.h"
 #include "output.h"
@@ -31,6 +32,7 @@ typedef struct {
     calibration_file file;
     double temperature; /* of all readings; NaN: by the column */
     thermal_correction at;
+    nonlinear_correction bent;
 } job;
 
 /* Checks a number, but hands it on as the text that it was: a time stamp has digits to lose. Only a
@@ -71,6 +73,7 @@ static int write_row(FILE *spool, const table *log, const columns *where, job *j
     if (failure) {
         return failure;
     }
+    nonlinear_correction_take(&j->bent, v);
     invcal_apply(thermal_correction_at(&j->at, temperature), v, v);
     if (!(fabs(v[0]) <= DBL_MAX && fabs(v[1]) <= DBL_MAX && fabs(v[2]) <= DBL_MAX)) {
         message("%s:%lu: too large a reading for any calculation", log->name, log->line);
@@ -152,6 +155,7 @@ static int apply(table *log, job *j)
     fclose(spool);
     if (!failure) {
         thermal_correction_end(&j->at, log->name);
+        nonlinear_correction_end(&j->bent, log->name);
     }
     return failure;
 }
@@ -180,8 +184,10 @@ static int run(int argc, char **argv)
     if (!failure && input_is_stdin(files[0]) && input_is_stdin(files[1])) {
         failure = message_usage(syntax.command, "only one input can be the standard input");
     }
-    failure = failure ? failure : calibration_file_read_thermal(files[0], &j.file);
+    failure = failure ? failure : calibration_file_read_correction(files[0], &j.file);
     failure = failure ? failure : read_temperature(value[TEMPERATURE], &j);
+    failure =
+        failure ? failure : nonlinear_correction_begin(&j.bent, &j.file, input_name(files[0]));
     if (failure) {
         return failure;
     }
@@ -214,6 +220,10 @@ static const char *const help[] = {
     "A calibration made with --thermal needs the column temperature, and is that of each "
     "reading's.\n"
     "Outside the temperatures that it was made at, what holds at their edge is used, and told.\n"
+    "\n"
+    "One made with --quadratic or --cubic: what the axes read too much is taken off first. It is\n"
+    "known up to the field along each axis; beyond 1.1 of that what holds there is used, and "
+    "told.\n"
     "\n"
     "  --temperature T     of all readings, in place of the column; needs such a calibration\n"
     "  --quiet             show no progress, print only the result and errors\n"

@@ -34,12 +34,19 @@ enum {
     NOMINAL,
     NOMINAL_NAME,
     UNIT,
+    UNITS,
     NOISE,
     PRIOR,
     THERMAL,
     SLOPE,
     RATE,
     CLIP,
+    ROBUST,
+    QUADRATIC,
+    CUBIC,
+    STAND,
+    STAND_SENSE,
+    STAND_ZERO,
     PLAN,
     TARGET,
     MEAN_SIGMA,
@@ -65,12 +72,19 @@ static const option options[OPTIONS] = {
     [NOMINAL] = {"--nominal", 1},
     [NOMINAL_NAME] = {"--nominal-name", 1},
     [UNIT] = {"--unit", 1},
+    [UNITS] = {"--units", 1},
     [NOISE] = {"--noise", 1},
     [PRIOR] = {"--prior", 1},
     [THERMAL] = {"--thermal", 1},
     [SLOPE] = {"--slope", 1},
     [RATE] = {"--rate", 1},
     [CLIP] = {"--clip", 1},
+    [ROBUST] = {"--robust", 0},
+    [QUADRATIC] = {"--quadratic", 0},
+    [CUBIC] = {"--cubic", 0},
+    [STAND] = {"--stand", 0},
+    [STAND_SENSE] = {"--stand-sense", 1},
+    [STAND_ZERO] = {"--stand-zero", 1},
     [PLAN] = {"--plan", 1},
     [TARGET] = {"--target", 1},
     [MEAN_SIGMA] = {"--mean-sigma", 1},
@@ -92,8 +106,8 @@ static const option_syntax watch_syntax = {"watch", options, OPTIONS, operands, 
 #define COMMAND_MAX 2000u
 #define UNEXPLAINED 3.0 /* times the noise: a hand that holds the device comes near it */
 
-/* Too large for the stack; only its plan is used. */
-static design live_plan;
+/* Too large for the stack. */
+static design stated_plan;
 
 /* What the command line asks for. */
 typedef struct {
@@ -104,7 +118,8 @@ typedef struct {
     double lsb[3];              /* --lsb */
     double rate;                /* 0: not given */
     double clip[2];
-    reading_unit unit; /* of --unit */
+    reading_unit unit; /* of --unit, */
+    told_style told;   /* --units */
     double target[3];
     double need; /* 0: not given */
     double mean_sigma;
@@ -113,7 +128,8 @@ typedef struct {
     double place[2];           /* latitude, height */
     double field_sigma;        /* what the length of the field may be wrong by, field units */
     thermal_wish thermal;
-    invcal_plan plan;
+    unsigned degree; /* of --quadratic, --cubic; else 0 */
+    stand_wish stand;
     fit_settings settings; /* all but the nominal, and the noise unless stated */
 } request;
 
@@ -197,9 +213,10 @@ static int read_frame(request *r)
     const char *name = r->value[FRAME] ? r->value[FRAME] : "symmetric";
 
     r->settings.is_triangular = strcmp(name, "triangular") == 0;
-    return r->settings.is_triangular || strcmp(name, "symmetric") == 0
+    r->stand.is_frame = strcmp(name, "stand") == 0;
+    return r->settings.is_triangular || r->stand.is_frame || strcmp(name, "symmetric") == 0
                ? EXIT_GOOD
-               : usage(r, FRAME, "is symmetric or triangular");
+               : usage(r, FRAME, "is symmetric, triangular or stand");
 }
 
 static int read_nominal(request *r)
@@ -232,6 +249,9 @@ static int read_unit(request *r)
     if (r->value[UNIT] && !unit_parse(r->value[UNIT], &r->unit)) {
         return message_usage(r->syntax->command, "--unit %s: is g, mg, m/s2 or counts",
                              r->value[UNIT]);
+    }
+    if (r->value[UNITS] && !told_parse(r->value[UNITS], &r->told)) {
+        return message_usage(r->syntax->command, "--units %s: is everyday or ins", r->value[UNITS]);
     }
     return EXIT_GOOD;
 }
@@ -321,14 +341,31 @@ static int read_log_options(request *r)
     return failure;
 }
 
+/* The program to follow. What it leaves open a prior may tell. */
+static int read_program(request *r)
+{
+    design *set = &stated_plan;
+
+    if (!r->value[PLAN]) {
+        return EXIT_GOOD;
+    }
+    if (strcmp(r->value[PLAN], "directions:-") == 0 && input_is_stdin(r->file)) {
+        return usage(r, PLAN, "only one input can be the standard input");
+    }
+    const int failure = design_make(set, r->syntax->command, r->value[PLAN]);
+    if (failure == EXIT_DATA) {
+        return r->value[PRIOR] && set->count > 0 ? EXIT_GOOD : usage(r, PLAN, set->refusal);
+    }
+    return failure;
+}
+
 /* What only a live stream has. */
 static int read_live_options(request *r)
 {
     const int is_live = r->syntax == &watch_syntax;
-    design *set = &live_plan;
     int failure = EXIT_GOOD;
 
-    for (unsigned o = PLAN; o <= ALLAN && !is_live; o++) {
+    for (unsigned o = TARGET; o <= ALLAN && !is_live; o++) {
         if (r->value[o]) {
             return usage(r, o, "is for invcal watch");
         }
@@ -352,14 +389,100 @@ static int read_live_options(request *r)
             failure = r->target[i] >= 0 ? EXIT_GOOD : usage(r, TARGET, "is not negative");
         }
     }
-    if (!failure && r->value[PLAN]) {
-        failure = design_make(set, r->syntax->command, r->value[PLAN]);
-        r->plan = set->plan;
-        if (failure == EXIT_DATA || (!failure && r->plan.per_group == 0)) {
-            failure = usage(r, PLAN, "is per-group:N, N from 5, or left out: any directions");
+    return failure || !is_live ? failure : read_program(r);
+}
+
+/* What the axes may do beside the nine parameters. */
+static int read_degree(request *r)
+{
+    const unsigned which = r->value[CUBIC] ? CUBIC : QUADRATIC;
+
+    if (r->value[ROBUST] && (r->value[which] || r->value[THERMAL] || r->value[PRIOR])) {
+        return usage(r, ROBUST, "is of nine parameters, without a prior");
+    }
+    if (r->value[ROBUST] && r->syntax == &watch_syntax) {
+        return usage(r, ROBUST, "is for invcal calibrate");
+    }
+    if (!r->value[which]) {
+        return EXIT_GOOD;
+    }
+    r->degree = which == CUBIC ? 3 : 2;
+    if (r->value[CUBIC] && r->value[QUADRATIC]) {
+        return usage(r, CUBIC, "includes --quadratic: leave that out");
+    }
+    if (r->value[THERMAL] || r->value[PRIOR]) {
+        return usage(r, which,
+                     r->value[THERMAL] ? "does not go together with --thermal"
+                                       : "does not go together with --prior");
+    }
+    return r->syntax == &watch_syntax ? usage(r, which, "is for invcal calibrate") : EXIT_GOOD;
+}
+
+/* The program whose order was kept, in place of columns. */
+static int read_order(request *r)
+{
+    const int failure = design_make(&stated_plan, r->syntax->command, r->value[PLAN]);
+
+    r->stand.plan = &stated_plan;
+    r->stand.is_wanted = 1;
+    return failure == EXIT_DATA ? usage(r, PLAN, stated_plan.refusal) : failure;
+}
+
+/* How the stand counts. */
+static int read_convention(request *r)
+{
+    double *sense = r->stand.sense;
+    int failure = EXIT_GOOD;
+
+    sense[0] = sense[1] = 1;
+    if (r->value[STAND_SENSE]) {
+        failure = options_numbers(r->syntax, STAND_SENSE, r->value[STAND_SENSE], 2, sense, NULL);
+        if (!failure && fabs(fabs(sense[0]) - 1) + fabs(fabs(sense[1]) - 1) > 0) {
+            failure = usage(r, STAND_SENSE, "is 1 or -1 for each");
         }
     }
+    if (!failure && r->value[STAND_ZERO]) {
+        failure =
+            options_numbers(r->syntax, STAND_ZERO, r->value[STAND_ZERO], 2, r->stand.zero, NULL);
+    }
     return failure;
+}
+
+/* What does not go together with the angles of a stand, or not without. */
+static int check_stand(const request *r)
+{
+    const stand_wish *w = &r->stand;
+    const unsigned convention = r->value[STAND_SENSE] ? STAND_SENSE : STAND_ZERO;
+
+    if (w->plan && r->value[convention]) {
+        return usage(r, convention,
+                     "is of columns alpha and beta; --plan states the angles themselves");
+    }
+    if (!w->is_wanted && (r->value[convention] || w->is_frame)) {
+        return usage(r, w->is_frame ? FRAME : convention,
+                     "needs the angles of a stand: --stand or --plan");
+    }
+    return w->is_wanted && r->value[THERMAL]
+               ? usage(r, THERMAL, "and the angles of a stand do not go together")
+               : EXIT_GOOD;
+}
+
+/* What the angles of a stand mean. */
+static int read_stand(request *r)
+{
+    int failure = EXIT_GOOD;
+
+    r->stand.is_wanted = r->value[STAND] != NULL;
+    for (unsigned o = STAND; o <= STAND_ZERO; o++) {
+        if (r->value[o] && r->syntax == &watch_syntax) {
+            return usage(r, o, "is for invcal calibrate");
+        }
+    }
+    if (r->syntax == &calibrate_syntax && r->value[PLAN]) {
+        failure = read_order(r);
+    }
+    failure = failure ? failure : read_convention(r);
+    return failure ? failure : check_stand(r);
 }
 
 static int read_tolerance(request *r)
@@ -432,6 +555,8 @@ static int read_request(int argc, char **argv, const option_syntax *syntax, requ
     failure = failure ? failure : read_thermal(r);
     failure = failure ? failure : read_log_options(r);
     failure = failure ? failure : read_live_options(r);
+    failure = failure ? failure : read_degree(r);
+    failure = failure ? failure : read_stand(r);
     failure = failure ? failure : read_tolerance(r);
     failure = failure ? failure : read_need(r);
     return failure ? failure : read_prior(r);
@@ -445,7 +570,7 @@ static int refuse_nominal(const request *r, const positions *data, const nominal
     if (r->value[LSB]) {
         return usage(r, LSB, "is too small or too large a scale for any calculation");
     }
-    return calibrate_refuse(data, &r->settings, n, INVCAL_UNDETERMINED, &all,
+    return calibrate_refuse(data, &r->settings, n, &r->stand, INVCAL_UNDETERMINED, &all,
                             r->value[JSON] != NULL);
 }
 
@@ -580,8 +705,8 @@ static int refuse(const request *r, const calibrate_result *result, invcal_statu
     if (status == INVCAL_TOO_FEW && rejection_drifting(&result->rejected) > 0) {
         return calibrate_all_drift(result, json);
     }
-    return calibrate_refuse(result->data, &result->settings, &result->nominal, status, reason,
-                            json);
+    return calibrate_refuse(result->data, &result->settings, &result->nominal, &r->stand, status,
+                            reason, json);
 }
 
 /* What was found among the positions beside outliers. */
@@ -663,8 +788,10 @@ static int solve_plain(const request *r, calibrate_result *result)
     if (result->rejected.is_judged && result->rejected.found.verdict == INVCAL_DRIFTING) {
         fit_drift(result);
     }
+    const int open =
+        r->degree > 0 ? calibrate_nonlinear(result, r->degree, r->value[JSON] != NULL) : EXIT_GOOD;
     judge(result);
-    return EXIT_GOOD;
+    return open;
 }
 
 /* The same at every temperature. */
@@ -732,20 +859,61 @@ static void inherit_field(const request *r, calibrate_result *result)
     }
 }
 
+/* What the angles of the stand tell, of readings that a drift is taken from. */
+static int find_stand(const request *r, calibrate_result *result)
+{
+    const rejection *kept = &result->rejected;
+    double *raw = calloc(3 * (size_t)kept->kept_count + 1, sizeof *raw);
+    int failure = EXIT_FILE;
+
+    for (unsigned k = 0; raw && k < kept->kept_count; k++) {
+        calibrate_level(result, rejection_original(kept, k), &raw[3 * (size_t)k]);
+    }
+    if (raw) {
+        failure = stand_find(&result->stand, &r->stand, result->data, kept, raw,
+                             &result->settings.nominal);
+    }
+    free(raw);
+    if (!failure && r->stand.is_frame && result->stand.reading != STAND_AS_STATED) {
+        message("%s: no frame of the stand: %s", result->data->name,
+                stand_advice(result->stand.reading));
+        return EXIT_DATA;
+    }
+    if (!failure && r->stand.is_frame) {
+        stand_turn(&result->stand, &result->solution.calibration);
+        result->is_stand_frame = 1;
+    }
+    return failure;
+}
+
+const char *calibrate_frame(const calibrate_result *result)
+{
+    return result->is_stand_frame           ? "stand"
+           : result->settings.is_triangular ? "triangular"
+                                            : "symmetric";
+}
+
 static int solve(const request *r, const positions *data, calibrate_result *result)
 {
     result->data = data;
     result->settings = r->settings;
     result->place = r->value[LATITUDE] ? r->place : NULL;
-    int failure = settle_nominal(r, data, &result->nominal);
+    int failure = stand_check(&r->stand, data);
+    result->told = r->told;
+    failure = failure ? failure : settle_nominal(r, data, &result->nominal);
     result->settings.nominal = fit_over_field(&result->nominal.calibration, r->settings.field);
     failure = failure ? failure : settle_noise(r, data, result);
     failure = failure             ? failure
               : r->value[THERMAL] ? solve_thermal(r, result)
                                   : solve_plain(r, result);
     failure = failure || r->value[THERMAL] ? failure : probe_temperature(result);
+    failure = failure || !r->stand.is_wanted ? failure : find_stand(r, result);
     if (failure) {
         return failure;
+    }
+    result->is_robust_wanted = r->value[ROBUST] != NULL;
+    if (result->is_robust_wanted) {
+        calibrate_robust(result);
     }
     result->accuracy = accuracy_of(&result->quality);
     result->need = r->need;
@@ -760,6 +928,11 @@ static int solve(const request *r, const positions *data, calibrate_result *resu
 const char *calibrate_field_unit(const calibrate_result *result)
 {
     return unit_is_gravity(result->settings.field) ? "m/s²" : "field units";
+}
+
+told_unit calibrate_told_field(const calibrate_result *result)
+{
+    return told_field(result->told, unit_is_gravity(result->settings.field));
 }
 
 const char *calibrate_input_unit(const calibrate_result *result)
@@ -862,7 +1035,8 @@ static int read_live(const request *r, const double *clip, positions *data, rest
     invcal_noise noise[3];
     live_wish wish = {.rate = r->rate, .clip = clip, .unit = r->unit, .field = r->settings.field};
 
-    wish.plan = r->plan;
+    wish.told = r->told;
+    wish.set = r->value[PLAN] ? &stated_plan : NULL;
     if (r->value[NOMINAL]) {
         const int failure = calibration_file_read(r->value[NOMINAL], &nominal);
         if (failure) {
@@ -929,6 +1103,7 @@ static int run(int argc, char **argv, const option_syntax *syntax)
         failure = solve(&r, &data, &result);
     }
     failure = failure ? failure : deliver(&r, &result);
+    stand_free(&result.stand);
     rejection_free(&result.rejected);
     positions_free(&data);
     return failure;
@@ -982,9 +1157,10 @@ static const char *const help[] = {
     "                      the real one differs by some 0.0005 m/s^2, which scales all readings\n"
     "                      alike and does nothing else\n"
     "  --height M          above the sea, m; default 0\n"
-    "  --frame symmetric|triangular\n"
+    "  --frame symmetric|triangular|stand\n"
     "                      symmetric (default): axes as near to the case as can be;\n"
-    "                      triangular: only the x sensor feels a field along the x axis\n"
+    "                      triangular: only the x sensor feels a field along the x axis;\n"
+    "                      stand: turned to the axes of the stand, by its angles\n"
     "  --zero X,Y,Z        nominal reading in no field, in input units;\n"
     "                      default: the middle of each axis' range\n"
     "  --lsb S | SX,SY,SZ  nominal scale, in field units per input unit;\n"
@@ -993,6 +1169,10 @@ static const char *const help[] = {
     "                      in the header or by --unit, as g, mg or m/s^2, and G is in m/s^2\n"
     "  --unit U            unit of the readings: g, mg, m/s2 or counts; default: by the header,\n"
     "                      else a guess by their size, which names it, but changes no number\n"
+    "  --units everyday|ins\n"
+    "                      of figures for people, in the table and the report: mg, % and degrees\n"
+    "                      (default), or those of inertial navigation, ug, ppm and arcsec. JSON\n"
+    "                      has units of its own\n"
     "  --nominal CAL.json  an earlier calibration in place of --zero and --lsb\n"
     "  --nominal-name WORD heading of the nominal column; default nominal\n",
     "  --noise S           standard deviation of one position mean on each axis, in field units;\n"
@@ -1002,6 +1182,27 @@ static const char *const help[] = {
     "                      angles (rad); up to about 0.2; 0 says nothing. Then fewer\n"
     "                      positions will do. Needs the noise, and --zero and --lsb, or\n"
     "                      --nominal\n"
+    "  --robust            a cross-check: does the estimate with the least sum of absolute "
+    "residuals\n"
+    "                      (l1) of all positions agree with this one, outliers left out?\n"
+    "  --quadratic         each axis may read q eta^2 more, too: what 14 positions or more tell of "
+    "q\n"
+    "  --cubic             and c eta^3: 17 or more. The calibration is what is linear; invcal "
+    "apply\n"
+    "                      takes the others off before, invcal export has no place for them\n"
+    "  --stand             LOG has the angles of a two-axis stand, degrees, in columns alpha "
+    "(outer)\n"
+    "                      and beta (inner); up is (sin a sin b, cos a, sin a cos b). Tells how "
+    "the\n"
+    "                      unit is turned on the stand, what its directions make of the "
+    "parameters\n"
+    "                      (J1), and positions that are misset, swapped or repeated\n"
+    "  --plan SET          the same, with no columns: the positions of a program of invcal plan "
+    "were\n"
+    "                      visited in its order:\n",
+    DESIGN_WORDS,
+    "  --stand-sense A,B   1 or -1: sense in which the stand counts alpha and beta; default 1,1\n"
+    "  --stand-zero A,B    what it reads, degrees, where alpha and beta are 0; default 0,0\n",
     "  --thermal 1|2       offsets, scales and angles as straight lines (1) or parabolas (2) of\n"
     "                      the column temperature: nine positions or more at each of 2 (3)\n"
     "                      temperatures, 5 K (10 K) apart at least. Rests in which it drifted are\n"
@@ -1041,8 +1242,12 @@ static const char *const watch_help[] = {
     "simulate. Its columns are those of invcal calibrate. Ctrl-C ends it, with the result.\n"
     "Malformed lines are told and skipped.\n"
     "\n"
-    "  --plan per-group:N  follows the paper's program of 3 x N positions;\n"
-    "                      default: the direction that tells most, from what has been taken\n"
+    "  --plan SET          follows a set of positions, with the angles of a stand; a rest in "
+    "another\n"
+    "                      position is named, and used. Default: the direction that tells most, "
+    "from\n"
+    "                      what has been taken. One of\n",
+    DESIGN_WORDS,
     "  --mean-sigma S      holds each position until its mean is as good, in field units, by the\n"
     "                      noise of the first rest; default: 2 seconds\n"
     "  --allan NOISE.json  the same by all that invcal allan --out has found in a long rest:\n"
@@ -1050,7 +1255,8 @@ static const char *const watch_help[] = {
     "  --target D,K,G      sigma of offsets (over the field), scale errors and angles (rad) that\n"
     "                      is enough; 0: any\n"
     "  --zero X,Y,Z        nominal reading in no field; default for the guidance: 0, from the\n"
-    "                      fourth position on the middle of each axis' range\n"
+    "                      fourth position on the middle of each axis' range; with --plan, where\n"
+    "                      that is far off, what its first three positions tell\n"
     "  --lsb S | SX,SY,SZ  nominal scale; default for the guidance: by the unit that is\n"
     "                      stated, else from the first samples\n",
     "\n"
@@ -1063,6 +1269,8 @@ static const char *const watch_help[] = {
     "                      of the result; default symmetric\n"
     "  --unit g|mg|m/s2|counts\n"
     "                      of the readings\n"
+    "  --units everyday|ins\n"
+    "                      of figures for people: mg, % and degrees, or ug, ppm and arcsec\n"
     "  --nominal CAL.json  an earlier calibration in place of --zero and --lsb\n"
     "  --nominal-name WORD heading of the nominal column; default nominal\n"
     "  --noise S           standard deviation of one position mean, in field units\n"

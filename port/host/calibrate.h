@@ -8,11 +8,16 @@
 #include <stdio.h>
 
 #include "fit.h"
+#include "json_write.h"
+#include "l1.h"
 #include "nominal.h"
+#include "nonlinearity.h"
 #include "positions.h"
 #include "rejection.h"
 #include "rests.h"
+#include "stand.h"
 #include "thermal_fit.h"
+#include "told.h"
 #include "uncertainty.h"
 
 /* What is known of temperature. */
@@ -40,10 +45,23 @@ typedef struct {
     int is_drift_fitted;   /* the calibration holds in the middle of the session, and is freed of */
     double drift[3];       /* this: from the first position to the last, over the field, */
     double drift_sigma[3]; /* and how well that is known */
-    int is_noise_given;    /* by --noise, not by the scatter of the samples */
+    unsigned
+        degree; /* of the nonlinearity that was fitted as well: 2, 3; 0: none. The calibration */
+    double nonlinear
+        [NONLINEARITY_MOST]; /* is freed of it: x y z quadratic, x y z cubic, over the field, */
+    double nonlinear_sigma[NONLINEARITY_MOST]; /* and how well that is known */
+    int is_robust_wanted; /* a cross-check by the l1 estimate of all positions, */
+    int has_robust;       /* which there is: */
+    double robust[INVCAL_PARAMETERS];
+    double robust_most;     /* largest difference, over what noise makes of it, */
+    unsigned robust_worst;  /* in this parameter */
+    int is_noise_given;     /* by --noise, not by the scatter of the samples */
     double residual_before; /* root mean square of |nominal calibration| / field - 1 */
     calibrate_temperature temperature;
     thermal_fit fit;
+    stand stand;         /* what the angles of a stand told, if they were wanted */
+    int is_stand_frame;  /* the calibration is turned to the stand */
+    told_style told;     /* the units of figures for people */
     const double *place; /* latitude and height that tell the field; null: it was stated */
 } calibrate_result;
 
@@ -54,6 +72,9 @@ int calibrate_wants_slopes(const calibrate_result *result);
 /* By how much the scale that slopes are told in may be off, if it is a guess: the largest scale
  * error; else 0. */
 double calibrate_guess_error(const calibrate_result *result);
+
+/* What the frame of the calibration is called: "symmetric", ... */
+const char *calibrate_frame(const calibrate_result *result);
 
 /* The calibration that holds for a position. */
 invcal_calibration calibrate_at(const calibrate_result *result, unsigned position);
@@ -96,6 +117,9 @@ int calibrate_is_uneven(const calibrate_result *result);
 const char *calibrate_field_unit(const calibrate_result *result);
 const char *calibrate_input_unit(const calibrate_result *result);
 
+/* What lengths, offsets and residuals over the field are told in, apart from the report. */
+told_unit calibrate_told_field(const calibrate_result *result);
+
 /* What limits the accuracy: a sentence. Returns text. */
 #define CALIBRATE_LIMIT_MAX 400
 const char *calibrate_limit(const calibrate_result *result, const uncertainty *length,
@@ -120,6 +144,17 @@ typedef struct {
 /* Breaks a text into lines between words. `used` columns of the first line are taken. */
 void calibrate_print_wrapped(FILE *file, size_t used, const char *text);
 
+/* Fits a nonlinearity to what was calibrated without; says why not, if the positions do not tell it.
+ * Returns EXIT_GOOD; EXIT_DATA. Its lines of the table, and its member of the object that is open. */
+int calibrate_nonlinear(calibrate_result *result, unsigned degree, int json);
+void calibrate_nonlinear_print(FILE *file, const calibrate_result *result);
+void calibrate_nonlinear_json(json_writer *w, const calibrate_result *result);
+
+/* Makes the cross-check; its line, and its member. */
+void calibrate_robust(calibrate_result *result);
+void calibrate_robust_print(FILE *file, const calibrate_result *result);
+void calibrate_robust_json(json_writer *w, const calibrate_result *result);
+
 /* The table of slopes, and what they are good for. */
 void calibrate_print_thermal(FILE *file, const calibrate_result *result);
 
@@ -132,11 +167,12 @@ void calibrate_print(FILE *file, const calibrate_result *result, const calibrate
  * reason    its details.
  * settings  what it was asked.
  * nominal   where the zero and scale came from.
+ * angles    what is said of those of a stand: which group of a program is missing they tell.
  *
  * Returns EXIT_DATA. */
 int calibrate_refuse(const positions *data, const fit_settings *settings,
-                     const nominal_choice *nominal, invcal_status status, const fit_reason *reason,
-                     int json);
+                     const nominal_choice *nominal, const stand_wish *angles, invcal_status status,
+                     const fit_reason *reason, int json);
 
 /* Says that the temperature drifted in so many rests that too few are left. Returns EXIT_DATA. */
 int calibrate_all_drift(const calibrate_result *result, int json);

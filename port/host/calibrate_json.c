@@ -5,6 +5,7 @@
 #include "json_write.h"
 #include "need.h"
 #include "number.h"
+#include "stand_tell.h"
 #include "verdict.h"
 
 /* Three numbers as they are, or as not known. */
@@ -173,7 +174,7 @@ void calibrate_json(FILE *file, const calibrate_result *result)
     json_text(&w, "unit_from", unit_origin_name(result->data->seen.unit_from));
     json_vector(&w, "offset", c.offset);
     json_matrix(&w, "matrix", c.matrix);
-    json_text(&w, "frame", result->settings.is_triangular ? "triangular" : "symmetric");
+    json_text(&w, "frame", calibrate_frame(result));
     write_nominal(&w, &result->nominal);
     json_vector(&w, "delta", &s->x[INVCAL_DELTA_X]);
     json_vector(&w, "dk", &s->x[INVCAL_DK_X]);
@@ -185,6 +186,15 @@ void calibrate_json(FILE *file, const calibrate_result *result)
     }
     if (fit_has_prior(&result->settings)) {
         write_source(&w, result->quality.from_prior);
+    }
+    if (result->degree > 0) {
+        calibrate_nonlinear_json(&w, result);
+    }
+    if (result->is_robust_wanted) {
+        calibrate_robust_json(&w, result);
+    }
+    if (result->stand.from) {
+        stand_json(&w, &result->stand);
     }
     if (result->temperature == CALIBRATE_THERMAL) {
         write_thermal(&w, &result->fit);

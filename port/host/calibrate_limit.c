@@ -165,7 +165,7 @@ const char *calibrate_advice(const calibrate_result *r, char text[CALIBRATE_LIMI
 {
     const thermal_fit *fit = &r->fit;
     const double range = fit->calibration.max - fit->calibration.min;
-    const char *unit = unit_is_gravity(r->settings.field) ? "mg" : "‰ of the field";
+    const told_unit told = told_parts(r->told, unit_is_gravity(r->settings.field));
     const unsigned most = steepest_offset(fit);
     char before[FIGURE_MAX];
     char after[FIGURE_MAX];
@@ -191,10 +191,10 @@ const char *calibrate_advice(const calibrate_result *r, char text[CALIBRATE_LIMI
                  "The residuals depend on temperature (chance alone: %.1g); offset %c moves by %s "
                  "%s/K. --thermal 1 brings their rms from %s to %s %s.",
                  fmax(1e-99, fit->significance), "xyz"[most],
-                 figure_with_sigma(1e3 * fit->slope[most], 1e3 * fit->slope_sigma[most],
-                                   FIGURE_SIGNED, slope),
-                 unit, figure_digits(1e3 * fit->without, 3, before),
-                 figure_digits(1e3 * fit->quality.rms, 3, after), unit);
+                 figure_with_sigma(told.scale * fit->slope[most],
+                                   told.scale * fit->slope_sigma[most], FIGURE_SIGNED, slope),
+                 told.unit, figure_digits(told.scale * fit->without, 3, before),
+                 figure_digits(told.scale * fit->quality.rms, 3, after), told.unit);
     }
     return text;
 }

@@ -13,6 +13,7 @@
 #include "options.h"
 #include "paint.h"
 #include "parameters.h"
+#include "stand_tell.h"
 #include "verdict.h"
 
 #define LINE_WIDTH 99u
@@ -63,6 +64,23 @@ static void print_offsets(FILE *file, const calibrate_result *r, int known)
     }
 }
 
+/* The same against nominal, over the field. */
+static void print_biases(FILE *file, const calibrate_result *r, int known)
+{
+    const told_unit told = calibrate_told_field(r);
+
+    for (unsigned i = 0; i < 3; i++) {
+        const figure f = {.label = "offset error",
+                          .axis = {"xyz"[i]},
+                          .value = told.scale * r->solution.x[INVCAL_DELTA_X + i],
+                          .sigma = known ? told.scale * r->quality.sigma[INVCAL_DELTA_X + i]
+                                         : NUMBER_UNKNOWN,
+                          .nominal = NUMBER_UNKNOWN,
+                          .unit = told.unit};
+        print_figure(file, &f);
+    }
+}
+
 /* As data sheets state it: input units per field unit. */
 static void print_scales(FILE *file, const calibrate_result *r, int known)
 {
@@ -89,24 +107,29 @@ static void print_scales(FILE *file, const calibrate_result *r, int known)
 static void print_errors(FILE *file, const calibrate_result *r, int known)
 {
     static const char *const pairs[] = {"xy", "xz", "zy"};
+    const told_unit scale = told_scale(r->told);
+    const told_unit angle = told_angle(r->told);
+    char off_square[FIGURE_MAX];
 
+    snprintf(off_square, sizeof off_square, "%s off square", angle.unit);
     for (unsigned i = 0; i < 3; i++) {
         const figure f = {.label = "scale error",
                           .axis = {"xyz"[i]},
-                          .value = 100 * r->solution.x[INVCAL_DK_X + i],
-                          .sigma = known ? 100 * r->quality.sigma[INVCAL_DK_X + i] : NUMBER_UNKNOWN,
+                          .value = scale.scale * r->solution.x[INVCAL_DK_X + i],
+                          .sigma = known ? scale.scale * r->quality.sigma[INVCAL_DK_X + i]
+                                         : NUMBER_UNKNOWN,
                           .nominal = NUMBER_UNKNOWN,
-                          .unit = "%"};
+                          .unit = scale.unit};
         print_figure(file, &f);
     }
     for (unsigned i = 0; i < 3; i++) {
         const figure f = {.label = "angle",
                           .axis = {pairs[i][0], pairs[i][1]},
-                          .value = FIGURE_DEGREES * r->solution.x[INVCAL_GAMMA_XY + i],
-                          .sigma = known ? FIGURE_DEGREES * r->quality.sigma[INVCAL_GAMMA_XY + i]
+                          .value = angle.scale * r->solution.x[INVCAL_GAMMA_XY + i],
+                          .sigma = known ? angle.scale * r->quality.sigma[INVCAL_GAMMA_XY + i]
                                          : NUMBER_UNKNOWN,
                           .nominal = 0,
-                          .unit = "degrees off square"};
+                          .unit = off_square};
         print_figure(file, &f);
     }
 }
@@ -121,40 +144,42 @@ static void print_guess(FILE *file, const nominal_choice *n, const char *nominal
     }
 }
 
-/* A residual, which is over the field, in a unit that one can picture. */
-static const char *residual_text(double residual, double field, char text[TEXT_MAX])
+/* A residual, which is over the field, in a unit that one can picture: to 0.1 millionth of the field, in
+ * micro-g to a thousandth of that. */
+static const char *residual_text(const calibrate_result *r, double residual, char text[TEXT_MAX])
 {
-    if (unit_is_gravity(field)) {
-        snprintf(text, TEXT_MAX, "%14.4f mg", 1e3 * residual);
-    } else {
-        snprintf(text, TEXT_MAX, "%14.5f %% of the field", 1e2 * residual);
-    }
+    const told_unit told = calibrate_told_field(r);
+    const int places = r->told == TOLD_INS ? 3 : unit_is_gravity(r->settings.field) ? 4 : 5;
+
+    snprintf(text, TEXT_MAX, "%14.*f %s", places, told.scale * residual, told.unit);
     return text;
 }
 
 static void print_residuals(FILE *file, const calibrate_result *r, const char *nominal_name)
 {
     const fit_quality *q = &r->quality;
-    const double field = r->settings.field;
+    const told_unit noise = r->told == TOLD_INS
+                                ? calibrate_told_field(r)
+                                : (told_unit){r->settings.field, calibrate_field_unit(r)};
     char text[TEXT_MAX];
 
-    fprintf(file, "residual rms  %s\n", residual_text(q->rms, field, text));
-    fprintf(file, "         max  %s, at position %u (line %lu)\n",
-            residual_text(q->max, field, text), q->worst + 1, r->data->origin[q->worst].line);
-    fprintf(file, "  rms before  %s (%s alone)\n", residual_text(r->residual_before, field, text),
+    fprintf(file, "residual rms  %s\n", residual_text(r, q->rms, text));
+    fprintf(file, "         max  %s, at position %u (line %lu)\n", residual_text(r, q->max, text),
+            q->worst + 1, r->data->origin[q->worst].line);
+    fprintf(file, "  rms before  %s (%s alone)\n", residual_text(r, r->residual_before, text),
             nominal_name);
     if (calibrate_knows_noise(r)) {
         fprintf(file, "noise         %14.3g %s of one position mean, %.3g degrees of freedom",
-                q->noise * field, calibrate_field_unit(r), q->dof);
+                q->noise * noise.scale, noise.unit, q->dof);
         if (r->settings.noise > 0) {
             fprintf(file, " (%s: %.3g)", r->is_noise_given ? "stated" : "of samples",
-                    r->settings.noise * field);
+                    r->settings.noise * noise.scale);
         }
         fprintf(file, "\n±             one standard deviation; %.2f of them cover 95 %%\n",
                 q->coverage);
         if (r->field_sigma > 0) {
-            fprintf(file, "of g          %.2g %% in the ± of the scales, alike in all three%s\n",
-                    1e2 * r->field_sigma,
+            fprintf(file, "of g          %.2g %s in the ± of the scales, alike in all three%s\n",
+                    told_scale(r->told).scale * r->field_sigma, told_scale(r->told).unit,
                     r->is_field_stated
                         ? ""
                         : ";\n              --gravity or --latitude tells it better");
@@ -330,7 +355,7 @@ static void print_place(FILE *file, const calibrate_result *result)
 static void print_rejected(FILE *file, const calibrate_result *result)
 {
     const rejection *r = &result->rejected;
-    const int is_gravity = unit_is_gravity(result->settings.field);
+    const told_unit told = calibrate_told_field(result);
     char text[FIGURE_MAX];
 
     if (rejection_drifting(r) > 0) {
@@ -348,12 +373,21 @@ static void print_rejected(FILE *file, const calibrate_result *result)
         fprintf(file, "%sLeft out:%s position %u (line %lu), wrong by %s %s\n",
                 paint_on(file, PAINT_RED), paint_off(file), r->list[i].position + 1,
                 result->data->origin[r->list[i].position].line,
-                figure_digits((is_gravity ? 1e3 : 1e2) * r->list[i].error, 3, text),
-                is_gravity ? "mg" : "% of the field");
+                figure_digits(told.scale * r->list[i].error, 3, text), told.unit);
     }
     if (r->suspected > 0) {
         fprintf(file, "Something is wrong among %u %spositions, but not to be told which.\n",
                 r->suspected, r->count > 0 ? "more " : "");
+    }
+}
+
+static void print_stand(FILE *file, const calibrate_result *result)
+{
+    const told_unit unit[3] = {calibrate_told_field(result), told_scale(result->told),
+                               told_angle(result->told)};
+
+    if (result->stand.from) {
+        stand_print(file, &result->stand, result->solution.x, unit);
     }
 }
 
@@ -380,12 +414,20 @@ void calibrate_print(FILE *file, const calibrate_result *result, const calibrate
             paint_off(file));
     print_offsets(file, result, known);
     print_scales(file, result, known);
+    if (result->told == TOLD_INS) { /* in input units alone no engineer of INS can read it */
+        print_biases(file, result, known);
+    }
     print_errors(file, result, known);
+    calibrate_nonlinear_print(file, result);
     print_guess(file, n, wish->nominal_name);
     fprintf(file, "\n");
+    print_stand(file, result);
     calibrate_print_thermal(file, result);
     fprintf(file, "%s", result->temperature == CALIBRATE_THERMAL ? "\n" : "");
     print_residuals(file, result, wish->nominal_name);
+    if (result->is_robust_wanted) {
+        calibrate_robust_print(file, result);
+    }
     print_limit(file, result);
     fprintf(file, "\n");
     print_verdict(file, result);

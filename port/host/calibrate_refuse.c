@@ -7,6 +7,7 @@
 #include "json_write.h"
 #include "message.h"
 #include "parameters.h"
+#include "stand_tell.h"
 
 #define REASON_MAX 800
 #define FEW_SAMPLES 1000u /* more rows than anybody has positions */
@@ -40,15 +41,28 @@ static unsigned positions_needed(const fit_settings *settings)
     return needed > 0 ? needed : 1;
 }
 
-static void say_undetermined(uint16_t bits, char *text)
+/* A group of a program that was not visited leaves its angle between axes open. */
+static unsigned missing_group(const positions *data, const stand_wish *angles, uint16_t bits)
+{
+    static const unsigned told_by[] = {0, INVCAL_GAMMA_ZY, INVCAL_GAMMA_XZ, INVCAL_GAMMA_XY};
+    const unsigned group = stand_missing_group(angles, data);
+
+    return group > 0 && bits >> told_by[group] & 1 ? group : 0;
+}
+
+static void say_undetermined(const positions *data, const stand_wish *angles, uint16_t bits,
+                             char *text)
 {
     char list[128];
     char advice[128];
+    char visit[STAND_TEXT_MAX];
+    const unsigned group = missing_group(data, angles, bits);
 
-    snprintf(text, REASON_MAX,
-             "the positions leave parameters undetermined%s%s; add positions with %s",
+    snprintf(text, REASON_MAX, "the positions leave parameters undetermined%s%s; %s%s",
              bits ? ": " : "", parameters_list(bits, list, sizeof list),
-             parameters_advice(bits, advice, sizeof advice));
+             group > 0 ? "" : "add positions with ",
+             group > 0 ? stand_missing_text(angles, group, visit)
+                       : parameters_advice(bits, advice, sizeof advice));
 }
 
 /* A reading that cannot be one of this field: by how much, and what may be wrong. */
@@ -73,8 +87,8 @@ static void say_out_of_range(const positions *data, const fit_settings *settings
 }
 
 static void say_why(const positions *data, const fit_settings *settings,
-                    const nominal_choice *nominal, invcal_status status, const fit_reason *reason,
-                    char *text)
+                    const nominal_choice *nominal, const stand_wish *angles, invcal_status status,
+                    const fit_reason *reason, char *text)
 {
     switch (status) {
     case INVCAL_TOO_FEW:
@@ -82,7 +96,7 @@ static void say_why(const positions *data, const fit_settings *settings,
                  data->count, data->count == 1 ? " is" : "s are", positions_needed(settings));
         break;
     case INVCAL_UNDETERMINED:
-        say_undetermined(reason->undetermined, text);
+        say_undetermined(data, angles, reason->undetermined, text);
         break;
     case INVCAL_OUT_OF_RANGE:
         say_out_of_range(data, settings, nominal, reason->position, text);
@@ -104,8 +118,8 @@ static void say_why(const positions *data, const fit_settings *settings,
 }
 
 int calibrate_refuse(const positions *data, const fit_settings *settings,
-                     const nominal_choice *nominal, invcal_status status, const fit_reason *reason,
-                     int json)
+                     const nominal_choice *nominal, const stand_wish *angles, invcal_status status,
+                     const fit_reason *reason, int json)
 {
     char text[REASON_MAX];
     json_writer w;
@@ -114,7 +128,7 @@ int calibrate_refuse(const positions *data, const fit_settings *settings,
     if (data->count < positions_needed(settings)) {
         status = INVCAL_TOO_FEW;
     }
-    say_why(data, settings, nominal, status, reason, text);
+    say_why(data, settings, nominal, angles, status, reason, text);
     if (status == INVCAL_NOT_FINITE || status == INVCAL_OUT_OF_RANGE) {
         message("%s:%lu: %s", data->name, data->origin[reason->position].line, text);
     } else {

@@ -20,10 +20,14 @@ typedef struct {
 
 static slope_unit unit_of(const calibrate_result *r, unsigned parameter)
 {
-    return parameter >= INVCAL_GAMMA_XY         ? (slope_unit){FIGURE_DEGREES, "degrees/K"}
-           : parameter >= INVCAL_DK_X           ? (slope_unit){1e6, "ppm/K"}
-           : unit_is_gravity(r->settings.field) ? (slope_unit){1e3, "mg/K"}
-                                                : (slope_unit){1e6, "ppm of the field/K"};
+    const int is_ins = r->told == TOLD_INS;
+
+    return parameter >= INVCAL_GAMMA_XY
+               ? (slope_unit){told_angle(r->told).scale, is_ins ? "arcsec/K" : "degrees/K"}
+           : parameter >= INVCAL_DK_X ? (slope_unit){1e6, "ppm/K"}
+           : unit_is_gravity(r->settings.field)
+               ? (slope_unit){told_field(r->told, 1).scale, is_ins ? "µg/K" : "mg/K"}
+               : (slope_unit){1e6, "ppm of the field/K"};
 }
 
 static void print_fitted(FILE *file, const thermal_fit *fit)
@@ -76,13 +80,12 @@ void calibrate_print_thermal(FILE *file, const calibrate_result *r)
         calibrate_print_wrapped(file, 0, text);
     }
     if (fit->calibration.fitted > 0 && r->quality.dof > 0 && !isnan(fit->without)) {
-        const int is_gravity = unit_is_gravity(r->settings.field);
+        const told_unit told = calibrate_told_field(r);
         char without[FIGURE_MAX];
         snprintf(text, sizeof text,
                  "Nine parameters alone leave an rms of %s %s in the same positions, %s times as "
                  "much as with temperature.",
-                 figure_digits((is_gravity ? 1e3 : 1e2) * fit->without, 3, without),
-                 is_gravity ? "mg" : "% of the field",
+                 figure_digits(told.scale * fit->without, 3, without), told.unit,
                  figure_digits(fit->without / r->quality.rms, 3, value));
         calibrate_print_wrapped(file, 0, text);
     }

@@ -16,7 +16,7 @@ typedef int (*number_reader)(json_reader *r, double *out);
 typedef int (*member_reader)(json_reader *r, const char *name, void *into);
 
 /* How much of it is wanted. */
-typedef enum { OFFSET_AND_MATRIX, AND_THERMAL, EVERYTHING } reading_depth;
+typedef enum { OFFSET_AND_MATRIX, CORRECTION, EVERYTHING } reading_depth;
 
 /* What one file is read into. */
 typedef struct {
@@ -239,6 +239,35 @@ static int read_thermal(json_reader *r, calibration_file *file)
                                          "file again with invcal calibrate --thermal");
 }
 
+/* ---- nonlinearity ----------------------------------------------------------------------------- */
+
+static int read_nonlinear_member(json_reader *r, const char *name, void *into)
+{
+    calibration_nonlinear *n = into;
+
+    return is(name, "quadratic")        ? read_vector(r, n->term[0])
+           : is(name, "cubic")          ? read_vector(r, n->term[1])
+           : is(name, "field")          ? json_read_number(r, &n->field)
+           : is(name, "nominal_matrix") ? read_matrix(r, n->nominal.matrix)
+                                        : json_skip(r);
+}
+
+/* What is missing of the field or the matrix stays 0. */
+static int read_nonlinear(json_reader *r, calibration_file *file)
+{
+    double inverse[3][3];
+    const int failure = read_object(r, read_nonlinear_member, &file->nonlinear);
+
+    if (failure) {
+        return failure;
+    }
+    file->has_nonlinear = 1;
+    return file->nonlinear.field > 0 && matrix_inverse(&file->nonlinear.nominal, inverse)
+               ? EXIT_GOOD
+               : json_error(r, "\"nonlinearity\" is incomplete; make the file again with invcal "
+                               "calibrate --quadratic or --cubic");
+}
+
 /* ---- the members ------------------------------------------------------------------------------ */
 
 /* What does not belong to the correction itself. */
@@ -272,9 +301,10 @@ static int read_member(json_reader *r, const char *name, void *into)
     x->has_matrix = x->has_matrix || is_matrix;
     return is_offset   ? read_vector(r, x->file->calibration.offset)
            : is_matrix ? read_matrix(r, x->file->calibration.matrix)
-           : is(name, "thermal") && x->depth >= AND_THERMAL ? read_thermal(r, x->file)
-           : x->depth == EVERYTHING                         ? read_circumstance(r, name, x->file)
-                                                            : json_skip(r);
+           : is(name, "thermal") && x->depth >= CORRECTION      ? read_thermal(r, x->file)
+           : is(name, "nonlinearity") && x->depth >= CORRECTION ? read_nonlinear(r, x->file)
+           : x->depth == EVERYTHING ? read_circumstance(r, name, x->file)
+                                    : json_skip(r);
 }
 
 static int read_calibration(json_reader *r, reading *x)
@@ -334,9 +364,9 @@ int calibration_file_read(const char *path, invcal_calibration *out)
     return failure;
 }
 
-int calibration_file_read_thermal(const char *path, calibration_file *out)
+int calibration_file_read_correction(const char *path, calibration_file *out)
 {
-    return read_path(path, out, AND_THERMAL);
+    return read_path(path, out, CORRECTION);
 }
 
 int calibration_file_read_all(const char *path, calibration_file *out)

@@ -10,6 +10,13 @@
 #define CALIBRATION_FILE_WORD 32 /* longer words are cut */
 #define CALIBRATION_FILE_NAMES 128
 
+/* Quadratic and cubic errors of the axes (nonlinearity.h). */
+typedef struct {
+    double term[2][3];          /* of x y z, over the field; without --cubic the latter are 0 */
+    double field;               /* its length */
+    invcal_calibration nominal; /* whose axes they are of: its matrix, in field units */
+} calibration_nonlinear;
+
 /* All that is known of a calibration. A number that the file does not tell is NUMBER_UNKNOWN, a
  * text is "". */
 typedef struct {
@@ -33,6 +40,8 @@ typedef struct {
     invcal_thermal thermal; /* over the field, */
     double thermal_field;   /* of this length, */
     int is_triangular;      /* and its frame */
+    int has_nonlinear;      /* the calibration is what is left for a linear one after */
+    calibration_nonlinear nonlinear;
 } calibration_file;
 
 /* Reads a JSON object with "offset", 3 numbers in input units, and "matrix", 3 rows of 3 numbers
@@ -42,8 +51,8 @@ typedef struct {
  * matrix is singular. */
 int calibration_file_read(const char *path, invcal_calibration *out);
 
-/* The same with has_thermal and thermal, no other members. */
-int calibration_file_read_thermal(const char *path, calibration_file *out);
+/* The same with has_thermal and thermal, has_nonlinear and nonlinear, no other members. */
+int calibration_file_read_correction(const char *path, calibration_file *out);
 
 /* The same with everything else that it tells; then the members above are checked as well. */
 int calibration_file_read_all(const char *path, calibration_file *out);

@@ -2,8 +2,11 @@
 #include "chart.h"
 
 #include <math.h>
+#include <stdio.h>
 
 #include "svg.h"
+
+#define LONG_FIGURE 1e5
 
 double chart_round_step(double x)
 {
@@ -69,6 +72,17 @@ void chart_ticks_x(FILE *file, const ruler *x, const ruler *y)
     }
 }
 
+/* A figure beside an axis, in short where it is too long for the margin: "-2e5" for -200000. */
+static const char *figure_beside(double value, unsigned places, char text[SVG_NUMBER_MAX])
+{
+    (void)svg_fixed(value, places, text);
+    if (fabs(value) >= LONG_FIGURE) {
+        const int exponent = (int)floor(log10(fabs(value)) + 1e-9);
+        snprintf(text, SVG_NUMBER_MAX, "%.3ge%d", value / pow(10, exponent), exponent);
+    }
+    return text;
+}
+
 void chart_ticks_y(FILE *file, const ruler *y, const ruler *x)
 {
     char text[SVG_NUMBER_MAX];
@@ -77,6 +91,6 @@ void chart_ticks_y(FILE *file, const ruler *y, const ruler *x)
         const double at = chart_pixel(y, k * y->step);
         svg_line(file, fabs(k) > 0 ? "grid" : "rule", x->from, at, x->to, at);
         svg_text(file, "ink small", SVG_END, x->from - 6, at + 4,
-                 svg_fixed(k * y->step, chart_places(y->step), text));
+                 figure_beside(k * y->step, chart_places(y->step), text));
     }
 }

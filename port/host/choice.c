@@ -16,6 +16,16 @@ double choice_worst(const criteria *c, const double limits[3])
                 fmax(c->sigma_dk / limits[1], c->sigma_gamma / limits[2]));
 }
 
+unsigned choice_least(const choice_request *request)
+{
+    return INVCAL_PARAMETERS + request->spare;
+}
+
+unsigned choice_stand_step(int needs_axes)
+{
+    return needs_axes ? 2 : 1;
+}
+
 /* The positions that fit into the budget, at most DESIGN_MAX. */
 static unsigned positions_allowed(const choice_request *request)
 {
@@ -26,8 +36,8 @@ static unsigned positions_allowed(const choice_request *request)
     }
     /* n rests and n - 1 moves; 1e-9 of one more, lest rounding takes the last one */
     const double period = cost->settle + cost->dwell + cost->move;
-    const double n = floor((request->budget + cost->move) / period + 1e-9);
-    return n < DESIGN_MAX ? (unsigned)n : DESIGN_MAX; /* all are within bounds: n is a number */
+    const double n = floor((request->budget - cost->warm_up + cost->move) / period + 1e-9);
+    return n < DESIGN_MAX ? (unsigned)fmax(n, 0) : DESIGN_MAX; /* all are within bounds: a number */
 }
 
 static int stand(design *d, unsigned per_group)
@@ -42,13 +52,16 @@ static int stand(design *d, unsigned per_group)
 /* Programs become better with every N: the smallest within the limits is found by halving. */
 static int choose_stand(design *d, const choice_request *request, unsigned allowed)
 {
-    unsigned low = INVCAL_PLAN_PER_GROUP_MIN;
-    unsigned high = allowed / INVCAL_PLAN_GROUPS;
+    const unsigned step = choice_stand_step(request->needs_axes);
+    const unsigned spared = (choice_least(request) + INVCAL_PLAN_GROUPS - 1) / INVCAL_PLAN_GROUPS;
+    const unsigned least = spared > INVCAL_PLAN_PER_GROUP_MIN ? spared : INVCAL_PLAN_PER_GROUP_MIN;
+    unsigned low = (least + step - 1) / step; /* N over step */
+    unsigned high = allowed / INVCAL_PLAN_GROUPS / step;
 
     if (high < low) {
         return 0;
     }
-    stand(d, high);
+    stand(d, step * high);
     if (!request->limits) {
         return 1;
     }
@@ -57,32 +70,32 @@ static int choose_stand(design *d, const choice_request *request, unsigned allow
     }
     while (low < high) {
         const unsigned middle = (low + high) / 2;
-        stand(d, middle);
+        stand(d, step * middle);
         if (choice_worst(&d->criteria, request->limits) <= WITHIN) {
             high = middle;
         } else {
             low = middle + 1;
         }
     }
-    return stand(d, high);
+    return stand(d, step * high);
 }
 
 /* With every position more the worst ratio can only fall: the smallest number is found by
  * halving between the least there can be and `high`, which meets the limits. */
-static void choose_smallest(design *d, const double limits[3], unsigned high)
+static void choose_smallest(design *d, const choice_request *request, unsigned high)
 {
     double direction[OPTIMAL_MAX][3];
-    unsigned low = OPTIMAL_MIN;
+    unsigned low = choice_least(request);
 
     while (low < high) {
         const unsigned middle = (low + high) / 2;
-        if (optimal_within(middle, limits, direction) <= WITHIN) {
+        if (optimal_within(middle, request->limits, request->needs_axes, direction) <= WITHIN) {
             high = middle;
         } else {
             low = middle + 1;
         }
     }
-    design_balanced(d, high, limits);
+    design_balanced(d, high, request->limits, request->needs_axes);
 }
 
 static int choose_free(design *d, const choice_request *request, unsigned allowed)
@@ -90,30 +103,30 @@ static int choose_free(design *d, const choice_request *request, unsigned allowe
     const unsigned most = allowed < OPTIMAL_MAX ? allowed : OPTIMAL_MAX;
     double direction[OPTIMAL_MAX][3];
 
-    if (most < OPTIMAL_MIN) {
+    if (most < choice_least(request)) {
         return 0;
     }
     if (!request->limits) {
-        optimal_directions(most, direction);
+        optimal_directions(most, request->needs_axes, direction);
         order_directions(direction, most);
         design_directions(d, "free directions", direction, most);
         return 1;
     }
-    if (!(optimal_within(most, request->limits, direction) <= WITHIN)) {
+    if (!(optimal_within(most, request->limits, request->needs_axes, direction) <= WITHIN)) {
         return 0;
     }
-    choose_smallest(d, request->limits, most);
+    choose_smallest(d, request, most);
     return d->is_solvable && choice_worst(&d->criteria, request->limits) <= WITHIN;
 }
 
 static void refuse(choice *c, const choice_request *request, unsigned allowed)
 {
-    if (allowed < OPTIMAL_MIN) {
+    if (allowed < choice_least(request)) {
         snprintf(c->refusal, sizeof c->refusal,
-                 "%u position%s into %.6g s with %.6g s in each and %.6g s between; nine are the "
-                 "least",
+                 "%u position%s into %.6g s with %.6g s in each and %.6g s between; %u are the "
+                 "least, nine and %u to spare",
                  allowed, allowed == 1 ? " fits" : "s fit", request->budget, request->cost.dwell,
-                 request->cost.move);
+                 request->cost.move, choice_least(request), request->spare);
     } else {
         snprintf(c->refusal, sizeof c->refusal,
                  "no program of up to %u positions%s meets the limits: dwell longer, take a sensor "

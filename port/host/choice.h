@@ -9,6 +9,9 @@
 #define CHOICE_H
 
 #include "design.h"
+#include "told.h"
+
+#define CHOICE_SPARE 3u /* positions to spare, unless something else is asked for */
 
 struct labour;
 
@@ -16,7 +19,11 @@ typedef struct {
     const double *limits; /* of the sigma of delta, dk, gamma, over the noise of a position mean;
                              or null */
     double budget;        /* seconds; 0: no limit */
+    unsigned spare;       /* positions beyond the nine that nine parameters need, at least */
+    int needs_axes;       /* each axis is to stand along gravity, up and down */
+    double bound;         /* no position mean is off by more, over the field; 0: not asked for */
     design_cost cost;
+    told_style told;             /* the units of sigma, where the noise is told */
     const struct labour *labour; /* what dwell and number were chosen by (plan_labour.h), or null */
 } choice_request;
 
@@ -38,6 +45,13 @@ typedef struct {
  *
  * Returns EXIT_GOOD; EXIT_DATA, without a message, if neither family has one. */
 int choice_make(choice *c, const choice_request *request);
+
+/* The fewest positions that may be chosen. */
+unsigned choice_least(const choice_request *request);
+
+/* Programs are looked at whose N is a multiple of this: with needs_axes 2, for an odd N points no axis
+ * up and down. */
+unsigned choice_stand_step(int needs_axes);
 
 /* The largest sigma / limit of a set. */
 double choice_worst(const criteria *c, const double limits[3]);

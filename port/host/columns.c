@@ -10,6 +10,8 @@
 #include "message.h"
 #include "number.h"
 
+#define RADIANS 0.017453292519943296 /* in a degree */
+
 /* The headings of the table at hand; too many for the stack. */
 static heading headings[TABLE_COLUMNS_MAX];
 
@@ -229,6 +231,8 @@ static int is_named(const heading *h, column which)
         [COLUMN_SAMPLES] = {"n", "nsamples", "count"},
         [COLUMN_TIME] = {"t", "time", "timestamp", "elapsed", "elapsedtime", "timeelapsed"},
         [COLUMN_TEMPERATURE] = {"temperature", "temp", "tempc", "tempdegc", "temperaturec"},
+        [COLUMN_ALPHA] = {"alpha", "alphadeg", "alpharad"},
+        [COLUMN_BETA] = {"beta", "betadeg", "betarad"},
     };
 
     if (which >= COLUMN_STD_X && which <= COLUMN_STD_Z) {
@@ -346,6 +350,15 @@ static void find_temperature_unit(columns *out)
     }
 }
 
+/* Of the angles: degrees, unless the heading says rad. */
+static void find_angle_units(const table *t, columns *out)
+{
+    for (unsigned i = 0; i < 2; i++) {
+        const int at = out->index[COLUMN_ALPHA + i];
+        out->per_degree[i] = at >= 0 && strstr(t->field[at], "rad") ? RADIANS : 1;
+    }
+}
+
 /* ---- together ----------------------------------------------------------------------------------- */
 
 static void remember_names(const table *t, columns *out)
@@ -406,6 +419,7 @@ static int find_by_header(table *t, columns_kind kind, columns *out)
     out->instance = find_instance(t);
     find_time_unit(t, out);
     find_temperature_unit(out);
+    find_angle_units(t, out);
     remember_names(t, out);
     find_unit_row(t, out);
     return EXIT_GOOD;
@@ -428,7 +442,7 @@ static int find_by_count(const table *t, columns_kind kind, columns *out)
 {
     static const char *const layouts[2][5] = {{"xyz", "xyzsn", "xyzabcn"},
                                               {"xyz", "txyz", "txyzT", "xyz...", "txyz..."}};
-    static const char letters[] = "xyzabcntT"; /* in the order of `column`; '.': a rate */
+    static const char letters[] = "xyzabcntTAB"; /* in the order of `column`; '.': a rate */
 
     for (unsigned i = 0; i < 5 && !is_cut_at_commas(t); i++) {
         const char *layout = layouts[kind][i];
@@ -510,6 +524,16 @@ int columns_number(const table *t, const columns *where, column which, double *o
     return EXIT_GOOD;
 }
 
+double columns_angle(const table *t, const columns *where, column which)
+{
+    const int index = where->index[which];
+    double value;
+
+    return index >= 0 && number_parse(t->field[index], &value) == NUMBER_OK
+               ? value / where->per_degree[which - COLUMN_ALPHA]
+               : NUMBER_UNKNOWN;
+}
+
 int columns_check_instance(const table *t, columns *where)
 {
     const char *here = where->instance >= 0 ? t->field[where->instance] : "";
@@ -528,8 +552,8 @@ int columns_check_instance(const table *t, columns *where)
 
 const char *columns_name(column which)
 {
-    static const char *const names[COLUMN_COUNT] = {"x",     "y", "z", "std_x",      "std_y",
-                                                    "std_z", "n", "t", "temperature"};
+    static const char *const names[COLUMN_COUNT] = {
+        "x", "y", "z", "std_x", "std_y", "std_z", "n", "t", "temperature", "alpha", "beta"};
 
     return names[which];
 }

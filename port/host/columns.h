@@ -20,6 +20,8 @@ typedef enum {
     COLUMN_SAMPLES, /* their number */
     COLUMN_TIME,
     COLUMN_TEMPERATURE,
+    COLUMN_ALPHA, /* angles of a stand; by a header only */
+    COLUMN_BETA,
     COLUMN_COUNT
 } column;
 
@@ -42,6 +44,7 @@ typedef struct {
     int index[COLUMN_COUNT];
     double per_second;        /* units of the time column in a second */
     temperature_unit degrees; /* of the temperature column */
+    double per_degree[2];     /* units of the columns alpha and beta in a degree */
     int instance;             /* column that numbers the sensor of each row, or -1 */
     char first_instance[8];
     recognition seen;
@@ -59,8 +62,9 @@ typedef enum {
     "  x y z (or ax ay az, acc_x .., AccX .., \"Acceleration x\" .., accSmooth[0] ..,\n"           \
     "  accelerometer_m_s2[0] .., xyz[0] .., mx my mz, mag_x .., mean_x ..);\n"                     \
     "  std or std_x std_y std_z; n, n_samples or count; t, time or timestamp;\n"                   \
-    "  temperature or temp. A unit may follow: ax (g), ax [m/s^2], acc_x_mg, time (us), t_ms,\n"   \
-    "  temp (K). Small and capital letters are the same; other columns are ignored. Logs of\n"     \
+    "  temperature or temp; alpha and beta. A unit may follow: ax (g), ax [m/s^2], acc_x_mg,\n"    \
+    "  time (us), t_ms, temp (K). Small and capital letters are the same; other columns are\n"     \
+    "  ignored. Logs of\n"                                                                         \
     "  phyphox are known by their headers, and those converted by ulog2csv (PX4),\n"               \
     "  blackbox_decode (Betaflight, INAV), mavlogdump.py (ArduPilot) and\n"                        \
     "  rostopic echo -p (ROS).\n"
@@ -77,6 +81,10 @@ int columns_find(table *t, columns_kind kind, columns *out);
  *
  * Returns EXIT_GOOD; EXIT_FILE, with a message that names line and column. */
 int columns_number(const table *t, const columns *where, column which, double *out);
+
+/* An angle of the stand, COLUMN_ALPHA or COLUMN_BETA, in degrees. NaN if there is no such column, or the
+ * current row holds no number there: only who wants angles has to complain. */
+double columns_angle(const table *t, const columns *where, column which);
 
 /* Checks that the current row is of the same sensor as those before.
  *

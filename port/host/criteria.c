@@ -11,12 +11,17 @@ enum { P = INVCAL_PARAMETERS, SUMS = INVCAL_PACKED_SIZE(INVCAL_PARAMETERS) };
 
 void criteria_add(invcal_sums *design, const double vertical[3])
 {
+    criteria_add_weighted(design, vertical, 1);
+}
+
+void criteria_add_weighted(invcal_sums *design, const double vertical[3], double weight)
+{
     const double x = vertical[0];
     const double y = vertical[1];
     const double z = vertical[2];
     const invcal_row row = {{x, y, z, x * x, y * y, z * z, x * y, x * z, y * z, 0}};
 
-    invcal_sums_add_row(design, &row, 1);
+    invcal_sums_add_row(design, &row, weight);
 }
 
 void criteria_information(const invcal_sums *design, double hth[SUMS])

@@ -28,6 +28,9 @@ typedef struct {
  * vertical  the up direction in the instrument frame, a unit vector. */
 void criteria_add(invcal_sums *design, const double vertical[3]);
 
+/* The same with a weight, 0 or more: of a position that is held so many times as long as others. */
+void criteria_add_weighted(invcal_sums *design, const double vertical[3], double weight);
+
 /* H'H of a design, packed. */
 void criteria_information(const invcal_sums *design,
                           double hth[INVCAL_PACKED_SIZE(INVCAL_PARAMETERS)]);

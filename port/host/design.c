@@ -6,15 +6,19 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "angles.h"
+#include "angles_file.h"
 #include "command.h"
+#include "grid.h"
 #include "message.h"
 #include "number.h"
 #include "optimal.h"
 #include "order.h"
 #include "parameters.h"
 #include "positions.h"
+#include "weights.h"
 
-#define DEGREES 57.295779513082321
+#define SAME 1e-9 /* directions that differ by less */
 
 const char *design_axis_name(unsigned axis)
 {
@@ -23,14 +27,37 @@ const char *design_axis_name(unsigned axis)
     return names[axis];
 }
 
+design_labour design_labour_of(unsigned count, const design_cost *cost)
+{
+    return (design_labour){cost->warm_up, count * cost->settle, (count - 1.0) * cost->move,
+                           count * cost->dwell};
+}
+
 double design_seconds(unsigned count, const design_cost *cost)
 {
-    return count * (cost->settle + cost->dwell) + (count - 1.0) * cost->move;
+    const design_labour l = design_labour_of(count, cost);
+
+    return l.warm_up + l.settling + l.turning + l.recording;
+}
+
+double design_begins(const design *d, unsigned n, const design_cost *cost)
+{
+    double share = 0;
+
+    for (unsigned i = 0; i < n; i++) {
+        share += d->position[i].share;
+    }
+    return cost->warm_up + n * (cost->settle + cost->move) + share * cost->dwell;
 }
 
 double design_noise(const design_cost *cost)
 {
     return cost->noise / sqrt(cost->dwell);
+}
+
+int design_has_groups(const design *d)
+{
+    return d->count > 0 && d->position[0].group > 0;
 }
 
 static const invcal_calibration unit = {{0, 0, 0}, {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
@@ -51,46 +78,129 @@ void design_next(const design *d, double up[3])
     invcal_next(readings(d), d->count, &unit, up);
 }
 
-static double hidden_by(const design *d)
+/* The same in threes. */
+static const double (*directions(const design *d))[3]
 {
-    double direction[DESIGN_MAX][3];
+    return (const double(*)[3])readings(d);
+}
+
+static const double *shares(const design *d)
+{
+    static double share[DESIGN_MAX];
 
     for (unsigned n = 0; n < d->count; n++) {
-        memcpy(direction[n], d->position[n].vertical, sizeof direction[n]);
+        share[n] = d->position[n].share;
     }
-    return d->count > 1 ? order_hides_drift((const double(*)[3])direction, d->count) : HUGE_VAL;
+    return share;
+}
+
+unsigned design_distinct(const design *d)
+{
+    unsigned distinct = 0;
+
+    for (unsigned n = 0; n < d->count; n++) {
+        const double *v = d->position[n].vertical;
+        unsigned i = 0;
+        while (i < n &&
+               !(hypot(hypot(v[0] - d->position[i].vertical[0], v[1] - d->position[i].vertical[1]),
+                       v[2] - d->position[i].vertical[2]) < SAME)) {
+            i++;
+        }
+        distinct += i == n;
+    }
+    return distinct;
+}
+
+static void refuse(design *d)
+{
+    char list[128];
+    char advice[128];
+
+    snprintf(d->refusal, sizeof d->refusal,
+             "the positions leave parameters undetermined%s%s; add positions with %s",
+             d->undetermined ? ": " : "", parameters_list(d->undetermined, list, sizeof list),
+             parameters_advice(d->undetermined, advice, sizeof advice));
+}
+
+/* What the positions cover: those that are held at all. */
+static void cover(design *d)
+{
+    int is_first = 1;
+
+    d->axes = 0;
+    for (unsigned n = 0; n < d->count; n++) {
+        const double *v = d->position[n].vertical;
+        if (!(d->position[n].share > 0)) {
+            continue;
+        }
+        d->axes |= invcal_axis_up(v);
+        for (unsigned i = 0; i < 3; i++) {
+            d->range[i][0] = is_first || v[i] < d->range[i][0] ? v[i] : d->range[i][0];
+            d->range[i][1] = is_first || v[i] > d->range[i][1] ? v[i] : d->range[i][1];
+        }
+        is_first = 0;
+    }
 }
 
 static void judge(design *d)
 {
     invcal_sums_init(&d->sums);
-    d->axes = 0;
     for (unsigned n = 0; n < d->count; n++) {
-        const double *v = d->position[n].vertical;
-        criteria_add(&d->sums, v);
-        d->axes |= invcal_axis_up(v);
-        for (unsigned i = 0; i < 3; i++) {
-            d->range[i][0] = n == 0 || v[i] < d->range[i][0] ? v[i] : d->range[i][0];
-            d->range[i][1] = n == 0 || v[i] > d->range[i][1] ? v[i] : d->range[i][1];
-        }
+        criteria_add_weighted(&d->sums, d->position[n].vertical, d->position[n].share);
     }
+    cover(d);
     d->is_solvable = criteria_judge(&d->sums, &d->criteria);
-    d->hidden = hidden_by(d);
+    d->criteria.positions = d->count;
+    d->hidden = order_hides_drift(directions(d), shares(d), d->count);
     d->undetermined = d->is_solvable ? 0 : invcal_undetermined(readings(d), d->count, &unit);
     if (!d->is_solvable) {
-        char list[128];
-        char advice[128];
-        snprintf(d->refusal, sizeof d->refusal,
-                 "the positions leave parameters undetermined%s%s; add positions with %s",
-                 d->undetermined ? ": " : "", parameters_list(d->undetermined, list, sizeof list),
-                 parameters_advice(d->undetermined, advice, sizeof advice));
+        refuse(d);
     }
+}
+
+/* Shares that are given, times the number of positions. What equal ones would be worth is kept. */
+static void share_out(design *d, const double *share)
+{
+    d->equal_log_det = d->is_solvable ? d->criteria.log_det : (double)NAN;
+    d->has_shares = 1;
+    for (unsigned n = 0; n < d->count; n++) {
+        d->position[n].share = share[n];
+    }
+    judge(d);
+}
+
+void design_weigh(design *d)
+{
+    static double share[DESIGN_MAX];
+
+    weights_find(directions(d), d->count, share);
+    d->has_shares = 0;
+    for (unsigned n = 0; n < d->count; n++) {
+        d->position[n].share = 1;
+    }
+    judge(d);
+    share_out(d, share);
+}
+
+/* An empty set of this name. */
+static void begin(design *d, const char *name)
+{
+    snprintf(d->name, sizeof d->name, "%s", name);
+    d->plan = (invcal_plan){0};
+    d->is_stand = 0;
+    d->has_shares = 0;
+    d->dwell = 0;
+    d->count = 0;
 }
 
 void design_stand(design *d, const invcal_plan *plan)
 {
-    snprintf(d->name, sizeof d->name, "3 x %u", plan->per_group);
+    char name[sizeof d->name];
+
+    snprintf(name, sizeof name, "3 x %u", plan->per_group);
+    begin(d, name);
     d->plan = *plan;
+    d->is_stand = 1;
     d->count = INVCAL_PLAN_GROUPS * plan->per_group;
     for (unsigned i = 0; i < d->count; i++) {
         invcal_plan_position p;
@@ -98,40 +208,50 @@ void design_stand(design *d, const invcal_plan *plan)
         d->position[i].group = p.group;
         d->position[i].alpha = p.alpha;
         d->position[i].beta = p.beta;
+        d->position[i].share = 1;
         memcpy(d->position[i].vertical, p.vertical, sizeof p.vertical);
     }
     judge(d);
 }
 
-/* Stand angles of a direction: eta(alpha, beta) = (sin alpha sin beta, cos alpha, sin alpha
- * cos beta), alpha from 0 to 180. */
-static void set_angles(design_position *p)
-{
-    const double *v = p->vertical;
-    const double radius = hypot(v[0], v[2]); /* sin alpha */
-
-    p->group = 0;
-    p->alpha = DEGREES * atan2(radius, v[1]);
-    p->beta = radius > 1e-12 ? DEGREES * atan2(v[0], v[2]) : 0;
-}
-
 void design_directions(design *d, const char *name, double (*direction)[3], unsigned count)
 {
-    snprintf(d->name, sizeof d->name, "%s", name);
-    d->plan = (invcal_plan){0};
+    begin(d, name);
     d->count = count;
     for (unsigned n = 0; n < count; n++) {
-        memcpy(d->position[n].vertical, direction[n], sizeof direction[n]);
-        set_angles(&d->position[n]);
+        design_position *p = &d->position[n];
+        memcpy(p->vertical, direction[n], sizeof direction[n]);
+        const stand_angles a = angles_of(p->vertical);
+        p->group = 0;
+        p->share = 1;
+        p->alpha = a.alpha;
+        p->beta = a.beta;
     }
     judge(d);
 }
 
-void design_balanced(design *d, unsigned count, const double limits[3])
+/* Makes and judges a set of a stand's angles. */
+static void design_angles(design *d, const char *name, const stand_angles *angle, unsigned count)
+{
+    begin(d, name);
+    d->is_stand = 1;
+    d->count = count;
+    for (unsigned n = 0; n < count; n++) {
+        design_position *p = &d->position[n];
+        p->group = 0;
+        p->share = 1;
+        p->alpha = angle[n].alpha;
+        p->beta = angle[n].beta;
+        angles_direction(p->alpha, p->beta, p->vertical);
+    }
+    judge(d);
+}
+
+void design_balanced(design *d, unsigned count, const double limits[3], int with_axes)
 {
     double direction[OPTIMAL_MAX][3];
 
-    (void)optimal_within(count, limits, direction);
+    (void)optimal_within(count, limits, with_axes, direction);
     order_directions(direction, count);
     design_directions(d, "free directions", direction, count);
 }
@@ -261,20 +381,104 @@ static int make_stand(design *d, const char *command, const char *text)
     return EXIT_GOOD;
 }
 
+/* The 18 positions of the paper without those on the axes. */
+static void make_stand_12(design *d, const char *name)
+{
+    invcal_plan plan = {.per_group = 6};
+    unsigned count = 0;
+
+    (void)invcal_plan_starts(plan.per_group, plan.start);
+    design_stand(d, &plan);
+    for (unsigned n = 0; n < d->count; n++) {
+        if (!invcal_axis_up(d->position[n].vertical)) {
+            d->position[count++] = d->position[n];
+        }
+    }
+    begin(d, name);
+    d->is_stand = 1;
+    d->count = count;
+    judge(d);
+}
+
+/* Three groups in steps of 45 degrees. */
+static void make_stand_24(design *d, const char *name)
+{
+    invcal_plan plan = {.per_group = 8};
+
+    (void)invcal_plan_starts(plan.per_group, plan.start);
+    design_stand(d, &plan);
+    snprintf(d->name, sizeof d->name, "%s", name);
+}
+
+/* N or N:axes. */
+static int read_optimal(const char *command, const char *what, const char *text, unsigned *n,
+                        int *with_axes)
+{
+    char count[64];
+    const size_t length = strcspn(text, ":");
+
+    *with_axes = strcmp(text + length, ":axes") == 0;
+    snprintf(count, sizeof count, "%.*s", *with_axes ? (int)length : (int)sizeof count, text);
+    return read_count(command, what, count, OPTIMAL_MIN, OPTIMAL_MAX, n);
+}
+
 static int make_optimal(design *d, const char *command, const char *text)
 {
     double direction[OPTIMAL_MAX][3];
     char name[sizeof d->name];
     unsigned n = 0;
-    const int failure = read_count(command, "optimal", text, OPTIMAL_MIN, OPTIMAL_MAX, &n);
+    int with_axes = 0;
+    const int failure = read_optimal(command, "optimal", text, &n, &with_axes);
 
     if (!failure) {
         snprintf(name, sizeof name, "optimal %u", n);
-        optimal_directions(n, direction);
+        optimal_directions(n, with_axes, direction);
         order_directions(direction, n);
         design_directions(d, name, direction, n);
     }
     return failure;
+}
+
+/* The angle of a stop, from one that is rounded. */
+static double at_stop(double degrees, unsigned step)
+{
+    return angles_turn(0, step * nearbyint(degrees / step));
+}
+
+static void find_on_grid(design *d, unsigned n, unsigned step, int with_axes)
+{
+    double direction[OPTIMAL_MAX][3];
+    stand_angles angle[OPTIMAL_MAX];
+    char name[sizeof d->name];
+
+    snprintf(name, sizeof name, "optimal %u, stops every %u", n, step);
+    grid_directions(n, step, with_axes, direction);
+    order_directions(direction, n);
+    for (unsigned i = 0; i < n; i++) {
+        const stand_angles a = angles_of(direction[i]);
+        angle[i] = (stand_angles){at_stop(a.alpha, step), at_stop(a.beta, step)};
+    }
+    design_angles(d, name, angle, n);
+}
+
+/* S:N or S:N:axes. */
+static int make_grid(design *d, const char *command, const char *text)
+{
+    static const char *const steps[] = {"15:", "30:", "45:"};
+    unsigned n = 0;
+    int with_axes = 0;
+
+    for (unsigned i = 0; i < sizeof steps / sizeof steps[0]; i++) {
+        if (strncmp(text, steps[i], 3) == 0) {
+            const int failure = read_optimal(command, "optimal", text + 3, &n, &with_axes);
+            if (!failure) {
+                find_on_grid(d, n, 15 * (i + 1), with_axes);
+            }
+            return failure;
+        }
+    }
+    return message_usage(command, "grid: '%.*s': 15, 30 or 45 degrees are expected",
+                         (int)strcspn(text, ":"), text);
 }
 
 /* Directions of any length, made unit vectors in place. */
@@ -312,8 +516,9 @@ static const char *plain_name(const char *path, char *name, size_t size)
     return name;
 }
 
-static int make_from_file(design *d, const char *path)
+static int make_from_file(design *d, const char *command, const char *path)
 {
+    (void)command;
     positions p;
     int failure = positions_read(&p, path);
 
@@ -330,33 +535,76 @@ static int make_from_file(design *d, const char *path)
     return failure;
 }
 
-/* What stands behind `prefix`, or null if the word does not begin with it. */
-static const char *behind(const char *word, const char *prefix)
+/* With a column of dwell its mean is that of the set, and the shares are as told. */
+static int make_from_angles(design *d, const char *command, const char *path)
 {
-    const size_t length = strlen(prefix);
+    (void)command;
+    static stand_angles angle[DESIGN_MAX];
+    static double dwell[DESIGN_MAX];
+    angles_list list = {angle, dwell, DESIGN_MAX, 0};
+    char name[sizeof d->name];
+    double sum = 0;
+    int is_equal = 1;
+    const int failure = angles_file_read(&list, path);
 
-    return strncmp(word, prefix, length) == 0 ? word + length : NULL;
+    if (failure) {
+        return failure;
+    }
+    design_angles(d, plain_name(path, name, sizeof name), angle, list.count);
+    for (unsigned n = 0; n < list.count; n++) {
+        sum += dwell[n];
+        is_equal = is_equal && !(fabs(dwell[n] - dwell[0]) > 0);
+    }
+    d->dwell = sum / list.count;
+    for (unsigned n = 0; n < list.count && !is_equal; n++) {
+        dwell[n] /= d->dwell;
+    }
+    if (!is_equal) {
+        share_out(d, dwell);
+    }
+    return EXIT_GOOD;
+}
+
+/* A set that is named by one word. Returns 0 if there is none of this name. */
+static int make_named(design *d, const char *word)
+{
+    static const struct {
+        const char *word;
+        void (*make)(design *d, const char *word);
+    } named[] = {{"faces", make_solid},
+                 {"edges", make_solid},
+                 {"icosahedron", make_solid},
+                 {"stand-12", make_stand_12},
+                 {"stand-24", make_stand_24}};
+
+    for (unsigned i = 0; i < sizeof named / sizeof named[0]; i++) {
+        if (strcmp(word, named[i].word) == 0) {
+            named[i].make(d, word);
+            return 1;
+        }
+    }
+    return 0;
 }
 
 static int make(design *d, const char *command, const char *word)
 {
-    const char *rest;
+    static const struct {
+        const char *prefix;
+        int (*make)(design *d, const char *command, const char *text);
+    } told[] = {{"per-group:", make_stand},
+                {"optimal:", make_optimal},
+                {"grid:", make_grid},
+                {"angles:", make_from_angles},
+                {"directions:", make_from_file}};
 
-    if ((rest = behind(word, "per-group:"))) {
-        return make_stand(d, command, rest);
+    for (unsigned i = 0; i < sizeof told / sizeof told[0]; i++) {
+        const size_t length = strlen(told[i].prefix);
+        if (strncmp(word, told[i].prefix, length) == 0) {
+            return told[i].make(d, command, word + length);
+        }
     }
-    if ((rest = behind(word, "optimal:"))) {
-        return make_optimal(d, command, rest);
-    }
-    if ((rest = behind(word, "directions:"))) {
-        return make_from_file(d, rest);
-    }
-    if (strcmp(word, "faces") == 0 || strcmp(word, "edges") == 0 ||
-        strcmp(word, "icosahedron") == 0) {
-        make_solid(d, word);
-        return EXIT_GOOD;
-    }
-    return message_usage(command, "'%s' is no set of positions", word);
+    return make_named(d, word) ? EXIT_GOOD
+                               : message_usage(command, "'%s' is no set of positions", word);
 }
 
 int design_make(design *d, const char *command, const char *word)

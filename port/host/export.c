@@ -178,6 +178,15 @@ static void warn(const export_job *job)
     }
 }
 
+/* Without its nonlinear terms the rest is not the best that is linear: that takes a part of them. */
+static int refuse_nonlinear(const export_job *job)
+{
+    return message_usage(syntax.command,
+                         "%s has quadratic or cubic errors of the axes, which --format %s cannot "
+                         "take off: export a calibration made without --quadratic and --cubic",
+                         job->source, job->format);
+}
+
 /* All that can be refused, before anything is written. */
 static int settle(const request *r, export_job *job)
 {
@@ -186,6 +195,9 @@ static int settle(const request *r, export_job *job)
     int failure = EXIT_GOOD;
 
     job->si = export_si(gravity);
+    if (job->file.has_nonlinear) {
+        return refuse_nonlinear(job);
+    }
     if ((takes & EXPORT_GRAVITY) && !(gravity > 0)) {
         message("%s: \"gravity\", the length of the field, is missing or not above 0, and "
                 "--format %s needs it",
@@ -258,6 +270,7 @@ static const char *const help[] = {
     "  --format px4        CAL_ACC parameters, a file for QGroundControl\n"
     "  --format ardupilot  INS_ACC parameters, a .param file\n"
     "\n",
+    "One made with --quadratic or --cubic is refused: no format takes such errors off.\n"
     "Of a calibration made with --thermal what holds at its reference temperature is exported, "
     "and\n"
     "that is told.\n"

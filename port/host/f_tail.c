@@ -10,7 +10,8 @@
 /* The term of the continued fraction behind term n, of I_x(a, b). */
 static double coefficient(unsigned n, double a, double b, double x)
 {
-    const double m = n / 2;
+    const unsigned half = n / 2;
+    const double m = half;
 
     return n % 2 ? -(a + m) * (a + b + m) * x / ((a + 2 * m) * (a + 2 * m + 1))
                  : m * (b - m) * x / ((a + 2 * m - 1) * (a + 2 * m));

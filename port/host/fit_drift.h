@@ -7,7 +7,7 @@
 
 #include "fit.h"
 
-#define FIT_DRIFT_FEWEST 14u /* positions: two more than unknowns */
+#define FIT_DRIFT_FEWEST 14u /* positions: two more than the unknowns (fit_extended.h) */
 
 /* Calibrates; the result holds in the middle.
  *

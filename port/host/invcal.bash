@@ -40,9 +40,9 @@ _invcal() {
     [[ $word == [=:] ]] && word=
     if [[ $word == -* ]]; then
         choice=$(awk '/^  --/ { print $1 } END { print "--help" }' <<< "$help")
-    elif [[ $before == directions ]]; then
+    elif [[ $before == directions || $before == angles ]]; then
         choice=FILE
-    elif [[ $before == per-group || $before == optimal ]]; then
+    elif [[ $before == per-group || $before == optimal || $before == grid ]]; then
         return # a number
     elif ! choice=$(_invcal_values "$help" "$before"); then
         choice=$(_invcal_values "$help" --compare) || choice=FILE # an operand

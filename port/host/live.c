@@ -11,12 +11,12 @@
 #include "command.h"
 #include "fit.h"
 #include "input.h"
+#include "live_program.h"
 #include "message.h"
 #include "nominal.h"
 #include "paint.h"
 #include "samples.h"
 
-#define DEGREES 57.295779513082321
 #define RENEW 4u          /* positions whose range says more than the first reading */
 #define FAR_OFF 0.7       /* mean of unit vectors that differ less than positions do */
 #define HOLD_MAX 60       /* seconds: what the first rest tells is cut off there */
@@ -26,51 +26,19 @@
 static samples live_log;
 static recording live_recording;
 static invcal_session session;
+static live_program followed; /* if the wish has a set */
 
 typedef struct {
     positions *p;
     const live_wish *wish;
     rests_summary *summary;
     unsigned taken; /* positions */
-    unsigned step;  /* of the program: the position that is to be next */
     int is_enough;  /* the target has been reached */
     int is_terminal;
     int is_refused;     /* said of the rest that is going on */
     double lsb;         /* as guessed for zero at 0 */
     invcal_event shown; /* of the line that changes */
 } stage;
-
-/* ---- the program ------------------------------------------------------------------------------- */
-
-/* The program's position number `step`. Returns 0 if there is no program, or none such in it. */
-static int program_at(const stage *s, unsigned step, double up[3])
-{
-    invcal_plan_position position;
-
-    if (s->wish->plan.per_group == 0 ||
-        invcal_plan_position_at(&s->wish->plan, step, &position) != INVCAL_OK) {
-        return 0;
-    }
-    memcpy(up, position.vertical, sizeof position.vertical);
-    return 1;
-}
-
-/* The position taken last is the one that the program has asked for; without a program any is. */
-static int is_asked(const stage *s, const invcal_session *of)
-{
-    double up[3];
-
-    return !program_at(s, s->step, up) || invcal_session_is_at(of, up);
-}
-
-/* The position that is to be next. One that is READY and still held counts as taken. */
-static unsigned next_step(const stage *s)
-{
-    invcal_session left = session;
-
-    return s->step + (invcal_session_progress(&session) == 100 &&
-                      invcal_session_finish(&left) == INVCAL_TAKEN && is_asked(s, &left));
-}
 
 /* ---- what the person sees ---------------------------------------------------------------------- */
 
@@ -82,30 +50,30 @@ static void end_line(stage *s)
     }
 }
 
-/* Where to turn next. Returns 0, with no words, if there is nowhere. */
-static int next_words(const stage *s, char words[INVCAL_WORDS])
+/* A position is good: it may be left, and for where. Of a program short enough for one line. */
+static void say_good(const stage *s, const char *indent)
 {
-    double up[3];
+    FILE *talk = s->wish->talk;
+    char words[INVCAL_WORDS];
 
-    words[0] = '\0';
-    if (s->wish->plan.per_group == 0) {
+    fputs(indent, talk);
+    if (s->wish->set) {
+        live_program_say_good(&followed, talk);
+    } else {
         (void)invcal_session_next_words(&session, words);
-    } else if (program_at(s, next_step(s), up)) {
-        (void)invcal_words(up, words);
+        fprintf(talk, "good: move on%s%s", *words ? " to " : "", words);
     }
-    return words[0] != '\0';
 }
 
 /* The changing line: only on a terminal, and only if there is news. */
 static void show(stage *s, invcal_event event)
 {
-    char words[INVCAL_WORDS];
-
     if (event == INVCAL_MOVING) {
         s->is_refused = 0;
     }
     if (!s->is_terminal && event == INVCAL_READY) {
-        fprintf(s->wish->talk, "good: move on%s%s\n", next_words(s, words) ? " to " : "", words);
+        say_good(s, "");
+        fprintf(s->wish->talk, "\n");
     }
     if (!s->is_terminal || s->is_refused || (event == INVCAL_MOVING && s->shown == event)) {
         return;
@@ -116,19 +84,25 @@ static void show(stage *s, invcal_event event)
     if (event == INVCAL_SETTLING && progress < 100) {
         fprintf(s->wish->talk, "  hold still ... %3u %%", progress);
     } else if (event != INVCAL_MOVING) {
-        fprintf(s->wish->talk, "  good: move on%s%s", next_words(s, words) ? " to " : "", words);
+        say_good(s, "  ");
     } else {
         fprintf(s->wish->talk, "  moving");
     }
     fflush(s->wish->talk);
 }
 
+/* Where to turn next, if there is anywhere. */
 static void say_next(stage *s)
 {
-    char words[INVCAL_WORDS];
+    char text[PROGRAM_TEXT_MAX];
 
-    if (next_words(s, words)) {
-        fprintf(s->wish->talk, "next: %s\n", words);
+    if (s->wish->set) {
+        (void)program_next_text(&followed.now, text);
+    } else {
+        (void)invcal_session_next_words(&session, text);
+    }
+    if (*text) {
+        fprintf(s->wish->talk, "next: %s\n", text);
     }
 }
 
@@ -137,9 +111,16 @@ static double largest(const double v[3])
     return fmax(v[0], fmax(v[1], v[2]));
 }
 
+static void say_kind(const stage *s, const char *what, double sigma, told_unit unit)
+{
+    fprintf(s->wish->talk, "%s ± %.2g %s", what, unit.scale * sigma, unit.unit);
+}
+
 /* How exactly everything is known, once it can be told. */
 static void say_sigma(stage *s)
 {
+    const told_style told = s->wish->told;
+    const told_unit degrees = {told_angle(TOLD_EVERYDAY).scale, "deg"};
     invcal_calibration calibration;
     invcal_quality q;
 
@@ -147,10 +128,11 @@ static void say_sigma(stage *s)
         return;
     }
     const double coverage = invcal_coverage(q.dof);
-    fprintf(s->wish->talk, "; to 95 %%: offsets ± %.2g mg, scales ± %.2g %%, angles ± %.2g deg",
-            coverage * 1e3 * largest(&q.sigma[INVCAL_DELTA_X]),
-            coverage * 1e2 * largest(&q.sigma[INVCAL_DK_X]),
-            coverage * DEGREES * largest(&q.sigma[INVCAL_GAMMA_XY]));
+    say_kind(s, "; to 95 %: offsets", coverage * largest(&q.sigma[INVCAL_DELTA_X]),
+             told_field(told, 1));
+    say_kind(s, ", scales", coverage * largest(&q.sigma[INVCAL_DK_X]), told_scale(told));
+    say_kind(s, ", angles", coverage * largest(&q.sigma[INVCAL_GAMMA_XY]),
+             told == TOLD_INS ? told_angle(told) : degrees);
 }
 
 static void say_end(FILE *talk, const char *word, const char *what)
@@ -160,14 +142,17 @@ static void say_end(FILE *talk, const char *word, const char *what)
 }
 
 /* What a position has brought about. */
-typedef enum { USED, NOT_ASKED, ENOUGH, FINISHED } outcome;
+typedef enum { USED, ENOUGH, FINISHED } outcome;
 
 static void say_taken(stage *s, outcome what)
 {
     end_line(s);
     fprintf(s->wish->talk, "position %u taken", s->taken);
     say_sigma(s);
-    fprintf(s->wish->talk, "%s\n", what == NOT_ASKED ? "; not the one asked for, but used" : "");
+    fprintf(s->wish->talk, "\n");
+    if (s->wish->set) {
+        live_program_say_wrong(&followed, s->wish->talk);
+    }
     if (what == ENOUGH) {
         say_end(s->wish->talk, "enough:", "what is wanted is reached");
     } else if (what == FINISHED) {
@@ -200,7 +185,7 @@ static void say_recognised(const stage *s)
     fprintf(s->wish->talk, "%s: %s\n", s->p->name, columns_describe(&seen, text, sizeof text));
 }
 
-/* ---- what happens ------------------------------------------------------------------------------ */
+/* ---- zero and scale ---------------------------------------------------------------------------- */
 
 /* Field units per input unit, if a unit is stated that tells it; else 0. */
 static double stated_scale(const live_wish *wish)
@@ -210,7 +195,13 @@ static double stated_scale(const live_wish *wish)
     return unit_scale(stated, wish->field);
 }
 
-/* With zero where it is, all positions so far point one way, although they were to differ: then it
+/* Nothing states the zero of the readings, nor the scale. */
+static int is_nominal_free(const live_wish *wish)
+{
+    return !wish->nominal && !wish->zero && !wish->lsb && !(stated_scale(wish) > 0);
+}
+
+/* Free hand: with zero where it is, all positions so far point one way, although they were to differ: then it
  * is nowhere near, as in counts that have no sign. */
 static int is_zero_far_off(const stage *s)
 {
@@ -245,21 +236,37 @@ static int fits_all(const invcal_calibration *nominal)
     return invcal_bad_reading(session.mean[0], session.count, nominal) == session.count;
 }
 
-/* Then the middle of the ranges is the better zero, and the widest tells the scale. The table of the
- * session is in counts: it takes another nominal at any time. */
+/* Then the middle of the ranges is the better zero, and the widest tells the scale. Returns 1 if so. */
+static int find_by_range(const stage *s, double zero[3], double lsb[3])
+{
+    if (s->p->count < RENEW || !is_zero_far_off(s) ||
+        !nominal_from_range(s->p, s->wish->field, zero, lsb)) {
+        return 0;
+    }
+    lsb[0] = lsb[1] = lsb[2] = fmin(lsb[0], fmin(lsb[1], lsb[2]));
+    return 1;
+}
+
+/* Where a program is followed, its directions tell more, as long as it is. */
+static int find_by_program(const stage *s, double zero[3], double lsb[3])
+{
+    double length;
+    const int is_found = live_program_scale(&followed, zero, &length);
+
+    lsb[0] = lsb[1] = lsb[2] = is_found ? s->wish->field / length : 1;
+    return is_found;
+}
+
+/* The table of the session is in counts: it takes another nominal at any time. */
 static void renew_nominal(const stage *s)
 {
     invcal_calibration nominal;
     double zero[3];
     double lsb[3];
 
-    if (s->wish->nominal || s->wish->zero || s->wish->lsb || stated_scale(s->wish) > 0 ||
-        s->p->count < RENEW || !is_zero_far_off(s) ||
-        !nominal_from_range(s->p, s->wish->field, zero, lsb)) {
-        return;
-    }
-    lsb[0] = lsb[1] = lsb[2] = fmin(lsb[0], fmin(lsb[1], lsb[2]));
-    if (nominal_of_counts(s->wish, zero, lsb, &nominal) && fits_all(&nominal)) {
+    if (is_nominal_free(s->wish) &&
+        (s->wish->set ? find_by_program(s, zero, lsb) : find_by_range(s, zero, lsb)) &&
+        nominal_of_counts(s->wish, zero, lsb, &nominal) && fits_all(&nominal)) {
         session.nominal = nominal; /* else the old one goes on */
     }
 }
@@ -318,32 +325,25 @@ static int reaches_target(const stage *s)
     return is_wanted ? invcal_session_reaches(&session, target) : s->wish->need > 0;
 }
 
-static outcome count_position(stage *s)
+static outcome judge_position(stage *s, int is_complete)
 {
-    const unsigned last = INVCAL_PLAN_GROUPS * s->wish->plan.per_group;
-    const int asked = is_asked(s, &session);
-
-    s->taken++;
-    if (asked && s->step < last) {
-        s->step++;
-        if (s->step == last) {
-            return FINISHED;
-        }
+    if (is_complete) {
+        return FINISHED;
     }
     if (!s->is_enough && reaches_target(s)) {
         s->is_enough = 1;
         return ENOUGH;
     }
-    return asked ? USED : NOT_ASKED;
+    return USED;
 }
 
 static int take(stage *s)
 {
-    const outcome what = count_position(s);
     const int failure = take_rest(s);
 
+    s->taken++;
     renew_nominal(s);
-    say_taken(s, what);
+    say_taken(s, judge_position(s, s->wish->set && live_program_take(&followed)));
     say_next(s);
     return failure;
 }
@@ -478,6 +478,10 @@ static int watch(stage *s)
     int failure = EXIT_GOOD;
 
     recording_begin(&live_recording, &live_log);
+    if (s->wish->set) {
+        live_program_begin(&followed, s->wish->set, &session, s->p, live_log.unit,
+                           !is_nominal_free(s->wish));
+    }
     say_recognised(s);
     say_next(s);
     while (!failure && (more = samples_next(&live_log, &now)) == 1) {
@@ -498,6 +502,9 @@ static int watch(stage *s)
     end_line(s);
     if (more < 0 || failure) {
         return failure ? failure : EXIT_FILE;
+    }
+    if (s->wish->set) {
+        live_program_say_missing(&followed, s->wish->talk);
     }
     fprintf(s->wish->talk, "\n");
     return EXIT_GOOD;

@@ -86,8 +86,7 @@ static void say_missing(const calibrate_result *r, need_missing missing, char te
 
     switch (missing) {
     case NEED_NOTHING:
-        text[0] = '\0';
-        return;
+        break;
     case NEED_WARM_UP:
         what = "Missing: a sensor that has warmed up, for it drifts.";
         break;

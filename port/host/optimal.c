@@ -4,18 +4,16 @@
 #include <math.h>
 #include <string.h>
 
-#include "command.h"
-#include "invcal/expert.h"
+#include "covariance.h"
 #include "invcal/plan.h"
 
-enum { P = INVCAL_PARAMETERS, SUMS = INVCAL_PACKED_SIZE(INVCAL_PARAMETERS) };
+enum { P = INVCAL_PARAMETERS };
 
 #define STARTS 16u        /* descents; the best is taken */
 #define STARTS_OF_MANY 6u /* from MANY positions on local optima are all but equal */
 #define MANY 20u
 #define STEPS 300u /* of a descent, at most */
 #define MEMORY 8u  /* of L-BFGS: steps that tell the curvature */
-#define RIDGE 1e-9 /* keeps what a poor start leaves open finite */
 #define SETTLED 1e-11
 #define HALVINGS 50u
 #define REACHED 1.0002 /* times the least there can be: powers end 1.00014 times above it */
@@ -27,6 +25,7 @@ typedef double vectors[OPTIMAL_MAX][3];
  * presses the largest down the more, the higher its power; without, -ln det H'H. */
 typedef struct {
     unsigned n;
+    unsigned fixed;       /* so many at the beginning stay: the axes, or none */
     const double *limits; /* of delta, dk, gamma, or null */
     double power;
 } problem;
@@ -46,47 +45,6 @@ static void normalise(double v[3])
 }
 
 /* ---- the function and its gradient ------------------------------------------------------------ */
-
-static void row(const double a[3], double h[P])
-{
-    const double values[P] = {a[0],        a[1],        a[2],        a[0] * a[0], a[1] * a[1],
-                              a[2] * a[2], a[0] * a[1], a[0] * a[2], a[1] * a[2]};
-
-    memcpy(h, values, sizeof values);
-}
-
-/* K = (H'H)^-1. Returns ln det H'H. */
-static double covariance(const problem *p, vectors x, double K[P][P])
-{
-    double a[SUMS] = {0};
-    double h[P];
-    double log_det = 0;
-
-    for (unsigned i = 0; i < p->n; i++) {
-        row(x[i], h);
-        for (unsigned r = 0; r < P; r++) {
-            for (unsigned c = 0; c <= r; c++) {
-                a[INVCAL_PACKED(r, c)] += h[r] * h[c];
-            }
-        }
-    }
-    for (unsigned r = 0; r < P; r++) {
-        a[INVCAL_PACKED(r, r)] += RIDGE;
-    }
-    (void)invcal_factor(a, P, P, 0); /* positive definite by the ridge */
-    invcal_invert(a, P);
-    for (unsigned r = 0; r < P; r++) {
-        log_det -= 2 * log(a[INVCAL_PACKED(r, r)]);
-        for (unsigned c = 0; c <= r; c++) { /* K = L'^-1 L^-1 */
-            double sum = 0;
-            for (unsigned i = r; i < P; i++) {
-                sum += a[INVCAL_PACKED(i, r)] * a[INVCAL_PACKED(i, c)];
-            }
-            K[r][c] = K[c][r] = sum;
-        }
-    }
-    return log_det;
-}
 
 /* The squared ratios, and the largest. */
 static double ratios(const problem *p, double K[P][P], double t[P])
@@ -133,7 +91,7 @@ static void slope(double M[P][P], const double a[3], double g[3])
     double h[P];
     double b[P] = {0};
 
-    row(a, h);
+    covariance_row(a, h);
     for (unsigned r = 0; r < P; r++) {
         for (unsigned c = 0; c < P; c++) {
             b[r] -= 2 * M[r][c] * h[c];
@@ -153,10 +111,11 @@ static double evaluate(const problem *p, vectors x, vectors gradient)
 {
     double K[P][P];
     double M[P][P];
-    const double log_det = covariance(p, x, K);
+    const double log_det = covariance_find((const double(*)[3])x, NULL, p->n, K);
     const double f = p->limits ? norm(p, K, M) : -log_det;
 
-    for (unsigned i = 0; i < p->n; i++) {
+    memset(gradient, 0, sizeof(vectors));
+    for (unsigned i = p->fixed; i < p->n; i++) {
         slope(p->limits ? M : K, x[i], gradient[i]);
     }
     return f;
@@ -324,17 +283,29 @@ static void stand_program(unsigned n, vectors x)
     }
 }
 
-static void begin(unsigned n, unsigned start, vectors x)
+static void put_axes(vectors x)
 {
+    memset(x, 0, OPTIMAL_AXES * sizeof x[0]);
+    for (unsigned i = 0; i < OPTIMAL_AXES; i++) {
+        x[i][i / 2] = i % 2 == 0 ? 1 : -1;
+    }
+}
+
+static void begin(const problem *p, unsigned start, vectors x)
+{
+    const unsigned n = p->n;
     const int is_program =
         n % INVCAL_PLAN_GROUPS == 0 && n >= INVCAL_PLAN_GROUPS * INVCAL_PLAN_PER_GROUP_MIN;
 
     if (start == 0) {
-        spiral(n, x);
-    } else if (start == 1 && is_program) {
+        spiral(n - p->fixed, x + p->fixed);
+    } else if (start == 1 && is_program && p->fixed == 0) {
         stand_program(n, x);
     } else {
-        scatter(n, start, x);
+        scatter(n - p->fixed, start, x + p->fixed);
+    }
+    if (p->fixed > 0) {
+        put_axes(x);
     }
 }
 
@@ -387,22 +358,24 @@ static void travel(unsigned n, vectors x, double (*direction)[3])
     }
 }
 
-void optimal_directions(unsigned n, double (*direction)[3])
+void optimal_directions(unsigned n, int with_axes, double (*direction)[3])
 {
-    const problem p = {.n = n};
+    const problem p = {.n = n, .fixed = with_axes ? OPTIMAL_AXES : 0};
     vectors best = {{0}};
     vectors x = {{0}};
     double least = HUGE_VAL;
 
     for (unsigned start = 0; start < starts(n); start++) {
-        begin(n, start, x);
+        begin(&p, start, x);
         const double f = minimise(&p, x);
         if (f < least - 1e-9) {
             least = f;
             memcpy(best, x, sizeof best);
         }
     }
-    turn(n, best);
+    if (!with_axes) {
+        turn(n, best);
+    }
     travel(n, best, direction);
 }
 
@@ -412,7 +385,7 @@ static double worst_ratio(const problem *p, vectors x)
     double K[P][P];
     double t[P];
 
-    (void)covariance(p, x, K);
+    (void)covariance_find((const double(*)[3])x, NULL, p->n, K);
     return sqrt(ratios(p, K, t));
 }
 
@@ -435,7 +408,7 @@ static double least_ratio(unsigned n, const double limits[3])
     return fmax(sqrt(3) / limits[0], scale) / sqrt(n);
 }
 
-double optimal_within(unsigned n, const double limits[3], double (*direction)[3])
+double optimal_within(unsigned n, const double limits[3], int with_axes, double (*direction)[3])
 {
     static const double powers[] = {1, 3, 10, 40, 200, 1000};
     vectors best = {{0}};
@@ -444,9 +417,10 @@ double optimal_within(unsigned n, const double limits[3], double (*direction)[3]
     double least = HUGE_VAL;
 
     for (unsigned start = 0; start < starts(n) && least > enough; start++) {
-        begin(n, start, x);
+        problem p = {n, with_axes ? OPTIMAL_AXES : 0, limits, powers[0]};
+        begin(&p, start, x);
         for (unsigned k = 0; k < sizeof powers / sizeof powers[0]; k++) {
-            const problem p = {n, limits, powers[k]};
+            p.power = powers[k];
             (void)minimise(&p, x);
             const double worst = worst_ratio(&p, x);
             if (k == 0 && worst > 2 * least) {

@@ -20,7 +20,7 @@ static double tau_of(unsigned k, unsigned count)
     return (double)k / (count - 1) - 0.5;
 }
 
-double order_hides_drift(const double (*direction)[3], unsigned count)
+double order_hides_drift(const double (*direction)[3], const double *weight, unsigned count)
 {
     double a[INVCAL_PACKED_SIZE(ALL)] = {0};
     double nine[INVCAL_PACKED_SIZE(NINE)];
@@ -33,9 +33,10 @@ double order_hides_drift(const double (*direction)[3], unsigned count)
         const double t = tau_of(k, count);
         const double row[ALL] = {x,     y,     z,     x * x, y * y, z * z,
                                  x * y, x * z, y * z, t * x, t * y, t * z};
+        const double w = weight ? weight[k] : 1;
         for (unsigned r = 0; r < ALL; r++) {
             for (unsigned c = 0; c <= r; c++) {
-                a[INVCAL_PACKED(r, c)] += row[r] * row[c];
+                a[INVCAL_PACKED(r, c)] += w * row[r] * row[c];
             }
         }
     }
@@ -138,7 +139,7 @@ static int improve(const route *r, change *make, cost *of, double *best)
             make(r, i, k);
             const double now = of(r);
             if (now < *best - BETTER &&
-                order_hides_drift((const double(*)[3])r->direction, r->count) <= r->hidden) {
+                order_hides_drift((const double(*)[3])r->direction, NULL, r->count) <= r->hidden) {
                 *best = now;
                 has_improved = 1;
             } else {
@@ -164,7 +165,7 @@ void order_directions(double (*direction)[3], unsigned count)
 
     if (count > 2) {
         search(&r, moments_and_way);
-        r.hidden = fmax(ENOUGH, order_hides_drift((const double(*)[3])direction, count));
+        r.hidden = fmax(ENOUGH, order_hides_drift((const double(*)[3])direction, NULL, count));
         search(&r, way_of);
     }
 }

@@ -14,6 +14,7 @@
 #include "options.h"
 #include "output.h"
 #include "plan_labour.h"
+#include "plan_programs.h"
 
 enum {
     PER_GROUP,
@@ -21,19 +22,31 @@ enum {
     FACES,
     EDGES,
     ICOSAHEDRON,
+    STAND_12,
+    STAND_24,
     OPTIMAL,
+    GRID,
+    ANGLES,
     DIRECTIONS,
     SWEEP,
     COMPARE,
+    PROGRAMS,
     LIMITS,
     BUDGET,
+    SPARE,
+    NEED_AXES,
+    WEIGHTS,
+    BOUND,
     NOISE,
     ALLAN,
+    WARM_UP,
     DWELL,
     SETTLE,
     MOVE,
     SVG,
     REPORT,
+    CSV,
+    UNITS,
     JSON,
     QUIET,
     OPTIONS
@@ -45,19 +58,31 @@ static const option options[OPTIONS] = {
     [FACES] = {"--faces", 0},
     [EDGES] = {"--edges", 0},
     [ICOSAHEDRON] = {"--icosahedron", 0},
+    [STAND_12] = {"--stand-12", 0},
+    [STAND_24] = {"--stand-24", 0},
     [OPTIMAL] = {"--optimal", 1},
+    [GRID] = {"--grid", 1},
+    [ANGLES] = {"--angles", 1},
     [DIRECTIONS] = {"--directions", 1},
     [SWEEP] = {"--sweep", 1},
     [COMPARE] = {"--compare", 0},
+    [PROGRAMS] = {"--programs", 0},
     [LIMITS] = {"--limits", 1},
     [BUDGET] = {"--budget", 1},
+    [SPARE] = {"--spare", 1},
+    [NEED_AXES] = {"--need-axes", 0},
+    [WEIGHTS] = {"--weights", 0},
+    [BOUND] = {"--bound", 1},
     [NOISE] = {"--noise", 1},
     [ALLAN] = {"--allan", 1},
+    [WARM_UP] = {"--warm-up", 1},
     [DWELL] = {"--dwell", 1},
     [SETTLE] = {"--settle", 1},
     [MOVE] = {"--move", 1},
     [SVG] = {"--svg", 1},
     [REPORT] = {"--report", 1},
+    [CSV] = {"--csv", 0},
+    [UNITS] = {"--units", 1},
     [JSON] = {"--json", 0},
     [QUIET] = {"--quiet", 0},
 };
@@ -79,8 +104,9 @@ typedef struct {
     char command[COMMAND_MAX]; /* the command line, for the report */
 } request;
 
-/* The sets in work: at most two, too large for the stack. */
+/* The sets in work: at most two, and the known programs; too large for the stack. */
 static design sets[2];
+static plan_programs programs;
 static labour work;
 
 static int usage(unsigned which, const char *what)
@@ -109,10 +135,36 @@ static int read_cost(request *r)
     cost->dwell = 5;
     cost->move = 5;
     int failure = read_number(r, NOISE, 1e-12, 1, &cost->noise);
+    failure = failure ? failure : read_number(r, WARM_UP, 0, 1e9, &cost->warm_up);
     failure = failure ? failure : read_number(r, DWELL, 1e-3, 1e6, &cost->dwell);
     failure = failure ? failure : read_number(r, SETTLE, 0, 1e6, &cost->settle);
     failure = failure ? failure : read_number(r, MOVE, 0, 1e6, &cost->move);
+    failure = failure ? failure : read_number(r, BOUND, 1e-12, 1, &r->choice.bound);
     return failure ? failure : read_number(r, BUDGET, 1e-3, 1e9, &r->choice.budget);
+}
+
+static int read_units(request *r)
+{
+    const char *text = r->value[UNITS];
+
+    return text && !told_parse(text, &r->choice.told)
+               ? message_usage(syntax.command, "--units %s: is everyday or ins", text)
+               : EXIT_GOOD;
+}
+
+/* What a chosen set has to have. */
+static int read_demands(request *r)
+{
+    const unsigned most = OPTIMAL_MAX - INVCAL_PARAMETERS;
+    double spare = CHOICE_SPARE;
+    const int failure = read_number(r, SPARE, 0, most, &spare);
+
+    if (!failure && floor(spare) < spare) {
+        return message_usage(syntax.command, "--spare %s: is no whole number", r->value[SPARE]);
+    }
+    r->choice.spare = (unsigned)spare;
+    r->choice.needs_axes = r->value[NEED_AXES] != NULL;
+    return failure;
 }
 
 /* With --allan: over the field. How long a position mean takes to be good enough for them is what
@@ -153,10 +205,29 @@ static int read_limits(request *r)
     return failure;
 }
 
+/* The word of the set that one option names; per-group if it is none. */
+static void write_word(request *r, int which)
+{
+    const char *const *value = r->value;
+    const char *axes = value[NEED_AXES] ? ":axes" : "";
+
+    if (which < 0 || which == PER_GROUP) {
+        snprintf(r->word, sizeof r->word, "per-group:%s%s%s",
+                 value[PER_GROUP] ? value[PER_GROUP] : "6", value[START] ? ":" : "",
+                 value[START] ? value[START] : "");
+    } else if (which == OPTIMAL && value[GRID]) {
+        snprintf(r->word, sizeof r->word, "grid:%s:%s%s", value[GRID], value[OPTIMAL], axes);
+    } else {
+        snprintf(r->word, sizeof r->word, "%s%s%s%s", options[which].name + 2,
+                 options[which].takes_value ? ":" : "", value[which], which == OPTIMAL ? axes : "");
+    }
+}
+
 /* Finds the one option that names a set, and writes it as a word. */
 static int read_set(request *r)
 {
-    static const unsigned named[] = {PER_GROUP, FACES, EDGES, ICOSAHEDRON, OPTIMAL, DIRECTIONS};
+    static const unsigned named[] = {PER_GROUP, FACES,   EDGES,  ICOSAHEDRON, STAND_12,
+                                     STAND_24,  OPTIMAL, ANGLES, DIRECTIONS};
     const char *const *value = r->value;
     int which = -1;
 
@@ -175,22 +246,18 @@ static int read_set(request *r)
     if (value[PER_GROUP] && strchr(value[PER_GROUP], ':')) {
         return usage(PER_GROUP, "is a number; --start has the angles");
     }
-    r->has_set = which >= 0 || value[START];
-    if (which < 0 || which == PER_GROUP) {
-        snprintf(r->word, sizeof r->word, "per-group:%s%s%s",
-                 value[PER_GROUP] ? value[PER_GROUP] : "6", value[START] ? ":" : "",
-                 value[START] ? value[START] : "");
-    } else {
-        snprintf(r->word, sizeof r->word, "%s%s%s", options[which].name + 2,
-                 options[which].takes_value ? ":" : "", value[which]);
+    if (value[OPTIMAL] && strchr(value[OPTIMAL], ':')) {
+        return usage(OPTIMAL, "is a number; see --grid and --need-axes");
     }
+    r->has_set = which >= 0 || value[START];
+    write_word(r, which);
     return EXIT_GOOD;
 }
 
 /* What does not go together with --allan. */
 static int check_allan(const request *r)
 {
-    static const unsigned others[] = {NOISE, DWELL, BUDGET, SWEEP, COMPARE};
+    static const unsigned others[] = {NOISE, DWELL, BUDGET, SWEEP, COMPARE, PROGRAMS};
 
     if (!r->value[LIMITS] || r->has_set) {
         return usage(ALLAN, "finds number and dwell for --limits; leave other sets out");
@@ -204,28 +271,85 @@ static int check_allan(const request *r)
     return EXIT_GOOD;
 }
 
+/* Of --sweep, --compare and --programs, which name their sets themselves; or OPTIONS. */
+static unsigned asked_several(const request *r)
+{
+    return r->value[SWEEP]      ? SWEEP
+           : r->value[COMPARE]  ? COMPARE
+           : r->value[PROGRAMS] ? PROGRAMS
+                                : OPTIONS;
+}
+
+/* What does not go together with several sets. */
+static int check_several(const request *r, unsigned several)
+{
+    static const unsigned single[] = {WEIGHTS, BOUND, CSV};
+    static const unsigned all[] = {SWEEP, COMPARE, PROGRAMS};
+    const char *const *value = r->value;
+
+    if (r->has_set) {
+        return usage(several, "names its sets itself; leave the other out");
+    }
+    for (unsigned i = 0; i < sizeof all / sizeof all[0]; i++) {
+        if (value[all[i]] && all[i] != several) {
+            return message_usage(syntax.command, "%s: cannot be joined with %s",
+                                 options[several].name, options[all[i]].name);
+        }
+    }
+    if (value[SWEEP] &&
+        (value[NOISE] || value[DWELL] || value[SETTLE] || value[MOVE] || value[WARM_UP])) {
+        return usage(SWEEP, "knows no time and noise; leave out --noise, --dwell, --settle, "
+                            "--move, --warm-up");
+    }
+    if (value[LIMITS] || value[BUDGET]) {
+        return usage(value[LIMITS] ? LIMITS : BUDGET,
+                     "chooses a set itself; leave out --sweep, --compare and --programs");
+    }
+    if (value[PROGRAMS] && (value[SVG] || value[REPORT])) {
+        return usage(value[SVG] ? SVG : REPORT, "--programs has a table only");
+    }
+    for (unsigned i = 0; i < sizeof single / sizeof single[0]; i++) {
+        if (value[single[i]]) {
+            return message_usage(syntax.command, "%s: is for one set; leave out %s",
+                                 options[single[i]].name, options[several].name);
+        }
+    }
+    return EXIT_GOOD;
+}
+
+/* What a set is to have, and what is to be told of it. */
+static int check_demands(const request *r)
+{
+    const char *const *value = r->value;
+    const int is_choice = value[LIMITS] || value[BUDGET];
+
+    if ((value[NEED_AXES] || value[SPARE]) && !is_choice && !value[OPTIMAL]) {
+        return usage(value[NEED_AXES] ? NEED_AXES : SPARE,
+                     "belongs to --limits, --budget or --optimal");
+    }
+    if (value[GRID] && !value[OPTIMAL]) {
+        return usage(GRID, "belongs to --optimal");
+    }
+    if (value[GRID] && value[LIMITS]) {
+        return usage(GRID, "cannot be joined with --limits");
+    }
+    if (value[WEIGHTS] && is_choice) {
+        return usage(WEIGHTS, "is for a set that is named; leave out --limits, --budget, --allan");
+    }
+    return value[CSV] && value[JSON] ? usage(CSV, "cannot be joined with --json") : EXIT_GOOD;
+}
+
 /* What does not go together. */
 static int check(const request *r)
 {
     const char *const *value = r->value;
+    const unsigned several = asked_several(r);
+    int failure = value[ALLAN] ? check_allan(r) : EXIT_GOOD;
 
-    if (value[ALLAN]) {
-        return check_allan(r);
-    }
-
-    if ((value[SWEEP] || value[COMPARE]) && r->has_set) {
-        return usage(value[SWEEP] ? SWEEP : COMPARE, "names its sets itself; leave the other out");
-    }
-    if (value[SWEEP] && value[COMPARE]) {
-        return usage(SWEEP, "cannot be joined with --compare");
-    }
-    if (value[SWEEP] && (value[NOISE] || value[DWELL] || value[SETTLE] || value[MOVE])) {
-        return usage(SWEEP,
-                     "knows no time and noise; leave out --noise, --dwell, --settle, --move");
-    }
-    if ((value[SWEEP] || value[COMPARE]) && (value[LIMITS] || value[BUDGET])) {
-        return usage(value[LIMITS] ? LIMITS : BUDGET,
-                     "chooses a set itself; leave out --sweep and --compare");
+    failure = failure || several == OPTIONS ? failure : check_several(r, several);
+    failure = failure ? failure : check_demands(r);
+    if (failure || value[ALLAN]) {
+        return failure;
     }
     if (!value[COMPARE] && r->operand[0]) {
         return message_usage(syntax.command, "'%s': one operand too many", r->operand[0]);
@@ -242,21 +366,31 @@ static int check(const request *r)
     return EXIT_GOOD;
 }
 
+/* The file of a set's word, or null. */
+static const char *file_of(const char *word)
+{
+    static const char *const prefixes[] = {"directions:", "angles:"};
+
+    for (unsigned i = 0; i < 2 && word; i++) {
+        const size_t length = strlen(prefixes[i]);
+        if (strncmp(word, prefixes[i], length) == 0) {
+            return word + length;
+        }
+    }
+    return NULL;
+}
+
 /* The files that are read. */
 static const char *source(const request *r, unsigned i)
 {
-    static const char prefix[] = "directions:";
-    const size_t length = strlen(prefix);
-
-    if (r->value[ALLAN]) {
-        return i == 0 ? r->value[ALLAN] : NULL;
-    }
+    const char *single = r->value[ALLAN]    ? r->value[ALLAN]
+                         : r->value[ANGLES] ? r->value[ANGLES]
+                                            : r->value[DIRECTIONS];
 
     if (!r->value[COMPARE]) {
-        return i == 0 ? r->value[DIRECTIONS] : NULL;
+        return i == 0 ? single : NULL;
     }
-    return r->operand[i] && strncmp(r->operand[i], prefix, length) == 0 ? r->operand[i] + length
-                                                                        : NULL;
+    return file_of(r->operand[i]);
 }
 
 /* No file is written twice, none that is read. */
@@ -290,6 +424,8 @@ static int read_request(int argc, char **argv, request *r)
     failure = failure ? failure : read_set(r);
     failure = failure ? failure : check(r);
     failure = failure ? failure : read_cost(r);
+    failure = failure ? failure : read_demands(r);
+    failure = failure ? failure : read_units(r);
     options_command(syntax.command, argc, argv, r->command, sizeof r->command);
     return failure ? failure : read_limits(r);
 }
@@ -299,16 +435,16 @@ typedef struct {
     const request *asked;
     const design *set[2];
     const choice *choice;
-    const plan_row *rows;
-    unsigned row_count;
+    const plan_sweep *sweep;
+    const plan_programs *programs;
 } result;
 
 typedef void teller(FILE *file, const result *found);
 
 static void draw(FILE *file, const result *found)
 {
-    if (found->rows) {
-        plan_svg_sweep(file, found->rows, found->row_count);
+    if (found->sweep) {
+        plan_svg_sweep(file, found->sweep);
     } else if (found->set[1]) {
         plan_svg_comparison(file, found->set[0], found->set[1], &found->asked->choice);
     } else if (found->asked->choice.labour) {
@@ -322,8 +458,8 @@ static void write_report(FILE *file, const result *found)
 {
     const char *command = found->asked->command;
 
-    if (found->rows) {
-        plan_report_sweep(file, found->rows, found->row_count, command);
+    if (found->sweep) {
+        plan_report_sweep(file, found->sweep, command);
     } else if (found->set[1]) {
         plan_report_comparison(file, found->set[0], found->set[1], &found->asked->choice, command);
     } else {
@@ -333,8 +469,10 @@ static void write_report(FILE *file, const result *found)
 
 static void tell_json(FILE *file, const result *found)
 {
-    if (found->rows) {
-        plan_json_sweep(file, found->rows, found->row_count);
+    if (found->programs) {
+        plan_programs_json(file, found->programs, &found->asked->choice);
+    } else if (found->sweep) {
+        plan_json_sweep(file, found->sweep);
     } else if (found->set[1]) {
         plan_json_comparison(file, found->set[0], found->set[1], &found->asked->choice);
     } else {
@@ -346,10 +484,14 @@ static void tell(FILE *file, const result *found)
 {
     if (found->asked->value[JSON]) {
         tell_json(file, found);
+    } else if (found->asked->value[CSV]) {
+        plan_csv(file, found->set[0], &found->asked->choice.cost);
     } else if (found->asked->value[QUIET]) {
         return;
-    } else if (found->rows) {
-        plan_print_sweep(file, found->rows, found->row_count);
+    } else if (found->programs) {
+        plan_programs_print(file, found->programs, &found->asked->choice);
+    } else if (found->sweep) {
+        plan_print_sweep(file, found->sweep);
     } else if (found->set[1]) {
         plan_print_comparison(file, found->set[0], found->set[1], &found->asked->choice);
     } else {
@@ -389,7 +531,7 @@ static int deliver(const result *found)
 /* A refusal, with the set if there is one to see. */
 static int refuse(const request *r, const design *d, const char *reason)
 {
-    if (d && d->count > 0 && !r->value[COMPARE]) {
+    if (d && d->count > 0 && !r->value[COMPARE] && !r->value[CSV]) {
         const result found = {.asked = r, .set = {d}};
         tell(stdout, &found);
     } else if (r->value[JSON]) {
@@ -403,19 +545,36 @@ static int refuse(const request *r, const design *d, const char *reason)
     return EXIT_DATA;
 }
 
-static int show(const request *r)
+/* --spare and --optimal N. */
+static int check_spare(const request *r, const design *d)
+{
+    if (r->value[SPARE] && d->count < choice_least(&r->choice)) {
+        return message_usage(syntax.command, "--spare %s: --optimal %s leaves %u to spare",
+                             r->value[SPARE], r->value[OPTIMAL], d->count - INVCAL_PARAMETERS);
+    }
+    return EXIT_GOOD;
+}
+
+static int show(request *r)
 {
     const result found = {.asked = r, .set = {&sets[0]}};
-    const int failure = design_make(&sets[0], syntax.command, r->word);
+    int failure = design_make(&sets[0], syntax.command, r->word);
 
     if (failure == EXIT_DATA) {
         return refuse(r, &sets[0], sets[0].refusal);
     }
+    failure = failure ? failure : check_spare(r, &sets[0]);
     if (failure) {
         return failure;
     }
     if (r->choice.limits) { /* with --optimal: the same number, balanced to the limits */
-        design_balanced(&sets[0], sets[0].count, r->limits);
+        design_balanced(&sets[0], sets[0].count, r->limits, r->choice.needs_axes);
+    }
+    if (sets[0].dwell > 0 && !r->value[DWELL]) {
+        r->choice.cost.dwell = sets[0].dwell;
+    }
+    if (sets[0].is_solvable && r->value[WEIGHTS]) {
+        design_weigh(&sets[0]);
     }
     return sets[0].is_solvable ? deliver(&found) : refuse(r, &sets[0], sets[0].refusal);
 }
@@ -423,8 +582,10 @@ static int show(const request *r)
 static int compare(const request *r)
 {
     const result found = {.asked = r, .set = {&sets[0], &sets[1]}};
+    const char *first = file_of(r->operand[0]);
+    const char *second = file_of(r->operand[1]);
 
-    if (strcmp(r->operand[0], "directions:-") == 0 && strcmp(r->operand[1], "directions:-") == 0) {
+    if (first && second && strcmp(first, "-") == 0 && strcmp(second, "-") == 0) {
         return usage(COMPARE, "only one set can be the standard input");
     }
     for (unsigned i = 0; i < 2; i++) {
@@ -433,6 +594,14 @@ static int compare(const request *r)
             return failure == EXIT_DATA ? refuse(r, &sets[i], sets[i].refusal) : failure;
         }
     }
+    return deliver(&found);
+}
+
+static int show_programs(const request *r)
+{
+    const result found = {.asked = r, .programs = &programs};
+
+    plan_programs_make(&programs);
     return deliver(&found);
 }
 
@@ -453,6 +622,10 @@ static int find_labour(request *r)
     work.noise_name = r->value[ALLAN];
     work.settle = r->choice.cost.settle;
     work.move = r->choice.cost.move;
+    work.warm_up = r->choice.cost.warm_up;
+    work.least = choice_least(&r->choice);
+    work.needs_axes = r->choice.needs_axes;
+    work.told = r->choice.told;
     int failure = noise_file_read(r->value[ALLAN], work.noise);
     if (failure) {
         return failure;
@@ -496,7 +669,9 @@ static int sweep(const request *r)
         design_stand(&sets[0], &plan);
         rows[n - from] = (plan_row){n, sets[0].criteria, sets[0].axes};
     }
-    const result found = {.asked = r, .rows = rows, .row_count = to - from + 1};
+    plan_programs_make(&programs);
+    const plan_sweep s = {rows, to - from + 1, &programs};
+    const result found = {.asked = r, .sweep = &s};
     return deliver(&found);
 }
 
@@ -517,22 +692,29 @@ static int run(int argc, char **argv)
     if (r.value[COMPARE]) {
         return compare(&r);
     }
+    if (r.value[PROGRAMS]) {
+        return show_programs(&r);
+    }
     return (r.value[LIMITS] || r.value[BUDGET]) && !r.has_set ? choose(&r) : show(&r);
 }
 
 static const char *const help[] = {
     "usage: invcal plan [--per-group N [--start A,B,C] | --faces | --edges | --icosahedron |\n"
-    "                    --optimal N | --directions FILE] [options]\n"
+    "                    --stand-12 | --stand-24 | --optimal N [--grid S] | --angles FILE |\n"
+    "                    --directions FILE] [options]\n"
     "       invcal plan --limits D,K,G [--budget SECONDS] [options]\n"
     "       invcal plan --budget SECONDS [options]\n"
     "       invcal plan --limits D,K,G --allan NOISE.json [--settle T] [--move T] [options]\n"
     "       invcal plan --sweep FROM:TO [--svg FILE] [--report FILE] [--json]\n"
     "       invcal plan --compare SET SET [--svg FILE] [--report FILE] [--json]\n"
+    "       invcal plan --programs [--noise S] [--warm-up T] [--dwell T] [--json]\n"
     "\n"
     "Tells which positions to visit, and how exactly they will determine the nine parameters:\n"
     "the standard deviations sigma of offsets, scale errors and angles, over the noise of a\n"
-    "position mean. alpha and beta are the angles of a stand with two axes; x y z is the up\n"
-    "direction in the frame of the case, for whoever holds the device in the hand.\n"
+    "position mean; and of quadratic and cubic errors of the axes, if they are parameters, too\n"
+    "(calibrate --quadratic, --cubic). alpha and beta are the angles of a stand with two axes;\n"
+    "x y z is the up direction in the frame of the case, for whoever holds the device in the "
+    "hand.\n"
     "\n"
     "  --per-group N       the paper's program: three groups of N positions, N from 5 to 1000;\n"
     "                      default 6, the program of 18 positions\n"
@@ -541,8 +723,17 @@ static const char *const help[] = {
     "  --faces             each axis up and down: 6 positions, too few for nine parameters\n"
     "  --edges             these and the 12 midway between two axes: 18 positions\n"
     "  --icosahedron       its 12 corners\n"
+    "  --stand-12          the program of 18 without the six positions on the axes: for a stand,\n"
+    "                      with three positions to spare, and no axis along gravity\n"
+    "  --stand-24          the 24 positions of the paper's refs 2 and 4: three groups in steps of\n"
+    "                      45 degrees. They are 18 directions; six are visited twice\n"
     "  --optimal N         N positions, 9 to 144, with the largest determinant of H'H\n"
     "                      (D-optimal); with --limits as far below them as can be, met or not\n"
+    "  --grid S            with --optimal: for a stand that stops every S degrees in alpha and in\n"
+    "                      beta; S is 15, 30 or 45\n"
+    "  --angles FILE       the columns alpha and beta of a table, degrees, as --csv writes it; "
+    "with\n"
+    "                      a column dwell, seconds, that is --dwell, shared as told\n"
     "  --directions FILE   the columns x y z of a table, of any length; - is standard input\n",
     "  --limits D,K,G      chooses the smallest set whose sigma of offsets, scale errors and\n"
     "                      angles are within limits: times the noise of a position mean, or,\n"
@@ -551,11 +742,21 @@ static const char *const help[] = {
     "  --budget SECONDS    chooses the set of the largest determinant that fits; with --limits:\n"
     "                      only sets that fit. Both choose among the paper's programs and free\n"
     "                      directions, the latter up to 144\n"
+    "  --spare N           positions beyond the nine that nine parameters need, at least, of a "
+    "set\n"
+    "                      that is chosen; default 3. With --optimal: that many, or refused\n"
+    "  --need-axes         each axis up and down along gravity, in a set that is chosen and in\n"
+    "                      --optimal\n"
+    "  --weights           shares the time among the positions of the set so that det H'H is the\n"
+    "                      largest (D-optimal); --dwell is then the mean\n"
+    "  --bound E           how wrong each parameter can be at most, if no position mean is off by\n"
+    "                      more than E of the field: E times the sum of |H+| over its row\n"
     "  --noise S           standard deviation of the mean of one second at rest, over the field\n"
     "                      (0.0001 is 0.1 mg)\n"
     "  --allan NOISE.json  noise that invcal allan --out has measured: chooses the number of\n"
     "                      positions, up to 144, and the seconds in each, 2 or more, for the\n"
     "                      least time in all; --limits are then over the field, 1 and rad\n"
+    "  --warm-up T         seconds once, before the first position; default 0\n"
     "  --dwell T           seconds in each position; default 5\n"
     "  --settle T          seconds before that in each, which do not count; default 0 (invcal\n"
     "                      calibrate cuts about 0.75 s off a rest)\n"
@@ -563,11 +764,22 @@ static const char *const help[] = {
     "  --sweep FROM:TO     the paper's programs for each N in the range\n"
     "  --compare SET SET   two sets side by side, by these words:\n",
     DESIGN_WORDS,
+    "  --programs          the programs of 15, 18 and 24 positions, six faces and twelve edges,\n"
+    "                      stand-12 and the icosahedron, with ratios to that of 18\n"
     "  --svg FILE          draws the directions; for a sweep sigma against the number of\n"
-    "                      positions; for --compare the ratios of the second set to the first;\n"
-    "                      for --allan total time against the number of positions\n"
+    "                      positions, and those of --programs beside it; for --compare the\n"
+    "                      ratios of the second set to the first; for --allan total time against\n"
+    "                      the number of positions\n"
     "  --report R.html     writes a page with the verdict, a work sheet to take to the stand, and\n"
     "                      pictures: one file that needs nothing else, for screen and paper\n"
+    "  --csv               print the positions only, for a stand's controller: number, alpha,\n"
+    "                      beta, dwell, and up as x, y, z\n"
+    "  --units everyday|ins\n"
+    "                      of what --noise, --allan and --bound make of sigma, in table and "
+    "report:\n"
+    "                      mg, % and degrees (default), or those of inertial navigation, ug, ppm "
+    "and\n"
+    "                      arcsec. What is over the noise has no unit\n"
     "  --json              print the result as JSON in place of the table\n"
     "  --quiet             print no table, only errors\n"
     "\n"
@@ -578,7 +790,9 @@ static const char *const help[] = {
     "  invcal plan\n"
     "  invcal plan --limits 0.4,0.6,1 --svg directions.svg\n"
     "  invcal plan --per-group 8 --noise 0.0001 --report program.html\n"
-    "  invcal plan --compare per-group:8 per-group:6 --report compared.html\n",
+    "  invcal plan --compare per-group:8 per-group:6 --report compared.html\n"
+    "  invcal plan --optimal 12 --grid 30 --csv > stand.csv\n"
+    "  invcal plan --angles stand.csv --bound 0.0002 --warm-up 600\n",
     NULL};
 
 const tool_command plan_command = {"plan", "which positions to visit, and what they are worth",

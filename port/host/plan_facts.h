@@ -16,13 +16,13 @@ typedef struct {
     const choice *choice;            /* that has led to it, or null */
     double noise;                    /* of a position mean, over the field; 0: not told */
     double sigma[INVCAL_PARAMETERS]; /* of the parameters, over that noise */
-    uncertainty length_sigma;        /* of |a|, in mg if the noise is told */
+    uncertainty length_sigma;        /* of |a|, in mg or µg if the noise is told */
 } plan_facts;
 
 void plan_facts_find(plan_facts *f, const design *d, const choice_request *request,
                      const choice *c);
 
-/* The unit of length_sigma: "mg" or "× noise". */
+/* The unit of length_sigma: "mg", "µg" or "× noise". */
 const char *plan_length_unit(const plan_facts *f);
 
 /* The sections of the page. */
@@ -30,6 +30,7 @@ void plan_report_sheet(page *p, const plan_facts *f);
 void plan_report_sphere(page *p, const plan_facts *f);
 void plan_report_sigma(page *p, const plan_facts *f);
 void plan_report_coverage(page *p, const plan_facts *f);
+void plan_report_bound(page *p, const plan_facts *f); /* with --bound */
 
 /* Parts that the page of a comparison has, too. Both halves of the sphere, shaded; and the legend
  * of the shading and the groups. */

@@ -1,13 +1,17 @@
 /* SPDX-License-Identifier: MIT */
 #include <math.h>
 
+#include "bound.h"
 #include "command.h"
 #include "json_write.h"
 #include "matrix.h"
 #include "number.h"
 #include "plan.h"
 #include "plan_labour.h"
+#include "plan_nonlinear.h"
+#include "plan_programs.h"
 #include "series.h"
+#include "weights.h"
 
 unsigned plan_missing(uint8_t axes)
 {
@@ -57,6 +61,9 @@ static void write_positions(json_writer *w, const design *d)
         json_number(w, "alpha", p->alpha);
         json_number(w, "beta", p->beta);
         json_vector(w, "vertical", p->vertical);
+        if (d->has_shares) {
+            json_number(w, "share", p->share / d->count);
+        }
         json_object_end(w);
     }
     json_list_end(w);
@@ -78,7 +85,16 @@ static void write_cost(json_writer *w, const design *d, const choice_request *re
 {
     const design_cost *cost = &request->cost;
 
+    const design_labour l = design_labour_of(d->count, cost);
+
     json_number(w, "seconds", design_seconds(d->count, cost));
+    json_object(w, "minutes");
+    json_number(w, "warm_up", l.warm_up / 60);
+    json_number(w, "settling", l.settling / 60);
+    json_number(w, "turning", l.turning / 60);
+    json_number(w, "recording", l.recording / 60);
+    json_number(w, "total", design_seconds(d->count, cost) / 60);
+    json_object_end(w);
     if (cost->noise > 0 && d->is_solvable) {
         const double noise = design_noise(cost);
         json_object(w, "expected");
@@ -90,6 +106,39 @@ static void write_cost(json_writer *w, const design *d, const choice_request *re
     if (request->limits && d->is_solvable) {
         json_vector(w, "limits", request->limits);
         json_number(w, "worst_ratio", choice_worst(&d->criteria, request->limits));
+    }
+}
+
+/* How wrong the parameters can be. */
+static void write_bound(json_writer *w, const design *d, double error)
+{
+    double bound[INVCAL_PARAMETERS];
+
+    bound_find(d, bound);
+    for (unsigned r = 0; r < INVCAL_PARAMETERS; r++) {
+        bound[r] *= error;
+    }
+    json_object(w, "bound");
+    json_number(w, "error", error);
+    json_vector(w, "delta", &bound[INVCAL_DELTA_X]);
+    json_vector(w, "dk", &bound[INVCAL_DK_X]);
+    json_vector(w, "gamma", &bound[INVCAL_GAMMA_XY]);
+    json_object_end(w);
+}
+
+/* What is told of one set only. */
+static void write_details(json_writer *w, const design *d, const choice_request *request)
+{
+    json_number(w, "directions", design_distinct(d));
+    if (d->has_shares && d->is_solvable) {
+        json_number(w, "equal_log_det", d->equal_log_det);
+        json_number(w, "most_log_det", weights_bound(d->count));
+    }
+    if (d->is_solvable) {
+        plan_nonlinear_json(w, d);
+    }
+    if (request->bound > 0 && d->is_solvable) {
+        write_bound(w, d, request->bound);
     }
 }
 
@@ -139,6 +188,7 @@ void plan_json(FILE *file, const design *d, const choice_request *request, const
         write_refusal(&w, d->refusal, d->undetermined);
     }
     write_summary(&w, d, request);
+    write_details(&w, d, request);
     write_positions(&w, d);
     if (d->is_solvable) {
         write_covariance(&w, d);
@@ -160,22 +210,37 @@ void plan_json(FILE *file, const design *d, const choice_request *request, const
     json_end(&w);
 }
 
-void plan_json_sweep(FILE *file, const plan_row *rows, unsigned count)
+void plan_json_sweep(FILE *file, const plan_sweep *s)
 {
     json_writer w;
 
     begin(&w, file);
     json_list(&w, "rows");
-    for (unsigned i = 0; i < count; i++) {
+    for (unsigned i = 0; i < s->count; i++) {
         json_object(&w, NULL);
-        json_number(&w, "per_group", rows[i].per_group);
-        json_number(&w, "positions", rows[i].criteria.positions);
-        write_criteria(&w, &rows[i].criteria, 1);
-        write_axes(&w, rows[i].axes);
+        json_number(&w, "per_group", s->rows[i].per_group);
+        json_number(&w, "positions", s->rows[i].criteria.positions);
+        write_criteria(&w, &s->rows[i].criteria, 1);
+        write_axes(&w, s->rows[i].axes);
         json_object_end(&w);
     }
     json_list_end(&w);
     json_end(&w);
+}
+
+/* Of b to a. */
+static void write_ratio(json_writer *w, const design *a, const design *b,
+                        const choice_request *request)
+{
+    json_object(w, "ratio");
+    json_number(w, "labour", (double)b->count / a->count);
+    json_number(w, "time",
+                design_seconds(b->count, &request->cost) /
+                    design_seconds(a->count, &request->cost));
+    json_number(w, "sigma_delta", b->criteria.sigma_delta / a->criteria.sigma_delta);
+    json_number(w, "sigma_dk", b->criteria.sigma_dk / a->criteria.sigma_dk);
+    json_number(w, "sigma_gamma", b->criteria.sigma_gamma / a->criteria.sigma_gamma);
+    json_object_end(w);
 }
 
 void plan_json_comparison(FILE *file, const design *a, const design *b,
@@ -191,12 +256,23 @@ void plan_json_comparison(FILE *file, const design *a, const design *b,
         json_object_end(&w);
     }
     json_list_end(&w);
-    json_object(&w, "ratio"); /* of the second to the first */
-    json_number(&w, "labour", (double)b->count / a->count);
-    json_number(&w, "sigma_delta", b->criteria.sigma_delta / a->criteria.sigma_delta);
-    json_number(&w, "sigma_dk", b->criteria.sigma_dk / a->criteria.sigma_dk);
-    json_number(&w, "sigma_gamma", b->criteria.sigma_gamma / a->criteria.sigma_gamma);
-    json_object_end(&w);
+    write_ratio(&w, a, b, request);
+    json_end(&w);
+}
+
+void plan_programs_json(FILE *file, const plan_programs *p, const choice_request *request)
+{
+    json_writer w;
+
+    begin(&w, file);
+    json_list(&w, "programs");
+    for (unsigned i = 0; i < PLAN_PROGRAMS; i++) {
+        json_object(&w, NULL);
+        write_summary(&w, &p->set[i], request);
+        write_ratio(&w, p->paper, &p->set[i], request);
+        json_object_end(&w);
+    }
+    json_list_end(&w);
     json_end(&w);
 }
 

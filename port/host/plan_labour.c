@@ -114,7 +114,10 @@ static double find_dwell(const labour *l, unsigned n, double wanted)
 
 static double seconds(const labour *l, unsigned count, double dwell)
 {
-    return count * (dwell + l->settle) + (count - 1.0) * l->move;
+    const design_cost cost = {
+        .warm_up = l->warm_up, .dwell = dwell, .settle = l->settle, .move = l->move};
+
+    return design_seconds(count, &cost);
 }
 
 /* A number of positions whose sigmas, over the noise of a position mean, are known. */
@@ -168,7 +171,9 @@ static void try_stands(labour *l)
 {
     for (unsigned n = INVCAL_PLAN_PER_GROUP_MIN; INVCAL_PLAN_GROUPS * n <= LABOUR_MAX; n++) {
         const double sigma[3] = {sqrt(1.0 / n), sqrt(7.0 / 5 / n), sqrt(8.0 / n)};
-        add(l, CHOICE_STAND, INVCAL_PLAN_GROUPS * n, sigma);
+        if (INVCAL_PLAN_GROUPS * n >= l->least && n % choice_stand_step(l->needs_axes) == 0) {
+            add(l, CHOICE_STAND, INVCAL_PLAN_GROUPS * n, sigma);
+        }
     }
 }
 
@@ -177,8 +182,8 @@ static void try_directions(labour *l, design *work)
 {
     double direction[OPTIMAL_MAX][3];
 
-    for (unsigned n = OPTIMAL_MIN; n <= LABOUR_MAX && !is_enough(l, CHOICE_FREE, n); n++) {
-        (void)optimal_within(n, l->limits, direction);
+    for (unsigned n = l->least; n <= LABOUR_MAX && !is_enough(l, CHOICE_FREE, n); n++) {
+        (void)optimal_within(n, l->limits, l->needs_axes, direction);
         design_directions(work, "", direction, n);
         if (work->is_solvable) {
             const double sigma[3] = {work->criteria.sigma_delta, work->criteria.sigma_dk,
@@ -205,14 +210,16 @@ static const labour_row *find_nearest(const labour *l)
 static int refuse(labour *l)
 {
     const labour_row *row = find_nearest(l);
+    const told_unit unit = told_field(l->told, 1);
     const int is_floor = row->dwell < NEAR_LONGEST * LABOUR_LONGEST;
 
     snprintf(l->refusal, sizeof l->refusal,
              "no number of positions up to %u and no dwell%s meet the limits%s; "
-             "%u positions of %.4g s come nearest, with a mean good to %.3g mg, and %.3g mg are "
+             "%u positions of %.4g s come nearest, with a mean good to %.3g %s, and %.3g %s are "
              "needed: allow more, or take a sensor of less noise",
              LABOUR_MAX, is_floor ? "" : " up to 1e6 s", is_floor ? ": the noise has a floor" : "",
-             row->count, row->dwell, 1e3 * row->sigma, 1e3 * row->wanted);
+             row->count, row->dwell, unit.scale * row->sigma, unit.unit, unit.scale * row->wanted,
+             unit.unit);
     return EXIT_DATA;
 }
 
@@ -234,7 +241,7 @@ int labour_find(labour *l, design *set)
     l->chosen = is_free ? CHOICE_FREE : CHOICE_STAND;
     const unsigned count = best[l->chosen]->count;
     if (is_free) {
-        design_balanced(set, count, l->limits);
+        design_balanced(set, count, l->limits, l->needs_axes);
     } else {
         invcal_plan plan = {.per_group = count / INVCAL_PLAN_GROUPS};
         (void)invcal_plan_starts(plan.per_group, plan.start);

@@ -47,6 +47,10 @@ typedef struct labour {
     double limits[3];       /* of the sigma of delta, dk, gamma */
     double settle;          /* seconds in each position that count for nothing */
     double move;            /* seconds between two */
+    double warm_up;         /* seconds once */
+    unsigned least;         /* positions, at least */
+    int needs_axes;         /* each axis is to stand along gravity, up and down */
+    told_style told;        /* units */
     /* found: */
     labour_row row[CHOICE_FAMILIES][LABOUR_MAX]; /* of ascending count */
     unsigned rows[CHOICE_FAMILIES];

@@ -2,12 +2,15 @@
 #include <math.h>
 #include <string.h>
 
+#include "bound.h"
 #include "figure.h"
 #include "paint.h"
 #include "parameters.h"
 #include "plan_labour.h"
+#include "plan_nonlinear.h"
 #include "plan_words.h"
 #include "series.h"
+#include "weights.h"
 
 static void print_positions(FILE *file, const design *d)
 {
@@ -16,8 +19,9 @@ static void print_positions(FILE *file, const design *d)
 
     fprintf(file, "%s%15s%20s   %27s\n", paint_on(file, PAINT_BOLD), "", "stand, degrees",
             "up in the case's frame");
-    fprintf(file, "%8s%7s%10s%10s   %9s%9s%9s%s\n", "position", d->plan.per_group ? "group" : "",
-            "alpha", "beta", "x", "y", "z", paint_off(file));
+    fprintf(file, "%8s%7s%10s%10s   %9s%9s%9s%s%s\n", "position",
+            design_has_groups(d) ? "group" : "", "alpha", "beta", "x", "y", "z",
+            d->has_shares ? "     share" : "", paint_off(file));
     for (unsigned i = 0; i < d->count; i++) {
         const design_position *p = &d->position[i];
         char group[16] = "";
@@ -29,35 +33,38 @@ static void print_positions(FILE *file, const design *d)
         for (unsigned k = 0; k < 3; k++) {
             fprintf(file, "%9.4f", nearbyint(1e4 * p->vertical[k]) / 1e4 + 0.0);
         }
+        if (d->has_shares) {
+            fprintf(file, "%10.6f", p->share / d->count);
+        }
         putc('\n', file);
     }
     putc('\n', file);
 }
 
 /* One sigma: over the noise, and in units if the noise is told. */
-static void print_sigma(FILE *file, const char *what, double sigma, const char *unit, double scale)
+static void print_sigma(FILE *file, const char *what, double sigma, double noise, told_unit unit)
 {
     fprintf(file, "  %-15s%9.4f", what, sigma);
-    if (scale > 0) {
-        fprintf(file, "%12.4g %s", scale * sigma, unit);
+    if (noise > 0) {
+        fprintf(file, "%12.4g %s", unit.scale * noise * sigma, unit.unit);
     }
     putc('\n', file);
 }
 
-static void print_sigmas(FILE *file, const design *d, const design_cost *cost)
+static void print_sigmas(FILE *file, const design *d, double noise, told_style told)
 {
-    const double noise = cost->noise > 0 ? design_noise(cost) : 0;
+    const told_unit field = told_field(told, 1);
     const criteria *c = &d->criteria;
 
     fprintf(file, "%ssigma%s, times the noise of a position mean", paint_on(file, PAINT_BOLD),
             paint_off(file));
     if (noise > 0) {
-        fprintf(file, ", which is %.4g mg", 1e3 * noise);
+        fprintf(file, ", which is %.4g %s", field.scale * noise, field.unit);
     }
     fprintf(file, "\n");
-    print_sigma(file, "offsets", c->sigma_delta, "mg", 1e3 * noise);
-    print_sigma(file, "scale errors", c->sigma_dk, "%", 1e2 * noise);
-    print_sigma(file, "angles", c->sigma_gamma, "degrees", FIGURE_DEGREES * noise);
+    print_sigma(file, "offsets", c->sigma_delta, noise, field);
+    print_sigma(file, "scale errors", c->sigma_dk, noise, told_scale(told));
+    print_sigma(file, "angles", c->sigma_gamma, noise, told_angle(told));
     fprintf(file, "condition %.4f (1 is the best), ln det H'H %.4f (more is better)\n",
             c->condition, c->log_det);
     if (isfinite(d->hidden)) {
@@ -66,6 +73,42 @@ static void print_sigmas(FILE *file, const design *d, const design_cost *cost)
                 d->hidden);
     } else {
         fprintf(file, "visited in this order, a drift cannot be told from the nine parameters\n");
+    }
+}
+
+/* How the time is shared, and what that makes of the determinant. */
+static void print_shares(FILE *file, const design *d)
+{
+    unsigned unused = 0;
+
+    for (unsigned i = 0; i < d->count; i++) {
+        unused += !(d->position[i].share > 0);
+    }
+    fprintf(file,
+            "with these shares of the time; with equal ones ln det H'H is %.4f, and %u positions\n"
+            "anywhere have %.4f at most\n",
+            d->equal_log_det, d->count, weights_bound(d->count));
+    if (unused > 0) {
+        fprintf(file,
+                "%u position%s no share: det H'H is larger without; take %s for the whole\n"
+                "range and for nonlinearity\n",
+                unused, unused == 1 ? " has" : "s have", unused == 1 ? "it" : "them");
+    }
+}
+
+/* The most that each parameter can be wrong by: the three of a kind, and the largest in units. */
+static void print_bound(FILE *file, const design *d, double error, told_style told)
+{
+    const told_unit units[PLAN_KINDS] = {told_field(told, 1), told_scale(told), told_angle(told)};
+    double bound[INVCAL_PARAMETERS];
+
+    bound_find(d, bound);
+    fprintf(file, "%sguaranteed%s, if no position mean is off by more than %.4g %s; times that\n",
+            paint_on(file, PAINT_BOLD), paint_off(file), units[0].scale * error, units[0].unit);
+    for (unsigned k = 0; k < PLAN_KINDS; k++) {
+        const double *b = &bound[3 * (size_t)k];
+        fprintf(file, "  %-15s%9.4f%9.4f%9.4f   at most %.4g %s\n", plan_kinds[k], b[0], b[1], b[2],
+                units[k].scale * error * bound_largest(bound, k), units[k].unit);
     }
 }
 
@@ -136,8 +179,9 @@ static void print_candidate(FILE *file, const design *d, const choice_request *r
 {
     const criteria *c = &d->criteria;
 
-    fprintf(file, "%-24.24s%10u%10.6g%10.4f%10.4f%10.4f", d->name, d->count,
-            design_seconds(d->count, &request->cost), c->sigma_delta, c->sigma_dk, c->sigma_gamma);
+    fprintf(file, "%-24.24s%10u%10.4g%10.4f%10.4f%10.4f", d->name, d->count,
+            design_seconds(d->count, &request->cost) / 60, c->sigma_delta, c->sigma_dk,
+            c->sigma_gamma);
     if (request->limits) {
         fprintf(file, "%14.4f", choice_worst(c, request->limits));
     }
@@ -150,7 +194,7 @@ static void print_choice(FILE *file, const choice *c, const choice_request *requ
 
     fprintf(file, "sigma, times the noise of a position mean\n\n");
     fprintf(file, "%s%-24s%10s%10s%10s%10s%10s%s%s\n", paint_on(file, PAINT_BOLD), "", "positions",
-            "seconds", "offsets", "scales", "angles", request->limits ? "   worst/limit" : "",
+            "minutes", "offsets", "scales", "angles", request->limits ? "   worst/limit" : "",
             paint_off(file));
     if (request->limits) {
         fprintf(file, "%-24s%10s%10s%10.4f%10.4f%10.4f%14.4f\n", "limits", "", "",
@@ -163,14 +207,38 @@ static void print_choice(FILE *file, const choice *c, const choice_request *requ
             fprintf(file, "%-24s%10s\n", families[f], "none");
         }
     }
-    fprintf(file, "%sChosen:%s %s, %s\n\n", paint_on(file, PAINT_GREEN), paint_off(file),
-            c->set[c->chosen]->name,
+    fprintf(file, "%sChosen:%s %s, %s,\nwith %u position%s to spare or more%s\n\n",
+            paint_on(file, PAINT_GREEN), paint_off(file), c->set[c->chosen]->name,
             request->limits ? "the smallest within the limits"
-                            : "the largest determinant in the time");
+                            : "the largest determinant in the time",
+            request->spare, request->spare == 1 ? "" : "s",
+            request->needs_axes ? " and each axis up and down" : "");
+}
+
+/* The time, as the paper counts it. */
+static void print_labour(FILE *file, const design *d, const design_cost *cost)
+{
+    const design_labour l = design_labour_of(d->count, cost);
+    const unsigned distinct = design_distinct(d);
+
+    fprintf(file, "%.4g minutes: %.4g to warm up, %.4g to settle, %.4g to turn, %.4g to record\n",
+            design_seconds(d->count, cost) / 60, l.warm_up / 60, l.settling / 60, l.turning / 60,
+            l.recording / 60);
+    fprintf(file, "%.6g s in each position%s and %.6g s between two", cost->dwell,
+            d->has_shares ? " on the average" : "", cost->move);
+    if (cost->settle > 0) {
+        fprintf(file, ", and %.6g s to settle in each", cost->settle);
+    }
+    putc('\n', file);
+    if (distinct < d->count) {
+        fprintf(file, "%u positions in %u directions\n", d->count, distinct);
+    }
+    putc('\n', file);
 }
 
 void plan_print(FILE *file, const design *d, const choice_request *request, const choice *c)
 {
+    const double noise = request->cost.noise > 0 ? design_noise(&request->cost) : 0;
     char start[INVCAL_PLAN_GROUPS][PLAN_WORDS_MAX];
 
     if (c) {
@@ -188,15 +256,18 @@ void plan_print(FILE *file, const design *d, const choice_request *request, cons
         fprintf(file, " in 3 groups of %u, starting at %s, %s, %s degrees", d->plan.per_group,
                 start[0], start[1], start[2]);
     }
-    fprintf(file, "\n%.6g s, with %.6g s in each position and %.6g s between two",
-            design_seconds(d->count, &request->cost), request->cost.dwell, request->cost.move);
-    if (request->cost.settle > 0) {
-        fprintf(file, ", and %.6g s to settle in each", request->cost.settle);
-    }
-    fprintf(file, "\n\n");
+    putc('\n', file);
+    print_labour(file, d, &request->cost);
     print_positions(file, d);
     if (d->is_solvable) {
-        print_sigmas(file, d, &request->cost);
+        print_sigmas(file, d, noise, request->told);
+        plan_nonlinear_print(file, d, noise, request->told);
+        if (d->has_shares) {
+            print_shares(file, d);
+        }
+        if (request->bound > 0) {
+            print_bound(file, d, request->bound, request->told);
+        }
         print_verdict(file, d, request);
     }
     print_coverage(file, d);
@@ -205,7 +276,7 @@ void plan_print(FILE *file, const design *d, const choice_request *request, cons
     }
 }
 
-void plan_print_sweep(FILE *file, const plan_row *rows, unsigned count)
+void plan_print_sweep(FILE *file, const plan_sweep *s)
 {
     char text[PLAN_WORDS_MAX];
 
@@ -213,17 +284,27 @@ void plan_print_sweep(FILE *file, const plan_row *rows, unsigned count)
     fprintf(file, "%s%9s%11s%10s%10s%10s%11s%12s   %s%s\n", paint_on(file, PAINT_BOLD), "per group",
             "positions", "offsets", "scales", "angles", "condition", "ln det H'H",
             "axes along gravity", paint_off(file));
-    for (unsigned i = 0; i < count; i++) {
-        const criteria *c = &rows[i].criteria;
-        fprintf(file, "%9u%11u%10.6f%10.6f%10.6f%11.4f%12.4f   %s\n", rows[i].per_group,
+    for (unsigned i = 0; i < s->count; i++) {
+        const criteria *c = &s->rows[i].criteria;
+        fprintf(file, "%9u%11u%10.6f%10.6f%10.6f%11.4f%12.4f   %s\n", s->rows[i].per_group,
                 c->positions, c->sigma_delta, c->sigma_dk, c->sigma_gamma, c->condition, c->log_det,
-                plan_missing(rows[i].axes) ? plan_axes_text(rows[i].axes, text) : "all six");
+                plan_missing(s->rows[i].axes) ? plan_axes_text(s->rows[i].axes, text) : "all six");
     }
 }
 
 static void print_pair(FILE *file, const char *what, double a, double b)
 {
-    fprintf(file, "%-16s%24.6g%24.6g%12.4f\n", what, a, b, b / a);
+    fprintf(file, "%-*s%24.6g%24.6g%12.4f\n", paint_width(what, 16), what, a, b, b / a);
+}
+
+static void print_in_units(FILE *file, const char *what, told_unit unit, const design_cost *cost,
+                           double a, double b)
+{
+    const double noise = design_noise(cost);
+    char text[PLAN_WORDS_MAX];
+
+    snprintf(text, sizeof text, "%s, %s", what, unit.unit);
+    print_pair(file, text, unit.scale * noise * a, unit.scale * noise * b);
 }
 
 static void print_axes_pair(FILE *file, const design *a, const design *b)
@@ -252,16 +333,16 @@ void plan_print_comparison(FILE *file, const design *a, const design *b,
     fprintf(file, "%s%-16s%24.23s%24.23s%12s%s\n", paint_on(file, PAINT_BOLD), "", a->name, b->name,
             "ratio", paint_off(file));
     print_pair(file, "positions", a->count, b->count);
-    print_pair(file, "seconds", design_seconds(a->count, cost), design_seconds(b->count, cost));
+    print_pair(file, "minutes", design_seconds(a->count, cost) / 60,
+               design_seconds(b->count, cost) / 60);
     print_pair(file, "sigma offsets", p->sigma_delta, q->sigma_delta);
     print_pair(file, "sigma scales", p->sigma_dk, q->sigma_dk);
     print_pair(file, "sigma angles", p->sigma_gamma, q->sigma_gamma);
     if (cost->noise > 0) {
-        const double noise = design_noise(cost);
-        print_pair(file, "offsets, mg", 1e3 * noise * p->sigma_delta, 1e3 * noise * q->sigma_delta);
-        print_pair(file, "scales, %", 1e2 * noise * p->sigma_dk, 1e2 * noise * q->sigma_dk);
-        print_pair(file, "angles, degrees", FIGURE_DEGREES * noise * p->sigma_gamma,
-                   FIGURE_DEGREES * noise * q->sigma_gamma);
+        const told_style told = request->told;
+        print_in_units(file, "offsets", told_field(told, 1), cost, p->sigma_delta, q->sigma_delta);
+        print_in_units(file, "scales", told_scale(told), cost, p->sigma_dk, q->sigma_dk);
+        print_in_units(file, "angles", told_angle(told), cost, p->sigma_gamma, q->sigma_gamma);
     }
     print_pair(file, "condition", p->condition, q->condition);
     fprintf(file, "%-16s%24.6g%24.6g\n", "ln det H'H", p->log_det, q->log_det);

@@ -8,6 +8,7 @@
 #include "parameters.h"
 #include "plan_facts.h"
 #include "plan_labour.h"
+#include "weights.h"
 
 #define TEXT_MAX 800
 #define NAMED_FROM 11u /* positions, from which on a wrong one is told (outlier.h) */
@@ -23,9 +24,9 @@ static const char *sigmas_text(const plan_facts *f, char text[TEXT_MAX])
     text[0] = '\0';
     for (unsigned k = 0; k < PLAN_KINDS; k++) {
         const size_t length = strlen(text);
-        snprintf(text + length, TEXT_MAX - length, "%s%s to %s", k > 0 ? ", " : "",
-                 plan_kinds[k].name,
-                 plan_sigma_text(k, plan_sigma(&f->set->criteria, k), f->noise, number));
+        snprintf(text + length, TEXT_MAX - length, "%s%s to %s", k > 0 ? ", " : "", plan_kinds[k],
+                 plan_sigma_text(k, plan_sigma(&f->set->criteria, k), f->noise, f->request->told,
+                                 number));
     }
     return text;
 }
@@ -122,7 +123,7 @@ static void say_good(page *p, const plan_facts *f)
     snprintf(next, sizeof next,
              "%s as the work sheet says%s, log all the while, then: invcal "
              "calibrate LOG.",
-             d->plan.per_group > 0 ? "turn the stand" : "turn the device",
+             d->is_stand ? "turn the stand" : "turn the device",
              f->request->cost.dwell < SHORT_REST
                  ? ", but stay two seconds or more: shorter rests are not found in a log"
                  : "");
@@ -154,8 +155,9 @@ static void write_figures(page *p, const plan_facts *f)
     page_figure(p, text, "positions");
     page_figure(p, plan_time_text(design_seconds(f->set->count, &f->request->cost), text), "time");
     for (unsigned k = 0; k < PLAN_KINDS; k++) {
-        snprintf(what, sizeof what, "σ of %s%s", plan_kinds[k].name, plan_times(f->noise));
-        page_figure(p, plan_sigma_text(k, plan_sigma(&f->set->criteria, k), f->noise, text), what);
+        snprintf(what, sizeof what, "σ of %s%s", plan_kinds[k], plan_times(f->noise));
+        plan_sigma_text(k, plan_sigma(&f->set->criteria, k), f->noise, f->request->told, text);
+        page_figure(p, text, what);
     }
     page_figures_end(p);
 }
@@ -171,7 +173,7 @@ static void write_candidate(page *p, const page_table *sheet, const plan_facts *
     snprintf(text[1], PLAN_WORDS_MAX, "%u", d->count);
     plan_time_text(design_seconds(d->count, &f->request->cost), text[2]);
     for (unsigned k = 0; k < PLAN_KINDS; k++) {
-        plan_sigma_text(k, plan_sigma(&d->criteria, k), f->noise, text[3 + k]);
+        plan_sigma_text(k, plan_sigma(&d->criteria, k), f->noise, f->request->told, text[3 + k]);
     }
     if (f->request->limits) {
         figure_digits(choice_worst(&d->criteria, f->request->limits), 4, text[6]);
@@ -224,6 +226,10 @@ static void write_cost(page *p, const plan_facts *f)
         page_fact(p, "to settle", "%s in each before it counts",
                   plan_time_text(cost->settle, text[0]));
     }
+    if (cost->warm_up > 0) {
+        page_fact(p, "to warm up", "%s once, before the first",
+                  plan_time_text(cost->warm_up, text[0]));
+    }
     if (f->request->budget > 0) {
         page_fact(p, "budget", "%s", plan_time_text(f->request->budget, text[0]));
     }
@@ -246,6 +252,7 @@ void plan_report_origin(page *p, const char *command)
 static void write_origin(page *p, const plan_facts *f, const char *command)
 {
     const design *d = f->set;
+    const told_unit unit = told_field(f->request->told, 1);
     char text[3][PLAN_WORDS_MAX];
 
     plan_report_origin(p, command);
@@ -257,11 +264,11 @@ static void write_origin(page *p, const plan_facts *f, const char *command)
         page_fact(p, "start angles", "%s°, %s°, %s°", text[0], text[1], text[2]);
     }
     if (f->request->labour) {
-        page_fact(p, "noise", "%s: %.4g mg for a position mean", f->request->labour->noise_name,
-                  1e3 * f->noise);
+        page_fact(p, "noise", "%s: %.4g %s for a position mean", f->request->labour->noise_name,
+                  unit.scale * f->noise, unit.unit);
     } else if (f->noise > 0) {
-        page_fact(p, "noise stated", "%.4g mg for one second, %.4g mg for a position mean",
-                  1e3 * f->request->cost.noise, 1e3 * f->noise);
+        page_fact(p, "noise stated", "%.4g %s for one second, %.4g %s for a position mean",
+                  unit.scale * f->request->cost.noise, unit.unit, unit.scale * f->noise, unit.unit);
     } else {
         page_fact(p, "noise",
                   "not stated, so σ is in multiples of the noise of a position mean; "
@@ -269,6 +276,12 @@ static void write_origin(page *p, const plan_facts *f, const char *command)
     }
     page_fact(p, "condition", "%.4g", d->criteria.condition);
     page_fact(p, "ln det H'H", "%.6g", d->criteria.log_det);
+    if (d->has_shares) {
+        page_fact(p, "shares of the time",
+                  "not equal: with equal ones ln det H'H is %.6g, and %u "
+                  "positions anywhere have %.6g at most",
+                  d->equal_log_det, d->count, weights_bound(d->count));
+    }
     page_facts_end(p);
 }
 
@@ -287,6 +300,9 @@ void plan_report(FILE *file, const design *d, const choice_request *request, con
     plan_report_sheet(&p, &f);
     plan_report_sphere(&p, &f);
     plan_report_sigma(&p, &f);
+    if (request->bound > 0) {
+        plan_report_bound(&p, &f);
+    }
     plan_report_coverage(&p, &f);
     if (c) {
         write_choice(&p, &f);

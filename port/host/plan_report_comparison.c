@@ -216,7 +216,7 @@ static void write_spheres(page *p, const comparison *c)
     }
     page_row_begin(p);
     plan_draw_legend(p->file, &shading, plan_length_unit(&c->of[0]),
-                     c->of[0].set->plan.per_group > 0 || c->of[1].set->plan.per_group > 0);
+                     design_has_groups(c->of[0].set) || design_has_groups(c->of[1].set));
     page_row_end(p, "Where up points in the axes of the device, and how uncertain the length |a| "
                     "of a corrected reading will be in every direction.");
 }

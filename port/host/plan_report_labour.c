@@ -20,10 +20,10 @@ static void write_row(page *p, const page_table *sheet, const labour *l, unsigne
     if (row->is_possible) {
         plan_time_text(row->dwell, text[2]);
         plan_time_text(row->seconds, text[4]);
-        snprintf(text[5], PLAN_WORDS_MAX, "%s%s", plan_kinds[row->binds].name,
+        snprintf(text[5], PLAN_WORDS_MAX, "%s%s", plan_kinds[row->binds],
                  row->is_beyond ? "; dwell not seen" : "");
     }
-    figure_digits(1e3 * row->sigma, 3, text[3]);
+    figure_digits(told_field(l->told, 1).scale * row->sigma, 3, text[3]);
     for (unsigned k = 0; k < COLUMNS; k++) {
         cells[k] = text[k];
     }
@@ -34,15 +34,17 @@ void labour_report(page *p, const labour *l)
 {
     static const char *const headings[COLUMNS] = {"family",      "positions", "in each",
                                                   "σ of a mean", "time",      "what binds"};
-    const page_table sheet = {"Around the best of each family; σ of a position mean in mg.",
-                              headings, COLUMNS, 1u << 5};
+    char caption[PLAN_WORDS_MAX];
+    const page_table sheet = {caption, headings, COLUMNS, 1u << 5};
     const labour_row *row = l->best[l->chosen];
 
+    snprintf(caption, sizeof caption, "Around the best of each family; σ of a position mean in %s.",
+             told_field(l->told, 1).unit);
     page_section(p, "Why so many, and so long");
     page_say(p,
              "%u positions of %.4g s take the least time in all with the noise of %s. The limit of "
              "the %s decides.",
-             row->count, row->dwell, l->noise_name, plan_kinds[row->binds].name);
+             row->count, row->dwell, l->noise_name, plan_kinds[row->binds]);
     if (row->is_beyond) {
         page_say(p, "No averaging time as long has been seen in it: log longer to be sure.");
     }

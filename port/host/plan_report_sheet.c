@@ -4,10 +4,11 @@
  */
 #include <math.h>
 
+#include "angles.h"
 #include "plan_facts.h"
 
-#define COLUMNS 8u
-#define OPEN 100u /* up to here the sheet is unfolded */
+#define COLUMNS 9u /* the last one only if positions are not held equally long */
+#define OPEN 100u  /* up to here the sheet is unfolded */
 #define BOX "☐"
 
 /* Time on a clock: "2:55", "1:04:00"; with tenths where dwell or move have fractions. */
@@ -34,19 +35,12 @@ static int has_fraction(double x)
     return fabs(x - nearbyint(x)) > 0;
 }
 
-/* The shorter way round, above -180 to 180 degrees. */
-static double turn(double from, double to)
-{
-    const double change = fmod(to - from, 360);
-
-    return change > 180 ? change - 360 : change <= -180 ? change + 360 : change;
-}
-
 /* "α +60°, β +90°", to 0.01 degrees: what is to be set stands beside it. */
-static void stand_turn(const design_position *from, const design_position *to,
-                       char text[PLAN_WORDS_MAX])
+static void turn_text(const design_position *from, const design_position *to,
+                      char text[PLAN_WORDS_MAX])
 {
-    const double change[2] = {turn(from->alpha, to->alpha), turn(from->beta, to->beta)};
+    const double change[2] = {angles_turn(from->alpha, to->alpha),
+                              angles_turn(from->beta, to->beta)};
     int length = 0;
 
     snprintf(text, PLAN_WORDS_MAX, "none");
@@ -81,10 +75,13 @@ static void stand_cells(const design *d, unsigned n, char (*text)[PLAN_WORDS_MAX
     plan_angle_text(at->beta, text[1]);
     snprintf(text[2], PLAN_WORDS_MAX, "start");
     if (n > 0) {
-        stand_turn(at - 1, at, text[2]);
+        turn_text(at - 1, at, text[2]);
     }
     invcal_words(at->vertical, text[3]);
-    snprintf(text[4], PLAN_WORDS_MAX, "%u", at->group);
+    snprintf(text[4], PLAN_WORDS_MAX, "%s", "");
+    if (at->group > 0) {
+        snprintf(text[4], PLAN_WORDS_MAX, "%u", at->group);
+    }
 }
 
 /* Turn, up in words and as x y z. */
@@ -108,12 +105,16 @@ static void write_row(page *p, const page_table *sheet, const plan_facts *f, uns
     const design_cost *cost = &f->request->cost;
     char text[COLUMNS][PLAN_WORDS_MAX];
     const char *cells[COLUMNS];
+    const double dwell = f->set->position[n].share * cost->dwell;
 
     snprintf(text[0], PLAN_WORDS_MAX, "%u", n + 1);
     snprintf(text[1], PLAN_WORDS_MAX, BOX);
-    clock_text(n * (cost->settle + cost->dwell + cost->move),
-               has_fraction(cost->settle + cost->dwell) || has_fraction(cost->move), text[2]);
-    if (f->set->plan.per_group > 0) {
+    clock_text(design_begins(f->set, n, cost),
+               has_fraction(cost->settle + cost->dwell) || has_fraction(cost->move) ||
+                   has_fraction(cost->warm_up),
+               text[2]);
+    plan_time_text(cost->settle + dwell, text[COLUMNS - 1]);
+    if (f->set->is_stand) {
         stand_cells(f->set, n, &text[3]);
     } else {
         free_cells(f->set, n, &text[3]);
@@ -127,18 +128,19 @@ static void write_row(page *p, const page_table *sheet, const plan_facts *f, uns
 /* For a stand with its angles, or for the hand. */
 static page_table begin_sheet(const plan_facts *f)
 {
-    static const char *const stand[COLUMNS] = {"no.",  "done", "begins", "α, °",
-                                               "β, °", "turn", "up",     "group"};
-    static const char *const by_hand[COLUMNS] = {"no.", "done", "begins", "turn",
-                                                 "up",  "x",    "y",      "z"};
+    static const char *const stand[COLUMNS] = {"no.",  "done", "begins", "α, °", "β, °",
+                                               "turn", "up",   "group",  "stay"};
+    static const char *const by_hand[COLUMNS] = {"no.", "done", "begins", "turn", "up",
+                                                 "x",   "y",    "z",      "stay"};
+    const unsigned columns = f->set->has_shares ? COLUMNS : COLUMNS - 1;
 
-    return f->set->plan.per_group > 0
+    return f->set->is_stand
                ? (page_table){"α: outer axis of the stand, β: inner axis. Turn: from the position "
                               "before. Begins: elapsed time.",
-                              stand, COLUMNS, 1u << 1 | 1u << 5 | 1u << 6}
+                              stand, columns, 1u << 1 | 1u << 5 | 1u << 6}
                : (page_table){"Up: where up points, in words and in the frame of the device. Turn: "
                               "from the position before. Begins: elapsed time.",
-                              by_hand, COLUMNS, 1u << 1 | 1u << 4};
+                              by_hand, columns, 1u << 1 | 1u << 4};
 }
 
 void plan_report_sheet(page *p, const plan_facts *f)
@@ -147,8 +149,13 @@ void plan_report_sheet(page *p, const plan_facts *f)
     const page_table sheet = begin_sheet(f);
 
     page_section(p, "Work sheet");
-    page_say(p, "Hold still for %s in each position.",
-             plan_time_text(f->request->cost.settle + f->request->cost.dwell, text));
+    if (f->request->cost.warm_up > 0) {
+        page_say(p, "Switch on, and let the sensor warm up for %s.",
+                 plan_time_text(f->request->cost.warm_up, text));
+    }
+    page_say(p, "Hold still for %s in each position%s.",
+             plan_time_text(f->request->cost.settle + f->request->cost.dwell, text),
+             f->set->has_shares ? " on the average, as the last column says" : "");
     snprintf(text, sizeof text, "All %u positions%s", f->set->count,
              f->set->count > OPEN ? " (unfold before printing)" : "");
     page_fold_begin(p, text, f->set->count <= OPEN);

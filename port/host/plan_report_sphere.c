@@ -80,7 +80,7 @@ void plan_report_sphere(page *p, const plan_facts *f)
     say_uncertainty(p, f);
     page_row_begin(p);
     plan_draw_halves(p->file, f->set, &shading);
-    plan_draw_legend(p->file, &shading, plan_length_unit(f), f->set->plan.per_group > 0);
+    plan_draw_legend(p->file, &shading, plan_length_unit(f), design_has_groups(f->set));
     page_row_end(p, f->set->count > SPHERE_NUMBERED
                         ? "Where up points in the axes of the device."
                         : "Where up points in the axes of the device; numbers as in the work "

@@ -10,13 +10,8 @@
 #define TEXT_MAX 600
 #define OPEN 48u /* up to here the table is unfolded */
 
-typedef struct {
-    const plan_row *rows;
-    unsigned count;
-} sweep;
-
 /* The factor of sigma for twice the positions, from the two ends. */
-static double factor_of_doubling(const sweep *s)
+static double factor_of_doubling(const plan_sweep *s)
 {
     const plan_row *first = &s->rows[0];
     const plan_row *last = &s->rows[s->count - 1];
@@ -27,7 +22,7 @@ static double factor_of_doubling(const sweep *s)
     return pow(2, power);
 }
 
-static void write_verdict(page *p, const sweep *s)
+static void write_verdict(page *p, const plan_sweep *s)
 {
     static const char next[] = "find the smallest program whose σ is enough, here or with invcal "
                                "plan --limits. Even numbers in a group point all six axes along "
@@ -57,9 +52,9 @@ static void write_verdict(page *p, const sweep *s)
 
 static void draw(FILE *file, const void *data, double width)
 {
-    const sweep *s = data;
+    const plan_sweep *s = data;
 
-    plan_svg_sweep_inline(file, s->rows, s->count, width);
+    plan_svg_sweep_inline(file, s, width);
 }
 
 static void write_row(page *p, const page_table *sheet, const plan_row *row)
@@ -88,7 +83,7 @@ static void write_row(page *p, const page_table *sheet, const plan_row *row)
     page_cells(p, sheet, cells);
 }
 
-static void write_table(page *p, const sweep *s)
+static void write_table(page *p, const plan_sweep *s)
 {
     static const char *const heading[COLUMNS] = {"program",      "positions",    "offsets",
                                                  "scale errors", "angles",       "condition",
@@ -109,22 +104,23 @@ static void write_table(page *p, const sweep *s)
     page_fold_end(p);
 }
 
-void plan_report_sweep(FILE *file, const plan_row *rows, unsigned count, const char *command)
+void plan_report_sweep(FILE *file, const plan_sweep *s, const char *command)
 {
-    const sweep s = {rows, count};
     char title[TEXT_MAX];
     page p;
 
-    snprintf(title, sizeof title, "Programs of %u to %u positions", rows[0].criteria.positions,
-             rows[count - 1].criteria.positions);
+    snprintf(title, sizeof title, "Programs of %u to %u positions", s->rows[0].criteria.positions,
+             s->rows[s->count - 1].criteria.positions);
     page_begin(&p, file, title);
-    write_verdict(&p, &s);
+    write_verdict(&p, s);
     page_section(&p, "σ against the number of positions");
-    page_picture(&p,
-                 "Programs of three groups of N positions; each value is the largest of three. 1 "
-                 "means, with a noise of 1e-6 of the field: 1e-6 of the field, 1e-6, 1 µrad.",
-                 draw, &s);
-    write_table(&p, &s);
+    page_picture(
+        &p,
+        "Curves: programs of three groups of N positions; beside them those of invcal plan "
+        "--programs. Each value is the largest of three. 1 "
+        "means, with a noise of 1e-6 of the field: 1e-6 of the field, 1e-6, 1 µrad.",
+        draw, s);
+    write_table(&p, s);
     plan_report_origin(&p, command);
     page_facts_end(&p);
     page_end(&p);

@@ -43,7 +43,7 @@ static void draw_words(FILE *file, const design *d, const sphere *map, double he
     snprintf(text, sizeof text, "%u position%s: where up points in the axes of the instrument",
              d->count, d->count == 1 ? "" : "s");
     svg_text(file, "ink", SVG_START, 12, 48, text);
-    if (d->plan.per_group > 0) {
+    if (design_has_groups(d)) {
         plan_map_legend(file, 20, height - BOTTOM);
     }
     if (homeless > 0) {
@@ -81,7 +81,7 @@ void plan_svg_directions(FILE *file, const design *d)
     char text[TEXT_MAX];
     char title[TEXT_MAX];
     const sphere *map = plan_map(d, NULL);
-    const int has_legend = d->plan.per_group > 0 || map->homeless[0] + map->homeless[1] > 0;
+    const int has_legend = design_has_groups(d) || map->homeless[0] + map->homeless[1] > 0;
     const double height = TOP + SPHERE_HEIGHT + (has_legend ? LEGEND : 0) + BOTTOM;
     describe_map(d, text, sizeof text);
     snprintf(title, sizeof title, "%s: directions of %u positions", d->name, d->count);

@@ -8,11 +8,15 @@
 
 #define JOINT "\302\240" /* U+00A0: a number and its unit stay on one line */
 
-const plan_kind plan_kinds[PLAN_KINDS] = {
-    {"offsets", "mg", 1e3},
-    {"scale errors", "%", 1e2},
-    {"angles", "°", FIGURE_DEGREES},
-};
+const char *const plan_kinds[PLAN_KINDS] = {"offsets", "scale errors", "angles"};
+
+told_unit plan_unit(unsigned kind, told_style told)
+{
+    return kind == 0               ? told_field(told, 1)
+           : kind == 1             ? told_scale(told)
+           : told == TOLD_EVERYDAY ? (told_unit){FIGURE_DEGREES, "°"}
+                                   : told_angle(told);
+}
 
 const char *plan_axes_text(unsigned axes, char text[PLAN_WORDS_MAX])
 {
@@ -62,13 +66,15 @@ double plan_sigma_largest(const criteria *c)
     return fmax(c->sigma_delta, fmax(c->sigma_dk, c->sigma_gamma));
 }
 
-const char *plan_sigma_text(unsigned kind, double sigma, double noise, char text[PLAN_WORDS_MAX])
+const char *plan_sigma_text(unsigned kind, double sigma, double noise, told_style told,
+                            char text[PLAN_WORDS_MAX])
 {
     char number[FIGURE_MAX];
 
     if (noise > 0) {
-        figure_digits(plan_kinds[kind].scale * noise * sigma, 3, number);
-        snprintf(text, PLAN_WORDS_MAX, "%s" JOINT "%s", number, plan_kinds[kind].unit);
+        const told_unit unit = plan_unit(kind, told);
+        figure_digits(unit.scale * noise * sigma, 3, number);
+        snprintf(text, PLAN_WORDS_MAX, "%s" JOINT "%s", number, unit.unit);
     } else {
         snprintf(text, PLAN_WORDS_MAX, "%s", figure_digits(sigma, 3, number));
     }
@@ -82,6 +88,9 @@ const char *plan_times(double noise)
 
 const char *plan_missing_reason(const design *d)
 {
+    if (d->has_shares) {
+        return "what points there has no share of the time";
+    }
     if (d->plan.per_group == 0) {
         return "none of its directions lies there";
     }

@@ -20,12 +20,10 @@ const char *plan_time_text(double seconds, char text[PLAN_WORDS_MAX]);
 
 /* The three kinds of parameters: offsets, scale errors, angles. */
 #define PLAN_KINDS 3u
-typedef struct {
-    const char *name;
-    const char *unit;
-    double scale; /* of the parameter to this unit */
-} plan_kind;
-extern const plan_kind plan_kinds[PLAN_KINDS];
+extern const char *const plan_kinds[PLAN_KINDS];
+
+/* Its unit on a page: angles have "°" for degrees. */
+told_unit plan_unit(unsigned kind, told_style told);
 
 /* The largest sigma of a kind, over the noise of a position mean; and of all kinds. */
 double plan_sigma(const criteria *c, unsigned kind);
@@ -33,7 +31,8 @@ double plan_sigma_largest(const criteria *c);
 
 /* A sigma that is given over the noise: "0.0183 mg", or, if `noise` of a position mean over the
  * field is not told (0), "0.408", of which plan_times says what it means. Returns text. */
-const char *plan_sigma_text(unsigned kind, double sigma, double noise, char text[PLAN_WORDS_MAX]);
+const char *plan_sigma_text(unsigned kind, double sigma, double noise, told_style told,
+                            char text[PLAN_WORDS_MAX]);
 
 /* Behind what is told so: "", or, if the noise is not told, ", × noise". */
 const char *plan_times(double noise);

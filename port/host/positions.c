@@ -71,8 +71,13 @@ static int add_noise(positions *p, const table *t, const columns *where)
 static int add_row(positions *p, const table *t, const columns *where)
 {
     double mean[3];
-    position_origin origin = {t->line, NUMBER_UNKNOWN, NUMBER_UNKNOWN, NUMBER_UNKNOWN,
-                              NUMBER_UNKNOWN};
+    position_origin origin = {.line = t->line,
+                              .begin = NUMBER_UNKNOWN,
+                              .end = NUMBER_UNKNOWN,
+                              .temperature = NUMBER_UNKNOWN,
+                              .drift = NUMBER_UNKNOWN,
+                              .alpha = columns_angle(t, where, COLUMN_ALPHA),
+                              .beta = columns_angle(t, where, COLUMN_BETA)};
     int failure = EXIT_GOOD;
 
     for (int i = 0; i < 3 && !failure; i++) {
@@ -94,6 +99,7 @@ static int read_rows(positions *p, table *t)
     p->seen = where.seen;
     p->has_noise = !failure && where.index[COLUMN_STD_X] >= 0 && where.index[COLUMN_SAMPLES] >= 0;
     p->has_temperature = !failure && where.index[COLUMN_TEMPERATURE] >= 0;
+    p->has_angles = !failure && where.index[COLUMN_ALPHA] >= 0 && where.index[COLUMN_BETA] >= 0;
     while (!failure && (more = table_next(t)) == 1) {
         failure = add_row(p, t, &where);
     }

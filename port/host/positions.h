@@ -18,6 +18,8 @@ typedef struct {
     double end;
     double temperature; /* mean, */
     double drift;       /* and how far it went in the rest, K */
+    double alpha; /* angles of the stand, degrees; of a rest in which they changed not known */
+    double beta;
 } position_origin;
 
 typedef struct {
@@ -30,6 +32,7 @@ typedef struct {
     unsigned count;
     unsigned capacity;
     int has_temperature;
+    int has_angles;         /* there are columns alpha and beta */
     int has_noise;          /* the file tells std and n of each position */
     double noise_square[3]; /* then for each axis the mean over the positions of std^2 / n: the
                                variance of a position mean, input units squared, finite */

@@ -5,6 +5,8 @@
 
 #include "number.h"
 
+#define ANGLE_CHANGE 0.02 /* degrees in a rest: an encoder's last digit is no turn */
+
 void recording_begin(recording *r, const samples *log)
 {
     r->blocks = 0;
@@ -31,7 +33,8 @@ void recording_sample(recording *r, const samples *log, const sample *s)
 
     r->fill = s->is_gap ? 0 : r->fill; /* the block that was begun is lost */
     if (r->fill++ == 0) {
-        r->open = (recording_block){.line = s->line, .clock = s->clock};
+        r->open = (recording_block){
+            .line = s->line, .clock = s->clock, .angle = {s->angle[0], s->angle[1]}};
     }
     r->open.temperature += s->temperature;
     for (unsigned i = 0; i < 3; i++) {
@@ -76,6 +79,19 @@ static double variance_of_mean(const recording *r, unsigned long first, unsigned
     return (squares - sum * sum / count) / (count * (count - 1));
 }
 
+/* Of the middle of a rest; what differs from it before or after is no angle of a rest. */
+static double angle_of(const recording *r, unsigned long first, unsigned long last, unsigned which)
+{
+    const double middle = r->block[(first + last) / 2 % RECORDING_BLOCKS].angle[which];
+    double most = 0;
+
+    for (unsigned long k = first; k < last && k < r->blocks; k++) {
+        const double off = fabs(r->block[k % RECORDING_BLOCKS].angle[which] - middle);
+        most = off <= most ? most : off; /* NaN, too */
+    }
+    return most <= ANGLE_CHANGE ? middle : NUMBER_UNKNOWN;
+}
+
 recording_place recording_find(const recording *r, const invcal_rest *rest)
 {
     const unsigned long first = block_of(r, rest->begin);
@@ -98,6 +114,9 @@ recording_place recording_find(const recording *r, const invcal_rest *rest)
         .drift = is_known && count > 1 ? fabs(12 * moment / (r->size * (count * count - 1)))
                                        : NUMBER_UNKNOWN,
     };
+    for (unsigned i = 0; i < 2; i++) {
+        place.angle[i] = angle_of(r, first, last, i);
+    }
     for (unsigned i = 0; i < 3; i++) {
         const unsigned long end = last < r->blocks ? last : r->blocks;
         place.variance[i] = end > first + 1 ? variance_of_mean(r, first, end, i) : NUMBER_UNKNOWN;

@@ -18,6 +18,7 @@ typedef struct {
     double clock;
     double temperature; /* sums over its samples */
     double sum[3];      /* counts */
+    double angle[2];    /* of the stand, at its first sample */
 } recording_block;
 
 typedef struct {
@@ -40,6 +41,7 @@ typedef struct {
     double temperature; /* mean; NaN: not known */
     double drift;       /* of temperature from begin to end, K without sign, by the straight line
                            through its blocks: a thermometer's noise is no drift */
+    double angle[2];    /* alpha and beta of the stand, degrees; NaN: not known, or they changed */
     double variance[3]; /* of its mean, counts^2, as its blocks tell: tremor is no white noise */
 } recording_place;
 

@@ -160,9 +160,8 @@ static void write_improvement(page *p, const report_facts *f)
         return;
     }
     snprintf(text, sizeof text, "%s%s%s %s",
-             is_guess ? "" : figure_digits(REPORT_PARTS * r->residual_before, 3, before),
-             is_guess ? "" : " → ", figure_digits(REPORT_PARTS * r->quality.rms, 3, after),
-             f->unit);
+             is_guess ? "" : figure_digits(f->parts * r->residual_before, 3, before),
+             is_guess ? "" : " → ", figure_digits(f->parts * r->quality.rms, 3, after), f->unit);
     snprintf(what, sizeof what, "rms error of %s in these positions, %s", f->length,
              is_guess ? "calibrated" : "before and after");
     page_figure(p, text, what);
@@ -232,7 +231,8 @@ static void write_matrix(page *p, const report_facts *f)
                   c.matrix[i][2]);
     }
     page_fact(p, "frame", "%s",
-              r->settings.is_triangular
+              r->is_stand_frame ? "stand: turned to the axes of the stand, by its angles"
+              : r->settings.is_triangular
                   ? "triangular: only the x sensor feels a field along the x axis"
                   : "symmetric: axes as near to the case as can be");
 }
@@ -296,6 +296,7 @@ int report_write(FILE *file, const calibrate_result *result, const calibrate_wis
         write_limit(&p, &f);
         report_parameters(&p, &f);
         report_positions(&p, &f);
+        report_stand(&p, &f);
         report_temperature(&p, &f);
         report_sphere(&p, &f);
         report_timeline(&p, &f);

@@ -21,11 +21,11 @@ static void find_positions(report_facts *f)
         report_position *at = &f->position[n];
         double v[3];
         invcal_apply(&r->settings.nominal, &r->data->mean[3 * (size_t)n], v);
-        at->before = REPORT_PARTS * (length(v) - 1);
+        at->before = f->parts * (length(v) - 1);
         const invcal_calibration here = calibrate_at(r, n);
         calibrate_level(r, n, v);
         invcal_apply(&here, v, v);
-        at->after = REPORT_PARTS * (length(v) - 1);
+        at->after = f->parts * (length(v) - 1);
         for (unsigned i = 0; i < 3; i++) {
             at->up[i] = length(v) > 0 ? v[i] / length(v) : i == 2;
         }
@@ -67,10 +67,11 @@ int report_facts_find(report_facts *f, const calibrate_result *result, const cal
 {
     *f = (report_facts){.result = result, .wish = wish, .count = result->data->count};
     f->is_gravity = unit_is_gravity(result->settings.field);
-    f->unit = f->is_gravity ? "mg" : "‰ of the field";
+    f->parts = told_parts(result->told, f->is_gravity).scale;
+    f->unit = told_parts(result->told, f->is_gravity).unit;
     f->length = f->is_gravity ? "|a|" : "length";
     f->knows_noise = calibrate_knows_noise(result);
-    f->noise = f->knows_noise ? REPORT_PARTS * result->quality.noise : 1;
+    f->noise = f->knows_noise ? f->parts * result->quality.noise : 1;
     f->position = calloc(f->count, sizeof *f->position);
     f->mark = calloc((size_t)f->count + 1, sizeof *f->mark);
     if (!f->position || !f->mark || !find_next(f)) {
@@ -81,6 +82,17 @@ int report_facts_find(report_facts *f, const calibrate_result *result, const cal
     calibrate_spread(result, f->noise, &f->length_sigma);
     set_marks(f);
     return EXIT_GOOD;
+}
+
+told_unit report_unit(const report_facts *f, unsigned kind)
+{
+    const told_style style = f->result->told;
+    const told_unit degrees = {FIGURE_DEGREES, "°"};
+
+    return kind == 0           ? told_parts(style, f->is_gravity)
+           : kind == 1         ? told_scale(style)
+           : style == TOLD_INS ? told_angle(style)
+                               : degrees;
 }
 
 void report_facts_release(report_facts *f)

@@ -37,6 +37,7 @@ static void write_row(page *p, const page_table *sheet, const report_facts *f, u
     const double *mean = &f->result->data->mean[3 * (size_t)n];
     char text[COLUMNS][CELL];
     const char *cells[COLUMNS];
+    const int is_ins = f->result->told == TOLD_INS;
     unsigned count = 0;
 
     snprintf(text[NUMBER], CELL, "%u", n + 1);
@@ -49,8 +50,8 @@ static void write_row(page *p, const page_table *sheet, const report_facts *f, u
         figure_fixed(mean[i], figure_places(mean[i], sigma), FIGURE_PLAIN, text[X + i]);
     }
     snprintf(text[UP], CELL, "%+.2f %+.2f %+.2f", at->up[0], at->up[1], at->up[2]);
-    snprintf(text[BEFORE], CELL, "%+.3f", at->before);
-    snprintf(text[AFTER], CELL, "%+.4f", at->after);
+    snprintf(text[BEFORE], CELL, "%+.*f", is_ins ? 1 : 3, at->before);
+    snprintf(text[AFTER], CELL, "%+.*f", is_ins ? 2 : 4, at->after);
     snprintf(text[REMARK], CELL, "%s", at->is_left_out ? "left out" : "");
     for (unsigned k = 0; k < COLUMNS; k++) {
         if (is_shown(f, k)) {
@@ -66,7 +67,7 @@ static int is_listed(const report_facts *f, unsigned n)
     const report_position *at = &f->position[n];
 
     return f->count <= LISTED || at->is_left_out ||
-           fabs(at->after) >= 0.7 * REPORT_PARTS * f->result->quality.max;
+           fabs(at->after) >= 0.7 * f->parts * f->result->quality.max;
 }
 
 void report_numbers(page *p, const report_facts *f)

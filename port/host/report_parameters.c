@@ -21,43 +21,46 @@
 typedef struct {
     const char *title;
     const char *label[3];
-    const char *unit;
-    double scale; /* of the parameter to this unit */
 } kind_of_parameter;
 
 static const kind_of_parameter kinds[3] = {
-    {"offset", {"x", "y", "z"}, "", REPORT_PARTS},
-    {"scale error", {"x", "y", "z"}, "%", 100},
-    {"angle off square", {"xy", "xz", "zy"}, "°", FIGURE_DEGREES},
+    {"offset", {"x", "y", "z"}},
+    {"scale error", {"x", "y", "z"}},
+    {"angle off square", {"xy", "xz", "zy"}},
 };
 
 static const char *unit_of(const report_facts *f, unsigned kind)
 {
-    return kind == 0 ? f->unit : kinds[kind].unit;
+    return report_unit(f, kind).unit;
+}
+
+static double scale_of(const report_facts *f, unsigned kind)
+{
+    return report_unit(f, kind).scale;
 }
 
 static double value_of(const report_facts *f, unsigned kind, unsigned i)
 {
-    return kinds[kind].scale * f->result->solution.x[3 * kind + i];
+    return scale_of(f, kind) * f->result->solution.x[3 * kind + i];
 }
 
 /* NaN: not known. */
 static double sigma_of(const report_facts *f, unsigned kind, unsigned i)
 {
-    return f->knows_noise ? kinds[kind].scale * f->result->quality.sigma[3 * kind + i]
+    return f->knows_noise ? scale_of(f, kind) * f->result->quality.sigma[3 * kind + i]
                           : (double)NAN;
 }
 
 /* Of the data sheet, or NaN. */
 static double limit_of(const report_facts *f, unsigned kind)
 {
-    return f->result->tolerance ? kinds[kind].scale * f->result->tolerance[kind] : (double)NAN;
+    return f->result->tolerance ? scale_of(f, kind) * f->result->tolerance[kind] : (double)NAN;
 }
 
 /* Standard deviation, or 0. */
 static double prior_of(const report_facts *f, unsigned kind)
 {
-    return kinds[kind].scale * f->result->settings.prior[3 * (size_t)kind];
+    return scale_of(f, kind) * f->result->settings.prior[3 * (size_t)kind];
 }
 
 static int is_beyond(const report_facts *f, unsigned kind, unsigned i)

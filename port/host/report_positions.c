@@ -125,9 +125,8 @@ static void describe(const report_facts *f, char *text, size_t size)
              "Deviation of %s from the field at each of %u positions: root mean square %.4g %s "
              "before calibration, %.4g %s after. The largest after is %.4g %s, at position %u. "
              "%u left out.",
-             f->length, f->count, REPORT_PARTS * r->residual_before, f->unit,
-             REPORT_PARTS * r->quality.rms, f->unit, REPORT_PARTS * r->quality.max, f->unit,
-             r->quality.worst + 1, r->rejected.count);
+             f->length, f->count, f->parts * r->residual_before, f->unit, f->parts * r->quality.rms,
+             f->unit, f->parts * r->quality.max, f->unit, r->quality.worst + 1, r->rejected.count);
 }
 
 static void draw_change_legend(FILE *file, const report_facts *f, double y)
@@ -227,7 +226,7 @@ static void draw_residuals(FILE *file, const void *data, double width)
     const report_facts *f = data;
     const double band = usual(f);
     char text[TEXT_MAX];
-    double reach = 1.2 * fmax(band, REPORT_PARTS * f->result->quality.max);
+    double reach = 1.2 * fmax(band, f->parts * f->result->quality.max);
 
     reach = reach > 0 ? reach : 1e-9;
     plot p = begin_plot(f, width, -reach, reach);

@@ -38,11 +38,15 @@ static kind kind_of(const report_facts *f, unsigned which)
 {
     static const char *const axes[] = {"x", "y", "z"};
     static const char *const pairs[] = {"xy", "xz", "zy"};
+    const int is_ins = f->result->told == TOLD_INS;
+    const told_unit scale = told_scale(f->result->told);
+    const told_unit angle = told_angle(f->result->told);
     const kind kinds[KINDS] = {
-        {"offset over the field", f->unit, REPORT_PARTS, f->is_gravity ? "mg/K" : "‰/K",
-         REPORT_PARTS, axes},
-        {"scale error", "%", 100, "ppm/K", 1e6, axes},
-        {"angle off square", "degrees", FIGURE_DEGREES, "degrees/K", FIGURE_DEGREES, pairs},
+        {"offset over the field", f->unit, f->parts,
+         f->is_gravity ? (is_ins ? "µg/K" : "mg/K") : (is_ins ? "ppm/K" : "‰/K"), f->parts, axes},
+        {"scale error", scale.unit, scale.scale, "ppm/K", 1e6, axes},
+        {"angle off square", angle.unit, angle.scale, is_ins ? "arcsec/K" : "degrees/K",
+         angle.scale, pairs},
     };
 
     return kinds[which];
@@ -244,7 +248,7 @@ static void draw_parameters(FILE *file, const void *data, double width)
 
 typedef enum { WITHOUT, WITH } terms;
 
-/* Deviation of a position from the field, thousandths of it. */
+/* Deviation of a position from the field, in parts of it. */
 static double residual_of(const report_facts *f, unsigned n, terms which)
 {
     const thermal_fit *fit = &f->result->fit;
@@ -255,7 +259,7 @@ static double residual_of(const report_facts *f, unsigned n, terms which)
     }
     invcal_apply(&fit->nine.calibration, &f->result->data->mean[3 * (size_t)n], v);
     const double length = sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
-    return REPORT_PARTS * (length - 1);
+    return f->parts * (length - 1);
 }
 
 static double reach_of(const report_facts *f, terms which)
@@ -374,8 +378,8 @@ static void say_difference(page *p, const report_facts *f)
     page_say(p,
              "Nine parameters alone leave an rms error of %s %s in the same positions, with "
              "temperature it is %s %s.",
-             figure_digits(REPORT_PARTS * fit->without, 3, before), f->unit,
-             figure_digits(REPORT_PARTS * f->result->quality.rms, 3, after), f->unit);
+             figure_digits(f->parts * fit->without, 3, before), f->unit,
+             figure_digits(f->parts * f->result->quality.rms, 3, after), f->unit);
 }
 
 static void write_thermal(page *p, const report_facts *f)

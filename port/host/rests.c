@@ -51,8 +51,13 @@ void rests_refuse(rests_summary *summary, invcal_status reason, recording *log)
 int rests_take(positions *p, const invcal_rest *rest, double unit, const recording *log)
 {
     const recording_place place = recording_find(log, rest);
-    const position_origin origin = {place.line, place.begin, place.end, place.temperature,
-                                    place.drift};
+    const position_origin origin = {.line = place.line,
+                                    .begin = place.begin,
+                                    .end = place.end,
+                                    .temperature = place.temperature,
+                                    .drift = place.drift,
+                                    .alpha = place.angle[0],
+                                    .beta = place.angle[1]};
     const double white = rest->variance / rest->count;
     double mean[3];
 
@@ -110,6 +115,7 @@ void rests_end(positions *p, const samples *log, rests_summary *summary)
     summary->skipped = log->skipped;
     summary->seconds = (double)summary->samples / log->rate;
     p->has_temperature = log->has_temperature;
+    p->has_angles = log->has_angles;
 }
 
 static int digest(reading *r, const invcal_rests *rests, invcal_event event)

@@ -13,10 +13,10 @@
 #define SMALLEST_UNIT (-14) /* power of two, where nothing but zeros has been read */
 #define SKIPPED_MAX 100u
 
-enum { TIME = 3, TEMPERATURE = 4 };
+enum { TIME = 3, TEMPERATURE = 4, ALPHA = 5, BETA = 6 };
 
 /* The numbers of the current row. */
-static int read_numbers(samples *s, double v[5])
+static int read_numbers(samples *s, double v[SAMPLES_NUMBERS])
 {
     static const column which[5] = {COLUMN_X, COLUMN_Y, COLUMN_Z, COLUMN_TIME, COLUMN_TEMPERATURE};
 
@@ -30,6 +30,8 @@ static int read_numbers(samples *s, double v[5])
             return EXIT_FILE;
         }
     }
+    v[ALPHA] = columns_angle(&s->table, &s->where, COLUMN_ALPHA);
+    v[BETA] = columns_angle(&s->table, &s->where, COLUMN_BETA);
     return EXIT_GOOD;
 }
 
@@ -46,7 +48,7 @@ static int realign(samples *s)
 }
 
 /* The numbers of the next row that is whole. 1, 0 at the end, -1. */
-static int next_row(samples *s, double v[5])
+static int next_row(samples *s, double v[SAMPLES_NUMBERS])
 {
     for (unsigned skipped = 0; skipped < SKIPPED_MAX; skipped++) {
         const int more = table_next(&s->table);
@@ -68,7 +70,7 @@ static int next_row(samples *s, double v[5])
 static int read_ahead(samples *s)
 {
     const unsigned most = s->is_live ? SAMPLES_AHEAD_LIVE : SAMPLES_AHEAD;
-    double v[5];
+    double v[SAMPLES_NUMBERS];
     int more = 1;
 
     while (s->ahead_count < most && (more = next_row(s, v)) == 1) {
@@ -190,6 +192,7 @@ int samples_open(samples *s, const char *path, double rate, int live)
     }
     s->has_time = s->where.index[COLUMN_TIME] >= 0;
     s->has_temperature = s->where.index[COLUMN_TEMPERATURE] >= 0;
+    s->has_angles = s->where.index[COLUMN_ALPHA] >= 0 && s->where.index[COLUMN_BETA] >= 0;
     s->unit = find_unit(s);
     s->rate = rate;
     s->is_rate_known = rate > 0;
@@ -216,7 +219,7 @@ static double time_passed(const samples *s, double step)
 
 int samples_next(samples *s, sample *out)
 {
-    double v[5];
+    double v[SAMPLES_NUMBERS];
     const int is_ahead = s->next < s->ahead_count;
 
     if (is_ahead) {
@@ -234,6 +237,8 @@ int samples_next(samples *s, sample *out)
     }
     out->time = v[TIME];
     out->temperature = v[TEMPERATURE];
+    out->angle[0] = v[ALPHA];
+    out->angle[1] = v[BETA];
     const double step = v[TIME] - s->last_time;
     out->clock = s->clock += s->count == 0 ? 0 : time_passed(s, step);
     const int jumps = s->has_time && s->count > 0 && !(step >= 0 && step <= s->longest);

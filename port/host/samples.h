@@ -19,12 +19,15 @@
 #define SAMPLES_PAUSE 60.0     /* seconds that a log may pause and go on */
 #define SAMPLES_AHEAD_LIVE 32u /* of a live stream */
 
+enum { SAMPLES_NUMBERS = 7 }; /* of a row: x y z, time, temperature, alpha, beta */
+
 typedef struct {
     int32_t raw[3]; /* value / unit, rounded; beyond an int32 the nearest */
     double time;    /* seconds, if there is a column */
     double clock;   /* seconds from the first sample on; steps that are none, or of more than
                        SAMPLES_PAUSE, count as one sample */
     double temperature;
+    double angle[2]; /* alpha and beta of a stand, degrees; NaN: not known */
     unsigned long line;
     int is_gap; /* time has gone back or jumped, or lines were skipped */
 } sample;
@@ -36,9 +39,10 @@ typedef struct {
     double rate; /* samples a second */
     int has_time;
     int has_temperature;
+    int has_angles;    /* there are columns alpha and beta */
     int is_rate_known; /* given, or told by the times; else rate is a guess */
     /* inside */
-    double ahead[SAMPLES_AHEAD][5]; /* x y z, time, temperature */
+    double ahead[SAMPLES_AHEAD][SAMPLES_NUMBERS];
     unsigned long ahead_line[SAMPLES_AHEAD];
     unsigned ahead_count;
     unsigned next;

@@ -133,6 +133,22 @@ static void drift_on(scene *s, double x[3], double rate, double sigma)
     }
 }
 
+/* Between two angles, the shorter way round. */
+static double angle_between(double from, double to, double share)
+{
+    return from + share * remainder(to - from, 360);
+}
+
+/* What a stand reads, a share 0 ... 1 of the way behind a position. */
+static void read_stand(const scene *s, scene_sample *out, int leg, double share)
+{
+    const design_position *here = &s->route->position[leg];
+    const design_position *next = share > 0 ? here + 1 : here;
+
+    out->alpha = angle_between(here->alpha, next->alpha, share);
+    out->beta = angle_between(here->beta, next->beta, share);
+}
+
 /* The acceleration that the case feels, over the field. */
 static void feel(scene *s, scene_sample *out, double v[3])
 {
@@ -147,6 +163,7 @@ static void feel(scene *s, scene_sample *out, double v[3])
     }
     const double *here = s->route->position[leg].vertical;
     memcpy(v, here, 3 * sizeof *v);
+    read_stand(s, out, leg, 0);
     for (unsigned i = 0; i < 3 && out->position >= 0; i++) {
         v[i] += s->wrong[leg] * here[i];
     }
@@ -155,6 +172,7 @@ static void feel(scene *s, scene_sample *out, double v[3])
         const double share = moved / (double)(leg_samples(s) - dwell_samples(s));
         const double push =
             SHAKE * pow(sin(TURN / 2 * share), 2) * sin(TURN * SHAKE_RATE * moved / s->model->rate);
+        read_stand(s, out, leg, share);
         way(here, s->route->position[leg + 1].vertical, s->aside, share, v);
         for (unsigned i = 0; i < 3; i++) {
             v[i] += push * s->shake[i];

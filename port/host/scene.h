@@ -34,6 +34,9 @@ typedef struct {
     double temperature;
     int32_t raw[3];
     int position; /* from 0; -1 on the way */
+    double
+        alpha; /* what a stand with two axes would read: on the way from one position to the next */
+    double beta; /* as time goes by, the shorter way round; degrees */
 } scene_sample;
 
 /* What goes on: the caller's, to be begun with scene_begin. */

@@ -6,19 +6,16 @@
 
 #define LARGEST_SIGNAL 100.0 /* j of a reading ten times the field is 49.5 */
 
-/* 1, cos, sin, cos 2, sin 2 of the angle that the position's group turns. Cosine and sine stand
- * in the vertical: group 1 (0, cos, sin), group 2 (-sin, 0, -cos), group 3 (sin, cos, 0). */
-static void terms(const invcal_plan_position *p, double t[SERIES_TERMS])
+void series_terms(unsigned group, const double vertical[3], double terms[SERIES_TERMS])
 {
-    const double *eta = p->vertical;
-    const double c = p->group == 2 ? -eta[2] : eta[1];
-    const double s = p->group == 1 ? eta[2] : p->group == 2 ? -eta[0] : eta[0];
+    const double c = group == 2 ? -vertical[2] : vertical[1];
+    const double s = group == 1 ? vertical[2] : group == 2 ? -vertical[0] : vertical[0];
 
-    t[0] = 1;
-    t[1] = c;
-    t[2] = s;
-    t[3] = c * c - s * s;
-    t[4] = 2 * s * c;
+    terms[0] = 1;
+    terms[1] = c;
+    terms[2] = s;
+    terms[3] = c * c - s * s;
+    terms[4] = 2 * s * c;
 }
 
 invcal_status series_init(series *s, const invcal_plan *plan)
@@ -44,7 +41,7 @@ invcal_status series_add(series *s, double j)
     if (status != INVCAL_OK) {
         return status;
     }
-    terms(&position, t);
+    series_terms(position.group, position.vertical, t);
     for (unsigned i = 0; i < SERIES_TERMS; i++) {
         s->sum[position.group - 1][i] += t[i] * j;
     }
@@ -126,7 +123,7 @@ invcal_status series_information(const invcal_plan *plan, unsigned group,
     }
     for (unsigned k = 0; k < plan->per_group; k++) {
         (void)invcal_plan_position_at(plan, (group - 1) * plan->per_group + k, &position);
-        terms(&position, t);
+        series_terms(position.group, position.vertical, t);
         for (unsigned r = 0; r < SERIES_TERMS; r++) {
             for (unsigned c = 0; c <= r; c++) {
                 information[INVCAL_PACKED(r, c)] += t[r] * t[c];

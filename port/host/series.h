@@ -37,6 +37,10 @@ typedef struct {
     unsigned next;                                /* the position that is to come, 0 ... 3 N */
 } series;
 
+/* The five functions of the angle that a group, 1 ... 3, turns, in a direction of it. Cosine and sine
+ * stand in the vertical: group 1 (0, cos, sin), group 2 (-sin, 0, -cos), group 3 (sin, cos, 0). */
+void series_terms(unsigned group, const double vertical[3], double terms[SERIES_TERMS]);
+
 /* Begins with the first position of a program.
  *
  * Returns INVCAL_OK; INVCAL_TOO_FEW, INVCAL_BAD_PROGRAM by invcal_plan_check. */

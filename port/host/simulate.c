@@ -34,6 +34,7 @@ enum {
     DRIFT,
     OUTLIERS,
     OUTLIER_SIZE,
+    STAND,
     TRUTH,
     OPTIONS
 };
@@ -58,6 +59,7 @@ static const option options[OPTIONS] = {
     [DRIFT] = {"--drift", 1},
     [OUTLIERS] = {"--outliers", 1},
     [OUTLIER_SIZE] = {"--outlier-size", 1},
+    [STAND] = {"--stand", 0},
     [TRUTH] = {"--truth", 1},
 };
 static const option_syntax syntax = {"simulate", options, OPTIONS, NULL, 0, 0};
@@ -185,17 +187,20 @@ static void write_truth(FILE *file, const scene *s)
     json_end(&w);
 }
 
-/* The log; temperature has a column if it was asked for. */
-static int write_log(scene *s, int has_temperature)
+/* The log; temperature and angles have columns if they were asked for. */
+static int write_log(scene *s, int has_temperature, int has_angles)
 {
     scene_sample sample;
 
-    printf("t,x,y,z%s\n", has_temperature ? ",temperature" : "");
+    printf("t,x,y,z%s%s\n", has_temperature ? ",temperature" : "", has_angles ? ",alpha,beta" : "");
     while (scene_next(s, &sample) && !ferror(stdout)) {
         printf("%.6f,%ld,%ld,%ld", sample.time, (long)sample.raw[0], (long)sample.raw[1],
                (long)sample.raw[2]);
         if (has_temperature) {
             printf(",%.3f", sample.temperature);
+        }
+        if (has_angles) {
+            printf(",%.4f,%.4f", sample.alpha + 0.0, sample.beta + 0.0);
         }
         putchar('\n');
     }
@@ -208,14 +213,14 @@ static int deliver(scene *s, const char *const *value)
     int failure = EXIT_GOOD;
 
     if (!value[TRUTH]) {
-        return write_log(s, value[TEMPERATURE] != NULL);
+        return write_log(s, value[TEMPERATURE] != NULL, value[STAND] != NULL);
     }
     failure = output_begin(&out, value[TRUTH]);
     if (!failure) {
         write_truth(out.file, s);
         failure = output_finish(&out);
     }
-    failure = failure ? failure : write_log(s, value[TEMPERATURE] != NULL);
+    failure = failure ? failure : write_log(s, value[TEMPERATURE] != NULL, value[STAND] != NULL);
     return output_end(&out, 1, failure);
 }
 
@@ -270,6 +275,7 @@ static const char *const help[] = {
     "  --drift D           of the offsets, g per degree from 25 degrees C on\n"
     "  --outliers N        so many positions are wrong along the vertical,\n"
     "  --outlier-size S    by so much, g; default 0.05\n"
+    "  --stand             columns alpha and beta: what a stand with two axes would read, degrees\n"
     "  --truth FILE        writes what is true, as JSON; invcal apply reads it\n"
     "\n"
     "exit codes: 0 good; 1 the set of positions is refused; 2 usage; 3 the output not writable\n"

@@ -258,7 +258,7 @@ static void write_polygon(FILE *file, const char *style, const double (*corner)[
 void svg_marker(FILE *file, const char *style, svg_shape shape, double x, double y, double radius)
 {
     const double side = 0.9 * radius; /* half of it, of a square */
-    const double up = 1.45 * radius;  /* to the corner of a triangle */
+    const double up = 1.45 * radius;  /* to the corner of a triangle, of a diamond */
     const double arm = 0.95 * radius; /* of a cross, along x and y */
     const double thick = 0.42 * radius;
     const double cross[][2] = {
@@ -268,6 +268,7 @@ void svg_marker(FILE *file, const char *style, svg_shape shape, double x, double
         {x - thick, y}, {x - arm, y - arm + thick}, {x - arm + thick, y - arm}};
     const double square[][2] = {
         {x - side, y - side}, {x + side, y - side}, {x + side, y + side}, {x - side, y + side}};
+    const double diamond[][2] = {{x, y - up}, {x + up, y}, {x, y + up}, {x - up, y}};
     const double triangle[][2] = {
         {x, y - up}, {x + 0.866 * up, y + 0.5 * up}, {x - 0.866 * up, y + 0.5 * up}};
 
@@ -282,6 +283,9 @@ void svg_marker(FILE *file, const char *style, svg_shape shape, double x, double
         break;
     case SVG_CROSS:
         write_polygon(file, style, cross, 12);
+        break;
+    case SVG_DIAMOND:
+        write_polygon(file, style, diamond, 4);
         break;
     case SVG_TARGET: /* a dot and a ring, on a ground of their own */
         svg_circle(file, "paper", x, y, 1.8 * radius);

@@ -27,7 +27,7 @@
 typedef enum { SVG_START, SVG_MIDDLE, SVG_END } svg_anchor;
 
 /* Markers that differ without colour. */
-typedef enum { SVG_CIRCLE, SVG_SQUARE, SVG_TRIANGLE, SVG_CROSS, SVG_TARGET } svg_shape;
+typedef enum { SVG_CIRCLE, SVG_SQUARE, SVG_TRIANGLE, SVG_CROSS, SVG_TARGET, SVG_DIAMOND } svg_shape;
 
 /* `title` and `description` are read out to those who cannot see the picture; a browser also
  * shows the title as a tool tip. */

@@ -295,6 +295,9 @@ static int read_first(table *t)
 /* A word, and a value or more behind it. */
 static int is_preamble(const table *t)
 {
+    if (t->has_pairs && t->has_header) {
+        return 0;
+    }
     return t->separator != ' ' && *t->field[0] != '\0' && !number_is_meant(t->field[0]) &&
            (t->columns == 2 || (t->preamble > 0 && !t->has_header));
 }
@@ -322,8 +325,9 @@ static int ends_empty(const table *t, unsigned columns)
     return t->separator != ' ' && columns > 1 && *t->field[columns - 1] == '\0';
 }
 
-int table_open(table *t, const char *path)
+static int open_table(table *t, const char *path, int has_pairs)
 {
+    t->has_pairs = has_pairs;
     t->name = input_name(path);
     t->line = 0;
     t->bytes = t->crc = 0;
@@ -340,6 +344,16 @@ int table_open(table *t, const char *path)
     t->pending = !t->has_header;
     t->pending_result = 1;
     return EXIT_GOOD;
+}
+
+int table_open(table *t, const char *path)
+{
+    return open_table(t, path, 0);
+}
+
+int table_open_pairs(table *t, const char *path)
+{
+    return open_table(t, path, 1);
 }
 
 /* Commas that separate, and numbers that have no points: some may be decimal commas. */

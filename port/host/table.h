@@ -29,6 +29,7 @@ typedef struct {
     unsigned found;           /* of the latest line after the first, right or wrong */
     char separator;           /* ';' ',' '\t' ' '; '\0': not known yet */
     int has_header;
+    int has_pairs;                  /* two columns of words are a header, and no setting */
     unsigned long preamble;         /* lines of `name, value` before the header */
     int is_trailing;                /* every row ends with a separator that separates nothing */
     int has_row;                    /* 1 when the first row below the header has been read */
@@ -44,6 +45,9 @@ typedef struct {
  * Returns EXIT_GOOD; EXIT_FILE if the file cannot be read, or its first line is malformed or
  * missing. To be closed with table_close in either case. */
 int table_open(table *t, const char *path);
+
+/* The same for a table that may have two columns: two words are its header, and no setting. */
+int table_open_pairs(table *t, const char *path);
 
 /* Goes to the next row, after a header to the first.
  *

@@ -36,19 +36,17 @@ const char *verdict_systematic(unsigned systematic)
 /* The size of the systematic error with its unit. */
 static const char *size_of(const calibrate_result *r, char text[64])
 {
-    const int is_gravity = unit_is_gravity(r->settings.field);
+    const told_unit told = calibrate_told_field(r);
     char number[FIGURE_MAX];
 
-    snprintf(text, 64, "%s %s",
-             figure_digits((is_gravity ? 1e3 : 1e2) * fabs(r->quality.size), 2, number),
-             is_gravity ? "mg" : "% of the field");
+    snprintf(text, 64, "%s %s", figure_digits(told.scale * fabs(r->quality.size), 2, number),
+             told.unit);
     return text;
 }
 
 static void say_drift(const calibrate_result *r, char text[VERDICT_MAX])
 {
-    const double k = unit_is_gravity(r->settings.field) ? 1e3 : 1e2;
-    const char *unit = unit_is_gravity(r->settings.field) ? "mg" : "% of the field";
+    const told_unit told = calibrate_told_field(r);
     char number[3][FIGURE_MAX];
     char size[64];
 
@@ -61,12 +59,12 @@ static void say_drift(const calibrate_result *r, char text[VERDICT_MAX])
         return;
     }
     for (unsigned i = 0; i < 3; i++) {
-        (void)figure_digits(k * r->drift[i], 2, number[i]);
+        (void)figure_digits(told.scale * r->drift[i], 2, number[i]);
     }
     snprintf(text, VERDICT_MAX,
              "the offsets drift, by %s, %s, %s %s (x, y, z) from the first position to the last. "
              "That is taken into account: the calibration is that of the middle.",
-             number[0], number[1], number[2], unit);
+             number[0], number[1], number[2], told.unit);
 }
 
 static void say_bent(const calibrate_result *r, char text[VERDICT_MAX])

@@ -85,6 +85,36 @@ static void bench_core(void)
     report("apply", end() / REPEATS);
 }
 
+/* Against the directions of the program. */
+static void bench_full_vector(void)
+{
+    invcal_plan plan = {.per_group = POSITIONS / INVCAL_PLAN_GROUPS};
+    invcal_plan_position p;
+    invcal_full_vector full;
+    invcal_calibration calibration;
+    invcal_real x[INVCAL_PARAMETERS];
+    invcal_real mounting[3][3];
+
+    (void)invcal_plan_starts(plan.per_group, plan.start);
+    invcal_full_vector_init(&full);
+    for (unsigned i = 0; i < POSITIONS; i++) {
+        (void)invcal_plan_position_at(&plan, i, &p);
+        begin();
+        (void)invcal_full_vector_add(&full, &nominal, raw[i], p.vertical);
+        const uint32_t count = end();
+        if (i + 1 == POSITIONS) {
+            report("full_vector_add", count);
+        }
+    }
+    begin();
+    const invcal_status status =
+        invcal_full_vector_solve(&full, &nominal, &calibration, x, mounting);
+    report("full_vector_solve", end());
+    if (status != INVCAL_OK) {
+        board_exit(1);
+    }
+}
+
 static void bench_all(void)
 {
     invcal_calibration calibration;
@@ -236,6 +266,7 @@ int main(void)
     idle = end();
     make_positions();
     bench_core();
+    bench_full_vector();
     bench_all();
     bench_session();
     bench_allan();

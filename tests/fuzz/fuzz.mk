@@ -13,7 +13,7 @@ FLAGS := -std=c99 -ffp-contract=off -Wall -Wextra -Wconversion -Wdouble-promotio
 TOOL := -Dmain=tool_main -DINVCAL_DOUBLE=1 -DINVCAL_MAX_POSITIONS=64 -DINVCAL_ALLAN_TAUS=31 \
     -DINVCAL_ALLAN_OVERLAP=4096 -DINVCAL_THERMAL_DEGREE=2
 # What takes seconds is replaced by something quicker, see tool.c.
-QUICK := -Wl,--wrap=optimal_within,--wrap=optimal_directions
+QUICK := -Wl,--wrap=optimal_within,--wrap=optimal_directions,--wrap=grid_directions
 
 LIBRARY_OBJECTS := $(patsubst %.c,$(OUT)/library/%.o,$(wildcard src/*.c) tests/fuzz/fuzz.c \
     tests/fuzz/drive.c)

@@ -40,9 +40,9 @@ static void disarm(char *argument)
 /* Is it one of the files that tool.c has made? */
 static int is_kept(const char *name)
 {
-    static const char *const kept[] = {"log.csv",       "rest.csv",      "cal.json",
-                                       "noise.json",    "thermal.csv",   "slopes.json",
-                                       "positions.csv", "directions.csv"};
+    static const char *const kept[] = {"log.csv",       "rest.csv",       "cal.json",
+                                       "noise.json",    "thermal.csv",    "slopes.json",
+                                       "positions.csv", "directions.csv", "stand.csv"};
 
     for (unsigned i = 0; i < sizeof kept / sizeof kept[0]; i++) {
         if (strcmp(name, kept[i]) == 0) {

@@ -12,6 +12,8 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include "../../port/host/grid.h"
+
 #define REQUIRE(condition) ((condition) ? (void)0 : fail(__LINE__, #condition))
 
 /* main of the tool, renamed. */
@@ -24,14 +26,13 @@ int fsync(int file)
     return 0;
 }
 
-/* ---- optimal sets: the descent takes seconds for many positions ------------------------------- */
+/* ---- optimal sets: the search takes seconds for many positions -------------------------------- */
 
-enum { REAL_MOST = 10 };
+enum { REAL_MOST = 12 };
 
-void __real_optimal_directions(unsigned n, double (*direction)[3]);
-double __real_optimal_within(unsigned n, const double limits[3], double (*direction)[3]);
-void __wrap_optimal_directions(unsigned n, double (*direction)[3]);
-double __wrap_optimal_within(unsigned n, const double limits[3], double (*direction)[3]);
+__typeof__(optimal_directions) __real_optimal_directions, __wrap_optimal_directions;
+__typeof__(optimal_within) __real_optimal_within, __wrap_optimal_within;
+__typeof__(grid_directions) __real_grid_directions, __wrap_grid_directions;
 
 /* Up to REAL_MOST positions it is the tool's own set, beyond that one repeated. */
 static unsigned real_count(unsigned n)
@@ -46,29 +47,39 @@ static void repeat(double (*direction)[3], unsigned from, unsigned n)
     }
 }
 
-void __wrap_optimal_directions(unsigned n, double (*direction)[3])
+void __wrap_optimal_directions(unsigned n, int with_axes, double (*direction)[3])
 {
-    __real_optimal_directions(real_count(n), direction);
+    __real_optimal_directions(real_count(n), with_axes, direction);
+    repeat(direction, real_count(n), n);
+}
+
+/* On stops of 45 degrees, whatever is asked for. */
+void __wrap_grid_directions(unsigned n, unsigned step, int with_axes, double (*direction)[3])
+{
+    (void)step;
+    __real_grid_directions(real_count(n), 45, with_axes, direction);
     repeat(direction, real_count(n), n);
 }
 
 /* The sets of the limits before are kept. */
-double __wrap_optimal_within(unsigned n, const double limits[3], double (*direction)[3])
+double __wrap_optimal_within(unsigned n, const double limits[3], int with_axes,
+                             double (*direction)[3])
 {
     static struct {
         double limits[3];
         double ratio;
         double direction[REAL_MOST][3];
-    } kept[REAL_MOST + 1];
+    } all[REAL_MOST + 1][2];
     const unsigned real = real_count(n);
 
-    if (memcmp(kept[real].limits, limits, sizeof kept[real].limits) != 0) {
-        memcpy(kept[real].limits, limits, sizeof kept[real].limits);
-        kept[real].ratio = __real_optimal_within(real, limits, kept[real].direction);
+    if (memcmp(all[real][with_axes].limits, limits, 3 * sizeof *limits) != 0) {
+        memcpy(all[real][with_axes].limits, limits, 3 * sizeof *limits);
+        all[real][with_axes].ratio =
+            __real_optimal_within(real, limits, with_axes, all[real][with_axes].direction);
     }
-    memcpy(direction, kept[real].direction, real * sizeof direction[0]);
+    memcpy(direction, all[real][with_axes].direction, real * sizeof direction[0]);
     repeat(direction, real, n);
-    return kept[real].ratio * sqrt((double)real / n);
+    return all[real][with_axes].ratio * sqrt((double)real / n);
 }
 
 /* ---- streams ---------------------------------------------------------------------------------- */
@@ -183,6 +194,11 @@ static void make_files(void)
     run("invcal calibrate thermal.csv --positions --thermal 1 --out slopes.json", NULL);
     make_file("directions.csv", "x,y,z\n1,0,0\n0,1,0\n0,0,1\n-1,0,0\n0,-1,0\n0,0,-1\n"
                                 "1,1,0\n1,0,1\n0,1,1\n-1,1,0\n-1,0,1\n0,-1,1\n");
+    make_file("stand.csv", "x,y,z,alpha,beta\n20,993,3,0,0\n20,-1007,3,180,0\n"
+                           "20,-7,1003,90,0\n20,-7,-997,90,180\n1020,-7,3,90,90\n"
+                           "-980,-7,3,-90,90\n20,700,710,45,0\n727,700,3,45,90\n"
+                           "727,-7,710,90,45\n20,-714,710,135,0\n727,-714,3,135,90\n"
+                           "727,-7,-704,90,135\n");
     make_file("positions.csv", "x,y,z,std,n\n1020,-7,3,2,50\n-980,-7,3,2,50\n20,993,3,2,50\n"
                                "20,-1007,3,2,50\n20,-7,1003,2,50\n20,-7,-997,2,50\n"
                                "727,700,3,2,50\n727,-714,3,2,50\n-687,700,3,2,50\n"

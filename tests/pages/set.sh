@@ -20,6 +20,8 @@ calibrate() { # calibrate PAGE ARGUMENTS ...
 calibrate xsens "$data/xsens_mti_positions.csv" --positions --gravity 9.81744 \
     --zero 33123,33276,32360 --lsb 0.002409639,0.002421308,0.002409639 --nominal-name factory \
     --tolerance 0.02,0.005,0.02
+calibrate xsens-ins "$data/xsens_mti_positions.csv" --positions --gravity 9.81744 --units ins \
+    --zero 33123,33276,32360 --lsb 0.002409639,0.002421308,0.002409639 --tolerance 0.02,0.005,0.02
 calibrate mpu9150 "$data/mpu9150_0_positions.csv" --positions --gravity 9.81 --unit m/s2
 calibrate t265 "$data/t265_positions.csv" --positions --gravity 9.8016 --unit m/s2
 
@@ -28,6 +30,18 @@ calibrate t265 "$data/t265_positions.csv" --positions --gravity 9.8016 --unit m/
 calibrate outliers "$out/outliers.csv" --zero 0,0,0 --lsb 0.000598550415 --noise 0.01 \
     --prior 0.05,0.02,0.02 --tolerance 0.05,0.03,0.02
 
+# Angles of a stand: as they should be, one misset, exchanged columns, an open group.
+for trouble in none misset columns open; do
+    awk -v trouble=$trouble -v seed=1 -f "$here/../tool/stand.awk" > "$out/stand-$trouble.csv"
+done
+sed -i 16q "$out/stand-open.csv"
+at_stand() { calibrate "$@" --positions --stand --zero 0,0,0 --lsb 1 --noise 0.001; }
+at_stand stand "$out/stand-none.csv"
+at_stand stand-ins "$out/stand-none.csv" --units ins
+at_stand stand-misset "$out/stand-misset.csv"
+at_stand stand-columns "$out/stand-columns.csv" --stand-zero 12.5,-3
+at_stand stand-open "$out/stand-open.csv"
+
 # Temperature: lines with a wrong position, parabolas, a log whose rests drift, and nothing asked.
 sensor() { # sensor STATIONS WRONG
     awk -v what=positions -v stations="$1" -v wrong="$2" -v seed=1 -v sigma=1e-4 \
@@ -35,7 +49,7 @@ sensor() { # sensor STATIONS WRONG
 }
 sensor -20,25,70 23 > "$out/chamber.csv"
 calibrate thermal "$out/chamber.csv" --positions --thermal 1 --unit g --latitude 48.1 --height 520
-calibrate parabolas "$out/chamber.csv" --positions --thermal 2 --unit g
+calibrate parabolas "$out/chamber.csv" --positions --thermal 2 --unit g --units ins
 calibrate unasked "$out/chamber.csv" --positions --unit g
 sensor 25,25.5 0 > "$out/room.csv"
 calibrate no-slopes "$out/room.csv" --positions --thermal 1 --unit g

@@ -52,7 +52,10 @@ def add(values):
 
 
 def dot(a, b):
-    return add(x * y for x, y in zip(a, b))
+    total = 0
+    for x, y in zip(a, b):
+        total = total + x * y
+    return total
 
 
 def norm(a):
@@ -449,6 +452,26 @@ def plan(out, etas):
     say("program of 18: root K %.6f %.6f %.6f" % (root_k[0], root_k[3], root_k[6]))
 
 
+def nonlinearity(out):
+    """An axis that reads q eta^2 and c eta^3 too much moves J by q eta^3 and c eta^4: twelve, fifteen columns."""
+    sets = [("18", groups(6, [30, 30, 120]), [math.sqrt(8 / 3), math.sqrt(32 / 3)]),
+            ("24", groups(8, [0, 0, 135]), [math.sqrt(2), 2])]
+    out.section("Nonlinearity: sigma over the noise with eta^3, and eta^4, beside the nine columns of h")
+    for name, program, closed in sets:
+        etas = [eta for group in program for eta in group]
+        for degree in (2, 3):
+            rows = [h(eta) + [x ** (k + 1) for k in range(2, degree + 1) for x in eta] for eta in etas]
+            information = normal_matrix(rows)
+            root_k = root_diagonal(inverse(information))
+            for k in range(degree - 1):
+                assert largest([x - closed[k] for x in root_k[9 + 3 * k:12 + 3 * k]]) < 1e-11
+            out.put("expected_nonlinear%s_%d" % (name, degree), root_k + [condition(information)],
+                    "%s positions, degree %d: square roots of the diagonal of K; condition"
+                    % (name, degree))
+            say("nonlinearity of %s, degree %d: %s; condition %.4f" % (
+                name, degree, " ".join("%.4f" % x for x in root_k[::3]), condition(information)))
+
+
 # ---- the Cramer-Rao bound ----------------------------------------------------------------------
 
 def truth(size):
@@ -843,6 +866,113 @@ def direction_sets(out):
         say("%s: %s" % (name, " ".join("%.6f" % c for c in criteria(etas))))
 
 
+# ---- programs at a stand -----------------------------------------------------------------------
+
+def bounds(etas):
+    """Sums of |H+| over the rows, H+ = (H'H)^-1 H': the largest of each kind of parameter."""
+    rows = [h(eta) for eta in etas]
+    plus = times(inverse(normal_matrix(rows)), transpose(rows))
+    sums = [add(abs(x) for x in row) for row in plus]
+    return [max(sums[:3]), max(sums[3:6]), max(sums[6:])]
+
+
+def off_axes(etas):
+    return [eta for eta in etas if max(abs(x) for x in eta) < 0.999]
+
+
+def exchanged_shares(etas, rounds=200):
+    """D-optimal shares of the dwell by exchanges between two positions at a time (Bohning): moving s
+    from i to j, det M grows by (1 + s d_j) (1 - s d_i) + s^2 d_ij^2, and the best s is known."""
+    rows = [h(eta) for eta in etas]
+    share = [1 / len(rows)] * len(rows)
+    for _ in range(rounds):
+        for i in range(len(rows)):
+            if share[i] == 0:
+                continue
+            k = inverse(normal_matrix(rows, share))
+            gradient = [dot(row, apply(k, row)) for row in rows]
+            j = max(range(len(rows)), key=lambda n: gradient[n])
+            both = dot(rows[i], apply(k, rows[j]))
+            curved = gradient[i] * gradient[j] - both * both
+            if curved > 1e-9:
+                s = min(share[i], (gradient[j] - gradient[i]) / (2 * curved))
+                share[i] -= s
+                share[j] += s
+    k = inverse(normal_matrix(rows, share))
+    assert max(dot(row, apply(k, row)) for row in rows) < 9 * (1 + 1e-9)
+    return share
+
+
+def stops(step):
+    """The directions of a stand that stops every so many degrees, each once."""
+    found = []
+    for alpha in range(0, 181, step):
+        for beta in range(0, 360, step):
+            a, b = math.radians(alpha), math.radians(beta)
+            eta = [math.sin(a) * math.sin(b), math.cos(a), math.sin(a) * math.cos(b)]
+            if all(norm(minus(eta, other)) > 1e-9 for other in found):
+                found.append(eta)
+    return found
+
+
+def exchanged_stops(etas, count, starts):
+    """The largest ln det H'H of `count` of these directions, by exchanges (Fedorov) from random starts: j
+    instead of i makes det larger by (1 + d_j) (1 - d_i) + d_ij^2, at most 1 + d_j - d_i + d_i d_j."""
+    source = random.Random(1)
+    rows = [h(eta) for eta in etas]
+    best = -math.inf
+    for _ in range(starts):
+        chosen = source.sample(range(len(rows)), count)
+        most = 2
+        while most > 1 + 1e-9:
+            a = normal_matrix([rows[n] for n in chosen])
+            k = inverse([[x + 1e-6 * y for x, y in zip(*lines)] for lines in zip(a, identity(9))])
+            moved = [apply(k, row) for row in rows]
+            d = [dot(row, column) for row, column in zip(rows, moved)]
+            most = 1
+            for i in chosen:
+                for j in range(len(rows)):
+                    left = (1 + d[j]) * (1 - d[i])
+                    if left + d[i] * d[j] > most and j not in chosen:
+                        ratio = left + dot(rows[j], moved[i]) ** 2
+                        if ratio > most:
+                            most, out, new = ratio, i, j
+            if most > 1 + 1e-9:
+                chosen[chosen.index(out)] = new
+        best = max(best, log_determinant(normal_matrix([rows[n] for n in chosen])))
+    return best
+
+
+def at_a_stand(out):
+    paper = [eta for group in groups(6, [30, 30, 120]) for eta in group]
+    programs = [[eta for group in groups(5, [18, 18, 108]) for eta in group], paper,
+                [eta for group in groups(8, [0, 0, 135]) for eta in group], faces_and_edges(),
+                off_axes(paper), icosahedron()]
+    worth = [[len(etas)] + criteria(etas) + bounds(etas) for etas in programs]
+    for k, expected in ((1, [1.244, 1.533, 2.309]), (2, [1.207, 1.6, 2]), (3, [1.276, 1.889, 2])):
+        assert largest(minus(worth[k][6:], expected)) < 5e-4
+    out.section("Programs at a stand")
+    out.put("expected_programs", worth,
+            "3 x 5, 3 x 6, 3 x 8, faces and edges, 3 x 6 without the axes, icosahedron: positions;"
+            " sigma of delta, dk, gamma; condition; ln det H'H; the bounds of delta, dk, gamma")
+    etas = scattered(20, 20, lambda a: True)
+    out.put("expected_scattered20_share", exchanged_shares(etas),
+            "D-optimal shares of the dwell of 20 random directions")
+    shares = [exchanged_shares(etas, 60) for etas in (faces_and_edges(), paper)]
+    out.put("expected_shared_log_det",
+            [9 * math.log(18) + log_determinant(normal_matrix([h(eta) for eta in etas], share))
+             for etas, share in zip((faces_and_edges(), paper), shares)],
+            "ln det of 18 times the information with such shares: faces and edges; 3 x 6")
+    cases = [(45, 9, 40), (45, 12, 40), (45, 18, 40), (30, 12, 40), (30, 18, 40), (15, 12, 20)]
+    grids = [[step, n, exchanged_stops(stops(step), n, starts)] for step, n, starts in cases]
+    assert abs(grids[1][2] - 8 * math.log(2)) < 1e-12
+    out.put("expected_on_grid", grids,
+            "degrees between the stops of a stand, positions, and the largest ln det H'H of exchanges"
+            " from some random starts")
+    for values in worth:
+        say("program: " + " ".join("%.6f" % x for x in values))
+
+
 def series(out):
     """Least squares on each group alone, and on all with the rows h(eta), for noisy J."""
     out.section("The series of a group: J at the positions of Table 1, multiples of 1/4096, and"
@@ -1028,6 +1158,258 @@ def thermal(out, etas):
                                     " ".join("%.4f" % b for b in bounds2)))
 
 
+# ---- what the manual states ---------------------------------------------------------------------
+
+def stated(value, digits, places):
+    """Is a figure of the manual: right to the places that are printed."""
+    assert abs(value - digits) <= 0.5000001 * 10.0 ** -places, (value, digits)
+
+
+def factor_of_two(etas):
+    """|u|^2 - 1 is 2 h X, not h X, to the first order."""
+    x = truth(1e-7)
+    for eta in etas:
+        u = read(x, eta)
+        assert abs((dot(u, u) - 1) - 2 * dot(h(eta), x)) < 1e-12
+        assert abs((dot(u, eta) - 1) - dot(h(eta), x)) < 1e-14
+
+
+def misset_angle(etas):
+    """u . eta - 1 = -|d|^2/2 + eta' S d + h X, d the error of the direction, which is across it."""
+    rows = [h(eta) for eta in etas]
+    for size in (1e-3, 1e-2):
+        x = least_squares(rows, [-size * size / 2] * len(rows))
+        assert largest(minus(x, [0] * 3 + [-size * size / 2] * 3 + [0] * 3)) < 1e-17
+    values, vectors = eigen(deviation(truth(0.01)))
+    spread = (max(values) - min(values)) / 2  # the most of eta' S d over |d|
+    stated(1e3 * spread, 14, 0)
+    low, high = values.index(min(values)), values.index(max(values))
+    a = unit([v[high] + v[low] for v in vectors])
+    b = unit([v[high] - v[low] for v in vectors])
+    x = truth(0.01)
+    for angle in (1e-3, 1e-2):
+        turned = [math.cos(angle) * p + math.sin(angle) * q for p, q in zip(a, b)]
+        error = dot(read(x, turned), a) - 1 - dot(h(a), x)
+        assert abs(error - (-angle * angle / 2 + spread * angle)) < 3e-2 * angle * angle
+        assert abs(norm(calibrate(x, read(x, turned))) - 1) < 1e-15  # a length sees nothing of it
+
+
+def by_full_vector(readings, etas):
+    """X by u = M eta + delta, M = (I + S) R: all three readings of known directions."""
+    rows = [list(eta) + [1.0] for eta in etas]
+    columns = [least_squares(rows, [u[i] for u in readings]) for i in range(3)]
+    m = [column[:3] for column in columns]
+    a = inverse(square_root(times(m, transpose(m))))
+    return parameters([column[3] for column in columns], a)
+
+
+def at_angles(angles):
+    return [[math.sin(a) * math.sin(b), math.cos(a), math.sin(a) * math.cos(b)] for a, b in angles]
+
+
+def stand_troubles():
+    """errors.md, "The stand": what would become of the parameters if J1 and the full vector took the
+    angles as stated, and the lengths do not see. No noise, parameters of 0.02, Table 2."""
+    angles = [(math.radians(a), math.radians(b)) for a, b in
+              [(30 + s, 0) for s in range(0, 360, 60)] + [(-90, 30 + s) for s in range(0, 360, 60)]
+              + [(120 + s, 90) for s in range(0, 360, 60)]]
+    x = truth(0.02)
+
+    def by_j1(readings, etas):
+        return least_squares([h(eta) for eta in etas], [dot(u, eta) - 1 for u, eta in zip(readings, etas)])
+
+    def with_one(k, instead):
+        return angles[:k] + [instead] + angles[k + 1:]
+
+    swapped = with_one(4, angles[11])
+    swapped[11] = angles[4]
+    zero = math.radians(20)
+    cases = [  # what was visited, what is told, error of J1, of the full vector: digits, exponent
+        (with_one(7, (angles[7][0] + 1e-3, angles[7][1])), angles, (2.2, -6), (1.7, -4)),
+        (with_one(7, (angles[7][0] + 1e-2, angles[7][1])), angles, (1.1, -5), (1.7, -3)),
+        (swapped, angles, (7.7, -2), (4.3, -2)),
+        (with_one(7, angles[6]), angles, (1.2, -1), (1.4, -1)),
+        (angles, [(b, a) for a, b in angles], None, (5.8, -1)),
+        (angles, [(a, -b) for a, b in angles], (2.0, 0), None),
+        (angles, [(-a, b) for a, b in angles], (2.0, 0), None),
+        (angles, [(a + zero, b) for a, b in angles], (6.1, -2), (9.8, -2)),
+        (angles, [(a, b + zero) for a, b in angles], (6.5, -2), (0.0, -9)),
+    ]
+    for visited, told, *wanted in cases:
+        readings = [read(x, eta) for eta in at_angles(visited)]
+        assert largest(minus(algebraic(readings), x)) < 1e-12
+        for solve, figure in zip((by_j1, by_full_vector), wanted):
+            if figure:
+                error = largest(minus(solve(readings, at_angles(told)), x))
+                stated(error * 10.0 ** -figure[1], figure[0], 1)
+    etas = at_angles(angles)
+    mounted = [read(x, rotated(eta, [1 / 3, 2 / 3, -2 / 3], 0.014)) for eta in etas]
+    stated(1e4 * largest(minus(by_j1(mounted, etas), x)), 5.6, 1)
+    assert largest(minus(by_full_vector(mounted, etas), x)) < 1e-12
+
+    def times_sigma(rows):
+        ratio = zip(root_diagonal(inverse(normal_matrix(rows))), root)
+        return [mine / usual for mine, usual in ratio]
+
+    rows = [h(eta) for eta in etas]
+    root = root_diagonal(inverse(normal_matrix(rows)))
+    stated(max(times_sigma(rows[:8] + rows[9:])), 1.25, 2)               # one is missing,
+    stated(max(times_sigma(rows[:7] + [rows[6]] + rows[8:])), 1.17, 2)   # repeated,
+    stated(min(times_sigma(rows + [rows[6]])), 0.92, 2)                  # or more
+
+
+def rotated(v, axis, angle):
+    """By Rodrigues' formula."""
+    c, s = math.cos(angle), math.sin(angle)
+    along = dot(axis, v) * (1 - c)
+    return [c * p + s * q + along * n for p, q, n in zip(v, cross(axis, v), axis)]
+
+
+def algebraic(readings):
+    """X of the exact row, in floats: see fit_algebraic."""
+    p = scaled(least_squares([h(u) for u in readings], [(dot(u, u) - 1) / 2 for u in readings]), -1)
+    return of_ellipsoid(p)
+
+
+def of_ellipsoid(p):
+    q = [[1 + 2 * p[3], p[6], p[7]], [p[6], 1 + 2 * p[4], p[8]], [p[7], p[8], 1 + 2 * p[5]]]
+    delta = scaled(apply(inverse(q), p[:3]), -1)
+    k = 1 + dot(delta, apply(q, delta))
+    return parameters(delta, square_root([[x / k for x in row] for row in q]))
+
+
+def bias_by_noise(etas, step=1e-3):
+    """Of X, over sigma^2: half the sum of its second derivatives by all readings."""
+    centre = algebraic(etas)
+    total = [0.0] * 9
+    for i in range(len(etas)):
+        for j in range(3):
+            for sign in (1, -1):
+                moved = [list(u) for u in etas]
+                moved[i][j] += sign * step
+                total = [t + e for t, e in zip(total, minus(algebraic(moved), centre))]
+    return scaled(total, 1 / (2 * step * step))
+
+
+def noise_bias(etas):
+    bias = bias_by_noise(etas)
+    for k in range(3):
+        stated(bias[3 + k], 3.27, 2)
+    assert largest(bias[:3] + bias[6:]) < 1e-3
+    many = bias_by_noise([eta for group in groups(40, [0, 0, 0]) for eta in group])
+    stated(many[3], 3.5, 1)
+
+
+def fifteen_to_nine():
+    """The closed form, and what the coefficients must agree in, of J with an error of its own."""
+    n, starts = 7, [11, 47, -83]
+    source = random.Random(15)
+    etas = groups(n, starts)
+    for noise in (0, 0.02):
+        j = [[dot(read(truth(0.1), eta), eta) - 1 + noise * (source.random() - 0.5)
+              for eta in group] for group in etas]
+        c = []
+        for start, values in zip(starts, j):
+            t = [math.radians(angle) for angle in turn_angles(n, start)]
+            c.append([add(values) / n] + [2 * dot(values, [f(k * a) for a in t]) / n
+                                          for k in (1, 2) for f in (math.cos, math.sin)])
+        (a01, a11, b11, a21, b21), (a02, a12, b12, a22, b22), (a03, a13, b13, a23, b23) = c
+        x = [(b13 - b12) / 2, (a11 + a13) / 2, (b11 - a12) / 2,
+             (3 * (a02 + a03) - a01 - 2 * (a22 + a23)) / 5,
+             (3 * (a01 + a03) - a02 + 2 * (a21 + a23)) / 5,
+             (3 * (a01 + a02) - a03 + 2 * (a22 - a21)) / 5, 2 * b23, 2 * b22, 2 * b21]
+        rows = [h(eta) for group in etas for eta in group]
+        assert largest(minus(x, least_squares(rows, [v for values in j for v in values]))) < 1e-14
+        closures = [a11 - a13, b11 + a12, b12 + b13,
+                    a01 - a03 - a22, a02 - a03 + a21, a01 - a02 - a23]
+        assert (largest(closures) < 1e-14) == (noise == 0)
+
+
+def hadamard():
+    """No set of N positions of a circle has a larger determinant than equal steps."""
+    def information(angles):
+        return normal_matrix([[1, math.cos(t), math.sin(t), math.cos(2 * t), math.sin(2 * t)]
+                              for t in angles])
+
+    source = random.Random(5)
+    for n in (5, 6, 9):
+        bound = math.log(n) + 4 * math.log(n / 2)
+        steps = [0.3 + 2 * math.pi * k / n for k in range(n)]
+        assert abs(log_determinant(information(steps)) - bound) < 1e-12
+        for _ in range(200):
+            angles = [2 * math.pi * source.random() for _ in range(n)]
+            assert log_determinant(information(angles)) < bound
+
+
+def largest_of_sphere(m):
+    """The largest h M^-1 h' over 20,000 directions."""
+    k = inverse(m)
+    return max(dot(h(a), apply(k, h(a))) for a in scattered(20000, 9, lambda a: True))
+
+
+def weighted_plans(etas):
+    """Shares p_i of the labour, M = sum p_i h'h; D-optimal if h M^-1 h' is 9 at most."""
+    def is_axis(eta):
+        return max(abs(c) for c in eta) > 0.999
+
+    best = faces_and_edges()
+    m = normal_matrix([h(a) for a in best], [1 / 30 if is_axis(a) else 1 / 15 for a in best])
+    stated(log_determinant([scaled(row, 18) for row in m]), 9.465, 3)
+    assert largest_of_sphere(m) < 9 + 1e-9
+    off = [eta for eta in etas if not is_axis(eta)]
+    m = normal_matrix([h(eta) for eta in off], [1 / 12] * 12)
+    k = inverse(m)
+    for eta in etas:
+        d = dot(h(eta), apply(k, h(eta)))
+        assert abs(d - (60 / 7 if is_axis(eta) else 9)) < 1e-12  # 8.571 on the axes
+    stated(log_determinant([scaled(row, 18) for row in m]), 9.451, 3)
+    stated(log_determinant(normal_matrix([h(eta) for eta in etas])), 8.948, 3)
+
+
+def scatter_of_means():
+    """Of n means about their common mean: the factors of Barnes where no time is lost."""
+    def step(r):
+        def term(x):
+            return x * x * math.log(abs(x)) if x else 0.0
+        return term(r + 1) + term(r - 1) - 2 * term(r)
+
+    for n in (2, 18, 60):
+        flicker = add((n - j) * step(j) for j in range(1, n)) / (n * (n - 1))
+        assert abs(flicker - n * math.log(n) / (n - 1)) < 1e-9
+        for period, dwell in ((7.0, 7.0), (12.0, 5.0)):
+            walk = add((n - j) * (j * period - dwell / 3) for j in range(1, n)) / (n * (n - 1))
+            assert abs(walk - (period * (n + 1) - dwell) / 6) < 1e-9
+    stated(18 * math.log(18) / (2 * 17 * math.log(2)), 2.2, 1)
+
+
+def steep_slopes(etas):
+    """What one solve for straight lines leaves of 1 mg/K, 500 ppm/K, 100 urad/K, -20 ... 70 C."""
+    steepest = [HALF * s for s in [1e-3] * 3 + [5e-4] * 3 + [1e-4] * 3]
+    coefficients = [truth(0.03), [s * m for s, m in zip(SIGNS, steepest)]]
+    readings = [(t, read(at_temperature(coefficients, t), eta)) for t in STATIONS for eta in etas]
+    p = scaled(least_squares([widened(h(u), t, 1) for t, u in readings],
+                             [(dot(u, u) - 1) / 2 for t, u in readings]), -1)
+    ends = [of_ellipsoid([a + t * b for a, b in zip(p[:9], p[9:])]) for t in (-1, 1)]
+    line = [[(a + b) / 2 for a, b in zip(*ends)], [(b - a) / 2 for a, b in zip(*ends)]]
+    left = [norm(calibrate(at_temperature(line, t), read(at_temperature(coefficients, t), eta))) - 1
+            for t in [-15.0 + 10 * k for k in range(9)] for eta in icosahedron()]
+    stated(1e3 * rms(left), 1.3, 1)
+
+
+def manual(etas):
+    """Figures and formulas of port/manual/mathematics.md and errors.md that no other test holds."""
+    factor_of_two(etas)
+    misset_angle(etas)
+    stand_troubles()
+    noise_bias(etas)
+    fifteen_to_nine()
+    hadamard()
+    weighted_plans(etas)
+    scatter_of_means()
+    steep_slopes(etas)
+    say("manual: its figures hold")
+
+
 # ---- the header --------------------------------------------------------------------------------
 
 def literal(value):
@@ -1097,6 +1479,7 @@ def main():
         data_set(out, sys.argv[1], name, gravity, source)
     etas = program_of_18()
     plan(out, etas)
+    nonlinearity(out)
     cramer_rao(out, etas)
     first_order(out, etas)
     student(out)
@@ -1104,10 +1487,12 @@ def main():
     linear_algebra(out)
     square_roots(out)
     direction_sets(out)
+    at_a_stand(out)
     series(out)
     largest_eigenvalues(out)
     normal_gravity(out)
     thermal(out, etas)
+    manual(etas)
     out.line("\n#endif")
 
 

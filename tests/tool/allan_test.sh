@@ -289,7 +289,20 @@ refuses "labour: negative noise" 3 'negative.json:1: a number of noise is negati
     plan --limits 1e-4,1e-4,2e-4 --allan "$work/negative.json"
 refuses "labour without limits" 2 '--allan: finds number and dwell for --limits' \
     plan --allan "$work/noise.json"
-for other in '--noise 1e-4' '--dwell 4' '--budget 100' '--sweep 5:9'; do
+noise 0.003 0 0
+run plan --limits 1e-4,1e-4,3e-4 --allan "$work/noise.json" --json
+before=$(json "$work/stdout" seconds)
+run plan --limits 1e-4,1e-4,3e-4 --allan "$work/noise.json" --warm-up 900 --json
+check "labour: the warm-up counts once" near 1e-6 "$(json "$work/stdout" seconds)" \
+    "$(echo "$before" | awk '{ printf "%.9f", $1 + 900 }')"
+check "labour: nine, ten, eleven positions are not looked at" test \
+    "$(rows free | awk '!n || $1 < n { n = $1 } END { print n }')" = 12
+run plan --limits 1e-4,1e-4,3e-4 --allan "$work/noise.json" --spare 30 --need-axes --json
+check "labour: thirty to spare" test "$({ rows free; rows stand; } | awk '$1 < 39' | wc -l)" -eq 0
+check "labour: each axis up and down" test "$(json "$work/stdout" missing)" = '[]'
+check "labour: and so no odd group" test "$(rows stand | awk '$1 / 3 % 2 == 1' | wc -l)" -eq 0
+noise 0.001 0.0002 0.000004
+for other in '--noise 1e-4' '--dwell 4' '--budget 100' '--sweep 5:9' --programs; do
     # shellcheck disable=SC2086
     refuses "labour with ${other% *}" 2 'cannot be joined with --allan' plan --limits 1e-4,1e-4,1e-4 \
         --allan "$work/noise.json" $other

@@ -28,7 +28,7 @@ has_layout() {
         { alone = 0 }
         /^  --/ {
             alone = length <= 22 || substr($0, 22, 1) != " "
-            if (!/^  --[a-z-]+( [^ ]+)*( +.*)?$/) { print "no option: " $0; bad = 1 }
+            if (!/^  --[a-z][a-z0-9-]+( [^ ]+)*( +.*)?$/) { print "no option: " $0; bad = 1 }
             if (!alone && substr($0, 23, 1) == " ") { print "out of line: " $0; bad = 1 }
         }
         END { exit bad }' "$1" >&2
@@ -159,12 +159,14 @@ if command -v bash > /dev/null; then
             "$({ options_of "$c"; echo --help; } | LC_ALL=C sort | tr '\n' ' ' | sed 's/ $//')" \
             "$c" --
     done
-    check "completion: words of --frame" offers 'symmetric triangular' calibrate --frame ''
+    check "completion: words of --frame" offers 'stand symmetric triangular' calibrate --frame ''
     check "completion: words of --frame after =" offers triangular watch --frame = t
     check "completion: words of --plan" offers \
-        'directions: edges faces icosahedron optimal: per-group:' simulate --plan ''
-    check "completion: the one word of watch --plan" offers per-group: watch --plan ''
+        'angles: directions: edges faces grid: icosahedron optimal: per-group: stand-12 stand-24' simulate --plan ''
+    check "completion: sets of watch --plan" offers \
+        'angles: directions: edges faces grid: icosahedron optimal: per-group: stand-12 stand-24' watch --plan ''
     check "completion: a file within a word" offers 'log.csv' simulate --plan directions : log
+    check "completion: and one of angles" offers 'log.csv' simulate --plan angles : log
     check "completion: words of --compare, the second too" offers edges plan --compare faces ed
     check "completion: files, with blanks" offers 'la la.csv' calibrate la
     check "completion: files of an option" offers truth.json simulate --truth tr

@@ -45,6 +45,23 @@ log warm --temperature 10,40 --drift 0.0001 --rate 50 --plan faces
 check "simulate: the temperature has a column" test "$(head -n 1 "$work/warm.csv")" = t,x,y,z,temperature
 check "simulate: and goes from first to last" test \
     "$(sed -n 2p "$work/warm.csv" | cut -d, -f5)" = 10.000 -a "$(tail -n 1 "$work/warm.csv" | cut -d, -f5)" = 40.000
+log angles --stand --plan per-group:6 --temperature 20,21
+check "simulate: angles have columns" test "$(head -n 1 "$work/angles.csv")" = t,x,y,z,temperature,alpha,beta
+# Table 2: the angles of each rest, 700 samples after the one before; on the way the shorter way round.
+angles_are_those_of_table_2() {
+    awk -F, 'function off(a, b) { a = (a - b) % 360; return a > 0.0001 && a < 359.9999 || a < -0.0001 && a > -359.9999 }
+        NR == 1 { next }
+        { k = int((NR - 2) / 700); rest = (NR - 2) % 700 < 500 }
+        rest && (off($6, k < 6 ? 30 + 60 * k : k < 12 ? -90 : 120 + 60 * k) ||
+                 off($7, k < 6 ? 0 : k < 12 ? 30 + 60 * k : 90)) { exit 1 }
+        NR > 2 { for (i = 6; i <= 7; i++) { d = $i - was[i]; if (rest ? (d > 360.1 || d < -360.1) : (d > 0.91 || d < -0.91)) jumps++ } }
+        { was[6] = $6; was[7] = $7 }
+        END { if (jumps) exit 1; exit NR != 1 + 12400 }' "$work/angles.csv"
+}
+check "simulate: they are those of the program" angles_are_those_of_table_2
+run calibrate "$work/angles.csv" --stand --zero 0,0,0 --lsb 0.000598550415
+check "simulate: and calibrate reads them so" matches "$work/stdout" '^stand         18 positions with angles .columns.$'
+check "simulate: none of them is misset" lacks "$work/stdout" '^(Misset|Stand): '
 log clipped --range 0.9 --plan faces --noise 0
 check "simulate: readings are clipped" test "$(cut -d, -f4 "$work/clipped.csv" | sort -n | tail -n 1)" -le 14746
 log wrong --outliers 2
@@ -149,7 +166,7 @@ for bad in '--rate 0' '--rate 7' '--rate 9000' '--clip 1' '--clip 2,1'; do
 done
 refuses "calibrate: the rate of position means" 2 'is of samples' calibrate "$work/log.csv" \
     --positions --rate 100
-refuses "calibrate: a program" 2 'is for invcal watch' calibrate "$work/plain.csv" --plan edges
+refuses "calibrate: a target" 2 'is for invcal watch' calibrate "$work/plain.csv" --target 1,1,1
 
 # A sensor that boots: whole numbers first, decimals later.
 { awk 'BEGIN { for (i = 0; i < 300; i++) print "0 0 0" }'; cat "$work/decimal.txt"; } > "$work/boot.txt"
@@ -183,7 +200,7 @@ cp "$work/stdout" "$work/watched"
 check "watch: says what it takes the stream for" test "$(head -n 1 "$work/watched")" = \
     'standard input: CSV with commas, header in line 1; t (s), x y z'
 check "watch: asks for the first position" test "$(sed -n 2p "$work/watched")" = \
-    'next: +y up, tilt 30 deg, +z rises'
+    'next: position 1 of 18: alpha 30, beta 0 deg; +y up, tilt 30 deg, +z rises'
 check "watch: takes 18" test "$(grep -c '^position .* taken' "$work/watched")" -eq 18
 check "watch: knows that the program is complete" matches "$work/watched" '^finished'
 check "watch: no control characters where there is no terminal" lacks "$work/watched" "$(printf '\r')"
@@ -289,7 +306,11 @@ ends_on_interrupt() {
     done
 }
 check "watch: an interrupt ends the stream at any moment" ends_on_interrupt
-refuses "watch: a set that is no program" 2 'plan: is per-group' watch - --plan edges
+refuses "watch: no set" 2 "'cubes' is no set of positions" watch - --plan cubes
+refuses "watch: a set that leaves parameters open" 2 'plan: the positions leave' watch - --plan faces
+refuses "watch: one standard input for two" 2 'plan: only one input' watch - --plan directions:-
+refuses "watch: a set that is not there" 3 'nowhere' watch - --plan directions:nowhere
+refuses "watch: groups that are too small" 2 'plan: 4 positions in a group' watch - --plan per-group:4
 refuses "watch: position means" 2 'positions: is for' watch - --positions
 refuses "watch: a negative target" 2 'target: is not negative' watch - --target=-1,0,0
 refuses "watch: nothing" 3 'standard input: is empty' watch -

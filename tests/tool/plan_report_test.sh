@@ -40,6 +40,7 @@ check "report: time" tells '2 min 55 s'
 check "report: its command" tells_command "$page" invcal plan --per-group 6 --report "$page"
 check "report: all axes" tells 'All six of +x, -x, +y, -y, +z, -z stand along gravity.'
 check "report: groups" tells 'group 3'
+check "report: nonlinear terms" tells 'quadratic 1.63 × noise, of 12 parameters, condition 40.2; cubic 3.27 × noise, of 15'
 
 # The paper's Table 1 with starts 30, 30, 120, and five seconds to stay and to move.
 follows_table() {
@@ -158,6 +159,25 @@ check "report: it says so" tells '! Limits not met'
 check "report: and where" test "$(row 'angle xy' | cut -d '|' -f 3)" = 'beyond the limit'
 check "report: and in colour" matches "$page" '<rect class="c2 bar"'
 
+# ---- a stand, shares, bounds, warm-up ----------------------------------------------------------
+
+makes_page "stand-12" --stand-12
+check "report: angles of a stand" tells 'α: outer axis of the stand'
+check "report: turn the stand" tells 'turn the stand as the work sheet says'
+makes_page "angles" --optimal 12 --grid 30 --need-axes
+check "report: of a grid" test "$(row 1 | cut -d '|' -f 3,4 | grep -c '^-*[0-9]*0|-*[0-9]*0$')" -eq 1
+makes_page "shares" --edges --weights --dwell 9
+# A face has 18/30 of 9 s, an edge 18/15.
+check "report: how long to stay" test "$(words | awk -F '|' '$2 == "☐" { print $9 }' | sort | uniq -c |
+    tr -s ' \n' ' ')" = " 12 10.8 s 6 5.4 s "
+check "report: on the average" tells 'for 9 s in each position on the average'
+check "report: what it wins" tells "with equal ones ln det H&#39;H is 9.36426, and 18 positions anywhere have 9.46494"
+makes_page "bounds" --bound 0.001
+check "report: bounds of 3 x 6" test "$(words | grep '^offset x|1\.244|')" = 'offset x|1.244|1.24 mg|'
+makes_page "a warm-up" --warm-up 600
+check "report: the first begins after it" test "$(row 1 | cut -d '|' -f 2)" = 10:00
+check "report: it says so" tells 'let the sensor warm up for 10 min 00 s'
+
 # ---- other sets --------------------------------------------------------------------------------
 
 makes_page "the icosahedron" --icosahedron
@@ -197,7 +217,7 @@ check "report: twice the positions" tells "every σ $(formula %.2f 'sqrt(1/2)') 
 check "report: from end to end" tells \
     "falls from $(formula %.2f 'sqrt(8/5)') to $(formula %.3f 'sqrt(8/16)') times"
 follows_formulas() {
-    words | awk -F '|' '/^3 x / {
+    words | awk -F '|' '/^3 x [0-9]*\|/ {
         n = substr($1, 5); rows++
         if ($2 != 3 * n || $3 != sprintf("%.4f", sqrt(1 / n))) exit 1
         if ($4 != sprintf("%.4f", sqrt(7 / 5 / n)) || $5 != sprintf("%.4f", sqrt(8 / n))) exit 1

@@ -64,6 +64,17 @@ prints 0 calibration calibrate "$work/thermal.csv" --positions --thermal 1 --gra
 "$tool" simulate --temperature 10,90 > "$work/drift.csv"
 prints 1 calibration_refusal calibrate "$work/drift.csv" --thermal 1
 
+for trouble in none misset swapped reversed zero; do
+    awk -v trouble=$trouble -v seed=1 -f "$here/stand.awk" > "$work/stand.csv"
+    prints 0 calibration calibrate "$work/stand.csv" --positions --stand
+done
+prints 0 calibration calibrate "$work/stand.csv" --positions --plan per-group:6 --frame stand
+prints 0 calibration calibrate "$work/stand.csv" --positions --quadratic
+prints 0 calibration calibrate "$work/stand.csv" --positions --cubic --noise 0.001
+prints 0 calibration calibrate "$work/stand.csv" --positions --robust
+awk 'NR <= 14' "$work/stand.csv" > "$work/fourteen.csv"
+prints 1 calibration_refusal calibrate "$work/fourteen.csv" --positions --quadratic
+
 prints 1 calibration_refusal calibrate "$work/nine.csv"
 head -n 3 "$work/nine.csv" > "$work/three.csv"
 prints 1 calibration_refusal calibrate "$work/three.csv" --positions
@@ -89,11 +100,20 @@ prints 0 allan allan "$work/rest.csv" --lsb 0.003 --gravity 48.5
 # ---- plans -------------------------------------------------------------------------------------
 
 for set in '' '--per-group 7' '--per-group 8 --start 0,10,20 --noise 0.0001' --edges --icosahedron \
-    '--optimal 9' '--optimal 20 --limits 1,1,1' '--limits 0.4,0.6,1' '--budget 100' \
+    '--optimal 9' '--optimal 20 --limits 1,1,1' '--limits 0.4,0.6,1' '--budget 120' \
     '--limits 0.001,0.001,0.001 --noise 0.001 --budget 300'; do
     # shellcheck disable=SC2086
     prints 0 plan plan $set
 done
+for set in --stand-12 --stand-24 '--optimal 12 --grid 30' '--edges --weights' '--weights --bound 0.001' \
+    '--optimal 12 --need-axes --warm-up 600 --settle 2' '--limits 0.5,0.8,2 --spare 5 --need-axes'; do
+    # shellcheck disable=SC2086
+    prints 0 plan plan $set
+done
+prints 0 plan_programs plan --programs
+prints 0 plan_programs plan --programs --noise 0.0001 --warm-up 600
+"$tool" plan --edges --weights --csv > "$work/stand.csv"
+prints 0 plan plan --angles "$work/stand.csv"
 prints 0 plan plan --directions "$work/nine.csv"
 prints 1 plan_refused plan --faces
 prints 1 plan_refused plan --directions "$work/three.csv"

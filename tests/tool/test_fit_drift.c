@@ -34,7 +34,7 @@ static void draw(random_source *random, const double drift[3], double noise, dou
         const double p[3][3] = {{1 + x[3], x[6] / 2, x[7] / 2},
                                 {x[6] / 2, 1 + x[4], x[8] / 2},
                                 {x[7] / 2, x[8] / 2, 1 + x[5]}};
-        tau[k] = k / (COUNT - 1.0) - 0.5;
+        tau[k] = k / ((double)COUNT - 1) - 0.5;
         for (int a = 0; a < 3; a++) {
             raw[k][a] = p[a][0] * v[0] + p[a][1] * v[1] + p[a][2] * v[2] + x[a] +
                         tau[k] * drift[a] + (noise > 0 ? noise * random_normal(random) : 0);
@@ -102,8 +102,8 @@ static void sigma_is_honest(void)
             held += fabs(error) <= q.coverage * one;
         }
     }
-    TEST_ASSERT_DOUBLE_WITHIN(0.08, 1, sqrt(squares / (12.0 * DRAWS)));
-    TEST_ASSERT_DOUBLE_WITHIN(0.02, 0.96, held / (12.0 * DRAWS)); /* rule 8 at 6: 96.2 % */
+    TEST_ASSERT_DOUBLE_WITHIN(0.08, 1, sqrt(squares / (12.0 * (double)DRAWS)));
+    TEST_ASSERT_DOUBLE_WITHIN(0.02, 0.96, held / (12.0 * (double)DRAWS)); /* rule 8 at 6: 96.2 % */
 }
 
 static void too_few_positions_and_an_order_that_hides_it_are_refused(void)

@@ -39,7 +39,7 @@ static void a_round_trip_shows_a_drift_as_well_as_can_be(void)
         memcpy(v[i], expected_plan18[i + 3], sizeof v[i]);
         memcpy(v[23 - i], v[i], sizeof v[i]);
     }
-    TEST_ASSERT_DOUBLE_WITHIN(1e-9, 1, order_hides_drift((const double(*)[3])v, 24));
+    TEST_ASSERT_DOUBLE_WITHIN(1e-9, 1, order_hides_drift((const double(*)[3])v, NULL, 24));
 }
 
 /* Nine equations are solved by nine parameters, whatever drifts. */
@@ -47,14 +47,14 @@ static void nine_positions_hide_a_drift(void)
 {
     double v[9][3];
 
-    optimal_directions(9, v);
-    TEST_ASSERT_TRUE(isinf(order_hides_drift((const double(*)[3])v, 9)));
+    optimal_directions(9, 0, v);
+    TEST_ASSERT_TRUE(isinf(order_hides_drift((const double(*)[3])v, NULL, 9)));
 }
 
 /* The figure of the judgement's design for the program as the paper prints it: 1.39. */
 static void the_program_of_the_paper_shows_it_to_1_39(void)
 {
-    TEST_ASSERT_DOUBLE_WITHIN(0.005, 1.39, order_hides_drift(expected_plan18, 18));
+    TEST_ASSERT_DOUBLE_WITHIN(0.005, 1.39, order_hides_drift(expected_plan18, NULL, 18));
 }
 
 static void order_as(const double (*given)[3], unsigned count, double most)
@@ -74,7 +74,7 @@ static void order_as(const double (*given)[3], unsigned count, double most)
     }
     TEST_ASSERT_EQUAL_UINT(count, seen);
     TEST_ASSERT_EQUAL_MEMORY(given[0], v[0], sizeof v[0]);
-    TEST_ASSERT_LESS_OR_EQUAL_DOUBLE(most, order_hides_drift((const double(*)[3])v, count));
+    TEST_ASSERT_LESS_OR_EQUAL_DOUBLE(most, order_hides_drift((const double(*)[3])v, NULL, count));
     TEST_ASSERT_LESS_OR_EQUAL_DOUBLE(1.2, way_of((const double(*)[3])v, count)); /* 69 degrees */
 }
 
@@ -86,7 +86,7 @@ static void an_order_is_found_in_which_it_shows_and_the_way_is_short(void)
     order_as(expected_plan18, 18, 1.15);
     order_as(expected_faces_and_edges, 18, 1.15);
     for (unsigned i = 0; i < 3; i++) {
-        optimal_directions(counts[i], v);
+        optimal_directions(counts[i], 0, v);
         order_as((const double(*)[3])v, counts[i], 1.15);
     }
 }

@@ -75,7 +75,7 @@ refuses_value --zero 1,nan,3 "'nan' is not a finite number"
 refuses_value --lsb 1,2 'expected are 3 numbers with commas between, or one'
 refuses_value --lsb 0 'not 0'
 refuses_value --lsb 1,0,1 'not 0'
-refuses_value --frame round 'symmetric or triangular'
+refuses_value --frame round 'symmetric, triangular or stand'
 refuses_value --nominal-name a-very-long-heading 'at most 14'
 refuses_value --prior 0.1,0.1,0.1 '--zero and --lsb, or --nominal'
 refuses_file "a prior with --zero alone is refused" 2 '--prior: .*--lsb' \

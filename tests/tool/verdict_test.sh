@@ -85,6 +85,122 @@ files spoilt
 check "verdict: seven of 24 are too many" called spoilt '^(Rough|Bent|Drifting|Contradictory): ' \
     '"(rough|bent|drifting)"'
 
+# ---- nonlinearity, and the l1 estimate ------------------------------------------------------------------
+
+fits() { # TROUBLE OPTION PATTERN [OPTIONS]: what is said of all ten, which are good but for at most one
+    trouble=$1
+    option=$2
+    pattern=$3
+    shift 3
+    good=0
+    for file in "$work/$trouble".[0-9] "$work/$trouble".10; do
+        run calibrate "$file" --positions --zero 0,0,0 --lsb 1 --noise 0.000980665 "$option" "$@"
+        tr '\n' ' ' < "$work/stdout" > "$work/words"
+        [ "$code" -eq 0 ] && matches "$work/words" "$pattern" || return 1
+        matches "$work/stdout" '^Good: ' && good=$((good + 1))
+    done
+    [ "$good" -ge 9 ]
+}
+check "nonlinearity: a quadratic is fitted and told, and the rest is good" fits quadratic --quadratic \
+    'quadratic y  +(4\.[0-9]+|5\.[0-9]+) ± 0\.[1-4][0-9]* +mg per g²'
+check "nonlinearity: a cubic, too" fits cubic --cubic 'cubic x  +(1[89]|2[01])\.?[0-9]* ± [0-9.]+ +mg per g³'
+check "l1: it agrees where nothing is wrong" fits none --robust 'l1 .* it +agrees\.'
+check "l1: and where two wrong positions were left out" fits wrong --robust 'l1 .* it +agrees\.'
+run calibrate "$work/wrong.1" --positions --zero 0,0,0 --lsb 1 --noise 0.000980665 --robust --keep-all
+check "l1: not where they were kept" matches "$work/stdout" 'it contradicts'
+run calibrate "$work/wrong.1" --positions --zero 0,0,0 --lsb 1 --noise 0.000980665 --robust --keep-all --json
+check "l1: nor in JSON" matches "$work/stdout" '"answer": "contradicts"'
+# Of offsets 10 mg, which the two wrong ones pull elsewhere, the l1 estimate is near the truth.
+l1_of() { sed -n '/^  "robust"/,/^  }/s/.*"delta": \[\(.*\)\].*/\1/p' "$work/stdout" | tr -d ,; }
+check "l1: and is right itself" near 0.001 '0.03 -0.02 0.01' "$(l1_of)"
+run calibrate "$work/none.1" --positions --zero 0,0,0 --lsb 1 --noise 0.000980665 --robust --json
+check "l1: JSON where it agrees" matches "$work/stdout" '"answer": "agrees"'
+run calibrate "$work/quadratic.1" --positions --zero 0,0,0 --lsb 1 --noise 0.000980665 --quadratic --json
+member() { sed -n "s/^ *\"$1\": \[\(.*\)\],*\$/\1/p" "$work/stdout" | tr -d ,; }
+check "nonlinearity: JSON" near 0.001 '0 0.005 0' "$(member quadratic)"
+check "nonlinearity: its sigma" near 0.0003 '0.0002 0.0002 0.0002' "$(member quadratic_sigma)"
+head -n 13 "$work/none.1" > "$work/thirteen"
+run calibrate "$work/thirteen" --positions --zero 0,0,0 --lsb 1 --quadratic --json
+check "nonlinearity: JSON of a refusal" matches "$work/stdout" '"error": "too few"'
+check "nonlinearity: which is one" test "$code" -eq 1
+refuses "nonlinearity: 13 positions are too few" 1 '--quadratic: 13 positions are too few: 14' \
+    calibrate "$work/thirteen" --positions --zero 0,0,0 --lsb 1 --quadratic
+"$tool" plan --icosahedron --json | sed -n 's/^ *"vertical": \[\(.*\)\],*$/\1/p' > "$work/twelve"
+cat "$work/twelve" "$work/twelve" > "$work/corners"
+refuses "nonlinearity: what the positions leave open is named" 1 '--cubic: the positions leave undetermined: .*cubic x' \
+    calibrate "$work/corners" --positions --zero 0,0,0 --lsb 1 --gravity 1 --cubic
+refuses "nonlinearity: --cubic includes --quadratic" 2 'includes --quadratic' \
+    calibrate "$work/none.1" --positions --quadratic --cubic
+refuses "nonlinearity: not over temperature" 2 '--quadratic: does not go together with --thermal' \
+    calibrate "$work/none.1" --positions --quadratic --thermal 1
+refuses "l1: nine parameters only" 2 '--robust: is of nine parameters' \
+    calibrate "$work/none.1" --positions --robust --cubic
+
+# ---- nonlinearity, taken off -----------------------------------------------------------------------------
+
+# What a sensor of known errors reads where it feels x y z, in counts: zero + 16384 ((I + S) eta + delta +
+# q eta^2 + c eta^3); and what it feels, m/s^2.
+bent() { # bent FILE TIMES
+    awk -v times="$2" 'BEGIN { split("0.03 -0.02 0.01 0.02 -0.03 0.01 0.008 0.004 -0.02", X)
+            split("0.01 -0.02 0.015", q); split("-0.012 0.02 0.01", c) }
+        { for (i = 1; i <= 3; i++) e[i] = times * $i
+          u[1] = (1 + X[4]) * e[1] + X[7] / 2 * e[2] + X[8] / 2 * e[3]
+          u[2] = X[7] / 2 * e[1] + (1 + X[5]) * e[2] + X[9] / 2 * e[3]
+          u[3] = X[8] / 2 * e[1] + X[9] / 2 * e[2] + (1 + X[6]) * e[3]
+          for (i = 1; i <= 3; i++)
+              printf "%.9f%s", 32768 + 16384 * (u[i] + X[i] + q[i] * e[i] ^ 2 + c[i] * e[i] ^ 3), i < 3 ? "," : "\n"
+        }' "$work/$1"
+}
+verticals() { "$tool" plan "$@" --json | sed -n 's/^ *"vertical": \[\(.*\)\],*$/\1/p' | tr -d ,; }
+verticals --per-group 8 > "$work/program"
+verticals --optimal 40 > "$work/unseen"
+bent program 1 > "$work/bent.csv"
+# The largest error of what apply makes of readings at TIMES the field, of directions or, with a 1, of lengths
+# only; over the field.
+worst() { # worst CAL TIMES [LENGTHS]
+    bent unseen "$2" > "$work/readings.csv"
+    run apply "$1" "$work/readings.csv"
+    sed 1d "$work/stdout" | tr , ' ' | paste -d ' ' - "$work/unseen" | awk -v times="$2" -v lengths="$3" '
+        { square = felt = 0
+          for (i = 1; i <= 3; i++) { felt += $i ^ 2; square += ($i / 9.80665 - times * $(i + 3)) ^ 2 }
+          d = lengths ? sqrt(felt) / 9.80665 - times : sqrt(square)
+          d = d < 0 ? -d : d; if (d > most) most = d }
+        END { print NR == 40 ? most : "none" }'
+}
+below() { awk -v a="$1" -v b="$2" 'BEGIN { exit !(a != "none" && a < b) }'; }
+known="--zero 32768,32768,32768 --lsb 0.000598550415"
+# shellcheck disable=SC2086 # $known is several words
+{
+    run calibrate "$work/bent.csv" --positions $known --cubic --out "$work/symmetric.json" --quiet
+    run calibrate "$work/bent.csv" --positions $known --cubic --frame triangular --out "$work/triangular.json" --quiet
+    run calibrate "$work/bent.csv" --positions $known --cubic --plan per-group:8 --frame stand --out "$work/stand.json" --quiet
+    run calibrate "$work/bent.csv" --positions $known --out "$work/linear.json" --quiet
+    run calibrate "$work/bent.csv" --positions --cubic --out "$work/free.json" --quiet
+}
+check "nonlinearity: without it readings are 1 % wrong" below 0.01 "$(worst "$work/linear.json" 1)"
+# What is left is what the fit leaves (it is right to 1e-6); that apply adds nothing test_nonlinear_correction tells.
+for at in 1 0.5; do
+    check "nonlinearity: apply takes it off, at $at of the field" below "$(worst "$work/symmetric.json" $at)" 2e-6
+    check "nonlinearity: in the frame of the stand, too, at $at" below "$(worst "$work/stand.json" $at)" 2e-6
+    check "nonlinearity: triangular: lengths, at $at" below "$(worst "$work/triangular.json" $at 1)" 2e-6
+done
+check "nonlinearity: triangular: turned" below 0.001 "$(worst "$work/triangular.json" 1)"
+check "nonlinearity: nothing is beyond the edge" test ! -s "$work/stderr"
+check "nonlinearity: a nominal that was found: lengths" below "$(worst "$work/free.json" 1 1)" 1e-3
+worst "$work/symmetric.json" 3 > "$work/far"
+check "nonlinearity: beyond the edge it is held, and told" matches "$work/stderr" \
+    'warning: .*readings\.csv: 40 of 40 readings are beyond 1\.1 of the field on an axis, up to 3\.'
+# At 3 eta the model is off by what q 9 eta^2 + c 27 eta^3 is more than at the edge: 0.6 of the field at most.
+check "nonlinearity: and bounded" below "$(cat "$work/far")" 0.8
+sed 's/"field": .*/"field": 0,/' "$work/symmetric.json" > "$work/broken.json"
+refuses "nonlinearity: incomplete" 3 '"nonlinearity" is incomplete' apply "$work/broken.json" "$work/bent.csv"
+sed 's/"quadratic": .*/"quadratic": [0.3, 0, 0],/' "$work/symmetric.json" > "$work/broken.json"
+refuses "nonlinearity: too large" 3 'too large to be taken off' apply "$work/broken.json" "$work/bent.csv"
+for format in c c-arrays px4 ardupilot ros imu_tk fusion; do
+    refuses "nonlinearity: --format $format has no place for it" 2 "errors of the axes, which --format $format cannot" \
+        export "$work/symmetric.json" --format $format
+done
+
 # ---- good enough? ------------------------------------------------------------------------------------
 
 # What lengths are right within, from the sigma in the file; those of dk hold the field's already.

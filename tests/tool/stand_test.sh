@@ -1,0 +1,279 @@
+#!/bin/sh
+# SPDX-License-Identifier: MIT
+#
+# What the angles of a stand tell, file by file: stand_test.sh path/to/invcal builddir. Simulated stands
+# with each of the troubles of port/manual/errors.md, "The stand"; five files of each.
+here=$(dirname "$0")
+# shellcheck source=tests/tool/support.sh
+. "$here/support.sh"
+
+make_file() { # TROUBLE SEED [plain=1 ...]
+    trouble=$1
+    seed=$2
+    shift 2
+    # shellcheck disable=SC2046 # assignments without blanks
+    set -- $(printf -- '-v %s ' "$@" | sed 's/-v  *$//')
+    awk -v trouble="$trouble" -v seed="$seed" "$@" -f "$here/stand.awk"
+}
+calibrate() { run calibrate "$@" --positions --zero 0,0,0 --lsb 1 --noise 0.000980665 --gravity 9.80665; }
+
+# each TROUBLE PATTERN [OPTIONS]: five files are called that, and are still good
+each() {
+    trouble=$1
+    pattern=$2
+    shift 2
+    for seed in 1 2 3 4 5; do
+        make_file "$trouble" $seed > "$work/$trouble.$seed"
+        calibrate "$work/$trouble.$seed" "$@"
+        tr '\n' ' ' < "$work/stdout" > "$work/words"
+        { [ "$code" -eq 0 ] && matches "$work/words" "$pattern" && matches "$work/stdout" '^Good: '; } ||
+            { cat "$work/stdout" "$work/stderr" >&2; return 1; }
+    done
+}
+quiet() { each "$@" && lacks "$work/stdout" '^(Misset|Stand): '; }
+
+# The mounting is TRUTH (degrees) within 5 sigma; the three sigma are 1/sqrt(12) of the scatter.
+is_mounted() { # TROUBLE TRUTH
+    for seed in 1 2 3 4 5; do
+        calibrate "$work/$1.$seed" --stand --json
+        awk -v truth="$2" -F'[][,:]' '/"mounting"/ { for (i = 1; i <= 3; i++) m[i] = $(i + 2) }
+            /"vertical"/ { exit } /"stand"/ { on = 1 } on && /"sigma"/ { for (i = 1; i <= 3; i++) s[i] = $(i + 2) }
+            /"scatter"/ { scatter = $2 }
+            END { split(truth, t, " ")
+                for (i = 1; i <= 3; i++) {
+                    d = (m[i] - t[i]) / s[i]
+                    r = s[i] * sqrt(12) / scatter
+                    if (!(d * d < 25 && r > 0.99 && r < 1.01)) exit 1 } }' "$work/stdout" || return 1
+    done
+}
+
+check "stand: what is in order has nothing to tell" quiet none ' closure .*sigma' --stand
+check "stand: it sits straight" is_mounted none '0 0 0'
+check "stand: a tilt of 14 mrad is the mounting, and harms nothing" quiet tilt 'mounting x' --stand
+check "stand: it is known with its sigma" is_mounted tilt '0.26738 0.53476 -0.53476'
+check "stand: 10 mrad are named" each misset 'Misset: position 8 .* is off by (9\.[6-9]|10)[.0-9]* mrad: alpha by \+0\.5[0-9]*' --stand
+check "stand: 1 mrad, too" each fine 'Misset: position 8 .* is off by (0\.[789]|1\.)[0-9]* mrad' --stand
+check "stand: two swapped positions are named" each swapped \
+    'Misset: position (5 .* swapped with position 12|12 .* swapped with position 5)\..*Misset: position (5|12) ' --stand
+check "stand: a repeated one is" each repeated 'Misset: position 8 .* at the angles of position 7: repeated' --stand
+check "stand: one more position does no harm" quiet twice 'group 2 ' --stand
+check "stand: one less does none" quiet lost 'group 2 ' --stand
+check "stand: exchanged columns are named" each columns 'Stand: .*only if alpha and beta are swapped: ' --stand
+check "stand: a reversed beta is" each reversed 'Stand: .*only if beta has the other sense' --stand
+check "stand: and taken as told" quiet reversed ' closure ' --stand --stand-sense 1,-1
+check "stand: another zero of alpha is told" each zero 'Stand: the angles do not belong to these readings' --stand
+check "stand: and taken off" quiet zero ' closure ' --stand --stand-zero 20,0
+check "stand: a reversed alpha is half a turn about y" each alpha \
+    'mounting y +-?1(79\.9|80\.0).*The unit is turned far on the stand' --stand
+
+# ---- as JSON ------------------------------------------------------------------------------------------
+
+calibrate "$work/misset.1" --stand --json
+tr -d '\n ' < "$work/stdout" > "$work/words"
+check "stand: a misset position in JSON" matches "$work/words" \
+    '"misset":\[\{"position":8,"kind":"misset","angle":0\.5[5-9]'
+calibrate "$work/swapped.1" --stand --json
+tr -d '\n ' < "$work/stdout" > "$work/words"
+check "stand: swapped ones" matches "$work/words" '"position":12,"kind":"swapped","other":5,"angle":(29\.9|30\.0)'
+check "stand: each of the other" matches "$work/words" '"position":5,"kind":"swapped","other":12,"angle":(29\.9|30\.0)'
+
+# ---- some positions without angles --------------------------------------------------------------------
+
+without() { # FIRST: from that position on there are none
+    awk -F, -v first="$1" 'NR > first { $4 = $5 = "" } 1' OFS=, "$work/none.1" > "$work/without"
+    calibrate "$work/without" --stand
+}
+without 9
+check "stand: positions without angles are counted" matches "$work/stdout" '^stand +8 positions with angles .*, 10 without'
+check "stand: of eight the mounting is told" matches "$work/stdout" '^mounting z '
+check "stand: and J1 is open" matches "$work/stdout" '^J1 +these directions leave parameters open$'
+without 4
+check "stand: three tell nothing" matches "$work/stdout" '^Stand: there are too few positions with angles'
+calibrate "$work/without" --stand --json
+check "stand: nor as JSON" matches "$work/stdout" '"angles": "few"'
+
+calibrate "$work/none.1" --stand --units ins
+check "stand: in the units that are wished" matches "$work/stdout" '^mounting x +-?[0-9.]+ ± 5\.[0-9]* +arcsec, '
+check "stand: J1 as well" matches "$work/stdout" '^offset x +30[0-9]+ ± [0-9]+ .* µg$'
+
+# ---- a group that is missing -------------------------------------------------------------------------
+
+make_file group 1 > "$work/group"
+refuses "stand: without group 3 the angle xy stays open, and it is named" 1 \
+    'undetermined: angle xy; group 3 .beta 90, alpha all round. was not visited, .*: visit it' \
+    calibrate "$work/group" --positions --stand --gravity 9.80665
+refuses "stand: columns alone tell that, too" 1 'undetermined: angle xy; group 3 ' \
+    calibrate "$work/group" --positions --gravity 9.80665
+sed 2,7d "$work/none.1" > "$work/first"
+refuses "stand: without group 1" 1 'undetermined: angle zy; group 1 .beta 0, alpha all round. was not' \
+    calibrate "$work/first" --positions --stand
+sed 8,13d "$work/none.1" > "$work/second"
+refuses "stand: without group 2" 1 'undetermined: angle xz; group 2 .alpha -90, beta all round. was not' \
+    calibrate "$work/second" --positions --stand
+awk -F, 'NR > 1 { $4 = 5 - $4; $5 += 7 } { OFS = ","; $1 = $1; print }' "$work/second" > "$work/other"
+refuses "stand: as the stand reads it" 1 'group 2 .alpha 95, beta all round. was not' \
+    calibrate "$work/other" --positions --stand --stand-sense -1,1 --stand-zero 5,7
+make_file group 1 log_wanted=1 > "$work/log"
+refuses "stand: in a log as well" 1 'undetermined: angle xy; group 3 .beta 90' calibrate "$work/log" --stand --quiet
+cut -d, -f1-3 "$work/group" > "$work/bare"
+refuses "stand: where no angles tell it, the field is" 1 'angle xy; add positions with the field midway' \
+    calibrate "$work/bare" --positions
+refuses "stand: as many as a group are missing of a program" 3 'has 18: .*; was a whole group not visited' \
+    calibrate "$work/bare" --positions --plan per-group:6
+sed 6,13d "$work/none.1" > "$work/half"
+refuses "stand: with half a group missing too it is more than that" 1 'angle xz; add positions with the field' \
+    calibrate "$work/half" --positions --stand
+
+# ---- the program instead of columns --------------------------------------------------------------------
+
+make_file misset 1 plain=1 > "$work/plain.csv"
+calibrate "$work/plain.csv" --plan per-group:6
+check "stand: the program tells the angles as well" matches "$work/stdout" '^Misset: position 8 .* is off by 10'
+make_file lost 1 plain=1 > "$work/lost.csv"
+refuses "stand: of another number of positions it does not" 3 'holds 17 positions, but --plan 3 x 6 has 18' \
+    calibrate "$work/lost.csv" --positions --plan per-group:6
+refuses "stand: without columns there are no angles" 3 'has no columns alpha and beta' \
+    calibrate "$work/lost.csv" --positions --stand
+
+# ---- the frame of the stand --------------------------------------------------------------------------
+
+# Calibrated readings of a tilted unit are the directions of the stand.
+is_turned() {
+    calibrate "$work/tilt.1" --stand --frame stand --json
+    json "$work/stdout" matrix > /dev/null
+    cp "$work/stdout" "$work/turned.json"
+    "$tool" apply "$work/turned.json" "$work/tilt.1" 2> /dev/null | awk -F, 'NR > 1 { n++
+        x = $1 / 9.80665; y = $2 / 9.80665
+        if (n == 1 && !(x * x < 25e-8 && (y - sqrt(3) / 2) ^ 2 < 25e-8)) exit 1
+        if (n == 18 && !((x - sqrt(3) / 2) ^ 2 < 25e-8 && (y - 0.5) ^ 2 < 25e-8)) exit 1 }
+        END { exit n != 18 }' && grep -q '"frame": "stand"' "$work/turned.json"
+}
+check "stand: the calibrated frame is turned to it" is_turned
+refuses "stand: angles that do not fit turn no frame" 1 'no frame of the stand: the angles fit' \
+    calibrate "$work/reversed.1" --positions --stand --frame stand
+refuses "stand: no frame without angles" 2 '--frame: needs the angles of a stand' \
+    calibrate "$work/none.1" --positions --frame stand
+refuses "stand: a sense is 1 or -1" 2 '--stand-sense: is 1 or -1' \
+    calibrate "$work/none.1" --positions --stand --stand-sense 2,1
+refuses "stand: no sense without angles" 2 '--stand-sense: needs the angles' \
+    calibrate "$work/none.1" --positions --stand-sense 1,-1
+refuses "stand: nor beside temperature" 2 '--thermal: and the angles' \
+    calibrate "$work/none.1" --positions --stand --thermal 1
+
+# ---- a log -------------------------------------------------------------------------------------------
+
+log() { # TROUBLE PATTERN
+    make_file "$1" 1 log_wanted=1 > "$work/log.csv"
+    run calibrate "$work/log.csv" --stand --gravity 9.80665 --zero 0,0,0 --lsb 1
+    { [ "$code" -eq 0 ] && matches "$work/stdout" '18 positions with angles .columns.$' &&
+        matches "$work/stdout" "$2"; } || { cat "$work/stdout" "$work/stderr" >&2; return 1; }
+}
+check "stand: a log with angles, too" log none '^closure '
+check "stand: a misset rest of it is named" log misset '^Misset: position 8 .* is off by '
+check "stand: at rest a centre of rotation that is 0.3 m off does nothing" log offset '^Good: '
+
+# ---- the table of the manual ---------------------------------------------------------------------------
+
+# What a row of errors.md, "The stand", quotes is printed, in this order; "nothing" is no word of the stand's.
+sed -n '/^### The stand/,/^### The clock/p' "$here/../../port/manual/errors.md" | grep '^| ' | sed 1d > "$work/rows"
+row() { # TROUBLE CODE ARGUMENTS ...: the first cell, and what calibrate is called with
+    row=$(grep -F "| $1 |" "$work/rows")
+    trouble=$1
+    expected=$2
+    shift 2
+    run calibrate "$@" --zero 0,0,0 --lsb 1 --noise 0.000980665 --gravity 9.80665
+    tries=$((tries + 1))
+    check "stand: errors.md is right about: $trouble" row_is_true
+}
+row_is_true() {
+    told=$(echo "$row" | awk -F ' [|] ' '{ print $3 }')
+    { [ -n "$told" ] && [ "$code" -eq "$expected" ]; } || { complain; return 1; }
+    if [ "$told" = nothing ]; then
+        matches "$work/stdout" '^Good: ' && lacks "$work/stdout" '^(Misset|Stand|The unit is turned)'
+        return
+    fi
+    cat "$work/stdout" "$work/stderr" | tr -s ' \n' ' ' > "$work/words"
+    echo "$told" | grep -o '"[^"]*"' | tr -d '"' > "$work/quoted"
+    awk 'NR == FNR { text = $0; next } !(at = index(text, $0)) { print "    not said: " $0; exit 1 }
+        { text = substr(text, at + length($0)) }' "$work/words" "$work/quoted" >&2 && [ -s "$work/quoted" ]
+}
+tries=0
+for one in "an angle misset by 1 mrad=fine" "an angle misset by 10 mrad=misset" "the unit mounted 14 mrad off=tilt" \
+    "columns alpha and beta exchanged=columns" "the sense of beta reversed=reversed" \
+    "the sense of alpha reversed=alpha" "another zero of alpha, by 20°=zero" "two positions swapped=swapped" \
+    "a position repeated in place of the next=repeated" "a position more=twice" "a position missing=lost"; do
+    row "${one%=*}" 0 "$work/${one##*=}.1" --positions --stand
+done
+make_file offset 1 log_wanted=1 > "$work/offset.csv"
+row "axes of the stand that do not meet in the unit, by 0.3 m" 0 "$work/offset.csv" --stand
+row "another zero of beta, by 20°" 0 "$work/none.1" --positions --stand --stand-zero 0,-20
+# shellcheck disable=SC2016 # backticks of the page
+row 'a position missing, without columns (`--plan`)' 3 "$work/lost.csv" --positions --plan per-group:6
+row "group 3 missing" 1 "$work/group" --positions --stand
+# shellcheck disable=SC2016
+row 'group 3 missing, without columns (`--plan`)' 3 "$work/bare" --positions --plan per-group:6
+check "stand: errors.md has no other rows" test "$tries" -eq "$(wc -l < "$work/rows")"
+
+# ---- the page ----------------------------------------------------------------------------------------
+
+page=$work/out/page.html
+words() {
+    sed -n '/<h2>At the stand/,/<\/section>/p' "$page" | sed '/<svg /,/<\/svg>/d; s/<[^>]*>/ /g' |
+        tr -s ' \n' ' ' | plainly
+}
+says_page() { words | grep -Eq -- "$1" || { { words | head -c 600; echo; } >&2; return 1; }; }
+says_not() { ! words | grep -Eq -- "$1"; }
+makes_page() { # SENTENCE FILE OPTIONS ...
+    sentence=$1
+    shift
+    rm -f "$page"
+    calibrate "$@" --json --report "$page"
+    check "stand: page of $sentence" succeeded
+    check "stand: page of $sentence: well formed, and needs nothing else" is_page "$page"
+    check "stand: page of $sentence: every number is one" lacks "$page" '[^a-zA-Z](nan|inf)[^a-zA-Z]'
+}
+figures_are_those_of_json() { # AT LEAST
+    compared=$(awk -f "$here/stand_page.awk" "$work/stdout" "$page")
+    [ "$compared" -ge "$1" ] || { echo "    $compared" >&2; return 1; }
+}
+
+makes_page "a straight unit" "$work/none.1" --stand
+check "stand: the page has the figures of the JSON" figures_are_those_of_json 136
+check "stand: it tells how the angles are read" says_page \
+    '18 positions with angles, in degrees: α = alpha, β = beta, .* derived from the paper.s Table 2'
+check "stand: nothing is misset" says_page 'No position is misset'
+check "stand: the paper's table is filled in" says_page \
+    'group a0 a1 b1 a2 b2 1, 6 positions .* stands for [(]δk_y [+] δk_z[)]/2 Δ_y Δ_z [(]δk_y - δk_z[)]/2 γ_zy/2 2, 6 .* 3, 6 .* γ_xy/2'
+check "stand: closures have their test" says_page 'F = [0-9.]* with 6 and 3 degrees of freedom'
+# Both ends of an arrow: at its beginning the front moves up, with growing beta the right side to the front.
+arrows_turn_as_derived() {
+    sed -n '/<title>The unit on the two axes/,/<\/svg>/p' "$page" | grep '<polyline class="c2 curve"' |
+        sed 's/.*points="//; s/[",]/ /g' | awk 'NR == 1 && !($4 < $2) { exit 1 } NR == 2 && !($3 < $1 && $4 > $2) { exit 1 }
+            END { exit NR != 4 }'
+}
+check "stand: the arrows turn as was derived" arrows_turn_as_derived
+makes_page "a misset one" "$work/misset.1" --stand
+check "stand: figures of a misset one are those of the JSON" figures_are_those_of_json 138
+check "stand: it is named on the page" says_page \
+    'Misset: position 8 .alpha -90, beta 90. is off by 10[.0-9]* mrad: .* Lengths do not see it'
+makes_page "a tilted unit" "$work/tilt.1" --stand
+check "stand: figures of a tilted one are those of the JSON" figures_are_those_of_json 136
+makes_page "exchanged columns" "$work/columns.1" --stand
+check "stand: exchanged columns are told on the page" says_page \
+    '^ *At the stand ! The angles fit the readings only if alpha and beta are swapped: exchange'
+check "stand: and nothing is made of the angles" says_not 'mounting|closure|J1'
+makes_page "another convention" "$work/reversed.1" --stand --stand-sense 1,-1
+check "stand: the page tells the sense" says_page 'α = alpha, β = -beta, with'
+makes_page "another zero" "$work/zero.1" --stand --stand-zero 20,0 --units ins
+check "stand: the page tells the zero" says_page 'α = [(]alpha - 20°[)], β = beta, with'
+check "stand: and the units that are wished" says_page 'about x [-+0-9.]* ± [0-9.]* arcsec .* offset x [-+0-9.]* ± [0-9.]* µg'
+makes_page "a program" "$work/plain.csv" --plan per-group:6
+check "stand: the page tells that the order was kept" says_page 'those of the program 3 x 6, whose order was kept'
+head -n 15 "$work/none.1" > "$work/short"
+makes_page "an incomplete group" "$work/short" --stand
+check "stand: the page says which group is open" says_page \
+    '3, 2 positions open open open .* Group 3 is incomplete: 2 positions do not tell its five coefficients'
+check "stand: without closures" says_not 'closure'
+run calibrate "$work/none.1" --positions --report "$page"
+check "stand: there is nothing of it where no angles are wanted" lacks "$page" 'At the stand'
+finish

@@ -1,0 +1,326 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * What angles of a stand tell: the mounting, J1, series, positions that are misset. Truth is simulated here,
+ * figures are closed forms.
+ */
+#include "stand.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "angles.h"
+#include "command.h"
+#include "expected.h"
+#include "support.h"
+#include "unity.h"
+
+void setUp(void)
+{
+}
+
+void tearDown(void)
+{
+}
+
+enum { COUNT = 18, DRAWS = 400 };
+
+static const invcal_calibration unit_scale_calibration = {{0, 0, 0},
+                                                          {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
+
+static double mean[3 * COUNT];
+static position_origin origin[COUNT];
+static positions data;
+static rejection all;
+
+/* Table 2: where the unit is set, in degrees. */
+static void set_angles(unsigned k, double angle[2])
+{
+    const double step = 60.0 * (k % 6);
+
+    angle[0] = k < 6 ? 30 + step : k < 12 ? -90 : 120 + step;
+    angle[1] = k < 6 ? 0 : k < 12 ? 30 + step : 90;
+}
+
+/* A small turn as a matrix: I + [t]x + [t]x^2/2, right to |t|^3/6. */
+static void turn_by(const double t[3], double r[3][3])
+{
+    const double w[3][3] = {{0, -t[2], t[1]}, {t[2], 0, -t[0]}, {-t[1], t[0], 0}};
+
+    for (int i = 0; i < 3; i++) {
+        for (int j = 0; j < 3; j++) {
+            r[i][j] = (i == j) + w[i][j] +
+                      (w[i][0] * w[0][j] + w[i][1] * w[1][j] + w[i][2] * w[2][j]) / 2;
+        }
+    }
+}
+
+/* What a unit reads in the program, and the angles that are stated. `off` is added to the true alpha of
+ * position `wrong`. */
+static void measure(random_source *random, const triad_truth *truth, const double tilt[3],
+                    double noise, unsigned wrong, double off)
+{
+    double r[3][3];
+
+    turn_by(tilt, r);
+    for (unsigned k = 0; k < COUNT; k++) {
+        double angle[2];
+        double eta[3];
+        double up[3];
+        set_angles(k, angle);
+        origin[k] = (position_origin){.line = k + 1, .alpha = angle[0], .beta = angle[1]};
+        angles_direction(angle[0] + (k == wrong ? off : 0), angle[1], eta);
+        for (int i = 0; i < 3; i++) {
+            up[i] = r[i][0] * eta[0] + r[i][1] * eta[1] + r[i][2] * eta[2];
+        }
+        triad_read(truth, up, &mean[3 * (size_t)k]);
+        for (int i = 0; i < 3 && noise > 0; i++) {
+            mean[3 * (size_t)k + (size_t)i] += noise * random_normal(random);
+        }
+    }
+    data = (positions){
+        .name = "test", .mean = mean, .origin = origin, .count = COUNT, .has_angles = 1};
+    all = (rejection){.kept = mean, .kept_count = COUNT};
+}
+
+static stand found_in(void)
+{
+    const stand_wish wish = {.is_wanted = 1, .sense = {1, 1}};
+    stand s;
+
+    TEST_ASSERT_EQUAL_INT(EXIT_GOOD,
+                          stand_find(&s, &wish, &data, &all, mean, &unit_scale_calibration));
+    return s;
+}
+
+static const triad_truth sensor = {
+    {0.003, -0.002, 0.004, 0.004, -0.003, 0.005, 0.006, -0.002, 0.003}};
+static const double straight[3] = {0, 0, 0};
+
+static void without_noise_mounting_j1_and_series_are_exact(void)
+{
+    random_source random = random_start(1);
+    const double tilt[3] = {0.014 / 3, 0.028 / 3, -0.028 / 3}; /* 14 mrad */
+
+    measure(&random, &sensor, tilt, 0, COUNT, 0);
+    stand s = found_in();
+    TEST_ASSERT_EQUAL_INT(STAND_AS_STATED, s.reading);
+    TEST_ASSERT_EQUAL_UINT(0, s.missets);
+    for (int i = 0; i < 3; i++) {
+        TEST_ASSERT_DOUBLE_WITHIN(1e-6, tilt[i],
+                                  s.mounting.angle[i]); /* turn_by is right to 5e-7 */
+    }
+    TEST_ASSERT_TRUE(s.vertical.is_known && s.series.is_closed_over);
+    for (int p = 0; p < 9; p++) {
+        TEST_ASSERT_DOUBLE_WITHIN(1e-6, sensor.x[p], s.vertical.x[p]);
+    }
+    for (int c = 0; c < GROUP_SERIES_CLOSURES; c++) {
+        TEST_ASSERT_DOUBLE_WITHIN(1e-12, 0, s.series.closure[c]);
+        TEST_ASSERT_DOUBLE_WITHIN(1e-12, s.series.x[c], s.series.told[c][0]);
+        TEST_ASSERT_DOUBLE_WITHIN(1e-12, s.series.x[c], s.series.told[c][1]);
+    }
+    stand_free(&s);
+}
+
+/* The same sums, solved by 9x9 rows h(eta) and by coefficients; the unit sits straight but for the noise, so
+ * both frames are one to 1e-4 of the parameters. */
+static void series_and_j1_agree_on_noisy_readings(void)
+{
+    random_source random = random_start(2);
+
+    measure(&random, &sensor, straight, 1e-3, COUNT, 0);
+    stand s = found_in();
+    TEST_ASSERT_TRUE(s.series.is_closed_over && s.series.dof == 3);
+    for (int p = 0; p < 9; p++) {
+        TEST_ASSERT_DOUBLE_WITHIN(2e-5, s.vertical.x[p], s.series.x[p]);
+    }
+    TEST_ASSERT_DOUBLE_WITHIN(0.01 * s.vertical.noise, s.vertical.noise, s.series.noise);
+    stand_free(&s);
+}
+
+/* N equal steps: the parameters have sqrt(1/N), sqrt(7/(5 N)), sqrt(8/N); sigma of a0 is sqrt(1/N), of the others sqrt(2/N); two groups that tell an offset differ by
+ * 2/sqrt(N), those that tell a scale error by sqrt(6/N); the mounting has 1/sqrt(2 N). */
+static void sigma_are_those_of_the_closed_forms(void)
+{
+    random_source random = random_start(3);
+    const triad_truth none = {{0}};
+
+    measure(&random, &none, straight, 1e-4, COUNT, 0);
+    stand s = found_in();
+    TEST_ASSERT_EQUAL_UINT(0, s.missets);
+    for (int g = 0; g < 3; g++) {
+        for (int t = 0; t < 5; t++) {
+            TEST_ASSERT_DOUBLE_WITHIN(1e-12, t == 0 ? sqrt(1 / 6.0) : sqrt(2 / 6.0),
+                                      s.series.root[g][t]);
+        }
+    }
+    for (int c = 0; c < GROUP_SERIES_CLOSURES; c++) {
+        TEST_ASSERT_DOUBLE_WITHIN(1e-12, c < 3 ? 2 / sqrt(6) : 1, s.series.closure_root[c]);
+    }
+    for (int p = 0; p < 9; p++) {
+        const double squares[3] = {1 / 6.0, 7 / 30.0, 8 / 6.0};
+        TEST_ASSERT_DOUBLE_WITHIN(1e-12, sqrt(squares[p / 3]), s.series.x_root[p]);
+    }
+    for (int i = 0; i < 3; i++) {
+        TEST_ASSERT_DOUBLE_WITHIN(1e-12, s.mounting.scatter / sqrt(12), s.mounting.sigma[i]);
+    }
+    TEST_ASSERT_DOUBLE_WITHIN(1e-12, 4 / 18.0, mounting_leverage(&s.mounting, expected_plan18[0]));
+    TEST_ASSERT_DOUBLE_WITHIN(1e-3 * s.vertical.sigma[0], s.vertical.noise / sqrt(6),
+                              s.vertical.sigma[0]);
+    stand_free(&s);
+}
+
+#define MEDIAN_F_6_3 1.12894 /* of Fisher's F with 6 and 3 degrees of freedom */
+
+/* Of the mounting and of J1: the spread is that told; and of closures half are beyond the median of F. Clean positions are called misset in one of a hundred
+ * programs, which is what the test allows chance. */
+static void sigma_are_honest(void)
+{
+    random_source random = random_start(4);
+    const double tilt[3] = {0.01, -0.005, 0.008};
+    double squares[2] = {0, 0};
+    double r[3][3];
+    unsigned blamed = 0;
+    unsigned large = 0;
+
+    turn_by(tilt, r);
+    for (int d = 0; d < DRAWS; d++) {
+        measure(&random, &sensor, tilt, 1e-4, COUNT, 0);
+        stand s = found_in();
+        blamed += s.missets > 0;
+        large += s.series.f > MEDIAN_F_6_3;
+        TEST_ASSERT_TRUE(s.missets > 0 || (s.series.f > MEDIAN_F_6_3) == (s.series.chance < 0.5));
+        for (int i = 0; i < 3; i++) {
+            const double e = (s.mounting.angle[i] - tilt[i]) / 1e-4 * sqrt(12);
+            squares[0] += e * e;
+        }
+        for (int p = 0; p < 9; p++) {
+            const double e = (s.vertical.x[p] - sensor.x[p]) / s.vertical.sigma[p];
+            squares[1] += e * e * 7 / 9; /* Student's t of 9 degrees has the variance 9/7 */
+        }
+        stand_free(&s);
+    }
+    TEST_ASSERT_DOUBLE_WITHIN(0.08, 1, sqrt(squares[0] / (3.0 * (double)DRAWS)));
+    TEST_ASSERT_DOUBLE_WITHIN(0.08, 1, sqrt(squares[1] / (9.0 * (double)DRAWS)));
+    TEST_ASSERT_TRUE(blamed <= 14); /* 4 expected */
+    TEST_ASSERT_UINT_WITHIN(40, DRAWS / 2, large);
+}
+
+/* 10 mrad and 1 mrad, in 0.1 mrad of noise: the one position that it is, and how far. */
+static void a_misset_angle_is_named(void)
+{
+    random_source random = random_start(5);
+    const double size[2] = {0.01, 0.001};
+    unsigned named = 0;
+
+    for (int d = 0; d < 100; d++) {
+        const double off = size[d % 2];
+        measure(&random, &sensor, straight, 1e-4, (unsigned)d % COUNT, off * 180 / acos(-1));
+        stand s = found_in();
+        named += s.missets >= 1 && s.misset[0].index == (unsigned)d % COUNT &&
+                 s.misset[0].kind == MISSET_BY && fabs(s.misset[0].alpha - off) < 5e-4;
+        stand_free(&s);
+    }
+    TEST_ASSERT_TRUE(named >= 99);
+}
+
+/* J1 with the stated direction, where up really is off by e: the error is -|e|^2/2 - (S eta' + delta) e, at
+ * most |e|^2/2 + |X| |e|; lengths do not see it. */
+static void j1_sees_a_misset_angle_to_the_second_order(void)
+{
+    const double sizes[2] = {0.001, 0.01};
+
+    for (int i = 0; i < 2; i++) {
+        const double e = sizes[i];
+        const double eta[3] = {0, 0.6, 0.8};
+        const double off[3] = {0, 0.6 * cos(e) - 0.8 * sin(e), 0.8 * cos(e) + 0.6 * sin(e)};
+        invcal_linear_sums linear;
+        double u[3];
+        double there[3];
+        double norm = 0;
+        triad_read(&sensor, off, u);
+        triad_read(&sensor, eta, there);
+        invcal_linear_init(&linear);
+        TEST_ASSERT_EQUAL_INT(INVCAL_OK,
+                              invcal_linear_add_vertical(&linear, &unit_scale_calibration, u, eta));
+        const double j = linear.sums.sum[INVCAL_PACKED(9, 1)] / eta[1]; /* H'J of one row */
+        const double right = there[0] * eta[0] + there[1] * eta[1] + there[2] * eta[2] - 1;
+        for (int p = 0; p < 9; p++) {
+            norm += sensor.x[p] * sensor.x[p];
+        }
+        TEST_ASSERT_TRUE(fabs(j - right) <= e * e / 2 + sqrt(norm) * e);
+        const double dy = off[1] - eta[1];
+        const double dz = off[2] - eta[2];
+        const double by_s = 0.6 * (-0.003 * dy + 0.0015 * dz) + 0.8 * (0.0015 * dy + 0.005 * dz);
+        TEST_ASSERT_DOUBLE_WITHIN(1e-15, cos(e) - 1 + by_s, j - right);
+    }
+}
+
+static void other_conventions_are_named(void)
+{
+    random_source random = random_start(6);
+
+    for (int how = 0; how < 4; how++) {
+        measure(&random, &sensor, straight, 1e-4, COUNT, 0);
+        for (unsigned k = 0; k < COUNT; k++) {
+            const double alpha = origin[k].alpha;
+            const double beta = how % 2 == 0 ? origin[k].beta : -origin[k].beta;
+            origin[k].alpha = how < 2 ? alpha : beta;
+            origin[k].beta = how < 2 ? beta : alpha;
+        }
+        stand s = found_in();
+        TEST_ASSERT_EQUAL_INT(how, s.reading);
+        stand_free(&s);
+    }
+}
+
+static void senses_and_zeros_are_taken_off(void)
+{
+    random_source random = random_start(7);
+    const stand_wish wish = {.is_wanted = 1, .sense = {-1, -1}, .zero = {20, -7}};
+    stand s;
+
+    measure(&random, &sensor, straight, 1e-4, COUNT, 0);
+    for (unsigned k = 0; k < COUNT; k++) {
+        origin[k].alpha = 20 - origin[k].alpha;
+        origin[k].beta = -7 - origin[k].beta;
+    }
+    TEST_ASSERT_EQUAL_INT(EXIT_GOOD,
+                          stand_find(&s, &wish, &data, &all, mean, &unit_scale_calibration));
+    TEST_ASSERT_EQUAL_INT(STAND_AS_STATED, s.reading);
+    for (int i = 0; i < 3; i++) {
+        TEST_ASSERT_DOUBLE_WITHIN(5 * s.mounting.sigma[i], 0, s.mounting.angle[i]);
+    }
+    stand_free(&s);
+}
+
+/* Group 1 and two positions more, with leverages of nearly 1: each of 200 sets has a chance of 1 %. */
+static void of_eight_positions_none_seems_misset_by_chance(void)
+{
+    random_source random = random_start(12);
+    unsigned seeming = 0;
+
+    for (int draw = 0; draw < DRAWS / 2; draw++) {
+        measure(&random, &sensor, straight, 1e-4, COUNT, 0);
+        all.kept_count = 8;
+        stand s = found_in();
+        TEST_ASSERT_EQUAL_INT(STAND_AS_STATED, s.reading);
+        seeming += s.missets > 0;
+        stand_free(&s);
+    }
+    TEST_ASSERT_LESS_OR_EQUAL_UINT(6, seeming);
+}
+
+int main(void)
+{
+    UNITY_BEGIN();
+    RUN_TEST(without_noise_mounting_j1_and_series_are_exact);
+    RUN_TEST(series_and_j1_agree_on_noisy_readings);
+    RUN_TEST(sigma_are_those_of_the_closed_forms);
+    RUN_TEST(sigma_are_honest);
+    RUN_TEST(a_misset_angle_is_named);
+    RUN_TEST(j1_sees_a_misset_angle_to_the_second_order);
+    RUN_TEST(other_conventions_are_named);
+    RUN_TEST(senses_and_zeros_are_taken_off);
+    RUN_TEST(of_eight_positions_none_seems_misset_by_chance);
+    return UNITY_END();
+}
