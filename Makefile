@@ -23,7 +23,7 @@ WARNINGS := -Wall -Wextra -Wconversion -Wdouble-promotion -Wshadow -pedantic
 FLAGS     = -std=$(STD) -ffp-contract=off -fno-math-errno $(WARNINGS) $(CFLAGS) -Iinclude
 
 SOURCES := $(wildcard src/*.c)
-HOST    := $(wildcard port/host/*.c)
+HOST    := $(wildcard port/host/*.c port/host/*/*.c)
 SUITES  := $(patsubst tests/unit/%.c,%,$(wildcard tests/unit/test_*.c))
 TOOL_SUITES := $(patsubst tests/tool/%.c,%,$(wildcard tests/tool/test_*.c))
 DATA    := $(wildcard tests/data/*_positions.csv)
@@ -138,7 +138,7 @@ $(BUILD)/positions.h: tests/data/to_c.awk $(DATA)
 # The host tool: the library in double, for more positions and averaging times than a
 # device has, and for parabolas of temperature; what CFLAGS choose for the library is not for it.
 TOOL_FLAGS = -DINVCAL_DOUBLE=1 -DINVCAL_MAX_POSITIONS=64 -DINVCAL_ALLAN_TAUS=31 \
-    -DINVCAL_ALLAN_OVERLAP=4096 -DINVCAL_THERMAL_DEGREE=2
+    -DINVCAL_ALLAN_OVERLAP=4096 -DINVCAL_THERMAL_DEGREE=2 -Iport/host
 $(BUILD)/tool/%.o: %.c
 	@mkdir -p $(@D)
 	$(Q)$(CC) $(filter-out -DINVCAL_%,$(FLAGS)) $(TOOL_FLAGS) $(ASSERT_FLAGS) $(EXTRA) \
@@ -149,8 +149,8 @@ $(BUILD)/invcal: $(HOST:%.c=$(BUILD)/tool/%.o) $(SOURCES:%.c=$(BUILD)/tool/%.o)
 
 # Its unit tests.
 $(BUILD)/tool/tool.a: $(filter-out %/main.o,$(HOST:%.c=$(BUILD)/tool/%.o)) $(SOURCES:%.c=$(BUILD)/tool/%.o)
-	$(Q)rm -f $@ && $(AR) rcs $@ $^
-$(BUILD)/tool/tests/%.o: EXTRA += -DUNITY_INCLUDE_DOUBLE -DUNITY_STRICT -I$(UNITY) -Iport/host \
+	$(Q)rm -f $@ && $(AR) qcs $@ $^
+$(BUILD)/tool/tests/%.o: EXTRA += -DUNITY_INCLUDE_DOUBLE -DUNITY_STRICT -I$(UNITY) \
     -Isrc -Itests/unit -Itests/reference
 $(BUILD)/tool/test_%: $(BUILD)/tool/tests/tool/test_%.o $(BUILD)/tool/tests/unit/support.o \
     $(BUILD)/double/unity.o $(BUILD)/tool/tool.a

@@ -8,10 +8,10 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "command.h"
-#include "message.h"
-#include "nearest.h"
-#include "output.h"
+#include "cli/command.h"
+#include "cli/message.h"
+#include "text/nearest.h"
+#include "cli/output.h"
 
 static const tool_command *const commands[] = {
     &calibrate_command, &apply_command,    &export_command, &allan_command,

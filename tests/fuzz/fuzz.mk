@@ -17,7 +17,7 @@ QUICK := -Wl,--wrap=optimal_within,--wrap=optimal_directions,--wrap=grid_directi
 
 LIBRARY_OBJECTS := $(patsubst %.c,$(OUT)/library/%.o,$(wildcard src/*.c) tests/fuzz/fuzz.c \
     tests/fuzz/drive.c)
-TOOL_OBJECTS := $(patsubst %.c,$(OUT)/tool/%.o,$(wildcard src/*.c port/host/*.c) tests/fuzz/tool.c)
+TOOL_OBJECTS := $(patsubst %.c,$(OUT)/tool/%.o,$(wildcard src/*.c port/host/*.c port/host/*/*.c) tests/fuzz/tool.c)
 
 .PHONY: all
 .SECONDARY:

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-#include "angles.h"
+#include "maths/angles.h"
 
 #include <math.h>
 

@@ -1,0 +1,255 @@
+/* SPDX-License-Identifier: MIT */
+#include "draw/page.h"
+
+#include <stdarg.h>
+
+#include "cli/command.h"
+#include "draw/svg.h"
+
+#define TEXT_MAX 4096
+
+/* Colours as in svg.c; the width holds two halves of a sphere (sphere.h). */
+static const char styles[] =
+    ":root{color-scheme:light dark;--paper:#fff;--ink:#1a1a1a;--soft:#555;--line:#d4d4d4;"
+    "--good:#00694f;--goodback:#e5f4ef;--caution:#7d4800;--cautionback:#fdf1e0;"
+    "--bad:#a3261d;--badback:#fdeae8}\n"
+    "@media screen and (prefers-color-scheme:dark){:root{--paper:#16181b;--ink:#eee;"
+    "--soft:#b4b4b4;--line:#3d4147;--good:#6fdcb8;--goodback:#12291f;--caution:#f3b562;"
+    "--cautionback:#2e2210;--bad:#ff9d93;--badback:#341815}}\n"
+    "@media print{:root{color-scheme:light}}\n"
+    "@page{size:A4;margin:14mm}\n"
+    "*{box-sizing:border-box}\n"
+    "body{margin:0 auto;padding:20px 12px 40px;max-width:712px;background:var(--paper);"
+    "color:var(--ink);font:16px/1.5 system-ui,sans-serif;overflow-wrap:anywhere}\n"
+    "h1{font-size:1.5rem;line-height:1.25;margin:0 0 16px}\n"
+    "h2{font-size:1.2rem;line-height:1.3;margin:36px 0 8px}\n"
+    "p{margin:8px 0}\n"
+    ".note,figcaption{color:var(--soft);font-size:.875rem}\n"
+    ".verdict{border-left:6px solid;border-radius:4px;padding:12px 16px;margin:0 0 16px}\n"
+    ".verdict p{color:var(--ink)}\n"
+    ".verdict .word{font-size:1.25rem;font-weight:bold;margin:0}\n"
+    ".good{color:var(--good);background:var(--goodback)}\n"
+    ".caution{color:var(--caution);background:var(--cautionback)}\n"
+    ".bad{color:var(--bad);background:var(--badback)}\n"
+    ".good .word{color:var(--good)}.caution .word{color:var(--caution)}"
+    ".bad .word{color:var(--bad)}\n"
+    ".figures{display:flex;flex-wrap:wrap;gap:8px 32px;margin:16px 0;padding:0}\n"
+    ".figures div{flex:1 1 140px}\n"
+    ".figures dt{color:var(--soft);font-size:.875rem}\n"
+    ".figures dd{margin:0;font-size:1.25rem;font-weight:bold}\n"
+    ".figures div{display:flex;flex-direction:column-reverse;justify-content:flex-end}\n"
+    "figure{margin:16px 0;break-inside:avoid}\n"
+    "figure svg{display:block}\n"
+    ".row{display:flex;flex-wrap:wrap;gap:8px 16px}\n"
+    ".row svg{flex:0 1 auto}\n"
+    ".narrow{display:none}\n"
+    "@media screen and (max-width:640px){.wide{display:none}.narrow{display:block}}\n"
+    "@media screen and (max-width:480px){.facts.facts{display:block}.facts dd{margin-bottom:6px}}\n"
+    ".scroll{overflow-x:auto}\n"
+    "table{border-collapse:collapse;font-variant-numeric:tabular-nums;font-size:.8125rem;"
+    "margin:8px 0;overflow-wrap:normal}\n"
+    "th,td{padding:3px 12px 3px 0;text-align:right;vertical-align:baseline;"
+    "border-bottom:1px solid var(--line);white-space:nowrap}\n"
+    "th{font-weight:600}\n"
+    "thead th{vertical-align:bottom}\n"
+    ".text{text-align:left}\n"
+    "tr{break-inside:avoid}\n"
+    "h2,summary{break-after:avoid}\n"
+    "summary{cursor:pointer;margin:8px 0}\n"
+    ".facts{display:grid;grid-template-columns:minmax(90px,max-content) 1fr;gap:4px 16px;"
+    "margin:8px 0;font-size:.875rem}\n"
+    ".facts dt{color:var(--soft)}\n"
+    ".facts dd{margin:0}\n"
+    "footer{margin-top:40px;border-top:1px solid var(--line);padding-top:8px}\n"
+    "@media print{body{padding:0;max-width:none;font-size:11pt}.scroll{overflow:visible}"
+    "table{font-size:8.5pt}th,td{padding-right:8px}h2{margin-top:22px}}\n";
+
+static void say(const page *p, const char *format, va_list arguments)
+{
+    char text[TEXT_MAX];
+
+    vsnprintf(text, sizeof text, format, arguments);
+    svg_escape(p->file, text);
+}
+
+/* <tag>text</closing tag>, the tag perhaps with attributes. */
+static void element(const page *p, const char *open, const char *text, const char *close)
+{
+    fputs(open, p->file);
+    svg_escape(p->file, text);
+    fprintf(p->file, "%s\n", close);
+}
+
+void page_begin(page *p, FILE *file, const char *title)
+{
+    *p = (page){.file = file};
+    fputs("<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
+          "<meta name=\"viewport\" content=\"width=device-width,initial-scale=1\">\n",
+          file);
+    element(p, "<title>", title, "</title>");
+    fprintf(file, "<style>\n%s</style>\n", styles);
+    svg_styles(file);
+    fputs("</head>\n<body>\n<main>\n", file);
+    element(p, "<h1>", title, "</h1>");
+}
+
+static void end_section(page *p)
+{
+    fputs(p->has_section ? "</section>\n" : "", p->file);
+    p->has_section = 0;
+}
+
+void page_end(page *p)
+{
+    end_section(p);
+    fputs("</main>\n", p->file);
+    element(p, "<footer class=\"note\">", "Made by invcal " INVCAL_VERSION ".", "</footer>");
+    fputs("</body>\n</html>\n", p->file);
+}
+
+void page_verdict(page *p, page_mood mood, const char *word, const char *sentence, const char *next)
+{
+    static const char *const class[] = {"good", "caution", "bad"};
+
+    fprintf(p->file, "<div class=\"verdict %s\">\n", class[mood]);
+    element(p, "<p class=\"word\">", word, "</p>");
+    element(p, "<p>", sentence, "</p>");
+    fputs("<p><b>Next:</b> ", p->file);
+    element(p, "", next, "</p>");
+    fputs("</div>\n", p->file);
+}
+
+void page_section(page *p, const char *heading)
+{
+    end_section(p);
+    p->has_section = 1;
+    element(p, "<section>\n<h2>", heading, "</h2>");
+}
+
+void page_say(page *p, const char *format, ...)
+{
+    va_list arguments;
+
+    fputs("<p>", p->file);
+    va_start(arguments, format);
+    say(p, format, arguments);
+    va_end(arguments);
+    fputs("</p>\n", p->file);
+}
+
+void page_note(page *p, const char *format, ...)
+{
+    va_list arguments;
+
+    fputs("<p class=\"note\">", p->file);
+    va_start(arguments, format);
+    say(p, format, arguments);
+    va_end(arguments);
+    fputs("</p>\n", p->file);
+}
+
+void page_figures_begin(page *p)
+{
+    fputs("<dl class=\"figures\">\n", p->file);
+}
+
+void page_figure(page *p, const char *value, const char *what)
+{
+    element(p, "<div><dt>", what, "</dt>");
+    element(p, "<dd>", value, "</dd></div>");
+}
+
+void page_figures_end(page *p)
+{
+    fputs("</dl>\n", p->file);
+}
+
+void page_picture(page *p, const char *caption, page_drawing *draw, const void *data)
+{
+    fputs("<figure>\n<div class=\"wide\">\n", p->file);
+    draw(p->file, data, PAGE_WIDE);
+    fputs("</div>\n<div class=\"narrow\">\n", p->file);
+    draw(p->file, data, PAGE_NARROW);
+    fputs("</div>\n", p->file);
+    element(p, "<figcaption>", caption, "</figcaption>\n</figure>");
+}
+
+void page_row_begin(page *p)
+{
+    fputs("<figure>\n<div class=\"row\">\n", p->file);
+}
+
+void page_row_end(page *p, const char *caption)
+{
+    fputs("</div>\n", p->file);
+    element(p, "<figcaption>", caption, "</figcaption>\n</figure>");
+}
+
+static const char *cell_class(const page_table *table, unsigned column)
+{
+    return column == 0 || table->text_columns >> column & 1u ? " class=\"text\"" : "";
+}
+
+void page_table_begin(page *p, const page_table *table)
+{
+    element(p, "<p class=\"note\">", table->caption, "</p>");
+    fputs("<div class=\"scroll\" tabindex=\"0\">\n<table aria-label=\"", p->file);
+    svg_escape(p->file, table->caption);
+    fputs("\">\n<thead><tr>\n", p->file);
+    for (unsigned k = 0; k < table->count; k++) {
+        fprintf(p->file, "<th scope=\"col\"%s>", cell_class(table, k));
+        element(p, "", table->heading[k], "</th>");
+    }
+    fputs("</tr></thead>\n<tbody>\n", p->file);
+}
+
+void page_cells(page *p, const page_table *table, const char *const *cell)
+{
+    fputs("<tr><th scope=\"row\" class=\"text\">", p->file);
+    svg_escape(p->file, cell[0]);
+    fputs("</th>", p->file);
+    for (unsigned k = 1; k < table->count; k++) {
+        fprintf(p->file, "<td%s>", cell_class(table, k));
+        svg_escape(p->file, cell[k]);
+        fputs("</td>", p->file);
+    }
+    fputs("</tr>\n", p->file);
+}
+
+void page_table_end(page *p)
+{
+    fputs("</tbody>\n</table>\n</div>\n", p->file);
+}
+
+void page_fold_begin(page *p, const char *summary, int is_open)
+{
+    fputs(is_open ? "<details open>\n" : "<details>\n", p->file);
+    element(p, "<summary>", summary, "</summary>");
+}
+
+void page_fold_end(page *p)
+{
+    fputs("</details>\n", p->file);
+}
+
+void page_facts_begin(page *p)
+{
+    fputs("<dl class=\"facts\">\n", p->file);
+}
+
+void page_fact(page *p, const char *name, const char *format, ...)
+{
+    va_list arguments;
+
+    element(p, "<dt>", name, "</dt>");
+    fputs("<dd>", p->file);
+    va_start(arguments, format);
+    say(p, format, arguments);
+    va_end(arguments);
+    fputs("</dd>\n", p->file);
+}
+
+void page_facts_end(page *p)
+{
+    fputs("</dl>\n", p->file);
+}

@@ -1,0 +1,39 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * export/text.h: numbers and comments in the languages of other systems.
+ */
+#ifndef EXPORT_TEXT_H
+#define EXPORT_TEXT_H
+
+#include "export/export.h"
+#include "text/number.h"
+
+/* In front of each line of a comment. In C the caller opens and closes it. */
+#define EXPORT_COMMENT_C " * "
+#define EXPORT_COMMENT "# "
+
+/* One line of a comment. File names and texts of a file may hold anything: whatever could end a
+ * comment or a line, or is no printable ASCII, becomes '_'. */
+#if defined(__GNUC__)
+__attribute__((format(printf, 3, 4)))
+#endif
+void export_comment(FILE *file, const char *prefix, const char *format, ...);
+
+/* Where the calibration comes from, and how good it is. */
+void export_heading(FILE *file, const char *prefix, const export_job *job);
+
+/* The unit of the field, and so of what the full calibration gives: "m/s^2", "g", "mg", or "units
+ * of the field" where it is no gravity. */
+const char *export_field_unit(const export_job *job);
+
+/* The shortest text that reads back as the float nearest to x. Returns text. */
+const char *export_float(double x, char text[NUMBER_TEXT_MAX]);
+
+/* The same for a double or float (digits of a double) as C wants it in front of a suffix: with a
+ * point or an exponent. Returns text. */
+const char *export_literal(double x, int is_double, char text[NUMBER_TEXT_MAX]);
+
+/* 1 if a float holds it: neither above its range nor so small that digits are lost. */
+int export_fits_float(double x);
+
+#endif

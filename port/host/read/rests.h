@@ -1,0 +1,49 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * read/rests.h: the positions in a log of samples.
+ */
+#ifndef RESTS_H
+#define RESTS_H
+
+#include "invcal/expert.h"
+#include "read/positions.h"
+#include "read/recording.h"
+
+/* INVCAL_REST_SHORT ... INVCAL_REST_SAME: why a rest is no position. */
+enum { RESTS_REASONS = INVCAL_REST_SAME - INVCAL_REST_SHORT + 1 };
+
+/* What was seen besides the positions. */
+typedef struct {
+    unsigned long samples;
+    double seconds;
+    double rate;
+    int is_rate_known;
+    unsigned long gaps;              /* in the times, or of lines that were skipped */
+    unsigned long skipped;           /* malformed lines of a live stream */
+    unsigned refused[RESTS_REASONS]; /* rests, by their reason, from INVCAL_REST_SHORT on */
+    const timeline *outline;
+} rests_summary;
+
+/* Why a rest is no position, or its mean no reading of this field. */
+const char *rests_reason_text(invcal_status reason);
+
+/* Counts a rest that was refused for an INVCAL_REST_. */
+void rests_refuse(rests_summary *summary, invcal_status reason, recording *log);
+
+/* Adds a rest to the positions. `unit` is that of a count. Returns as positions_add. */
+int rests_take(positions *p, const invcal_rest *rest, double unit, const recording *log);
+
+/* All rests are taken, and so is the log: completes the positions and the summary. */
+void rests_end(positions *p, const samples *log, rests_summary *summary);
+
+/* Finds the rests in a log ("-": standard input), in fixed memory but for the positions.
+ *
+ * rate  samples a second; 0: see samples.h.
+ * clip  null, or the least and the greatest reading of the sensor, input units.
+ *
+ * Returns EXIT_GOOD, also without any rest; EXIT_FILE, with a message. The positions are to be
+ * released with positions_free in either case; their lines are those of the first samples. */
+int rests_read(positions *p, const char *path, double rate, const double clip[2],
+               rests_summary *summary);
+
+#endif

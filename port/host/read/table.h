@@ -1,0 +1,72 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * read/table.h: a text table (CSV and its relatives), one row at a time.
+ *
+ * Columns are separated by semicolons, tabs, commas or blanks; the first line that is neither
+ * empty nor a comment decides, in this order. Fields lose the blanks and double quotes around
+ * them. If nothing in the first line is meant as a number, it is a header. Comments begin with #,
+ * %, or //, or with ; where that does not separate. A mark of byte order (UTF-8), lines ended by
+ * CR LF, the first line `sep=;` of spreadsheets, lines of `name, value` before a header, and one
+ * separator too many at the end of every line are fine. Memory does not grow with the file.
+ */
+#ifndef TABLE_H
+#define TABLE_H
+
+#include <stdint.h>
+#include <stdio.h>
+
+#define TABLE_LINE_MAX 65536u
+#define TABLE_COLUMNS_MAX 256u
+
+typedef struct {
+    FILE *file;
+    const char *name;         /* of the file, for messages */
+    unsigned long line;       /* the one that the current row stands in, from 1 */
+    unsigned long first_line; /* the one that decided */
+    uint64_t bytes;           /* read so far, */
+    uint32_t crc;             /* and their CRC-32 */
+    unsigned columns;         /* of the first line, and so of all */
+    unsigned found;           /* of the latest line after the first, right or wrong */
+    char separator;           /* ';' ',' '\t' ' '; '\0': not known yet */
+    int has_header;
+    int has_pairs;                  /* two columns of words are a header, and no setting */
+    unsigned long preamble;         /* lines of `name, value` before the header */
+    int is_trailing;                /* every row ends with a separator that separates nothing */
+    int has_row;                    /* 1 when the first row below the header has been read */
+    int pending;                    /* a row has been read, but not handed out, */
+    int pending_result;             /* with this result of table_next */
+    char *field[TABLE_COLUMNS_MAX]; /* of the current row (first: of the header), until the next */
+    char text[TABLE_LINE_MAX + 1];
+} table;
+
+/* Opens a table ("-": standard input) and reads its first line: has_header, columns and field
+ * are then set. The structure is large, and must not be moved.
+ *
+ * Returns EXIT_GOOD; EXIT_FILE if the file cannot be read, or its first line is malformed or
+ * missing. To be closed with table_close in either case. */
+int table_open(table *t, const char *path);
+
+/* The same for a table that may have two columns: two words are its header, and no setting. */
+int table_open_pairs(table *t, const char *path);
+
+/* Goes to the next row, after a header to the first.
+ *
+ * Returns 1; 0 at the end of the file; -1, with a message, if the line is longer than
+ * TABLE_LINE_MAX bytes, is no text, or has another number of columns than the first; the next
+ * row may be asked for all the same. A signal that is caught ends the file. */
+int table_next(table *t);
+
+/* Reads the row below the header, for a look at its fields: table_next goes to the same row again,
+ * unless pending is set to 0. Returns 1 if there is such a row. */
+int table_peek(table *t);
+
+void table_close(table *t);
+
+/* What separates the columns: "commas", ... */
+const char *table_separator(const table *t);
+
+/* The field for messages: the first characters of it. Returns text. */
+#define TABLE_EXCERPT_MAX 40
+const char *table_excerpt(const char *field, char text[TABLE_EXCERPT_MAX]);
+
+#endif

@@ -1,0 +1,105 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * The positions in numbers.
+ */
+#include <math.h>
+
+#include "report/facts.h"
+
+#define CELL 160
+#define LISTED 1000u /* positions in the table; of more only those left out and the worst */
+#define OPEN 48u     /* up to here the table is unfolded */
+
+enum { NUMBER, LINE, BEGIN, LENGTH, TEMPERATURE, X, Y, Z, UP, BEFORE, AFTER, REMARK, COLUMNS };
+
+/* A log has times, a table of means has lines. */
+static int is_shown(const report_facts *f, unsigned which)
+{
+    switch (which) {
+    case LINE:
+        return !f->result->log;
+    case BEGIN:
+    case LENGTH:
+        return f->result->log != NULL;
+    case TEMPERATURE:
+        return f->result->data->has_temperature;
+    case REMARK:
+        return f->result->rejected.count > 0;
+    default:
+        return 1;
+    }
+}
+
+static void write_row(page *p, const page_table *sheet, const report_facts *f, unsigned n)
+{
+    const position_origin *from = &f->result->data->origin[n];
+    const report_position *at = &f->position[n];
+    const double *mean = &f->result->data->mean[3 * (size_t)n];
+    char text[COLUMNS][CELL];
+    const char *cells[COLUMNS];
+    const int is_ins = f->result->told == TOLD_INS;
+    unsigned count = 0;
+
+    snprintf(text[NUMBER], CELL, "%u", n + 1);
+    snprintf(text[LINE], CELL, "%lu", from->line);
+    snprintf(text[BEGIN], CELL, "%.2f", from->begin);
+    snprintf(text[LENGTH], CELL, "%.2f", from->end - from->begin);
+    snprintf(text[TEMPERATURE], CELL, "%.2f", from->temperature);
+    for (unsigned i = 0; i < 3; i++) {
+        const double sigma = f->knows_noise ? f->result->quality.sigma_offset[i] : 0;
+        figure_fixed(mean[i], figure_places(mean[i], sigma), FIGURE_PLAIN, text[X + i]);
+    }
+    snprintf(text[UP], CELL, "%+.2f %+.2f %+.2f", at->up[0], at->up[1], at->up[2]);
+    snprintf(text[BEFORE], CELL, "%+.*f", is_ins ? 1 : 3, at->before);
+    snprintf(text[AFTER], CELL, "%+.*f", is_ins ? 2 : 4, at->after);
+    snprintf(text[REMARK], CELL, "%s", at->is_left_out ? "left out" : "");
+    for (unsigned k = 0; k < COLUMNS; k++) {
+        if (is_shown(f, k)) {
+            cells[count++] = text[k];
+        }
+    }
+    page_cells(p, sheet, cells);
+}
+
+/* Of very many only those that tell something. */
+static int is_listed(const report_facts *f, unsigned n)
+{
+    const report_position *at = &f->position[n];
+
+    return f->count <= LISTED || at->is_left_out ||
+           fabs(at->after) >= 0.7 * f->parts * f->result->quality.max;
+}
+
+void report_numbers(page *p, const report_facts *f)
+{
+    static const char *const all[COLUMNS] = {"no.", "line", "from, s", "for, s", "°C",    "x",
+                                             "y",   "z",    "up",      "before", "after", "remark"};
+    const char *titles[COLUMNS];
+    char summary[CELL];
+    char caption[CELL];
+    page_table sheet = {caption, titles, 0, 0};
+
+    for (unsigned k = 0; k < COLUMNS; k++) {
+        if (is_shown(f, k)) {
+            titles[sheet.count++] = all[k];
+        }
+    }
+    snprintf(summary, sizeof summary,
+             f->count <= LISTED ? "All %u positions"
+                                : "The positions left out and the worst, of %u",
+             f->count);
+    snprintf(caption, sizeof caption,
+             "x y z: mean reading, %s. Up: in the calibrated axes. Before and after: deviation of "
+             "%s, %s.",
+             calibrate_input_unit(f->result), f->length, f->unit);
+    page_section(p, "The positions in numbers");
+    page_fold_begin(p, summary, f->count <= OPEN);
+    page_table_begin(p, &sheet);
+    for (unsigned n = 0; n < f->count; n++) {
+        if (is_listed(f, n)) {
+            write_row(p, &sheet, f, n);
+        }
+    }
+    page_table_end(p);
+    page_fold_end(p);
+}

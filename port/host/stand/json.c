@@ -1,0 +1,106 @@
+/* SPDX-License-Identifier: MIT */
+#include "text/figure.h"
+#include "stand/tell.h"
+
+static void write_nine(json_writer *w, const char *name, const double x[INVCAL_PARAMETERS])
+{
+    json_object(w, name);
+    json_vector(w, "delta", &x[INVCAL_DELTA_X]);
+    json_vector(w, "dk", &x[INVCAL_DK_X]);
+    json_vector(w, "gamma", &x[INVCAL_GAMMA_XY]);
+    json_object_end(w);
+}
+
+static void write_missets(json_writer *w, const stand *s)
+{
+    static const char *const kinds[] = {"misset", "swapped", "repeated"};
+
+    json_list(w, "misset");
+    for (unsigned i = 0; i < s->missets; i++) {
+        const misset *m = &s->misset[i];
+        json_object(w, NULL);
+        json_number(w, "position", s->position[m->index].number + 1.0);
+        json_text(w, "kind", kinds[m->kind]);
+        if (m->kind != MISSET_BY) {
+            json_number(w, "other", s->position[m->other].number + 1.0);
+        }
+        json_number(w, "angle", FIGURE_DEGREES * m->angle);
+        if (m->kind == MISSET_BY && m->angle < STAND_SMALL) {
+            json_number(w, "alpha", FIGURE_DEGREES * m->alpha);
+            json_number(w, "beta", FIGURE_DEGREES * m->beta);
+        }
+        json_object_end(w);
+    }
+    json_list_end(w);
+}
+
+/* A standard deviation over the noise, as such. */
+static const double *times(double noise, const double *root, unsigned n,
+                           double sigma[INVCAL_PARAMETERS])
+{
+    for (unsigned i = 0; i < n; i++) {
+        sigma[i] = noise * root[i];
+    }
+    return sigma;
+}
+
+static void write_closures(json_writer *w, const group_series *s)
+{
+    double sigma[INVCAL_PARAMETERS];
+
+    write_nine(w, "series_parameters", s->x);
+    write_nine(w, "series_sigma", times(s->noise, s->x_root, INVCAL_PARAMETERS, sigma));
+    json_numbers(w, "closure", s->closure, GROUP_SERIES_CLOSURES);
+    json_numbers(w, "closure_sigma", times(s->noise, s->closure_root, GROUP_SERIES_CLOSURES, sigma),
+                 GROUP_SERIES_CLOSURES);
+    json_number(w, "closure_f", s->f);
+    json_number(w, "closure_dof", s->dof);
+    json_number(w, "closure_chance", s->chance);
+}
+
+static void write_series(json_writer *w, const group_series *s)
+{
+    double sigma[INVCAL_PARAMETERS];
+
+    json_list(w, "series");
+    for (unsigned g = 0; g < INVCAL_PLAN_GROUPS; g++) {
+        json_object(w, NULL);
+        json_number(w, "positions", s->count[g]);
+        json_numbers(w, "coefficients", s->coefficient[g], SERIES_TERMS);
+        json_numbers(w, "sigma", times(s->noise, s->root[g], SERIES_TERMS, sigma), SERIES_TERMS);
+        json_object_end(w);
+    }
+    json_list_end(w);
+    if (s->is_closed_over) {
+        write_closures(w, s);
+    }
+}
+
+void stand_json(json_writer *w, const stand *s)
+{
+    double angle[3];
+    double sigma[3];
+
+    json_object(w, "stand");
+    json_text(w, "from", s->from);
+    json_number(w, "positions", s->count);
+    json_numbers(w, "sense", s->sense, 2);
+    json_numbers(w, "zero", s->zero, 2);
+    json_text(w, "angles", stand_reading_name(s->reading));
+    if (s->reading == STAND_AS_STATED) {
+        for (unsigned i = 0; i < 3; i++) {
+            angle[i] = FIGURE_DEGREES * s->mounting.angle[i];
+            sigma[i] = FIGURE_DEGREES * s->mounting.sigma[i];
+        }
+        json_vector(w, "mounting", angle);
+        json_vector(w, "sigma", sigma);
+        json_number(w, "scatter", FIGURE_DEGREES * s->mounting.scatter);
+        if (s->vertical.is_known) {
+            write_nine(w, "vertical", s->vertical.x);
+            write_nine(w, "vertical_sigma", s->vertical.sigma);
+        }
+        write_missets(w, s);
+        write_series(w, &s->series);
+    }
+    json_object_end(w);
+}

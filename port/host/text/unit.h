@@ -1,0 +1,53 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * text/unit.h: the unit that readings are in.
+ */
+#ifndef UNIT_H
+#define UNIT_H
+
+#define UNIT_STANDARD_GRAVITY 9.80665 /* m/s^2, what the unit g stands for */
+
+typedef enum { UNIT_UNKNOWN, UNIT_G, UNIT_MG, UNIT_MS2, UNIT_COUNTS } reading_unit;
+
+/* Who says so. Only a heading or an option states a unit; a guess by size is for words alone. */
+typedef enum { UNIT_FROM_NONE, UNIT_FROM_HEADER, UNIT_FROM_OPTION, UNIT_FROM_SIZE } unit_origin;
+
+/* Reads "g", "mg", "m/s^2" in its spellings, "counts", "raw" or "LSB", in any case.
+ * Returns 1; 0, with *out left alone, if it is none of them. */
+int unit_parse(const char *text, reading_unit *out);
+
+/* Reads "s", "ms", "us", "ns" in their spellings. Returns how many make a second; 0 for others. */
+double unit_parse_time(const char *text);
+
+/* degrees C = scale value + zero */
+typedef struct {
+    double scale; /* 0: not a unit of temperature */
+    double zero;
+} temperature_unit;
+
+/* Reads degrees C, F, and K in any spelling that ends with the letter or the name, with m in front
+ * for a thousandth: "°C", "degC", "m°C", "Fahrenheit". */
+temperature_unit unit_parse_temperature(const char *text);
+
+/* 1 if a field of this length is gravity in m/s^2: nothing else on earth is 9.8. */
+int unit_is_gravity(double field);
+
+/* The unit that most of these readings at rest look like, by their length; else counts.
+ *
+ * reading  3 count numbers: x y z, ...
+ * field    length of the field: if it is neither 9.8 nor 1, nothing can be told. */
+reading_unit unit_by_size(const double *reading, unsigned count, double field);
+
+/* m/s^2 per unit, for a field in m/s^2; 0 if the field or the unit does not tell it. */
+double unit_scale(reading_unit u, double field);
+
+/* For JSON: "g", "mg", "m/s^2", "counts", "unknown". */
+const char *unit_name(reading_unit u);
+
+/* For people: "g", "mg", "m/s²", "counts", "input units". */
+const char *unit_words(reading_unit u);
+
+/* "none", "header", "option", "size". */
+const char *unit_origin_name(unit_origin origin);
+
+#endif
