@@ -128,6 +128,8 @@ plant heap src/status.c 's/^static const char \*nth/#include <stdlib.h>\nvoid *i
     'malloc' make rules
 plant loop src/circle.c 's/^    const invcal_real x = /    while (degrees > 1e9f) { degrees -= 1; }\n&/' \
     'circle.c.*loop|loop.*circle.c' make rules
+plant folder port/host/text/figure.h 's/^#define FIGURE_H/&\n#include "plan\/words.h"/' \
+    'text comes before plan' make rules
 
 # ---- packages and releases --------------------------------------------------------------------
 

@@ -108,7 +108,7 @@ static int read_all(allan_result *r, const allan_wish *wish)
 
     motion_begin(&watched);
     while ((more = samples_next(&log_read, &s)) == 1) {
-        progress_show(&log_read.table, PROGRESS_ROWS);
+        progress_show(log_read.table.file, log_read.table.line, PROGRESS_ROWS);
         if (s.clock >= wish->from && s.clock <= wish->to) {
             take(r, &s);
         }

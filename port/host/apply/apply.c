@@ -118,7 +118,7 @@ static int write_rows(FILE *spool, table *log, job *j)
         failure = failure ? failure : columns_check_instance(log, &where);
         failure = failure ? failure : write_row(spool, log, &where, j);
         rows++;
-        progress_show(log, PROGRESS_ROWS);
+        progress_show(log->file, log->line, PROGRESS_ROWS);
     }
     progress_end();
     if (failure || more < 0) {

@@ -1,8 +1,9 @@
 /* SPDX-License-Identifier: MIT */
+#include "calibrate/refuse.h"
+
 #include <math.h>
 #include <string.h>
 
-#include "result/result.h"
 #include "cli/command.h"
 #include "text/json_write.h"
 #include "cli/message.h"

@@ -14,12 +14,12 @@ static int is_quiet;
 static char shown[TEXT_MAX]; /* what stands on the line, empty: nothing */
 
 /* How much of the file has been read, 0 ... 1; below 0 if it has no end that is known. */
-static double share(const table *t)
+static double share(FILE *file)
 {
     struct stat status;
-    const long at = ftell(t->file);
+    const long at = ftell(file);
 
-    if (fstat(fileno(t->file), &status) != 0 || !S_ISREG(status.st_mode) || at < 0 ||
+    if (fstat(fileno(file), &status) != 0 || !S_ISREG(status.st_mode) || at < 0 ||
         status.st_size <= 0) {
         return -1;
     }
@@ -43,11 +43,11 @@ static void renew(const char *text)
     }
 }
 
-static void draw(const table *t, unsigned found)
+static void draw(FILE *file, unsigned long line, unsigned found)
 {
     char text[TEXT_MAX];
     char positions[TEXT_MAX / 3] = "";
-    const double done = share(t);
+    const double done = share(file);
 
     if (found != PROGRESS_ROWS) {
         snprintf(positions, sizeof positions, ", %u position%s", found, found == 1 ? "" : "s");
@@ -57,15 +57,15 @@ static void draw(const table *t, unsigned found)
         snprintf(text, sizeof text, "[%.*s%*s] %3.0f %%%s", full, "##############################",
                  WIDTH - full, "", 100 * done, positions);
     } else {
-        snprintf(text, sizeof text, "%lu lines%s", t->line, positions);
+        snprintf(text, sizeof text, "%lu lines%s", line, positions);
     }
     renew(text);
 }
 
-void progress_show(const table *t, unsigned found)
+void progress_show(FILE *file, unsigned long line, unsigned found)
 {
-    if (t->line % EVERY == 0 && !is_quiet && isatty(STDERR_FILENO)) {
-        draw(t, found);
+    if (line % EVERY == 0 && !is_quiet && isatty(STDERR_FILENO)) {
+        draw(file, line, found);
     }
 }
 

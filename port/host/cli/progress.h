@@ -6,8 +6,7 @@
 #define PROGRESS_H
 
 #include <limits.h>
-
-#include "read/table.h"
+#include <stdio.h>
 
 /* From now on nothing is shown. */
 void progress_quiet(void);
@@ -15,7 +14,7 @@ void progress_quiet(void);
 /* After each row; shows something now and then. `found` is how many positions there are, or
  * PROGRESS_ROWS if none are looked for. */
 #define PROGRESS_ROWS UINT_MAX
-void progress_show(const table *t, unsigned found);
+void progress_show(FILE *file, unsigned long line, unsigned found);
 
 /* Clears the line. Messages do that themselves. */
 void progress_end(void);

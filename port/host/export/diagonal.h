@@ -5,7 +5,7 @@
 #ifndef EXPORT_DIAGONAL_H
 #define EXPORT_DIAGONAL_H
 
-#include "export/export.h"
+#include "export/format.h"
 
 /* What is wrong in a field of length 1, over all directions alike. */
 typedef struct {

@@ -9,7 +9,7 @@
 #ifndef EXPORT_DRIVER_H
 #define EXPORT_DRIVER_H
 
-#include "export/export.h"
+#include "export/format.h"
 
 /* m/s^2 per unit of a field of this length: 1 if it is gravity in m/s^2 (9.7 ... 9.9), 9.80665 in
  * g (0.99 ... 1.01), a thousandth of that in mg; else 0: no gravity, or in no unit of it. */

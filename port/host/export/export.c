@@ -2,7 +2,7 @@
  *
  * invcal export: a calibration in the formats of other systems.
  */
-#include "export/export.h"
+#include "export/format.h"
 
 #include <math.h>
 #include <string.h>

@@ -7,7 +7,7 @@
 #ifndef EXPORT_FACTORS_H
 #define EXPORT_FACTORS_H
 
-#include "export/export.h"
+#include "export/format.h"
 
 typedef struct {
     double misalignment[3][3];

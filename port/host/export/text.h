@@ -5,7 +5,7 @@
 #ifndef EXPORT_TEXT_H
 #define EXPORT_TEXT_H
 
-#include "export/export.h"
+#include "export/format.h"
 #include "text/number.h"
 
 /* In front of each line of a comment. In C the caller opens and closes it. */

@@ -11,50 +11,11 @@
 #include "text/number.h"
 #include "fit/thermal_rejection.h"
 
-/* What is known beforehand. Returns whether anything is. */
-static int find_prior(const fit_settings *settings, const thermal_wish *wish,
-                      invcal_thermal_prior *prior)
-{
-    int is_known = fit_has_prior(settings);
-
-    memset(prior, 0, sizeof *prior);
-    memcpy(prior->sigma[0], settings->prior, sizeof prior->sigma[0]);
-    for (unsigned r = 0; r < INVCAL_PARAMETERS; r++) {
-        prior->sigma[1][r] = wish->slope[r / 3];
-        is_known = is_known || prior->sigma[1][r] > 0;
-    }
-    return is_known;
-}
-
-static invcal_thermal_positions positions_of(const rejection *kept, const fit_settings *settings)
-{
-    return (invcal_thermal_positions){.raw = kept->kept,
-                                      .temperature = kept->temperature,
-                                      .count = kept->kept_count,
-                                      .noise = settings->noise};
-}
-
-invcal_status thermal_fit_once(const rejection *kept, const fit_settings *settings,
-                               const thermal_wish *wish, invcal_thermal *out,
-                               invcal_quality *quality)
-{
-    const invcal_thermal_positions given = positions_of(kept, settings);
-    invcal_thermal_prior prior;
-
-    const invcal_status status =
-        invcal_thermal_start(&settings->nominal, kept->temperature, kept->kept_count, out);
-    if (status != INVCAL_OK) {
-        return status;
-    }
-    const invcal_thermal_prior *known = find_prior(settings, wish, &prior) ? &prior : NULL;
-    return invcal_thermal_fit(&given, known, out, wish->degree, out, quality);
-}
-
 /* A prior was weighed with the noise that the residuals tell. It has told more of a
  * parameter than the positions have where these leave more than half of its variance. */
 static void settle_prior(thermal_fit *fit, const invcal_quality *q)
 {
-    fit->has_prior = find_prior(&fit->settings, &fit->wish, &fit->prior);
+    fit->has_prior = thermal_prior(&fit->settings, &fit->wish, &fit->prior);
     if (fit->has_prior) {
         fit->settings.noise = fmax(fit->settings.noise, q->noise);
     }
@@ -169,7 +130,7 @@ int thermal_fit_make(thermal_fit *fit, const positions *p, const fit_settings *s
         thermal_rejection_find(rejected, p, settings, wish);
     }
     rejection_finish(rejected, p);
-    *status = thermal_fit_once(rejected, settings, wish, &fit->calibration, &q);
+    *status = thermal_solve(rejected, settings, wish, &fit->calibration, &q);
     if (*status == INVCAL_OK) {
         complete(fit, rejected, &q);
     } else {
@@ -202,7 +163,7 @@ void thermal_fit_to_reference(const thermal_fit *fit, const double raw[3], doubl
 void thermal_fit_judge(const thermal_fit *fit, const rejection *kept, double temperature,
                        fit_solution *solution, fit_quality *quality)
 {
-    const invcal_thermal_positions given = positions_of(kept, &fit->settings);
+    const invcal_thermal_positions given = thermal_positions(kept, &fit->settings);
     invcal_quality q;
 
     *solution = solution_at(fit, temperature);

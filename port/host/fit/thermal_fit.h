@@ -8,13 +8,7 @@
 #include "read/positions.h"
 #include "fit/rejection.h"
 #include "fit/thermal_rows.h"
-
-/* What is asked for. */
-typedef struct {
-    unsigned degree; /* 1 ... INVCAL_THERMAL_DEGREE */
-    double slope[3]; /* prior: standard deviations per K of delta, dk, gamma; 0: not known */
-    int keep_all;    /* leave no position out */
-} thermal_wish;
+#include "fit/thermal_solve.h"
 
 typedef struct {
     thermal_wish wish;
@@ -44,13 +38,6 @@ typedef struct {
 int thermal_fit_make(thermal_fit *fit, const positions *p, const fit_settings *settings,
                      const thermal_wish *wish, rejection *rejected, invcal_status *status,
                      fit_reason *reason);
-
-/* A fit to positions, as it is asked for: that of thermal_fit_make, which has centred temperatures.
- *
- * Returns as invcal_thermal_fit. */
-invcal_status thermal_fit_once(const rejection *kept, const fit_settings *settings,
-                               const thermal_wish *wish, invcal_thermal *out,
-                               invcal_quality *quality);
 
 /* The calibration at a temperature, at most at the edge of the range seen. */
 invcal_calibration thermal_fit_at(const thermal_fit *fit, double temperature);

@@ -3,6 +3,7 @@
 
 #include <math.h>
 
+#include "fit/thermal_rows.h"
 #include "maths/f_tail.h"
 
 #define ALLOWED 0.007 /* chance to leave out a good one */
@@ -25,7 +26,7 @@ static int fit(const rejection *r, const fit_settings *settings, const thermal_w
 {
     invcal_quality quality;
 
-    return thermal_fit_once(r, settings, wish, out, &quality) == INVCAL_OK;
+    return thermal_solve(r, settings, wish, out, &quality) == INVCAL_OK;
 }
 
 /* The position that stands out most. */

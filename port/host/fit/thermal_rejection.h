@@ -20,7 +20,7 @@
 #ifndef THERMAL_REJECTION_H
 #define THERMAL_REJECTION_H
 
-#include "fit/thermal_fit.h"
+#include "fit/thermal_solve.h"
 
 #define THERMAL_REJECTION_MOST 1000u /* of more positions none is left out: it would take long */
 

@@ -3,7 +3,7 @@
 
 #include "maths/angles.h"
 #include "text/number.h"
-#include "plan/plan.h"
+#include "plan/found.h"
 
 #define DECIMALS 1e9
 

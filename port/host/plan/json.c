@@ -6,7 +6,7 @@
 #include "text/json_write.h"
 #include "maths/matrix.h"
 #include "text/number.h"
-#include "plan/plan.h"
+#include "plan/found.h"
 #include "plan/labour.h"
 #include "plan/nonlinear.h"
 #include "plan/programs.h"

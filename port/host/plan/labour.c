@@ -6,7 +6,7 @@
 
 #include "cli/command.h"
 #include "design/optimal.h"
-#include "plan/plan.h"
+#include "plan/found.h"
 
 #define PI 3.14159265358979323846
 #define HALVINGS 60u

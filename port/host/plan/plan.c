@@ -2,7 +2,7 @@
  *
  * invcal plan: which positions to visit, and what they are worth.
  */
-#include "plan/plan.h"
+#include "plan/found.h"
 
 #include <math.h>
 #include <string.h>

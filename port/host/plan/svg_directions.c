@@ -4,7 +4,7 @@
  */
 #include <string.h>
 
-#include "plan/plan.h"
+#include "plan/found.h"
 #include "plan/map.h"
 #include "text/utf8.h"
 

@@ -5,7 +5,7 @@
 #ifndef PLAN_WORDS_H
 #define PLAN_WORDS_H
 
-#include "plan/plan.h"
+#include "plan/found.h"
 
 #define PLAN_WORDS_MAX 128
 

@@ -148,7 +148,7 @@ static int read_samples(reading *r, samples *log, invcal_rests *rests)
             recording_filled(&log_recording);
             failure = digest(r, rests, event);
         }
-        progress_show(&log->table, r->p->count);
+        progress_show(log->table.file, log->table.line, r->p->count);
     }
     progress_end();
     if (failure || more < 0) {

@@ -8,7 +8,7 @@
 
 #include "text/figure.h"
 #include "draw/page.h"
-#include "report/report.h"
+#include "result/result.h"
 #include "result/uncertainty.h"
 
 typedef struct {

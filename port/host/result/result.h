@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: MIT
  *
- * result/result.h: what `invcal calibrate` has found, and the three ways of telling it.
+ * result/result.h: what `invcal calibrate` has found, and the ways of telling it.
  */
-#ifndef CALIBRATE_H
-#define CALIBRATE_H
+#ifndef RESULT_H
+#define RESULT_H
 
 #include <stdio.h>
 
@@ -144,14 +144,10 @@ typedef struct {
 /* Breaks a text into lines between words. `used` columns of the first line are taken. */
 void calibrate_print_wrapped(FILE *file, size_t used, const char *text);
 
-/* Fits a nonlinearity to what was calibrated without; says why not, if the positions do not tell it.
- * Returns EXIT_GOOD; EXIT_DATA. Its lines of the table, and its member of the object that is open. */
-int calibrate_nonlinear(calibrate_result *result, unsigned degree, int json);
+/* Lines of the table, and a member of the object that is open: the nonlinearity that was fitted, and the
+ * cross-check. */
 void calibrate_nonlinear_print(FILE *file, const calibrate_result *result);
 void calibrate_nonlinear_json(json_writer *w, const calibrate_result *result);
-
-/* Makes the cross-check; its line, and its member. */
-void calibrate_robust(calibrate_result *result);
 void calibrate_robust_print(FILE *file, const calibrate_result *result);
 void calibrate_robust_json(json_writer *w, const calibrate_result *result);
 
@@ -160,24 +156,5 @@ void calibrate_print_thermal(FILE *file, const calibrate_result *result);
 
 /* A table for people, 100 columns wide at most. */
 void calibrate_print(FILE *file, const calibrate_result *result, const calibrate_wish *wish);
-
-/* Says why there is no calibration: one line on stderr, and, if `json`, an object on stdout.
- *
- * status    what fit_make answered, not INVCAL_OK.
- * reason    its details.
- * settings  what it was asked.
- * nominal   where the zero and scale came from.
- * angles    what is said of those of a stand: which group of a program is missing they tell.
- *
- * Returns EXIT_DATA. */
-int calibrate_refuse(const positions *data, const fit_settings *settings,
-                     const nominal_choice *nominal, const stand_wish *angles, invcal_status status,
-                     const fit_reason *reason, int json);
-
-/* Says that the temperature drifted in so many rests that too few are left. Returns EXIT_DATA. */
-int calibrate_all_drift(const calibrate_result *result, int json);
-
-/* Says that a log holds no rest, and what it holds. Returns EXIT_DATA. */
-int calibrate_no_rest(const positions *data, const rests_summary *log, int json);
 
 #endif

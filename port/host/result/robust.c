@@ -5,28 +5,6 @@
 
 #define CONTRADICTS 4.0 /* standard deviations of the difference */
 
-/* Sigma of a parameter by the noise that is stated, if the residuals are larger: they may be what is wrong. */
-static double sigma_of(const calibrate_result *r, unsigned p)
-{
-    const double times = calibrate_times(r);
-
-    return r->quality.sigma[p] / (times > 1 ? times : 1);
-}
-
-void calibrate_robust(calibrate_result *r)
-{
-
-    r->has_robust =
-        l1_fit(r->data->mean, r->data->count, &r->settings.nominal, r->robust) == INVCAL_OK;
-    for (unsigned p = 0; p < INVCAL_PARAMETERS && r->has_robust; p++) {
-        const double off = fabs(r->robust[p] - r->solution.x[p]) / (L1_DIFFERENCE * sigma_of(r, p));
-        if (!(off <= r->robust_most)) {
-            r->robust_most = off;
-            r->robust_worst = p;
-        }
-    }
-}
-
 /* The positions left out may pull, each to the same side. */
 static int contradicts(const calibrate_result *r)
 {

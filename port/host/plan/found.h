@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: MIT
  *
- * plan/plan.h: what `invcal plan` has found, and the ways of telling it.
+ * plan/found.h: what `invcal plan` has found, and the ways of telling it.
  */
-#ifndef PLAN_H
-#define PLAN_H
+#ifndef PLAN_FOUND_H
+#define PLAN_FOUND_H
 
 #include <stdio.h>
 

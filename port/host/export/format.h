@@ -1,12 +1,12 @@
 /* SPDX-License-Identifier: MIT
  *
- * export/export.h: a calibration in the formats of other systems.
+ * export/format.h: a calibration in the formats of other systems.
  *
  * To add a format: one export_format in a file of its own, one line here, one in export.c's
  * table. The comment above it derives the mapping from the system's own source.
  */
-#ifndef EXPORT_H
-#define EXPORT_H
+#ifndef EXPORT_FORMAT_H
+#define EXPORT_FORMAT_H
 
 #include <stdio.h>
 

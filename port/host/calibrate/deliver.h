@@ -1,0 +1,14 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * calibrate/deliver.h: the result to where it is wanted: a table or JSON, a file, a page.
+ */
+#ifndef CALIBRATE_DELIVER_H
+#define CALIBRATE_DELIVER_H
+
+#include "calibrate/request.h"
+#include "result/result.h"
+
+/* The files appear only after all else has been written. Returns EXIT_GOOD; EXIT_FILE after a message. */
+int deliver(const request *r, const calibrate_result *result);
+
+#endif
