@@ -20,7 +20,7 @@ makes_page() { # makes_page SENTENCE ARGUMENTS ...: the tool accepts them and wr
 # The page's words, a line for each element; cells of a row stand together, with | between.
 words() {
     sed -n '/^<body>/,$p' "$page" | sed -e "s/$(printf '\302\240')/ /g" \
-        -e 's/<\/t[hd]>/|/g' -e 's/<[^>]*>//g' -e '/^ *$/d'
+        -e 's/<\/t[hd]>/|/g' -e 's/<[^>]*>//g' -e 's/−/-/g' -e '/^ *$/d'
 }
 tells() { words | grep -Fq -- "$1"; }
 row() { words | sed -n "s/^$1|//p" | head -n 1; } # row NAME: the cells behind the first

@@ -13,7 +13,7 @@ page=$work/out/page.html
 # The text of the page, without tags, styles and pictures, on one line.
 words() {
     sed '/<style>/,/<\/style>/d; /<svg /,/<\/svg>/d; s/<[^>]*>/ /g' "$page" |
-        sed "s/$(printf '\302\240')/ /g" | tr -s ' \n' ' ' | plainly
+        sed "s/$(printf '\302\240')/ /g; s/−/-/g" | tr -s ' \n' ' ' | plainly
 }
 says_page() { words | grep -Eq -- "$1" || { { words | head -c 600; echo; } >&2; return 1; }; }
 says_not() { ! words | grep -Eq -- "$1"; }
@@ -113,7 +113,30 @@ rests_are_true() {
     } END { exit NR != 18 }'
 }
 check "report: each rest lies within the true one, with its temperature" rests_are_true
+# At rest the calibrated length is that of the field, to 15 pixels of 150; before it is not. Bands are rests.
+lengths_are_true() {
+    sed -n '/<title>The log and the rests in it</,/<\/svg>/p; /<title>Length of the readings/,/<\/svg>/p' "$page" |
+        tr '"' ' ' | awk '/<title>The log/ { n = 0 } /c3 area/ && $8 > 22 { left[++n] = $6; right[n] = $6 + $10 }
+        /<title>Length/ && pictures++ == 0 { on = 1 } /<\/svg>/ { on = 0 }
+        on && /c[01] column/ {
+            for (k = 1; k <= n; k++) if ($6 > left[k] + 2 && $6 < right[k] - 2) {
+                all[$3]++; far[$3] += $8 < 108 || $12 > 138
+            }
+        } END { exit !(all["c1"] > 200 && far["c1"] == 0 && far["c0"] > all["c0"] / 4) }'
+}
 check "report: the temperatures are told" says_page 'temperature 2[01]\.[0-9] \.\.\. (29|30)\.[0-9] °C'
+
+"$tool" simulate --plan edges > "$work/log.csv"
+makes_page "a log, its nominal stated" "$work/log.csv" --zero 0,0,0 --lsb 0.000598
+check "report: the length along the log is that of the field at rest, and before it is not" lengths_are_true
+# Eleven bars; heights add up to the 18 positions: 120 pixels are 6 of them.
+histogram_is_full() {
+    sed -n '/<title>Histogram of the residuals</,/<\/svg>/p' "$page" | tr '"' ' ' | awk '
+        /<\/svg>/ { exit } /text-anchor= end/ && $NF { split($0, part, /[<>]/); top = part[3] }
+        /c1 area/ { bars++; sum += $12 } END { n = sum * top / 120
+        exit !(bars == 11 && n > 17.99 && n < 18.01) }'
+}
+check "report: the histogram has all positions" histogram_is_full
 
 # An hour's pause is not drawn.
 awk -F, -v OFS=, 'NR > 5000 { $1 += 3600 } { print }' "$work/outliers.csv" > "$work/pause.csv"

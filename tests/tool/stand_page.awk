@@ -8,6 +8,7 @@
 function strip(text) { gsub(/[][",{} ]/, "", text); return text }
 # A figure of the page, with the decimals that it has.
 function same(text, value, what,    decimals, d) {
+    sub(/−/, "-", text)
     if (text !~ /^[-+]?[0-9]/) { print what ": " text " is no figure"; wrong = 1; return }
     decimals = match(text, /\./) ? length(text) - RSTART : 0
     d = text - value

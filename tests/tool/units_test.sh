@@ -82,7 +82,7 @@ check "no milli-g, percent or degree is left in the table" lacks "$work/ins" ' (
 
 # ---- the page ----------------------------------------------------------------------------------
 
-text() { sed 's/<[^>]*>/ /g; s/  */ /g' "$1"; }
+text() { sed 's/<[^>]*>/ /g; s/  */ /g; s/−/-/g' "$1"; }
 text "$work/ins.html" > "$work/ins.text"
 text "$work/everyday.html" > "$work/everyday.text"
 check "page: offset in micro-g" matches "$work/ins.text" \

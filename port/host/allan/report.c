@@ -143,7 +143,7 @@ static void write_origin(page *p, const allan_result *r, const allan_wish *wish)
     page_fact(p, "file", "%s, %llu bytes, CRC-32 %08lx", r->name, (unsigned long long)r->bytes,
               (unsigned long)r->crc);
     page_fact(p, "read as", "%s", columns_describe(&r->seen, seen, sizeof seen));
-    page_fact(p, "command", "%s", wish->command);
+    page_literal(p, "command", wish->command);
     page_fact(p, "invcal", "%s", INVCAL_VERSION);
     page_fact(p, "samples", "%lu from %.6g s to %.6g s, at %.6g a second, %lu gaps", r->samples,
               r->from, r->to, r->rate, r->gaps);

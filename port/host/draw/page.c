@@ -10,14 +10,16 @@
 
 /* Colours as in svg.c; the width holds two halves of a sphere (sphere.h). */
 static const char styles[] =
-    ":root{color-scheme:light dark;--paper:#fff;--ink:#1a1a1a;--soft:#555;--line:#d4d4d4;"
+    ":root{color-scheme:light "
+    "dark;--paper:#fff;--ink:#1a1a1a;--soft:#555;--line:#d4d4d4;--shade:#0004;"
     "--good:#00694f;--goodback:#e5f4ef;--caution:#7d4800;--cautionback:#fdf1e0;"
     "--bad:#a3261d;--badback:#fdeae8}\n"
     "@media screen and (prefers-color-scheme:dark){:root{--paper:#16181b;--ink:#eee;"
-    "--soft:#b4b4b4;--line:#3d4147;--good:#6fdcb8;--goodback:#12291f;--caution:#f3b562;"
+    "--soft:#b4b4b4;--line:#3d4147;--shade:#fff4;--good:#6fdcb8;--goodback:#12291f;--caution:#"
+    "f3b562;"
     "--cautionback:#2e2210;--bad:#ff9d93;--badback:#341815}}\n"
     "@media print{:root{color-scheme:light}}\n"
-    "@page{size:A4;margin:14mm}\n"
+    "@page{size:A4;margin:12mm 14mm}\n"
     "*{box-sizing:border-box}\n"
     "body{margin:0 auto;padding:20px 12px 40px;max-width:712px;background:var(--paper);"
     "color:var(--ink);font:16px/1.5 system-ui,sans-serif;overflow-wrap:anywhere}\n"
@@ -45,7 +47,12 @@ static const char styles[] =
     ".narrow{display:none}\n"
     "@media screen and (max-width:640px){.wide{display:none}.narrow{display:block}}\n"
     "@media screen and (max-width:480px){.facts.facts{display:block}.facts dd{margin-bottom:6px}}\n"
-    ".scroll{overflow-x:auto}\n"
+    /* Shadows that lie on the edges, and covers that move with the table: where there is more to see. */
+    ".scroll{overflow-x:auto;background:"
+    "linear-gradient(to right,var(--paper) 30%,transparent) left/40px 100% no-repeat local,"
+    "linear-gradient(to left,var(--paper) 30%,transparent) right/40px 100% no-repeat local,"
+    "linear-gradient(to right,var(--shade),transparent) left/14px 100% no-repeat scroll,"
+    "linear-gradient(to left,var(--shade),transparent) right/14px 100% no-repeat scroll}\n"
     "table{border-collapse:collapse;font-variant-numeric:tabular-nums;font-size:.8125rem;"
     "margin:8px 0;overflow-wrap:normal}\n"
     "th,td{padding:3px 12px 3px 0;text-align:right;vertical-align:baseline;"
@@ -60,23 +67,34 @@ static const char styles[] =
     "margin:8px 0;font-size:.875rem}\n"
     ".facts dt{color:var(--soft)}\n"
     ".facts dd{margin:0}\n"
+    ".literal{font-family:ui-monospace,monospace}\n"
     "footer{margin-top:40px;border-top:1px solid var(--line);padding-top:8px}\n"
-    "@media print{body{padding:0;max-width:none;font-size:11pt}.scroll{overflow:visible}"
-    "table{font-size:8.5pt}th,td{padding-right:8px}h2{margin-top:22px}}\n";
+    "@media print{body{padding:0;max-width:none;font-size:9.5pt;line-height:1.35}"
+    ".scroll{overflow:visible;background:none}"
+    "details::details-content{content-visibility:visible;display:block;block-size:auto}"
+    "summary{list-style:none;margin:2px 0}"
+    "table{font-size:8pt}th,td{padding:1px 8px 1px "
+    "0}h1{font-size:14pt}h2{font-size:11.5pt;margin:14px 0 4px}"
+    "p,figure{margin:4px 0}main{zoom:.78}"
+    ".half{display:inline-block;width:46%;vertical-align:top}"
+    ".half .wide{display:none}.half .narrow{display:block}.row svg{width:36%;height:auto}"
+    ".facts{display:block;columns:2;font-size:8pt}.facts dt{float:left;margin-right:6px}"
+    "section:has(>.scroll~.half)>.scroll{float:left;margin-right:8px}h2{clear:both}"
+    "footer{margin-top:8px;padding:2px 0 0}}\n";
 
 static void say(const page *p, const char *format, va_list arguments)
 {
     char text[TEXT_MAX];
 
     vsnprintf(text, sizeof text, format, arguments);
-    svg_escape(p->file, text);
+    svg_prose(p->file, text);
 }
 
 /* <tag>text</closing tag>, the tag perhaps with attributes. */
 static void element(const page *p, const char *open, const char *text, const char *close)
 {
     fputs(open, p->file);
-    svg_escape(p->file, text);
+    svg_prose(p->file, text);
     fprintf(p->file, "%s\n", close);
 }
 
@@ -164,14 +182,25 @@ void page_figures_end(page *p)
     fputs("</dl>\n", p->file);
 }
 
-void page_picture(page *p, const char *caption, page_drawing *draw, const void *data)
+static void picture(page *p, const char *open, const char *caption, page_drawing *draw,
+                    const void *data)
 {
-    fputs("<figure>\n<div class=\"wide\">\n", p->file);
+    fprintf(p->file, "%s\n<div class=\"wide\">\n", open);
     draw(p->file, data, PAGE_WIDE);
     fputs("</div>\n<div class=\"narrow\">\n", p->file);
     draw(p->file, data, PAGE_NARROW);
     fputs("</div>\n", p->file);
     element(p, "<figcaption>", caption, "</figcaption>\n</figure>");
+}
+
+void page_picture(page *p, const char *caption, page_drawing *draw, const void *data)
+{
+    picture(p, "<figure class=\"half\">", caption, draw, data);
+}
+
+void page_panorama(page *p, const char *caption, page_drawing *draw, const void *data)
+{
+    picture(p, "<figure>", caption, draw, data);
 }
 
 void page_row_begin(page *p)
@@ -194,7 +223,7 @@ void page_table_begin(page *p, const page_table *table)
 {
     element(p, "<p class=\"note\">", table->caption, "</p>");
     fputs("<div class=\"scroll\" tabindex=\"0\">\n<table aria-label=\"", p->file);
-    svg_escape(p->file, table->caption);
+    svg_prose(p->file, table->caption);
     fputs("\">\n<thead><tr>\n", p->file);
     for (unsigned k = 0; k < table->count; k++) {
         fprintf(p->file, "<th scope=\"col\"%s>", cell_class(table, k));
@@ -206,11 +235,11 @@ void page_table_begin(page *p, const page_table *table)
 void page_cells(page *p, const page_table *table, const char *const *cell)
 {
     fputs("<tr><th scope=\"row\" class=\"text\">", p->file);
-    svg_escape(p->file, cell[0]);
+    svg_prose(p->file, cell[0]);
     fputs("</th>", p->file);
     for (unsigned k = 1; k < table->count; k++) {
         fprintf(p->file, "<td%s>", cell_class(table, k));
-        svg_escape(p->file, cell[k]);
+        svg_prose(p->file, cell[k]);
         fputs("</td>", p->file);
     }
     fputs("</tr>\n", p->file);
@@ -246,6 +275,14 @@ void page_fact(page *p, const char *name, const char *format, ...)
     va_start(arguments, format);
     say(p, format, arguments);
     va_end(arguments);
+    fputs("</dd>\n", p->file);
+}
+
+void page_literal(page *p, const char *name, const char *text)
+{
+    element(p, "<dt>", name, "</dt>");
+    fputs("<dd class=\"literal\">", p->file);
+    svg_escape(p->file, text);
     fputs("</dd>\n", p->file);
 }
 

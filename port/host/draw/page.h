@@ -46,6 +46,9 @@ void page_figures_end(page *p);
 typedef void page_drawing(FILE *file, const void *data, double width);
 void page_picture(page *p, const char *caption, page_drawing *draw, const void *data);
 
+/* The same across the whole sheet: on paper others stand two beside each other. */
+void page_panorama(page *p, const char *caption, page_drawing *draw, const void *data);
+
 /* Parts of a picture side by side where there is room, else one below the other: draw into
  * p->file in between. */
 void page_row_begin(page *p);
@@ -69,6 +72,8 @@ void page_fold_end(page *p);
 /* Facts: a name and what there is to say. */
 void page_facts_begin(page *p);
 void page_fact(page *p, const char *name, const char *format, ...) MESSAGE_FORMAT(3, 4);
+/* The same of a command or a name: letter by letter, in a face of one width. */
+void page_literal(page *p, const char *name, const char *text);
 void page_facts_end(page *p);
 
 #endif

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "draw/svg.h"
 
+#include <ctype.h>
 #include <math.h>
 #include <string.h>
 
@@ -8,6 +9,7 @@
 
 #define LARGEST 1e9
 #define REPLACEMENT "\xEF\xBF\xBD" /* U+FFFD */
+#define MINUS "\xE2\x88\x92"       /* U+2212 */
 
 /* Colours for all kinds of colour vision (Okabe and Ito), lighter ones on black. Plain classes and
  * currentColor: word processors understand no more. Paper stays white. */
@@ -29,6 +31,8 @@ static const char styles[] = ".invcal .paper{fill:#fff}\n"
                              ".invcal .over{fill:currentColor;stroke:#fff}\n"
                              ".invcal .area{fill:currentColor;fill-opacity:.16;"
                              "stroke:currentColor;stroke-opacity:.22;stroke-width:.75}\n"
+                             ".invcal .side{fill:currentColor;fill-opacity:.16;stroke:#5f5f5f;"
+                             "stroke-linejoin:round}\n"
                              ".invcal .bar{fill:currentColor}\n"
                              ".invcal .column{stroke:currentColor}\n"
                              ".invcal .outline{fill:currentColor;stroke:currentColor;"
@@ -141,19 +145,43 @@ static const char *entity(char c)
     }
 }
 
-void svg_escape(FILE *file, const char *text)
+/* A sign before a number, or before an axis: -1.5, -z. */
+static int is_minus(const char *text, char before)
 {
+    const int is_axis = text[1] >= 'x' && text[1] <= 'z' && !isalnum((unsigned char)text[2]);
+
+    return *text == '-' && strchr(" ([", before) &&
+           (isdigit((unsigned char)text[1]) || text[1] == '.' || is_axis);
+}
+
+static void write_text(FILE *file, const char *text, int is_prose)
+{
+    char before = ' ';
+
     while (*text != '\0') {
         const unsigned length = utf8_length(text);
         if (is_banned(text, length)) {
             fputs(REPLACEMENT, file);
         } else if (entity(*text)) {
             fputs(entity(*text), file);
+        } else if (is_prose && is_minus(text, before)) {
+            fputs(MINUS, file);
         } else {
             fwrite(text, 1, length, file);
         }
+        before = *text;
         text += length > 0 ? length : 1;
     }
+}
+
+void svg_escape(FILE *file, const char *text)
+{
+    write_text(file, text, 0);
+}
+
+void svg_prose(FILE *file, const char *text)
+{
+    write_text(file, text, 1);
 }
 
 void svg_styles(FILE *file)
@@ -176,7 +204,7 @@ static void begin(FILE *file, double width, double height, const char *title,
           file);
     svg_escape(file, title);
     fputs("</title>\n<desc>", file);
-    svg_escape(file, description);
+    svg_prose(file, description);
     fputs("</desc>\n", file);
 }
 
@@ -327,6 +355,6 @@ void svg_text(FILE *file, const char *style, svg_anchor anchor, double x, double
     write_attribute(file, "x", x);
     write_attribute(file, "y", y);
     putc('>', file);
-    svg_escape(file, text);
+    svg_prose(file, text);
     fputs("</text>\n", file);
 }

@@ -12,6 +12,7 @@
  *   curve full hollow over    a line; a filled shape, one with an outline only, and one that is
  *                             set off from what lies below it
  *   area bar column outline   a surface of a colour: pale, firm; a thick line; an outline filled
+ *   side      a pale surface with a firm edge
  *   dashed whisker            lines: of a colour, black
  *   shade s0 ... s5    surfaces for a figure that grows from class to class; swatch: in a legend
  *   grid rule     lines: faint, firm
@@ -65,6 +66,10 @@ void svg_text(FILE *file, const char *style, svg_anchor anchor, double x, double
 /* Writes text into markup, XML or HTML, between tags or in a quoted attribute. Control characters
  * and bytes that are not UTF-8 become U+FFFD. */
 void svg_escape(FILE *file, const char *text);
+
+/* The same, and a hyphen before a figure or an axis, as programs write a minus, becomes that sign: U+2212
+ * is as wide as +, and no line breaks behind it. Not for commands and names of files. */
+void svg_prose(FILE *file, const char *text);
 
 /* A number with 0 ... 6 decimals and a decimal point, whatever the locale, and never "-0".
  * Beyond +-1e9 it is cut off there; NaN gives 0. Returns text. */

@@ -90,7 +90,7 @@ static double rounded(double degrees)
 
 const char *angles_text(stand_angles a, char text[ANGLES_TEXT_MAX])
 {
-    snprintf(text, ANGLES_TEXT_MAX, "alpha %.6g, beta %.6g deg", rounded(a.alpha), rounded(a.beta));
+    snprintf(text, ANGLES_TEXT_MAX, "alpha %.6g, beta %.6g°", rounded(a.alpha), rounded(a.beta));
     return text;
 }
 
@@ -103,9 +103,9 @@ const char *angles_turn_text(stand_angles from, stand_angles to, char text[ANGLE
 
     text[0] = '\0';
     if (turns_alpha && turns_beta) {
-        snprintf(text, ANGLES_TEXT_MAX, "turn alpha %+.6g, beta %+.6g deg", alpha, beta);
+        snprintf(text, ANGLES_TEXT_MAX, "turn alpha %+.6g, beta %+.6g°", alpha, beta);
     } else if (turns_alpha || turns_beta) {
-        snprintf(text, ANGLES_TEXT_MAX, "turn %s %+.6g deg", turns_alpha ? "alpha" : "beta",
+        snprintf(text, ANGLES_TEXT_MAX, "turn %s %+.6g°", turns_alpha ? "alpha" : "beta",
                  turns_alpha ? alpha : beta);
     }
     return text;

@@ -245,7 +245,7 @@ void plan_report_origin(page *p, const char *command)
 {
     page_section(p, "How it was made");
     page_facts_begin(p);
-    page_fact(p, "command", "%s", command);
+    page_literal(p, "command", command);
     page_fact(p, "invcal", "%s", INVCAL_VERSION);
 }
 

@@ -4,12 +4,15 @@
  */
 #include <math.h>
 
+#include "draw/box.h"
+#include "draw/svg.h"
 #include "maths/angles.h"
 #include "plan/facts.h"
 
 #define COLUMNS 9u /* the last one only if positions are not held equally long */
 #define OPEN 100u  /* up to here the sheet is unfolded */
-#define BOX "☐"
+#define DONE "☐"
+#define LABEL 12.0 /* height of a number above a box */
 
 /* Time on a clock: "2:55", "1:04:00"; with tenths where dwell or move have fractions. */
 static void clock_text(double seconds, int has_tenths, char text[PLAN_WORDS_MAX])
@@ -108,7 +111,7 @@ static void write_row(page *p, const page_table *sheet, const plan_facts *f, uns
     const double dwell = f->set->position[n].share * cost->dwell;
 
     snprintf(text[0], PLAN_WORDS_MAX, "%u", n + 1);
-    snprintf(text[1], PLAN_WORDS_MAX, BOX);
+    snprintf(text[1], PLAN_WORDS_MAX, DONE);
     clock_text(design_begins(f->set, n, cost),
                has_fraction(cost->settle + cost->dwell) || has_fraction(cost->move) ||
                    has_fraction(cost->warm_up),
@@ -123,6 +126,27 @@ static void write_row(page *p, const page_table *sheet, const plan_facts *f, uns
         cells[i] = text[i];
     }
     page_cells(p, sheet, cells);
+}
+
+/* How the device lies in each position, in the order of the sheet. */
+static void draw_boxes(FILE *file, const void *data, double width)
+{
+    const design *d = data;
+    const unsigned across = (unsigned)(width / BOX_WIDTH);
+    const unsigned down = (d->count + across - 1) / across;
+    const double high = BOX_HEIGHT + LABEL;
+    char number[16];
+
+    svg_begin_inline(file, width, down * high, "How the device lies",
+                     "The device as a box in each position: the work sheet has the same in words.");
+    for (unsigned n = 0; n < d->count; n++) {
+        const double x = n % across * BOX_WIDTH;
+        const double y = n / across * high;
+        snprintf(number, sizeof number, "%u", n + 1);
+        svg_text(file, "ink heading", SVG_START, x, y + LABEL, number);
+        box_draw(file, x, y + LABEL, d->position[n].vertical);
+    }
+    svg_end(file);
 }
 
 /* For a stand with its angles, or for the hand. */
@@ -156,8 +180,14 @@ void plan_report_sheet(page *p, const plan_facts *f)
     page_say(p, "Hold still for %s in each position%s.",
              plan_time_text(f->request->cost.settle + f->request->cost.dwell, text),
              f->set->has_shares ? " on the average, as the last column says" : "");
-    snprintf(text, sizeof text, "All %u positions%s", f->set->count,
-             f->set->count > OPEN ? " (unfold before printing)" : "");
+    if (f->set->count <= OPEN) {
+        page_panorama(
+            p,
+            "How the device lies, seen from the front: z is its upper side when it lies flat, x "
+            "points right and y away from you.",
+            draw_boxes, f->set);
+    }
+    snprintf(text, sizeof text, "All %u positions", f->set->count);
     page_fold_begin(p, text, f->set->count <= OPEN);
     page_table_begin(p, &sheet);
     for (unsigned n = 0; n < f->set->count; n++) {

@@ -92,6 +92,28 @@ static double angle_of(const recording *r, unsigned long first, unsigned long la
     return most <= ANGLE_CHANGE ? middle : NUMBER_UNKNOWN;
 }
 
+unsigned recording_count(const recording *r)
+{
+    return r->blocks > RECORDING_BLOCKS ? RECORDING_BLOCKS : (unsigned)r->blocks;
+}
+
+recording_mean recording_at(const recording *r, unsigned block, double unit)
+{
+    const unsigned long k = r->blocks - recording_count(r) + block;
+    const recording_block *b = &r->block[k % RECORDING_BLOCKS];
+    const double next =
+        k + 1 < r->blocks ? r->block[(k + 1) % RECORDING_BLOCKS].clock : r->outline.duration;
+    recording_mean m = {(b->clock + next) / 2, NUMBER_UNKNOWN, {0}};
+
+    if (r->has_temperature) {
+        m.temperature = b->temperature / r->size;
+    }
+    for (unsigned i = 0; i < 3; i++) {
+        m.mean[i] = b->sum[i] / r->size * unit;
+    }
+    return m;
+}
+
 recording_place recording_find(const recording *r, const invcal_rest *rest)
 {
     const unsigned long first = block_of(r, rest->begin);

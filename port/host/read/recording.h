@@ -51,6 +51,16 @@ void recording_begin(recording *r, const samples *log);
 void recording_sample(recording *r, const samples *log, const sample *s);
 void recording_filled(recording *r);
 
+/* Blocks that are remembered, from the oldest on, and the mean of one: input units if a count is `unit`
+ * of them. */
+typedef struct {
+    double time;        /* of its middle, seconds from the first sample of the log */
+    double temperature; /* NaN: not known */
+    double mean[3];
+} recording_mean;
+unsigned recording_count(const recording *r);
+recording_mean recording_at(const recording *r, unsigned block, double unit);
+
 recording_place recording_find(const recording *r, const invcal_rest *rest);
 
 #endif

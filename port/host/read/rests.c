@@ -181,8 +181,10 @@ int rests_read(positions *p, const char *path, double rate, const double clip[2]
     reading r = {p, log.unit, summary};
 
     *p = (positions){.name = log.table.name, .has_noise = 1, .seen = log.where.seen};
-    *summary = (rests_summary){
-        .rate = log.rate, .is_rate_known = log.is_rate_known, .outline = &log_recording.outline};
+    *summary = (rests_summary){.rate = log.rate,
+                               .is_rate_known = log.is_rate_known,
+                               .track = &log_recording,
+                               .unit = log.unit};
     failure = failure ? failure : begin(&rests, &log, clip);
     failure = failure ? failure : read_samples(&r, &log, &rests);
     samples_close(&log);

@@ -21,7 +21,8 @@ typedef struct {
     unsigned long gaps;              /* in the times, or of lines that were skipped */
     unsigned long skipped;           /* malformed lines of a live stream */
     unsigned refused[RESTS_REASONS]; /* rests, by their reason, from INVCAL_REST_SHORT on */
-    const timeline *outline;
+    const recording *track;          /* and what is remembered of the log, */
+    double unit;                     /* a count of which is so many input units */
 } rests_summary;
 
 /* Why a rest is no position, or its mean no reading of this field. */

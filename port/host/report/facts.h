@@ -51,6 +51,10 @@ void report_sphere(page *p, const report_facts *f);
 void report_timeline(page *p, const report_facts *f);
 void report_numbers(page *p, const report_facts *f);
 
+/* Pictures in those of the positions and of the log. */
+void report_histogram(page *p, const report_facts *f);
+void report_lengths(page *p, const report_facts *f);
+
 /* A picture in that of the stand: the unit on its two axes. Data: nothing. */
 page_drawing report_stand_figure;
 

@@ -36,6 +36,7 @@ static void write_row(page *p, const page_table *sheet, const report_facts *f, u
     const report_position *at = &f->position[n];
     const double *mean = &f->result->data->mean[3 * (size_t)n];
     char text[COLUMNS][CELL];
+    char number[3][FIGURE_MAX];
     const char *cells[COLUMNS];
     const int is_ins = f->result->told == TOLD_INS;
     unsigned count = 0;
@@ -49,9 +50,12 @@ static void write_row(page *p, const page_table *sheet, const report_facts *f, u
         const double sigma = f->knows_noise ? f->result->quality.sigma_offset[i] : 0;
         figure_fixed(mean[i], figure_places(mean[i], sigma), FIGURE_PLAIN, text[X + i]);
     }
-    snprintf(text[UP], CELL, "%+.2f %+.2f %+.2f", at->up[0], at->up[1], at->up[2]);
-    snprintf(text[BEFORE], CELL, "%+.*f", is_ins ? 1 : 3, at->before);
-    snprintf(text[AFTER], CELL, "%+.*f", is_ins ? 2 : 4, at->after);
+    for (unsigned i = 0; i < 3; i++) {
+        figure_fixed(at->up[i], 2, FIGURE_SIGNED, number[i]);
+    }
+    snprintf(text[UP], CELL, "%.9s %.9s %.9s", number[0], number[1], number[2]);
+    figure_fixed(at->before, is_ins ? 1 : 3, FIGURE_SIGNED, text[BEFORE]);
+    figure_fixed(at->after, is_ins ? 2 : 4, FIGURE_SIGNED, text[AFTER]);
     snprintf(text[REMARK], CELL, "%s", at->is_left_out ? "left out" : "");
     for (unsigned k = 0; k < COLUMNS; k++) {
         if (is_shown(f, k)) {

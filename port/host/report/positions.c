@@ -321,4 +321,5 @@ void report_positions(page *p, const report_facts *f)
                      : "As many positions as parameters: the residuals are zero whatever was "
                        "measured, and check nothing.",
                  draw_residuals, f);
+    report_histogram(p, f);
 }

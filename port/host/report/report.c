@@ -256,7 +256,7 @@ static void write_origin(page *p, const report_facts *f)
     page_fact(p, "file", "%s, %llu bytes, CRC-32 %08lx", r->data->name,
               (unsigned long long)r->data->bytes, (unsigned long)r->data->crc);
     page_fact(p, "read as", "%s", columns_describe(&r->data->seen, seen, sizeof seen));
-    page_fact(p, "command", "%s", f->wish->command);
+    page_literal(p, "command", f->wish->command);
     page_fact(p, "invcal", "%s", INVCAL_VERSION);
     page_fact(p, "field", "%s %s", number_text(r->settings.field, number), calibrate_field_unit(r));
     if (r->place) {

@@ -69,7 +69,7 @@ static ruler strip_ruler(const timeline *t, unsigned trace, double top)
 static void draw_strip(FILE *file, const report_facts *f, unsigned trace, const ruler *x,
                        double top)
 {
-    const timeline *t = f->result->log->outline;
+    const timeline *t = &f->result->log->track->outline;
     const ruler y = strip_ruler(t, trace, top);
 
     chart_ticks_y(file, &y, x);
@@ -97,9 +97,9 @@ static void draw_rests(FILE *file, const report_facts *f, const ruler *x, double
             taken = middle + half + DIGIT;
         }
     }
-    for (unsigned i = 0; i < f->result->log->outline->refusals; i++) {
-        svg_marker(file, "c2 full", SVG_CROSS, chart_pixel(x, f->result->log->outline->refused[i]),
-                   bottom - 5, 4.5);
+    for (unsigned i = 0; i < f->result->log->track->outline.refusals; i++) {
+        svg_marker(file, "c2 full", SVG_CROSS,
+                   chart_pixel(x, f->result->log->track->outline.refused[i]), bottom - 5, 4.5);
     }
 }
 
@@ -107,7 +107,7 @@ static void draw_legend(FILE *file, const report_facts *f)
 {
     svg_rectangle(file, "c3 area", LEFT, 22, 16, 12);
     svg_text(file, "ink small", SVG_START, LEFT + 22, 32, "rest, a position");
-    if (f->result->log->outline->refusals > 0) {
+    if (f->result->log->track->outline.refusals > 0) {
         svg_marker(file, "c2 full", SVG_CROSS, LEFT + 136, 28, 4.5);
         svg_text(file, "ink small", SVG_START, LEFT + 146, 32, "rest refused");
     }
@@ -120,14 +120,14 @@ static void describe(const report_facts *f, char *text, size_t size)
     snprintf(text, size,
              "Readings of x, y and z%s against time, %.4g seconds, with %u rests marked. %u rests "
              "were refused.",
-             f->result->data->has_temperature ? " and temperature" : "", log->outline->duration,
-             f->count, log->outline->refusals);
+             f->result->data->has_temperature ? " and temperature" : "",
+             log->track->outline.duration, f->count, log->track->outline.refusals);
 }
 
 static void draw_timeline(FILE *file, const void *data, double width)
 {
     const report_facts *f = data;
-    const timeline *t = f->result->log->outline;
+    const timeline *t = &f->result->log->track->outline;
     const unsigned count = trace_count(f);
     const double bottom = TOP + count * STRIP - GAP;
     const ruler x =
@@ -180,6 +180,7 @@ void report_timeline(page *p, const report_facts *f)
         page_say(p, "%lu gap%s in the times; what lasts more than a minute is left out here.",
                  log->gaps, log->gaps == 1 ? "" : "s");
     }
-    page_picture(p, "The readings as an outline from least to greatest, and the rests in them.",
-                 draw_timeline, f);
+    page_panorama(p, "The readings as an outline from least to greatest, and the rests in them.",
+                  draw_timeline, f);
+    report_lengths(p, f);
 }

@@ -28,26 +28,34 @@ double calibrate_guess_error(const calibrate_result *r)
     return nominal_is_guess(&r->nominal) ? fmax(fabs(dk[0]), fmax(fabs(dk[1]), fabs(dk[2]))) : 0;
 }
 
+invcal_calibration calibrate_at_temperature(const calibrate_result *r, double temperature)
+{
+    return r->temperature == CALIBRATE_THERMAL ? thermal_fit_at(&r->fit, temperature)
+                                               : r->solution.calibration;
+}
+
 invcal_calibration calibrate_at(const calibrate_result *r, unsigned position)
 {
-    return r->temperature == CALIBRATE_THERMAL
-               ? thermal_fit_at(&r->fit, r->data->origin[position].temperature)
-               : r->solution.calibration;
+    return calibrate_at_temperature(r, r->data->origin[position].temperature);
+}
+
+void calibrate_take_drift(const calibrate_result *r, double tau, double reading[3])
+{
+    double inverse[3][3];
+
+    if (r->is_drift_fitted && matrix_inverse(&r->settings.nominal, inverse)) {
+        for (unsigned i = 0; i < 3; i++) {
+            for (unsigned j = 0; j < 3; j++) {
+                reading[i] -= tau * inverse[i][j] * r->drift[j];
+            }
+        }
+    }
 }
 
 void calibrate_level(const calibrate_result *r, unsigned position, double out[3])
 {
-    double inverse[3][3];
-
     memcpy(out, &r->data->mean[3 * (size_t)position], 3 * sizeof *out);
-    if (r->is_drift_fitted && matrix_inverse(&r->settings.nominal, inverse)) {
-        const double tau = calibrate_tau(r->data, position);
-        for (unsigned i = 0; i < 3; i++) {
-            for (unsigned j = 0; j < 3; j++) {
-                out[i] -= tau * inverse[i][j] * r->drift[j];
-            }
-        }
-    }
+    calibrate_take_drift(r, calibrate_tau(r->data, position), out);
 }
 
 void calibrate_reading(const calibrate_result *r, unsigned kept, double out[3])

@@ -15,9 +15,14 @@ static double time_of(const positions *p, unsigned i)
 
 double calibrate_tau(const positions *data, unsigned position)
 {
+    return calibrate_tau_at(data, time_of(data, position));
+}
+
+double calibrate_tau_at(const positions *data, double time)
+{
     const double first = time_of(data, 0);
 
-    return (time_of(data, position) - first) / (time_of(data, data->count - 1) - first) - 0.5;
+    return (time - first) / (time_of(data, data->count - 1) - first) - 0.5;
 }
 
 const char *calibrate_frame(const calibrate_result *result)

@@ -79,7 +79,11 @@ const char *calibrate_frame(const calibrate_result *result);
 /* The calibration that holds for a position. */
 invcal_calibration calibrate_at(const calibrate_result *result, unsigned position);
 
-/* Its reading without the drift that was fitted. */
+/* That of a temperature. */
+invcal_calibration calibrate_at_temperature(const calibrate_result *result, double temperature);
+
+/* Takes the drift that was fitted off a reading at `tau`; the reading of a position without it. */
+void calibrate_take_drift(const calibrate_result *result, double tau, double reading[3]);
 void calibrate_level(const calibrate_result *result, unsigned position, double out[3]);
 
 /* The reading of a position kept, at the reference temperature. */
@@ -88,6 +92,9 @@ void calibrate_reading(const calibrate_result *result, unsigned kept, double out
 /* When a position was taken, by the clock of the log or else by its number: from -1/2 at the first to 1/2
  * at the last; not finite, if they are one. */
 double calibrate_tau(const positions *data, unsigned position);
+
+/* The same of a time of the log, seconds. */
+double calibrate_tau_at(const positions *data, double time);
 
 /* What the positions kept leave uncertain (at the reference temperature), for a noise of `unit`. */
 void calibrate_spread(const calibrate_result *result, double unit, uncertainty *u);

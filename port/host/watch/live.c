@@ -548,9 +548,8 @@ int live_read(positions *p, const char *path, const live_wish *wish, rests_summa
     stream_file = live_log.table.file ? fileno(live_log.table.file) : -1;
 
     *p = (positions){.name = live_log.table.name, .has_noise = 1, .seen = live_log.where.seen};
-    *summary = (rests_summary){.rate = live_log.rate,
-                               .is_rate_known = live_log.is_rate_known,
-                               .outline = &live_recording.outline};
+    *summary = (rests_summary){
+        .rate = live_log.rate, .is_rate_known = live_log.is_rate_known, .track = &live_recording};
     failure = failure ? failure : begin(wish);
     s.lsb = guess_lsb(wish, (const double[3]){0, 0, 0});
     failure = failure ? failure : watch(&s);
