@@ -116,7 +116,8 @@ check "report: each rest lies within the true one, with its temperature" rests_a
 # At rest the calibrated length is that of the field, to 15 pixels of 150; before it is not. Bands are rests.
 lengths_are_true() {
     sed -n '/<title>The log and the rests in it</,/<\/svg>/p; /<title>Length of the readings/,/<\/svg>/p' "$page" |
-        tr '"' ' ' | awk '/<title>The log/ { n = 0 } /c3 area/ && $8 > 22 { left[++n] = $6; right[n] = $6 + $10 }
+        tr '"' ' ' | awk '/<title>The log/ { log_pictures++ }
+        /c3 area/ && $8 > 22 && log_pictures == 1 { left[++n] = $6; right[n] = $6 + $10 }
         /<title>Length/ && pictures++ == 0 { on = 1 } /<\/svg>/ { on = 0 }
         on && /c[01] column/ {
             for (k = 1; k <= n; k++) if ($6 > left[k] + 2 && $6 < right[k] - 2) {
