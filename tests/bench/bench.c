@@ -6,6 +6,7 @@
 #include "../report.h"
 #include "invcal/allan.h"
 #include "invcal/expert.h"
+#include "invcal/frame.h"
 #include "invcal/plan.h"
 #include "invcal/thermal.h"
 
@@ -83,6 +84,34 @@ static void bench_core(void)
         invcal_apply(&calibration, raw[i], calibrated);
     }
     report("apply", end() / REPEATS);
+}
+
+/* Three faces, each twice. */
+static void bench_frame(void)
+{
+    invcal_frame frame;
+    invcal_frame_quality quality;
+    invcal_real rotation[3][3];
+
+    invcal_frame_init(&frame);
+    for (unsigned i = 0; i < 6; i++) {
+        const invcal_real up[3] = {i % 3 == 0, i % 3 == 1, i % 3 == 2};
+        const invcal_real mean[3] = {nominal.offset[0] + up[0] / nominal.matrix[0][0],
+                                     nominal.offset[1] + up[1] / nominal.matrix[1][1],
+                                     nominal.offset[2] + up[2] / nominal.matrix[2][2]};
+        begin();
+        (void)invcal_frame_add(&frame, &nominal, mean, up);
+        const uint32_t count = end();
+        if (i == 5) {
+            report("frame_add", count);
+        }
+    }
+    begin();
+    const invcal_status status = invcal_frame_solve(&frame, rotation, &quality);
+    report("frame_solve", end());
+    if (status != INVCAL_OK) {
+        board_exit(1);
+    }
 }
 
 /* Against the directions of the program. */
@@ -267,6 +296,7 @@ int main(void)
     make_positions();
     bench_core();
     bench_full_vector();
+    bench_frame();
     bench_all();
     bench_session();
     bench_allan();
