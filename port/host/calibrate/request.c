@@ -19,6 +19,7 @@ static const option options[ASK_OPTIONS] = {
     [ASK_LATITUDE] = {"--latitude", 1},
     [ASK_HEIGHT] = {"--height", 1},
     [ASK_FRAME] = {"--frame", 1},
+    [ASK_CASE] = {"--case", 1},
     [ASK_ZERO] = {"--zero", 1},
     [ASK_LSB] = {"--lsb", 1},
     [ASK_NOMINAL] = {"--nominal", 1},
@@ -145,6 +146,26 @@ static int read_frame(request *r)
     return r->settings.is_triangular || r->stand.is_frame || strcmp(name, "symmetric") == 0
                ? EXIT_GOOD
                : request_usage(r, ASK_FRAME, "is symmetric, triangular or stand");
+}
+
+/* Which way of the case was up. */
+static int read_case(request *r)
+{
+    if (!r->value[ASK_CASE]) {
+        return EXIT_GOOD;
+    }
+    if (r->value[ASK_FRAME]) {
+        return request_usage(r, ASK_CASE, "is a frame of its own: leave out --frame");
+    }
+    if (r->value[ASK_THERMAL]) {
+        return request_usage(r, ASK_CASE, "does not go together with --thermal");
+    }
+    return case_parse(r->value[ASK_CASE], &r->ways_up)
+               ? EXIT_GOOD
+               : request_usage(
+                     r, ASK_CASE,
+                     "is the ways of the case that were up in the first positions, such as "
+                     "+z,-x,.,+y; a dot where it is not known");
 }
 
 static int read_nominal(request *r)
@@ -491,6 +512,7 @@ int request_read(int argc, char **argv, int is_live, request *r)
     failure = failure ? failure : check_files(r);
     failure = failure ? failure : read_gravity(r);
     failure = failure ? failure : read_frame(r);
+    failure = failure ? failure : read_case(r);
     failure = failure ? failure : read_nominal(r);
     failure = failure ? failure : read_unit(r);
     failure = failure ? failure : read_noise(r);

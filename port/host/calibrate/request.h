@@ -8,6 +8,7 @@
 
 #include "cli/options.h"
 #include "cli/told.h"
+#include "fit/case_frame.h"
 #include "fit/fit.h"
 #include "fit/thermal_fit.h"
 #include "stand/stand.h"
@@ -20,6 +21,7 @@ enum {
     ASK_LATITUDE,
     ASK_HEIGHT,
     ASK_FRAME,
+    ASK_CASE,
     ASK_ZERO,
     ASK_LSB,
     ASK_NOMINAL,
@@ -77,6 +79,7 @@ typedef struct {
     const design *program; /* of --plan, which watch follows; or null */
     unsigned degree;       /* of --quadratic, --cubic; else 0 */
     stand_wish stand;
+    case_wish ways_up;     /* of --case; none: its count is 0 */
     fit_settings settings; /* all but the nominal, and the noise unless stated */
 } request;
 

@@ -12,6 +12,7 @@
 #include "cli/command.h"
 #include "cli/message.h"
 #include "fit/fit_drift.h"
+#include "text/number.h"
 
 static double residual_of_nominal(const positions *data, const invcal_calibration *nominal)
 {
@@ -216,6 +217,41 @@ static int find_stand(const request *r, calibrate_result *result)
     return failure;
 }
 
+static int refuse_case(const calibrate_result *result, invcal_status status)
+{
+    const char *why = status == INVCAL_TOO_FEW ? "none of the positions kept was stated"
+                      : result->frame.is_level
+                          ? "the way up that was stated is nearly opposite to the one measured"
+                          : "the ways up that were stated do not fit the positions: is their order "
+                            "that of the log, and no axis of the case mirrored?";
+
+    message("%s: --case: %s", result->data->name, why);
+    return EXIT_DATA;
+}
+
+/* The axes of the case, by the positions whose way up was stated. */
+static int find_case(const request *r, calibrate_result *result)
+{
+    const rejection *kept = &result->rejected;
+    const double noise = calibrate_knows_noise(result) ? result->quality.noise : NUMBER_UNKNOWN;
+    invcal_frame frame;
+    invcal_status status = INVCAL_OK;
+
+    invcal_frame_init(&frame);
+    for (unsigned k = 0; k < kept->kept_count && status == INVCAL_OK; k++) {
+        double raw[3];
+        const unsigned number = rejection_original(kept, k);
+        calibrate_level(result, number, raw);
+        status = case_add(&frame, &r->ways_up, number, &result->solution.calibration, raw);
+    }
+    status = status == INVCAL_OK ? case_solve(&frame, &r->ways_up, noise, &result->frame) : status;
+    if (status != INVCAL_OK) {
+        return refuse_case(result, status);
+    }
+    invcal_frame_turn((const double(*)[3])result->frame.rotation, &result->solution.calibration);
+    return EXIT_GOOD;
+}
+
 int solve_positions(const request *r, const positions *data, calibrate_result *result)
 {
     result->data = data;
@@ -231,6 +267,7 @@ int solve_positions(const request *r, const positions *data, calibrate_result *r
                                       : solve_plain(r, result);
     failure = failure || r->value[ASK_THERMAL] ? failure : probe_temperature(result);
     failure = failure || !r->stand.is_wanted ? failure : find_stand(r, result);
+    failure = failure || r->ways_up.count == 0 ? failure : find_case(r, result);
     if (failure) {
         return failure;
     }

@@ -230,6 +230,11 @@ static void write_matrix(page *p, const report_facts *f)
         page_fact(p, i == 0 ? "matrix" : "", "%.9g, %.9g, %.9g", c.matrix[i][0], c.matrix[i][1],
                   c.matrix[i][2]);
     }
+    if (r->frame.used > 0) {
+        char text[CALIBRATE_LIMIT_MAX];
+        page_fact(p, "frame", "%s", calibrate_case_text(r, text));
+        return;
+    }
     page_fact(p, "frame", "%s",
               r->is_stand_frame ? "stand: turned to the axes of the stand, by its angles"
               : r->settings.is_triangular

@@ -175,6 +175,9 @@ void calibrate_json(FILE *file, const calibrate_result *result)
     json_vector(&w, "offset", c.offset);
     json_matrix(&w, "matrix", c.matrix);
     json_text(&w, "frame", calibrate_frame(result));
+    if (result->frame.used > 0) {
+        calibrate_case_json(&w, result);
+    }
     write_nominal(&w, &result->nominal);
     json_vector(&w, "delta", &s->x[INVCAL_DELTA_X]);
     json_vector(&w, "dk", &s->x[INVCAL_DK_X]);

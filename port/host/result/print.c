@@ -391,6 +391,16 @@ static void print_stand(FILE *file, const calibrate_result *result)
     }
 }
 
+static void print_case(FILE *file, const calibrate_result *result)
+{
+    char text[CALIBRATE_LIMIT_MAX];
+
+    if (result->frame.used > 0) {
+        fprintf(file, "case          ");
+        calibrate_print_wrapped(file, 14, calibrate_case_text(result, text));
+    }
+}
+
 void calibrate_print(FILE *file, const calibrate_result *result, const calibrate_wish *wish)
 {
     const int known = calibrate_knows_noise(result);
@@ -422,6 +432,7 @@ void calibrate_print(FILE *file, const calibrate_result *result, const calibrate
     print_guess(file, n, wish->nominal_name);
     fprintf(file, "\n");
     print_stand(file, result);
+    print_case(file, result);
     calibrate_print_thermal(file, result);
     fprintf(file, "%s", result->temperature == CALIBRATE_THERMAL ? "\n" : "");
     print_residuals(file, result, wish->nominal_name);

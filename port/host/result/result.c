@@ -28,6 +28,7 @@ double calibrate_tau_at(const positions *data, double time)
 const char *calibrate_frame(const calibrate_result *result)
 {
     return result->is_stand_frame           ? "stand"
+           : result->frame.used > 0         ? "case"
            : result->settings.is_triangular ? "triangular"
                                             : "symmetric";
 }

@@ -7,6 +7,7 @@
 
 #include <stdio.h>
 
+#include "fit/case_frame.h"
 #include "fit/fit.h"
 #include "text/json_write.h"
 #include "fit/l1.h"
@@ -60,7 +61,8 @@ typedef struct {
     calibrate_temperature temperature;
     thermal_fit fit;
     stand stand;         /* what the angles of a stand told, if they were wanted */
-    int is_stand_frame;  /* the calibration is turned to the stand */
+    int is_stand_frame;  /* the calibration is turned to the stand, */
+    case_frame frame;    /* or to the case */
     told_style told;     /* the units of figures for people */
     const double *place; /* latitude and height that tell the field; null: it was stated */
 } calibrate_result;
@@ -131,6 +133,10 @@ told_unit calibrate_told_field(const calibrate_result *result);
 #define CALIBRATE_LIMIT_MAX 400
 const char *calibrate_limit(const calibrate_result *result, const uncertainty *length,
                             char text[CALIBRATE_LIMIT_MAX]);
+
+/* How the calibrated axes were turned to those of the case: a sentence. Returns text. Its member. */
+const char *calibrate_case_text(const calibrate_result *result, char text[CALIBRATE_LIMIT_MAX]);
+void calibrate_case_json(json_writer *w, const calibrate_result *result);
 
 /* What temperature does to the readings, if that was looked at and not asked for: a sentence, or
  * "". Returns text. */

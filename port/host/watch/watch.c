@@ -93,6 +93,7 @@ static const char *const watch_help[] = {
     "  --height M          so high above the sea, m\n"
     "  --frame symmetric|triangular\n"
     "                      of the result; default symmetric\n"
+    "  --case +z,-x,.,...  which way of the case was up in the first positions\n"
     "  --unit g|mg|m/s2|counts\n"
     "                      of the readings\n"
     "  --units everyday|ins\n"
