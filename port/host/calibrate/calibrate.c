@@ -37,6 +37,7 @@ enum {
     UNITS,
     NOISE,
     PRIOR,
+    SIX_FACES,
     THERMAL,
     SLOPE,
     RATE,
@@ -75,6 +76,7 @@ static const option options[OPTIONS] = {
     [UNITS] = {"--units", 1},
     [NOISE] = {"--noise", 1},
     [PRIOR] = {"--prior", 1},
+    [SIX_FACES] = {"--six-faces", 0},
     [THERMAL] = {"--thermal", 1},
     [SLOPE] = {"--slope", 1},
     [RATE] = {"--rate", 1},
@@ -270,13 +272,40 @@ static int read_noise(request *r)
     return failure;
 }
 
+/* A prior on the angles alone: that of a data sheet, or of --prior 0,0,G. */
+static int read_six_faces(request *r)
+{
+    static const unsigned others[] = {ROBUST, QUADRATIC, CUBIC, THERMAL};
+    double sigma[3] = {0, 0, INVCAL_CROSS_AXIS};
+    int failure = EXIT_GOOD;
+
+    for (unsigned i = 0; i < sizeof others / sizeof others[0]; i++) {
+        if (r->value[others[i]]) {
+            return message_usage(r->syntax->command, "%s: does not go together with %s",
+                                 options[SIX_FACES].name, options[others[i]].name);
+        }
+    }
+    if (r->value[PRIOR]) {
+        failure = options_numbers(r->syntax, PRIOR, r->value[PRIOR], 3, sigma, NULL);
+    }
+    if (!failure && (fabs(sigma[0]) + fabs(sigma[1]) > 0 || !(sigma[2] > 0 && sigma[2] < 1))) {
+        failure =
+            usage(r, PRIOR, "beside --six-faces is of the angles alone: 0,0,G with G from 0 to 1");
+    }
+    r->settings.is_six_faces = 1;
+    for (unsigned p = INVCAL_GAMMA_XY; p < INVCAL_PARAMETERS; p++) {
+        r->settings.prior[p] = sigma[2];
+    }
+    return failure;
+}
+
 static int read_prior(request *r)
 {
     double sigma[3]; /* of each delta, dk, gamma */
     int failure = EXIT_GOOD;
 
-    if (!r->value[PRIOR]) {
-        return EXIT_GOOD;
+    if (r->value[SIX_FACES] || !r->value[PRIOR]) {
+        return r->value[SIX_FACES] ? read_six_faces(r) : EXIT_GOOD;
     }
     if (!r->value[NOMINAL] && !(r->value[ZERO] && r->value[LSB])) {
         return usage(r, PRIOR,
@@ -658,7 +687,7 @@ static int settle_noise(const request *r, const positions *data, calibrate_resul
         return EXIT_FILE;
     }
     if (fit_has_prior(&result->settings) && !(result->settings.noise > 0)) {
-        return usage(r, PRIOR,
+        return usage(r, r->value[SIX_FACES] ? SIX_FACES : PRIOR,
                      "is weighed against the noise of a position mean, so state that: "
                      "--noise, or columns std and n");
     }
@@ -687,11 +716,12 @@ static double residual_of_nominal(const positions *data, const invcal_calibratio
 static uint16_t beyond(const calibrate_result *result)
 {
     const fit_quality *q = &result->quality;
-    const double spread = calibrate_knows_noise(result) ? q->coverage : 0;
+    const int known = calibrate_knows_noise(result);
     unsigned bits = 0;
 
     for (unsigned p = 0; p < INVCAL_PARAMETERS && result->tolerance; p++) {
-        const double least = fabs(result->solution.x[p]) - spread * q->sigma[p];
+        const double spread = known ? fit_coverage(q, p) * q->sigma[p] : 0;
+        const double least = fabs(result->solution.x[p]) - spread;
         bits |= (unsigned)!(least <= result->tolerance[p / 3]) << p;
     }
     return (uint16_t)bits;
@@ -845,7 +875,7 @@ static double accuracy_of(const fit_quality *q)
     invcal_quality quality = {.sigma_dof = (uint16_t)fmin(UINT16_MAX, q->sigma_dof)};
 
     memcpy(quality.sigma, q->sigma, sizeof quality.sigma);
-    return invcal_accuracy(&quality, 0);
+    return invcal_accuracy_held(&quality, q->from_prior, 0);
 }
 
 /* A field that is wrong makes all three scales wrong alike. */
@@ -1182,6 +1212,10 @@ static const char *const help[] = {
     "                      angles (rad); up to about 0.2; 0 says nothing. Then fewer\n"
     "                      positions will do. Needs the noise, and --zero and --lsb, or\n"
     "                      --nominal\n"
+    "  --six-faces         each axis up and down, six positions, tells offsets and scales but no\n"
+    "                      angles: takes these as 0 with the standard deviation 0.01 rad (0.57\n"
+    "                      degrees, a data sheet's 1 % cross-axis), or G of --prior 0,0,G, and\n"
+    "                      tells what that costs. Needs the noise\n"
     "  --robust            a cross-check: does the estimate with the least sum of absolute "
     "residuals\n"
     "                      (l1) of all positions agree with this one, outliers left out?\n"
@@ -1275,6 +1309,7 @@ static const char *const watch_help[] = {
     "  --nominal-name WORD heading of the nominal column; default nominal\n"
     "  --noise S           standard deviation of one position mean, in field units\n"
     "  --prior D,K,G       standard deviations of what the nominal may be wrong by\n"
+    "  --six-faces         takes the angles, which six faces do not tell, as 0 +- 0.01 rad\n"
     "  --thermal 1|2       straight lines or parabolas of temperature\n"
     "  --slope D,K,G       standard deviations of what slopes may be, per K\n"
     "  --rate HZ           samples a second; default: by the column t, else 100\n"
