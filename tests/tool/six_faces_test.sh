@@ -135,9 +135,10 @@ check "six faces: and it says so" matches "$work/stdout" 'in the earlier calibra
 # ---- what does not do ----------------------------------------------------------------------------
 
 set_of 0,0,1 1,0,0 -1,0,0 0,1,0 0,-1,0 0,0,1 > "$work/z_up.csv"
+# shellcheck disable=SC2086
 refuses "six faces: what is none leaves offsets and scales open, no angles" 1 \
     'undetermined: (offset z, scale z|offset z|scale z); add positions with the field along \+z and -z$' \
-    calibrate "$work/z_up.csv" --six-faces
+    calibrate "$work/z_up.csv" --six-faces $sheet
 accepts "six faces: what hardly is one is used" calibrate "$work/no_faces.csv" --six-faces
 check "six faces: and said to be weak" matches "$work/stdout" '^Weak: offset z, scale z are badly'
 head -n 5 "$work/means.csv" > "$work/five.csv"
