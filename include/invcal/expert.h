@@ -340,7 +340,7 @@ invcal_status invcal_calibrate_with_prior(const invcal_real *raw, unsigned count
  *
  * Returns as invcal_calibrate; INVCAL_TOO_FEW for fewer than six; INVCAL_UNDETERMINED if they leave
  * offsets or scales open; INVCAL_BAD_PRIOR unless gamma is above 0 and below 1.
- * Cost: 45,000 instructions for 18 positions. Stack: about 1,070 bytes. */
+ * Cost: 30,000 instructions for six positions. Stack: about 980 bytes. */
 invcal_status invcal_calibrate_six_faces(const invcal_real *raw, unsigned count,
                                          const invcal_calibration *nominal, invcal_real noise,
                                          invcal_real gamma, invcal_calibration *out,
@@ -351,7 +351,7 @@ invcal_status invcal_calibrate_six_faces(const invcal_real *raw, unsigned count,
  * held  bit r: sigma of parameter r is stated, not estimated; of invcal_calibrate_six_faces, or
  *       from_prior of invcal_calibrate_with_prior.
  *
- * Cost: 250 instructions. Stack: about 150 bytes. */
+ * Stack: about 140 bytes. */
 invcal_real invcal_accuracy_held(const invcal_quality *quality, uint16_t held, invcal_real gravity);
 
 /* ---- known directions: a stand -----------------------------------------------------------------
