@@ -204,7 +204,7 @@ invcal_status invcal_calibrate_six_faces(const invcal_real *raw, unsigned count,
 {
     const invcal_positions positions = {raw, count, 0, nominal, noise};
     const invcal_real prior[INVCAL_PARAMETERS] = {0, 0, 0, 0, 0, 0, gamma, gamma, gamma};
-    const unsigned angles = 7u << INVCAL_GAMMA_XY;
+    const unsigned angles = 0x1C0;
     update u;
 
     INVCAL_ASSERT((raw || count == 0) && nominal && out && quality && held);
