@@ -327,6 +327,7 @@ invcal_status invcal_calibrate_with_prior(const invcal_real *raw, unsigned count
 
 /* invcal_calibrate for six positions or more, the angles held at those of nominal.
  *
+ * raw      3 count numbers, as for invcal_calibrate; of a session its mean and count.
  * noise    standard deviation of a position mean on each axis, over field, above 0 and below 1. With six
  *          positions nothing checks it: sigma of offsets and scales is it over sqrt(2).
  * gamma    standard deviation of each angle, rad, up to about 0.2: INVCAL_CROSS_AXIS.
