@@ -61,6 +61,8 @@ calibrate warming-prior "$out/drift.csv" --thermal 1 --noise 0.02 --slope 0.01,0
 # As many positions as parameters; 2000; another field; a name to trip over.
 "$tool" simulate --plan optimal:9 > "$out/nine.csv"
 calibrate nine "$out/nine.csv"
+"$tool" simulate --plan faces > "$out/faces.csv"
+calibrate six-faces "$out/faces.csv" --six-faces --zero 0,0,0 --lsb 0.000598550415
 awk -v family=sphere -v count=2000 -v seed=7 -f "$here/../tool/positions.awk" > "$out/many.csv"
 calibrate many "$out/many.csv" --positions
 awk -F, 'NR > 1 { print $1 / 300, $2 / 300, $3 / 300 }' "$data/xsens_mti_positions.csv" > "$out/mag.txt"

@@ -46,6 +46,9 @@ printf '%s\n' 1,0,0 -1,0,0 0,1,0 0,-1,0 0,0,1 0,0,-1 .7,.7,0 .7,0,.7 0,.7,.7 > "
 prints 0 calibration calibrate "$work/nine.csv" --positions --gravity 1
 prints 0 calibration calibrate "$xsens" --positions --zero 33123,33276,32360 --lsb 0.0024 \
     --noise 0.01 --prior 0.1,0.1,0.1
+"$tool" simulate --plan faces > "$work/faces.csv"
+prints 0 calibration calibrate "$work/faces.csv" --six-faces
+prints 1 calibration_refusal calibrate "$work/faces.csv"
 "$tool" simulate --plan edges --outliers 2 --truth "$work/truth.json" > "$work/log.csv"
 prints 0 calibration calibrate "$work/log.csv"
 prints 0 calibration watch "$work/log.csv"

@@ -8,6 +8,7 @@
 #include "text/json_write.h"
 #include "cli/message.h"
 #include "design/parameters.h"
+#include "result/faces.h"
 #include "stand/tell.h"
 
 #define REASON_MAX 800
@@ -118,6 +119,21 @@ static void say_why(const positions *data, const fit_settings *settings,
     }
 }
 
+/* Six faces may be all that there is. */
+static void offer_six_faces(const positions *data, const fit_settings *settings,
+                            invcal_status status, char *text)
+{
+    const size_t length = strlen(text);
+
+    if ((status == INVCAL_TOO_FEW || status == INVCAL_UNDETERMINED) &&
+        faces_would_do(data, settings)) {
+        snprintf(text + length, REASON_MAX - length,
+                 ". These do for offsets and scales: --six-faces takes the angles from a data "
+                 "sheet. Six more tell everything: %s",
+                 FACES_EDGES);
+    }
+}
+
 int calibrate_refuse(const positions *data, const fit_settings *settings,
                      const nominal_choice *nominal, const stand_wish *angles, invcal_status status,
                      const fit_reason *reason, int json)
@@ -130,6 +146,7 @@ int calibrate_refuse(const positions *data, const fit_settings *settings,
         status = INVCAL_TOO_FEW;
     }
     say_why(data, settings, nominal, angles, status, reason, text);
+    offer_six_faces(data, settings, status, text);
     if (status == INVCAL_NOT_FINITE || status == INVCAL_OUT_OF_RANGE) {
         message("%s:%lu: %s", data->name, data->origin[reason->position].line, text);
     } else {

@@ -28,6 +28,7 @@ static const option options[ASK_OPTIONS] = {
     [ASK_UNITS] = {"--units", 1},
     [ASK_NOISE] = {"--noise", 1},
     [ASK_PRIOR] = {"--prior", 1},
+    [ASK_SIX_FACES] = {"--six-faces", 0},
     [ASK_THERMAL] = {"--thermal", 1},
     [ASK_SLOPE] = {"--slope", 1},
     [ASK_RATE] = {"--rate", 1},
@@ -221,13 +222,40 @@ static int read_noise(request *r)
     return failure;
 }
 
+/* A prior on the angles alone: that of a data sheet, or of --prior 0,0,G. */
+static int read_six_faces(request *r)
+{
+    static const unsigned others[] = {ASK_ROBUST, ASK_QUADRATIC, ASK_CUBIC, ASK_THERMAL};
+    double sigma[3] = {0, 0, INVCAL_CROSS_AXIS};
+    int failure = EXIT_GOOD;
+
+    for (unsigned i = 0; i < sizeof others / sizeof others[0]; i++) {
+        if (r->value[others[i]]) {
+            return message_usage(r->syntax->command, "%s: does not go together with %s",
+                                 options[ASK_SIX_FACES].name, options[others[i]].name);
+        }
+    }
+    if (r->value[ASK_PRIOR]) {
+        failure = options_numbers(r->syntax, ASK_PRIOR, r->value[ASK_PRIOR], 3, sigma, NULL);
+    }
+    if (!failure && (fabs(sigma[0]) + fabs(sigma[1]) > 0 || !(sigma[2] > 0 && sigma[2] < 1))) {
+        failure = request_usage(
+            r, ASK_PRIOR, "beside --six-faces is of the angles alone: 0,0,G with G from 0 to 1");
+    }
+    r->settings.is_six_faces = 1;
+    for (unsigned p = INVCAL_GAMMA_XY; p < INVCAL_PARAMETERS; p++) {
+        r->settings.prior[p] = sigma[2];
+    }
+    return failure;
+}
+
 static int read_prior(request *r)
 {
     double sigma[3]; /* of each delta, dk, gamma */
     int failure = EXIT_GOOD;
 
-    if (!r->value[ASK_PRIOR]) {
-        return EXIT_GOOD;
+    if (r->value[ASK_SIX_FACES] || !r->value[ASK_PRIOR]) {
+        return r->value[ASK_SIX_FACES] ? read_six_faces(r) : EXIT_GOOD;
     }
     if (!r->value[ASK_NOMINAL] && !(r->value[ASK_ZERO] && r->value[ASK_LSB])) {
         return request_usage(r, ASK_PRIOR,

@@ -30,6 +30,7 @@ enum {
     ASK_UNITS,
     ASK_NOISE,
     ASK_PRIOR,
+    ASK_SIX_FACES,
     ASK_THERMAL,
     ASK_SLOPE,
     ASK_RATE,

@@ -102,7 +102,7 @@ int settle_noise(const request *r, const positions *data, calibrate_result *resu
         return EXIT_FILE;
     }
     if (fit_has_prior(&result->settings) && !(result->settings.noise > 0)) {
-        return request_usage(r, ASK_PRIOR,
+        return request_usage(r, r->value[ASK_SIX_FACES] ? ASK_SIX_FACES : ASK_PRIOR,
                              "is weighed against the noise of a position mean, so state that: "
                              "--noise, or columns std and n");
     }

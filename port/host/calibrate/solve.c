@@ -31,11 +31,12 @@ static double residual_of_nominal(const positions *data, const invcal_calibratio
 static uint16_t beyond(const calibrate_result *result)
 {
     const fit_quality *q = &result->quality;
-    const double spread = calibrate_knows_noise(result) ? q->coverage : 0;
+    const int known = calibrate_knows_noise(result);
     unsigned bits = 0;
 
     for (unsigned p = 0; p < INVCAL_PARAMETERS && result->tolerance; p++) {
-        const double least = fabs(result->solution.x[p]) - spread * q->sigma[p];
+        const double spread = known ? fit_coverage(q, p) * q->sigma[p] : 0;
+        const double least = fabs(result->solution.x[p]) - spread;
         bits |= (unsigned)!(least <= result->tolerance[p / 3]) << p;
     }
     return (uint16_t)bits;
@@ -176,7 +177,7 @@ static double accuracy_of(const fit_quality *q)
     invcal_quality quality = {.sigma_dof = (uint16_t)fmin(UINT16_MAX, q->sigma_dof)};
 
     memcpy(quality.sigma, q->sigma, sizeof quality.sigma);
-    return invcal_accuracy(&quality, 0);
+    return invcal_accuracy_held(&quality, q->from_prior, 0);
 }
 
 /* A field that is wrong makes all three scales wrong alike. */

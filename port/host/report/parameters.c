@@ -104,8 +104,11 @@ static const char *state_of(const report_facts *f, unsigned kind, unsigned i)
 {
     const int from_prior = f->result->quality.from_prior >> (3 * kind + i) & 1;
 
+    const int is_held = fit_held(&f->result->settings, &f->result->quality) >> (3 * kind + i) & 1;
+
     return is_weak(f, kind, i)     ? "badly determined"
            : is_beyond(f, kind, i) ? "beyond the data sheet"
+           : is_held               ? "not measured"
            : from_prior            ? "from the prior"
                                    : "";
 }
@@ -158,7 +161,7 @@ static double reach_of(const report_facts *f, unsigned kind)
     reach = fmax(reach, limit_of(f, kind)); /* fmax passes over NaN */
     for (unsigned i = 0; i < 3; i++) {
         const double sigma = sigma_of(f, kind, i);
-        const double spread = f->result->quality.coverage * sigma;
+        const double spread = fit_coverage(&f->result->quality, 3 * kind + i) * sigma;
         reach = fmax(reach, fabs(value_of(f, kind, i)) + (isnan(sigma) ? 0 : spread));
     }
     return reach > 0 ? 1.05 * reach : 1;
@@ -168,7 +171,7 @@ static double reach_of(const report_facts *f, unsigned kind)
 static void draw_bar(FILE *file, const report_facts *f, unsigned kind, unsigned i, const ruler *x)
 {
     const double value = value_of(f, kind, i);
-    const double spread = f->result->quality.coverage * sigma_of(f, kind, i);
+    const double spread = fit_coverage(&f->result->quality, 3 * kind + i) * sigma_of(f, kind, i);
     const double zero = chart_pixel(x, 0);
     const double end = chart_pixel(x, value);
     const double y = PANEL_TOP + (i + 0.5) * ROW;
@@ -274,8 +277,9 @@ void report_parameters(page *p, const report_facts *f)
     say_beyond(p, f);
     write_table(p, f);
     if (f->knows_noise) {
-        page_note(p, "± is one standard deviation; %.2f of them cover 95 %%.",
-                  f->result->quality.coverage);
+        page_note(p, "± is one standard deviation; %.2f of them cover 95 %%%s.",
+                  f->result->quality.coverage,
+                  f->result->quality.from_prior ? ", 1.96 of what a prior tells" : "");
     } else {
         page_note(p, "No ± can be given: the noise is not known. --noise states it, and positions "
                      "to spare show it.");

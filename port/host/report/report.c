@@ -8,6 +8,7 @@
 #include "cli/command.h"
 #include "fit/gravity.h"
 #include "cli/input.h"
+#include "result/faces.h"
 #include "result/need.h"
 #include "text/number.h"
 #include "cli/options.h"
@@ -23,7 +24,11 @@
 /* Half of the interval that holds the length in 95 % of cases, in the worst direction. */
 static const char *worst_spread(const report_facts *f, char text[FIGURE_MAX])
 {
-    return figure_digits(f->result->quality.coverage * f->length_sigma.most, 2, text);
+    const fit_quality *q = &f->result->quality;
+
+    return figure_digits(
+        uncertainty_half(&f->length_sigma, f->length_sigma.worst, q->coverage, q->from_prior), 2,
+        text);
 }
 
 /* What stands behind the result. */
@@ -106,6 +111,18 @@ static void write_weak(page *p, const report_facts *f)
     page_verdict(p, PAGE_BAD, "✗ Weak", sentence, next);
 }
 
+static void write_six_faces(page *p, const report_facts *f)
+{
+    char cost[VERDICT_MAX];
+    char sentence[TEXT_MAX];
+
+    snprintf(sentence, sizeof sentence, "%s", faces_cost(f->result, cost));
+    sentence[0] = (char)toupper((unsigned char)sentence[0]);
+    page_verdict(p, PAGE_CAUTION, "! Good for offsets and scales", sentence,
+                 "to measure the angles, add six positions and leave --six-faces out: " FACES_EDGES
+                 ".");
+}
+
 static void write_verdict(page *p, const report_facts *f)
 {
     const invcal_verdict verdict = f->result->quality.verdict;
@@ -115,7 +132,9 @@ static void write_verdict(page *p, const report_facts *f)
     char next[MESSAGE_MAX + TEXT_MAX];
     char text[VERDICT_MAX];
 
-    if (strcmp(word, "Good") == 0) {
+    if (faces_are_good(f->result)) {
+        write_six_faces(p, f);
+    } else if (strcmp(word, "Good") == 0) {
         say_good(f, sentence);
         say_how_to_use(f, next, sizeof next);
         page_verdict(p, PAGE_GOOD, "✓ Good", sentence, next);

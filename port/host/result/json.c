@@ -2,6 +2,7 @@
 #include <math.h>
 
 #include "result/result.h"
+#include "result/faces.h"
 #include "text/json_write.h"
 #include "result/need.h"
 #include "text/number.h"
@@ -189,6 +190,9 @@ void calibrate_json(FILE *file, const calibrate_result *result)
     }
     if (fit_has_prior(&result->settings)) {
         write_source(&w, result->quality.from_prior);
+    }
+    if (result->settings.is_six_faces) {
+        faces_json(&w, result);
     }
     if (result->degree > 0) {
         calibrate_nonlinear_json(&w, result);

@@ -128,6 +128,10 @@ const char *calibrate_limit(const calibrate_result *r, const uncertainty *length
     } else if (calibrate_wants_slopes(r)) {
         snprintf(text, CALIBRATE_LIMIT_MAX,
                  "temperature: slopes are wanting, and pass for errors of other kinds.");
+    } else if (fit_held(&r->settings, &r->quality)) {
+        snprintf(
+            text, CALIBRATE_LIMIT_MAX,
+            "the angles, which these positions do not tell; those midway between two axes do.");
     } else if (uneven >= UNEVEN && !fit_has_prior(&r->settings)) {
         snprintf(
             text, CALIBRATE_LIMIT_MAX,

@@ -5,14 +5,13 @@
 
 #include "text/figure.h"
 
-#define NORMAL 1.959964 /* sigma that hold 95 % */
-#define MANY_MORE 3.0   /* times as many positions: longer rests are easier */
+#define MANY_MORE 3.0 /* times as many positions: longer rests are easier */
 
 enum { WHAT_MAX = NEED_MAX / 2 };
 
 double need_of_field(const calibrate_result *r)
 {
-    return NORMAL * r->field_sigma;
+    return FIT_NORMAL * r->field_sigma;
 }
 
 double need_reached(const calibrate_result *r)
@@ -63,7 +62,7 @@ need_missing need_judge(const calibrate_result *r)
     if (calibrate_is_disturbed(r)) {
         return NEED_STEADINESS;
     }
-    if (calibrate_is_uneven(r)) {
+    if (calibrate_is_uneven(r) || fit_held(&r->settings, &r->quality)) {
         return NEED_DIRECTIONS;
     }
     return times_more(r) <= MANY_MORE ? NEED_POSITIONS : NEED_REST;
@@ -105,7 +104,7 @@ static void say_missing(const calibrate_result *r, need_missing missing, char te
         snprintf(text, WHAT_MAX,
                  "Missing: the length of the field, to ±%s (--gravity G+-S, or --latitude); all "
                  "scales inherit its error.",
-                 figure_digits(r->need / NORMAL, 2, number));
+                 figure_digits(r->need / FIT_NORMAL, 2, number));
         return;
     case NEED_REST:
         snprintf(text, WHAT_MAX,

@@ -8,6 +8,7 @@
 #include "fit/gravity.h"
 #include "maths/matrix.h"
 #include "cli/message.h"
+#include "result/faces.h"
 #include "result/need.h"
 #include "text/number.h"
 #include "cli/options.h"
@@ -109,9 +110,12 @@ static void print_errors(FILE *file, const calibrate_result *r, int known)
     static const char *const pairs[] = {"xy", "xz", "zy"};
     const told_unit scale = told_scale(r->told);
     const told_unit angle = told_angle(r->told);
+    const uint16_t held = fit_held(&r->settings, &r->quality);
     char off_square[FIGURE_MAX];
+    char not_measured[FIGURE_MAX];
 
     snprintf(off_square, sizeof off_square, "%s off square", angle.unit);
+    snprintf(not_measured, sizeof not_measured, "%s, not measured", angle.unit);
     for (unsigned i = 0; i < 3; i++) {
         const figure f = {.label = "scale error",
                           .axis = {"xyz"[i]},
@@ -129,7 +133,7 @@ static void print_errors(FILE *file, const calibrate_result *r, int known)
                           .sigma = known ? angle.scale * r->quality.sigma[INVCAL_GAMMA_XY + i]
                                          : NUMBER_UNKNOWN,
                           .nominal = 0,
-                          .unit = off_square};
+                          .unit = held >> (INVCAL_GAMMA_XY + i) & 1 ? not_measured : off_square};
         print_figure(file, &f);
     }
 }
@@ -175,8 +179,8 @@ static void print_residuals(FILE *file, const calibrate_result *r, const char *n
             fprintf(file, " (%s: %.3g)", r->is_noise_given ? "stated" : "of samples",
                     r->settings.noise * noise.scale);
         }
-        fprintf(file, "\n±             one standard deviation; %.2f of them cover 95 %%\n",
-                q->coverage);
+        fprintf(file, "\n±             one standard deviation; %.2f of them cover 95 %%%s\n",
+                q->coverage, q->from_prior ? "; 1.96 of what a prior tells" : "");
         if (r->field_sigma > 0) {
             fprintf(file, "of g          %.2g %s in the ± of the scales, alike in all three%s\n",
                     told_scale(r->told).scale * r->field_sigma, told_scale(r->told).unit,
@@ -234,12 +238,15 @@ static void print_verdict(FILE *file, const calibrate_result *result)
     const fit_quality *q = &result->quality;
     char list[128];
     char cause[VERDICT_MAX];
-    char word[32];
-    char text[VERDICT_MAX + 8];
+    char word[64];
+    char text[VERDICT_MAX + 32];
+    const int is_held = faces_are_good(result);
 
-    snprintf(word, sizeof word, "%s:", verdict_word(result));
-    const paint colour = colour_of(q->verdict);
-    if (strcmp(word, "Good:") == 0) {
+    snprintf(word, sizeof word, "%s%s", verdict_word(result), is_held ? ";" : ":");
+    const paint colour = is_held ? PAINT_YELLOW : colour_of(q->verdict);
+    if (is_held) {
+        snprintf(text, sizeof text, " %s", faces_cost(result, cause));
+    } else if (strcmp(word, "Good:") == 0) {
         snprintf(text, sizeof text,
                  " every parameter is determined; degrees of freedom left to check it: %.3g. %s",
                  q->dof, verdict_unchecked(result, cause));
@@ -263,7 +270,7 @@ static void print_verdict(FILE *file, const calibrate_result *result)
     if (result->need > 0) {
         calibrate_print_wrapped(file, 0, need_text(result, cause));
     }
-    if (q->from_prior) {
+    if (q->from_prior && !is_held) {
         snprintf(text, sizeof text, "Known from the prior rather than from the positions: %s.",
                  parameters_list(q->from_prior, list, sizeof list));
         calibrate_print_wrapped(file, 0, text);
@@ -285,7 +292,12 @@ static void print_next(FILE *file, const calibrate_result *result, const calibra
     if (wish->report) {
         fprintf(file, "Report in %s.\n", wish->report);
     }
-    if (q->verdict == INVCAL_NO_REDUNDANCY) {
+    if (faces_are_good(result)) {
+        snprintf(text, sizeof text,
+                 "Next: to measure the angles, add six positions and leave --six-faces out: %s.",
+                 FACES_EDGES);
+        calibrate_print_wrapped(file, 0, text);
+    } else if (q->verdict == INVCAL_NO_REDUNDANCY) {
         fprintf(file, "Next: add 3 or more positions in other directions, to check the fit.\n");
     } else if (q->verdict == INVCAL_WEAK && calibrate_wants_slopes(result)) {
         fprintf(file, "Next: measure nine positions or more at each of two temperatures, 5 K "

@@ -102,6 +102,7 @@ static const char *const watch_help[] = {
     "  --nominal-name WORD heading of the nominal column; default nominal\n"
     "  --noise S           standard deviation of one position mean, in field units\n"
     "  --prior D,K,G       standard deviations of what the nominal may be wrong by\n"
+    "  --six-faces         takes the angles, which six faces do not tell, as 0 +- 0.01 rad\n"
     "  --thermal 1|2       straight lines or parabolas of temperature\n"
     "  --slope D,K,G       standard deviations of what slopes may be, per K\n"
     "  --rate HZ           samples a second; default: by the column t, else 100\n"
