@@ -174,11 +174,6 @@ static int take_rest(stage *s)
 }
 
 /* A target that is 0 is any. */
-static int is_anything_wanted(const live_wish *wish)
-{
-    return wish->need > 0 || wish->target[0] > 0 || wish->target[1] > 0 || wish->target[2] > 0;
-}
-
 static int reaches_target(const live_wish *wish)
 {
     double target[3];
@@ -213,7 +208,7 @@ static void judge(stage *s)
 
 static watch_outcome judge_outcome(stage *s, int is_complete)
 {
-    const int is_wanted = is_anything_wanted(s->wish);
+    const int is_wanted = watch_is_anything_wanted(&now);
 
     now.is_good = is_wanted ? reaches_target(s->wish) : invcal_session_is_good(&session);
     if (is_complete) {

@@ -1,12 +1,11 @@
 /* SPDX-License-Identifier: MIT
  *
  * watch/screen.h: a live calibration told on a screen that is redrawn: where the device points and where it is
- * to, which directions are covered, how well everything is known, and what it comes to.
+ * to, which directions are covered, how well everything is known, and what it comes to (frame.h).
  */
 #ifndef WATCH_SCREEN_H
 #define WATCH_SCREEN_H
 
-#include "watch/canvas.h"
 #include "watch/state.h"
 
 /* 1 if it is the standard output, and a terminal that can be drawn on: not dumb, with Braille (the console of
@@ -17,8 +16,5 @@ int screen_is_possible(FILE *talk);
  * colours are taken off: whatever ends the program leaves the terminal as it was. A bell says that a position is
  * good, that a rest is refused, and that all is good. */
 void screen_tell(const watch_state *now, watch_news what);
-
-/* What is drawn: CANVAS_LINES lines of at most CANVAS_COLUMNS columns, `line_end` behind each. Returns text. */
-const char *screen_frame(const watch_state *now, const char *line_end, char text[CANVAS_BYTES]);
 
 #endif

@@ -41,6 +41,13 @@ double watch_wanted(const watch_state *now, unsigned kind)
     return NORMAL * now->target_sigma[kind];
 }
 
+int watch_is_anything_wanted(const watch_state *now)
+{
+    const double *target = now->target_sigma;
+
+    return now->need > 0 || target[0] > 0 || target[1] > 0 || target[2] > 0;
+}
+
 told_unit watch_unit(const watch_state *now, unsigned kind)
 {
     const told_unit degrees = {FIGURE_DEGREES, "deg"};

@@ -95,6 +95,9 @@ double watch_interval(const watch_state *now, unsigned kind);
 /* The same of what is wanted; 0: anything. */
 double watch_wanted(const watch_state *now, unsigned kind);
 
+/* There is a target, or a need. */
+int watch_is_anything_wanted(const watch_state *now);
+
 /* The unit that it is told in. */
 told_unit watch_unit(const watch_state *now, unsigned kind);
 extern const char *const watch_kinds[WATCH_KINDS];
