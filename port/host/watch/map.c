@@ -9,7 +9,7 @@
 #define DOWN 4u
 #define DOTS (ACROSS * MAP_COLUMNS) /* in the diameter, either way */
 #define RIM (1 - 2.0 / DOTS)        /* radius: the outermost dots */
-#define DEGREE 0.017453292519943296
+#define COVERS 0.93969262078590838  /* cosine of 20 degrees */
 
 /* Which of `count` parts of the way from -1 to 1. */
 static unsigned part_of(double x, unsigned count)
@@ -32,11 +32,9 @@ map_place map_find(const double up[3])
 
 static int is_covered(const double up[3], const double (*direction)[3], unsigned count)
 {
-    const double near = cos(MAP_COVERS * DEGREE);
-
     for (unsigned n = 0; n < count; n++) {
         const double *d = direction[n];
-        if (d[0] * up[0] + d[1] * up[1] + d[2] * up[2] >= near) {
+        if (d[0] * up[0] + d[1] * up[1] + d[2] * up[2] >= COVERS) {
             return 1;
         }
     }

@@ -10,7 +10,6 @@
 
 #define MAP_LINES 11u /* of a disc; a cell is twice as high as it is wide */
 #define MAP_COLUMNS 22u
-#define MAP_COVERS 20.0 /* degrees about a position that count as covered */
 
 /* Where a direction is found. */
 typedef struct {
@@ -21,7 +20,8 @@ typedef struct {
 
 map_place map_find(const double up[3]);
 
-/* Draws one half with its upper left corner there: the rim, and dots where a direction is covered. */
+/* Draws one half with its upper left corner there: the rim, and dots within 20 degrees of a
+ * direction, which count as covered. */
 void map_draw(canvas *c, unsigned line, unsigned column, unsigned half,
               const double (*direction)[3], unsigned count);
 

@@ -6,12 +6,9 @@
 #include <stdlib.h>
 #include <string.h>
 #include <sys/ioctl.h>
-#include <time.h>
 #include <unistd.h>
 
 #include "watch/frame.h"
-
-#define PAUSE 0.02 /* seconds of the clock between frames: of a file more would never be seen */
 
 /* Lines of the terminal; 0 if it is too small, or does not tell. */
 static unsigned lines_of(FILE *talk)
@@ -54,19 +51,10 @@ static void put_out(FILE *talk, const char *text)
 #define HIDE_CURSOR "\033[?25l"
 #define SHOW_CURSOR "\033[?25h"
 
-static double clock_seconds(void)
-{
-    struct timespec t;
-
-    return clock_gettime(CLOCK_MONOTONIC, &t) == 0 ? (double)t.tv_sec + 1e-9 * (double)t.tv_nsec
-                                                   : 0;
-}
-
 static struct {
     int is_ringing; /* with the next frame */
     int has_rung;   /* for the rest that goes on */
     int is_good;    /* has been told */
-    double drawn;   /* seconds of the clock */
 } told;
 
 /* A bell for each turn of things: the person looks at the device. */
@@ -92,7 +80,6 @@ static void draw(const watch_state *now)
              told.is_ringing ? "\a" : "");
     put_out(now->talk, text);
     told.is_ringing = 0;
-    told.drawn = clock_seconds();
 }
 
 /* What stood on the screen is scrolled up, not drawn upon. */
@@ -111,8 +98,7 @@ void screen_tell(const watch_state *now, watch_news what)
         begin(now->talk);
     }
     listen(now, what);
-    if (what == WATCH_ENDED ||
-        (what == WATCH_PASSED && (told.is_ringing || clock_seconds() - told.drawn >= PAUSE))) {
+    if (what == WATCH_PASSED || what == WATCH_ENDED) {
         draw(now);
     }
     if (what == WATCH_ENDED && *now->missing) {

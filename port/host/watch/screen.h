@@ -12,7 +12,7 @@
  * Linux has none), and large enough. */
 int screen_is_possible(FILE *talk);
 
-/* Draws, at most once per WATCH_PASSED, in one write. Each time the cursor is hidden and shown again, and
+/* Draws at each WATCH_PASSED, in one write. Each time the cursor is hidden and shown again, and
  * colours are taken off: whatever ends the program leaves the terminal as it was. A bell says that a position is
  * good, that a rest is refused, and that all is good. */
 void screen_tell(const watch_state *now, watch_news what);
