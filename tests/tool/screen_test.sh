@@ -100,6 +100,22 @@ if command -v script > /dev/null && script -qec true /dev/null > /dev/null 2>&1 
     check "the program's position is next" matches "$work/typed" 'X next.*position 2 of 18: alpha'
     check "and complete in the end" matches "$work/typed" 'nowhere: the program is complete'
 
+    frames
+    # It is carried from each position straight to the next, 17 times, 45 to 90 degrees.
+    check "degrees to go become fewer" awk '
+        /^TURN IT|^YOU MAY STOP/ { to = $0; sub(/ degrees to go.*/, "", to); sub(/.* /, "", to)
+            if (!going) first = to + 0
+            last = to + 0; going = 1 }
+        /^(HOLD STILL|MOVE ON)/ { if (going) moves++; if (going && first > 40 && first < 95 && last < 24) right++; going = 0 }
+        END { exit !(moves == 17 && right == 17) }' "$work/frames"/*
+
+    # Where the device points, in words, in frames that say MOVE ON: what it was carried through.
+    printf '%s\n' x,y,z 1,0,0 0,-1,0 0,0,1 -1,0,0 0,1,0 0,0,-1 > "$work/faces.csv"
+    "$tool" simulate --plan directions:"$work/faces.csv" --zero 33000,32800,32500 > "$work/turned.csv"
+    terminal 'invcal watch "$work/turned.csv" --zero 33000,32800,32500'
+    frames
+    check "now is where it was carried" test "+x -y +z -x +y -z " = \
+        "$(cat "$work/frames"/* | awk '/^MOVE ON/ { on = 1 } /^@ now/ && on { on = 0; if ($3 != was && $4 == "up" && NF == 4) printf "%s ", was = $3 }')"
     # A rest that creeps is nothing to be used.
     awk -F, -v OFS=, 'NR > 60 && NR < 500 { $2 += (NR - 60) * 5 } { print }' "$work/edges.csv" > "$work/creep.csv"
     head -n 600 "$work/creep.csv" > "$work/creeps.csv"
