@@ -16,6 +16,7 @@
 #define LINES 24
 #define COLUMNS 80
 #define NORMAL 1.959964
+#define NOT_A_NUMBER ((double)NAN)
 
 static FILE *file; /* no terminal: no colours */
 static watch_state now;
@@ -469,12 +470,12 @@ static void no_text_is_too_long_or_does_harm(void)
     now.name = "\033[2Jx\303\244\346\226\207\314\201\302\233\377y";
     is_sound();
     TEST_ASSERT_TRUE(says("invcal watch: ?[2Jxä????y "));
-    know(NAN, HUGE_VAL, 1e30);
-    now.accuracy = NAN;
-    now.need = NAN;
+    know(NOT_A_NUMBER, HUGE_VAL, 1e30);
+    now.accuracy = NOT_A_NUMBER;
+    now.need = NOT_A_NUMBER;
     now.has_up = now.has_target = 1;
-    now.up[0] = now.target[2] = NAN;
-    now.direction[0][0] = NAN;
+    now.up[0] = now.target[2] = NOT_A_NUMBER;
+    now.direction[0][0] = NOT_A_NUMBER;
     is_sound();
 }
 

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-#define _DEFAULT_SOURCE /* struct winsize */
+#define _POSIX_C_SOURCE 200809L
 #include "watch/screen.h"
 
 #include <errno.h>

@@ -31,7 +31,7 @@ int watch_knows_sigma(const watch_state *now)
 
 double watch_interval(const watch_state *now, unsigned kind)
 {
-    const double *sigma = &now->quality.sigma[WATCH_KINDS * kind];
+    const double *sigma = &now->quality.sigma[(size_t)WATCH_KINDS * kind];
 
     return invcal_coverage(now->quality.sigma_dof) * fmax(sigma[0], fmax(sigma[1], sigma[2]));
 }
