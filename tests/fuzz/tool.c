@@ -12,7 +12,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include "../../port/host/design/grid.h"
+#include "design/grid.h"
 
 #define REQUIRE(condition) ((condition) ? (void)0 : fail(__LINE__, #condition))
 
