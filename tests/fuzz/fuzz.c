@@ -332,8 +332,7 @@ void require_noise(const invcal_quality *q, invcal_real stated)
 {
     const double least = (double)stated * sqrt(4.0 / (4.0 + q->positions));
 
-    REQUIRE(q->sigma_dof == q->dof ||
-            (double)q->noise >= least * (1 - 8 * (double)INVCAL_EPSILON));
+    REQUIRE(q->sigma_dof == q->dof || (double)q->noise >= least * (1 - 8 * (double)INVCAL_EPSILON));
 }
 
 void require_direction(const invcal_real up[3])
