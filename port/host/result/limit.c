@@ -25,7 +25,9 @@ double calibrate_guess_error(const calibrate_result *r)
 {
     const double *dk = &r->solution.x[INVCAL_DK_X];
 
-    return nominal_is_guess(&r->nominal) ? fmax(fabs(dk[0]), fmax(fabs(dk[1]), fabs(dk[2]))) : 0;
+    return nominal_knows(&r->nominal, INVCAL_DK_X)
+               ? 0
+               : fmax(fabs(dk[0]), fmax(fabs(dk[1]), fabs(dk[2])));
 }
 
 invcal_calibration calibrate_at(const calibrate_result *r, unsigned position)

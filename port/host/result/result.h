@@ -34,12 +34,13 @@ typedef struct {
     nominal_choice nominal;
     fit_settings settings;
     fit_solution solution;
-    fit_quality quality;     /* worst counts among all positions */
-    const double *tolerance; /* data sheet limits of offsets (over the field), scale errors and
-                                angles (rad); null: not stated */
-    uint16_t beyond;         /* bit r: parameter r exceeds them, and its interval of 95 % does */
-    double field_sigma;      /* of the field, over itself: a part of sigma of the scales, */
-    int is_field_stated;     /* as stated; or because it was not */
+    fit_quality quality; /* worst counts among all positions */
+    double limit
+        [INVCAL_PARAMETERS]; /* what a good sensor may be off by, in the units of x; NaN: not */
+    int has_limits;          /* stated; or is some */
+    uint16_t beyond;     /* bit r: parameter r exceeds its limit, and its interval of 95 % does */
+    double field_sigma;  /* of the field, over itself: a part of sigma of the scales, */
+    int is_field_stated; /* as stated; or because it was not */
     double accuracy; /* 95 % of lengths are right within that, over the field, if the field is */
     double need;     /* what is asked of all of it, field units; 0: nothing */
     int is_drift_fitted;   /* the calibration holds in the middle of the session, and is freed of */
@@ -131,6 +132,10 @@ const char *calibrate_advice(const calibrate_result *result, char text[CALIBRATE
 
 /* One JSON object. */
 void calibrate_json(FILE *file, const calibrate_result *result);
+
+/* Members of the object that is open: deviations from nominal, null where nothing states it. */
+void calibrate_parameters_json(json_writer *w, const calibrate_result *result,
+                               const double x[INVCAL_PARAMETERS]);
 
 /* What the user asked for that is not in the result. */
 #define CALIBRATE_NAME_MAX 14u

@@ -188,11 +188,19 @@ static void say_recognised(const stage *s)
 /* ---- zero and scale ---------------------------------------------------------------------------- */
 
 /* Field units per input unit, if a unit is stated that tells it; else 0. */
-static double stated_scale(const live_wish *wish)
+static double scale_of_unit(const live_wish *wish)
 {
     const reading_unit stated = wish->unit != UNIT_UNKNOWN ? wish->unit : live_log.where.seen.unit;
 
     return unit_scale(stated, wish->field);
+}
+
+/* The same, or by the sensor. */
+static double stated_scale(const live_wish *wish)
+{
+    const double unit = scale_of_unit(wish);
+
+    return unit > 0 || !wish->sensor.type ? unit : sensors_scale(&wish->sensor, wish->field);
 }
 
 /* Nothing states the zero of the readings, nor the scale. */
@@ -455,11 +463,36 @@ static int hold_by_noise(const live_wish *wish)
     return EXIT_GOOD;
 }
 
+/* The first readings, a geometric mean of them, can be the sensor's that was stated: it would be late to say
+ * so at the end. */
+static int check_sensor(const live_wish *wish)
+{
+    char text[SENSORS_TEXT_MAX];
+    double sum = 0;
+
+    if (!wish->sensor.type || wish->zero || wish->lsb || scale_of_unit(wish) > 0) {
+        return EXIT_GOOD;
+    }
+    for (unsigned n = 0; n < live_log.ahead_count; n++) {
+        const double *v = live_log.ahead[n];
+        sum +=
+            log(sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]) * stated_scale(wish) / wish->field);
+    }
+    return live_log.ahead_count == 0 ||
+                   sensors_fit(&wish->sensor, exp(sum / live_log.ahead_count), text)
+               ? EXIT_GOOD
+               : message_usage("watch", "%s: %s", live_log.table.name, text);
+}
+
 static int begin(const live_wish *wish)
 {
     const double *clip = wish->clip;
     invcal_calibration nominal;
+    const int failure = check_sensor(wish);
 
+    if (failure) {
+        return failure;
+    }
     if (!set_nominal(wish, &nominal) ||
         invcal_session_begin(&session, &nominal, samples_whole_rate(&live_log)) != INVCAL_OK ||
         (clip && invcal_session_rails(&session, samples_count(&live_log, clip[0]),

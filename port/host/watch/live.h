@@ -8,6 +8,7 @@
 #include <stdio.h>
 
 #include "design/design.h"
+#include "fit/sensors.h"
 #include "invcal/allan.h"
 #include "read/rests.h"
 #include "cli/told.h"
@@ -21,11 +22,13 @@ typedef struct {
     const double *zero; /* zero, else 0, and scale, else by the unit or from the first samples; if
                            neither they nor the unit are given, both are found again from the */
     const double *lsb;  /* positions */
-    const design *set;  /* the program to follow; null: free hand */
-    double target[3];   /* sigma that is enough; 0: any */
-    double need;        /* what lengths may be wrong by, over the field; 0: anything */
-    double field_sigma; /* what the field may, over itself */
-    double mean_sigma;  /* of a position mean that is wanted, field units; 0: any */
+    sensor_choice
+        sensor; /* whose readings they are, for a scale that neither lsb nor the unit tells */
+    const design *set;         /* the program to follow; null: free hand */
+    double target[3];          /* sigma that is enough; 0: any */
+    double need;               /* what lengths may be wrong by, over the field; 0: anything */
+    double field_sigma;        /* what the field may, over itself */
+    double mean_sigma;         /* of a position mean that is wanted, field units; 0: any */
     const invcal_noise *noise; /* of three axes, over the field, in place of what the first rest
                                   tells; null: there is none. Needs mean_sigma */
     told_style told;           /* the units of sigma */
