@@ -210,7 +210,7 @@ done
 escape=$(printf '\033')
 run calibrate "$work/log.csv"
 check "no colour into a file" lacks "$work/stdout" "$escape"
-run calibrate "$xsens" --positions --nominal-name 'ab±²µ'
+run calibrate "$xsens" --positions --zero 33000,33000,32000 --lsb 0.0024 --nominal-name 'ab±²µ'
 LC_ALL=C sed 's/±/+/g; s/²/2/g; s/µ/u/g' "$work/stdout" > "$work/ascii"
 check "columns count characters, not bytes" awk '
     / \+ sigma/ { heading = index($0, "ab+2u") + length("ab+2u"); sign = index($0, " + ") }
