@@ -153,9 +153,9 @@ static void test_other_range(void)
     fits("mpu6050:4g", 1, NULL);
     fits("mpu6050:4g", 0.8, NULL);
     fits("mpu6050:4g", 1.3, NULL);
-    fits("mpu6050:2g", 0.5, "2 times too small for mpu6050:2g: as if it were mpu6050:4g");
+    fits("mpu6050:2g", 0.5, "2.0 times too small for mpu6050:2g: as if it were mpu6050:4g");
     fits("mpu6050:2g", 0.25 * 0.95, "4.2 times too small for mpu6050:2g: as if it were mpu6050:8g");
-    fits("mpu6050:16g", 8, "8 times too large for mpu6050:16g: as if it were mpu6050:2g");
+    fits("mpu6050:16g", 8, "8.0 times too large for mpu6050:16g: as if it were mpu6050:2g");
     fits("mpu6050:16g", 32, "32 times too large for mpu6050:16g, and no range of it fits");
     fits("bno055", 1.02 / 0.980665, NULL);
     fits("mpu6050", (double)NAN, "no range of it fits");
@@ -166,13 +166,15 @@ static void test_other_range(void)
 static void test_words(void)
 {
     const sensor_choice c = choose("MPU6050:4g");
+    const sensor_choice other = choose("adxl345");
     const sensor_choice none = choose("xsens-mti");
     char text[SENSORS_TEXT_MAX];
 
     TEST_ASSERT_EQUAL_STRING("mpu6050:4g", sensors_key(&c, text));
-    TEST_ASSERT_EQUAL_STRING(
-        "offsets ±50, ±50, ±80 mg typical; scale ±3 % typical; cross-axis ±2 % typical",
-        sensors_limits_text(&c, text));
+    TEST_ASSERT_EQUAL_STRING("typical: offsets ±50, ±50, ±80 mg; scale ±3 %; cross-axis ±2 %",
+                             sensors_limits_text(&c, text));
+    TEST_ASSERT_EQUAL_STRING("offsets ±150, ±150, ±250 mg; scale ±10 %; typical: cross-axis ±1 %",
+                             sensors_limits_text(&other, text));
     TEST_ASSERT_EQUAL_STRING("not stated", sensors_limits_text(&none, text));
 }
 

@@ -6,6 +6,7 @@
 #include <stdarg.h>
 #include <string.h>
 
+#include "text/figure.h"
 #include "text/nearest.h"
 #include "text/unit.h"
 
@@ -253,12 +254,14 @@ int sensors_fit(const sensor_choice *c, double ratio, char text[SENSORS_TEXT_MAX
 {
     const double counts = ratio * c->range->per_g;
     char key[SENSORS_TEXT_MAX];
+    char number[FIGURE_MAX];
 
     if (ratio < TOO_FAR && ratio > 1 / TOO_FAR) {
         return 1;
     }
-    snprintf(text, SENSORS_TEXT_MAX, "the readings are %.2g times too %s for %.40s",
-             ratio > 1 ? ratio : 1 / ratio, ratio > 1 ? "large" : "small", sensors_key(c, key));
+    snprintf(text, SENSORS_TEXT_MAX, "the readings are %s times too %s for %.40s",
+             figure_digits(ratio > 1 ? ratio : 1 / ratio, 2, number), ratio > 1 ? "large" : "small",
+             sensors_key(c, key));
     for (unsigned k = 0; k < SENSORS_RANGES && c->type->range[k].name; k++) {
         const double other = counts / c->type->range[k].per_g;
         if (other < RANGE_OF && other > 1 / RANGE_OF) {
@@ -278,39 +281,41 @@ const char *sensors_key(const sensor_choice *c, char text[SENSORS_TEXT_MAX])
     return text;
 }
 
-/* "offsets ±50, ±50, ±80 mg" */
-static void append_offsets(const sensor *s, char *text, size_t size)
+/* One limit, behind the others: "offsets ±50, ±50, ±80 mg". */
+static void append_limit(const sensor *s, unsigned which, char *text, size_t size)
 {
-    const int is_alike = !(s->offset[0] < s->offset[2]) && !(s->offset[0] > s->offset[2]);
+    const double *offset = s->offset;
 
-    if (is_alike) {
-        append(text, size, "offsets ±%.3g mg", 1000 * s->offset[0]);
+    if (which == SENSOR_SCALE) {
+        append(text, size, "scale ±%.3g %%", 100 * s->scale);
+    } else if (which == SENSOR_CROSS_AXIS) {
+        append(text, size, "cross-axis ±%.3g %%", 100 * s->cross_axis);
+    } else if (offset[2] > offset[0]) {
+        append(text, size, "offsets ±%.3g, ±%.3g, ±%.3g mg", 1000 * offset[0], 1000 * offset[1],
+               1000 * offset[2]);
     } else {
-        append(text, size, "offsets ±%.3g, ±%.3g, ±%.3g mg", 1000 * s->offset[0],
-               1000 * s->offset[1], 1000 * s->offset[2]);
+        append(text, size, "offsets ±%.3g mg", 1000 * offset[0]);
     }
 }
 
 const char *sensors_limits_text(const sensor_choice *c, char text[SENSORS_TEXT_MAX])
 {
     const sensor *s = c->type;
-    const char *const mark[2] = {"", " typical"};
+    const unsigned stated = (s->offset[0] > 0 ? SENSOR_OFFSET : 0u) |
+                            (s->scale > 0 ? SENSOR_SCALE : 0u) |
+                            (s->cross_axis > 0 ? SENSOR_CROSS_AXIS : 0u);
+    const unsigned groups[2] = {stated & ~s->typical, stated & s->typical};
 
-    text[0] = '\0';
-    if (s->offset[0] > 0) {
-        append_offsets(s, text, SENSORS_TEXT_MAX);
-        append(text, SENSORS_TEXT_MAX, "%s", mark[(s->typical & SENSOR_OFFSET) > 0]);
-    }
-    if (s->scale > 0) {
-        append(text, SENSORS_TEXT_MAX, "%sscale ±%.3g %%%s", *text ? "; " : "", 100 * s->scale,
-               mark[(s->typical & SENSOR_SCALE) > 0]);
-    }
-    if (s->cross_axis > 0) {
-        append(text, SENSORS_TEXT_MAX, "%scross-axis ±%.3g %%%s", *text ? "; " : "",
-               100 * s->cross_axis, mark[(s->typical & SENSOR_CROSS_AXIS) > 0]);
-    }
-    if (*text == '\0') {
-        append(text, SENSORS_TEXT_MAX, "not stated");
+    snprintf(text, SENSORS_TEXT_MAX, "%s", stated ? "" : "not stated");
+    for (unsigned g = 0; g < 2; g++) {
+        const char *before = g == 1 ? "typical: " : "";
+        for (unsigned which = SENSOR_OFFSET; which <= SENSOR_CROSS_AXIS; which *= 2) {
+            if (groups[g] & which) {
+                append(text, SENSORS_TEXT_MAX, "%s%s", *text ? "; " : "", before);
+                append_limit(s, which, text, SENSORS_TEXT_MAX);
+                before = "";
+            }
+        }
     }
     return text;
 }
