@@ -44,7 +44,8 @@ check "nothing stated: nor before" says_not '[Bb]efore'
 check "nothing stated: nor an excuse" says_not 'guess|say nothing'
 check "nothing stated: nor bars" lacks "$page" 'bar"|The nine parameters with their uncertainty'
 check "nothing stated: it has what the sensor reads, and angles" says_page \
-    'parameter sensor reads remark offset x 327\.[0-9]+ ± 0\.[0-9]+ .*angle xy \+0\.57[0-9]* ± 0\.0[0-9]* °'
+    'parameter value remark offset x 327\.[0-9]+ ± 0\.[0-9]+ .*angle xy \+0\.57[0-9]* ± 0\.0[0-9]* °'
+check "nothing stated: it says what would state it" says_page 'nominal not stated: --sensor, --unit, or --zero and --lsb tell it'
 check "nothing stated: it has residuals" says_page 'What is left: residuals'
 check "nothing stated: it is well formed" is_page "$page"
 run calibrate "$work/log.csv" --json

@@ -156,7 +156,7 @@ static void write_table(page *p, const report_facts *f)
 
     for (unsigned k = 0; k < COLUMNS; k++) {
         if (is_shown(f, k)) {
-            titles[sheet.count++] = all[k];
+            titles[sheet.count++] = k == RAW && !is_shown(f, NOMINAL) ? "value" : all[k];
         }
     }
     sheet.text_columns = 1u << (sheet.count - 1);

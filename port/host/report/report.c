@@ -192,9 +192,11 @@ static void write_nominal(page *p, const report_facts *f)
 {
     const nominal_choice *n = &f->result->nominal;
 
-    if (n->zero == n->lsb) {
-        page_fact(p, f->wish->nominal_name, "%s%s",
-                  n->zero == NOMINAL_RANGE ? "" : "zero and scale ", nominal_origin_text(n->zero));
+    if (!nominal_is_stated(n)) {
+        page_fact(p, f->wish->nominal_name,
+                  "not stated: --sensor, --unit, or --zero and --lsb tell it");
+    } else if (n->zero == n->lsb) {
+        page_fact(p, f->wish->nominal_name, "zero and scale %s", nominal_origin_text(n->zero));
     } else {
         page_fact(p, f->wish->nominal_name, "zero %s, scale %s", nominal_origin_text(n->zero),
                   nominal_origin_text(n->lsb));
