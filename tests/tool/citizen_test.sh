@@ -171,6 +171,7 @@ if command -v bash > /dev/null; then
     check "completion: files, with blanks" offers 'la la.csv' calibrate la
     check "completion: files of an option" offers truth.json simulate --truth tr
     check "completion: nothing for a number" offers '' calibrate --gravity ''
+    check "completion: sensors with a sheet" offers 'bmi160 bmi270 bno055' calibrate --sensor b
     check "completion: it is bash's for invcal" bash -c '. "$0" && complete -p invcal' \
         "$root/port/host/invcal.bash" > /dev/null
 else

@@ -203,8 +203,8 @@ static void write_nominal(page *p, const report_facts *f)
     }
     if (n->sensor.type) {
         char limits[SENSORS_TEXT_MAX];
-        page_fact(p, "sensor", "%s at %s; limits: %s", n->sensor.type->name, n->sensor.range->name,
-                  sensors_limits_text(&n->sensor, limits));
+        page_fact(p, "sensor", "%s at %s", n->sensor.type->name, n->sensor.range->name);
+        page_fact(p, "its limits", "%s", sensors_limits_text(&n->sensor, limits));
         page_fact(p, "data sheet", "%s", n->sensor.type->sheet);
     }
 }

@@ -392,7 +392,7 @@ static void print_stand(FILE *file, const calibrate_result *result)
 /* What the sensor was to read, and who says so. */
 static void print_nominal(FILE *file, const nominal_choice *n, const char *name)
 {
-    char text[TEXT_MAX + SENSORS_TEXT_MAX];
+    char text[TEXT_MAX];
     char limits[SENSORS_TEXT_MAX];
 
     if (!nominal_is_stated(n)) {
@@ -407,10 +407,10 @@ static void print_nominal(FILE *file, const nominal_choice *n, const char *name)
     }
     calibrate_print_wrapped(file, 0, text);
     if (n->sensor.type) {
-        snprintf(text, sizeof text, "%s at %s: %s. Limits: %s.", n->sensor.type->name,
-                 n->sensor.range->name, n->sensor.type->sheet,
-                 sensors_limits_text(&n->sensor, limits));
-        calibrate_print_wrapped(file, 0, text);
+        fprintf(file, "%s at %s: %s\n", n->sensor.type->name, n->sensor.range->name,
+                n->sensor.type->sheet);
+        fprintf(file, "%-14s", "limits");
+        calibrate_print_wrapped(file, 14, sensors_limits_text(&n->sensor, limits));
     }
     fprintf(file, "\n");
 }
