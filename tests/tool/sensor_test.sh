@@ -175,6 +175,20 @@ run watch "$work/unit.csv" --sensor mpu6050:16g --json
 check "watch: readings in m/s^2 are of any range" is "$(nominal lsb_from) $(member beyond)" \
     '"unit" ["delta_x", "dk_x", "gamma_xz"]'
 
+# ---- temperature ----------------------------------------------------------------------------------
+
+# 1 mg a degree against nominal, which is 1 / 1.2 of that in the scale of a sensor that reads 1.2 times too much.
+"$tool" simulate --plan optimal:48 --temperature 10,20 --drift 0.001 --dwell 8 --noise 0.0028 --dk 0.2,0.2,0.2 \
+    > "$work/drift.csv"
+slopes() { awk '/ mg\/K/ { print $3 }' "$work/stdout" | tr '\n' ' '; }
+run calibrate "$work/drift.csv" --thermal 1 --sensor mpu6050
+check "slopes against a data sheet" near 0.08 "$(slopes)" '1 1 1'
+accepts "slopes of counts" calibrate "$work/drift.csv" --thermal 1 --report "$page"
+check "slopes of counts: in their own scale" near 0.08 "$(slopes)" '0.833 0.833 0.833'
+check "slopes of counts: no excuse" lacks "$work/stdout" 'guess'
+check "slopes of counts: the page has none" says_not 'guess'
+check "slopes of counts: curves begin where the parameters are" says_page 'offset over the field, less that at 15\.[0-9]+ °C, mg'
+
 # ---- what it cannot be ----------------------------------------------------------------------------
 
 made

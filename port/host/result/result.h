@@ -70,9 +70,9 @@ typedef struct {
  * temperatures do not help. */
 int calibrate_wants_slopes(const calibrate_result *result);
 
-/* By how much the scale that slopes are told in may be off, if it is a guess: the largest scale
- * error; else 0. */
-double calibrate_guess_error(const calibrate_result *result);
+/* Times the slope of a parameter against nominal: what it is in the sensor's own scale, if no nominal scale
+ * is stated; else 1. */
+double calibrate_slope_scale(const calibrate_result *result, unsigned parameter);
 
 /* What the frame of the calibration is called: "symmetric", ... */
 const char *calibrate_frame(const calibrate_result *result);
