@@ -185,9 +185,31 @@ run calibrate "$work/drift.csv" --thermal 1 --sensor mpu6050
 check "slopes against a data sheet" near 0.08 "$(slopes)" '1 1 1'
 accepts "slopes of counts" calibrate "$work/drift.csv" --thermal 1 --report "$page"
 check "slopes of counts: in their own scale" near 0.08 "$(slopes)" '0.833 0.833 0.833'
+slope=$(awk '/ mg\/K/ { printf "%s ", $3 / 1000 }' "$work/stdout")
+run calibrate "$work/drift.csv" --thermal 1 --json
+check "slopes of counts: JSON has the same" near 5e-7 "$slope" \
+    "$(sed -n '/"slope": {/,/}/s/^ *"delta": //p' "$work/stdout")"
+run calibrate "$work/drift.csv" --thermal 1
 check "slopes of counts: no excuse" lacks "$work/stdout" 'guess'
 check "slopes of counts: the page has none" says_not 'guess'
 check "slopes of counts: curves begin where the parameters are" says_page 'offset over the field, less that at 15\.[0-9]+ °C, mg'
+
+# ---- a stand --------------------------------------------------------------------------------------
+
+"$tool" simulate --plan per-group:6 --stand --lsb 0.0005 > "$work/stand.csv"
+accepts "at a stand" calibrate "$work/stand.csv" --stand --report "$page"
+check "at a stand: differences of two methods, not what they differ from" matches "$work/stdout" \
+    '^offset x + ± [0-9.]+ +[+-][0-9.]+  mg$'
+check "at a stand: angles" matches "$work/stdout" '^angle xy +0\.[0-9]+ ± [0-9.]+ +0\.[0-9]+ +[+-][0-9.]+  degrees'
+check "at a stand: no series" lacks "$work/stdout" '^group'
+check "at a stand: closures" matches "$work/stdout" '^closure '
+check "at a stand: the page has no series" says_not "paper's series of J1"
+check "at a stand: it is well formed" is_page "$page"
+run calibrate "$work/stand.csv" --stand --json
+check "at a stand: JSON has none" [ "$(grep -c 'coefficients": \[null, null, null, null, null\]' "$work/stdout")" -eq 3 ]
+check "at a stand: JSON has no deviations" [ "$(grep -c '"d[ek][a-z]*": \[null' "$work/stdout")" -eq 6 ]
+run calibrate "$work/stand.csv" --stand --zero 0,0,0 --lsb 0.0005
+check "at a stand, and a nominal: all of it" matches "$work/stdout" '^group 1       a0 '
 
 # ---- what it cannot be ----------------------------------------------------------------------------
 

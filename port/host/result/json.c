@@ -139,8 +139,10 @@ static void write_nine(json_writer *w, const char *name, const double x[INVCAL_P
 }
 
 /* All that invcal_thermal_at needs, in one place; then what there is to know of it. */
-static void write_thermal(json_writer *w, const thermal_fit *fit)
+static void write_thermal(json_writer *w, const calibrate_result *result)
 {
+    const thermal_fit *fit = &result->fit;
+    double slope[2][INVCAL_PARAMETERS]; /* and sigma */
     const invcal_thermal *c = &fit->calibration;
     const invcal_calibration nominal = fit_in_field_units(&c->nominal, fit->settings.field);
 
@@ -161,8 +163,12 @@ static void write_thermal(json_writer *w, const thermal_fit *fit)
     json_list_end(w);
     json_number(w, "asked", fit->wish.degree);
     json_text(w, "fallback", invcal_thermal_fallback_text((invcal_thermal_fallback)c->fallback));
-    write_nine(w, "slope", fit->slope);
-    write_nine(w, "slope_sigma", fit->slope_sigma);
+    for (unsigned r = 0; r < INVCAL_PARAMETERS; r++) {
+        slope[0][r] = calibrate_slope_scale(result, r) * fit->slope[r];
+        slope[1][r] = calibrate_slope_scale(result, r) * fit->slope_sigma[r];
+    }
+    write_nine(w, "slope", slope[0]);
+    write_nine(w, "slope_sigma", slope[1]);
     json_number(w, "residual_rms_without", fit->without);
     json_number(w, "drift_limit", fit->drift_limit);
     json_object_end(w);
@@ -205,10 +211,10 @@ void calibrate_json(FILE *file, const calibrate_result *result)
         calibrate_robust_json(&w, result);
     }
     if (result->stand.from) {
-        stand_json(&w, &result->stand);
+        stand_json(&w, &result->stand, &result->nominal);
     }
     if (result->temperature == CALIBRATE_THERMAL) {
-        write_thermal(&w, &result->fit);
+        write_thermal(&w, result);
     }
     json_end(&w);
 }

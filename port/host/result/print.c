@@ -385,7 +385,7 @@ static void print_stand(FILE *file, const calibrate_result *result)
                                told_angle(result->told)};
 
     if (result->stand.from) {
-        stand_print(file, &result->stand, result->solution.x, unit);
+        stand_print(file, &result->stand, &result->nominal, result->solution.x, unit);
     }
 }
 
