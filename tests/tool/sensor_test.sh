@@ -118,6 +118,7 @@ compares "mg by header" unit "$work/unit.csv"
 while read -r name counts beyond; do
     made --lsb "$(awk -v c="$counts" 'BEGIN { printf "%.17g", 9.80665 / c }')"
     compares "$name" sensor "$work/log.csv" --sensor "$name"
+    check "$name: counts, by it" is "$(member unit) $(member unit_from)" '"counts" "sensor"'
     check "$name: zero 0, and the scale of the sheet" near 1e-11 "$(nominal zero) $(nominal lsb)" \
         "0 0 0 $(awk -v OFMT=%.12g -v c="$counts" 'BEGIN { s = 9.80665 / c; print s, s, s }')"
     check "$name: beyond its limits: ${beyond:-none}" is "$(member beyond)" "[$beyond]"
@@ -136,6 +137,7 @@ made
 compares "bmi160" sensor "$work/log.csv" --sensor bmi160
 check "the name is kept" is "$(nominal sensor)" '"bmi160:2g"'
 run calibrate "$work/log.csv" --sensor mpu6050
+check "the first line says whose counts" matches "$work/stdout" 'counts \(--sensor\)$'
 check "the table says which sheet" matches "$work/stdout" '^MPU-6050 at 2g: InvenSense PS-MPU-6000A-00 Rev\. 3\.4'
 check "the table says its limits" matches "$work/stdout" '^limits        typical: offsets ±50, ±50, ±80 mg; scale ±3 %; cross-axis ±2 %$'
 accepts "the page of a sensor" calibrate "$work/log.csv" --sensor mpu6050 --report "$page" --out "$work/cal.json"

@@ -31,6 +31,10 @@ void settle_unit(const request *r, positions *data)
     } else if (seen->unit == UNIT_UNKNOWN && !seen->states_foreign_unit) {
         seen->unit = unit_by_size(data->mean, data->count, r->settings.field);
         seen->unit_from = seen->unit != UNIT_UNKNOWN ? UNIT_FROM_SIZE : UNIT_FROM_NONE;
+        if (r->sensor.type && !unit_is_sure(seen->unit, data->mean, data->count)) {
+            seen->unit = UNIT_COUNTS;
+            seen->unit_from = UNIT_FROM_SENSOR;
+        }
     }
 }
 

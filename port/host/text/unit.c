@@ -197,7 +197,7 @@ const char *unit_words(reading_unit u)
 
 const char *unit_origin_name(unit_origin origin)
 {
-    static const char *const names[] = {"none", "header", "option", "size"};
+    static const char *const names[] = {"none", "header", "option", "size", "sensor"};
 
     return names[origin];
 }

@@ -10,7 +10,13 @@
 typedef enum { UNIT_UNKNOWN, UNIT_G, UNIT_MG, UNIT_MS2, UNIT_COUNTS } reading_unit;
 
 /* Who says so. A heading or an option states a unit; a guess by size is for words alone, unless it is sure. */
-typedef enum { UNIT_FROM_NONE, UNIT_FROM_HEADER, UNIT_FROM_OPTION, UNIT_FROM_SIZE } unit_origin;
+typedef enum {
+    UNIT_FROM_NONE,
+    UNIT_FROM_HEADER,
+    UNIT_FROM_OPTION,
+    UNIT_FROM_SIZE,
+    UNIT_FROM_SENSOR /* counts of a sensor that is stated */
+} unit_origin;
 
 /* Reads "g", "mg", "m/s^2" in its spellings, "counts", "raw" or "LSB", in any case.
  * Returns 1; 0, with *out left alone, if it is none of them. */
@@ -56,7 +62,7 @@ const char *unit_name(reading_unit u);
 /* For people: "g", "mg", "m/s²", "counts", "input units". */
 const char *unit_words(reading_unit u);
 
-/* "none", "header", "option", "size". */
+/* "none", "header", "option", "size", "sensor". */
 const char *unit_origin_name(unit_origin origin);
 
 #endif
