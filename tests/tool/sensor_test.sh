@@ -32,8 +32,8 @@ scales='0.01 -0.008 0.012' # scale errors
 made
 accepts "nothing stated: is calibrated" calibrate "$work/log.csv" --out "$work/cal.json" --report "$page"
 cp "$work/stdout" "$work/table"
-check "nothing stated: the table says so, and what would" matches "$work/table" \
-    '^nominal: not stated; --sensor, --unit, or --zero and --lsb tell what to compare with$'
+check "nothing stated: the table says so, and what would state it" matches "$work/table" \
+    '^nominal: not stated; --sensor, --unit, or --zero and --lsb would state it$'
 check "nothing stated: no columns of it" matches "$work/table" '^ +calibrated ± sigma$'
 check "nothing stated: offsets as they are read" matches "$work/table" '^offset x +327\.[0-9]+ ± 0\.[0-9]+ +counts$'
 check "nothing stated: scales likewise" matches "$work/table" '^scale z +169[0-9]\.[0-9] ± [0-9.]+ +counts per m/s²$'

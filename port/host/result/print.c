@@ -397,8 +397,7 @@ static void print_nominal(FILE *file, const nominal_choice *n, const char *name)
 
     if (!nominal_is_stated(n)) {
         snprintf(text, sizeof text,
-                 "%s: not stated; --sensor, --unit, or --zero and --lsb tell what to compare with",
-                 name);
+                 "%s: not stated; --sensor, --unit, or --zero and --lsb would state it", name);
     } else if (n->zero == n->lsb) {
         snprintf(text, sizeof text, "%s: zero and scale %s", name, nominal_origin_text(n->zero));
     } else {
