@@ -79,10 +79,10 @@ pkg-config:
 	done
 
 demo: $(BUILD)/invcal ## from a raw log to calibrated readings; then a real sensor's positions
-	@echo 'A simulated sensor, carried by hand through 18 orientations, 5 seconds in each:'
+	@echo 'A simulated MPU-6050 at 2 g, carried by hand through 18 orientations, 5 seconds in each:'
 	@echo
 	$(BUILD)/invcal simulate --plan edges --truth $(BUILD)/demo-truth.json > $(BUILD)/demo-log.csv
-	$(BUILD)/invcal calibrate $(BUILD)/demo-log.csv --out $(BUILD)/demo-cal.json
+	$(BUILD)/invcal calibrate $(BUILD)/demo-log.csv --sensor mpu6050:2g --out $(BUILD)/demo-cal.json
 	@awk -F '[][,]' '/"offset"/ { printf "The truth, of which it was not told: offsets %.2f %.2f %.2f counts.\n", \
 	    $$2, $$3, $$4 }' $(BUILD)/demo-truth.json
 	@echo

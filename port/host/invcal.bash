@@ -42,6 +42,8 @@ _invcal() {
         choice=$(awk '/^  --/ { print $1 } END { print "--help" }' <<< "$help")
     elif [[ $before == directions || $before == angles ]]; then
         choice=FILE
+    elif [[ $before == --sensor ]]; then
+        choice=list$'\n'$("$tool" "$command" --sensor list 2> /dev/null | awk '/^[a-z0-9-]+  / { print $1 }')
     elif [[ $before == per-group || $before == optimal || $before == grid ]]; then
         return # a number
     elif ! choice=$(_invcal_values "$help" "$before"); then

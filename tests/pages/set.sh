@@ -27,8 +27,8 @@ calibrate t265 "$data/t265_positions.csv" --positions --gravity 9.8016 --unit m/
 
 # A log with two wrong positions and a temperature, and what the sensor may be wrong by.
 "$tool" simulate --plan edges --outliers 2 --temperature 20,30 --tremor 0.003 > "$out/outliers.csv"
-calibrate outliers "$out/outliers.csv" --zero 0,0,0 --lsb 0.000598550415 --noise 0.01 \
-    --prior 0.05,0.02,0.02 --tolerance 0.05,0.03,0.02
+calibrate outliers "$out/outliers.csv" --sensor mpu6050 --noise 0.01 --prior 0.05,0.02,0.02
+calibrate counts "$out/outliers.csv" # the same, of which nothing is known
 
 # Angles of a stand: as they should be, one misset, exchanged columns, an open group.
 for trouble in none misset columns open; do

@@ -171,6 +171,7 @@ if command -v bash > /dev/null; then
     check "completion: files, with blanks" offers 'la la.csv' calibrate la
     check "completion: files of an option" offers truth.json simulate --truth tr
     check "completion: nothing for a number" offers '' calibrate --gravity ''
+    check "completion: sensors with a sheet" offers 'bmi160 bmi270 bno055' calibrate --sensor b
     check "completion: it is bash's for invcal" bash -c '. "$0" && complete -p invcal' \
         "$root/port/host/invcal.bash" > /dev/null
 else
@@ -210,7 +211,7 @@ done
 escape=$(printf '\033')
 run calibrate "$work/log.csv"
 check "no colour into a file" lacks "$work/stdout" "$escape"
-run calibrate "$xsens" --positions --nominal-name 'ab±²µ'
+run calibrate "$xsens" --positions --zero 33000,33000,32000 --lsb 0.0024 --nominal-name 'ab±²µ'
 LC_ALL=C sed 's/±/+/g; s/²/2/g; s/µ/u/g' "$work/stdout" > "$work/ascii"
 check "columns count characters, not bytes" awk '
     / \+ sigma/ { heading = index($0, "ab+2u") + length("ab+2u"); sign = index($0, " + ") }

@@ -537,7 +537,7 @@ for f in px4 ros imu_tk fusion; do
 done
 accepts "c: it needs no gravity" export "$work/none.json" --format c
 for members in '"sigma": {"dk": [1, 2]},' '"sigma": {"dk": [1, 2, "x"]},' '"positions": "many",' \
-    '"unit": 5,' '"nominal": [1],' '"undetermined": {},' '"nominal": {"zero": [1, null, 3]},'; do
+    '"unit": 5,' '"nominal": [1],' '"undetermined": {},' '"nominal": {"zero": [1, "x", 3]},'; do
     calibration "$members" "$gravity" 1 > "$work/bad.json"
     refuses "a malformed member is refused: $members" 3 'bad.json:[0-9]+: ' \
         export "$work/bad.json" --format c

@@ -55,12 +55,11 @@ check "report: T265 is weak, and in what" says_page \
     '✗ Weak The positions tell too little of angle xy, angle xz, angle zy'
 check "report: and where to begin" says_page \
     'Next: add positions with the field midway between x and y, x and z, z and y\. Begin with: [+-][xyz] up'
-check "report: a nominal from the range is called a guess" says_page 'Nominal is a guess from the range'
 check "report: an error that no direction checks is not told" says_not 'rms error of'
-check "report: what the samples' noise does not explain is told: 0.00551 / 0.000884" says_page \
+check "report: what the samples' noise does not explain is told: 0.00553 / 0.000872" says_page \
     'They are 6 times as large as the noise of the samples explains'
 check "report: a noise that nobody stated is not called stated" says_page \
-    'noise 0\.000884 m/s² of a position mean, from the scatter'
+    'noise 0\.000872 m/s² of a position mean, from the scatter'
 makes_page "MPU-9150" "$data/mpu9150_0_positions.csv" --positions --gravity 9.81
 
 # ---- the file that it was ------------------------------------------------------------------------

@@ -52,6 +52,10 @@ prints 1 calibration_refusal calibrate "$work/faces.csv"
 "$tool" simulate --plan edges --outliers 2 --truth "$work/truth.json" > "$work/log.csv"
 prints 0 calibration calibrate "$work/log.csv"
 prints 0 calibration watch "$work/log.csv"
+prints 0 calibration calibrate "$work/log.csv" --sensor mpu6050
+prints 0 calibration calibrate "$work/log.csv" --robust
+"$tool" simulate --plan per-group:6 --stand > "$work/stand.csv"
+prints 0 calibration calibrate "$work/stand.csv" --stand
 check "the file of --truth is a truth" fits truth "$work/truth.json"
 
 sensor() { # sensor STATIONS

@@ -347,7 +347,7 @@ static void bars_are_logarithms_of_the_worst_interval(void)
     TEST_ASSERT_EQUAL_STRING("█████████▌·········", panel(7));
     TEST_ASSERT_EQUAL_STRING("scales ± 0.0010 %", panel(8));
     TEST_ASSERT_EQUAL_STRING("···················", panel(9));
-    TEST_ASSERT_EQUAL_STRING("angles ± 5.7 deg", panel(10));
+    TEST_ASSERT_EQUAL_STRING("angles ± 5.7 °", panel(10));
     TEST_ASSERT_EQUAL_STRING("███████████████████", panel(11));
     know(2e-4, 1e-9, 30);
     draw();

@@ -125,14 +125,15 @@ reference() {
         'grep -A3 "\"matrix\"" "$1" | awk "NR == 3 && \$1 != \"[0,\" || NR == 4 &&
             (\$1 != \"[0,\" || \$2 != \"0,\") { exit 1 }"' sh "$work/stdout"
 }
+# As tests/reference/reference.py has it; those in m/s^2 with zero 0 and scale 1 in place of its nominal().
 reference xsens_mti 9.81744 '33123.83073 33275.15503 32364.49374' 0.000006 \
     99.857e-6 0.0006e-6 214.43e-6 0.006e-6 rough
 reference mpu9150_0 9.81 '0.1024225 0.0969186 0.3443504' 0.00000006 \
     170.121e-6 0.0006e-6 333.4e-6 0.06e-6 good
-reference mpu9150_1 9.81 '0.0885715 0.0702244 0.3391512' 0.00000006 \
+reference mpu9150_1 9.81 '0.0885715 0.0702243 0.3391512' 0.00000006 \
     191.123e-6 0.0006e-6 487.0e-6 0.06e-6 good
 reference t265 9.8016 '-0.19196 0.57358 -0.23265' 0.000006 \
-    497.27e-6 0.006e-6 1474e-6 0.6e-6 weak
+    497.27e-6 0.006e-6 1474.7e-6 0.06e-6 weak
 check "t265: the three angles are named as undetermined" \
     [ "$(json "$work/cal.json" undetermined)" = '["gamma_xy", "gamma_xz", "gamma_zy"]' ]
 run calibrate "$data/t265_positions.csv" --positions --gravity 9.8016
@@ -175,11 +176,11 @@ check "the columns of the table stand below each other" awk '
 run calibrate "$work/xsens.csv" --positions --gravity 48.5
 check "a field that is no gravity is not called m/s^2" lacks "$work/stdout" 'm/s|mg'
 run calibrate "$data/xsens_mti_positions.csv" --positions --lsb 0.0024
-check "--lsb alone takes the zero from the data" matches "$work/stdout" \
-    "^nominal: zero from the data's range, scale given"
+check "--lsb alone leaves the zero open" matches "$work/stdout" \
+    '^nominal: zero not stated, scale given'
 run calibrate "$data/xsens_mti_positions.csv" --positions --zero 33123,33276,32360
-check "--zero alone takes the scale from the data" matches "$work/stdout" \
-    "^nominal: zero given, scale from the data's range"
+check "--zero alone leaves the scale open" matches "$work/stdout" \
+    '^nominal: zero given, scale not stated'
 printf '%s\n' 1,0,0 -1,0,0 0,1,0 0,-1,0 0,0,1 0,0,-1 .7,.7,0 .7,0,.7 0,.7,.7 > "$work/nine.csv"
 run calibrate "$work/nine.csv" --positions --gravity 1
 check "nine positions: the table says that nothing checks them" matches "$work/stdout" \
@@ -372,7 +373,7 @@ check "five columns are x y z std n" [ "$(cat "$work/expected")" = "$(awk -F, '
 stated "one std may stand for all axes" "$work/f2"
 { echo 'x,y,z,std_x,n'; cat "$f"; } > "$work/f2"
 run calibrate "$work/f2" --positions
-check "std_x alone tells no noise" lacks "$work/stdout" stated
+check "std_x alone tells no noise" lacks "$work/stdout" stated:
 # x, y and z have a noise of their own scale
 run calibrate "$n7" --positions --lsb 0.0048,0.0012,0.0024
 check "the noise of each axis counts with its scale" matches "$work/stdout" "of samples: $(awk -F, '
@@ -588,7 +589,9 @@ hopeless "zero vectors" "$f" undetermined 'undetermined'
 hopeless "zero vectors with a given nominal" "$f" 'out of range' \
     'hopeless\.csv:1: position 1 reads 0 of the field with the nominal' --zero 0,0,0 --lsb 1
 awk '{ print NR == 7 ? "1e30,1e30,1e30" : $0 }' "$good" > "$f"
-hopeless "a position of 1e30" "$f" '(undetermined|out of range)' 'hopeless'
+hopeless "a position of 1e30" "$f" '(undetermined|out of range)' 'hopeless' --unit counts
+run calibrate "$f" --positions --json
+check "a position of 1e30 among those in m/s^2 is left out and named" test "$(json "$work/stdout" rejected)" = '[7]'
 hopeless "a position of 1e30 with a given nominal" "$f" 'out of range' \
     'hopeless\.csv:7: position 7 reads .* check --gravity' --zero 0,0,0 --lsb 1 --keep-all
 run calibrate "$f" --positions --zero 0,0,0 --lsb 1 --json

@@ -4,14 +4,30 @@
  */
 #include "calibrate/calibrate.h"
 
+#include <string.h>
+
 #include "calibrate/deliver.h"
 #include "calibrate/refuse.h"
 #include "calibrate/settle.h"
 #include "calibrate/solve.h"
 #include "cli/command.h"
+#include "cli/output.h"
 #include "cli/progress.h"
 #include "design/design.h"
+#include "fit/sensors.h"
 #include "read/columns.h"
+
+/* `--sensor list` needs no log. */
+static int asks_for_list(int argc, char **argv)
+{
+    int asks = 0;
+
+    for (int i = 0; i < argc; i++) {
+        asks = asks || strcmp(argv[i], "--sensor=list") == 0 ||
+               (strcmp(argv[i], "list") == 0 && i > 0 && strcmp(argv[i - 1], "--sensor") == 0);
+    }
+    return asks;
+}
 
 int calibrate_run(int argc, char **argv, int is_live, positions_reader *read)
 {
@@ -19,8 +35,12 @@ int calibrate_run(int argc, char **argv, int is_live, positions_reader *read)
     positions data = {.name = NULL};
     rests_summary log;
     calibrate_result result = {.data = NULL};
-    int failure = request_read(argc, argv, is_live, &r);
 
+    if (asks_for_list(argc, argv)) {
+        sensors_list(stdout);
+        return output_flush();
+    }
+    int failure = request_read(argc, argv, is_live, &r);
     if (failure) {
         return failure;
     }
@@ -104,14 +124,23 @@ static const char *const help[] = {
     "                      is not known: turns the result to the axes of the case. Two ways or\n"
     "                      more tell it; one levels. Each face twice, turned by half between,\n"
     "                      cancels the tilt of the table\n"
-    "  --zero X,Y,Z        nominal reading in no field, in input units;\n"
-    "                      default: the middle of each axis' range\n"
-    "  --lsb S | SX,SY,SZ  nominal scale, in field units per input unit;\n"
-    "                      default: from the range of each axis\n"
-    "                      Both come from the unit of the readings (zero 0) where that is stated,\n"
-    "                      in the header or by --unit, as g, mg or m/s^2, and G is in m/s^2\n"
+    "  --sensor NAME[:RANGE]\n"
+    "                      what the log holds counts of, as mpu6050:4g: the data sheet gives "
+    "zero,\n"
+    "                      scale and limits, unless --zero, --lsb, --tolerance do. --sensor list\n"
+    "                      names those that are known, and needs no LOG\n"
+    "  --zero X,Y,Z        nominal reading in no field, in input units\n"
+    "  --lsb S | SX,SY,SZ  nominal scale, in field units per input unit\n"
+    "                      Both come from the unit of the readings (zero 0) where that is g, mg "
+    "or\n"
+    "                      m/s^2. Where nothing states them, how far the sensor is from nominal "
+    "is\n"
+    "                      not told\n"
     "  --unit U            unit of the readings: g, mg, m/s2 or counts; default: by the header,\n"
-    "                      else a guess by their size, which names it, but changes no number\n"
+    "                      else by their size. That counts as stated if nine in ten are as long "
+    "as\n"
+    "                      gravity in g or m/s2 and they do not all point one way; of mg it names\n"
+    "                      the unit only, for sensors of 1000 counts a g are common\n"
     "  --units everyday|ins\n"
     "                      of figures for people, in the table and the report: mg, % and degrees\n"
     "                      (default), or those of inertial navigation, ug, ppm and arcsec. JSON\n"
@@ -123,8 +152,8 @@ static const char *const help[] = {
     "  --prior D,K,G       standard deviations of what the nominal calibration may be wrong by:\n"
     "                      offsets (over the field: 0.02 is 20 mg), scale errors (0.01 is 1 %),\n"
     "                      angles (rad); up to about 0.2; 0 says nothing. Then fewer\n"
-    "                      positions will do. Needs the noise, and --zero and --lsb, or\n"
-    "                      --nominal\n"
+    "                      positions will do. Needs the noise, and --sensor, --unit, --zero and\n"
+    "                      --lsb, or --nominal\n"
     "  --six-faces         each axis up and down, six positions, tells offsets and scales but no\n"
     "                      angles: takes these as 0 with the standard deviation 0.01 rad (0.57\n"
     "                      degrees, a data sheet's 1 % cross-axis), or G of --prior 0,0,G, and\n"
@@ -157,8 +186,8 @@ static const char *const help[] = {
     "  --slope D,K,G       standard deviations of what slopes may be, per K: of offsets (over the\n"
     "                      field), scale errors, angles (rad); 0 says nothing. Needs the noise\n"
     "  --tolerance D,K,G   limits of the data sheet for offsets (over the field), scale errors\n"
-    "                      and angles (rad): says which parameters are beyond. Needs --zero\n"
-    "                      and --lsb, or --nominal\n"
+    "                      and angles (rad): says which parameters are beyond. Needs --sensor,\n"
+    "                      --unit, --zero and --lsb, or --nominal\n"
     "  --need U            what calibrated lengths may be wrong by in 95 % of cases, in the unit\n"
     "                      of --gravity: says whether they are that good, and what is missing\n"
     "  --out CAL.json      write the result to a file, as JSON, for invcal apply\n"

@@ -24,6 +24,7 @@ static const option options[ASK_OPTIONS] = {
     [ASK_LSB] = {"--lsb", 1},
     [ASK_NOMINAL] = {"--nominal", 1},
     [ASK_NOMINAL_NAME] = {"--nominal-name", 1},
+    [ASK_SENSOR] = {"--sensor", 1},
     [ASK_UNIT] = {"--unit", 1},
     [ASK_UNITS] = {"--units", 1},
     [ASK_NOISE] = {"--noise", 1},
@@ -194,6 +195,35 @@ static int read_nominal(request *r)
     return failure;
 }
 
+/* What a data sheet says, where no option says otherwise. */
+static int read_sensor(request *r)
+{
+    char text[SENSORS_TEXT_MAX];
+
+    if (!r->value[ASK_SENSOR]) {
+        return EXIT_GOOD;
+    }
+    if (r->value[ASK_NOMINAL]) {
+        return request_usage(r, ASK_SENSOR,
+                             "and --nominal both state zero and scale: leave one out");
+    }
+    if (!sensors_choose(r->value[ASK_SENSOR], &r->sensor, text)) {
+        return request_usage(r, ASK_SENSOR, text);
+    }
+    return unit_scale(UNIT_G, r->settings.field) > 0
+               ? EXIT_GOOD
+               : request_usage(
+                     r, ASK_SENSOR,
+                     "is an accelerometer, and the field (--gravity) no gravity in m/s2, g or mg");
+}
+
+/* Zero and scale come from somewhere else than the range of the readings, whatever the file says. */
+static int states_nominal(const request *r)
+{
+    return r->value[ASK_NOMINAL] || r->value[ASK_SENSOR] ||
+           (r->value[ASK_ZERO] && r->value[ASK_LSB]) || unit_scale(r->unit, r->settings.field) > 0;
+}
+
 static int read_unit(request *r)
 {
     if (r->value[ASK_UNIT] && !unit_parse(r->value[ASK_UNIT], &r->unit)) {
@@ -257,10 +287,10 @@ static int read_prior(request *r)
     if (r->value[ASK_SIX_FACES] || !r->value[ASK_PRIOR]) {
         return r->value[ASK_SIX_FACES] ? read_six_faces(r) : EXIT_GOOD;
     }
-    if (!r->value[ASK_NOMINAL] && !(r->value[ASK_ZERO] && r->value[ASK_LSB])) {
+    if (!states_nominal(r)) {
         return request_usage(r, ASK_PRIOR,
                              "says how far the nominal calibration may be wrong, so state that: "
-                             "--zero and --lsb, or --nominal");
+                             "--sensor, --unit, --zero and --lsb, or --nominal");
     }
     failure = options_numbers(r->syntax, ASK_PRIOR, r->value[ASK_PRIOR], 3, sigma, NULL);
     for (unsigned p = 0; p < INVCAL_PARAMETERS && !failure; p++) {
@@ -478,10 +508,10 @@ static int read_tolerance(request *r)
     if (!r->value[ASK_TOLERANCE]) {
         return EXIT_GOOD;
     }
-    if (!r->value[ASK_NOMINAL] && !(r->value[ASK_ZERO] && r->value[ASK_LSB])) {
+    if (!states_nominal(r)) {
         return request_usage(r, ASK_TOLERANCE,
                              "says how far from nominal the sensor may be, so state that: "
-                             "--zero and --lsb, or --nominal");
+                             "--sensor, --unit, --zero and --lsb, or --nominal");
     }
     failure =
         options_numbers(r->syntax, ASK_TOLERANCE, r->value[ASK_TOLERANCE], 3, r->tolerance, NULL);
@@ -542,6 +572,7 @@ int request_read(int argc, char **argv, int is_live, request *r)
     failure = failure ? failure : read_frame(r);
     failure = failure ? failure : read_case(r);
     failure = failure ? failure : read_nominal(r);
+    failure = failure ? failure : read_sensor(r);
     failure = failure ? failure : read_unit(r);
     failure = failure ? failure : read_noise(r);
     failure = failure ? failure : read_thermal(r);

@@ -10,6 +10,7 @@
 #include "cli/told.h"
 #include "fit/case_frame.h"
 #include "fit/fit.h"
+#include "fit/sensors.h"
 #include "fit/thermal_fit.h"
 #include "stand/stand.h"
 #include "text/unit.h"
@@ -26,6 +27,7 @@ enum {
     ASK_LSB,
     ASK_NOMINAL,
     ASK_NOMINAL_NAME,
+    ASK_SENSOR,
     ASK_UNIT,
     ASK_UNITS,
     ASK_NOISE,
@@ -65,6 +67,7 @@ typedef struct {
     const char *value[ASK_OPTIONS]; /* as it was given; null: it was not */
     double zero[3];                 /* of --zero, */
     double lsb[3];                  /* --lsb */
+    sensor_choice sensor;           /* of --sensor, for what they do not state */
     double rate;                    /* 0: not given */
     double clip[2];
     reading_unit unit; /* of --unit, */

@@ -34,10 +34,10 @@ static uint16_t beyond(const calibrate_result *result)
     const int known = calibrate_knows_noise(result);
     unsigned bits = 0;
 
-    for (unsigned p = 0; p < INVCAL_PARAMETERS && result->tolerance; p++) {
+    for (unsigned p = 0; p < INVCAL_PARAMETERS; p++) {
         const double spread = known ? fit_coverage(q, p) * q->sigma[p] : 0;
         const double least = fabs(result->solution.x[p]) - spread;
-        bits |= (unsigned)!(least <= result->tolerance[p / 3]) << p;
+        bits |= (unsigned)(result->limit[p] > 0 && !(least <= result->limit[p])) << p;
     }
     return (uint16_t)bits;
 }
@@ -280,7 +280,7 @@ int solve_positions(const request *r, const positions *data, calibrate_result *r
     result->need = r->need;
     inherit_field(r, result);
     result->quality.worst = rejection_original(&result->rejected, result->quality.worst);
-    result->tolerance = r->value[ASK_TOLERANCE] ? r->tolerance : NULL;
+    settle_limits(r, result);
     result->beyond = beyond(result);
     result->residual_before = residual_of_nominal(data, &result->settings.nominal);
     return EXIT_GOOD;

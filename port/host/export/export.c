@@ -14,6 +14,7 @@
 #include "text/number.h"
 #include "cli/options.h"
 #include "cli/output.h"
+#include "text/unit.h"
 
 enum { FORMAT, NAME, ZERO, LSB, INSTANCE, DEVICE_ID, OUT, OPTIONS };
 
@@ -194,7 +195,7 @@ static int settle(const request *r, export_job *job)
     const double gravity = job->file.gravity;
     int failure = EXIT_GOOD;
 
-    job->si = export_si(gravity);
+    job->si = unit_field_si(gravity);
     if (job->file.has_nonlinear) {
         return refuse_nonlinear(job);
     }

@@ -598,7 +598,8 @@ static void append_unit(const recognition *seen, char *text, size_t size)
     static const char *const behind[] = {[UNIT_FROM_NONE] = "",
                                          [UNIT_FROM_HEADER] = "",
                                          [UNIT_FROM_OPTION] = " (--unit)",
-                                         [UNIT_FROM_SIZE] = " (by their size)"};
+                                         [UNIT_FROM_SIZE] = " (by their size)",
+                                         [UNIT_FROM_SENSOR] = " (--sensor)"};
 
     if (seen->unit != UNIT_UNKNOWN) {
         append(text, size, " in %s%s", unit_words(seen->unit), behind[seen->unit_from]);

@@ -70,6 +70,7 @@ int report_facts_find(report_facts *f, const calibrate_result *result, const cal
     f->parts = told_parts(result->told, f->is_gravity).scale;
     f->unit = told_parts(result->told, f->is_gravity).unit;
     f->length = f->is_gravity ? "|a|" : "length";
+    f->has_before = !nominal_is_guess(&result->nominal);
     f->knows_noise = calibrate_knows_noise(result);
     f->noise = f->knows_noise ? f->parts * result->quality.noise : 1;
     f->position = calloc(f->count, sizeof *f->position);

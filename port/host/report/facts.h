@@ -25,6 +25,7 @@ typedef struct {
     double parts;       /* of the field that lengths are told in: thousandths or millionths, */
     const char *unit;   /* and what these are called */
     const char *length; /* symbol of the length of a reading */
+    int has_before;     /* a nominal calibration that means something; else there is no before */
     int knows_noise;    /* else all sigma are in multiples of the noise of a position mean */
     unsigned count;
     report_position *position; /* count of them */

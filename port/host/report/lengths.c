@@ -92,7 +92,7 @@ static void draw_lengths(FILE *file, const void *data, double width)
 {
     const report_facts *f = data;
     const timeline *outline = &f->result->log->track->outline;
-    const int has_before = !nominal_is_guess(&f->result->nominal);
+    const int has_before = f->has_before;
     const plot p = {
         f,
         chart_ruler_exact(0, outline->duration, LEFT, width - RIGHT, width > PAGE_NARROW ? 10 : 5),

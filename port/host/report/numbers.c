@@ -23,6 +23,8 @@ static int is_shown(const report_facts *f, unsigned which)
         return f->result->log != NULL;
     case TEMPERATURE:
         return f->result->data->has_temperature;
+    case BEFORE:
+        return f->has_before;
     case REMARK:
         return f->result->rejected.count > 0;
     default:
@@ -93,9 +95,9 @@ void report_numbers(page *p, const report_facts *f)
                                 : "The positions left out and the worst, of %u",
              f->count);
     snprintf(caption, sizeof caption,
-             "x y z: mean reading, %s. Up: in the calibrated axes. Before and after: deviation of "
-             "%s, %s.",
-             calibrate_input_unit(f->result), f->length, f->unit);
+             "x y z: mean reading, %s. Up: in the calibrated axes. %s: deviation of %s, %s.",
+             calibrate_input_unit(f->result), f->has_before ? "Before and after" : "After",
+             f->length, f->unit);
     page_section(p, "The positions in numbers");
     page_fold_begin(p, summary, f->count <= OPEN);
     page_table_begin(p, &sheet);

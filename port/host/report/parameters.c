@@ -52,9 +52,9 @@ static double sigma_of(const report_facts *f, unsigned kind, unsigned i)
 }
 
 /* Of the data sheet, or NaN. */
-static double limit_of(const report_facts *f, unsigned kind)
+static double limit_of(const report_facts *f, unsigned kind, unsigned i)
 {
-    return f->result->tolerance ? scale_of(f, kind) * f->result->tolerance[kind] : (double)NAN;
+    return scale_of(f, kind) * f->result->limit[3 * kind + i];
 }
 
 /* Standard deviation, or 0. */
@@ -113,31 +113,56 @@ static const char *state_of(const report_facts *f, unsigned kind, unsigned i)
                                    : "";
 }
 
+/* Columns of the table. Where nothing states a nominal, those that are about it are left out, and angles stand
+ * with the values. */
+enum { NAME, DEVIATION, RAW, NOMINAL, REMARK, COLUMNS };
+
+static int is_shown(const report_facts *f, unsigned which)
+{
+    return (which != DEVIATION && which != NOMINAL) || nominal_is_stated(&f->result->nominal);
+}
+
 static void write_row(page *p, const page_table *sheet, const report_facts *f, unsigned kind,
                       unsigned i)
 {
-    char name[CELL];
-    char deviation[CELL];
-    char raw[CELL];
-    char nominal[CELL];
+    char cell[COLUMNS][CELL];
+    const char *cells[COLUMNS];
     char text[FIGURE_MAX];
-    const char *const cells[] = {name, deviation, raw, nominal, state_of(f, kind, i)};
+    unsigned count = 0;
 
-    snprintf(name, sizeof name, "%s", parameter_words(3 * kind + i));
-    snprintf(deviation, sizeof deviation, "%s %s",
+    snprintf(cell[NAME], CELL, "%s", parameter_words(3 * kind + i));
+    snprintf(cell[DEVIATION], CELL, "%s %s",
              figure_with_sigma(value_of(f, kind, i), sigma_of(f, kind, i), FIGURE_SIGNED, text),
              unit_of(f, kind));
-    raw_cells(f, kind, i, raw, nominal);
+    raw_cells(f, kind, i, cell[RAW], cell[NOMINAL]);
+    snprintf(cell[REMARK], CELL, "%s", state_of(f, kind, i));
+    if (!nominal_knows(&f->result->nominal, 3 * kind + i)) {
+        cell[DEVIATION][0] = cell[NOMINAL][0] = '\0';
+    } else if (!is_shown(f, DEVIATION)) {
+        memcpy(cell[RAW], cell[DEVIATION], CELL);
+    }
+    for (unsigned k = 0; k < COLUMNS; k++) {
+        if (is_shown(f, k)) {
+            cells[count++] = cell[k];
+        }
+    }
     page_cells(p, sheet, cells);
 }
 
 static void write_table(page *p, const report_facts *f)
 {
-    static const char *const titles[] = {"parameter", "deviation from nominal", "sensor reads",
-                                         "nominal", "remark"};
+    static const char *const all[COLUMNS] = {"parameter", "deviation from nominal", "sensor reads",
+                                             "nominal", "remark"};
+    const char *titles[COLUMNS];
     char caption[2 * CELL];
-    const page_table sheet = {caption, titles, 5, 1u << 4};
+    page_table sheet = {caption, titles, 0, 0};
 
+    for (unsigned k = 0; k < COLUMNS; k++) {
+        if (is_shown(f, k)) {
+            titles[sheet.count++] = k == RAW && !is_shown(f, NOMINAL) ? "value" : all[k];
+        }
+    }
+    sheet.text_columns = 1u << (sheet.count - 1);
     snprintf(caption, sizeof caption,
              "Offsets and scales as the sensor reads them: %s, and %s per %s.",
              calibrate_input_unit(f->result), calibrate_input_unit(f->result),
@@ -158,8 +183,8 @@ static double reach_of(const report_facts *f, unsigned kind)
 {
     double reach = fmax(0, prior_of(f, kind));
 
-    reach = fmax(reach, limit_of(f, kind)); /* fmax passes over NaN */
     for (unsigned i = 0; i < 3; i++) {
+        reach = fmax(reach, limit_of(f, kind, i)); /* fmax passes over NaN */
         const double sigma = sigma_of(f, kind, i);
         const double spread = fit_coverage(&f->result->quality, 3 * kind + i) * sigma;
         reach = fmax(reach, fabs(value_of(f, kind, i)) + (isnan(sigma) ? 0 : spread));
@@ -194,16 +219,19 @@ static void draw_limits(FILE *file, const report_facts *f, unsigned kind, const 
 {
     const double bottom = PANEL_TOP + 3 * ROW;
     const double prior = prior_of(f, kind);
-    const double limit = limit_of(f, kind);
 
     if (prior > 0) {
         const double left = chart_pixel(x, -prior);
         svg_rectangle(file, "c3 area", left, PANEL_TOP, chart_pixel(x, prior) - left,
                       bottom - PANEL_TOP);
     }
-    for (int side = -1; side <= 1 && limit > 0; side += 2) {
-        const double at = chart_pixel(x, side * limit);
-        svg_line(file, "c0 dashed", at, PANEL_TOP - 4, at, bottom);
+    for (unsigned i = 0; i < 6; i++) { /* three axes, both sides of each */
+        const double limit = limit_of(f, kind, i / 2);
+        const double at = chart_pixel(x, i % 2 == 0 ? limit : -limit);
+        const double top = PANEL_TOP + i / 2 * ROW;
+        if (limit > 0) {
+            svg_line(file, "c0 dashed", at, i < 2 ? top - 4 : top, at, top + ROW);
+        }
     }
 }
 
@@ -264,7 +292,7 @@ static void say_beyond(page *p, const report_facts *f)
     if (f->result->beyond) {
         page_say(p, "Beyond the limits of the data sheet: %s.",
                  parameters_list(f->result->beyond, list, sizeof list));
-    } else if (f->result->tolerance) {
+    } else if (f->result->has_limits) {
         page_say(p, "None is beyond the limits of the data sheet by more than its ± (95 %%).");
     }
 }
@@ -285,12 +313,11 @@ void report_parameters(page *p, const report_facts *f)
                      "to spare show it.");
     }
     if (nominal_is_guess(&f->result->nominal)) {
-        page_note(p, "Nominal is a guess from the range of the readings: deviations from it say "
-                     "nothing about the sensor. State its data sheet with --zero and --lsb.");
+        return; /* bars are of deviations from it */
     }
     snprintf(caption, sizeof caption, "Deviation from nominal.%s%s%s",
              f->knows_noise ? " Whiskers: 95 % of cases." : "",
-             f->result->tolerance ? " Dashed: limits of the data sheet." : "",
+             f->result->has_limits ? " Dashed: limits of the data sheet." : "",
              fit_has_prior(&f->result->settings) ? " Shaded: prior, one standard deviation." : "");
     page_picture(p, caption, draw_bars, f);
 }

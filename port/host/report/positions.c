@@ -120,13 +120,17 @@ static void draw_left_out(FILE *file, const plot *p, stage which)
 static void describe(const report_facts *f, char *text, size_t size)
 {
     const calibrate_result *r = f->result;
+    char before[CELL] = "";
 
+    if (f->has_before) {
+        snprintf(before, sizeof before, "%.4g %s before calibration, ",
+                 f->parts * r->residual_before, f->unit);
+    }
     snprintf(text, size,
-             "Deviation of %s from the field at each of %u positions: root mean square %.4g %s "
-             "before calibration, %.4g %s after. The largest after is %.4g %s, at position %u. "
-             "%u left out.",
-             f->length, f->count, f->parts * r->residual_before, f->unit, f->parts * r->quality.rms,
-             f->unit, f->parts * r->quality.max, f->unit, r->quality.worst + 1, r->rejected.count);
+             "Deviation of %s from the field at each of %u positions: root mean square %s%.4g %s "
+             "after it. The largest is then %.4g %s, at position %u. %u left out.",
+             f->length, f->count, before, f->parts * r->quality.rms, f->unit,
+             f->parts * r->quality.max, f->unit, r->quality.worst + 1, r->rejected.count);
 }
 
 static void draw_change_legend(FILE *file, const report_facts *f, double y)
@@ -303,7 +307,8 @@ static void say_unexplained(page *p, const report_facts *f)
     }
 }
 
-void report_positions(page *p, const report_facts *f)
+/* Without a nominal there is nothing that a reading was before. */
+static void write_change(page *p, const report_facts *f)
 {
     char caption[TEXT_MAX];
 
@@ -312,12 +317,19 @@ void report_positions(page *p, const report_facts *f)
              "How far the length of each reading is from the field, with %s and calibrated.",
              f->wish->nominal_name);
     page_picture(p, caption, draw_change, f);
+}
+
+void report_positions(page *p, const report_facts *f)
+{
+    if (f->has_before) {
+        write_change(p, f);
+    }
     page_section(p, "What is left: residuals");
     say_left_out(p, f);
     say_unexplained(p, f);
     page_picture(p,
                  f->result->quality.dof > 0
-                     ? "The calibrated part of the picture above, enlarged."
+                     ? "How far the length of each calibrated reading is from the field."
                      : "As many positions as parameters: the residuals are zero whatever was "
                        "measured, and check nothing.",
                  draw_residuals, f);

@@ -164,12 +164,10 @@ static void write_verdict(page *p, const report_facts *f)
     }
 }
 
-/* What the calibration has done to the lengths. Of a guessed nominal the error before says nothing
- * about the sensor, and without positions to spare the one after is zero whatever was measured. */
+/* What the calibration has done to the lengths. Without a nominal there is no before, and without positions to spare the one after is zero whatever was measured. */
 static void write_improvement(page *p, const report_facts *f)
 {
     const calibrate_result *r = f->result;
-    const int is_guess = nominal_is_guess(&r->nominal);
     char text[128];
     char before[FIGURE_MAX];
     char after[FIGURE_MAX];
@@ -179,10 +177,11 @@ static void write_improvement(page *p, const report_facts *f)
         return;
     }
     snprintf(text, sizeof text, "%s%s%s %s",
-             is_guess ? "" : figure_digits(f->parts * r->residual_before, 3, before),
-             is_guess ? "" : " → ", figure_digits(f->parts * r->quality.rms, 3, after), f->unit);
+             f->has_before ? figure_digits(f->parts * r->residual_before, 3, before) : "",
+             f->has_before ? " → " : "", figure_digits(f->parts * r->quality.rms, 3, after),
+             f->unit);
     snprintf(what, sizeof what, "rms error of %s in these positions, %s", f->length,
-             is_guess ? "calibrated" : "before and after");
+             f->has_before ? "before and after" : "calibrated");
     page_figure(p, text, what);
 }
 
@@ -212,11 +211,20 @@ static void write_nominal(page *p, const report_facts *f)
 {
     const nominal_choice *n = &f->result->nominal;
 
-    if (n->zero == n->lsb) {
+    if (!nominal_is_stated(n)) {
+        page_fact(p, f->wish->nominal_name,
+                  "not stated: --sensor, --unit, or --zero and --lsb tell it");
+    } else if (n->zero == n->lsb) {
         page_fact(p, f->wish->nominal_name, "zero and scale %s", nominal_origin_text(n->zero));
     } else {
         page_fact(p, f->wish->nominal_name, "zero %s, scale %s", nominal_origin_text(n->zero),
                   nominal_origin_text(n->lsb));
+    }
+    if (n->sensor.type) {
+        char limits[SENSORS_TEXT_MAX];
+        page_fact(p, "sensor", "%s at %s", n->sensor.type->name, n->sensor.range->name);
+        page_fact(p, "its limits", "%s", sensors_limits_text(&n->sensor, limits));
+        page_fact(p, "data sheet", "%s", n->sensor.type->sheet);
     }
 }
 

@@ -118,8 +118,10 @@ static void write_vertical_row(page *p, const page_table *sheet, const report_fa
     const int places = figure_places(unit.scale * v->x[r], sigma);
     char by_j1[CELL];
     char number[4][FIGURE_MAX];
+    const int is_known = nominal_knows(&f->result->nominal, r);
     const char *const cells[] = {
-        parameter_words(r), by_j1, figure_fixed(x, places, FIGURE_SIGNED, number[1]),
+        parameter_words(r), is_known ? by_j1 : "",
+        is_known ? figure_fixed(x, places, FIGURE_SIGNED, number[1]) : "",
         figure_fixed(difference, places + 2, FIGURE_SIGNED, number[2]),
         sigma > 0 ? figure_fixed(difference / sigma, 3, FIGURE_SIGNED, number[3]) : ""};
 
@@ -177,7 +179,8 @@ static void write_group(page *p, const page_table *sheet, const group_series *s,
     page_cells(p, sheet, stands_for);
 }
 
-static void write_series(page *p, const group_series *s)
+/* Nearly all coefficients are deviations from nominal. */
+static void write_coefficients(page *p, const group_series *s)
 {
     static const char *const titles[] = {"group", "a0", "a1", "b1", "a2", "b2"};
     const page_table sheet = {
@@ -190,6 +193,15 @@ static void write_series(page *p, const group_series *s)
         write_group(p, &sheet, s, g);
     }
     page_table_end(p);
+}
+
+static void write_series(page *p, const report_facts *f)
+{
+    const group_series *s = &f->result->stand.series;
+
+    if (f->has_before) {
+        write_coefficients(p, s);
+    }
     for (unsigned g = 0; g < GROUPS; g++) {
         if (!s->is_determined[g]) {
             page_say(p, "Group %u is %s: %u positions do not tell its five coefficients.", g + 1,
@@ -212,13 +224,18 @@ static void write_closure_row(page *p, const page_table *sheet, const report_fac
 
     snprintf(value, sizeof value, "%s %s",
              figure_with_sigma(unit.scale * s->x[r], sigma, FIGURE_SIGNED, number[0]), unit.unit);
+    if (!nominal_knows(&f->result->nominal, r)) {
+        value[0] = '\0';
+    }
     cells[2] = r < GROUP_SERIES_CLOSURES ? groups[r % 3] : only[r % 3];
     if (r < GROUP_SERIES_CLOSURES) {
         const double closure = unit.scale * s->closure[r];
         const double of_it = unit.scale * s->noise * s->closure_root[r];
         for (unsigned i = 0; i < 2; i++) {
             cells[3 + i] =
-                figure_fixed(unit.scale * s->told[r][i], places, FIGURE_SIGNED, number[1 + i]);
+                nominal_knows(&f->result->nominal, r)
+                    ? figure_fixed(unit.scale * s->told[r][i], places, FIGURE_SIGNED, number[1 + i])
+                    : "";
         }
         cells[5] = figure_with_sigma(closure, of_it, FIGURE_SIGNED, number[3]);
         cells[6] = of_it > 0 ? figure_fixed(closure / of_it, 2, FIGURE_SIGNED, number[4]) : "";
@@ -279,7 +296,7 @@ void report_stand(page *p, const report_facts *f)
         write_missets(p, s);
         write_mounting(p, f);
         write_vertical(p, f);
-        write_series(p, &s->series);
+        write_series(p, f);
         if (s->series.is_closed_over) {
             write_closures(p, f);
         }

@@ -115,8 +115,8 @@ static int read_nominal_member(json_reader *r, const char *name, void *into)
     calibration_file *c = into;
 
     c->is_skewed = c->is_skewed || is(name, "matrix");
-    return is(name, "zero")        ? read_vector(r, c->zero)
-           : is(name, "lsb")       ? read_vector(r, c->lsb)
+    return is(name, "zero")        ? read_sigma(r, c->zero)
+           : is(name, "lsb")       ? read_sigma(r, c->lsb)
            : is(name, "zero_from") ? json_read_text(r, c->zero_from, sizeof c->zero_from)
            : is(name, "lsb_from")  ? json_read_text(r, c->lsb_from, sizeof c->lsb_from)
                                    : json_skip(r);

@@ -21,11 +21,11 @@ int calibrate_wants_slopes(const calibrate_result *r)
            r->quality.verdict == INVCAL_WEAK && r->quality.weak == (1u << INVCAL_PARAMETERS) - 1;
 }
 
-double calibrate_guess_error(const calibrate_result *r)
+double calibrate_slope_scale(const calibrate_result *r, unsigned parameter)
 {
-    const double *dk = &r->solution.x[INVCAL_DK_X];
-
-    return nominal_is_guess(&r->nominal) ? fmax(fabs(dk[0]), fmax(fabs(dk[1]), fabs(dk[2]))) : 0;
+    return parameter >= INVCAL_GAMMA_XY || nominal_knows(&r->nominal, INVCAL_DK_X)
+               ? 1
+               : 1 / (1 + r->solution.x[INVCAL_DK_X + parameter % 3]);
 }
 
 invcal_calibration calibrate_at_temperature(const calibrate_result *r, double temperature)
@@ -179,6 +179,7 @@ const char *calibrate_advice(const calibrate_result *r, char text[CALIBRATE_LIMI
     const double range = fit->calibration.max - fit->calibration.min;
     const told_unit told = told_parts(r->told, unit_is_gravity(r->settings.field));
     const unsigned most = steepest_offset(fit);
+    const double scale = told.scale * calibrate_slope_scale(r, most);
     char before[FIGURE_MAX];
     char after[FIGURE_MAX];
     char slope[FIGURE_MAX];
@@ -203,8 +204,8 @@ const char *calibrate_advice(const calibrate_result *r, char text[CALIBRATE_LIMI
                  "The residuals depend on temperature (chance alone: %.1g); offset %c moves by %s "
                  "%s/K. --thermal 1 brings their rms from %s to %s %s.",
                  fmax(1e-99, fit->significance), "xyz"[most],
-                 figure_with_sigma(told.scale * fit->slope[most],
-                                   told.scale * fit->slope_sigma[most], FIGURE_SIGNED, slope),
+                 figure_with_sigma(scale * fit->slope[most], scale * fit->slope_sigma[most],
+                                   FIGURE_SIGNED, slope),
                  told.unit, figure_digits(told.scale * fit->without, 3, before),
                  figure_digits(told.scale * fit->quality.rms, 3, after), told.unit);
     }

@@ -30,7 +30,7 @@ typedef struct {
     const char *unit;
 } figure;
 
-static void print_figure(FILE *file, const figure *f)
+static void print_figure(FILE *file, const calibrate_result *r, const figure *f)
 {
     char value[FIGURE_MAX];
     char sigma[FIGURE_MAX] = "?";
@@ -43,6 +43,10 @@ static void print_figure(FILE *file, const figure *f)
     figure_fixed(f->value, places, FIGURE_PLAIN, value);
     if (f->sigma >= 0) {
         figure_fixed(f->sigma, places, FIGURE_PLAIN, sigma);
+    }
+    if (!nominal_is_stated(&r->nominal)) { /* the table has no columns for it */
+        fprintf(file, "%-14s%14s ± %-10s  %s\n", label, value, sigma, f->unit);
+        return;
     }
     if (!isnan(f->nominal)) {
         figure_fixed(f->nominal, places, FIGURE_PLAIN, nominal);
@@ -59,9 +63,11 @@ static void print_offsets(FILE *file, const calibrate_result *r, int known)
                           .axis = {"xyz"[i]},
                           .value = r->solution.calibration.offset[i],
                           .sigma = known ? r->quality.sigma_offset[i] : NUMBER_UNKNOWN,
-                          .nominal = r->nominal.calibration.offset[i],
+                          .nominal = nominal_knows(&r->nominal, INVCAL_DELTA_X)
+                                         ? r->nominal.calibration.offset[i]
+                                         : NUMBER_UNKNOWN,
                           .unit = calibrate_input_unit(r)};
-        print_figure(file, &f);
+        print_figure(file, r, &f);
     }
 }
 
@@ -70,7 +76,7 @@ static void print_biases(FILE *file, const calibrate_result *r, int known)
 {
     const told_unit told = calibrate_told_field(r);
 
-    for (unsigned i = 0; i < 3; i++) {
+    for (unsigned i = 0; i < 3 && nominal_knows(&r->nominal, INVCAL_DELTA_X); i++) {
         const figure f = {.label = "offset error",
                           .axis = {"xyz"[i]},
                           .value = told.scale * r->solution.x[INVCAL_DELTA_X + i],
@@ -78,7 +84,7 @@ static void print_biases(FILE *file, const calibrate_result *r, int known)
                                          : NUMBER_UNKNOWN,
                           .nominal = NUMBER_UNKNOWN,
                           .unit = told.unit};
-        print_figure(file, &f);
+        print_figure(file, r, &f);
     }
 }
 
@@ -94,14 +100,14 @@ static void print_scales(FILE *file, const calibrate_result *r, int known)
     (void)matrix_inverse(&r->nominal.calibration, inverse); /* no result without */
     for (unsigned i = 0; i < 3; i++) {
         const double nominal = inverse[i][i];
-        const figure f = {.label = "scale",
-                          .axis = {"xyz"[i]},
-                          .value = nominal * (1 + r->solution.x[INVCAL_DK_X + i]),
-                          .sigma = known ? fabs(nominal) * r->quality.sigma[INVCAL_DK_X + i]
-                                         : NUMBER_UNKNOWN,
-                          .nominal = nominal,
-                          .unit = unit};
-        print_figure(file, &f);
+        const figure f = {
+            .label = "scale",
+            .axis = {"xyz"[i]},
+            .value = nominal * (1 + r->solution.x[INVCAL_DK_X + i]),
+            .sigma = known ? fabs(nominal) * r->quality.sigma[INVCAL_DK_X + i] : NUMBER_UNKNOWN,
+            .nominal = nominal_knows(&r->nominal, INVCAL_DK_X) ? nominal : NUMBER_UNKNOWN,
+            .unit = unit};
+        print_figure(file, r, &f);
     }
 }
 
@@ -116,7 +122,7 @@ static void print_errors(FILE *file, const calibrate_result *r, int known)
 
     snprintf(off_square, sizeof off_square, "%s off square", angle.unit);
     snprintf(not_measured, sizeof not_measured, "%s, not measured", angle.unit);
-    for (unsigned i = 0; i < 3; i++) {
+    for (unsigned i = 0; i < 3 && nominal_knows(&r->nominal, INVCAL_DK_X); i++) {
         const figure f = {.label = "scale error",
                           .axis = {"xyz"[i]},
                           .value = scale.scale * r->solution.x[INVCAL_DK_X + i],
@@ -124,7 +130,7 @@ static void print_errors(FILE *file, const calibrate_result *r, int known)
                                          : NUMBER_UNKNOWN,
                           .nominal = NUMBER_UNKNOWN,
                           .unit = scale.unit};
-        print_figure(file, &f);
+        print_figure(file, r, &f);
     }
     for (unsigned i = 0; i < 3; i++) {
         const figure f = {.label = "angle",
@@ -134,17 +140,7 @@ static void print_errors(FILE *file, const calibrate_result *r, int known)
                                          : NUMBER_UNKNOWN,
                           .nominal = 0,
                           .unit = held >> (INVCAL_GAMMA_XY + i) & 1 ? not_measured : off_square};
-        print_figure(file, &f);
-    }
-}
-
-static void print_guess(FILE *file, const nominal_choice *n, const char *nominal_name)
-{
-    if (nominal_is_guess(n)) {
-        fprintf(file,
-                "%s is a guess: how far offsets and scales are from it says nothing about the\n"
-                "sensor; state its data sheet with --zero and --lsb\n",
-                nominal_name);
+        print_figure(file, r, &f);
     }
 }
 
@@ -170,8 +166,10 @@ static void print_residuals(FILE *file, const calibrate_result *r, const char *n
     fprintf(file, "residual rms  %s\n", residual_text(r, q->rms, text));
     fprintf(file, "         max  %s, at position %u (line %lu)\n", residual_text(r, q->max, text),
             q->worst + 1, r->data->origin[q->worst].line);
-    fprintf(file, "  rms before  %s (%s alone)\n", residual_text(r, r->residual_before, text),
-            nominal_name);
+    if (!nominal_is_guess(&r->nominal)) {
+        fprintf(file, "  rms before  %s (%s alone)\n", residual_text(r, r->residual_before, text),
+                nominal_name);
+    }
     if (calibrate_knows_noise(r)) {
         fprintf(file, "noise         %14.3g %s of one position mean, %.3g degrees of freedom",
                 q->noise * noise.scale, noise.unit, q->dof);
@@ -399,7 +397,7 @@ static void print_stand(FILE *file, const calibrate_result *result)
                                told_angle(result->told)};
 
     if (result->stand.from) {
-        stand_print(file, &result->stand, result->solution.x, unit);
+        stand_print(file, &result->stand, &result->nominal, result->solution.x, unit);
     }
 }
 
@@ -413,10 +411,34 @@ static void print_case(FILE *file, const calibrate_result *result)
     }
 }
 
+/* What the sensor was to read, and who says so. */
+static void print_nominal(FILE *file, const nominal_choice *n, const char *name)
+{
+    char text[TEXT_MAX];
+    char limits[SENSORS_TEXT_MAX];
+
+    if (!nominal_is_stated(n)) {
+        snprintf(text, sizeof text,
+                 "%s: not stated; --sensor, --unit, or --zero and --lsb would state it", name);
+    } else if (n->zero == n->lsb) {
+        snprintf(text, sizeof text, "%s: zero and scale %s", name, nominal_origin_text(n->zero));
+    } else {
+        snprintf(text, sizeof text, "%s: zero %s, scale %s", name, nominal_origin_text(n->zero),
+                 nominal_origin_text(n->lsb));
+    }
+    calibrate_print_wrapped(file, 0, text);
+    if (n->sensor.type) {
+        fprintf(file, "%s at %s: %s\n", n->sensor.type->name, n->sensor.range->name,
+                n->sensor.type->sheet);
+        fprintf(file, "%-14s", "limits");
+        calibrate_print_wrapped(file, 14, sensors_limits_text(&n->sensor, limits));
+    }
+    fprintf(file, "\n");
+}
+
 void calibrate_print(FILE *file, const calibrate_result *result, const calibrate_wish *wish)
 {
     const int known = calibrate_knows_noise(result);
-    const nominal_choice *n = &result->nominal;
 
     print_recognised(file, result->data);
     print_log(file, result);
@@ -424,16 +446,15 @@ void calibrate_print(FILE *file, const calibrate_result *result, const calibrate
             result->settings.field, calibrate_field_unit(result));
     print_place(file, result);
     print_rejected(file, result);
-    if (n->zero == n->lsb) {
-        fprintf(file, "%s: zero and scale %s\n\n", wish->nominal_name,
-                nominal_origin_text(n->zero));
+    print_nominal(file, &result->nominal, wish->nominal_name);
+    if (nominal_is_stated(&result->nominal)) {
+        fprintf(file, "%s%-14s%14s ± %-10s%*s%14s%s\n", paint_on(file, PAINT_BOLD), "",
+                "calibrated", "sigma", paint_width(wish->nominal_name, 14), wish->nominal_name,
+                "difference", paint_off(file));
     } else {
-        fprintf(file, "%s: zero %s, scale %s\n\n", wish->nominal_name, nominal_origin_text(n->zero),
-                nominal_origin_text(n->lsb));
+        fprintf(file, "%s%-14s%14s ± %s%s\n", paint_on(file, PAINT_BOLD), "", "calibrated", "sigma",
+                paint_off(file));
     }
-    fprintf(file, "%s%-14s%14s ± %-10s%*s%14s%s\n", paint_on(file, PAINT_BOLD), "", "calibrated",
-            "sigma", paint_width(wish->nominal_name, 14), wish->nominal_name, "difference",
-            paint_off(file));
     print_offsets(file, result, known);
     print_scales(file, result, known);
     if (result->told == TOLD_INS) { /* in input units alone no engineer of INS can read it */
@@ -441,7 +462,6 @@ void calibrate_print(FILE *file, const calibrate_result *result, const calibrate
     }
     print_errors(file, result, known);
     calibrate_nonlinear_print(file, result);
-    print_guess(file, n, wish->nominal_name);
     fprintf(file, "\n");
     print_stand(file, result);
     print_case(file, result);

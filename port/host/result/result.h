@@ -35,12 +35,13 @@ typedef struct {
     nominal_choice nominal;
     fit_settings settings;
     fit_solution solution;
-    fit_quality quality;     /* worst counts among all positions */
-    const double *tolerance; /* data sheet limits of offsets (over the field), scale errors and
-                                angles (rad); null: not stated */
-    uint16_t beyond;         /* bit r: parameter r exceeds them, and its interval of 95 % does */
-    double field_sigma;      /* of the field, over itself: a part of sigma of the scales, */
-    int is_field_stated;     /* as stated; or because it was not */
+    fit_quality quality; /* worst counts among all positions */
+    double limit
+        [INVCAL_PARAMETERS]; /* what a good sensor may be off by, in the units of x; NaN: not */
+    int has_limits;          /* stated; or is some */
+    uint16_t beyond;     /* bit r: parameter r exceeds its limit, and its interval of 95 % does */
+    double field_sigma;  /* of the field, over itself: a part of sigma of the scales, */
+    int is_field_stated; /* as stated; or because it was not */
     double accuracy; /* 95 % of lengths are right within that, over the field, if the field is */
     double need;     /* what is asked of all of it, field units; 0: nothing */
     int is_drift_fitted;   /* the calibration holds in the middle of the session, and is freed of */
@@ -71,9 +72,9 @@ typedef struct {
  * temperatures do not help. */
 int calibrate_wants_slopes(const calibrate_result *result);
 
-/* By how much the scale that slopes are told in may be off, if it is a guess: the largest scale
- * error; else 0. */
-double calibrate_guess_error(const calibrate_result *result);
+/* Times the slope of a parameter against nominal: what it is in the sensor's own scale, if no nominal scale
+ * is stated; else 1. */
+double calibrate_slope_scale(const calibrate_result *result, unsigned parameter);
 
 /* What the frame of the calibration is called: "symmetric", ... */
 const char *calibrate_frame(const calibrate_result *result);
@@ -144,6 +145,10 @@ const char *calibrate_advice(const calibrate_result *result, char text[CALIBRATE
 
 /* One JSON object. */
 void calibrate_json(FILE *file, const calibrate_result *result);
+
+/* Members of the object that is open: deviations from nominal, null where nothing states it. */
+void calibrate_parameters_json(json_writer *w, const calibrate_result *result,
+                               const double x[INVCAL_PARAMETERS]);
 
 /* What the user asked for that is not in the result. */
 #define CALIBRATE_NAME_MAX 14u

@@ -37,9 +37,7 @@ void calibrate_robust_json(json_writer *w, const calibrate_result *r)
 {
     json_object(w, "robust");
     if (r->has_robust) {
-        json_vector(w, "delta", &r->robust[INVCAL_DELTA_X]);
-        json_vector(w, "dk", &r->robust[INVCAL_DK_X]);
-        json_vector(w, "gamma", &r->robust[INVCAL_GAMMA_XY]);
+        calibrate_parameters_json(w, r, r->robust);
         json_text(w, "worst", invcal_parameter_name(r->robust_worst));
         json_number(w, "difference", r->robust_most);
     }

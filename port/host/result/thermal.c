@@ -10,7 +10,6 @@
 #include "design/parameters.h"
 
 #define TEXT_MAX 512
-#define GUESS 0.005 /* of the scale: worth a word */
 
 /* What a slope is told in. */
 typedef struct {
@@ -64,20 +63,15 @@ void calibrate_print_thermal(FILE *file, const calibrate_result *r)
     print_fitted(file, fit);
     for (unsigned p = 0; p < INVCAL_PARAMETERS && fit->calibration.fitted > 0; p++) {
         const slope_unit u = unit_of(r, p);
-        const double spread = known ? u.scale * fit->slope_sigma[p] : 0;
-        const int places = figure_places(u.scale * fit->slope[p], spread);
-        figure_fixed(u.scale * fit->slope[p], places, FIGURE_SIGNED, value);
+        const double scale = u.scale * calibrate_slope_scale(r, p);
+        const double spread = known ? scale * fit->slope_sigma[p] : 0;
+        const int places = figure_places(scale * fit->slope[p], spread);
+        figure_fixed(scale * fit->slope[p], places, FIGURE_SIGNED, value);
         if (known) {
             figure_fixed(spread, places, FIGURE_PLAIN, sigma);
         }
         fprintf(file, "%-14s%14s ± %-10s  %s%s\n", parameter_words(p), value, sigma, u.unit,
                 fit->calibration.fitted > 1 ? ", at that temperature" : "");
-    }
-    if (fit->calibration.fitted > 0 && calibrate_guess_error(r) >= GUESS) {
-        snprintf(text, sizeof text,
-                 "Slopes are told in the scale of the nominal, a guess that is up to %.0f %% off.",
-                 100 * calibrate_guess_error(r));
-        calibrate_print_wrapped(file, 0, text);
     }
     if (fit->calibration.fitted > 0 && r->quality.dof > 0 && !isnan(fit->without)) {
         const told_unit told = calibrate_told_field(r);

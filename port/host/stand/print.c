@@ -24,8 +24,8 @@ static void print_mounting(FILE *file, const mounting *m, told_unit unit)
     }
 }
 
-static void print_vertical(FILE *file, const stand_vertical *v, const double x[INVCAL_PARAMETERS],
-                           const told_unit unit[3])
+static void print_vertical(FILE *file, const stand_vertical *v, const nominal_choice *nominal,
+                           const double x[INVCAL_PARAMETERS], const told_unit unit[3])
 {
     static const char *const names[] = {"offset x", "offset y", "offset z", "scale x", "scale y",
                                         "scale z",  "angle xy", "angle xz", "angle zy"};
@@ -39,11 +39,12 @@ static void print_vertical(FILE *file, const stand_vertical *v, const double x[I
         char text[4][FIGURE_MAX];
         const double scale = unit[r / 3].scale;
         const int places = figure_places(scale * v->x[r], scale * v->sigma[r]);
+        const int is_known = nominal_knows(nominal, r);
         fprintf(file, "%-14s%14s ± %-10s%14s%14s  %s\n", names[r],
-                figure_fixed(scale * v->x[r], places, FIGURE_PLAIN, text[0]),
+                is_known ? figure_fixed(scale * v->x[r], places, FIGURE_PLAIN, text[0]) : "",
                 v->sigma[r] >= 0 ? figure_fixed(scale * v->sigma[r], places, FIGURE_PLAIN, text[1])
                                  : "?",
-                figure_fixed(scale * x[r], places, FIGURE_PLAIN, text[2]),
+                is_known ? figure_fixed(scale * x[r], places, FIGURE_PLAIN, text[2]) : "",
                 figure_fixed(scale * (v->x[r] - x[r]), places, FIGURE_SIGNED, text[3]),
                 unit[r / 3].unit);
     }
@@ -75,7 +76,7 @@ static unsigned worst_closure(const group_series *s)
     return worst;
 }
 
-static void print_series(FILE *file, const group_series *s)
+static void print_series(FILE *file, const group_series *s, int has_nominal)
 {
     static const char *const groups[] = {"2 and 3", "1 and 3", "1 and 2"};
 
@@ -83,7 +84,7 @@ static void print_series(FILE *file, const group_series *s)
         if (!s->is_determined[g]) {
             fprintf(file, "group %u       %s: %u positions do not tell its five coefficients\n",
                     g + 1, s->count[g] == 0 ? "missing" : "incomplete", s->count[g]);
-        } else {
+        } else if (has_nominal) {
             fprintf(file, "group %u       a0 %+.3e  a1 %+.3e  b1 %+.3e  a2 %+.3e  b2 %+.3e\n",
                     g + 1, s->coefficient[g][0], s->coefficient[g][1], s->coefficient[g][2],
                     s->coefficient[g][3], s->coefficient[g][4]);
@@ -102,8 +103,8 @@ static void print_series(FILE *file, const group_series *s)
     }
 }
 
-void stand_print(FILE *file, const stand *s, const double x[INVCAL_PARAMETERS],
-                 const told_unit unit[3])
+void stand_print(FILE *file, const stand *s, const nominal_choice *nominal,
+                 const double x[INVCAL_PARAMETERS], const told_unit unit[3])
 {
     char text[STAND_TEXT_MAX];
 
@@ -122,7 +123,7 @@ void stand_print(FILE *file, const stand *s, const double x[INVCAL_PARAMETERS],
             1e3 * s->mounting.scatter);
     print_mounting(file, &s->mounting, unit[2]);
     print_missets(file, s);
-    print_vertical(file, &s->vertical, x, unit);
-    print_series(file, &s->series);
+    print_vertical(file, &s->vertical, nominal, x, unit);
+    print_series(file, &s->series, !nominal_is_guess(nominal));
     fprintf(file, "\n");
 }

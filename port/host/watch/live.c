@@ -301,7 +301,11 @@ static int begin(stage *s)
 {
     const live_wish *wish = s->wish;
     const double *clip = wish->clip;
+    char text[SENSORS_TEXT_MAX];
 
+    if (!zero_fits_sensor(wish, &live_log, text)) {
+        return message_usage("watch", "%s: %s", live_log.table.name, text);
+    }
     if (!zero_begin(&s->zero, wish, &live_log, s->p, &followed, &s->known) ||
         invcal_session_begin(&session, &s->known, samples_whole_rate(&live_log)) != INVCAL_OK ||
         (clip && invcal_session_rails(&session, samples_count(&live_log, clip[0]),

@@ -30,6 +30,7 @@ static int read_live(const request *r, positions *data, rests_summary *log)
         }
         wish.nominal = &nominal;
     }
+    wish.sensor = r->sensor;
     wish.zero = r->value[ASK_ZERO] ? r->zero : NULL;
     wish.lsb = r->value[ASK_LSB] ? r->lsb : NULL;
     memcpy(wish.target, r->target, sizeof wish.target);
@@ -88,7 +89,7 @@ static const char *const watch_help[] = {
     "                      fourth position on the middle of each axis' range; with --plan, where\n"
     "                      that is far off, what its first three positions tell\n"
     "  --lsb S | SX,SY,SZ  nominal scale; default for the guidance: by the unit that is\n"
-    "                      stated, else from the first samples\n",
+    "                      stated or --sensor, else from the first samples\n",
     "\n"
     "These are the options of invcal calibrate, whose help says more of them:\n"
     "\n"
@@ -103,6 +104,8 @@ static const char *const watch_help[] = {
     "  --units everyday|ins\n"
     "                      of figures for people: mg, % and degrees, or ug, ppm and arcsec\n"
     "  --nominal CAL.json  an earlier calibration in place of --zero and --lsb\n"
+    "  --sensor NAME[:RANGE]\n"
+    "                      of a data sheet, zero, scale and limits; --sensor list names them\n"
     "  --nominal-name WORD heading of the nominal column; default nominal\n"
     "  --noise S           standard deviation of one position mean, in field units\n"
     "  --prior D,K,G       standard deviations of what the nominal may be wrong by\n"

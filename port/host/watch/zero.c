@@ -10,12 +10,40 @@
 #define FAR_OFF 0.7 /* mean of unit vectors that differ less than positions do */
 
 /* Field units per input unit, if a unit is stated that tells it; else 0. */
-static double stated_scale(const zero_finder *z)
+static double scale_of_unit(const zero_finder *z)
 {
     const reading_unit stated =
         z->wish->unit != UNIT_UNKNOWN ? z->wish->unit : z->log->where.seen.unit;
 
     return unit_scale(stated, z->wish->field);
+}
+
+/* The same, or by the sensor. */
+static double stated_scale(const zero_finder *z)
+{
+    const double unit = scale_of_unit(z);
+
+    return unit > 0 || !z->wish->sensor.type ? unit
+                                             : sensors_scale(&z->wish->sensor, z->wish->field);
+}
+
+/* The first readings, a geometric mean of them, can be the sensor's that was stated: it would be late to say
+ * so at the end. */
+int zero_fits_sensor(const live_wish *wish, const samples *log, char text[SENSORS_TEXT_MAX])
+{
+    const zero_finder z = {.wish = wish, .log = log};
+    double sum = 0;
+
+    if (!wish->sensor.type || wish->zero || wish->lsb || scale_of_unit(&z) > 0) {
+        return 1;
+    }
+    for (unsigned n = 0; n < log->ahead_count; n++) {
+        const double *v = log->ahead[n];
+        sum +=
+            log10(sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]) * stated_scale(&z) / wish->field);
+    }
+    return log->ahead_count == 0 ||
+           sensors_fit(&wish->sensor, pow(10, sum / log->ahead_count), text);
 }
 
 int zero_is_free(const zero_finder *z)

@@ -23,6 +23,9 @@ typedef struct {
 int zero_begin(zero_finder *z, const live_wish *wish, const samples *log, const positions *taken,
                const live_program *followed, invcal_calibration *out);
 
+/* Could the first samples be those of the sensor that was stated? Returns 0 if not, and why in text. */
+int zero_fits_sensor(const live_wish *wish, const samples *log, char text[SENSORS_TEXT_MAX]);
+
 /* Nothing states the zero of the readings, nor the scale. */
 int zero_is_free(const zero_finder *z);
 
