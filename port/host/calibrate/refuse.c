@@ -8,6 +8,7 @@
 #include "cli/message.h"
 #include "design/parameters.h"
 #include "stand/tell.h"
+#include "text/number.h"
 
 #define REASON_MAX 800
 #define FEW_SAMPLES 1000u /* more rows than anybody has positions */
@@ -142,6 +143,47 @@ int calibrate_refuse(const positions *data, const fit_settings *settings,
         json_end(&w);
     }
     return EXIT_DATA;
+}
+
+/* The mean length of the readings, counts, from the nominal zero. */
+static double mean_length(const positions *data, const invcal_calibration *nominal)
+{
+    double sum = 0;
+
+    for (unsigned n = 0; n < data->count; n++) {
+        double square = 0;
+        for (unsigned i = 0; i < 3; i++) {
+            const double d = data->mean[3 * (size_t)n + i] - nominal->offset[i];
+            square += d * d;
+        }
+        sum += sqrt(square) / data->count;
+    }
+    return sum;
+}
+
+/* As good as 1, zero and scale being nominal. */
+static int is_about_one(double x)
+{
+    return x > 0.4 && x < 2.5;
+}
+
+int calibrate_check_scale(const char *command, const positions *data, const nominal_choice *nominal,
+                          double field)
+{
+    const double lsb = fabs(nominal->calibration.matrix[0][0]);
+    const double counts = mean_length(data, &nominal->calibration);
+    char numerator[NUMBER_TEXT_MAX];
+
+    if (nominal->lsb != NOMINAL_GIVEN || is_about_one(counts * lsb / field) ||
+        !(is_about_one(counts / lsb) || is_about_one(counts / (lsb * field)))) {
+        return EXIT_GOOD;
+    }
+    const double meant = is_about_one(counts / lsb) ? field : 1;
+    return message_usage(command,
+                         "--lsb is field per count, not counts per field: with %.6g these readings "
+                         "are %.3g times the field; you mean --lsb %s/%.6g, which is %.6g",
+                         lsb, counts * lsb / field, number_text(meant, numerator), lsb,
+                         meant / lsb);
 }
 
 int calibrate_all_drift(const calibrate_result *result, int json)
