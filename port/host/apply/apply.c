@@ -20,8 +20,9 @@
 #include "apply/thermal_correction.h"
 
 static const char *const operands[] = {"CAL.json", "LOG"};
-enum { TEMPERATURE, QUIET, OPTIONS };
+enum { COLUMNS, TEMPERATURE, QUIET, OPTIONS };
 static const option options[OPTIONS] = {
+    [COLUMNS] = {"--columns", 1},
     [TEMPERATURE] = {"--temperature", 1},
     [QUIET] = {"--quiet", 0},
 };
@@ -184,6 +185,9 @@ static int run(int argc, char **argv)
     if (!failure && input_is_stdin(files[0]) && input_is_stdin(files[1])) {
         failure = message_usage(syntax.command, "only one input can be the standard input");
     }
+    if (!failure && value[COLUMNS]) {
+        failure = columns_choose(syntax.command, value[COLUMNS]);
+    }
     failure = failure ? failure : calibration_file_read_correction(files[0], &j.file);
     failure = failure ? failure : read_temperature(value[TEMPERATURE], &j);
     failure =
@@ -225,6 +229,7 @@ static const char *const help[] = {
     "known up to the field along each axis; beyond 1.1 of that what holds there is used, and "
     "told.\n"
     "\n"
+    COLUMNS_OPTION,
     "  --temperature T     of all readings, in place of the column; needs such a calibration\n"
     "  --quiet             show no progress, print only the result and errors\n"
     "\n"

@@ -24,6 +24,7 @@
 #include "report/report.h"
 
 enum {
+    COLUMNS,
     POSITIONS,
     GRAVITY,
     LATITUDE,
@@ -62,6 +63,7 @@ enum {
 };
 
 static const option options[OPTIONS] = {
+    [COLUMNS] = {"--columns", 1},
     [POSITIONS] = {"--positions", 0},
     [GRAVITY] = {"--gravity", 1},
     [LATITUDE] = {"--latitude", 1},
@@ -321,12 +323,13 @@ static int read_thermal(request *r)
 /* What only a log of samples has. */
 static int read_log_options(request *r)
 {
-    int failure = EXIT_GOOD;
+    int failure =
+        r->value[COLUMNS] ? columns_choose(r->syntax->command, r->value[COLUMNS]) : EXIT_GOOD;
 
-    if (r->value[POSITIONS] && (r->value[RATE] || r->value[CLIP])) {
+    if (!failure && r->value[POSITIONS] && (r->value[RATE] || r->value[CLIP])) {
         return usage(r, r->value[RATE] ? RATE : CLIP, "is of samples; position means have none");
     }
-    if (r->value[RATE]) {
+    if (!failure && r->value[RATE]) {
         failure = options_numbers(r->syntax, RATE, r->value[RATE], 1, &r->rate, NULL);
         if (!failure && !(r->rate >= SAMPLES_RATE_MIN && r->rate <= SAMPLES_RATE_MAX)) {
             failure = usage(r, RATE, "is 8 to 8000 samples a second");
@@ -1142,6 +1145,7 @@ static const char *const help[] = {
     "Nine positions are the least, twelve to eighteen in all directions are good. A position\n"
     "that contradicts the others is left out and named, if eleven or more are there to tell.\n"
     "\n"
+    COLUMNS_OPTION,
     "  --positions         each row of LOG is the mean of one position: x y z, or x y z std n\n"
     "                      (standard deviation and number of the samples), or\n"
     "                      x y z std_x std_y std_z n, or with a header\n"
@@ -1280,6 +1284,7 @@ static const char *const watch_help[] = {
     "  --prior D,K,G       standard deviations of what the nominal may be wrong by\n"
     "  --thermal 1|2       straight lines or parabolas of temperature\n"
     "  --slope D,K,G       standard deviations of what slopes may be, per K\n"
+    COLUMNS_OPTION,
     "  --rate HZ           samples a second; default: by the column t, else 100\n"
     "  --clip LOW,HIGH     the least and the greatest reading of the sensor\n"
     "  --keep-all          leaves no position out\n"

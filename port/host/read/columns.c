@@ -15,42 +15,154 @@
 /* The headings of the table at hand; too many for the stack. */
 static heading headings[TABLE_COLUMNS_MAX];
 
-/* ---- x, y and z --------------------------------------------------------------------------------- */
+/* ---- what is stated ------------------------------------------------------------------------------ */
 
-/* Keys of headings that may be meant, see heading.h; of a gyro there is none. */
-static int is_reading(const char *key)
+/* By --columns: for each meaning a name or a number; empty: it is found. */
+static char chosen[COLUMN_COUNT][HEADING_NAME_MAX];
+static char chosen_text[COLUMNS_CHOICE_MAX]; /* all of it; empty: nothing is stated */
+
+/* The meaning with this name, or COLUMN_COUNT. */
+static column meaning_of(const char *name)
 {
-    static const char *const keys[] = {
-        "",
-        "a",
-        "acc",
-        "accel",
-        "acceleration",
-        "accelerometer",
-        "accsmooth",
-        "accadc",
-        "xyz",
-        "accraw",
-        "rawacc",
-        "accelraw",
-        "rawaccel",
-        "axis",
-        "mean",
-        "m",
-        "mag",
-        "magnetometer",
-        "magneticfield",
-        "accelerometeracceleration",
-        "gf",
-        "fieldlinearacceleration",
-    };
+    static const struct {
+        const char *name;
+        column which;
+    } others[] = {{"time", COLUMN_TIME}, {"temp", COLUMN_TEMPERATURE}};
 
-    for (unsigned i = 0; i < sizeof keys / sizeof keys[0]; i++) {
-        if (strcmp(key, keys[i]) == 0) {
-            return 1;
+    for (unsigned i = 0; i < sizeof others / sizeof others[0]; i++) {
+        if (strcmp(name, others[i].name) == 0) {
+            return others[i].which;
         }
     }
-    return 0;
+    for (unsigned c = 0; c < COLUMN_COUNT; c++) {
+        if (strcmp(name, columns_name((column)c)) == 0) {
+            return (column)c;
+        }
+    }
+    return COLUMN_COUNT;
+}
+
+static int refuse_choice(const char *command, const char *what)
+{
+    return message_usage(command,
+                         "--columns %s: %s; state three, x y z, as 2,3,4 or ax,ay,az, or each by "
+                         "its name: t=1,x=2,y=3,z=4,temperature=5",
+                         chosen_text, what);
+}
+
+/* `ax`, the next of x, y and z; or `t=1`. */
+static int choose(const char *command, char *item, unsigned *unnamed)
+{
+    char *equals = strchr(item, '=');
+    column which = COLUMN_COUNT;
+
+    if (!equals) {
+        which = *unnamed < 3 ? (column)(COLUMN_X + *unnamed) : COLUMN_COUNT;
+        *unnamed += 1;
+    } else {
+        *equals = '\0';
+        which = meaning_of(item);
+        item = equals + 1;
+    }
+    if (which == COLUMN_COUNT) {
+        return refuse_choice(command, equals ? "no such meaning" : "more than three without a name");
+    }
+    if (*item == '\0' || *chosen[which] != '\0' || strlen(item) >= HEADING_NAME_MAX) {
+        return refuse_choice(command, *item == '\0' ? "one is empty" : "one is there twice or too long");
+    }
+    memcpy(chosen[which], item, strlen(item) + 1);
+    return EXIT_GOOD;
+}
+
+int columns_choose(const char *command, const char *text)
+{
+    char copy[COLUMNS_CHOICE_MAX];
+    unsigned unnamed = 0;
+    int failure = EXIT_GOOD;
+
+    snprintf(chosen_text, sizeof chosen_text, "%s", text);
+    snprintf(copy, sizeof copy, "%s", text);
+    for (char *item = copy; item && !failure;) {
+        char *comma = strchr(item, ',');
+        if (comma) {
+            *comma = '\0';
+        }
+        failure = choose(command, item, &unnamed);
+        item = comma ? comma + 1 : NULL;
+    }
+    const int one = *chosen[COLUMN_X] != '\0';
+    const int are_alike = (*chosen[COLUMN_Y] != '\0') == one && (*chosen[COLUMN_Z] != '\0') == one;
+    return failure || are_alike ? failure : refuse_choice(command, "x, y and z belong together");
+}
+
+static int is_chosen(column which)
+{
+    return *chosen[which] != '\0';
+}
+
+static int say_no_column(const table *t, column which)
+{
+    char names[256] = "";
+
+    for (unsigned i = 0; i < t->columns && t->has_header; i++) {
+        const size_t length = strlen(names);
+        snprintf(names + length, sizeof names - length, "%s%s", i ? ", " : ": ", headings[i].name);
+    }
+    message("%s:%lu: --columns: there is no column '%s' for %s among the %u%s", t->name, t->line,
+            chosen[which], columns_name(which), t->columns, names);
+    return EXIT_FILE;
+}
+
+/* Which column it is: by its name, with or without its unit, else by its number. */
+static int find_chosen(const table *t, column which, int *index)
+{
+    double number = 0;
+
+    *index = -1;
+    for (unsigned i = 0; i < t->columns && t->has_header && *index < 0; i++) {
+        *index = strcasecmp(t->field[i], chosen[which]) == 0 ||
+                         strcasecmp(headings[i].name, chosen[which]) == 0
+                     ? (int)i
+                     : -1;
+    }
+    if (*index < 0 && number_parse(chosen[which], &number) == NUMBER_OK && number >= 1 &&
+        number <= t->columns) {
+        *index = (int)number - 1;
+    }
+    return *index < 0 ? say_no_column(t, which) : EXIT_GOOD;
+}
+
+static int find_chosen_axes(const table *t, int index[3])
+{
+    int failure = EXIT_GOOD;
+
+    for (unsigned i = 0; i < 3 && !failure; i++) {
+        failure = find_chosen(t, (column)(COLUMN_X + i), &index[i]);
+    }
+    if (!failure && (index[0] == index[1] || index[1] == index[2] || index[0] == index[2])) {
+        message("%s:%lu: --columns %s: x, y and z are three different columns", t->name, t->line,
+                chosen_text);
+        failure = EXIT_FILE;
+    }
+    return failure;
+}
+
+/* ---- x, y and z --------------------------------------------------------------------------------- */
+
+/* What a heading with an axis is of. */
+typedef enum {
+    OF_NOTHING, /* a gyro, or what nobody knows */
+    OF_MAGNETOMETER,
+    OF_ANYTHING, /* x, y and z alone */
+    OF_ACCELEROMETER
+} origin;
+
+static int is_among(const char *key, const char *const *keys)
+{
+    while (*keys && strcmp(key, *keys) != 0) {
+        keys++;
+    }
+    return *keys != NULL;
 }
 
 /* The linear acceleration of a phone is one without gravity. This is how ROS spells that of
@@ -58,6 +170,26 @@ static int is_reading(const char *key)
 static int is_of_ros(const heading *h)
 {
     return strncmp(h->name, "linear_acceleration.", strlen("linear_acceleration.")) == 0;
+}
+
+/* Keys of headings that may be meant, see heading.h. */
+static origin origin_of(const heading *h)
+{
+    static const char *const accelerometers[] = {
+        "a",          "acc",           "accel",   "acceleration",
+        "accelerometer", "accelerometeracceleration", "accsmooth", "accadc",
+        "accraw",     "rawacc",        "accelraw", "rawaccel",
+        "gf",         "fieldlinearacceleration",  "arss", /* EuRoC: a_RS_S_x */
+        NULL,
+    };
+    static const char *const magnetometers[] = {"m", "mag", "magnetometer", "magneticfield", NULL};
+    static const char *const anything[] = {"", "xyz", "axis", "mean", NULL};
+
+    return h->axis < 0                                               ? OF_NOTHING
+           : is_of_ros(h) || is_among(h->key, accelerometers) ? OF_ACCELEROMETER
+           : is_among(h->key, magnetometers)                         ? OF_MAGNETOMETER
+           : is_among(h->key, anything)                              ? OF_ANYTHING
+                                                                     : OF_NOTHING;
 }
 
 /* The column with the same key as column `from` and this axis: -1 if there is none. */
@@ -69,6 +201,24 @@ static int find_axis(const table *t, unsigned from, int axis)
         }
     }
     return -1;
+}
+
+/* The first complete set of three of this origin or a better one, from column `from` on. Returns its
+ * first column, or the number of columns. */
+static unsigned find_set(const table *t, unsigned from, origin least, int index[3])
+{
+    for (unsigned i = from; i < t->columns; i++) {
+        if (origin_of(&headings[i]) < least) {
+            continue;
+        }
+        for (int axis = 0; axis < 3; axis++) {
+            index[axis] = find_axis(t, i, axis);
+        }
+        if (index[0] >= 0 && index[1] >= 0 && index[2] >= 0) {
+            return i;
+        }
+    }
+    return t->columns;
 }
 
 /* Whether a column is one of those found, or another with the same meaning. */
@@ -99,33 +249,35 @@ static void say_none(const table *t)
     }
 }
 
-/* x, y and z come from one family: a log with an accelerometer and a magnetometer has two, and
- * nobody can guess which one is meant. */
-static int find_xyz(const table *t, int index[3])
+/* x, y and z come from one family. Beside an accelerometer a magnetometer may be there, which is left
+ * aside; of two of one kind nobody can guess which one is meant. */
+static int find_xyz(const table *t, columns *out)
 {
-    int found = 0;
+    int *index = &out->index[COLUMN_X];
+    int other[3];
+    const int has_accelerometer = find_set(t, 0, OF_ACCELEROMETER, index) < t->columns;
+    const origin least = has_accelerometer ? OF_ANYTHING : OF_MAGNETOMETER;
+    const unsigned first = has_accelerometer ? 0 : find_set(t, 0, OF_MAGNETOMETER, index);
 
+    if (first == t->columns) {
+        say_none(t);
+        return EXIT_FILE;
+    }
     for (unsigned i = 0; i < t->columns; i++) {
-        const heading *h = &headings[i];
-        if (h->axis < 0 || !(is_reading(h->key) || is_of_ros(h))) {
-            continue;
-        }
-        if (!found) {
-            for (int axis = 0; axis < 3; axis++) {
-                index[axis] = find_axis(t, i, axis);
-            }
-            found = index[0] >= 0 && index[1] >= 0 && index[2] >= 0;
-        }
-        if (found && is_there_twice(t, i, index)) {
-            message("%s:%lu: x, y and z are there twice ('%s' and '%s'): leave one set of columns",
-                    t->name, t->line, headings[index[h->axis]].name, h->name);
+        if (origin_of(&headings[i]) >= least && is_there_twice(t, i, index)) {
+            message("%s:%lu: x, y and z are there twice ('%s' and '%s'): state which with --columns, "
+                    "or leave one set of columns",
+                    t->name, t->line, headings[index[headings[i].axis]].name, headings[i].name);
             return EXIT_FILE;
         }
     }
-    if (!found) {
-        say_none(t);
+    for (unsigned i = 0; i < t->columns && has_accelerometer; i++) {
+        if (origin_of(&headings[i]) == OF_MAGNETOMETER &&
+            find_set(t, i, OF_MAGNETOMETER, other) == i && *out->seen.set_aside == '\0') {
+            memcpy(out->seen.set_aside, headings[other[0]].name, HEADING_NAME_MAX);
+        }
     }
-    return found ? EXIT_GOOD : EXIT_FILE;
+    return EXIT_GOOD;
 }
 
 /* ---- the unit of x, y and z ---------------------------------------------------------------------- */
@@ -248,7 +400,9 @@ static int is_named(const heading *h, column which)
 
 static int say_several(const table *t, const char *name)
 {
-    message("%s:%lu: more than one column could be '%s': leave one", t->name, t->line, name);
+    message("%s:%lu: more than one column could be '%s': leave one, or state which with --columns "
+            "%s=NAME",
+            t->name, t->line, name, name);
     return EXIT_FILE;
 }
 
@@ -271,6 +425,9 @@ static int find_std(const table *t, int *index)
 /* A column that may be missing. */
 static int find_optional(const table *t, column which, int *index)
 {
+    if (is_chosen(which)) {
+        return find_chosen(t, which, index);
+    }
     *index = -1;
     for (unsigned i = 0; i < t->columns; i++) {
         if (!is_named(&headings[i], which)) {
@@ -308,6 +465,9 @@ static int find_time(const table *t, columns *out)
             *index = states >= (count[1] > 0) ? (int)i : *index;
             count[states]++;
         }
+    }
+    if (is_chosen(COLUMN_TIME)) {
+        return find_chosen(t, COLUMN_TIME, index);
     }
     return count[count[1] > 0] > 1 ? say_several(t, columns_name(COLUMN_TIME)) : EXIT_GOOD;
 }
@@ -376,6 +536,7 @@ static void remember_names(const table *t, columns *out)
     for (unsigned i = 0; i < t->columns; i++) {
         seen->others += !used[i] && *t->field[i] != '\0';
     }
+    snprintf(seen->chosen, sizeof seen->chosen, "%s", chosen_text);
     seen->header_line = t->first_line;
     seen->preamble = t->preamble;
 }
@@ -399,7 +560,8 @@ static int find_by_header(table *t, columns_kind kind, columns *out)
     for (unsigned i = 0; i < t->columns; i++) {
         heading_read(t->field[i], &headings[i]);
     }
-    int failure = find_xyz(t, &index[COLUMN_X]);
+    int failure =
+        is_chosen(COLUMN_X) ? find_chosen_axes(t, &index[COLUMN_X]) : find_xyz(t, out);
     failure = failure ? failure : find_std(t, &std);
     failure = failure ? failure : find_unit(t, out);
     for (unsigned c = COLUMN_STD_X; c < COLUMN_COUNT && !failure; c++) {
@@ -464,7 +626,7 @@ static int find_by_count(const table *t, columns_kind kind, columns *out)
         return EXIT_GOOD;
     }
     message("%s:%lu: %u column%s, separated by %s, without a header: %s, or a header that names "
-            "them, is expected%s",
+            "them, is expected; --columns 2,3,4 states x, y, z by number%s",
             t->name, t->line, t->columns, t->columns == 1 ? "" : "s", table_separator(t),
             kind == COLUMNS_POSITIONS
                 ? "3 (x y z), 5 (x y z std n), 7 (x y z std_x std_y std_z n)"
@@ -475,13 +637,55 @@ static int find_by_count(const table *t, columns_kind kind, columns *out)
     return EXIT_FILE;
 }
 
+/* Without a header numbers do. */
+static int find_by_number(const table *t, columns *out)
+{
+    recognition *seen = &out->seen;
+
+    if (!is_chosen(COLUMN_X)) {
+        message("%s:%lu: there is no header: --columns has to state x, y and z, too", t->name,
+                t->line);
+        return EXIT_FILE;
+    }
+    int failure = find_chosen_axes(t, &out->index[COLUMN_X]);
+    seen->others = t->columns;
+    for (unsigned c = 0; c < COLUMN_COUNT && !failure; c++) {
+        int *index = &out->index[c];
+        *index = c > COLUMN_Z ? -1 : *index;
+        if (is_chosen((column)c)) {
+            failure = find_chosen(t, (column)c, index);
+            snprintf(seen->name[c], HEADING_NAME_MAX, "%s", columns_name((column)c));
+            seen->others--;
+        }
+    }
+    snprintf(seen->chosen, sizeof seen->chosen, "%s", chosen_text);
+    return failure;
+}
+
+/* Whether some three columns are x, y and z, or it is stated which. */
+static int has_axes(const table *t)
+{
+    int index[3];
+
+    for (unsigned i = 0; i < t->columns; i++) {
+        heading_read(t->field[i], &headings[i]);
+    }
+    return is_chosen(COLUMN_X) || find_set(t, 0, OF_MAGNETOMETER, index) < t->columns;
+}
+
 int columns_find(table *t, columns_kind kind, columns *out)
 {
     *out = (columns){.per_second = 1,
                      .degrees = {1, 0},
+                     .per_degree = {1, 1},
                      .instance = -1,
                      .seen = {.separator = table_separator(t)}};
-    const int failure = t->has_header ? find_by_header(t, kind, out) : find_by_count(t, kind, out);
+    if (table_comment_header(t) && !has_axes(t)) {
+        table_drop_header(t);
+    }
+    const int failure = t->has_header          ? find_by_header(t, kind, out)
+                        : *chosen_text != '\0' ? find_by_number(t, out)
+                                              : find_by_count(t, kind, out);
 
     out->seen.time_unit = out->per_second > 1e8   ? "ns"
                           : out->per_second > 1e5 ? "µs"
@@ -615,8 +819,12 @@ const char *columns_describe(const recognition *seen, char *text, size_t size)
     if (*name[COLUMN_TIME] != '\0') {
         append(text, size, "%s (%s), ", name[COLUMN_TIME], seen->time_unit);
     }
-    append(text, size, "%s %s %s", name[COLUMN_X], name[COLUMN_Y], name[COLUMN_Z]);
+    append(text, size, "%s%s %s %s", *seen->set_aside != '\0' ? "the accelerometer's " : "",
+           name[COLUMN_X], name[COLUMN_Y], name[COLUMN_Z]);
     append_unit(seen, text, size);
+    if (*seen->chosen != '\0') {
+        append(text, size, " (--columns %s)", seen->chosen);
+    }
     for (unsigned c = COLUMN_STD_X; c < COLUMN_COUNT; c++) {
         const int is_again = c > COLUMN_STD_X && c <= COLUMN_STD_Z &&
                              strcmp(name[c], name[c - 1]) == 0; /* one for all three */
@@ -627,6 +835,10 @@ const char *columns_describe(const recognition *seen, char *text, size_t size)
     if (seen->others > 0) {
         append(text, size, "; ignored: %u other column%s", seen->others,
                seen->others == 1 ? "" : "s");
+    }
+    if (*seen->set_aside != '\0') {
+        append(text, size, ", a magnetometer's among them (%s ..; --columns chooses)",
+               seen->set_aside);
     }
     return text;
 }

@@ -25,12 +25,16 @@ typedef enum {
     COLUMN_COUNT
 } column;
 
+#define COLUMNS_CHOICE_MAX 256
+
 /* What was recognised, to be told to people; it needs the table no more. */
 typedef struct {
     const char *separator;     /* "commas", ... */
     unsigned long header_line; /* 0: none */
     unsigned long preamble;    /* lines of `name, value` before it */
     unsigned long unit_line;   /* a row of units; 0: none */
+    char set_aside[HEADING_NAME_MAX]; /* x of a magnetometer beside the accelerometer; empty: none */
+    char chosen[COLUMNS_CHOICE_MAX];  /* by --columns, as it was stated; empty: it was not */
     unsigned others;           /* columns that have a heading, but are ignored */
     int states_foreign_unit;   /* the headings state a unit that unit.h does not know */
     reading_unit unit;         /* of x, y and z */
@@ -57,6 +61,12 @@ typedef enum {
                           a gyro behind, which are ignored */
 } columns_kind;
 
+/* Which columns are meant is stated, from now on, by name or by number from 1: "ax,ay,az", "2,3,4", or
+ * "t=1,x=2,y=3,z=4,temperature=5" in any order. What it does not name is found as ever.
+ *
+ * Returns EXIT_GOOD; EXIT_USAGE, with a message that points to the help of `command`. */
+int columns_choose(const char *command, const char *text);
+
 /* Names that a header may use, for help texts. */
 #define COLUMNS_NAMES                                                                              \
     "  x y z (or ax ay az, acc_x .., AccX .., \"Acceleration x\" .., accSmooth[0] ..,\n"           \
@@ -69,7 +79,13 @@ typedef enum {
     "  blackbox_decode (Betaflight, INAV), mavlogdump.py (ArduPilot) and\n"                        \
     "  rostopic echo -p (ROS).\n"
 
-/* Finds the columns of a table that has just been opened.
+/* The option, for help texts. */
+#define COLUMNS_OPTION                                                                             \
+    "  --columns X,Y,Z     which columns of LOG are meant, by name or by number: ax,ay,az or\n"    \
+    "                      2,3,4; others with what they are: t=1,x=2,y=3,z=4,temperature=5\n"
+
+/* Finds the columns of a table that has just been opened. Where it has an accelerometer and a
+ * magnetometer, x, y and z are those of the accelerometer.
  *
  * Returns EXIT_GOOD; EXIT_FILE, with a message, if x, y and z are not there or there twice, or
  * another name is there twice, or x, y and z are in different units, or the number of columns

@@ -30,7 +30,8 @@ static int grow(positions *p)
 int positions_add(positions *p, const double mean[3], const position_origin *origin)
 {
     if (p->count == POSITIONS_MAX) {
-        message("%s:%lu: more than %u positions", p->name, origin->line, POSITIONS_MAX);
+        message("%s:%lu: more than %u positions: if these are samples, leave --positions out",
+                p->name, origin->line, POSITIONS_MAX);
         return EXIT_FILE;
     }
     if (p->count == p->capacity && grow(p)) {
@@ -104,7 +105,7 @@ static int read_rows(positions *p, table *t)
         failure = add_row(p, t, &where);
     }
     if (!failure && more == 0 && p->count == 0) {
-        message("%s: holds a header, but no position", t->name);
+        message("%s: holds a header, but no position: was anything recorded?", t->name);
         failure = EXIT_FILE;
     }
     return more < 0 ? EXIT_FILE : failure;

@@ -19,7 +19,7 @@ typedef struct {
     double rate;
     int is_rate_known;
     unsigned long gaps;              /* in the times, or of lines that were skipped */
-    unsigned long skipped;           /* malformed lines of a live stream */
+    unsigned long skipped;           /* malformed lines of a live stream, cut ones of a log */
     unsigned refused[RESTS_REASONS]; /* rests, by their reason, from INVCAL_REST_SHORT on */
     const timeline *outline;
 } rests_summary;

@@ -47,11 +47,32 @@ static int realign(samples *s)
     return columns_find(&s->table, COLUMNS_LOG, &s->where) == EXIT_GOOD;
 }
 
+/* A recording that was switched off has cut its last line. */
+static int is_cut(const samples *s)
+{
+    int last = 0;
+
+    for (unsigned c = 0; c < COLUMN_COUNT; c++) {
+        last = s->where.index[c] > last ? s->where.index[c] : last;
+    }
+    return s->count + s->ahead_count > 0 && table_is_cut(&s->table, (unsigned)last);
+}
+
+static void say_cut(samples *s, const char *which, unsigned long line)
+{
+    message("%s:%lu: the %s line is cut, and left out", s->table.name, line, which);
+    s->skipped++;
+}
+
 /* The numbers of the next row that is whole. 1, 0 at the end, -1. */
 static int next_row(samples *s, double v[SAMPLES_NUMBERS])
 {
     for (unsigned skipped = 0; skipped < SKIPPED_MAX; skipped++) {
         const int more = table_next(&s->table);
+        if (more != 0 && !s->is_live && is_cut(s)) {
+            say_cut(s, "last", s->table.line);
+            return 0;
+        }
         if (more == 0 || (more == 1 && read_numbers(s, v) == EXIT_GOOD)) {
             return more;
         }
@@ -81,7 +102,7 @@ static int read_ahead(samples *s)
         return EXIT_FILE;
     }
     if (s->ahead_count == 0) {
-        message("%s: holds no sample", s->table.name);
+        message("%s: holds no sample, only a header: was anything recorded?", s->table.name);
         return EXIT_FILE;
     }
     return EXIT_GOOD;
@@ -163,6 +184,11 @@ static int find_rate(samples *s)
 /* If the first line of a live stream was cut beyond recognition, the second tells. */
 static int find_columns(samples *s)
 {
+    const unsigned long cut = s->is_live ? 0 : table_drop_cut_first(&s->table);
+
+    if (cut > 0) {
+        say_cut(s, "first", cut);
+    }
     const int failure = columns_find(&s->table, COLUMNS_LOG, &s->where);
 
     if (!failure || !s->is_live || s->table.has_header) {
@@ -185,6 +211,8 @@ int samples_open(samples *s, const char *path, double rate, int live)
     s->longest = HUGE_VAL; /* with a given rate times may be of any unit */
     int failure = table_open(&s->table, path);
 
+    s->table.is_log = !live;
+    s->table.is_forgiving = live;
     failure = failure ? failure : find_columns(s);
     failure = failure ? failure : read_ahead(s);
     if (failure) {
