@@ -13,15 +13,30 @@
 #include "cli/output.h"
 #include "cli/progress.h"
 
-enum { COLUMNS, RATE, TAU, APART, SIGMA, LSB, UNIT, GRAVITY, FROM, TO, OUT, REPORT, JSON, QUIET, OPTIONS };
+enum {
+    COLUMNS,
+    RATE,
+    TAU,
+    APART,
+    SIGMA,
+    LSB,
+    UNIT,
+    GRAVITY,
+    FROM,
+    TO,
+    OUT,
+    REPORT,
+    JSON,
+    QUIET,
+    OPTIONS
+};
 
 static const option options[OPTIONS] = {
-    [COLUMNS] = {"--columns", 1},
-    [RATE] = {"--rate", 1},       [TAU] = {"--tau", 1},       [APART] = {"--apart", 0},
-    [SIGMA] = {"--sigma", 1},     [LSB] = {"--lsb", 1},       [UNIT] = {"--unit", 1},
-    [GRAVITY] = {"--gravity", 1}, [FROM] = {"--from", 1},     [TO] = {"--to", 1},
-    [OUT] = {"--out", 1},         [REPORT] = {"--report", 1}, [JSON] = {"--json", 0},
-    [QUIET] = {"--quiet", 0},
+    [COLUMNS] = {"--columns", 1}, [RATE] = {"--rate", 1},       [TAU] = {"--tau", 1},
+    [APART] = {"--apart", 0},     [SIGMA] = {"--sigma", 1},     [LSB] = {"--lsb", 1},
+    [UNIT] = {"--unit", 1},       [GRAVITY] = {"--gravity", 1}, [FROM] = {"--from", 1},
+    [TO] = {"--to", 1},           [OUT] = {"--out", 1},         [REPORT] = {"--report", 1},
+    [JSON] = {"--json", 0},       [QUIET] = {"--quiet", 0},
 };
 static const char *const operands[] = {"LOG"};
 static const option_syntax syntax = {"allan", options, OPTIONS, operands, 1, 0};
@@ -195,8 +210,7 @@ static const char *const help[] = {
     "LOG is a table of samples as invcal calibrate reads it, - the standard input; it must be at\n"
     "rest, and neither averaged nor filtered. Results are in m/s^2 if the unit of the readings is\n"
     "known, by the header, --unit or --lsb, else in input units.\n"
-    "\n"
-    COLUMNS_OPTION,
+    "\n" COLUMNS_OPTION,
     "  --rate HZ           samples a second, any above 0; default: by the times in LOG\n"
     "  --tau T1,T2,...     averaging times in seconds, ascending, multiples of the sample "
     "interval\n"

@@ -228,8 +228,7 @@ static const char *const help[] = {
     "One made with --quadratic or --cubic: what the axes read too much is taken off first. It is\n"
     "known up to the field along each axis; beyond 1.1 of that what holds there is used, and "
     "told.\n"
-    "\n"
-    COLUMNS_OPTION,
+    "\n" COLUMNS_OPTION,
     "  --temperature T     of all readings, in place of the column; needs such a calibration\n"
     "  --quiet             show no progress, print only the result and errors\n"
     "\n"

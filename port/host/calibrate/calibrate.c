@@ -1144,8 +1144,7 @@ static const char *const help[] = {
     "comments. What LOG was taken for is told in the first line of the result.\n"
     "Nine positions are the least, twelve to eighteen in all directions are good. A position\n"
     "that contradicts the others is left out and named, if eleven or more are there to tell.\n"
-    "\n"
-    COLUMNS_OPTION,
+    "\n" COLUMNS_OPTION,
     "  --positions         each row of LOG is the mean of one position: x y z, or x y z std n\n"
     "                      (standard deviation and number of the samples), or\n"
     "                      x y z std_x std_y std_z n, or with a header\n"
@@ -1170,7 +1169,8 @@ static const char *const help[] = {
     "                      stand: turned to the axes of the stand, by its angles\n"
     "  --zero X,Y,Z        nominal reading in no field, in input units;\n"
     "                      default: the middle of each axis' range\n"
-    "  --lsb S | SX,SY,SZ  nominal scale, in field units per input unit;\n"
+    "  --lsb S | SX,SY,SZ  nominal scale, in field units per input unit: 9.80665/16384 of 16384\n"
+    "                      counts per g;\n"
     "                      default: from the range of each axis\n"
     "                      Both come from the unit of the readings (zero 0) where that is stated,\n"
     "                      in the header or by --unit, as g, mg or m/s^2, and G is in m/s^2\n"
@@ -1283,8 +1283,7 @@ static const char *const watch_help[] = {
     "  --noise S           standard deviation of one position mean, in field units\n"
     "  --prior D,K,G       standard deviations of what the nominal may be wrong by\n"
     "  --thermal 1|2       straight lines or parabolas of temperature\n"
-    "  --slope D,K,G       standard deviations of what slopes may be, per K\n"
-    COLUMNS_OPTION,
+    "  --slope D,K,G       standard deviations of what slopes may be, per K\n" COLUMNS_OPTION,
     "  --rate HZ           samples a second; default: by the column t, else 100\n"
     "  --clip LOW,HIGH     the least and the greatest reading of the sensor\n"
     "  --keep-all          leaves no position out\n"

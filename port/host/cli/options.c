@@ -65,8 +65,8 @@ static int take_option(const option_syntax *syntax, int argc, char **argv, int *
         return message_usage(syntax->command, "%s: its value is missing", o->name);
     }
     if (*values[which] == '\0') {
-        return message_usage(syntax->command, "%s: its value is empty: is a variable of a script not set?",
-                             o->name);
+        return message_usage(syntax->command,
+                             "%s: its value is empty: is a variable of a script not set?", o->name);
     }
     return EXIT_GOOD;
 }

@@ -2,6 +2,7 @@
 #define _POSIX_C_SOURCE 200809L
 #include "read/columns.h"
 
+#include <math.h>
 #include <stdarg.h>
 #include <string.h>
 #include <strings.h>
@@ -65,10 +66,12 @@ static int choose(const char *command, char *item, unsigned *unnamed)
         item = equals + 1;
     }
     if (which == COLUMN_COUNT) {
-        return refuse_choice(command, equals ? "no such meaning" : "more than three without a name");
+        return refuse_choice(command,
+                             equals ? "no such meaning" : "more than three without a name");
     }
     if (*item == '\0' || *chosen[which] != '\0' || strlen(item) >= HEADING_NAME_MAX) {
-        return refuse_choice(command, *item == '\0' ? "one is empty" : "one is there twice or too long");
+        return refuse_choice(command,
+                             *item == '\0' ? "one is empty" : "one is there twice or too long");
     }
     memcpy(chosen[which], item, strlen(item) + 1);
     return EXIT_GOOD;
@@ -126,7 +129,7 @@ static int find_chosen(const table *t, column which, int *index)
                      : -1;
     }
     if (*index < 0 && number_parse(chosen[which], &number) == NUMBER_OK && number >= 1 &&
-        number <= t->columns) {
+        number <= t->columns && !(fabs(number - floor(number)) > 0)) {
         *index = (int)number - 1;
     }
     return *index < 0 ? say_no_column(t, which) : EXIT_GOOD;
@@ -176,20 +179,31 @@ static int is_of_ros(const heading *h)
 static origin origin_of(const heading *h)
 {
     static const char *const accelerometers[] = {
-        "a",          "acc",           "accel",   "acceleration",
-        "accelerometer", "accelerometeracceleration", "accsmooth", "accadc",
-        "accraw",     "rawacc",        "accelraw", "rawaccel",
-        "gf",         "fieldlinearacceleration",  "arss", /* EuRoC: a_RS_S_x */
+        "a",
+        "acc",
+        "accel",
+        "acceleration",
+        "accelerometer",
+        "accelerometeracceleration",
+        "accsmooth",
+        "accadc",
+        "accraw",
+        "rawacc",
+        "accelraw",
+        "rawaccel",
+        "gf",
+        "fieldlinearacceleration",
+        "arss", /* EuRoC: a_RS_S_x */
         NULL,
     };
     static const char *const magnetometers[] = {"m", "mag", "magnetometer", "magneticfield", NULL};
     static const char *const anything[] = {"", "xyz", "axis", "mean", NULL};
 
-    return h->axis < 0                                               ? OF_NOTHING
+    return h->axis < 0                                        ? OF_NOTHING
            : is_of_ros(h) || is_among(h->key, accelerometers) ? OF_ACCELEROMETER
-           : is_among(h->key, magnetometers)                         ? OF_MAGNETOMETER
-           : is_among(h->key, anything)                              ? OF_ANYTHING
-                                                                     : OF_NOTHING;
+           : is_among(h->key, magnetometers)                  ? OF_MAGNETOMETER
+           : is_among(h->key, anything)                       ? OF_ANYTHING
+                                                              : OF_NOTHING;
 }
 
 /* The column with the same key as column `from` and this axis: -1 if there is none. */
@@ -265,9 +279,10 @@ static int find_xyz(const table *t, columns *out)
     }
     for (unsigned i = 0; i < t->columns; i++) {
         if (origin_of(&headings[i]) >= least && is_there_twice(t, i, index)) {
-            message("%s:%lu: x, y and z are there twice ('%s' and '%s'): state which with --columns, "
-                    "or leave one set of columns",
-                    t->name, t->line, headings[index[headings[i].axis]].name, headings[i].name);
+            message(
+                "%s:%lu: x, y and z are there twice ('%s' and '%s'): state which with --columns, "
+                "or leave one set of columns",
+                t->name, t->line, headings[index[headings[i].axis]].name, headings[i].name);
             return EXIT_FILE;
         }
     }
@@ -560,8 +575,7 @@ static int find_by_header(table *t, columns_kind kind, columns *out)
     for (unsigned i = 0; i < t->columns; i++) {
         heading_read(t->field[i], &headings[i]);
     }
-    int failure =
-        is_chosen(COLUMN_X) ? find_chosen_axes(t, &index[COLUMN_X]) : find_xyz(t, out);
+    int failure = is_chosen(COLUMN_X) ? find_chosen_axes(t, &index[COLUMN_X]) : find_xyz(t, out);
     failure = failure ? failure : find_std(t, &std);
     failure = failure ? failure : find_unit(t, out);
     for (unsigned c = COLUMN_STD_X; c < COLUMN_COUNT && !failure; c++) {
@@ -685,7 +699,7 @@ int columns_find(table *t, columns_kind kind, columns *out)
     }
     const int failure = t->has_header          ? find_by_header(t, kind, out)
                         : *chosen_text != '\0' ? find_by_number(t, out)
-                                              : find_by_count(t, kind, out);
+                                               : find_by_count(t, kind, out);
 
     out->seen.time_unit = out->per_second > 1e8   ? "ns"
                           : out->per_second > 1e5 ? "µs"
@@ -694,13 +708,14 @@ int columns_find(table *t, columns_kind kind, columns *out)
     return failure;
 }
 
-/* What to do about a field that is not needed. */
-static const char *remedy(column which, number_status status)
+/* What to do about it, where the problem itself does not say it. */
+static const char *remedy(const table *t, column which, number_status status)
 {
     return which == COLUMN_TEMPERATURE ? ": leave the column out"
            : which == COLUMN_TIME && status == NUMBER_NOT_DECIMAL
                ? ": convert it to seconds, or leave the column out"
-               : "";
+           : status == NUMBER_COMMA || status == NUMBER_GROUPED ? ""
+                                                                : table_remedy(t);
 }
 
 int columns_number(const table *t, const columns *where, column which, double *out)
@@ -711,13 +726,13 @@ int columns_number(const table *t, const columns *where, column which, double *o
 
     if (status == NUMBER_EMPTY) {
         message("%s:%lu: column %d (%s) is empty%s", t->name, t->line, index + 1,
-                columns_name(which), remedy(which, status));
+                columns_name(which), remedy(t, which, status));
         return EXIT_FILE;
     }
     if (status != NUMBER_OK) {
         message("%s:%lu: column %d (%s): '%s' %s%s", t->name, t->line, index + 1,
                 columns_name(which), table_excerpt(t->field[index], excerpt),
-                number_problem(status), remedy(which, status));
+                number_problem(status), remedy(t, which, status));
         return EXIT_FILE;
     }
     if (which == COLUMN_TIME) {

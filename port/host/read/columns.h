@@ -33,13 +33,14 @@ typedef struct {
     unsigned long header_line; /* 0: none */
     unsigned long preamble;    /* lines of `name, value` before it */
     unsigned long unit_line;   /* a row of units; 0: none */
-    char set_aside[HEADING_NAME_MAX]; /* x of a magnetometer beside the accelerometer; empty: none */
-    char chosen[COLUMNS_CHOICE_MAX];  /* by --columns, as it was stated; empty: it was not */
-    unsigned others;           /* columns that have a heading, but are ignored */
-    int states_foreign_unit;   /* the headings state a unit that unit.h does not know */
-    reading_unit unit;         /* of x, y and z */
-    unit_origin unit_from;     /* header or none; who knows more may put it in */
-    const char *time_unit;     /* "s", "ms", "µs", "ns" */
+    char
+        set_aside[HEADING_NAME_MAX]; /* x of a magnetometer beside the accelerometer; empty: none */
+    char chosen[COLUMNS_CHOICE_MAX]; /* by --columns, as it was stated; empty: it was not */
+    unsigned others;                 /* columns that have a heading, but are ignored */
+    int states_foreign_unit;         /* the headings state a unit that unit.h does not know */
+    reading_unit unit;               /* of x, y and z */
+    unit_origin unit_from;           /* header or none; who knows more may put it in */
+    const char *time_unit;           /* "s", "ms", "µs", "ns" */
     char name[COLUMN_COUNT][HEADING_NAME_MAX]; /* as in the header; empty: there is none */
 } recognition;
 
@@ -74,8 +75,8 @@ int columns_choose(const char *command, const char *text);
     "  std or std_x std_y std_z; n, n_samples or count; t, time or timestamp;\n"                   \
     "  temperature or temp; alpha and beta. A unit may follow: ax (g), ax [m/s^2], acc_x_mg,\n"    \
     "  time (us), t_ms, temp (K). Small and capital letters are the same; other columns are\n"     \
-    "  ignored. Logs of\n"                                                                         \
-    "  phyphox are known by their headers, and those converted by ulog2csv (PX4),\n"               \
+    "  ignored, also a magnetometer's beside an accelerometer's. A header may stand behind #.\n"   \
+    "  Logs of phyphox are known by their headers, and those converted by ulog2csv (PX4),\n"       \
     "  blackbox_decode (Betaflight, INAV), mavlogdump.py (ArduPilot) and\n"                        \
     "  rostopic echo -p (ROS).\n"
 

@@ -60,7 +60,7 @@ static int is_cut(const samples *s)
 
 static void say_cut(samples *s, const char *which, unsigned long line)
 {
-    message("%s:%lu: the %s line is cut, and left out", s->table.name, line, which);
+    message("warning: %s:%lu: the %s line is cut, and left out", s->table.name, line, which);
     s->skipped++;
 }
 

@@ -33,7 +33,9 @@ const char *signature_find(const char *bytes, size_t length)
         {"\xd0\xcf\x11\xe0", 4, "an old Excel workbook: save the sheet as CSV"},
         {"\x1f\x8b", 2, "a gzip file: unpack it with gunzip"},
         {"BZh", 3, "a bzip2 file: unpack it with bunzip2"},
-        {"\xfd""7zXZ", 5, "an xz file: unpack it with unxz"},
+        {"\xfd"
+         "7zXZ",
+         5, "an xz file: unpack it with unxz"},
         {"(\xb5/\xfd", 4, "a Zstandard file: unpack it with unzstd"},
         {"7z\xbc\xaf\x27\x1c", 6, "a 7-Zip file: unpack it"},
         {"Rar!\x1a", 5, "a RAR file: unpack it"},

@@ -49,7 +49,8 @@ static int check_text(const table *t, size_t length)
     for (size_t i = 0; i < length; i++) {
         const unsigned char c = (unsigned char)t->text[i];
         if (c < ' ' && c != '\t') {
-            message("%s:%lu: byte %lu of the line has the value %u: this is not a text file; export the "
+            message("%s:%lu: byte %lu of the line has the value %u: this is not a text file; "
+                    "export the "
                     "readings as CSV",
                     t->name, t->line, (unsigned long)i + 1, (unsigned)c);
             return -1;
@@ -81,8 +82,8 @@ static int read_line(table *t)
             return -1;
         }
         if (length == TABLE_LINE_MAX) {
-            message("%s:%lu: the line is longer than %u bytes: a table has one sample a line", t->name,
-                    t->line, TABLE_LINE_MAX);
+            message("%s:%lu: the line is longer than %u bytes: a table has one sample a line",
+                    t->name, t->line, TABLE_LINE_MAX);
             return -1;
         }
         t->text[length++] = (char)c;
@@ -246,9 +247,9 @@ static char *end_plain(const table *t, char *start)
     return start;
 }
 
-/* Cuts a line into fields. Their number; 0, with what is wrong in *fault, if it is malformed, and then
- * *at is the column. */
-static unsigned cut(table *t, char *c, const char **fault, unsigned *at)
+/* Cuts a line into fields. Their number; 0 if it is malformed, and then *at is the column whose quotes do
+ * not match, or the first that there is no room for. */
+static unsigned cut(table *t, char *c, unsigned *at)
 {
     unsigned count = 0;
     int last = 0;
@@ -261,14 +262,12 @@ static unsigned cut(table *t, char *c, const char **fault, unsigned *at)
             return count; /* blanks at the end of a line separate nothing */
         }
         if (count == TABLE_COLUMNS_MAX) {
-            *fault = "one column too many: leave those of the accelerometer";
             *at = count + 1;
             return 0;
         }
         char *end = *c == '"' ? end_quoted(t, &c) : end_plain(t, c);
         t->field[count++] = c;
         if (!end) {
-            *fault = "the quotes do not match";
             *at = count;
             return 0;
         }
@@ -282,13 +281,15 @@ static unsigned cut(table *t, char *c, const char **fault, unsigned *at)
 /* Cuts the current line. Its number of fields; 0, with a message, if it is malformed. */
 static unsigned split(table *t)
 {
-    const char *fault = "";
     unsigned at = 0;
-    const unsigned count = cut(t, t->text, &fault, &at);
+    const unsigned count = cut(t, t->text, &at);
 
-    if (count == 0) {
-        message("%s:%lu: column %u: %s%s", t->name, t->line, at, fault,
-                at > TABLE_COLUMNS_MAX ? "" : table_remedy(t));
+    if (count == 0 && at > TABLE_COLUMNS_MAX) {
+        message("%s:%lu: more than %u columns: leave those of the accelerometer", t->name, t->line,
+                TABLE_COLUMNS_MAX);
+    } else if (count == 0) {
+        message("%s:%lu: column %u: the quotes do not match%s", t->name, t->line, at,
+                table_remedy(t));
     }
     return count;
 }
@@ -422,9 +423,9 @@ static int is_part(const char *before, const char *field, const char *behind)
 
 int table_is_cut(const table *t, unsigned column)
 {
-    return is_at_end(t) &&
-           ((t->found > 0 && t->found < t->columns) ||
-            (t->found == t->columns && column + 1 == t->columns && is_part("", t->field[column], "0")));
+    return is_at_end(t) && ((t->found > 0 && t->found < t->columns) ||
+                            (t->found == t->columns && column + 1 == t->columns &&
+                             is_part("", t->field[column], "0")));
 }
 
 /* A row has so many columns. 1; -1, with a message, if that is not as many as the first has. */
@@ -478,7 +479,6 @@ int table_next(table *t)
 int table_comment_header(table *t)
 {
     const char separator = t->separator;
-    const char *fault;
     unsigned at;
 
     if (t->has_header || !t->pending || t->comment_line == 0) {
@@ -490,7 +490,7 @@ int table_comment_header(table *t)
     t->has_next = 1;
     t->pending = 0;
     t->separator = find_separator(t->comment);
-    unsigned columns = cut(t, t->comment, &fault, &at);
+    unsigned columns = cut(t, t->comment, &at);
     columns -= columns > 0 && ends_empty(t, columns);
     t->separator = separator;
     t->line = t->first_line = t->comment_line;

@@ -45,8 +45,8 @@ typedef struct {
     char comment[TABLE_COMMENT_MAX];
     int has_next; /* the row behind the current one has been read, */
     char *next[TABLE_COLUMNS_MAX];
-    unsigned next_found;     /* with so many columns, */
-    unsigned long next_line; /* from here */
+    unsigned next_found;           /* with so many columns, */
+    unsigned long next_line;       /* from here */
     char held[TABLE_LINE_MAX + 1]; /* the current row meanwhile */
 } table;
 
