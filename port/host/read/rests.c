@@ -2,6 +2,7 @@
 #include "read/rests.h"
 
 #include <math.h>
+#include <stdlib.h>
 
 #include "cli/command.h"
 #include "cli/message.h"
@@ -29,7 +30,7 @@ static const unsigned guess[] = {100, 50, 25};
 #define ENOUGH INVCAL_PARAMETERS /* positions, so that no other guess is wanted */
 
 /* Too large for the stack. */
-static recording log_recording[GUESSES];
+static recording log_recording;
 
 double rests_least(double rate)
 {
@@ -228,22 +229,39 @@ static unsigned choose(const reading *r, unsigned readings)
     return 0;
 }
 
+/* All readings at once, the first in log_recording, the others in theirs. `best` is to be taken. */
+static int read_log(reading *r, unsigned readings, recording *others, samples *log,
+                    const double *clip, unsigned *best)
+{
+    int failure = EXIT_GOOD;
+
+    for (unsigned k = 0; k < readings && !failure; k++) {
+        r[k].recording = k == 0 ? &log_recording : &others[k - 1];
+        failure = begin(&r[k], log, clip, log->is_rate_known ? 0 : guess[k]);
+    }
+    failure = failure ? failure : read_samples(r, readings, log);
+    *best = failure ? 0 : choose(r, readings);
+    if (*best > 0) {
+        log_recording = others[*best - 1];
+        r[*best].summary.outline = &log_recording.outline;
+    }
+    return failure;
+}
+
 int rests_read(positions *p, const char *path, double rate, const double clip[2],
                rests_summary *summary)
 {
     static samples log; /* too large for the stack */
     reading r[GUESSES] = {{.p = {.name = NULL}}};
+    unsigned best = 0;
     int failure = samples_open(&log, path, rate, 0);
-    const unsigned readings = failure || log.is_rate_known ? 1 : GUESSES;
+    recording *others = failure || log.is_rate_known ? NULL : calloc(GUESSES - 1, sizeof *others);
+    const unsigned readings = others ? GUESSES : 1; /* without the memory the first has to do */
 
     r[0].p.name = log.table.name;
-    for (unsigned k = 0; k < readings && !failure; k++) {
-        r[k].recording = &log_recording[k];
-        failure = begin(&r[k], &log, clip, log.is_rate_known ? 0 : guess[k]);
-    }
-    failure = failure ? failure : read_samples(r, readings, &log);
+    failure = failure ? failure : read_log(r, readings, others, &log, clip, &best);
     samples_close(&log);
-    const unsigned best = failure ? 0 : choose(r, readings);
+    free(others);
     for (unsigned k = 0; k < readings; k++) {
         if (k != best) {
             positions_free(&r[k].p);
