@@ -125,9 +125,7 @@ static int read_request(int argc, char **argv, request *r)
     w->command = r->command;
     options_command(syntax.command, argc, argv, r->command, sizeof r->command);
     failure = failure ? failure : check_files(r);
-    if (!failure && r->value[COLUMNS]) {
-        failure = columns_choose(syntax.command, r->value[COLUMNS]);
-    }
+    failure = failure ? failure : columns_choose(syntax.command, r->value[COLUMNS]);
     failure = failure ? failure : read_number(r, RATE, 0, &w->rate);
     failure = failure ? failure : read_taus(r);
     failure = failure ? failure : read_number(r, SIGMA, 0, &w->sigma);

@@ -185,9 +185,7 @@ static int run(int argc, char **argv)
     if (!failure && input_is_stdin(files[0]) && input_is_stdin(files[1])) {
         failure = message_usage(syntax.command, "only one input can be the standard input");
     }
-    if (!failure && value[COLUMNS]) {
-        failure = columns_choose(syntax.command, value[COLUMNS]);
-    }
+    failure = failure ? failure : columns_choose(syntax.command, value[COLUMNS]);
     failure = failure ? failure : calibration_file_read_correction(files[0], &j.file);
     failure = failure ? failure : read_temperature(value[TEMPERATURE], &j);
     failure =

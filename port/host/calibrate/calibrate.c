@@ -323,8 +323,7 @@ static int read_thermal(request *r)
 /* What only a log of samples has. */
 static int read_log_options(request *r)
 {
-    int failure =
-        r->value[COLUMNS] ? columns_choose(r->syntax->command, r->value[COLUMNS]) : EXIT_GOOD;
+    int failure = columns_choose(r->syntax->command, r->value[COLUMNS]);
 
     if (!failure && r->value[POSITIONS] && (r->value[RATE] || r->value[CLIP])) {
         return usage(r, r->value[RATE] ? RATE : CLIP, "is of samples; position means have none");

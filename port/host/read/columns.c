@@ -83,9 +83,13 @@ int columns_choose(const char *command, const char *text)
     unsigned unnamed = 0;
     int failure = EXIT_GOOD;
 
-    snprintf(chosen_text, sizeof chosen_text, "%s", text);
-    snprintf(copy, sizeof copy, "%s", text);
-    for (char *item = copy; item && !failure;) {
+    memset(chosen, 0, sizeof chosen);
+    snprintf(chosen_text, sizeof chosen_text, "%s", text ? text : "");
+    snprintf(copy, sizeof copy, "%s", chosen_text);
+    if (text && strlen(text) >= sizeof copy) {
+        return refuse_choice(command, "is too long");
+    }
+    for (char *item = text ? copy : NULL; item && !failure;) {
         char *comma = strchr(item, ',');
         if (comma) {
             *comma = '\0';

@@ -63,7 +63,7 @@ typedef enum {
 } columns_kind;
 
 /* Which columns are meant is stated, from now on, by name or by number from 1: "ax,ay,az", "2,3,4", or
- * "t=1,x=2,y=3,z=4,temperature=5" in any order. What it does not name is found as ever.
+ * "t=1,x=2,y=3,z=4,temperature=5" in any order. What it does not name is found as ever; null: all is.
  *
  * Returns EXIT_GOOD; EXIT_USAGE, with a message that points to the help of `command`. */
 int columns_choose(const char *command, const char *text);
