@@ -184,8 +184,11 @@ static int find_rate(samples *s)
 /* If the first line of a live stream was cut beyond recognition, the second tells. */
 static int find_columns(samples *s)
 {
-    const unsigned long cut = s->is_live ? 0 : table_drop_cut_first(&s->table);
+    unsigned long cut = 0;
 
+    if (!s->is_live && table_drop_cut_first(&s->table, &cut)) {
+        return EXIT_FILE;
+    }
     if (cut > 0) {
         say_cut(s, "first", cut);
     }
@@ -196,7 +199,7 @@ static int find_columns(samples *s)
     }
     (void)table_next(&s->table); /* the first */
     (void)table_next(&s->table); /* has another number of columns, and is told */
-    s->table.columns = s->table.found;
+    s->table.columns = s->table.found > 0 ? s->table.found : s->table.columns;
     s->skipped = 2;
     return columns_find(&s->table, COLUMNS_LOG, &s->where);
 }

@@ -471,6 +471,7 @@ int table_next(table *t)
         return check_columns(t, t->next_found);
     }
     const int more = read_row(t);
+    t->found = more < 0 ? 0 : t->found;
     return more == 1 ? check_columns(t, split(t)) : more;
 }
 
@@ -525,13 +526,14 @@ static int is_end_of_row(const table *t, char *const row[TABLE_COLUMNS_MAX], uns
     return columns > t->columns || (columns == t->columns && is_part("1", row[0], ""));
 }
 
-unsigned long table_drop_cut_first(table *t)
+int table_drop_cut_first(table *t, unsigned long *cut)
 {
     const unsigned long line = t->line;
     char *row[TABLE_COLUMNS_MAX];
 
+    *cut = 0;
     if (t->has_header || !t->pending || t->comment_line > 0) { /* a comment begins a whole file */
-        return 0;
+        return EXIT_GOOD;
     }
     hold(t, row);
     const int more = read_row(t);
@@ -540,11 +542,15 @@ unsigned long table_drop_cut_first(table *t)
     }
     const unsigned found = more == 1 ? split(t) : 0;
     const int is_trailing = found > 0 && ends_empty(t, found);
+    if (more != 0 && found == 0) {
+        return EXIT_FILE;
+    }
     if (found > 0 && is_end_of_row(t, row, found - (unsigned)is_trailing)) {
         t->columns = t->found = found - (unsigned)is_trailing;
         t->is_trailing = is_trailing;
         t->first_line = t->line;
-        return line;
+        *cut = line;
+        return EXIT_GOOD;
     }
     memcpy(t->next, t->field, sizeof t->next);
     memcpy(t->field, row, t->columns * sizeof *row);
@@ -552,7 +558,7 @@ unsigned long table_drop_cut_first(table *t)
     t->next_line = t->line;
     t->has_next = more != 0;
     t->line = line;
-    return 0;
+    return EXIT_GOOD;
 }
 
 int table_peek(table *t)

@@ -77,8 +77,10 @@ void table_drop_header(table *t);
 
 /* The first line of a log without a header may have been cut at its front, when the recording began: it
  * has fewer columns than the second, or a first field that is the end of a number. If so it is left
- * out; returns its number. Else 0. To be called before the first row is asked for. */
-unsigned long table_drop_cut_first(table *t);
+ * out, and *cut is its number; else 0. To be called before the first row is asked for.
+ *
+ * Returns EXIT_GOOD; EXIT_FILE, with a message, if the second line cannot be read. */
+int table_drop_cut_first(table *t, unsigned long *cut);
 
 /* The current row has been cut at its end, when the recording ended: it is the last line, and has fewer
  * columns than the others, or a field that is but the beginning of a number, `column`, the last that
