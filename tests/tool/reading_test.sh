@@ -117,6 +117,11 @@ cut_log "the last line has lost columns" '' '124.00,378,13' 1
 cut_log "the last line ends behind a comma" '' '124.00,378,13874,' 1
 cut_log "the last line ends in a sign" '' '124.00,378,13874,-' 1
 cut_log "both are cut" '8846\n' '124' 2
+printf '3\n0.0,2,4,6\n0.1,2,4,' > "$work/log.csv"
+run apply "$work/simple.json" "$work/log.csv"
+check "apply: lines that are cut are left out" \
+    test "$(cat "$work/stdout")" = "$(printf 't,x,y,z\n0.0,2,4,3')"
+check "apply: it is told of both" test "$(grep -c ' line is cut, and left out$' "$work/stderr")" -eq 2
 { cat "$work/plain.csv"; printf '124.00,37'; } > "$work/log.csv"
 is_right "a last line that is cut, below a header"
 { cat "$work/rows"; printf '124.00,37\n'; cat "$work/rows"; } > "$work/log.csv"
@@ -152,10 +157,10 @@ check "20 Hz, stated: the JSON tells so" test "$(json "$work/stdout" rate) $(jso
     '20 "stated"'
 rate_log 20 1.2
 refuses "rests of 1 s at 20 Hz without times: what to do" 1 \
-    'no rest of two seconds .* at 100 samples a second \(a guess\).* state --rate, and hold each position still for 3 s or longer, below 25 samples a second for 50 samples$' \
+    'no rest of two seconds .* at 100 samples a second \(a guess\).* state --rate, and hold each position still for 3 s or longer, below 25 samples a second for 50 samples, or average each yourself and add --positions$' \
     calibrate "$work/log.csv"
 refuses "rests of 1 s at 20 Hz: what to do" 1 \
-    'no rest of 2\.5 seconds .* at 20 samples a second; refused [0-9]+: too short: .* \(near line [0-9]+, .*hold each position still for 3\.5 s or longer$' \
+    'no rest of 2\.5 seconds .* at 20 samples a second; refused [0-9]+: too short: .* \(near line [0-9]+, .*hold each position still for 3\.5 s or longer, or average each yourself and add --positions$' \
     calibrate "$work/log.csv" --rate 20
 rate_log 20 3.5
 is_right "rests as long as it was told" --rate 20

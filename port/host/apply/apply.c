@@ -89,6 +89,30 @@ static int write_row(FILE *spool, const table *log, const columns *where, job *j
     return failure;
 }
 
+/* The next row that is whole. 1, 0 at the end, -1. */
+static int next_row(table *log, const columns *where, unsigned long rows)
+{
+    const int more = table_next(log);
+
+    if (more != 0 && rows > 0 && columns_is_cut(log, where)) {
+        columns_say_cut(log, "last", log->line);
+        return 0;
+    }
+    return more;
+}
+
+static int find_columns(table *log, columns *where)
+{
+    unsigned long cut;
+    const int failure = table_drop_cut_first(log, &cut);
+
+    if (cut > 0) {
+        columns_say_cut(log, "first", cut);
+    }
+    log->is_log = 1;
+    return failure ? failure : columns_find(log, COLUMNS_LOG, where);
+}
+
 /* A correction that depends on temperature needs one. */
 static int check_temperature(const table *log, const columns *where, const job *j)
 {
@@ -107,14 +131,14 @@ static int write_rows(FILE *spool, table *log, job *j)
     columns where;
     unsigned long rows = 0;
     int more = 0;
-    int failure = columns_find(log, COLUMNS_LOG, &where);
+    int failure = find_columns(log, &where);
 
     if (failure) {
         return failure;
     }
     fprintf(spool, "%sx,y,z%s\n", where.index[COLUMN_TIME] >= 0 ? "t," : "",
             where.index[COLUMN_TEMPERATURE] >= 0 ? ",temperature" : "");
-    while (!failure && !ferror(spool) && (more = table_next(log)) == 1) {
+    while (!failure && !ferror(spool) && (more = next_row(log, &where, rows)) == 1) {
         failure = check_temperature(log, &where, j);
         failure = failure ? failure : columns_check_instance(log, &where);
         failure = failure ? failure : write_row(spool, log, &where, j);

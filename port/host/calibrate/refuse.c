@@ -13,6 +13,7 @@
 #include "text/number.h"
 
 #define REASON_MAX 4000
+#define SLOW 25.0         /* samples a second: shorter rests would do, if they were found */
 #define LISTED 10u        /* rests that are named */
 #define FEW_SAMPLES 1000u /* more rows than anybody has positions */
 
@@ -81,6 +82,9 @@ static void add_remedy(const rests_summary *log, int is_none, char *text)
             log->rate, RESTS_SAMPLES);
     } else if (brief > 0 || is_none) {
         add(text, "; hold each position still for %.2g s or longer", rests_least(log->rate) + 1);
+    }
+    if (log->is_rate_known ? log->rate < SLOW && (brief > 0 || is_none) : is_none) {
+        add(text, ", or average each yourself and add --positions");
     }
 }
 

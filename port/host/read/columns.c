@@ -705,11 +705,24 @@ int columns_find(table *t, columns_kind kind, columns *out)
                         : *chosen_text != '\0' ? find_by_number(t, out)
                                                : find_by_count(t, kind, out);
 
+    for (unsigned c = 0; c < COLUMN_COUNT; c++) {
+        out->last = out->index[c] > out->last ? out->index[c] : out->last;
+    }
     out->seen.time_unit = out->per_second > 1e8   ? "ns"
                           : out->per_second > 1e5 ? "µs"
                           : out->per_second > 1   ? "ms"
                                                   : "s";
     return failure;
+}
+
+void columns_say_cut(const table *t, const char *which, unsigned long line)
+{
+    message("warning: %s:%lu: the %s line is cut, and left out", t->name, line, which);
+}
+
+int columns_is_cut(const table *t, const columns *where)
+{
+    return table_is_cut(t, (unsigned)where->last);
 }
 
 /* What to do about it, where the problem itself does not say it. */

@@ -47,6 +47,7 @@ typedef struct {
 /* For each meaning the index into table.field, or -1. */
 typedef struct {
     int index[COLUMN_COUNT];
+    int last;                 /* the greatest of them */
     double per_second;        /* units of the time column in a second */
     temperature_unit degrees; /* of the temperature column */
     double per_degree[2];     /* units of the columns alpha and beta in a degree */
@@ -92,6 +93,11 @@ int columns_choose(const char *command, const char *text);
  * another name is there twice, or x, y and z are in different units, or the number of columns
  * tells nothing. A temperature in a unit that is none is no column of temperature. */
 int columns_find(table *t, columns_kind kind, columns *out);
+
+/* The first line has been left out (table_drop_cut_first), or the current one, the last, is to be: it is
+ * cut, which columns_is_cut tells after table_next has not come to the end. Says so. */
+void columns_say_cut(const table *t, const char *which, unsigned long line);
+int columns_is_cut(const table *t, const columns *where);
 
 /* Reads a number from the current row; the column must be there. A time is in seconds, a
  * temperature in degrees C.

@@ -47,30 +47,15 @@ static int realign(samples *s)
     return columns_find(&s->table, COLUMNS_LOG, &s->where) == EXIT_GOOD;
 }
 
-/* A recording that was switched off has cut its last line. */
-static int is_cut(const samples *s)
-{
-    int last = 0;
-
-    for (unsigned c = 0; c < COLUMN_COUNT; c++) {
-        last = s->where.index[c] > last ? s->where.index[c] : last;
-    }
-    return s->count + s->ahead_count > 0 && table_is_cut(&s->table, (unsigned)last);
-}
-
-static void say_cut(samples *s, const char *which, unsigned long line)
-{
-    message("warning: %s:%lu: the %s line is cut, and left out", s->table.name, line, which);
-    s->skipped++;
-}
-
 /* The numbers of the next row that is whole. 1, 0 at the end, -1. */
 static int next_row(samples *s, double v[SAMPLES_NUMBERS])
 {
     for (unsigned skipped = 0; skipped < SKIPPED_MAX; skipped++) {
         const int more = table_next(&s->table);
-        if (more != 0 && !s->is_live && is_cut(s)) {
-            say_cut(s, "last", s->table.line);
+        if (more != 0 && !s->is_live && s->count + s->ahead_count > 0 &&
+            columns_is_cut(&s->table, &s->where)) {
+            columns_say_cut(&s->table, "last", s->table.line);
+            s->skipped++;
             return 0;
         }
         if (more == 0 || (more == 1 && read_numbers(s, v) == EXIT_GOOD)) {
@@ -190,7 +175,8 @@ static int find_columns(samples *s)
         return EXIT_FILE;
     }
     if (cut > 0) {
-        say_cut(s, "first", cut);
+        columns_say_cut(&s->table, "first", cut);
+        s->skipped++;
     }
     const int failure = columns_find(&s->table, COLUMNS_LOG, &s->where);
 

@@ -60,11 +60,11 @@ static int check_text(const table *t, size_t length)
 }
 
 /* So that a report can say which file it was. */
-static void count_bytes(table *t, size_t length, size_t has_end)
+static void count_bytes(table *t, size_t length, int has_end)
 {
     t->crc = crc_update(t->crc, t->text, length);
-    t->crc = crc_update(t->crc, "\n", has_end);
-    t->bytes += length + has_end;
+    t->crc = crc_update(t->crc, "\n", (size_t)has_end);
+    t->bytes += length + (size_t)has_end;
 }
 
 /* Reads a line into text, without its end. 1, 0 at the end of the file, -1. */
@@ -95,7 +95,8 @@ static int read_line(table *t)
         message("%s:%lu: cannot be read: %s", t->name, t->line, strerror(errno));
         return -1;
     }
-    count_bytes(t, length, c == '\n');
+    t->has_end = c == '\n';
+    count_bytes(t, length, t->has_end);
     length -= length > 0 && t->text[length - 1] == '\r';
     t->text[length] = '\0';
     return check_text(t, length);
@@ -423,9 +424,10 @@ static int is_part(const char *before, const char *field, const char *behind)
 
 int table_is_cut(const table *t, unsigned column)
 {
-    return is_at_end(t) && ((t->found > 0 && t->found < t->columns) ||
-                            (t->found == t->columns && column + 1 == t->columns &&
-                             is_part("", t->field[column], "0")));
+    const int is_part_of_row = t->found > 0 && t->found < t->columns && is_at_end(t);
+
+    return is_part_of_row || (!t->has_end && t->found == t->columns && column + 1 == t->columns &&
+                              is_part("", t->field[column], "0"));
 }
 
 /* A row has so many columns. 1; -1, with a message, if that is not as many as the first has. */

@@ -34,6 +34,7 @@ typedef struct {
     unsigned long preamble;         /* lines of `name, value` before the header */
     int is_trailing;                /* every row ends with a separator that separates nothing */
     int has_row;                    /* 1 when the first row below the header has been read */
+    int has_end;                    /* the latest line is ended, as all should be */
     int is_log;                     /* who reads tells of a last line that is cut */
     int is_forgiving;               /* who reads goes on behind a malformed line */
     int pending;                    /* a row has been read, but not handed out, */
@@ -83,8 +84,8 @@ void table_drop_header(table *t);
 int table_drop_cut_first(table *t, unsigned long *cut);
 
 /* The current row has been cut at its end, when the recording ended: it is the last line, and has fewer
- * columns than the others, or a field that is but the beginning of a number, `column`, the last that
- * counts. */
+ * columns than the others, or without an end of line but the beginning of a number in `column`, the
+ * last that counts. */
 int table_is_cut(const table *t, unsigned column);
 
 /* Reads the row below the header, for a look at its fields: table_next goes to the same row again,
