@@ -129,6 +129,9 @@ refuses "a line that is cut in the middle is none at the end" 3 \
     'log\.csv:12401: 2 columns, but line 1 has 4, separated by commas: put the line right, or delete it$' \
     calibrate "$work/log.csv"
 { cat "$work/rows"; printf '124.00,37,1,x\n'; } > "$work/log.csv"
+{ cat "$work/rows"; printf 'a,b\n'; } > "$work/short.csv"
+refuses "a last line of two words is not cut" 3 'short\.csv:12401: 2 columns, but line 1 has 4' \
+    calibrate "$work/short.csv"
 refuses "a last line with a word is not cut" 3 "log\.csv:12401: column 4 \(z\): 'x' is not a decimal number" \
     calibrate "$work/log.csv"
 { cat "$data/mpu9150_0_positions.csv"; printf '1,2'; } > "$work/log.csv"

@@ -12,6 +12,7 @@
 #include "cli/options.h"
 #include "cli/output.h"
 #include "cli/progress.h"
+#include "read/chosen.h"
 
 enum {
     COLUMNS,
@@ -125,7 +126,7 @@ static int read_request(int argc, char **argv, request *r)
     w->command = r->command;
     options_command(syntax.command, argc, argv, r->command, sizeof r->command);
     failure = failure ? failure : check_files(r);
-    failure = failure ? failure : columns_choose(syntax.command, r->value[COLUMNS]);
+    failure = failure ? failure : chosen_read(syntax.command, r->value[COLUMNS]);
     failure = failure ? failure : read_number(r, RATE, 0, &w->rate);
     failure = failure ? failure : read_taus(r);
     failure = failure ? failure : read_number(r, SIGMA, 0, &w->sigma);
@@ -208,7 +209,7 @@ static const char *const help[] = {
     "LOG is a table of samples as invcal calibrate reads it, - the standard input; it must be at\n"
     "rest, and neither averaged nor filtered. Results are in m/s^2 if the unit of the readings is\n"
     "known, by the header, --unit or --lsb, else in input units.\n"
-    "\n" COLUMNS_OPTION,
+    "\n" CHOSEN_OPTION,
     "  --rate HZ           samples a second, any above 0; default: by the times in LOG\n"
     "  --tau T1,T2,...     averaging times in seconds, ascending, multiples of the sample "
     "interval\n"

@@ -8,6 +8,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "read/chosen.h"
 #include "read/columns.h"
 #include "cli/command.h"
 #include "cli/input.h"
@@ -209,7 +210,7 @@ static int run(int argc, char **argv)
     if (!failure && input_is_stdin(files[0]) && input_is_stdin(files[1])) {
         failure = message_usage(syntax.command, "only one input can be the standard input");
     }
-    failure = failure ? failure : columns_choose(syntax.command, value[COLUMNS]);
+    failure = failure ? failure : chosen_read(syntax.command, value[COLUMNS]);
     failure = failure ? failure : calibration_file_read_correction(files[0], &j.file);
     failure = failure ? failure : read_temperature(value[TEMPERATURE], &j);
     failure =
@@ -250,7 +251,7 @@ static const char *const help[] = {
     "One made with --quadratic or --cubic: what the axes read too much is taken off first. It is\n"
     "known up to the field along each axis; beyond 1.1 of that what holds there is used, and "
     "told.\n"
-    "\n" COLUMNS_OPTION,
+    "\n" CHOSEN_OPTION,
     "  --temperature T     of all readings, in place of the column; needs such a calibration\n"
     "  --quiet             show no progress, print only the result and errors\n"
     "\n"

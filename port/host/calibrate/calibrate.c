@@ -9,6 +9,7 @@
 #include <string.h>
 
 #include "result/calibration_file.h"
+#include "read/chosen.h"
 #include "read/columns.h"
 #include "design/design.h"
 #include "fit/fit_drift.h"
@@ -323,7 +324,7 @@ static int read_thermal(request *r)
 /* What only a log of samples has. */
 static int read_log_options(request *r)
 {
-    int failure = columns_choose(r->syntax->command, r->value[COLUMNS]);
+    int failure = chosen_read(r->syntax->command, r->value[COLUMNS]);
 
     if (!failure && r->value[POSITIONS] && (r->value[RATE] || r->value[CLIP])) {
         return usage(r, r->value[RATE] ? RATE : CLIP, "is of samples; position means have none");
@@ -1143,7 +1144,7 @@ static const char *const help[] = {
     "comments. What LOG was taken for is told in the first line of the result.\n"
     "Nine positions are the least, twelve to eighteen in all directions are good. A position\n"
     "that contradicts the others is left out and named, if eleven or more are there to tell.\n"
-    "\n" COLUMNS_OPTION,
+    "\n" CHOSEN_OPTION,
     "  --positions         each row of LOG is the mean of one position: x y z, or x y z std n\n"
     "                      (standard deviation and number of the samples), or\n"
     "                      x y z std_x std_y std_z n, or with a header\n"
@@ -1282,7 +1283,7 @@ static const char *const watch_help[] = {
     "  --noise S           standard deviation of one position mean, in field units\n"
     "  --prior D,K,G       standard deviations of what the nominal may be wrong by\n"
     "  --thermal 1|2       straight lines or parabolas of temperature\n"
-    "  --slope D,K,G       standard deviations of what slopes may be, per K\n" COLUMNS_OPTION,
+    "  --slope D,K,G       standard deviations of what slopes may be, per K\n" CHOSEN_OPTION,
     "  --rate HZ           samples a second; default: by the column t, else 100\n"
     "  --clip LOW,HIGH     the least and the greatest reading of the sensor\n"
     "  --keep-all          leaves no position out\n"

@@ -2,157 +2,19 @@
 #define _POSIX_C_SOURCE 200809L
 #include "read/columns.h"
 
-#include <math.h>
 #include <stdarg.h>
 #include <string.h>
 #include <strings.h>
 
 #include "cli/command.h"
 #include "cli/message.h"
+#include "read/chosen.h"
 #include "text/number.h"
 
 #define RADIANS 0.017453292519943296 /* in a degree */
 
 /* The headings of the table at hand; too many for the stack. */
 static heading headings[TABLE_COLUMNS_MAX];
-
-/* ---- what is stated ------------------------------------------------------------------------------ */
-
-/* By --columns: for each meaning a name or a number; empty: it is found. */
-static char chosen[COLUMN_COUNT][HEADING_NAME_MAX];
-static char chosen_text[COLUMNS_CHOICE_MAX]; /* all of it; empty: nothing is stated */
-
-/* The meaning with this name, or COLUMN_COUNT. */
-static column meaning_of(const char *name)
-{
-    static const struct {
-        const char *name;
-        column which;
-    } others[] = {{"time", COLUMN_TIME}, {"temp", COLUMN_TEMPERATURE}};
-
-    for (unsigned i = 0; i < sizeof others / sizeof others[0]; i++) {
-        if (strcmp(name, others[i].name) == 0) {
-            return others[i].which;
-        }
-    }
-    for (unsigned c = 0; c < COLUMN_COUNT; c++) {
-        if (strcmp(name, columns_name((column)c)) == 0) {
-            return (column)c;
-        }
-    }
-    return COLUMN_COUNT;
-}
-
-static int refuse_choice(const char *command, const char *what)
-{
-    return message_usage(command,
-                         "--columns %s: %s; state three, x y z, as 2,3,4 or ax,ay,az, or each by "
-                         "its name: t=1,x=2,y=3,z=4,temperature=5",
-                         chosen_text, what);
-}
-
-/* `ax`, the next of x, y and z; or `t=1`. */
-static int choose(const char *command, char *item, unsigned *unnamed)
-{
-    char *equals = strchr(item, '=');
-    column which = COLUMN_COUNT;
-
-    if (!equals) {
-        which = *unnamed < 3 ? (column)(COLUMN_X + *unnamed) : COLUMN_COUNT;
-        *unnamed += 1;
-    } else {
-        *equals = '\0';
-        which = meaning_of(item);
-        item = equals + 1;
-    }
-    if (which == COLUMN_COUNT) {
-        return refuse_choice(command,
-                             equals ? "no such meaning" : "more than three without a name");
-    }
-    if (*item == '\0' || *chosen[which] != '\0' || strlen(item) >= HEADING_NAME_MAX) {
-        return refuse_choice(command,
-                             *item == '\0' ? "one is empty" : "one is there twice or too long");
-    }
-    memcpy(chosen[which], item, strlen(item) + 1);
-    return EXIT_GOOD;
-}
-
-int columns_choose(const char *command, const char *text)
-{
-    char copy[COLUMNS_CHOICE_MAX];
-    unsigned unnamed = 0;
-    int failure = EXIT_GOOD;
-
-    memset(chosen, 0, sizeof chosen);
-    snprintf(chosen_text, sizeof chosen_text, "%s", text ? text : "");
-    snprintf(copy, sizeof copy, "%s", chosen_text);
-    if (text && strlen(text) >= sizeof copy) {
-        return refuse_choice(command, "is too long");
-    }
-    for (char *item = text ? copy : NULL; item && !failure;) {
-        char *comma = strchr(item, ',');
-        if (comma) {
-            *comma = '\0';
-        }
-        failure = choose(command, item, &unnamed);
-        item = comma ? comma + 1 : NULL;
-    }
-    const int one = *chosen[COLUMN_X] != '\0';
-    const int are_alike = (*chosen[COLUMN_Y] != '\0') == one && (*chosen[COLUMN_Z] != '\0') == one;
-    return failure || are_alike ? failure : refuse_choice(command, "x, y and z belong together");
-}
-
-static int is_chosen(column which)
-{
-    return *chosen[which] != '\0';
-}
-
-static int say_no_column(const table *t, column which)
-{
-    char names[256] = "";
-
-    for (unsigned i = 0; i < t->columns && t->has_header; i++) {
-        const size_t length = strlen(names);
-        snprintf(names + length, sizeof names - length, "%s%s", i ? ", " : ": ", headings[i].name);
-    }
-    message("%s:%lu: --columns: there is no column '%s' for %s among the %u%s", t->name, t->line,
-            chosen[which], columns_name(which), t->columns, names);
-    return EXIT_FILE;
-}
-
-/* Which column it is: by its name, with or without its unit, else by its number. */
-static int find_chosen(const table *t, column which, int *index)
-{
-    double number = 0;
-
-    *index = -1;
-    for (unsigned i = 0; i < t->columns && t->has_header && *index < 0; i++) {
-        *index = strcasecmp(t->field[i], chosen[which]) == 0 ||
-                         strcasecmp(headings[i].name, chosen[which]) == 0
-                     ? (int)i
-                     : -1;
-    }
-    if (*index < 0 && number_parse(chosen[which], &number) == NUMBER_OK && number >= 1 &&
-        number <= t->columns && !(fabs(number - floor(number)) > 0)) {
-        *index = (int)number - 1;
-    }
-    return *index < 0 ? say_no_column(t, which) : EXIT_GOOD;
-}
-
-static int find_chosen_axes(const table *t, int index[3])
-{
-    int failure = EXIT_GOOD;
-
-    for (unsigned i = 0; i < 3 && !failure; i++) {
-        failure = find_chosen(t, (column)(COLUMN_X + i), &index[i]);
-    }
-    if (!failure && (index[0] == index[1] || index[1] == index[2] || index[0] == index[2])) {
-        message("%s:%lu: --columns %s: x, y and z are three different columns", t->name, t->line,
-                chosen_text);
-        failure = EXIT_FILE;
-    }
-    return failure;
-}
 
 /* ---- x, y and z --------------------------------------------------------------------------------- */
 
@@ -444,8 +306,8 @@ static int find_std(const table *t, int *index)
 /* A column that may be missing. */
 static int find_optional(const table *t, column which, int *index)
 {
-    if (is_chosen(which)) {
-        return find_chosen(t, which, index);
+    if (chosen_is(which)) {
+        return chosen_find(t, headings, which, index);
     }
     *index = -1;
     for (unsigned i = 0; i < t->columns; i++) {
@@ -485,8 +347,8 @@ static int find_time(const table *t, columns *out)
             count[states]++;
         }
     }
-    if (is_chosen(COLUMN_TIME)) {
-        return find_chosen(t, COLUMN_TIME, index);
+    if (chosen_is(COLUMN_TIME)) {
+        return chosen_find(t, headings, COLUMN_TIME, index);
     }
     return count[count[1] > 0] > 1 ? say_several(t, columns_name(COLUMN_TIME)) : EXIT_GOOD;
 }
@@ -555,7 +417,7 @@ static void remember_names(const table *t, columns *out)
     for (unsigned i = 0; i < t->columns; i++) {
         seen->others += !used[i] && *t->field[i] != '\0';
     }
-    snprintf(seen->chosen, sizeof seen->chosen, "%s", chosen_text);
+    snprintf(seen->chosen, sizeof seen->chosen, "%s", chosen_text());
     seen->header_line = t->first_line;
     seen->preamble = t->preamble;
 }
@@ -579,7 +441,8 @@ static int find_by_header(table *t, columns_kind kind, columns *out)
     for (unsigned i = 0; i < t->columns; i++) {
         heading_read(t->field[i], &headings[i]);
     }
-    int failure = is_chosen(COLUMN_X) ? find_chosen_axes(t, &index[COLUMN_X]) : find_xyz(t, out);
+    int failure =
+        chosen_is(COLUMN_X) ? chosen_find_axes(t, headings, &index[COLUMN_X]) : find_xyz(t, out);
     failure = failure ? failure : find_std(t, &std);
     failure = failure ? failure : find_unit(t, out);
     for (unsigned c = COLUMN_STD_X; c < COLUMN_COUNT && !failure; c++) {
@@ -660,23 +523,23 @@ static int find_by_number(const table *t, columns *out)
 {
     recognition *seen = &out->seen;
 
-    if (!is_chosen(COLUMN_X)) {
+    if (!chosen_is(COLUMN_X)) {
         message("%s:%lu: there is no header: --columns has to state x, y and z, too", t->name,
                 t->line);
         return EXIT_FILE;
     }
-    int failure = find_chosen_axes(t, &out->index[COLUMN_X]);
+    int failure = chosen_find_axes(t, headings, &out->index[COLUMN_X]);
     seen->others = t->columns;
     for (unsigned c = 0; c < COLUMN_COUNT && !failure; c++) {
         int *index = &out->index[c];
         *index = c > COLUMN_Z ? -1 : *index;
-        if (is_chosen((column)c)) {
-            failure = find_chosen(t, (column)c, index);
+        if (chosen_is((column)c)) {
+            failure = chosen_find(t, headings, (column)c, index);
             snprintf(seen->name[c], HEADING_NAME_MAX, "%s", columns_name((column)c));
             seen->others--;
         }
     }
-    snprintf(seen->chosen, sizeof seen->chosen, "%s", chosen_text);
+    snprintf(seen->chosen, sizeof seen->chosen, "%s", chosen_text());
     return failure;
 }
 
@@ -688,7 +551,7 @@ static int has_axes(const table *t)
     for (unsigned i = 0; i < t->columns; i++) {
         heading_read(t->field[i], &headings[i]);
     }
-    return is_chosen(COLUMN_X) || find_set(t, 0, OF_MAGNETOMETER, index) < t->columns;
+    return chosen_is(COLUMN_X) || find_set(t, 0, OF_MAGNETOMETER, index) < t->columns;
 }
 
 int columns_find(table *t, columns_kind kind, columns *out)
@@ -701,9 +564,9 @@ int columns_find(table *t, columns_kind kind, columns *out)
     if (table_comment_header(t) && !has_axes(t)) {
         table_drop_header(t);
     }
-    const int failure = t->has_header          ? find_by_header(t, kind, out)
-                        : *chosen_text != '\0' ? find_by_number(t, out)
-                                               : find_by_count(t, kind, out);
+    const int failure = t->has_header            ? find_by_header(t, kind, out)
+                        : *chosen_text() != '\0' ? find_by_number(t, out)
+                                                 : find_by_count(t, kind, out);
 
     for (unsigned c = 0; c < COLUMN_COUNT; c++) {
         out->last = out->index[c] > out->last ? out->index[c] : out->last;

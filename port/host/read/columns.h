@@ -63,12 +63,6 @@ typedef enum {
                           a gyro behind, which are ignored */
 } columns_kind;
 
-/* Which columns are meant is stated, from now on, by name or by number from 1: "ax,ay,az", "2,3,4", or
- * "t=1,x=2,y=3,z=4,temperature=5" in any order. What it does not name is found as ever; null: all is.
- *
- * Returns EXIT_GOOD; EXIT_USAGE, with a message that points to the help of `command`. */
-int columns_choose(const char *command, const char *text);
-
 /* Names that a header may use, for help texts. */
 #define COLUMNS_NAMES                                                                              \
     "  x y z (or ax ay az, acc_x .., AccX .., \"Acceleration x\" .., accSmooth[0] ..,\n"           \
@@ -80,11 +74,6 @@ int columns_choose(const char *command, const char *text);
     "  Logs of phyphox are known by their headers, and those converted by ulog2csv (PX4),\n"       \
     "  blackbox_decode (Betaflight, INAV), mavlogdump.py (ArduPilot) and\n"                        \
     "  rostopic echo -p (ROS).\n"
-
-/* The option, for help texts. */
-#define COLUMNS_OPTION                                                                             \
-    "  --columns X,Y,Z     which columns of LOG are meant, by name or by number: ax,ay,az or\n"    \
-    "                      2,3,4; others with what they are: t=1,x=2,y=3,z=4,temperature=5\n"
 
 /* Finds the columns of a table that has just been opened. Where it has an accelerometer and a
  * magnetometer, x, y and z are those of the accelerometer.

@@ -424,10 +424,11 @@ static int is_part(const char *before, const char *field, const char *behind)
 
 int table_is_cut(const table *t, unsigned column)
 {
-    const int is_part_of_row = t->found > 0 && t->found < t->columns && is_at_end(t);
+    const int is_short = t->found > 0 && t->found < t->columns && is_at_end(t);
 
-    return is_part_of_row || (!t->has_end && t->found == t->columns && column + 1 == t->columns &&
-                              is_part("", t->field[column], "0"));
+    return (is_short && (number_is_meant(t->field[0]) || is_part("", t->field[0], "0"))) ||
+           (!t->has_end && t->found == t->columns && column + 1 == t->columns &&
+            is_part("", t->field[column], "0"));
 }
 
 /* A row has so many columns. 1; -1, with a message, if that is not as many as the first has. */

@@ -84,8 +84,8 @@ void table_drop_header(table *t);
 int table_drop_cut_first(table *t, unsigned long *cut);
 
 /* The current row has been cut at its end, when the recording ended: it is the last line, and has fewer
- * columns than the others, or without an end of line but the beginning of a number in `column`, the
- * last that counts. */
+ * columns than the others, the first a number; or without an end of line only the beginning of a number
+ * in `column`, the last that counts. */
 int table_is_cut(const table *t, unsigned column);
 
 /* Reads the row below the header, for a look at its fields: table_next goes to the same row again,
