@@ -65,6 +65,18 @@ check "EuRoC: the offset is the true one" near 0.0012 "$(json "$work/stdout" off
     "$(echo "$truth" | tr -d '[],' | awk '{ print $1 * 0.0006, $2 * 0.0006, $3 * 0.0006 }')"
 check "EuRoC: the unit is that of the header" test "$(json "$work/stdout" unit)" = '"m/s^2"'
 
+# ROS, flat: what it calls linear acceleration holds gravity; that of a phone does not.
+write "stamp,linear_acceleration_x,linear_acceleration_y,linear_acceleration_z,angular_velocity_x,magnetic_field_x,magnetic_field_y,magnetic_field_z" \
+    't "," x * 0.0006 "," y * 0.0006 "," z * 0.0006 ",1,4,5,6"'
+run calibrate "$work/log.csv" --rate 100
+check "ROS, flat: the accelerometer in m/s^2" first_lines \
+    "the accelerometer's linear_acceleration_x linear_acceleration_y linear_acceleration_z in m/s²; ignored"
+write "linear_acceleration_x,linear_acceleration_y,linear_acceleration_z,magnetic_field_x,magnetic_field_y,magnetic_field_z" "$xyz \",4,5,6\""
+refuses "linear acceleration and a magnetometer: that is not taken for it" 3 'the phone has taken gravity out' \
+    calibrate "$work/log.csv"
+write "imu_ax,imu_ay,imu_az,imu_gx,imu_gy,imu_gz" "$xyz \",1,2,3\""
+is_right "names that begin with imu" --rate 100
+
 # ---- --columns --------------------------------------------------------------------------------------
 
 write '' "t \",7,\" $xyz \",1,2,3,40,50,60,25\""

@@ -41,6 +41,31 @@ static int is_of_ros(const heading *h)
     return strncmp(h->name, "linear_acceleration.", strlen("linear_acceleration.")) == 0;
 }
 
+static int has_key(const table *t, const char *key)
+{
+    for (unsigned i = 0; i < t->columns; i++) {
+        if (strcmp(headings[i].key, key) == 0) {
+            return 1;
+        }
+    }
+    return 0;
+}
+
+/* Takes all headings apart. What ROS calls linear acceleration holds gravity; flat tables of its
+ * sensor_msgs/Imu are known by the angular velocity beside it. */
+static void read_headings(const table *t)
+{
+    for (unsigned i = 0; i < t->columns; i++) {
+        heading_read(t->field[i], &headings[i]);
+    }
+    for (unsigned i = 0; i < t->columns && has_key(t, "angularvelocity"); i++) {
+        if (strncmp(headings[i].name, "linear_acceleration_", strlen("linear_acceleration_")) ==
+            0) {
+            snprintf(headings[i].key, sizeof headings[i].key, "fieldlinearacceleration");
+        }
+    }
+}
+
 /* Keys of headings that may be meant, see heading.h. */
 static origin origin_of(const heading *h)
 {
@@ -62,14 +87,17 @@ static origin origin_of(const heading *h)
         "arss", /* EuRoC: a_RS_S_x */
         NULL,
     };
-    static const char *const magnetometers[] = {"m", "mag", "magnetometer", "magneticfield", NULL};
+    static const char *const magnetometers[] = {"m",       "mag", "magnetometer", "magneticfield",
+                                                "compass", NULL};
     static const char *const anything[] = {"", "xyz", "axis", "mean", NULL};
 
-    return h->axis < 0                                        ? OF_NOTHING
-           : is_of_ros(h) || is_among(h->key, accelerometers) ? OF_ACCELEROMETER
-           : is_among(h->key, magnetometers)                  ? OF_MAGNETOMETER
-           : is_among(h->key, anything)                       ? OF_ANYTHING
-                                                              : OF_NOTHING;
+    const char *key = h->key + (strncmp(h->key, "imu", 3) == 0 ? 3 : 0); /* imu_ax */
+
+    return h->axis < 0                                     ? OF_NOTHING
+           : is_of_ros(h) || is_among(key, accelerometers) ? OF_ACCELEROMETER
+           : is_among(key, magnetometers)                  ? OF_MAGNETOMETER
+           : is_among(key, anything)                       ? OF_ANYTHING
+                                                           : OF_NOTHING;
 }
 
 /* The column with the same key as column `from` and this axis: -1 if there is none. */
@@ -139,7 +167,10 @@ static int find_xyz(const table *t, columns *out)
     const origin least = has_accelerometer ? OF_ANYTHING : OF_MAGNETOMETER;
     const unsigned first = has_accelerometer ? 0 : find_set(t, 0, OF_MAGNETOMETER, index);
 
-    if (first == t->columns) {
+    const int is_magnetometer =
+        !has_accelerometer && first < t->columns && origin_of(&headings[first]) == OF_MAGNETOMETER;
+
+    if (first == t->columns || (is_magnetometer && has_key(t, "linearacceleration"))) {
         say_none(t);
         return EXIT_FILE;
     }
@@ -162,16 +193,6 @@ static int find_xyz(const table *t, columns *out)
 }
 
 /* ---- the unit of x, y and z ---------------------------------------------------------------------- */
-
-static int has_key(const table *t, const char *key)
-{
-    for (unsigned i = 0; i < t->columns; i++) {
-        if (strcmp(headings[i].key, key) == 0) {
-            return 1;
-        }
-    }
-    return 0;
-}
 
 /* Logs that are known have a unit although their headings do not state it. */
 static reading_unit unit_of_system(const table *t, const heading *x)
@@ -438,9 +459,7 @@ static int find_by_header(table *t, columns_kind kind, columns *out)
     int *index = out->index;
     int std;
 
-    for (unsigned i = 0; i < t->columns; i++) {
-        heading_read(t->field[i], &headings[i]);
-    }
+    read_headings(t);
     int failure =
         chosen_is(COLUMN_X) ? chosen_find_axes(t, headings, &index[COLUMN_X]) : find_xyz(t, out);
     failure = failure ? failure : find_std(t, &std);
@@ -548,9 +567,7 @@ static int has_axes(const table *t)
 {
     int index[3];
 
-    for (unsigned i = 0; i < t->columns; i++) {
-        heading_read(t->field[i], &headings[i]);
-    }
+    read_headings(t);
     return chosen_is(COLUMN_X) || find_set(t, 0, OF_MAGNETOMETER, index) < t->columns;
 }
 
