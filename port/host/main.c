@@ -99,7 +99,7 @@ static int refuse_unknown(const char *word)
 
 static int run(int argc, char **argv)
 {
-    if (argc < 2) {
+    if (argc < 2 || argv[1][0] == '\0') {
         return message_usage(NULL, "COMMAND is missing");
     }
     const tool_command *c = find_command(argv[1]);

@@ -174,7 +174,8 @@ refuses "a part with nothing in it" 1 'no sample within' allan "$work/rest.csv" 
 refuses "a result over the log" 2 'is LOG, which would be lost' allan "$work/rest.csv" --out "$work/rest.csv"
 refuses "a report over the result" 2 '--report: is the file of --out' allan "$work/rest.csv" \
     --out "$work/out/a" --report "$work/out/a"
-echo '1,2' >> "$work/short.csv"
+row=$(tail -n 1 "$work/short.csv")
+printf '1,2\n%s\n' "$row" >> "$work/short.csv"
 refuses "a malformed line" 3 'short.csv:9: ' allan "$work/short.csv"
 refuses "no log" 3 'nowhere' allan "$work/nowhere"
 

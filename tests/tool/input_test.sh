@@ -347,14 +347,14 @@ refuses "a date is no time, and what to do is told" 3 \
     "column 1 \(t\): '2026-05-01T10:00:00Z' is not a decimal number: convert it to seconds" \
     calibrate "$work/bad.csv"
 bad "two accelerometers" \
-    "bad\.csv:1: x, y and z are there twice \('accSmooth\[0\]' and 'accADC\[0\]'\): leave one set" \
+    "bad\.csv:1: x, y and z are there twice \('accSmooth\[0\]' and 'accADC\[0\]'\): state which with --columns, or leave one set" \
     'accSmooth[0],accSmooth[1],accSmooth[2],accADC[0],accADC[1],accADC[2]\n1,2,3,4,5,6\n'
 bad "axes in different units" \
     "bad\.csv:1: 'ax \(g\)' and 'az \(mg\)' are in different units: convert one of them$" \
     'ax (g),ay (g),az (mg)\n1,2,3\n'
 bad "one axis without a unit" "bad\.csv:1: 'ax \(g\)' and 'ay' are in different units" \
     'ax (g),ay,az (g)\n1,2,3\n'
-bad "two clocks of one rank" "bad\.csv:1: more than one column could be 't': leave one$" \
+bad "two clocks of one rank" "bad\.csv:1: more than one column could be 't': leave one, or state which with --columns t=NAME$" \
     't_ms,time (us),x,y,z\n1,2,3,4,5\n'
 bad "settings, but no table" "bad\.csv:2: lines of two columns, a name and another, are no table" \
     'name,sensor 5\nrate,100\n'

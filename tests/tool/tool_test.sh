@@ -438,9 +438,9 @@ bad_file "a header with a name twice" "bad\.csv:1: x, y and z are there twice \(
 bad_file "a header with n twice" "bad\.csv:1: more than one column could be 'n'"
 { echo x,y,3; cat "$good"; } > "$work/bad.csv"
 bad_file "a header with a number" "bad\.csv:1: column 1 \(x\): 'x' is not a decimal number"
-awk -F, 'BEGIN { print "ax,ay,az,mx,my,mz" } { print $0 "," $0 }' "$good" > "$work/bad.csv"
-bad_file "accelerometer and magnetometer in one file" \
-    "x, y and z are there twice \('ax' and 'mx'\): leave one"
+awk -F, 'BEGIN { print "x,y,z,mx,my,mz" } { print $0 "," $0 }' "$good" > "$work/bad.csv"
+bad_file "an unnamed sensor and a magnetometer in one file" \
+    "x, y and z are there twice \('x' and 'mx'\): state which with --columns, or leave one"
 { echo 'x,y,z,t,time,n,count'; sed 's/$/,1,1,1,1/' "$good"; } > "$work/bad.csv"
 bad_file "two columns of one meaning" 'more than one column could be'
 awk '{ print 1 }' "$good" > "$work/bad.csv"

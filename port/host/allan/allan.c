@@ -12,15 +12,32 @@
 #include "cli/options.h"
 #include "cli/output.h"
 #include "cli/progress.h"
+#include "read/chosen.h"
 
-enum { RATE, TAU, APART, SIGMA, LSB, UNIT, GRAVITY, FROM, TO, OUT, REPORT, JSON, QUIET, OPTIONS };
+enum {
+    COLUMNS,
+    RATE,
+    TAU,
+    APART,
+    SIGMA,
+    LSB,
+    UNIT,
+    GRAVITY,
+    FROM,
+    TO,
+    OUT,
+    REPORT,
+    JSON,
+    QUIET,
+    OPTIONS
+};
 
 static const option options[OPTIONS] = {
-    [RATE] = {"--rate", 1},       [TAU] = {"--tau", 1},       [APART] = {"--apart", 0},
-    [SIGMA] = {"--sigma", 1},     [LSB] = {"--lsb", 1},       [UNIT] = {"--unit", 1},
-    [GRAVITY] = {"--gravity", 1}, [FROM] = {"--from", 1},     [TO] = {"--to", 1},
-    [OUT] = {"--out", 1},         [REPORT] = {"--report", 1}, [JSON] = {"--json", 0},
-    [QUIET] = {"--quiet", 0},
+    [COLUMNS] = {"--columns", 1}, [RATE] = {"--rate", 1},       [TAU] = {"--tau", 1},
+    [APART] = {"--apart", 0},     [SIGMA] = {"--sigma", 1},     [LSB] = {"--lsb", 1},
+    [UNIT] = {"--unit", 1},       [GRAVITY] = {"--gravity", 1}, [FROM] = {"--from", 1},
+    [TO] = {"--to", 1},           [OUT] = {"--out", 1},         [REPORT] = {"--report", 1},
+    [JSON] = {"--json", 0},       [QUIET] = {"--quiet", 0},
 };
 static const char *const operands[] = {"LOG"};
 static const option_syntax syntax = {"allan", options, OPTIONS, operands, 1, 0};
@@ -109,6 +126,7 @@ static int read_request(int argc, char **argv, request *r)
     w->command = r->command;
     options_command(syntax.command, argc, argv, r->command, sizeof r->command);
     failure = failure ? failure : check_files(r);
+    failure = failure ? failure : chosen_read(syntax.command, r->value[COLUMNS]);
     failure = failure ? failure : read_number(r, RATE, 0, &w->rate);
     failure = failure ? failure : read_taus(r);
     failure = failure ? failure : read_number(r, SIGMA, 0, &w->sigma);
@@ -191,7 +209,7 @@ static const char *const help[] = {
     "LOG is a table of samples as invcal calibrate reads it, - the standard input; it must be at\n"
     "rest, and neither averaged nor filtered. Results are in m/s^2 if the unit of the readings is\n"
     "known, by the header, --unit or --lsb, else in input units.\n"
-    "\n"
+    "\n" CHOSEN_OPTION,
     "  --rate HZ           samples a second, any above 0; default: by the times in LOG\n"
     "  --tau T1,T2,...     averaging times in seconds, ascending, multiples of the sample "
     "interval\n"

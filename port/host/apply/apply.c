@@ -8,6 +8,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "read/chosen.h"
 #include "read/columns.h"
 #include "cli/command.h"
 #include "cli/input.h"
@@ -20,8 +21,9 @@
 #include "apply/thermal_correction.h"
 
 static const char *const operands[] = {"CAL.json", "LOG"};
-enum { TEMPERATURE, QUIET, OPTIONS };
+enum { COLUMNS, TEMPERATURE, QUIET, OPTIONS };
 static const option options[OPTIONS] = {
+    [COLUMNS] = {"--columns", 1},
     [TEMPERATURE] = {"--temperature", 1},
     [QUIET] = {"--quiet", 0},
 };
@@ -88,6 +90,30 @@ static int write_row(FILE *spool, const table *log, const columns *where, job *j
     return failure;
 }
 
+/* The next row that is whole. 1, 0 at the end, -1. */
+static int next_row(table *log, const columns *where, unsigned long rows)
+{
+    const int more = table_next(log);
+
+    if (more != 0 && rows > 0 && columns_is_cut(log, where)) {
+        columns_say_cut(log, "last", log->line);
+        return 0;
+    }
+    return more;
+}
+
+static int find_columns(table *log, columns *where)
+{
+    unsigned long cut;
+    const int failure = table_drop_cut_first(log, &cut);
+
+    if (cut > 0) {
+        columns_say_cut(log, "first", cut);
+    }
+    log->is_log = 1;
+    return failure ? failure : columns_find(log, COLUMNS_LOG, where);
+}
+
 /* A correction that depends on temperature needs one. */
 static int check_temperature(const table *log, const columns *where, const job *j)
 {
@@ -106,14 +132,14 @@ static int write_rows(FILE *spool, table *log, job *j)
     columns where;
     unsigned long rows = 0;
     int more = 0;
-    int failure = columns_find(log, COLUMNS_LOG, &where);
+    int failure = find_columns(log, &where);
 
     if (failure) {
         return failure;
     }
     fprintf(spool, "%sx,y,z%s\n", where.index[COLUMN_TIME] >= 0 ? "t," : "",
             where.index[COLUMN_TEMPERATURE] >= 0 ? ",temperature" : "");
-    while (!failure && !ferror(spool) && (more = table_next(log)) == 1) {
+    while (!failure && !ferror(spool) && (more = next_row(log, &where, rows)) == 1) {
         failure = check_temperature(log, &where, j);
         failure = failure ? failure : columns_check_instance(log, &where);
         failure = failure ? failure : write_row(spool, log, &where, j);
@@ -184,6 +210,7 @@ static int run(int argc, char **argv)
     if (!failure && input_is_stdin(files[0]) && input_is_stdin(files[1])) {
         failure = message_usage(syntax.command, "only one input can be the standard input");
     }
+    failure = failure ? failure : chosen_read(syntax.command, value[COLUMNS]);
     failure = failure ? failure : calibration_file_read_correction(files[0], &j.file);
     failure = failure ? failure : read_temperature(value[TEMPERATURE], &j);
     failure =
@@ -224,7 +251,7 @@ static const char *const help[] = {
     "One made with --quadratic or --cubic: what the axes read too much is taken off first. It is\n"
     "known up to the field along each axis; beyond 1.1 of that what holds there is used, and "
     "told.\n"
-    "\n"
+    "\n" CHOSEN_OPTION,
     "  --temperature T     of all readings, in place of the column; needs such a calibration\n"
     "  --quiet             show no progress, print only the result and errors\n"
     "\n"

@@ -15,6 +15,7 @@
 #include "cli/progress.h"
 #include "design/design.h"
 #include "fit/sensors.h"
+#include "read/chosen.h"
 #include "read/columns.h"
 
 /* `--sensor list` needs no log. */
@@ -96,7 +97,7 @@ static const char *const help[] = {
     "comments. What LOG was taken for is told in the first line of the result.\n"
     "Nine positions are the least, twelve to eighteen in all directions are good. A position\n"
     "that contradicts the others is left out and named, if eleven or more are there to tell.\n"
-    "\n"
+    "\n" CHOSEN_OPTION,
     "  --positions         each row of LOG is the mean of one position: x y z, or x y z std n\n"
     "                      (standard deviation and number of the samples), or\n"
     "                      x y z std_x std_y std_z n, or with a header\n"
@@ -130,7 +131,8 @@ static const char *const help[] = {
     "                      scale and limits, unless --zero, --lsb, --tolerance do. --sensor list\n"
     "                      names those that are known, and needs no LOG\n"
     "  --zero X,Y,Z        nominal reading in no field, in input units\n"
-    "  --lsb S | SX,SY,SZ  nominal scale, in field units per input unit\n"
+    "  --lsb S | SX,SY,SZ  nominal scale, in field units per input unit: 9.80665/16384 of 16384\n"
+    "                      counts per g\n"
     "                      Both come from the unit of the readings (zero 0) where that is g, mg "
     "or\n"
     "                      m/s^2. Where nothing states them, how far the sensor is from nominal "

@@ -2,6 +2,8 @@
 #include "calibrate/refuse.h"
 
 #include <math.h>
+#include <stdarg.h>
+#include <stdio.h>
 #include <string.h>
 
 #include "cli/command.h"
@@ -10,9 +12,25 @@
 #include "design/parameters.h"
 #include "result/faces.h"
 #include "stand/tell.h"
+#include "text/number.h"
 
-#define REASON_MAX 800
+#define REASON_MAX 4000
+#define SLOW 25.0         /* samples a second: shorter rests would do, if they were found */
+#define LISTED 10u        /* rests that are named */
 #define FEW_SAMPLES 1000u /* more rows than anybody has positions */
+
+/* Puts more behind a reason; what is too long is cut off. */
+static void add(char *text, const char *format, ...) MESSAGE_FORMAT(2, 3);
+
+static void add(char *text, const char *format, ...)
+{
+    const size_t length = strlen(text);
+    va_list arguments;
+
+    va_start(arguments, format);
+    vsnprintf(text + length, REASON_MAX - length, format, arguments);
+    va_end(arguments);
+}
 
 static const char *status_name(invcal_status status)
 {
@@ -50,6 +68,65 @@ static unsigned missing_group(const positions *data, const stand_wish *angles, u
     const unsigned group = stand_missing_group(angles, data);
 
     return group > 0 && bits >> told_by[group] & 1 ? group : 0;
+}
+
+/* What to do about rests that are missing or too short, and what if the rate is a guess. */
+static void add_remedy(const rests_summary *log, int is_none, char *text)
+{
+    const unsigned brief = log->refused[INVCAL_REST_SHORT - INVCAL_REST_SHORT] +
+                           log->refused[INVCAL_REST_GAP - INVCAL_REST_SHORT];
+
+    if (!log->is_rate_known) {
+        add(text,
+            "; the log tells no times, so %.3g samples a second are a guess: state --rate, and "
+            "hold each "
+            "position still for 3 s or longer, below 25 samples a second for %u samples",
+            log->rate, RESTS_SAMPLES);
+    } else if (brief > 0 || is_none) {
+        add(text, "; hold each position still for %.2g s or longer", rests_least(log->rate) + 1);
+    }
+    if (log->is_rate_known ? log->rate < SLOW && (brief > 0 || is_none) : is_none) {
+        add(text, ", or average each yourself and add --positions");
+    }
+}
+
+/* The rests that were refused, by their reason, and where. Returns their number. */
+static unsigned add_refused(const rests_summary *log, char *text)
+{
+    unsigned refused = 0;
+    unsigned told = 0;
+
+    for (unsigned i = 0; i < RESTS_REASONS; i++) {
+        refused += log->refused[i];
+    }
+    told = refused < RESTS_TOLD ? refused : RESTS_TOLD;
+    for (unsigned i = 0; i < RESTS_REASONS; i++) {
+        const invcal_status why = (invcal_status)(INVCAL_REST_SHORT + i);
+        const char *before = " (near line ";
+        if (log->refused[i] > 0) {
+            add(text, "; refused %u: %s", log->refused[i], rests_reason_text(why));
+        }
+        for (unsigned k = 0; k < told; k++) {
+            if (log->refusal[k].why == why) {
+                add(text, "%s%lu", before, log->refusal[k].line);
+                before = ", ";
+            }
+        }
+        add(text, "%s", *before == ',' ? ")" : "");
+    }
+    return refused;
+}
+
+/* Where the rests were, and why others were refused. */
+static void add_rests(const positions *data, char *text)
+{
+    for (unsigned i = 0; i < data->count && i < LISTED; i++) {
+        const position_origin *o = &data->origin[i];
+        add(text, "%s line %lu, %.3g to %.3g s (%.2g s)", i ? ";" : "; found:", o->line, o->begin,
+            o->end, o->end - o->begin);
+    }
+    const unsigned refused = add_refused(data->rests, text);
+    add_remedy(data->rests, data->count + refused == 0, text);
 }
 
 static void say_undetermined(const positions *data, const stand_wish *angles, uint16_t bits,
@@ -96,6 +173,9 @@ static void say_why(const positions *data, const fit_settings *settings,
     case INVCAL_TOO_FEW:
         snprintf(text, REASON_MAX, "%u position%s too few: %u are needed, 12 or more are good",
                  data->count, data->count == 1 ? " is" : "s are", positions_needed(settings));
+        if (data->rests) {
+            add_rests(data, text);
+        }
         break;
     case INVCAL_UNDETERMINED:
         say_undetermined(data, angles, reason->undetermined, text);
@@ -162,6 +242,47 @@ int calibrate_refuse(const positions *data, const fit_settings *settings,
     return EXIT_DATA;
 }
 
+/* The mean length of the readings, counts, from the nominal zero. */
+static double mean_length(const positions *data, const invcal_calibration *nominal)
+{
+    double sum = 0;
+
+    for (unsigned n = 0; n < data->count; n++) {
+        double square = 0;
+        for (unsigned i = 0; i < 3; i++) {
+            const double d = data->mean[3 * (size_t)n + i] - nominal->offset[i];
+            square += d * d;
+        }
+        sum += sqrt(square) / data->count;
+    }
+    return sum;
+}
+
+/* As good as 1, zero and scale being nominal. */
+static int is_about_one(double x)
+{
+    return x > 0.4 && x < 2.5;
+}
+
+int calibrate_check_scale(const char *command, const positions *data, const nominal_choice *nominal,
+                          double field)
+{
+    const double lsb = fabs(nominal->calibration.matrix[0][0]);
+    const double counts = mean_length(data, &nominal->calibration);
+    char numerator[NUMBER_TEXT_MAX];
+
+    if (nominal->lsb != NOMINAL_GIVEN || is_about_one(counts * lsb / field) ||
+        !(is_about_one(counts / lsb) || is_about_one(counts / (lsb * field)))) {
+        return EXIT_GOOD;
+    }
+    const double meant = is_about_one(counts / lsb) ? field : 1;
+    return message_usage(command,
+                         "--lsb is field per count, not counts per field: with %.6g these readings "
+                         "are %.3g times the field; you mean --lsb %s/%.6g, which is %.6g",
+                         lsb, counts * lsb / field, number_text(meant, numerator), lsb,
+                         meant / lsb);
+}
+
 int calibrate_all_drift(const calibrate_result *result, int json)
 {
     char text[REASON_MAX];
@@ -186,27 +307,20 @@ int calibrate_all_drift(const calibrate_result *result, int json)
 int calibrate_no_rest(const positions *data, const rests_summary *log, int json)
 {
     char text[REASON_MAX];
+    char least[16];
     json_writer w;
 
+    snprintf(least, sizeof least, "%.2g", rests_least(log->rate));
     snprintf(text, sizeof text,
-             "no rest of two seconds in %lu samples, %.6g s at %.6g samples a second%s",
-             log->samples, log->seconds, log->rate,
-             log->is_rate_known ? "" : " (a guess: state --rate)");
+             "no rest of %s seconds in %lu samples, %.6g s at %.6g samples a second%s",
+             strcmp(least, "2") == 0 ? "two" : least, log->samples, log->seconds, log->rate,
+             log->is_rate_known ? "" : " (a guess)");
     if (log->gaps > 0) {
-        const size_t length = strlen(text);
-        snprintf(text + length, sizeof text - length, "; %lu gaps", log->gaps);
+        add(text, "; %lu gaps", log->gaps);
     }
-    for (unsigned i = 0; i < RESTS_REASONS; i++) {
-        if (log->refused[i] > 0) {
-            const size_t length = strlen(text);
-            snprintf(text + length, sizeof text - length, "; %u: %s", log->refused[i],
-                     rests_reason_text((invcal_status)(INVCAL_REST_SHORT + i)));
-        }
-    }
+    add_rests(data, text);
     if (log->samples < FEW_SAMPLES) {
-        const size_t length = strlen(text);
-        snprintf(text + length, sizeof text - length,
-                 "; if each row is the mean of a position, add --positions");
+        add(text, "; if each row is the mean of a position, add --positions");
     }
     message("%s: %s", data->name, text);
     if (json) {

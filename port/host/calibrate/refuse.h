@@ -20,6 +20,13 @@ int calibrate_refuse(const positions *data, const fit_settings *settings,
                      const nominal_choice *nominal, const stand_wish *angles, invcal_status status,
                      const fit_reason *reason, int json);
 
+/* Whether a scale that was stated is one of these readings, or upside down: counts per g where the field
+ * per count is meant.
+ *
+ * Returns EXIT_GOOD, also if it is wrong otherwise; EXIT_USAGE, with a message that says what is meant. */
+int calibrate_check_scale(const char *command, const positions *data, const nominal_choice *nominal,
+                          double field);
+
 /* Says that the temperature drifted in so many rests that too few are left. Returns EXIT_DATA. */
 int calibrate_all_drift(const calibrate_result *result, int json);
 

@@ -10,10 +10,12 @@
 #include "cli/output.h"
 #include "design/design.h"
 #include "fit/gravity.h"
+#include "read/chosen.h"
 #include "read/samples.h"
 #include "result/result.h"
 
 static const option options[ASK_OPTIONS] = {
+    [ASK_COLUMNS] = {"--columns", 1},
     [ASK_POSITIONS] = {"--positions", 0},
     [ASK_GRAVITY] = {"--gravity", 1},
     [ASK_LATITUDE] = {"--latitude", 1},
@@ -332,13 +334,13 @@ static int read_thermal(request *r)
 /* What only a log of samples has. */
 static int read_log_options(request *r)
 {
-    int failure = EXIT_GOOD;
+    int failure = chosen_read(r->syntax->command, r->value[ASK_COLUMNS]);
 
-    if (r->value[ASK_POSITIONS] && (r->value[ASK_RATE] || r->value[ASK_CLIP])) {
+    if (!failure && r->value[ASK_POSITIONS] && (r->value[ASK_RATE] || r->value[ASK_CLIP])) {
         return request_usage(r, r->value[ASK_RATE] ? ASK_RATE : ASK_CLIP,
                              "is of samples; position means have none");
     }
-    if (r->value[ASK_RATE]) {
+    if (!failure && r->value[ASK_RATE]) {
         failure = options_numbers(r->syntax, ASK_RATE, r->value[ASK_RATE], 1, &r->rate, NULL);
         if (!failure && !(r->rate >= SAMPLES_RATE_MIN && r->rate <= SAMPLES_RATE_MAX)) {
             failure = request_usage(r, ASK_RATE, "is 8 to 8000 samples a second");

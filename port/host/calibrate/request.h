@@ -17,6 +17,7 @@
 
 /* The options of `invcal calibrate` and `invcal watch`: each takes what the other has, or says whose it is. */
 enum {
+    ASK_COLUMNS,
     ASK_POSITIONS,
     ASK_GRAVITY,
     ASK_LATITUDE,

@@ -261,6 +261,9 @@ int solve_positions(const request *r, const positions *data, calibrate_result *r
     int failure = stand_check(&r->stand, data);
     result->told = r->told;
     failure = failure ? failure : settle_nominal(r, data, &result->nominal);
+    failure = failure ? failure
+                      : calibrate_check_scale(r->syntax->command, data, &result->nominal,
+                                              r->settings.field);
     result->settings.nominal = fit_over_field(&result->nominal.calibration, r->settings.field);
     failure = failure ? failure : settle_noise(r, data, result);
     failure = failure                 ? failure

@@ -32,11 +32,12 @@ typedef struct {
  * Both point into argv.
  *
  * Returns EXIT_GOOD; EXIT_USAGE for an unknown option, one given twice, a value that is missing
- * or not wanted, a missing or surplus operand. */
+ * or not wanted, a missing, empty or surplus operand. */
 int options_parse(const option_syntax *syntax, int argc, char **argv, const char **values,
                   const char **operands);
 
-/* Reads finite numbers with commas between from the value of option `which`.
+/* Reads finite numbers, or quotients of two (9.80665/16384), with commas between from the value of
+ * option `which`.
  *
  * out     `wanted` numbers.
  * single  null; or set to 1 if there was one number only, which is then allowed, else to 0.

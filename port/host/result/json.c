@@ -186,6 +186,10 @@ void calibrate_json(FILE *file, const calibrate_result *result)
     json_text(&w, "invcal", INVCAL_VERSION);
     write_file(&w, result->data);
     json_number(&w, "positions", result->data->count);
+    if (result->log) {
+        json_number(&w, "rate", result->log->rate);
+        json_text(&w, "rate_from", result->log->is_rate_known ? "stated" : "guess");
+    }
     json_numbers(&w, "rejected", result->rejected.number, result->rejected.count);
     json_number(&w, "suspected", result->rejected.suspected);
     json_number(&w, "gravity", field);

@@ -19,6 +19,7 @@
 
 #define LINE_WIDTH 99u
 #define TEXT_MAX 512
+#define LISTED 10u /* positions left out that are named */
 
 /* One line of the table. */
 typedef struct {
@@ -375,6 +376,10 @@ static void print_rejected(FILE *file, const calibrate_result *result)
                 rejection_drifting(r) == 1 ? "" : "s", result->fit.drift_limit);
     }
     for (unsigned i = 0; i < r->count; i++) {
+        if (i == LISTED && r->count > LISTED + 1) {
+            fprintf(file, "          and %u more\n", r->count - LISTED);
+            break;
+        }
         if (r->list[i].drift > 0) {
             fprintf(file, "          position %u (line %lu), by %.2g K\n", r->list[i].position + 1,
                     result->data->origin[r->list[i].position].line, r->list[i].drift);

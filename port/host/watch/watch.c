@@ -7,6 +7,7 @@
 #include "calibrate/calibrate.h"
 #include "cli/command.h"
 #include "design/design.h"
+#include "read/chosen.h"
 #include "read/noise_file.h"
 #include "result/calibration_file.h"
 #include "watch/live.h"
@@ -111,7 +112,7 @@ static const char *const watch_help[] = {
     "  --prior D,K,G       standard deviations of what the nominal may be wrong by\n"
     "  --six-faces         takes the angles, which six faces do not tell, as 0 +- 0.01 rad\n"
     "  --thermal 1|2       straight lines or parabolas of temperature\n"
-    "  --slope D,K,G       standard deviations of what slopes may be, per K\n"
+    "  --slope D,K,G       standard deviations of what slopes may be, per K\n" CHOSEN_OPTION,
     "  --rate HZ           samples a second; default: by the column t, else 100\n"
     "  --clip LOW,HIGH     the least and the greatest reading of the sensor\n"
     "  --keep-all          leaves no position out\n"
