@@ -141,13 +141,10 @@ typedef struct {
     const char *command;      /* the command line */
 } calibrate_wish;
 
-/* Breaks a text into lines between words. `used` columns of the first line are taken. */
-void calibrate_print_wrapped(FILE *file, size_t used, const char *text);
-
 /* Fits a nonlinearity to what was calibrated without; says why not, if the positions do not tell it.
- * Returns EXIT_GOOD; EXIT_DATA. Its lines of the table, and its member of the object that is open. */
+ * Returns EXIT_GOOD; EXIT_DATA. Its rows of the table (tabular.h), and its member of the object that is open. */
 int calibrate_nonlinear(calibrate_result *result, unsigned degree, int json);
-void calibrate_nonlinear_print(FILE *file, const calibrate_result *result);
+void calibrate_nonlinear_rows(const calibrate_result *result);
 void calibrate_nonlinear_json(json_writer *w, const calibrate_result *result);
 
 /* Makes the cross-check; its line, and its member. */
@@ -158,7 +155,7 @@ void calibrate_robust_json(json_writer *w, const calibrate_result *result);
 /* The table of slopes, and what they are good for. */
 void calibrate_print_thermal(FILE *file, const calibrate_result *result);
 
-/* A table for people, 100 columns wide at most. */
+/* A table for people, as wide as the stream shows. */
 void calibrate_print(FILE *file, const calibrate_result *result, const calibrate_wish *wish);
 
 /* Says why there is no calibration: one line on stderr, and, if `json`, an object on stdout.

@@ -6,6 +6,8 @@
 #include <string.h>
 #include <unistd.h>
 
+#include "text/utf8.h"
+
 /* See no-color.org. A terminal that does not name itself is not known to understand colours. */
 static int is_wanted(FILE *file)
 {
@@ -34,8 +36,5 @@ const char *paint_off(FILE *file)
 
 int paint_width(const char *text, int columns)
 {
-    for (; *text != '\0'; text++) {
-        columns += ((unsigned char)*text & 0xc0) == 0x80; /* a byte that continues a character */
-    }
-    return columns;
+    return columns + (int)strlen(text) - (int)utf8_columns(text);
 }
