@@ -52,7 +52,7 @@ static void add_line(const allan_result *r, const allan_line *line)
             tabular_cell("%s", figure_digits(n->coefficient[line->kind] / line->scale, 4, text));
             relative = fmax(relative, n->relative[line->kind]);
         } else {
-            tabular_cell("not visible");
+            tabular_cell("not seen");
         }
     }
     tabular_cell("%s", relative > 0 ? figure_digits(100 * relative, 2, text) : "");

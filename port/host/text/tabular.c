@@ -159,7 +159,7 @@ static void print_cell(FILE *file, const row *r, unsigned column, size_t *blanks
 {
     const char *text = r->cell[column];
     const size_t free = table.width[column] - utf8_columns(text);
-    const int is_left = column == 0 || table.alignment[column] == 'l';
+    const int is_left = table.alignment[column] == 'l';
 
     *blanks += gap(column) + (is_left ? 0 : free);
     if (*text != '\0') {

@@ -18,9 +18,9 @@
 #define TABULAR_FORMAT
 #endif
 
-#define TABULAR_ROWS 1024u
+#define TABULAR_ROWS 3072u /* a heading and all positions of a set (design.h); more are left out */
 #define TABULAR_COLUMNS 10u
-#define TABULAR_CELL 48u /* bytes of a cell or note; more are cut off */
+#define TABULAR_CELL 40u /* bytes of a cell or note; more are cut off */
 
 /* Forgets the last one. Each letter is a column: r to the right, l to the left and close behind the one
  * before, which it stays with. */
