@@ -1164,7 +1164,7 @@ static const char *const help[] = {
     "  --zero X,Y,Z        nominal reading in no field, in input units;\n"
     "                      default: the middle of each axis' range\n"
     "  --lsb S | SX,SY,SZ  nominal scale, in field units per input unit;\n"
-    "                      default: from the range of each axis\n"
+    "                      default: from the range of each axis.\n"
     "                      Both come from the unit of the readings (zero 0) where that is stated,\n"
     "                      in the header or by --unit, as g, mg or m/s^2, and G is in m/s^2\n"
     "  --unit U            unit of the readings: g, mg, m/s2 or counts; default: by the header,\n"
@@ -1228,8 +1228,29 @@ static const char *const help[] = {
     "      --zero 33123,33276,32360 --lsb 0.0024096,0.0024213,0.0024096 --out cal.json\n",
     NULL};
 
+static const char *const brief[] = {
+    "usage: invcal calibrate LOG [options]\n"
+    "\n"
+    "Calibrates accelerometers that were held still in a dozen orientations or more, at any angle.\n"
+    "LOG is a table of samples, columns x y z or t x y z; - is the standard input.\n"
+    "\n"
+    "  --positions         each row of LOG is the mean of one position, not a sample\n"
+    "  --gravity G[+-S]    length of the field; default 9.80665+-0.027 (m/s^2)\n"
+    "  --unit U            unit of the readings: g, mg, m/s2 or counts\n"
+    "  --zero X,Y,Z        what the data sheet says: the reading in no field,\n"
+    "  --lsb S             and field units per input unit\n"
+    "  --plan SET          they are those of a program of invcal plan, in its order\n"
+    "  --need U            what lengths may be wrong by: says if they are worse\n"
+    "  --out CAL.json      write the result to a file, for invcal apply and export\n"
+    "  --report R.html     write a page with the verdict, figures and pictures\n"
+    "  --json              print the result as JSON in place of the table\n"
+    "\n"
+    "example:\n"
+    "  invcal calibrate tests/data/xsens_mti_positions.csv --positions --out cal.json\n",
+    NULL};
+
 const tool_command calibrate_command = {"calibrate", "a log, or position means, to a calibration",
-                                        help, run_calibrate};
+                                        help, run_calibrate, brief};
 
 static const char *const watch_help[] = {
     "usage: invcal watch LOG [options]\n"
@@ -1296,5 +1317,26 @@ static const char *const watch_help[] = {
     "  invcal simulate --plan edges | invcal watch -\n",
     NULL};
 
+static const char *const watch_brief[] = {
+    "usage: invcal watch LOG [options]\n"
+    "\n"
+    "Leads through a calibration while the samples come in, as a rule on the standard input (-): tells\n"
+    "when to hold still, when to move on and where to, and calibrates at the end. Ctrl-C ends it.\n"
+    "\n"
+    "  --plan SET          follows a set of positions: edges, faces, per-group:N, optimal:N ...\n"
+    "  --target D,K,G      sigma of offsets (over the field), scale errors and angles (rad) that is\n"
+    "                      enough\n"
+    "  --need U            what calibrated lengths may be wrong by: says when that is reached\n"
+    "  --gravity G         length of the field; default 9.80665 (m/s^2)\n"
+    "  --unit U            unit of the readings: g, mg, m/s2 or counts\n"
+    "  --rate HZ           samples a second; default: by the column t, else 100\n"
+    "  --out CAL.json      write the result to a file, for invcal apply and export\n"
+    "  --report R.html     write a page with the verdict, figures and pictures\n"
+    "  --json              print the result as JSON, the guidance on stderr\n"
+    "\n"
+    "example:\n"
+    "  invcal simulate --plan edges | invcal watch -\n",
+    NULL};
+
 const tool_command watch_command = {"watch", "lead through a calibration, live", watch_help,
-                                    run_watch};
+                                    run_watch, watch_brief};

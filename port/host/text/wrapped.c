@@ -39,8 +39,7 @@ size_t wrapped_width(FILE *file)
     return width < WRAPPED_LEAST ? WRAPPED_LEAST : width;
 }
 
-/* The bytes of the next word; of a command, with the blanks in its quotes. */
-static size_t word_length(const char *text, int is_command)
+static size_t part_length(const char *text, int is_command)
 {
     size_t length = 0;
     int is_quoted = 0;
@@ -50,6 +49,18 @@ static size_t word_length(const char *text, int is_command)
         length++;
     }
     return length;
+}
+
+/* The bytes of the next word: an option has its value with it, and in a command what is in quotes is a part
+ * of one. */
+static size_t word_length(const char *text, int is_command)
+{
+    const size_t length = part_length(text, is_command);
+    const char *value = text + length + 1;
+    const int is_option = strncmp(text, "--", 2) == 0 || strncmp(text, "[--", 3) == 0;
+    const int has_value = text[length] == ' ' && *value != '\0' && strchr(" -|>&", *value) == NULL;
+
+    return is_option && has_value ? length + 1 + part_length(value, is_command) : length;
 }
 
 /* `joint` stands where a line is broken, in a command. */
