@@ -56,7 +56,8 @@ static void print_help(void)
         wrapped_printf(stdout, 14, "  %-12s%s", commands[i]->name, commands[i]->purpose);
     }
     putchar('\n');
-    wrapped_printf(stdout, 28, "  invcal COMMAND --help     what it is for, the common options, an example");
+    wrapped_printf(stdout, 28,
+                   "  invcal COMMAND --help     what it is for, the common options, an example");
     wrapped_printf(stdout, 28, "  invcal COMMAND --help all all of it");
     wrapped_printf(stdout, 28, "  invcal help COMMAND [all] the same");
     wrapped_printf(stdout, 28, "  invcal --version          the version");

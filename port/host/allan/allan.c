@@ -223,7 +223,8 @@ static const char *const help[] = {
 static const char *const brief[] = {
     "usage: invcal allan LOG [options]\n"
     "\n"
-    "Tells how long to hold each position, and what the noise of a sensor is made of: from a log at rest,\n"
+    "Tells how long to hold each position, and what the noise of a sensor is made of: from a log "
+    "at rest,\n"
     "of some minutes or hours, neither averaged nor filtered.\n"
     "\n"
     "  --rate HZ           samples a second; default: by the times in LOG\n"

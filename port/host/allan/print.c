@@ -14,8 +14,8 @@ static void print_source(FILE *file, const allan_result *r, const allan_wish *wi
     wrapped_printf(file, 0, "%s: %s", r->name, columns_describe(&r->seen, seen, sizeof seen));
     wrapped_printf(file, 0, "%lu samples, %.6g s at %.6g samples a second, %lu gap%s", r->samples,
                    (double)r->samples / r->rate, r->rate, r->gaps, r->gaps == 1 ? "" : "s");
-    wrapped_printf(file, 0, "Allan deviation, %s, %s", wish->is_apart ? "of windows apart" : "overlapping",
-                   r->unit);
+    wrapped_printf(file, 0, "Allan deviation, %s, %s",
+                   wish->is_apart ? "of windows apart" : "overlapping", r->unit);
     putc('\n', file);
 }
 

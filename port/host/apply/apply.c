@@ -238,8 +238,10 @@ static const char *const help[] = {
 static const char *const brief[] = {
     "usage: invcal apply CAL.json LOG [options]\n"
     "\n"
-    "Corrects readings: calibrated = matrix (raw - offset). Prints CSV in field units, as a rule m/s^2.\n"
-    "CAL.json is what invcal calibrate --out has written; LOG has the columns x y z, or t x y z, or a\n"
+    "Corrects readings: calibrated = matrix (raw - offset). Prints CSV in field units, as a rule "
+    "m/s^2.\n"
+    "CAL.json is what invcal calibrate --out has written; LOG has the columns x y z, or t x y z, "
+    "or a\n"
     "header that names them; - is the standard input.\n"
     "\n"
     "  --temperature T     of all readings, in place of the column; for a calibration made with\n"

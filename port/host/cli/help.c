@@ -6,9 +6,9 @@
 #include "text/utf8.h"
 #include "text/wrapped.h"
 
-#define MEANING 22u  /* columns before what an option means */
-#define USAGE 7u     /* before the forms of a command */
-#define HANGING 4u   /* before what does not fit into one of their lines */
+#define MEANING 22u /* columns before what an option means */
+#define USAGE 7u    /* before the forms of a command */
+#define HANGING 4u  /* before what does not fit into one of their lines */
 #define SOURCE_MAX 400
 #define COMMAND_LENGTH 1000
 

@@ -19,7 +19,8 @@ static void print_positions(FILE *file, const design *d)
     const int has_groups = design_has_groups(d);
     char text[PLAN_WORDS_MAX];
 
-    wrapped_printf(file, 0, "alpha, beta: angles of the stand, degrees; x y z: up in the case's frame");
+    wrapped_printf(file, 0,
+                   "alpha, beta: angles of the stand, degrees; x y z: up in the case's frame");
     tabular_begin(d->has_shares ? "rrrrrrrr" : "rrrrrrr");
     tabular_heading(has_groups ? "position|group|alpha|beta|x|y|z|share"
                                : "position||alpha|beta|x|y|z|share");
@@ -68,9 +69,9 @@ static void print_sigmas(FILE *file, const design *d, double noise, told_style t
     wrapped_printf(file, 0, "condition %.4f (1 is the best), ln det H'H %.4f (more is better)",
                    c->condition, c->log_det);
     if (isfinite(d->hidden)) {
-        wrapped_printf(file, 0,
-                       "visited in this order, to tell a drift apart costs %.2f times sigma at most",
-                       d->hidden);
+        wrapped_printf(
+            file, 0, "visited in this order, to tell a drift apart costs %.2f times sigma at most",
+            d->hidden);
     } else {
         wrapped_printf(file, 0,
                        "visited in this order, a drift cannot be told from the nine parameters");
@@ -104,10 +105,9 @@ static void print_bound(FILE *file, const design *d, double error, told_style to
     double bound[INVCAL_PARAMETERS];
 
     bound_find(d, bound);
-    wrapped_printf(file, 0,
-                   "%sguaranteed%s, if no position mean is off by more than %.4g %s; times that",
-                   paint_on(file, PAINT_BOLD), paint_off(file), units[0].scale * error,
-                   units[0].unit);
+    wrapped_printf(
+        file, 0, "%sguaranteed%s, if no position mean is off by more than %.4g %s; times that",
+        paint_on(file, PAINT_BOLD), paint_off(file), units[0].scale * error, units[0].unit);
     tabular_begin("lrrrr");
     for (unsigned k = 0; k < PLAN_KINDS; k++) {
         const double *b = &bound[3 * (size_t)k];
@@ -155,7 +155,8 @@ static void print_coverage(FILE *file, const design *d)
     size_t at = wrapped_words(file, 0, 0, "range used:");
 
     for (unsigned i = 0; i < 3; i++) {
-        snprintf(text[0], PLAN_WORDS_MAX, " %c %+.2f ... %+.2f g%s", "xyz"[i], d->range[i][0], d->range[i][1], i < 2 ? "," : "");
+        snprintf(text[0], PLAN_WORDS_MAX, " %c %+.2f ... %+.2f g%s", "xyz"[i], d -> range[i][0],
+                 d -> range[i][1], i < 2 ? "," : "");
         at = wrapped_words(file, at, 0, text[0]);
     }
     putc('\n', file);

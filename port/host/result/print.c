@@ -161,31 +161,34 @@ static void print_residuals(FILE *file, const calibrate_result *r, const char *n
     char text[TEXT_MAX];
 
     fprintf(file, "residual rms  %s\n", residual_text(r, q->rms, text));
-    fprintf(file, "         max  %s, at position %u (line %lu)\n", residual_text(r, q->max, text),
-            q->worst + 1, r->data->origin[q->worst].line);
-    fprintf(file, "  rms before  %s (%s alone)\n", residual_text(r, r->residual_before, text),
-            nominal_name);
+    wrapped_printf(file, LABEL, "         max  %s, at position %u (line %lu)",
+                   residual_text(r, q->max, text), q->worst + 1, r->data->origin[q->worst].line);
+    wrapped_printf(file, LABEL, "  rms before  %s (%s alone)",
+                   residual_text(r, r->residual_before, text), nominal_name);
     if (calibrate_knows_noise(r)) {
         char stated[TEXT_MAX] = "";
         if (r->settings.noise > 0) {
             snprintf(stated, sizeof stated, " (%s: %.3g)",
-                     r->is_noise_given ? "stated" : "of samples",
-                     r->settings.noise * noise.scale);
+                     r->is_noise_given ? "stated" : "of samples", r->settings.noise * noise.scale);
         }
-        wrapped_printf(file, LABEL, "noise         %14.3g %s of one position mean, %.3g degrees of freedom%s",
+        wrapped_printf(file, LABEL,
+                       "noise         %14.3g %s of one position mean, %.3g degrees of freedom%s",
                        q->noise * noise.scale, noise.unit, q->dof, stated);
-        wrapped_printf(file, LABEL, "±             one standard deviation; %.2f of them cover 95 %%",
+        wrapped_printf(file, LABEL,
+                       "±             one standard deviation; %.2f of them cover 95 %%",
                        q->coverage);
         if (r->field_sigma > 0) {
-            wrapped_printf(file, LABEL, "of g          %.2g %s in the ± of the scales, alike in all three%s",
+            wrapped_printf(file, LABEL,
+                           "of g          %.2g %s in the ± of the scales, alike in all three%s",
                            told_scale(r->told).scale * r->field_sigma, told_scale(r->told).unit,
                            r->is_field_stated ? "" : "; --gravity or --latitude tells it better");
         }
         if (calibrate_unexplained(r) > 0) {
-            wrapped_printf(file, 0,
-                           "The residuals are %.0f times as large as that noise explains: motion, a "
-                           "changing temperature, clipped readings (--clip), or a wrong position.",
-                           calibrate_unexplained(r));
+            wrapped_printf(
+                file, 0,
+                "The residuals are %.0f times as large as that noise explains: motion, a "
+                "changing temperature, clipped readings (--clip), or a wrong position.",
+                calibrate_unexplained(r));
         }
     } else {
         fprintf(file, "noise         not known: no ± can be given (--noise states it)\n");
@@ -271,9 +274,10 @@ static void print_next(FILE *file, const calibrate_result *result, const calibra
         wrapped_printf(file, 0,
                        "Next: add 3 or more positions in other directions, to check the fit.");
     } else if (q->verdict == INVCAL_WEAK && calibrate_wants_slopes(result)) {
-        wrapped_printf(file, 0,
-                       "Next: measure nine positions or more at each of two temperatures, 5 K apart "
-                       "or more.");
+        wrapped_printf(
+            file, 0,
+            "Next: measure nine positions or more at each of two temperatures, 5 K apart "
+            "or more.");
     } else if (q->verdict == INVCAL_WEAK) {
         snprintf(text, sizeof text, "Next: add positions with %s.",
                  parameters_advice(q->weak, advice, sizeof advice));
@@ -311,8 +315,8 @@ static void print_log(FILE *file, const calibrate_result *result)
     if (!log) {
         return;
     }
-    wrapped_printf(file, 0, "%s: %lu samples, %.6g s at %.4g samples a second%s", result->data->name,
-                   log->samples, log->seconds, log->rate,
+    wrapped_printf(file, 0, "%s: %lu samples, %.6g s at %.4g samples a second%s",
+                   result->data->name, log->samples, log->seconds, log->rate,
                    log->is_rate_known ? "" : " (a guess: --rate states it)");
     if (log->gaps > 0) {
         fprintf(file, "%*lu gap%s in the stream\n", 8, log->gaps, log->gaps == 1 ? "" : "s");

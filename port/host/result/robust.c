@@ -4,7 +4,7 @@
 #include "result/result.h"
 #include "text/wrapped.h"
 
-#define LABEL 14u /* columns before a line's text */
+#define LABEL 14u       /* columns before a line's text */
 #define CONTRADICTS 4.0 /* standard deviations of the difference */
 
 /* Sigma of a parameter by the noise that is stated, if the residuals are larger: they may be what is wrong. */

@@ -38,9 +38,8 @@ static void print_fitted(FILE *file, const thermal_fit *fit)
     static const char *const words[] = {"no slopes", "straight lines", "parabolas"};
     char text[TEXT_MAX];
 
-    wrapped_printf(file, LABEL,
-                   "temperature   %.2f ... %.2f °C seen, %s; all above is at %.2f °C", c->min,
-                   c->max, words[c->fitted], c->reference);
+    wrapped_printf(file, LABEL, "temperature   %.2f ... %.2f °C seen, %s; all above is at %.2f °C",
+                   c->min, c->max, words[c->fitted], c->reference);
     if (c->fallback != INVCAL_THERMAL_AS_ASKED) {
         snprintf(text, sizeof text, "%s instead of %s: %s.",
                  c->fitted > 0 ? "Straight lines" : "No slopes", words[fit->wish.degree],

@@ -287,7 +287,8 @@ static const char *const help[] = {
 static const char *const brief[] = {
     "usage: invcal simulate [options]\n"
     "\n"
-    "Prints the log of a triad that is carried by hand through a set of positions: CSV with the columns\n"
+    "Prints the log of a triad that is carried by hand through a set of positions: CSV with the "
+    "columns\n"
     "t x y z, in seconds and counts. Numbers over the field are in g.\n"
     "\n"
     "  --plan SET          which positions: edges, faces, per-group:N, optimal:N ...\n"
@@ -305,4 +306,5 @@ static const char *const brief[] = {
     "  invcal simulate --plan edges --truth truth.json > log.csv\n",
     NULL};
 
-const tool_command simulate_command = {"simulate", "the log of a simulated sensor", help, run, brief};
+const tool_command simulate_command = {"simulate", "the log of a simulated sensor", help, run,
+                                       brief};

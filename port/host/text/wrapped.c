@@ -33,8 +33,8 @@ size_t wrapped_width(FILE *file)
     const char *stated = getenv("COLUMNS");
     char *end = NULL;
     const long columns = stated ? strtol(stated, &end, 10) : 0;
-    const size_t width = columns > 0 && columns < SENSIBLE && *end == '\0' ? (size_t)columns
-                                                                           : terminal_width(file);
+    const size_t width =
+        columns > 0 && columns < SENSIBLE && *end == '\0' ? (size_t)columns : terminal_width(file);
 
     return width < WRAPPED_LEAST ? WRAPPED_LEAST : width;
 }

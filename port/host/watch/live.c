@@ -15,11 +15,13 @@
 #include "cli/message.h"
 #include "fit/nominal.h"
 #include "text/paint.h"
+#include "text/wrapped.h"
 #include "read/samples.h"
 
-#define RENEW 4u          /* positions whose range says more than the first reading */
-#define FAR_OFF 0.7       /* mean of unit vectors that differ less than positions do */
-#define HOLD_MAX 60       /* seconds: what the first rest tells is cut off there */
+#define RENEW 4u    /* positions whose range says more than the first reading */
+#define FAR_OFF 0.7 /* mean of unit vectors that differ less than positions do */
+#define HOLD_MAX 60 /* seconds: what the first rest tells is cut off there */
+#define SIGMA_MAX 200
 #define HOLD_LONGEST 3600 /* seconds that can be demanded */
 
 /* All are too large for the stack. */
@@ -102,7 +104,7 @@ static void say_next(stage *s)
         (void)invcal_session_next_words(&session, text);
     }
     if (*text) {
-        fprintf(s->wish->talk, "next: %s\n", text);
+        wrapped_printf(s->wish->talk, 6, "next: %s", text);
     }
 }
 
@@ -111,28 +113,27 @@ static double largest(const double v[3])
     return fmax(v[0], fmax(v[1], v[2]));
 }
 
-static void say_kind(const stage *s, const char *what, double sigma, told_unit unit)
-{
-    fprintf(s->wish->talk, "%s ± %.2g %s", what, unit.scale * sigma, unit.unit);
-}
-
-/* How exactly everything is known, once it can be told. */
-static void say_sigma(stage *s)
+/* How exactly everything is known, once it can be told; else "". */
+static const char *sigma_text(const stage *s, char text[SIGMA_MAX])
 {
     const told_style told = s->wish->told;
     const told_unit degrees = {told_angle(TOLD_EVERYDAY).scale, "deg"};
     invcal_calibration calibration;
     invcal_quality q;
 
+    text[0] = '\0';
     if (invcal_session_solve(&session, &calibration, &q) != INVCAL_OK || q.dof == 0) {
-        return;
+        return text;
     }
     const double coverage = invcal_coverage(q.dof);
-    say_kind(s, "; to 95 %: offsets", coverage * largest(&q.sigma[INVCAL_DELTA_X]),
-             told_field(told, 1));
-    say_kind(s, ", scales", coverage * largest(&q.sigma[INVCAL_DK_X]), told_scale(told));
-    say_kind(s, ", angles", coverage * largest(&q.sigma[INVCAL_GAMMA_XY]),
-             told == TOLD_INS ? told_angle(told) : degrees);
+    const told_unit field = told_field(told, 1);
+    const told_unit scale = told_scale(told);
+    const told_unit angle = told == TOLD_INS ? told_angle(told) : degrees;
+    snprintf(text, SIGMA_MAX, "; to 95 %%: offsets ± %.2g %s, scales ± %.2g %s, angles ± %.2g %s",
+             field.scale * coverage * largest(&q.sigma[INVCAL_DELTA_X]), field.unit,
+             scale.scale * coverage * largest(&q.sigma[INVCAL_DK_X]), scale.unit,
+             angle.scale * coverage * largest(&q.sigma[INVCAL_GAMMA_XY]), angle.unit);
+    return text;
 }
 
 static void say_end(FILE *talk, const char *word, const char *what)
@@ -146,10 +147,10 @@ typedef enum { USED, ENOUGH, FINISHED } outcome;
 
 static void say_taken(stage *s, outcome what)
 {
+    char text[SIGMA_MAX];
+
     end_line(s);
-    fprintf(s->wish->talk, "position %u taken", s->taken);
-    say_sigma(s);
-    fprintf(s->wish->talk, "\n");
+    wrapped_printf(s->wish->talk, 2, "position %u taken%s", s->taken, sigma_text(s, text));
     if (s->wish->set) {
         live_program_say_wrong(&followed, s->wish->talk);
     }
@@ -168,8 +169,8 @@ static void say_refused(stage *s, int is_left)
     }
     s->is_refused = !is_left;
     end_line(s);
-    fprintf(s->wish->talk, "%srefused:%s %s\n", paint_on(s->wish->talk, PAINT_RED),
-            paint_off(s->wish->talk), rests_reason_text(invcal_session_reason(&session)));
+    wrapped_printf(s->wish->talk, 2, "%srefused:%s %s", paint_on(s->wish->talk, PAINT_RED),
+                   paint_off(s->wish->talk), rests_reason_text(invcal_session_reason(&session)));
 }
 
 /* What the stream was taken for: whoever sees a wrong column can stop at once. */
@@ -182,7 +183,8 @@ static void say_recognised(const stage *s)
         seen.unit = s->wish->unit;
         seen.unit_from = UNIT_FROM_OPTION;
     }
-    fprintf(s->wish->talk, "%s: %s\n", s->p->name, columns_describe(&seen, text, sizeof text));
+    wrapped_printf(s->wish->talk, 0, "%s: %s", s->p->name,
+                   columns_describe(&seen, text, sizeof text));
 }
 
 /* ---- zero and scale ---------------------------------------------------------------------------- */
@@ -433,6 +435,7 @@ static int hold_by_noise(const live_wish *wish)
 {
     double longest = 0;
     double floor = 0;
+    char limit[80] = "";
 
     for (unsigned i = 0; i < 3; i++) {
         invcal_dwell d;
@@ -447,11 +450,10 @@ static int hold_by_noise(const live_wish *wish)
         floor = d.end == INVCAL_DWELL_FLOOR ? fmax(floor, d.sigma * wish->field) : floor;
     }
     hold(longest);
-    fprintf(wish->talk, "each position: %.3g s by the noise measured", longest);
     if (floor > 0) {
-        fprintf(wish->talk, "; longer does not help: a mean is good to %.2g", floor);
+        snprintf(limit, sizeof limit, "; longer does not help: a mean is good to %.2g", floor);
     }
-    fprintf(wish->talk, "\n");
+    wrapped_printf(wish->talk, 2, "each position: %.3g s by the noise measured%s", longest, limit);
     return EXIT_GOOD;
 }
 

@@ -4,6 +4,7 @@
 #include <math.h>
 
 #include "text/paint.h"
+#include "text/wrapped.h"
 
 #define FOLLOWED 3u  /* positions of a program that tell zero and scale, if they are these */
 #define FAR_ZERO 0.3 /* over the field */
@@ -107,14 +108,16 @@ static const program *foreseen(const live_program *l)
 void live_program_say_good(const live_program *l, FILE *talk)
 {
     char text[PROGRAM_TEXT_MAX];
+    char words[PROGRAM_TEXT_MAX + 80];
+    char but[40] = "";
     const program *soon = foreseen(l);
 
-    fprintf(talk, "good");
     if (is_astray(soon, l->now.asked)) {
-        fprintf(talk, ", but not position %u", l->now.asked + 1);
+        snprintf(but, sizeof but, ", but not position %u", l->now.asked + 1);
     }
     (void)program_angles_text(soon, text);
-    fprintf(talk, ": move on%s%s", *text ? " to " : "", text);
+    snprintf(words, sizeof words, "good%s: move on%s%s", but, *text ? " to " : "", text);
+    (void)wrapped_words(talk, 0, 2, words);
 }
 
 void live_program_say_wrong(const live_program *l, FILE *talk)
@@ -122,15 +125,15 @@ void live_program_say_wrong(const live_program *l, FILE *talk)
     char text[PROGRAM_TEXT_MAX];
 
     if (l->astray > 0) {
-        fprintf(talk, "%swrong position:%s %s. It is used all the same\n",
-                paint_on(talk, PAINT_YELLOW), paint_off(talk),
-                program_wrong_text(&l->now, l->wanted, text));
+        wrapped_printf(talk, 2, "%swrong position:%s %s. It is used all the same",
+                       paint_on(talk, PAINT_YELLOW), paint_off(talk),
+                       program_wrong_text(&l->now, l->wanted, text));
     }
     if (l->astray == ASTRAY) {
-        fprintf(talk,
-                "%u wrong in a row: are alpha and beta exchanged, is the sense of one reversed, "
-                "or its zero elsewhere?\n",
-                ASTRAY);
+        wrapped_printf(talk, 2,
+                       "%u wrong in a row: are alpha and beta exchanged, is the sense of one "
+                       "reversed, or its zero elsewhere?",
+                       ASTRAY);
     }
 }
 
@@ -139,6 +142,7 @@ void live_program_say_missing(const live_program *l, FILE *talk)
     char text[PROGRAM_TEXT_MAX];
 
     if (l->now.asked < l->now.set->count) {
-        fprintf(talk, "of the program not visited: %s\n", program_missing_text(&l->now, text));
+        wrapped_printf(talk, 2, "of the program not visited: %s",
+                       program_missing_text(&l->now, text));
     }
 }
