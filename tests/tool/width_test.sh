@@ -133,7 +133,7 @@ fits allan rest.csv --to 59 --unit mg --sigma 100
 fits plan
 fits plan --faces
 fits plan --per-group 7 --noise 0.0001
-fits plan --per-group 1000
+fits plan --per-group 300
 fits plan --stand-24 --noise 0.0001 --units ins --bound 0.0002 --settle 2.5 --warm-up 600
 fits plan --optimal 12 --grid 30 --weights --noise 0.0001 --bound 0.0002
 fits plan --icosahedron --weights

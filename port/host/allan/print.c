@@ -23,7 +23,7 @@ static void print_rows(FILE *file, const allan_result *r)
 {
     char text[FIGURE_MAX];
 
-    tabular_begin("rrrrrr");
+    tabular_begin(file, "rrrrrr");
     tabular_heading("tau, s|x|y|z|+- %|differences");
     for (unsigned k = 0; k < r->rows; k++) {
         const allan_row *row = &r->row[k];
@@ -35,7 +35,7 @@ static void print_rows(FILE *file, const allan_result *r)
         tabular_cell("%lu", (unsigned long)row->count);
         tabular_row();
     }
-    tabular_print(file);
+    tabular_end();
     putc('\n', file);
 }
 
@@ -78,7 +78,7 @@ static void add_minimum(const allan_result *r)
 
 static void print_noise(FILE *file, const allan_result *r)
 {
-    tabular_begin("lrrrr");
+    tabular_begin(file, "lrrrr");
     tabular_heading("|x|y|z|+- %");
     for (unsigned k = 0; k < ALLAN_LINES; k++) {
         if (allan_has_line(r, &allan_lines[k])) {
@@ -86,7 +86,7 @@ static void print_noise(FILE *file, const allan_result *r)
         }
     }
     add_minimum(r);
-    tabular_print(file);
+    tabular_end();
     putc('\n', file);
 }
 

@@ -63,7 +63,7 @@ void labour_print(FILE *file, const labour *l)
     if (l->warm_up > 0) {
         fprintf(file, "%.6g s to warm up, before the first\n\n", l->warm_up);
     }
-    tabular_begin("lrrrrrl");
+    tabular_begin(file, "lrrrrrl");
     tabular_cell("%s", "");
     tabular_cell("positions");
     tabular_cell("dwell, s");
@@ -72,7 +72,7 @@ void labour_print(FILE *file, const labour *l)
     tabular_cell("what binds");
     tabular_row_in(PAINT_BOLD);
     const int is_beyond = add_rows(l);
-    tabular_print(file);
+    tabular_end();
     if (is_beyond) {
         wrapped_line(file, 0, 0, "* longer than the averaging times that the noise is known at");
     }

@@ -21,7 +21,7 @@ static void print_positions(FILE *file, const design *d)
 
     wrapped_printf(file, 0,
                    "alpha, beta: angles of the stand, degrees; x y z: up in the case's frame");
-    tabular_begin(d->has_shares ? "rrrrrrrr" : "rrrrrrr");
+    tabular_begin(file, d->has_shares ? "rrrrrrrr" : "rrrrrrr");
     tabular_heading(has_groups ? "position|group|alpha|beta|x|y|z|share"
                                : "position||alpha|beta|x|y|z|share");
     for (unsigned i = 0; i < d->count; i++) {
@@ -37,7 +37,7 @@ static void print_positions(FILE *file, const design *d)
         tabular_cell("%.6f", p->share / d->count);
         tabular_row();
     }
-    tabular_print(file);
+    tabular_end();
     putc('\n', file);
 }
 
@@ -108,7 +108,7 @@ static void print_bound(FILE *file, const design *d, double error, told_style to
     wrapped_printf(
         file, 0, "%sguaranteed%s, if no position mean is off by more than %.4g %s; times that",
         paint_on(file, PAINT_BOLD), paint_off(file), units[0].scale * error, units[0].unit);
-    tabular_begin("lrrrr");
+    tabular_begin(file, "lrrrr");
     for (unsigned k = 0; k < PLAN_KINDS; k++) {
         const double *b = &bound[3 * (size_t)k];
         tabular_cell("  %s", plan_kinds[k]);
@@ -119,7 +119,7 @@ static void print_bound(FILE *file, const design *d, double error, told_style to
                      units[k].unit);
         tabular_row();
     }
-    tabular_print(file);
+    tabular_end();
 }
 
 /* What invcal calibrate would say of such a set, and how it stands to the limits. */
@@ -220,7 +220,7 @@ static void print_choice(FILE *file, const choice *c, const choice_request *requ
     static const char *const families[] = {"stand program", "free directions"};
 
     fprintf(file, "sigma, times the noise of a position mean\n\n");
-    tabular_begin(request->limits ? "lrrrrrr" : "lrrrrr");
+    tabular_begin(file, request->limits ? "lrrrrrr" : "lrrrrr");
     tabular_heading("|positions|minutes|offsets|scales|angles|worst/limit");
     if (request->limits) {
         add_limits(request->limits);
@@ -234,7 +234,7 @@ static void print_choice(FILE *file, const choice *c, const choice_request *requ
             tabular_row();
         }
     }
-    tabular_print(file);
+    tabular_end();
     wrapped_printf(file, 0, "%sChosen:%s %s, %s, with %u position%s to spare or more%s",
                    paint_on(file, PAINT_GREEN), paint_off(file), c->set[c->chosen]->name,
                    request->limits ? "the smallest within the limits"
@@ -319,7 +319,7 @@ void plan_print_sweep(FILE *file, const plan_sweep *s)
 
     wrapped_printf(file, 0, "The paper's programs; sigma times the noise of a position mean");
     putc('\n', file);
-    tabular_begin("rrrrrrrr");
+    tabular_begin(file, "rrrrrrrr");
     tabular_heading("N|positions|offsets|scales|angles|condition|ln det H'H|axes up");
     for (unsigned i = 0; i < s->count; i++) {
         const criteria *c = &s->rows[i].criteria;
@@ -334,7 +334,7 @@ void plan_print_sweep(FILE *file, const plan_sweep *s)
                                                          : "all six");
         tabular_row();
     }
-    tabular_print(file);
+    tabular_end();
 }
 
 /* A property of two sets in the last columns of the table. */
@@ -388,7 +388,7 @@ void plan_print_comparison(FILE *file, const design *a, const design *b,
                    "Two sets; sigma times the noise of a position mean; ratio of the second to the "
                    "first");
     putc('\n', file);
-    tabular_begin("lrrr");
+    tabular_begin(file, "lrrr");
     tabular_cell("%s", "");
     tabular_cell("%.23s", a->name);
     tabular_cell("%.23s", b->name);
@@ -411,5 +411,5 @@ void plan_print_comparison(FILE *file, const design *a, const design *b,
     tabular_cell("%.6g", q->log_det);
     tabular_row();
     add_axes(a, b);
-    tabular_print(file);
+    tabular_end();
 }

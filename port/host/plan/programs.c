@@ -58,7 +58,7 @@ static void print_expected(FILE *file, const plan_programs *p, const choice_requ
     putc('\n', file);
     wrapped_printf(file, 0, "with %.4g %s of noise in a position mean", unit.scale * noise,
                    unit.unit);
-    tabular_begin("lrrr");
+    tabular_begin(file, "lrrr");
     for (unsigned i = 0; i < PLAN_PROGRAMS; i++) {
         tabular_cell("%s", p->set[i].name);
         for (unsigned k = 0; k < PLAN_KINDS; k++) {
@@ -67,18 +67,18 @@ static void print_expected(FILE *file, const plan_programs *p, const choice_requ
         }
         tabular_row();
     }
-    tabular_print(file);
+    tabular_end();
 }
 
 void plan_programs_print(FILE *file, const plan_programs *p, const choice_request *request)
 {
     fprintf(file, "The programs; sigma times the noise of a position mean\n\n");
-    tabular_begin("lrrrrrrrr");
+    tabular_begin(file, "lrrrrrrrr");
     tabular_heading("|positions|minutes|offsets|scales|angles|condition|ln det H'H|axes missing");
     for (unsigned i = 0; i < PLAN_PROGRAMS; i++) {
         add_program(&p->set[i], p->paper, &request->cost);
     }
-    tabular_print(file);
+    tabular_end();
     if (request->cost.noise > 0) {
         print_expected(file, p, request);
     }

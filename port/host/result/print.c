@@ -389,7 +389,7 @@ static void print_parameters(FILE *file, const calibrate_result *result, const c
 {
     const int known = calibrate_knows_noise(result);
 
-    tabular_begin("lrlrr");
+    tabular_begin(file, "lrlrr");
     tabular_cell("%s", "");
     tabular_cell("calibrated");
     tabular_cell("± sigma");
@@ -403,7 +403,7 @@ static void print_parameters(FILE *file, const calibrate_result *result, const c
     }
     add_errors(result, known);
     calibrate_nonlinear_rows(result);
-    tabular_print(file);
+    tabular_end();
 }
 
 void calibrate_print(FILE *file, const calibrate_result *result, const calibrate_wish *wish)

@@ -54,7 +54,7 @@ static void print_slopes(FILE *file, const calibrate_result *r)
     const int known = calibrate_knows_noise(r);
     char text[FIGURE_MAX];
 
-    tabular_begin("lrl");
+    tabular_begin(file, "lrl");
     for (unsigned p = 0; p < INVCAL_PARAMETERS; p++) {
         const slope_unit u = unit_of(r, p);
         const double spread = known ? u.scale * fit->slope_sigma[p] : 0;
@@ -65,7 +65,7 @@ static void print_slopes(FILE *file, const calibrate_result *r)
         tabular_note("%s%s", u.unit, fit->calibration.fitted > 1 ? ", at that temperature" : "");
         tabular_row();
     }
-    tabular_print(file);
+    tabular_end();
 }
 
 void calibrate_print_thermal(FILE *file, const calibrate_result *r)

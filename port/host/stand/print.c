@@ -12,7 +12,7 @@ static void print_mounting(FILE *file, const mounting *m, told_unit unit)
 {
     char text[FIGURE_MAX];
 
-    tabular_begin("lrl");
+    tabular_begin(file, "lrl");
     for (unsigned i = 0; i < 3; i++) {
         const double angle = unit.scale * m->angle[i];
         const double one = unit.scale * m->sigma[i];
@@ -23,7 +23,7 @@ static void print_mounting(FILE *file, const mounting *m, told_unit unit)
         tabular_note("%s, of the unit on the stand", unit.unit);
         tabular_row();
     }
-    tabular_print(file);
+    tabular_end();
     if (*stand_turned_far(m)) {
         wrapped_line(file, 0, 0, stand_turned_far(m));
     }
@@ -40,7 +40,7 @@ static void print_vertical(FILE *file, const stand_vertical *v, const double x[I
         fprintf(file, "J1            these directions leave parameters open\n");
         return;
     }
-    tabular_begin("lrlrr");
+    tabular_begin(file, "lrlrr");
     tabular_heading("|by J1|± sigma|by lengths|difference");
     for (unsigned r = 0; r < INVCAL_PARAMETERS; r++) {
         const double scale = unit[r / 3].scale;
@@ -54,7 +54,7 @@ static void print_vertical(FILE *file, const stand_vertical *v, const double x[I
         tabular_note("%s", unit[r / 3].unit);
         tabular_row();
     }
-    tabular_print(file);
+    tabular_end();
 }
 
 static void print_missets(FILE *file, const stand *s)
@@ -85,9 +85,7 @@ static unsigned worst_closure(const group_series *s)
 
 static void print_coefficients(FILE *file, const group_series *s)
 {
-    unsigned rows = 0;
-
-    tabular_begin("lrrrrr");
+    tabular_begin(file, "lrrrrr");
     tabular_heading("|a0|a1|b1|a2|b2");
     for (unsigned g = 0; g < INVCAL_PLAN_GROUPS; g++) {
         if (s->is_determined[g]) {
@@ -96,12 +94,9 @@ static void print_coefficients(FILE *file, const group_series *s)
                 tabular_cell("%+.3e", s->coefficient[g][i]);
             }
             tabular_row();
-            rows++;
         }
     }
-    if (rows > 0) {
-        tabular_print(file);
-    }
+    tabular_end();
 }
 
 static void print_series(FILE *file, const group_series *s)

@@ -18,6 +18,7 @@ typedef struct {
 } row;
 
 static struct {
+    FILE *file;
     char alignment[TABULAR_COLUMNS + 1];
     unsigned columns;
     unsigned rows; /* complete */
@@ -27,16 +28,25 @@ static struct {
     size_t notes;                  /* and note, with its gap */
 } table;
 
+static row *open_row(void)
+{
+    return &table.row[table.rows];
+}
+
+static int is_heading(const row *r)
+{
+    return r == table.row && r->is_painted && r->colour == PAINT_BOLD;
+}
+
 static void clear_row(void)
 {
-    if (table.rows < TABULAR_ROWS) {
-        memset(&table.row[table.rows], 0, sizeof table.row[0]);
-    }
+    memset(open_row(), 0, sizeof *open_row());
     table.at = 0;
 }
 
-void tabular_begin(const char *alignment)
+void tabular_begin(FILE *file, const char *alignment)
 {
+    table.file = file;
     snprintf(table.alignment, sizeof table.alignment, "%s", alignment);
     table.columns = (unsigned)strlen(table.alignment);
     table.rows = 0;
@@ -48,8 +58,8 @@ void tabular_cell(const char *format, ...)
     va_list arguments;
 
     va_start(arguments, format);
-    if (table.rows < TABULAR_ROWS && table.at < table.columns) {
-        vsnprintf(table.row[table.rows].cell[table.at++], TABULAR_CELL, format, arguments);
+    if (table.at < table.columns) {
+        vsnprintf(open_row()->cell[table.at++], TABULAR_CELL, format, arguments);
     }
     va_end(arguments);
 }
@@ -59,26 +69,24 @@ void tabular_note(const char *format, ...)
     va_list arguments;
 
     va_start(arguments, format);
-    if (table.rows < TABULAR_ROWS) {
-        vsnprintf(table.row[table.rows].note, TABULAR_CELL, format, arguments);
-    }
+    vsnprintf(open_row()->note, TABULAR_CELL, format, arguments);
     va_end(arguments);
 }
 
 void tabular_row(void)
 {
-    if (table.rows < TABULAR_ROWS) {
-        table.rows++;
+    table.rows++;
+    if (table.rows == TABULAR_ROWS) {
+        tabular_end();
+        table.rows = is_heading(table.row) ? 1 : 0;
     }
     clear_row();
 }
 
 void tabular_row_in(paint colour)
 {
-    if (table.rows < TABULAR_ROWS) {
-        table.row[table.rows].is_painted = 1;
-        table.row[table.rows].colour = colour;
-    }
+    open_row()->is_painted = 1;
+    open_row()->colour = colour;
     tabular_row();
 }
 
@@ -95,16 +103,6 @@ void tabular_heading(const char *names)
         name += length + 1;
     }
     tabular_row_in(PAINT_BOLD);
-}
-
-static int is_heading(const row *r)
-{
-    return r == table.row && r->is_painted && r->colour == PAINT_BOLD;
-}
-
-static size_t gap(unsigned column)
-{
-    return column == 0 ? 0 : table.alignment[column] == 'l' ? NEAR : GAP;
 }
 
 static size_t larger(size_t a, size_t b)
@@ -124,6 +122,11 @@ static void measure(void)
         }
         table.notes = larger(table.notes, note > 0 ? note + GAP : 0);
     }
+}
+
+static size_t gap(unsigned column)
+{
+    return column == 0 ? 0 : table.alignment[column] == 'l' ? NEAR : GAP;
 }
 
 /* Where the part of the table ends that begins with column `from`: so many as have room beside the first
@@ -155,7 +158,7 @@ static int has_cell(const row *r, unsigned from, unsigned end)
 }
 
 /* One cell in its place; the blanks behind the last one are left out: `blanks` of them are due. */
-static void print_cell(FILE *file, const row *r, unsigned column, size_t *blanks)
+static void print_cell(const row *r, unsigned column, size_t *blanks)
 {
     const char *text = r->cell[column];
     const size_t free = table.width[column] - utf8_columns(text);
@@ -163,29 +166,29 @@ static void print_cell(FILE *file, const row *r, unsigned column, size_t *blanks
 
     *blanks += gap(column) + (is_left ? 0 : free);
     if (*text != '\0') {
-        fprintf(file, "%*s%s", (int)*blanks, "", text);
+        fprintf(table.file, "%*s%s", (int)*blanks, "", text);
         *blanks = 0;
     }
     *blanks += is_left ? free : 0;
 }
 
-static void print_row(FILE *file, const row *r, unsigned from, unsigned end, int has_note)
+static void print_row(const row *r, unsigned from, unsigned end, int has_note)
 {
     size_t blanks = 0;
 
-    fputs(r->is_painted ? paint_on(file, r->colour) : "", file);
-    print_cell(file, r, 0, &blanks);
+    fputs(r->is_painted ? paint_on(table.file, r->colour) : "", table.file);
+    print_cell(r, 0, &blanks);
     for (unsigned c = from; c < end; c++) {
-        print_cell(file, r, c, &blanks);
+        print_cell(r, c, &blanks);
     }
     if (has_note && *r->note != '\0') {
-        fprintf(file, "%*s%s", (int)(blanks + GAP), "", r->note);
+        fprintf(table.file, "%*s%s", (int)(blanks + GAP), "", r->note);
     }
-    fprintf(file, "%s\n", r->is_painted ? paint_off(file) : "");
+    fprintf(table.file, "%s\n", r->is_painted ? paint_off(table.file) : "");
 }
 
 /* The columns from ... end - 1 of all rows. A note above serves all rows that share it. */
-static void print_part(FILE *file, unsigned from, unsigned end, int notes_above, int notes_behind)
+static void print_part(unsigned from, unsigned end, int notes_above, int notes_behind)
 {
     const char *note = "";
 
@@ -196,17 +199,20 @@ static void print_part(FILE *file, unsigned from, unsigned end, int notes_above,
         }
         if (notes_above && !is_heading(r) && strcmp(note, r->note) != 0) {
             note = r->note;
-            fprintf(file, "%s%s\n", *note != '\0' ? "in " : "", note);
+            fprintf(table.file, "%s%s\n", *note != '\0' ? "in " : "", note);
         }
-        print_row(file, r, from, end, notes_behind);
+        print_row(r, from, end, notes_behind);
     }
 }
 
-void tabular_print(FILE *file)
+void tabular_end(void)
 {
-    const size_t room = wrapped_width(file);
+    const size_t room = wrapped_width(table.file);
     unsigned from = 1;
 
+    if (table.rows <= (is_heading(table.row) ? 1u : 0u)) {
+        return;
+    }
     measure();
     size_t whole = table.width[0] + table.notes;
     for (unsigned c = 1; c < table.columns; c++) {
@@ -216,9 +222,9 @@ void tabular_print(FILE *file)
     while (from < table.columns) {
         const unsigned end = part_end(from, notes_behind ? room - table.notes : room);
         if (from > 1) {
-            putc('\n', file);
+            putc('\n', table.file);
         }
-        print_part(file, from, end, table.notes > 0 && !notes_behind && from == 1, notes_behind);
+        print_part(from, end, table.notes > 0 && !notes_behind && from == 1, notes_behind);
         from = end;
     }
 }

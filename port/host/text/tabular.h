@@ -18,13 +18,13 @@
 #define TABULAR_FORMAT
 #endif
 
-#define TABULAR_ROWS 3072u /* a heading and all positions of a set (design.h); more are left out */
+#define TABULAR_ROWS 128u /* after so many the heading comes again, and widths are found anew */
 #define TABULAR_COLUMNS 10u
 #define TABULAR_CELL 40u /* bytes of a cell or note; more are cut off */
 
-/* Forgets the last one. Each letter is a column: r to the right, l to the left and close behind the one
- * before, which it stays with. */
-void tabular_begin(const char *alignment);
+/* Begins a table. Each letter is a column: r to the right, l to the left and close behind the one before,
+ * which it stays with. */
+void tabular_begin(FILE *file, const char *alignment);
 
 /* The next cell of the row, cut off where there is no room; and what is said behind it. */
 void tabular_cell(const char *format, ...) TABULAR_FORMAT;
@@ -37,6 +37,7 @@ void tabular_row_in(paint colour);
 /* That, of the names of the columns with a | between. */
 void tabular_heading(const char *names);
 
-void tabular_print(FILE *file);
+/* Prints what has not been yet; nothing, if there is a heading only. */
+void tabular_end(void);
 
 #endif

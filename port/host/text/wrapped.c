@@ -11,7 +11,7 @@
 #include "text/utf8.h"
 
 #define PIPED 80u
-#define WIDEST 100u /* of a text: longer lines are hard to read */
+#define WIDEST 100u /* of a text on a terminal that is wider: longer lines are hard to read */
 #define SENSIBLE 10000
 #define TEXT_MAX 8192
 
@@ -28,17 +28,33 @@ static size_t terminal_width(FILE *file)
     return PIPED;
 }
 
-size_t wrapped_width(FILE *file)
+/* COLUMNS, or 0. */
+static size_t stated_width(void)
 {
     const char *stated = getenv("COLUMNS");
     char *end = NULL;
     const long columns = stated ? strtol(stated, &end, 10) : 0;
-    const size_t width =
-        columns > 0 && columns < SENSIBLE && *end == '\0' ? (size_t)columns : terminal_width(file);
+
+    return columns > 0 && columns < SENSIBLE && *end == '\0' ? (size_t)columns : 0;
+}
+
+size_t wrapped_width(FILE *file)
+{
+    const size_t stated = stated_width();
+    const size_t width = stated > 0 ? stated : terminal_width(file);
 
     return width < WRAPPED_LEAST ? WRAPPED_LEAST : width;
 }
 
+/* Of texts. */
+static size_t text_width(FILE *file)
+{
+    const size_t width = wrapped_width(file);
+
+    return width > WIDEST && stated_width() == 0 ? WIDEST : width;
+}
+
+/* The bytes up to the next blank; in a command, to the next that is not in quotes. */
 static size_t part_length(const char *text, int is_command)
 {
     size_t length = 0;
@@ -66,8 +82,7 @@ static size_t word_length(const char *text, int is_command)
 /* `joint` stands where a line is broken, in a command. */
 static size_t fill(FILE *file, size_t at, size_t indent, const char *text, const char *joint)
 {
-    const size_t widest = wrapped_width(file);
-    const size_t width = (widest < WIDEST ? widest : WIDEST) - strlen(joint);
+    const size_t width = text_width(file) - strlen(joint);
 
     while (*text != '\0') {
         const size_t blanks = strspn(text, " ");
