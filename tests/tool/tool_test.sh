@@ -150,7 +150,6 @@ accepts "the demo runs" calibrate "$data/xsens_mti_positions.csv" --positions --
     --zero 33123,33276,32360 --lsb 0.002409639,0.002421308,0.002409639 --nominal-name factory
 ascii "$work/stdout"
 cp "$work/ascii" "$work/demo"
-check "the table is at most 100 columns wide" awk 'length > 100 { exit 1 }' "$work/demo"
 check "the table names the file, the positions and the field" matches "$work/demo" \
     'xsens_mti_positions.csv: 38 positions, field 9.81744 m/s2$'
 check "the table has the nominal column's name" matches "$work/demo" 'calibrated .* factory '

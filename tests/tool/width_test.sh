@@ -18,7 +18,7 @@ wider() { # FILE COLUMNS
     LC_ALL=C sed "s/$escape\[[0-9;]*m//g" "$1" | LC_ALL=C tr -d "$bytes" |
         LC_ALL=C awk -v most="$2" 'length > most'
 }
-printf '%s\n' '±±±' 'a²c4' "$escape[1mabcd$escape[0m" > "$work/ruler"
+printf '%s\n' '±±±' 'a²c4' "${escape}[1mabcd${escape}[0m" > "$work/ruler"
 check "the ruler measures characters" [ -z "$(wider "$work/ruler" 4)" ]
 check "and notices one too many" [ "$(wider "$work/ruler" 3 | wc -l)" -eq 2 ]
 

@@ -67,13 +67,14 @@ static size_t part_length(const char *text, int is_command)
     return length;
 }
 
-/* The bytes of the next word: an option has its value with it, and in a command what is in quotes is a part
- * of one. */
+/* The bytes of the next word: an option has its value with it, and ± its number; in a command what is in
+ * quotes is a part of one. */
 static size_t word_length(const char *text, int is_command)
 {
     const size_t length = part_length(text, is_command);
     const char *value = text + length + 1;
-    const int is_option = strncmp(text, "--", 2) == 0 || strncmp(text, "[--", 3) == 0;
+    const int is_option = strncmp(text, "--", 2) == 0 || strncmp(text, "[--", 3) == 0 ||
+                          strncmp(text, "± ", strlen("± ")) == 0;
     const int has_value = text[length] == ' ' && *value != '\0' && strchr(" -|>&", *value) == NULL;
 
     return is_option && has_value ? length + 1 + part_length(value, is_command) : length;
