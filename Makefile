@@ -89,7 +89,7 @@ demo: $(BUILD)/invcal ## from a raw log to calibrated readings; then a real sens
 	$(BUILD)/invcal apply $(BUILD)/demo-cal.json $(BUILD)/demo-log.csv > $(BUILD)/demo-calibrated.csv
 	@sed -n '1,4p' $(BUILD)/demo-log.csv; echo '... becomes'; sed -n '1,4p' $(BUILD)/demo-calibrated.csv
 	@echo
-	@echo 'Xsens MTi, 38 hand-held rest positions in raw counts; "factory" are its maker'"'"'s figures.'
+	@echo 'Xsens MTi, 38 rest positions by hand, raw counts; "factory" are its maker'"'"'s.'
 	@echo
 	$(BUILD)/invcal calibrate tests/data/xsens_mti_positions.csv --positions \
 	    --gravity 9.81744 --zero 33123,33276,32360 \

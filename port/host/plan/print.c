@@ -19,8 +19,7 @@ static void print_positions(FILE *file, const design *d)
     const int has_groups = design_has_groups(d);
     char text[PLAN_WORDS_MAX];
 
-    wrapped_printf(file, 0,
-                   "alpha, beta: the stand, degrees; x y z: up in the case's frame");
+    wrapped_printf(file, 0, "alpha, beta: the stand, degrees; x y z: up in the case's frame");
     tabular_begin(file, d->has_shares ? "rrrrrrrr" : "rrrrrrr");
     tabular_heading(has_groups ? "position|group|alpha|beta|x|y|z|share"
                                : "position||alpha|beta|x|y|z|share");

@@ -6,8 +6,6 @@
 #include <string.h>
 #include <unistd.h>
 
-#include "text/utf8.h"
-
 /* See no-color.org. A terminal that does not name itself is not known to understand colours. */
 static int is_wanted(FILE *file)
 {
@@ -32,9 +30,4 @@ const char *paint_on(FILE *file, paint which)
 const char *paint_off(FILE *file)
 {
     return is_wanted(file) ? "\033[0m" : "";
-}
-
-int paint_width(const char *text, int columns)
-{
-    return columns + (int)strlen(text) - (int)utf8_columns(text);
 }

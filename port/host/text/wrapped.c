@@ -67,17 +67,17 @@ static size_t part_length(const char *text, int is_command)
     return length;
 }
 
-/* The bytes of the next word: an option has its value with it, and ± its number; in a command what is in
+/* The bytes of the next word: an option has its value with it, ± its number, > its file; in a command what is in
  * quotes is a part of one. */
 static size_t word_length(const char *text, int is_command)
 {
     const size_t length = part_length(text, is_command);
     const char *value = text + length + 1;
-    const int is_option = strncmp(text, "--", 2) == 0 || strncmp(text, "[--", 3) == 0 ||
-                          strncmp(text, "± ", strlen("± ")) == 0;
+    const int is_first = strncmp(text, "--", 2) == 0 || strncmp(text, "[--", 3) == 0 ||
+                         strncmp(text, "± ", strlen("± ")) == 0 || strncmp(text, "> ", 2) == 0;
     const int has_value = text[length] == ' ' && *value != '\0' && strchr(" -|>&", *value) == NULL;
 
-    return is_option && has_value ? length + 1 + part_length(value, is_command) : length;
+    return is_first && has_value ? length + 1 + part_length(value, is_command) : length;
 }
 
 /* `joint` stands where a line is broken, in a command. */
