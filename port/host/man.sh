@@ -78,7 +78,8 @@ invcal \\- calibrate accelerometer triads by gravity alone
 for c in $commands; do
     help_of "$c" "$synopsis"
 done
-echo 'invcal \-\-help
+echo 'invcal help [COMMAND [all]]
+invcal \-\-help
 invcal COMMAND \-\-help [all]
 invcal \-\-version
 .fi

@@ -20,7 +20,7 @@
 
 #define TABULAR_ROWS 128u /* after so many the heading comes again, and widths are found anew */
 #define TABULAR_COLUMNS 10u
-#define TABULAR_CELL 40u /* bytes of a cell or note; more are cut off */
+#define TABULAR_CELL 48u /* bytes of a cell or note; more are cut off */
 
 /* Begins a table. Each letter is a column: r to the right, l to the left and close behind the one before,
  * which it stays with. */
