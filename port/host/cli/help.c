@@ -71,6 +71,13 @@ static size_t name_length(const char *line)
     return blanks && blanks < line + MEANING ? (size_t)(blanks - line) : MEANING - 1;
 }
 
+/* Or a word in the place of one. */
+static int is_option(const char *line)
+{
+    return begins(line, "  --") || (begins(line, "    ") && line[4] != ' ' &&
+                                    strlen(line) > MEANING && line[MEANING - 1] == ' ');
+}
+
 static void print_option(layout *l, const char *line)
 {
     const size_t length = name_length(line);
@@ -116,9 +123,7 @@ static void print_text(layout *l, const char *line)
     } else if (l->open == USE || (l->open == OPTION && indent == MEANING) ||
                (l->open == PARAGRAPH && l->indent == indent)) {
         go_on(l, text);
-    } else if (indent == 2 && begins(text, "--")) {
-        print_option(l, line);
-    } else if (indent == 4 && strlen(line) > MEANING && line[MEANING - 1] == ' ') {
+    } else if (is_option(line)) {
         print_option(l, line);
     } else {
         open_block(l, PARAGRAPH, indent, indent);
