@@ -5,7 +5,7 @@
 # How a help is laid out: text begins in the first column, options behind two blanks and what they
 # mean from column 23 on; what is indented otherwise stays as it is.
 tool=$1
-export COLUMNS=71 # of 78, without what man indents by
+export COLUMNS=64 # of 78, without what man indents words by
 version=$("$tool" --version) || exit 1
 list=$("$tool" --help) || exit 1
 commands=$(echo "$list" | awk '/^  [a-z]/ && $1 != "invcal" { print $1 }')
