@@ -67,7 +67,7 @@ static size_t part_length(const char *text, int is_command)
     return length;
 }
 
-/* The bytes of the next word: an option has its value with it, ± its number, > its file; in a command what is in
+/* The bytes of the next word: an option has its value with it, ± and % their number, > its file; in a command what is in
  * quotes is a part of one. */
 static size_t word_length(const char *text, int is_command)
 {
@@ -77,7 +77,10 @@ static size_t word_length(const char *text, int is_command)
                          strncmp(text, "± ", strlen("± ")) == 0 || strncmp(text, "> ", 2) == 0;
     const int has_value = text[length] == ' ' && *value != '\0' && strchr(" -|>&", *value) == NULL;
 
-    return is_first && has_value ? length + 1 + part_length(value, is_command) : length;
+    const int is_percent = text[length] == ' ' && *value == '%';
+
+    return (is_first && has_value) || is_percent ? length + 1 + part_length(value, is_command)
+                                                 : length;
 }
 
 /* `joint` stands where a line is broken, in a command. */

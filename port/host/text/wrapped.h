@@ -3,7 +3,8 @@
  * text/wrapped.h: how wide a stream shows its lines, and texts broken between words to fit.
  *
  * Columns are counted as a terminal shows them (utf8.h). A word that is longer than a line stays whole,
- * as a path must; U+00A0 joins two words, an option is not parted from its value, nor ± from its number.
+ * as a path must; U+00A0 joins two words, an option is not parted from its value, nor ± or %
+ * from its number.
  */
 #ifndef WRAPPED_H
 #define WRAPPED_H
