@@ -88,7 +88,7 @@ static void what_belongs_together_stays(void)
         const char *broken;
     } cases[] = {{"--lsb 0.0006", "--lsb 0.0006"},
                  {"± 0.0006", "± 0.0006"},
-                 {"95 % of", "95 % of"},
+                 {"0.006 %", "0.006 %"},
                  {"1\302\240second", "1\302\240second"}};
     char all[200];
     char wanted[200];
