@@ -81,15 +81,18 @@ pkg-config:
 demo: $(BUILD)/invcal ## from a raw log to calibrated readings; then a real sensor's positions
 	@echo 'A simulated MPU-6050 at 2 g, carried by hand through 18 orientations, 5 seconds in each:'
 	@echo
-	$(BUILD)/invcal simulate --plan edges --truth $(BUILD)/demo-truth.json > $(BUILD)/demo-log.csv
-	$(BUILD)/invcal calibrate $(BUILD)/demo-log.csv --sensor mpu6050:2g --out $(BUILD)/demo-cal.json
+	$(BUILD)/invcal simulate --plan edges --truth $(BUILD)/demo-truth.json \
+	    > $(BUILD)/demo-log.csv
+	$(BUILD)/invcal calibrate $(BUILD)/demo-log.csv --sensor mpu6050:2g \
+	    --out $(BUILD)/demo-cal.json
 	@awk -F '[][,]' '/"offset"/ { printf "The truth, of which it was not told: offsets %.2f %.2f %.2f counts.\n", \
 	    $$2, $$3, $$4 }' $(BUILD)/demo-truth.json
 	@echo
-	$(BUILD)/invcal apply $(BUILD)/demo-cal.json $(BUILD)/demo-log.csv > $(BUILD)/demo-calibrated.csv
+	$(BUILD)/invcal apply $(BUILD)/demo-cal.json $(BUILD)/demo-log.csv \
+	    > $(BUILD)/demo-calibrated.csv
 	@sed -n '1,4p' $(BUILD)/demo-log.csv; echo '... becomes'; sed -n '1,4p' $(BUILD)/demo-calibrated.csv
 	@echo
-	@echo 'Xsens MTi, 38 hand-held rest positions in raw counts; "factory" are its maker'"'"'s figures.'
+	@echo 'Xsens MTi, 38 rest positions by hand, raw counts; "factory" are its maker'"'"'s.'
 	@echo
 	$(BUILD)/invcal calibrate tests/data/xsens_mti_positions.csv --positions \
 	    --gravity 9.81744 --zero 33123,33276,32360 \

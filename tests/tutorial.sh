@@ -70,7 +70,7 @@ compiles() { # NAME
 }
 
 (
-    unset MAKEFLAGS MAKELEVEL
+    unset MAKEFLAGS MAKELEVEL COLUMNS
     # shellcheck disable=SC2034 # the page uses it
     INVCAL=$root
     cd "$out/work" && set -e

@@ -30,11 +30,16 @@ _invcal() {
     COMPREPLY=()
     if ((COMP_CWORD == 1)); then
         choice=$("$tool" --help 2> /dev/null |
-            awk '/^  [a-z]/ && $1 != "invcal" { print $1 } END { print "--help\n--version" }')
+            awk '/^  [a-z]/ && $1 != "invcal" { print $1 } END { print "help\n--help\n--version" }')
         COMPREPLY=($(compgen -W "$choice" -- "$word"))
         return
     fi
-    help=$("$tool" "$command" --help 2> /dev/null)
+    if [[ $command == help ]]; then
+        choice=$("$tool" --help 2> /dev/null | awk '/^  [a-z]/ && $1 != "invcal" { print $1 }')
+        COMPREPLY=($(compgen -W "$choice" -- "$word"))
+        return
+    fi
+    help=$("$tool" "$command" --help all 2> /dev/null)
     # bash makes words of their own of = and :
     [[ $before == [=:] ]] && before=${COMP_WORDS[COMP_CWORD - 2]}
     [[ $word == [=:] ]] && word=

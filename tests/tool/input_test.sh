@@ -331,7 +331,7 @@ bad_line "thousands separators" "column 1 \(x\): '1,234.5' .* has thousands sepa
 bad_line "thousands separators of Switzerland" "column 2 \(y\): '1'234' .* thousands separators" \
     "x;y;z\n1;1'234;3\n"
 
-bad "a gyro alone" 'bad\.csv:1: the header names no columns x, y, z \(nor ax, .*--help\): rename the three' \
+bad "a gyro alone" 'bad\.csv:1: the header names no columns x, y, z \(nor ax, .*--help all\): rename the three' \
     'time (us),gyroADC[0],gyroADC[1],gyroADC[2],wx,wy,wz,gx,gy,gz\n0,1,2,3,4,5,6,7,8,9\n'
 bad "two axes" 'bad\.csv:1: the header names no columns x, y, z' 'ax,ay,gz\n1,2,3\n'
 bad "linear acceleration" \

@@ -17,11 +17,11 @@ accepts "--version succeeds" --version
 check "--version tells the version of invcal.h" [ "$(cat "$work/stdout")" = "invcal $(awk '
     /^#define INVCAL_VERSION_(MAJOR|MINOR|PATCH) / { v = v dot $3; dot = "." } END { print v }' \
     "$here/../../include/invcal/invcal.h")" ]
-"$tool" calibrate --help > "$work/help"
+"$tool" calibrate --help all > "$work/help"
 for o in positions gravity frame zero lsb nominal nominal-name noise prior out json quiet; do
-    check "calibrate --help explains --$o" matches "$work/help" "^  --$o "
+    check "calibrate --help all explains --$o" matches "$work/help" "^  --$o "
 done
-check "calibrate --help tells the unit of a magnetometer" matches "$work/help" '48\.5 \(uT\)'
+check "calibrate --help all tells the unit of a magnetometer" matches "$work/help" '48\.5 \(uT\)'
 
 see='see invcal calibrate --help'
 refuses "no command is refused" 2 'COMMAND is missing; see invcal --help'
@@ -151,7 +151,6 @@ accepts "the demo runs" calibrate "$data/xsens_mti_positions.csv" --positions --
     --zero 33123,33276,32360 --lsb 0.002409639,0.002421308,0.002409639 --nominal-name factory
 ascii "$work/stdout"
 cp "$work/ascii" "$work/demo"
-check "the table is at most 100 columns wide" awk 'length > 100 { exit 1 }' "$work/demo"
 check "the table names the file, the positions and the field" matches "$work/demo" \
     'xsens_mti_positions.csv: 38 positions, field 9.81744 m/s2$'
 check "the table has the nominal column's name" matches "$work/demo" 'calibrated .* factory '

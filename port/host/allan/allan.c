@@ -238,5 +238,26 @@ static const char *const help[] = {
     "  invcal allan rest.csv --to 299 --lsb 0.0006 --sigma 0.0005 --out noise.json\n",
     NULL};
 
+static const char *const brief[] = {
+    "usage: invcal allan LOG [options]\n"
+    "\n"
+    "Tells how long to hold each position, and what the noise of a sensor is made of: from a log "
+    "at rest,\n"
+    "of some minutes or hours, neither averaged nor filtered.\n"
+    "\n"
+    "  --rate HZ           samples a second; default: by the times in LOG\n"
+    "  --unit U            unit of the readings: g, mg, m/s2 or counts\n"
+    "  --lsb S             field units per input unit\n"
+    "  --sigma S           what the mean of a position is to be good to\n"
+    "  --from T, --to T    seconds after the first sample: uses only what lies between\n"
+    "  --out NOISE.json    write the result to a file, for invcal plan --allan\n"
+    "  --report R.html     write a page with the verdict, figures and a chart\n"
+    "  --json              print the result as JSON in place of the table\n"
+    "\n"
+    "example:\n"
+    "  invcal simulate --plan faces --dwell 300 > rest.csv\n"
+    "  invcal allan rest.csv --to 299 --lsb 0.0006 --sigma 0.0005 --out noise.json\n",
+    NULL};
+
 const tool_command allan_command = {"allan", "noise of a log at rest, and how long to hold still",
-                                    help, run};
+                                    help, run, brief};

@@ -262,4 +262,22 @@ static const char *const help[] = {
     "  invcal apply cal.json tests/data/mpu9150_0_positions.csv\n",
     NULL};
 
-const tool_command apply_command = {"apply", "correct the readings of a log", help, run};
+static const char *const brief[] = {
+    "usage: invcal apply CAL.json LOG [options]\n"
+    "\n"
+    "Corrects readings: calibrated = matrix (raw - offset). Prints CSV in field units, as a rule "
+    "m/s^2.\n"
+    "CAL.json is what invcal calibrate --out has written; LOG has the columns x y z, or t x y z, "
+    "or a\n"
+    "header that names them; - is the standard input.\n"
+    "\n"
+    "  --temperature T     of all readings, in place of the column; for a calibration made with\n"
+    "                      --thermal\n"
+    "  --quiet             show no progress, print only the result and errors\n"
+    "\n"
+    "example:\n"
+    "  invcal calibrate tests/data/mpu9150_0_positions.csv --positions --out cal.json\n"
+    "  invcal apply cal.json tests/data/mpu9150_0_positions.csv\n",
+    NULL};
+
+const tool_command apply_command = {"apply", "correct the readings of a log", help, run, brief};

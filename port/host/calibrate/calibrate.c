@@ -206,5 +206,29 @@ static const char *const help[] = {
     "      --zero 33123,33276,32360 --lsb 0.0024096,0.0024213,0.0024096 --out cal.json\n",
     NULL};
 
+static const char *const brief[] = {
+    "usage: invcal calibrate LOG [options]\n"
+    "\n"
+    "Calibrates accelerometers that were held still in a dozen orientations or more, at any "
+    "angle.\n"
+    "LOG is a table of samples, columns x y z or t x y z; - is the standard input.\n"
+    "\n"
+    "  --positions         each row of LOG is the mean of one position, not a sample\n"
+    "  --gravity G[+-S]    length of the field; default 9.80665+-0.027 (m/s^2)\n"
+    "  --unit U            unit of the readings: g, mg, m/s2 or counts\n"
+    "  --sensor NAME       what LOG holds counts of, as mpu6050:4g; --sensor list names them\n"
+    "  --zero X,Y,Z        or what the data sheet says: the reading in no field,\n"
+    "  --lsb S             and field units per input unit\n"
+    "  --six-faces         each axis up and down only: offsets and scales, no angles\n"
+    "  --plan SET          the positions are those of a program, in its order\n"
+    "  --need U            what lengths may be wrong by: says if they are worse\n"
+    "  --out CAL.json      write the result to a file, for invcal apply and export\n"
+    "  --report R.html     write a page with the verdict, figures and pictures\n"
+    "  --json              print the result as JSON in place of the table\n"
+    "\n"
+    "example:\n"
+    "  invcal calibrate tests/data/xsens_mti_positions.csv --positions --out cal.json\n",
+    NULL};
+
 const tool_command calibrate_command = {"calibrate", "a log, or position means, to a calibration",
-                                        help, run_calibrate};
+                                        help, run_calibrate, brief};

@@ -306,5 +306,25 @@ static const char *const help[] = {
     "  invcal export cal.json --format px4 --zero 32768,32768,32768 --lsb 0.0024\n",
     NULL};
 
+static const char *const brief[] = {
+    "usage: invcal export CAL.json --format NAME [options]\n"
+    "\n"
+    "Writes a calibration, made by invcal calibrate --out, in the format of another system.\n"
+    "\n"
+    "  --format c          C header for this library; c-arrays: two plain arrays\n"
+    "  --format fusion     C for x-io Fusion\n"
+    "  --format imu_tk     the file of imu_tk\n"
+    "  --format ros        YAML for the ROS package imu_calib\n"
+    "  --format px4        parameters for QGroundControl\n"
+    "  --format ardupilot  parameters, a .param file\n"
+    "  --zero X,Y,Z        px4, ardupilot, ros: what the driver turns into 0, input units\n"
+    "  --lsb S | SX,SY,SZ  its scale, m/s^2 per input unit\n"
+    "  --out FILE          write to a file in place of the standard output\n"
+    "\n"
+    "example:\n"
+    "  invcal calibrate tests/data/mpu9150_0_positions.csv --positions --out cal.json\n"
+    "  invcal export cal.json --format c --name accelerometer\n",
+    NULL};
+
 const tool_command export_command = {"export", "a calibration in the formats of other systems",
-                                     help, run};
+                                     help, run, brief};

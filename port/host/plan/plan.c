@@ -751,7 +751,7 @@ static const char *const help[] = {
     "                      largest (D-optimal); --dwell is then the mean\n"
     "  --bound E           how wrong each parameter can be at most, if no position mean is off by\n"
     "                      more than E of the field: E times the sum of |H+| over its row\n"
-    "  --noise S           standard deviation of the mean of one second at rest, over the field\n"
+    "  --noise S           of the mean of one second at rest, over the field\n"
     "                      (0.0001 is 0.1 mg)\n"
     "  --allan NOISE.json  noise that invcal allan --out has measured: chooses the number of\n"
     "                      positions, up to 144, and the seconds in each, 2 or more, for the\n"
@@ -795,5 +795,27 @@ static const char *const help[] = {
     "  invcal plan --angles stand.csv --bound 0.0002 --warm-up 600\n",
     NULL};
 
+static const char *const brief[] = {
+    "usage: invcal plan [--per-group N | --edges | --optimal N | ...] [options]\n"
+    "       invcal plan --limits D,K,G [--budget SECONDS] [options]\n"
+    "       invcal plan --compare SET SET | --sweep FROM:TO | --programs\n"
+    "\n"
+    "Tells which positions to visit, and how exactly they will determine the nine parameters.\n"
+    "\n"
+    "  --per-group N       the paper's program of 3 x N positions; default 6\n"
+    "  --edges             18 positions for a device that is held in the hand\n"
+    "  --optimal N         N positions, 9 to 144, with the largest determinant\n"
+    "  --limits D,K,G      the smallest set with sigmas within these limits\n"
+    "  --noise S           of the mean of one second at rest, over the field\n"
+    "  --allan NOISE.json  noise measured by invcal allan: chooses the dwell, too\n"
+    "  --svg FILE          draws the directions\n"
+    "  --report R.html     writes a page with the verdict and a work sheet\n"
+    "  --csv               print the positions only; --json: the result as JSON\n"
+    "\n"
+    "examples:\n"
+    "  invcal plan --limits 0.4,0.6,1 --svg directions.svg\n"
+    "  invcal plan --per-group 8 --noise 0.0001 --report program.html\n",
+    NULL};
+
 const tool_command plan_command = {"plan", "which positions to visit, and what they are worth",
-                                   help, run};
+                                   help, run, brief};

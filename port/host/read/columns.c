@@ -152,7 +152,7 @@ static void say_none(const table *t)
                 t->name, t->line, linear);
     } else {
         message("%s:%lu: the header names no columns x, y, z (nor ax, ay, az; acc_x, ..; see "
-                "--help): rename the three that are meant",
+                "--help all): rename the three that are meant",
                 t->name, t->line);
     }
 }

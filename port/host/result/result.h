@@ -159,12 +159,9 @@ typedef struct {
     const char *command;      /* the command line */
 } calibrate_wish;
 
-/* Breaks a text into lines between words. `used` columns of the first line are taken. */
-void calibrate_print_wrapped(FILE *file, size_t used, const char *text);
-
-/* Lines of the table, and a member of the object that is open: the nonlinearity that was fitted, and the
- * cross-check. */
-void calibrate_nonlinear_print(FILE *file, const calibrate_result *result);
+/* Rows of the table (tabular.h), a line behind it, and members of the object that is open: the nonlinearity that
+ * was fitted, and the cross-check. */
+void calibrate_nonlinear_rows(const calibrate_result *result);
 void calibrate_nonlinear_json(json_writer *w, const calibrate_result *result);
 void calibrate_robust_print(FILE *file, const calibrate_result *result);
 void calibrate_robust_json(json_writer *w, const calibrate_result *result);
@@ -172,7 +169,7 @@ void calibrate_robust_json(json_writer *w, const calibrate_result *result);
 /* The table of slopes, and what they are good for. */
 void calibrate_print_thermal(FILE *file, const calibrate_result *result);
 
-/* A table for people, 100 columns wide at most. */
+/* A table for people, as wide as the stream shows. */
 void calibrate_print(FILE *file, const calibrate_result *result, const calibrate_wish *wish);
 
 #endif

@@ -5,6 +5,9 @@
 #include <unistd.h>
 
 #include "text/paint.h"
+#include "text/wrapped.h"
+
+#define SIGMA_MAX 200
 
 static watch_news shown; /* on the line that changes */
 
@@ -40,46 +43,54 @@ static void show(const watch_state *now, watch_news what)
 
 static void say_begun(const watch_state *now)
 {
+    char limit[80] = "";
+
     shown = WATCH_BEGUN;
     if (now->hold > 0) {
-        fprintf(now->talk, "each position: %.3g s by the noise measured", now->hold);
         if (now->hold_floor > 0) {
-            fprintf(now->talk, "; longer does not help: a mean is good to %.2g", now->hold_floor);
+            snprintf(limit, sizeof limit, "; longer does not help: a mean is good to %.2g",
+                     now->hold_floor);
         }
-        fprintf(now->talk, "\n");
+        wrapped_printf(now->talk, 2, "each position: %.3g s by the noise measured%s", now->hold,
+                       limit);
     }
-    fprintf(now->talk, "%s: %s\n", now->name, now->recognised);
+    wrapped_printf(now->talk, 0, "%s: %s", now->name, now->recognised);
 }
 
 /* Where to turn next, if there is anywhere. */
 static void say_next(const watch_state *now)
 {
     if (*now->next) {
-        fprintf(now->talk, "next: %s\n", now->next);
+        wrapped_printf(now->talk, 6, "next: %s", now->next);
     }
 }
 
-/* How exactly everything is known, once it can be told. */
-static void say_sigma(const watch_state *now)
+/* How exactly everything is known, once it can be told; else "". */
+static const char *sigma_text(const watch_state *now, char text[SIGMA_MAX])
 {
-    for (unsigned k = 0; k < WATCH_KINDS && watch_knows_sigma(now); k++) {
+    size_t used = 0;
+
+    text[0] = '\0';
+    for (unsigned k = 0; k < WATCH_KINDS && watch_knows_sigma(now) && used < SIGMA_MAX; k++) {
         const told_unit unit = watch_unit(now, k);
-        fprintf(now->talk, "%s%s ± %.2g %s", k == 0 ? "; to 95 %: " : ", ", watch_kinds[k],
-                unit.scale * watch_interval(now, k), unit.unit);
+        used += (size_t)snprintf(text + used, SIGMA_MAX - used, "%s%s ± %.2g %s",
+                                 k == 0 ? "; to 95 %: " : ", ", watch_kinds[k],
+                                 unit.scale * watch_interval(now, k), unit.unit);
     }
+    return text;
 }
 
 static void say_wrong(const watch_state *now)
 {
     if (now->astray > 0) {
-        fprintf(now->talk, "%swrong position:%s %s. It is used all the same\n",
-                paint_on(now->talk, PAINT_YELLOW), paint_off(now->talk), now->wrong);
+        wrapped_printf(now->talk, 2, "%swrong position:%s %s. It is used all the same",
+                       paint_on(now->talk, PAINT_YELLOW), paint_off(now->talk), now->wrong);
     }
     if (now->astray == WATCH_ASTRAY) {
-        fprintf(now->talk,
-                "%u wrong in a row: are alpha and beta exchanged, is the sense of one reversed, "
-                "or its zero elsewhere?\n",
-                WATCH_ASTRAY);
+        wrapped_printf(now->talk, 2,
+                       "%u wrong in a row: are alpha and beta exchanged, is the sense of one "
+                       "reversed, or its zero elsewhere?",
+                       WATCH_ASTRAY);
     }
 }
 
@@ -91,10 +102,10 @@ static void say_end(const watch_state *now, const char *word, const char *what)
 
 static void say_taken(const watch_state *now)
 {
+    char text[SIGMA_MAX];
+
     end_line(now);
-    fprintf(now->talk, "position %u taken", now->taken);
-    say_sigma(now);
-    fprintf(now->talk, "\n");
+    wrapped_printf(now->talk, 2, "position %u taken%s", now->taken, sigma_text(now, text));
     say_wrong(now);
     if (now->outcome == WATCH_ENOUGH) {
         say_end(now, "enough:", "what is wanted is reached");
@@ -106,15 +117,15 @@ static void say_taken(const watch_state *now)
 static void say_refused(const watch_state *now)
 {
     end_line(now);
-    fprintf(now->talk, "%srefused:%s %s\n", paint_on(now->talk, PAINT_RED), paint_off(now->talk),
-            now->refusal);
+    wrapped_printf(now->talk, 2, "%srefused:%s %s", paint_on(now->talk, PAINT_RED),
+                   paint_off(now->talk), now->refusal);
 }
 
 static void say_ended(const watch_state *now)
 {
     end_line(now);
     if (*now->missing) {
-        fprintf(now->talk, "of the program not visited: %s\n", now->missing);
+        wrapped_printf(now->talk, 2, "of the program not visited: %s", now->missing);
     }
     fprintf(now->talk, "\n");
 }
@@ -128,7 +139,7 @@ void lines_tell(const watch_state *now, watch_news what)
         break;
     case WATCH_READY:
         if (!is_terminal(now)) {
-            fprintf(now->talk, "%s\n", now->good);
+            wrapped_line(now->talk, 0, 2, now->good);
         }
         break;
     case WATCH_TAKEN:

@@ -132,5 +132,28 @@ static const char *const watch_help[] = {
     "  invcal simulate --plan edges | invcal watch -\n",
     NULL};
 
+static const char *const watch_brief[] = {
+    "usage: invcal watch LOG [options]\n"
+    "\n"
+    "Leads through a calibration while the samples come in, as a rule on the standard input (-): "
+    "tells\n"
+    "when to hold still, when to move on and where to, and calibrates at the end. Ctrl-C ends it.\n"
+    "\n"
+    "  --plan SET          follows a set of positions: edges, faces, per-group:N, optimal:N ...\n"
+    "  --target D,K,G      sigma of offsets (over the field), scale errors and angles (rad) that "
+    "is\n"
+    "                      enough\n"
+    "  --need U            what calibrated lengths may be wrong by: says when that is reached\n"
+    "  --gravity G         length of the field; default 9.80665 (m/s^2)\n"
+    "  --unit U            unit of the readings: g, mg, m/s2 or counts\n"
+    "  --rate HZ           samples a second; default: by the column t, else 100\n"
+    "  --out CAL.json      write the result to a file, for invcal apply and export\n"
+    "  --report R.html     write a page with the verdict, figures and pictures\n"
+    "  --json              print the result as JSON, the guidance on stderr\n"
+    "\n"
+    "example:\n"
+    "  invcal simulate --plan edges | invcal watch -\n",
+    NULL};
+
 const tool_command watch_command = {"watch", "lead through a calibration, live", watch_help,
-                                    run_watch};
+                                    run_watch, watch_brief};
