@@ -10,6 +10,7 @@
 #include "cli/told.h"
 #include "fit/fit.h"
 #include "fit/thermal_fit.h"
+#include "result/record.h"
 #include "stand/stand.h"
 #include "text/unit.h"
 
@@ -45,9 +46,15 @@ enum {
     ASK_KEEP_ALL,
     ASK_TOLERANCE,
     ASK_NEED,
+    ASK_DEVICE,
+    ASK_SERIAL,
+    ASK_OPERATOR,
+    ASK_DATE,
+    ASK_NOTE,
     ASK_OUT,
     ASK_REPORT,
     ASK_JSON,
+    ASK_JSON_LINES,
     ASK_QUIET,
     ASK_OPTIONS
 };
@@ -77,6 +84,7 @@ typedef struct {
     const design *program; /* of --plan, which watch follows; or null */
     unsigned degree;       /* of --quadratic, --cubic; else 0 */
     stand_wish stand;
+    record record;
     fit_settings settings; /* all but the nominal, and the noise unless stated */
 } request;
 

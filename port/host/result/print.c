@@ -304,6 +304,19 @@ static void print_next(FILE *file, const calibrate_result *result, const calibra
     }
 }
 
+/* What the calibration is filed under. */
+static void print_record(FILE *file, const record *r)
+{
+    char text[RECORD_MAX + 16];
+
+    for (unsigned k = 0; k < RECORD_TEXTS; k++) {
+        if (*r->text[k] != '\0') {
+            snprintf(text, sizeof text, "%-14s%s", record_name((record_text)k), r->text[k]);
+            calibrate_print_wrapped(file, 0, text);
+        }
+    }
+}
+
 /* What the file was taken for. */
 static void print_recognised(FILE *file, const positions *data)
 {
@@ -396,6 +409,7 @@ void calibrate_print(FILE *file, const calibrate_result *result, const calibrate
     const int known = calibrate_knows_noise(result);
     const nominal_choice *n = &result->nominal;
 
+    print_record(file, &result->record);
     print_recognised(file, result->data);
     print_log(file, result);
     fprintf(file, "%s: %u positions, field %.7g %s\n", result->data->name, result->data->count,
