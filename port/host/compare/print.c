@@ -1,0 +1,239 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * The tables, 80 columns wide at most.
+ */
+#include <math.h>
+#include <string.h>
+
+#include "compare/compare.h"
+#include "design/parameters.h"
+#include "result/result.h"
+#include "text/figure.h"
+#include "text/number.h"
+#include "text/paint.h"
+
+#define DEVICES_LISTED 40u /* histories of so many; of more those that have changed */
+
+/* A text of so many columns. */
+static void print_cell(FILE *file, const char *text, int width)
+{
+    fprintf(file, "%*s", paint_width(text, width), text);
+}
+
+/* A value with as many digits as its sigma has; "?" if there is none. */
+static const char *digits(double x, double sigma, figure_sign sign, char text[FIGURE_MAX])
+{
+    if (!isfinite(x)) {
+        return "?";
+    }
+    return figure_fixed(x, figure_places(x, sigma), sign, text);
+}
+
+static const char *short_digits(double x, char text[FIGURE_MAX])
+{
+    return isfinite(x) ? figure_digits(x, 3, text) : "?";
+}
+
+/* ---- drift ------------------------------------------------------------------------------------- */
+
+static void print_item(FILE *file, const compare_result *r, unsigned k, unsigned number)
+{
+    char name[COMPARE_NAME_MAX];
+    char verdict[COMPARE_NAME_MAX];
+    const compare_item *item = &r->item[k];
+
+    compare_file_name(item, 48, name);
+    fprintf(file, "%4u  %-10s  %*s  %s\n", number, compare_date(item), -paint_width(name, 48), name,
+            compare_cut(item->verdict, 13, verdict));
+}
+
+static void print_drift_row(FILE *file, const compare_result *r, unsigned k, unsigned p)
+{
+    const compare_drift *d = &r->drift[k];
+    char name[COMPARE_NAME_MAX];
+    char text[FIGURE_MAX];
+    const told_unit value = compare_value_unit(r, p, name);
+    const told_unit drift = compare_drift_unit(r, p);
+    const double sigma = drift.scale * d->sigma[p];
+    const double per = value.scale * r->item[k].sigma[p];
+
+    fprintf(file, "%-9s", parameter_words(p));
+    print_cell(file, digits(value.scale * r->item[k - 1].x[p], per, FIGURE_PLAIN, text), 13);
+    print_cell(file, digits(value.scale * r->item[k].x[p], per, FIGURE_PLAIN, text), 13);
+    print_cell(file, digits(drift.scale * d->x[p], sigma, FIGURE_SIGNED, text), 13);
+    fprintf(file, " ± %-9s", digits(sigma, sigma, FIGURE_PLAIN, text));
+    fprintf(file, "%9s",
+            isfinite(d->times[p]) ? figure_fixed(d->times[p], 1, FIGURE_SIGNED, text) : "?");
+    fprintf(file, "%s\n", d->changed >> p & 1 ? "  changed" : "");
+}
+
+static void print_drift(FILE *file, const compare_result *r, unsigned k)
+{
+    const unsigned first = r->device[r->item[k].device].first;
+
+    fprintf(file, "\n%s%2u to %-2u  ", paint_on(file, PAINT_BOLD), k - first, k - first + 1);
+    fprintf(file, "%12s%13s%13s ± %-9s%9s%s\n", "before", "now", "drift", "sigma", "in sigma",
+            paint_off(file));
+    for (unsigned p = 0; p < INVCAL_PARAMETERS; p++) {
+        print_drift_row(file, r, k, p);
+    }
+}
+
+static void print_history(FILE *file, const compare_result *r, unsigned device)
+{
+    const compare_device *d = &r->device[device];
+    char name[COMPARE_NAME_MAX];
+
+    fprintf(file, "%s: %u calibrations, by %s\n",
+            compare_device_name(compare_newest(r, device), 40, name), d->count,
+            d->is_dated ? "date" : "the order of the files");
+    for (unsigned k = 0; k < d->count; k++) {
+        print_item(file, r, d->first + k, k + 1);
+    }
+    for (unsigned k = 1; k < d->count; k++) {
+        print_drift(file, r, d->first + k);
+    }
+    fprintf(file, "\n");
+}
+
+/* Of many devices those that have changed, for a screen; JSON and page have all. */
+static void print_histories(FILE *file, const compare_result *r)
+{
+    for (unsigned k = 0; k < r->devices; k++) {
+        const compare_device *d = &r->device[k];
+        const int has_changed = d->count > 1 && r->drift[d->first + d->count - 1].changed != 0;
+        if (d->count > 1 && (has_changed || r->devices <= DEVICES_LISTED)) {
+            print_history(file, r, k);
+        }
+    }
+}
+
+/* ---- fleet ------------------------------------------------------------------------------------- */
+
+/* By how many spreads a device is from the median. */
+static double spreads(const compare_result *r, unsigned device, unsigned p)
+{
+    return (compare_newest(r, device)->x[p] - r->fleet.median[p]) / r->fleet.spread[p];
+}
+
+static void print_fleet_row(FILE *file, const compare_result *r, unsigned p)
+{
+    const compare_fleet *f = &r->fleet;
+    const told_unit drift = compare_drift_unit(r, p);
+    const double per = fabs(compare_per(f->median, r->field, p)) / drift.scale;
+    const unsigned far = f->farthest[p];
+    char name[COMPARE_NAME_MAX];
+    char text[FIGURE_MAX];
+    const told_unit value = compare_value_unit(r, p, name);
+
+    fprintf(file, "%-9s", parameter_words(p));
+    print_cell(file,
+               digits(value.scale * f->median[p], value.scale * f->spread[p], FIGURE_PLAIN, text),
+               13);
+    print_cell(file, short_digits(f->spread[p] / per, text), 11);
+    print_cell(file, short_digits(f->deviation[p] / per, text), 11);
+    print_cell(file, compare_device_name(compare_newest(r, far), 18, name), 20);
+    print_cell(file,
+               isfinite(spreads(r, far, p))
+                   ? figure_fixed(spreads(r, far, p), 1, FIGURE_SIGNED, text)
+                   : "?",
+               8);
+    fprintf(file, "%s\n", f->outside[far] >> p & 1 ? " outside" : "");
+}
+
+static void print_outside(FILE *file, const compare_result *r, unsigned device, unsigned p)
+{
+    const told_unit drift = compare_drift_unit(r, p);
+    const compare_item *item = compare_newest(r, device);
+    const double away =
+        (item->x[p] - r->fleet.median[p]) / compare_per(r->fleet.median, r->field, p);
+    char name[COMPARE_NAME_MAX];
+    char text[FIGURE_MAX];
+
+    fprintf(file, "%sOutside:%s ", paint_on(file, PAINT_RED), paint_off(file));
+    fprintf(file, "%s, %s: %s", compare_device_name(item, 20, name), parameter_words(p),
+            drift.scale * away > 0 ? "+" : "");
+    fprintf(file, "%s %s from the median\n", figure_digits(drift.scale * away, 3, text),
+            drift.unit);
+}
+
+static void print_fleet(FILE *file, const compare_result *r)
+{
+    fprintf(file, "%u devices, the newest calibration of each\n", r->devices);
+    fprintf(file, "\n%s%-9s%13s%11s%11s%20s%8s%s\n", paint_on(file, PAINT_BOLD), "", "median",
+            "spread", "deviation", "farthest", "spreads", paint_off(file));
+    for (unsigned p = 0; p < INVCAL_PARAMETERS; p++) {
+        print_fleet_row(file, r, p);
+    }
+    fprintf(file, "\n");
+    for (unsigned k = 0; k < r->devices; k++) {
+        for (unsigned p = 0; p < INVCAL_PARAMETERS; p++) {
+            if (r->fleet.outside[k] >> p & 1) {
+                print_outside(file, r, k, p);
+            }
+        }
+    }
+}
+
+/* ---- all of it --------------------------------------------------------------------------------- */
+
+static void print_units(FILE *file, const compare_result *r)
+{
+    char offset[COMPARE_NAME_MAX];
+    char scale[COMPARE_NAME_MAX];
+    char text[COMPARE_TEXT_MAX];
+    const char *angle = compare_drift_unit(r, INVCAL_GAMMA_XY).unit;
+
+    (void)compare_value_unit(r, INVCAL_DELTA_X, offset);
+    (void)compare_value_unit(r, INVCAL_DK_X, scale);
+    snprintf(
+        text, sizeof text,
+        "Values: offsets in %s, scales in %s, angles in %s off square. Differences: offsets in "
+        "%s, scales in %s, angles in %s.",
+        offset, scale, angle, compare_drift_unit(r, INVCAL_DELTA_X).unit,
+        compare_drift_unit(r, INVCAL_DK_X).unit, angle);
+    calibrate_print_wrapped(file, 0, text);
+}
+
+static void print_field(FILE *file, const compare_result *r)
+{
+    const double part = compare_field_part(r);
+    char text[COMPARE_TEXT_MAX];
+
+    if (part > 0) {
+        const told_unit scale = told_scale(r->told);
+        snprintf(
+            text, sizeof text,
+            "Of the ± of the scales %.2g %s is what the field (--gravity) may be wrong by. If all "
+            "were made in one place, --same-field leaves that out.",
+            scale.scale * part, scale.unit);
+        calibrate_print_wrapped(file, 0, text);
+    }
+}
+
+void compare_print(FILE *file, const compare_result *r)
+{
+    static const paint colour[] = {PAINT_GREEN, PAINT_YELLOW, PAINT_YELLOW};
+    char text[COMPARE_TEXT_MAX];
+    char sentence[COMPARE_TEXT_MAX + 4];
+    char word[32];
+
+    print_histories(file, r);
+    if (r->devices > 1) {
+        print_fleet(file, r);
+    }
+    print_units(file, r);
+    print_field(file, r);
+    if (r->count > r->devices) {
+        calibrate_print_wrapped(file, 0, compare_drift_rule());
+    }
+    if (r->devices > 1) {
+        calibrate_print_wrapped(file, 0, compare_fleet_rule());
+    }
+    snprintf(word, sizeof word, "%s:", compare_word(r));
+    snprintf(sentence, sizeof sentence, " %s", compare_sentence(r, text));
+    fprintf(file, "\n%s%s%s", paint_on(file, colour[compare_judge(r)]), word, paint_off(file));
+    calibrate_print_wrapped(file, strlen(word), sentence);
+    snprintf(sentence, sizeof sentence, "Next: %s", compare_next(r));
+    calibrate_print_wrapped(file, 0, sentence);
+}
