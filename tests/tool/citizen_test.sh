@@ -9,7 +9,7 @@ here=$(dirname "$0")
 # shellcheck source=tests/tool/support.sh
 . "$here/support.sh"
 root=$(cd "$here/../.." && pwd)
-commands='calibrate apply export allan plan simulate watch'
+commands='calibrate apply export allan plan compare simulate watch'
 xsens=$data/xsens_mti_positions.csv
 unset NO_COLOR
 

@@ -182,7 +182,7 @@ void compare_draw_fleet(FILE *file, const void *picture, double width)
 {
     const compare_picture *c = picture;
     const compare_result *r = c->result;
-    const double bottom = TOP + INVCAL_PARAMETERS * ROW;
+    const double bottom = TOP + ROW * (double)INVCAL_PARAMETERS;
     const ruler x =
         chart_ruler_exact(-REACH, REACH, LEFT, width - RIGHT, width > PAGE_NARROW ? 10 : 4);
     const ruler y = {0, 1, bottom, TOP, 0, 0};

@@ -146,8 +146,8 @@ static int read_one(reading *x, const char *path, unsigned k)
     if (failure) {
         return failure;
     }
-    if (!(file.gravity > 0)) {
-        message("%s: does not tell the field (\"gravity\"): it is no file of invcal calibrate",
+    if (!(file.gravity > 0) || *file.frame == '\0') {
+        message("%s: does not tell the field and the frame: it is no file of invcal calibrate",
                 input_name(path));
         return EXIT_FILE;
     }

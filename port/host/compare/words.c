@@ -187,8 +187,10 @@ static void append_devices(const compare_result *r, what_of *what, char text[COM
             told++;
         }
     }
-    snprintf(one, sizeof one, count > told ? ", and %u more" : "", count - told);
-    append(text, one);
+    if (count > told) {
+        snprintf(one, sizeof one, ", and %u more", count - told);
+        append(text, one);
+    }
 }
 
 /* The device's only history: what, and since when. */
