@@ -44,6 +44,7 @@ static void write_drift(json_writer *w, const compare_result *r, unsigned k)
     json_text(w, "to", r->item[k].path);
     write_nine(w, "drift", d->x);
     write_nine(w, "sigma", d->sigma);
+    write_nine(w, "interval95", d->wide);
     write_nine(w, "chance", d->chance);
     json_parameters(w, "changed", d->changed);
     json_object_end(w);
