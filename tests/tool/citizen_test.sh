@@ -151,7 +151,7 @@ offers() { # offers "WORDS ..." WORD ...: what bash offers for the last word, so
 completes() { check "completion: $1" offers "$2" "$3" "$4" "$5" "$6"; }
 if command -v bash > /dev/null; then
     : > "$work/example/la la.csv"
-    check "completion: commands" offers "--help --version allan apply calibrate export plan simulate watch" ''
+    check "completion: commands" offers "--help --version allan apply calibrate compare export plan simulate watch" ''
     check "completion: the rest of a command" offers calibrate ca
     check "completion: the rest of an option" offers --gravity calibrate --gr
     for c in $commands; do

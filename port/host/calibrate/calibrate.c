@@ -27,6 +27,7 @@ int calibrate_run(int argc, char **argv, int is_live, positions_reader *read)
     if (r.value[ASK_QUIET]) {
         progress_quiet();
     }
+    json_lines(r.value[ASK_JSON_LINES] ? r.file : NULL);
     failure = read(&r, &data, &log);
     if (!failure && data.count == 0 && !r.value[ASK_POSITIONS]) {
         failure = calibrate_no_rest(&data, &log, r.value[ASK_JSON] != NULL);
@@ -43,6 +44,7 @@ int calibrate_run(int argc, char **argv, int is_live, positions_reader *read)
     stand_free(&result.stand);
     rejection_free(&result.rejected);
     positions_free(&data);
+    json_lines(NULL);
     return failure;
 }
 
@@ -155,8 +157,7 @@ static const char *const help[] = {
     "                      and --lsb, or --nominal\n"
     "  --need U            what calibrated lengths may be wrong by in 95 % of cases, in the unit\n"
     "                      of --gravity: says whether they are that good, and what is missing\n"
-    "  --device TEXT       what the calibration is filed under, in CAL.json, the table and the "
-    "report:\n"
+    "  --device TEXT       what the calibration is filed under, in CAL.json, table and page:\n"
     "                      the type of the device,\n"
     "  --serial TEXT       its serial number, by which invcal compare knows it again,\n"
     "  --operator TEXT     who made it,\n"

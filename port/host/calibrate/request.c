@@ -482,7 +482,6 @@ static void read_json_lines(request *r)
 {
     if (r->value[ASK_JSON_LINES]) {
         r->value[ASK_JSON] = r->value[ASK_JSON_LINES];
-        json_lines(r->file);
     }
 }
 

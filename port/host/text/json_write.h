@@ -21,7 +21,7 @@ typedef struct {
 void json_begin(json_writer *w, FILE *file);
 
 /* From now on what goes to the standard output is one line for each object, for pipes; its first member,
- * "file", says what it is about. The text stays the caller's. */
+ * "file", says what it is about. Null: no more. The text stays the caller's. */
 void json_lines(const char *about);
 
 /* Closes it, and ends the line. */
