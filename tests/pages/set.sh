@@ -120,7 +120,7 @@ plan far-apart --compare per-group:1000 optimal:9
 
 # Comparisons: a history of three, a fleet with one outside, two that look alike.
 for k in 1 2 3 4 5 6 7 8 9; do
-    "$tool" simulate --plan edges --seed $k --offset "0.0$((k * k % 7 + 1)),0,$((k / 9)).03" --zero 20000,20000,20000 \
+    "$tool" simulate --plan edges --seed $k --offset "0.0$((k * k % 7 + 1)),0,0.$((k / 9 * 2))3" --zero 20000,20000,20000 \
         --lsb 0.0012 > "$out/fleet.csv"
     "$tool" calibrate "$out/fleet.csv" --quiet --serial "47-$k" --device 'ADXL355 "<A>"' --date "2026-0$k-01" \
         --out "$out/fleet-$k.json"
