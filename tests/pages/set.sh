@@ -65,6 +65,7 @@ awk -v family=sphere -v count=2000 -v seed=7 -f "$here/../tool/positions.awk" > 
 calibrate many "$out/many.csv" --positions
 awk -F, 'NR > 1 { print $1 / 300, $2 / 300, $3 / 300 }' "$data/xsens_mti_positions.csv" > "$out/mag.txt"
 calibrate magnetometer "$out/mag.txt" --positions --gravity 48.5
+calibrate record "$out/nine.csv" --device 'MTi "<10>"' --serial 47 --operator Jürgen --date 2026-11-23 --note 'on the bench'
 odd="$out/<b onclick=x>&\"' a-very-long-name-without-any-place-to-break-it-in-two-lines-of-a-phone.csv"
 cp "$out/nine.csv" "$odd"
 calibrate hostile "$odd" --nominal-name '<i>&"'

@@ -153,7 +153,7 @@ words() { sed 's/<[^>]*>/ /g' page.html | plainly | tr '\n' ' ' | tr -s ' '; }
 says_page() { words | grep -Eq -- "$1"; }
 check "page: what has changed" says_page '! Changed Offset x has changed by more than chance explains since 2026-03-01'
 check "page: drift with 95 %" says_page 'offset x 327\.[0-9]+ [0-9.]+ \+(4\.9|5\.0)[0-9]* ± 0\.0[56][0-9]* mg \+[0-9.]+ changed'
-check "page: a picture in both sizes" [ "$(grep -c '<title>The nine parameters, calibration by' page.html)" -eq 2 ]
+check "page: three pictures in both sizes" [ "$(grep -c "<title>The .*, calibration by calibration<" page.html)" -eq 6 ]
 check "page: the command is told" tells_command page.html invcal compare old.json middle.json new.json --report page.html --quiet
 accepts "page: of a fleet" compare d*.json --report page.html --quiet
 check "page: of a fleet: it is well-formed" is_page page.html

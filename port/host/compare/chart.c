@@ -128,25 +128,23 @@ static void draw_panel(FILE *file, const compare_picture *c, unsigned kind, doub
 
 void compare_draw_history(FILE *file, const void *picture, double width)
 {
+    static const char *const titles[3] = {"The offsets, calibration by calibration",
+                                          "The scales, calibration by calibration",
+                                          "The angles, calibration by calibration"};
     const compare_picture *c = picture;
     const unsigned last = c->result->device[c->device].count - 1;
-    char text[1000] = "From the first calibration to the last:";
+    char text[500] = "From the first calibration to the last:";
 
-    for (unsigned q = 0; q < INVCAL_PARAMETERS; q++) {
+    for (unsigned q = 3 * c->kind; q < 3 * c->kind + 3; q++) {
         const size_t length = strlen(text);
         char number[FIGURE_MAX];
         snprintf(text + length, sizeof text - length, " %s %s %s%s", parameter_words(q),
                  figure_with_sigma(since_first(c, last, q), spread_of(c, last, q), FIGURE_SIGNED,
                                    number),
-                 compare_page_unit(c->result, q).unit, q + 1 < INVCAL_PARAMETERS ? ";" : ".");
+                 compare_page_unit(c->result, q).unit, q % 3 < 2 ? ";" : ".");
     }
-    svg_begin_inline(file, width, 3 * PANEL, "The nine parameters, calibration by calibration",
-                     text);
-    for (unsigned kind = 0; kind < 3; kind++) {
-        svg_group_begin(file, 0, kind * PANEL);
-        draw_panel(file, c, kind, width);
-        svg_group_end(file);
-    }
+    svg_begin_inline(file, width, PANEL, titles[c->kind], text);
+    draw_panel(file, c, c->kind, width);
     svg_end(file);
 }
 

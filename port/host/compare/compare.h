@@ -158,7 +158,8 @@ void compare_report(FILE *file, const compare_result *r);
 /* Pictures of a page: what they are of. */
 typedef struct {
     const compare_result *result;
-    unsigned device;
+    unsigned device; /* of a history, */
+    unsigned kind;   /* and which of its parameters: offsets (0), scales (1), angles (2) */
 } compare_picture;
 void compare_draw_history(FILE *file, const void *picture, double width);
 void compare_draw_fleet(FILE *file, const void *picture, double width);

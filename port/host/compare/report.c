@@ -109,7 +109,11 @@ static void write_drift(page *p, const compare_result *r, unsigned k)
 static void write_history(page *p, const compare_result *r, unsigned device)
 {
     const compare_device *d = &r->device[device];
-    const compare_picture picture = {r, device};
+    static const char *const captions[3] = {"Offsets: differences to the oldest calibration. "
+                                            "Whiskers: what holds each calibration alone in "
+                                            "95 % of cases.",
+                                            "Scales, the same.", "Angles off square, the same."};
+    compare_picture picture = {r, device, 0};
     char name[COMPARE_NAME_MAX];
     char heading[COMPARE_NAME_MAX + 16];
 
@@ -117,10 +121,9 @@ static void write_history(page *p, const compare_result *r, unsigned device)
              compare_device_name(compare_newest(r, device), 60, name));
     page_section(p, heading);
     write_items(p, r, d);
-    page_picture(p,
-                 "Differences to the oldest calibration. Whiskers: what holds each of them "
-                 "alone in 95 % of cases.",
-                 compare_draw_history, &picture);
+    for (picture.kind = 0; picture.kind < 3; picture.kind++) {
+        page_picture(p, captions[picture.kind], compare_draw_history, &picture);
+    }
     for (unsigned k = 1; k < d->count; k++) {
         write_drift(p, r, d->first + k);
     }
@@ -216,7 +219,7 @@ static void write_fleet(page *p, const compare_result *r)
                                                         "deviation", "farthest", "from the median"};
     const page_table sheet = {"The newest calibration of each device.", headings, FLEET_COLUMNS,
                               1u << 4};
-    const compare_picture picture = {r, 0};
+    const compare_picture picture = {r, 0, 0};
 
     page_section(p, "The fleet");
     if (has_outside(r)) {
@@ -269,8 +272,8 @@ static void title_of(const compare_result *r, char *text, size_t size)
         snprintf(text, size, "%u devices compared", r->devices);
     } else {
         snprintf(text, size, "Calibrations of %s compared",
-                 *r->item[0].record.text[RECORD_SERIAL] != '\0'
-                     ? compare_device_name(&r->item[0], 60, name)
+                 *compare_newest(r, 0)->record.text[RECORD_SERIAL] != '\0'
+                     ? compare_device_name(compare_newest(r, 0), 60, name)
                      : "a device");
     }
 }
@@ -278,10 +281,12 @@ static void title_of(const compare_result *r, char *text, size_t size)
 void compare_report(FILE *file, const compare_result *r)
 {
     char title[COMPARE_NAME_MAX + 64];
+    char head[RECORD_LINE_MAX];
     page p;
 
     title_of(r, title, sizeof title);
-    page_begin(&p, file, title);
+    page_begin_headed(&p, file, title,
+                      r->devices > 1 ? "" : record_line(&compare_newest(r, 0)->record, head));
     write_verdict(&p, r);
     if (r->devices > 1) {
         write_fleet(&p, r);
