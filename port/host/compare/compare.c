@@ -114,7 +114,7 @@ static int compare(int argc, char **argv, request *r)
 
 static int run_compare(int argc, char **argv)
 {
-    request r = {.paths = calloc((size_t)argc + 3, sizeof *r.paths)};
+    request r = {.paths = (const char **)calloc((size_t)argc + 3, sizeof *r.paths)};
     int failure = EXIT_FILE;
 
     if (r.paths) {
@@ -122,7 +122,7 @@ static int run_compare(int argc, char **argv)
     } else {
         message("not enough memory for %d arguments", argc);
     }
-    free(r.paths);
+    free((void *)r.paths);
     return failure;
 }
 

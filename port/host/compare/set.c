@@ -282,9 +282,9 @@ int compare_read(compare_result *r, const char *const *paths, compare_kinship ki
     if (inputs > 1) {
         return message_usage("compare", "only one input can be the standard input");
     }
-    r->item = calloc(r->count, sizeof *r->item);
-    r->device = calloc(r->count, sizeof *r->device);
-    r->drift = calloc(r->count, sizeof *r->drift);
+    r->item = calloc((size_t)r->count + 1, sizeof *r->item);
+    r->device = calloc((size_t)r->count + 1, sizeof *r->device);
+    r->drift = calloc((size_t)r->count + 1, sizeof *r->drift);
     if (!r->item || !r->device || !r->drift) {
         message("not enough memory for %u files", r->count);
         return EXIT_FILE;

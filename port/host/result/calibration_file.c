@@ -289,25 +289,44 @@ static int read_record_member(json_reader *r, const char *name, void *into)
     return json_skip(r);
 }
 
+/* A number of its own. Returns where it goes, or null. */
+static double *number_of(const char *name, calibration_file *c)
+{
+    const struct {
+        const char *name;
+        double *number;
+    } all[] = {{"gravity", &c->gravity},
+               {"gravity_sigma", &c->gravity_sigma},
+               {"interval95", &c->interval},
+               {"positions", &c->positions},
+               {"suspected", &c->suspected}};
+
+    for (unsigned k = 0; k < sizeof all / sizeof *all; k++) {
+        if (is(name, all[k].name)) {
+            return all[k].number;
+        }
+    }
+    return NULL;
+}
+
 /* What does not belong to the correction itself. */
 static int read_circumstance(json_reader *r, const char *name, calibration_file *c)
 {
-    if (is(name, "positions") && json_peek(r) == '[') {
-        return json_skip(r); /* the truth of a simulation lists them */
+    double *number = number_of(name, c);
+
+    if (number) {
+        /* the truth of a simulation lists positions */
+        return number == &c->positions && json_peek(r) == '[' ? json_skip(r)
+                                                              : json_read_number(r, number);
     }
-    return is(name, "gravity")         ? json_read_number(r, &c->gravity)
-           : is(name, "gravity_sigma") ? json_read_number(r, &c->gravity_sigma)
-           : is(name, "interval95")    ? json_read_number(r, &c->interval)
-           : is(name, "record")        ? read_object(r, read_record_member, &c->record)
-           : is(name, "positions")     ? json_read_number(r, &c->positions)
-           : is(name, "suspected")     ? json_read_number(r, &c->suspected)
-           : is(name, "frame")         ? json_read_text(r, c->frame, sizeof c->frame)
-           : is(name, "unit")          ? json_read_text(r, c->unit, sizeof c->unit)
-           : is(name, "verdict")       ? json_read_text(r, c->verdict, sizeof c->verdict)
-           : is(name, "undetermined")  ? read_names(r, c->undetermined, sizeof c->undetermined)
-           : is(name, "nominal")       ? read_object(r, read_nominal_member, c)
-           : is(name, "sigma")         ? read_object(r, read_sigma_member, c)
-                                       : json_skip(r);
+    return is(name, "record")         ? read_object(r, read_record_member, &c->record)
+           : is(name, "frame")        ? json_read_text(r, c->frame, sizeof c->frame)
+           : is(name, "unit")         ? json_read_text(r, c->unit, sizeof c->unit)
+           : is(name, "verdict")      ? json_read_text(r, c->verdict, sizeof c->verdict)
+           : is(name, "undetermined") ? read_names(r, c->undetermined, sizeof c->undetermined)
+           : is(name, "nominal")      ? read_object(r, read_nominal_member, c)
+           : is(name, "sigma")        ? read_object(r, read_sigma_member, c)
+                                      : json_skip(r);
 }
 
 static int read_member(json_reader *r, const char *name, void *into)
