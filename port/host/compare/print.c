@@ -7,12 +7,40 @@
 
 #include "compare/compare.h"
 #include "design/parameters.h"
-#include "result/result.h"
 #include "text/figure.h"
 #include "text/number.h"
 #include "text/paint.h"
 
+#define WIDTH 80u
 #define DEVICES_LISTED 40u /* histories of so many; of more those that have changed */
+
+static unsigned columns_of(const char *text, size_t length)
+{
+    unsigned columns = 0;
+
+    for (size_t i = 0; i < length; i++) {
+        columns +=
+            ((unsigned char)text[i] & 0xc0u) != 0x80u; /* no byte that continues a character */
+    }
+    return columns;
+}
+
+/* Words, in lines; `at` columns of the first are taken. */
+static void print_words(FILE *file, unsigned at, const char *text)
+{
+    while (*text != '\0') {
+        const size_t length = strcspn(text, " ");
+        const unsigned columns = columns_of(text, length);
+        if (at > 0 && at + 1 + columns > WIDTH) {
+            putc('\n', file);
+            at = 0;
+        }
+        fprintf(file, "%s%.*s", at > 0 ? " " : "", (int)length, text);
+        at += columns + (at > 0);
+        text += length + (text[length] == ' ');
+    }
+    putc('\n', file);
+}
 
 /* A text of so many columns. */
 static void print_cell(FILE *file, const char *text, int width)
@@ -192,7 +220,7 @@ static void print_units(FILE *file, const compare_result *r)
         "%s, scales in %s, angles in %s.",
         offset, scale, angle, compare_drift_unit(r, INVCAL_DELTA_X).unit,
         compare_drift_unit(r, INVCAL_DK_X).unit, angle);
-    calibrate_print_wrapped(file, 0, text);
+    print_words(file, 0, text);
 }
 
 static void print_field(FILE *file, const compare_result *r)
@@ -207,7 +235,7 @@ static void print_field(FILE *file, const compare_result *r)
             "Of the ± of the scales %.2g %s is what the field (--gravity) may be wrong by. If all "
             "were made in one place, --same-field leaves that out.",
             scale.scale * part, scale.unit);
-        calibrate_print_wrapped(file, 0, text);
+        print_words(file, 0, text);
     }
 }
 
@@ -215,7 +243,6 @@ void compare_print(FILE *file, const compare_result *r)
 {
     static const paint colour[] = {PAINT_GREEN, PAINT_YELLOW, PAINT_YELLOW};
     char text[COMPARE_TEXT_MAX];
-    char sentence[COMPARE_TEXT_MAX + 4];
     char word[32];
 
     print_histories(file, r);
@@ -225,15 +252,14 @@ void compare_print(FILE *file, const compare_result *r)
     print_units(file, r);
     print_field(file, r);
     if (r->count > r->devices) {
-        calibrate_print_wrapped(file, 0, compare_drift_rule());
+        print_words(file, 0, compare_drift_rule());
     }
     if (r->devices > 1) {
-        calibrate_print_wrapped(file, 0, compare_fleet_rule());
+        print_words(file, 0, compare_fleet_rule());
     }
     snprintf(word, sizeof word, "%s:", compare_word(r));
-    snprintf(sentence, sizeof sentence, " %s", compare_sentence(r, text));
     fprintf(file, "\n%s%s%s", paint_on(file, colour[compare_judge(r)]), word, paint_off(file));
-    calibrate_print_wrapped(file, strlen(word), sentence);
-    snprintf(sentence, sizeof sentence, "Next: %s", compare_next(r));
-    calibrate_print_wrapped(file, 0, sentence);
+    print_words(file, (unsigned)strlen(word), compare_sentence(r, text));
+    fprintf(file, "Next:");
+    print_words(file, 5, compare_next(r));
 }

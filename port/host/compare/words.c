@@ -158,7 +158,7 @@ const char *compare_word(const compare_result *r)
 
     return outcome == COMPARE_STEADY    ? (r->devices > 1 ? "Alike" : "Steady")
            : outcome == COMPARE_UNKNOWN ? "Not known"
-           : count_of(r, outside) > 0   ? "Outside"
+           : count_of(r, outside) > 0   ? "Not alike"
                                         : "Changed";
 }
 
