@@ -167,7 +167,7 @@ static void draw_row(FILE *file, const compare_result *r, unsigned q, const rule
     for (unsigned pass = 0; pass < 2; pass++) {
         for (unsigned k = 0; k < r->devices; k++) {
             const double at = spreads(r, k, q);
-            const unsigned is_outside = r->fleet.outside[k] >> q & 1u;
+            const unsigned is_outside = (unsigned)r->fleet.outside[k] >> q & 1u;
             if (is_outside == pass && isfinite(at)) {
                 svg_marker(file, pass ? "c2 full over" : "c1 hollow", pass ? SVG_CROSS : SVG_CIRCLE,
                            chart_pixel(x, at), y, pass ? 6 : 4);
