@@ -20,6 +20,7 @@ make_cal() { # NAME SIMULATE'S OPTIONS -- CALIBRATE'S OPTIONS
     "$tool" calibrate "$work/raw.csv" --quiet --out "$work/$name.json" "$@"
 }
 here=$(cd "$here" && pwd)
+data=$here/../data
 cd "$work" || exit 2
 make_cal old --seed 1 -- --serial 47 --date 2026-01-05
 make_cal middle --seed 2 -- --serial 47 --date 2026-03-01
@@ -96,6 +97,14 @@ run compare blind.json middle.json
 check "without a ± nothing is told to have changed" matches "$work/stdout" '^Not known: Nothing has changed as far as is known'
 check "and a drift has none" matches "$work/stdout" '^offset x .* [+-][0-9.]+ ± \? +\?$'
 
+# A file of the first release, which knew neither record nor gravity_sigma, of the same positions.
+release=$here/../reference/releases/0.1.0-calibration.json
+"$tool" calibrate "$data/xsens_mti_positions.csv" --positions --gravity 9.81744 --zero 33123,33276,32360 \
+    --lsb 0.002409639,0.002421308,0.002409639 --quiet --out today.json
+accepts "a file of 0.1.0 is compared" compare "$release" today.json --json
+check "and is the same calibration today" near 1e-9 \
+    "$(member delta | sed -n 1p) $(member dk | sed -n 1p) $(member gamma | sed -n 1p)" "0 0 0 0 0 0 0 0 0"
+
 # ---- a fleet -----------------------------------------------------------------------------------
 
 # Twenty devices whose offsets are normal with a deviation of 10 mg, and scales of 0.5 %.
@@ -154,6 +163,10 @@ words() { sed 's/<[^>]*>/ /g' page.html | plainly | tr '\n' ' ' | tr -s ' '; }
 says_page() { words | grep -Eq -- "$1"; }
 check "page: what has changed" says_page '! Changed Offset x has changed by more than chance explains since 2026-03-01'
 check "page: drift with 95 %" says_page 'offset x 327\.[0-9]+ [0-9.]+ \+(4\.9|5\.0)[0-9]* ± 0\.0[56][0-9]* mg \+[0-9.]+ changed'
+run compare old.json middle.json new.json --json
+told=$(words | grep -o 'offset x 327\.[0-9]* [0-9.]* +[0-9.]* ± [0-9.]* mg' | tail -n 1 | awk '{ print $5 / 1000, $7 / 1000 }')
+json_tells=$(member delta | sed -n '5p;7p' | awk -F ', ' '{ printf "%s ", $1 }') # drift and interval of the second step
+check "page: drift and its 95 % are those of the JSON" near 6e-7 "$told" "$json_tells"
 check "page: three pictures in both sizes" [ "$(grep -c "<title>The .*, calibration by calibration<" page.html)" -eq 6 ]
 check "page: the command is told" tells_command page.html invcal compare old.json middle.json new.json --report page.html --quiet
 accepts "page: of a fleet" compare d*.json --report page.html --quiet
