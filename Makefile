@@ -38,7 +38,7 @@ Q := $(if $(V),,@)
 .DELETE_ON_ERROR:
 .SECONDARY:
 .PHONY: help all install uninstall demo test check targets firmware size bench schema pages manual derived \
-    rules coverage mutation fuzz proof numerics check-gates reference format deps \
+    rules coverage mutation fuzz proof numerics check-gates reference fleet format deps \
     package packages check-packages dist clean
 
 help: ## this list
@@ -225,6 +225,11 @@ manual: ## the headers and port/manual as HTML in build/manual; nothing without 
 	$(call need,doxygen)
 	$(Q)sh tests/manual.sh $(BUILD)
 
+fleet: $(BUILD)/invcal ## the manual's fleet, with GNU parallel and with Apache Spark from PyPI in local mode
+	$(call need,parallel)
+	$(call need,java)
+	$(Q)sh tests/fleet/fleet.sh $(BUILD)
+
 derived: $(BUILD)/invcal $(BUILD)/invcal.1 ## layout, expected.h, man page, pictures, scripts: as they should be
 	$(call need,clang-format-19)
 	$(call need,shellcheck)
@@ -259,7 +264,8 @@ deps: ## install what all of these need beyond a C compiler (Debian, root)
 	    chromium fonts-dejavu-core poppler-utils g++ cmake pkg-config debootstrap \
 	    gcc-arm-none-eabi libnewlib-arm-none-eabi qemu-system-arm gcc-avr avr-libc simavr libsimavr-dev \
 	    gcc-riscv64-unknown-elf picolibc-riscv64-unknown-elf qemu-system-misc \
-	    gcc-powerpc-linux-gnu libc6-dev-powerpc-cross qemu-user locales
+	    gcc-powerpc-linux-gnu libc6-dev-powerpc-cross qemu-user locales \
+	    parallel default-jre-headless python3-venv
 
 package: ## lay a package out, in build/packages/NAME unless DEST is given (PACKAGE=name, DEST=folder)
 	$(Q)sh port/stage.sh "$(PACKAGE)" "$(or $(DEST),$(BUILD)/packages/$(PACKAGE))"

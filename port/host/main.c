@@ -16,8 +16,8 @@
 #include "text/wrapped.h"
 
 static const tool_command *const commands[] = {
-    &calibrate_command, &apply_command,    &export_command, &allan_command,
-    &plan_command,      &simulate_command, &watch_command,
+    &calibrate_command, &apply_command,   &export_command,   &allan_command,
+    &plan_command,      &compare_command, &simulate_command, &watch_command,
 };
 
 #define COMMANDS (sizeof commands / sizeof commands[0])

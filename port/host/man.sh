@@ -112,7 +112,7 @@ echo '.fi
 .SH FILES
 .TP
 .I CAL.json
-A calibration: what calibrate \-\-out writes, and apply and \-\-nominal read.
+A calibration: what calibrate \-\-out writes, and apply, compare and \-\-nominal read.
 .TP
 .I PREFIX/share/invcal/schema.json
 The JSON that the tool prints and writes, as a JSON Schema of 2020\-12. Units stand in it.

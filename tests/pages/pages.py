@@ -221,7 +221,8 @@ class Gate:
                    ", nearest %.1f" % least if least is not None else "")
 
     def paper(self, path, margins):
-        """The page as a PDF: every letter of it lies within the margins of some sheet."""
+        """The page as a PDF: every letter of it lies within the margins of some sheet; a head, if it has
+        one, in the upper margin of each."""
         inches = [m / 96 for m in margins]
         pdf = self.folder / (path.name + ".pdf")
         data = self.browser.call(
@@ -231,23 +232,30 @@ class Gate:
         pdf.write_bytes(base64.b64decode(data))
         boxes = subprocess.run(["pdftotext", "-bbox", str(pdf), "-"], check=True,
                                capture_output=True, text=True).stdout
-        faults, letters, sheets = [], collections.Counter(), 0
+        faults, letters, sheets, heads = [], collections.Counter(), 0, []
+        has_head = "@top-right" in path.read_text(encoding="utf-8")
         for line in boxes.splitlines():
             sheet = re.search(r'<page width="([\d.]+)" height="([\d.]+)"', line)
             word = re.search(r'<word xMin="(.*?)" yMin="(.*?)" xMax="(.*?)" yMax="(.*?)">(.*)</',
                              line)
             if sheet:
                 sheets += 1
+                heads.append("")
                 width, height = float(sheet[1]), float(sheet[2])
                 if abs(width - A4[0] * 0.75) > 2 or abs(height - A4[1] * 0.75) > 2:
                     faults.append("sheet %d is not A4: %g x %g pt" % (sheets, width, height))
             elif word:
                 box = [float(word[i]) for i in range(1, 5)]
                 room = [m * 0.75 - 2 for m in margins]
+                if has_head and 8 < box[1] and box[3] < room[1] and box[2] <= width - room[2]:
+                    heads[-1] += word[5]
+                    continue
                 if (box[0] < room[0] or box[1] < room[1] or box[2] > width - room[2] or
                         box[3] > height - room[3]):
                     faults.append('"%s" on sheet %d: beyond the margin' % (word[5], sheets))
                 letters.update(plain(html.unescape(word[5])))
+        if has_head and (not heads[0] or len(set(heads)) > 1):
+            faults.append("heads of the sheets: %s" % heads)
         lost = collections.Counter(plain(self.words)) - letters
         if lost:
             faults.append("letters that are not on paper: " + " ".join(

@@ -67,6 +67,7 @@ awk -v family=sphere -v count=2000 -v seed=7 -f "$here/../tool/positions.awk" > 
 calibrate many "$out/many.csv" --positions
 awk -F, 'NR > 1 { print $1 / 300, $2 / 300, $3 / 300 }' "$data/xsens_mti_positions.csv" > "$out/mag.txt"
 calibrate magnetometer "$out/mag.txt" --positions --gravity 48.5
+calibrate record "$out/nine.csv" --device 'MTi "<10>"' --serial 47 --operator Jürgen --date 2026-11-23 --note 'on the bench'
 odd="$out/<b onclick=x>&\"' a-very-long-name-without-any-place-to-break-it-in-two-lines-of-a-phone.csv"
 cp "$out/nine.csv" "$odd"
 calibrate hostile "$odd" --nominal-name '<i>&"'
@@ -119,3 +120,21 @@ echo "$out/labour.svg"
 plan comparison --compare per-group:8 per-group:6 --svg "$out/comparison.svg"
 echo "$out/comparison.svg"
 plan far-apart --compare per-group:1000 optimal:9
+
+# Comparisons: a history of three, a fleet with one outside, two that look alike.
+for k in 1 2 3 4 5 6 7 8 9; do
+    "$tool" simulate --plan edges --seed $k --offset "0.0$((k * k % 7 + 1)),0,0.$((k / 9 * 2))3" --zero 20000,20000,20000 \
+        --lsb 0.0012 > "$out/fleet.csv"
+    "$tool" calibrate "$out/fleet.csv" --quiet --serial "47-$k" --device 'ADXL355 "<A>"' --date "2026-0$k-01" \
+        --out "$out/fleet-$k.json"
+done
+compare() { # compare PAGE ARGUMENTS ...
+    page=$out/compare-$1.html
+    shift
+    "$tool" compare --quiet --report "$page" "$@"
+    echo "$page"
+}
+compare history "$out/fleet-1.json" "$out/fleet-2.json" "$out/fleet-3.json" --as history --same-field
+compare fleet "$out"/fleet-?.json
+compare fleet-ins "$out"/fleet-?.json --units ins
+compare same "$out/fleet-1.json" "$out/fleet-1.json"

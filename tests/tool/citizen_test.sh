@@ -9,7 +9,7 @@ here=$(dirname "$0")
 # shellcheck source=tests/tool/support.sh
 . "$here/support.sh"
 root=$(cd "$here/../.." && pwd)
-commands='calibrate apply export allan plan simulate watch'
+commands='calibrate apply export allan plan compare simulate watch'
 xsens=$data/xsens_mti_positions.csv
 unset NO_COLOR COLUMNS
 
@@ -149,7 +149,7 @@ offers() { # offers "WORDS ..." WORD ...: what bash offers for the last word, so
 completes() { check "completion: $1" offers "$2" "$3" "$4" "$5" "$6"; }
 if command -v bash > /dev/null; then
     : > "$work/example/la la.csv"
-    check "completion: commands" offers "--help --version allan apply calibrate export help plan simulate watch" ''
+    check "completion: commands" offers "--help --version allan apply calibrate compare export help plan simulate watch" ''
     check "completion: the rest of a command" offers calibrate ca
     check "completion: help" offers 'allan apply' help a
     check "completion: the rest of an option" offers --gravity calibrate --gr

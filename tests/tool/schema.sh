@@ -94,6 +94,33 @@ prints 1 calibration_refusal calibrate "$xsens" --positions --zero 0,0,0 --lsb 1
 sed '2s/.*/1e200,1,1/' "$work/nine.csv" > "$work/huge.csv"
 prints 1 calibration_refusal calibrate "$work/huge.csv" --positions --zero 0,0,0 --lsb 1 --gravity 1
 
+# ---- records, lines, comparisons ---------------------------------------------------------------
+
+is_line() { # CODE OBJECT
+    [ "$(wc -l < "$work/stdout")" -eq 1 ] && is_object "$@"
+}
+line() { # line CODE OBJECT ARGUMENTS ...
+    expected=$1
+    object=$2
+    shift 2
+    run calibrate "$@" --json-lines
+    check "calibrate $* --json-lines is a $object on a line" is_line "$expected" "$object"
+}
+line 0 calibration "$xsens" --positions --device MTi --serial 47 --operator Jürgen --date 2026-11-23 --note '"new"'
+line 1 calibration_refusal "$work/three.csv" --positions
+line 3 calibration_refusal "$work/none.csv"
+for k in 1 2 3 4; do
+    "$tool" calibrate "$xsens" --positions --gravity 9.81744 --serial $((k / 2)) --date 2026-11-2$k --quiet \
+        --out "$work/file$k.json"
+done
+check "the file of --out with a record is a calibration" fits calibration "$work/file1.json"
+prints 0 comparison compare "$work/file2.json" "$work/file3.json"
+prints 0 comparison compare "$work"/file?.json
+"$tool" calibrate "$work/nine.csv" --positions --gravity 9.81744 --quiet --unit counts --out "$work/blind.json"
+prints 0 comparison compare "$work/file1.json" "$work/blind.json" --as history
+"$tool" calibrate "$xsens" --positions --frame triangular --quiet --out "$work/turned.json"
+prints 1 comparison_refusal compare "$work/file1.json" "$work/turned.json" --as fleet
+
 # ---- noise -------------------------------------------------------------------------------------
 
 echo 0 0 1 > "$work/up.txt"

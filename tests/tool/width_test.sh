@@ -153,6 +153,13 @@ fits plan --programs --noise 0.0001 --units ins
 fits plan --compare per-group:8 per-group:6 --noise 0.0001
 fits plan --compare optimal:12 grid:30:12 --noise 0.0001 --units ins
 
+for n in 1 2 3; do
+    "$tool" calibrate edges.csv --quiet --serial "A$n" --device 'a board with a name' --date "2026-0$n-01" \
+        --note 'a note that is long enough to go on in a second line of a terminal' --out "unit$n.json"
+done
+fits calibrate edges.csv --serial A1 --device 'a board with a name' --note 'a note that is long enough for two lines'
+fits compare unit1.json unit2.json --as history
+fits compare unit1.json unit2.json unit3.json --units ins
 fits watch edges.csv
 fits watch edges.csv --target 0.001,0.001,0.001 --units ins
 fits watch edges.csv --plan edges --mean-sigma 0.001

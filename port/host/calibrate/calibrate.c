@@ -48,6 +48,7 @@ int calibrate_run(int argc, char **argv, int is_live, positions_reader *read)
     if (r.value[ASK_QUIET]) {
         progress_quiet();
     }
+    json_lines(r.value[ASK_JSON_LINES] ? r.file : NULL);
     failure = read(&r, &data, &log);
     if (!failure && data.count == 0 && !r.value[ASK_POSITIONS]) {
         failure = calibrate_no_rest(&data, &log, r.value[ASK_JSON] != NULL);
@@ -57,10 +58,14 @@ int calibrate_run(int argc, char **argv, int is_live, positions_reader *read)
         settle_unit(&r, &data);
         failure = solve_positions(&r, &data, &result);
     }
+    if (failure == EXIT_FILE && r.value[ASK_JSON_LINES]) {
+        calibrate_unreadable();
+    }
     failure = failure ? failure : deliver(&r, &result);
     stand_free(&result.stand);
     rejection_free(&result.rejected);
     positions_free(&data);
+    json_lines(NULL);
     return failure;
 }
 
@@ -192,10 +197,19 @@ static const char *const help[] = {
     "                      --unit, --zero and --lsb, or --nominal\n"
     "  --need U            what calibrated lengths may be wrong by in 95 % of cases, in the unit\n"
     "                      of --gravity: says whether they are that good, and what is missing\n"
+    "  --device TEXT       what the calibration is filed under, in CAL.json, table and page:\n"
+    "                      the type of the device,\n"
+    "  --serial TEXT       its serial number, by which invcal compare knows it again,\n"
+    "  --operator TEXT     who made it,\n"
+    "  --date YYYY-MM-DD   on which day,\n"
+    "  --note TEXT         and what else there is to say\n"
     "  --out CAL.json      write the result to a file, as JSON, for invcal apply\n"
     "  --report R.html     write a page with the verdict, figures and pictures: one file that\n"
     "                      needs nothing else, for screen and paper\n"
     "  --json              print the result as JSON in place of the table\n"
+    "  --json-lines        the same, or why there is none, on one line that begins with the name "
+    "of\n"
+    "                      LOG: for pipes\n"
     "  --quiet             print neither table nor progress, only errors\n"
     "\n"
     "exit codes: 0 good; 1 the data cannot be calibrated; 2 usage; 3 LOG unreadable or\n"

@@ -304,6 +304,17 @@ int calibrate_all_drift(const calibrate_result *result, int json)
     return EXIT_DATA;
 }
 
+void calibrate_unreadable(void)
+{
+    json_writer w;
+
+    json_begin(&w, stdout);
+    json_text(&w, "error", "unreadable");
+    json_text(&w, "reason", message_last());
+    json_parameters(&w, "undetermined", (1u << INVCAL_PARAMETERS) - 1);
+    json_end(&w);
+}
+
 int calibrate_no_rest(const positions *data, const rests_summary *log, int json)
 {
     char text[REASON_MAX];

@@ -30,6 +30,9 @@ int calibrate_check_scale(const char *command, const positions *data, const nomi
 /* Says that the temperature drifted in so many rests that too few are left. Returns EXIT_DATA. */
 int calibrate_all_drift(const calibrate_result *result, int json);
 
+/* The object of a file that cannot be read, with what was said of it on stderr. */
+void calibrate_unreadable(void);
+
 /* Says that a log holds no rest, and what it holds. Returns EXIT_DATA. */
 int calibrate_no_rest(const positions *data, const rests_summary *log, int json);
 

@@ -49,9 +49,15 @@ static const option options[ASK_OPTIONS] = {
     [ASK_KEEP_ALL] = {"--keep-all", 0},
     [ASK_TOLERANCE] = {"--tolerance", 1},
     [ASK_NEED] = {"--need", 1},
+    [ASK_DEVICE] = {"--device", 1},
+    [ASK_SERIAL] = {"--serial", 1},
+    [ASK_OPERATOR] = {"--operator", 1},
+    [ASK_DATE] = {"--date", 1},
+    [ASK_NOTE] = {"--note", 1},
     [ASK_OUT] = {"--out", 1},
     [ASK_REPORT] = {"--report", 1},
     [ASK_JSON] = {"--json", 0},
+    [ASK_JSON_LINES] = {"--json-lines", 0},
     [ASK_QUIET] = {"--quiet", 0},
 };
 static const char *const operands[] = {"LOG"};
@@ -538,6 +544,28 @@ static int read_need(request *r)
     return failure;
 }
 
+/* What the calibration is filed under. The texts stand in the order of the options. */
+static int read_record(request *r)
+{
+    for (unsigned k = 0; k < RECORD_TEXTS; k++) {
+        const char *text = r->value[ASK_DEVICE + k];
+        const char *problem = text ? record_set(&r->record, (record_text)k, text) : NULL;
+        if (problem) {
+            return message_usage(r->syntax->command, "%s '%s': %s", options[ASK_DEVICE + k].name,
+                                 text, problem);
+        }
+    }
+    return EXIT_GOOD;
+}
+
+/* JSON on one line is JSON. */
+static void read_json_lines(request *r)
+{
+    if (r->value[ASK_JSON_LINES]) {
+        r->value[ASK_JSON] = r->value[ASK_JSON_LINES];
+    }
+}
+
 /* Three different files. */
 static int check_files(const request *r)
 {
@@ -584,5 +612,7 @@ int request_read(int argc, char **argv, int is_live, request *r)
     failure = failure ? failure : read_stand(r);
     failure = failure ? failure : read_tolerance(r);
     failure = failure ? failure : read_need(r);
+    failure = failure ? failure : read_record(r);
+    read_json_lines(r);
     return failure ? failure : read_prior(r);
 }

@@ -12,6 +12,7 @@
 #include "fit/fit.h"
 #include "fit/sensors.h"
 #include "fit/thermal_fit.h"
+#include "result/record.h"
 #include "stand/stand.h"
 #include "text/unit.h"
 
@@ -51,9 +52,15 @@ enum {
     ASK_KEEP_ALL,
     ASK_TOLERANCE,
     ASK_NEED,
+    ASK_DEVICE,
+    ASK_SERIAL,
+    ASK_OPERATOR,
+    ASK_DATE,
+    ASK_NOTE,
     ASK_OUT,
     ASK_REPORT,
     ASK_JSON,
+    ASK_JSON_LINES,
     ASK_QUIET,
     ASK_OPTIONS
 };
@@ -84,7 +91,8 @@ typedef struct {
     const design *program; /* of --plan, which watch follows; or null */
     unsigned degree;       /* of --quadratic, --cubic; else 0 */
     stand_wish stand;
-    case_wish ways_up;     /* of --case; none: its count is 0 */
+    case_wish ways_up; /* of --case; none: its count is 0 */
+    record record;
     fit_settings settings; /* all but the nominal, and the noise unless stated */
 } request;
 

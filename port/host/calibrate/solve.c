@@ -256,6 +256,7 @@ static int find_case(const request *r, calibrate_result *result)
 int solve_positions(const request *r, const positions *data, calibrate_result *result)
 {
     result->data = data;
+    result->record = r->record;
     result->settings = r->settings;
     result->place = r->value[ASK_LATITUDE] ? r->place : NULL;
     int failure = stand_check(&r->stand, data);

@@ -36,6 +36,7 @@ extern const tool_command apply_command;
 extern const tool_command export_command;
 extern const tool_command allan_command;
 extern const tool_command plan_command;
+extern const tool_command compare_command;
 extern const tool_command simulate_command;
 extern const tool_command watch_command;
 

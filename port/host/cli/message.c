@@ -8,6 +8,8 @@
 #include "text/paint.h"
 #include "cli/progress.h"
 
+static char last[MESSAGE_MAX];
+
 /* File names and input may hold anything; the terminal gets none of it. A progress bar makes way. */
 static void print_line(char *text, const char *tail)
 {
@@ -16,9 +18,15 @@ static void print_line(char *text, const char *tail)
             *c = '?';
         }
     }
+    snprintf(last, sizeof last, "%s", text);
     progress_end();
     fprintf(stderr, "%sinvcal:%s %s%s\n", paint_on(stderr, PAINT_RED), paint_off(stderr), text,
             tail);
+}
+
+const char *message_last(void)
+{
+    return last;
 }
 
 void message(const char *format, ...)

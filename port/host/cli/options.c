@@ -76,11 +76,16 @@ int options_parse(const option_syntax *syntax, int argc, char **argv, const char
 {
     unsigned found = 0;
     int only_operands = 0;
+    const int repeats = syntax->operand_optional == OPTIONS_REPEATS;
+    const unsigned least = syntax->operand_count - (repeats ? 0 : syntax->operand_optional);
 
     for (unsigned i = 0; i < syntax->option_count; i++) {
         values[i] = NULL;
     }
     for (unsigned i = 0; i < syntax->operand_count; i++) {
+        operands[i] = NULL;
+    }
+    for (int i = 0; repeats && i <= argc; i++) {
         operands[i] = NULL;
     }
     for (int i = 0; i < argc; i++) {
@@ -91,7 +96,7 @@ int options_parse(const option_syntax *syntax, int argc, char **argv, const char
             if (failure) {
                 return failure;
             }
-        } else if (found == syntax->operand_count) {
+        } else if (found == syntax->operand_count && !repeats) {
             return message_usage(syntax->command, "'%s': one operand too many", argv[i]);
         } else if (argv[i][0] == '\0') {
             return message_usage(syntax->command, "%s is empty: is a variable of a script not set?",
@@ -100,9 +105,7 @@ int options_parse(const option_syntax *syntax, int argc, char **argv, const char
             operands[found++] = argv[i];
         }
     }
-    if (found < syntax->operand_count - syntax->operand_optional ||
-        (found > syntax->operand_count - syntax->operand_optional &&
-         found < syntax->operand_count)) {
+    if (found < least || (found > least && found < syntax->operand_count)) {
         return message_usage(syntax->command, "%s is missing", syntax->operands[found]);
     }
     return EXIT_GOOD;

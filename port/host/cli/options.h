@@ -16,19 +16,22 @@ typedef struct {
     int takes_value;
 } option;
 
+/* In place of the number: more of the last operand may follow, and a null behind all. */
+#define OPTIONS_REPEATS (~0u)
+
 typedef struct {
     const char *command; /* whose help an error points to */
     const option *options;
     unsigned option_count;
     const char *const *operands; /* their names; */
     unsigned operand_count;
-    unsigned operand_optional; /* so many at the end may be left out, all or none */
+    unsigned operand_optional; /* so many at the end may be left out, all or none; or: */
 } option_syntax;
 
 /* Takes the arguments apart.
  *
  * values    one for each option: null if it is not there, else its text ("" without a value).
- * operands  one for each operand; null if it was left out.
+ * operands  one for each operand; null if it was left out. OPTIONS_REPEATS: room for argc + 1.
  * Both point into argv.
  *
  * Returns EXIT_GOOD; EXIT_USAGE for an unknown option, one given twice, a value that is missing

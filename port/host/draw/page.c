@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "draw/page.h"
 
+#include <ctype.h>
 #include <stdarg.h>
 
 #include "cli/command.h"
@@ -98,7 +99,29 @@ static void element(const page *p, const char *open, const char *text, const cha
     fprintf(p->file, "%s\n", close);
 }
 
+/* A line in the upper margin of each sheet. What CSS or HTML might take for its own is escaped. */
+static void write_head(FILE *file, const char *head)
+{
+    if (*head == '\0') {
+        return;
+    }
+    fputs("<style>\n@page{@top-right{font:9pt system-ui,sans-serif;color:#555;content:\"", file);
+    for (const char *c = head; *c != '\0'; c++) {
+        if ((unsigned char)*c < 0x80 && !isalnum((unsigned char)*c) && *c != ' ') {
+            fprintf(file, "\\%x ", (unsigned)*c); /* the blank ends the figure */
+        } else {
+            putc(*c, file);
+        }
+    }
+    fputs("\"}}\n</style>\n", file);
+}
+
 void page_begin(page *p, FILE *file, const char *title)
+{
+    page_begin_headed(p, file, title, "");
+}
+
+void page_begin_headed(page *p, FILE *file, const char *title, const char *head)
 {
     *p = (page){.file = file};
     fputs("<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
@@ -106,6 +129,7 @@ void page_begin(page *p, FILE *file, const char *title)
           file);
     element(p, "<title>", title, "</title>");
     fprintf(file, "<style>\n%s</style>\n", styles);
+    write_head(file, head);
     svg_styles(file);
     fputs("</head>\n<body>\n<main>\n", file);
     element(p, "<h1>", title, "</h1>");

@@ -23,6 +23,9 @@ typedef struct {
 } page;
 
 void page_begin(page *p, FILE *file, const char *title);
+
+/* The same with a line at the head of each sheet of paper; "" makes none. */
+void page_begin_headed(page *p, FILE *file, const char *title, const char *head);
 void page_end(page *p);
 
 /* What it comes to, under the title: a word ("Good"), a sentence, and what to do next. */

@@ -313,16 +313,33 @@ static void write_origin(page *p, const report_facts *f)
                  "calibrated axes are turned against the case.");
 }
 
+/* What the calibration is filed under. */
+static void write_record(page *p, const record *r)
+{
+    if (record_is_empty(r)) {
+        return;
+    }
+    page_facts_begin(p);
+    for (unsigned k = 0; k < RECORD_TEXTS; k++) {
+        if (*r->text[k] != '\0') {
+            page_fact(p, record_name((record_text)k), "%s", r->text[k]);
+        }
+    }
+    page_facts_end(p);
+}
+
 int report_write(FILE *file, const calibrate_result *result, const calibrate_wish *wish)
 {
     report_facts f;
     page p;
     char title[TEXT_MAX];
+    char head[RECORD_LINE_MAX];
     const int failure = report_facts_find(&f, result, wish);
 
     if (!failure) {
         snprintf(title, sizeof title, "Calibration of %.300s", input_file_name(result->data->name));
-        page_begin(&p, file, title);
+        page_begin_headed(&p, file, title, record_line(&result->record, head));
+        write_record(&p, &result->record);
         write_verdict(&p, &f);
         write_figures(&p, &f);
         write_limit(&p, &f);

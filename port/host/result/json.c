@@ -184,6 +184,7 @@ void calibrate_json(FILE *file, const calibrate_result *result)
 
     json_begin(&w, file);
     json_text(&w, "invcal", INVCAL_VERSION);
+    record_json(&w, &result->record);
     write_file(&w, result->data);
     json_number(&w, "positions", result->data->count);
     if (result->log) {

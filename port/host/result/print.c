@@ -308,6 +308,19 @@ static void print_next(FILE *file, const calibrate_result *result, const calibra
     }
 }
 
+/* What the calibration is filed under. */
+static void print_record(FILE *file, const record *r)
+{
+    char text[RECORD_MAX + 16];
+
+    for (unsigned k = 0; k < RECORD_TEXTS; k++) {
+        if (*r->text[k] != '\0') {
+            snprintf(text, sizeof text, "%-14s%s", record_name((record_text)k), r->text[k]);
+            wrapped_line(file, 0, LABEL, text);
+        }
+    }
+}
+
 /* What the file was taken for. */
 static void print_recognised(FILE *file, const positions *data)
 {
@@ -464,6 +477,7 @@ static void print_parameters(FILE *file, const calibrate_result *result, const c
 void calibrate_print(FILE *file, const calibrate_result *result, const calibrate_wish *wish)
 {
 
+    print_record(file, &result->record);
     print_recognised(file, result->data);
     print_log(file, result);
     wrapped_printf(file, 0, "%s: %u positions, field %.7g %s", result->data->name,

@@ -19,6 +19,7 @@
 #include "stand/stand.h"
 #include "fit/thermal_fit.h"
 #include "cli/told.h"
+#include "result/record.h"
 #include "result/uncertainty.h"
 
 /* What is known of temperature. */
@@ -65,6 +66,7 @@ typedef struct {
     int is_stand_frame;  /* the calibration is turned to the stand, */
     case_frame frame;    /* or to the case */
     told_style told;     /* the units of figures for people */
+    record record;       /* what it is filed under */
     const double *place; /* latitude and height that tell the field; null: it was stated */
 } calibrate_result;
 

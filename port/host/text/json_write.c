@@ -8,6 +8,8 @@
 #include "text/number.h"
 #include "text/utf8.h"
 
+static const char *line_about; /* null: objects are laid out for people */
+
 static void write_text(FILE *file, const char *text)
 {
     putc('"', file);
@@ -45,13 +47,15 @@ static void write_numbers(FILE *file, const double *x, unsigned n)
 
 static void new_line(const json_writer *w)
 {
-    fprintf(w->file, "\n%*s", (int)(2 * w->depth), "");
+    if (!w->is_line) {
+        fprintf(w->file, "\n%*s", (int)(2 * w->depth), "");
+    }
 }
 
 static void begin_member(json_writer *w, const char *name)
 {
     if (!w->is_first) {
-        putc(',', w->file);
+        fputs(w->is_line ? ", " : ",", w->file);
     }
     w->is_first = 0;
     new_line(w);
@@ -82,7 +86,16 @@ void json_begin(json_writer *w, FILE *file)
 {
     w->file = file;
     w->depth = 0;
+    w->is_line = line_about && file == stdout;
     open_bracket(w, '{');
+    if (w->is_line) {
+        json_text(w, "file", line_about);
+    }
+}
+
+void json_lines(const char *about)
+{
+    line_about = about;
 }
 
 void json_end(json_writer *w)

@@ -13,11 +13,16 @@
 typedef struct {
     FILE *file;
     unsigned depth; /* of objects that are open */
+    int is_line;    /* all of it on one line */
     int is_first;   /* nothing stands in the innermost one yet */
 } json_writer;
 
 /* Opens the outermost object; the caller keeps the file. */
 void json_begin(json_writer *w, FILE *file);
+
+/* From now on what goes to the standard output is one line for each object, for pipes; its first member,
+ * "file", says what it is about. Null: no more. The text stays the caller's. */
+void json_lines(const char *about);
 
 /* Closes it, and ends the line. */
 void json_end(json_writer *w);
