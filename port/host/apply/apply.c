@@ -10,6 +10,7 @@
 
 #include "read/columns.h"
 #include "cli/command.h"
+#include "cli/files.h"
 #include "cli/input.h"
 #include "cli/message.h"
 #include "apply/nonlinear_correction.h"
@@ -181,9 +182,8 @@ static int run(int argc, char **argv)
     table log;
     int failure = options_parse(&syntax, argc, argv, value, files);
 
-    if (!failure && input_is_stdin(files[0]) && input_is_stdin(files[1])) {
-        failure = message_usage(syntax.command, "only one input can be the standard input");
-    }
+    const named_file inputs[] = {{"CAL.json", files[0]}, {"LOG", files[1]}};
+    failure = failure ? failure : files_check(syntax.command, inputs, 2, NULL, 0);
     failure = failure ? failure : calibration_file_read_correction(files[0], &j.file);
     failure = failure ? failure : read_temperature(value[TEMPERATURE], &j);
     failure =

@@ -14,7 +14,7 @@
 #include "fit/fit_drift.h"
 #include "fit/gravity.h"
 #include "cli/command.h"
-#include "cli/input.h"
+#include "cli/files.h"
 #include "watch/live.h"
 #include "cli/message.h"
 #include "read/noise_file.h"
@@ -349,9 +349,6 @@ static int read_program(request *r)
     if (!r->value[PLAN]) {
         return EXIT_GOOD;
     }
-    if (strcmp(r->value[PLAN], "directions:-") == 0 && input_is_stdin(r->file)) {
-        return usage(r, PLAN, "only one input can be the standard input");
-    }
     const int failure = design_make(set, r->syntax->command, r->value[PLAN]);
     if (failure == EXIT_DATA) {
         return r->value[PRIOR] && set->count > 0 ? EXIT_GOOD : usage(r, PLAN, set->refusal);
@@ -517,23 +514,15 @@ static int read_need(request *r)
     return failure;
 }
 
-/* Three different files. */
 static int check_files(const request *r)
 {
-    static const unsigned made[] = {OUT, REPORT};
+    const named_file inputs[] = {{"LOG", r->file},
+                                 {"--nominal", r->value[NOMINAL]},
+                                 {"--allan", r->value[ALLAN]},
+                                 {"--plan", design_file(r->value[PLAN])}};
+    const named_file outputs[] = {{"--out", r->value[OUT]}, {"--report", r->value[REPORT]}};
 
-    for (unsigned i = 0; i < 2; i++) {
-        const char *path = r->value[made[i]];
-        if (path && output_is_same(path, r->file)) {
-            return usage(r, made[i], "is LOG itself, which would be lost");
-        }
-    }
-    if (r->value[OUT] && r->value[REPORT] &&
-        (strcmp(r->value[OUT], r->value[REPORT]) == 0 ||
-         output_is_same(r->value[OUT], r->value[REPORT]))) {
-        return usage(r, REPORT, "is the file of --out");
-    }
-    return EXIT_GOOD;
+    return files_check(r->syntax->command, inputs, 4, outputs, 2);
 }
 
 static int read_request(int argc, char **argv, const option_syntax *syntax, request *r)
@@ -541,10 +530,6 @@ static int read_request(int argc, char **argv, const option_syntax *syntax, requ
     *r = (request){.syntax = syntax};
     int failure = options_parse(r->syntax, argc, argv, r->value, &r->file);
 
-    if (!failure && r->value[NOMINAL] && input_is_stdin(r->value[NOMINAL]) &&
-        input_is_stdin(r->file)) {
-        failure = usage(r, NOMINAL, "only one input can be the standard input");
-    }
     options_command(syntax->command, argc, argv, r->command, sizeof r->command);
     failure = failure ? failure : check_files(r);
     failure = failure ? failure : read_gravity(r);
