@@ -153,4 +153,148 @@ code=$?
 check "a folder that is not there is told before any work" \
     was_refused 3 'nowhere/x: cannot be written: No such file'
 rm -f "$work"/out/*
+
+# ---- numbers ---------------------------------------------------------------------------------------
+
+for f in px4 ardupilot; do
+    for value in -1 99999999999 1e300 0.5; do
+        refuses "export: --format $f --instance $value" 2 \
+            '^invcal: --instance: is a whole number from 0 to 3; see' export "$c" --format $f \
+            --zero 0,0,0 --lsb 1 --instance $value
+    done
+done
+for value in -1 99999999999 1e300; do
+    refuses "plan --spare $value" 2 '^invcal: --spare .*: must be within 0 \.\.\. 135; see' \
+        plan --limits 1,1,1 --spare $value
+done
+is_finite() { ! grep -Ewi -- '-?(inf|infinity|nan)' "$1" >&2; }
+tells_finite() { { [ "$code" -eq 0 ] && is_finite "$work/stdout" && is_finite "$work/page.html"; } || complain; }
+for rate in 1e-300 1e-12 1e12; do
+    head -n 20000 "$work/rest.csv" > "$work/part.csv"
+    run allan "$work/part.csv" --rate $rate --report "$work/page.html"
+    check "allan --rate $rate tells finite numbers" tells_finite
+done
+run allan "$work/part.csv" --rate 1e-300
+check "a time of more digits than tell anything is in seconds" matches "$work/stdout" '[0-9]e\+30[0-9] s'
+check "and none is a number that overflowed" lacks "$work/stdout" '[0-9]{15}'
+refuses "a field that may be wrong by more than itself" 2 '--gravity: .*below the length' \
+    calibrate "$l" --gravity 9.8+-1e300
+
+calibration() { # OFFSET DIAGONAL GRAVITY
+    printf '{"offset": [%s, 0, 0], "matrix": [[%s, 0, 0], [0, %s, 0], [0, 0, %s]], "gravity": %s}\n' \
+        "$1" "$2" "$2" "$2" "$3" > "$work/odd.json"
+}
+formats='c c-arrays fusion imu_tk ros px4 ardupilot'
+driver_of() { case $1 in ros | px4 | ardupilot) echo --zero 0,0,0 --lsb "$2" ;; esac; }
+for member in NaN Infinity -inf null 1e999; do
+    for f in $formats; do
+        calibration $member 1 9.8
+        # shellcheck disable=SC2046
+        refuses "export --format $f of an offset $member" 3 'odd\.json:1: ' \
+            export "$work/odd.json" --format $f $(driver_of $f 1)
+        calibration 1 $member 9.8
+        # shellcheck disable=SC2046
+        refuses "export --format $f of a matrix of $member" 3 'odd\.json:1: ' \
+            export "$work/odd.json" --format $f $(driver_of $f 1)
+    done
+done
+refuses_nonfinite() { # FORMAT LSB SENTENCE
+    # shellcheck disable=SC2046
+    refuses "export --format $1: $3" 1 'beyond the range of a|would be' \
+        export "$work/odd.json" --format "$1" $(driver_of "$1" "$2")
+}
+calibration 1e29 1e290 9.8
+for f in c c-arrays fusion ros px4 ardupilot; do refuses_nonfinite $f 1 "a product that overflows"; done
+calibration 1 1e308 1
+for f in fusion imu_tk; do refuses_nonfinite $f 1 "a scale that overflows"; done
+calibration 1 1e39 48
+refuses_nonfinite fusion 1 "a soft iron that overflows"
+printf '{"offset": [1, 0, 0], "matrix": [[1e30, 1e39, 0], [0, 1e30, 0], [0, 0, 1e30]], "gravity": 48}\n' \
+    > "$work/odd.json"
+refuses_nonfinite fusion 1 "a cross term that overflows"
+
+nominal='--positions --gravity 9.81744 --zero 33123,33276,32360 --lsb 0.0024'
+{ cat "$xsens"; echo 1e200,33330,33330,1,1,1,100; } > "$work/huge.csv"
+# shellcheck disable=SC2086
+refuses "a reading that no figure can tell" 1 'huge\.csv:40: position 39 is too large' \
+    calibrate "$work/huge.csv" $nominal
+{ cat "$xsens"; echo 1e20,33330,33330,1,1,1,100; } > "$work/huge.csv"
+# shellcheck disable=SC2086
+run calibrate "$work/huge.csv" $nominal --report "$work/page.html"
+check "a reading that one can is left out, in finite numbers" tells_finite
+check "it is named" matches "$work/stdout" '^Left out: position 39 \(line 40\)'
+
+# ---- the terminal ------------------------------------------------------------------------------------
+
+# A name that would clear the screen, in ASCII (ESC [ 2 J), as the one character U+009B, and as its byte.
+escape=$(printf 'a\033[2Jb\302\2332Jc\2332Jd\177e')
+cp "$l" "$work/$escape.csv"
+cp "$xsens" "$work/$escape.positions"
+cp "$work/rest.csv" "$work/$escape.rest"
+cp "$c" "$work/$escape.json"
+cp "$a" "$work/$escape.angles"
+has_no_command() { # FILE: nothing that a terminal would obey, and the rest of the name
+    LC_ALL=C tr -d '\n\t -~\200-\377' < "$1" | cmp -s - /dev/null &&
+        ! LC_ALL=C grep -q "$(printf '\302[\200-\237]')" "$1" &&
+        ! LC_ALL=C grep -q "$(printf '[ -~]\233')" "$1"
+}
+is_clean() { { has_no_command "$work/stdout" && has_no_command "$work/stderr"; } || { LC_ALL=C cat -v "$work/stdout" "$work/stderr" | grep -an '\^\|M-B' | head -n 3 >&2; return 1; }; }
+clean() { # clean SENTENCE ARGUMENTS ...
+    sentence=$1
+    shift
+    run "$@"
+    check "$sentence: it has something to say" [ -s "$work/stdout" ] || complain
+    check "$sentence: no command gets to the terminal" is_clean
+}
+shown='a\?\[2Jb\?\?2Jc\?2Jd\?e'
+clean "calibrate of a log" calibrate "$work/$escape.csv" --out "$work/out/$escape.json" \
+    --report "$work/out/$escape.html"
+check "the names can still be told" matches "$work/stdout" "^Saved in .*/$shown\.json\.\$"
+check "that of the page as well" matches "$work/stdout" "^Report in .*/$shown\.html\.\$"
+check "and the command that comes next" matches "$work/stdout" "invcal apply '.*/$shown\.json' LOG"
+check "the file has the name that was asked for" is_json "$work/out/$escape.json"
+check "the page is clean, too" has_no_command "$work/out/$escape.html"
+rm -f "$work"/out/*
+clean "calibrate of positions" calibrate "$work/$escape.positions" --positions
+clean "calibrate --json" calibrate "$work/$escape.csv" --json
+clean "watch" watch "$work/$escape.csv"
+clean "allan" allan "$work/$escape.rest" --to 299
+clean "plan of angles" plan --angles "$work/$escape.angles"
+clean "plan of directions" plan --directions "$work/$escape.angles"
+clean "plan of two sets" plan --compare "angles:$work/$escape.angles" edges
+clean "export" export "$work/$escape.json" --format c
+sed "1s/.*/t,ax,ay,az,temp$(printf '\302\2332J\177')/; 2,\$s/\$/,25/" "$l" > "$work/heading.csv"
+clean "a column" calibrate "$work/heading.csv"
+sed "1s/.*/t,x$(printf '\302\2332J'),y,z/" "$l" > "$work/heading.csv"
+run calibrate "$work/heading.csv"
+check "a column that is refused" is_clean
+for command in calibrate watch allan; do
+    run $command "$work/no $escape"
+    check "$command: a file that is not there" is_clean
+done
+refuses "a heading that is no word" 2 '--nominal-name: is a word' calibrate "$l" --nominal-name "$(printf '\033[2J')"
+
+# ---- silence ------------------------------------------------------------------------------------------
+
+cat > "$work/warm.json" << 'END'
+{"offset": [0, 0, 0], "matrix": [[1, 0, 0], [0, 1, 0], [0, 0, 1]], "gravity": 9.8,
+ "thermal": {"degree": 0, "reference": 25, "span": 10, "least": 20, "greatest": 30, "field": 9.8,
+  "nominal_offset": [0, 0, 0], "nominal_matrix": [[1, 0, 0], [0, 1, 0], [0, 0, 1]],
+  "coefficients": [{"delta": [0, 0, 0], "dk": [0, 0, 0], "gamma": [0, 0, 0]}], "frame": "symmetric"}}
+END
+cat > "$work/bent.json" << 'END'
+{"offset": [0, 0, 0], "matrix": [[1, 0, 0], [0, 1, 0], [0, 0, 1]], "gravity": 9.8,
+ "nonlinearity": {"quadratic": [0.001, 0, 0], "cubic": [0, 0, 0], "field": 9.8,
+  "nominal_matrix": [[1, 0, 0], [0, 1, 0], [0, 0, 1]]}}
+END
+printf 'x,y,z,temperature\n20,1,1,90\n' > "$work/beyond.csv"
+for kind in warm bent; do
+    run apply "$work/$kind.json" "$work/beyond.csv"
+    check "apply warns of what is beyond: $kind" says '^invcal: warning: '
+    cp "$work/stdout" "$work/loud"
+    accepts "apply --quiet does not: $kind" apply "$work/$kind.json" "$work/beyond.csv" --quiet
+    check "and prints the same: $kind" same "$work/stdout" "$work/loud"
+done
+refuses "apply --quiet tells an error" 3 'no\.csv: cannot be read' \
+    apply "$work/warm.json" "$work/no.csv" --quiet
 finish

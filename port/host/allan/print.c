@@ -2,6 +2,7 @@
 #include "allan/allan.h"
 #include "text/figure.h"
 #include "text/paint.h"
+#include "text/plain.h"
 
 #define LABEL 36
 #define CELL 20
@@ -10,8 +11,10 @@
 static void print_source(FILE *file, const allan_result *r, const allan_wish *wish)
 {
     char seen[COLUMNS_TEXT_MAX];
+    char name[PLAIN_MAX];
 
-    fprintf(file, "%s: %s\n", r->name, columns_describe(&r->seen, seen, sizeof seen));
+    fprintf(file, "%s: %s\n", plain_copy(r->name, name),
+            columns_describe(&r->seen, seen, sizeof seen));
     fprintf(file, "%lu samples, %.6g s at %.6g samples a second, %lu gap%s\n", r->samples,
             (double)r->samples / r->rate, r->rate, r->gaps, r->gaps == 1 ? "" : "s");
     fprintf(file, "Allan deviation, %s, %s\n\n",

@@ -34,6 +34,7 @@ typedef struct {
     double temperature; /* of all readings; NaN: by the column */
     thermal_correction at;
     nonlinear_correction bent;
+    int is_quiet; /* nothing is told of readings that are beyond what the calibration knows */
 } job;
 
 /* Checks a number, but hands it on as the text that it was: a time stamp has digits to lose. Only a
@@ -154,7 +155,7 @@ static int apply(table *log, job *j)
         failure = output_copy(spool);
     }
     fclose(spool);
-    if (!failure) {
+    if (!failure && !j->is_quiet) {
         thermal_correction_end(&j->at, log->name);
         nonlinear_correction_end(&j->bent, log->name);
     }
@@ -192,7 +193,8 @@ static int run(int argc, char **argv)
         return failure;
     }
     thermal_correction_begin(&j.at, &j.file);
-    if (value[QUIET]) {
+    j.is_quiet = value[QUIET] != NULL;
+    if (j.is_quiet) {
         progress_quiet();
     }
     failure = table_open(&log, files[1]);
@@ -226,7 +228,8 @@ static const char *const help[] = {
     "told.\n"
     "\n"
     "  --temperature T     of all readings, in place of the column; needs such a calibration\n"
-    "  --quiet             show no progress, print only the result and errors\n"
+    "  --quiet             print only the result and errors: no progress, no warning of readings\n"
+    "                      beyond what the calibration knows\n"
     "\n"
     "exit codes: 0 good; 2 usage; 3 a file unreadable or malformed, or the output not writable\n"
     "\n"

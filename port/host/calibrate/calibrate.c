@@ -22,6 +22,7 @@
 #include "cli/output.h"
 #include "cli/progress.h"
 #include "report/report.h"
+#include "text/plain.h"
 
 enum {
     POSITIONS,
@@ -202,8 +203,8 @@ static int read_gravity(request *r)
     if (!failure && !(r->settings.field > 0)) {
         failure = usage(r, GRAVITY, "the length of a field is above 0");
     }
-    if (!failure && !(r->field_sigma >= 0)) {
-        failure = usage(r, GRAVITY, "a standard deviation is not negative");
+    if (!failure && !(r->field_sigma >= 0 && r->field_sigma < r->settings.field)) {
+        failure = usage(r, GRAVITY, "a standard deviation is not negative, and below the length");
     }
     return failure;
 }
@@ -227,7 +228,8 @@ static int read_nominal(request *r)
     if (r->value[NOMINAL] && (r->value[ZERO] || r->value[LSB])) {
         return usage(r, NOMINAL, "holds zero and scale, so leave out --zero and --lsb");
     }
-    if (r->value[NOMINAL_NAME] && strlen(r->value[NOMINAL_NAME]) > CALIBRATE_NAME_MAX) {
+    if (r->value[NOMINAL_NAME] && (strlen(r->value[NOMINAL_NAME]) > CALIBRATE_NAME_MAX ||
+                                   !plain_is(r->value[NOMINAL_NAME]))) {
         return usage(r, NOMINAL_NAME, "is a word of at most 14 bytes");
     }
     if (r->value[ZERO]) {

@@ -6,19 +6,15 @@
 
 #include "cli/command.h"
 #include "text/paint.h"
+#include "text/plain.h"
 #include "cli/progress.h"
 
 /* File names and input may hold anything; the terminal gets none of it. A progress bar makes way. */
 static void print_line(char *text, const char *tail)
 {
-    for (char *c = text; *c != '\0'; c++) {
-        if ((unsigned char)*c < ' ' || *c == 0x7f) {
-            *c = '?';
-        }
-    }
     progress_end();
-    fprintf(stderr, "%sinvcal:%s %s%s\n", paint_on(stderr, PAINT_RED), paint_off(stderr), text,
-            tail);
+    fprintf(stderr, "%sinvcal:%s %s%s\n", paint_on(stderr, PAINT_RED), paint_off(stderr),
+            plain(text), tail);
 }
 
 void message(const char *format, ...)

@@ -28,7 +28,8 @@ static int is_impossible(const positions *p, unsigned i, const fit_settings *set
 
     invcal_apply(&settings->nominal, mean, u);
     *error = sqrt(u[0] * u[0] + u[1] * u[1] + u[2] * u[2]) - 1;
-    return invcal_observe(&settings->nominal, mean, &row) == INVCAL_OUT_OF_RANGE;
+    return invcal_observe(&settings->nominal, mean, &row) == INVCAL_OUT_OF_RANGE &&
+           *error <= REJECTION_TELLABLE;
 }
 
 /* Up to one in eight, if enough others are there to tell. */

@@ -8,6 +8,10 @@
 #include "fit/fit.h"
 #include "read/positions.h"
 
+/* Times the field: what is beyond is no reading, and no figure can be told of it. One that is within is
+ * left out if it cannot be one of this field; beyond, the data are refused. */
+#define REJECTION_TELLABLE 1e100
+
 typedef struct {
     unsigned position; /* from 0 */
     double error;      /* what it reads too much, over the field */

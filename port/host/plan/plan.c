@@ -163,7 +163,7 @@ static int read_demands(request *r)
     if (!failure && floor(spare) < spare) {
         return message_usage(syntax.command, "--spare %s: is no whole number", r->value[SPARE]);
     }
-    r->choice.spare = (unsigned)spare;
+    r->choice.spare = failure ? 0 : (unsigned)spare;
     r->choice.needs_axes = r->value[NEED_AXES] != NULL;
     return failure;
 }

@@ -9,6 +9,7 @@
 #include "cli/command.h"
 #include "cli/message.h"
 #include "text/number.h"
+#include "text/plain.h"
 
 #define RADIANS 0.017453292519943296 /* in a degree */
 
@@ -628,5 +629,5 @@ const char *columns_describe(const recognition *seen, char *text, size_t size)
         append(text, size, "; ignored: %u other column%s", seen->others,
                seen->others == 1 ? "" : "s");
     }
-    return text;
+    return plain(text);
 }

@@ -15,6 +15,7 @@
 #include "design/parameters.h"
 #include "stand/tell.h"
 #include "result/verdict.h"
+#include "text/plain.h"
 
 #define LINE_WIDTH 99u
 #define TEXT_MAX 512
@@ -274,16 +275,16 @@ static void print_next(FILE *file, const calibrate_result *result, const calibra
 {
     const fit_quality *q = &result->quality;
     const char *saved = wish->saved;
-    char path[MESSAGE_MAX];
+    char path[PLAIN_MAX];
     char advice[128];
     char remedy[VERDICT_MAX];
     char text[VERDICT_MAX + 8];
 
     if (saved) {
-        fprintf(file, "Saved in %s.\n", saved);
+        fprintf(file, "Saved in %s.\n", plain_copy(saved, path));
     }
     if (wish->report) {
-        fprintf(file, "Report in %s.\n", wish->report);
+        fprintf(file, "Report in %s.\n", plain_copy(wish->report, path));
     }
     if (q->verdict == INVCAL_NO_REDUNDANCY) {
         fprintf(file, "Next: add 3 or more positions in other directions, to check the fit.\n");
@@ -297,7 +298,7 @@ static void print_next(FILE *file, const calibrate_result *result, const calibra
     } else if (strcmp(verdict_word(result), "Good") == 0) {
         fprintf(file, "Next: %scorrect readings with: invcal apply %s LOG\n",
                 saved ? "" : "save it with --out CAL.json, then ",
-                options_quoted(saved ? saved : "CAL.json", path, sizeof path));
+                saved ? plain(options_quoted(saved, path, sizeof path)) : "CAL.json");
     } else {
         snprintf(text, sizeof text, "Next: %s", verdict_remedy(result, remedy));
         calibrate_print_wrapped(file, 0, text);
@@ -312,6 +313,7 @@ static void print_recognised(FILE *file, const positions *data)
 
     columns_describe(&data->seen, text, sizeof text);
     snprintf(line, sizeof line, "%s: %s", data->name, text);
+    plain(line);
     calibrate_print_wrapped(file, 0, line);
 }
 
@@ -319,12 +321,13 @@ static void print_recognised(FILE *file, const positions *data)
 static void print_log(FILE *file, const calibrate_result *result)
 {
     const rests_summary *log = result->log;
+    char name[PLAIN_MAX];
 
     if (!log) {
         return;
     }
-    fprintf(file, "%s: %lu samples, %.6g s at %.4g samples a second%s\n", result->data->name,
-            log->samples, log->seconds, log->rate,
+    fprintf(file, "%s: %lu samples, %.6g s at %.4g samples a second%s\n",
+            plain_copy(result->data->name, name), log->samples, log->seconds, log->rate,
             log->is_rate_known ? "" : " (a guess: --rate states it)");
     if (log->gaps > 0) {
         fprintf(file, "%*lu gap%s in the stream\n", 8, log->gaps, log->gaps == 1 ? "" : "s");
@@ -395,11 +398,12 @@ void calibrate_print(FILE *file, const calibrate_result *result, const calibrate
 {
     const int known = calibrate_knows_noise(result);
     const nominal_choice *n = &result->nominal;
+    char name[PLAIN_MAX];
 
     print_recognised(file, result->data);
     print_log(file, result);
-    fprintf(file, "%s: %u positions, field %.7g %s\n", result->data->name, result->data->count,
-            result->settings.field, calibrate_field_unit(result));
+    fprintf(file, "%s: %u positions, field %.7g %s\n", plain_copy(result->data->name, name),
+            result->data->count, result->settings.field, calibrate_field_unit(result));
     print_place(file, result);
     print_rejected(file, result);
     if (n->zero == n->lsb) {

@@ -16,6 +16,7 @@
 #include "fit/nominal.h"
 #include "text/paint.h"
 #include "read/samples.h"
+#include "text/plain.h"
 
 #define RENEW 4u          /* positions whose range says more than the first reading */
 #define FAR_OFF 0.7       /* mean of unit vectors that differ less than positions do */
@@ -177,12 +178,14 @@ static void say_recognised(const stage *s)
 {
     recognition seen = s->p->seen;
     char text[COLUMNS_TEXT_MAX];
+    char name[PLAIN_MAX];
 
     if (s->wish->unit != UNIT_UNKNOWN) {
         seen.unit = s->wish->unit;
         seen.unit_from = UNIT_FROM_OPTION;
     }
-    fprintf(s->wish->talk, "%s: %s\n", s->p->name, columns_describe(&seen, text, sizeof text));
+    fprintf(s->wish->talk, "%s: %s\n", plain_copy(s->p->name, name),
+            columns_describe(&seen, text, sizeof text));
 }
 
 /* ---- zero and scale ---------------------------------------------------------------------------- */
