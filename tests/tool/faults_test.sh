@@ -272,7 +272,7 @@ for command in calibrate watch allan; do
     run $command "$work/no $escape"
     check "$command: a file that is not there" is_clean
 done
-refuses "a heading that is no word" 2 '--nominal-name: is a word' calibrate "$l" --nominal-name "$(printf '\033[2J')"
+clean "the heading of the nominal" calibrate "$l" --nominal-name "$(printf '\033[2J\302\2332J')"
 
 # ---- silence ------------------------------------------------------------------------------------------
 

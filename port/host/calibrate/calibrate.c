@@ -22,7 +22,6 @@
 #include "cli/output.h"
 #include "cli/progress.h"
 #include "report/report.h"
-#include "text/plain.h"
 
 enum {
     POSITIONS,
@@ -228,8 +227,7 @@ static int read_nominal(request *r)
     if (r->value[NOMINAL] && (r->value[ZERO] || r->value[LSB])) {
         return usage(r, NOMINAL, "holds zero and scale, so leave out --zero and --lsb");
     }
-    if (r->value[NOMINAL_NAME] && (strlen(r->value[NOMINAL_NAME]) > CALIBRATE_NAME_MAX ||
-                                   !plain_is(r->value[NOMINAL_NAME]))) {
+    if (r->value[NOMINAL_NAME] && strlen(r->value[NOMINAL_NAME]) > CALIBRATE_NAME_MAX) {
         return usage(r, NOMINAL_NAME, "is a word of at most 14 bytes");
     }
     if (r->value[ZERO]) {

@@ -399,7 +399,9 @@ void calibrate_print(FILE *file, const calibrate_result *result, const calibrate
     const int known = calibrate_knows_noise(result);
     const nominal_choice *n = &result->nominal;
     char name[PLAIN_MAX];
+    char nominal[PLAIN_MAX];
 
+    plain_copy(wish->nominal_name, nominal);
     print_recognised(file, result->data);
     print_log(file, result);
     fprintf(file, "%s: %u positions, field %.7g %s\n", plain_copy(result->data->name, name),
@@ -407,15 +409,13 @@ void calibrate_print(FILE *file, const calibrate_result *result, const calibrate
     print_place(file, result);
     print_rejected(file, result);
     if (n->zero == n->lsb) {
-        fprintf(file, "%s: zero and scale %s\n\n", wish->nominal_name,
-                nominal_origin_text(n->zero));
+        fprintf(file, "%s: zero and scale %s\n\n", nominal, nominal_origin_text(n->zero));
     } else {
-        fprintf(file, "%s: zero %s, scale %s\n\n", wish->nominal_name, nominal_origin_text(n->zero),
+        fprintf(file, "%s: zero %s, scale %s\n\n", nominal, nominal_origin_text(n->zero),
                 nominal_origin_text(n->lsb));
     }
     fprintf(file, "%s%-14s%14s ± %-10s%*s%14s%s\n", paint_on(file, PAINT_BOLD), "", "calibrated",
-            "sigma", paint_width(wish->nominal_name, 14), wish->nominal_name, "difference",
-            paint_off(file));
+            "sigma", paint_width(nominal, 14), nominal, "difference", paint_off(file));
     print_offsets(file, result, known);
     print_scales(file, result, known);
     if (result->told == TOLD_INS) { /* in input units alone no engineer of INS can read it */
@@ -423,12 +423,12 @@ void calibrate_print(FILE *file, const calibrate_result *result, const calibrate
     }
     print_errors(file, result, known);
     calibrate_nonlinear_print(file, result);
-    print_guess(file, n, wish->nominal_name);
+    print_guess(file, n, nominal);
     fprintf(file, "\n");
     print_stand(file, result);
     calibrate_print_thermal(file, result);
     fprintf(file, "%s", result->temperature == CALIBRATE_THERMAL ? "\n" : "");
-    print_residuals(file, result, wish->nominal_name);
+    print_residuals(file, result, nominal);
     if (result->is_robust_wanted) {
         calibrate_robust_print(file, result);
     }
