@@ -11,9 +11,11 @@
 
 void thermal_rejection_drifting(rejection *r, const positions *p, double limit)
 {
+    const unsigned before = r->count;
+
     for (unsigned i = 0; i < p->count; i++) {
         const double drift = p->origin[i].drift;
-        if (!isnan(drift) && !(drift <= limit) && !rejection_has(r, i)) {
+        if (!isnan(drift) && !(drift <= limit) && !rejection_has(r, before, i)) {
             rejection_add(r, (rejected_position){.position = i, .drift = drift});
         }
     }
