@@ -297,4 +297,128 @@ for kind in warm bent; do
 done
 refuses "apply --quiet tells an error" 3 'no\.csv: cannot be read' \
     apply "$work/warm.json" "$work/no.csv" --quiet
+
+# ---- logs of great length ------------------------------------------------------------------------------
+
+# The six faces and twelve edges again and again, or with random=1 any direction: x y z, normal noise of
+# 1 mm/s^2. With share=S every one of that share, at random, reads 20 mm/s^2 too much: their numbers go to
+# the file wrong. With angles=1 angles of 15 degrees, the wrong ones 15 degrees off.
+cat > "$work/long.awk" << 'END'
+function gauss() { return sqrt(-2 * log(1 - rand())) * cos(6.283185307179586 * rand()) }
+function put(x, y, z, rest) {
+    printf "%.6f,%.6f,%.6f%s\n", 9.8 * x * 1.01 + 0.1 + 0.001 * gauss(),
+        9.8 * y * 0.99 - 0.2 + 0.001 * gauss(), 9.8 * z * 1.02 + 0.05 + 0.001 * gauss(), rest
+}
+BEGIN {
+    srand(seed)
+    d = 0.017453292519943295
+    for (i = -1; i <= 1; i++) for (j = -1; j <= 1; j++) for (k = -1; k <= 1; k++) {
+        q = i * i + j * j + k * k
+        if (q == 1 || q == 2) { m++; X[m] = i / sqrt(q); Y[m] = j / sqrt(q); Z[m] = k / sqrt(q) }
+    }
+    print "x,y,z" (angles ? ",alpha,beta" : "")
+    for (i = 0; i < n; i++) {
+        p = i % m + 1
+        x = X[p]; y = Y[p]; z = Z[p]
+        if (random) {
+            z = 2 * rand() - 1; a = 6.283185307179586 * rand(); r = sqrt(1 - z * z)
+            x = r * cos(a); y = r * sin(a)
+        }
+        is_wrong = rand() < share
+        if (angles) {
+            a = 15 * int(24 * rand()); b = 15 * int(24 * rand())
+            put(sin(a * d) * sin(b * d), cos(a * d), sin(a * d) * cos(b * d), "," a "," b + 15 * is_wrong)
+        } else {
+            longer = is_wrong ? 1 + 0.02 / 9.8 : 1
+            put(x * longer, y * longer, z * longer, "")
+        }
+        if (is_wrong) print i + 1 > wrong
+    }
+}
+END
+long() { # NAME=VALUE ...
+    for v in "$@"; do
+        set -- "$@" -v "$v"
+        shift
+    done
+    : > "$work/wrong"
+    awk -v wrong="$work/wrong" "$@" -f "$work/long.awk" > "$work/long.csv"
+}
+of_long() { run calibrate "$work/long.csv" --positions --gravity 9.8 "$@"; }
+long n=65535 seed=1
+refuses "more positions than can be are refused with a reason" 3 'long\.csv:65536: more than 65534 positions' \
+    calibrate "$work/long.csv" --positions
+all_good() { # a program that is repeated, so often that any stride meets its period
+    long n=20000 seed=1
+    mv "$work/long.csv" "$work/all.csv"
+    for n in 500 1000 2000 2560 3280 5200 6000 7000 9680 12000 13500 17000 20000; do
+        head -n $((n + 1)) "$work/all.csv" > "$work/long.csv"
+        of_long
+        { [ "$code" -eq 0 ] && matches "$work/stdout" '^Good: '; } ||
+            { echo "    $n: $(grep -E '^[A-Z][a-z ]*: ' "$work/stdout" | tail -n 2 | head -n 1)" >&2; return 1; }
+    done
+}
+check "a clean program of 18 positions is good, however often it was repeated" all_good
+false_alarms() { # of 100 clean sets of 130 positions, which take three turns: 0.7 are to be expected
+    alarms=0
+    for seed in $(seq 100); do
+        long n=130 random=1 seed="$seed"
+        of_long --json
+        [ "$(json "$work/stdout" rejected)" = "[]" ] && [ "$(json "$work/stdout" suspected)" = 0 ] ||
+            alarms=$((alarms + 1))
+    done
+    [ $alarms -le 3 ] || { echo "    $alarms false alarms" >&2; return 1; }
+}
+check "a test that is repeated keeps its false alarms for all positions together" false_alarms
+finds_wrong() { # SHARE COUNT SEED: those that were made wrong and no others, and none is only suspected
+    long n="$2" random=1 share="$1" seed="$3"
+    of_long --json
+    [ "$(json "$work/stdout" rejected | tr -d '[] ' | tr ',' '\n')" = "$(cat "$work/wrong")" ] &&
+        [ "$(json "$work/stdout" suspected)" = 0 ]
+}
+check "a few wrong ones of thousands are named, and no others" finds_wrong 0.002 5000 1
+check "one in ten" finds_wrong 0.1 5000 2
+check "one in ten of a hundred and thirty" finds_wrong 0.1 130 3
+
+# takes_its_length SIZE MAKER ARGUMENTS ...: four times as much of what MAKER SIZE makes takes the processor
+# no more than nine times as long. (In square time it would be sixteen.)
+spent() { # BEFORE AFTER: seconds that all children have taken in between, by two lists of `times`
+    awk 'FNR == 2 { for (i = 1; i <= 2; i++) { split($i, t, /[ms]/); s += (NR == FNR ? -1 : 1) * (60 * t[1] + t[2]) } }
+        END { print s }' "$1" "$2"
+}
+takes_its_length() {
+    size=$1 maker=$2
+    shift 2
+    for factor in 1 4; do
+        $maker $((size * factor))
+        times > "$work/before.times" # (not in a shell of its own, which would have no children)
+        run "$@"
+        times > "$work/after.times"
+        [ "$code" -eq 0 ] || { complain; return 1; }
+        took=$(spent "$work/before.times" "$work/after.times")
+        [ $factor = 4 ] || took1=$took
+    done
+    echo "$took1 $took" | awk '{ exit !($2 > 0 && $2 <= 9 * $1 + 0.1) }' ||
+        { echo "    $took1 s, four times as many $took s" >&2; return 1; }
+}
+with_angles() { long n="$1" angles=1 share=0.08 seed=1; }
+with_wrong() { long n="$1" random=1 share=0.1 seed=1; }
+with_rests() { # the same directions, five seconds each at 10 samples a second
+    long n="$1" random=1 seed=1
+    awk -F , 'BEGIN { srand(2) } NR == 1 { print "t,x,y,z"; next } {
+        for (k = 1; k <= 55; k++) {
+            f = k < 6 ? k / 6 : 1
+            s = k < 6 ? 2 : 0.01
+            printf "%.1f,%.4f,%.4f,%.4f\n", 0.1 * t++, x + ($1 - x) * f + s * (rand() - 0.5),
+                y + ($2 - y) * f + s * (rand() - 0.5), z + ($3 - z) * f + s * (rand() - 0.5)
+        }
+        x = $1; y = $2; z = $3 }' "$work/long.csv" > "$work/rests.csv"
+}
+check "positions take as long as they are many, wrong ones among them" \
+    takes_its_length 16000 with_wrong calibrate "$work/long.csv" --positions --gravity 9.8
+check "so do misset ones of a stand" \
+    takes_its_length 16000 with_angles calibrate "$work/long.csv" --positions --gravity 9.8 --stand
+check "so does watch" takes_its_length 1000 with_rests watch "$work/rests.csv" --gravity 9.8
+check "so does watch with a program" \
+    takes_its_length 1000 with_rests watch "$work/rests.csv" --gravity 9.8 --plan edges
 finish
