@@ -421,4 +421,149 @@ check "so do misset ones of a stand" \
 check "so does watch" takes_its_length 1000 with_rests watch "$work/rests.csv" --gravity 9.8
 check "so does watch with a program" \
     takes_its_length 1000 with_rests watch "$work/rests.csv" --gravity 9.8 --plan edges
+
+# ---- facts of a report and of the result ---------------------------------------------------------------
+
+# The sensor of simulate (its --help): offsets 0.02, -0.015, 0.03 g, scale errors 1, -0.8 and 1.2 %, angles
+# 0.01, -0.006, 0.008 rad; 16384 counts for g.
+"$tool" simulate --plan edges --noise 0.0001 > "$work/known.csv"
+run calibrate "$work/known.csv" --gravity 9.80665 --zero 0,0,0 --lsb 0.00059855041503906 \
+    --report "$work/page.html"
+# The rows of the page's tables, one on a line, without tags.
+tr -d '\n' < "$work/page.html" | sed 's/<tr>/\n/g' | sed "s/<\/tr>.*//; s/<[^>]*>/ /g; s/$(printf '\302\240')/ /g; s/−/-/g" \
+    > "$work/rows"
+# What the picture of the nine says of itself.
+sed -n 's/^<desc>Bars for the nine parameters[^:]*: \(.*\)\.<\/desc>$/\1/p' "$work/page.html" | head -n 1 |
+    sed "s/; /\n/g; s/$(printf '\302\240')/ /g; s/−/-/g" > "$work/bars"
+shows() { # FILE NAME NUMBER WITHIN: the line that begins with this name has such a number
+    awk -v name="$2" -v number="$3" -v within="$4" '
+        { $1 = $1 }
+        index($0, name " ") == 1 {
+            seen = 1
+            for (i = 3; i <= NF; i++) if ($i - number <= within && number - $i <= within) found = 1
+        }
+        END { exit !(seen && found) }' "$1" || { grep "$2" "$1" | head -n 2 >&2; return 1; }
+}
+for row in 'offset x=20=327.68' 'offset y=-15=-245.76' 'offset z=30=491.52' 'scale x=1=1687.410' \
+    'scale y=-0.8=1657.337' 'scale z=1.2=1690.751' 'angle xy=0.57296=' 'angle xz=-0.34377=' \
+    'angle zy=0.45837='; do
+    name=${row%%=*} values=${row#*=}
+    check "report: the table tells the $name of the sensor" shows "$work/rows" "$name" "${values%=*}" 0.02
+    check "report: and so does the picture" shows "$work/bars" "$name" "${values%=*}" 0.02
+    [ -z "${values#*=}" ] ||
+        check "report: and what it reads: $name" shows "$work/rows" "$name" "${values#*=}" 0.3
+done
+for axis in x y z; do
+    check "report: the nominal scale of $axis" shows "$work/rows" "scale $axis" 1670.703 0.06
+done
+
+# Position 3 is wrong by 50 mm/s^2, so it is left out; behind it 11 is worst, wrong by four times the noise.
+long n=20 random=1 seed=3
+awk -F , -v OFS=, 'NR == 4 { for (i = 1; i <= 3; i++) $i *= 1.005 }
+    NR == 12 { for (i = 1; i <= 3; i++) $i *= 1.0004 } { print }' "$work/long.csv" > "$work/moved.csv"
+run calibrate "$work/moved.csv" --positions --gravity 9.8 --json
+check "the wrong one is left out" [ "$(json "$work/stdout" rejected)" = '[3]' ]
+run calibrate "$work/moved.csv" --positions --gravity 9.8
+check "the worst of those kept has its number in the file" \
+    matches "$work/stdout" 'max .*, at position 11 \(line 12\)$'
+awk -F , -v OFS=, 'NR == 4 { $1 = 1e20 } NR == 12 { $1 = 1e200 } { print }' "$work/long.csv" > "$work/moved.csv"
+refuses "so has one that is refused behind one that is left out" 1 \
+    'moved\.csv:12: position 11 is too large' calibrate "$work/moved.csv" --positions --gravity 9.8 \
+    --zero 0,0,0 --lsb 1
+long n=24 angles=1 seed=8
+awk -F , -v OFS=, 'NR == 4 { for (i = 1; i <= 3; i++) $i *= 1.005 } NR == 12 { $4 += 2 } { print }' \
+    "$work/long.csv" > "$work/moved.csv"
+run calibrate "$work/moved.csv" --positions --gravity 9.8 --stand
+check "so has one of a stand that is misset" matches "$work/stdout" '^Misset: position 11 \(line 12\)|^Misset: position 11 '
+
+# Noise of the samples: 1 mg, over the root of the 350 to 500 samples that a rest of five seconds has.
+"$tool" simulate --plan edges --noise 0.001 > "$work/noisy.csv"
+run calibrate "$work/noisy.csv" --gravity 9.80665
+check "the noise of a mean is that of its samples over the root of their number" awk '
+    match($0, /\(of samples: [0-9.e-]*\)/) {
+        n = 0.00980665 / substr($0, RSTART + 13, RLENGTH - 14); found = n * n > 350 && n * n < 500
+    }
+    END { exit !found }' "$work/stdout"
+
+# Slopes of temperature where there are none: the chance of the difference that they make is that of
+# Fisher, the integral of the beta distribution (by the midpoint rule) for 9 and n - 18 degrees of freedom.
+chance_of() { # RMS WITHOUT POSITIONS
+    awk -v z="$(echo "$1 $2" | awk '{ print ($1 / $2) ^ 2 }')" -v n="$3" 'BEGIN {
+        a = (n - 18) / 2; b = 4.5; steps = 100000
+        for (i = 0; i < steps; i++) {
+            t = (i + 0.5) / steps
+            f = t ^ (a - 1) * (1 - t) ^ (b - 1)
+            all += f
+            if (t <= z) part += f
+        }
+        print part / all
+    }'
+}
+is_chance() { # POSITIONS SEED
+    long n="$1" random=1 seed="$2"
+    awk -F , 'NR == 1 { print $0 ",temperature"; next } { print $0 "," 20 + 10 * (NR % 2) }' \
+        "$work/long.csv" > "$work/warm.csv"
+    run calibrate "$work/warm.csv" --positions --gravity 9.8 --keep-all
+    told=$(tr '\n' ' ' < "$work/stdout" | sed -n 's/.*(chance alone: \([0-9.e-]*\)).*/\1/p')
+    run calibrate "$work/warm.csv" --positions --gravity 9.8 --keep-all --thermal 1 --json
+    without=$(sed -n 's/^ *"residual_rms_without": \([0-9.e-]*\),*$/\1/p' "$work/stdout")
+    is=$(chance_of "$(json "$work/stdout" residual_rms)" "$without" "$1")
+    echo "$told $is" | awk '{ exit !($1 > 0 && $1 / $2 < 1.06 && $2 / $1 < 1.06) }' ||
+        { echo "    told $told, but is $is" >&2; return 1; }
+}
+for n in 24 30 50; do
+    check "the chance that $n positions depend on temperature is Fisher's" is_chance $n 1
+    check "and of others" is_chance $n 2
+done
+# One position more than the fewest in which --thermal looks for wrong ones has two degrees of freedom
+# behind it: with any more Student's bound would be a third, and one set in ten would lose a good one.
+thermal_alarms() {
+    alarms=0
+    for seed in $(seq 100); do
+        long n=21 random=1 seed="$seed"
+        awk -F , 'NR == 1 { print $0 ",temperature"; next } { print $0 "," 20 + 10 * (NR % 2) }' \
+            "$work/long.csv" > "$work/warm.csv"
+        run calibrate "$work/warm.csv" --positions --gravity 9.8 --thermal 1 --json
+        [ "$(json "$work/stdout" rejected)" = "[]" ] || alarms=$((alarms + 1))
+    done
+    [ $alarms -le 3 ] || { echo "    $alarms false alarms" >&2; return 1; }
+}
+check "--thermal leaves out no good one, even of the fewest" thermal_alarms
+
+# ---- on the disk ---------------------------------------------------------------------------------------
+
+cat > "$work/count.c" << 'END'
+#define _GNU_SOURCE
+#include <dlfcn.h>
+#include <stdio.h>
+#include <stdlib.h>
+static void tell(const char *what)
+{
+    FILE *file = fopen(getenv("COUNTED"), "a");
+    if (file) {
+        fprintf(file, "%s\n", what);
+        fclose(file);
+    }
+}
+int fsync(int fd)
+{
+    tell("fsync");
+    return ((int (*)(int))dlsym(RTLD_NEXT, "fsync"))(fd);
+}
+int rename(const char *from, const char *to)
+{
+    tell("rename");
+    return ((int (*)(const char *, const char *))dlsym(RTLD_NEXT, "rename"))(from, to);
+}
+END
+if ! ${CC:-cc} -shared -fPIC -w -o "$work/count.so" "$work/count.c" -ldl 2> /dev/null ||
+    ! LD_PRELOAD=$work/count.so COUNTED=$work/counted "$tool" --version > /dev/null 2>&1; then
+    echo "what is brought to the disk: left out, nothing can be put before the C library here"
+else
+    COUNTED=$work/counted LD_PRELOAD=$work/count.so "$tool" calibrate "$l" --quiet \
+        --out "$work/out/cal.json" --report "$work/out/page.html"
+    check "both files are brought to the disk before either gets its name" \
+        [ "$(tr '\n' ' ' < "$work/counted")" = 'fsync fsync rename rename ' ]
+    rm -f "$work"/out/*
+fi
 finish
