@@ -41,7 +41,7 @@ static positions spiral(unsigned count)
         mean[3 * n] = length * sqrt(1 - z * z) * cos(angle);
         mean[3 * n + 1] = length * sqrt(1 - z * z) * sin(angle);
         mean[3 * n + 2] = length * z;
-        origin[n].temperature = NAN;
+        origin[n].temperature = (double)NAN;
     }
     return (positions){.name = "spiral", .mean = mean, .origin = origin, .count = count};
 }

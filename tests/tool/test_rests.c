@@ -45,7 +45,7 @@ static void with_blocks_it_is_as_their_means_scatter(void)
     log_read = (recording){.size = SIZE, .blocks = 5};
     for (int k = 0; k < 5; k++) {
         log_read.block[k].line = 7 + (unsigned long)k;
-        log_read.block[k].sum[1] = SIZE * block_mean[k];
+        log_read.block[k].sum[1] = (double)SIZE * block_mean[k];
     }
     TEST_ASSERT_EQUAL_INT(0, rests_take(&p, &disturbed, UNIT, &log_read));
     TEST_ASSERT_DOUBLE_WITHIN(1e-12, 66.0 / 20 * UNIT * UNIT, p.noise_square[1]);
