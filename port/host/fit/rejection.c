@@ -154,8 +154,9 @@ static void find_among(rejection *r, const positions *p, const fit_settings *set
     if (t.number == 0) {
         r->found = q;
         r->is_judged = 1;
-        if (t.of > 1 && q.verdict == INVCAL_ROUGH) {
-            r->found.verdict = INVCAL_GOOD; /* all together tell better whether they are */
+        if (t.of > 1 && q.suspected != 0 && q.verdict == INVCAL_ROUGH) {
+            r->found.verdict =
+                INVCAL_GOOD; /* for those only; all the others tell which are wrong */
         }
     }
 }
@@ -204,7 +205,7 @@ static int compare_numbers(const void *a, const void *b)
 }
 
 /* The noise of a length among those that are kept by the median of its size, which up to half of them may
- * be wrong without much harm: 1.4826 is 1 over the median of a normal variable's. r->number, which is
+ * be wrong without much harm: 1.4826 is 1 over that of a standard normal variable. r->number, which is
  * found anew in the end, lends the room. */
 static double robust_noise(rejection *r, const invcal_calibration *c)
 {
