@@ -171,7 +171,7 @@ refuses "a unit that is none" 2 '--unit ft: is none of' allan "$work/rest.csv" -
 refuses "two units" 2 '--lsb: tells the unit itself' allan "$work/rest.csv" --unit g --lsb 1
 refuses "an end before the beginning" 2 '--to: is before --from' allan "$work/rest.csv" --from 3 --to 2
 refuses "a part with nothing in it" 1 'no sample within' allan "$work/rest.csv" --from 5000
-refuses "a result over the log" 2 'is LOG, which would be lost' allan "$work/rest.csv" --out "$work/rest.csv"
+refuses "a result over the log" 2 'is LOG itself, which would be lost' allan "$work/rest.csv" --out "$work/rest.csv"
 refuses "a report over the result" 2 '--report: is the file of --out' allan "$work/rest.csv" \
     --out "$work/out/a" --report "$work/out/a"
 row=$(tail -n 1 "$work/short.csv")

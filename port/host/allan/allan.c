@@ -8,6 +8,7 @@
 #include <string.h>
 
 #include "cli/command.h"
+#include "cli/files.h"
 #include "cli/message.h"
 #include "cli/options.h"
 #include "cli/output.h"
@@ -96,24 +97,12 @@ static int read_unit(request *r)
     return EXIT_GOOD;
 }
 
-/* No file is written twice, nor is the log. */
 static int check_files(const request *r)
 {
-    static const unsigned made[] = {OUT, REPORT};
+    const named_file inputs[] = {{"LOG", r->wish.file}};
+    const named_file outputs[] = {{"--out", r->value[OUT]}, {"--report", r->value[REPORT]}};
 
-    for (unsigned i = 0; i < 2; i++) {
-        const char *path = r->value[made[i]];
-        if (path && output_is_same(path, r->wish.file)) {
-            return message_usage(syntax.command, "%s: is LOG, which would be lost",
-                                 options[made[i]].name);
-        }
-    }
-    if (r->value[OUT] && r->value[REPORT] &&
-        (strcmp(r->value[OUT], r->value[REPORT]) == 0 ||
-         output_is_same(r->value[OUT], r->value[REPORT]))) {
-        return message_usage(syntax.command, "--report: is the file of --out");
-    }
-    return EXIT_GOOD;
+    return files_check(syntax.command, inputs, 1, outputs, 2);
 }
 
 static int read_request(int argc, char **argv, request *r)

@@ -4,14 +4,17 @@
 #include "allan/allan.h"
 #include "text/figure.h"
 #include "text/paint.h"
+#include "text/plain.h"
 #include "text/tabular.h"
 #include "text/wrapped.h"
 
 static void print_source(FILE *file, const allan_result *r, const allan_wish *wish)
 {
     char seen[COLUMNS_TEXT_MAX];
+    char name[PLAIN_MAX];
 
-    wrapped_printf(file, 0, "%s: %s", r->name, columns_describe(&r->seen, seen, sizeof seen));
+    wrapped_printf(file, 0, "%s: %s", plain_copy(r->name, name),
+                   columns_describe(&r->seen, seen, sizeof seen));
     wrapped_printf(file, 0, "%lu samples, %.6g s at %.6g samples a second, %lu gap%s", r->samples,
                    (double)r->samples / r->rate, r->rate, r->gaps, r->gaps == 1 ? "" : "s");
     wrapped_printf(file, 0, "Allan deviation, %s, %s",

@@ -11,6 +11,7 @@
 #include "read/chosen.h"
 #include "read/columns.h"
 #include "cli/command.h"
+#include "cli/files.h"
 #include "cli/input.h"
 #include "cli/message.h"
 #include "apply/nonlinear_correction.h"
@@ -35,6 +36,7 @@ typedef struct {
     double temperature; /* of all readings; NaN: by the column */
     thermal_correction at;
     nonlinear_correction bent;
+    int is_quiet; /* nothing is told of readings that are beyond what the calibration knows */
 } job;
 
 /* Checks a number, but hands it on as the text that it was: a time stamp has digits to lose. Only a
@@ -179,7 +181,7 @@ static int apply(table *log, job *j)
         failure = output_copy(spool);
     }
     fclose(spool);
-    if (!failure) {
+    if (!failure && !j->is_quiet) {
         thermal_correction_end(&j->at, log->name);
         nonlinear_correction_end(&j->bent, log->name);
     }
@@ -207,9 +209,8 @@ static int run(int argc, char **argv)
     table log;
     int failure = options_parse(&syntax, argc, argv, value, files);
 
-    if (!failure && input_is_stdin(files[0]) && input_is_stdin(files[1])) {
-        failure = message_usage(syntax.command, "only one input can be the standard input");
-    }
+    const named_file inputs[] = {{"CAL.json", files[0]}, {"LOG", files[1]}};
+    failure = failure ? failure : files_check(syntax.command, inputs, 2, NULL, 0);
     failure = failure ? failure : chosen_read(syntax.command, value[COLUMNS]);
     failure = failure ? failure : calibration_file_read_correction(files[0], &j.file);
     failure = failure ? failure : read_temperature(value[TEMPERATURE], &j);
@@ -219,7 +220,8 @@ static int run(int argc, char **argv)
         return failure;
     }
     thermal_correction_begin(&j.at, &j.file);
-    if (value[QUIET]) {
+    j.is_quiet = value[QUIET] != NULL;
+    if (j.is_quiet) {
         progress_quiet();
     }
     failure = table_open(&log, files[1]);
@@ -253,7 +255,8 @@ static const char *const help[] = {
     "told.\n"
     "\n" CHOSEN_OPTION,
     "  --temperature T     of all readings, in place of the column; needs such a calibration\n"
-    "  --quiet             show no progress, print only the result and errors\n"
+    "  --quiet             print only the result and errors: no progress, no warning of readings\n"
+    "                      beyond what the calibration knows\n"
     "\n"
     "exit codes: 0 good; 2 usage; 3 a file unreadable or malformed, or the output not writable\n"
     "\n"

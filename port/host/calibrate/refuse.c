@@ -144,6 +144,12 @@ static void say_undetermined(const positions *data, const stand_wish *angles, ui
                        : parameters_advice(bits, advice, sizeof advice));
 }
 
+static void say_too_large(unsigned position, char *text)
+{
+    snprintf(text, REASON_MAX, "position %u is too large a reading for any calculation",
+             position + 1);
+}
+
 /* A reading that cannot be one of this field: by how much, and what may be wrong. */
 static void say_out_of_range(const positions *data, const fit_settings *settings,
                              const nominal_choice *nominal, unsigned position, char *text)
@@ -154,6 +160,10 @@ static void say_out_of_range(const positions *data, const fit_settings *settings
 
     invcal_apply(&settings->nominal, &data->mean[3 * (size_t)position], v);
     const double length = sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
+    if (!(length <= REJECTION_TELLABLE)) {
+        say_too_large(position, text);
+        return;
+    }
     snprintf(text, REASON_MAX, "position %u reads %.3g of the field with %s: %s", position + 1,
              length,
              by_range  ? "zero and scale from the data's range"
@@ -184,8 +194,7 @@ static void say_why(const positions *data, const fit_settings *settings,
         say_out_of_range(data, settings, nominal, reason->position, text);
         break;
     case INVCAL_NOT_FINITE:
-        snprintf(text, REASON_MAX, "position %u is too large a reading for any calculation",
-                 reason->position + 1);
+        say_too_large(reason->position, text);
         break;
     case INVCAL_NOT_ELLIPSOID:
         snprintf(text, REASON_MAX,

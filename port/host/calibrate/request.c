@@ -6,6 +6,7 @@
 
 #include "cli/command.h"
 #include "cli/input.h"
+#include "cli/files.h"
 #include "cli/message.h"
 #include "cli/output.h"
 #include "design/design.h"
@@ -141,8 +142,9 @@ static int read_gravity(request *r)
     if (!failure && !(r->settings.field > 0)) {
         failure = request_usage(r, ASK_GRAVITY, "the length of a field is above 0");
     }
-    if (!failure && !(r->field_sigma >= 0)) {
-        failure = request_usage(r, ASK_GRAVITY, "a standard deviation is not negative");
+    if (!failure && !(r->field_sigma >= 0 && r->field_sigma < r->settings.field)) {
+        failure = request_usage(r, ASK_GRAVITY,
+                                "a standard deviation is not negative, and below the length");
     }
     return failure;
 }
@@ -369,9 +371,6 @@ static int read_program(request *r)
     if (!r->value[ASK_PLAN]) {
         return EXIT_GOOD;
     }
-    if (strcmp(r->value[ASK_PLAN], "directions:-") == 0 && input_is_stdin(r->file)) {
-        return request_usage(r, ASK_PLAN, "only one input can be the standard input");
-    }
     r->program = set;
     const int failure = design_make(set, r->syntax->command, r->value[ASK_PLAN]);
     if (failure == EXIT_DATA) {
@@ -566,23 +565,15 @@ static void read_json_lines(request *r)
     }
 }
 
-/* Three different files. */
 static int check_files(const request *r)
 {
-    static const unsigned made[] = {ASK_OUT, ASK_REPORT};
+    const named_file inputs[] = {{"LOG", r->file},
+                                 {"--nominal", r->value[ASK_NOMINAL]},
+                                 {"--allan", r->value[ASK_ALLAN]},
+                                 {"--plan", design_file(r->value[ASK_PLAN])}};
+    const named_file outputs[] = {{"--out", r->value[ASK_OUT]}, {"--report", r->value[ASK_REPORT]}};
 
-    for (unsigned i = 0; i < 2; i++) {
-        const char *path = r->value[made[i]];
-        if (path && output_is_same(path, r->file)) {
-            return request_usage(r, made[i], "is LOG itself, which would be lost");
-        }
-    }
-    if (r->value[ASK_OUT] && r->value[ASK_REPORT] &&
-        (strcmp(r->value[ASK_OUT], r->value[ASK_REPORT]) == 0 ||
-         output_is_same(r->value[ASK_OUT], r->value[ASK_REPORT]))) {
-        return request_usage(r, ASK_REPORT, "is the file of --out");
-    }
-    return EXIT_GOOD;
+    return files_check(r->syntax->command, inputs, 4, outputs, 2);
 }
 
 int request_read(int argc, char **argv, int is_live, request *r)
@@ -592,10 +583,6 @@ int request_read(int argc, char **argv, int is_live, request *r)
     *r = (request){.syntax = syntax, .is_live = is_live};
     int failure = options_parse(r->syntax, argc, argv, r->value, &r->file);
 
-    if (!failure && r->value[ASK_NOMINAL] && input_is_stdin(r->value[ASK_NOMINAL]) &&
-        input_is_stdin(r->file)) {
-        failure = request_usage(r, ASK_NOMINAL, "only one input can be the standard input");
-    }
     options_command(syntax->command, argc, argv, r->command, sizeof r->command);
     failure = failure ? failure : check_files(r);
     failure = failure ? failure : read_gravity(r);

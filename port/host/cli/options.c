@@ -196,7 +196,7 @@ static size_t put_argument(char *text, size_t size, size_t at, const char *argum
     return is_plain ? at : put(text, size, at, '\'');
 }
 
-const char *options_quoted(const char *argument, char *text, size_t size)
+char *options_quoted(const char *argument, char *text, size_t size)
 {
     text[0] = '\0';
     (void)put_argument(text, size, 0, argument);

@@ -51,7 +51,7 @@ int options_numbers(const option_syntax *syntax, unsigned which, const char *val
 
 /* An argument as one would type it: in quotes if a shell would take it apart. Cut to size. Returns
  * text. */
-const char *options_quoted(const char *argument, char *text, size_t size);
+char *options_quoted(const char *argument, char *text, size_t size);
 
 /* The command line as one would type it: "invcal calibrate 'my log.csv' --json". Cut to size. */
 void options_command(const char *command, int argc, char **argv, char *text, size_t size);

@@ -9,6 +9,7 @@
 
 #include "cli/command.h"
 #include "export/driver.h"
+#include "cli/files.h"
 #include "cli/input.h"
 #include "cli/message.h"
 #include "text/number.h"
@@ -138,6 +139,14 @@ static int read_whole(unsigned which, const char *value, double low, double high
     return failure;
 }
 
+static int check_files(const request *r)
+{
+    const named_file input = {"CAL.json", r->path};
+    const named_file made = {"--out", r->value[OUT]};
+
+    return files_check(syntax.command, &input, 1, &made, 1);
+}
+
 static int read_request(int argc, char **argv, request *r, export_job *job)
 {
     double instance = 0;
@@ -149,10 +158,8 @@ static int read_request(int argc, char **argv, request *r, export_job *job)
     failure = failure ? failure : read_whole(INSTANCE, r->value[INSTANCE], 0, 3, &instance);
     failure = failure ? failure
                       : read_whole(DEVICE_ID, r->value[DEVICE_ID], 1, 2147483647, &job->device_id);
-    if (!failure && r->value[OUT] && output_is_same(r->value[OUT], r->path)) {
-        failure = usage(OUT, "is CAL.json itself, which would be lost");
-    }
-    job->instance = (unsigned)instance;
+    failure = failure ? failure : check_files(r);
+    job->instance = failure ? 0 : (unsigned)instance;
     job->name = r->value[NAME];
     job->source = failure ? NULL : input_name(r->path);
     job->format = failure ? NULL : r->format->name;

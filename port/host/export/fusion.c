@@ -35,7 +35,7 @@ static int check(const export_job *job)
                 job->source);
         return EXIT_DATA;
     }
-    return job->si > 0 ? export_factors_check(job) : EXIT_GOOD;
+    return job->si > 0 ? export_factors_check(job) : export_check_range(job, c->matrix[0], 9, 1);
 }
 
 /* x-io Fusion, Fusion/FusionModel.h (in earlier versions FusionCalibration.h,

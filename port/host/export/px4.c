@@ -35,6 +35,10 @@ static int check(const export_job *job)
             return EXIT_DATA;
         }
     }
+    const int failure = export_check_range(job, job->driver.offset, 3, 1);
+    if (failure) {
+        return failure;
+    }
     export_diagonal_tell(job, &d);
     if (is_ignored(job->driver.offset, d.scale)) {
         message("warning: some PX4 releases ignore an offset shorter than 0.01 m/s^2, or scales "

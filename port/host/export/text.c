@@ -8,6 +8,9 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "cli/command.h"
+#include "cli/message.h"
+
 #define LINE_MAX_BYTES 512
 #define SOURCE_SHOWN 60
 
@@ -124,4 +127,17 @@ int export_fits_float(double x)
     const double size = fabs(x);
 
     return size <= (double)FLT_MAX && (!(size > 0) || size >= (double)FLT_MIN);
+}
+
+int export_check_range(const export_job *job, const double *x, unsigned n, int is_float)
+{
+    for (unsigned i = 0; i < n; i++) {
+        if (!(fabs(x[i]) <= (is_float ? (double)FLT_MAX : DBL_MAX))) {
+            message("%s: a number of --format %s would be beyond the range of a %s; calibrate in "
+                    "other units",
+                    job->source, job->format, is_float ? "float" : "double");
+            return EXIT_DATA;
+        }
+    }
+    return EXIT_GOOD;
 }

@@ -8,6 +8,7 @@
 #include <string.h>
 
 #include "cli/command.h"
+#include "cli/files.h"
 #include "cli/message.h"
 #include "read/noise_file.h"
 #include "design/optimal.h"
@@ -162,7 +163,7 @@ static int read_demands(request *r)
     if (!failure && floor(spare) < spare) {
         return message_usage(syntax.command, "--spare %s: is no whole number", r->value[SPARE]);
     }
-    r->choice.spare = (unsigned)spare;
+    r->choice.spare = failure ? 0 : (unsigned)spare;
     r->choice.needs_axes = r->value[NEED_AXES] != NULL;
     return failure;
 }
@@ -366,53 +367,16 @@ static int check(const request *r)
     return EXIT_GOOD;
 }
 
-/* The file of a set's word, or null. */
-static const char *file_of(const char *word)
-{
-    static const char *const prefixes[] = {"directions:", "angles:"};
-
-    for (unsigned i = 0; i < 2 && word; i++) {
-        const size_t length = strlen(prefixes[i]);
-        if (strncmp(word, prefixes[i], length) == 0) {
-            return word + length;
-        }
-    }
-    return NULL;
-}
-
-/* The files that are read. */
-static const char *source(const request *r, unsigned i)
-{
-    const char *single = r->value[ALLAN]    ? r->value[ALLAN]
-                         : r->value[ANGLES] ? r->value[ANGLES]
-                                            : r->value[DIRECTIONS];
-
-    if (!r->value[COMPARE]) {
-        return i == 0 ? single : NULL;
-    }
-    return file_of(r->operand[i]);
-}
-
-/* No file is written twice, none that is read. */
 static int check_files(const request *r)
 {
-    static const unsigned made[] = {SVG, REPORT};
-    const char *svg = r->value[SVG];
-    const char *report = r->value[REPORT];
+    const named_file inputs[] = {{"--angles", r->value[ANGLES]},
+                                 {"--directions", r->value[DIRECTIONS]},
+                                 {"--allan", r->value[ALLAN]},
+                                 {"--compare", design_file(r->operand[0])},
+                                 {"--compare", design_file(r->operand[1])}};
+    const named_file outputs[] = {{"--svg", r->value[SVG]}, {"--report", r->value[REPORT]}};
 
-    for (unsigned i = 0; i < 4; i++) {
-        const char *path = r->value[made[i / 2]];
-        const char *read = source(r, i % 2);
-        if (path && read && output_is_same(path, read)) {
-            return usage(made[i / 2], r->value[ALLAN]
-                                          ? "is the file of --allan, which would be lost"
-                                          : "is a file of directions, which would be lost");
-        }
-    }
-    if (svg && report && (strcmp(svg, report) == 0 || output_is_same(svg, report))) {
-        return usage(REPORT, "is the file of --svg");
-    }
-    return EXIT_GOOD;
+    return files_check(syntax.command, inputs, 5, outputs, 2);
 }
 
 static int read_request(int argc, char **argv, request *r)
@@ -582,12 +546,7 @@ static int show(request *r)
 static int compare(const request *r)
 {
     const result found = {.asked = r, .set = {&sets[0], &sets[1]}};
-    const char *first = file_of(r->operand[0]);
-    const char *second = file_of(r->operand[1]);
 
-    if (first && second && strcmp(first, "-") == 0 && strcmp(second, "-") == 0) {
-        return usage(COMPARE, "only one set can be the standard input");
-    }
     for (unsigned i = 0; i < 2; i++) {
         const int failure = design_make(&sets[i], syntax.command, r->operand[i]);
         if (failure) {

@@ -10,6 +10,7 @@
 #include "cli/message.h"
 #include "read/chosen.h"
 #include "text/number.h"
+#include "text/plain.h"
 
 #define RADIANS 0.017453292519943296 /* in a degree */
 
@@ -745,5 +746,5 @@ const char *columns_describe(const recognition *seen, char *text, size_t size)
         append(text, size, ", a magnetometer's among them (%s ..; --columns chooses)",
                seen->set_aside);
     }
-    return text;
+    return plain(text);
 }

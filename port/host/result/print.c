@@ -19,6 +19,7 @@
 #include "text/utf8.h"
 #include "text/wrapped.h"
 #include "result/verdict.h"
+#include "text/plain.h"
 
 #define LABEL 14u /* columns of what stands before a line's text */
 #define TEXT_MAX 512
@@ -265,17 +266,17 @@ static void print_next(FILE *file, const calibrate_result *result, const calibra
 {
     const fit_quality *q = &result->quality;
     const char *saved = wish->saved;
-    char path[MESSAGE_MAX];
-    char command[MESSAGE_MAX + sizeof "invcal apply  LOG"];
+    char path[PLAIN_MAX];
+    char command[PLAIN_MAX + sizeof "invcal apply  LOG"];
     char advice[128];
     char remedy[VERDICT_MAX];
     char text[VERDICT_MAX + 8];
 
     if (saved) {
-        wrapped_printf(file, 0, "Saved in %s.", saved);
+        wrapped_printf(file, 0, "Saved in %s.", plain_copy(saved, path));
     }
     if (wish->report) {
-        wrapped_printf(file, 0, "Report in %s.", wish->report);
+        wrapped_printf(file, 0, "Report in %s.", plain_copy(wish->report, path));
     }
     if (faces_are_good(result)) {
         snprintf(text, sizeof text,
@@ -300,7 +301,7 @@ static void print_next(FILE *file, const calibrate_result *result, const calibra
                                               : "Next: save it with --out CAL.json, then correct "
                                                 "readings with:");
         snprintf(command, sizeof command, "invcal apply %s LOG",
-                 options_quoted(saved ? saved : "CAL.json", path, sizeof path));
+                 saved ? plain(options_quoted(saved, path, sizeof path)) : "CAL.json");
         wrapped_command(file, at, 2, command);
     } else {
         snprintf(text, sizeof text, "Next: %s", verdict_remedy(result, remedy));
@@ -329,19 +330,20 @@ static void print_recognised(FILE *file, const positions *data)
 
     columns_describe(&data->seen, text, sizeof text);
     snprintf(line, sizeof line, "%s: %s", data->name, text);
-    wrapped_line(file, 0, 0, line);
+    wrapped_line(file, 0, 0, plain(line));
 }
 
 /* What the positions were found in. */
 static void print_log(FILE *file, const calibrate_result *result)
 {
     const rests_summary *log = result->log;
+    char name[PLAIN_MAX];
 
     if (!log) {
         return;
     }
     wrapped_printf(file, 0, "%s: %lu samples, %.6g s at %.4g samples a second%s",
-                   result->data->name, log->samples, log->seconds, log->rate,
+                   plain_copy(result->data->name, name), log->samples, log->seconds, log->rate,
                    log->is_rate_known ? "" : " (a guess: --rate states it)");
     if (log->gaps > 0) {
         fprintf(file, "%*lu gap%s in the stream\n", 8, log->gaps, log->gaps == 1 ? "" : "s");
@@ -476,22 +478,26 @@ static void print_parameters(FILE *file, const calibrate_result *result, const c
 
 void calibrate_print(FILE *file, const calibrate_result *result, const calibrate_wish *wish)
 {
+    char name[PLAIN_MAX];
+    char nominal[CALIBRATE_NAME_MAX + 1];
 
+    snprintf(nominal, sizeof nominal, "%s", wish->nominal_name);
+    plain(nominal);
     print_record(file, &result->record);
     print_recognised(file, result->data);
     print_log(file, result);
-    wrapped_printf(file, 0, "%s: %u positions, field %.7g %s", result->data->name,
+    wrapped_printf(file, 0, "%s: %u positions, field %.7g %s", plain_copy(result->data->name, name),
                    result->data->count, result->settings.field, calibrate_field_unit(result));
     print_place(file, result);
     print_rejected(file, result);
-    print_nominal(file, &result->nominal, wish->nominal_name);
-    print_parameters(file, result, wish->nominal_name);
+    print_nominal(file, &result->nominal, nominal);
+    print_parameters(file, result, nominal);
     fprintf(file, "\n");
     print_stand(file, result);
     print_case(file, result);
     calibrate_print_thermal(file, result);
     fprintf(file, "%s", result->temperature == CALIBRATE_THERMAL ? "\n" : "");
-    print_residuals(file, result, wish->nominal_name);
+    print_residuals(file, result, nominal);
     if (result->is_robust_wanted) {
         calibrate_robust_print(file, result);
     }

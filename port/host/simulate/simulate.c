@@ -8,6 +8,7 @@
 #include <string.h>
 
 #include "cli/command.h"
+#include "cli/files.h"
 #include "text/json_write.h"
 #include "cli/message.h"
 #include "cli/options.h"
@@ -224,6 +225,14 @@ static int deliver(scene *s, const char *const *value)
     return output_end(&out, 1, failure);
 }
 
+static int check_files(const char *const *value)
+{
+    const named_file input = {"--plan", design_file(value[PLAN])};
+    const named_file made = {"--truth", value[TRUTH]};
+
+    return files_check(syntax.command, &input, 1, &made, 1);
+}
+
 static int run(int argc, char **argv)
 {
     static design route; /* both are too large for the stack */
@@ -234,6 +243,7 @@ static int run(int argc, char **argv)
     int failure = options_parse(&syntax, argc, argv, value, NULL);
 
     failure = failure ? failure : read_model(value, &model, &seed);
+    failure = failure ? failure : check_files(value);
     if (failure) {
         return failure;
     }

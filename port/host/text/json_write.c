@@ -15,10 +15,13 @@ static void write_text(FILE *file, const char *text)
     putc('"', file);
     while (*text != '\0') {
         const unsigned length = utf8_length(text);
+        const unsigned char *byte = (const unsigned char *)text;
         if (length == 0) {
             fputs("\\ufffd", file);
-        } else if ((unsigned char)*text < ' ') {
-            fprintf(file, "\\u%04x", (unsigned)*text);
+        } else if (*byte < ' ' || *byte == 0x7f) {
+            fprintf(file, "\\u%04x", (unsigned)*byte);
+        } else if (length == 2 && byte[0] == 0xC2 && byte[1] < 0xA0) { /* a terminal may obey it */
+            fprintf(file, "\\u%04x", (unsigned)byte[1]);
         } else {
             fputs(*text == '"' || *text == '\\' ? "\\" : "", file);
             fwrite(text, 1, length, file);

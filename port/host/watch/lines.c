@@ -5,6 +5,7 @@
 #include <unistd.h>
 
 #include "text/paint.h"
+#include "text/plain.h"
 #include "text/wrapped.h"
 
 #define SIGMA_MAX 200
@@ -44,6 +45,7 @@ static void show(const watch_state *now, watch_news what)
 static void say_begun(const watch_state *now)
 {
     char limit[80] = "";
+    char name[PLAIN_MAX];
 
     shown = WATCH_BEGUN;
     if (now->hold > 0) {
@@ -54,7 +56,7 @@ static void say_begun(const watch_state *now)
         wrapped_printf(now->talk, 2, "each position: %.3g s by the noise measured%s", now->hold,
                        limit);
     }
-    wrapped_printf(now->talk, 0, "%s: %s", now->name, now->recognised);
+    wrapped_printf(now->talk, 0, "%s: %s", plain_copy(now->name, name), now->recognised);
 }
 
 /* Where to turn next, if there is anywhere. */

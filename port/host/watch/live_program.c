@@ -56,14 +56,27 @@ static int is_astray(const program *now, unsigned asked)
     return asked < now->set->count && now->here != asked && !now->is_again;
 }
 
+/* A calibration that is known better tells of rests before where they really were. Later it is hardly known
+ * any better: then they are looked at anew whenever there are twice as many, so that a stream of any
+ * length takes the time that its length does. */
+static unsigned first_to_visit(const live_program *l)
+{
+    const unsigned count = l->taken->count;
+
+    return count <= INVCAL_MAX_POSITIONS || (count & (count - 1)) == 0 ? 0 : count - 1;
+}
+
 int live_program_take(live_program *l)
 {
     const invcal_calibration known = best_known(l);
     const design *set = l->now.set;
+    const unsigned first = first_to_visit(l);
 
     l->wanted = l->now.asked;
-    program_begin(&l->now, set);
-    for (unsigned n = 0; n < l->taken->count; n++) {
+    if (first == 0) {
+        program_begin(&l->now, set);
+    }
+    for (unsigned n = first; n < l->taken->count; n++) {
         double counts[3];
         for (unsigned i = 0; i < 3; i++) {
             counts[i] = l->taken->mean[3 * (size_t)n + i] / l->unit;
