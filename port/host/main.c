@@ -47,8 +47,10 @@ static void print_help(void)
          "  invcal COMMAND --help   what it does, its options, an example\n"
          "  invcal --version        the version\n"
          "\n"
-         "exit codes: 0 good; 1 the data cannot be calibrated; 2 usage; 3 input unreadable or\n"
-         "malformed, or output not writable");
+         "exit codes: 0 good, of a calibration whatever the verdict (calibrate --strict: only if "
+         "that\n"
+         "is good); 1 the data cannot be calibrated; 2 usage; 3 input unreadable or malformed, or\n"
+         "output not writable");
 }
 
 static const tool_command *find_command(const char *name)

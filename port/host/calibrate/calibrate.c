@@ -9,9 +9,23 @@
 #include "calibrate/settle.h"
 #include "calibrate/solve.h"
 #include "cli/command.h"
+#include "cli/message.h"
 #include "cli/progress.h"
 #include "design/design.h"
 #include "read/columns.h"
+#include "result/pass.h"
+
+/* What is written all the same may be no good: with --strict the exit code tells. */
+static int hold(const request *r, const calibrate_result *result)
+{
+    char reason[PASS_MAX];
+
+    if (!r->value[ASK_STRICT] || !*pass_strict(result, reason)) {
+        return EXIT_GOOD;
+    }
+    message("%s: --strict: %s", result->data->name, reason);
+    return EXIT_DATA;
+}
 
 int calibrate_run(int argc, char **argv, int is_live, positions_reader *read)
 {
@@ -37,6 +51,7 @@ int calibrate_run(int argc, char **argv, int is_live, positions_reader *read)
         failure = solve_positions(&r, &data, &result);
     }
     failure = failure ? failure : deliver(&r, &result);
+    failure = failure ? failure : hold(&r, &result);
     stand_free(&result.stand);
     rejection_free(&result.rejected);
     positions_free(&data);
@@ -148,17 +163,23 @@ static const char *const help[] = {
     "  --slope D,K,G       standard deviations of what slopes may be, per K: of offsets (over the\n"
     "                      field), scale errors, angles (rad); 0 says nothing. Needs the noise\n"
     "  --tolerance D,K,G   limits of the data sheet for offsets (over the field), scale errors\n"
-    "                      and angles (rad): says which parameters are beyond. Needs --zero\n"
-    "                      and --lsb, or --nominal\n"
-    "  --need U            what calibrated lengths may be wrong by in 95 % of cases, in the unit\n"
-    "                      of --gravity: says whether they are that good, and what is missing\n"
+    "                      and angles (rad): PASS if all are within, their 95 % included, else\n"
+    "                      FAIL, and which are not. Needs --zero and --lsb, or --nominal\n"
+    "  --need U            what calibrated lengths may be wrong by in 95 % of cases: 1mg, "
+    "0.01m/s2,\n"
+    "                      0.1% (mg, g, ug, m/s2, %), or a number in the unit of --gravity. PASS\n"
+    "                      or FAIL, by which margin, and what is missing\n"
+    "  --strict            exit code 1, with all files written, unless the verdict is good and\n"
+    "                      --tolerance and --need are passed\n"
     "  --out CAL.json      write the result to a file, as JSON, for invcal apply\n"
     "  --report R.html     write a page with the verdict, figures and pictures: one file that\n"
     "                      needs nothing else, for screen and paper\n"
     "  --json              print the result as JSON in place of the table\n"
     "  --quiet             print neither table nor progress, only errors\n"
     "\n"
-    "exit codes: 0 good; 1 the data cannot be calibrated; 2 usage; 3 LOG unreadable or\n"
+    "exit codes: 0 calibrated, whatever the verdict; 1 the data cannot be calibrated or, with\n"
+    "--strict, the verdict is not good, a limit or the need not kept; 2 usage; 3 LOG unreadable "
+    "or\n"
     "malformed, or the output not writable\n"
     "\n"
     "example:\n"

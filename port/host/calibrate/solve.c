@@ -26,20 +26,6 @@ static double residual_of_nominal(const positions *data, const invcal_calibratio
     return sqrt(squares / data->count);
 }
 
-/* Which parameters exceed what the data sheet allows, by more than their uncertainty. */
-static uint16_t beyond(const calibrate_result *result)
-{
-    const fit_quality *q = &result->quality;
-    const double spread = calibrate_knows_noise(result) ? q->coverage : 0;
-    unsigned bits = 0;
-
-    for (unsigned p = 0; p < INVCAL_PARAMETERS && result->tolerance; p++) {
-        const double least = fabs(result->solution.x[p]) - spread * q->sigma[p];
-        bits |= (unsigned)!(least <= result->tolerance[p / 3]) << p;
-    }
-    return (uint16_t)bits;
-}
-
 static int refuse(const request *r, const calibrate_result *result, invcal_status status,
                   const fit_reason *reason)
 {
@@ -240,10 +226,10 @@ int solve_positions(const request *r, const positions *data, calibrate_result *r
     }
     result->accuracy = accuracy_of(&result->quality);
     result->need = r->need;
+    result->need_unit = r->need_unit;
     inherit_field(r, result);
     result->quality.worst = rejection_original(&result->rejected, result->quality.worst);
     result->tolerance = r->value[ASK_TOLERANCE] ? r->tolerance : NULL;
-    result->beyond = beyond(result);
     result->residual_before = residual_of_nominal(data, &result->settings.nominal);
     return EXIT_GOOD;
 }

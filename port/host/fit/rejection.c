@@ -19,33 +19,27 @@ typedef struct {
 } choice_of;
 
 /* A reading that is none of this field, though most others are. */
-static int is_impossible(const positions *p, unsigned i, const fit_settings *settings,
-                         double *error)
+static int is_impossible(const positions *p, unsigned i, const fit_settings *settings)
 {
-    const double *mean = &p->mean[3 * (size_t)i];
-    double u[3];
     invcal_row row;
 
-    invcal_apply(&settings->nominal, mean, u);
-    *error = sqrt(u[0] * u[0] + u[1] * u[1] + u[2] * u[2]) - 1;
-    return invcal_observe(&settings->nominal, mean, &row) == INVCAL_OUT_OF_RANGE;
+    return invcal_observe(&settings->nominal, &p->mean[3 * (size_t)i], &row) == INVCAL_OUT_OF_RANGE;
 }
 
 /* Up to one in eight, if enough others are there to tell. */
 static void reject_impossible(rejection *r, const positions *p, const fit_settings *settings)
 {
     unsigned count = 0;
-    double error;
 
     for (unsigned i = 0; i < p->count; i++) {
-        count += (unsigned)is_impossible(p, i, settings, &error);
+        count += (unsigned)is_impossible(p, i, settings);
     }
     if (8 * count > p->count || p->count < FEWEST + count) {
         return;
     }
     for (unsigned i = 0; i < p->count; i++) {
-        if (is_impossible(p, i, settings, &error)) {
-            rejection_add(r, (rejected_position){.position = i, .error = error});
+        if (is_impossible(p, i, settings)) {
+            rejection_add(r, (rejected_position){.position = i});
         }
     }
 }
@@ -130,8 +124,7 @@ static void find_among(rejection *r, const positions *p, const fit_settings *set
     for (unsigned i = 0; i < c.count; i++) {
         r->suspected += (unsigned)(q.suspected >> i & 1u);
         if (q.left_out >> i & 1u) {
-            rejection_add(r, (rejected_position){.position = c.number[i],
-                                                 .error = excess(&calibration, c.mean[i])});
+            rejection_add(r, (rejected_position){.position = c.number[i]});
         }
     }
     if (which.first == 0) {

@@ -33,15 +33,13 @@ static int fit(const rejection *r, const fit_settings *settings, const thermal_w
 typedef struct {
     unsigned kept;
     double drop;    /* of the sum of squares without it */
-    double checked; /* 1 - h K h' */
-    double residual;
     double squares; /* of all */
 } suspect;
 
 static suspect find_suspect(const invcal_thermal *c, const rejection *r, const double *inverse)
 {
     const unsigned n = thermal_rows_unknowns(c);
-    suspect most = {0, 0, 1, 0, 0};
+    suspect most = {0, 0, 0};
     thermal_row row;
 
     for (unsigned k = 0; k < r->kept_count; k++) {
@@ -54,8 +52,6 @@ static suspect find_suspect(const invcal_thermal *c, const rejection *r, const d
         if (checked > CHECKED && square / checked > most.drop) {
             most.kept = k;
             most.drop = square / checked;
-            most.checked = checked;
-            most.residual = row.residual;
         }
     }
     return most;
@@ -78,27 +74,8 @@ static judgement judge(const rejection *r, const invcal_thermal *c, const fit_se
     const unsigned dof = r->kept_count + stated - unknowns - 1;
     const double squares = most.squares + settings->noise * settings->noise;
     const double left = fmax(0, squares - most.drop);
-    *one = (rejected_position){.position = rejection_original(r, most.kept),
-                               .error = most.residual / most.checked};
+    *one = (rejected_position){.position = rejection_original(r, most.kept)};
     return f_tail(left / squares, 1, dof) * r->kept_count <= ALLOWED ? CONTRADICTS : DOUBTFUL;
-}
-
-/* Beside others that were still there an error is not what it is beside the good ones. */
-static void restate_errors(rejection *r, const positions *p, const unsigned *position,
-                           unsigned count, const invcal_thermal *c)
-{
-    thermal_row row;
-
-    for (unsigned i = 0; i < r->count; i++) {
-        rejected_position *one = &r->list[i];
-        for (unsigned k = 0; k < count; k++) {
-            if (position[k] == one->position &&
-                thermal_rows_one(c, &p->mean[3 * (size_t)one->position],
-                                 p->origin[one->position].temperature, &row)) {
-                one->error = row.residual;
-            }
-        }
-    }
 }
 
 /* Leaves out, one after another, what stands out most. Those up to the last that contradicts are
@@ -127,9 +104,6 @@ static void reject(rejection *r, const positions *p, const fit_settings *setting
         rejection_remove(r, position[--count]);
     }
     rejection_finish(r, p);
-    if (wrong > 1 && fit(r, settings, wish, &c)) {
-        restate_errors(r, p, position, wrong, &c);
-    }
 }
 
 void thermal_rejection_find(rejection *r, const positions *p, const fit_settings *settings,

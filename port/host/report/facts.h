@@ -8,6 +8,7 @@
 
 #include "text/figure.h"
 #include "draw/page.h"
+#include "result/pass.h"
 #include "result/result.h"
 #include "result/uncertainty.h"
 
@@ -21,19 +22,24 @@ typedef struct {
 typedef struct {
     const calibrate_result *result;
     const calibrate_wish *wish;
+    pass asked;         /* --need and --tolerance, and whether they are kept */
     int is_gravity;     /* the field is that of gravity, in m/s^2 */
     double parts;       /* of the field that lengths are told in: thousandths or millionths, */
     const char *unit;   /* and what these are called */
     const char *length; /* symbol of the length of a reading */
-    int knows_noise;    /* else all sigma are in multiples of the noise of a position mean */
+    int knows_noise;    /* else all ± are in multiples of the noise of a position mean */
+    double coverage;    /* times sigma makes ±, what holds the truth in 95 % of cases; NaN: the
+                           noise is not known */
     unsigned count;
     report_position *position; /* count of them */
     sphere_mark *mark;         /* the same for the sphere, and behind them the next one */
     double noise;              /* of a position mean, in these parts; 1 if not known */
-    uncertainty length_sigma;  /* of the calibrated length, in units of the noise above */
+    uncertainty length_spread; /* ± of the calibrated length, from the noise above */
     double next[3];            /* the direction to take next, in the calibrated frame, */
     char next_words[INVCAL_WORDS];
 } report_facts;
+
+#define REPORT_NORMAL 1.959964 /* the same where sigma is known for sure */
 
 /* EXIT_GOOD; EXIT_FILE, with a message, without memory. To be released in either case. */
 int report_facts_find(report_facts *f, const calibrate_result *result, const calibrate_wish *wish);

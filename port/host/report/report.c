@@ -8,11 +8,11 @@
 #include "cli/command.h"
 #include "fit/gravity.h"
 #include "cli/input.h"
-#include "result/need.h"
 #include "text/number.h"
 #include "cli/options.h"
 #include "design/parameters.h"
 #include "report/facts.h"
+#include "result/pass.h"
 #include "result/verdict.h"
 
 #define TEXT_MAX 800
@@ -23,7 +23,7 @@
 /* Half of the interval that holds the length in 95 % of cases, in the worst direction. */
 static const char *worst_spread(const report_facts *f, char text[FIGURE_MAX])
 {
-    return figure_digits(f->result->quality.coverage * f->length_sigma.most, 2, text);
+    return figure_digits(f->length_spread.most, 2, text);
 }
 
 /* What stands behind the result. */
@@ -60,7 +60,7 @@ static void say_good(const report_facts *f, char *text)
     snprintf(
         text, TEXT_MAX,
         "All nine parameters are determined, %s: corrected readings%s have the length of %s to "
-        "±%s %s or better in any one direction (95 %%), their own noise not counted.%s",
+        "±%s %s or better in any one direction, their own noise not counted.%s",
         support, where, f->is_gravity ? "gravity" : "the field", worst_spread(f, spread), f->unit,
         left_out);
 }
@@ -74,7 +74,7 @@ static void say_weak(const report_facts *f, char *text)
         text, TEXT_MAX,
         "The positions tell too little of %s: use the calibration only within its ±. In the "
         "worst direction (%s) the length of a corrected reading is uncertain by ±%s %s (95 %%).",
-        parameters_list(f->result->quality.weak, list, sizeof list), f->length_sigma.worst_words,
+        parameters_list(f->result->quality.weak, list, sizeof list), f->length_spread.worst_words,
         worst_spread(f, spread), f->knows_noise ? f->unit : "times the noise of a position mean");
 }
 
@@ -87,6 +87,17 @@ static void say_how_to_use(const report_facts *f, char *text, size_t size)
     snprintf(text, size, "%scorrect readings with invcal apply %s LOG.",
              saved ? "" : "save it with --out CAL.json, and ",
              options_quoted(saved ? saved : "CAL.json", path, sizeof path));
+}
+
+/* The verdict, and whether what was asked is kept. */
+static void write_box(page *p, const report_facts *f, page_mood mood, const char *word,
+                      const char *sentence, const char *next)
+{
+    char text[PASS_MAX];
+    const page_answer answer = {f->asked.is_asked ? pass_text(f->result, text) : NULL,
+                                f->asked.is_passed};
+
+    page_verdict_of(p, mood, word, &answer, sentence, next);
 }
 
 static void write_weak(page *p, const report_facts *f)
@@ -103,7 +114,7 @@ static void write_weak(page *p, const report_facts *f)
         snprintf(next, sizeof next, "add positions with %s. Begin with: %s.",
                  parameters_advice(f->result->quality.weak, advice, sizeof advice), f->next_words);
     }
-    page_verdict(p, PAGE_BAD, "✗ Weak", sentence, next);
+    write_box(p, f, PAGE_BAD, "✗ Weak", sentence, next);
 }
 
 static void write_verdict(page *p, const report_facts *f)
@@ -118,18 +129,17 @@ static void write_verdict(page *p, const report_facts *f)
     if (strcmp(word, "Good") == 0) {
         say_good(f, sentence);
         say_how_to_use(f, next, sizeof next);
-        page_verdict(p, PAGE_GOOD, "✓ Good", sentence, next);
+        write_box(p, f, PAGE_GOOD, "✓ Good", sentence, next);
         if (*verdict_unchecked(f->result, text)) {
             page_say(p, "%s", text);
         }
     } else if (verdict == INVCAL_NO_REDUNDANCY) {
         snprintf(next, sizeof next,
                  "add three or more positions in other directions. Begin with: %s.", f->next_words);
-        page_verdict(
-            p, PAGE_CAUTION, "! No redundancy",
-            "All nine parameters are determined, but there is no position to spare: nothing "
-            "checks the result, and one wrong position would spoil it unnoticed.",
-            next);
+        write_box(p, f, PAGE_CAUTION, "! No redundancy",
+                  "All nine parameters are determined, but there is no position to spare: nothing "
+                  "checks the result, and one wrong position would spoil it unnoticed.",
+                  next);
     } else if (verdict == INVCAL_WEAK) {
         write_weak(p, f);
     } else {
@@ -137,11 +147,8 @@ static void write_verdict(page *p, const report_facts *f)
         snprintf(marked, sizeof marked, "%s %s", is_bad ? "✗" : "!", word);
         (void)verdict_cause(f->result, sentence);
         sentence[0] = (char)toupper((unsigned char)sentence[0]);
-        page_verdict(p, is_bad ? PAGE_BAD : PAGE_CAUTION, marked, sentence,
-                     verdict_remedy(f->result, text));
-    }
-    if (f->result->need > 0) {
-        page_say(p, "%s", need_text(f->result, text));
+        write_box(p, f, is_bad ? PAGE_BAD : PAGE_CAUTION, marked, sentence,
+                  verdict_remedy(f->result, text));
     }
 }
 
@@ -242,7 +249,8 @@ static void write_limit(page *p, const report_facts *f)
 {
     char text[CALIBRATE_LIMIT_MAX];
 
-    page_say(p, "What limits the accuracy: %s", calibrate_limit(f->result, &f->length_sigma, text));
+    page_say(p, "What limits the accuracy: %s",
+             calibrate_limit(f->result, &f->length_spread, text));
 }
 
 static void write_origin(page *p, const report_facts *f)
@@ -261,9 +269,9 @@ static void write_origin(page *p, const report_facts *f)
     page_fact(p, "field", "%s %s", number_text(r->settings.field, number), calibrate_field_unit(r));
     if (r->place) {
         page_fact(p, "normal gravity",
-                  "at %.6g degrees, %.6g m, ±%.4f m/s²: an error scales all readings alike, and "
-                  "does nothing else",
-                  r->place[0], r->place[1], GRAVITY_SIGMA);
+                  "at %.6g°, %.6g m, ±%.4f m/s²: an error scales all readings alike, and does "
+                  "nothing else",
+                  r->place[0], r->place[1], REPORT_NORMAL * GRAVITY_SIGMA);
     }
     page_fact(p, "positions", "%u used, %u left out", r->rejected.kept_count, r->rejected.count);
     write_temperature(p, f);
@@ -281,6 +289,20 @@ static void write_origin(page *p, const report_facts *f)
                  "calibrated axes are turned against the case.");
 }
 
+/* Once, and for all that follows. */
+static void say_convention(page *p, const report_facts *f)
+{
+    if (f->knows_noise) {
+        page_note(p,
+                  "Every ± on this page holds the truth in 95 %% of cases: for the parameters %.2f "
+                  "standard deviations.",
+                  f->coverage);
+    } else {
+        page_note(p, "No ± can be given: the noise is not known. --noise states it, and positions "
+                     "to spare show it.");
+    }
+}
+
 int report_write(FILE *file, const calibrate_result *result, const calibrate_wish *wish)
 {
     report_facts f;
@@ -292,6 +314,7 @@ int report_write(FILE *file, const calibrate_result *result, const calibrate_wis
         snprintf(title, sizeof title, "Calibration of %.300s", input_file_name(result->data->name));
         page_begin(&p, file, title);
         write_verdict(&p, &f);
+        say_convention(&p, &f);
         write_figures(&p, &f);
         write_limit(&p, &f);
         report_parameters(&p, &f);

@@ -8,7 +8,7 @@
 #include "fit/gravity.h"
 #include "maths/matrix.h"
 #include "cli/message.h"
-#include "result/need.h"
+#include "result/pass.h"
 #include "text/number.h"
 #include "cli/options.h"
 #include "text/paint.h"
@@ -187,9 +187,9 @@ static void print_residuals(FILE *file, const calibrate_result *r, const char *n
         if (calibrate_unexplained(r) > 0) {
             fprintf(
                 file,
-                "The residuals are %.0f times as large as that noise explains: motion, a changing "
+                "The residuals are %s times as large as that noise explains: motion, a changing "
                 "temperature,\nclipped readings (--clip), or a wrong position.\n",
-                calibrate_unexplained(r));
+                figure_digits(calibrate_unexplained(r), 2, text));
         }
     } else {
         fprintf(file, "noise         not known: no ± can be given (--noise states it)\n");
@@ -229,6 +229,27 @@ static paint colour_of(invcal_verdict verdict)
                                                                         : PAINT_RED;
 }
 
+/* Whether what was asked is kept. */
+static void print_pass(FILE *file, const calibrate_result *result)
+{
+    const pass p = pass_judge(result);
+    char text[PASS_MAX];
+    char list[128];
+
+    if (!p.is_asked) {
+        return;
+    }
+    (void)pass_text(result, text); /* begins with a word of four letters and a colon */
+    fprintf(file, "%s%.5s%s", paint_on(file, p.is_passed ? PAINT_GREEN : PAINT_RED), text,
+            paint_off(file));
+    calibrate_print_wrapped(file, 5, text + 5);
+    if (p.beyond) {
+        snprintf(text, sizeof text, "Beyond the limits of the data sheet: %s.",
+                 parameters_list(p.beyond, list, sizeof list));
+        calibrate_print_wrapped(file, 0, text);
+    }
+}
+
 static void print_verdict(FILE *file, const calibrate_result *result)
 {
     const fit_quality *q = &result->quality;
@@ -255,14 +276,7 @@ static void print_verdict(FILE *file, const calibrate_result *result)
     }
     fprintf(file, "%s%s%s", paint_on(file, colour), word, paint_off(file));
     calibrate_print_wrapped(file, strlen(word), text);
-    if (result->beyond) {
-        snprintf(text, sizeof text, "Beyond the limits of the data sheet: %s.",
-                 parameters_list(result->beyond, list, sizeof list));
-        calibrate_print_wrapped(file, 0, text);
-    }
-    if (result->need > 0) {
-        calibrate_print_wrapped(file, 0, need_text(result, cause));
-    }
+    print_pass(file, result);
     if (q->from_prior) {
         snprintf(text, sizeof text, "Known from the prior rather than from the positions: %s.",
                  parameters_list(q->from_prior, list, sizeof list));
@@ -373,7 +387,8 @@ static void print_rejected(FILE *file, const calibrate_result *result)
         fprintf(file, "%sLeft out:%s position %u (line %lu), wrong by %s %s\n",
                 paint_on(file, PAINT_RED), paint_off(file), r->list[i].position + 1,
                 result->data->origin[r->list[i].position].line,
-                figure_digits(told.scale * r->list[i].error, 3, text), told.unit);
+                figure_digits(told.scale * calibrate_excess(result, r->list[i].position), 3, text),
+                told.unit);
     }
     if (r->suspected > 0) {
         fprintf(file, "Something is wrong among %u %spositions, but not to be told which.\n",

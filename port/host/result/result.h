@@ -37,11 +37,11 @@ typedef struct {
     fit_quality quality;     /* worst counts among all positions */
     const double *tolerance; /* data sheet limits of offsets (over the field), scale errors and
                                 angles (rad); null: not stated */
-    uint16_t beyond;         /* bit r: parameter r exceeds them, and its interval of 95 % does */
     double field_sigma;      /* of the field, over itself: a part of sigma of the scales, */
     int is_field_stated;     /* as stated; or because it was not */
     double accuracy; /* 95 % of lengths are right within that, over the field, if the field is */
-    double need;     /* what is asked of all of it, field units; 0: nothing */
+    double need;     /* what is asked of all of it, field units; 0: nothing; */
+    told_unit need_unit;   /* what that is told in */
     int is_drift_fitted;   /* the calibration holds in the middle of the session, and is freed of */
     double drift[3];       /* this: from the first position to the last, over the field, */
     double drift_sigma[3]; /* and how well that is known */
@@ -79,8 +79,12 @@ const char *calibrate_frame(const calibrate_result *result);
 /* The calibration that holds for a position. */
 invcal_calibration calibrate_at(const calibrate_result *result, unsigned position);
 
-/* Its reading without the drift that was fitted. */
+/* Its reading without the drift and the nonlinearity that were fitted. */
 void calibrate_level(const calibrate_result *result, unsigned position, double out[3]);
+
+/* What a position reads too much, over the field: the residual of one that was kept, the error of one that
+ * was left out. */
+double calibrate_excess(const calibrate_result *result, unsigned position);
 
 /* The reading of a position kept, at the reference temperature. */
 void calibrate_reading(const calibrate_result *result, unsigned kept, double out[3]);

@@ -72,6 +72,7 @@ static void write_series(json_writer *w, const group_series *s)
     }
     json_list_end(w);
     if (s->is_closed_over) {
+        json_number(w, "series_interval95", stand_series_coverage(s));
         write_closures(w, s);
     }
 }
@@ -94,10 +95,12 @@ void stand_json(json_writer *w, const stand *s)
         }
         json_vector(w, "mounting", angle);
         json_vector(w, "sigma", sigma);
+        json_number(w, "interval95", stand_coverage(s->mounting.dof));
         json_number(w, "scatter", FIGURE_DEGREES * s->mounting.scatter);
         if (s->vertical.is_known) {
             write_nine(w, "vertical", s->vertical.x);
             write_nine(w, "vertical_sigma", s->vertical.sigma);
+            json_number(w, "vertical_interval95", stand_coverage(s->vertical.dof));
         }
         write_missets(w, s);
         write_series(w, &s->series);
