@@ -14,7 +14,7 @@ mkdir -p "$logs" || exit 2
 
 # NAME COMMAND...; the longest first.
 suites() {
-    for name in allan plan tool thermal stand log watch units input citizen report plan_report export fault verdict release pass; do
+    for name in allan plan tool thermal stand log watch units input citizen report plan_report export fault verdict release pass refusal; do
         echo "$name sh $tests/tool/${name}_test.sh $build/invcal $build/tool"
     done
     for part in double float tool; do

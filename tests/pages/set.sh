@@ -69,6 +69,22 @@ odd="$out/<b onclick=x>&\"' a-very-long-name-without-any-place-to-break-it-in-tw
 cp "$out/nine.csv" "$odd"
 calibrate hostile "$odd" --nominal-name '<i>&"'
 
+# What is refused: six faces, a plane, no rest, drifting temperatures, a wrong unit.
+refused() { # refused PAGE ARGUMENTS ...
+    page=$out/refused-$1.html
+    shift
+    if "$tool" calibrate --quiet --report "$page" "$@" 2> /dev/null; then false; fi
+    echo "$page"
+}
+"$tool" simulate --plan faces > "$out/faces.csv"
+refused faces "$out/faces.csv" --need 1mg --out "$out/none.json"
+awk -v family=plane -v count=18 -v seed=4 -f "$here/../tool/positions.awk" > "$out/plane.csv"
+refused plane "$out/plane.csv" --positions
+"$tool" simulate --plan edges --dwell 0.5 --move 0.5 > "$out/restless.csv"
+refused restless "$out/restless.csv"
+refused drift "$out/drift.csv" --thermal 1
+refused unit "$data/xsens_mti_positions.csv" --positions --zero 0,0,0 --lsb 1
+
 for set in per-group:6 optimal:48; do
     picture=$out/directions-$(echo "$set" | tr : -).svg
     "$tool" plan "--${set%:*}" "${set#*:}" --svg "$picture" > /dev/null

@@ -27,6 +27,21 @@ static int hold(const request *r, const calibrate_result *result)
     return EXIT_DATA;
 }
 
+/* What is known of the result before there is one. */
+static calibrate_result ask(const request *r, const positions *data, const rests_summary *log)
+{
+    return (calibrate_result){
+        .data = data,
+        .log = r->value[ASK_POSITIONS] ? NULL : log,
+        .settings = r->settings,
+        .place = r->value[ASK_LATITUDE] ? r->place : NULL,
+        .told = r->told,
+        .need = r->need,
+        .need_unit = r->need_unit,
+        .tolerance = r->value[ASK_TOLERANCE] ? r->tolerance : NULL,
+    };
+}
+
 int calibrate_run(int argc, char **argv, int is_live, positions_reader *read)
 {
     request r;
@@ -41,16 +56,18 @@ int calibrate_run(int argc, char **argv, int is_live, positions_reader *read)
     if (r.value[ASK_QUIET]) {
         progress_quiet();
     }
+    result = ask(&r, &data, &log);
     failure = read(&r, &data, &log);
     if (!failure && data.count == 0 && !r.value[ASK_POSITIONS]) {
-        failure = calibrate_no_rest(&data, &log, r.value[ASK_JSON] != NULL);
+        failure = calibrate_no_rest(&result);
     }
-    result.log = r.value[ASK_POSITIONS] ? NULL : &log;
     if (!failure) {
         settle_unit(&r, &data);
         failure = solve_positions(&r, &data, &result);
     }
-    failure = failure ? failure : deliver(&r, &result);
+    failure = result.refused.word ? deliver_refusal(&r, &result)
+              : failure           ? failure
+                                  : deliver(&r, &result);
     failure = failure ? failure : hold(&r, &result);
     stand_free(&result.stand);
     rejection_free(&result.rejected);
@@ -173,7 +190,7 @@ static const char *const help[] = {
     "                      --tolerance and --need are passed\n"
     "  --out CAL.json      write the result to a file, as JSON, for invcal apply\n"
     "  --report R.html     write a page with the verdict, figures and pictures: one file that\n"
-    "                      needs nothing else, for screen and paper\n"
+    "                      needs nothing else, for screen and paper; of what is refused, too\n"
     "  --json              print the result as JSON in place of the table\n"
     "  --quiet             print neither table nor progress, only errors\n"
     "\n"

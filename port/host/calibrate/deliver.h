@@ -11,4 +11,7 @@
 /* The files appear only after all else has been written. Returns EXIT_GOOD; EXIT_FILE after a message. */
 int deliver(const request *r, const calibrate_result *result);
 
+/* What was refused: a line on stderr, JSON, a page; no calibration. Returns EXIT_DATA; EXIT_FILE after a message. */
+int deliver_refusal(const request *r, const calibrate_result *result);
+
 #endif

@@ -9,15 +9,14 @@
 #include "result/calibration_file.h"
 
 /* No calculation can be made with numbers so large or so small. */
-static int refuse_nominal(const request *r, const positions *data, const nominal_choice *n)
+static int refuse_nominal(const request *r, calibrate_result *result)
 {
-    const fit_reason all = {data->count, (1u << INVCAL_PARAMETERS) - 1};
+    const fit_reason all = {0, (1u << INVCAL_PARAMETERS) - 1};
 
     if (r->value[ASK_LSB]) {
         return request_usage(r, ASK_LSB, "is too small or too large a scale for any calculation");
     }
-    return calibrate_refuse(data, &r->settings, n, &r->stand, INVCAL_UNDETERMINED, &all,
-                            r->value[ASK_JSON] != NULL);
+    return calibrate_refuse(result, &r->stand, INVCAL_UNDETERMINED, &all);
 }
 
 void settle_unit(const request *r, positions *data)
@@ -54,8 +53,10 @@ static int guess_nominal(const request *r, const positions *data, nominal_choice
     return 1;
 }
 
-int settle_nominal(const request *r, const positions *data, nominal_choice *n)
+int settle_nominal(const request *r, calibrate_result *result)
 {
+    const positions *data = result->data;
+    nominal_choice *n = &result->nominal;
     double zero[3];
     double lsb[3];
 
@@ -67,12 +68,12 @@ int settle_nominal(const request *r, const positions *data, nominal_choice *n)
     n->zero = r->value[ASK_ZERO] ? NOMINAL_GIVEN : n->zero;
     n->lsb = r->value[ASK_LSB] ? NOMINAL_GIVEN : n->lsb;
     if (!has_scale && n->lsb == NOMINAL_RANGE) {
-        return refuse_nominal(r, data, n);
+        return refuse_nominal(r, result);
     }
     return nominal_make(r->value[ASK_ZERO] ? r->zero : zero, r->value[ASK_LSB] ? r->lsb : lsb,
                         r->settings.field, &n->calibration)
                ? EXIT_GOOD
-               : refuse_nominal(r, data, n);
+               : refuse_nominal(r, result);
 }
 
 /* The noise of a position mean from std and n: the root mean square over axes. */

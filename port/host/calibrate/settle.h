@@ -12,8 +12,8 @@
 void settle_unit(const request *r, positions *data);
 
 /* Zero and scale: given, or of an earlier calibration, or by the unit, or from the data's range. Returns
- * EXIT_GOOD; else EXIT_USAGE, EXIT_DATA or EXIT_FILE after a message. */
-int settle_nominal(const request *r, const positions *data, nominal_choice *n);
+ * EXIT_GOOD; EXIT_DATA with result->refused filled in; else EXIT_USAGE or EXIT_FILE after a message. */
+int settle_nominal(const request *r, calibrate_result *result);
 
 /* The noise of a position mean, and whether it is known where it has to be. Returns as above. */
 int settle_noise(const request *r, const positions *data, calibrate_result *result);

@@ -26,16 +26,12 @@ static double residual_of_nominal(const positions *data, const invcal_calibratio
     return sqrt(squares / data->count);
 }
 
-static int refuse(const request *r, const calibrate_result *result, invcal_status status,
+static int refuse(const request *r, calibrate_result *result, invcal_status status,
                   const fit_reason *reason)
 {
-    const int json = r->value[ASK_JSON] != NULL;
-
-    if (status == INVCAL_TOO_FEW && rejection_drifting(&result->rejected) > 0) {
-        return calibrate_all_drift(result, json);
-    }
-    return calibrate_refuse(result->data, &result->settings, &result->nominal, &r->stand, status,
-                            reason, json);
+    return status == INVCAL_TOO_FEW && rejection_drifting(&result->rejected) > 0
+               ? calibrate_all_drift(result)
+               : calibrate_refuse(result, &r->stand, status, reason);
 }
 
 /* What was found among the positions beside outliers. */
@@ -103,9 +99,7 @@ static int solve_plain(const request *r, calibrate_result *result)
     if (result->rejected.is_judged && result->rejected.found.verdict == INVCAL_DRIFTING) {
         fit_drift(result);
     }
-    const int open = r->degree > 0
-                         ? calibrate_nonlinear(result, r->degree, r->value[ASK_JSON] != NULL)
-                         : EXIT_GOOD;
+    const int open = r->degree > 0 ? calibrate_nonlinear(result, r->degree) : EXIT_GOOD;
     judge(result);
     return open;
 }
@@ -191,9 +185,7 @@ static int find_stand(const request *r, calibrate_result *result)
     }
     free(raw);
     if (!failure && r->stand.is_frame && result->stand.reading != STAND_AS_STATED) {
-        message("%s: no frame of the stand: %s", result->data->name,
-                stand_advice(result->stand.reading));
-        return EXIT_DATA;
+        return calibrate_no_frame(result);
     }
     if (!failure && r->stand.is_frame) {
         stand_turn(&result->stand, &result->solution.calibration);
@@ -204,12 +196,8 @@ static int find_stand(const request *r, calibrate_result *result)
 
 int solve_positions(const request *r, const positions *data, calibrate_result *result)
 {
-    result->data = data;
-    result->settings = r->settings;
-    result->place = r->value[ASK_LATITUDE] ? r->place : NULL;
     int failure = stand_check(&r->stand, data);
-    result->told = r->told;
-    failure = failure ? failure : settle_nominal(r, data, &result->nominal);
+    failure = failure ? failure : settle_nominal(r, result);
     result->settings.nominal = fit_over_field(&result->nominal.calibration, r->settings.field);
     failure = failure ? failure : settle_noise(r, data, result);
     failure = failure                 ? failure
@@ -225,11 +213,8 @@ int solve_positions(const request *r, const positions *data, calibrate_result *r
         cross_check(result);
     }
     result->accuracy = accuracy_of(&result->quality);
-    result->need = r->need;
-    result->need_unit = r->need_unit;
     inherit_field(r, result);
     result->quality.worst = rejection_original(&result->rejected, result->quality.worst);
-    result->tolerance = r->value[ASK_TOLERANCE] ? r->tolerance : NULL;
     result->residual_before = residual_of_nominal(data, &result->settings.nominal);
     return EXIT_GOOD;
 }

@@ -66,7 +66,7 @@ static void set_marks(report_facts *f)
 
 int report_facts_find(report_facts *f, const calibrate_result *result, const calibrate_wish *wish)
 {
-    *f = (report_facts){.result = result, .wish = wish, .count = result->data->count};
+    *f = (report_facts){.result = result, .wish = wish, .count = result->data->count, .has_up = 1};
     f->asked = pass_judge(result);
     f->is_gravity = unit_is_gravity(result->settings.field);
     f->parts = told_parts(result->told, f->is_gravity).scale;

@@ -31,6 +31,7 @@ typedef struct {
     double coverage;    /* times sigma makes ±, what holds the truth in 95 % of cases; NaN: the
                            noise is not known */
     unsigned count;
+    int has_up;                /* which way up was is known */
     report_position *position; /* count of them */
     sphere_mark *mark;         /* the same for the sphere, and behind them the next one */
     double noise;              /* of a position mean, in these parts; 1 if not known */
@@ -56,6 +57,9 @@ void report_temperature(page *p, const report_facts *f);
 void report_sphere(page *p, const report_facts *f);
 void report_timeline(page *p, const report_facts *f);
 void report_numbers(page *p, const report_facts *f);
+
+/* Facts of the last section: the file that it was, and the command. */
+void report_file(page *p, const report_facts *f);
 
 /* A picture in that of the stand: the unit on its two axes. Data: nothing. */
 page_drawing report_stand_figure;

@@ -23,8 +23,13 @@ static int is_shown(const report_facts *f, unsigned which)
         return f->result->log != NULL;
     case TEMPERATURE:
         return f->result->data->has_temperature;
+    case UP:
+        return f->has_up;
+    case BEFORE:
+    case AFTER:
+        return !f->result->refused.word;
     case REMARK:
-        return f->result->rejected.count > 0;
+        return f->result->rejected.count > 0 || f->result->refused.is_of_position;
     default:
         return 1;
     }
@@ -52,7 +57,10 @@ static void write_row(page *p, const page_table *sheet, const report_facts *f, u
     snprintf(text[UP], CELL, "%+.2f %+.2f %+.2f", at->up[0], at->up[1], at->up[2]);
     snprintf(text[BEFORE], CELL, "%+.*f", is_ins ? 1 : 3, at->before);
     snprintf(text[AFTER], CELL, "%+.*f", is_ins ? 2 : 4, at->after);
-    snprintf(text[REMARK], CELL, "%s", at->is_left_out ? "left out" : "");
+    snprintf(text[REMARK], CELL, "%s",
+             !at->is_left_out          ? ""
+             : f->result->refused.word ? "refused"
+                                       : "left out");
     for (unsigned k = 0; k < COLUMNS; k++) {
         if (is_shown(f, k)) {
             cells[count++] = text[k];
@@ -67,11 +75,14 @@ static int is_listed(const report_facts *f, unsigned n)
     const report_position *at = &f->position[n];
 
     return f->count <= LISTED || at->is_left_out ||
-           fabs(at->after) >= 0.7 * f->parts * f->result->quality.max;
+           (!f->result->refused.word && fabs(at->after) >= 0.7 * f->parts * f->result->quality.max);
 }
 
 void report_numbers(page *p, const report_facts *f)
 {
+    if (f->count == 0) {
+        return;
+    }
     static const char *const all[COLUMNS] = {"no.", "line", "from, s", "for, s", "°C",    "x",
                                              "y",   "z",    "up",      "before", "after", "remark"};
     const char *titles[COLUMNS];
@@ -85,12 +96,15 @@ void report_numbers(page *p, const report_facts *f)
         }
     }
     snprintf(summary, sizeof summary,
-             f->count <= LISTED ? "All %u positions"
-                                : "The positions left out and the worst, of %u",
+             f->count <= LISTED        ? "All %u positions"
+             : f->result->refused.word ? "Those refused of %u positions"
+                                       : "The positions left out and the worst, of %u",
              f->count);
     snprintf(caption, sizeof caption,
-             "x y z: mean reading, %s. Up: in the calibrated axes. Before and after: deviation of "
-             "%s, %s.",
+             f->result->refused.word
+                 ? "x y z: mean reading, %s. Up: as in the picture above."
+                 : "x y z: mean reading, %s. Up: in the calibrated axes. Before and after: "
+                   "deviation of %s, %s.",
              calibrate_input_unit(f->result), f->length, f->unit);
     page_section(p, "The positions in numbers");
     page_fold_begin(p, summary, f->count <= OPEN);

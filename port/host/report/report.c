@@ -253,19 +253,26 @@ static void write_limit(page *p, const report_facts *f)
              calibrate_limit(f->result, &f->length_spread, text));
 }
 
-static void write_origin(page *p, const report_facts *f)
+void report_file(page *p, const report_facts *f)
 {
     const calibrate_result *r = f->result;
-    char number[NUMBER_TEXT_MAX];
     char seen[COLUMNS_TEXT_MAX];
 
-    page_section(p, "How it was made");
-    page_facts_begin(p);
     page_fact(p, "file", "%s, %llu bytes, CRC-32 %08lx", r->data->name,
               (unsigned long long)r->data->bytes, (unsigned long)r->data->crc);
     page_fact(p, "read as", "%s", columns_describe(&r->data->seen, seen, sizeof seen));
     page_fact(p, "command", "%s", f->wish->command);
     page_fact(p, "invcal", "%s", INVCAL_VERSION);
+}
+
+static void write_origin(page *p, const report_facts *f)
+{
+    const calibrate_result *r = f->result;
+    char number[NUMBER_TEXT_MAX];
+
+    page_section(p, "How it was made");
+    page_facts_begin(p);
+    report_file(p, f);
     page_fact(p, "field", "%s %s", number_text(r->settings.field, number), calibrate_field_unit(r));
     if (r->place) {
         page_fact(p, "normal gravity",

@@ -27,7 +27,21 @@ typedef enum {
     CALIBRATE_THERMAL /* `fit` is the result; solution and quality are those at its reference */
 } calibrate_temperature;
 
+/* Why there is no calibration. Filled in by calibrate/refuse.h, told by message, JSON and page. */
+#define REFUSAL_MAX 1000u
 typedef struct {
+    const char *word;         /* "too few", ...; null: it was not refused */
+    char reason[REFUSAL_MAX]; /* what is wrong, */
+    char remedy[REFUSAL_MAX]; /* and what to do: clauses without a stop; the latter may be "" */
+    uint16_t undetermined;    /* bit r: the positions leave parameter r open */
+    int is_of_position;       /* one reading is wrong, */
+    unsigned position;        /* this one, from 0 */
+    int wants_positions;      /* others would help, */
+    unsigned degree;          /* to tell a nonlinearity of this degree as well; 0: the nine */
+} refusal;
+
+typedef struct {
+    refusal refused; /* then all below but data, log, rejected, nominal and settings is not known */
     const positions *data;
     const rests_summary *log; /* what they were found in; null: they were given */
     rejection rejected;
