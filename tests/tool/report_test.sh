@@ -207,6 +207,50 @@ makes_page "a name that is no UTF-8" "$work/icosahedron.csv" --positions --noise
 is_utf8() { iconv -f UTF-8 -t UTF-8 "$page" > "$work/converted" && same "$page" "$work/converted"; }
 check "report: the page is UTF-8 all the same" is_utf8
 
+# ---- to take away ---------------------------------------------------------------------------------
+
+# What stands in the boxes to copy, one behind the other.
+boxes() {
+    awk '/<pre class="code"/ { on = 1 } on { print } /<\/pre>/ { on = 0 }' "$page" | sed 's/<[^>]*>//g' | plainly
+}
+mkdir "$work/my place"
+cp "$xsens" "$work/my place/-it's.csv"
+uses() { # runs what the page says, in a folder with such names: ARGUMENTS of calibrate
+    (cd "$work/my place" && "$tool" calibrate --quiet --report "$page" "$@" && boxes > commands &&
+        PATH=$work/bin:$PATH && export PATH && grep '^invcal' commands > run && sh -e run)
+}
+mkdir "$work/bin"
+ln -s "$tool" "$work/bin/invcal"
+check "report: its commands do what they say" uses ./-it\'s.csv --positions --gravity 9.81744 --out "a 'b'.json"
+check "report: apply corrects the log" matches "$work/my place/calibrated.csv" '^x,y,z$'
+boxes | sed -n '/^static const/,/;$/p' > "$work/constant"
+sed -n '/^static const/,/;$/p' "$work/my place/calibration.h" > "$work/exported"
+check "report: the constant is the one that export writes" same "$work/constant" "$work/exported"
+check "report: of four lines of numbers" test "$(grep -c INVCAL_REAL "$work/constant")" -eq 4
+rm -f "$work/my place"/*.json "$work/my place"/*.h
+check "report: without --out the first command saves it" uses ./-it\'s.csv --positions --gravity 9.81744
+check "report: and so it is there" is_json "$work/my place/CAL.json"
+rm -f "$work/my place"/*.json "$work/my place"/*.h
+check "report: a file that is called as an option" uses --positions --gravity 9.81744 --out=-cal.json -- -it\'s.csv
+"$tool" calibrate "$xsens" --positions --gravity 9.81744 --json > "$work/result.json"
+awk -F'[][,]' '/^  "offset"/ { for (i = 2; i <= 4; i++) o[i - 2] = $i }
+    /^  "matrix"/ { on = 3; next } on { n = 3 - on; on--; print "-", o[n], $2, $3, $4 }' "$work/result.json" |
+    sed 's/^-/0/' > "$work/numbers"
+check "report: the matrix is the JSON's" sh -c 'sed -n "/<h2>Use it/,/<.table>/p" "$1" | grep "^<tr><th scope=\"row\"" |
+    sed "s/<[^>]*>/ /g; s/−/-/g" | tr -s " \n" " "  > "$3"
+    awk -v file="$2" "{ for (i = 0; i < 3; i++) {
+            getline line < file; if (split(line, m, /[^-+0-9.e]+/) < 5) exit 1
+            for (k = 2; k <= 5; k++) { d = \$(5 * i + k) / m[k] - 1; if (!(d * d < 1e-16)) exit 1 } } }" "$3"' sh \
+    "$page" "$work/numbers" "$work/told"
+makes_page "a nonlinearity" "$xsens" --positions --gravity 9.81744 --quadratic
+check "report: of which there is no constant" says_page 'There is no constant of it: no format takes quadratic'
+check "report: nor a box with one" lacks "$page" 'static const'
+in=$xsens
+makes_page "standard input, to take away" - --positions --gravity 9.81744 --out "$work/out/cal.json"
+in=/dev/null
+check "report: then LOG stands for it" matches "$page" '>invcal apply .*out/cal.json LOG &gt; calibrated\.csv</pre>'
+rm -f "$work/out/cal.json"
+
 # ---- nothing can be written (what is refused has a page of its own: refusal_test.sh) --------------
 
 echo old > "$work/out/cal.json"

@@ -14,6 +14,7 @@ static calibrate_wish wish_of(const request *r)
         .saved = r->value[ASK_OUT],
         .report = r->value[ASK_REPORT],
         .command = r->command,
+        .log = r->file,
     };
 }
 

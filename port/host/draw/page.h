@@ -71,6 +71,11 @@ void page_cells(page *p, const page_table *table, const char *const *cell);     
 void page_bad_cells(page *p, const page_table *table, const char *const *cell); /* a red one */
 void page_table_end(page *p);
 
+/* What is to be copied, letter by letter; or drawn into p->file in between, escaped as HTML wants it. */
+void page_code(page *p, const char *text);
+void page_code_begin(page *p);
+void page_code_end(page *p);
+
 /* What is folded up until somebody wants it. */
 void page_fold_begin(page *p, const char *summary, int is_open);
 void page_fold_end(page *p);

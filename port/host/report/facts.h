@@ -50,6 +50,7 @@ void report_facts_release(report_facts *f);
 told_unit report_unit(const report_facts *f, unsigned kind);
 
 /* The sections, in this order. */
+void report_use(page *p, const report_facts *f);
 void report_parameters(page *p, const report_facts *f);
 void report_positions(page *p, const report_facts *f);
 void report_stand(page *p, const report_facts *f);

@@ -160,16 +160,16 @@ static void write_row(page *p, const page_table *sheet, const report_facts *f, u
 
 static void write_table(page *p, const report_facts *f)
 {
-    static const char *const all[COLUMNS] = {"parameter", "deviation from nominal", "limit",
-                                             "used",      "sensor reads",           "nominal",
-                                             "remark"};
+    static const char *const all[COLUMNS] = {"parameter",    "deviation", "limit", "used",
+                                             "sensor reads", "nominal",   "remark"};
     const char *titles[COLUMNS];
     char caption[4 * CELL];
     const unsigned count = pick_columns(f, all, titles);
     const page_table sheet = {caption, titles, count, 1u << (count - 1)};
 
     snprintf(caption, sizeof caption,
-             "Offsets and scales as the sensor reads them: %s, and %s per %s.%s",
+             "Deviation: from nominal. Offsets and scales as the sensor reads them: %s, and %s per "
+             "%s.%s",
              calibrate_input_unit(f->result), calibrate_input_unit(f->result),
              calibrate_field_unit(f->result),
              f->asked.limited ? " Limit: of the data sheet, to either side. Used: how much of it "

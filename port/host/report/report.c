@@ -12,6 +12,7 @@
 #include "cli/options.h"
 #include "design/parameters.h"
 #include "report/facts.h"
+#include "result/need.h"
 #include "result/pass.h"
 #include "result/verdict.h"
 
@@ -94,10 +95,16 @@ static void write_box(page *p, const report_facts *f, page_mood mood, const char
                       const char *sentence, const char *next)
 {
     char text[PASS_MAX];
+    char advice[NEED_MAX] = "";
+    char more[2 * TEXT_MAX + NEED_MAX];
     const page_answer answer = {f->asked.is_asked ? pass_text(f->result, text) : NULL,
                                 f->asked.is_passed};
 
-    page_verdict_of(p, mood, word, &answer, sentence, next);
+    if (f->result->need > 0) {
+        (void)need_advice(f->result, advice);
+    }
+    snprintf(more, sizeof more, "%s%s%s", sentence, *advice ? " " : "", advice);
+    page_verdict_of(p, mood, word, &answer, more, next);
 }
 
 static void write_weak(page *p, const report_facts *f)
@@ -226,17 +233,8 @@ static void write_temperature(page *p, const report_facts *f)
     }
 }
 
-static void write_matrix(page *p, const report_facts *f)
+static void write_frame(page *p, const calibrate_result *r)
 {
-    const calibrate_result *r = f->result;
-    const invcal_calibration c = fit_in_field_units(&r->solution.calibration, r->settings.field);
-
-    page_fact(p, "offset", "%.9g, %.9g, %.9g %s", c.offset[0], c.offset[1], c.offset[2],
-              calibrate_input_unit(r));
-    for (unsigned i = 0; i < 3; i++) {
-        page_fact(p, i == 0 ? "matrix" : "", "%.9g, %.9g, %.9g", c.matrix[i][0], c.matrix[i][1],
-                  c.matrix[i][2]);
-    }
     page_fact(p, "frame", "%s",
               r->is_stand_frame ? "stand: turned to the axes of the stand, by its angles"
               : r->settings.is_triangular
@@ -283,7 +281,7 @@ static void write_origin(page *p, const report_facts *f)
     page_fact(p, "positions", "%u used, %u left out", r->rejected.kept_count, r->rejected.count);
     write_temperature(p, f);
     write_nominal(p, f);
-    write_matrix(p, f);
+    write_frame(p, r);
     page_fact(p, "condition", "%.4g", r->quality.condition);
     page_fact(p, "degrees of freedom", "%.4g", r->quality.dof);
     if (r->settings.noise > 0) {
@@ -292,8 +290,7 @@ static void write_origin(page *p, const report_facts *f)
                   r->is_noise_given ? "stated" : "from the scatter of the samples");
     }
     page_facts_end(p);
-    page_note(p, "Corrected reading = matrix · (reading - offset). Lengths do not show how the "
-                 "calibrated axes are turned against the case.");
+    page_note(p, "Lengths do not show how the calibrated axes are turned against the case.");
 }
 
 /* Once, and for all that follows. */
@@ -322,6 +319,8 @@ int report_write(FILE *file, const calibrate_result *result, const calibrate_wis
         page_begin(&p, file, title);
         write_verdict(&p, &f);
         say_convention(&p, &f);
+        report_use(&p, &f);
+        page_section(&p, "What it is worth");
         write_figures(&p, &f);
         write_limit(&p, &f);
         report_parameters(&p, &f);

@@ -135,7 +135,6 @@ const char *pass_text(const calibrate_result *r, char text[PASS_MAX])
 {
     const pass p = pass_judge(r);
     const int is_known = calibrate_knows_noise(r);
-    char advice[NEED_MAX];
     unsigned others = 0;
 
     snprintf(text, PASS_MAX, "%s:", p.is_passed ? "PASS" : "FAIL");
@@ -162,19 +161,20 @@ const char *pass_text(const calibrate_result *r, char text[PASS_MAX])
         add(text, " and %u more", others);
     }
     add(text, "%s.", is_known ? " (95 %)" : "");
-    if (r->need > 0 && *need_advice(r, advice)) {
-        add(text, " %s", advice);
-    }
     return text;
 }
 
 const char *pass_strict(const calibrate_result *r, char text[PASS_MAX])
 {
     const pass p = pass_judge(r);
+    char advice[NEED_MAX];
 
     text[0] = '\0';
     if (p.is_asked && !p.is_passed) {
-        return pass_text(r, text);
+        (void)pass_text(r, text);
+        add(text, "%s%s", r->need > 0 && *need_advice(r, advice) ? " " : "",
+            r->need > 0 ? advice : "");
+        return text;
     }
     if (!is_good(r)) {
         add(text, "the verdict is ");

@@ -26,8 +26,7 @@ typedef struct {
 
 pass pass_judge(const calibrate_result *result);
 
-/* "PASS: |a| within 0.42 of 1.0 mg; offset y up to 33 of 50 mg (95 %)."; with FAIL what is missing, too.
- * Returns text. */
+/* "PASS: |a| within 0.42 of 1.0 mg; offset y up to 33 of 50 mg (95 %).". Returns text. */
 #define PASS_MAX 1200u
 const char *pass_text(const calibrate_result *result, char text[PASS_MAX]);
 

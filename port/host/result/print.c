@@ -8,6 +8,7 @@
 #include "fit/gravity.h"
 #include "maths/matrix.h"
 #include "cli/message.h"
+#include "result/need.h"
 #include "result/pass.h"
 #include "text/number.h"
 #include "cli/options.h"
@@ -233,13 +234,18 @@ static paint colour_of(invcal_verdict verdict)
 static void print_pass(FILE *file, const calibrate_result *result)
 {
     const pass p = pass_judge(result);
-    char text[PASS_MAX];
+    char text[PASS_MAX + NEED_MAX];
+    char advice[NEED_MAX];
     char list[128];
 
     if (!p.is_asked) {
         return;
     }
     (void)pass_text(result, text); /* begins with a word of four letters and a colon */
+    const size_t length = strlen(text);
+    if (result->need > 0 && *need_advice(result, advice)) {
+        snprintf(text + length, sizeof text - length, " %s", advice);
+    }
     fprintf(file, "%s%.5s%s", paint_on(file, p.is_passed ? PAINT_GREEN : PAINT_RED), text,
             paint_off(file));
     calibrate_print_wrapped(file, 5, text + 5);

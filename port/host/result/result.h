@@ -156,7 +156,8 @@ typedef struct {
     const char *nominal_name; /* what the nominal is called, at most CALIBRATE_NAME_MAX bytes */
     const char *saved;        /* the file that the calibration goes to, or null */
     const char *report;       /* that of the report, or null */
-    const char *command;      /* the command line */
+    const char *command;      /* the command line, */
+    const char *log;          /* and the log in it, "-" for the standard input */
 } calibrate_wish;
 
 /* Breaks a text into lines between words. `used` columns of the first line are taken. */
