@@ -19,7 +19,7 @@ calibrate() { # calibrate PAGE ARGUMENTS ...
 # Real sensors: one with its maker's figures, one as positions came, one that is weak.
 calibrate xsens "$data/xsens_mti_positions.csv" --positions --gravity 9.81744 \
     --zero 33123,33276,32360 --lsb 0.002409639,0.002421308,0.002409639 --nominal-name factory \
-    --tolerance 0.02,0.005,0.02
+    --tolerance 0.02,0.005,0.02 --need 1mg
 calibrate xsens-ins "$data/xsens_mti_positions.csv" --positions --gravity 9.81744 --units ins \
     --zero 33123,33276,32360 --lsb 0.002409639,0.002421308,0.002409639 --tolerance 0.02,0.005,0.02
 calibrate mpu9150 "$data/mpu9150_0_positions.csv" --positions --gravity 9.81 --unit m/s2
@@ -82,7 +82,8 @@ awk -v family=plane -v count=18 -v seed=4 -f "$here/../tool/positions.awk" > "$o
 refused plane "$out/plane.csv" --positions
 "$tool" simulate --plan edges --dwell 0.5 --move 0.5 > "$out/restless.csv"
 refused restless "$out/restless.csv"
-refused drift "$out/drift.csv" --thermal 1
+"$tool" simulate --plan edges --temperature 10,40 --drift 0.001 > "$out/drifting.csv"
+refused drift "$out/drifting.csv" --thermal 1
 refused unit "$data/xsens_mti_positions.csv" --positions --zero 0,0,0 --lsb 1
 
 for set in per-group:6 optimal:48; do
