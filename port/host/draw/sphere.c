@@ -15,6 +15,7 @@
 #define PERIOD 4.2   /* of other characters */
 #define TOGETHER 3.0 /* pixels: drawn as one spot */
 #define MARKER 4.5
+#define WIDER 1.3  /* times that, of what is left out or next */
 #define CELL 2     /* pixels of shading */
 #define CELLS 136u /* in the diameter */
 #define PLACE 4    /* pixels that a small marker takes */
@@ -85,6 +86,7 @@ static void add_letters(sphere *s, unsigned spot)
             continue;
         }
         if (s->spot_of[n] == spot && length + 4 < SPHERE_LABEL_MAX) {
+            s->spot[spot].radius = fmax(s->spot[spot].radius, WIDER * MARKER);
             snprintf(label + length, SPHERE_LABEL_MAX - length, "%s%c", length > 0 ? ", " : "",
                      'a' + (int)letter);
         }
@@ -430,7 +432,7 @@ static void draw_marks(FILE *file, const sphere *s, unsigned half)
         const sphere_mark *m = &s->mark[n];
         const sphere_spot *spot = s->spots > 0 ? &s->spot[s->spot_of[n]] : NULL;
         const int is_upon = spot && spot->kind != m->kind;
-        const double radius = m->kind == SPHERE_LEFT_OUT || m->kind == SPHERE_NEXT ? 1.3 * MARKER
+        const double radius = m->kind == SPHERE_LEFT_OUT || m->kind == SPHERE_NEXT ? WIDER * MARKER
                               : spot && !is_upon                                   ? spot->radius
                                                                                    : alone;
         double x;

@@ -17,6 +17,7 @@
 
 #define TEXT_MAX 400
 #define LEGEND_HEIGHT 28.0
+#define LEGEND_STEP 84.0
 
 /* Too large for the stack. */
 static sphere map;
@@ -114,7 +115,7 @@ static void write_missing(page *p, const refused *d)
     page_figure(p, number, r->log ? "positions, rests of the log" : "positions");
     if (is_open) {
         snprintf(number, sizeof number, "%u of 9", parameters_count(r->refused.undetermined));
-        page_figure(p, number, "parameters that nothing tells");
+        page_figure(p, number, "parameters not determined");
     }
     if (d->add_count > 0) {
         snprintf(number, sizeof number, "%u", d->add_count);
@@ -146,20 +147,32 @@ static void draw_half(FILE *file, const refused *d, unsigned half)
     svg_end(file);
 }
 
+static int has_kind(const refused *d, sphere_kind kind)
+{
+    for (unsigned n = 0; n < d->mark_count; n++) {
+        if (d->facts.mark[n].kind == kind) {
+            return 1;
+        }
+    }
+    return 0;
+}
+
+/* Of what there is in the picture. */
 static void draw_legend(FILE *file, const refused *d)
 {
+    static const struct {
+        sphere_kind kind;
+        const char *word;
+    } all[] = {
+        {SPHERE_POSITION, "position"}, {SPHERE_NEXT, "to add"}, {SPHERE_LEFT_OUT, "refused"}};
+    double x = 14;
+
     svg_begin_inline(file, SPHERE_WIDTH, LEGEND_HEIGHT, "Legend", "What the markers mean.");
-    sphere_marker(file, SPHERE_POSITION, 14, 14);
-    svg_text(file, "ink small", SVG_START, 24, 18, "position");
-    if (d->add_count > 0) {
-        sphere_marker(file, SPHERE_NEXT, 98, 14);
-        svg_text(file, "ink small", SVG_START, 111, 18, "to add");
-    }
-    for (unsigned n = 0; n < d->facts.count; n++) {
-        if (d->facts.position[n].is_left_out) {
-            sphere_marker(file, SPHERE_LEFT_OUT, 168, 14);
-            svg_text(file, "ink small", SVG_START, 178, 18, "refused");
-            break;
+    for (unsigned k = 0; k < sizeof all / sizeof *all; k++) {
+        if (has_kind(d, all[k].kind)) {
+            sphere_marker(file, all[k].kind, x, 14);
+            svg_text(file, "ink small", SVG_START, x + 13, 18, all[k].word);
+            x += LEGEND_STEP;
         }
     }
     svg_end(file);
@@ -181,7 +194,7 @@ static void write_map(page *p, const refused *d)
              d->facts.count > 0 && how[d->view] ? ", " : "",
              d->facts.count > 0 && how[d->view] ? how[d->view] : "");
     sphere_arrange(&map, d->facts.mark, d->mark_count, NULL);
-    page_section(p, "Where the positions lie");
+    page_section(p, d->facts.count > 0 ? "Where the positions lie" : "Where to point");
     page_row_begin(p);
     draw_half(p->file, d, 0);
     draw_half(p->file, d, 1);
