@@ -110,6 +110,27 @@ section == "The nine parameters" && /^<tr( class="bad")?><th scope="row"/ {
             cell[1] " as it reads")
     }
 }
+/<dt>/ {
+    name_of_figure = $0
+    gsub(/<[^>]*>/, "", name_of_figure)
+}
+/^<dd>/ {
+    line = $0
+    gsub(/<[^>]*>/, "", line)
+    if (name_of_figure == "noise of a position mean") same(line, parts * json["noise"] / json["gravity"], "noise")
+    if (name_of_figure ~ /^positions/ && section != "How it was made") same(line, json["positions"], "positions")
+    if (name_of_figure == "condition") same(line, json["condition"], "condition")
+    if (name_of_figure == "degrees of freedom") same(line, json["degrees_of_freedom"], "degrees of freedom")
+    if (name_of_figure == "field") same(line, json["gravity"], "field")
+}
+section == "Temperature" && /^<tr><th scope="row"/ {
+    gsub(/<\/t[hd]>/, "|"); gsub(/<[^>]*>/, "")
+    split($0, cell, "|")
+    r = number[cell[1]]
+    per_kelvin = r > 3 && r < 7 ? 1e6 : unit[r]
+    same_spread(cell[2], per_kelvin * nine("thermal.slope.", r),
+        json["interval95"] * per_kelvin * nine("thermal.slope_sigma.", r), "slope of " cell[1])
+}
 /^<dd>.* → .* m?µ?g<\/dd>/ && !seen++ {
     gsub(/<[^>]*>/, "")
     split($0, word, " ")

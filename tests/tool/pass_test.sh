@@ -122,6 +122,11 @@ check "figures: outliers" agree 39 0 "$work/outliers.csv" --zero 0,0,0 --lsb 0.0
 check "figures: outliers beside a prior" agree 39 0 "$work/outliers.csv" --zero 0,0,0 --lsb 0.000598550415 \
     --noise 0.01 --prior 0.05,0.02,0.02 --tolerance 0.05,0.03,0.02
 }
+sensor() { awk -v what=positions -v stations="$1" -v wrong="$2" -v seed=1 -v sigma=1e-4 -f "$here/thermal.awk" \
+    "$here/../reference/expected.h"; }
+sensor -20,25,70 23 > "$work/chamber.csv"
+check "figures: of slopes over temperature, with an outlier" agree 50 0 "$work/chamber.csv" --positions --thermal 1 --unit g \
+    --gravity 9.80665
 # Their size: what the table prints to three digits is the JSON's.
 run calibrate "$work/outliers.csv" --json
 sed -n '/"rejected_excess"/,/\]/p' "$work/stdout" | grep -E '^ *[-0-9]' | tr -d ' ,' > "$work/excess"
