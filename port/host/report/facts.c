@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "cli/command.h"
+#include "result/need.h"
 #include "text/number.h"
 
 static double length(const double v[3])
@@ -82,7 +83,9 @@ int report_facts_find(report_facts *f, const calibrate_result *result, const cal
         return EXIT_FILE;
     }
     find_positions(f);
-    calibrate_spread(result, result->quality.coverage * f->noise, &f->length_spread);
+    calibrate_spread(result, f->knows_noise ? f->coverage * f->noise : REPORT_NORMAL,
+                     &f->length_spread);
+    f->field_spread = f->knows_noise ? f->parts * need_of_field(result) : 0;
     set_marks(f);
     return EXIT_GOOD;
 }

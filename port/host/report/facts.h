@@ -36,6 +36,7 @@ typedef struct {
     sphere_mark *mark;         /* the same for the sphere, and behind them the next one */
     double noise;              /* of a position mean, in these parts; 1 if not known */
     uncertainty length_spread; /* ± of the calibrated length, from the noise above */
+    double field_spread;       /* and ± of the field itself, which is no part of that */
     double next[3];            /* the direction to take next, in the calibrated frame, */
     char next_words[INVCAL_WORDS];
 } report_facts;

@@ -21,10 +21,25 @@
 
 /* ---- what it comes to -------------------------------------------------------------------------- */
 
-/* Half of the interval that holds the length in 95 % of cases, in the worst direction. */
+/* ± of the length in the worst direction, what the field may be wrong by included. */
 static const char *worst_spread(const report_facts *f, char text[FIGURE_MAX])
 {
-    return figure_digits(f->length_spread.most, 2, text);
+    return figure_digits(hypot(f->length_spread.most, f->field_spread), 2, text);
+}
+
+/* The part of it that the field alone has. */
+static const char *part_of_field(const report_facts *f, char text[SUPPORT_MAX])
+{
+    char spread[FIGURE_MAX];
+
+    text[0] = '\0';
+    if (f->field_spread > 0) {
+        snprintf(text, SUPPORT_MAX, ", ±%s %s of it from %s itself%s",
+                 figure_digits(f->field_spread, 2, spread), f->unit,
+                 f->is_gravity ? "g" : "the field",
+                 f->result->is_field_stated ? "" : ", which --gravity or --latitude tells better");
+    }
+    return text;
 }
 
 /* What stands behind the result. */
@@ -48,6 +63,7 @@ static void say_good(const report_facts *f, char *text)
     char spread[FIGURE_MAX];
     char left_out[128] = "";
     char support[SUPPORT_MAX];
+    char field[SUPPORT_MAX];
     char where[64] = "";
 
     if (f->result->temperature == CALIBRATE_THERMAL) {
@@ -61,9 +77,9 @@ static void say_good(const report_facts *f, char *text)
     snprintf(
         text, TEXT_MAX,
         "All nine parameters are determined, %s: corrected readings%s have the length of %s to "
-        "±%s %s or better in any one direction, their own noise not counted.%s",
+        "±%s %s or better in any one direction%s, their own noise not counted.%s",
         support, where, f->is_gravity ? "gravity" : "the field", worst_spread(f, spread), f->unit,
-        left_out);
+        part_of_field(f, field), left_out);
 }
 
 static void say_weak(const report_facts *f, char *text)

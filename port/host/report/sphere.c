@@ -63,6 +63,11 @@ static void say_uncertainty(page *p, const report_facts *f)
              f->knows_noise ? f->unit : "", f->length_spread.worst_words,
              f->knows_noise ? ""
                             : ", in multiples of the noise of a position mean, which is not known");
+    if (f->field_spread > 0) {
+        page_say(
+            p, "What %s itself may be wrong by is not in that: ±%s %s, alike in all directions.",
+            f->is_gravity ? "g" : "the field", figure_digits(f->field_spread, 2, most), f->unit);
+    }
     page_say(p, "The orientation that would add most: %s.", f->next_words);
 }
 

@@ -151,10 +151,11 @@ const char *need_advice(const calibrate_result *r, char text[NEED_MAX])
         what = "Missing: positions in directions that have none yet.";
         break;
     case NEED_GRAVITY:
-        snprintf(text, NEED_MAX,
-                 "Missing: the length of the field, to ±%s (--gravity G+-S, or --latitude); all "
-                 "scales inherit its error.",
-                 figure_digits(r->need / NORMAL, 2, number));
+        snprintf(
+            text, NEED_MAX,
+            "Missing: the length of the field, to a σ of %s (--gravity G+-S, or --latitude); all "
+            "scales inherit its error.",
+            figure_digits(r->need / NORMAL, 2, number));
         return text;
     case NEED_REST:
         snprintf(text, NEED_MAX,
