@@ -87,12 +87,12 @@ static void say_weak(const report_facts *f, char *text)
     char list[128];
     char spread[FIGURE_MAX];
 
-    snprintf(
-        text, TEXT_MAX,
-        "The positions tell too little of %s: use the calibration only within its ±. In the "
-        "worst direction (%s) the length of a corrected reading is uncertain by ±%s %s (95 %%).",
-        parameters_list(f->result->quality.weak, list, sizeof list), f->length_spread.worst_words,
-        worst_spread(f, spread), f->knows_noise ? f->unit : "times the noise of a position mean");
+    snprintf(text, TEXT_MAX,
+             "The positions tell too little of %s: use the calibration only within its ±. In the "
+             "worst direction (%s) the length of a corrected reading is uncertain by ±%s %s.",
+             parameters_list(f->result->quality.weak, list, sizeof list),
+             f->length_spread.worst_words, worst_spread(f, spread),
+             f->knows_noise ? f->unit : "times the noise of a position mean");
 }
 
 /* What is to be done with a good one. */

@@ -90,8 +90,7 @@ static void write_constant(page *p, const report_facts *f, const invcal_calibrat
         page_code_begin(p);
         constant_write(p->file, "calibration", c->offset, (const double(*)[3])c->matrix);
         page_code_end(p);
-        page_say(p, "The same as a file, and for other systems (c-arrays, px4, ardupilot, ros, "
-                    "imu_tk, fusion):");
+        page_say(p, "The same as a file; invcal export --help names the formats of other systems:");
     }
     snprintf(command, sizeof command, "invcal export %s --format c --out calibration.h",
              file_of(f, file));
