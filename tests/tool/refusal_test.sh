@@ -43,7 +43,7 @@ positions sphere 5 1 > "$work/few.csv"
 positions sphere 13 1 > "$work/thirteen.csv"
 positions sphere 16 1 > "$work/sixteen.csv"
 positions plane 18 4 > "$work/plane.csv"
-for n in 1 2 3 4 5 6 7 8 9 10 11; do echo 1,2,3; done > "$work/one.csv"
+printf '%s\n' 1,2,3 1,2,3 1,2,3 1,2,3 1,2,3 1,2,3 1,2,3 1,2,3 1,2,3 1,2,3 1,2,3 > "$work/one.csv"
 "$tool" simulate --plan faces > "$work/faces.csv"
 "$tool" simulate --plan edges --dwell 0.5 --move 0.5 > "$work/restless.csv"
 "$tool" simulate --plan edges --temperature 10,40 --drift 0.001 > "$work/drift.csv"
@@ -55,6 +55,8 @@ check "refusal: what is not determined is told" shows 'Not determined: '
 check "refusal: the file that is not there is named" shows "$work/out/cal.json was not written\\."
 check "refusal: undetermined" told undetermined "$work/plane.csv" --positions
 check "refusal: the advice of the map is that of the words" grep -q '^+z up$' "$work/add"
+positions hyperboloid 18 1 > "$work/saddle.csv"
+check "refusal: not an ellipsoid" told 'not an ellipsoid' "$work/saddle.csv" --positions
 check "refusal: one position again and again" told undetermined "$work/one.csv" --positions
 check "refusal: six faces of a log" told 'too few' "$work/faces.csv"
 check "refusal: with the log in the page" shows 'The log 4[0-9]* samples'
