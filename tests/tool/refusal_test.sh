@@ -69,6 +69,8 @@ sed 's/^/1e300,/; s/,[^,]*$//' "$work/few.csv" | head -n 1 > "$work/huge.csv"
 cat "$work/thirteen.csv" >> "$work/huge.csv"
 check "refusal: a reading that is too large" told 'out of range' "$work/huge.csv" --positions --zero 0,0,0 \
     --lsb 1 --keep-all
+check "refusal: no number of its page is none" lacks "$work/words" '[^a-z](nan|inf)[^a-z]'
+check "refusal: its length is told so" shows 'far off refused'
 check "refusal: all rests drift" told 'too few' "$work/drift.csv" --thermal 1
 check "refusal: positions that drifted are crossed, none are to be added" test "$(wc -l < "$work/add")" -eq 0 -a \
     "$(marks 'c2 full')" -ge 12

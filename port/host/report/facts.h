@@ -14,6 +14,7 @@
 
 typedef struct {
     double up[3];  /* where up was, in the calibrated frame: unit vector */
+    double length; /* of what was refused, over the mean of all */
     double before; /* |nominal calibration| - field, in the unit of lengths (report_facts.parts) */
     double after;  /* the same, calibrated */
     int is_left_out;

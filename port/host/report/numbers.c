@@ -8,9 +8,25 @@
 
 #define CELL 160
 #define LISTED 1000u /* positions in the table; of more only those left out and the worst */
-#define OPEN 48u     /* up to here the table is unfolded */
+#define FAR_OFF 1e9
+#define OPEN 48u /* up to here the table is unfolded */
 
-enum { NUMBER, LINE, BEGIN, LENGTH, TEMPERATURE, X, Y, Z, UP, BEFORE, AFTER, REMARK, COLUMNS };
+enum {
+    NUMBER,
+    LINE,
+    BEGIN,
+    DURATION,
+    TEMPERATURE,
+    X,
+    Y,
+    Z,
+    UP,
+    LENGTH, /* of what was refused, over the mean of all */
+    BEFORE,
+    AFTER,
+    REMARK,
+    COLUMNS
+};
 
 /* A log has times, a table of means has lines. */
 static int is_shown(const report_facts *f, unsigned which)
@@ -19,12 +35,14 @@ static int is_shown(const report_facts *f, unsigned which)
     case LINE:
         return !f->result->log;
     case BEGIN:
-    case LENGTH:
+    case DURATION:
         return f->result->log != NULL;
     case TEMPERATURE:
         return f->result->data->has_temperature;
     case UP:
         return f->has_up;
+    case LENGTH:
+        return f->has_up && f->result->refused.word;
     case BEFORE:
     case AFTER:
         return !f->result->refused.word;
@@ -48,7 +66,7 @@ static void write_row(page *p, const page_table *sheet, const report_facts *f, u
     snprintf(text[NUMBER], CELL, "%u", n + 1);
     snprintf(text[LINE], CELL, "%lu", from->line);
     snprintf(text[BEGIN], CELL, "%.2f", from->begin);
-    snprintf(text[LENGTH], CELL, "%.2f", from->end - from->begin);
+    snprintf(text[DURATION], CELL, "%.2f", from->end - from->begin);
     snprintf(text[TEMPERATURE], CELL, "%.2f", from->temperature);
     for (unsigned i = 0; i < 3; i++) {
         const double sigma = f->knows_noise ? f->result->quality.sigma_offset[i] : 0;
@@ -57,6 +75,7 @@ static void write_row(page *p, const page_table *sheet, const report_facts *f, u
     snprintf(text[UP], CELL, "%+.2f %+.2f %+.2f", at->up[0], at->up[1], at->up[2]);
     snprintf(text[BEFORE], CELL, "%+.*f", is_ins ? 1 : 3, at->before);
     snprintf(text[AFTER], CELL, "%+.*f", is_ins ? 2 : 4, at->after);
+    snprintf(text[LENGTH], CELL, at->length < FAR_OFF ? "%.4g" : "far off", at->length);
     snprintf(text[REMARK], CELL, "%s",
              !at->is_left_out          ? ""
              : f->result->refused.word ? "refused"
@@ -83,8 +102,9 @@ void report_numbers(page *p, const report_facts *f)
     if (f->count == 0) {
         return;
     }
-    static const char *const all[COLUMNS] = {"no.", "line", "from, s", "for, s", "°C",    "x",
-                                             "y",   "z",    "up",      "before", "after", "remark"};
+    static const char *const all[COLUMNS] = {"no.",    "line",  "from, s", "for, s", "°C",
+                                             "x",      "y",     "z",       "up",     "length",
+                                             "before", "after", "remark"};
     const char *titles[COLUMNS];
     char summary[CELL];
     char caption[CELL];
@@ -102,7 +122,8 @@ void report_numbers(page *p, const report_facts *f)
              f->count);
     snprintf(caption, sizeof caption,
              f->result->refused.word
-                 ? "x y z: mean reading, %s. Up: as in the picture above."
+                 ? "x y z: mean reading, %s. Up: as in the picture above. Length: over the "
+                   "mean of all; what stands out may be wrong."
                  : "x y z: mean reading, %s. Up: in the calibrated axes. Before and after: "
                    "deviation of %s, %s.",
              calibrate_input_unit(f->result), f->length, f->unit);

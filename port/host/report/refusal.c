@@ -39,14 +39,18 @@ static void find_positions(refused *d)
     invcal_calibration view;
 
     d->view = refusal_see(f->result, &view);
+    const double mean = refusal_mean_length(f->result, &view);
     for (unsigned n = 0; n < f->count && d->view != REFUSAL_UNSEEN; n++) {
         report_position *at = &f->position[n];
         sphere_mark *mark = &f->mark[d->mark_count];
         at->is_left_out = refusal_is_wrong(f->result, n);
+        at->length = refusal_length(f->result, &view, n) / mean;
         if (refusal_up(f->result, &view, n, at->up)) {
             memcpy(mark->up, at->up, sizeof mark->up);
             mark->kind = at->is_left_out ? SPHERE_LEFT_OUT : SPHERE_POSITION;
             d->mark_count++;
+        } else {
+            memset(at->up, 0, sizeof at->up);
         }
     }
     f->has_up = d->view != REFUSAL_UNSEEN;

@@ -24,25 +24,50 @@ int refusal_is_wrong(const calibrate_result *r, unsigned position)
 
 /* ---- where they point -------------------------------------------------------------------------- */
 
-/* Variance of the lengths over the square of their mean: 0 where they are all alike. A reading that is wrong does
- * not count. */
-static double unlikeness(const calibrate_result *r, const invcal_calibration *view)
+double refusal_length(const calibrate_result *r, const invcal_calibration *view, unsigned position)
 {
-    double sum = 0;
-    double squares = 0;
+    double v[3];
+
+    invcal_apply(view, &r->data->mean[3 * (size_t)position], v);
+    return length(v);
+}
+
+/* Mean of the lengths, and of their squares. */
+static void average(const calibrate_result *r, const invcal_calibration *view, double *mean,
+                    double *square)
+{
     unsigned count = 0;
 
+    *mean = *square = 0;
     for (unsigned n = 0; n < r->data->count; n++) {
-        double v[3];
-        if (r->refused.is_of_position && r->refused.position == n) {
-            continue;
+        const double one = refusal_length(r, view, n);
+        if (!r->refused.is_of_position || r->refused.position != n) {
+            *mean += one;
+            *square += one * one;
+            count++;
         }
-        invcal_apply(view, &r->data->mean[3 * (size_t)n], v);
-        sum += length(v);
-        squares += length(v) * length(v);
-        count++;
     }
-    return squares * count / (sum * sum) - 1;
+    *mean /= count;
+    *square /= count;
+}
+
+double refusal_mean_length(const calibrate_result *r, const invcal_calibration *view)
+{
+    double mean;
+    double square;
+
+    average(r, view, &mean, &square);
+    return mean;
+}
+
+/* Variance of the lengths over the square of their mean: 0 where they are all alike. */
+static double unlikeness(const calibrate_result *r, const invcal_calibration *view)
+{
+    double mean;
+    double square;
+
+    average(r, view, &mean, &square);
+    return square / (mean * mean) - 1;
 }
 
 refusal_view refusal_see(const calibrate_result *r, invcal_calibration *view)

@@ -24,6 +24,11 @@ refusal_view refusal_see(const calibrate_result *result, invcal_calibration *vie
 int refusal_up(const calibrate_result *result, const invcal_calibration *view, unsigned position,
                double up[3]);
 
+/* The length of a reading, and the mean of all but one that is wrong. */
+double refusal_length(const calibrate_result *result, const invcal_calibration *view,
+                      unsigned position);
+double refusal_mean_length(const calibrate_result *result, const invcal_calibration *view);
+
 /* The position itself was refused, not only the set. */
 int refusal_is_wrong(const calibrate_result *result, unsigned position);
 
