@@ -8,8 +8,8 @@
 
 #define CELL 160
 #define LISTED 1000u /* positions in the table; of more only those left out and the worst */
-#define FAR_OFF 1e9
-#define OPEN 48u /* up to here the table is unfolded */
+#define FAR_OFF 1e3  /* times the mean length */
+#define OPEN 48u     /* up to here the table is unfolded */
 
 enum {
     NUMBER,
@@ -75,7 +75,7 @@ static void write_row(page *p, const page_table *sheet, const report_facts *f, u
     snprintf(text[UP], CELL, "%+.2f %+.2f %+.2f", at->up[0], at->up[1], at->up[2]);
     snprintf(text[BEFORE], CELL, "%+.*f", is_ins ? 1 : 3, at->before);
     snprintf(text[AFTER], CELL, "%+.*f", is_ins ? 2 : 4, at->after);
-    snprintf(text[LENGTH], CELL, at->length < FAR_OFF ? "%.4g" : "far off", at->length);
+    snprintf(text[LENGTH], CELL, at->length < FAR_OFF ? "%.3f" : "far off", at->length);
     snprintf(text[REMARK], CELL, "%s",
              !at->is_left_out          ? ""
              : f->result->refused.word ? "refused"

@@ -126,7 +126,7 @@ static void write_missing(page *p, const refused *d)
         page_figure(p, number, "positions to add");
     }
     page_figures_end(p);
-    if (is_open) {
+    if (is_open && strcmp(r->refused.word, "undetermined") != 0) { /* which has said so */
         page_say(p, "Not determined: %s.",
                  parameters_list(r->refused.undetermined, list, sizeof list));
     }

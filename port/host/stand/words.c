@@ -11,7 +11,8 @@ double stand_coverage(double dof)
 
 double stand_series_coverage(const group_series *s)
 {
-    return stand_coverage((double)s->dof + GROUP_SERIES_CLOSURES); /* they tell of the noise, too */
+    return stand_coverage((double)s->dof +
+                          (double)GROUP_SERIES_CLOSURES); /* they tell of the noise, too */
 }
 
 const char *stand_turned_far(const mounting *m)
