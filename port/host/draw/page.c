@@ -49,8 +49,8 @@ static const char styles[] =
     "@media screen and (max-width:640px){.wide{display:none}.narrow{display:block}}\n"
     "@media screen and (max-width:480px){.facts.facts{display:block}.facts dd{margin-bottom:6px}}\n"
     ".scroll{overflow-x:auto}\n"
-    ".code{overflow-x:auto;overflow-wrap:normal;margin:8px 0;padding:8px 12px;border:1px solid "
-    "var(--line);border-radius:4px;font:.8125rem/1.45 ui-monospace,monospace}\n"
+    ".code{white-space:pre-wrap;margin:8px 0;padding:8px 12px;border:1px solid var(--line);"
+    "border-radius:4px;font:.8125rem/1.45 ui-monospace,monospace}\n"
     "table{border-collapse:collapse;font-variant-numeric:tabular-nums;font-size:.8125rem;"
     "margin:8px 0;overflow-wrap:normal}\n"
     "th,td{padding:3px 12px 3px 0;text-align:right;vertical-align:baseline;"
@@ -67,7 +67,7 @@ static const char styles[] =
     ".facts dd{margin:0}\n"
     "footer{margin-top:40px;border-top:1px solid var(--line);padding-top:8px}\n"
     "@media "
-    "print{.code{white-space:pre-wrap;overflow-wrap:anywhere}body{padding:0;max-width:none;font-"
+    "print{body{padding:0;max-width:none;font-"
     "size:11pt}.scroll{overflow:visible}"
     "table{font-size:8.5pt}th,td{padding-right:8px}h2{margin-top:22px}}\n";
 
@@ -252,7 +252,7 @@ void page_table_end(page *p)
 
 void page_code_begin(page *p)
 {
-    fputs("<pre class=\"code\" tabindex=\"0\">", p->file);
+    fputs("<pre class=\"code\">", p->file);
 }
 
 void page_code_end(page *p)
