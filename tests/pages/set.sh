@@ -19,7 +19,7 @@ calibrate() { # calibrate PAGE ARGUMENTS ...
 # Real sensors: one with its maker's figures, one as positions came, one that is weak.
 calibrate xsens "$data/xsens_mti_positions.csv" --positions --gravity 9.81744 \
     --zero 33123,33276,32360 --lsb 0.002409639,0.002421308,0.002409639 --nominal-name factory \
-    --tolerance 0.02,0.005,0.02
+    --tolerance 0.02,0.005,0.02 --need 1mg
 calibrate xsens-ins "$data/xsens_mti_positions.csv" --positions --gravity 9.81744 --units ins \
     --zero 33123,33276,32360 --lsb 0.002409639,0.002421308,0.002409639 --tolerance 0.02,0.005,0.02
 calibrate mpu9150 "$data/mpu9150_0_positions.csv" --positions --gravity 9.81 --unit m/s2
@@ -71,6 +71,23 @@ calibrate record "$out/nine.csv" --device 'MTi "<10>"' --serial 47 --operator JÃ
 odd="$out/<b onclick=x>&\"' a-very-long-name-without-any-place-to-break-it-in-two-lines-of-a-phone.csv"
 cp "$out/nine.csv" "$odd"
 calibrate hostile "$odd" --nominal-name '<i>&"'
+
+# What is refused: six faces, a plane, no rest, drifting temperatures, a wrong unit.
+refused() { # refused PAGE ARGUMENTS ...
+    page=$out/refused-$1.html
+    shift
+    if "$tool" calibrate --quiet --report "$page" "$@" 2> /dev/null; then false; fi
+    echo "$page"
+}
+"$tool" simulate --plan faces > "$out/faces.csv"
+refused faces "$out/faces.csv" --need 1mg --out "$out/none.json"
+awk -v family=plane -v count=18 -v seed=4 -f "$here/../tool/positions.awk" > "$out/plane.csv"
+refused plane "$out/plane.csv" --positions
+"$tool" simulate --plan edges --dwell 0.5 --move 0.5 > "$out/restless.csv"
+refused restless "$out/restless.csv"
+"$tool" simulate --plan edges --temperature 10,40 --drift 0.001 > "$out/drifting.csv"
+refused drift "$out/drifting.csv" --thermal 1
+refused unit "$data/xsens_mti_positions.csv" --positions --zero 0,0,0 --lsb 1
 
 for set in per-group:6 optimal:48; do
     picture=$out/directions-$(echo "$set" | tr : -).svg

@@ -375,7 +375,7 @@ refuses "--unit without a value" 2 '--unit: its value is missing' calibrate "$wo
 
 write_positions 1 'x (mg),y (mg),z (mg)' "$x"
 refuses "a header that states another unit than that of the readings" 1 \
-    'pos\.csv:2: position 1 reads 0\.0[0-9]* of the field with the scale of the unit that is stated: check the unit in the header; --unit' \
+    'pos\.csv:2: position 1 reads 0\.0[0-9]* of the field with the scale of the unit that is stated; check the unit in the header; --unit' \
     calibrate "$work/pos.csv" --positions
 run calibrate "$work/pos.csv" --positions --unit g --json
 check "--unit puts it right" near 1e-9 "$(field offset)" '0.02 -0.03 0.05'

@@ -162,6 +162,10 @@ prints 0 plan_sweep plan --sweep 5:9
 prints 0 plan_comparison plan --compare edges per-group:6
 prints 0 plan_comparison plan --compare edges optimal:18 --noise 0.001
 
+prints 0 calibration calibrate "$xsens" --positions --zero 33123,33276,32360 --lsb 0.0024 --need 1mg \
+    --tolerance 0.02,0.005,0.02
+prints 0 calibration calibrate "$work/nine.csv" --positions --gravity 1 --zero 0,0,0 --lsb 1 --tolerance 1,1,1 --need 1
+
 # ---- what must not pass ------------------------------------------------------------------------
 
 planted() { # planted SENTENCE SED: a calibration that was good, with a mistake

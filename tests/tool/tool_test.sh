@@ -546,7 +546,7 @@ rm -f "$work/bad.csv"
 refused_in_json() { # refused_in_json ERROR
     { [ "$code" -eq 1 ] && says . && grep -Eq "^  \"error\": \"$1\",\$" "$work/stdout" &&
         grep -q '^  "reason": ".*",$' "$work/stdout" &&
-        grep -Eq '^  "undetermined": \[.*\]$' "$work/stdout" && is_json "$work/stdout"; } || complain
+        grep -Eq '^  "undetermined": \[.*\],$' "$work/stdout" && is_json "$work/stdout"; } || complain
 }
 hopeless() { # hopeless SENTENCE FILE ERROR PATTERN ARGUMENTS ...
     name=$1

@@ -12,11 +12,40 @@
 #include "calibrate/solve.h"
 #include "cli/command.h"
 #include "cli/output.h"
+#include "cli/message.h"
 #include "cli/progress.h"
 #include "design/design.h"
 #include "fit/sensors.h"
 #include "read/chosen.h"
 #include "read/columns.h"
+#include "result/pass.h"
+
+/* What is written all the same may be no good: with --strict the exit code tells. */
+static int hold(const request *r, const calibrate_result *result)
+{
+    char reason[PASS_MAX];
+
+    if (!r->value[ASK_STRICT] || !*pass_strict(result, reason)) {
+        return EXIT_GOOD;
+    }
+    message("%s: --strict: %s", result->data->name, reason);
+    return EXIT_DATA;
+}
+
+/* What is known of the result before there is one. */
+static calibrate_result ask(const request *r, const positions *data, const rests_summary *log)
+{
+    return (calibrate_result){
+        .data = data,
+        .log = r->value[ASK_POSITIONS] ? NULL : log,
+        .settings = r->settings,
+        .place = r->value[ASK_LATITUDE] ? r->place : NULL,
+        .told = r->told,
+        .need = r->need,
+        .need_unit = r->need_unit,
+        .record = r->record,
+    };
+}
 
 /* `--sensor list` needs no log. */
 static int asks_for_list(int argc, char **argv)
@@ -49,19 +78,23 @@ int calibrate_run(int argc, char **argv, int is_live, positions_reader *read)
         progress_quiet();
     }
     json_lines(r.value[ASK_JSON_LINES] ? r.file : NULL);
+    result = ask(&r, &data, &log);
+    settle_limits(&r, &result);
     failure = read(&r, &data, &log);
     if (!failure && data.count == 0 && !r.value[ASK_POSITIONS]) {
-        failure = calibrate_no_rest(&data, &log, r.value[ASK_JSON] != NULL);
+        failure = calibrate_no_rest(&result);
     }
-    result.log = r.value[ASK_POSITIONS] ? NULL : &log;
     if (!failure) {
         settle_unit(&r, &data);
         failure = solve_positions(&r, &data, &result);
     }
+    failure = result.refused.word ? deliver_refusal(&r, &result)
+              : failure           ? failure
+                                  : deliver(&r, &result);
     if (failure == EXIT_FILE && r.value[ASK_JSON_LINES]) {
-        calibrate_unreadable();
+        deliver_unreadable();
     }
-    failure = failure ? failure : deliver(&r, &result);
+    failure = failure ? failure : hold(&r, &result);
     stand_free(&result.stand);
     rejection_free(&result.rejected);
     positions_free(&data);
@@ -193,10 +226,15 @@ static const char *const help[] = {
     "  --slope D,K,G       standard deviations of what slopes may be, per K: of offsets (over the\n"
     "                      field), scale errors, angles (rad); 0 says nothing. Needs the noise\n"
     "  --tolerance D,K,G   limits of the data sheet for offsets (over the field), scale errors\n"
-    "                      and angles (rad): says which parameters are beyond. Needs --sensor,\n"
-    "                      --unit, --zero and --lsb, or --nominal\n"
-    "  --need U            what calibrated lengths may be wrong by in 95 % of cases, in the unit\n"
-    "                      of --gravity: says whether they are that good, and what is missing\n"
+    "                      and angles (rad): PASS if all are within, their 95 % included, else\n"
+    "                      FAIL, and which are not. Needs --sensor, --unit, --zero and --lsb,\n"
+    "                      or --nominal\n"
+    "  --need U            what calibrated lengths may be wrong by in 95 % of cases: 1mg, "
+    "0.01m/s2,\n"
+    "                      0.1% (mg, g, ug, m/s2, %), or a number in the unit of --gravity. PASS\n"
+    "                      or FAIL, by which margin, and what is missing\n"
+    "  --strict            exit code 1, with all files written, unless the verdict is good and\n"
+    "                      --tolerance and --need are passed\n"
     "  --device TEXT       what the calibration is filed under, in CAL.json, table and page:\n"
     "                      the type of the device,\n"
     "  --serial TEXT       its serial number, by which invcal compare knows it again,\n"
@@ -205,14 +243,16 @@ static const char *const help[] = {
     "  --note TEXT         and what else there is to say\n"
     "  --out CAL.json      write the result to a file, as JSON, for invcal apply\n"
     "  --report R.html     write a page with the verdict, figures and pictures: one file that\n"
-    "                      needs nothing else, for screen and paper\n"
+    "                      needs nothing else, for screen and paper; of what is refused, too\n"
     "  --json              print the result as JSON in place of the table\n"
     "  --json-lines        the same, or why there is none, on one line that begins with the name "
     "of\n"
     "                      LOG: for pipes\n"
     "  --quiet             print neither table nor progress, only errors\n"
     "\n"
-    "exit codes: 0 good; 1 the data cannot be calibrated; 2 usage; 3 LOG unreadable or\n"
+    "exit codes: 0 calibrated, whatever the verdict; 1 the data cannot be calibrated or, with\n"
+    "--strict, the verdict is not good, a limit or the need not kept; 2 usage; 3 LOG unreadable "
+    "or\n"
     "malformed, or the output not writable\n"
     "\n"
     "example:\n"

@@ -13,6 +13,7 @@
 #include "fit/gravity.h"
 #include "read/chosen.h"
 #include "read/samples.h"
+#include "result/need.h"
 #include "result/result.h"
 
 static const option options[ASK_OPTIONS] = {
@@ -50,6 +51,7 @@ static const option options[ASK_OPTIONS] = {
     [ASK_KEEP_ALL] = {"--keep-all", 0},
     [ASK_TOLERANCE] = {"--tolerance", 1},
     [ASK_NEED] = {"--need", 1},
+    [ASK_STRICT] = {"--strict", 0},
     [ASK_DEVICE] = {"--device", 1},
     [ASK_SERIAL] = {"--serial", 1},
     [ASK_OPERATOR] = {"--operator", 1},
@@ -531,16 +533,32 @@ static int read_tolerance(request *r)
 
 static int read_need(request *r)
 {
-    int failure = EXIT_GOOD;
+    const char *text = r->value[ASK_NEED];
+    char number[64];
+    size_t digits;
 
-    if (r->value[ASK_NEED]) {
-        failure = options_numbers(r->syntax, ASK_NEED, r->value[ASK_NEED], 1, &r->need, NULL);
-        if (!failure && !(r->need > 0)) {
-            failure =
-                request_usage(r, ASK_NEED, "is above 0: what lengths may be wrong by, field units");
-        }
+    if (!text) {
+        return EXIT_GOOD;
     }
-    return failure;
+    const need_ending ending = need_parse(text, r->settings.field, &digits, &r->need_unit);
+    if (ending == NEED_NO_UNIT) {
+        return message_usage(r->syntax->command,
+                             "--need %s: ends with mg, g, ug, m/s2 or %%, or is a number in the "
+                             "unit of --gravity",
+                             text);
+    }
+    if (ending == NEED_NO_GRAVITY) {
+        return message_usage(r->syntax->command,
+                             "--need %s: the field (--gravity) is no gravity; state a part of it "
+                             "in %%, or a number in its unit",
+                             text);
+    }
+    snprintf(number, sizeof number, "%.*s", (int)fmin((double)digits, sizeof number - 1), text);
+    const int failure = options_numbers(r->syntax, ASK_NEED, number, 1, &r->need, NULL);
+    r->need *= r->settings.field / r->need_unit.scale;
+    return failure       ? failure
+           : r->need > 0 ? EXIT_GOOD
+                         : request_usage(r, ASK_NEED, "is above 0: what lengths may be wrong by");
 }
 
 /* What the calibration is filed under. The texts stand in the order of the options. */

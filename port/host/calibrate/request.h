@@ -52,6 +52,7 @@ enum {
     ASK_KEEP_ALL,
     ASK_TOLERANCE,
     ASK_NEED,
+    ASK_STRICT,
     ASK_DEVICE,
     ASK_SERIAL,
     ASK_OPERATOR,
@@ -81,7 +82,8 @@ typedef struct {
     reading_unit unit; /* of --unit, */
     told_style told;   /* --units */
     double target[3];
-    double need; /* 0: not given */
+    double need;         /* field units; 0: not given */
+    told_unit need_unit; /* what it was stated in */
     double mean_sigma;
     double tolerance[3];
     char command[REQUEST_COMMAND_MAX]; /* the command line, for the report */

@@ -10,15 +10,14 @@
 #include "text/number.h"
 
 /* No calculation can be made with numbers so large or so small. */
-static int refuse_nominal(const request *r, const positions *data, const nominal_choice *n)
+static int refuse_nominal(const request *r, calibrate_result *result)
 {
-    const fit_reason all = {data->count, (1u << INVCAL_PARAMETERS) - 1};
+    const fit_reason all = {0, (1u << INVCAL_PARAMETERS) - 1};
 
     if (r->value[ASK_LSB]) {
         return request_usage(r, ASK_LSB, "is too small or too large a scale for any calculation");
     }
-    return calibrate_refuse(data, &r->settings, n, &r->stand, INVCAL_UNDETERMINED, &all,
-                            r->value[ASK_JSON] != NULL);
+    return calibrate_refuse(result, &r->stand, INVCAL_UNDETERMINED, &all);
 }
 
 void settle_unit(const request *r, positions *data)
@@ -89,8 +88,10 @@ static int check_sensor(const request *r, const positions *data, const nominal_c
                : message_usage(r->syntax->command, "%s: %s", data->name, text);
 }
 
-int settle_nominal(const request *r, const positions *data, nominal_choice *n)
+int settle_nominal(const request *r, calibrate_result *result)
 {
+    const positions *data = result->data;
+    nominal_choice *n = &result->nominal;
     double zero[3];
     double lsb[3];
 
@@ -103,12 +104,53 @@ int settle_nominal(const request *r, const positions *data, nominal_choice *n)
     n->zero = r->value[ASK_ZERO] ? NOMINAL_GIVEN : n->zero;
     n->lsb = r->value[ASK_LSB] ? NOMINAL_GIVEN : n->lsb;
     if (!has_scale && n->lsb == NOMINAL_RANGE) {
-        return refuse_nominal(r, data, n);
+        return refuse_nominal(r, result);
     }
     return nominal_make(r->value[ASK_ZERO] ? r->zero : zero, r->value[ASK_LSB] ? r->lsb : lsb,
                         r->settings.field, &n->calibration)
                ? check_sensor(r, data, n)
-               : refuse_nominal(r, data, n);
+               : refuse_nominal(r, result);
+}
+
+/* The mean length of the readings, counts, from the nominal zero. */
+static double mean_length(const positions *data, const invcal_calibration *nominal)
+{
+    double sum = 0;
+
+    for (unsigned n = 0; n < data->count; n++) {
+        double square = 0;
+        for (unsigned i = 0; i < 3; i++) {
+            const double d = data->mean[3 * (size_t)n + i] - nominal->offset[i];
+            square += d * d;
+        }
+        sum += sqrt(square) / data->count;
+    }
+    return sum;
+}
+
+/* As good as 1, zero and scale being nominal. */
+static int is_about_one(double x)
+{
+    return x > 0.4 && x < 2.5;
+}
+
+int settle_scale(const request *r, const positions *data, const nominal_choice *nominal)
+{
+    const double field = r->settings.field;
+    const double lsb = fabs(nominal->calibration.matrix[0][0]);
+    const double counts = mean_length(data, &nominal->calibration);
+    char numerator[NUMBER_TEXT_MAX];
+
+    if (nominal->lsb != NOMINAL_GIVEN || is_about_one(counts * lsb / field) ||
+        !(is_about_one(counts / lsb) || is_about_one(counts / (lsb * field)))) {
+        return EXIT_GOOD;
+    }
+    const double meant = is_about_one(counts / lsb) ? field : 1;
+    return message_usage(r->syntax->command,
+                         "--lsb is field per count, not counts per field: with %.6g these readings "
+                         "are %.3g times the field; you mean --lsb %s/%.6g, which is %.6g",
+                         lsb, counts * lsb / field, number_text(meant, numerator), lsb,
+                         meant / lsb);
 }
 
 /* The noise of a position mean from std and n: the root mean square over axes. */

@@ -36,6 +36,9 @@ static const char styles[] =
     ".bad{color:var(--bad);background:var(--badback)}\n"
     ".good .word{color:var(--good)}.caution .word{color:var(--caution)}"
     ".bad .word{color:var(--bad)}\n"
+    ".verdict .answer{border-radius:4px;padding:4px 10px;margin:8px 0;font-weight:bold}\n"
+    ".verdict .answer.good{color:var(--good);background:var(--goodback)}"
+    ".verdict .answer.bad{color:var(--bad);background:var(--badback)}\n"
     ".figures{display:flex;flex-wrap:wrap;gap:8px 32px;margin:16px 0;padding:0}\n"
     ".figures div{flex:1 1 140px}\n"
     ".figures dt{color:var(--soft);font-size:.875rem}\n"
@@ -54,6 +57,8 @@ static const char styles[] =
     "linear-gradient(to left,var(--paper) 30%,transparent) right/40px 100% no-repeat local,"
     "linear-gradient(to right,var(--shade),transparent) left/14px 100% no-repeat scroll,"
     "linear-gradient(to left,var(--shade),transparent) right/14px 100% no-repeat scroll}\n"
+    ".code{white-space:pre-wrap;margin:8px 0;padding:8px 12px;border:1px solid var(--line);"
+    "border-radius:4px;font:.8125rem/1.45 ui-monospace,monospace}\n"
     "table{border-collapse:collapse;font-variant-numeric:tabular-nums;font-size:.8125rem;"
     "margin:8px 0;overflow-wrap:normal}\n"
     "th,td{padding:3px 12px 3px 0;text-align:right;vertical-align:baseline;"
@@ -151,10 +156,22 @@ void page_end(page *p)
 
 void page_verdict(page *p, page_mood mood, const char *word, const char *sentence, const char *next)
 {
+    static const page_answer none = {NULL, 0};
+
+    page_verdict_of(p, mood, word, &none, sentence, next);
+}
+
+void page_verdict_of(page *p, page_mood mood, const char *word, const page_answer *answer,
+                     const char *sentence, const char *next)
+{
     static const char *const class[] = {"good", "caution", "bad"};
 
     fprintf(p->file, "<div class=\"verdict %s\">\n", class[mood]);
     element(p, "<p class=\"word\">", word, "</p>");
+    if (answer->text) {
+        element(p, answer->is_passed ? "<p class=\"answer good\">✓ " : "<p class=\"answer bad\">✗ ",
+                answer->text, "</p>");
+    }
     element(p, "<p>", sentence, "</p>");
     fputs("<p><b>Next:</b> ", p->file);
     element(p, "", next, "</p>");
@@ -256,9 +273,9 @@ void page_table_begin(page *p, const page_table *table)
     fputs("</tr></thead>\n<tbody>\n", p->file);
 }
 
-void page_cells(page *p, const page_table *table, const char *const *cell)
+static void write_cells(page *p, const page_table *table, const char *const *cell, const char *row)
 {
-    fputs("<tr><th scope=\"row\" class=\"text\">", p->file);
+    fprintf(p->file, "%s<th scope=\"row\" class=\"text\">", row);
     svg_prose(p->file, cell[0]);
     fputs("</th>", p->file);
     for (unsigned k = 1; k < table->count; k++) {
@@ -269,9 +286,36 @@ void page_cells(page *p, const page_table *table, const char *const *cell)
     fputs("</tr>\n", p->file);
 }
 
+void page_cells(page *p, const page_table *table, const char *const *cell)
+{
+    write_cells(p, table, cell, "<tr>");
+}
+
+void page_bad_cells(page *p, const page_table *table, const char *const *cell)
+{
+    write_cells(p, table, cell, "<tr class=\"bad\">");
+}
+
 void page_table_end(page *p)
 {
     fputs("</tbody>\n</table>\n</div>\n", p->file);
+}
+
+void page_code_begin(page *p)
+{
+    fputs("<pre class=\"code\">", p->file);
+}
+
+void page_code_end(page *p)
+{
+    fputs("</pre>\n", p->file);
+}
+
+void page_code(page *p, const char *text)
+{
+    page_code_begin(p);
+    svg_escape(p->file, text);
+    page_code_end(p);
 }
 
 void page_fold_begin(page *p, const char *summary, int is_open)

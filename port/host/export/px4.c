@@ -4,6 +4,7 @@
 #include "cli/command.h"
 #include "export/diagonal.h"
 #include "export/text.h"
+#include "text/constant.h"
 #include "cli/message.h"
 
 #define SCALE_MIN 0.1
@@ -88,11 +89,11 @@ static void write_file(FILE *file, const export_job *job)
     }
     for (unsigned i = 0; i < 3; i++) {
         fprintf(file, "1\t1\tCAL_ACC%u_%cOFF\t%s\t9\n", job->instance, (int)"XYZ"[i],
-                export_float(job->driver.offset[i], text));
+                constant_float(job->driver.offset[i], text));
     }
     for (unsigned i = 0; i < 3; i++) {
         fprintf(file, "1\t1\tCAL_ACC%u_%cSCALE\t%s\t9\n", job->instance, (int)"XYZ"[i],
-                export_float(d.scale[i], text));
+                constant_float(d.scale[i], text));
     }
 }
 

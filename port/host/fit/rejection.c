@@ -23,34 +23,31 @@ typedef struct {
 } turn;
 
 /* A reading that is none of this field, though most others are. */
-static int is_impossible(const positions *p, unsigned i, const fit_settings *settings,
-                         double *error)
+static int is_impossible(const positions *p, unsigned i, const fit_settings *settings)
 {
     const double *mean = &p->mean[3 * (size_t)i];
     double u[3];
     invcal_row row;
 
     invcal_apply(&settings->nominal, mean, u);
-    *error = sqrt(u[0] * u[0] + u[1] * u[1] + u[2] * u[2]) - 1;
     return invcal_observe(&settings->nominal, mean, &row) == INVCAL_OUT_OF_RANGE &&
-           *error <= REJECTION_TELLABLE;
+           sqrt(u[0] * u[0] + u[1] * u[1] + u[2] * u[2]) - 1 <= REJECTION_TELLABLE;
 }
 
 /* Up to one in eight, if enough others are there to tell. */
 static void reject_impossible(rejection *r, const positions *p, const fit_settings *settings)
 {
     unsigned count = 0;
-    double error;
 
     for (unsigned i = 0; i < p->count; i++) {
-        count += (unsigned)is_impossible(p, i, settings, &error);
+        count += (unsigned)is_impossible(p, i, settings);
     }
     if (8 * count > p->count || p->count < FEWEST + count) {
         return;
     }
     for (unsigned i = 0; i < p->count; i++) {
-        if (is_impossible(p, i, settings, &error)) {
-            rejection_add(r, (rejected_position){.position = i, .error = error});
+        if (is_impossible(p, i, settings)) {
+            rejection_add(r, (rejected_position){.position = i});
         }
     }
 }
@@ -147,8 +144,7 @@ static void find_among(rejection *r, const positions *p, const fit_settings *set
     for (unsigned i = 0; i < c.count; i++) {
         r->suspected += (unsigned)((q.suspected & ~out) >> i & 1u);
         if (out >> i & 1u) {
-            rejection_add(r, (rejected_position){.position = c.number[i],
-                                                 .error = excess(&calibration, c.mean[i])});
+            rejection_add(r, (rejected_position){.position = c.number[i]});
         }
     }
     if (t.number == 0) {
@@ -240,12 +236,12 @@ static int reconsider(rejection *r, const positions *p, const fit_settings *sett
         is_first ? robust_noise(r, &c) : q.noise * fit_sensitivity(&c, &settings->nominal);
     rejected_position *const was = r->list;
     for (unsigned i = 0; i < p->count; i++) {
-        rejected_position one = {.position = i, .error = excess(&c, &p->mean[3 * (size_t)i])};
+        rejected_position one = {.position = i};
         const int is_out = next < before && was[next].position == i;
         if (is_out) {
             one.drift = was[next++].drift;
         }
-        const double t = one.error / noise;
+        const double t = excess(&c, &p->mean[3 * (size_t)i]) / noise;
         const double chance = p->count * f_tail(1 / (1 + t * t / q.dof), 1, q.dof);
         if (one.drift > 0 || chance <= ALLOWED) {
             again += (unsigned)is_out;

@@ -14,7 +14,6 @@
 
 typedef struct {
     unsigned position; /* from 0 */
-    double error;      /* what it reads too much, over the field */
     double drift;      /* K in the rest, if it is left out for that; else 0 */
 } rejected_position;
 

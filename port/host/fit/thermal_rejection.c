@@ -85,24 +85,6 @@ static int beats_fewer(const double *squares, unsigned k, unsigned all, unsigned
     return 1;
 }
 
-/* Beside others that were still there an error is not what it is beside the good ones. */
-static void restate_errors(rejection *r, const positions *p, const unsigned *position,
-                           unsigned count, const invcal_thermal *c)
-{
-    thermal_row row;
-
-    for (unsigned i = 0; i < r->count; i++) {
-        rejected_position *one = &r->list[i];
-        for (unsigned k = 0; k < count; k++) {
-            if (position[k] == one->position &&
-                thermal_rows_one(c, &p->mean[3 * (size_t)one->position],
-                                 p->origin[one->position].temperature, &row)) {
-                one->error = row.residual;
-            }
-        }
-    }
-}
-
 /* Leaves out, one after another, what stands out most. Those up to the last that contradicts are
  * wrong; the others come back. What is left without one is found by a fit: where a position is hardly
  * checked by the others, the linear rows tell it too well. */
@@ -137,9 +119,6 @@ static void reject(rejection *r, const positions *p, const fit_settings *setting
         rejection_remove(r, position[--count]);
     }
     rejection_finish(r, p);
-    if (wrong > 0 && fit(r, settings, wish, &c)) {
-        restate_errors(r, p, position, wrong, &c);
-    }
 }
 
 void thermal_rejection_find(rejection *r, const positions *p, const fit_settings *settings,

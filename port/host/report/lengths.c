@@ -121,7 +121,7 @@ static void draw_lengths(FILE *file, const void *data, double width)
 
 void report_lengths(page *p, const report_facts *f)
 {
-    if (f->result->log && recording_count(f->result->log->track) > 0) {
+    if (f->result->log && !f->result->refused.word && recording_count(f->result->log->track) > 0) {
         page_panorama(
             p,
             "The length of the readings, averaged over a part of a second. What is beyond "

@@ -177,7 +177,7 @@ static void draw_change(FILE *file, const void *data, double width)
 /* What the residuals of good positions stay within in 95 % of cases. */
 static double usual(const report_facts *f)
 {
-    return f->knows_noise ? f->result->quality.coverage * f->noise : 0;
+    return f->knows_noise ? f->coverage * f->noise : 0;
 }
 
 /* Where a name stands: the middle of its foot. */
@@ -297,13 +297,15 @@ static void say_left_out(page *p, const report_facts *f)
 static void say_unexplained(page *p, const report_facts *f)
 {
     const double times = calibrate_unexplained(f->result);
+    char number[FIGURE_MAX];
 
     if (times > 0) {
         page_say(p,
-                 "They are %.0f times as large as the noise %s explains: the device may have moved "
+                 "They are %s times as large as the noise %s explains: the device may have moved "
                  "or trembled, the temperature changed, readings been clipped (--clip), or a "
                  "position be wrong.",
-                 times, f->result->is_noise_given ? "stated" : "of the samples");
+                 figure_digits(times, 2, number),
+                 f->result->is_noise_given ? "stated" : "of the samples");
     }
 }
 

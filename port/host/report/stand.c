@@ -91,8 +91,9 @@ static void write_mounting(page *p, const report_facts *f)
         char text[CELL];
         const char *const cells[] = {axes[i], text};
         snprintf(text, sizeof text, "%s %s",
-                 figure_with_sigma(unit.scale * m->angle[i], unit.scale * m->sigma[i],
-                                   FIGURE_SIGNED, number),
+                 figure_with_sigma(unit.scale * m->angle[i],
+                                   unit.scale * stand_coverage(m->dof) * m->sigma[i], FIGURE_SIGNED,
+                                   number),
                  unit.unit);
         page_cells(p, &sheet, cells);
     }
@@ -115,7 +116,8 @@ static void write_vertical_row(page *p, const page_table *sheet, const report_fa
     const double x = unit.scale * f->result->solution.x[r];
     const double difference = unit.scale * (v->x[r] - f->result->solution.x[r]);
     const double sigma = unit.scale * v->sigma[r];
-    const int places = figure_places(unit.scale * v->x[r], sigma);
+    const double spread = stand_coverage(v->dof) * sigma;
+    const int places = figure_places(unit.scale * v->x[r], spread);
     char by_j1[CELL];
     char number[4][FIGURE_MAX];
     const int is_known = nominal_knows(&f->result->nominal, r);
@@ -126,7 +128,7 @@ static void write_vertical_row(page *p, const page_table *sheet, const report_fa
         sigma > 0 ? figure_fixed(difference / sigma, 3, FIGURE_SIGNED, number[3]) : ""};
 
     snprintf(by_j1, sizeof by_j1, "%s %s",
-             figure_with_sigma(unit.scale * v->x[r], sigma, FIGURE_SIGNED, number[0]), unit.unit);
+             figure_with_sigma(unit.scale * v->x[r], spread, FIGURE_SIGNED, number[0]), unit.unit);
     page_cells(p, sheet, cells);
 }
 
@@ -136,7 +138,7 @@ static void write_vertical(page *p, const report_facts *f)
                                          "over σ"};
     const page_table sheet = {"The parameters by the vertical composition J1, which knows the "
                               "directions, beside those by the lengths (the exact row), which know "
-                              "none. σ: that of J1.",
+                              "none. σ: the standard deviation of J1.",
                               titles, 5, 0};
 
     if (!f->result->stand.vertical.is_known) {
@@ -170,7 +172,8 @@ static void write_group(page *p, const page_table *sheet, const group_series *s,
     snprintf(name, sizeof name, "%u, %u positions", g + 1, s->count[g]);
     for (unsigned t = 0; t < SERIES_TERMS; t++) {
         is[1 + t] = s->is_determined[g] ? figure_with_sigma(MILLIONTHS * s->coefficient[g][t],
-                                                            MILLIONTHS * s->noise * s->root[g][t],
+                                                            stand_series_coverage(s) * MILLIONTHS *
+                                                                s->noise * s->root[g][t],
                                                             FIGURE_SIGNED, text[t])
                                         : "open";
         stands_for[1 + t] = meaning[g][t];
@@ -216,14 +219,15 @@ static void write_closure_row(page *p, const page_table *sheet, const report_fac
     static const char *const only[] = {"3", "2", "1"};
     const group_series *s = &f->result->stand.series;
     const told_unit unit = report_unit(f, r / 3);
-    const double sigma = unit.scale * s->noise * s->x_root[r];
-    const int places = figure_places(unit.scale * s->x[r], sigma);
+    const double wide = stand_series_coverage(s);
+    const double spread = wide * unit.scale * s->noise * s->x_root[r];
+    const int places = figure_places(unit.scale * s->x[r], spread);
     char value[CELL];
     char number[5][FIGURE_MAX];
     const char *cells[] = {parameter_words(r), value, "", "", "", "", ""};
 
     snprintf(value, sizeof value, "%s %s",
-             figure_with_sigma(unit.scale * s->x[r], sigma, FIGURE_SIGNED, number[0]), unit.unit);
+             figure_with_sigma(unit.scale * s->x[r], spread, FIGURE_SIGNED, number[0]), unit.unit);
     if (!nominal_knows(&f->result->nominal, r)) {
         value[0] = '\0';
     }
@@ -237,7 +241,7 @@ static void write_closure_row(page *p, const page_table *sheet, const report_fac
                     ? figure_fixed(unit.scale * s->told[r][i], places, FIGURE_SIGNED, number[1 + i])
                     : "";
         }
-        cells[5] = figure_with_sigma(closure, of_it, FIGURE_SIGNED, number[3]);
+        cells[5] = figure_with_sigma(closure, wide * of_it, FIGURE_SIGNED, number[3]);
         cells[6] = of_it > 0 ? figure_fixed(closure / of_it, 2, FIGURE_SIGNED, number[4]) : "";
     }
     page_cells(p, sheet, cells);
@@ -264,7 +268,8 @@ static void write_closures(page *p, const report_facts *f)
                                          "the second", "closure",       "over σ"};
     const page_table sheet = {
         "The nine parameters that follow from the fifteen coefficients. Six of "
-        "them are told by two groups; closure: how much more the second tells.",
+        "them are told by two groups; closure: how much more the second tells; σ: its standard "
+        "deviation.",
         titles, 7, 0};
 
     page_table_begin(p, &sheet);

@@ -6,7 +6,6 @@
 #include <string.h>
 
 #include "draw/chart.h"
-#include "text/number.h"
 #include "report/facts.h"
 
 #define CELL 128
@@ -74,10 +73,10 @@ static void write_slope(page *p, const page_table *sheet, const report_facts *f,
     char spread[CELL];
     const double scale = calibrate_slope_scale(f->result, parameter);
     const double own = scale * fit->slope[parameter];
-    const double own_sigma = f->knows_noise ? scale * fit->slope_sigma[parameter] : NUMBER_UNKNOWN;
+    const double half = scale * f->coverage * fit->slope_sigma[parameter];
 
     snprintf(name, sizeof name, "%s %s", kinds[parameter / 3], k.name[parameter % 3]);
-    figure_with_sigma(k.slope_scale * own, k.slope_scale * own_sigma, FIGURE_SIGNED, slope);
+    figure_with_sigma(k.slope_scale * own, k.slope_scale * half, FIGURE_SIGNED, slope);
     snprintf(spread, sizeof spread, "%s %s", slope, k.slope_unit);
     snprintf(change, sizeof change, "%+.3g %s", k.scale * own * range, k.unit);
     const char *const cells[] = {name, spread, change};
@@ -86,7 +85,7 @@ static void write_slope(page *p, const page_table *sheet, const report_facts *f,
 
 static void write_slopes(page *p, const report_facts *f)
 {
-    static const char *const titles[] = {"parameter", "slope ± sigma", "over the range"};
+    static const char *const titles[] = {"parameter", "slope", "over the range"};
     const page_table sheet = {
         f->result->fit.calibration.fitted > 1
             ? "How fast the parameters move at the reference temperature, and what that would come "

@@ -5,6 +5,7 @@
 #include "result/faces.h"
 #include "text/json_write.h"
 #include "result/need.h"
+#include "result/pass.h"
 #include "text/number.h"
 #include "stand/tell.h"
 #include "result/verdict.h"
@@ -111,6 +112,39 @@ static void write_accuracy(json_writer *w, const calibrate_result *result)
     }
 }
 
+static void write_nine(json_writer *w, const char *name, const double x[INVCAL_PARAMETERS])
+{
+    json_object(w, name);
+    json_vector(w, "delta", &x[INVCAL_DELTA_X]);
+    json_vector(w, "dk", &x[INVCAL_DK_X]);
+    json_vector(w, "gamma", &x[INVCAL_GAMMA_XY]);
+    json_object_end(w);
+}
+
+/* Whether what was asked is kept, and by which margin. */
+static void write_pass(json_writer *w, const calibrate_result *result)
+{
+    const pass p = pass_judge(result);
+
+    if (p.limited) {
+        json_parameters(w, "beyond", p.beyond);
+    }
+    if (!p.is_asked) {
+        return;
+    }
+    json_object(w, "pass");
+    json_text(w, "answer", p.is_passed ? "PASS" : "FAIL");
+    if (result->need > 0) {
+        json_number(w, "need_used", p.need_used);
+    }
+    if (p.limited) {
+        write_nine(w, "limit", p.limit);
+        write_nine(w, "used", p.used);
+        json_parameters(w, "failed", p.failed);
+    }
+    json_object_end(w);
+}
+
 static void write_source(json_writer *w, uint16_t from_prior)
 {
     json_object(w, "source");
@@ -118,6 +152,18 @@ static void write_source(json_writer *w, uint16_t from_prior)
         json_text(w, invcal_parameter_name(r), from_prior >> r & 1 ? "prior" : "data");
     }
     json_object_end(w);
+}
+
+/* What the positions left out read too much. */
+static void write_excess(json_writer *w, const calibrate_result *result)
+{
+    const rejection *r = &result->rejected;
+
+    json_list(w, "rejected_excess");
+    for (unsigned i = 0; i < r->count; i++) {
+        json_number(w, NULL, calibrate_excess(result, r->list[i].position));
+    }
+    json_list_end(w);
 }
 
 /* Which file it was. */
@@ -128,15 +174,6 @@ static void write_file(json_writer *w, const positions *data)
     snprintf(crc, sizeof crc, "%08lx", (unsigned long)data->crc);
     json_text(w, "source_file", data->name);
     json_text(w, "source_crc", crc);
-}
-
-static void write_nine(json_writer *w, const char *name, const double x[INVCAL_PARAMETERS])
-{
-    json_object(w, name);
-    json_vector(w, "delta", &x[INVCAL_DELTA_X]);
-    json_vector(w, "dk", &x[INVCAL_DK_X]);
-    json_vector(w, "gamma", &x[INVCAL_GAMMA_XY]);
-    json_object_end(w);
 }
 
 /* All that invcal_thermal_at needs, in one place; then what there is to know of it. */
@@ -192,6 +229,7 @@ void calibrate_json(FILE *file, const calibrate_result *result)
         json_text(&w, "rate_from", result->log->is_rate_known ? "stated" : "guess");
     }
     json_numbers(&w, "rejected", result->rejected.number, result->rejected.count);
+    write_excess(&w, result);
     json_number(&w, "suspected", result->rejected.suspected);
     json_number(&w, "gravity", field);
     json_number(&w, "gravity_sigma", result->field_sigma * field);
@@ -207,9 +245,7 @@ void calibrate_json(FILE *file, const calibrate_result *result)
     calibrate_parameters_json(&w, result, s->x);
     write_quality(&w, result);
     write_accuracy(&w, result);
-    if (result->has_limits) {
-        json_parameters(&w, "beyond", result->beyond);
-    }
+    write_pass(&w, result);
     if (fit_has_prior(&result->settings)) {
         write_source(&w, result->quality.from_prior);
     }

@@ -10,6 +10,7 @@
 #include "cli/message.h"
 #include "result/faces.h"
 #include "result/need.h"
+#include "result/pass.h"
 #include "text/number.h"
 #include "cli/options.h"
 #include "text/paint.h"
@@ -191,9 +192,9 @@ static void print_residuals(FILE *file, const calibrate_result *r, const char *n
         if (calibrate_unexplained(r) > 0) {
             wrapped_printf(
                 file, 0,
-                "The residuals are %.0f times as large as that noise explains: motion, a "
-                "changing temperature, clipped readings (--clip), or a wrong position.",
-                calibrate_unexplained(r));
+                "The residuals are %s times as large as that noise explains: motion, a changing "
+                "temperature, clipped readings (--clip), or a wrong position.",
+                figure_digits(calibrate_unexplained(r), 2, text));
         }
     } else {
         fprintf(file, "noise         not known: no ± can be given (--noise states it)\n");
@@ -216,6 +217,32 @@ static paint colour_of(invcal_verdict verdict)
     return verdict == INVCAL_GOOD                                       ? PAINT_GREEN
            : verdict == INVCAL_NO_REDUNDANCY || verdict == INVCAL_ROUGH ? PAINT_YELLOW
                                                                         : PAINT_RED;
+}
+
+/* Whether what was asked is kept. */
+static void print_pass(FILE *file, const calibrate_result *result)
+{
+    const pass p = pass_judge(result);
+    char text[PASS_MAX + NEED_MAX];
+    char advice[NEED_MAX];
+    char list[128];
+
+    if (!p.is_asked) {
+        return;
+    }
+    (void)pass_text(result, text); /* begins with a word of four letters and a colon */
+    const size_t length = strlen(text);
+    if (result->need > 0 && *need_advice(result, advice)) {
+        snprintf(text + length, sizeof text - length, " %s", advice);
+    }
+    fprintf(file, "%s%.5s%s", paint_on(file, p.is_passed ? PAINT_GREEN : PAINT_RED), text,
+            paint_off(file));
+    wrapped_line(file, 5, 0, text + 5);
+    if (p.beyond) {
+        snprintf(text, sizeof text, "Beyond the limits of the data sheet: %s.",
+                 parameters_list(p.beyond, list, sizeof list));
+        wrapped_line(file, 0, 0, text);
+    }
 }
 
 static void print_verdict(FILE *file, const calibrate_result *result)
@@ -247,14 +274,7 @@ static void print_verdict(FILE *file, const calibrate_result *result)
     }
     fprintf(file, "%s%s%s", paint_on(file, colour), word, paint_off(file));
     wrapped_line(file, utf8_columns(word), 0, text);
-    if (result->beyond) {
-        snprintf(text, sizeof text, "Beyond the limits of the data sheet: %s.",
-                 parameters_list(result->beyond, list, sizeof list));
-        wrapped_line(file, 0, 0, text);
-    }
-    if (result->need > 0) {
-        wrapped_line(file, 0, 0, need_text(result, cause));
-    }
+    print_pass(file, result);
     if (q->from_prior && !is_held) {
         snprintf(text, sizeof text, "Known from the prior rather than from the positions: %s.",
                  parameters_list(q->from_prior, list, sizeof list));
@@ -394,10 +414,12 @@ static void print_rejected(FILE *file, const calibrate_result *result)
                     result->data->origin[r->list[i].position].line, r->list[i].drift);
             continue;
         }
-        wrapped_printf(file, 10, "%sLeft out:%s position %u (line %lu), wrong by %s %s",
-                       paint_on(file, PAINT_RED), paint_off(file), r->list[i].position + 1,
-                       result->data->origin[r->list[i].position].line,
-                       figure_digits(told.scale * r->list[i].error, 3, text), told.unit);
+        wrapped_printf(
+            file, 10, "%sLeft out:%s position %u (line %lu), wrong by %s %s",
+            paint_on(file, PAINT_RED), paint_off(file), r->list[i].position + 1,
+            result->data->origin[r->list[i].position].line,
+            figure_digits(told.scale * calibrate_excess(result, r->list[i].position), 3, text),
+            told.unit);
     }
     if (r->suspected > 0) {
         wrapped_printf(file, 0,

@@ -29,7 +29,21 @@ typedef enum {
     CALIBRATE_THERMAL /* `fit` is the result; solution and quality are those at its reference */
 } calibrate_temperature;
 
+/* Why there is no calibration. Filled in by calibrate/refuse.h, told by message, JSON and page. */
+#define REFUSAL_MAX 1000u
 typedef struct {
+    const char *word;         /* "too few", ...; null: it was not refused */
+    char reason[REFUSAL_MAX]; /* what is wrong, */
+    char remedy[REFUSAL_MAX]; /* and what to do: clauses without a stop; the latter may be "" */
+    uint16_t undetermined;    /* bit r: the positions leave parameter r open */
+    int is_of_position;       /* one reading is wrong, */
+    unsigned position;        /* this one, from 0 */
+    int wants_positions;      /* others would help, */
+    unsigned degree;          /* to tell a nonlinearity of this degree as well; 0: the nine */
+} refusal;
+
+typedef struct {
+    refusal refused; /* then all below but data, log, rejected, nominal and settings is not known */
     const positions *data;
     const rests_summary *log; /* what they were found in; null: they were given */
     rejection rejected;
@@ -40,11 +54,11 @@ typedef struct {
     double limit
         [INVCAL_PARAMETERS]; /* what a good sensor may be off by, in the units of x; NaN: not */
     int has_limits;          /* stated; or is some */
-    uint16_t beyond;     /* bit r: parameter r exceeds its limit, and its interval of 95 % does */
-    double field_sigma;  /* of the field, over itself: a part of sigma of the scales, */
-    int is_field_stated; /* as stated; or because it was not */
+    double field_sigma;      /* of the field, over itself: a part of sigma of the scales, */
+    int is_field_stated;     /* as stated; or because it was not */
     double accuracy; /* 95 % of lengths are right within that, over the field, if the field is */
-    double need;     /* what is asked of all of it, field units; 0: nothing */
+    double need;     /* what is asked of all of it, field units; 0: nothing; */
+    told_unit need_unit;   /* what that is told in */
     int is_drift_fitted;   /* the calibration holds in the middle of the session, and is freed of */
     double drift[3];       /* this: from the first position to the last, over the field, */
     double drift_sigma[3]; /* and how well that is known */
@@ -87,9 +101,14 @@ invcal_calibration calibrate_at(const calibrate_result *result, unsigned positio
 /* That of a temperature. */
 invcal_calibration calibrate_at_temperature(const calibrate_result *result, double temperature);
 
-/* Takes the drift that was fitted off a reading at `tau`; the reading of a position without it. */
+/* Takes the drift that was fitted off a reading at `tau`; the reading of a position without that and without
+ * the nonlinearity that was fitted. */
 void calibrate_take_drift(const calibrate_result *result, double tau, double reading[3]);
 void calibrate_level(const calibrate_result *result, unsigned position, double out[3]);
+
+/* What a position reads too much, over the field: the residual of one that was kept, the error of one that
+ * was left out. */
+double calibrate_excess(const calibrate_result *result, unsigned position);
 
 /* The reading of a position kept, at the reference temperature. */
 void calibrate_reading(const calibrate_result *result, unsigned kept, double out[3]);
@@ -158,7 +177,8 @@ typedef struct {
     const char *nominal_name; /* what the nominal is called, at most CALIBRATE_NAME_MAX bytes */
     const char *saved;        /* the file that the calibration goes to, or null */
     const char *report;       /* that of the report, or null */
-    const char *command;      /* the command line */
+    const char *command;      /* the command line, */
+    const char *log;          /* and the log in it, "-" for the standard input */
 } calibrate_wish;
 
 /* Rows of the table (tabular.h), a line behind it, and members of the object that is open: the nonlinearity that

@@ -88,6 +88,7 @@ static void write_series(json_writer *w, const group_series *s, const nominal_ch
     }
     json_list_end(w);
     if (s->is_closed_over) {
+        json_number(w, "series_interval95", stand_series_coverage(s));
         write_closures(w, s, nominal);
     }
 }
@@ -110,10 +111,12 @@ void stand_json(json_writer *w, const stand *s, const nominal_choice *nominal)
         }
         json_vector(w, "mounting", angle);
         json_vector(w, "sigma", sigma);
+        json_number(w, "interval95", stand_coverage(s->mounting.dof));
         json_number(w, "scatter", FIGURE_DEGREES * s->mounting.scatter);
         if (s->vertical.is_known) {
             write_deviations(w, "vertical", nominal, s->vertical.x);
             write_nine(w, "vertical_sigma", s->vertical.sigma);
+            json_number(w, "vertical_interval95", stand_coverage(s->vertical.dof));
         }
         write_missets(w, s);
         write_series(w, &s->series, nominal);

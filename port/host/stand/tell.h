@@ -19,6 +19,11 @@
     "Lengths do not see it: the calibration is not touched by it. J1, the mounting and the "       \
     "series are without these positions."
 
+/* So many sigma to either side cover 95 %, where that has so many degrees of freedom: of the mounting, of J1, of
+ * the series. */
+double stand_coverage(double dof);
+double stand_series_coverage(const group_series *s);
+
 /* A unit that is turned so far that nobody mounts it so by mistake: a sentence; else "". */
 const char *stand_turned_far(const mounting *m);
 
