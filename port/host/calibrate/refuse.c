@@ -68,11 +68,15 @@ static unsigned missing_group(const positions *data, const stand_wish *angles, u
     return group > 0 && bits >> told_by[group] & 1 ? group : 0;
 }
 
+static unsigned refused_for(const rests_summary *log, invcal_status why)
+{
+    return log->refused[why - INVCAL_REST_SHORT];
+}
+
 /* What to do about rests that are missing or too short, and what if the rate is a guess. */
 static void add_remedy(const rests_summary *log, int is_none, char text[REFUSAL_MAX])
 {
-    const unsigned brief = log->refused[INVCAL_REST_SHORT - INVCAL_REST_SHORT] +
-                           log->refused[INVCAL_REST_GAP - INVCAL_REST_SHORT];
+    const unsigned brief = refused_for(log, INVCAL_REST_SHORT) + refused_for(log, INVCAL_REST_GAP);
 
     if (!log->is_rate_known) {
         add(text,

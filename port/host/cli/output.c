@@ -19,6 +19,7 @@
 /* If a write had failed before, errno is still its: nothing since then has failed. */
 static int cannot_write(const char *what)
 {
+    /* NOLINTNEXTLINE(clang-analyzer-unix.Errno): every caller comes from a call that failed */
     message("%s: cannot be written: %s", what, strerror(errno ? errno : EIO));
     return EXIT_FILE;
 }
@@ -48,6 +49,7 @@ static char *follow(char *path)
         target[length] = '\0';
         const char *slash = target[0] == '/' ? NULL : strrchr(path, '/');
         const size_t folder = slash ? (size_t)(slash - path) + 1 : 0;
+        /* NOLINTNEXTLINE(clang-analyzer-optin.taint.TaintedAlloc): length is below sizeof target */
         char *next = malloc(folder + (size_t)length + 1);
         if (next) {
             memcpy(next, path, folder);

@@ -98,7 +98,7 @@ static void reject(rejection *r, const positions *p, const fit_settings *setting
     double squares[SUSPECTS_MOST + 1];
     unsigned count = 0;
     unsigned wrong = 0;
-    unsigned suspect;
+    unsigned suspect = 0;
     invcal_thermal c;
 
     int has_fit = fit(r, settings, wish, &c);

@@ -458,7 +458,7 @@ static int check_columns(table *t, unsigned columns)
 /* The row that has been read already. */
 static void take_next(table *t)
 {
-    memcpy(t->field, t->next, sizeof t->next);
+    memcpy((void *)t->field, (const void *)t->next, sizeof t->next);
     t->line = t->next_line;
     t->has_next = 0;
 }
@@ -488,7 +488,7 @@ int table_comment_header(table *t)
     if (t->has_header || !t->pending || t->comment_line == 0) {
         return 0;
     }
-    memcpy(t->next, t->field, sizeof t->next);
+    memcpy((void *)t->next, (const void *)t->field, sizeof t->next);
     t->next_line = t->line;
     t->next_found = t->columns;
     t->has_next = 1;
@@ -526,13 +526,13 @@ static void hold(table *t, char *row[TABLE_COLUMNS_MAX])
 /* Whether a first row is the end of one like the current. */
 static int is_end_of_row(const table *t, char *const row[TABLE_COLUMNS_MAX], unsigned columns)
 {
-    return columns > t->columns || (columns == t->columns && is_part("1", row[0], ""));
+    return columns > t->columns || (columns == t->columns && row[0] && is_part("1", row[0], ""));
 }
 
 int table_drop_cut_first(table *t, unsigned long *cut)
 {
     const unsigned long line = t->line;
-    char *row[TABLE_COLUMNS_MAX];
+    char *row[TABLE_COLUMNS_MAX] = {NULL};
 
     *cut = 0;
     if (t->has_header || !t->pending || t->comment_line > 0) { /* a comment begins a whole file */
@@ -555,8 +555,8 @@ int table_drop_cut_first(table *t, unsigned long *cut)
         *cut = line;
         return EXIT_GOOD;
     }
-    memcpy(t->next, t->field, sizeof t->next);
-    memcpy(t->field, row, t->columns * sizeof *row);
+    memcpy((void *)t->next, (const void *)t->field, sizeof t->next);
+    memcpy((void *)t->field, (const void *)row, t->columns * sizeof *row);
     t->next_found = found;
     t->next_line = t->line;
     t->has_next = more != 0;

@@ -254,9 +254,10 @@ static void draw_limits(FILE *file, const report_facts *f, unsigned kind, const 
                       bottom - PANEL_TOP);
     }
     for (unsigned i = 0; i < 6; i++) { /* three axes, both sides of each */
-        const double limit = limit_of(f, kind, i / 2);
+        const unsigned axis = i / 2;
+        const double limit = limit_of(f, kind, axis);
         const double at = chart_pixel(x, i % 2 == 0 ? limit : -limit);
-        const double top = PANEL_TOP + i / 2 * ROW;
+        const double top = PANEL_TOP + axis * ROW;
         if (limit > 0) {
             svg_line(file, "c0 dashed", at, i < 2 ? top - 4 : top, at, top + ROW);
         }

@@ -135,7 +135,8 @@ static void find_gap(const directions *d, double out[3])
     double farthest = HUGE_VAL; /* as a cosine */
 
     for (unsigned n = 0; n < 27; n++) {
-        const double v[3] = {n % 3 - 1.0, n / 3 % 3 - 1.0, n / 9 - 1.0};
+        const unsigned step[3] = {n % 3, n / 3 % 3, n / 9};
+        const double v[3] = {step[0] - 1.0, step[1] - 1.0, step[2] - 1.0};
         const double size = length(v);
         double nearest = -2;
         if (!(size > 0.5 && size < 1.5)) {
