@@ -74,7 +74,10 @@ static const char styles[] =
     ".facts dt{color:var(--soft)}\n"
     ".facts dd{margin:0}\n"
     ".literal{font-family:ui-monospace,monospace}\n"
-    "footer{margin-top:40px;border-top:1px solid var(--line);padding-top:8px}\n"
+    "footer{margin-top:40px;border-top:1px solid var(--line);padding-top:8px}\n";
+
+/* What is folded is open, pictures stand two beside each other, and eighteen positions take three sheets. */
+static const char on_paper[] =
     "@media print{body{padding:0;max-width:none;font-size:9.5pt;line-height:1.35}"
     ".scroll{overflow:visible;background:none}"
     "details::details-content{content-visibility:visible;display:block;block-size:auto}"
@@ -86,6 +89,8 @@ static const char styles[] =
     ".half .wide{display:none}.half .narrow{display:block}.row svg{width:36%;height:auto}"
     ".facts{display:block;columns:2;font-size:8pt}.facts dt{float:left;margin-right:6px}"
     "section:has(>.scroll~.half)>.scroll{float:left;margin-right:8px}h2{clear:both}"
+    ".scroll~.half{width:34%}.half svg{max-width:100%;height:auto}"
+    ".code{margin:2px 0;padding:2px 8px;font-size:7.5pt;line-height:1.25}"
     "footer{margin-top:8px;padding:2px 0 0}}\n";
 
 static void say(const page *p, const char *format, va_list arguments)
@@ -133,7 +138,7 @@ void page_begin_headed(page *p, FILE *file, const char *title, const char *head)
           "<meta name=\"viewport\" content=\"width=device-width,initial-scale=1\">\n",
           file);
     element(p, "<title>", title, "</title>");
-    fprintf(file, "<style>\n%s</style>\n", styles);
+    fprintf(file, "<style>\n%s%s</style>\n", styles, on_paper);
     write_head(file, head);
     svg_styles(file);
     fputs("</head>\n<body>\n<main>\n", file);
