@@ -91,7 +91,7 @@ static const char on_paper[] =
     "section:has(>.scroll~.half)>.scroll{float:left;margin-right:8px}h2{clear:both}"
     ".scroll~.half{width:34%}.half svg{max-width:100%;height:auto}"
     ".code{margin:2px 0;padding:2px 8px;font-size:7.5pt;line-height:1.25}"
-    "footer{margin-top:8px;padding:2px 0 0}}\n";
+    "footer{margin-top:4px;padding:0;break-before:avoid}}\n";
 
 static void say(const page *p, const char *format, va_list arguments)
 {

@@ -8,7 +8,7 @@
 #include "draw/chart.h"
 #include "report/facts.h"
 
-#define LEFT 62.0
+#define LEFT 68.0
 #define RIGHT 10.0
 #define TOP 48.0
 #define PLOT 150.0

@@ -10,7 +10,7 @@
 
 #define CELL 128
 #define TEXT_MAX 1000
-#define LEFT 52.0
+#define LEFT 58.0
 #define RIGHT 24.0 /* half of a number of seven digits */
 #define TOP 56.0
 #define PLOT 170.0
