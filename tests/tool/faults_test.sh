@@ -60,11 +60,10 @@ for o in --svg --report; do
         plan --directions "$a" $o "$a"
     saves "$n" "plan $o over --allan" "$o: is the file of --allan" \
         plan --allan "$n" --limits 1e-4,1e-4,1e-4 $o "$n"
-    for set in "angles:$a faces" "edges directions:$a"; do
-        # shellcheck disable=SC2086 # two words
-        saves "$a" "plan $o over --compare $set" "$o: is the file of --compare" \
-            plan --compare $set $o "$a"
-    done
+    saves "$a" "plan $o over --compare, the first" "$o: is the file of --compare" \
+        plan --compare "angles:$a" faces $o "$a"
+    saves "$a" "plan $o over --compare, the second" "$o: is the file of --compare" \
+        plan --compare edges "directions:$a" $o "$a"
 done
 saves "$a" "simulate --truth over its directions" '--truth: is the file of --plan' \
     simulate --plan "directions:$a" --truth "$a"
@@ -135,11 +134,11 @@ echo old > "$work/out/cal.json"
 chmod 444 "$work/out/cal.json"
 # LOG is a pipe that nobody writes into: who reads it first would wait for ever.
 mkfifo "$work/never"
-for line in "calibrate $work/never --out" "watch $work/never --report" "allan $work/never --out" \
-    "export $work/never --format c --out" "plan --svg" "simulate --truth"; do
+for line in "calibrate never --out" "watch never --report" "allan never --out" \
+    "export never --format c --out" "plan --svg" "simulate --truth"; do
     # shellcheck disable=SC2086 # words
-    run_for() { timeout 10 "$tool" $line "$work/out/cal.json" > "$work/stdout" 2> "$work/stderr"; }
-    run_for
+    run_for() { cd "$work" && timeout 10 "$tool" $line out/cal.json > stdout 2> stderr; }
+    (run_for)
     code=$?
     check "what is read-only is refused before any work: ${line%% *}" \
         kept_old 3 'out/cal\.json: is read-only, so nothing is written over it'
@@ -598,14 +597,17 @@ int rename(const char *from, const char *to)
     return ((int (*)(const char *, const char *))dlsym(RTLD_NEXT, "rename"))(from, to);
 }
 END
-if ! ${CC:-cc} -shared -fPIC -w -o "$work/count.so" "$work/count.c" -ldl 2> /dev/null ||
-    ! LD_PRELOAD=$work/count.so COUNTED=$work/counted "$tool" --version > /dev/null 2>&1; then
+# A name without blanks: the loader takes them for the end of it.
+shim=$(mktemp /tmp/invcal-count.XXXXXX)
+if ! ${CC:-cc} -shared -fPIC -w -o "$shim" "$work/count.c" -ldl 2> /dev/null ||
+    ! LD_PRELOAD=$shim COUNTED=$work/counted "$tool" --version > /dev/null 2>&1; then
     echo "what is brought to the disk: left out, nothing can be put before the C library here"
 else
-    COUNTED=$work/counted LD_PRELOAD=$work/count.so "$tool" calibrate "$l" --quiet \
+    COUNTED=$work/counted LD_PRELOAD=$shim "$tool" calibrate "$l" --quiet \
         --out "$work/out/cal.json" --report "$work/out/page.html"
     check "both files are brought to the disk before either gets its name" \
         [ "$(tr '\n' ' ' < "$work/counted")" = 'fsync fsync rename rename ' ]
     rm -f "$work"/out/*
 fi
+rm -f "$shim"
 finish

@@ -78,7 +78,9 @@ if command -v script > /dev/null && script -qec true /dev/null > /dev/null 2>&1 
     check "and no less" test "$(wider_than 78)" -gt 0
     check "when it is good one may stop" grep -q 'Good: you may stop (Ctrl-C)' "$work/frames"/*
     check "not before the tenth position" test \
-        "$(grep -l 'you may stop' "$work/frames"/* | xargs grep -hoE '[0-9]+ positions?$' | sort -n | head -n 1 | cut -d ' ' -f 1)" -ge 10
+        "$(grep -l 'you may stop' "$work/frames"/* | while read -r frame; do
+            grep -oE '[0-9]+ positions?$' "$frame"
+        done | sort -n | head -n 1 | cut -d ' ' -f 1)" -ge 10
     check "a bell for each position, and one when it is good" test "$(count "$bell")" -eq 19
     check "the terminal is as it was" is_restored
     sed 's/^standard input: //; s/^[^:]*edges.csv: //' "$work/plain" | sed -n '/ 18 positions, field/,$p' > "$work/figures"

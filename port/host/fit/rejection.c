@@ -81,7 +81,7 @@ int rejection_has(const rejection *r, unsigned count, unsigned position)
 {
     const rejected_position wanted = {.position = position};
 
-    return bsearch(&wanted, r->list, count, sizeof *r->list, compare) != NULL;
+    return count > 0 && bsearch(&wanted, r->list, count, sizeof *r->list, compare) != NULL;
 }
 
 unsigned rejection_drifting(const rejection *r)
