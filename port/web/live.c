@@ -40,12 +40,6 @@ int EXPORT(begin)(double counts, unsigned rate)
     return (int)invcal_session_init(&session, counts, rate);
 }
 
-/* Of a mean, over field: what rounding in the source may hide. */
-int EXPORT(state_noise)(double noise)
-{
-    return (int)invcal_session_noise(&session, noise);
-}
-
 int EXPORT(feed)(int32_t x, int32_t y, int32_t z)
 {
     const int32_t raw[3] = {x, y, z};

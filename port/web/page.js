@@ -39,15 +39,15 @@ const bars = [...BARS, { name: "gyro" }].map(({ name }) => {
     bar.className = "bar";
     bar.innerHTML = `<b></b><i><u></u><s></s></i><span></span>`;
     bar.firstChild.textContent = name;
+    bar.querySelector("s").style.left = "10%";
     $("bars").append(bar);
     return bar;
 });
 
-// A bar is full at a hundred times the target, and a tenth of it at the target.
+// Logarithmic: a tenth of the bar is the target, all of it a hundred times as much. Without a target there is none.
 function showBar(bar, ratio, text) {
     const width = Math.max(2, Math.min(100, 10 + 45 * Math.log10(ratio)));
     bar.querySelector("u").style.width = `${Number.isFinite(width) ? width : 100}%`;
-    bar.querySelector("s").style.left = "10%";
     bar.classList.toggle("ok", ratio <= 1);
     put(bar.lastChild, text);
 }
@@ -55,40 +55,62 @@ function showBar(bar, ratio, text) {
 function showBars() {
     const sigma = session?.result?.sigma;
     BARS.forEach(({ unit, scale }, i) => {
-        const target = session?.options.target[i] ?? NaN;
-        const text = sigma ? `± ${(sigma[i] * scale).toPrecision(2)} ${unit}${sigma[i] <= target ? " ✓" : ` → ${Number((target * scale).toPrecision(3))}`}` : "not yet known";
-        showBar(bars[i], sigma ? sigma[i] / target : NaN, text);
+        const target = session?.options.target[i];
+        const isKnown = sigma && sigma[i] < 1; // nine positions for nine parameters tell nothing of sigma
+        const wanted = target < Infinity ? ` (${Number((target * scale).toPrecision(3))})` : "";
+        showBar(bars[i], isKnown ? sigma[i] / target : NaN, isKnown ? `± ${figure(sigma[i] * scale)} ${unit}${sigma[i] <= target ? " ✓" : wanted}` : "not yet known");
     });
-    const gyro = session?.hasGyro ? session.gyro.result() : null;
-    bars[3].hidden = !session?.hasGyro;
-    bars[3].style.display = session?.hasGyro ? "" : "none";
-    if (gyro) {
-        const step = Math.max(gyro.sigma, 1e-9);
-        const size = Math.hypot(...gyro.mean);
-        showBar(bars[3], gyro.sigma / (0.05 * size || step), `bias ${gyro.mean.map((v) => v.toPrecision(2)).join(", ")} ± ${(2 * gyro.sigma).toPrecision(1)}`);
-    } else {
-        showBar(bars[3], NaN, "after three positions");
-    }
+    showGyro(bars[3]);
 }
 
+const GYRO_TARGET = 0.05; // degrees a second
+
+function showGyro(bar) {
+    const gyro = session?.hasGyro ? session.gyro.result() : null;
+    bar.hidden = !session?.hasGyro;
+    if (!gyro) {
+        showBar(bar, NaN, "after three positions");
+        return;
+    }
+    const scale = session.gyroUnit;
+    const sigma = 2 * gyro.sigma * (scale ?? 1);
+    const isEnough = sigma <= GYRO_TARGET;
+    bar.classList.toggle("free", !scale);
+    showBar(bar, scale ? sigma / GYRO_TARGET : NaN, `± ${figure(sigma)} ${scale ? `°/s${isEnough ? " ✓" : ` (${GYRO_TARGET})`}` : "of its readings"}`);
+}
+
+const figure = (v) => String(Number(v.toPrecision(2)));
+
+const MEANING = {
+    good: "Go on: few positions check it so far.",
+    "no redundancy": "Nothing checks it yet: go on.",
+    rough: "Residuals that noise does not explain: was it moved, or knocked? Go on, holding it still.",
+    drifting: "The sensor drifts: let it warm up, and begin again.",
+    bent: "An axis is not linear, or has hysteresis: no calibration of this kind takes that out.",
+    weak: "Some directions are missing: follow the arrow.",
+};
+
+// Its class, its headline, and what stands behind.
 function verdict() {
     const { result, positions } = session ?? {};
     if (!session || positions.length === 0) {
-        return ["", "–", ""];
+        return ["", "–", "nine positions are the least, twelve to eighteen are good"];
     }
+    const taken = many(positions.length, "position");
     if (result.status !== 0) {
         const missing = 9 - positions.length;
-        return missing > 0 ? ["", many(positions.length, "position"), `${missing} more, and it can be calibrated`] : ["caution", "Not yet", result.text];
+        return missing > 0 ? ["", taken, `${missing} more, and it can be calibrated`] : ["caution", "Not yet", result.text];
     }
-    const left = result.leftOut > 0 ? `; ${many(result.leftOut, "position")} left out, for contradicting the others` : "";
-    const rest = `${many(positions.length, "position")}, residuals ${(1e3 * result.rms).toPrecision(2)} mg${left}`;
+    const left = result.leftOut > 0 ? `, ${result.leftOut} of them left out, for contradicting the others` : "";
+    const rest = `${taken}${left}${positions.length > 9 ? `; residuals ${figure(1e3 * result.rms)} mg` : ""}.`;
     if (result.mayStop) {
         return ["good", "✓ Good: you may stop", rest];
     }
     if (result.isGood) {
-        return ["good", "✓ Good, not yet as exact as wanted", `${rest}. Go on, or stop here.`];
+        return ["good", "✓ Good, not yet as exact as wanted", `${rest} Go on, or stop here.`];
     }
-    return ["caution", result.verdict === "good" ? "Good so far" : `${result.verdict[0].toUpperCase()}${result.verdict.slice(1)}`, `${rest}. Go on.`];
+    const name = result.verdict === "good" ? "good so far" : result.verdict;
+    return ["caution", name[0].toUpperCase() + name.slice(1), `${rest} ${MEANING[result.verdict]}`];
 }
 
 function instruction() {
@@ -101,16 +123,19 @@ function instruction() {
     if (!session.unit) {
         return "Hold it still: listening …";
     }
+    if (session.result?.mayStop) {
+        return "✓ Done: you may stop";
+    }
     if (session.state === "settling") {
         return `Hold still … ${session.progress()} %`;
     }
     if (session.state === "ready") {
-        return session.result?.mayStop ? "✓ Done: you may stop" : `✓ ${turnTo(session.words)}`;
+        return `✓ ${turnTo(session.words)}`;
     }
     if (session.state === "refused") {
         return `Not taken: ${session.refused.at(-1)}`;
     }
-    return session.result?.mayStop ? "✓ Done: you may stop" : turnTo(session.words);
+    return turnTo(session.words);
 }
 
 function facts() {
@@ -126,10 +151,10 @@ function facts() {
 function rounding() {
     const { step, unit } = session;
     const mg = (1e3 * step * unit.factor) / unit.counts;
-    if (!(mg > 2)) {
+    if (!(mg > 2)) { // finer than the noise of any phone
         return "";
     }
-    return `. The browser rounds the readings to ${mg.toPrecision(2)} mg: a position cannot be better than about ${(mg / Math.sqrt(12)).toPrecision(1)} mg, however long it is held. This shows how it works; it is no instrument.`;
+    return `. The browser rounds the readings to ${figure(mg)} mg: a position held very still may be wrong by ${figure(mg / 2)} mg, or refused, since nothing changes. The ± above tells what that does. It shows how calibration works; it is no instrument.`;
 }
 
 // ---- pictures --------------------------------------------------------------------------------------
@@ -168,15 +193,17 @@ function showKnown() {
 // What invcal_apply of the library takes.
 function constant({ offset, matrix }) {
     const row = (v) => `{${v.map((x) => Number(x.toPrecision(9))).join(", ")}}`;
-    return `/* g = matrix (reading - offset); reading: ${session.unit.name} */\nstatic const float offset[3] = ${row(offset)};\nstatic const float matrix[3][3] = {\n    ${matrix.map(row).join(",\n    ")}};`;
+    const gyro = session.hasGyro ? session.gyro.result() : null;
+    const bias = gyro ? `\nstatic const float gyro_bias[3] = ${row(gyro.mean.map((v) => Number(v.toPrecision(4))))};` : "";
+    return `/* g = matrix (reading - offset); reading: ${session.unit.name} */\nstatic const float offset[3] = ${row(offset)};\nstatic const float matrix[3][3] = {\n    ${matrix.map(row).join(",\n    ")}};${bias}`;
 }
 
 function happened(name) {
     if (name === "taken") {
         gains = session.uncertainty(DIRECTIONS);
-        say(`Position ${session.positions.length} taken. ${instruction()}. ${verdict()[1]}`);
+        say(`Position ${session.positions.length} taken. ${verdict()[1]}. ${instruction()}`);
     } else if (name === "ready") {
-        say(session.result?.mayStop ? "Done: you may stop" : turnTo(session.words));
+        say(instruction());
     } else if (name === "refused") {
         say(`Not taken: ${session.refused.at(-1)}. ${turnTo(session.words)}`);
     }
@@ -194,7 +221,7 @@ const positive = (id) => {
 
 function options(own) {
     const target = [0, 1, 2].map((i) => (positive(`target${i}`) ?? Infinity) / BARS[i].scale);
-    return { rate: positive("rate"), unit: $("unit").value, target, ...own };
+    return { rate: positive("rate"), unit: $("unit").value, gyro: $("gyro").value, target, ...own };
 }
 
 async function stop() {
@@ -240,6 +267,7 @@ async function start(button, begin, own = {}) {
     };
     session = mine;
     isRunning = true;
+    document.body.classList.remove("log-only");
     button?.setAttribute("aria-pressed", "true");
     $("stop").disabled = false;
     showKnown();
@@ -266,10 +294,10 @@ $("serial").onclick = () => {
     const onReply = (text) => put($("sent"), `The board says: ${text.replace(/^invcal\W*/, "")}`);
     start($("serial"), (sink) => sources.serial(sink, { baudRate: Number($("baud").value), onReply }));
 };
-$("phone").onclick = () => start($("phone"), (sink) => sources.phone(sink), { unit: "m/s²", rounds: true });
+$("phone").onclick = () => start($("phone"), (sink) => sources.phone(sink), { unit: "m/s²", gyro: "°/s", rounds: true });
 $("simulator").onclick = () => {
     const speed = Math.min(200, Number($("speed").value));
-    start($("simulator"), (sink, mine) => sources.simulator(sink, { speed, wanted: () => mine.next ?? [1, 0, 0] }), { unit: "16384", rate: 100 });
+    start($("simulator"), (sink, mine) => sources.simulator(sink, { speed, wanted: () => mine.next ?? [1, 0, 0] }), { unit: "16384", gyro: "16", rate: 100 });
 };
 $("stop").onclick = () => {
     session?.finish();
@@ -280,6 +308,7 @@ $("stop").onclick = () => {
 
 async function take(files) {
     if (files.length > 0) {
+        document.body.classList.toggle("log-only", !session);
         await showLog([...files]);
     }
 }

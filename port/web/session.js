@@ -55,9 +55,13 @@ export function stepOf(rows) {
     return Number.isFinite(step) ? step : 0;
 }
 
+// Degrees a second that a reading of a gyro is, if its unit is known.
+const GYRO_UNITS = { "°/s": 1, "rad/s": 180 / Math.PI };
+
 // The mean of a gyro in the rests: its bias. Each rest is one reading of it.
 class GyroBias {
-    constructor() {
+    constructor(late) {
+        this.late = late; // samples at the end of a rest that may be motion already
         this.rests = [];
         this.clear();
     }
@@ -65,11 +69,15 @@ class GyroBias {
     clear() {
         this.sum = [0, 0, 0];
         this.n = 0;
+        this.held = [];
     }
 
     add(rate) {
-        rate.forEach((v, i) => (this.sum[i] += v));
-        this.n++;
+        this.held.push(rate);
+        if (this.held.length > this.late) {
+            this.held.shift().forEach((v, i) => (this.sum[i] += v));
+            this.n++;
+        }
     }
 
     take() {
@@ -79,7 +87,7 @@ class GyroBias {
         this.clear();
     }
 
-    // { mean, sigma } of the worst axis by the scatter between rests; null before the third.
+    // { mean, sigma } by the scatter between rests, sigma of the worst axis; null before the third.
     result() {
         const n = this.rests.length;
         if (n < 3) {
@@ -105,8 +113,9 @@ export class Session {
         this.positions = [];
         this.refused = [];
         this.state = "listening";
-        this.gyro = new GyroBias();
         this.hasGyro = false;
+        this.gyro = new GyroBias(0);
+        this.gyroUnit = null; // degrees a second, if that is known
         this.result = null;
         this.step = 0;
         this.began = null;
@@ -134,6 +143,9 @@ export class Session {
         const stated = this.options.unit || (this.first[0].raw ? "8192" : "");
         this.unit = stated ? statedUnit(stated, isWhole) : unitOf(lengths, isWhole);
         this.rate = rate;
+        this.gyro = new GyroBias(Math.ceil(rate / 4));
+        const gyro = this.first[0].raw ? "16" : this.options.gyro;
+        this.gyroUnit = gyro ? (GYRO_UNITS[gyro] ?? 1 / Number(gyro)) : null;
         const status = this.live.begin(this.unit.counts, Math.round(rate));
         if (status !== 0) {
             this.state = "failed";
@@ -141,10 +153,6 @@ export class Session {
         }
         if (this.options.rounds) {
             this.step = stepOf(this.first);
-            const noise = (this.step / Math.sqrt(12) / this.unit.counts) * this.unit.factor;
-            if (noise > 0) {
-                this.live.state_noise(noise);
-            }
         }
         this.state = "moving";
         this.guide();
@@ -176,9 +184,10 @@ export class Session {
     happened(name) {
         const before = this.state;
         this.state = name;
-        if (name === "moving") {
-            this.gyro.clear();
-        } else if (name === "taken") {
+        if (name === "settling" && before !== "ready" && this.live.progress() < 20) {
+            this.gyro.clear(); // another rest
+        }
+        if (name === "taken") {
             this.gyro.take();
             this.taken();
         } else if (name === "refused") {

@@ -51,6 +51,15 @@ class OpenBlob extends Fd {
     }
 }
 
+// What is printed: a pipe and no terminal, or the tool would draw its progress.
+class Printed extends ConsoleStdout {
+    fd_fdstat_get() {
+        const stat = super.fd_fdstat_get();
+        stat.fdstat.fs_filetype = wasi.FILETYPE_SOCKET_STREAM;
+        return stat;
+    }
+}
+
 class BlobFile extends Inode {
     constructor(blob, told) {
         super();
@@ -70,11 +79,11 @@ class BlobFile extends Inode {
 // { module, args, files: [{ name, blob }] } -> { code, stdout, stderr, files: [{ name, bytes }] }
 onmessage = ({ data: { module, args, files } }) => {
     const printed = [[], []];
-    const keep = (which) => new ConsoleStdout((bytes) => printed[which].push(bytes.slice()));
+    const keep = (which) => new Printed((bytes) => printed[which].push(bytes.slice()));
     const told = (share) => postMessage({ progress: share });
     const given = files.map(({ name, blob }) => [name, new BlobFile(blob, told)]);
     const folder = new PreopenDirectory(".", new Map(given));
-    const shim = new WASI(["invcal", ...args], [], [new OpenFile(new File([])), keep(0), keep(1), folder]);
+    const shim = new WASI(["invcal", ...args], [], [new OpenFile(new File([])), keep(0), keep(1), folder], { debug: false });
     let code = 0;
 
     try {
