@@ -226,6 +226,7 @@ function options(own) {
 
 async function stop() {
     const old = source;
+    source = old && { lines: old.lines }; // what it skipped is still shown
     isRunning = false;
     document.querySelectorAll("#sources [aria-pressed]").forEach((button) => button.setAttribute("aria-pressed", "false"));
     $("stop").disabled = true;

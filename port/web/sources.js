@@ -22,6 +22,7 @@ export async function serial(sink, { baudRate, onReply = () => {} }) {
     const lines = new Lines({ isTorn: true, onText: onReply, onSample: (sample) => sink.sample(sample, now()) });
     let isStopped = false;
     let reader = null;
+    let reading = null; // the promise of read()
 
     const read = async () => {
         const decoder = new TextDecoder();
@@ -43,15 +44,12 @@ export async function serial(sink, { baudRate, onReply = () => {} }) {
                 reader.releaseLock();
                 reader = null;
             }
-            if (isStopped) {
-                break;
-            }
         }
     };
     const open = async () => {
         await port.open({ baudRate, bufferSize: 65536 });
         lines.tear();
-        read();
+        reading = read();
     };
     const lost = (event) => {
         if (event.target === port && !isStopped) {
@@ -94,7 +92,7 @@ export async function serial(sink, { baudRate, onReply = () => {} }) {
             navigator.serial.removeEventListener("disconnect", lost);
             navigator.serial.removeEventListener("connect", back);
             await reader?.cancel().catch(() => {}); // the port may be gone
-            await new Promise((resolve) => setTimeout(resolve)); // the lock is released then
+            await reading; // then its lock is released
             await port.close().catch(() => {});
         },
     };

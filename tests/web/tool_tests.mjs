@@ -42,13 +42,16 @@ async function calibrated(page, name, options, others = []) {
 
 const args = (options) => options.split(" ").filter(Boolean);
 
+// One number comes of sines and cosines: length95_most of six faces, whose last digit is another one in each libc.
+const withoutLast = (json) => json.replace(/("length95_most": [\d.]{16})\d*/, "$1");
+
 // Table, report, CAL.json and all exports.
 async function compare(page, name, options) {
     const wanted = native("calibrate", name, ...args(options), "--out", "CAL.json", "--report", "report.html");
     equal(wanted.code, 0, `the native tool of ${name}: ${wanted.stderr}`);
     await calibrated(page, name, options);
     equal(await page.text("#table"), wanted.stdout, "table");
-    equal(await save(page, '[data-save="CAL.json"]', "CAL.json"), file("CAL.json"), "CAL.json");
+    equal(withoutLast(await save(page, '[data-save="CAL.json"]', "CAL.json")), withoutLast(file("CAL.json")), "CAL.json");
     equal(await save(page, '[data-save="report.html"]', "report.html"), file("report.html"), "report.html");
     for (const format of FORMATS) {
         const exported = native("export", "CAL.json", "--format", format);

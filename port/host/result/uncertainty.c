@@ -53,11 +53,7 @@ void uncertainty_search(uncertainty *u)
     u->most = 0;
     for (double polar = 0; polar < TURN / 2 + STEP / 2; polar += STEP) {
         for (double azimuth = 0; azimuth < TURN - STEP / 2; azimuth += STEP) {
-            const double at[3] = {sin(polar) * cos(azimuth), sin(polar) * sin(azimuth), cos(polar)};
-            double up[3];
-            for (unsigned i = 0; i < 3; i++) {
-                up[i] = (double)(float)at[i]; /* sines of each libc differ in their last bits */
-            }
+            const double up[3] = {sin(polar) * cos(azimuth), sin(polar) * sin(azimuth), cos(polar)};
             const double sigma = uncertainty_sigma(u, up);
             u->least = fmin(u->least, sigma);
             if (sigma > u->most) {
