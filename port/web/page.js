@@ -126,16 +126,29 @@ function instruction() {
     if (session.result?.mayStop) {
         return "✓ Done: you may stop";
     }
+    if (session.isReady()) {
+        return `✓ ${turnTo(session.words)}`;
+    }
     if (session.state === "settling") {
         return `Hold still … ${session.progress()} %`;
-    }
-    if (session.state === "ready") {
-        return `✓ ${turnTo(session.words)}`;
     }
     if (session.state === "refused") {
         return `Not taken: ${session.refused.at(-1)}`;
     }
     return turnTo(session.words);
+}
+
+// Is there somewhere to turn to?
+const isLed = () => isRunning && session.unit && !session.result?.mayStop;
+
+function where() {
+    if (!session) {
+        return "Nothing at hand? The simulator shows how it goes.";
+    }
+    if (!isLed() || (session.state === "settling" && !session.isReady())) {
+        return "";
+    }
+    return `${Math.round(between(session.up, session.next))}° to go`;
 }
 
 function facts() {
@@ -165,12 +178,13 @@ function show() {
     requestAnimationFrame(show);
     const isLive = session?.unit;
     const progress = isLive ? session.progress() : 0;
-    sphere.draw(isLive ? { up: session.up, next: isRunning && !session.result?.mayStop ? session.next : null, positions: session.positions, gains, progress, isReady: session.state === "ready" } : IDLE);
+    const isReady = Boolean(isLive) && session.isReady();
+    sphere.draw(isLive ? { up: session.up, next: isLed() ? session.next : null, positions: session.positions, gains, progress, isReady } : IDLE);
     put($("say"), instruction());
     $("hold").firstChild.style.width = `${progress}%`;
     $("hold").setAttribute("aria-valuenow", progress);
-    $("hold").classList.toggle("ready", session?.state === "ready");
-    put($("where"), isLive && isRunning && session.next ? `${Math.round(between(session.up, session.next))}° to go` : "");
+    $("hold").classList.toggle("ready", isReady);
+    put($("where"), where());
     put($("facts"), facts());
 }
 

@@ -265,6 +265,11 @@ export class Session {
         return this.unit && (this.state === "settling" || this.state === "ready") ? this.live.progress() : 0;
     }
 
+    // May it be moved on? The event is told once, and the rest goes on.
+    isReady() {
+        return this.progress() === 100;
+    }
+
     // sigma of a length in each direction, over that of a position.
     uncertainty(directions) {
         const buffer = new Float64Array(this.live.memory.buffer, this.live.direction_buffer(), 3 * directions.length);

@@ -43,7 +43,8 @@ export class Sphere {
 
     // now: { up, next, positions, gains, progress, isReady }
     draw(now) {
-        const size = Math.min(640, Math.round(this.canvas.clientWidth * Math.min(2, devicePixelRatio)));
+        this.dots = Math.min(2, devicePixelRatio);
+        const size = Math.min(640, Math.round(this.canvas.clientWidth * this.dots));
         const key = JSON.stringify([size, now.up.map((v) => Math.round(v * 500)), now.next, now.positions.length, now.progress, now.isReady]);
         if (key === this.old || size === 0) {
             return;
@@ -59,6 +60,7 @@ export class Sphere {
         this.look(unit(now.up));
         this.ball(now);
         this.taken(now.positions);
+        this.faces();
         this.target(now);
         this.here();
         this.hold(now);
@@ -113,7 +115,7 @@ export class Sphere {
             if (z < 0.03) {
                 return;
             }
-            const open = gains ? Math.max(0, Math.min(1, Math.log10(gains[i] / 0.6) / 1.6)) : 1;
+            const open = gains ? Math.max(0, Math.min(1, Math.log10(gains[i] / 0.6) / 2)) : 1;
             g.globalAlpha = 0.25 + 0.6 * z;
             g.beginPath();
             const r = radius * (0.018 + 0.047 * open);
@@ -122,10 +124,13 @@ export class Sphere {
             g.fill();
         });
         g.globalAlpha = 1;
+    }
+
+    faces() {
         for (const [name, d] of FACES) {
-            const [x, y, z] = this.place(d.map((v) => 1.0 * v));
+            const [x, y, z] = this.place(d);
             if (z > 0.05) {
-                this.word(name, x, y - size * 0.035, size * 0.032, colours.ink);
+                this.word(name, x, y - this.size * 0.05, Math.max(this.size * 0.034, 12 * this.dots), this.colours.ink);
             }
         }
     }
@@ -134,9 +139,10 @@ export class Sphere {
         positions.forEach((p, i) => {
             const [x, y, z] = this.place(unit(p));
             if (z > 0) {
-                this.disc(x, y, this.size * 0.021, this.colours.paper);
-                this.disc(x, y, this.size * 0.018, this.colours.accent);
-                this.word(String(i + 1), x, y, this.size * 0.02, this.colours.paper);
+                const r = Math.max(this.size * 0.019, 8 * this.dots);
+                this.disc(x, y, r + 2, this.colours.paper);
+                this.disc(x, y, r, this.colours.accent);
+                this.word(String(i + 1), x, y, 1.2 * r, this.colours.paper);
             }
         });
     }
