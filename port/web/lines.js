@@ -23,7 +23,7 @@ export function parseLine(line) {
     text = raw ? text.slice(4) : text.replace(/[a-z_]\w*\s*[:=]/gi, " ");
     const fields = text.split(/[\s,;]+/).filter((field) => field !== "");
     if (!fields.every((field) => NUMBER.test(field))) {
-        return null;
+        return /^[a-z]{3}/i.test(line) && !raw ? "other" : null; // words, or a torn line
     }
     const values = fields.map(Number);
     const layout = LAYOUT[values.length];

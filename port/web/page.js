@@ -298,7 +298,7 @@ async function start(button, begin, own = {}) {
     }
 }
 
-const NO_SERIAL = "This browser cannot open serial ports: use Chrome, Edge or Opera on a computer. Or save what the board prints to a file, and drop that here.";
+const NO_SERIAL = "This browser cannot open serial ports: use Chrome, Edge, Opera or a recent Firefox on a computer. Or save what the board prints to a file, and drop that here.";
 const NOT_SECURE = "Browsers open serial ports for pages from https or from a file only: save this page, and open it from there.";
 
 $("serial").onclick = () => {

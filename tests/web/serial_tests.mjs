@@ -7,7 +7,6 @@ import { test, expect, equal, close } from "./harness.mjs";
 import { DIRECTIONS, SENSOR, reads, samples } from "./sensor.mjs";
 
 const mock = readFileSync(new URL("mock_serial.js", import.meta.url), "utf8");
-const CHROMIUM = { only: "chromium" };
 
 const lines = (readings, print, options) => [...samples(readings, options)].map((v) => `${print(v.map(Math.round))}\r\n`);
 const commas = (v) => v.join(",");
@@ -61,7 +60,7 @@ for (const [name, layout] of Object.entries(LAYOUTS)) {
         equal((await state(page)).positions, 17, "positions"); // the last is still held
         const gyro = await page.evaluate(() => invcal.session().gyro.result()?.mean);
         equal(gyro, /gx|Raw/.test(name) ? [3, -2, 1] : undefined, "gyro");
-    }, CHROMIUM);
+    });
 }
 
 test("serial: units are found out", async (open) => {
@@ -77,7 +76,7 @@ test("serial: units are found out", async (open) => {
         result.matrix.forEach((row, i) => close(row[i] * length * (1 + 0.01 * i), 1, 0.003, `scale ${i} of ${name}`));
         await page.click("#stop");
     }
-}, CHROMIUM);
+});
 
 test("serial: chunks of 1 to 7 bytes, a torn first line, garbage", async (open) => {
     const page = await connect(open);
@@ -96,13 +95,13 @@ test("serial: chunks of 1 to 7 bytes, a torn first line, garbage", async (open) 
     await good(page);
     // The first two samples, before the columns are agreed upon, count as skipped.
     equal(await skipped(page), broken + 2, "skipped lines");
-}, CHROMIUM);
+});
 
 test("serial: a line without an end is thrown away", async (open) => {
     const page = await connect(open);
     await print(page, `${"7".repeat(100000)}\r\n${lines([reads([0, 0, 1])], commas).join("")}`);
     await arrived(page, 290);
-}, CHROMIUM);
+});
 
 test("serial: unplugged and plugged in again, it goes on", async (open) => {
     const page = await connect(open);
@@ -125,7 +124,7 @@ test("serial: unplugged and plugged in again, it goes on", async (open) => {
     await print(page, `9\r\n${lines([readings[0]], commas).join("")}`);
     await arrived(page, n + 10 * 300);
     equal(await page.evaluate(() => invcal.session().log.filter((row) => row === null).length >= 2), true, "gaps are noted");
-}, CHROMIUM);
+});
 
 test("serial: 1,000 lines a second for five seconds, none lost, rate measured", async (open) => {
     const page = await connect(open, { rate: "" });
@@ -145,7 +144,7 @@ test("serial: 1,000 lines a second for five seconds, none lost, rate measured", 
     const [rate, taken] = await page.evaluate(() => [invcal.session().rate, invcal.session().samples]);
     close(rate, 1000, 50, "rate");
     equal(taken, 5000 - 2, "samples");
-}, CHROMIUM);
+});
 
 test("serial: the calibration is sent as a record that the library's format describes", async (open) => {
     const page = await connect(open);
@@ -166,7 +165,7 @@ test("serial: the calibration is sent as a record that the library's format desc
     await print(page, "invcal: stored\r\n");
     await page.until('document.querySelector("#sent").textContent === "The board says: stored"', "the answer");
     await page.picture("sent");
-}, CHROMIUM);
+});
 
 test("serial: stopped, and started again; the port is closed between", async (open) => {
     const page = await connect(open);
@@ -181,7 +180,7 @@ test("serial: stopped, and started again; the port is closed between", async (op
     }
     await page.click("#simulator");
     await page.until("board.closed === 4 && invcal.session().samples > 0", "another source");
-}, CHROMIUM);
+});
 
 test("serial: silence, a wrong baud rate, a busy port, none chosen: each is told", async (open) => {
     const page = await connect(open);
@@ -196,11 +195,11 @@ test("serial: silence, a wrong baud rate, a busy port, none chosen: each is told
     await page.evaluate(() => (board.isRefused = true));
     await page.click("#serial");
     await told("No port was chosen");
-}, CHROMIUM);
+});
 
 test("a browser without WebSerial says what to do", async (open) => {
     const page = await open({ before: 'Object.defineProperty(navigator, "serial", { value: undefined });' });
     await page.click("#serial");
     const said = await page.text("#notice");
-    expect(said.includes("Chrome, Edge or Opera") && said.includes("drop that here"), said);
+    expect(said.includes("Chrome, Edge, Opera or a recent Firefox") && said.includes("drop that here"), said);
 });
