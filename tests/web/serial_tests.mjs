@@ -2,11 +2,22 @@
 //
 // A board at a serial port, by a mock of WebSerial (mock_serial.js).
 import { readFileSync } from "node:fs";
-import { crc32 } from "node:zlib";
 import { test, expect, equal, close } from "./harness.mjs";
 import { DIRECTIONS, SENSOR, reads, samples } from "./sensor.mjs";
 
 const mock = readFileSync(new URL("mock_serial.js", import.meta.url), "utf8");
+
+// CRC-32 of IEEE 802.3, bit by bit.
+function crc32(bytes) {
+    let crc = 0xffffffff;
+    for (const byte of bytes) {
+        crc ^= byte;
+        for (let bit = 0; bit < 8; bit++) {
+            crc = (crc >>> 1) ^ (crc & 1 ? 0xedb88320 : 0);
+        }
+    }
+    return ~crc >>> 0;
+}
 
 const lines = (readings, print, options) => [...samples(readings, options)].map((v) => `${print(v.map(Math.round))}\r\n`);
 const commas = (v) => v.join(",");

@@ -18,7 +18,8 @@ double need_reached(const calibrate_result *r)
 {
     const double field = need_of_field(r);
 
-    return sqrt(r->accuracy * r->accuracy + field * field); /* hypot rounds differently in each libc */
+    return sqrt(r->accuracy * r->accuracy +
+                field * field); /* hypot rounds differently in each libc */
 }
 
 /* Over the field. */
