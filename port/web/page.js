@@ -7,6 +7,7 @@ import { Sphere, DIRECTIONS, between } from "./sphere.js";
 import * as sources from "./sources.js";
 import { showLog } from "./report.js";
 import { save } from "./save.js";
+import { sound } from "./sound.js";
 
 const $ = (id) => document.getElementById(id);
 const sphere = new Sphere($("sphere"));
@@ -15,6 +16,7 @@ let session = null;
 let source = null; // what is running, or was
 let isRunning = false;
 let gains = null;
+let isTold = false; // that it may be stopped, by sound
 
 // ---- words -----------------------------------------------------------------------------------------
 
@@ -221,6 +223,11 @@ function happened(name) {
     } else if (name === "refused") {
         say(`Not taken: ${session.refused.at(-1)}. ${turnTo(session.words)}`);
     }
+    const tone = name === "taken" ? (session.result.mayStop && !isTold ? "stop" : null) : name === "ready" || name === "refused" ? name : null;
+    isTold ||= tone === "stop";
+    if (tone && $("sound").checked) {
+        sound(tone);
+    }
     if (name === "taken" || name === "refused") {
         showKnown();
     }
@@ -254,6 +261,7 @@ async function start(button, begin, own = {}) {
     notice("");
     put($("sent"), "");
     gains = null;
+    isTold = false;
     source = null;
     const mine = new Session(live, options(own), happened);
     const sink = {

@@ -3,6 +3,8 @@
 // A live calibration: samples in, what is known by now out. It begins by a second of listening, in which rate and
 // unit of the readings show.
 
+import { Log } from "./log.js";
+
 const EVENTS = ["", "moving", "settling", "ready", "taken", "refused"];
 const LISTEN = 1; // seconds
 const G = 9.80665;
@@ -106,14 +108,13 @@ export class Session {
         this.options = options;
         this.onEvent = onEvent;
         this.first = []; // samples until it begins
-        this.log = []; // all of them: what the tool gets in the end
+        this.log = new Log();
         this.unit = null;
         this.samples = 0;
         this.up = [0, 0, 1];
         this.positions = [];
         this.refused = [];
         this.state = "listening";
-        this.hasGyro = false;
         this.gyro = new GyroBias(0);
         this.gyroUnit = null; // degrees a second, if that is known
         this.result = null;
@@ -168,13 +169,12 @@ export class Session {
         const fade = Math.min(1, 12 / this.rate);
         sample.acc.forEach((v, i) => (this.up[i] += fade * (v / l - this.up[i])));
         this.samples++;
-        this.log.push(sample);
+        this.log.add(sample);
         const event = this.live.feed(Math.round(x * factor), Math.round(y * factor), Math.round(z * factor));
         if (event !== 0) {
             this.happened(EVENTS[event]);
         }
         if (sample.gyro) {
-            this.hasGyro = true;
             if (this.state === "settling" || this.state === "ready") {
                 this.gyro.add(sample.gyro);
             }
@@ -249,7 +249,7 @@ export class Session {
     gap() {
         if (this.unit) {
             this.live.gap();
-            this.log.push(null);
+            this.log.gap();
         }
     }
 
@@ -278,25 +278,18 @@ export class Session {
         return directions.map((d, i) => buffer[3 * i]);
     }
 
-    // The log as the tool reads it, and what it has to be told of it.
     csv() {
-        const rows = [this.hasGyro ? "t,x,y,z,gx,gy,gz\n" : "t,x,y,z\n"];
-        let t = 0;
-        for (const sample of this.log) {
-            if (!sample) {
-                t += 1;
-                continue;
-            }
-            const gyro = this.hasGyro ? "," + (sample.gyro ?? [0, 0, 0]).join(",") : "";
-            rows.push(`${t.toFixed(5)},${sample.acc.join(",")}${gyro}\n`);
-            t += 1 / this.rate;
-        }
-        return new Blob(rows, { type: "text/csv" });
+        return this.log.csv(this.rate);
     }
 
+    // What the tool has to be told of it.
     toolOptions() {
         const known = UNITS[this.unit.name];
         return known ? known.tool : ["--zero", "0,0,0", "--lsb", String(Number((G / this.unit.counts * this.unit.factor).toPrecision(12)))];
+    }
+
+    get hasGyro() {
+        return this.log.hasGyro;
     }
 
     numbers(n) {

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 //
 // Who cannot see it, has no mouse, has a phone, likes it dark.
+import { once } from "node:events";
 import { readFileSync } from "node:fs";
+import { createServer } from "node:http";
 import { test, expect, equal, PAGE } from "./harness.mjs";
 
 const GOOD = "invcal.session()?.result?.mayStop";
@@ -27,6 +29,27 @@ test("what blocks the network: a request is refused by the page itself", async (
     });
     page.trouble.length = 0; // the browser says so on its console
     equal(refused, "connect-src", "directive");
+});
+
+test("from a web server, too: one request, and all works", async (open) => {
+    const asked = [];
+    const server = createServer((request, response) => {
+        asked.push(request.url);
+        response.setHeader("Content-Type", "text/html");
+        response.end(readFileSync(new URL(PAGE)));
+    }).listen(0, "127.0.0.1");
+    await once(server, "listening");
+    const page = await open();
+    await page.goto(`http://127.0.0.1:${server.address().port}/invcal.html`);
+    await page.waitForFunction("document.documentElement.dataset.ready");
+    await page.select("#speed", "16");
+    await page.click("#simulator");
+    await page.until(GOOD, "good");
+    await page.click("#make");
+    await page.until('!document.querySelector("#made").hidden', "made");
+    server.close();
+    equal(asked, ["/invcal.html"], "requests");
+    page.trouble = page.trouble.filter((text) => !/^request: http:\/\/127\.0\.0\.1:\d+\/invcal\.html$/.test(text)); // the one that was asked for
 });
 
 test("every control has a name, and the keyboard reaches it; the focus shows", async (open) => {

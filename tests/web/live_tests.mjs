@@ -83,6 +83,10 @@ test("a dropped log is replayed, as fast as can be: all positions, the native to
     const page = await open();
     await page.drop("replay.csv");
     await page.until('!document.querySelector("#made").hidden', "made");
+    await page.select("#speed", "4");
+    await page.click("#replay");
+    await page.until("invcal.session()?.samples > 100", "begun");
+    await page.click("#stop");
     for (const speed of ["Infinity", "16"]) {
         await page.select("#speed", speed);
         await page.click("#replay");
@@ -101,6 +105,27 @@ test("a log that cannot be replayed says so", async (open) => {
     await page.until('document.querySelector("#trouble").textContent !== ""', "refused");
     await page.click("#replay");
     await page.until('document.querySelector("#notice").textContent.startsWith("No line of it")', "no samples");
+});
+
+test("tones: one for each position, and when to stop; none if they are not wanted", async (open) => {
+    const page = await open({ before: () => {
+        window.tones = [];
+        const start = OscillatorNode.prototype.start;
+        OscillatorNode.prototype.start = function (...when) {
+            window.tones.push(this.frequency.value);
+            start.apply(this, when);
+        };
+    } });
+    await simulate(page);
+    await page.until(GOOD, "good");
+    await page.until("window.tones.includes(1100)", "told to stop");
+    const [tones, n] = await page.evaluate(() => [window.tones.filter((pitch) => pitch === 880).length, invcal.session().positions.length]);
+    expect(tones >= n && tones <= n + 3, `${tones} tones of ${n} positions`);
+    await page.evaluate(() => document.querySelector("#sound").click());
+    await simulate(page);
+    await page.evaluate(() => (window.tones = []));
+    await page.until(TAKEN(3), "positions");
+    equal(await page.evaluate(() => window.tones.length), 0, "tones");
 });
 
 // ---- a phone ---------------------------------------------------------------------------------------
