@@ -164,11 +164,15 @@ $(BUILD)/invcal.1: port/host/man.sh $(BUILD)/invcal
 
 # The library as WebAssembly, and the tool, but for what watch reads and shows on a terminal.
 WASM = clang-19 --target=wasm32-wasi -Oz -std=$(STD) -ffp-contract=off -fno-math-errno -Iinclude -Wl,--strip-all
+# wasi-libc has no command that would be missed.
+need_wasm = @for file in /usr/include/wasm32-wasi/stdio.h $$(clang-19 -print-resource-dir)/lib/wasi/libclang_rt.builtins-wasm32.a; do \
+    [ -e "$$file" ] || { echo "$${file\#\#*/} is not installed: make deps" >&2; exit 1; }; done
 WASM_HOST := $(filter-out port/host/watch/live.c port/host/watch/screen.c,$(HOST))
 
 $(BUILD)/web/live.wasm: port/web/live.c $(SOURCES) $(wildcard include/invcal/*.h src/*.h)
 	$(call need,clang-19)
 	$(call need,wasm-ld-19)
+	$(need_wasm)
 	@mkdir -p $(@D)
 	$(Q)$(WASM) $(WARNINGS) -DINVCAL_DOUBLE=1 -DINVCAL_MAX_POSITIONS=64 -mexec-model=reactor -nostartfiles \
 	    -Wl,--no-entry $(SOURCES) $< -o $@
@@ -177,6 +181,7 @@ $(BUILD)/web/tool.wasm: port/web/wasi.c port/web/wasi.h $(WASM_HOST) $(SOURCES) 
     $(wildcard include/invcal/*.h src/*.h port/host/*/*.h)
 	$(call need,clang-19)
 	$(call need,wasm-ld-19)
+	$(need_wasm)
 	@mkdir -p $(@D)
 	$(Q)$(WASM) $(TOOL_FLAGS) -Wno-deprecated-declarations -include port/web/wasi.h \
 	    -D_WASI_EMULATED_SIGNAL -D_WASI_EMULATED_GETPID $(WASM_HOST) $(SOURCES) $< \
@@ -186,7 +191,8 @@ $(BUILD)/web/tool.wasm: port/web/wasi.c port/web/wasi.h $(WASM_HOST) $(SOURCES) 
 $(BUILD)/web/npm/node_modules/.package-lock.json: port/web/package.json port/web/package-lock.json
 	$(call need,npm)
 	@mkdir -p $(BUILD)/web/npm
-	$(Q)cp $^ $(BUILD)/web/npm && cd $(BUILD)/web/npm && npm ci --silent --no-audit --no-fund && touch node_modules/.package-lock.json
+	$(Q)cp $^ $(BUILD)/web/npm && cd $(BUILD)/web/npm && npm ci --silent --no-audit --no-fund && \
+	    touch node_modules/.package-lock.json || { echo 'npm: the packages of port/web/package.json do not come' >&2; exit 1; }
 
 $(BUILD)/invcal.html: $(BUILD)/web/live.wasm $(BUILD)/web/tool.wasm $(BUILD)/web/npm/node_modules/.package-lock.json \
     LICENSE $(wildcard port/web/*.js port/web/*.mjs port/web/*.html port/web/*.css port/web/*.txt)

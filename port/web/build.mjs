@@ -4,10 +4,11 @@
 // are in BUILD/web/npm, the programs in BUILD/web.
 import { execFileSync } from "node:child_process";
 import { readFileSync, writeFileSync } from "node:fs";
+import { fileURLToPath } from "node:url";
 import { gzipSync } from "node:zlib";
 
 const build = process.argv[2];
-const here = new URL(".", import.meta.url).pathname;
+const here = fileURLToPath(new URL(".", import.meta.url));
 const npm = `${build}/web/npm/node_modules`;
 const text = (name) => readFileSync(name, "utf8");
 

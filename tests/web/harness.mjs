@@ -3,9 +3,10 @@
 // Browsers, pages and checks for the tests of the page. A page that says an error on its console, or asks the network
 // for anything, fails its test.
 import { createRequire } from "node:module";
-import { execFileSync, spawnSync } from "node:child_process";
+import { spawnSync } from "node:child_process";
 import { mkdtempSync, readFileSync, writeFileSync, rmSync, mkdirSync } from "node:fs";
 import { resolve } from "node:path";
+import { pathToFileURL } from "node:url";
 import { tmpdir } from "node:os";
 
 export const build = resolve(process.argv[2]);
@@ -13,7 +14,7 @@ export const browserName = process.argv[3];
 const only = new RegExp(process.argv[4] || ".");
 const puppeteer = createRequire(`${build}/web/npm/`)("puppeteer-core");
 
-export const PAGE = `file://${build}/invcal.html`;
+export const PAGE = pathToFileURL(`${build}/invcal.html`).href;
 export const work = mkdtempSync(`${tmpdir()}/invcal-web-`);
 export const pictures = `${build}/web/pictures`;
 mkdirSync(pictures, { recursive: true });
@@ -86,14 +87,10 @@ export async function open({ before, width = 1280, height = 900, dark = false, s
         page.waitForFunction(condition, { timeout, polling: 50 }).catch(async () => {
             throw new Failed(`${what}: not within ${timeout / 1000} s; the page says "${await page.text("#say")}", "${await page.text("#notice")}"`);
         });
-    // By what the browser calls a picture: beyond the window.
     page.picture = (name) => page.screenshot({ path: `${pictures}/${browserName}-${name}.png`, fullPage: true });
     page.drop = async (...names) => {
         const input = await page.$("#file");
         await input.uploadFile(...names.map((name) => `${work}/${name}`));
-        if (browserName === "chromium") {
-            return;
-        }
     };
     return page;
 }

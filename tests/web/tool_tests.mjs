@@ -3,10 +3,11 @@
 // Logs: what the page makes of them are the bytes that the native tool writes.
 import { readFileSync, createWriteStream, statSync } from "node:fs";
 import { once } from "node:events";
+import { fileURLToPath } from "node:url";
 import { test, expect, equal, native, file, put, work } from "./harness.mjs";
 import { samples } from "./sensor.mjs";
 
-const data = new URL("../data/", import.meta.url).pathname;
+const data = fileURLToPath(new URL("../data/", import.meta.url));
 const FORMATS = ["c", "c-arrays", "fusion", "imu_tk", "ros", "px4", "ardupilot"];
 
 // What the page offers to save, by its name, instead of a download.
