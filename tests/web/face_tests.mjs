@@ -160,6 +160,7 @@ for (const [name, size] of Object.entries({ desktop: [1280, 900], phone: [360, 7
             const small = await page.evaluate(() => [...document.querySelectorAll("button, select, input")].filter((e) => e.offsetParent && e.offsetHeight < 40).map((e) => e.id));
             equal(small, [], "too small");
             await (await (await page.$("#page")).contentFrame()).waitForFunction('document.body.innerText.includes("Good")');
+            await page.evaluate(() => document.querySelector("#page").scrollIntoView()); // or it is not drawn
             await page.picture(`${name}-${dark ? "dark" : "light"}-all`);
         }, dark ? { only: "chromium" } : {});
     }
