@@ -37,7 +37,7 @@ Q := $(if $(V),,@)
 .DEFAULT_GOAL := all
 .DELETE_ON_ERROR:
 .SECONDARY:
-.PHONY: help all install uninstall demo test check targets firmware size bench schema pages manual derived \
+.PHONY: help all install uninstall demo web test check check-web targets firmware size bench schema pages manual derived \
     rules coverage mutation fuzz proof numerics check-gates reference fleet format deps \
     package packages check-packages dist clean
 
@@ -163,6 +163,46 @@ $(BUILD)/tool/test_%: $(BUILD)/tool/tests/tool/test_%.o $(BUILD)/tool/tests/unit
 $(BUILD)/invcal.1: port/host/man.sh $(BUILD)/invcal
 	$(Q)sh $^ > $@
 
+# ---- the page: port/web ------------------------------------------------------------------------
+
+# The library as WebAssembly, and the tool, but for what watch reads and shows on a terminal.
+WASM = clang-19 --target=wasm32-wasi -Oz -std=$(STD) -ffp-contract=off -fno-math-errno -Iinclude -Wl,--strip-all
+# wasi-libc has no command that would be missed.
+need_wasm = @for file in /usr/include/wasm32-wasi/stdio.h $$(clang-19 -print-resource-dir)/lib/wasi/libclang_rt.builtins-wasm32.a; do \
+    [ -e "$$file" ] || { echo "$${file\#\#*/} is not installed: make deps" >&2; exit 1; }; done
+WASM_HOST := $(filter-out port/host/watch/live.c port/host/watch/screen.c,$(HOST))
+
+$(BUILD)/web/live.wasm: port/web/live.c $(SOURCES) $(wildcard include/invcal/*.h src/*.h)
+	$(call need,clang-19)
+	$(call need,wasm-ld-19)
+	$(need_wasm)
+	@mkdir -p $(@D)
+	$(Q)$(WASM) $(WARNINGS) -DINVCAL_DOUBLE=1 -DINVCAL_MAX_POSITIONS=64 -mexec-model=reactor -nostartfiles \
+	    -Wl,--no-entry $(SOURCES) $< -o $@
+
+$(BUILD)/web/tool.wasm: port/web/wasi.c port/web/wasi.h $(WASM_HOST) $(SOURCES) \
+    $(wildcard include/invcal/*.h src/*.h port/host/*/*.h)
+	$(call need,clang-19)
+	$(call need,wasm-ld-19)
+	$(need_wasm)
+	@mkdir -p $(@D)
+	$(Q)$(WASM) $(TOOL_FLAGS) -Wno-deprecated-declarations -include port/web/wasi.h \
+	    -D_WASI_EMULATED_SIGNAL -D_WASI_EMULATED_GETPID $(WASM_HOST) $(SOURCES) $< \
+	    -Wl,--stack-first,-z,stack-size=1048576 -lwasi-emulated-signal -lwasi-emulated-getpid -o $@
+
+# npm's packages, pinned by the lock file.
+$(BUILD)/web/npm/node_modules/.package-lock.json: port/web/package.json port/web/package-lock.json
+	$(call need,npm)
+	@mkdir -p $(BUILD)/web/npm
+	$(Q)cp $^ $(BUILD)/web/npm && cd $(BUILD)/web/npm && npm ci --silent --no-audit --no-fund && \
+	    touch node_modules/.package-lock.json || { echo 'npm: the packages of port/web/package.json do not come' >&2; exit 1; }
+
+$(BUILD)/invcal.html: $(BUILD)/web/live.wasm $(BUILD)/web/tool.wasm $(BUILD)/web/npm/node_modules/.package-lock.json \
+    LICENSE $(wildcard port/web/*.js port/web/*.mjs port/web/*.html port/web/*.css port/web/*.txt)
+	$(Q)node port/web/build.mjs $(BUILD) "$$(sh port/version.sh)"
+
+web: $(BUILD)/invcal.html ## build/invcal.html: calibrate live in a browser, or drop a log; one file, no installation
+
 # ---- tests ------------------------------------------------------------------------------------
 
 # One line that says what is missing: $(call need,command)
@@ -221,6 +261,11 @@ pages: $(BUILD)/invcal ## the reports in a browser: phone, desktop, paper; light
 	$(Q)rm -f $(BUILD)/pages/chromium.log
 	$(Q)$(if $(SELF),sh tests/pages.sh --self-test $(BUILD) &&) sh tests/pages/all.sh $(BUILD)
 
+check-web: $(BUILD)/invcal.html $(BUILD)/invcal $(BUILD)/float/digest ## the page in Chromium and Firefox; its numbers, bit by bit (WEB=names)
+	$(call need,chromium)
+	$(call need,firefox-esr)
+	$(Q)sh tests/web.sh $(BUILD) $(WEB)
+
 manual: ## the headers and port/manual as HTML in build/manual; nothing without a word, no dead link
 	$(call need,doxygen)
 	$(Q)sh tests/manual.sh $(BUILD)
@@ -265,7 +310,9 @@ deps: ## install what all of these need beyond a C compiler (Debian, root)
 	    gcc-arm-none-eabi libnewlib-arm-none-eabi qemu-system-arm gcc-avr avr-libc simavr libsimavr-dev \
 	    gcc-riscv64-unknown-elf picolibc-riscv64-unknown-elf qemu-system-misc \
 	    gcc-powerpc-linux-gnu libc6-dev-powerpc-cross qemu-user locales \
-	    parallel default-jre-headless python3-venv
+	    parallel default-jre-headless python3-venv \
+    lld-19 wasi-libc libclang-rt-19-dev-wasm32 firefox-esr
+	command -v npm > /dev/null || apt-get install -y --no-install-recommends nodejs npm
 
 package: ## lay a package out, in build/packages/NAME unless DEST is given (PACKAGE=name, DEST=folder)
 	$(Q)sh port/stage.sh "$(PACKAGE)" "$(or $(DEST),$(BUILD)/packages/$(PACKAGE))"

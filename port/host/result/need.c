@@ -65,7 +65,10 @@ double need_of_field(const calibrate_result *r)
 
 double need_reached(const calibrate_result *r)
 {
-    return hypot(r->accuracy, need_of_field(r));
+    const double field = need_of_field(r);
+
+    return sqrt(r->accuracy * r->accuracy +
+                field * field); /* hypot rounds differently in each libc */
 }
 
 /* Over the field. */
