@@ -311,7 +311,7 @@ deps: ## install what all of these need beyond a C compiler (Debian, root)
 	    gcc-riscv64-unknown-elf picolibc-riscv64-unknown-elf qemu-system-misc \
 	    gcc-powerpc-linux-gnu libc6-dev-powerpc-cross qemu-user locales \
 	    parallel default-jre-headless python3-venv \
-    lld-19 wasi-libc libclang-rt-19-dev-wasm32 firefox-esr
+	    lld-19 wasi-libc libclang-rt-19-dev-wasm32 firefox-esr
 	command -v npm > /dev/null || apt-get install -y --no-install-recommends nodejs npm
 
 package: ## lay a package out, in build/packages/NAME unless DEST is given (PACKAGE=name, DEST=folder)
