@@ -73,7 +73,7 @@ grep -oE '\b(INVCAL|invcal)_[A-Za-z_]+' "$page" | sort -u > "$out/named"
 cat include/invcal/*.h | grep -oE '\b(INVCAL|invcal)_[A-Za-z_]+' | sort -u > "$out/known"
 [ -s "$out/named" ] && ! comm -23 "$out/named" "$out/known" | grep .
 result $? "names nothing that no header knows"
-sed -n 's/^ *EXIT_[A-Z]* = \([0-9]\).*/\1/p' port/host/command.h > "$out/codes"
+sed -n 's/^ *EXIT_[A-Z]* = \([0-9]\).*/\1/p' port/host/cli/command.h > "$out/codes"
 awk '/^\| exit code/ { on = 1; next } !/^\|/ { on = 0 } on && /^\| [0-9]/ { print $2 }' "$page" |
     diff "$out/codes" -
 result $? "every exit code of the tool"

@@ -74,15 +74,15 @@ cd "$copy" || exit 1
 
 plant nan src/sums.h 's/(square >= \(.*\) && square <= \(.*\)) {/(!(square < \1 || square > \2)) {/' \
     'float-sums: .* [1-9][0-9]* failed' unit sums
-plant constant port/host/gravity.c 's/9\.7803253359/9.7803253459/' \
+plant constant port/host/fit/gravity.c 's/9\.7803253359/9.7803253459/' \
     'tool-gravity: .* [1-9][0-9]* failed' unit gravity
 plant event src/rests.c 's/say(s, INVCAL_REST_FROZEN/say(s, INVCAL_REST_SHORT/' \
     'float-(faults|rests): .* [1-9][0-9]* failed' unit 'faults|rests'
 plant mirrored src/full_vector.c 's/work) > LEAST_DET)) {/work) > -9)) {/' \
     'float-full_vector: .* [1-9][0-9]* failed' unit full_vector
-plant misset port/host/misset.c 's/f_tail(left \/ squares/f_tail(1 - share_of(m, \&p[*which]) \/ squares/' \
+plant misset port/host/stand/misset.c 's/f_tail(left \/ squares/f_tail(1 - share_of(m, \&p[*which]) \/ squares/' \
     'tool-stand: .* [1-9][0-9]* failed' unit 'tool-stand'
-plant mounting port/host/mounting.c 's/out->scatter \/ 2 \* sqrt/out->scatter * sqrt/' \
+plant mounting port/host/stand/mounting.c 's/out->scatter \/ 2 \* sqrt/out->scatter * sqrt/' \
     'it is known with its sigma: FAIL|stand: .*FAIL' unit '^stand$'
 plant framework tests/unity/unity.c 's/Unity\.TestFailures++;/;/' \
     'unity: .* [1-9][0-9]* failed' unit unity
@@ -99,13 +99,13 @@ plant answer port/manual/errors.md 's/`INVCAL_REST_GAP`/`INVCAL_REST_HOLE`/' \
     'errors: .*: FAIL' unit errors
 plant tutorial port/manual/tutorial.md 's/328\.20/328.21/' \
     'prints what the page says: FAIL' unit tutorial
-plant message port/host/options.c 's/unknown option/unknown word/' \
+plant message port/host/cli/options.c 's/unknown option/unknown word/' \
     'tool: .*FAIL' unit tool
 plant overrun src/sums.c 's/invcal_zero(sums, sizeof \*sums)/invcal_zero(sums, sizeof *sums + 1)/' \
     'AddressSanitizer: .*buffer-overflow' sanitizers clang-sanitizers sums
-plant leak port/host/positions.c 's/^    free(p->mean);$//' \
+plant leak port/host/read/positions.c 's/^    free(p->mean);$//' \
     'LeakSanitizer: detected memory leaks' sanitizers gcc-sanitizers tool
-plant json port/host/calibrate_json.c 's/"residual_rms"/"residual_RMS"/' \
+plant json port/host/result/json.c 's/"residual_rms"/"residual_RMS"/' \
     'FAIL' make schema
 
 # ---- the sources ------------------------------------------------------------------------------
@@ -128,6 +128,8 @@ plant heap src/status.c 's/^static const char \*nth/#include <stdlib.h>\nvoid *i
     'malloc' make rules
 plant loop src/circle.c 's/^    const invcal_real x = /    while (degrees > 1e9f) { degrees -= 1; }\n&/' \
     'circle.c.*loop|loop.*circle.c' make rules
+plant folder port/host/text/figure.h 's/^#define FIGURE_H/&\n#include "plan\/words.h"/' \
+    'text comes before plan' make rules
 
 # ---- packages and releases --------------------------------------------------------------------
 
@@ -171,7 +173,7 @@ plant bits src/sums.h 's/weight \* v\[r\]/& * (sizeof(void *) == 4 ? 1 + INVCAL_
     'differs' m4f targets
 plant firmware port/cortex-m/firmware/main.c '/^static int digest/,/^}/s/event != INVCAL_TAKEN/event != INVCAL_READY/' \
     'FAIL' make firmware
-plant page port/host/page.c 's/max-width/min-width/' 'FAIL' make pages PAGES=xsens
+plant page port/host/draw/page.c 's/max-width/min-width/' 'FAIL' make pages PAGES=xsens
 
 # ---- packages ---------------------------------------------------------------------------------
 

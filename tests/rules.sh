@@ -53,7 +53,7 @@ strict() { # compiler flag...
 tidy() { # group file flag...
     group=$1 file=$2
     shift 2
-    log=$out/tidy-$group-$(basename "$file").log
+    log=$out/tidy-$group-$(echo "$file" | tr / -).log
     # stderr only counts warnings; a file that does not compile is told on stdout.
     # shellcheck disable=SC2086 # flags are words
     clang-tidy-19 --quiet "$file" -- $flags "$@" > "$log" 2> /dev/null ||
@@ -62,9 +62,9 @@ tidy() { # group file flag...
 
 jobs() {
     if [ -n "$1" ]; then
-        for file in port/host/*.c; do
+        for file in port/host/*.c port/host/*/*.c; do
             echo "tidy tool $file -DINVCAL_DOUBLE=1 -DINVCAL_MAX_POSITIONS=64" \
-                "-DINVCAL_ALLAN_TAUS=31 -DINVCAL_ALLAN_OVERLAP=4096 -DINVCAL_THERMAL_DEGREE=2"
+                "-DINVCAL_ALLAN_TAUS=31 -DINVCAL_ALLAN_OVERLAP=4096 -DINVCAL_THERMAL_DEGREE=2 -Iport/host"
         done
     else
         echo 'misra float -DINVCAL_DOUBLE=0'
@@ -110,7 +110,7 @@ jobs "$2" | xargs -P 2 -L 1 sh tests/rules.sh "$1" || echo "a job failed" > "$ou
 
 if [ -n "$2" ]; then
     cat "$out"/tidy-*.log | report 'clang-tidy, port/host'
-    complex 27 port/host/*.c | report 'cyclomatic complexity of port/host, at most 27'
+    complex 27 port/host/*.c port/host/*/*.c | report 'cyclomatic complexity of port/host, at most 27'
 else
     awk -v runs=2 -f tests/rules/misra.awk tests/rules/misra.txt "$out"/misra-*.log 2>&1 |
         report 'cppcheck and MISRA C:2012, less tests/rules/misra.txt'
@@ -120,5 +120,7 @@ else
     awk -f tests/rules/loops.awk tests/rules/bounds.txt src/*.c src/*.h 2>&1 |
         report 'every loop has a bound'
     complex 10 src/*.c src/*.h | report 'cyclomatic complexity of src, at most 10'
+    awk -f tests/rules/includes.awk tests/rules/folders.txt port/host/*/*.[ch] 2>&1 |
+        report 'the folders of port/host know those before them, and no circle'
 fi | awk '{ print } /: PASS$/ { p++ } /: FAIL$/ { f++ }
     END { print p + 0 " passed, " f + 0 " failed"; exit f > 0 || p == 0 }'

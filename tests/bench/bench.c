@@ -6,6 +6,7 @@
 #include "../report.h"
 #include "invcal/allan.h"
 #include "invcal/expert.h"
+#include "invcal/frame.h"
 #include "invcal/plan.h"
 #include "invcal/thermal.h"
 
@@ -85,6 +86,34 @@ static void bench_core(void)
     report("apply", end() / REPEATS);
 }
 
+/* Three faces, each twice. */
+static void bench_frame(void)
+{
+    invcal_frame frame;
+    invcal_frame_quality quality;
+    invcal_real rotation[3][3];
+
+    invcal_frame_init(&frame);
+    for (unsigned i = 0; i < 6; i++) {
+        const invcal_real up[3] = {i % 3 == 0, i % 3 == 1, i % 3 == 2};
+        const invcal_real mean[3] = {nominal.offset[0] + up[0] / nominal.matrix[0][0],
+                                     nominal.offset[1] + up[1] / nominal.matrix[1][1],
+                                     nominal.offset[2] + up[2] / nominal.matrix[2][2]};
+        begin();
+        (void)invcal_frame_add(&frame, &nominal, mean, up);
+        const uint32_t count = end();
+        if (i == 5) {
+            report("frame_add", count);
+        }
+    }
+    begin();
+    const invcal_status status = invcal_frame_solve(&frame, rotation, &quality);
+    report("frame_solve", end());
+    if (status != INVCAL_OK) {
+        board_exit(1);
+    }
+}
+
 /* Against the directions of the program. */
 static void bench_full_vector(void)
 {
@@ -130,6 +159,25 @@ static void bench_all(void)
     begin();
     (void)invcal_calibrate_judged(raw[0], POSITIONS, &nominal, 0, &calibration, &quality);
     report("judged_18_positions", end());
+}
+
+static void bench_six_faces(void)
+{
+    invcal_real face[6][3] = {{0}};
+    invcal_calibration calibration;
+    invcal_quality quality;
+    uint16_t held = 0;
+
+    for (unsigned i = 0; i < 6; i++) {
+        face[i][i / 2] = i % 2 ? -8100 : 8300;
+    }
+    begin();
+    const invcal_status status = invcal_calibrate_six_faces(
+        face[0], 6, &nominal, INVCAL_REAL(0.001), INVCAL_CROSS_AXIS, &calibration, &quality, &held);
+    report("six_faces", end());
+    if (status != INVCAL_OK || held != 7u << INVCAL_GAMMA_XY) {
+        board_exit(1);
+    }
 }
 
 /* A sensor at rest: noise of some counts. */
@@ -267,7 +315,9 @@ int main(void)
     make_positions();
     bench_core();
     bench_full_vector();
+    bench_frame();
     bench_all();
+    bench_six_faces();
     bench_session();
     bench_allan();
     bench_thermal();

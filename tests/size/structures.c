@@ -4,6 +4,7 @@
  */
 #include "invcal/allan.h"
 #include "invcal/expert.h"
+#include "invcal/frame.h"
 #include "invcal/store.h"
 #include "invcal/thermal.h"
 
@@ -14,6 +15,7 @@
 SIZE_OF(invcal_calibration);
 SIZE_OF(invcal_row);
 SIZE_OF(invcal_sums);
+SIZE_OF(invcal_frame);
 SIZE_OF(invcal_full_vector);
 SIZE_OF(invcal_quality);
 SIZE_OF(invcal_rests);

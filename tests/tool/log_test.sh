@@ -200,7 +200,7 @@ cp "$work/stdout" "$work/watched"
 check "watch: says what it takes the stream for" test "$(head -n 1 "$work/watched")" = \
     'standard input: CSV with commas, header in line 1; t (s), x y z'
 check "watch: asks for the first position" test "$(sed -n 2p "$work/watched")" = \
-    'next: position 1 of 18: alpha 30, beta 0 deg; +y up, tilt 30 deg, +z rises'
+    'next: position 1 of 18: alpha 30, beta 0°; +y up, tilt 30 deg, +z rises'
 check "watch: takes 18" test "$(grep -c '^position .* taken' "$work/watched")" -eq 18
 check "watch: knows that the program is complete" matches "$work/watched" '^finished'
 check "watch: no control characters where there is no terminal" lacks "$work/watched" "$(printf '\r')"

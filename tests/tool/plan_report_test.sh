@@ -20,7 +20,7 @@ makes_page() { # makes_page SENTENCE ARGUMENTS ...: the tool accepts them and wr
 # The page's words, a line for each element; cells of a row stand together, with | between.
 words() {
     sed -n '/^<body>/,$p' "$page" | sed -e "s/$(printf '\302\240')/ /g" \
-        -e 's/<\/t[hd]>/|/g' -e 's/<[^>]*>//g' -e '/^ *$/d'
+        -e 's/<\/t[hd]>/|/g' -e 's/<[^>]*>//g' -e 's/−/-/g' -e '/^ *$/d'
 }
 tells() { words | grep -Fq -- "$1"; }
 row() { words | sed -n "s/^$1|//p" | head -n 1; } # row NAME: the cells behind the first
@@ -303,11 +303,11 @@ check "report: JSON is as without" same "$work/stdout" "$work/plain.json"
 
 rm -f "$work"/out/*
 cp "$work/cap.csv" "$work/out/own.csv"
-refuses "report: a page over its directions" 2 'report: is a file of directions' plan --directions \
+refuses "report: a page over its directions" 2 'report: is the file of --directions' plan --directions \
     "$work/out/own.csv" --report "$work/out/own.csv"
-refuses "report: the same to compare" 2 'report: is a file of directions' plan --compare edges \
+refuses "report: the same to compare" 2 'report: is the file of --compare' plan --compare edges \
     "directions:$work/out/own.csv" --report "$work/out/own.csv"
-refuses "report: a picture over them" 2 'svg: is a file of directions' plan --compare \
+refuses "report: a picture over them" 2 'svg: is the file of --compare' plan --compare \
     "directions:$work/out/own.csv" edges --svg "$work/out/own.csv"
 check "report: they are still there" same "$work/cap.csv" "$work/out/own.csv"
 rm -f "$work"/out/*

@@ -218,7 +218,7 @@ check "stand: errors.md has no other rows" test "$tries" -eq "$(wc -l < "$work/r
 
 page=$work/out/page.html
 words() {
-    sed -n '/<h2>At the stand/,/<\/section>/p' "$page" | sed '/<svg /,/<\/svg>/d; s/<[^>]*>/ /g' |
+    sed -n '/<h2>At the stand/,/<\/section>/p' "$page" | sed '/<svg /,/<\/svg>/d; s/<[^>]*>/ /g; s/−/-/g' |
         tr -s ' \n' ' ' | plainly
 }
 says_page() { words | grep -Eq -- "$1" || { { words | head -c 600; echo; } >&2; return 1; }; }

@@ -16,6 +16,10 @@ trap 'exit 2' HUP INT TERM
 passed=0
 failed=0
 
+# Sentences stay on one line. What is printed where COLUMNS is not set is for width_test.sh.
+COLUMNS=1000
+export COLUMNS
+
 # ---- checking ----------------------------------------------------------------------------------
 
 report() { # report CODE SENTENCE: 0 is a pass
@@ -132,7 +136,7 @@ plainly() { sed 's/&lt;/</g; s/&gt;/>/g; s/&quot;/"/g; s/&#39;/'"'"'/g; s/&amp;/
 
 # The page tells the command that made it, and a shell takes that apart into just these words.
 tells_command() { # FILE WORD ...
-    told=$(sed -n 's/^<dd>\(invcal .*\)<\/dd>$/\1/p' "$1" | plainly)
+    told=$(sed -n 's/^<dd class="literal">\(invcal .*\)<\/dd>$/\1/p' "$1" | plainly)
     shift
     [ "$(eval "printf '%s\n' $told")" = "$(printf '%s\n' "$@")" ] || { echo "    $told" >&2; return 1; }
 }

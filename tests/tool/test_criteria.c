@@ -3,7 +3,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "criteria.h"
+#include "design/criteria.h"
 #include "expected.h"
 #include "invcal/plan.h"
 #include "support.h"

@@ -3,7 +3,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "eigen.h"
+#include "maths/eigen.h"
 #include "expected.h"
 #include "support.h"
 #include "unity.h"

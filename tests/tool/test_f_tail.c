@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-#include "f_tail.h"
+#include "maths/f_tail.h"
 
 #include <math.h>
 

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-#include "fit_drift.h"
+#include "fit/fit_drift.h"
 
 #include <math.h>
 #include <string.h>

@@ -2,7 +2,7 @@
 #include <math.h>
 
 #include "expected.h"
-#include "gravity.h"
+#include "fit/gravity.h"
 #include "support.h"
 #include "unity.h"
 

@@ -2,7 +2,7 @@
  *
  * The l1 estimate: optimal by its own conditions, and not drawn along by a wrong position.
  */
-#include "l1.h"
+#include "fit/l1.h"
 
 #include <math.h>
 #include <string.h>

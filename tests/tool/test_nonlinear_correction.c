@@ -2,13 +2,13 @@
  *
  * What quadratic and cubic errors read too much is taken off: the truth is simulated, by its definition.
  */
-#include "nonlinear_correction.h"
+#include "apply/nonlinear_correction.h"
 
 #include <math.h>
 #include <string.h>
 
-#include "command.h"
-#include "matrix.h"
+#include "cli/command.h"
+#include "maths/matrix.h"
 #include "support.h"
 #include "unity.h"
 

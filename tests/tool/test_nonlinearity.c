@@ -2,11 +2,11 @@
  *
  * Quadratic and cubic errors of the axes. Sensors are simulated here, figures are of reference.py.
  */
-#include "nonlinearity.h"
+#include "fit/nonlinearity.h"
 
 #include <math.h>
 
-#include "design.h"
+#include "design/design.h"
 #include "expected.h"
 #include "support.h"
 #include "unity.h"

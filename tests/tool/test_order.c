@@ -1,11 +1,11 @@
 /* SPDX-License-Identifier: MIT */
-#include "order.h"
+#include "design/order.h"
 
 #include <math.h>
 #include <string.h>
 
 #include "expected.h"
-#include "optimal.h"
+#include "design/optimal.h"
 #include "support.h"
 #include "unity.h"
 

@@ -5,15 +5,15 @@
 #include <math.h>
 #include <string.h>
 
-#include "bound.h"
-#include "command.h"
-#include "covariance.h"
-#include "design.h"
+#include "design/bound.h"
+#include "cli/command.h"
+#include "design/covariance.h"
+#include "design/design.h"
 #include "expected.h"
-#include "grid.h"
+#include "design/grid.h"
 #include "support.h"
 #include "unity.h"
-#include "weights.h"
+#include "design/weights.h"
 
 void setUp(void)
 {

@@ -1,12 +1,12 @@
 /* SPDX-License-Identifier: MIT */
-#include "program.h"
+#include "design/program.h"
 
 #include <math.h>
 #include <string.h>
 
-#include "command.h"
+#include "cli/command.h"
 #include "support.h"
-#include "told.h"
+#include "cli/told.h"
 #include "unity.h"
 
 static design set;

@@ -4,7 +4,7 @@
 #include <string.h>
 
 #include "expected.h"
-#include "series.h"
+#include "design/series.h"
 #include "support.h"
 #include "unity.h"
 

@@ -3,13 +3,13 @@
  * What angles of a stand tell: the mounting, J1, series, positions that are misset. Truth is simulated here,
  * figures are closed forms.
  */
-#include "stand.h"
+#include "stand/stand.h"
 
 #include <math.h>
 #include <string.h>
 
-#include "angles.h"
-#include "command.h"
+#include "maths/angles.h"
+#include "cli/command.h"
 #include "expected.h"
 #include "support.h"
 #include "unity.h"

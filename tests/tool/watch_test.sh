@@ -30,15 +30,15 @@ asked() { sed -n 's/^next: position \([0-9]*\) of .*/\1/p' "$work/stdout" | tr '
 follow per-group:6 "$work/all"
 check "each position is asked for in turn" test "$(asked)" = "1 2 3 4 5 6 7 8 9 10 11 12 13 14 15 16 17 18 "
 check "the first with its angles and no turn" test "$(line 2p)" = \
-    'next: position 1 of 18: alpha 30, beta 0 deg; +y up, tilt 30 deg, +z rises'
+    'next: position 1 of 18: alpha 30, beta 0°; +y up, tilt 30 deg, +z rises'
 check "the next with the turn to it" matches "$work/stdout" \
-    '^next: position 2 of 18: alpha 90, beta 0 deg; turn alpha \+60 deg; \+z up$'
+    '^next: position 2 of 18: alpha 90, beta 0°; turn alpha \+60°; \+z up$'
 check "both axes turn, each the shorter way" matches "$work/stdout" \
-    '^next: position 13 of 18: alpha 120, beta 90 deg; turn alpha -150, beta \+120 deg; '
-check "when a position is good, the angles of the next" test "$(line 3p)" = 'good: move on to alpha 90, beta 0 deg'
+    '^next: position 13 of 18: alpha 120, beta 90°; turn alpha -150, beta \+120°; '
+check "when a position is good, the angles of the next" test "$(line 3p)" = 'good: move on to alpha 90, beta 0°'
 check "nothing is wrong" lacks "$work/stdout" 'wrong'
 check "it is finished" matches "$work/stdout" '^finished: the program is complete'
-check "the angles are those of plan" test "$(sed -n 's/^next: position .*: alpha \([-0-9]*\), beta \([-0-9]*\) deg; .*/\1 \2/p' "$work/stdout")" = \
+check "the angles are those of plan" test "$(sed -n 's/^next: position .*: alpha \([-0-9]*\), beta \([-0-9]*\)°; .*/\1 \2/p' "$work/stdout")" = \
     "$(awk '$2 ~ /^[123]$/ && NF == 7 { print $3, $4 }' "$work/table")"
 
 # ---- start angles and other sets ---------------------------------------------------------------
@@ -56,9 +56,9 @@ check "start angles of its own are asked for" "$tool" simulate --plan per-group:
 "$tool" simulate --plan per-group:5:10,20,30 --dwell 3 --move 1 > "$work/log.csv"
 in=$work/log.csv
 run watch - --plan per-group:5:10,20,30
-check "start angles: group 1" matches "$work/stdout" '^next: position 2 of 15: alpha 82, beta 0 deg; turn alpha \+72 deg; '
-check "start angles: group 2" matches "$work/stdout" '^next: position 6 of 15: alpha -90, beta 20 deg; '
-check "start angles: group 3" matches "$work/stdout" '^next: position 11 of 15: alpha 30, beta 90 deg; '
+check "start angles: group 1" matches "$work/stdout" '^next: position 2 of 15: alpha 82, beta 0°; turn alpha \+72°; '
+check "start angles: group 2" matches "$work/stdout" '^next: position 6 of 15: alpha -90, beta 20°; '
+check "start angles: group 3" matches "$work/stdout" '^next: position 11 of 15: alpha 30, beta 90°; '
 in=/dev/null
 
 # ---- wrong positions ---------------------------------------------------------------------------
@@ -66,11 +66,11 @@ in=/dev/null
 awk 'NR == 4 { held = $0; next } { print } NR == 5 { print held }' "$work/all" > "$work/exchanged"
 follow per-group:6 "$work/exchanged"
 check "exchanged: the one that was taken is named" matches "$work/stdout" \
-    '^wrong position: that is position 5 \(alpha -90, beta 0 deg\), not 4\. It is used all the same$'
+    '^wrong position: that is position 5 \(alpha -90, beta 0°\), not 4\. It is used all the same$'
 check "exchanged: it is said while the device is still there" matches "$work/stdout" \
-    '^good, but not position 4: move on to alpha -150, beta 0 deg$'
+    '^good, but not position 4: move on to alpha -150, beta 0°$'
 check "exchanged: the way back" matches "$work/stdout" \
-    '^next: position 4 of 18: alpha -150, beta 0 deg; turn alpha -60 deg; '
+    '^next: position 4 of 18: alpha -150, beta 0°; turn alpha -60°; '
 check "exchanged: what has been taken is not asked for again" test "$(asked)" = \
     "1 2 3 4 4 6 7 8 9 10 11 12 13 14 15 16 17 18 "
 check "exchanged: one is wrong" test "$(grep -c '^wrong position' "$work/stdout")" -eq 1
@@ -90,7 +90,7 @@ check "left out: a list that is too long ends with dots" matches "$work/stdout" 
 awk '{ print } NR == 9 { print before } { before = $0 }' "$work/all" > "$work/repeated"
 follow per-group:6 "$work/repeated"
 check "repeated: it is named" matches "$work/stdout" \
-    '^wrong position: that is position 8 \(alpha -90, beta 90 deg\), not 10\.'
+    '^wrong position: that is position 8 \(alpha -90, beta 90°\), not 10\.'
 check "repeated: it is finished" matches "$work/stdout" '^finished'
 
 awk 'NR == 3 { print 0.577, -0.577, 0.577 } { print }' "$work/all" > "$work/elsewhere"
@@ -101,9 +101,9 @@ in=$work/log.csv
 run watch - --plan per-group:6 --zero 0,0,0
 in=/dev/null
 check "elsewhere: with the zero stated its angles are told" matches "$work/stdout" \
-    '^wrong position: that is alpha 12[0-9.]+, beta [34][0-9.]+ deg, no position of the program; 3 was asked for\.'
+    '^wrong position: that is alpha 12[0-9.]+, beta [34][0-9.]+°, no position of the program; 3 was asked for\.'
 check "elsewhere: and the turn from there" matches "$work/stdout" \
-    '^next: position 3 of 18: alpha 150, beta 0 deg; turn alpha \+2[0-9.]+, beta -[34][0-9.]+ deg; '
+    '^next: position 3 of 18: alpha 150, beta 0°; turn alpha \+2[0-9.]+, beta -[34][0-9.]+°; '
 
 # alpha and beta exchanged: eta(beta, alpha); the sense of alpha reversed: the sine changes sign.
 angles() { # angles EXPRESSION_OF_X Y Z in a and b, radians
@@ -117,7 +117,7 @@ check "alpha and beta exchanged: a word on it" matches "$work/stdout" \
 angles 'sin(-a) * sin(b)' 'cos(a)' 'sin(-a) * cos(b)' > "$work/reversed"
 follow per-group:6 "$work/reversed"
 check "alpha reversed: the first is position 6" matches "$work/stdout" \
-    '^wrong position: that is position 6 \(alpha -30, beta 0 deg\), not 1\.'
+    '^wrong position: that is position 6 \(alpha -30, beta 0°\), not 1\.'
 check "alpha reversed: a word on it" matches "$work/stdout" 'is the sense of one reversed'
 
 # ---- sensors that are far from nominal ---------------------------------------------------------

@@ -1,0 +1,98 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * invcal/frame.h: the calibrated axes turned to those of the case.
+ *
+ * Lengths leave one rotation open: how the calibrated axes sit in the case. It comes out of rests in which
+ * it is known which way the case was: two or more of its faces on a table. Each tells a direction c of the
+ * case that pointed up, and the calibrated readings the same direction a in axes of their own:
+ *
+ *     c = R a,    R minimises  sum |c - R a|^2                       (Wahba's problem)
+ *
+ * The table limits this, not the sensor: half a degree of tilt makes 6 to 9 mrad. So put down each face
+ * twice, turned half around on the table in between: the tilt cancels to the first order, and what the
+ * directions are off by (`scatter`) is the tilt.
+ *
+ *     invcal_frame frame;
+ *     invcal_real r[3][3];
+ *     invcal_frame_init(&frame);
+ *     ... for each rest: invcal_frame_add(&frame, &calibration, mean, up);     up: {0, 0, 1}, {1, 0, 0}, ...
+ *     if (invcal_frame_solve(&frame, r, NULL) == INVCAL_OK) {
+ *         invcal_frame_turn(r, &calibration);        accelerometer, gyroscope, magnetometer alike
+ *     }
+ *
+ * invcal.h states the rules and units.
+ */
+#ifndef INVCAL_FRAME_H
+#define INVCAL_FRAME_H
+
+#include "invcal/invcal.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* Sums over rests of known way up. */
+typedef struct {
+    invcal_real sum[3][3]; /* of c a' */
+    unsigned count;        /* of directions; at most UINT_MAX */
+} invcal_frame;
+
+/* What a rotation is worth. */
+typedef struct {
+    /* Of the three angles about the axes of the case, over that of one direction about each of its axes:
+     * times the larger of what is known of the table, and scatter. Two faces: 1, 1, 0.71. */
+    invcal_real sigma[3];
+    /* How far directions are from those stated, rad, root mean square. Rounding of float alone shows 5e-4. */
+    invcal_real scatter;
+} invcal_frame_quality;
+
+/* Empties the sums. All bytes zero is the same state. */
+void invcal_frame_init(invcal_frame *frame);
+
+/* Adds a rest.
+ *
+ * calibration  what is to be turned; the same for all rests.
+ * raw          the mean of the rest, raw counts.
+ * up           which way of the case was up: unit length within 1e-4.
+ *
+ * Returns INVCAL_OK; else the sums are as they were:
+ *   INVCAL_NOT_FINITE      a reading is a NaN or infinite;
+ *   INVCAL_OUT_OF_RANGE    its length is outside 1/2 ... 2: it was no rest, or it is no calibration;
+ *   INVCAL_BAD_DIRECTION   up has another length.
+ * Cost: 150 instructions. Stack: about 50 bytes. */
+invcal_status invcal_frame_add(invcal_frame *frame, const invcal_calibration *calibration,
+                               const invcal_real raw[3], const invcal_real up[3]);
+
+/* Solves them, for any rotation.
+ *
+ * rotation  out: R.
+ * quality   out; may be null.
+ *
+ * Returns INVCAL_OK; else nothing is written:
+ *   INVCAL_TOO_FEW        fewer than two rests;
+ *   INVCAL_UNDETERMINED   all had nearly the same way up, or opposite ones: the turn about it is open
+ *                         (invcal_frame_level); or directions contradict each other, as a mirrored axis does.
+ * Cost: 1,800 instructions. Stack: about 250 bytes. */
+invcal_status invcal_frame_solve(const invcal_frame *frame, invcal_real rotation[3][3],
+                                 invcal_frame_quality *quality);
+
+/* Level trim, from rests of one way up: the smallest rotation that brings it there. The turn about it,
+ * the heading, is left as the calibration has it.
+ *
+ * up  the one with which they were added.
+ *
+ * Returns as above; INVCAL_UNDETERMINED also where it would be more than 140 degrees.
+ * Cost: 250 instructions. Stack: about 60 bytes. */
+invcal_status invcal_frame_level(const invcal_frame *frame, const invcal_real up[3],
+                                 invcal_real rotation[3][3]);
+
+/* Turns a calibration: its matrix becomes R times itself.
+ *
+ * Cost: 60 instructions. Stack: about 30 bytes. */
+void invcal_frame_turn(const invcal_real rotation[3][3], invcal_calibration *calibration);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

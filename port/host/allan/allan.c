@@ -1,0 +1,252 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * invcal allan: the noise of a log at rest, and how long to hold a position.
+ */
+#include "allan/allan.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "cli/command.h"
+#include "cli/files.h"
+#include "cli/message.h"
+#include "cli/options.h"
+#include "cli/output.h"
+#include "cli/progress.h"
+#include "read/chosen.h"
+
+enum {
+    COLUMNS,
+    RATE,
+    TAU,
+    APART,
+    SIGMA,
+    LSB,
+    UNIT,
+    GRAVITY,
+    FROM,
+    TO,
+    OUT,
+    REPORT,
+    JSON,
+    QUIET,
+    OPTIONS
+};
+
+static const option options[OPTIONS] = {
+    [COLUMNS] = {"--columns", 1}, [RATE] = {"--rate", 1},       [TAU] = {"--tau", 1},
+    [APART] = {"--apart", 0},     [SIGMA] = {"--sigma", 1},     [LSB] = {"--lsb", 1},
+    [UNIT] = {"--unit", 1},       [GRAVITY] = {"--gravity", 1}, [FROM] = {"--from", 1},
+    [TO] = {"--to", 1},           [OUT] = {"--out", 1},         [REPORT] = {"--report", 1},
+    [JSON] = {"--json", 0},       [QUIET] = {"--quiet", 0},
+};
+static const char *const operands[] = {"LOG"};
+static const option_syntax syntax = {"allan", options, OPTIONS, operands, 1, 0};
+
+#define COMMAND_MAX 2000u
+#define LARGEST 1e12
+
+typedef struct {
+    const char *value[OPTIONS];
+    allan_wish wish;
+    char command[COMMAND_MAX];
+} request;
+
+/* A number above `least`, if it is given. */
+static int read_number(const request *r, unsigned which, double least, double *out)
+{
+    if (!r->value[which]) {
+        return EXIT_GOOD;
+    }
+    const int failure = options_numbers(&syntax, which, r->value[which], 1, out, NULL);
+    if (!failure && !(*out > least && *out <= LARGEST)) {
+        return message_usage(syntax.command, "%s %s: must be above %g, at most %g",
+                             options[which].name, r->value[which], least, LARGEST);
+    }
+    return failure;
+}
+
+static int read_taus(request *r)
+{
+    const char *text = r->value[TAU];
+    unsigned count = 1;
+
+    if (!text) {
+        return EXIT_GOOD;
+    }
+    for (const char *c = text; *c != '\0'; c++) {
+        count += *c == ',';
+    }
+    if (count > INVCAL_ALLAN_TAUS) {
+        return message_usage(syntax.command, "--tau: at most %u times",
+                             (unsigned)INVCAL_ALLAN_TAUS);
+    }
+    r->wish.taus = count;
+    return options_numbers(&syntax, TAU, text, count, r->wish.tau, NULL);
+}
+
+static int read_unit(request *r)
+{
+    if (r->value[UNIT] && !unit_parse(r->value[UNIT], &r->wish.unit)) {
+        return message_usage(syntax.command, "--unit %s: is none of g, mg, m/s2, counts",
+                             r->value[UNIT]);
+    }
+    if (r->value[UNIT] && r->value[LSB]) {
+        return message_usage(syntax.command, "--lsb: tells the unit itself; leave out --unit");
+    }
+    return EXIT_GOOD;
+}
+
+static int check_files(const request *r)
+{
+    const named_file inputs[] = {{"LOG", r->wish.file}};
+    const named_file outputs[] = {{"--out", r->value[OUT]}, {"--report", r->value[REPORT]}};
+
+    return files_check(syntax.command, inputs, 1, outputs, 2);
+}
+
+static int read_request(int argc, char **argv, request *r)
+{
+    allan_wish *w = &r->wish;
+
+    *r = (request){.wish = {.to = HUGE_VAL}};
+    int failure = options_parse(&syntax, argc, argv, r->value, &w->file);
+    w->is_apart = r->value[APART] != NULL;
+    w->command = r->command;
+    options_command(syntax.command, argc, argv, r->command, sizeof r->command);
+    failure = failure ? failure : check_files(r);
+    failure = failure ? failure : chosen_read(syntax.command, r->value[COLUMNS]);
+    failure = failure ? failure : read_number(r, RATE, 0, &w->rate);
+    failure = failure ? failure : read_taus(r);
+    failure = failure ? failure : read_number(r, SIGMA, 0, &w->sigma);
+    failure = failure ? failure : read_number(r, LSB, 0, &w->lsb);
+    failure = failure ? failure : read_unit(r);
+    failure = failure ? failure : read_number(r, GRAVITY, 0, &w->gravity);
+    failure = failure ? failure : read_number(r, FROM, -LARGEST, &w->from);
+    failure = failure ? failure : read_number(r, TO, -LARGEST, &w->to);
+    if (!failure && !(w->from <= w->to)) {
+        return message_usage(syntax.command, "--to: is before --from");
+    }
+    return failure;
+}
+
+typedef void teller(FILE *file, const allan_result *result, const allan_wish *wish);
+
+/* Begins a file, if it is asked for, and writes it; it is not in its place yet. */
+static int begin_file(output *out, const char *path, teller *write, const request *r,
+                      const allan_result *result)
+{
+    if (!path) {
+        return EXIT_GOOD;
+    }
+    const int failure = output_begin(out, path);
+    if (failure) {
+        return failure;
+    }
+    write(out->file, result, &r->wish);
+    return output_finish(out);
+}
+
+static int print(const request *r, const allan_result *result)
+{
+    if (r->value[JSON]) {
+        allan_json(stdout, result, &r->wish);
+    } else if (!r->value[QUIET]) {
+        allan_print(stdout, result, &r->wish);
+    }
+    return output_flush();
+}
+
+/* The files appear only after all else has been written. */
+static int deliver(const request *r, const allan_result *result)
+{
+    output files[2] = {{0}};
+    int failure = begin_file(&files[0], r->value[OUT], allan_json, r, result);
+
+    failure = failure ? failure : begin_file(&files[1], r->value[REPORT], allan_report, r, result);
+    failure = failure ? failure : print(r, result);
+    return output_end(files, 2, failure);
+}
+
+static int run(int argc, char **argv)
+{
+    static request r;
+    static allan_result result;
+    int failure = read_request(argc, argv, &r);
+
+    if (failure) {
+        return failure;
+    }
+    if (r.value[QUIET]) {
+        progress_quiet();
+    }
+    failure = allan_read(&result, &r.wish);
+    return failure ? failure : deliver(&r, &result);
+}
+
+static const char *const help[] = {
+    "usage: invcal allan LOG [options]\n"
+    "\n"
+    "Tells how long to hold each position: from a log at rest, of some minutes or hours, the "
+    "Allan\n"
+    "deviation of each axis, and what its noise is made of: white noise N, bias instability B,\n"
+    "rate random walk K, where they are visible. After a time tau in a position its mean is good "
+    "to\n"
+    "\n"
+    "  sqrt(N^2 / tau + 0.441 B^2 + K^2 tau / 3)\n"
+    "\n"
+    "LOG is a table of samples as invcal calibrate reads it, - the standard input; it must be at\n"
+    "rest, and neither averaged nor filtered. Results are in m/s^2 if the unit of the readings is\n"
+    "known, by the header, --unit or --lsb, else in input units.\n"
+    "\n" CHOSEN_OPTION,
+    "  --rate HZ           samples a second, any above 0; default: by the times in LOG\n"
+    "  --tau T1,T2,...     averaging times in seconds, ascending, multiples of the sample "
+    "interval\n"
+    "                      (above 4096 samples of a power of two of them); default: octaves\n"
+    "  --apart             one window begins where another ends; default: they overlap, which\n"
+    "                      tells more\n"
+    "  --sigma S           what the mean of a position is to be good to, in the unit of the "
+    "result;\n"
+    "                      default: as good as can be\n"
+    "  --unit U            unit of the readings: g, mg, m/s2 or counts; default: by the header\n"
+    "  --lsb S             field units per input unit\n"
+    "  --gravity G         length of the field, in field units; default 9.80665 (m/s^2)\n"
+    "  --from T            uses only what comes T seconds after the first sample, or later\n"
+    "  --to T              and what comes before\n",
+    "  --out NOISE.json    write the result to a file, as JSON, for invcal plan --allan\n"
+    "  --report R.html     write a page with the verdict, figures and a chart: one file that\n"
+    "                      needs nothing else, for screen and paper\n"
+    "  --json              print the result as JSON in place of the table\n"
+    "  --quiet             print neither table nor progress, only errors\n"
+    "\n"
+    "exit codes: 0 good; 1 LOG moves or is too short; 2 usage; 3 LOG unreadable or malformed, or\n"
+    "the output not writable\n"
+    "\n"
+    "example:\n"
+    "  invcal simulate --plan faces --dwell 300 > rest.csv\n"
+    "  invcal allan rest.csv --to 299 --lsb 0.0006 --sigma 0.0005 --out noise.json\n",
+    NULL};
+
+static const char *const brief[] = {
+    "usage: invcal allan LOG [options]\n"
+    "\n"
+    "Tells how long to hold each position, and what the noise of a sensor is made of: from a log "
+    "at rest,\n"
+    "of some minutes or hours, neither averaged nor filtered.\n"
+    "\n"
+    "  --rate HZ           samples a second; default: by the times in LOG\n"
+    "  --unit U            unit of the readings: g, mg, m/s2 or counts\n"
+    "  --lsb S             field units per input unit\n"
+    "  --sigma S           what the mean of a position is to be good to\n"
+    "  --from T, --to T    seconds after the first sample: uses only what lies between\n"
+    "  --out NOISE.json    write the result to a file, for invcal plan --allan\n"
+    "  --report R.html     write a page with the verdict, figures and a chart\n"
+    "  --json              print the result as JSON in place of the table\n"
+    "\n"
+    "example:\n"
+    "  invcal simulate --plan faces --dwell 300 > rest.csv\n"
+    "  invcal allan rest.csv --to 299 --lsb 0.0006 --sigma 0.0005 --out noise.json\n",
+    NULL};
+
+const tool_command allan_command = {"allan", "noise of a log at rest, and how long to hold still",
+                                    help, run, brief};

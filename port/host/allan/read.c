@@ -1,0 +1,292 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * One pass over the log: the sums of each axis, and whether it has been at rest.
+ */
+#include <math.h>
+#include <string.h>
+
+#include "allan/allan.h"
+#include "cli/command.h"
+#include "cli/message.h"
+#include "read/motion.h"
+#include "cli/progress.h"
+
+#define WITHIN_TAU 1e-6         /* of a sample interval: so close to a multiple is meant */
+#define UNREACHED 1e-3          /* of the smallest deviation: no mean is as good */
+#define FLOOR_SQUARE 0.44127120 /* 2 ln 2 / pi */
+
+/* Too large for the stack. */
+static samples log_read;
+static motion watched;
+static invcal_allan stream[3];
+
+/* ---- averaging times --------------------------------------------------------------------------- */
+
+/* The stride of the windows that serve m samples (invcal/allan.h). */
+static uint32_t stride_of(uint32_t m)
+{
+    uint32_t stride = 1;
+
+    while (m > stride * INVCAL_ALLAN_OVERLAP) {
+        stride *= 2;
+    }
+    return stride;
+}
+
+static int refuse_tau(double tau, double rate, const char *what, double interval)
+{
+    return message_usage("allan", "--tau: %.9g s at %.9g samples a second %s %.9g s", tau, rate,
+                         what, interval);
+}
+
+/* One averaging time in samples. */
+static int find_length(double tau, double rate, uint32_t *m)
+{
+    const double length = nearbyint(tau * rate);
+
+    if (!(length >= 1) || fabs(tau * rate - length) > WITHIN_TAU * length) {
+        return refuse_tau(tau, rate, "is no multiple of the interval,", 1 / rate);
+    }
+    if (!(length <= INVCAL_ALLAN_LONGEST)) {
+        return refuse_tau(tau, rate, "is beyond", INVCAL_ALLAN_LONGEST / rate);
+    }
+    *m = (uint32_t)length;
+    const uint32_t stride = stride_of(*m);
+    if (*m % stride != 0) {
+        return refuse_tau(tau, rate, "must be a multiple of", stride / rate);
+    }
+    return EXIT_GOOD;
+}
+
+static int begin_streams(const allan_wish *wish, double rate)
+{
+    uint32_t m[INVCAL_ALLAN_TAUS];
+
+    for (unsigned k = 0; k < wish->taus; k++) {
+        const int failure = find_length(wish->tau[k], rate, &m[k]);
+        if (failure) {
+            return failure;
+        }
+    }
+    for (unsigned i = 0; i < 3; i++) {
+        if (wish->taus == 0) {
+            invcal_allan_init(&stream[i]);
+        } else if (invcal_allan_begin(&stream[i], m, wish->taus) != INVCAL_OK) {
+            return message_usage("allan", "--tau: must ascend, at most %u times",
+                                 (unsigned)INVCAL_ALLAN_TAUS);
+        }
+        if (wish->is_apart) {
+            invcal_allan_apart(&stream[i]);
+        }
+    }
+    return EXIT_GOOD;
+}
+
+/* ---- the pass ---------------------------------------------------------------------------------- */
+
+static void take(allan_result *r, const sample *s)
+{
+    if (r->samples == 0) {
+        r->from = s->clock;
+    }
+    r->to = s->clock;
+    r->gaps += r->samples > 0 && s->is_gap;
+    for (unsigned i = 0; i < 3; i++) {
+        if (s->is_gap) {
+            invcal_allan_gap(&stream[i]);
+        }
+        invcal_allan_push(&stream[i], s->raw[i]);
+    }
+    motion_add(&watched, s);
+    r->samples++;
+}
+
+static int read_all(allan_result *r, const allan_wish *wish)
+{
+    sample s;
+    int more;
+
+    motion_begin(&watched);
+    while ((more = samples_next(&log_read, &s)) == 1) {
+        progress_show(log_read.table.file, log_read.table.line, PROGRESS_ROWS);
+        if (s.clock >= wish->from && s.clock <= wish->to) {
+            take(r, &s);
+        }
+    }
+    progress_end();
+    if (more == 0 && r->samples == 0) {
+        message("%s: no sample within --from and --to; the log ends at %.9g s", log_read.table.name,
+                s.clock);
+        return EXIT_DATA;
+    }
+    return more < 0 ? EXIT_FILE : EXIT_GOOD;
+}
+
+static int check_rest(const allan_result *r)
+{
+    motion_place where;
+
+    if (motion_find(&watched, &where)) {
+        message("%s:%lu: not at rest: at %.6g s the readings of %c %s; state the part that is "
+                "with --from and --to",
+                r->name, where.line, where.clock, "xyz"[where.axis],
+                where.is_shaking ? "scatter far more than elsewhere" : "go to another place");
+        return EXIT_DATA;
+    }
+    return EXIT_GOOD;
+}
+
+/* ---- what it comes to -------------------------------------------------------------------------- */
+
+/* Units of the result per input unit. */
+static double find_unit(allan_result *r, const allan_wish *wish)
+{
+    const double field = wish->gravity > 0 ? wish->gravity : UNIT_STANDARD_GRAVITY;
+
+    if (wish->unit != UNIT_UNKNOWN) {
+        r->seen.unit = wish->unit;
+        r->seen.unit_from = UNIT_FROM_OPTION;
+    }
+    const double scale = wish->lsb > 0            ? wish->lsb
+                         : unit_is_gravity(field) ? unit_scale(r->seen.unit, field)
+                                                  : 0;
+    r->is_ms2 = scale > 0 && unit_is_gravity(field);
+    r->gravity = scale > 0 || wish->gravity > 0 ? field : (double)NAN;
+    r->unit = r->is_ms2 ? "m/s²" : scale > 0 ? "field units" : unit_words(r->seen.unit);
+    return scale > 0 ? scale : 1;
+}
+
+/* One averaging time of all axes. Returns 0 if it has no differences yet, or too large a sum. */
+static int find_row(allan_row *row, unsigned k, double rate, double unit)
+{
+    invcal_allan_point p;
+
+    for (unsigned i = 0; i < 3; i++) {
+        if (invcal_allan_get(&stream[i], k, &p) != INVCAL_OK) {
+            return 0;
+        }
+        row->adev[i] = unit * p.adev;
+    }
+    row->seconds = p.m / rate; /* the same on all axes, as these: */
+    row->count = p.count;
+    row->edf = p.edf;
+    row->relative = p.relative;
+    return 1;
+}
+
+static void find_rows(allan_result *r, unsigned taus, double unit)
+{
+    while (r->rows < taus && find_row(&r->row[r->rows], r->rows, r->rate, unit)) {
+        r->rows++;
+    }
+}
+
+static int find_noise(allan_result *r, double unit)
+{
+    for (unsigned i = 0; i < 3; i++) {
+        invcal_noise *n = &r->noise[i];
+        if (r->samples > 1 && motion_is_frozen(&watched, i)) {
+            message("%s: %c never changes: its noise is less than a count, or it is not read",
+                    r->name, "xyz"[i]);
+            return EXIT_DATA;
+        }
+        if (invcal_allan_noise(&stream[i], r->rate, n) != INVCAL_OK) {
+            message("%s: %lu sample%s no noise of %c at these averaging times: log longer, at rest",
+                    r->name, r->samples, r->samples == 1 ? " shows" : "s show", "xyz"[i]);
+            return EXIT_DATA;
+        }
+        n->minimum *= unit;
+        for (unsigned k = 0; k < INVCAL_NOISE_KINDS; k++) {
+            n->coefficient[k] *= unit;
+        }
+    }
+    return EXIT_GOOD;
+}
+
+/* The kind with the largest part in the deviation after a time, `first` or one behind it. */
+static unsigned find_limit(const invcal_noise *n, double tau, unsigned first)
+{
+    const double *c = n->coefficient;
+    const double part[] = {c[0] * c[0] / tau, FLOOR_SQUARE * c[1] * c[1], c[2] * c[2] * tau / 3};
+    unsigned most = first;
+
+    for (unsigned k = first + 1; k < INVCAL_NOISE_KINDS; k++) {
+        most = part[k] > part[most] ? k : most;
+    }
+    return most;
+}
+
+static int find_dwell(const invcal_noise *n, double wanted, allan_dwell *out)
+{
+    static const allan_end ends[] = {ALLAN_REACHED, ALLAN_BEYOND, ALLAN_FLOOR};
+    invcal_dwell d = {n->longest, invcal_noise_sigma(n, n->longest), INVCAL_DWELL_REACHED};
+    const int has_floor = (n->visible & ~(1u << INVCAL_NOISE_WHITE)) != 0;
+
+    if (wanted > 0 || has_floor) {
+        if (invcal_noise_dwell(n, wanted > 0 ? wanted : UNREACHED * n->minimum, &d) != INVCAL_OK) {
+            return EXIT_DATA;
+        }
+    }
+    *out = (allan_dwell){.seconds = d.seconds, .sigma = d.sigma};
+    out->end = wanted > 0 || has_floor ? ends[d.end] : ALLAN_LONGEST;
+    /* a floor is made by what does not average out */
+    out->limit = find_limit(
+        n, d.seconds, out->end == ALLAN_FLOOR ? INVCAL_NOISE_INSTABILITY : INVCAL_NOISE_WHITE);
+    return EXIT_GOOD;
+}
+
+/* Whether a dwell asks more of the user than another: what cannot be reached first, then the
+ * longer time, or, where a floor is told, the higher one. */
+static int is_worse(const allan_dwell *a, const allan_dwell *b)
+{
+    if ((a->end == ALLAN_FLOOR) != (b->end == ALLAN_FLOOR)) {
+        return a->end == ALLAN_FLOOR;
+    }
+    return a->end == ALLAN_FLOOR || a->end == ALLAN_LONGEST ? a->sigma > b->sigma
+                                                            : a->seconds > b->seconds;
+}
+
+static int find_dwells(allan_result *r, double wanted)
+{
+    for (unsigned i = 0; i < 3; i++) {
+        if (find_dwell(&r->noise[i], wanted, &r->dwell[i])) {
+            message("%s: --sigma %.6g: %c would need more time than can be told", r->name, wanted,
+                    "xyz"[i]);
+            return EXIT_DATA;
+        }
+        if (is_worse(&r->dwell[i], &r->dwell[r->worst])) {
+            r->worst = i;
+        }
+    }
+    return EXIT_GOOD;
+}
+
+static int evaluate(allan_result *r, const allan_wish *wish)
+{
+    const double unit = find_unit(r, wish) * log_read.unit;
+    int failure = check_rest(r);
+
+    if (failure) {
+        return failure;
+    }
+    find_rows(r, wish->taus > 0 ? wish->taus : INVCAL_ALLAN_TAUS, unit);
+    failure = find_noise(r, unit);
+    return failure ? failure : find_dwells(r, wish->sigma);
+}
+
+int allan_read(allan_result *r, const allan_wish *wish)
+{
+    int failure = samples_open(&log_read, wish->file, wish->rate, 0);
+
+    *r = (allan_result){.name = log_read.table.name, .rate = log_read.rate};
+    if (!failure && !log_read.is_rate_known) {
+        failure = message_usage("allan", "--rate: is needed, %s tells no times", r->name);
+    }
+    failure = failure ? failure : begin_streams(wish, r->rate);
+    failure = failure ? failure : read_all(r, wish);
+    r->seen = log_read.where.seen;
+    r->bytes = log_read.table.bytes;
+    r->crc = log_read.table.crc;
+    samples_close(&log_read);
+    return failure ? failure : evaluate(r, wish);
+}

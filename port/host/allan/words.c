@@ -1,0 +1,151 @@
+/* SPDX-License-Identifier: MIT */
+#include <string.h>
+
+#include "allan/allan.h"
+#include "text/figure.h"
+#include "plan/words.h"
+
+#define POOR 1.5       /* of misfit (invcal/allan.h) */
+#define SHORT_REST 2.0 /* seconds (invcal/still.h) */
+#define SMALL 1e-4
+#define LARGE 1e5
+#define JOINT "\302\240" /* U+00A0: a number and its unit stay on one line */
+
+const char *const allan_kinds[INVCAL_NOISE_KINDS] = {"white noise", "bias instability",
+                                                     "rate random walk"};
+
+const char allan_misfit_words[] =
+    "something else is there: a filter in the sensor, vibration, a drift, or steps of whole counts";
+
+const char *allan_estimator(const allan_wish *wish)
+{
+    return wish->is_apart ? "windows apart" : "overlapping";
+}
+
+const char *allan_deviation(const allan_result *r, double deviation, char text[ALLAN_WORDS_MAX])
+{
+    char number[FIGURE_MAX];
+
+    if (r->is_ms2) {
+        snprintf(text, ALLAN_WORDS_MAX, "%s" JOINT "µg",
+                 figure_digits(deviation / ALLAN_MICRO_G, 3, number));
+    } else {
+        snprintf(text, ALLAN_WORDS_MAX, "%s" JOINT "%s", figure_digits(deviation, 3, number),
+                 r->unit);
+    }
+    return text;
+}
+
+#define ROOT_HZ "√Hz"
+const allan_line allan_lines[ALLAN_LINES] = {
+    {"white noise N", "µg/" ROOT_HZ, NULL, INVCAL_NOISE_WHITE, ALLAN_MICRO_G},
+    {"bias instability B", "µg", NULL, INVCAL_NOISE_INSTABILITY, ALLAN_MICRO_G},
+    {"rate random walk K", "µg " ROOT_HZ, NULL, INVCAL_NOISE_WALK, ALLAN_MICRO_G},
+    {"velocity random walk", "m/s/√h", NULL, INVCAL_NOISE_WHITE, 1.0 / 60},
+    {"N", NULL, "/" ROOT_HZ, INVCAL_NOISE_WHITE, 1},
+    {"B", NULL, "", INVCAL_NOISE_INSTABILITY, 1},
+    {"K", NULL, " " ROOT_HZ, INVCAL_NOISE_WALK, 1},
+};
+
+int allan_has_line(const allan_result *r, const allan_line *line)
+{
+    return r->is_ms2 || !line->unit;
+}
+
+const char *allan_label(const allan_result *r, const allan_line *line, char text[ALLAN_WORDS_MAX])
+{
+    if (line->unit) {
+        snprintf(text, ALLAN_WORDS_MAX, "%s, %s", line->name, line->unit);
+    } else {
+        snprintf(text, ALLAN_WORDS_MAX, "%s%s%s, %s%s", r->is_ms2 ? "" : allan_kinds[line->kind],
+                 r->is_ms2 ? "" : " ", line->name, r->unit, line->power);
+    }
+    return text;
+}
+
+const char *allan_coefficient(const allan_result *r, const allan_line *line, unsigned axis,
+                              char text[ALLAN_WORDS_MAX])
+{
+    const invcal_noise *n = &r->noise[axis];
+    const double value = n->coefficient[line->kind] / line->scale;
+    const double sigma = value * n->relative[line->kind];
+    char number[FIGURE_MAX];
+
+    if (!(n->visible >> line->kind & 1u)) {
+        snprintf(text, ALLAN_WORDS_MAX, "not visible");
+    } else if (sigma < SMALL || sigma > LARGE) { /* fixed decimals do not hold it */
+        snprintf(text, ALLAN_WORDS_MAX, "%.3e ± %.0e", value, sigma);
+    } else {
+        snprintf(text, ALLAN_WORDS_MAX, "%s",
+                 figure_with_sigma(value, sigma, FIGURE_PLAIN, number));
+    }
+    return text;
+}
+
+const char *allan_misfits(const allan_result *r, char text[ALLAN_WORDS_MAX])
+{
+    text[0] = '\0';
+    for (unsigned i = 0; i < 3; i++) {
+        if (!(r->noise[i].misfit <= POOR)) {
+            const size_t length = strlen(text);
+            snprintf(text + length, ALLAN_WORDS_MAX - length, "%s%c", length > 0 ? " " : "",
+                     "xyz"[i]);
+        }
+    }
+    return text;
+}
+
+const char *allan_advice(const allan_result *r, const allan_wish *wish, char text[ALLAN_WORDS_MAX])
+{
+    const allan_dwell *d = &r->dwell[r->worst];
+    const char axis = "xyz"[r->worst];
+    char time[PLAN_WORDS_MAX];
+    char sigma[ALLAN_WORDS_MAX];
+    char wanted[ALLAN_WORDS_MAX];
+
+    plan_time_text(d->seconds, time);
+    allan_deviation(r, d->sigma, sigma);
+    if (d->end == ALLAN_LONGEST) {
+        snprintf(
+            text, ALLAN_WORDS_MAX,
+            "Hold each position as long as you like: up to %s, the longest seen, the mean only "
+            "becomes better. That of the worst axis, %c, is then good to %.60s; %s limits it.",
+            time, axis, sigma, allan_kinds[d->limit]);
+    } else if (d->end == ALLAN_FLOOR && wish->sigma > 0) {
+        snprintf(
+            text, ALLAN_WORDS_MAX,
+            "No time in a position brings the mean of %c to %.60s: hold each %s, and it is good "
+            "to %.60s, which is the floor; %s limits it.",
+            axis, allan_deviation(r, wish->sigma, wanted), time, sigma, allan_kinds[d->limit]);
+    } else {
+        snprintf(
+            text, ALLAN_WORDS_MAX,
+            "Hold each position %s: the mean of the worst axis, %c, is then good to %.60s%s; %s "
+            "limits it.",
+            time, axis, sigma, d->end == ALLAN_FLOOR ? ", and longer makes it no better" : "",
+            allan_kinds[d->limit]);
+    }
+    return text;
+}
+
+const char *allan_next(const allan_result *r, char text[ALLAN_WORDS_MAX])
+{
+    static const char *const ways[] = {
+        "four times as long halves that, until a floor is reached.",
+        "more time in a position does not help, but more positions do.",
+        "the zero wanders: be quick from one position to the next, and take more of them.",
+    };
+    const allan_dwell *d = &r->dwell[r->worst];
+    const char *way = ways[d->limit];
+
+    if (d->end == ALLAN_BEYOND) {
+        way = "no averaging time as long has been seen: log longer to be sure of it.";
+    } else if (d->end == ALLAN_LONGEST) {
+        way = "state with --sigma what is good enough, or log longer to see where it ends.";
+    }
+    snprintf(text, ALLAN_WORDS_MAX, "%s%s", way,
+             d->seconds < SHORT_REST
+                 ? " Stay two seconds all the same: shorter rests are not found in a log."
+                 : "");
+    return text;
+}

@@ -1,0 +1,286 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * invcal apply: corrects the readings of a log.
+ */
+#include <errno.h>
+#include <float.h>
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "read/chosen.h"
+#include "read/columns.h"
+#include "cli/command.h"
+#include "cli/files.h"
+#include "cli/input.h"
+#include "cli/message.h"
+#include "apply/nonlinear_correction.h"
+#include "text/number.h"
+#include "cli/options.h"
+#include "cli/output.h"
+#include "cli/progress.h"
+#include "apply/thermal_correction.h"
+
+static const char *const operands[] = {"CAL.json", "LOG"};
+enum { COLUMNS, TEMPERATURE, QUIET, OPTIONS };
+static const option options[OPTIONS] = {
+    [COLUMNS] = {"--columns", 1},
+    [TEMPERATURE] = {"--temperature", 1},
+    [QUIET] = {"--quiet", 0},
+};
+static const option_syntax syntax = {"apply", options, OPTIONS, operands, 2, 0};
+
+/* How a log is corrected. */
+typedef struct {
+    calibration_file file;
+    double temperature; /* of all readings; NaN: by the column */
+    thermal_correction at;
+    nonlinear_correction bent;
+    int is_quiet; /* nothing is told of readings that are beyond what the calibration knows */
+} job;
+
+/* Checks a number, but hands it on as the text that it was: a time stamp has digits to lose. Only a
+ * time in another unit becomes one in seconds. */
+static int copy_number(FILE *spool, const table *log, const columns *where, column which)
+{
+    double number;
+    const int failure = columns_number(log, where, which, &number);
+
+    const int is_converted = which == COLUMN_TIME
+                                 ? where->per_second > 1
+                                 : where->degrees.scale < 1 || where->degrees.zero < 0;
+    if (!failure && is_converted) {
+        char text[NUMBER_TEXT_MAX];
+        fputs(number_text(number, text), spool);
+    } else if (!failure) {
+        fputs(log->field[where->index[which]], spool);
+    }
+    return failure;
+}
+
+static int write_row(FILE *spool, const table *log, const columns *where, job *j)
+{
+    double v[3];
+    double temperature = j->temperature;
+    int failure = EXIT_GOOD;
+
+    if (where->index[COLUMN_TIME] >= 0) {
+        failure = copy_number(spool, log, where, COLUMN_TIME);
+        putc(',', spool);
+    }
+    for (unsigned i = 0; i < 3 && !failure; i++) {
+        failure = columns_number(log, where, (column)(COLUMN_X + i), &v[i]);
+    }
+    if (!failure && j->file.has_thermal && isnan(temperature)) {
+        failure = columns_number(log, where, COLUMN_TEMPERATURE, &temperature);
+    }
+    if (failure) {
+        return failure;
+    }
+    nonlinear_correction_take(&j->bent, v);
+    invcal_apply(thermal_correction_at(&j->at, temperature), v, v);
+    if (!(fabs(v[0]) <= DBL_MAX && fabs(v[1]) <= DBL_MAX && fabs(v[2]) <= DBL_MAX)) {
+        message("%s:%lu: too large a reading for any calculation", log->name, log->line);
+        return EXIT_FILE;
+    }
+    fprintf(spool, "%.9g,%.9g,%.9g", v[0], v[1], v[2]);
+    if (where->index[COLUMN_TEMPERATURE] >= 0) {
+        putc(',', spool);
+        failure = copy_number(spool, log, where, COLUMN_TEMPERATURE);
+    }
+    putc('\n', spool);
+    return failure;
+}
+
+/* The next row that is whole. 1, 0 at the end, -1. */
+static int next_row(table *log, const columns *where, unsigned long rows)
+{
+    const int more = table_next(log);
+
+    if (more != 0 && rows > 0 && columns_is_cut(log, where)) {
+        columns_say_cut(log, "last", log->line);
+        return 0;
+    }
+    return more;
+}
+
+static int find_columns(table *log, columns *where)
+{
+    unsigned long cut;
+    const int failure = table_drop_cut_first(log, &cut);
+
+    if (cut > 0) {
+        columns_say_cut(log, "first", cut);
+    }
+    log->is_log = 1;
+    return failure ? failure : columns_find(log, COLUMNS_LOG, where);
+}
+
+/* A correction that depends on temperature needs one. */
+static int check_temperature(const table *log, const columns *where, const job *j)
+{
+    if (j->file.has_thermal && isnan(j->temperature) && where->index[COLUMN_TEMPERATURE] < 0) {
+        message("%s: has no column of temperature in °C, K or °F, which this calibration depends "
+                "on: name it "
+                "temperature, or state one for all readings with --temperature",
+                log->name);
+        return EXIT_FILE;
+    }
+    return EXIT_GOOD;
+}
+
+static int write_rows(FILE *spool, table *log, job *j)
+{
+    columns where;
+    unsigned long rows = 0;
+    int more = 0;
+    int failure = find_columns(log, &where);
+
+    if (failure) {
+        return failure;
+    }
+    fprintf(spool, "%sx,y,z%s\n", where.index[COLUMN_TIME] >= 0 ? "t," : "",
+            where.index[COLUMN_TEMPERATURE] >= 0 ? ",temperature" : "");
+    while (!failure && !ferror(spool) && (more = next_row(log, &where, rows)) == 1) {
+        failure = check_temperature(log, &where, j);
+        failure = failure ? failure : columns_check_instance(log, &where);
+        failure = failure ? failure : write_row(spool, log, &where, j);
+        rows++;
+        progress_show(log->file, log->line, PROGRESS_ROWS);
+    }
+    progress_end();
+    if (failure || more < 0) {
+        return EXIT_FILE;
+    }
+    if (ferror(spool) || fflush(spool) != 0) {
+        message("a temporary file cannot be written: %s", strerror(errno ? errno : EIO));
+        return EXIT_FILE;
+    }
+    if (rows == 0) {
+        message("%s: holds a header, but no reading", log->name);
+        return EXIT_FILE;
+    }
+    return EXIT_GOOD;
+}
+
+/* The whole log goes to a temporary file first: if its last line is bad, nothing is printed. */
+static int apply(table *log, job *j)
+{
+    FILE *spool = tmpfile();
+
+    if (!spool) {
+        message("no temporary file can be made: %s", strerror(errno));
+        return EXIT_FILE;
+    }
+    int failure = write_rows(spool, log, j);
+    if (!failure && fseek(spool, 0, SEEK_SET) != 0) {
+        message("the temporary file cannot be read: %s", strerror(errno));
+        failure = EXIT_FILE;
+    }
+    if (!failure) {
+        failure = output_copy(spool);
+    }
+    fclose(spool);
+    if (!failure && !j->is_quiet) {
+        thermal_correction_end(&j->at, log->name);
+        nonlinear_correction_end(&j->bent, log->name);
+    }
+    return failure;
+}
+
+static int read_temperature(const char *value, job *j)
+{
+    j->temperature = NUMBER_UNKNOWN;
+    if (!value) {
+        return EXIT_GOOD;
+    }
+    if (!j->file.has_thermal) {
+        return message_usage(syntax.command, "--temperature: this calibration holds no slopes "
+                                             "(invcal calibrate --thermal), so leave it out");
+    }
+    return options_numbers(&syntax, TEMPERATURE, value, 1, &j->temperature, NULL);
+}
+
+static int run(int argc, char **argv)
+{
+    const char *value[OPTIONS];
+    const char *files[2];
+    job j;
+    table log;
+    int failure = options_parse(&syntax, argc, argv, value, files);
+
+    const named_file inputs[] = {{"CAL.json", files[0]}, {"LOG", files[1]}};
+    failure = failure ? failure : files_check(syntax.command, inputs, 2, NULL, 0);
+    failure = failure ? failure : chosen_read(syntax.command, value[COLUMNS]);
+    failure = failure ? failure : calibration_file_read_correction(files[0], &j.file);
+    failure = failure ? failure : read_temperature(value[TEMPERATURE], &j);
+    failure =
+        failure ? failure : nonlinear_correction_begin(&j.bent, &j.file, input_name(files[0]));
+    if (failure) {
+        return failure;
+    }
+    thermal_correction_begin(&j.at, &j.file);
+    j.is_quiet = value[QUIET] != NULL;
+    if (j.is_quiet) {
+        progress_quiet();
+    }
+    failure = table_open(&log, files[1]);
+    failure = failure ? failure : apply(&log, &j);
+    table_close(&log);
+    return failure;
+}
+
+static const char *const help[] = {
+    "usage: invcal apply CAL.json LOG [options]\n"
+    "\n"
+    "Corrects readings: calibrated = matrix (raw - offset). Prints CSV in field units (m/s^2,\n"
+    "if the calibration was made with --gravity in m/s^2), with a header.\n"
+    "\n"
+    "CAL.json is what invcal calibrate --out has written. LOG is a table in input units; - is the\n"
+    "standard input. Columns are x y z, or t x y z, or t x y z temperature, or any with a header\n"
+    "that names them:\n",
+    COLUMNS_NAMES,
+    "t and temperature are copied as they are (a time in ms, us or ns becomes seconds, a\n"
+    "temperature in K or °F one in °C), the others left out. The readings are in the unit of\n"
+    "the log that CAL.json was made from.\n"
+    "Logs of any length are read in fixed memory; the result waits in a temporary file, and is\n"
+    "printed only if every line was good.\n"
+    "\n"
+    "A calibration made with --thermal needs the column temperature, and is that of each "
+    "reading's.\n"
+    "Outside the temperatures that it was made at, what holds at their edge is used, and told.\n"
+    "\n"
+    "One made with --quadratic or --cubic: what the axes read too much is taken off first. It is\n"
+    "known up to the field along each axis; beyond 1.1 of that what holds there is used, and "
+    "told.\n"
+    "\n" CHOSEN_OPTION,
+    "  --temperature T     of all readings, in place of the column; needs such a calibration\n"
+    "  --quiet             print only the result and errors: no progress, no warning of readings\n"
+    "                      beyond what the calibration knows\n"
+    "\n"
+    "exit codes: 0 good; 2 usage; 3 a file unreadable or malformed, or the output not writable\n"
+    "\n"
+    "example:\n"
+    "  invcal calibrate tests/data/mpu9150_0_positions.csv --positions --out cal.json\n"
+    "  invcal apply cal.json tests/data/mpu9150_0_positions.csv\n",
+    NULL};
+
+static const char *const brief[] = {
+    "usage: invcal apply CAL.json LOG [options]\n"
+    "\n"
+    "Corrects readings: calibrated = matrix (raw - offset). Prints CSV in field units, as a rule "
+    "m/s^2.\n"
+    "CAL.json is what invcal calibrate --out has written; LOG has the columns x y z, or t x y z, "
+    "or a\n"
+    "header that names them; - is the standard input.\n"
+    "\n"
+    "  --temperature T     of all readings, in place of the column; for a calibration made with\n"
+    "                      --thermal\n"
+    "  --quiet             show no progress, print only the result and errors\n"
+    "\n"
+    "example:\n"
+    "  invcal calibrate tests/data/mpu9150_0_positions.csv --positions --out cal.json\n"
+    "  invcal apply cal.json tests/data/mpu9150_0_positions.csv\n",
+    NULL};
+
+const tool_command apply_command = {"apply", "correct the readings of a log", help, run, brief};

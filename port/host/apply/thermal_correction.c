@@ -1,0 +1,51 @@
+/* SPDX-License-Identifier: MIT */
+#include "apply/thermal_correction.h"
+
+#include <math.h>
+
+#include "cli/message.h"
+#include "text/number.h"
+
+void thermal_correction_begin(thermal_correction *c, const calibration_file *file)
+{
+    *c = (thermal_correction){.file = file,
+                              .now = file->calibration,
+                              .at = NUMBER_UNKNOWN,
+                              .coldest = file->thermal.min,
+                              .warmest = file->thermal.max};
+}
+
+const invcal_calibration *thermal_correction_at(thermal_correction *c, double temperature)
+{
+    invcal_calibration here;
+
+    if (!c->file->has_thermal) {
+        return &c->now;
+    }
+    c->readings++;
+    c->below += temperature < c->file->thermal.min;
+    c->above += temperature > c->file->thermal.max;
+    c->coldest = fmin(c->coldest, temperature);
+    c->warmest = fmax(c->warmest, temperature);
+    /* It holds at both ends of its range (calibration_file.h); where it should not in between, the
+     * last one stays. */
+    if (!(fabs(temperature - c->at) <= THERMAL_CORRECTION_STEP) &&
+        calibration_file_at(c->file, temperature, &here)) {
+        c->now = here;
+        c->at = temperature;
+    }
+    return &c->now;
+}
+
+void thermal_correction_end(const thermal_correction *c, const char *log)
+{
+    const invcal_thermal *t = &c->file->thermal;
+    const double farthest = fmax(t->min - c->coldest, c->warmest - t->max);
+
+    if (c->below + c->above > 0) {
+        message(
+            "warning: %s: %lu of %lu readings are up to %.3g K outside %.6g ... %.6g °C, where the "
+            "calibration was made: they are corrected as at its edge",
+            log, c->below + c->above, c->readings, farthest, t->min, t->max);
+    }
+}

@@ -1,0 +1,623 @@
+/* SPDX-License-Identifier: MIT */
+#include "calibrate/request.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "cli/command.h"
+#include "cli/input.h"
+#include "cli/files.h"
+#include "cli/message.h"
+#include "cli/output.h"
+#include "design/design.h"
+#include "fit/gravity.h"
+#include "read/chosen.h"
+#include "read/samples.h"
+#include "result/need.h"
+#include "result/result.h"
+
+static const option options[ASK_OPTIONS] = {
+    [ASK_COLUMNS] = {"--columns", 1},
+    [ASK_POSITIONS] = {"--positions", 0},
+    [ASK_GRAVITY] = {"--gravity", 1},
+    [ASK_LATITUDE] = {"--latitude", 1},
+    [ASK_HEIGHT] = {"--height", 1},
+    [ASK_FRAME] = {"--frame", 1},
+    [ASK_CASE] = {"--case", 1},
+    [ASK_ZERO] = {"--zero", 1},
+    [ASK_LSB] = {"--lsb", 1},
+    [ASK_NOMINAL] = {"--nominal", 1},
+    [ASK_NOMINAL_NAME] = {"--nominal-name", 1},
+    [ASK_SENSOR] = {"--sensor", 1},
+    [ASK_UNIT] = {"--unit", 1},
+    [ASK_UNITS] = {"--units", 1},
+    [ASK_NOISE] = {"--noise", 1},
+    [ASK_PRIOR] = {"--prior", 1},
+    [ASK_SIX_FACES] = {"--six-faces", 0},
+    [ASK_THERMAL] = {"--thermal", 1},
+    [ASK_SLOPE] = {"--slope", 1},
+    [ASK_RATE] = {"--rate", 1},
+    [ASK_CLIP] = {"--clip", 1},
+    [ASK_ROBUST] = {"--robust", 0},
+    [ASK_QUADRATIC] = {"--quadratic", 0},
+    [ASK_CUBIC] = {"--cubic", 0},
+    [ASK_STAND] = {"--stand", 0},
+    [ASK_STAND_SENSE] = {"--stand-sense", 1},
+    [ASK_STAND_ZERO] = {"--stand-zero", 1},
+    [ASK_PLAN] = {"--plan", 1},
+    [ASK_TARGET] = {"--target", 1},
+    [ASK_MEAN_SIGMA] = {"--mean-sigma", 1},
+    [ASK_ALLAN] = {"--allan", 1},
+    [ASK_KEEP_ALL] = {"--keep-all", 0},
+    [ASK_TOLERANCE] = {"--tolerance", 1},
+    [ASK_NEED] = {"--need", 1},
+    [ASK_STRICT] = {"--strict", 0},
+    [ASK_DEVICE] = {"--device", 1},
+    [ASK_SERIAL] = {"--serial", 1},
+    [ASK_OPERATOR] = {"--operator", 1},
+    [ASK_DATE] = {"--date", 1},
+    [ASK_NOTE] = {"--note", 1},
+    [ASK_OUT] = {"--out", 1},
+    [ASK_REPORT] = {"--report", 1},
+    [ASK_JSON] = {"--json", 0},
+    [ASK_JSON_LINES] = {"--json-lines", 0},
+    [ASK_QUIET] = {"--quiet", 0},
+};
+static const char *const operands[] = {"LOG"};
+static const option_syntax calibrate_syntax = {"calibrate", options, ASK_OPTIONS, operands, 1, 0};
+static const option_syntax watch_syntax = {"watch", options, ASK_OPTIONS, operands, 1, 0};
+
+#define ON_EARTH 0.0027 /* of g, from the equator to the poles */
+
+/* Too large for the stack. */
+static design stated_plan;
+
+int request_usage(const request *r, unsigned which, const char *what)
+{
+    return message_usage(r->syntax->command, "%s: %s", options[which].name, what);
+}
+
+/* The field of a place on Earth. */
+static int read_place(request *r)
+{
+    int failure = EXIT_GOOD;
+
+    if (r->value[ASK_GRAVITY]) {
+        return request_usage(r, ASK_LATITUDE, "tells the field, so leave out --gravity");
+    }
+    failure =
+        options_numbers(r->syntax, ASK_LATITUDE, r->value[ASK_LATITUDE], 1, &r->place[0], NULL);
+    if (!failure && r->value[ASK_HEIGHT]) {
+        failure =
+            options_numbers(r->syntax, ASK_HEIGHT, r->value[ASK_HEIGHT], 1, &r->place[1], NULL);
+    }
+    if (failure) {
+        return failure;
+    }
+    r->settings.field = gravity_at(r->place[0], r->place[1]);
+    r->field_sigma = GRAVITY_SIGMA;
+    if (isnan(r->settings.field)) {
+        return fabs(r->place[0]) <= 90
+                   ? request_usage(r, ASK_HEIGHT, "is -500 to 10000 m above the sea")
+                   : request_usage(r, ASK_LATITUDE, "is -90 to 90 degrees");
+    }
+    return EXIT_GOOD;
+}
+
+/* G, or G with what it may be wrong by: 9.80665+-0.027, or the sign for that. */
+static int read_field(request *r)
+{
+    static const char *const signs[] = {"+-", "±"};
+    const char *text = r->value[ASK_GRAVITY];
+    char length[64];
+
+    r->field_sigma = 0;
+    for (unsigned i = 0; i < 2; i++) {
+        const char *sign = strstr(text, signs[i]);
+        if (sign && (size_t)(sign - text) < sizeof length) {
+            snprintf(length, sizeof length, "%.*s", (int)(sign - text), text);
+            const int failure = options_numbers(r->syntax, ASK_GRAVITY, sign + strlen(signs[i]), 1,
+                                                &r->field_sigma, NULL);
+            return failure ? failure
+                           : options_numbers(r->syntax, ASK_GRAVITY, length, 1, &r->settings.field,
+                                             NULL);
+        }
+    }
+    return options_numbers(r->syntax, ASK_GRAVITY, text, 1, &r->settings.field, NULL);
+}
+
+static int read_gravity(request *r)
+{
+    int failure = EXIT_GOOD;
+
+    if (r->value[ASK_LATITUDE]) {
+        return read_place(r);
+    }
+    if (r->value[ASK_HEIGHT]) {
+        return request_usage(r, ASK_HEIGHT, "alone tells no field; state --latitude, too");
+    }
+    r->settings.field = 9.80665;
+    r->field_sigma = ON_EARTH * r->settings.field;
+    if (r->value[ASK_GRAVITY]) {
+        failure = read_field(r);
+    }
+    if (!failure && !(r->settings.field > 0)) {
+        failure = request_usage(r, ASK_GRAVITY, "the length of a field is above 0");
+    }
+    if (!failure && !(r->field_sigma >= 0 && r->field_sigma < r->settings.field)) {
+        failure = request_usage(r, ASK_GRAVITY,
+                                "a standard deviation is not negative, and below the length");
+    }
+    return failure;
+}
+
+static int read_frame(request *r)
+{
+    const char *name = r->value[ASK_FRAME] ? r->value[ASK_FRAME] : "symmetric";
+
+    r->settings.is_triangular = strcmp(name, "triangular") == 0;
+    r->stand.is_frame = strcmp(name, "stand") == 0;
+    return r->settings.is_triangular || r->stand.is_frame || strcmp(name, "symmetric") == 0
+               ? EXIT_GOOD
+               : request_usage(r, ASK_FRAME, "is symmetric, triangular or stand");
+}
+
+/* Which way of the case was up. */
+static int read_case(request *r)
+{
+    if (!r->value[ASK_CASE]) {
+        return EXIT_GOOD;
+    }
+    if (r->value[ASK_FRAME]) {
+        return request_usage(r, ASK_CASE, "is a frame of its own: leave out --frame");
+    }
+    if (r->value[ASK_THERMAL]) {
+        return request_usage(r, ASK_CASE, "does not go together with --thermal");
+    }
+    return case_parse(r->value[ASK_CASE], &r->ways_up)
+               ? EXIT_GOOD
+               : request_usage(
+                     r, ASK_CASE,
+                     "is the ways of the case that were up in the first positions, such as "
+                     "+z,-x,.,+y; a dot where it is not known");
+}
+
+static int read_nominal(request *r)
+{
+    int failure = EXIT_GOOD;
+    int single = 0;
+
+    if (r->value[ASK_NOMINAL] && (r->value[ASK_ZERO] || r->value[ASK_LSB])) {
+        return request_usage(r, ASK_NOMINAL, "holds zero and scale, so leave out --zero and --lsb");
+    }
+    if (r->value[ASK_NOMINAL_NAME] && strlen(r->value[ASK_NOMINAL_NAME]) > CALIBRATE_NAME_MAX) {
+        return request_usage(r, ASK_NOMINAL_NAME, "is a word of at most 14 bytes");
+    }
+    if (r->value[ASK_ZERO]) {
+        failure = options_numbers(r->syntax, ASK_ZERO, r->value[ASK_ZERO], 3, r->zero, NULL);
+    }
+    if (!failure && r->value[ASK_LSB]) {
+        failure = options_numbers(r->syntax, ASK_LSB, r->value[ASK_LSB], 3, r->lsb, &single);
+        r->lsb[1] = single ? r->lsb[0] : r->lsb[1];
+        r->lsb[2] = single ? r->lsb[0] : r->lsb[2];
+    }
+    for (unsigned i = 0; i < 3 && !failure && r->value[ASK_LSB]; i++) {
+        failure = fabs(r->lsb[i]) > 0 ? EXIT_GOOD : request_usage(r, ASK_LSB, "a scale is not 0");
+    }
+    return failure;
+}
+
+/* What a data sheet says, where no option says otherwise. */
+static int read_sensor(request *r)
+{
+    char text[SENSORS_TEXT_MAX];
+
+    if (!r->value[ASK_SENSOR]) {
+        return EXIT_GOOD;
+    }
+    if (r->value[ASK_NOMINAL]) {
+        return request_usage(r, ASK_SENSOR,
+                             "and --nominal both state zero and scale: leave one out");
+    }
+    if (!sensors_choose(r->value[ASK_SENSOR], &r->sensor, text)) {
+        return request_usage(r, ASK_SENSOR, text);
+    }
+    return unit_scale(UNIT_G, r->settings.field) > 0
+               ? EXIT_GOOD
+               : request_usage(
+                     r, ASK_SENSOR,
+                     "is an accelerometer, and the field (--gravity) no gravity in m/s2, g or mg");
+}
+
+/* Zero and scale come from somewhere else than the range of the readings, whatever the file says. */
+static int states_nominal(const request *r)
+{
+    return r->value[ASK_NOMINAL] || r->value[ASK_SENSOR] ||
+           (r->value[ASK_ZERO] && r->value[ASK_LSB]) || unit_scale(r->unit, r->settings.field) > 0;
+}
+
+static int read_unit(request *r)
+{
+    if (r->value[ASK_UNIT] && !unit_parse(r->value[ASK_UNIT], &r->unit)) {
+        return message_usage(r->syntax->command, "--unit %s: is g, mg, m/s2 or counts",
+                             r->value[ASK_UNIT]);
+    }
+    if (r->value[ASK_UNITS] && !told_parse(r->value[ASK_UNITS], &r->told)) {
+        return message_usage(r->syntax->command, "--units %s: is everyday or ins",
+                             r->value[ASK_UNITS]);
+    }
+    return EXIT_GOOD;
+}
+
+static int read_noise(request *r)
+{
+    int failure = EXIT_GOOD;
+
+    if (r->value[ASK_NOISE]) {
+        failure =
+            options_numbers(r->syntax, ASK_NOISE, r->value[ASK_NOISE], 1, &r->settings.noise, NULL);
+        if (!failure && !(r->settings.noise > 0)) {
+            failure = request_usage(r, ASK_NOISE, "a standard deviation is above 0");
+        }
+        r->settings.noise /= r->settings.field;
+    }
+    return failure;
+}
+
+/* A prior on the angles alone: that of a data sheet, or of --prior 0,0,G. */
+static int read_six_faces(request *r)
+{
+    static const unsigned others[] = {ASK_ROBUST, ASK_QUADRATIC, ASK_CUBIC, ASK_THERMAL};
+    double sigma[3] = {0, 0, INVCAL_CROSS_AXIS};
+    int failure = EXIT_GOOD;
+
+    for (unsigned i = 0; i < sizeof others / sizeof others[0]; i++) {
+        if (r->value[others[i]]) {
+            return message_usage(r->syntax->command, "%s: does not go together with %s",
+                                 options[ASK_SIX_FACES].name, options[others[i]].name);
+        }
+    }
+    if (r->value[ASK_PRIOR]) {
+        failure = options_numbers(r->syntax, ASK_PRIOR, r->value[ASK_PRIOR], 3, sigma, NULL);
+    }
+    if (!failure && (fabs(sigma[0]) + fabs(sigma[1]) > 0 || !(sigma[2] > 0 && sigma[2] < 1))) {
+        failure = request_usage(
+            r, ASK_PRIOR, "beside --six-faces is of the angles alone: 0,0,G with G from 0 to 1");
+    }
+    r->settings.is_six_faces = 1;
+    for (unsigned p = INVCAL_GAMMA_XY; p < INVCAL_PARAMETERS; p++) {
+        r->settings.prior[p] = sigma[2];
+    }
+    return failure;
+}
+
+static int read_prior(request *r)
+{
+    double sigma[3]; /* of each delta, dk, gamma */
+    int failure = EXIT_GOOD;
+
+    if (r->value[ASK_SIX_FACES] || !r->value[ASK_PRIOR]) {
+        return r->value[ASK_SIX_FACES] ? read_six_faces(r) : EXIT_GOOD;
+    }
+    if (!states_nominal(r)) {
+        return request_usage(r, ASK_PRIOR,
+                             "says how far the nominal calibration may be wrong, so state that: "
+                             "--sensor, --unit, --zero and --lsb, or --nominal");
+    }
+    failure = options_numbers(r->syntax, ASK_PRIOR, r->value[ASK_PRIOR], 3, sigma, NULL);
+    for (unsigned p = 0; p < INVCAL_PARAMETERS && !failure; p++) {
+        r->settings.prior[p] = sigma[p / 3];
+        failure = sigma[p / 3] >= 0
+                      ? EXIT_GOOD
+                      : request_usage(r, ASK_PRIOR, "no standard deviation is negative");
+    }
+    return failure;
+}
+
+static int read_thermal(request *r)
+{
+    double degree = 0;
+    int failure = EXIT_GOOD;
+
+    r->thermal.keep_all = r->value[ASK_KEEP_ALL] != NULL;
+    if (r->value[ASK_THERMAL]) {
+        failure = options_numbers(r->syntax, ASK_THERMAL, r->value[ASK_THERMAL], 1, &degree, NULL);
+        r->thermal.degree = degree >= 2 ? 2 : 1;
+        if (!failure && fabs(degree - r->thermal.degree) > 0) {
+            failure = request_usage(r, ASK_THERMAL, "is 1 (slopes) or 2 (parabolas)");
+        }
+    }
+    if (!failure && r->value[ASK_SLOPE]) {
+        failure = r->value[ASK_THERMAL]
+                      ? options_numbers(r->syntax, ASK_SLOPE, r->value[ASK_SLOPE], 3,
+                                        r->thermal.slope, NULL)
+                      : request_usage(r, ASK_SLOPE, "is known of --thermal, so state that");
+        for (unsigned i = 0; i < 3 && !failure; i++) {
+            failure = r->thermal.slope[i] >= 0
+                          ? EXIT_GOOD
+                          : request_usage(r, ASK_SLOPE, "no standard deviation is negative");
+        }
+    }
+    return failure;
+}
+
+/* What only a log of samples has. */
+static int read_log_options(request *r)
+{
+    int failure = chosen_read(r->syntax->command, r->value[ASK_COLUMNS]);
+
+    if (!failure && r->value[ASK_POSITIONS] && (r->value[ASK_RATE] || r->value[ASK_CLIP])) {
+        return request_usage(r, r->value[ASK_RATE] ? ASK_RATE : ASK_CLIP,
+                             "is of samples; position means have none");
+    }
+    if (!failure && r->value[ASK_RATE]) {
+        failure = options_numbers(r->syntax, ASK_RATE, r->value[ASK_RATE], 1, &r->rate, NULL);
+        if (!failure && !(r->rate >= SAMPLES_RATE_MIN && r->rate <= SAMPLES_RATE_MAX)) {
+            failure = request_usage(r, ASK_RATE, "is 8 to 8000 samples a second");
+        }
+    }
+    if (!failure && r->value[ASK_CLIP]) {
+        failure = options_numbers(r->syntax, ASK_CLIP, r->value[ASK_CLIP], 2, r->clip, NULL);
+        if (!failure && !(r->clip[0] < r->clip[1])) {
+            failure = request_usage(r, ASK_CLIP, "is the least and the greatest reading");
+        }
+    }
+    return failure;
+}
+
+/* The program to follow. What it leaves open a prior may tell. */
+static int read_program(request *r)
+{
+    design *set = &stated_plan;
+
+    if (!r->value[ASK_PLAN]) {
+        return EXIT_GOOD;
+    }
+    r->program = set;
+    const int failure = design_make(set, r->syntax->command, r->value[ASK_PLAN]);
+    if (failure == EXIT_DATA) {
+        return r->value[ASK_PRIOR] && set->count > 0 ? EXIT_GOOD
+                                                     : request_usage(r, ASK_PLAN, set->refusal);
+    }
+    return failure;
+}
+
+/* What only a live stream has. */
+static int read_live_options(request *r)
+{
+    int failure = EXIT_GOOD;
+
+    for (unsigned o = ASK_TARGET; o <= ASK_ALLAN && !r->is_live; o++) {
+        if (r->value[o]) {
+            return request_usage(r, o, "is for invcal watch");
+        }
+    }
+    if (r->is_live && r->value[ASK_POSITIONS]) {
+        return request_usage(r, ASK_POSITIONS,
+                             "is for invcal calibrate; a live stream has samples");
+    }
+    if (r->value[ASK_MEAN_SIGMA]) {
+        failure = options_numbers(r->syntax, ASK_MEAN_SIGMA, r->value[ASK_MEAN_SIGMA], 1,
+                                  &r->mean_sigma, NULL);
+        if (!failure && !(r->mean_sigma > 0)) {
+            failure = request_usage(r, ASK_MEAN_SIGMA, "a standard deviation is above 0");
+        }
+    }
+    if (!failure && r->value[ASK_ALLAN] && !r->value[ASK_MEAN_SIGMA]) {
+        failure = request_usage(r, ASK_ALLAN, "needs --mean-sigma, how good a mean is wanted");
+    }
+    if (!failure && r->value[ASK_TARGET]) {
+        failure = options_numbers(r->syntax, ASK_TARGET, r->value[ASK_TARGET], 3, r->target, NULL);
+        for (unsigned i = 0; i < 3 && !failure; i++) {
+            failure =
+                r->target[i] >= 0 ? EXIT_GOOD : request_usage(r, ASK_TARGET, "is not negative");
+        }
+    }
+    return failure || !r->is_live ? failure : read_program(r);
+}
+
+/* What the axes may do beside the nine parameters. */
+static int read_degree(request *r)
+{
+    const unsigned which = r->value[ASK_CUBIC] ? ASK_CUBIC : ASK_QUADRATIC;
+
+    if (r->value[ASK_ROBUST] && (r->value[which] || r->value[ASK_THERMAL] || r->value[ASK_PRIOR])) {
+        return request_usage(r, ASK_ROBUST, "is of nine parameters, without a prior");
+    }
+    if (r->value[ASK_ROBUST] && r->is_live) {
+        return request_usage(r, ASK_ROBUST, "is for invcal calibrate");
+    }
+    if (!r->value[which]) {
+        return EXIT_GOOD;
+    }
+    r->degree = which == ASK_CUBIC ? 3 : 2;
+    if (r->value[ASK_CUBIC] && r->value[ASK_QUADRATIC]) {
+        return request_usage(r, ASK_CUBIC, "includes --quadratic: leave that out");
+    }
+    if (r->value[ASK_THERMAL] || r->value[ASK_PRIOR]) {
+        return request_usage(r, which,
+                             r->value[ASK_THERMAL] ? "does not go together with --thermal"
+                                                   : "does not go together with --prior");
+    }
+    return r->is_live ? request_usage(r, which, "is for invcal calibrate") : EXIT_GOOD;
+}
+
+/* The program whose order was kept, in place of columns. */
+static int read_order(request *r)
+{
+    const int failure = design_make(&stated_plan, r->syntax->command, r->value[ASK_PLAN]);
+
+    r->stand.plan = &stated_plan;
+    r->stand.is_wanted = 1;
+    return failure == EXIT_DATA ? request_usage(r, ASK_PLAN, stated_plan.refusal) : failure;
+}
+
+/* How the stand counts. */
+static int read_convention(request *r)
+{
+    double *sense = r->stand.sense;
+    int failure = EXIT_GOOD;
+
+    sense[0] = sense[1] = 1;
+    if (r->value[ASK_STAND_SENSE]) {
+        failure =
+            options_numbers(r->syntax, ASK_STAND_SENSE, r->value[ASK_STAND_SENSE], 2, sense, NULL);
+        if (!failure && fabs(fabs(sense[0]) - 1) + fabs(fabs(sense[1]) - 1) > 0) {
+            failure = request_usage(r, ASK_STAND_SENSE, "is 1 or -1 for each");
+        }
+    }
+    if (!failure && r->value[ASK_STAND_ZERO]) {
+        failure = options_numbers(r->syntax, ASK_STAND_ZERO, r->value[ASK_STAND_ZERO], 2,
+                                  r->stand.zero, NULL);
+    }
+    return failure;
+}
+
+/* What does not go together with the angles of a stand, or not without. */
+static int check_stand(const request *r)
+{
+    const stand_wish *w = &r->stand;
+    const unsigned convention = r->value[ASK_STAND_SENSE] ? ASK_STAND_SENSE : ASK_STAND_ZERO;
+
+    if (w->plan && r->value[convention]) {
+        return request_usage(r, convention,
+                             "is of columns alpha and beta; --plan states the angles themselves");
+    }
+    if (!w->is_wanted && (r->value[convention] || w->is_frame)) {
+        return request_usage(r, w->is_frame ? ASK_FRAME : convention,
+                             "needs the angles of a stand: --stand or --plan");
+    }
+    return w->is_wanted && r->value[ASK_THERMAL]
+               ? request_usage(r, ASK_THERMAL, "and the angles of a stand do not go together")
+               : EXIT_GOOD;
+}
+
+/* What the angles of a stand mean. */
+static int read_stand(request *r)
+{
+    int failure = EXIT_GOOD;
+
+    r->stand.is_wanted = r->value[ASK_STAND] != NULL;
+    for (unsigned o = ASK_STAND; o <= ASK_STAND_ZERO; o++) {
+        if (r->value[o] && r->is_live) {
+            return request_usage(r, o, "is for invcal calibrate");
+        }
+    }
+    if (!r->is_live && r->value[ASK_PLAN]) {
+        failure = read_order(r);
+    }
+    failure = failure ? failure : read_convention(r);
+    return failure ? failure : check_stand(r);
+}
+
+static int read_tolerance(request *r)
+{
+    int failure = EXIT_GOOD;
+
+    if (!r->value[ASK_TOLERANCE]) {
+        return EXIT_GOOD;
+    }
+    if (!states_nominal(r)) {
+        return request_usage(r, ASK_TOLERANCE,
+                             "says how far from nominal the sensor may be, so state that: "
+                             "--sensor, --unit, --zero and --lsb, or --nominal");
+    }
+    failure =
+        options_numbers(r->syntax, ASK_TOLERANCE, r->value[ASK_TOLERANCE], 3, r->tolerance, NULL);
+    for (unsigned i = 0; i < 3 && !failure; i++) {
+        failure =
+            r->tolerance[i] > 0 ? EXIT_GOOD : request_usage(r, ASK_TOLERANCE, "a limit is above 0");
+    }
+    return failure;
+}
+
+static int read_need(request *r)
+{
+    const char *text = r->value[ASK_NEED];
+    char number[64];
+    size_t digits;
+
+    if (!text) {
+        return EXIT_GOOD;
+    }
+    const need_ending ending = need_parse(text, r->settings.field, &digits, &r->need_unit);
+    if (ending == NEED_NO_UNIT) {
+        return message_usage(r->syntax->command,
+                             "--need %s: ends with mg, g, ug, m/s2 or %%, or is a number in the "
+                             "unit of --gravity",
+                             text);
+    }
+    if (ending == NEED_NO_GRAVITY) {
+        return message_usage(r->syntax->command,
+                             "--need %s: the field (--gravity) is no gravity; state a part of it "
+                             "in %%, or a number in its unit",
+                             text);
+    }
+    snprintf(number, sizeof number, "%.*s", (int)fmin((double)digits, sizeof number - 1), text);
+    const int failure = options_numbers(r->syntax, ASK_NEED, number, 1, &r->need, NULL);
+    r->need *= r->settings.field / r->need_unit.scale;
+    return failure       ? failure
+           : r->need > 0 ? EXIT_GOOD
+                         : request_usage(r, ASK_NEED, "is above 0: what lengths may be wrong by");
+}
+
+/* What the calibration is filed under. The texts stand in the order of the options. */
+static int read_record(request *r)
+{
+    for (unsigned k = 0; k < RECORD_TEXTS; k++) {
+        const char *text = r->value[ASK_DEVICE + k];
+        const char *problem = text ? record_set(&r->record, (record_text)k, text) : NULL;
+        if (problem) {
+            return message_usage(r->syntax->command, "%s '%s': %s", options[ASK_DEVICE + k].name,
+                                 text, problem);
+        }
+    }
+    return EXIT_GOOD;
+}
+
+/* JSON on one line is JSON. */
+static void read_json_lines(request *r)
+{
+    if (r->value[ASK_JSON_LINES]) {
+        r->value[ASK_JSON] = r->value[ASK_JSON_LINES];
+    }
+}
+
+static int check_files(const request *r)
+{
+    const named_file inputs[] = {{"LOG", r->file},
+                                 {"--nominal", r->value[ASK_NOMINAL]},
+                                 {"--allan", r->value[ASK_ALLAN]},
+                                 {"--plan", design_file(r->value[ASK_PLAN])}};
+    const named_file outputs[] = {{"--out", r->value[ASK_OUT]}, {"--report", r->value[ASK_REPORT]}};
+
+    return files_check(r->syntax->command, inputs, 4, outputs, 2);
+}
+
+int request_read(int argc, char **argv, int is_live, request *r)
+{
+    const option_syntax *syntax = is_live ? &watch_syntax : &calibrate_syntax;
+
+    *r = (request){.syntax = syntax, .is_live = is_live};
+    int failure = options_parse(r->syntax, argc, argv, r->value, &r->file);
+
+    options_command(syntax->command, argc, argv, r->command, sizeof r->command);
+    failure = failure ? failure : check_files(r);
+    failure = failure ? failure : read_gravity(r);
+    failure = failure ? failure : read_frame(r);
+    failure = failure ? failure : read_case(r);
+    failure = failure ? failure : read_nominal(r);
+    failure = failure ? failure : read_sensor(r);
+    failure = failure ? failure : read_unit(r);
+    failure = failure ? failure : read_noise(r);
+    failure = failure ? failure : read_thermal(r);
+    failure = failure ? failure : read_log_options(r);
+    failure = failure ? failure : read_live_options(r);
+    failure = failure ? failure : read_degree(r);
+    failure = failure ? failure : read_stand(r);
+    failure = failure ? failure : read_tolerance(r);
+    failure = failure ? failure : read_need(r);
+    failure = failure ? failure : read_record(r);
+    read_json_lines(r);
+    return failure ? failure : read_prior(r);
+}

@@ -1,0 +1,246 @@
+/* SPDX-License-Identifier: MIT */
+#include "calibrate/solve.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "calibrate/cross_check.h"
+#include "calibrate/nonlinear.h"
+#include "calibrate/refuse.h"
+#include "calibrate/settle.h"
+#include "cli/command.h"
+#include "cli/message.h"
+#include "fit/fit_drift.h"
+#include "text/number.h"
+
+static double residual_of_nominal(const positions *data, const invcal_calibration *nominal)
+{
+    double squares = 0;
+
+    for (unsigned n = 0; n < data->count; n++) {
+        double v[3];
+        invcal_apply(nominal, &data->mean[3 * (size_t)n], v);
+        const double r = sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]) - 1;
+        squares += r * r;
+    }
+    return sqrt(squares / data->count);
+}
+
+static int refuse(const request *r, calibrate_result *result, invcal_status status,
+                  const fit_reason *reason)
+{
+    return status == INVCAL_TOO_FEW && rejection_drifting(&result->rejected) > 0
+               ? calibrate_all_drift(result)
+               : calibrate_refuse(result, &r->stand, status, reason);
+}
+
+/* What was found among the positions beside outliers. */
+static void judge(calibrate_result *result)
+{
+    const invcal_quality *found = &result->rejected.found;
+    fit_quality *q = &result->quality;
+
+    if (!result->rejected.is_judged) {
+        return;
+    }
+    q->systematic = found->systematic;
+    q->axis = found->axis;
+    q->size = found->size;
+    q->unchecked = found->unchecked;
+    q->dof -= found->positions - INVCAL_PARAMETERS - found->dof; /* directions visited again */
+    if (found->verdict > q->verdict) {
+        q->verdict = (invcal_verdict)found->verdict;
+    }
+}
+
+/* A drift that was named is fitted, too; what that does not explain was none, but a step perhaps. */
+static void fit_drift(calibrate_result *result)
+{
+    rejection *r = &result->rejected;
+    double *tau = calloc((size_t)r->kept_count + 1, sizeof *tau);
+    fit_solution solution;
+    fit_quality q;
+
+    for (unsigned k = 0; tau && k < r->kept_count; k++) {
+        tau[k] = calibrate_tau(result->data, rejection_original(r, k));
+    }
+    if (tau && isfinite(tau[0]) && !fit_has_prior(&result->settings) &&
+        fit_drift_make(r->kept, tau, r->kept_count, &result->settings, &solution, &q, result->drift,
+                       result->drift_sigma) == INVCAL_OK) {
+        result->is_drift_fitted = q.verdict != INVCAL_ROUGH;
+        if (result->is_drift_fitted) {
+            result->solution = solution;
+            result->quality = q;
+        } else {
+            r->found.systematic = INVCAL_NO_SYSTEMATIC;
+            r->found.verdict = INVCAL_ROUGH;
+        }
+    }
+    free(tau);
+}
+
+/* Nine parameters. */
+static int solve_plain(const request *r, calibrate_result *result)
+{
+    fit_reason reason;
+    const int failure = rejection_find(&result->rejected, result->data, &result->settings,
+                                       r->value[ASK_KEEP_ALL] != NULL);
+
+    if (failure) {
+        return failure;
+    }
+    const invcal_status status =
+        fit_make(result->rejected.kept, result->rejected.kept_count, &result->settings,
+                 &result->solution, &result->quality, &reason);
+    if (status != INVCAL_OK) {
+        reason.position = rejection_original(&result->rejected, reason.position);
+        return refuse(r, result, status, &reason);
+    }
+    if (result->rejected.is_judged && result->rejected.found.verdict == INVCAL_DRIFTING) {
+        fit_drift(result);
+    }
+    const int open = r->degree > 0 ? calibrate_nonlinear(result, r->degree) : EXIT_GOOD;
+    judge(result);
+    return open;
+}
+
+/* The same at every temperature. */
+static int solve_thermal(const request *r, calibrate_result *result)
+{
+    invcal_status status;
+    fit_reason reason;
+
+    if (!result->data->has_temperature) {
+        message("%s: has no column of temperature in °C, K or °F, which --thermal needs: name it "
+                "temperature, or "
+                "leave --thermal out",
+                result->data->name);
+        return EXIT_FILE;
+    }
+    const int failure = thermal_fit_make(&result->fit, result->data, &result->settings, &r->thermal,
+                                         &result->rejected, &status, &reason);
+    if (failure) {
+        return failure;
+    }
+    if (status != INVCAL_OK) {
+        return refuse(r, result, status, &reason);
+    }
+    result->temperature = CALIBRATE_THERMAL;
+    result->solution = result->fit.solution;
+    result->quality = result->fit.quality;
+    return EXIT_GOOD;
+}
+
+/* What --thermal would find. It has its own opinion of what contradicts. */
+static int probe_temperature(calibrate_result *result)
+{
+    const thermal_wish wish = {.degree = 1};
+    rejection rejected = {0};
+    invcal_status status = INVCAL_TOO_FEW;
+    fit_reason reason;
+    int failure = EXIT_GOOD;
+
+    if (result->data->has_temperature) {
+        failure = thermal_fit_make(&result->fit, result->data, &result->settings, &wish, &rejected,
+                                   &status, &reason);
+        result->temperature = status == INVCAL_OK ? CALIBRATE_PROBED : CALIBRATE_PLAIN;
+        rejection_free(&rejected);
+    }
+    return failure;
+}
+
+/* A length that is known so well, apart from what the field may be wrong by. */
+static double accuracy_of(const fit_quality *q)
+{
+    invcal_quality quality = {.sigma_dof = (uint16_t)fmin(UINT16_MAX, q->sigma_dof)};
+
+    memcpy(quality.sigma, q->sigma, sizeof quality.sigma);
+    return invcal_accuracy_held(&quality, q->from_prior, 0);
+}
+
+/* A field that is wrong makes all three scales wrong alike. */
+static void inherit_field(const request *r, calibrate_result *result)
+{
+    result->field_sigma = r->field_sigma / r->settings.field;
+    result->is_field_stated = r->value[ASK_GRAVITY] || r->value[ASK_LATITUDE];
+    for (unsigned p = INVCAL_DK_X; p <= INVCAL_DK_Z; p++) {
+        double *sigma = &result->quality.sigma[p];
+        *sigma = sqrt(*sigma * *sigma + result->field_sigma * result->field_sigma);
+    }
+}
+
+/* What the angles of the stand tell, of readings that a drift is taken from. */
+static int find_stand(const request *r, calibrate_result *result)
+{
+    const rejection *kept = &result->rejected;
+    double *raw = calloc(3 * (size_t)kept->kept_count + 1, sizeof *raw);
+    int failure = EXIT_FILE;
+
+    for (unsigned k = 0; raw && k < kept->kept_count; k++) {
+        calibrate_level(result, rejection_original(kept, k), &raw[3 * (size_t)k]);
+    }
+    if (raw) {
+        failure = stand_find(&result->stand, &r->stand, result->data, kept, raw,
+                             &result->settings.nominal);
+    }
+    free(raw);
+    if (!failure && r->stand.is_frame && result->stand.reading != STAND_AS_STATED) {
+        return calibrate_no_frame(result);
+    }
+    if (!failure && r->stand.is_frame) {
+        stand_turn(&result->stand, &result->solution.calibration);
+        result->is_stand_frame = 1;
+    }
+    return failure;
+}
+
+/* The axes of the case, by the positions whose way up was stated. */
+static int find_case(const request *r, calibrate_result *result)
+{
+    const rejection *kept = &result->rejected;
+    const double noise = calibrate_knows_noise(result) ? result->quality.noise : NUMBER_UNKNOWN;
+    invcal_frame frame;
+    invcal_status status = INVCAL_OK;
+
+    invcal_frame_init(&frame);
+    for (unsigned k = 0; k < kept->kept_count && status == INVCAL_OK; k++) {
+        double raw[3];
+        const unsigned number = rejection_original(kept, k);
+        calibrate_level(result, number, raw);
+        status = case_add(&frame, &r->ways_up, number, &result->solution.calibration, raw);
+    }
+    status = status == INVCAL_OK ? case_solve(&frame, &r->ways_up, noise, &result->frame) : status;
+    if (status != INVCAL_OK) {
+        return calibrate_no_case(result, status);
+    }
+    invcal_frame_turn((const double(*)[3])result->frame.rotation, &result->solution.calibration);
+    return EXIT_GOOD;
+}
+
+int solve_positions(const request *r, const positions *data, calibrate_result *result)
+{
+    int failure = stand_check(&r->stand, data);
+    failure = failure ? failure : settle_nominal(r, result);
+    failure = failure ? failure : settle_scale(r, data, &result->nominal);
+    result->settings.nominal = fit_over_field(&result->nominal.calibration, r->settings.field);
+    failure = failure ? failure : settle_noise(r, data, result);
+    failure = failure                 ? failure
+              : r->value[ASK_THERMAL] ? solve_thermal(r, result)
+                                      : solve_plain(r, result);
+    failure = failure || r->value[ASK_THERMAL] ? failure : probe_temperature(result);
+    failure = failure || !r->stand.is_wanted ? failure : find_stand(r, result);
+    failure = failure || r->ways_up.count == 0 ? failure : find_case(r, result);
+    if (failure) {
+        return failure;
+    }
+    result->is_robust_wanted = r->value[ASK_ROBUST] != NULL;
+    if (result->is_robust_wanted) {
+        cross_check(result);
+    }
+    result->accuracy = accuracy_of(&result->quality);
+    inherit_field(r, result);
+    result->quality.worst = rejection_original(&result->rejected, result->quality.worst);
+    result->residual_before = residual_of_nominal(data, &result->settings.nominal);
+    return EXIT_GOOD;
+}

@@ -1,0 +1,43 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * cli/command.h: what a command of the tool is, and its exit codes.
+ *
+ * To add a command: one file that defines a `tool_command`, one line here, one in main.c's table.
+ */
+#ifndef COMMAND_H
+#define COMMAND_H
+
+#include "invcal/invcal.h"
+
+#if !INVCAL_DOUBLE
+#error "the host tool is compiled with -DINVCAL_DOUBLE=1"
+#endif
+
+/* Exit codes, and what every function of the tool returns that can fail. Whoever finds the
+ * failure has said why on stderr (message.h); the callers only hand the code on. */
+enum {
+    EXIT_GOOD = 0,
+    EXIT_DATA = 1,  /* the data cannot be calibrated */
+    EXIT_USAGE = 2, /* the command line is wrong */
+    EXIT_FILE = 3   /* input unreadable or malformed, or output not writable */
+};
+
+typedef struct {
+    const char *name;
+    const char *purpose;               /* one line for `invcal --help` */
+    const char *const *help;           /* parts (help.h) of the text of `invcal NAME --help all` */
+    int (*run)(int argc, char **argv); /* arguments after the command's name; an exit code */
+    const char *const *brief; /* of `invcal NAME --help`: with the line that names the other,
+                                        * at most 24 lines of 80 columns; null: `help` is as short */
+} tool_command;
+
+extern const tool_command calibrate_command;
+extern const tool_command apply_command;
+extern const tool_command export_command;
+extern const tool_command allan_command;
+extern const tool_command plan_command;
+extern const tool_command compare_command;
+extern const tool_command simulate_command;
+extern const tool_command watch_command;
+
+#endif

@@ -1,0 +1,22 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * design/covariance.h: K = (H'H)^-1 of a set of directions, for searches that ask for it many times.
+ */
+#ifndef COVARIANCE_H
+#define COVARIANCE_H
+
+#include "cli/command.h"
+
+/* The row h(eta) of a direction. */
+void covariance_row(const double up[3], double h[INVCAL_PARAMETERS]);
+
+/* K of `count` directions, weighted unless `weight` is null. A ridge of 1e-9 keeps what they leave open
+ * finite. Returns ln det H'H. */
+double covariance_find(const double (*direction)[3], const double *weight, unsigned count,
+                       double K[INVCAL_PARAMETERS][INVCAL_PARAMETERS]);
+
+/* a K b'. */
+double covariance_product(double K[INVCAL_PARAMETERS][INVCAL_PARAMETERS], const double *a,
+                          const double *b);
+
+#endif

@@ -1,0 +1,26 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * design/parameters.h: the nine parameters, and the positions that determine them, in plain words.
+ *
+ * Texts are cut to fit into `size`.
+ */
+#ifndef PARAMETERS_H
+#define PARAMETERS_H
+
+#include <stddef.h>
+#include <stdint.h>
+
+/* "offset x", "scale y", "angle zy", ... */
+const char *parameter_words(unsigned parameter);
+
+/* How many bits are set. */
+unsigned parameters_count(uint16_t bits);
+
+/* Those whose bits are set: "offset z, scale z". Returns text. */
+const char *parameters_list(uint16_t bits, char *text, size_t size);
+
+/* Positions that would determine them, to be set behind "add positions with": "the field along
+ * +z and -z, and midway between x and z". Returns text. */
+const char *parameters_advice(uint16_t bits, char *text, size_t size);
+
+#endif

@@ -1,0 +1,215 @@
+/* SPDX-License-Identifier: MIT */
+#include "design/program.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "maths/angles.h"
+
+#define DEGREES 57.295779513082321
+#define REACH 20.0 /* degrees: farther off is another direction */
+#define SLACK 3.0  /* by so much another one must be nearer than the one asked for */
+#define SAME 0.1   /* two positions of one direction */
+#define EQUAL 1e-6 /* to rounding */
+#define BESIDE 0.1 /* of the field: no readings of these positions */
+
+enum { NOT_NEEDED = 1, VISITED };
+
+/* The angle between two directions, degrees; the first of any length. */
+static double apart(const double a[3], const double b[3])
+{
+    const double sine = hypot(hypot(a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2]),
+                              a[0] * b[1] - a[1] * b[0]);
+
+    return DEGREES * atan2(sine, a[0] * b[0] + a[1] * b[1] + a[2] * b[2]);
+}
+
+static const double *vertical(const program *p, unsigned position)
+{
+    return p->set->position[position].vertical;
+}
+
+static stand_angles angles_at(const program *p, unsigned position)
+{
+    const design_position *at = &p->set->position[position];
+
+    return (stand_angles){at->alpha, at->beta};
+}
+
+void program_begin(program *p, const design *set)
+{
+    p->set = set;
+    memset(p->visited, 0, sizeof p->visited);
+    p->asked = 0;
+    p->has_rest = 0;
+    p->is_again = 0;
+    p->here = PROGRAM_NOWHERE;
+}
+
+/* The nearest within reach, of equals the one that wants it most. */
+static unsigned nearest_to(const program *p, const double up[3], double *least)
+{
+    unsigned nearest = PROGRAM_NOWHERE;
+
+    *least = REACH;
+    for (unsigned i = 0; i < p->set->count; i++) {
+        const double angle = apart(up, vertical(p, i));
+        const int is_equal = nearest != PROGRAM_NOWHERE && fabs(angle - *least) < EQUAL;
+        if (is_equal ? p->visited[i] < p->visited[nearest] : angle < *least) {
+            *least = angle;
+            nearest = i;
+        }
+    }
+    return nearest;
+}
+
+unsigned program_find(const program *p, const double up[3])
+{
+    double least;
+    const unsigned nearest = nearest_to(p, up, &least);
+
+    if (p->asked < p->set->count) {
+        const double angle = apart(up, vertical(p, p->asked));
+        if (angle < REACH && angle < least + SLACK) {
+            return p->asked;
+        }
+    }
+    return nearest;
+}
+
+/* What follows in the same direction need not be visited: a rest does not tell them apart. */
+static void mark(program *p, unsigned position)
+{
+    const double *up = vertical(p, position);
+
+    p->visited[position] = VISITED;
+    for (unsigned i = position + 1; i < p->set->count && apart(up, vertical(p, i)) < SAME; i++) {
+        p->visited[i] = p->visited[i] == VISITED ? VISITED : NOT_NEEDED;
+    }
+}
+
+void program_visit(program *p, unsigned position, const double up[3])
+{
+    p->has_rest = 1;
+    p->here = position;
+    p->is_again = position < p->set->count && p->visited[position] == NOT_NEEDED;
+    memcpy(p->up, up, sizeof p->up);
+    if (position < p->set->count) {
+        mark(p, position);
+    }
+    while (p->asked < p->set->count && p->visited[p->asked]) {
+        p->asked++;
+    }
+}
+
+/* ---- zero and scale ---------------------------------------------------------------------------- */
+
+/* Adds a share of one vector to another. */
+static void add(double to[3], const double v[3], double share)
+{
+    for (unsigned i = 0; i < 3; i++) {
+        to[i] += share * v[i];
+    }
+}
+
+int program_scale(const program *p, const double *mean, unsigned count, double zero[3],
+                  double *length)
+{
+    double reading[3] = {0, 0, 0};
+    double up[3] = {0, 0, 0};
+    double product = 0;
+    double square = 0;
+    double rest = 0;
+
+    for (unsigned n = 0; n < count; n++) {
+        add(reading, &mean[3 * (size_t)n], 1.0 / count);
+        add(up, vertical(p, n), 1.0 / count);
+    }
+    for (unsigned n = 0; n < count; n++) {
+        for (unsigned i = 0; i < 3; i++) {
+            const double eta = vertical(p, n)[i] - up[i];
+            const double u = mean[3 * (size_t)n + i] - reading[i];
+            product += eta * u;
+            square += eta * eta;
+            rest += u * u;
+        }
+    }
+    *length = product / square;
+    rest -= *length * product;
+    for (unsigned i = 0; i < 3; i++) {
+        zero[i] = reading[i] - *length * up[i];
+    }
+    return square > 0 && *length > 0 && rest < BESIDE * BESIDE * *length * *length * count;
+}
+
+/* ---- in words ---------------------------------------------------------------------------------- */
+
+/* Those of the last rest: what the stand was set to, or what the readings tell. */
+static stand_angles present(const program *p, unsigned asked)
+{
+    return p->here < p->set->count ? angles_at(p, p->here)
+                                   : angles_near(p->up, angles_at(p, asked));
+}
+
+const char *program_angles_text(const program *p, char text[PROGRAM_TEXT_MAX])
+{
+    char angles[ANGLES_TEXT_MAX] = "";
+
+    if (p->asked < p->set->count) {
+        (void)angles_text(angles_at(p, p->asked), angles);
+    }
+    snprintf(text, PROGRAM_TEXT_MAX, "%s", angles);
+    return text;
+}
+
+const char *program_next_text(const program *p, char text[PROGRAM_TEXT_MAX])
+{
+    char angles[ANGLES_TEXT_MAX];
+    char turn[ANGLES_TEXT_MAX] = "";
+    char words[INVCAL_WORDS];
+
+    text[0] = '\0';
+    if (p->asked >= p->set->count) {
+        return text;
+    }
+    if (p->has_rest) {
+        (void)angles_turn_text(present(p, p->asked), angles_at(p, p->asked), turn);
+    }
+    snprintf(text, PROGRAM_TEXT_MAX, "position %u of %u: %s; %s%s%s", p->asked + 1, p->set->count,
+             angles_text(angles_at(p, p->asked), angles), turn, *turn ? "; " : "",
+             invcal_words(vertical(p, p->asked), words));
+    return text;
+}
+
+const char *program_wrong_text(const program *p, unsigned asked, char text[PROGRAM_TEXT_MAX])
+{
+    char angles[ANGLES_TEXT_MAX];
+
+    (void)angles_text(present(p, asked), angles);
+    if (p->here < p->set->count) {
+        snprintf(text, PROGRAM_TEXT_MAX, "that is position %u (%s), not %u", p->here + 1, angles,
+                 asked + 1);
+    } else {
+        snprintf(text, PROGRAM_TEXT_MAX, "that is %s, no position of the program; %u was asked for",
+                 angles, asked + 1);
+    }
+    return text;
+}
+
+const char *program_missing_text(const program *p, char text[PROGRAM_TEXT_MAX])
+{
+    size_t length = 0;
+
+    text[0] = '\0';
+    for (unsigned i = 0; i < p->set->count && length + 12 < PROGRAM_TEXT_MAX; i++) {
+        if (!p->visited[i]) {
+            length += (size_t)snprintf(text + length, PROGRAM_TEXT_MAX - length, "%s%u",
+                                       length > 0 ? ", " : "", i + 1);
+        }
+    }
+    if (length + 12 >= PROGRAM_TEXT_MAX) {
+        snprintf(text + length, PROGRAM_TEXT_MAX - length, ", ...");
+    }
+    return text;
+}

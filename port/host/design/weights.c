@@ -1,0 +1,55 @@
+/* SPDX-License-Identifier: MIT */
+#include "design/weights.h"
+
+#include <math.h>
+
+#include "design/covariance.h"
+
+enum { P = INVCAL_PARAMETERS };
+
+#define STEPS 20000u
+#define REACHED 1e-12 /* d_i above 9 by no more, relatively */
+#define NOTHING 1e-6
+
+/* A step of the multiplicative algorithm, p_i d_i / 9. Returns by how much the largest d_i / 9 is above
+ * 1: det M is within its ninth power of the largest. */
+static double improve(const double (*direction)[3], unsigned count, double *share)
+{
+    double K[P][P];
+    double most = 0;
+
+    (void)covariance_find(direction, share, count, K);
+    for (unsigned i = 0; i < count; i++) {
+        double h[P];
+        covariance_row(direction[i], h);
+        const double factor = covariance_product(K, h, h) * count / (double)P;
+        most = fmax(most, factor);
+        share[i] *= factor;
+    }
+    return most - 1;
+}
+
+void weights_find(const double (*direction)[3], unsigned count, double *share)
+{
+    double sum = 0;
+
+    for (unsigned i = 0; i < count; i++) {
+        share[i] = 1;
+    }
+    for (unsigned step = 0; step < STEPS && improve(direction, count, share) > REACHED; step++) {
+    }
+    for (unsigned i = 0; i < count; i++) {
+        share[i] = share[i] > NOTHING ? share[i] : 0;
+        sum += share[i];
+    }
+    for (unsigned i = 0; i < count; i++) {
+        share[i] *= count / sum;
+    }
+}
+
+/* Of a spherical 4-design: H'H / n has 1/3 for offsets, 2/15 twice and 1/3 for scale errors, 1/15 for
+ * angles. */
+double weights_bound(unsigned n)
+{
+    return 4 * log(n / 3.0) + 2 * log(2.0 * n / 15) + 3 * log(n / 15.0);
+}

@@ -1,0 +1,72 @@
+/* SPDX-License-Identifier: MIT */
+#include "cli/command.h"
+#include "export/text.h"
+#include "text/constant.h"
+#include "cli/message.h"
+
+/* A float must hold every number: this library's usual build and the plain arrays are float. */
+static int check_range(const export_job *job)
+{
+    const invcal_calibration *c = &job->file.calibration;
+
+    if (!constant_fits(c->offset, (const double(*)[3])c->matrix)) {
+        message("%s: has numbers beyond the range of a float; calibrate in other units",
+                job->source);
+        return EXIT_DATA;
+    }
+    return EXIT_GOOD;
+}
+
+static const char *name_of(const export_job *job)
+{
+    return job->name ? job->name : "calibration";
+}
+
+static void begin(FILE *file, const export_job *job)
+{
+    fputs("/*\n", file);
+    export_heading(file, EXPORT_COMMENT_C, job);
+    fputs(" *\n", file);
+}
+
+/* invcal/invcal.h: calibrated = matrix (raw - offset), raw and offset in input units, matrix
+ * in field units per input unit: the members of the file, as they are. */
+static void write_c(FILE *file, const export_job *job)
+{
+    const invcal_calibration *c = &job->file.calibration;
+    const char *name = name_of(job);
+
+    begin(file, job);
+    export_comment(file, EXPORT_COMMENT_C, "Use: invcal_apply(&%s, raw, calibrated);", name);
+    export_comment(file, EXPORT_COMMENT_C, "raw in input units, calibrated in %s.",
+                   export_field_unit(job));
+    fprintf(file, " */\n#ifndef INVCAL_EXPORT_%s_H\n#define INVCAL_EXPORT_%s_H\n\n", name, name);
+    fprintf(file, "#include \"invcal/invcal.h\"\n\n");
+    constant_write(file, name, c->offset, (const double(*)[3])c->matrix);
+    fputs("\n#endif\n", file);
+}
+
+/* The same without the library: two arrays of float, which any C compiler takes. */
+static void write_arrays(FILE *file, const export_job *job)
+{
+    const invcal_calibration *c = &job->file.calibration;
+    const char *name = name_of(job);
+
+    begin(file, job);
+    export_comment(file, EXPORT_COMMENT_C, "Use, for i = 0, 1, 2, the sum over j = 0, 1, 2:");
+    export_comment(file, EXPORT_COMMENT_C,
+                   "  calibrated[i] = SUM %s_matrix[i][j] (raw[j] - %s_offset[j])", name, name);
+    export_comment(file, EXPORT_COMMENT_C, "raw in input units, calibrated in %s.",
+                   export_field_unit(job));
+    fprintf(file, " */\nstatic const float %s_offset[3] = ", name);
+    constant_row(file, c->offset, 0, "", "f");
+    fprintf(file, ";\nstatic const float %s_matrix[3][3] = {\n", name);
+    for (unsigned i = 0; i < 3; i++) {
+        fputs("    ", file);
+        constant_row(file, c->matrix[i], 0, "", "f");
+        fputs(i < 2 ? ",\n" : "};\n", file);
+    }
+}
+
+const export_format export_c = {"c", EXPORT_NAMED, check_range, write_c};
+const export_format export_c_arrays = {"c-arrays", EXPORT_NAMED, check_range, write_arrays};

@@ -1,0 +1,337 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * invcal export: a calibration in the formats of other systems.
+ */
+#include "export/format.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "cli/command.h"
+#include "export/driver.h"
+#include "cli/files.h"
+#include "cli/input.h"
+#include "cli/message.h"
+#include "text/number.h"
+#include "cli/options.h"
+#include "cli/output.h"
+#include "text/unit.h"
+
+enum { FORMAT, NAME, ZERO, LSB, INSTANCE, DEVICE_ID, OUT, OPTIONS };
+
+static const option options[OPTIONS] = {
+    [FORMAT] = {"--format", 1}, [NAME] = {"--name", 1},         [ZERO] = {"--zero", 1},
+    [LSB] = {"--lsb", 1},       [INSTANCE] = {"--instance", 1}, [DEVICE_ID] = {"--device-id", 1},
+    [OUT] = {"--out", 1},
+};
+static const char *const operands[] = {"CAL.json"};
+static const option_syntax syntax = {"export", options, OPTIONS, operands, 1, 0};
+
+/* What a format must take for an option to make sense. */
+static const unsigned option_needs[OPTIONS] = {
+    [NAME] = EXPORT_NAMED,        [ZERO] = EXPORT_DRIVER,        [LSB] = EXPORT_DRIVER,
+    [INSTANCE] = EXPORT_INSTANCE, [DEVICE_ID] = EXPORT_INSTANCE,
+};
+
+static const export_format *const formats[] = {
+    &export_c,   &export_c_arrays, &export_px4,    &export_ardupilot,
+    &export_ros, &export_imu_tk,   &export_fusion,
+};
+
+#define FORMATS (sizeof formats / sizeof formats[0])
+#define NAME_LENGTH 60u
+
+typedef struct {
+    const char *path;
+    const char *value[OPTIONS];
+    const export_format *format;
+    double zero[3];
+    double lsb[3];
+} request;
+
+static int usage(unsigned which, const char *what)
+{
+    return message_usage(syntax.command, "%s: %s", options[which].name, what);
+}
+
+static int read_format(request *r)
+{
+    for (unsigned i = 0; i < FORMATS && r->value[FORMAT]; i++) {
+        if (strcmp(r->value[FORMAT], formats[i]->name) == 0) {
+            r->format = formats[i];
+        }
+    }
+    if (!r->format) {
+        return usage(FORMAT, "is one of c, c-arrays, px4, ardupilot, ros, imu_tk, fusion");
+    }
+    for (unsigned i = 0; i < OPTIONS; i++) {
+        if (r->value[i] && (option_needs[i] & ~r->format->takes)) {
+            return message_usage(syntax.command, "%s: --format %s has no use for it",
+                                 options[i].name, r->format->name);
+        }
+    }
+    return EXIT_GOOD;
+}
+
+static int is_keyword(const char *word)
+{
+    static const char *const keywords[] = {
+        "auto",    "break",  "case",     "char",   "const",    "continue", "default",
+        "do",      "double", "else",     "enum",   "extern",   "float",    "for",
+        "goto",    "if",     "inline",   "int",    "long",     "register", "restrict",
+        "return",  "short",  "signed",   "sizeof", "static",   "struct",   "switch",
+        "typedef", "union",  "unsigned", "void",   "volatile", "while",
+    };
+
+    for (unsigned i = 0; i < sizeof keywords / sizeof keywords[0]; i++) {
+        if (strcmp(word, keywords[i]) == 0) {
+            return 1;
+        }
+    }
+    return 0;
+}
+
+/* A name goes into C source as it is. One underscore in front would be the compiler's. */
+static int read_name(const char *name)
+{
+    static const char letters[] = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ";
+    static const char others[] = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_";
+
+    if (name && (!strchr(letters, *name) || name[strspn(name, others)] != '\0' ||
+                 strlen(name) > NAME_LENGTH || is_keyword(name))) {
+        return usage(NAME, "is a word for C: a letter, then letters, digits or _, 60 at most, "
+                           "and no keyword");
+    }
+    return EXIT_GOOD;
+}
+
+static int read_scale(request *r)
+{
+    int failure = EXIT_GOOD;
+    int single = 0;
+
+    if (!r->value[ZERO] != !r->value[LSB]) {
+        return usage(r->value[ZERO] ? ZERO : LSB, "state both --zero and --lsb");
+    }
+    if (r->value[LSB]) {
+        failure = options_numbers(&syntax, ZERO, r->value[ZERO], 3, r->zero, NULL);
+        failure =
+            failure ? failure : options_numbers(&syntax, LSB, r->value[LSB], 3, r->lsb, &single);
+        r->lsb[1] = single ? r->lsb[0] : r->lsb[1];
+        r->lsb[2] = single ? r->lsb[0] : r->lsb[2];
+    }
+    for (unsigned i = 0; i < 3 && !failure && r->value[LSB]; i++) {
+        failure = fabs(r->lsb[i]) > 0 ? EXIT_GOOD : usage(LSB, "a scale is not 0");
+    }
+    return failure;
+}
+
+static int read_whole(unsigned which, const char *value, double low, double high, double *out)
+{
+    if (!value) {
+        return EXIT_GOOD;
+    }
+    const int failure = options_numbers(&syntax, which, value, 1, out, NULL);
+    if (!failure && !(*out >= low && *out <= high && !(floor(*out) < *out))) {
+        return message_usage(syntax.command, "%s: is a whole number from %.0f to %.0f",
+                             options[which].name, low, high);
+    }
+    return failure;
+}
+
+static int check_files(const request *r)
+{
+    const named_file input = {"CAL.json", r->path};
+    const named_file made = {"--out", r->value[OUT]};
+
+    return files_check(syntax.command, &input, 1, &made, 1);
+}
+
+static int read_request(int argc, char **argv, request *r, export_job *job)
+{
+    double instance = 0;
+    int failure = options_parse(&syntax, argc, argv, r->value, &r->path);
+
+    failure = failure ? failure : read_format(r);
+    failure = failure ? failure : read_name(r->value[NAME]);
+    failure = failure ? failure : read_scale(r);
+    failure = failure ? failure : read_whole(INSTANCE, r->value[INSTANCE], 0, 3, &instance);
+    failure = failure ? failure
+                      : read_whole(DEVICE_ID, r->value[DEVICE_ID], 1, 2147483647, &job->device_id);
+    failure = failure ? failure : check_files(r);
+    job->instance = failure ? 0 : (unsigned)instance;
+    job->name = r->value[NAME];
+    job->source = failure ? NULL : input_name(r->path);
+    job->format = failure ? NULL : r->format->name;
+    return failure;
+}
+
+/* What is exported all the same, but should not be trusted as a good one is. */
+static void warn(const export_job *job)
+{
+    const calibration_file *c = &job->file;
+
+    if (c->suspected > 0) {
+        message("warning: %s: %.0f positions contradict one another; it is exported as it is",
+                job->source, c->suspected);
+    }
+    if (*c->undetermined) {
+        message("warning: %s: %s calibration: %s badly determined; it is exported as it is",
+                job->source, *c->verdict ? c->verdict : "this", c->undetermined);
+    } else if (strcmp(c->verdict, "no redundancy") == 0) {
+        message("warning: %s: no position to spare has checked it; it is exported as it is",
+                job->source);
+    } else if (*c->verdict && strcmp(c->verdict, "good") != 0 && !(c->suspected > 0)) {
+        message("warning: %s: %s calibration; it is exported as it is", job->source, c->verdict);
+    }
+}
+
+/* Without its nonlinear terms the rest is not the best that is linear: that takes a part of them. */
+static int refuse_nonlinear(const export_job *job)
+{
+    return message_usage(syntax.command,
+                         "%s has quadratic or cubic errors of the axes, which --format %s cannot "
+                         "take off: export a calibration made without --quadratic and --cubic",
+                         job->source, job->format);
+}
+
+/* All that can be refused, before anything is written. */
+static int settle(const request *r, export_job *job)
+{
+    const unsigned takes = r->format->takes;
+    const double gravity = job->file.gravity;
+    int failure = EXIT_GOOD;
+
+    job->si = unit_field_si(gravity);
+    if (job->file.has_nonlinear) {
+        return refuse_nonlinear(job);
+    }
+    if ((takes & EXPORT_GRAVITY) && !(gravity > 0)) {
+        message("%s: \"gravity\", the length of the field, is missing or not above 0, and "
+                "--format %s needs it",
+                job->source, job->format);
+        return EXIT_FILE;
+    }
+    if ((takes & EXPORT_ACCELERATION) && !(job->si > 0)) {
+        return message_usage(syntax.command,
+                             "--format %s is for accelerometers, but in %s the field is %.6g: "
+                             "no gravity in m/s^2, g or mg",
+                             job->format, job->source, gravity);
+    }
+    if (takes & EXPORT_DRIVER) {
+        failure =
+            export_driver(job, r->value[ZERO] ? r->zero : NULL, r->value[LSB] ? r->lsb : NULL);
+    }
+    if (!failure && r->format->check) {
+        failure = r->format->check(job);
+    }
+    if (!failure) {
+        warn(job);
+    }
+    return failure;
+}
+
+static int deliver(const request *r, const export_job *job)
+{
+    output out;
+
+    if (!r->value[OUT]) {
+        r->format->write(stdout, job);
+        return output_flush();
+    }
+    int failure = output_begin(&out, r->value[OUT]);
+    if (!failure) {
+        r->format->write(out.file, job);
+        failure = output_finish(&out);
+    }
+    return output_end(&out, 1, failure);
+}
+
+static int run(int argc, char **argv)
+{
+    request r = {.path = NULL};
+    export_job job = {.device_id = NUMBER_UNKNOWN};
+    int failure = read_request(argc, argv, &r, &job);
+
+    failure = failure ? failure : calibration_file_read_all(r.path, &job.file);
+    failure = failure ? failure : settle(&r, &job);
+    if (!failure && job.file.has_thermal) {
+        message("warning: %s: its temperature terms are not exported; what is holds at %.6g °C",
+                job.source, job.file.thermal.reference);
+    }
+    return failure ? failure : deliver(&r, &job);
+}
+
+static const char *const help[] = {
+    "usage: invcal export CAL.json --format NAME [options]\n"
+    "\n"
+    "Writes a calibration in the format of another system. CAL.json is what invcal calibrate "
+    "--out\n"
+    "has written; - is the standard input.\n"
+    "\n"
+    "  --format c          C header, a constant for invcal_apply of this library\n"
+    "  --format c-arrays   C, two plain arrays of float, for code without the library\n"
+    "  --format fusion     C, matrix, sensitivity and offset for x-io Fusion, result in g; of a\n"
+    "                      magnetometer its soft-iron matrix and hard-iron offset\n"
+    "  --format imu_tk     the file that imu_tk saves and loads; result in m/s^2\n"
+    "  --format ros        YAML for apply_calib of the ROS package imu_calib\n"
+    "  --format px4        CAL_ACC parameters, a file for QGroundControl\n"
+    "  --format ardupilot  INS_ACC parameters, a .param file\n"
+    "\n",
+    "One made with --quadratic or --cubic is refused: no format takes such errors off.\n"
+    "Of a calibration made with --thermal what holds at its reference temperature is exported, "
+    "and\n"
+    "that is told.\n"
+    "\n"
+    "A field of 9.7 to 9.9 is taken for gravity in m/s^2, 0.99 to 1.01 in g, 990 to 1010 in mg, "
+    "and\n"
+    "any other for that of a magnetometer, which only the three in C take.\n"
+    "\n"
+    "The first four take readings in input units, those of the log. The last three correct what\n"
+    "their driver delivers in m/s^2, so its scale must be known: the log was in m/s^2, g or mg, "
+    "or\n"
+    "invcal calibrate was given --zero and --lsb, or they are stated here. The last two have no\n"
+    "cross terms: they get the best fit of three scales and three offsets, and the error that it\n"
+    "leaves is told, rms and largest of all directions, in mg (thousandths of the field).\n"
+    "Their log must not be corrected yet: PX4's sensor_accel is not, ArduPilot's logs are,\n"
+    "unless recorded with offsets 0 and scales 1.\n"
+    "\n"
+    "  --name WORD         c, c-arrays, fusion: what the names in the C source begin with\n"
+    "  --zero X,Y,Z        px4, ardupilot, ros: reading that the driver turns into 0, input units\n"
+    "  --lsb S | SX,SY,SZ  its scale, m/s^2 per input unit\n"
+    "  --instance N        px4, ardupilot: number of the sensor; default 0, the first\n"
+    "  --device-id N       px4, ardupilot: writes CAL_ACCn_ID or INS_ACCn_ID as well\n"
+    "  --out FILE          write to a file in place of the standard output\n",
+    "\n"
+    "exit codes: 0 good; 1 the calibration is out of the range of the system; 2 usage, or a scale\n"
+    "that nobody has told; 3 CAL.json unreadable or malformed, or the output not writable\n"
+    "\n"
+    "example:\n"
+    "  invcal calibrate tests/data/xsens_mti_positions.csv --positions --gravity 9.81744 \\\n"
+    "      --zero 32768,32768,32768 --lsb 0.0024 --out cal.json\n"
+    "  invcal export cal.json --format c --name accelerometer\n"
+    "  invcal export cal.json --format px4 --zero 32768,32768,32768 --lsb 0.0024\n",
+    NULL};
+
+static const char *const brief[] = {
+    "usage: invcal export CAL.json --format NAME [options]\n"
+    "\n"
+    "Writes a calibration, made by invcal calibrate --out, in the format of another system.\n"
+    "\n"
+    "  --format c          C header for this library; c-arrays: two plain arrays\n"
+    "  --format fusion     C for x-io Fusion\n"
+    "  --format imu_tk     the file of imu_tk\n"
+    "  --format ros        YAML for the ROS package imu_calib\n"
+    "  --format px4        parameters for QGroundControl\n"
+    "  --format ardupilot  parameters, a .param file\n"
+    "  --zero X,Y,Z        px4, ardupilot, ros: what the driver turns into 0, input units\n"
+    "  --lsb S | SX,SY,SZ  its scale, m/s^2 per input unit\n"
+    "  --out FILE          write to a file in place of the standard output\n"
+    "\n"
+    "example:\n"
+    "  invcal calibrate tests/data/mpu9150_0_positions.csv --positions --out cal.json\n"
+    "  invcal export cal.json --format c --name accelerometer\n",
+    NULL};
+
+const tool_command export_command = {"export", "a calibration in the formats of other systems",
+                                     help, run, brief};

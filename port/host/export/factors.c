@@ -1,0 +1,41 @@
+/* SPDX-License-Identifier: MIT */
+#include "export/factors.h"
+
+#include <math.h>
+
+#include "cli/command.h"
+#include "cli/message.h"
+#include "export/text.h"
+
+#define RATIO_MAX 1e3 /* of misalignment: with more, floats would lose the reading */
+
+int export_factors_check(const export_job *job)
+{
+    const double(*m)[3] = job->file.calibration.matrix;
+
+    for (unsigned j = 0; j < 3; j++) {
+        const double column = fabs(m[0][j]) + fabs(m[1][j]) + fabs(m[2][j]);
+        if (!(column <= RATIO_MAX * fabs(m[j][j]))) {
+            message("%s: the sensor on input %c feels nothing along %c, so --format %s cannot "
+                    "hold it: name the columns in their order",
+                    job->source, (int)"xyz"[j], (int)"xyz"[j], job -> format);
+            return EXIT_DATA;
+        }
+    }
+    const export_factors f = export_factors_of(job, job->si);
+    return export_check_range(job, f.scale, 3, 0);
+}
+
+export_factors export_factors_of(const export_job *job, double factor)
+{
+    const double(*m)[3] = job->file.calibration.matrix;
+    export_factors f;
+
+    for (unsigned j = 0; j < 3; j++) {
+        f.scale[j] = factor * m[j][j];
+        for (unsigned i = 0; i < 3; i++) {
+            f.misalignment[i][j] = m[i][j] / m[j][j];
+        }
+    }
+    return f;
+}

@@ -1,0 +1,91 @@
+/* SPDX-License-Identifier: MIT */
+#include "cli/command.h"
+#include "export/factors.h"
+#include "export/text.h"
+#include "text/constant.h"
+#include "cli/message.h"
+
+/* Braces as in Fusion's own examples: flat, so that they fit all versions of its unions. */
+static void write_values(FILE *file, const char *type, const char *name, const char *part,
+                         const double *x, unsigned n)
+{
+    char text[NUMBER_TEXT_MAX];
+
+    fprintf(file, "static const %s %s%s = {", type, name, part);
+    for (unsigned i = 0; i < n; i++) {
+        fprintf(file, "%s%sf",
+                i == 0       ? ""
+                : i % 3 == 0 ? ",\n    "
+                             : ", ",
+                constant_literal(x[i], 0, text));
+    }
+    fputs("};\n", file);
+}
+
+static int check(const export_job *job)
+{
+    const invcal_calibration *c = &job->file.calibration;
+    int fits = 1;
+
+    for (unsigned i = 0; i < 3; i++) {
+        fits = fits && constant_fits_float(c->offset[i]) && constant_fits_float(c->matrix[i][i]) &&
+               constant_fits_float(c->matrix[i][i] / job->file.gravity);
+    }
+    if (!fits) {
+        message("%s: has numbers beyond the range of a float; calibrate in other units",
+                job->source);
+        return EXIT_DATA;
+    }
+    return job->si > 0 ? export_factors_check(job) : export_check_range(job, c->matrix[0], 9, 1);
+}
+
+/* x-io Fusion, Fusion/FusionModel.h (in earlier versions FusionCalibration.h,
+ * FusionCalibrationInertial()):
+ *
+ *     FusionModelInertial(uncalibrated, M, s, b) = M ((uncalibrated - b) o s)   (o: axis by axis)
+ *
+ * The result is to be in g, and what the filter takes off for gravity is 1 (FusionAhrs.c): so the
+ * matrix is divided by the length of the field, which makes it 1 at rest here. Then b = offset in
+ * input units, and matrix / field = M diag(s) column by column, M with ones on its diagonal. */
+static void write_inertial(FILE *file, const export_job *job, const char *name)
+{
+    const export_factors f = export_factors_of(job, 1 / job->file.gravity);
+
+    export_comment(file, EXPORT_COMMENT_C,
+                   "FusionModelInertial(raw, %sMisalignment, %sSensitivity, %sOffset)", name, name,
+                   name);
+    export_comment(file, EXPORT_COMMENT_C, "raw in input units, result in g: 1 at rest here.");
+    fputs(" */\n", file);
+    write_values(file, "FusionMatrix", name, "Misalignment", f.misalignment[0], 9);
+    write_values(file, "FusionVector", name, "Sensitivity", f.scale, 3);
+    write_values(file, "FusionVector", name, "Offset", job->file.calibration.offset, 3);
+}
+
+/* FusionModelMagnetic(uncalibrated, softIronMatrix, hardIronOffset) = matrix (uncalibrated -
+ * offset), as here. Only the direction of the result counts: its unit stays that of the field. */
+static void write_magnetic(FILE *file, const export_job *job, const char *name)
+{
+    const invcal_calibration *c = &job->file.calibration;
+
+    export_comment(file, EXPORT_COMMENT_C,
+                   "FusionModelMagnetic(raw, %sSoftIronMatrix, %sHardIronOffset)", name, name);
+    export_comment(file, EXPORT_COMMENT_C,
+                   "raw in input units; of the result only the direction counts.");
+    fputs(" */\n", file);
+    write_values(file, "FusionMatrix", name, "SoftIronMatrix", c->matrix[0], 9);
+    write_values(file, "FusionVector", name, "HardIronOffset", c->offset, 3);
+}
+
+static void write_file(FILE *file, const export_job *job)
+{
+    fputs("/*\n", file);
+    export_heading(file, EXPORT_COMMENT_C, job);
+    fputs(" *\n", file);
+    if (job->si > 0) {
+        write_inertial(file, job, job->name ? job->name : "accelerometer");
+    } else {
+        write_magnetic(file, job, job->name ? job->name : "magnetometer");
+    }
+}
+
+const export_format export_fusion = {"fusion", EXPORT_NAMED | EXPORT_GRAVITY, check, write_file};

@@ -1,0 +1,108 @@
+/* SPDX-License-Identifier: MIT */
+#define _POSIX_C_SOURCE 200809L
+#include "export/text.h"
+
+#include <float.h>
+#include <math.h>
+#include <stdarg.h>
+#include <string.h>
+
+#include "cli/command.h"
+#include "cli/message.h"
+
+#define LINE_MAX_BYTES 512
+#define SOURCE_SHOWN 60
+
+/* No '*' and no '/' make the end of a comment, no '\' or '?' (trigraphs) the end of a line. */
+static int is_harmless(char c)
+{
+    return c >= ' ' && c <= '~' && !strchr("*\\?", c);
+}
+
+void export_comment(FILE *file, const char *prefix, const char *format, ...)
+{
+    char text[LINE_MAX_BYTES];
+    va_list arguments;
+
+    va_start(arguments, format);
+    vsnprintf(text, sizeof text, format, arguments);
+    va_end(arguments);
+    for (char *c = text; *c != '\0'; c++) {
+        *c = is_harmless(*c) ? *c : '_';
+    }
+    fprintf(file, "%s%s\n", prefix, text);
+}
+
+/* The end of a long path tells more than its beginning. */
+static const char *tail(const char *path)
+{
+    const size_t length = strlen(path);
+
+    return length > SOURCE_SHOWN ? path + length - SOURCE_SHOWN : path;
+}
+
+static int is_known(const double x[3])
+{
+    return fabs(x[0]) <= DBL_MAX && fabs(x[1]) <= DBL_MAX && fabs(x[2]) <= DBL_MAX;
+}
+
+static void comment_sigma(FILE *file, const char *prefix, const calibration_file *c)
+{
+    if (!is_known(c->sigma_offset) || !is_known(c->sigma_dk) || !is_known(c->sigma_gamma)) {
+        export_comment(file, prefix, "standard deviations: not known");
+        return;
+    }
+    export_comment(file, prefix, "standard deviations, x y z:");
+    export_comment(file, prefix, "  offset        %.2g %.2g %.2g input units", c->sigma_offset[0],
+                   c->sigma_offset[1], c->sigma_offset[2]);
+    export_comment(file, prefix, "  scale errors  %.2g %.2g %.2g", c->sigma_dk[0], c->sigma_dk[1],
+                   c->sigma_dk[2]);
+    export_comment(file, prefix, "  angles        %.2g %.2g %.2g rad (xy, xz, zy)",
+                   c->sigma_gamma[0], c->sigma_gamma[1], c->sigma_gamma[2]);
+}
+
+void export_heading(FILE *file, const char *prefix, const export_job *job)
+{
+    const calibration_file *c = &job->file;
+
+    export_comment(file, prefix, "Made by invcal " INVCAL_VERSION " from %s", tail(job->source));
+    export_comment(file, prefix, "verdict: %s", *c->verdict ? c->verdict : "not told");
+    if (c->suspected > 0) {
+        export_comment(file, prefix, "%.0f positions contradict one another", c->suspected);
+    }
+    if (*c->undetermined) {
+        export_comment(file, prefix, "badly determined: %s", c->undetermined);
+    }
+    if (c->positions <= DBL_MAX) {
+        export_comment(file, prefix, "positions: %.0f", c->positions);
+    }
+    if (c->gravity <= DBL_MAX) {
+        export_comment(file, prefix, "%s: %.9g %s", job->si > 0 ? "gravity" : "field", c->gravity,
+                       export_field_unit(job));
+    }
+    if (*c->frame) {
+        export_comment(file, prefix, "frame: %s", c->frame);
+    }
+    comment_sigma(file, prefix, c);
+}
+
+const char *export_field_unit(const export_job *job)
+{
+    return job->si > 5     ? "g" /* 9.80665 m/s^2 */
+           : job->si > 0.5 ? "m/s^2"
+           : job->si > 0   ? "mg"
+                           : "units of the field";
+}
+
+int export_check_range(const export_job *job, const double *x, unsigned n, int is_float)
+{
+    for (unsigned i = 0; i < n; i++) {
+        if (!(fabs(x[i]) <= (is_float ? (double)FLT_MAX : DBL_MAX))) {
+            message("%s: a number of --format %s would be beyond the range of a %s; calibrate in "
+                    "other units",
+                    job->source, job->format, is_float ? "float" : "double");
+            return EXIT_DATA;
+        }
+    }
+    return EXIT_GOOD;
+}

@@ -1,0 +1,200 @@
+/* SPDX-License-Identifier: MIT */
+#include "fit/fit.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "maths/eigen.h"
+#include "maths/matrix.h"
+
+#define ANGLES (7u << INVCAL_GAMMA_XY)
+
+int fit_has_prior(const fit_settings *settings)
+{
+    int has_prior = 0;
+
+    for (unsigned r = 0; r < INVCAL_PARAMETERS; r++) {
+        has_prior = has_prior || settings->prior[r] > 0;
+    }
+    return has_prior;
+}
+
+double fit_coverage(const fit_quality *quality, unsigned parameter)
+{
+    return quality->from_prior >> parameter & 1 ? FIT_NORMAL : quality->coverage;
+}
+
+uint16_t fit_held(const fit_settings *settings, const fit_quality *quality)
+{
+    return settings->is_six_faces ? quality->from_prior : 0;
+}
+
+invcal_calibration fit_in_field_units(const invcal_calibration *calibration, double field)
+{
+    invcal_calibration c = *calibration;
+
+    (void)invcal_scale(&c, field); /* the length of a field is positive */
+    return c;
+}
+
+invcal_calibration fit_over_field(const invcal_calibration *calibration, double field)
+{
+    invcal_calibration c = *calibration;
+
+    for (unsigned i = 0; i < 9; i++) {
+        c.matrix[i / 3][i % 3] /= field;
+    }
+    return c;
+}
+
+fit_solution fit_solution_of(const invcal_calibration *symmetric, const fit_settings *settings)
+{
+    fit_solution s = {.calibration = *symmetric, .symmetric = *symmetric};
+
+    invcal_deviation(symmetric, &settings->nominal, s.x);
+    if (settings->is_triangular) {
+        invcal_make_triangular(&s.calibration, &settings->nominal);
+    }
+    return s;
+}
+
+/* calibrated = A (u - delta), u what nominal makes of a reading. */
+static void correction_of(const invcal_calibration *symmetric, const invcal_calibration *nominal,
+                          double a[3][3])
+{
+    double inverse[3][3];
+
+    (void)matrix_inverse(nominal, inverse); /* no solution without */
+    for (unsigned i = 0; i < 3; i++) {
+        const double *m = symmetric->matrix[i];
+        for (unsigned j = 0; j < 3; j++) {
+            a[i][j] = m[0] * inverse[0][j] + m[1] * inverse[1][j] + m[2] * inverse[2][j];
+        }
+    }
+}
+
+/* Noise of u moves the length of a calibrated reading along eta by |A eta| times itself. */
+double fit_weight(const invcal_calibration *symmetric, const invcal_calibration *nominal,
+                  const double eta[3])
+{
+    double a[3][3];
+    double square = 0;
+
+    correction_of(symmetric, nominal, a);
+    for (unsigned i = 0; i < 3; i++) {
+        const double x = a[i][0] * eta[0] + a[i][1] * eta[1] + a[i][2] * eta[2];
+        square += x * x;
+    }
+    return 1 / square;
+}
+
+double fit_sensitivity(const invcal_calibration *symmetric, const invcal_calibration *nominal)
+{
+    double a[3][3];
+    double square = 0;
+
+    correction_of(symmetric, nominal, a);
+    for (unsigned i = 0; i < 9; i++) {
+        square += a[i / 3][i % 3] * a[i / 3][i % 3] / 3;
+    }
+    return sqrt(square);
+}
+
+void fit_information(const double *raw, unsigned count, const fit_settings *settings,
+                     const fit_solution *solution, double noise,
+                     double information[INVCAL_PACKED_SIZE(INVCAL_PARAMETERS)])
+{
+    const invcal_calibration *nominal = &settings->nominal;
+    const double usual = fit_sensitivity(&solution->symmetric, nominal);
+    invcal_sums sums;
+    invcal_row row;
+
+    invcal_sums_init(&sums);
+    for (unsigned n = 0; n < count; n++) { /* as the solution did: none can fail */
+        (void)invcal_observe(&solution->symmetric, &raw[3 * (size_t)n], &row);
+        invcal_sums_add_row(&sums, &row,
+                            usual * usual * fit_weight(&solution->symmetric, nominal, row.h));
+    }
+    invcal_sums_system(&sums);
+    memcpy(information, sums.sum, INVCAL_PACKED_SIZE(INVCAL_PARAMETERS) * sizeof *information);
+    for (unsigned r = 0; r < INVCAL_PARAMETERS; r++) {
+        if (settings->prior[r] > 0) {
+            const double ratio = noise / settings->prior[r];
+            information[INVCAL_PACKED(r, r)] += ratio * ratio;
+        }
+    }
+}
+
+fit_quality fit_quality_of(const invcal_quality *q, const fit_settings *settings,
+                           const fit_solution *solution)
+{
+    const double usual = fit_sensitivity(&solution->symmetric, &settings->nominal);
+    fit_quality out = {.coverage = invcal_coverage(q->sigma_dof),
+                       .noise = q->noise < 1 ? usual * q->noise : 1,
+                       .dof = q->dof,
+                       .sigma_dof = q->sigma_dof,
+                       .rms = q->rms,
+                       .max = q->max,
+                       .worst = q->worst,
+                       .weak = q->weak,
+                       .unchecked = q->unchecked,
+                       .verdict = (invcal_verdict)q->verdict};
+
+    memcpy(out.sigma, q->sigma, sizeof out.sigma);
+    invcal_sigma_offset(q, &settings->nominal, out.sigma_offset);
+    return out;
+}
+
+/* What positions leave open may take any shape. Angles that are held are nothing to look for. */
+invcal_status fit_explain(const double *raw, unsigned count, const fit_settings *settings,
+                          invcal_status status, fit_reason *reason)
+{
+    fit_reason why = {invcal_bad_reading(raw, count, &settings->nominal),
+                      invcal_undetermined(raw, count, &settings->nominal)};
+
+    if (settings->is_six_faces) {
+        why.undetermined = (uint16_t)(why.undetermined & ~ANGLES);
+    }
+    if (reason) {
+        *reason = why;
+    }
+    return status == INVCAL_NOT_ELLIPSOID && why.undetermined &&
+                   (settings->is_six_faces || !fit_has_prior(settings))
+               ? INVCAL_UNDETERMINED
+               : status;
+}
+
+static invcal_status solve(const double *raw, unsigned count, const fit_settings *settings,
+                           invcal_calibration *c, invcal_quality *q, uint16_t *from_prior)
+{
+    const invcal_calibration *nominal = &settings->nominal;
+
+    if (settings->is_six_faces) {
+        return invcal_calibrate_six_faces(raw, count, nominal, settings->noise,
+                                          settings->prior[INVCAL_GAMMA_XY], c, q, from_prior);
+    }
+    return fit_has_prior(settings)
+               ? invcal_calibrate_with_prior(raw, count, nominal, settings->noise, settings->prior,
+                                             c, q, from_prior)
+               : invcal_calibrate(raw, count, nominal, settings->noise, c, q);
+}
+
+invcal_status fit_make(const double *raw, unsigned count, const fit_settings *settings,
+                       fit_solution *solution, fit_quality *quality, fit_reason *reason)
+{
+    double information[INVCAL_PACKED_SIZE(INVCAL_PARAMETERS)];
+    invcal_calibration c;
+    invcal_quality q;
+    uint16_t from_prior = 0;
+
+    const invcal_status status = solve(raw, count, settings, &c, &q, &from_prior);
+    if (status != INVCAL_OK) {
+        return fit_explain(raw, count, settings, status, reason);
+    }
+    *solution = fit_solution_of(&c, settings);
+    *quality = fit_quality_of(&q, settings, solution);
+    quality->from_prior = from_prior;
+    fit_information(raw, count, settings, solution, quality->noise, information);
+    quality->condition = eigen_condition(information, INVCAL_PARAMETERS);
+    return INVCAL_OK;
+}

@@ -1,0 +1,20 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * maths/eigen.h: eigenvalues of small symmetric matrices, packed (INVCAL_PACKED of invcal/expert.h).
+ */
+#ifndef EIGEN_H
+#define EIGEN_H
+
+#define EIGEN_MAX 15u /* rows at most */
+
+/* All eigenvalues of a matrix of n rows, by Jacobi's rotations; in no particular order.
+ *
+ * Error of each: (n + 8) DBL_EPSILON times the largest of them. A NaN in the matrix shows in the
+ * values. */
+void eigenvalues(const double *a, unsigned n, double *value);
+
+/* The condition number: the largest eigenvalue over the smallest, to (n + 8) DBL_EPSILON times
+ * itself. What is not positive definite to rounding has HUGE_VAL for one. */
+double eigen_condition(const double *a, unsigned n);
+
+#endif

@@ -1,0 +1,273 @@
+/* SPDX-License-Identifier: MIT */
+#include "plan/labour.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "cli/command.h"
+#include "design/optimal.h"
+#include "plan/found.h"
+
+#define PI 3.14159265358979323846
+#define HALVINGS 60u
+#define GOLDEN 0.61803398874989485
+#define WITHIN (1 + 1e-9) /* a limit that is met exactly is met, whatever rounding says */
+#define AROUND 4u
+#define NEAR_LONGEST 0.999 /* a dwell this near to the longest would be longer still */
+
+const char *const labour_families[CHOICE_FAMILIES] = {"stand program", "free directions"};
+
+/* ---- noise of a position mean ------------------------------------------------------------------ */
+
+static double square_log(double r)
+{
+    return r > 0 ? r * r * log(r) : 0;
+}
+
+/* Mean square difference of two means that begin r of their lengths apart, of flicker noise with
+ * B^2 / pi = 1. */
+static double flicker_step(double r)
+{
+    return square_log(r + 1) + square_log(r - 1) - 2 * square_log(r);
+}
+
+static double flicker_scatter(unsigned n, double apart)
+{
+    double sum = 0;
+
+    for (unsigned j = 1; j < n; j++) {
+        sum += (n - j) * flicker_step(j * apart);
+    }
+    return sum / ((double)n * (n - 1));
+}
+
+/* Square of labour_sigma for one axis; `flicker` is flicker_scatter. */
+static double scatter(const invcal_noise *noise, unsigned n, double dwell, double period,
+                      double flicker)
+{
+    const double white = noise->coefficient[INVCAL_NOISE_WHITE];
+    const double instability = noise->coefficient[INVCAL_NOISE_INSTABILITY];
+    const double walk = noise->coefficient[INVCAL_NOISE_WALK];
+
+    return white * white / dwell + instability * instability / PI * flicker +
+           walk * walk * (period * (n + 1) - dwell) / 6;
+}
+
+double labour_sigma(const labour *l, unsigned count, double dwell)
+{
+    const double period = dwell + l->settle + l->move;
+    int has_flicker = 0;
+    double most = 0;
+
+    for (unsigned i = 0; i < 3; i++) {
+        has_flicker = has_flicker || l->noise[i].coefficient[INVCAL_NOISE_INSTABILITY] > 0;
+    }
+    const double flicker = has_flicker ? flicker_scatter(count, period / dwell) : 0;
+    for (unsigned i = 0; i < 3; i++) {
+        most = fmax(most, scatter(&l->noise[i], count, dwell, period, flicker));
+    }
+    return sqrt(most);
+}
+
+/* ---- the dwell --------------------------------------------------------------------------------- */
+
+/* Where sigma is least: that of each axis falls, and, if there is a random walk, rises again. */
+static double best_dwell(const labour *l, unsigned n)
+{
+    double low = log(LABOUR_REST);
+    double high = log(LABOUR_LONGEST);
+
+    for (unsigned i = 0; i < HALVINGS; i++) {
+        const double left = high - GOLDEN * (high - low);
+        const double right = low + GOLDEN * (high - low);
+        if (labour_sigma(l, n, exp(left)) < labour_sigma(l, n, exp(right))) {
+            high = right;
+        } else {
+            low = left;
+        }
+    }
+    return exp((low + high) / 2);
+}
+
+/* The shortest dwell with which sigma is no more than is wanted; without one, that of the least. */
+static double find_dwell(const labour *l, unsigned n, double wanted)
+{
+    double low = LABOUR_REST;
+
+    if (labour_sigma(l, n, low) <= wanted) {
+        return low;
+    }
+    double high = best_dwell(l, n);
+    if (!(labour_sigma(l, n, high) <= wanted)) {
+        return high;
+    }
+    for (unsigned i = 0; i < HALVINGS; i++) {
+        const double middle = sqrt(low * high);
+        if (labour_sigma(l, n, middle) <= wanted) {
+            high = middle;
+        } else {
+            low = middle;
+        }
+    }
+    return high;
+}
+
+static double seconds(const labour *l, unsigned count, double dwell)
+{
+    const design_cost cost = {
+        .warm_up = l->warm_up, .dwell = dwell, .settle = l->settle, .move = l->move};
+
+    return design_seconds(count, &cost);
+}
+
+/* A number of positions whose sigmas, over the noise of a position mean, are known. */
+static labour_row judge(const labour *l, unsigned count, const double sigma[3])
+{
+    labour_row row = {.count = count, .wanted = HUGE_VAL};
+    double longest = HUGE_VAL;
+    int is_weak = 0;
+
+    for (unsigned k = 0; k < 3; k++) {
+        is_weak = is_weak || !(sigma[k] <= PLAN_WEAK);
+        if (l->limits[k] / sigma[k] < row.wanted) {
+            row.wanted = l->limits[k] / sigma[k];
+            row.binds = k;
+        }
+    }
+    for (unsigned i = 0; i < 3; i++) {
+        longest = fmin(longest, l->noise[i].longest);
+    }
+    row.dwell = find_dwell(l, count, row.wanted);
+    row.sigma = labour_sigma(l, count, row.dwell);
+    row.is_possible = !is_weak && row.sigma <= WITHIN * row.wanted;
+    row.is_beyond = row.dwell > longest;
+    row.seconds = seconds(l, count, row.dwell);
+    return row;
+}
+
+/* ---- the families ------------------------------------------------------------------------------ */
+
+static void add(labour *l, unsigned family, unsigned count, const double sigma[3])
+{
+    labour_row *row = &l->row[family][l->rows[family]++];
+
+    *row = judge(l, count, sigma);
+    if (row->is_possible && (!l->best[family] || row->seconds < l->best[family]->seconds)) {
+        l->best[family] = row;
+    }
+}
+
+/* No number from here on takes less time, or is worth showing. */
+static int is_enough(const labour *l, unsigned family, unsigned count)
+{
+    const labour_row *best = l->best[family];
+
+    return best && count > LABOUR_SHOWN * best->count &&
+           seconds(l, count, LABOUR_REST) > best->seconds;
+}
+
+/* The paper's programs: their sigmas depend on N alone. */
+static void try_stands(labour *l)
+{
+    for (unsigned n = INVCAL_PLAN_PER_GROUP_MIN; INVCAL_PLAN_GROUPS * n <= LABOUR_MAX; n++) {
+        const double sigma[3] = {sqrt(1.0 / n), sqrt(7.0 / 5 / n), sqrt(8.0 / n)};
+        if (INVCAL_PLAN_GROUPS * n >= l->least && n % choice_stand_step(l->needs_axes) == 0) {
+            add(l, CHOICE_STAND, INVCAL_PLAN_GROUPS * n, sigma);
+        }
+    }
+}
+
+/* Their order does not matter yet. */
+static void try_directions(labour *l, design *work)
+{
+    double direction[OPTIMAL_MAX][3];
+
+    for (unsigned n = l->least; n <= LABOUR_MAX && !is_enough(l, CHOICE_FREE, n); n++) {
+        (void)optimal_within(n, l->limits, l->needs_axes, direction);
+        design_directions(work, "", direction, n);
+        if (work->is_solvable) {
+            const double sigma[3] = {work->criteria.sigma_delta, work->criteria.sigma_dk,
+                                     work->criteria.sigma_gamma};
+            add(l, CHOICE_FREE, n, sigma);
+        }
+    }
+}
+
+/* Which row comes nearest to what is wanted of it. */
+static const labour_row *find_nearest(const labour *l)
+{
+    const labour_row *nearest = &l->row[CHOICE_STAND][0];
+
+    for (unsigned f = 0; f < CHOICE_FAMILIES; f++) {
+        for (unsigned i = 0; i < l->rows[f]; i++) {
+            const labour_row *row = &l->row[f][i];
+            nearest = row->sigma / row->wanted < nearest->sigma / nearest->wanted ? row : nearest;
+        }
+    }
+    return nearest;
+}
+
+static int refuse(labour *l)
+{
+    const labour_row *row = find_nearest(l);
+    const told_unit unit = told_field(l->told, 1);
+    const int is_floor = row->dwell < NEAR_LONGEST * LABOUR_LONGEST;
+
+    snprintf(l->refusal, sizeof l->refusal,
+             "no number of positions up to %u and no dwell%s meet the limits%s; "
+             "%u positions of %.4g s come nearest, with a mean good to %.3g %s, and %.3g %s are "
+             "needed: allow more, or take a sensor of less noise",
+             LABOUR_MAX, is_floor ? "" : " up to 1e6 s", is_floor ? ": the noise has a floor" : "",
+             row->count, row->dwell, unit.scale * row->sigma, unit.unit, unit.scale * row->wanted,
+             unit.unit);
+    return EXIT_DATA;
+}
+
+int labour_find(labour *l, design *set)
+{
+    const labour_row *const *best = l->best;
+
+    memset(l->rows, 0, sizeof l->rows);
+    l->best[CHOICE_STAND] = NULL;
+    l->best[CHOICE_FREE] = NULL;
+    try_stands(l);
+    try_directions(l, set);
+    if (!best[CHOICE_STAND] && !best[CHOICE_FREE]) {
+        return refuse(l);
+    }
+    const int is_free =
+        !best[CHOICE_STAND] ||
+        (best[CHOICE_FREE] && best[CHOICE_FREE]->seconds < best[CHOICE_STAND]->seconds);
+    l->chosen = is_free ? CHOICE_FREE : CHOICE_STAND;
+    const unsigned count = best[l->chosen]->count;
+    if (is_free) {
+        design_balanced(set, count, l->limits, l->needs_axes);
+    } else {
+        invcal_plan plan = {.per_group = count / INVCAL_PLAN_GROUPS};
+        (void)invcal_plan_starts(plan.per_group, plan.start);
+        design_stand(set, &plan);
+    }
+    return EXIT_GOOD;
+}
+
+void labour_request(const labour *l, double limits[3], choice_request *request)
+{
+    const labour_row *row = l->best[l->chosen];
+
+    for (unsigned k = 0; k < 3; k++) {
+        limits[k] = l->limits[k] / row->sigma;
+    }
+    request->limits = limits;
+    request->labour = l;
+    request->cost.dwell = row->dwell;
+    request->cost.noise = row->sigma * sqrt(row->dwell); /* as design_noise takes it apart */
+}
+
+void labour_around(const labour *l, unsigned family, unsigned *first, unsigned *end)
+{
+    const unsigned rows = l->rows[family];
+    const unsigned at = l->best[family] ? (unsigned)(l->best[family] - l->row[family]) : rows;
+
+    *first = at > AROUND ? at - AROUND : 0;
+    *end = at + AROUND + 1 < rows ? at + AROUND + 1 : rows;
+}

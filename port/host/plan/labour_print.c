@@ -1,0 +1,109 @@
+/* SPDX-License-Identifier: MIT */
+#include "text/tabular.h"
+#include "text/wrapped.h"
+#include "plan/labour.h"
+#include "plan/words.h"
+
+static void add_row(const labour *l, unsigned family, const labour_row *row)
+{
+    const told_unit unit = told_field(l->told, 1);
+    char text[PLAN_WORDS_MAX];
+
+    tabular_cell("%s", labour_families[family]);
+    tabular_cell("%u", row->count);
+    snprintf(text, sizeof text, "%.4g%s", row->dwell, row->is_beyond ? "*" : "");
+    tabular_cell("%s", row->is_possible ? text : "none");
+    tabular_cell("%.4g", unit.scale * row->sigma);
+    if (row->is_possible) {
+        tabular_cell("%s", plan_time_text(row->seconds, text));
+        tabular_cell("%s", plan_kinds[row->binds]);
+    } else {
+        tabular_cell("%s", "");
+        tabular_cell("needed: %.4g", unit.scale * row->wanted);
+    }
+    if (l->best[l->chosen] == row) {
+        tabular_cell("chosen");
+        tabular_row_in(PAINT_GREEN);
+    } else {
+        tabular_row();
+    }
+}
+
+/* The rows around the best of each family. Returns whether a dwell is longer than the noise is known at. */
+static int add_rows(const labour *l)
+{
+    int is_beyond = 0;
+
+    for (unsigned f = 0; f < CHOICE_FAMILIES; f++) {
+        unsigned first;
+        unsigned end;
+        labour_around(l, f, &first, &end);
+        for (unsigned i = first; i < end; i++) {
+            const labour_row *row = &l->row[f][i];
+            add_row(l, f, row);
+            is_beyond |= row->is_possible && row->is_beyond;
+        }
+    }
+    return is_beyond;
+}
+
+void labour_print(FILE *file, const labour *l)
+{
+    const told_unit field = told_field(l->told, 1);
+    const told_unit scale = told_scale(l->told);
+    const told_unit angle = told_angle(l->told);
+
+    wrapped_printf(
+        file, 0,
+        "The least time in all, by the noise of %s; %.6g s to settle in each position, %.6g s "
+        "between two; limits %.4g %s, %.4g %s, %.4g %s",
+        l->noise_name, l->settle, l->move, field.scale * l->limits[0], field.unit,
+        scale.scale * l->limits[1], scale.unit, angle.scale * l->limits[2], angle.unit);
+    putc('\n', file);
+    if (l->warm_up > 0) {
+        fprintf(file, "%.6g s to warm up, before the first\n\n", l->warm_up);
+    }
+    tabular_begin(file, "lrrrrrl");
+    tabular_cell("%s", "");
+    tabular_cell("positions");
+    tabular_cell("dwell, s");
+    tabular_cell("mean, %s", field.unit);
+    tabular_cell("time");
+    tabular_cell("what binds");
+    tabular_row_in(PAINT_BOLD);
+    const int is_beyond = add_rows(l);
+    tabular_end();
+    if (is_beyond) {
+        wrapped_line(file, 0, 0, "* longer than the averaging times that the noise is known at");
+    }
+    putc('\n', file);
+}
+
+void labour_json(json_writer *w, const labour *l)
+{
+    static const char *const names[CHOICE_FAMILIES] = {"stand", "free"};
+
+    json_text(w, "noise_file", l->noise_name);
+    json_number(w, "dwell", l->best[l->chosen]->dwell);
+    json_number(w, "dwell_sigma", l->best[l->chosen]->sigma);
+    json_number(w, "settle", l->settle);
+    json_number(w, "move", l->move);
+    json_list(w, "tradeoff");
+    for (unsigned f = 0; f < CHOICE_FAMILIES; f++) {
+        for (unsigned i = 0; i < l->rows[f]; i++) {
+            const labour_row *row = &l->row[f][i];
+            if (row->is_possible) {
+                json_object(w, NULL);
+                json_text(w, "family", names[f]);
+                json_number(w, "positions", row->count);
+                json_number(w, "dwell", row->dwell);
+                json_number(w, "dwell_sigma", row->sigma);
+                json_text(w, "dwell_end", row->is_beyond ? "beyond" : "reached");
+                json_number(w, "seconds", row->seconds);
+                json_text(w, "binds", plan_kinds[row->binds]);
+                json_object_end(w);
+            }
+        }
+    }
+    json_list_end(w);
+}

@@ -1,0 +1,23 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * plan/nonlinear.h: how well a set tells quadratic and cubic errors of the axes, if `invcal calibrate
+ * --quadratic` or `--cubic` makes them parameters beside the nine.
+ */
+#ifndef PLAN_NONLINEAR_H
+#define PLAN_NONLINEAR_H
+
+#include "text/json_write.h"
+#include "draw/page.h"
+#include "plan/words.h"
+
+/* Lines of the table: sigma over the noise of a position mean, in units if the noise is told (else 0), or
+ * what is not determined. The set is solvable. */
+void plan_nonlinear_print(FILE *file, const design *d, double noise, told_style told);
+
+/* The member "nonlinear". */
+void plan_nonlinear_json(json_writer *w, const design *d);
+
+/* A line of the page. */
+void plan_nonlinear_report(page *p, const design *d, double noise, told_style told);
+
+#endif

@@ -1,0 +1,780 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * invcal plan: which positions to visit, and what they are worth.
+ */
+#include "plan/found.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "cli/command.h"
+#include "cli/files.h"
+#include "cli/message.h"
+#include "read/noise_file.h"
+#include "design/optimal.h"
+#include "cli/options.h"
+#include "cli/output.h"
+#include "plan/labour.h"
+#include "plan/programs.h"
+
+enum {
+    PER_GROUP,
+    START,
+    FACES,
+    EDGES,
+    ICOSAHEDRON,
+    STAND_12,
+    STAND_24,
+    OPTIMAL,
+    GRID,
+    ANGLES,
+    DIRECTIONS,
+    SWEEP,
+    COMPARE,
+    PROGRAMS,
+    LIMITS,
+    BUDGET,
+    SPARE,
+    NEED_AXES,
+    WEIGHTS,
+    BOUND,
+    NOISE,
+    ALLAN,
+    WARM_UP,
+    DWELL,
+    SETTLE,
+    MOVE,
+    SVG,
+    REPORT,
+    CSV,
+    UNITS,
+    JSON,
+    QUIET,
+    OPTIONS
+};
+
+static const option options[OPTIONS] = {
+    [PER_GROUP] = {"--per-group", 1},
+    [START] = {"--start", 1},
+    [FACES] = {"--faces", 0},
+    [EDGES] = {"--edges", 0},
+    [ICOSAHEDRON] = {"--icosahedron", 0},
+    [STAND_12] = {"--stand-12", 0},
+    [STAND_24] = {"--stand-24", 0},
+    [OPTIMAL] = {"--optimal", 1},
+    [GRID] = {"--grid", 1},
+    [ANGLES] = {"--angles", 1},
+    [DIRECTIONS] = {"--directions", 1},
+    [SWEEP] = {"--sweep", 1},
+    [COMPARE] = {"--compare", 0},
+    [PROGRAMS] = {"--programs", 0},
+    [LIMITS] = {"--limits", 1},
+    [BUDGET] = {"--budget", 1},
+    [SPARE] = {"--spare", 1},
+    [NEED_AXES] = {"--need-axes", 0},
+    [WEIGHTS] = {"--weights", 0},
+    [BOUND] = {"--bound", 1},
+    [NOISE] = {"--noise", 1},
+    [ALLAN] = {"--allan", 1},
+    [WARM_UP] = {"--warm-up", 1},
+    [DWELL] = {"--dwell", 1},
+    [SETTLE] = {"--settle", 1},
+    [MOVE] = {"--move", 1},
+    [SVG] = {"--svg", 1},
+    [REPORT] = {"--report", 1},
+    [CSV] = {"--csv", 0},
+    [UNITS] = {"--units", 1},
+    [JSON] = {"--json", 0},
+    [QUIET] = {"--quiet", 0},
+};
+static const char *const operands[] = {"A", "B"};
+static const option_syntax syntax = {"plan", options, OPTIONS, operands, 2, 2};
+
+#define WORD_MAX 4200u
+#define COMMAND_MAX 2000u
+#define ROWS_MAX (INVCAL_PLAN_PER_GROUP_MAX - INVCAL_PLAN_PER_GROUP_MIN + 1)
+
+/* What the command line asks for. */
+typedef struct {
+    const char *operand[2];
+    const char *value[OPTIONS];
+    char word[WORD_MAX];       /* of the set (DESIGN_WORDS) */
+    int has_set;               /* one was named */
+    double limits[3];          /* over the noise of a position mean */
+    choice_request choice;     /* its limits point to the above, or are null */
+    char command[COMMAND_MAX]; /* the command line, for the report */
+} request;
+
+/* The sets in work: at most two, and the known programs; too large for the stack. */
+static design sets[2];
+static plan_programs programs;
+static labour work;
+
+static int usage(unsigned which, const char *what)
+{
+    return message_usage(syntax.command, "%s: %s", options[which].name, what);
+}
+
+/* A number within bounds, if it is given. */
+static int read_number(const request *r, unsigned which, double least, double most, double *out)
+{
+    if (!r->value[which]) {
+        return EXIT_GOOD;
+    }
+    const int failure = options_numbers(&syntax, which, r->value[which], 1, out, NULL);
+    if (!failure && !(*out >= least && *out <= most)) {
+        return message_usage(syntax.command, "%s %s: must be within %g ... %g", options[which].name,
+                             r->value[which], least, most);
+    }
+    return failure;
+}
+
+static int read_cost(request *r)
+{
+    design_cost *cost = &r->choice.cost;
+
+    cost->dwell = 5;
+    cost->move = 5;
+    int failure = read_number(r, NOISE, 1e-12, 1, &cost->noise);
+    failure = failure ? failure : read_number(r, WARM_UP, 0, 1e9, &cost->warm_up);
+    failure = failure ? failure : read_number(r, DWELL, 1e-3, 1e6, &cost->dwell);
+    failure = failure ? failure : read_number(r, SETTLE, 0, 1e6, &cost->settle);
+    failure = failure ? failure : read_number(r, MOVE, 0, 1e6, &cost->move);
+    failure = failure ? failure : read_number(r, BOUND, 1e-12, 1, &r->choice.bound);
+    return failure ? failure : read_number(r, BUDGET, 1e-3, 1e9, &r->choice.budget);
+}
+
+static int read_units(request *r)
+{
+    const char *text = r->value[UNITS];
+
+    return text && !told_parse(text, &r->choice.told)
+               ? message_usage(syntax.command, "--units %s: is everyday or ins", text)
+               : EXIT_GOOD;
+}
+
+/* What a chosen set has to have. */
+static int read_demands(request *r)
+{
+    const unsigned most = OPTIMAL_MAX - INVCAL_PARAMETERS;
+    double spare = CHOICE_SPARE;
+    const int failure = read_number(r, SPARE, 0, most, &spare);
+
+    if (!failure && floor(spare) < spare) {
+        return message_usage(syntax.command, "--spare %s: is no whole number", r->value[SPARE]);
+    }
+    r->choice.spare = failure ? 0 : (unsigned)spare;
+    r->choice.needs_axes = r->value[NEED_AXES] != NULL;
+    return failure;
+}
+
+/* With --allan: over the field. How long a position mean takes to be good enough for them is what
+ * is to be found. */
+static int read_field_limits(const request *r)
+{
+    const int failure = options_numbers(&syntax, LIMITS, r->value[LIMITS], 3, work.limits, NULL);
+
+    for (unsigned i = 0; i < 3 && !failure; i++) {
+        if (!(work.limits[i] >= 1e-9 && work.limits[i] <= 1)) {
+            return usage(LIMITS, "must be within 1e-9 ... 1 of the field, 1 and rad");
+        }
+    }
+    return failure;
+}
+
+/* Limits in units of the noise of a position mean, or, if that is told, of the field. A sigma
+ * above PLAN_WEAK is too weak for invcal calibrate, whatever the limit allows. */
+static int read_limits(request *r)
+{
+    const double unit = r->choice.cost.noise > 0 ? design_noise(&r->choice.cost) : 1;
+
+    if (!r->value[LIMITS]) {
+        return EXIT_GOOD;
+    }
+    if (r->value[ALLAN]) {
+        return read_field_limits(r);
+    }
+    const int failure = options_numbers(&syntax, LIMITS, r->value[LIMITS], 3, r->limits, NULL);
+    for (unsigned i = 0; i < 3 && !failure; i++) {
+        r->limits[i] /= unit;
+        if (!(r->limits[i] >= 1e-6 && r->limits[i] <= 1e6)) {
+            return usage(LIMITS, "must be within 1e-6 ... 1e6 times the noise of a position mean");
+        }
+        r->limits[i] = fmin(r->limits[i], PLAN_WEAK);
+    }
+    r->choice.limits = r->limits;
+    return failure;
+}
+
+/* The word of the set that one option names; per-group if it is none. */
+static void write_word(request *r, int which)
+{
+    const char *const *value = r->value;
+    const char *axes = value[NEED_AXES] ? ":axes" : "";
+
+    if (which < 0 || which == PER_GROUP) {
+        snprintf(r->word, sizeof r->word, "per-group:%s%s%s",
+                 value[PER_GROUP] ? value[PER_GROUP] : "6", value[START] ? ":" : "",
+                 value[START] ? value[START] : "");
+    } else if (which == OPTIMAL && value[GRID]) {
+        snprintf(r->word, sizeof r->word, "grid:%s:%s%s", value[GRID], value[OPTIMAL], axes);
+    } else {
+        snprintf(r->word, sizeof r->word, "%s%s%s%s", options[which].name + 2,
+                 options[which].takes_value ? ":" : "", value[which], which == OPTIMAL ? axes : "");
+    }
+}
+
+/* Finds the one option that names a set, and writes it as a word. */
+static int read_set(request *r)
+{
+    static const unsigned named[] = {PER_GROUP, FACES,   EDGES,  ICOSAHEDRON, STAND_12,
+                                     STAND_24,  OPTIMAL, ANGLES, DIRECTIONS};
+    const char *const *value = r->value;
+    int which = -1;
+
+    for (unsigned i = 0; i < sizeof named / sizeof named[0]; i++) {
+        if (!value[named[i]] || (named[i] == FACES && value[EDGES])) {
+            continue; /* edges have the faces with them */
+        }
+        if (which >= 0) {
+            return usage(named[i], "only one set of positions can be shown; --compare takes two");
+        }
+        which = (int)named[i];
+    }
+    if (value[START] && which >= 0 && which != PER_GROUP) {
+        return usage(START, "belongs to --per-group");
+    }
+    if (value[PER_GROUP] && strchr(value[PER_GROUP], ':')) {
+        return usage(PER_GROUP, "is a number; --start has the angles");
+    }
+    if (value[OPTIMAL] && strchr(value[OPTIMAL], ':')) {
+        return usage(OPTIMAL, "is a number; see --grid and --need-axes");
+    }
+    r->has_set = which >= 0 || value[START];
+    write_word(r, which);
+    return EXIT_GOOD;
+}
+
+/* What does not go together with --allan. */
+static int check_allan(const request *r)
+{
+    static const unsigned others[] = {NOISE, DWELL, BUDGET, SWEEP, COMPARE, PROGRAMS};
+
+    if (!r->value[LIMITS] || r->has_set) {
+        return usage(ALLAN, "finds number and dwell for --limits; leave other sets out");
+    }
+    for (unsigned i = 0; i < sizeof others / sizeof others[0]; i++) {
+        if (r->value[others[i]]) {
+            return message_usage(syntax.command, "%s: cannot be joined with --allan",
+                                 options[others[i]].name);
+        }
+    }
+    return EXIT_GOOD;
+}
+
+/* Of --sweep, --compare and --programs, which name their sets themselves; or OPTIONS. */
+static unsigned asked_several(const request *r)
+{
+    return r->value[SWEEP]      ? SWEEP
+           : r->value[COMPARE]  ? COMPARE
+           : r->value[PROGRAMS] ? PROGRAMS
+                                : OPTIONS;
+}
+
+/* What does not go together with several sets. */
+static int check_several(const request *r, unsigned several)
+{
+    static const unsigned single[] = {WEIGHTS, BOUND, CSV};
+    static const unsigned all[] = {SWEEP, COMPARE, PROGRAMS};
+    const char *const *value = r->value;
+
+    if (r->has_set) {
+        return usage(several, "names its sets itself; leave the other out");
+    }
+    for (unsigned i = 0; i < sizeof all / sizeof all[0]; i++) {
+        if (value[all[i]] && all[i] != several) {
+            return message_usage(syntax.command, "%s: cannot be joined with %s",
+                                 options[several].name, options[all[i]].name);
+        }
+    }
+    if (value[SWEEP] &&
+        (value[NOISE] || value[DWELL] || value[SETTLE] || value[MOVE] || value[WARM_UP])) {
+        return usage(SWEEP, "knows no time and noise; leave out --noise, --dwell, --settle, "
+                            "--move, --warm-up");
+    }
+    if (value[LIMITS] || value[BUDGET]) {
+        return usage(value[LIMITS] ? LIMITS : BUDGET,
+                     "chooses a set itself; leave out --sweep, --compare and --programs");
+    }
+    if (value[PROGRAMS] && (value[SVG] || value[REPORT])) {
+        return usage(value[SVG] ? SVG : REPORT, "--programs has a table only");
+    }
+    for (unsigned i = 0; i < sizeof single / sizeof single[0]; i++) {
+        if (value[single[i]]) {
+            return message_usage(syntax.command, "%s: is for one set; leave out %s",
+                                 options[single[i]].name, options[several].name);
+        }
+    }
+    return EXIT_GOOD;
+}
+
+/* What a set is to have, and what is to be told of it. */
+static int check_demands(const request *r)
+{
+    const char *const *value = r->value;
+    const int is_choice = value[LIMITS] || value[BUDGET];
+
+    if ((value[NEED_AXES] || value[SPARE]) && !is_choice && !value[OPTIMAL]) {
+        return usage(value[NEED_AXES] ? NEED_AXES : SPARE,
+                     "belongs to --limits, --budget or --optimal");
+    }
+    if (value[GRID] && !value[OPTIMAL]) {
+        return usage(GRID, "belongs to --optimal");
+    }
+    if (value[GRID] && value[LIMITS]) {
+        return usage(GRID, "cannot be joined with --limits");
+    }
+    if (value[WEIGHTS] && is_choice) {
+        return usage(WEIGHTS, "is for a set that is named; leave out --limits, --budget, --allan");
+    }
+    return value[CSV] && value[JSON] ? usage(CSV, "cannot be joined with --json") : EXIT_GOOD;
+}
+
+/* What does not go together. */
+static int check(const request *r)
+{
+    const char *const *value = r->value;
+    const unsigned several = asked_several(r);
+    int failure = value[ALLAN] ? check_allan(r) : EXIT_GOOD;
+
+    failure = failure || several == OPTIONS ? failure : check_several(r, several);
+    failure = failure ? failure : check_demands(r);
+    if (failure || value[ALLAN]) {
+        return failure;
+    }
+    if (!value[COMPARE] && r->operand[0]) {
+        return message_usage(syntax.command, "'%s': one operand too many", r->operand[0]);
+    }
+    if (value[COMPARE] && !r->operand[0]) {
+        return usage(COMPARE, "takes two sets, for example: --compare per-group:8 per-group:6");
+    }
+    if (value[BUDGET] && r->has_set) {
+        return usage(BUDGET, "chooses a set itself; leave the other out");
+    }
+    if (value[LIMITS] && r->has_set && !value[OPTIMAL]) {
+        return usage(LIMITS, "chooses a set itself, or weighs --optimal N; leave the other out");
+    }
+    return EXIT_GOOD;
+}
+
+static int check_files(const request *r)
+{
+    const named_file inputs[] = {{"--angles", r->value[ANGLES]},
+                                 {"--directions", r->value[DIRECTIONS]},
+                                 {"--allan", r->value[ALLAN]},
+                                 {"--compare", design_file(r->operand[0])},
+                                 {"--compare", design_file(r->operand[1])}};
+    const named_file outputs[] = {{"--svg", r->value[SVG]}, {"--report", r->value[REPORT]}};
+
+    return files_check(syntax.command, inputs, 5, outputs, 2);
+}
+
+static int read_request(int argc, char **argv, request *r)
+{
+    *r = (request){0};
+    int failure = options_parse(&syntax, argc, argv, r->value, r->operand);
+
+    failure = failure ? failure : check_files(r);
+    failure = failure ? failure : read_set(r);
+    failure = failure ? failure : check(r);
+    failure = failure ? failure : read_cost(r);
+    failure = failure ? failure : read_demands(r);
+    failure = failure ? failure : read_units(r);
+    options_command(syntax.command, argc, argv, r->command, sizeof r->command);
+    return failure ? failure : read_limits(r);
+}
+
+/* What there is to tell: a set, which a choice may have led to; two sets; or a sweep. */
+typedef struct {
+    const request *asked;
+    const design *set[2];
+    const choice *choice;
+    const plan_sweep *sweep;
+    const plan_programs *programs;
+} result;
+
+typedef void teller(FILE *file, const result *found);
+
+static void draw(FILE *file, const result *found)
+{
+    if (found->sweep) {
+        plan_svg_sweep(file, found->sweep);
+    } else if (found->set[1]) {
+        plan_svg_comparison(file, found->set[0], found->set[1], &found->asked->choice);
+    } else if (found->asked->choice.labour) {
+        labour_svg(file, found->asked->choice.labour);
+    } else {
+        plan_svg_directions(file, found->set[0]);
+    }
+}
+
+static void write_report(FILE *file, const result *found)
+{
+    const char *command = found->asked->command;
+
+    if (found->sweep) {
+        plan_report_sweep(file, found->sweep, command);
+    } else if (found->set[1]) {
+        plan_report_comparison(file, found->set[0], found->set[1], &found->asked->choice, command);
+    } else {
+        plan_report(file, found->set[0], &found->asked->choice, found->choice, command);
+    }
+}
+
+static void tell_json(FILE *file, const result *found)
+{
+    if (found->programs) {
+        plan_programs_json(file, found->programs, &found->asked->choice);
+    } else if (found->sweep) {
+        plan_json_sweep(file, found->sweep);
+    } else if (found->set[1]) {
+        plan_json_comparison(file, found->set[0], found->set[1], &found->asked->choice);
+    } else {
+        plan_json(file, found->set[0], &found->asked->choice, found->choice);
+    }
+}
+
+static void tell(FILE *file, const result *found)
+{
+    if (found->asked->value[JSON]) {
+        tell_json(file, found);
+    } else if (found->asked->value[CSV]) {
+        plan_csv(file, found->set[0], &found->asked->choice.cost);
+    } else if (found->asked->value[QUIET]) {
+        return;
+    } else if (found->programs) {
+        plan_programs_print(file, found->programs, &found->asked->choice);
+    } else if (found->sweep) {
+        plan_print_sweep(file, found->sweep);
+    } else if (found->set[1]) {
+        plan_print_comparison(file, found->set[0], found->set[1], &found->asked->choice);
+    } else {
+        plan_print(file, found->set[0], &found->asked->choice, found->choice);
+    }
+}
+
+/* Begins a file, if it is asked for, and writes it; it is not in its place yet. */
+static int begin_file(output *out, const char *path, teller *write, const result *found)
+{
+    if (!path) {
+        return EXIT_GOOD;
+    }
+    const int failure = output_begin(out, path);
+    if (failure) {
+        return failure;
+    }
+    write(out->file, found);
+    return output_finish(out);
+}
+
+/* The files appear only after all else has been written. */
+static int deliver(const result *found)
+{
+    const char *const *value = found->asked->value;
+    output files[2] = {{0}};
+    int failure = begin_file(&files[0], value[SVG], draw, found);
+
+    failure = failure ? failure : begin_file(&files[1], value[REPORT], write_report, found);
+    if (!failure) {
+        tell(stdout, found);
+        failure = output_flush();
+    }
+    return output_end(files, 2, failure);
+}
+
+/* A refusal, with the set if there is one to see. */
+static int refuse(const request *r, const design *d, const char *reason)
+{
+    if (d && d->count > 0 && !r->value[COMPARE] && !r->value[CSV]) {
+        const result found = {.asked = r, .set = {d}};
+        tell(stdout, &found);
+    } else if (r->value[JSON]) {
+        plan_json_refusal(stdout, reason, d ? d->undetermined : 0);
+    }
+    if (d && d->count > 0) {
+        message("%s: %s", d->name, reason);
+    } else {
+        message("%s", reason);
+    }
+    return EXIT_DATA;
+}
+
+/* --spare and --optimal N. */
+static int check_spare(const request *r, const design *d)
+{
+    if (r->value[SPARE] && d->count < choice_least(&r->choice)) {
+        return message_usage(syntax.command, "--spare %s: --optimal %s leaves %u to spare",
+                             r->value[SPARE], r->value[OPTIMAL], d->count - INVCAL_PARAMETERS);
+    }
+    return EXIT_GOOD;
+}
+
+static int show(request *r)
+{
+    const result found = {.asked = r, .set = {&sets[0]}};
+    int failure = design_make(&sets[0], syntax.command, r->word);
+
+    if (failure == EXIT_DATA) {
+        return refuse(r, &sets[0], sets[0].refusal);
+    }
+    failure = failure ? failure : check_spare(r, &sets[0]);
+    if (failure) {
+        return failure;
+    }
+    if (r->choice.limits) { /* with --optimal: the same number, balanced to the limits */
+        design_balanced(&sets[0], sets[0].count, r->limits, r->choice.needs_axes);
+    }
+    if (sets[0].dwell > 0 && !r->value[DWELL]) {
+        r->choice.cost.dwell = sets[0].dwell;
+    }
+    if (sets[0].is_solvable && r->value[WEIGHTS]) {
+        design_weigh(&sets[0]);
+    }
+    return sets[0].is_solvable ? deliver(&found) : refuse(r, &sets[0], sets[0].refusal);
+}
+
+static int compare(const request *r)
+{
+    const result found = {.asked = r, .set = {&sets[0], &sets[1]}};
+
+    for (unsigned i = 0; i < 2; i++) {
+        const int failure = design_make(&sets[i], syntax.command, r->operand[i]);
+        if (failure) {
+            return failure == EXIT_DATA ? refuse(r, &sets[i], sets[i].refusal) : failure;
+        }
+    }
+    return deliver(&found);
+}
+
+static int show_programs(const request *r)
+{
+    const result found = {.asked = r, .programs = &programs};
+
+    plan_programs_make(&programs);
+    return deliver(&found);
+}
+
+static int choose(const request *r)
+{
+    choice c = {.set = {&sets[0], &sets[1]}};
+    const int failure = choice_make(&c, &r->choice);
+    const result found = {.asked = r, .set = {c.set[c.chosen]}, .choice = &c};
+
+    return failure ? refuse(r, NULL, c.refusal) : deliver(&found);
+}
+
+/* Number of positions and dwell together. */
+static int find_labour(request *r)
+{
+    const result found = {.asked = r, .set = {&sets[0]}};
+
+    work.noise_name = r->value[ALLAN];
+    work.settle = r->choice.cost.settle;
+    work.move = r->choice.cost.move;
+    work.warm_up = r->choice.cost.warm_up;
+    work.least = choice_least(&r->choice);
+    work.needs_axes = r->choice.needs_axes;
+    work.told = r->choice.told;
+    int failure = noise_file_read(r->value[ALLAN], work.noise);
+    if (failure) {
+        return failure;
+    }
+    failure = labour_find(&work, &sets[0]);
+    if (failure) {
+        return refuse(r, NULL, work.refusal);
+    }
+    labour_request(&work, r->limits, &r->choice);
+    return deliver(&found);
+}
+
+/* FROM:TO, both from 5 to 1000. */
+static int read_sweep(const request *r, unsigned *from, unsigned *to)
+{
+    const char *text = r->value[SWEEP];
+    char rest;
+
+    if (strspn(text, "0123456789:") != strlen(text) ||
+        /* NOLINTNEXTLINE(cert-err34-c): digits, and too few for an overflow */
+        sscanf(text, "%4u:%4u%c", from, to, &rest) != 2 || *from < INVCAL_PLAN_PER_GROUP_MIN ||
+        *to > INVCAL_PLAN_PER_GROUP_MAX || *from > *to) {
+        return usage(SWEEP, "is FROM:TO, positions in a group, from 5 to 1000, for example 5:16");
+    }
+    return EXIT_GOOD;
+}
+
+static int sweep(const request *r)
+{
+    static plan_row rows[ROWS_MAX];
+    unsigned from = 0;
+    unsigned to = 0;
+    const int failure = read_sweep(r, &from, &to);
+
+    if (failure) {
+        return failure;
+    }
+    for (unsigned n = from; n <= to; n++) {
+        invcal_plan plan = {.per_group = n};
+        (void)invcal_plan_starts(n, plan.start);
+        design_stand(&sets[0], &plan);
+        rows[n - from] = (plan_row){n, sets[0].criteria, sets[0].axes};
+    }
+    plan_programs_make(&programs);
+    const plan_sweep s = {rows, to - from + 1, &programs};
+    const result found = {.asked = r, .sweep = &s};
+    return deliver(&found);
+}
+
+static int run(int argc, char **argv)
+{
+    static request r;
+    const int failure = read_request(argc, argv, &r);
+
+    if (failure) {
+        return failure;
+    }
+    if (r.value[ALLAN]) {
+        return find_labour(&r);
+    }
+    if (r.value[SWEEP]) {
+        return sweep(&r);
+    }
+    if (r.value[COMPARE]) {
+        return compare(&r);
+    }
+    if (r.value[PROGRAMS]) {
+        return show_programs(&r);
+    }
+    return (r.value[LIMITS] || r.value[BUDGET]) && !r.has_set ? choose(&r) : show(&r);
+}
+
+static const char *const help[] = {
+    "usage: invcal plan [--per-group N [--start A,B,C] | --faces | --edges | --icosahedron |\n"
+    "                    --stand-12 | --stand-24 | --optimal N [--grid S] | --angles FILE |\n"
+    "                    --directions FILE] [options]\n"
+    "       invcal plan --limits D,K,G [--budget SECONDS] [options]\n"
+    "       invcal plan --budget SECONDS [options]\n"
+    "       invcal plan --limits D,K,G --allan NOISE.json [--settle T] [--move T] [options]\n"
+    "       invcal plan --sweep FROM:TO [--svg FILE] [--report FILE] [--json]\n"
+    "       invcal plan --compare SET SET [--svg FILE] [--report FILE] [--json]\n"
+    "       invcal plan --programs [--noise S] [--warm-up T] [--dwell T] [--json]\n"
+    "\n"
+    "Tells which positions to visit, and how exactly they will determine the nine parameters:\n"
+    "the standard deviations sigma of offsets, scale errors and angles, over the noise of a\n"
+    "position mean; and of quadratic and cubic errors of the axes, if they are parameters, too\n"
+    "(calibrate --quadratic, --cubic). alpha and beta are the angles of a stand with two axes;\n"
+    "x y z is the up direction in the frame of the case, for whoever holds the device in the "
+    "hand.\n"
+    "\n"
+    "  --per-group N       the paper's program: three groups of N positions, N from 5 to 1000;\n"
+    "                      default 6, the program of 18 positions\n"
+    "  --start A,B,C       start angles of the groups, degrees; default: such that each axis\n"
+    "                      points up and down along gravity, if N is even\n"
+    "  --faces             each axis up and down: 6 positions, too few for nine parameters\n"
+    "  --edges             these and the 12 midway between two axes: 18 positions\n"
+    "  --icosahedron       its 12 corners\n"
+    "  --stand-12          the program of 18 without the six positions on the axes: for a stand,\n"
+    "                      with three positions to spare, and no axis along gravity\n"
+    "  --stand-24          the 24 positions of the paper's refs 2 and 4: three groups in steps of\n"
+    "                      45 degrees. They are 18 directions; six are visited twice\n"
+    "  --optimal N         N positions, 9 to 144, with the largest determinant of H'H\n"
+    "                      (D-optimal); with --limits as far below them as can be, met or not\n"
+    "  --grid S            with --optimal: for a stand that stops every S degrees in alpha and in\n"
+    "                      beta; S is 15, 30 or 45\n"
+    "  --angles FILE       the columns alpha and beta of a table, degrees, as --csv writes it; "
+    "with\n"
+    "                      a column dwell, seconds, that is --dwell, shared as told\n"
+    "  --directions FILE   the columns x y z of a table, of any length; - is standard input\n",
+    "  --limits D,K,G      chooses the smallest set whose sigma of offsets, scale errors and\n"
+    "                      angles are within limits: times the noise of a position mean, or,\n"
+    "                      with --noise, over the field (0.001 is 1 mg), 1 and rad. Never above\n"
+    "                      10 times the noise, which invcal calibrate would call weak\n"
+    "  --budget SECONDS    chooses the set of the largest determinant that fits; with --limits:\n"
+    "                      only sets that fit. Both choose among the paper's programs and free\n"
+    "                      directions, the latter up to 144\n"
+    "  --spare N           positions beyond the nine that nine parameters need, at least, of a "
+    "set\n"
+    "                      that is chosen; default 3. With --optimal: that many, or refused\n"
+    "  --need-axes         each axis up and down along gravity, in a set that is chosen and in\n"
+    "                      --optimal\n"
+    "  --weights           shares the time among the positions of the set so that det H'H is the\n"
+    "                      largest (D-optimal); --dwell is then the mean\n"
+    "  --bound E           how wrong each parameter can be at most, if no position mean is off by\n"
+    "                      more than E of the field: E times the sum of |H+| over its row\n"
+    "  --noise S           of the mean of one second at rest, over the field\n"
+    "                      (0.0001 is 0.1 mg)\n"
+    "  --allan NOISE.json  noise that invcal allan --out has measured: chooses the number of\n"
+    "                      positions, up to 144, and the seconds in each, 2 or more, for the\n"
+    "                      least time in all; --limits are then over the field, 1 and rad\n"
+    "  --warm-up T         seconds once, before the first position; default 0\n"
+    "  --dwell T           seconds in each position; default 5\n"
+    "  --settle T          seconds before that in each, which do not count; default 0 (invcal\n"
+    "                      calibrate cuts about 0.75 s off a rest)\n"
+    "  --move T            seconds from one to the next; default 5\n"
+    "  --sweep FROM:TO     the paper's programs for each N in the range\n"
+    "  --compare SET SET   two sets side by side, by these words:\n",
+    DESIGN_WORDS,
+    "  --programs          the programs of 15, 18 and 24 positions, six faces and twelve edges,\n"
+    "                      stand-12 and the icosahedron, with ratios to that of 18\n"
+    "  --svg FILE          draws the directions; for a sweep sigma against the number of\n"
+    "                      positions, and those of --programs beside it; for --compare the\n"
+    "                      ratios of the second set to the first; for --allan total time against\n"
+    "                      the number of positions\n"
+    "  --report R.html     writes a page with the verdict, a work sheet to take to the stand, and\n"
+    "                      pictures: one file that needs nothing else, for screen and paper\n"
+    "  --csv               print the positions only, for a stand's controller: number, alpha,\n"
+    "                      beta, dwell, and up as x, y, z\n"
+    "  --units everyday|ins\n"
+    "                      of what --noise, --allan and --bound make of sigma, in table and "
+    "report:\n"
+    "                      mg, % and degrees (default), or those of inertial navigation, ug, ppm "
+    "and\n"
+    "                      arcsec. What is over the noise has no unit\n"
+    "  --json              print the result as JSON in place of the table\n"
+    "  --quiet             print no table, only errors\n"
+    "\n"
+    "exit codes: 0 good; 1 the positions determine no calibration, or no set meets the limits;\n"
+    "2 usage; 3 a file unreadable or malformed, or the output not writable\n"
+    "\n"
+    "examples:\n"
+    "  invcal plan\n"
+    "  invcal plan --limits 0.4,0.6,1 --svg directions.svg\n"
+    "  invcal plan --per-group 8 --noise 0.0001 --report program.html\n"
+    "  invcal plan --compare per-group:8 per-group:6 --report compared.html\n"
+    "  invcal plan --optimal 12 --grid 30 --csv > stand.csv\n"
+    "  invcal plan --angles stand.csv --bound 0.0002 --warm-up 600\n",
+    NULL};
+
+static const char *const brief[] = {
+    "usage: invcal plan [--per-group N | --edges | --optimal N | ...] [options]\n"
+    "       invcal plan --limits D,K,G [--budget SECONDS] [options]\n"
+    "       invcal plan --compare SET SET | --sweep FROM:TO | --programs\n"
+    "\n"
+    "Tells which positions to visit, and how exactly they will determine the nine parameters.\n"
+    "\n"
+    "  --per-group N       the paper's program of 3 x N positions; default 6\n"
+    "  --edges             18 positions for a device that is held in the hand\n"
+    "  --optimal N         N positions, 9 to 144, with the largest determinant\n"
+    "  --limits D,K,G      the smallest set with sigmas within these limits\n"
+    "  --noise S           of the mean of one second at rest, over the field\n"
+    "  --allan NOISE.json  noise measured by invcal allan: chooses the dwell, too\n"
+    "  --svg FILE          draws the directions\n"
+    "  --report R.html     writes a page with the verdict and a work sheet\n"
+    "  --csv               print the positions only; --json: the result as JSON\n"
+    "\n"
+    "examples:\n"
+    "  invcal plan --limits 0.4,0.6,1 --svg directions.svg\n"
+    "  invcal plan --per-group 8 --noise 0.0001 --report program.html\n",
+    NULL};
+
+const tool_command plan_command = {"plan", "which positions to visit, and what they are worth",
+                                   help, run, brief};

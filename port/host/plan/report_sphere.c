@@ -1,0 +1,88 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * Where the positions point, and how exactly every direction will be known.
+ */
+#include "plan/facts.h"
+#include "plan/map.h"
+
+#define TEXT_MAX 600
+#define GROUPS 28.0 /* height of their legend */
+
+static void draw_half(FILE *file, const design *d, const sphere *map, unsigned half)
+{
+    unsigned here = 0;
+    char text[TEXT_MAX];
+    char title[TEXT_MAX];
+
+    for (unsigned n = 0; n < d->count; n++) {
+        here += (d->position[n].vertical[2] < -SPHERE_EQUATOR) == half;
+    }
+    snprintf(title, sizeof title, "%s: positions with z %s", d->name, half ? "down" : "up");
+    snprintf(text, sizeof text,
+             "A disc: the half of all directions with z %s, seen from +z. %u of %u positions lie "
+             "in it. Shaded by the uncertainty of |a| that is to be expected.",
+             half ? "down" : "up or level", here, d->count);
+    svg_begin_inline(file, SPHERE_WIDTH, SPHERE_HEIGHT, title, text);
+    sphere_draw(file, map, half);
+    svg_end(file);
+}
+
+void plan_draw_halves(FILE *file, const design *d, const sphere_shading *shading)
+{
+    const sphere *map = plan_map(d, shading);
+
+    draw_half(file, d, map, 0);
+    draw_half(file, d, map, 1);
+}
+
+void plan_draw_legend(FILE *file, const sphere_shading *shading, const char *unit, int has_groups)
+{
+    char text[TEXT_MAX];
+
+    svg_begin_inline(file, SPHERE_WIDTH, UNCERTAINTY_LEGEND + (has_groups ? GROUPS : 0), "Legend",
+                     "What the colours and markers mean.");
+    snprintf(text, sizeof text, "σ of |a|, %s", unit);
+    uncertainty_legend(file, shading, text);
+    if (has_groups) {
+        plan_map_legend(file, 14, UNCERTAINTY_LEGEND + 18);
+    }
+    svg_end(file);
+}
+
+static void say_uncertainty(page *p, const plan_facts *f)
+{
+    const uncertainty *u = &f->length_sigma;
+    char least[FIGURE_MAX];
+    char most[FIGURE_MAX];
+
+    figure_digits(u->least, 3, least);
+    figure_digits(u->most, 3, most);
+    if (uncertainty_shading(u, u->least, u->most).classes == 1) {
+        page_say(p,
+                 "The length |a| of a corrected reading will be known equally well in every "
+                 "direction: ±%s %s (one standard deviation).",
+                 most, plan_length_unit(f));
+    } else {
+        page_say(p,
+                 "The length |a| of a corrected reading will be known to ±%s %s where the "
+                 "positions tell most, and to ±%s %s where they tell least, %s (one standard "
+                 "deviation).",
+                 least, plan_length_unit(f), most, plan_length_unit(f), u->worst_words);
+    }
+}
+
+void plan_report_sphere(page *p, const plan_facts *f)
+{
+    const uncertainty *u = &f->length_sigma;
+    const sphere_shading shading = uncertainty_shading(u, u->least, u->most);
+
+    page_section(p, "Where the positions point");
+    say_uncertainty(p, f);
+    page_row_begin(p);
+    plan_draw_halves(p->file, f->set, &shading);
+    plan_draw_legend(p->file, &shading, plan_length_unit(f), design_has_groups(f->set));
+    page_row_end(p, f->set->count > SPHERE_NUMBERED
+                        ? "Where up points in the axes of the device."
+                        : "Where up points in the axes of the device; numbers as in the work "
+                          "sheet.");
+}

@@ -1,0 +1,43 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * plan/words.h: what a set of positions is worth, in words and with units.
+ */
+#ifndef PLAN_WORDS_H
+#define PLAN_WORDS_H
+
+#include "plan/found.h"
+
+#define PLAN_WORDS_MAX 128
+
+/* The names of the axes whose bits are set, "+x -x". Returns text. */
+const char *plan_axes_text(unsigned axes, char text[PLAN_WORDS_MAX]);
+
+/* An angle to 0.001 degrees, without needless zeros. Returns text. */
+const char *plan_angle_text(double degrees, char text[PLAN_WORDS_MAX]);
+
+/* A length of time: "45 s", "2 min 55 s", "1 h 04 min". Returns text. */
+const char *plan_time_text(double seconds, char text[PLAN_WORDS_MAX]);
+
+/* The three kinds of parameters: offsets, scale errors, angles. */
+#define PLAN_KINDS 3u
+extern const char *const plan_kinds[PLAN_KINDS];
+
+/* Its unit on a page: angles have "°" for degrees. */
+told_unit plan_unit(unsigned kind, told_style told);
+
+/* The largest sigma of a kind, over the noise of a position mean; and of all kinds. */
+double plan_sigma(const criteria *c, unsigned kind);
+double plan_sigma_largest(const criteria *c);
+
+/* A sigma that is given over the noise: "0.0183 mg", or, if `noise` of a position mean over the
+ * field is not told (0), "0.408", of which plan_times says what it means. Returns text. */
+const char *plan_sigma_text(unsigned kind, double sigma, double noise, told_style told,
+                            char text[PLAN_WORDS_MAX]);
+
+/* Behind what is told so: "", or, if the noise is not told, ", × noise". */
+const char *plan_times(double noise);
+
+/* Why a set does not point all six axes along gravity: a clause. */
+const char *plan_missing_reason(const design *d);
+
+#endif

@@ -1,0 +1,750 @@
+/* SPDX-License-Identifier: MIT */
+#define _POSIX_C_SOURCE 200809L
+#include "read/columns.h"
+
+#include <stdarg.h>
+#include <string.h>
+#include <strings.h>
+
+#include "cli/command.h"
+#include "cli/message.h"
+#include "read/chosen.h"
+#include "text/number.h"
+#include "text/plain.h"
+
+#define RADIANS 0.017453292519943296 /* in a degree */
+
+/* The headings of the table at hand; too many for the stack. */
+static heading headings[TABLE_COLUMNS_MAX];
+
+/* ---- x, y and z --------------------------------------------------------------------------------- */
+
+/* What a heading with an axis is of. */
+typedef enum {
+    OF_NOTHING, /* a gyro, or what nobody knows */
+    OF_MAGNETOMETER,
+    OF_ANYTHING, /* x, y and z alone */
+    OF_ACCELEROMETER
+} origin;
+
+static int is_among(const char *key, const char *const *keys)
+{
+    while (*keys && strcmp(key, *keys) != 0) {
+        keys++;
+    }
+    return *keys != NULL;
+}
+
+/* The linear acceleration of a phone is one without gravity. This is how ROS spells that of
+ * sensor_msgs/Imu, which holds it. */
+static int is_of_ros(const heading *h)
+{
+    return strncmp(h->name, "linear_acceleration.", strlen("linear_acceleration.")) == 0;
+}
+
+static int has_key(const table *t, const char *key)
+{
+    for (unsigned i = 0; i < t->columns; i++) {
+        if (strcmp(headings[i].key, key) == 0) {
+            return 1;
+        }
+    }
+    return 0;
+}
+
+/* Takes all headings apart. What ROS calls linear acceleration holds gravity; flat tables of its
+ * sensor_msgs/Imu are known by the angular velocity beside it. */
+static void read_headings(const table *t)
+{
+    for (unsigned i = 0; i < t->columns; i++) {
+        heading_read(t->field[i], &headings[i]);
+    }
+    for (unsigned i = 0; i < t->columns && has_key(t, "angularvelocity"); i++) {
+        if (strncmp(headings[i].name, "linear_acceleration_", strlen("linear_acceleration_")) ==
+            0) {
+            snprintf(headings[i].key, sizeof headings[i].key, "fieldlinearacceleration");
+        }
+    }
+}
+
+/* Keys of headings that may be meant, see heading.h. */
+static origin origin_of(const heading *h)
+{
+    static const char *const accelerometers[] = {
+        "a",
+        "acc",
+        "accel",
+        "acceleration",
+        "accelerometer",
+        "accelerometeracceleration",
+        "accsmooth",
+        "accadc",
+        "accraw",
+        "rawacc",
+        "accelraw",
+        "rawaccel",
+        "gf",
+        "fieldlinearacceleration",
+        "arss", /* EuRoC: a_RS_S_x */
+        NULL,
+    };
+    static const char *const magnetometers[] = {"m",       "mag", "magnetometer", "magneticfield",
+                                                "compass", NULL};
+    static const char *const anything[] = {"", "xyz", "axis", "mean", NULL};
+
+    const char *key = h->key + (strncmp(h->key, "imu", 3) == 0 ? 3 : 0); /* imu_ax */
+
+    return h->axis < 0                                     ? OF_NOTHING
+           : is_of_ros(h) || is_among(key, accelerometers) ? OF_ACCELEROMETER
+           : is_among(key, magnetometers)                  ? OF_MAGNETOMETER
+           : is_among(key, anything)                       ? OF_ANYTHING
+                                                           : OF_NOTHING;
+}
+
+/* The column with the same key as column `from` and this axis: -1 if there is none. */
+static int find_axis(const table *t, unsigned from, int axis)
+{
+    for (unsigned i = 0; i < t->columns; i++) {
+        if (headings[i].axis == axis && strcmp(headings[i].key, headings[from].key) == 0) {
+            return (int)i;
+        }
+    }
+    return -1;
+}
+
+/* The first complete set of three of this origin or a better one, from column `from` on. Returns its
+ * first column, or the number of columns. */
+static unsigned find_set(const table *t, unsigned from, origin least, int index[3])
+{
+    for (unsigned i = from; i < t->columns; i++) {
+        if (origin_of(&headings[i]) < least) {
+            continue;
+        }
+        for (int axis = 0; axis < 3; axis++) {
+            index[axis] = find_axis(t, i, axis);
+        }
+        if (index[0] >= 0 && index[1] >= 0 && index[2] >= 0) {
+            return i;
+        }
+    }
+    return t->columns;
+}
+
+/* Whether a column is one of those found, or another with the same meaning. */
+static int is_there_twice(const table *t, unsigned at, const int index[3])
+{
+    const heading *h = &headings[at];
+
+    return (int)at != index[h->axis] &&
+           (strcmp(h->key, headings[index[0]].key) == 0 ||
+            (find_axis(t, at, 0) >= 0 && find_axis(t, at, 1) >= 0 && find_axis(t, at, 2) >= 0));
+}
+
+static void say_none(const table *t)
+{
+    const char *linear = NULL;
+
+    for (unsigned i = 0; i < t->columns && !linear; i++) {
+        linear = strcmp(headings[i].key, "linearacceleration") == 0 ? headings[i].name : NULL;
+    }
+    if (linear) {
+        message("%s:%lu: '%s': the phone has taken gravity out of linear acceleration, and "
+                "without it nothing can be calibrated; record the accelerometer itself",
+                t->name, t->line, linear);
+    } else {
+        message("%s:%lu: the header names no columns x, y, z (nor ax, ay, az; acc_x, ..; see "
+                "--help all): rename the three that are meant",
+                t->name, t->line);
+    }
+}
+
+/* x, y and z come from one family. Beside an accelerometer a magnetometer may be there, which is left
+ * aside; of two of one kind nobody can guess which one is meant. */
+static int find_xyz(const table *t, columns *out)
+{
+    int *index = &out->index[COLUMN_X];
+    int other[3];
+    const int has_accelerometer = find_set(t, 0, OF_ACCELEROMETER, index) < t->columns;
+    const origin least = has_accelerometer ? OF_ANYTHING : OF_MAGNETOMETER;
+    const unsigned first = has_accelerometer ? 0 : find_set(t, 0, OF_MAGNETOMETER, index);
+
+    const int is_magnetometer =
+        !has_accelerometer && first < t->columns && origin_of(&headings[first]) == OF_MAGNETOMETER;
+
+    if (first == t->columns || (is_magnetometer && has_key(t, "linearacceleration"))) {
+        say_none(t);
+        return EXIT_FILE;
+    }
+    for (unsigned i = 0; i < t->columns; i++) {
+        if (origin_of(&headings[i]) >= least && is_there_twice(t, i, index)) {
+            message(
+                "%s:%lu: x, y and z are there twice ('%s' and '%s'): state which with --columns, "
+                "or leave one set of columns",
+                t->name, t->line, headings[index[headings[i].axis]].name, headings[i].name);
+            return EXIT_FILE;
+        }
+    }
+    for (unsigned i = 0; i < t->columns && has_accelerometer; i++) {
+        if (origin_of(&headings[i]) == OF_MAGNETOMETER &&
+            find_set(t, i, OF_MAGNETOMETER, other) == i && *out->seen.set_aside == '\0') {
+            memcpy(out->seen.set_aside, headings[other[0]].name, HEADING_NAME_MAX);
+        }
+    }
+    return EXIT_GOOD;
+}
+
+/* ---- the unit of x, y and z ---------------------------------------------------------------------- */
+
+/* Logs that are known have a unit although their headings do not state it. */
+static reading_unit unit_of_system(const table *t, const heading *x)
+{
+    const char *key = x->key;
+
+    if (strcmp(key, "accsmooth") == 0 || strcmp(key, "accadc") == 0) {
+        return UNIT_COUNTS; /* blackbox_decode without --unit-acceleration */
+    }
+    if (strcmp(key, "fieldlinearacceleration") == 0 || is_of_ros(x)) {
+        return UNIT_MS2; /* sensor_msgs/Imu of ROS; gravity is in it */
+    }
+    if (strcmp(key, "gf") == 0) {
+        return UNIT_G; /* gFx: the g-force meter of Physics Toolbox */
+    }
+    if (strcmp(key, "acc") == 0 && has_key(t, "time") && has_key(t, "gyr")) {
+        for (unsigned i = 0; i < t->columns; i++) {
+            if (strcasecmp(headings[i].name, "TimeUS") == 0) {
+                return UNIT_MS2; /* ArduPilot's IMU message */
+            }
+        }
+    }
+    return UNIT_UNKNOWN;
+}
+
+static int find_unit(const table *t, columns *out)
+{
+    const int *index = out->index;
+    const heading *x = &headings[index[COLUMN_X]];
+
+    for (unsigned i = COLUMN_Y; i <= COLUMN_Z; i++) {
+        const heading *h = &headings[index[i]];
+        if (h->unit != x->unit || h->states_unit != x->states_unit) {
+            char one[TABLE_EXCERPT_MAX];
+            char other[TABLE_EXCERPT_MAX];
+            message("%s:%lu: '%s' and '%s' are in different units: convert one of them", t->name,
+                    t->line, table_excerpt(t->field[index[COLUMN_X]], one),
+                    table_excerpt(t->field[index[i]], other));
+            return EXIT_FILE;
+        }
+    }
+    out->seen.unit = x->states_unit ? x->unit : unit_of_system(t, x);
+    out->seen.states_foreign_unit = x->states_unit && x->unit == UNIT_UNKNOWN;
+    out->seen.unit_from = out->seen.unit != UNIT_UNKNOWN ? UNIT_FROM_HEADER : UNIT_FROM_NONE;
+    return EXIT_GOOD;
+}
+
+/* The unit of time in a field like "ms" or "(ms)". */
+static double time_unit_of(const char *field)
+{
+    char bare[HEADING_NAME_MAX];
+
+    field += strspn(field, "([");
+    snprintf(bare, sizeof bare, "%.*s", (int)strcspn(field, ")]"), field);
+    return unit_parse_time(bare);
+}
+
+/* A second heading, of units alone, may follow. */
+static void find_unit_row(table *t, columns *out)
+{
+    const int time = out->index[COLUMN_TIME];
+    const int temperature = out->index[COLUMN_TEMPERATURE];
+    reading_unit unit[3];
+
+    if (headings[out->index[COLUMN_X]].states_unit || !table_peek(t)) {
+        return;
+    }
+    for (unsigned i = COLUMN_X; i <= COLUMN_Z; i++) {
+        if (!unit_parse(t->field[out->index[i]], &unit[i]) || unit[i] != unit[COLUMN_X]) {
+            return; /* it is a row, right or wrong */
+        }
+    }
+    t->pending = 0;
+    out->seen.unit_line = t->line;
+    out->seen.unit = unit[COLUMN_X];
+    out->seen.unit_from = UNIT_FROM_HEADER;
+    if (time >= 0 && time_unit_of(t->field[time]) > 0) {
+        out->per_second = time_unit_of(t->field[time]);
+    }
+    if (temperature >= 0 && unit_parse_temperature(t->field[temperature]).scale > 0) {
+        out->degrees = unit_parse_temperature(t->field[temperature]);
+    }
+}
+
+/* ---- the others --------------------------------------------------------------------------------- */
+
+static int is_named(const heading *h, column which)
+{
+    static const char *const keys[COLUMN_COUNT][6] = {
+        [COLUMN_SAMPLES] = {"n", "nsamples", "count"},
+        [COLUMN_TIME] = {"t", "time", "timestamp", "elapsed", "elapsedtime", "timeelapsed"},
+        [COLUMN_TEMPERATURE] = {"temperature", "temp", "tempc", "tempdegc", "temperaturec"},
+        [COLUMN_ALPHA] = {"alpha", "alphadeg", "alpharad"},
+        [COLUMN_BETA] = {"beta", "betadeg", "betarad"},
+    };
+
+    if (which >= COLUMN_STD_X && which <= COLUMN_STD_Z) {
+        return h->axis == (int)which - COLUMN_STD_X && strcmp(h->key, "std") == 0;
+    }
+    for (unsigned i = 0; i < 6 && keys[which][i] && h->axis < 0; i++) {
+        if (strcmp(h->key, keys[which][i]) == 0) {
+            return 1;
+        }
+    }
+    return 0;
+}
+
+static int say_several(const table *t, const char *name)
+{
+    message("%s:%lu: more than one column could be '%s': leave one, or state which with --columns "
+            "%s=NAME",
+            t->name, t->line, name, name);
+    return EXIT_FILE;
+}
+
+/* One std for all axes; a heading without an axis. */
+static int find_std(const table *t, int *index)
+{
+    *index = -1;
+    for (unsigned i = 0; i < t->columns; i++) {
+        if (headings[i].axis >= 0 || strcmp(headings[i].key, "std") != 0) {
+            continue;
+        }
+        if (*index >= 0) {
+            return say_several(t, "std");
+        }
+        *index = (int)i;
+    }
+    return EXIT_GOOD;
+}
+
+/* A column that may be missing. */
+static int find_optional(const table *t, column which, int *index)
+{
+    if (chosen_is(which)) {
+        return chosen_find(t, headings, which, index);
+    }
+    *index = -1;
+    for (unsigned i = 0; i < t->columns; i++) {
+        if (!is_named(&headings[i], which)) {
+            continue;
+        }
+        if (*index >= 0) {
+            return say_several(t, column_name(which));
+        }
+        *index = (int)i;
+    }
+    return EXIT_GOOD;
+}
+
+/* `millis`, and seconds_elapsed: the name of the column is that of the unit. */
+static double unit_as_name(const heading *h)
+{
+    if (strcmp(h->key, "secondselapsed") == 0) {
+        return 1;
+    }
+    return strlen(h->key) > 1 && h->axis < 0 ? unit_parse_time(h->key) : 0;
+}
+
+/* Two clocks may be there: the one that states its unit counts. */
+static int find_time(const table *t, columns *out)
+{
+    int *index = &out->index[COLUMN_TIME];
+    unsigned count[2] = {0, 0}; /* without and with a unit */
+
+    *index = -1;
+    for (unsigned i = 0; i < t->columns; i++) {
+        heading *h = &headings[i];
+        h->per_second = unit_as_name(h) > 0 ? unit_as_name(h) : h->per_second;
+        const int states = h->per_second > 0;
+        if (is_named(h, COLUMN_TIME) || unit_as_name(h) > 0) {
+            *index = states >= (count[1] > 0) ? (int)i : *index;
+            count[states]++;
+        }
+    }
+    if (chosen_is(COLUMN_TIME)) {
+        return chosen_find(t, headings, COLUMN_TIME, index);
+    }
+    return count[count[1] > 0] > 1 ? say_several(t, column_name(COLUMN_TIME)) : EXIT_GOOD;
+}
+
+/* ArduPilot's temperature is T, which would else be a time. */
+static void find_short_temperature(const table *t, columns *out)
+{
+    for (unsigned i = 0; i < t->columns && out->index[COLUMN_TEMPERATURE] < 0; i++) {
+        if (strcmp(t->field[i], "T") == 0 && out->index[COLUMN_TIME] >= 0 &&
+            out->index[COLUMN_TIME] != (int)i) {
+            out->index[COLUMN_TEMPERATURE] = (int)i;
+        }
+    }
+}
+
+/* PX4 and Betaflight's explorer count microseconds, and do not say so; ROS counts nanoseconds. */
+static void find_time_unit(const table *t, columns *out)
+{
+    const int at = out->index[COLUMN_TIME];
+    const int is_micro = has_key(t, "timestampsample") || has_key(t, "loopiteration") ||
+                         has_key(t, "accelerometertimestamprelative") ||
+                         (has_key(t, "deviceid") && has_key(t, "errorcount"));
+
+    out->per_second = 1;
+    if (at >= 0) {
+        const double stated = headings[at].per_second;
+        out->per_second = stated > 0 ? stated : t->field[at][0] == '%' ? 1e9 : is_micro ? 1e6 : 1;
+    }
+}
+
+/* Without a unit it is in degrees C; in another, such as counts, it is of no use. */
+static void find_temperature_unit(columns *out)
+{
+    int *at = &out->index[COLUMN_TEMPERATURE];
+
+    out->degrees = (temperature_unit){1, 0};
+    if (*at >= 0 && headings[*at].states_unit) {
+        out->degrees = headings[*at].degrees;
+        *at = out->degrees.scale > 0 ? *at : -1;
+    }
+}
+
+/* Of the angles: degrees, unless the heading says rad. */
+static void find_angle_units(const table *t, columns *out)
+{
+    for (unsigned i = 0; i < 2; i++) {
+        const int at = out->index[COLUMN_ALPHA + i];
+        out->per_degree[i] = at >= 0 && strstr(t->field[at], "rad") ? RADIANS : 1;
+    }
+}
+
+/* ---- together ----------------------------------------------------------------------------------- */
+
+static void remember_names(const table *t, columns *out)
+{
+    recognition *seen = &out->seen;
+    unsigned used[TABLE_COLUMNS_MAX] = {0};
+
+    for (unsigned c = 0; c < COLUMN_COUNT; c++) {
+        seen->name[c][0] = '\0';
+        if (out->index[c] >= 0) {
+            memcpy(seen->name[c], headings[out->index[c]].name, HEADING_NAME_MAX);
+            used[out->index[c]] = 1;
+        }
+    }
+    for (unsigned i = 0; i < t->columns; i++) {
+        seen->others += !used[i] && *t->field[i] != '\0';
+    }
+    snprintf(seen->chosen, sizeof seen->chosen, "%s", chosen_text());
+    seen->header_line = t->first_line;
+    seen->preamble = t->preamble;
+}
+
+/* ArduPilot writes the rows of all its sensors in turn, with their number in column I. */
+static int find_instance(const table *t)
+{
+    for (unsigned i = 0; i < t->columns && has_key(t, "gyr"); i++) {
+        if (strcmp(t->field[i], "I") == 0) {
+            return (int)i;
+        }
+    }
+    return -1;
+}
+
+static int find_by_header(table *t, columns_kind kind, columns *out)
+{
+    int *index = out->index;
+    int std;
+
+    read_headings(t);
+    int failure =
+        chosen_is(COLUMN_X) ? chosen_find_axes(t, headings, &index[COLUMN_X]) : find_xyz(t, out);
+    failure = failure ? failure : find_std(t, &std);
+    failure = failure ? failure : find_unit(t, out);
+    for (unsigned c = COLUMN_STD_X; c < COLUMN_COUNT && !failure; c++) {
+        failure = c == COLUMN_TIME ? find_time(t, out) : find_optional(t, (column)c, &index[c]);
+    }
+    if (failure) {
+        return failure;
+    }
+    if (index[COLUMN_STD_X] < 0 || index[COLUMN_STD_Y] < 0 || index[COLUMN_STD_Z] < 0) {
+        /* only all three of them are of use */
+        index[COLUMN_STD_X] = index[COLUMN_STD_Y] = index[COLUMN_STD_Z] = std;
+    }
+    for (unsigned c = COLUMN_STD_X; c <= COLUMN_SAMPLES && kind == COLUMNS_LOG; c++) {
+        index[c] = -1; /* of no use there */
+    }
+    find_short_temperature(t, out);
+    out->instance = find_instance(t);
+    find_time_unit(t, out);
+    find_temperature_unit(out);
+    find_angle_units(t, out);
+    remember_names(t, out);
+    find_unit_row(t, out);
+    return EXIT_GOOD;
+}
+
+/* "0,05" cut at its comma: no whole number begins with a zero. */
+static int is_fraction(const char *text)
+{
+    return text[0] == '0' && text[1] != '\0' && strspn(text, "0123456789") == strlen(text);
+}
+
+static int is_cut_at_commas(const table *t)
+{
+    return t->separator == ',' && t->columns == 6 &&
+           (is_fraction(t->field[1]) || is_fraction(t->field[3]) || is_fraction(t->field[5]));
+}
+
+/* Without a header the number of columns tells; each letter is one column. */
+static int find_by_count(const table *t, columns_kind kind, columns *out)
+{
+    static const char *const layouts[2][5] = {{"xyz", "xyzsn", "xyzabcn"},
+                                              {"xyz", "txyz", "txyzT", "xyz...", "txyz..."}};
+    static const char letters[] = "xyzabcntTAB"; /* in the order of `column`; '.': a rate */
+
+    for (unsigned i = 0; i < 5 && !is_cut_at_commas(t); i++) {
+        const char *layout = layouts[kind][i];
+        if (!layout || strlen(layout) != t->columns) {
+            continue;
+        }
+        for (unsigned c = 0; c < COLUMN_COUNT; c++) {
+            const char *place = strchr(layout, letters[c]);
+            const int is_std = c >= COLUMN_STD_X && c <= COLUMN_STD_Z;
+            const char *one = is_std && !place ? strchr(layout, 's') : NULL; /* for all axes */
+            place = one ? one : place;
+            out->index[c] = place ? (int)(place - layout) : -1;
+            snprintf(out->seen.name[c], HEADING_NAME_MAX, "%s",
+                     one     ? "std"
+                     : place ? column_name((column)c)
+                             : "");
+        }
+        out->seen.others = kind == COLUMNS_LOG && t->columns > 5 ? 3 : 0;
+        return EXIT_GOOD;
+    }
+    message("%s:%lu: %u column%s, separated by %s, without a header: %s, or a header that names "
+            "them, is expected; --columns 2,3,4 states x, y, z by number%s",
+            t->name, t->line, t->columns, t->columns == 1 ? "" : "s", table_separator(t),
+            kind == COLUMNS_POSITIONS
+                ? "3 (x y z), 5 (x y z std n), 7 (x y z std_x std_y std_z n)"
+                : "3 (x y z), 4 (t x y z), 5 (t x y z temperature), 6 or 7 (with a gyro's three)",
+            t->separator == ',' && (t->columns == 6 || t->columns == 8)
+                ? "; if these are decimal commas, save the table with decimal points"
+                : "");
+    return EXIT_FILE;
+}
+
+/* Without a header numbers do. */
+static int find_by_number(const table *t, columns *out)
+{
+    recognition *seen = &out->seen;
+
+    if (!chosen_is(COLUMN_X)) {
+        message("%s:%lu: there is no header: --columns has to state x, y and z, too", t->name,
+                t->line);
+        return EXIT_FILE;
+    }
+    int failure = chosen_find_axes(t, headings, &out->index[COLUMN_X]);
+    seen->others = t->columns;
+    for (unsigned c = 0; c < COLUMN_COUNT && !failure; c++) {
+        int *index = &out->index[c];
+        *index = c > COLUMN_Z ? -1 : *index;
+        if (chosen_is((column)c)) {
+            failure = chosen_find(t, headings, (column)c, index);
+            snprintf(seen->name[c], HEADING_NAME_MAX, "%s", column_name((column)c));
+            seen->others--;
+        }
+    }
+    snprintf(seen->chosen, sizeof seen->chosen, "%s", chosen_text());
+    return failure;
+}
+
+/* Whether some three columns are x, y and z, or it is stated which. */
+static int has_axes(const table *t)
+{
+    int index[3];
+
+    read_headings(t);
+    return chosen_is(COLUMN_X) || find_set(t, 0, OF_MAGNETOMETER, index) < t->columns;
+}
+
+int columns_find(table *t, columns_kind kind, columns *out)
+{
+    *out = (columns){.per_second = 1,
+                     .degrees = {1, 0},
+                     .per_degree = {1, 1},
+                     .instance = -1,
+                     .seen = {.separator = table_separator(t)}};
+    if (table_comment_header(t) && !has_axes(t)) {
+        table_drop_header(t);
+    }
+    const int failure = t->has_header            ? find_by_header(t, kind, out)
+                        : *chosen_text() != '\0' ? find_by_number(t, out)
+                                                 : find_by_count(t, kind, out);
+
+    for (unsigned c = 0; c < COLUMN_COUNT; c++) {
+        out->last = out->index[c] > out->last ? out->index[c] : out->last;
+    }
+    out->seen.time_unit = out->per_second > 1e8   ? "ns"
+                          : out->per_second > 1e5 ? "µs"
+                          : out->per_second > 1   ? "ms"
+                                                  : "s";
+    return failure;
+}
+
+void columns_say_cut(const table *t, const char *which, unsigned long line)
+{
+    message("warning: %s:%lu: the %s line is cut, and left out", t->name, line, which);
+}
+
+int columns_is_cut(const table *t, const columns *where)
+{
+    return table_is_cut(t, (unsigned)where->last);
+}
+
+/* What to do about it, where the problem itself does not say it. */
+static const char *remedy(const table *t, column which, number_status status)
+{
+    return which == COLUMN_TEMPERATURE ? ": leave the column out"
+           : which == COLUMN_TIME && status == NUMBER_NOT_DECIMAL
+               ? ": convert it to seconds, or leave the column out"
+           : status == NUMBER_COMMA || status == NUMBER_GROUPED ? ""
+                                                                : table_remedy(t);
+}
+
+int columns_number(const table *t, const columns *where, column which, double *out)
+{
+    const int index = where->index[which];
+    const number_status status = number_parse(t->field[index], out);
+    char excerpt[TABLE_EXCERPT_MAX];
+
+    if (status == NUMBER_EMPTY) {
+        message("%s:%lu: column %d (%s) is empty%s", t->name, t->line, index + 1,
+                column_name(which), remedy(t, which, status));
+        return EXIT_FILE;
+    }
+    if (status != NUMBER_OK) {
+        message("%s:%lu: column %d (%s): '%s' %s%s", t->name, t->line, index + 1,
+                column_name(which), table_excerpt(t->field[index], excerpt), number_problem(status),
+                remedy(t, which, status));
+        return EXIT_FILE;
+    }
+    if (which == COLUMN_TIME) {
+        *out /= where->per_second;
+    } else if (which == COLUMN_TEMPERATURE) {
+        *out = where->degrees.scale * *out + where->degrees.zero;
+    }
+    return EXIT_GOOD;
+}
+
+double columns_angle(const table *t, const columns *where, column which)
+{
+    const int index = where->index[which];
+    double value;
+
+    return index >= 0 && number_parse(t->field[index], &value) == NUMBER_OK
+               ? value / where->per_degree[which - COLUMN_ALPHA]
+               : NUMBER_UNKNOWN;
+}
+
+int columns_check_instance(const table *t, columns *where)
+{
+    const char *here = where->instance >= 0 ? t->field[where->instance] : "";
+
+    if (where->first_instance[0] == '\0') {
+        snprintf(where->first_instance, sizeof where->first_instance, "%s", here);
+    }
+    if (strncmp(where->first_instance, here, sizeof where->first_instance - 1) != 0) {
+        message("%s:%lu: column %d (I): the rows of several sensors follow each other in turn: "
+                "keep those of one",
+                t->name, t->line, where->instance + 1);
+        return EXIT_FILE;
+    }
+    return EXIT_GOOD;
+}
+
+/* ---- in words ----------------------------------------------------------------------------------- */
+
+/* Puts more behind a text; what is too long is cut off. */
+static void append(char *text, size_t size, const char *format, ...) MESSAGE_FORMAT(3, 4);
+
+static void append(char *text, size_t size, const char *format, ...)
+{
+    const size_t length = strlen(text);
+    va_list arguments;
+
+    va_start(arguments, format);
+    vsnprintf(text + length, size - length, format, arguments);
+    va_end(arguments);
+}
+
+static void append_layout(const recognition *seen, char *text, size_t size)
+{
+    const int is_csv =
+        strcmp(seen->separator, "commas") == 0 || strcmp(seen->separator, "semicolons") == 0;
+
+    append(text, size, "%s with %s", is_csv ? "CSV" : "table", seen->separator);
+    if (seen->preamble > 0) {
+        append(text, size, ", %lu line%s of settings", seen->preamble,
+               seen->preamble == 1 ? "" : "s");
+    }
+    if (seen->header_line > 0) {
+        append(text, size, ", header in line %lu", seen->header_line);
+    } else {
+        append(text, size, ", no header");
+    }
+    if (seen->unit_line > 0) {
+        append(text, size, ", units in line %lu", seen->unit_line);
+    }
+}
+
+static void append_unit(const recognition *seen, char *text, size_t size)
+{
+    static const char *const behind[] = {[UNIT_FROM_NONE] = "",
+                                         [UNIT_FROM_HEADER] = "",
+                                         [UNIT_FROM_OPTION] = " (--unit)",
+                                         [UNIT_FROM_SIZE] = " (by their size)",
+                                         [UNIT_FROM_SENSOR] = " (--sensor)"};
+
+    if (seen->unit != UNIT_UNKNOWN) {
+        append(text, size, " in %s%s", unit_words(seen->unit), behind[seen->unit_from]);
+    }
+}
+
+const char *columns_describe(const recognition *seen, char *text, size_t size)
+{
+    const char(*name)[HEADING_NAME_MAX] = seen->name;
+
+    text[0] = '\0';
+    append_layout(seen, text, size);
+    append(text, size, "; ");
+    if (*name[COLUMN_TIME] != '\0') {
+        append(text, size, "%s (%s), ", name[COLUMN_TIME], seen->time_unit);
+    }
+    append(text, size, "%s%s %s %s", *seen->set_aside != '\0' ? "the accelerometer's " : "",
+           name[COLUMN_X], name[COLUMN_Y], name[COLUMN_Z]);
+    append_unit(seen, text, size);
+    if (*seen->chosen != '\0') {
+        append(text, size, " (--columns %s)", seen->chosen);
+    }
+    for (unsigned c = COLUMN_STD_X; c < COLUMN_COUNT; c++) {
+        const int is_again = c > COLUMN_STD_X && c <= COLUMN_STD_Z &&
+                             strcmp(name[c], name[c - 1]) == 0; /* one for all three */
+        if (c != COLUMN_TIME && *name[c] != '\0' && !is_again) {
+            append(text, size, ", %s", name[c]);
+        }
+    }
+    if (seen->others > 0) {
+        append(text, size, "; ignored: %u other column%s", seen->others,
+               seen->others == 1 ? "" : "s");
+    }
+    if (*seen->set_aside != '\0') {
+        append(text, size, ", a magnetometer's among them (%s ..; --columns chooses)",
+               seen->set_aside);
+    }
+    return plain(text);
+}

@@ -1,0 +1,18 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * read/noise_file.h: reads what `invcal allan --out` wrote.
+ */
+#ifndef NOISE_FILE_H
+#define NOISE_FILE_H
+
+#include "invcal/allan.h"
+
+/* Reads the noise of the three axes over the field: white noise in 1/sqrt(Hz), bias instability in
+ * 1, rate random walk in sqrt(Hz); and the averaging times that were seen. Other members do not
+ * matter. "-" is the standard input.
+ *
+ * Returns EXIT_GOOD; EXIT_FILE, with a message, if the file is unreadable, malformed, or does not
+ * tell how long the field is. */
+int noise_file_read(const char *path, invcal_noise noise[3]);
+
+#endif

@@ -1,0 +1,273 @@
+/* SPDX-License-Identifier: MIT */
+#include "read/samples.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "cli/command.h"
+#include "cli/message.h"
+
+#define RATE_GUESS 100.0
+#define ROOM 22 /* bits that the largest of the first readings takes, and its fraction */
+#define SMALLEST_UNIT (-14) /* power of two, where nothing but zeros has been read */
+#define SKIPPED_MAX 100u
+
+enum { TIME = 3, TEMPERATURE = 4, ALPHA = 5, BETA = 6 };
+
+/* The numbers of the current row. */
+static int read_numbers(samples *s, double v[SAMPLES_NUMBERS])
+{
+    static const column which[5] = {COLUMN_X, COLUMN_Y, COLUMN_Z, COLUMN_TIME, COLUMN_TEMPERATURE};
+
+    if (columns_check_instance(&s->table, &s->where)) {
+        return EXIT_FILE;
+    }
+    v[TIME] = v[TEMPERATURE] = 0;
+    for (unsigned i = 0; i < 5; i++) {
+        if (s->where.index[which[i]] >= 0 &&
+            columns_number(&s->table, &s->where, which[i], &v[i])) {
+            return EXIT_FILE;
+        }
+    }
+    v[ALPHA] = columns_angle(&s->table, &s->where, COLUMN_ALPHA);
+    v[BETA] = columns_angle(&s->table, &s->where, COLUMN_BETA);
+    return EXIT_GOOD;
+}
+
+/* The first line was cut, so that the second has more columns: that decides. Returns 1 if so. */
+static int realign(samples *s)
+{
+    if (s->count > 0 || s->ahead_count > 1 || s->table.has_header ||
+        s->table.found <= s->table.columns) {
+        return 0;
+    }
+    s->table.columns = s->table.found;
+    s->ahead_count = 0;
+    return columns_find(&s->table, COLUMNS_LOG, &s->where) == EXIT_GOOD;
+}
+
+/* The numbers of the next row that is whole. 1, 0 at the end, -1. */
+static int next_row(samples *s, double v[SAMPLES_NUMBERS])
+{
+    for (unsigned skipped = 0; skipped < SKIPPED_MAX; skipped++) {
+        const int more = table_next(&s->table);
+        if (more != 0 && !s->is_live && s->count + s->ahead_count > 0 &&
+            columns_is_cut(&s->table, &s->where)) {
+            columns_say_cut(&s->table, "last", s->table.line);
+            s->skipped++;
+            return 0;
+        }
+        if (more == 0 || (more == 1 && read_numbers(s, v) == EXIT_GOOD)) {
+            return more;
+        }
+        if (!s->is_live) {
+            return -1;
+        }
+        s->skipped++;
+        s->is_broken = 1;
+        if (more < 0 && realign(s) && read_numbers(s, v) == EXIT_GOOD) {
+            return 1;
+        }
+    }
+    return -1;
+}
+
+static int read_ahead(samples *s)
+{
+    const unsigned most = s->is_live ? SAMPLES_AHEAD_LIVE : SAMPLES_AHEAD;
+    double v[SAMPLES_NUMBERS];
+    int more = 1;
+
+    while (s->ahead_count < most && (more = next_row(s, v)) == 1) {
+        memcpy(s->ahead[s->ahead_count], v, sizeof v);
+        s->ahead_line[s->ahead_count++] = s->table.line;
+    }
+    if (more < 0) {
+        return EXIT_FILE;
+    }
+    if (s->ahead_count == 0) {
+        message("%s: holds no sample, only a header: was anything recorded?", s->table.name);
+        return EXIT_FILE;
+    }
+    return EXIT_GOOD;
+}
+
+static double largest(const samples *s)
+{
+    double most = 0;
+
+    for (unsigned n = 0; n < s->ahead_count; n++) {
+        for (unsigned i = 0; i < 3; i++) {
+            most = fmax(most, fabs(s->ahead[n][i]));
+        }
+    }
+    return most;
+}
+
+static double find_unit(const samples *s)
+{
+    const double most = largest(s);
+
+    return most > 0 ? fmin(1, ldexp(1, (int)ceil(log2(most)) - ROOM)) : ldexp(1, SMALLEST_UNIT);
+}
+
+static int compare(const void *a, const void *b)
+{
+    const double x = *(const double *)a;
+    const double y = *(const double *)b;
+
+    return (x > y) - (x < y);
+}
+
+/* To three digits: clocks are no better, and 99.98 is 100. */
+static double round_rate(double rate)
+{
+    char text[32];
+
+    snprintf(text, sizeof text, "%.3g", rate);
+    return strtod(text, NULL);
+}
+
+/* The mean step of time, or the middle one if gaps have spoilt the mean. Times may stand still for
+ * some samples, when they come in batches. */
+static double usual_step(samples *s)
+{
+    double step[SAMPLES_AHEAD];
+    const unsigned n = s->ahead_count - 1;
+
+    for (unsigned i = 0; i < n; i++) {
+        step[i] = s->ahead[i + 1][TIME] - s->ahead[i][TIME];
+    }
+    qsort(step, n, sizeof step[0], compare);
+    const double mean = (s->ahead[n][TIME] - s->ahead[0][TIME]) / n;
+    s->longest = 2 * step[n - 1 - n / 50]; /* the last are gaps, if anything is */
+    return step[n / 2] > 0 && mean > 1.5 * step[n / 2] ? step[n / 2] : mean;
+}
+
+static int find_rate(samples *s)
+{
+    s->rate = RATE_GUESS;
+    if (!s->has_time || s->ahead_count < 3) {
+        return EXIT_GOOD;
+    }
+    const double step = usual_step(s);
+    s->rate = round_rate(1 / step);
+    if (!(s->rate >= SAMPLES_RATE_MIN && s->rate <= SAMPLES_RATE_MAX)) {
+        message(
+            "%s:%lu: the times go on by %.6g, which are no seconds of a log of 8 to 8000 samples a "
+            "second: put the unit into the heading (t_ms, t_us), state --rate, or leave the column "
+            "out",
+            s->table.name, s->ahead_line[0], step);
+        return EXIT_FILE;
+    }
+    s->longest = fmax(s->longest, 4 / s->rate + 0.1);
+    s->is_rate_known = 1;
+    return EXIT_GOOD;
+}
+
+/* If the first line of a live stream was cut beyond recognition, the second tells. */
+static int find_columns(samples *s)
+{
+    unsigned long cut = 0;
+
+    if (!s->is_live && table_drop_cut_first(&s->table, &cut)) {
+        return EXIT_FILE;
+    }
+    if (cut > 0) {
+        columns_say_cut(&s->table, "first", cut);
+        s->skipped++;
+    }
+    const int failure = columns_find(&s->table, COLUMNS_LOG, &s->where);
+
+    if (!failure || !s->is_live || s->table.has_header) {
+        return failure;
+    }
+    (void)table_next(&s->table); /* the first */
+    (void)table_next(&s->table); /* has another number of columns, and is told */
+    s->table.columns = s->table.found > 0 ? s->table.found : s->table.columns;
+    s->skipped = 2;
+    return columns_find(&s->table, COLUMNS_LOG, &s->where);
+}
+
+int samples_open(samples *s, const char *path, double rate, int live)
+{
+    s->ahead_count = s->next = 0;
+    s->count = s->gaps = s->skipped = 0;
+    s->is_live = live;
+    s->is_broken = 0;
+    s->clock = 0;
+    s->longest = HUGE_VAL; /* with a given rate times may be of any unit */
+    int failure = table_open(&s->table, path);
+
+    s->table.is_log = !live;
+    s->table.is_forgiving = live;
+    failure = failure ? failure : find_columns(s);
+    failure = failure ? failure : read_ahead(s);
+    if (failure) {
+        return failure;
+    }
+    s->has_time = s->where.index[COLUMN_TIME] >= 0;
+    s->has_temperature = s->where.index[COLUMN_TEMPERATURE] >= 0;
+    s->has_angles = s->where.index[COLUMN_ALPHA] >= 0 && s->where.index[COLUMN_BETA] >= 0;
+    s->unit = find_unit(s);
+    s->rate = rate;
+    s->is_rate_known = rate > 0;
+    return rate > 0 ? EXIT_GOOD : find_rate(s);
+}
+
+unsigned samples_whole_rate(const samples *s)
+{
+    return (unsigned)fmin(UINT16_MAX, nearbyint(s->rate));
+}
+
+int32_t samples_count(const samples *s, double value)
+{
+    return (int32_t)fmax(INT32_MIN, fmin(INT32_MAX, nearbyint(value / s->unit)));
+}
+
+/* Times of any unit are of no use, nor are those that jump. */
+static double time_passed(const samples *s, double step)
+{
+    const int is_seconds = s->has_time && s->longest < HUGE_VAL;
+
+    return is_seconds && step >= 0 && step <= SAMPLES_PAUSE ? step : 1 / s->rate;
+}
+
+int samples_next(samples *s, sample *out)
+{
+    double v[SAMPLES_NUMBERS];
+    const int is_ahead = s->next < s->ahead_count;
+
+    if (is_ahead) {
+        memcpy(v, s->ahead[s->next], sizeof v);
+        out->line = s->ahead_line[s->next++];
+    } else {
+        const int more = next_row(s, v);
+        if (more != 1) {
+            return more;
+        }
+        out->line = s->table.line;
+    }
+    for (unsigned i = 0; i < 3; i++) {
+        out->raw[i] = samples_count(s, v[i]);
+    }
+    out->time = v[TIME];
+    out->temperature = v[TEMPERATURE];
+    out->angle[0] = v[ALPHA];
+    out->angle[1] = v[BETA];
+    const double step = v[TIME] - s->last_time;
+    out->clock = s->clock += s->count == 0 ? 0 : time_passed(s, step);
+    const int jumps = s->has_time && s->count > 0 && !(step >= 0 && step <= s->longest);
+    out->is_gap = jumps || (!is_ahead && s->is_broken);
+    s->is_broken = s->is_broken && is_ahead;
+    s->gaps += (unsigned long)out->is_gap;
+    s->last_time = v[TIME];
+    s->count++;
+    return 1;
+}
+
+void samples_close(samples *s)
+{
+    table_close(&s->table);
+}

@@ -1,0 +1,606 @@
+/* SPDX-License-Identifier: MIT */
+#define _POSIX_C_SOURCE 200809L
+#include "read/table.h"
+
+#include <ctype.h>
+#include <errno.h>
+#include <string.h>
+#include <strings.h>
+
+#include "cli/command.h"
+#include "read/crc.h"
+#include "cli/input.h"
+#include "cli/message.h"
+#include "text/number.h"
+#include "read/signature.h"
+
+#define PREAMBLE_MAX 10000u
+
+static int is_blank(char c)
+{
+    return c == ' ' || c == '\t';
+}
+
+static const char *skip_blanks(const char *s)
+{
+    while (is_blank(*s)) {
+        s++;
+    }
+    return s;
+}
+
+/* The first bytes may be those of a file that is no table. */
+static int check_signature(const table *t, size_t length)
+{
+    const char *what = t->line == 1 ? signature_find(t->text, length) : NULL;
+
+    if (what) {
+        message("%s: this is %s", t->name, what);
+    }
+    return what ? -1 : 1;
+}
+
+/* Control characters have no place in a text: most likely it is none. */
+static int check_text(const table *t, size_t length)
+{
+    if (check_signature(t, length) != 1) {
+        return -1;
+    }
+    for (size_t i = 0; i < length; i++) {
+        const unsigned char c = (unsigned char)t->text[i];
+        if (c < ' ' && c != '\t') {
+            message("%s:%lu: byte %lu of the line has the value %u: this is not a text file; "
+                    "export the "
+                    "readings as CSV",
+                    t->name, t->line, (unsigned long)i + 1, (unsigned)c);
+            return -1;
+        }
+    }
+    return 1;
+}
+
+/* So that a report can say which file it was. */
+static void count_bytes(table *t, size_t length, int has_end)
+{
+    t->crc = crc_update(t->crc, t->text, length);
+    t->crc = crc_update(t->crc, "\n", (size_t)has_end);
+    t->bytes += length + (size_t)has_end;
+}
+
+/* Reads a line into text, without its end. 1, 0 at the end of the file, -1. */
+static int read_line(table *t)
+{
+    size_t length = 0;
+    int c = getc_unlocked(t->file);
+
+    if (c == EOF && !ferror(t->file)) {
+        return 0;
+    }
+    t->line++;
+    for (; c != EOF && c != '\n'; c = getc_unlocked(t->file)) {
+        if (length == TABLE_LINE_MAX && check_signature(t, length) != 1) {
+            return -1;
+        }
+        if (length == TABLE_LINE_MAX) {
+            message("%s:%lu: the line is longer than %u bytes: a table has one sample a line",
+                    t->name, t->line, TABLE_LINE_MAX);
+            return -1;
+        }
+        t->text[length++] = (char)c;
+    }
+    if (ferror(t->file) && errno == EINTR) {
+        return 0; /* whoever catches a signal wants to come to an end */
+    }
+    if (ferror(t->file)) {
+        message("%s:%lu: cannot be read: %s", t->name, t->line, strerror(errno));
+        return -1;
+    }
+    t->has_end = c == '\n';
+    count_bytes(t, length, t->has_end);
+    length -= length > 0 && t->text[length - 1] == '\r';
+    t->text[length] = '\0';
+    return check_text(t, length);
+}
+
+/* Takes a UTF-8 mark of byte order off the first line. */
+static void strip_mark(table *t)
+{
+    if (t->line == 1 && strncmp(t->text, "\xef\xbb\xbf", 3) == 0) {
+        memmove(t->text, t->text + 3, strlen(t->text + 3) + 1);
+    }
+}
+
+/* A spreadsheet's first line, which is none of the table. */
+static int takes_separator(table *t)
+{
+    const char *text = t->text + (*t->text == '"');
+
+    if (t->line != 1 || strncasecmp(text, "sep=", 4) != 0 || text[4] == '\0' ||
+        !strchr(";,\t", text[4])) {
+        return 0;
+    }
+    t->separator = text[4];
+    return 1;
+}
+
+/* `%time` is a heading of ROS. A ; with another one behind it separates. */
+static int is_comment(const table *t, const char *start)
+{
+    switch (*start) {
+    case '#':
+        return 1;
+    case '%':
+        return strncmp(start, "%time", 5) != 0;
+    case '/':
+        return start[1] == '/';
+    case ';':
+        return t->separator == '\0' ? !strchr(start + 1, ';') : t->separator != ';';
+    default:
+        return 0;
+    }
+}
+
+/* The last comment above the table, without its mark. */
+static void keep_comment(table *t, const char *start)
+{
+    start += strspn(start, "#%/; \t");
+    if (t->first_line == 0 && strlen(start) < sizeof t->comment) {
+        memcpy(t->comment, start, strlen(start) + 1);
+        t->comment_line = t->line;
+    }
+}
+
+/* Reads up to the next line that holds something. */
+static int read_row(table *t)
+{
+    for (;;) {
+        const int more = read_line(t);
+        if (more != 1) {
+            return more;
+        }
+        strip_mark(t);
+        const char *start = skip_blanks(t->text);
+        if (*start != '\0' && is_comment(t, start)) {
+            keep_comment(t, start);
+        } else if (*start != '\0' && !takes_separator(t)) {
+            return 1;
+        }
+    }
+}
+
+/* Every comma of the line stands between digits, and a blank elsewhere: "1,5 2,5 3,5". */
+static int has_decimal_commas(const char *start, const char *end)
+{
+    int blanks = 0;
+
+    for (const char *c = start; c < end; c++) {
+        if (*c == ',' &&
+            !(c > start && isdigit((unsigned char)c[-1]) && isdigit((unsigned char)c[1]))) {
+            return 0;
+        }
+        blanks += is_blank(*c);
+    }
+    return blanks > 0;
+}
+
+/* Semicolons and tabs before commas: where both stand, the commas are decimal ones; but a tab behind
+ * a comma is only a blank. */
+static char find_separator(const char *line)
+{
+    const char *order = ";\t,";
+    char found = ' ';
+    const char *rank = order + strlen(order);
+    const char *start = skip_blanks(line);
+    const char *end = start + strlen(start);
+    int quoted = 0;
+
+    while (end > start && is_blank(end[-1])) {
+        end--;
+    }
+    for (const char *c = start; c < end; c++) {
+        quoted ^= *c == '"';
+        const char *here = quoted || (*c == '\t' && c[-1] == ',') ? NULL : strchr(order, *c);
+        if (here && here < rank) {
+            rank = here;
+            found = *c;
+        }
+    }
+    return found == ',' && has_decimal_commas(start, end) ? ' ' : found;
+}
+
+static int is_separator(const table *t, char c)
+{
+    return t->separator == ' ' ? is_blank(c) : c == t->separator;
+}
+
+/* Ends a text at `end` or before, so that no blank is its last. */
+static void strip_end(const char *start, char *end)
+{
+    while (end > start && is_blank(end[-1])) {
+        end--;
+    }
+    *end = '\0';
+}
+
+/* Finds the end of a field that begins with a quote, and takes the quotes off. Returns the place
+ * of the separator behind it, or of the end of the line; null if there is something else. */
+static char *end_quoted(const table *t, char **start)
+{
+    char *end = strchr(*start + 1, '"');
+
+    if (!end) {
+        return NULL;
+    }
+    *start += 1 + strspn(*start + 1, " \t");
+    strip_end(*start, end);
+    end++;
+    while (is_blank(*end) && !is_separator(t, *end)) {
+        end++;
+    }
+    return *end == '\0' || is_separator(t, *end) ? end : NULL;
+}
+
+static char *end_plain(const table *t, char *start)
+{
+    while (*start != '\0' && !is_separator(t, *start)) {
+        start++;
+    }
+    return start;
+}
+
+/* Cuts a line into fields. Their number; 0 if it is malformed, and then *at is the column whose quotes do
+ * not match, or the first that there is no room for. */
+static unsigned cut(table *t, char *c, unsigned *at)
+{
+    unsigned count = 0;
+    int last = 0;
+
+    while (!last) {
+        while (is_blank(*c) && !(t->separator == '\t' && *c == '\t')) {
+            c++;
+        }
+        if (*c == '\0' && t->separator == ' ') {
+            return count; /* blanks at the end of a line separate nothing */
+        }
+        if (count == TABLE_COLUMNS_MAX) {
+            *at = count + 1;
+            return 0;
+        }
+        char *end = *c == '"' ? end_quoted(t, &c) : end_plain(t, c);
+        t->field[count++] = c;
+        if (!end) {
+            *at = count;
+            return 0;
+        }
+        last = *end == '\0';
+        strip_end(c, end);
+        c = end + 1;
+    }
+    return count;
+}
+
+/* Cuts the current line. Its number of fields; 0, with a message, if it is malformed. */
+static unsigned split(table *t)
+{
+    unsigned at = 0;
+    const unsigned count = cut(t, t->text, &at);
+
+    if (count == 0 && at > TABLE_COLUMNS_MAX) {
+        message("%s:%lu: more than %u columns: leave those of the accelerometer", t->name, t->line,
+                TABLE_COLUMNS_MAX);
+    } else if (count == 0) {
+        message("%s:%lu: column %u: the quotes do not match%s", t->name, t->line, at,
+                table_remedy(t));
+    }
+    return count;
+}
+
+/* Some words and no number. */
+static int is_header(const table *t)
+{
+    int words = 0;
+
+    for (unsigned i = 0; i < t->columns; i++) {
+        if (number_is_meant(t->field[i])) {
+            return 0;
+        }
+        words += *t->field[i] != '\0';
+    }
+    return words > 0;
+}
+
+/* Reads and splits the first line, or a line of the preamble. 1, 0 at the end of the file, -1. */
+static int read_first(table *t)
+{
+    const int more = read_row(t);
+
+    if (more != 1) {
+        return more;
+    }
+    t->first_line = t->line;
+    t->separator = t->separator ? t->separator : find_separator(t->text);
+    t->columns = split(t);
+    t->has_header = is_header(t);
+    return t->columns > 0 ? 1 : -1;
+}
+
+/* A word, and a value or more behind it. */
+static int is_preamble(const table *t)
+{
+    if (t->has_pairs && t->has_header) {
+        return 0;
+    }
+    return t->separator != ' ' && *t->field[0] != '\0' && !number_is_meant(t->field[0]) &&
+           (t->columns == 2 || (t->preamble > 0 && !t->has_header));
+}
+
+/* Settings may stand before the header, a name and a value in each line. */
+static int skip_preamble(table *t)
+{
+    int more;
+
+    while ((more = read_first(t)) == 1 && is_preamble(t) && t->preamble < PREAMBLE_MAX) {
+        t->preamble++;
+    }
+    if (more == 0 && t->preamble > 0) {
+        message("%s:%lu: lines of two columns, a name and another, are no table of x, y, z: "
+                "save the samples, one a line",
+                t->name, t->first_line);
+    } else if (more == 0) {
+        message("%s: is empty: was it copied whole?", t->name);
+    }
+    return more == 1 ? EXIT_GOOD : EXIT_FILE;
+}
+
+/* An empty last column: only a separator too many. */
+static int ends_empty(const table *t, unsigned columns)
+{
+    return t->separator != ' ' && columns > 1 && *t->field[columns - 1] == '\0';
+}
+
+static int open_table(table *t, const char *path, int has_pairs)
+{
+    t->has_pairs = has_pairs;
+    t->name = input_name(path);
+    t->line = t->first_line = 0;
+    t->comment_line = 0;
+    t->has_next = 0;
+    t->is_log = t->is_forgiving = 0;
+    t->bytes = t->crc = 0;
+    t->separator = '\0';
+    t->preamble = 0;
+    t->file = input_open(path);
+    if (!t->file || skip_preamble(t)) {
+        return EXIT_FILE;
+    }
+    t->is_trailing = !t->has_header && ends_empty(t, t->columns);
+    t->columns -= (unsigned)t->is_trailing;
+    t->found = t->columns;
+    t->has_row = !t->has_header;
+    t->pending = !t->has_header;
+    t->pending_result = 1;
+    return EXIT_GOOD;
+}
+
+int table_open(table *t, const char *path)
+{
+    return open_table(t, path, 0);
+}
+
+int table_open_pairs(table *t, const char *path)
+{
+    return open_table(t, path, 1);
+}
+
+/* Commas that separate, and numbers that have no points: some may be decimal commas. */
+static int may_be_decimal_commas(const table *t)
+{
+    for (unsigned i = 0; i < t->found; i++) {
+        if (!number_is_meant(t->field[i]) || strpbrk(t->field[i], ".eE")) {
+            return 0;
+        }
+    }
+    return t->separator == ',' && t->found > t->columns && t->found <= 2 * t->columns;
+}
+
+/* Nothing follows. Not for a stream that is still going on, which it would wait for. */
+static int is_at_end(const table *t)
+{
+    const int c = getc_unlocked(t->file);
+
+    return c == EOF || ungetc(c, t->file) == EOF;
+}
+
+/* The field is no number, but would be with this before and that behind it. */
+static int is_part(const char *before, const char *field, const char *behind)
+{
+    char text[TABLE_EXCERPT_MAX];
+    double number;
+
+    return strlen(field) + 3 < sizeof text && number_parse(field, &number) != NUMBER_OK &&
+           snprintf(text, sizeof text, "%s%s%s", before, field, behind) > 0 &&
+           number_parse(text, &number) == NUMBER_OK;
+}
+
+int table_is_cut(const table *t, unsigned column)
+{
+    const int is_short = t->found > 0 && t->found < t->columns && is_at_end(t);
+
+    return (is_short && (number_is_meant(t->field[0]) || is_part("", t->field[0], "0"))) ||
+           (!t->has_end && t->found == t->columns && column + 1 == t->columns &&
+            is_part("", t->field[column], "0"));
+}
+
+/* A row has so many columns. 1; -1, with a message, if that is not as many as the first has. */
+static int check_columns(table *t, unsigned columns)
+{
+    if (columns == 0) {
+        t->found = 0;
+        return -1;
+    }
+    const int is_first = !t->has_row;
+    if (is_first) { /* the first below a header, which may not have had that separator */
+        t->is_trailing = columns == t->columns + 1 && ends_empty(t, columns);
+        t->has_row = 1;
+    }
+    columns -= t->is_trailing && columns == t->columns + 1 && ends_empty(t, columns);
+    t->found = columns;
+    if (columns != t->columns && (is_first || !t->is_log || !table_is_cut(t, 0))) {
+        message("%s:%lu: %u column%s, but line %lu has %u, separated by %s%s", t->name, t->line,
+                columns, columns == 1 ? "" : "s", t->first_line, t->columns, table_separator(t),
+                may_be_decimal_commas(t)
+                    ? ": if these are decimal commas, save the table with decimal points"
+                    : table_remedy(t));
+    }
+    return columns == t->columns ? 1 : -1;
+}
+
+/* The row that has been read already. */
+static void take_next(table *t)
+{
+    memcpy((void *)t->field, (const void *)t->next, sizeof t->next);
+    t->line = t->next_line;
+    t->has_next = 0;
+}
+
+int table_next(table *t)
+{
+    if (t->pending) {
+        t->pending = 0;
+        return t->pending_result;
+    }
+    if (t->has_next) {
+        take_next(t);
+        return check_columns(t, t->next_found);
+    }
+    const int more = read_row(t);
+    t->found = more < 0 ? 0 : t->found;
+    return more == 1 ? check_columns(t, split(t)) : more;
+}
+
+/* ---- what is odd about the first lines ----------------------------------------------------------------------- */
+
+int table_comment_header(table *t)
+{
+    const char separator = t->separator;
+    unsigned at;
+
+    if (t->has_header || !t->pending || t->comment_line == 0) {
+        return 0;
+    }
+    memcpy((void *)t->next, (const void *)t->field, sizeof t->next);
+    t->next_line = t->line;
+    t->next_found = t->columns;
+    t->has_next = 1;
+    t->pending = 0;
+    t->separator = find_separator(t->comment);
+    unsigned columns = cut(t, t->comment, &at);
+    columns -= columns > 0 && ends_empty(t, columns);
+    t->separator = separator;
+    t->line = t->first_line = t->comment_line;
+    t->has_header = columns == t->columns && is_header(t);
+    if (!t->has_header) {
+        table_drop_header(t);
+    }
+    return t->has_header;
+}
+
+void table_drop_header(table *t)
+{
+    take_next(t);
+    t->has_header = t->has_next = 0;
+    t->first_line = t->line;
+    t->comment_line = 0;
+    t->pending = 1;
+}
+
+/* Puts the current row aside, so that the next line can be read. */
+static void hold(table *t, char *row[TABLE_COLUMNS_MAX])
+{
+    memcpy(t->held, t->text, sizeof t->held);
+    for (unsigned i = 0; i < t->columns; i++) {
+        row[i] = t->held + (t->field[i] - t->text);
+    }
+}
+
+/* Whether a first row is the end of one like the current. */
+static int is_end_of_row(const table *t, char *const row[TABLE_COLUMNS_MAX], unsigned columns)
+{
+    return columns > t->columns || (columns == t->columns && row[0] && is_part("1", row[0], ""));
+}
+
+int table_drop_cut_first(table *t, unsigned long *cut)
+{
+    const unsigned long line = t->line;
+    char *row[TABLE_COLUMNS_MAX] = {NULL};
+
+    *cut = 0;
+    if (t->has_header || !t->pending || t->comment_line > 0) { /* a comment begins a whole file */
+        return EXIT_GOOD;
+    }
+    hold(t, row);
+    const int more = read_row(t);
+    if (more == 1 && t->columns == 1) { /* it need not hold a separator */
+        t->separator = find_separator(t->text);
+    }
+    const unsigned found = more == 1 ? split(t) : 0;
+    const int is_trailing = found > 0 && ends_empty(t, found);
+    if (more != 0 && found == 0) {
+        return EXIT_FILE;
+    }
+    if (found > 0 && is_end_of_row(t, row, found - (unsigned)is_trailing)) {
+        t->columns = t->found = found - (unsigned)is_trailing;
+        t->is_trailing = is_trailing;
+        t->first_line = t->line;
+        *cut = line;
+        return EXIT_GOOD;
+    }
+    memcpy((void *)t->next, (const void *)t->field, sizeof t->next);
+    memcpy((void *)t->field, (const void *)row, t->columns * sizeof *row);
+    t->next_found = found;
+    t->next_line = t->line;
+    t->has_next = more != 0;
+    t->line = line;
+    return EXIT_GOOD;
+}
+
+int table_peek(table *t)
+{
+    t->pending_result = table_next(t);
+    t->pending = 1;
+    return t->pending_result == 1;
+}
+
+void table_close(table *t)
+{
+    input_close(t->file);
+    t->file = NULL;
+}
+
+const char *table_separator(const table *t)
+{
+    switch (t->separator) {
+    case ';':
+        return "semicolons";
+    case ',':
+        return "commas";
+    case '\t':
+        return "tabs";
+    default:
+        return "blanks";
+    }
+}
+
+const char *table_remedy(const table *t)
+{
+    return t->is_forgiving ? ": skipped" : ": put the line right, or delete it";
+}
+
+const char *table_excerpt(const char *field, char text[TABLE_EXCERPT_MAX])
+{
+    const int is_long = strlen(field) >= TABLE_EXCERPT_MAX;
+
+    snprintf(text, TABLE_EXCERPT_MAX, "%.*s%s", is_long ? TABLE_EXCERPT_MAX - 4 : 1000, field,
+             is_long ? "..." : "");
+    return text;
+}

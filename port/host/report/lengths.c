@@ -1,0 +1,131 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * The length of the readings along the log, before and after: it should be the same wherever the sensor
+ * was at rest. In between it is turned, and feels more than gravity.
+ */
+#include <math.h>
+
+#include "draw/chart.h"
+#include "report/facts.h"
+
+#define LEFT 68.0
+#define RIGHT 10.0
+#define TOP 48.0
+#define PLOT 150.0
+#define AXIS 40.0
+#define MARGIN 1.5 /* of the largest deviation at rest: what is beyond was moved */
+
+typedef struct {
+    const report_facts *f;
+    ruler x;
+    ruler y;
+} plot;
+
+static double deviation(const report_facts *f, const invcal_calibration *c, const double raw[3])
+{
+    double v[3];
+
+    invcal_apply(c, raw, v);
+    return f->parts * (sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]) - 1);
+}
+
+/* Of the mean of a block, over the field. */
+static double value_of(const report_facts *f, const recording_mean *m, int is_after)
+{
+    const calibrate_result *r = f->result;
+    double raw[3] = {m->mean[0], m->mean[1], m->mean[2]};
+
+    if (!is_after) {
+        return deviation(f, &r->settings.nominal, raw);
+    }
+    const invcal_calibration here = calibrate_at_temperature(r, m->temperature);
+    calibrate_take_drift(r, calibrate_tau_at(r->data, m->time), raw);
+    return deviation(f, &here, raw);
+}
+
+/* From least to greatest in each pixel, as far as it is within the axis. */
+static void draw_trace(FILE *file, const plot *p, int is_after, const char *style)
+{
+    const rests_summary *log = p->f->result->log;
+    const unsigned count = recording_count(log->track);
+    double at = -1;
+    double least = HUGE_VAL;
+    double most = -HUGE_VAL;
+
+    for (unsigned k = 0; k <= count; k++) {
+        recording_mean m = {.time = -1};
+        double value = HUGE_VAL;
+        if (k < count) {
+            m = recording_at(log->track, k, log->unit);
+            value = value_of(p->f, &m, is_after);
+        }
+        const double here = floor(chart_pixel(&p->x, m.time));
+        if ((k == count || here != at) && least <= most) {
+            svg_line(file, style, at + 0.5, chart_pixel(&p->y, most) - 0.75, at + 0.5,
+                     chart_pixel(&p->y, least) + 0.75);
+            least = HUGE_VAL;
+            most = -HUGE_VAL;
+        }
+        at = here;
+        if (value >= p->y.first && value <= p->y.last) {
+            least = fmin(least, value);
+            most = fmax(most, value);
+        }
+    }
+}
+
+/* What the readings at rest need. */
+static ruler find_axis(const report_facts *f, int has_before)
+{
+    double reach = 0;
+
+    for (unsigned n = 0; n < f->count; n++) {
+        const report_position *at = &f->position[n];
+        reach = fmax(reach, at->is_left_out ? 0 : fabs(at->after));
+        reach = fmax(reach, has_before ? fabs(at->before) : 0);
+    }
+    reach = fmax(MARGIN * reach, f->knows_noise ? 4 * f->noise : 0);
+    return chart_ruler(-reach, reach, TOP + PLOT, TOP, 5);
+}
+
+static void draw_lengths(FILE *file, const void *data, double width)
+{
+    const report_facts *f = data;
+    const timeline *outline = &f->result->log->track->outline;
+    const int has_before = f->has_before;
+    const plot p = {
+        f,
+        chart_ruler_exact(0, outline->duration, LEFT, width - RIGHT, width > PAGE_NARROW ? 10 : 5),
+        find_axis(f, has_before)};
+    char title[64];
+
+    svg_begin_inline(file, width, TOP + PLOT + AXIS, "Length of the readings along the log",
+                     "Deviation of the length of the readings from the field against time. After "
+                     "calibration it lies near zero in every rest.");
+    snprintf(title, sizeof title, "%s - %s, %s", f->length, f->is_gravity ? "g" : "field", f->unit);
+    svg_text(file, "ink heading", SVG_START, 0, 14, title);
+    chart_ticks_x(file, &p.x, &p.y);
+    chart_ticks_y(file, &p.y, &p.x);
+    if (has_before) {
+        svg_line(file, "c0 curve", LEFT, 30, LEFT + 18, 30);
+        svg_text(file, "ink small", SVG_START, LEFT + 24, 34, f->wish->nominal_name);
+        draw_trace(file, &p, 0, "c0 column");
+    }
+    svg_line(file, "c1 curve", LEFT + 126, 30, LEFT + 144, 30);
+    svg_text(file, "ink small", SVG_START, LEFT + 150, 34, "calibrated");
+    draw_trace(file, &p, 1, "c1 column");
+    svg_text(file, "soft small", SVG_MIDDLE, (LEFT + width - RIGHT) / 2, TOP + PLOT + AXIS - 6,
+             "time from the first sample, s");
+    svg_end(file);
+}
+
+void report_lengths(page *p, const report_facts *f)
+{
+    if (f->result->log && !f->result->refused.word && recording_count(f->result->log->track) > 0) {
+        page_panorama(
+            p,
+            "The length of the readings, averaged over a part of a second. What is beyond "
+            "the axis was moved.",
+            draw_lengths, f);
+    }
+}

@@ -1,0 +1,339 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * What the positions say: lengths before and after, residuals.
+ */
+#include <math.h>
+#include <string.h>
+
+#include "draw/chart.h"
+#include "report/facts.h"
+
+#define CELL 128
+#define TEXT_MAX 1000
+#define LEFT 58.0
+#define RIGHT 24.0 /* half of a number of seven digits */
+#define TOP 56.0
+#define PLOT 170.0
+#define HEIGHT (TOP + PLOT + 46)
+#define SINGLE 2500u     /* more positions than this are drawn as columns from least to greatest */
+#define LARGE 60u        /* up to here markers are large */
+#define NAME_WIDTH 100.0 /* "999999: +0.123" */
+#define NAME_HEIGHT 14.0
+#define NAMED 8u /* positions left out that are named in the chart */
+
+/* A chart over the numbers of the positions. */
+typedef struct {
+    const report_facts *f;
+    ruler x;
+    ruler y;
+    double radius;
+} plot;
+
+static plot begin_plot(const report_facts *f, double width, double least, double most)
+{
+    const double count = f->count;
+
+    return (plot){
+        .f = f,
+        .x = chart_ruler_exact(0.5, count + 0.5, LEFT, width - RIGHT, width > PAGE_NARROW ? 12 : 6),
+        .y = chart_ruler(least, most, TOP + PLOT, TOP, 5),
+        .radius = count <= LARGE && width > PAGE_NARROW ? 4
+                  : count <= LARGE                      ? 3
+                                                        : 1.6,
+    };
+}
+
+static void draw_axes(FILE *file, plot *p, double width, const char *what)
+{
+    char title[CELL];
+
+    p->x.step = fmax(1, p->x.step); /* there is no half position */
+    snprintf(title, sizeof title, "%s, %s", what, p->f->unit);
+    svg_text(file, "ink heading", SVG_START, 0, 16, title);
+    chart_ticks_x(file, &p->x, &p->y);
+    chart_ticks_y(file, &p->y, &p->x);
+    svg_text(file, "soft small", SVG_MIDDLE, (LEFT + width - RIGHT) / 2, HEIGHT - 8, "position");
+}
+
+/* One of the two lengths of a position. */
+typedef enum { BEFORE, AFTER } stage;
+
+static double value_of(const report_position *p, stage which)
+{
+    return which == BEFORE ? p->before : p->after;
+}
+
+/* Where a value is drawn: what lies outside is seen at the edge. */
+static double height_of(const plot *p, double value)
+{
+    return chart_pixel(&p->y, fmax(p->y.first, fmin(p->y.last, value)));
+}
+
+/* Thousands of markers would be a blot, and a large file: columns one pixel wide tell as much. */
+static void draw_columns(FILE *file, const plot *p, stage which, const char *style)
+{
+    unsigned n = 0;
+
+    while (n < p->f->count) {
+        const double at = floor(chart_pixel(&p->x, n + 1.0));
+        double least = HUGE_VAL;
+        double most = -HUGE_VAL;
+        for (; n < p->f->count && chart_pixel(&p->x, n + 1.0) < at + 1; n++) {
+            const double value = value_of(&p->f->position[n], which);
+            least = fmin(least, value);
+            most = fmax(most, value);
+        }
+        svg_line(file, style, at, height_of(p, most) - 0.5, at, height_of(p, least) + 0.5);
+    }
+}
+
+static void draw_points(FILE *file, const plot *p, stage which)
+{
+    const char *const style = which == BEFORE ? "c0 hollow" : "c1 full";
+
+    if (p->f->count > SINGLE) {
+        draw_columns(file, p, which, which == BEFORE ? "c0 column" : "c1 column");
+        return;
+    }
+    for (unsigned n = 0; n < p->f->count; n++) {
+        const report_position *at = &p->f->position[n];
+        if (!at->is_left_out) {
+            svg_circle(file, style, chart_pixel(&p->x, n + 1.0), height_of(p, value_of(at, which)),
+                       p->radius);
+        }
+    }
+}
+
+static void draw_left_out(FILE *file, const plot *p, stage which)
+{
+    for (unsigned n = 0; n < p->f->count; n++) {
+        const report_position *at = &p->f->position[n];
+        if (at->is_left_out) {
+            svg_marker(file, "c2 full", SVG_CROSS, chart_pixel(&p->x, n + 1.0),
+                       height_of(p, value_of(at, which)), fmax(p->radius, 3) + 1);
+        }
+    }
+}
+
+/* ---- before and after -------------------------------------------------------------------------- */
+
+static void describe(const report_facts *f, char *text, size_t size)
+{
+    const calibrate_result *r = f->result;
+    char before[CELL] = "";
+
+    if (f->has_before) {
+        snprintf(before, sizeof before, "%.4g %s before calibration, ",
+                 f->parts * r->residual_before, f->unit);
+    }
+    snprintf(text, size,
+             "Deviation of %s from the field at each of %u positions: root mean square %s%.4g %s "
+             "after it. The largest is then %.4g %s, at position %u. %u left out.",
+             f->length, f->count, before, f->parts * r->quality.rms, f->unit,
+             f->parts * r->quality.max, f->unit, r->quality.worst + 1, r->rejected.count);
+}
+
+static void draw_change_legend(FILE *file, const report_facts *f, double y)
+{
+    svg_circle(file, "c0 hollow", LEFT + 6, y - 4, 4);
+    svg_text(file, "ink small", SVG_START, LEFT + 16, y, f->wish->nominal_name);
+    svg_circle(file, "c1 full", LEFT + 126, y - 4, 4);
+    svg_text(file, "ink small", SVG_START, LEFT + 136, y, "calibrated");
+    if (f->result->rejected.count > 0) {
+        svg_marker(file, "c2 full", SVG_CROSS, LEFT + 214, y - 4, 5);
+        svg_text(file, "ink small", SVG_START, LEFT + 224, y, "left out");
+    }
+}
+
+static void draw_change(FILE *file, const void *data, double width)
+{
+    const report_facts *f = data;
+    char text[TEXT_MAX];
+    double least = 0;
+    double most = 0;
+
+    for (unsigned n = 0; n < f->count; n++) {
+        least = fmin(least, fmin(f->position[n].before, f->position[n].after));
+        most = fmax(most, fmax(f->position[n].before, f->position[n].after));
+    }
+    plot p = begin_plot(f, width, least, most);
+    describe(f, text, sizeof text);
+    svg_begin_inline(file, width, HEIGHT, "Deviation from the field before and after", text);
+    draw_axes(file, &p, width, f->is_gravity ? "|a| - g" : "length - field");
+    draw_change_legend(file, f, 38);
+    for (unsigned n = 0; n < f->count && f->count <= LARGE; n++) {
+        const double at = chart_pixel(&p.x, n + 1.0);
+        svg_line(file, "rule", at, height_of(&p, f->position[n].before), at,
+                 height_of(&p, f->position[n].after));
+    }
+    draw_points(file, &p, BEFORE);
+    draw_points(file, &p, AFTER);
+    draw_left_out(file, &p, AFTER);
+    svg_end(file);
+}
+
+/* ---- residuals --------------------------------------------------------------------------------- */
+
+/* What the residuals of good positions stay within in 95 % of cases. */
+static double usual(const report_facts *f)
+{
+    return f->knows_noise ? f->coverage * f->noise : 0;
+}
+
+/* Where a name stands: the middle of its foot. */
+typedef struct {
+    double x;
+    double y;
+} place;
+
+static int is_free(const place *taken, unsigned count, place at)
+{
+    for (unsigned i = 0; i < count; i++) {
+        if (fabs(at.x - taken[i].x) < NAME_WIDTH && fabs(at.y - taken[i].y) < NAME_HEIGHT) {
+            return 0;
+        }
+    }
+    return 1;
+}
+
+/* Positions left out are named near where they stand, in turns at three heights, where there is
+ * room: the text above names them, too. */
+static void name_left_out(FILE *file, const plot *p, double width)
+{
+    place taken[NAMED];
+    unsigned named = 0;
+
+    for (unsigned n = 0; n < p->f->count && named < NAMED; n++) {
+        const report_position *at = &p->f->position[n];
+        const double inwards = at->after > 0 ? 1 : -1;
+        char text[CELL];
+        char number[FIGURE_MAX];
+        if (!at->is_left_out) {
+            continue;
+        }
+        const double y = height_of(p, at->after) + inwards * (8 + NAME_HEIGHT * (named % 3));
+        const double x = chart_pixel(&p->x, n + 1.0);
+        const place here = {fmax(LEFT + NAME_WIDTH / 2, fmin(width - RIGHT - NAME_WIDTH / 2, x)),
+                            y + (at->after > 0 ? 10 : 0)};
+        if (!is_free(taken, named, here)) {
+            continue;
+        }
+        snprintf(text, sizeof text, "%u: %s%s", n + 1, at->after > 0 ? "+" : "",
+                 figure_digits(at->after, 3, number));
+        svg_text(file, "ink small halo", SVG_MIDDLE, here.x, here.y, text);
+        taken[named++] = here;
+    }
+}
+
+static void draw_residuals(FILE *file, const void *data, double width)
+{
+    const report_facts *f = data;
+    const double band = usual(f);
+    char text[TEXT_MAX];
+    double reach = 1.2 * fmax(band, f->parts * f->result->quality.max);
+
+    reach = reach > 0 ? reach : 1e-9;
+    plot p = begin_plot(f, width, -reach, reach);
+    describe(f, text, sizeof text);
+    svg_begin_inline(file, width, HEIGHT, "Residuals of the calibration", text);
+    draw_axes(file, &p, width, f->is_gravity ? "calibrated |a| - g" : "calibrated length - field");
+    if (band > 0) {
+        svg_rectangle(file, "c0 area", LEFT, chart_pixel(&p.y, band), width - RIGHT - LEFT,
+                      chart_pixel(&p.y, -band) - chart_pixel(&p.y, band));
+        svg_rectangle(file, "c0 area", LEFT, 28, 18, 12);
+        svg_text(file, "ink small", SVG_START, LEFT + 24, 38, "95 % of good positions");
+    }
+    if (f->result->rejected.count > 0) {
+        svg_marker(file, "c2 full", SVG_CROSS, LEFT + 184, 34, 5);
+        svg_text(file, "ink small", SVG_START, LEFT + 194, 38, "left out");
+    }
+    draw_points(file, &p, AFTER);
+    draw_left_out(file, &p, AFTER);
+    name_left_out(file, &p, width);
+    svg_end(file);
+}
+
+/* ---- the sections ------------------------------------------------------------------------------ */
+
+static void say_left_out(page *p, const report_facts *f)
+{
+    const rejection *r = &f->result->rejected;
+
+    if (rejection_drifting(r) > 0) {
+        page_say(
+            p,
+            "Left out: %u rest%s in which the temperature drifted by more than %.2g K, so that "
+            "the thermometer may have lagged. Let the sensor settle before each.",
+            rejection_drifting(r), rejection_drifting(r) == 1 ? "" : "s",
+            f->result->fit.drift_limit);
+    }
+    for (unsigned k = 0; k < r->count && k < NAMED; k++) {
+        const unsigned n = r->list[k].position;
+        char number[FIGURE_MAX];
+        if (r->list[k].drift > 0) {
+            page_say(p, "Position %u (line %lu) drifted by %.2g K.", n + 1,
+                     f->result->data->origin[n].line, r->list[k].drift);
+            continue;
+        }
+        page_say(p,
+                 "Left out: position %u (line %lu) contradicts the others; it reads %s %s too %s. "
+                 "Repeat it, or see what happened there.",
+                 n + 1, f->result->data->origin[n].line,
+                 figure_digits(fabs(f->position[n].after), 3, number), f->unit,
+                 f->position[n].after > 0 ? "much" : "little");
+    }
+    if (r->count > NAMED) {
+        page_say(p, "And %u more were left out.", r->count - NAMED);
+    }
+    if (r->suspected > 0) {
+        page_say(p,
+                 "Something is wrong among %u %spositions, but not to be told which: repeat the "
+                 "measurement.",
+                 r->suspected, r->count > 0 ? "more " : "");
+    }
+}
+
+/* The samples tell a noise, the residuals another: something else is in them. */
+static void say_unexplained(page *p, const report_facts *f)
+{
+    const double times = calibrate_unexplained(f->result);
+    char number[FIGURE_MAX];
+
+    if (times > 0) {
+        page_say(p,
+                 "They are %s times as large as the noise %s explains: the device may have moved "
+                 "or trembled, the temperature changed, readings been clipped (--clip), or a "
+                 "position be wrong.",
+                 figure_digits(times, 2, number),
+                 f->result->is_noise_given ? "stated" : "of the samples");
+    }
+}
+
+/* Without a nominal there is nothing that a reading was before. */
+static void write_change(page *p, const report_facts *f)
+{
+    char caption[TEXT_MAX];
+
+    page_section(p, "Before and after");
+    snprintf(caption, sizeof caption,
+             "How far the length of each reading is from the field, with %s and calibrated.",
+             f->wish->nominal_name);
+    page_picture(p, caption, draw_change, f);
+}
+
+void report_positions(page *p, const report_facts *f)
+{
+    if (f->has_before) {
+        write_change(p, f);
+    }
+    page_section(p, "What is left: residuals");
+    say_left_out(p, f);
+    say_unexplained(p, f);
+    page_picture(p,
+                 f->result->quality.dof > 0
+                     ? "How far the length of each calibrated reading is from the field."
+                     : "As many positions as parameters: the residuals are zero whatever was "
+                       "measured, and check nothing.",
+                 draw_residuals, f);
+    report_histogram(p, f);
+}

@@ -1,0 +1,399 @@
+/* SPDX-License-Identifier: MIT */
+#include "report/report.h"
+
+#include <ctype.h>
+#include <math.h>
+#include <string.h>
+
+#include "cli/command.h"
+#include "fit/gravity.h"
+#include "cli/input.h"
+#include "result/faces.h"
+#include "text/number.h"
+#include "cli/options.h"
+#include "design/parameters.h"
+#include "report/facts.h"
+#include "result/need.h"
+#include "result/pass.h"
+#include "result/verdict.h"
+
+#define TEXT_MAX 800
+#define SUPPORT_MAX 200
+
+/* ---- what it comes to -------------------------------------------------------------------------- */
+
+/* ± of the length in the worst direction, what the field may be wrong by included. */
+static const char *worst_spread(const report_facts *f, char text[FIGURE_MAX])
+{
+    return figure_digits(hypot(f->length_worst, f->field_spread), 2, text);
+}
+
+/* The part of it that the field alone has. */
+static const char *part_of_field(const report_facts *f, char text[SUPPORT_MAX])
+{
+    char spread[FIGURE_MAX];
+
+    text[0] = '\0';
+    if (f->field_spread > 0) {
+        snprintf(text, SUPPORT_MAX, ", ±%s %s of it from %s itself%s",
+                 figure_digits(f->field_spread, 2, spread), f->unit,
+                 f->is_gravity ? "g" : "the field",
+                 f->result->is_field_stated ? "" : ", which --gravity or --latitude tells better");
+    }
+    return text;
+}
+
+/* What stands behind the result. */
+static void say_support(const report_facts *f, char text[SUPPORT_MAX])
+{
+    const fit_quality *q = &f->result->quality;
+    char list[128];
+
+    if (q->from_prior) {
+        snprintf(text, SUPPORT_MAX, "but %s by the prior rather than by the positions",
+                 parameters_list(q->from_prior, list, sizeof list));
+    } else {
+        snprintf(text, SUPPORT_MAX, "and positions to spare confirm them");
+    }
+}
+
+static void say_good(const report_facts *f, char *text)
+{
+    const rejection *rejected = &f->result->rejected;
+    const unsigned count = rejected->count - rejection_drifting(rejected);
+    char spread[FIGURE_MAX];
+    char left_out[128] = "";
+    char support[SUPPORT_MAX];
+    char field[SUPPORT_MAX];
+    char where[64] = "";
+
+    if (f->result->temperature == CALIBRATE_THERMAL) {
+        snprintf(where, sizeof where, " at %.2f °C", f->result->fit.calibration.reference);
+    }
+    if (count > 0) {
+        snprintf(left_out, sizeof left_out, " %u position%s the others and %s left out.", count,
+                 count == 1 ? " contradicts" : "s contradict", count == 1 ? "is" : "are");
+    }
+    say_support(f, support);
+    snprintf(
+        text, TEXT_MAX,
+        "All nine parameters are determined, %s: corrected readings%s have the length of %s to "
+        "±%s %s or better in any one direction%s, their own noise not counted.%s",
+        support, where, f->is_gravity ? "gravity" : "the field", worst_spread(f, spread), f->unit,
+        part_of_field(f, field), left_out);
+}
+
+static void say_weak(const report_facts *f, char *text)
+{
+    char list[128];
+    char spread[FIGURE_MAX];
+
+    snprintf(text, TEXT_MAX,
+             "The positions tell too little of %s: use the calibration only within its ±. In the "
+             "worst direction (%s) the length of a corrected reading is uncertain by ±%s %s.",
+             parameters_list(f->result->quality.weak, list, sizeof list),
+             f->length_spread.worst_words, worst_spread(f, spread),
+             f->knows_noise ? f->unit : "times the noise of a position mean");
+}
+
+/* What is to be done with a good one. */
+static void say_how_to_use(const report_facts *f, char *text, size_t size)
+{
+    const char *saved = f->wish->saved;
+    char path[MESSAGE_MAX];
+
+    snprintf(text, size, "%scorrect readings with invcal apply %s LOG.",
+             saved ? "" : "save it with --out CAL.json, and ",
+             options_quoted(saved ? saved : "CAL.json", path, sizeof path));
+}
+
+/* The verdict, and whether what was asked is kept. */
+static void write_box(page *p, const report_facts *f, page_mood mood, const char *word,
+                      const char *sentence, const char *next)
+{
+    char text[PASS_MAX];
+    char advice[NEED_MAX] = "";
+    char more[2 * TEXT_MAX + NEED_MAX];
+    const page_answer answer = {f->asked.is_asked ? pass_text(f->result, text) : NULL,
+                                f->asked.is_passed};
+
+    if (f->result->need > 0) {
+        (void)need_advice(f->result, advice);
+    }
+    snprintf(more, sizeof more, "%s%s%s", sentence, *advice ? " " : "", advice);
+    page_verdict_of(p, mood, word, &answer, more, next);
+}
+
+static void write_weak(page *p, const report_facts *f)
+{
+    char sentence[TEXT_MAX];
+    char next[TEXT_MAX];
+    char advice[128];
+
+    say_weak(f, sentence);
+    if (calibrate_wants_slopes(f->result)) {
+        snprintf(next, sizeof next,
+                 "measure nine positions or more at each of two temperatures, 5 K apart or more.");
+    } else {
+        snprintf(next, sizeof next, "add positions with %s. Begin with: %s.",
+                 parameters_advice(f->result->quality.weak, advice, sizeof advice), f->next_words);
+    }
+    write_box(p, f, PAGE_BAD, "✗ Weak", sentence, next);
+}
+
+static void write_six_faces(page *p, const report_facts *f)
+{
+    char cost[VERDICT_MAX];
+    char sentence[TEXT_MAX];
+
+    snprintf(sentence, sizeof sentence, "%s", faces_cost(f->result, cost));
+    sentence[0] = (char)toupper((unsigned char)sentence[0]);
+    page_verdict(p, PAGE_CAUTION, "! Good for offsets and scales", sentence,
+                 "to measure the angles, add six positions and leave --six-faces out: " FACES_EDGES
+                 ".");
+}
+
+static void write_verdict(page *p, const report_facts *f)
+{
+    const invcal_verdict verdict = f->result->quality.verdict;
+    const char *word = verdict_word(f->result);
+    char marked[64];
+    char sentence[TEXT_MAX];
+    char next[MESSAGE_MAX + TEXT_MAX];
+    char text[VERDICT_MAX];
+
+    if (faces_are_good(f->result)) {
+        write_six_faces(p, f);
+    } else if (strcmp(word, "Good") == 0) {
+        say_good(f, sentence);
+        say_how_to_use(f, next, sizeof next);
+        write_box(p, f, PAGE_GOOD, "✓ Good", sentence, next);
+        if (*verdict_unchecked(f->result, text)) {
+            page_say(p, "%s", text);
+        }
+    } else if (verdict == INVCAL_NO_REDUNDANCY) {
+        snprintf(next, sizeof next,
+                 "add three or more positions in other directions. Begin with: %s.", f->next_words);
+        write_box(p, f, PAGE_CAUTION, "! No redundancy",
+                  "All nine parameters are determined, but there is no position to spare: nothing "
+                  "checks the result, and one wrong position would spoil it unnoticed.",
+                  next);
+    } else if (verdict == INVCAL_WEAK) {
+        write_weak(p, f);
+    } else {
+        const int is_bad = verdict == INVCAL_DRIFTING || verdict == INVCAL_BENT;
+        snprintf(marked, sizeof marked, "%s %s", is_bad ? "✗" : "!", word);
+        (void)verdict_cause(f->result, sentence);
+        sentence[0] = (char)toupper((unsigned char)sentence[0]);
+        write_box(p, f, is_bad ? PAGE_BAD : PAGE_CAUTION, marked, sentence,
+                  verdict_remedy(f->result, text));
+    }
+}
+
+/* What the calibration has done to the lengths. Without a nominal there is no before, and without positions to spare the one after is zero whatever was measured. */
+static void write_improvement(page *p, const report_facts *f)
+{
+    const calibrate_result *r = f->result;
+    char text[128];
+    char before[FIGURE_MAX];
+    char after[FIGURE_MAX];
+    char what[128];
+
+    if (!(r->quality.dof > 0)) {
+        return;
+    }
+    snprintf(text, sizeof text, "%s%s%s %s",
+             f->has_before ? figure_digits(f->parts * r->residual_before, 3, before) : "",
+             f->has_before ? " → " : "", figure_digits(f->parts * r->quality.rms, 3, after),
+             f->unit);
+    snprintf(what, sizeof what, "rms error of %s in these positions, %s", f->length,
+             f->has_before ? "before and after" : "calibrated");
+    page_figure(p, text, what);
+}
+
+static void write_figures(page *p, const report_facts *f)
+{
+    const calibrate_result *r = f->result;
+    char text[128];
+    char number[FIGURE_MAX];
+    char what[128];
+
+    page_figures_begin(p);
+    write_improvement(p, f);
+    snprintf(text, sizeof text, "%u", r->data->count);
+    snprintf(what, sizeof what, r->rejected.count ? "positions, %u of them left out" : "positions",
+             r->rejected.count);
+    page_figure(p, text, what);
+    if (f->knows_noise) {
+        snprintf(text, sizeof text, "%s %s", figure_digits(f->noise, 3, number), f->unit);
+        page_figure(p, text, "noise of a position mean");
+    }
+    page_figures_end(p);
+}
+
+/* ---- how it was made --------------------------------------------------------------------------- */
+
+static void write_nominal(page *p, const report_facts *f)
+{
+    const nominal_choice *n = &f->result->nominal;
+
+    if (!nominal_is_stated(n)) {
+        page_fact(p, f->wish->nominal_name,
+                  "not stated: --sensor, --unit, or --zero and --lsb tell it");
+    } else if (n->zero == n->lsb) {
+        page_fact(p, f->wish->nominal_name, "zero and scale %s", nominal_origin_text(n->zero));
+    } else {
+        page_fact(p, f->wish->nominal_name, "zero %s, scale %s", nominal_origin_text(n->zero),
+                  nominal_origin_text(n->lsb));
+    }
+    if (n->sensor.type) {
+        char limits[SENSORS_TEXT_MAX];
+        page_fact(p, "sensor", "%s at %s", n->sensor.type->name, n->sensor.range->name);
+        page_fact(p, "its limits", "%s", sensors_limits_text(&n->sensor, limits));
+        page_fact(p, "data sheet", "%s", n->sensor.type->sheet);
+    }
+}
+
+static void write_temperature(page *p, const report_facts *f)
+{
+    const positions *data = f->result->data;
+    double least = HUGE_VAL;
+    double most = -HUGE_VAL;
+
+    for (unsigned n = 0; n < data->count && data->has_temperature; n++) {
+        least = fmin(least, data->origin[n].temperature);
+        most = fmax(most, data->origin[n].temperature);
+    }
+    if (least <= most) {
+        page_fact(p, "temperature", "%.1f ... %.1f °C: what was found holds there", least, most);
+    }
+    if (f->result->temperature == CALIBRATE_THERMAL) {
+        page_fact(p, "offset and matrix", "at %.2f °C", f->result->fit.calibration.reference);
+    }
+}
+
+static void write_frame(page *p, const calibrate_result *r)
+{
+    if (r->frame.used > 0) {
+        char text[CALIBRATE_LIMIT_MAX];
+        page_fact(p, "frame", "%s", calibrate_case_text(r, text));
+        return;
+    }
+    page_fact(p, "frame", "%s",
+              r->is_stand_frame ? "stand: turned to the axes of the stand, by its angles"
+              : r->settings.is_triangular
+                  ? "triangular: only the x sensor feels a field along the x axis"
+                  : "symmetric: axes as near to the case as can be");
+}
+
+/* What stands between these figures and better ones. */
+static void write_limit(page *p, const report_facts *f)
+{
+    char text[CALIBRATE_LIMIT_MAX];
+
+    page_say(p, "What limits the accuracy: %s",
+             calibrate_limit(f->result, &f->length_spread, text));
+}
+
+void report_file(page *p, const report_facts *f)
+{
+    const calibrate_result *r = f->result;
+    char seen[COLUMNS_TEXT_MAX];
+
+    page_fact(p, "file", "%s, %llu bytes, CRC-32 %08lx", r->data->name,
+              (unsigned long long)r->data->bytes, (unsigned long)r->data->crc);
+    page_fact(p, "read as", "%s", columns_describe(&r->data->seen, seen, sizeof seen));
+    page_literal(p, "command", f->wish->command);
+    page_fact(p, "invcal", "%s", INVCAL_VERSION);
+}
+
+static void write_origin(page *p, const report_facts *f)
+{
+    const calibrate_result *r = f->result;
+    char number[NUMBER_TEXT_MAX];
+
+    page_section(p, "How it was made");
+    page_facts_begin(p);
+    report_file(p, f);
+    page_fact(p, "field", "%s %s", number_text(r->settings.field, number), calibrate_field_unit(r));
+    if (r->place) {
+        page_fact(p, "normal gravity",
+                  "at %.6g°, %.6g m, ±%.4f m/s²: an error scales all readings alike, and does "
+                  "nothing else",
+                  r->place[0], r->place[1], REPORT_NORMAL * GRAVITY_SIGMA);
+    }
+    page_fact(p, "positions", "%u used, %u left out", r->rejected.kept_count, r->rejected.count);
+    write_temperature(p, f);
+    write_nominal(p, f);
+    write_frame(p, r);
+    page_fact(p, "condition", "%.4g", r->quality.condition);
+    page_fact(p, "degrees of freedom", "%.4g", r->quality.dof);
+    if (r->settings.noise > 0) {
+        page_fact(p, "noise", "%.3g %s of a position mean, %s",
+                  r->settings.noise * r->settings.field, calibrate_field_unit(r),
+                  r->is_noise_given ? "stated" : "from the scatter of the samples");
+    }
+    page_facts_end(p);
+    page_note(p, "Lengths do not show how the calibrated axes are turned against the case.");
+}
+
+/* Once, and for all that follows. */
+static void say_convention(page *p, const report_facts *f)
+{
+    if (f->knows_noise) {
+        page_note(p,
+                  "Every ± on this page holds the truth in 95 %% of cases: for the parameters %.2f "
+                  "standard deviations.",
+                  f->coverage);
+    } else {
+        page_note(p, "No ± can be given: the noise is not known. --noise states it, and positions "
+                     "to spare show it.");
+    }
+}
+
+/* What the calibration is filed under. */
+static void write_record(page *p, const record *r)
+{
+    if (record_is_empty(r)) {
+        return;
+    }
+    page_facts_begin(p);
+    for (unsigned k = 0; k < RECORD_TEXTS; k++) {
+        if (*r->text[k] != '\0') {
+            page_fact(p, record_name((record_text)k), "%s", r->text[k]);
+        }
+    }
+    page_facts_end(p);
+}
+
+int report_write(FILE *file, const calibrate_result *result, const calibrate_wish *wish)
+{
+    report_facts f;
+    page p;
+    char title[TEXT_MAX];
+    char head[RECORD_LINE_MAX];
+    const int failure = report_facts_find(&f, result, wish);
+
+    if (!failure) {
+        snprintf(title, sizeof title, "Calibration of %.300s", input_file_name(result->data->name));
+        page_begin_headed(&p, file, title, record_line(&result->record, head));
+        write_record(&p, &result->record);
+        write_verdict(&p, &f);
+        say_convention(&p, &f);
+        report_use(&p, &f);
+        page_section(&p, "What it is worth");
+        write_figures(&p, &f);
+        write_limit(&p, &f);
+        report_parameters(&p, &f);
+        report_positions(&p, &f);
+        report_stand(&p, &f);
+        report_temperature(&p, &f);
+        report_sphere(&p, &f);
+        report_timeline(&p, &f);
+        report_numbers(&p, &f);
+        write_origin(&p, &f);
+        page_end(&p);
+    }
+    report_facts_release(&f);
+    return failure;
+}

@@ -1,0 +1,89 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * Where the positions lie on the sphere, and how well every direction is known.
+ */
+#include "report/facts.h"
+
+#define TEXT_MAX 600
+#define LEGEND_HEIGHT (UNCERTAINTY_LEGEND + 28)
+
+/* Too large for the stack. */
+static sphere map;
+
+static void draw_legend(FILE *file, const report_facts *f, const sphere_shading *s)
+{
+    char text[TEXT_MAX];
+
+    svg_begin_inline(file, SPHERE_WIDTH, LEGEND_HEIGHT, "Legend",
+                     "What the colours and markers mean.");
+    snprintf(text, sizeof text, "± of %s, %s", f->length,
+             f->knows_noise ? f->unit : "times the noise of a position mean");
+    uncertainty_legend(file, s, text);
+    sphere_marker(file, SPHERE_POSITION, 14, 70);
+    svg_text(file, "ink small", SVG_START, 24, 74, "position");
+    sphere_marker(file, SPHERE_NEXT, 98, 70);
+    svg_text(file, "ink small", SVG_START, 111, 74, "next");
+    if (f->result->rejected.count > 0) {
+        sphere_marker(file, SPHERE_LEFT_OUT, 158, 70);
+        svg_text(file, "ink small", SVG_START, 168, 74, "left out");
+    }
+    svg_end(file);
+}
+
+static void draw_half(FILE *file, const report_facts *f, unsigned half)
+{
+    unsigned here = 0;
+    char text[TEXT_MAX];
+
+    for (unsigned n = 0; n < f->count; n++) {
+        here += (f->position[n].up[2] < -SPHERE_EQUATOR) == half;
+    }
+    snprintf(
+        text, sizeof text,
+        "A disc: the half of all directions with z %s, seen from +z. %u of %u positions lie in "
+        "it. Shaded by the uncertainty of %s.",
+        half ? "down" : "up or level", here, f->count, f->length);
+    svg_begin_inline(file, SPHERE_WIDTH, SPHERE_HEIGHT,
+                     half ? "Positions with z down" : "Positions with z up", text);
+    sphere_draw(file, &map, half);
+    svg_end(file);
+}
+
+/* How well everything is known, in a sentence. */
+static void say_uncertainty(page *p, const report_facts *f)
+{
+    char least[FIGURE_MAX];
+    char most[FIGURE_MAX];
+
+    page_say(p,
+             "%s of a corrected reading is known to ±%s %s where the positions tell most, and "
+             "to ±%s %s where they tell least, %s%s.",
+             f->is_gravity ? "|a|" : "The length", figure_digits(f->length_spread.least, 2, least),
+             f->knows_noise ? f->unit : "", figure_digits(f->length_spread.most, 2, most),
+             f->knows_noise ? f->unit : "", f->length_spread.worst_words,
+             f->knows_noise ? ""
+                            : ", in multiples of the noise of a position mean, which is not known");
+    if (f->field_spread > 0) {
+        page_say(
+            p, "What %s itself may be wrong by is not in that: ±%s %s, alike in all directions.",
+            f->is_gravity ? "g" : "the field", figure_digits(f->field_spread, 2, most), f->unit);
+    }
+    page_say(p, "The orientation that would add most: %s.", f->next_words);
+}
+
+void report_sphere(page *p, const report_facts *f)
+{
+    const uncertainty *u = &f->length_spread;
+    const sphere_shading shading = uncertainty_shading(u, u->least, u->most);
+
+    page_section(p, "Where the positions lie");
+    say_uncertainty(p, f);
+    sphere_arrange(&map, f->mark, f->count + 1, &shading);
+    page_row_begin(p);
+    draw_half(p->file, f, 0);
+    draw_half(p->file, f, 1);
+    draw_legend(p->file, f, &shading);
+    page_row_end(p,
+                 "Up in the axes of the sensor: where each position pointed, and how uncertain the "
+                 "length of a reading is in every direction.");
+}

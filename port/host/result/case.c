@@ -1,0 +1,60 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * The turn from the calibrated axes to those of the case.
+ */
+#include <math.h>
+
+#include "result/result.h"
+#include "text/figure.h"
+#include "text/number.h"
+
+#define DEGREES 57.2957795130823209
+
+/* "about x +0.52 ± 0.01" */
+static void say_angle(const case_frame *c, unsigned i, char text[64])
+{
+    char figure[FIGURE_MAX];
+
+    snprintf(
+        text, 64, "about %c %s", "xyz"[i],
+        figure_with_sigma(DEGREES * c->angle[i], DEGREES * c->sigma[i], FIGURE_SIGNED, figure));
+}
+
+const char *calibrate_case_text(const calibrate_result *result, char text[CALIBRATE_LIMIT_MAX])
+{
+    const case_frame *c = &result->frame;
+    char angle[3][64];
+    char off[FIGURE_MAX];
+
+    for (unsigned i = 0; i < 3; i++) {
+        say_angle(c, i, angle[i]);
+    }
+    const int used =
+        snprintf(text, CALIBRATE_LIMIT_MAX,
+                 "turned to the axes of the case by %u position%s, degrees: %s, %s, %s.", c->used,
+                 c->used == 1 ? "" : "s", angle[0], angle[1], angle[2]);
+    if (c->is_level) {
+        snprintf(text + used, CALIBRATE_LIMIT_MAX - (size_t)used,
+                 " One way up leaves the turn about it, the heading, as it was: state another.");
+    } else {
+        snprintf(
+            text + used, CALIBRATE_LIMIT_MAX - (size_t)used,
+            " The directions are off by %s degrees (rms). Put each face down twice, turned by half "
+            "between: then a tilt of the table cancels, and this is the tilt.",
+            figure_digits(DEGREES * c->scatter, 2, off));
+    }
+    return text;
+}
+
+void calibrate_case_json(json_writer *w, const calibrate_result *result)
+{
+    const case_frame *c = &result->frame;
+
+    json_object(w, "case");
+    json_number(w, "positions", c->used);
+    json_matrix(w, "rotation", (const double(*)[3])c->rotation);
+    json_vector(w, "angle", c->angle);
+    json_vector(w, "sigma", c->sigma);
+    json_number(w, "scatter", c->scatter);
+    json_object_end(w);
+}

@@ -1,0 +1,251 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * What the positions leave uncertain, and why.
+ */
+#include <math.h>
+#include <string.h>
+
+#include "result/result.h"
+#include "maths/f_tail.h"
+#include "text/figure.h"
+#include "maths/matrix.h"
+
+#define UNLIKELY 0.05
+#define STEPS 20u        /* each takes all but some percent of what the one before left */
+#define MANY 60u         /* degrees of freedom behind the noise of the samples: as good as known */
+#define SIGNIFICANT 0.01 /* chance that slopes that are none show as much */
+#define UNEVEN 2.0       /* times the least sigma that so many positions could leave */
+
+int calibrate_wants_slopes(const calibrate_result *r)
+{
+    return r->temperature == CALIBRATE_THERMAL && r->fit.calibration.fitted == 0 &&
+           r->quality.verdict == INVCAL_WEAK && r->quality.weak == (1u << INVCAL_PARAMETERS) - 1;
+}
+
+double calibrate_slope_scale(const calibrate_result *r, unsigned parameter)
+{
+    return parameter >= INVCAL_GAMMA_XY || nominal_knows(&r->nominal, INVCAL_DK_X)
+               ? 1
+               : 1 / (1 + r->solution.x[INVCAL_DK_X + parameter % 3]);
+}
+
+invcal_calibration calibrate_at_temperature(const calibrate_result *r, double temperature)
+{
+    return r->temperature == CALIBRATE_THERMAL ? thermal_fit_at(&r->fit, temperature)
+                                               : r->solution.calibration;
+}
+
+invcal_calibration calibrate_at(const calibrate_result *r, unsigned position)
+{
+    return calibrate_at_temperature(r, r->data->origin[position].temperature);
+}
+
+void calibrate_take_drift(const calibrate_result *r, double tau, double reading[3])
+{
+    double inverse[3][3];
+
+    if (r->is_drift_fitted && matrix_inverse(&r->settings.nominal, inverse)) {
+        for (unsigned i = 0; i < 3; i++) {
+            for (unsigned j = 0; j < 3; j++) {
+                reading[i] -= tau * inverse[i][j] * r->drift[j];
+            }
+        }
+    }
+}
+
+/* Takes quadratic and cubic errors off, at the direction that the calibration makes of what is left
+ * (nonlinearity.h). */
+static void take_nonlinearity(const calibrate_result *r, double reading[3])
+{
+    const double was[3] = {reading[0], reading[1], reading[2]};
+    double inverse[3][3];
+
+    if (r->degree == 0 || !matrix_inverse(&r->settings.nominal, inverse)) {
+        return;
+    }
+    for (unsigned step = 0; step < STEPS; step++) {
+        double eta[3];
+        double error[3];
+        invcal_apply(&r->solution.symmetric, reading, eta);
+        for (unsigned a = 0; a < 3; a++) {
+            const double cubic = r->degree > 2 ? r->nonlinear[3 + a] : 0;
+            error[a] = eta[a] * eta[a] * (r->nonlinear[a] + cubic * eta[a]);
+        }
+        for (unsigned a = 0; a < 3; a++) {
+            const double *n = inverse[a];
+            reading[a] = was[a] - (n[0] * error[0] + n[1] * error[1] + n[2] * error[2]);
+        }
+    }
+}
+
+void calibrate_level(const calibrate_result *r, unsigned position, double out[3])
+{
+    memcpy(out, &r->data->mean[3 * (size_t)position], 3 * sizeof *out);
+    calibrate_take_drift(r, calibrate_tau(r->data, position), out);
+    take_nonlinearity(r, out);
+}
+
+double calibrate_excess(const calibrate_result *r, unsigned position)
+{
+    const invcal_calibration here = calibrate_at(r, position);
+    double v[3];
+
+    calibrate_level(r, position, v);
+    invcal_apply(&here, v, v);
+    return sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]) - 1;
+}
+
+void calibrate_reading(const calibrate_result *r, unsigned kept, double out[3])
+{
+    const double *mean = &r->rejected.kept[3 * (size_t)kept];
+
+    if (r->temperature == CALIBRATE_THERMAL) {
+        thermal_fit_to_reference(&r->fit, mean, r->rejected.temperature[kept], out);
+    } else {
+        memcpy(out, mean, 3 * sizeof *out);
+    }
+}
+
+void calibrate_spread(const calibrate_result *r, double unit, uncertainty *u)
+{
+    if (r->temperature == CALIBRATE_THERMAL) { /* the first nine coefficients: at the reference */
+        memcpy(u->covariance, r->fit.covariance, sizeof u->covariance);
+    } else {
+        fit_information(r->rejected.kept, r->rejected.kept_count, &r->settings, &r->solution,
+                        r->quality.noise, u->covariance);
+        (void)matrix_invert_packed(u->covariance, INVCAL_PARAMETERS); /* no result without */
+    }
+    u->unit = unit;
+    uncertainty_search(u);
+}
+
+int calibrate_is_disturbed(const calibrate_result *r)
+{
+    const double times = calibrate_times(r);
+    const unsigned dof = (unsigned)fmin(1000, r->quality.dof);
+
+    return dof >= 1 && times * times > 2 &&
+           f_tail(1 / (1 + times * times * dof / MANY), dof, MANY) <= UNLIKELY;
+}
+
+/* Sigma of the length in the worst direction over the least that can be had there, which so many
+ * positions leave in the best directions: sqrt(9 / n) noises of one. With a parabola those at
+ * three temperatures tell only a third of what is known at the middle one. */
+static double unevenness(const calibrate_result *r, const uncertainty *length)
+{
+    const int is_parabola = r->temperature == CALIBRATE_THERMAL && r->fit.calibration.fitted == 2;
+    const double count = r->rejected.kept_count / (is_parabola ? 3.0 : 1.0);
+
+    return length->most / length->unit / sqrt((double)INVCAL_PARAMETERS / count);
+}
+
+int calibrate_is_uneven(const calibrate_result *r)
+{
+    uncertainty length;
+
+    calibrate_spread(r, 1, &length);
+    return unevenness(r, &length) >= UNEVEN && !fit_has_prior(&r->settings);
+}
+
+static int depends_on_temperature(const calibrate_result *r)
+{
+    return r->temperature == CALIBRATE_PROBED && r->fit.significance <= SIGNIFICANT;
+}
+
+const char *calibrate_limit(const calibrate_result *r, const uncertainty *length,
+                            char text[CALIBRATE_LIMIT_MAX])
+{
+    const double uneven = unevenness(r, length);
+    const char *noise = r->is_noise_given ? "noise stated" : "noise of the samples";
+    char number[FIGURE_MAX];
+
+    if (depends_on_temperature(r) && r->fit.without > 2 * r->fit.quality.rms) {
+        snprintf(text, CALIBRATE_LIMIT_MAX,
+                 "temperature, which --thermal would take into account.");
+    } else if (calibrate_wants_slopes(r)) {
+        snprintf(text, CALIBRATE_LIMIT_MAX,
+                 "temperature: slopes are wanting, and pass for errors of other kinds.");
+    } else if (fit_held(&r->settings, &r->quality)) {
+        snprintf(
+            text, CALIBRATE_LIMIT_MAX,
+            "the angles, which these positions do not tell; those midway between two axes do.");
+    } else if (uneven >= UNEVEN && !fit_has_prior(&r->settings)) {
+        snprintf(
+            text, CALIBRATE_LIMIT_MAX,
+            "the orientations%s: in the worst direction (%s) ± is %s times what %u well spread "
+            "positions would leave.",
+            r->temperature == CALIBRATE_THERMAL ? " at each temperature" : "", length->worst_words,
+            figure_digits(uneven, 2, number), r->rejected.kept_count);
+    } else if (!(r->settings.noise > 0)) {
+        snprintf(text, CALIBRATE_LIMIT_MAX, "%s",
+                 r->quality.dof > 0
+                     ? "what the positions disagree by. Whether that is noise or handling shows "
+                       "when the noise is stated (--noise, columns std and n)."
+                     : "not known: neither the noise nor positions to spare tell.");
+    } else if (calibrate_is_disturbed(r)) {
+        snprintf(
+            text, CALIBRATE_LIMIT_MAX,
+            "handling, drift or temperature: the positions disagree by %s times the %s. Longer "
+            "rests do not help; steadier ones do.",
+            figure_digits(r->quality.noise / r->settings.noise, 2, number), noise);
+    } else {
+        snprintf(text, CALIBRATE_LIMIT_MAX,
+                 "the %s, which explains the residuals. Rests four times as long, or four times as "
+                 "many positions, halve ±.",
+                 noise);
+    }
+    return text;
+}
+
+/* ---- what temperature does, if nobody asked ------------------------------------------------- */
+
+/* The steepest offset, which people can picture. */
+static unsigned steepest_offset(const thermal_fit *fit)
+{
+    unsigned most = 0;
+
+    for (unsigned r = 1; r < 3; r++) {
+        most = fabs(fit->slope[r]) > fabs(fit->slope[most]) ? r : most;
+    }
+    return most;
+}
+
+const char *calibrate_advice(const calibrate_result *r, char text[CALIBRATE_LIMIT_MAX])
+{
+    const thermal_fit *fit = &r->fit;
+    const double range = fit->calibration.max - fit->calibration.min;
+    const told_unit told = told_parts(r->told, unit_is_gravity(r->settings.field));
+    const unsigned most = steepest_offset(fit);
+    const double scale = told.scale * calibrate_slope_scale(r, most);
+    char before[FIGURE_MAX];
+    char after[FIGURE_MAX];
+    char slope[FIGURE_MAX];
+
+    text[0] = '\0';
+    if (r->temperature != CALIBRATE_PROBED) {
+        return text;
+    }
+    if (fit->calibration.fitted == 0) {
+        snprintf(text, CALIBRATE_LIMIT_MAX,
+                 "Whether the readings depend on temperature cannot be told: %s (%.1f K, %u "
+                 "positions).",
+                 invcal_thermal_fallback_text((invcal_thermal_fallback)fit->calibration.fallback),
+                 range, r->data->count);
+    } else if (!depends_on_temperature(r)) {
+        snprintf(text, CALIBRATE_LIMIT_MAX,
+                 "The residuals do not depend on temperature, as far as %.1f K show (chance alone: "
+                 "%.2g): --thermal would not help.",
+                 range, fit->significance);
+    } else {
+        snprintf(text, CALIBRATE_LIMIT_MAX,
+                 "The residuals depend on temperature (chance alone: %.1g); offset %c moves by %s "
+                 "%s/K (95 %%). --thermal 1 brings their rms from %s to %s %s.",
+                 fmax(1e-99, fit->significance), "xyz"[most],
+                 figure_with_sigma(scale * fit->slope[most],
+                                   scale * fit->quality.coverage * fit->slope_sigma[most],
+                                   FIGURE_SIGNED, slope),
+                 told.unit, figure_digits(told.scale * fit->without, 3, before),
+                 figure_digits(told.scale * fit->quality.rms, 3, after), told.unit);
+    }
+    return text;
+}

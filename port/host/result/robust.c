@@ -1,0 +1,49 @@
+/* SPDX-License-Identifier: MIT */
+#include <math.h>
+
+#include "result/result.h"
+#include "text/wrapped.h"
+
+#define LABEL 14u       /* columns before a line's text */
+#define CONTRADICTS 4.0 /* standard deviations of the difference */
+
+/* The positions left out may pull, each to the same side. */
+static int contradicts(const calibrate_result *r)
+{
+    const double limit = CONTRADICTS + r->rejected.count * L1_PULL / L1_DIFFERENCE;
+
+    return calibrate_knows_noise(r) && !(r->robust_most <= limit);
+}
+
+void calibrate_robust_print(FILE *file, const calibrate_result *r)
+{
+    char text[300];
+
+    if (!r->has_robust) {
+        wrapped_printf(
+            file, LABEL,
+            "l1            no estimate: the positions, all of them, lie on no ellipsoid");
+        return;
+    }
+    snprintf(
+        text, sizeof text,
+        "of all %u positions differs most in %s, by %.2g of the difference that noise makes: %s",
+        r->data->count, invcal_parameter_name(r->robust_worst), r->robust_most,
+        contradicts(r) ? "it contradicts. Something is wrong that was not left out, or what was "
+                         "left out was right."
+                       : "it agrees.");
+    fprintf(file, "l1            ");
+    wrapped_line(file, LABEL, LABEL, text);
+}
+
+void calibrate_robust_json(json_writer *w, const calibrate_result *r)
+{
+    json_object(w, "robust");
+    if (r->has_robust) {
+        calibrate_parameters_json(w, r, r->robust);
+        json_text(w, "worst", invcal_parameter_name(r->robust_worst));
+        json_number(w, "difference", r->robust_most);
+    }
+    json_text(w, "answer", !r->has_robust ? "none" : contradicts(r) ? "contradicts" : "agrees");
+    json_object_end(w);
+}

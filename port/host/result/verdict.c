@@ -1,0 +1,185 @@
+/* SPDX-License-Identifier: MIT */
+#include "result/verdict.h"
+
+#include <ctype.h>
+#include <math.h>
+#include <string.h>
+
+#include "result/faces.h"
+#include "text/figure.h"
+#include "text/unit.h"
+
+static int is_contradictory(const calibrate_result *r)
+{
+    return (r->quality.verdict == INVCAL_GOOD || r->quality.verdict == INVCAL_ROUGH) &&
+           r->rejected.suspected > 0 && !calibrate_has_lost_many(r);
+}
+
+const char *verdict_word(const calibrate_result *r)
+{
+    static char word[32];
+
+    if (is_contradictory(r)) {
+        return "Contradictory";
+    }
+    if (faces_are_good(r)) {
+        return "Good for offsets and scales";
+    }
+    snprintf(word, sizeof word, "%s", invcal_verdict_text(r->quality.verdict));
+    word[0] = (char)toupper((unsigned char)word[0]);
+    return word;
+}
+
+const char *verdict_systematic(unsigned systematic)
+{
+    static const char *const words[] = {"none", "drift", "quadratic", "cubic", "hysteresis"};
+
+    return words[systematic];
+}
+
+/* The size of the systematic error with its unit. */
+static const char *size_of(const calibrate_result *r, char text[64])
+{
+    const told_unit told = calibrate_told_field(r);
+    char number[FIGURE_MAX];
+
+    snprintf(text, 64, "%s %s", figure_digits(told.scale * fabs(r->quality.size), 2, number),
+             told.unit);
+    return text;
+}
+
+static void say_drift(const calibrate_result *r, char text[VERDICT_MAX])
+{
+    const told_unit told = calibrate_told_field(r);
+    char number[3][FIGURE_MAX];
+    char size[64];
+
+    if (!r->is_drift_fitted) {
+        snprintf(text, VERDICT_MAX,
+                 "the offset of the %c axis drifts: it is %s %s at the last position than at the "
+                 "first.",
+                 'x' + r->quality.axis, size_of(r, size),
+                 r->quality.size > 0 ? "larger" : "smaller");
+        return;
+    }
+    for (unsigned i = 0; i < 3; i++) {
+        (void)figure_digits(told.scale * r->drift[i], 2, number[i]);
+    }
+    snprintf(text, VERDICT_MAX,
+             "the offsets drift, by %s, %s, %s %s (x, y, z) from the first position to the last. "
+             "That is taken into account: the calibration is that of the middle.",
+             number[0], number[1], number[2], told.unit);
+}
+
+static void say_bent(const calibrate_result *r, char text[VERDICT_MAX])
+{
+    const fit_quality *q = &r->quality;
+    const char axis = (char)('x' + q->axis);
+    const char *more = q->size > 0 ? "more" : "less";
+    char size[64];
+
+    (void)size_of(r, size);
+    if (q->systematic == INVCAL_HYSTERESIS) {
+        snprintf(text, VERDICT_MAX,
+                 "the %c axis depends on where it comes from: turned upwards it reads %s %s than "
+                 "turned downwards (hysteresis).",
+                 axis, size, more);
+    } else if (q->systematic == INVCAL_QUADRATIC) {
+        snprintf(text, VERDICT_MAX,
+                 "the %c axis is not linear: at both ends, %c up and %c down, it reads %s %s than "
+                 "in the middle (quadratic).",
+                 axis, axis, axis, size, more);
+    } else {
+        snprintf(text, VERDICT_MAX,
+                 "the %c axis is not linear: with %c up it reads %s %s than a straight line, with "
+                 "%c down as much the other way (cubic).",
+                 axis, axis, size, more, axis);
+    }
+}
+
+static void say_rough(const calibrate_result *r, char text[VERDICT_MAX])
+{
+    const double times = calibrate_times(r);
+    char number[FIGURE_MAX];
+
+    if (calibrate_has_lost_many(r)) {
+        snprintf(text, VERDICT_MAX,
+                 "%u of %u positions contradict the others and are left out: what was wrong with "
+                 "them may be wrong with all.",
+                 r->rejected.count, r->data->count);
+    } else if (times > 1) {
+        snprintf(text, VERDICT_MAX, "the positions disagree by %s times the noise %s.",
+                 figure_digits(times, 2, number), r->is_noise_given ? "stated" : "of the samples");
+    } else {
+        snprintf(text, VERDICT_MAX,
+                 "something that is no noise is in the residuals: wrong positions, a drift, a step "
+                 "or a nonlinearity; so few positions do not tell which.");
+    }
+}
+
+const char *verdict_cause(const calibrate_result *r, char text[VERDICT_MAX])
+{
+    if (is_contradictory(r)) {
+        snprintf(text, VERDICT_MAX,
+                 "every parameter is determined, but %u positions contradict one another; nothing "
+                 "tells which of them are wrong.",
+                 r->rejected.suspected);
+    } else if (r->quality.verdict == INVCAL_DRIFTING) {
+        say_drift(r, text);
+    } else if (r->quality.verdict == INVCAL_BENT) {
+        say_bent(r, text);
+    } else {
+        say_rough(r, text);
+    }
+    return text;
+}
+
+const char *verdict_remedy(const calibrate_result *r, char text[VERDICT_MAX])
+{
+    const char *what =
+        "look for what disturbs the positions: a hand, a vibration, clipping, a knock, "
+        "a sensor that warms up. Then measure again.";
+
+    if (is_contradictory(r)) {
+        what =
+            "repeat the measurement, with more positions and each of them at rest, so that wrong "
+            "ones stand out.";
+    } else if (r->quality.verdict == INVCAL_DRIFTING) {
+        what = "let the sensor warm up, and measure again in less time.";
+    } else if (r->quality.verdict == INVCAL_BENT) {
+        what = r->quality.systematic == INVCAL_HYSTERESIS
+                   ? "go to each position from the same side, or live with an error of that size."
+                   : "live with an error of that size; no nine parameters take it away.";
+    }
+    snprintf(text, VERDICT_MAX, "%s", what);
+    return text;
+}
+
+const char *verdict_unchecked(const calibrate_result *r, char text[VERDICT_MAX])
+{
+    const unsigned bits = r->quality.unchecked;
+    unsigned left = 0;
+    size_t used = 0;
+
+    for (unsigned k = INVCAL_DRIFT; k <= INVCAL_HYSTERESIS; k++) {
+        left += bits >> k & 1u;
+    }
+    text[0] = '\0';
+    if (left == 0 || !r->rejected.is_judged) {
+        return text;
+    }
+    used = (size_t)snprintf(text, VERDICT_MAX, "Not checked for ");
+    for (unsigned k = INVCAL_DRIFT; k <= INVCAL_HYSTERESIS; k++) {
+        static const char *const words[] = {"", "a drift", "a quadratic", "a cubic error",
+                                            "hysteresis"};
+        if (bits >> k & 1u) {
+            left--;
+            used += (size_t)snprintf(text + used, VERDICT_MAX - used, "%s%s", words[k],
+                                     left > 1    ? ", "
+                                     : left == 1 ? " and "
+                                                 : "");
+        }
+    }
+    snprintf(text + used, VERDICT_MAX - used, ": these positions, in this order, hardly show it.");
+    return text;
+}

@@ -1,0 +1,320 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * invcal simulate: the log of a triad that is carried through a set of positions.
+ */
+#include <float.h>
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "cli/command.h"
+#include "cli/files.h"
+#include "text/json_write.h"
+#include "cli/message.h"
+#include "cli/options.h"
+#include "cli/output.h"
+#include "simulate/scene.h"
+
+enum {
+    PLAN,
+    OFFSET,
+    DK,
+    GAMMA,
+    NOISE,
+    RATE,
+    DWELL,
+    MOVE,
+    SEED,
+    ZERO,
+    LSB,
+    GRAVITY,
+    RANGE,
+    INSTABILITY,
+    TREMOR,
+    TEMPERATURE,
+    DRIFT,
+    OUTLIERS,
+    OUTLIER_SIZE,
+    STAND,
+    TRUTH,
+    OPTIONS
+};
+
+static const option options[OPTIONS] = {
+    [PLAN] = {"--plan", 1},
+    [OFFSET] = {"--offset", 1},
+    [DK] = {"--dk", 1},
+    [GAMMA] = {"--gamma", 1},
+    [NOISE] = {"--noise", 1},
+    [RATE] = {"--rate", 1},
+    [DWELL] = {"--dwell", 1},
+    [MOVE] = {"--move", 1},
+    [SEED] = {"--seed", 1},
+    [ZERO] = {"--zero", 1},
+    [LSB] = {"--lsb", 1},
+    [GRAVITY] = {"--gravity", 1},
+    [RANGE] = {"--range", 1},
+    [INSTABILITY] = {"--instability", 1},
+    [TREMOR] = {"--tremor", 1},
+    [TEMPERATURE] = {"--temperature", 1},
+    [DRIFT] = {"--drift", 1},
+    [OUTLIERS] = {"--outliers", 1},
+    [OUTLIER_SIZE] = {"--outlier-size", 1},
+    [STAND] = {"--stand", 0},
+    [TRUTH] = {"--truth", 1},
+};
+static const option_syntax syntax = {"simulate", options, OPTIONS, NULL, 0, 0};
+
+/* One option that is one or three numbers between two bounds. */
+typedef struct {
+    unsigned which;
+    unsigned count;
+    double *out;
+    double least;
+    double most;
+} number_option;
+
+static int read_option(const char *const *value, const number_option *o)
+{
+    double read[3];
+    int failure = EXIT_GOOD;
+
+    if (!value[o->which]) {
+        return EXIT_GOOD;
+    }
+    failure = options_numbers(&syntax, o->which, value[o->which], o->count, read, NULL);
+    for (unsigned i = 0; i < o->count && !failure; i++) {
+        if (!(read[i] >= o->least && read[i] <= o->most)) {
+            return message_usage(syntax.command, "%s %s: is not within %.6g ... %.6g",
+                                 options[o->which].name, value[o->which], o->least, o->most);
+        }
+        o->out[i] = read[i];
+    }
+    return failure;
+}
+
+static scene_model defaults(void)
+{
+    return (scene_model){
+        .delta = {0.02, -0.015, 0.03},
+        .dk = {0.01, -0.008, 0.012},
+        .gamma = {0.01, -0.006, 0.008},
+        .field = 9.80665,
+        .range = 2,
+        .noise = 1e-3,
+        .temperature = {25, 25},
+        .rate = 100,
+        .dwell = 5,
+        .move = 2,
+        .outlier_size = 0.05,
+    };
+}
+
+/* Everything but the set of positions. */
+static int read_model(const char *const *value, scene_model *m, uint32_t *seed)
+{
+    double seed_number = 1;
+    double outliers = 0;
+    const number_option numbers[] = {
+        {OFFSET, 3, m->delta, -0.5, 0.5},
+        {DK, 3, m->dk, -0.5, 0.5},
+        {GAMMA, 3, m->gamma, -0.5, 0.5},
+        {NOISE, 1, &m->noise, 0, 1},
+        {RATE, 1, &m->rate, 1, 1e5},
+        {DWELL, 1, &m->dwell, 1e-3, 1e5},
+        {MOVE, 1, &m->move, 1e-3, 1e5},
+        {SEED, 1, &seed_number, 0, UINT32_MAX},
+        {ZERO, 3, m->zero, -1e9, 1e9},
+        {GRAVITY, 1, &m->field, 1e-6, 1e6},
+        {RANGE, 1, &m->range, 0.1, 1000},
+        {INSTABILITY, 1, &m->instability, 0, 1},
+        {TREMOR, 1, &m->tremor, 0, 1},
+        {TEMPERATURE, 2, m->temperature, -100, 300},
+        {DRIFT, 1, &m->drift, -0.1, 0.1},
+        {OUTLIERS, 1, &outliers, 0, DESIGN_MAX},
+        {OUTLIER_SIZE, 1, &m->outlier_size, 1e-9, 1},
+    };
+    int failure = EXIT_GOOD;
+
+    for (unsigned i = 0; i < sizeof numbers / sizeof numbers[0] && !failure; i++) {
+        failure = read_option(value, &numbers[i]);
+    }
+    m->lsb = m->field / 16384; /* 16 bits for +-2 g */
+    const number_option lsb = {LSB, 1, &m->lsb, 1e-9 * m->field, m->field};
+    failure = failure ? failure : read_option(value, &lsb);
+    if (!failure && (floor(seed_number) < seed_number || floor(outliers) < outliers)) {
+        failure = message_usage(syntax.command, "--seed and --outliers are whole numbers");
+    }
+    *seed = (uint32_t)seed_number;
+    m->outliers = (unsigned)outliers;
+    return failure;
+}
+
+/* The positions, when they were held, and which are wrong. */
+static void write_truth_positions(json_writer *w, const scene *s)
+{
+    json_list(w, "positions");
+    for (unsigned i = 0; i < s->route->count; i++) {
+        uint64_t begin;
+        uint64_t end;
+        scene_interval(s, i, &begin, &end);
+        json_object(w, NULL);
+        json_number(w, "begin", (double)begin / s->model->rate);
+        json_number(w, "end", (double)end / s->model->rate);
+        json_vector(w, "vertical", s->route->position[i].vertical);
+        json_number(w, "wrong", s->wrong[i]);
+        json_object_end(w);
+    }
+    json_list_end(w);
+}
+
+static void write_truth(FILE *file, const scene *s)
+{
+    const scene_model *m = s->model;
+    const invcal_calibration truth = scene_truth(m);
+    json_writer w;
+
+    json_begin(&w, file);
+    json_text(&w, "invcal", INVCAL_VERSION);
+    json_number(&w, "gravity", m->field);
+    json_vector(&w, "offset", truth.offset);
+    json_matrix(&w, "matrix", truth.matrix);
+    json_vector(&w, "delta", m->delta);
+    json_vector(&w, "dk", m->dk);
+    json_vector(&w, "gamma", m->gamma);
+    json_number(&w, "noise", m->noise);
+    json_number(&w, "rate", m->rate);
+    write_truth_positions(&w, s);
+    json_end(&w);
+}
+
+/* The log; temperature and angles have columns if they were asked for. */
+static int write_log(scene *s, int has_temperature, int has_angles)
+{
+    scene_sample sample;
+
+    printf("t,x,y,z%s%s\n", has_temperature ? ",temperature" : "", has_angles ? ",alpha,beta" : "");
+    while (scene_next(s, &sample) && !ferror(stdout)) {
+        printf("%.6f,%ld,%ld,%ld", sample.time, (long)sample.raw[0], (long)sample.raw[1],
+               (long)sample.raw[2]);
+        if (has_temperature) {
+            printf(",%.3f", sample.temperature);
+        }
+        if (has_angles) {
+            printf(",%.4f,%.4f", sample.alpha + 0.0, sample.beta + 0.0);
+        }
+        putchar('\n');
+    }
+    return output_flush();
+}
+
+static int deliver(scene *s, const char *const *value)
+{
+    output out;
+    int failure = EXIT_GOOD;
+
+    if (!value[TRUTH]) {
+        return write_log(s, value[TEMPERATURE] != NULL, value[STAND] != NULL);
+    }
+    failure = output_begin(&out, value[TRUTH]);
+    if (!failure) {
+        write_truth(out.file, s);
+        failure = output_finish(&out);
+    }
+    failure = failure ? failure : write_log(s, value[TEMPERATURE] != NULL, value[STAND] != NULL);
+    return output_end(&out, 1, failure);
+}
+
+static int check_files(const char *const *value)
+{
+    const named_file input = {"--plan", design_file(value[PLAN])};
+    const named_file made = {"--truth", value[TRUTH]};
+
+    return files_check(syntax.command, &input, 1, &made, 1);
+}
+
+static int run(int argc, char **argv)
+{
+    static design route; /* both are too large for the stack */
+    static scene s;
+    const char *value[OPTIONS];
+    scene_model model = defaults();
+    uint32_t seed;
+    int failure = options_parse(&syntax, argc, argv, value, NULL);
+
+    failure = failure ? failure : read_model(value, &model, &seed);
+    failure = failure ? failure : check_files(value);
+    if (failure) {
+        return failure;
+    }
+    failure = design_make(&route, syntax.command, value[PLAN] ? value[PLAN] : "per-group:6");
+    if (failure == EXIT_DATA && route.count == 0) {
+        message("%s", route.refusal);
+    }
+    if (failure && !(failure == EXIT_DATA && route.count > 0)) { /* a poor set makes a log, too */
+        return failure;
+    }
+    scene_begin(&s, &model, &route, seed);
+    return deliver(&s, value);
+}
+
+static const char *const help[] = {
+    "usage: invcal simulate [options]\n"
+    "\n"
+    "Prints the log of a triad that is carried by hand through a set of positions and rests in\n"
+    "each: CSV with the columns t x y z, in seconds and counts. Numbers over the field are in g.\n"
+    "\n"
+    "  --plan SET          which positions; default per-group:6. One of\n",
+    DESIGN_WORDS,
+    "  --offset X,Y,Z      true offsets, g; default 0.02,-0.015,0.03\n"
+    "  --dk X,Y,Z          true scale errors; default 0.01,-0.008,0.012\n"
+    "  --gamma XY,XZ,ZY    true non-orthogonality, rad; default 0.01,-0.006,0.008\n"
+    "  --noise S           standard deviation of a sample, g; default 0.001\n"
+    "  --rate HZ           samples a second; default 100\n"
+    "  --dwell T           seconds in each position; default 5\n"
+    "  --move T            seconds from one to the next; default 2\n"
+    "  --seed N            of the random numbers; default 1\n",
+    "  --lsb S             m/s^2 a count; default 1/16384 of gravity\n"
+    "  --zero X,Y,Z        counts in no field; default 0\n"
+    "  --gravity G         default 9.80665\n"
+    "  --range R           readings beyond +-R g are clipped; default 2\n"
+    "  --instability S     slow walk of the offsets from the true ones, standard deviation, g;\n"
+    "                      forgets in 100 s\n"
+    "  --tremor S          of a hand that holds the device, below 3 Hz, standard deviation, g\n"
+    "  --temperature A,B   from the first sample to the last, degrees C; adds a column\n"
+    "  --drift D           of the offsets, g per degree from 25 degrees C on\n"
+    "  --outliers N        so many positions are wrong along the vertical,\n"
+    "  --outlier-size S    by so much, g; default 0.05\n"
+    "  --stand             columns alpha and beta: what a stand with two axes would read, degrees\n"
+    "  --truth FILE        writes what is true, as JSON; invcal apply reads it\n"
+    "\n"
+    "exit codes: 0 good; 1 the set of positions is refused; 2 usage; 3 the output not writable\n"
+    "\n"
+    "example:\n"
+    "  invcal simulate --truth truth.json > log.csv\n",
+    NULL};
+
+static const char *const brief[] = {
+    "usage: invcal simulate [options]\n"
+    "\n"
+    "Prints the log of a triad that is carried by hand through a set of positions: CSV with the "
+    "columns\n"
+    "t x y z, in seconds and counts. Numbers over the field are in g.\n"
+    "\n"
+    "  --plan SET          which positions: edges, faces, per-group:N, optimal:N ...\n"
+    "  --offset X,Y,Z      true offsets, g\n"
+    "  --dk X,Y,Z          true scale errors\n"
+    "  --gamma XY,XZ,ZY    true non-orthogonality, rad\n"
+    "  --noise S           standard deviation of a sample, g\n"
+    "  --rate HZ           samples a second\n"
+    "  --dwell T           seconds in each position\n"
+    "  --outliers N        so many positions are wrong\n"
+    "  --seed N            of the random numbers\n"
+    "  --truth FILE        writes what is true, as JSON; invcal apply reads it\n"
+    "\n"
+    "example:\n"
+    "  invcal simulate --plan edges --truth truth.json > log.csv\n",
+    NULL};
+
+const tool_command simulate_command = {"simulate", "the log of a simulated sensor", help, run,
+                                       brief};

@@ -1,0 +1,293 @@
+/* SPDX-License-Identifier: MIT */
+#include "stand/stand.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "maths/angles.h"
+#include "cli/command.h"
+#include "maths/matrix.h"
+#include "cli/message.h"
+#include "text/number.h"
+
+#define COHERENT                                                                                   \
+    0.05 /* rad: readings and directions that are further apart do not belong together */
+
+enum { NINE = INVCAL_PARAMETERS };
+
+/* ---- which angles -------------------------------------------------------------------------------- */
+
+int stand_check(const stand_wish *wish, const positions *data)
+{
+    if (!wish->is_wanted) {
+        return EXIT_GOOD;
+    }
+    if (!wish->plan && !data->has_angles) {
+        message("%s: has no columns alpha and beta, which --stand needs: name them in a header, or "
+                "state --plan if the positions of a program were visited in its order",
+                data->name);
+        return EXIT_FILE;
+    }
+    if (wish->plan && wish->plan->count != data->count) {
+        const unsigned group = wish->plan->plan.per_group;
+        message(
+            "%s: holds %u positions, but --plan %s has %u: which one is missing or too many only "
+            "columns alpha and beta can tell%s",
+            data->name, data->count, wish->plan->name, wish->plan->count,
+            group > 0 && data->count + group == wish->plan->count
+                ? "; was a whole group not visited?"
+                : "");
+        return EXIT_FILE;
+    }
+    return EXIT_GOOD;
+}
+
+/* The angles of a position as the paper counts them. */
+static stand_angles stated_angles(const stand_wish *wish, const positions *data, unsigned i)
+{
+    if (wish->plan) {
+        return (stand_angles){wish->plan->position[i].alpha, wish->plan->position[i].beta};
+    }
+    return (stand_angles){wish->sense[0] * (data->origin[i].alpha - wish->zero[0]),
+                          wish->sense[1] * (data->origin[i].beta - wish->zero[1])};
+}
+
+static void collect(stand *s, const stand_wish *wish, const positions *data, const rejection *kept,
+                    const double *raw)
+{
+    for (unsigned k = 0; k < kept->kept_count; k++) {
+        const unsigned number = rejection_original(kept, k);
+        const stand_angles angle = stated_angles(wish, data, number);
+        if (isnan(angle.alpha) || isnan(angle.beta)) {
+            s->without++;
+            continue;
+        }
+        mounting_position *p = &s->position[s->count++];
+        *p = (mounting_position){.number = number, .alpha = angle.alpha, .beta = angle.beta};
+        memcpy(p->raw, &raw[3 * (size_t)k], sizeof p->raw);
+    }
+}
+
+static unsigned missing_of(const unsigned *group, unsigned count)
+{
+    unsigned visited[INVCAL_PLAN_GROUPS + 1] = {0};
+    unsigned missing = 0;
+    unsigned complete = 0;
+
+    for (unsigned i = 0; i < count; i++) {
+        visited[group[i]]++;
+    }
+    for (unsigned g = 1; g <= INVCAL_PLAN_GROUPS; g++) {
+        missing = visited[g] == 0 ? g : missing;
+        complete += visited[g] >= INVCAL_PLAN_PER_GROUP_MIN;
+    }
+    return complete == INVCAL_PLAN_GROUPS - 1 ? missing : 0;
+}
+
+unsigned stand_missing_group(const stand_wish *wish, const positions *data)
+{
+    mounting_position *p = calloc((size_t)data->count + 1, sizeof *p);
+    unsigned *group = calloc((size_t)data->count + 1, sizeof *group);
+    unsigned missing = 0;
+
+    if (p && group && (wish->plan || data->has_angles)) {
+        for (unsigned i = 0; i < data->count; i++) {
+            const stand_angles angle = stated_angles(wish, data, i);
+            p[i].alpha = angle.alpha;
+            p[i].beta = angle.beta;
+        }
+        group_series_groups(p, data->count, group);
+        missing = missing_of(group, data->count);
+    }
+    free(p);
+    free(group);
+    return missing;
+}
+
+/* ---- how they are to be read --------------------------------------------------------------------- */
+
+static void read_angles(stand *s, stand_reading reading)
+{
+    const int is_swapped = reading == STAND_SWAPPED || reading == STAND_SWAPPED_REVERSED;
+    const int is_reversed = reading == STAND_BETA_REVERSED || reading == STAND_SWAPPED_REVERSED;
+
+    for (unsigned i = 0; i < s->count; i++) {
+        mounting_position *p = &s->position[i];
+        const double alpha = is_swapped ? p->beta : p->alpha;
+        const double beta = is_swapped ? p->alpha : p->beta;
+        angles_direction(alpha, is_reversed ? -beta : beta, p->eta);
+        p->is_left_out = 0;
+    }
+}
+
+static invcal_status try_reading(stand *s, stand_reading reading, const invcal_calibration *nominal)
+{
+    read_angles(s, reading);
+    const invcal_status status =
+        misset_find(s->position, s->count, nominal, &s->mounting, s->misset, &s->missets);
+    return status == INVCAL_OK && !(s->mounting.scatter <= COHERENT) ? INVCAL_NOT_ELLIPSOID
+                                                                     : status;
+}
+
+/* As stated, if that will do; else the first way that does. */
+static void find_reading(stand *s, const invcal_calibration *nominal)
+{
+    for (stand_reading r = STAND_AS_STATED; r < STAND_STRANGE; r++) {
+        const invcal_status status = try_reading(s, r, nominal);
+        s->reading = r;
+        if (status == INVCAL_OK) {
+            return;
+        }
+        if (r == STAND_AS_STATED && (status == INVCAL_TOO_FEW || s->count < 6)) {
+            s->reading = STAND_FEW;
+            return;
+        }
+    }
+    s->reading = STAND_STRANGE;
+}
+
+/* ---- the vertical composition -------------------------------------------------------------------- */
+
+/* J + h p = 0 with p = -X. */
+static double residual(const mounting_position *p, const mounting *m,
+                       const invcal_calibration *nominal, const double x[NINE])
+{
+    invcal_row row;
+    double up[3];
+    double u[3];
+
+    mounting_turn(m, p->eta, up);
+    invcal_apply(nominal, p->raw, u);
+    double j = u[0] * up[0] + u[1] * up[1] + u[2] * up[2] - 1;
+    const invcal_calibration unit = {{0, 0, 0}, {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
+    (void)invcal_observe(&unit, up, &row);
+    for (unsigned r = 0; r < NINE; r++) {
+        j -= row.h[r] * x[r];
+    }
+    return j;
+}
+
+/* By J1 on the directions in which up really was for the unit: the misset positions left out, the mounting
+ * taken off. */
+static void find_vertical(stand *s, const invcal_calibration *nominal)
+{
+    stand_vertical *v = &s->vertical;
+    invcal_linear_sums linear;
+    invcal_calibration c;
+    double squares = 0;
+
+    invcal_linear_init(&linear);
+    for (unsigned i = 0; i < s->count; i++) {
+        double up[3];
+        mounting_turn(&s->mounting, s->position[i].eta, up);
+        if (!s->position[i].is_left_out) {
+            (void)invcal_linear_add_vertical(&linear, nominal, s->position[i].raw, up);
+        }
+    }
+    invcal_sums sums = linear.sums;
+    v->is_known = invcal_linear_solve(&linear, nominal, &c, v->x) == INVCAL_OK;
+    invcal_sums_system(&sums);
+    if (!v->is_known || !matrix_invert_packed(sums.sum, NINE)) {
+        v->is_known = 0;
+        return;
+    }
+    for (unsigned i = 0; i < s->count; i++) {
+        const double r = residual(&s->position[i], &s->mounting, nominal, v->x);
+        squares += s->position[i].is_left_out ? 0 : r * r;
+    }
+    v->dof = sums.count - NINE;
+    v->noise = v->dof > 0 ? sqrt(squares / v->dof) : NUMBER_UNKNOWN;
+    for (unsigned r = 0; r < NINE; r++) {
+        v->sigma[r] = v->noise * sqrt(sums.sum[INVCAL_PACKED(r, r)]);
+    }
+}
+
+/* ---- together ------------------------------------------------------------------------------------ */
+
+static int find_series(stand *s, const invcal_calibration *nominal)
+{
+    unsigned *group = calloc((size_t)s->count + 1, sizeof *group);
+
+    if (!group) {
+        return 0;
+    }
+    group_series_groups(s->position, s->count, group);
+    group_series_find(s->position, group, s->count, &s->mounting, nominal, &s->series);
+    free(group);
+    return 1;
+}
+
+int stand_find(stand *s, const stand_wish *wish, const positions *data, const rejection *kept,
+               const double *raw, const invcal_calibration *nominal)
+{
+    *s = (stand){.from = wish->plan ? wish->plan->name : "columns"};
+    memcpy(s->sense, wish->sense, sizeof s->sense);
+    memcpy(s->zero, wish->zero, sizeof s->zero);
+    s->position = calloc((size_t)kept->kept_count + 1, sizeof *s->position);
+    s->misset = calloc((size_t)kept->kept_count + 1, sizeof *s->misset);
+    int is_done = s->position && s->misset;
+    if (is_done) {
+        collect(s, wish, data, kept, raw);
+        find_reading(s, nominal);
+    }
+    if (is_done && s->reading == STAND_AS_STATED) {
+        find_vertical(s, nominal);
+        is_done = find_series(s, nominal);
+    }
+    if (!is_done) {
+        message("%s: not enough memory for %u positions", data->name, data->count);
+    }
+    return is_done ? EXIT_GOOD : EXIT_FILE;
+}
+
+void stand_turn(const stand *s, invcal_calibration *calibration)
+{
+    const invcal_calibration was = *calibration;
+    const double(*r)[3] = s->mounting.turn;
+
+    for (unsigned i = 0; i < 3; i++) {
+        for (unsigned j = 0; j < 3; j++) {
+            calibration->matrix[i][j] = r[0][i] * was.matrix[0][j] + r[1][i] * was.matrix[1][j] +
+                                        r[2][i] * was.matrix[2][j];
+        }
+    }
+}
+
+void stand_free(stand *s)
+{
+    free(s->position);
+    free(s->misset);
+    s->position = NULL;
+    s->misset = NULL;
+}
+
+const char *stand_reading_name(stand_reading reading)
+{
+    static const char *const names[] = {"as stated",
+                                        "beta reversed",
+                                        "alpha and beta swapped",
+                                        "alpha and beta swapped, beta reversed",
+                                        "strange",
+                                        "few"};
+
+    return names[reading];
+}
+
+const char *stand_advice(stand_reading reading)
+{
+    static const char *const texts[] = {
+        "",
+        "the angles fit the readings only if beta has the other sense: state it with --stand-sense "
+        "1,-1 (or an axis of the sensor has the wrong sign).",
+        "the angles fit the readings only if alpha and beta are swapped: exchange the two columns.",
+        "the angles fit the readings only if alpha and beta are swapped and what is beta then has "
+        "the "
+        "other sense: exchange the two columns, and state --stand-sense 1,-1.",
+        "the angles do not belong to these readings, nor with alpha and beta swapped or a sense "
+        "reversed: look at the zeros of the angles (--stand-zero), and at the order of the "
+        "positions.",
+        "there are too few positions with angles to say anything."};
+
+    return texts[reading];
+}

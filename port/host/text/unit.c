@@ -1,0 +1,203 @@
+/* SPDX-License-Identifier: MIT */
+#define _POSIX_C_SOURCE 200809L
+#include "text/unit.h"
+
+#include <math.h>
+#include <string.h>
+#include <strings.h>
+
+#define NEAR 0.15   /* offsets and scale errors of a bad sensor */
+#define MOST 0.9    /* of the readings: some may be wrong */
+#define FAR_OFF 0.7 /* mean of unit vectors: positions differ more, unless zero is elsewhere */
+#define TEXT_MAX 16
+#define LATIN1_SQUARE '\xb2' /* ISO 8859-1, as spreadsheets of Windows save it; */
+#define LATIN1_MICRO "\xb5"
+
+/* What is left of a unit's spelling: "m / s^2", "m_s2", "(m/(s^2))" are all alike. False if it is
+ * longer than any unit. */
+static int squash(const char *text, char out[TEXT_MAX])
+{
+    unsigned length = 0;
+
+    for (const char *c = text; *c != '\0'; c++) {
+        if (strchr(" _^*.()[]", *c)) {
+            continue;
+        }
+        if (length + 1 == TEXT_MAX) {
+            return 0;
+        }
+        if (strncmp(c, "²", strlen("²")) == 0) {
+            c += strlen("²") - 1;
+            out[length++] = '2';
+        } else {
+            out[length++] = *c == LATIN1_SQUARE ? '2' : *c;
+        }
+    }
+    out[length] = '\0';
+    return 1;
+}
+
+int unit_parse(const char *text, reading_unit *out)
+{
+    static const struct {
+        const char *text;
+        reading_unit unit;
+    } spellings[] = {
+        {"g", UNIT_G},           {"gs", UNIT_G},         {"mg", UNIT_MG},      {"m/s2", UNIT_MS2},
+        {"m/s/s", UNIT_MS2},     {"ms2", UNIT_MS2},      {"ms-2", UNIT_MS2},   {"mps2", UNIT_MS2},
+        {"counts", UNIT_COUNTS}, {"count", UNIT_COUNTS}, {"raw", UNIT_COUNTS}, {"lsb", UNIT_COUNTS},
+    };
+    char squashed[TEXT_MAX];
+
+    if (!squash(text, squashed)) {
+        return 0;
+    }
+    for (unsigned i = 0; i < sizeof spellings / sizeof spellings[0]; i++) {
+        if (strcasecmp(squashed, spellings[i].text) == 0) {
+            *out = spellings[i].unit;
+            return 1;
+        }
+    }
+    return 0;
+}
+
+double unit_parse_time(const char *text)
+{
+    static const struct {
+        double per_second;
+        const char *texts[7];
+    } units[] = {
+        {1, {"s", "sec", "secs", "second", "seconds"}},
+        {1e3, {"ms", "msec", "millis", "milliseconds"}},
+        {1e6,
+         /* NOLINTNEXTLINE(bugprone-suspicious-missing-comma): a macro and a text are one */
+         {"us", "µs", "μs", LATIN1_MICRO "s", "usec", "micros", "microseconds"}}, /* all the mu */
+        {1e9, {"ns", "nsec", "nanos", "nanoseconds"}},
+    };
+
+    for (unsigned i = 0; i < sizeof units / sizeof units[0]; i++) {
+        for (unsigned k = 0; k < 7 && units[i].texts[k]; k++) {
+            if (strcasecmp(text, units[i].texts[k]) == 0) {
+                return units[i].per_second;
+            }
+        }
+    }
+    return 0;
+}
+
+static int ends_with(const char *text, const char *end)
+{
+    const size_t length = strlen(text);
+    const size_t behind = strlen(end);
+
+    return length >= behind && strcasecmp(text + length - behind, end) == 0;
+}
+
+temperature_unit unit_parse_temperature(const char *text)
+{
+    static const struct {
+        const char *letter;
+        const char *name;
+        temperature_unit unit;
+    } units[] = {{"c", "celsius", {1, 0}},
+                 {"k", "kelvin", {1, -273.15}},
+                 {"f", "fahrenheit", {5.0 / 9, -160.0 / 9}}};
+    const double part = text[0] == 'm' ? 1e-3 : 1;
+
+    for (unsigned i = 0; i < sizeof units / sizeof units[0]; i++) {
+        if (ends_with(text, units[i].letter) || ends_with(text, units[i].name)) {
+            return (temperature_unit){part * units[i].unit.scale, units[i].unit.zero};
+        }
+    }
+    return (temperature_unit){0, 0};
+}
+
+int unit_is_gravity(double field)
+{
+    return field > 9.7 && field < 9.9;
+}
+
+double unit_field_si(double field)
+{
+    return unit_is_gravity(field)         ? 1
+           : field > 0.99 && field < 1.01 ? UNIT_STANDARD_GRAVITY
+           : field > 990 && field < 1010  ? UNIT_STANDARD_GRAVITY / 1000
+                                          : 0;
+}
+
+/* What gravity reads. */
+static const double sizes[] = {[UNIT_G] = 1, [UNIT_MG] = 1000, [UNIT_MS2] = UNIT_STANDARD_GRAVITY};
+
+reading_unit unit_by_size(const double *reading, unsigned count, double field)
+{
+    unsigned like[UNIT_COUNTS] = {0};
+
+    if (!(unit_field_si(field) > 0)) {
+        return UNIT_UNKNOWN;
+    }
+    for (unsigned n = 0; n < count; n++) {
+        const double *v = &reading[3 * (unsigned long)n];
+        const double length = sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
+        for (unsigned u = UNIT_G; u <= UNIT_MS2; u++) {
+            like[u] += fabs(length / sizes[u] - 1) < NEAR;
+        }
+    }
+    for (unsigned u = UNIT_G; u <= UNIT_MS2; u++) {
+        if (like[u] > count / 2) {
+            return (reading_unit)u;
+        }
+    }
+    return UNIT_COUNTS;
+}
+
+int unit_is_sure(reading_unit u, const double *reading, unsigned count)
+{
+    double sum[3] = {0, 0, 0};
+    unsigned like = 0;
+
+    if (u != UNIT_G && u != UNIT_MS2) {
+        return 0;
+    }
+    for (unsigned n = 0; n < count; n++) {
+        const double *v = &reading[3 * (unsigned long)n];
+        const double length = sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
+        if (fabs(length / sizes[u] - 1) < NEAR) {
+            like++;
+            for (unsigned i = 0; i < 3; i++) {
+                sum[i] += v[i] / length;
+            }
+        }
+    }
+    return like >= MOST * count &&
+           sqrt(sum[0] * sum[0] + sum[1] * sum[1] + sum[2] * sum[2]) < FAR_OFF * like;
+}
+
+double unit_scale(reading_unit u, double field)
+{
+    const double si = unit_field_si(field);
+    const double unit = u == UNIT_G     ? UNIT_STANDARD_GRAVITY
+                        : u == UNIT_MG  ? UNIT_STANDARD_GRAVITY / 1000
+                        : u == UNIT_MS2 ? 1
+                                        : 0;
+
+    return si > 0 ? unit / si : 0;
+}
+
+const char *unit_name(reading_unit u)
+{
+    static const char *const names[] = {"unknown", "g", "mg", "m/s^2", "counts"};
+
+    return names[u];
+}
+
+const char *unit_words(reading_unit u)
+{
+    return u == UNIT_UNKNOWN ? "input units" : u == UNIT_MS2 ? "m/s²" : unit_name(u);
+}
+
+const char *unit_origin_name(unit_origin origin)
+{
+    static const char *const names[] = {"none", "header", "option", "size", "sensor"};
+
+    return names[origin];
+}

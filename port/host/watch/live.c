@@ -1,0 +1,444 @@
+/* SPDX-License-Identifier: MIT */
+#define _POSIX_C_SOURCE 200809L
+#include "watch/live.h"
+
+#include <fcntl.h>
+#include <math.h>
+#include <signal.h>
+#include <string.h>
+#include <unistd.h>
+
+#include "cli/command.h"
+#include "cli/input.h"
+#include "cli/message.h"
+#include "read/samples.h"
+#include "watch/lines.h"
+#include "watch/live_program.h"
+#include "watch/screen.h"
+#include "watch/zero.h"
+
+#define HOLD_MAX 60       /* seconds: what the first rest tells is cut off there */
+#define HOLD_LONGEST 3600 /* seconds that can be demanded */
+#define TICK 0.1          /* seconds of the log from one WATCH_PASSED to the next, at least */
+
+/* All are too large for the stack. */
+static samples live_log;
+static recording live_recording;
+static invcal_session session;
+static live_program followed; /* if the wish has a set */
+static watch_state now;       /* what the tellers read */
+
+typedef struct {
+    positions *p;
+    const live_wish *wish;
+    rests_summary *summary;
+    watch_teller tell;
+    zero_finder zero;
+    invcal_calibration known; /* the calibration so far, or the nominal one */
+    double told_at;           /* seconds of the log: the last WATCH_PASSED; */
+    double sum[3];            /* what has been read since then, counts, */
+    double summed;            /* in so many samples */
+    int is_enough;            /* what is wanted has been reached */
+} stage;
+
+/* ---- where the device points, and where it is to --------------------------------------------------- */
+
+/* A unit vector. Returns 1; 0 if the calibration makes none of these counts. */
+static int find_up(const invcal_calibration *known, const double counts[3], double up[3])
+{
+    double length = 0;
+
+    invcal_apply(known, counts, up);
+    for (unsigned i = 0; i < 3; i++) {
+        length = hypot(length, up[i]);
+    }
+    for (unsigned i = 0; i < 3; i++) {
+        up[i] /= length;
+    }
+    return length > 0 && length < HUGE_VAL;
+}
+
+static void tell_time(stage *s, const sample *latest)
+{
+    double counts[3];
+
+    for (unsigned i = 0; i < 3; i++) {
+        s->sum[i] += latest->raw[i];
+    }
+    s->summed++;
+    now.seconds = latest->clock;
+    if (latest->clock - s->told_at < TICK) {
+        return;
+    }
+    for (unsigned i = 0; i < 3; i++) {
+        counts[i] = s->sum[i] / s->summed;
+        s->sum[i] = 0;
+    }
+    s->summed = 0;
+    s->told_at = latest->clock;
+    now.has_up = find_up(&s->known, counts, now.up);
+    now.skipped = live_log.skipped;
+    s->tell(&now, WATCH_PASSED);
+}
+
+/* Where to turn next. A rest that is READY and still held counts as taken. */
+static void aim(const stage *s, int is_ready)
+{
+    if (!s->wish->set) {
+        invcal_session_next(&session, now.target);
+        now.has_target = 1;
+        (void)invcal_words(now.target, now.next);
+        snprintf(now.good, sizeof now.good, "good: move on to %s", now.next);
+        return;
+    }
+    const program *p = is_ready ? live_program_foreseen(&followed) : &followed.now;
+    now.has_target = p->asked < p->set->count;
+    if (now.has_target) {
+        memcpy(now.target, p->set->position[p->asked].vertical, sizeof now.target);
+    }
+    (void)program_next_text(p, now.next);
+    (void)live_program_good_text(&followed, p, now.good, sizeof now.good);
+}
+
+/* The device moves or rests. What was refused has been told, and is over once it moves. */
+static void tell_phase(stage *s, watch_news what)
+{
+    now.progress = invcal_session_progress(&session);
+    now.phase = what == WATCH_SETTLING && now.progress >= 100 ? WATCH_READY : what;
+    if (what == WATCH_MOVING) {
+        now.is_refused = 0;
+    }
+    if (now.phase == WATCH_READY) {
+        aim(s, 1);
+    }
+    s->tell(&now, what);
+}
+
+/* ---- how long to stay -------------------------------------------------------------------------- */
+
+static void hold(double seconds)
+{
+    invcal_session_hold(&session, (uint32_t)ceil(1000 * seconds));
+}
+
+/* The first rest tells the noise: T = s^2 / (sigma^2 rate), s^2 that of a sample, the mean over the
+ * axes. That is white noise. Returns whether the rest has been held as long. */
+static int is_held_long_enough(const stage *s)
+{
+    const invcal_calibration *c = &session.nominal;
+    const double sigma = s->wish->mean_sigma / s->wish->field;
+    invcal_rest rest;
+    double square = 0;
+
+    if (!(sigma > 0) || s->wish->noise || now.taken > 0 ||
+        !invcal_rests_get(&session.rests, &rest)) {
+        return 1;
+    }
+    for (unsigned i = 0; i < 9; i++) {
+        square += c->matrix[i / 3][i % 3] * c->matrix[i / 3][i % 3] / 3;
+    }
+    hold(fmin(HOLD_MAX, square * rest.variance / (sigma * sigma) / live_log.rate));
+    return invcal_session_progress(&session) == 100;
+}
+
+/* Holds each position as long as the axis that takes longest. */
+static int hold_by_noise(const live_wish *wish)
+{
+    for (unsigned i = 0; i < 3; i++) {
+        invcal_dwell d;
+        if (invcal_noise_dwell(&wish->noise[i], wish->mean_sigma / wish->field, &d) != INVCAL_OK ||
+            d.seconds > HOLD_LONGEST) {
+            message("--allan: by this noise a mean as good as %g takes more than %d s: ask for "
+                    "less by --mean-sigma",
+                    wish->mean_sigma, HOLD_LONGEST);
+            return EXIT_USAGE;
+        }
+        now.hold = fmax(now.hold, d.seconds);
+        if (d.end == INVCAL_DWELL_FLOOR) {
+            now.hold_floor = fmax(now.hold_floor, d.sigma * wish->field);
+        }
+    }
+    hold(now.hold);
+    return EXIT_GOOD;
+}
+
+/* ---- what becomes of a rest -------------------------------------------------------------------- */
+
+static int take_rest(stage *s)
+{
+    invcal_rest rest;
+
+    return invcal_rests_get(&session.rests, &rest)
+               ? rests_take(s->p, &rest, live_log.unit, &live_recording)
+               : EXIT_GOOD;
+}
+
+/* A target that is 0 is any. */
+static int reaches_target(const live_wish *wish)
+{
+    double target[3];
+    int is_wanted = 0;
+
+    for (unsigned i = 0; i < 3; i++) {
+        is_wanted = is_wanted || wish->target[i] > 0;
+        target[i] = wish->target[i] > 0 ? wish->target[i] : INVCAL_REAL_MAX;
+    }
+    if (wish->need > 0 && !invcal_session_meets(&session, wish->need, wish->field_sigma)) {
+        return 0;
+    }
+    return !is_wanted || invcal_session_reaches(&session, target);
+}
+
+/* What the positions so far come to. */
+static void judge(stage *s)
+{
+    invcal_calibration calibration;
+
+    now.status = invcal_session_solve(&session, &calibration, &now.quality);
+    s->known = watch_knows_sigma(&now) && now.quality.verdict != INVCAL_WEAK ? calibration
+                                                                             : session.nominal;
+    now.accuracy =
+        now.status == INVCAL_OK ? invcal_accuracy(&now.quality, s->wish->field_sigma) : 0;
+    now.covered = 0;
+    for (unsigned n = 0; n < session.count; n++) {
+        now.covered += (unsigned)find_up(&s->known, session.mean[n], now.direction[now.covered]);
+    }
+    now.is_guess = zero_is_guess(&s->zero);
+}
+
+static watch_outcome judge_outcome(stage *s, int is_complete)
+{
+    const int is_wanted = watch_is_anything_wanted(&now);
+
+    now.is_good = is_wanted ? reaches_target(s->wish) : invcal_session_is_good(&session);
+    if (is_complete) {
+        return WATCH_FINISHED;
+    }
+    if (!s->is_enough && is_wanted && now.is_good) {
+        s->is_enough = 1;
+        return WATCH_ENOUGH;
+    }
+    return WATCH_USED;
+}
+
+static int take(stage *s)
+{
+    const int failure = take_rest(s);
+
+    now.taken++;
+    now.last = WATCH_TAKEN;
+    zero_renew(&s->zero, &session);
+    judge(s);
+    now.outcome = judge_outcome(s, s->wish->set && live_program_take(&followed));
+    if (s->wish->set) {
+        now.astray = followed.astray;
+        (void)live_program_wrong_text(&followed, now.wrong);
+    }
+    aim(s, 0);
+    now.phase = WATCH_MOVING;
+    s->tell(&now, WATCH_TAKEN);
+    return failure;
+}
+
+/* A rest may be refused while it is held and again when it is left: that is told once. */
+static void tell_refused(stage *s, int is_left)
+{
+    if (now.is_refused) {
+        now.is_refused = 0;
+        return;
+    }
+    now.is_refused = !is_left;
+    now.refusal = rests_reason_text(invcal_session_reason(&session));
+    now.last = WATCH_REFUSED;
+    if (is_left) {
+        now.phase = WATCH_MOVING;
+    }
+    aim(s, 0);
+    s->tell(&now, WATCH_REFUSED);
+}
+
+static int refuse(stage *s)
+{
+    const invcal_status reason = invcal_session_reason(&session);
+    const int is_rest = reason < INVCAL_REST_SHORT || reason > INVCAL_REST_SAME;
+    const int is_left = is_rest && invcal_session_progress(&session) == 0;
+    int failure = EXIT_GOOD;
+
+    if (!is_rest) {
+        rests_refuse(s->summary, reason, &live_recording);
+    } else if (is_left) { /* the calibration may think otherwise of it */
+        failure = take_rest(s);
+    }
+    tell_refused(s, is_left);
+    return failure;
+}
+
+static int digest(stage *s, invcal_event event)
+{
+    switch (event) {
+    case INVCAL_TAKEN:
+        return take(s);
+    case INVCAL_REFUSED:
+        return refuse(s);
+    case INVCAL_READY:
+        tell_phase(s, is_held_long_enough(s) ? WATCH_READY : WATCH_SETTLING);
+        break;
+    case INVCAL_SETTLING:
+        tell_phase(s, WATCH_SETTLING);
+        break;
+    case INVCAL_MOVING:
+        tell_phase(s, WATCH_MOVING);
+        break;
+    default:
+        break;
+    }
+    return EXIT_GOOD;
+}
+
+/* ---- the stream -------------------------------------------------------------------------------- */
+
+static int begin(stage *s)
+{
+    const live_wish *wish = s->wish;
+    const double *clip = wish->clip;
+    char text[SENSORS_TEXT_MAX];
+
+    if (!zero_fits_sensor(wish, &live_log, text)) {
+        return message_usage("watch", "%s: %s", live_log.table.name, text);
+    }
+    if (!zero_begin(&s->zero, wish, &live_log, s->p, &followed, &s->known) ||
+        invcal_session_begin(&session, &s->known, samples_whole_rate(&live_log)) != INVCAL_OK ||
+        (clip && invcal_session_rails(&session, samples_count(&live_log, clip[0]),
+                                      samples_count(&live_log, clip[1])) != INVCAL_OK)) {
+        message("%s: %.6g samples a second, or the nominal calibration, is not usable",
+                live_log.table.name, live_log.rate);
+        return EXIT_FILE;
+    }
+    return wish->noise ? hold_by_noise(wish) : EXIT_GOOD;
+}
+
+/* What the stream was taken for: whoever sees a wrong column can stop at once. */
+static void recognise(const stage *s)
+{
+    recognition seen = s->p->seen;
+
+    if (s->wish->unit != UNIT_UNKNOWN) {
+        seen.unit = s->wish->unit;
+        seen.unit_from = UNIT_FROM_OPTION;
+    }
+    (void)columns_describe(&seen, now.recognised, sizeof now.recognised);
+}
+
+static void tell_begin(stage *s)
+{
+    recording_begin(&live_recording, &live_log);
+    if (s->wish->set) {
+        live_program_begin(&followed, s->wish->set, &session, s->p, live_log.unit,
+                           !zero_is_free(&s->zero));
+    }
+    recognise(s);
+    judge(s);
+    aim(s, 0);
+    s->tell(&now, WATCH_BEGUN);
+}
+
+static int feed(stage *s, const sample *latest)
+{
+    int failure = EXIT_GOOD;
+
+    if (latest->is_gap) {
+        invcal_session_gap(&session);
+    }
+    s->summary->samples++;
+    recording_sample(&live_recording, &live_log, latest);
+    const invcal_event event = invcal_session_feed(&session, latest->raw);
+    if (event != INVCAL_NOTHING) {
+        recording_filled(&live_recording);
+        failure = digest(s, event);
+    }
+    tell_time(s, latest);
+    return failure;
+}
+
+static int watch(stage *s)
+{
+    sample latest;
+    int more = 0;
+    int failure = EXIT_GOOD;
+
+    tell_begin(s);
+    while (!failure && (more = samples_next(&live_log, &latest)) == 1) {
+        failure = feed(s, &latest);
+    }
+    if (!failure && more == 0) {
+        failure = digest(s, invcal_session_finish(&session));
+    }
+    if (more < 0 || failure) {
+        s->tell(&now, WATCH_BROKEN);
+        return failure ? failure : EXIT_FILE;
+    }
+    if (s->wish->set) {
+        (void)live_program_missing_text(&followed, now.missing);
+    }
+    now.phase = WATCH_ENDED;
+    s->tell(&now, WATCH_ENDED);
+    return EXIT_GOOD;
+}
+
+/* The stream, and an empty file that takes its place when somebody interrupts. */
+static volatile sig_atomic_t stream_file;
+static volatile sig_atomic_t empty_file;
+
+/* A read that waits is interrupted and ends the stream, see table.c; the next one finds the end. */
+static void stop(int signal_number)
+{
+    (void)signal_number;
+    if (empty_file >= 0 && stream_file >= 0) {
+        (void)dup2(empty_file, stream_file);
+    }
+}
+
+/* A serial port has no end: whoever presses Ctrl-C wants the result. */
+static void catch_interrupts(const char *path)
+{
+    struct sigaction action = {.sa_handler = stop};
+
+    stream_file = input_is_stdin(path) ? STDIN_FILENO : -1;
+    empty_file = open("/dev/null", O_RDONLY);
+    sigemptyset(&action.sa_mask);
+    action.sa_flags = (int)SA_RESETHAND; /* a second one ends everything */
+    (void)sigaction(SIGINT, &action, NULL);
+    (void)sigaction(SIGTERM, &action, NULL);
+}
+
+int live_read(positions *p, const char *path, const live_wish *wish, rests_summary *summary)
+{
+    stage s = {.p = p, .wish = wish, .summary = summary, .told_at = -HUGE_VAL};
+
+    s.tell = screen_is_possible(wish->talk) ? screen_tell : lines_tell;
+    if (isatty(fileno(wish->talk))) {
+        fprintf(wish->talk, "waiting for samples\n");
+        fflush(wish->talk);
+    }
+    catch_interrupts(path);
+    int failure = samples_open(&live_log, path, wish->rate, 1);
+    stream_file = live_log.table.file ? fileno(live_log.table.file) : -1;
+
+    *p = (positions){.name = live_log.table.name, .has_noise = 1, .seen = live_log.where.seen};
+    *summary = (rests_summary){.rate = live_log.rate,
+                               .is_rate_known = live_log.is_rate_known,
+                               .track = &live_recording,
+                               .unit = live_log.unit};
+    now = (watch_state){.talk = wish->talk,
+                        .told = wish->told,
+                        .name = live_log.table.name,
+                        .phase = WATCH_MOVING,
+                        .need = wish->need};
+    memcpy(now.target_sigma, wish->target, sizeof now.target_sigma);
+    failure = failure ? failure : begin(&s);
+    failure = failure ? failure : watch(&s);
+    stream_file = -1;
+    samples_close(&live_log);
+    rests_end(p, &live_log, summary);
+    return failure;
+}

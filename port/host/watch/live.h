@@ -1,0 +1,18 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * watch/live.h: leading a person through a calibration while the samples come in.
+ */
+#ifndef LIVE_H
+#define LIVE_H
+
+#include "read/rests.h"
+#include "watch/wish.h"
+
+/* Reads a stream to its end, or until somebody interrupts it (Ctrl-C), tells what to do, and
+ * collects the positions. What is malformed is told and skipped. It is told by a screen if wish.talk is
+ * the standard output and can show one (screen.h), else by lines (lines.h).
+ *
+ * Returns, and is to be released, as rests_read. */
+int live_read(positions *p, const char *path, const live_wish *wish, rests_summary *summary);
+
+#endif

@@ -1,0 +1,139 @@
+/* SPDX-License-Identifier: MIT */
+#include "watch/live_program.h"
+
+#include <math.h>
+#include <stdio.h>
+
+#define FAR_ZERO 0.3 /* over the field */
+
+void live_program_begin(live_program *l, const design *set, const invcal_session *session,
+                        const positions *taken, double unit, int is_zero_stated)
+{
+    program_begin(&l->now, set);
+    l->session = session;
+    l->taken = taken;
+    l->unit = unit;
+    l->is_zero_stated = is_zero_stated;
+    l->wanted = set->count;
+    l->astray = 0;
+}
+
+/* ---- where a rest was -------------------------------------------------------------------------- */
+
+/* The calibration so far, or the nominal one. */
+static invcal_calibration best_known(const live_program *l)
+{
+    invcal_calibration calibration;
+    invcal_quality q;
+
+    return invcal_session_solve(l->session, &calibration, &q) == INVCAL_OK &&
+                   q.verdict != INVCAL_WEAK && q.dof > 0
+               ? calibration
+               : l->session->nominal;
+}
+
+/* Nothing states the zero, nor do so few positions tell it: their directions may be anything. */
+static int is_zero_unknown(const live_program *l)
+{
+    return !l->is_zero_stated && l->taken->count < LIVE_PROGRAM_FOLLOWED;
+}
+
+/* The position that a rest was at, a mean in counts. What is no position, as long as nobody knows the
+ * zero, counts as the one asked for. */
+static void visit(const live_program *l, program *p, const invcal_calibration *known,
+                  const double counts[3])
+{
+    double up[3];
+
+    invcal_apply(known, counts, up);
+    const unsigned found = program_find(p, up);
+    program_visit(p, found == PROGRAM_NOWHERE && is_zero_unknown(l) ? p->asked : found, up);
+}
+
+/* The last rest was not where it was asked to be. */
+static int is_astray(const program *now, unsigned asked)
+{
+    return asked < now->set->count && now->here != asked && !now->is_again;
+}
+
+/* A calibration that is known better tells of rests before where they really were. Later it is hardly known
+ * any better: then they are looked at anew whenever there are twice as many, so that a stream of any
+ * length takes the time that its length does. */
+static unsigned first_to_visit(const live_program *l)
+{
+    const unsigned count = l->taken->count;
+
+    return count <= INVCAL_MAX_POSITIONS || (count & (count - 1)) == 0 ? 0 : count - 1;
+}
+
+int live_program_take(live_program *l)
+{
+    const invcal_calibration known = best_known(l);
+    const design *set = l->now.set;
+    const unsigned first = first_to_visit(l);
+
+    l->wanted = l->now.asked;
+    if (first == 0) {
+        program_begin(&l->now, set);
+    }
+    for (unsigned n = first; n < l->taken->count; n++) {
+        double counts[3];
+        for (unsigned i = 0; i < 3; i++) {
+            counts[i] = l->taken->mean[3 * (size_t)n + i] / l->unit;
+        }
+        visit(l, &l->now, &known, counts);
+    }
+    l->astray = is_astray(&l->now, l->wanted) ? l->astray + 1 : 0;
+    return l->wanted < set->count && l->now.asked == set->count;
+}
+
+int live_program_scale(const live_program *l, double zero[3], double *length)
+{
+    const unsigned count = l->taken->count;
+
+    return count >= LIVE_PROGRAM_FOLLOWED && count <= l->now.set->count &&
+           program_scale(&l->now, l->taken->mean, count, zero, length) &&
+           hypot(hypot(zero[0], zero[1]), zero[2]) > FAR_ZERO * *length;
+}
+
+/* ---- what is said of it ------------------------------------------------------------------------ */
+
+const program *live_program_foreseen(const live_program *l)
+{
+    static program soon; /* large */
+    double counts[3];
+
+    soon = l->now;
+    if (invcal_session_progress(l->session) == 100 &&
+        invcal_rests_mean(&l->session->rests, counts)) {
+        const invcal_calibration known = best_known(l);
+        visit(l, &soon, &known, counts);
+    }
+    return &soon;
+}
+
+const char *live_program_good_text(const live_program *l, const program *soon, char *text,
+                                   size_t size)
+{
+    char angles[PROGRAM_TEXT_MAX];
+    char but[64] = "";
+
+    if (is_astray(soon, l->now.asked)) {
+        snprintf(but, sizeof but, ", but not position %u", l->now.asked + 1);
+    }
+    (void)program_angles_text(soon, angles);
+    snprintf(text, size, "good%s: move on%s%s", but, *angles ? " to " : "", angles);
+    return text;
+}
+
+const char *live_program_wrong_text(const live_program *l, char text[PROGRAM_TEXT_MAX])
+{
+    text[0] = '\0';
+    return l->astray > 0 ? program_wrong_text(&l->now, l->wanted, text) : text;
+}
+
+const char *live_program_missing_text(const live_program *l, char text[PROGRAM_TEXT_MAX])
+{
+    text[0] = '\0';
+    return l->now.asked < l->now.set->count ? program_missing_text(&l->now, text) : text;
+}

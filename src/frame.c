@@ -1,0 +1,158 @@
+/* SPDX-License-Identifier: MIT */
+#include "invcal/frame.h"
+
+#include <limits.h>
+#include <string.h>
+
+#include "solve.h"
+#include "vector.h"
+
+/* Of the squared product of the two larger singular values of the sums, whose three add up to 3 if all
+ * directions agree. At two faces that are 26 degrees apart it is this, and far from it at 90: 5. */
+#define LEAST_SPREAD INVCAL_REAL(0.18)
+#define LEAST_LEVEL INVCAL_REAL(0.25) /* of 1 + cos */
+
+void invcal_frame_init(invcal_frame *frame)
+{
+    INVCAL_ASSERT(frame);
+    invcal_zero(frame, sizeof *frame);
+}
+
+invcal_status invcal_frame_add(invcal_frame *frame, const invcal_calibration *calibration,
+                               const invcal_real raw[3], const invcal_real up[3])
+{
+    invcal_real a[3];
+
+    INVCAL_ASSERT(frame && calibration && raw && up);
+    invcal_correct(calibration, raw, a);
+    const invcal_real length = INVCAL_SQRT(invcal_dot3(a, a));
+    if (!invcal_are_finite(a)) {
+        return INVCAL_NOT_FINITE;
+    }
+    if (!(length >= INVCAL_REAL(0.5) && length <= 2)) {
+        return INVCAL_OUT_OF_RANGE;
+    }
+    if (!invcal_is_unit(up)) {
+        return INVCAL_BAD_DIRECTION;
+    }
+    for (unsigned i = 0; i < 3; i++) {
+        for (unsigned j = 0; j < 3; j++) {
+            frame->sum[i][j] += up[i] * a[j] / length;
+        }
+    }
+    frame->count += frame->count < UINT_MAX;
+    return INVCAL_OK;
+}
+
+/* Of the angles: (tr S I - S)^-1, S = sum c a' R': the matrix that sum (I - c c') is. */
+static void judge_frame(const invcal_frame *frame, const invcal_real r[3][3],
+                        invcal_frame_quality *quality)
+{
+    invcal_real information[3][3];
+    invcal_real covariance[3][3];
+    invcal_real trace = 0;
+
+    for (unsigned i = 0; i < 3; i++) {
+        for (unsigned j = 0; j < 3; j++) {
+            information[i][j] = -invcal_dot3(frame->sum[i], r[j]);
+        }
+        trace -= information[i][i];
+    }
+    for (unsigned i = 0; i < 3; i++) {
+        information[i][i] += trace;
+    }
+    invcal_inverse3((const invcal_real(*)[3])information, covariance);
+    for (unsigned i = 0; i < 3; i++) {
+        quality->sigma[i] = INVCAL_SQRT(covariance[i][i]);
+    }
+    const invcal_real off =
+        2 - 2 * trace / invcal_number(frame->count); /* of |c - R a|^2, the mean */
+    quality->scatter = off > 0 ? INVCAL_SQRT(off) : 0;
+}
+
+/* With singular values s of the sums B, |C| of its cofactors C is s1 s2, and B + C has the same directions:
+ * two faces, which leave s3 = 0, determine R all the same as the orthonormal factor of B + C. */
+invcal_status invcal_frame_solve(const invcal_frame *frame, invcal_real rotation[3][3],
+                                 invcal_frame_quality *quality)
+{
+    invcal_real work[INVCAL_WORK];
+    invcal_real b[3][3];
+    invcal_real(*c)[3] = (invcal_real(*)[3])work;
+
+    INVCAL_ASSERT(frame && rotation);
+    if (frame->count < 2) {
+        return INVCAL_TOO_FEW;
+    }
+    const invcal_real scale = 3 / invcal_number(frame->count);
+    for (unsigned i = 0; i < 9; i++) {
+        b[i / 3][i % 3] = scale * frame->sum[i / 3][i % 3];
+    }
+    (void)invcal_cofactors((const invcal_real(*)[3])b, c);
+    for (unsigned i = 0; i < 9; i++) {
+        b[i / 3][i % 3] += c[i / 3][i % 3];
+    }
+    if (!(invcal_cofactors((const invcal_real(*)[3])b, c) > LEAST_SPREAD)) {
+        return INVCAL_UNDETERMINED;
+    }
+    invcal_make_symmetric(b, work);
+    memcpy(rotation, work, sizeof b);
+    if (quality != NULL) {
+        judge_frame(frame, (const invcal_real(*)[3])rotation, quality);
+    }
+    return INVCAL_OK;
+}
+
+/* With v = a x c: I + [v] + [v]^2 / (1 + a.c), [v]^2 = v v' - v.v I. */
+invcal_status invcal_frame_level(const invcal_frame *frame, const invcal_real up[3],
+                                 invcal_real rotation[3][3])
+{
+    invcal_real a[3];
+    invcal_real v[3];
+
+    INVCAL_ASSERT(frame && up && rotation);
+    if (frame->count < 1) {
+        return INVCAL_TOO_FEW;
+    }
+    for (unsigned j = 0; j < 3; j++) {
+        a[j] = up[0] * frame->sum[0][j] + up[1] * frame->sum[1][j] + up[2] * frame->sum[2][j];
+    }
+    const invcal_real length = INVCAL_SQRT(invcal_dot3(a, a));
+    const invcal_real c = 1 + invcal_dot3(a, up) / length;
+    if (!(c > LEAST_LEVEL)) {
+        return INVCAL_UNDETERMINED;
+    }
+    for (unsigned i = 0; i < 3; i++) {
+        const unsigned j = (i + 1) % 3;
+        const unsigned k = (i + 2) % 3;
+        v[i] = (a[j] * up[k] - a[k] * up[j]) / length;
+    }
+    const invcal_real square = invcal_dot3(v, v);
+    for (unsigned i = 0; i < 3; i++) {
+        for (unsigned j = 0; j < 3; j++) {
+            rotation[i][j] = v[i] * v[j] / c;
+        }
+    }
+    for (unsigned i = 0; i < 3; i++) {
+        const unsigned j = (i + 1) % 3;
+        const unsigned k = (i + 2) % 3;
+        rotation[i][i] += 1 - square / c;
+        rotation[j][k] -= v[i];
+        rotation[k][j] += v[i];
+    }
+    return INVCAL_OK;
+}
+
+void invcal_frame_turn(const invcal_real rotation[3][3], invcal_calibration *calibration)
+{
+    invcal_real column[3];
+
+    INVCAL_ASSERT(rotation && calibration);
+    for (unsigned j = 0; j < 3; j++) {
+        for (unsigned i = 0; i < 3; i++) {
+            column[i] = calibration->matrix[i][j];
+        }
+        for (unsigned i = 0; i < 3; i++) {
+            calibration->matrix[i][j] = invcal_dot3(rotation[i], column);
+        }
+    }
+}
