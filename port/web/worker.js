@@ -76,13 +76,22 @@ class BlobFile extends Inode {
     }
 }
 
+// The tool asks before it begins whether it may write there; in a page it may.
+class Folder extends PreopenDirectory {
+    fd_fdstat_get() {
+        const stat = super.fd_fdstat_get();
+        stat.fdstat.fs_rights_base = stat.fdstat.fs_rights_inherited = ~0n;
+        return stat;
+    }
+}
+
 // { module, args, files: [{ name, blob }] } -> { code, stdout, stderr, files: [{ name, bytes }] }
 onmessage = ({ data: { module, args, files } }) => {
     const printed = [[], []];
     const keep = (which) => new Printed((bytes) => printed[which].push(bytes.slice()));
     const told = (share) => postMessage({ progress: share });
     const given = files.map(({ name, blob }) => [name, new BlobFile(blob, told)]);
-    const folder = new PreopenDirectory(".", new Map(given));
+    const folder = new Folder(".", new Map(given));
     const shim = new WASI(["invcal", ...args], [], [new OpenFile(new File([])), keep(0), keep(1), folder], { debug: false });
     let code = 0;
 
