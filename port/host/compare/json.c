@@ -5,15 +5,6 @@
 #include "invcal/expert.h"
 #include "text/json_write.h"
 
-static void write_nine(json_writer *w, const char *name, const double x[INVCAL_PARAMETERS])
-{
-    json_object(w, name);
-    json_vector(w, "delta", &x[INVCAL_DELTA_X]);
-    json_vector(w, "dk", &x[INVCAL_DK_X]);
-    json_vector(w, "gamma", &x[INVCAL_GAMMA_XY]);
-    json_object_end(w);
-}
-
 /* The same as values, not as differences. */
 static void write_values(json_writer *w, const char *name, const double x[INVCAL_PARAMETERS])
 {
@@ -42,10 +33,10 @@ static void write_drift(json_writer *w, const compare_result *r, unsigned k)
     json_object(w, NULL);
     json_text(w, "from", r->item[k - 1].path);
     json_text(w, "to", r->item[k].path);
-    write_nine(w, "drift", d->x);
-    write_nine(w, "sigma", d->sigma);
-    write_nine(w, "interval95", d->wide);
-    write_nine(w, "chance", d->chance);
+    json_nine(w, "drift", d->x);
+    json_nine(w, "sigma", d->sigma);
+    json_nine(w, "interval95", d->wide);
+    json_nine(w, "chance", d->chance);
     json_parameters(w, "changed", d->changed);
     json_object_end(w);
 }
@@ -76,7 +67,7 @@ static void write_device(json_writer *w, const compare_result *r, unsigned devic
             away[p] =
                 (newest->x[p] - r->fleet.median[p]) / compare_per(r->fleet.median, r->field, p);
         }
-        write_nine(w, "deviation", away);
+        json_nine(w, "deviation", away);
         json_parameters(w, "outside", r->fleet.outside[device]);
     }
     json_object_end(w);
@@ -94,8 +85,8 @@ static void write_fleet(json_writer *w, const compare_result *r)
     }
     json_object(w, "fleet");
     write_values(w, "median", r->fleet.median);
-    write_nine(w, "spread", spread);
-    write_nine(w, "standard_deviation", deviation);
+    json_nine(w, "spread", spread);
+    json_nine(w, "standard_deviation", deviation);
     json_object_end(w);
 }
 

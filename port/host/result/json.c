@@ -112,15 +112,6 @@ static void write_accuracy(json_writer *w, const calibrate_result *result)
     }
 }
 
-static void write_nine(json_writer *w, const char *name, const double x[INVCAL_PARAMETERS])
-{
-    json_object(w, name);
-    json_vector(w, "delta", &x[INVCAL_DELTA_X]);
-    json_vector(w, "dk", &x[INVCAL_DK_X]);
-    json_vector(w, "gamma", &x[INVCAL_GAMMA_XY]);
-    json_object_end(w);
-}
-
 /* Whether what was asked is kept, and by which margin. */
 static void write_pass(json_writer *w, const calibrate_result *result)
 {
@@ -138,8 +129,8 @@ static void write_pass(json_writer *w, const calibrate_result *result)
         json_number(w, "need_used", p.need_used);
     }
     if (p.limited) {
-        write_nine(w, "limit", p.limit);
-        write_nine(w, "used", p.used);
+        json_nine(w, "limit", p.limit);
+        json_nine(w, "used", p.used);
         json_parameters(w, "failed", p.failed);
     }
     json_object_end(w);
@@ -196,7 +187,7 @@ static void write_thermal(json_writer *w, const calibrate_result *result)
     json_matrix(w, "nominal_matrix", nominal.matrix);
     json_list(w, "coefficients");
     for (unsigned a = 0; a <= c->fitted; a++) {
-        write_nine(w, NULL, c->x[a]);
+        json_nine(w, NULL, c->x[a]);
     }
     json_list_end(w);
     json_number(w, "asked", fit->wish.degree);
@@ -205,8 +196,8 @@ static void write_thermal(json_writer *w, const calibrate_result *result)
         slope[0][r] = calibrate_slope_scale(result, r) * fit->slope[r];
         slope[1][r] = calibrate_slope_scale(result, r) * fit->slope_sigma[r];
     }
-    write_nine(w, "slope", slope[0]);
-    write_nine(w, "slope_sigma", slope[1]);
+    json_nine(w, "slope", slope[0]);
+    json_nine(w, "slope_sigma", slope[1]);
     json_number(w, "residual_rms_without", fit->without);
     json_number(w, "drift_limit", fit->drift_limit);
     json_object_end(w);

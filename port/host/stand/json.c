@@ -3,15 +3,6 @@
 #include "stand/tell.h"
 #include "text/number.h"
 
-static void write_nine(json_writer *w, const char *name, const double x[INVCAL_PARAMETERS])
-{
-    json_object(w, name);
-    json_vector(w, "delta", &x[INVCAL_DELTA_X]);
-    json_vector(w, "dk", &x[INVCAL_DK_X]);
-    json_vector(w, "gamma", &x[INVCAL_GAMMA_XY]);
-    json_object_end(w);
-}
-
 /* Deviations from nominal, as far as that is stated. */
 static void write_deviations(json_writer *w, const char *name, const nominal_choice *nominal,
                              const double x[INVCAL_PARAMETERS])
@@ -21,7 +12,7 @@ static void write_deviations(json_writer *w, const char *name, const nominal_cho
     for (unsigned r = 0; r < INVCAL_PARAMETERS; r++) {
         known[r] = nominal_knows(nominal, r) ? x[r] : NUMBER_UNKNOWN;
     }
-    write_nine(w, name, known);
+    json_nine(w, name, known);
 }
 
 static void write_missets(json_writer *w, const stand *s)
@@ -62,7 +53,7 @@ static void write_closures(json_writer *w, const group_series *s, const nominal_
     double sigma[INVCAL_PARAMETERS];
 
     write_deviations(w, "series_parameters", nominal, s->x);
-    write_nine(w, "series_sigma", times(s->noise, s->x_root, INVCAL_PARAMETERS, sigma));
+    json_nine(w, "series_sigma", times(s->noise, s->x_root, INVCAL_PARAMETERS, sigma));
     json_numbers(w, "closure", s->closure, GROUP_SERIES_CLOSURES);
     json_numbers(w, "closure_sigma", times(s->noise, s->closure_root, GROUP_SERIES_CLOSURES, sigma),
                  GROUP_SERIES_CLOSURES);
@@ -115,7 +106,7 @@ void stand_json(json_writer *w, const stand *s, const nominal_choice *nominal)
         json_number(w, "scatter", FIGURE_DEGREES * s->mounting.scatter);
         if (s->vertical.is_known) {
             write_deviations(w, "vertical", nominal, s->vertical.x);
-            write_nine(w, "vertical_sigma", s->vertical.sigma);
+            json_nine(w, "vertical_sigma", s->vertical.sigma);
             json_number(w, "vertical_interval95", stand_coverage(s->vertical.dof));
         }
         write_missets(w, s);

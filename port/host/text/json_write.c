@@ -195,3 +195,12 @@ void json_parameters(json_writer *w, const char *name, uint16_t bits)
 {
     json_names(w, name, bits, INVCAL_PARAMETERS, invcal_parameter_name);
 }
+
+void json_nine(json_writer *w, const char *name, const double x[INVCAL_PARAMETERS])
+{
+    json_object(w, name);
+    json_vector(w, "delta", &x[INVCAL_DELTA_X]);
+    json_vector(w, "dk", &x[INVCAL_DK_X]);
+    json_vector(w, "gamma", &x[INVCAL_GAMMA_XY]);
+    json_object_end(w);
+}

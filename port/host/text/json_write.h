@@ -10,6 +10,8 @@
 #include <stdint.h>
 #include <stdio.h>
 
+#include "invcal/invcal.h"
+
 typedef struct {
     FILE *file;
     unsigned depth; /* of objects that are open */
@@ -48,5 +50,8 @@ void json_symmetric(json_writer *w, const char *name, const double *packed, unsi
 void json_names(json_writer *w, const char *name, unsigned bits, unsigned count,
                 const char *(*name_of)(unsigned));
 void json_parameters(json_writer *w, const char *name, uint16_t bits);
+
+/* Nine numbers, one of each parameter: an object of delta, dk and gamma. */
+void json_nine(json_writer *w, const char *name, const double x[INVCAL_PARAMETERS]);
 
 #endif
