@@ -167,8 +167,8 @@ plant stack src/solve.c '/^invcal_status invcal_solve(/,/^}/s/^{/{\n    volatile
     'FAIL .*stack' m4f size
 plant time src/sums.h 's/^        const invcal_real weighted = /        for (volatile int i = 0; i < 9; i++) {\n        }\n&/' \
     'FAIL' m4f bench
-plant costs README.md 's/^\(| a sample of one axis into .allan\.h. | [0-9,]* | [0-9]*\)/\11/' \
-    'README.md should say' sh tests/costs.sh "$build"
+plant costs port/manual/targets.md 's/^\(| a sample of one axis into .allan\.h. | [0-9,]* | [0-9]*\)/\11/' \
+    'targets.md should say' sh tests/costs.sh "$build"
 plant bits src/sums.h 's/weight \* v\[r\]/& * (sizeof(void *) == 4 ? 1 + INVCAL_EPSILON : 1)/' \
     'differs' m4f targets
 plant firmware port/cortex-m/firmware/main.c '/^static int digest/,/^}/s/event != INVCAL_TAKEN/event != INVCAL_READY/' \

@@ -1,7 +1,7 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
 #
-# The picture of README.md: the two halves of the sphere, out of the report on the Xsens positions.
+# The picture of port/manual/tool.md: the two halves of the sphere, out of the report on the Xsens positions.
 #
 #     sh tests/picture.sh path/to/invcal > port/host/sphere.svg
 #     sh tests/picture.sh path/to/invcal --check      it is what stands there

@@ -44,9 +44,9 @@ refused() { # VERSION
         grep -q "version: $version" "$out/refused.log"
 }
 
-# The lines that README.md shows.
+# The lines that port/README.md shows.
 fetched() { # TARGET
-    awk '/^```cmake$/ { on = 1; next } /^```$/ { on = 0 } on' README.md > "$out/lines"
+    awk '/^```cmake$/ { on = 1; next } /^```$/ { on = 0 } on' port/README.md > "$out/lines"
     grep -q 'PRIVATE invcal::invcal)' "$out/lines" || return
     project fetched 'add_executable(example example.c)' \
         "$(sed "s/PRIVATE invcal::invcal)/PRIVATE $1)/" "$out/lines")" 'install(TARGETS example)'

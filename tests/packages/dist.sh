@@ -63,8 +63,8 @@ refuses_dist() {
 }
 
 named() {
-    grep -q "invcal-$version\.tar\.gz" "$tree/README.md" &&
-        ! grep -o 'invcal-[0-9.]*\.tar' "$tree/README.md" | grep -vFx "invcal-$version.tar"
+    grep -q "invcal-$version\.tar\.gz" "$tree/port/README.md" &&
+        ! grep -o 'invcal-[0-9.]*\.tar' "$tree/port/README.md" | grep -vFx "invcal-$version.tar"
 }
 
 # What it writes is kept for those that come after it.
@@ -82,7 +82,7 @@ check "owner and time are the same for all of them" is_of_root
 check "make demo works in it" demo_works
 check "make packages works in it" packages_are_laid_out
 check "make dist in it says that there is no clone" refuses_dist
-check "README.md names it" named
+check "port/README.md names it" named
 check "CHANGELOG.md has it, and what it writes is kept" kept
 [ -z "$FULL" ] || check "make test passes in it" all_tests_pass
 finish

@@ -64,8 +64,10 @@ for n in 0 1 2 3; do
 done
 mkdir "$work/example/build"
 ln -s "$tool" "$work/example/build/invcal"
-sed -n 's|^    build/invcal|build/invcal|p' "$root/README.md" > "$work/example/readme"
-check "the commands of README.md work" runs readme > /dev/null
+for page in README.md port/manual/tool.md; do
+    sed -n 's|^    build/invcal|build/invcal|p' "$root/$page" > "$work/example/readme"
+    check "the commands of $page work" runs readme > /dev/null
+done
 
 # ---- slips -------------------------------------------------------------------------------------
 

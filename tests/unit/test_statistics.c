@@ -166,7 +166,7 @@ static void without_stated_noise_intervals_follow_student(void)
     }
 }
 
-/* The cases of the comparison in README.md: 200 draws, noise 1e-4, errors of 3 %. */
+/* The cases of the comparison in port/manual/evidence.md: 200 draws, noise 1e-4, errors of 3 %. */
 typedef struct {
     unsigned refused, weak, good;
     double error; /* median over delivered draws of that of the worst parameter */
