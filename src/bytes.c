@@ -33,7 +33,7 @@ static uint32_t bits_of(invcal_real x)
 
 uint8_t *invcal_put_reals(uint8_t *bytes, const void *reals, unsigned count)
 {
-    const unsigned char *from = reals;
+    const unsigned char *from = (const unsigned char *)reals;
     invcal_real x;
 
     for (; count > 0; count--) { /* at most 43: of a thermal record */
@@ -46,7 +46,7 @@ uint8_t *invcal_put_reals(uint8_t *bytes, const void *reals, unsigned count)
 
 int invcal_get_reals(const uint8_t *bytes, void *reals, unsigned count)
 {
-    unsigned char *to = reals;
+    unsigned char *to = (unsigned char *)reals;
     int are_finite = 1;
 
     for (; count > 0; count--) { /* at most 43: of a thermal record */

@@ -37,8 +37,8 @@ typedef invcal_real invcal_column[INVCAL_REST + 1];
 /* The row of position k: h, and its residual r = J + h p. */
 void invcal_fit_row(const invcal_fit *fit, unsigned k, invcal_column x);
 
-static inline INVCAL_INLINE void invcal_fit_row_inline(const invcal_fit *fit, unsigned k,
-                                                       invcal_column x)
+static INVCAL_IN_HEADER void invcal_fit_row_inline(const invcal_fit *fit, unsigned k,
+                                                   invcal_column x)
 {
     const invcal_real *p = &fit->sums.sum[INVCAL_PACKED(INVCAL_PARAMETERS, 0)];
 
@@ -57,9 +57,9 @@ invcal_real invcal_fit_append(const invcal_fit *fit, invcal_column columns[INVCA
 
 #define INVCAL_TOLD INVCAL_REAL(0.001)
 
-static inline INVCAL_INLINE invcal_real invcal_fit_append_inline(const invcal_fit *fit,
-                                                                 invcal_column columns[INVCAL_MORE],
-                                                                 unsigned d)
+static INVCAL_IN_HEADER invcal_real invcal_fit_append_inline(const invcal_fit *fit,
+                                                             invcal_column columns[INVCAL_MORE],
+                                                             unsigned d)
 {
     invcal_real *const x = columns[d];
     const invcal_real least = INVCAL_TOLD * x[INVCAL_C + d];

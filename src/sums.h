@@ -67,8 +67,8 @@ static inline invcal_status invcal_observe_inline(const invcal_calibration *nomi
 }
 
 /* h becomes y = L^-1 h, from its end. Returns |y|^2. */
-static inline INVCAL_INLINE invcal_real invcal_leverage_inline(const invcal_real *inverse,
-                                                               invcal_real h[INVCAL_PARAMETERS])
+static INVCAL_IN_HEADER invcal_real invcal_leverage_inline(const invcal_real *inverse,
+                                                           invcal_real h[INVCAL_PARAMETERS])
 {
     const invcal_real *row = &inverse[INVCAL_PACKED_SIZE(INVCAL_PARAMETERS)];
     invcal_real sum = 0;
@@ -97,9 +97,9 @@ static inline INVCAL_INLINE invcal_real invcal_leverage_inline(const invcal_real
 void invcal_rank_one(invcal_real *a, const invcal_real *v, unsigned n, invcal_real weight);
 
 /* The same, to be compiled into those who need it often. */
-static inline INVCAL_INLINE void invcal_rank_one_inline(invcal_real *restrict a,
-                                                        const invcal_real *restrict v, unsigned n,
-                                                        invcal_real weight)
+static INVCAL_IN_HEADER void invcal_rank_one_inline(invcal_real *restrict a,
+                                                    const invcal_real *restrict v, unsigned n,
+                                                    invcal_real weight)
 {
     INVCAL_UNROLL_ROWS
     for (unsigned r = 0; r < n; r++) {

@@ -4,7 +4,7 @@
 /* Of a loop that is not volatile gcc makes a call of memset. */
 void invcal_zero_bytes(void *object, size_t size)
 {
-    volatile uint8_t *at = object;
+    volatile uint8_t *at = (volatile uint8_t *)object;
 
     for (size_t i = 0; i < size; i++) {
         at[i] = 0;

@@ -18,11 +18,13 @@
 #define INVCAL_UNROLL_ROWS _Pragma("GCC unroll 10")
 #define INVCAL_INLINE __attribute__((always_inline)) inline
 #define INVCAL_OFTEN INVCAL_INLINE
+#define INVCAL_IN_HEADER INVCAL_INLINE
 #else
 #define INVCAL_UNROLL
 #define INVCAL_UNROLL_ROWS
 #define INVCAL_INLINE
 #define INVCAL_OFTEN INVCAL_APART
+#define INVCAL_IN_HEADER inline
 #endif
 
 /* Before a function whose frame should not lie under those of what its caller calls besides, or that

@@ -60,7 +60,7 @@ begin() { # FILE: licence and version
 }
 
 {
-    begin "invcal $version, the whole library: put invcal.c into your build, and link with -lm."
+    begin "invcal $version, the whole library: put invcal.c into your build, as C or C++, and link with -lm."
     printf '#ifndef INVCAL_AMALGAMATION_H\n#define INVCAL_AMALGAMATION_H\n\n'
     join include include/invcal/invcal.h include/invcal/*.h || exit 2
     printf '\n#endif\n'
@@ -68,5 +68,6 @@ begin() { # FILE: licence and version
 {
     begin "invcal $version, the whole library: invcal.h is its manual."
     printf '#include "invcal.h"\n\n'
+    printf '#ifdef __cplusplus\n#define restrict __restrict /* no word of C++, but of its compilers */\n#endif\n\n'
     join src src/*.c || exit 2
 } > "$folder/invcal.c"

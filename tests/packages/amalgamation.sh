@@ -6,7 +6,7 @@
 # each family it computes the same bits as the library of many files does here.
 . "$(dirname "$0")/../target.sh"
 . "$(dirname "$0")/../package.sh" # after it, as it ends with a sum if a command is missing
-need gcc clang-19 arm-none-eabi-gcc riscv64-unknown-elf-gcc avr-gcc powerpc-linux-gnu-gcc \
+need gcc g++ clang-19 clang++-19 arm-none-eabi-gcc riscv64-unknown-elf-gcc avr-gcc powerpc-linux-gnu-gcc \
     qemu-system-arm qemu-system-riscv32 simavr qemu-ppc
 strict='-std=c99 -O1 -ffp-contract=off -Wall -Wextra -Wconversion -Wdouble-promotion -Wshadow
     -pedantic -Werror'
@@ -26,6 +26,14 @@ runs_example() { # COMPILER FLAG...
     compiles "$@" && sed '/^#include "invcal\/[^i]/d' "$example" > "$out/example.c" || return
     "$@" -std=c99 -Wall -Wextra -Werror -I"$out/amalgamation" "$out/example.c" "$out/invcal.o" -lm \
         -o "$out/example" && prints_as_expected "$out/example"
+}
+
+# invcal.c as C++, in a project that has no C.
+runs_as_cpp() { # COMPILER FLAG...
+    "$@" -x c++ -std=c++11 -O1 -ffp-contract=off -Wall -Wconversion -Wshadow -Werror -c "$files/invcal.c" \
+        -o "$out/invcal.o" && sed '/^#include "invcal\/[^i]/d' "$example" > "$out/example.cpp" &&
+        "$@" -std=c++11 -I"$out/amalgamation" "$out/example.cpp" "$out/invcal.o" -lm -o "$out/example" &&
+        prints_as_expected "$out/example"
 }
 
 takes_config() { # a header of choices reaches library and user
@@ -68,6 +76,8 @@ for compiler in gcc clang-19; do
         -DINVCAL_MAX_POSITIONS=64
     check "$compiler, no thermal polynomial" compiles $compiler -DINVCAL_THERMAL_DEGREE=0
 done
+check "gcc as C++: the example prints what it has to" runs_as_cpp g++
+check "clang as C++: the example prints what it has to" runs_as_cpp clang++-19
 check "INVCAL_CONFIG_HEADER is included" takes_config
 check "a tree of it can be laid" lay_tree
 "$build/float/digest" | grep '^digest ' > "$out/digest"
