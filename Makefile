@@ -311,7 +311,7 @@ deps: ## install what all of these need beyond a C compiler (Debian, root)
 	    gcc-riscv64-unknown-elf picolibc-riscv64-unknown-elf qemu-system-misc \
 	    gcc-powerpc-linux-gnu libc6-dev-powerpc-cross qemu-user locales \
 	    parallel default-jre-headless python3-venv \
-	    lld-19 wasi-libc libclang-rt-19-dev-wasm32 firefox-esr
+	    lld-19 wasi-libc libclang-rt-19-dev-wasm32 firefox-esr zip unzip
 	command -v npm > /dev/null || apt-get install -y --no-install-recommends nodejs npm
 
 package: ## lay a package out, in build/packages/NAME unless DEST is given (PACKAGE=name, DEST=folder)
@@ -325,8 +325,9 @@ packages: ## lay all packages out, in build/packages
 check-packages: all $(BUILD)/invcal.1 $(BUILD)/float/digest ## each package, C++ and the tarball, used as their users do (PACKAGES=names)
 	$(Q)sh tests/packages.sh $(BUILD) $(PACKAGES)
 
-dist: ## the last commit as build/invcal-VERSION.tar.gz, the same bytes each time
+dist: ## build/dist: the last commit as a tarball, and its packages as zips; the same bytes each time
 	$(call need,git)
+	$(call need,zip)
 	$(Q)sh port/dist.sh $(BUILD)
 
 clean: ## remove build/

@@ -2,8 +2,8 @@
 # SPDX-License-Identifier: MIT
 #
 # sh port/stage.sh PACKAGE DEST
-# Lays a package out in the folder DEST, which is made, and must be empty if it is there. What goes
-# into it stands in port/PACKAGE/files, a line each:
+# Lays a package out in the folder DEST, which is made if it is not there. What goes into it stands in
+# port/PACKAGE/files, a line each:
 #
 #     FROM TO        FROM is a path or a glob, from the repository's root, of files. TO is a folder
 #                    in DEST if it ends in /, else a file
@@ -12,10 +12,14 @@
 #     # ...          a comment
 #
 # In files of the package itself, under port/PACKAGE, @VERSION@, @MAJOR@, @MINOR@ and @PATCH@
-# become those of include/invcal/invcal.h. Exit status 2, one line, and no DEST if that fails.
+# become those of include/invcal/invcal.h.
+#
+# DEST may hold other things. DEST/.invcal-PACKAGE lists what was laid out, with checksums: the next time it is
+# replaced, and what is no longer part of the package goes. Nothing else is touched: where a file of
+# somebody else's is in the way, or one of ours was changed, that is said. Exit status 2 and one line if it fails; DEST
+# is not touched before everything is made.
 fail() {
     echo "stage.sh: $1" >&2
-    [ -z "$begun" ] || rm -rf "$dest"
     exit 2
 }
 
@@ -36,21 +40,22 @@ case $package in
 *) [ -f "$list" ] ;;
 esac || fail "unknown package '$package': there are $(printf '%s\n' port/*/files |
     sed 's|^port/\(.*\)/files$|\1|' | paste -s -d ' ' -)"
-if [ -e "$dest" ] && { [ ! -d "$dest" ] || [ -n "$(ls -A "$dest")" ]; }; then
-    fail "$dest is not an empty folder"
-fi
+[ ! -e "$dest" ] || [ -d "$dest" ] || fail "$dest is no folder"
 version=$(sh port/version.sh) || exit 2
 major=${version%%.*}
 minor=${version#*.}
 minor=${minor%.*}
-begun=1
-mkdir -p "$dest" || fail "$dest cannot be made"
+manifest=.invcal-$package
+new=$(mktemp -d) || exit 2
+trap 'rm -rf "$new" "$new.old" "$new.list"' EXIT
+
+# ---- all files, in a folder of their own --------------------------------------------------------
 
 copy() { # FROM TO: one file
-    target=$dest/$2
+    target=$new/$2
     case $2 in */) target=$target${1##*/} ;; esac
     [ -f "$1" ] || fail "$list:$number: no file $1"
-    [ ! -e "$target" ] || fail "$list:$number: $1 would be written over ${target#"$dest"/}"
+    [ ! -e "$target" ] || fail "$list:$number: $1 would be written over ${target#"$new"/}"
     mkdir -p "${target%/*}" && cp "$1" "$target" || fail "$list:$number: $1 cannot be copied"
     case $1 in
     port/"$package"/*)
@@ -67,8 +72,8 @@ while read -r from to rest || [ -n "$from" ]; do
     '' | '#'*) ;;
     run)
         [ -n "$rest" ] || fail "$list:$number: not run SCRIPT TO"
-        mkdir -p "$dest/$rest" || fail "$list:$number: $rest cannot be made"
-        sh "$to" "$dest/$rest" < /dev/null || fail "$list:$number: $to failed"
+        mkdir -p "$new/$rest" || fail "$list:$number: $rest cannot be made"
+        sh "$to" "$new/$rest" < /dev/null || fail "$list:$number: $to failed"
         ;;
     *)
         [ -n "$to" ] && [ -z "$rest" ] || fail "$list:$number: not FROM TO"
@@ -81,3 +86,32 @@ while read -r from to rest || [ -n "$from" ]; do
         ;;
     esac
 done < "$list"
+
+# ---- what is in their way -----------------------------------------------------------------------
+
+# A line "CHECKSUM SIZE NAME" each, as cksum writes it.
+: > "$new.old"
+[ ! -f "$dest/$manifest" ] || cp "$dest/$manifest" "$new.old" || exit 2
+(cd "$new" && find . -type f | sed 's|^\./||' | LC_ALL=C sort | while IFS= read -r file; do
+    cksum "$file"
+done) > "$new.list" || exit 2
+
+while read -r sum size file; do
+    [ ! -e "$dest/$file" ] || [ "$(cd "$dest" && cksum "$file")" = "$sum $size $file" ] ||
+        fail "$dest/$file was changed since it was laid out: move it away"
+done < "$new.old"
+while read -r _ _ file; do
+    if [ -e "$dest/$file" ] && ! cmp -s "$new/$file" "$dest/$file" &&
+        ! sed 's/^[0-9]* [0-9]* //' "$new.old" | grep -qxF "$file"; then
+        fail "$dest/$file is there, and not of this package: move it away"
+    fi
+done < "$new.list"
+
+# ---- there --------------------------------------------------------------------------------------
+
+mkdir -p "$dest" 2> /dev/null && [ -w "$dest" ] || fail "$dest cannot be made or written"
+sed 's/^[0-9]* [0-9]* //' "$new.old" | while IFS= read -r file; do
+    rm -f "$dest/$file"
+    case $file in */*) (cd "$dest" && rmdir -p "${file%/*}" 2> /dev/null) || : ;; esac
+done
+cp -R "$new/." "$dest" && cp "$new.list" "$dest/$manifest" || fail "$dest cannot be written"

@@ -2,13 +2,13 @@
 # SPDX-License-Identifier: MIT
 # shellcheck disable=SC2154 # package.sh sets what is not set here
 #
-# The tarball of `make dist`, made of the last commit in clones, is the same each time, complete, and
+# What `make dist` makes of the last commit, in clones, is the same each time; the tarball is complete, and
 # works by itself. FULL=1: all tests run in it.
 . "$(dirname "$0")/../package.sh"
-need git gzip tar cc
+need git gzip tar zip unzip cc
 git clone -q "$root" "$out/one" || exit 1
 version=$(sh "$out/one/port/version.sh")
-tarball=build/invcal-$version.tar.gz
+tarball=build/dist/invcal-$version.tar.gz
 tree=$out/invcal-$version
 
 made() {
@@ -22,7 +22,7 @@ made_again() { # elsewhere, by somebody who has set other things
     (
         umask 077
         TZ=Asia/Tokyo LC_ALL=C.UTF-8 GZIP=-1 make -s -C "$out/two" dist
-    ) && cmp "$out/one/$tarball" "$out/two/$tarball"
+    ) && diff -r "$out/one/build/dist" "$out/two/build/dist"
 }
 
 refuses_change() { # what is not committed would be missing
@@ -52,6 +52,18 @@ all_tests_pass() {
     return $result
 }
 
+# The zips hold what make package lays out; the library of Arduino is one that its IDE adds.
+packages_are_zipped() {
+    for package in amalgamation arduino cmsis-pack esp-idf platformio zephyr; do
+        top=invcal zip=invcal-$version-$package.zip
+        case $package in cmsis-pack) top=. zip=invcal.invcal.$version.pack ;; amalgamation) top=. ;; esac
+        mkdir -p "$out/zipped/$package" && unzip -q "$out/one/build/dist/$zip" -d "$out/zipped/$package" &&
+            make -s -C "$tree" package PACKAGE=$package && rm "$tree/build/packages/$package/.invcal-$package" &&
+            diff -r "$out/zipped/$package/$top" "$tree/build/packages/$package" || return
+    done
+    [ -s "$out/zipped/arduino/invcal/library.properties" ] && (cd "$out/one/build/dist" && sha256sum -c --quiet SHA256SUMS)
+}
+
 packages_are_laid_out() {
     make -s -C "$tree" packages && [ -s "$tree/build/packages/amalgamation/invcal/invcal.c" ]
 }
@@ -74,13 +86,14 @@ kept() {
         grep -q "^| $version |" "$releases/README.md"
 }
 
-check "make dist makes a tarball" made
+check "make dist makes tarball and packages" made
 check "made again in another clone, it is the same bytes" made_again
 check "what is not committed is not forgotten" refuses_change
 check "it holds the files of the commit" is_complete
 check "owner and time are the same for all of them" is_of_root
 check "make demo works in it" demo_works
 check "make packages works in it" packages_are_laid_out
+check "the packages are zipped, as make package lays them out" packages_are_zipped
 check "make dist in it says that there is no clone" refuses_dist
 check "port/README.md names it" named
 check "CHANGELOG.md has it, and what it writes is kept" kept

@@ -3,7 +3,7 @@
 # shellcheck disable=SC2154 # package.sh sets what is not set here
 #
 # port/stage.sh itself, in a small tree with a package that copies, substitutes and makes files. Whatever
-# is wrong is told in one line, and leaves nothing.
+# is wrong is told in one line, and changes nothing.
 . "$(dirname "$0")/../package.sh"
 tree=$out/tree
 dest="$out/a folder/laid out"
@@ -30,7 +30,7 @@ lays_out() {
     lists 'src/*.c ./' 'src/one.c deep/er/' 'port/toy/manifest renamed' 'run port/toy/make.sh deep'
     stages || return
     (cd "$dest" && find . -type f | sort | tr '\n' ' ') > "$out/found"
-    echo './deep/er/one.c ./deep/made.txt ./one.c ./renamed ./two.c ' | tr -d '\n' | diff - "$out/found"
+    echo './.invcal-toy ./deep/er/one.c ./deep/made.txt ./one.c ./renamed ./two.c ' | tr -d '\n' | diff - "$out/found"
 }
 
 substitutes() { # in its own files only
@@ -38,9 +38,32 @@ substitutes() { # in its own files only
         [ "$(cat "$dest/one.c")" = 'not @VERSION@' ]
 }
 
-keeps_full_folder() {
-    ! sh "$tree/port/stage.sh" toy "$dest" 2> "$out/said" && [ -e "$dest/renamed" ] &&
-        [ "$(cat "$out/said")" = "stage.sh: $dest is not an empty folder" ]
+# Beside other things, and once more: what is no longer part of it goes, and nothing else.
+upgrades() {
+    echo mine > "$dest/deep/mine.txt"
+    echo 'two, newer' > "$tree/src/two.c"
+    lists 'src/two.c ./' 'src/one.c deep/'
+    sh "$tree/port/stage.sh" toy "$dest" || return
+    (cd "$dest" && find . -type f | sort | tr '\n' ' ') > "$out/found"
+    printf '%s' './.invcal-toy ./deep/mine.txt ./deep/one.c ./two.c ' | diff - "$out/found" &&
+        [ "$(cat "$dest/deep/mine.txt") $(cat "$dest/two.c")" = 'mine two, newer' ] && [ ! -e "$dest/deep/er" ]
+}
+
+stays() { # SAID: nothing has changed
+    cp -R "$dest" "$out/before"
+    sh "$tree/port/stage.sh" toy "$dest" 2> "$out/said"
+    [ $? -eq 2 ] && echo "stage.sh: $dest/$1: move it away" | diff - "$out/said" && diff -r "$out/before" "$dest" &&
+        rm -rf "$out/before"
+}
+
+# A file of ours that somebody has edited, and one of his own where ours would come.
+keeps_others() {
+    echo edited >> "$dest/two.c"
+    stays 'two.c was changed since it was laid out' || return
+    echo 'two, newer' > "$dest/two.c"
+    lists 'src/*.c ./'
+    echo his > "$dest/one.c"
+    stays 'one.c is there, and not of this package'
 }
 
 refuses() { # SAID LINE...
@@ -63,7 +86,8 @@ refuses_tilde() {
 
 check "it copies, renames and makes" lays_out
 check "a package's own files get the version of invcal.h" substitutes
-check "a folder that holds something is left alone" keeps_full_folder
+check "a later one replaces it beside other things" upgrades
+check "what others have written or changed is left alone" keeps_others
 check "a file that is not there is named" refuses 'port/toy/files:4: no file src/three.c' \
     'src/one.c ./' 'src/three.c ./'
 check "a glob of nothing is named" refuses 'port/toy/files:3: no file src/*.h' 'src/*.h ./'
