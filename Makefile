@@ -37,7 +37,7 @@ Q := $(if $(V),,@)
 .DEFAULT_GOAL := all
 .DELETE_ON_ERROR:
 .SECONDARY:
-.PHONY: help all install uninstall demo web test check check-web targets firmware size bench schema pages manual derived \
+.PHONY: help all install uninstall demo web test check check-web windows targets firmware size bench schema pages manual derived \
     rules coverage mutation fuzz proof numerics check-gates reference fleet format deps \
     package packages check-packages dist clean
 
@@ -149,6 +149,16 @@ $(BUILD)/tool/%.o: %.c
 
 $(BUILD)/invcal: $(HOST:%.c=$(BUILD)/tool/%.o) $(SOURCES:%.c=$(BUILD)/tool/%.o)
 	$(Q)$(CC) $(FLAGS) $^ -lm -o $@
+
+# For Windows, by MinGW-w64: port/windows has what that lacks of POSIX.
+$(BUILD)/invcal.exe: $(HOST) $(SOURCES) $(wildcard include/invcal/*.h src/*.h port/host/*/*.h port/windows/*.[ch] port/windows/*/*.h)
+	$(call need,x86_64-w64-mingw32-gcc)
+	@mkdir -p $(@D)
+	$(Q)x86_64-w64-mingw32-gcc -std=$(STD) -O2 -ffp-contract=off -fno-math-errno -Wall -Wextra -Iinclude $(TOOL_FLAGS) \
+	    -D__USE_MINGW_ANSI_STDIO=1 -Iport/windows -include port/windows/posix.h \
+	    $(HOST) $(SOURCES) port/windows/posix.c -static -s -o $@
+
+windows: $(BUILD)/invcal.exe ## build/invcal.exe, the tool for Windows, by MinGW-w64
 
 # Its unit tests.
 $(BUILD)/tool/tool.a: $(filter-out %/main.o,$(HOST:%.c=$(BUILD)/tool/%.o)) $(SOURCES:%.c=$(BUILD)/tool/%.o)
@@ -311,7 +321,7 @@ deps: ## install what all of these need beyond a C compiler (Debian, root)
 	    gcc-riscv64-unknown-elf picolibc-riscv64-unknown-elf qemu-system-misc \
 	    gcc-powerpc-linux-gnu libc6-dev-powerpc-cross qemu-user locales \
 	    parallel default-jre-headless python3-venv \
-	    lld-19 wasi-libc libclang-rt-19-dev-wasm32 firefox-esr zip unzip
+	    lld-19 wasi-libc libclang-rt-19-dev-wasm32 firefox-esr zip unzip gcc-mingw-w64-x86-64 wine wine64
 	command -v npm > /dev/null || apt-get install -y --no-install-recommends nodejs npm
 
 package: ## lay a package out, in build/packages/NAME unless DEST is given (PACKAGE=name, DEST=folder)

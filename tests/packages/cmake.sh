@@ -16,6 +16,10 @@ installs() { # CHOICE...: into $prefix
         cmake --build "$out/library" && cmake --install "$out/library"
 }
 
+tool_is_there() {
+    "$prefix/bin/invcal" plan --limits 0.4,0.6,1 > "$out/plan" && "$build/invcal" plan --limits 0.4,0.6,1 | diff - "$out/plan"
+}
+
 project() { # NAME LINE...: a project with these lines, and the example
     folder=$out/$1
     shift
@@ -57,7 +61,7 @@ fetched() { # TARGET
 # The choices reach the user of the library, of whom main asks.
 chosen() {
     echo '#define INVCAL_MAX_POSITIONS 17' > "$out/choices.h"
-    installs -DINVCAL_THERMAL_DEGREE=2 -DINVCAL_CONFIG_HEADER="$out/choices.h" || return
+    installs -DINVCAL_TOOL=OFF -DINVCAL_THERMAL_DEGREE=2 -DINVCAL_CONFIG_HEADER="$out/choices.h" || return
     mv "$out/choices.h" "$out/moved.h"
     project chosen "find_package(invcal $version CONFIG REQUIRED)" 'add_executable(example main.c)' \
         'target_link_libraries(example PRIVATE invcal::double)'
@@ -79,6 +83,7 @@ crossed() {
 }
 
 check "it installs" installs
+check "and the tool, which is the one that make builds" tool_is_there
 check "what it installs is optimised" grep -q '^CMAKE_BUILD_TYPE:STRING=Release$' \
     "$out/library/CMakeCache.txt"
 for target in invcal::invcal invcal::double; do

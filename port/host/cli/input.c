@@ -5,6 +5,7 @@
 #include <errno.h>
 #include <string.h>
 #include <sys/stat.h>
+#include <unistd.h>
 
 #include "cli/message.h"
 
@@ -28,17 +29,17 @@ const char *input_file_name(const char *path)
 FILE *input_open(const char *path)
 {
     struct stat status;
-    FILE *file = input_is_stdin(path) ? stdin : fopen(path, "rb");
+    const int is_stdin = input_is_stdin(path);
+    const int missing = is_stdin ? fstat(STDIN_FILENO, &status) : stat(path, &status);
 
-    if (!file) {
-        message("%s: cannot be read: %s", path, strerror(errno));
+    /* A directory can be opened; only reading from it fails, and not in plain words. */
+    if (missing == 0 && S_ISDIR(status.st_mode)) {
+        message("%s: is a directory: state a file in it", input_name(path));
         return NULL;
     }
-    /* A directory can be opened; only reading from it fails, and not in plain words. */
-    if (fstat(fileno(file), &status) == 0 && S_ISDIR(status.st_mode)) {
-        message("%s: is a directory: state a file in it", input_name(path));
-        input_close(file);
-        return NULL; /* NOLINT(clang-analyzer-unix.Stream): closed, unless it is stdin */
+    FILE *file = is_stdin ? stdin : fopen(path, "rb");
+    if (!file) {
+        message("%s: cannot be read: %s", path, strerror(errno));
     }
     return file;
 }
