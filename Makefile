@@ -5,7 +5,7 @@
 CC     ?= cc
 AR     ?= ar
 STD    ?= c99
-CFLAGS ?= -O2 -g
+CFLAGS ?= -O2
 BUILD  ?= build
 # Where `make install` puts all; DESTDIR stands before it.
 PREFIX ?= /usr/local
@@ -31,6 +31,9 @@ DATA    := $(wildcard tests/data/*_positions.csv)
 ASSERT_FLAGS := $(if $(ASSERT),-DINVCAL_CONFIG_HEADER='"assert_config.h"' -Itests/unit)
 # The degree of thermal.h, if it is not to be the default, for the library and its tests.
 DEGREE_FLAGS := $(if $(DEGREE),-DINVCAL_THERMAL_DEGREE=$(DEGREE))
+# The unit tests are compiled quickly, draw a tenth of their samples, and leave out what takes long; LONG=1, which make check states in
+# build folders of its own: all of it.
+SHORT_FLAGS := $(if $(LONG),,-O1 -DTEST_SHORT=10)
 # Commands are shown with make V=1.
 Q := $(if $(V),,@)
 
@@ -115,7 +118,7 @@ $(BUILD)/$(1)/unity.o: $(UNITY)/unity.c $(UNITY)/unity.h
 	$(Q)$$(CC) $$(FLAGS) -DUNITY_INCLUDE_DOUBLE -DUNITY_STRICT -I$(UNITY) -c $$< -o $$@
 
 $(BUILD)/$(1)/tests/unit/%.o: EXTRA += -DUNITY_INCLUDE_DOUBLE -DUNITY_STRICT -I$(UNITY) \
-    -Isrc -Itests/unit -Itests/reference -I$(BUILD)
+    -Isrc -Itests/unit -Itests/reference -I$(BUILD) $(SHORT_FLAGS)
 $(SUITES:%=$(BUILD)/$(1)/tests/unit/%.o): | $(BUILD)/positions.h
 
 $(BUILD)/$(1)/test_%: $(BUILD)/$(1)/tests/unit/test_%.o $(BUILD)/$(1)/tests/unit/support.o \
@@ -220,14 +223,14 @@ need = @command -v $(1) > /dev/null || { echo '$(1) is not installed: make deps'
 
 # With UNITS=1 those of the library only, and no tool is built.
 TOOL_TESTS := $(if $(UNITS),,$(TOOL_SUITES:%=$(BUILD)/tool/%) all)
-test: $(SUITES:%=$(BUILD)/float/%) $(SUITES:%=$(BUILD)/double/%) $(TOOL_TESTS) ## all tests with one compiler
-	$(Q)CC="$(CC)" CFLAGS="$(CFLAGS)" UNITY="$(UNITY)" sh tests/run.sh $(BUILD)
+test: $(SUITES:%=$(BUILD)/float/%) $(SUITES:%=$(BUILD)/double/%) $(TOOL_TESTS) ## the tests with one compiler; those that take long: make check
+	$(Q)CC="$(CC)" CFLAGS="$(CFLAGS)" UNITY="$(UNITY)" LONG="$(LONG)" sh tests/run.sh $(BUILD)
 
 coverage: ## what the tests reach: lines, branches, MC/DC of src/, lines of the tool (PART=src, PART=host)
 	$(call need,llvm-cov-19)
 	$(Q)sh tests/coverage.sh $(BUILD) $(PART)
 
-check: schema ## the tests under gcc and clang, C99 and C11, with sanitizers, warnings as errors
+check: schema ## all tests at full length under gcc and clang, C99 and C11; and with sanitizers
 	$(Q)sh tests/check.sh $(BUILD)/check
 
 mutation: ## do the unit tests notice small changes of src/? (SAMPLE=, SEED=, ONLY=files, V=1)

@@ -59,7 +59,7 @@ plant() { # NAME FILE SED SAYS GATE...
     cp "$build/gates/kept" "$file" # a new time: what was made of it is made anew
 }
 
-unit() { make test ONLY="$1"; }
+unit() { make test LONG=1 ONLY="$1"; }
 sanitizers() { CONFIGURATION=$1 ONLY=$2 sh tests/check.sh build/check; }
 packages() { make check-packages PACKAGES="$1"; }
 m4f() { make "$1" TARGETS=port/cortex-m/m4f; }
