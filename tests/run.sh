@@ -30,7 +30,9 @@ suites() {
     echo "errors sh $tests/errors.sh $build"
     [ "$BRIEF" ] && return
     echo "tutorial sh $tests/tutorial.sh $build tutorial"
-    echo "porting sh $tests/tutorial.sh $build porting"
+    for page in porting drone wearable inclinometer arduino production; do
+        echo "$page sh $tests/tutorial.sh $build $page"
+    done
 }
 
 # (Not by `&`, which would take SIGINT away from what is run.)
