@@ -1,0 +1,140 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * invcal/magnetometer.h: a magnetometer calibrates itself while it is moved.
+ *
+ * Nobody holds a compass still in twelve orientations: it is waved for a minute. Its samples lie on the same
+ * ellipsoid as positions do (invcal.h), but neighbours err alike, and most are where the hand likes to be.
+ * So they are spread evenly: 18 cells of equal size around the faces and edges of a cube hold the mean of
+ * their rows each (mathematics.md, "A magnetometer in motion"), and the cells are positions.
+ *
+ *     invcal_magnetometer_init(&magnetometer, &nominal);
+ *     for every sample:
+ *         if (invcal_magnetometer_feed(&magnetometer, raw) == INVCAL_TAKEN)     one more cell is covered:
+ *             invcal_magnetometer_next(&magnetometer, along)                    turn through the white part
+ *     invcal_magnetometer_solve(&magnetometer, &calibration, &found)
+ *
+ * Turn it slowly, within a minute or so, so that each side of the case has pointed along the field: away from
+ * iron, and from what carries a current. What disturbs it all the same is left out or named.
+ *
+ * The length of the field need not be known: calibrated readings have length 1. invcal_scale with the
+ * field in uT, where a map tells it, makes uT of them; with found.field it keeps the scale of
+ * nominal, and only offset and shape are calibrated.
+ *
+ * invcal.h states the rules and units.
+ */
+#ifndef INVCAL_MAGNETOMETER_H
+#define INVCAL_MAGNETOMETER_H
+
+#include "invcal/invcal.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+#define INVCAL_CELLS 18u /* of direction: 6 faces and 12 edges of a cube, 0.7 sr each */
+
+/* What was not as it should be. Of two the larger is named. */
+typedef enum {
+    INVCAL_UNDISTURBED, /* nothing was found */
+    INVCAL_PASSING,     /* samples contradict the others, and are left out: a magnet or iron passed by */
+    INVCAL_PLACES,      /* the field differs from place to place: turn it where it is, away from iron */
+    INVCAL_STEP         /* readings were different before and after: something magnetic has moved on
+                           the device or near it. Begin anew */
+} invcal_disturbance;
+
+/* A sentence for it, without a full stop; "" for INVCAL_UNDISTURBED; any other value gives "unknown
+ * disturbance". */
+const char *invcal_disturbance_text(invcal_disturbance disturbance);
+
+/* Internal: sums of rows. */
+typedef struct {
+    invcal_real sum[INVCAL_CELLS][INVCAL_PARAMETERS]; /* over the samples of each cell */
+    uint16_t count[INVCAL_CELLS];                     /* how many they stand for */
+} invcal_cells;
+
+/* A magnetometer being moved: 1,500 bytes (float). */
+typedef struct {
+    invcal_cells early;      /* of the samples up to the last look at them */
+    invcal_cells late;       /* and since: what they differ by is a step */
+    invcal_calibration work; /* readings of about length 1 around 0, in which the cells lie */
+    invcal_real unit;        /* length 1 of these, in the unit of nominal */
+    invcal_real p[INVCAL_PARAMETERS]; /* the solution so far; before it, the box of the readings */
+    invcal_real squares;              /* sum of what samples differ from it by, squared, over field */
+    invcal_real products; /* sum over blocks of |sum eta r|^2, r being that difference */
+    invcal_real before;   /* what the last came to, over samples, at the last look */
+    invcal_real block[3]; /* sum eta r of the block that is being filled */
+    uint32_t compared;    /* samples in squares */
+    uint32_t samples;     /* taken in */
+    uint32_t due;         /* of them, when they are looked at next */
+    uint32_t left_out;    /* for contradicting the solution so far */
+    uint16_t in_block;    /* samples */
+    uint8_t stage;        /* of the solution, see magnetometer.c */
+    uint8_t has_step;     /* one was seen */
+} invcal_magnetometer;
+
+/* What is known beside invcal_quality. */
+typedef struct {
+    invcal_real field;   /* its length, in the unit of nominal */
+    invcal_real rms;     /* of what samples differ from the solution by, over field; 0: not known */
+    invcal_real alike;   /* how many samples in a row err as one; 0: not known */
+    uint32_t samples;    /* taken in */
+    uint32_t left_out;   /* and not, for contradicting them */
+    uint8_t covered;     /* cells with samples, of INVCAL_CELLS */
+    uint8_t gap;         /* degrees from the worst cell without one to the nearest with one; 0: none */
+    uint8_t disturbance; /* an invcal_disturbance */
+} invcal_magnetometer_found;
+
+/* Begins.
+ *
+ * nominal  data sheet (invcal_nominal): raw counts to any one unit, such as uT; its zero does not
+ *          matter, so 0 and 1 do for a magnetometer of which nothing is known.
+ *
+ * Returns INVCAL_OK; INVCAL_BAD_NOMINAL. */
+invcal_status invcal_magnetometer_init(invcal_magnetometer *magnetometer,
+                                       const invcal_calibration *nominal);
+
+/* Feeds one sample, raw counts.
+ *
+ * Now and then it looks at what has come, and from the first solution on leaves out what contradicts
+ * it; what came before that solution is dropped as soon as later samples cover all sides as well.
+ *
+ * Returns INVCAL_NOTHING; INVCAL_TAKEN if it is the first in its cell; INVCAL_REFUSED if it is left out,
+ * or no number.
+ *
+ * Cost: 150 instructions on average, 13,000 samples; looks (about 15 of them) up to 60,000 each.
+ * Stack: about 1,300 bytes. */
+invcal_event invcal_magnetometer_feed(invcal_magnetometer *magnetometer, const invcal_real raw[3]);
+
+/* Where to turn next: the cell that is farthest from all with samples; where all have some, the one
+ * with fewest.
+ *
+ * along  out: the direction of the case that is to point along the field: a unit vector. The field
+ *        points north, and down by the dip, 60 degrees and more in most of Europe and North
+ *        America: let the opposite side point up there (invcal_words), and swing it around.
+ *
+ * Cost: 13,000 instructions. Stack: about 100 bytes. */
+void invcal_magnetometer_next(const invcal_magnetometer *magnetometer, invcal_real along[3]);
+
+/* Solves what has come so far. More may follow.
+ *
+ * out      the calibration, over field; symmetric against nominal.
+ * quality  its positions are the cells. sigma counts samples that err alike once, or is what the
+ *          cells scatter by if that is clearly more. It is weak also where the gap is 60 degrees or more, and
+ *          rough where a step or PLACES is named, or more than an eighth was left out.
+ * found    out; may be null.
+ *
+ * Returns INVCAL_OK; else nothing is written:
+ *   INVCAL_TOO_FEW        fewer than nine cells have samples;
+ *   INVCAL_UNDETERMINED   they leave parameters open;
+ *   INVCAL_NOT_ELLIPSOID  as for invcal_calibrate;
+ *   INVCAL_BAD_NOMINAL    what came out cannot be a calibration.
+ * Cost: 25,000 instructions. Stack: about 1,300 bytes. */
+invcal_status invcal_magnetometer_solve(const invcal_magnetometer *magnetometer,
+                                        invcal_calibration *out, invcal_quality *quality,
+                                        invcal_magnetometer_found *found);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

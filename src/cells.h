@@ -1,0 +1,72 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * Internal: the cells of magnetometer.h, and what they come to.
+ *
+ * A row is (x y z x^2 y^2 z^2 xy xz yz), that of a sample or the mean of many. The equation of an ellipsoid
+ * is linear in it, so it holds for the mean as well, however wide the cell: no mean of vectors, which are
+ * too short, and no error when the readings are expressed in other units around another centre.
+ */
+#ifndef INVCAL_CELLS_H
+#define INVCAL_CELLS_H
+
+#include "invcal/magnetometer.h"
+
+/* The cell into which (x y z) of a row points, its products being those of these. */
+unsigned invcal_cell_of(const invcal_real h[INVCAL_PARAMETERS]);
+
+/* The middle of a cell, a unit vector. */
+void invcal_cell_direction(unsigned k, invcal_real d[3]);
+
+/* Adds a sample to cell k. */
+void invcal_cells_add(invcal_cells *cells, unsigned k, const invcal_real h[INVCAL_PARAMETERS]);
+
+/* All of `from` goes into `into`. */
+void invcal_cells_merge(invcal_cells *into, invcal_cells *from);
+
+/* Readings v become (v - shift) / scale; what then points into another cell goes there. */
+void invcal_cells_move(invcal_cells *cells, const invcal_real shift[3], invcal_real scale);
+
+/* ---- what they come to -------------------------------------------------------------------------- */
+
+/* Two tables, as if they were one; the same twice is that one. */
+typedef struct {
+    const invcal_cells *early;
+    const invcal_cells *late;
+} invcal_cell_tables;
+
+/* Samples in cell k, or about as many. */
+unsigned invcal_cells_count(const invcal_cell_tables *tables, unsigned k);
+
+/* The cosine of the gap, 1 if there is none, and the cell behind it, or the one with fewest samples. */
+invcal_real invcal_cells_gap(const invcal_cell_tables *tables, unsigned *worst);
+
+/* The solution of cells, in the coordinates of their rows. */
+typedef struct {
+    invcal_cell_tables tables;
+    invcal_real p[INVCAL_PARAMETERS]; /* J + h p = 0 */
+    invcal_calibration triad;
+    invcal_quality quality; /* cells are its positions */
+} invcal_cell_fit;
+
+/* Of the tables: p only. Returns as invcal_calibrate. */
+invcal_status invcal_cells_solve(invcal_cell_fit *fit);
+
+/* The same, and all the rest. */
+invcal_status invcal_cells_calibrate(invcal_cell_fit *fit);
+
+/* Noise and sigma again, now with what samples tell.
+ *
+ * power  the variance of a cell's mean times its samples: what these scatter by, times how many of them err
+ *        as one. 0: not known, sigma stays what the cells scatter by. */
+void invcal_cells_weigh(invcal_cell_fit *fit, invcal_real power);
+
+/* Do late samples differ from early ones of the same cells as after a change of offset or length? In 999 of
+ * 1000 cases they do not by chance.
+ *
+ * power  the same, from before the late ones. 0: not known, then they do not. */
+int invcal_cells_step(const invcal_cell_fit *fit, invcal_real power);
+
+/* 1 over the mean of the diagonal of its matrix: the length of the field. */
+invcal_real invcal_cells_field(const invcal_cell_fit *fit);
+
+#endif

@@ -1,0 +1,314 @@
+/* SPDX-License-Identifier: MIT */
+#include "invcal/magnetometer.h"
+
+#include <string.h>
+
+#include "cells.h"
+#include "judge.h"
+#include "solve.h"
+#include "sums.h"
+#include "vector.h"
+
+/* Nothing is known: the box of the readings tells where the cells are. Then there is a first solution, of
+ * samples that nothing was compared with; and one of samples after it alone. */
+enum { NO_SOLUTION, FIRST_SOLUTION, SECOND_SOLUTION };
+enum { FIRST_LOOK = 32, LARGEST_BLOCK = 4096, MOST_SAMPLES = 1 << 24 };
+/* What samples differ by from the first solution, until they have told: squared, and as how many it counts. */
+#define DIFFER INVCAL_REAL(0.01)
+enum { DIFFER_COUNT = 8 };
+#define CONTRADICTS INVCAL_REAL(25.0)  /* square of 5 */
+#define WIDE_GAP INVCAL_REAL(0.6)    /* a cosine: more than 45 degrees */
+#define PLACES_RMS INVCAL_REAL(0.03) /* what no magnetometer's noise is, */
+#define PLACES_ALIKE INVCAL_REAL(10.0) /* if neighbours err alike */
+enum { POWER_SAMPLES = 64 };
+
+invcal_status invcal_magnetometer_init(invcal_magnetometer *magnetometer,
+                                       const invcal_calibration *nominal)
+{
+    INVCAL_ASSERT(magnetometer && nominal);
+    const invcal_status status = invcal_nominal_check(nominal);
+    if (status == INVCAL_OK) {
+        invcal_zero(magnetometer, sizeof *magnetometer);
+        magnetometer->work = *nominal;
+        magnetometer->unit = 1;
+        magnetometer->due = FIRST_LOOK;
+    }
+    return status;
+}
+
+static invcal_cell_tables both_tables(const invcal_magnetometer *m)
+{
+    const invcal_cell_tables tables = {&m->early, &m->late};
+
+    return tables;
+}
+
+/* ---- how samples err ---------------------------------------------------------------------------- */
+
+/* The mean square of a sum of eta r over a block, over samples: were they independent, it would be that of
+ * r. It is so many times as large as samples err alike. 0: not known. */
+static invcal_real power_of(const invcal_magnetometer *m)
+{
+    const uint32_t blocked = m->compared - m->in_block;
+
+    return blocked >= POWER_SAMPLES ? m->products / (invcal_real)blocked : 0;
+}
+
+static void end_block(invcal_magnetometer *m)
+{
+    m->products += invcal_dot3(m->block, m->block);
+    invcal_zero(m->block, sizeof m->block);
+    m->in_block = 0;
+}
+
+/* By how much a sample differs from the solution so far. Returns 0 if that is too much. */
+static int is_alike(invcal_magnetometer *m, const invcal_real h[INVCAL_PARAMETERS])
+{
+    const invcal_real r = (invcal_square_of(h) - 1) / 2 + invcal_dot(m->p, h, INVCAL_PARAMETERS);
+    const invcal_real n = (invcal_real)(m->compared + DIFFER_COUNT);
+
+    if (!(r * r * n <= CONTRADICTS * (m->squares + DIFFER_COUNT * DIFFER))) {
+        return 0;
+    }
+    m->squares += r * r;
+    m->compared++;
+    m->in_block++;
+    for (unsigned i = 0; i < 3; i++) {
+        m->block[i] += r * h[i];
+    }
+    if (m->in_block >= LARGEST_BLOCK || m->in_block >= m->samples / 16) {
+        end_block(m);
+    }
+    return 1;
+}
+
+/* ---- looks at what has come --------------------------------------------------------------------- */
+
+/* The centre moves by `shift`, and `scale` becomes 1. Returns 0 if it could not be. */
+static int recentre(invcal_magnetometer *m, const invcal_real shift[3], invcal_real scale)
+{
+    invcal_calibration c = {{shift[0], shift[1], shift[2]},
+                            {{1 / scale, 0, 0}, {0, 1 / scale, 0}, {0, 0, 1 / scale}}};
+
+    if (invcal_behind(&m->work, &c) != INVCAL_OK) {
+        return 0;
+    }
+    m->work = c;
+    m->unit *= scale;
+    invcal_cells_move(&m->early, shift, scale);
+    invcal_cells_move(&m->late, shift, scale);
+    return 1;
+}
+
+static void recentre_by_box(invcal_magnetometer *m)
+{
+    invcal_real *const low = m->p;
+    invcal_real *const high = &m->p[3];
+    invcal_real shift[3];
+    invcal_real scale = 0;
+
+    for (unsigned i = 0; i < 3; i++) {
+        shift[i] = (low[i] + high[i]) / 2;
+        if (high[i] - low[i] > 2 * scale) {
+            scale = (high[i] - low[i]) / 2;
+        }
+    }
+    if (recentre(m, shift, scale)) {
+        for (unsigned i = 0; i < 3; i++) {
+            low[i] = (low[i] - shift[i]) / scale;
+            high[i] = (high[i] - shift[i]) / scale;
+        }
+    }
+}
+
+/* A solution that what contradicts it may be left out by: into p, the readings moved to the unit sphere.
+ * Returns 0 if there is none. */
+static int find_solution(invcal_magnetometer *m, const invcal_cells *one, const invcal_cells *other)
+{
+    invcal_cell_fit fit;
+    unsigned worst;
+
+    fit.tables.early = one;
+    fit.tables.late = other;
+    if (invcal_cells_calibrate(&fit) != INVCAL_OK || fit.quality.verdict == INVCAL_WEAK ||
+        fit.quality.dof < 2 || !(invcal_cells_gap(&fit.tables, &worst) > WIDE_GAP)) {
+        return 0;
+    }
+    if (one != other && invcal_cells_step(&fit, m->before > 0 ? m->before : power_of(m))) {
+        m->has_step = 1;
+    }
+    if (!recentre(m, fit.triad.offset, invcal_cells_field(&fit)) ||
+        invcal_cells_solve(&fit) != INVCAL_OK) {
+        return 0;
+    }
+    memcpy(m->p, fit.p, sizeof m->p);
+    return 1;
+}
+
+static void look(invcal_magnetometer *m)
+{
+    if (m->stage == NO_SOLUTION) {
+        recentre_by_box(m);
+        if (find_solution(m, &m->early, &m->late)) {
+            m->stage = FIRST_SOLUTION;
+        }
+        invcal_cells_merge(&m->early, &m->late);
+        return;
+    }
+    (void)find_solution(m, &m->early, &m->late);
+    if (m->stage == FIRST_SOLUTION && find_solution(m, &m->late, &m->late)) {
+        m->stage = SECOND_SOLUTION;
+        invcal_zero(&m->early, sizeof m->early);
+    }
+    if (m->stage == SECOND_SOLUTION) {
+        invcal_cells_merge(&m->early, &m->late);
+    }
+    end_block(m);
+    m->before = power_of(m);
+    m->squares /= 2; /* an older solution made them */
+    m->products /= 2;
+    m->compared /= 2;
+}
+
+/* ---- samples ------------------------------------------------------------------------------------ */
+
+static void widen_box(invcal_magnetometer *m, const invcal_real v[3])
+{
+    for (unsigned i = 0; i < 3; i++) {
+        if (v[i] < m->p[i]) {
+            m->p[i] = v[i];
+        }
+        if (v[i] > m->p[3 + i]) {
+            m->p[3 + i] = v[i];
+        }
+    }
+}
+
+invcal_event invcal_magnetometer_feed(invcal_magnetometer *magnetometer, const invcal_real raw[3])
+{
+    invcal_magnetometer *const m = magnetometer;
+    invcal_real h[INVCAL_PARAMETERS];
+
+    INVCAL_ASSERT(m && raw);
+    if (m->samples == 0 && invcal_are_finite(raw)) {
+        memcpy(m->work.offset, raw, sizeof m->work.offset); /* so that the readings are small */
+    }
+    invcal_correct(&m->work, raw, h);
+    invcal_row_of(h);
+    if (!invcal_are_finite(&h[INVCAL_DK_X])) {
+        return INVCAL_REFUSED;
+    }
+    if (m->stage == NO_SOLUTION) {
+        widen_box(m, h);
+    } else if (!is_alike(m, h)) {
+        m->left_out += m->left_out < MOST_SAMPLES;
+        return INVCAL_REFUSED;
+    }
+    const unsigned k = invcal_cell_of(h);
+    const int is_new = m->early.count[k] == 0 && m->late.count[k] == 0;
+    invcal_cells_add(&m->late, k, h);
+    m->samples += m->samples < MOST_SAMPLES;
+    if (m->samples == m->due) {
+        look(m);
+        m->due += m->due / 2;
+    }
+    return is_new ? INVCAL_TAKEN : INVCAL_NOTHING;
+}
+
+void invcal_magnetometer_next(const invcal_magnetometer *magnetometer, invcal_real along[3])
+{
+    unsigned worst;
+
+    INVCAL_ASSERT(magnetometer && along);
+    const invcal_cell_tables tables = both_tables(magnetometer);
+    (void)invcal_cells_gap(&tables, &worst);
+    invcal_cell_direction(worst, along);
+}
+
+/* ---- what it comes to --------------------------------------------------------------------------- */
+
+/* Between faces and edges there are only these. */
+static unsigned degrees_of(invcal_real cosine)
+{
+    static const struct {
+        invcal_real above;
+        uint8_t degrees;
+    } angle[] = {{INVCAL_REAL(0.8), 0},    {INVCAL_REAL(0.6), 45},   {INVCAL_REAL(0.25), 60},
+                 {INVCAL_REAL(-0.25), 90}, {INVCAL_REAL(-0.6), 120}, {INVCAL_REAL(-0.8), 135}};
+
+    for (unsigned i = 0; i < sizeof angle / sizeof angle[0]; i++) {
+        if (cosine > angle[i].above) {
+            return angle[i].degrees;
+        }
+    }
+    return 180;
+}
+
+static void tell_found(const invcal_magnetometer *m, const invcal_cell_fit *fit,
+                       invcal_magnetometer_found *found)
+{
+    const invcal_real power = power_of(m);
+    unsigned worst;
+
+    found->field = m->unit * invcal_cells_field(fit);
+    found->rms = m->compared > 0 ? INVCAL_SQRT(m->squares / (invcal_real)m->compared) : 0;
+    found->alike = m->squares > 0 ? power / (found->rms * found->rms) : 0;
+    found->samples = m->samples;
+    found->left_out = m->left_out;
+    found->covered = (uint8_t)fit->quality.positions;
+    found->gap = (uint8_t)degrees_of(invcal_cells_gap(&fit->tables, &worst));
+    found->disturbance = m->left_out > 0 ? INVCAL_PASSING : INVCAL_UNDISTURBED;
+    if (found->rms > PLACES_RMS && found->alike > PLACES_ALIKE) {
+        found->disturbance = INVCAL_PLACES;
+    }
+    if (m->has_step || invcal_cells_step(fit, m->before > 0 ? m->before : power)) {
+        found->disturbance = INVCAL_STEP;
+    }
+}
+
+invcal_status invcal_magnetometer_solve(const invcal_magnetometer *magnetometer,
+                                        invcal_calibration *out, invcal_quality *quality,
+                                        invcal_magnetometer_found *found)
+{
+    const invcal_magnetometer *const m = magnetometer;
+    invcal_magnetometer_found f;
+    invcal_cell_fit fit;
+
+    INVCAL_ASSERT(m && out && quality);
+    fit.tables = both_tables(m);
+    invcal_status status = invcal_cells_calibrate(&fit);
+    if (status != INVCAL_OK) {
+        return status;
+    }
+    tell_found(m, &fit, &f);
+    invcal_cells_weigh(&fit, power_of(m));
+    for (unsigned i = 0; i < 3; i++) {
+        fit.quality.sigma[i] /= invcal_cells_field(&fit);
+    }
+    if (f.gap > 45) {
+        invcal_raise(&fit.quality, INVCAL_WEAK);
+    }
+    if (f.disturbance > INVCAL_PASSING || f.left_out > f.samples / 8) {
+        invcal_raise(&fit.quality, INVCAL_ROUGH);
+    }
+    status = invcal_behind(&m->work, &fit.triad);
+    if (status == INVCAL_OK) {
+        *out = fit.triad;
+        *quality = fit.quality;
+        if (found) {
+            *found = f;
+        }
+    }
+    return status;
+}
+
+const char *invcal_disturbance_text(invcal_disturbance disturbance)
+{
+    static const char *const text[] = {
+        "", "samples contradict the others and were left out, as if a magnet or iron had passed by",
+        "the field differs from place to place: turn it where it is, away from iron",
+        "readings changed at some time, as if something magnetic had moved: begin anew"};
+
+    return (unsigned)disturbance < sizeof text / sizeof text[0] ? text[disturbance]
+                                                               : "unknown disturbance";
+}
