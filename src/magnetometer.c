@@ -151,6 +151,10 @@ static void look(invcal_magnetometer *m)
         recentre_by_box(m);
         if (find_solution(m, &m->early, &m->late)) {
             m->stage = FIRST_SOLUTION;
+        } else if (find_solution(m, &m->late, &m->late)) {
+            m->has_step = 1; /* all that spoils it is older */
+            m->stage = SECOND_SOLUTION;
+            invcal_zero(&m->early, sizeof m->early);
         }
         invcal_cells_merge(&m->early, &m->late);
         return;
@@ -261,7 +265,8 @@ static void tell_found(const invcal_magnetometer *m, const invcal_cell_fit *fit,
     if (found->rms > PLACES_RMS && found->alike > PLACES_ALIKE) {
         found->disturbance = INVCAL_PLACES;
     }
-    if (m->has_step || invcal_cells_step(fit, m->before > 0 ? m->before : power)) {
+    if (m->has_step || m->left_out > m->samples / 4 ||
+        invcal_cells_step(fit, m->before > 0 ? m->before : power)) {
         found->disturbance = INVCAL_STEP;
     }
 }

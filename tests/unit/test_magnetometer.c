@@ -1,0 +1,469 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * A magnetometer in motion: simulated logs of one minute whose truth is known, disturbed in all the ways that
+ * are to be named; and a real one.
+ */
+#include <limits.h>
+#include <math.h>
+#include <string.h>
+
+#include "invcal/magnetometer.h"
+#include "support.h"
+#include "unity.h"
+
+void setUp(void)
+{
+}
+
+void tearDown(void)
+{
+}
+
+/* ---- a magnetometer that is waved --------------------------------------------------------------- */
+
+enum { FIELD = 480 }; /* counts: 48 uT at 10 counts each */
+
+typedef enum { QUIET, MAGNET, STEP, PLACES } disturbance;
+
+/* A log, and what spoils it. Lengths are over field. */
+typedef struct {
+    double seconds;
+    double rate;
+    double white; /* noise of each axis; */
+    double slow;  /* noise that lasts half a second */
+    disturbance disturbance;
+    double size;   /* of it */
+    double at;     /* when it begins, s */
+    int only_half; /* the upper half of the sphere */
+} scene;
+
+static const scene usual = {60, 100, 0.003, 0.01, QUIET, 0, 0, 0};
+
+/* The truth, and what came of it. */
+typedef struct {
+    triad_truth truth; /* against the raw counts over FIELD, at the end */
+    invcal_magnetometer magnetometer;
+    invcal_calibration calibration;
+    invcal_quality quality;
+    invcal_magnetometer_found found;
+    invcal_status status;
+} minute;
+
+static void turn(double r[3][3], const double angle[3])
+{
+    const double whole = length3(angle);
+
+    for (int j = 0; whole > 0 && j < 3; j++) { /* Rodrigues */
+        const double v[3] = {r[0][j], r[1][j], r[2][j]};
+        double along = 0;
+        for (int i = 0; i < 3; i++) {
+            along += angle[i] * v[i] / whole;
+        }
+        for (int i = 0; i < 3; i++) {
+            const int k = (i + 1) % 3;
+            const int l = (i + 2) % 3;
+            r[i][j] = v[i] * cos(whole) +
+                      (angle[k] * v[l] - angle[l] * v[k]) / whole * sin(whole) +
+                      angle[i] / whole * along * (1 - cos(whole));
+        }
+    }
+}
+
+/* A hand that turns it at random: 2 rad/s about each axis, forgotten within 0.8 s. */
+static void wave(double r[3][3], double rate[3], double dt, random_source *random)
+{
+    const double kept = exp(-dt / 0.8);
+    double angle[3];
+
+    for (int i = 0; i < 3; i++) {
+        rate[i] = kept * rate[i] + sqrt(1 - kept * kept) * 2 * random_normal(random);
+        angle[i] = rate[i] * dt;
+    }
+    turn(r, angle);
+}
+
+/* The field as the case sees it, r turning what stands still into that. The field points along z. */
+static void field_of(const scene *s, double t, const double r[3][3], double out[3])
+{
+    double world[3] = {0, 0, 1};
+
+    if (s->disturbance == MAGNET && t >= s->at && t < s->at + 2) {
+        const double near = s->size * pow(sin(3.14159265358979 * (t - s->at) / 2), 2);
+        world[0] += 0.6 * near;
+        world[2] += 0.8 * near;
+    }
+    if (s->disturbance == PLACES) { /* it is carried about, within seconds */
+        world[0] += s->size * sin(1.1 * t);
+        world[1] += s->size * sin(0.77 * t + 1);
+        world[2] += s->size * sin(0.53 * t + 2);
+    }
+    for (int i = 0; i < 3; i++) {
+        out[i] = r[i][0] * world[0] + r[i][1] * world[1] + r[i][2] * world[2];
+    }
+    if (s->only_half && out[2] < 0) {
+        out[2] = -out[2];
+    }
+}
+
+static void live(const scene *s, uint32_t seed, double size, minute *m)
+{
+    static const invcal_real zero[3] = {0, 0, 0};
+    static const invcal_real counts[3] = {10, 10, 10};
+    random_source random = random_start(seed);
+    const double dt = 1 / s->rate;
+    const double kept = exp(-dt / 0.5);
+    invcal_calibration nominal;
+    double r[3][3];
+    double step[3];
+    double rate[3] = {0};
+    double slow[3] = {0};
+
+    m->truth = triad_random(&random, size);
+    for (int i = 0; i < 3; i++) {
+        m->truth.x[i] += random_uniform(&random, -2, 2); /* hard iron */
+    }
+    random_direction(&random, step);
+    random_rotation(&random, r);
+    invcal_nominal(zero, counts, &nominal);
+    invcal_magnetometer_init(&m->magnetometer, &nominal);
+    for (int n = 0; n < (int)(s->seconds * s->rate); n++) {
+        const double t = n * dt;
+        double seen[3];
+        double u[3];
+        invcal_real raw[3];
+        wave(r, rate, dt, &random);
+        field_of(s, t, (const double(*)[3])r, seen);
+        if (s->disturbance == STEP && t >= s->at && t < s->at + dt) {
+            for (int i = 0; i < 3; i++) {
+                m->truth.x[i] += s->size * step[i];
+            }
+        }
+        triad_read(&m->truth, seen, u);
+        for (int i = 0; i < 3; i++) {
+            slow[i] = kept * slow[i] + sqrt(1 - kept * kept) * s->slow * random_normal(&random);
+            raw[i] = (invcal_real)(FIELD * (u[i] + slow[i] + s->white * random_normal(&random)));
+        }
+        invcal_magnetometer_feed(&m->magnetometer, raw);
+    }
+    m->status = invcal_magnetometer_solve(&m->magnetometer, &m->calibration, &m->quality, &m->found);
+}
+
+/* How far each parameter is from the truth, in sigma. Returns the largest. */
+static double errors(const minute *m, double error[INVCAL_PARAMETERS])
+{
+    static const invcal_calibration field = {
+        {0, 0, 0},
+        {{INVCAL_REAL(1.0) / FIELD, 0, 0}, {0, INVCAL_REAL(1.0) / FIELD, 0}, {0, 0, INVCAL_REAL(1.0) / FIELD}}};
+    const triad_truth found = truth_of(&m->calibration, &field);
+    double worst = 0;
+
+    for (int i = 0; i < INVCAL_PARAMETERS; i++) {
+        error[i] = (found.x[i] - m->truth.x[i]) / (double)m->quality.sigma[i];
+        worst = fmax(worst, fabs(error[i]));
+    }
+    return worst;
+}
+
+/* ---- what is good ------------------------------------------------------------------------------- */
+
+/* No noise: nothing but rounding is left, whatever the errors and the hard iron. */
+static void a_magnetometer_without_noise_is_found_exactly(void)
+{
+    scene s = usual;
+
+    s.white = 0;
+    s.slow = 0;
+    for (int n = 0; n < SOME(20); n++) {
+        static minute m;
+        double error[INVCAL_PARAMETERS];
+        live(&s, 100 + (uint32_t)n, 0.1, &m);
+        TEST_ASSERT_EQUAL_INT(INVCAL_OK, m.status);
+        (void)errors(&m, error);
+        for (int i = 0; i < INVCAL_PARAMETERS; i++) {
+            TEST_ASSERT_DOUBLE_WITHIN(FLOAT_OR_DOUBLE(1e-4, 1e-9), 0,
+                                      error[i] * (double)m.quality.sigma[i]);
+        }
+        TEST_ASSERT_EQUAL_UINT(INVCAL_CELLS, m.found.covered);
+        TEST_ASSERT_EQUAL_UINT(0, m.found.gap);
+        TEST_ASSERT_EQUAL_UINT(0, m.found.left_out);
+    }
+}
+
+/* 95 % intervals hold 92 to 98 %, with noise that is independent and with noise that lasts for 50 samples,
+ * where that of independent samples would hold a third; and no one is alarmed. */
+static void intervals_hold_what_they_say(void)
+{
+    static const scene scenes[] = {{60, 100, 0.01, 0, QUIET, 0, 0, 0},
+                                   {60, 100, 0.003, 0.01, QUIET, 0, 0, 0},
+                                   {60, 20, 0.003, 0.01, QUIET, 0, 0, 0},
+                                   {120, 50, 0.003, 0.01, QUIET, 0, 0, 0}};
+    const int logs = 200;
+
+    for (unsigned k = 0; k < sizeof scenes / sizeof scenes[0]; k++) {
+        int inside = 0;
+        int good = 0;
+        for (int n = 0; n < logs; n++) {
+            static minute m;
+            double error[INVCAL_PARAMETERS];
+            live(&scenes[k], 1 + (uint32_t)n, 0.05, &m);
+            TEST_ASSERT_EQUAL_INT(INVCAL_OK, m.status);
+            (void)errors(&m, error);
+            for (int i = 0; i < INVCAL_PARAMETERS; i++) {
+                inside += fabs(error[i]) < (double)invcal_coverage(m.quality.sigma_dof);
+            }
+            good += m.quality.verdict == INVCAL_GOOD;
+        }
+        const double held = 100.0 * inside / (logs * INVCAL_PARAMETERS);
+        TEST_ASSERT_DOUBLE_WITHIN(3, 95, held);
+        TEST_ASSERT_TRUE(good >= logs - 4);
+    }
+}
+
+/* In uT, as nominal has it; and invcal_scale by it keeps the scale of nominal. */
+static void the_field_is_told_in_the_unit_of_nominal(void)
+{
+    static minute m;
+
+    live(&usual, 7, 0, &m);
+    TEST_ASSERT_DOUBLE_WITHIN(0.3, 48, (double)m.found.field);
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_scale(&m.calibration, m.found.field));
+    const double trace = (double)(m.calibration.matrix[0][0] + m.calibration.matrix[1][1] +
+                                  m.calibration.matrix[2][2]);
+    TEST_ASSERT_DOUBLE_WITHIN(1e-4, 0.1, trace / 3);
+}
+
+/* ---- what is not -------------------------------------------------------------------------------- */
+
+static void half_a_sphere_is_weak(void)
+{
+    scene s = usual;
+
+    s.only_half = 1;
+    for (int n = 0; n < SOME(50); n++) {
+        static minute m;
+        live(&s, 1 + (uint32_t)n, 0.05, &m);
+        TEST_ASSERT_TRUE(m.status != INVCAL_OK || m.quality.verdict == INVCAL_WEAK);
+        TEST_ASSERT_TRUE(m.status != INVCAL_OK || m.found.gap >= 60);
+        invcal_real along[3];
+        invcal_magnetometer_next(&m.magnetometer, along);
+        TEST_ASSERT_TRUE(along[2] < 0); /* the other half */
+    }
+}
+
+/* As strong as half the field, for 2 s of 60. */
+static void a_magnet_that_passes_is_named_and_does_no_harm(void)
+{
+    const int logs = SOME(100);
+    scene s = usual;
+    int named = 0;
+    int harmed = 0;
+
+    s.disturbance = MAGNET;
+    s.size = 0.5;
+    for (int n = 0; n < logs; n++) {
+        static minute m;
+        double error[INVCAL_PARAMETERS];
+        s.at = 20 + 38.0 * n / logs;
+        live(&s, 1 + (uint32_t)n, 0.05, &m);
+        TEST_ASSERT_EQUAL_INT(INVCAL_OK, m.status);
+        named += m.found.disturbance != INVCAL_UNDISTURBED && m.found.left_out > 0;
+        harmed += errors(&m, error) > 3;
+    }
+    TEST_ASSERT_TRUE(named >= logs - logs / 50);
+    TEST_ASSERT_TRUE(harmed <= logs / 20 + 1); /* one of nine parameters: 2.4 % by chance alone */
+}
+
+/* Before there is a solution that it contradicts, what it has spoilt is dropped later, or counted in sigma. */
+static void a_magnet_at_the_beginning_spoils_nothing_called_good(void)
+{
+    const int logs = SOME(100);
+    scene s = usual;
+
+    s.disturbance = MAGNET;
+    s.size = 0.5;
+    for (int n = 0; n < logs; n++) {
+        static minute m;
+        double error[INVCAL_PARAMETERS];
+        s.at = 20.0 * n / logs;
+        live(&s, 1 + (uint32_t)n, 0.05, &m);
+        TEST_ASSERT_EQUAL_INT(INVCAL_OK, m.status);
+        TEST_ASSERT_TRUE(m.quality.verdict != INVCAL_GOOD || errors(&m, error) < 5);
+    }
+}
+
+/* The offset changes by a tenth of the field: named once there is something to compare it with. Before,
+ * what came before it is dropped: none is called good and is wrong by 5 sigma. */
+static void a_step_is_named_or_dropped(void)
+{
+    const int logs = SOME(200);
+    scene s = usual;
+    int late = 0;
+    int named = 0;
+
+    s.disturbance = STEP;
+    s.size = 0.1;
+    for (int n = 0; n < logs; n++) {
+        static minute m;
+        double error[INVCAL_PARAMETERS];
+        s.at = 1 + 49.0 * n / logs;
+        live(&s, 1 + (uint32_t)n, 0.05, &m);
+        TEST_ASSERT_EQUAL_INT(INVCAL_OK, m.status);
+        TEST_ASSERT_TRUE(m.quality.verdict != INVCAL_GOOD || errors(&m, error) < 5);
+        if (s.at > 25) {
+            late++;
+            named += m.found.disturbance == INVCAL_STEP && m.quality.verdict >= INVCAL_ROUGH;
+        }
+    }
+    TEST_ASSERT_TRUE(named >= late - late / 20 - 1);
+}
+
+/* Readings that go on contradicting are a step too, though all of them are left out. */
+static void what_goes_on_contradicting_is_a_step(void)
+{
+    scene s = usual;
+    static minute m;
+
+    s.disturbance = STEP;
+    s.size = 3;
+    s.at = 45;
+    live(&s, 3, 0.05, &m);
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, m.status);
+    TEST_ASSERT_EQUAL_INT(INVCAL_STEP, m.found.disturbance);
+    TEST_ASSERT_EQUAL_INT(INVCAL_ROUGH, m.quality.verdict);
+    TEST_ASSERT_TRUE(m.found.left_out > 1000);
+}
+
+static void a_field_that_differs_from_place_to_place_is_named(void)
+{
+    scene s = usual;
+
+    s.disturbance = PLACES;
+    s.size = 0.06;
+    s.slow = 0.003;
+    for (int n = 0; n < SOME(50); n++) {
+        static minute m;
+        live(&s, 1 + (uint32_t)n, 0.05, &m);
+        TEST_ASSERT_EQUAL_INT(INVCAL_OK, m.status);
+        TEST_ASSERT_TRUE(m.found.disturbance >= INVCAL_PLACES);
+        TEST_ASSERT_TRUE(m.quality.verdict >= INVCAL_ROUGH);
+    }
+}
+
+/* White noise of any size is none. */
+static void noise_is_no_place(void)
+{
+    const scene s = {60, 100, 0.05, 0, QUIET, 0, 0, 0};
+    static minute m;
+
+    live(&s, 5, 0.05, &m);
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, m.status);
+    TEST_ASSERT_EQUAL_INT(INVCAL_UNDISTURBED, m.found.disturbance);
+    TEST_ASSERT_DOUBLE_WITHIN(0.005, 0.05, (double)m.found.rms);
+    TEST_ASSERT_TRUE(m.found.alike < 3);
+}
+
+/* ---- edges -------------------------------------------------------------------------------------- */
+
+static void guidance_covers_every_cell(void)
+{
+    static minute m;
+    invcal_real along[3];
+    unsigned taken = 0;
+    scene s = usual;
+
+    s.seconds = 20; /* so that the cells are where they belong */
+    live(&s, 11, 0, &m);
+    memset(&m.magnetometer.early, 0, sizeof m.magnetometer.early);
+    memset(&m.magnetometer.late, 0, sizeof m.magnetometer.late);
+    for (unsigned k = 0; k < INVCAL_CELLS; k++) {
+        invcal_real raw[3];
+        invcal_magnetometer_next(&m.magnetometer, along);
+        for (int i = 0; i < 3; i++) {
+            raw[i] = FIELD * along[i] + (invcal_real)(FIELD * m.truth.x[i]);
+        }
+        taken += invcal_magnetometer_feed(&m.magnetometer, raw) == INVCAL_TAKEN;
+    }
+    TEST_ASSERT_EQUAL_UINT(INVCAL_CELLS, taken);
+}
+
+static void bad_input_changes_nothing(void)
+{
+    static const invcal_real zero[3] = {0, 0, 0};
+    static const invcal_real counts[3] = {10, 10, 10};
+    static const invcal_calibration singular = {{0, 0, 0}, {{1, 0, 0}, {1, 0, 0}, {0, 0, 1}}};
+    const invcal_real bad[3][3] = {{NAN, 0, 0}, {0, INFINITY, 0}, {0, 0, INVCAL_REAL_MAX}};
+    const invcal_real good[3] = {100, 200, 300};
+    static invcal_magnetometer m;
+    static invcal_magnetometer before;
+    invcal_calibration c = {{7, 7, 7}, {{7, 7, 7}, {7, 7, 7}, {7, 7, 7}}};
+    invcal_quality quality;
+    invcal_calibration nominal;
+
+    memset(&m, 7, sizeof m);
+    before = m;
+    TEST_ASSERT_EQUAL_INT(INVCAL_BAD_NOMINAL, invcal_magnetometer_init(&m, &singular));
+    TEST_ASSERT_EQUAL_MEMORY(&before, &m, sizeof m);
+    invcal_nominal(zero, counts, &nominal);
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_magnetometer_init(&m, &nominal));
+    TEST_ASSERT_EQUAL_INT(INVCAL_TOO_FEW, invcal_magnetometer_solve(&m, &c, &quality, NULL));
+    TEST_ASSERT_EQUAL_INT(INVCAL_TAKEN, invcal_magnetometer_feed(&m, good));
+    before = m;
+    for (int i = 0; i < 3; i++) {
+        TEST_ASSERT_EQUAL_INT(INVCAL_REFUSED, invcal_magnetometer_feed(&m, bad[i]));
+    }
+    TEST_ASSERT_EQUAL_MEMORY(&before, &m, sizeof m);
+    for (int i = 0; i < 1000; i++) { /* it lies on the table */
+        TEST_ASSERT_EQUAL_INT(INVCAL_NOTHING, invcal_magnetometer_feed(&m, good));
+    }
+    TEST_ASSERT_EQUAL_INT(INVCAL_TOO_FEW, invcal_magnetometer_solve(&m, &c, &quality, NULL));
+    TEST_ASSERT_TRUE(c.offset[0] == 7 && c.matrix[2][2] == 7);
+}
+
+/* One turn about an axis: a circle. */
+static void a_circle_determines_nothing(void)
+{
+    static const invcal_real zero[3] = {0, 0, 0};
+    static const invcal_real counts[3] = {1, 1, 1};
+    static invcal_magnetometer m;
+    invcal_calibration c;
+    invcal_quality quality;
+    invcal_calibration nominal;
+
+    invcal_nominal(zero, counts, &nominal);
+    invcal_magnetometer_init(&m, &nominal);
+    for (int i = 0; i < 2000; i++) {
+        const double angle = i * 0.01;
+        const invcal_real raw[3] = {(invcal_real)(5 + cos(angle)), (invcal_real)sin(angle), 3};
+        invcal_magnetometer_feed(&m, raw);
+    }
+    TEST_ASSERT_TRUE(invcal_magnetometer_solve(&m, &c, &quality, NULL) != INVCAL_OK);
+}
+
+static void disturbances_have_words(void)
+{
+    TEST_ASSERT_EQUAL_STRING("", invcal_disturbance_text(INVCAL_UNDISTURBED));
+    TEST_ASSERT_NOT_NULL(strstr(invcal_disturbance_text(INVCAL_PASSING), "magnet"));
+    TEST_ASSERT_NOT_NULL(strstr(invcal_disturbance_text(INVCAL_PLACES), "place"));
+    TEST_ASSERT_NOT_NULL(strstr(invcal_disturbance_text(INVCAL_STEP), "begin anew"));
+    TEST_ASSERT_EQUAL_STRING("unknown disturbance", invcal_disturbance_text((invcal_disturbance)4));
+}
+
+int main(void)
+{
+    UNITY_BEGIN();
+    RUN_LONG_TEST(a_magnetometer_without_noise_is_found_exactly);
+    RUN_LONG_TEST(intervals_hold_what_they_say);
+    RUN_LONG_TEST(the_field_is_told_in_the_unit_of_nominal);
+    RUN_LONG_TEST(half_a_sphere_is_weak);
+    RUN_LONG_TEST(a_magnet_that_passes_is_named_and_does_no_harm);
+    RUN_LONG_TEST(a_magnet_at_the_beginning_spoils_nothing_called_good);
+    RUN_LONG_TEST(a_step_is_named_or_dropped);
+    RUN_LONG_TEST(what_goes_on_contradicting_is_a_step);
+    RUN_LONG_TEST(a_field_that_differs_from_place_to_place_is_named);
+    RUN_LONG_TEST(noise_is_no_place);
+    RUN_LONG_TEST(guidance_covers_every_cell);
+    RUN_TEST(bad_input_changes_nothing);
+    RUN_TEST(a_circle_determines_nothing);
+    RUN_TEST(disturbances_have_words);
+    return UNITY_END();
+}
