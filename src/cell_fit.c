@@ -23,12 +23,15 @@ unsigned invcal_cells_count(const invcal_cell_tables *tables, unsigned k)
 /* The cosine from cell k to the nearest that has samples. */
 static invcal_real nearest_covered(const invcal_cell_tables *tables, unsigned k)
 {
-    invcal_real nearest = invcal_cells_count(tables, k) > 0 ? (invcal_real)1 : -1;
+    invcal_real nearest = -1;
     invcal_real d[3];
     invcal_real e[3];
 
+    if (invcal_cells_count(tables, k) > 0) {
+        return 1;
+    }
     invcal_cell_direction(k, d);
-    for (unsigned i = 0; i < INVCAL_CELLS && nearest < 1; i++) {
+    for (unsigned i = 0; i < INVCAL_CELLS; i++) {
         invcal_cell_direction(i, e);
         const invcal_real cosine = invcal_dot3(d, e);
         if (invcal_cells_count(tables, i) > 0 && cosine > nearest) {

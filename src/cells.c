@@ -9,28 +9,30 @@
 /* Cells have equal areas if faces end where the tangent is t, 4 asin(t^2 / (1 + t^2)) = 4 pi / 18. */
 #define FACE_ENDS INVCAL_REAL(0.2101) /* t^2 */
 #define ROOT_HALF INVCAL_REAL(0.70710678118654752)
-enum { FACES = 6, FULL_CELL = 16384 }; /* 16 bits hold two of these */
+enum { FACES = 6 };
 
 static const uint8_t cyclic[] = {0, 1, 2, 0, 1};
 
 /* Faces: axis and sign. Edges: the axis that they are square to, and the signs of the next two. */
 unsigned invcal_cell_of(const invcal_real h[INVCAL_PARAMETERS])
 {
-    const invcal_real *const square = &h[INVCAL_DK_X];
-    unsigned most = square[1] > square[0] ? 1 : 0;
+    static const uint8_t first[] = {FACES, FACES + 4, FACES + 8};
+    const invcal_real x = h[INVCAL_DK_X];
+    const invcal_real y = h[INVCAL_DK_Y];
+    const invcal_real z = h[INVCAL_DK_Z];
+    const unsigned least = x < y ? (x < z ? 0 : 2) : (y < z ? 1 : 2);
+    const unsigned a = cyclic[least + 1];
+    const unsigned b = cyclic[least + 2];
+    const invcal_real first_square = h[INVCAL_DK_X + a];
+    const invcal_real second_square = h[INVCAL_DK_X + b];
 
-    if (square[2] > square[most]) {
-        most = 2;
+    if (second_square < FACE_ENDS * first_square) {
+        return 2 * a + (h[a] < 0);
     }
-    const unsigned a = cyclic[most + 1];
-    const unsigned b = cyclic[most + 2];
-    const unsigned middle = square[a] > square[b] ? a : b;
-    if (square[middle] < FACE_ENDS * square[most]) {
-        return 2 * most + (h[most] < 0 ? 1u : 0u);
+    if (first_square < FACE_ENDS * second_square) {
+        return 2 * b + (h[b] < 0);
     }
-    const unsigned least = 3 - most - middle;
-    return FACES + 4 * least + (h[cyclic[least + 1]] < 0 ? 2u : 0u) +
-           (h[cyclic[least + 2]] < 0 ? 1u : 0u);
+    return first[least] + 2u * (h[a] < 0) + (h[b] < 0);
 }
 
 void invcal_cell_direction(unsigned k, invcal_real d[3])
@@ -47,27 +49,12 @@ void invcal_cell_direction(unsigned k, invcal_real d[3])
     }
 }
 
-/* The mean stays, and what comes counts more. */
-static void halve_if_full(invcal_cells *cells, unsigned k)
+void invcal_cells_halve(invcal_cells *cells, unsigned k)
 {
-    if (cells->count[k] >= FULL_CELL) {
-        for (unsigned i = 0; i < INVCAL_PARAMETERS; i++) {
-            cells->sum[k][i] /= 2;
-        }
-        cells->count[k] = (uint16_t)(cells->count[k] / 2u);
-    }
-}
-
-void invcal_cells_add(invcal_cells *cells, unsigned k, const invcal_real h[INVCAL_PARAMETERS])
-{
-    invcal_real *const sum = cells->sum[k];
-
-    INVCAL_UNROLL
     for (unsigned i = 0; i < INVCAL_PARAMETERS; i++) {
-        sum[i] += h[i];
+        cells->sum[k][i] /= 2;
     }
-    cells->count[k]++;
-    halve_if_full(cells, k);
+    cells->count[k] = (uint16_t)(cells->count[k] / 2u);
 }
 
 static void move_cell(invcal_cells *into, unsigned to, invcal_cells *from, unsigned k)
@@ -78,7 +65,9 @@ static void move_cell(invcal_cells *into, unsigned to, invcal_cells *from, unsig
     }
     into->count[to] = (uint16_t)(into->count[to] + from->count[k]);
     from->count[k] = 0;
-    halve_if_full(into, to);
+    if (into->count[to] >= INVCAL_FULL_CELL) {
+        invcal_cells_halve(into, to);
+    }
 }
 
 void invcal_cells_merge(invcal_cells *into, invcal_cells *from)

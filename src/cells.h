@@ -10,6 +10,7 @@
 #define INVCAL_CELLS_H
 
 #include "invcal/magnetometer.h"
+#include "vector.h"
 
 /* The cell into which (x y z) of a row points, its products being those of these. */
 unsigned invcal_cell_of(const invcal_real h[INVCAL_PARAMETERS]);
@@ -17,8 +18,25 @@ unsigned invcal_cell_of(const invcal_real h[INVCAL_PARAMETERS]);
 /* The middle of a cell, a unit vector. */
 void invcal_cell_direction(unsigned k, invcal_real d[3]);
 
+/* A cell that is full is halved: the mean stays, and what comes counts more. 16 bits hold two that are. */
+enum { INVCAL_FULL_CELL = 16384 };
+void invcal_cells_halve(invcal_cells *cells, unsigned k);
+
 /* Adds a sample to cell k. */
-void invcal_cells_add(invcal_cells *cells, unsigned k, const invcal_real h[INVCAL_PARAMETERS]);
+static inline void invcal_cells_add(invcal_cells *cells, unsigned k,
+                                    const invcal_real h[INVCAL_PARAMETERS])
+{
+    invcal_real *const sum = cells->sum[k];
+
+    INVCAL_UNROLL
+    for (unsigned i = 0; i < INVCAL_PARAMETERS; i++) {
+        sum[i] += h[i];
+    }
+    cells->count[k]++;
+    if (cells->count[k] >= INVCAL_FULL_CELL) {
+        invcal_cells_halve(cells, k);
+    }
+}
 
 /* All of `from` goes into `into`. */
 void invcal_cells_merge(invcal_cells *into, invcal_cells *from);

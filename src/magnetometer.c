@@ -12,7 +12,7 @@
 /* Nothing is known: the box of the readings tells where the cells are. Then there is a first solution, of
  * samples that nothing was compared with; and one of samples after it alone. */
 enum { NO_SOLUTION, FIRST_SOLUTION, SECOND_SOLUTION };
-enum { FIRST_LOOK = 32, LARGEST_BLOCK = 4096, MOST_SAMPLES = 1 << 24 };
+enum { FIRST_LOOK = 96, LARGEST_BLOCK = 4096, MOST_SAMPLES = 1 << 24 };
 /* What samples differ by from the first solution, until they have told: squared, and as how many it counts. */
 #define DIFFER INVCAL_REAL(0.01)
 enum { DIFFER_COUNT = 8 };
@@ -49,14 +49,13 @@ static invcal_cell_tables both_tables(const invcal_magnetometer *m)
  * r. It is so many times as large as samples err alike. 0: not known. */
 static invcal_real power_of(const invcal_magnetometer *m)
 {
-    const uint32_t blocked = m->compared - m->in_block;
-
-    return blocked >= POWER_SAMPLES ? m->products / (invcal_real)blocked : 0;
+    return m->blocked >= POWER_SAMPLES ? m->products / (invcal_real)m->blocked : 0;
 }
 
 static void end_block(invcal_magnetometer *m)
 {
     m->products += invcal_dot3(m->block, m->block);
+    m->blocked += m->in_block;
     invcal_zero(m->block, sizeof m->block);
     m->in_block = 0;
 }
@@ -65,14 +64,14 @@ static void end_block(invcal_magnetometer *m)
 static int is_alike(invcal_magnetometer *m, const invcal_real h[INVCAL_PARAMETERS])
 {
     const invcal_real r = (invcal_square_of(h) - 1) / 2 + invcal_dot(m->p, h, INVCAL_PARAMETERS);
-    const invcal_real n = (invcal_real)(m->compared + DIFFER_COUNT);
+    const invcal_real n = (invcal_real)(m->blocked + m->in_block + DIFFER_COUNT);
 
     if (!(r * r * n <= CONTRADICTS * (m->squares + DIFFER_COUNT * DIFFER))) {
         return 0;
     }
     m->squares += r * r;
-    m->compared++;
     m->in_block++;
+    INVCAL_UNROLL
     for (unsigned i = 0; i < 3; i++) {
         m->block[i] += r * h[i];
     }
@@ -171,13 +170,17 @@ static void look(invcal_magnetometer *m)
     m->before = power_of(m);
     m->squares /= 2; /* an older solution made them */
     m->products /= 2;
-    m->compared /= 2;
+    m->blocked /= 2;
 }
 
 /* ---- samples ------------------------------------------------------------------------------------ */
 
-static void widen_box(invcal_magnetometer *m, const invcal_real v[3])
+/* Returns 0 if it is no number, or could not be squared. */
+static int widen_box(invcal_magnetometer *m, const invcal_real v[INVCAL_PARAMETERS])
 {
+    if (!invcal_are_finite(&v[INVCAL_DK_X])) {
+        return 0;
+    }
     for (unsigned i = 0; i < 3; i++) {
         if (v[i] < m->p[i]) {
             m->p[i] = v[i];
@@ -186,6 +189,7 @@ static void widen_box(invcal_magnetometer *m, const invcal_real v[3])
             m->p[3 + i] = v[i];
         }
     }
+    return 1;
 }
 
 invcal_event invcal_magnetometer_feed(invcal_magnetometer *magnetometer, const invcal_real raw[3])
@@ -199,24 +203,19 @@ invcal_event invcal_magnetometer_feed(invcal_magnetometer *magnetometer, const i
     }
     invcal_correct(&m->work, raw, h);
     invcal_row_of(h);
-    if (!invcal_are_finite(&h[INVCAL_DK_X])) {
-        return INVCAL_REFUSED;
-    }
-    if (m->stage == NO_SOLUTION) {
-        widen_box(m, h);
-    } else if (!is_alike(m, h)) {
-        m->left_out += m->left_out < MOST_SAMPLES;
+    if (m->stage != NO_SOLUTION ? !is_alike(m, h) : !widen_box(m, h)) {
+        m->left_out += m->left_out < MOST_SAMPLES && invcal_are_finite(&h[INVCAL_DK_X]);
         return INVCAL_REFUSED;
     }
     const unsigned k = invcal_cell_of(h);
-    const int is_new = m->early.count[k] == 0 && m->late.count[k] == 0;
+    const unsigned before = (unsigned)m->early.count[k] + m->late.count[k];
     invcal_cells_add(&m->late, k, h);
     m->samples += m->samples < MOST_SAMPLES;
     if (m->samples == m->due) {
         look(m);
         m->due += m->due / 2;
     }
-    return is_new ? INVCAL_TAKEN : INVCAL_NOTHING;
+    return before == 0 ? INVCAL_TAKEN : INVCAL_NOTHING;
 }
 
 void invcal_magnetometer_next(const invcal_magnetometer *magnetometer, invcal_real along[3])
@@ -255,7 +254,8 @@ static void tell_found(const invcal_magnetometer *m, const invcal_cell_fit *fit,
     unsigned worst;
 
     found->field = m->unit * invcal_cells_field(fit);
-    found->rms = m->compared > 0 ? INVCAL_SQRT(m->squares / (invcal_real)m->compared) : 0;
+    const uint32_t compared = m->blocked + m->in_block;
+    found->rms = compared > 0 ? INVCAL_SQRT(m->squares / (invcal_real)compared) : 0;
     found->alike = m->squares > 0 ? power / (found->rms * found->rms) : 0;
     found->samples = m->samples;
     found->left_out = m->left_out;

@@ -54,8 +54,6 @@ typedef struct {
 
 /* A magnetometer being moved: 1,500 bytes (float). */
 typedef struct {
-    invcal_cells early;      /* of the samples up to the last look at them */
-    invcal_cells late;       /* and since: what they differ by is a step */
     invcal_calibration work; /* readings of about length 1 around 0, in which the cells lie */
     invcal_real unit;        /* length 1 of these, in the unit of nominal */
     invcal_real p[INVCAL_PARAMETERS]; /* the solution so far; before it, the box of the readings */
@@ -63,13 +61,15 @@ typedef struct {
     invcal_real products; /* sum over blocks of |sum eta r|^2, r being that difference */
     invcal_real before;   /* what the last came to, over samples, at the last look */
     invcal_real block[3]; /* sum eta r of the block that is being filled */
-    uint32_t compared;    /* samples in squares */
+    uint32_t blocked;     /* samples in squares, but for those in the block */
     uint32_t samples;     /* taken in */
     uint32_t due;         /* of them, when they are looked at next */
     uint32_t left_out;    /* for contradicting the solution so far */
     uint16_t in_block;    /* samples */
     uint8_t stage;        /* of the solution, see magnetometer.c */
     uint8_t has_step;     /* one was seen */
+    invcal_cells early;   /* of the samples up to the last look at them */
+    invcal_cells late;    /* and since: what they differ by is a step */
 } invcal_magnetometer;
 
 /* What is known beside invcal_quality. */
