@@ -63,7 +63,7 @@ static void end_block(invcal_magnetometer *m)
 /* By how much a sample differs from the solution so far. Returns 0 if that is too much. */
 static int is_alike(invcal_magnetometer *m, const invcal_real h[INVCAL_PARAMETERS])
 {
-    const invcal_real r = (invcal_square_of(h) - 1) / 2 + invcal_dot(m->p, h, INVCAL_PARAMETERS);
+    const invcal_real r = invcal_dot(m->p, h, INVCAL_PARAMETERS) - INVCAL_REAL(0.5);
     const invcal_real n = (invcal_real)(m->blocked + m->in_block + DIFFER_COUNT);
 
     if (!(r * r * n <= CONTRADICTS * (m->squares + DIFFER_COUNT * DIFFER))) {
@@ -120,6 +120,16 @@ static void recentre_by_box(invcal_magnetometer *m)
     }
 }
 
+/* Once there is one of samples that none was compared with, the next is as good. */
+static int is_found(const invcal_magnetometer *m, invcal_cell_fit *fit)
+{
+    if (m->stage == SECOND_SOLUTION) {
+        return invcal_cells_solve(fit) == INVCAL_OK;
+    }
+    return invcal_cells_calibrate(fit) == INVCAL_OK && fit->quality.verdict != INVCAL_WEAK &&
+           fit->quality.dof >= 2;
+}
+
 /* A solution that what contradicts it may be left out by: into p, the readings moved to the unit sphere.
  * Returns 0 if there is none. */
 static int find_solution(invcal_magnetometer *m, const invcal_cells *one, const invcal_cells *other)
@@ -129,8 +139,7 @@ static int find_solution(invcal_magnetometer *m, const invcal_cells *one, const 
 
     fit.tables.early = one;
     fit.tables.late = other;
-    if (invcal_cells_calibrate(&fit) != INVCAL_OK || fit.quality.verdict == INVCAL_WEAK ||
-        fit.quality.dof < 2 || !(invcal_cells_gap(&fit.tables, &worst) > WIDE_GAP)) {
+    if (!(invcal_cells_gap(&fit.tables, &worst) > WIDE_GAP) || !is_found(m, &fit)) {
         return 0;
     }
     if (one != other && invcal_cells_step(&fit, m->before > 0 ? m->before : power_of(m))) {
@@ -141,6 +150,9 @@ static int find_solution(invcal_magnetometer *m, const invcal_cells *one, const 
         return 0;
     }
     memcpy(m->p, fit.p, sizeof m->p);
+    for (unsigned i = INVCAL_DK_X; i <= INVCAL_DK_Z; i++) {
+        m->p[i] += INVCAL_REAL(0.5); /* J + h p is one product, less 1/2 */
+    }
     return 1;
 }
 
