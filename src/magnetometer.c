@@ -134,17 +134,16 @@ static int is_found(const invcal_magnetometer *m, invcal_cell_fit *fit)
  * Returns 0 if there is none. */
 static int find_solution(invcal_magnetometer *m, const invcal_cells *one, const invcal_cells *other)
 {
-    invcal_cell_fit fit;
+    invcal_cell_fit fit = {.tables = {one, other}};
     unsigned worst;
 
-    fit.tables.early = one;
-    fit.tables.late = other;
     if (!(invcal_cells_gap(&fit.tables, &worst) > WIDE_GAP) || !is_found(m, &fit)) {
         return 0;
     }
-    if (one != other && invcal_cells_step(&fit, m->before > 0 ? m->before : power_of(m))) {
-        m->has_step = 1;
-    }
+    fit.tables = both_tables(m);
+    m->has_step |= (uint8_t)invcal_cells_step(&fit, m->before > 0 ? m->before : power_of(m));
+    fit.tables.early = one;
+    fit.tables.late = other;
     if (!recentre(m, fit.triad.offset, invcal_cells_field(&fit)) ||
         invcal_cells_solve(&fit) != INVCAL_OK) {
         return 0;
@@ -156,33 +155,31 @@ static int find_solution(invcal_magnetometer *m, const invcal_cells *one, const 
     return 1;
 }
 
+/* Samples that came before any was compared with a solution may be spoilt: they are dropped as soon as
+ * later ones cover all sides as well. */
 static void look(invcal_magnetometer *m)
 {
-    if (m->stage == NO_SOLUTION) {
+    const int is_first = m->stage == NO_SOLUTION;
+
+    if (is_first) {
         recentre_by_box(m);
-        if (find_solution(m, &m->early, &m->late)) {
-            m->stage = FIRST_SOLUTION;
-        } else if (find_solution(m, &m->late, &m->late)) {
-            m->has_step = 1; /* all that spoils it is older */
-            m->stage = SECOND_SOLUTION;
-            invcal_zero(&m->early, sizeof m->early);
-        }
-        invcal_cells_merge(&m->early, &m->late);
-        return;
     }
-    (void)find_solution(m, &m->early, &m->late);
-    if (m->stage == FIRST_SOLUTION && find_solution(m, &m->late, &m->late)) {
+    if (m->stage != SECOND_SOLUTION && find_solution(m, &m->late, &m->late)) {
         m->stage = SECOND_SOLUTION;
         invcal_zero(&m->early, sizeof m->early);
+    } else if (find_solution(m, &m->early, &m->late) && is_first) {
+        m->stage = FIRST_SOLUTION;
     }
-    if (m->stage == SECOND_SOLUTION) {
+    if (is_first || m->stage == SECOND_SOLUTION) {
         invcal_cells_merge(&m->early, &m->late);
     }
-    end_block(m);
-    m->before = power_of(m);
-    m->squares /= 2; /* an older solution made them */
-    m->products /= 2;
-    m->blocked /= 2;
+    if (m->blocked + m->in_block > 0) {
+        end_block(m);
+        m->before = power_of(m);
+        m->squares /= 2; /* an older solution made them */
+        m->products /= 2;
+        m->blocked /= 2;
+    }
 }
 
 /* ---- samples ------------------------------------------------------------------------------------ */
