@@ -152,6 +152,7 @@ invcal_status invcal_cells_calibrate(invcal_cell_fit *fit)
     if (status != INVCAL_OK) {
         return status;
     }
+    invcal_zero(point, sizeof point);
     const invcal_positions positions = {point[0], make_points(fit, point), 0, &unit, 0};
     return invcal_positions_calibrate(&positions, &fit->triad, &fit->quality);
 }
@@ -223,6 +224,7 @@ int invcal_cells_step(const invcal_cell_fit *fit, invcal_real power)
     unsigned count = 0;
 
     invcal_zero(a, sizeof a);
+    invcal_zero(row, sizeof row);
     for (unsigned k = 0; k < INVCAL_CELLS; k++) {
         const invcal_real weight = compare_late(fit, k, row);
         if (weight > 0) {
