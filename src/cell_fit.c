@@ -7,10 +7,11 @@
 #include "sums.h"
 #include "vector.h"
 
-enum { SAMPLES_TELL = 24 };          /* degrees of freedom that the power of samples counts as */
+enum { SAMPLES_TELL = 24 };            /* degrees of freedom that the power of samples counts as */
 #define CELLS_SCATTER INVCAL_REAL(3.0) /* of a variance: more than that, not by chance */
-#define STEP_TOLD INVCAL_REAL(28.0)    /* chi squared of 4, with a power known to a third; 18.5 if exact */
-#define STEP_F INVCAL_REAL(160.0)      /* 4 times F of 4 and n - 4, of cells that err alike */
+#define STEP_TOLD                                                                                  \
+    INVCAL_REAL(28.0) /* chi squared of 4, with a power known to a third; 18.5 if exact */
+#define STEP_F INVCAL_REAL(160.0) /* 4 times F of 4 and n - 4, of cells that err alike */
 enum { STEP_UNKNOWNS = 4, STEP_CELLS = 10 };
 
 /* ---- what is covered ---------------------------------------------------------------------------- */
@@ -48,9 +49,8 @@ invcal_real invcal_cells_gap(const invcal_cell_tables *tables, unsigned *worst)
     *worst = 0;
     for (unsigned k = 0; k < INVCAL_CELLS; k++) {
         const invcal_real nearest = nearest_covered(tables, k);
-        if (nearest < gap ||
-            (nearest >= 1 && gap >= 1 &&
-             invcal_cells_count(tables, k) < invcal_cells_count(tables, *worst))) {
+        if (nearest < gap || (nearest >= 1 && gap >= 1 &&
+                              invcal_cells_count(tables, k) < invcal_cells_count(tables, *worst))) {
             gap = nearest;
             *worst = k;
         }
@@ -184,10 +184,11 @@ void invcal_cells_weigh(invcal_cell_fit *fit, invcal_real power)
         return;
     }
     const invcal_real dof = invcal_number(q->dof);
+    const invcal_real told = invcal_number(SAMPLES_TELL);
     for (unsigned r = 0; r < INVCAL_PARAMETERS; r++) {
         k[r] = q->sigma[r] * q->sigma[r] / seen;
     }
-    q->noise = INVCAL_SQRT((dof * seen + SAMPLES_TELL * expected) / (dof + SAMPLES_TELL));
+    q->noise = INVCAL_SQRT((dof * seen + told * expected) / (dof + told));
     q->sigma_dof = (uint16_t)(q->dof + SAMPLES_TELL);
     q->verdict = INVCAL_GOOD;
     invcal_judge_parameters(k, (const invcal_real(*)[3])fit->triad.matrix, q);

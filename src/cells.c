@@ -20,7 +20,7 @@ unsigned invcal_cell_of(const invcal_real h[INVCAL_PARAMETERS])
     const invcal_real x = h[INVCAL_DK_X];
     const invcal_real y = h[INVCAL_DK_Y];
     const invcal_real z = h[INVCAL_DK_Z];
-    const unsigned least = x < y ? (x < z ? 0 : 2) : (y < z ? 1 : 2);
+    const unsigned least = x < y ? (x < z ? 0u : 2u) : (y < z ? 1u : 2u);
     const unsigned a = cyclic[least + 1];
     const unsigned b = cyclic[least + 2];
     const invcal_real first_square = h[INVCAL_DK_X + a];
@@ -80,9 +80,10 @@ void invcal_cells_merge(invcal_cells *into, invcal_cells *from)
 /* sum (v - s)(v - s)' = sum v v' - s sum v' - sum v s' + n s s' */
 static void move_sum(invcal_real *sum, invcal_real n, const invcal_real s[3], invcal_real scale)
 {
-    static const uint8_t pair[][2] = {{0, 0}, {1, 1}, {2, 2}, {0, 1}, {0, 2}, {1, 2}};
+    static const uint8_t pair[INVCAL_PARAMETERS - 3][2] = {{0, 0}, {1, 1}, {2, 2},
+                                                           {0, 1}, {0, 2}, {1, 2}};
 
-    for (unsigned i = 0; i < sizeof pair / sizeof pair[0]; i++) {
+    for (unsigned i = 0; i < INVCAL_PARAMETERS - 3; i++) {
         const unsigned a = pair[i][0];
         const unsigned b = pair[i][1];
         sum[INVCAL_DK_X + i] += (n * s[a] - sum[a]) * s[b] - s[a] * sum[b];

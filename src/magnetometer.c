@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "invcal/magnetometer.h"
 
+#include <stddef.h>
 #include <string.h>
 
 #include "cells.h"
@@ -12,15 +13,15 @@
 /* Nothing is known: the box of the readings tells where the cells are. Then there is a first solution, of
  * samples that nothing was compared with; and one of samples after it alone. */
 enum { NO_SOLUTION, FIRST_SOLUTION, SECOND_SOLUTION };
-enum { FIRST_LOOK = 96, LARGEST_BLOCK = 4096, MOST_SAMPLES = 1 << 24 };
-/* What samples differ by from the first solution, until they have told: squared, and as how many it counts. */
-#define DIFFER INVCAL_REAL(0.01)
+enum { FIRST_LOOK = 96, LARGEST_BLOCK = 4096, MOST_SAMPLES = 16777216 };
+/* What samples differ by from the first solution, until they have told: as how many a tenth of it counts, and the sum of its squares. */
 enum { DIFFER_COUNT = 8 };
+#define DIFFER_SQUARES INVCAL_REAL(0.08)
 #define CONTRADICTS INVCAL_REAL(25.0)  /* square of 5 */
-#define WIDE_GAP INVCAL_REAL(0.6)    /* a cosine: more than 45 degrees */
-#define PLACES_RMS INVCAL_REAL(0.03) /* what no magnetometer's noise is, */
+#define WIDE_GAP INVCAL_REAL(0.6)      /* a cosine: more than 45 degrees */
+#define PLACES_RMS INVCAL_REAL(0.03)   /* what no magnetometer's noise is, */
 #define PLACES_ALIKE INVCAL_REAL(10.0) /* if neighbours err alike */
-enum { POWER_SAMPLES = 64 };
+enum { POWER_SAMPLES = 64, ANGLES = 6 };
 
 invcal_status invcal_magnetometer_init(invcal_magnetometer *magnetometer,
                                        const invcal_calibration *nominal)
@@ -66,7 +67,7 @@ static int is_alike(invcal_magnetometer *m, const invcal_real h[INVCAL_PARAMETER
     const invcal_real r = invcal_dot(m->p, h, INVCAL_PARAMETERS) - INVCAL_REAL(0.5);
     const invcal_real n = (invcal_real)(m->blocked + m->in_block + DIFFER_COUNT);
 
-    if (!(r * r * n <= CONTRADICTS * (m->squares + DIFFER_COUNT * DIFFER))) {
+    if (!(r * r * n <= CONTRADICTS * (m->squares + DIFFER_SQUARES))) {
         return 0;
     }
     m->squares += r * r;
@@ -84,7 +85,7 @@ static int is_alike(invcal_magnetometer *m, const invcal_real h[INVCAL_PARAMETER
 /* ---- looks at what has come --------------------------------------------------------------------- */
 
 /* The centre moves by `shift`, and `scale` becomes 1. Returns 0 if it could not be. */
-static int recentre(invcal_magnetometer *m, const invcal_real shift[3], invcal_real scale)
+static int is_recentred(invcal_magnetometer *m, const invcal_real shift[3], invcal_real scale)
 {
     invcal_calibration c = {{shift[0], shift[1], shift[2]},
                             {{1 / scale, 0, 0}, {0, 1 / scale, 0}, {0, 0, 1 / scale}}};
@@ -112,7 +113,7 @@ static void recentre_by_box(invcal_magnetometer *m)
             scale = (high[i] - low[i]) / 2;
         }
     }
-    if (recentre(m, shift, scale)) {
+    if (is_recentred(m, shift, scale)) {
         for (unsigned i = 0; i < 3; i++) {
             low[i] = (low[i] - shift[i]) / scale;
             high[i] = (high[i] - shift[i]) / scale;
@@ -132,7 +133,7 @@ static int is_found(const invcal_magnetometer *m, invcal_cell_fit *fit)
 
 /* A solution that what contradicts it may be left out by: into p, the readings moved to the unit sphere.
  * Returns 0 if there is none. */
-static int find_solution(invcal_magnetometer *m, const invcal_cells *one, const invcal_cells *other)
+static int has_solution(invcal_magnetometer *m, const invcal_cells *one, const invcal_cells *other)
 {
     invcal_cell_fit fit = {.tables = {one, other}};
     unsigned worst;
@@ -144,7 +145,7 @@ static int find_solution(invcal_magnetometer *m, const invcal_cells *one, const 
     m->has_step |= (uint8_t)invcal_cells_step(&fit, m->before > 0 ? m->before : power_of(m));
     fit.tables.early = one;
     fit.tables.late = other;
-    if (!recentre(m, fit.triad.offset, invcal_cells_field(&fit)) ||
+    if (!is_recentred(m, fit.triad.offset, invcal_cells_field(&fit)) ||
         invcal_cells_solve(&fit) != INVCAL_OK) {
         return 0;
     }
@@ -157,18 +158,20 @@ static int find_solution(invcal_magnetometer *m, const invcal_cells *one, const 
 
 /* Samples that came before any was compared with a solution may be spoilt: they are dropped as soon as
  * later ones cover all sides as well. */
-static void look(invcal_magnetometer *m)
+static void look_at_samples(invcal_magnetometer *m)
 {
     const int is_first = m->stage == NO_SOLUTION;
 
     if (is_first) {
         recentre_by_box(m);
     }
-    if (m->stage != SECOND_SOLUTION && find_solution(m, &m->late, &m->late)) {
+    if (m->stage != SECOND_SOLUTION && has_solution(m, &m->late, &m->late)) {
         m->stage = SECOND_SOLUTION;
         invcal_zero(&m->early, sizeof m->early);
-    } else if (find_solution(m, &m->early, &m->late) && is_first) {
-        m->stage = FIRST_SOLUTION;
+    } else {
+        if (has_solution(m, &m->early, &m->late) && is_first) {
+            m->stage = FIRST_SOLUTION;
+        }
     }
     if (is_first || m->stage == SECOND_SOLUTION) {
         invcal_cells_merge(&m->early, &m->late);
@@ -221,7 +224,7 @@ invcal_event invcal_magnetometer_feed(invcal_magnetometer *magnetometer, const i
     invcal_cells_add(&m->late, k, h);
     m->samples += m->samples < MOST_SAMPLES;
     if (m->samples == m->due) {
-        look(m);
+        look_at_samples(m);
         m->due += m->due / 2;
     }
     return before == 0 ? INVCAL_TAKEN : INVCAL_NOTHING;
@@ -245,10 +248,11 @@ static unsigned degrees_of(invcal_real cosine)
     static const struct {
         invcal_real above;
         uint8_t degrees;
-    } angle[] = {{INVCAL_REAL(0.8), 0},    {INVCAL_REAL(0.6), 45},   {INVCAL_REAL(0.25), 60},
-                 {INVCAL_REAL(-0.25), 90}, {INVCAL_REAL(-0.6), 120}, {INVCAL_REAL(-0.8), 135}};
+    } angle[ANGLES] = {{INVCAL_REAL(0.8), 0},    {INVCAL_REAL(0.6), 45},
+                       {INVCAL_REAL(0.25), 60},  {INVCAL_REAL(-0.25), 90},
+                       {INVCAL_REAL(-0.6), 120}, {INVCAL_REAL(-0.8), 135}};
 
-    for (unsigned i = 0; i < sizeof angle / sizeof angle[0]; i++) {
+    for (unsigned i = 0; i < ANGLES; i++) {
         if (cosine > angle[i].above) {
             return angle[i].degrees;
         }
@@ -309,7 +313,7 @@ invcal_status invcal_magnetometer_solve(const invcal_magnetometer *magnetometer,
     if (status == INVCAL_OK) {
         *out = fit.triad;
         *quality = fit.quality;
-        if (found) {
+        if (found != NULL) {
             *found = f;
         }
     }
@@ -324,5 +328,5 @@ const char *invcal_disturbance_text(invcal_disturbance disturbance)
         "readings changed at some time, as if something magnetic had moved: begin anew"};
 
     return (unsigned)disturbance < sizeof text / sizeof text[0] ? text[disturbance]
-                                                               : "unknown disturbance";
+                                                                : "unknown disturbance";
 }

@@ -36,9 +36,9 @@ extern "C" {
 /* What was not as it should be. Of two the larger is named. */
 typedef enum {
     INVCAL_UNDISTURBED, /* nothing was found */
-    INVCAL_PASSING,     /* samples contradict the others, and are left out: a magnet or iron passed by */
-    INVCAL_PLACES,      /* the field differs from place to place: turn it where it is, away from iron */
-    INVCAL_STEP         /* readings were different before and after: something magnetic has moved on
+    INVCAL_PASSING, /* samples contradict the others, and are left out: a magnet or iron passed by */
+    INVCAL_PLACES,  /* the field differs from place to place: turn it where it is, away from iron */
+    INVCAL_STEP     /* readings were different before and after: something magnetic has moved on
                            the device or near it. Begin anew */
 } invcal_disturbance;
 
@@ -57,7 +57,7 @@ typedef struct {
     invcal_calibration work; /* readings of about length 1 around 0, in which the cells lie */
     invcal_real unit;        /* length 1 of these, in the unit of nominal */
     invcal_real p[INVCAL_PARAMETERS]; /* the solution so far; before it, the box of the readings */
-    invcal_real squares;              /* sum of what samples differ from it by, squared, over field */
+    invcal_real squares;  /* sum of what samples differ from it by, squared, over field */
     invcal_real products; /* sum over blocks of |sum eta r|^2, r being that difference */
     invcal_real before;   /* what the last came to, over samples, at the last look */
     invcal_real block[3]; /* sum eta r of the block that is being filled */
@@ -74,13 +74,13 @@ typedef struct {
 
 /* What is known beside invcal_quality. */
 typedef struct {
-    invcal_real field;   /* its length, in the unit of nominal */
-    invcal_real rms;     /* of what samples differ from the solution by, over field; 0: not known */
-    invcal_real alike;   /* how many samples in a row err as one; 0: not known */
-    uint32_t samples;    /* taken in */
-    uint32_t left_out;   /* and not, for contradicting them */
-    uint8_t covered;     /* cells with samples, of INVCAL_CELLS */
-    uint8_t gap;         /* degrees from the worst cell without one to the nearest with one; 0: none */
+    invcal_real field; /* its length, in the unit of nominal */
+    invcal_real rms;   /* of what samples differ from the solution by, over field; 0: not known */
+    invcal_real alike; /* how many samples in a row err as one; 0: not known */
+    uint32_t samples;  /* taken in */
+    uint32_t left_out; /* and not, for contradicting them */
+    uint8_t covered;   /* cells with samples, of INVCAL_CELLS */
+    uint8_t gap; /* degrees from the worst cell without one to the nearest with one; 0: none */
     uint8_t disturbance; /* an invcal_disturbance */
 } invcal_magnetometer_found;
 

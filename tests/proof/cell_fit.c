@@ -8,8 +8,8 @@
 
 /* ---- what other modules do -------------------------------------------------------------------- */
 
-invcal_status invcal_positions_calibrate(const invcal_positions *positions,
-                                         invcal_calibration *out, invcal_quality *quality)
+invcal_status invcal_positions_calibrate(const invcal_positions *positions, invcal_calibration *out,
+                                         invcal_quality *quality)
 {
     for (unsigned i = 0; i < positions->count; i++) {
         (void)(positions->raw[3 * i] + positions->raw[3 * i + 1] + positions->raw[3 * i + 2]);
