@@ -121,24 +121,30 @@ static invcal_real mean_square(const invcal_calibration *triad,
     return square;
 }
 
-/* The cells as positions: along the mean, and as long as their samples by root mean square. Returns how
- * many. */
-static unsigned make_points(const invcal_cell_fit *fit, invcal_real point[INVCAL_CELLS][3])
+unsigned invcal_cells_point(const invcal_cell_tables *tables, const invcal_calibration *triad,
+                            unsigned k, invcal_real point[3])
 {
-    const invcal_real *const delta = fit->triad.offset;
     invcal_real h[INVCAL_PARAMETERS + 1];
     invcal_real eta[3];
+
+    const unsigned count = mean_row(tables, k, h);
+    if (count > 0) {
+        const invcal_real square = mean_square(triad, h, eta);
+        const invcal_real ratio = INVCAL_SQRT(square / invcal_dot3(eta, eta));
+        for (unsigned j = 0; j < 3; j++) {
+            point[j] = triad->offset[j] + ratio * (h[j] - triad->offset[j]);
+        }
+    }
+    return count;
+}
+
+/* All that there are. Returns how many. */
+static unsigned make_points(const invcal_cell_fit *fit, invcal_real point[INVCAL_CELLS][3])
+{
     unsigned count = 0;
 
     for (unsigned k = 0; k < INVCAL_CELLS; k++) {
-        if (mean_row(&fit->tables, k, h) > 0) {
-            const invcal_real square = mean_square(&fit->triad, h, eta);
-            const invcal_real ratio = INVCAL_SQRT(square / invcal_dot3(eta, eta));
-            for (unsigned j = 0; j < 3; j++) {
-                point[count][j] = delta[j] + ratio * (h[j] - delta[j]);
-            }
-            count++;
-        }
+        count += invcal_cells_point(&fit->tables, &fit->triad, k, point[count]) > 0;
     }
     return count;
 }

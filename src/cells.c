@@ -9,7 +9,7 @@
 /* Cells have equal areas if faces end where the tangent is t, 4 asin(t^2 / (1 + t^2)) = 4 pi / 18. */
 #define FACE_ENDS INVCAL_REAL(0.2101) /* t^2 */
 #define ROOT_HALF INVCAL_REAL(0.70710678118654752)
-enum { FACES = 6 };
+enum { FACES = 6, PRODUCTS = 6 };
 
 static const uint8_t cyclic[] = {0, 1, 2, 0, 1};
 
@@ -80,10 +80,10 @@ void invcal_cells_merge(invcal_cells *into, invcal_cells *from)
 /* sum (v - s)(v - s)' = sum v v' - s sum v' - sum v s' + n s s' */
 static void move_sum(invcal_real *sum, invcal_real n, const invcal_real s[3], invcal_real scale)
 {
-    static const uint8_t pair[INVCAL_PARAMETERS - 3][2] = {{0, 0}, {1, 1}, {2, 2},
+    static const uint8_t pair[PRODUCTS][2] = {{0, 0}, {1, 1}, {2, 2},
                                                            {0, 1}, {0, 2}, {1, 2}};
 
-    for (unsigned i = 0; i < INVCAL_PARAMETERS - 3; i++) {
+    for (unsigned i = 0; i < PRODUCTS; i++) {
         const unsigned a = pair[i][0];
         const unsigned b = pair[i][1];
         sum[INVCAL_DK_X + i] += (n * s[a] - sum[a]) * s[b] - s[a] * sum[b];

@@ -72,6 +72,14 @@ invcal_status invcal_cells_solve(invcal_cell_fit *fit);
 /* The same, and all the rest. */
 invcal_status invcal_cells_calibrate(invcal_cell_fit *fit);
 
+/* Cell k as a position: along the mean, and as long as its samples by root mean square.
+ *
+ * triad  what calibrates the coordinates of the rows; of any frame.
+ *
+ * Returns how many samples that are; 0: none, point is as it was. */
+unsigned invcal_cells_point(const invcal_cell_tables *tables, const invcal_calibration *triad,
+                            unsigned k, invcal_real point[3]);
+
 /* Noise and sigma again, now with what samples tell.
  *
  * power  the variance of a cell's mean times its samples: what these scatter by, times how many of them err

@@ -320,6 +320,33 @@ invcal_status invcal_magnetometer_solve(const invcal_magnetometer *magnetometer,
     return status;
 }
 
+/* What calibrates raw counts does so in the coordinates of the cells behind the inverse of these. */
+unsigned invcal_magnetometer_cell(const invcal_magnetometer *magnetometer,
+                                  const invcal_calibration *calibration, unsigned k,
+                                  invcal_real raw[3])
+{
+    invcal_real inverse[3][3];
+    invcal_calibration triad;
+    invcal_real point[3] = {0, 0, 0};
+
+    INVCAL_ASSERT(magnetometer && calibration && k < INVCAL_CELLS && raw);
+    const invcal_calibration *const work = &magnetometer->work;
+    const invcal_cell_tables tables = both_tables(magnetometer);
+    invcal_inverse3(work->matrix, inverse);
+    invcal_correct(work, calibration->offset, triad.offset);
+    for (unsigned i = 0; i < 3; i++) {
+        const invcal_real *const a = calibration->matrix[i];
+        for (unsigned j = 0; j < 3; j++) {
+            triad.matrix[i][j] = a[0] * inverse[0][j] + a[1] * inverse[1][j] + a[2] * inverse[2][j];
+        }
+    }
+    const unsigned count = invcal_cells_point(&tables, &triad, k, point);
+    for (unsigned i = 0; i < 3 && count > 0; i++) {
+        raw[i] = work->offset[i] + invcal_dot3(inverse[i], point);
+    }
+    return count;
+}
+
 const char *invcal_disturbance_text(invcal_disturbance disturbance)
 {
     static const char *const text[] = {

@@ -133,6 +133,18 @@ invcal_status invcal_magnetometer_solve(const invcal_magnetometer *magnetometer,
                                         invcal_calibration *out, invcal_quality *quality,
                                         invcal_magnetometer_found *found);
 
+/* A cell as a position, to look at: along the mean of its samples, and as long as they are by root mean
+ * square once calibrated.
+ *
+ * calibration  that of invcal_magnetometer_solve; not scaled.
+ * k            0 ... INVCAL_CELLS - 1.
+ * raw          out: raw counts.
+ *
+ * Returns how many samples are in it; 0: none, raw is as it was. Cost: 500 instructions. */
+unsigned invcal_magnetometer_cell(const invcal_magnetometer *magnetometer,
+                                  const invcal_calibration *calibration, unsigned k,
+                                  invcal_real raw[3]);
+
 #ifdef __cplusplus
 }
 #endif

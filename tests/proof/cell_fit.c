@@ -52,6 +52,8 @@ void main(void)
     (void)invcal_cells_calibrate(&fit);
     ANY(fit.triad);
     ANY(fit.quality);
+    invcal_real point[3];
+    (void)invcal_cells_point(&fit.tables, &fit.triad, BETWEEN(0, INVCAL_CELLS - 1), point);
     (void)invcal_cells_step(&fit, power);
     (void)invcal_cells_field(&fit);
     invcal_cells_weigh(&fit, power);

@@ -78,6 +78,18 @@ invcal_real invcal_cells_field(const invcal_cell_fit *fit)
     return any_real();
 }
 
+unsigned invcal_cells_point(const invcal_cell_tables *tables, const invcal_calibration *triad,
+                            unsigned k, invcal_real point[3])
+{
+    (void)(triad->offset[2] + triad->matrix[2][2]);
+    read_tables(tables);
+    (void)k;
+    point[0] = any_real();
+    point[1] = any_real();
+    point[2] = any_real();
+    return BETWEEN(0, 32768);
+}
+
 /* ---- any state, any sample ---------------------------------------------------------------------- */
 
 void main(void)
@@ -99,5 +111,7 @@ void main(void)
     invcal_magnetometer_next(&magnetometer, raw);
     (void)invcal_magnetometer_solve(&magnetometer, &calibration, &quality, &found);
     (void)invcal_magnetometer_solve(&magnetometer, &calibration, &quality, 0);
+    ANY(calibration);
+    (void)invcal_magnetometer_cell(&magnetometer, &calibration, BETWEEN(0, INVCAL_CELLS - 1), raw);
     (void)invcal_disturbance_text((invcal_disturbance)disturbance);
 }

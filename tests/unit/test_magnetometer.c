@@ -220,6 +220,26 @@ static void intervals_hold_what_they_say(void)
     }
 }
 
+/* Calibrated, each is as long as 1 within its share of the residuals, and points where its cell is. */
+static void cells_are_positions_to_look_at(void)
+{
+    static minute m;
+    double squares = 0;
+    unsigned total = 0;
+
+    live(&usual, 8, 0.05, &m);
+    for (unsigned k = 0; k < INVCAL_CELLS; k++) {
+        invcal_real raw[3] = {0, 0, 0};
+        invcal_real eta[3];
+        total += invcal_magnetometer_cell(&m.magnetometer, &m.calibration, k, raw);
+        invcal_apply(&m.calibration, raw, eta);
+        const double direction[3] = {(double)eta[0], (double)eta[1], (double)eta[2]};
+        squares += (length3(direction) - 1) * (length3(direction) - 1);
+    }
+    TEST_ASSERT_DOUBLE_WITHIN(1e-5, (double)m.quality.rms, sqrt(squares / INVCAL_CELLS));
+    TEST_ASSERT_TRUE(total > 4000 && total <= 6000);
+}
+
 /* In uT, as nominal has it; and invcal_scale by it keeps the scale of nominal. */
 static void the_field_is_told_in_the_unit_of_nominal(void)
 {
@@ -488,6 +508,7 @@ int main(void)
     UNITY_BEGIN();
     RUN_LONG_TEST(a_magnetometer_without_noise_is_found_exactly);
     RUN_LONG_TEST(intervals_hold_what_they_say);
+    RUN_LONG_TEST(cells_are_positions_to_look_at);
     RUN_LONG_TEST(the_field_is_told_in_the_unit_of_nominal);
     RUN_TEST(a_real_one_is_found_as_by_fits_of_all_samples);
     RUN_LONG_TEST(half_a_sphere_is_weak);
