@@ -80,8 +80,7 @@ void invcal_cells_merge(invcal_cells *into, invcal_cells *from)
 /* sum (v - s)(v - s)' = sum v v' - s sum v' - sum v s' + n s s' */
 static void move_sum(invcal_real *sum, invcal_real n, const invcal_real s[3], invcal_real scale)
 {
-    static const uint8_t pair[PRODUCTS][2] = {{0, 0}, {1, 1}, {2, 2},
-                                                           {0, 1}, {0, 2}, {1, 2}};
+    static const uint8_t pair[PRODUCTS][2] = {{0, 0}, {1, 1}, {2, 2}, {0, 1}, {0, 2}, {1, 2}};
 
     for (unsigned i = 0; i < PRODUCTS; i++) {
         const unsigned a = pair[i][0];

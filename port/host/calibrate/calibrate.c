@@ -13,6 +13,27 @@
 #include "design/design.h"
 #include "read/columns.h"
 
+/* What no rest is looked for in. */
+static int run_magnetometer(const request *r)
+{
+    positions data = {.name = NULL};
+    calibrate_result result = {.data = NULL};
+    waved log = {.samples = 0};
+    int failure = settle_magnetometer(r, &result.nominal);
+
+    failure =
+        failure ? failure : waved_read(&data, r->file, r->rate, &result.nominal.calibration, &log);
+    if (!failure && log.status != INVCAL_OK) {
+        failure = calibrate_refuse_waved(&data, &log, r->value[ASK_JSON] != NULL);
+    }
+    result.magnetometer = &log;
+    failure = failure ? failure : solve_waved(r, &data, &result);
+    failure = failure ? failure : deliver(r, &result);
+    rejection_free(&result.rejected);
+    positions_free(&data);
+    return failure;
+}
+
 int calibrate_run(int argc, char **argv, int is_live, positions_reader *read)
 {
     request r;
@@ -26,6 +47,9 @@ int calibrate_run(int argc, char **argv, int is_live, positions_reader *read)
     }
     if (r.value[ASK_QUIET]) {
         progress_quiet();
+    }
+    if (r.value[ASK_MAGNETOMETER]) {
+        return run_magnetometer(&r);
     }
     failure = read(&r, &data, &log);
     if (!failure && data.count == 0 && !r.value[ASK_POSITIONS]) {
@@ -129,6 +153,12 @@ static const char *const help[] = {
     "                      angles: takes these as 0 with the standard deviation 0.01 rad (0.57\n"
     "                      degrees, a data sheet's 1 % cross-axis), or G of --prior 0,0,G, and\n"
     "                      tells what that costs. Needs the noise\n"
+    "  --magnetometer      LOG is a magnetometer that was waved for a minute, not held still: its\n"
+    "                      columns (mx my mz) beside others. Needs no rests and no field: without\n"
+    "                      --gravity the result is in the unit of the readings, by their mean\n"
+    "                      scale. Names a magnet that passed by, a step, a field that differs "
+    "from\n"
+    "                      place to place\n"
     "  --robust            a cross-check: does the estimate with the least sum of absolute "
     "residuals\n"
     "                      (l1) of all positions agree with this one, outliers left out?\n"

@@ -218,3 +218,31 @@ int calibrate_no_rest(const positions *data, const rests_summary *log, int json)
     }
     return EXIT_DATA;
 }
+
+int calibrate_refuse_waved(const positions *data, const waved *log, int json)
+{
+    char text[REASON_MAX];
+    json_writer w;
+
+    if (log->status == INVCAL_TOO_FEW || log->status == INVCAL_UNDETERMINED) {
+        snprintf(text, sizeof text,
+                 "%lu samples, all in a few directions: wave it for a minute so that every side of "
+                 "the case has pointed along the field, which points north and steeply down in "
+                 "Europe and North America",
+                 log->samples);
+    } else {
+        snprintf(
+            text, sizeof text,
+            "the samples lie on no ellipsoid: look for wrong columns, and for iron or a magnet "
+            "near by");
+    }
+    message("%s: %s", data->name, text);
+    if (json) {
+        json_begin(&w, stdout);
+        json_text(&w, "error", status_name(log->status));
+        json_text(&w, "reason", text);
+        json_parameters(&w, "undetermined", (1u << INVCAL_PARAMETERS) - 1);
+        json_end(&w);
+    }
+    return EXIT_DATA;
+}

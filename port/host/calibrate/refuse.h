@@ -26,4 +26,7 @@ int calibrate_all_drift(const calibrate_result *result, int json);
 /* Says that a log holds no rest, and what it holds. Returns EXIT_DATA. */
 int calibrate_no_rest(const positions *data, const rests_summary *log, int json);
 
+/* The samples of a magnetometer do not tell a calibration. */
+int calibrate_refuse_waved(const positions *data, const waved *log, int json);
+
 #endif

@@ -29,6 +29,7 @@ static const option options[ASK_OPTIONS] = {
     [ASK_NOISE] = {"--noise", 1},
     [ASK_PRIOR] = {"--prior", 1},
     [ASK_SIX_FACES] = {"--six-faces", 0},
+    [ASK_MAGNETOMETER] = {"--magnetometer", 0},
     [ASK_THERMAL] = {"--thermal", 1},
     [ASK_SLOPE] = {"--slope", 1},
     [ASK_RATE] = {"--rate", 1},
@@ -63,6 +64,33 @@ static design stated_plan;
 int request_usage(const request *r, unsigned which, const char *what)
 {
     return message_usage(r->syntax->command, "%s: %s", options[which].name, what);
+}
+
+/* It has no positions of its own, and its field may be of any length. */
+static int read_magnetometer(request *r)
+{
+    static const unsigned others[] = {ASK_POSITIONS, ASK_LATITUDE, ASK_HEIGHT, ASK_CASE,
+                                      ASK_UNIT,      ASK_NOISE,    ASK_PRIOR,  ASK_SIX_FACES,
+                                      ASK_THERMAL,   ASK_CLIP,     ASK_ROBUST, ASK_QUADRATIC,
+                                      ASK_CUBIC,     ASK_STAND,    ASK_PLAN,   ASK_KEEP_ALL};
+
+    if (!r->value[ASK_MAGNETOMETER]) {
+        return EXIT_GOOD;
+    }
+    if (r->is_live) {
+        return request_usage(r, ASK_MAGNETOMETER, "is for invcal calibrate");
+    }
+    for (unsigned i = 0; i < sizeof others / sizeof others[0]; i++) {
+        if (r->value[others[i]]) {
+            return message_usage(r->syntax->command, "%s: does not go together with %s",
+                                 options[ASK_MAGNETOMETER].name, options[others[i]].name);
+        }
+    }
+    if (!r->value[ASK_GRAVITY]) {
+        r->settings.field = 1;
+        r->field_sigma = 0;
+    }
+    return EXIT_GOOD;
 }
 
 /* The field of a place on Earth. */
@@ -539,6 +567,7 @@ int request_read(int argc, char **argv, int is_live, request *r)
     options_command(syntax->command, argc, argv, r->command, sizeof r->command);
     failure = failure ? failure : check_files(r);
     failure = failure ? failure : read_gravity(r);
+    failure = failure ? failure : read_magnetometer(r);
     failure = failure ? failure : read_frame(r);
     failure = failure ? failure : read_case(r);
     failure = failure ? failure : read_nominal(r);

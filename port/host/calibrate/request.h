@@ -31,6 +31,7 @@ enum {
     ASK_NOISE,
     ASK_PRIOR,
     ASK_SIX_FACES,
+    ASK_MAGNETOMETER,
     ASK_THERMAL,
     ASK_SLOPE,
     ASK_RATE,

@@ -183,7 +183,7 @@ static double accuracy_of(const fit_quality *q)
 /* A field that is wrong makes all three scales wrong alike. */
 static void inherit_field(const request *r, calibrate_result *result)
 {
-    result->field_sigma = r->field_sigma / r->settings.field;
+    result->field_sigma = r->field_sigma / result->settings.field;
     result->is_field_stated = r->value[ASK_GRAVITY] || r->value[ASK_LATITUDE];
     for (unsigned p = INVCAL_DK_X; p <= INVCAL_DK_Z; p++) {
         double *sigma = &result->quality.sigma[p];
@@ -253,6 +253,18 @@ static int find_case(const request *r, calibrate_result *result)
     return EXIT_GOOD;
 }
 
+/* What follows from the solution. */
+static void complete(const request *r, const positions *data, calibrate_result *result)
+{
+    result->accuracy = accuracy_of(&result->quality);
+    result->need = r->need;
+    inherit_field(r, result);
+    result->quality.worst = rejection_original(&result->rejected, result->quality.worst);
+    result->tolerance = r->value[ASK_TOLERANCE] ? r->tolerance : NULL;
+    result->beyond = beyond(result);
+    result->residual_before = residual_of_nominal(data, &result->settings.nominal);
+}
+
 int solve_positions(const request *r, const positions *data, calibrate_result *result)
 {
     result->data = data;
@@ -276,12 +288,34 @@ int solve_positions(const request *r, const positions *data, calibrate_result *r
     if (result->is_robust_wanted) {
         cross_check(result);
     }
-    result->accuracy = accuracy_of(&result->quality);
-    result->need = r->need;
-    inherit_field(r, result);
-    result->quality.worst = rejection_original(&result->rejected, result->quality.worst);
-    result->tolerance = r->value[ASK_TOLERANCE] ? r->tolerance : NULL;
-    result->beyond = beyond(result);
-    result->residual_before = residual_of_nominal(data, &result->settings.nominal);
+    complete(r, data, result);
+    return EXIT_GOOD;
+}
+
+int solve_waved(const request *r, const positions *data, calibrate_result *result)
+{
+    const waved *m = result->magnetometer;
+    const int is_scaled = r->value[ASK_LSB] || r->value[ASK_NOMINAL];
+
+    result->data = data;
+    result->told = r->told;
+    result->settings = r->settings;
+    if (!r->value[ASK_GRAVITY]) {
+        result->settings.field = m->found.field;
+    } else if (!is_scaled) {
+        result->nominal.lsb = NOMINAL_RANGE;
+        for (unsigned i = 0; i < 3; i++) {
+            result->nominal.calibration.matrix[i][i] = r->settings.field / m->found.field;
+        }
+    }
+    result->settings.nominal = fit_over_field(&result->nominal.calibration, result->settings.field);
+    const int failure = rejection_find(&result->rejected, data, &result->settings, 1);
+    if (failure) {
+        return failure;
+    }
+    result->solution = fit_solution_of(&m->calibration, &result->settings);
+    result->quality = fit_quality_of(&m->quality, &result->settings, &result->solution);
+    result->quality.condition = m->quality.condition;
+    complete(r, data, result);
     return EXIT_GOOD;
 }

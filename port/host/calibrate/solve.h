@@ -11,4 +11,7 @@
 /* Returns EXIT_GOOD; EXIT_DATA, EXIT_USAGE or EXIT_FILE after a message. */
 int solve_positions(const request *r, const positions *data, calibrate_result *result);
 
+/* The same of a magnetometer that was waved, whose cells `data` are: result->magnetometer. */
+int solve_waved(const request *r, const positions *data, calibrate_result *result);
+
 #endif

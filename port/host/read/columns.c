@@ -60,6 +60,23 @@ static int is_of_ros(const heading *h)
     return strncmp(h->name, "linear_acceleration.", strlen("linear_acceleration.")) == 0;
 }
 
+/* Of a magnetometer, for sure. */
+static int is_magnetic(const char *key)
+{
+    return strcmp(key, "m") == 0 || strncmp(key, "mag", 3) == 0;
+}
+
+/* Does the header name one? Then the readings of other sensors are none. */
+static int has_magnetometer(const table *t)
+{
+    for (unsigned i = 0; i < t->columns; i++) {
+        if (headings[i].axis >= 0 && is_reading(headings[i].key) && is_magnetic(headings[i].key)) {
+            return 1;
+        }
+    }
+    return 0;
+}
+
 /* The column with the same key as column `from` and this axis: -1 if there is none. */
 static int find_axis(const table *t, unsigned from, int axis)
 {
@@ -101,13 +118,15 @@ static void say_none(const table *t)
 
 /* x, y and z come from one family: a log with an accelerometer and a magnetometer has two, and
  * nobody can guess which one is meant. */
-static int find_xyz(const table *t, int index[3])
+static int find_xyz(const table *t, columns_kind kind, int index[3])
 {
+    const int magnetic = kind == COLUMNS_MAGNETOMETER && has_magnetometer(t);
     int found = 0;
 
     for (unsigned i = 0; i < t->columns; i++) {
         const heading *h = &headings[i];
-        if (h->axis < 0 || !(is_reading(h->key) || is_of_ros(h))) {
+        if (h->axis < 0 || !(is_reading(h->key) || is_of_ros(h)) ||
+            (magnetic && !is_magnetic(h->key))) {
             continue;
         }
         if (!found) {
@@ -399,7 +418,7 @@ static int find_by_header(table *t, columns_kind kind, columns *out)
     for (unsigned i = 0; i < t->columns; i++) {
         heading_read(t->field[i], &headings[i]);
     }
-    int failure = find_xyz(t, &index[COLUMN_X]);
+    int failure = find_xyz(t, kind, &index[COLUMN_X]);
     failure = failure ? failure : find_std(t, &std);
     failure = failure ? failure : find_unit(t, out);
     for (unsigned c = COLUMN_STD_X; c < COLUMN_COUNT && !failure; c++) {
@@ -412,7 +431,7 @@ static int find_by_header(table *t, columns_kind kind, columns *out)
         /* only all three of them are of use */
         index[COLUMN_STD_X] = index[COLUMN_STD_Y] = index[COLUMN_STD_Z] = std;
     }
-    for (unsigned c = COLUMN_STD_X; c <= COLUMN_SAMPLES && kind == COLUMNS_LOG; c++) {
+    for (unsigned c = COLUMN_STD_X; c <= COLUMN_SAMPLES && kind != COLUMNS_POSITIONS; c++) {
         index[c] = -1; /* of no use there */
     }
     find_short_temperature(t, out);
@@ -445,7 +464,7 @@ static int find_by_count(const table *t, columns_kind kind, columns *out)
     static const char letters[] = "xyzabcntTAB"; /* in the order of `column`; '.': a rate */
 
     for (unsigned i = 0; i < 5 && !is_cut_at_commas(t); i++) {
-        const char *layout = layouts[kind][i];
+        const char *layout = layouts[kind != COLUMNS_POSITIONS][i];
         if (!layout || strlen(layout) != t->columns) {
             continue;
         }
@@ -460,7 +479,7 @@ static int find_by_count(const table *t, columns_kind kind, columns *out)
                      : place ? columns_name((column)c)
                              : "");
         }
-        out->seen.others = kind == COLUMNS_LOG && t->columns > 5 ? 3 : 0;
+        out->seen.others = kind != COLUMNS_POSITIONS && t->columns > 5 ? 3 : 0;
         return EXIT_GOOD;
     }
     message("%s:%lu: %u column%s, separated by %s, without a header: %s, or a header that names "

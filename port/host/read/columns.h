@@ -53,8 +53,9 @@ typedef struct {
 /* How the columns of a table without a header are understood. */
 typedef enum {
     COLUMNS_POSITIONS, /* x y z; x y z std n; x y z std_x std_y std_z n */
-    COLUMNS_LOG        /* x y z; t x y z; t x y z temperature; the first two also with the three of
-                          a gyro behind, which are ignored */
+    COLUMNS_LOG,       /* x y z; t x y z; t x y z temperature; the first two also with the three of
+                    a gyro behind, which are ignored */
+    COLUMNS_MAGNETOMETER /* the same; of two sensors that a header names the magnetometer */
 } columns_kind;
 
 /* Names that a header may use, for help texts. */

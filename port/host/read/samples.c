@@ -44,7 +44,7 @@ static int realign(samples *s)
     }
     s->table.columns = s->table.found;
     s->ahead_count = 0;
-    return columns_find(&s->table, COLUMNS_LOG, &s->where) == EXIT_GOOD;
+    return columns_find(&s->table, s->kind, &s->where) == EXIT_GOOD;
 }
 
 /* The numbers of the next row that is whole. 1, 0 at the end, -1. */
@@ -163,7 +163,7 @@ static int find_rate(samples *s)
 /* If the first line of a live stream was cut beyond recognition, the second tells. */
 static int find_columns(samples *s)
 {
-    const int failure = columns_find(&s->table, COLUMNS_LOG, &s->where);
+    const int failure = columns_find(&s->table, s->kind, &s->where);
 
     if (!failure || !s->is_live || s->table.has_header) {
         return failure;
@@ -172,11 +172,12 @@ static int find_columns(samples *s)
     (void)table_next(&s->table); /* has another number of columns, and is told */
     s->table.columns = s->table.found;
     s->skipped = 2;
-    return columns_find(&s->table, COLUMNS_LOG, &s->where);
+    return columns_find(&s->table, s->kind, &s->where);
 }
 
-int samples_open(samples *s, const char *path, double rate, int live)
+static int open_as(samples *s, const char *path, double rate, int live, columns_kind kind)
 {
+    s->kind = kind;
     s->ahead_count = s->next = 0;
     s->count = s->gaps = s->skipped = 0;
     s->is_live = live;
@@ -197,6 +198,16 @@ int samples_open(samples *s, const char *path, double rate, int live)
     s->rate = rate;
     s->is_rate_known = rate > 0;
     return rate > 0 ? EXIT_GOOD : find_rate(s);
+}
+
+int samples_open(samples *s, const char *path, double rate, int live)
+{
+    return open_as(s, path, rate, live, COLUMNS_LOG);
+}
+
+int samples_open_magnetometer(samples *s, const char *path, double rate)
+{
+    return open_as(s, path, rate, 0, COLUMNS_MAGNETOMETER);
 }
 
 unsigned samples_whole_rate(const samples *s)

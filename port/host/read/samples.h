@@ -52,6 +52,7 @@ typedef struct {
     unsigned long gaps;
     unsigned long skipped; /* malformed lines of a live stream */
     double longest;        /* step of time that is none */
+    columns_kind kind;     /* of its columns */
     int is_live;
     int is_broken; /* a line has been skipped just now */
 } samples;
@@ -67,6 +68,9 @@ typedef struct {
  * sample, or the times do not tell a rate within 8 ... 8000. The structure is large and must not
  * be moved. To be closed with samples_close in either case. */
 int samples_open(samples *s, const char *path, double rate, int live);
+
+/* The same of a log of which x, y and z are a magnetometer's, if its header names one. */
+int samples_open_magnetometer(samples *s, const char *path, double rate);
 
 /* The rate in whole samples a second, as the library wants it. */
 unsigned samples_whole_rate(const samples *s);

@@ -168,8 +168,13 @@ static void print_residuals(FILE *file, const calibrate_result *r, const char *n
     char text[TEXT_MAX];
 
     fprintf(file, "residual rms  %s\n", residual_text(r, q->rms, text));
-    fprintf(file, "         max  %s, at position %u (line %lu)\n", residual_text(r, q->max, text),
-            q->worst + 1, r->data->origin[q->worst].line);
+    fprintf(file, "         max  %s", residual_text(r, q->max, text));
+    if (r->magnetometer) {
+        fprintf(file, ", of the means of cells\n");
+    } else {
+        fprintf(file, ", at position %u (line %lu)\n", q->worst + 1,
+                r->data->origin[q->worst].line);
+    }
     fprintf(file, "  rms before  %s (%s alone)\n", residual_text(r, r->residual_before, text),
             nominal_name);
     if (calibrate_knows_noise(r)) {
@@ -253,7 +258,7 @@ static void print_verdict(FILE *file, const calibrate_result *result)
     } else if (q->verdict == INVCAL_NO_REDUNDANCY) {
         snprintf(text, sizeof text,
                  " every parameter is determined, but no direction is left to check the result.");
-    } else if (q->verdict == INVCAL_WEAK) {
+    } else if (q->verdict == INVCAL_WEAK && q->weak) {
         (void)parameters_list(q->weak, list, sizeof list);
         snprintf(text, sizeof text, " %s %s badly determined; use the result only within its ±.",
                  list, strchr(list, ',') ? "are" : "is");
@@ -302,7 +307,7 @@ static void print_next(FILE *file, const calibrate_result *result, const calibra
     } else if (q->verdict == INVCAL_WEAK && calibrate_wants_slopes(result)) {
         fprintf(file, "Next: measure nine positions or more at each of two temperatures, 5 K "
                       "apart or more.\n");
-    } else if (q->verdict == INVCAL_WEAK) {
+    } else if (q->verdict == INVCAL_WEAK && !result->magnetometer) {
         snprintf(text, sizeof text, "Next: add positions with %s.",
                  parameters_advice(q->weak, advice, sizeof advice));
         calibrate_print_wrapped(file, 0, text);
@@ -420,7 +425,11 @@ void calibrate_print(FILE *file, const calibrate_result *result, const calibrate
 
     print_recognised(file, result->data);
     print_log(file, result);
-    fprintf(file, "%s: %u positions, field %.7g %s\n", result->data->name, result->data->count,
+    if (result->magnetometer) {
+        calibrate_waved_print(file, result);
+    }
+    fprintf(file, "%s: %u %s, field %.7g %s\n", result->data->name, result->data->count,
+            result->magnetometer ? "cells of direction, each a position" : "positions",
             result->settings.field, calibrate_field_unit(result));
     print_place(file, result);
     print_rejected(file, result);

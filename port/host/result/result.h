@@ -16,6 +16,7 @@
 #include "read/positions.h"
 #include "fit/rejection.h"
 #include "read/rests.h"
+#include "read/waved.h"
 #include "stand/stand.h"
 #include "fit/thermal_fit.h"
 #include "cli/told.h"
@@ -30,7 +31,8 @@ typedef enum {
 
 typedef struct {
     const positions *data;
-    const rests_summary *log; /* what they were found in; null: they were given */
+    const rests_summary *log;  /* what they were found in; null: they were given */
+    const waved *magnetometer; /* which was waved, and whose cells they are; or null */
     rejection rejected;
     nominal_choice nominal;
     fit_settings settings;
@@ -137,6 +139,12 @@ const char *calibrate_limit(const calibrate_result *result, const uncertainty *l
 /* How the calibrated axes were turned to those of the case: a sentence. Returns text. Its member. */
 const char *calibrate_case_text(const calibrate_result *result, char text[CALIBRATE_LIMIT_MAX]);
 void calibrate_case_json(json_writer *w, const calibrate_result *result);
+
+/* Of a magnetometer: what its samples were, lines of the table; why it may not be used, a sentence without
+ * its subject, or null; and a member. */
+void calibrate_waved_print(FILE *file, const calibrate_result *result);
+const char *calibrate_waved_fault(const calibrate_result *result, char text[CALIBRATE_LIMIT_MAX]);
+void calibrate_waved_json(json_writer *w, const calibrate_result *result);
 
 /* What temperature does to the readings, if that was looked at and not asked for: a sentence, or
  * "". Returns text. */

@@ -1,0 +1,61 @@
+/* SPDX-License-Identifier: MIT */
+#include "read/waved.h"
+
+#include "cli/command.h"
+#include "cli/progress.h"
+#include "read/samples.h"
+#include "text/number.h"
+
+static int feed_all(invcal_magnetometer *m, samples *log, waved *out)
+{
+    sample s;
+    int more;
+
+    while ((more = samples_next(log, &s)) == 1) {
+        const double raw[3] = {s.raw[0] * log->unit, s.raw[1] * log->unit, s.raw[2] * log->unit};
+        (void)invcal_magnetometer_feed(m, raw);
+        out->samples++;
+        progress_show(log->table.file, log->table.line, 0);
+    }
+    progress_end();
+    out->seconds = (double)out->samples / log->rate;
+    return more < 0 ? EXIT_FILE : EXIT_GOOD;
+}
+
+static int take_cells(const invcal_magnetometer *m, const waved *out, unsigned long line,
+                      positions *p)
+{
+    const position_origin origin = {line,           NUMBER_UNKNOWN, NUMBER_UNKNOWN, NUMBER_UNKNOWN,
+                                    NUMBER_UNKNOWN, NUMBER_UNKNOWN, NUMBER_UNKNOWN};
+    int failure = EXIT_GOOD;
+
+    for (unsigned k = 0; k < INVCAL_CELLS && !failure; k++) {
+        double raw[3];
+        if (invcal_magnetometer_cell(m, &out->calibration, k, raw) > 0) {
+            failure = positions_add(p, raw, &origin);
+        }
+    }
+    return failure;
+}
+
+int waved_read(positions *p, const char *path, double rate, const invcal_calibration *nominal,
+               waved *out)
+{
+    static samples log; /* too large for the stack */
+    invcal_magnetometer m;
+    int failure = samples_open_magnetometer(&log, path, rate);
+
+    *p = (positions){.name = log.table.name, .seen = log.where.seen};
+    *out =
+        (waved){.rate = log.rate, .is_rate_known = log.is_rate_known, .status = INVCAL_BAD_NOMINAL};
+    if (!failure && invcal_magnetometer_init(&m, nominal) == INVCAL_OK) {
+        failure = feed_all(&m, &log, out);
+        out->status = invcal_magnetometer_solve(&m, &out->calibration, &out->quality, &out->found);
+        invcal_magnetometer_next(&m, out->next);
+    }
+    samples_close(&log);
+    p->bytes = log.table.bytes;
+    p->crc = log.table.crc;
+    return failure || out->status != INVCAL_OK ? failure
+                                               : take_cells(&m, out, log.table.first_line, p);
+}
