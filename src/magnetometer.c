@@ -303,6 +303,9 @@ invcal_status invcal_magnetometer_solve(const invcal_magnetometer *magnetometer,
     for (unsigned i = 0; i < 3; i++) {
         fit.quality.sigma[i] /= invcal_cells_field(&fit);
     }
+    if (m->blocked < POWER_SAMPLES) { /* nothing tells yet how samples err alike */
+        invcal_raise(&fit.quality, INVCAL_NO_REDUNDANCY);
+    }
     if (f.gap > 45) {
         invcal_raise(&fit.quality, INVCAL_WEAK);
     }

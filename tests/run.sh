@@ -14,7 +14,7 @@ mkdir -p "$logs" || exit 2
 
 # NAME COMMAND...; the longest first.
 suites() {
-    for name in allan plan tool thermal stand case log watch units input citizen report plan_report export fault verdict \
+    for name in allan plan tool thermal stand case magnetometer log watch units input citizen report plan_report export fault verdict \
         six_faces release; do
         echo "$name sh $tests/tool/${name}_test.sh $build/invcal $build/tool"
     done

@@ -119,7 +119,8 @@ void invcal_magnetometer_next(const invcal_magnetometer *magnetometer, invcal_re
  *
  * out      the calibration, over field; symmetric against nominal.
  * quality  its positions are the cells. sigma counts samples that err alike once, or is what the
- *          cells scatter by if that is clearly more. It is weak also where the gap is 60 degrees or more, and
+ *          cells scatter by if that is clearly more. No redundancy: nothing is
+ *          known yet of how samples err alike. It is weak also where the gap is 60 degrees or more, and
  *          rough where a step or PLACES is named, or more than an eighth was left out.
  * found    out; may be null.
  *

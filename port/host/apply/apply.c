@@ -106,7 +106,8 @@ static int write_rows(FILE *spool, table *log, job *j)
     columns where;
     unsigned long rows = 0;
     int more = 0;
-    int failure = columns_find(log, COLUMNS_LOG, &where);
+    int failure =
+        columns_find(log, j->file.is_magnetometer ? COLUMNS_MAGNETOMETER : COLUMNS_LOG, &where);
 
     if (failure) {
         return failure;

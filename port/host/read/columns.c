@@ -136,8 +136,11 @@ static int find_xyz(const table *t, columns_kind kind, int index[3])
             found = index[0] >= 0 && index[1] >= 0 && index[2] >= 0;
         }
         if (found && is_there_twice(t, i, index)) {
-            message("%s:%lu: x, y and z are there twice ('%s' and '%s'): leave one set of columns",
-                    t->name, t->line, headings[index[h->axis]].name, h->name);
+            message(
+                "%s:%lu: x, y and z are there twice ('%s' and '%s'): leave one set of columns%s",
+                t->name, t->line, headings[index[h->axis]].name, h->name,
+                has_magnetometer(t) ? ", or calibrate that of a magnetometer with --magnetometer"
+                                    : "");
             return EXIT_FILE;
         }
     }

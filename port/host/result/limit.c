@@ -139,6 +139,14 @@ const char *calibrate_limit(const calibrate_result *r, const uncertainty *length
             "positions would leave.",
             r->temperature == CALIBRATE_THERMAL ? " at each temperature" : "", length->worst_words,
             figure_digits(uneven, 2, number), r->rejected.kept_count);
+    } else if (r->magnetometer) {
+        snprintf(
+            text, CALIBRATE_LIMIT_MAX,
+            "%s. Four times as long a log, turned to all sides, halves ±; what differs from place "
+            "to place it does not.",
+            r->quality.sigma_dof > r->quality.dof
+                ? "what neighbouring samples err alike by"
+                : "what the cells disagree by, which is more than their samples tell");
     } else if (!(r->settings.noise > 0)) {
         snprintf(text, CALIBRATE_LIMIT_MAX, "%s",
                  r->quality.dof > 0
