@@ -284,6 +284,20 @@ static void tell_found(const invcal_magnetometer *m, const invcal_cell_fit *fit,
     }
 }
 
+static void judge_motion(const invcal_magnetometer *m, const invcal_magnetometer_found *found,
+                         invcal_quality *quality)
+{
+    if (m->blocked < POWER_SAMPLES) { /* nothing tells yet how samples err alike */
+        invcal_raise(quality, INVCAL_NO_REDUNDANCY);
+    }
+    if (found->gap > 45) {
+        invcal_raise(quality, INVCAL_WEAK);
+    }
+    if (found->disturbance > INVCAL_PASSING || found->left_out > found->samples / 8) {
+        invcal_raise(quality, INVCAL_ROUGH);
+    }
+}
+
 invcal_status invcal_magnetometer_solve(const invcal_magnetometer *magnetometer,
                                         invcal_calibration *out, invcal_quality *quality,
                                         invcal_magnetometer_found *found)
@@ -303,15 +317,7 @@ invcal_status invcal_magnetometer_solve(const invcal_magnetometer *magnetometer,
     for (unsigned i = 0; i < 3; i++) {
         fit.quality.sigma[i] /= invcal_cells_field(&fit);
     }
-    if (m->blocked < POWER_SAMPLES) { /* nothing tells yet how samples err alike */
-        invcal_raise(&fit.quality, INVCAL_NO_REDUNDANCY);
-    }
-    if (f.gap > 45) {
-        invcal_raise(&fit.quality, INVCAL_WEAK);
-    }
-    if (f.disturbance > INVCAL_PASSING || f.left_out > f.samples / 8) {
-        invcal_raise(&fit.quality, INVCAL_ROUGH);
-    }
+    judge_motion(m, &f, &fit.quality);
     status = invcal_behind(&m->work, &fit.triad);
     if (status == INVCAL_OK) {
         *out = fit.triad;

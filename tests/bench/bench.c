@@ -5,6 +5,7 @@
  */
 #include "../report.h"
 #include "invcal/allan.h"
+#include "invcal/dip.h"
 #include "invcal/expert.h"
 #include "invcal/frame.h"
 #include "invcal/magnetometer.h"
@@ -165,6 +166,39 @@ static void bench_magnetometer(void)
         invcal_magnetometer_solve(&magnetometer, &calibration, &quality, &found);
     report("magnetometer_solve", end());
     if (status != INVCAL_OK || found.covered != INVCAL_CELLS) {
+        board_exit(1);
+    }
+}
+
+/* Eighteen orientations, the field at a right angle to up. */
+static void bench_dip(void)
+{
+    invcal_dip dip;
+    invcal_dip_quality quality;
+    invcal_real rotation[3][3];
+    invcal_plan plan = {.per_group = POSITIONS / INVCAL_PLAN_GROUPS};
+    invcal_plan_position p;
+
+    (void)invcal_plan_starts(plan.per_group, plan.start);
+    invcal_dip_init(&dip);
+    for (unsigned i = 0; i < POSITIONS; i++) {
+        (void)invcal_plan_position_at(&plan, i, &p);
+        const invcal_real *const up = p.vertical;
+        const invcal_real one[3] = {up[1] + INVCAL_REAL(0.1), up[2], up[0]};
+        const invcal_real field[3] = {up[1] * one[2] - up[2] * one[1],
+                                      up[2] * one[0] - up[0] * one[2],
+                                      up[0] * one[1] - up[1] * one[0]};
+        begin();
+        (void)invcal_dip_add(&dip, up, field);
+        const uint32_t count = end();
+        if (i + 1 == POSITIONS) {
+            report("dip_add", count);
+        }
+    }
+    begin();
+    const invcal_status status = invcal_dip_solve(&dip, 1, rotation, &quality);
+    report("dip_solve", end());
+    if (status != INVCAL_OK) {
         board_exit(1);
     }
 }
@@ -372,6 +406,7 @@ int main(void)
     bench_full_vector();
     bench_frame();
     bench_magnetometer();
+    bench_dip();
     bench_all();
     bench_six_faces();
     bench_session();

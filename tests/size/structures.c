@@ -3,6 +3,7 @@
  * The sizes of the structures that firmware keeps, for nm to read: an array as large as each.
  */
 #include "invcal/allan.h"
+#include "invcal/dip.h"
 #include "invcal/expert.h"
 #include "invcal/frame.h"
 #include "invcal/magnetometer.h"
@@ -26,5 +27,6 @@ SIZE_OF(invcal_record);
 SIZE_OF(invcal_allan);
 SIZE_OF(invcal_noise);
 SIZE_OF(invcal_magnetometer);
+SIZE_OF(invcal_dip);
 SIZE_OF(invcal_thermal);
 SIZE_OF(invcal_thermal_record);
