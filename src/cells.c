@@ -17,10 +17,14 @@ static const uint8_t cyclic[] = {0, 1, 2, 0, 1};
 unsigned invcal_cell_of(const invcal_real h[INVCAL_PARAMETERS])
 {
     static const uint8_t first[] = {FACES, FACES + 4, FACES + 8};
-    const invcal_real x = h[INVCAL_DK_X];
-    const invcal_real y = h[INVCAL_DK_Y];
-    const invcal_real z = h[INVCAL_DK_Z];
-    const unsigned least = x < y ? (x < z ? 0u : 2u) : (y < z ? 1u : 2u);
+    unsigned least = 0;
+
+    if (h[INVCAL_DK_Y] < h[INVCAL_DK_X]) {
+        least = 1;
+    }
+    if (h[INVCAL_DK_Z] < h[INVCAL_DK_X + least]) {
+        least = 2;
+    }
     const unsigned a = cyclic[least + 1];
     const unsigned b = cyclic[least + 2];
     const invcal_real first_square = h[INVCAL_DK_X + a];

@@ -140,7 +140,8 @@ invcal_status invcal_dip_solve(const invcal_dip *dip, invcal_real alike, invcal_
     if (dip->count <= DIP_UNKNOWNS) {
         return INVCAL_TOO_FEW;
     }
-    for (unsigned step = 0; step < DIP_STEPS; step++) {
+    invcal_real change = 1;
+    for (unsigned step = 0; step < DIP_STEPS && change > INVCAL_EPSILON; step++) {
         const invcal_status status = make_step(dip, (const invcal_real(*)[3])r, s, a);
         if (status != INVCAL_OK) {
             return status;
@@ -149,6 +150,7 @@ invcal_status invcal_dip_solve(const invcal_dip *dip, invcal_real alike, invcal_
         const invcal_real *const x = &a[INVCAL_PACKED(DIP_UNKNOWNS, 0)];
         turn_by(x, r);
         s += x[3];
+        change = invcal_dot(x, x, DIP_UNKNOWNS);
     }
     const invcal_status status = make_step(dip, (const invcal_real(*)[3])r, s, a);
     if (status != INVCAL_OK) {

@@ -13,11 +13,13 @@
 /* Nothing is known: the box of the readings tells where the cells are. Then there is a first solution, of
  * samples that nothing was compared with; and one of samples after it alone. */
 enum { NO_SOLUTION, FIRST_SOLUTION, SECOND_SOLUTION };
-enum { FIRST_LOOK = 96, LARGEST_BLOCK = 4096, MOST_SAMPLES = 16777216 };
+enum { FIRST_LOOK = 96, LARGEST_BLOCK = 4096 };
+#define MOST_SAMPLES UINT32_C(16777216)
 /* What samples differ by from the first solution, until they have told: as how many a tenth of it counts, and the sum of its squares. */
 enum { DIFFER_COUNT = 8 };
 #define DIFFER_SQUARES INVCAL_REAL(0.08)
-#define CONTRADICTS INVCAL_REAL(25.0)  /* square of 5 */
+#define CONTRADICTS INVCAL_REAL(25.0) /* square of 5 */
+#define FAR INVCAL_REAL(0.01)
 #define WIDE_GAP INVCAL_REAL(0.6)      /* a cosine: more than 45 degrees */
 #define PLACES_RMS INVCAL_REAL(0.03)   /* what no magnetometer's noise is, */
 #define PLACES_ALIKE INVCAL_REAL(10.0) /* if neighbours err alike */
@@ -131,6 +133,15 @@ static int is_found(const invcal_magnetometer *m, invcal_cell_fit *fit)
            fit->quality.dof >= 2;
 }
 
+/* Has the centre moved by more than a hundredth, or the scale? Less makes no other cells. */
+static int is_far(const invcal_cell_fit *fit)
+{
+    const invcal_real *const shift = fit->triad.offset;
+
+    return !(invcal_dot3(shift, shift) < FAR * FAR &&
+             INVCAL_FABS(invcal_cells_field(fit) - 1) < FAR);
+}
+
 /* A solution that what contradicts it may be left out by: into p, the readings moved to the unit sphere.
  * Returns 0 if there is none. */
 static int has_solution(invcal_magnetometer *m, const invcal_cells *one, const invcal_cells *other)
@@ -145,8 +156,8 @@ static int has_solution(invcal_magnetometer *m, const invcal_cells *one, const i
     m->has_step |= (uint8_t)invcal_cells_step(&fit, m->before > 0 ? m->before : power_of(m));
     fit.tables.early = one;
     fit.tables.late = other;
-    if (!is_recentred(m, fit.triad.offset, invcal_cells_field(&fit)) ||
-        invcal_cells_solve(&fit) != INVCAL_OK) {
+    if (is_far(&fit) && (!is_recentred(m, fit.triad.offset, invcal_cells_field(&fit)) ||
+                         invcal_cells_solve(&fit) != INVCAL_OK)) {
         return 0;
     }
     memcpy(m->p, fit.p, sizeof m->p);

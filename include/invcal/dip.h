@@ -55,7 +55,7 @@ void invcal_dip_init(invcal_dip *dip);
  * up, field  calibrated, in the axes of each sensor; of any length above 0.
  *
  * Returns INVCAL_OK; else the sums are as they were: INVCAL_NOT_FINITE; INVCAL_OUT_OF_RANGE for a length of
- * 0, or one that cannot be squared. Cost: 250 instructions. Stack: about 80 bytes. */
+ * 0, or one that cannot be squared. Cost: 350 instructions. Stack: about 80 bytes. */
 invcal_status invcal_dip_add(invcal_dip *dip, const invcal_real up[3], const invcal_real field[3]);
 
 /* Solves them, for rotations of up to some 40 degrees: axes that are exchanged have to be put right before.
@@ -68,7 +68,7 @@ invcal_status invcal_dip_add(invcal_dip *dip, const invcal_real up[3], const inv
  * Returns INVCAL_OK; else nothing is written:
  *   INVCAL_TOO_FEW        fewer than 5 instants;
  *   INVCAL_UNDETERMINED   they leave an angle open: all about one axis, or the field is vertical.
- * Cost: 18,000 instructions. Stack: about 500 bytes. */
+ * Cost: 90,000 instructions. Stack: about 500 bytes. */
 invcal_status invcal_dip_solve(const invcal_dip *dip, invcal_real alike, invcal_real rotation[3][3],
                                invcal_dip_quality *quality);
 
