@@ -6,37 +6,12 @@
 #include "sums.h"
 #include "vector.h"
 
-/* Cells have equal areas if faces end where the tangent is t, 4 asin(t^2 / (1 + t^2)) = 4 pi / 18. */
-#define FACE_ENDS INVCAL_REAL(0.2101) /* t^2 */
 #define ROOT_HALF INVCAL_REAL(0.70710678118654752)
-enum { FACES = 6, PRODUCTS = 6 };
+enum { PRODUCTS = 6 };
 
-static const uint8_t cyclic[] = {0, 1, 2, 0, 1};
-
-/* Faces: axis and sign. Edges: the axis that they are square to, and the signs of the next two. */
 unsigned invcal_cell_of(const invcal_real h[INVCAL_PARAMETERS])
 {
-    static const uint8_t first[] = {FACES, FACES + 4, FACES + 8};
-    unsigned least = 0;
-
-    if (h[INVCAL_DK_Y] < h[INVCAL_DK_X]) {
-        least = 1;
-    }
-    if (h[INVCAL_DK_Z] < h[INVCAL_DK_X + least]) {
-        least = 2;
-    }
-    const unsigned a = cyclic[least + 1];
-    const unsigned b = cyclic[least + 2];
-    const invcal_real first_square = h[INVCAL_DK_X + a];
-    const invcal_real second_square = h[INVCAL_DK_X + b];
-
-    if (second_square < FACE_ENDS * first_square) {
-        return 2 * a + (h[a] < 0);
-    }
-    if (first_square < FACE_ENDS * second_square) {
-        return 2 * b + (h[b] < 0);
-    }
-    return first[least] + 2u * (h[a] < 0) + (h[b] < 0);
+    return invcal_cell_of_inline(h);
 }
 
 void invcal_cell_direction(unsigned k, invcal_real d[3])
@@ -44,12 +19,12 @@ void invcal_cell_direction(unsigned k, invcal_real d[3])
     d[0] = 0;
     d[1] = 0;
     d[2] = 0;
-    if (k < FACES) {
+    if (k < INVCAL_FACES) {
         d[k / 2] = k & 1u ? (invcal_real)-1 : 1;
     } else {
-        const unsigned edge = k - FACES;
-        d[cyclic[edge / 4 + 1]] = edge & 2u ? -ROOT_HALF : ROOT_HALF;
-        d[cyclic[edge / 4 + 2]] = edge & 1u ? -ROOT_HALF : ROOT_HALF;
+        const unsigned edge = k - INVCAL_FACES;
+        d[invcal_cyclic[edge / 4 + 1]] = edge & 2u ? -ROOT_HALF : ROOT_HALF;
+        d[invcal_cyclic[edge / 4 + 2]] = edge & 1u ? -ROOT_HALF : ROOT_HALF;
     }
 }
 

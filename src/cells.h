@@ -15,6 +15,46 @@
 /* The cell into which (x y z) of a row points, its products being those of these. */
 unsigned invcal_cell_of(const invcal_real h[INVCAL_PARAMETERS]);
 
+/* Cells have equal areas if faces end where the tangent is t, 4 asin(t^2 / (1 + t^2)) = 4 pi / 18. */
+#define INVCAL_FACE_ENDS INVCAL_REAL(0.2101) /* t^2 */
+enum { INVCAL_FACES = 6 };
+
+/* Axes in turn. */
+static const uint8_t invcal_cyclic[] = {0, 1, 2, 0, 1};
+
+/* Faces: axis and sign. Edges: the axis that they are square to, and the signs of the next two. */
+static inline unsigned invcal_cell_of_inline(const invcal_real h[INVCAL_PARAMETERS])
+{
+    static const uint8_t first[] = {INVCAL_FACES, INVCAL_FACES + 4, INVCAL_FACES + 8};
+    unsigned least = 0;
+
+    if (h[INVCAL_DK_Y] < h[INVCAL_DK_X]) {
+        least = 1;
+    }
+    if (h[INVCAL_DK_Z] < h[INVCAL_DK_X + least]) {
+        least = 2;
+    }
+    const unsigned a = invcal_cyclic[least + 1];
+    const unsigned b = invcal_cyclic[least + 2];
+    const invcal_real first_square = h[INVCAL_DK_X + a];
+    const invcal_real second_square = h[INVCAL_DK_X + b];
+
+    if (second_square < INVCAL_FACE_ENDS * first_square) {
+        return 2 * a + (h[a] < 0);
+    }
+    if (first_square < INVCAL_FACE_ENDS * second_square) {
+        return 2 * b + (h[b] < 0);
+    }
+    return first[least] + 2u * (h[a] < 0) + (h[b] < 0);
+}
+
+/* It, compiled into who needs it often where speed is asked for. */
+#ifdef INVCAL_FAST
+#define invcal_cell_of_often invcal_cell_of_inline
+#else
+#define invcal_cell_of_often invcal_cell_of
+#endif
+
 /* The middle of a cell, a unit vector. */
 void invcal_cell_direction(unsigned k, invcal_real d[3]);
 

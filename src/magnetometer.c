@@ -13,7 +13,7 @@
 /* Nothing is known: the box of the readings tells where the cells are. Then there is a first solution, of
  * samples that nothing was compared with; and one of samples after it alone. */
 enum { NO_SOLUTION, FIRST_SOLUTION, SECOND_SOLUTION };
-enum { FIRST_LOOK = 96, LARGEST_BLOCK = 4096 };
+enum { FIRST_LOOK = 100, LARGEST_BLOCK = 4096 };
 #define MOST_SAMPLES UINT32_C(16777216)
 /* What samples differ by from the first solution, until they have told: as how many a tenth of it counts, and the sum of its squares. */
 enum { DIFFER_COUNT = 8 };
@@ -230,13 +230,17 @@ invcal_event invcal_magnetometer_feed(invcal_magnetometer *magnetometer, const i
         m->left_out += m->left_out < MOST_SAMPLES && invcal_are_finite(&h[INVCAL_DK_X]);
         return INVCAL_REFUSED;
     }
-    const unsigned k = invcal_cell_of(h);
+    const unsigned k = invcal_cell_of_often(h);
     const unsigned before = (unsigned)m->early.count[k] + m->late.count[k];
     invcal_cells_add(&m->late, k, h);
-    m->samples += m->samples < MOST_SAMPLES;
-    if (m->samples == m->due) {
+    m->samples++;
+    if (m->samples >= m->due) {
         look_at_samples(m);
-        m->due += m->due / 2;
+        m->due += 5 * m->due / 8;
+        if (m->due > MOST_SAMPLES) { /* the older ones count half */
+            m->samples /= 2;
+            m->due = MOST_SAMPLES;
+        }
     }
     return before == 0 ? INVCAL_TAKEN : INVCAL_NOTHING;
 }

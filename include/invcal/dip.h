@@ -68,7 +68,7 @@ invcal_status invcal_dip_add(invcal_dip *dip, const invcal_real up[3], const inv
  * Returns INVCAL_OK; else nothing is written:
  *   INVCAL_TOO_FEW        fewer than 5 instants;
  *   INVCAL_UNDETERMINED   they leave an angle open: all about one axis, or the field is vertical.
- * Cost: 90,000 instructions. Stack: about 500 bytes. */
+ * Cost: 35,000 instructions. Stack: about 500 bytes. */
 invcal_status invcal_dip_solve(const invcal_dip *dip, invcal_real alike, invcal_real rotation[3][3],
                                invcal_dip_quality *quality);
 

@@ -138,7 +138,7 @@ static void bench_magnetometer(void)
     uint32_t total = 0;
     uint32_t samples = 0;
     uint32_t most = 0;
-    enum { MOTION = 4000 };
+    enum { MOTION = 12000 };
 
     (void)invcal_magnetometer_init(&magnetometer, &nominal);
     for (unsigned i = 0; i < MOTION; i++) {
