@@ -125,10 +125,10 @@ unsigned invcal_cells_point(const invcal_cell_tables *tables, const invcal_calib
                             unsigned k, invcal_real point[3])
 {
     invcal_real h[INVCAL_PARAMETERS + 1];
-    invcal_real eta[3];
 
     const unsigned count = mean_row(tables, k, h);
     if (count > 0) {
+        invcal_real eta[3];
         const invcal_real square = mean_square(triad, h, eta);
         const invcal_real ratio = INVCAL_SQRT(square / invcal_dot3(eta, eta));
         for (unsigned j = 0; j < 3; j++) {

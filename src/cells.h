@@ -20,6 +20,7 @@ unsigned invcal_cell_of(const invcal_real h[INVCAL_PARAMETERS]);
 enum { INVCAL_FACES = 6 };
 
 /* Axes in turn. */
+/* cppcheck-suppress misra-c2012-8.9 ; two functions use it */
 static const uint8_t invcal_cyclic[] = {0, 1, 2, 0, 1};
 
 /* Faces: axis and sign. Edges: the axis that they are square to, and the signs of the next two. */

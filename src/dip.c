@@ -2,6 +2,7 @@
 #include "invcal/dip.h"
 
 #include <limits.h>
+#include <stddef.h>
 #include <string.h>
 
 #include "invcal/expert.h"
@@ -160,7 +161,7 @@ invcal_status invcal_dip_solve(const invcal_dip *dip, invcal_real alike, invcal_
         return INVCAL_UNDETERMINED;
     }
     memcpy(rotation, r, sizeof r);
-    if (quality) {
+    if (quality != NULL) {
         judge_dip(dip, alike, s, a, quality);
     }
     return INVCAL_OK;
