@@ -103,7 +103,7 @@ invcal_status invcal_magnetometer_init(invcal_magnetometer *magnetometer,
  *
  * Cost: 220 instructions, 250 on average over 12,000 samples, of which ten bring about a look: up to
  * 75,000.
- * Stack: about 1,300 bytes. */
+ * Stack: about 1,200 bytes. */
 invcal_event invcal_magnetometer_feed(invcal_magnetometer *magnetometer, const invcal_real raw[3]);
 
 /* Where to turn next: the cell that is farthest from all with samples; where all have some, the one
@@ -130,7 +130,7 @@ void invcal_magnetometer_next(const invcal_magnetometer *magnetometer, invcal_re
  *   INVCAL_UNDETERMINED   they leave parameters open;
  *   INVCAL_NOT_ELLIPSOID  as for invcal_calibrate;
  *   INVCAL_BAD_NOMINAL    what came out cannot be a calibration.
- * Cost: 50,000 instructions. Stack: about 1,300 bytes. */
+ * Cost: 50,000 instructions. Stack: about 1,200 bytes. */
 invcal_status invcal_magnetometer_solve(const invcal_magnetometer *magnetometer,
                                         invcal_calibration *out, invcal_quality *quality,
                                         invcal_magnetometer_found *found);
