@@ -4,6 +4,7 @@
 # calibrate --magnetometer: logs of one that is waved, with a truth: magnetometer_test.sh path/to/invcal builddir
 # With the recordings (RECORDINGS, or ../shared/data) also a real one, against fits of all of its samples.
 here=$(dirname "$0")
+# shellcheck source=tests/tool/support.sh
 . "$here/support.sh"
 
 # Gauss, in 100 samples a second: the field 0.48 turned about two axes, hard iron 0.1 -0.3 0.05, y scaled by 1.1;
