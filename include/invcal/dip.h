@@ -33,12 +33,14 @@ extern "C" {
 
 #define INVCAL_DIP_ROW 10u /* the nine products of a and m, and 1 */
 
+/* The sums of all instants: 224 bytes. */
 typedef struct {
     /* The triangle of the row times itself over all instants. */
     invcal_real sum[INVCAL_DIP_ROW * (INVCAL_DIP_ROW + 1u) / 2u];
     unsigned count; /* instants; at most UINT_MAX */
 } invcal_dip;
 
+/* What they tell. */
 typedef struct {
     invcal_real sigma[3]; /* of the three angles about the axes of a, rad */
     invcal_real sine;     /* s: of how far the field points up; north of the equator negative */
