@@ -11,7 +11,7 @@
  *     for every sample:
  *         if (invcal_magnetometer_feed(&magnetometer, raw) == INVCAL_TAKEN)     one more cell is covered:
  *             invcal_magnetometer_next(&magnetometer, along)                    turn through the white part
- *     invcal_magnetometer_solve(&magnetometer, &calibration, &found)
+ *     invcal_magnetometer_solve(&magnetometer, &calibration, &quality, &found)
  *
  * Turn it slowly, within a minute or so, so that each side of the case has pointed along the field: away from
  * iron, and from what carries a current. What disturbs it all the same is left out or named.
@@ -101,8 +101,7 @@ invcal_status invcal_magnetometer_init(invcal_magnetometer *magnetometer,
  * Returns INVCAL_NOTHING; INVCAL_TAKEN if it is the first in its cell; INVCAL_REFUSED if it is left out,
  * or no number.
  *
- * Cost: 220 instructions, 250 on average over 12,000 samples, of which ten bring about a look: up to
- * 75,000.
+ * Cost: 220 instructions; a look up to 75,000: with its ten looks 250 on average over 12,000 samples.
  * Stack: about 1,200 bytes. */
 invcal_event invcal_magnetometer_feed(invcal_magnetometer *magnetometer, const invcal_real raw[3]);
 
