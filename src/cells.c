@@ -16,6 +16,8 @@ unsigned invcal_cell_of(const invcal_real h[INVCAL_PARAMETERS])
 
 void invcal_cell_direction(unsigned k, invcal_real d[3])
 {
+    static const uint8_t after[] = {1, 2, 0, 1}; /* this axis, and the next */
+
     d[0] = 0;
     d[1] = 0;
     d[2] = 0;
@@ -23,8 +25,8 @@ void invcal_cell_direction(unsigned k, invcal_real d[3])
         d[k / 2] = k & 1u ? (invcal_real)-1 : 1;
     } else {
         const unsigned edge = k - INVCAL_FACES;
-        d[invcal_cyclic[edge / 4 + 1]] = edge & 2u ? -ROOT_HALF : ROOT_HALF;
-        d[invcal_cyclic[edge / 4 + 2]] = edge & 1u ? -ROOT_HALF : ROOT_HALF;
+        d[after[edge / 4]] = edge & 2u ? -ROOT_HALF : ROOT_HALF;
+        d[after[edge / 4 + 1]] = edge & 1u ? -ROOT_HALF : ROOT_HALF;
     }
 }
 

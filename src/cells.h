@@ -19,13 +19,10 @@ unsigned invcal_cell_of(const invcal_real h[INVCAL_PARAMETERS]);
 #define INVCAL_FACE_ENDS INVCAL_REAL(0.2101) /* t^2 */
 enum { INVCAL_FACES = 6 };
 
-/* Axes in turn. */
-/* cppcheck-suppress misra-c2012-8.9 ; two functions use it */
-static const uint8_t invcal_cyclic[] = {0, 1, 2, 0, 1};
-
 /* Faces: axis and sign. Edges: the axis that they are square to, and the signs of the next two. */
 static inline unsigned invcal_cell_of_inline(const invcal_real h[INVCAL_PARAMETERS])
 {
+    static const uint8_t in_turn[] = {0, 1, 2, 0, 1}; /* axes */
     static const uint8_t first[] = {INVCAL_FACES, INVCAL_FACES + 4, INVCAL_FACES + 8};
     unsigned least = 0;
 
@@ -35,8 +32,8 @@ static inline unsigned invcal_cell_of_inline(const invcal_real h[INVCAL_PARAMETE
     if (h[INVCAL_DK_Z] < h[INVCAL_DK_X + least]) {
         least = 2;
     }
-    const unsigned a = invcal_cyclic[least + 1];
-    const unsigned b = invcal_cyclic[least + 2];
+    const unsigned a = in_turn[least + 1];
+    const unsigned b = in_turn[least + 2];
     const invcal_real first_square = h[INVCAL_DK_X + a];
     const invcal_real second_square = h[INVCAL_DK_X + b];
 
