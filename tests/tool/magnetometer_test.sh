@@ -62,11 +62,16 @@ accepts "magnetometer: half a sphere" calibrate --magnetometer "$work/half.csv"
 check "magnetometer: is weak" matches "$work/stdout" '^Weak: '
 
 head -n 300 "$work/log.csv" > "$work/short.csv"
-refuses "magnetometer: three seconds" 1 'short.csv: 299 samples, all in a few directions: wave it' \
+refuses "magnetometer: three seconds" 1 'short.csv: 299 samples, all in a few directions; wave it' \
     calibrate --magnetometer "$work/short.csv"
 run calibrate --magnetometer "$work/short.csv" --json
 check "magnetometer: as JSON, too" matches "$work/stdout" '"error": "too few"'
-refuses "magnetometer: without the option nobody guesses" 3 'x, y and z are there twice' calibrate "$work/log.csv"
+printf 'ax,ay,az\n0,0,1\n' > "$work/none.csv"
+refuses "magnetometer: none there" 3 'none.csv:1: the header names no columns of a magnetometer' \
+    calibrate --magnetometer "$work/none.csv"
+printf 'x,y,z,mx,my,mz\n0,0,1,1,2,3\n' > "$work/twice.csv"
+refuses "magnetometer: two sets that may be meant" 3 "x, y and z are there twice .'mx' and 'x'." \
+    calibrate --magnetometer "$work/twice.csv"
 for option in --positions --robust --six-faces --cubic '--thermal=1' '--noise=1' '--case=+z' '--prior=1,1,1'; do
     refuses "magnetometer: and $option" 2 "--magnetometer: does not go together with ${option%=*}" \
         calibrate --magnetometer "$work/log.csv" "$option"

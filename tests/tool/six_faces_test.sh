@@ -90,11 +90,11 @@ check "six faces: and the verdict does not say otherwise" lacks "$work/stdout" '
 run calibrate "$work/twice.csv" --six-faces --json
 check "six faces: in JSON that is good" test "$(member verdict)" = '"good"'
 run calibrate "$work/twice.csv" --six-faces --need 0.2
-check "six faces: good for 20 mg" matches "$work/stdout" '^Good for ±0\.2'
+check "six faces: good for 20 mg" matches "$work/stdout" '^PASS: \|a\| within 0\.[0-9]+ of 0\.20 m/s²'
 run calibrate "$work/twice.csv" --six-faces --latitude 50 --need 0.05
 tr '\n' ' ' < "$work/stdout" > "$work/words"
 check "six faces: for 5 mg directions are missing, not longer rests" matches "$work/words" \
-    '^.* Not good for ±0\.050 .* Missing: positions in directions'
+    'FAIL: .a. within 0\.[0-9]+ of 0\.050 .* Missing: positions in directions'
 # The six that are named: +x up and tilted to +y, -y, +z, -z; +z up and tilted to +y, -y.
 # shellcheck disable=SC2086
 set_of $faces 1,1,0 1,-1,0 1,0,1 1,0,-1 0,1,1 0,-1,1 > "$work/twelve.csv"

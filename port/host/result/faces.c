@@ -32,7 +32,7 @@ faces_error faces_error_of(const calibrate_result *r)
     return (faces_error){FIT_NORMAL * sqrt(square), u.most};
 }
 
-const char *faces_cost(const calibrate_result *r, char text[VERDICT_MAX])
+const char *faces_cost(const calibrate_result *r, char text[FACES_MAX])
 {
     const uint16_t held = fit_held(&r->settings, &r->quality);
     const told_unit told = calibrate_told_field(r);
@@ -44,7 +44,7 @@ const char *faces_cost(const calibrate_result *r, char text[VERDICT_MAX])
     if (held != ANGLES) {
         (void)parameters_list(held, list, sizeof list);
     }
-    snprintf(text, VERDICT_MAX,
+    snprintf(text, FACES_MAX,
              "%s not measured: taken as %s ±%s %s (one standard deviation, of a data sheet). That "
              "leaves ±%s %s in lengths (95 %%, over all directions), ±%s %s at most, and nothing "
              "where an axis is up.%s",

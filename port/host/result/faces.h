@@ -6,13 +6,15 @@
 #ifndef FACES_H
 #define FACES_H
 
-#include "result/verdict.h"
+#include "result/result.h"
+
+#define FACES_MAX 512u
 
 /* 1 if angles are held and nothing else is to be said against the result. */
 int faces_are_good(const calibrate_result *result);
 
 /* What is not measured, and what that costs: sentences. Returns text. */
-const char *faces_cost(const calibrate_result *result, char text[VERDICT_MAX]);
+const char *faces_cost(const calibrate_result *result, char text[FACES_MAX]);
 
 /* Half of the interval that holds 95 % of what the held angles do to lengths, over the field: the root mean
  * square over all directions, and in the worst. */

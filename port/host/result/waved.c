@@ -3,26 +3,28 @@
  * What is to be said of a magnetometer that was waved.
  */
 #include "result/result.h"
-#include "text/figure.h"
 #include "text/paint.h"
+#include "text/plain.h"
+#include "text/wrapped.h"
 
 void calibrate_waved_print(FILE *file, const calibrate_result *result)
 {
     const waved *m = result->magnetometer;
-    const char *text = invcal_disturbance_text((invcal_disturbance)m->found.disturbance);
+    char name[PLAIN_MAX];
 
-    fprintf(file, "%s: %lu samples, %.6g s at %.4g samples a second%s\n", result->data->name,
-            m->samples, m->seconds, m->rate,
-            m->is_rate_known ? "" : " (a guess: --rate states it)");
-    fprintf(file, "%*u of %u directions covered; neighbours err alike: %.0f samples tell as one\n",
-            8, m->found.covered, INVCAL_CELLS, m->found.alike > 1 ? m->found.alike : 1);
+    wrapped_printf(file, 0, "%s: %lu samples, %.6g s at %.4g samples a second%s",
+                   plain_copy(result->data->name, name), m->samples, m->seconds, m->rate,
+                   m->is_rate_known ? "" : " (a guess: --rate states it)");
+    wrapped_printf(file, 9,
+                   "%*u of %u directions covered; neighbours err alike: %.0f samples tell as one",
+                   8, m->found.covered, INVCAL_CELLS, m->found.alike > 1 ? m->found.alike : 1);
     if (m->found.left_out > 0) {
         fprintf(file, "%*lu samples left out, which contradict the others\n", 8,
                 (unsigned long)m->found.left_out);
     }
     if (m->found.disturbance != INVCAL_UNDISTURBED) {
-        fprintf(file, "%sDisturbed:%s", paint_on(file, PAINT_RED), paint_off(file));
-        fprintf(file, " %s.\n", text);
+        wrapped_printf(file, 0, "%sDisturbed:%s %s.", paint_on(file, PAINT_RED), paint_off(file),
+                       invcal_disturbance_text((invcal_disturbance)m->found.disturbance));
     }
 }
 
