@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-#include "invcal/dip.h"
+#include "invcal/magnetometer.h"
 
 #include <limits.h>
 #include <stddef.h>

@@ -5,7 +5,6 @@
  */
 #include "../report.h"
 #include "invcal/allan.h"
-#include "invcal/dip.h"
 #include "invcal/expert.h"
 #include "invcal/frame.h"
 #include "invcal/magnetometer.h"

@@ -10,7 +10,6 @@
 #include <string.h>
 
 #include "fuzz.h"
-#include "invcal/dip.h"
 #include "invcal/magnetometer.h"
 
 enum { STRETCHES = 24, STRETCH = 400 };

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "arbitrary.h"
-#include "invcal/dip.h"
+#include "invcal/magnetometer.h"
 
 // eva: -eva-precision 0 -eva-auto-loop-unroll 60 -eva-slevel 100 -eva-split-return full
 

@@ -3,7 +3,6 @@
  * The sizes of the structures that firmware keeps, for nm to read: an array as large as each.
  */
 #include "invcal/allan.h"
-#include "invcal/dip.h"
 #include "invcal/expert.h"
 #include "invcal/frame.h"
 #include "invcal/magnetometer.h"

@@ -6,7 +6,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "invcal/dip.h"
+#include "invcal/magnetometer.h"
 #include "support.h"
 #include "unity.h"
 
