@@ -142,22 +142,20 @@ invcal_status invcal_dip_solve(const invcal_dip *dip, invcal_real alike, invcal_
         return INVCAL_TOO_FEW;
     }
     invcal_real change = 1;
-    for (unsigned step = 0; step < DIP_STEPS && change > INVCAL_EPSILON; step++) {
-        const invcal_status status = make_step(dip, (const invcal_real(*)[3])r, s, a);
-        if (status != INVCAL_OK) {
-            return status;
-        }
+    invcal_status status = make_step(dip, (const invcal_real(*)[3])r, s, a);
+    for (unsigned step = 0; step < DIP_STEPS && status == INVCAL_OK && change > INVCAL_EPSILON;
+         step++) {
         invcal_back_substitute(a, DIP_UNKNOWNS);
         const invcal_real *const x = &a[INVCAL_PACKED(DIP_UNKNOWNS, 0)];
         turn_by(x, r);
         s += x[3];
         change = invcal_dot(x, x, DIP_UNKNOWNS);
+        status = make_step(dip, (const invcal_real(*)[3])r, s, a);
     }
-    const invcal_status status = make_step(dip, (const invcal_real(*)[3])r, s, a);
     if (status != INVCAL_OK) {
         return status;
     }
-    if (!(INVCAL_FABS(s) < 1)) {
+    if (!(change <= INVCAL_EPSILON)) {
         return INVCAL_UNDETERMINED;
     }
     memcpy(rotation, r, sizeof r);

@@ -7,6 +7,7 @@
 #include "cells.h"
 #include "judge.h"
 #include "solve.h"
+#include "status.h"
 #include "sums.h"
 #include "vector.h"
 
@@ -23,7 +24,7 @@ enum { DIFFER_COUNT = 8 };
 #define WIDE_GAP INVCAL_REAL(0.6)      /* a cosine: more than 45 degrees */
 #define PLACES_RMS INVCAL_REAL(0.03)   /* what no magnetometer's noise is, */
 #define PLACES_ALIKE INVCAL_REAL(10.0) /* if neighbours err alike */
-enum { POWER_SAMPLES = 64, ANGLES = 6 };
+enum { POWER_SAMPLES = 64 };
 
 invcal_status invcal_magnetometer_init(invcal_magnetometer *magnetometer,
                                        const invcal_calibration *nominal)
@@ -257,22 +258,13 @@ void invcal_magnetometer_next(const invcal_magnetometer *magnetometer, invcal_re
 
 /* ---- what it comes to --------------------------------------------------------------------------- */
 
-/* Between faces and edges there are only these. */
-static unsigned degrees_of(invcal_real cosine)
+/* Between faces and edges there are only these; where nine cells have samples, no larger ones. */
+static uint8_t degrees_of(invcal_real cosine)
 {
-    static const struct {
-        invcal_real above;
-        uint8_t degrees;
-    } angle[ANGLES] = {{INVCAL_REAL(0.8), 0},    {INVCAL_REAL(0.6), 45},
-                       {INVCAL_REAL(0.25), 60},  {INVCAL_REAL(-0.25), 90},
-                       {INVCAL_REAL(-0.6), 120}, {INVCAL_REAL(-0.8), 135}};
-
-    for (unsigned i = 0; i < ANGLES; i++) {
-        if (cosine > angle[i].above) {
-            return angle[i].degrees;
-        }
-    }
-    return 180;
+    return cosine > INVCAL_REAL(0.8)    ? 0u
+           : cosine > INVCAL_REAL(0.6)  ? 45u
+           : cosine > INVCAL_REAL(0.25) ? 60u
+                                        : 90u;
 }
 
 static void tell_found(const invcal_magnetometer *m, const invcal_cell_fit *fit,
@@ -288,7 +280,7 @@ static void tell_found(const invcal_magnetometer *m, const invcal_cell_fit *fit,
     found->samples = m->samples;
     found->left_out = m->left_out;
     found->covered = (uint8_t)fit->quality.positions;
-    found->gap = (uint8_t)degrees_of(invcal_cells_gap(&fit->tables, &worst));
+    found->gap = degrees_of(invcal_cells_gap(&fit->tables, &worst));
     found->disturbance = m->left_out > 0 ? INVCAL_PASSING : INVCAL_UNDISTURBED;
     if (found->rms > PLACES_RMS && found->alike > PLACES_ALIKE) {
         found->disturbance = INVCAL_PLACES;
@@ -373,11 +365,13 @@ unsigned invcal_magnetometer_cell(const invcal_magnetometer *magnetometer,
 
 const char *invcal_disturbance_text(invcal_disturbance disturbance)
 {
-    static const char *const text[] = {
-        "", "samples contradict the others and were left out, as if a magnet or iron had passed by",
-        "the field differs from place to place: turn it where it is, away from iron",
-        "readings changed at some time, as if something magnetic had moved: begin anew"};
+    static const char texts[] =
+        "\0"
+        "samples contradict the others and were left out, as if a magnet or iron had passed by\0"
+        "the field differs from place to place: turn it where it is, away from iron\0"
+        "readings changed at some time, as if something magnetic had moved: begin anew\0"
+        "unknown disturbance";
+    const unsigned n = (unsigned)disturbance;
 
-    return (unsigned)disturbance < sizeof text / sizeof text[0] ? text[disturbance]
-                                                                : "unknown disturbance";
+    return invcal_text(texts, n <= INVCAL_STEP ? n : INVCAL_STEP + 1u);
 }

@@ -82,7 +82,8 @@ typedef struct {
     uint32_t samples;  /* taken in */
     uint32_t left_out; /* and not, for contradicting them */
     uint8_t covered;   /* cells with samples, of INVCAL_CELLS */
-    uint8_t gap; /* degrees from the worst cell without one to the nearest with one; 0: none */
+    uint8_t
+        gap; /* degrees from the worst cell without one to the nearest with one: 0, 45, 60, 90 */
     uint8_t disturbance; /* an invcal_disturbance */
 } invcal_magnetometer_found;
 
@@ -196,7 +197,8 @@ void invcal_dip_init(invcal_dip *dip);
  * 0, or one that cannot be squared. Cost: 350 instructions. Stack: about 80 bytes. */
 invcal_status invcal_dip_add(invcal_dip *dip, const invcal_real up[3], const invcal_real field[3]);
 
-/* Solves them, for rotations of up to some 40 degrees: axes that are exchanged have to be put right before.
+/* Solves them. A rotation by more than 90 degrees may be refused: axes that are turned by half against each other have
+ * to be put right before.
  *
  * alike     how many instants in a row err as one (invcal_magnetometer_found), at least 1: sigma is
  *           by so many fewer.
@@ -205,7 +207,8 @@ invcal_status invcal_dip_add(invcal_dip *dip, const invcal_real up[3], const inv
  *
  * Returns INVCAL_OK; else nothing is written:
  *   INVCAL_TOO_FEW        fewer than 5 instants;
- *   INVCAL_UNDETERMINED   they leave an angle open: all about one axis, or the field is vertical.
+ *   INVCAL_UNDETERMINED   they leave an angle open: all about one axis, or the field is vertical; or they
+ *                         tell no angle, as what is not of one instant does.
  * Cost: 35,000 instructions. Stack: about 500 bytes. */
 invcal_status invcal_dip_solve(const invcal_dip *dip, invcal_real alike, invcal_real rotation[3][3],
                                invcal_dip_quality *quality);

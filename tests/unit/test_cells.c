@@ -147,6 +147,38 @@ static void a_gap_is_that_of_the_farthest_cell(void)
     TEST_ASSERT_EQUAL_UINT(4, worst); /* has the fewest */
 }
 
+/* Nine cells leave nothing over, and cells that agree to the last bit tell no scatter: sigma stays as it was. */
+static void what_shows_no_scatter_is_not_weighed(void)
+{
+    static invcal_cells cells;
+    invcal_cell_fit fit = {.tables = {&cells, &cells}};
+    random_source random = random_start(4);
+
+    memset(&cells, 0, sizeof cells);
+    for (int i = 0; i < 2000; i++) {
+        invcal_real h[INVCAL_PARAMETERS];
+        double d[3];
+        random_direction(&random, d);
+        for (int a = 0; a < 3; a++) {
+            h[a] = (invcal_real)(1.01 * d[a] + 0.01 * random_normal(&random));
+        }
+        invcal_row_of(h);
+        invcal_cells_add(&cells, invcal_cell_of(h), h);
+    }
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_cells_calibrate(&fit));
+    const invcal_cell_fit found = fit;
+    invcal_cells_weigh(&fit, INVCAL_REAL(1e-4));
+    TEST_ASSERT_TRUE(fit.quality.sigma_dof > found.quality.sigma_dof);
+    fit = found;
+    fit.quality.noise = 0;
+    invcal_cells_weigh(&fit, INVCAL_REAL(1e-4));
+    TEST_ASSERT_EQUAL_UINT(found.quality.sigma_dof, fit.quality.sigma_dof);
+    fit = found;
+    fit.quality.dof = 0;
+    invcal_cells_weigh(&fit, INVCAL_REAL(1e-4));
+    TEST_ASSERT_EQUAL_UINT(found.quality.sigma_dof, fit.quality.sigma_dof);
+}
+
 int main(void)
 {
     UNITY_BEGIN();
@@ -154,6 +186,7 @@ int main(void)
     RUN_TEST(cells_are_as_large_as_each_other);
     RUN_TEST(moved_rows_are_those_of_moved_readings);
     RUN_SLOW_TEST(a_full_cell_keeps_its_mean);
+    RUN_TEST(what_shows_no_scatter_is_not_weighed);
     RUN_TEST(a_gap_is_that_of_the_farthest_cell);
     return UNITY_END();
 }

@@ -52,7 +52,7 @@ static void read_both(double dip, const double r[3][3], double noise, random_sou
     }
 }
 
-static void a_rotation_of_up_to_35_degrees_comes_back(void)
+static void a_rotation_of_up_to_90_degrees_comes_back(void)
 {
     random_source random = random_start(1);
 
@@ -61,7 +61,7 @@ static void a_rotation_of_up_to_35_degrees_comes_back(void)
         invcal_dip_quality quality;
         invcal_real found[3][3];
         double r[3][3];
-        const double angle = random_uniform(&random, 0, 0.61);
+        const double angle = random_uniform(&random, 0, 1.57);
         const double down = random_uniform(&random, -1.2, 1.2);
         rotate_by(angle, &random, r);
         invcal_dip_init(&dip);
@@ -71,6 +71,7 @@ static void a_rotation_of_up_to_35_degrees_comes_back(void)
             read_both(down, (const double(*)[3])r, 0, &random, up, field);
             TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_dip_add(&dip, up, field));
         }
+        TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_dip_solve(&dip, 1, found, NULL));
         TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_dip_solve(&dip, 1, found, &quality));
         for (int i = 0; i < 9; i++) {
             TEST_ASSERT_DOUBLE_WITHIN(FLOAT_OR_DOUBLE(2e-5, 1e-7), r[i / 3][i % 3],
@@ -138,6 +139,30 @@ static void what_leaves_an_angle_open_is_refused(void)
     TEST_ASSERT_TRUE(found[0][0] == 7 && found[2][2] == 7);
 }
 
+/* Up and a field that have nothing to do with each other have no angle between them. */
+static void what_is_not_of_one_instant_is_refused(void)
+{
+    random_source random = random_start(3);
+
+    for (int n = 0; n < SOME(50); n++) {
+        invcal_dip dip;
+        invcal_real found[3][3] = {{7, 7, 7}, {7, 7, 7}, {7, 7, 7}};
+        invcal_dip_init(&dip);
+        for (int i = 0; i < 200; i++) {
+            double d[2][3];
+            random_direction(&random, d[0]);
+            random_direction(&random, d[1]);
+            const invcal_real up[3] = {(invcal_real)d[0][0], (invcal_real)d[0][1],
+                                       (invcal_real)d[0][2]};
+            const invcal_real field[3] = {(invcal_real)d[1][0], (invcal_real)d[1][1],
+                                          (invcal_real)d[1][2]};
+            TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_dip_add(&dip, up, field));
+        }
+        TEST_ASSERT_EQUAL_INT(INVCAL_UNDETERMINED, invcal_dip_solve(&dip, 1, found, NULL));
+        TEST_ASSERT_TRUE(found[0][0] == 7 && found[2][2] == 7);
+    }
+}
+
 static void bad_input_leaves_the_sums_as_they_were(void)
 {
     const invcal_real good[3] = {1, 2, 3};
@@ -163,9 +188,10 @@ static void bad_input_leaves_the_sums_as_they_were(void)
 int main(void)
 {
     UNITY_BEGIN();
-    RUN_TEST(a_rotation_of_up_to_35_degrees_comes_back);
+    RUN_TEST(a_rotation_of_up_to_90_degrees_comes_back);
     RUN_LONG_TEST(sigma_is_what_the_angles_scatter_by);
     RUN_TEST(what_leaves_an_angle_open_is_refused);
+    RUN_TEST(what_is_not_of_one_instant_is_refused);
     RUN_TEST(bad_input_leaves_the_sums_as_they_were);
     return UNITY_END();
 }

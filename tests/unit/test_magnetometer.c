@@ -305,6 +305,56 @@ static void half_a_sphere_is_weak(void)
 }
 
 /* As strong as half the field, for 2 s of 60. */
+/* Readings of a sphere in `unit` around `centre`, down to the height `most` of it. */
+static void feed_sphere(invcal_magnetometer *m, const double centre[3], double unit, double most)
+{
+    static const invcal_calibration nominal = {{0, 0, 0}, {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
+    random_source random = random_start(9);
+
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_magnetometer_init(m, &nominal));
+    for (int n = 0; n < 3000;) {
+        invcal_real raw[3];
+        double d[3];
+        random_direction(&random, d);
+        for (int i = 0; i < 3; i++) {
+            raw[i] = (invcal_real)(centre[i] + unit * d[i]);
+        }
+        if (d[2] <= most) {
+            (void)invcal_magnetometer_feed(m, raw);
+            n++;
+        }
+    }
+}
+
+/* A cell is empty that is 90 degrees from all others, and there are more. */
+static void less_than_half_a_sphere_is_weak(void)
+{
+    static const double centre[3] = {0, 0, 0};
+    static invcal_magnetometer m;
+    invcal_magnetometer_found found;
+    invcal_calibration c;
+    invcal_quality quality;
+    invcal_real raw[3] = {7, 7, 7};
+    invcal_real along[3];
+    unsigned empty = 0;
+
+    feed_sphere(&m, centre, 1, 0.05);
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_magnetometer_solve(&m, &c, &quality, NULL));
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_magnetometer_solve(&m, &c, &quality, &found));
+    TEST_ASSERT_EQUAL_UINT(90, found.gap);
+    TEST_ASSERT_EQUAL_INT(INVCAL_WEAK, quality.verdict);
+    invcal_magnetometer_next(&m, along);
+    TEST_ASSERT_TRUE(along[2] == 1);
+    for (unsigned k = 0; k < INVCAL_CELLS; k++) {
+        if (invcal_magnetometer_cell(&m, &c, k, raw) == 0) {
+            empty++;
+            TEST_ASSERT_TRUE(raw[0] == 7 && raw[1] == 7 && raw[2] == 7);
+        }
+        memcpy(raw, (const invcal_real[3]){7, 7, 7}, sizeof raw);
+    }
+    TEST_ASSERT_EQUAL_UINT(INVCAL_CELLS - found.covered, empty);
+}
+
 static void a_magnet_that_passes_is_named_and_does_no_harm(void)
 {
     const int logs = SOME(100);
@@ -387,6 +437,21 @@ static void what_goes_on_contradicting_is_a_step(void)
     TEST_ASSERT_TRUE(m.found.left_out > 1000);
 }
 
+/* So many left out are no passing magnet that does no harm. */
+static void what_contradicts_for_long_makes_it_rough(void)
+{
+    scene s = usual;
+    static minute m;
+
+    s.disturbance = STEP;
+    s.size = 3;
+    s.at = 51;
+    live(&s, 3, 0.05, &m);
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, m.status);
+    TEST_ASSERT_EQUAL_INT(INVCAL_PASSING, m.found.disturbance);
+    TEST_ASSERT_EQUAL_INT(INVCAL_ROUGH, m.quality.verdict);
+}
+
 static void a_field_that_differs_from_place_to_place_is_named(void)
 {
     scene s = usual;
@@ -440,6 +505,65 @@ static void guidance_covers_every_cell(void)
     TEST_ASSERT_EQUAL_UINT(INVCAL_CELLS, taken);
 }
 
+/* Whatever the unit of the readings, and however far from zero they are: the sphere is found, or there is no
+ * calibration that would hold numbers of that size. */
+static void any_unit_is_found_or_refused(void)
+{
+    for (int power = -40; power <= 40; power++) {
+        for (int far = 0; far <= 20; far += 5) {
+            static invcal_magnetometer m;
+            const double unit = pow(2, power);
+            const double centre[3] = {unit * pow(2, far), -unit, 0};
+            invcal_calibration c;
+            invcal_quality quality;
+            invcal_magnetometer_found found;
+            feed_sphere(&m, centre, unit, 1);
+            const invcal_status status = invcal_magnetometer_solve(&m, &c, &quality, &found);
+            if (power >= -30 && power <= 30) { /* 1e-9 ... 1e9 */
+                TEST_ASSERT_EQUAL_INT(INVCAL_OK, status);
+            }
+            if (status == INVCAL_OK) {
+                const double rounding = pow(2, far) * (double)INVCAL_EPSILON;
+                TEST_ASSERT_DOUBLE_WITHIN(1e-3 + 4 * rounding, 1, (double)found.field / unit);
+                for (int i = 0; i < 3; i++) {
+                    TEST_ASSERT_DOUBLE_WITHIN(1e-3 + 4 * rounding, centre[i] / unit,
+                                              (double)c.offset[i] / unit);
+                }
+            }
+        }
+    }
+}
+
+/* It goes on for days: the counters stay in their range, and what is found stays what it was. */
+static void a_session_of_days_stays_as_good(void)
+{
+    const uint32_t most = 16777216;
+    static minute m;
+    double error[INVCAL_PARAMETERS];
+    const scene s = usual;
+
+    live(&s, 12, 0.05, &m);
+    m.magnetometer.samples = most - 10000; /* as if by then */
+    m.magnetometer.due = most - 4000;
+    m.magnetometer.left_out = most;
+    for (int n = 0; n < 40000; n++) {
+        const unsigned k = (unsigned)n % INVCAL_CELLS;
+        invcal_real raw[3] = {0, 0, 0};
+        (void)invcal_magnetometer_cell(&m.magnetometer, &m.calibration, k, raw);
+        TEST_ASSERT_EQUAL_INT(INVCAL_NOTHING, invcal_magnetometer_feed(&m.magnetometer, raw));
+        TEST_ASSERT_TRUE(m.magnetometer.samples < most);
+    }
+    const invcal_real far[3] = {30000, 0, 0};
+    TEST_ASSERT_EQUAL_INT(INVCAL_REFUSED, invcal_magnetometer_feed(&m.magnetometer, far));
+    TEST_ASSERT_TRUE(m.magnetometer.left_out == most);
+    m.status = invcal_magnetometer_solve(&m.magnetometer, &m.calibration, &m.quality, &m.found);
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, m.status);
+    (void)errors(&m, error);
+    for (int i = 0; i < INVCAL_PARAMETERS; i++) {
+        TEST_ASSERT_DOUBLE_WITHIN(0.03, 0, error[i] * (double)m.quality.sigma[i]);
+    }
+}
+
 static void bad_input_changes_nothing(void)
 {
     static const invcal_real zero[3] = {0, 0, 0};
@@ -461,6 +585,11 @@ static void bad_input_changes_nothing(void)
     invcal_nominal(zero, counts, &nominal);
     TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_magnetometer_init(&m, &nominal));
     TEST_ASSERT_EQUAL_INT(INVCAL_TOO_FEW, invcal_magnetometer_solve(&m, &c, &quality, NULL));
+    before = m;
+    for (int i = 0; i < 2; i++) { /* as the very first */
+        TEST_ASSERT_EQUAL_INT(INVCAL_REFUSED, invcal_magnetometer_feed(&m, bad[i]));
+    }
+    TEST_ASSERT_EQUAL_MEMORY(&before, &m, sizeof m);
     TEST_ASSERT_EQUAL_INT(INVCAL_TAKEN, invcal_magnetometer_feed(&m, good));
     before = m;
     for (int i = 0; i < 3; i++) {
@@ -512,13 +641,17 @@ int main(void)
     RUN_LONG_TEST(the_field_is_told_in_the_unit_of_nominal);
     RUN_TEST(a_real_one_is_found_as_by_fits_of_all_samples);
     RUN_LONG_TEST(half_a_sphere_is_weak);
+    RUN_LONG_TEST(less_than_half_a_sphere_is_weak);
     RUN_LONG_TEST(a_magnet_that_passes_is_named_and_does_no_harm);
     RUN_LONG_TEST(a_magnet_at_the_beginning_spoils_nothing_called_good);
     RUN_LONG_TEST(a_step_is_named_or_dropped);
     RUN_LONG_TEST(what_goes_on_contradicting_is_a_step);
+    RUN_LONG_TEST(what_contradicts_for_long_makes_it_rough);
     RUN_LONG_TEST(a_field_that_differs_from_place_to_place_is_named);
     RUN_LONG_TEST(noise_is_no_place);
     RUN_LONG_TEST(guidance_covers_every_cell);
+    RUN_LONG_TEST(any_unit_is_found_or_refused);
+    RUN_LONG_TEST(a_session_of_days_stays_as_good);
     RUN_TEST(bad_input_changes_nothing);
     RUN_TEST(a_circle_determines_nothing);
     RUN_TEST(disturbances_have_words);
