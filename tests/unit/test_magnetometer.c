@@ -305,8 +305,9 @@ static void half_a_sphere_is_weak(void)
 }
 
 /* As strong as half the field, for 2 s of 60. */
-/* Readings of a sphere in `unit` around `centre`, down to the height `most` of it. */
-static void feed_sphere(invcal_magnetometer *m, const double centre[3], double unit, double most)
+/* Readings of a sphere in `unit` around `centre`, up to the height `most` of it; z of so much. */
+static void feed_sphere(invcal_magnetometer *m, const double centre[3], double unit, double most,
+                        double z)
 {
     static const invcal_calibration nominal = {{0, 0, 0}, {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
     random_source random = random_start(9);
@@ -317,7 +318,7 @@ static void feed_sphere(invcal_magnetometer *m, const double centre[3], double u
         double d[3];
         random_direction(&random, d);
         for (int i = 0; i < 3; i++) {
-            raw[i] = (invcal_real)(centre[i] + unit * d[i]);
+            raw[i] = (invcal_real)(centre[i] + unit * (i == 2 ? z : 1) * d[i]);
         }
         if (d[2] <= most) {
             (void)invcal_magnetometer_feed(m, raw);
@@ -338,7 +339,7 @@ static void less_than_half_a_sphere_is_weak(void)
     invcal_real along[3];
     unsigned empty = 0;
 
-    feed_sphere(&m, centre, 1, 0.05);
+    feed_sphere(&m, centre, 1, 0.05, 1);
     TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_magnetometer_solve(&m, &c, &quality, NULL));
     TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_magnetometer_solve(&m, &c, &quality, &found));
     TEST_ASSERT_EQUAL_UINT(90, found.gap);
@@ -353,6 +354,33 @@ static void less_than_half_a_sphere_is_weak(void)
         memcpy(raw, (const invcal_real[3]){7, 7, 7}, sizeof raw);
     }
     TEST_ASSERT_EQUAL_UINT(INVCAL_CELLS - found.covered, empty);
+}
+
+/* An edge of the cube is 45 degrees from its faces, 60 from the next edges. */
+static void gaps_are_told(void)
+{
+    static const double centre[3] = {0, 0, 0};
+    static invcal_magnetometer m;
+    invcal_magnetometer_found found;
+    invcal_calibration c;
+    invcal_quality quality;
+
+    feed_sphere(&m, centre, 1, 0.83, 1); /* a cell around a face ends at 25 to 33 degrees */
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_magnetometer_solve(&m, &c, &quality, &found));
+    TEST_ASSERT_EQUAL_UINT(INVCAL_CELLS - 1, found.covered);
+    TEST_ASSERT_EQUAL_UINT(45, found.gap);
+    TEST_ASSERT_TRUE(quality.verdict != INVCAL_WEAK);
+    for (unsigned k = 0; k < INVCAL_CELLS; k++) { /* nor +x, nor what is between */
+        invcal_real v[3] = {0, 0, 0};
+        (void)invcal_magnetometer_cell(&m, &c, k, v);
+        if (v[0] + v[2] > INVCAL_REAL(0.8) && fabs((double)v[1]) < 0.3) {
+            m.early.count[k] = m.late.count[k] = 0;
+        }
+    }
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_magnetometer_solve(&m, &c, &quality, &found));
+    TEST_ASSERT_EQUAL_UINT(INVCAL_CELLS - 3, found.covered);
+    TEST_ASSERT_EQUAL_UINT(60, found.gap);
+    TEST_ASSERT_EQUAL_INT(INVCAL_WEAK, quality.verdict);
 }
 
 static void a_magnet_that_passes_is_named_and_does_no_harm(void)
@@ -517,7 +545,7 @@ static void any_unit_is_found_or_refused(void)
             invcal_calibration c;
             invcal_quality quality;
             invcal_magnetometer_found found;
-            feed_sphere(&m, centre, unit, 1);
+            feed_sphere(&m, centre, unit, 1, 1);
             const invcal_status status = invcal_magnetometer_solve(&m, &c, &quality, &found);
             if (power >= -30 && power <= 30) { /* 1e-9 ... 1e9 */
                 TEST_ASSERT_EQUAL_INT(INVCAL_OK, status);
@@ -532,6 +560,21 @@ static void any_unit_is_found_or_refused(void)
             }
         }
     }
+}
+
+/* What a calibration cannot hold (nominal.c) may show only once one axis is found to be smaller than the box of all. */
+static void too_small_an_axis_is_refused(void)
+{
+    static const double centre[3] = {0, 0, 0};
+    static invcal_magnetometer m;
+    invcal_calibration c = {{7, 7, 7}, {{7, 7, 7}, {7, 7, 7}, {7, 7, 7}}};
+    invcal_quality quality;
+
+    feed_sphere(&m, centre, 1.05e-10, 1, 0.5);
+    TEST_ASSERT_EQUAL_INT(INVCAL_BAD_NOMINAL, invcal_magnetometer_solve(&m, &c, &quality, NULL));
+    TEST_ASSERT_TRUE(c.offset[0] == 7 && c.matrix[2][2] == 7);
+    feed_sphere(&m, centre, 3e-10, 1, 0.5);
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_magnetometer_solve(&m, &c, &quality, NULL));
 }
 
 /* It goes on for days: the counters stay in their range, and what is found stays what it was. */
@@ -642,6 +685,7 @@ int main(void)
     RUN_TEST(a_real_one_is_found_as_by_fits_of_all_samples);
     RUN_LONG_TEST(half_a_sphere_is_weak);
     RUN_LONG_TEST(less_than_half_a_sphere_is_weak);
+    RUN_LONG_TEST(gaps_are_told);
     RUN_LONG_TEST(a_magnet_that_passes_is_named_and_does_no_harm);
     RUN_LONG_TEST(a_magnet_at_the_beginning_spoils_nothing_called_good);
     RUN_LONG_TEST(a_step_is_named_or_dropped);
@@ -651,6 +695,7 @@ int main(void)
     RUN_LONG_TEST(noise_is_no_place);
     RUN_LONG_TEST(guidance_covers_every_cell);
     RUN_LONG_TEST(any_unit_is_found_or_refused);
+    RUN_LONG_TEST(too_small_an_axis_is_refused);
     RUN_LONG_TEST(a_session_of_days_stays_as_good);
     RUN_TEST(bad_input_changes_nothing);
     RUN_TEST(a_circle_determines_nothing);
