@@ -143,8 +143,7 @@ invcal_status invcal_dip_solve(const invcal_dip *dip, invcal_real alike, invcal_
     }
     invcal_real change = 1;
     invcal_status status = make_step(dip, (const invcal_real(*)[3])r, s, a);
-    for (unsigned step = 0; step < DIP_STEPS && status == INVCAL_OK && change > INVCAL_EPSILON;
-         step++) {
+    for (unsigned n = 0; n < DIP_STEPS && status == INVCAL_OK && change > INVCAL_EPSILON; n++) {
         invcal_back_substitute(a, DIP_UNKNOWNS);
         const invcal_real *const x = &a[INVCAL_PACKED(DIP_UNKNOWNS, 0)];
         turn_by(x, r);

@@ -15,6 +15,10 @@ static const double reference_offsets[3][3] = {
 /* What samples differ from the first by, over field, root mean square. */
 static const double reference_rms = 0.012550;
 
+/* The rotation from its axes to those of the accelerometer, a vector, and the sine of how far the field
+ * points up. */
+static const double reference_axes[4] = {-0.00336, 0.00444, 0.01567, 0.30627};
+
 /* Means of 16 samples each, microgauss. */
 static const int32_t reference_means[][3] = {
     {-130069, 265195, -167982}, {-124530, 262001, -174781}, {-123043, 255150, -174913}, {-114537, 243268, -175472},

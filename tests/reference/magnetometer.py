@@ -13,10 +13,10 @@ import sys
 MEAN_OF = 16
 
 
-def read(path):
+def read(path, wanted):
     with open(path, encoding="ascii") as file:
         names = file.readline().strip().split(",")
-        columns = [names.index(name) for name in ("mx", "my", "mz")]
+        columns = [names.index(name) for name in wanted]
         return [[float(cells[c]) for c in columns] for cells in (line.split(",") for line in file)]
 
 
@@ -109,8 +109,49 @@ def robust(samples, x):
     return x
 
 
+def unit(v):
+    length = math.hypot(*v)
+    return [c / length for c in v]
+
+
+def rotate(angle, v):
+    """By a rotation vector (Rodrigues)."""
+    size = math.hypot(*angle) or 1e-300
+    e = [c / size for c in angle]
+    across = [e[1] * v[2] - e[2] * v[1], e[2] * v[0] - e[0] * v[2], e[0] * v[1] - e[1] * v[0]]
+    along = sum(p * q for p, q in zip(e, v)) * (1 - math.cos(size))
+    return [math.cos(size) * v[i] + math.sin(size) * across[i] + along * e[i] for i in range(3)]
+
+
+def axes(ups, fields):
+    """The rotation vector that makes up . R field most alike, and that: by Gauss and Newton with differences."""
+    def errors(x):
+        return [sum(p * q for p, q in zip(u, rotate(x[:3], m))) - x[3] for u, m in zip(ups, fields)]
+
+    x = [0.0] * 4
+    for _ in range(8):
+        e = errors(x)
+        columns = []
+        for k in range(4):
+            moved = list(x)
+            moved[k] += 1e-5
+            columns.append([(p - q) / 1e-5 for p, q in zip(errors(moved), e)])
+        normal = [[sum(p * q for p, q in zip(a, b)) for b in columns] for a in columns]
+        step = solve(normal, [-sum(p * q for p, q in zip(a, e)) for a in columns])
+        x = [p + q for p, q in zip(x, step)]
+    return x
+
+
+def both_directions(ups, samples, x):
+    """Of the instants at which the accelerometer has its usual length within 10 %."""
+    lengths = [math.hypot(*u) for u in ups]
+    usual = sorted(lengths)[len(lengths) // 2]
+    kept = [n for n, length in enumerate(lengths) if abs(length - usual) <= 0.1 * usual]
+    return [unit(ups[n]) for n in kept], [unit(calibrated(x, samples[n])[1]) for n in kept]
+
+
 def main():
-    samples = read(sys.argv[1])
+    samples = read(sys.argv[1], ("mx", "my", "mz"))
     all_of = fit(samples, [1.0] * len(samples), first_guess(samples))
     cells = by_cells(samples, all_of)
     fits = (("all", all_of), ("cells", fit(cells, [1.0] * len(cells), all_of)),
@@ -124,6 +165,9 @@ def main():
     print(",\n".join("    {" + ", ".join(f"{c:.6f}" for c in x[:3]) + "}" for _, x in fits) + "};\n")
     rms = math.sqrt(sum(residual(all_of, v) ** 2 for v in samples) / len(samples))
     print(f"/* What samples differ from the first by, over field, root mean square. */\nstatic const double reference_rms = {rms:.6f};\n")
+    x = axes(*both_directions(read(sys.argv[1], ("ax", "ay", "az")), samples, all_of))
+    print("/* The rotation from its axes to those of the accelerometer, a vector, and the sine of how far the field\n"
+          " * points up. */\nstatic const double reference_axes[4] = {" + ", ".join(f"{c:.5f}" for c in x) + "};\n")
     print(f"/* Means of {MEAN_OF} samples each, microgauss. */\nstatic const int32_t reference_means[][3] = {{")
     lines = []
     for n in range(0, len(means), 4):

@@ -72,11 +72,97 @@ refuses "magnetometer: none there" 3 'none.csv:1: the header names no columns of
 printf 'x,y,z,mx,my,mz\n0,0,1,1,2,3\n' > "$work/twice.csv"
 refuses "magnetometer: two sets that may be meant" 3 "x, y and z are there twice .'mx' and 'x'." \
     calibrate --magnetometer "$work/twice.csv"
-for option in --positions --robust --six-faces --cubic '--thermal=1' '--noise=1' '--case=+z' '--prior=1,1,1'; do
+for option in --positions --robust --six-faces --cubic '--thermal=1' '--noise=1' '--case=+z' '--prior=1,1,1' '--sensor=mpu6050'; do
     refuses "magnetometer: and $option" 2 "--magnetometer: does not go together with ${option%=*}" \
         calibrate --magnetometer "$work/log.csv" "$option"
 done
 refuses "magnetometer: watch" 2 '--magnetometer: is for invcal calibrate' watch --magnetometer "$work/log.csv"
+
+# An accelerometer and a magnetometer, whose axes are those of the accelerometer turned by 90 degrees about z and then by 3
+# about x; the field points down by 60 degrees; the accelerometer has an offset of OFFSET g. The hand accelerates by 0.03 g for
+# half a second each.
+both() { # OFFSET SEED
+    awk -v offset="$1" -v seed="$2" 'BEGIN {
+        srand(seed); print "t,ax,ay,az,mx,my,mz"; r = 3.14159265358979 / 180
+        for (i = 0; i < 6000; i++) {
+            t = i / 100; a = 2 * t + sin(t); b = 0.73 * t; c = 0.31 * t + cos(0.4 * t)
+            # rows of the rotation from the world to the case: about z by c, y by b, x by a
+            cx = cos(c); sx = sin(c); cy = cos(b); sy = sin(b); cz = cos(a); sz = sin(a)
+            x[1] = cx * cy; x[2] = sx * cy; x[3] = -sy
+            y[1] = cx * sy * sz - sx * cz; y[2] = sx * sy * sz + cx * cz; y[3] = cy * sz
+            z[1] = cx * sy * cz + sx * sz; z[2] = sx * sy * cz - cx * sz; z[3] = cy * cz
+            for (k = 1; k <= 3; k++) h[k] = 0.98 * h[k] + 0.2 * 0.03 * n()
+            n1 = cos(60 * r); n3 = -sin(60 * r)
+            f1 = x[1] * n1 + x[3] * n3; f2 = y[1] * n1 + y[3] * n3; f3 = z[1] * n1 + z[3] * n3
+            # axes x\047 = y, y\047 = -x; then about x by 3 degrees
+            g1 = f2; g2 = -f1; g3 = f3
+            m2 = cos(3 * r) * g2 + sin(3 * r) * g3; m3 = -sin(3 * r) * g2 + cos(3 * r) * g3
+            printf "%.2f,%.5f,%.5f,%.5f,%.5f,%.5f,%.5f\n", t, x[3] + h[1] + offset, y[3] + h[2], z[3] + h[3],
+                0.5 * g1 + 0.1 + 0.002 * n(), 0.5 * m2 - 0.2 + 0.002 * n(), 0.5 * m3 + 0.002 * n()
+        } }
+        function n() { return (rand() + rand() + rand() + rand() - 2) * 1.732 }'
+}
+both 0 1 > "$work/both.csv"
+# The rotation is Rz(90) Rx(3): its columns are what the axes of the magnetometer are in those of the accelerometer.
+accepts "magnetometer: with an accelerometer" calibrate --magnetometer "$work/both.csv" --json
+rows() { sed -n '/"rotation"/,/\]$/p' "$work/stdout" | sed 1d | tr -d '[] \n' | sed 's/,$//'; }
+check "magnetometer: the rotation between the two" near 0.02 "$(rows)" \
+    0,-0.99863,0.05234,1,0,0,0,0.05234,0.99863
+check "magnetometer: the dip" near 0.01 "$(number dip)" 1.0472
+check "magnetometer: turned only on demand" matches "$work/stdout" '"frame": "symmetric"'
+run calibrate --magnetometer "$work/both.csv"
+check "magnetometer: also in words" matches "$work/stdout" \
+    'axes +to those of the accelerometer by [0-9]+ of 6000 instants, degrees: about x [+]2\.[0-9]+ ± .*The field points down by (59|60)\..*--with CAL.json corrects it'
+accepts "magnetometer: turned" calibrate --magnetometer "$work/both.csv" --frame accelerometer --out "$work/out/both.json" \
+    --report "$work/out/both.html"
+check "magnetometer: the page tells it" matches "$work/out/both.html" 'turned to those of the accelerometer'
+check "magnetometer: the table, too" matches "$work/stdout" 'turned to those of the accelerometer'
+run apply "$work/out/both.json" "$work/both.csv"
+check "magnetometer: then up and the field have one angle between them" test "$(paste -d, "$work/both.csv" "$work/stdout" | awk -F, '
+    NR > 1 { l = sqrt($9^2 + $10^2 + $11^2) * sqrt($2^2 + $3^2 + $4^2)
+    d = ($2 * $9 + $3 * $10 + $4 * $11) / l + 0.866; s += d; q += d * d; n++ }
+    END { print n, (s / n < 0.01 && s / n > -0.01 && sqrt(q / n) < 0.05) }')" = "6000 1"
+
+# Sigma is what twenty of them scatter by: three angles each, within 3 sigma but for one.
+for seed in 1 2 3 4 5 6 7 8 9 10 11 12 13 14 15 16 17 18 19 20; do
+    both 0 "$seed" > "$work/one.csv"
+    run calibrate --magnetometer "$work/one.csv" --json
+    echo "$(sed -n '/"accelerometer"/,$s/.*"angle": \[\(.*\)\].*/\1/p' "$work/stdout")," \
+        "$(sed -n '/"accelerometer"/,$s/.*"sigma": \[\(.*\)\].*/\1/p' "$work/stdout")"
+done | tr -d ' ' > "$work/angles.csv"
+# The rotation vector of Rz(90) Rx(3): half angles 45 and 1.5 degrees as quaternions.
+check "magnetometer: sigma covers what angles scatter by" test "$(awk -F, 'BEGIN {
+        r = 3.14159265358979 / 180; c = cos(45 * r); d = cos(1.5 * r); e = sin(1.5 * r)
+        w = c * d; q[1] = c * e; q[2] = c * e; q[3] = c * d; s = sqrt(1 - w * w); t = 2 * atan2(s, w) }
+    { for (i = 1; i <= 3; i++) { e = ($i - q[i] / s * t) / $(i + 3); n++; far += e * e > 9; squares += e * e } }
+    END { print n, (far <= 1), (squares / n > 0.4 && squares / n < 2) }' "$work/angles.csv")" = "60 1 1"
+
+both 0.2 1 > "$work/offset.csv"
+echo '{"offset": [0.2, 0, 0], "matrix": [[1, 0, 0], [0, 1, 0], [0, 0, 1]]}' > "$work/accel.json"
+accepts "magnetometer: an accelerometer that is not calibrated" \
+    calibrate --magnetometer "$work/offset.csv" --with "$work/accel.json" --json
+check "magnetometer: is corrected by its calibration" near 0.02 "$(rows)" \
+    0,-0.99863,0.05234,1,0,0,0,0.05234,0.99863
+check "magnetometer: which is told" matches "$work/stdout" '"taken": "calibrated"'
+both 0.5 1 > "$work/offset.csv"
+accepts "magnetometer: one that is far off" calibrate --magnetometer "$work/offset.csv"
+check "magnetometer: tells nothing" matches "$work/stdout" 'axes +against the accelerometer.s not known: too few instants'
+refuses "magnetometer: nor can anything be turned to it" 1 'usual length, within 10 %, in [0-9]+ of 6000 instants only; correct it' \
+    calibrate --magnetometer "$work/offset.csv" --frame accelerometer
+cut -d, -f5-7 "$work/both.csv" > "$work/alone.csv"
+refuses "magnetometer: none there" 1 'the log has no columns of an accelerometer' \
+    calibrate --magnetometer "$work/alone.csv" --frame accelerometer
+refuses "magnetometer: --with a magnetometer" 2 'is a calibration of a magnetometer' \
+    calibrate --magnetometer "$work/both.csv" --with "$work/out/both.json"
+refuses "magnetometer: --with alone" 2 '--with: is for --magnetometer' calibrate "$work/both.csv" --with "$work/accel.json"
+refuses "magnetometer: its frame alone" 2 '--frame: accelerometer is for --magnetometer' \
+    calibrate "$work/both.csv" --frame accelerometer
+accepts "magnetometer: a need in parts" calibrate --magnetometer "$work/both.csv" --need 1%
+check "magnetometer: is judged" matches "$work/stdout" 'PASS: length within 0\.[0-9]+ of 1\.0 % of the field'
+accepts "magnetometer: and in the unit of the readings" calibrate --magnetometer "$work/both.csv" --need 0.005
+check "magnetometer: is the same" matches "$work/stdout" 'PASS: length within 0\.00[0-9]+ of 0\.0050 field units'
+refuses "magnetometer: a need of gravity" 2 'the field .--gravity. is no gravity' \
+    calibrate --magnetometer "$work/both.csv" --need 1mg
 
 recording=${RECORDINGS:-$here/../../../shared/data}/ck_acc_mag.csv
 if [ -f "$recording" ]; then
@@ -89,5 +175,15 @@ if [ -f "$recording" ]; then
             NR > 2 { for (i = 1; i <= 3; i++) { e = ($i - o[i]) / s[i]; bad += e > 1 || e < -1; n++ } }
             END { print n, bad + 0 }')" = "9 0"
     check "magnetometer: and good" matches "$work/stdout" '"verdict": "good"'
+    # shellcheck disable=SC2016 # fields of awk
+    check "magnetometer: its axes are turned by what a fit of all instants tells" test "$(
+        { echo "$(vector angle)"; sed -n '/"accelerometer"/,$s/.*"sigma": \[\(.*\)\].*/\1/p' "$work/stdout"
+          sed -n 's/.*reference_axes.*{\(.*\)};/\1/p' "$here/../reference/magnetometer.h"; } | tr -d ' ' | awk -F, '
+            NR == 1 { split($0, a) } NR == 2 { split($0, s) }
+            NR == 3 { for (i = 1; i <= 3; i++) { e = ($i - a[i]) / s[i]; bad += e > 1 || e < -1; n++ } }
+            END { print n, bad + 0 }')" = "3 0"
+    check "magnetometer: and so is the dip" near 0.01 "$(number dip)" "-$(
+        sed -n 's/.*reference_axes.*, \([0-9.]*\)};/\1/p' "$here/../reference/magnetometer.h" |
+            awk '{ print atan2($1, sqrt(1 - $1 * $1)) }')"
 fi
 finish

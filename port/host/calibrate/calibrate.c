@@ -124,6 +124,7 @@ int calibrate_run(int argc, char **argv, int is_live, positions_reader *read)
     stand_free(&result.stand);
     rejection_free(&result.rejected);
     positions_free(&data);
+    waved_free(&waving);
     json_lines(NULL);
     return failure;
 }
@@ -180,10 +181,12 @@ static const char *const help[] = {
     "                      the real one differs by some 0.0005 m/s^2, which scales all readings\n"
     "                      alike and does nothing else\n"
     "  --height M          above the sea, m; default 0\n"
-    "  --frame symmetric|triangular|stand\n"
+    "  --frame symmetric|triangular|stand|accelerometer\n"
     "                      symmetric (default): axes as near to the case as can be;\n"
     "                      triangular: only the x sensor feels a field along the x axis;\n"
-    "                      stand: turned to the axes of the stand, by its angles\n"
+    "                      stand: turned to the axes of the stand, by its angles;\n"
+    "                      accelerometer: a magnetometer's turned to those of the accelerometer\n"
+    "                      that LOG has as well\n"
     "  --case +z,-x,.,...  which way of the case was up in the first positions of LOG, a dot where "
     "it\n"
     "                      is not known: turns the result to the axes of the case. Two ways or\n"
@@ -229,7 +232,10 @@ static const char *const help[] = {
     "                      --gravity the result is in the unit of the readings, by their mean\n"
     "                      scale. Names a magnet that passed by, a step, a field that differs "
     "from\n"
-    "                      place to place\n"
+    "                      place to place. Of an accelerometer beside it, how the axes of both "
+    "are\n"
+    "                      turned against each other\n"
+    "  --with CAL.json     the calibration of that accelerometer; else it is taken as it reads\n"
     "  --robust            a cross-check: does the estimate with the least sum of absolute "
     "residuals\n"
     "                      (l1) of all positions agree with this one, outliers left out?\n"

@@ -12,6 +12,7 @@
 #include "cli/command.h"
 #include "cli/message.h"
 #include "fit/fit_drift.h"
+#include "result/calibration_file.h"
 #include "text/number.h"
 
 static double residual_of_nominal(const positions *data, const invcal_calibration *nominal)
@@ -251,6 +252,48 @@ int solve_positions(const request *r, const positions *data, calibrate_result *r
     return EXIT_GOOD;
 }
 
+/* Its axes against those of the accelerometer beside it. */
+static int find_axes(const request *r, calibrate_result *result)
+{
+    const char *path = r->value[ASK_WITH];
+    dip_frame *dip = &result->dip;
+    static calibration_file file; /* large */
+    int failure = path ? calibration_file_read_correction(path, &file) : EXIT_GOOD;
+
+    if (!failure && path && file.is_magnetometer) {
+        return message_usage(r->syntax->command,
+                             "--with %s: is a calibration of a magnetometer: state that of the "
+                             "accelerometer",
+                             path);
+    }
+    failure = failure ? failure
+                      : dip_frame_find(result->magnetometer, path ? &file.calibration : NULL, dip);
+    if (failure) {
+        return failure;
+    }
+    if ((path && dip->answer == DIP_NO_ACCELEROMETER) ||
+        (r->wants_accelerometer_axes && dip->answer != DIP_TOLD)) {
+        return calibrate_no_axes(result);
+    }
+    if (r->wants_accelerometer_axes) {
+        invcal_frame_turn((const double(*)[3])dip->rotation, &result->solution.calibration);
+        result->is_dip_frame = 1;
+    }
+    return EXIT_GOOD;
+}
+
+/* Without --gravity a part of the field is meant, or a number in the unit of the readings. */
+static void settle_need(const request *r, calibrate_result *result)
+{
+    const double field = result->settings.field;
+
+    if (r->value[ASK_NEED] && strchr(r->value[ASK_NEED], '%')) {
+        result->need *= field / r->settings.field;
+    } else if (r->value[ASK_NEED]) {
+        result->need_unit.scale = field;
+    }
+}
+
 int solve_waved(const request *r, const positions *data, calibrate_result *result)
 {
     const waved *m = result->magnetometer;
@@ -272,6 +315,7 @@ int solve_waved(const request *r, const positions *data, calibrate_result *resul
     result->solution = fit_solution_of(&m->calibration, &result->settings);
     result->quality = fit_quality_of(&m->quality, &result->settings, &result->solution);
     result->quality.condition = m->quality.condition;
+    settle_need(r, result);
     complete(r, data, result);
-    return EXIT_GOOD;
+    return find_axes(r, result);
 }

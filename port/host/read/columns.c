@@ -175,13 +175,18 @@ static void say_none(const table *t, columns_kind kind)
     }
 }
 
-/* Of the sensor that is not calibrated, which may be there as well. */
-static void find_set_aside(const table *t, origins which, recognition *seen)
+/* The sensor that is not calibrated, which may be there as well. */
+static void find_set_aside(const table *t, columns_kind kind, columns *out)
 {
+    const origin which = kind == COLUMNS_MAGNETOMETER ? OF_ACCELEROMETER : OF_MAGNETOMETER;
     int other[3];
 
-    if (find_set(t, 0, which, other) < t->columns) {
-        memcpy(seen->set_aside, headings[other[0]].name, HEADING_NAME_MAX);
+    if (find_set(t, 0, (origins){which, which}, other) == t->columns) {
+        return;
+    }
+    memcpy(out->seen.set_aside, headings[other[0]].name, HEADING_NAME_MAX);
+    if (kind == COLUMNS_MAGNETOMETER) {
+        memcpy(out->aside, other, sizeof other);
     }
 }
 
@@ -192,8 +197,6 @@ static int find_xyz(const table *t, columns_kind kind, columns *out)
     const int is_magnetic = kind == COLUMNS_MAGNETOMETER;
     const origins meant = is_magnetic ? (origins){OF_MAGNETOMETER, OF_MAGNETOMETER}
                                       : (origins){OF_ACCELEROMETER, OF_ACCELEROMETER};
-    const origins aside = is_magnetic ? (origins){OF_ACCELEROMETER, OF_ACCELEROMETER}
-                                      : (origins){OF_MAGNETOMETER, OF_MAGNETOMETER};
     int *index = &out->index[COLUMN_X];
     const int has_one = find_set(t, 0, meant, index) < t->columns;
     const origins either =
@@ -216,7 +219,7 @@ static int find_xyz(const table *t, columns_kind kind, columns *out)
         }
     }
     if (has_one) {
-        find_set_aside(t, aside, &out->seen);
+        find_set_aside(t, kind, out);
     }
     return EXIT_GOOD;
 }
@@ -607,6 +610,7 @@ int columns_find(table *t, columns_kind kind, columns *out)
         .per_second = 1,
         .degrees = {1, 0},
         .per_degree = {1, 1},
+        .aside = {-1, -1, -1},
         .instance = -1,
         .seen = {.separator = table_separator(t), .is_magnetometer = kind == COLUMNS_MAGNETOMETER}};
     if (table_comment_header(t) && !has_axes(t)) {
@@ -618,6 +622,9 @@ int columns_find(table *t, columns_kind kind, columns *out)
 
     for (unsigned c = 0; c < COLUMN_COUNT; c++) {
         out->last = out->index[c] > out->last ? out->index[c] : out->last;
+    }
+    for (unsigned i = 0; i < 3; i++) {
+        out->last = out->aside[i] > out->last ? out->aside[i] : out->last;
     }
     out->seen.time_unit = out->per_second > 1e8   ? "ns"
                           : out->per_second > 1e5 ? "µs"
@@ -679,6 +686,15 @@ double columns_angle(const table *t, const columns *where, column which)
     return index >= 0 && number_parse(t->field[index], &value) == NUMBER_OK
                ? value / where->per_degree[which - COLUMN_ALPHA]
                : NUMBER_UNKNOWN;
+}
+
+double columns_aside(const table *t, const columns *where, unsigned axis)
+{
+    const int index = where->aside[axis];
+    double value;
+
+    return index >= 0 && number_parse(t->field[index], &value) == NUMBER_OK ? value
+                                                                            : NUMBER_UNKNOWN;
 }
 
 int columns_check_instance(const table *t, columns *where)

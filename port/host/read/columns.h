@@ -33,6 +33,7 @@ typedef struct {
 /* For each meaning the index into table.field, or -1. */
 typedef struct {
     int index[COLUMN_COUNT];
+    int aside[3];             /* of the accelerometer beside a magnetometer, or -1: */
     int last;                 /* the greatest of them */
     double per_second;        /* units of the time column in a second */
     temperature_unit degrees; /* of the temperature column */
@@ -80,6 +81,10 @@ int columns_is_cut(const table *t, const columns *where);
  *
  * Returns EXIT_GOOD; EXIT_FILE, with a message that names line and column. */
 int columns_number(const table *t, const columns *where, column which, double *out);
+
+/* An axis of the accelerometer beside a magnetometer. NaN if there is none, or the current row holds no number
+ * there. */
+double columns_aside(const table *t, const columns *where, unsigned axis);
 
 /* An angle of the stand, COLUMN_ALPHA or COLUMN_BETA, in degrees. NaN if there is no such column, or the
  * current row holds no number there: only who wants angles has to complain. */

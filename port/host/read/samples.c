@@ -13,7 +13,7 @@
 #define SMALLEST_UNIT (-14) /* power of two, where nothing but zeros has been read */
 #define SKIPPED_MAX 100u
 
-enum { TIME = 3, TEMPERATURE = 4, ALPHA = 5, BETA = 6 };
+enum { TIME = 3, TEMPERATURE = 4, ALPHA = 5, BETA = 6, ASIDE = 7 };
 
 /* The numbers of the current row. */
 static int read_numbers(samples *s, double v[SAMPLES_NUMBERS])
@@ -32,6 +32,9 @@ static int read_numbers(samples *s, double v[SAMPLES_NUMBERS])
     }
     v[ALPHA] = columns_angle(&s->table, &s->where, COLUMN_ALPHA);
     v[BETA] = columns_angle(&s->table, &s->where, COLUMN_BETA);
+    for (unsigned i = 0; i < 3; i++) {
+        v[ASIDE + i] = columns_aside(&s->table, &s->where, i);
+    }
     return EXIT_GOOD;
 }
 
@@ -211,6 +214,7 @@ static int open_as(samples *s, const char *path, double rate, int live, columns_
     s->has_time = s->where.index[COLUMN_TIME] >= 0;
     s->has_temperature = s->where.index[COLUMN_TEMPERATURE] >= 0;
     s->has_angles = s->where.index[COLUMN_ALPHA] >= 0 && s->where.index[COLUMN_BETA] >= 0;
+    s->has_aside = s->where.aside[0] >= 0;
     s->unit = find_unit(s);
     s->rate = rate;
     s->is_rate_known = rate > 0;
@@ -267,6 +271,7 @@ int samples_next(samples *s, sample *out)
     out->temperature = v[TEMPERATURE];
     out->angle[0] = v[ALPHA];
     out->angle[1] = v[BETA];
+    memcpy(out->aside, &v[ASIDE], sizeof out->aside);
     const double step = v[TIME] - s->last_time;
     out->clock = s->clock += s->count == 0 ? 0 : time_passed(s, step);
     const int jumps = s->has_time && s->count > 0 && !(step >= 0 && step <= s->longest);

@@ -1,10 +1,33 @@
 /* SPDX-License-Identifier: MIT */
 #include "read/waved.h"
 
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
 #include "cli/command.h"
+#include "cli/message.h"
 #include "cli/progress.h"
 #include "read/samples.h"
 #include "text/number.h"
+
+/* Returns 0 without memory. */
+static int add_pair(waved *out, const sample *s, const double field[3])
+{
+    if (out->pairs == out->room) {
+        const unsigned long room = 2 * out->room + 1024;
+        waved_pair *larger = realloc(out->pair, room * sizeof *larger);
+        if (!larger) {
+            return 0;
+        }
+        out->pair = larger;
+        out->room = room;
+    }
+    memcpy(out->pair[out->pairs].up, s->aside, sizeof s->aside);
+    memcpy(out->pair[out->pairs].field, field, sizeof out->pair->field);
+    out->pairs++;
+    return 1;
+}
 
 static int feed_all(invcal_magnetometer *m, samples *log, waved *out)
 {
@@ -15,6 +38,12 @@ static int feed_all(invcal_magnetometer *m, samples *log, waved *out)
         const double raw[3] = {s.raw[0] * log->unit, s.raw[1] * log->unit, s.raw[2] * log->unit};
         (void)invcal_magnetometer_feed(m, raw);
         out->samples++;
+        if (log->has_aside && isfinite(s.aside[0] + s.aside[1] + s.aside[2]) &&
+            !add_pair(out, &s, raw)) {
+            message("%s: not enough memory for %lu samples", log->table.name, out->samples);
+            more = -1;
+            break;
+        }
         progress_show(log->table.file, log->table.line, 0);
     }
     progress_end();
@@ -38,24 +67,44 @@ static int take_cells(const invcal_magnetometer *m, const waved *out, unsigned l
     return failure;
 }
 
-int waved_read(positions *p, const char *path, double rate, const invcal_calibration *nominal,
-               waved *out)
+static int read_log(samples *log, positions *p, const char *path, double rate,
+                    const invcal_calibration *nominal, waved *out)
 {
-    static samples log; /* too large for the stack */
     invcal_magnetometer m;
-    int failure = samples_open_magnetometer(&log, path, rate);
+    int failure = samples_open_magnetometer(log, path, rate);
 
-    *p = (positions){.name = log.table.name, .seen = log.where.seen};
-    *out =
-        (waved){.rate = log.rate, .is_rate_known = log.is_rate_known, .status = INVCAL_BAD_NOMINAL};
+    *p = (positions){.name = log->table.name, .seen = log->where.seen};
+    *out = (waved){
+        .rate = log->rate, .is_rate_known = log->is_rate_known, .status = INVCAL_BAD_NOMINAL};
     if (!failure && invcal_magnetometer_init(&m, nominal) == INVCAL_OK) {
-        failure = feed_all(&m, &log, out);
+        failure = feed_all(&m, log, out);
         out->status = invcal_magnetometer_solve(&m, &out->calibration, &out->quality, &out->found);
         invcal_magnetometer_next(&m, out->next);
     }
-    samples_close(&log);
-    p->bytes = log.table.bytes;
-    p->crc = log.table.crc;
+    samples_close(log);
+    p->bytes = log->table.bytes;
+    p->crc = log->table.crc;
     return failure || out->status != INVCAL_OK ? failure
-                                               : take_cells(&m, out, log.table.first_line, p);
+                                               : take_cells(&m, out, log->table.first_line, p);
+}
+
+int waved_read(positions *p, const char *path, double rate, const invcal_calibration *nominal,
+               waved *out)
+{
+    samples *log = calloc(1, sizeof *log); /* too large for the stack */
+
+    *p = (positions){.name = path};
+    if (!log) {
+        message("%s: not enough memory", path);
+        return EXIT_FILE;
+    }
+    const int failure = read_log(log, p, path, rate, nominal, out);
+    free(log);
+    return failure;
+}
+
+void waved_free(waved *log)
+{
+    free(log->pair);
+    log->pair = NULL;
 }

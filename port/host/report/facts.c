@@ -80,7 +80,7 @@ int report_facts_find(report_facts *f, const calibrate_result *result, const cal
 {
     *f = (report_facts){.result = result, .wish = wish, .count = result->data->count, .has_up = 1};
     f->asked = pass_judge(result);
-    f->is_gravity = unit_is_gravity(result->settings.field);
+    f->is_gravity = calibrate_is_gravity(result);
     f->parts = told_parts(result->told, f->is_gravity).scale;
     f->unit = told_parts(result->told, f->is_gravity).unit;
     f->length = f->is_gravity ? "|a|" : "length";

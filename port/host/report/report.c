@@ -274,6 +274,15 @@ static void write_temperature(page *p, const report_facts *f)
 
 static void write_frame(page *p, const calibrate_result *r)
 {
+    char axes[CALIBRATE_AXES_MAX];
+
+    if (*calibrate_axes_text(r, axes) != '\0') {
+        page_fact(p, "axes", "%s", axes);
+    }
+    if (r->is_dip_frame) {
+        page_fact(p, "frame", "accelerometer: the axes of the one in the same log");
+        return;
+    }
     if (r->frame.used > 0) {
         char text[CALIBRATE_LIMIT_MAX];
         page_fact(p, "frame", "%s", calibrate_case_text(r, text));

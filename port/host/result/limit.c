@@ -222,7 +222,7 @@ const char *calibrate_advice(const calibrate_result *r, char text[CALIBRATE_LIMI
 {
     const thermal_fit *fit = &r->fit;
     const double range = fit->calibration.max - fit->calibration.min;
-    const told_unit told = told_parts(r->told, unit_is_gravity(r->settings.field));
+    const told_unit told = told_parts(r->told, calibrate_is_gravity(r));
     const unsigned most = steepest_offset(fit);
     const double scale = told.scale * calibrate_slope_scale(r, most);
     char before[FIGURE_MAX];

@@ -96,7 +96,7 @@ static void add_scales(const calibrate_result *r, int known)
     char unit[FIGURE_MAX];
 
     snprintf(unit, sizeof unit, "%s per %s", calibrate_input_unit(r),
-             unit_is_gravity(r->settings.field) ? "m/s²" : "field unit");
+             calibrate_is_gravity(r) ? "m/s²" : "field unit");
 
     (void)matrix_inverse(&r->nominal.calibration, inverse); /* no result without */
     for (unsigned i = 0; i < 3; i++) {
@@ -150,7 +150,7 @@ static void add_errors(const calibrate_result *r, int known)
 static const char *residual_text(const calibrate_result *r, double residual, char text[TEXT_MAX])
 {
     const told_unit told = calibrate_told_field(r);
-    const int places = r->told == TOLD_INS ? 3 : unit_is_gravity(r->settings.field) ? 4 : 5;
+    const int places = r->told == TOLD_INS ? 3 : calibrate_is_gravity(r) ? 4 : 5;
 
     snprintf(text, TEXT_MAX, "%14.*f %s", places, told.scale * residual, told.unit);
     return text;
@@ -454,6 +454,17 @@ static void print_case(FILE *file, const calibrate_result *result)
     }
 }
 
+/* Against an accelerometer. */
+static void print_axes(FILE *file, const calibrate_result *result)
+{
+    char text[CALIBRATE_AXES_MAX];
+
+    if (*calibrate_axes_text(result, text) != '\0') {
+        fprintf(file, "%-14s", "axes");
+        wrapped_line(file, LABEL, LABEL, text);
+    }
+}
+
 /* What the sensor was to read, and who says so. */
 static void print_nominal(FILE *file, const nominal_choice *n, const char *name)
 {
@@ -528,6 +539,7 @@ void calibrate_print(FILE *file, const calibrate_result *result, const calibrate
     fprintf(file, "\n");
     print_stand(file, result);
     print_case(file, result);
+    print_axes(file, result);
     calibrate_print_thermal(file, result);
     fprintf(file, "%s", result->temperature == CALIBRATE_THERMAL ? "\n" : "");
     print_residuals(file, result, nominal);

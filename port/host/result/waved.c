@@ -2,7 +2,10 @@
  *
  * What is to be said of a magnetometer that was waved.
  */
+#include <math.h>
+
 #include "result/result.h"
+#include "text/figure.h"
 #include "text/paint.h"
 #include "text/plain.h"
 #include "text/wrapped.h"
@@ -51,6 +54,79 @@ const char *calibrate_waved_fault(const calibrate_result *result, char text[CALI
     return text;
 }
 
+/* What limits a rotation, and what to do about it. */
+static const char *axes_advice(const calibrate_result *result)
+{
+    const dip_frame *d = &result->dip;
+
+    return d->answer == DIP_UNEVEN
+               ? " too few instants have the usual lengths: correct the accelerometer by its own "
+                 "calibration (--with CAL.json), and turn slowly."
+           : d->answer == DIP_OPEN ? " the log leaves them open: turn it about all axes, slowly."
+           : d->is_corrected       ? ""
+                                   : " The accelerometer was taken as it reads: --with CAL.json "
+                                     "corrects it.";
+}
+
+const char *calibrate_axes_text(const calibrate_result *result, char text[CALIBRATE_AXES_MAX])
+{
+    const dip_frame *d = &result->dip;
+    char angle[3][FIGURE_MAX];
+    char dip[FIGURE_MAX];
+    char left[FIGURE_MAX];
+
+    text[0] = '\0';
+    if (!result->magnetometer || d->answer == DIP_NO_ACCELEROMETER) {
+        return text;
+    }
+    if (d->answer != DIP_TOLD) {
+        snprintf(text, CALIBRATE_AXES_MAX, "against the accelerometer's not known:%s",
+                 axes_advice(result));
+        return text;
+    }
+    for (unsigned i = 0; i < 3; i++) {
+        (void)figure_with_sigma(FIGURE_DEGREES * d->angle[i], FIGURE_DEGREES * d->sigma[i],
+                                FIGURE_SIGNED, angle[i]);
+    }
+    snprintf(
+        text, CALIBRATE_AXES_MAX,
+        "%s by %lu of %lu instants, degrees: about x %s, about y %s, about z %s%s. That leaves "
+        "an error of %s in a heading (one sigma). The field points %s by %s%s.%s",
+        result->is_dip_frame ? "turned to those of the accelerometer"
+                             : "to those of the accelerometer",
+        d->used, d->of, angle[0], angle[1], angle[2],
+        result->is_dip_frame ? "" : "; --frame accelerometer turns the result",
+        figure_digits(FIGURE_DEGREES * d->heading, 2, left), d->dip < 0 ? "up" : "down",
+        figure_digits(FIGURE_DEGREES * fabs(d->dip), 3, dip),
+        d->dip < 0 ? ", as it does south of the magnetic equator; elsewhere the sign of an axis, "
+                     "or of the accelerometer, is wrong"
+                   : "",
+        axes_advice(result));
+    return text;
+}
+
+static void write_axes(json_writer *w, const dip_frame *d)
+{
+    static const char *const answers[] = {
+        [DIP_TOLD] = "told", [DIP_UNEVEN] = "uneven lengths", [DIP_OPEN] = "undetermined"};
+
+    json_object(w, "accelerometer");
+    json_text(w, "answer", answers[d->answer]);
+    json_text(w, "taken", d->is_corrected ? "calibrated" : "as it reads");
+    json_number(w, "used", (double)d->used);
+    json_number(w, "of", (double)d->of);
+    if (d->answer == DIP_TOLD) {
+        json_matrix(w, "rotation", (const double(*)[3])d->rotation);
+        json_vector(w, "angle", d->angle);
+        json_vector(w, "sigma", d->sigma);
+        json_number(w, "alike", d->alike);
+        json_number(w, "dip", d->dip);
+        json_number(w, "scatter", d->scatter);
+        json_number(w, "heading_sigma", d->heading);
+    }
+    json_object_end(w);
+}
+
 void calibrate_waved_json(json_writer *w, const calibrate_result *result)
 {
     static const char *const names[] = {"none", "passing", "places", "step"};
@@ -65,5 +141,8 @@ void calibrate_waved_json(json_writer *w, const calibrate_result *result)
     json_number(w, "sample_rms", f->rms);
     json_number(w, "alike", f->alike);
     json_text(w, "disturbance", names[f->disturbance]);
+    if (result->dip.answer != DIP_NO_ACCELEROMETER) {
+        write_axes(w, &result->dip);
+    }
     json_object_end(w);
 }
