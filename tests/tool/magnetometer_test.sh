@@ -43,6 +43,17 @@ check "magnetometer: and makes all lengths alike" test "$(awk -F, 'NR > 1 { l = 
 
 accepts "magnetometer: a field that is known" calibrate --magnetometer "$work/log.csv" --gravity 48 --json
 check "magnetometer: gives its unit" near 0.01 "$(number gravity)" 48
+run calibrate --magnetometer "$work/log.csv"
+check "magnetometer: in gauss, not in g" matches "$work/stdout" 'my mz in gauss;.*'
+check "magnetometer: the field, too" matches "$work/stdout" 'field 0\.49[0-9]* gauss'
+for heading in 'mag_x_uT,mag_y_uT,mag_z_uT' 'mx (µT),my (µT),mz (µT)'; do
+    { echo "$heading"; sed 1d "$work/log.csv" | awk -F, '{ print 100 * $4 "," 100 * $5 "," 100 * $6 }'; } > "$work/ut.csv"
+    run calibrate --magnetometer "$work/ut.csv"
+    check "magnetometer: $heading" matches "$work/stdout" 'field 49\.[0-9]* µT'
+done
+{ echo 'mx,my,mz'; echo 'uT,uT,uT'; sed 1,2d "$work/ut.csv"; } > "$work/row.csv"
+run calibrate --magnetometer "$work/row.csv" --json
+check "magnetometer: units in a row of their own" matches "$work/stdout" '"unit": "uT"'
 in=$work/log.csv
 accepts "magnetometer: from the standard input" calibrate --magnetometer - --json
 in=/dev/null

@@ -250,6 +250,13 @@ static reading_unit unit_of_system(const table *t, const heading *x)
     return UNIT_UNKNOWN;
 }
 
+/* What x, y and z are in is a magnetometer's unit: of two that are called G it is gauss. */
+static int is_magnetic(const columns *out)
+{
+    return out->seen.is_magnetometer ||
+           origin_of(&headings[out->index[COLUMN_X]]) == OF_MAGNETOMETER;
+}
+
 static int find_unit(const table *t, columns *out)
 {
     const int *index = out->index;
@@ -257,7 +264,7 @@ static int find_unit(const table *t, columns *out)
 
     for (unsigned i = COLUMN_Y; i <= COLUMN_Z; i++) {
         const heading *h = &headings[index[i]];
-        if (h->unit != x->unit || h->states_unit != x->states_unit) {
+        if (h->unit != x->unit || h->magnetic != x->magnetic || h->states_unit != x->states_unit) {
             char one[TABLE_EXCERPT_MAX];
             char other[TABLE_EXCERPT_MAX];
             message("%s:%lu: '%s' and '%s' are in different units: convert one of them", t->name,
@@ -266,8 +273,10 @@ static int find_unit(const table *t, columns *out)
             return EXIT_FILE;
         }
     }
-    out->seen.unit = x->states_unit ? x->unit : unit_of_system(t, x);
-    out->seen.states_foreign_unit = x->states_unit && x->unit == UNIT_UNKNOWN;
+    out->seen.unit = is_magnetic(out) ? x->magnetic
+                     : x->states_unit ? x->unit
+                                      : unit_of_system(t, x);
+    out->seen.states_foreign_unit = x->states_unit && out->seen.unit == UNIT_UNKNOWN;
     out->seen.unit_from = out->seen.unit != UNIT_UNKNOWN ? UNIT_FROM_HEADER : UNIT_FROM_NONE;
     return EXIT_GOOD;
 }
@@ -293,7 +302,10 @@ static void find_unit_row(table *t, columns *out)
         return;
     }
     for (unsigned i = COLUMN_X; i <= COLUMN_Z; i++) {
-        if (!unit_parse(t->field[out->index[i]], &unit[i]) || unit[i] != unit[COLUMN_X]) {
+        const char *text = t->field[out->index[i]];
+        const int is_unit =
+            is_magnetic(out) ? unit_parse_magnetic(text, &unit[i]) : unit_parse(text, &unit[i]);
+        if (!is_unit || unit[i] != unit[COLUMN_X]) {
             return; /* it is a row, right or wrong */
         }
     }

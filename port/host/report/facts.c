@@ -37,12 +37,27 @@ static void find_positions(report_facts *f)
     }
 }
 
+/* The same of a magnetometer: the way that is to point along the field. North of the magnetic equator that points
+ * down, so that the opposite way is up. */
+static void find_next_along(report_facts *f)
+{
+    const double *along = f->result->magnetometer->next;
+    const double up[3] = {-along[0], -along[1], -along[2]};
+
+    memcpy(f->next, along, sizeof f->next);
+    (void)invcal_words(up, f->next_words);
+}
+
 /* Where to turn next, beside the positions kept. Returns 0 without memory. */
 static int find_next(report_facts *f)
 {
     const unsigned kept = f->result->rejected.kept_count;
-    double *raw = calloc(3 * (size_t)kept + 1, sizeof *raw);
 
+    if (f->result->magnetometer) {
+        find_next_along(f);
+        return 1;
+    }
+    double *raw = calloc(3 * (size_t)kept + 1, sizeof *raw);
     if (!raw) {
         return 0;
     }

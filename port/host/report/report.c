@@ -178,10 +178,10 @@ static void write_verdict(page *p, const report_facts *f)
                   "All nine parameters are determined, but there is no position to spare: nothing "
                   "checks the result, and one wrong position would spoil it unnoticed.",
                   next);
-    } else if (verdict == INVCAL_WEAK) {
+    } else if (verdict == INVCAL_WEAK && !f->result->magnetometer) {
         write_weak(p, f);
     } else {
-        const int is_bad = verdict == INVCAL_DRIFTING || verdict == INVCAL_BENT;
+        const int is_bad = verdict >= INVCAL_DRIFTING;
         snprintf(marked, sizeof marked, "%s %s", is_bad ? "✗" : "!", word);
         (void)verdict_cause(f->result, sentence);
         sentence[0] = (char)toupper((unsigned char)sentence[0]);
@@ -221,7 +221,10 @@ static void write_figures(page *p, const report_facts *f)
     page_figures_begin(p);
     write_improvement(p, f);
     snprintf(text, sizeof text, "%u", r->data->count);
-    snprintf(what, sizeof what, r->rejected.count ? "positions, %u of them left out" : "positions",
+    snprintf(what, sizeof what,
+             r->magnetometer     ? "cells of direction with samples"
+             : r->rejected.count ? "positions, %u of them left out"
+                                 : "positions",
              r->rejected.count);
     page_figure(p, text, what);
     if (f->knows_noise) {
@@ -316,6 +319,18 @@ void report_file(page *p, const report_facts *f)
     page_fact(p, "invcal", "%s", INVCAL_VERSION);
 }
 
+/* What a magnetometer felt. */
+static void write_waved(page *p, const waved *m)
+{
+    page_fact(p, "samples", "%lu, %lu left out, in %u of %u cells of direction; %.0f tell as one",
+              m->samples, (unsigned long)m->found.left_out, m->found.covered, INVCAL_CELLS,
+              m->found.alike > 1 ? m->found.alike : 1);
+    if (m->found.disturbance != INVCAL_UNDISTURBED) {
+        page_fact(p, "disturbed", "%s",
+                  invcal_disturbance_text((invcal_disturbance)m->found.disturbance));
+    }
+}
+
 static void write_origin(page *p, const report_facts *f)
 {
     const calibrate_result *r = f->result;
@@ -331,7 +346,12 @@ static void write_origin(page *p, const report_facts *f)
                   "nothing else",
                   r->place[0], r->place[1], REPORT_NORMAL * GRAVITY_SIGMA);
     }
-    page_fact(p, "positions", "%u used, %u left out", r->rejected.kept_count, r->rejected.count);
+    if (r->magnetometer) {
+        write_waved(p, r->magnetometer);
+    } else {
+        page_fact(p, "positions", "%u used, %u left out", r->rejected.kept_count,
+                  r->rejected.count);
+    }
     write_temperature(p, f);
     write_nominal(p, f);
     write_frame(p, r);

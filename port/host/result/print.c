@@ -96,7 +96,8 @@ static void add_scales(const calibrate_result *r, int known)
     char unit[FIGURE_MAX];
 
     snprintf(unit, sizeof unit, "%s per %s", calibrate_input_unit(r),
-             calibrate_is_gravity(r) ? "m/s²" : "field unit");
+             strcmp(calibrate_field_unit(r), "field units") == 0 ? "field unit"
+                                                                 : calibrate_field_unit(r));
 
     (void)matrix_inverse(&r->nominal.calibration, inverse); /* no result without */
     for (unsigned i = 0; i < 3; i++) {

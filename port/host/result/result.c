@@ -41,6 +41,10 @@ int calibrate_is_gravity(const calibrate_result *result)
 
 const char *calibrate_field_unit(const calibrate_result *result)
 {
+    if (result->magnetometer && !result->is_field_stated &&
+        result->data->seen.unit != UNIT_UNKNOWN) {
+        return calibrate_input_unit(result);
+    }
     return calibrate_is_gravity(result) ? "m/s²" : "field units";
 }
 
