@@ -87,7 +87,36 @@ for option in --positions --robust --six-faces --cubic '--thermal=1' '--noise=1'
     refuses "magnetometer: and $option" 2 "--magnetometer: does not go together with ${option%=*}" \
         calibrate --magnetometer "$work/log.csv" "$option"
 done
-refuses "magnetometer: watch" 2 '--magnetometer: is for invcal calibrate' watch --magnetometer "$work/log.csv"
+refuses "magnetometer: watch needs no noise" 2 '--magnetometer: does not go together with --mean-sigma' \
+    watch --magnetometer "$work/log.csv" --mean-sigma 1
+
+# ---- live ---------------------------------------------------------------------------------------
+
+run calibrate --magnetometer "$work/log.csv" --json
+found=$(vector offset)
+accepts "magnetometer: live" watch --magnetometer "$work/log.csv"
+check "magnetometer: what to do" matches "$work/stdout" '^turn it slowly to all sides'
+check "magnetometer: where to turn" matches "$work/stdout" '^next: hold it [-+][xyz] up.*, and swing it around$'
+check "magnetometer: how far it is" matches "$work/stdout" '^18 of 18 directions; to 95 %: offsets ± 0'
+check "magnetometer: when it is enough, once" test "$(grep -c '^enough: it is good' "$work/stdout")" -eq 1
+check "magnetometer: and the result" matches "$work/stdout" '^Good: '
+in=$work/log.csv
+run watch --magnetometer - --json
+in=/dev/null
+check "magnetometer: which is that of calibrate" test "$(vector offset)" = "$found"
+check "magnetometer: beside JSON the guidance is on stderr" matches "$work/stderr" '^next: hold it'
+waved 1 99 0 > "$work/magnet.csv"
+run watch --magnetometer "$work/magnet.csv"
+check "magnetometer: a magnet is named at once" matches "$work/stdout" '^disturbed: samples contradict the others'
+run watch --magnetometer "$work/log.csv" --need 0.0001%
+check "magnetometer: no end before what is needed is reached" lacks "$work/stdout" '^enough'
+run watch --magnetometer "$work/log.csv" --need 0.01
+check "magnetometer: in the unit of the readings" matches "$work/stdout" '^enough: what is wanted is reached'
+run watch --magnetometer "$work/log.csv" --target 0.00001,0,0
+check "magnetometer: nor before the target is" lacks "$work/stdout" '^enough'
+head -n 500 "$work/log.csv" | sed '200s/,/;;/' > "$work/torn.csv"
+run watch --magnetometer "$work/torn.csv" --frame accelerometer
+check "magnetometer: a torn line is skipped" matches "$work/stderr" 'torn.csv:200'
 
 # An accelerometer and a magnetometer, whose axes are those of the accelerometer turned by 90 degrees about z and then by 3
 # about x; the field points down by 60 degrees; the accelerometer has an offset of OFFSET g. The hand accelerates by 0.03 g for

@@ -77,20 +77,19 @@ static int solve_log(const request *r, positions *data, rests_summary *log,
 
 /* No rest is looked for in it. */
 static int solve_magnetometer(const request *r, positions *data, waved *log,
-                              calibrate_result *result)
+                              calibrate_result *result, waved_reader *read)
 {
     int failure = settle_magnetometer(r, &result->nominal);
 
     result->log = NULL;
     result->magnetometer = log;
-    failure =
-        failure ? failure : waved_read(data, r->file, r->rate, &result->nominal.calibration, log);
+    failure = failure ? failure : read(r, &result->nominal.calibration, data, log);
     return failure                    ? failure
            : log->status != INVCAL_OK ? calibrate_refuse_waved(result)
                                       : solve_waved(r, data, result);
 }
 
-int calibrate_run(int argc, char **argv, int is_live, positions_reader *read)
+int calibrate_run(int argc, char **argv, int is_live, const calibrate_readers *read)
 {
     request r;
     positions data = {.name = NULL};
@@ -112,8 +111,9 @@ int calibrate_run(int argc, char **argv, int is_live, positions_reader *read)
     json_lines(r.value[ASK_JSON_LINES] ? r.file : NULL);
     result = ask(&r, &data, &log);
     settle_limits(&r, &result);
-    failure = r.value[ASK_MAGNETOMETER] ? solve_magnetometer(&r, &data, &waving, &result)
-                                        : solve_log(&r, &data, &log, &result, read);
+    failure = r.value[ASK_MAGNETOMETER]
+                  ? solve_magnetometer(&r, &data, &waving, &result, read->waved)
+                  : solve_log(&r, &data, &log, &result, read->rests);
     failure = result.refused.word ? deliver_refusal(&r, &result)
               : failure           ? failure
                                   : deliver(&r, &result);
@@ -138,9 +138,19 @@ static int read_positions(const request *r, positions *data, rests_summary *log)
                                    : rests_read(data, r->file, r->rate, clip, log);
 }
 
+static int read_waved(const request *r, const invcal_calibration *nominal, positions *data,
+                      waved *log)
+{
+    const waved_wish wish = {.path = r->file, .rate = r->rate, .nominal = nominal};
+
+    return waved_read(data, &wish, log);
+}
+
 static int run_calibrate(int argc, char **argv)
 {
-    return calibrate_run(argc, argv, 0, read_positions);
+    static const calibrate_readers readers = {read_positions, read_waved};
+
+    return calibrate_run(argc, argv, 0, &readers);
 }
 
 static const char *const help[] = {

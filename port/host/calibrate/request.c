@@ -82,19 +82,17 @@ int request_usage(const request *r, unsigned which, const char *what)
 /* It has no positions of its own, and its field may be of any length. */
 static int read_magnetometer(request *r)
 {
-    static const unsigned others[] = {
-        ASK_POSITIONS, ASK_LATITUDE,  ASK_HEIGHT,  ASK_CASE,     ASK_UNIT,   ASK_NOISE,
-        ASK_PRIOR,     ASK_SIX_FACES, ASK_THERMAL, ASK_CLIP,     ASK_ROBUST, ASK_QUADRATIC,
-        ASK_CUBIC,     ASK_STAND,     ASK_PLAN,    ASK_KEEP_ALL, ASK_SENSOR};
+    static const unsigned others[] = {ASK_POSITIONS, ASK_LATITUDE,   ASK_HEIGHT, ASK_CASE,
+                                      ASK_UNIT,      ASK_NOISE,      ASK_PRIOR,  ASK_SIX_FACES,
+                                      ASK_THERMAL,   ASK_CLIP,       ASK_ROBUST, ASK_QUADRATIC,
+                                      ASK_CUBIC,     ASK_STAND,      ASK_PLAN,   ASK_KEEP_ALL,
+                                      ASK_SENSOR,    ASK_MEAN_SIGMA, ASK_ALLAN};
 
     if (!r->value[ASK_MAGNETOMETER]) {
         return r->value[ASK_WITH] ? request_usage(r, ASK_WITH, "is for --magnetometer")
                : r->wants_accelerometer_axes
                    ? request_usage(r, ASK_FRAME, "accelerometer is for --magnetometer")
                    : EXIT_GOOD;
-    }
-    if (r->is_live) {
-        return request_usage(r, ASK_MAGNETOMETER, "is for invcal calibrate");
     }
     for (unsigned i = 0; i < sizeof others / sizeof others[0]; i++) {
         if (r->value[others[i]]) {

@@ -226,9 +226,9 @@ int samples_open(samples *s, const char *path, double rate, int live)
     return open_as(s, path, rate, live, COLUMNS_LOG);
 }
 
-int samples_open_magnetometer(samples *s, const char *path, double rate)
+int samples_open_magnetometer(samples *s, const char *path, double rate, int live)
 {
-    return open_as(s, path, rate, 0, COLUMNS_MAGNETOMETER);
+    return open_as(s, path, rate, live, COLUMNS_MAGNETOMETER);
 }
 
 unsigned samples_whole_rate(const samples *s)

@@ -72,7 +72,7 @@ typedef struct {
 int samples_open(samples *s, const char *path, double rate, int live);
 
 /* The same of a log of which x, y and z are a magnetometer's, if its header names one. */
-int samples_open_magnetometer(samples *s, const char *path, double rate);
+int samples_open_magnetometer(samples *s, const char *path, double rate, int live);
 
 /* The rate in whole samples a second, as the library wants it. */
 unsigned samples_whole_rate(const samples *s);

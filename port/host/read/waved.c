@@ -8,7 +8,6 @@
 #include "cli/command.h"
 #include "cli/message.h"
 #include "cli/progress.h"
-#include "read/samples.h"
 #include "text/number.h"
 
 /* Returns 0 without memory. */
@@ -29,22 +28,28 @@ static int add_pair(waved *out, const sample *s, const double field[3])
     return 1;
 }
 
-static int feed_all(invcal_magnetometer *m, samples *log, waved *out)
+static int feed_all(invcal_magnetometer *m, samples *log, const waved_wish *wish, waved *out)
 {
     sample s;
     int more;
 
     while ((more = samples_next(log, &s)) == 1) {
         const double raw[3] = {s.raw[0] * log->unit, s.raw[1] * log->unit, s.raw[2] * log->unit};
-        (void)invcal_magnetometer_feed(m, raw);
+        const invcal_event event = invcal_magnetometer_feed(m, raw);
         out->samples++;
+        if (wish->listen) {
+            const waved_moment at = {m, log, &s, raw, event};
+            wish->listen(&at, wish->who);
+        }
         if (log->has_aside && isfinite(s.aside[0] + s.aside[1] + s.aside[2]) &&
             !add_pair(out, &s, raw)) {
             message("%s: not enough memory for %lu samples", log->table.name, out->samples);
             more = -1;
             break;
         }
-        progress_show(log->table.file, log->table.line, 0);
+        if (!wish->is_live) {
+            progress_show(log->table.file, log->table.line, 0);
+        }
     }
     progress_end();
     out->seconds = (double)out->samples / log->rate;
@@ -67,17 +72,16 @@ static int take_cells(const invcal_magnetometer *m, const waved *out, unsigned l
     return failure;
 }
 
-static int read_log(samples *log, positions *p, const char *path, double rate,
-                    const invcal_calibration *nominal, waved *out)
+static int read_log(samples *log, positions *p, const waved_wish *wish, waved *out)
 {
     invcal_magnetometer m;
-    int failure = samples_open_magnetometer(log, path, rate);
+    int failure = samples_open_magnetometer(log, wish->path, wish->rate, wish->is_live);
 
     *p = (positions){.name = log->table.name, .seen = log->where.seen};
     *out = (waved){
         .rate = log->rate, .is_rate_known = log->is_rate_known, .status = INVCAL_BAD_NOMINAL};
-    if (!failure && invcal_magnetometer_init(&m, nominal) == INVCAL_OK) {
-        failure = feed_all(&m, log, out);
+    if (!failure && invcal_magnetometer_init(&m, wish->nominal) == INVCAL_OK) {
+        failure = feed_all(&m, log, wish, out);
         out->status = invcal_magnetometer_solve(&m, &out->calibration, &out->quality, &out->found);
         invcal_magnetometer_next(&m, out->next);
     }
@@ -88,17 +92,16 @@ static int read_log(samples *log, positions *p, const char *path, double rate,
                                                : take_cells(&m, out, log->table.first_line, p);
 }
 
-int waved_read(positions *p, const char *path, double rate, const invcal_calibration *nominal,
-               waved *out)
+int waved_read(positions *p, const waved_wish *wish, waved *out)
 {
     samples *log = calloc(1, sizeof *log); /* too large for the stack */
 
-    *p = (positions){.name = path};
+    *p = (positions){.name = wish->path};
     if (!log) {
-        message("%s: not enough memory", path);
+        message("%s: not enough memory", wish->path);
         return EXIT_FILE;
     }
-    const int failure = read_log(log, p, path, rate, nominal, out);
+    const int failure = read_log(log, p, wish, out);
     free(log);
     return failure;
 }

@@ -7,6 +7,7 @@
 
 #include "invcal/magnetometer.h"
 #include "read/positions.h"
+#include "read/samples.h"
 
 /* What the accelerometer beside it and the magnetometer itself read at an instant, input units. */
 typedef struct {
@@ -29,17 +30,33 @@ typedef struct {
     unsigned long room;              /* in memory for so many */
 } waved;
 
-/* Reads a log ("-": standard input), of which x, y and z are a magnetometer's where there is one.
+/* What there is to hear of each sample. */
+typedef struct {
+    const invcal_magnetometer *magnetometer; /* which has been fed it */
+    const samples *log;
+    const sample *latest;
+    const double *raw;  /* input units */
+    invcal_event event; /* what invcal_magnetometer_feed said */
+} waved_moment;
+typedef void waved_listener(const waved_moment *at, void *who);
+
+typedef struct {
+    const char *path;                  /* "-": the standard input */
+    double rate;                       /* as samples_open takes it */
+    const invcal_calibration *nominal; /* of input units, to any unit */
+    int is_live;                       /* a stream */
+    waved_listener *listen;            /* null: nobody listens */
+    void *who;
+} waved_wish;
+
+/* Reads a log, of which x, y and z are a magnetometer's where there is one.
  *
- * nominal  of input units, to any unit.
- * p        out: the cells as positions, if there is a solution; else none. To be released with positions_free in
- *          either case. Their lines are that of the first sample.
- *
- * out      to be released with waved_free in either case.
+ * p    out: the cells as positions, if there is a solution; else none. To be released with positions_free in
+ *      either case. Their lines are that of the first sample.
+ * out  to be released with waved_free in either case.
  *
  * Returns EXIT_GOOD, also without a solution; EXIT_FILE, with a message. */
-int waved_read(positions *p, const char *path, double rate, const invcal_calibration *nominal,
-               waved *out);
+int waved_read(positions *p, const waved_wish *wish, waved *out);
 
 void waved_free(waved *log);
 
