@@ -291,13 +291,37 @@ static void tell_found(const invcal_magnetometer *m, const invcal_cell_fit *fit,
     }
 }
 
-static void judge_motion(const invcal_magnetometer *m, const invcal_magnetometer_found *found,
-                         invcal_quality *quality)
+/* What a cell without samples leaves to the others: offset and scale of the axes that it lies along, and the angle
+ * between two. */
+static uint16_t parameters_along(unsigned cell)
 {
+    invcal_real along[3];
+    unsigned bits = 0;
+    unsigned axes = 0;
+    unsigned sum = 0;
+
+    invcal_cell_direction(cell, along);
+    for (unsigned i = 0; i < 3; i++) {
+        if (along[i] * along[i] > INVCAL_REAL(0.25)) {
+            bits |= 1u << (INVCAL_DELTA_X + i) | 1u << (INVCAL_DK_X + i);
+            axes++;
+            sum += i;
+        }
+    }
+    return (uint16_t)(axes == 2 ? bits | 1u << (INVCAL_GAMMA_XY + sum - 1u) : bits);
+}
+
+static void judge_motion(const invcal_magnetometer *m, const invcal_magnetometer_found *found,
+                         const invcal_cell_tables *tables, invcal_quality *quality)
+{
+    unsigned worst;
+
     if (m->blocked < POWER_SAMPLES) { /* nothing tells yet how samples err alike */
         invcal_raise(quality, INVCAL_NO_REDUNDANCY);
     }
     if (found->gap > 45) {
+        (void)invcal_cells_gap(tables, &worst);
+        quality->weak |= parameters_along(worst);
         invcal_raise(quality, INVCAL_WEAK);
     }
     if (found->disturbance > INVCAL_PASSING || found->left_out > found->samples / 8) {
@@ -324,7 +348,7 @@ invcal_status invcal_magnetometer_solve(const invcal_magnetometer *magnetometer,
     for (unsigned i = 0; i < 3; i++) {
         fit.quality.sigma[i] /= invcal_cells_field(&fit);
     }
-    judge_motion(m, &f, &fit.quality);
+    judge_motion(m, &f, &fit.tables, &fit.quality);
     status = invcal_behind(&m->work, &fit.triad);
     if (status == INVCAL_OK) {
         *out = fit.triad;

@@ -22,6 +22,9 @@
  *
  * Beside an accelerometer invcal_dip finds how the axes of both are turned against each other.
  *
+ * invcal_save of store.h keeps the result. The state has no pointers: its bytes, kept by invcal_store_save and
+ * put back after a reset, go on where they were; but only under the same firmware.
+ *
  * invcal.h states the rules and units.
  */
 #ifndef INVCAL_MAGNETOMETER_H
@@ -123,7 +126,8 @@ void invcal_magnetometer_next(const invcal_magnetometer *magnetometer, invcal_re
  * out      the calibration, over field; symmetric against nominal.
  * quality  its positions are the cells. sigma counts samples that err alike once, or is what the
  *          cells scatter by if that is clearly more. No redundancy: nothing is
- *          known yet of how samples err alike. It is weak also where the gap is 60 degrees or more, and
+ *          known yet of how samples err alike. It is weak also where the gap is 60 degrees or more, in what
+ *          lies along it, and
  *          rough where a step or PLACES is named, or more than an eighth was left out.
  * found    out; may be null.
  *

@@ -171,7 +171,7 @@ static void write_verdict(page *p, const report_facts *f)
         if (*verdict_unchecked(f->result, text)) {
             page_say(p, "%s", text);
         }
-    } else if (verdict == INVCAL_NO_REDUNDANCY) {
+    } else if (verdict == INVCAL_NO_REDUNDANCY && !f->result->magnetometer) {
         snprintf(next, sizeof next,
                  "add three or more positions in other directions. Begin with: %s.", f->next_words);
         write_box(p, f, PAGE_CAUTION, "! No redundancy",

@@ -269,10 +269,10 @@ static void print_verdict(FILE *file, const calibrate_result *result)
         snprintf(text, sizeof text,
                  " every parameter is determined; degrees of freedom left to check it: %.3g. %s",
                  q->dof, verdict_unchecked(result, cause));
-    } else if (q->verdict == INVCAL_NO_REDUNDANCY) {
+    } else if (q->verdict == INVCAL_NO_REDUNDANCY && !result->magnetometer) {
         snprintf(text, sizeof text,
                  " every parameter is determined, but no direction is left to check the result.");
-    } else if (q->verdict == INVCAL_WEAK && q->weak) {
+    } else if (q->verdict == INVCAL_WEAK && !result->magnetometer) {
         (void)parameters_list(q->weak, list, sizeof list);
         snprintf(text, sizeof text, " %s %s badly determined; use the result only within its ±.",
                  list, strchr(list, ',') ? "are" : "is");
@@ -310,7 +310,7 @@ static void print_next(FILE *file, const calibrate_result *result, const calibra
                  "Next: to measure the angles, add six positions and leave --six-faces out: %s.",
                  FACES_EDGES);
         wrapped_line(file, 0, 0, text);
-    } else if (q->verdict == INVCAL_NO_REDUNDANCY) {
+    } else if (q->verdict == INVCAL_NO_REDUNDANCY && !result->magnetometer) {
         wrapped_printf(file, 0,
                        "Next: add 3 or more positions in other directions, to check the fit.");
     } else if (q->verdict == INVCAL_WEAK && calibrate_wants_slopes(result)) {

@@ -4,6 +4,7 @@
  */
 #include <math.h>
 
+#include "design/parameters.h"
 #include "result/result.h"
 #include "text/figure.h"
 #include "text/paint.h"
@@ -43,6 +44,13 @@ const char *calibrate_waved_fault(const calibrate_result *result, char text[CALI
                  "%u degrees of the sphere were never passed through. North of the equator hold it "
                  "%s, and swing it around.",
                  f->gap, invcal_words(up, words));
+    } else if (result->quality.verdict == INVCAL_NO_REDUNDANCY) {
+        snprintf(text, CALIBRATE_LIMIT_MAX,
+                 "every parameter is determined, but no samples are left to check the result.");
+    } else if (result->quality.verdict == INVCAL_WEAK) {
+        char list[128];
+        snprintf(text, CALIBRATE_LIMIT_MAX, "badly determined, to be used only within the ±: %s.",
+                 parameters_list(result->quality.weak, list, sizeof list));
     } else if (f->disturbance > INVCAL_PASSING) {
         snprintf(text, CALIBRATE_LIMIT_MAX, "%s.",
                  invcal_disturbance_text((invcal_disturbance)f->disturbance));
