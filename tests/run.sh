@@ -31,6 +31,7 @@ suites() {
     [ "$BRIEF" ] && return
     echo "tutorial sh $tests/tutorial.sh $build tutorial"
     echo "porting sh $tests/tutorial.sh $build porting"
+    echo "waved sh $tests/tutorial.sh $build magnetometer"
 }
 
 # (Not by `&`, which would take SIGINT away from what is run.)
