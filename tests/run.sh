@@ -14,7 +14,7 @@ mkdir -p "$logs" || exit 2
 
 # NAME COMMAND...; the longest first.
 suites() {
-    for name in ${LONG:+faults allan plan width plan_report report screen verdict} tool thermal stand case log watch units \
+    for name in ${LONG:+faults allan plan width plan_report report screen verdict} tool thermal stand case magnetometer log watch units \
         sensor input reading citizen record compare export fault pass refusal six_faces release; do
         echo "$name sh $tests/tool/${name}_test.sh $build/invcal $build/tool"
     done
@@ -30,6 +30,7 @@ suites() {
     echo "errors sh $tests/errors.sh $build"
     [ "$BRIEF" ] && return
     echo "tutorial sh $tests/tutorial.sh $build tutorial"
+    echo "waved sh $tests/tutorial.sh $build magnetometer"
     for page in porting drone wearable inclinometer arduino production; do
         echo "$page sh $tests/tutorial.sh $build $page"
     done

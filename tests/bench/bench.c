@@ -7,6 +7,7 @@
 #include "invcal/allan.h"
 #include "invcal/expert.h"
 #include "invcal/frame.h"
+#include "invcal/magnetometer.h"
 #include "invcal/plan.h"
 #include "invcal/thermal.h"
 
@@ -86,6 +87,18 @@ static void bench_core(void)
     report("apply", end() / REPEATS);
 }
 
+/* A sine, within 1 %: its parabola, corrected (Bhaskara). */
+static invcal_real wave(invcal_real angle)
+{
+    const invcal_real turns = angle / INVCAL_REAL(6.2831853);
+    const invcal_real phase = turns - (invcal_real)(int32_t)turns; /* 0 ... 1 */
+    const invcal_real x = phase < INVCAL_REAL(0.5) ? phase : phase - INVCAL_REAL(0.5);
+    const invcal_real y = 16 * x * (INVCAL_REAL(0.5) - x);
+    const invcal_real half = 4 * y / (5 - y);
+
+    return phase < INVCAL_REAL(0.5) ? half : -half;
+}
+
 /* Three faces, each twice. */
 static void bench_frame(void)
 {
@@ -109,6 +122,81 @@ static void bench_frame(void)
     begin();
     const invcal_status status = invcal_frame_solve(&frame, rotation, &quality);
     report("frame_solve", end());
+    if (status != INVCAL_OK) {
+        board_exit(1);
+    }
+}
+
+/* One that turns about two axes at different rates: samples alone; with the looks at them; and the solution. */
+static void bench_magnetometer(void)
+{
+    static invcal_magnetometer magnetometer;
+    invcal_magnetometer_found found;
+    invcal_calibration calibration;
+    invcal_quality quality;
+    uint32_t total = 0;
+    uint32_t samples = 0;
+    uint32_t most = 0;
+    enum { MOTION = 12000 };
+
+    (void)invcal_magnetometer_init(&magnetometer, &nominal);
+    for (unsigned i = 0; i < MOTION; i++) {
+        const invcal_real t = (invcal_real)(int32_t)i / 100;
+        const invcal_real s[4] = {wave(2 * t), wave(2 * t + INVCAL_REAL(1.5707963)),
+                                  wave(INVCAL_REAL(0.73) * t),
+                                  wave(INVCAL_REAL(0.73) * t + INVCAL_REAL(1.5707963))};
+        const invcal_real field[3] = {8200 * s[0] * s[3], 8000 * s[0] * s[2], 8300 * s[1] + 3000};
+        const uint32_t due = magnetometer.due;
+        begin();
+        (void)invcal_magnetometer_feed(&magnetometer, field);
+        const uint32_t count = end();
+        total += count;
+        if (magnetometer.due == due) {
+            samples += count;
+        } else if (count > most) {
+            most = count;
+        }
+    }
+    report("magnetometer_sample", samples / MOTION);
+    report("magnetometer_with_looks", total / MOTION);
+    report("magnetometer_look", most);
+    begin();
+    const invcal_status status =
+        invcal_magnetometer_solve(&magnetometer, &calibration, &quality, &found);
+    report("magnetometer_solve", end());
+    if (status != INVCAL_OK || found.covered != INVCAL_CELLS) {
+        board_exit(1);
+    }
+}
+
+/* Eighteen orientations, the field at a right angle to up. */
+static void bench_dip(void)
+{
+    invcal_dip dip;
+    invcal_dip_quality quality;
+    invcal_real rotation[3][3];
+    invcal_plan plan = {.per_group = POSITIONS / INVCAL_PLAN_GROUPS};
+    invcal_plan_position p;
+
+    (void)invcal_plan_starts(plan.per_group, plan.start);
+    invcal_dip_init(&dip);
+    for (unsigned i = 0; i < POSITIONS; i++) {
+        (void)invcal_plan_position_at(&plan, i, &p);
+        const invcal_real *const up = p.vertical;
+        const invcal_real one[3] = {up[1] + INVCAL_REAL(0.1), up[2], up[0]};
+        const invcal_real field[3] = {up[1] * one[2] - up[2] * one[1],
+                                      up[2] * one[0] - up[0] * one[2],
+                                      up[0] * one[1] - up[1] * one[0]};
+        begin();
+        (void)invcal_dip_add(&dip, up, field);
+        const uint32_t count = end();
+        if (i + 1 == POSITIONS) {
+            report("dip_add", count);
+        }
+    }
+    begin();
+    const invcal_status status = invcal_dip_solve(&dip, 1, rotation, &quality);
+    report("dip_solve", end());
     if (status != INVCAL_OK) {
         board_exit(1);
     }
@@ -316,6 +404,8 @@ int main(void)
     bench_core();
     bench_full_vector();
     bench_frame();
+    bench_magnetometer();
+    bench_dip();
     bench_all();
     bench_six_faces();
     bench_session();

@@ -5,6 +5,7 @@
 #include "invcal/allan.h"
 #include "invcal/expert.h"
 #include "invcal/frame.h"
+#include "invcal/magnetometer.h"
 #include "invcal/store.h"
 #include "invcal/thermal.h"
 
@@ -24,5 +25,7 @@ SIZE_OF(invcal_background);
 SIZE_OF(invcal_record);
 SIZE_OF(invcal_allan);
 SIZE_OF(invcal_noise);
+SIZE_OF(invcal_magnetometer);
+SIZE_OF(invcal_dip);
 SIZE_OF(invcal_thermal);
 SIZE_OF(invcal_thermal_record);

@@ -160,7 +160,7 @@ if command -v bash > /dev/null; then
             "$({ options_of "$c"; echo --help; } | LC_ALL=C sort | tr '\n' ' ' | sed 's/ $//')" \
             "$c" --
     done
-    check "completion: words of --frame" offers 'stand symmetric triangular' calibrate --frame ''
+    check "completion: words of --frame" offers 'accelerometer stand symmetric triangular' calibrate --frame ''
     check "completion: words of --frame after =" offers triangular watch --frame = t
     check "completion: words of --plan" offers \
         'angles: directions: edges faces grid: icosahedron optimal: per-group: stand-12 stand-24' simulate --plan ''

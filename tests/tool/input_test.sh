@@ -212,7 +212,9 @@ dress_positions "a field of 1 is one in g" 1 g header unit \
 dress_positions "a magnetometer: no size tells a unit" 48.5 unknown none range \
     'CSV with commas, header in line 1; mx my mz' 'mx,my,mz' "$x" --gravity 48.5
 dress_positions "a unit that is not known is not guessed" 1 unknown none range \
-    'CSV with commas, header in line 1; mx my mz' 'mx (gauss),my (gauss),mz (gauss)' "$x"
+    'CSV with commas, header in line 1; mx my mz' 'mx (oersted),my (oersted),mz (oersted)' "$x"
+dress_positions "that of a magnetometer is told, and tells no scale" 1 gauss header range \
+    'CSV with commas, header in line 1; mx my mz in gauss' 'mx (gauss),my (gauss),mz (gauss)' "$x"
 dress_positions "every line ends with a separator, but the header" 1 g header unit \
     'CSV with commas, header in line 1; x y z in g' 'x (g),y (g),z (g)' "$x \",\""
 dress_positions "every line ends with a separator, the header too" 1 g header unit \

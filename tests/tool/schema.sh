@@ -49,6 +49,11 @@ prints 0 calibration calibrate "$xsens" --positions --zero 33123,33276,32360 --l
 "$tool" simulate --plan faces > "$work/faces.csv"
 prints 0 calibration calibrate "$work/faces.csv" --six-faces
 prints 1 calibration_refusal calibrate "$work/faces.csv"
+awk 'BEGIN { print "mx,my,mz"; for (i = 0; i < 3000; i++) { a = i / 40; b = 0.73 * i / 100
+    print 5 + 40 * sin(a) * cos(b) "," 40 * sin(a) * sin(b) "," 40 * cos(a) } }' > "$work/waved.csv"
+prints 0 calibration calibrate "$work/waved.csv" --magnetometer
+head -n 200 "$work/waved.csv" > "$work/short.csv"
+prints 1 calibration_refusal calibrate "$work/short.csv" --magnetometer
 "$tool" simulate --plan edges --outliers 2 --truth "$work/truth.json" > "$work/log.csv"
 prints 0 calibration calibrate "$work/log.csv"
 prints 0 calibration watch "$work/log.csv"

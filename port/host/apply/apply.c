@@ -104,7 +104,7 @@ static int next_row(table *log, const columns *where, unsigned long rows)
     return more;
 }
 
-static int find_columns(table *log, columns *where)
+static int find_columns(table *log, columns_kind kind, columns *where)
 {
     unsigned long cut;
     const int failure = table_drop_cut_first(log, &cut);
@@ -113,7 +113,7 @@ static int find_columns(table *log, columns *where)
         columns_say_cut(log, "first", cut);
     }
     log->is_log = 1;
-    return failure ? failure : columns_find(log, COLUMNS_LOG, where);
+    return failure ? failure : columns_find(log, kind, where);
 }
 
 /* A correction that depends on temperature needs one. */
@@ -134,7 +134,8 @@ static int write_rows(FILE *spool, table *log, job *j)
     columns where;
     unsigned long rows = 0;
     int more = 0;
-    int failure = find_columns(log, &where);
+    int failure =
+        find_columns(log, j->file.is_magnetometer ? COLUMNS_MAGNETOMETER : COLUMNS_LOG, &where);
 
     if (failure) {
         return failure;

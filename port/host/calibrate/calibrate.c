@@ -59,10 +59,41 @@ static int asks_for_list(int argc, char **argv)
     return asks;
 }
 
-int calibrate_run(int argc, char **argv, int is_live, positions_reader *read)
+/* The positions of the log, or the rests in it. */
+static int solve_log(const request *r, positions *data, rests_summary *log,
+                     calibrate_result *result, positions_reader *read)
+{
+    const int failure = read(r, data, log);
+
+    if (failure) {
+        return failure;
+    }
+    if (data->count == 0 && !r->value[ASK_POSITIONS]) {
+        return calibrate_no_rest(result);
+    }
+    settle_unit(r, data);
+    return solve_positions(r, data, result);
+}
+
+/* No rest is looked for in it. */
+static int solve_magnetometer(const request *r, positions *data, waved *log,
+                              calibrate_result *result, waved_reader *read)
+{
+    int failure = settle_magnetometer(r, &result->nominal);
+
+    result->log = NULL;
+    result->magnetometer = log;
+    failure = failure ? failure : read(r, &result->nominal.calibration, data, log);
+    return failure                    ? failure
+           : log->status != INVCAL_OK ? calibrate_refuse_waved(result)
+                                      : solve_waved(r, data, result);
+}
+
+int calibrate_run(int argc, char **argv, int is_live, const calibrate_readers *read)
 {
     request r;
     positions data = {.name = NULL};
+    waved waving = {.samples = 0};
     rests_summary log;
     calibrate_result result = {.data = NULL};
 
@@ -80,14 +111,9 @@ int calibrate_run(int argc, char **argv, int is_live, positions_reader *read)
     json_lines(r.value[ASK_JSON_LINES] ? r.file : NULL);
     result = ask(&r, &data, &log);
     settle_limits(&r, &result);
-    failure = read(&r, &data, &log);
-    if (!failure && data.count == 0 && !r.value[ASK_POSITIONS]) {
-        failure = calibrate_no_rest(&result);
-    }
-    if (!failure) {
-        settle_unit(&r, &data);
-        failure = solve_positions(&r, &data, &result);
-    }
+    failure = r.value[ASK_MAGNETOMETER]
+                  ? solve_magnetometer(&r, &data, &waving, &result, read->waved)
+                  : solve_log(&r, &data, &log, &result, read->rests);
     failure = result.refused.word ? deliver_refusal(&r, &result)
               : failure           ? failure
                                   : deliver(&r, &result);
@@ -98,6 +124,7 @@ int calibrate_run(int argc, char **argv, int is_live, positions_reader *read)
     stand_free(&result.stand);
     rejection_free(&result.rejected);
     positions_free(&data);
+    waved_free(&waving);
     json_lines(NULL);
     return failure;
 }
@@ -111,9 +138,19 @@ static int read_positions(const request *r, positions *data, rests_summary *log)
                                    : rests_read(data, r->file, r->rate, clip, log);
 }
 
+static int read_waved(const request *r, const invcal_calibration *nominal, positions *data,
+                      waved *log)
+{
+    const waved_wish wish = {.path = r->file, .rate = r->rate, .nominal = nominal};
+
+    return waved_read(data, &wish, log);
+}
+
 static int run_calibrate(int argc, char **argv)
 {
-    return calibrate_run(argc, argv, 0, read_positions);
+    static const calibrate_readers readers = {read_positions, read_waved};
+
+    return calibrate_run(argc, argv, 0, &readers);
 }
 
 static const char *const help[] = {
@@ -154,10 +191,12 @@ static const char *const help[] = {
     "                      the real one differs by some 0.0005 m/s^2, which scales all readings\n"
     "                      alike and does nothing else\n"
     "  --height M          above the sea, m; default 0\n"
-    "  --frame symmetric|triangular|stand\n"
+    "  --frame symmetric|triangular|stand|accelerometer\n"
     "                      symmetric (default): axes as near to the case as can be;\n"
     "                      triangular: only the x sensor feels a field along the x axis;\n"
-    "                      stand: turned to the axes of the stand, by its angles\n"
+    "                      stand: turned to the axes of the stand, by its angles;\n"
+    "                      accelerometer: a magnetometer's turned to those of the accelerometer\n"
+    "                      that LOG has as well\n"
     "  --case +z,-x,.,...  which way of the case was up in the first positions of LOG, a dot where "
     "it\n"
     "                      is not known: turns the result to the axes of the case. Two ways or\n"
@@ -198,6 +237,15 @@ static const char *const help[] = {
     "                      angles: takes these as 0 with the standard deviation 0.01 rad (0.57\n"
     "                      degrees, a data sheet's 1 % cross-axis), or G of --prior 0,0,G, and\n"
     "                      tells what that costs. Needs the noise\n"
+    "  --magnetometer      LOG is a magnetometer that was waved for a minute, not held still: its\n"
+    "                      columns (mx my mz) beside others. Needs no rests and no field: without\n"
+    "                      --gravity the result is in the unit of the readings, by their mean\n"
+    "                      scale. Names a magnet that passed by, a step, a field that differs "
+    "from\n"
+    "                      place to place. Of an accelerometer beside it, how the axes of both "
+    "are\n"
+    "                      turned against each other\n"
+    "  --with CAL.json     the calibration of that accelerometer; else it is taken as it reads\n"
     "  --robust            a cross-check: does the estimate with the least sum of absolute "
     "residuals\n"
     "                      (l1) of all positions agree with this one, outliers left out?\n"

@@ -35,6 +35,8 @@ enum {
     ASK_NOISE,
     ASK_PRIOR,
     ASK_SIX_FACES,
+    ASK_MAGNETOMETER,
+    ASK_WITH,
     ASK_THERMAL,
     ASK_SLOPE,
     ASK_RATE,
@@ -93,7 +95,8 @@ typedef struct {
     const design *program; /* of --plan, which watch follows; or null */
     unsigned degree;       /* of --quadratic, --cubic; else 0 */
     stand_wish stand;
-    case_wish ways_up; /* of --case; none: its count is 0 */
+    case_wish ways_up;            /* of --case; none: its count is 0 */
+    int wants_accelerometer_axes; /* of --frame, for a magnetometer */
     record record;
     fit_settings settings; /* all but the nominal, and the noise unless stated */
 } request;

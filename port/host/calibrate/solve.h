@@ -12,4 +12,7 @@
  * message. */
 int solve_positions(const request *r, const positions *data, calibrate_result *result);
 
+/* The same of a magnetometer that was waved, whose cells `data` are: result->magnetometer. */
+int solve_waved(const request *r, const positions *data, calibrate_result *result);
+
 #endif

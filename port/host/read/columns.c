@@ -112,12 +112,23 @@ static int find_axis(const table *t, unsigned from, int axis)
     return -1;
 }
 
-/* The first complete set of three of this origin or a better one, from column `from` on. Returns its
- * first column, or the number of columns. */
-static unsigned find_set(const table *t, unsigned from, origin least, int index[3])
+/* Which origins are meant. */
+typedef struct {
+    origin least;
+    origin most;
+} origins;
+
+static int is_of(const heading *h, origins which)
+{
+    return origin_of(h) >= which.least && origin_of(h) <= which.most;
+}
+
+/* The first complete set of three of these origins, from column `from` on. Returns its first column, or the
+ * number of columns. */
+static unsigned find_set(const table *t, unsigned from, origins which, int index[3])
 {
     for (unsigned i = from; i < t->columns; i++) {
-        if (origin_of(&headings[i]) < least) {
+        if (!is_of(&headings[i], which)) {
             continue;
         }
         for (int axis = 0; axis < 3; axis++) {
@@ -140,10 +151,16 @@ static int is_there_twice(const table *t, unsigned at, const int index[3])
             (find_axis(t, at, 0) >= 0 && find_axis(t, at, 1) >= 0 && find_axis(t, at, 2) >= 0));
 }
 
-static void say_none(const table *t)
+static void say_none(const table *t, columns_kind kind)
 {
     const char *linear = NULL;
 
+    if (kind == COLUMNS_MAGNETOMETER) {
+        message("%s:%lu: the header names no columns of a magnetometer (mx my mz; mag_x, ..): "
+                "rename the three that are meant, or state them with --columns",
+                t->name, t->line);
+        return;
+    }
     for (unsigned i = 0; i < t->columns && !linear; i++) {
         linear = strcmp(headings[i].key, "linearacceleration") == 0 ? headings[i].name : NULL;
     }
@@ -158,25 +175,42 @@ static void say_none(const table *t)
     }
 }
 
-/* x, y and z come from one family. Beside an accelerometer a magnetometer may be there, which is left
- * aside; of two of one kind nobody can guess which one is meant. */
-static int find_xyz(const table *t, columns *out)
+/* The sensor that is not calibrated, which may be there as well. */
+static void find_set_aside(const table *t, columns_kind kind, columns *out)
 {
-    int *index = &out->index[COLUMN_X];
+    const origin which = kind == COLUMNS_MAGNETOMETER ? OF_ACCELEROMETER : OF_MAGNETOMETER;
     int other[3];
-    const int has_accelerometer = find_set(t, 0, OF_ACCELEROMETER, index) < t->columns;
-    const origin least = has_accelerometer ? OF_ANYTHING : OF_MAGNETOMETER;
-    const unsigned first = has_accelerometer ? 0 : find_set(t, 0, OF_MAGNETOMETER, index);
 
-    const int is_magnetometer =
-        !has_accelerometer && first < t->columns && origin_of(&headings[first]) == OF_MAGNETOMETER;
+    if (find_set(t, 0, (origins){which, which}, other) == t->columns) {
+        return;
+    }
+    memcpy(out->seen.set_aside, headings[other[0]].name, HEADING_NAME_MAX);
+    if (kind == COLUMNS_MAGNETOMETER) {
+        memcpy(out->aside, other, sizeof other);
+    }
+}
 
-    if (first == t->columns || (is_magnetometer && has_key(t, "linearacceleration"))) {
-        say_none(t);
+/* x, y and z come from one family. Beside an accelerometer a magnetometer may be there, and the other way
+ * round; of two of one kind nobody can guess which one is meant. */
+static int find_xyz(const table *t, columns_kind kind, columns *out)
+{
+    const int is_magnetic = kind == COLUMNS_MAGNETOMETER;
+    const origins meant = is_magnetic ? (origins){OF_MAGNETOMETER, OF_MAGNETOMETER}
+                                      : (origins){OF_ACCELEROMETER, OF_ACCELEROMETER};
+    int *index = &out->index[COLUMN_X];
+    const int has_one = find_set(t, 0, meant, index) < t->columns;
+    const origins either =
+        !is_magnetic ? (origins){has_one ? OF_ANYTHING : OF_MAGNETOMETER, OF_ACCELEROMETER}
+                     : (origins){OF_MAGNETOMETER, OF_ANYTHING};
+    const unsigned first = find_set(t, 0, has_one ? meant : either, index);
+
+    if (first == t->columns || (!is_magnetic && origin_of(&headings[first]) == OF_MAGNETOMETER &&
+                                has_key(t, "linearacceleration"))) {
+        say_none(t, kind);
         return EXIT_FILE;
     }
     for (unsigned i = 0; i < t->columns; i++) {
-        if (origin_of(&headings[i]) >= least && is_there_twice(t, i, index)) {
+        if (is_of(&headings[i], either) && is_there_twice(t, i, index)) {
             message(
                 "%s:%lu: x, y and z are there twice ('%s' and '%s'): state which with --columns, "
                 "or leave one set of columns",
@@ -184,11 +218,8 @@ static int find_xyz(const table *t, columns *out)
             return EXIT_FILE;
         }
     }
-    for (unsigned i = 0; i < t->columns && has_accelerometer; i++) {
-        if (origin_of(&headings[i]) == OF_MAGNETOMETER &&
-            find_set(t, i, OF_MAGNETOMETER, other) == i && *out->seen.set_aside == '\0') {
-            memcpy(out->seen.set_aside, headings[other[0]].name, HEADING_NAME_MAX);
-        }
+    if (has_one) {
+        find_set_aside(t, kind, out);
     }
     return EXIT_GOOD;
 }
@@ -219,6 +250,13 @@ static reading_unit unit_of_system(const table *t, const heading *x)
     return UNIT_UNKNOWN;
 }
 
+/* What x, y and z are in is a magnetometer's unit: of two that are called G it is gauss. */
+static int is_magnetic(const columns *out)
+{
+    return out->seen.is_magnetometer ||
+           origin_of(&headings[out->index[COLUMN_X]]) == OF_MAGNETOMETER;
+}
+
 static int find_unit(const table *t, columns *out)
 {
     const int *index = out->index;
@@ -226,7 +264,7 @@ static int find_unit(const table *t, columns *out)
 
     for (unsigned i = COLUMN_Y; i <= COLUMN_Z; i++) {
         const heading *h = &headings[index[i]];
-        if (h->unit != x->unit || h->states_unit != x->states_unit) {
+        if (h->unit != x->unit || h->magnetic != x->magnetic || h->states_unit != x->states_unit) {
             char one[TABLE_EXCERPT_MAX];
             char other[TABLE_EXCERPT_MAX];
             message("%s:%lu: '%s' and '%s' are in different units: convert one of them", t->name,
@@ -235,8 +273,10 @@ static int find_unit(const table *t, columns *out)
             return EXIT_FILE;
         }
     }
-    out->seen.unit = x->states_unit ? x->unit : unit_of_system(t, x);
-    out->seen.states_foreign_unit = x->states_unit && x->unit == UNIT_UNKNOWN;
+    out->seen.unit = is_magnetic(out) ? x->magnetic
+                     : x->states_unit ? x->unit
+                                      : unit_of_system(t, x);
+    out->seen.states_foreign_unit = x->states_unit && out->seen.unit == UNIT_UNKNOWN;
     out->seen.unit_from = out->seen.unit != UNIT_UNKNOWN ? UNIT_FROM_HEADER : UNIT_FROM_NONE;
     return EXIT_GOOD;
 }
@@ -262,7 +302,10 @@ static void find_unit_row(table *t, columns *out)
         return;
     }
     for (unsigned i = COLUMN_X; i <= COLUMN_Z; i++) {
-        if (!unit_parse(t->field[out->index[i]], &unit[i]) || unit[i] != unit[COLUMN_X]) {
+        const char *text = t->field[out->index[i]];
+        const int is_unit =
+            is_magnetic(out) ? unit_parse_magnetic(text, &unit[i]) : unit_parse(text, &unit[i]);
+        if (!is_unit || unit[i] != unit[COLUMN_X]) {
             return; /* it is a row, right or wrong */
         }
     }
@@ -461,8 +504,8 @@ static int find_by_header(table *t, columns_kind kind, columns *out)
     int std;
 
     read_headings(t);
-    int failure =
-        chosen_is(COLUMN_X) ? chosen_find_axes(t, headings, &index[COLUMN_X]) : find_xyz(t, out);
+    int failure = chosen_is(COLUMN_X) ? chosen_find_axes(t, headings, &index[COLUMN_X])
+                                      : find_xyz(t, kind, out);
     failure = failure ? failure : find_std(t, &std);
     failure = failure ? failure : find_unit(t, out);
     for (unsigned c = COLUMN_STD_X; c < COLUMN_COUNT && !failure; c++) {
@@ -475,7 +518,7 @@ static int find_by_header(table *t, columns_kind kind, columns *out)
         /* only all three of them are of use */
         index[COLUMN_STD_X] = index[COLUMN_STD_Y] = index[COLUMN_STD_Z] = std;
     }
-    for (unsigned c = COLUMN_STD_X; c <= COLUMN_SAMPLES && kind == COLUMNS_LOG; c++) {
+    for (unsigned c = COLUMN_STD_X; c <= COLUMN_SAMPLES && kind != COLUMNS_POSITIONS; c++) {
         index[c] = -1; /* of no use there */
     }
     find_short_temperature(t, out);
@@ -508,7 +551,7 @@ static int find_by_count(const table *t, columns_kind kind, columns *out)
     static const char letters[] = "xyzabcntTAB"; /* in the order of `column`; '.': a rate */
 
     for (unsigned i = 0; i < 5 && !is_cut_at_commas(t); i++) {
-        const char *layout = layouts[kind][i];
+        const char *layout = layouts[kind != COLUMNS_POSITIONS][i];
         if (!layout || strlen(layout) != t->columns) {
             continue;
         }
@@ -523,7 +566,7 @@ static int find_by_count(const table *t, columns_kind kind, columns *out)
                      : place ? column_name((column)c)
                              : "");
         }
-        out->seen.others = kind == COLUMNS_LOG && t->columns > 5 ? 3 : 0;
+        out->seen.others = kind != COLUMNS_POSITIONS && t->columns > 5 ? 3 : 0;
         return EXIT_GOOD;
     }
     message("%s:%lu: %u column%s, separated by %s, without a header: %s, or a header that names "
@@ -569,16 +612,19 @@ static int has_axes(const table *t)
     int index[3];
 
     read_headings(t);
-    return chosen_is(COLUMN_X) || find_set(t, 0, OF_MAGNETOMETER, index) < t->columns;
+    return chosen_is(COLUMN_X) ||
+           find_set(t, 0, (origins){OF_MAGNETOMETER, OF_ACCELEROMETER}, index) < t->columns;
 }
 
 int columns_find(table *t, columns_kind kind, columns *out)
 {
-    *out = (columns){.per_second = 1,
-                     .degrees = {1, 0},
-                     .per_degree = {1, 1},
-                     .instance = -1,
-                     .seen = {.separator = table_separator(t)}};
+    *out = (columns){
+        .per_second = 1,
+        .degrees = {1, 0},
+        .per_degree = {1, 1},
+        .aside = {-1, -1, -1},
+        .instance = -1,
+        .seen = {.separator = table_separator(t), .is_magnetometer = kind == COLUMNS_MAGNETOMETER}};
     if (table_comment_header(t) && !has_axes(t)) {
         table_drop_header(t);
     }
@@ -588,6 +634,9 @@ int columns_find(table *t, columns_kind kind, columns *out)
 
     for (unsigned c = 0; c < COLUMN_COUNT; c++) {
         out->last = out->index[c] > out->last ? out->index[c] : out->last;
+    }
+    for (unsigned i = 0; i < 3; i++) {
+        out->last = out->aside[i] > out->last ? out->aside[i] : out->last;
     }
     out->seen.time_unit = out->per_second > 1e8   ? "ns"
                           : out->per_second > 1e5 ? "µs"
@@ -649,6 +698,15 @@ double columns_angle(const table *t, const columns *where, column which)
     return index >= 0 && number_parse(t->field[index], &value) == NUMBER_OK
                ? value / where->per_degree[which - COLUMN_ALPHA]
                : NUMBER_UNKNOWN;
+}
+
+double columns_aside(const table *t, const columns *where, unsigned axis)
+{
+    const int index = where->aside[axis];
+    double value;
+
+    return index >= 0 && number_parse(t->field[index], &value) == NUMBER_OK ? value
+                                                                            : NUMBER_UNKNOWN;
 }
 
 int columns_check_instance(const table *t, columns *where)
@@ -725,7 +783,10 @@ const char *columns_describe(const recognition *seen, char *text, size_t size)
     if (*name[COLUMN_TIME] != '\0') {
         append(text, size, "%s (%s), ", name[COLUMN_TIME], seen->time_unit);
     }
-    append(text, size, "%s%s %s %s", *seen->set_aside != '\0' ? "the accelerometer's " : "",
+    append(text, size, "%s%s %s %s",
+           *seen->set_aside == '\0' ? ""
+           : seen->is_magnetometer  ? "the magnetometer's "
+                                    : "the accelerometer's ",
            name[COLUMN_X], name[COLUMN_Y], name[COLUMN_Z]);
     append_unit(seen, text, size);
     if (*seen->chosen != '\0') {
@@ -743,8 +804,8 @@ const char *columns_describe(const recognition *seen, char *text, size_t size)
                seen->others == 1 ? "" : "s");
     }
     if (*seen->set_aside != '\0') {
-        append(text, size, ", a magnetometer's among them (%s ..; --columns chooses)",
-               seen->set_aside);
+        append(text, size, ", %s's among them (%s ..; --columns chooses)",
+               seen->is_magnetometer ? "an accelerometer" : "a magnetometer", seen->set_aside);
     }
     return plain(text);
 }

@@ -17,8 +17,10 @@ typedef struct {
     unsigned long header_line; /* 0: none */
     unsigned long preamble;    /* lines of `name, value` before it */
     unsigned long unit_line;   /* a row of units; 0: none */
-    char
-        set_aside[HEADING_NAME_MAX]; /* x of a magnetometer beside the accelerometer; empty: none */
+    int is_magnetometer;       /* one was asked for */
+    char set_aside
+        [HEADING_NAME_MAX]; /* x of the accelerometer beside it; else of a magnetometer beside the
+                                         accelerometer; empty: none */
     char chosen[COLUMNS_CHOICE_MAX]; /* by --columns, as it was stated; empty: it was not */
     unsigned others;                 /* columns that have a heading, but are ignored */
     int states_foreign_unit;         /* the headings state a unit that unit.h does not know */
@@ -31,6 +33,7 @@ typedef struct {
 /* For each meaning the index into table.field, or -1. */
 typedef struct {
     int index[COLUMN_COUNT];
+    int aside[3];             /* of the accelerometer beside a magnetometer, or -1: */
     int last;                 /* the greatest of them */
     double per_second;        /* units of the time column in a second */
     temperature_unit degrees; /* of the temperature column */
@@ -43,8 +46,9 @@ typedef struct {
 /* How the columns of a table without a header are understood. */
 typedef enum {
     COLUMNS_POSITIONS, /* x y z; x y z std n; x y z std_x std_y std_z n */
-    COLUMNS_LOG        /* x y z; t x y z; t x y z temperature; the first two also with the three of
-                          a gyro behind, which are ignored */
+    COLUMNS_LOG,       /* x y z; t x y z; t x y z temperature; the first two also with the three of
+                    a gyro behind, which are ignored */
+    COLUMNS_MAGNETOMETER /* the same; of two sensors that a header names the magnetometer */
 } columns_kind;
 
 /* Names that a header may use, for help texts. */
@@ -60,7 +64,7 @@ typedef enum {
     "  rostopic echo -p (ROS).\n"
 
 /* Finds the columns of a table that has just been opened. Where it has an accelerometer and a
- * magnetometer, x, y and z are those of the accelerometer.
+ * magnetometer, x, y and z are those of the accelerometer, unless the kind says otherwise.
  *
  * Returns EXIT_GOOD; EXIT_FILE, with a message, if x, y and z are not there or there twice, or
  * another name is there twice, or x, y and z are in different units, or the number of columns
@@ -77,6 +81,10 @@ int columns_is_cut(const table *t, const columns *where);
  *
  * Returns EXIT_GOOD; EXIT_FILE, with a message that names line and column. */
 int columns_number(const table *t, const columns *where, column which, double *out);
+
+/* An axis of the accelerometer beside a magnetometer. NaN if there is none, or the current row holds no number
+ * there. */
+double columns_aside(const table *t, const columns *where, unsigned axis);
 
 /* An angle of the stand, COLUMN_ALPHA or COLUMN_BETA, in degrees. NaN if there is no such column, or the
  * current row holds no number there: only who wants angles has to complain. */

@@ -340,6 +340,7 @@ static int read_member(json_reader *r, const char *name, void *into)
     }
     x->has_offset = x->has_offset || is_offset;
     x->has_matrix = x->has_matrix || is_matrix;
+    x->file->is_magnetometer = x->file->is_magnetometer || is(name, "magnetometer");
     return is_offset   ? read_vector(r, x->file->calibration.offset)
            : is_matrix ? read_matrix(r, x->file->calibration.matrix)
            : is(name, "thermal") && x->depth >= CORRECTION      ? read_thermal(r, x->file)

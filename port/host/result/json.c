@@ -240,6 +240,9 @@ void calibrate_json(FILE *file, const calibrate_result *result)
     if (fit_has_prior(&result->settings)) {
         write_source(&w, result->quality.from_prior);
     }
+    if (result->magnetometer) {
+        calibrate_waved_json(&w, result);
+    }
     if (result->settings.is_six_faces) {
         faces_json(&w, result);
     }

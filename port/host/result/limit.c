@@ -176,6 +176,14 @@ const char *calibrate_limit(const calibrate_result *r, const uncertainty *length
             "positions would leave.",
             r->temperature == CALIBRATE_THERMAL ? " at each temperature" : "", length->worst_words,
             figure_digits(uneven, 2, number), r->rejected.kept_count);
+    } else if (r->magnetometer) {
+        snprintf(
+            text, CALIBRATE_LIMIT_MAX,
+            "%s. Four times as long a log, turned to all sides, halves ±; what differs from place "
+            "to place it does not.",
+            r->quality.sigma_dof > r->quality.dof
+                ? "what neighbouring samples err alike by"
+                : "what the cells disagree by, which is more than their samples tell");
     } else if (!(r->settings.noise > 0)) {
         snprintf(text, CALIBRATE_LIMIT_MAX, "%s",
                  r->quality.dof > 0
@@ -214,7 +222,7 @@ const char *calibrate_advice(const calibrate_result *r, char text[CALIBRATE_LIMI
 {
     const thermal_fit *fit = &r->fit;
     const double range = fit->calibration.max - fit->calibration.min;
-    const told_unit told = told_parts(r->told, unit_is_gravity(r->settings.field));
+    const told_unit told = told_parts(r->told, calibrate_is_gravity(r));
     const unsigned most = steepest_offset(fit);
     const double scale = told.scale * calibrate_slope_scale(r, most);
     char before[FIGURE_MAX];

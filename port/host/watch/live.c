@@ -2,16 +2,14 @@
 #define _POSIX_C_SOURCE 200809L
 #include "watch/live.h"
 
-#include <fcntl.h>
 #include <math.h>
-#include <signal.h>
 #include <string.h>
 #include <unistd.h>
 
 #include "cli/command.h"
-#include "cli/input.h"
 #include "cli/message.h"
 #include "read/samples.h"
+#include "watch/interrupt.h"
 #include "watch/lines.h"
 #include "watch/live_program.h"
 #include "watch/screen.h"
@@ -385,32 +383,6 @@ static int watch(stage *s)
     return EXIT_GOOD;
 }
 
-/* The stream, and an empty file that takes its place when somebody interrupts. */
-static volatile sig_atomic_t stream_file;
-static volatile sig_atomic_t empty_file;
-
-/* A read that waits is interrupted and ends the stream, see table.c; the next one finds the end. */
-static void stop(int signal_number)
-{
-    (void)signal_number;
-    if (empty_file >= 0 && stream_file >= 0) {
-        (void)dup2(empty_file, stream_file);
-    }
-}
-
-/* A serial port has no end: whoever presses Ctrl-C wants the result. */
-static void catch_interrupts(const char *path)
-{
-    struct sigaction action = {.sa_handler = stop};
-
-    stream_file = input_is_stdin(path) ? STDIN_FILENO : -1;
-    empty_file = open("/dev/null", O_RDONLY);
-    sigemptyset(&action.sa_mask);
-    action.sa_flags = (int)SA_RESETHAND; /* a second one ends everything */
-    (void)sigaction(SIGINT, &action, NULL);
-    (void)sigaction(SIGTERM, &action, NULL);
-}
-
 int live_read(positions *p, const char *path, const live_wish *wish, rests_summary *summary)
 {
     stage s = {.p = p, .wish = wish, .summary = summary, .told_at = -HUGE_VAL};
@@ -420,9 +392,9 @@ int live_read(positions *p, const char *path, const live_wish *wish, rests_summa
         fprintf(wish->talk, "waiting for samples\n");
         fflush(wish->talk);
     }
-    catch_interrupts(path);
+    interrupt_catch(path);
     int failure = samples_open(&live_log, path, wish->rate, 1);
-    stream_file = live_log.table.file ? fileno(live_log.table.file) : -1;
+    interrupt_stream(live_log.table.file);
 
     *p = (positions){.name = live_log.table.name, .has_noise = 1, .seen = live_log.where.seen};
     *summary = (rests_summary){.rate = live_log.rate,
@@ -437,7 +409,7 @@ int live_read(positions *p, const char *path, const live_wish *wish, rests_summa
     memcpy(now.target_sigma, wish->target, sizeof now.target_sigma);
     failure = failure ? failure : begin(&s);
     failure = failure ? failure : watch(&s);
-    stream_file = -1;
+    interrupt_stream(NULL);
     samples_close(&live_log);
     rests_end(p, &live_log, summary);
     return failure;
