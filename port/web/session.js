@@ -113,6 +113,7 @@ export class Session {
         this.samples = 0;
         this.up = [0, 0, 1];
         this.positions = [];
+        this.gains = null; // sigma of a length in each direction of the picture; the page asks for it
         this.refused = [];
         this.state = "listening";
         this.gyro = new GyroBias(0);
@@ -150,7 +151,7 @@ export class Session {
         const status = this.live.begin(this.unit.counts, Math.round(rate));
         if (status !== 0) {
             this.state = "failed";
-            throw new Error(`${this.text(this.live.status_text(status))}: ${rate.toFixed(1)} readings a second, 1 g = ${(this.unit.counts / this.unit.factor).toPrecision(3)}`);
+            throw new Error(`${this.text(this.live.status_text(status))}: ${rate.toFixed(1)} readings per second, 1 g = ${(this.unit.counts / this.unit.factor).toPrecision(3)}`);
         }
         if (this.options.rounds) {
             this.step = stepOf(this.first);
@@ -174,10 +175,8 @@ export class Session {
         if (event !== 0) {
             this.happened(EVENTS[event]);
         }
-        if (sample.gyro) {
-            if (this.state === "settling" || this.state === "ready") {
-                this.gyro.add(sample.gyro);
-            }
+        if (sample.gyro && (this.state === "settling" || this.state === "ready")) {
+            this.gyro.add(sample.gyro);
         }
     }
 
