@@ -5,8 +5,8 @@ import { $, put } from "./dom.js";
 import { figure } from "./words.js";
 
 export const KINDS = [
-    { name: "offsets", unit: "mg", scale: 1e3 },
-    { name: "scales", unit: "%", scale: 100 },
+    { name: "offsets", unit: " mg", scale: 1e3 },
+    { name: "scales", unit: " %", scale: 100 },
     { name: "angles", unit: "°", scale: 180 / Math.PI },
 ];
 const GYRO_GOAL = 0.05; // degrees a second
@@ -35,7 +35,7 @@ function showKind(bar, { unit, scale }, sigma, goal) {
         return;
     }
     const wanted = goal < Infinity ? ` (goal ${Number((goal * scale).toPrecision(3))})` : "";
-    show(bar, sigma / goal, `± ${figure(sigma * scale)} ${unit}${sigma <= goal ? " ✓" : wanted}`);
+    show(bar, sigma / goal, `± ${figure(sigma * scale)}${unit}${sigma <= goal ? " ✓" : wanted}`);
 }
 
 function showGyro(bar, session) {

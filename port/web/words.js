@@ -4,7 +4,7 @@
 import { between } from "./sphere.js";
 
 export const many = (n, thing) => `${n} ${thing}${n === 1 ? "" : "s"}`;
-export const figure = (v) => String(Number(v.toPrecision(2)));
+export const figure = (v) => (v < 1e-3 ? "<0.001" : String(Number(v.toPrecision(2))));
 const clock = (seconds) => `${Math.floor(seconds / 60)}:${String(Math.floor(seconds % 60)).padStart(2, "0")}`;
 
 export const turnTo = (session) => `Turn to ${session.words.replaceAll("-", "−").replace(" deg", "°")}`;
@@ -12,7 +12,7 @@ export const turnTo = (session) => `Turn to ${session.words.replaceAll("-", "−
 // What to do now.
 export function instruction({ session, isRunning }) {
     if (!session) {
-        return "Choose where the readings come from";
+        return "Choose a source of readings";
     }
     if (!isRunning) {
         return session.result?.mayStop ? "Done" : "Stopped";
@@ -48,7 +48,7 @@ export function where(now) {
 
 const MEANING = {
     good: "Few positions confirm it so far: keep going.",
-    "no redundancy": "Nothing confirms it yet: keep going.",
+    "no redundancy": "That is just enough for nine parameters, and nothing confirms them yet: keep going.",
     rough: "The positions disagree by more than noise explains. Was it moved or knocked? Keep going, and hold it still.",
     drifting: "The sensor drifts. Let it warm up, then start again.",
     bent: "An axis is not linear, or has hysteresis. This kind of calibration cannot correct that.",

@@ -2,7 +2,7 @@
 //
 // Live calibrations: simulator, replayed logs, a phone; what is taken away; speed.
 import { test, expect, equal, close, native, file, put, sleep } from "./harness.mjs";
-import { DIRECTIONS, SENSOR, reads, samples, unit } from "./sensor.mjs";
+import { DIRECTIONS, SENSOR, noise, reads, samples, unit } from "./sensor.mjs";
 
 const GOOD = "invcal.session()?.result?.mayStop";
 const TAKEN = (n) => `invcal.session()?.positions.length >= ${n}`;
@@ -175,6 +175,36 @@ test("a phone that rounds to 0.1 m/s²: calibrated, and what that means is said"
     await page.until(TAKEN(17), "positions, started again");
     expect(!(await page.text("#facts")).includes("rounds"), "nothing is rounded");
 });
+
+test("motion sensors that Chromium emulates, and rounds itself: a position is taken, and the rounding is told", async (open) => {
+    const page = await open();
+    const browser = await page.createCDPSession();
+    for (const type of ["accelerometer", "linear-acceleration", "gyroscope"]) {
+        await browser.send("Emulation.setSensorOverrideEnabled", { enabled: true, type, metadata: { available: true, minimumFrequency: 1, maximumFrequency: 60 } });
+    }
+    const feel = (type, [x, y, z]) => browser.send("Emulation.setSensorOverrideReadings", { type, reading: { xyz: { x, y, z } } });
+    await feel("gyroscope", [0, 0, 0]);
+    await feel("linear-acceleration", [0, 0, 0]);
+    await feel("accelerometer", [5.55, -2.34, 7.73]); // of length 9.8
+    await begin(page);
+    const tremor = noise(7);
+    const shake = async () => {
+        while (!page.isHeld) {
+            await feel("accelerometer", [5.55, -2.34, 7.73].map((v) => v + 0.06 * tremor()));
+            await sleep(12);
+        }
+    };
+    const shaking = shake();
+    try {
+        await page.until("invcal.session()?.isReady()", "held long enough", 15000);
+    } finally {
+        page.isHeld = true;
+        await shaking;
+    }
+    expect((await page.text("#facts")).includes("rounds the readings to 10 mg"), await page.text("#facts"));
+    await page.click("#stop"); // what is held counts
+    equal(await page.evaluate(() => invcal.session().positions.length), 1, "positions");
+}, { only: "chromium" });
 
 test("a device without motion sensors says so", async (open) => {
     const page = await open();
