@@ -75,7 +75,7 @@ export function verdict({ session }) {
         return ["good", "✓ Good, but not yet at your goal", `${rest} Keep going, or stop here.`];
     }
     const name = result.verdict === "good" ? "good so far" : result.verdict;
-    return ["caution", name[0].toUpperCase() + name.slice(1), `${rest} ${MEANING[result.verdict]}`];
+    return [["good", "no redundancy"].includes(result.verdict) ? "" : "caution", name[0].toUpperCase() + name.slice(1), `${rest} ${MEANING[result.verdict]}`];
 }
 
 export function refused({ session }) {
