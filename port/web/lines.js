@@ -15,7 +15,7 @@ const AGREED = 3; // lines
 const LAYOUT = { 3: [-1, 0, -1], 4: [0, 1, -1], 5: [0, 1, -1], 6: [-1, 0, 3], 7: [0, 1, 4], 9: [-1, 0, 3], 10: [0, 1, 4] };
 
 // A line -> { columns, raw, time, acc, gyro }; "other" if it is not meant to be a sample; null if it is broken.
-export function parseLine(line) {
+function parseLine(line) {
     let text = line.trim();
     if (text === "" || /^(#|%|\/\/|Uni:|Ori:|Cal)/.test(text)) {
         return "other";

@@ -19,7 +19,7 @@ function random(seed) {
 }
 
 // What the simulated sensor is wrong by: counts of 16384 per g, and of 1/16 degree a second.
-export const TRUTH = {
+const TRUTH = {
     offset: [327.7, -245.8, 491.5],
     matrix: [
         [1.01, 0.005, -0.003],
@@ -28,48 +28,61 @@ export const TRUTH = {
     ],
     gyro: [12, -7, 3],
 };
+const RATE = 100;
+const REST = 3; // seconds
+const TURN = 1.5;
 
-// wanted: gives the direction that is asked for; the hand is some degrees off.
-export function simulator(sink, { speed, wanted, seed = 1 }) {
-    const RATE = 100;
-    const REST = 3;
-    const TURN = 1.5;
-    const chance = random(seed);
-    let from = [0, 0, 1];
-    let to = from;
-    let phase = 0; // seconds in this rest and the turn after it
-    let n = 0;
+class Hand {
+    constructor(sink, wanted, seed) {
+        this.sink = sink;
+        this.wanted = wanted;
+        this.chance = random(seed);
+        this.from = this.to = [0, 0, 1];
+        this.phase = 0; // seconds in this rest and the turn after it
+        this.n = 0; // samples
+    }
 
-    const read = (up, isTurning) => {
-        const acc = TRUTH.matrix.map((row, i) => Math.round(16384 * dot(row, up) + TRUTH.offset[i] + chance.normal() * (isTurning ? 150 : 12)));
-        const gyro = TRUTH.gyro.map((bias) => Math.round(bias + chance.normal() * (isTurning ? 800 : 2)));
-        sink.sample({ columns: 6, time: null, acc, gyro }, n / RATE);
-        n++;
-    };
-    const step = () => {
-        phase += 1 / RATE;
-        if (phase >= REST + TURN) {
-            from = to;
-            phase = 0;
+    read(up, isTurning) {
+        const { normal } = this.chance;
+        const acc = TRUTH.matrix.map((row, i) => Math.round(16384 * dot(row, up) + TRUTH.offset[i] + normal() * (isTurning ? 150 : 12)));
+        const gyro = TRUTH.gyro.map((bias) => Math.round(bias + normal() * (isTurning ? 800 : 2)));
+        this.sink.sample({ columns: 6, time: null, acc, gyro }, this.n / RATE);
+        this.n++;
+    }
+
+    step() {
+        this.phase += 1 / RATE;
+        if (this.phase >= REST + TURN) {
+            this.from = this.to;
+            this.phase = 0;
         }
-        if (phase < REST) {
-            read(from, false);
+        if (this.phase < REST) {
+            this.read(this.from, false);
             return;
         }
-        if (from === to) {
-            to = unit(wanted().map((v) => v + 0.06 * chance.normal()));
+        if (this.from === this.to) {
+            this.to = unit(this.wanted().map((v) => v + 0.06 * this.chance.normal())); // some degrees off
         }
-        const share = (phase - REST) / TURN;
+        this.read(this.between((this.phase - REST) / TURN), true);
+    }
+
+    between(share) {
+        const { from, to } = this;
         const way = share * share * (3 - 2 * share);
         const aside = dot(from, to) < -0.9 ? Math.sin(Math.PI * way) : 0; // not through the middle
-        read(unit(from.map((v, i) => v * (1 - way) + to[i] * way + aside * [from[1], -from[0], 0.5][i])), true);
-    };
+        return unit(from.map((v, i) => v * (1 - way) + to[i] * way + aside * [from[1], -from[0], 0.5][i]));
+    }
+}
+
+// wanted: gives the direction that is asked for.
+export function simulator(sink, { speed, wanted, seed = 1 }) {
+    const hand = new Hand(sink, wanted, seed);
     let told = now();
     const timer = setInterval(() => {
         const passed = Math.min(0.1, now() - told);
         told = now();
         for (let i = 0; i < passed * speed * RATE; i++) {
-            step();
+            hand.step();
         }
     }, 15);
     return {

@@ -212,6 +212,16 @@ test("a device without motion sensors says so", async (open) => {
     await page.until('document.querySelector("#notice").textContent.startsWith("No readings arrive")', "told", 5000);
 });
 
+test("sensors that plain http hides, and sensors that the person denied: each is told", async (open) => {
+    const insecure = await open({ before: 'Object.defineProperty(window, "isSecureContext", { value: false });' });
+    await insecure.click("#phone");
+    const denied = await open({ before: 'DeviceMotionEvent.requestPermission = async () => "denied";' });
+    await denied.click("#phone");
+    await denied.until('document.querySelector("#notice").textContent.includes("does not let this page read the motion sensors")', "denied");
+    equal(await denied.$eval("#phone", (button) => button.ariaPressed), "false", "pressed");
+    await insecure.until('document.querySelector("#notice").textContent.includes("only over https")', "https", 5000);
+}, { only: "chromium" });
+
 // ---- speed -----------------------------------------------------------------------------------------
 
 test("a million samples a second through the session", async (open) => {
