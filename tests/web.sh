@@ -1,8 +1,8 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
 #
-# sh tests/web.sh BUILD [PATTERN]: the page in Chromium and Firefox beside each other, and the bits of its numbers. At
-# the end `N passed, N failed`. PATTERN: tests of such names only, or digest. One of them by itself: sh tests/web.sh --part NAME
+# sh tests/web.sh BUILD [PATTERN]: the page in Chromium and Firefox beside each other, and the bits of its numbers.
+# At the end `N passed, N failed`. PATTERN: tests of such names only, or digest. One of them: sh tests/web.sh --part NAME
 # BUILD PATTERN.
 
 # Calibrations as WebAssembly have the native build's bits (tests/digest).

@@ -69,8 +69,9 @@ for (const [name, layout] of Object.entries(LAYOUTS)) {
     test(`serial, lines ${name}`, async (open) => {
         const page = await connect(open);
         const all = lines(DIRECTIONS.map(reads), layout);
-        await print(page, `torn,,\r\n${all.join("")}Uni:0.1,0.2,9.8\r\n# a comment\r\n`);
+        await print(page, `torn,,\r\n${all.join("")}Uni:0.1,0.2,9.8\r\nCal1:0.000,0.000,0.000,0.000,0.000,0.000,0.000,0.000,0.000,50.000\r\n# a comment\r\nwords\r\n`);
         await arrived(page, all.length);
+        equal(await skipped(page), 0, "skipped lines");
         await good(page);
         equal((await state(page)).positions, 17, "positions"); // the last is still held
         const gyro = await page.evaluate(() => invcal.session().gyro.result()?.mean);
