@@ -277,7 +277,7 @@ pages: $(BUILD)/invcal ## the reports in a browser: phone, desktop, paper; light
 check-web: $(BUILD)/invcal.html $(BUILD)/invcal $(BUILD)/float/digest ## the page in Chromium and Firefox; its numbers, bit by bit (WEB=names)
 	$(call need,chromium)
 	$(call need,firefox-esr)
-	$(Q)sh tests/web.sh $(BUILD) $(WEB)
+	$(Q)sh tests/web.sh $(BUILD) "$(WEB)"
 
 manual: ## the headers and port/manual as HTML in build/manual; nothing without a word, no dead link
 	$(call need,doxygen)
