@@ -1,0 +1,58 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * Internal: the equations of rests and moves, for those who ask them for something else.
+ */
+#ifndef INVCAL_IMU_H
+#define INVCAL_IMU_H
+
+#include "invcal/expert.h"
+#include "invcal/gyro.h"
+
+/* Equations of one kind. */
+typedef struct {
+    invcal_real variance; /* of a rest; of moves: over what is expected */
+    invcal_real squares;  /* of residuals, over their variances */
+    unsigned rows;
+} invcal_imu_rows;
+
+/* What a pass works on, and what it leaves. */
+typedef struct {
+    const invcal_moves *moves;
+    const invcal_real *raw;              /* means of the rests from begin on */
+    const invcal_imu_settings *settings; /* given */
+    invcal_imu_settings given;
+    invcal_calibration accelerometer; /* by now */
+    unsigned n;                       /* unknowns: 18, 9, or none for the residuals alone */
+    unsigned begin;                   /* first rest of moves that has a mean */
+    unsigned priors;
+    unsigned worst, apart;
+    int is_stated, is_weighed;
+    uint32_t left_out, idle;
+    invcal_imu_rows rests, moved;
+    invcal_real variances, residuals;         /* sums over moves */
+    invcal_real worst_square, worst_residual; /* over its variance; in rad^2 */
+    invcal_real x[INVCAL_IMU_PARAMETERS];     /* by now */
+    invcal_real g[3][3];                      /* g-sensitivity: rad/s per field */
+    invcal_real sum[INVCAL_PACKED_SIZE(INVCAL_IMU_PARAMETERS + 1)];
+} invcal_imu_work;
+
+/* A move, integrated again. */
+typedef struct {
+    invcal_real c[3][3];                       /* from its end to its beginning */
+    invcal_real s[3][INVCAL_GYRO_PARAMETERS]; /* how E turns that */
+    invcal_real time, angle;                  /* seconds; squares of its segments, rad^2 */
+} invcal_replay;
+
+/* bias, rad/s, of all segments; up: at its beginning. */
+void invcal_replay_move(const invcal_imu_work *work, const invcal_segment *segment, unsigned count,
+                        const invcal_real bias[3], const invcal_real up[3], invcal_replay *replay);
+
+/* INVCAL_BAD_... of what it begins with. */
+invcal_status invcal_imu_begin(invcal_imu_work *work, const invcal_real *raw, unsigned count,
+                               const invcal_calibration *accelerometer, const invcal_moves *moves,
+                               const invcal_imu_settings *settings);
+
+/* All equations. INVCAL_NOT_FINITE, INVCAL_OUT_OF_RANGE of a mean. */
+invcal_status invcal_imu_sum(invcal_imu_work *work);
+
+#endif

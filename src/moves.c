@@ -1,0 +1,390 @@
+/* SPDX-License-Identifier: MIT */
+#include <stddef.h>
+
+#include "rotation.h"
+#include "solve.h"
+
+#define FULL INVCAL_REAL(0.1218)      /* 20 degrees, squared */
+#define LONGEST_MOVE INVCAL_REAL(10.0) /* seconds */
+
+enum {
+    LATE = 8,            /* blocks that are not merged: a rest is TAKEN 7 behind its end */
+    CUT_OFF = 2,         /* newest blocks of a rest that it does not count: TRIM of rests.c */
+    MOST_STILL = 60000,  /* samples of a rest that count: the sum of their angles fits 32 bits */
+    SPARE = 24,          /* segments kept free for those that are not merged */
+    MOST_SEGMENTS = 127, /* of a move: seven turns */
+    MOST_SAMPLES = INT16_MAX,
+    NOWHERE = UINT16_MAX,
+    SPOILT = INT16_MIN, /* v[0] of a segment that is none; kappa[0] says why */
+    SERIES = INVCAL_DOUBLE ? 16 : 6
+};
+
+/* ---- rotations ---------------------------------------------------------------------------------- */
+
+/* q <- q exp(th / 2), for 1/2 rad right to 3e-7, for 0.05 rad to 1e-13. */
+static void turn(invcal_real q[4], const invcal_real th[3])
+{
+    const invcal_real x = invcal_dot3(th, th);
+    const invcal_real s = INVCAL_REAL(0.5) - x * (1 - x * INVCAL_REAL(0.0125)) / 48;
+    const invcal_real c = 1 - x * (1 - x * (1 - x / 120) / 48) / 8;
+    const invcal_real a = s * th[0];
+    const invcal_real b = s * th[1];
+    const invcal_real d = s * th[2];
+    const invcal_real w = q[0];
+    const invcal_real i = q[1];
+    const invcal_real j = q[2];
+    const invcal_real k = q[3];
+
+    q[0] = w * c - i * a - j * b - k * d;
+    q[1] = w * a + i * c + j * d - k * b;
+    q[2] = w * b - i * d + j * c + k * a;
+    q[3] = w * d + i * b - j * a + k * c;
+}
+
+/* 2 asin |q| / |q| times q: its rotation vector. The series suits angles up to a radian. */
+static void take_log(const invcal_real q[4], invcal_real rho[3])
+{
+    const invcal_real x = invcal_dot3(&q[1], &q[1]);
+    invcal_real f = 1;
+
+    for (unsigned k = SERIES; k > 0; k--) {
+        const invcal_real odd = invcal_number(2 * k - 1);
+        f = 1 + f * x * odd * odd / ((odd + 1) * (odd + 2));
+    }
+    for (unsigned i = 0; i < 3; i++) {
+        rho[i] = 2 * f * q[i + 1];
+    }
+}
+
+static void begin_rotation(invcal_real q[4])
+{
+    invcal_zero(q, 4 * sizeof *q);
+    q[0] = 1;
+}
+
+/* ---- segments ----------------------------------------------------------------------------------- */
+
+/* Rounded; 0 if it is too large. */
+static int pack(invcal_real x, int16_t *out)
+{
+    const int fits = INVCAL_FABS(x) < 32767;
+
+    *out = (int16_t)(!fits ? 0 : x < 0 ? x - INVCAL_REAL(0.5) : x + INVCAL_REAL(0.5));
+    return fits;
+}
+
+/* What v does not hold of the rotation q; 0 if either is too large. */
+static int pack_segment(const invcal_real q[4], const invcal_real v[3], invcal_segment *out)
+{
+    invcal_real rho[3];
+    int fits = 1;
+
+    take_log(q, rho);
+    for (unsigned i = 0; i < 3; i++) {
+        fits &= pack(v[i] * INVCAL_V_UNIT, &out->v[i]) &
+                pack((rho[i] - v[i]) * INVCAL_KAPPA_UNIT, &out->kappa[i]);
+    }
+    return fits;
+}
+
+static void turn_by_segment(invcal_real q[4], const invcal_segment *s)
+{
+    invcal_real rho[3];
+
+    for (unsigned i = 0; i < 3; i++) {
+        rho[i] = (invcal_real)s->v[i] / INVCAL_V_UNIT + (invcal_real)s->kappa[i] / INVCAL_KAPPA_UNIT;
+    }
+    turn(q, rho);
+}
+
+/* a and b behind it become one, if that is no more than 20 degrees. */
+static int merge(invcal_segment *a, const invcal_segment *b)
+{
+    const unsigned samples = (a->time / 2u) + (b->time / 2u);
+    invcal_real q[4];
+    invcal_real v[3];
+    invcal_segment both;
+
+    for (unsigned i = 0; i < 3; i++) {
+        v[i] = (invcal_real)(a->v[i] + b->v[i]) / INVCAL_V_UNIT;
+    }
+    if (invcal_dot3(v, v) > FULL || samples > MOST_SAMPLES) {
+        return 0;
+    }
+    begin_rotation(q);
+    turn_by_segment(q, a);
+    turn_by_segment(q, b);
+    both.time = (uint16_t)(2 * samples);
+    if (!pack_segment(q, v, &both)) {
+        return 0;
+    }
+    *a = both;
+    return 1;
+}
+
+/* Segments from..to - 1 are no more. */
+static void take_out(invcal_moves *m, unsigned from, unsigned to)
+{
+    while (to < m->used) { /* at most INVCAL_MAX_SEGMENTS */
+        m->segment[from++] = m->segment[to++];
+    }
+    m->used = (uint16_t)from;
+}
+
+/* The segment in the making is closed; what rounding leaves begins the next. Where the table is full the
+ * oldest of this move goes, which is then of no use. */
+INVCAL_APART static void close_segment(invcal_moves *m, unsigned mark)
+{
+    invcal_segment s;
+
+    if (m->used == INVCAL_MAX_SEGMENTS) {
+        m->fault = INVCAL_NO_SPACE;
+        m->before = INVCAL_NO_SPACE;
+        take_out(m, m->first, m->first + 1u);
+        m->fixed = (uint16_t)(m->fixed - (m->fixed > m->first));
+        m->cut = (uint16_t)(m->cut - (m->cut != NOWHERE && m->cut > m->first));
+    }
+    s.time = (uint16_t)(2u * m->missing + mark);
+    if (!pack_segment(m->q, m->v, &s) && m->spoilt == INVCAL_OK) {
+        m->spoilt = INVCAL_MOUNTING;
+    }
+    begin_rotation(m->q);
+    for (unsigned i = 0; i < 3; i++) {
+        m->v[i] = m->spoilt == INVCAL_OK ? m->v[i] - (invcal_real)s.v[i] / INVCAL_V_UNIT : 0;
+        m->q[i + 1] = m->v[i] / 2;
+    }
+    if (m->spoilt != INVCAL_OK) {
+        s.v[0] = SPOILT;
+        s.kappa[0] = m->spoilt;
+    }
+    m->segment[m->used++] = s;
+    m->marks = (uint8_t)(m->marks + mark);
+    m->missing = 0;
+    m->spoilt = INVCAL_OK;
+}
+
+/* ---- rests and moves ---------------------------------------------------------------------------- */
+
+static void find_fault(invcal_moves *m, unsigned status)
+{
+    if (m->fault == INVCAL_OK) {
+        m->fault = (uint8_t)status;
+    }
+}
+
+/* No rest is going on. */
+static void forget_rest(invcal_moves *m)
+{
+    m->cut = NOWHERE;
+    m->still_samples = 0;
+    invcal_zero(m->still, sizeof m->still);
+}
+
+/* The oldest segment that is not merged: is it of a rest? That may still be refused, so it is kept either
+ * way. */
+static void settle(invcal_moves *m, int is_rest)
+{
+    const invcal_segment s = m->segment[m->fixed];
+    const unsigned samples = s.time / 2u;
+
+    m->marks = (uint8_t)(m->marks - (s.time & 1u));
+    m->samples += m->samples < INT32_MAX ? samples : 0;
+    if (!is_rest) {
+        forget_rest(m);
+    } else if (m->cut == NOWHERE) {
+        m->cut = m->fixed;
+        m->before = m->fault;
+    } /* cppcheck-suppress misra-c2012-15.7 ; it goes on */
+    const int is_long = (invcal_real)m->samples > LONGEST_MOVE * m->rate;
+    if (s.v[0] == SPOILT) {
+        find_fault(m, (unsigned)s.kappa[0]);
+    } else {
+        if (is_rest && m->still_samples < MOST_STILL) {
+            m->still_samples += samples;
+            for (unsigned i = 0; i < 3; i++) {
+                m->still[i] += s.v[i];
+            }
+        }
+        if (!is_rest && is_long) {
+            find_fault(m, INVCAL_MOVE_LONG);
+        }
+        if (!is_long && (m->fixed == m->first || m->fixed == m->cut ||
+                         !merge(&m->segment[m->fixed - 1], &s))) {
+            m->fixed++;
+            return;
+        }
+    }
+    take_out(m, m->fixed, m->fixed + 1u);
+}
+
+/* All but the newest blocks. The rest, if there is one, began `resting` blocks ago. */
+INVCAL_APART static void settle_until(invcal_moves *m, uint32_t newest, uint32_t resting)
+{
+    while (m->marks > newest) { /* a segment each: at most INVCAL_MAX_SEGMENTS steps */
+        settle(m, m->marks <= resting);
+    }
+}
+
+/* What v of the samples that are not merged holds beyond a bias. */
+static void subtract(invcal_moves *m)
+{
+    for (unsigned i = 0; i < 3; i++) {
+        const invcal_real bias = (invcal_real)m->still[i] / invcal_number(m->still_samples);
+        m->bias[i] += bias / INVCAL_V_UNIT;
+        m->still[i] = 0;
+        for (unsigned k = m->fixed; k < m->used; k++) {
+            invcal_segment *s = &m->segment[k];
+            if (s->v[0] != SPOILT) {
+                (void)pack((invcal_real)s->v[i] - bias * invcal_number(s->time / 2u), &s->v[i]);
+            }
+        }
+    }
+}
+
+static void drop_oldest(invcal_moves *m)
+{
+    const unsigned segments = m->move[1] > 0 ? (unsigned)m->move[1] : 0;
+
+    take_out(m, 0, segments);
+    m->first = (uint16_t)(m->first - segments);
+    m->fixed = (uint16_t)(m->fixed - segments);
+    m->count--;
+    for (unsigned i = 0; i < m->count; i++) {
+        m->move[i] = m->move[i + 1];
+        m->when[i] = m->when[i + 1];
+        for (unsigned k = 0; k < 3; k++) {
+            m->rest[i][k] = m->rest[i + 1][k];
+        }
+    }
+    m->move[0] = -INVCAL_TOO_FEW;
+}
+
+/* The move ends where the rest began. */
+static void keep_move(invcal_moves *m)
+{
+    const int is_cut = m->cut != NOWHERE;
+    unsigned end = is_cut ? m->cut : m->fixed;
+    unsigned fault = is_cut ? m->before : m->fault;
+
+    if (m->count == 0) {
+        fault = INVCAL_TOO_FEW;
+    } else if (fault == INVCAL_OK) {
+        fault = end == m->first                        ? INVCAL_MOVE_GAP
+                : end - m->first > MOST_SEGMENTS       ? INVCAL_MOUNTING
+                : end + SPARE > INVCAL_MAX_SEGMENTS    ? INVCAL_NO_SPACE
+                                                       : INVCAL_OK;
+    } /* cppcheck-suppress misra-c2012-15.7 ; it is known */
+    if (fault != INVCAL_OK) {
+        end = m->first;
+    }
+    take_out(m, end, m->fixed);
+    m->fixed = (uint16_t)end;
+    if (m->count == INVCAL_MAX_MOVES) {
+        drop_oldest(m);
+        end = m->fixed;
+    }
+    const unsigned n = m->count;
+    const invcal_real pace =
+        m->rate * INVCAL_KAPPA_UNIT / (INVCAL_V_UNIT * invcal_number(m->still_samples));
+    for (unsigned i = 0; i < 3; i++) {
+        if (m->still_samples == 0 || !pack((invcal_real)m->still[i] * pace, &m->rest[n][i])) {
+            m->rest[n][i] = 0;
+        }
+    }
+    m->when[n] = m->blocks;
+    m->move[n] = (int8_t)(fault == INVCAL_OK ? (int)(end - m->first) : -(int)fault);
+    m->count = (uint8_t)(n + 1);
+    m->first = (uint16_t)end;
+    m->samples = 0;
+    m->fault = INVCAL_OK;
+    forget_rest(m);
+}
+
+/* ---- what is called ----------------------------------------------------------------------------- */
+
+invcal_status invcal_moves_init(invcal_moves *moves, const invcal_calibration *nominal,
+                                invcal_real rate)
+{
+    INVCAL_ASSERT(moves && nominal);
+    const invcal_status status = invcal_nominal_check(nominal);
+    if (status != INVCAL_OK) {
+        return status;
+    }
+    if (!(rate >= INVCAL_REAL(8.0) && rate <= INVCAL_REAL(8000.0))) {
+        return INVCAL_BAD_RATE;
+    }
+    invcal_zero(moves, sizeof *moves);
+    moves->nominal = *nominal;
+    (void)invcal_scale(&moves->nominal, 1 / rate);
+    moves->rate = rate;
+    begin_rotation(moves->q);
+    forget_rest(moves);
+    return invcal_moves_rails(moves, INT32_MIN, INT32_MAX);
+}
+
+invcal_status invcal_moves_rails(invcal_moves *moves, int32_t low, int32_t high)
+{
+    INVCAL_ASSERT(moves);
+    if (low >= high) {
+        return INVCAL_BAD_RAILS;
+    }
+    moves->low = low;
+    moves->between = (uint32_t)high - (uint32_t)low - 1;
+    return INVCAL_OK;
+}
+
+/* A sample holds for the time since the one before: the rule of the end point. */
+void invcal_moves_feed(invcal_moves *moves, const int32_t raw[3])
+{
+    invcal_real th[3];
+
+    INVCAL_ASSERT(moves && raw);
+    invcal_apply_counts(&moves->nominal, raw, th);
+    for (unsigned i = 0; i < 3; i++) {
+        th[i] -= moves->bias[i];
+        moves->v[i] += th[i];
+        if ((uint32_t)raw[i] - (uint32_t)moves->low - 1u >= moves->between) {
+            moves->spoilt = INVCAL_REST_CLIPPED;
+        }
+    }
+    turn(moves->q, th);
+    moves->missing++;
+    if (!(invcal_dot3(moves->v, moves->v) < FULL) || moves->missing == MOST_SAMPLES) {
+        close_segment(moves, 0);
+    }
+}
+
+void invcal_moves_gap(invcal_moves *moves)
+{
+    INVCAL_ASSERT(moves);
+    moves->spoilt = INVCAL_MOVE_GAP;
+    close_segment(moves, 0);
+}
+
+void invcal_moves_follow(invcal_moves *moves, const invcal_rests *rests, invcal_event event)
+{
+    INVCAL_ASSERT(moves && rests);
+    if (event == INVCAL_NOTHING) {
+        return;
+    }
+    close_segment(moves, 1);
+    moves->blocks = (uint16_t)(moves->blocks + (moves->blocks < UINT16_MAX));
+    const unsigned bits = rests->bits;
+    const uint32_t resting = rests->pended > 0 ? (rests->time - rests->begin) >> bits : 0;
+    settle_until(moves, LATE, resting);
+    if (event == INVCAL_READY || event == INVCAL_TAKEN) {
+        settle_until(moves, ((rests->time - rests->end) >> bits) + CUT_OFF, resting);
+        if (moves->count == 0 && moves->still_samples > 0) {
+            subtract(moves);
+        }
+        if (event == INVCAL_TAKEN) {
+            keep_move(moves);
+        }
+    }
+}
+
+invcal_status invcal_moves_reason(const invcal_moves *moves, unsigned rest)
+{
+    INVCAL_ASSERT(moves && rest < moves->count);
+    return moves->move[rest] < 0 ? (invcal_status)-moves->move[rest] : INVCAL_OK;
+}
