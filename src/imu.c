@@ -9,18 +9,18 @@
 #include "solve.h"
 #include "sums.h"
 
-#define STEP (INVCAL_DOUBLE ? INVCAL_REAL(1e-9) : INVCAL_REAL(3e-6)) /* less is no step any more */
+#define STEP (INVCAL_DOUBLE ? INVCAL_REAL(1e-18) : INVCAL_REAL(1e-11)) /* squared; less is none */
+#define LAST_STEP INVCAL_REAL(1e-8)   /* the same after all passes */
 #define SQUARE_OF_5 INVCAL_REAL(25.0)
-#define ABSURD_TURN INVCAL_REAL(0.01)    /* residuals of 0.1 rad, squared */
-#define SAME_UP INVCAL_REAL(0.9962)      /* cosine of 5 degrees */
-#define NO_ANGLE INVCAL_REAL(0.0076)     /* 5 degrees, squared */
-#define WEAK_SQUARE INVCAL_REAL(6.25)    /* of sqrt(K) 2.5 */
-#define OPEN_SQUARE INVCAL_REAL(1e6)     /* of 1000 */
-#define SIGNIFICANT INVCAL_REAL(16.0)    /* 4 sigma, squared */
-#define USUAL_NOISE INVCAL_REAL(3e-4)    /* of a mean that nothing is known of */
-#define USUAL_DENSITY INVCAL_REAL(8.7e-5)
-#define USUAL_INSTABILITY INVCAL_REAL(1e-4)
-#define RIDGE INVCAL_REAL(1e-4)          /* of the trace: what is held by it is open */
+#define ABSURD_TURN INVCAL_REAL(0.01) /* residuals of 0.1 rad, squared */
+#define SAME_UP INVCAL_REAL(0.9962)   /* cosine of 5 degrees */
+#define NO_ANGLE INVCAL_REAL(0.0076)  /* 5 degrees, squared */
+#define WEAK_SQUARE INVCAL_REAL(6.25) /* of 2.5 */
+#define OPEN_SQUARE INVCAL_REAL(1e6)  /* of 1000 */
+#define SIGNIFICANT INVCAL_REAL(16.0) /* 4 sigma, squared */
+#define USUAL_NOISE INVCAL_REAL(3e-4) /* of a mean that nothing is known of */
+#define RIDGE INVCAL_REAL(1e-4)       /* of the trace: what is held by it is open */
+#define MUCH INVCAL_REAL(2.0)         /* times the variance that is stated: something is wrong */
 
 enum {
     ALL = INVCAL_IMU_PARAMETERS,
@@ -29,24 +29,16 @@ enum {
     SETTLED = 2,    /* passes after which residuals are those of noise */
     MOST_APART = 3, /* moves left out */
     LEAST_MOVES = 6,
-    BIAS = 5,         /* unknowns of a bias: constant, three of up, time */
+    BIAS = 5,         /* unknowns of a bias: three of up, time, constant */
     LEAST_RESTS = 12, /* for them */
+    STATED_ROWS = 4,  /* residuals that a stated noise counts as */
     SERIES_OF_TURN = INVCAL_DOUBLE ? 9 : 5
 };
 
 /* ---- a move ------------------------------------------------------------------------------------- */
 
-void invcal_cross(const invcal_real a[3], const invcal_real b[3], invcal_real out[3])
-{
-    for (unsigned i = 0; i < 3; i++) {
-        const unsigned j = i < 2 ? i + 1 : 0;
-        const unsigned k = 3 - i - j;
-        out[i] = a[j] * b[k] - a[k] * b[j];
-    }
-}
-
 /* out = C' a */
-static void turn_back(const invcal_real c[3][3], const invcal_real a[3], invcal_real out[3])
+static void turn_back(invcal_real c[3][3], const invcal_real a[3], invcal_real out[3])
 {
     for (unsigned i = 0; i < 3; i++) {
         out[i] = c[0][i] * a[0] + c[1][i] * a[1] + c[2][i] * a[2];
@@ -88,38 +80,33 @@ static void turn_segment(invcal_replay *r, const invcal_real v[3], const invcal_
 void invcal_replay_move(const invcal_imu_work *w, const invcal_segment *segment, unsigned count,
                         const invcal_real bias[3], const invcal_real up[3], invcal_replay *r)
 {
-    invcal_real m[3][3];
+    const invcal_real(*m)[3] = (const invcal_real(*)[3])w->x;
     invcal_real cofactors[3][3];
+    invcal_real v[3];
+    invcal_real f[3];
+    invcal_real th[3];
 
     invcal_zero(r, sizeof *r);
-    for (unsigned i = 0; i < 3; i++) {
-        for (unsigned j = 0; j < 3; j++) {
-            m[i][j] = w->x[3 * i + j];
-        }
-        m[i][i] += 1;
-        r->c[i][i] = 1;
-    }
-    (void)invcal_cofactors((const invcal_real(*)[3])m, cofactors);
+    r->c[0][0] = r->c[1][1] = r->c[2][2] = 1;
+    (void)invcal_cofactors(m, cofactors);
     for (; count > 0; count--) {
         const invcal_real time = invcal_number(segment->time / 2u) / w->moves->rate;
-        invcal_real v[3];
-        invcal_real kappa[3];
-        invcal_real f[3];
-        invcal_real th[3];
         for (unsigned i = 0; i < 3; i++) {
             v[i] = (invcal_real)segment->v[i] / INVCAL_V_UNIT;
-            kappa[i] = (invcal_real)segment->kappa[i] / INVCAL_KAPPA_UNIT;
         }
-        turn_back((const invcal_real(*)[3])r->c, up, f);
+        turn_back(r->c, up, f);
         invcal_cross(f, v, th); /* on the way: half of it */
         for (unsigned i = 0; i < 3; i++) {
             f[i] += th[i] / 2;
         }
         for (unsigned i = 0; i < 3; i++) {
-            v[i] -= time * (bias[i] + invcal_dot3(w->g[i], f));
+            v[i] -= time * (bias[i] + invcal_dot3(w->slope[i], f));
         }
         for (unsigned i = 0; i < 3; i++) {
-            th[i] = invcal_dot3(m[i], v) + invcal_dot3(cofactors[i], kappa);
+            f[i] = (invcal_real)segment->kappa[i] / INVCAL_KAPPA_UNIT;
+        }
+        for (unsigned i = 0; i < 3; i++) {
+            th[i] = invcal_dot3(m[i], v) + invcal_dot3(cofactors[i], f);
         }
         turn_segment(r, v, th);
         r->angle += invcal_dot3(th, th);
@@ -144,81 +131,77 @@ static invcal_real normalise(invcal_real v[3])
 static void add_row(invcal_imu_work *w, invcal_real h[ALL + 1], invcal_real y, invcal_real weight)
 {
     h[w->n] = -y;
-    invcal_rank_one(w->sum, h, w->n + 1, weight);
+    invcal_rank_one(w->pass.sum, h, w->n + 1, weight);
 }
 
 /* The length of a rest. */
 static void add_rest(invcal_imu_work *w, const invcal_real up[3], invcal_real excess)
 {
+    const invcal_real weight = 1 / w->rests.variance;
     invcal_real h[ALL + 1];
 
     invcal_zero(h, sizeof h);
     memcpy(&h[GYRO], up, 3 * sizeof *up);
     invcal_products(up, &h[GYRO]);
-    add_row(w, h, excess, 1 / w->rests.variance);
-    w->rests.squares += excess * excess / w->rests.variance;
+    add_row(w, h, excess, weight);
+    w->rests.squares += weight * excess * excess;
     w->rests.rows++;
 }
 
-/* The two angles across the way up of a move: with b across it, b'y = b'S de + (g1 D(u1) + g0 D(u0)) dp,
- * g1 = C'(u0 x b), g0 = b x a. */
-static void add_angles(invcal_imu_work *w, const invcal_replay *r, const invcal_real a[3],
+/* The angles of a move across the way up, along each axis as far as it is across: with b that part of it,
+ * b'y = b'S de + (g1 D(u1) + g0 D(u0)) dp, g1 = C'(u0 x b), g0 = b x a. The three rows are of rank two. */
+static void add_angles(invcal_imu_work *w, invcal_replay *r, const invcal_real a[3],
                        const invcal_real up[2][3], const invcal_real y[3], invcal_real weight)
 {
-    const invcal_real(*c)[3] = (const invcal_real(*)[3])r->c;
-    invcal_real h[ALL + 1 + INVCAL_PARAMETERS];
-    invcal_real *g0 = &h[ALL + 1];
-    invcal_real b[2][3] = {{0, 0, 0}, {0, 0, 0}};
-    unsigned least = 0;
+    invcal_real h[ALL + 1];
+    invcal_real g[INVCAL_PARAMETERS];
+    invcal_real b[3];
 
-    for (unsigned i = 1; i < 3; i++) {
-        least = INVCAL_FABS(up[0][i]) < INVCAL_FABS(up[0][least]) ? i : least;
-    }
-    b[1][least] = 1;
-    invcal_cross(up[0], b[1], b[0]);
-    (void)normalise(b[0]);
-    invcal_cross(up[0], b[0], b[1]);
-    for (unsigned k = 0; k < 2; k++) {
+    for (unsigned k = 0; k < 3; k++) {
+        for (unsigned i = 0; i < 3; i++) {
+            b[i] = (i == k ? 1 : 0) - up[0][k] * up[0][i];
+        }
         for (unsigned i = 0; i < GYRO; i++) {
-            h[i] = b[k][0] * r->s[0][i] + b[k][1] * r->s[1][i] + b[k][2] * r->s[2][i];
+            h[i] = b[0] * r->s[0][i] + b[1] * r->s[1][i] + b[2] * r->s[2][i];
         }
-        invcal_cross(up[0], b[k], g0);
-        turn_back(c, g0, &h[GYRO]);
+        invcal_cross(up[0], b, g);
+        turn_back(r->c, g, &h[GYRO]);
         invcal_products(up[1], &h[GYRO]);
-        invcal_cross(b[k], a, g0);
-        invcal_products(up[0], g0);
+        invcal_cross(b, a, g);
+        invcal_products(up[0], g);
         for (unsigned i = 0; i < INVCAL_PARAMETERS; i++) {
-            h[GYRO + i] += g0[i];
+            h[GYRO + i] += g[i];
         }
-        add_row(w, h, invcal_dot3(b[k], y), weight);
+        add_row(w, h, invcal_dot3(b, y), weight);
     }
 }
 
 /* Bias of a rest beyond that of the first, rad/s. */
-static invcal_real bias_of(const invcal_moves *m, unsigned rest, unsigned axis)
+static invcal_real bias_of(const invcal_still *rest, unsigned axis)
 {
-    return (invcal_real)m->rest[rest][axis] / INVCAL_KAPPA_UNIT;
+    return (invcal_real)rest->bias[axis] / INVCAL_KAPPA_UNIT;
 }
 
 /* What turns a into up0: 3 / (2 + cos) times the sine is the angle to its fifth power. */
 static void add_move(invcal_imu_work *w, unsigned rest, const invcal_segment *segment,
                      const invcal_real up[2][3])
 {
-    const invcal_moves *m = w->moves;
+    const invcal_imu_settings *s = w->settings;
+    const invcal_still *at = &w->moves->rest[rest];
+    const invcal_real density = s->rate_noise * s->rate_noise;
     invcal_replay r;
     invcal_real bias[3];
     invcal_real a[3];
     invcal_real y[3];
 
     for (unsigned i = 0; i < 3; i++) {
-        a[i] = (up[0][i] + up[1][i]) / 2;
+        bias[i] = (bias_of(at - 1, i) + bias_of(at, i) - invcal_dot3(w->slope[i], up[0]) -
+                   invcal_dot3(w->slope[i], up[1])) /
+                  2;
     }
-    for (unsigned i = 0; i < 3; i++) {
-        bias[i] = (bias_of(m, rest - 1, i) + bias_of(m, rest, i)) / 2 - invcal_dot3(w->g[i], a);
-    }
-    invcal_replay_move(w, segment, (unsigned)m->move[rest], bias, up[0], &r);
+    invcal_replay_move(w, segment, (unsigned)at->move, bias, up[0], &r);
     if (r.angle < NO_ANGLE && invcal_dot3(up[0], up[1]) > SAME_UP) {
-        w->idle |= (uint32_t)1 << rest;
+        w->pass.idle |= (uint32_t)1 << rest;
         return;
     }
     for (unsigned i = 0; i < 3; i++) {
@@ -229,34 +212,33 @@ static void add_move(invcal_imu_work *w, unsigned rest, const invcal_segment *se
     for (unsigned i = 0; i < 3; i++) {
         y[i] *= f;
     }
-    const invcal_real density = w->settings->rate_noise * w->settings->rate_noise;
-    const invcal_real drift = INVCAL_REAL(1.5) * w->settings->instability;
     const invcal_real variance =
-        w->moved.variance * (2 * w->settings->noise * w->settings->noise +
-                             r.time * (density + r.time * (density / 2 + drift * drift)));
+        w->moved.variance *
+        (2 * w->noise * w->noise +
+         r.time * (density + r.time * (density / 2 + INVCAL_REAL(2.25) * s->instability * s->instability)));
     const invcal_real square = invcal_dot3(y, y);
     add_angles(w, &r, a, up, y, 1 / variance);
     w->moved.squares += square / variance;
     w->moved.rows += 2;
-    w->variances += variance;
-    w->residuals += square;
-    if (!(square / variance <= w->worst_square)) {
-        w->worst_square = square / variance;
-        w->worst_residual = square;
-        w->worst = rest;
+    w->pass.variances += 2 * variance;
+    w->pass.residuals += square;
+    if (!(square / variance <= w->pass.worst_square)) {
+        w->pass.worst_square = square / variance;
+        w->pass.worst_residual = square;
+        w->pass.worst = rest;
     }
 }
 
-/* p is 0 with the standard deviation of the prior. */
+/* A parameter is that of nominal with the standard deviation of the prior. */
 static void add_prior(invcal_imu_work *w)
 {
     for (unsigned i = 0; i < w->n; i++) {
         const invcal_real sigma = w->settings->prior[i];
         if (sigma > 0) {
             const invcal_real weight = 1 / (sigma * sigma);
-            w->sum[INVCAL_PACKED(i, i)] += weight;
-            w->sum[INVCAL_PACKED(w->n, i)] += weight * w->x[i];
-            w->priors++;
+            w->pass.sum[INVCAL_PACKED(i, i)] += weight;
+            w->pass.sum[INVCAL_PACKED(w->n, i)] += weight * (w->x[i] - (i < GYRO && i % 4 == 0 ? 1 : 0));
+            w->pass.rows++;
         }
     }
 }
@@ -265,20 +247,19 @@ invcal_status invcal_imu_sum(invcal_imu_work *w)
 {
     const invcal_moves *m = w->moves;
     const invcal_segment *segment = m->segment;
+    const invcal_real *raw = w->raw;
     invcal_real up[2][3];
 
-    invcal_zero(w->sum, sizeof w->sum);
-    w->rests.squares = w->moved.squares = w->variances = w->residuals = 0;
-    w->rests.rows = w->moved.rows = w->priors = 0;
-    w->idle = 0;
-    w->worst_square = -1;
+    invcal_zero(&w->pass, sizeof w->pass);
+    w->rests.squares = w->moved.squares = 0;
+    w->rests.rows = w->moved.rows = 0;
     for (unsigned i = 0; i < m->count; i++) {
-        const unsigned segments = m->move[i] > 0 ? (unsigned)m->move[i] : 0;
+        const unsigned segments = m->rest[i].move > 0 ? (unsigned)m->rest[i].move : 0;
         if (i >= w->begin) {
-            invcal_apply(&w->accelerometer, &w->raw[3 * (size_t)(i - w->begin)], up[1]);
+            invcal_apply(w->accelerometer, raw, up[1]);
             const invcal_real length = normalise(up[1]);
             if (!(length >= INVCAL_REAL(0.1) && length <= 10)) {
-                return length <= INVCAL_REAL_MAX ? INVCAL_OUT_OF_RANGE : INVCAL_NOT_FINITE;
+                return INVCAL_OUT_OF_RANGE;
             }
             if (w->n == ALL) {
                 add_rest(w, up[1], length - 1);
@@ -287,9 +268,11 @@ invcal_status invcal_imu_sum(invcal_imu_work *w)
                 add_move(w, i, segment, (const invcal_real(*)[3])up);
             }
             memcpy(up[0], up[1], sizeof up[0]);
+            raw += 3;
         }
         segment += segments;
     }
+    w->pass.rows = w->rests.rows + w->moved.rows;
     add_prior(w);
     return INVCAL_OK;
 }
@@ -301,21 +284,19 @@ static void find_bias(invcal_imu_work *w, invcal_imu *out)
 {
     const invcal_moves *m = w->moves;
     const unsigned count = m->count - w->begin;
-    const invcal_real freedom = invcal_number(count) - BIAS;
-    const invcal_real span = invcal_number(m->when[m->count - 1] - m->when[w->begin]);
+    const uint16_t start = m->rest[w->begin].when;
+    const invcal_real span = invcal_number((unsigned)m->rest[m->count - 1].when - start);
     invcal_real a[INVCAL_PACKED_SIZE(BIAS + 1)];
     invcal_real h[BIAS + 1];
 
-    if (count < LEAST_RESTS) {
-        return;
-    }
-    for (unsigned axis = 0; axis < 3; axis++) {
+    for (unsigned axis = 0; axis < 3 && count >= LEAST_RESTS; axis++) {
         invcal_zero(a, sizeof a);
-        for (unsigned i = w->begin; i < m->count; i++) {
-            invcal_apply(&w->accelerometer, &w->raw[3 * (size_t)(i - w->begin)], h);
-            h[3] = invcal_number(m->when[i] - m->when[w->begin]) / span;
+        for (unsigned i = 0; i < count; i++) {
+            const invcal_still *rest = &m->rest[w->begin + i];
+            invcal_apply(w->accelerometer, &w->raw[3 * (size_t)i], h);
+            h[3] = invcal_number((unsigned)rest->when - start) / span;
             h[4] = 1;
-            h[BIAS] = -bias_of(m, i, axis);
+            h[BIAS] = -bias_of(rest, axis);
             invcal_rank_one(a, h, BIAS + 1, 1);
         }
         if (invcal_factor(a, BIAS, BIAS + 1, INVCAL_FLOOR) != INVCAL_OK) {
@@ -323,58 +304,50 @@ static void find_bias(invcal_imu_work *w, invcal_imu *out)
         }
         invcal_back_substitute(a, BIAS);
         const invcal_real *p = &a[INVCAL_PACKED(BIAS, 0)];
-        const invcal_real variance = p[BIAS] > 0 ? p[BIAS] / freedom : 0;
         invcal_invert(a, BIAS);
         for (unsigned i = 0; i < 4; i++) {
-            const invcal_real square = variance * invcal_variance(a, BIAS, i);
-            invcal_real *value = i < 3 ? &out->g_sensitivity[axis][i] : &out->drift[axis];
-            *(i < 3 ? &out->g_sigma[axis][i] : &out->drift_sigma[axis]) = INVCAL_SQRT(square);
-            *value = p[i];
+            const invcal_real square =
+                INVCAL_FABS(p[BIAS]) / invcal_number(count - BIAS) * invcal_variance(a, BIAS, i);
+            out->slope[axis][i] = p[i];
+            out->slope_sigma[axis][i] = INVCAL_SQRT(square);
             out->g_is_used |= i < 3 && p[i] * p[i] > SIGNIFICANT * square;
         }
     }
     if (out->g_is_used) {
-        memcpy(w->g, out->g_sensitivity, sizeof w->g);
+        memcpy(w->slope, out->slope, sizeof w->slope);
     }
 }
 
 /* ---- solution ----------------------------------------------------------------------------------- */
 
-static invcal_status check(const invcal_imu_settings *s, const invcal_calibration *accelerometer)
+static int is_spread(invcal_real x)
 {
+    return x >= 0 && x < 1;
+}
+
+invcal_status invcal_imu_begin(invcal_imu_work *w, const invcal_real *raw, unsigned count,
+                               const invcal_imu_settings *settings)
+{
+    static const invcal_imu_settings usual = INVCAL_IMU_USUAL;
+    const invcal_imu_settings *s = settings ? settings : &usual;
+    const unsigned both = count < w->moves->count ? count : w->moves->count;
+
     for (unsigned i = 0; i < ALL; i++) {
         if (!(s->prior[i] >= 0 && s->prior[i] <= INVCAL_REAL_MAX)) {
             return INVCAL_BAD_PRIOR;
         }
     }
-    return s->noise < 1 && invcal_is_positive(s->noise) && invcal_is_positive(s->rate_noise) &&
-                   invcal_is_positive(s->instability)
-               ? invcal_nominal_check(accelerometer)
-               : INVCAL_BAD_NOISE;
-}
-
-invcal_status invcal_imu_begin(invcal_imu_work *w, const invcal_real *raw, unsigned count,
-                               const invcal_calibration *accelerometer, const invcal_moves *moves,
-                               const invcal_imu_settings *settings)
-{
-    invcal_zero(w, sizeof *w);
-    if (settings) {
-        w->given = *settings;
+    if (!is_spread(s->noise) || !is_spread(s->rate_noise) || !is_spread(s->instability)) {
+        return INVCAL_BAD_NOISE;
     }
-    invcal_imu_settings *s = &w->given;
-    s->noise = s->noise == 0 ? USUAL_NOISE : s->noise;
-    s->rate_noise = s->rate_noise == 0 ? USUAL_DENSITY : s->rate_noise;
-    s->instability = s->instability == 0 ? USUAL_INSTABILITY : s->instability;
     w->settings = s;
+    w->noise = s->noise > 0 ? s->noise : USUAL_NOISE;
     w->n = s->held ? GYRO : ALL;
-    w->moves = moves;
-    w->accelerometer = *accelerometer;
-    const unsigned both = count < moves->count ? count : moves->count;
-    w->begin = moves->count - both;
+    w->begin = w->moves->count - both;
     w->raw = raw + 3 * (size_t)(count - both);
-    w->rests.variance = s->noise * s->noise;
+    w->rests.variance = w->noise * w->noise;
     w->moved.variance = 1;
-    return check(s, accelerometer);
+    return invcal_nominal_check(w->accelerometer);
 }
 
 /* Which of the 18 a small ridge holds. */
@@ -383,30 +356,30 @@ static uint32_t name_open(invcal_imu_work *w)
     uint32_t open = 0;
 
     (void)invcal_imu_sum(w); /* it was accepted before */
-    const invcal_real ridge = RIDGE * invcal_trace(w->sum, w->n) / invcal_number(w->n);
+    const invcal_real ridge = RIDGE * invcal_trace(w->pass.sum, w->n) / invcal_number(w->n);
     for (unsigned i = 0; i < w->n; i++) {
-        w->sum[INVCAL_PACKED(i, i)] += ridge;
+        w->pass.sum[INVCAL_PACKED(i, i)] += ridge;
     }
-    (void)invcal_factor(w->sum, w->n, w->n, 0);
-    invcal_invert(w->sum, w->n);
+    (void)invcal_factor(w->pass.sum, w->n, w->n, 0);
+    invcal_invert(w->pass.sum, w->n);
     for (unsigned i = 0; i < w->n; i++) {
-        const int is_held = ridge * invcal_variance(w->sum, w->n, i) <= INVCAL_REAL(0.1);
-        open |= (is_held ? (uint32_t)0 : 1) << i;
+        const int is_known = ridge * invcal_variance(w->pass.sum, w->n, i) <= INVCAL_REAL(0.1);
+        open |= (is_known ? (uint32_t)0 : 1) << i;
     }
     return open;
 }
 
-/* The unknowns of the accelerometer are those of what it calibrates by now. */
-static invcal_status step(invcal_imu_work *w, invcal_real *size)
+/* The unknowns of the accelerometer are those of what it calibrates by now: A = (I + S)^-1 behind it. */
+static invcal_status take_step(invcal_imu_work *w, invcal_real *size)
 {
-    const invcal_real *p = &w->sum[INVCAL_PACKED(w->n, 0)];
+    const invcal_real *p = &w->pass.sum[INVCAL_PACKED(w->n, 0)];
+    const invcal_calibration before = *w->accelerometer;
     invcal_calibration triad;
 
-    *size = 0;
     for (unsigned i = 0; i < w->n; i++) {
         w->x[i] += p[i];
-        *size += p[i] * p[i];
     }
+    *size = invcal_dot(p, p, w->n);
     if (w->n == GYRO) {
         return INVCAL_OK;
     }
@@ -414,126 +387,126 @@ static invcal_status step(invcal_imu_work *w, invcal_real *size)
     if (status != INVCAL_OK) {
         return status;
     }
-    const invcal_calibration before = w->accelerometer;
-    w->accelerometer = triad;
-    return invcal_behind(&before, &w->accelerometer);
+    *w->accelerometer = triad;
+    return invcal_behind(&before, w->accelerometer);
 }
 
-/* What the residuals of a kind make of its variance. */
-static void weigh(invcal_imu_rows *rows, invcal_real stated, invcal_real share, invcal_quality *q)
+/* From now on with the variance that residuals of a kind show; a stated one counts as some of them. */
+static void weigh(invcal_imu_rows *rows, invcal_real share, int is_stated, invcal_imu *out)
 {
+    const invcal_real stated = is_stated ? STATED_ROWS : 0;
     const invcal_real dof = share * invcal_number(rows->rows);
 
-    q->dof = invcal_whole(dof);
-    invcal_weigh_noise(stated, rows->squares, q);
-    if (q->sigma_dof > 0) {
-        rows->variance *= q->noise * q->noise;
+    if (is_stated && rows->squares > MUCH * (dof + STATED_ROWS)) {
+        out->verdict = INVCAL_ROUGH;
+    }
+    if (dof + stated >= 1) {
+        rows->variance *= (stated + rows->squares) / (stated + dof);
     }
 }
 
-/* From now on with the noise that residuals show, and without a move that is far from the others. */
-static int adapt(invcal_imu_work *w, invcal_quality *q)
+/* Weighs once; before that, leaves out a move that is far from the others. */
+static void adapt(invcal_imu_work *w, invcal_imu *out)
 {
-    const unsigned rows = w->rests.rows + w->moved.rows;
     const unsigned moves = w->moved.rows / 2;
-    const invcal_real others = w->moved.squares - w->worst_square;
+    const invcal_real others = w->moved.squares - w->pass.worst_square;
 
     if (moves > LEAST_MOVES && w->apart < MOST_APART &&
-        w->worst_square * invcal_number(moves - 1) > SQUARE_OF_5 * others) {
-        w->left_out |= (uint32_t)1 << w->worst;
+        w->pass.worst_square * invcal_number(moves - 1) > SQUARE_OF_5 * others) {
+        w->left_out |= (uint32_t)1 << w->pass.worst;
         w->apart++;
-        return 1;
-    }
-    if (!w->is_weighed && rows + w->priors > w->n) {
-        const invcal_real share =
-            invcal_number(rows + w->priors - w->n) / invcal_number(rows + w->priors);
-        weigh(&w->rests, w->is_stated ? 1 : 0, share, q);
-        weigh(&w->moved, 1, share, q);
-    }
-    w->is_weighed = 1;
-    return 0;
+    } else if (!w->is_weighed) {
+        const invcal_real share = invcal_number(w->pass.rows - w->n) / invcal_number(w->pass.rows);
+        w->is_weighed = 1;
+        weigh(&w->rests, share, w->settings->noise > 0, out);
+        weigh(&w->moved, share, 1, out);
+    } /* cppcheck-suppress misra-c2012-15.7 ; both is done */
 }
 
-static invcal_status iterate(invcal_imu_work *w, invcal_quality *q, invcal_imu *out)
+static invcal_status iterate(invcal_imu_work *w, invcal_imu *out)
 {
     invcal_real size = 1;
+    int is_done = 0;
 
-    for (unsigned pass = 0; pass < PASSES; pass++) {
-        if (pass == 1) {
+    while (!is_done && out->passes < PASSES) { /* at most so many */
+        if (out->passes == 1) {
             find_bias(w, out);
         }
         invcal_status status = invcal_imu_sum(w);
+        if (status == INVCAL_OK && (w->moved.rows == 0 || w->pass.rows < w->n)) {
+            status = INVCAL_TOO_FEW;
+        }
         if (status != INVCAL_OK) {
             return status;
         }
-        if (w->moved.rows == 0 || w->rests.rows + w->moved.rows + w->priors < w->n) {
-            return INVCAL_TOO_FEW;
+        is_done = w->is_weighed;
+        if (out->passes >= SETTLED) {
+            adapt(w, out);
         }
-        out->passes = (uint8_t)(pass + 1);
-        const int was_weighed = w->is_weighed;
-        const int is_disturbed = pass >= SETTLED && adapt(w, q);
-        out->condition = invcal_trace(w->sum, w->n);
-        if (invcal_factor(w->sum, w->n, w->n + 1, INVCAL_FLOOR) != INVCAL_OK) {
+        if (invcal_factor(w->pass.sum, w->n, w->n + 1, INVCAL_FLOOR) != INVCAL_OK) {
             out->open = name_open(w);
             return INVCAL_UNDETERMINED;
         }
-        invcal_back_substitute(w->sum, w->n);
-        status = step(w, &size);
+        invcal_back_substitute(w->pass.sum, w->n);
+        status = take_step(w, &size);
         if (status != INVCAL_OK) {
             return status;
         }
-        if (was_weighed && !is_disturbed && size < STEP * STEP) {
-            break;
-        }
+        is_done = is_done && size < STEP;
+        out->passes++;
     }
-    /* after all passes a step of a tenth of a milliradian is no end */
-    return w->residuals < ABSURD_TURN * invcal_number(w->moved.rows) && size < INVCAL_REAL(1e-8)
+    return w->pass.residuals < ABSURD_TURN * invcal_number(w->moved.rows) && size < LAST_STEP
                ? INVCAL_OK
                : INVCAL_MOUNTING;
 }
 
-/* sigma, and what is weak beside a row of its kind. */
-static invcal_status judge(invcal_imu_work *w, invcal_quality *q, invcal_imu *out)
+/* sigma, and what is weak beside a move. */
+static invcal_status judge(invcal_imu_work *w, invcal_imu *out)
 {
-    const invcal_real of_moves = w->variances * 2 / invcal_number(w->moved.rows);
+    const invcal_real of_moves = w->pass.variances / invcal_number(w->moved.rows);
     invcal_status status = INVCAL_OK;
 
-    invcal_invert(w->sum, w->n);
-    out->condition = invcal_condition(w->sum, w->n, out->condition);
+    invcal_invert(w->pass.sum, w->n);
     for (unsigned i = 0; i < w->n; i++) {
-        const invcal_real k = invcal_variance(w->sum, w->n, i);
-        const invcal_real unit = i < GYRO ? of_moves : w->rests.variance;
+        const invcal_real k = invcal_variance(w->pass.sum, w->n, i);
         out->sigma[i] = INVCAL_SQRT(k);
-        if (!(k <= WEAK_SQUARE * unit)) {
+        if (!(k <= WEAK_SQUARE * of_moves)) {
             out->open |= (uint32_t)1 << i;
-            invcal_raise(q, INVCAL_WEAK);
+            out->verdict = INVCAL_WEAK;
         }
-        if (!(k <= OPEN_SQUARE * unit)) {
+        if (!(k <= OPEN_SQUARE * of_moves)) {
             status = INVCAL_UNDETERMINED;
         }
     }
+    out->move_noise = INVCAL_SQRT(of_moves);
     return status;
 }
 
-/* The symmetric frame of the accelerometer: both are turned by what steps have turned it. */
+/* Nominal readings are free of the mean bias of the rests, less what g-sensitivity makes of it. */
 static void deliver(invcal_imu_work *w, invcal_imu *out)
 {
     const invcal_moves *m = w->moves;
-    const invcal_real count = invcal_number(m->count - w->begin);
+    invcal_calibration nominal = m->nominal;
 
     for (unsigned i = 0; i < 3; i++) {
         invcal_real sum = 0;
         for (unsigned k = w->begin; k < m->count; k++) {
-            sum += bias_of(m, k, i);
+            sum += bias_of(&m->rest[k], i);
         }
-        out->gyro.offset[i] = m->bias[i] * m->rate + sum / count;
-        for (unsigned j = 0; j < 3; j++) {
-            out->gyro.matrix[i][j] = w->x[3 * i + j];
-        }
-        out->gyro.matrix[i][i] += 1;
+        out->gyro.offset[i] = m->bias[i] * m->rate + sum / invcal_number(m->count - w->begin);
     }
-    out->accelerometer = w->accelerometer;
-    memcpy(out->parameter, w->x, sizeof out->parameter);
+    memcpy(out->gyro.matrix, w->x, sizeof out->gyro.matrix);
+    (void)invcal_scale(&nominal, m->rate);
+    (void)invcal_behind(&nominal, &out->gyro);
+    out->noise = INVCAL_SQRT(w->rests.variance);
+    out->move_rms = INVCAL_SQRT(w->pass.residuals / invcal_number(w->moved.rows));
+    out->move_max = INVCAL_SQRT(w->pass.worst_residual);
+    out->worst = (uint8_t)w->pass.worst;
+    out->moves = (uint8_t)(w->moved.rows / 2);
+    out->dof = (uint16_t)(w->pass.rows - w->n);
+    if (out->verdict == INVCAL_GOOD && out->dof == 0) {
+        out->verdict = INVCAL_NO_REDUNDANCY;
+    }
 }
 
 invcal_status invcal_imu_solve(const invcal_real *raw, unsigned count,
@@ -541,37 +514,26 @@ invcal_status invcal_imu_solve(const invcal_real *raw, unsigned count,
                                const invcal_imu_settings *settings, invcal_imu *out)
 {
     invcal_imu_work w;
-    invcal_quality q;
 
     INVCAL_ASSERT((raw || count == 0) && accelerometer && moves && out);
+    invcal_zero(&w, sizeof w);
     invcal_zero(out, sizeof *out);
-    invcal_judge_begin(&q);
-    invcal_status status = invcal_imu_begin(&w, raw, count, accelerometer, moves, settings);
-    w.is_stated = settings && settings->noise > 0;
+    out->accelerometer = *accelerometer;
+    w.moves = moves;
+    w.accelerometer = &out->accelerometer;
+    w.x = out->parameter;
+    w.x[0] = w.x[4] = w.x[8] = 1;
+    invcal_status status = invcal_imu_begin(&w, raw, count, settings);
     if (status == INVCAL_OK) {
-        status = iterate(&w, &q, out);
+        status = iterate(&w, out);
     }
     out->left_out = w.left_out;
-    out->idle = w.idle;
+    out->idle = w.pass.idle;
     if (status == INVCAL_OK) {
-        status = judge(&w, &q, out);
+        status = judge(&w, out);
     }
-    if (status != INVCAL_OK) {
-        return status;
+    if (status == INVCAL_OK) {
+        deliver(&w, out);
     }
-    deliver(&w, out);
-    const unsigned rows = w.rests.rows + w.moved.rows + w.priors;
-    invcal_calibration nominal = moves->nominal;
-    (void)invcal_scale(&nominal, moves->rate);
-    (void)invcal_behind(&nominal, &out->gyro);
-    out->dof = (uint16_t)(rows - w.n);
-    invcal_raise(&q, out->dof > 0 ? INVCAL_GOOD : INVCAL_NO_REDUNDANCY);
-    out->verdict = q.verdict;
-    out->noise = INVCAL_SQRT(w.rests.variance);
-    out->move_noise = INVCAL_SQRT(2 * w.variances / invcal_number(w.moved.rows));
-    out->move_rms = INVCAL_SQRT(w.residuals / invcal_number(w.moved.rows));
-    out->move_max = INVCAL_SQRT(w.worst_residual);
-    out->worst = (uint8_t)w.worst;
-    out->moves = (uint8_t)(w.moved.rows / 2);
-    return INVCAL_OK;
+    return status;
 }

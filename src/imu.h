@@ -18,22 +18,26 @@ typedef struct {
 /* What a pass works on, and what it leaves. */
 typedef struct {
     const invcal_moves *moves;
-    const invcal_real *raw;              /* means of the rests from begin on */
-    const invcal_imu_settings *settings; /* given */
-    invcal_imu_settings given;
-    invcal_calibration accelerometer; /* by now */
-    unsigned n;                       /* unknowns: 18, 9, or none for the residuals alone */
-    unsigned begin;                   /* first rest of moves that has a mean */
-    unsigned priors;
-    unsigned worst, apart;
-    int is_stated, is_weighed;
-    uint32_t left_out, idle;
+    const invcal_real *raw; /* means of the rests from begin on */
+    const invcal_imu_settings *settings;
+    invcal_calibration *accelerometer; /* by now */
+    invcal_real *x;                    /* 18 parameters by now */
+    invcal_real noise;                 /* of a mean, as stated or usual */
+    invcal_real slope[3][4];           /* g-sensitivity, if it is used */
+    unsigned n;                        /* unknowns: 18, 9, or none for the residuals alone */
+    unsigned begin;                    /* first rest of moves that has a mean */
+    unsigned apart;                    /* moves left out */
+    int is_weighed;
+    uint32_t left_out;
     invcal_imu_rows rests, moved;
+    struct {
+    unsigned rows;       /* with priors */
+    unsigned worst;      /* move */
+    uint32_t idle;
     invcal_real variances, residuals;         /* sums over moves */
     invcal_real worst_square, worst_residual; /* over its variance; in rad^2 */
-    invcal_real x[INVCAL_IMU_PARAMETERS];     /* by now */
-    invcal_real g[3][3];                      /* g-sensitivity: rad/s per field */
     invcal_real sum[INVCAL_PACKED_SIZE(INVCAL_IMU_PARAMETERS + 1)];
+    } pass; /* what it leaves */
 } invcal_imu_work;
 
 /* A move, integrated again. */
@@ -47,12 +51,11 @@ typedef struct {
 void invcal_replay_move(const invcal_imu_work *work, const invcal_segment *segment, unsigned count,
                         const invcal_real bias[3], const invcal_real up[3], invcal_replay *replay);
 
-/* INVCAL_BAD_... of what it begins with. */
+/* The rest of what a solution begins with, moves, accelerometer and x being set. INVCAL_BAD_... of it. */
 invcal_status invcal_imu_begin(invcal_imu_work *work, const invcal_real *raw, unsigned count,
-                               const invcal_calibration *accelerometer, const invcal_moves *moves,
                                const invcal_imu_settings *settings);
 
-/* All equations. INVCAL_NOT_FINITE, INVCAL_OUT_OF_RANGE of a mean. */
+/* All equations. INVCAL_OUT_OF_RANGE of a mean. */
 invcal_status invcal_imu_sum(invcal_imu_work *work);
 
 #endif

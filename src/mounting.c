@@ -21,7 +21,7 @@ static void set_way(invcal_imu_work *w, unsigned k, invcal_real unit, int8_t axe
         axes[i] = (int8_t)(is_negative ? -(int)of[i] - 1 : (int)of[i] + 1);
         for (unsigned j = 0; j < 3; j++) {
             const invcal_real element = j == of[i] ? unit : 0;
-            w->x[3 * i + j] = (is_negative ? -element : element) - (i == j ? 1 : 0);
+            w->x[3 * i + j] = is_negative ? -element : element;
         }
     }
 }
@@ -49,13 +49,19 @@ invcal_status invcal_imu_mounting(const invcal_real *raw, unsigned count,
                                   int8_t axes[3], invcal_real *unit)
 {
     invcal_imu_work w;
+    invcal_calibration held = *accelerometer;
+    invcal_real x[INVCAL_GYRO_PARAMETERS];
     int8_t best_axes[3] = {0, 0, 0};
     invcal_real best = INVCAL_REAL_MAX;
     invcal_real next = INVCAL_REAL_MAX;
     invcal_real best_unit = 1;
 
     INVCAL_ASSERT((raw || count == 0) && accelerometer && moves && axes && unit);
-    invcal_status status = invcal_imu_begin(&w, raw, count, accelerometer, moves, NULL);
+    invcal_zero(&w, sizeof w);
+    w.moves = moves;
+    w.accelerometer = &held;
+    w.x = x;
+    invcal_status status = invcal_imu_begin(&w, raw, count, NULL);
     const unsigned stuck = find_stuck(moves);
     w.n = 0;
     for (unsigned k = 0; k < 2 * SIGNS * ORDERS && status == INVCAL_OK; k++) {
@@ -72,7 +78,7 @@ invcal_status invcal_imu_mounting(const invcal_real *raw, unsigned count,
             way[i] = (int8_t)((stuck >> axis & 1u) != 0 ? 0 : way[i]);
             is_another |= way[i] != best_axes[i];
         }
-        const invcal_real squares = w.residuals;
+        const invcal_real squares = w.pass.residuals;
         if (squares < best) {
             next = is_another ? best : next;
             best = squares;

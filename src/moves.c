@@ -22,23 +22,20 @@ enum {
 /* ---- rotations ---------------------------------------------------------------------------------- */
 
 /* q <- q exp(th / 2), for 1/2 rad right to 3e-7, for 0.05 rad to 1e-13. */
-static void turn(invcal_real q[4], const invcal_real th[3])
+static INVCAL_OFTEN void turn(invcal_real q[4], const invcal_real th[3])
 {
     const invcal_real x = invcal_dot3(th, th);
-    const invcal_real s = INVCAL_REAL(0.5) - x * (1 - x * INVCAL_REAL(0.0125)) / 48;
+    const invcal_real s = (1 - x * (1 - x / 80) / 24) / 2;
     const invcal_real c = 1 - x * (1 - x * (1 - x / 120) / 48) / 8;
-    const invcal_real a = s * th[0];
-    const invcal_real b = s * th[1];
-    const invcal_real d = s * th[2];
     const invcal_real w = q[0];
-    const invcal_real i = q[1];
-    const invcal_real j = q[2];
-    const invcal_real k = q[3];
+    invcal_real a[3];
 
-    q[0] = w * c - i * a - j * b - k * d;
-    q[1] = w * a + i * c + j * d - k * b;
-    q[2] = w * b - i * d + j * c + k * a;
-    q[3] = w * d + i * b - j * a + k * c;
+    invcal_cross(&q[1], th, a);
+    q[0] = w * c - s * invcal_dot3(&q[1], th);
+    INVCAL_UNROLL
+    for (unsigned i = 0; i < 3; i++) {
+        q[i + 1] = c * q[i + 1] + s * (w * th[i] + a[i]);
+    }
 }
 
 /* 2 asin |q| / |q| times q: its rotation vector. The series suits angles up to a radian. */
@@ -132,32 +129,31 @@ static void take_out(invcal_moves *m, unsigned from, unsigned to)
 }
 
 /* The segment in the making is closed; what rounding leaves begins the next. Where the table is full the
- * oldest of this move goes, which is then of no use. */
+ * last one is lost. */
 INVCAL_APART static void close_segment(invcal_moves *m, unsigned mark)
 {
-    invcal_segment s;
-
     if (m->used == INVCAL_MAX_SEGMENTS) {
-        m->fault = INVCAL_NO_SPACE;
-        m->before = INVCAL_NO_SPACE;
-        take_out(m, m->first, m->first + 1u);
-        m->fixed = (uint16_t)(m->fixed - (m->fixed > m->first));
-        m->cut = (uint16_t)(m->cut - (m->cut != NOWHERE && m->cut > m->first));
+        m->used--;
+        m->marks = (uint8_t)(m->marks - (m->segment[m->used].time & 1u));
+        m->spoilt = INVCAL_NO_SPACE;
     }
-    s.time = (uint16_t)(2u * m->missing + mark);
-    if (!pack_segment(m->q, m->v, &s) && m->spoilt == INVCAL_OK) {
+    invcal_segment *s = &m->segment[m->used++];
+    s->time = (uint16_t)(2u * m->missing + mark);
+    if (!pack_segment(m->q, m->v, s) && m->spoilt == INVCAL_OK) {
         m->spoilt = INVCAL_MOUNTING;
     }
     begin_rotation(m->q);
     for (unsigned i = 0; i < 3; i++) {
-        m->v[i] = m->spoilt == INVCAL_OK ? m->v[i] - (invcal_real)s.v[i] / INVCAL_V_UNIT : 0;
+        m->v[i] -= (invcal_real)s->v[i] / INVCAL_V_UNIT;
+        if (m->spoilt != INVCAL_OK) {
+            m->v[i] = 0;
+        }
         m->q[i + 1] = m->v[i] / 2;
     }
     if (m->spoilt != INVCAL_OK) {
-        s.v[0] = SPOILT;
-        s.kappa[0] = m->spoilt;
+        s->v[0] = SPOILT;
+        s->kappa[0] = m->spoilt;
     }
-    m->segment[m->used++] = s;
     m->marks = (uint8_t)(m->marks + mark);
     m->missing = 0;
     m->spoilt = INVCAL_OK;
@@ -184,43 +180,46 @@ static void forget_rest(invcal_moves *m)
  * way. */
 static void settle(invcal_moves *m, int is_rest)
 {
-    const invcal_segment s = m->segment[m->fixed];
-    const unsigned samples = s.time / 2u;
+    invcal_segment *s = &m->segment[m->fixed];
+    const unsigned samples = s->time / 2u;
+    unsigned fault = INVCAL_OK;
+    int is_lost = 1;
 
-    m->marks = (uint8_t)(m->marks - (s.time & 1u));
+    m->marks = (uint8_t)(m->marks - (s->time & 1u));
     m->samples += m->samples < INT32_MAX ? samples : 0;
     if (!is_rest) {
         forget_rest(m);
     } else if (m->cut == NOWHERE) {
         m->cut = m->fixed;
-        m->before = m->fault;
     } /* cppcheck-suppress misra-c2012-15.7 ; it goes on */
-    const int is_long = (invcal_real)m->samples > LONGEST_MOVE * m->rate;
-    if (s.v[0] == SPOILT) {
-        find_fault(m, (unsigned)s.kappa[0]);
+    if (s->v[0] == SPOILT) {
+        find_fault(m, (unsigned)s->kappa[0]);
     } else {
         if (is_rest && m->still_samples < MOST_STILL) {
             m->still_samples += samples;
             for (unsigned i = 0; i < 3; i++) {
-                m->still[i] += s.v[i];
+                m->still[i] += s->v[i];
             }
         }
-        if (!is_rest && is_long) {
-            find_fault(m, INVCAL_MOVE_LONG);
+        fault = (invcal_real)m->samples > LONGEST_MOVE * m->rate ? INVCAL_MOVE_LONG
+                : m->fixed + SPARE >= INVCAL_MAX_SEGMENTS        ? INVCAL_NO_SPACE
+                                                                 : INVCAL_OK;
+        if (!is_rest) {
+            find_fault(m, fault);
         }
-        if (!is_long && (m->fixed == m->first || m->fixed == m->cut ||
-                         !merge(&m->segment[m->fixed - 1], &s))) {
-            m->fixed++;
-            return;
-        }
+        is_lost = fault != INVCAL_OK || (m->fixed != m->first && m->fixed != m->cut && merge(s - 1, s));
     }
-    take_out(m, m->fixed, m->fixed + 1u);
+    if (is_lost) {
+        take_out(m, m->fixed, m->fixed + 1u);
+    } else {
+        m->fixed++;
+    }
 }
 
 /* All but the newest blocks. The rest, if there is one, began `resting` blocks ago. */
-INVCAL_APART static void settle_until(invcal_moves *m, uint32_t newest, uint32_t resting)
+static void settle_until(invcal_moves *m, uint32_t newest, uint32_t resting)
 {
-    while (m->marks > newest) { /* a segment each: at most INVCAL_MAX_SEGMENTS steps */
+    while (m->marks > newest && m->fixed < m->used) { /* a segment each: at most INVCAL_MAX_SEGMENTS steps */
         settle(m, m->marks <= resting);
     }
 }
@@ -243,58 +242,42 @@ static void subtract(invcal_moves *m)
 
 static void drop_oldest(invcal_moves *m)
 {
-    const unsigned segments = m->move[1] > 0 ? (unsigned)m->move[1] : 0;
+    const unsigned segments = m->rest[1].move > 0 ? (unsigned)m->rest[1].move : 0;
 
     take_out(m, 0, segments);
-    m->first = (uint16_t)(m->first - segments);
     m->fixed = (uint16_t)(m->fixed - segments);
     m->count--;
     for (unsigned i = 0; i < m->count; i++) {
-        m->move[i] = m->move[i + 1];
-        m->when[i] = m->when[i + 1];
-        for (unsigned k = 0; k < 3; k++) {
-            m->rest[i][k] = m->rest[i + 1][k];
-        }
+        memcpy(&m->rest[i], &m->rest[i + 1], sizeof m->rest[i]);
     }
-    m->move[0] = -INVCAL_TOO_FEW;
+    m->rest[0].move = -INVCAL_TOO_FEW;
 }
 
 /* The move ends where the rest began. */
 static void keep_move(invcal_moves *m)
 {
-    const int is_cut = m->cut != NOWHERE;
-    unsigned end = is_cut ? m->cut : m->fixed;
-    unsigned fault = is_cut ? m->before : m->fault;
-
-    if (m->count == 0) {
-        fault = INVCAL_TOO_FEW;
-    } else if (fault == INVCAL_OK) {
-        fault = end == m->first                        ? INVCAL_MOVE_GAP
-                : end - m->first > MOST_SEGMENTS       ? INVCAL_MOUNTING
-                : end + SPARE > INVCAL_MAX_SEGMENTS    ? INVCAL_NO_SPACE
-                                                       : INVCAL_OK;
-    } /* cppcheck-suppress misra-c2012-15.7 ; it is known */
-    if (fault != INVCAL_OK) {
-        end = m->first;
-    }
-    take_out(m, end, m->fixed);
-    m->fixed = (uint16_t)end;
-    if (m->count == INVCAL_MAX_MOVES) {
-        drop_oldest(m);
-        end = m->fixed;
-    }
-    const unsigned n = m->count;
+    const unsigned end = m->cut != NOWHERE ? m->cut : m->fixed;
+    const unsigned segments = end - m->first;
     const invcal_real pace =
         m->rate * INVCAL_KAPPA_UNIT / (INVCAL_V_UNIT * invcal_number(m->still_samples));
-    for (unsigned i = 0; i < 3; i++) {
-        if (m->still_samples == 0 || !pack((invcal_real)m->still[i] * pace, &m->rest[n][i])) {
-            m->rest[n][i] = 0;
-        }
+    invcal_still *rest;
+
+    find_fault(m, m->count == 0               ? INVCAL_TOO_FEW
+                  : segments == 0             ? INVCAL_MOVE_GAP
+                  : segments > MOST_SEGMENTS  ? INVCAL_MOUNTING
+                                              : INVCAL_OK);
+    take_out(m, m->fault == INVCAL_OK ? end : m->first, m->fixed);
+    m->fixed = (uint16_t)(m->fault == INVCAL_OK ? end : m->first);
+    if (m->count == INVCAL_MAX_MOVES) {
+        drop_oldest(m);
     }
-    m->when[n] = m->blocks;
-    m->move[n] = (int8_t)(fault == INVCAL_OK ? (int)(end - m->first) : -(int)fault);
-    m->count = (uint8_t)(n + 1);
-    m->first = (uint16_t)end;
+    rest = &m->rest[m->count++];
+    for (unsigned i = 0; i < 3; i++) { /* without a sample: 0 / 0, and so 0 */
+        (void)pack((invcal_real)m->still[i] * pace, &rest->bias[i]);
+    }
+    rest->when = m->blocks;
+    rest->move = (int8_t)(m->fault == INVCAL_OK ? (int)segments : -(int)m->fault);
+    m->first = m->fixed;
     m->samples = 0;
     m->fault = INVCAL_OK;
     forget_rest(m);
@@ -371,20 +354,18 @@ void invcal_moves_follow(invcal_moves *moves, const invcal_rests *rests, invcal_
     moves->blocks = (uint16_t)(moves->blocks + (moves->blocks < UINT16_MAX));
     const unsigned bits = rests->bits;
     const uint32_t resting = rests->pended > 0 ? (rests->time - rests->begin) >> bits : 0;
-    settle_until(moves, LATE, resting);
-    if (event == INVCAL_READY || event == INVCAL_TAKEN) {
-        settle_until(moves, ((rests->time - rests->end) >> bits) + CUT_OFF, resting);
-        if (moves->count == 0 && moves->still_samples > 0) {
-            subtract(moves);
-        }
-        if (event == INVCAL_TAKEN) {
-            keep_move(moves);
-        }
+    const int is_told = event == INVCAL_READY || event == INVCAL_TAKEN;
+    settle_until(moves, is_told ? ((rests->time - rests->end) >> bits) + CUT_OFF : LATE, resting);
+    if (is_told && moves->count == 0 && moves->still_samples > 0) {
+        subtract(moves);
+    }
+    if (event == INVCAL_TAKEN) {
+        keep_move(moves);
     }
 }
 
 invcal_status invcal_moves_reason(const invcal_moves *moves, unsigned rest)
 {
     INVCAL_ASSERT(moves && rest < moves->count);
-    return moves->move[rest] < 0 ? (invcal_status)-moves->move[rest] : INVCAL_OK;
+    return moves->rest[rest].move < 0 ? (invcal_status)-moves->rest[rest].move : INVCAL_OK;
 }

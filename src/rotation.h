@@ -11,6 +11,4 @@
 #define INVCAL_V_UNIT INVCAL_REAL(32768.0)      /* of segment.v */
 #define INVCAL_KAPPA_UNIT INVCAL_REAL(262144.0) /* of segment.kappa, and of a rest's bias */
 
-void invcal_cross(const invcal_real a[3], const invcal_real b[3], invcal_real out[3]);
-
 #endif

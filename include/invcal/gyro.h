@@ -63,6 +63,13 @@ typedef struct {
     uint16_t time;    /* twice the samples; and 1 if a block of rests ends with it */
 } invcal_segment;
 
+/* A rest, and the move that led to it. */
+typedef struct {
+    int16_t bias[3]; /* beyond moves.bias, 2^-18 rad/s */
+    uint16_t when;   /* it was taken, in blocks */
+    int8_t move;     /* segments; or -status: invcal_moves_reason */
+} invcal_still;
+
 /* All moves: 3.2 kB (float). What is not called internal may be read. */
 typedef struct {
     invcal_calibration nominal; /* internal: rad per count and sample */
@@ -81,12 +88,9 @@ typedef struct {
     uint16_t used;              /* internal: segments altogether */
     uint8_t marks;              /* internal: blocks among those not merged */
     uint8_t fault;              /* internal: of the move */
-    uint8_t before;             /* internal: of the move before the rest began */
     uint8_t spoilt;             /* internal: of the segment in the making */
     uint8_t count;              /* rests */
-    int8_t move[INVCAL_MAX_MOVES];      /* segments that led to rest i; or -status */
-    uint16_t when[INVCAL_MAX_MOVES];    /* rest i was taken, in blocks */
-    int16_t rest[INVCAL_MAX_MOVES][3];  /* its bias beyond `bias`, 2^-18 rad/s */
+    invcal_still rest[INVCAL_MAX_MOVES];
     invcal_segment segment[INVCAL_MAX_SEGMENTS]; /* of all moves, in their order */
 } invcal_moves;
 
@@ -131,42 +135,43 @@ invcal_status invcal_moves_reason(const invcal_moves *moves, unsigned rest);
 
 enum { INVCAL_GYRO_PARAMETERS = 9, INVCAL_IMU_PARAMETERS = 18 };
 
-/* What is known beforehand. All zero: nothing. */
+/* What is known beforehand. */
 typedef struct {
-    /* 1: the accelerometer is calibrated, the gyroscope alone is solved; 0: both */
-    uint8_t held;
+    uint8_t held;            /* 1: the accelerometer is calibrated, the gyroscope alone is solved */
     invcal_real noise;       /* standard deviation of a position mean, over field; 0: not known */
-    invcal_real rate_noise;  /* density, rad/s/sqrt(Hz); 0: 8.7e-5 */
-    invcal_real instability; /* of the bias, rad/s; 0: 1e-4 */
-    invcal_real prior[INVCAL_IMU_PARAMETERS]; /* standard deviations; 0: not known */
+    invcal_real rate_noise;  /* density, rad/s/sqrt(Hz) */
+    invcal_real instability; /* of the bias, rad/s */
+    invcal_real prior[INVCAL_IMU_PARAMETERS]; /* standard deviations from nominal; 0: not known */
 } invcal_imu_settings;
 
-/* The result. Parameters: E of the gyroscope by rows, true rate = (I + E) nominal rate; then the nine of the
- * accelerometer in the order of invcal.h. */
+/* Where nothing is known: a consumer's gyroscope, 0.005 degrees/s/sqrt(Hz) and 20 degrees/h. */
+#define INVCAL_IMU_USUAL {0, 0, INVCAL_REAL(8.7e-5), INVCAL_REAL(1e-4), {0}}
+
+/* The result. */
 typedef struct {
     invcal_calibration gyro;          /* raw counts to rad/s, in the axes of the accelerometer */
     invcal_calibration accelerometer; /* raw counts to field; as handed over where it is held */
-    invcal_real parameter[INVCAL_IMU_PARAMETERS]; /* of the accelerometer: sum of the steps */
-    invcal_real sigma[INVCAL_IMU_PARAMETERS];     /* standard deviations; 0 of what is held */
-    invcal_real g_sensitivity[3][3];              /* rad/s per field, of bias beside what is up */
-    invcal_real g_sigma[3][3];                    /* 0: too few rests to tell */
-    invcal_real drift[3];       /* of the bias from the first rest to the last, rad/s */
-    invcal_real drift_sigma[3]; /* of it */
-    invcal_real noise;          /* of a position mean behind sigma, over field */
-    invcal_real move_noise;     /* of a move, rad on each axis, root mean square */
-    invcal_real rest_rms;       /* residuals of lengths, over field */
-    invcal_real move_rms;       /* residuals of moves, rad on each axis */
-    invcal_real move_max;       /* the largest, both axes together, rad */
-    invcal_real condition;      /* of the equations: trace of them and of their inverse */
-    uint32_t left_out;          /* bit i: the move to rest i contradicts the others: INVCAL_MOVE_APART */
-    uint32_t idle;              /* bit i: it turned nothing: INVCAL_REST_SAME */
-    uint32_t open;              /* bit r: parameter r is undetermined; or weak: sqrt(K) above 2.5 */
-    uint16_t dof;               /* degrees of freedom left to the residuals */
-    uint8_t worst;              /* the rest that the move of move_max led to */
-    uint8_t moves;              /* that made it */
-    uint8_t passes;             /* that it took */
-    uint8_t verdict;            /* an invcal_verdict: good, no redundancy, rough, weak */
-    uint8_t g_is_used;          /* g_sensitivity is beyond chance, and was taken from the moves */
+    /* M of the gyroscope by rows, true rate = M nominal rate; then the nine of the accelerometer in the
+     * order of invcal.h, to the first order */
+    invcal_real parameter[INVCAL_IMU_PARAMETERS];
+    invcal_real sigma[INVCAL_IMU_PARAMETERS]; /* standard deviations; 0 of what is held */
+    /* Of the bias, axis by axis: g-sensitivity, rad/s per field along x, y, z; and its drift from the first
+     * rest to the last, rad/s. Their standard deviations are 0 if fewer than 12 rests tell them. */
+    invcal_real slope[3][4];
+    invcal_real slope_sigma[3][4];
+    invcal_real noise;      /* of a position mean behind sigma, over field */
+    invcal_real move_noise; /* of a move, rad on each axis, root mean square */
+    invcal_real move_rms;   /* residuals of moves, rad on each axis, root mean square */
+    invcal_real move_max;   /* the largest, both axes together, rad */
+    uint32_t left_out;      /* bit i: the move to rest i contradicts the others: INVCAL_MOVE_APART */
+    uint32_t idle;          /* bit i: it turned nothing: INVCAL_REST_SAME */
+    uint32_t open;          /* bit r: parameter r is undetermined; or weak: sigma above 2.5 move_noise */
+    uint16_t dof;           /* degrees of freedom left to the residuals */
+    uint8_t worst;          /* the rest that the move of move_max led to */
+    uint8_t moves;          /* that made it */
+    uint8_t passes;         /* that it took */
+    uint8_t verdict;        /* an invcal_verdict: good, no redundancy, rough, weak */
+    uint8_t g_is_used; /* some g-sensitivity is beyond 4 sigma: it was taken from the moves */
 } invcal_imu;
 
 /* Solves both sensors, or the gyroscope beside a calibrated accelerometer.
@@ -175,18 +180,19 @@ typedef struct {
  *                rest of moves, the one before to that before, and so on: more of either are left alone.
  * count          of them.
  * accelerometer  nominal calibration, or the one that is held.
- * settings       or null.
+ * settings       INVCAL_IMU_USUAL, and what is known better; or null.
  * out            the result; may not be what accelerometer points into.
  *
  * It takes up to 6 passes of Gauss and Newton. Moves whose residual is beyond 5 times that of the others
  * are left out, three at most, once six are there.
  *
  * Returns INVCAL_OK; else out is lost:
- *   INVCAL_BAD_NOMINAL, INVCAL_BAD_NOISE, INVCAL_BAD_PRIOR, INVCAL_NOT_FINITE, INVCAL_OUT_OF_RANGE;
+ *   INVCAL_BAD_NOMINAL    the accelerometer's;
+ *   INVCAL_BAD_NOISE, INVCAL_BAD_PRIOR    of the settings: negative, not finite, or noise of 1 and more;
+ *   INVCAL_OUT_OF_RANGE   a mean is no reading of this field;
  *   INVCAL_TOO_FEW        no moves, or fewer equations than unknowns;
  *   INVCAL_UNDETERMINED   out->open names what is left open;
  *   INVCAL_MOUNTING       residuals of 0.1 rad, or no end after 6 passes: invcal_imu_mounting tells more;
- *   INVCAL_NOT_ELLIPSOID  the accelerometer's readings lie on none.
  * Cost: 400,000 instructions a pass for 25 rests and 24 moves, 4 to 5 passes. Stack: about 1,500 bytes. */
 invcal_status invcal_imu_solve(const invcal_real *raw, unsigned count,
                                const invcal_calibration *accelerometer, const invcal_moves *moves,
