@@ -20,6 +20,7 @@
 #define SIGNIFICANT INVCAL_REAL(16.0) /* 4 sigma, squared */
 #define USUAL_NOISE INVCAL_REAL(3e-4) /* of a mean that nothing is known of */
 #define RIDGE INVCAL_REAL(1e-4)       /* of the trace: what is held by it is open */
+#define HELD_BY_RIDGE INVCAL_REAL(0.1)  /* a share */
 #define MUCH INVCAL_REAL(2.0)         /* times the variance that is stated: something is wrong */
 
 enum {
@@ -32,13 +33,14 @@ enum {
     BIAS = 5,         /* unknowns of a bias: three of up, time, constant */
     LEAST_RESTS = 12, /* for them */
     STATED_ROWS = 4,  /* residuals that a stated noise counts as */
+    UNITY = 0x111,  /* parameters that are 1 of an ideal gyroscope */
     SERIES_OF_TURN = INVCAL_DOUBLE ? 9 : 5
 };
 
 /* ---- a move ------------------------------------------------------------------------------------- */
 
 /* out = C' a */
-static void turn_back(invcal_real c[3][3], const invcal_real a[3], invcal_real out[3])
+static void turn_back(invcal_real (*c)[3], const invcal_real a[3], invcal_real out[3])
 {
     for (unsigned i = 0; i < 3; i++) {
         out[i] = c[0][i] * a[0] + c[1][i] * a[1] + c[2][i] * a[2];
@@ -76,9 +78,10 @@ static void turn_segment(invcal_replay *r, const invcal_real v[3], const invcal_
     }
 }
 
-/* The bias of a segment beyond that of the move is G times what is up in its middle. */
+/* The bias of a segment beyond that of the move, which is the mean of two rests, is G times what is up in its
+ * middle beyond the mean of theirs. */
 void invcal_replay_move(const invcal_imu_work *w, const invcal_segment *segment, unsigned count,
-                        const invcal_real bias[3], const invcal_real up[3], invcal_replay *r)
+                        const invcal_real bias[3], const invcal_real up[2][3], invcal_replay *r)
 {
     const invcal_real(*m)[3] = (const invcal_real(*)[3])w->x;
     invcal_real cofactors[3][3];
@@ -91,20 +94,16 @@ void invcal_replay_move(const invcal_imu_work *w, const invcal_segment *segment,
     (void)invcal_cofactors(m, cofactors);
     for (; count > 0; count--) {
         const invcal_real time = invcal_number(segment->time / 2u) / w->moves->rate;
-        for (unsigned i = 0; i < 3; i++) {
-            v[i] = (invcal_real)segment->v[i] / INVCAL_V_UNIT;
-        }
-        turn_back(r->c, up, f);
+        invcal_unpack(segment->v, INVCAL_V_UNIT, v);
+        turn_back(r->c, up[0], f);
         invcal_cross(f, v, th); /* on the way: half of it */
         for (unsigned i = 0; i < 3; i++) {
-            f[i] += th[i] / 2;
+            f[i] += (th[i] - up[0][i] - up[1][i]) / 2;
         }
         for (unsigned i = 0; i < 3; i++) {
             v[i] -= time * (bias[i] + invcal_dot3(w->slope[i], f));
         }
-        for (unsigned i = 0; i < 3; i++) {
-            f[i] = (invcal_real)segment->kappa[i] / INVCAL_KAPPA_UNIT;
-        }
+        invcal_unpack(segment->kappa, INVCAL_KAPPA_UNIT, f);
         for (unsigned i = 0; i < 3; i++) {
             th[i] = invcal_dot3(m[i], v) + invcal_dot3(cofactors[i], f);
         }
@@ -117,15 +116,11 @@ void invcal_replay_move(const invcal_imu_work *w, const invcal_segment *segment,
 
 /* ---- equations ---------------------------------------------------------------------------------- */
 
-/* Length 1; returns what it was. */
-static invcal_real normalise(invcal_real v[3])
+INVCAL_APART static void lengthen(invcal_real v[3], invcal_real times)
 {
-    const invcal_real length = INVCAL_SQRT(invcal_dot3(v, v));
-
     for (unsigned i = 0; i < 3; i++) {
-        v[i] /= length;
+        v[i] *= times;
     }
-    return length;
 }
 
 static void add_row(invcal_imu_work *w, invcal_real h[ALL + 1], invcal_real y, invcal_real weight)
@@ -176,12 +171,6 @@ static void add_angles(invcal_imu_work *w, invcal_replay *r, const invcal_real a
     }
 }
 
-/* Bias of a rest beyond that of the first, rad/s. */
-static invcal_real bias_of(const invcal_still *rest, unsigned axis)
-{
-    return (invcal_real)rest->bias[axis] / INVCAL_KAPPA_UNIT;
-}
-
 /* What turns a into up0: 3 / (2 + cos) times the sine is the angle to its fifth power. */
 static void add_move(invcal_imu_work *w, unsigned rest, const invcal_segment *segment,
                      const invcal_real up[2][3])
@@ -194,12 +183,12 @@ static void add_move(invcal_imu_work *w, unsigned rest, const invcal_segment *se
     invcal_real a[3];
     invcal_real y[3];
 
+    invcal_unpack(at[-1].bias, INVCAL_KAPPA_UNIT, a);
+    invcal_unpack(at->bias, INVCAL_KAPPA_UNIT, y);
     for (unsigned i = 0; i < 3; i++) {
-        bias[i] = (bias_of(at - 1, i) + bias_of(at, i) - invcal_dot3(w->slope[i], up[0]) -
-                   invcal_dot3(w->slope[i], up[1])) /
-                  2;
+        bias[i] = (a[i] + y[i]) / 2;
     }
-    invcal_replay_move(w, segment, (unsigned)at->move, bias, up[0], &r);
+    invcal_replay_move(w, segment, (unsigned)at->move, bias, up, &r);
     if (r.angle < NO_ANGLE && invcal_dot3(up[0], up[1]) > SAME_UP) {
         w->pass.idle |= (uint32_t)1 << rest;
         return;
@@ -208,10 +197,7 @@ static void add_move(invcal_imu_work *w, unsigned rest, const invcal_segment *se
         a[i] = invcal_dot3(r.c[i], up[1]);
     }
     invcal_cross(a, up[0], y);
-    const invcal_real f = 3 / (2 + invcal_dot3(a, up[0]));
-    for (unsigned i = 0; i < 3; i++) {
-        y[i] *= f;
-    }
+    lengthen(y, 3 / (2 + invcal_dot3(a, up[0])));
     const invcal_real variance =
         w->moved.variance *
         (2 * w->noise * w->noise +
@@ -232,12 +218,14 @@ static void add_move(invcal_imu_work *w, unsigned rest, const invcal_segment *se
 /* A parameter is that of nominal with the standard deviation of the prior. */
 static void add_prior(invcal_imu_work *w)
 {
-    for (unsigned i = 0; i < w->n; i++) {
-        const invcal_real sigma = w->settings->prior[i];
+    const invcal_real *prior = w->settings->prior;
+
+    for (unsigned i = 0; prior && i < w->n; i++) {
+        const invcal_real sigma = prior[i];
         if (sigma > 0) {
             const invcal_real weight = 1 / (sigma * sigma);
             w->pass.sum[INVCAL_PACKED(i, i)] += weight;
-            w->pass.sum[INVCAL_PACKED(w->n, i)] += weight * (w->x[i] - (i < GYRO && i % 4 == 0 ? 1 : 0));
+            w->pass.sum[INVCAL_PACKED(w->n, i)] += weight * (w->x[i] - invcal_number((unsigned)UNITY >> i & 1u));
             w->pass.rows++;
         }
     }
@@ -257,7 +245,8 @@ invcal_status invcal_imu_sum(invcal_imu_work *w)
         const unsigned segments = m->rest[i].move > 0 ? (unsigned)m->rest[i].move : 0;
         if (i >= w->begin) {
             invcal_apply(w->accelerometer, raw, up[1]);
-            const invcal_real length = normalise(up[1]);
+            const invcal_real length = INVCAL_SQRT(invcal_dot3(up[1], up[1]));
+            lengthen(up[1], 1 / length);
             if (!(length >= INVCAL_REAL(0.1) && length <= 10)) {
                 return INVCAL_OUT_OF_RANGE;
             }
@@ -296,7 +285,7 @@ static void find_bias(invcal_imu_work *w, invcal_imu *out)
             invcal_apply(w->accelerometer, &w->raw[3 * (size_t)i], h);
             h[3] = invcal_number((unsigned)rest->when - start) / span;
             h[4] = 1;
-            h[BIAS] = -bias_of(rest, axis);
+            h[BIAS] = -(invcal_real)rest->bias[axis] / INVCAL_KAPPA_UNIT;
             invcal_rank_one(a, h, BIAS + 1, 1);
         }
         if (invcal_factor(a, BIAS, BIAS + 1, INVCAL_FLOOR) != INVCAL_OK) {
@@ -320,11 +309,6 @@ static void find_bias(invcal_imu_work *w, invcal_imu *out)
 
 /* ---- solution ----------------------------------------------------------------------------------- */
 
-static int is_spread(invcal_real x)
-{
-    return x >= 0 && x < 1;
-}
-
 invcal_status invcal_imu_begin(invcal_imu_work *w, const invcal_real *raw, unsigned count,
                                const invcal_imu_settings *settings)
 {
@@ -332,12 +316,13 @@ invcal_status invcal_imu_begin(invcal_imu_work *w, const invcal_real *raw, unsig
     const invcal_imu_settings *s = settings ? settings : &usual;
     const unsigned both = count < w->moves->count ? count : w->moves->count;
 
-    for (unsigned i = 0; i < ALL; i++) {
-        if (!(s->prior[i] >= 0 && s->prior[i] <= INVCAL_REAL_MAX)) {
+    for (unsigned i = 0; s->prior && i < ALL; i++) {
+        if (!(s->prior[i] >= 0)) {
             return INVCAL_BAD_PRIOR;
         }
     }
-    if (!is_spread(s->noise) || !is_spread(s->rate_noise) || !is_spread(s->instability)) {
+    if (!(s->noise >= 0 && s->rate_noise >= 0 && s->instability >= 0 &&
+          s->noise + s->rate_noise + s->instability < 1)) {
         return INVCAL_BAD_NOISE;
     }
     w->settings = s;
@@ -350,31 +335,12 @@ invcal_status invcal_imu_begin(invcal_imu_work *w, const invcal_real *raw, unsig
     return invcal_nominal_check(w->accelerometer);
 }
 
-/* Which of the 18 a small ridge holds. */
-static uint32_t name_open(invcal_imu_work *w)
-{
-    uint32_t open = 0;
-
-    (void)invcal_imu_sum(w); /* it was accepted before */
-    const invcal_real ridge = RIDGE * invcal_trace(w->pass.sum, w->n) / invcal_number(w->n);
-    for (unsigned i = 0; i < w->n; i++) {
-        w->pass.sum[INVCAL_PACKED(i, i)] += ridge;
-    }
-    (void)invcal_factor(w->pass.sum, w->n, w->n, 0);
-    invcal_invert(w->pass.sum, w->n);
-    for (unsigned i = 0; i < w->n; i++) {
-        const int is_known = ridge * invcal_variance(w->pass.sum, w->n, i) <= INVCAL_REAL(0.1);
-        open |= (is_known ? (uint32_t)0 : 1) << i;
-    }
-    return open;
-}
-
-/* The unknowns of the accelerometer are those of what it calibrates by now: A = (I + S)^-1 behind it. */
+/* The unknowns of the accelerometer are those of what it calibrates by now: A = (I + S)^-1 behind it. To the
+ * first order, as another step follows. */
 static invcal_status take_step(invcal_imu_work *w, invcal_real *size)
 {
     const invcal_real *p = &w->pass.sum[INVCAL_PACKED(w->n, 0)];
     const invcal_calibration before = *w->accelerometer;
-    invcal_calibration triad;
 
     for (unsigned i = 0; i < w->n; i++) {
         w->x[i] += p[i];
@@ -383,11 +349,14 @@ static invcal_status take_step(invcal_imu_work *w, invcal_real *size)
     if (w->n == GYRO) {
         return INVCAL_OK;
     }
-    const invcal_status status = invcal_triad(&p[GYRO], &triad);
-    if (status != INVCAL_OK) {
-        return status;
+    p += GYRO;
+    for (unsigned i = 0; i < 3; i++) {
+        for (unsigned j = 0; j < 3; j++) {
+            w->accelerometer->matrix[i][j] =
+                i == j ? 1 - p[INVCAL_DK_X + i] : -p[INVCAL_GAMMA_XY + i + j - 1] / 2;
+        }
+        w->accelerometer->offset[i] = p[i];
     }
-    *w->accelerometer = triad;
     return invcal_behind(&before, w->accelerometer);
 }
 
@@ -397,11 +366,13 @@ static void weigh(invcal_imu_rows *rows, invcal_real share, int is_stated, invca
     const invcal_real stated = is_stated ? STATED_ROWS : 0;
     const invcal_real dof = share * invcal_number(rows->rows);
 
-    if (is_stated && rows->squares > MUCH * (dof + STATED_ROWS)) {
-        out->verdict = INVCAL_ROUGH;
-    }
+    const invcal_real times = (stated + rows->squares) / (stated + dof);
+
     if (dof + stated >= 1) {
-        rows->variance *= (stated + rows->squares) / (stated + dof);
+        rows->variance *= times;
+        if (is_stated && times > MUCH) {
+            out->verdict = INVCAL_ROUGH;
+        }
     }
 }
 
@@ -443,9 +414,9 @@ static invcal_status iterate(invcal_imu_work *w, invcal_imu *out)
         if (out->passes >= SETTLED) {
             adapt(w, out);
         }
-        if (invcal_factor(w->pass.sum, w->n, w->n + 1, INVCAL_FLOOR) != INVCAL_OK) {
-            out->open = name_open(w);
-            return INVCAL_UNDETERMINED;
+        status = invcal_factor(w->pass.sum, w->n, w->n + 1, INVCAL_FLOOR);
+        if (status != INVCAL_OK) {
+            return status;
         }
         invcal_back_substitute(w->pass.sum, w->n);
         status = take_step(w, &size);
@@ -460,53 +431,59 @@ static invcal_status iterate(invcal_imu_work *w, invcal_imu *out)
                : INVCAL_MOUNTING;
 }
 
-/* sigma, and what is weak beside a move. */
-static invcal_status judge(invcal_imu_work *w, invcal_imu *out)
+/* sigma, and what is weak: of which K is more. Returns the largest K. */
+static invcal_real judge(invcal_imu_work *w, invcal_real most, invcal_imu *out)
 {
-    const invcal_real of_moves = w->pass.variances / invcal_number(w->moved.rows);
-    invcal_status status = INVCAL_OK;
+    invcal_real largest = 0;
 
     invcal_invert(w->pass.sum, w->n);
     for (unsigned i = 0; i < w->n; i++) {
         const invcal_real k = invcal_variance(w->pass.sum, w->n, i);
         out->sigma[i] = INVCAL_SQRT(k);
-        if (!(k <= WEAK_SQUARE * of_moves)) {
-            out->open |= (uint32_t)1 << i;
-            out->verdict = INVCAL_WEAK;
-        }
-        if (!(k <= OPEN_SQUARE * of_moves)) {
-            status = INVCAL_UNDETERMINED;
-        }
+        out->open |= (k <= most ? (uint32_t)0 : 1) << i;
+        largest = k <= largest ? largest : k;
     }
-    out->move_noise = INVCAL_SQRT(of_moves);
-    return status;
+    return largest;
+}
+
+/* A small ridge holds what is open. */
+static void name_open(invcal_imu_work *w, invcal_imu *out)
+{
+    (void)invcal_imu_sum(w); /* it was accepted before */
+    const invcal_real ridge = RIDGE * invcal_trace(w->pass.sum, w->n) / invcal_number(w->n);
+    for (unsigned i = 0; i < w->n; i++) {
+        w->pass.sum[INVCAL_PACKED(i, i)] += ridge;
+    }
+    (void)invcal_factor(w->pass.sum, w->n, w->n, 0);
+    (void)judge(w, HELD_BY_RIDGE / ridge, out);
 }
 
 /* Nominal readings are free of the mean bias of the rests, less what g-sensitivity makes of it. */
 static void deliver(invcal_imu_work *w, invcal_imu *out)
 {
     const invcal_moves *m = w->moves;
-    invcal_calibration nominal = m->nominal;
 
     for (unsigned i = 0; i < 3; i++) {
-        invcal_real sum = 0;
+        int32_t sum = 0;
         for (unsigned k = w->begin; k < m->count; k++) {
-            sum += bias_of(&m->rest[k], i);
+            sum += m->rest[k].bias[i];
         }
-        out->gyro.offset[i] = m->bias[i] * m->rate + sum / invcal_number(m->count - w->begin);
+        out->gyro.offset[i] =
+            m->bias[i] + (invcal_real)sum / (INVCAL_KAPPA_UNIT * invcal_number(m->count - w->begin));
     }
     memcpy(out->gyro.matrix, w->x, sizeof out->gyro.matrix);
-    (void)invcal_scale(&nominal, m->rate);
-    (void)invcal_behind(&nominal, &out->gyro);
+    (void)invcal_behind(&m->nominal, &out->gyro);
     out->noise = INVCAL_SQRT(w->rests.variance);
     out->move_rms = INVCAL_SQRT(w->pass.residuals / invcal_number(w->moved.rows));
     out->move_max = INVCAL_SQRT(w->pass.worst_residual);
     out->worst = (uint8_t)w->pass.worst;
     out->moves = (uint8_t)(w->moved.rows / 2);
     out->dof = (uint16_t)(w->pass.rows - w->n);
-    if (out->verdict == INVCAL_GOOD && out->dof == 0) {
+    if (out->open != 0) {
+        out->verdict = INVCAL_WEAK;
+    } else if (out->verdict == INVCAL_GOOD && out->dof == 0) {
         out->verdict = INVCAL_NO_REDUNDANCY;
-    }
+    } /* cppcheck-suppress misra-c2012-15.7 ; good or rough */
 }
 
 invcal_status invcal_imu_solve(const invcal_real *raw, unsigned count,
@@ -530,10 +507,14 @@ invcal_status invcal_imu_solve(const invcal_real *raw, unsigned count,
     out->left_out = w.left_out;
     out->idle = w.pass.idle;
     if (status == INVCAL_OK) {
-        status = judge(&w, out);
-    }
-    if (status == INVCAL_OK) {
+        const invcal_real of_moves = w.pass.variances / invcal_number(w.moved.rows);
+        if (!(judge(&w, WEAK_SQUARE * of_moves, out) <= OPEN_SQUARE * of_moves)) {
+            return INVCAL_UNDETERMINED;
+        }
+        out->move_noise = INVCAL_SQRT(of_moves);
         deliver(&w, out);
-    }
+    } else if (status == INVCAL_UNDETERMINED) {
+        name_open(&w, out);
+    } /* cppcheck-suppress misra-c2012-15.7 ; there is nothing to tell */
     return status;
 }

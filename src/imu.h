@@ -47,9 +47,10 @@ typedef struct {
     invcal_real time, angle;                  /* seconds; squares of its segments, rad^2 */
 } invcal_replay;
 
-/* bias, rad/s, of all segments; up: at its beginning. */
+/* bias, rad/s, of the move; up: before and after it. */
 void invcal_replay_move(const invcal_imu_work *work, const invcal_segment *segment, unsigned count,
-                        const invcal_real bias[3], const invcal_real up[3], invcal_replay *replay);
+                        const invcal_real bias[3], const invcal_real up[2][3],
+                        invcal_replay *replay);
 
 /* The rest of what a solution begins with, moves, accelerometer and x being set. INVCAL_BAD_... of it. */
 invcal_status invcal_imu_begin(invcal_imu_work *work, const invcal_real *raw, unsigned count,

@@ -21,27 +21,26 @@ enum {
 
 /* ---- rotations ---------------------------------------------------------------------------------- */
 
-/* q <- q exp(th / 2), for 1/2 rad right to 3e-7, for 0.05 rad to 1e-13. */
-static INVCAL_OFTEN void turn(invcal_real q[4], const invcal_real th[3])
+/* q <- q exp(th / 2), q and the sine of a half turn less its real part. For 1/2 rad right to 3e-7. */
+static INVCAL_OFTEN void turn(invcal_real q[3], const invcal_real th[3])
 {
     const invcal_real x = invcal_dot3(th, th);
     const invcal_real s = (1 - x * (1 - x / 80) / 24) / 2;
-    const invcal_real c = 1 - x * (1 - x * (1 - x / 120) / 48) / 8;
-    const invcal_real w = q[0];
+    const invcal_real c = INVCAL_SQRT(1 - x * s * s);
+    const invcal_real w = INVCAL_SQRT(1 - invcal_dot3(q, q)) * s;
     invcal_real a[3];
 
-    invcal_cross(&q[1], th, a);
-    q[0] = w * c - s * invcal_dot3(&q[1], th);
+    invcal_cross(q, th, a);
     INVCAL_UNROLL
     for (unsigned i = 0; i < 3; i++) {
-        q[i + 1] = c * q[i + 1] + s * (w * th[i] + a[i]);
+        q[i] = c * q[i] + w * th[i] + s * a[i];
     }
 }
 
 /* 2 asin |q| / |q| times q: its rotation vector. The series suits angles up to a radian. */
-static void take_log(const invcal_real q[4], invcal_real rho[3])
+static void take_log(const invcal_real q[3], invcal_real rho[3])
 {
-    const invcal_real x = invcal_dot3(&q[1], &q[1]);
+    const invcal_real x = invcal_dot3(q, q);
     invcal_real f = 1;
 
     for (unsigned k = SERIES; k > 0; k--) {
@@ -49,14 +48,8 @@ static void take_log(const invcal_real q[4], invcal_real rho[3])
         f = 1 + f * x * odd * odd / ((odd + 1) * (odd + 2));
     }
     for (unsigned i = 0; i < 3; i++) {
-        rho[i] = 2 * f * q[i + 1];
+        rho[i] = 2 * f * q[i];
     }
-}
-
-static void begin_rotation(invcal_real q[4])
-{
-    invcal_zero(q, 4 * sizeof *q);
-    q[0] = 1;
 }
 
 /* ---- segments ----------------------------------------------------------------------------------- */
@@ -71,7 +64,7 @@ static int pack(invcal_real x, int16_t *out)
 }
 
 /* What v does not hold of the rotation q; 0 if either is too large. */
-static int pack_segment(const invcal_real q[4], const invcal_real v[3], invcal_segment *out)
+static int pack_segment(const invcal_real q[3], const invcal_real v[3], invcal_segment *out)
 {
     invcal_real rho[3];
     int fits = 1;
@@ -84,12 +77,22 @@ static int pack_segment(const invcal_real q[4], const invcal_real v[3], invcal_s
     return fits;
 }
 
-static void turn_by_segment(invcal_real q[4], const invcal_segment *s)
+INVCAL_APART void invcal_unpack(const int16_t packed[3], invcal_real unit, invcal_real out[3])
+{
+    for (unsigned i = 0; i < 3; i++) {
+        out[i] = (invcal_real)packed[i] / unit;
+    }
+}
+
+static void turn_by_segment(invcal_real q[3], const invcal_segment *s)
 {
     invcal_real rho[3];
+    invcal_real kappa[3];
 
+    invcal_unpack(s->v, INVCAL_V_UNIT, rho);
+    invcal_unpack(s->kappa, INVCAL_KAPPA_UNIT, kappa);
     for (unsigned i = 0; i < 3; i++) {
-        rho[i] = (invcal_real)s->v[i] / INVCAL_V_UNIT + (invcal_real)s->kappa[i] / INVCAL_KAPPA_UNIT;
+        rho[i] += kappa[i];
     }
     turn(q, rho);
 }
@@ -98,7 +101,7 @@ static void turn_by_segment(invcal_real q[4], const invcal_segment *s)
 static int merge(invcal_segment *a, const invcal_segment *b)
 {
     const unsigned samples = (a->time / 2u) + (b->time / 2u);
-    invcal_real q[4];
+    invcal_real q[3] = {0, 0, 0};
     invcal_real v[3];
     invcal_segment both;
 
@@ -108,7 +111,6 @@ static int merge(invcal_segment *a, const invcal_segment *b)
     if (invcal_dot3(v, v) > FULL || samples > MOST_SAMPLES) {
         return 0;
     }
-    begin_rotation(q);
     turn_by_segment(q, a);
     turn_by_segment(q, b);
     both.time = (uint16_t)(2 * samples);
@@ -142,13 +144,12 @@ INVCAL_APART static void close_segment(invcal_moves *m, unsigned mark)
     if (!pack_segment(m->q, m->v, s) && m->spoilt == INVCAL_OK) {
         m->spoilt = INVCAL_MOUNTING;
     }
-    begin_rotation(m->q);
     for (unsigned i = 0; i < 3; i++) {
         m->v[i] -= (invcal_real)s->v[i] / INVCAL_V_UNIT;
         if (m->spoilt != INVCAL_OK) {
             m->v[i] = 0;
         }
-        m->q[i + 1] = m->v[i] / 2;
+        m->q[i] = m->v[i] / 2;
     }
     if (m->spoilt != INVCAL_OK) {
         s->v[0] = SPOILT;
@@ -224,20 +225,17 @@ static void settle_until(invcal_moves *m, uint32_t newest, uint32_t resting)
     }
 }
 
-/* What v of the samples that are not merged holds beyond a bias. */
+/* From now on v is free of the bias of the first rest. Its newest blocks, still with it, are quiet ones. */
 static void subtract(invcal_moves *m)
 {
+    const invcal_real pace = m->rate / (INVCAL_V_UNIT * invcal_number(m->still_samples));
+
     for (unsigned i = 0; i < 3; i++) {
-        const invcal_real bias = (invcal_real)m->still[i] / invcal_number(m->still_samples);
-        m->bias[i] += bias / INVCAL_V_UNIT;
+        m->bias[i] += (invcal_real)m->still[i] * pace;
         m->still[i] = 0;
-        for (unsigned k = m->fixed; k < m->used; k++) {
-            invcal_segment *s = &m->segment[k];
-            if (s->v[0] != SPOILT) {
-                (void)pack((invcal_real)s->v[i] - bias * invcal_number(s->time / 2u), &s->v[i]);
-            }
-        }
     }
+    m->used = m->fixed;
+    m->marks = 0;
 }
 
 static void drop_oldest(invcal_moves *m)
@@ -298,9 +296,7 @@ invcal_status invcal_moves_init(invcal_moves *moves, const invcal_calibration *n
     }
     invcal_zero(moves, sizeof *moves);
     moves->nominal = *nominal;
-    (void)invcal_scale(&moves->nominal, 1 / rate);
     moves->rate = rate;
-    begin_rotation(moves->q);
     forget_rest(moves);
     return invcal_moves_rails(moves, INT32_MIN, INT32_MAX);
 }
@@ -324,7 +320,7 @@ void invcal_moves_feed(invcal_moves *moves, const int32_t raw[3])
     INVCAL_ASSERT(moves && raw);
     invcal_apply_counts(&moves->nominal, raw, th);
     for (unsigned i = 0; i < 3; i++) {
-        th[i] -= moves->bias[i];
+        th[i] = (th[i] - moves->bias[i]) / moves->rate;
         moves->v[i] += th[i];
         if ((uint32_t)raw[i] - (uint32_t)moves->low - 1u >= moves->between) {
             moves->spoilt = INVCAL_REST_CLIPPED;
@@ -356,7 +352,7 @@ void invcal_moves_follow(invcal_moves *moves, const invcal_rests *rests, invcal_
     const uint32_t resting = rests->pended > 0 ? (rests->time - rests->begin) >> bits : 0;
     const int is_told = event == INVCAL_READY || event == INVCAL_TAKEN;
     settle_until(moves, is_told ? ((rests->time - rests->end) >> bits) + CUT_OFF : LATE, resting);
-    if (is_told && moves->count == 0 && moves->still_samples > 0) {
+    if (event == INVCAL_READY && moves->count == 0 && moves->still_samples > 0) {
         subtract(moves);
     }
     if (event == INVCAL_TAKEN) {

@@ -11,4 +11,7 @@
 #define INVCAL_V_UNIT INVCAL_REAL(32768.0)      /* of segment.v */
 #define INVCAL_KAPPA_UNIT INVCAL_REAL(262144.0) /* of segment.kappa, and of a rest's bias */
 
+/* What is packed, in units of 1 / unit. */
+void invcal_unpack(const int16_t packed[3], invcal_real unit, invcal_real out[3]);
+
 #endif

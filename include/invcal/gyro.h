@@ -72,10 +72,10 @@ typedef struct {
 
 /* All moves: 3.2 kB (float). What is not called internal may be read. */
 typedef struct {
-    invcal_calibration nominal; /* internal: rad per count and sample */
+    invcal_calibration nominal; /* rad/s per count */
     invcal_real rate;           /* samples per second */
-    invcal_real bias[3];        /* that v is free of, rad per sample: of the first rest */
-    invcal_real q[4];           /* internal: rotation of the segment in the making */
+    invcal_real bias[3];        /* that v is free of, rad/s: of the first rest */
+    invcal_real q[3];           /* internal: rotation of the segment in the making */
     invcal_real v[3];           /* internal: and its integral */
     int32_t low;                /* rail */
     uint32_t between;           /* readings between it and the other */
@@ -141,18 +141,18 @@ typedef struct {
     invcal_real noise;       /* standard deviation of a position mean, over field; 0: not known */
     invcal_real rate_noise;  /* density, rad/s/sqrt(Hz) */
     invcal_real instability; /* of the bias, rad/s */
-    invcal_real prior[INVCAL_IMU_PARAMETERS]; /* standard deviations from nominal; 0: not known */
+    const invcal_real *prior; /* 18 standard deviations from nominal, 0: not known; or null */
 } invcal_imu_settings;
 
 /* Where nothing is known: a consumer's gyroscope, 0.005 degrees/s/sqrt(Hz) and 20 degrees/h. */
-#define INVCAL_IMU_USUAL {0, 0, INVCAL_REAL(8.7e-5), INVCAL_REAL(1e-4), {0}}
+#define INVCAL_IMU_USUAL {0, 0, INVCAL_REAL(8.7e-5), INVCAL_REAL(1e-4), 0}
 
 /* The result. */
 typedef struct {
     invcal_calibration gyro;          /* raw counts to rad/s, in the axes of the accelerometer */
     invcal_calibration accelerometer; /* raw counts to field; as handed over where it is held */
     /* M of the gyroscope by rows, true rate = M nominal rate; then the nine of the accelerometer in the
-     * order of invcal.h, to the first order */
+     * order of invcal.h, to the first order: invcal_deviation tells them exactly */
     invcal_real parameter[INVCAL_IMU_PARAMETERS];
     invcal_real sigma[INVCAL_IMU_PARAMETERS]; /* standard deviations; 0 of what is held */
     /* Of the bias, axis by axis: g-sensitivity, rad/s per field along x, y, z; and its drift from the first
@@ -188,7 +188,7 @@ typedef struct {
  *
  * Returns INVCAL_OK; else out is lost:
  *   INVCAL_BAD_NOMINAL    the accelerometer's;
- *   INVCAL_BAD_NOISE, INVCAL_BAD_PRIOR    of the settings: negative, not finite, or noise of 1 and more;
+ *   INVCAL_BAD_NOISE, INVCAL_BAD_PRIOR    of the settings: negative or no number, or noise of 1 and more;
  *   INVCAL_OUT_OF_RANGE   a mean is no reading of this field;
  *   INVCAL_TOO_FEW        no moves, or fewer equations than unknowns;
  *   INVCAL_UNDETERMINED   out->open names what is left open;
