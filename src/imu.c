@@ -21,6 +21,7 @@
 #define USUAL_NOISE INVCAL_REAL(3e-4) /* of a mean that nothing is known of */
 #define RIDGE INVCAL_REAL(1e-4)       /* of the trace: what is held by it is open */
 #define HELD_BY_RIDGE INVCAL_REAL(0.1)  /* a share */
+#define LEAST_TIMES INVCAL_REAL(1e-3) /* of a usual variance: no residuals are rounding */
 #define MUCH INVCAL_REAL(2.0)         /* times the variance that is stated: something is wrong */
 
 enum {
@@ -369,7 +370,7 @@ static void weigh(invcal_imu_rows *rows, invcal_real share, int is_stated, invca
     const invcal_real times = (stated + rows->squares) / (stated + dof);
 
     if (dof + stated >= 1) {
-        rows->variance *= times;
+        rows->variance *= times > LEAST_TIMES ? times : LEAST_TIMES;
         if (is_stated && times > MUCH) {
             out->verdict = INVCAL_ROUGH;
         }

@@ -318,7 +318,8 @@ void invcal_moves_feed(invcal_moves *moves, const int32_t raw[3])
     invcal_real th[3];
 
     INVCAL_ASSERT(moves && raw);
-    invcal_apply_counts(&moves->nominal, raw, th);
+    invcal_correct_counts(&moves->nominal, raw, th);
+    INVCAL_UNROLL
     for (unsigned i = 0; i < 3; i++) {
         th[i] = (th[i] - moves->bias[i]) / moves->rate;
         moves->v[i] += th[i];

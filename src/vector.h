@@ -120,8 +120,16 @@ static inline void invcal_correct(const invcal_calibration *c, const invcal_real
         out[i] = c->matrix[i][0] * x + c->matrix[i][1] * y + c->matrix[i][2] * z;
     }
 }
+static inline void invcal_correct_counts(const invcal_calibration *c, const int32_t raw[3],
+                                         invcal_real out[3])
+{
+    const invcal_real counts[3] = {(invcal_real)raw[0], (invcal_real)raw[1], (invcal_real)raw[2]};
+
+    invcal_correct(c, counts, out);
+}
 #else
 #define invcal_correct invcal_apply
+#define invcal_correct_counts invcal_apply_counts
 #endif
 
 #endif
