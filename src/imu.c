@@ -21,7 +21,7 @@
 #define USUAL_NOISE INVCAL_REAL(3e-4) /* of a mean that nothing is known of */
 #define RIDGE INVCAL_REAL(1e-4)       /* of the trace: what is held by it is open */
 #define HELD_BY_RIDGE INVCAL_REAL(0.1)  /* a share */
-#define LEAST_TIMES INVCAL_REAL(1e-3) /* of a usual variance: no residuals are rounding */
+#define LITTLE INVCAL_REAL(0.01)        /* of a residual: none at all would be rounding */
 #define MUCH INVCAL_REAL(2.0)         /* times the variance that is stated: something is wrong */
 
 enum {
@@ -84,7 +84,7 @@ static void turn_segment(invcal_replay *r, const invcal_real v[3], const invcal_
 void invcal_replay_move(const invcal_imu_work *w, const invcal_segment *segment, unsigned count,
                         const invcal_real bias[3], const invcal_real up[2][3], invcal_replay *r)
 {
-    const invcal_real(*m)[3] = (const invcal_real(*)[3])w->x;
+    const invcal_real(*m)[3] = (const invcal_real(*)[3])w->out->parameter;
     invcal_real cofactors[3][3];
     invcal_real v[3];
     invcal_real f[3];
@@ -95,6 +95,7 @@ void invcal_replay_move(const invcal_imu_work *w, const invcal_segment *segment,
     (void)invcal_cofactors(m, cofactors);
     for (; count > 0; count--) {
         const invcal_real time = invcal_number(segment->time / 2u) / w->moves->rate;
+        invcal_zero(v, sizeof v);
         invcal_unpack(segment->v, INVCAL_V_UNIT, v);
         turn_back(r->c, up[0], f);
         invcal_cross(f, v, th); /* on the way: half of it */
@@ -104,6 +105,7 @@ void invcal_replay_move(const invcal_imu_work *w, const invcal_segment *segment,
         for (unsigned i = 0; i < 3; i++) {
             v[i] -= time * (bias[i] + invcal_dot3(w->slope[i], f));
         }
+        invcal_zero(f, sizeof f);
         invcal_unpack(segment->kappa, INVCAL_KAPPA_UNIT, f);
         for (unsigned i = 0; i < 3; i++) {
             th[i] = invcal_dot3(m[i], v) + invcal_dot3(cofactors[i], f);
@@ -133,15 +135,15 @@ static void add_row(invcal_imu_work *w, invcal_real h[ALL + 1], invcal_real y, i
 /* The length of a rest. */
 static void add_rest(invcal_imu_work *w, const invcal_real up[3], invcal_real excess)
 {
-    const invcal_real weight = 1 / w->rests.variance;
+    const invcal_real weight = 1 / w->rest_variance;
     invcal_real h[ALL + 1];
 
     invcal_zero(h, sizeof h);
     memcpy(&h[GYRO], up, 3 * sizeof *up);
     invcal_products(up, &h[GYRO]);
     add_row(w, h, excess, weight);
-    w->rests.squares += weight * excess * excess;
-    w->rests.rows++;
+    w->pass.rests.squares += weight * excess * excess;
+    w->pass.rests.rows++;
 }
 
 /* The angles of a move across the way up, along each axis as far as it is across: with b that part of it,
@@ -180,18 +182,15 @@ static void add_move(invcal_imu_work *w, unsigned rest, const invcal_segment *se
     const invcal_still *at = &w->moves->rest[rest];
     const invcal_real density = s->rate_noise * s->rate_noise;
     invcal_replay r;
-    invcal_real bias[3];
+    invcal_real bias[3] = {0, 0, 0};
     invcal_real a[3];
     invcal_real y[3];
 
-    invcal_unpack(at[-1].bias, INVCAL_KAPPA_UNIT, a);
-    invcal_unpack(at->bias, INVCAL_KAPPA_UNIT, y);
-    for (unsigned i = 0; i < 3; i++) {
-        bias[i] = (a[i] + y[i]) / 2;
-    }
+    invcal_unpack(at[-1].bias, INVCAL_KAPPA_UNIT / 2, bias);
+    invcal_unpack(at->bias, INVCAL_KAPPA_UNIT / 2, bias);
     invcal_replay_move(w, segment, (unsigned)at->move, bias, up, &r);
     if (r.angle < NO_ANGLE && invcal_dot3(up[0], up[1]) > SAME_UP) {
-        w->pass.idle |= (uint32_t)1 << rest;
+        w->out->idle |= (uint32_t)1 << rest;
         return;
     }
     for (unsigned i = 0; i < 3; i++) {
@@ -200,19 +199,19 @@ static void add_move(invcal_imu_work *w, unsigned rest, const invcal_segment *se
     invcal_cross(a, up[0], y);
     lengthen(y, 3 / (2 + invcal_dot3(a, up[0])));
     const invcal_real variance =
-        w->moved.variance *
+        w->move_variance *
         (2 * w->noise * w->noise +
          r.time * (density + r.time * (density / 2 + INVCAL_REAL(2.25) * s->instability * s->instability)));
     const invcal_real square = invcal_dot3(y, y);
     add_angles(w, &r, a, up, y, 1 / variance);
-    w->moved.squares += square / variance;
-    w->moved.rows += 2;
+    w->pass.moved.squares += square / variance;
+    w->pass.moved.rows += 2;
     w->pass.variances += 2 * variance;
     w->pass.residuals += square;
     if (!(square / variance <= w->pass.worst_square)) {
         w->pass.worst_square = square / variance;
         w->pass.worst_residual = square;
-        w->pass.worst = rest;
+        w->out->worst = (uint8_t)rest;
     }
 }
 
@@ -226,7 +225,7 @@ static void add_prior(invcal_imu_work *w)
         if (sigma > 0) {
             const invcal_real weight = 1 / (sigma * sigma);
             w->pass.sum[INVCAL_PACKED(i, i)] += weight;
-            w->pass.sum[INVCAL_PACKED(w->n, i)] += weight * (w->x[i] - invcal_number((unsigned)UNITY >> i & 1u));
+            w->pass.sum[INVCAL_PACKED(w->n, i)] += weight * (w->out->parameter[i] - invcal_number((unsigned)UNITY >> i & 1u));
             w->pass.rows++;
         }
     }
@@ -240,12 +239,11 @@ invcal_status invcal_imu_sum(invcal_imu_work *w)
     invcal_real up[2][3];
 
     invcal_zero(&w->pass, sizeof w->pass);
-    w->rests.squares = w->moved.squares = 0;
-    w->rests.rows = w->moved.rows = 0;
-    for (unsigned i = 0; i < m->count; i++) {
+    w->out->idle = 0;
+        for (unsigned i = 0; i < m->count; i++) {
         const unsigned segments = m->rest[i].move > 0 ? (unsigned)m->rest[i].move : 0;
         if (i >= w->begin) {
-            invcal_apply(w->accelerometer, raw, up[1]);
+            invcal_apply(&w->out->accelerometer, raw, up[1]);
             const invcal_real length = INVCAL_SQRT(invcal_dot3(up[1], up[1]));
             lengthen(up[1], 1 / length);
             if (!(length >= INVCAL_REAL(0.1) && length <= 10)) {
@@ -254,7 +252,7 @@ invcal_status invcal_imu_sum(invcal_imu_work *w)
             if (w->n == ALL) {
                 add_rest(w, up[1], length - 1);
             }
-            if (i > w->begin && segments > 0 && (w->left_out >> i & 1u) == 0) {
+            if (i > w->begin && segments > 0 && (w->out->left_out >> i & 1u) == 0) {
                 add_move(w, i, segment, (const invcal_real(*)[3])up);
             }
             memcpy(up[0], up[1], sizeof up[0]);
@@ -262,7 +260,7 @@ invcal_status invcal_imu_sum(invcal_imu_work *w)
         }
         segment += segments;
     }
-    w->pass.rows = w->rests.rows + w->moved.rows;
+    w->pass.rows = w->pass.rests.rows + w->pass.moved.rows;
     add_prior(w);
     return INVCAL_OK;
 }
@@ -270,8 +268,9 @@ invcal_status invcal_imu_sum(invcal_imu_work *w)
 /* ---- bias --------------------------------------------------------------------------------------- */
 
 /* b = b0 + G up + drift t over all rests, axis by axis. */
-static void find_bias(invcal_imu_work *w, invcal_imu *out)
+static void find_bias(invcal_imu_work *w)
 {
+    invcal_imu *out = w->out;
     const invcal_moves *m = w->moves;
     const unsigned count = m->count - w->begin;
     const uint16_t start = m->rest[w->begin].when;
@@ -283,10 +282,10 @@ static void find_bias(invcal_imu_work *w, invcal_imu *out)
         invcal_zero(a, sizeof a);
         for (unsigned i = 0; i < count; i++) {
             const invcal_still *rest = &m->rest[w->begin + i];
-            invcal_apply(w->accelerometer, &w->raw[3 * (size_t)i], h);
+            invcal_apply(&w->out->accelerometer, &w->raw[3 * (size_t)i], h);
             h[3] = invcal_number((unsigned)rest->when - start) / span;
             h[4] = 1;
-            h[BIAS] = -(invcal_real)rest->bias[axis] / INVCAL_KAPPA_UNIT;
+            h[BIAS] = -(invcal_real)rest->bias[axis] * INVCAL_KAPPA_UNIT;
             invcal_rank_one(a, h, BIAS + 1, 1);
         }
         if (invcal_factor(a, BIAS, BIAS + 1, INVCAL_FLOOR) != INVCAL_OK) {
@@ -311,12 +310,19 @@ static void find_bias(invcal_imu_work *w, invcal_imu *out)
 /* ---- solution ----------------------------------------------------------------------------------- */
 
 invcal_status invcal_imu_begin(invcal_imu_work *w, const invcal_real *raw, unsigned count,
-                               const invcal_imu_settings *settings)
+                               const invcal_calibration *accelerometer, const invcal_moves *moves,
+                               const invcal_imu_settings *settings, invcal_imu *out)
 {
     static const invcal_imu_settings usual = INVCAL_IMU_USUAL;
     const invcal_imu_settings *s = settings ? settings : &usual;
-    const unsigned both = count < w->moves->count ? count : w->moves->count;
+    const unsigned both = count < moves->count ? count : moves->count;
 
+    invcal_zero(w, sizeof *w);
+    invcal_zero(out, sizeof *out);
+    w->moves = moves;
+    w->out = out;
+    out->accelerometer = *accelerometer;
+    out->parameter[0] = out->parameter[4] = out->parameter[8] = 1;
     for (unsigned i = 0; s->prior && i < ALL; i++) {
         if (!(s->prior[i] >= 0)) {
             return INVCAL_BAD_PRIOR;
@@ -329,11 +335,11 @@ invcal_status invcal_imu_begin(invcal_imu_work *w, const invcal_real *raw, unsig
     w->settings = s;
     w->noise = s->noise > 0 ? s->noise : USUAL_NOISE;
     w->n = s->held ? GYRO : ALL;
-    w->begin = w->moves->count - both;
+    w->begin = moves->count - both;
     w->raw = raw + 3 * (size_t)(count - both);
-    w->rests.variance = w->noise * w->noise;
-    w->moved.variance = 1;
-    return invcal_nominal_check(w->accelerometer);
+    w->rest_variance = w->noise * w->noise;
+    w->move_variance = 1;
+    return invcal_nominal_check(accelerometer);
 }
 
 /* The unknowns of the accelerometer are those of what it calibrates by now: A = (I + S)^-1 behind it. To the
@@ -341,10 +347,10 @@ invcal_status invcal_imu_begin(invcal_imu_work *w, const invcal_real *raw, unsig
 static invcal_status take_step(invcal_imu_work *w, invcal_real *size)
 {
     const invcal_real *p = &w->pass.sum[INVCAL_PACKED(w->n, 0)];
-    const invcal_calibration before = *w->accelerometer;
+    const invcal_calibration before = w->out->accelerometer;
 
     for (unsigned i = 0; i < w->n; i++) {
-        w->x[i] += p[i];
+        w->out->parameter[i] += p[i];
     }
     *size = invcal_dot(p, p, w->n);
     if (w->n == GYRO) {
@@ -353,59 +359,60 @@ static invcal_status take_step(invcal_imu_work *w, invcal_real *size)
     p += GYRO;
     for (unsigned i = 0; i < 3; i++) {
         for (unsigned j = 0; j < 3; j++) {
-            w->accelerometer->matrix[i][j] =
+            w->out->accelerometer.matrix[i][j] =
                 i == j ? 1 - p[INVCAL_DK_X + i] : -p[INVCAL_GAMMA_XY + i + j - 1] / 2;
         }
-        w->accelerometer->offset[i] = p[i];
+        w->out->accelerometer.offset[i] = p[i];
     }
-    return invcal_behind(&before, w->accelerometer);
+    return invcal_behind(&before, &w->out->accelerometer);
 }
 
 /* From now on with the variance that residuals of a kind show; a stated one counts as some of them. */
-static void weigh(invcal_imu_rows *rows, invcal_real share, int is_stated, invcal_imu *out)
+static void weigh(invcal_imu_work *w, const invcal_imu_rows *rows, int is_stated,
+                  invcal_real *variance)
 {
-    const invcal_real stated = is_stated ? STATED_ROWS : 0;
-    const invcal_real dof = share * invcal_number(rows->rows);
-
-    const invcal_real times = (stated + rows->squares) / (stated + dof);
+    const invcal_real stated = is_stated ? STATED_ROWS : LITTLE;
+    const invcal_real dof =
+        invcal_number(rows->rows * (w->pass.rows - w->n)) / invcal_number(w->pass.rows);
 
     if (dof + stated >= 1) {
-        rows->variance *= times > LEAST_TIMES ? times : LEAST_TIMES;
+        const invcal_real times = (stated + rows->squares) / (stated + dof);
+        *variance *= times;
         if (is_stated && times > MUCH) {
-            out->verdict = INVCAL_ROUGH;
+            w->out->verdict = INVCAL_ROUGH;
         }
     }
 }
 
 /* Weighs once; before that, leaves out a move that is far from the others. */
-static void adapt(invcal_imu_work *w, invcal_imu *out)
+static void adapt(invcal_imu_work *w)
 {
-    const unsigned moves = w->moved.rows / 2;
-    const invcal_real others = w->moved.squares - w->pass.worst_square;
+    const unsigned moves = w->pass.moved.rows / 2;
+    const invcal_real others = w->pass.moved.squares - w->pass.worst_square;
 
     if (moves > LEAST_MOVES && w->apart < MOST_APART &&
         w->pass.worst_square * invcal_number(moves - 1) > SQUARE_OF_5 * others) {
-        w->left_out |= (uint32_t)1 << w->pass.worst;
+        w->out->left_out |= (uint32_t)1 << w->out->worst;
         w->apart++;
     } else if (!w->is_weighed) {
-        const invcal_real share = invcal_number(w->pass.rows - w->n) / invcal_number(w->pass.rows);
         w->is_weighed = 1;
-        weigh(&w->rests, share, w->settings->noise > 0, out);
-        weigh(&w->moved, share, 1, out);
+        weigh(w, &w->pass.rests, w->settings->noise > 0, &w->rest_variance);
+        weigh(w, &w->pass.moved, 1, &w->move_variance);
     } /* cppcheck-suppress misra-c2012-15.7 ; both is done */
 }
 
-static invcal_status iterate(invcal_imu_work *w, invcal_imu *out)
+static invcal_status iterate(invcal_imu_work *w)
 {
+    invcal_imu *out = w->out;
     invcal_real size = 1;
     int is_done = 0;
 
     while (!is_done && out->passes < PASSES) { /* at most so many */
         if (out->passes == 1) {
-            find_bias(w, out);
+            find_bias(w);
         }
         invcal_status status = invcal_imu_sum(w);
-        if (status == INVCAL_OK && (w->moved.rows == 0 || w->pass.rows < w->n)) {
+        if (status == INVCAL_OK && (w->pass.moved.rows == 0 || w->pass.rows < w->n)) {
             status = INVCAL_TOO_FEW;
         }
         if (status != INVCAL_OK) {
@@ -413,7 +420,7 @@ static invcal_status iterate(invcal_imu_work *w, invcal_imu *out)
         }
         is_done = w->is_weighed;
         if (out->passes >= SETTLED) {
-            adapt(w, out);
+            adapt(w);
         }
         status = invcal_factor(w->pass.sum, w->n, w->n + 1, INVCAL_FLOOR);
         if (status != INVCAL_OK) {
@@ -427,28 +434,28 @@ static invcal_status iterate(invcal_imu_work *w, invcal_imu *out)
         is_done = is_done && size < STEP;
         out->passes++;
     }
-    return w->pass.residuals < ABSURD_TURN * invcal_number(w->moved.rows) && size < LAST_STEP
+    return w->pass.residuals < ABSURD_TURN * invcal_number(w->pass.moved.rows) && size < LAST_STEP
                ? INVCAL_OK
                : INVCAL_MOUNTING;
 }
 
 /* sigma, and what is weak: of which K is more. Returns the largest K. */
-static invcal_real judge(invcal_imu_work *w, invcal_real most, invcal_imu *out)
+static invcal_real judge(invcal_imu_work *w, invcal_real most)
 {
     invcal_real largest = 0;
 
     invcal_invert(w->pass.sum, w->n);
     for (unsigned i = 0; i < w->n; i++) {
         const invcal_real k = invcal_variance(w->pass.sum, w->n, i);
-        out->sigma[i] = INVCAL_SQRT(k);
-        out->open |= (k <= most ? (uint32_t)0 : 1) << i;
+        w->out->sigma[i] = INVCAL_SQRT(k);
+        w->out->open |= (k <= most ? (uint32_t)0 : 1) << i;
         largest = k <= largest ? largest : k;
     }
     return largest;
 }
 
 /* A small ridge holds what is open. */
-static void name_open(invcal_imu_work *w, invcal_imu *out)
+static void name_open(invcal_imu_work *w)
 {
     (void)invcal_imu_sum(w); /* it was accepted before */
     const invcal_real ridge = RIDGE * invcal_trace(w->pass.sum, w->n) / invcal_number(w->n);
@@ -456,29 +463,26 @@ static void name_open(invcal_imu_work *w, invcal_imu *out)
         w->pass.sum[INVCAL_PACKED(i, i)] += ridge;
     }
     (void)invcal_factor(w->pass.sum, w->n, w->n, 0);
-    (void)judge(w, HELD_BY_RIDGE / ridge, out);
+    (void)judge(w, HELD_BY_RIDGE / ridge);
 }
 
 /* Nominal readings are free of the mean bias of the rests, less what g-sensitivity makes of it. */
-static void deliver(invcal_imu_work *w, invcal_imu *out)
+static void deliver(invcal_imu_work *w)
 {
+    invcal_imu *out = w->out;
     const invcal_moves *m = w->moves;
 
-    for (unsigned i = 0; i < 3; i++) {
-        int32_t sum = 0;
-        for (unsigned k = w->begin; k < m->count; k++) {
-            sum += m->rest[k].bias[i];
-        }
-        out->gyro.offset[i] =
-            m->bias[i] + (invcal_real)sum / (INVCAL_KAPPA_UNIT * invcal_number(m->count - w->begin));
+    memcpy(out->gyro.offset, m->bias, sizeof m->bias);
+    for (unsigned k = w->begin; k < m->count; k++) {
+        invcal_unpack(m->rest[k].bias, INVCAL_KAPPA_UNIT / invcal_number(m->count - w->begin),
+                      out->gyro.offset);
     }
-    memcpy(out->gyro.matrix, w->x, sizeof out->gyro.matrix);
+    memcpy(out->gyro.matrix, w->out->parameter, sizeof out->gyro.matrix);
     (void)invcal_behind(&m->nominal, &out->gyro);
-    out->noise = INVCAL_SQRT(w->rests.variance);
-    out->move_rms = INVCAL_SQRT(w->pass.residuals / invcal_number(w->moved.rows));
+    out->noise = INVCAL_SQRT(w->rest_variance);
+    out->move_rms = INVCAL_SQRT(w->pass.residuals / invcal_number(w->pass.moved.rows));
     out->move_max = INVCAL_SQRT(w->pass.worst_residual);
-    out->worst = (uint8_t)w->pass.worst;
-    out->moves = (uint8_t)(w->moved.rows / 2);
+    out->moves = (uint8_t)(w->pass.moved.rows / 2);
     out->dof = (uint16_t)(w->pass.rows - w->n);
     if (out->open != 0) {
         out->verdict = INVCAL_WEAK;
@@ -494,28 +498,19 @@ invcal_status invcal_imu_solve(const invcal_real *raw, unsigned count,
     invcal_imu_work w;
 
     INVCAL_ASSERT((raw || count == 0) && accelerometer && moves && out);
-    invcal_zero(&w, sizeof w);
-    invcal_zero(out, sizeof *out);
-    out->accelerometer = *accelerometer;
-    w.moves = moves;
-    w.accelerometer = &out->accelerometer;
-    w.x = out->parameter;
-    w.x[0] = w.x[4] = w.x[8] = 1;
-    invcal_status status = invcal_imu_begin(&w, raw, count, settings);
+    invcal_status status = invcal_imu_begin(&w, raw, count, accelerometer, moves, settings, out);
     if (status == INVCAL_OK) {
-        status = iterate(&w, out);
+        status = iterate(&w);
     }
-    out->left_out = w.left_out;
-    out->idle = w.pass.idle;
     if (status == INVCAL_OK) {
-        const invcal_real of_moves = w.pass.variances / invcal_number(w.moved.rows);
-        if (!(judge(&w, WEAK_SQUARE * of_moves, out) <= OPEN_SQUARE * of_moves)) {
+        const invcal_real of_moves = w.pass.variances / invcal_number(w.pass.moved.rows);
+        if (!(judge(&w, WEAK_SQUARE * of_moves) <= OPEN_SQUARE * of_moves)) {
             return INVCAL_UNDETERMINED;
         }
         out->move_noise = INVCAL_SQRT(of_moves);
-        deliver(&w, out);
+        deliver(&w);
     } else if (status == INVCAL_UNDETERMINED) {
-        name_open(&w, out);
+        name_open(&w);
     } /* cppcheck-suppress misra-c2012-15.7 ; there is nothing to tell */
     return status;
 }

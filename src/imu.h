@@ -10,8 +10,7 @@
 
 /* Equations of one kind. */
 typedef struct {
-    invcal_real variance; /* of a rest; of moves: over what is expected */
-    invcal_real squares;  /* of residuals, over their variances */
+    invcal_real squares; /* of residuals, over their variances */
     unsigned rows;
 } invcal_imu_rows;
 
@@ -20,20 +19,18 @@ typedef struct {
     const invcal_moves *moves;
     const invcal_real *raw; /* means of the rests from begin on */
     const invcal_imu_settings *settings;
-    invcal_calibration *accelerometer; /* by now */
-    invcal_real *x;                    /* 18 parameters by now */
-    invcal_real noise;                 /* of a mean, as stated or usual */
-    invcal_real slope[3][4];           /* g-sensitivity, if it is used */
-    unsigned n;                        /* unknowns: 18, 9, or none for the residuals alone */
-    unsigned begin;                    /* first rest of moves that has a mean */
-    unsigned apart;                    /* moves left out */
+    invcal_imu *out;         /* accelerometer and parameters by now, left_out, idle, worst */
+    invcal_real noise;       /* of a mean, as stated or usual */
+    invcal_real slope[3][4]; /* g-sensitivity, if it is used */
+    unsigned n;              /* unknowns: 18, 9, or none for the residuals alone */
+    unsigned begin;          /* first rest of moves that has a mean */
+    unsigned apart;          /* moves left out */
     int is_weighed;
-    uint32_t left_out;
-    invcal_imu_rows rests, moved;
+    invcal_real rest_variance; /* over field, squared */
+    invcal_real move_variance; /* over what is expected */
     struct {
+        invcal_imu_rows rests, moved;
     unsigned rows;       /* with priors */
-    unsigned worst;      /* move */
-    uint32_t idle;
     invcal_real variances, residuals;         /* sums over moves */
     invcal_real worst_square, worst_residual; /* over its variance; in rad^2 */
     invcal_real sum[INVCAL_PACKED_SIZE(INVCAL_IMU_PARAMETERS + 1)];
@@ -52,9 +49,10 @@ void invcal_replay_move(const invcal_imu_work *work, const invcal_segment *segme
                         const invcal_real bias[3], const invcal_real up[2][3],
                         invcal_replay *replay);
 
-/* The rest of what a solution begins with, moves, accelerometer and x being set. INVCAL_BAD_... of it. */
+/* What a solution begins with. INVCAL_BAD_... of it. */
 invcal_status invcal_imu_begin(invcal_imu_work *work, const invcal_real *raw, unsigned count,
-                               const invcal_imu_settings *settings);
+                               const invcal_calibration *accelerometer, const invcal_moves *moves,
+                               const invcal_imu_settings *settings, invcal_imu *out);
 
 /* All equations. INVCAL_OUT_OF_RANGE of a mean. */
 invcal_status invcal_imu_sum(invcal_imu_work *work);

@@ -21,7 +21,7 @@ static void set_way(invcal_imu_work *w, unsigned k, invcal_real unit, int8_t axe
         axes[i] = (int8_t)(is_negative ? -(int)of[i] - 1 : (int)of[i] + 1);
         for (unsigned j = 0; j < 3; j++) {
             const invcal_real element = j == of[i] ? unit : 0;
-            w->x[3 * i + j] = is_negative ? -element : element;
+            w->out->parameter[3 * i + j] = is_negative ? -element : element;
         }
     }
 }
@@ -49,19 +49,14 @@ invcal_status invcal_imu_mounting(const invcal_real *raw, unsigned count,
                                   int8_t axes[3], invcal_real *unit)
 {
     invcal_imu_work w;
-    invcal_calibration held = *accelerometer;
-    invcal_real x[INVCAL_GYRO_PARAMETERS];
+    invcal_imu out;
     int8_t best_axes[3] = {0, 0, 0};
     invcal_real best = INVCAL_REAL_MAX;
     invcal_real next = INVCAL_REAL_MAX;
     invcal_real best_unit = 1;
 
     INVCAL_ASSERT((raw || count == 0) && accelerometer && moves && axes && unit);
-    invcal_zero(&w, sizeof w);
-    w.moves = moves;
-    w.accelerometer = &held;
-    w.x = x;
-    invcal_status status = invcal_imu_begin(&w, raw, count, NULL);
+    invcal_status status = invcal_imu_begin(&w, raw, count, accelerometer, moves, NULL, &out);
     const unsigned stuck = find_stuck(moves);
     w.n = 0;
     for (unsigned k = 0; k < 2 * SIGNS * ORDERS && status == INVCAL_OK; k++) {
@@ -70,7 +65,7 @@ invcal_status invcal_imu_mounting(const invcal_real *raw, unsigned count,
         unsigned is_another = 0;
         set_way(&w, k % (SIGNS * ORDERS), scale, way);
         status = invcal_imu_sum(&w);
-        if (status == INVCAL_OK && w.moved.rows / 2 < LEAST_TURNS) {
+        if (status == INVCAL_OK && w.pass.moved.rows / 2 < LEAST_TURNS) {
             status = INVCAL_TOO_FEW;
         }
         for (unsigned i = 0; i < 3; i++) {

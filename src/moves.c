@@ -71,8 +71,8 @@ static int pack_segment(const invcal_real q[3], const invcal_real v[3], invcal_s
 
     take_log(q, rho);
     for (unsigned i = 0; i < 3; i++) {
-        fits &= pack(v[i] * INVCAL_V_UNIT, &out->v[i]) &
-                pack((rho[i] - v[i]) * INVCAL_KAPPA_UNIT, &out->kappa[i]);
+        fits &= pack(v[i] / INVCAL_V_UNIT, &out->v[i]) &
+                pack((rho[i] - v[i]) / INVCAL_KAPPA_UNIT, &out->kappa[i]);
     }
     return fits;
 }
@@ -80,20 +80,16 @@ static int pack_segment(const invcal_real q[3], const invcal_real v[3], invcal_s
 INVCAL_APART void invcal_unpack(const int16_t packed[3], invcal_real unit, invcal_real out[3])
 {
     for (unsigned i = 0; i < 3; i++) {
-        out[i] = (invcal_real)packed[i] / unit;
+        out[i] += (invcal_real)packed[i] * unit;
     }
 }
 
 static void turn_by_segment(invcal_real q[3], const invcal_segment *s)
 {
-    invcal_real rho[3];
-    invcal_real kappa[3];
+    invcal_real rho[3] = {0, 0, 0};
 
     invcal_unpack(s->v, INVCAL_V_UNIT, rho);
-    invcal_unpack(s->kappa, INVCAL_KAPPA_UNIT, kappa);
-    for (unsigned i = 0; i < 3; i++) {
-        rho[i] += kappa[i];
-    }
+    invcal_unpack(s->kappa, INVCAL_KAPPA_UNIT, rho);
     turn(q, rho);
 }
 
@@ -102,12 +98,11 @@ static int merge(invcal_segment *a, const invcal_segment *b)
 {
     const unsigned samples = (a->time / 2u) + (b->time / 2u);
     invcal_real q[3] = {0, 0, 0};
-    invcal_real v[3];
+    invcal_real v[3] = {0, 0, 0};
     invcal_segment both;
 
-    for (unsigned i = 0; i < 3; i++) {
-        v[i] = (invcal_real)(a->v[i] + b->v[i]) / INVCAL_V_UNIT;
-    }
+    invcal_unpack(a->v, INVCAL_V_UNIT, v);
+    invcal_unpack(b->v, INVCAL_V_UNIT, v);
     if (invcal_dot3(v, v) > FULL || samples > MOST_SAMPLES) {
         return 0;
     }
@@ -145,7 +140,7 @@ INVCAL_APART static void close_segment(invcal_moves *m, unsigned mark)
         m->spoilt = INVCAL_MOUNTING;
     }
     for (unsigned i = 0; i < 3; i++) {
-        m->v[i] -= (invcal_real)s->v[i] / INVCAL_V_UNIT;
+        m->v[i] -= (invcal_real)s->v[i] * INVCAL_V_UNIT;
         if (m->spoilt != INVCAL_OK) {
             m->v[i] = 0;
         }
@@ -228,7 +223,7 @@ static void settle_until(invcal_moves *m, uint32_t newest, uint32_t resting)
 /* From now on v is free of the bias of the first rest. Its newest blocks, still with it, are quiet ones. */
 static void subtract(invcal_moves *m)
 {
-    const invcal_real pace = m->rate / (INVCAL_V_UNIT * invcal_number(m->still_samples));
+    const invcal_real pace = m->rate * INVCAL_V_UNIT / invcal_number(m->still_samples);
 
     for (unsigned i = 0; i < 3; i++) {
         m->bias[i] += (invcal_real)m->still[i] * pace;
@@ -257,7 +252,7 @@ static void keep_move(invcal_moves *m)
     const unsigned end = m->cut != NOWHERE ? m->cut : m->fixed;
     const unsigned segments = end - m->first;
     const invcal_real pace =
-        m->rate * INVCAL_KAPPA_UNIT / (INVCAL_V_UNIT * invcal_number(m->still_samples));
+        m->rate * (INVCAL_V_UNIT / INVCAL_KAPPA_UNIT) / invcal_number(m->still_samples);
     invcal_still *rest;
 
     find_fault(m, m->count == 0               ? INVCAL_TOO_FEW
