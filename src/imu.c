@@ -501,6 +501,9 @@ invcal_status invcal_imu_solve(const invcal_real *raw, unsigned count,
     invcal_status status = invcal_imu_begin(&w, raw, count, accelerometer, moves, settings, out);
     if (status == INVCAL_OK) {
         status = iterate(&w);
+        if (status != INVCAL_OK && out->passes > 0) {
+            status = INVCAL_MOUNTING; /* it was led astray */
+        }
     }
     if (status == INVCAL_OK) {
         const invcal_real of_moves = w.pass.variances / invcal_number(w.pass.moved.rows);

@@ -58,6 +58,13 @@ invcal_status invcal_imu_mounting(const invcal_real *raw, unsigned count,
     INVCAL_ASSERT((raw || count == 0) && accelerometer && moves && axes && unit);
     invcal_status status = invcal_imu_begin(&w, raw, count, accelerometer, moves, NULL, &out);
     const unsigned stuck = find_stuck(moves);
+    if (status == INVCAL_OK && stuck != 0) {
+        for (unsigned i = 0; i < 3; i++) {
+            axes[i] = (int8_t)((stuck >> i & 1u) != 0 ? 0 : i + 1);
+        }
+        *unit = 1;
+        return INVCAL_OK;
+    }
     w.n = 0;
     for (unsigned k = 0; k < 2 * SIGNS * ORDERS && status == INVCAL_OK; k++) {
         const invcal_real scale = k < SIGNS * ORDERS ? 1 : DEGREES;
@@ -69,8 +76,6 @@ invcal_status invcal_imu_mounting(const invcal_real *raw, unsigned count,
             status = INVCAL_TOO_FEW;
         }
         for (unsigned i = 0; i < 3; i++) {
-            const unsigned axis = (unsigned)(way[i] < 0 ? -way[i] : way[i]) - 1u;
-            way[i] = (int8_t)((stuck >> axis & 1u) != 0 ? 0 : way[i]);
             is_another |= way[i] != best_axes[i];
         }
         const invcal_real squares = w.pass.residuals;

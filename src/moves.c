@@ -4,7 +4,8 @@
 #include "rotation.h"
 #include "solve.h"
 
-#define FULL INVCAL_REAL(0.1218)      /* 20 degrees, squared */
+#define FULL INVCAL_REAL(0.1218)      /* 20 degrees, squared: of a segment */
+#define PART INVCAL_REAL(0.0110)      /* 6 degrees, squared: of one that is not merged */
 #define LONGEST_MOVE INVCAL_REAL(10.0) /* seconds */
 
 enum {
@@ -324,7 +325,7 @@ void invcal_moves_feed(invcal_moves *moves, const int32_t raw[3])
     }
     turn(moves->q, th);
     moves->missing++;
-    if (!(invcal_dot3(moves->v, moves->v) < FULL) || moves->missing == MOST_SAMPLES) {
+    if (!(invcal_dot3(moves->v, moves->v) < PART) || moves->missing == MOST_SAMPLES) {
         close_segment(moves, 0);
     }
 }

@@ -202,7 +202,7 @@ invcal_status invcal_imu_solve(const invcal_real *raw, unsigned count,
  * Tries all 48 ways, in rad and in degrees.
  *
  * axes   out: about accelerometer axis i turns gyroscope axis |axes[i]| - 1, the other way round if it is
- *        negative. 1, 2, 3 is right. 0: gyroscope axis i never turns, so none can be told; the others are right.
+ *        negative. 1, 2, 3 is right. 0: gyroscope axis i never turns, and no more is looked for.
  * unit   out: 1; or 57.3, where it is taken for less than it is: nominal was for degrees.
  *
  * Returns INVCAL_OK; INVCAL_TOO_FEW, INVCAL_UNDETERMINED: the moves tell no way from another, nothing is
