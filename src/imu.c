@@ -11,7 +11,7 @@
 
 #define STEP (INVCAL_DOUBLE ? INVCAL_REAL(1e-18) : INVCAL_REAL(1e-11)) /* squared; less is none */
 #define LAST_STEP INVCAL_REAL(1e-8)   /* the same after all passes */
-#define SQUARE_OF_5 INVCAL_REAL(25.0)
+#define FAR_APART INVCAL_REAL(12.5)   /* 5 sigma, squared, over what two angles have */
 #define ABSURD_TURN INVCAL_REAL(0.01) /* residuals of 0.1 rad, squared */
 #define SAME_UP INVCAL_REAL(0.9962)   /* cosine of 5 degrees */
 #define NO_ANGLE INVCAL_REAL(0.0076)  /* 5 degrees, squared */
@@ -272,17 +272,22 @@ static void find_bias(invcal_imu_work *w)
 {
     invcal_imu *out = w->out;
     const invcal_moves *m = w->moves;
-    const unsigned count = m->count - w->begin;
+    unsigned count = 0;
     const uint16_t start = m->rest[w->begin].when;
     const invcal_real span = invcal_number((unsigned)m->rest[m->count - 1].when - start);
     invcal_real a[INVCAL_PACKED_SIZE(BIAS + 1)];
     invcal_real h[BIAS + 1];
 
-    for (unsigned axis = 0; axis < 3 && count >= LEAST_RESTS; axis++) {
+    for (unsigned axis = 0; axis < 3 && m->count - w->begin >= LEAST_RESTS; axis++) {
         invcal_zero(a, sizeof a);
-        for (unsigned i = 0; i < count; i++) {
-            const invcal_still *rest = &m->rest[w->begin + i];
-            invcal_apply(&w->out->accelerometer, &w->raw[3 * (size_t)i], h);
+        count = 0;
+        for (unsigned i = w->begin; i < m->count; i++) {
+            const invcal_still *rest = &m->rest[i];
+            if (rest->move == -INVCAL_REST_DRIFT) {
+                continue; /* the device turned in it, or in the one before */
+            }
+            invcal_apply(&w->out->accelerometer, &w->raw[3 * (size_t)(i - w->begin)], h);
+            count++;
             h[3] = invcal_number((unsigned)rest->when - start) / span;
             h[4] = 1;
             h[BIAS] = -(invcal_real)rest->bias[axis] * INVCAL_KAPPA_UNIT;
@@ -333,6 +338,7 @@ invcal_status invcal_imu_begin(invcal_imu_work *w, const invcal_real *raw, unsig
         return INVCAL_BAD_NOISE;
     }
     w->settings = s;
+    w->is_told = settings != NULL;
     w->noise = s->noise > 0 ? s->noise : USUAL_NOISE;
     w->n = s->held ? GYRO : ALL;
     w->begin = moves->count - both;
@@ -378,7 +384,7 @@ static void weigh(invcal_imu_work *w, const invcal_imu_rows *rows, int is_stated
     if (dof + stated >= 1) {
         const invcal_real times = (stated + rows->squares) / (stated + dof);
         *variance *= times;
-        if (is_stated && times > MUCH) {
+        if (is_stated && times > MUCH && w->is_told) {
             w->out->verdict = INVCAL_ROUGH;
         }
     }
@@ -390,10 +396,13 @@ static void adapt(invcal_imu_work *w)
     const unsigned moves = w->pass.moved.rows / 2;
     const invcal_real others = w->pass.moved.squares - w->pass.worst_square;
 
-    if (moves > LEAST_MOVES && w->apart < MOST_APART &&
-        w->pass.worst_square * invcal_number(moves - 1) > SQUARE_OF_5 * others) {
+    if (w->is_disturbed) {
+        w->is_disturbed = 0; /* of that step the one left out has still been a part */
+    } else if (moves > LEAST_MOVES && w->apart < MOST_APART &&
+        w->pass.worst_square * invcal_number(moves - 1) > FAR_APART * others) {
         w->out->left_out |= (uint32_t)1 << w->out->worst;
         w->apart++;
+        w->is_disturbed = 1;
     } else if (!w->is_weighed) {
         w->is_weighed = 1;
         weigh(w, &w->pass.rests, w->settings->noise > 0, &w->rest_variance);
@@ -407,7 +416,7 @@ static invcal_status iterate(invcal_imu_work *w)
     invcal_real size = 1;
     int is_done = 0;
 
-    while (!is_done && out->passes < PASSES) { /* at most so many */
+    while (!is_done && out->passes < PASSES + 2 * w->apart) { /* at most 12 */
         if (out->passes == 1) {
             find_bias(w);
         }
@@ -466,17 +475,14 @@ static void name_open(invcal_imu_work *w)
     (void)judge(w, HELD_BY_RIDGE / ridge);
 }
 
-/* Nominal readings are free of the mean bias of the rests, less what g-sensitivity makes of it. */
+/* The bias is that of the last rest. */
 static void deliver(invcal_imu_work *w)
 {
     invcal_imu *out = w->out;
     const invcal_moves *m = w->moves;
 
     memcpy(out->gyro.offset, m->bias, sizeof m->bias);
-    for (unsigned k = w->begin; k < m->count; k++) {
-        invcal_unpack(m->rest[k].bias, INVCAL_KAPPA_UNIT / invcal_number(m->count - w->begin),
-                      out->gyro.offset);
-    }
+    invcal_unpack(m->rest[m->count - 1].bias, INVCAL_KAPPA_UNIT, out->gyro.offset);
     memcpy(out->gyro.matrix, w->out->parameter, sizeof out->gyro.matrix);
     (void)invcal_behind(&m->nominal, &out->gyro);
     out->noise = INVCAL_SQRT(w->rest_variance);

@@ -25,7 +25,7 @@ typedef struct {
     unsigned n;              /* unknowns: 18, 9, or none for the residuals alone */
     unsigned begin;          /* first rest of moves that has a mean */
     unsigned apart;          /* moves left out */
-    int is_weighed;
+    int is_weighed, is_told, is_disturbed;
     invcal_real rest_variance; /* over field, squared */
     invcal_real move_variance; /* over what is expected */
     struct {

@@ -12,6 +12,7 @@ enum {
     LATE = 8,            /* blocks that are not merged: a rest is TAKEN 7 behind its end */
     CUT_OFF = 2,         /* newest blocks of a rest that it does not count: TRIM of rests.c */
     MOST_STILL = 60000,  /* samples of a rest that count: the sum of their angles fits 32 bits */
+    MOST_CHANGE = 2288,  /* of the bias from rest to rest, 0.5 degrees/s: else one of them was none */
     SPARE = 24,          /* segments kept free for those that are not merged */
     MOST_SEGMENTS = 127, /* of a move: seven turns */
     MOST_SAMPLES = INT16_MAX,
@@ -126,13 +127,21 @@ static void take_out(invcal_moves *m, unsigned from, unsigned to)
     m->used = (uint16_t)from;
 }
 
+static void find_fault(invcal_moves *m, unsigned status)
+{
+    if (m->fault == INVCAL_OK) {
+        m->fault = (uint8_t)status;
+    }
+}
+
 /* The segment in the making is closed; what rounding leaves begins the next. Where the table is full the
- * last one is lost. */
+ * oldest that is not merged is lost, and with it the moves that it and this one are of. */
 INVCAL_APART static void close_segment(invcal_moves *m, unsigned mark)
 {
     if (m->used == INVCAL_MAX_SEGMENTS) {
-        m->used--;
-        m->marks = (uint8_t)(m->marks - (m->segment[m->used].time & 1u));
+        m->marks = (uint8_t)(m->marks - (m->segment[m->fixed].time & 1u));
+        take_out(m, m->fixed, m->fixed + 1u);
+        find_fault(m, INVCAL_NO_SPACE);
         m->spoilt = INVCAL_NO_SPACE;
     }
     invcal_segment *s = &m->segment[m->used++];
@@ -157,13 +166,6 @@ INVCAL_APART static void close_segment(invcal_moves *m, unsigned mark)
 }
 
 /* ---- rests and moves ---------------------------------------------------------------------------- */
-
-static void find_fault(invcal_moves *m, unsigned status)
-{
-    if (m->fault == INVCAL_OK) {
-        m->fault = (uint8_t)status;
-    }
-}
 
 /* No rest is going on. */
 static void forget_rest(invcal_moves *m)
@@ -256,19 +258,27 @@ static void keep_move(invcal_moves *m)
         m->rate * (INVCAL_V_UNIT / INVCAL_KAPPA_UNIT) / invcal_number(m->still_samples);
     invcal_still *rest;
 
-    find_fault(m, m->count == 0               ? INVCAL_TOO_FEW
-                  : segments == 0             ? INVCAL_MOVE_GAP
-                  : segments > MOST_SEGMENTS  ? INVCAL_MOUNTING
-                                              : INVCAL_OK);
+    int16_t bias[3];
+    unsigned fault = m->count == 0              ? INVCAL_TOO_FEW
+                     : segments == 0            ? INVCAL_MOVE_GAP
+                     : segments > MOST_SEGMENTS ? INVCAL_MOUNTING
+                                                : INVCAL_OK;
+
+    for (unsigned i = 0; i < 3; i++) { /* without a sample: 0 / 0, and so 0 */
+        (void)pack((invcal_real)m->still[i] * pace, &bias[i]);
+        if (fault == INVCAL_OK && (bias[i] - m->rest[m->count - 1].bias[i] > MOST_CHANGE ||
+                                   m->rest[m->count - 1].bias[i] - bias[i] > MOST_CHANGE)) {
+            fault = INVCAL_REST_DRIFT;
+        }
+    }
+    find_fault(m, fault);
     take_out(m, m->fault == INVCAL_OK ? end : m->first, m->fixed);
     m->fixed = (uint16_t)(m->fault == INVCAL_OK ? end : m->first);
     if (m->count == INVCAL_MAX_MOVES) {
         drop_oldest(m);
     }
     rest = &m->rest[m->count++];
-    for (unsigned i = 0; i < 3; i++) { /* without a sample: 0 / 0, and so 0 */
-        (void)pack((invcal_real)m->still[i] * pace, &rest->bias[i]);
-    }
+    memcpy(rest->bias, bias, sizeof bias);
     rest->when = m->blocks;
     rest->move = (int8_t)(m->fault == INVCAL_OK ? (int)segments : -(int)m->fault);
     m->first = m->fixed;

@@ -126,7 +126,8 @@ void invcal_moves_gap(invcal_moves *moves);
 void invcal_moves_follow(invcal_moves *moves, const invcal_rests *rests, invcal_event event);
 
 /* Why the move that led to a rest is of no use: INVCAL_OK; INVCAL_REST_CLIPPED, INVCAL_MOVE_GAP,
- * INVCAL_MOVE_LONG, INVCAL_NO_SPACE; INVCAL_MOUNTING: more than seven turns; INVCAL_TOO_FEW: none led to it.
+ * INVCAL_MOVE_LONG, INVCAL_NO_SPACE; INVCAL_REST_DRIFT: the bias of its two rests differs by 0.5 degrees/s, so
+ * in one of them the device turned; INVCAL_MOUNTING: more than seven turns; INVCAL_TOO_FEW: none led to it.
  *
  * rest  from 0, below moves->count. */
 invcal_status invcal_moves_reason(const invcal_moves *moves, unsigned rest);
@@ -149,7 +150,8 @@ typedef struct {
 
 /* The result. */
 typedef struct {
-    invcal_calibration gyro;          /* raw counts to rad/s, in the axes of the accelerometer */
+    /* raw counts to rad/s, in the axes of the accelerometer; its offset is the bias of the last rest */
+    invcal_calibration gyro;
     invcal_calibration accelerometer; /* raw counts to field; as handed over where it is held */
     /* M of the gyroscope by rows, true rate = M nominal rate; then the nine of the accelerometer in the
      * order of invcal.h, to the first order: invcal_deviation tells them exactly */
@@ -183,8 +185,8 @@ typedef struct {
  * settings       INVCAL_IMU_USUAL, and what is known better; or null.
  * out            the result; may not be what accelerometer points into.
  *
- * It takes up to 6 passes of Gauss and Newton. Moves whose residual is beyond 5 times that of the others
- * are left out, three at most, once six are there.
+ * It takes up to 6 passes of Gauss and Newton, and two more for each move that is left out: three at most, whose
+ * residual is beyond 5 sigma of the others', once six are there.
  *
  * Returns INVCAL_OK; else out is lost:
  *   INVCAL_BAD_NOMINAL    the accelerometer's;
