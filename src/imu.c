@@ -10,19 +10,19 @@
 #include "sums.h"
 
 #define STEP (INVCAL_DOUBLE ? INVCAL_REAL(1e-18) : INVCAL_REAL(1e-11)) /* squared; less is none */
-#define LAST_STEP INVCAL_REAL(1e-8)   /* the same after all passes */
-#define FAR_APART INVCAL_REAL(12.5)   /* 5 sigma, squared, over what two angles have */
-#define ABSURD_TURN INVCAL_REAL(0.01) /* residuals of 0.1 rad, squared */
-#define SAME_UP INVCAL_REAL(0.9962)   /* cosine of 5 degrees */
-#define NO_ANGLE INVCAL_REAL(0.0076)  /* 5 degrees, squared */
-#define WEAK_SQUARE INVCAL_REAL(6.25) /* of 2.5 */
-#define OPEN_SQUARE INVCAL_REAL(1e6)  /* of 1000 */
-#define SIGNIFICANT INVCAL_REAL(16.0) /* 4 sigma, squared */
-#define USUAL_NOISE INVCAL_REAL(3e-4) /* of a mean that nothing is known of */
-#define RIDGE INVCAL_REAL(1e-4)       /* of the trace: what is held by it is open */
-#define HELD_BY_RIDGE INVCAL_REAL(0.1)  /* a share */
-#define LITTLE INVCAL_REAL(0.01)        /* of a residual: none at all would be rounding */
-#define MUCH INVCAL_REAL(2.0)         /* times the variance that is stated: something is wrong */
+#define LAST_STEP INVCAL_REAL(1e-8)    /* the same after all passes */
+#define FAR_APART INVCAL_REAL(12.5)    /* 5 sigma, squared, over what two angles have */
+#define ABSURD_TURN INVCAL_REAL(0.01)  /* residuals of 0.1 rad, squared */
+#define SAME_UP INVCAL_REAL(0.9962)    /* cosine of 5 degrees */
+#define NO_ANGLE INVCAL_REAL(0.0076)   /* 5 degrees, squared */
+#define WEAK_SQUARE INVCAL_REAL(6.25)  /* of 2.5 */
+#define OPEN_SQUARE INVCAL_REAL(1e6)   /* of 1000 */
+#define SIGNIFICANT INVCAL_REAL(16.0)  /* 4 sigma, squared */
+#define USUAL_NOISE INVCAL_REAL(3e-4)  /* of a mean that nothing is known of */
+#define RIDGE INVCAL_REAL(1e-4)        /* of the trace: what is held by it is open */
+#define HELD_BY_RIDGE INVCAL_REAL(0.1) /* a share */
+#define LITTLE INVCAL_REAL(0.01)       /* of a residual: none at all would be rounding */
+#define MUCH INVCAL_REAL(2.0)          /* times the variance that is stated: something is wrong */
 
 enum {
     ALL = INVCAL_IMU_PARAMETERS,
@@ -34,7 +34,7 @@ enum {
     BIAS = 5,         /* unknowns of a bias: three of up, time, constant */
     LEAST_RESTS = 12, /* for them */
     STATED_ROWS = 4,  /* residuals that a stated noise counts as */
-    UNITY = 0x111,  /* parameters that are 1 of an ideal gyroscope */
+    UNITY = 0x111,    /* parameters that are 1 of an ideal gyroscope */
     SERIES_OF_TURN = INVCAL_DOUBLE ? 9 : 5
 };
 
@@ -201,7 +201,8 @@ static void add_move(invcal_imu_work *w, unsigned rest, const invcal_segment *se
     const invcal_real variance =
         w->move_variance *
         (2 * w->noise * w->noise +
-         r.time * (density + r.time * (density / 2 + INVCAL_REAL(2.25) * s->instability * s->instability)));
+         r.time * (density +
+                   r.time * (density / 2 + INVCAL_REAL(2.25) * s->instability * s->instability)));
     const invcal_real square = invcal_dot3(y, y);
     add_angles(w, &r, a, up, y, 1 / variance);
     w->pass.moved.squares += square / variance;
@@ -225,7 +226,8 @@ static void add_prior(invcal_imu_work *w)
         if (sigma > 0) {
             const invcal_real weight = 1 / (sigma * sigma);
             w->pass.sum[INVCAL_PACKED(i, i)] += weight;
-            w->pass.sum[INVCAL_PACKED(w->n, i)] += weight * (w->out->parameter[i] - invcal_number((unsigned)UNITY >> i & 1u));
+            w->pass.sum[INVCAL_PACKED(w->n, i)] +=
+                weight * (w->out->parameter[i] - invcal_number((unsigned)UNITY >> i & 1u));
             w->pass.rows++;
         }
     }
@@ -240,7 +242,7 @@ invcal_status invcal_imu_sum(invcal_imu_work *w)
 
     invcal_zero(&w->pass, sizeof w->pass);
     w->out->idle = 0;
-        for (unsigned i = 0; i < m->count; i++) {
+    for (unsigned i = 0; i < m->count; i++) {
         const unsigned segments = m->rest[i].move > 0 ? (unsigned)m->rest[i].move : 0;
         if (i >= w->begin) {
             invcal_apply(&w->out->accelerometer, raw, up[1]);
@@ -399,7 +401,7 @@ static void adapt(invcal_imu_work *w)
     if (w->is_disturbed) {
         w->is_disturbed = 0; /* of that step the one left out has still been a part */
     } else if (moves > LEAST_MOVES && w->apart < MOST_APART &&
-        w->pass.worst_square * invcal_number(moves - 1) > FAR_APART * others) {
+               w->pass.worst_square * invcal_number(moves - 1) > FAR_APART * others) {
         w->out->left_out |= (uint32_t)1 << w->out->worst;
         w->apart++;
         w->is_disturbed = 1;

@@ -30,16 +30,16 @@ typedef struct {
     invcal_real move_variance; /* over what is expected */
     struct {
         invcal_imu_rows rests, moved;
-    unsigned rows;       /* with priors */
-    invcal_real variances, residuals;         /* sums over moves */
-    invcal_real worst_square, worst_residual; /* over its variance; in rad^2 */
-    invcal_real sum[INVCAL_PACKED_SIZE(INVCAL_IMU_PARAMETERS + 1)];
+        unsigned rows;                            /* with priors */
+        invcal_real variances, residuals;         /* sums over moves */
+        invcal_real worst_square, worst_residual; /* over its variance; in rad^2 */
+        invcal_real sum[INVCAL_PACKED_SIZE(INVCAL_IMU_PARAMETERS + 1)];
     } pass; /* what it leaves */
 } invcal_imu_work;
 
 /* A move, integrated again. */
 typedef struct {
-    invcal_real c[3][3];                       /* from its end to its beginning */
+    invcal_real c[3][3];                      /* from its end to its beginning */
     invcal_real s[3][INVCAL_GYRO_PARAMETERS]; /* how E turns that */
     invcal_real time, angle;                  /* seconds; squares of its segments, rad^2 */
 } invcal_replay;

@@ -4,8 +4,8 @@
 #include "vector.h"
 
 #define DEGREES INVCAL_REAL(57.29578)
-#define CLEAR INVCAL_REAL(4.0)     /* squares of the next best way over those of the best */
-#define STUCK INVCAL_REAL(1e-4)    /* an axis that has less of all squares never turns */
+#define CLEAR INVCAL_REAL(4.0)  /* squares of the next best way over those of the best */
+#define STUCK INVCAL_REAL(1e-4) /* an axis that has less of all squares never turns */
 enum { SIGNS = 8, ORDERS = 6, LEAST_TURNS = 2 };
 
 /* Way k of 48: M has in row i the axis `of`, with its sign. */
@@ -45,8 +45,8 @@ static unsigned find_stuck(const invcal_moves *m)
 }
 
 invcal_status invcal_imu_mounting(const invcal_real *raw, unsigned count,
-                                  const invcal_calibration *accelerometer, const invcal_moves *moves,
-                                  int8_t axes[3], invcal_real *unit)
+                                  const invcal_calibration *accelerometer,
+                                  const invcal_moves *moves, int8_t axes[3], invcal_real *unit)
 {
     invcal_imu_work w;
     invcal_imu out;
@@ -108,6 +108,7 @@ const char *invcal_imu_parameter_name(unsigned parameter)
                                                           "gyro_yx", "gyro_yy", "gyro_yz",
                                                           "gyro_zx", "gyro_zy", "gyro_zz"};
 
-    return parameter < INVCAL_GYRO_PARAMETERS ? names[parameter]
-                                              : invcal_parameter_name(parameter - INVCAL_GYRO_PARAMETERS);
+    return parameter < INVCAL_GYRO_PARAMETERS
+               ? names[parameter]
+               : invcal_parameter_name(parameter - INVCAL_GYRO_PARAMETERS);
 }

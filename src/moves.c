@@ -4,16 +4,17 @@
 #include "rotation.h"
 #include "solve.h"
 
-#define FULL INVCAL_REAL(0.1218)      /* 20 degrees, squared: of a segment */
-#define PART INVCAL_REAL(0.0110)      /* 6 degrees, squared: of one that is not merged */
+#define FULL INVCAL_REAL(0.1218)       /* 20 degrees, squared: of a segment */
+#define PART INVCAL_REAL(0.0110)       /* 6 degrees, squared: of one that is not merged */
 #define LONGEST_MOVE INVCAL_REAL(10.0) /* seconds */
 
 enum {
-    LATE = 8,            /* blocks that are not merged: a rest is TAKEN 7 behind its end */
-    CUT_OFF = 2,         /* newest blocks of a rest that it does not count: TRIM of rests.c */
-    MOST_STILL = 60000,  /* samples of a rest that count: the sum of their angles fits 32 bits */
-    MOST_CHANGE = 2288,  /* of the bias from rest to rest, 0.5 degrees/s: else one of them was none */
-    SPARE = 24,          /* segments kept free for those that are not merged */
+    LATE = 8,           /* blocks that are not merged: a rest is TAKEN 7 behind its end */
+    CUT_OFF = 2,        /* newest blocks of a rest that it does not count: TRIM of rests.c */
+    MOST_STILL = 60000, /* samples of a rest that count: the sum of their angles fits 32 bits */
+    MOST_CHANGE =
+        2288,   /* of the bias from rest to rest, 0.5 degrees/s: else one of them was none */
+    SPARE = 24, /* segments kept free for those that are not merged */
     MOST_SEGMENTS = 127, /* of a move: seven turns */
     MOST_SAMPLES = INT16_MAX,
     NOWHERE = UINT16_MAX,
@@ -206,7 +207,8 @@ static void settle(invcal_moves *m, int is_rest)
         if (!is_rest) {
             find_fault(m, fault);
         }
-        is_lost = fault != INVCAL_OK || (m->fixed != m->first && m->fixed != m->cut && merge(s - 1, s));
+        is_lost =
+            fault != INVCAL_OK || (m->fixed != m->first && m->fixed != m->cut && merge(s - 1, s));
     }
     if (is_lost) {
         take_out(m, m->fixed, m->fixed + 1u);
@@ -218,7 +220,8 @@ static void settle(invcal_moves *m, int is_rest)
 /* All but the newest blocks. The rest, if there is one, began `resting` blocks ago. */
 static void settle_until(invcal_moves *m, uint32_t newest, uint32_t resting)
 {
-    while (m->marks > newest && m->fixed < m->used) { /* a segment each: at most INVCAL_MAX_SEGMENTS steps */
+    while (m->marks > newest &&
+           m->fixed < m->used) { /* a segment each: at most INVCAL_MAX_SEGMENTS steps */
         settle(m, m->marks <= resting);
     }
 }

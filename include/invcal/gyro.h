@@ -47,9 +47,10 @@ extern "C" {
 
 /* A program and a library whose choices differ do not link: see invcal.h. */
 #define INVCAL_GYRO_CHOSEN(name) INVCAL_GYRO_CHOSEN_(name, INVCAL_MAX_SEGMENTS, INVCAL_MAX_MOVES)
-#define INVCAL_GYRO_CHOSEN_(name, s, m) INVCAL_GYRO_CHOSEN__(name, INVCAL_REAL_NAME, s, m) /* step */
-#define INVCAL_GYRO_CHOSEN__(name, real, s, m) INVCAL_GYRO_CHOSEN___(name, real, s, m)     /* step */
-#define INVCAL_GYRO_CHOSEN___(name, real, s, m) name##_##real##_##s##_##m                  /* step */
+#define INVCAL_GYRO_CHOSEN_(name, s, m)                                                            \
+    INVCAL_GYRO_CHOSEN__(name, INVCAL_REAL_NAME, s, m)                                 /* step */
+#define INVCAL_GYRO_CHOSEN__(name, real, s, m) INVCAL_GYRO_CHOSEN___(name, real, s, m) /* step */
+#define INVCAL_GYRO_CHOSEN___(name, real, s, m) name##_##real##_##s##_##m              /* step */
 #define invcal_moves_init INVCAL_GYRO_CHOSEN(invcal_moves_init)
 #define invcal_imu_solve INVCAL_GYRO_CHOSEN(invcal_imu_solve)
 
@@ -84,12 +85,13 @@ typedef struct {
     uint32_t samples;           /* internal: of the move since it began */
     uint16_t missing;           /* internal: samples of the segment in the making */
     uint16_t blocks;            /* of rests, so far; at most 65535 */
-    uint16_t first, cut, fixed; /* internal: segments of the move begin, of the rest, that are not merged */
-    uint16_t used;              /* internal: segments altogether */
-    uint8_t marks;              /* internal: blocks among those not merged */
-    uint8_t fault;              /* internal: of the move */
-    uint8_t spoilt;             /* internal: of the segment in the making */
-    uint8_t count;              /* rests */
+    uint16_t first, cut,
+        fixed;      /* internal: segments of the move begin, of the rest, that are not merged */
+    uint16_t used;  /* internal: segments altogether */
+    uint8_t marks;  /* internal: blocks among those not merged */
+    uint8_t fault;  /* internal: of the move */
+    uint8_t spoilt; /* internal: of the segment in the making */
+    uint8_t count;  /* rests */
     invcal_still rest[INVCAL_MAX_MOVES];
     invcal_segment segment[INVCAL_MAX_SEGMENTS]; /* of all moves, in their order */
 } invcal_moves;
@@ -165,14 +167,14 @@ typedef struct {
     invcal_real move_noise; /* of a move, rad on each axis, root mean square */
     invcal_real move_rms;   /* residuals of moves, rad on each axis, root mean square */
     invcal_real move_max;   /* the largest, both axes together, rad */
-    uint32_t left_out;      /* bit i: the move to rest i contradicts the others: INVCAL_MOVE_APART */
-    uint32_t idle;          /* bit i: it turned nothing: INVCAL_REST_SAME */
-    uint32_t open;          /* bit r: parameter r is undetermined; or weak: sigma above 2.5 move_noise */
-    uint16_t dof;           /* degrees of freedom left to the residuals */
-    uint8_t worst;          /* the rest that the move of move_max led to */
-    uint8_t moves;          /* that made it */
-    uint8_t passes;         /* that it took */
-    uint8_t verdict;        /* an invcal_verdict: good, no redundancy, rough, weak */
+    uint32_t left_out; /* bit i: the move to rest i contradicts the others: INVCAL_MOVE_APART */
+    uint32_t idle;     /* bit i: it turned nothing: INVCAL_REST_SAME */
+    uint32_t open;     /* bit r: parameter r is undetermined; or weak: sigma above 2.5 move_noise */
+    uint16_t dof;      /* degrees of freedom left to the residuals */
+    uint8_t worst;     /* the rest that the move of move_max led to */
+    uint8_t moves;     /* that made it */
+    uint8_t passes;    /* that it took */
+    uint8_t verdict;   /* an invcal_verdict: good, no redundancy, rough, weak */
     uint8_t g_is_used; /* some g-sensitivity is beyond 4 sigma: it was taken from the moves */
 } invcal_imu;
 
@@ -210,8 +212,8 @@ invcal_status invcal_imu_solve(const invcal_real *raw, unsigned count,
  * Returns INVCAL_OK; INVCAL_TOO_FEW, INVCAL_UNDETERMINED: the moves tell no way from another, nothing is
  * written. Cost: 20 passes. Stack: about 1,500 bytes. */
 invcal_status invcal_imu_mounting(const invcal_real *raw, unsigned count,
-                                  const invcal_calibration *accelerometer, const invcal_moves *moves,
-                                  int8_t axes[3], invcal_real *unit);
+                                  const invcal_calibration *accelerometer,
+                                  const invcal_moves *moves, int8_t axes[3], invcal_real *unit);
 
 /* The name of a parameter: "gyro_xx" (scale), "gyro_xy" ... "gyro_zz", then those of
  * invcal_parameter_name. Outside 0 ... 17: "?". */

@@ -183,11 +183,11 @@ typedef enum {
     INVCAL_IO,            /* the memory's driver reports a failure */
 
     /* moves between rests: gyro.h */
-    INVCAL_MOVE_GAP,     /* samples were lost in it */
-    INVCAL_MOVE_LONG,    /* it took more than 10 s */
-    INVCAL_MOVE_APART,   /* it contradicts the others */
-    INVCAL_MOUNTING,     /* the gyroscope turns otherwise than the accelerometer */
-    INVCAL_STATUS_COUNT   /* their number; no status */
+    INVCAL_MOVE_GAP,    /* samples were lost in it */
+    INVCAL_MOVE_LONG,   /* it took more than 10 s */
+    INVCAL_MOVE_APART,  /* it contradicts the others */
+    INVCAL_MOUNTING,    /* the gyroscope turns otherwise than the accelerometer */
+    INVCAL_STATUS_COUNT /* their number; no status */
 } invcal_status;
 
 /* A sentence for a status, in plain English without a full stop, in read-only memory. Any value

@@ -164,10 +164,8 @@ static void angles_are_told_without_needless_zeros(void)
 {
     char text[ANGLES_TEXT_MAX];
 
-    TEST_ASSERT_EQUAL_STRING("alpha -90, beta 37.5°",
-                             angles_text((stand_angles){-90, 37.5}, text));
-    TEST_ASSERT_EQUAL_STRING("alpha 0, beta 0°",
-                             angles_text((stand_angles){-0.001, 0.004}, text));
+    TEST_ASSERT_EQUAL_STRING("alpha -90, beta 37.5°", angles_text((stand_angles){-90, 37.5}, text));
+    TEST_ASSERT_EQUAL_STRING("alpha 0, beta 0°", angles_text((stand_angles){-0.001, 0.004}, text));
     TEST_ASSERT_EQUAL_STRING(
         "turn alpha +10, beta -20°",
         angles_turn_text((stand_angles){175, 0}, (stand_angles){-175, -20}, text));

@@ -83,16 +83,16 @@ static inline void world_inverse(const double m[3][3], double inverse[3][3])
 
 typedef struct {
     /* the sensors */
-    double m[3][3];       /* true rate = m nominal rate */
-    triad_truth triad;    /* accelerometer */
-    double bias[3];       /* rad/s */
-    double g[3][3];       /* its g-sensitivity */
-    double density;       /* rad/s/sqrt(Hz) */
-    double instability;   /* rad/s */
-    double mean_noise;    /* of a rest, over field */
-    double rate;          /* samples per second */
-    double wobble;        /* of the hand */
-    int axes[3];          /* gyroscope axis i measures |axes[i]| - 1 */
+    double m[3][3];     /* true rate = m nominal rate */
+    triad_truth triad;  /* accelerometer */
+    double bias[3];     /* rad/s */
+    double g[3][3];     /* its g-sensitivity */
+    double density;     /* rad/s/sqrt(Hz) */
+    double instability; /* rad/s */
+    double mean_noise;  /* of a rest, over field */
+    double rate;        /* samples per second */
+    double wobble;      /* of the hand */
+    int axes[3];        /* gyroscope axis i measures |axes[i]| - 1 */
     random_source random;
     /* the state */
     double up[3];
@@ -189,8 +189,9 @@ static inline void world_sample(world *w, const double omega[3], int is_quiet)
         double sum = w->bias[i];
         for (int k = 0; k < 4; k++) {
             const double share = exp(-1 / (w->rate * pow(10, k)));
-            w->flicker[k][i] = share * w->flicker[k][i] +
-                               sqrt(1 - share * share) * 1.2 * w->instability * random_normal(&w->random);
+            w->flicker[k][i] = share * w->flicker[k][i] + sqrt(1 - share * share) * 1.2 *
+                                                              w->instability *
+                                                              random_normal(&w->random);
             sum += w->flicker[k][i];
         }
         for (int j = 0; j < 3; j++) {
@@ -250,8 +251,8 @@ static inline void world_move(world *w, const double vector[3], double seconds)
 
     for (int i = 0; i < 6; i++) {
         amplitude[i / 2][i % 2] = peak * random_normal(&w->random);
-        pace[i / 2][i % 2] = i % 2 == 0 ? random_uniform(&w->random, 0.5, 1.5)
-                                        : random_uniform(&w->random, 1.5, 4);
+        pace[i / 2][i % 2] =
+            i % 2 == 0 ? random_uniform(&w->random, 0.5, 1.5) : random_uniform(&w->random, 1.5, 4);
         phase[i / 2][i % 2] = random_uniform(&w->random, 0, 360 * DEGREE);
     }
     world_unit(w->c);

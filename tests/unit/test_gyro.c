@@ -209,7 +209,8 @@ static void errors_of_ten_percent_come_back_exactly(void)
         TEST_ASSERT_EQUAL_INT(24, imu.moves);
         TEST_ASSERT_EQUAL_INT(INVCAL_GOOD, imu.verdict);
         TEST_ASSERT_DOUBLE_WITHIN(FLOAT_OR_DOUBLE(2e-6, 1e-9), 0, (double)imu.move_rms);
-        for (int k = 0; k < w.count; k++) { /* and what the accelerometer calibrates is of length 1 */
+        for (int k = 0; k < w.count;
+             k++) { /* and what the accelerometer calibrates is of length 1 */
             invcal_real raw[3], up[3];
             for (int i = 0; i < 3; i++) {
                 raw[i] = (invcal_real)w.mean[k][i];
@@ -467,7 +468,8 @@ static void without_g_sensitivity_none_is_used(void)
 
 static void axes_exchanged_or_turned_round_are_named(void)
 {
-    static const int ways[][3] = {{1, 2, 3}, {2, 1, 3}, {1, -2, 3}, {-2, 3, 1}, {-1, -2, 3}, {3, 2, -1}};
+    static const int ways[][3] = {{1, 2, 3},  {2, 1, 3},   {1, -2, 3},
+                                  {-2, 3, 1}, {-1, -2, 3}, {3, 2, -1}};
     const invcal_calibration nominal = unit_nominal();
     invcal_real raw[WORLD_RESTS][3];
 
@@ -513,9 +515,8 @@ static void degrees_taken_for_radians_are_named(void)
                 raw[i / 3][i % 3] = (invcal_real)w.mean[i / 3][i % 3];
             }
             TEST_ASSERT_TRUE(status == INVCAL_MOUNTING || status == INVCAL_UNDETERMINED);
-            TEST_ASSERT_EQUAL_INT(INVCAL_OK,
-                                  invcal_imu_mounting(raw[0], (unsigned)w.count, &nominal, &w.moves,
-                                                      axes, &unit));
+            TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_imu_mounting(raw[0], (unsigned)w.count,
+                                                                 &nominal, &w.moves, axes, &unit));
             TEST_ASSERT_DOUBLE_WITHIN(0.01, 57.3, (double)unit);
             TEST_ASSERT_TRUE(axes[0] == 1 && axes[1] == 2 && axes[2] == 3);
         } else { /* no move is of any use: more than seven turns each */
@@ -543,8 +544,8 @@ static void an_axis_that_is_stuck_is_named(void)
     for (int i = 0; i < 3 * w.count; i++) {
         raw[i / 3][i % 3] = (invcal_real)w.mean[i / 3][i % 3];
     }
-    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_imu_mounting(raw[0], (unsigned)w.count, &nominal, &w.moves,
-                                                         axes, &unit));
+    TEST_ASSERT_EQUAL_INT(
+        INVCAL_OK, invcal_imu_mounting(raw[0], (unsigned)w.count, &nominal, &w.moves, axes, &unit));
     TEST_ASSERT_EQUAL_INT(1, axes[0]);
     TEST_ASSERT_EQUAL_INT(0, axes[1]);
     TEST_ASSERT_EQUAL_INT(3, axes[2]);

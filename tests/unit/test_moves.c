@@ -215,8 +215,10 @@ static void the_session_says_where_rests_are(void)
             world_exp(step, r);
             world_turn(w.c, (const double(*)[3])r);
             for (int i = 0; i < 3; i++) {
-                nominal[i] = 400 * (inverse[i][0] * step[0] + inverse[i][1] * step[1] + inverse[i][2] * step[2]);
-                raw[i] = (int32_t)lround(COUNTS * (0.02 + nominal[i] + 1e-3 * random_normal(&random)));
+                nominal[i] = 400 * (inverse[i][0] * step[0] + inverse[i][1] * step[1] +
+                                    inverse[i][2] * step[2]);
+                raw[i] =
+                    (int32_t)lround(COUNTS * (0.02 + nominal[i] + 1e-3 * random_normal(&random)));
             }
             invcal_moves_feed(&w.moves, raw);
             if (n % 4 == 3) {
@@ -236,8 +238,8 @@ static void the_session_says_where_rests_are(void)
     invcal_moves_follow(&w.moves, &session.rests, event);
     TEST_ASSERT_EQUAL_INT(session.count, w.moves.count);
     TEST_ASSERT_TRUE(session.count >= 10);
-    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_imu_solve(session.mean[0], session.count, &session.nominal,
-                                                      &w.moves, NULL, &imu));
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_imu_solve(session.mean[0], session.count,
+                                                      &session.nominal, &w.moves, NULL, &imu));
     for (int i = 0; i < 9; i++) {
         TEST_ASSERT_DOUBLE_WITHIN(4 * (double)imu.sigma[i], w.m[i / 3][i % 3],
                                   (double)imu.parameter[i]);
@@ -253,9 +255,9 @@ static void the_session_says_where_rests_are(void)
          sizeof name##_rest / sizeof name##_rest[0], name##_segment, sizeof name##_segment, zero,  \
          acceleration, rate)
 
-static invcal_status load(const double mean[][3], unsigned means, const invcal_still *rest, unsigned rests,
-                          const invcal_segment *segment, size_t bytes, double zero, double acceleration,
-                          double rate)
+static invcal_status load(const double mean[][3], unsigned means, const invcal_still *rest,
+                          unsigned rests, const invcal_segment *segment, size_t bytes, double zero,
+                          double acceleration, double rate)
 {
     invcal_calibration nominal = unit_nominal();
     invcal_real raw[WORLD_RESTS][3];
@@ -284,9 +286,8 @@ static invcal_status load(const double mean[][3], unsigned means, const invcal_s
 static void xsens_is_as_the_solution_from_all_samples(void)
 {
     /* inverse scales there 4780.3 4763.5 4763.4; here of 1/4772, without g-sensitivity there */
-    static const double sample[3][3] = {{0.99953, 0.00734, 0.00588},
-                                        {0.00644, 1.00305, -0.04263},
-                                        {0.02009, -0.01239, 1.00307}};
+    static const double sample[3][3] = {
+        {0.99953, 0.00734, 0.00588}, {0.00644, 1.00305, -0.04263}, {0.02009, -0.01239, 1.00307}};
 
     TEST_ASSERT_EQUAL_INT(INVCAL_OK, LOAD(xsens, 32768, 1 / (414.4 * 9.81744), 1 / 4772.0));
     TEST_ASSERT_TRUE(imu.moves >= 12);
