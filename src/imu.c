@@ -93,7 +93,7 @@ void invcal_replay_move(const invcal_imu_work *w, const invcal_segment *segment,
     invcal_zero(r, sizeof *r);
     r->c[0][0] = r->c[1][1] = r->c[2][2] = 1;
     (void)invcal_cofactors(m, cofactors);
-    for (; count > 0; count--) {
+    for (unsigned n = 0; n < count; n++) {
         const invcal_real time = invcal_number(segment->time / 2u) / w->moves->rate;
         invcal_zero(v, sizeof v);
         invcal_unpack(segment->v, INVCAL_V_UNIT, v);
@@ -379,7 +379,7 @@ static invcal_status take_step(invcal_imu_work *w, invcal_real *size)
 static void weigh(invcal_imu_work *w, const invcal_imu_rows *rows, int is_stated,
                   invcal_real *variance)
 {
-    const invcal_real stated = is_stated ? STATED_ROWS : LITTLE;
+    const invcal_real stated = is_stated ? (invcal_real)STATED_ROWS : LITTLE;
     const invcal_real dof =
         invcal_number(rows->rows * (w->pass.rows - w->n)) / invcal_number(w->pass.rows);
 

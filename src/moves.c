@@ -9,9 +9,8 @@
 #define LONGEST_MOVE INVCAL_REAL(10.0) /* seconds */
 
 enum {
-    LATE = 8,           /* blocks that are not merged: a rest is TAKEN 7 behind its end */
-    CUT_OFF = 2,        /* newest blocks of a rest that it does not count: TRIM of rests.c */
-    MOST_STILL = 60000, /* samples of a rest that count: the sum of their angles fits 32 bits */
+    LATE = 8,    /* blocks that are not merged: a rest is TAKEN 7 behind its end */
+    CUT_OFF = 2, /* newest blocks of a rest that it does not count: TRIM of rests.c */
     MOST_CHANGE =
         2288,   /* of the bias from rest to rest, 0.5 degrees/s: else one of them was none */
     SPARE = 24, /* segments kept free for those that are not merged */
@@ -60,10 +59,12 @@ static void take_log(const invcal_real q[3], invcal_real rho[3])
 /* Rounded; 0 if it is too large. */
 static int pack(invcal_real x, int16_t *out)
 {
-    const int fits = INVCAL_FABS(x) < 32767;
-
-    *out = (int16_t)(!fits ? 0 : x < 0 ? x - INVCAL_REAL(0.5) : x + INVCAL_REAL(0.5));
-    return fits;
+    if (!(x > -32767 && x < 32767)) {
+        *out = 0;
+        return 0;
+    }
+    *out = (int16_t)(x < 0 ? x - INVCAL_REAL(0.5) : x + INVCAL_REAL(0.5));
+    return 1;
 }
 
 /* What v does not hold of the rotation q; 0 if either is too large. */
@@ -122,8 +123,11 @@ static int merge(invcal_segment *a, const invcal_segment *b)
 /* Segments from..to - 1 are no more. */
 static void take_out(invcal_moves *m, unsigned from, unsigned to)
 {
-    while (to < m->used) { /* at most INVCAL_MAX_SEGMENTS */
-        m->segment[from++] = m->segment[to++];
+    /* at most INVCAL_MAX_SEGMENTS steps */
+    while (to < m->used && to < INVCAL_MAX_SEGMENTS && from < INVCAL_MAX_SEGMENTS) {
+        memcpy(&m->segment[from], &m->segment[to], sizeof m->segment[to]);
+        from++;
+        to++;
     }
     m->used = (uint16_t)from;
 }
@@ -145,7 +149,11 @@ INVCAL_APART static void close_segment(invcal_moves *m, unsigned mark)
         find_fault(m, INVCAL_NO_SPACE);
         m->spoilt = INVCAL_NO_SPACE;
     }
-    invcal_segment *s = &m->segment[m->used++];
+    if (m->used >= INVCAL_MAX_SEGMENTS) {
+        return; /* no more than a guard */
+    }
+    invcal_segment *s = &m->segment[m->used];
+    m->used++;
     s->time = (uint16_t)(2u * m->missing + mark);
     if (!pack_segment(m->q, m->v, s) && m->spoilt == INVCAL_OK) {
         m->spoilt = INVCAL_MOUNTING;
@@ -195,11 +203,9 @@ static void settle(invcal_moves *m, int is_rest)
     if (s->v[0] == SPOILT) {
         find_fault(m, (unsigned)s->kappa[0]);
     } else {
-        if (is_rest && m->still_samples < MOST_STILL) {
+        if (is_rest) {
             m->still_samples += samples;
-            for (unsigned i = 0; i < 3; i++) {
-                m->still[i] += s->v[i];
-            }
+            invcal_unpack(s->v, INVCAL_V_UNIT, m->still);
         }
         fault = (invcal_real)m->samples > LONGEST_MOVE * m->rate ? INVCAL_MOVE_LONG
                 : m->fixed + SPARE >= INVCAL_MAX_SEGMENTS        ? INVCAL_NO_SPACE
@@ -208,7 +214,7 @@ static void settle(invcal_moves *m, int is_rest)
             find_fault(m, fault);
         }
         is_lost =
-            fault != INVCAL_OK || (m->fixed != m->first && m->fixed != m->cut && merge(s - 1, s));
+            fault != INVCAL_OK || (m->fixed > m->first && m->fixed != m->cut && merge(s - 1, s));
     }
     if (is_lost) {
         take_out(m, m->fixed, m->fixed + 1u);
@@ -220,8 +226,8 @@ static void settle(invcal_moves *m, int is_rest)
 /* All but the newest blocks. The rest, if there is one, began `resting` blocks ago. */
 static void settle_until(invcal_moves *m, uint32_t newest, uint32_t resting)
 {
-    while (m->marks > newest &&
-           m->fixed < m->used) { /* a segment each: at most INVCAL_MAX_SEGMENTS steps */
+    /* a segment each: at most INVCAL_MAX_SEGMENTS steps */
+    while (m->marks > newest && m->fixed < m->used && m->used <= INVCAL_MAX_SEGMENTS) {
         settle(m, m->marks <= resting);
     }
 }
@@ -229,10 +235,10 @@ static void settle_until(invcal_moves *m, uint32_t newest, uint32_t resting)
 /* From now on v is free of the bias of the first rest. Its newest blocks, still with it, are quiet ones. */
 static void subtract(invcal_moves *m)
 {
-    const invcal_real pace = m->rate * INVCAL_V_UNIT / invcal_number(m->still_samples);
+    const invcal_real pace = m->rate / invcal_number(m->still_samples);
 
     for (unsigned i = 0; i < 3; i++) {
-        m->bias[i] += (invcal_real)m->still[i] * pace;
+        m->bias[i] += m->still[i] * pace;
         m->still[i] = 0;
     }
     m->used = m->fixed;
@@ -257,9 +263,8 @@ static void keep_move(invcal_moves *m)
 {
     const unsigned end = m->cut != NOWHERE ? m->cut : m->fixed;
     const unsigned segments = end - m->first;
-    const invcal_real pace =
-        m->rate * (INVCAL_V_UNIT / INVCAL_KAPPA_UNIT) / invcal_number(m->still_samples);
-    invcal_still *rest;
+    const invcal_real pace = m->rate / INVCAL_KAPPA_UNIT / invcal_number(m->still_samples);
+    const invcal_still *last = &m->rest[m->count > 0 ? m->count - 1 : 0];
 
     int16_t bias[3];
     unsigned fault = m->count == 0              ? INVCAL_TOO_FEW
@@ -268,9 +273,9 @@ static void keep_move(invcal_moves *m)
                                                 : INVCAL_OK;
 
     for (unsigned i = 0; i < 3; i++) { /* without a sample: 0 / 0, and so 0 */
-        (void)pack((invcal_real)m->still[i] * pace, &bias[i]);
-        if (fault == INVCAL_OK && (bias[i] - m->rest[m->count - 1].bias[i] > MOST_CHANGE ||
-                                   m->rest[m->count - 1].bias[i] - bias[i] > MOST_CHANGE)) {
+        (void)pack(m->still[i] * pace, &bias[i]);
+        if (fault == INVCAL_OK &&
+            (bias[i] - last->bias[i] > MOST_CHANGE || last->bias[i] - bias[i] > MOST_CHANGE)) {
             fault = INVCAL_REST_DRIFT;
         }
     }
@@ -280,7 +285,8 @@ static void keep_move(invcal_moves *m)
     if (m->count == INVCAL_MAX_MOVES) {
         drop_oldest(m);
     }
-    rest = &m->rest[m->count++];
+    invcal_still *rest = &m->rest[m->count];
+    m->count++;
     memcpy(rest->bias, bias, sizeof bias);
     rest->when = m->blocks;
     rest->move = (int8_t)(m->fault == INVCAL_OK ? (int)segments : -(int)m->fault);

@@ -80,7 +80,7 @@ typedef struct {
     invcal_real v[3];           /* internal: and its integral */
     int32_t low;                /* rail */
     uint32_t between;           /* readings between it and the other */
-    int32_t still[3];           /* internal: integral since the rest began */
+    invcal_real still[3];       /* internal: integral since the rest began */
     uint32_t still_samples;     /* internal: and its samples */
     uint32_t samples;           /* internal: of the move since it began */
     uint16_t missing;           /* internal: samples of the segment in the making */
