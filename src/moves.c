@@ -59,12 +59,14 @@ static void take_log(const invcal_real q[3], invcal_real rho[3])
 /* Rounded; 0 if it is too large. */
 static int pack(invcal_real x, int16_t *out)
 {
-    if (!(x > -32767 && x < 32767)) {
-        *out = 0;
-        return 0;
+    if (x > -32767 && x < 32767) {
+        //@ assert \is_finite(x); // no NaN lies between two numbers
+        const invcal_real half = x < 0 ? INVCAL_REAL(-0.5) : INVCAL_REAL(0.5);
+        *out = (int16_t)(x + half);
+        return 1;
     }
-    *out = (int16_t)(x < 0 ? x - INVCAL_REAL(0.5) : x + INVCAL_REAL(0.5));
-    return 1;
+    *out = 0;
+    return 0;
 }
 
 /* What v does not hold of the rotation q; 0 if either is too large. */
@@ -125,7 +127,11 @@ static void take_out(invcal_moves *m, unsigned from, unsigned to)
 {
     /* at most INVCAL_MAX_SEGMENTS steps */
     while (to < m->used && to < INVCAL_MAX_SEGMENTS && from < INVCAL_MAX_SEGMENTS) {
-        memcpy(&m->segment[from], &m->segment[to], sizeof m->segment[to]);
+        for (unsigned i = 0; i < 3; i++) {
+            m->segment[from].v[i] = m->segment[to].v[i];
+            m->segment[from].kappa[i] = m->segment[to].kappa[i];
+        }
+        m->segment[from].time = m->segment[to].time;
         from++;
         to++;
     }
@@ -143,7 +149,7 @@ static void find_fault(invcal_moves *m, unsigned status)
  * oldest that is not merged is lost, and with it the moves that it and this one are of. */
 INVCAL_APART static void close_segment(invcal_moves *m, unsigned mark)
 {
-    if (m->used == INVCAL_MAX_SEGMENTS) {
+    if (m->used >= INVCAL_MAX_SEGMENTS && m->fixed < INVCAL_MAX_SEGMENTS) {
         m->marks = (uint8_t)(m->marks - (m->segment[m->fixed].time & 1u));
         take_out(m, m->fixed, m->fixed + 1u);
         find_fault(m, INVCAL_NO_SPACE);
@@ -190,7 +196,6 @@ static void settle(invcal_moves *m, int is_rest)
 {
     invcal_segment *s = &m->segment[m->fixed];
     const unsigned samples = s->time / 2u;
-    unsigned fault = INVCAL_OK;
     int is_lost = 1;
 
     m->marks = (uint8_t)(m->marks - (s->time & 1u));
@@ -207,7 +212,7 @@ static void settle(invcal_moves *m, int is_rest)
             m->still_samples += samples;
             invcal_unpack(s->v, INVCAL_V_UNIT, m->still);
         }
-        fault = (invcal_real)m->samples > LONGEST_MOVE * m->rate ? INVCAL_MOVE_LONG
+        const unsigned fault = (invcal_real)m->samples > LONGEST_MOVE * m->rate ? INVCAL_MOVE_LONG
                 : m->fixed + SPARE >= INVCAL_MAX_SEGMENTS        ? INVCAL_NO_SPACE
                                                                  : INVCAL_OK;
         if (!is_rest) {
@@ -227,7 +232,7 @@ static void settle(invcal_moves *m, int is_rest)
 static void settle_until(invcal_moves *m, uint32_t newest, uint32_t resting)
 {
     /* a segment each: at most INVCAL_MAX_SEGMENTS steps */
-    while (m->marks > newest && m->fixed < m->used && m->used <= INVCAL_MAX_SEGMENTS) {
+    while (m->marks > newest && m->fixed < m->used) {
         settle(m, m->marks <= resting);
     }
 }

@@ -2,6 +2,7 @@
 #include "arbitrary.h"
 #include "rotation.h"
 
+// trusted: 1
 // eva: -eva-precision 0 -eva-auto-loop-unroll 12 -eva-slevel 60 -eva-split-return full
 
 /* What the module keeps to, and all else arbitrary. */
