@@ -10,19 +10,19 @@
 #include "sums.h"
 
 #define STEP (INVCAL_DOUBLE ? INVCAL_REAL(1e-18) : INVCAL_REAL(1e-11)) /* squared; less is none */
-#define LAST_STEP INVCAL_REAL(1e-8)    /* the same after all passes */
-#define FAR_APART INVCAL_REAL(12.5)    /* 5 sigma, squared, over what two angles have */
-#define ABSURD_TURN INVCAL_REAL(0.01)  /* residuals of 0.1 rad, squared */
-#define SAME_UP INVCAL_REAL(0.9962)    /* cosine of 5 degrees */
-#define NO_ANGLE INVCAL_REAL(0.0076)   /* 5 degrees, squared */
-#define WEAK_SQUARE INVCAL_REAL(6.25)  /* of 2.5 */
-#define OPEN_SQUARE INVCAL_REAL(1e6)   /* of 1000 */
-#define SIGNIFICANT INVCAL_REAL(16.0)  /* 4 sigma, squared */
-#define USUAL_NOISE INVCAL_REAL(3e-4)  /* of a mean that nothing is known of */
-#define RIDGE INVCAL_REAL(1e-4)        /* of the trace: what is held by it is open */
-#define HELD_BY_RIDGE INVCAL_REAL(0.1) /* a share */
-#define LITTLE INVCAL_REAL(0.01)       /* of a residual: none at all would be rounding */
-#define MUCH INVCAL_REAL(2.0)          /* times the variance that is stated: something is wrong */
+#define LAST_STEP INVCAL_REAL(1e-8)      /* the same after all passes */
+#define FAR_APART INVCAL_REAL(12.5)      /* 5 sigma, squared, over what two angles have */
+#define ABSURD_TURN INVCAL_REAL(0.01)    /* residuals of 0.1 rad, squared */
+#define SAME_UP INVCAL_REAL(0.9962)      /* cosine of 5 degrees */
+#define NO_ANGLE INVCAL_REAL(0.0076)     /* 5 degrees, squared */
+#define WEAK_SQUARE INVCAL_REAL(6.25)    /* of 2.5 */
+#define OPEN_SQUARE INVCAL_REAL(1e6)     /* of 1000 */
+#define BEYOND_4_SIGMA INVCAL_REAL(16.0) /* 4 sigma, squared */
+#define NOISE_OF_MEAN INVCAL_REAL(3e-4)  /* of a mean that nothing is known of */
+#define IMU_RIDGE INVCAL_REAL(1e-4)      /* of the trace: what is held by it is open */
+#define HELD_BY_RIDGE INVCAL_REAL(0.1)   /* a share */
+#define LITTLE INVCAL_REAL(0.01)         /* of a residual: none at all would be rounding */
+#define MUCH INVCAL_REAL(2.0)            /* times the variance that is stated: something is wrong */
 
 enum {
     ALL = INVCAL_IMU_PARAMETERS,
@@ -306,7 +306,7 @@ static void find_bias(invcal_imu_work *w)
                 INVCAL_FABS(p[BIAS]) / invcal_number(count - BIAS) * invcal_variance(a, BIAS, i);
             out->slope[axis][i] = p[i];
             out->slope_sigma[axis][i] = INVCAL_SQRT(square);
-            out->g_is_used |= i < 3 && p[i] * p[i] > SIGNIFICANT * square;
+            out->g_is_used |= i < 3 && p[i] * p[i] > BEYOND_4_SIGMA * square;
         }
     }
     if (out->g_is_used) {
@@ -341,7 +341,7 @@ invcal_status invcal_imu_begin(invcal_imu_work *w, const invcal_real *raw, unsig
     }
     w->settings = s;
     w->is_told = settings != NULL;
-    w->noise = s->noise > 0 ? s->noise : USUAL_NOISE;
+    w->noise = s->noise > 0 ? s->noise : NOISE_OF_MEAN;
     w->n = s->held ? GYRO : ALL;
     w->begin = moves->count - both;
     w->raw = raw + 3 * (size_t)(count - both);
@@ -376,8 +376,8 @@ static invcal_status take_step(invcal_imu_work *w, invcal_real *size)
 }
 
 /* From now on with the variance that residuals of a kind show; a stated one counts as some of them. */
-static void weigh(invcal_imu_work *w, const invcal_imu_rows *rows, int is_stated,
-                  invcal_real *variance)
+static void weigh_rows(invcal_imu_work *w, const invcal_imu_rows *rows, int is_stated,
+                       invcal_real *variance)
 {
     const invcal_real stated = is_stated ? (invcal_real)STATED_ROWS : LITTLE;
     const invcal_real dof =
@@ -407,8 +407,8 @@ static void adapt(invcal_imu_work *w)
         w->is_disturbed = 1;
     } else if (!w->is_weighed) {
         w->is_weighed = 1;
-        weigh(w, &w->pass.rests, w->settings->noise > 0, &w->rest_variance);
-        weigh(w, &w->pass.moved, 1, &w->move_variance);
+        weigh_rows(w, &w->pass.rests, w->settings->noise > 0, &w->rest_variance);
+        weigh_rows(w, &w->pass.moved, 1, &w->move_variance);
     } /* cppcheck-suppress misra-c2012-15.7 ; both is done */
 }
 
@@ -451,7 +451,7 @@ static invcal_status iterate(invcal_imu_work *w)
 }
 
 /* sigma, and what is weak: of which K is more. Returns the largest K. */
-static invcal_real judge(invcal_imu_work *w, invcal_real most)
+static invcal_real judge_imu(invcal_imu_work *w, invcal_real most)
 {
     invcal_real largest = 0;
 
@@ -469,12 +469,12 @@ static invcal_real judge(invcal_imu_work *w, invcal_real most)
 static void name_open(invcal_imu_work *w)
 {
     (void)invcal_imu_sum(w); /* it was accepted before */
-    const invcal_real ridge = RIDGE * invcal_trace(w->pass.sum, w->n) / invcal_number(w->n);
+    const invcal_real ridge = IMU_RIDGE * invcal_trace(w->pass.sum, w->n) / invcal_number(w->n);
     for (unsigned i = 0; i < w->n; i++) {
         w->pass.sum[INVCAL_PACKED(i, i)] += ridge;
     }
     (void)invcal_factor(w->pass.sum, w->n, w->n, 0);
-    (void)judge(w, HELD_BY_RIDGE / ridge);
+    (void)judge_imu(w, HELD_BY_RIDGE / ridge);
 }
 
 /* The bias is that of the last rest. */
@@ -515,7 +515,7 @@ invcal_status invcal_imu_solve(const invcal_real *raw, unsigned count,
     }
     if (status == INVCAL_OK) {
         const invcal_real of_moves = w.pass.variances / invcal_number(w.pass.moved.rows);
-        if (!(judge(&w, WEAK_SQUARE * of_moves) <= OPEN_SQUARE * of_moves)) {
+        if (!(judge_imu(&w, WEAK_SQUARE * of_moves) <= OPEN_SQUARE * of_moves)) {
             return INVCAL_UNDETERMINED;
         }
         out->move_noise = INVCAL_SQRT(of_moves);

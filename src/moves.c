@@ -213,8 +213,8 @@ static void settle(invcal_moves *m, int is_rest)
             invcal_unpack(s->v, INVCAL_V_UNIT, m->still);
         }
         const unsigned fault = (invcal_real)m->samples > LONGEST_MOVE * m->rate ? INVCAL_MOVE_LONG
-                : m->fixed + SPARE >= INVCAL_MAX_SEGMENTS        ? INVCAL_NO_SPACE
-                                                                 : INVCAL_OK;
+                               : m->fixed + SPARE >= INVCAL_MAX_SEGMENTS        ? INVCAL_NO_SPACE
+                                                                                : INVCAL_OK;
         if (!is_rest) {
             find_fault(m, fault);
         }
