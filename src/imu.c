@@ -25,8 +25,8 @@
 #define MUCH INVCAL_REAL(2.0)            /* times the variance that is stated: something is wrong */
 
 enum {
-    ALL = INVCAL_IMU_PARAMETERS,
-    GYRO = INVCAL_GYRO_PARAMETERS,
+    IMU_ALL = INVCAL_IMU_PARAMETERS,
+    IMU_GYRO = INVCAL_GYRO_PARAMETERS,
     PASSES = 6,
     SETTLED = 2,    /* passes after which residuals are those of noise */
     MOST_APART = 3, /* moves left out */
@@ -126,7 +126,8 @@ INVCAL_APART static void lengthen(invcal_real v[3], invcal_real times)
     }
 }
 
-static void add_row(invcal_imu_work *w, invcal_real h[ALL + 1], invcal_real y, invcal_real weight)
+static void add_row(invcal_imu_work *w, invcal_real h[IMU_ALL + 1], invcal_real y,
+                    invcal_real weight)
 {
     h[w->n] = -y;
     invcal_rank_one(w->pass.sum, h, w->n + 1, weight);
@@ -136,11 +137,11 @@ static void add_row(invcal_imu_work *w, invcal_real h[ALL + 1], invcal_real y, i
 static void add_rest(invcal_imu_work *w, const invcal_real up[3], invcal_real excess)
 {
     const invcal_real weight = 1 / w->rest_variance;
-    invcal_real h[ALL + 1];
+    invcal_real h[IMU_ALL + 1];
 
     invcal_zero(h, sizeof h);
-    memcpy(&h[GYRO], up, 3 * sizeof *up);
-    invcal_products(up, &h[GYRO]);
+    memcpy(&h[IMU_GYRO], up, 3 * sizeof *up);
+    invcal_products(up, &h[IMU_GYRO]);
     add_row(w, h, excess, weight);
     w->pass.rests.squares += weight * excess * excess;
     w->pass.rests.rows++;
@@ -151,7 +152,7 @@ static void add_rest(invcal_imu_work *w, const invcal_real up[3], invcal_real ex
 static void add_angles(invcal_imu_work *w, invcal_replay *r, const invcal_real a[3],
                        const invcal_real up[2][3], const invcal_real y[3], invcal_real weight)
 {
-    invcal_real h[ALL + 1];
+    invcal_real h[IMU_ALL + 1];
     invcal_real g[INVCAL_PARAMETERS];
     invcal_real b[3];
 
@@ -159,16 +160,16 @@ static void add_angles(invcal_imu_work *w, invcal_replay *r, const invcal_real a
         for (unsigned i = 0; i < 3; i++) {
             b[i] = (i == k ? 1 : 0) - up[0][k] * up[0][i];
         }
-        for (unsigned i = 0; i < GYRO; i++) {
+        for (unsigned i = 0; i < IMU_GYRO; i++) {
             h[i] = b[0] * r->s[0][i] + b[1] * r->s[1][i] + b[2] * r->s[2][i];
         }
         invcal_cross(up[0], b, g);
-        turn_back(r->c, g, &h[GYRO]);
-        invcal_products(up[1], &h[GYRO]);
+        turn_back(r->c, g, &h[IMU_GYRO]);
+        invcal_products(up[1], &h[IMU_GYRO]);
         invcal_cross(b, a, g);
         invcal_products(up[0], g);
         for (unsigned i = 0; i < INVCAL_PARAMETERS; i++) {
-            h[GYRO + i] += g[i];
+            h[IMU_GYRO + i] += g[i];
         }
         add_row(w, h, invcal_dot3(b, y), weight);
     }
@@ -251,7 +252,7 @@ invcal_status invcal_imu_sum(invcal_imu_work *w)
             if (!(length >= INVCAL_REAL(0.1) && length <= 10)) {
                 return INVCAL_OUT_OF_RANGE;
             }
-            if (w->n == ALL) {
+            if (w->n == IMU_ALL) {
                 add_rest(w, up[1], length - 1);
             }
             if (i > w->begin && segments > 0 && (w->out->left_out >> i & 1u) == 0) {
@@ -330,7 +331,7 @@ invcal_status invcal_imu_begin(invcal_imu_work *w, const invcal_real *raw, unsig
     w->out = out;
     out->accelerometer = *accelerometer;
     out->parameter[0] = out->parameter[4] = out->parameter[8] = 1;
-    for (unsigned i = 0; s->prior && i < ALL; i++) {
+    for (unsigned i = 0; s->prior && i < IMU_ALL; i++) {
         if (!(s->prior[i] >= 0)) {
             return INVCAL_BAD_PRIOR;
         }
@@ -342,7 +343,7 @@ invcal_status invcal_imu_begin(invcal_imu_work *w, const invcal_real *raw, unsig
     w->settings = s;
     w->is_told = settings != NULL;
     w->noise = s->noise > 0 ? s->noise : NOISE_OF_MEAN;
-    w->n = s->held ? GYRO : ALL;
+    w->n = s->held ? IMU_GYRO : IMU_ALL;
     w->begin = moves->count - both;
     w->raw = raw + 3 * (size_t)(count - both);
     w->rest_variance = w->noise * w->noise;
@@ -361,10 +362,10 @@ static invcal_status take_step(invcal_imu_work *w, invcal_real *size)
         w->out->parameter[i] += p[i];
     }
     *size = invcal_dot(p, p, w->n);
-    if (w->n == GYRO) {
+    if (w->n == IMU_GYRO) {
         return INVCAL_OK;
     }
-    p += GYRO;
+    p += IMU_GYRO;
     for (unsigned i = 0; i < 3; i++) {
         for (unsigned j = 0; j < 3; j++) {
             w->out->accelerometer.matrix[i][j] =
