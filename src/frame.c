@@ -96,7 +96,7 @@ invcal_status invcal_frame_solve(const invcal_frame *frame, invcal_real rotation
     }
     invcal_make_symmetric(b, work);
     memcpy(rotation, work, sizeof b);
-    if (quality) {
+    if (quality != NULL) {
         judge_frame(frame, (const invcal_real(*)[3])rotation, quality);
     }
     return INVCAL_OK;

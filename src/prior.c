@@ -18,6 +18,7 @@ typedef struct {
     invcal_real resolved; /* and the least that can be, beside what the positions leave open */
     invcal_calibration c;
     invcal_quality q;
+    uint8_t of_noise; /* verdict on the residuals alone */
     uint16_t from_prior;
 } update;
 
@@ -123,6 +124,7 @@ static invcal_status judge_with(const invcal_real *information, update *prior,
     q->condition = invcal_condition(l, INVCAL_PARAMETERS, trace);
     invcal_judge_begin(q);
     invcal_judge_noise(prior->stated, information[SYSTEM - 1], dof, q);
+    prior->of_noise = q->verdict;
     const invcal_real seen = q->noise >= prior->resolved ? q->noise : prior->resolved;
     q->noise = prior->noise; /* that the prior was weighed with */
     prior->noise = seen;
@@ -159,6 +161,22 @@ static invcal_status calibrate(const invcal_positions *positions, update *prior)
 }
 
 /* The data may be noisier than stated: then the prior counts for more, and all is made once more. */
+static invcal_status learn(const invcal_positions *positions, const invcal_real *sigma, update *u)
+{
+    invcal_zero(u, sizeof *u);
+    u->sigma = sigma;
+    u->stated = positions->noise;
+    u->noise = positions->noise;
+    invcal_status status = know(positions, u);
+    if (status == INVCAL_OK) {
+        status = calibrate(positions, u);
+    }
+    if (status == INVCAL_OK) {
+        status = calibrate(positions, u);
+    }
+    return status;
+}
+
 invcal_status invcal_calibrate_with_prior(const invcal_real *raw, unsigned count,
                                           const invcal_calibration *nominal, invcal_real noise,
                                           const invcal_real prior[INVCAL_PARAMETERS],
@@ -169,21 +187,55 @@ invcal_status invcal_calibrate_with_prior(const invcal_real *raw, unsigned count
     update u;
 
     INVCAL_ASSERT((raw || count == 0) && nominal && prior && out && quality && from_prior);
-    invcal_zero(&u, sizeof u);
-    u.sigma = prior;
-    u.stated = noise;
-    u.noise = noise;
-    invcal_status status = know(&positions, &u);
-    if (status == INVCAL_OK) {
-        status = calibrate(&positions, &u);
-    }
-    if (status == INVCAL_OK) {
-        status = calibrate(&positions, &u);
-    }
+    const invcal_status status = learn(&positions, prior, &u);
     if (status == INVCAL_OK) {
         *out = u.c;
         *quality = u.q;
         *from_prior = u.from_prior;
     }
     return status;
+}
+
+/* An angle that the positions hardly tell is what the prior says, and the verdict is not about it. */
+invcal_status invcal_calibrate_six_faces(const invcal_real *raw, unsigned count,
+                                         const invcal_calibration *nominal, invcal_real noise,
+                                         invcal_real gamma, invcal_calibration *out,
+                                         invcal_quality *quality, uint16_t *held)
+{
+    const invcal_positions positions = {raw, count, 0, nominal, noise};
+    const invcal_real prior[INVCAL_PARAMETERS] = {0, 0, 0, 0, 0, 0, gamma, gamma, gamma};
+    const unsigned angles = 0x1C0;
+    update u;
+
+    INVCAL_ASSERT((raw || count == 0) && nominal && out && quality && held);
+    const invcal_status status = gamma < 1 ? learn(&positions, prior, &u) : INVCAL_BAD_PRIOR;
+    if (status == INVCAL_OK) {
+        const unsigned weak = u.q.weak;
+        *held = (uint16_t)(u.from_prior | (weak & angles));
+        u.q.weak = (uint16_t)(weak & ~angles);
+        if (u.q.weak == 0) {
+            u.q.verdict = u.of_noise;
+            invcal_raise(&u.q, u.q.dof > 0 ? INVCAL_GOOD : INVCAL_NO_REDUNDANCY);
+        }
+        *out = u.c;
+        *quality = u.q;
+    }
+    return status;
+}
+
+invcal_real invcal_accuracy_held(const invcal_quality *quality, uint16_t held, invcal_real gravity)
+{
+    static const invcal_real share[3] = {INVCAL_REAL(1.0) / 3, INVCAL_REAL(0.2),
+                                         INVCAL_REAL(1.0) / 15};
+
+    INVCAL_ASSERT(quality);
+    invcal_quality measured = *quality;
+    invcal_real square = gravity * gravity;
+    for (unsigned r = 0; r < INVCAL_PARAMETERS; r++) {
+        if ((unsigned)held >> r & 1u) {
+            square += share[r / 3] * measured.sigma[r] * measured.sigma[r];
+            measured.sigma[r] = 0;
+        }
+    }
+    return invcal_accuracy(&measured, INVCAL_SQRT(square));
 }

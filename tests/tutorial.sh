@@ -7,6 +7,7 @@
 #     ```sh          is run, block after block in one shell, which stops at the first failure
 #     ```text        below it is what it prints; `...` stands for any text, alone for any lines
 #     ```c, ```cpp   is saved under the name in its first line, and compiles without a warning
+#     ```python      is saved under the name in its first line
 #
 # `git clone` copies this tree with what BUILD holds, so nothing is built twice; `cc` is $CC, and
 # $INVCAL this tree. C++ is left out where there is no compiler for it. Ends with `N passed, N failed`.
@@ -33,21 +34,22 @@ result() { # 0 or 1, SENTENCE
 # The page as a script, and what is to be printed as $out/N.text.
 awk -v out="$out" '
     /^```/ && kind != "" {
-        if (kind == "c") print "END_OF_FILE\ncompiles " name
+        if (kind == "c" || kind == "python") print "END_OF_FILE"
+        if (kind == "c") print "compiles " name
         if (kind == "sh") print "} > \"$out/" n ".said\" 2>&1"
         kind = ""
         next
     }
     /^```sh$/ { print "echo " ++n " > \"$out/step\"\n{"; kind = "sh"; next }
     /^```text$/ { kind = "text"; next }
-    /^```(c|cpp)$/ { kind = "name"; next }
-    kind == "name" { # /* name.c ... */ or // name.cpp
+    /^```(c|cpp|python)$/ { kind = "name"; language = substr($0, 4); next }
+    kind == "name" { # /* name.c ... */ or // name.cpp or # name.py
         name = $2
         print "cat > " name " << \"END_OF_FILE\""
-        kind = "c"
+        kind = language == "python" ? language : "c"
     }
     kind == "text" { print > (out "/" n ".text") }
-    kind == "sh" || kind == "c"' "$page" > "$out/script"
+    kind == "sh" || kind == "c" || kind == "python"' "$page" > "$out/script"
 
 # What the script calls.
 git() { # clone ADDRESS FOLDER
@@ -70,7 +72,7 @@ compiles() { # NAME
 }
 
 (
-    unset MAKEFLAGS MAKELEVEL
+    unset MAKEFLAGS MAKELEVEL COLUMNS
     # shellcheck disable=SC2034 # the page uses it
     INVCAL=$root
     cd "$out/work" && set -e

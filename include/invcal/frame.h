@@ -31,11 +31,13 @@
 extern "C" {
 #endif
 
+/* Sums over rests of known way up. */
 typedef struct {
     invcal_real sum[3][3]; /* of c a' */
     unsigned count;        /* of directions; at most UINT_MAX */
 } invcal_frame;
 
+/* What a rotation is worth. */
 typedef struct {
     /* Of the three angles about the axes of the case, over that of one direction about each of its axes:
      * times the larger of what is known of the table, and scatter. Two faces: 1, 1, 0.71. */

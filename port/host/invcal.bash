@@ -30,11 +30,16 @@ _invcal() {
     COMPREPLY=()
     if ((COMP_CWORD == 1)); then
         choice=$("$tool" --help 2> /dev/null |
-            awk '/^  [a-z]/ && $1 != "invcal" { print $1 } END { print "--help\n--version" }')
+            awk '/^  [a-z]/ && $1 != "invcal" { print $1 } END { print "help\n--help\n--version" }')
         COMPREPLY=($(compgen -W "$choice" -- "$word"))
         return
     fi
-    help=$("$tool" "$command" --help 2> /dev/null)
+    if [[ $command == help ]]; then
+        choice=$("$tool" --help 2> /dev/null | awk '/^  [a-z]/ && $1 != "invcal" { print $1 }')
+        COMPREPLY=($(compgen -W "$choice" -- "$word"))
+        return
+    fi
+    help=$("$tool" "$command" --help all 2> /dev/null)
     # bash makes words of their own of = and :
     [[ $before == [=:] ]] && before=${COMP_WORDS[COMP_CWORD - 2]}
     [[ $word == [=:] ]] && word=
@@ -42,6 +47,8 @@ _invcal() {
         choice=$(awk '/^  --/ { print $1 } END { print "--help" }' <<< "$help")
     elif [[ $before == directions || $before == angles ]]; then
         choice=FILE
+    elif [[ $before == --sensor ]]; then
+        choice=list$'\n'$("$tool" "$command" --sensor list 2> /dev/null | awk '/^[a-z0-9-]+  / { print $1 }')
     elif [[ $before == per-group || $before == optimal || $before == grid ]]; then
         return # a number
     elif ! choice=$(_invcal_values "$help" "$before"); then

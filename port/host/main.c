@@ -9,13 +9,15 @@
 #include <string.h>
 
 #include "cli/command.h"
+#include "cli/help.h"
 #include "cli/message.h"
 #include "text/nearest.h"
 #include "cli/output.h"
+#include "text/wrapped.h"
 
 static const tool_command *const commands[] = {
-    &calibrate_command, &apply_command,    &export_command, &allan_command,
-    &plan_command,      &simulate_command, &watch_command,
+    &calibrate_command, &apply_command,   &export_command,   &allan_command,
+    &plan_command,      &compare_command, &simulate_command, &watch_command,
 };
 
 #define COMMANDS (sizeof commands / sizeof commands[0])
@@ -37,18 +39,29 @@ static void guard_streams(void)
 
 static void print_help(void)
 {
-    puts("usage: invcal COMMAND ...\n"
-         "\n"
-         "Calibrates accelerometer triads from rest positions, by gravity alone.\n");
+    static const char *const head[] = {
+        "usage: invcal COMMAND ...\n"
+        "\n"
+        "Calibrates accelerometer triads from rest positions, by gravity alone.\n"
+        "\n",
+        NULL};
+    static const char *const tail[] = {
+        "\n"
+        "exit codes: 0 good; 1 the data cannot be calibrated; 2 usage; 3 input unreadable or\n"
+        "malformed, or output not writable\n",
+        NULL};
+
+    help_print(stdout, head);
     for (unsigned i = 0; i < COMMANDS; i++) {
-        printf("  %-12s%s\n", commands[i]->name, commands[i]->purpose);
+        wrapped_printf(stdout, 14, "  %-12s%s", commands[i]->name, commands[i]->purpose);
     }
-    puts("\n"
-         "  invcal COMMAND --help   what it does, its options, an example\n"
-         "  invcal --version        the version\n"
-         "\n"
-         "exit codes: 0 good; 1 the data cannot be calibrated; 2 usage; 3 input unreadable or\n"
-         "malformed, or output not writable");
+    putchar('\n');
+    wrapped_printf(stdout, 28,
+                   "  invcal COMMAND --help     what it is for, the common options, an example");
+    wrapped_printf(stdout, 28, "  invcal COMMAND --help all all of it");
+    wrapped_printf(stdout, 28, "  invcal help COMMAND [all] the same");
+    wrapped_printf(stdout, 28, "  invcal --version          the version");
+    help_print(stdout, tail);
 }
 
 static const tool_command *find_command(const char *name)
@@ -61,26 +74,38 @@ static const tool_command *find_command(const char *name)
     return NULL;
 }
 
-/* `--help` anywhere before a `--`. */
-static int asks_help(int argc, char **argv)
+/* What is asked for by `--help` or `--help all`, anywhere before a `--`. */
+typedef enum { NO_HELP, BRIEF_HELP, ALL_HELP } help_wish;
+
+static help_wish asks_help(int argc, char **argv)
 {
     for (int i = 0; i < argc && strcmp(argv[i], "--") != 0; i++) {
         if (strcmp(argv[i], "--help") == 0) {
-            return 1;
+            return i + 1 < argc && strcmp(argv[i + 1], "all") == 0 ? ALL_HELP : BRIEF_HELP;
+        }
+        if (strcmp(argv[i], "--help=all") == 0) {
+            return ALL_HELP;
         }
     }
-    return 0;
+    return NO_HELP;
+}
+
+static int print_help_of(const tool_command *c, help_wish wish)
+{
+    if (wish == ALL_HELP || !c->brief) {
+        help_print(stdout, c->help);
+    } else {
+        help_print(stdout, c->brief);
+        printf("\nAll options, and more of each: invcal %s --help all\n", c->name);
+    }
+    return EXIT_GOOD;
 }
 
 static int run_command(const tool_command *c, int argc, char **argv)
 {
-    if (!asks_help(argc, argv)) {
-        return c->run(argc, argv);
-    }
-    for (const char *const *part = c->help; *part; part++) {
-        fputs(*part, stdout);
-    }
-    return EXIT_GOOD;
+    const help_wish wish = asks_help(argc, argv);
+
+    return wish == NO_HELP ? c->run(argc, argv) : print_help_of(c, wish);
 }
 
 static int refuse_unknown(const char *word)
@@ -91,20 +116,40 @@ static int refuse_unknown(const char *word)
     for (unsigned i = 0; i < COMMANDS; i++) {
         nearest_offer(&meant, commands[i]->name);
     }
+    nearest_offer(&meant, "help");
     nearest_offer(&meant, "--help");
     nearest_offer(&meant, "--version");
     return message_usage(NULL, "%s: unknown %s%s", word, word[0] == '-' ? "option" : "command",
                          nearest_text(&meant, hint));
 }
 
+/* `invcal help`, `invcal help COMMAND`, `invcal help COMMAND all`. */
+static int run_help(int argc, char **argv)
+{
+    const int is_all = argc > 1 && strcmp(argv[1], "all") == 0;
+
+    if (argc == 0) {
+        print_help();
+        return EXIT_GOOD;
+    }
+    if (argc > 1 + is_all) {
+        return message_usage(NULL, "'%s': one operand too many", argv[1 + is_all]);
+    }
+    const tool_command *c = find_command(argv[0]);
+    return c ? print_help_of(c, is_all ? ALL_HELP : BRIEF_HELP) : refuse_unknown(argv[0]);
+}
+
 static int run(int argc, char **argv)
 {
-    if (argc < 2) {
+    if (argc < 2 || argv[1][0] == '\0') {
         return message_usage(NULL, "COMMAND is missing");
     }
     const tool_command *c = find_command(argv[1]);
     if (c) {
         return run_command(c, argc - 2, argv + 2);
+    }
+    if (strcmp(argv[1], "help") == 0) {
+        return run_help(argc - 2, argv + 2);
     }
     const int is_help = strcmp(argv[1], "--help") == 0;
     if (!is_help && strcmp(argv[1], "--version") != 0) {

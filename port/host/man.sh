@@ -5,13 +5,14 @@
 # How a help is laid out: text begins in the first column, options behind two blanks and what they
 # mean from column 23 on; what is indented otherwise stays as it is.
 tool=$1
+export COLUMNS=64 # of 78, without what man indents words by
 version=$("$tool" --version) || exit 1
 list=$("$tool" --help) || exit 1
 commands=$(echo "$list" | awk '/^  [a-z]/ && $1 != "invcal" { print $1 }')
 
 # The help of a command, line by line, as what the program `part` makes of it.
 help_of() {
-    "$tool" "$1" --help | awk -v command="$1" "$escape $2"
+    "$tool" "$1" --help all | awk -v command="$1" "$escape $2"
 }
 
 # Text for troff: what it would take for its own, and ASCII where it would show typography.
@@ -77,8 +78,9 @@ invcal \\- calibrate accelerometer triads by gravity alone
 for c in $commands; do
     help_of "$c" "$synopsis"
 done
-echo 'invcal \-\-help
-invcal COMMAND \-\-help
+echo 'invcal help [COMMAND [all]]
+invcal \-\-help
+invcal COMMAND \-\-help [all]
 invcal \-\-version
 .fi
 .SH DESCRIPTION'
@@ -110,7 +112,7 @@ echo '.fi
 .SH FILES
 .TP
 .I CAL.json
-A calibration: what calibrate \-\-out writes, and apply and \-\-nominal read.
+A calibration: what calibrate \-\-out writes, and apply, compare and \-\-nominal read.
 .TP
 .I PREFIX/share/invcal/schema.json
 The JSON that the tool prints and writes, as a JSON Schema of 2020\-12. Units stand in it.
@@ -118,6 +120,9 @@ The JSON that the tool prints and writes, as a JSON Schema of 2020\-12. Units st
 .I PREFIX/share/bash\-completion/completions/invcal
 Completion for bash; zsh reads it after bashcompinit.
 .SH ENVIRONMENT
+.TP
+.B COLUMNS
+The width that tables and texts are laid out for, 60 at least. Otherwise that of the terminal, or 80.
 .TP
 .B NO_COLOR
 If it is set and not empty, nothing is coloured. Otherwise terminals get colours.

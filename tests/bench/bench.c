@@ -162,6 +162,25 @@ static void bench_all(void)
     report("judged_18_positions", end());
 }
 
+static void bench_six_faces(void)
+{
+    invcal_real face[6][3] = {{0}};
+    invcal_calibration calibration;
+    invcal_quality quality;
+    uint16_t held = 0;
+
+    for (unsigned i = 0; i < 6; i++) {
+        face[i][i / 2] = i % 2 ? -8100 : 8300;
+    }
+    begin();
+    const invcal_status status = invcal_calibrate_six_faces(
+        face[0], 6, &nominal, INVCAL_REAL(0.001), INVCAL_CROSS_AXIS, &calibration, &quality, &held);
+    report("six_faces", end());
+    if (status != INVCAL_OK || held != 7u << INVCAL_GAMMA_XY) {
+        board_exit(1);
+    }
+}
+
 /* A sensor at rest: noise of some counts. */
 static void next_sample(int32_t sample[3])
 {
@@ -367,6 +386,7 @@ int main(void)
     bench_full_vector();
     bench_frame();
     bench_all();
+    bench_six_faces();
     bench_session();
     bench_allan();
     bench_thermal();

@@ -8,7 +8,7 @@ CC := clang-19
 SANITIZERS := -fsanitize=address,undefined,float-cast-overflow -fno-sanitize-recover=all \
     -fno-omit-frame-pointer
 FLAGS := -std=c99 -ffp-contract=off -Wall -Wextra -Wconversion -Wdouble-promotion -Wshadow \
-    -pedantic -Werror -O1 -g $(SANITIZERS) $(EXTRA) -Iinclude -Isrc -Itests/fuzz
+    -pedantic -Werror -O1 -g $(SANITIZERS) $(EXTRA) -Iinclude -Isrc -Iport/host -Itests/fuzz
 # The tool, as the Makefile builds it, under another name than main.
 TOOL := -Dmain=tool_main -DINVCAL_DOUBLE=1 -DINVCAL_MAX_POSITIONS=64 -DINVCAL_ALLAN_TAUS=31 \
     -DINVCAL_ALLAN_OVERLAP=4096 -DINVCAL_THERMAL_DEGREE=2

@@ -39,6 +39,8 @@ static const char *const lines[] = {
     "export - --format px4 --zero 0,0,0 --lsb 0.01",
     "export - --format ros --lsb 0.01 --zero 0",
     "simulate --plan directions:- --rate 8 --dwell 1 --move 1",
+    "calibrate - --columns 2,3,4 --json",
+    "apply cal.json - --columns time=t,x=ax,y=2,z=az,temperature=5",
 };
 
 int LLVMFuzzerInitialize(int *argc, char ***argv)

@@ -264,6 +264,34 @@ static void calibrate(source *s)
     look_at_guidance(&mean[0][0], count, &c, s);
 }
 
+/* The verdict is not about angles, and only these are held. */
+static void calibrate_six_faces(const invcal_real *mean, unsigned count, const conditions *c)
+{
+    const unsigned angles = 7u << INVCAL_GAMMA_XY;
+    const invcal_real gamma = c->prior[INVCAL_GAMMA_XY];
+    invcal_calibration out;
+    invcal_quality quality;
+    uint16_t held;
+
+    mark(&out, sizeof out);
+    mark(&quality, sizeof quality);
+    mark(&held, sizeof held);
+    if (invcal_calibrate_six_faces(mean, count, &c->nominal, c->noise, gamma, &out, &quality,
+                                   &held) != INVCAL_OK) {
+        require_mark(&out, sizeof out);
+        require_mark(&quality, sizeof quality);
+        require_mark(&held, sizeof held);
+        return;
+    }
+    require_solution(&out, c);
+    require_quality(&quality, count);
+    REQUIRE(count >= 6 && gamma > 0 && gamma < 1);
+    REQUIRE((held & ~angles) == 0 && (quality.weak & angles) == 0);
+    REQUIRE((quality.weak != 0) == (quality.verdict == INVCAL_WEAK));
+    const invcal_real right = invcal_accuracy_held(&quality, held, 0);
+    REQUIRE(right >= 0 && right <= invcal_accuracy(&quality, 0) * (1 + 8 * INVCAL_EPSILON));
+}
+
 /* Sigma is never above the prior. */
 static void calibrate_with_prior(source *s)
 {
@@ -274,6 +302,7 @@ static void calibrate_with_prior(source *s)
     invcal_quality quality;
     uint16_t from_prior;
 
+    calibrate_six_faces(&mean[0][0], count, &c);
     mark(&out, sizeof out);
     mark(&quality, sizeof quality);
     mark(&from_prior, sizeof from_prior);

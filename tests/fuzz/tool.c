@@ -12,7 +12,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include "../../port/host/design/grid.h"
+#include "design/grid.h"
 
 #define REQUIRE(condition) ((condition) ? (void)0 : fail(__LINE__, #condition))
 
@@ -227,7 +227,12 @@ void tool_begin(void)
 
 /* ---- one run ---------------------------------------------------------------------------------- */
 
-/* Every error is one line. */
+static int is_warning(const char *line)
+{
+    return strncmp(line, "invcal: warning: ", 17) == 0;
+}
+
+/* Every error is one line; warnings may stand before it. */
 static void look_at_errors(int code, int is_live)
 {
     const char *line = said.text;
@@ -239,7 +244,7 @@ static void look_at_errors(int code, int is_live)
         return;
     }
     REQUIRE(end != NULL);
-    while (is_live && end[1] != '\0') { /* guidance and bad lines before it */
+    while ((is_live || is_warning(line)) && end[1] != '\0') { /* guidance and bad lines before it */
         line = end + 1;
         end = strchr(line, '\n');
         REQUIRE(end != NULL);

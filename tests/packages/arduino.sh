@@ -8,7 +8,7 @@
 # calibration found in the EEPROM after the last; through a reset, a power cut while the session is
 # stored, and a position that is wrong.
 . "$(dirname "$0")/../package.sh"
-need arduino-builder avr-g++ avr-size simavr gcc
+need arduino-builder avr-g++ avr-size simavr gcc g++
 library=$out/libraries/invcal
 cores=/usr/share/arduino/hardware
 board=${ARDUINO_BOARD:-uno} # or mega
@@ -209,6 +209,18 @@ EOF
         awk 'NR == 2 { exit $1 + $2 > 9000 || $2 + $3 > 300 }'
 }
 
+# The other example: built for the board; and run here, with what the page sends on its serial port.
+builds_browser() {
+    mkdir "$out/Browser" && cp "$library"/examples/Browser/* "$out/Browser/" && builds "$fqbn" Browser &&
+        avr-size "$out/Browser.build/Browser.ino.elf"
+}
+
+browser_stores() {
+    g++ -std=c++11 -Wall -Wextra -Wno-unused-function -Itests/packages/arduino/mock -I"$library/src" \
+        -I"$out/Browser" tests/packages/arduino/browser.cpp "$build/float/libinvcal.a" -lm -o "$out/browser" &&
+        "$out/browser"
+}
+
 check "it can be staged" stage_library
 check "library.properties keeps to the specification" properties
 check "a sketch sees one header of it, no others" one_header
@@ -229,4 +241,6 @@ check "after the last power-on it finds and applies what was stored" readings
 check "README.md says what it takes" costs
 [ "$board" = mega ] || check "it leaves an Uno 4 KB of flash and 400 bytes of RAM" fits_uno
 check "an Uno stores, finds and applies a calibration" applies_on_uno
+check "the example for the page in a browser builds, without a warning" builds_browser
+check "it prints readings, stores what the page sends, and refuses what is damaged" browser_stores
 finish

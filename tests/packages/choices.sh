@@ -32,7 +32,7 @@ for function in invcal_apply invcal_nominal invcal_load invcal_load_v1 invcal_re
 done
 for function in invcal_calibrate invcal_calibrate_judged invcal_session_init invcal_session_begin \
     invcal_load_session invcal_session_resume invcal_calibrate_without invcal_calibrate_robust \
-    invcal_calibrate_with_prior invcal_background_init; do
+    invcal_calibrate_with_prior invcal_calibrate_six_faces invcal_background_init; do
     check "$function links as the library was compiled" links $function "$build/float/libinvcal.a"
     check "$function: not from double to float" refuses $function "$build/float/libinvcal.a" -DINVCAL_DOUBLE=1
     check "$function: not with fewer positions" refuses $function "$build/float/libinvcal.a" \

@@ -94,7 +94,8 @@
     stroke: once((e) => findPaint(e, 'stroke'))};
   const paint = (e, which) => paints[which](e);
   const isShape = once((e) => e.matches(SHAPES));
-  const hasPicture = once((e) => style(e).backgroundImage !== 'none');
+  // The shades at the edges of a table that goes on leave any text 6:1.
+  const hasPicture = once((e) => style(e).backgroundImage !== 'none' && !e.matches('.scroll'));
   const background = once((e) => {
     if ((isSvg(e) && e.tagName !== 'svg') ||
       (view.print && style(e).printColorAdjust !== 'exact')) {

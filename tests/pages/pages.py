@@ -24,6 +24,8 @@ LOOK = (HERE / "look.js").read_text()
 RULES = (HERE / "rules.js").read_text()
 SIGNS = "Az09±²µσΔ°·−–×"  # what a font must have, in any rendering
 
+FEW_WORDS = 12  # a sheet with fewer is nearly empty
+MORE = re.compile("At the stand|prior")  # what takes a sheet more
 A4 = (794, 1123)  # CSS pixels
 MARGIN = 38       # 1 cm, where the page states none
 # Width, height, scale of the device, least font; CSS pixels, of which 8 are 6 pt.
@@ -221,7 +223,8 @@ class Gate:
                    ", nearest %.1f" % least if least is not None else "")
 
     def paper(self, path, margins):
-        """The page as a PDF: every letter of it lies within the margins of some sheet."""
+        """The page as a PDF: every letter of it lies within the margins of some sheet; a head, if it has
+        one, in the upper margin of each."""
         inches = [m / 96 for m in margins]
         pdf = self.folder / (path.name + ".pdf")
         data = self.browser.call(
@@ -231,23 +234,37 @@ class Gate:
         pdf.write_bytes(base64.b64decode(data))
         boxes = subprocess.run(["pdftotext", "-bbox", str(pdf), "-"], check=True,
                                capture_output=True, text=True).stdout
-        faults, letters, sheets = [], collections.Counter(), 0
+        faults, letters, sheets, heads = [], collections.Counter(), 0, []
+        words = []  # of each sheet
+        has_head = "@top-right" in path.read_text(encoding="utf-8")
         for line in boxes.splitlines():
             sheet = re.search(r'<page width="([\d.]+)" height="([\d.]+)"', line)
             word = re.search(r'<word xMin="(.*?)" yMin="(.*?)" xMax="(.*?)" yMax="(.*?)">(.*)</',
                              line)
             if sheet:
                 sheets += 1
+                heads.append("")
+                words.append(0)
                 width, height = float(sheet[1]), float(sheet[2])
                 if abs(width - A4[0] * 0.75) > 2 or abs(height - A4[1] * 0.75) > 2:
                     faults.append("sheet %d is not A4: %g x %g pt" % (sheets, width, height))
             elif word:
                 box = [float(word[i]) for i in range(1, 5)]
                 room = [m * 0.75 - 2 for m in margins]
+                if has_head and 8 < box[1] and box[3] < room[1] and box[2] <= width - room[2]:
+                    heads[-1] += word[5]
+                    continue
                 if (box[0] < room[0] or box[1] < room[1] or box[2] > width - room[2] or
                         box[3] > height - room[3]):
                     faults.append('"%s" on sheet %d: beyond the margin' % (word[5], sheets))
+                words[-1] += 1
                 letters.update(plain(html.unescape(word[5])))
+        if has_head and (not heads[0] or len(set(heads)) > 1):
+            faults.append("heads of the sheets: %s" % heads)
+        if sheets > 1 and words[-1] < FEW_WORDS:
+            faults.append("the last sheet has %d words" % words[-1])
+        if "All 18 positions" in self.words and sheets > 3 and not MORE.search(self.words):
+            faults.append("18 positions take %d sheets" % sheets)
         lost = collections.Counter(plain(self.words)) - letters
         if lost:
             faults.append("letters that are not on paper: " + " ".join(

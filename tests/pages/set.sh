@@ -19,7 +19,7 @@ calibrate() { # calibrate PAGE ARGUMENTS ...
 # Real sensors: one with its maker's figures, one as positions came, one that is weak.
 calibrate xsens "$data/xsens_mti_positions.csv" --positions --gravity 9.81744 \
     --zero 33123,33276,32360 --lsb 0.002409639,0.002421308,0.002409639 --nominal-name factory \
-    --tolerance 0.02,0.005,0.02
+    --tolerance 0.02,0.005,0.02 --need 1mg
 calibrate xsens-ins "$data/xsens_mti_positions.csv" --positions --gravity 9.81744 --units ins \
     --zero 33123,33276,32360 --lsb 0.002409639,0.002421308,0.002409639 --tolerance 0.02,0.005,0.02
 calibrate mpu9150 "$data/mpu9150_0_positions.csv" --positions --gravity 9.81 --unit m/s2
@@ -27,8 +27,8 @@ calibrate t265 "$data/t265_positions.csv" --positions --gravity 9.8016 --unit m/
 
 # A log with two wrong positions and a temperature, and what the sensor may be wrong by.
 "$tool" simulate --plan edges --outliers 2 --temperature 20,30 --tremor 0.003 > "$out/outliers.csv"
-calibrate outliers "$out/outliers.csv" --zero 0,0,0 --lsb 0.000598550415 --noise 0.01 \
-    --prior 0.05,0.02,0.02 --tolerance 0.05,0.03,0.02
+calibrate outliers "$out/outliers.csv" --sensor mpu6050 --noise 0.01 --prior 0.05,0.02,0.02
+calibrate counts "$out/outliers.csv" # the same, of which nothing is known
 
 # Angles of a stand: as they should be, one misset, exchanged columns, an open group.
 for trouble in none misset columns open; do
@@ -61,13 +61,33 @@ calibrate warming-prior "$out/drift.csv" --thermal 1 --noise 0.02 --slope 0.01,0
 # As many positions as parameters; 2000; another field; a name to trip over.
 "$tool" simulate --plan optimal:9 > "$out/nine.csv"
 calibrate nine "$out/nine.csv"
+"$tool" simulate --plan faces > "$out/faces.csv"
+calibrate six-faces "$out/faces.csv" --six-faces --zero 0,0,0 --lsb 0.000598550415
 awk -v family=sphere -v count=2000 -v seed=7 -f "$here/../tool/positions.awk" > "$out/many.csv"
 calibrate many "$out/many.csv" --positions
 awk -F, 'NR > 1 { print $1 / 300, $2 / 300, $3 / 300 }' "$data/xsens_mti_positions.csv" > "$out/mag.txt"
 calibrate magnetometer "$out/mag.txt" --positions --gravity 48.5
+calibrate record "$out/nine.csv" --device 'MTi "<10>"' --serial 47 --operator Jürgen --date 2026-11-23 --note 'on the bench'
 odd="$out/<b onclick=x>&\"' a-very-long-name-without-any-place-to-break-it-in-two-lines-of-a-phone.csv"
 cp "$out/nine.csv" "$odd"
 calibrate hostile "$odd" --nominal-name '<i>&"'
+
+# What is refused: six faces, a plane, no rest, drifting temperatures, a wrong unit.
+refused() { # refused PAGE ARGUMENTS ...
+    page=$out/refused-$1.html
+    shift
+    if "$tool" calibrate --quiet --report "$page" "$@" 2> /dev/null; then false; fi
+    echo "$page"
+}
+"$tool" simulate --plan faces > "$out/faces.csv"
+refused faces "$out/faces.csv" --need 1mg --out "$out/none.json"
+awk -v family=plane -v count=18 -v seed=4 -f "$here/../tool/positions.awk" > "$out/plane.csv"
+refused plane "$out/plane.csv" --positions
+"$tool" simulate --plan edges --dwell 0.5 --move 0.5 > "$out/restless.csv"
+refused restless "$out/restless.csv"
+"$tool" simulate --plan edges --temperature 10,40 --drift 0.001 > "$out/drifting.csv"
+refused drift "$out/drifting.csv" --thermal 1
+refused unit "$data/xsens_mti_positions.csv" --positions --zero 0,0,0 --lsb 1
 
 for set in per-group:6 optimal:48; do
     picture=$out/directions-$(echo "$set" | tr : -).svg
@@ -117,3 +137,21 @@ echo "$out/labour.svg"
 plan comparison --compare per-group:8 per-group:6 --svg "$out/comparison.svg"
 echo "$out/comparison.svg"
 plan far-apart --compare per-group:1000 optimal:9
+
+# Comparisons: a history of three, a fleet with one outside, two that look alike.
+for k in 1 2 3 4 5 6 7 8 9; do
+    "$tool" simulate --plan edges --seed $k --offset "0.0$((k * k % 7 + 1)),0,0.$((k / 9 * 2))3" --zero 20000,20000,20000 \
+        --lsb 0.0012 > "$out/fleet.csv"
+    "$tool" calibrate "$out/fleet.csv" --quiet --serial "47-$k" --device 'ADXL355 "<A>"' --date "2026-0$k-01" \
+        --out "$out/fleet-$k.json"
+done
+compare() { # compare PAGE ARGUMENTS ...
+    page=$out/compare-$1.html
+    shift
+    "$tool" compare --quiet --report "$page" "$@"
+    echo "$page"
+}
+compare history "$out/fleet-1.json" "$out/fleet-2.json" "$out/fleet-3.json" --as history --same-field
+compare fleet "$out"/fleet-?.json
+compare fleet-ins "$out"/fleet-?.json --units ins
+compare same "$out/fleet-1.json" "$out/fleet-1.json"

@@ -5,7 +5,7 @@
 #include "invcal/expert.h"
 
 // eva: -eva-precision 0 -eva-auto-loop-unroll 12 -eva-slevel 50 -eva-slevel-merge-after-loop @all
-// eva: -eva-split-return-function know:0,calibrate:0,solve_with:0,factor_with:0,judge_with:0,invcal_observe:0,invcal_positions_sum:0,invcal_positions_compare:0,invcal_factor:0,invcal_ellipsoid:0,invcal_behind:0,invcal_residuals_end:0
+// eva: -eva-split-return-function know:0,calibrate:0,learn:0,solve_with:0,factor_with:0,judge_with:0,invcal_observe:0,invcal_positions_sum:0,invcal_positions_compare:0,invcal_factor:0,invcal_ellipsoid:0,invcal_behind:0,invcal_residuals_end:0
 // trusted: 1
 
 enum { COUNT = 100 };
@@ -19,12 +19,19 @@ void main(void)
     invcal_quality quality;
     invcal_real noise;
     uint16_t from_prior;
+    invcal_real gamma;
 
     ANY(raw);
     ANY(nominal);
     ANY(prior);
     ANY(noise);
+    ANY(gamma);
     (void)invcal_calibrate_with_prior(NULL, 0, &nominal, noise, prior, &out, &quality, &from_prior);
     (void)invcal_calibrate_with_prior(raw, BETWEEN(1, COUNT), &nominal, noise, prior, &out,
                                       &quality, &from_prior);
+    (void)invcal_calibrate_six_faces(raw, BETWEEN(1, COUNT), &nominal, noise, gamma, &out, &quality,
+                                     &from_prior);
+    ANY(quality);
+    ANY(from_prior);
+    (void)invcal_accuracy_held(&quality, from_prior, gamma);
 }

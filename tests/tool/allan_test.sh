@@ -171,10 +171,11 @@ refuses "a unit that is none" 2 '--unit ft: is none of' allan "$work/rest.csv" -
 refuses "two units" 2 '--lsb: tells the unit itself' allan "$work/rest.csv" --unit g --lsb 1
 refuses "an end before the beginning" 2 '--to: is before --from' allan "$work/rest.csv" --from 3 --to 2
 refuses "a part with nothing in it" 1 'no sample within' allan "$work/rest.csv" --from 5000
-refuses "a result over the log" 2 'is LOG, which would be lost' allan "$work/rest.csv" --out "$work/rest.csv"
+refuses "a result over the log" 2 'is LOG itself, which would be lost' allan "$work/rest.csv" --out "$work/rest.csv"
 refuses "a report over the result" 2 '--report: is the file of --out' allan "$work/rest.csv" \
     --out "$work/out/a" --report "$work/out/a"
-echo '1,2' >> "$work/short.csv"
+row=$(tail -n 1 "$work/short.csv")
+printf '1,2\n%s\n' "$row" >> "$work/short.csv"
 refuses "a malformed line" 3 'short.csv:9: ' allan "$work/short.csv"
 refuses "no log" 3 'nowhere' allan "$work/nowhere"
 
@@ -262,8 +263,8 @@ check "labour: a random walk goes on between positions" walked
 
 noise 0.001 0.0002 0.000004
 accepts "labour prints" plan --limits 3e-5,3e-5,1e-4 --allan "$work/noise.json" --settle 1
-check "labour: one row is chosen" [ "$(grep -c '   chosen$' "$work/stdout")" = 1 ]
-check "labour: what binds is named" matches "$work/stdout" '(offsets|scale errors|angles)   chosen$'
+check "labour: one row is chosen" [ "$(grep -c ' chosen$' "$work/stdout")" = 1 ]
+check "labour: what binds is named" matches "$work/stdout" '(offsets|scale errors|angles) +chosen$'
 accepts "labour draws" plan --limits 3e-5,3e-5,1e-4 --allan "$work/noise.json" --quiet \
     --svg "$work/out/labour.svg" --report "$work/out/labour.html"
 check "labour: the picture is one" matches "$work/out/labour.svg" 'Total time against number'

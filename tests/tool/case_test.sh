@@ -3,6 +3,7 @@
 #
 # calibrate --case: the axes of the case, against a rotation that is known: case_test.sh path/to/invcal builddir
 here=$(dirname "$0")
+# shellcheck source=tests/tool/support.sh
 . "$here/support.sh"
 
 # Readings over g of a perfect sensor in a case: 18 edges, then each of three faces twice on a table that leans
@@ -72,7 +73,7 @@ refuses "case: a mirrored axis" 1 'no axis of the case mirrored' \
     calibrate "$work/straight.csv" --positions --unit g --gravity 1 --case +z,+x,-y
 refuses "case: an empty list" 2 '--case: its value is empty' \
     calibrate "$work/straight.csv" --positions --case ''
-for list in w +. +z, ,+z . +z,,x x-y; do
+for list in w +. '+z,' ',+z' . '+z,,x' x-y; do
     refuses "case: '$list'" 2 '--case: is the ways' calibrate "$work/straight.csv" --positions --case "$list"
 done
 refuses "case: beside another frame" 2 'leave out --frame' \

@@ -537,7 +537,7 @@ for f in px4 ros imu_tk fusion; do
 done
 accepts "c: it needs no gravity" export "$work/none.json" --format c
 for members in '"sigma": {"dk": [1, 2]},' '"sigma": {"dk": [1, 2, "x"]},' '"positions": "many",' \
-    '"unit": 5,' '"nominal": [1],' '"undetermined": {},' '"nominal": {"zero": [1, null, 3]},'; do
+    '"unit": 5,' '"nominal": [1],' '"undetermined": {},' '"nominal": {"zero": [1, "x", 3]},'; do
     calibration "$members" "$gravity" 1 > "$work/bad.json"
     refuses "a malformed member is refused: $members" 3 'bad.json:[0-9]+: ' \
         export "$work/bad.json" --format c
@@ -559,18 +559,17 @@ refuses "an output that cannot be written is refused" 3 'cannot be written' \
 
 # ---- help --------------------------------------------------------------------------------------
 
-accepts "--help succeeds" export --help
-check "--help has usage, exit codes and an example" sh -c \
+accepts "--help all succeeds" export --help all
+check "--help all has usage, exit codes and an example" sh -c \
     'grep -q "^usage: invcal" "$1" && grep -q "^exit codes:" "$1" && grep -q "^example:" "$1"' \
     sh "$work/stdout"
-check "--help is at most 100 columns wide" awk 'length > 100 { exit 1 }' "$work/stdout"
 for o in name zero lsb instance device-id out format; do
-    check "--help explains --$o" matches "$work/stdout" "^  --$o "
+    check "--help all explains --$o" matches "$work/stdout" "^  --$o "
 done
 mkdir "$work/example"
 ln -s "$(cd "$here/.." && pwd)" "$work/example/tests"
 sed -n '1,/^example:/d; s|^  invcal|"$tool"|; p' "$work/stdout" > "$work/example/run"
-check "the example of --help works" sh -c 'cd "$1" && [ -s run ] && tool=$2 sh -e ./run > out 2> err &&
+check "the example of --help all works" sh -c 'cd "$1" && [ -s run ] && tool=$2 sh -e ./run > out 2> err &&
     grep -q CAL_ACC0_XOFF out && grep -q "invcal_calibration accelerometer" out' \
     sh "$work/example" "$tool"
 

@@ -175,10 +175,10 @@ dress_positions "positions in g, stated" 1 g header unit \
 check "positions in g: the table is in g" matches "$work/stdout" '^offset y .* g$'
 check "positions in g: scales are in g" matches "$work/stdout" '^scale z .* g per m/s²$'
 check "positions in g: zero and scale are by the unit" matches "$work/stdout" \
-    '^nominal: zero and scale by the unit that is stated'
+    '^nominal: zero and scale by the unit$'
 check "positions in g: scale errors are those of the sensor, within 0.1 %" near 0.1 \
     "$(awk '/^scale error/ { printf "%s ", $4 }' "$work/stdout")" '1 -2 2'
-dress_positions "positions in g, by size" 1 g size range \
+dress_positions "positions in g, by size" 1 g size unit \
     'CSV with commas, no header; x y z in g (by their size)' '' "$x"
 dress_positions "positions in mg" 1000 mg header unit \
     'table with blanks, header in line 1; mean_x_mg mean_y_mg mean_z_mg in mg' \
@@ -189,7 +189,7 @@ dress_positions "positions in m/s^2" 9.80665 'm/s^2' header unit \
     'CSV with commas, header in line 1; mean_x mean_y mean_z in m/s², std_x, std_y, std_z, n_samples' \
     'mean_x (m/s^2),mean_y (m/s^2),mean_z (m/s^2),std_x (m/s^2),std_y (m/s^2),std_z (m/s^2),n_samples' \
     "$x \",0.01,0.01,0.01,100\""
-dress_positions "positions in m/s^2, by size" 9.80665 'm/s^2' size range \
+dress_positions "positions in m/s^2, by size" 9.80665 'm/s^2' size unit \
     'CSV with commas, no header; x y z in m/s² (by their size), std, n' '' "$x \",0.01,100\""
 dress_positions "positions in counts" 16384 counts header range \
     'CSV with commas, header in line 1; ax_raw ay_raw az_raw in counts' 'ax_raw,ay_raw,az_raw' "$x"
@@ -205,9 +205,9 @@ dress_positions "--unit knows better than the header" 1000 mg option unit \
     'CSV with commas, header in line 1; x y z in mg (--unit)' 'x (g),y (g),z (g)' "$x" --unit mg
 dress_positions "a stated unit with --zero" 1 g header 'given unit' \
     'CSV with commas, header in line 1; x y z in g' 'x (g),y (g),z (g)' "$x" --zero 0,0,0.1
-dress_positions "a stated unit with --lsb" 1 g header 'range given' \
+dress_positions "a stated unit with --lsb" 1 g header 'unit given' \
     'CSV with commas, header in line 1; x y z in g' 'x (g),y (g),z (g)' "$x" --lsb 9.8
-dress_positions "a field of 1 keeps the range" 1 g header range \
+dress_positions "a field of 1 is one in g" 1 g header unit \
     'CSV with commas, header in line 1; x y z in g' 'x (g),y (g),z (g)' "$x" --gravity 1
 dress_positions "a magnetometer: no size tells a unit" 48.5 unknown none range \
     'CSV with commas, header in line 1; mx my mz' 'mx,my,mz' "$x" --gravity 48.5
@@ -273,7 +273,7 @@ run watch - --unit mg
 check "watch: --unit is told" test "$(head -n 1 "$work/stdout")" = \
     'standard input: CSV with commas, no header; t (s), x y z in mg (--unit)'
 check "watch: --unit gives zero and scale" matches "$work/stdout" \
-    '^nominal: zero and scale by the unit that is stated'
+    '^nominal: zero and scale by the unit$'
 in=/dev/null
 
 # ---- refusals -----------------------------------------------------------------------------------
@@ -331,7 +331,7 @@ bad_line "thousands separators" "column 1 \(x\): '1,234.5' .* has thousands sepa
 bad_line "thousands separators of Switzerland" "column 2 \(y\): '1'234' .* thousands separators" \
     "x;y;z\n1;1'234;3\n"
 
-bad "a gyro alone" 'bad\.csv:1: the header names no columns x, y, z \(nor ax, .*--help\): rename the three' \
+bad "a gyro alone" 'bad\.csv:1: the header names no columns x, y, z \(nor ax, .*--help all\): rename the three' \
     'time (us),gyroADC[0],gyroADC[1],gyroADC[2],wx,wy,wz,gx,gy,gz\n0,1,2,3,4,5,6,7,8,9\n'
 bad "two axes" 'bad\.csv:1: the header names no columns x, y, z' 'ax,ay,gz\n1,2,3\n'
 bad "linear acceleration" \
@@ -347,14 +347,14 @@ refuses "a date is no time, and what to do is told" 3 \
     "column 1 \(t\): '2026-05-01T10:00:00Z' is not a decimal number: convert it to seconds" \
     calibrate "$work/bad.csv"
 bad "two accelerometers" \
-    "bad\.csv:1: x, y and z are there twice \('accSmooth\[0\]' and 'accADC\[0\]'\): leave one set" \
+    "bad\.csv:1: x, y and z are there twice \('accSmooth\[0\]' and 'accADC\[0\]'\): state which with --columns, or leave one set" \
     'accSmooth[0],accSmooth[1],accSmooth[2],accADC[0],accADC[1],accADC[2]\n1,2,3,4,5,6\n'
 bad "axes in different units" \
     "bad\.csv:1: 'ax \(g\)' and 'az \(mg\)' are in different units: convert one of them$" \
     'ax (g),ay (g),az (mg)\n1,2,3\n'
 bad "one axis without a unit" "bad\.csv:1: 'ax \(g\)' and 'ay' are in different units" \
     'ax (g),ay,az (g)\n1,2,3\n'
-bad "two clocks of one rank" "bad\.csv:1: more than one column could be 't': leave one$" \
+bad "two clocks of one rank" "bad\.csv:1: more than one column could be 't': leave one, or state which with --columns t=NAME$" \
     't_ms,time (us),x,y,z\n1,2,3,4,5\n'
 bad "settings, but no table" "bad\.csv:2: lines of two columns, a name and another, are no table" \
     'name,sensor 5\nrate,100\n'
@@ -375,7 +375,7 @@ refuses "--unit without a value" 2 '--unit: its value is missing' calibrate "$wo
 
 write_positions 1 'x (mg),y (mg),z (mg)' "$x"
 refuses "a header that states another unit than that of the readings" 1 \
-    'pos\.csv:2: position 1 reads 0\.0[0-9]* of the field with the scale of the unit that is stated: check the unit in the header; --unit' \
+    'pos\.csv:2: position 1 reads 0\.0[0-9]* of the field with the scale of the unit that is stated; check the unit in the header; --unit' \
     calibrate "$work/pos.csv" --positions
 run calibrate "$work/pos.csv" --positions --unit g --json
 check "--unit puts it right" near 1e-9 "$(field offset)" '0.02 -0.03 0.05'

@@ -303,11 +303,11 @@ check "report: JSON is as without" same "$work/stdout" "$work/plain.json"
 
 rm -f "$work"/out/*
 cp "$work/cap.csv" "$work/out/own.csv"
-refuses "report: a page over its directions" 2 'report: is a file of directions' plan --directions \
+refuses "report: a page over its directions" 2 'report: is the file of --directions' plan --directions \
     "$work/out/own.csv" --report "$work/out/own.csv"
-refuses "report: the same to compare" 2 'report: is a file of directions' plan --compare edges \
+refuses "report: the same to compare" 2 'report: is the file of --compare' plan --compare edges \
     "directions:$work/out/own.csv" --report "$work/out/own.csv"
-refuses "report: a picture over them" 2 'svg: is a file of directions' plan --compare \
+refuses "report: a picture over them" 2 'svg: is the file of --compare' plan --compare \
     "directions:$work/out/own.csv" edges --svg "$work/out/own.csv"
 check "report: they are still there" same "$work/cap.csv" "$work/out/own.csv"
 rm -f "$work"/out/*

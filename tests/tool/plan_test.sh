@@ -502,7 +502,7 @@ refuses "plan: a sweep with a set" 2 'sweep: names' plan --edges --sweep 5:6
 refuses "plan: an operand" 2 'one operand too many' plan edges faces
 refuses "plan: angles in the number" 2 'start has the angles' plan --per-group 6:1,2,3
 refuses "plan: a sweep with noise" 2 'sweep: knows no' plan --sweep 5:6 --noise 1e-4
-refuses "plan: standard input twice" 2 'only one set' plan --compare directions:- directions:-
+refuses "plan: standard input twice" 2 'only one input' plan --compare directions:- directions:-
 for bad in '--budget 1e308' '--dwell 1e-300' '--move 1e99' '--noise 1e300' '--noise 1e-300'; do
     # shellcheck disable=SC2086
     refuses "plan: an absurd number, $bad" 2 'must be within' plan $bad

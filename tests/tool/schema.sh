@@ -46,9 +46,16 @@ printf '%s\n' 1,0,0 -1,0,0 0,1,0 0,-1,0 0,0,1 0,0,-1 .7,.7,0 .7,0,.7 0,.7,.7 > "
 prints 0 calibration calibrate "$work/nine.csv" --positions --gravity 1
 prints 0 calibration calibrate "$xsens" --positions --zero 33123,33276,32360 --lsb 0.0024 \
     --noise 0.01 --prior 0.1,0.1,0.1
+"$tool" simulate --plan faces > "$work/faces.csv"
+prints 0 calibration calibrate "$work/faces.csv" --six-faces
+prints 1 calibration_refusal calibrate "$work/faces.csv"
 "$tool" simulate --plan edges --outliers 2 --truth "$work/truth.json" > "$work/log.csv"
 prints 0 calibration calibrate "$work/log.csv"
 prints 0 calibration watch "$work/log.csv"
+prints 0 calibration calibrate "$work/log.csv" --sensor mpu6050
+prints 0 calibration calibrate "$work/log.csv" --robust
+"$tool" simulate --plan per-group:6 --stand > "$work/stand.csv"
+prints 0 calibration calibrate "$work/stand.csv" --stand
 check "the file of --truth is a truth" fits truth "$work/truth.json"
 
 sensor() { # sensor STATIONS
@@ -86,6 +93,33 @@ prints 1 calibration_refusal calibrate "$work/noise.csv" --positions --gravity 1
 prints 1 calibration_refusal calibrate "$xsens" --positions --zero 0,0,0 --lsb 1
 sed '2s/.*/1e200,1,1/' "$work/nine.csv" > "$work/huge.csv"
 prints 1 calibration_refusal calibrate "$work/huge.csv" --positions --zero 0,0,0 --lsb 1 --gravity 1
+
+# ---- records, lines, comparisons ---------------------------------------------------------------
+
+is_line() { # CODE OBJECT
+    [ "$(wc -l < "$work/stdout")" -eq 1 ] && is_object "$@"
+}
+line() { # line CODE OBJECT ARGUMENTS ...
+    expected=$1
+    object=$2
+    shift 2
+    run calibrate "$@" --json-lines
+    check "calibrate $* --json-lines is a $object on a line" is_line "$expected" "$object"
+}
+line 0 calibration "$xsens" --positions --device MTi --serial 47 --operator Jürgen --date 2026-11-23 --note '"new"'
+line 1 calibration_refusal "$work/three.csv" --positions
+line 3 calibration_refusal "$work/none.csv"
+for k in 1 2 3 4; do
+    "$tool" calibrate "$xsens" --positions --gravity 9.81744 --serial $((k / 2)) --date 2026-11-2$k --quiet \
+        --out "$work/file$k.json"
+done
+check "the file of --out with a record is a calibration" fits calibration "$work/file1.json"
+prints 0 comparison compare "$work/file2.json" "$work/file3.json"
+prints 0 comparison compare "$work"/file?.json
+"$tool" calibrate "$work/nine.csv" --positions --gravity 9.81744 --quiet --unit counts --out "$work/blind.json"
+prints 0 comparison compare "$work/file1.json" "$work/blind.json" --as history
+"$tool" calibrate "$xsens" --positions --frame triangular --quiet --out "$work/turned.json"
+prints 1 comparison_refusal compare "$work/file1.json" "$work/turned.json" --as fleet
 
 # ---- noise -------------------------------------------------------------------------------------
 
@@ -127,6 +161,10 @@ prints 1 plan_refusal plan --limits 1e-9,1e-9,1e-9 --allan "$work/noise.json"
 prints 0 plan_sweep plan --sweep 5:9
 prints 0 plan_comparison plan --compare edges per-group:6
 prints 0 plan_comparison plan --compare edges optimal:18 --noise 0.001
+
+prints 0 calibration calibrate "$xsens" --positions --zero 33123,33276,32360 --lsb 0.0024 --need 1mg \
+    --tolerance 0.02,0.005,0.02
+prints 0 calibration calibrate "$work/nine.csv" --positions --gravity 1 --zero 0,0,0 --lsb 1 --tolerance 1,1,1 --need 1
 
 # ---- what must not pass ------------------------------------------------------------------------
 

@@ -18,11 +18,12 @@ function same(text, value, what,    decimals, d) {
     }
     count++
 }
-function same_with_sigma(cell, value, sigma, what,    part) {
+# Its ± is 95 %: so many sigma of the JSON.
+function same_with_sigma(cell, value, sigma, wide, what,    part) {
     split(cell, part, / */)
     same(part[1], value, what)
     if (part[2] != "±") { print what ": no sigma in " cell; wrong = 1 }
-    same(part[3], sigma, "sigma of " what)
+    same(part[3], wide * sigma, "± of " what)
 }
 # delta, dk, gamma one behind the other: parameter 1 ... 9 of what stands at a path.
 function nine(path, r) { return json[path member[int((r - 1) / 3)] "," (r - 1) % 3 + 1] }
@@ -67,20 +68,20 @@ file == 1 {
     n = split($0, cell, "|") - 1
     if (cell[1] ~ /^about /) {
         i = index("xyz", substr(cell[1], 7))
-        same_with_sigma(cell[2], json["stand.mounting," i], json["stand.sigma," i], cell[1])
+        same_with_sigma(cell[2], json["stand.mounting," i], json["stand.sigma," i], json["stand.interval95"], cell[1])
     } else if (cell[1] in number && n == 5) {
         r = number[cell[1]]
         j1 = nine("stand.vertical.", r)
         lengths = nine("", r)
         sigma = nine("stand.vertical_sigma.", r)
-        same_with_sigma(cell[2], unit[r] * j1, unit[r] * sigma, cell[1] " by J1")
+        same_with_sigma(cell[2], unit[r] * j1, unit[r] * sigma, json["stand.vertical_interval95"], cell[1] " by J1")
         same(cell[3], unit[r] * lengths, cell[1] " by lengths")
         same(cell[4], unit[r] * (j1 - lengths), cell[1] " difference")
         same(cell[5], (j1 - lengths) / sigma, cell[1] " over sigma")
     } else if (cell[1] in number) {
         r = number[cell[1]]
         same_with_sigma(cell[2], unit[r] * nine("stand.series_parameters.", r),
-            unit[r] * nine("stand.series_sigma.", r), cell[1] " by the series")
+            unit[r] * nine("stand.series_sigma.", r), json["stand.series_interval95"], cell[1] " by the series")
         if (r > 6) next
         split(tells[r], t, " ")
         for (i = 0; i < 2; i++) {
@@ -89,13 +90,14 @@ file == 1 {
             same(cell[4 + i], unit[r] * told, cell[1] " of a group")
         }
         same_with_sigma(cell[6], unit[r] * json["stand.closure," r], unit[r] * json["stand.closure_sigma," r],
-            "closure of " cell[1])
+            json["stand.series_interval95"], "closure of " cell[1])
         same(cell[7], json["stand.closure," r] / json["stand.closure_sigma," r], "closure over sigma")
     } else if (cell[1] ~ /positions$/) {
         g = "stand.series." ++group
         same(substr(cell[1], index(cell[1], ", ") + 2) + 0, json[g ".positions"], "positions of a group")
         for (i = 1; i <= 5; i++)
-            same_with_sigma(cell[i + 1], 1e6 * json[g ".coefficients," i], 1e6 * json[g ".sigma," i], "a coefficient")
+            same_with_sigma(cell[i + 1], 1e6 * json[g ".coefficients," i], 1e6 * json[g ".sigma," i],
+                json["stand.series_interval95"], "a coefficient")
     }
 }
 /^<p>All six closures/ {

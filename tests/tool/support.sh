@@ -16,6 +16,10 @@ trap 'exit 2' HUP INT TERM
 passed=0
 failed=0
 
+# Sentences stay on one line. What is printed where COLUMNS is not set is for width_test.sh.
+COLUMNS=1000
+export COLUMNS
+
 # ---- checking ----------------------------------------------------------------------------------
 
 report() { # report CODE SENTENCE: 0 is a pass

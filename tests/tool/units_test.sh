@@ -87,8 +87,11 @@ text "$work/ins.html" > "$work/ins.text"
 text "$work/everyday.html" > "$work/everyday.text"
 check "page: offset in micro-g" matches "$work/ins.text" \
     "offset x \\+$(number delta 1 1000000 0 | awk '{ printf "%.0f", $1 }') ± [0-9]+ µg"
-check "page: scale in ppm" matches "$work/ins.text" 'scale y -2176 ± 34 ppm'
-check "page: angle in arcsec" matches "$work/ins.text" 'angle zy \+4397 ± 25 arcsec'
+# On the page ± is 95 %.
+ninety_five() { awk -v s="$(number "$1" "$2" "$3" 1)" -v k="$(json "$work/result.json" interval95)" \
+    'BEGIN { printf "%.0f", s * k }'; }
+check "page: scale in ppm" matches "$work/ins.text" "scale y -2176 ± $(ninety_five dk 2 1000000) ppm"
+check "page: angle in arcsec" matches "$work/ins.text" "angle zy \\+4397 ± $(ninety_five gamma 3 206264.80624709636) arcsec"
 check "page: no milli-g" lacks "$work/ins.text" '[0-9] mg|, mg'
 check "page: no degrees but of directions" lacks "$work/ins.text" '[0-9] °'
 # The residuals of all positions: the last cells of their rows.

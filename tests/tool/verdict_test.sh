@@ -228,21 +228,21 @@ check "need: lengths are right within what sigma says" near 1e-6 "$(json "$work/
     "$(accuracy "$work/stdout")"
 needs nothing . none 1 '9.80665+-0.01'
 check "need: and what the field says" near 1e-6 "$(json "$work/stdout" accuracy95)" "$(accuracy "$work/stdout")"
-check "need: it is met" needs nothing '^Good for ±0\.0020 m/s²: lengths are right within ±0\.001[0-9]+' \
+check "need: it is met" needs nothing '^PASS: \|a\| within 0\.001[0-9]+ of 0\.0020 m/s² \(95 %\)\.$' \
     none 0.002 $exact
-check "need: another g is missing" needs gravity '^Not good for ±0\.010 m/s²: .*the length of' none 0.01 \
+check "need: another g is missing" needs gravity '^FAIL: \|a\| within 0\.05[0-9]* of 0\.010 m/s² \(95 %\)\. Missing: the length' none 0.01 \
     '9.80665+-0.027'
 check "need: more positions are" needs positions \
-    '^Not good for ±0\.0010 m/s²: .* Missing: about [45][0-9]' none 0.001 $exact
+    '^FAIL: \|a\| within 0\.001[0-9]* of 0\.0010 m/s² \(95 %\)\. Missing: about [45][0-9]' none 0.001 $exact
 check "need: longer rests are" needs 'longer rests' '2[0-9] times as long' none 0.0003 $exact
-check "need: a warm sensor is" needs warm-up '^Not good for ±1\.0 m/s²\. Missing: a sensor that has' drift 1 $exact
-check "need: a linear one is" needs linearity 'Missing: a sensor that is linear' cubic 1 $exact
+check "need: a warm sensor is" needs warm-up '^FAIL: the verdict is drifting; .* of 1\.0 m/s² \(95 %\)\. Missing: a sensor' drift 1 $exact
+check "need: a linear one is" needs linearity '^linear; no calibration of nine|Missing: a sensor that is linear' cubic 1 $exact
 check "need: steadier positions are" needs steadiness 'Missing: steadier positions' noisy 1 $exact
-check "need: other directions are" needs directions 'Missing: positions in directions' repeated 1 $exact
+check "need: other directions are" needs directions '^FAIL: the verdict is no redundancy; .* Missing: positions' repeated 1 $exact
 run calibrate "$work/none.1" --positions --need 0
 check "need: has to be above 0" [ "$code" -eq 2 ]
 run calibrate "$work/none.1" --positions --need 0.06 --report "$work/need.html"
-check "need: the report tells it" grep -q 'Good for ±0.060 m/s²' "$work/need.html"
+check "need: the report tells it" grep -q 'PASS: |a| within 0.05[0-9] of 0.060 m/s²' "$work/need.html"
 
 # ---- the noise of a rest ---------------------------------------------------------------------------
 

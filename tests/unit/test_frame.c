@@ -186,7 +186,7 @@ static void bad_input_leaves_the_sums_as_they_were(void)
     static const double diagonal[3] = {1, 1, 0};
     static const double far[3] = {3, 0, 0};
     static const double little[3] = {0.4, 0, 0};
-    const double nothing[3] = {NAN, 0, 0};
+    const double nothing[3] = {NOT_A_NUMBER, 0, 0};
     invcal_frame frame;
     invcal_frame before;
 

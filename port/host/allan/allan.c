@@ -8,19 +8,37 @@
 #include <string.h>
 
 #include "cli/command.h"
+#include "cli/files.h"
 #include "cli/message.h"
 #include "cli/options.h"
 #include "cli/output.h"
 #include "cli/progress.h"
+#include "read/chosen.h"
 
-enum { RATE, TAU, APART, SIGMA, LSB, UNIT, GRAVITY, FROM, TO, OUT, REPORT, JSON, QUIET, OPTIONS };
+enum {
+    COLUMNS,
+    RATE,
+    TAU,
+    APART,
+    SIGMA,
+    LSB,
+    UNIT,
+    GRAVITY,
+    FROM,
+    TO,
+    OUT,
+    REPORT,
+    JSON,
+    QUIET,
+    OPTIONS
+};
 
 static const option options[OPTIONS] = {
-    [RATE] = {"--rate", 1},       [TAU] = {"--tau", 1},       [APART] = {"--apart", 0},
-    [SIGMA] = {"--sigma", 1},     [LSB] = {"--lsb", 1},       [UNIT] = {"--unit", 1},
-    [GRAVITY] = {"--gravity", 1}, [FROM] = {"--from", 1},     [TO] = {"--to", 1},
-    [OUT] = {"--out", 1},         [REPORT] = {"--report", 1}, [JSON] = {"--json", 0},
-    [QUIET] = {"--quiet", 0},
+    [COLUMNS] = {"--columns", 1}, [RATE] = {"--rate", 1},       [TAU] = {"--tau", 1},
+    [APART] = {"--apart", 0},     [SIGMA] = {"--sigma", 1},     [LSB] = {"--lsb", 1},
+    [UNIT] = {"--unit", 1},       [GRAVITY] = {"--gravity", 1}, [FROM] = {"--from", 1},
+    [TO] = {"--to", 1},           [OUT] = {"--out", 1},         [REPORT] = {"--report", 1},
+    [JSON] = {"--json", 0},       [QUIET] = {"--quiet", 0},
 };
 static const char *const operands[] = {"LOG"};
 static const option_syntax syntax = {"allan", options, OPTIONS, operands, 1, 0};
@@ -79,24 +97,12 @@ static int read_unit(request *r)
     return EXIT_GOOD;
 }
 
-/* No file is written twice, nor is the log. */
 static int check_files(const request *r)
 {
-    static const unsigned made[] = {OUT, REPORT};
+    const named_file inputs[] = {{"LOG", r->wish.file}};
+    const named_file outputs[] = {{"--out", r->value[OUT]}, {"--report", r->value[REPORT]}};
 
-    for (unsigned i = 0; i < 2; i++) {
-        const char *path = r->value[made[i]];
-        if (path && output_is_same(path, r->wish.file)) {
-            return message_usage(syntax.command, "%s: is LOG, which would be lost",
-                                 options[made[i]].name);
-        }
-    }
-    if (r->value[OUT] && r->value[REPORT] &&
-        (strcmp(r->value[OUT], r->value[REPORT]) == 0 ||
-         output_is_same(r->value[OUT], r->value[REPORT]))) {
-        return message_usage(syntax.command, "--report: is the file of --out");
-    }
-    return EXIT_GOOD;
+    return files_check(syntax.command, inputs, 1, outputs, 2);
 }
 
 static int read_request(int argc, char **argv, request *r)
@@ -109,6 +115,7 @@ static int read_request(int argc, char **argv, request *r)
     w->command = r->command;
     options_command(syntax.command, argc, argv, r->command, sizeof r->command);
     failure = failure ? failure : check_files(r);
+    failure = failure ? failure : chosen_read(syntax.command, r->value[COLUMNS]);
     failure = failure ? failure : read_number(r, RATE, 0, &w->rate);
     failure = failure ? failure : read_taus(r);
     failure = failure ? failure : read_number(r, SIGMA, 0, &w->sigma);
@@ -191,7 +198,7 @@ static const char *const help[] = {
     "LOG is a table of samples as invcal calibrate reads it, - the standard input; it must be at\n"
     "rest, and neither averaged nor filtered. Results are in m/s^2 if the unit of the readings is\n"
     "known, by the header, --unit or --lsb, else in input units.\n"
-    "\n"
+    "\n" CHOSEN_OPTION,
     "  --rate HZ           samples a second, any above 0; default: by the times in LOG\n"
     "  --tau T1,T2,...     averaging times in seconds, ascending, multiples of the sample "
     "interval\n"
@@ -220,5 +227,26 @@ static const char *const help[] = {
     "  invcal allan rest.csv --to 299 --lsb 0.0006 --sigma 0.0005 --out noise.json\n",
     NULL};
 
+static const char *const brief[] = {
+    "usage: invcal allan LOG [options]\n"
+    "\n"
+    "Tells how long to hold each position, and what the noise of a sensor is made of: from a log "
+    "at rest,\n"
+    "of some minutes or hours, neither averaged nor filtered.\n"
+    "\n"
+    "  --rate HZ           samples a second; default: by the times in LOG\n"
+    "  --unit U            unit of the readings: g, mg, m/s2 or counts\n"
+    "  --lsb S             field units per input unit\n"
+    "  --sigma S           what the mean of a position is to be good to\n"
+    "  --from T, --to T    seconds after the first sample: uses only what lies between\n"
+    "  --out NOISE.json    write the result to a file, for invcal plan --allan\n"
+    "  --report R.html     write a page with the verdict, figures and a chart\n"
+    "  --json              print the result as JSON in place of the table\n"
+    "\n"
+    "example:\n"
+    "  invcal simulate --plan faces --dwell 300 > rest.csv\n"
+    "  invcal allan rest.csv --to 299 --lsb 0.0006 --sigma 0.0005 --out noise.json\n",
+    NULL};
+
 const tool_command allan_command = {"allan", "noise of a log at rest, and how long to hold still",
-                                    help, run};
+                                    help, run, brief};

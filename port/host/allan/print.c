@@ -1,79 +1,95 @@
 /* SPDX-License-Identifier: MIT */
+#include <math.h>
+
 #include "allan/allan.h"
 #include "text/figure.h"
 #include "text/paint.h"
-
-#define LABEL 36
-#define CELL 20
-#define TEXT_MAX 200
+#include "text/plain.h"
+#include "text/tabular.h"
+#include "text/wrapped.h"
 
 static void print_source(FILE *file, const allan_result *r, const allan_wish *wish)
 {
     char seen[COLUMNS_TEXT_MAX];
+    char name[PLAIN_MAX];
 
-    fprintf(file, "%s: %s\n", r->name, columns_describe(&r->seen, seen, sizeof seen));
-    fprintf(file, "%lu samples, %.6g s at %.6g samples a second, %lu gap%s\n", r->samples,
-            (double)r->samples / r->rate, r->rate, r->gaps, r->gaps == 1 ? "" : "s");
-    fprintf(file, "Allan deviation, %s, %s\n\n",
-            wish->is_apart ? "of windows apart" : "overlapping", r->unit);
+    wrapped_printf(file, 0, "%s: %s", plain_copy(r->name, name),
+                   columns_describe(&r->seen, seen, sizeof seen));
+    wrapped_printf(file, 0, "%lu samples, %.6g s at %.6g samples a second, %lu gap%s", r->samples,
+                   (double)r->samples / r->rate, r->rate, r->gaps, r->gaps == 1 ? "" : "s");
+    wrapped_printf(file, 0, "Allan deviation, %s, %s",
+                   wish->is_apart ? "of windows apart" : "overlapping", r->unit);
+    putc('\n', file);
 }
 
 static void print_rows(FILE *file, const allan_result *r)
 {
     char text[FIGURE_MAX];
 
-    fprintf(file, "%s%12s%14s%14s%14s%10s%14s%s\n", paint_on(file, PAINT_BOLD), "tau, s", "x", "y",
-            "z", "+- %", "differences", paint_off(file));
+    tabular_begin(file, "rrrrrr");
+    tabular_heading("tau, s|x|y|z|+- %|differences");
     for (unsigned k = 0; k < r->rows; k++) {
         const allan_row *row = &r->row[k];
-        fprintf(file, "%12.6g", row->seconds);
+        tabular_cell("%.6g", row->seconds);
         for (unsigned i = 0; i < 3; i++) {
-            fprintf(file, "%14s", figure_digits(row->adev[i], 5, text));
+            tabular_cell("%s", figure_digits(row->adev[i], 5, text));
         }
-        fprintf(file, "%10s%14lu\n", figure_digits(100 * row->relative, 3, text),
-                (unsigned long)row->count);
+        tabular_cell("%s", figure_digits(100 * row->relative, 3, text));
+        tabular_cell("%lu", (unsigned long)row->count);
+        tabular_row();
     }
+    tabular_end();
     putc('\n', file);
 }
 
-static void print_line(FILE *file, const allan_result *r, const allan_line *line)
+/* The three values of a coefficient, and how well the least sure of those that are visible is known. */
+static void add_line(const allan_result *r, const allan_line *line)
 {
     char text[ALLAN_WORDS_MAX];
+    double relative = 0;
 
-    allan_label(r, line, text);
-    fprintf(file, "%-*s", paint_width(text, LABEL), text);
+    tabular_cell("%s", allan_label(r, line, text));
     for (unsigned i = 0; i < 3; i++) {
-        allan_coefficient(r, line, i, text);
-        fprintf(file, "%*s", paint_width(text, CELL), text);
+        const invcal_noise *n = &r->noise[i];
+        if (n->visible >> line->kind & 1u) {
+            tabular_cell("%s", figure_digits(n->coefficient[line->kind] / line->scale, 4, text));
+            relative = fmax(relative, n->relative[line->kind]);
+        } else {
+            tabular_cell("not seen");
+        }
     }
-    putc('\n', file);
+    tabular_cell("%s", relative > 0 ? figure_digits(100 * relative, 2, text) : "");
+    tabular_row();
 }
 
-static void print_minimum(FILE *file, const allan_result *r)
+static void add_minimum(const allan_result *r)
 {
-    char number[FIGURE_MAX];
-    char text[TEXT_MAX];
+    char text[FIGURE_MAX];
 
-    snprintf(text, sizeof text, "smallest deviation, %s", r->is_ms2 ? "µg" : r->unit);
-    fprintf(file, "%-*s", paint_width(text, LABEL), text);
+    tabular_cell("smallest deviation, %s", r->is_ms2 ? "µg" : r->unit);
     for (unsigned i = 0; i < 3; i++) {
-        figure_digits(r->noise[i].minimum / (r->is_ms2 ? ALLAN_MICRO_G : 1), 3, number);
-        snprintf(text, sizeof text, "%s at %.4g s", number, r->noise[i].best);
-        fprintf(file, "%*s", CELL, text);
+        const double deviation = r->noise[i].minimum / (r->is_ms2 ? ALLAN_MICRO_G : 1);
+        tabular_cell("%s", figure_digits(deviation, 3, text));
     }
-    putc('\n', file);
+    tabular_row();
+    tabular_cell("it is at tau, s");
+    for (unsigned i = 0; i < 3; i++) {
+        tabular_cell("%.4g", r->noise[i].best);
+    }
+    tabular_row();
 }
 
 static void print_noise(FILE *file, const allan_result *r)
 {
-    fprintf(file, "%s%*s%*s%*s%s\n", paint_on(file, PAINT_BOLD), LABEL + CELL, "x", CELL, "y", CELL,
-            "z", paint_off(file));
+    tabular_begin(file, "lrrrr");
+    tabular_heading("|x|y|z|+- %");
     for (unsigned k = 0; k < ALLAN_LINES; k++) {
         if (allan_has_line(r, &allan_lines[k])) {
-            print_line(file, r, &allan_lines[k]);
+            add_line(r, &allan_lines[k]);
         }
     }
-    print_minimum(file, r);
+    add_minimum(r);
+    tabular_end();
     putc('\n', file);
 }
 
@@ -85,10 +101,10 @@ void allan_print(FILE *file, const allan_result *r, const allan_wish *wish)
     print_rows(file, r);
     print_noise(file, r);
     if (*allan_misfits(r, text)) {
-        fprintf(file, "%sMore than this noise:%s on %s %s\n", paint_on(file, PAINT_YELLOW),
-                paint_off(file), text, allan_misfit_words);
+        wrapped_printf(file, 0, "%sMore than this noise:%s on %s %s", paint_on(file, PAINT_YELLOW),
+                       paint_off(file), text, allan_misfit_words);
     }
-    fprintf(file, "%s%s%s\n", paint_on(file, PAINT_GREEN), allan_advice(r, wish, text),
-            paint_off(file));
-    fprintf(file, "Next: %s\n", allan_next(r, text));
+    wrapped_printf(file, 0, "%s%s%s", paint_on(file, PAINT_GREEN), allan_advice(r, wish, text),
+                   paint_off(file));
+    wrapped_printf(file, 0, "Next: %s", allan_next(r, text));
 }

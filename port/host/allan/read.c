@@ -147,7 +147,9 @@ static double find_unit(allan_result *r, const allan_wish *wish)
         r->seen.unit = wish->unit;
         r->seen.unit_from = UNIT_FROM_OPTION;
     }
-    const double scale = wish->lsb > 0 ? wish->lsb : unit_scale(r->seen.unit, field);
+    const double scale = wish->lsb > 0            ? wish->lsb
+                         : unit_is_gravity(field) ? unit_scale(r->seen.unit, field)
+                                                  : 0;
     r->is_ms2 = scale > 0 && unit_is_gravity(field);
     r->gravity = scale > 0 || wish->gravity > 0 ? field : (double)NAN;
     r->unit = r->is_ms2 ? "m/s²" : scale > 0 ? "field units" : unit_words(r->seen.unit);

@@ -8,8 +8,10 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "read/chosen.h"
 #include "read/columns.h"
 #include "cli/command.h"
+#include "cli/files.h"
 #include "cli/input.h"
 #include "cli/message.h"
 #include "apply/nonlinear_correction.h"
@@ -20,8 +22,9 @@
 #include "apply/thermal_correction.h"
 
 static const char *const operands[] = {"CAL.json", "LOG"};
-enum { TEMPERATURE, QUIET, OPTIONS };
+enum { COLUMNS, TEMPERATURE, QUIET, OPTIONS };
 static const option options[OPTIONS] = {
+    [COLUMNS] = {"--columns", 1},
     [TEMPERATURE] = {"--temperature", 1},
     [QUIET] = {"--quiet", 0},
 };
@@ -33,6 +36,7 @@ typedef struct {
     double temperature; /* of all readings; NaN: by the column */
     thermal_correction at;
     nonlinear_correction bent;
+    int is_quiet; /* nothing is told of readings that are beyond what the calibration knows */
 } job;
 
 /* Checks a number, but hands it on as the text that it was: a time stamp has digits to lose. Only a
@@ -88,6 +92,30 @@ static int write_row(FILE *spool, const table *log, const columns *where, job *j
     return failure;
 }
 
+/* The next row that is whole. 1, 0 at the end, -1. */
+static int next_row(table *log, const columns *where, unsigned long rows)
+{
+    const int more = table_next(log);
+
+    if (more != 0 && rows > 0 && columns_is_cut(log, where)) {
+        columns_say_cut(log, "last", log->line);
+        return 0;
+    }
+    return more;
+}
+
+static int find_columns(table *log, columns *where)
+{
+    unsigned long cut;
+    const int failure = table_drop_cut_first(log, &cut);
+
+    if (cut > 0) {
+        columns_say_cut(log, "first", cut);
+    }
+    log->is_log = 1;
+    return failure ? failure : columns_find(log, COLUMNS_LOG, where);
+}
+
 /* A correction that depends on temperature needs one. */
 static int check_temperature(const table *log, const columns *where, const job *j)
 {
@@ -106,14 +134,14 @@ static int write_rows(FILE *spool, table *log, job *j)
     columns where;
     unsigned long rows = 0;
     int more = 0;
-    int failure = columns_find(log, COLUMNS_LOG, &where);
+    int failure = find_columns(log, &where);
 
     if (failure) {
         return failure;
     }
     fprintf(spool, "%sx,y,z%s\n", where.index[COLUMN_TIME] >= 0 ? "t," : "",
             where.index[COLUMN_TEMPERATURE] >= 0 ? ",temperature" : "");
-    while (!failure && !ferror(spool) && (more = table_next(log)) == 1) {
+    while (!failure && !ferror(spool) && (more = next_row(log, &where, rows)) == 1) {
         failure = check_temperature(log, &where, j);
         failure = failure ? failure : columns_check_instance(log, &where);
         failure = failure ? failure : write_row(spool, log, &where, j);
@@ -153,7 +181,7 @@ static int apply(table *log, job *j)
         failure = output_copy(spool);
     }
     fclose(spool);
-    if (!failure) {
+    if (!failure && !j->is_quiet) {
         thermal_correction_end(&j->at, log->name);
         nonlinear_correction_end(&j->bent, log->name);
     }
@@ -181,9 +209,9 @@ static int run(int argc, char **argv)
     table log;
     int failure = options_parse(&syntax, argc, argv, value, files);
 
-    if (!failure && input_is_stdin(files[0]) && input_is_stdin(files[1])) {
-        failure = message_usage(syntax.command, "only one input can be the standard input");
-    }
+    const named_file inputs[] = {{"CAL.json", files[0]}, {"LOG", files[1]}};
+    failure = failure ? failure : files_check(syntax.command, inputs, 2, NULL, 0);
+    failure = failure ? failure : chosen_read(syntax.command, value[COLUMNS]);
     failure = failure ? failure : calibration_file_read_correction(files[0], &j.file);
     failure = failure ? failure : read_temperature(value[TEMPERATURE], &j);
     failure =
@@ -192,7 +220,8 @@ static int run(int argc, char **argv)
         return failure;
     }
     thermal_correction_begin(&j.at, &j.file);
-    if (value[QUIET]) {
+    j.is_quiet = value[QUIET] != NULL;
+    if (j.is_quiet) {
         progress_quiet();
     }
     failure = table_open(&log, files[1]);
@@ -224,9 +253,10 @@ static const char *const help[] = {
     "One made with --quadratic or --cubic: what the axes read too much is taken off first. It is\n"
     "known up to the field along each axis; beyond 1.1 of that what holds there is used, and "
     "told.\n"
-    "\n"
+    "\n" CHOSEN_OPTION,
     "  --temperature T     of all readings, in place of the column; needs such a calibration\n"
-    "  --quiet             show no progress, print only the result and errors\n"
+    "  --quiet             print only the result and errors: no progress, no warning of readings\n"
+    "                      beyond what the calibration knows\n"
     "\n"
     "exit codes: 0 good; 2 usage; 3 a file unreadable or malformed, or the output not writable\n"
     "\n"
@@ -235,4 +265,22 @@ static const char *const help[] = {
     "  invcal apply cal.json tests/data/mpu9150_0_positions.csv\n",
     NULL};
 
-const tool_command apply_command = {"apply", "correct the readings of a log", help, run};
+static const char *const brief[] = {
+    "usage: invcal apply CAL.json LOG [options]\n"
+    "\n"
+    "Corrects readings: calibrated = matrix (raw - offset). Prints CSV in field units, as a rule "
+    "m/s^2.\n"
+    "CAL.json is what invcal calibrate --out has written; LOG has the columns x y z, or t x y z, "
+    "or a\n"
+    "header that names them; - is the standard input.\n"
+    "\n"
+    "  --temperature T     of all readings, in place of the column; for a calibration made with\n"
+    "                      --thermal\n"
+    "  --quiet             show no progress, print only the result and errors\n"
+    "\n"
+    "example:\n"
+    "  invcal calibrate tests/data/mpu9150_0_positions.csv --positions --out cal.json\n"
+    "  invcal apply cal.json tests/data/mpu9150_0_positions.csv\n",
+    NULL};
+
+const tool_command apply_command = {"apply", "correct the readings of a log", help, run, brief};

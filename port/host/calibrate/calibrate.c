@@ -4,14 +4,60 @@
  */
 #include "calibrate/calibrate.h"
 
+#include <string.h>
+
 #include "calibrate/deliver.h"
 #include "calibrate/refuse.h"
 #include "calibrate/settle.h"
 #include "calibrate/solve.h"
 #include "cli/command.h"
+#include "cli/output.h"
+#include "cli/message.h"
 #include "cli/progress.h"
 #include "design/design.h"
+#include "fit/sensors.h"
+#include "read/chosen.h"
 #include "read/columns.h"
+#include "result/pass.h"
+
+/* What is written all the same may be no good: with --strict the exit code tells. */
+static int hold(const request *r, const calibrate_result *result)
+{
+    char reason[PASS_MAX];
+
+    if (!r->value[ASK_STRICT] || !*pass_strict(result, reason)) {
+        return EXIT_GOOD;
+    }
+    message("%s: --strict: %s", result->data->name, reason);
+    return EXIT_DATA;
+}
+
+/* What is known of the result before there is one. */
+static calibrate_result ask(const request *r, const positions *data, const rests_summary *log)
+{
+    return (calibrate_result){
+        .data = data,
+        .log = r->value[ASK_POSITIONS] ? NULL : log,
+        .settings = r->settings,
+        .place = r->value[ASK_LATITUDE] ? r->place : NULL,
+        .told = r->told,
+        .need = r->need,
+        .need_unit = r->need_unit,
+        .record = r->record,
+    };
+}
+
+/* `--sensor list` needs no log. */
+static int asks_for_list(int argc, char **argv)
+{
+    int asks = 0;
+
+    for (int i = 0; i < argc; i++) {
+        asks = asks || strcmp(argv[i], "--sensor=list") == 0 ||
+               (strcmp(argv[i], "list") == 0 && i > 0 && strcmp(argv[i - 1], "--sensor") == 0);
+    }
+    return asks;
+}
 
 int calibrate_run(int argc, char **argv, int is_live, positions_reader *read)
 {
@@ -19,27 +65,40 @@ int calibrate_run(int argc, char **argv, int is_live, positions_reader *read)
     positions data = {.name = NULL};
     rests_summary log;
     calibrate_result result = {.data = NULL};
-    int failure = request_read(argc, argv, is_live, &r);
 
+    if (asks_for_list(argc, argv)) {
+        sensors_list(stdout);
+        return output_flush();
+    }
+    int failure = request_read(argc, argv, is_live, &r);
     if (failure) {
         return failure;
     }
     if (r.value[ASK_QUIET]) {
         progress_quiet();
     }
+    json_lines(r.value[ASK_JSON_LINES] ? r.file : NULL);
+    result = ask(&r, &data, &log);
+    settle_limits(&r, &result);
     failure = read(&r, &data, &log);
     if (!failure && data.count == 0 && !r.value[ASK_POSITIONS]) {
-        failure = calibrate_no_rest(&data, &log, r.value[ASK_JSON] != NULL);
+        failure = calibrate_no_rest(&result);
     }
-    result.log = r.value[ASK_POSITIONS] ? NULL : &log;
     if (!failure) {
         settle_unit(&r, &data);
         failure = solve_positions(&r, &data, &result);
     }
-    failure = failure ? failure : deliver(&r, &result);
+    failure = result.refused.word ? deliver_refusal(&r, &result)
+              : failure           ? failure
+                                  : deliver(&r, &result);
+    if (failure == EXIT_FILE && r.value[ASK_JSON_LINES]) {
+        deliver_unreadable();
+    }
+    failure = failure ? failure : hold(&r, &result);
     stand_free(&result.stand);
     rejection_free(&result.rejected);
     positions_free(&data);
+    json_lines(NULL);
     return failure;
 }
 
@@ -76,7 +135,7 @@ static const char *const help[] = {
     "comments. What LOG was taken for is told in the first line of the result.\n"
     "Nine positions are the least, twelve to eighteen in all directions are good. A position\n"
     "that contradicts the others is left out and named, if eleven or more are there to tell.\n"
-    "\n"
+    "\n" CHOSEN_OPTION,
     "  --positions         each row of LOG is the mean of one position: x y z, or x y z std n\n"
     "                      (standard deviation and number of the samples), or\n"
     "                      x y z std_x std_y std_z n, or with a header\n"
@@ -104,14 +163,24 @@ static const char *const help[] = {
     "                      is not known: turns the result to the axes of the case. Two ways or\n"
     "                      more tell it; one levels. Each face twice, turned by half between,\n"
     "                      cancels the tilt of the table\n"
-    "  --zero X,Y,Z        nominal reading in no field, in input units;\n"
-    "                      default: the middle of each axis' range\n"
-    "  --lsb S | SX,SY,SZ  nominal scale, in field units per input unit;\n"
-    "                      default: from the range of each axis\n"
-    "                      Both come from the unit of the readings (zero 0) where that is stated,\n"
-    "                      in the header or by --unit, as g, mg or m/s^2, and G is in m/s^2\n"
+    "  --sensor NAME[:RANGE]\n"
+    "                      what the log holds counts of, as mpu6050:4g: the data sheet gives "
+    "zero,\n"
+    "                      scale and limits, unless --zero, --lsb, --tolerance do. --sensor list\n"
+    "                      names those that are known, and needs no LOG\n"
+    "  --zero X,Y,Z        nominal reading in no field, in input units\n"
+    "  --lsb S | SX,SY,SZ  nominal scale, in field units per input unit: 9.80665/16384 of 16384\n"
+    "                      counts per g\n"
+    "                      Both come from the unit of the readings (zero 0) where that is g, mg "
+    "or\n"
+    "                      m/s^2. Where nothing states them, how far the sensor is from nominal "
+    "is\n"
+    "                      not told\n"
     "  --unit U            unit of the readings: g, mg, m/s2 or counts; default: by the header,\n"
-    "                      else a guess by their size, which names it, but changes no number\n"
+    "                      else by their size. That counts as stated if nine in ten are as long "
+    "as\n"
+    "                      gravity in g or m/s2 and they do not all point one way; of mg it names\n"
+    "                      the unit only, for sensors of 1000 counts a g are common\n"
     "  --units everyday|ins\n"
     "                      of figures for people, in the table and the report: mg, % and degrees\n"
     "                      (default), or those of inertial navigation, ug, ppm and arcsec. JSON\n"
@@ -123,8 +192,12 @@ static const char *const help[] = {
     "  --prior D,K,G       standard deviations of what the nominal calibration may be wrong by:\n"
     "                      offsets (over the field: 0.02 is 20 mg), scale errors (0.01 is 1 %),\n"
     "                      angles (rad); up to about 0.2; 0 says nothing. Then fewer\n"
-    "                      positions will do. Needs the noise, and --zero and --lsb, or\n"
-    "                      --nominal\n"
+    "                      positions will do. Needs the noise, and --sensor, --unit, --zero and\n"
+    "                      --lsb, or --nominal\n"
+    "  --six-faces         each axis up and down, six positions, tells offsets and scales but no\n"
+    "                      angles: takes these as 0 with the standard deviation 0.01 rad (0.57\n"
+    "                      degrees, a data sheet's 1 % cross-axis), or G of --prior 0,0,G, and\n"
+    "                      tells what that costs. Needs the noise\n"
     "  --robust            a cross-check: does the estimate with the least sum of absolute "
     "residuals\n"
     "                      (l1) of all positions agree with this one, outliers left out?\n"
@@ -153,17 +226,33 @@ static const char *const help[] = {
     "  --slope D,K,G       standard deviations of what slopes may be, per K: of offsets (over the\n"
     "                      field), scale errors, angles (rad); 0 says nothing. Needs the noise\n"
     "  --tolerance D,K,G   limits of the data sheet for offsets (over the field), scale errors\n"
-    "                      and angles (rad): says which parameters are beyond. Needs --zero\n"
-    "                      and --lsb, or --nominal\n"
-    "  --need U            what calibrated lengths may be wrong by in 95 % of cases, in the unit\n"
-    "                      of --gravity: says whether they are that good, and what is missing\n"
+    "                      and angles (rad): PASS if all are within, their 95 % included, else\n"
+    "                      FAIL, and which are not. Needs --sensor, --unit, --zero and --lsb,\n"
+    "                      or --nominal\n"
+    "  --need U            what calibrated lengths may be wrong by in 95 % of cases: 1mg, "
+    "0.01m/s2,\n"
+    "                      0.1% (mg, g, ug, m/s2, %), or a number in the unit of --gravity. PASS\n"
+    "                      or FAIL, by which margin, and what is missing\n"
+    "  --strict            exit code 1, with all files written, unless the verdict is good and\n"
+    "                      --tolerance and --need are passed\n"
+    "  --device TEXT       what the calibration is filed under, in CAL.json, table and page:\n"
+    "                      the type of the device,\n"
+    "  --serial TEXT       its serial number, by which invcal compare knows it again,\n"
+    "  --operator TEXT     who made it,\n"
+    "  --date YYYY-MM-DD   on which day,\n"
+    "  --note TEXT         and what else there is to say\n"
     "  --out CAL.json      write the result to a file, as JSON, for invcal apply\n"
     "  --report R.html     write a page with the verdict, figures and pictures: one file that\n"
-    "                      needs nothing else, for screen and paper\n"
+    "                      needs nothing else, for screen and paper; of what is refused, too\n"
     "  --json              print the result as JSON in place of the table\n"
+    "  --json-lines        the same, or why there is none, on one line that begins with the name "
+    "of\n"
+    "                      LOG: for pipes\n"
     "  --quiet             print neither table nor progress, only errors\n"
     "\n"
-    "exit codes: 0 good; 1 the data cannot be calibrated; 2 usage; 3 LOG unreadable or\n"
+    "exit codes: 0 calibrated, whatever the verdict; 1 the data cannot be calibrated or, with\n"
+    "--strict, the verdict is not good, a limit or the need not kept; 2 usage; 3 LOG unreadable "
+    "or\n"
     "malformed, or the output not writable\n"
     "\n"
     "example:\n"
@@ -171,5 +260,29 @@ static const char *const help[] = {
     "      --zero 33123,33276,32360 --lsb 0.0024096,0.0024213,0.0024096 --out cal.json\n",
     NULL};
 
+static const char *const brief[] = {
+    "usage: invcal calibrate LOG [options]\n"
+    "\n"
+    "Calibrates accelerometers that were held still in a dozen orientations or more, at any "
+    "angle.\n"
+    "LOG is a table of samples, columns x y z or t x y z; - is the standard input.\n"
+    "\n"
+    "  --positions         each row of LOG is the mean of one position, not a sample\n"
+    "  --gravity G[+-S]    length of the field; default 9.80665+-0.027 (m/s^2)\n"
+    "  --unit U            unit of the readings: g, mg, m/s2 or counts\n"
+    "  --sensor NAME       what LOG holds counts of, as mpu6050:4g; --sensor list names them\n"
+    "  --zero X,Y,Z        or what the data sheet says: the reading in no field,\n"
+    "  --lsb S             and field units per input unit\n"
+    "  --six-faces         each axis up and down only: offsets and scales, no angles\n"
+    "  --plan SET          the positions are those of a program, in its order\n"
+    "  --need U            what lengths may be wrong by: says if they are worse\n"
+    "  --out CAL.json      write the result to a file, for invcal apply and export\n"
+    "  --report R.html     write a page with the verdict, figures and pictures\n"
+    "  --json              print the result as JSON in place of the table\n"
+    "\n"
+    "example:\n"
+    "  invcal calibrate tests/data/xsens_mti_positions.csv --positions --out cal.json\n",
+    NULL};
+
 const tool_command calibrate_command = {"calibrate", "a log, or position means, to a calibration",
-                                        help, run_calibrate};
+                                        help, run_calibrate, brief};

@@ -2,8 +2,12 @@
 #include "calibrate/deliver.h"
 
 #include "cli/command.h"
+#include "cli/message.h"
 #include "cli/output.h"
 #include "report/report.h"
+#include "result/refusal.h"
+#include "text/json_write.h"
+#include "text/plain.h"
 
 static calibrate_wish wish_of(const request *r)
 {
@@ -12,6 +16,7 @@ static calibrate_wish wish_of(const request *r)
         .saved = r->value[ASK_OUT],
         .report = r->value[ASK_REPORT],
         .command = r->command,
+        .log = r->file,
     };
 }
 
@@ -53,6 +58,47 @@ static int write_report(FILE *file, const request *r, const calibrate_result *re
     const calibrate_wish wish = wish_of(r);
 
     return report_write(file, result, &wish);
+}
+
+static int write_refusal(FILE *file, const request *r, const calibrate_result *result)
+{
+    const calibrate_wish wish = wish_of(r);
+
+    return report_refusal(file, result, &wish);
+}
+
+int deliver_refusal(const request *r, const calibrate_result *result)
+{
+    const refusal *why = &result->refused;
+    char text[REFUSAL_TEXT_MAX];
+    output page = {0};
+    int failure = begin_file(&page, r->value[ASK_REPORT], write_refusal, r, result);
+
+    if (!failure && r->value[ASK_JSON]) {
+        refusal_json(stdout, result);
+    } else if (!failure && r->value[ASK_REPORT] && !r->value[ASK_QUIET]) {
+        printf("Report in %s.\n", r->value[ASK_REPORT]);
+    }
+    failure = failure ? failure : output_flush();
+    failure = output_end(&page, 1, failure);
+    if (why->is_of_position) {
+        message("%s:%lu: %s", result->data->name, result->data->origin[why->position].line,
+                refusal_text(result, text));
+    } else {
+        message("%s: %s", result->data->name, refusal_text(result, text));
+    }
+    return failure ? failure : EXIT_DATA;
+}
+
+void deliver_unreadable(void)
+{
+    json_writer w;
+
+    json_begin(&w, stdout);
+    json_text(&w, "error", "unreadable");
+    json_text(&w, "reason", message_last());
+    json_parameters(&w, "undetermined", (1u << INVCAL_PARAMETERS) - 1);
+    json_end(&w);
 }
 
 int deliver(const request *r, const calibrate_result *result)

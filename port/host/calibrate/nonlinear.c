@@ -2,60 +2,50 @@
 #include "calibrate/nonlinear.h"
 
 #include "cli/command.h"
-#include "cli/message.h"
-#include "text/json_write.h"
-
-#define REASON_MAX 400
 
 static const char *option_of(unsigned degree)
 {
     return degree > 2 ? "--cubic" : "--quadratic";
 }
 
-/* Which of them stay open, and what helps. */
-static void say_open(const calibrate_result *r, unsigned degree, char text[REASON_MAX])
+/* Which of them stay open. */
+static void say_open(const calibrate_result *r, unsigned degree, char text[REFUSAL_MAX])
 {
     const unsigned open =
         nonlinearity_open(r->rejected.kept, r->rejected.kept_count, &r->solution.symmetric, degree);
     unsigned count = 0;
-    size_t used = (size_t)snprintf(text, REASON_MAX,
+    size_t used = (size_t)snprintf(text, REFUSAL_MAX,
                                    "%s: the positions leave undetermined:", option_of(degree));
 
     for (unsigned e = 0; e < NONLINEARITY_MOST; e++) {
-        if (open >> e & 1 && used < REASON_MAX) {
-            used += (size_t)snprintf(text + used, REASON_MAX - used, "%s %s",
+        if (open >> e & 1 && used < REFUSAL_MAX) {
+            used += (size_t)snprintf(text + used, REFUSAL_MAX - used, "%s %s",
                                      count++ > 0 ? "," : "", nonlinearity_name(e));
         }
     }
-    if (used < REASON_MAX) {
-        snprintf(text + used, REASON_MAX - used,
-                 "; add positions between the axes and along them, 6 or more in a circle");
-    }
 }
 
-static int refuse(const calibrate_result *r, unsigned degree, invcal_status status, int json)
+static int refuse(calibrate_result *r, unsigned degree, invcal_status status)
 {
-    char text[REASON_MAX];
-    json_writer w;
+    const int is_few = status == INVCAL_TOO_FEW;
+    refusal *why = &r->refused;
 
-    if (status == INVCAL_TOO_FEW) {
-        snprintf(text, sizeof text, "%s: %u positions are too few: %u or more are needed",
+    *why = (refusal){
+        .word = is_few ? "too few" : "undetermined", .wants_positions = 1, .degree = degree};
+    if (is_few) {
+        snprintf(why->reason, REFUSAL_MAX, "%s: %u positions are too few: %u or more are needed",
                  option_of(degree), r->rejected.kept_count, nonlinearity_least(degree));
     } else {
-        say_open(r, degree, text);
+        say_open(r, degree, why->reason);
     }
-    message("%s: %s", r->data->name, text);
-    if (json) {
-        json_begin(&w, stdout);
-        json_text(&w, "error", status == INVCAL_TOO_FEW ? "too few" : "undetermined");
-        json_text(&w, "reason", text);
-        json_parameters(&w, "undetermined", 0);
-        json_end(&w);
-    }
+    snprintf(why->remedy, REFUSAL_MAX,
+             "add positions between the axes and along them, 6 or more in a circle, or leave "
+             "%s out",
+             option_of(degree));
     return EXIT_DATA;
 }
 
-int calibrate_nonlinear(calibrate_result *r, unsigned degree, int json)
+int calibrate_nonlinear(calibrate_result *r, unsigned degree)
 {
     invcal_quality *found = &r->rejected.found;
     const invcal_status status =
@@ -63,7 +53,7 @@ int calibrate_nonlinear(calibrate_result *r, unsigned degree, int json)
                          &r->solution, &r->quality, r->nonlinear, r->nonlinear_sigma);
 
     if (status != INVCAL_OK) {
-        return refuse(r, degree, status, json);
+        return refuse(r, degree, status);
     }
     r->degree = degree;
     r->is_drift_fitted = 0;

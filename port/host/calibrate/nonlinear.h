@@ -7,8 +7,8 @@
 
 #include "result/result.h"
 
-/* Fits a nonlinearity to what was calibrated without; says why not, if the positions do not tell it.
- * Returns EXIT_GOOD; EXIT_DATA. */
-int calibrate_nonlinear(calibrate_result *result, unsigned degree, int json);
+/* Fits a nonlinearity to what was calibrated without. Returns EXIT_GOOD; EXIT_DATA, with result->refused filled in,
+ * if the positions do not tell it. */
+int calibrate_nonlinear(calibrate_result *result, unsigned degree);
 
 #endif

@@ -2,16 +2,33 @@
 #include "calibrate/refuse.h"
 
 #include <math.h>
+#include <stdarg.h>
 #include <string.h>
 
 #include "cli/command.h"
-#include "text/json_write.h"
 #include "cli/message.h"
 #include "design/parameters.h"
+#include "fit/rejection.h"
+#include "result/faces.h"
 #include "stand/tell.h"
 
-#define REASON_MAX 800
+#define GOOD 12u          /* positions */
+#define SLOW 25.0         /* samples a second: shorter rests would do, if they were found */
+#define LISTED 10u        /* rests that are named */
 #define FEW_SAMPLES 1000u /* more rows than anybody has positions */
+
+/* Adds to a clause. */
+static void add(char text[REFUSAL_MAX], const char *format, ...) MESSAGE_FORMAT(2, 3);
+
+static void add(char text[REFUSAL_MAX], const char *format, ...)
+{
+    const size_t length = strlen(text);
+    va_list arguments;
+
+    va_start(arguments, format);
+    vsnprintf(text + length, REFUSAL_MAX - length, format, arguments);
+    va_end(arguments);
+}
 
 static const char *status_name(invcal_status status)
 {
@@ -51,153 +68,248 @@ static unsigned missing_group(const positions *data, const stand_wish *angles, u
     return group > 0 && bits >> told_by[group] & 1 ? group : 0;
 }
 
-static void say_undetermined(const positions *data, const stand_wish *angles, uint16_t bits,
-                             char *text)
+static unsigned refused_for(const rests_summary *log, invcal_status why)
 {
+    return log->refused[why - INVCAL_REST_SHORT];
+}
+
+/* What to do about rests that are missing or too short, and what if the rate is a guess. */
+static void add_remedy(const rests_summary *log, int is_none, char text[REFUSAL_MAX])
+{
+    const unsigned brief = refused_for(log, INVCAL_REST_SHORT) + refused_for(log, INVCAL_REST_GAP);
+
+    if (!log->is_rate_known) {
+        add(text,
+            "%sthe log tells no times, so %.3g samples a second are a guess: state --rate, and "
+            "hold each "
+            "position still for 3 s or longer, below 25 samples a second for %u samples",
+            *text ? "; " : "", log->rate, RESTS_SAMPLES);
+    } else if (brief > 0 || is_none) {
+        add(text, "%shold each position still for %.2g s or longer", *text ? "; " : "",
+            rests_least(log->rate) + 1);
+    }
+    if (log->is_rate_known ? log->rate < SLOW && (brief > 0 || is_none) : is_none) {
+        add(text, ", or average each yourself and add --positions");
+    }
+}
+
+/* The rests that were refused, by their reason, and where. Returns their number. */
+static unsigned add_refused(const rests_summary *log, char text[REFUSAL_MAX])
+{
+    unsigned refused = 0;
+    unsigned told = 0;
+
+    for (unsigned i = 0; i < RESTS_REASONS; i++) {
+        refused += log->refused[i];
+    }
+    told = refused < RESTS_TOLD ? refused : RESTS_TOLD;
+    for (unsigned i = 0; i < RESTS_REASONS; i++) {
+        const invcal_status why = (invcal_status)(INVCAL_REST_SHORT + i);
+        const char *before = " (near line ";
+        if (log->refused[i] > 0) {
+            add(text, "; refused %u: %s", log->refused[i], rests_reason_text(why));
+        }
+        for (unsigned k = 0; k < told; k++) {
+            if (log->refusal[k].why == why) {
+                add(text, "%s%lu", before, log->refusal[k].line);
+                before = ", ";
+            }
+        }
+        add(text, "%s", *before == ',' ? ")" : "");
+    }
+    return refused;
+}
+
+/* Where the rests were, and why others were refused. */
+static void add_rests(const positions *data, refusal *why)
+{
+    for (unsigned i = 0; i < data->count && i < LISTED; i++) {
+        const position_origin *o = &data->origin[i];
+        add(why->reason, "%s line %lu, %.3g to %.3g s (%.2g s)", i ? ";" : "; found:", o->line,
+            o->begin, o->end, o->end - o->begin);
+    }
+    const unsigned refused = add_refused(data->rests, why->reason);
+    add_remedy(data->rests, data->count + refused == 0, why->remedy);
+}
+
+static void say_undetermined(const positions *data, const stand_wish *angles, refusal *why)
+{
+    const uint16_t bits = why->undetermined;
     char list[128];
     char advice[128];
     char visit[STAND_TEXT_MAX];
     const unsigned group = missing_group(data, angles, bits);
 
-    snprintf(text, REASON_MAX, "the positions leave parameters undetermined%s%s; %s%s",
-             bits ? ": " : "", parameters_list(bits, list, sizeof list),
-             group > 0 ? "" : "add positions with ",
+    snprintf(why->reason, REFUSAL_MAX, "the positions leave parameters undetermined%s%s",
+             bits ? ": " : "", parameters_list(bits, list, sizeof list));
+    snprintf(why->remedy, REFUSAL_MAX, "%s%s", group > 0 ? "" : "add positions with ",
              group > 0 ? stand_missing_text(angles, group, visit)
                        : parameters_advice(bits, advice, sizeof advice));
+    why->wants_positions = group == 0;
+}
+
+static void say_not_finite(refusal *why)
+{
+    snprintf(why->reason, REFUSAL_MAX, "position %u is too large a reading for any calculation",
+             why->position + 1);
+    snprintf(why->remedy, REFUSAL_MAX, "correct it or leave it out");
+    why->is_of_position = 1;
 }
 
 /* A reading that cannot be one of this field: by how much, and what may be wrong. */
-static void say_out_of_range(const positions *data, const fit_settings *settings,
-                             const nominal_choice *nominal, unsigned position, char *text)
+static void say_out_of_range(const calibrate_result *r, refusal *why)
 {
-    double v[3];
+    const nominal_choice *nominal = &r->nominal;
     const int by_range = nominal->zero == NOMINAL_RANGE && nominal->lsb == NOMINAL_RANGE;
     const int by_unit = nominal->lsb == NOMINAL_UNIT;
+    double v[3];
 
-    invcal_apply(&settings->nominal, &data->mean[3 * (size_t)position], v);
+    invcal_apply(&r->settings.nominal, &r->data->mean[3 * (size_t)why->position], v);
     const double length = sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
-    snprintf(text, REASON_MAX, "position %u reads %.3g of the field with %s: %s", position + 1,
-             length,
+    why->is_of_position = 1;
+    if (!(length <= REJECTION_TELLABLE)) {
+        say_not_finite(why);
+        return;
+    }
+    snprintf(why->reason, REFUSAL_MAX, "position %u reads %.3g of the field with %s",
+             why->position + 1, length,
              by_range  ? "zero and scale from the data's range"
              : by_unit ? "the scale of the unit that is stated"
-                       : "the nominal calibration",
+                       : "the nominal calibration");
+    snprintf(why->remedy, REFUSAL_MAX, "%s",
              by_range  ? "look for a wrong position, add positions in all directions, or state "
                          "--zero and --lsb"
              : by_unit ? "check the unit in the header; --unit states another"
                        : "check --gravity, and the nominal zero and scale, and their units");
+    why->wants_positions = by_range;
 }
 
-static void say_why(const positions *data, const fit_settings *settings,
-                    const nominal_choice *nominal, const stand_wish *angles, invcal_status status,
-                    const fit_reason *reason, char *text)
+static void say_too_few(const calibrate_result *r, refusal *why)
+{
+    const unsigned count = r->data->count;
+
+    snprintf(why->reason, REFUSAL_MAX, "%u position%s too few: %u are needed, 12 or more are good",
+             count, count == 1 ? " is" : "s are", positions_needed(&r->settings));
+    snprintf(why->remedy, REFUSAL_MAX, "add %u or more in other directions",
+             count < GOOD ? GOOD - count : 3);
+    why->wants_positions = 1;
+    if (r->data->rests) {
+        add_rests(r->data, why);
+    }
+}
+
+static void say_why(const calibrate_result *r, const stand_wish *angles, invcal_status status,
+                    refusal *why)
 {
     switch (status) {
     case INVCAL_TOO_FEW:
-        snprintf(text, REASON_MAX, "%u position%s too few: %u are needed, 12 or more are good",
-                 data->count, data->count == 1 ? " is" : "s are", positions_needed(settings));
+        say_too_few(r, why);
         break;
     case INVCAL_UNDETERMINED:
-        say_undetermined(data, angles, reason->undetermined, text);
+        say_undetermined(r->data, angles, why);
         break;
     case INVCAL_OUT_OF_RANGE:
-        say_out_of_range(data, settings, nominal, reason->position, text);
+        say_out_of_range(r, why);
         break;
     case INVCAL_NOT_FINITE:
-        snprintf(text, REASON_MAX, "position %u is too large a reading for any calculation",
-                 reason->position + 1);
+        say_not_finite(why);
         break;
     case INVCAL_NOT_ELLIPSOID:
-        snprintf(text, REASON_MAX,
-                 "%s; look for positions that were not at rest or all in one direction, and for "
-                 "wrong columns, units or --gravity",
-                 invcal_status_text(status));
+        snprintf(why->reason, REFUSAL_MAX, "%s", invcal_status_text(status));
+        snprintf(why->remedy, REFUSAL_MAX,
+                 "look for positions that were not at rest or all in one direction, and for wrong "
+                 "columns, units or --gravity");
+        why->wants_positions = 1;
         break;
     default:
-        snprintf(text, REASON_MAX, "%s", invcal_status_text(status));
+        snprintf(why->reason, REFUSAL_MAX, "%s", invcal_status_text(status));
         break;
     }
 }
 
-int calibrate_refuse(const positions *data, const fit_settings *settings,
-                     const nominal_choice *nominal, const stand_wish *angles, invcal_status status,
-                     const fit_reason *reason, int json)
+/* Begins anew: what was found before is not to be told. */
+static refusal *begin(calibrate_result *r, const char *word, uint16_t undetermined)
 {
-    char text[REASON_MAX];
-    json_writer w;
+    r->refused = (refusal){.word = word, .undetermined = undetermined};
+    return &r->refused;
+}
 
+/* Six faces may be all that there is. */
+static void offer_six_faces(const calibrate_result *r, invcal_status status, refusal *why)
+{
+    if ((status == INVCAL_TOO_FEW || status == INVCAL_UNDETERMINED) &&
+        faces_would_do(r->data, &r->settings)) {
+        add(why->remedy,
+            ". These do for offsets and scales: --six-faces takes the angles from a data sheet. "
+            "Six more tell everything: %s",
+            FACES_EDGES);
+    }
+}
+
+int calibrate_refuse(calibrate_result *r, const stand_wish *angles, invcal_status status,
+                     const fit_reason *reason)
+{
     /* The first of too few readings may be out of range only because the others are missing. */
-    if (data->count < positions_needed(settings)) {
+    if (r->data->count < positions_needed(&r->settings)) {
         status = INVCAL_TOO_FEW;
     }
-    say_why(data, settings, nominal, angles, status, reason, text);
-    if (status == INVCAL_NOT_FINITE || status == INVCAL_OUT_OF_RANGE) {
-        message("%s:%lu: %s", data->name, data->origin[reason->position].line, text);
-    } else {
-        message("%s: %s", data->name, text);
-    }
-    if (json) {
-        json_begin(&w, stdout);
-        json_text(&w, "error", status_name(status));
-        json_text(&w, "reason", text);
-        json_parameters(&w, "undetermined", reason->undetermined);
-        json_end(&w);
-    }
+    refusal *why = begin(r, status_name(status), reason->undetermined);
+    why->position = reason->position;
+    say_why(r, angles, status, why);
+    offer_six_faces(r, status, why);
     return EXIT_DATA;
 }
 
-int calibrate_all_drift(const calibrate_result *result, int json)
+int calibrate_all_drift(calibrate_result *r)
 {
-    char text[REASON_MAX];
-    json_writer w;
+    refusal *why = begin(r, status_name(INVCAL_TOO_FEW), (1u << INVCAL_PARAMETERS) - 1);
 
-    snprintf(
-        text, sizeof text,
-        "the temperature drifted by more than %.2g K in %u of %u rests, and the others are too "
-        "few: let the sensor settle, or take them with --keep-all",
-        result->fit.drift_limit, rejection_drifting(&result->rejected), result->data->count);
-    message("%s: %s", result->data->name, text);
-    if (json) {
-        json_begin(&w, stdout);
-        json_text(&w, "error", status_name(INVCAL_TOO_FEW));
-        json_text(&w, "reason", text);
-        json_parameters(&w, "undetermined", (1u << INVCAL_PARAMETERS) - 1);
-        json_end(&w);
-    }
+    snprintf(why->reason, REFUSAL_MAX,
+             "the temperature drifted by more than %.2g K in %u of %u rests, and the others are "
+             "too few",
+             r->fit.drift_limit, rejection_drifting(&r->rejected), r->data->count);
+    snprintf(why->remedy, REFUSAL_MAX,
+             "let the sensor settle before each, or take them as they are with --keep-all");
     return EXIT_DATA;
 }
 
-int calibrate_no_rest(const positions *data, const rests_summary *log, int json)
+int calibrate_no_frame(calibrate_result *r)
 {
-    char text[REASON_MAX];
-    json_writer w;
+    refusal *why = begin(r, "angles", 0);
 
-    snprintf(text, sizeof text,
-             "no rest of two seconds in %lu samples, %.6g s at %.6g samples a second%s",
-             log->samples, log->seconds, log->rate,
-             log->is_rate_known ? "" : " (a guess: state --rate)");
+    snprintf(why->reason, REFUSAL_MAX, "no frame of the stand: %s", stand_advice(r->stand.reading));
+    return EXIT_DATA;
+}
+
+int calibrate_no_rest(calibrate_result *r)
+{
+    const rests_summary *log = r->log;
+    refusal *why = begin(r, "no rest", (1u << INVCAL_PARAMETERS) - 1);
+    char least[16];
+
+    snprintf(least, sizeof least, "%.2g", rests_least(log->rate));
+    add(why->reason, "no rest of %s seconds in %lu samples, %.6g s at %.6g samples a second%s",
+        strcmp(least, "2") == 0 ? "two" : least, log->samples, log->seconds, log->rate,
+        log->is_rate_known ? "" : " (a guess)");
     if (log->gaps > 0) {
-        const size_t length = strlen(text);
-        snprintf(text + length, sizeof text - length, "; %lu gaps", log->gaps);
+        add(why->reason, "; %lu gaps", log->gaps);
     }
-    for (unsigned i = 0; i < RESTS_REASONS; i++) {
-        if (log->refused[i] > 0) {
-            const size_t length = strlen(text);
-            snprintf(text + length, sizeof text - length, "; %u: %s", log->refused[i],
-                     rests_reason_text((invcal_status)(INVCAL_REST_SHORT + i)));
-        }
-    }
+    add_rests(r->data, why);
     if (log->samples < FEW_SAMPLES) {
-        const size_t length = strlen(text);
-        snprintf(text + length, sizeof text - length,
-                 "; if each row is the mean of a position, add --positions");
+        add(why->remedy, "; if each row is the mean of a position, add --positions");
     }
-    message("%s: %s", data->name, text);
-    if (json) {
-        json_begin(&w, stdout);
-        json_text(&w, "error", "no rest");
-        json_text(&w, "reason", text);
-        json_parameters(&w, "undetermined", (1u << INVCAL_PARAMETERS) - 1);
-        json_end(&w);
-    }
+    why->wants_positions = 1;
+    return EXIT_DATA;
+}
+
+int calibrate_no_case(calibrate_result *r, invcal_status status)
+{
+    refusal *why = begin(r, "angles", 0);
+
+    add(why->reason, "--case: %s",
+        status == INVCAL_TOO_FEW ? "none of the positions kept was stated"
+        : r->frame.is_level ? "the way up that was stated is nearly opposite to the one measured"
+                            : "the ways up that were stated do not fit the positions");
+    add(why->remedy, "state them in the order of the log, with no axis of the case mirrored");
     return EXIT_DATA;
 }

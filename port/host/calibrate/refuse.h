@@ -1,29 +1,32 @@
 /* SPDX-License-Identifier: MIT
  *
- * calibrate/refuse.h: why there is no calibration, and what to do about it.
+ * calibrate/refuse.h: why there is no calibration, and what to do about it. Nothing is told here: what is wrong is
+ * left in result->refused, which deliver.h tells.
  */
 #ifndef CALIBRATE_REFUSE_H
 #define CALIBRATE_REFUSE_H
 
 #include "result/result.h"
 
-/* Says why there is no calibration: one line on stderr, and, if `json`, an object on stdout.
+/* What fit_make answered, not INVCAL_OK.
  *
- * status    what fit_make answered, not INVCAL_OK.
- * reason    its details.
- * settings  what it was asked.
- * nominal   where the zero and scale came from.
- * angles    what is said of those of a stand: which group of a program is missing they tell.
+ * angles  what is said of those of a stand: which group of a program is missing they tell.
+ * reason  details of the answer.
  *
- * Returns EXIT_DATA. */
-int calibrate_refuse(const positions *data, const fit_settings *settings,
-                     const nominal_choice *nominal, const stand_wish *angles, invcal_status status,
-                     const fit_reason *reason, int json);
+ * This and those below return EXIT_DATA. */
+int calibrate_refuse(calibrate_result *result, const stand_wish *angles, invcal_status status,
+                     const fit_reason *reason);
 
-/* Says that the temperature drifted in so many rests that too few are left. Returns EXIT_DATA. */
-int calibrate_all_drift(const calibrate_result *result, int json);
+/* The temperature drifted in so many rests that too few are left. */
+int calibrate_all_drift(calibrate_result *result);
 
-/* Says that a log holds no rest, and what it holds. Returns EXIT_DATA. */
-int calibrate_no_rest(const positions *data, const rests_summary *log, int json);
+/* A log holds no rest, and what it holds. */
+int calibrate_no_rest(calibrate_result *result);
+
+/* The angles of the stand are not those that were stated. */
+int calibrate_no_frame(calibrate_result *result);
+
+/* The ways up of the case that were stated are not those measured. */
+int calibrate_no_case(calibrate_result *result, invcal_status status);
 
 #endif

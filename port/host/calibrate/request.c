@@ -6,14 +6,18 @@
 
 #include "cli/command.h"
 #include "cli/input.h"
+#include "cli/files.h"
 #include "cli/message.h"
 #include "cli/output.h"
 #include "design/design.h"
 #include "fit/gravity.h"
+#include "read/chosen.h"
 #include "read/samples.h"
+#include "result/need.h"
 #include "result/result.h"
 
 static const option options[ASK_OPTIONS] = {
+    [ASK_COLUMNS] = {"--columns", 1},
     [ASK_POSITIONS] = {"--positions", 0},
     [ASK_GRAVITY] = {"--gravity", 1},
     [ASK_LATITUDE] = {"--latitude", 1},
@@ -24,10 +28,12 @@ static const option options[ASK_OPTIONS] = {
     [ASK_LSB] = {"--lsb", 1},
     [ASK_NOMINAL] = {"--nominal", 1},
     [ASK_NOMINAL_NAME] = {"--nominal-name", 1},
+    [ASK_SENSOR] = {"--sensor", 1},
     [ASK_UNIT] = {"--unit", 1},
     [ASK_UNITS] = {"--units", 1},
     [ASK_NOISE] = {"--noise", 1},
     [ASK_PRIOR] = {"--prior", 1},
+    [ASK_SIX_FACES] = {"--six-faces", 0},
     [ASK_THERMAL] = {"--thermal", 1},
     [ASK_SLOPE] = {"--slope", 1},
     [ASK_RATE] = {"--rate", 1},
@@ -45,9 +51,16 @@ static const option options[ASK_OPTIONS] = {
     [ASK_KEEP_ALL] = {"--keep-all", 0},
     [ASK_TOLERANCE] = {"--tolerance", 1},
     [ASK_NEED] = {"--need", 1},
+    [ASK_STRICT] = {"--strict", 0},
+    [ASK_DEVICE] = {"--device", 1},
+    [ASK_SERIAL] = {"--serial", 1},
+    [ASK_OPERATOR] = {"--operator", 1},
+    [ASK_DATE] = {"--date", 1},
+    [ASK_NOTE] = {"--note", 1},
     [ASK_OUT] = {"--out", 1},
     [ASK_REPORT] = {"--report", 1},
     [ASK_JSON] = {"--json", 0},
+    [ASK_JSON_LINES] = {"--json-lines", 0},
     [ASK_QUIET] = {"--quiet", 0},
 };
 static const char *const operands[] = {"LOG"};
@@ -131,8 +144,9 @@ static int read_gravity(request *r)
     if (!failure && !(r->settings.field > 0)) {
         failure = request_usage(r, ASK_GRAVITY, "the length of a field is above 0");
     }
-    if (!failure && !(r->field_sigma >= 0)) {
-        failure = request_usage(r, ASK_GRAVITY, "a standard deviation is not negative");
+    if (!failure && !(r->field_sigma >= 0 && r->field_sigma < r->settings.field)) {
+        failure = request_usage(r, ASK_GRAVITY,
+                                "a standard deviation is not negative, and below the length");
     }
     return failure;
 }
@@ -193,6 +207,35 @@ static int read_nominal(request *r)
     return failure;
 }
 
+/* What a data sheet says, where no option says otherwise. */
+static int read_sensor(request *r)
+{
+    char text[SENSORS_TEXT_MAX];
+
+    if (!r->value[ASK_SENSOR]) {
+        return EXIT_GOOD;
+    }
+    if (r->value[ASK_NOMINAL]) {
+        return request_usage(r, ASK_SENSOR,
+                             "and --nominal both state zero and scale: leave one out");
+    }
+    if (!sensors_choose(r->value[ASK_SENSOR], &r->sensor, text)) {
+        return request_usage(r, ASK_SENSOR, text);
+    }
+    return unit_scale(UNIT_G, r->settings.field) > 0
+               ? EXIT_GOOD
+               : request_usage(
+                     r, ASK_SENSOR,
+                     "is an accelerometer, and the field (--gravity) no gravity in m/s2, g or mg");
+}
+
+/* Zero and scale come from somewhere else than the range of the readings, whatever the file says. */
+static int states_nominal(const request *r)
+{
+    return r->value[ASK_NOMINAL] || r->value[ASK_SENSOR] ||
+           (r->value[ASK_ZERO] && r->value[ASK_LSB]) || unit_scale(r->unit, r->settings.field) > 0;
+}
+
 static int read_unit(request *r)
 {
     if (r->value[ASK_UNIT] && !unit_parse(r->value[ASK_UNIT], &r->unit)) {
@@ -221,18 +264,45 @@ static int read_noise(request *r)
     return failure;
 }
 
+/* A prior on the angles alone: that of a data sheet, or of --prior 0,0,G. */
+static int read_six_faces(request *r)
+{
+    static const unsigned others[] = {ASK_ROBUST, ASK_QUADRATIC, ASK_CUBIC, ASK_THERMAL};
+    double sigma[3] = {0, 0, INVCAL_CROSS_AXIS};
+    int failure = EXIT_GOOD;
+
+    for (unsigned i = 0; i < sizeof others / sizeof others[0]; i++) {
+        if (r->value[others[i]]) {
+            return message_usage(r->syntax->command, "%s: does not go together with %s",
+                                 options[ASK_SIX_FACES].name, options[others[i]].name);
+        }
+    }
+    if (r->value[ASK_PRIOR]) {
+        failure = options_numbers(r->syntax, ASK_PRIOR, r->value[ASK_PRIOR], 3, sigma, NULL);
+    }
+    if (!failure && (fabs(sigma[0]) + fabs(sigma[1]) > 0 || !(sigma[2] > 0 && sigma[2] < 1))) {
+        failure = request_usage(
+            r, ASK_PRIOR, "beside --six-faces is of the angles alone: 0,0,G with G from 0 to 1");
+    }
+    r->settings.is_six_faces = 1;
+    for (unsigned p = INVCAL_GAMMA_XY; p < INVCAL_PARAMETERS; p++) {
+        r->settings.prior[p] = sigma[2];
+    }
+    return failure;
+}
+
 static int read_prior(request *r)
 {
     double sigma[3]; /* of each delta, dk, gamma */
     int failure = EXIT_GOOD;
 
-    if (!r->value[ASK_PRIOR]) {
-        return EXIT_GOOD;
+    if (r->value[ASK_SIX_FACES] || !r->value[ASK_PRIOR]) {
+        return r->value[ASK_SIX_FACES] ? read_six_faces(r) : EXIT_GOOD;
     }
-    if (!r->value[ASK_NOMINAL] && !(r->value[ASK_ZERO] && r->value[ASK_LSB])) {
+    if (!states_nominal(r)) {
         return request_usage(r, ASK_PRIOR,
                              "says how far the nominal calibration may be wrong, so state that: "
-                             "--zero and --lsb, or --nominal");
+                             "--sensor, --unit, --zero and --lsb, or --nominal");
     }
     failure = options_numbers(r->syntax, ASK_PRIOR, r->value[ASK_PRIOR], 3, sigma, NULL);
     for (unsigned p = 0; p < INVCAL_PARAMETERS && !failure; p++) {
@@ -274,13 +344,13 @@ static int read_thermal(request *r)
 /* What only a log of samples has. */
 static int read_log_options(request *r)
 {
-    int failure = EXIT_GOOD;
+    int failure = chosen_read(r->syntax->command, r->value[ASK_COLUMNS]);
 
-    if (r->value[ASK_POSITIONS] && (r->value[ASK_RATE] || r->value[ASK_CLIP])) {
+    if (!failure && r->value[ASK_POSITIONS] && (r->value[ASK_RATE] || r->value[ASK_CLIP])) {
         return request_usage(r, r->value[ASK_RATE] ? ASK_RATE : ASK_CLIP,
                              "is of samples; position means have none");
     }
-    if (r->value[ASK_RATE]) {
+    if (!failure && r->value[ASK_RATE]) {
         failure = options_numbers(r->syntax, ASK_RATE, r->value[ASK_RATE], 1, &r->rate, NULL);
         if (!failure && !(r->rate >= SAMPLES_RATE_MIN && r->rate <= SAMPLES_RATE_MAX)) {
             failure = request_usage(r, ASK_RATE, "is 8 to 8000 samples a second");
@@ -302,9 +372,6 @@ static int read_program(request *r)
 
     if (!r->value[ASK_PLAN]) {
         return EXIT_GOOD;
-    }
-    if (strcmp(r->value[ASK_PLAN], "directions:-") == 0 && input_is_stdin(r->file)) {
-        return request_usage(r, ASK_PLAN, "only one input can be the standard input");
     }
     r->program = set;
     const int failure = design_make(set, r->syntax->command, r->value[ASK_PLAN]);
@@ -450,10 +517,10 @@ static int read_tolerance(request *r)
     if (!r->value[ASK_TOLERANCE]) {
         return EXIT_GOOD;
     }
-    if (!r->value[ASK_NOMINAL] && !(r->value[ASK_ZERO] && r->value[ASK_LSB])) {
+    if (!states_nominal(r)) {
         return request_usage(r, ASK_TOLERANCE,
                              "says how far from nominal the sensor may be, so state that: "
-                             "--zero and --lsb, or --nominal");
+                             "--sensor, --unit, --zero and --lsb, or --nominal");
     }
     failure =
         options_numbers(r->syntax, ASK_TOLERANCE, r->value[ASK_TOLERANCE], 3, r->tolerance, NULL);
@@ -466,35 +533,65 @@ static int read_tolerance(request *r)
 
 static int read_need(request *r)
 {
-    int failure = EXIT_GOOD;
+    const char *text = r->value[ASK_NEED];
+    char number[64];
+    size_t digits;
 
-    if (r->value[ASK_NEED]) {
-        failure = options_numbers(r->syntax, ASK_NEED, r->value[ASK_NEED], 1, &r->need, NULL);
-        if (!failure && !(r->need > 0)) {
-            failure =
-                request_usage(r, ASK_NEED, "is above 0: what lengths may be wrong by, field units");
-        }
+    if (!text) {
+        return EXIT_GOOD;
     }
-    return failure;
+    const need_ending ending = need_parse(text, r->settings.field, &digits, &r->need_unit);
+    if (ending == NEED_NO_UNIT) {
+        return message_usage(r->syntax->command,
+                             "--need %s: ends with mg, g, ug, m/s2 or %%, or is a number in the "
+                             "unit of --gravity",
+                             text);
+    }
+    if (ending == NEED_NO_GRAVITY) {
+        return message_usage(r->syntax->command,
+                             "--need %s: the field (--gravity) is no gravity; state a part of it "
+                             "in %%, or a number in its unit",
+                             text);
+    }
+    snprintf(number, sizeof number, "%.*s", (int)fmin((double)digits, sizeof number - 1), text);
+    const int failure = options_numbers(r->syntax, ASK_NEED, number, 1, &r->need, NULL);
+    r->need *= r->settings.field / r->need_unit.scale;
+    return failure       ? failure
+           : r->need > 0 ? EXIT_GOOD
+                         : request_usage(r, ASK_NEED, "is above 0: what lengths may be wrong by");
 }
 
-/* Three different files. */
-static int check_files(const request *r)
+/* What the calibration is filed under. The texts stand in the order of the options. */
+static int read_record(request *r)
 {
-    static const unsigned made[] = {ASK_OUT, ASK_REPORT};
-
-    for (unsigned i = 0; i < 2; i++) {
-        const char *path = r->value[made[i]];
-        if (path && output_is_same(path, r->file)) {
-            return request_usage(r, made[i], "is LOG itself, which would be lost");
+    for (unsigned k = 0; k < RECORD_TEXTS; k++) {
+        const char *text = r->value[ASK_DEVICE + k];
+        const char *problem = text ? record_set(&r->record, (record_text)k, text) : NULL;
+        if (problem) {
+            return message_usage(r->syntax->command, "%s '%s': %s", options[ASK_DEVICE + k].name,
+                                 text, problem);
         }
     }
-    if (r->value[ASK_OUT] && r->value[ASK_REPORT] &&
-        (strcmp(r->value[ASK_OUT], r->value[ASK_REPORT]) == 0 ||
-         output_is_same(r->value[ASK_OUT], r->value[ASK_REPORT]))) {
-        return request_usage(r, ASK_REPORT, "is the file of --out");
-    }
     return EXIT_GOOD;
+}
+
+/* JSON on one line is JSON. */
+static void read_json_lines(request *r)
+{
+    if (r->value[ASK_JSON_LINES]) {
+        r->value[ASK_JSON] = r->value[ASK_JSON_LINES];
+    }
+}
+
+static int check_files(const request *r)
+{
+    const named_file inputs[] = {{"LOG", r->file},
+                                 {"--nominal", r->value[ASK_NOMINAL]},
+                                 {"--allan", r->value[ASK_ALLAN]},
+                                 {"--plan", design_file(r->value[ASK_PLAN])}};
+    const named_file outputs[] = {{"--out", r->value[ASK_OUT]}, {"--report", r->value[ASK_REPORT]}};
+
+    return files_check(r->syntax->command, inputs, 4, outputs, 2);
 }
 
 int request_read(int argc, char **argv, int is_live, request *r)
@@ -504,16 +601,13 @@ int request_read(int argc, char **argv, int is_live, request *r)
     *r = (request){.syntax = syntax, .is_live = is_live};
     int failure = options_parse(r->syntax, argc, argv, r->value, &r->file);
 
-    if (!failure && r->value[ASK_NOMINAL] && input_is_stdin(r->value[ASK_NOMINAL]) &&
-        input_is_stdin(r->file)) {
-        failure = request_usage(r, ASK_NOMINAL, "only one input can be the standard input");
-    }
     options_command(syntax->command, argc, argv, r->command, sizeof r->command);
     failure = failure ? failure : check_files(r);
     failure = failure ? failure : read_gravity(r);
     failure = failure ? failure : read_frame(r);
     failure = failure ? failure : read_case(r);
     failure = failure ? failure : read_nominal(r);
+    failure = failure ? failure : read_sensor(r);
     failure = failure ? failure : read_unit(r);
     failure = failure ? failure : read_noise(r);
     failure = failure ? failure : read_thermal(r);
@@ -523,5 +617,7 @@ int request_read(int argc, char **argv, int is_live, request *r)
     failure = failure ? failure : read_stand(r);
     failure = failure ? failure : read_tolerance(r);
     failure = failure ? failure : read_need(r);
+    failure = failure ? failure : read_record(r);
+    read_json_lines(r);
     return failure ? failure : read_prior(r);
 }

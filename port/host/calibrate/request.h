@@ -10,12 +10,15 @@
 #include "cli/told.h"
 #include "fit/case_frame.h"
 #include "fit/fit.h"
+#include "fit/sensors.h"
 #include "fit/thermal_fit.h"
+#include "result/record.h"
 #include "stand/stand.h"
 #include "text/unit.h"
 
 /* The options of `invcal calibrate` and `invcal watch`: each takes what the other has, or says whose it is. */
 enum {
+    ASK_COLUMNS,
     ASK_POSITIONS,
     ASK_GRAVITY,
     ASK_LATITUDE,
@@ -26,10 +29,12 @@ enum {
     ASK_LSB,
     ASK_NOMINAL,
     ASK_NOMINAL_NAME,
+    ASK_SENSOR,
     ASK_UNIT,
     ASK_UNITS,
     ASK_NOISE,
     ASK_PRIOR,
+    ASK_SIX_FACES,
     ASK_THERMAL,
     ASK_SLOPE,
     ASK_RATE,
@@ -47,9 +52,16 @@ enum {
     ASK_KEEP_ALL,
     ASK_TOLERANCE,
     ASK_NEED,
+    ASK_STRICT,
+    ASK_DEVICE,
+    ASK_SERIAL,
+    ASK_OPERATOR,
+    ASK_DATE,
+    ASK_NOTE,
     ASK_OUT,
     ASK_REPORT,
     ASK_JSON,
+    ASK_JSON_LINES,
     ASK_QUIET,
     ASK_OPTIONS
 };
@@ -64,12 +76,14 @@ typedef struct {
     const char *value[ASK_OPTIONS]; /* as it was given; null: it was not */
     double zero[3];                 /* of --zero, */
     double lsb[3];                  /* --lsb */
+    sensor_choice sensor;           /* of --sensor, for what they do not state */
     double rate;                    /* 0: not given */
     double clip[2];
     reading_unit unit; /* of --unit, */
     told_style told;   /* --units */
     double target[3];
-    double need; /* 0: not given */
+    double need;         /* field units; 0: not given */
+    told_unit need_unit; /* what it was stated in */
     double mean_sigma;
     double tolerance[3];
     char command[REQUEST_COMMAND_MAX]; /* the command line, for the report */
@@ -79,7 +93,8 @@ typedef struct {
     const design *program; /* of --plan, which watch follows; or null */
     unsigned degree;       /* of --quadratic, --cubic; else 0 */
     stand_wish stand;
-    case_wish ways_up;     /* of --case; none: its count is 0 */
+    case_wish ways_up; /* of --case; none: its count is 0 */
+    record record;
     fit_settings settings; /* all but the nominal, and the noise unless stated */
 } request;
 

@@ -7,17 +7,17 @@
 #include "cli/command.h"
 #include "cli/message.h"
 #include "result/calibration_file.h"
+#include "text/number.h"
 
 /* No calculation can be made with numbers so large or so small. */
-static int refuse_nominal(const request *r, const positions *data, const nominal_choice *n)
+static int refuse_nominal(const request *r, calibrate_result *result)
 {
-    const fit_reason all = {data->count, (1u << INVCAL_PARAMETERS) - 1};
+    const fit_reason all = {0, (1u << INVCAL_PARAMETERS) - 1};
 
     if (r->value[ASK_LSB]) {
         return request_usage(r, ASK_LSB, "is too small or too large a scale for any calculation");
     }
-    return calibrate_refuse(data, &r->settings, n, &r->stand, INVCAL_UNDETERMINED, &all,
-                            r->value[ASK_JSON] != NULL);
+    return calibrate_refuse(result, &r->stand, INVCAL_UNDETERMINED, &all);
 }
 
 void settle_unit(const request *r, positions *data)
@@ -30,32 +30,68 @@ void settle_unit(const request *r, positions *data)
     } else if (seen->unit == UNIT_UNKNOWN && !seen->states_foreign_unit) {
         seen->unit = unit_by_size(data->mean, data->count, r->settings.field);
         seen->unit_from = seen->unit != UNIT_UNKNOWN ? UNIT_FROM_SIZE : UNIT_FROM_NONE;
+        if (r->sensor.type && !unit_is_sure(seen->unit, data->mean, data->count)) {
+            seen->unit = UNIT_COUNTS;
+            seen->unit_from = UNIT_FROM_SENSOR;
+        }
     }
 }
 
-/* Zero and scale from the data's range, or from the unit if that is stated. Returns 0 if there is
- * no scale. */
-static int guess_nominal(const request *r, const positions *data, nominal_choice *n, double zero[3],
-                         double lsb[3])
+/* The scale of the unit, if the unit is stated, or sure by the size of the readings; else 0. */
+static double scale_of_unit(const request *r, const positions *data)
 {
-    const double field = r->settings.field;
-    const int is_stated = !r->value[ASK_LSB] && data->seen.unit_from != UNIT_FROM_SIZE;
-    const double scale = is_stated ? unit_scale(data->seen.unit, field) : 0;
+    const recognition *seen = &data->seen;
+    const int is_known =
+        seen->unit_from != UNIT_FROM_SIZE || unit_is_sure(seen->unit, data->mean, data->count);
 
-    if (!(scale > 0)) {
+    return is_known ? unit_scale(seen->unit, r->settings.field) : 0;
+}
+
+/* Zero and scale where they are not given: by the unit, of the data sheet, or, to calculate with, from the
+ * data's range. Returns 0 if there is no scale. */
+static int find_nominal(const request *r, const positions *data, nominal_choice *n, double zero[3],
+                        double lsb[3])
+{
+    const double unit = scale_of_unit(r, data);
+    const double sheet = r->sensor.type ? sensors_scale(&r->sensor, r->settings.field) : 0;
+
+    if (!(unit > 0) && !(sheet > 0)) {
         n->zero = n->lsb = NOMINAL_RANGE;
-        return nominal_from_range(data, field, zero, lsb);
+        return nominal_from_range(data, r->settings.field, zero, lsb);
     }
-    n->zero = n->lsb = NOMINAL_UNIT;
+    n->zero = n->lsb = unit > 0 ? NOMINAL_UNIT : NOMINAL_SENSOR;
     for (unsigned i = 0; i < 3; i++) {
         zero[i] = 0;
-        lsb[i] = scale;
+        lsb[i] = unit > 0 ? unit : sheet;
     }
     return 1;
 }
 
-int settle_nominal(const request *r, const positions *data, nominal_choice *n)
+/* Readings that the stated sensor does not give at the stated range. */
+static int check_sensor(const request *r, const positions *data, const nominal_choice *n)
 {
+    const invcal_calibration *c = &n->calibration;
+    char text[SENSORS_TEXT_MAX];
+    double sum = 0;
+
+    if (n->lsb != NOMINAL_SENSOR) {
+        return EXIT_GOOD;
+    }
+    for (unsigned k = 0; k < data->count;
+         k++) { /* the geometric mean: single ones may be wrong by much */
+        double v[3];
+        invcal_apply(c, &data->mean[3 * (size_t)k], v);
+        sum += log(sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]) / r->settings.field);
+    }
+    return sensors_fit(&r->sensor, exp(sum / data->count), text)
+               ? EXIT_GOOD
+               : message_usage(r->syntax->command, "%s: %s", data->name, text);
+}
+
+int settle_nominal(const request *r, calibrate_result *result)
+{
+    const positions *data = result->data;
+    nominal_choice *n = &result->nominal;
     double zero[3];
     double lsb[3];
 
@@ -63,16 +99,58 @@ int settle_nominal(const request *r, const positions *data, nominal_choice *n)
         n->zero = n->lsb = NOMINAL_EARLIER;
         return calibration_file_read(r->value[ASK_NOMINAL], &n->calibration);
     }
-    const int has_scale = guess_nominal(r, data, n, zero, lsb);
+    n->sensor = r->sensor;
+    const int has_scale = find_nominal(r, data, n, zero, lsb);
     n->zero = r->value[ASK_ZERO] ? NOMINAL_GIVEN : n->zero;
     n->lsb = r->value[ASK_LSB] ? NOMINAL_GIVEN : n->lsb;
     if (!has_scale && n->lsb == NOMINAL_RANGE) {
-        return refuse_nominal(r, data, n);
+        return refuse_nominal(r, result);
     }
     return nominal_make(r->value[ASK_ZERO] ? r->zero : zero, r->value[ASK_LSB] ? r->lsb : lsb,
                         r->settings.field, &n->calibration)
-               ? EXIT_GOOD
-               : refuse_nominal(r, data, n);
+               ? check_sensor(r, data, n)
+               : refuse_nominal(r, result);
+}
+
+/* The mean length of the readings, counts, from the nominal zero. */
+static double mean_length(const positions *data, const invcal_calibration *nominal)
+{
+    double sum = 0;
+
+    for (unsigned n = 0; n < data->count; n++) {
+        double square = 0;
+        for (unsigned i = 0; i < 3; i++) {
+            const double d = data->mean[3 * (size_t)n + i] - nominal->offset[i];
+            square += d * d;
+        }
+        sum += sqrt(square) / data->count;
+    }
+    return sum;
+}
+
+/* As good as 1, zero and scale being nominal. */
+static int is_about_one(double x)
+{
+    return x > 0.4 && x < 2.5;
+}
+
+int settle_scale(const request *r, const positions *data, const nominal_choice *nominal)
+{
+    const double field = r->settings.field;
+    const double lsb = fabs(nominal->calibration.matrix[0][0]);
+    const double counts = mean_length(data, &nominal->calibration);
+    char numerator[NUMBER_TEXT_MAX];
+
+    if (nominal->lsb != NOMINAL_GIVEN || is_about_one(counts * lsb / field) ||
+        !(is_about_one(counts / lsb) || is_about_one(counts / (lsb * field)))) {
+        return EXIT_GOOD;
+    }
+    const double meant = is_about_one(counts / lsb) ? field : 1;
+    return message_usage(r->syntax->command,
+                         "--lsb is field per count, not counts per field: with %.6g these readings "
+                         "are %.3g times the field; you mean --lsb %s/%.6g, which is %.6g",
+                         lsb, counts * lsb / field, number_text(meant, numerator), lsb,
+                         meant / lsb);
 }
 
 /* The noise of a position mean from std and n: the root mean square over axes. */
@@ -86,6 +164,22 @@ static double noise_of_file(const positions *data, const invcal_calibration *c)
         }
     }
     return sqrt(square);
+}
+
+void settle_limits(const request *r, calibrate_result *result)
+{
+    double *limit = result->limit;
+
+    for (unsigned p = 0; p < INVCAL_PARAMETERS; p++) {
+        limit[p] = NUMBER_UNKNOWN;
+    }
+    if (r->sensor.type) {
+        sensors_limits(&r->sensor, r->settings.field, limit);
+    }
+    for (unsigned p = 0; p < INVCAL_PARAMETERS; p++) {
+        limit[p] = r->value[ASK_TOLERANCE] ? r->tolerance[p / 3] : limit[p];
+        result->has_limits = result->has_limits || limit[p] > 0;
+    }
 }
 
 int settle_noise(const request *r, const positions *data, calibrate_result *result)
@@ -102,7 +196,7 @@ int settle_noise(const request *r, const positions *data, calibrate_result *resu
         return EXIT_FILE;
     }
     if (fit_has_prior(&result->settings) && !(result->settings.noise > 0)) {
-        return request_usage(r, ASK_PRIOR,
+        return request_usage(r, r->value[ASK_SIX_FACES] ? ASK_SIX_FACES : ASK_PRIOR,
                              "is weighed against the noise of a position mean, so state that: "
                              "--noise, or columns std and n");
     }

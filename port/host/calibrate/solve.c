@@ -27,30 +27,12 @@ static double residual_of_nominal(const positions *data, const invcal_calibratio
     return sqrt(squares / data->count);
 }
 
-/* Which parameters exceed what the data sheet allows, by more than their uncertainty. */
-static uint16_t beyond(const calibrate_result *result)
-{
-    const fit_quality *q = &result->quality;
-    const double spread = calibrate_knows_noise(result) ? q->coverage : 0;
-    unsigned bits = 0;
-
-    for (unsigned p = 0; p < INVCAL_PARAMETERS && result->tolerance; p++) {
-        const double least = fabs(result->solution.x[p]) - spread * q->sigma[p];
-        bits |= (unsigned)!(least <= result->tolerance[p / 3]) << p;
-    }
-    return (uint16_t)bits;
-}
-
-static int refuse(const request *r, const calibrate_result *result, invcal_status status,
+static int refuse(const request *r, calibrate_result *result, invcal_status status,
                   const fit_reason *reason)
 {
-    const int json = r->value[ASK_JSON] != NULL;
-
-    if (status == INVCAL_TOO_FEW && rejection_drifting(&result->rejected) > 0) {
-        return calibrate_all_drift(result, json);
-    }
-    return calibrate_refuse(result->data, &result->settings, &result->nominal, &r->stand, status,
-                            reason, json);
+    return status == INVCAL_TOO_FEW && rejection_drifting(&result->rejected) > 0
+               ? calibrate_all_drift(result)
+               : calibrate_refuse(result, &r->stand, status, reason);
 }
 
 /* What was found among the positions beside outliers. */
@@ -118,9 +100,7 @@ static int solve_plain(const request *r, calibrate_result *result)
     if (result->rejected.is_judged && result->rejected.found.verdict == INVCAL_DRIFTING) {
         fit_drift(result);
     }
-    const int open = r->degree > 0
-                         ? calibrate_nonlinear(result, r->degree, r->value[ASK_JSON] != NULL)
-                         : EXIT_GOOD;
+    const int open = r->degree > 0 ? calibrate_nonlinear(result, r->degree) : EXIT_GOOD;
     judge(result);
     return open;
 }
@@ -176,7 +156,7 @@ static double accuracy_of(const fit_quality *q)
     invcal_quality quality = {.sigma_dof = (uint16_t)fmin(UINT16_MAX, q->sigma_dof)};
 
     memcpy(quality.sigma, q->sigma, sizeof quality.sigma);
-    return invcal_accuracy(&quality, 0);
+    return invcal_accuracy_held(&quality, q->from_prior, 0);
 }
 
 /* A field that is wrong makes all three scales wrong alike. */
@@ -206,27 +186,13 @@ static int find_stand(const request *r, calibrate_result *result)
     }
     free(raw);
     if (!failure && r->stand.is_frame && result->stand.reading != STAND_AS_STATED) {
-        message("%s: no frame of the stand: %s", result->data->name,
-                stand_advice(result->stand.reading));
-        return EXIT_DATA;
+        return calibrate_no_frame(result);
     }
     if (!failure && r->stand.is_frame) {
         stand_turn(&result->stand, &result->solution.calibration);
         result->is_stand_frame = 1;
     }
     return failure;
-}
-
-static int refuse_case(const calibrate_result *result, invcal_status status)
-{
-    const char *why = status == INVCAL_TOO_FEW ? "none of the positions kept was stated"
-                      : result->frame.is_level
-                          ? "the way up that was stated is nearly opposite to the one measured"
-                          : "the ways up that were stated do not fit the positions: is their order "
-                            "that of the log, and no axis of the case mirrored?";
-
-    message("%s: --case: %s", result->data->name, why);
-    return EXIT_DATA;
 }
 
 /* The axes of the case, by the positions whose way up was stated. */
@@ -246,7 +212,7 @@ static int find_case(const request *r, calibrate_result *result)
     }
     status = status == INVCAL_OK ? case_solve(&frame, &r->ways_up, noise, &result->frame) : status;
     if (status != INVCAL_OK) {
-        return refuse_case(result, status);
+        return calibrate_no_case(result, status);
     }
     invcal_frame_turn((const double(*)[3])result->frame.rotation, &result->solution.calibration);
     return EXIT_GOOD;
@@ -254,12 +220,9 @@ static int find_case(const request *r, calibrate_result *result)
 
 int solve_positions(const request *r, const positions *data, calibrate_result *result)
 {
-    result->data = data;
-    result->settings = r->settings;
-    result->place = r->value[ASK_LATITUDE] ? r->place : NULL;
     int failure = stand_check(&r->stand, data);
-    result->told = r->told;
-    failure = failure ? failure : settle_nominal(r, data, &result->nominal);
+    failure = failure ? failure : settle_nominal(r, result);
+    failure = failure ? failure : settle_scale(r, data, &result->nominal);
     result->settings.nominal = fit_over_field(&result->nominal.calibration, r->settings.field);
     failure = failure ? failure : settle_noise(r, data, result);
     failure = failure                 ? failure
@@ -276,11 +239,8 @@ int solve_positions(const request *r, const positions *data, calibrate_result *r
         cross_check(result);
     }
     result->accuracy = accuracy_of(&result->quality);
-    result->need = r->need;
     inherit_field(r, result);
     result->quality.worst = rejection_original(&result->rejected, result->quality.worst);
-    result->tolerance = r->value[ASK_TOLERANCE] ? r->tolerance : NULL;
-    result->beyond = beyond(result);
     result->residual_before = residual_of_nominal(data, &result->settings.nominal);
     return EXIT_GOOD;
 }

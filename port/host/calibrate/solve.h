@@ -8,7 +8,8 @@
 #include "calibrate/request.h"
 #include "result/result.h"
 
-/* Returns EXIT_GOOD; EXIT_DATA, EXIT_USAGE or EXIT_FILE after a message. */
+/* Returns EXIT_GOOD; EXIT_DATA with result->refused filled in; EXIT_USAGE or EXIT_FILE after a
+ * message. */
 int solve_positions(const request *r, const positions *data, calibrate_result *result);
 
 #endif

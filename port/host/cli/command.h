@@ -24,9 +24,11 @@ enum {
 
 typedef struct {
     const char *name;
-    const char *purpose;     /* one line for `invcal --help` */
-    const char *const *help; /* parts of the text of `invcal NAME --help`, ended by null */
+    const char *purpose;               /* one line for `invcal --help` */
+    const char *const *help;           /* parts (help.h) of the text of `invcal NAME --help all` */
     int (*run)(int argc, char **argv); /* arguments after the command's name; an exit code */
+    const char *const *brief; /* of `invcal NAME --help`: with the line that names the other,
+                                        * at most 24 lines of 80 columns; null: `help` is as short */
 } tool_command;
 
 extern const tool_command calibrate_command;
@@ -34,6 +36,7 @@ extern const tool_command apply_command;
 extern const tool_command export_command;
 extern const tool_command allan_command;
 extern const tool_command plan_command;
+extern const tool_command compare_command;
 extern const tool_command simulate_command;
 extern const tool_command watch_command;
 

@@ -36,7 +36,7 @@ FILE *input_open(const char *path)
     }
     /* A directory can be opened; only reading from it fails, and not in plain words. */
     if (fstat(fileno(file), &status) == 0 && S_ISDIR(status.st_mode)) {
-        message("%s: is a directory, not a file", input_name(path));
+        message("%s: is a directory: state a file in it", input_name(path));
         input_close(file);
         return NULL; /* NOLINT(clang-analyzer-unix.Stream): closed, unless it is stdin */
     }

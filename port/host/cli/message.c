@@ -6,19 +6,23 @@
 
 #include "cli/command.h"
 #include "text/paint.h"
+#include "text/plain.h"
 #include "cli/progress.h"
+
+static char last[MESSAGE_MAX];
 
 /* File names and input may hold anything; the terminal gets none of it. A progress bar makes way. */
 static void print_line(char *text, const char *tail)
 {
-    for (char *c = text; *c != '\0'; c++) {
-        if ((unsigned char)*c < ' ' || *c == 0x7f) {
-            *c = '?';
-        }
-    }
+    snprintf(last, sizeof last, "%s", plain(text));
     progress_end();
-    fprintf(stderr, "%sinvcal:%s %s%s\n", paint_on(stderr, PAINT_RED), paint_off(stderr), text,
+    fprintf(stderr, "%sinvcal:%s %s%s\n", paint_on(stderr, PAINT_RED), paint_off(stderr), last,
             tail);
+}
+
+const char *message_last(void)
+{
+    return last;
 }
 
 void message(const char *format, ...)

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "cli/options.h"
 
+#include <math.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -64,7 +65,8 @@ static int take_option(const option_syntax *syntax, int argc, char **argv, int *
         return message_usage(syntax->command, "%s: its value is missing", o->name);
     }
     if (*values[which] == '\0') {
-        return message_usage(syntax->command, "%s: its value is empty", o->name);
+        return message_usage(syntax->command,
+                             "%s: its value is empty: is a variable of a script not set?", o->name);
     }
     return EXIT_GOOD;
 }
@@ -74,11 +76,16 @@ int options_parse(const option_syntax *syntax, int argc, char **argv, const char
 {
     unsigned found = 0;
     int only_operands = 0;
+    const int repeats = syntax->operand_optional == OPTIONS_REPEATS;
+    const unsigned least = syntax->operand_count - (repeats ? 0 : syntax->operand_optional);
 
     for (unsigned i = 0; i < syntax->option_count; i++) {
         values[i] = NULL;
     }
     for (unsigned i = 0; i < syntax->operand_count; i++) {
+        operands[i] = NULL;
+    }
+    for (int i = 0; repeats && i <= argc; i++) {
         operands[i] = NULL;
     }
     for (int i = 0; i < argc; i++) {
@@ -89,15 +96,16 @@ int options_parse(const option_syntax *syntax, int argc, char **argv, const char
             if (failure) {
                 return failure;
             }
-        } else if (found == syntax->operand_count) {
+        } else if (found == syntax->operand_count && !repeats) {
             return message_usage(syntax->command, "'%s': one operand too many", argv[i]);
+        } else if (argv[i][0] == '\0') {
+            return message_usage(syntax->command, "%s is empty: is a variable of a script not set?",
+                                 syntax->operands[found]);
         } else {
             operands[found++] = argv[i];
         }
     }
-    if (found < syntax->operand_count - syntax->operand_optional ||
-        (found > syntax->operand_count - syntax->operand_optional &&
-         found < syntax->operand_count)) {
+    if (found < least || (found > least && found < syntax->operand_count)) {
         return message_usage(syntax->command, "%s is missing", syntax->operands[found]);
     }
     return EXIT_GOOD;
@@ -112,6 +120,28 @@ static const char *next_item(const char *text, char *item, size_t size)
     return text[length] == ',' ? text + length + 1 : NULL;
 }
 
+/* A number, or a quotient of two: what a data sheet states per unit is 9.80665/16384 here. */
+static number_status parse_quotient(char *item, double *out)
+{
+    char *slash = strchr(item, '/');
+    double divisor = 1;
+    number_status status = NUMBER_OK;
+
+    if (slash) {
+        *slash = '\0';
+        status = number_parse(slash + 1, &divisor);
+    }
+    status = status == NUMBER_OK ? number_parse(item, out) : status;
+    if (slash) {
+        *slash = '/';
+    }
+    if (status == NUMBER_OK) {
+        *out /= divisor;
+        status = isfinite(*out) ? NUMBER_OK : NUMBER_NOT_FINITE;
+    }
+    return status;
+}
+
 int options_numbers(const option_syntax *syntax, unsigned which, const char *value, unsigned wanted,
                     double *out, int *single)
 {
@@ -122,7 +152,7 @@ int options_numbers(const option_syntax *syntax, unsigned which, const char *val
 
     while (rest && n < wanted) {
         rest = next_item(rest, item, sizeof item);
-        const number_status status = number_parse(item, &out[n++]);
+        const number_status status = parse_quotient(item, &out[n++]);
         if (status != NUMBER_OK) {
             return message_usage(syntax->command, "%s %s: '%s' %s", name, value, item,
                                  number_problem(status));
@@ -166,7 +196,7 @@ static size_t put_argument(char *text, size_t size, size_t at, const char *argum
     return is_plain ? at : put(text, size, at, '\'');
 }
 
-const char *options_quoted(const char *argument, char *text, size_t size)
+char *options_quoted(const char *argument, char *text, size_t size)
 {
     text[0] = '\0';
     (void)put_argument(text, size, 0, argument);

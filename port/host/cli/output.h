@@ -16,8 +16,15 @@ typedef struct {
     char *temporary; /* its name meanwhile; null if it is written directly */
 } output;
 
-/* 1 if both are one and the same regular file, which exists. */
-int output_is_same(const char *path, const char *other);
+/* Can the file be written? To be asked before any work, which would be lost. EXIT_GOOD; EXIT_FILE,
+ * with a message: for a folder, a file that is read-only, a folder that nothing can be put into. */
+int output_check(const char *path);
+
+/* 1 if it would be written over what is read: both are one regular file. `input` may be "-". */
+int output_is_same(const char *path, const char *input);
+
+/* 1 if both go into one regular file, which need not exist yet. */
+int output_collide(const char *path, const char *other);
 
 /* Begins a file. EXIT_GOOD; EXIT_FILE, with a message. In either case end with output_commit or
  * output_discard. */

@@ -586,6 +586,19 @@ static int make_named(design *d, const char *word)
     return 0;
 }
 
+const char *design_file(const char *word)
+{
+    static const char *const prefixes[] = {"directions:", "angles:"};
+
+    for (unsigned i = 0; i < 2 && word; i++) {
+        const size_t length = strlen(prefixes[i]);
+        if (strncmp(word, prefixes[i], length) == 0) {
+            return word + length;
+        }
+    }
+    return NULL;
+}
+
 static int make(design *d, const char *command, const char *word)
 {
     static const struct {

@@ -58,6 +58,9 @@ typedef struct {
  * unknown word or a wrong number, EXIT_FILE. */
 int design_make(design *d, const char *command, const char *word);
 
+/* The file that the word of a set names, or null. A word that is null has none. */
+const char *design_file(const char *word);
+
 /* Makes and judges the set of a stand program. `plan` is usable. */
 void design_stand(design *d, const invcal_plan *plan);
 

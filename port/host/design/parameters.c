@@ -22,6 +22,16 @@ const char *parameter_words(unsigned parameter)
     return words[parameter];
 }
 
+unsigned parameters_count(uint16_t bits)
+{
+    unsigned count = 0;
+
+    for (unsigned r = 0; r < INVCAL_PARAMETERS; r++) {
+        count += (unsigned)bits >> r & 1u;
+    }
+    return count;
+}
+
 const char *parameters_list(uint16_t bits, char *text, size_t size)
 {
     text[0] = '\0';

@@ -13,6 +13,9 @@
 /* "offset x", "scale y", "angle zy", ... */
 const char *parameter_words(unsigned parameter);
 
+/* How many bits are set. */
+unsigned parameters_count(uint16_t bits);
+
 /* Those whose bits are set: "offset z, scale z". Returns text. */
 const char *parameters_list(uint16_t bits, char *text, size_t size);
 

@@ -6,6 +6,7 @@
 #include "draw/svg.h"
 
 #define SCALE 27.0 /* pixels of a unit */
+#define NAMED 0.35 /* of a side that is seen: else it is too narrow for its name */
 
 /* Half of the sides along x, y and z. */
 static const double half[3] = {1.0, 0.7, 0.35};
@@ -52,19 +53,20 @@ static void project(const double turn[3][3], const double device[3], double at[2
     at[1] = BOX_HEIGHT / 2 - SCALE * dot(above, world);
 }
 
-/* The side out of which an axis points, or its opposite; nothing if it is not seen. */
+/* How much of the side out of which an axis points is seen, or of its opposite: at most 0, none. */
+static double seen_of(const double turn[3][3], unsigned axis, double sign)
+{
+    const double normal[3] = {sign * turn[0][axis], sign * turn[1][axis], sign * turn[2][axis]};
+
+    return dot(normal, viewer);
+}
+
 static void draw_side(FILE *file, const double turn[3][3], unsigned axis, double sign)
 {
     static const double corner[4][2] = {{-1, -1}, {1, -1}, {1, 1}, {-1, 1}};
-    const double normal[3] = {sign * turn[0][axis], sign * turn[1][axis], sign * turn[2][axis]};
-    const double seen = dot(normal, viewer);
     double device[3];
     double at[2];
-    const char name[3] = {sign > 0 ? "xyz"[axis] : '-', sign > 0 ? '\0' : "xyz"[axis], '\0'};
 
-    if (!(seen > 0.02)) {
-        return;
-    }
     svg_polygon_begin(file, axis == 2 && sign > 0 ? "c1 side" : "c0 side");
     device[axis] = sign * half[axis];
     for (unsigned k = 0; k < 4; k++) {
@@ -74,11 +76,17 @@ static void draw_side(FILE *file, const double turn[3][3], unsigned axis, double
         svg_polyline_point(file, at[0], at[1]);
     }
     svg_polyline_end(file);
-    if (seen > 0.3) { /* else it is too narrow */
-        device[(axis + 1) % 3] = device[(axis + 2) % 3] = 0;
-        project(turn, device, at);
-        svg_text(file, "ink small", SVG_MIDDLE, at[0], at[1] + 4, name);
-    }
+}
+
+static void name_side(FILE *file, const double turn[3][3], unsigned axis, double sign)
+{
+    const char name[3] = {sign > 0 ? "xyz"[axis] : '-', sign > 0 ? '\0' : "xyz"[axis], '\0'};
+    double device[3] = {0, 0, 0};
+    double at[2];
+
+    device[axis] = sign * half[axis];
+    project(turn, device, at);
+    svg_text(file, "ink small halo", SVG_MIDDLE, at[0], at[1] + 4, name);
 }
 
 void box_draw(FILE *file, double x, double y, const double up[3])
@@ -87,9 +95,15 @@ void box_draw(FILE *file, double x, double y, const double up[3])
 
     box_turn(up, turn);
     svg_group_begin(file, x, y);
-    for (unsigned axis = 0; axis < 3; axis++) {
-        draw_side(file, (const double(*)[3])turn, axis, 1);
-        draw_side(file, (const double(*)[3])turn, axis, -1);
+    for (unsigned k = 0; k < 12; k++) { /* six sides, and over them their names */
+        const unsigned axis = k % 3;
+        const double sign = k / 3 % 2 == 0 ? 1 : -1;
+        const double seen = seen_of((const double(*)[3])turn, axis, sign);
+        if (k < 6 && seen > 0) {
+            draw_side(file, (const double(*)[3])turn, axis, sign);
+        } else if (k >= 6 && seen > NAMED) {
+            name_side(file, (const double(*)[3])turn, axis, sign);
+        }
     }
     svg_group_end(file);
 }

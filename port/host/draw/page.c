@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "draw/page.h"
 
+#include <ctype.h>
 #include <stdarg.h>
 
 #include "cli/command.h"
@@ -35,6 +36,9 @@ static const char styles[] =
     ".bad{color:var(--bad);background:var(--badback)}\n"
     ".good .word{color:var(--good)}.caution .word{color:var(--caution)}"
     ".bad .word{color:var(--bad)}\n"
+    ".verdict .answer{border-radius:4px;padding:4px 10px;margin:8px 0;font-weight:bold}\n"
+    ".verdict .answer.good{color:var(--good);background:var(--goodback)}"
+    ".verdict .answer.bad{color:var(--bad);background:var(--badback)}\n"
     ".figures{display:flex;flex-wrap:wrap;gap:8px 32px;margin:16px 0;padding:0}\n"
     ".figures div{flex:1 1 140px}\n"
     ".figures dt{color:var(--soft);font-size:.875rem}\n"
@@ -53,6 +57,8 @@ static const char styles[] =
     "linear-gradient(to left,var(--paper) 30%,transparent) right/40px 100% no-repeat local,"
     "linear-gradient(to right,var(--shade),transparent) left/14px 100% no-repeat scroll,"
     "linear-gradient(to left,var(--shade),transparent) right/14px 100% no-repeat scroll}\n"
+    ".code{white-space:pre-wrap;margin:8px 0;padding:8px 12px;border:1px solid var(--line);"
+    "border-radius:4px;font:.8125rem/1.45 ui-monospace,monospace}\n"
     "table{border-collapse:collapse;font-variant-numeric:tabular-nums;font-size:.8125rem;"
     "margin:8px 0;overflow-wrap:normal}\n"
     "th,td{padding:3px 12px 3px 0;text-align:right;vertical-align:baseline;"
@@ -68,7 +74,10 @@ static const char styles[] =
     ".facts dt{color:var(--soft)}\n"
     ".facts dd{margin:0}\n"
     ".literal{font-family:ui-monospace,monospace}\n"
-    "footer{margin-top:40px;border-top:1px solid var(--line);padding-top:8px}\n"
+    "footer{margin-top:40px;border-top:1px solid var(--line);padding-top:8px}\n";
+
+/* What is folded is open, pictures stand two beside each other, and eighteen positions take three sheets. */
+static const char on_paper[] =
     "@media print{body{padding:0;max-width:none;font-size:9.5pt;line-height:1.35}"
     ".scroll{overflow:visible;background:none}"
     "details::details-content{content-visibility:visible;display:block;block-size:auto}"
@@ -80,7 +89,9 @@ static const char styles[] =
     ".half .wide{display:none}.half .narrow{display:block}.row svg{width:36%;height:auto}"
     ".facts{display:block;columns:2;font-size:8pt}.facts dt{float:left;margin-right:6px}"
     "section:has(>.scroll~.half)>.scroll{float:left;margin-right:8px}h2{clear:both}"
-    "footer{margin-top:8px;padding:2px 0 0}}\n";
+    ".scroll~.half{width:34%}.half svg{max-width:100%;height:auto}"
+    ".code{margin:2px 0;padding:2px 8px;font-size:7.5pt;line-height:1.25}"
+    "footer{margin-top:4px;padding:0;break-before:avoid}}\n";
 
 static void say(const page *p, const char *format, va_list arguments)
 {
@@ -98,14 +109,37 @@ static void element(const page *p, const char *open, const char *text, const cha
     fprintf(p->file, "%s\n", close);
 }
 
+/* A line in the upper margin of each sheet. What CSS or HTML might take for its own is escaped. */
+static void write_head(FILE *file, const char *head)
+{
+    if (*head == '\0') {
+        return;
+    }
+    fputs("<style>\n@page{@top-right{font:9pt system-ui,sans-serif;color:#555;content:\"", file);
+    for (const char *c = head; *c != '\0'; c++) {
+        if ((unsigned char)*c < 0x80 && !isalnum((unsigned char)*c) && *c != ' ') {
+            fprintf(file, "\\%x ", (unsigned)*c); /* the blank ends the figure */
+        } else {
+            putc(*c, file);
+        }
+    }
+    fputs("\"}}\n</style>\n", file);
+}
+
 void page_begin(page *p, FILE *file, const char *title)
+{
+    page_begin_headed(p, file, title, "");
+}
+
+void page_begin_headed(page *p, FILE *file, const char *title, const char *head)
 {
     *p = (page){.file = file};
     fputs("<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
           "<meta name=\"viewport\" content=\"width=device-width,initial-scale=1\">\n",
           file);
     element(p, "<title>", title, "</title>");
-    fprintf(file, "<style>\n%s</style>\n", styles);
+    fprintf(file, "<style>\n%s%s</style>\n", styles, on_paper);
+    write_head(file, head);
     svg_styles(file);
     fputs("</head>\n<body>\n<main>\n", file);
     element(p, "<h1>", title, "</h1>");
@@ -127,10 +161,22 @@ void page_end(page *p)
 
 void page_verdict(page *p, page_mood mood, const char *word, const char *sentence, const char *next)
 {
+    static const page_answer none = {NULL, 0};
+
+    page_verdict_of(p, mood, word, &none, sentence, next);
+}
+
+void page_verdict_of(page *p, page_mood mood, const char *word, const page_answer *answer,
+                     const char *sentence, const char *next)
+{
     static const char *const class[] = {"good", "caution", "bad"};
 
     fprintf(p->file, "<div class=\"verdict %s\">\n", class[mood]);
     element(p, "<p class=\"word\">", word, "</p>");
+    if (answer->text) {
+        element(p, answer->is_passed ? "<p class=\"answer good\">✓ " : "<p class=\"answer bad\">✗ ",
+                answer->text, "</p>");
+    }
     element(p, "<p>", sentence, "</p>");
     fputs("<p><b>Next:</b> ", p->file);
     element(p, "", next, "</p>");
@@ -232,9 +278,9 @@ void page_table_begin(page *p, const page_table *table)
     fputs("</tr></thead>\n<tbody>\n", p->file);
 }
 
-void page_cells(page *p, const page_table *table, const char *const *cell)
+static void write_cells(page *p, const page_table *table, const char *const *cell, const char *row)
 {
-    fputs("<tr><th scope=\"row\" class=\"text\">", p->file);
+    fprintf(p->file, "%s<th scope=\"row\" class=\"text\">", row);
     svg_prose(p->file, cell[0]);
     fputs("</th>", p->file);
     for (unsigned k = 1; k < table->count; k++) {
@@ -245,9 +291,36 @@ void page_cells(page *p, const page_table *table, const char *const *cell)
     fputs("</tr>\n", p->file);
 }
 
+void page_cells(page *p, const page_table *table, const char *const *cell)
+{
+    write_cells(p, table, cell, "<tr>");
+}
+
+void page_bad_cells(page *p, const page_table *table, const char *const *cell)
+{
+    write_cells(p, table, cell, "<tr class=\"bad\">");
+}
+
 void page_table_end(page *p)
 {
     fputs("</tbody>\n</table>\n</div>\n", p->file);
+}
+
+void page_code_begin(page *p)
+{
+    fputs("<pre class=\"code\">", p->file);
+}
+
+void page_code_end(page *p)
+{
+    fputs("</pre>\n", p->file);
+}
+
+void page_code(page *p, const char *text)
+{
+    page_code_begin(p);
+    svg_escape(p->file, text);
+    page_code_end(p);
 }
 
 void page_fold_begin(page *p, const char *summary, int is_open)

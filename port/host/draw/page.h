@@ -23,12 +23,23 @@ typedef struct {
 } page;
 
 void page_begin(page *p, FILE *file, const char *title);
+
+/* The same with a line at the head of each sheet of paper; "" makes none. */
+void page_begin_headed(page *p, FILE *file, const char *title, const char *head);
 void page_end(page *p);
 
 /* What it comes to, under the title: a word ("Good"), a sentence, and what to do next. */
 typedef enum { PAGE_GOOD, PAGE_CAUTION, PAGE_BAD } page_mood;
 void page_verdict(page *p, page_mood mood, const char *word, const char *sentence,
                   const char *next);
+
+/* The same with a line between word and sentence that answers what was asked: "PASS: ...", "FAIL: ...". */
+typedef struct {
+    const char *text; /* null: nothing was asked */
+    int is_passed;
+} page_answer;
+void page_verdict_of(page *p, page_mood mood, const char *word, const page_answer *answer,
+                     const char *sentence, const char *next);
 
 /* Begins a section; it ends with the next or with the page. */
 void page_section(page *p, const char *heading);
@@ -62,8 +73,14 @@ typedef struct {
     unsigned text_columns; /* bit k: column k is of words */
 } page_table;
 void page_table_begin(page *p, const page_table *table);
-void page_cells(page *p, const page_table *table, const char *const *cell); /* one row */
+void page_cells(page *p, const page_table *table, const char *const *cell);     /* one row */
+void page_bad_cells(page *p, const page_table *table, const char *const *cell); /* a red one */
 void page_table_end(page *p);
+
+/* What is to be copied, letter by letter; or drawn into p->file in between, escaped as HTML wants it. */
+void page_code(page *p, const char *text);
+void page_code_begin(page *p);
+void page_code_end(page *p);
 
 /* What is folded up until somebody wants it. */
 void page_fold_begin(page *p, const char *summary, int is_open);

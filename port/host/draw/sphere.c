@@ -15,6 +15,7 @@
 #define PERIOD 4.2   /* of other characters */
 #define TOGETHER 3.0 /* pixels: drawn as one spot */
 #define MARKER 4.5
+#define WIDER 1.3  /* times that, of what is left out or next */
 #define CELL 2     /* pixels of shading */
 #define CELLS 136u /* in the diameter */
 #define PLACE 4    /* pixels that a small marker takes */
@@ -73,9 +74,39 @@ static void find_spots(sphere *s)
     }
 }
 
+/* Where there are several to take next, they bear letters. */
+static void add_letters(sphere *s, unsigned spot)
+{
+    char *label = s->spot[spot].label;
+    unsigned letter = 0;
+
+    for (unsigned n = 0; n < s->count; n++) {
+        const size_t length = strlen(label);
+        if (s->mark[n].kind != SPHERE_NEXT) {
+            continue;
+        }
+        if (s->spot_of[n] == spot && length + 4 < SPHERE_LABEL_MAX) {
+            s->spot[spot].radius = fmax(s->spot[spot].radius, WIDER * MARKER);
+            snprintf(label + length, SPHERE_LABEL_MAX - length, "%s%c", length > 0 ? ", " : "",
+                     'a' + (int)letter);
+        }
+        letter++;
+    }
+}
+
 static int has_number(const sphere *s, unsigned n, unsigned spot)
 {
     return s->spot_of[n] == spot && s->mark[n].kind != SPHERE_NEXT;
+}
+
+static unsigned count_next(const sphere *s)
+{
+    unsigned count = 0;
+
+    for (unsigned n = 0; n < s->count; n++) {
+        count += s->mark[n].kind == SPHERE_NEXT;
+    }
+    return count;
 }
 
 /* The numbers of a spot's marks: "2, 15", "1-8", "1, 7, 13 ...". */
@@ -140,7 +171,7 @@ static double label_width(const char *label)
     double width = 0;
 
     for (const char *c = label; *c != '\0'; c++) {
-        width += *c >= '0' && *c <= '9' ? DIGIT : PERIOD;
+        width += (*c >= '0' && *c <= '9') || *c >= 'a' ? DIGIT : PERIOD;
     }
     return width;
 }
@@ -223,6 +254,9 @@ void sphere_arrange(sphere *s, const sphere_mark *mark, unsigned count,
     find_spots(s);
     for (unsigned i = 0; i < s->spots; i++) {
         set_label(s, i);
+        if (count_next(s) > 1) {
+            add_letters(s, i);
+        }
     }
     place_half(s, 0);
     place_half(s, 1);
@@ -398,7 +432,7 @@ static void draw_marks(FILE *file, const sphere *s, unsigned half)
         const sphere_mark *m = &s->mark[n];
         const sphere_spot *spot = s->spots > 0 ? &s->spot[s->spot_of[n]] : NULL;
         const int is_upon = spot && spot->kind != m->kind;
-        const double radius = m->kind == SPHERE_LEFT_OUT || m->kind == SPHERE_NEXT ? 1.3 * MARKER
+        const double radius = m->kind == SPHERE_LEFT_OUT || m->kind == SPHERE_NEXT ? WIDER * MARKER
                               : spot && !is_upon                                   ? spot->radius
                                                                                    : alone;
         double x;

@@ -78,7 +78,7 @@ typedef struct {
 } sphere;
 
 /* Finds a place for everything. Marks are numbered from 1 in their order, SPHERE_NEXT bears no
- * number. The marks and the shading stay the caller's. */
+ * number, but a letter where there are several. The marks and the shading stay the caller's. */
 void sphere_arrange(sphere *s, const sphere_mark *mark, unsigned count,
                     const sphere_shading *shading);
 

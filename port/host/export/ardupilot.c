@@ -4,6 +4,7 @@
 #include "cli/command.h"
 #include "export/diagonal.h"
 #include "export/text.h"
+#include "text/constant.h"
 #include "cli/message.h"
 
 #define SCALE_MIN 0.8
@@ -89,10 +90,10 @@ static void write_file(FILE *file, const export_job *job)
     }
     for (unsigned i = 0; i < 3; i++) {
         fprintf(file, "%sOFFS_%c,%s\n", prefix, (int)"XYZ"[i],
-                export_float(job->driver.offset[i], text));
+                constant_float(job->driver.offset[i], text));
     }
     for (unsigned i = 0; i < 3; i++) {
-        fprintf(file, "%sSCAL_%c,%s\n", prefix, (int)"XYZ"[i], export_float(d.scale[i], text));
+        fprintf(file, "%sSCAL_%c,%s\n", prefix, (int)"XYZ"[i], constant_float(d.scale[i], text));
     }
 }
 

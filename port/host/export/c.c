@@ -1,21 +1,15 @@
 /* SPDX-License-Identifier: MIT */
 #include "cli/command.h"
 #include "export/text.h"
+#include "text/constant.h"
 #include "cli/message.h"
 
 /* A float must hold every number: this library's usual build and the plain arrays are float. */
 static int check_range(const export_job *job)
 {
     const invcal_calibration *c = &job->file.calibration;
-    int fits = 1;
 
-    for (unsigned i = 0; i < 3; i++) {
-        fits = fits && export_fits_float(c->offset[i]);
-        for (unsigned j = 0; j < 3; j++) {
-            fits = fits && export_fits_float(c->matrix[i][j]);
-        }
-    }
-    if (!fits) {
+    if (!constant_fits(c->offset, (const double(*)[3])c->matrix)) {
         message("%s: has numbers beyond the range of a float; calibrate in other units",
                 job->source);
         return EXIT_DATA;
@@ -28,19 +22,6 @@ static const char *name_of(const export_job *job)
     return job->name ? job->name : "calibration";
 }
 
-/* {x, y, z}, each between `before` and `after`. */
-static void write_row(FILE *file, const double x[3], int is_double, const char *before,
-                      const char *after)
-{
-    char text[NUMBER_TEXT_MAX];
-
-    for (unsigned i = 0; i < 3; i++) {
-        fprintf(file, "%s%s%s%s", i == 0 ? "{" : ", ", before,
-                export_literal(x[i], is_double, text), after);
-    }
-    putc('}', file);
-}
-
 static void begin(FILE *file, const export_job *job)
 {
     fputs("/*\n", file);
@@ -49,10 +30,7 @@ static void begin(FILE *file, const export_job *job)
 }
 
 /* invcal/invcal.h: calibrated = matrix (raw - offset), raw and offset in input units, matrix
- * in field units per input unit: the members of the file, as they are. INVCAL_REAL gives each
- * number the suffix of the build, so that all digits count in double, and none is a double in
- * float. A suffix needs a point or an exponent in front of it. The initialiser is positional for
- * C++, which has no designated one before 2020. */
+ * in field units per input unit: the members of the file, as they are. */
 static void write_c(FILE *file, const export_job *job)
 {
     const invcal_calibration *c = &job->file.calibration;
@@ -64,14 +42,8 @@ static void write_c(FILE *file, const export_job *job)
                    export_field_unit(job));
     fprintf(file, " */\n#ifndef INVCAL_EXPORT_%s_H\n#define INVCAL_EXPORT_%s_H\n\n", name, name);
     fprintf(file, "#include \"invcal/invcal.h\"\n\n");
-    fprintf(file, "static const invcal_calibration %s = {\n    ", name);
-    write_row(file, c->offset, 1, "INVCAL_REAL(", ")");
-    fputs(",\n    {", file);
-    for (unsigned i = 0; i < 3; i++) {
-        fputs(i == 0 ? "" : ",\n     ", file);
-        write_row(file, c->matrix[i], 1, "INVCAL_REAL(", ")");
-    }
-    fputs("}};\n\n#endif\n", file);
+    constant_write(file, name, c->offset, (const double(*)[3])c->matrix);
+    fputs("\n#endif\n", file);
 }
 
 /* The same without the library: two arrays of float, which any C compiler takes. */
@@ -87,11 +59,11 @@ static void write_arrays(FILE *file, const export_job *job)
     export_comment(file, EXPORT_COMMENT_C, "raw in input units, calibrated in %s.",
                    export_field_unit(job));
     fprintf(file, " */\nstatic const float %s_offset[3] = ", name);
-    write_row(file, c->offset, 0, "", "f");
+    constant_row(file, c->offset, 0, "", "f");
     fprintf(file, ";\nstatic const float %s_matrix[3][3] = {\n", name);
     for (unsigned i = 0; i < 3; i++) {
         fputs("    ", file);
-        write_row(file, c->matrix[i], 0, "", "f");
+        constant_row(file, c->matrix[i], 0, "", "f");
         fputs(i < 2 ? ",\n" : "};\n", file);
     }
 }

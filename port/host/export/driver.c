@@ -9,14 +9,6 @@
 #include "cli/message.h"
 #include "text/unit.h"
 
-double export_si(double gravity)
-{
-    return unit_is_gravity(gravity)           ? 1
-           : gravity > 0.99 && gravity < 1.01 ? UNIT_STANDARD_GRAVITY
-           : gravity > 990 && gravity < 1010  ? UNIT_STANDARD_GRAVITY / 1000
-                                              : 0;
-}
-
 /* m/s^2 per unit of the readings; 0 if they are counts, or nobody knows. */
 static double unit_si(const char *unit)
 {
@@ -29,7 +21,8 @@ static double unit_si(const char *unit)
  * calibration tells it. */
 static int is_stated(const char *origin)
 {
-    return strcmp(origin, "given") == 0 || strcmp(origin, "unit") == 0;
+    return strcmp(origin, "given") == 0 || strcmp(origin, "unit") == 0 ||
+           strcmp(origin, "sensor") == 0;
 }
 
 /* Where the driver's zero and scale come from, in words; null if nobody tells them. */

@@ -11,10 +11,6 @@
 
 #include "export/format.h"
 
-/* m/s^2 per unit of a field of this length: 1 if it is gravity in m/s^2 (9.7 ... 9.9), 9.80665 in
- * g (0.99 ... 1.01), a thousandth of that in mg; else 0: no gravity, or in no unit of it. */
-double export_si(double gravity);
-
 /* Fills in job->driver.
  *
  * zero, lsb  what the command line states, lsb in m/s^2 per input unit; null: the file tells, by

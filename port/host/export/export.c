@@ -9,11 +9,13 @@
 
 #include "cli/command.h"
 #include "export/driver.h"
+#include "cli/files.h"
 #include "cli/input.h"
 #include "cli/message.h"
 #include "text/number.h"
 #include "cli/options.h"
 #include "cli/output.h"
+#include "text/unit.h"
 
 enum { FORMAT, NAME, ZERO, LSB, INSTANCE, DEVICE_ID, OUT, OPTIONS };
 
@@ -137,6 +139,14 @@ static int read_whole(unsigned which, const char *value, double low, double high
     return failure;
 }
 
+static int check_files(const request *r)
+{
+    const named_file input = {"CAL.json", r->path};
+    const named_file made = {"--out", r->value[OUT]};
+
+    return files_check(syntax.command, &input, 1, &made, 1);
+}
+
 static int read_request(int argc, char **argv, request *r, export_job *job)
 {
     double instance = 0;
@@ -148,10 +158,8 @@ static int read_request(int argc, char **argv, request *r, export_job *job)
     failure = failure ? failure : read_whole(INSTANCE, r->value[INSTANCE], 0, 3, &instance);
     failure = failure ? failure
                       : read_whole(DEVICE_ID, r->value[DEVICE_ID], 1, 2147483647, &job->device_id);
-    if (!failure && r->value[OUT] && output_is_same(r->value[OUT], r->path)) {
-        failure = usage(OUT, "is CAL.json itself, which would be lost");
-    }
-    job->instance = (unsigned)instance;
+    failure = failure ? failure : check_files(r);
+    job->instance = failure ? 0 : (unsigned)instance;
     job->name = r->value[NAME];
     job->source = failure ? NULL : input_name(r->path);
     job->format = failure ? NULL : r->format->name;
@@ -194,7 +202,7 @@ static int settle(const request *r, export_job *job)
     const double gravity = job->file.gravity;
     int failure = EXIT_GOOD;
 
-    job->si = export_si(gravity);
+    job->si = unit_field_si(gravity);
     if (job->file.has_nonlinear) {
         return refuse_nonlinear(job);
     }
@@ -305,5 +313,25 @@ static const char *const help[] = {
     "  invcal export cal.json --format px4 --zero 32768,32768,32768 --lsb 0.0024\n",
     NULL};
 
+static const char *const brief[] = {
+    "usage: invcal export CAL.json --format NAME [options]\n"
+    "\n"
+    "Writes a calibration, made by invcal calibrate --out, in the format of another system.\n"
+    "\n"
+    "  --format c          C header for this library; c-arrays: two plain arrays\n"
+    "  --format fusion     C for x-io Fusion\n"
+    "  --format imu_tk     the file of imu_tk\n"
+    "  --format ros        YAML for the ROS package imu_calib\n"
+    "  --format px4        parameters for QGroundControl\n"
+    "  --format ardupilot  parameters, a .param file\n"
+    "  --zero X,Y,Z        px4, ardupilot, ros: what the driver turns into 0, input units\n"
+    "  --lsb S | SX,SY,SZ  its scale, m/s^2 per input unit\n"
+    "  --out FILE          write to a file in place of the standard output\n"
+    "\n"
+    "example:\n"
+    "  invcal calibrate tests/data/mpu9150_0_positions.csv --positions --out cal.json\n"
+    "  invcal export cal.json --format c --name accelerometer\n",
+    NULL};
+
 const tool_command export_command = {"export", "a calibration in the formats of other systems",
-                                     help, run};
+                                     help, run, brief};

@@ -5,6 +5,7 @@
 
 #include "cli/command.h"
 #include "cli/message.h"
+#include "export/text.h"
 
 #define RATIO_MAX 1e3 /* of misalignment: with more, floats would lose the reading */
 
@@ -21,7 +22,8 @@ int export_factors_check(const export_job *job)
             return EXIT_DATA;
         }
     }
-    return EXIT_GOOD;
+    const export_factors f = export_factors_of(job, job->si);
+    return export_check_range(job, f.scale, 3, 0);
 }
 
 export_factors export_factors_of(const export_job *job, double factor)

@@ -2,6 +2,7 @@
 #include "cli/command.h"
 #include "export/factors.h"
 #include "export/text.h"
+#include "text/constant.h"
 #include "cli/message.h"
 
 /* Braces as in Fusion's own examples: flat, so that they fit all versions of its unions. */
@@ -16,7 +17,7 @@ static void write_values(FILE *file, const char *type, const char *name, const c
                 i == 0       ? ""
                 : i % 3 == 0 ? ",\n    "
                              : ", ",
-                export_literal(x[i], 0, text));
+                constant_literal(x[i], 0, text));
     }
     fputs("};\n", file);
 }
@@ -27,15 +28,15 @@ static int check(const export_job *job)
     int fits = 1;
 
     for (unsigned i = 0; i < 3; i++) {
-        fits = fits && export_fits_float(c->offset[i]) && export_fits_float(c->matrix[i][i]) &&
-               export_fits_float(c->matrix[i][i] / job->file.gravity);
+        fits = fits && constant_fits_float(c->offset[i]) && constant_fits_float(c->matrix[i][i]) &&
+               constant_fits_float(c->matrix[i][i] / job->file.gravity);
     }
     if (!fits) {
         message("%s: has numbers beyond the range of a float; calibrate in other units",
                 job->source);
         return EXIT_DATA;
     }
-    return job->si > 0 ? export_factors_check(job) : EXIT_GOOD;
+    return job->si > 0 ? export_factors_check(job) : export_check_range(job, c->matrix[0], 9, 1);
 }
 
 /* x-io Fusion, Fusion/FusionModel.h (in earlier versions FusionCalibration.h,

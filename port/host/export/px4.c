@@ -4,6 +4,7 @@
 #include "cli/command.h"
 #include "export/diagonal.h"
 #include "export/text.h"
+#include "text/constant.h"
 #include "cli/message.h"
 
 #define SCALE_MIN 0.1
@@ -34,6 +35,10 @@ static int check(const export_job *job)
                     job->source, (int)"xyz"[i], d.scale[i], job->driver_from);
             return EXIT_DATA;
         }
+    }
+    const int failure = export_check_range(job, job->driver.offset, 3, 1);
+    if (failure) {
+        return failure;
     }
     export_diagonal_tell(job, &d);
     if (is_ignored(job->driver.offset, d.scale)) {
@@ -84,11 +89,11 @@ static void write_file(FILE *file, const export_job *job)
     }
     for (unsigned i = 0; i < 3; i++) {
         fprintf(file, "1\t1\tCAL_ACC%u_%cOFF\t%s\t9\n", job->instance, (int)"XYZ"[i],
-                export_float(job->driver.offset[i], text));
+                constant_float(job->driver.offset[i], text));
     }
     for (unsigned i = 0; i < 3; i++) {
         fprintf(file, "1\t1\tCAL_ACC%u_%cSCALE\t%s\t9\n", job->instance, (int)"XYZ"[i],
-                export_float(d.scale[i], text));
+                constant_float(d.scale[i], text));
     }
 }
 

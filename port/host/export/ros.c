@@ -1,6 +1,22 @@
 /* SPDX-License-Identifier: MIT */
 #include "export/text.h"
 
+static void find_bias(const invcal_calibration *c, double bias[3])
+{
+    for (unsigned i = 0; i < 3; i++) {
+        bias[i] = c->matrix[i][0] * c->offset[0] + c->matrix[i][1] * c->offset[1] +
+                  c->matrix[i][2] * c->offset[2];
+    }
+}
+
+static int check(const export_job *job)
+{
+    double bias[3];
+
+    find_bias(&job->driver, bias);
+    return export_check_range(job, bias, 3, 0);
+}
+
 /* The package imu_calib (github.com/dpkoch/imu_calib), src/accel_calib/accel_calib.cpp,
  * applyCalib():
  *
@@ -17,10 +33,7 @@ static void write_file(FILE *file, const export_job *job)
     double bias[3];
     char text[NUMBER_TEXT_MAX];
 
-    for (unsigned i = 0; i < 3; i++) {
-        bias[i] = c->matrix[i][0] * c->offset[0] + c->matrix[i][1] * c->offset[1] +
-                  c->matrix[i][2] * c->offset[2];
-    }
+    find_bias(c, bias);
     export_heading(file, EXPORT_COMMENT, job);
     export_comment(file, EXPORT_COMMENT,
                    "For apply_calib of the package imu_calib: corrected = SM raw - bias, of");
@@ -42,5 +55,5 @@ static void write_file(FILE *file, const export_job *job)
     fputs("]\n", file);
 }
 
-const export_format export_ros = {"ros", EXPORT_GRAVITY | EXPORT_ACCELERATION | EXPORT_DRIVER, NULL,
-                                  write_file};
+const export_format export_ros = {"ros", EXPORT_GRAVITY | EXPORT_ACCELERATION | EXPORT_DRIVER,
+                                  check, write_file};

@@ -5,8 +5,10 @@
 #include <float.h>
 #include <math.h>
 #include <stdarg.h>
-#include <stdlib.h>
 #include <string.h>
+
+#include "cli/command.h"
+#include "cli/message.h"
 
 #define LINE_MAX_BYTES 512
 #define SOURCE_SHOWN 60
@@ -92,36 +94,15 @@ const char *export_field_unit(const export_job *job)
                            : "units of the field";
 }
 
-const char *export_float(double x, char text[NUMBER_TEXT_MAX])
+int export_check_range(const export_job *job, const double *x, unsigned n, int is_float)
 {
-    const float wanted = (float)x;
-    float back;
-    int digits = 5;
-
-    do {
-        snprintf(text, NUMBER_TEXT_MAX, "%.*g", ++digits, (double)wanted);
-        back = strtof(text, NULL);
-    } while (digits < 9 && (back < wanted || back > wanted));
-    return text;
-}
-
-const char *export_literal(double x, int is_double, char text[NUMBER_TEXT_MAX])
-{
-    if (is_double) {
-        number_text(x, text);
-    } else {
-        export_float(x, text);
+    for (unsigned i = 0; i < n; i++) {
+        if (!(fabs(x[i]) <= (is_float ? (double)FLT_MAX : DBL_MAX))) {
+            message("%s: a number of --format %s would be beyond the range of a %s; calibrate in "
+                    "other units",
+                    job->source, job->format, is_float ? "float" : "double");
+            return EXIT_DATA;
+        }
     }
-    if (!strpbrk(text, ".e")) {
-        /* number_text needs 24 bytes at most, and has a point then */
-        strcat(text, ".0"); /* NOLINT(clang-analyzer-security.insecureAPI.strcpy): there is room */
-    }
-    return text;
-}
-
-int export_fits_float(double x)
-{
-    const double size = fabs(x);
-
-    return size <= (double)FLT_MAX && (!(size > 0) || size >= (double)FLT_MIN);
+    return EXIT_GOOD;
 }

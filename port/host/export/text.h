@@ -26,14 +26,8 @@ void export_heading(FILE *file, const char *prefix, const export_job *job);
  * of the field" where it is no gravity. */
 const char *export_field_unit(const export_job *job);
 
-/* The shortest text that reads back as the float nearest to x. Returns text. */
-const char *export_float(double x, char text[NUMBER_TEXT_MAX]);
-
-/* The same for a double or float (digits of a double) as C wants it in front of a suffix: with a
- * point or an exponent. Returns text. */
-const char *export_literal(double x, int is_double, char text[NUMBER_TEXT_MAX]);
-
-/* 1 if a float holds it: neither above its range nor so small that digits are lost. */
-int export_fits_float(double x);
+/* Numbers that a format is going to write: what products of a calibration's own come to, in a double or,
+ * with is_float, in a float. EXIT_GOOD; EXIT_DATA, with a message, if one is beyond the range of it. */
+int export_check_range(const export_job *job, const double *x, unsigned n, int is_float);
 
 #endif

@@ -7,6 +7,8 @@
 #include "maths/eigen.h"
 #include "maths/matrix.h"
 
+#define ANGLES (7u << INVCAL_GAMMA_XY)
+
 int fit_has_prior(const fit_settings *settings)
 {
     int has_prior = 0;
@@ -15,6 +17,16 @@ int fit_has_prior(const fit_settings *settings)
         has_prior = has_prior || settings->prior[r] > 0;
     }
     return has_prior;
+}
+
+double fit_coverage(const fit_quality *quality, unsigned parameter)
+{
+    return quality->from_prior >> parameter & 1 ? FIT_NORMAL : quality->coverage;
+}
+
+uint16_t fit_held(const fit_settings *settings, const fit_quality *quality)
+{
+    return settings->is_six_faces ? quality->from_prior : 0;
 }
 
 invcal_calibration fit_in_field_units(const invcal_calibration *calibration, double field)
@@ -133,19 +145,38 @@ fit_quality fit_quality_of(const invcal_quality *q, const fit_settings *settings
     return out;
 }
 
-/* What positions leave open may take any shape. */
+/* What positions leave open may take any shape. Angles that are held are nothing to look for. */
 invcal_status fit_explain(const double *raw, unsigned count, const fit_settings *settings,
                           invcal_status status, fit_reason *reason)
 {
-    const fit_reason why = {invcal_bad_reading(raw, count, &settings->nominal),
-                            invcal_undetermined(raw, count, &settings->nominal)};
+    fit_reason why = {invcal_bad_reading(raw, count, &settings->nominal),
+                      invcal_undetermined(raw, count, &settings->nominal)};
 
+    if (settings->is_six_faces) {
+        why.undetermined = (uint16_t)(why.undetermined & ~ANGLES);
+    }
     if (reason) {
         *reason = why;
     }
-    return status == INVCAL_NOT_ELLIPSOID && why.undetermined && !fit_has_prior(settings)
+    return status == INVCAL_NOT_ELLIPSOID && why.undetermined &&
+                   (settings->is_six_faces || !fit_has_prior(settings))
                ? INVCAL_UNDETERMINED
                : status;
+}
+
+static invcal_status solve(const double *raw, unsigned count, const fit_settings *settings,
+                           invcal_calibration *c, invcal_quality *q, uint16_t *from_prior)
+{
+    const invcal_calibration *nominal = &settings->nominal;
+
+    if (settings->is_six_faces) {
+        return invcal_calibrate_six_faces(raw, count, nominal, settings->noise,
+                                          settings->prior[INVCAL_GAMMA_XY], c, q, from_prior);
+    }
+    return fit_has_prior(settings)
+               ? invcal_calibrate_with_prior(raw, count, nominal, settings->noise, settings->prior,
+                                             c, q, from_prior)
+               : invcal_calibrate(raw, count, nominal, settings->noise, c, q);
 }
 
 invcal_status fit_make(const double *raw, unsigned count, const fit_settings *settings,
@@ -156,11 +187,7 @@ invcal_status fit_make(const double *raw, unsigned count, const fit_settings *se
     invcal_quality q;
     uint16_t from_prior = 0;
 
-    const invcal_status status =
-        fit_has_prior(settings)
-            ? invcal_calibrate_with_prior(raw, count, &settings->nominal, settings->noise,
-                                          settings->prior, &c, &q, &from_prior)
-            : invcal_calibrate(raw, count, &settings->nominal, settings->noise, &c, &q);
+    const invcal_status status = solve(raw, count, settings, &c, &q, &from_prior);
     if (status != INVCAL_OK) {
         return fit_explain(raw, count, settings, status, reason);
     }

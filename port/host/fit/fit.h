@@ -18,7 +18,8 @@ typedef struct {
                                         known */
     double prior[INVCAL_PARAMETERS]; /* standard deviations of what nominal may be wrong by; 0:
                                         nothing is known */
-    int is_triangular;               /* the frame of the result */
+    int is_six_faces;  /* the prior holds angles alone; the verdict is not about them */
+    int is_triangular; /* the frame of the result */
 } fit_settings;
 
 typedef struct {
@@ -30,20 +31,21 @@ typedef struct {
 typedef struct {
     double sigma[INVCAL_PARAMETERS]; /* standard deviations of delta, dk, gamma, */
     double sigma_offset[3];          /* and of the offset, input units */
-    double coverage;                 /* +- coverage * sigma holds the truth in 95 % of cases */
-    double noise;                    /* of a calibrated position mean behind them; 1: not known */
-    double dof;                      /* degrees of freedom left to the residuals, */
-    double sigma_dof;                /* and those behind sigma */
-    double rms;                      /* of the residuals |calibrated| - 1, */
-    double max;                      /* and the largest, without its sign */
-    unsigned worst;                  /* its position, from 0 */
-    double condition;                /* of H'WH, prior included */
-    uint16_t weak;                   /* bit r: parameter r is badly determined */
-    uint16_t from_prior;             /* bit r: the prior tells more about it than the positions */
-    double size;                     /* of the systematic error, over the field */
-    unsigned systematic;             /* an invcal_systematic, */
-    unsigned axis;                   /* where it is largest, */
-    unsigned unchecked;              /* and bit k: of this one nothing is known */
+    double coverage;     /* +- coverage * sigma holds the truth in 95 % of cases, but for
+                                        what is known from a prior: fit_coverage */
+    double noise;        /* of a calibrated position mean behind them; 1: not known */
+    double dof;          /* degrees of freedom left to the residuals, */
+    double sigma_dof;    /* and those behind sigma */
+    double rms;          /* of the residuals |calibrated| - 1, */
+    double max;          /* and the largest, without its sign */
+    unsigned worst;      /* its position, from 0 */
+    double condition;    /* of H'WH, prior included */
+    uint16_t weak;       /* bit r: parameter r is badly determined */
+    uint16_t from_prior; /* bit r: the prior tells more about it than the positions */
+    double size;         /* of the systematic error, over the field */
+    unsigned systematic; /* an invcal_systematic, */
+    unsigned axis;       /* where it is largest, */
+    unsigned unchecked;  /* and bit k: of this one nothing is known */
     invcal_verdict verdict;
 } fit_quality;
 
@@ -58,7 +60,7 @@ typedef struct {
  * raw     3 count numbers, input units.
  * reason  null, or why there is no result; written on failure only.
  *
- * Returns as invcal_calibrate_with_prior. */
+ * Returns as invcal_calibrate_with_prior, or invcal_calibrate_six_faces. */
 invcal_status fit_make(const double *raw, unsigned count, const fit_settings *settings,
                        fit_solution *solution, fit_quality *quality, fit_reason *reason);
 
@@ -89,6 +91,15 @@ double fit_sensitivity(const invcal_calibration *symmetric, const invcal_calibra
 void fit_information(const double *raw, unsigned count, const fit_settings *settings,
                      const fit_solution *solution, double noise,
                      double information[INVCAL_PACKED_SIZE(INVCAL_PARAMETERS)]);
+
+#define FIT_NORMAL 1.959964 /* sigma that hold 95 % */
+
+/* +- so many sigma of a parameter hold the truth in 95 % of cases: a sigma that is stated is not
+ * widened by Student's t. */
+double fit_coverage(const fit_quality *quality, unsigned parameter);
+
+/* The angles that six faces leave to the prior: bit r for parameter r. 0 if they were not asked for. */
+uint16_t fit_held(const fit_settings *settings, const fit_quality *quality);
 
 /* 1 if there is a prior for any parameter. */
 int fit_has_prior(const fit_settings *settings);

@@ -50,17 +50,28 @@ int nominal_is_guess(const nominal_choice *n)
     return n->zero == NOMINAL_RANGE || n->lsb == NOMINAL_RANGE;
 }
 
+int nominal_is_stated(const nominal_choice *n)
+{
+    return n->zero != NOMINAL_RANGE || n->lsb != NOMINAL_RANGE;
+}
+
+int nominal_knows(const nominal_choice *n, unsigned parameter)
+{
+    return parameter >= INVCAL_GAMMA_XY ||
+           (parameter >= INVCAL_DK_X ? n->lsb : n->zero) != NOMINAL_RANGE;
+}
+
 const char *nominal_origin_text(nominal_origin origin)
 {
-    static const char *const texts[] = {"given", "from the data's range",
-                                        "of an earlier calibration", "by the unit that is stated"};
+    static const char *const texts[] = {"given", "not stated", "of an earlier calibration",
+                                        "by the unit", "of the data sheet"};
 
     return texts[origin];
 }
 
 const char *nominal_origin_name(nominal_origin origin)
 {
-    static const char *const names[] = {"given", "range", "earlier", "unit"};
+    static const char *const names[] = {"given", "range", "earlier", "unit", "sensor"};
 
     return names[origin];
 }

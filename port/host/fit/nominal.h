@@ -5,6 +5,7 @@
 #ifndef NOMINAL_H
 #define NOMINAL_H
 
+#include "fit/sensors.h"
 #include "invcal/invcal.h"
 #include "read/positions.h"
 
@@ -12,13 +13,15 @@ typedef enum {
     NOMINAL_GIVEN,   /* by --zero, --lsb */
     NOMINAL_RANGE,   /* from the range of the data */
     NOMINAL_EARLIER, /* by --nominal: an earlier calibration */
-    NOMINAL_UNIT     /* zero 0, and the scale of the unit that is stated */
+    NOMINAL_UNIT,    /* zero 0, and the scale of the unit that is stated, or sure by size */
+    NOMINAL_SENSOR   /* by --sensor: of its data sheet */
 } nominal_origin;
 
 typedef struct {
     invcal_calibration calibration; /* field units per input unit, as it was stated */
     nominal_origin zero;
     nominal_origin lsb;
+    sensor_choice sensor; /* of --sensor, if it was stated */
 } nominal_choice;
 
 /* Zero and scale from the box around the data: the middle of each axis' range, and
@@ -36,13 +39,20 @@ int nominal_from_range(const positions *p, double field, double zero[3], double 
  * calculation can be made with them over this field. */
 int nominal_make(const double zero[3], const double lsb[3], double field, invcal_calibration *out);
 
-/* Zero or scale are from the range: how far the sensor is from them says nothing about it. */
+/* Zero or scale are from the range: how far the sensor is from them says nothing about it, and is not told. */
 int nominal_is_guess(const nominal_choice *n);
 
-/* "given", "from the data's range", "of an earlier calibration", "by the unit that is stated". */
+/* Zero or scale are not from the range: there is something to compare with. */
+int nominal_is_stated(const nominal_choice *n);
+
+/* Whether a deviation of this parameter from nominal means something: offsets need a zero, scale errors a
+ * scale; angles, 90 degrees. */
+int nominal_knows(const nominal_choice *n, unsigned parameter);
+
+/* "given", "not stated", "of an earlier calibration", "by the unit", "of the data sheet". */
 const char *nominal_origin_text(nominal_origin origin);
 
-/* In a word, for JSON: "given", "range", "earlier", "unit". */
+/* In a word, for JSON: "given", "range", "earlier", "unit", "sensor". */
 const char *nominal_origin_name(nominal_origin origin);
 
 #endif

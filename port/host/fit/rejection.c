@@ -8,44 +8,46 @@
 #include "cli/command.h"
 #include "maths/f_tail.h"
 #include "cli/message.h"
+#include "text/random.h"
 
 #define ALLOWED 0.007 /* chance to leave out a good one of all */
 #define FEWEST 11u    /* positions for an outlier to be told from the others */
+#define ROUNDS                                                                                     \
+    20u /* with fewer and fewer wrong ones the noise is less and less; seldom more than 5 */
 
-/* Position first, first + step, first + 2 step ... */
+/* One turn of several: one position of each stretch of so many, at a random place in it, another in each
+ * turn. (Every n-th would be the same few directions in a program that is repeated.) */
 typedef struct {
-    unsigned first;
-    unsigned step;
-} choice_of;
+    unsigned number;
+    unsigned of;
+} turn;
 
 /* A reading that is none of this field, though most others are. */
-static int is_impossible(const positions *p, unsigned i, const fit_settings *settings,
-                         double *error)
+static int is_impossible(const positions *p, unsigned i, const fit_settings *settings)
 {
     const double *mean = &p->mean[3 * (size_t)i];
     double u[3];
     invcal_row row;
 
     invcal_apply(&settings->nominal, mean, u);
-    *error = sqrt(u[0] * u[0] + u[1] * u[1] + u[2] * u[2]) - 1;
-    return invcal_observe(&settings->nominal, mean, &row) == INVCAL_OUT_OF_RANGE;
+    return invcal_observe(&settings->nominal, mean, &row) == INVCAL_OUT_OF_RANGE &&
+           sqrt(u[0] * u[0] + u[1] * u[1] + u[2] * u[2]) - 1 <= REJECTION_TELLABLE;
 }
 
 /* Up to one in eight, if enough others are there to tell. */
 static void reject_impossible(rejection *r, const positions *p, const fit_settings *settings)
 {
     unsigned count = 0;
-    double error;
 
     for (unsigned i = 0; i < p->count; i++) {
-        count += (unsigned)is_impossible(p, i, settings, &error);
+        count += (unsigned)is_impossible(p, i, settings);
     }
     if (8 * count > p->count || p->count < FEWEST + count) {
         return;
     }
     for (unsigned i = 0; i < p->count; i++) {
-        if (is_impossible(p, i, settings, &error)) {
-            rejection_add(r, (rejected_position){.position = i, .error = error});
+        if (is_impossible(p, i, settings)) {
+            rejection_add(r, (rejected_position){.position = i});
         }
     }
 }
@@ -67,20 +69,19 @@ void rejection_remove(rejection *r, unsigned position)
     r->count = kept;
 }
 
-/* Among the first `count` of the list. */
-static int is_among(const rejection *r, unsigned count, unsigned position)
+static int compare(const void *a, const void *b)
 {
-    for (unsigned i = 0; i < count; i++) {
-        if (r->list[i].position == position) {
-            return 1;
-        }
-    }
-    return 0;
+    const rejected_position *x = a;
+    const rejected_position *y = b;
+
+    return (x->position > y->position) - (x->position < y->position);
 }
 
-int rejection_has(const rejection *r, unsigned position)
+int rejection_has(const rejection *r, unsigned count, unsigned position)
 {
-    return is_among(r, r->count, position);
+    const rejected_position wanted = {.position = position};
+
+    return count > 0 && bsearch(&wanted, r->list, count, sizeof *r->list, compare) != NULL;
 }
 
 unsigned rejection_drifting(const rejection *r)
@@ -109,43 +110,51 @@ static double excess(const invcal_calibration *c, const double *mean)
     return sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]) - 1;
 }
 
-/* `before` of them, the first of the list, are rejected already. */
-static void find_among(rejection *r, const positions *p, const fit_settings *settings,
-                       choice_of which, unsigned before)
+/* Those of a turn that are not among the `before` first of the list, which are rejected already. */
+static void gather(const rejection *r, const positions *p, turn t, unsigned before, crowd *c)
 {
-    crowd c = {.count = 0};
+    random_source source = random_start(1); /* the same in each turn */
+
+    c->count = 0;
+    for (unsigned first = 0; first < p->count; first += t.of) {
+        const unsigned place = (unsigned)random_uniform(&source, 0, t.of);
+        const unsigned i = first + (t.number + place) % t.of;
+        if (i < p->count && !rejection_has(r, before, i)) {
+            c->number[c->count] = i;
+            memcpy(c->mean[c->count++], &p->mean[3 * (size_t)i], sizeof c->mean[0]);
+        }
+    }
+}
+
+/* What contradicts the others of its turn. Of one turn among several those that may be wrong count as if
+ * they were: all the others can tell (reconsider). */
+static void find_among(rejection *r, const positions *p, const fit_settings *settings, turn t,
+                       unsigned before)
+{
+    crowd c;
     invcal_calibration calibration;
     invcal_quality q;
 
-    for (unsigned i = which.first; i < p->count; i += which.step) {
-        if (!is_among(r, before, i)) {
-            c.number[c.count] = i;
-            memcpy(c.mean[c.count++], &p->mean[3 * (size_t)i], sizeof c.mean[0]);
-        }
-    }
+    gather(r, p, t, before, &c);
     if (invcal_calibrate_judged(c.mean[0], c.count, &settings->nominal, settings->noise,
                                 &calibration, &q) != INVCAL_OK) {
         return;
     }
+    const invcal_mask out = t.of > 1 ? q.left_out | q.suspected : q.left_out;
     for (unsigned i = 0; i < c.count; i++) {
-        r->suspected += (unsigned)(q.suspected >> i & 1u);
-        if (q.left_out >> i & 1u) {
-            rejection_add(r, (rejected_position){.position = c.number[i],
-                                                 .error = excess(&calibration, c.mean[i])});
+        r->suspected += (unsigned)((q.suspected & ~out) >> i & 1u);
+        if (out >> i & 1u) {
+            rejection_add(r, (rejected_position){.position = c.number[i]});
         }
     }
-    if (which.first == 0) {
+    if (t.number == 0) {
         r->found = q;
         r->is_judged = 1;
+        if (t.of > 1 && q.suspected != 0 && q.verdict == INVCAL_ROUGH) {
+            r->found.verdict =
+                INVCAL_GOOD; /* for those only; all the others tell which are wrong */
+        }
     }
-}
-
-static int compare(const void *a, const void *b)
-{
-    const rejected_position *x = a;
-    const rejected_position *y = b;
-
-    return (x->position > y->position) - (x->position < y->position);
 }
 
 void rejection_finish(rejection *r, const positions *p)
@@ -169,10 +178,11 @@ int rejection_begin(rejection *r, const positions *p, const fit_settings *settin
 {
     *r = (rejection){0};
     r->list = calloc((size_t)p->count + 1, sizeof *r->list);
+    r->scratch = calloc((size_t)p->count + 1, sizeof *r->scratch);
     r->number = calloc((size_t)p->count + 1, sizeof *r->number);
     r->kept = calloc(3 * (size_t)p->count + 1, sizeof *r->kept);
     r->temperature = calloc((size_t)p->count + 1, sizeof *r->temperature);
-    if (!r->list || !r->number || !r->kept || !r->temperature) {
+    if (!r->list || !r->scratch || !r->number || !r->kept || !r->temperature) {
         message("%s: not enough memory for %u positions", p->name, p->count);
         return EXIT_FILE;
     }
@@ -182,25 +192,66 @@ int rejection_begin(rejection *r, const positions *p, const fit_settings *settin
     return EXIT_GOOD;
 }
 
-/* Of many turns each has its false alarms: those come back that do not contradict all the others
- * together, Bonferroni's inequality and Student's t. */
-static void reconsider(rejection *r, const positions *p, const fit_settings *settings,
-                       unsigned before)
+static int compare_numbers(const void *a, const void *b)
+{
+    const double x = *(const double *)a;
+    const double y = *(const double *)b;
+
+    return (x > y) - (x < y);
+}
+
+/* The noise of a length among those that are kept by the median of its size, which up to half of them may
+ * be wrong without much harm: 1.4826 is 1 over that of a standard normal variable. r->number, which is
+ * found anew in the end, lends the room. */
+static double robust_noise(rejection *r, const invcal_calibration *c)
+{
+    for (unsigned k = 0; k < r->kept_count; k++) {
+        r->number[k] = fabs(excess(c, &r->kept[3 * (size_t)k]));
+    }
+    qsort(r->number, r->kept_count, sizeof *r->number, compare_numbers);
+    return 1.4826 * r->number[r->kept_count / 2];
+}
+
+/* Of many turns each has its false alarms, and what is wrong by little stands out of no turn: left out is,
+ * in the end, what contradicts all the others together. What a position that is left out is predicted
+ * wrong by, over the noise that the others show, has Student's t distribution; by Bonferroni's inequality
+ * the chance that any of n good ones goes beyond a bound is at most n times that of one: S. Weisberg,
+ * Applied Linear Regression, 3rd ed. (2005), 9.1.2. (That the calibration itself is uncertain adds 9/n to
+ * the variance: nothing for so many.) The first time many wrong ones may hide behind the noise that they
+ * themselves make, so that is a robust one. Returns whether others are left out now. */
+static int reconsider(rejection *r, const positions *p, const fit_settings *settings, int is_first)
 {
     invcal_calibration c;
     invcal_quality q;
+    const unsigned before = r->count;
+    unsigned next = 0; /* of the list as it was, */
+    unsigned wrong = 0;
+    unsigned again = 0; /* and how many of it are left out once more */
 
     rejection_finish(r, p);
     if (invcal_calibrate(r->kept, r->kept_count, &settings->nominal, 0, &c, &q) != INVCAL_OK) {
-        return;
+        return 0;
     }
-    const double noise = q.noise * fit_sensitivity(&c, &settings->nominal);
-    for (unsigned k = r->count; k-- > before;) {
-        const double t = excess(&c, &p->mean[3 * (size_t)r->list[k].position]) / noise;
-        if (!(f_tail(1 / (1 + t * t / q.dof), 1, q.dof) * p->count <= ALLOWED)) {
-            rejection_remove(r, r->list[k].position);
+    const double noise =
+        is_first ? robust_noise(r, &c) : q.noise * fit_sensitivity(&c, &settings->nominal);
+    rejected_position *const was = r->list;
+    for (unsigned i = 0; i < p->count; i++) {
+        rejected_position one = {.position = i};
+        const int is_out = next < before && was[next].position == i;
+        if (is_out) {
+            one.drift = was[next++].drift;
+        }
+        const double t = excess(&c, &p->mean[3 * (size_t)i]) / noise;
+        const double chance = p->count * f_tail(1 / (1 + t * t / q.dof), 1, q.dof);
+        if (one.drift > 0 || chance <= ALLOWED) {
+            again += (unsigned)is_out;
+            r->scratch[wrong++] = one;
         }
     }
+    r->list = r->scratch;
+    r->scratch = was;
+    r->count = wrong;
+    return wrong != before || again != before;
 }
 
 void rejection_search(rejection *r, const positions *p, const fit_settings *settings)
@@ -208,11 +259,13 @@ void rejection_search(rejection *r, const positions *p, const fit_settings *sett
     const unsigned turns = (p->count + INVCAL_MAX_POSITIONS - 1) / INVCAL_MAX_POSITIONS;
     const unsigned before = r->count;
 
-    for (unsigned turn = 0; turn < turns; turn++) {
-        find_among(r, p, settings, (choice_of){turn, turns}, before);
+    qsort(r->list, before, sizeof *r->list, compare);
+    for (unsigned n = 0; n < turns; n++) {
+        find_among(r, p, settings, (turn){n, turns}, before);
     }
-    if (turns > 1 && r->count > before) {
-        reconsider(r, p, settings, before);
+    int has_changed = turns > 1;
+    for (unsigned round = 0; has_changed && round < ROUNDS; round++) {
+        has_changed = reconsider(r, p, settings, round == 0) || round == 0;
     }
 }
 
@@ -233,18 +286,26 @@ int rejection_find(rejection *r, const positions *p, const fit_settings *setting
 void rejection_free(rejection *r)
 {
     free(r->list);
+    free(r->scratch);
     free(r->number);
     free(r->kept);
     free(r->temperature);
     *r = (rejection){0};
 }
 
+/* Before number j of the list stand its position - j that are kept: those up to `kept` count. */
 unsigned rejection_original(const rejection *r, unsigned kept)
 {
-    unsigned i = kept;
+    unsigned low = 0;
+    unsigned high = r->count;
 
-    for (unsigned n = 0; n < r->count && r->list[n].position <= i; n++) {
-        i++;
+    while (low < high) {
+        const unsigned middle = low + (high - low) / 2;
+        if (r->list[middle].position - middle <= kept) {
+            low = middle + 1;
+        } else {
+            high = middle;
+        }
     }
-    return i;
+    return kept + low;
 }

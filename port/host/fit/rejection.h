@@ -8,16 +8,20 @@
 #include "fit/fit.h"
 #include "read/positions.h"
 
+/* Times the field: what is beyond is no reading, and no figure can be told of it. One that is within is
+ * left out if it cannot be one of this field; beyond, the data are refused. */
+#define REJECTION_TELLABLE 1e100
+
 typedef struct {
     unsigned position; /* from 0 */
-    double error;      /* what it reads too much, over the field */
     double drift;      /* K in the rest, if it is left out for that; else 0 */
 } rejected_position;
 
 typedef struct {
     unsigned count;
-    rejected_position *list; /* ascending */
-    double *number;          /* their numbers, from 1 */
+    rejected_position *list;    /* ascending */
+    rejected_position *scratch; /* room for as many */
+    double *number;             /* their numbers, from 1 */
     unsigned suspected;  /* positions of which some are wrong, the residuals do not tell which */
     double *kept;        /* the others: 3 numbers each, */
     double *temperature; /* and one */
@@ -26,8 +30,9 @@ typedef struct {
     int is_judged;        /* if it was */
 } rejection;
 
-/* Looks for outliers (invcal_calibrate_judged), in turns among every k-th position if there are more
- * than INVCAL_MAX_POSITIONS; then those stay out that contradict all others, too. Sets that cannot be
+/* Looks for outliers (invcal_calibrate_judged), in turns if there are more positions than
+ * INVCAL_MAX_POSITIONS; then those stay out that contradict all others, too, by a chance of 0.007 of all
+ * together, and none is only suspected. The time it takes is that of a position times their number. Sets that cannot be
  * judged, because they are too few or undetermined, lose none: calibrating them tells why.
  *
  * none  1: looks for none.
@@ -45,7 +50,8 @@ void rejection_remove(rejection *r, unsigned position);
 void rejection_search(rejection *r, const positions *p, const fit_settings *settings);
 void rejection_finish(rejection *r, const positions *p);
 
-int rejection_has(const rejection *r, unsigned position);
+/* Is it among the first `count` of the list, which must ascend? */
+int rejection_has(const rejection *r, unsigned count, unsigned position);
 
 /* How many are left out because the temperature drifted. */
 unsigned rejection_drifting(const rejection *r);

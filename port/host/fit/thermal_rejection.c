@@ -12,9 +12,11 @@
 
 void thermal_rejection_drifting(rejection *r, const positions *p, double limit)
 {
+    const unsigned before = r->count;
+
     for (unsigned i = 0; i < p->count; i++) {
         const double drift = p->origin[i].drift;
-        if (!isnan(drift) && !(drift <= limit) && !rejection_has(r, i)) {
+        if (!isnan(drift) && !(drift <= limit) && !rejection_has(r, before, i)) {
             rejection_add(r, (rejected_position){.position = i, .drift = drift});
         }
     }
@@ -29,107 +31,94 @@ static int fit(const rejection *r, const fit_settings *settings, const thermal_w
     return thermal_solve(r, settings, wish, out, &quality) == INVCAL_OK;
 }
 
-/* The position that stands out most. */
-typedef struct {
-    unsigned kept;
-    double drop;    /* of the sum of squares without it */
-    double checked; /* 1 - h K h' */
-    double residual;
-    double squares; /* of all */
-} suspect;
-
-static suspect find_suspect(const invcal_thermal *c, const rejection *r, const double *inverse)
+/* The position that stands out most, number `kept` of those that are left, as the linear rows tell: what
+ * the sum of squares would lose without it. Returns 0 if none can be told. */
+static int find_suspect(const invcal_thermal *c, const rejection *r, unsigned *kept)
 {
     const unsigned n = thermal_rows_unknowns(c);
-    suspect most = {0, 0, 1, 0, 0};
+    double inverse[THERMAL_PACKED];
+    double most = 0;
     thermal_row row;
 
+    if (!thermal_rows_inverse(c, r, inverse)) {
+        return 0;
+    }
     for (unsigned k = 0; k < r->kept_count; k++) {
         if (!thermal_rows_one(c, &r->kept[3 * (size_t)k], r->temperature[k], &row)) {
             continue;
         }
-        const double square = row.residual * row.residual;
         const double checked = 1 - thermal_rows_leverage(inverse, n, row.h);
-        most.squares += square;
-        if (checked > CHECKED && square / checked > most.drop) {
-            most.kept = k;
-            most.drop = square / checked;
-            most.checked = checked;
-            most.residual = row.residual;
+        if (checked > CHECKED && row.residual * row.residual / checked > most) {
+            *kept = k;
+            most = row.residual * row.residual / checked;
         }
     }
-    return most;
+    return most > 0;
 }
 
-/* What stands out most of those that are left, and whether it contradicts them. */
-typedef enum { NOTHING, DOUBTFUL, CONTRADICTS } judgement;
-
-static judgement judge(const rejection *r, const invcal_thermal *c, const fit_settings *settings,
-                       rejected_position *one)
+/* Of those that are left, the stated noise among them. */
+static double squares_of(const invcal_thermal *c, const rejection *r, const fit_settings *settings)
 {
-    const unsigned unknowns = thermal_rows_unknowns(c);
-    const unsigned stated = settings->noise > 0;
-    double inverse[THERMAL_PACKED];
-
-    if (r->kept_count + stated < unknowns + 3 || !thermal_rows_inverse(c, r, inverse)) {
-        return NOTHING;
-    }
-    const suspect most = find_suspect(c, r, inverse);
-    const unsigned dof = r->kept_count + stated - unknowns - 1;
-    const double squares = most.squares + settings->noise * settings->noise;
-    const double left = fmax(0, squares - most.drop);
-    *one = (rejected_position){.position = rejection_original(r, most.kept),
-                               .error = most.residual / most.checked};
-    return f_tail(left / squares, 1, dof) * r->kept_count <= ALLOWED ? CONTRADICTS : DOUBTFUL;
-}
-
-/* Beside others that were still there an error is not what it is beside the good ones. */
-static void restate_errors(rejection *r, const positions *p, const unsigned *position,
-                           unsigned count, const invcal_thermal *c)
-{
+    double squares = settings->noise * settings->noise;
     thermal_row row;
 
-    for (unsigned i = 0; i < r->count; i++) {
-        rejected_position *one = &r->list[i];
-        for (unsigned k = 0; k < count; k++) {
-            if (position[k] == one->position &&
-                thermal_rows_one(c, &p->mean[3 * (size_t)one->position],
-                                 p->origin[one->position].temperature, &row)) {
-                one->error = row.residual;
-            }
+    for (unsigned k = 0; k < r->kept_count; k++) {
+        if (thermal_rows_one(c, &r->kept[3 * (size_t)k], r->temperature[k], &row)) {
+            squares += row.residual * row.residual;
         }
     }
+    return squares;
+}
+
+/* Is leaving out k of `all` better than leaving out any fewer, squares[0] ... squares[k - 1], and not by the
+ * chance of so many choices? Fisher's F and Bonferroni's inequality. */
+static int beats_fewer(const double *squares, unsigned k, unsigned all, unsigned dof)
+{
+    double choices = 1;
+
+    for (unsigned j = k; j-- > 0;) {
+        choices *= (double)(all - j) / (k - j);
+        if (!(choices * f_tail(squares[k] / squares[j], k - j, dof) <= ALLOWED)) {
+            return 0;
+        }
+    }
+    return 1;
 }
 
 /* Leaves out, one after another, what stands out most. Those up to the last that contradicts are
- * wrong; the others come back. */
+ * wrong; the others come back. What is left without one is found by a fit: where a position is hardly
+ * checked by the others, the linear rows tell it too well. */
 static void reject(rejection *r, const positions *p, const fit_settings *settings,
                    const thermal_wish *wish)
 {
     const unsigned most = p->count / 8 < SUSPECTS_MOST ? p->count / 8 : SUSPECTS_MOST;
+    const unsigned all = r->kept_count;
+    const unsigned stated = settings->noise > 0;
     unsigned position[SUSPECTS_MOST];
+    double squares[SUSPECTS_MOST + 1];
     unsigned count = 0;
     unsigned wrong = 0;
+    unsigned suspect = 0;
     invcal_thermal c;
-    rejected_position one;
 
-    while (count < most && fit(r, settings, wish, &c)) {
-        const judgement seen = judge(r, &c, settings, &one);
-        if (seen == NOTHING) {
-            break;
-        }
-        position[count++] = one.position;
-        wrong = seen == CONTRADICTS ? count : wrong;
-        rejection_add(r, one);
+    int has_fit = fit(r, settings, wish, &c);
+    squares[0] = has_fit ? squares_of(&c, r, settings) : 0;
+    while (has_fit && count < most && r->kept_count + stated >= thermal_rows_unknowns(&c) + 3 &&
+           find_suspect(&c, r, &suspect)) {
+        position[count++] = rejection_original(r, suspect);
+        rejection_add(r, (rejected_position){.position = position[count - 1]});
         rejection_finish(r, p);
+        has_fit = fit(r, settings, wish, &c);
+        if (has_fit) {
+            const unsigned dof = r->kept_count + stated - thermal_rows_unknowns(&c);
+            squares[count] = squares_of(&c, r, settings);
+            wrong = beats_fewer(squares, count, all, dof) ? count : wrong;
+        }
     }
     while (count > wrong) {
         rejection_remove(r, position[--count]);
     }
     rejection_finish(r, p);
-    if (wrong > 1 && fit(r, settings, wish, &c)) {
-        restate_errors(r, p, position, wrong, &c);
-    }
 }
 
 void thermal_rejection_find(rejection *r, const positions *p, const fit_settings *settings,

@@ -1,26 +1,50 @@
 /* SPDX-License-Identifier: MIT */
-#include "text/paint.h"
+#include "text/tabular.h"
+#include "text/wrapped.h"
 #include "plan/labour.h"
 #include "plan/words.h"
 
-static void print_row(FILE *file, const labour *l, unsigned family, const labour_row *row)
+static void add_row(const labour *l, unsigned family, const labour_row *row)
 {
-    const int is_chosen = l->best[l->chosen] == row;
     const told_unit unit = told_field(l->told, 1);
-    char time[PLAN_WORDS_MAX] = "";
+    char text[PLAN_WORDS_MAX];
 
-    fprintf(file, "%s%-20s%10u", is_chosen ? paint_on(file, PAINT_GREEN) : "",
-            labour_families[family], row->count);
+    tabular_cell("%s", labour_families[family]);
+    tabular_cell("%u", row->count);
+    snprintf(text, sizeof text, "%.4g%s", row->dwell, row->is_beyond ? "*" : "");
+    tabular_cell("%s", row->is_possible ? text : "none");
+    tabular_cell("%.4g", unit.scale * row->sigma);
     if (row->is_possible) {
-        plan_time_text(row->seconds, time);
-        fprintf(file, "%12.4g%14.4g%*s   %s", row->dwell, unit.scale * row->sigma,
-                paint_width(time, 16), time, plan_kinds[row->binds]);
+        tabular_cell("%s", plan_time_text(row->seconds, text));
+        tabular_cell("%s", plan_kinds[row->binds]);
     } else {
-        fprintf(file, "%12s%14.4g%16s   %.4g %s are needed", "none", unit.scale * row->sigma, "",
-                unit.scale * row->wanted, unit.unit);
+        tabular_cell("%s", "");
+        tabular_cell("needed: %.4g", unit.scale * row->wanted);
     }
-    fprintf(file, "%s%s%s\n", row->is_possible && row->is_beyond ? ", dwell not seen" : "",
-            is_chosen ? "   chosen" : "", is_chosen ? paint_off(file) : "");
+    if (l->best[l->chosen] == row) {
+        tabular_cell("chosen");
+        tabular_row_in(PAINT_GREEN);
+    } else {
+        tabular_row();
+    }
+}
+
+/* The rows around the best of each family. Returns whether a dwell is longer than the noise is known at. */
+static int add_rows(const labour *l)
+{
+    int is_beyond = 0;
+
+    for (unsigned f = 0; f < CHOICE_FAMILIES; f++) {
+        unsigned first;
+        unsigned end;
+        labour_around(l, f, &first, &end);
+        for (unsigned i = first; i < end; i++) {
+            const labour_row *row = &l->row[f][i];
+            add_row(l, f, row);
+            is_beyond |= row->is_possible && row->is_beyond;
+        }
+    }
+    return is_beyond;
 }
 
 void labour_print(FILE *file, const labour *l)
@@ -28,26 +52,29 @@ void labour_print(FILE *file, const labour *l)
     const told_unit field = told_field(l->told, 1);
     const told_unit scale = told_scale(l->told);
     const told_unit angle = told_angle(l->told);
-    char mean[PLAN_WORDS_MAX];
 
-    snprintf(mean, sizeof mean, "mean, %s", field.unit);
-    fprintf(file,
-            "The least time in all, by the noise of %s; %.6g s to settle in each position, %.6g s\n"
-            "between two; limits %.4g %s, %.4g %s, %.4g %s\n\n",
-            l->noise_name, l->settle, l->move, field.scale * l->limits[0], field.unit,
-            scale.scale * l->limits[1], scale.unit, angle.scale * l->limits[2], angle.unit);
+    wrapped_printf(
+        file, 0,
+        "The least time in all, by the noise of %s; %.6g s to settle in each position, %.6g s "
+        "between two; limits %.4g %s, %.4g %s, %.4g %s",
+        l->noise_name, l->settle, l->move, field.scale * l->limits[0], field.unit,
+        scale.scale * l->limits[1], scale.unit, angle.scale * l->limits[2], angle.unit);
+    putc('\n', file);
     if (l->warm_up > 0) {
         fprintf(file, "%.6g s to warm up, before the first\n\n", l->warm_up);
     }
-    fprintf(file, "%s%-20s%10s%12s%*s%16s   %s%s\n", paint_on(file, PAINT_BOLD), "", "positions",
-            "dwell, s", paint_width(mean, 14), mean, "time", "what binds", paint_off(file));
-    for (unsigned f = 0; f < CHOICE_FAMILIES; f++) {
-        unsigned first;
-        unsigned end;
-        labour_around(l, f, &first, &end);
-        for (unsigned i = first; i < end; i++) {
-            print_row(file, l, f, &l->row[f][i]);
-        }
+    tabular_begin(file, "lrrrrrl");
+    tabular_cell("%s", "");
+    tabular_cell("positions");
+    tabular_cell("dwell, s");
+    tabular_cell("mean, %s", field.unit);
+    tabular_cell("time");
+    tabular_cell("what binds");
+    tabular_row_in(PAINT_BOLD);
+    const int is_beyond = add_rows(l);
+    tabular_end();
+    if (is_beyond) {
+        wrapped_line(file, 0, 0, "* longer than the averaging times that the noise is known at");
     }
     putc('\n', file);
 }

@@ -7,9 +7,11 @@
 #include "text/figure.h"
 #include "fit/nonlinearity.h"
 #include "text/number.h"
+#include "text/wrapped.h"
 
 #define TEXT_MAX 200
 #define SENTENCE_MAX 400
+#define INDENT 19 /* columns of what stands before the text of a line */
 
 /* With the quadratic terms, and with the cubic ones as well. */
 enum { QUADRATIC = 2, CUBIC = 3 };
@@ -88,26 +90,25 @@ static void print_line(FILE *file, const design *d, unsigned degree, double nois
 {
     const prospect p = prospect_of(d, degree);
     char text[TEXT_MAX];
+    char size[SENTENCE_MAX] = "";
 
-    fprintf(file, "  %-15s", name_of(&p));
     if (p.open) {
-        fprintf(file, "%s\n", open_text(&p, text));
+        wrapped_printf(file, INDENT, "  %-15s%s", name_of(&p), open_text(&p, text));
         return;
     }
-    fprintf(file, "%9.4f", p.sigma);
     if (noise > 0) {
-        fprintf(file, "%12.4g %s", told_field(told, 1).scale * noise * p.sigma,
-                unit_text(&p, noise, told, text));
+        snprintf(size, sizeof size, "%12.4g %s", told_field(told, 1).scale * noise * p.sigma,
+                 unit_text(&p, noise, told, text));
     }
-    fprintf(file, "   of %u parameters, condition %.4g%s\n", parameters_of(&p), p.all.condition,
-            few_text(&p, d, text));
+    wrapped_printf(file, INDENT, "  %-15s%9.4f%s   of %u parameters, condition %.4g%s", name_of(&p),
+                   p.sigma, size, parameters_of(&p), p.all.condition, few_text(&p, d, text));
 }
 
 void plan_nonlinear_print(FILE *file, const design *d, double noise, told_style told)
 {
-    fprintf(
-        file,
-        "sigma of nonlinear terms, if they are parameters, too (calibrate --quadratic, --cubic)\n");
+    wrapped_printf(file, 0,
+                   "sigma of nonlinear terms, if they are parameters, too (calibrate --quadratic, "
+                   "--cubic)");
     print_line(file, d, QUADRATIC, noise, told);
     print_line(file, d, CUBIC, noise, told);
 }

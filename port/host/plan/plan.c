@@ -8,6 +8,7 @@
 #include <string.h>
 
 #include "cli/command.h"
+#include "cli/files.h"
 #include "cli/message.h"
 #include "read/noise_file.h"
 #include "design/optimal.h"
@@ -162,7 +163,7 @@ static int read_demands(request *r)
     if (!failure && floor(spare) < spare) {
         return message_usage(syntax.command, "--spare %s: is no whole number", r->value[SPARE]);
     }
-    r->choice.spare = (unsigned)spare;
+    r->choice.spare = failure ? 0 : (unsigned)spare;
     r->choice.needs_axes = r->value[NEED_AXES] != NULL;
     return failure;
 }
@@ -366,53 +367,16 @@ static int check(const request *r)
     return EXIT_GOOD;
 }
 
-/* The file of a set's word, or null. */
-static const char *file_of(const char *word)
-{
-    static const char *const prefixes[] = {"directions:", "angles:"};
-
-    for (unsigned i = 0; i < 2 && word; i++) {
-        const size_t length = strlen(prefixes[i]);
-        if (strncmp(word, prefixes[i], length) == 0) {
-            return word + length;
-        }
-    }
-    return NULL;
-}
-
-/* The files that are read. */
-static const char *source(const request *r, unsigned i)
-{
-    const char *single = r->value[ALLAN]    ? r->value[ALLAN]
-                         : r->value[ANGLES] ? r->value[ANGLES]
-                                            : r->value[DIRECTIONS];
-
-    if (!r->value[COMPARE]) {
-        return i == 0 ? single : NULL;
-    }
-    return file_of(r->operand[i]);
-}
-
-/* No file is written twice, none that is read. */
 static int check_files(const request *r)
 {
-    static const unsigned made[] = {SVG, REPORT};
-    const char *svg = r->value[SVG];
-    const char *report = r->value[REPORT];
+    const named_file inputs[] = {{"--angles", r->value[ANGLES]},
+                                 {"--directions", r->value[DIRECTIONS]},
+                                 {"--allan", r->value[ALLAN]},
+                                 {"--compare", design_file(r->operand[0])},
+                                 {"--compare", design_file(r->operand[1])}};
+    const named_file outputs[] = {{"--svg", r->value[SVG]}, {"--report", r->value[REPORT]}};
 
-    for (unsigned i = 0; i < 4; i++) {
-        const char *path = r->value[made[i / 2]];
-        const char *read = source(r, i % 2);
-        if (path && read && output_is_same(path, read)) {
-            return usage(made[i / 2], r->value[ALLAN]
-                                          ? "is the file of --allan, which would be lost"
-                                          : "is a file of directions, which would be lost");
-        }
-    }
-    if (svg && report && (strcmp(svg, report) == 0 || output_is_same(svg, report))) {
-        return usage(REPORT, "is the file of --svg");
-    }
-    return EXIT_GOOD;
+    return files_check(syntax.command, inputs, 5, outputs, 2);
 }
 
 static int read_request(int argc, char **argv, request *r)
@@ -582,12 +546,7 @@ static int show(request *r)
 static int compare(const request *r)
 {
     const result found = {.asked = r, .set = {&sets[0], &sets[1]}};
-    const char *first = file_of(r->operand[0]);
-    const char *second = file_of(r->operand[1]);
 
-    if (first && second && strcmp(first, "-") == 0 && strcmp(second, "-") == 0) {
-        return usage(COMPARE, "only one set can be the standard input");
-    }
     for (unsigned i = 0; i < 2; i++) {
         const int failure = design_make(&sets[i], syntax.command, r->operand[i]);
         if (failure) {
@@ -751,7 +710,7 @@ static const char *const help[] = {
     "                      largest (D-optimal); --dwell is then the mean\n"
     "  --bound E           how wrong each parameter can be at most, if no position mean is off by\n"
     "                      more than E of the field: E times the sum of |H+| over its row\n"
-    "  --noise S           standard deviation of the mean of one second at rest, over the field\n"
+    "  --noise S           of the mean of one second at rest, over the field\n"
     "                      (0.0001 is 0.1 mg)\n"
     "  --allan NOISE.json  noise that invcal allan --out has measured: chooses the number of\n"
     "                      positions, up to 144, and the seconds in each, 2 or more, for the\n"
@@ -795,5 +754,27 @@ static const char *const help[] = {
     "  invcal plan --angles stand.csv --bound 0.0002 --warm-up 600\n",
     NULL};
 
+static const char *const brief[] = {
+    "usage: invcal plan [--per-group N | --edges | --optimal N | ...] [options]\n"
+    "       invcal plan --limits D,K,G [--budget SECONDS] [options]\n"
+    "       invcal plan --compare SET SET | --sweep FROM:TO | --programs\n"
+    "\n"
+    "Tells which positions to visit, and how exactly they will determine the nine parameters.\n"
+    "\n"
+    "  --per-group N       the paper's program of 3 x N positions; default 6\n"
+    "  --edges             18 positions for a device that is held in the hand\n"
+    "  --optimal N         N positions, 9 to 144, with the largest determinant\n"
+    "  --limits D,K,G      the smallest set with sigmas within these limits\n"
+    "  --noise S           of the mean of one second at rest, over the field\n"
+    "  --allan NOISE.json  noise measured by invcal allan: chooses the dwell, too\n"
+    "  --svg FILE          draws the directions\n"
+    "  --report R.html     writes a page with the verdict and a work sheet\n"
+    "  --csv               print the positions only; --json: the result as JSON\n"
+    "\n"
+    "examples:\n"
+    "  invcal plan --limits 0.4,0.6,1 --svg directions.svg\n"
+    "  invcal plan --per-group 8 --noise 0.0001 --report program.html\n",
+    NULL};
+
 const tool_command plan_command = {"plan", "which positions to visit, and what they are worth",
-                                   help, run};
+                                   help, run, brief};

@@ -1,8 +1,9 @@
 /* SPDX-License-Identifier: MIT */
 #include "plan/programs.h"
 
-#include "text/paint.h"
 #include "plan/words.h"
+#include "text/tabular.h"
+#include "text/wrapped.h"
 
 void plan_programs_make(plan_programs *p)
 {
@@ -18,7 +19,7 @@ void plan_programs_make(plan_programs *p)
 }
 
 /* What a program is worth; below it the ratios to the paper's. */
-static void print_program(FILE *file, const design *d, const design *paper, const design_cost *cost)
+static void add_program(const design *d, const design *paper, const design_cost *cost)
 {
     const criteria *c = &d->criteria;
     const criteria *of = &paper->criteria;
@@ -26,43 +27,58 @@ static void print_program(FILE *file, const design *d, const design *paper, cons
                                design_seconds(paper->count, cost) / 60};
     char text[PLAN_WORDS_MAX];
 
-    fprintf(file, "%s%-14s%s%10u%10.2f%10.4f%10.4f%10.4f%11.4f%12.4f   %s\n",
-            paint_on(file, PAINT_BOLD), d->name, paint_off(file), d->count, minutes[0],
-            c->sigma_delta, c->sigma_dk, c->sigma_gamma, c->condition, c->log_det,
-            plan_missing(d->axes) ? plan_axes_text(plan_missing(d->axes), text) : "none");
-    fprintf(file, "%-14s%10.4f%10.4f%10.4f%10.4f%10.4f%11.4f\n", "  over 3 x 6",
-            (double)d->count / paper->count, minutes[0] / minutes[1],
-            c->sigma_delta / of->sigma_delta, c->sigma_dk / of->sigma_dk,
-            c->sigma_gamma / of->sigma_gamma, c->condition / of->condition);
+    tabular_cell("%s", d->name);
+    tabular_cell("%u", d->count);
+    tabular_cell("%.2f", minutes[0]);
+    for (unsigned k = 0; k < PLAN_KINDS; k++) {
+        tabular_cell("%.4f", plan_sigma(c, k));
+    }
+    tabular_cell("%.4f", c->condition);
+    tabular_cell("%.4f", c->log_det);
+    tabular_cell("%s",
+                 plan_missing(d->axes) ? plan_axes_text(plan_missing(d->axes), text) : "none");
+    tabular_row();
+    tabular_cell("  over 3 x 6");
+    tabular_cell("%.4f", (double)d->count / paper->count);
+    tabular_cell("%.4f", minutes[0] / minutes[1]);
+    for (unsigned k = 0; k < PLAN_KINDS; k++) {
+        tabular_cell("%.4f", plan_sigma(c, k) / plan_sigma(of, k));
+    }
+    tabular_cell("%.4f", c->condition / of->condition);
+    tabular_row();
 }
 
 /* In units, if the noise is told. */
 static void print_expected(FILE *file, const plan_programs *p, const choice_request *request)
 {
-    char text[PLAN_KINDS][PLAN_WORDS_MAX];
+    char text[PLAN_WORDS_MAX];
     const double noise = design_noise(&request->cost);
     const told_unit unit = told_field(request->told, 1);
 
-    fprintf(file, "\nwith %.4g %s of noise in a position mean\n", unit.scale * noise, unit.unit);
+    putc('\n', file);
+    wrapped_printf(file, 0, "with %.4g %s of noise in a position mean", unit.scale * noise,
+                   unit.unit);
+    tabular_begin(file, "lrrr");
     for (unsigned i = 0; i < PLAN_PROGRAMS; i++) {
-        fprintf(file, "%-14s%10s", p->set[i].name, "");
+        tabular_cell("%s", p->set[i].name);
         for (unsigned k = 0; k < PLAN_KINDS; k++) {
-            plan_sigma_text(k, plan_sigma(&p->set[i].criteria, k), noise, request->told, text[k]);
-            fprintf(file, "   %s", text[k]);
+            tabular_cell("%s", plan_sigma_text(k, plan_sigma(&p->set[i].criteria, k), noise,
+                                               request->told, text));
         }
-        putc('\n', file);
+        tabular_row();
     }
+    tabular_end();
 }
 
 void plan_programs_print(FILE *file, const plan_programs *p, const choice_request *request)
 {
     fprintf(file, "The programs; sigma times the noise of a position mean\n\n");
-    fprintf(file, "%s%-14s%10s%10s%10s%10s%10s%11s%12s   %s%s\n", paint_on(file, PAINT_BOLD), "",
-            "positions", "minutes", "offsets", "scales", "angles", "condition", "ln det H'H",
-            "axes missing", paint_off(file));
+    tabular_begin(file, "lrrrrrrrr");
+    tabular_heading("|positions|minutes|offsets|scales|angles|condition|ln det H'H|axes missing");
     for (unsigned i = 0; i < PLAN_PROGRAMS; i++) {
-        print_program(file, &p->set[i], p->paper, &request->cost);
+        add_program(&p->set[i], p->paper, &request->cost);
     }
+    tabular_end();
     if (request->cost.noise > 0) {
         print_expected(file, p, request);
     }

@@ -140,8 +140,9 @@ static void draw_boxes(FILE *file, const void *data, double width)
     svg_begin_inline(file, width, down * high, "How the device lies",
                      "The device as a box in each position: the work sheet has the same in words.");
     for (unsigned n = 0; n < d->count; n++) {
+        const unsigned row = n / across;
         const double x = n % across * BOX_WIDTH;
-        const double y = n / across * high;
+        const double y = row * high;
         snprintf(number, sizeof number, "%u", n + 1);
         svg_text(file, "ink heading", SVG_START, x, y + LABEL, number);
         box_draw(file, x, y + LABEL, d->position[n].vertical);

@@ -6,7 +6,8 @@
 
 #include "text/figure.h"
 
-#define JOINT "\302\240" /* U+00A0: a number and its unit stay on one line */
+#define JOINT "\302\240"   /* U+00A0: a number and its unit stay on one line */
+#define LONGEST_WORDS 1e15 /* seconds; hours of more digits tell nobody anything */
 
 const char *const plan_kinds[PLAN_KINDS] = {"offsets", "scale errors", "angles"};
 
@@ -39,11 +40,12 @@ const char *plan_angle_text(double degrees, char text[PLAN_WORDS_MAX])
 
 const char *plan_time_text(double seconds, char text[PLAN_WORDS_MAX])
 {
-    const unsigned long long whole = (unsigned long long)(seconds + 0.5);
-
-    if (seconds < 59.5) {
+    if (!(seconds >= 59.5 && seconds < LONGEST_WORDS)) {
         snprintf(text, PLAN_WORDS_MAX, "%.3g" JOINT "s", seconds);
-    } else if (whole < 3600) {
+        return text;
+    }
+    const unsigned long long whole = (unsigned long long)(seconds + 0.5);
+    if (whole < 3600) {
         snprintf(text, PLAN_WORDS_MAX, "%llu" JOINT "min" JOINT "%02llu" JOINT "s", whole / 60,
                  whole % 60);
     } else {

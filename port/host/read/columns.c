@@ -8,7 +8,9 @@
 
 #include "cli/command.h"
 #include "cli/message.h"
+#include "read/chosen.h"
 #include "text/number.h"
+#include "text/plain.h"
 
 #define RADIANS 0.017453292519943296 /* in a degree */
 
@@ -17,40 +19,20 @@ static heading headings[TABLE_COLUMNS_MAX];
 
 /* ---- x, y and z --------------------------------------------------------------------------------- */
 
-/* Keys of headings that may be meant, see heading.h; of a gyro there is none. */
-static int is_reading(const char *key)
-{
-    static const char *const keys[] = {
-        "",
-        "a",
-        "acc",
-        "accel",
-        "acceleration",
-        "accelerometer",
-        "accsmooth",
-        "accadc",
-        "xyz",
-        "accraw",
-        "rawacc",
-        "accelraw",
-        "rawaccel",
-        "axis",
-        "mean",
-        "m",
-        "mag",
-        "magnetometer",
-        "magneticfield",
-        "accelerometeracceleration",
-        "gf",
-        "fieldlinearacceleration",
-    };
+/* What a heading with an axis is of. */
+typedef enum {
+    OF_NOTHING, /* a gyro, or what nobody knows */
+    OF_MAGNETOMETER,
+    OF_ANYTHING, /* x, y and z alone */
+    OF_ACCELEROMETER
+} origin;
 
-    for (unsigned i = 0; i < sizeof keys / sizeof keys[0]; i++) {
-        if (strcmp(key, keys[i]) == 0) {
-            return 1;
-        }
+static int is_among(const char *key, const char *const *keys)
+{
+    while (*keys && strcmp(key, *keys) != 0) {
+        keys++;
     }
-    return 0;
+    return *keys != NULL;
 }
 
 /* The linear acceleration of a phone is one without gravity. This is how ROS spells that of
@@ -58,6 +40,65 @@ static int is_reading(const char *key)
 static int is_of_ros(const heading *h)
 {
     return strncmp(h->name, "linear_acceleration.", strlen("linear_acceleration.")) == 0;
+}
+
+static int has_key(const table *t, const char *key)
+{
+    for (unsigned i = 0; i < t->columns; i++) {
+        if (strcmp(headings[i].key, key) == 0) {
+            return 1;
+        }
+    }
+    return 0;
+}
+
+/* Takes all headings apart. What ROS calls linear acceleration holds gravity; flat tables of its
+ * sensor_msgs/Imu are known by the angular velocity beside it. */
+static void read_headings(const table *t)
+{
+    for (unsigned i = 0; i < t->columns; i++) {
+        heading_read(t->field[i], &headings[i]);
+    }
+    for (unsigned i = 0; i < t->columns && has_key(t, "angularvelocity"); i++) {
+        if (strncmp(headings[i].name, "linear_acceleration_", strlen("linear_acceleration_")) ==
+            0) {
+            snprintf(headings[i].key, sizeof headings[i].key, "fieldlinearacceleration");
+        }
+    }
+}
+
+/* Keys of headings that may be meant, see heading.h. */
+static origin origin_of(const heading *h)
+{
+    static const char *const accelerometers[] = {
+        "a",
+        "acc",
+        "accel",
+        "acceleration",
+        "accelerometer",
+        "accelerometeracceleration",
+        "accsmooth",
+        "accadc",
+        "accraw",
+        "rawacc",
+        "accelraw",
+        "rawaccel",
+        "gf",
+        "fieldlinearacceleration",
+        "arss", /* EuRoC: a_RS_S_x */
+        NULL,
+    };
+    static const char *const magnetometers[] = {"m",       "mag", "magnetometer", "magneticfield",
+                                                "compass", NULL};
+    static const char *const anything[] = {"", "xyz", "axis", "mean", NULL};
+
+    const char *key = h->key + (strncmp(h->key, "imu", 3) == 0 ? 3 : 0); /* imu_ax */
+
+    return h->axis < 0                                     ? OF_NOTHING
+           : is_of_ros(h) || is_among(key, accelerometers) ? OF_ACCELEROMETER
+           : is_among(key, magnetometers)                  ? OF_MAGNETOMETER
+           : is_among(key, anything)                       ? OF_ANYTHING
+                                                           : OF_NOTHING;
 }
 
 /* The column with the same key as column `from` and this axis: -1 if there is none. */
@@ -69,6 +110,24 @@ static int find_axis(const table *t, unsigned from, int axis)
         }
     }
     return -1;
+}
+
+/* The first complete set of three of this origin or a better one, from column `from` on. Returns its
+ * first column, or the number of columns. */
+static unsigned find_set(const table *t, unsigned from, origin least, int index[3])
+{
+    for (unsigned i = from; i < t->columns; i++) {
+        if (origin_of(&headings[i]) < least) {
+            continue;
+        }
+        for (int axis = 0; axis < 3; axis++) {
+            index[axis] = find_axis(t, i, axis);
+        }
+        if (index[0] >= 0 && index[1] >= 0 && index[2] >= 0) {
+            return i;
+        }
+    }
+    return t->columns;
 }
 
 /* Whether a column is one of those found, or another with the same meaning. */
@@ -94,51 +153,47 @@ static void say_none(const table *t)
                 t->name, t->line, linear);
     } else {
         message("%s:%lu: the header names no columns x, y, z (nor ax, ay, az; acc_x, ..; see "
-                "--help): rename the three that are meant",
+                "--help all): rename the three that are meant",
                 t->name, t->line);
     }
 }
 
-/* x, y and z come from one family: a log with an accelerometer and a magnetometer has two, and
- * nobody can guess which one is meant. */
-static int find_xyz(const table *t, int index[3])
+/* x, y and z come from one family. Beside an accelerometer a magnetometer may be there, which is left
+ * aside; of two of one kind nobody can guess which one is meant. */
+static int find_xyz(const table *t, columns *out)
 {
-    int found = 0;
+    int *index = &out->index[COLUMN_X];
+    int other[3];
+    const int has_accelerometer = find_set(t, 0, OF_ACCELEROMETER, index) < t->columns;
+    const origin least = has_accelerometer ? OF_ANYTHING : OF_MAGNETOMETER;
+    const unsigned first = has_accelerometer ? 0 : find_set(t, 0, OF_MAGNETOMETER, index);
 
+    const int is_magnetometer =
+        !has_accelerometer && first < t->columns && origin_of(&headings[first]) == OF_MAGNETOMETER;
+
+    if (first == t->columns || (is_magnetometer && has_key(t, "linearacceleration"))) {
+        say_none(t);
+        return EXIT_FILE;
+    }
     for (unsigned i = 0; i < t->columns; i++) {
-        const heading *h = &headings[i];
-        if (h->axis < 0 || !(is_reading(h->key) || is_of_ros(h))) {
-            continue;
-        }
-        if (!found) {
-            for (int axis = 0; axis < 3; axis++) {
-                index[axis] = find_axis(t, i, axis);
-            }
-            found = index[0] >= 0 && index[1] >= 0 && index[2] >= 0;
-        }
-        if (found && is_there_twice(t, i, index)) {
-            message("%s:%lu: x, y and z are there twice ('%s' and '%s'): leave one set of columns",
-                    t->name, t->line, headings[index[h->axis]].name, h->name);
+        if (origin_of(&headings[i]) >= least && is_there_twice(t, i, index)) {
+            message(
+                "%s:%lu: x, y and z are there twice ('%s' and '%s'): state which with --columns, "
+                "or leave one set of columns",
+                t->name, t->line, headings[index[headings[i].axis]].name, headings[i].name);
             return EXIT_FILE;
         }
     }
-    if (!found) {
-        say_none(t);
+    for (unsigned i = 0; i < t->columns && has_accelerometer; i++) {
+        if (origin_of(&headings[i]) == OF_MAGNETOMETER &&
+            find_set(t, i, OF_MAGNETOMETER, other) == i && *out->seen.set_aside == '\0') {
+            memcpy(out->seen.set_aside, headings[other[0]].name, HEADING_NAME_MAX);
+        }
     }
-    return found ? EXIT_GOOD : EXIT_FILE;
+    return EXIT_GOOD;
 }
 
 /* ---- the unit of x, y and z ---------------------------------------------------------------------- */
-
-static int has_key(const table *t, const char *key)
-{
-    for (unsigned i = 0; i < t->columns; i++) {
-        if (strcmp(headings[i].key, key) == 0) {
-            return 1;
-        }
-    }
-    return 0;
-}
 
 /* Logs that are known have a unit although their headings do not state it. */
 static reading_unit unit_of_system(const table *t, const heading *x)
@@ -248,7 +303,9 @@ static int is_named(const heading *h, column which)
 
 static int say_several(const table *t, const char *name)
 {
-    message("%s:%lu: more than one column could be '%s': leave one", t->name, t->line, name);
+    message("%s:%lu: more than one column could be '%s': leave one, or state which with --columns "
+            "%s=NAME",
+            t->name, t->line, name, name);
     return EXIT_FILE;
 }
 
@@ -271,13 +328,16 @@ static int find_std(const table *t, int *index)
 /* A column that may be missing. */
 static int find_optional(const table *t, column which, int *index)
 {
+    if (chosen_is(which)) {
+        return chosen_find(t, headings, which, index);
+    }
     *index = -1;
     for (unsigned i = 0; i < t->columns; i++) {
         if (!is_named(&headings[i], which)) {
             continue;
         }
         if (*index >= 0) {
-            return say_several(t, columns_name(which));
+            return say_several(t, column_name(which));
         }
         *index = (int)i;
     }
@@ -309,7 +369,10 @@ static int find_time(const table *t, columns *out)
             count[states]++;
         }
     }
-    return count[count[1] > 0] > 1 ? say_several(t, columns_name(COLUMN_TIME)) : EXIT_GOOD;
+    if (chosen_is(COLUMN_TIME)) {
+        return chosen_find(t, headings, COLUMN_TIME, index);
+    }
+    return count[count[1] > 0] > 1 ? say_several(t, column_name(COLUMN_TIME)) : EXIT_GOOD;
 }
 
 /* ArduPilot's temperature is T, which would else be a time. */
@@ -376,6 +439,7 @@ static void remember_names(const table *t, columns *out)
     for (unsigned i = 0; i < t->columns; i++) {
         seen->others += !used[i] && *t->field[i] != '\0';
     }
+    snprintf(seen->chosen, sizeof seen->chosen, "%s", chosen_text());
     seen->header_line = t->first_line;
     seen->preamble = t->preamble;
 }
@@ -396,10 +460,9 @@ static int find_by_header(table *t, columns_kind kind, columns *out)
     int *index = out->index;
     int std;
 
-    for (unsigned i = 0; i < t->columns; i++) {
-        heading_read(t->field[i], &headings[i]);
-    }
-    int failure = find_xyz(t, &index[COLUMN_X]);
+    read_headings(t);
+    int failure =
+        chosen_is(COLUMN_X) ? chosen_find_axes(t, headings, &index[COLUMN_X]) : find_xyz(t, out);
     failure = failure ? failure : find_std(t, &std);
     failure = failure ? failure : find_unit(t, out);
     for (unsigned c = COLUMN_STD_X; c < COLUMN_COUNT && !failure; c++) {
@@ -457,14 +520,14 @@ static int find_by_count(const table *t, columns_kind kind, columns *out)
             out->index[c] = place ? (int)(place - layout) : -1;
             snprintf(out->seen.name[c], HEADING_NAME_MAX, "%s",
                      one     ? "std"
-                     : place ? columns_name((column)c)
+                     : place ? column_name((column)c)
                              : "");
         }
         out->seen.others = kind == COLUMNS_LOG && t->columns > 5 ? 3 : 0;
         return EXIT_GOOD;
     }
     message("%s:%lu: %u column%s, separated by %s, without a header: %s, or a header that names "
-            "them, is expected%s",
+            "them, is expected; --columns 2,3,4 states x, y, z by number%s",
             t->name, t->line, t->columns, t->columns == 1 ? "" : "s", table_separator(t),
             kind == COLUMNS_POSITIONS
                 ? "3 (x y z), 5 (x y z std n), 7 (x y z std_x std_y std_z n)"
@@ -475,14 +538,57 @@ static int find_by_count(const table *t, columns_kind kind, columns *out)
     return EXIT_FILE;
 }
 
+/* Without a header numbers do. */
+static int find_by_number(const table *t, columns *out)
+{
+    recognition *seen = &out->seen;
+
+    if (!chosen_is(COLUMN_X)) {
+        message("%s:%lu: there is no header: --columns has to state x, y and z, too", t->name,
+                t->line);
+        return EXIT_FILE;
+    }
+    int failure = chosen_find_axes(t, headings, &out->index[COLUMN_X]);
+    seen->others = t->columns;
+    for (unsigned c = 0; c < COLUMN_COUNT && !failure; c++) {
+        int *index = &out->index[c];
+        *index = c > COLUMN_Z ? -1 : *index;
+        if (chosen_is((column)c)) {
+            failure = chosen_find(t, headings, (column)c, index);
+            snprintf(seen->name[c], HEADING_NAME_MAX, "%s", column_name((column)c));
+            seen->others--;
+        }
+    }
+    snprintf(seen->chosen, sizeof seen->chosen, "%s", chosen_text());
+    return failure;
+}
+
+/* Whether some three columns are x, y and z, or it is stated which. */
+static int has_axes(const table *t)
+{
+    int index[3];
+
+    read_headings(t);
+    return chosen_is(COLUMN_X) || find_set(t, 0, OF_MAGNETOMETER, index) < t->columns;
+}
+
 int columns_find(table *t, columns_kind kind, columns *out)
 {
     *out = (columns){.per_second = 1,
                      .degrees = {1, 0},
+                     .per_degree = {1, 1},
                      .instance = -1,
                      .seen = {.separator = table_separator(t)}};
-    const int failure = t->has_header ? find_by_header(t, kind, out) : find_by_count(t, kind, out);
+    if (table_comment_header(t) && !has_axes(t)) {
+        table_drop_header(t);
+    }
+    const int failure = t->has_header            ? find_by_header(t, kind, out)
+                        : *chosen_text() != '\0' ? find_by_number(t, out)
+                                                 : find_by_count(t, kind, out);
 
+    for (unsigned c = 0; c < COLUMN_COUNT; c++) {
+        out->last = out->index[c] > out->last ? out->index[c] : out->last;
+    }
     out->seen.time_unit = out->per_second > 1e8   ? "ns"
                           : out->per_second > 1e5 ? "µs"
                           : out->per_second > 1   ? "ms"
@@ -490,13 +596,24 @@ int columns_find(table *t, columns_kind kind, columns *out)
     return failure;
 }
 
-/* What to do about a field that is not needed. */
-static const char *remedy(column which, number_status status)
+void columns_say_cut(const table *t, const char *which, unsigned long line)
+{
+    message("warning: %s:%lu: the %s line is cut, and left out", t->name, line, which);
+}
+
+int columns_is_cut(const table *t, const columns *where)
+{
+    return table_is_cut(t, (unsigned)where->last);
+}
+
+/* What to do about it, where the problem itself does not say it. */
+static const char *remedy(const table *t, column which, number_status status)
 {
     return which == COLUMN_TEMPERATURE ? ": leave the column out"
            : which == COLUMN_TIME && status == NUMBER_NOT_DECIMAL
                ? ": convert it to seconds, or leave the column out"
-               : "";
+           : status == NUMBER_COMMA || status == NUMBER_GROUPED ? ""
+                                                                : table_remedy(t);
 }
 
 int columns_number(const table *t, const columns *where, column which, double *out)
@@ -507,13 +624,13 @@ int columns_number(const table *t, const columns *where, column which, double *o
 
     if (status == NUMBER_EMPTY) {
         message("%s:%lu: column %d (%s) is empty%s", t->name, t->line, index + 1,
-                columns_name(which), remedy(which, status));
+                column_name(which), remedy(t, which, status));
         return EXIT_FILE;
     }
     if (status != NUMBER_OK) {
         message("%s:%lu: column %d (%s): '%s' %s%s", t->name, t->line, index + 1,
-                columns_name(which), table_excerpt(t->field[index], excerpt),
-                number_problem(status), remedy(which, status));
+                column_name(which), table_excerpt(t->field[index], excerpt), number_problem(status),
+                remedy(t, which, status));
         return EXIT_FILE;
     }
     if (which == COLUMN_TIME) {
@@ -548,14 +665,6 @@ int columns_check_instance(const table *t, columns *where)
         return EXIT_FILE;
     }
     return EXIT_GOOD;
-}
-
-const char *columns_name(column which)
-{
-    static const char *const names[COLUMN_COUNT] = {
-        "x", "y", "z", "std_x", "std_y", "std_z", "n", "t", "temperature", "alpha", "beta"};
-
-    return names[which];
 }
 
 /* ---- in words ----------------------------------------------------------------------------------- */
@@ -598,7 +707,8 @@ static void append_unit(const recognition *seen, char *text, size_t size)
     static const char *const behind[] = {[UNIT_FROM_NONE] = "",
                                          [UNIT_FROM_HEADER] = "",
                                          [UNIT_FROM_OPTION] = " (--unit)",
-                                         [UNIT_FROM_SIZE] = " (by their size)"};
+                                         [UNIT_FROM_SIZE] = " (by their size)",
+                                         [UNIT_FROM_SENSOR] = " (--sensor)"};
 
     if (seen->unit != UNIT_UNKNOWN) {
         append(text, size, " in %s%s", unit_words(seen->unit), behind[seen->unit_from]);
@@ -615,8 +725,12 @@ const char *columns_describe(const recognition *seen, char *text, size_t size)
     if (*name[COLUMN_TIME] != '\0') {
         append(text, size, "%s (%s), ", name[COLUMN_TIME], seen->time_unit);
     }
-    append(text, size, "%s %s %s", name[COLUMN_X], name[COLUMN_Y], name[COLUMN_Z]);
+    append(text, size, "%s%s %s %s", *seen->set_aside != '\0' ? "the accelerometer's " : "",
+           name[COLUMN_X], name[COLUMN_Y], name[COLUMN_Z]);
     append_unit(seen, text, size);
+    if (*seen->chosen != '\0') {
+        append(text, size, " (--columns %s)", seen->chosen);
+    }
     for (unsigned c = COLUMN_STD_X; c < COLUMN_COUNT; c++) {
         const int is_again = c > COLUMN_STD_X && c <= COLUMN_STD_Z &&
                              strcmp(name[c], name[c - 1]) == 0; /* one for all three */
@@ -628,5 +742,9 @@ const char *columns_describe(const recognition *seen, char *text, size_t size)
         append(text, size, "; ignored: %u other column%s", seen->others,
                seen->others == 1 ? "" : "s");
     }
-    return text;
+    if (*seen->set_aside != '\0') {
+        append(text, size, ", a magnetometer's among them (%s ..; --columns chooses)",
+               seen->set_aside);
+    }
+    return plain(text);
 }

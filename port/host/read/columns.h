@@ -7,23 +7,9 @@
 
 #include <stddef.h>
 
+#include "read/column.h"
 #include "read/heading.h"
 #include "read/table.h"
-
-typedef enum {
-    COLUMN_X,
-    COLUMN_Y,
-    COLUMN_Z,
-    COLUMN_STD_X, /* standard deviation of the samples behind a mean; one column may be all */
-    COLUMN_STD_Y,
-    COLUMN_STD_Z,
-    COLUMN_SAMPLES, /* their number */
-    COLUMN_TIME,
-    COLUMN_TEMPERATURE,
-    COLUMN_ALPHA, /* angles of a stand; by a header only */
-    COLUMN_BETA,
-    COLUMN_COUNT
-} column;
 
 /* What was recognised, to be told to people; it needs the table no more. */
 typedef struct {
@@ -31,17 +17,21 @@ typedef struct {
     unsigned long header_line; /* 0: none */
     unsigned long preamble;    /* lines of `name, value` before it */
     unsigned long unit_line;   /* a row of units; 0: none */
-    unsigned others;           /* columns that have a heading, but are ignored */
-    int states_foreign_unit;   /* the headings state a unit that unit.h does not know */
-    reading_unit unit;         /* of x, y and z */
-    unit_origin unit_from;     /* header or none; who knows more may put it in */
-    const char *time_unit;     /* "s", "ms", "µs", "ns" */
+    char
+        set_aside[HEADING_NAME_MAX]; /* x of a magnetometer beside the accelerometer; empty: none */
+    char chosen[COLUMNS_CHOICE_MAX]; /* by --columns, as it was stated; empty: it was not */
+    unsigned others;                 /* columns that have a heading, but are ignored */
+    int states_foreign_unit;         /* the headings state a unit that unit.h does not know */
+    reading_unit unit;               /* of x, y and z */
+    unit_origin unit_from;           /* header or none; who knows more may put it in */
+    const char *time_unit;           /* "s", "ms", "µs", "ns" */
     char name[COLUMN_COUNT][HEADING_NAME_MAX]; /* as in the header; empty: there is none */
 } recognition;
 
 /* For each meaning the index into table.field, or -1. */
 typedef struct {
     int index[COLUMN_COUNT];
+    int last;                 /* the greatest of them */
     double per_second;        /* units of the time column in a second */
     temperature_unit degrees; /* of the temperature column */
     double per_degree[2];     /* units of the columns alpha and beta in a degree */
@@ -64,17 +54,23 @@ typedef enum {
     "  std or std_x std_y std_z; n, n_samples or count; t, time or timestamp;\n"                   \
     "  temperature or temp; alpha and beta. A unit may follow: ax (g), ax [m/s^2], acc_x_mg,\n"    \
     "  time (us), t_ms, temp (K). Small and capital letters are the same; other columns are\n"     \
-    "  ignored. Logs of\n"                                                                         \
-    "  phyphox are known by their headers, and those converted by ulog2csv (PX4),\n"               \
+    "  ignored, also a magnetometer's beside an accelerometer's. A header may stand behind #.\n"   \
+    "  Logs of phyphox are known by their headers, and those converted by ulog2csv (PX4),\n"       \
     "  blackbox_decode (Betaflight, INAV), mavlogdump.py (ArduPilot) and\n"                        \
     "  rostopic echo -p (ROS).\n"
 
-/* Finds the columns of a table that has just been opened.
+/* Finds the columns of a table that has just been opened. Where it has an accelerometer and a
+ * magnetometer, x, y and z are those of the accelerometer.
  *
  * Returns EXIT_GOOD; EXIT_FILE, with a message, if x, y and z are not there or there twice, or
  * another name is there twice, or x, y and z are in different units, or the number of columns
  * tells nothing. A temperature in a unit that is none is no column of temperature. */
 int columns_find(table *t, columns_kind kind, columns *out);
+
+/* The first line has been left out (table_drop_cut_first), or the current one, the last, is to be: it is
+ * cut, which columns_is_cut tells after table_next has not come to the end. Says so. */
+void columns_say_cut(const table *t, const char *which, unsigned long line);
+int columns_is_cut(const table *t, const columns *where);
 
 /* Reads a number from the current row; the column must be there. A time is in seconds, a
  * temperature in degrees C.
@@ -90,9 +86,6 @@ double columns_angle(const table *t, const columns *where, column which);
  *
  * Returns EXIT_GOOD; EXIT_FILE, with a message. */
 int columns_check_instance(const table *t, columns *where);
-
-/* "x", "std", ... */
-const char *columns_name(column which);
 
 /* One sentence for people: "CSV with semicolons, header in line 1; time (µs), ax ay az in g;
  * ignored: 12 other columns". Cut off to `size` bytes. Returns text. */

@@ -2,6 +2,7 @@
 #include "read/positions.h"
 
 #include <float.h>
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -9,6 +10,9 @@
 #include "cli/message.h"
 #include "text/number.h"
 #include "read/table.h"
+
+#define NEAR 0.02 /* of all the range: 4 degrees */
+#define MANY 60u  /* rows: few people have as many positions */
 
 /* Makes room for twice as many. */
 static int grow(positions *p)
@@ -30,7 +34,8 @@ static int grow(positions *p)
 int positions_add(positions *p, const double mean[3], const position_origin *origin)
 {
     if (p->count == POSITIONS_MAX) {
-        message("%s:%lu: more than %u positions", p->name, origin->line, POSITIONS_MAX);
+        message("%s:%lu: more than %u positions: if these are samples, leave --positions out",
+                p->name, origin->line, POSITIONS_MAX);
         return EXIT_FILE;
     }
     if (p->count == p->capacity && grow(p)) {
@@ -58,7 +63,7 @@ static int add_noise(positions *p, const table *t, const columns *where)
         failure = columns_number(t, where, which, &std);
         if (!failure && !(std >= 0 && std * std <= DBL_MAX / POSITIONS_MAX)) {
             message("%s:%lu: column %d (%s): no standard deviation is negative or so large",
-                    t->name, t->line, where->index[which] + 1, columns_name(which));
+                    t->name, t->line, where->index[which] + 1, column_name(which));
             failure = EXIT_FILE;
         }
         if (!failure) {
@@ -104,10 +109,35 @@ static int read_rows(positions *p, table *t)
         failure = add_row(p, t, &where);
     }
     if (!failure && more == 0 && p->count == 0) {
-        message("%s: holds a header, but no position", t->name);
+        message("%s: holds a header, but no position: was anything recorded?", t->name);
         failure = EXIT_FILE;
     }
     return more < 0 ? EXIT_FILE : failure;
+}
+
+static double distance(const double *a, const double *b)
+{
+    return sqrt((a[0] - b[0]) * (a[0] - b[0]) + (a[1] - b[1]) * (a[1] - b[1]) +
+                (a[2] - b[2]) * (a[2] - b[2]));
+}
+
+/* Who turns from one position to the next is far from the one before; samples stay where they are. */
+static int look_like_samples(const positions *p)
+{
+    double low[3] = {HUGE_VAL, HUGE_VAL, HUGE_VAL};
+    double high[3] = {-HUGE_VAL, -HUGE_VAL, -HUGE_VAL};
+    unsigned near = 0;
+
+    for (size_t n = 0; n < p->count; n++) {
+        for (unsigned i = 0; i < 3; i++) {
+            low[i] = fmin(low[i], p->mean[3 * n + i]);
+            high[i] = fmax(high[i], p->mean[3 * n + i]);
+        }
+    }
+    for (size_t n = 1; n < p->count; n++) {
+        near += distance(&p->mean[3 * n - 3], &p->mean[3 * n]) < NEAR * distance(low, high);
+    }
+    return !p->has_noise && p->count >= MANY && near > p->count / 2;
 }
 
 int positions_read(positions *p, const char *path)
@@ -124,6 +154,12 @@ int positions_read(positions *p, const char *path)
     table_close(&t);
     for (int i = 0; i < 3 && !failure; i++) {
         p->noise_square[i] /= p->count;
+    }
+    if (!failure && look_like_samples(p)) {
+        message("warning: %s: this looks like a raw log, not like position means: most of its %u "
+                "rows read what the "
+                "one before does; if it is one, leave --positions out",
+                p->name, p->count);
     }
     return failure;
 }

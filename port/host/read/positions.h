@@ -22,6 +22,8 @@ typedef struct {
     double beta;
 } position_origin;
 
+struct rests_summary; /* read/rests.h */
+
 typedef struct {
     const char *name;        /* of the file, for messages */
     recognition seen;        /* what the file was taken for */
@@ -32,8 +34,9 @@ typedef struct {
     unsigned count;
     unsigned capacity;
     int has_temperature;
-    int has_angles;         /* there are columns alpha and beta */
-    int has_noise;          /* the file tells std and n of each position */
+    const struct rests_summary *rests; /* of a log: what it was found in, as long as that lives */
+    int has_angles;                    /* there are columns alpha and beta */
+    int has_noise;                     /* the file tells std and n of each position */
     double noise_square[3]; /* then for each axis the mean over the positions of std^2 / n: the
                                variance of a position mean, input units squared, finite */
     double scatter;         /* of a log: sum over the positions of the variance of a sample, */
@@ -43,8 +46,8 @@ typedef struct {
 /* Reads a table of position means ("-": standard input).
  *
  * Returns EXIT_GOOD, with at least one position; EXIT_FILE, with a message, if the file is
- * unreadable, malformed, or holds no position or more than POSITIONS_MAX. To be released with
- * positions_free in either case. */
+ * unreadable, malformed, or holds no position or more than POSITIONS_MAX. Rows that look like the samples
+ * of a log are told. To be released with positions_free in either case. */
 int positions_read(positions *p, const char *path);
 
 /* Adds one. EXIT_GOOD; EXIT_FILE, with a message, above POSITIONS_MAX or without memory. */

@@ -2,6 +2,7 @@
 #include "read/rests.h"
 
 #include <math.h>
+#include <stdlib.h>
 
 #include "cli/command.h"
 #include "cli/message.h"
@@ -10,14 +11,31 @@
 
 #define PI 3.14159265358979324
 
+#define LEAST_SECONDS 2.0 /* of a rest, see invcal/expert.h */
+
+/* One log, read as one of some rate. */
+typedef struct {
+    positions p;
+    rests_summary summary;
+    invcal_rests rests;
+    double unit;
+    double slower; /* seconds of it in a second of the log's clock */
+    recording *recording;
+} reading;
+
+/* Where nothing tells the rate, these are tried at once; the last is good for all that are slower. */
+static const unsigned guess[] = {100, 50, 25};
+
+#define GUESSES (sizeof guess / sizeof guess[0])
+#define ENOUGH INVCAL_PARAMETERS /* positions, so that no other guess is wanted */
+
 /* Too large for the stack. */
 static recording log_recording;
 
-typedef struct {
-    positions *p;
-    double unit;
-    rests_summary *summary;
-} reading;
+double rests_least(double rate)
+{
+    return fmax(LEAST_SECONDS, RESTS_SAMPLES / rate);
+}
 
 const char *rests_reason_text(invcal_status reason)
 {
@@ -44,6 +62,14 @@ const char *rests_reason_text(invcal_status reason)
 
 void rests_refuse(rests_summary *summary, invcal_status reason, recording *log)
 {
+    unsigned told = 0;
+
+    for (unsigned i = 0; i < RESTS_REASONS; i++) {
+        told += summary->refused[i];
+    }
+    if (told < RESTS_TOLD) {
+        summary->refusal[told] = (rests_refusal){log->outline.duration, log->open.line, reason};
+    }
     summary->refused[reason - INVCAL_REST_SHORT]++;
     timeline_refuse(&log->outline);
 }
@@ -113,58 +139,80 @@ void rests_end(positions *p, const samples *log, rests_summary *summary)
     p->crc = log->table.crc;
     summary->gaps = log->gaps;
     summary->skipped = log->skipped;
-    summary->seconds = (double)summary->samples / log->rate;
+    summary->seconds = (double)summary->samples / summary->rate;
+    p->rests = summary;
     p->has_temperature = log->has_temperature;
     p->has_angles = log->has_angles;
 }
 
-static int digest(reading *r, const invcal_rests *rests, invcal_event event)
+static int digest(reading *r, invcal_event event)
 {
     invcal_rest rest;
 
     if (event == INVCAL_REFUSED) {
-        rests_refuse(r->summary, invcal_rests_reason(rests), &log_recording);
+        rests_refuse(&r->summary, invcal_rests_reason(&r->rests), r->recording);
     }
-    return event == INVCAL_TAKEN && invcal_rests_get(rests, &rest)
-               ? rests_take(r->p, &rest, r->unit, &log_recording)
+    return event == INVCAL_TAKEN && invcal_rests_get(&r->rests, &rest)
+               ? rests_take(&r->p, &rest, r->unit, r->recording)
                : EXIT_GOOD;
 }
 
-static int read_samples(reading *r, samples *log, invcal_rests *rests)
+static int feed(reading *r, const samples *log, sample s)
+{
+    if (s.is_gap) {
+        invcal_rests_gap(&r->rests);
+    }
+    s.clock *= r->slower;
+    r->summary.samples++;
+    recording_sample(r->recording, log, &s);
+    const invcal_event event = invcal_rests_feed(&r->rests, s.raw);
+    if (event == INVCAL_NOTHING) {
+        return EXIT_GOOD;
+    }
+    recording_filled(r->recording);
+    return digest(r, event);
+}
+
+static int read_samples(reading *r, unsigned readings, samples *log)
 {
     sample s;
     int more;
     int failure = EXIT_GOOD;
 
-    recording_begin(&log_recording, log);
     while (!failure && (more = samples_next(log, &s)) == 1) {
-        if (s.is_gap) {
-            invcal_rests_gap(rests);
+        for (unsigned k = 0; k < readings && !failure; k++) {
+            failure = k == 0 || r->p.count < ENOUGH ? feed(&r[k], log, s) : EXIT_GOOD;
         }
-        r->summary->samples++;
-        recording_sample(&log_recording, log, &s);
-        const invcal_event event = invcal_rests_feed(rests, s.raw);
-        if (event != INVCAL_NOTHING) {
-            recording_filled(&log_recording);
-            failure = digest(r, rests, event);
-        }
-        progress_show(log->table.file, log->table.line, r->p->count);
+        progress_show(log->table.file, log->table.line, r->p.count);
     }
     progress_end();
-    if (failure || more < 0) {
-        return EXIT_FILE;
+    failure = failure || more < 0 ? EXIT_FILE : EXIT_GOOD;
+    for (unsigned k = 0; k < readings && !failure; k++) {
+        failure = digest(&r[k], invcal_rests_finish(&r[k].rests));
     }
-    return digest(r, rests, invcal_rests_finish(rests));
+    return failure;
 }
 
-static int begin(invcal_rests *rests, const samples *log, const double *clip)
+/* `guessed`: samples a second; 0: the log's own. */
+static int begin(reading *r, const samples *log, const double *clip, unsigned guessed)
 {
-    if (invcal_rests_init(rests, samples_whole_rate(log)) != INVCAL_OK) {
-        message("%s: %.6g samples a second: rests are found at 8 to 8000", log->table.name,
-                log->rate);
+    const double rate = guessed > 0 ? guessed : log->rate;
+
+    r->p = (positions){.name = log->table.name, .has_noise = 1, .seen = log->where.seen};
+    r->summary = (rests_summary){.rate = rate,
+                                 .is_rate_known = log->is_rate_known,
+                                 .track = r->recording,
+                                 .unit = log->unit};
+    r->unit = log->unit;
+    r->slower = log->rate / rate;
+    recording_begin(r->recording, log);
+    timeline_begin(&r->recording->outline, rate);
+    if (invcal_rests_init(&r->rests, guessed > 0 ? guessed : samples_whole_rate(log)) !=
+        INVCAL_OK) {
+        message("%s: %.6g samples a second: rests are found at 8 to 8000", log->table.name, rate);
         return EXIT_FILE;
     }
-    if (clip && invcal_rests_rails(rests, samples_count(log, clip[0]),
+    if (clip && invcal_rests_rails(&r->rests, samples_count(log, clip[0]),
                                    samples_count(log, clip[1])) != INVCAL_OK) {
         message("%s: --clip: the two are the same reading", log->table.name);
         return EXIT_FILE;
@@ -172,22 +220,57 @@ static int begin(invcal_rests *rests, const samples *log, const double *clip)
     return EXIT_GOOD;
 }
 
+/* The first that has found enough, or else the first. */
+static unsigned choose(const reading *r, unsigned readings)
+{
+    for (unsigned k = 0; k < readings; k++) {
+        if (r[k].p.count >= ENOUGH) {
+            return k;
+        }
+    }
+    return 0;
+}
+
+/* All readings at once, the first in log_recording, the others in theirs. `best` is to be taken. */
+static int read_log(reading *r, unsigned readings, recording *others, samples *log,
+                    const double *clip, unsigned *best)
+{
+    int failure = EXIT_GOOD;
+
+    for (unsigned k = 0; k < readings && !failure; k++) {
+        r[k].recording = k == 0 ? &log_recording : &others[k - 1];
+        failure = begin(&r[k], log, clip, log->is_rate_known ? 0 : guess[k]);
+    }
+    failure = failure ? failure : read_samples(r, readings, log);
+    *best = failure ? 0 : choose(r, readings);
+    if (*best > 0) {
+        log_recording = others[*best - 1];
+        r[*best].summary.track = &log_recording;
+    }
+    return failure;
+}
+
 int rests_read(positions *p, const char *path, double rate, const double clip[2],
                rests_summary *summary)
 {
     static samples log; /* too large for the stack */
-    invcal_rests rests;
+    reading r[GUESSES] = {{.p = {.name = NULL}}};
+    unsigned best = 0;
     int failure = samples_open(&log, path, rate, 0);
-    reading r = {p, log.unit, summary};
+    recording *others = failure || log.is_rate_known ? NULL : calloc(GUESSES - 1, sizeof *others);
+    const unsigned readings = others ? GUESSES : 1; /* without the memory the first has to do */
 
-    *p = (positions){.name = log.table.name, .has_noise = 1, .seen = log.where.seen};
-    *summary = (rests_summary){.rate = log.rate,
-                               .is_rate_known = log.is_rate_known,
-                               .track = &log_recording,
-                               .unit = log.unit};
-    failure = failure ? failure : begin(&rests, &log, clip);
-    failure = failure ? failure : read_samples(&r, &log, &rests);
+    r[0].p.name = log.table.name;
+    failure = failure ? failure : read_log(r, readings, others, &log, clip, &best);
     samples_close(&log);
+    free(others);
+    for (unsigned k = 0; k < readings; k++) {
+        if (k != best) {
+            positions_free(&r[k].p);
+        }
+    }
+    *p = r[best].p;
+    *summary = r[best].summary;
     rests_end(p, &log, summary);
     return failure;
 }

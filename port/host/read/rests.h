@@ -12,18 +12,31 @@
 /* INVCAL_REST_SHORT ... INVCAL_REST_SAME: why a rest is no position. */
 enum { RESTS_REASONS = INVCAL_REST_SAME - INVCAL_REST_SHORT + 1 };
 
-/* What was seen besides the positions. */
+#define RESTS_SAMPLES 50u /* that a rest takes at least, where they are slow */
+#define RESTS_TOLD 10u    /* of the refused ones */
+
 typedef struct {
+    double end;         /* seconds from the first sample, about */
+    unsigned long line; /* about there */
+    invcal_status why;  /* an INVCAL_REST_ */
+} rests_refusal;
+
+/* What was seen besides the positions. */
+typedef struct rests_summary {
     unsigned long samples;
     double seconds;
     double rate;
     int is_rate_known;
-    unsigned long gaps;              /* in the times, or of lines that were skipped */
-    unsigned long skipped;           /* malformed lines of a live stream */
-    unsigned refused[RESTS_REASONS]; /* rests, by their reason, from INVCAL_REST_SHORT on */
-    const recording *track;          /* and what is remembered of the log, */
-    double unit;                     /* a count of which is so many input units */
+    unsigned long gaps;                /* in the times, or of lines that were skipped */
+    unsigned long skipped;             /* malformed lines of a live stream, cut ones of a log */
+    unsigned refused[RESTS_REASONS];   /* rests, by their reason, from INVCAL_REST_SHORT on */
+    rests_refusal refusal[RESTS_TOLD]; /* the first of them */
+    const recording *track;            /* what is remembered of the log, */
+    double unit;                       /* a count of which is so many input units */
 } rests_summary;
+
+/* Seconds that a rest takes at least, so that it is found at this rate. */
+double rests_least(double rate);
 
 /* Why a rest is no position, or its mean no reading of this field. */
 const char *rests_reason_text(invcal_status reason);
@@ -37,7 +50,9 @@ int rests_take(positions *p, const invcal_rest *rest, double unit, const recordi
 /* All rests are taken, and so is the log: completes the positions and the summary. */
 void rests_end(positions *p, const samples *log, rests_summary *summary);
 
-/* Finds the rests in a log ("-": standard input), in fixed memory but for the positions.
+/* Finds the rests in a log ("-": standard input), in fixed memory but for the positions. Where nothing
+ * tells the rate, 100 samples a second are taken for it; if that finds too few for a calibration, but 50
+ * or 25 enough, these.
  *
  * rate  samples a second; 0: see samples.h.
  * clip  null, or the least and the greatest reading of the sensor, input units.

@@ -52,6 +52,12 @@ static int next_row(samples *s, double v[SAMPLES_NUMBERS])
 {
     for (unsigned skipped = 0; skipped < SKIPPED_MAX; skipped++) {
         const int more = table_next(&s->table);
+        if (more != 0 && !s->is_live && s->count + s->ahead_count > 0 &&
+            columns_is_cut(&s->table, &s->where)) {
+            columns_say_cut(&s->table, "last", s->table.line);
+            s->skipped++;
+            return 0;
+        }
         if (more == 0 || (more == 1 && read_numbers(s, v) == EXIT_GOOD)) {
             return more;
         }
@@ -81,7 +87,7 @@ static int read_ahead(samples *s)
         return EXIT_FILE;
     }
     if (s->ahead_count == 0) {
-        message("%s: holds no sample", s->table.name);
+        message("%s: holds no sample, only a header: was anything recorded?", s->table.name);
         return EXIT_FILE;
     }
     return EXIT_GOOD;
@@ -163,6 +169,15 @@ static int find_rate(samples *s)
 /* If the first line of a live stream was cut beyond recognition, the second tells. */
 static int find_columns(samples *s)
 {
+    unsigned long cut = 0;
+
+    if (!s->is_live && table_drop_cut_first(&s->table, &cut)) {
+        return EXIT_FILE;
+    }
+    if (cut > 0) {
+        columns_say_cut(&s->table, "first", cut);
+        s->skipped++;
+    }
     const int failure = columns_find(&s->table, COLUMNS_LOG, &s->where);
 
     if (!failure || !s->is_live || s->table.has_header) {
@@ -170,7 +185,7 @@ static int find_columns(samples *s)
     }
     (void)table_next(&s->table); /* the first */
     (void)table_next(&s->table); /* has another number of columns, and is told */
-    s->table.columns = s->table.found;
+    s->table.columns = s->table.found > 0 ? s->table.found : s->table.columns;
     s->skipped = 2;
     return columns_find(&s->table, COLUMNS_LOG, &s->where);
 }
@@ -185,6 +200,8 @@ int samples_open(samples *s, const char *path, double rate, int live)
     s->longest = HUGE_VAL; /* with a given rate times may be of any unit */
     int failure = table_open(&s->table, path);
 
+    s->table.is_log = !live;
+    s->table.is_forgiving = live;
     failure = failure ? failure : find_columns(s);
     failure = failure ? failure : read_ahead(s);
     if (failure) {

@@ -50,7 +50,7 @@ typedef struct {
     double clock;
     unsigned long count;
     unsigned long gaps;
-    unsigned long skipped; /* malformed lines of a live stream */
+    unsigned long skipped; /* malformed lines of a live stream; else a first or last that is cut */
     double longest;        /* step of time that is none */
     int is_live;
     int is_broken; /* a line has been skipped just now */
@@ -58,7 +58,7 @@ typedef struct {
 
 /* Opens a log ("-": standard input).
  *
- * live  0: a malformed line is an error. 1: a stream that goes on whatever comes; malformed lines
+ * live  0: a malformed line is an error, but a first or last one that is cut is told and left out. 1: a stream that goes on whatever comes; malformed lines
  *       are told, skipped and counted as gaps, up to a hundred in a row, and if the first line was
  *       cut, the second decides about the columns.
  * rate  samples a second, or 0: the times tell (the middle of their steps), or 100.

@@ -3,6 +3,9 @@
 
 #include <string.h>
 
+#define PICTURE(kind) "a picture (" kind "): the readings themselves are needed, as CSV"
+#define MARKUP "a web page or XML: download or export the table itself, as CSV"
+
 const char *signature_find(const char *bytes, size_t length)
 {
     static const struct {
@@ -20,9 +23,34 @@ const char *signature_find(const char *bytes, size_t length)
         {"LabVIEW Measurement", 19,
          "a LabVIEW measurement file: delete the lines above the one that begins with X_Value"},
         {"#ROSBAG", 7, "a ROS bag: convert its IMU topic with rostopic echo -p"},
+        {"SQLite format 3", 15,
+         "an SQLite database, such as a ROS 2 bag: export the table of the accelerometer as CSV"},
+        {"\x89MCAP0", 6, "an MCAP recording: export the topic of the accelerometer as CSV"},
+        {"MATLAB 5.0 MAT-file", 19, "a MATLAB file: save the table there with writematrix, as CSV"},
+        {"\x89HDF", 4, "an HDF5 or MATLAB file: export the readings there as CSV"},
+        {"\x93NUMPY", 6, "a NumPy array: save it with numpy.savetxt"},
         {"PK\x03\x04", 4, "a ZIP file or an Excel workbook: unpack it, or save the sheet as CSV"},
         {"\xd0\xcf\x11\xe0", 4, "an old Excel workbook: save the sheet as CSV"},
         {"\x1f\x8b", 2, "a gzip file: unpack it with gunzip"},
+        {"BZh", 3, "a bzip2 file: unpack it with bunzip2"},
+        {"\xfd"
+         "7zXZ",
+         5, "an xz file: unpack it with unxz"},
+        {"(\xb5/\xfd", 4, "a Zstandard file: unpack it with unzstd"},
+        {"7z\xbc\xaf\x27\x1c", 6, "a 7-Zip file: unpack it"},
+        {"Rar!\x1a", 5, "a RAR file: unpack it"},
+        {"\x89PNG", 4, PICTURE("PNG")},
+        {"\xff\xd8\xff", 3, PICTURE("JPEG")},
+        {"GIF8", 4, PICTURE("GIF")},
+        {"II*", 3, PICTURE("TIFF")},
+        {"MM\0*", 4, PICTURE("TIFF")},
+        {"%PDF-", 5, "a PDF document: export the readings as CSV where they were recorded"},
+        {"{\\rtf", 5, "an RTF document: save it as plain text"},
+        {"<!DOCTYPE", 9, MARKUP},
+        {"<html", 5, MARKUP},
+        {"<?xml", 5, MARKUP},
+        {"<svg", 4, PICTURE("SVG")},
+        {"{", 1, "JSON: a table is expected, one sample a line; write x, y, z of each as CSV"},
         {"\xff\xfe", 2, "UTF-16 text: save it as UTF-8"},
         {"\xfe\xff", 2, "UTF-16 text: save it as UTF-8"},
     };

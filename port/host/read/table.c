@@ -49,7 +49,9 @@ static int check_text(const table *t, size_t length)
     for (size_t i = 0; i < length; i++) {
         const unsigned char c = (unsigned char)t->text[i];
         if (c < ' ' && c != '\t') {
-            message("%s:%lu: byte %lu of the line has the value %u: this is not a text file",
+            message("%s:%lu: byte %lu of the line has the value %u: this is not a text file; "
+                    "export the "
+                    "readings as CSV",
                     t->name, t->line, (unsigned long)i + 1, (unsigned)c);
             return -1;
         }
@@ -58,11 +60,11 @@ static int check_text(const table *t, size_t length)
 }
 
 /* So that a report can say which file it was. */
-static void count_bytes(table *t, size_t length, size_t has_end)
+static void count_bytes(table *t, size_t length, int has_end)
 {
     t->crc = crc_update(t->crc, t->text, length);
-    t->crc = crc_update(t->crc, "\n", has_end);
-    t->bytes += length + has_end;
+    t->crc = crc_update(t->crc, "\n", (size_t)has_end);
+    t->bytes += length + (size_t)has_end;
 }
 
 /* Reads a line into text, without its end. 1, 0 at the end of the file, -1. */
@@ -80,7 +82,8 @@ static int read_line(table *t)
             return -1;
         }
         if (length == TABLE_LINE_MAX) {
-            message("%s:%lu: the line is longer than %u bytes", t->name, t->line, TABLE_LINE_MAX);
+            message("%s:%lu: the line is longer than %u bytes: a table has one sample a line",
+                    t->name, t->line, TABLE_LINE_MAX);
             return -1;
         }
         t->text[length++] = (char)c;
@@ -92,7 +95,8 @@ static int read_line(table *t)
         message("%s:%lu: cannot be read: %s", t->name, t->line, strerror(errno));
         return -1;
     }
-    count_bytes(t, length, c == '\n');
+    t->has_end = c == '\n';
+    count_bytes(t, length, t->has_end);
     length -= length > 0 && t->text[length - 1] == '\r';
     t->text[length] = '\0';
     return check_text(t, length);
@@ -136,6 +140,16 @@ static int is_comment(const table *t, const char *start)
     }
 }
 
+/* The last comment above the table, without its mark. */
+static void keep_comment(table *t, const char *start)
+{
+    start += strspn(start, "#%/; \t");
+    if (t->first_line == 0 && strlen(start) < sizeof t->comment) {
+        memcpy(t->comment, start, strlen(start) + 1);
+        t->comment_line = t->line;
+    }
+}
+
 /* Reads up to the next line that holds something. */
 static int read_row(table *t)
 {
@@ -146,7 +160,9 @@ static int read_row(table *t)
         }
         strip_mark(t);
         const char *start = skip_blanks(t->text);
-        if (*start != '\0' && !is_comment(t, start) && !takes_separator(t)) {
+        if (*start != '\0' && is_comment(t, start)) {
+            keep_comment(t, start);
+        } else if (*start != '\0' && !takes_separator(t)) {
             return 1;
         }
     }
@@ -232,10 +248,10 @@ static char *end_plain(const table *t, char *start)
     return start;
 }
 
-/* Cuts the line into fields. Their number; 0, with a message, if it is malformed. */
-static unsigned split(table *t)
+/* Cuts a line into fields. Their number; 0 if it is malformed, and then *at is the column whose quotes do
+ * not match, or the first that there is no room for. */
+static unsigned cut(table *t, char *c, unsigned *at)
 {
-    char *c = t->text;
     unsigned count = 0;
     int last = 0;
 
@@ -247,18 +263,34 @@ static unsigned split(table *t)
             return count; /* blanks at the end of a line separate nothing */
         }
         if (count == TABLE_COLUMNS_MAX) {
-            message("%s:%lu: more than %u columns", t->name, t->line, TABLE_COLUMNS_MAX);
+            *at = count + 1;
             return 0;
         }
         char *end = *c == '"' ? end_quoted(t, &c) : end_plain(t, c);
         t->field[count++] = c;
         if (!end) {
-            message("%s:%lu: column %u: the quotes do not match", t->name, t->line, count);
+            *at = count;
             return 0;
         }
         last = *end == '\0';
         strip_end(c, end);
         c = end + 1;
+    }
+    return count;
+}
+
+/* Cuts the current line. Its number of fields; 0, with a message, if it is malformed. */
+static unsigned split(table *t)
+{
+    unsigned at = 0;
+    const unsigned count = cut(t, t->text, &at);
+
+    if (count == 0 && at > TABLE_COLUMNS_MAX) {
+        message("%s:%lu: more than %u columns: leave those of the accelerometer", t->name, t->line,
+                TABLE_COLUMNS_MAX);
+    } else if (count == 0) {
+        message("%s:%lu: column %u: the quotes do not match%s", t->name, t->line, at,
+                table_remedy(t));
     }
     return count;
 }
@@ -311,10 +343,11 @@ static int skip_preamble(table *t)
         t->preamble++;
     }
     if (more == 0 && t->preamble > 0) {
-        message("%s:%lu: lines of two columns, a name and another, are no table of x, y, z",
+        message("%s:%lu: lines of two columns, a name and another, are no table of x, y, z: "
+                "save the samples, one a line",
                 t->name, t->first_line);
     } else if (more == 0) {
-        message("%s: is empty", t->name);
+        message("%s: is empty: was it copied whole?", t->name);
     }
     return more == 1 ? EXIT_GOOD : EXIT_FILE;
 }
@@ -329,7 +362,10 @@ static int open_table(table *t, const char *path, int has_pairs)
 {
     t->has_pairs = has_pairs;
     t->name = input_name(path);
-    t->line = 0;
+    t->line = t->first_line = 0;
+    t->comment_line = 0;
+    t->has_next = 0;
+    t->is_log = t->is_forgiving = 0;
     t->bytes = t->crc = 0;
     t->separator = '\0';
     t->preamble = 0;
@@ -367,29 +403,64 @@ static int may_be_decimal_commas(const table *t)
     return t->separator == ',' && t->found > t->columns && t->found <= 2 * t->columns;
 }
 
-/* Counts the columns of a row below the first. */
-static int check_columns(table *t)
+/* Nothing follows. Not for a stream that is still going on, which it would wait for. */
+static int is_at_end(const table *t)
 {
-    unsigned columns = split(t);
+    const int c = getc_unlocked(t->file);
 
+    return c == EOF || ungetc(c, t->file) == EOF;
+}
+
+/* The field is no number, but would be with this before and that behind it. */
+static int is_part(const char *before, const char *field, const char *behind)
+{
+    char text[TABLE_EXCERPT_MAX];
+    double number;
+
+    return strlen(field) + 3 < sizeof text && number_parse(field, &number) != NUMBER_OK &&
+           snprintf(text, sizeof text, "%s%s%s", before, field, behind) > 0 &&
+           number_parse(text, &number) == NUMBER_OK;
+}
+
+int table_is_cut(const table *t, unsigned column)
+{
+    const int is_short = t->found > 0 && t->found < t->columns && is_at_end(t);
+
+    return (is_short && (number_is_meant(t->field[0]) || is_part("", t->field[0], "0"))) ||
+           (!t->has_end && t->found == t->columns && column + 1 == t->columns &&
+            is_part("", t->field[column], "0"));
+}
+
+/* A row has so many columns. 1; -1, with a message, if that is not as many as the first has. */
+static int check_columns(table *t, unsigned columns)
+{
     if (columns == 0) {
         t->found = 0;
         return -1;
     }
-    if (!t->has_row) { /* the first below a header, which may not have had that separator */
+    const int is_first = !t->has_row;
+    if (is_first) { /* the first below a header, which may not have had that separator */
         t->is_trailing = columns == t->columns + 1 && ends_empty(t, columns);
         t->has_row = 1;
     }
     columns -= t->is_trailing && columns == t->columns + 1 && ends_empty(t, columns);
     t->found = columns;
-    if (columns != t->columns) {
+    if (columns != t->columns && (is_first || !t->is_log || !table_is_cut(t, 0))) {
         message("%s:%lu: %u column%s, but line %lu has %u, separated by %s%s", t->name, t->line,
                 columns, columns == 1 ? "" : "s", t->first_line, t->columns, table_separator(t),
                 may_be_decimal_commas(t)
                     ? ": if these are decimal commas, save the table with decimal points"
-                    : "");
+                    : table_remedy(t));
     }
     return columns == t->columns ? 1 : -1;
+}
+
+/* The row that has been read already. */
+static void take_next(table *t)
+{
+    memcpy((void *)t->field, (const void *)t->next, sizeof t->next);
+    t->line = t->next_line;
+    t->has_next = 0;
 }
 
 int table_next(table *t)
@@ -398,8 +469,99 @@ int table_next(table *t)
         t->pending = 0;
         return t->pending_result;
     }
+    if (t->has_next) {
+        take_next(t);
+        return check_columns(t, t->next_found);
+    }
     const int more = read_row(t);
-    return more == 1 ? check_columns(t) : more;
+    t->found = more < 0 ? 0 : t->found;
+    return more == 1 ? check_columns(t, split(t)) : more;
+}
+
+/* ---- what is odd about the first lines ----------------------------------------------------------------------- */
+
+int table_comment_header(table *t)
+{
+    const char separator = t->separator;
+    unsigned at;
+
+    if (t->has_header || !t->pending || t->comment_line == 0) {
+        return 0;
+    }
+    memcpy((void *)t->next, (const void *)t->field, sizeof t->next);
+    t->next_line = t->line;
+    t->next_found = t->columns;
+    t->has_next = 1;
+    t->pending = 0;
+    t->separator = find_separator(t->comment);
+    unsigned columns = cut(t, t->comment, &at);
+    columns -= columns > 0 && ends_empty(t, columns);
+    t->separator = separator;
+    t->line = t->first_line = t->comment_line;
+    t->has_header = columns == t->columns && is_header(t);
+    if (!t->has_header) {
+        table_drop_header(t);
+    }
+    return t->has_header;
+}
+
+void table_drop_header(table *t)
+{
+    take_next(t);
+    t->has_header = t->has_next = 0;
+    t->first_line = t->line;
+    t->comment_line = 0;
+    t->pending = 1;
+}
+
+/* Puts the current row aside, so that the next line can be read. */
+static void hold(table *t, char *row[TABLE_COLUMNS_MAX])
+{
+    memcpy(t->held, t->text, sizeof t->held);
+    for (unsigned i = 0; i < t->columns; i++) {
+        row[i] = t->held + (t->field[i] - t->text);
+    }
+}
+
+/* Whether a first row is the end of one like the current. */
+static int is_end_of_row(const table *t, char *const row[TABLE_COLUMNS_MAX], unsigned columns)
+{
+    return columns > t->columns || (columns == t->columns && row[0] && is_part("1", row[0], ""));
+}
+
+int table_drop_cut_first(table *t, unsigned long *cut)
+{
+    const unsigned long line = t->line;
+    char *row[TABLE_COLUMNS_MAX] = {NULL};
+
+    *cut = 0;
+    if (t->has_header || !t->pending || t->comment_line > 0) { /* a comment begins a whole file */
+        return EXIT_GOOD;
+    }
+    hold(t, row);
+    const int more = read_row(t);
+    if (more == 1 && t->columns == 1) { /* it need not hold a separator */
+        t->separator = find_separator(t->text);
+    }
+    const unsigned found = more == 1 ? split(t) : 0;
+    const int is_trailing = found > 0 && ends_empty(t, found);
+    if (more != 0 && found == 0) {
+        return EXIT_FILE;
+    }
+    if (found > 0 && is_end_of_row(t, row, found - (unsigned)is_trailing)) {
+        t->columns = t->found = found - (unsigned)is_trailing;
+        t->is_trailing = is_trailing;
+        t->first_line = t->line;
+        *cut = line;
+        return EXIT_GOOD;
+    }
+    memcpy((void *)t->next, (const void *)t->field, sizeof t->next);
+    memcpy((void *)t->field, (const void *)row, t->columns * sizeof *row);
+    t->next_found = found;
+    t->next_line = t->line;
+    t->has_next = more != 0;
+    t->line = line;
+    return EXIT_GOOD;
 }
 
 int table_peek(table *t)
@@ -427,6 +589,11 @@ const char *table_separator(const table *t)
     default:
         return "blanks";
     }
+}
+
+const char *table_remedy(const table *t)
+{
+    return t->is_forgiving ? ": skipped" : ": put the line right, or delete it";
 }
 
 const char *table_excerpt(const char *field, char text[TABLE_EXCERPT_MAX])

@@ -6,6 +6,8 @@
 #include <string.h>
 
 #include "cli/command.h"
+#include "result/need.h"
+#include "text/number.h"
 
 static double length(const double v[3])
 {
@@ -25,7 +27,7 @@ static void find_positions(report_facts *f)
         const invcal_calibration here = calibrate_at(r, n);
         calibrate_level(r, n, v);
         invcal_apply(&here, v, v);
-        at->after = f->parts * (length(v) - 1);
+        at->after = f->parts * calibrate_excess(r, n);
         for (unsigned i = 0; i < 3; i++) {
             at->up[i] = length(v) > 0 ? v[i] / length(v) : i == 2;
         }
@@ -63,14 +65,28 @@ static void set_marks(report_facts *f)
     f->mark[f->count].kind = SPHERE_NEXT;
 }
 
+/* Of what a prior tells the ± is 1.96 sigma. */
+static double worst_length(const report_facts *f)
+{
+    const fit_quality *q = &f->result->quality;
+    uncertainty one;
+
+    calibrate_spread(f->result, f->noise, &one);
+    return f->knows_noise ? uncertainty_half(&one, one.worst, q->coverage, q->from_prior)
+                          : f->length_spread.most;
+}
+
 int report_facts_find(report_facts *f, const calibrate_result *result, const calibrate_wish *wish)
 {
-    *f = (report_facts){.result = result, .wish = wish, .count = result->data->count};
+    *f = (report_facts){.result = result, .wish = wish, .count = result->data->count, .has_up = 1};
+    f->asked = pass_judge(result);
     f->is_gravity = unit_is_gravity(result->settings.field);
     f->parts = told_parts(result->told, f->is_gravity).scale;
     f->unit = told_parts(result->told, f->is_gravity).unit;
     f->length = f->is_gravity ? "|a|" : "length";
+    f->has_before = !nominal_is_guess(&result->nominal);
     f->knows_noise = calibrate_knows_noise(result);
+    f->coverage = f->knows_noise ? result->quality.coverage : NUMBER_UNKNOWN;
     f->noise = f->knows_noise ? f->parts * result->quality.noise : 1;
     f->position = calloc(f->count, sizeof *f->position);
     f->mark = calloc((size_t)f->count + 1, sizeof *f->mark);
@@ -79,7 +95,10 @@ int report_facts_find(report_facts *f, const calibrate_result *result, const cal
         return EXIT_FILE;
     }
     find_positions(f);
-    calibrate_spread(result, f->noise, &f->length_sigma);
+    calibrate_spread(result, f->knows_noise ? f->coverage * f->noise : REPORT_NORMAL,
+                     &f->length_spread);
+    f->length_worst = worst_length(f);
+    f->field_spread = f->knows_noise ? f->parts * need_of_field(result) : 0;
     set_marks(f);
     return EXIT_GOOD;
 }

@@ -60,7 +60,8 @@ static void draw_histogram(FILE *file, const void *data, double width)
     const report_facts *f = data;
     const histogram h = find_histogram(f);
     const double reach = REACH * h.sigma;
-    const ruler x = chart_ruler_exact(-reach, reach, LEFT, width - RIGHT, 8);
+    const ruler x =
+        chart_ruler_exact(-reach, reach, LEFT, width - RIGHT, width > PAGE_NARROW ? 8 : 4);
     double most = expected(&h, 0);
     char title[64];
 

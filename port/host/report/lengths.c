@@ -8,7 +8,7 @@
 #include "draw/chart.h"
 #include "report/facts.h"
 
-#define LEFT 62.0
+#define LEFT 68.0
 #define RIGHT 10.0
 #define TOP 48.0
 #define PLOT 150.0
@@ -92,7 +92,7 @@ static void draw_lengths(FILE *file, const void *data, double width)
 {
     const report_facts *f = data;
     const timeline *outline = &f->result->log->track->outline;
-    const int has_before = !nominal_is_guess(&f->result->nominal);
+    const int has_before = f->has_before;
     const plot p = {
         f,
         chart_ruler_exact(0, outline->duration, LEFT, width - RIGHT, width > PAGE_NARROW ? 10 : 5),
@@ -121,7 +121,7 @@ static void draw_lengths(FILE *file, const void *data, double width)
 
 void report_lengths(page *p, const report_facts *f)
 {
-    if (f->result->log && recording_count(f->result->log->track) > 0) {
+    if (f->result->log && !f->result->refused.word && recording_count(f->result->log->track) > 0) {
         page_panorama(
             p,
             "The length of the readings, averaged over a part of a second. What is beyond "

@@ -8,9 +8,25 @@
 
 #define CELL 160
 #define LISTED 1000u /* positions in the table; of more only those left out and the worst */
+#define FAR_OFF 1e3  /* times the mean length */
 #define OPEN 48u     /* up to here the table is unfolded */
 
-enum { NUMBER, LINE, BEGIN, LENGTH, TEMPERATURE, X, Y, Z, UP, BEFORE, AFTER, REMARK, COLUMNS };
+enum {
+    NUMBER,
+    LINE,
+    BEGIN,
+    DURATION,
+    TEMPERATURE,
+    X,
+    Y,
+    Z,
+    UP,
+    LENGTH, /* of what was refused, over the mean of all */
+    BEFORE,
+    AFTER,
+    REMARK,
+    COLUMNS
+};
 
 /* A log has times, a table of means has lines. */
 static int is_shown(const report_facts *f, unsigned which)
@@ -19,12 +35,20 @@ static int is_shown(const report_facts *f, unsigned which)
     case LINE:
         return !f->result->log;
     case BEGIN:
-    case LENGTH:
+    case DURATION:
         return f->result->log != NULL;
     case TEMPERATURE:
         return f->result->data->has_temperature;
+    case UP:
+        return f->has_up;
+    case LENGTH:
+        return f->has_up && f->result->refused.word;
+    case BEFORE:
+        return f->has_before && !f->result->refused.word;
+    case AFTER:
+        return !f->result->refused.word;
     case REMARK:
-        return f->result->rejected.count > 0;
+        return f->result->rejected.count > 0 || f->result->refused.is_of_position;
     default:
         return 1;
     }
@@ -44,7 +68,7 @@ static void write_row(page *p, const page_table *sheet, const report_facts *f, u
     snprintf(text[NUMBER], CELL, "%u", n + 1);
     snprintf(text[LINE], CELL, "%lu", from->line);
     snprintf(text[BEGIN], CELL, "%.2f", from->begin);
-    snprintf(text[LENGTH], CELL, "%.2f", from->end - from->begin);
+    snprintf(text[DURATION], CELL, "%.2f", from->end - from->begin);
     snprintf(text[TEMPERATURE], CELL, "%.2f", from->temperature);
     for (unsigned i = 0; i < 3; i++) {
         const double sigma = f->knows_noise ? f->result->quality.sigma_offset[i] : 0;
@@ -56,7 +80,11 @@ static void write_row(page *p, const page_table *sheet, const report_facts *f, u
     snprintf(text[UP], CELL, "%.9s %.9s %.9s", number[0], number[1], number[2]);
     figure_fixed(at->before, is_ins ? 1 : 3, FIGURE_SIGNED, text[BEFORE]);
     figure_fixed(at->after, is_ins ? 2 : 4, FIGURE_SIGNED, text[AFTER]);
-    snprintf(text[REMARK], CELL, "%s", at->is_left_out ? "left out" : "");
+    snprintf(text[LENGTH], CELL, at->length < FAR_OFF ? "%.3f" : "far off", at->length);
+    snprintf(text[REMARK], CELL, "%s",
+             !at->is_left_out          ? ""
+             : f->result->refused.word ? "refused"
+                                       : "left out");
     for (unsigned k = 0; k < COLUMNS; k++) {
         if (is_shown(f, k)) {
             cells[count++] = text[k];
@@ -71,13 +99,17 @@ static int is_listed(const report_facts *f, unsigned n)
     const report_position *at = &f->position[n];
 
     return f->count <= LISTED || at->is_left_out ||
-           fabs(at->after) >= 0.7 * f->parts * f->result->quality.max;
+           (!f->result->refused.word && fabs(at->after) >= 0.7 * f->parts * f->result->quality.max);
 }
 
 void report_numbers(page *p, const report_facts *f)
 {
-    static const char *const all[COLUMNS] = {"no.", "line", "from, s", "for, s", "°C",    "x",
-                                             "y",   "z",    "up",      "before", "after", "remark"};
+    if (f->count == 0) {
+        return;
+    }
+    static const char *const all[COLUMNS] = {"no.",    "line",  "from, s", "for, s", "°C",
+                                             "x",      "y",     "z",       "up",     "length",
+                                             "before", "after", "remark"};
     const char *titles[COLUMNS];
     char summary[CELL];
     char caption[CELL];
@@ -89,12 +121,18 @@ void report_numbers(page *p, const report_facts *f)
         }
     }
     snprintf(summary, sizeof summary,
-             f->count <= LISTED ? "All %u positions"
-                                : "The positions left out and the worst, of %u",
+             f->count <= LISTED        ? "All %u positions"
+             : f->result->refused.word ? "Those refused of %u positions"
+                                       : "The positions left out and the worst, of %u",
              f->count);
     snprintf(caption, sizeof caption,
-             "x y z: mean reading, %s. Up: in the calibrated axes. Before and after: deviation of "
-             "%s, %s.",
+             f->result->refused.word
+                 ? "x y z: mean reading, %s. Up: as in the picture above. Length: over the "
+                   "mean of all; what stands out may be wrong."
+             : f->has_before ? "x y z: mean reading, %s. Up: in the calibrated axes. Before and "
+                               "after: deviation of %s, %s."
+                             : "x y z: mean reading, %s. Up: in the calibrated axes. After: "
+                               "deviation of %s, %s.",
              calibrate_input_unit(f->result), f->length, f->unit);
     page_section(p, "The positions in numbers");
     page_fold_begin(p, summary, f->count <= OPEN);

@@ -9,6 +9,7 @@
 #include "maths/matrix.h"
 #include "design/parameters.h"
 #include "report/facts.h"
+#include "text/number.h"
 
 #define CELL 160
 #define ROW 22.0
@@ -44,28 +45,30 @@ static double value_of(const report_facts *f, unsigned kind, unsigned i)
     return scale_of(f, kind) * f->result->solution.x[3 * kind + i];
 }
 
-/* NaN: not known. */
-static double sigma_of(const report_facts *f, unsigned kind, unsigned i)
+/* Half of what holds the truth in 95 % of cases. NaN: not known. */
+static double spread_of(const report_facts *f, unsigned kind, unsigned i)
 {
-    return f->knows_noise ? scale_of(f, kind) * f->result->quality.sigma[3 * kind + i]
-                          : (double)NAN;
+    const unsigned p = 3 * kind + i;
+    const double coverage = f->knows_noise ? fit_coverage(&f->result->quality, p) : NUMBER_UNKNOWN;
+
+    return scale_of(f, kind) * coverage * f->result->quality.sigma[p];
 }
 
 /* Of the data sheet, or NaN. */
-static double limit_of(const report_facts *f, unsigned kind)
+static double limit_of(const report_facts *f, unsigned kind, unsigned i)
 {
-    return f->result->tolerance ? scale_of(f, kind) * f->result->tolerance[kind] : (double)NAN;
+    return scale_of(f, kind) * f->asked.limit[3 * kind + i];
 }
 
-/* Standard deviation, or 0. */
+/* The same of the prior, or 0. */
 static double prior_of(const report_facts *f, unsigned kind)
 {
-    return scale_of(f, kind) * f->result->settings.prior[3 * (size_t)kind];
+    return REPORT_NORMAL * scale_of(f, kind) * f->result->settings.prior[3 * (size_t)kind];
 }
 
-static int is_beyond(const report_facts *f, unsigned kind, unsigned i)
+static int is_failed(const report_facts *f, unsigned kind, unsigned i)
 {
-    return f->result->beyond >> (3 * kind + i) & 1;
+    return f->asked.failed >> (3 * kind + i) & 1;
 }
 
 static int is_weak(const report_facts *f, unsigned kind, unsigned i)
@@ -83,7 +86,7 @@ static void raw_cells(const report_facts *f, unsigned kind, unsigned i, char raw
     const double dk = r->solution.x[INVCAL_DK_X + i];
     double inverse[3][3];
     double value = r->solution.calibration.offset[i];
-    double sigma = r->quality.sigma_offset[i];
+    double spread = f->coverage * r->quality.sigma_offset[i];
     double before = r->nominal.calibration.offset[i];
     char text[FIGURE_MAX];
 
@@ -91,54 +94,108 @@ static void raw_cells(const report_facts *f, unsigned kind, unsigned i, char raw
     if (kind == 1) {
         before = inverse[i][i];
         value = before * (1 + dk);
-        sigma = fabs(before) * r->quality.sigma[INVCAL_DK_X + i];
+        spread = f->coverage * fabs(before) * r->quality.sigma[INVCAL_DK_X + i];
     }
-    sigma = f->knows_noise ? sigma : (double)NAN;
-    snprintf(raw, CELL, "%s", kind == 2 ? "" : figure_with_sigma(value, sigma, FIGURE_PLAIN, text));
+    snprintf(raw, CELL, "%s",
+             kind == 2 ? "" : figure_with_sigma(value, spread, FIGURE_PLAIN, text));
     snprintf(nominal, CELL, "%s",
              kind == 2 ? ""
-                       : figure_fixed(before, figure_places(value, sigma), FIGURE_PLAIN, text));
+                       : figure_fixed(before, figure_places(value, spread), FIGURE_PLAIN, text));
 }
 
 static const char *state_of(const report_facts *f, unsigned kind, unsigned i)
 {
     const int from_prior = f->result->quality.from_prior >> (3 * kind + i) & 1;
+    const int is_held = fit_held(&f->result->settings, &f->result->quality) >> (3 * kind + i) & 1;
+    const int is_beyond = f->asked.beyond >> (3 * kind + i) & 1;
 
     return is_weak(f, kind, i)     ? "badly determined"
-           : is_beyond(f, kind, i) ? "beyond the data sheet"
+           : is_beyond             ? "beyond the limit"
+           : is_failed(f, kind, i) ? "not surely within"
+           : is_held               ? "not measured"
            : from_prior            ? "from the prior"
                                    : "";
+}
+
+/* Where nothing states a nominal, the columns that are about it are left out, and angles stand with the values. */
+enum { NAME, DEVIATION, LIMIT, USED, RAW, NOMINAL, REMARK, COLUMNS };
+
+static int is_shown(const report_facts *f, unsigned which)
+{
+    return which == DEVIATION || which == NOMINAL ? nominal_is_stated(&f->result->nominal)
+           : which == LIMIT || which == USED      ? f->asked.limited != 0
+                                                  : 1;
+}
+
+/* Those that there is something to say in. Returns how many. */
+static unsigned pick_columns(const report_facts *f, const char *const all[COLUMNS],
+                             const char *out[COLUMNS])
+{
+    unsigned count = 0;
+
+    for (unsigned k = 0; k < COLUMNS; k++) {
+        if (is_shown(f, k)) {
+            out[count++] = all[k];
+        }
+    }
+    return count;
 }
 
 static void write_row(page *p, const page_table *sheet, const report_facts *f, unsigned kind,
                       unsigned i)
 {
-    char name[CELL];
-    char deviation[CELL];
-    char raw[CELL];
-    char nominal[CELL];
+    const unsigned r = 3 * kind + i;
+    char cell[COLUMNS][CELL] = {{0}};
     char text[FIGURE_MAX];
-    const char *const cells[] = {name, deviation, raw, nominal, state_of(f, kind, i)};
+    const char *all[COLUMNS];
+    const char *cells[COLUMNS];
 
-    snprintf(name, sizeof name, "%s", parameter_words(3 * kind + i));
-    snprintf(deviation, sizeof deviation, "%s %s",
-             figure_with_sigma(value_of(f, kind, i), sigma_of(f, kind, i), FIGURE_SIGNED, text),
+    snprintf(cell[NAME], CELL, "%s", parameter_words(r));
+    snprintf(cell[DEVIATION], CELL, "%s %s",
+             figure_with_sigma(value_of(f, kind, i), spread_of(f, kind, i), FIGURE_SIGNED, text),
              unit_of(f, kind));
-    raw_cells(f, kind, i, raw, nominal);
-    page_cells(p, sheet, cells);
+    raw_cells(f, kind, i, cell[RAW], cell[NOMINAL]);
+    if (f->asked.limited >> r & 1u) {
+        snprintf(cell[LIMIT], CELL, "%s %s", figure_digits(limit_of(f, kind, i), 3, text),
+                 unit_of(f, kind));
+        snprintf(cell[USED], CELL, isnan(f->asked.used[r]) ? "?" : "%.0f %%",
+                 100 * f->asked.used[r]);
+    }
+    snprintf(cell[REMARK], CELL, "%s", state_of(f, kind, i));
+    if (!nominal_knows(&f->result->nominal, r)) {
+        cell[DEVIATION][0] = cell[NOMINAL][0] = '\0';
+    } else if (!is_shown(f, DEVIATION)) {
+        memcpy(cell[RAW], cell[DEVIATION], CELL);
+    }
+    for (unsigned k = 0; k < COLUMNS; k++) {
+        all[k] = cell[k];
+    }
+    (void)pick_columns(f, all, cells);
+    (is_failed(f, kind, i) ? page_bad_cells : page_cells)(p, sheet, cells);
 }
 
 static void write_table(page *p, const report_facts *f)
 {
-    static const char *const titles[] = {"parameter", "deviation from nominal", "sensor reads",
-                                         "nominal", "remark"};
-    char caption[2 * CELL];
-    const page_table sheet = {caption, titles, 5, 1u << 4};
+    static const char *const all[COLUMNS] = {"parameter",    "deviation", "limit", "used",
+                                             "sensor reads", "nominal",   "remark"};
+    static const char *const alone[COLUMNS] = {[NAME] = "parameter",
+                                               [LIMIT] = "limit",
+                                               [USED] = "used",
+                                               [RAW] = "value",
+                                               [REMARK] = "remark"};
+    const char *titles[COLUMNS];
+    char caption[4 * CELL];
+    const unsigned count = pick_columns(f, is_shown(f, NOMINAL) ? all : alone, titles);
+    const page_table sheet = {caption, titles, count, 1u << (count - 1)};
 
     snprintf(caption, sizeof caption,
-             "Offsets and scales as the sensor reads them: %s, and %s per %s.",
+             "%sOffsets and scales as the sensor reads them: %s, and %s per %s.%s",
+             is_shown(f, DEVIATION) ? "Deviation: from nominal. " : "",
              calibrate_input_unit(f->result), calibrate_input_unit(f->result),
-             calibrate_field_unit(f->result));
+             calibrate_field_unit(f->result),
+             f->asked.limited ? " Limit: of the data sheet, to either side. Used: how much of it "
+                                "the deviation and its ± take; up to 100 % is within."
+                              : "");
     page_table_begin(p, &sheet);
     for (unsigned kind = 0; kind < 3; kind++) {
         for (unsigned i = 0; i < 3; i++) {
@@ -155,11 +212,10 @@ static double reach_of(const report_facts *f, unsigned kind)
 {
     double reach = fmax(0, prior_of(f, kind));
 
-    reach = fmax(reach, limit_of(f, kind)); /* fmax passes over NaN */
     for (unsigned i = 0; i < 3; i++) {
-        const double sigma = sigma_of(f, kind, i);
-        const double spread = f->result->quality.coverage * sigma;
-        reach = fmax(reach, fabs(value_of(f, kind, i)) + (isnan(sigma) ? 0 : spread));
+        reach = fmax(reach, limit_of(f, kind, i)); /* fmax passes over NaN */
+        const double spread = spread_of(f, kind, i);
+        reach = fmax(reach, fabs(value_of(f, kind, i)) + (isnan(spread) ? 0 : spread));
     }
     return reach > 0 ? 1.05 * reach : 1;
 }
@@ -168,11 +224,11 @@ static double reach_of(const report_facts *f, unsigned kind)
 static void draw_bar(FILE *file, const report_facts *f, unsigned kind, unsigned i, const ruler *x)
 {
     const double value = value_of(f, kind, i);
-    const double spread = f->result->quality.coverage * sigma_of(f, kind, i);
+    const double spread = spread_of(f, kind, i);
     const double zero = chart_pixel(x, 0);
     const double end = chart_pixel(x, value);
     const double y = PANEL_TOP + (i + 0.5) * ROW;
-    const int stands_out = is_weak(f, kind, i) || is_beyond(f, kind, i);
+    const int stands_out = is_weak(f, kind, i) || is_failed(f, kind, i);
 
     svg_text(file, "ink", SVG_END, LABEL_RIGHT - 6, y + 5, kinds[kind].label[i]);
     svg_rectangle(file, stands_out ? "c2 bar" : "c1 bar", fmin(zero, end), y - 6,
@@ -191,16 +247,20 @@ static void draw_limits(FILE *file, const report_facts *f, unsigned kind, const 
 {
     const double bottom = PANEL_TOP + 3 * ROW;
     const double prior = prior_of(f, kind);
-    const double limit = limit_of(f, kind);
 
     if (prior > 0) {
         const double left = chart_pixel(x, -prior);
         svg_rectangle(file, "c3 area", left, PANEL_TOP, chart_pixel(x, prior) - left,
                       bottom - PANEL_TOP);
     }
-    for (int side = -1; side <= 1 && limit > 0; side += 2) {
-        const double at = chart_pixel(x, side * limit);
-        svg_line(file, "c0 dashed", at, PANEL_TOP - 4, at, bottom);
+    for (unsigned i = 0; i < 6; i++) { /* three axes, both sides of each */
+        const unsigned axis = i / 2;
+        const double limit = limit_of(f, kind, axis);
+        const double at = chart_pixel(x, i % 2 == 0 ? limit : -limit);
+        const double top = PANEL_TOP + axis * ROW;
+        if (limit > 0) {
+            svg_line(file, "c0 dashed", at, i < 2 ? top - 4 : top, at, top + ROW);
+        }
     }
 }
 
@@ -230,7 +290,7 @@ static void describe(const report_facts *f, char *text, size_t size)
         const size_t length = strlen(text);
         char number[FIGURE_MAX];
         snprintf(text + length, size - length, " %s %s %s%s", parameter_words(r),
-                 figure_with_sigma(value_of(f, r / 3, r % 3), sigma_of(f, r / 3, r % 3),
+                 figure_with_sigma(value_of(f, r / 3, r % 3), spread_of(f, r / 3, r % 3),
                                    FIGURE_SIGNED, number),
                  unit_of(f, r / 3), r + 1 < INVCAL_PARAMETERS ? ";" : ".");
     }
@@ -256,13 +316,20 @@ static void draw_bars(FILE *file, const void *data, double width)
 /* What exceeds the data sheet, in a sentence. */
 static void say_beyond(page *p, const report_facts *f)
 {
+    const uint16_t unsure = (uint16_t)(f->asked.failed & ~(unsigned)f->asked.beyond);
     char list[CELL];
 
-    if (f->result->beyond) {
+    if (f->asked.beyond) {
         page_say(p, "Beyond the limits of the data sheet: %s.",
-                 parameters_list(f->result->beyond, list, sizeof list));
-    } else if (f->result->tolerance) {
-        page_say(p, "None is beyond the limits of the data sheet by more than its ± (95 %%).");
+                 parameters_list(f->asked.beyond, list, sizeof list));
+    }
+    if (unsure) {
+        page_say(p,
+                 "Not surely within the limits of the data sheet, as their ± reaches beyond: %s.",
+                 parameters_list(unsure, list, sizeof list));
+    }
+    if (f->asked.limited && !f->asked.failed) {
+        page_say(p, "All are within the limits of the data sheet, their ± included.");
     }
 }
 
@@ -273,20 +340,12 @@ void report_parameters(page *p, const report_facts *f)
     page_section(p, "The nine parameters");
     say_beyond(p, f);
     write_table(p, f);
-    if (f->knows_noise) {
-        page_note(p, "± is one standard deviation; %.2f of them cover 95 %%.",
-                  f->result->quality.coverage);
-    } else {
-        page_note(p, "No ± can be given: the noise is not known. --noise states it, and positions "
-                     "to spare show it.");
-    }
     if (nominal_is_guess(&f->result->nominal)) {
-        page_note(p, "Nominal is a guess from the range of the readings: deviations from it say "
-                     "nothing about the sensor. State its data sheet with --zero and --lsb.");
+        return; /* bars are of deviations from it */
     }
     snprintf(caption, sizeof caption, "Deviation from nominal.%s%s%s",
-             f->knows_noise ? " Whiskers: 95 % of cases." : "",
-             f->result->tolerance ? " Dashed: limits of the data sheet." : "",
-             fit_has_prior(&f->result->settings) ? " Shaded: prior, one standard deviation." : "");
+             f->knows_noise ? " Whiskers: ±." : "",
+             f->asked.limited ? " Dashed: limits of the data sheet." : "",
+             fit_has_prior(&f->result->settings) ? " Shaded: what the prior allows (95 %)." : "");
     page_picture(p, caption, draw_bars, f);
 }

@@ -10,7 +10,7 @@
 
 #define CELL 128
 #define TEXT_MAX 1000
-#define LEFT 52.0
+#define LEFT 58.0
 #define RIGHT 24.0 /* half of a number of seven digits */
 #define TOP 56.0
 #define PLOT 170.0
@@ -120,13 +120,17 @@ static void draw_left_out(FILE *file, const plot *p, stage which)
 static void describe(const report_facts *f, char *text, size_t size)
 {
     const calibrate_result *r = f->result;
+    char before[CELL] = "";
 
+    if (f->has_before) {
+        snprintf(before, sizeof before, "%.4g %s before calibration, ",
+                 f->parts * r->residual_before, f->unit);
+    }
     snprintf(text, size,
-             "Deviation of %s from the field at each of %u positions: root mean square %.4g %s "
-             "before calibration, %.4g %s after. The largest after is %.4g %s, at position %u. "
-             "%u left out.",
-             f->length, f->count, f->parts * r->residual_before, f->unit, f->parts * r->quality.rms,
-             f->unit, f->parts * r->quality.max, f->unit, r->quality.worst + 1, r->rejected.count);
+             "Deviation of %s from the field at each of %u positions: root mean square %s%.4g %s "
+             "after it. The largest is then %.4g %s, at position %u. %u left out.",
+             f->length, f->count, before, f->parts * r->quality.rms, f->unit,
+             f->parts * r->quality.max, f->unit, r->quality.worst + 1, r->rejected.count);
 }
 
 static void draw_change_legend(FILE *file, const report_facts *f, double y)
@@ -173,7 +177,7 @@ static void draw_change(FILE *file, const void *data, double width)
 /* What the residuals of good positions stay within in 95 % of cases. */
 static double usual(const report_facts *f)
 {
-    return f->knows_noise ? f->result->quality.coverage * f->noise : 0;
+    return f->knows_noise ? f->coverage * f->noise : 0;
 }
 
 /* Where a name stands: the middle of its foot. */
@@ -293,17 +297,20 @@ static void say_left_out(page *p, const report_facts *f)
 static void say_unexplained(page *p, const report_facts *f)
 {
     const double times = calibrate_unexplained(f->result);
+    char number[FIGURE_MAX];
 
     if (times > 0) {
         page_say(p,
-                 "They are %.0f times as large as the noise %s explains: the device may have moved "
+                 "They are %s times as large as the noise %s explains: the device may have moved "
                  "or trembled, the temperature changed, readings been clipped (--clip), or a "
                  "position be wrong.",
-                 times, f->result->is_noise_given ? "stated" : "of the samples");
+                 figure_digits(times, 2, number),
+                 f->result->is_noise_given ? "stated" : "of the samples");
     }
 }
 
-void report_positions(page *p, const report_facts *f)
+/* Without a nominal there is nothing that a reading was before. */
+static void write_change(page *p, const report_facts *f)
 {
     char caption[TEXT_MAX];
 
@@ -312,12 +319,19 @@ void report_positions(page *p, const report_facts *f)
              "How far the length of each reading is from the field, with %s and calibrated.",
              f->wish->nominal_name);
     page_picture(p, caption, draw_change, f);
+}
+
+void report_positions(page *p, const report_facts *f)
+{
+    if (f->has_before) {
+        write_change(p, f);
+    }
     page_section(p, "What is left: residuals");
     say_left_out(p, f);
     say_unexplained(p, f);
     page_picture(p,
                  f->result->quality.dof > 0
-                     ? "The calibrated part of the picture above, enlarged."
+                     ? "How far the length of each calibrated reading is from the field."
                      : "As many positions as parameters: the residuals are zero whatever was "
                        "measured, and check nothing.",
                  draw_residuals, f);

@@ -8,11 +8,13 @@
 #include "cli/command.h"
 #include "fit/gravity.h"
 #include "cli/input.h"
-#include "result/need.h"
+#include "result/faces.h"
 #include "text/number.h"
 #include "cli/options.h"
 #include "design/parameters.h"
 #include "report/facts.h"
+#include "result/need.h"
+#include "result/pass.h"
 #include "result/verdict.h"
 
 #define TEXT_MAX 800
@@ -20,10 +22,25 @@
 
 /* ---- what it comes to -------------------------------------------------------------------------- */
 
-/* Half of the interval that holds the length in 95 % of cases, in the worst direction. */
+/* ± of the length in the worst direction, what the field may be wrong by included. */
 static const char *worst_spread(const report_facts *f, char text[FIGURE_MAX])
 {
-    return figure_digits(f->result->quality.coverage * f->length_sigma.most, 2, text);
+    return figure_digits(hypot(f->length_worst, f->field_spread), 2, text);
+}
+
+/* The part of it that the field alone has. */
+static const char *part_of_field(const report_facts *f, char text[SUPPORT_MAX])
+{
+    char spread[FIGURE_MAX];
+
+    text[0] = '\0';
+    if (f->field_spread > 0) {
+        snprintf(text, SUPPORT_MAX, ", ±%s %s of it from %s itself%s",
+                 figure_digits(f->field_spread, 2, spread), f->unit,
+                 f->is_gravity ? "g" : "the field",
+                 f->result->is_field_stated ? "" : ", which --gravity or --latitude tells better");
+    }
+    return text;
 }
 
 /* What stands behind the result. */
@@ -47,6 +64,7 @@ static void say_good(const report_facts *f, char *text)
     char spread[FIGURE_MAX];
     char left_out[128] = "";
     char support[SUPPORT_MAX];
+    char field[SUPPORT_MAX];
     char where[64] = "";
 
     if (f->result->temperature == CALIBRATE_THERMAL) {
@@ -60,9 +78,9 @@ static void say_good(const report_facts *f, char *text)
     snprintf(
         text, TEXT_MAX,
         "All nine parameters are determined, %s: corrected readings%s have the length of %s to "
-        "±%s %s or better in any one direction (95 %%), their own noise not counted.%s",
+        "±%s %s or better in any one direction%s, their own noise not counted.%s",
         support, where, f->is_gravity ? "gravity" : "the field", worst_spread(f, spread), f->unit,
-        left_out);
+        part_of_field(f, field), left_out);
 }
 
 static void say_weak(const report_facts *f, char *text)
@@ -70,12 +88,12 @@ static void say_weak(const report_facts *f, char *text)
     char list[128];
     char spread[FIGURE_MAX];
 
-    snprintf(
-        text, TEXT_MAX,
-        "The positions tell too little of %s: use the calibration only within its ±. In the "
-        "worst direction (%s) the length of a corrected reading is uncertain by ±%s %s (95 %%).",
-        parameters_list(f->result->quality.weak, list, sizeof list), f->length_sigma.worst_words,
-        worst_spread(f, spread), f->knows_noise ? f->unit : "times the noise of a position mean");
+    snprintf(text, TEXT_MAX,
+             "The positions tell too little of %s: use the calibration only within its ±. In the "
+             "worst direction (%s) the length of a corrected reading is uncertain by ±%s %s.",
+             parameters_list(f->result->quality.weak, list, sizeof list),
+             f->length_spread.worst_words, worst_spread(f, spread),
+             f->knows_noise ? f->unit : "times the noise of a position mean");
 }
 
 /* What is to be done with a good one. */
@@ -87,6 +105,23 @@ static void say_how_to_use(const report_facts *f, char *text, size_t size)
     snprintf(text, size, "%scorrect readings with invcal apply %s LOG.",
              saved ? "" : "save it with --out CAL.json, and ",
              options_quoted(saved ? saved : "CAL.json", path, sizeof path));
+}
+
+/* The verdict, and whether what was asked is kept. */
+static void write_box(page *p, const report_facts *f, page_mood mood, const char *word,
+                      const char *sentence, const char *next)
+{
+    char text[PASS_MAX];
+    char advice[NEED_MAX] = "";
+    char more[2 * TEXT_MAX + NEED_MAX];
+    const page_answer answer = {f->asked.is_asked ? pass_text(f->result, text) : NULL,
+                                f->asked.is_passed};
+
+    if (f->result->need > 0) {
+        (void)need_advice(f->result, advice);
+    }
+    snprintf(more, sizeof more, "%s%s%s", sentence, *advice ? " " : "", advice);
+    page_verdict_of(p, mood, word, &answer, more, next);
 }
 
 static void write_weak(page *p, const report_facts *f)
@@ -103,7 +138,19 @@ static void write_weak(page *p, const report_facts *f)
         snprintf(next, sizeof next, "add positions with %s. Begin with: %s.",
                  parameters_advice(f->result->quality.weak, advice, sizeof advice), f->next_words);
     }
-    page_verdict(p, PAGE_BAD, "✗ Weak", sentence, next);
+    write_box(p, f, PAGE_BAD, "✗ Weak", sentence, next);
+}
+
+static void write_six_faces(page *p, const report_facts *f)
+{
+    char cost[VERDICT_MAX];
+    char sentence[TEXT_MAX];
+
+    snprintf(sentence, sizeof sentence, "%s", faces_cost(f->result, cost));
+    sentence[0] = (char)toupper((unsigned char)sentence[0]);
+    page_verdict(p, PAGE_CAUTION, "! Good for offsets and scales", sentence,
+                 "to measure the angles, add six positions and leave --six-faces out: " FACES_EDGES
+                 ".");
 }
 
 static void write_verdict(page *p, const report_facts *f)
@@ -115,21 +162,22 @@ static void write_verdict(page *p, const report_facts *f)
     char next[MESSAGE_MAX + TEXT_MAX];
     char text[VERDICT_MAX];
 
-    if (strcmp(word, "Good") == 0) {
+    if (faces_are_good(f->result)) {
+        write_six_faces(p, f);
+    } else if (strcmp(word, "Good") == 0) {
         say_good(f, sentence);
         say_how_to_use(f, next, sizeof next);
-        page_verdict(p, PAGE_GOOD, "✓ Good", sentence, next);
+        write_box(p, f, PAGE_GOOD, "✓ Good", sentence, next);
         if (*verdict_unchecked(f->result, text)) {
             page_say(p, "%s", text);
         }
     } else if (verdict == INVCAL_NO_REDUNDANCY) {
         snprintf(next, sizeof next,
                  "add three or more positions in other directions. Begin with: %s.", f->next_words);
-        page_verdict(
-            p, PAGE_CAUTION, "! No redundancy",
-            "All nine parameters are determined, but there is no position to spare: nothing "
-            "checks the result, and one wrong position would spoil it unnoticed.",
-            next);
+        write_box(p, f, PAGE_CAUTION, "! No redundancy",
+                  "All nine parameters are determined, but there is no position to spare: nothing "
+                  "checks the result, and one wrong position would spoil it unnoticed.",
+                  next);
     } else if (verdict == INVCAL_WEAK) {
         write_weak(p, f);
     } else {
@@ -137,20 +185,15 @@ static void write_verdict(page *p, const report_facts *f)
         snprintf(marked, sizeof marked, "%s %s", is_bad ? "✗" : "!", word);
         (void)verdict_cause(f->result, sentence);
         sentence[0] = (char)toupper((unsigned char)sentence[0]);
-        page_verdict(p, is_bad ? PAGE_BAD : PAGE_CAUTION, marked, sentence,
-                     verdict_remedy(f->result, text));
-    }
-    if (f->result->need > 0) {
-        page_say(p, "%s", need_text(f->result, text));
+        write_box(p, f, is_bad ? PAGE_BAD : PAGE_CAUTION, marked, sentence,
+                  verdict_remedy(f->result, text));
     }
 }
 
-/* What the calibration has done to the lengths. Of a guessed nominal the error before says nothing
- * about the sensor, and without positions to spare the one after is zero whatever was measured. */
+/* What the calibration has done to the lengths. Without a nominal there is no before, and without positions to spare the one after is zero whatever was measured. */
 static void write_improvement(page *p, const report_facts *f)
 {
     const calibrate_result *r = f->result;
-    const int is_guess = nominal_is_guess(&r->nominal);
     char text[128];
     char before[FIGURE_MAX];
     char after[FIGURE_MAX];
@@ -160,10 +203,11 @@ static void write_improvement(page *p, const report_facts *f)
         return;
     }
     snprintf(text, sizeof text, "%s%s%s %s",
-             is_guess ? "" : figure_digits(f->parts * r->residual_before, 3, before),
-             is_guess ? "" : " → ", figure_digits(f->parts * r->quality.rms, 3, after), f->unit);
+             f->has_before ? figure_digits(f->parts * r->residual_before, 3, before) : "",
+             f->has_before ? " → " : "", figure_digits(f->parts * r->quality.rms, 3, after),
+             f->unit);
     snprintf(what, sizeof what, "rms error of %s in these positions, %s", f->length,
-             is_guess ? "calibrated" : "before and after");
+             f->has_before ? "before and after" : "calibrated");
     page_figure(p, text, what);
 }
 
@@ -193,11 +237,20 @@ static void write_nominal(page *p, const report_facts *f)
 {
     const nominal_choice *n = &f->result->nominal;
 
-    if (n->zero == n->lsb) {
+    if (!nominal_is_stated(n)) {
+        page_fact(p, f->wish->nominal_name,
+                  "not stated: --sensor, --unit, or --zero and --lsb tell it");
+    } else if (n->zero == n->lsb) {
         page_fact(p, f->wish->nominal_name, "zero and scale %s", nominal_origin_text(n->zero));
     } else {
         page_fact(p, f->wish->nominal_name, "zero %s, scale %s", nominal_origin_text(n->zero),
                   nominal_origin_text(n->lsb));
+    }
+    if (n->sensor.type) {
+        char limits[SENSORS_TEXT_MAX];
+        page_fact(p, "sensor", "%s at %s", n->sensor.type->name, n->sensor.range->name);
+        page_fact(p, "its limits", "%s", sensors_limits_text(&n->sensor, limits));
+        page_fact(p, "data sheet", "%s", n->sensor.type->sheet);
     }
 }
 
@@ -219,17 +272,8 @@ static void write_temperature(page *p, const report_facts *f)
     }
 }
 
-static void write_matrix(page *p, const report_facts *f)
+static void write_frame(page *p, const calibrate_result *r)
 {
-    const calibrate_result *r = f->result;
-    const invcal_calibration c = fit_in_field_units(&r->solution.calibration, r->settings.field);
-
-    page_fact(p, "offset", "%.9g, %.9g, %.9g %s", c.offset[0], c.offset[1], c.offset[2],
-              calibrate_input_unit(r));
-    for (unsigned i = 0; i < 3; i++) {
-        page_fact(p, i == 0 ? "matrix" : "", "%.9g, %.9g, %.9g", c.matrix[i][0], c.matrix[i][1],
-                  c.matrix[i][2]);
-    }
     if (r->frame.used > 0) {
         char text[CALIBRATE_LIMIT_MAX];
         page_fact(p, "frame", "%s", calibrate_case_text(r, text));
@@ -247,33 +291,41 @@ static void write_limit(page *p, const report_facts *f)
 {
     char text[CALIBRATE_LIMIT_MAX];
 
-    page_say(p, "What limits the accuracy: %s", calibrate_limit(f->result, &f->length_sigma, text));
+    page_say(p, "What limits the accuracy: %s",
+             calibrate_limit(f->result, &f->length_spread, text));
+}
+
+void report_file(page *p, const report_facts *f)
+{
+    const calibrate_result *r = f->result;
+    char seen[COLUMNS_TEXT_MAX];
+
+    page_fact(p, "file", "%s, %llu bytes, CRC-32 %08lx", r->data->name,
+              (unsigned long long)r->data->bytes, (unsigned long)r->data->crc);
+    page_fact(p, "read as", "%s", columns_describe(&r->data->seen, seen, sizeof seen));
+    page_literal(p, "command", f->wish->command);
+    page_fact(p, "invcal", "%s", INVCAL_VERSION);
 }
 
 static void write_origin(page *p, const report_facts *f)
 {
     const calibrate_result *r = f->result;
     char number[NUMBER_TEXT_MAX];
-    char seen[COLUMNS_TEXT_MAX];
 
     page_section(p, "How it was made");
     page_facts_begin(p);
-    page_fact(p, "file", "%s, %llu bytes, CRC-32 %08lx", r->data->name,
-              (unsigned long long)r->data->bytes, (unsigned long)r->data->crc);
-    page_fact(p, "read as", "%s", columns_describe(&r->data->seen, seen, sizeof seen));
-    page_literal(p, "command", f->wish->command);
-    page_fact(p, "invcal", "%s", INVCAL_VERSION);
+    report_file(p, f);
     page_fact(p, "field", "%s %s", number_text(r->settings.field, number), calibrate_field_unit(r));
     if (r->place) {
         page_fact(p, "normal gravity",
-                  "at %.6g degrees, %.6g m, ±%.4f m/s²: an error scales all readings alike, and "
-                  "does nothing else",
-                  r->place[0], r->place[1], GRAVITY_SIGMA);
+                  "at %.6g°, %.6g m, ±%.4f m/s²: an error scales all readings alike, and does "
+                  "nothing else",
+                  r->place[0], r->place[1], REPORT_NORMAL * GRAVITY_SIGMA);
     }
     page_fact(p, "positions", "%u used, %u left out", r->rejected.kept_count, r->rejected.count);
     write_temperature(p, f);
     write_nominal(p, f);
-    write_matrix(p, f);
+    write_frame(p, r);
     page_fact(p, "condition", "%.4g", r->quality.condition);
     page_fact(p, "degrees of freedom", "%.4g", r->quality.dof);
     if (r->settings.noise > 0) {
@@ -282,8 +334,36 @@ static void write_origin(page *p, const report_facts *f)
                   r->is_noise_given ? "stated" : "from the scatter of the samples");
     }
     page_facts_end(p);
-    page_note(p, "Corrected reading = matrix · (reading - offset). Lengths do not show how the "
-                 "calibrated axes are turned against the case.");
+    page_note(p, "Lengths do not show how the calibrated axes are turned against the case.");
+}
+
+/* Once, and for all that follows. */
+static void say_convention(page *p, const report_facts *f)
+{
+    if (f->knows_noise) {
+        page_note(p,
+                  "Every ± on this page holds the truth in 95 %% of cases: for the parameters %.2f "
+                  "standard deviations.",
+                  f->coverage);
+    } else {
+        page_note(p, "No ± can be given: the noise is not known. --noise states it, and positions "
+                     "to spare show it.");
+    }
+}
+
+/* What the calibration is filed under. */
+static void write_record(page *p, const record *r)
+{
+    if (record_is_empty(r)) {
+        return;
+    }
+    page_facts_begin(p);
+    for (unsigned k = 0; k < RECORD_TEXTS; k++) {
+        if (*r->text[k] != '\0') {
+            page_fact(p, record_name((record_text)k), "%s", r->text[k]);
+        }
+    }
+    page_facts_end(p);
 }
 
 int report_write(FILE *file, const calibrate_result *result, const calibrate_wish *wish)
@@ -291,12 +371,17 @@ int report_write(FILE *file, const calibrate_result *result, const calibrate_wis
     report_facts f;
     page p;
     char title[TEXT_MAX];
+    char head[RECORD_LINE_MAX];
     const int failure = report_facts_find(&f, result, wish);
 
     if (!failure) {
         snprintf(title, sizeof title, "Calibration of %.300s", input_file_name(result->data->name));
-        page_begin(&p, file, title);
+        page_begin_headed(&p, file, title, record_line(&result->record, head));
+        write_record(&p, &result->record);
         write_verdict(&p, &f);
+        say_convention(&p, &f);
+        report_use(&p, &f);
+        page_section(&p, "What it is worth");
         write_figures(&p, &f);
         write_limit(&p, &f);
         report_parameters(&p, &f);

@@ -11,4 +11,7 @@
  * ferror(file). */
 int report_write(FILE *file, const calibrate_result *result, const calibrate_wish *wish);
 
+/* The page of one that was refused: what is missing, where the positions lie, which to add. Returns as above. */
+int report_refusal(FILE *file, const calibrate_result *result, const calibrate_wish *wish);
+
 #endif

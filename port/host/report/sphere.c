@@ -16,7 +16,7 @@ static void draw_legend(FILE *file, const report_facts *f, const sphere_shading 
 
     svg_begin_inline(file, SPHERE_WIDTH, LEGEND_HEIGHT, "Legend",
                      "What the colours and markers mean.");
-    snprintf(text, sizeof text, "σ of %s, %s", f->length,
+    snprintf(text, sizeof text, "± of %s, %s", f->length,
              f->knows_noise ? f->unit : "times the noise of a position mean");
     uncertainty_legend(file, s, text);
     sphere_marker(file, SPHERE_POSITION, 14, 70);
@@ -57,19 +57,23 @@ static void say_uncertainty(page *p, const report_facts *f)
 
     page_say(p,
              "%s of a corrected reading is known to ±%s %s where the positions tell most, and "
-             "to ±%s %s where they tell least, %s (one standard deviation%s).",
-             f->is_gravity ? "|a|" : "The length", figure_digits(f->length_sigma.least, 2, least),
-             f->knows_noise ? f->unit : "", figure_digits(f->length_sigma.most, 2, most),
-             f->knows_noise ? f->unit : "", f->length_sigma.worst_words,
+             "to ±%s %s where they tell least, %s%s.",
+             f->is_gravity ? "|a|" : "The length", figure_digits(f->length_spread.least, 2, least),
+             f->knows_noise ? f->unit : "", figure_digits(f->length_spread.most, 2, most),
+             f->knows_noise ? f->unit : "", f->length_spread.worst_words,
              f->knows_noise ? ""
-                            : ", in multiples of the noise of a position mean, which is not "
-                              "known");
+                            : ", in multiples of the noise of a position mean, which is not known");
+    if (f->field_spread > 0) {
+        page_say(
+            p, "What %s itself may be wrong by is not in that: ±%s %s, alike in all directions.",
+            f->is_gravity ? "g" : "the field", figure_digits(f->field_spread, 2, most), f->unit);
+    }
     page_say(p, "The orientation that would add most: %s.", f->next_words);
 }
 
 void report_sphere(page *p, const report_facts *f)
 {
-    const uncertainty *u = &f->length_sigma;
+    const uncertainty *u = &f->length_spread;
     const sphere_shading shading = uncertainty_shading(u, u->least, u->most);
 
     page_section(p, "Where the positions lie");

@@ -91,8 +91,9 @@ static void write_mounting(page *p, const report_facts *f)
         char text[CELL];
         const char *const cells[] = {axes[i], text};
         snprintf(text, sizeof text, "%s %s",
-                 figure_with_sigma(unit.scale * m->angle[i], unit.scale * m->sigma[i],
-                                   FIGURE_SIGNED, number),
+                 figure_with_sigma(unit.scale * m->angle[i],
+                                   unit.scale * stand_coverage(m->dof) * m->sigma[i], FIGURE_SIGNED,
+                                   number),
                  unit.unit);
         page_cells(p, &sheet, cells);
     }
@@ -115,16 +116,19 @@ static void write_vertical_row(page *p, const page_table *sheet, const report_fa
     const double x = unit.scale * f->result->solution.x[r];
     const double difference = unit.scale * (v->x[r] - f->result->solution.x[r]);
     const double sigma = unit.scale * v->sigma[r];
-    const int places = figure_places(unit.scale * v->x[r], sigma);
+    const double spread = stand_coverage(v->dof) * sigma;
+    const int places = figure_places(unit.scale * v->x[r], spread);
     char by_j1[CELL];
     char number[4][FIGURE_MAX];
+    const int is_known = nominal_knows(&f->result->nominal, r);
     const char *const cells[] = {
-        parameter_words(r), by_j1, figure_fixed(x, places, FIGURE_SIGNED, number[1]),
+        parameter_words(r), is_known ? by_j1 : "",
+        is_known ? figure_fixed(x, places, FIGURE_SIGNED, number[1]) : "",
         figure_fixed(difference, places + 2, FIGURE_SIGNED, number[2]),
         sigma > 0 ? figure_fixed(difference / sigma, 3, FIGURE_SIGNED, number[3]) : ""};
 
     snprintf(by_j1, sizeof by_j1, "%s %s",
-             figure_with_sigma(unit.scale * v->x[r], sigma, FIGURE_SIGNED, number[0]), unit.unit);
+             figure_with_sigma(unit.scale * v->x[r], spread, FIGURE_SIGNED, number[0]), unit.unit);
     page_cells(p, sheet, cells);
 }
 
@@ -134,7 +138,7 @@ static void write_vertical(page *p, const report_facts *f)
                                          "over σ"};
     const page_table sheet = {"The parameters by the vertical composition J1, which knows the "
                               "directions, beside those by the lengths (the exact row), which know "
-                              "none. σ: that of J1.",
+                              "none. σ: the standard deviation of J1.",
                               titles, 5, 0};
 
     if (!f->result->stand.vertical.is_known) {
@@ -168,7 +172,8 @@ static void write_group(page *p, const page_table *sheet, const group_series *s,
     snprintf(name, sizeof name, "%u, %u positions", g + 1, s->count[g]);
     for (unsigned t = 0; t < SERIES_TERMS; t++) {
         is[1 + t] = s->is_determined[g] ? figure_with_sigma(MILLIONTHS * s->coefficient[g][t],
-                                                            MILLIONTHS * s->noise * s->root[g][t],
+                                                            stand_series_coverage(s) * MILLIONTHS *
+                                                                s->noise * s->root[g][t],
                                                             FIGURE_SIGNED, text[t])
                                         : "open";
         stands_for[1 + t] = meaning[g][t];
@@ -177,7 +182,8 @@ static void write_group(page *p, const page_table *sheet, const group_series *s,
     page_cells(p, sheet, stands_for);
 }
 
-static void write_series(page *p, const group_series *s)
+/* Nearly all coefficients are deviations from nominal. */
+static void write_coefficients(page *p, const group_series *s)
 {
     static const char *const titles[] = {"group", "a0", "a1", "b1", "a2", "b2"};
     const page_table sheet = {
@@ -190,6 +196,15 @@ static void write_series(page *p, const group_series *s)
         write_group(p, &sheet, s, g);
     }
     page_table_end(p);
+}
+
+static void write_series(page *p, const report_facts *f)
+{
+    const group_series *s = &f->result->stand.series;
+
+    if (f->has_before) {
+        write_coefficients(p, s);
+    }
     for (unsigned g = 0; g < GROUPS; g++) {
         if (!s->is_determined[g]) {
             page_say(p, "Group %u is %s: %u positions do not tell its five coefficients.", g + 1,
@@ -204,23 +219,29 @@ static void write_closure_row(page *p, const page_table *sheet, const report_fac
     static const char *const only[] = {"3", "2", "1"};
     const group_series *s = &f->result->stand.series;
     const told_unit unit = report_unit(f, r / 3);
-    const double sigma = unit.scale * s->noise * s->x_root[r];
-    const int places = figure_places(unit.scale * s->x[r], sigma);
+    const double wide = stand_series_coverage(s);
+    const double spread = wide * unit.scale * s->noise * s->x_root[r];
+    const int places = figure_places(unit.scale * s->x[r], spread);
     char value[CELL];
     char number[5][FIGURE_MAX];
     const char *cells[] = {parameter_words(r), value, "", "", "", "", ""};
 
     snprintf(value, sizeof value, "%s %s",
-             figure_with_sigma(unit.scale * s->x[r], sigma, FIGURE_SIGNED, number[0]), unit.unit);
+             figure_with_sigma(unit.scale * s->x[r], spread, FIGURE_SIGNED, number[0]), unit.unit);
+    if (!nominal_knows(&f->result->nominal, r)) {
+        value[0] = '\0';
+    }
     cells[2] = r < GROUP_SERIES_CLOSURES ? groups[r % 3] : only[r % 3];
     if (r < GROUP_SERIES_CLOSURES) {
         const double closure = unit.scale * s->closure[r];
         const double of_it = unit.scale * s->noise * s->closure_root[r];
         for (unsigned i = 0; i < 2; i++) {
             cells[3 + i] =
-                figure_fixed(unit.scale * s->told[r][i], places, FIGURE_SIGNED, number[1 + i]);
+                nominal_knows(&f->result->nominal, r)
+                    ? figure_fixed(unit.scale * s->told[r][i], places, FIGURE_SIGNED, number[1 + i])
+                    : "";
         }
-        cells[5] = figure_with_sigma(closure, of_it, FIGURE_SIGNED, number[3]);
+        cells[5] = figure_with_sigma(closure, wide * of_it, FIGURE_SIGNED, number[3]);
         cells[6] = of_it > 0 ? figure_fixed(closure / of_it, 2, FIGURE_SIGNED, number[4]) : "";
     }
     page_cells(p, sheet, cells);
@@ -247,7 +268,8 @@ static void write_closures(page *p, const report_facts *f)
                                          "the second", "closure",       "over σ"};
     const page_table sheet = {
         "The nine parameters that follow from the fifteen coefficients. Six of "
-        "them are told by two groups; closure: how much more the second tells.",
+        "them are told by two groups; closure: how much more the second tells; σ: its standard "
+        "deviation.",
         titles, 7, 0};
 
     page_table_begin(p, &sheet);
@@ -279,7 +301,7 @@ void report_stand(page *p, const report_facts *f)
         write_missets(p, s);
         write_mounting(p, f);
         write_vertical(p, f);
-        write_series(p, &s->series);
+        write_series(p, f);
         if (s->series.is_closed_over) {
             write_closures(p, f);
         }

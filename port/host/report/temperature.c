@@ -6,7 +6,6 @@
 #include <string.h>
 
 #include "draw/chart.h"
-#include "text/number.h"
 #include "report/facts.h"
 
 #define CELL 128
@@ -72,20 +71,21 @@ static void write_slope(page *p, const page_table *sheet, const report_facts *f,
     char slope[FIGURE_MAX];
     char change[FIGURE_MAX];
     char spread[CELL];
-    const double sigma = f->knows_noise ? fit->slope_sigma[parameter] : NUMBER_UNKNOWN;
+    const double scale = calibrate_slope_scale(f->result, parameter);
+    const double own = scale * fit->slope[parameter];
+    const double half = scale * f->coverage * fit->slope_sigma[parameter];
 
     snprintf(name, sizeof name, "%s %s", kinds[parameter / 3], k.name[parameter % 3]);
-    figure_with_sigma(k.slope_scale * fit->slope[parameter], k.slope_scale * sigma, FIGURE_SIGNED,
-                      slope);
+    figure_with_sigma(k.slope_scale * own, k.slope_scale * half, FIGURE_SIGNED, slope);
     snprintf(spread, sizeof spread, "%s %s", slope, k.slope_unit);
-    snprintf(change, sizeof change, "%+.3g %s", k.scale * fit->slope[parameter] * range, k.unit);
+    snprintf(change, sizeof change, "%+.3g %s", k.scale * own * range, k.unit);
     const char *const cells[] = {name, spread, change};
     page_cells(p, sheet, cells);
 }
 
 static void write_slopes(page *p, const report_facts *f)
 {
-    static const char *const titles[] = {"parameter", "slope ± sigma", "over the range"};
+    static const char *const titles[] = {"parameter", "slope", "over the range"};
     const page_table sheet = {
         f->result->fit.calibration.fitted > 1
             ? "How fast the parameters move at the reference temperature, and what that would come "
@@ -102,7 +102,8 @@ static void write_slopes(page *p, const report_facts *f)
 
 /* ---- the parameters over the range ------------------------------------------------------------ */
 
-/* One parameter at STEPS + 1 temperatures, and half the width of its band. */
+/* One parameter at STEPS + 1 temperatures, and half the width of its band. Where nothing states what it was to
+ * be, it is against what it is at the reference. */
 typedef struct {
     double value[KINDS][STEPS + 1];
     double half[KINDS][STEPS + 1];
@@ -118,6 +119,8 @@ static double temperature_at(const thermal_fit *fit, unsigned step)
 static void find_curves(const report_facts *f, unsigned which, curves *c)
 {
     const kind k = kind_of(f, which);
+    const double *reference = &f->result->solution.x[3 * (size_t)which];
+    const int is_known = nominal_knows(&f->result->nominal, 3 * which);
 
     for (unsigned step = 0; step <= STEPS; step++) {
         fit_solution s;
@@ -125,8 +128,9 @@ static void find_curves(const report_facts *f, unsigned which, curves *c)
         thermal_fit_judge(&f->result->fit, &f->result->rejected,
                           temperature_at(&f->result->fit, step), &s, &q);
         for (unsigned i = 0; i < KINDS; i++) {
-            c->value[i][step] = k.scale * s.x[3 * which + i];
-            c->half[i][step] = f->knows_noise ? k.scale * q.coverage * q.sigma[3 * which + i] : 0;
+            const double scale = k.scale * calibrate_slope_scale(f->result, 3 * which + i);
+            c->value[i][step] = scale * (s.x[3 * which + i] - (is_known ? 0 : reference[i]));
+            c->half[i][step] = f->knows_noise ? scale * q.coverage * q.sigma[3 * which + i] : 0;
         }
     }
 }
@@ -196,7 +200,12 @@ static void draw_kind(FILE *file, const report_facts *f, unsigned which, const r
 
     find_curves(f, which, &c);
     const ruler y = value_ruler(&c, top);
-    snprintf(title, sizeof title, "%s, %s", k.title, k.unit);
+    if (nominal_knows(&f->result->nominal, 3 * which)) {
+        snprintf(title, sizeof title, "%s, %s", k.title, k.unit);
+    } else {
+        snprintf(title, sizeof title, "%s, less that at %.2f °C, %s", k.title,
+                 f->result->fit.calibration.reference, k.unit);
+    }
     svg_text(file, "ink heading", SVG_START, 0, top - 10, title);
     chart_ticks_y(file, &y, x);
     if (which + 1 == KINDS) {
@@ -387,12 +396,6 @@ static void write_thermal(page *p, const report_facts *f)
     say_fitted(p, f);
     if (f->result->fit.calibration.fitted > 0) {
         write_slopes(p, f);
-        if (calibrate_guess_error(f->result) > 0) {
-            page_note(p,
-                      "Slopes are told in the scale of %s, a guess that is up to %.2g %% off "
-                      "(--zero and --lsb state a data sheet's).",
-                      f->wish->nominal_name, 100 * calibrate_guess_error(f->result));
-        }
         page_picture(p,
                      f->knows_noise
                          ? "The parameters over the range seen. Between the dashed lines is "

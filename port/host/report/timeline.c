@@ -9,7 +9,7 @@
 #include "report/facts.h"
 
 #define TEXT_MAX 1000
-#define LEFT 62.0
+#define LEFT 68.0
 #define RIGHT 10.0
 #define TOP 58.0
 #define STRIP 74.0 /* one for each axis, and the gap to the next */

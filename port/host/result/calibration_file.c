@@ -115,8 +115,8 @@ static int read_nominal_member(json_reader *r, const char *name, void *into)
     calibration_file *c = into;
 
     c->is_skewed = c->is_skewed || is(name, "matrix");
-    return is(name, "zero")        ? read_vector(r, c->zero)
-           : is(name, "lsb")       ? read_vector(r, c->lsb)
+    return is(name, "zero")        ? read_sigma(r, c->zero)
+           : is(name, "lsb")       ? read_sigma(r, c->lsb)
            : is(name, "zero_from") ? json_read_text(r, c->zero_from, sizeof c->zero_from)
            : is(name, "lsb_from")  ? json_read_text(r, c->lsb_from, sizeof c->lsb_from)
                                    : json_skip(r);
@@ -270,15 +270,56 @@ static int read_nonlinear(json_reader *r, calibration_file *file)
 
 /* ---- the members ------------------------------------------------------------------------------ */
 
+static int read_record_member(json_reader *r, const char *name, void *into)
+{
+    char text[RECORD_MAX + 1]; /* one more, to tell what is too long */
+    char what[RECORD_MAX];
+
+    for (unsigned k = 0; k < RECORD_TEXTS; k++) {
+        if (is(name, record_name((record_text)k))) {
+            const int failure = json_read_text(r, text, sizeof text);
+            const char *problem = failure ? NULL : record_set(into, (record_text)k, text);
+            if (problem) {
+                snprintf(what, sizeof what, "\"%s\" of \"record\" %s", name, problem);
+                return json_error(r, what);
+            }
+            return failure;
+        }
+    }
+    return json_skip(r);
+}
+
+/* A number of its own. Returns where it goes, or null. */
+static double *number_of(const char *name, calibration_file *c)
+{
+    const struct {
+        const char *name;
+        double *number;
+    } all[] = {{"gravity", &c->gravity},
+               {"gravity_sigma", &c->gravity_sigma},
+               {"interval95", &c->interval},
+               {"positions", &c->positions},
+               {"suspected", &c->suspected}};
+
+    for (unsigned k = 0; k < sizeof all / sizeof *all; k++) {
+        if (is(name, all[k].name)) {
+            return all[k].number;
+        }
+    }
+    return NULL;
+}
+
 /* What does not belong to the correction itself. */
 static int read_circumstance(json_reader *r, const char *name, calibration_file *c)
 {
-    if (is(name, "positions") && json_peek(r) == '[') {
-        return json_skip(r); /* the truth of a simulation lists them */
+    double *number = number_of(name, c);
+
+    if (number) {
+        /* the truth of a simulation lists positions */
+        return number == &c->positions && json_peek(r) == '[' ? json_skip(r)
+                                                              : json_read_number(r, number);
     }
-    return is(name, "gravity")        ? json_read_number(r, &c->gravity)
-           : is(name, "positions")    ? json_read_number(r, &c->positions)
-           : is(name, "suspected")    ? json_read_number(r, &c->suspected)
+    return is(name, "record")         ? read_object(r, read_record_member, &c->record)
            : is(name, "frame")        ? json_read_text(r, c->frame, sizeof c->frame)
            : is(name, "unit")         ? json_read_text(r, c->unit, sizeof c->unit)
            : is(name, "verdict")      ? json_read_text(r, c->verdict, sizeof c->verdict)
@@ -324,8 +365,10 @@ static int read_calibration(json_reader *r, reading *x)
 
 static void forget(calibration_file *c)
 {
-    *c = (calibration_file){
-        .gravity = NUMBER_UNKNOWN, .positions = NUMBER_UNKNOWN, .suspected = NUMBER_UNKNOWN};
+    *c = (calibration_file){.gravity = NUMBER_UNKNOWN,
+                            .interval = NUMBER_UNKNOWN,
+                            .positions = NUMBER_UNKNOWN,
+                            .suspected = NUMBER_UNKNOWN};
     for (unsigned i = 0; i < 3; i++) {
         c->zero[i] = c->lsb[i] = NUMBER_UNKNOWN;
         c->sigma_offset[i] = c->sigma_dk[i] = c->sigma_gamma[i] = NUMBER_UNKNOWN;

@@ -6,6 +6,7 @@
 #define CALIBRATION_FILE_H
 
 #include "invcal/thermal.h"
+#include "result/record.h"
 
 #define CALIBRATION_FILE_WORD 32 /* longer words are cut */
 #define CALIBRATION_FILE_NAMES 128
@@ -21,9 +22,12 @@ typedef struct {
  * text is "". */
 typedef struct {
     invcal_calibration calibration;
-    double gravity;   /* length of the field, field units */
-    double positions; /* how many there were */
-    double suspected; /* and how many of them contradict one another */
+    record record;        /* what it is filed under */
+    double gravity;       /* length of the field, field units, */
+    double gravity_sigma; /* and what it may be wrong by */
+    double interval;      /* so many sigma to either side cover 95 % */
+    double positions;     /* how many there were */
+    double suspected;     /* and how many of them contradict one another */
     char frame[CALIBRATION_FILE_WORD];
     char unit[CALIBRATION_FILE_WORD];      /* of the readings: "g", "mg", "m/s^2", "counts", ... */
     double zero[3];                        /* the nominal calibration: input units, */

@@ -2,18 +2,28 @@
 #include <math.h>
 
 #include "result/result.h"
+#include "result/faces.h"
 #include "text/json_write.h"
 #include "result/need.h"
+#include "result/pass.h"
 #include "text/number.h"
 #include "stand/tell.h"
 #include "result/verdict.h"
 
 /* Three numbers as they are, or as not known. */
-static void write_sigma(json_writer *w, const char *name, const double sigma[3], int known)
+static void write_known(json_writer *w, const char *name, const double x[3], int known)
 {
     const double unknown[3] = {NUMBER_UNKNOWN, NUMBER_UNKNOWN, NUMBER_UNKNOWN};
 
-    json_vector(w, name, known ? sigma : unknown);
+    json_vector(w, name, known ? x : unknown);
+}
+
+void calibrate_parameters_json(json_writer *w, const calibrate_result *result,
+                               const double x[INVCAL_PARAMETERS])
+{
+    write_known(w, "delta", &x[INVCAL_DELTA_X], nominal_knows(&result->nominal, INVCAL_DELTA_X));
+    write_known(w, "dk", &x[INVCAL_DK_X], nominal_knows(&result->nominal, INVCAL_DK_X));
+    json_vector(w, "gamma", &x[INVCAL_GAMMA_XY]);
 }
 
 static void write_nominal(json_writer *w, const nominal_choice *nominal)
@@ -28,13 +38,17 @@ static void write_nominal(json_writer *w, const nominal_choice *nominal)
         }
     }
     json_object(w, "nominal");
-    json_vector(w, "zero", c->offset);
-    json_vector(w, "lsb", lsb);
+    write_known(w, "zero", c->offset, nominal_knows(nominal, INVCAL_DELTA_X));
+    write_known(w, "lsb", lsb, nominal_knows(nominal, INVCAL_DK_X));
     if (!is_diagonal) {
         json_matrix(w, "matrix", c->matrix);
     }
     json_text(w, "zero_from", nominal_origin_name(nominal->zero));
     json_text(w, "lsb_from", nominal_origin_name(nominal->lsb));
+    if (nominal->sensor.type) {
+        char key[SENSORS_TEXT_MAX];
+        json_text(w, "sensor", sensors_key(&nominal->sensor, key));
+    }
     json_object_end(w);
 }
 
@@ -64,10 +78,10 @@ static void write_quality(json_writer *w, const calibrate_result *result)
     const int known = calibrate_knows_noise(result);
 
     json_object(w, "sigma");
-    write_sigma(w, "offset", q->sigma_offset, known);
-    write_sigma(w, "delta", &q->sigma[INVCAL_DELTA_X], known);
-    write_sigma(w, "dk", &q->sigma[INVCAL_DK_X], known);
-    write_sigma(w, "gamma", &q->sigma[INVCAL_GAMMA_XY], known);
+    write_known(w, "offset", q->sigma_offset, known);
+    write_known(w, "delta", &q->sigma[INVCAL_DELTA_X], known);
+    write_known(w, "dk", &q->sigma[INVCAL_DK_X], known);
+    write_known(w, "gamma", &q->sigma[INVCAL_GAMMA_XY], known);
     json_object_end(w);
     json_number(w, "interval95", q->coverage);
     json_number(w, "noise", known ? q->noise * result->settings.field : NUMBER_UNKNOWN);
@@ -75,7 +89,8 @@ static void write_quality(json_writer *w, const calibrate_result *result)
     json_number(w, "residual_rms", q->rms);
     json_number(w, "residual_max", q->max);
     json_number(w, "residual_worst", q->worst + 1.0);
-    json_number(w, "residual_before", result->residual_before);
+    json_number(w, "residual_before",
+                nominal_is_guess(&result->nominal) ? NUMBER_UNKNOWN : result->residual_before);
     json_number(w, "condition", q->condition);
     json_text(w, "verdict", invcal_verdict_text(q->verdict));
     write_systematic(w, result);
@@ -97,6 +112,30 @@ static void write_accuracy(json_writer *w, const calibrate_result *result)
     }
 }
 
+/* Whether what was asked is kept, and by which margin. */
+static void write_pass(json_writer *w, const calibrate_result *result)
+{
+    const pass p = pass_judge(result);
+
+    if (p.limited) {
+        json_parameters(w, "beyond", p.beyond);
+    }
+    if (!p.is_asked) {
+        return;
+    }
+    json_object(w, "pass");
+    json_text(w, "answer", p.is_passed ? "PASS" : "FAIL");
+    if (result->need > 0) {
+        json_number(w, "need_used", p.need_used);
+    }
+    if (p.limited) {
+        json_nine(w, "limit", p.limit);
+        json_nine(w, "used", p.used);
+        json_parameters(w, "failed", p.failed);
+    }
+    json_object_end(w);
+}
+
 static void write_source(json_writer *w, uint16_t from_prior)
 {
     json_object(w, "source");
@@ -104,6 +143,18 @@ static void write_source(json_writer *w, uint16_t from_prior)
         json_text(w, invcal_parameter_name(r), from_prior >> r & 1 ? "prior" : "data");
     }
     json_object_end(w);
+}
+
+/* What the positions left out read too much. */
+static void write_excess(json_writer *w, const calibrate_result *result)
+{
+    const rejection *r = &result->rejected;
+
+    json_list(w, "rejected_excess");
+    for (unsigned i = 0; i < r->count; i++) {
+        json_number(w, NULL, calibrate_excess(result, r->list[i].position));
+    }
+    json_list_end(w);
 }
 
 /* Which file it was. */
@@ -116,18 +167,11 @@ static void write_file(json_writer *w, const positions *data)
     json_text(w, "source_crc", crc);
 }
 
-static void write_nine(json_writer *w, const char *name, const double x[INVCAL_PARAMETERS])
-{
-    json_object(w, name);
-    json_vector(w, "delta", &x[INVCAL_DELTA_X]);
-    json_vector(w, "dk", &x[INVCAL_DK_X]);
-    json_vector(w, "gamma", &x[INVCAL_GAMMA_XY]);
-    json_object_end(w);
-}
-
 /* All that invcal_thermal_at needs, in one place; then what there is to know of it. */
-static void write_thermal(json_writer *w, const thermal_fit *fit)
+static void write_thermal(json_writer *w, const calibrate_result *result)
 {
+    const thermal_fit *fit = &result->fit;
+    double slope[2][INVCAL_PARAMETERS]; /* and sigma */
     const invcal_thermal *c = &fit->calibration;
     const invcal_calibration nominal = fit_in_field_units(&c->nominal, fit->settings.field);
 
@@ -143,13 +187,17 @@ static void write_thermal(json_writer *w, const thermal_fit *fit)
     json_matrix(w, "nominal_matrix", nominal.matrix);
     json_list(w, "coefficients");
     for (unsigned a = 0; a <= c->fitted; a++) {
-        write_nine(w, NULL, c->x[a]);
+        json_nine(w, NULL, c->x[a]);
     }
     json_list_end(w);
     json_number(w, "asked", fit->wish.degree);
     json_text(w, "fallback", invcal_thermal_fallback_text((invcal_thermal_fallback)c->fallback));
-    write_nine(w, "slope", fit->slope);
-    write_nine(w, "slope_sigma", fit->slope_sigma);
+    for (unsigned r = 0; r < INVCAL_PARAMETERS; r++) {
+        slope[0][r] = calibrate_slope_scale(result, r) * fit->slope[r];
+        slope[1][r] = calibrate_slope_scale(result, r) * fit->slope_sigma[r];
+    }
+    json_nine(w, "slope", slope[0]);
+    json_nine(w, "slope_sigma", slope[1]);
     json_number(w, "residual_rms_without", fit->without);
     json_number(w, "drift_limit", fit->drift_limit);
     json_object_end(w);
@@ -164,9 +212,15 @@ void calibrate_json(FILE *file, const calibrate_result *result)
 
     json_begin(&w, file);
     json_text(&w, "invcal", INVCAL_VERSION);
+    record_json(&w, &result->record);
     write_file(&w, result->data);
     json_number(&w, "positions", result->data->count);
+    if (result->log) {
+        json_number(&w, "rate", result->log->rate);
+        json_text(&w, "rate_from", result->log->is_rate_known ? "stated" : "guess");
+    }
     json_numbers(&w, "rejected", result->rejected.number, result->rejected.count);
+    write_excess(&w, result);
     json_number(&w, "suspected", result->rejected.suspected);
     json_number(&w, "gravity", field);
     json_number(&w, "gravity_sigma", result->field_sigma * field);
@@ -179,16 +233,15 @@ void calibrate_json(FILE *file, const calibrate_result *result)
         calibrate_case_json(&w, result);
     }
     write_nominal(&w, &result->nominal);
-    json_vector(&w, "delta", &s->x[INVCAL_DELTA_X]);
-    json_vector(&w, "dk", &s->x[INVCAL_DK_X]);
-    json_vector(&w, "gamma", &s->x[INVCAL_GAMMA_XY]);
+    calibrate_parameters_json(&w, result, s->x);
     write_quality(&w, result);
     write_accuracy(&w, result);
-    if (result->tolerance) {
-        json_parameters(&w, "beyond", result->beyond);
-    }
+    write_pass(&w, result);
     if (fit_has_prior(&result->settings)) {
         write_source(&w, result->quality.from_prior);
+    }
+    if (result->settings.is_six_faces) {
+        faces_json(&w, result);
     }
     if (result->degree > 0) {
         calibrate_nonlinear_json(&w, result);
@@ -197,10 +250,10 @@ void calibrate_json(FILE *file, const calibrate_result *result)
         calibrate_robust_json(&w, result);
     }
     if (result->stand.from) {
-        stand_json(&w, &result->stand);
+        stand_json(&w, &result->stand, &result->nominal);
     }
     if (result->temperature == CALIBRATE_THERMAL) {
-        write_thermal(&w, &result->fit);
+        write_thermal(&w, result);
     }
     json_end(&w);
 }

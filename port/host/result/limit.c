@@ -11,6 +11,7 @@
 #include "maths/matrix.h"
 
 #define UNLIKELY 0.05
+#define STEPS 20u        /* each takes all but some percent of what the one before left */
 #define MANY 60u         /* degrees of freedom behind the noise of the samples: as good as known */
 #define SIGNIFICANT 0.01 /* chance that slopes that are none show as much */
 #define UNEVEN 2.0       /* times the least sigma that so many positions could leave */
@@ -21,11 +22,11 @@ int calibrate_wants_slopes(const calibrate_result *r)
            r->quality.verdict == INVCAL_WEAK && r->quality.weak == (1u << INVCAL_PARAMETERS) - 1;
 }
 
-double calibrate_guess_error(const calibrate_result *r)
+double calibrate_slope_scale(const calibrate_result *r, unsigned parameter)
 {
-    const double *dk = &r->solution.x[INVCAL_DK_X];
-
-    return nominal_is_guess(&r->nominal) ? fmax(fabs(dk[0]), fmax(fabs(dk[1]), fabs(dk[2]))) : 0;
+    return parameter >= INVCAL_GAMMA_XY || nominal_knows(&r->nominal, INVCAL_DK_X)
+               ? 1
+               : 1 / (1 + r->solution.x[INVCAL_DK_X + parameter % 3]);
 }
 
 invcal_calibration calibrate_at_temperature(const calibrate_result *r, double temperature)
@@ -52,10 +53,46 @@ void calibrate_take_drift(const calibrate_result *r, double tau, double reading[
     }
 }
 
+/* Takes quadratic and cubic errors off, at the direction that the calibration makes of what is left
+ * (nonlinearity.h). */
+static void take_nonlinearity(const calibrate_result *r, double reading[3])
+{
+    const double was[3] = {reading[0], reading[1], reading[2]};
+    double inverse[3][3];
+
+    if (r->degree == 0 || !matrix_inverse(&r->settings.nominal, inverse)) {
+        return;
+    }
+    for (unsigned step = 0; step < STEPS; step++) {
+        double eta[3];
+        double error[3];
+        invcal_apply(&r->solution.symmetric, reading, eta);
+        for (unsigned a = 0; a < 3; a++) {
+            const double cubic = r->degree > 2 ? r->nonlinear[3 + a] : 0;
+            error[a] = eta[a] * eta[a] * (r->nonlinear[a] + cubic * eta[a]);
+        }
+        for (unsigned a = 0; a < 3; a++) {
+            const double *n = inverse[a];
+            reading[a] = was[a] - (n[0] * error[0] + n[1] * error[1] + n[2] * error[2]);
+        }
+    }
+}
+
 void calibrate_level(const calibrate_result *r, unsigned position, double out[3])
 {
     memcpy(out, &r->data->mean[3 * (size_t)position], 3 * sizeof *out);
     calibrate_take_drift(r, calibrate_tau(r->data, position), out);
+    take_nonlinearity(r, out);
+}
+
+double calibrate_excess(const calibrate_result *r, unsigned position)
+{
+    const invcal_calibration here = calibrate_at(r, position);
+    double v[3];
+
+    calibrate_level(r, position, v);
+    invcal_apply(&here, v, v);
+    return sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]) - 1;
 }
 
 void calibrate_reading(const calibrate_result *r, unsigned kept, double out[3])
@@ -128,6 +165,10 @@ const char *calibrate_limit(const calibrate_result *r, const uncertainty *length
     } else if (calibrate_wants_slopes(r)) {
         snprintf(text, CALIBRATE_LIMIT_MAX,
                  "temperature: slopes are wanting, and pass for errors of other kinds.");
+    } else if (fit_held(&r->settings, &r->quality)) {
+        snprintf(
+            text, CALIBRATE_LIMIT_MAX,
+            "the angles, which these positions do not tell; those midway between two axes do.");
     } else if (uneven >= UNEVEN && !fit_has_prior(&r->settings)) {
         snprintf(
             text, CALIBRATE_LIMIT_MAX,
@@ -175,6 +216,7 @@ const char *calibrate_advice(const calibrate_result *r, char text[CALIBRATE_LIMI
     const double range = fit->calibration.max - fit->calibration.min;
     const told_unit told = told_parts(r->told, unit_is_gravity(r->settings.field));
     const unsigned most = steepest_offset(fit);
+    const double scale = told.scale * calibrate_slope_scale(r, most);
     char before[FIGURE_MAX];
     char after[FIGURE_MAX];
     char slope[FIGURE_MAX];
@@ -197,10 +239,11 @@ const char *calibrate_advice(const calibrate_result *r, char text[CALIBRATE_LIMI
     } else {
         snprintf(text, CALIBRATE_LIMIT_MAX,
                  "The residuals depend on temperature (chance alone: %.1g); offset %c moves by %s "
-                 "%s/K. --thermal 1 brings their rms from %s to %s %s.",
+                 "%s/K (95 %%). --thermal 1 brings their rms from %s to %s %s.",
                  fmax(1e-99, fit->significance), "xyz"[most],
-                 figure_with_sigma(told.scale * fit->slope[most],
-                                   told.scale * fit->slope_sigma[most], FIGURE_SIGNED, slope),
+                 figure_with_sigma(scale * fit->slope[most],
+                                   scale * fit->quality.coverage * fit->slope_sigma[most],
+                                   FIGURE_SIGNED, slope),
                  told.unit, figure_digits(told.scale * fit->without, 3, before),
                  figure_digits(told.scale * fit->quality.rms, 3, after), told.unit);
     }

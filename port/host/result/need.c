@@ -2,22 +2,73 @@
 #include "result/need.h"
 
 #include <math.h>
+#include <string.h>
 
 #include "text/figure.h"
 
-#define NORMAL 1.959964 /* sigma that hold 95 % */
-#define MANY_MORE 3.0   /* times as many positions: longer rests are easier */
+#define MANY_MORE 3.0 /* times as many positions: longer rests are easier */
 
-enum { WHAT_MAX = NEED_MAX / 2 };
+#define ABOUT 0.01 /* of 1 g, a field in g */
+
+static int ends_with(const char *text, size_t length, const char *ending)
+{
+    const size_t size = strlen(ending);
+
+    return length >= size && memcmp(text + length - size, ending, size) == 0;
+}
+
+/* What a field of 1 is in this unit: a fixed number, or (0) its length in m/s^2. */
+static const struct {
+    const char *ending;
+    told_unit unit;
+    int is_of_gravity;
+} units[] = {
+    {"mg", {1e3, "mg"}, 1},   {"ug", {1e6, "µg"}, 1},
+    {"µg", {1e6, "µg"}, 1},   {"g", {1, "g"}, 1},
+    {"m/s2", {0, "m/s²"}, 1}, {"m/s^2", {0, "m/s²"}, 1},
+    {"m/s²", {0, "m/s²"}, 1}, {"%", {1e2, "% of the field"}, 0},
+};
+
+need_ending need_parse(const char *text, double field, size_t *digits, told_unit *unit)
+{
+    const size_t length = strlen(text);
+    const int is_gravity = unit_is_gravity(field);
+    const int is_in_g = fabs(field - 1) <= ABOUT;
+
+    *digits = length;
+    for (unsigned i = 0; i < sizeof units / sizeof *units; i++) {
+        if (!ends_with(text, length, units[i].ending)) {
+            continue;
+        }
+        const int is_si = !(units[i].unit.scale > 0);
+        if (units[i].is_of_gravity && !is_gravity && (is_si || !is_in_g)) {
+            return NEED_NO_GRAVITY;
+        }
+        *digits = length - strlen(units[i].ending);
+        while (*digits > 0 && text[*digits - 1] == ' ') {
+            --*digits;
+        }
+        if (*digits == 0) {
+            return NEED_NO_UNIT;
+        }
+        *unit = is_si ? (told_unit){field, units[i].unit.unit} : units[i].unit;
+        return NEED_UNIT;
+    }
+    *unit = (told_unit){field, is_gravity ? "m/s²" : "field units"};
+    return strchr("0123456789.", text[length - 1]) ? NEED_PLAIN : NEED_NO_UNIT;
+}
 
 double need_of_field(const calibrate_result *r)
 {
-    return NORMAL * r->field_sigma;
+    return FIT_NORMAL * r->field_sigma;
 }
 
 double need_reached(const calibrate_result *r)
 {
-    return hypot(r->accuracy, need_of_field(r));
+    const double field = need_of_field(r);
+
+    return sqrt(r->accuracy * r->accuracy +
+                field * field); /* hypot rounds differently in each libc */
 }
 
 /* Over the field. */
@@ -63,7 +114,7 @@ need_missing need_judge(const calibrate_result *r)
     if (calibrate_is_disturbed(r)) {
         return NEED_STEADINESS;
     }
-    if (calibrate_is_uneven(r)) {
+    if (calibrate_is_uneven(r) || fit_held(&r->settings, &r->quality)) {
         return NEED_DIRECTIONS;
     }
     return times_more(r) <= MANY_MORE ? NEED_POSITIONS : NEED_REST;
@@ -77,9 +128,9 @@ const char *need_word(need_missing missing)
     return words[missing];
 }
 
-/* What is to be done about it. */
-static void say_missing(const calibrate_result *r, need_missing missing, char text[WHAT_MAX])
+const char *need_advice(const calibrate_result *r, char text[NEED_MAX])
 {
+    const need_missing missing = need_judge(r);
     const unsigned count = r->rejected.kept_count;
     const char *what = "";
     char number[FIGURE_MAX];
@@ -102,46 +153,24 @@ static void say_missing(const calibrate_result *r, need_missing missing, char te
         what = "Missing: positions in directions that have none yet.";
         break;
     case NEED_GRAVITY:
-        snprintf(text, WHAT_MAX,
-                 "Missing: the length of the field, to ±%s (--gravity G+-S, or --latitude); all "
-                 "scales inherit its error.",
-                 figure_digits(r->need / NORMAL, 2, number));
-        return;
+        snprintf(
+            text, NEED_MAX,
+            "Missing: the length of the field, to a σ of %s (--gravity G+-S, or --latitude); all "
+            "scales inherit its error.",
+            figure_digits(r->need / FIT_NORMAL, 2, number));
+        return text;
     case NEED_REST:
-        snprintf(text, WHAT_MAX,
+        snprintf(text, NEED_MAX,
                  "Missing: rests about %s times as long, as far as the noise averages out; or a "
                  "sensor of less noise.",
                  figure_digits(times_more(r), 2, number));
-        return;
+        return text;
     case NEED_POSITIONS:
-        snprintf(text, WHAT_MAX,
+        snprintf(text, NEED_MAX,
                  "Missing: about %.0f positions in place of %u, or rests %s times as long.",
                  ceil(count * times_more(r)), count, figure_digits(times_more(r), 2, number));
-        return;
+        return text;
     }
-    snprintf(text, WHAT_MAX, "%s", what);
-}
-
-const char *need_text(const calibrate_result *r, char text[NEED_MAX])
-{
-    const need_missing missing = need_judge(r);
-    const char *unit = calibrate_field_unit(r);
-    char reached[FIGURE_MAX];
-    char need[FIGURE_MAX];
-    char what[WHAT_MAX];
-
-    say_missing(r, missing, what);
-    (void)figure_digits(r->need, 2, need);
-    (void)figure_digits(r->settings.field * need_reached(r), 2, reached);
-    if (of_verdict(r) != NEED_NOTHING) {
-        snprintf(text, NEED_MAX, "Not good for ±%s %s. %s", need, unit, what);
-    } else if (!calibrate_knows_noise(r)) {
-        snprintf(text, NEED_MAX, "Not known to be good for ±%s %s: nothing tells the noise.", need,
-                 unit);
-    } else {
-        snprintf(text, NEED_MAX, "%s for ±%s %s: lengths are right within ±%s %s (95 %%).%s%s",
-                 missing == NEED_NOTHING ? "Good" : "Not good", need, unit, reached, unit,
-                 *what ? " " : "", what);
-    }
+    snprintf(text, NEED_MAX, "%s", what);
     return text;
 }

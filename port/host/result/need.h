@@ -5,6 +5,8 @@
 #ifndef NEED_H
 #define NEED_H
 
+#include <stddef.h>
+
 #include "result/verdict.h"
 
 typedef enum {
@@ -18,16 +20,30 @@ typedef enum {
     NEED_REST        /* longer ones */
 } need_missing;
 
+/* What a need is stated in. */
+typedef enum {
+    NEED_UNIT,      /* that unit, */
+    NEED_PLAIN,     /* none: that of the field */
+    NEED_NO_UNIT,   /* an ending that is none, or no number, */
+    NEED_NO_GRAVITY /* or one of gravity, which the field is not */
+} need_ending;
+
+/* Takes the ending off a need: "1mg", "0.1 %", "0.01m/s2"; g, mg and ug are parts of the field.
+ *
+ * field   its length.
+ * digits  out: so many bytes are the number.
+ * unit    out, but for the last two answers: how it is told; its scale makes a need over the field of 1. */
+need_ending need_parse(const char *text, double field, size_t *digits, told_unit *unit);
+
 /* For a result with a need. */
 need_missing need_judge(const calibrate_result *result);
 
 /* "nothing", "warm-up", ... */
 const char *need_word(need_missing missing);
 
-/* What lengths are right within, whether that is good enough, and if not, what to do: a sentence or two.
- * Returns text. */
+/* What is to be done if it is not: a sentence, "Missing: ..."; else "". Returns text. */
 #define NEED_MAX VERDICT_MAX
-const char *need_text(const calibrate_result *result, char text[NEED_MAX]);
+const char *need_advice(const calibrate_result *result, char text[NEED_MAX]);
 
 /* What 95 % of the lengths are right within, over the field, and the part of it that the field leaves. */
 double need_reached(const calibrate_result *result);

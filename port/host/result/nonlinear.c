@@ -4,24 +4,25 @@
 #include "text/figure.h"
 #include "text/json_write.h"
 #include "text/number.h"
+#include "text/tabular.h"
 
-void calibrate_nonlinear_print(FILE *file, const calibrate_result *r)
+void calibrate_nonlinear_rows(const calibrate_result *r)
 {
     const int is_gravity = unit_is_gravity(r->settings.field);
     const int known = calibrate_knows_noise(r);
     const double in = is_gravity ? 1e3 : 1e2;
 
     for (unsigned e = 0; r->degree > 0 && e < 3 * (r->degree - 1); e++) {
-        char value[FIGURE_MAX];
-        char sigma[FIGURE_MAX];
+        char text[FIGURE_MAX];
         const double one = known ? in * r->nonlinear_sigma[e] : NUMBER_UNKNOWN;
         const int places = figure_places(in * r->nonlinear[e], one);
-        fprintf(file, "%-14s%14s ± %-10s%28s  %s\n", nonlinearity_name(e),
-                figure_fixed(in * r->nonlinear[e], places, FIGURE_PLAIN, value),
-                known ? figure_fixed(one, places, FIGURE_PLAIN, sigma) : "?", "",
-                !is_gravity ? "% of the field, at the field"
-                : e < 3     ? "mg per g²"
-                            : "mg per g³");
+        tabular_cell("%s", nonlinearity_name(e));
+        tabular_cell("%s", figure_fixed(in * r->nonlinear[e], places, FIGURE_PLAIN, text));
+        tabular_cell("± %s", known ? figure_fixed(one, places, FIGURE_PLAIN, text) : "?");
+        tabular_note("%s", !is_gravity ? "% of the field, at the field"
+                           : e < 3     ? "mg per g²"
+                                       : "mg per g³");
+        tabular_row();
     }
 }
 

@@ -8,16 +8,23 @@
 #include "fit/gravity.h"
 #include "maths/matrix.h"
 #include "cli/message.h"
+#include "result/faces.h"
 #include "result/need.h"
+#include "result/pass.h"
 #include "text/number.h"
 #include "cli/options.h"
 #include "text/paint.h"
 #include "design/parameters.h"
 #include "stand/tell.h"
+#include "text/tabular.h"
+#include "text/utf8.h"
+#include "text/wrapped.h"
 #include "result/verdict.h"
+#include "text/plain.h"
 
-#define LINE_WIDTH 99u
+#define LABEL 14u /* columns of what stands before a line's text */
 #define TEXT_MAX 512
+#define LISTED 10u /* positions left out that are named */
 
 /* One line of the table. */
 typedef struct {
@@ -29,47 +36,48 @@ typedef struct {
     const char *unit;
 } figure;
 
-static void print_figure(FILE *file, const figure *f)
+static void add_figure(const calibrate_result *r, const figure *f)
 {
-    char value[FIGURE_MAX];
-    char sigma[FIGURE_MAX] = "?";
-    char nominal[FIGURE_MAX] = "";
-    char difference[FIGURE_MAX] = "";
-    char label[FIGURE_MAX];
+    char text[FIGURE_MAX];
     const int places = figure_places(f->value, f->sigma);
 
-    snprintf(label, sizeof label, "%s %s", f->label, f->axis);
-    figure_fixed(f->value, places, FIGURE_PLAIN, value);
-    if (f->sigma >= 0) {
-        figure_fixed(f->sigma, places, FIGURE_PLAIN, sigma);
+    tabular_cell("%s %s", f->label, f->axis);
+    tabular_cell("%s", figure_fixed(f->value, places, FIGURE_PLAIN, text));
+    tabular_cell("± %s", f->sigma >= 0 ? figure_fixed(f->sigma, places, FIGURE_PLAIN, text) : "?");
+    if (!nominal_is_stated(&r->nominal)) { /* the table has no columns for it */
+        tabular_note("%s", f->unit);
+        tabular_row();
+        return;
     }
     if (!isnan(f->nominal)) {
-        figure_fixed(f->nominal, places, FIGURE_PLAIN, nominal);
-        figure_fixed(f->value - f->nominal, places, FIGURE_SIGNED, difference);
+        tabular_cell("%s", figure_fixed(f->nominal, places, FIGURE_PLAIN, text));
+        tabular_cell("%s", figure_fixed(f->value - f->nominal, places, FIGURE_SIGNED, text));
     }
-    fprintf(file, "%-14s%14s ± %-10s%14s%14s  %s\n", label, value, sigma, nominal, difference,
-            f->unit);
+    tabular_note("%s", f->unit);
+    tabular_row();
 }
 
-static void print_offsets(FILE *file, const calibrate_result *r, int known)
+static void add_offsets(const calibrate_result *r, int known)
 {
     for (unsigned i = 0; i < 3; i++) {
         const figure f = {.label = "offset",
                           .axis = {"xyz"[i]},
                           .value = r->solution.calibration.offset[i],
                           .sigma = known ? r->quality.sigma_offset[i] : NUMBER_UNKNOWN,
-                          .nominal = r->nominal.calibration.offset[i],
+                          .nominal = nominal_knows(&r->nominal, INVCAL_DELTA_X)
+                                         ? r->nominal.calibration.offset[i]
+                                         : NUMBER_UNKNOWN,
                           .unit = calibrate_input_unit(r)};
-        print_figure(file, &f);
+        add_figure(r, &f);
     }
 }
 
 /* The same against nominal, over the field. */
-static void print_biases(FILE *file, const calibrate_result *r, int known)
+static void add_biases(const calibrate_result *r, int known)
 {
     const told_unit told = calibrate_told_field(r);
 
-    for (unsigned i = 0; i < 3; i++) {
+    for (unsigned i = 0; i < 3 && nominal_knows(&r->nominal, INVCAL_DELTA_X); i++) {
         const figure f = {.label = "offset error",
                           .axis = {"xyz"[i]},
                           .value = told.scale * r->solution.x[INVCAL_DELTA_X + i],
@@ -77,12 +85,12 @@ static void print_biases(FILE *file, const calibrate_result *r, int known)
                                          : NUMBER_UNKNOWN,
                           .nominal = NUMBER_UNKNOWN,
                           .unit = told.unit};
-        print_figure(file, &f);
+        add_figure(r, &f);
     }
 }
 
 /* As data sheets state it: input units per field unit. */
-static void print_scales(FILE *file, const calibrate_result *r, int known)
+static void add_scales(const calibrate_result *r, int known)
 {
     double inverse[3][3];
     char unit[FIGURE_MAX];
@@ -93,26 +101,29 @@ static void print_scales(FILE *file, const calibrate_result *r, int known)
     (void)matrix_inverse(&r->nominal.calibration, inverse); /* no result without */
     for (unsigned i = 0; i < 3; i++) {
         const double nominal = inverse[i][i];
-        const figure f = {.label = "scale",
-                          .axis = {"xyz"[i]},
-                          .value = nominal * (1 + r->solution.x[INVCAL_DK_X + i]),
-                          .sigma = known ? fabs(nominal) * r->quality.sigma[INVCAL_DK_X + i]
-                                         : NUMBER_UNKNOWN,
-                          .nominal = nominal,
-                          .unit = unit};
-        print_figure(file, &f);
+        const figure f = {
+            .label = "scale",
+            .axis = {"xyz"[i]},
+            .value = nominal * (1 + r->solution.x[INVCAL_DK_X + i]),
+            .sigma = known ? fabs(nominal) * r->quality.sigma[INVCAL_DK_X + i] : NUMBER_UNKNOWN,
+            .nominal = nominal_knows(&r->nominal, INVCAL_DK_X) ? nominal : NUMBER_UNKNOWN,
+            .unit = unit};
+        add_figure(r, &f);
     }
 }
 
-static void print_errors(FILE *file, const calibrate_result *r, int known)
+static void add_errors(const calibrate_result *r, int known)
 {
     static const char *const pairs[] = {"xy", "xz", "zy"};
     const told_unit scale = told_scale(r->told);
     const told_unit angle = told_angle(r->told);
+    const uint16_t held = fit_held(&r->settings, &r->quality);
     char off_square[FIGURE_MAX];
+    char not_measured[FIGURE_MAX];
 
     snprintf(off_square, sizeof off_square, "%s off square", angle.unit);
-    for (unsigned i = 0; i < 3; i++) {
+    snprintf(not_measured, sizeof not_measured, "%s, not measured", angle.unit);
+    for (unsigned i = 0; i < 3 && nominal_knows(&r->nominal, INVCAL_DK_X); i++) {
         const figure f = {.label = "scale error",
                           .axis = {"xyz"[i]},
                           .value = scale.scale * r->solution.x[INVCAL_DK_X + i],
@@ -120,7 +131,7 @@ static void print_errors(FILE *file, const calibrate_result *r, int known)
                                          : NUMBER_UNKNOWN,
                           .nominal = NUMBER_UNKNOWN,
                           .unit = scale.unit};
-        print_figure(file, &f);
+        add_figure(r, &f);
     }
     for (unsigned i = 0; i < 3; i++) {
         const figure f = {.label = "angle",
@@ -129,18 +140,8 @@ static void print_errors(FILE *file, const calibrate_result *r, int known)
                           .sigma = known ? angle.scale * r->quality.sigma[INVCAL_GAMMA_XY + i]
                                          : NUMBER_UNKNOWN,
                           .nominal = 0,
-                          .unit = off_square};
-        print_figure(file, &f);
-    }
-}
-
-static void print_guess(FILE *file, const nominal_choice *n, const char *nominal_name)
-{
-    if (nominal_is_guess(n)) {
-        fprintf(file,
-                "%s is a guess: how far offsets and scales are from it says nothing about the\n"
-                "sensor; state its data sheet with --zero and --lsb\n",
-                nominal_name);
+                          .unit = held >> (INVCAL_GAMMA_XY + i) & 1 ? not_measured : off_square};
+        add_figure(r, &f);
     }
 }
 
@@ -164,51 +165,40 @@ static void print_residuals(FILE *file, const calibrate_result *r, const char *n
     char text[TEXT_MAX];
 
     fprintf(file, "residual rms  %s\n", residual_text(r, q->rms, text));
-    fprintf(file, "         max  %s, at position %u (line %lu)\n", residual_text(r, q->max, text),
-            q->worst + 1, r->data->origin[q->worst].line);
-    fprintf(file, "  rms before  %s (%s alone)\n", residual_text(r, r->residual_before, text),
-            nominal_name);
+    wrapped_printf(file, LABEL, "         max  %s, at position %u (line %lu)",
+                   residual_text(r, q->max, text), q->worst + 1, r->data->origin[q->worst].line);
+    if (!nominal_is_guess(&r->nominal)) {
+        wrapped_printf(file, LABEL, "  rms before  %s (%s alone)",
+                       residual_text(r, r->residual_before, text), nominal_name);
+    }
     if (calibrate_knows_noise(r)) {
-        fprintf(file, "noise         %14.3g %s of one position mean, %.3g degrees of freedom",
-                q->noise * noise.scale, noise.unit, q->dof);
+        char stated[TEXT_MAX] = "";
         if (r->settings.noise > 0) {
-            fprintf(file, " (%s: %.3g)", r->is_noise_given ? "stated" : "of samples",
-                    r->settings.noise * noise.scale);
+            snprintf(stated, sizeof stated, " (%s: %.3g)",
+                     r->is_noise_given ? "stated" : "of samples", r->settings.noise * noise.scale);
         }
-        fprintf(file, "\n±             one standard deviation; %.2f of them cover 95 %%\n",
-                q->coverage);
+        wrapped_printf(file, LABEL,
+                       "noise         %14.3g %s of one position mean, %.3g degrees of freedom%s",
+                       q->noise * noise.scale, noise.unit, q->dof, stated);
+        wrapped_printf(file, LABEL,
+                       "±             one standard deviation; %.2f of them cover 95 %%%s",
+                       q->coverage, q->from_prior ? "; 1.96 of what a prior tells" : "");
         if (r->field_sigma > 0) {
-            fprintf(file, "of g          %.2g %s in the ± of the scales, alike in all three%s\n",
-                    told_scale(r->told).scale * r->field_sigma, told_scale(r->told).unit,
-                    r->is_field_stated
-                        ? ""
-                        : ";\n              --gravity or --latitude tells it better");
+            wrapped_printf(file, LABEL,
+                           "of g          %.2g %s in the ± of the scales, alike in all three%s",
+                           told_scale(r->told).scale * r->field_sigma, told_scale(r->told).unit,
+                           r->is_field_stated ? "" : "; --gravity or --latitude tells it better");
         }
         if (calibrate_unexplained(r) > 0) {
-            fprintf(
-                file,
-                "The residuals are %.0f times as large as that noise explains: motion, a changing "
-                "temperature,\nclipped readings (--clip), or a wrong position.\n",
-                calibrate_unexplained(r));
+            wrapped_printf(
+                file, 0,
+                "The residuals are %s times as large as that noise explains: motion, a changing "
+                "temperature, clipped readings (--clip), or a wrong position.",
+                figure_digits(calibrate_unexplained(r), 2, text));
         }
     } else {
         fprintf(file, "noise         not known: no ± can be given (--noise states it)\n");
     }
-}
-
-void calibrate_print_wrapped(FILE *file, size_t used, const char *text)
-{
-    while (used + strlen(text) > LINE_WIDTH) {
-        size_t length = LINE_WIDTH - used;
-        while (length > 1 && text[length] != ' ') {
-            length--;
-        }
-        length = length > 1 ? length : strcspn(text, " ");
-        fprintf(file, "%.*s\n", (int)length, text);
-        text += length + (text[length] == ' ');
-        used = 0;
-    }
-    fprintf(file, "%s\n", text);
 }
 
 static void print_limit(FILE *file, const calibrate_result *result)
@@ -219,7 +209,7 @@ static void print_limit(FILE *file, const calibrate_result *result)
 
     calibrate_spread(result, 1, &length);
     fprintf(file, "%s", label);
-    calibrate_print_wrapped(file, sizeof label - 1, calibrate_limit(result, &length, text));
+    wrapped_line(file, LABEL, LABEL, calibrate_limit(result, &length, text));
 }
 
 static paint colour_of(invcal_verdict verdict)
@@ -229,17 +219,46 @@ static paint colour_of(invcal_verdict verdict)
                                                                         : PAINT_RED;
 }
 
+/* Whether what was asked is kept. */
+static void print_pass(FILE *file, const calibrate_result *result)
+{
+    const pass p = pass_judge(result);
+    char text[PASS_MAX + NEED_MAX];
+    char advice[NEED_MAX];
+    char list[128];
+
+    if (!p.is_asked) {
+        return;
+    }
+    (void)pass_text(result, text); /* begins with a word of four letters and a colon */
+    const size_t length = strlen(text);
+    if (result->need > 0 && *need_advice(result, advice)) {
+        snprintf(text + length, sizeof text - length, " %s", advice);
+    }
+    fprintf(file, "%s%.5s%s", paint_on(file, p.is_passed ? PAINT_GREEN : PAINT_RED), text,
+            paint_off(file));
+    wrapped_line(file, 5, 0, text + 5);
+    if (p.beyond) {
+        snprintf(text, sizeof text, "Beyond the limits of the data sheet: %s.",
+                 parameters_list(p.beyond, list, sizeof list));
+        wrapped_line(file, 0, 0, text);
+    }
+}
+
 static void print_verdict(FILE *file, const calibrate_result *result)
 {
     const fit_quality *q = &result->quality;
     char list[128];
     char cause[VERDICT_MAX];
-    char word[32];
-    char text[VERDICT_MAX + 8];
+    char word[64];
+    char text[VERDICT_MAX + 32];
+    const int is_held = faces_are_good(result);
 
-    snprintf(word, sizeof word, "%s:", verdict_word(result));
-    const paint colour = colour_of(q->verdict);
-    if (strcmp(word, "Good:") == 0) {
+    snprintf(word, sizeof word, "%s%s", verdict_word(result), is_held ? ";" : ":");
+    const paint colour = is_held ? PAINT_YELLOW : colour_of(q->verdict);
+    if (is_held) {
+        snprintf(text, sizeof text, " %s", faces_cost(result, cause));
+    } else if (strcmp(word, "Good:") == 0) {
         snprintf(text, sizeof text,
                  " every parameter is determined; degrees of freedom left to check it: %.3g. %s",
                  q->dof, verdict_unchecked(result, cause));
@@ -254,19 +273,12 @@ static void print_verdict(FILE *file, const calibrate_result *result)
         snprintf(text, sizeof text, " %s", verdict_cause(result, cause));
     }
     fprintf(file, "%s%s%s", paint_on(file, colour), word, paint_off(file));
-    calibrate_print_wrapped(file, strlen(word), text);
-    if (result->beyond) {
-        snprintf(text, sizeof text, "Beyond the limits of the data sheet: %s.",
-                 parameters_list(result->beyond, list, sizeof list));
-        calibrate_print_wrapped(file, 0, text);
-    }
-    if (result->need > 0) {
-        calibrate_print_wrapped(file, 0, need_text(result, cause));
-    }
-    if (q->from_prior) {
+    wrapped_line(file, utf8_columns(word), 0, text);
+    print_pass(file, result);
+    if (q->from_prior && !is_held) {
         snprintf(text, sizeof text, "Known from the prior rather than from the positions: %s.",
                  parameters_list(q->from_prior, list, sizeof list));
-        calibrate_print_wrapped(file, 0, text);
+        wrapped_line(file, 0, 0, text);
     }
 }
 
@@ -274,33 +286,59 @@ static void print_next(FILE *file, const calibrate_result *result, const calibra
 {
     const fit_quality *q = &result->quality;
     const char *saved = wish->saved;
-    char path[MESSAGE_MAX];
+    char path[PLAIN_MAX];
+    char command[PLAIN_MAX + sizeof "invcal apply  LOG"];
     char advice[128];
     char remedy[VERDICT_MAX];
     char text[VERDICT_MAX + 8];
 
     if (saved) {
-        fprintf(file, "Saved in %s.\n", saved);
+        wrapped_printf(file, 0, "Saved in %s.", plain_copy(saved, path));
     }
     if (wish->report) {
-        fprintf(file, "Report in %s.\n", wish->report);
+        wrapped_printf(file, 0, "Report in %s.", plain_copy(wish->report, path));
     }
-    if (q->verdict == INVCAL_NO_REDUNDANCY) {
-        fprintf(file, "Next: add 3 or more positions in other directions, to check the fit.\n");
+    if (faces_are_good(result)) {
+        snprintf(text, sizeof text,
+                 "Next: to measure the angles, add six positions and leave --six-faces out: %s.",
+                 FACES_EDGES);
+        wrapped_line(file, 0, 0, text);
+    } else if (q->verdict == INVCAL_NO_REDUNDANCY) {
+        wrapped_printf(file, 0,
+                       "Next: add 3 or more positions in other directions, to check the fit.");
     } else if (q->verdict == INVCAL_WEAK && calibrate_wants_slopes(result)) {
-        fprintf(file, "Next: measure nine positions or more at each of two temperatures, 5 K "
-                      "apart or more.\n");
+        wrapped_printf(
+            file, 0,
+            "Next: measure nine positions or more at each of two temperatures, 5 K apart "
+            "or more.");
     } else if (q->verdict == INVCAL_WEAK) {
         snprintf(text, sizeof text, "Next: add positions with %s.",
                  parameters_advice(q->weak, advice, sizeof advice));
-        calibrate_print_wrapped(file, 0, text);
+        wrapped_line(file, 0, 0, text);
     } else if (strcmp(verdict_word(result), "Good") == 0) {
-        fprintf(file, "Next: %scorrect readings with: invcal apply %s LOG\n",
-                saved ? "" : "save it with --out CAL.json, then ",
-                options_quoted(saved ? saved : "CAL.json", path, sizeof path));
+        const size_t at = wrapped_words(file, 0, 0,
+                                        saved ? "Next: correct readings with:"
+                                              : "Next: save it with --out CAL.json, then correct "
+                                                "readings with:");
+        snprintf(command, sizeof command, "invcal apply %s LOG",
+                 saved ? plain(options_quoted(saved, path, sizeof path)) : "CAL.json");
+        wrapped_command(file, at, 2, command);
     } else {
         snprintf(text, sizeof text, "Next: %s", verdict_remedy(result, remedy));
-        calibrate_print_wrapped(file, 0, text);
+        wrapped_line(file, 0, 0, text);
+    }
+}
+
+/* What the calibration is filed under. */
+static void print_record(FILE *file, const record *r)
+{
+    char text[RECORD_MAX + 16];
+
+    for (unsigned k = 0; k < RECORD_TEXTS; k++) {
+        if (*r->text[k] != '\0') {
+            snprintf(text, sizeof text, "%-14s%s", record_name((record_text)k), r->text[k]);
+            wrapped_line(file, 0, LABEL, text);
+        }
     }
 }
 
@@ -312,20 +350,21 @@ static void print_recognised(FILE *file, const positions *data)
 
     columns_describe(&data->seen, text, sizeof text);
     snprintf(line, sizeof line, "%s: %s", data->name, text);
-    calibrate_print_wrapped(file, 0, line);
+    wrapped_line(file, 0, 0, plain(line));
 }
 
 /* What the positions were found in. */
 static void print_log(FILE *file, const calibrate_result *result)
 {
     const rests_summary *log = result->log;
+    char name[PLAIN_MAX];
 
     if (!log) {
         return;
     }
-    fprintf(file, "%s: %lu samples, %.6g s at %.4g samples a second%s\n", result->data->name,
-            log->samples, log->seconds, log->rate,
-            log->is_rate_known ? "" : " (a guess: --rate states it)");
+    wrapped_printf(file, 0, "%s: %lu samples, %.6g s at %.4g samples a second%s",
+                   plain_copy(result->data->name, name), log->samples, log->seconds, log->rate,
+                   log->is_rate_known ? "" : " (a guess: --rate states it)");
     if (log->gaps > 0) {
         fprintf(file, "%*lu gap%s in the stream\n", 8, log->gaps, log->gaps == 1 ? "" : "s");
     }
@@ -335,9 +374,9 @@ static void print_log(FILE *file, const calibrate_result *result)
     }
     for (unsigned i = 0; i < RESTS_REASONS; i++) {
         if (log->refused[i] > 0) {
-            fprintf(file, "%*u rest%s refused: %s\n", 8, log->refused[i],
-                    log->refused[i] == 1 ? "" : "s",
-                    rests_reason_text((invcal_status)(INVCAL_REST_SHORT + i)));
+            wrapped_printf(file, 9, "%*u rest%s refused: %s", 8, log->refused[i],
+                           log->refused[i] == 1 ? "" : "s",
+                           rests_reason_text((invcal_status)(INVCAL_REST_SHORT + i)));
         }
     }
 }
@@ -345,10 +384,10 @@ static void print_log(FILE *file, const calibrate_result *result)
 static void print_place(FILE *file, const calibrate_result *result)
 {
     if (result->place) {
-        fprintf(file,
-                "That is normal gravity at %.6g degrees, %.6g m, ±%.4f: an error scales all "
-                "readings alike,\nand does nothing else.\n",
-                result->place[0], result->place[1], GRAVITY_SIGMA);
+        wrapped_printf(file, 0,
+                       "That is normal gravity at %.6g degrees, %.6g m, ±%.4f: an error scales all "
+                       "readings alike, and does nothing else.",
+                       result->place[0], result->place[1], GRAVITY_SIGMA);
     }
 }
 
@@ -359,25 +398,33 @@ static void print_rejected(FILE *file, const calibrate_result *result)
     char text[FIGURE_MAX];
 
     if (rejection_drifting(r) > 0) {
-        fprintf(file,
-                "%sLeft out:%s %u rest%s in which the temperature drifted by more than %.2g K\n",
-                paint_on(file, PAINT_RED), paint_off(file), rejection_drifting(r),
-                rejection_drifting(r) == 1 ? "" : "s", result->fit.drift_limit);
+        wrapped_printf(file, 10,
+                       "%sLeft out:%s %u rest%s in which the temperature drifted by more than "
+                       "%.2g K",
+                       paint_on(file, PAINT_RED), paint_off(file), rejection_drifting(r),
+                       rejection_drifting(r) == 1 ? "" : "s", result->fit.drift_limit);
     }
     for (unsigned i = 0; i < r->count; i++) {
+        if (i == LISTED && r->count > LISTED + 1) {
+            fprintf(file, "          and %u more\n", r->count - LISTED);
+            break;
+        }
         if (r->list[i].drift > 0) {
             fprintf(file, "          position %u (line %lu), by %.2g K\n", r->list[i].position + 1,
                     result->data->origin[r->list[i].position].line, r->list[i].drift);
             continue;
         }
-        fprintf(file, "%sLeft out:%s position %u (line %lu), wrong by %s %s\n",
-                paint_on(file, PAINT_RED), paint_off(file), r->list[i].position + 1,
-                result->data->origin[r->list[i].position].line,
-                figure_digits(told.scale * r->list[i].error, 3, text), told.unit);
+        wrapped_printf(
+            file, 10, "%sLeft out:%s position %u (line %lu), wrong by %s %s",
+            paint_on(file, PAINT_RED), paint_off(file), r->list[i].position + 1,
+            result->data->origin[r->list[i].position].line,
+            figure_digits(told.scale * calibrate_excess(result, r->list[i].position), 3, text),
+            told.unit);
     }
     if (r->suspected > 0) {
-        fprintf(file, "Something is wrong among %u %spositions, but not to be told which.\n",
-                r->suspected, r->count > 0 ? "more " : "");
+        wrapped_printf(file, 0,
+                       "Something is wrong among %u %spositions, but not to be told which.",
+                       r->suspected, r->count > 0 ? "more " : "");
     }
 }
 
@@ -387,7 +434,7 @@ static void print_stand(FILE *file, const calibrate_result *result)
                                told_angle(result->told)};
 
     if (result->stand.from) {
-        stand_print(file, &result->stand, result->solution.x, unit);
+        stand_print(file, &result->stand, &result->nominal, result->solution.x, unit);
     }
 }
 
@@ -397,45 +444,82 @@ static void print_case(FILE *file, const calibrate_result *result)
 
     if (result->frame.used > 0) {
         fprintf(file, "case          ");
-        calibrate_print_wrapped(file, 14, calibrate_case_text(result, text));
+        wrapped_line(file, LABEL, LABEL, calibrate_case_text(result, text));
     }
+}
+
+/* What the sensor was to read, and who says so. */
+static void print_nominal(FILE *file, const nominal_choice *n, const char *name)
+{
+    char text[TEXT_MAX];
+    char limits[SENSORS_TEXT_MAX];
+
+    if (!nominal_is_stated(n)) {
+        snprintf(text, sizeof text,
+                 "%s: not stated; --sensor, --unit, or --zero and --lsb would state it", name);
+    } else if (n->zero == n->lsb) {
+        snprintf(text, sizeof text, "%s: zero and scale %s", name, nominal_origin_text(n->zero));
+    } else {
+        snprintf(text, sizeof text, "%s: zero %s, scale %s", name, nominal_origin_text(n->zero),
+                 nominal_origin_text(n->lsb));
+    }
+    wrapped_line(file, 0, 0, text);
+    if (n->sensor.type) {
+        wrapped_printf(file, 0, "%s at %s: %s", n->sensor.type->name, n->sensor.range->name,
+                       n->sensor.type->sheet);
+        fprintf(file, "%-14s", "limits");
+        wrapped_line(file, LABEL, LABEL, sensors_limits_text(&n->sensor, limits));
+    }
+    fprintf(file, "\n");
+}
+
+static void print_parameters(FILE *file, const calibrate_result *result, const char *nominal_name)
+{
+    const int known = calibrate_knows_noise(result);
+
+    const int is_stated = nominal_is_stated(&result->nominal);
+
+    tabular_begin(file, is_stated ? "lrlrr" : "lrl");
+    tabular_cell("%s", "");
+    tabular_cell("calibrated");
+    tabular_cell("± sigma");
+    if (is_stated) {
+        tabular_cell("%s", nominal_name);
+        tabular_cell("difference");
+    }
+    tabular_row_in(PAINT_BOLD);
+    add_offsets(result, known);
+    add_scales(result, known);
+    if (result->told == TOLD_INS) { /* in input units alone no engineer of INS can read it */
+        add_biases(result, known);
+    }
+    add_errors(result, known);
+    calibrate_nonlinear_rows(result);
+    tabular_end();
 }
 
 void calibrate_print(FILE *file, const calibrate_result *result, const calibrate_wish *wish)
 {
-    const int known = calibrate_knows_noise(result);
-    const nominal_choice *n = &result->nominal;
+    char name[PLAIN_MAX];
+    char nominal[CALIBRATE_NAME_MAX + 1];
 
+    snprintf(nominal, sizeof nominal, "%s", wish->nominal_name);
+    plain(nominal);
+    print_record(file, &result->record);
     print_recognised(file, result->data);
     print_log(file, result);
-    fprintf(file, "%s: %u positions, field %.7g %s\n", result->data->name, result->data->count,
-            result->settings.field, calibrate_field_unit(result));
+    wrapped_printf(file, 0, "%s: %u positions, field %.7g %s", plain_copy(result->data->name, name),
+                   result->data->count, result->settings.field, calibrate_field_unit(result));
     print_place(file, result);
     print_rejected(file, result);
-    if (n->zero == n->lsb) {
-        fprintf(file, "%s: zero and scale %s\n\n", wish->nominal_name,
-                nominal_origin_text(n->zero));
-    } else {
-        fprintf(file, "%s: zero %s, scale %s\n\n", wish->nominal_name, nominal_origin_text(n->zero),
-                nominal_origin_text(n->lsb));
-    }
-    fprintf(file, "%s%-14s%14s ± %-10s%*s%14s%s\n", paint_on(file, PAINT_BOLD), "", "calibrated",
-            "sigma", paint_width(wish->nominal_name, 14), wish->nominal_name, "difference",
-            paint_off(file));
-    print_offsets(file, result, known);
-    print_scales(file, result, known);
-    if (result->told == TOLD_INS) { /* in input units alone no engineer of INS can read it */
-        print_biases(file, result, known);
-    }
-    print_errors(file, result, known);
-    calibrate_nonlinear_print(file, result);
-    print_guess(file, n, wish->nominal_name);
+    print_nominal(file, &result->nominal, nominal);
+    print_parameters(file, result, nominal);
     fprintf(file, "\n");
     print_stand(file, result);
     print_case(file, result);
     calibrate_print_thermal(file, result);
     fprintf(file, "%s", result->temperature == CALIBRATE_THERMAL ? "\n" : "");
-    print_residuals(file, result, wish->nominal_name);
+    print_residuals(file, result, nominal);
     if (result->is_robust_wanted) {
         calibrate_robust_print(file, result);
     }

@@ -19,6 +19,7 @@
 #include "stand/stand.h"
 #include "fit/thermal_fit.h"
 #include "cli/told.h"
+#include "result/record.h"
 #include "result/uncertainty.h"
 
 /* What is known of temperature. */
@@ -28,21 +29,36 @@ typedef enum {
     CALIBRATE_THERMAL /* `fit` is the result; solution and quality are those at its reference */
 } calibrate_temperature;
 
+/* Why there is no calibration. Filled in by calibrate/refuse.h, told by message, JSON and page. */
+#define REFUSAL_MAX 1000u
 typedef struct {
+    const char *word;         /* "too few", ...; null: it was not refused */
+    char reason[REFUSAL_MAX]; /* what is wrong, */
+    char remedy[REFUSAL_MAX]; /* and what to do: clauses without a stop; the latter may be "" */
+    uint16_t undetermined;    /* bit r: the positions leave parameter r open */
+    int is_of_position;       /* one reading is wrong, */
+    unsigned position;        /* this one, from 0 */
+    int wants_positions;      /* others would help, */
+    unsigned degree;          /* to tell a nonlinearity of this degree as well; 0: the nine */
+} refusal;
+
+typedef struct {
+    refusal refused; /* then all below but data, log, rejected, nominal and settings is not known */
     const positions *data;
     const rests_summary *log; /* what they were found in; null: they were given */
     rejection rejected;
     nominal_choice nominal;
     fit_settings settings;
     fit_solution solution;
-    fit_quality quality;     /* worst counts among all positions */
-    const double *tolerance; /* data sheet limits of offsets (over the field), scale errors and
-                                angles (rad); null: not stated */
-    uint16_t beyond;         /* bit r: parameter r exceeds them, and its interval of 95 % does */
+    fit_quality quality; /* worst counts among all positions */
+    double limit
+        [INVCAL_PARAMETERS]; /* what a good sensor may be off by, in the units of x; NaN: not */
+    int has_limits;          /* stated; or is some */
     double field_sigma;      /* of the field, over itself: a part of sigma of the scales, */
     int is_field_stated;     /* as stated; or because it was not */
     double accuracy; /* 95 % of lengths are right within that, over the field, if the field is */
-    double need;     /* what is asked of all of it, field units; 0: nothing */
+    double need;     /* what is asked of all of it, field units; 0: nothing; */
+    told_unit need_unit;   /* what that is told in */
     int is_drift_fitted;   /* the calibration holds in the middle of the session, and is freed of */
     double drift[3];       /* this: from the first position to the last, over the field, */
     double drift_sigma[3]; /* and how well that is known */
@@ -64,6 +80,7 @@ typedef struct {
     int is_stand_frame;  /* the calibration is turned to the stand, */
     case_frame frame;    /* or to the case */
     told_style told;     /* the units of figures for people */
+    record record;       /* what it is filed under */
     const double *place; /* latitude and height that tell the field; null: it was stated */
 } calibrate_result;
 
@@ -71,9 +88,9 @@ typedef struct {
  * temperatures do not help. */
 int calibrate_wants_slopes(const calibrate_result *result);
 
-/* By how much the scale that slopes are told in may be off, if it is a guess: the largest scale
- * error; else 0. */
-double calibrate_guess_error(const calibrate_result *result);
+/* Times the slope of a parameter against nominal: what it is in the sensor's own scale, if no nominal scale
+ * is stated; else 1. */
+double calibrate_slope_scale(const calibrate_result *result, unsigned parameter);
 
 /* What the frame of the calibration is called: "symmetric", ... */
 const char *calibrate_frame(const calibrate_result *result);
@@ -84,9 +101,14 @@ invcal_calibration calibrate_at(const calibrate_result *result, unsigned positio
 /* That of a temperature. */
 invcal_calibration calibrate_at_temperature(const calibrate_result *result, double temperature);
 
-/* Takes the drift that was fitted off a reading at `tau`; the reading of a position without it. */
+/* Takes the drift that was fitted off a reading at `tau`; the reading of a position without that and without
+ * the nonlinearity that was fitted. */
 void calibrate_take_drift(const calibrate_result *result, double tau, double reading[3]);
 void calibrate_level(const calibrate_result *result, unsigned position, double out[3]);
+
+/* What a position reads too much, over the field: the residual of one that was kept, the error of one that
+ * was left out. */
+double calibrate_excess(const calibrate_result *result, unsigned position);
 
 /* The reading of a position kept, at the reference temperature. */
 void calibrate_reading(const calibrate_result *result, unsigned kept, double out[3]);
@@ -145,21 +167,23 @@ const char *calibrate_advice(const calibrate_result *result, char text[CALIBRATE
 /* One JSON object. */
 void calibrate_json(FILE *file, const calibrate_result *result);
 
+/* Members of the object that is open: deviations from nominal, null where nothing states it. */
+void calibrate_parameters_json(json_writer *w, const calibrate_result *result,
+                               const double x[INVCAL_PARAMETERS]);
+
 /* What the user asked for that is not in the result. */
 #define CALIBRATE_NAME_MAX 14u
 typedef struct {
     const char *nominal_name; /* what the nominal is called, at most CALIBRATE_NAME_MAX bytes */
     const char *saved;        /* the file that the calibration goes to, or null */
     const char *report;       /* that of the report, or null */
-    const char *command;      /* the command line */
+    const char *command;      /* the command line, */
+    const char *log;          /* and the log in it, "-" for the standard input */
 } calibrate_wish;
 
-/* Breaks a text into lines between words. `used` columns of the first line are taken. */
-void calibrate_print_wrapped(FILE *file, size_t used, const char *text);
-
-/* Lines of the table, and a member of the object that is open: the nonlinearity that was fitted, and the
- * cross-check. */
-void calibrate_nonlinear_print(FILE *file, const calibrate_result *result);
+/* Rows of the table (tabular.h), a line behind it, and members of the object that is open: the nonlinearity that
+ * was fitted, and the cross-check. */
+void calibrate_nonlinear_rows(const calibrate_result *result);
 void calibrate_nonlinear_json(json_writer *w, const calibrate_result *result);
 void calibrate_robust_print(FILE *file, const calibrate_result *result);
 void calibrate_robust_json(json_writer *w, const calibrate_result *result);
@@ -167,7 +191,7 @@ void calibrate_robust_json(json_writer *w, const calibrate_result *result);
 /* The table of slopes, and what they are good for. */
 void calibrate_print_thermal(FILE *file, const calibrate_result *result);
 
-/* A table for people, 100 columns wide at most. */
+/* A table for people, as wide as the stream shows. */
 void calibrate_print(FILE *file, const calibrate_result *result, const calibrate_wish *wish);
 
 #endif

@@ -2,7 +2,9 @@
 #include <math.h>
 
 #include "result/result.h"
+#include "text/wrapped.h"
 
+#define LABEL 14u       /* columns before a line's text */
 #define CONTRADICTS 4.0 /* standard deviations of the difference */
 
 /* The positions left out may pull, each to the same side. */
@@ -18,8 +20,9 @@ void calibrate_robust_print(FILE *file, const calibrate_result *r)
     char text[300];
 
     if (!r->has_robust) {
-        fprintf(file,
-                "l1            no estimate: the positions, all of them, lie on no ellipsoid\n");
+        wrapped_printf(
+            file, LABEL,
+            "l1            no estimate: the positions, all of them, lie on no ellipsoid");
         return;
     }
     snprintf(
@@ -30,16 +33,14 @@ void calibrate_robust_print(FILE *file, const calibrate_result *r)
                          "left out was right."
                        : "it agrees.");
     fprintf(file, "l1            ");
-    calibrate_print_wrapped(file, 14, text);
+    wrapped_line(file, LABEL, LABEL, text);
 }
 
 void calibrate_robust_json(json_writer *w, const calibrate_result *r)
 {
     json_object(w, "robust");
     if (r->has_robust) {
-        json_vector(w, "delta", &r->robust[INVCAL_DELTA_X]);
-        json_vector(w, "dk", &r->robust[INVCAL_DK_X]);
-        json_vector(w, "gamma", &r->robust[INVCAL_GAMMA_XY]);
+        calibrate_parameters_json(w, r, r->robust);
         json_text(w, "worst", invcal_parameter_name(r->robust_worst));
         json_number(w, "difference", r->robust_most);
     }

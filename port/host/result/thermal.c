@@ -6,11 +6,12 @@
 
 #include "result/result.h"
 #include "text/figure.h"
-#include "text/paint.h"
+#include "text/tabular.h"
+#include "text/wrapped.h"
 #include "design/parameters.h"
 
 #define TEXT_MAX 512
-#define GUESS 0.005 /* of the scale: worth a word */
+#define LABEL 14u /* columns before a line's text */
 
 /* What a slope is told in. */
 typedef struct {
@@ -36,48 +37,52 @@ static void print_fitted(FILE *file, const thermal_fit *fit)
     static const char *const words[] = {"no slopes", "straight lines", "parabolas"};
     char text[TEXT_MAX];
 
-    snprintf(text, sizeof text, "temperature   %.2f ... %.2f °C seen, %s; all above is at %.2f °C",
-             c->min, c->max, words[c->fitted], c->reference);
-    calibrate_print_wrapped(file, 0, text);
+    wrapped_printf(file, LABEL, "temperature   %.2f ... %.2f °C seen, %s; all above is at %.2f °C",
+                   c->min, c->max, words[c->fitted], c->reference);
     if (c->fallback != INVCAL_THERMAL_AS_ASKED) {
         snprintf(text, sizeof text, "%s instead of %s: %s.",
                  c->fitted > 0 ? "Straight lines" : "No slopes", words[fit->wish.degree],
                  invcal_thermal_fallback_text((invcal_thermal_fallback)c->fallback));
-        calibrate_print_wrapped(file, 0, text);
+        wrapped_line(file, 0, 0, text);
     }
+}
+
+static void print_slopes(FILE *file, const calibrate_result *r)
+{
+    const thermal_fit *fit = &r->fit;
+    const int known = calibrate_knows_noise(r);
+    char text[FIGURE_MAX];
+
+    tabular_begin(file, "lrl");
+    for (unsigned p = 0; p < INVCAL_PARAMETERS; p++) {
+        const slope_unit u = unit_of(r, p);
+        const double scale = u.scale * calibrate_slope_scale(r, p);
+        const double spread = known ? scale * fit->slope_sigma[p] : 0;
+        const int places = figure_places(scale * fit->slope[p], spread);
+        tabular_cell("%s", parameter_words(p));
+        tabular_cell("%s", figure_fixed(scale * fit->slope[p], places, FIGURE_SIGNED, text));
+        tabular_cell("± %s", known ? figure_fixed(spread, places, FIGURE_PLAIN, text) : "?");
+        tabular_note("%s%s", u.unit, fit->calibration.fitted > 1 ? ", at that temperature" : "");
+        tabular_row();
+    }
+    tabular_end();
 }
 
 void calibrate_print_thermal(FILE *file, const calibrate_result *r)
 {
     const thermal_fit *fit = &r->fit;
-    const int known = calibrate_knows_noise(r);
     char text[TEXT_MAX];
     char value[FIGURE_MAX];
-    char sigma[FIGURE_MAX] = "?";
 
     if (r->temperature != CALIBRATE_THERMAL) {
         if (*calibrate_advice(r, text)) {
-            calibrate_print_wrapped(file, 0, text);
+            wrapped_line(file, 0, 0, text);
         }
         return;
     }
     print_fitted(file, fit);
-    for (unsigned p = 0; p < INVCAL_PARAMETERS && fit->calibration.fitted > 0; p++) {
-        const slope_unit u = unit_of(r, p);
-        const double spread = known ? u.scale * fit->slope_sigma[p] : 0;
-        const int places = figure_places(u.scale * fit->slope[p], spread);
-        figure_fixed(u.scale * fit->slope[p], places, FIGURE_SIGNED, value);
-        if (known) {
-            figure_fixed(spread, places, FIGURE_PLAIN, sigma);
-        }
-        fprintf(file, "%-14s%14s ± %-10s  %s%s\n", parameter_words(p), value, sigma, u.unit,
-                fit->calibration.fitted > 1 ? ", at that temperature" : "");
-    }
-    if (fit->calibration.fitted > 0 && calibrate_guess_error(r) >= GUESS) {
-        snprintf(text, sizeof text,
-                 "Slopes are told in the scale of the nominal, a guess that is up to %.0f %% off.",
-                 100 * calibrate_guess_error(r));
-        calibrate_print_wrapped(file, 0, text);
+    if (fit->calibration.fitted > 0) {
+        print_slopes(file, r);
     }
     if (fit->calibration.fitted > 0 && r->quality.dof > 0 && !isnan(fit->without)) {
         const told_unit told = calibrate_told_field(r);
@@ -87,6 +92,6 @@ void calibrate_print_thermal(FILE *file, const calibrate_result *r)
                  "much as with temperature.",
                  figure_digits(told.scale * fit->without, 3, without), told.unit,
                  figure_digits(fit->without / r->quality.rms, 3, value));
-        calibrate_print_wrapped(file, 0, text);
+        wrapped_line(file, 0, 0, text);
     }
 }

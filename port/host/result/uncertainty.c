@@ -5,15 +5,17 @@
 #include <string.h>
 
 #include "draw/chart.h"
+#include "fit/fit.h"
 
 #define TURN 6.2831853071795865
 #define STEP (TURN / 72) /* of the search for the most uncertain direction */
 #define EQUAL 1e-6       /* sigma that differs by less, relatively, is the same */
 #define SWATCH 44.0
+#define ALL ((1u << INVCAL_PARAMETERS) - 1)
 
-double uncertainty_sigma(const void *context, const double up[3])
+/* h K h' of the parameters `of` alone. */
+static double square_of(const uncertainty *u, const double up[3], unsigned of)
 {
-    const uncertainty *u = context;
     static const invcal_calibration unit = {{0}, {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
     invcal_row row;
     double square = 0;
@@ -22,11 +24,27 @@ double uncertainty_sigma(const void *context, const double up[3])
         return 0;
     }
     for (unsigned i = 0; i < INVCAL_PARAMETERS; i++) {
-        for (unsigned j = 0; j <= i; j++) {
-            square += (i == j ? 1 : 2) * row.h[i] * row.h[j] * u->covariance[INVCAL_PACKED(i, j)];
+        for (unsigned j = 0; j <= i && of >> i & 1; j++) {
+            square += (of >> j & 1) * (i == j ? 1 : 2) * row.h[i] * row.h[j] *
+                      u->covariance[INVCAL_PACKED(i, j)];
         }
     }
-    return u->unit * sqrt(fmax(0, square));
+    return fmax(0, square);
+}
+
+double uncertainty_sigma(const void *context, const double up[3])
+{
+    const uncertainty *u = context;
+
+    return u->unit * sqrt(square_of(u, up, ALL));
+}
+
+double uncertainty_half(const uncertainty *u, const double up[3], double coverage, uint16_t held)
+{
+    const double all = square_of(u, up, ALL);
+    const double stated = fmin(all, square_of(u, up, held));
+
+    return u->unit * sqrt(coverage * coverage * (all - stated) + FIT_NORMAL * FIT_NORMAL * stated);
 }
 
 void uncertainty_search(uncertainty *u)

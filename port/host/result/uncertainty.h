@@ -26,6 +26,10 @@ void uncertainty_search(uncertainty *u);
 /* Sigma of the length in a direction. Takes an uncertainty, for sphere.h. */
 double uncertainty_sigma(const void *context, const double up[3]);
 
+/* Half of the interval that holds 95 % in a direction: `coverage` sigma, but 1.96 of what the parameters
+ * `held` leave, whose sigma is stated. In the unit of u. */
+double uncertainty_half(const uncertainty *u, const double up[3], double coverage, uint16_t held);
+
 /* Shades a sphere with it: classes at round numbers from `least` to `most`; one class only, if
  * sigma is the same everywhere. u stays the caller's. */
 sphere_shading uncertainty_shading(const uncertainty *u, double least, double most);

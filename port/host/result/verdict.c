@@ -5,6 +5,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "result/faces.h"
 #include "text/figure.h"
 #include "text/unit.h"
 
@@ -20,6 +21,9 @@ const char *verdict_word(const calibrate_result *r)
 
     if (is_contradictory(r)) {
         return "Contradictory";
+    }
+    if (faces_are_good(r)) {
+        return "Good for offsets and scales";
     }
     snprintf(word, sizeof word, "%s", invcal_verdict_text(r->quality.verdict));
     word[0] = (char)toupper((unsigned char)word[0]);

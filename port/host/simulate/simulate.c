@@ -8,6 +8,7 @@
 #include <string.h>
 
 #include "cli/command.h"
+#include "cli/files.h"
 #include "text/json_write.h"
 #include "cli/message.h"
 #include "cli/options.h"
@@ -224,6 +225,14 @@ static int deliver(scene *s, const char *const *value)
     return output_end(&out, 1, failure);
 }
 
+static int check_files(const char *const *value)
+{
+    const named_file input = {"--plan", design_file(value[PLAN])};
+    const named_file made = {"--truth", value[TRUTH]};
+
+    return files_check(syntax.command, &input, 1, &made, 1);
+}
+
 static int run(int argc, char **argv)
 {
     static design route; /* both are too large for the stack */
@@ -234,6 +243,7 @@ static int run(int argc, char **argv)
     int failure = options_parse(&syntax, argc, argv, value, NULL);
 
     failure = failure ? failure : read_model(value, &model, &seed);
+    failure = failure ? failure : check_files(value);
     if (failure) {
         return failure;
     }
@@ -284,4 +294,27 @@ static const char *const help[] = {
     "  invcal simulate --truth truth.json > log.csv\n",
     NULL};
 
-const tool_command simulate_command = {"simulate", "the log of a simulated sensor", help, run};
+static const char *const brief[] = {
+    "usage: invcal simulate [options]\n"
+    "\n"
+    "Prints the log of a triad that is carried by hand through a set of positions: CSV with the "
+    "columns\n"
+    "t x y z, in seconds and counts. Numbers over the field are in g.\n"
+    "\n"
+    "  --plan SET          which positions: edges, faces, per-group:N, optimal:N ...\n"
+    "  --offset X,Y,Z      true offsets, g\n"
+    "  --dk X,Y,Z          true scale errors\n"
+    "  --gamma XY,XZ,ZY    true non-orthogonality, rad\n"
+    "  --noise S           standard deviation of a sample, g\n"
+    "  --rate HZ           samples a second\n"
+    "  --dwell T           seconds in each position\n"
+    "  --outliers N        so many positions are wrong\n"
+    "  --seed N            of the random numbers\n"
+    "  --truth FILE        writes what is true, as JSON; invcal apply reads it\n"
+    "\n"
+    "example:\n"
+    "  invcal simulate --plan edges --truth truth.json > log.csv\n",
+    NULL};
+
+const tool_command simulate_command = {"simulate", "the log of a simulated sensor", help, run,
+                                       brief};

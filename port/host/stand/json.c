@@ -1,14 +1,18 @@
 /* SPDX-License-Identifier: MIT */
 #include "text/figure.h"
 #include "stand/tell.h"
+#include "text/number.h"
 
-static void write_nine(json_writer *w, const char *name, const double x[INVCAL_PARAMETERS])
+/* Deviations from nominal, as far as that is stated. */
+static void write_deviations(json_writer *w, const char *name, const nominal_choice *nominal,
+                             const double x[INVCAL_PARAMETERS])
 {
-    json_object(w, name);
-    json_vector(w, "delta", &x[INVCAL_DELTA_X]);
-    json_vector(w, "dk", &x[INVCAL_DK_X]);
-    json_vector(w, "gamma", &x[INVCAL_GAMMA_XY]);
-    json_object_end(w);
+    double known[INVCAL_PARAMETERS];
+
+    for (unsigned r = 0; r < INVCAL_PARAMETERS; r++) {
+        known[r] = nominal_knows(nominal, r) ? x[r] : NUMBER_UNKNOWN;
+    }
+    json_nine(w, name, known);
 }
 
 static void write_missets(json_writer *w, const stand *s)
@@ -44,12 +48,12 @@ static const double *times(double noise, const double *root, unsigned n,
     return sigma;
 }
 
-static void write_closures(json_writer *w, const group_series *s)
+static void write_closures(json_writer *w, const group_series *s, const nominal_choice *nominal)
 {
     double sigma[INVCAL_PARAMETERS];
 
-    write_nine(w, "series_parameters", s->x);
-    write_nine(w, "series_sigma", times(s->noise, s->x_root, INVCAL_PARAMETERS, sigma));
+    write_deviations(w, "series_parameters", nominal, s->x);
+    json_nine(w, "series_sigma", times(s->noise, s->x_root, INVCAL_PARAMETERS, sigma));
     json_numbers(w, "closure", s->closure, GROUP_SERIES_CLOSURES);
     json_numbers(w, "closure_sigma", times(s->noise, s->closure_root, GROUP_SERIES_CLOSURES, sigma),
                  GROUP_SERIES_CLOSURES);
@@ -58,25 +62,29 @@ static void write_closures(json_writer *w, const group_series *s)
     json_number(w, "closure_chance", s->chance);
 }
 
-static void write_series(json_writer *w, const group_series *s)
+static void write_series(json_writer *w, const group_series *s, const nominal_choice *nominal)
 {
+    static const double unknown[SERIES_TERMS] = {NUMBER_UNKNOWN, NUMBER_UNKNOWN, NUMBER_UNKNOWN,
+                                                 NUMBER_UNKNOWN, NUMBER_UNKNOWN};
+    const int is_known = !nominal_is_guess(nominal);
     double sigma[INVCAL_PARAMETERS];
 
     json_list(w, "series");
     for (unsigned g = 0; g < INVCAL_PLAN_GROUPS; g++) {
         json_object(w, NULL);
         json_number(w, "positions", s->count[g]);
-        json_numbers(w, "coefficients", s->coefficient[g], SERIES_TERMS);
+        json_numbers(w, "coefficients", is_known ? s->coefficient[g] : unknown, SERIES_TERMS);
         json_numbers(w, "sigma", times(s->noise, s->root[g], SERIES_TERMS, sigma), SERIES_TERMS);
         json_object_end(w);
     }
     json_list_end(w);
     if (s->is_closed_over) {
-        write_closures(w, s);
+        json_number(w, "series_interval95", stand_series_coverage(s));
+        write_closures(w, s, nominal);
     }
 }
 
-void stand_json(json_writer *w, const stand *s)
+void stand_json(json_writer *w, const stand *s, const nominal_choice *nominal)
 {
     double angle[3];
     double sigma[3];
@@ -94,13 +102,15 @@ void stand_json(json_writer *w, const stand *s)
         }
         json_vector(w, "mounting", angle);
         json_vector(w, "sigma", sigma);
+        json_number(w, "interval95", stand_coverage(s->mounting.dof));
         json_number(w, "scatter", FIGURE_DEGREES * s->mounting.scatter);
         if (s->vertical.is_known) {
-            write_nine(w, "vertical", s->vertical.x);
-            write_nine(w, "vertical_sigma", s->vertical.sigma);
+            write_deviations(w, "vertical", nominal, s->vertical.x);
+            json_nine(w, "vertical_sigma", s->vertical.sigma);
+            json_number(w, "vertical_interval95", stand_coverage(s->vertical.dof));
         }
         write_missets(w, s);
-        write_series(w, &s->series);
+        write_series(w, &s->series, nominal);
     }
     json_object_end(w);
 }

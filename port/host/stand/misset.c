@@ -10,6 +10,9 @@
 #define CHANCE 0.01 /* that one of all positions stands out so far */
 #define FINEST 5e-6 /* rad, one arc second: what is less is no misset angle */
 #define ONE_IN 4u   /* positions, at most, are left out */
+#define TOGETHER                                                                                   \
+    1000u /* positions or more, of which several are left out at a time, one in so many */
+#define TRACED 1000u /* misset positions, of which is looked for where they belong */
 #define AT_ANOTHER                                                                                 \
     0.15             /* of the way between two directions: the reading is that of the other one */
 #define SMALL 0.2    /* rad: an error that is told in alpha and beta */
@@ -59,6 +62,30 @@ static int leave_out(mounting_position *p, unsigned count, const invcal_calibrat
     }
     p[*which].is_left_out = 0;
     return 0;
+}
+
+/* Of thousands of positions those go together that stand out at least half as far as the one that was
+ * left out, `most`, and by themselves: one alone would take as long as all. Of fewer none does. Adds them
+ * to the list. */
+static void leave_out_alike(mounting_position *p, unsigned count, const invcal_calibration *nominal,
+                            double most, mounting *m, misset *list, unsigned *found)
+{
+    const double squares = m->scatter * m->scatter * m->dof;
+    const double kept = m->dof / 2 + 4;
+    const unsigned before = *found;
+    mounting without;
+
+    for (unsigned i = 0; i < count && *found < before + count / TOGETHER; i++) {
+        const double share = p[i].is_left_out ? 0 : share_of(m, &p[i]);
+        if (share > most / 2 && *found < count / ONE_IN &&
+            kept * f_tail((squares - share) / squares, 2, (unsigned)m->dof) < CHANCE) {
+            p[i].is_left_out = 1;
+            list[(*found)++].index = i;
+        }
+    }
+    if (*found > before && mounting_fit(p, count, nominal, &without) == INVCAL_OK) {
+        *m = without;
+    }
 }
 
 static double apart(const double a[3], const double b[3])
@@ -128,13 +155,17 @@ invcal_status misset_find(mounting_position *p, unsigned count, const invcal_cal
     unsigned which;
 
     *found = 0;
-    while (status == INVCAL_OK && *found < count / ONE_IN &&
-           leave_out(p, count, nominal, m, &which)) {
+    while (status == INVCAL_OK && *found < count / ONE_IN) {
+        const mounting before = *m;
+        if (!leave_out(p, count, nominal, m, &which)) {
+            break;
+        }
         list[(*found)++].index = which;
+        leave_out_alike(p, count, nominal, share_of(&before, &p[which]), m, list, found);
     }
     for (unsigned i = 0; i < *found; i++) {
-        describe(p, count, m, &list[i]);
+        describe(p, i < TRACED ? count : 0, m, &list[i]);
     }
-    pair(list, *found);
+    pair(list, *found < TRACED ? *found : TRACED);
     return status;
 }

@@ -1,52 +1,62 @@
 /* SPDX-License-Identifier: MIT */
 #include <math.h>
 
-#include "result/result.h"
-#include "text/figure.h"
-#include "text/number.h"
 #include "stand/tell.h"
+#include "text/figure.h"
+#include "text/tabular.h"
+#include "text/wrapped.h"
+
+#define LABEL 14u /* columns before a line's text */
 
 static void print_mounting(FILE *file, const mounting *m, told_unit unit)
 {
-    char value[FIGURE_MAX];
-    char sigma[FIGURE_MAX];
+    char text[FIGURE_MAX];
 
+    tabular_begin(file, "lrl");
     for (unsigned i = 0; i < 3; i++) {
         const double angle = unit.scale * m->angle[i];
         const double one = unit.scale * m->sigma[i];
         const int places = figure_places(angle, one);
-        fprintf(file, "mounting %c    %14s ± %-10s %s, of the unit on the stand\n", "xyz"[i],
-                figure_fixed(angle, places, FIGURE_PLAIN, value),
-                one >= 0 ? figure_fixed(one, places, FIGURE_PLAIN, sigma) : "?", unit.unit);
+        tabular_cell("mounting %c", "xyz"[i]);
+        tabular_cell("%s", figure_fixed(angle, places, FIGURE_PLAIN, text));
+        tabular_cell("± %s", one >= 0 ? figure_fixed(one, places, FIGURE_PLAIN, text) : "?");
+        tabular_note("%s, of the unit on the stand", unit.unit);
+        tabular_row();
     }
+    tabular_end();
     if (*stand_turned_far(m)) {
-        calibrate_print_wrapped(file, 0, stand_turned_far(m));
+        wrapped_line(file, 0, 0, stand_turned_far(m));
     }
 }
 
-static void print_vertical(FILE *file, const stand_vertical *v, const double x[INVCAL_PARAMETERS],
-                           const told_unit unit[3])
+static void print_vertical(FILE *file, const stand_vertical *v, const nominal_choice *nominal,
+                           const double x[INVCAL_PARAMETERS], const told_unit unit[3])
 {
     static const char *const names[] = {"offset x", "offset y", "offset z", "scale x", "scale y",
                                         "scale z",  "angle xy", "angle xz", "angle zy"};
+    char text[FIGURE_MAX];
 
     if (!v->is_known) {
         fprintf(file, "J1            these directions leave parameters open\n");
         return;
     }
-    fprintf(file, "%-14s%14s ± %-10s%14s%14s\n", "", "by J1", "sigma", "by lengths", "difference");
+    tabular_begin(file, "lrlrr");
+    tabular_heading("|by J1|± sigma|by lengths|difference");
     for (unsigned r = 0; r < INVCAL_PARAMETERS; r++) {
-        char text[4][FIGURE_MAX];
         const double scale = unit[r / 3].scale;
-        const int places = figure_places(scale * v->x[r], scale * v->sigma[r]);
-        fprintf(file, "%-14s%14s ± %-10s%14s%14s  %s\n", names[r],
-                figure_fixed(scale * v->x[r], places, FIGURE_PLAIN, text[0]),
-                v->sigma[r] >= 0 ? figure_fixed(scale * v->sigma[r], places, FIGURE_PLAIN, text[1])
-                                 : "?",
-                figure_fixed(scale * x[r], places, FIGURE_PLAIN, text[2]),
-                figure_fixed(scale * (v->x[r] - x[r]), places, FIGURE_SIGNED, text[3]),
-                unit[r / 3].unit);
+        const double one = scale * v->sigma[r];
+        const int places = figure_places(scale * v->x[r], one);
+        const int is_known = nominal_knows(nominal, r);
+        tabular_cell("%s", names[r]);
+        tabular_cell("%s",
+                     is_known ? figure_fixed(scale * v->x[r], places, FIGURE_PLAIN, text) : "");
+        tabular_cell("± %s", one >= 0 ? figure_fixed(one, places, FIGURE_PLAIN, text) : "?");
+        tabular_cell("%s", is_known ? figure_fixed(scale * x[r], places, FIGURE_PLAIN, text) : "");
+        tabular_cell("%s", figure_fixed(scale * (v->x[r] - x[r]), places, FIGURE_SIGNED, text));
+        tabular_note("%s", unit[r / 3].unit);
+        tabular_row();
     }
+    tabular_end();
 }
 
 static void print_missets(FILE *file, const stand *s)
@@ -54,10 +64,10 @@ static void print_missets(FILE *file, const stand *s)
     char text[STAND_TEXT_MAX];
 
     for (unsigned i = 0; i < s->missets; i++) {
-        calibrate_print_wrapped(file, 0, stand_misset_text(s, &s->misset[i], text));
+        wrapped_line(file, 0, 0, stand_misset_text(s, &s->misset[i], text));
     }
     if (s->missets > 0) {
-        calibrate_print_wrapped(file, 0, STAND_MISSET_HARM);
+        wrapped_line(file, 0, 0, STAND_MISSET_HARM);
     }
 }
 
@@ -75,54 +85,72 @@ static unsigned worst_closure(const group_series *s)
     return worst;
 }
 
-static void print_series(FILE *file, const group_series *s)
+static void print_coefficients(FILE *file, const group_series *s)
+{
+    tabular_begin(file, "lrrrrr");
+    tabular_heading("|a0|a1|b1|a2|b2");
+    for (unsigned g = 0; g < INVCAL_PLAN_GROUPS; g++) {
+        if (s->is_determined[g]) {
+            tabular_cell("group %u", g + 1);
+            for (unsigned i = 0; i < SERIES_TERMS; i++) {
+                tabular_cell("%+.3e", s->coefficient[g][i]);
+            }
+            tabular_row();
+        }
+    }
+    tabular_end();
+}
+
+static void print_series(FILE *file, const group_series *s, int has_nominal)
 {
     static const char *const groups[] = {"2 and 3", "1 and 3", "1 and 2"};
 
     for (unsigned g = 0; g < INVCAL_PLAN_GROUPS; g++) {
         if (!s->is_determined[g]) {
-            fprintf(file, "group %u       %s: %u positions do not tell its five coefficients\n",
-                    g + 1, s->count[g] == 0 ? "missing" : "incomplete", s->count[g]);
-        } else {
-            fprintf(file, "group %u       a0 %+.3e  a1 %+.3e  b1 %+.3e  a2 %+.3e  b2 %+.3e\n",
-                    g + 1, s->coefficient[g][0], s->coefficient[g][1], s->coefficient[g][2],
-                    s->coefficient[g][3], s->coefficient[g][4]);
+            wrapped_printf(file, LABEL,
+                           "group %u       %s: %u positions do not tell its five coefficients",
+                           g + 1, s->count[g] == 0 ? "missing" : "incomplete", s->count[g]);
         }
+    }
+    if (has_nominal) {
+        print_coefficients(file, s);
     }
     if (s->is_closed_over) {
         const unsigned r = worst_closure(s);
         const double sigma = s->noise * s->closure_root[r];
-        fprintf(file, "closure       %s of groups %s differs most, by %.2e",
-                invcal_parameter_name(r), groups[r % 3], s->closure[r]);
+        char times[FIGURE_MAX] = "";
         if (sigma > 0) {
-            fprintf(file, ", %.1f sigma", fabs(s->closure[r]) / sigma);
+            snprintf(times, sizeof times, ", %.1f sigma", fabs(s->closure[r]) / sigma);
         }
-        fprintf(file, "%s\n",
-                s->chance < STAND_UNLIKELY ? ": the groups contradict each other" : "");
+        wrapped_printf(file, LABEL, "closure       %s of groups %s differs most, by %.2e%s%s",
+                       invcal_parameter_name(r), groups[r % 3], s->closure[r], times,
+                       s->chance < STAND_UNLIKELY ? ": the groups contradict each other" : "");
     }
 }
 
-void stand_print(FILE *file, const stand *s, const double x[INVCAL_PARAMETERS],
-                 const told_unit unit[3])
+void stand_print(FILE *file, const stand *s, const nominal_choice *nominal,
+                 const double x[INVCAL_PARAMETERS], const told_unit unit[3])
 {
     char text[STAND_TEXT_MAX];
 
-    fprintf(file, "stand         %u positions with angles (%s)", s->count, s->from);
+    text[0] = '\0';
     if (s->without > 0) {
-        fprintf(file, ", %u without, or with angles that changed", s->without);
+        snprintf(text, sizeof text, ", %u without, or with angles that changed", s->without);
     }
-    fprintf(file, "\n");
+    wrapped_printf(file, LABEL, "stand         %u positions with angles (%s)%s", s->count, s->from,
+                   text);
     if (s->reading != STAND_AS_STATED) {
         snprintf(text, sizeof text, "Stand: %s", stand_advice(s->reading));
-        calibrate_print_wrapped(file, 0, text);
+        wrapped_line(file, 0, 0, text);
         fprintf(file, "\n");
         return;
     }
-    fprintf(file, "directions    %14.3g mrad about each axis between readings and angles\n",
-            1e3 * s->mounting.scatter);
+    wrapped_printf(file, LABEL,
+                   "directions    %.3g mrad about each axis between readings and angles",
+                   1e3 * s->mounting.scatter);
     print_mounting(file, &s->mounting, unit[2]);
     print_missets(file, s);
-    print_vertical(file, &s->vertical, x, unit);
-    print_series(file, &s->series);
+    print_vertical(file, &s->vertical, nominal, x, unit);
+    print_series(file, &s->series, !nominal_is_guess(nominal));
     fprintf(file, "\n");
 }

@@ -9,6 +9,7 @@
 #include <stdio.h>
 
 #include "text/json_write.h"
+#include "fit/nominal.h"
 #include "stand/stand.h"
 #include "cli/told.h"
 
@@ -17,6 +18,11 @@
 #define STAND_MISSET_HARM                                                                          \
     "Lengths do not see it: the calibration is not touched by it. J1, the mounting and the "       \
     "series are without these positions."
+
+/* So many sigma to either side cover 95 %, where that has so many degrees of freedom: of the mounting, of J1, of
+ * the series. */
+double stand_coverage(double dof);
+double stand_series_coverage(const group_series *s);
 
 /* A unit that is turned so far that nobody mounts it so by mistake: a sentence; else "". */
 const char *stand_turned_far(const mounting *m);
@@ -27,14 +33,15 @@ const char *stand_misset_text(const stand *s, const misset *m, char text[STAND_T
 /* What to do about a group that was not visited: "group 3 (...) was not visited: ...". Returns text. */
 const char *stand_missing_text(const stand_wish *wish, unsigned group, char text[STAND_TEXT_MAX]);
 
-/* The member `stand` of the object that is open. */
-void stand_json(json_writer *w, const stand *s);
+/* The member `stand` of the object that is open. Deviations from a nominal that is not stated are null. */
+void stand_json(json_writer *w, const stand *s, const nominal_choice *nominal);
 
-/* A table and sentences for people, a blank line behind them.
+/* A table and sentences for people, a blank line behind them. Deviations from a nominal that is not stated are
+ * left out; differences of them are not.
  *
  * x     the nine parameters by the lengths, to compare with.
  * unit  of offsets, of scale errors, of angles. */
-void stand_print(FILE *file, const stand *s, const double x[INVCAL_PARAMETERS],
-                 const told_unit unit[3]);
+void stand_print(FILE *file, const stand *s, const nominal_choice *nominal,
+                 const double x[INVCAL_PARAMETERS], const told_unit unit[3]);
 
 #endif

@@ -4,6 +4,17 @@
 #include "text/figure.h"
 #include "stand/tell.h"
 
+double stand_coverage(double dof)
+{
+    return invcal_coverage((unsigned)fmax(0, fmin(1e6, dof)));
+}
+
+double stand_series_coverage(const group_series *s)
+{
+    return stand_coverage((double)s->dof +
+                          (double)GROUP_SERIES_CLOSURES); /* they tell of the noise, too */
+}
+
 const char *stand_turned_far(const mounting *m)
 {
     const double *a = m->angle;

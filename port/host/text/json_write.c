@@ -8,15 +8,20 @@
 #include "text/number.h"
 #include "text/utf8.h"
 
+static const char *line_about; /* null: objects are laid out for people */
+
 static void write_text(FILE *file, const char *text)
 {
     putc('"', file);
     while (*text != '\0') {
         const unsigned length = utf8_length(text);
+        const unsigned char *byte = (const unsigned char *)text;
         if (length == 0) {
             fputs("\\ufffd", file);
-        } else if ((unsigned char)*text < ' ') {
-            fprintf(file, "\\u%04x", (unsigned)*text);
+        } else if (*byte < ' ' || *byte == 0x7f) {
+            fprintf(file, "\\u%04x", (unsigned)*byte);
+        } else if (length == 2 && byte[0] == 0xC2 && byte[1] < 0xA0) { /* a terminal may obey it */
+            fprintf(file, "\\u%04x", (unsigned)byte[1]);
         } else {
             fputs(*text == '"' || *text == '\\' ? "\\" : "", file);
             fwrite(text, 1, length, file);
@@ -45,13 +50,15 @@ static void write_numbers(FILE *file, const double *x, unsigned n)
 
 static void new_line(const json_writer *w)
 {
-    fprintf(w->file, "\n%*s", (int)(2 * w->depth), "");
+    if (!w->is_line) {
+        fprintf(w->file, "\n%*s", (int)(2 * w->depth), "");
+    }
 }
 
 static void begin_member(json_writer *w, const char *name)
 {
     if (!w->is_first) {
-        putc(',', w->file);
+        fputs(w->is_line ? ", " : ",", w->file);
     }
     w->is_first = 0;
     new_line(w);
@@ -82,7 +89,16 @@ void json_begin(json_writer *w, FILE *file)
 {
     w->file = file;
     w->depth = 0;
+    w->is_line = line_about && file == stdout;
     open_bracket(w, '{');
+    if (w->is_line) {
+        json_text(w, "file", line_about);
+    }
+}
+
+void json_lines(const char *about)
+{
+    line_about = about;
 }
 
 void json_end(json_writer *w)
@@ -178,4 +194,13 @@ void json_names(json_writer *w, const char *name, unsigned bits, unsigned count,
 void json_parameters(json_writer *w, const char *name, uint16_t bits)
 {
     json_names(w, name, bits, INVCAL_PARAMETERS, invcal_parameter_name);
+}
+
+void json_nine(json_writer *w, const char *name, const double x[INVCAL_PARAMETERS])
+{
+    json_object(w, name);
+    json_vector(w, "delta", &x[INVCAL_DELTA_X]);
+    json_vector(w, "dk", &x[INVCAL_DK_X]);
+    json_vector(w, "gamma", &x[INVCAL_GAMMA_XY]);
+    json_object_end(w);
 }

@@ -10,14 +10,21 @@
 #include <stdint.h>
 #include <stdio.h>
 
+#include "invcal/invcal.h"
+
 typedef struct {
     FILE *file;
     unsigned depth; /* of objects that are open */
+    int is_line;    /* all of it on one line */
     int is_first;   /* nothing stands in the innermost one yet */
 } json_writer;
 
 /* Opens the outermost object; the caller keeps the file. */
 void json_begin(json_writer *w, FILE *file);
+
+/* From now on what goes to the standard output is one line for each object, for pipes; its first member,
+ * "file", says what it is about. Null: no more. The text stays the caller's. */
+void json_lines(const char *about);
 
 /* Closes it, and ends the line. */
 void json_end(json_writer *w);
@@ -43,5 +50,8 @@ void json_symmetric(json_writer *w, const char *name, const double *packed, unsi
 void json_names(json_writer *w, const char *name, unsigned bits, unsigned count,
                 const char *(*name_of)(unsigned));
 void json_parameters(json_writer *w, const char *name, uint16_t bits);
+
+/* Nine numbers, one of each parameter: an object of delta, dk and gamma. */
+void json_nine(json_writer *w, const char *name, const double x[INVCAL_PARAMETERS]);
 
 #endif

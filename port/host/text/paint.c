@@ -31,11 +31,3 @@ const char *paint_off(FILE *file)
 {
     return is_wanted(file) ? "\033[0m" : "";
 }
-
-int paint_width(const char *text, int columns)
-{
-    for (; *text != '\0'; text++) {
-        columns += ((unsigned char)*text & 0xc0) == 0x80; /* a byte that continues a character */
-    }
-    return columns;
-}

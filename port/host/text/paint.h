@@ -16,7 +16,4 @@ typedef enum { PAINT_BOLD, PAINT_GREEN, PAINT_YELLOW, PAINT_RED } paint;
 const char *paint_on(FILE *file, paint which);
 const char *paint_off(FILE *file);
 
-/* The width that makes printf's %*s pad a UTF-8 text to so many columns: it counts bytes. */
-int paint_width(const char *text, int columns);
-
 #endif

@@ -6,7 +6,9 @@
 #include <string.h>
 #include <strings.h>
 
-#define NEAR 0.15 /* offsets and scale errors of a bad sensor */
+#define NEAR 0.15   /* offsets and scale errors of a bad sensor */
+#define MOST 0.9    /* of the readings: some may be wrong */
+#define FAR_OFF 0.7 /* mean of unit vectors: positions differ more, unless zero is elsewhere */
 #define TEXT_MAX 16
 #define LATIN1_SQUARE '\xb2' /* ISO 8859-1, as spreadsheets of Windows save it; */
 #define LATIN1_MICRO "\xb5"
@@ -115,13 +117,22 @@ int unit_is_gravity(double field)
     return field > 9.7 && field < 9.9;
 }
 
+double unit_field_si(double field)
+{
+    return unit_is_gravity(field)         ? 1
+           : field > 0.99 && field < 1.01 ? UNIT_STANDARD_GRAVITY
+           : field > 990 && field < 1010  ? UNIT_STANDARD_GRAVITY / 1000
+                                          : 0;
+}
+
+/* What gravity reads. */
+static const double sizes[] = {[UNIT_G] = 1, [UNIT_MG] = 1000, [UNIT_MS2] = UNIT_STANDARD_GRAVITY};
+
 reading_unit unit_by_size(const double *reading, unsigned count, double field)
 {
-    static const double sizes[] = {
-        [UNIT_G] = 1, [UNIT_MG] = 1000, [UNIT_MS2] = UNIT_STANDARD_GRAVITY};
     unsigned like[UNIT_COUNTS] = {0};
 
-    if (!unit_is_gravity(field) && !(fabs(field - 1) < 0.01)) {
+    if (!(unit_field_si(field) > 0)) {
         return UNIT_UNKNOWN;
     }
     for (unsigned n = 0; n < count; n++) {
@@ -139,15 +150,37 @@ reading_unit unit_by_size(const double *reading, unsigned count, double field)
     return UNIT_COUNTS;
 }
 
-double unit_scale(reading_unit u, double field)
+int unit_is_sure(reading_unit u, const double *reading, unsigned count)
 {
-    if (!unit_is_gravity(field)) {
+    double sum[3] = {0, 0, 0};
+    unsigned like = 0;
+
+    if (u != UNIT_G && u != UNIT_MS2) {
         return 0;
     }
-    return u == UNIT_G     ? UNIT_STANDARD_GRAVITY
-           : u == UNIT_MG  ? UNIT_STANDARD_GRAVITY / 1000
-           : u == UNIT_MS2 ? 1
-                           : 0;
+    for (unsigned n = 0; n < count; n++) {
+        const double *v = &reading[3 * (unsigned long)n];
+        const double length = sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
+        if (fabs(length / sizes[u] - 1) < NEAR) {
+            like++;
+            for (unsigned i = 0; i < 3; i++) {
+                sum[i] += v[i] / length;
+            }
+        }
+    }
+    return like >= MOST * count &&
+           sqrt(sum[0] * sum[0] + sum[1] * sum[1] + sum[2] * sum[2]) < FAR_OFF * like;
+}
+
+double unit_scale(reading_unit u, double field)
+{
+    const double si = unit_field_si(field);
+    const double unit = u == UNIT_G     ? UNIT_STANDARD_GRAVITY
+                        : u == UNIT_MG  ? UNIT_STANDARD_GRAVITY / 1000
+                        : u == UNIT_MS2 ? 1
+                                        : 0;
+
+    return si > 0 ? unit / si : 0;
 }
 
 const char *unit_name(reading_unit u)
@@ -164,7 +197,7 @@ const char *unit_words(reading_unit u)
 
 const char *unit_origin_name(unit_origin origin)
 {
-    static const char *const names[] = {"none", "header", "option", "size"};
+    static const char *const names[] = {"none", "header", "option", "size", "sensor"};
 
     return names[origin];
 }

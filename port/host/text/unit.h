@@ -9,8 +9,14 @@
 
 typedef enum { UNIT_UNKNOWN, UNIT_G, UNIT_MG, UNIT_MS2, UNIT_COUNTS } reading_unit;
 
-/* Who says so. Only a heading or an option states a unit; a guess by size is for words alone. */
-typedef enum { UNIT_FROM_NONE, UNIT_FROM_HEADER, UNIT_FROM_OPTION, UNIT_FROM_SIZE } unit_origin;
+/* Who says so. A heading or an option states a unit; a guess by size is for words alone, unless it is sure. */
+typedef enum {
+    UNIT_FROM_NONE,
+    UNIT_FROM_HEADER,
+    UNIT_FROM_OPTION,
+    UNIT_FROM_SIZE,
+    UNIT_FROM_SENSOR /* counts of a sensor that is stated */
+} unit_origin;
 
 /* Reads "g", "mg", "m/s^2" in its spellings, "counts", "raw" or "LSB", in any case.
  * Returns 1; 0, with *out left alone, if it is none of them. */
@@ -32,13 +38,22 @@ temperature_unit unit_parse_temperature(const char *text);
 /* 1 if a field of this length is gravity in m/s^2: nothing else on earth is 9.8. */
 int unit_is_gravity(double field);
 
+/* m/s^2 per unit of a field of this length: 1 if it is gravity in m/s^2 (9.7 ... 9.9), 9.80665 in
+ * g (0.99 ... 1.01), a thousandth of that in mg; else 0: no gravity, or in no unit of it. */
+double unit_field_si(double field);
+
 /* The unit that most of these readings at rest look like, by their length; else counts.
  *
  * reading  3 count numbers: x y z, ...
- * field    length of the field: if it is neither 9.8 nor 1, nothing can be told. */
+ * field    length of the field: if it is no gravity, nothing can be told. */
 reading_unit unit_by_size(const double *reading, unsigned count, double field);
 
-/* m/s^2 per unit, for a field in m/s^2; 0 if the field or the unit does not tell it. */
+/* 1 if readings of that size can be nothing else: nine in ten are as long as gravity in g or m/s^2, to 15 %,
+ * and they do not all point one way, as with a zero far off. No sensor counts so coarsely. Of mg it is never
+ * sure: there are sensors of 1000 or 1024 counts a g. */
+int unit_is_sure(reading_unit u, const double *reading, unsigned count);
+
+/* Field units per unit, for a field that is gravity; 0 if the field or the unit does not tell it. */
 double unit_scale(reading_unit u, double field);
 
 /* For JSON: "g", "mg", "m/s^2", "counts", "unknown". */
@@ -47,7 +62,7 @@ const char *unit_name(reading_unit u);
 /* For people: "g", "mg", "m/s²", "counts", "input units". */
 const char *unit_words(reading_unit u);
 
-/* "none", "header", "option", "size". */
+/* "none", "header", "option", "size", "sensor". */
 const char *unit_origin_name(unit_origin origin);
 
 #endif

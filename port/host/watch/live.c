@@ -9,266 +9,109 @@
 #include <unistd.h>
 
 #include "cli/command.h"
-#include "fit/fit.h"
 #include "cli/input.h"
-#include "watch/live_program.h"
 #include "cli/message.h"
-#include "fit/nominal.h"
-#include "text/paint.h"
 #include "read/samples.h"
+#include "watch/lines.h"
+#include "watch/live_program.h"
+#include "watch/screen.h"
+#include "watch/zero.h"
 
-#define RENEW 4u          /* positions whose range says more than the first reading */
-#define FAR_OFF 0.7       /* mean of unit vectors that differ less than positions do */
 #define HOLD_MAX 60       /* seconds: what the first rest tells is cut off there */
 #define HOLD_LONGEST 3600 /* seconds that can be demanded */
+#define TICK 0.1          /* seconds of the log from one WATCH_PASSED to the next, at least */
 
 /* All are too large for the stack. */
 static samples live_log;
 static recording live_recording;
 static invcal_session session;
 static live_program followed; /* if the wish has a set */
+static watch_state now;       /* what the tellers read */
 
 typedef struct {
     positions *p;
     const live_wish *wish;
     rests_summary *summary;
-    unsigned taken; /* positions */
-    int is_enough;  /* the target has been reached */
-    int is_terminal;
-    int is_refused;     /* said of the rest that is going on */
-    double lsb;         /* as guessed for zero at 0 */
-    invcal_event shown; /* of the line that changes */
+    watch_teller tell;
+    zero_finder zero;
+    invcal_calibration known; /* the calibration so far, or the nominal one */
+    double told_at;           /* seconds of the log: the last WATCH_PASSED; */
+    double sum[3];            /* what has been read since then, counts, */
+    double summed;            /* in so many samples */
+    int is_enough;            /* what is wanted has been reached */
 } stage;
 
-/* ---- what the person sees ---------------------------------------------------------------------- */
+/* ---- where the device points, and where it is to --------------------------------------------------- */
 
-/* A line that stays; what was on the changing line goes. */
-static void end_line(stage *s)
+/* A unit vector. Returns 1; 0 if the calibration makes none of these counts. */
+static int find_up(const invcal_calibration *known, const double counts[3], double up[3])
 {
-    if (s->is_terminal) {
-        fprintf(s->wish->talk, "\r%60s\r", "");
+    double length = 0;
+
+    invcal_apply(known, counts, up);
+    for (unsigned i = 0; i < 3; i++) {
+        length = hypot(length, up[i]);
     }
+    for (unsigned i = 0; i < 3; i++) {
+        up[i] /= length;
+    }
+    return length > 0 && length < HUGE_VAL;
 }
 
-/* A position is good: it may be left, and for where. Of a program short enough for one line. */
-static void say_good(const stage *s, const char *indent)
-{
-    FILE *talk = s->wish->talk;
-    char words[INVCAL_WORDS];
-
-    fputs(indent, talk);
-    if (s->wish->set) {
-        live_program_say_good(&followed, talk);
-    } else {
-        (void)invcal_session_next_words(&session, words);
-        fprintf(talk, "good: move on%s%s", *words ? " to " : "", words);
-    }
-}
-
-/* The changing line: only on a terminal, and only if there is news. */
-static void show(stage *s, invcal_event event)
-{
-    if (event == INVCAL_MOVING) {
-        s->is_refused = 0;
-    }
-    if (!s->is_terminal && event == INVCAL_READY) {
-        say_good(s, "");
-        fprintf(s->wish->talk, "\n");
-    }
-    if (!s->is_terminal || s->is_refused || (event == INVCAL_MOVING && s->shown == event)) {
-        return;
-    }
-    s->shown = event;
-    end_line(s);
-    const unsigned progress = invcal_session_progress(&session);
-    if (event == INVCAL_SETTLING && progress < 100) {
-        fprintf(s->wish->talk, "  hold still ... %3u %%", progress);
-    } else if (event != INVCAL_MOVING) {
-        say_good(s, "  ");
-    } else {
-        fprintf(s->wish->talk, "  moving");
-    }
-    fflush(s->wish->talk);
-}
-
-/* Where to turn next, if there is anywhere. */
-static void say_next(stage *s)
-{
-    char text[PROGRAM_TEXT_MAX];
-
-    if (s->wish->set) {
-        (void)program_next_text(&followed.now, text);
-    } else {
-        (void)invcal_session_next_words(&session, text);
-    }
-    if (*text) {
-        fprintf(s->wish->talk, "next: %s\n", text);
-    }
-}
-
-static double largest(const double v[3])
-{
-    return fmax(v[0], fmax(v[1], v[2]));
-}
-
-static void say_kind(const stage *s, const char *what, double sigma, told_unit unit)
-{
-    fprintf(s->wish->talk, "%s ± %.2g %s", what, unit.scale * sigma, unit.unit);
-}
-
-/* How exactly everything is known, once it can be told. */
-static void say_sigma(stage *s)
-{
-    const told_style told = s->wish->told;
-    const told_unit degrees = {told_angle(TOLD_EVERYDAY).scale, "deg"};
-    invcal_calibration calibration;
-    invcal_quality q;
-
-    if (invcal_session_solve(&session, &calibration, &q) != INVCAL_OK || q.dof == 0) {
-        return;
-    }
-    const double coverage = invcal_coverage(q.dof);
-    say_kind(s, "; to 95 %: offsets", coverage * largest(&q.sigma[INVCAL_DELTA_X]),
-             told_field(told, 1));
-    say_kind(s, ", scales", coverage * largest(&q.sigma[INVCAL_DK_X]), told_scale(told));
-    say_kind(s, ", angles", coverage * largest(&q.sigma[INVCAL_GAMMA_XY]),
-             told == TOLD_INS ? told_angle(told) : degrees);
-}
-
-static void say_end(FILE *talk, const char *word, const char *what)
-{
-    fprintf(talk, "%s%s%s %s; end the stream (Ctrl-C)\n", paint_on(talk, PAINT_GREEN), word,
-            paint_off(talk), what);
-}
-
-/* What a position has brought about. */
-typedef enum { USED, ENOUGH, FINISHED } outcome;
-
-static void say_taken(stage *s, outcome what)
-{
-    end_line(s);
-    fprintf(s->wish->talk, "position %u taken", s->taken);
-    say_sigma(s);
-    fprintf(s->wish->talk, "\n");
-    if (s->wish->set) {
-        live_program_say_wrong(&followed, s->wish->talk);
-    }
-    if (what == ENOUGH) {
-        say_end(s->wish->talk, "enough:", "what is wanted is reached");
-    } else if (what == FINISHED) {
-        say_end(s->wish->talk, "finished:", "the program is complete");
-    }
-}
-
-static void say_refused(stage *s, int is_left)
-{
-    if (s->is_refused) {
-        s->is_refused = 0; /* it has been left */
-        return;
-    }
-    s->is_refused = !is_left;
-    end_line(s);
-    fprintf(s->wish->talk, "%srefused:%s %s\n", paint_on(s->wish->talk, PAINT_RED),
-            paint_off(s->wish->talk), rests_reason_text(invcal_session_reason(&session)));
-}
-
-/* What the stream was taken for: whoever sees a wrong column can stop at once. */
-static void say_recognised(const stage *s)
-{
-    recognition seen = s->p->seen;
-    char text[COLUMNS_TEXT_MAX];
-
-    if (s->wish->unit != UNIT_UNKNOWN) {
-        seen.unit = s->wish->unit;
-        seen.unit_from = UNIT_FROM_OPTION;
-    }
-    fprintf(s->wish->talk, "%s: %s\n", s->p->name, columns_describe(&seen, text, sizeof text));
-}
-
-/* ---- zero and scale ---------------------------------------------------------------------------- */
-
-/* Field units per input unit, if a unit is stated that tells it; else 0. */
-static double stated_scale(const live_wish *wish)
-{
-    const reading_unit stated = wish->unit != UNIT_UNKNOWN ? wish->unit : live_log.where.seen.unit;
-
-    return unit_scale(stated, wish->field);
-}
-
-/* Nothing states the zero of the readings, nor the scale. */
-static int is_nominal_free(const live_wish *wish)
-{
-    return !wish->nominal && !wish->zero && !wish->lsb && !(stated_scale(wish) > 0);
-}
-
-/* Free hand: with zero where it is, all positions so far point one way, although they were to differ: then it
- * is nowhere near, as in counts that have no sign. */
-static int is_zero_far_off(const stage *s)
-{
-    double sum[3] = {0, 0, 0};
-
-    for (unsigned n = 0; n < s->p->count; n++) {
-        for (unsigned i = 0; i < 3; i++) {
-            sum[i] += s->p->mean[3 * n + i] * s->lsb / s->wish->field;
-        }
-    }
-    const double length = sqrt(sum[0] * sum[0] + sum[1] * sum[1] + sum[2] * sum[2]);
-    return length > FAR_OFF * s->p->count;
-}
-
-/* Over the field, for counts of the log. Returns 1 if it is usable. */
-static int nominal_of_counts(const live_wish *wish, const double zero[3], const double lsb[3],
-                             invcal_calibration *out)
+static void tell_time(stage *s, const sample *latest)
 {
     double counts[3];
-    double zero_counts[3];
 
     for (unsigned i = 0; i < 3; i++) {
-        zero_counts[i] = zero[i] / live_log.unit;
-        counts[i] = wish->field / (lsb[i] * live_log.unit);
+        s->sum[i] += latest->raw[i];
     }
-    return invcal_nominal(zero_counts, counts, out) == INVCAL_OK;
-}
-
-/* All positions so far are readings of the field with this nominal. */
-static int fits_all(const invcal_calibration *nominal)
-{
-    return invcal_bad_reading(session.mean[0], session.count, nominal) == session.count;
-}
-
-/* Then the middle of the ranges is the better zero, and the widest tells the scale. Returns 1 if so. */
-static int find_by_range(const stage *s, double zero[3], double lsb[3])
-{
-    if (s->p->count < RENEW || !is_zero_far_off(s) ||
-        !nominal_from_range(s->p, s->wish->field, zero, lsb)) {
-        return 0;
+    s->summed++;
+    now.seconds = latest->clock;
+    if (latest->clock - s->told_at < TICK) {
+        return;
     }
-    lsb[0] = lsb[1] = lsb[2] = fmin(lsb[0], fmin(lsb[1], lsb[2]));
-    return 1;
-}
-
-/* Where a program is followed, its directions tell more, as long as it is. */
-static int find_by_program(const stage *s, double zero[3], double lsb[3])
-{
-    double length;
-    const int is_found = live_program_scale(&followed, zero, &length);
-
-    lsb[0] = lsb[1] = lsb[2] = is_found ? s->wish->field / length : 1;
-    return is_found;
-}
-
-/* The table of the session is in counts: it takes another nominal at any time. */
-static void renew_nominal(const stage *s)
-{
-    invcal_calibration nominal;
-    double zero[3];
-    double lsb[3];
-
-    if (is_nominal_free(s->wish) &&
-        (s->wish->set ? find_by_program(s, zero, lsb) : find_by_range(s, zero, lsb)) &&
-        nominal_of_counts(s->wish, zero, lsb, &nominal) && fits_all(&nominal)) {
-        session.nominal = nominal; /* else the old one goes on */
+    for (unsigned i = 0; i < 3; i++) {
+        counts[i] = s->sum[i] / s->summed;
+        s->sum[i] = 0;
     }
+    s->summed = 0;
+    s->told_at = latest->clock;
+    now.has_up = find_up(&s->known, counts, now.up);
+    now.skipped = live_log.skipped;
+    s->tell(&now, WATCH_PASSED);
+}
+
+/* Where to turn next. A rest that is READY and still held counts as taken. */
+static void aim(const stage *s, int is_ready)
+{
+    if (!s->wish->set) {
+        invcal_session_next(&session, now.target);
+        now.has_target = 1;
+        (void)invcal_words(now.target, now.next);
+        snprintf(now.good, sizeof now.good, "good: move on to %s", now.next);
+        return;
+    }
+    const program *p = is_ready ? live_program_foreseen(&followed) : &followed.now;
+    now.has_target = p->asked < p->set->count;
+    if (now.has_target) {
+        memcpy(now.target, p->set->position[p->asked].vertical, sizeof now.target);
+    }
+    (void)program_next_text(p, now.next);
+    (void)live_program_good_text(&followed, p, now.good, sizeof now.good);
+}
+
+/* The device moves or rests. What was refused has been told, and is over once it moves. */
+static void tell_phase(stage *s, watch_news what)
+{
+    now.progress = invcal_session_progress(&session);
+    now.phase = what == WATCH_SETTLING && now.progress >= 100 ? WATCH_READY : what;
+    if (what == WATCH_MOVING) {
+        now.is_refused = 0;
+    }
+    if (now.phase == WATCH_READY) {
+        aim(s, 1);
+    }
+    s->tell(&now, what);
 }
 
 /* ---- how long to stay -------------------------------------------------------------------------- */
@@ -287,7 +130,7 @@ static int is_held_long_enough(const stage *s)
     invcal_rest rest;
     double square = 0;
 
-    if (!(sigma > 0) || s->wish->noise || s->taken > 0 ||
+    if (!(sigma > 0) || s->wish->noise || now.taken > 0 ||
         !invcal_rests_get(&session.rests, &rest)) {
         return 1;
     }
@@ -296,6 +139,27 @@ static int is_held_long_enough(const stage *s)
     }
     hold(fmin(HOLD_MAX, square * rest.variance / (sigma * sigma) / live_log.rate));
     return invcal_session_progress(&session) == 100;
+}
+
+/* Holds each position as long as the axis that takes longest. */
+static int hold_by_noise(const live_wish *wish)
+{
+    for (unsigned i = 0; i < 3; i++) {
+        invcal_dwell d;
+        if (invcal_noise_dwell(&wish->noise[i], wish->mean_sigma / wish->field, &d) != INVCAL_OK ||
+            d.seconds > HOLD_LONGEST) {
+            message("--allan: by this noise a mean as good as %g takes more than %d s: ask for "
+                    "less by --mean-sigma",
+                    wish->mean_sigma, HOLD_LONGEST);
+            return EXIT_USAGE;
+        }
+        now.hold = fmax(now.hold, d.seconds);
+        if (d.end == INVCAL_DWELL_FLOOR) {
+            now.hold_floor = fmax(now.hold_floor, d.sigma * wish->field);
+        }
+    }
+    hold(now.hold);
+    return EXIT_GOOD;
 }
 
 /* ---- what becomes of a rest -------------------------------------------------------------------- */
@@ -310,42 +174,87 @@ static int take_rest(stage *s)
 }
 
 /* A target that is 0 is any. */
-static int reaches_target(const stage *s)
+static int reaches_target(const live_wish *wish)
 {
     double target[3];
     int is_wanted = 0;
 
     for (unsigned i = 0; i < 3; i++) {
-        is_wanted = is_wanted || s->wish->target[i] > 0;
-        target[i] = s->wish->target[i] > 0 ? s->wish->target[i] : INVCAL_REAL_MAX;
+        is_wanted = is_wanted || wish->target[i] > 0;
+        target[i] = wish->target[i] > 0 ? wish->target[i] : INVCAL_REAL_MAX;
     }
-    if (s->wish->need > 0 && !invcal_session_meets(&session, s->wish->need, s->wish->field_sigma)) {
+    if (wish->need > 0 && !invcal_session_meets(&session, wish->need, wish->field_sigma)) {
         return 0;
     }
-    return is_wanted ? invcal_session_reaches(&session, target) : s->wish->need > 0;
+    return !is_wanted || invcal_session_reaches(&session, target);
 }
 
-static outcome judge_position(stage *s, int is_complete)
+/* What the positions so far come to. */
+static void judge(stage *s)
 {
+    invcal_calibration calibration;
+
+    now.status = invcal_session_solve(&session, &calibration, &now.quality);
+    s->known = watch_knows_sigma(&now) && now.quality.verdict != INVCAL_WEAK ? calibration
+                                                                             : session.nominal;
+    now.accuracy =
+        now.status == INVCAL_OK ? invcal_accuracy(&now.quality, s->wish->field_sigma) : 0;
+    now.covered = 0;
+    for (unsigned n = 0; n < session.count; n++) {
+        now.covered += (unsigned)find_up(&s->known, session.mean[n], now.direction[now.covered]);
+    }
+    now.is_guess = zero_is_guess(&s->zero);
+}
+
+static watch_outcome judge_outcome(stage *s, int is_complete)
+{
+    const int is_wanted = watch_is_anything_wanted(&now);
+
+    now.is_good = is_wanted ? reaches_target(s->wish) : invcal_session_is_good(&session);
     if (is_complete) {
-        return FINISHED;
+        return WATCH_FINISHED;
     }
-    if (!s->is_enough && reaches_target(s)) {
+    if (!s->is_enough && is_wanted && now.is_good) {
         s->is_enough = 1;
-        return ENOUGH;
+        return WATCH_ENOUGH;
     }
-    return USED;
+    return WATCH_USED;
 }
 
 static int take(stage *s)
 {
     const int failure = take_rest(s);
 
-    s->taken++;
-    renew_nominal(s);
-    say_taken(s, judge_position(s, s->wish->set && live_program_take(&followed)));
-    say_next(s);
+    now.taken++;
+    now.last = WATCH_TAKEN;
+    zero_renew(&s->zero, &session);
+    judge(s);
+    now.outcome = judge_outcome(s, s->wish->set && live_program_take(&followed));
+    if (s->wish->set) {
+        now.astray = followed.astray;
+        (void)live_program_wrong_text(&followed, now.wrong);
+    }
+    aim(s, 0);
+    now.phase = WATCH_MOVING;
+    s->tell(&now, WATCH_TAKEN);
     return failure;
+}
+
+/* A rest may be refused while it is held and again when it is left: that is told once. */
+static void tell_refused(stage *s, int is_left)
+{
+    if (now.is_refused) {
+        now.is_refused = 0;
+        return;
+    }
+    now.is_refused = !is_left;
+    now.refusal = rests_reason_text(invcal_session_reason(&session));
+    now.last = WATCH_REFUSED;
+    if (is_left) {
+        now.phase = WATCH_MOVING;
+    }
+    aim(s, 0);
+    s->tell(&now, WATCH_REFUSED);
 }
 
 static int refuse(stage *s)
@@ -360,108 +269,45 @@ static int refuse(stage *s)
     } else if (is_left) { /* the calibration may think otherwise of it */
         failure = take_rest(s);
     }
-    say_refused(s, is_left);
+    tell_refused(s, is_left);
     return failure;
 }
 
 static int digest(stage *s, invcal_event event)
 {
-    int failure = EXIT_GOOD;
-
     switch (event) {
     case INVCAL_TAKEN:
-        failure = take(s);
-        break;
+        return take(s);
     case INVCAL_REFUSED:
-        failure = refuse(s);
-        break;
-    case INVCAL_NOTHING:
-        break;
+        return refuse(s);
     case INVCAL_READY:
-        show(s, is_held_long_enough(s) ? INVCAL_READY : INVCAL_SETTLING);
+        tell_phase(s, is_held_long_enough(s) ? WATCH_READY : WATCH_SETTLING);
+        break;
+    case INVCAL_SETTLING:
+        tell_phase(s, WATCH_SETTLING);
+        break;
+    case INVCAL_MOVING:
+        tell_phase(s, WATCH_MOVING);
         break;
     default:
-        show(s, event);
         break;
     }
-    fflush(s->wish->talk);
-    return failure;
+    return EXIT_GOOD;
 }
 
 /* ---- the stream -------------------------------------------------------------------------------- */
 
-/* The largest of the first readings stands for the field. */
-static double guess_lsb(const live_wish *wish, const double zero[3])
+static int begin(stage *s)
 {
-    double most = 0;
-
-    for (unsigned n = 0; n < live_log.ahead_count; n++) {
-        double square = 0;
-        for (unsigned i = 0; i < 3; i++) {
-            const double v = live_log.ahead[n][i] - zero[i];
-            square += v * v;
-        }
-        most = fmax(most, square);
-    }
-    return most > 0 ? wish->field / sqrt(most) : 1;
-}
-
-/* The nominal calibration, over the field, for counts of the log. Returns 1 if it is usable. */
-static int set_nominal(const live_wish *wish, invcal_calibration *out)
-{
-    static const double origin[3] = {0, 0, 0};
-    const double *zero = wish->zero ? wish->zero : origin;
-    double guess = stated_scale(wish);
-    double lsb[3];
-
-    if (wish->nominal) {
-        *out = fit_over_field(wish->nominal, wish->field / live_log.unit);
-        for (unsigned i = 0; i < 3; i++) {
-            out->offset[i] /= live_log.unit;
-        }
-        return 1;
-    }
-    guess = guess > 0 ? guess : guess_lsb(wish, zero);
-    for (unsigned i = 0; i < 3; i++) {
-        lsb[i] = wish->lsb ? wish->lsb[i] : guess;
-    }
-    return nominal_of_counts(wish, zero, lsb, out);
-}
-
-/* Holds each position as long as the axis that takes longest. */
-static int hold_by_noise(const live_wish *wish)
-{
-    double longest = 0;
-    double floor = 0;
-
-    for (unsigned i = 0; i < 3; i++) {
-        invcal_dwell d;
-        if (invcal_noise_dwell(&wish->noise[i], wish->mean_sigma / wish->field, &d) != INVCAL_OK ||
-            d.seconds > HOLD_LONGEST) {
-            message("--allan: by this noise a mean as good as %g takes more than %d s: ask for "
-                    "less by --mean-sigma",
-                    wish->mean_sigma, HOLD_LONGEST);
-            return EXIT_USAGE;
-        }
-        longest = fmax(longest, d.seconds);
-        floor = d.end == INVCAL_DWELL_FLOOR ? fmax(floor, d.sigma * wish->field) : floor;
-    }
-    hold(longest);
-    fprintf(wish->talk, "each position: %.3g s by the noise measured", longest);
-    if (floor > 0) {
-        fprintf(wish->talk, "; longer does not help: a mean is good to %.2g", floor);
-    }
-    fprintf(wish->talk, "\n");
-    return EXIT_GOOD;
-}
-
-static int begin(const live_wish *wish)
-{
+    const live_wish *wish = s->wish;
     const double *clip = wish->clip;
-    invcal_calibration nominal;
+    char text[SENSORS_TEXT_MAX];
 
-    if (!set_nominal(wish, &nominal) ||
-        invcal_session_begin(&session, &nominal, samples_whole_rate(&live_log)) != INVCAL_OK ||
+    if (!zero_fits_sensor(wish, &live_log, text)) {
+        return message_usage("watch", "%s: %s", live_log.table.name, text);
+    }
+    if (!zero_begin(&s->zero, wish, &live_log, s->p, &followed, &s->known) ||
+        invcal_session_begin(&session, &s->known, samples_whole_rate(&live_log)) != INVCAL_OK ||
         (clip && invcal_session_rails(&session, samples_count(&live_log, clip[0]),
                                       samples_count(&live_log, clip[1])) != INVCAL_OK)) {
         message("%s: %.6g samples a second, or the nominal calibration, is not usable",
@@ -471,42 +317,71 @@ static int begin(const live_wish *wish)
     return wish->noise ? hold_by_noise(wish) : EXIT_GOOD;
 }
 
-static int watch(stage *s)
+/* What the stream was taken for: whoever sees a wrong column can stop at once. */
+static void recognise(const stage *s)
 {
-    sample now;
-    int more = 0;
-    int failure = EXIT_GOOD;
+    recognition seen = s->p->seen;
 
+    if (s->wish->unit != UNIT_UNKNOWN) {
+        seen.unit = s->wish->unit;
+        seen.unit_from = UNIT_FROM_OPTION;
+    }
+    (void)columns_describe(&seen, now.recognised, sizeof now.recognised);
+}
+
+static void tell_begin(stage *s)
+{
     recording_begin(&live_recording, &live_log);
     if (s->wish->set) {
         live_program_begin(&followed, s->wish->set, &session, s->p, live_log.unit,
-                           !is_nominal_free(s->wish));
+                           !zero_is_free(&s->zero));
     }
-    say_recognised(s);
-    say_next(s);
-    while (!failure && (more = samples_next(&live_log, &now)) == 1) {
-        if (now.is_gap) {
-            invcal_session_gap(&session);
-        }
-        s->summary->samples++;
-        recording_sample(&live_recording, &live_log, &now);
-        const invcal_event event = invcal_session_feed(&session, now.raw);
-        if (event != INVCAL_NOTHING) {
-            recording_filled(&live_recording);
-            failure = digest(s, event);
-        }
+    recognise(s);
+    judge(s);
+    aim(s, 0);
+    s->tell(&now, WATCH_BEGUN);
+}
+
+static int feed(stage *s, const sample *latest)
+{
+    int failure = EXIT_GOOD;
+
+    if (latest->is_gap) {
+        invcal_session_gap(&session);
+    }
+    s->summary->samples++;
+    recording_sample(&live_recording, &live_log, latest);
+    const invcal_event event = invcal_session_feed(&session, latest->raw);
+    if (event != INVCAL_NOTHING) {
+        recording_filled(&live_recording);
+        failure = digest(s, event);
+    }
+    tell_time(s, latest);
+    return failure;
+}
+
+static int watch(stage *s)
+{
+    sample latest;
+    int more = 0;
+    int failure = EXIT_GOOD;
+
+    tell_begin(s);
+    while (!failure && (more = samples_next(&live_log, &latest)) == 1) {
+        failure = feed(s, &latest);
     }
     if (!failure && more == 0) {
         failure = digest(s, invcal_session_finish(&session));
     }
-    end_line(s);
     if (more < 0 || failure) {
+        s->tell(&now, WATCH_BROKEN);
         return failure ? failure : EXIT_FILE;
     }
     if (s->wish->set) {
-        live_program_say_missing(&followed, s->wish->talk);
+        (void)live_program_missing_text(&followed, now.missing);
     }
-    fprintf(s->wish->talk, "\n");
+    now.phase = WATCH_ENDED;
+    s->tell(&now, WATCH_ENDED);
     return EXIT_GOOD;
 }
 
@@ -538,20 +413,29 @@ static void catch_interrupts(const char *path)
 
 int live_read(positions *p, const char *path, const live_wish *wish, rests_summary *summary)
 {
-    stage s = {.p = p, .wish = wish, .summary = summary, .is_terminal = isatty(fileno(wish->talk))};
+    stage s = {.p = p, .wish = wish, .summary = summary, .told_at = -HUGE_VAL};
 
-    if (s.is_terminal) {
+    s.tell = screen_is_possible(wish->talk) ? screen_tell : lines_tell;
+    if (isatty(fileno(wish->talk))) {
         fprintf(wish->talk, "waiting for samples\n");
+        fflush(wish->talk);
     }
     catch_interrupts(path);
     int failure = samples_open(&live_log, path, wish->rate, 1);
     stream_file = live_log.table.file ? fileno(live_log.table.file) : -1;
 
     *p = (positions){.name = live_log.table.name, .has_noise = 1, .seen = live_log.where.seen};
-    *summary = (rests_summary){
-        .rate = live_log.rate, .is_rate_known = live_log.is_rate_known, .track = &live_recording};
-    failure = failure ? failure : begin(wish);
-    s.lsb = guess_lsb(wish, (const double[3]){0, 0, 0});
+    *summary = (rests_summary){.rate = live_log.rate,
+                               .is_rate_known = live_log.is_rate_known,
+                               .track = &live_recording,
+                               .unit = live_log.unit};
+    now = (watch_state){.talk = wish->talk,
+                        .told = wish->told,
+                        .name = live_log.table.name,
+                        .phase = WATCH_MOVING,
+                        .need = wish->need};
+    memcpy(now.target_sigma, wish->target, sizeof now.target_sigma);
+    failure = failure ? failure : begin(&s);
     failure = failure ? failure : watch(&s);
     stream_file = -1;
     samples_close(&live_log);

@@ -5,36 +5,12 @@
 #ifndef LIVE_H
 #define LIVE_H
 
-#include <stdio.h>
-
-#include "design/design.h"
-#include "invcal/allan.h"
 #include "read/rests.h"
-#include "cli/told.h"
-
-typedef struct {
-    double rate;        /* 0: see samples.h */
-    const double *clip; /* null, or least and greatest reading */
-    reading_unit unit;  /* stated; UNIT_UNKNOWN: the heading may tell */
-    double field;
-    const invcal_calibration *nominal; /* for the guidance; null: */
-    const double *zero; /* zero, else 0, and scale, else by the unit or from the first samples; if
-                           neither they nor the unit are given, both are found again from the */
-    const double *lsb;  /* positions */
-    const design *set;  /* the program to follow; null: free hand */
-    double target[3];   /* sigma that is enough; 0: any */
-    double need;        /* what lengths may be wrong by, over the field; 0: anything */
-    double field_sigma; /* what the field may, over itself */
-    double mean_sigma;  /* of a position mean that is wanted, field units; 0: any */
-    const invcal_noise *noise; /* of three axes, over the field, in place of what the first rest
-                                  tells; null: there is none. Needs mean_sigma */
-    told_style told;           /* the units of sigma */
-    FILE *talk;                /* where to say it */
-} live_wish;
+#include "watch/wish.h"
 
 /* Reads a stream to its end, or until somebody interrupts it (Ctrl-C), tells what to do, and
- * collects the positions. What is malformed is told and skipped. On a terminal the progress of a rest
- * is shown on one line that changes.
+ * collects the positions. What is malformed is told and skipped. It is told by a screen if wish.talk is
+ * the standard output and can show one (screen.h), else by lines (lines.h).
  *
  * Returns, and is to be released, as rests_read. */
 int live_read(positions *p, const char *path, const live_wish *wish, rests_summary *summary);

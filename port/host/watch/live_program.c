@@ -2,12 +2,9 @@
 #include "watch/live_program.h"
 
 #include <math.h>
+#include <stdio.h>
 
-#include "text/paint.h"
-
-#define FOLLOWED 3u  /* positions of a program that tell zero and scale, if they are these */
 #define FAR_ZERO 0.3 /* over the field */
-#define ASTRAY 2u    /* positions in a row that were not asked for: worth a word */
 
 void live_program_begin(live_program *l, const design *set, const invcal_session *session,
                         const positions *taken, double unit, int is_zero_stated)
@@ -38,7 +35,7 @@ static invcal_calibration best_known(const live_program *l)
 /* Nothing states the zero, nor do so few positions tell it: their directions may be anything. */
 static int is_zero_unknown(const live_program *l)
 {
-    return !l->is_zero_stated && l->taken->count < FOLLOWED;
+    return !l->is_zero_stated && l->taken->count < LIVE_PROGRAM_FOLLOWED;
 }
 
 /* The position that a rest was at, a mean in counts. What is no position, as long as nobody knows the
@@ -59,14 +56,27 @@ static int is_astray(const program *now, unsigned asked)
     return asked < now->set->count && now->here != asked && !now->is_again;
 }
 
+/* A calibration that is known better tells of rests before where they really were. Later it is hardly known
+ * any better: then they are looked at anew whenever there are twice as many, so that a stream of any
+ * length takes the time that its length does. */
+static unsigned first_to_visit(const live_program *l)
+{
+    const unsigned count = l->taken->count;
+
+    return count <= INVCAL_MAX_POSITIONS || (count & (count - 1)) == 0 ? 0 : count - 1;
+}
+
 int live_program_take(live_program *l)
 {
     const invcal_calibration known = best_known(l);
     const design *set = l->now.set;
+    const unsigned first = first_to_visit(l);
 
     l->wanted = l->now.asked;
-    program_begin(&l->now, set);
-    for (unsigned n = 0; n < l->taken->count; n++) {
+    if (first == 0) {
+        program_begin(&l->now, set);
+    }
+    for (unsigned n = first; n < l->taken->count; n++) {
         double counts[3];
         for (unsigned i = 0; i < 3; i++) {
             counts[i] = l->taken->mean[3 * (size_t)n + i] / l->unit;
@@ -81,16 +91,14 @@ int live_program_scale(const live_program *l, double zero[3], double *length)
 {
     const unsigned count = l->taken->count;
 
-    return count >= FOLLOWED && count <= l->now.set->count &&
+    return count >= LIVE_PROGRAM_FOLLOWED && count <= l->now.set->count &&
            program_scale(&l->now, l->taken->mean, count, zero, length) &&
            hypot(hypot(zero[0], zero[1]), zero[2]) > FAR_ZERO * *length;
 }
 
 /* ---- what is said of it ------------------------------------------------------------------------ */
 
-/* The program as it will be once the rest that is READY and still held has been taken: until the next
- * call. */
-static const program *foreseen(const live_program *l)
+const program *live_program_foreseen(const live_program *l)
 {
     static program soon; /* large */
     double counts[3];
@@ -104,41 +112,28 @@ static const program *foreseen(const live_program *l)
     return &soon;
 }
 
-void live_program_say_good(const live_program *l, FILE *talk)
+const char *live_program_good_text(const live_program *l, const program *soon, char *text,
+                                   size_t size)
 {
-    char text[PROGRAM_TEXT_MAX];
-    const program *soon = foreseen(l);
+    char angles[PROGRAM_TEXT_MAX];
+    char but[64] = "";
 
-    fprintf(talk, "good");
     if (is_astray(soon, l->now.asked)) {
-        fprintf(talk, ", but not position %u", l->now.asked + 1);
+        snprintf(but, sizeof but, ", but not position %u", l->now.asked + 1);
     }
-    (void)program_angles_text(soon, text);
-    fprintf(talk, ": move on%s%s", *text ? " to " : "", text);
+    (void)program_angles_text(soon, angles);
+    snprintf(text, size, "good%s: move on%s%s", but, *angles ? " to " : "", angles);
+    return text;
 }
 
-void live_program_say_wrong(const live_program *l, FILE *talk)
+const char *live_program_wrong_text(const live_program *l, char text[PROGRAM_TEXT_MAX])
 {
-    char text[PROGRAM_TEXT_MAX];
-
-    if (l->astray > 0) {
-        fprintf(talk, "%swrong position:%s %s. It is used all the same\n",
-                paint_on(talk, PAINT_YELLOW), paint_off(talk),
-                program_wrong_text(&l->now, l->wanted, text));
-    }
-    if (l->astray == ASTRAY) {
-        fprintf(talk,
-                "%u wrong in a row: are alpha and beta exchanged, is the sense of one reversed, "
-                "or its zero elsewhere?\n",
-                ASTRAY);
-    }
+    text[0] = '\0';
+    return l->astray > 0 ? program_wrong_text(&l->now, l->wanted, text) : text;
 }
 
-void live_program_say_missing(const live_program *l, FILE *talk)
+const char *live_program_missing_text(const live_program *l, char text[PROGRAM_TEXT_MAX])
 {
-    char text[PROGRAM_TEXT_MAX];
-
-    if (l->now.asked < l->now.set->count) {
-        fprintf(talk, "of the program not visited: %s\n", program_missing_text(&l->now, text));
-    }
+    text[0] = '\0';
+    return l->now.asked < l->now.set->count ? program_missing_text(&l->now, text) : text;
 }

@@ -6,10 +6,13 @@
 #ifndef LIVE_PROGRAM_H
 #define LIVE_PROGRAM_H
 
-#include <stdio.h>
+#include <stddef.h>
 
 #include "read/positions.h"
 #include "design/program.h"
+
+#define LIVE_PROGRAM_FOLLOWED                                                                      \
+    3u /* positions of a program that tell zero and scale, if they are these */
 
 typedef struct {
     program now;
@@ -33,14 +36,19 @@ int live_program_take(live_program *l);
  * program: three or more. Returns 1 if that zero is far from 0. */
 int live_program_scale(const live_program *l, double zero[3], double *length);
 
+/* The program as it will be once the rest that is READY and still held has been taken: until the next
+ * call. */
+const program *live_program_foreseen(const live_program *l);
+
 /* A rest is good and still held: "good: move on to alpha 90, beta 0 deg", with a word if it is not the one
- * asked for. No end of line. */
-void live_program_say_good(const live_program *l, FILE *talk);
+ * asked for. Returns text. */
+const char *live_program_good_text(const live_program *l, const program *soon, char *text,
+                                   size_t size);
 
-/* If the last rest was not where it was asked to be: where it was, and what may be wrong. */
-void live_program_say_wrong(const live_program *l, FILE *talk);
+/* Where the last rest was, if it was not where it was asked to be; else "". Returns text. */
+const char *live_program_wrong_text(const live_program *l, char text[PROGRAM_TEXT_MAX]);
 
-/* Which positions have not been visited, if any. */
-void live_program_say_missing(const live_program *l, FILE *talk);
+/* Which positions have not been visited; "" if all have. Returns text. */
+const char *live_program_missing_text(const live_program *l, char text[PROGRAM_TEXT_MAX]);
 
 #endif

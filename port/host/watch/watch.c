@@ -7,6 +7,7 @@
 #include "calibrate/calibrate.h"
 #include "cli/command.h"
 #include "design/design.h"
+#include "read/chosen.h"
 #include "read/noise_file.h"
 #include "result/calibration_file.h"
 #include "watch/live.h"
@@ -30,6 +31,7 @@ static int read_live(const request *r, positions *data, rests_summary *log)
         }
         wish.nominal = &nominal;
     }
+    wish.sensor = r->sensor;
     wish.zero = r->value[ASK_ZERO] ? r->zero : NULL;
     wish.lsb = r->value[ASK_LSB] ? r->lsb : NULL;
     memcpy(wish.target, r->target, sizeof wish.target);
@@ -64,6 +66,10 @@ static const char *const watch_help[] = {
     "move on, where to turn next, and how exactly everything is known by now. At the end of the\n"
     "stream it prints what invcal calibrate prints of the same samples.\n"
     "\n"
+    "On a terminal of at least 80 by 24 it is a screen: @ is the side that is up, X the one that\n"
+    "should be, dots are directions done, bars what is uncertain; a bell when a position is good,\n"
+    "one is refused, and when you may stop. Elsewhere, and with --json, it prints lines.\n"
+    "\n"
     "LOG is a stream of samples, as a rule - for the standard input: a serial port, or invcal\n"
     "simulate. Its columns are those of invcal calibrate. Ctrl-C ends it, with the result.\n"
     "Malformed lines are told and skipped.\n"
@@ -84,7 +90,7 @@ static const char *const watch_help[] = {
     "                      fourth position on the middle of each axis' range; with --plan, where\n"
     "                      that is far off, what its first three positions tell\n"
     "  --lsb S | SX,SY,SZ  nominal scale; default for the guidance: by the unit that is\n"
-    "                      stated, else from the first samples\n",
+    "                      stated or --sensor, else from the first samples\n",
     "\n"
     "These are the options of invcal calibrate, whose help says more of them:\n"
     "\n"
@@ -99,29 +105,64 @@ static const char *const watch_help[] = {
     "  --units everyday|ins\n"
     "                      of figures for people: mg, % and degrees, or ug, ppm and arcsec\n"
     "  --nominal CAL.json  an earlier calibration in place of --zero and --lsb\n"
+    "  --sensor NAME[:RANGE]\n"
+    "                      of a data sheet, zero, scale and limits; --sensor list names them\n"
     "  --nominal-name WORD heading of the nominal column; default nominal\n"
     "  --noise S           standard deviation of one position mean, in field units\n"
     "  --prior D,K,G       standard deviations of what the nominal may be wrong by\n"
+    "  --six-faces         takes the angles, which six faces do not tell, as 0 +- 0.01 rad\n"
     "  --thermal 1|2       straight lines or parabolas of temperature\n"
-    "  --slope D,K,G       standard deviations of what slopes may be, per K\n"
+    "  --slope D,K,G       standard deviations of what slopes may be, per K\n" CHOSEN_OPTION,
     "  --rate HZ           samples a second; default: by the column t, else 100\n"
     "  --clip LOW,HIGH     the least and the greatest reading of the sensor\n"
     "  --keep-all          leaves no position out\n"
-    "  --need U            what calibrated lengths may be wrong by in 95 % of cases, in the unit\n"
-    "                      of --gravity: says when that is reached\n"
-    "  --tolerance D,K,G   limits of the data sheet: says which parameters are beyond\n"
+    "  --need U            what calibrated lengths may be wrong by in 95 % of cases, 1mg, 0.1% or "
+    "in\n"
+    "                      the unit of --gravity: says when that is reached\n"
+    "  --tolerance D,K,G   limits of the data sheet: PASS or FAIL, and which are not kept\n"
+    "  --strict            exit code 1 unless the verdict is good and both are passed\n"
+    "  --device TEXT       what the calibration is filed under, in CAL.json, table and page:\n"
+    "                      the type of the device,\n"
+    "  --serial TEXT       its serial number, by which invcal compare knows it again,\n"
+    "  --operator TEXT     who made it,\n"
+    "  --date YYYY-MM-DD   on which day,\n"
+    "  --note TEXT         and what else there is to say\n"
     "  --out CAL.json      write the result to a file, as JSON, for invcal apply\n"
     "  --report R.html     write a page with the verdict, figures and pictures\n"
     "  --json              print the result as JSON in place of the table, the guidance on\n"
     "                      stderr\n"
+    "  --json-lines        the same on one line, for pipes\n"
     "  --quiet             print neither guidance nor table, only errors\n"
     "\n"
-    "exit codes: 0 good; 1 the data cannot be calibrated; 2 usage; 3 LOG unreadable or\n"
-    "malformed, or the output not writable\n"
+    "exit codes: 0 calibrated, whatever the verdict; 1 the data cannot be calibrated or, with\n"
+    "--strict, are not good; 2 usage; 3 LOG unreadable or malformed, or the output not writable\n"
+    "\n"
+    "example:\n"
+    "  invcal simulate --plan edges | invcal watch -\n",
+    NULL};
+
+static const char *const watch_brief[] = {
+    "usage: invcal watch LOG [options]\n"
+    "\n"
+    "Leads through a calibration while the samples come in, as a rule on the standard input (-): "
+    "tells\n"
+    "when to hold still, when to move on and where to, and calibrates at the end. Ctrl-C ends it.\n"
+    "\n"
+    "  --plan SET          follows a set of positions: edges, faces, per-group:N, optimal:N ...\n"
+    "  --target D,K,G      sigma of offsets (over the field), scale errors and angles (rad) that "
+    "is\n"
+    "                      enough\n"
+    "  --need U            what calibrated lengths may be wrong by: says when that is reached\n"
+    "  --gravity G         length of the field; default 9.80665 (m/s^2)\n"
+    "  --unit U            unit of the readings: g, mg, m/s2 or counts\n"
+    "  --rate HZ           samples a second; default: by the column t, else 100\n"
+    "  --out CAL.json      write the result to a file, for invcal apply and export\n"
+    "  --report R.html     write a page with the verdict, figures and pictures\n"
+    "  --json              print the result as JSON, the guidance on stderr\n"
     "\n"
     "example:\n"
     "  invcal simulate --plan edges | invcal watch -\n",
     NULL};
 
 const tool_command watch_command = {"watch", "lead through a calibration, live", watch_help,
-                                    run_watch};
+                                    run_watch, watch_brief};

@@ -13,7 +13,8 @@
 #include "invcal/store.h"
 #include "sensor.h"
 
-#define SHOWN 50u /* one calibrated sample in so many is shown */
+#define SHOWN 50u       /* one calibrated sample in so many is shown */
+#define PRINT_SAMPLES 0 /* 1: each sample of the session as x,y,z, for the page of make web */
 
 static invcal_session session;
 static float temperature; /* degrees Celsius, of the latest sample */
@@ -190,6 +191,9 @@ static int calibrate(invcal_calibration *calibration)
             }
             if (status == SENSOR_LOST) { /* while text was printed, or a position was solved */
                 invcal_session_gap(&session);
+            }
+            if (PRINT_SAMPLES) {
+                printf("%d,%d,%d\n", (int)raw[0], (int)raw[1], (int)raw[2]);
             }
             tell(invcal_session_feed(&session, raw));
         }

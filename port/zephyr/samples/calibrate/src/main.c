@@ -24,6 +24,7 @@
 #define G INVCAL_REAL(9.80665)
 #define COUNTS (UNITS * G) /* units for 1 g */
 #define SHOWN 50u          /* one calibrated sample in so many is shown */
+#define PRINT_SAMPLES 0    /* 1: each sample of the session as x,y,z, for the page of make web */
 
 static const struct device *const accelerometer = DEVICE_DT_GET(DT_ALIAS(accel0));
 static invcal_session session;
@@ -212,6 +213,9 @@ static int calibrate(invcal_calibration *calibration)
             }
             if (due > 1) {
                 invcal_session_gap(&session);
+            }
+            if (PRINT_SAMPLES) {
+                printk("%d,%d,%d\n", (int)raw[0], (int)raw[1], (int)raw[2]);
             }
             tell(invcal_session_feed(&session, raw));
         }

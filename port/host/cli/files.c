@@ -1,0 +1,56 @@
+/* SPDX-License-Identifier: MIT */
+#include "cli/files.h"
+
+#include "cli/command.h"
+#include "cli/input.h"
+#include "cli/message.h"
+#include "cli/output.h"
+
+static int check_standard_input(const char *command, const named_file *inputs, unsigned count)
+{
+    unsigned readers = 0;
+
+    for (unsigned i = 0; i < count; i++) {
+        readers += inputs[i].path && input_is_stdin(inputs[i].path);
+        if (readers > 1) {
+            return message_usage(command, "%s: only one input can be the standard input",
+                                 inputs[i].name);
+        }
+    }
+    return EXIT_GOOD;
+}
+
+/* One output against all inputs, and the outputs before it. */
+static int check_output(const char *command, const named_file *made, const named_file *inputs,
+                        unsigned input_count, const named_file *outputs)
+{
+    for (unsigned i = 0; i < input_count; i++) {
+        if (inputs[i].path && output_is_same(made->path, inputs[i].path)) {
+            const int is_option = inputs[i].name[0] == '-';
+            return message_usage(command, "%s: is %s%s%s, which would be lost", made->name,
+                                 is_option ? "the file of " : "", inputs[i].name,
+                                 is_option ? "" : " itself");
+        }
+    }
+    for (const named_file *o = outputs; o < made; o++) {
+        if (o->path && output_collide(made->path, o->path)) {
+            return message_usage(command, "%s: is the file of %s", made->name, o->name);
+        }
+    }
+    return EXIT_GOOD;
+}
+
+int files_check(const char *command, const named_file *inputs, unsigned input_count,
+                const named_file *outputs, unsigned output_count)
+{
+    int failure = check_standard_input(command, inputs, input_count);
+
+    for (unsigned i = 0; i < output_count && !failure; i++) {
+        failure = outputs[i].path ? check_output(command, &outputs[i], inputs, input_count, outputs)
+                                  : EXIT_GOOD;
+    }
+    for (unsigned i = 0; i < output_count && !failure; i++) {
+        failure = outputs[i].path ? output_check(outputs[i].path) : EXIT_GOOD;
+    }
+    return failure;
+}

@@ -1,0 +1,190 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * invcal compare: several calibrations beside each other.
+ */
+#include "compare/compare.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+#include "cli/command.h"
+#include "cli/message.h"
+#include "cli/options.h"
+#include "cli/output.h"
+
+enum { AS, SAME_FIELD, UNITS, REPORT, JSON, QUIET, OPTIONS };
+
+static const option options[OPTIONS] = {
+    [AS] = {"--as", 1},       [SAME_FIELD] = {"--same-field", 0},
+    [UNITS] = {"--units", 1}, [REPORT] = {"--report", 1},
+    [JSON] = {"--json", 0},   [QUIET] = {"--quiet", 0},
+};
+static const char *const operands[] = {"CAL.json", "a second CAL.json"};
+static const option_syntax syntax = {"compare", options, OPTIONS, operands, 2, OPTIONS_REPEATS};
+
+#define COMMAND_MAX 2000u
+
+/* What the command line asks for. */
+typedef struct {
+    const char *value[OPTIONS];
+    const char **paths; /* ended by null */
+    compare_kinship kinship;
+    told_style told;
+    char command[COMMAND_MAX];
+} request;
+
+static int read_kinship(request *r)
+{
+    static const char *const words[] = {"serial", "history", "fleet"};
+
+    for (unsigned k = 0; r->value[AS] && k < 3; k++) {
+        if (strcmp(r->value[AS], words[k]) == 0) {
+            r->kinship = (compare_kinship)k;
+            return EXIT_GOOD;
+        }
+    }
+    return r->value[AS]
+               ? message_usage("compare", "--as %s: is serial, history or fleet", r->value[AS])
+               : EXIT_GOOD;
+}
+
+static int check_files(const request *r)
+{
+    for (unsigned k = 0; r->value[REPORT] && r->paths[k]; k++) {
+        if (output_is_same(r->value[REPORT], r->paths[k])) {
+            return message_usage("compare", "--report: is %s itself, which would be lost",
+                                 r->paths[k]);
+        }
+    }
+    return EXIT_GOOD;
+}
+
+static int read_request(int argc, char **argv, request *r)
+{
+    int failure = options_parse(&syntax, argc, argv, r->value, r->paths);
+
+    if (!failure && r->value[UNITS] && !told_parse(r->value[UNITS], &r->told)) {
+        failure = message_usage("compare", "--units %s: is everyday or ins", r->value[UNITS]);
+    }
+    options_command("compare", argc, argv, r->command, sizeof r->command);
+    failure = failure ? failure : read_kinship(r);
+    return failure ? failure : check_files(r);
+}
+
+static int print(const request *r, const compare_result *result)
+{
+    if (r->value[JSON]) {
+        compare_json(stdout, result);
+    } else if (!r->value[QUIET]) {
+        compare_print(stdout, result);
+    }
+    return output_flush();
+}
+
+/* The page appears only after all else has been written. */
+static int deliver(const request *r, const compare_result *result)
+{
+    output page = {0};
+    int failure = EXIT_GOOD;
+
+    if (r->value[REPORT]) {
+        failure = output_begin(&page, r->value[REPORT]);
+        if (!failure) {
+            compare_report(page.file, result);
+            failure = output_finish(&page);
+        }
+    }
+    failure = failure ? failure : print(r, result);
+    return output_end(&page, 1, failure);
+}
+
+static int compare(int argc, char **argv, request *r)
+{
+    compare_result result = {.command = r->command};
+    int failure = read_request(argc, argv, r);
+
+    result.told = r->told;
+    result.is_same_field = r->value[SAME_FIELD] != NULL;
+    failure =
+        failure ? failure : compare_read(&result, r->paths, r->kinship, r->value[JSON] != NULL);
+    failure = failure ? failure : deliver(r, &result);
+    compare_release(&result);
+    return failure;
+}
+
+static int run_compare(int argc, char **argv)
+{
+    request r = {.paths = (const char **)calloc((size_t)argc + 3, sizeof *r.paths)};
+    int failure = EXIT_FILE;
+
+    if (r.paths) {
+        failure = compare(argc, argv, &r);
+    } else {
+        message("not enough memory for %d arguments", argc);
+    }
+    free((void *)r.paths);
+    return failure;
+}
+
+static const char *const help[] = {
+    "usage: invcal compare CAL.json CAL.json ... [options]\n"
+    "\n"
+    "Compares calibrations, as invcal calibrate --out writes them. Those with one serial number\n"
+    "(--serial) are the history of a device, in the order of their dates, or of the arguments if\n"
+    "not all have one: how far each parameter has drifted since the calibration before, with its\n"
+    "sigma, and whether that is more than chance explains. Several serial numbers are a fleet:\n"
+    "median and spread of the newest calibrations, and which device falls outside. Two files\n"
+    "without serial numbers are a history.\n"
+    "\n"
+    "Drift is told as invcal calibrate tells errors, with the older calibration for nominal. A\n"
+    "parameter has changed if chance alone does as much to any of the nine in 5 % of cases or "
+    "less\n"
+    "(Student's t, Welch's degrees of freedom, Bonferroni). A device is outside if Rosner's\n"
+    "generalised ESD test finds it, which finds any, in any parameter, in 5 % of fleets that are\n"
+    "all alike. Files of different frames, units or fields are refused.\n"
+    "\n"
+    "  --as serial|history|fleet\n"
+    "                      by serial numbers (default), all of one device, or each of its own\n"
+    "  --same-field        all were made in one place with one --gravity: what that may be wrong "
+    "by\n"
+    "                      is the same in all, and no part of sigma\n"
+    "  --units everyday|ins\n"
+    "                      of figures for people: mg, % and degrees, or ug, ppm and arcsec\n"
+    "  --report R.html     write a page with the verdict, tables and pictures: one file that "
+    "needs\n"
+    "                      nothing else\n"
+    "  --json              print the result as JSON in place of the table\n"
+    "  --quiet             print neither, only errors\n"
+    "\n"
+    "exit codes: 0 good; 1 the files cannot be compared; 2 usage; 3 a file unreadable or "
+    "malformed,\n"
+    "or the output not writable. What has changed or is outside does not matter to them\n"
+    "\n"
+    "example:\n"
+    "  invcal simulate --seed 1 | invcal calibrate - --serial 47 --date 2026-01-05 --out old.json\n"
+    "  invcal simulate --seed 2 --offset 0.021,-0.015,0.03 |\n"
+    "      invcal calibrate - --serial 47 --date 2026-06-01 --out new.json\n"
+    "  invcal compare old.json new.json --same-field --report drift.html\n",
+    NULL};
+
+static const char *const brief[] = {
+    "usage: invcal compare CAL.json CAL.json ... [options]\n"
+    "\n"
+    "Compares calibrations, as invcal calibrate --out writes them: how far a device has drifted, "
+    "if "
+    "they have one --serial, or which device of a fleet falls outside.\n"
+    "\n"
+    "  --as serial|history|fleet\n"
+    "                      by serial numbers (default), all of one device, or each of its own\n"
+    "  --same-field        all were made in one place with one --gravity\n"
+    "  --report R.html     write a page with the verdict, tables and pictures\n"
+    "  --json              print the result as JSON in place of the table\n"
+    "\n"
+    "example:\n"
+    "  invcal simulate --seed 1 | invcal calibrate - --date 2026-01-05 --out old.json\n"
+    "  invcal simulate --seed 2 | invcal calibrate - --date 2026-06-01 --out new.json\n"
+    "  invcal compare old.json new.json --same-field --report drift.html\n",
+    NULL};
+
+const tool_command compare_command = {
+    "compare", "calibrations: drift of a device, spread of a fleet", help, run_compare, brief};

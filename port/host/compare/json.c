@@ -1,0 +1,111 @@
+/* SPDX-License-Identifier: MIT */
+#include <math.h>
+
+#include "compare/compare.h"
+#include "invcal/expert.h"
+#include "text/json_write.h"
+
+/* The same as values, not as differences. */
+static void write_values(json_writer *w, const char *name, const double x[INVCAL_PARAMETERS])
+{
+    json_object(w, name);
+    json_vector(w, "offset", &x[INVCAL_DELTA_X]);
+    json_vector(w, "scale", &x[INVCAL_DK_X]);
+    json_vector(w, "angle", &x[INVCAL_GAMMA_XY]);
+    json_object_end(w);
+}
+
+static void write_item(json_writer *w, const compare_item *item)
+{
+    json_object(w, NULL);
+    json_text(w, "file", item->path);
+    record_json(w, &item->record);
+    json_text(w, "verdict", item->verdict);
+    write_values(w, "values", item->x);
+    write_values(w, "sigma", item->sigma);
+    json_object_end(w);
+}
+
+static void write_drift(json_writer *w, const compare_result *r, unsigned k)
+{
+    const compare_drift *d = &r->drift[k];
+
+    json_object(w, NULL);
+    json_text(w, "from", r->item[k - 1].path);
+    json_text(w, "to", r->item[k].path);
+    json_nine(w, "drift", d->x);
+    json_nine(w, "sigma", d->sigma);
+    json_nine(w, "interval95", d->wide);
+    json_nine(w, "chance", d->chance);
+    json_parameters(w, "changed", d->changed);
+    json_object_end(w);
+}
+
+static void write_device(json_writer *w, const compare_result *r, unsigned device)
+{
+    const compare_device *d = &r->device[device];
+    const compare_item *newest = compare_newest(r, device);
+    const char *serial = newest->record.text[RECORD_SERIAL];
+
+    json_object(w, NULL);
+    if (*serial != '\0') {
+        json_text(w, "serial", serial);
+    }
+    json_list(w, "calibrations");
+    for (unsigned k = d->first; k < d->first + d->count; k++) {
+        write_item(w, &r->item[k]);
+    }
+    json_list_end(w);
+    json_list(w, "drifts");
+    for (unsigned k = d->first + 1; k < d->first + d->count; k++) {
+        write_drift(w, r, k);
+    }
+    json_list_end(w);
+    if (r->devices > 1) {
+        double away[INVCAL_PARAMETERS];
+        for (unsigned p = 0; p < INVCAL_PARAMETERS; p++) {
+            away[p] =
+                (newest->x[p] - r->fleet.median[p]) / compare_per(r->fleet.median, r->field, p);
+        }
+        json_nine(w, "deviation", away);
+        json_parameters(w, "outside", r->fleet.outside[device]);
+    }
+    json_object_end(w);
+}
+
+static void write_fleet(json_writer *w, const compare_result *r)
+{
+    double spread[INVCAL_PARAMETERS];
+    double deviation[INVCAL_PARAMETERS];
+
+    for (unsigned p = 0; p < INVCAL_PARAMETERS; p++) {
+        const double per = fabs(compare_per(r->fleet.median, r->field, p));
+        spread[p] = r->fleet.spread[p] / per;
+        deviation[p] = r->fleet.deviation[p] / per;
+    }
+    json_object(w, "fleet");
+    write_values(w, "median", r->fleet.median);
+    json_nine(w, "spread", spread);
+    json_nine(w, "standard_deviation", deviation);
+    json_object_end(w);
+}
+
+void compare_json(FILE *file, const compare_result *r)
+{
+    json_writer w;
+
+    json_begin(&w, file);
+    json_text(&w, "invcal", INVCAL_VERSION);
+    json_number(&w, "gravity", r->field);
+    json_text(&w, "unit", *r->unit != '\0' ? r->unit : "unknown");
+    json_number(&w, "false_alarm", COMPARE_FALSE_ALARM);
+    json_list(&w, "devices");
+    for (unsigned k = 0; k < r->devices; k++) {
+        write_device(&w, r, k);
+    }
+    json_list_end(&w);
+    if (r->devices > 1) {
+        write_fleet(&w, r);
+    }
+    json_end(&w);
+}

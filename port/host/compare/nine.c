@@ -1,0 +1,100 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * Nine parameters that two calibrations can be compared in.
+ *
+ * A calibration says that the sensor reads raw = offset + G a, G = matrix^-1. Row i of G is the sensitive
+ * axis of sensor i: its length is the scale, its angles with the other two are 90 degrees but for gamma,
+ *
+ *     scale_i = |G_i|,     sin gamma_ij = G_i G_j / (|G_i| |G_j|)
+ *
+ * Lengths of readings do not tell how the calibrated axes are turned: matrix and R matrix are the same
+ * calibration for any turn R, G becomes G R', and neither of the two changes. So it does not matter that two
+ * calibrations had different nominals, and with them frames that are turned by a little.
+ *
+ * Take the older one, or the median of a fleet, as nominal: zero o, scales N. The sensor reads, over the
+ * field, u = (I + S) eta + delta with I + S = N^-1 G, and
+ *
+ *     delta_i = (offset_i - o_i) / (N_i field),   1 + dk_i = S_i's length = scale_i / N_i
+ *
+ * which to first order are delta, dk and gamma = S_ij + S_ji of invcal_deviation. The angles of the nominal
+ * itself are not 0: what is told of an angle is the difference to it.
+ *
+ * Sigma of a file is against its own nominal, of scales 1 / lsb: that of dk times 1 / lsb is sigma of the
+ * scale, and that of gamma is one of S_ij + S_ji, whose rows are shorter or longer than the axes by
+ * 1 / (lsb scale). What the field may be wrong by was added to that of dk. */
+#include <math.h>
+#include <string.h>
+
+#include "compare/compare.h"
+#include "maths/matrix.h"
+
+#define DOF_MOST 1000u /* more are as good as all */
+
+/* The sensors of angles xy, xz, zy. */
+static const unsigned pair[3][2] = {{0, 1}, {0, 2}, {2, 1}};
+
+static double dot(const double a[3], const double b[3])
+{
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+/* By the factor that covers 95 %, which falls with them. */
+static unsigned dof_of(double interval)
+{
+    unsigned dof = 1;
+
+    while (dof < DOF_MOST && invcal_coverage(dof) > interval * (1 + 1e-9)) {
+        dof++;
+    }
+    return dof;
+}
+
+static void find_sigma(const calibration_file *file, compare_item *item)
+{
+    double ratio[3]; /* of the nominal scale to that of the sensor */
+
+    for (unsigned i = 0; i < 3; i++) {
+        const double scale = item->x[INVCAL_DK_X + i];
+        const double nominal = fabs(1 / file->lsb[i]);
+        ratio[i] = isfinite(nominal) ? nominal / fabs(scale) : 1;
+        item->sigma[INVCAL_DELTA_X + i] = file->sigma_offset[i];
+        item->sigma[INVCAL_DK_X + i] = file->sigma_dk[i] * ratio[i] * fabs(scale);
+        item->of_field[i] = file->gravity_sigma > 0
+                                ? file->gravity_sigma / file->gravity * ratio[i] * fabs(scale)
+                                : 0;
+    }
+    for (unsigned k = 0; k < 3; k++) {
+        item->sigma[INVCAL_GAMMA_XY + k] =
+            file->sigma_gamma[k] * (ratio[pair[k][0]] + ratio[pair[k][1]]) / 2;
+    }
+    item->dof = dof_of(file->interval);
+}
+
+void compare_nine(const calibration_file *file, const invcal_calibration *calibration,
+                  compare_item *item)
+{
+    double g[3][3] = {{0}};
+    double sign[3];
+
+    (void)matrix_inverse(calibration, g); /* the file was read: there is one */
+    for (unsigned i = 0; i < 3; i++) {
+        /* An axis may be turned round; in the frame of a stand its sign says how the unit stood. */
+        sign[i] = g[i][i] < 0 && strcmp(file->frame, "stand") != 0 ? -1 : 1;
+        item->x[INVCAL_DELTA_X + i] = calibration->offset[i];
+        item->x[INVCAL_DK_X + i] = sign[i] * sqrt(dot(g[i], g[i]));
+    }
+    for (unsigned k = 0; k < 3; k++) {
+        const unsigned i = pair[k][0];
+        const unsigned j = pair[k][1];
+        const double lengths = item->x[INVCAL_DK_X + i] * item->x[INVCAL_DK_X + j];
+        item->x[INVCAL_GAMMA_XY + k] = asin(dot(g[i], g[j]) / lengths);
+    }
+    find_sigma(file, item);
+}
+
+double compare_per(const double nominal[INVCAL_PARAMETERS], double field, unsigned p)
+{
+    return p >= INVCAL_GAMMA_XY ? 1
+           : p >= INVCAL_DK_X   ? nominal[p]
+                                : nominal[INVCAL_DK_X + p] * field;
+}

@@ -1,0 +1,311 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * From paths to calibrations that can be compared, device by device.
+ */
+#include <math.h>
+#include <stdarg.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "cli/command.h"
+#include "cli/input.h"
+#include "cli/message.h"
+#include "compare/compare.h"
+#include "text/number.h"
+#include "text/unit.h"
+
+#define REASON_MAX 600
+#define SAME 1e-6 /* what two statements of one field may differ by, over it */
+
+/* What all files must have in common: that of the first. */
+typedef struct {
+    calibration_file file;
+    const char *path;
+    double temperature; /* at which thermal calibrations are compared */
+    compare_result *result;
+    int json;
+} reading; /* large: not for the stack */
+
+/* Says why two calibrations are not to be compared. Returns EXIT_DATA. */
+static int refuse(const reading *x, const char *path, const char *format, ...) MESSAGE_FORMAT(3, 4);
+static int refuse(const reading *x, const char *path, const char *format, ...)
+{
+    char text[REASON_MAX];
+    json_writer w;
+    va_list arguments;
+
+    va_start(arguments, format);
+    vsnprintf(text, sizeof text, format, arguments);
+    va_end(arguments);
+    message("%s: cannot be compared with %s: %s", input_name(path), input_name(x->path), text);
+    if (x->json) {
+        json_begin(&w, stdout);
+        json_text(&w, "error", "not comparable");
+        json_text(&w, "file", path);
+        json_text(&w, "other", x->path);
+        json_text(&w, "reason", text);
+        json_end(&w);
+    }
+    return EXIT_DATA;
+}
+
+static int is_one_field(double a, double b)
+{
+    return (unit_is_gravity(a) && unit_is_gravity(b)) || fabs(a / b - 1) <= SAME;
+}
+
+/* A calibration of temperature is compared with others at one and the same. */
+static int check_model(const reading *x, const calibration_file *f, const char *path)
+{
+    if (f->has_thermal != x->file.has_thermal) {
+        return refuse(x, path,
+                      "one of them has temperature in it, and the other has none; make both with "
+                      "--thermal, or none");
+    }
+    if (f->has_nonlinear != x->file.has_nonlinear) {
+        return refuse(
+            x, path,
+            "one of them has axes that are not linear in it, and the other has none; make "
+            "both with --quadratic or --cubic, or none");
+    }
+    if (f->has_thermal && !(x->temperature >= f->thermal.min && x->temperature <= f->thermal.max)) {
+        return refuse(x, path,
+                      "it holds from %.4g to %.4g °C, and the other is told at %.4g °C; take it "
+                      "there, too",
+                      f->thermal.min, f->thermal.max, x->temperature);
+    }
+    return EXIT_GOOD;
+}
+
+static int check(const reading *x, const calibration_file *f, const char *path)
+{
+    const calibration_file *other = &x->file;
+
+    if (strcmp(f->frame, other->frame) != 0) {
+        return refuse(x, path,
+                      "their frames are %s and %s, which turn readings differently; make both with "
+                      "the same --frame",
+                      f->frame, other->frame);
+    }
+    if (strcmp(f->unit, other->unit) != 0) {
+        return refuse(x, path,
+                      "the readings are in %s and %s; make both from the same unit, or state it "
+                      "with --unit",
+                      f->unit, other->unit);
+    }
+    if (!is_one_field(f->gravity, other->gravity)) {
+        return refuse(x, path, "their fields are %.7g and %.7g; make both with the same --gravity",
+                      f->gravity, other->gravity);
+    }
+    if (x->result->is_same_field && !(fabs(f->gravity / other->gravity - 1) <= SAME)) {
+        return refuse(x, path, "--same-field, but the fields are %.9g and %.9g", f->gravity,
+                      other->gravity);
+    }
+    return check_model(x, f, path);
+}
+
+/* Sigma of the scales without what the field may be wrong by. */
+static void leave_field_out(compare_item *item)
+{
+    for (unsigned i = 0; i < 3; i++) {
+        double *sigma = &item->sigma[INVCAL_DK_X + i];
+        const double square = *sigma * *sigma - item->of_field[i] * item->of_field[i];
+        *sigma = square > 0 ? sqrt(square) : NUMBER_UNKNOWN;
+        item->of_field[i] = 0;
+    }
+}
+
+static int take(const reading *x, const calibration_file *f, const char *path, compare_item *item)
+{
+    invcal_calibration c = f->calibration;
+
+    if (f->has_thermal) {
+        (void)calibration_file_at(f, x->temperature, &c); /* in its range there is one */
+    }
+    item->path = path;
+    item->record = f->record;
+    memcpy(item->verdict, f->verdict, sizeof item->verdict);
+    compare_nine(f, &c, item);
+    for (unsigned p = 0; p < INVCAL_PARAMETERS; p++) {
+        if (!isfinite(item->x[p])) {
+            message("%s: its parameters are beyond any calculation", input_name(path));
+            return EXIT_FILE;
+        }
+    }
+    if (x->result->is_same_field) {
+        leave_field_out(item);
+    }
+    return EXIT_GOOD;
+}
+
+static int read_one(reading *x, const char *path, unsigned k)
+{
+    static calibration_file file;
+    int failure = calibration_file_read_all(path, &file);
+
+    if (failure) {
+        return failure;
+    }
+    if (!(file.gravity > 0) || *file.frame == '\0') {
+        message("%s: does not tell the field and the frame: it is no file of invcal calibrate",
+                input_name(path));
+        return EXIT_FILE;
+    }
+    if (k == 0) {
+        x->file = file;
+        x->path = path;
+        x->temperature = file.thermal.reference;
+    }
+    failure = check(x, &file, path);
+    return failure ? failure : take(x, &file, path, &x->result->item[k]);
+}
+
+/* ---- whose they are ---------------------------------------------------------------------------- */
+
+static const char *serial_of(const compare_item *item)
+{
+    return item->record.text[RECORD_SERIAL];
+}
+
+static unsigned device_by_serial(const compare_result *r, unsigned k)
+{
+    unsigned other = 0;
+
+    while (strcmp(serial_of(&r->item[other]), serial_of(&r->item[k])) != 0) {
+        other++;
+    }
+    return other;
+}
+
+/* The device of each item, by the number of its first item. */
+static int find_kin(compare_result *r, compare_kinship kinship)
+{
+    unsigned nameless = 0;
+    unsigned first = 0;
+
+    for (unsigned k = r->count; k-- > 0;) {
+        if (*serial_of(&r->item[k]) == '\0') {
+            first = k;
+            nameless++;
+        }
+    }
+    if (kinship == COMPARE_BY_SERIAL && nameless > 0 && !(nameless == 2 && r->count == 2)) {
+        return message_usage("compare",
+                             "%s: has no serial number, so that it is not known whose it is: "
+                             "--as history or --as fleet says it, or calibrate with --serial",
+                             input_name(r->item[first].path));
+    }
+    for (unsigned k = 0; k < r->count; k++) {
+        r->item[k].device = kinship == COMPARE_HISTORY ? 0
+                            : kinship == COMPARE_FLEET ? k
+                                                       : device_by_serial(r, k);
+    }
+    return EXIT_GOOD;
+}
+
+static int by_place(const void *a, const void *b)
+{
+    const compare_item *one = a;
+    const compare_item *other = b;
+    const unsigned x = one->device == other->device ? one->place : one->device;
+    const unsigned y = one->device == other->device ? other->place : other->device;
+
+    return (x > y) - (x < y);
+}
+
+static int by_date(const void *a, const void *b)
+{
+    const compare_item *one = a;
+    const compare_item *other = b;
+    const int order = strcmp(one->record.text[RECORD_DATE], other->record.text[RECORD_DATE]);
+
+    return order != 0 ? order : by_place(a, b);
+}
+
+/* One device from item `first` on; by date, if all have one. */
+static void settle_device(compare_result *r, unsigned first)
+{
+    compare_device *d = &r->device[r->devices];
+
+    *d = (compare_device){.first = first, .is_dated = 1};
+    for (unsigned k = first; k < r->count && r->item[k].device == r->item[first].device; k++) {
+        d->count++;
+        d->is_dated = d->is_dated && *r->item[k].record.text[RECORD_DATE] != '\0';
+    }
+    if (d->is_dated) {
+        qsort(&r->item[first], d->count, sizeof *r->item, by_date);
+    }
+    for (unsigned k = first; k < first + d->count; k++) {
+        r->item[k].device = r->devices;
+    }
+    r->devices++;
+}
+
+static void set_in_order(compare_result *r)
+{
+    qsort(r->item, r->count, sizeof *r->item, by_place);
+    for (unsigned k = 0; k < r->count; k += r->device[r->devices - 1].count) {
+        settle_device(r, k);
+    }
+    for (unsigned k = 1; k < r->count; k++) {
+        if (r->item[k].device == r->item[k - 1].device) {
+            r->drift[k] = compare_drift_of(&r->item[k - 1], &r->item[k], r->field);
+        }
+    }
+}
+
+static int find(compare_result *r, compare_kinship kinship)
+{
+    const int failure = find_kin(r, kinship);
+
+    if (failure) {
+        return failure;
+    }
+    set_in_order(r);
+    if (r->devices > 1 && !compare_fleet_find(r)) {
+        message("not enough memory for %u devices", r->devices);
+        return EXIT_FILE;
+    }
+    return EXIT_GOOD;
+}
+
+int compare_read(compare_result *r, const char *const *paths, compare_kinship kinship, int json)
+{
+    static reading x;
+    int failure = EXIT_GOOD;
+    unsigned inputs = 0;
+
+    x = (reading){.result = r, .json = json};
+    for (r->count = 0; paths[r->count]; r->count++) {
+        inputs += (unsigned)input_is_stdin(paths[r->count]);
+    }
+    if (inputs > 1) {
+        return message_usage("compare", "only one input can be the standard input");
+    }
+    r->item = calloc((size_t)r->count + 1, sizeof *r->item);
+    r->device = calloc((size_t)r->count + 1, sizeof *r->device);
+    r->drift = calloc((size_t)r->count + 1, sizeof *r->drift);
+    if (!r->item || !r->device || !r->drift) {
+        message("not enough memory for %u files", r->count);
+        return EXIT_FILE;
+    }
+    for (unsigned k = 0; k < r->count && !failure; k++) {
+        failure = read_one(&x, paths[k], k);
+        r->item[k].place = k;
+    }
+    if (failure) {
+        return failure;
+    }
+    r->field = x.file.gravity;
+    r->is_gravity = unit_is_gravity(r->field);
+    memcpy(r->unit, x.file.unit, sizeof r->unit);
+    return find(r, kinship);
+}
+
+void compare_release(compare_result *r)
+{
+    free(r->item);
+    free(r->device);
+    free(r->drift);
+    free(r->fleet.outside);
+}

@@ -1,0 +1,320 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * What the table and the page say alike.
+ */
+#include <ctype.h>
+#include <math.h>
+#include <string.h>
+
+#include "cli/input.h"
+#include "compare/compare.h"
+#include "design/parameters.h"
+#include "text/figure.h"
+#include "text/unit.h"
+#include "text/utf8.h"
+
+#define NAMED 5u /* devices in a sentence */
+
+told_unit compare_drift_unit(const compare_result *r, unsigned p)
+{
+    return p >= INVCAL_GAMMA_XY ? told_angle(r->told)
+           : p >= INVCAL_DK_X   ? told_scale(r->told)
+                                : told_field(r->told, r->is_gravity);
+}
+
+told_unit compare_page_unit(const compare_result *r, unsigned p)
+{
+    const told_unit degrees = {FIGURE_DEGREES, "°"};
+
+    return p >= INVCAL_GAMMA_XY && r->told == TOLD_EVERYDAY ? degrees : compare_drift_unit(r, p);
+}
+
+told_unit compare_value_unit(const compare_result *r, unsigned p, char name[COMPARE_NAME_MAX])
+{
+    reading_unit unit = UNIT_UNKNOWN;
+
+    if (p >= INVCAL_GAMMA_XY) {
+        return told_angle(r->told);
+    }
+    (void)unit_parse(r->unit, &unit);
+    snprintf(name, COMPARE_NAME_MAX, "%s%s", unit_words(unit),
+             p < INVCAL_DK_X ? ""
+             : r->is_gravity ? " per m/s²"
+                             : " per field unit");
+    return (told_unit){1, name};
+}
+
+const char *compare_cut(const char *from, unsigned columns, char text[COMPARE_NAME_MAX])
+{
+    size_t end = 0;  /* of text */
+    size_t last = 0; /* where its last character begins */
+    unsigned count = 0;
+
+    while (*from != '\0' && count < columns && end + 8 < COMPARE_NAME_MAX) {
+        const unsigned length = utf8_length(from);
+        const unsigned char first = (unsigned char)*from;
+        last = end;
+        if (length == 0 || first < ' ' || first == 0x7f || first == 0xc2) {
+            text[end++] = '?';
+        } else {
+            memcpy(&text[end], from, length);
+            end += length;
+        }
+        from += length > 0 ? length : 1;
+        count++;
+    }
+    text[end] = '\0';
+    if (*from != '\0') {
+        memcpy(&text[last], "…", sizeof "…");
+    }
+    return text;
+}
+
+const char *compare_device_name(const compare_item *item, unsigned columns,
+                                char text[COMPARE_NAME_MAX])
+{
+    char name[RECORD_MAX + 8];
+    const char *serial = item->record.text[RECORD_SERIAL];
+
+    snprintf(name, sizeof name, "serial %s", serial);
+    return *serial != '\0' ? compare_cut(name, columns, text)
+                           : compare_file_name(item, columns, text);
+}
+
+const char *compare_file_name(const compare_item *item, unsigned columns,
+                              char text[COMPARE_NAME_MAX])
+{
+    return compare_cut(input_file_name(input_name(item->path)), columns, text);
+}
+
+const char *compare_date(const compare_item *item)
+{
+    return item->record.text[RECORD_DATE];
+}
+
+/* ---- what it comes to -------------------------------------------------------------------------- */
+
+/* The last drift of a device; null if it has one calibration only. */
+static const compare_drift *last_drift(const compare_result *r, unsigned device)
+{
+    const compare_device *d = &r->device[device];
+
+    return d->count > 1 ? &r->drift[d->first + d->count - 1] : NULL;
+}
+
+static uint16_t changed(const compare_result *r, unsigned device)
+{
+    const compare_drift *d = last_drift(r, device);
+
+    return d ? d->changed : 0;
+}
+
+static uint16_t outside(const compare_result *r, unsigned device)
+{
+    return r->devices > 1 ? r->fleet.outside[device] : 0;
+}
+
+typedef uint16_t what_of(const compare_result *r, unsigned device);
+
+static unsigned count_of(const compare_result *r, what_of *what)
+{
+    unsigned count = 0;
+
+    for (unsigned k = 0; k < r->devices; k++) {
+        count += what(r, k) != 0;
+    }
+    return count;
+}
+
+/* How many devices have a history, and whether its sigma are known. */
+static unsigned histories(const compare_result *r, int *is_known)
+{
+    unsigned count = 0;
+
+    *is_known = 1;
+    for (unsigned k = 0; k < r->devices; k++) {
+        const compare_drift *d = last_drift(r, k);
+        count += d != NULL;
+        for (unsigned p = 0; p < INVCAL_PARAMETERS && d; p++) {
+            *is_known = *is_known && !isnan(d->chance[p]);
+        }
+    }
+    return count;
+}
+
+compare_outcome compare_judge(const compare_result *r)
+{
+    int is_known;
+
+    (void)histories(r, &is_known);
+    return count_of(r, changed) + count_of(r, outside) > 0 ? COMPARE_STANDS_OUT
+           : is_known                                      ? COMPARE_STEADY
+                                                           : COMPARE_UNKNOWN;
+}
+
+const char *compare_word(const compare_result *r)
+{
+    const compare_outcome outcome = compare_judge(r);
+
+    return outcome == COMPARE_STEADY    ? (r->devices > 1 ? "Alike" : "Steady")
+           : outcome == COMPARE_UNKNOWN ? "Not known"
+           : count_of(r, outside) > 0   ? "Not alike"
+                                        : "Changed";
+}
+
+static void append(char text[COMPARE_TEXT_MAX], const char *more)
+{
+    const size_t length = strlen(text);
+
+    snprintf(text + length, COMPARE_TEXT_MAX - length, "%s", more);
+}
+
+/* "serial 3 (offset x), serial 5 (scale y), and 2 more" */
+static void append_devices(const compare_result *r, what_of *what, char text[COMPARE_TEXT_MAX])
+{
+    char name[COMPARE_NAME_MAX];
+    char list[128];
+    char one[COMPARE_NAME_MAX + 140];
+    unsigned told = 0;
+    const unsigned count = count_of(r, what);
+
+    for (unsigned k = 0; k < r->devices && told < NAMED; k++) {
+        if (what(r, k) != 0) {
+            snprintf(one, sizeof one, "%s%s (%s)", told > 0 ? ", " : "",
+                     compare_device_name(compare_newest(r, k), 40, name),
+                     parameters_list(what(r, k), list, sizeof list));
+            append(text, one);
+            told++;
+        }
+    }
+    if (count > told) {
+        snprintf(one, sizeof one, ", and %u more", count - told);
+        append(text, one);
+    }
+}
+
+/* The device's only history: what, and since when. */
+static void say_history(const compare_result *r, char text[COMPARE_TEXT_MAX])
+{
+    const compare_item *before = compare_newest(r, 0) - 1;
+    const char *date = compare_date(before);
+    char name[COMPARE_NAME_MAX];
+    char list[128] = "nothing";
+    int is_known;
+
+    (void)histories(r, &is_known);
+    if (changed(r, 0) != 0) {
+        (void)parameters_list(changed(r, 0), list, sizeof list);
+    }
+    compare_file_name(before, 40, name);
+    snprintf(text, COMPARE_TEXT_MAX, "%s %s %s since %s%s%s%s", list,
+             strchr(list, ',') ? "have" : "has",
+             is_known || changed(r, 0) != 0 ? "changed by more than chance explains"
+                                            : "changed as far as is known, of some there is no ±,",
+             date, *date != '\0' ? " (" : "", name, *date != '\0' ? ")." : ".");
+    text[0] = (char)toupper((unsigned char)text[0]);
+}
+
+static void say_histories(const compare_result *r, char text[COMPARE_TEXT_MAX])
+{
+    int is_known;
+    const unsigned count = histories(r, &is_known);
+    char one[COMPARE_NAME_MAX];
+
+    if (count == 0) {
+        return;
+    }
+    snprintf(one, sizeof one, " Of %u device%s with an earlier calibration ", count,
+             count == 1 ? "" : "s");
+    append(text, one);
+    if (count_of(r, changed) == 0) {
+        append(text, is_known ? "none has changed beyond chance."
+                              : "none is known to have changed: of some there is no ±.");
+        return;
+    }
+    snprintf(one, sizeof one, "%u changed by more than chance explains: ", count_of(r, changed));
+    append(text, one);
+    append_devices(r, changed, text);
+    append(text, ".");
+}
+
+static void say_fleet(const compare_result *r, char text[COMPARE_TEXT_MAX])
+{
+    const unsigned count = count_of(r, outside);
+    char one[COMPARE_NAME_MAX];
+
+    if (r->devices < COMPARE_FLEET_LEAST) {
+        append(text, "Two devices are too few to tell which is outside.");
+    } else if (count == 0) {
+        snprintf(one, sizeof one, "None of %u devices falls outside.", r->devices);
+        append(text, one);
+    } else {
+        snprintf(one, sizeof one, "Of %u devices %u fall%s outside: ", r->devices, count,
+                 count == 1 ? "s" : "");
+        append(text, one);
+        append_devices(r, outside, text);
+        append(text, ".");
+    }
+}
+
+const char *compare_sentence(const compare_result *r, char text[COMPARE_TEXT_MAX])
+{
+    text[0] = '\0';
+    if (r->devices > 1) {
+        say_fleet(r, text);
+        say_histories(r, text);
+    } else if (r->count > 1) {
+        say_history(r, text);
+    }
+    return text;
+}
+
+const char *compare_next(const compare_result *r)
+{
+    int is_known;
+
+    if (count_of(r, outside) > 0) {
+        return "calibrate what is outside once more; what stays outside is the device's own.";
+    }
+    if (count_of(r, changed) > 0) {
+        return "use the newest calibration, look for a cause (temperature, a knock, stress of the "
+               "mounting), and calibrate again soon to see whether it goes on.";
+    }
+    (void)histories(r, &is_known);
+    return is_known ? "nothing. The newest calibration of each device is the one to use."
+                    : "calibrate with more positions, or state --noise, so that there is a ±.";
+}
+
+const char *compare_drift_rule(void)
+{
+    return "A parameter has changed if chance alone does as much to any of the nine in 5 % of "
+           "cases at "
+           "most: Student's t with the degrees of freedom of both calibrations (Welch), and a "
+           "ninth of the 5 % for each (Bonferroni).";
+}
+
+const char *compare_fleet_rule(void)
+{
+    return "A device is outside if Rosner's generalised ESD test finds it: the farthest are looked "
+           "at "
+           "one after another, a quarter of all at most, so that several cannot hide each other. "
+           "In 5 % of fleets that are all alike it finds any, in any of the nine parameters. A "
+           "device "
+           "whose own ± (95 %) reaches the median is not outside. The spread is 1.4826 times the "
+           "median distance from the median.";
+}
+
+double compare_field_part(const compare_result *r)
+{
+    double most = 0;
+
+    for (unsigned k = 0; k < r->count; k++) {
+        const compare_item *item = &r->item[k];
+        for (unsigned i = 0; i < 3; i++) {
+            if (item->of_field[i] > item->sigma[INVCAL_DK_X + i] / 2) {
+                most = fmax(most, item->of_field[i] / fabs(item->x[INVCAL_DK_X + i]));
+            }
+        }
+    }
+    return most;
+}

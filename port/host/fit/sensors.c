@@ -1,0 +1,344 @@
+/* SPDX-License-Identifier: MIT */
+#include "fit/sensors.h"
+
+#include <ctype.h>
+#include <math.h>
+#include <stdarg.h>
+#include <string.h>
+
+#include "text/figure.h"
+#include "text/nearest.h"
+#include "text/unit.h"
+
+#define KEY_MAX 24u
+#define TOO_FAR 1.5  /* times: no sensor is so far off, and ranges differ by more */
+#define RANGE_OF 1.2 /* times: as far as the counts of a range may be off */
+
+/* Each row from the document that it names, "T" a table of it. What is not in a row the sheet does not state.
+ * ST: sensitivities of mg a count, so counts a g are their inverse; what it calls accuracy of the zero-g
+ * level is typical. */
+static const sensor sensors[] = {
+    {"mpu6050",
+     "MPU-6050",
+     {{"2g", 16384}, {"4g", 8192}, {"8g", 4096}, {"16g", 2048}},
+     0,
+     {0.050, 0.050, 0.080},
+     0.03,
+     0.02,
+     SENSOR_OFFSET | SENSOR_SCALE | SENSOR_CROSS_AXIS,
+     "",
+     "InvenSense PS-MPU-6000A-00 Rev. 3.4, 2013-08-19, 6.2 on p. 13"},
+    {"mpu9250",
+     "MPU-9250",
+     {{"2g", 16384}, {"4g", 8192}, {"8g", 4096}, {"16g", 2048}},
+     0,
+     {0.060, 0.060, 0.080},
+     0.03,
+     0.02,
+     SENSOR_OFFSET | SENSOR_SCALE | SENSOR_CROSS_AXIS,
+     "",
+     "InvenSense PS-MPU-9250A-01 Rev. 1.0, 2014-01-17, T2 on p. 9"},
+    /* the offset at board level: it is 25 mg before soldering */
+    {"icm20948",
+     "ICM-20948",
+     {{"2g", 16384}, {"4g", 8192}, {"8g", 4096}, {"16g", 2048}},
+     0,
+     {0.050, 0.050, 0.050},
+     0.005,
+     0.02,
+     SENSOR_OFFSET | SENSOR_SCALE | SENSOR_CROSS_AXIS,
+     "",
+     "InvenSense DS-000189 Rev. 1.3, 2017-06-02, T2 on p. 12"},
+    {"lsm6ds3",
+     "LSM6DS3",
+     {{"2g", 1000 / 0.061}, {"4g", 1000 / 0.122}, {"8g", 1000 / 0.244}, {"16g", 1000 / 0.488}},
+     0,
+     {0.040, 0.040, 0.040},
+     0,
+     0,
+     SENSOR_OFFSET,
+     "",
+     "ST DocID026899 Rev. 8, 2016-02, T3 Mechanical characteristics"},
+    {"lsm6dso",
+     "LSM6DSO",
+     {{"2g", 1000 / 0.061}, {"4g", 1000 / 0.122}, {"8g", 1000 / 0.244}, {"16g", 1000 / 0.488}},
+     0,
+     {0.020, 0.020, 0.020},
+     0,
+     0,
+     SENSOR_OFFSET,
+     "",
+     "ST DS12140 Rev. 2, 2019-01, T2 Mechanical characteristics"},
+    /* 1, 2, 4, 12 mg a digit of 12 bits, which are the upper ones of 16 */
+    {"lis3dh",
+     "LIS3DH",
+     {{"2g", 16 * 1000.0 / 1},
+      {"4g", 16 * 1000.0 / 2},
+      {"8g", 16 * 1000.0 / 4},
+      {"16g", 16 * 1000.0 / 12}},
+     0,
+     {0.040, 0.040, 0.040},
+     0,
+     0,
+     SENSOR_OFFSET,
+     "counts: 16 bits as its registers hold them, left-justified",
+     "ST DocID17530 Rev. 2, 2016-12, T4 Mechanical characteristics"},
+    /* sensitivity 230 ... 282 at 2 g, likewise 10 % or 11 % at the others */
+    {"adxl345",
+     "ADXL345",
+     {{"2g", 256}, {"4g", 128}, {"8g", 64}, {"16g", 32}},
+     0,
+     {0.150, 0.150, 0.250},
+     0.10,
+     0.01,
+     SENSOR_CROSS_AXIS,
+     "in full resolution 2g is the scale of every range",
+     "Analog Devices ADXL345 Rev. E, 2015, T1 Specifications"},
+    /* sensitivity 235520 ... 276480 at 2 g */
+    {"adxl355",
+     "ADXL355",
+     {{"2g", 256000}, {"4g", 128000}, {"8g", 64000}},
+     0,
+     {0.075, 0.075, 0.075},
+     0.08,
+     0.01,
+     SENSOR_CROSS_AXIS,
+     "counts of 20 bits",
+     "Analog Devices ADXL354/ADXL355 Rev. 0, 2016, Specifications"},
+    /* sensitivity 15729 ... 17039 at 2 g; the offset soldered */
+    {"bmi160",
+     "BMI160",
+     {{"2g", 16384}, {"4g", 8192}, {"8g", 4096}, {"16g", 2048}},
+     0,
+     {0.040, 0.040, 0.040},
+     0.04,
+     0.01,
+     SENSOR_OFFSET | SENSOR_CROSS_AXIS,
+     "",
+     "Bosch BST-BMI160-DS000-07 Rev. 0.8, 2015-02, 1 Specification"},
+    {"bmi270",
+     "BMI270",
+     {{"2g", 16384}, {"4g", 8192}, {"8g", 4096}, {"16g", 2048}},
+     2,
+     {0.020, 0.020, 0.020},
+     0,
+     0,
+     SENSOR_OFFSET,
+     "",
+     "Bosch BST-BMI270-DS000-05 Rev. 1.3, 2020-11, 1 Specification"},
+    {"bno055",
+     "BNO055",
+     {{"m/s2", 100 * UNIT_STANDARD_GRAVITY}, {"mg", 1000}},
+     0,
+     {0.150, 0.150, 0.150},
+     0.04,
+     0.02,
+     0,
+     "counts of 0.01 m/s2 or of 1 mg, at any range",
+     "Bosch BST-BNO055-DS000-14 Rev. 1.4, 2016-06, T0-2"},
+    /* raw counts differ from unit to unit: 4.8 there, Test and Calibration Certificate */
+    {"xsens-mti",
+     "Xsens MTi",
+     {{"m/s2", UNIT_STANDARD_GRAVITY}},
+     0,
+     {0, 0, 0},
+     0,
+     0,
+     0,
+     "calibrated output; raw counts: by the unit's certificate",
+     "Xsens MT0100P.N, MTi and MTx User Manual, 4.5.2 on p. 18"},
+};
+
+#define SENSORS (sizeof sensors / sizeof sensors[0])
+
+static void append(char *text, size_t size, const char *format, ...)
+{
+    const size_t length = strlen(text);
+    va_list arguments;
+
+    va_start(arguments, format);
+    vsnprintf(text + length, size - length, format, arguments);
+    va_end(arguments);
+}
+
+/* ---- which one --------------------------------------------------------------------------------- */
+
+/* Letters and digits, small. */
+static void squash(const char *text, size_t length, char out[KEY_MAX])
+{
+    size_t n = 0;
+
+    for (size_t i = 0; i < length && n + 1 < KEY_MAX; i++) {
+        const unsigned char c = (unsigned char)text[i];
+        if (isalnum(c) || c == '.') {
+            out[n++] = (char)tolower(c);
+        }
+    }
+    out[n] = '\0';
+}
+
+static int is_same(const char *key, const char *squashed)
+{
+    char own[KEY_MAX];
+
+    squash(key, strlen(key), own);
+    return *squashed != '\0' && strcmp(own, squashed) == 0;
+}
+
+static void list_ranges(const sensor *type, char *text, size_t size)
+{
+    for (unsigned k = 0; k < SENSORS_RANGES && type->range[k].name; k++) {
+        append(text, size, "%s%s", k > 0 ? ", " : "", type->range[k].name);
+    }
+}
+
+static int choose_range(const char *words, sensor_choice *out, char text[SENSORS_TEXT_MAX])
+{
+    char squashed[KEY_MAX];
+
+    squash(words, strlen(words), squashed);
+    for (unsigned k = 0; k < SENSORS_RANGES && out->type->range[k].name; k++) {
+        if (is_same(out->type->range[k].name, squashed)) {
+            out->range = &out->type->range[k];
+            return 1;
+        }
+    }
+    snprintf(text, SENSORS_TEXT_MAX, "%s has no '%.40s', but ", out->type->name, words);
+    list_ranges(out->type, text, SENSORS_TEXT_MAX);
+    return 0;
+}
+
+int sensors_choose(const char *words, sensor_choice *out, char text[SENSORS_TEXT_MAX])
+{
+    const size_t length = strcspn(words, ":");
+    char squashed[KEY_MAX];
+    char hint[NEAREST_TEXT_MAX];
+
+    squash(words, length, squashed);
+    nearest meant = nearest_begin(squashed, strlen(squashed));
+    nearest_offer(&meant, "list");
+    for (size_t i = 0; i < SENSORS; i++) {
+        if (is_same(sensors[i].key, squashed)) {
+            *out = (sensor_choice){&sensors[i], &sensors[i].range[sensors[i].power_on]};
+            return words[length] == '\0' || choose_range(words + length + 1, out, text);
+        }
+        nearest_offer(&meant, sensors[i].key);
+    }
+    snprintf(text, SENSORS_TEXT_MAX,
+             "no data sheet of '%.*s' is known%s; --sensor list names those that are",
+             (int)(length < 40 ? length : 40), words, nearest_text(&meant, hint));
+    return 0;
+}
+
+/* ---- what it says ------------------------------------------------------------------------------ */
+
+double sensors_scale(const sensor_choice *c, double field)
+{
+    return unit_scale(UNIT_G, field) / c->range->per_g;
+}
+
+void sensors_limits(const sensor_choice *c, double field, double limit[INVCAL_PARAMETERS])
+{
+    const double over_field = unit_scale(UNIT_G, field) / field;
+
+    for (unsigned i = 0; i < 3; i++) {
+        const double most[3] = {c->type->offset[i] * over_field, c->type->scale,
+                                2 * c->type->cross_axis};
+        for (unsigned kind = 0; kind < 3; kind++) {
+            limit[3 * kind + i] = most[kind] > 0 ? most[kind] : (double)NAN;
+        }
+    }
+}
+
+int sensors_fit(const sensor_choice *c, double ratio, char text[SENSORS_TEXT_MAX])
+{
+    const double counts = ratio * c->range->per_g;
+    char key[SENSORS_TEXT_MAX];
+    char number[FIGURE_MAX];
+
+    if (ratio < TOO_FAR && ratio > 1 / TOO_FAR) {
+        return 1;
+    }
+    snprintf(text, SENSORS_TEXT_MAX, "the readings are %s times too %s for %.40s",
+             figure_digits(ratio > 1 ? ratio : 1 / ratio, 2, number), ratio > 1 ? "large" : "small",
+             sensors_key(c, key));
+    for (unsigned k = 0; k < SENSORS_RANGES && c->type->range[k].name; k++) {
+        const double other = counts / c->type->range[k].per_g;
+        if (other < RANGE_OF && other > 1 / RANGE_OF) {
+            append(text, SENSORS_TEXT_MAX, ": as if it were %s:%s", c->type->key,
+                   c->type->range[k].name);
+            return 0;
+        }
+    }
+    append(text, SENSORS_TEXT_MAX,
+           ", and no range of it fits: state --zero and --lsb in its place");
+    return 0;
+}
+
+const char *sensors_key(const sensor_choice *c, char text[SENSORS_TEXT_MAX])
+{
+    snprintf(text, SENSORS_TEXT_MAX, "%s:%s", c->type->key, c->range->name);
+    return text;
+}
+
+/* One limit, behind the others: "offsets ±50, ±50, ±80 mg". */
+static void append_limit(const sensor *s, unsigned which, char *text, size_t size)
+{
+    const double *offset = s->offset;
+
+    if (which == SENSOR_SCALE) {
+        append(text, size, "scale ±%.3g %%", 100 * s->scale);
+    } else if (which == SENSOR_CROSS_AXIS) {
+        append(text, size, "cross-axis ±%.3g %%", 100 * s->cross_axis);
+    } else if (offset[2] > offset[0]) {
+        append(text, size, "offsets ±%.3g, ±%.3g, ±%.3g mg", 1000 * offset[0], 1000 * offset[1],
+               1000 * offset[2]);
+    } else {
+        append(text, size, "offsets ±%.3g mg", 1000 * offset[0]);
+    }
+}
+
+const char *sensors_limits_text(const sensor_choice *c, char text[SENSORS_TEXT_MAX])
+{
+    const sensor *s = c->type;
+    const unsigned stated = (s->offset[0] > 0 ? SENSOR_OFFSET : 0u) |
+                            (s->scale > 0 ? SENSOR_SCALE : 0u) |
+                            (s->cross_axis > 0 ? SENSOR_CROSS_AXIS : 0u);
+    const unsigned groups[2] = {stated & ~s->typical, stated & s->typical};
+
+    snprintf(text, SENSORS_TEXT_MAX, "%s", stated ? "" : "not stated");
+    for (unsigned g = 0; g < 2; g++) {
+        const char *before = g == 1 ? "typical: " : "";
+        for (unsigned which = SENSOR_OFFSET; which <= SENSOR_CROSS_AXIS; which *= 2) {
+            if (groups[g] & which) {
+                append(text, SENSORS_TEXT_MAX, "%s%s", *text ? "; " : "", before);
+                append_limit(s, which, text, SENSORS_TEXT_MAX);
+                before = "";
+            }
+        }
+    }
+    return text;
+}
+
+void sensors_list(FILE *file)
+{
+    char text[SENSORS_TEXT_MAX];
+
+    fprintf(file, "Data sheets known to --sensor NAME[:RANGE]. Counts a g; *: range at power-on.\n"
+                  "Zero is 0 counts. Typical: the sheet states no maximum. What it does not state\n"
+                  "is no limit. Angles between axes may be twice the cross-axis sensitivity.\n");
+    for (size_t i = 0; i < SENSORS; i++) {
+        const sensor *s = &sensors[i];
+        const sensor_choice c = {s, s->range};
+        fprintf(file, "\n%-12s", s->key);
+        for (unsigned k = 0; k < SENSORS_RANGES && s->range[k].name; k++) {
+            fprintf(file, "%s%s%s %.6g", k > 0 ? ", " : "", s->range[k].name,
+                    k == s->power_on ? "*" : "", s->range[k].per_g);
+        }
+        fprintf(file, "\n            %s\n", sensors_limits_text(&c, text));
+        if (*s->note) {
+            fprintf(file, "            %s\n", s->note);
+        }
+        fprintf(file, "            %s\n", s->sheet);
+    }
+}

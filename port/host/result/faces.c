@@ -1,0 +1,87 @@
+/* SPDX-License-Identifier: MIT */
+#include "result/faces.h"
+
+#include <math.h>
+
+#include "design/parameters.h"
+#include "text/figure.h"
+
+#define FEWEST 6u /* positions */
+#define ANGLES (7u << INVCAL_GAMMA_XY)
+#define USUAL 1e-3 /* noise of a position mean, over the field, where none is known */
+
+int faces_are_good(const calibrate_result *r)
+{
+    return fit_held(&r->settings, &r->quality) &&
+           (r->quality.verdict == INVCAL_GOOD || r->quality.verdict == INVCAL_NO_REDUNDANCY);
+}
+
+/* An angle moves the length in direction xyz by itself times xy, xz or zy. */
+faces_error faces_error_of(const calibrate_result *r)
+{
+    const uint16_t held = fit_held(&r->settings, &r->quality);
+    uncertainty u = {.unit = FIT_NORMAL};
+    double square = 0;
+
+    for (unsigned p = INVCAL_GAMMA_XY; p < INVCAL_PARAMETERS; p++) {
+        const double sigma = held >> p & 1 ? r->quality.sigma[p] : 0;
+        u.covariance[INVCAL_PACKED(p, p)] = sigma * sigma;
+        square += sigma * sigma / 15;
+    }
+    uncertainty_search(&u);
+    return (faces_error){FIT_NORMAL * sqrt(square), u.most};
+}
+
+const char *faces_cost(const calibrate_result *r, char text[FACES_MAX])
+{
+    const uint16_t held = fit_held(&r->settings, &r->quality);
+    const told_unit told = calibrate_told_field(r);
+    const told_unit angle = told_angle(r->told);
+    const faces_error e = faces_error_of(r);
+    char list[128] = "angles";
+    char number[3][FIGURE_MAX];
+
+    if (held != ANGLES) {
+        (void)parameters_list(held, list, sizeof list);
+    }
+    snprintf(text, FACES_MAX,
+             "%s not measured: taken as %s ±%s %s (one standard deviation, of a data sheet). That "
+             "leaves ±%s %s in lengths (95 %%, over all directions), ±%s %s at most, and nothing "
+             "where an axis is up.%s",
+             list, r->nominal.lsb == NOMINAL_EARLIER ? "in the earlier calibration," : "0",
+             figure_digits(angle.scale * r->settings.prior[INVCAL_GAMMA_XY], 2, number[0]),
+             angle.unit, figure_digits(told.scale * e.rms, 2, number[1]), told.unit,
+             figure_digits(told.scale * e.most, 2, number[2]), told.unit,
+             r->quality.dof > 0 ? "" : " No position to spare checks offsets and scales.");
+    return text;
+}
+
+void faces_json(json_writer *w, const calibrate_result *r)
+{
+    const faces_error e = faces_error_of(r);
+
+    json_object(w, "six_faces");
+    json_number(w, "angle_sigma", r->settings.prior[INVCAL_GAMMA_XY]);
+    json_parameters(w, "not_measured", fit_held(&r->settings, &r->quality));
+    json_number(w, "length95", e.rms * r->settings.field);
+    json_number(w, "length95_most", e.most * r->settings.field);
+    json_object_end(w);
+}
+
+int faces_would_do(const positions *data, const fit_settings *settings)
+{
+    fit_settings s = *settings;
+    fit_solution solution;
+    fit_quality q;
+
+    if (data->count < FEWEST || fit_has_prior(settings)) {
+        return 0;
+    }
+    s.is_six_faces = 1;
+    s.noise = s.noise > 0 ? s.noise : USUAL;
+    for (unsigned p = INVCAL_GAMMA_XY; p < INVCAL_PARAMETERS; p++) {
+        s.prior[p] = INVCAL_CROSS_AXIS;
+    }
+    return fit_make(data->mean, data->count, &s, &solution, &q, NULL) == INVCAL_OK &&
+           q.verdict != INVCAL_WEAK;
+}

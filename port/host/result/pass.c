@@ -1,0 +1,187 @@
+/* SPDX-License-Identifier: MIT */
+#include "result/pass.h"
+
+#include <ctype.h>
+#include <math.h>
+#include <stdarg.h>
+#include <string.h>
+
+#include "cli/message.h"
+#include "design/parameters.h"
+#include "result/faces.h"
+#include "result/need.h"
+#include "text/figure.h"
+#include "text/number.h"
+
+#define CLOSE 0.006 /* to a limit */
+
+static int is_good(const calibrate_result *r)
+{
+    return strcmp(verdict_word(r), "Good") == 0 || faces_are_good(r);
+}
+
+/* The greatest that a parameter may be, 95 %. */
+static double greatest(const calibrate_result *r, unsigned p)
+{
+    return calibrate_knows_noise(r)
+               ? fabs(r->solution.x[p]) + fit_coverage(&r->quality, p) * r->quality.sigma[p]
+               : NUMBER_UNKNOWN;
+}
+
+static double least(const calibrate_result *r, unsigned p)
+{
+    const double spread =
+        calibrate_knows_noise(r) ? fit_coverage(&r->quality, p) * r->quality.sigma[p] : 0;
+
+    return fabs(r->solution.x[p]) - spread;
+}
+
+static void judge_limits(const calibrate_result *r, pass *p)
+{
+    for (unsigned i = 0; i < INVCAL_PARAMETERS; i++) {
+        p->limit[i] = p->used[i] = NUMBER_UNKNOWN;
+        if (!(r->limit[i] > 0)) {
+            continue;
+        }
+        p->limit[i] = r->limit[i];
+        p->used[i] = greatest(r, i) / p->limit[i];
+        p->limited |= (uint16_t)(1u << i);
+        p->failed |= (uint16_t)((unsigned)!(p->used[i] <= 1) << i);
+        p->beyond |= (uint16_t)((unsigned)!(least(r, i) <= p->limit[i]) << i);
+        p->nearest = !(p->used[i] <= p->used[p->nearest]) ? i : p->nearest;
+    }
+}
+
+pass pass_judge(const calibrate_result *r)
+{
+    pass p = {.need_used = NUMBER_UNKNOWN};
+
+    judge_limits(r, &p);
+    p.is_asked = r->need > 0 || r->has_limits;
+    if (r->need > 0 && calibrate_knows_noise(r)) {
+        p.need_used = r->settings.field * need_reached(r) / r->need;
+    }
+    p.is_passed = p.is_asked && is_good(r) && !p.failed && (!(r->need > 0) || p.need_used <= 1);
+    return p;
+}
+
+/* ---- in words ---------------------------------------------------------------------------------- */
+
+/* Adds to a text as long as there is room. */
+static void add(char text[PASS_MAX], const char *format, ...) MESSAGE_FORMAT(2, 3);
+
+static void add(char text[PASS_MAX], const char *format, ...)
+{
+    const size_t length = strlen(text);
+    va_list arguments;
+
+    va_start(arguments, format);
+    vsnprintf(text + length, PASS_MAX - length, format, arguments);
+    va_end(arguments);
+}
+
+/* "rough", ... */
+static void add_verdict(const calibrate_result *r, char text[PASS_MAX])
+{
+    const char *word = verdict_word(r);
+
+    add(text, "%c%s", tolower((unsigned char)word[0]), word + 1);
+}
+
+/* Why it is called that. */
+static void add_cause(const calibrate_result *r, char text[PASS_MAX])
+{
+    char cause[VERDICT_MAX];
+    char list[128];
+
+    if (r->quality.verdict == INVCAL_WEAK) {
+        add(text, ": %s badly determined", parameters_list(r->quality.weak, list, sizeof list));
+    } else if (r->quality.verdict == INVCAL_NO_REDUNDANCY) {
+        add(text, ": no position is left to check it");
+    } else {
+        add(text, ": %s", verdict_cause(r, cause));
+    }
+}
+
+static void add_need(const calibrate_result *r, char text[PASS_MAX])
+{
+    const double scale = r->need_unit.scale;
+    char reached[FIGURE_MAX];
+    char wanted[FIGURE_MAX];
+
+    add(text, "%s within %s of %s %s", unit_is_gravity(r->settings.field) ? "|a|" : "length",
+        figure_digits(scale * need_reached(r), 2, reached),
+        figure_digits(scale * r->need / r->settings.field, 2, wanted), r->need_unit.unit);
+}
+
+static void add_limit(const calibrate_result *r, unsigned parameter, double limit,
+                      char text[PASS_MAX])
+{
+    const told_unit degrees = {FIGURE_DEGREES, "°"};
+    const told_unit angle = r->told == TOLD_INS ? told_angle(r->told) : degrees;
+    const told_unit told = parameter < INVCAL_DK_X       ? calibrate_told_field(r)
+                           : parameter < INVCAL_GAMMA_XY ? told_scale(r->told)
+                                                         : angle;
+    const double ratio = greatest(r, parameter) / limit;
+    const int digits = fabs(ratio - 1) < CLOSE ? 6 : 3; /* which of them is larger is to be seen */
+    char reached[FIGURE_MAX];
+    char allowed[FIGURE_MAX];
+
+    add(text, "%s up to %s of %s%s%s", parameter_words(parameter),
+        figure_digits(told.scale * greatest(r, parameter), digits, reached),
+        figure_digits(told.scale * limit, digits, allowed),
+        strcmp(told.unit, degrees.unit) == 0 ? "" : " ", told.unit);
+}
+
+const char *pass_text(const calibrate_result *r, char text[PASS_MAX])
+{
+    const pass p = pass_judge(r);
+    const int is_known = calibrate_knows_noise(r);
+    unsigned others = 0;
+
+    snprintf(text, PASS_MAX, "%s:", p.is_passed ? "PASS" : "FAIL");
+    if (!is_good(r)) {
+        add(text, " the verdict is ");
+        add_verdict(r, text);
+    }
+    if (!is_known) {
+        add(text, "%s nothing tells the noise, and so how exact this is (--noise)",
+            is_good(r) ? "" : ";");
+    }
+    if (is_known && r->need > 0) {
+        add(text, "%s ", is_good(r) ? "" : ";");
+        add_need(r, text);
+    }
+    if (is_known && p.limited) {
+        add(text, "%s ", is_good(r) && !(r->need > 0) ? "" : ";");
+        add_limit(r, p.nearest, p.limit[p.nearest], text);
+        for (unsigned i = 0; i < INVCAL_PARAMETERS; i++) {
+            others += i != p.nearest && (p.failed >> i & 1u);
+        }
+    }
+    if (others > 0) {
+        add(text, " and %u more", others);
+    }
+    add(text, "%s.", is_known ? " (95 %)" : "");
+    return text;
+}
+
+const char *pass_strict(const calibrate_result *r, char text[PASS_MAX])
+{
+    const pass p = pass_judge(r);
+    char advice[NEED_MAX];
+
+    text[0] = '\0';
+    if (p.is_asked && !p.is_passed) {
+        (void)pass_text(r, text);
+        add(text, "%s%s", r->need > 0 && *need_advice(r, advice) ? " " : "",
+            r->need > 0 ? advice : "");
+        return text;
+    }
+    if (!is_good(r)) {
+        add(text, "the verdict is ");
+        add_verdict(r, text);
+        add_cause(r, text);
+    }
+    return text;
+}

@@ -1,0 +1,43 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * result/record.h: what people file a calibration under: which device, when, by whom.
+ */
+#ifndef RECORD_H
+#define RECORD_H
+
+#include "text/json_write.h"
+
+typedef enum {
+    RECORD_DEVICE, /* its type */
+    RECORD_SERIAL,
+    RECORD_OPERATOR,
+    RECORD_DATE, /* 2026-11-23: texts in the order of days */
+    RECORD_NOTE,
+    RECORD_TEXTS
+} record_text;
+
+#define RECORD_MAX 160 /* bytes of a text, with the mark at its end */
+
+/* A text that is not given is "". */
+typedef struct {
+    char text[RECORD_TEXTS][RECORD_MAX];
+} record;
+
+/* "device", "serial", "operator", "date", "note". */
+const char *record_name(record_text which);
+
+/* Takes a text over. Returns null; what is wrong with it, to be set behind it in a sentence, the record
+ * untouched: it is too long, no plain text in UTF-8, or no date of the calendar. */
+const char *record_set(record *r, record_text which, const char *text);
+
+int record_is_empty(const record *r);
+
+/* The member "record", with what is given; nothing if that is nothing. */
+void record_json(json_writer *w, const record *r);
+
+/* In a line, for headings: "ADXL355 · serial 4711 · 2026-11-23"; "" if there is none of the three. Cut to
+ * size. Returns text. */
+#define RECORD_LINE_MAX (3 * RECORD_MAX + 32)
+const char *record_line(const record *r, char text[RECORD_LINE_MAX]);
+
+#endif

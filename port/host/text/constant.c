@@ -1,0 +1,81 @@
+/* SPDX-License-Identifier: MIT */
+#include "text/constant.h"
+
+#include <float.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+const char *constant_float(double x, char text[NUMBER_TEXT_MAX])
+{
+    const float wanted = (float)x;
+    float back;
+    int digits = 5;
+
+    do {
+        snprintf(text, NUMBER_TEXT_MAX, "%.*g", ++digits, (double)wanted);
+        back = strtof(text, NULL);
+    } while (digits < 9 && (back < wanted || back > wanted));
+    return text;
+}
+
+const char *constant_literal(double x, int is_double, char text[NUMBER_TEXT_MAX])
+{
+    if (is_double) {
+        number_text(x, text);
+    } else {
+        constant_float(x, text);
+    }
+    if (!strpbrk(text, ".e")) {
+        /* number_text needs 24 bytes at most, and has a point then */
+        strcat(text, ".0"); /* NOLINT(clang-analyzer-security.insecureAPI.strcpy): there is room */
+    }
+    return text;
+}
+
+int constant_fits_float(double x)
+{
+    const double size = fabs(x);
+
+    return size <= (double)FLT_MAX && (!(size > 0) || size >= (double)FLT_MIN);
+}
+
+int constant_fits(const double offset[3], const double (*matrix)[3])
+{
+    int fits = 1;
+
+    for (unsigned i = 0; i < 3; i++) {
+        fits = fits && constant_fits_float(offset[i]);
+        for (unsigned j = 0; j < 3; j++) {
+            fits = fits && constant_fits_float(matrix[i][j]);
+        }
+    }
+    return fits;
+}
+
+void constant_row(FILE *file, const double x[3], int is_double, const char *before,
+                  const char *after)
+{
+    char text[NUMBER_TEXT_MAX];
+
+    for (unsigned i = 0; i < 3; i++) {
+        fprintf(file, "%s%s%s%s", i == 0 ? "{" : ", ", before,
+                constant_literal(x[i], is_double, text), after);
+    }
+    putc('}', file);
+}
+
+/* INVCAL_REAL gives each number the suffix of the build, so that all digits count in double, and none is a double in
+ * float. A suffix needs a point or an exponent in front of it. The initialiser is positional for C++, which has no
+ * designated one before 2020. */
+void constant_write(FILE *file, const char *name, const double offset[3], const double (*matrix)[3])
+{
+    fprintf(file, "static const invcal_calibration %s = {\n    ", name);
+    constant_row(file, offset, 1, "INVCAL_REAL(", ")");
+    fputs(",\n    {", file);
+    for (unsigned i = 0; i < 3; i++) {
+        fputs(i == 0 ? "" : ",\n     ", file);
+        constant_row(file, matrix[i], 1, "INVCAL_REAL(", ")");
+    }
+    fputs("}};\n", file);
+}

@@ -1,0 +1,14 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * watch/frame.h: the picture of a live calibration on a screen of characters.
+ */
+#ifndef WATCH_FRAME_H
+#define WATCH_FRAME_H
+
+#include "watch/canvas.h"
+#include "watch/state.h"
+
+/* CANVAS_LINES lines of at most CANVAS_COLUMNS columns, `line_end` behind each. Returns text. */
+const char *frame_print(const watch_state *now, const char *line_end, char text[CANVAS_BYTES]);
+
+#endif

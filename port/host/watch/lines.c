@@ -1,0 +1,170 @@
+/* SPDX-License-Identifier: MIT */
+#define _POSIX_C_SOURCE 200809L
+#include "watch/lines.h"
+
+#include <unistd.h>
+
+#include "text/paint.h"
+#include "text/plain.h"
+#include "text/wrapped.h"
+
+#define SIGMA_MAX 200
+
+static watch_news shown; /* on the line that changes */
+
+static int is_terminal(const watch_state *now)
+{
+    return isatty(fileno(now->talk));
+}
+
+/* A line that stays; what was on the changing line goes. */
+static void end_line(const watch_state *now)
+{
+    if (is_terminal(now)) {
+        fprintf(now->talk, "\r%60s\r", "");
+    }
+}
+
+/* The changing line: only on a terminal, and only if there is news. */
+static void show(const watch_state *now, watch_news what)
+{
+    if (now->is_refused || (what == WATCH_MOVING && shown == what)) {
+        return;
+    }
+    shown = what;
+    end_line(now);
+    if (what == WATCH_MOVING) {
+        fprintf(now->talk, "  moving");
+    } else if (now->phase == WATCH_READY) {
+        fprintf(now->talk, "  %s", now->good);
+    } else {
+        fprintf(now->talk, "  hold still ... %3u %%", now->progress);
+    }
+}
+
+static void say_begun(const watch_state *now)
+{
+    char limit[80] = "";
+    char name[PLAIN_MAX];
+
+    shown = WATCH_BEGUN;
+    if (now->hold > 0) {
+        if (now->hold_floor > 0) {
+            snprintf(limit, sizeof limit, "; longer does not help: a mean is good to %.2g",
+                     now->hold_floor);
+        }
+        wrapped_printf(now->talk, 2, "each position: %.3g s by the noise measured%s", now->hold,
+                       limit);
+    }
+    wrapped_printf(now->talk, 0, "%s: %s", plain_copy(now->name, name), now->recognised);
+}
+
+/* Where to turn next, if there is anywhere. */
+static void say_next(const watch_state *now)
+{
+    if (*now->next) {
+        wrapped_printf(now->talk, 6, "next: %s", now->next);
+    }
+}
+
+/* How exactly everything is known, once it can be told; else "". */
+static const char *sigma_text(const watch_state *now, char text[SIGMA_MAX])
+{
+    size_t used = 0;
+
+    text[0] = '\0';
+    for (unsigned k = 0; k < WATCH_KINDS && watch_knows_sigma(now) && used < SIGMA_MAX; k++) {
+        const told_unit unit = watch_unit(now, k);
+        used += (size_t)snprintf(text + used, SIGMA_MAX - used, "%s%s ± %.2g %s",
+                                 k == 0 ? "; to 95 %: " : ", ", watch_kinds[k],
+                                 unit.scale * watch_interval(now, k), unit.unit);
+    }
+    return text;
+}
+
+static void say_wrong(const watch_state *now)
+{
+    if (now->astray > 0) {
+        wrapped_printf(now->talk, 2, "%swrong position:%s %s. It is used all the same",
+                       paint_on(now->talk, PAINT_YELLOW), paint_off(now->talk), now->wrong);
+    }
+    if (now->astray == WATCH_ASTRAY) {
+        wrapped_printf(now->talk, 2,
+                       "%u wrong in a row: are alpha and beta exchanged, is the sense of one "
+                       "reversed, or its zero elsewhere?",
+                       WATCH_ASTRAY);
+    }
+}
+
+static void say_end(const watch_state *now, const char *word, const char *what)
+{
+    fprintf(now->talk, "%s%s%s %s; end the stream (Ctrl-C)\n", paint_on(now->talk, PAINT_GREEN),
+            word, paint_off(now->talk), what);
+}
+
+static void say_taken(const watch_state *now)
+{
+    char text[SIGMA_MAX];
+
+    end_line(now);
+    wrapped_printf(now->talk, 2, "position %u taken%s", now->taken, sigma_text(now, text));
+    say_wrong(now);
+    if (now->outcome == WATCH_ENOUGH) {
+        say_end(now, "enough:", "what is wanted is reached");
+    } else if (now->outcome == WATCH_FINISHED) {
+        say_end(now, "finished:", "the program is complete");
+    }
+}
+
+static void say_refused(const watch_state *now)
+{
+    end_line(now);
+    wrapped_printf(now->talk, 2, "%srefused:%s %s", paint_on(now->talk, PAINT_RED),
+                   paint_off(now->talk), now->refusal);
+}
+
+static void say_ended(const watch_state *now)
+{
+    end_line(now);
+    if (*now->missing) {
+        wrapped_printf(now->talk, 2, "of the program not visited: %s", now->missing);
+    }
+    fprintf(now->talk, "\n");
+}
+
+void lines_tell(const watch_state *now, watch_news what)
+{
+    switch (what) {
+    case WATCH_BEGUN:
+        say_begun(now);
+        say_next(now);
+        break;
+    case WATCH_READY:
+        if (!is_terminal(now)) {
+            wrapped_line(now->talk, 0, 2, now->good);
+        }
+        break;
+    case WATCH_TAKEN:
+        say_taken(now);
+        say_next(now);
+        break;
+    case WATCH_REFUSED:
+        say_refused(now);
+        break;
+    case WATCH_ENDED:
+        say_ended(now);
+        break;
+    case WATCH_BROKEN:
+        end_line(now);
+        break;
+    case WATCH_PASSED:
+        return;
+    default:
+        break;
+    }
+    if ((what == WATCH_MOVING || what == WATCH_SETTLING || what == WATCH_READY) &&
+        is_terminal(now)) {
+        show(now, what);
+    }
+    fflush(now->talk);
+}

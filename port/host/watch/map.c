@@ -1,0 +1,87 @@
+/* SPDX-License-Identifier: MIT */
+#include "watch/map.h"
+
+#include <math.h>
+
+#include "draw/sphere.h"
+
+#define ACROSS 2u /* dots of a Braille cell */
+#define DOWN 4u
+#define DOTS (ACROSS * MAP_COLUMNS) /* in the diameter, either way */
+#define RIM (1 - 2.0 / DOTS)        /* radius: the outermost dots */
+#define COVERS 0.93969262078590838  /* cosine of 20 degrees */
+
+/* Which of `count` parts of the way from -1 to 1. */
+static unsigned part_of(double x, unsigned count)
+{
+    const double part = floor((x + 1) / 2 * count);
+
+    return part >= 1 ? (unsigned)fmin(part, count - 1) : 0; /* of a NaN the first */
+}
+
+map_place map_find(const double up[3])
+{
+    const double across = hypot(up[0], up[1]);
+    const double radius = sqrt(fmax(0, 1 - fabs(up[2])));
+    const double share = across > 0 ? radius / across : 0;
+
+    return (map_place){.half = up[2] < -SPHERE_EQUATOR,
+                       .line = part_of(-share * up[1], MAP_LINES),
+                       .column = part_of(share * up[0], MAP_COLUMNS)};
+}
+
+static int is_covered(const double up[3], const double (*direction)[3], unsigned count)
+{
+    for (unsigned n = 0; n < count; n++) {
+        const double *d = direction[n];
+        if (d[0] * up[0] + d[1] * up[1] + d[2] * up[2] >= COVERS) {
+            return 1;
+        }
+    }
+    return 0;
+}
+
+/* A dot of the disc, x to the right and y up from its centre, -1 ... 1. */
+static int is_lit(double x, double y, unsigned half, const double (*direction)[3], unsigned count)
+{
+    const double square = x * x + y * y;
+    const double stretch = sqrt(fmax(0, 2 - square));
+    const double up[3] = {x * stretch, y * stretch, half ? square - 1 : 1 - square};
+
+    return square <= 1 && (square > RIM * RIM || is_covered(up, direction, count));
+}
+
+/* The dots of a Braille character are the bits of its code from U+2800 on; left then right, from the top. */
+static const unsigned char bit_of[ACROSS][DOWN] = {{0x01, 0x02, 0x04, 0x40},
+                                                   {0x08, 0x10, 0x20, 0x80}};
+
+static void put_braille(canvas *c, unsigned line, unsigned column, unsigned dots)
+{
+    const char glyph[4] = {(char)0xE2, (char)(0xA0 | dots >> 6), (char)(0x80 | (dots & 0x3Fu)),
+                           '\0'};
+
+    if (dots != 0) {
+        canvas_put(c, line, column, CANVAS_PLAIN, glyph);
+    }
+}
+
+void map_draw(canvas *c, unsigned line, unsigned column, unsigned half,
+              const double (*direction)[3], unsigned count)
+{
+    unsigned char dots[MAP_LINES][MAP_COLUMNS] = {{0}};
+
+    for (unsigned j = 0; j < DOTS; j++) {
+        for (unsigned i = 0; i < DOTS; i++) {
+            const double x = (2.0 * i + 1) / DOTS - 1;
+            const double y = 1 - (2.0 * j + 1) / DOTS;
+            if (is_lit(x, y, half, direction, count)) {
+                dots[j / DOWN][i / ACROSS] |= bit_of[i % ACROSS][j % DOWN];
+            }
+        }
+    }
+    for (unsigned j = 0; j < MAP_LINES; j++) {
+        for (unsigned i = 0; i < MAP_COLUMNS; i++) {
+            put_braille(c, line + j, column + i, dots[j][i]);
+        }
+    }
+}

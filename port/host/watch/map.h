@@ -1,0 +1,28 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * watch/map.h: directions on the two halves of the sphere in character cells: Lambert's equal-area projection,
+ * both halves seen from +z, as on a page (draw/sphere.h).
+ */
+#ifndef WATCH_MAP_H
+#define WATCH_MAP_H
+
+#include "watch/canvas.h"
+
+#define MAP_LINES 11u /* of a disc; a cell is twice as high as it is wide */
+#define MAP_COLUMNS 22u
+
+/* Where a direction is found. */
+typedef struct {
+    unsigned half;   /* 0: z up, and the equator; 1: z down */
+    unsigned line;   /* from the top of the disc, */
+    unsigned column; /* and from its left */
+} map_place;
+
+map_place map_find(const double up[3]);
+
+/* Draws one half with its upper left corner there: the rim, and dots within 20 degrees of a
+ * direction, which count as covered. */
+void map_draw(canvas *c, unsigned line, unsigned column, unsigned half,
+              const double (*direction)[3], unsigned count);
+
+#endif

@@ -1,0 +1,10 @@
+// SPDX-License-Identifier: MIT
+
+// Gives the person a file.
+export function save(name, content) {
+    const link = document.createElement("a");
+    link.href = URL.createObjectURL(content instanceof Blob ? content : new Blob([content]));
+    link.download = name;
+    link.click();
+    setTimeout(() => URL.revokeObjectURL(link.href), 60000);
+}

@@ -1,0 +1,258 @@
+#!/bin/sh
+# SPDX-License-Identifier: MIT
+#
+# Tests of what other people's logs need: reading_test.sh path/to/invcal builddir
+# Which columns are meant, lines that are cut, rates that nobody states, rests that are missing, files
+# that are no tables, and options that are easily misunderstood.
+here=$(dirname "$0")
+# shellcheck source=tests/tool/support.sh
+. "$here/support.sh"
+
+# Counts of 0.0006 m/s^2: t in seconds, x, y, z. The truth is what was simulated.
+"$tool" simulate --truth "$work/truth.json" > "$work/plain.csv"
+truth=$(json "$work/truth.json" offset)
+
+first_lines() { tr '\n' ' ' < "$work/stdout" | grep -Fq -- "$1"; }
+warns() { [ "$code" -eq 0 ] && grep -Eq -- "^invcal: warning: $1" "$work/stderr" || complain; }
+
+# write HEADER ROW: $work/log.csv from the plain log; ROW is an expression of awk in t, x, y, z, n.
+write() {
+    {
+        [ -z "$1" ] || printf '%b\n' "$1"
+        awk -F, 'BEGIN { CONVFMT = "%.15g" }
+            NR > 1 { n = NR - 2; t = $1; x = $2; y = $3; z = $4; print '"$2"' }' "$work/plain.csv"
+    } > "$work/log.csv"
+}
+
+# is_right SENTENCE ARGUMENTS ...: calibrates $work/log.csv to the truth, 18 positions
+is_right() {
+    sentence_=$1
+    shift
+    run calibrate "$work/log.csv" --json "$@"
+    check "$sentence_: the offset is the true one, within 4 counts" near 4 "$(json "$work/stdout" offset)" "$truth"
+    check "$sentence_: 18 positions" test "$(json "$work/stdout" positions)" = 18
+    run calibrate "$work/log.csv" "$@"
+}
+
+# ---- nine axes --------------------------------------------------------------------------------------
+
+xyz='x "," y "," z'
+nine='ax,ay,az,gx,gy,gz,mx,my,mz'
+write "$nine" "$xyz \",1,2,3,40,50,60\""
+is_right "nine axes" --rate 100
+check "nine axes: the accelerometer is told" first_lines "header in line 1; the accelerometer's ax ay az in counts"
+check "nine axes: so is the magnetometer" first_lines \
+    "6 other columns, a magnetometer's among them (mx ..; --columns chooses)"
+write "timestamp,mag_x,mag_y,mag_z,temp,gyro_x,gyro_y,gyro_z,accel_x,accel_y,accel_z" "t \",4,5,6,25,1,2,3,\" $xyz"
+is_right "nine axes in another order, time and temperature"
+check "nine axes in another order: it is told" first_lines \
+    "timestamp (s), the accelerometer's accel_x accel_y accel_z in counts (by their size), temp; ignored: 6 other"
+write "# made by hand\n#t, $nine, temperature" "t \",\" $xyz \",1,2,3,4,5,6,25\""
+is_right "a header of eleven columns behind #"
+check "a header behind #: its line is told" first_lines "header in line 2; t (s), the accelerometer's ax ay az"
+write "# t z y x" 't " " z " " y " " x'
+is_right "a header behind # names the order"
+write "% some remark here" "t \",\" $xyz"
+is_right "a comment that is no header"
+check "a comment that is no header: none is told" first_lines "no header; t (s), x y z"
+write "# when who what" "$xyz"
+is_right "a comment of as many words as columns, none of them an axis" --rate 100
+check "such a comment is no header" first_lines "no header; x y z"
+write '#timestamp [ns],w_RS_S_x [rad s^-1],w_RS_S_y [rad s^-1],w_RS_S_z [rad s^-1],a_RS_S_x [m s^-2],a_RS_S_y [m s^-2],a_RS_S_z [m s^-2]' \
+    't * 1e9 ",1,2,3," x * 0.0006 "," y * 0.0006 "," z * 0.0006'
+run calibrate "$work/log.csv" --json
+check "EuRoC: the offset is the true one" near 0.0012 "$(json "$work/stdout" offset)" \
+    "$(echo "$truth" | tr -d '[],' | awk '{ print $1 * 0.0006, $2 * 0.0006, $3 * 0.0006 }')"
+check "EuRoC: the unit is that of the header" test "$(json "$work/stdout" unit)" = '"m/s^2"'
+
+# ROS, flat: what it calls linear acceleration holds gravity; that of a phone does not.
+write "stamp,linear_acceleration_x,linear_acceleration_y,linear_acceleration_z,angular_velocity_x,magnetic_field_x,magnetic_field_y,magnetic_field_z" \
+    't "," x * 0.0006 "," y * 0.0006 "," z * 0.0006 ",1,4,5,6"'
+run calibrate "$work/log.csv" --rate 100
+check "ROS, flat: the accelerometer in m/s^2" first_lines \
+    "the accelerometer's linear_acceleration_x linear_acceleration_y linear_acceleration_z in m/s²; ignored"
+write "linear_acceleration_x,linear_acceleration_y,linear_acceleration_z,magnetic_field_x,magnetic_field_y,magnetic_field_z" "$xyz \",4,5,6\""
+refuses "linear acceleration and a magnetometer: that is not taken for it" 3 'the phone has taken gravity out' \
+    calibrate "$work/log.csv"
+write "imu_ax,imu_ay,imu_az,imu_gx,imu_gy,imu_gz" "$xyz \",1,2,3\""
+is_right "names that begin with imu" --rate 100
+
+# ---- --columns --------------------------------------------------------------------------------------
+
+write '' "t \",7,\" $xyz \",1,2,3,40,50,60,25\""
+refuses "twelve columns without a header" 3 '12 columns, .* --columns 2,3,4 states x, y, z by number$' \
+    calibrate "$work/log.csv"
+is_right "columns by number" --columns 3,4,5 --rate 100
+check "columns by number: they are told" first_lines "(--columns 3,4,5); ignored: 9 other columns"
+is_right "time, temperature and axes by number" --columns temperature=12,z=5,y=4,x=3,t=1
+check "time by number tells the rate" first_lines "124 s at 100 samples a second "
+write "when,p,q,r,s" "t \",\" $xyz \",9\""
+is_right "columns by name" --columns time=when,x=P,y=q,z=4
+check "columns by name: it is told" first_lines "header in line 1; when (s), p q r in counts"
+write "$nine" "\"40,50,60,1,2,3,\" $xyz"
+is_right "the magnetometer of nine axes" --columns mx,my,mz --rate 100
+echo '{"offset": [1, 2, 3], "matrix": [[2, 0, 0], [0, 2, 0], [0, 0, 1e0]]}' > "$work/simple.json"
+printf '9,2,8,4,6\n9,1,8,2,3\n' > "$work/in"
+run apply "$work/simple.json" "$work/in" --columns 2,4,5
+check "apply --columns" test "$(cat "$work/stdout")" = "$(printf 'x,y,z\n2,4,3\n0,0,0')"
+"$tool" simulate --plan faces --dwell 40 | awk -F, 'NR > 1 && $1 < 35 { print $2 ",0," $3 "," $4 "," $1 }' > "$work/rest"
+accepts "allan --columns" allan "$work/rest" --columns t=5,x=1,y=3,z=4
+accepts "watch --columns" watch "$work/log.csv" --columns mx,my,mz --rate 100
+check "watch --columns: 18 positions" test "$(grep -c '^position .* taken' "$work/stdout")" -eq 18
+choice() { # SENTENCE CODE PATTERN COLUMNS
+    refuses "--columns: $1" "$2" "$3" calibrate "$work/log.csv" --columns "$4"
+}
+choice "two" 2 'x, y and z belong together; state three' ax,ay
+choice "four" 2 'more than three without a name' 1,2,3,4
+choice "no meaning" 2 '--columns w=1: no such meaning' w=1
+choice "one twice" 2 'there twice' x=1,x=2,y=3,z=4
+choice "an empty one" 2 'one is empty' ax,,az
+choice "no such name" 3 "log\.csv:1: --columns: there is no column 'aw' for z among the 9: ax, ay, .*, mz$" ax,ay,aw
+choice "no such number" 3 "no column '10' for z" 1,2,10
+choice "a fraction" 3 "no column '1.5' for x" 1.5,2,3
+choice "the same column" 3 'three different columns' ax,1,az
+
+# ---- lines that are cut -----------------------------------------------------------------------------
+
+sed 1d "$work/plain.csv" > "$work/rows"
+cut_log() { # SENTENCE FIRST LAST SKIPPED: both by printf, LAST without an end of line
+    { printf "$2"; cat "$work/rows"; printf "$3"; } > "$work/log.csv"
+    is_right "$1"
+    check "$1: it is told" warns '.*log\.csv:[0-9]*: the (first|last) line is cut, and left out$'
+    check "$1: as often as it is" test "$(grep -c '^invcal: warning: ' "$work/stderr")" -eq "$4"
+    check "$1: so is it in the table" matches "$work/stdout" "^ *$4 malformed line"
+}
+cut_log "the first line has lost columns" '46,13874,8846\n' '' 1
+cut_log "the first line has one number left" '846\n' '' 1
+cut_log "the first line begins in an exponent" 'e-05,378,13874,8846\n' '' 1
+cut_log "the last line has lost columns" '' '124.00,378,13' 1
+cut_log "the last line ends behind a comma" '' '124.00,378,13874,' 1
+cut_log "the last line ends in a sign" '' '124.00,378,13874,-' 1
+cut_log "both are cut" '8846\n' '124' 2
+printf '3\n0.0,2,4,6\n0.1,2,4,' > "$work/log.csv"
+run apply "$work/simple.json" "$work/log.csv"
+check "apply: lines that are cut are left out" \
+    test "$(cat "$work/stdout")" = "$(printf 't,x,y,z\n0.0,2,4,3')"
+check "apply: it is told of both" test "$(grep -c ' line is cut, and left out$' "$work/stderr")" -eq 2
+{ cat "$work/plain.csv"; printf '124.00,37'; } > "$work/log.csv"
+is_right "a last line that is cut, below a header"
+{ cat "$work/rows"; printf '124.00,37\n'; cat "$work/rows"; } > "$work/log.csv"
+refuses "a line that is cut in the middle is none at the end" 3 \
+    'log\.csv:12401: 2 columns, but line 1 has 4, separated by commas: put the line right, or delete it$' \
+    calibrate "$work/log.csv"
+{ cat "$work/rows"; printf '124.00,37,1,x\n'; } > "$work/log.csv"
+{ cat "$work/rows"; printf 'a,b\n'; } > "$work/short.csv"
+refuses "a last line of two words is not cut" 3 'short\.csv:12401: 2 columns, but line 1 has 4' \
+    calibrate "$work/short.csv"
+refuses "a last line with a word is not cut" 3 "log\.csv:12401: column 4 \(z\): 'x' is not a decimal number" \
+    calibrate "$work/log.csv"
+{ cat "$data/mpu9150_0_positions.csv"; printf '1,2'; } > "$work/log.csv"
+refuses "position means stay strict" 3 ': 2 columns, but line .* has' calibrate "$work/log.csv" --positions
+
+# ---- a rate that nobody states ----------------------------------------------------------------------
+
+rate_log() { # HZ DWELL: 18 rests without times
+    "$tool" simulate --rate "$1" --dwell "$2" | sed 1d | cut -d, -f2- > "$work/log.csv"
+}
+for hz in 25 50 100; do
+    rate_log $hz 2.5
+    is_right "$hz Hz without times"
+    check "$hz Hz without times: $hz were guessed, and it is told" first_lines \
+        "at $hz samples a second (a guess: --rate states it)"
+    run calibrate "$work/log.csv" --json
+    check "$hz Hz without times: the JSON tells the guess" test \
+        "$(json "$work/stdout" rate) $(json "$work/stdout" rate_from)" = "$hz \"guess\""
+    is_right "$hz Hz, stated" --rate $hz
+done
+rate_log 20 3
+is_right "20 Hz without times"
+check "20 Hz without times: it is told that the rate is a guess" first_lines 'samples a second (a guess: --rate states it)'
+run calibrate "$work/log.csv" --rate 20 --json
+check "20 Hz, stated: the JSON tells so" test "$(json "$work/stdout" rate) $(json "$work/stdout" rate_from)" = \
+    '20 "stated"'
+rate_log 20 1.2
+refuses "rests of 1 s at 20 Hz without times: what to do" 1 \
+    'no rest of two seconds .* at 100 samples a second \(a guess\).* state --rate, and hold each position still for 3 s or longer, below 25 samples a second for 50 samples, or average each yourself and add --positions$' \
+    calibrate "$work/log.csv"
+refuses "rests of 1 s at 20 Hz: what to do" 1 \
+    'no rest of 2\.5 seconds .* at 20 samples a second; refused [0-9]+: too short: .* \(near line [0-9]+, .*hold each position still for 3\.5 s or longer, or average each yourself and add --positions$' \
+    calibrate "$work/log.csv" --rate 20
+rate_log 20 3.5
+is_right "rests as long as it was told" --rate 20
+
+# ---- too few ----------------------------------------------------------------------------------------
+
+# Rests of simulate begin at 0, 7, 14 ... s: 5 s still, 2 s to turn. Of the third 1 s is left.
+awk -F, '$1 == "t" || $1 < 15 || ($1 > 19 && $1 < 32)' "$work/plain.csv" > "$work/log.csv"
+run calibrate "$work/log.csv"
+check "too few: how many" was_refused 1 'log\.csv: [34] positions are too few: 9 are needed, 12 or more are good; found: '
+check "too few: where the rests were, and how long" says \
+    'found: line [0-9]+, 0\.[0-9]* to 4\.[0-9]* s \(4\.[0-9]* s\); line 7[0-9]+, 7\.[0-9]* to 11\.[0-9]* s \(4\.[0-9]* s\);'
+check "too few: what was refused, why and where" says '; refused 1: too short: samples were lost \(near line 15[0-9][0-9]\)'
+check "too few: what to do" says '; hold each position still for 3 s or longer$'
+run calibrate "$work/log.csv" --json
+check "too few: the JSON says the same" matches "$work/stdout" '"reason": "[34] positions are too few.*; found: line '
+
+# ---- files that are none ----------------------------------------------------------------------------
+
+no_table() { # SENTENCE PATTERN BYTES
+    printf "$3" > "$work/bad"
+    refuses "no table: $1" 3 "bad: this is $2" calibrate "$work/bad"
+    refuses "no positions: $1" 3 "bad: this is $2" calibrate "$work/bad" --positions
+}
+no_table "PNG" 'a picture \(PNG\): the readings themselves are needed, as CSV$' '\211PNG\r\n\032\n\000\000'
+no_table "JPEG" 'a picture \(JPEG\): the readings' '\377\330\377\340\000\020JFIF'
+no_table "GIF" 'a picture \(GIF\)' 'GIF89a\001\000'
+no_table "TIFF" 'a picture \(TIFF\)' 'MM\000*\000\010'
+no_table "PDF" 'a PDF document: export the readings as CSV' '%%PDF-1.7\n%%\342\343\n'
+no_table "zip" 'a ZIP file or an Excel workbook: unpack it' 'PK\003\004\024\000'
+no_table "gz" 'a gzip file: unpack it with gunzip$' '\037\213\010\000'
+no_table "bz2" 'a bzip2 file: unpack it with bunzip2$' 'BZh91AY\000'
+no_table "xz" 'an xz file: unpack it with unxz$' '\3757zXZ\000'
+no_table "HTML" 'a web page or XML: ' '<!DOCTYPE html>\n<html>'
+no_table "MAT" 'a MATLAB file: save the table' 'MATLAB 5.0 MAT-file, Platform'
+no_table "SQLite" 'an SQLite database' 'SQLite format 3\000'
+no_table "JSON" 'JSON: a table is expected' '{"offset": [1, 2, 3]}\n'
+printf '1,2,3\n\001\002\003\n' > "$work/bad"
+refuses "what is no text otherwise" 3 'this is not a text file; export the readings as CSV$' calibrate "$work/bad"
+: > "$work/bad"
+refuses "an empty file" 3 'bad: is empty: was it copied whole\?$' calibrate "$work/bad"
+
+# ---- position means that are samples ----------------------------------------------------------------
+
+awk 'NR > 1 && NR % 12 == 0' "$work/plain.csv" | cut -d, -f2- > "$work/samples.csv"
+run calibrate "$work/samples.csv" --positions
+check "a raw log as positions: it is told, and what to do" warns \
+    '.*samples\.csv: this looks like a raw log, .* leave --positions out$'
+check "a raw log as positions: ten that are left out are listed" test "$(grep -c '^Left out: ' "$work/stdout")" -eq 10
+check "a raw log as positions: and how many more" matches "$work/stdout" '^ +and [0-9]{2,} more$'
+for file in xsens_mti mpu9150_0 mpu9150_1 t265; do
+    accepts "position means are not taken for samples: $file" calibrate "$data/${file}_positions.csv" --positions
+done
+
+# ---- options ----------------------------------------------------------------------------------------
+
+cp "$work/plain.csv" "$work/log.csv"
+accepts "--lsb as a quotient" calibrate "$work/log.csv" --lsb 9.80665/16344.4 --json
+cp "$work/stdout" "$work/quotient"
+run calibrate "$work/log.csv" --lsb "$(awk 'BEGIN { printf "%.17g", 9.80665 / 16344.4 }')" --json
+check "--lsb as a quotient is the number" same "$work/stdout" "$work/quotient"
+accepts "three quotients" calibrate "$work/log.csv" --lsb 9.80665/16344,9.80665/16300,0.0006
+lsb() { # PATTERN VALUE
+    refuses "--lsb $2" 2 "^invcal: --lsb.*$1" calibrate "$work/log.csv" --lsb "$2"
+}
+lsb 'is field per count, not counts per field: .* you mean --lsb 9\.80665/16384, which is 0\.00059855;' 16384
+lsb 'you mean --lsb 1/1666\.67, which is 0\.000599999;' 1666.67
+lsb "'9/0' is not a finite number" 9/0
+lsb "'9/x' is not a decimal number" 9/x
+lsb "'9/' is empty" 9/
+lsb "'1/2/3' is not a decimal number" 1/2/3
+for c in calibrate watch allan; do
+    refuses "$c: an empty LOG" 2 '^invcal: LOG is empty: is a variable of a script not set\?; see' $c ''
+    refuses "$c: an empty --out" 2 '^invcal: --out: its value is empty: is a variable' $c "$work/log.csv" --out ''
+    refuses "$c: an empty --gravity" 2 '^invcal: --gravity: its value is empty: is a variable' $c "$work/log.csv" --gravity=
+done
+refuses "apply: an empty CAL.json" 2 '^invcal: CAL\.json is empty' apply '' "$work/log.csv"
+refuses "an empty command" 2 '^invcal: COMMAND is missing' ''
+
+finish

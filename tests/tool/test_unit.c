@@ -1,0 +1,93 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * Tests of port/host/text/unit.c: when a size tells a unit, and when it is sure. Readings are made here:
+ * positions of a sensor with known zero and scale.
+ */
+#include "text/unit.h"
+#include "unity.h"
+
+#define POSITIONS 18u
+
+void setUp(void)
+{
+}
+void tearDown(void)
+{
+}
+
+static double reading[3 * POSITIONS];
+
+/* Six faces and twelve edges, read with a zero (alike on three axes) and a scale. */
+static void read_all(double zero, double scale)
+{
+    static const double h = 0.70710678118654752;
+    const double up[POSITIONS][3] = {{1, 0, 0},  {-1, 0, 0}, {0, 1, 0},  {0, -1, 0},  {0, 0, 1},
+                                     {0, 0, -1}, {h, h, 0},  {h, -h, 0}, {-h, h, 0},  {-h, -h, 0},
+                                     {h, 0, h},  {h, 0, -h}, {-h, 0, h}, {-h, 0, -h}, {0, h, h},
+                                     {0, h, -h}, {0, -h, h}, {0, -h, -h}};
+
+    for (unsigned i = 0; i < 3 * POSITIONS; i++) {
+        reading[i] = zero + scale * up[i / 3][i % 3];
+    }
+}
+
+static void test_sure(void)
+{
+    read_all(0, 9.80665);
+    TEST_ASSERT_EQUAL_INT(UNIT_MS2, unit_by_size(reading, POSITIONS, 9.80665));
+    TEST_ASSERT_EQUAL_INT(1, unit_is_sure(UNIT_MS2, reading, POSITIONS));
+    TEST_ASSERT_EQUAL_INT(0, unit_is_sure(UNIT_G, reading, POSITIONS));
+    TEST_ASSERT_EQUAL_INT(0, unit_is_sure(UNIT_COUNTS, reading, POSITIONS));
+    TEST_ASSERT_EQUAL_INT(0, unit_is_sure(UNIT_UNKNOWN, reading, POSITIONS));
+    read_all(0.03, 1.02);
+    TEST_ASSERT_EQUAL_INT(1, unit_is_sure(UNIT_G, reading, POSITIONS));
+}
+
+/* MMA8451: 1024 counts a g at 8 g. */
+static void test_mg_is_never_sure(void)
+{
+    read_all(0, 1024);
+    TEST_ASSERT_EQUAL_INT(UNIT_MG, unit_by_size(reading, POSITIONS, 9.80665));
+    TEST_ASSERT_EQUAL_INT(0, unit_is_sure(UNIT_MG, reading, POSITIONS));
+}
+
+/* Ratios of an analog sensor at half of its supply: lengths about sqrt(3)/2, all one way. */
+static void test_zero_far_off(void)
+{
+    read_all(0.55, 0.09);
+    TEST_ASSERT_EQUAL_INT(UNIT_G, unit_by_size(reading, POSITIONS, 9.80665));
+    TEST_ASSERT_EQUAL_INT(0, unit_is_sure(UNIT_G, reading, POSITIONS));
+}
+
+/* One wrong position of 18 may be; three are too many. */
+static void test_wrong_ones(void)
+{
+    read_all(0, 9.80665);
+    reading[0] = 40;
+    TEST_ASSERT_EQUAL_INT(1, unit_is_sure(UNIT_MS2, reading, POSITIONS));
+    reading[4] = reading[8] = 40;
+    TEST_ASSERT_EQUAL_INT(0, unit_is_sure(UNIT_MS2, reading, POSITIONS));
+}
+
+static void test_scale(void)
+{
+    TEST_ASSERT_DOUBLE_WITHIN(1e-15, 9.80665, unit_scale(UNIT_G, 9.81744));
+    TEST_ASSERT_DOUBLE_WITHIN(1e-15, 1, unit_scale(UNIT_MS2, 9.81744));
+    TEST_ASSERT_DOUBLE_WITHIN(1e-15, 1, unit_scale(UNIT_G, 1));
+    TEST_ASSERT_DOUBLE_WITHIN(1e-15, 1e-3, unit_scale(UNIT_MG, 1));
+    TEST_ASSERT_DOUBLE_WITHIN(1e-15, 1 / 9.80665, unit_scale(UNIT_MS2, 1));
+    TEST_ASSERT_DOUBLE_WITHIN(1e-12, 1000, unit_scale(UNIT_G, 1000));
+    TEST_ASSERT_DOUBLE_WITHIN(0, 0, unit_scale(UNIT_G, 48.5));
+    TEST_ASSERT_DOUBLE_WITHIN(0, 0, unit_scale(UNIT_COUNTS, 9.80665));
+}
+
+int main(void)
+{
+    UNITY_BEGIN();
+    RUN_TEST(test_sure);
+    RUN_TEST(test_mg_is_never_sure);
+    RUN_TEST(test_zero_far_off);
+    RUN_TEST(test_wrong_ones);
+    RUN_TEST(test_scale);
+    return UNITY_END();
+}

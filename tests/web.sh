@@ -1,0 +1,32 @@
+#!/bin/sh
+# SPDX-License-Identifier: MIT
+#
+# sh tests/web.sh BUILD [PATTERN]: the page in Chromium and Firefox, and the bits of its numbers. At the end
+# `N passed, N failed`.
+build=$1
+pattern=$2
+cd "$(dirname "$0")/.." || exit 1
+
+# Calibrations as WebAssembly have the native build's bits (tests/digest).
+digest() {
+    clang-19 --target=wasm32-wasi -O2 -std=c99 -ffp-contract=off -fno-math-errno -DINVCAL_DOUBLE=0 -Iinclude \
+        -Iport -Itests/reference -I"$build" src/*.c tests/digest/digest.c port/hosted/board.c -o "$build/web/digest.wasm" &&
+        node --no-warnings tests/web/wasi.mjs "$build/web/digest.wasm" > "$build/web/digest.txt" &&
+        "$build/float/digest" | cmp - "$build/web/digest.txt" && tail -n 1 "$build/web/digest.txt"
+}
+
+{
+    if found=$(digest 2>&1); then
+        echo "WebAssembly: $found, as natively: ok"
+        echo "1 passed, 0 failed"
+    else
+        echo "WebAssembly: not the native bits: FAIL: $found"
+        echo "0 passed, 1 failed"
+    fi
+    for browser in chromium firefox; do
+        timeout 600 node tests/web/main.mjs "$build" $browser "$pattern" < /dev/null ||
+            echo "$browser: not all of them: FAIL"
+    done
+} | awk '/^[0-9]+ passed, [0-9]+ failed$/ { passed += $1; failed += $3; next }
+    { print } /: not all of them: FAIL$/ && !failed { failed++ }
+    END { print passed + 0 " passed, " failed + 0 " failed"; exit failed > 0 || passed == 0 }'

@@ -1,0 +1,217 @@
+// SPDX-License-Identifier: MIT
+//
+// Live calibrations: simulator, replayed logs, a phone; what is taken away; speed.
+import { test, expect, equal, close, native, file, put, sleep } from "./harness.mjs";
+import { DIRECTIONS, SENSOR, reads, samples, unit } from "./sensor.mjs";
+
+const GOOD = "invcal.session()?.result?.mayStop";
+const TAKEN = (n) => `invcal.session()?.positions.length >= ${n}`;
+
+const result = (page) => page.evaluate(() => {
+    const { offset, matrix, sigma, verdict } = invcal.session().result;
+    return { offset, matrix, sigma, verdict };
+});
+
+async function simulate(page, speed = "16") {
+    await page.select("#speed", speed);
+    await page.click("#simulator");
+}
+
+// What the simulated sensor is wrong by, as the page's source states it.
+const SIMULATED = [327.7, -245.8, 491.5];
+
+test("simulator to Good: it says when to stop, and what it found is true", async (open) => {
+    const page = await open();
+    await page.picture("idle");
+    await simulate(page);
+    await page.until(TAKEN(4), "four positions");
+    await page.picture("four");
+    await page.until('invcal.session().state === "settling"', "a hold");
+    await page.until(GOOD, "good");
+    await page.until('document.querySelector("#say").textContent.includes("you may stop")', "may stop");
+    await page.picture("good");
+    const { offset, sigma, verdict } = await result(page);
+    equal(verdict, "good", "verdict");
+    offset.forEach((v, i) => close(v, SIMULATED[i], 3, `offset ${i}, counts`));
+    expect(sigma[0] < 1e-3 && sigma[1] < 1e-3 && sigma[2] < 0.1 * Math.PI / 180, `sigma ${sigma}`);
+    const gyro = await page.evaluate(() => invcal.session().gyro.result());
+    gyro.mean.forEach((v, i) => close(v, [12, -7, 3][i], 0.3, `gyro bias ${i}`));
+    expect(/^✓ Good: you may stop/.test(await page.text("#verdict")), await page.text("#verdict"));
+});
+
+test("report and files of a live calibration agree with what was shown", async (open) => {
+    const page = await open();
+    await simulate(page, "16");
+    await page.until(GOOD, "good");
+    await page.click("#stop");
+    const live = await result(page);
+    await page.click("#make");
+    await page.until('!document.querySelector("#made").hidden', "made");
+    put("live.csv", await page.evaluate(() => invcal.session().csv().text()));
+    const options = await page.$eval("#options", (input) => input.value);
+    const wanted = native("calibrate", "live.csv", ...options.split(" "), "--out", "CAL.json", "--report", "report.html");
+    equal(await page.text("#table"), wanted.stdout, "table");
+    const made = JSON.parse(file("CAL.json"));
+    made.offset.forEach((v, i) => close(live.offset[i], v, 0.02, `offset ${i}, counts`));
+    made.matrix.flat().forEach((v, i) => close(live.matrix.flat()[i] * 9.80665, v, 1e-9, `matrix ${i}`));
+    await page.picture("taken-away");
+});
+
+test("stopped and started again, each time from nothing", async (open) => {
+    const page = await open();
+    for (let i = 0; i < 3; i++) {
+        await simulate(page);
+        await page.until(TAKEN(2), "two positions");
+        await page.click("#stop");
+        const n = await page.evaluate(() => invcal.session().samples);
+        await sleep(150);
+        equal(await page.evaluate(() => invcal.session().samples), n, "samples after stop");
+        equal(await page.$eval("#simulator", (b) => b.ariaPressed), "false", "pressed");
+    }
+    await simulate(page);
+    await page.until(TAKEN(1), "one position");
+    await simulate(page);
+    await page.until("invcal.session().positions.length === 0", "begun anew");
+    await page.until(TAKEN(1), "one position");
+});
+
+test("a dropped log is replayed, as fast as can be: all positions, the native tool's offsets", async (open) => {
+    const readings = DIRECTIONS.map(reads);
+    const rows = [...samples(readings)].map((v, i) => `${(i / 100).toFixed(2)},${v.map(Math.round).join(",")}`);
+    put("replay.csv", `t,x,y,z\n${rows.join("\n")}\n`);
+    native("calibrate", "replay.csv", "--zero", "0,0,0", "--lsb", String(9.80665 / 16384), "--out", "CAL.json");
+    const page = await open();
+    await page.drop("replay.csv");
+    await page.until('!document.querySelector("#made").hidden', "made");
+    await page.select("#speed", "4");
+    await page.click("#replay");
+    await page.until("invcal.session()?.samples > 100", "begun");
+    await page.click("#stop");
+    for (const speed of ["Infinity", "16"]) {
+        await page.select("#speed", speed);
+        await page.click("#replay");
+        await page.until('invcal.session()?.state === "ended"', `replayed at ${speed}`, 30000);
+        const { offset } = await result(page);
+        equal(await page.evaluate(() => invcal.session().positions.length), 18, "positions");
+        JSON.parse(file("CAL.json")).offset.forEach((v, i) => close(offset[i], v, 0.05, `offset ${i}, counts`));
+        offset.forEach((v, i) => close(v, SENSOR.offset[i], 5, `true offset ${i}`));
+    }
+});
+
+test("a log that cannot be replayed says so", async (open) => {
+    const page = await open();
+    put("words.csv", "a,b\nno,numbers\n");
+    await page.drop("words.csv");
+    await page.until('document.querySelector("#trouble").textContent !== ""', "refused");
+    await page.click("#replay");
+    await page.until('document.querySelector("#notice").textContent.startsWith("No line of it")', "no samples");
+});
+
+test("tones: one for each position, and when to stop; none if they are not wanted", async (open) => {
+    const page = await open({ before: () => {
+        window.tones = [];
+        const start = OscillatorNode.prototype.start;
+        OscillatorNode.prototype.start = function (...when) {
+            window.tones.push(this.frequency.value);
+            start.apply(this, when);
+        };
+    } });
+    await simulate(page);
+    await page.until(GOOD, "good");
+    await page.until("window.tones.includes(1100)", "told to stop");
+    const [tones, n] = await page.evaluate(() => [window.tones.filter((pitch) => pitch === 880).length, invcal.session().positions.length]);
+    expect(tones >= n && tones <= n + 3, `${tones} tones of ${n} positions`);
+    await page.evaluate(() => document.querySelector("#sound").click());
+    await simulate(page);
+    await page.evaluate(() => (window.tones = []));
+    await page.until(TAKEN(3), "positions");
+    equal(await page.evaluate(() => window.tones.length), 0, "tones");
+});
+
+// ---- a phone ---------------------------------------------------------------------------------------
+
+// DeviceMotion by events, as a browser sends them: rounded, 60 a second. Time is that of the test.
+const hold = (page, readings, rounded) => page.evaluate(async ([rows, step]) => {
+    let t = performance.now() + 1e6;
+    for (const [x, y, z] of rows) {
+        const [rx, ry, rz] = [x, y, z].map((v) => (step ? Math.round(v / step) * step : v));
+        const event = new DeviceMotionEvent("devicemotion", { accelerationIncludingGravity: { x: rx, y: ry, z: rz }, rotationRate: { alpha: 0.1, beta: 0.2, gamma: 0.3 }, interval: 16 });
+        Object.defineProperty(event, "timeStamp", { value: (t += 1000 / 60) });
+        dispatchEvent(event);
+    }
+}, [readings, rounded]);
+
+async function begin(page) {
+    await page.click("#phone");
+    await page.until('document.querySelector("#phone").ariaPressed === "true"', "begun");
+}
+
+const inHand = (sigma) => [...samples(DIRECTIONS.map((up) => up.map((v) => 9.81 * v)), { rest: 200, turn: 60, sigma, seed: 9 })];
+
+test("a phone that rounds to 0.1 m/s²: calibrated, and what that means is said", async (open) => {
+    const page = await open();
+    await begin(page);
+    await hold(page, inHand(0.04), 0.1);
+    await page.until(TAKEN(15), "positions");
+    const facts = await page.text("#facts");
+    expect(facts.includes("rounds the readings to 10 mg") && facts.includes("no instrument"), facts);
+    const { offset, sigma } = await result(page); // of a sensor that is wrong by nothing
+    expect(sigma[0] > 1e-4, `sigma of offsets ${sigma[0]}`);
+    offset.forEach((v, i) => close(v / 9.80665, 0, 2 * sigma[0], `offset ${i}, g`));
+    await page.picture("phone-sensors");
+    await page.click("#stop");
+    await begin(page);
+    await hold(page, inHand(0.003), 0.1);
+    await page.until('document.querySelector("#refused").textContent.includes("readings never change")', "held very still, it is refused");
+    await page.click("#stop");
+    await begin(page);
+    await hold(page, inHand(0.004), 0);
+    await page.until(TAKEN(17), "positions, started again");
+    expect(!(await page.text("#facts")).includes("rounds"), "nothing is rounded");
+});
+
+test("a device without motion sensors says so", async (open) => {
+    const page = await open();
+    await page.click("#phone");
+    await page.until('document.querySelector("#notice").textContent.startsWith("No readings come")', "told", 5000);
+});
+
+// ---- speed -----------------------------------------------------------------------------------------
+
+test("a million samples a second through the session", async (open) => {
+    const page = await open();
+    const rate = await page.evaluate(() => {
+        const session = new invcal.Session(invcal.live, { rate: 100, unit: "16384", target: [1, 1, 1] }, () => {});
+        const n = 1e6;
+        const began = performance.now();
+        for (let i = 0; i < n; i++) {
+            session.add({ raw: false, acc: [100 + (i & 7), -200 + ((i >> 3) & 7), 16384 - (i & 3)], gyro: null }, i / 100);
+        }
+        return (n / (performance.now() - began)) * 1000;
+    });
+    expect(rate > 1e6, `${Math.round(rate)} a second`);
+});
+
+test("30 pictures a second with 64 positions", async (open) => {
+    const page = await open();
+    await simulate(page);
+    await page.until(TAKEN(3), "three positions");
+    const positions = DIRECTIONS.concat(DIRECTIONS, DIRECTIONS, DIRECTIONS).slice(0, 64).map((d, i) => unit([d[0] + 0.01 * i, d[1], d[2]]));
+    const rate = await page.evaluate(async (all) => {
+        const { sphere } = invcal;
+        const gains = Array.from({ length: 400 }, (_, i) => 1 + i / 50);
+        const before = sphere.frames;
+        const began = performance.now();
+        let i = 0;
+        await new Promise((done) => {
+            const draw = () => {
+                i++;
+                sphere.draw({ up: [Math.cos(i / 20), Math.sin(i / 20), 0.3], next: [0, 0, 1], positions: all, gains, progress: 50, isReady: false });
+                i < 60 ? requestAnimationFrame(draw) : done();
+            };
+            draw();
+        });
+        return ((sphere.frames - before) / (performance.now() - began)) * 1000;
+    }, positions);
+    expect(rate >= 30, `${rate.toFixed(1)} a second`);
+});

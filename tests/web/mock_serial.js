@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: MIT
+//
+// A board behind a serial port, for the tests: runs in the page before its script. board.print(text) is what the board
+// prints, in the pieces that the caller makes; board.heard what was sent to it.
+{
+    const listeners = { connect: new Set(), disconnect: new Set() };
+    let controller = null;
+    const port = {
+        readable: null,
+        writable: null,
+        async open({ baudRate }) {
+            if (board.isGone || board.isBusy) {
+                throw new DOMException("Failed to open serial port.", "NetworkError");
+            }
+            if (port.readable) {
+                throw new DOMException("The port is already open.", "InvalidStateError");
+            }
+            board.baudRate = baudRate;
+            board.opened++;
+            port.readable = new ReadableStream({ start: (c) => (controller = c) });
+            port.writable = new WritableStream({ write: (bytes) => void (board.heard += new TextDecoder().decode(bytes)) });
+        },
+        async close() {
+            if (port.readable?.locked) {
+                throw new TypeError("the stream is locked");
+            }
+            port.readable = port.writable = null;
+            board.closed++;
+        },
+    };
+    const tell = (type) => {
+        const event = new Event(type);
+        Object.defineProperty(event, "target", { value: port });
+        listeners[type].forEach((listener) => listener(event));
+    };
+    window.board = {
+        opened: 0,
+        closed: 0,
+        heard: "",
+        isGone: false,
+        isBusy: false,
+        isRefused: false,
+        print(text) {
+            controller.enqueue(new TextEncoder().encode(text));
+        },
+        unplug() {
+            board.isGone = true;
+            const lost = new DOMException("The device has been lost.", "NetworkError");
+            controller.error(lost);
+            port.readable = port.writable = null;
+            tell("disconnect");
+        },
+        plug() {
+            board.isGone = false;
+            tell("connect");
+        },
+        // A framing error: the stream ends, and there is another one.
+        stumble() {
+            const old = controller;
+            port.readable = new ReadableStream({ start: (c) => (controller = c) });
+            old.error(new DOMException("Framing error.", "FramingError"));
+        },
+    };
+    Object.defineProperty(navigator, "serial", {
+        value: {
+            addEventListener: (type, listener) => listeners[type].add(listener),
+            removeEventListener: (type, listener) => listeners[type].delete(listener),
+            async requestPort() {
+                if (board.isRefused) {
+                    throw new DOMException("No port selected by the user.", "NotFoundError");
+                }
+                return port;
+            },
+        },
+    });
+}
