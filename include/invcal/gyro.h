@@ -219,6 +219,92 @@ invcal_status invcal_imu_mounting(const invcal_real *raw, unsigned count,
  * invcal_parameter_name. Outside 0 ... 17: "?". */
 const char *invcal_imu_parameter_name(unsigned parameter);
 
+/* ---- which turns to make ------------------------------------------------------------------------ */
+
+enum {
+    INVCAL_TOUR = 12,
+    INVCAL_TOUR_FULL = 16
+}; /* turns of invcal_tour: quarter turns, and full ones */
+
+/* A turn about an axis that is fixed in the device. */
+typedef struct {
+    invcal_real
+        axis[3]; /* unit vector in the axes of the device, which turns about it right-handed */
+    invcal_real degrees; /* by so much, at most 720 */
+    invcal_real up[3];   /* unit vector that points up after it */
+} invcal_turn;
+
+/* What rests and turns tell, made or planned: 700 bytes (float). */
+typedef struct {
+    invcal_real up[3];   /* unit vector that points up now */
+    invcal_real seconds; /* of a quarter turn, and of less; of more in proportion: 1.5 unless set */
+    invcal_real noise;   /* of a position mean, over field */
+    invcal_real linear;  /* internal: of its square, what a turn's noise is, for each second */
+    invcal_real square;  /* internal: for each second, squared */
+    uint8_t n;           /* unknowns: 18; or 9, where the accelerometer is held */
+    /* normal equations in the order of invcal_imu, lower triangle by rows, times the square of noise */
+    invcal_real sum[INVCAL_IMU_PARAMETERS * (INVCAL_IMU_PARAMETERS + 1) / 2];
+} invcal_turns;
+
+/* Begins a plan: a rest, and nothing else yet.
+ *
+ * up        unit vector that points up in it.
+ * settings  as of invcal_imu_solve, or null; with rate_noise and instability 0 the gyroscope is perfect.
+ *
+ * Returns INVCAL_OK; INVCAL_BAD_DIRECTION, INVCAL_BAD_NOISE, INVCAL_BAD_PRIOR. */
+invcal_status invcal_turns_begin(invcal_turns *turns, const invcal_real up[3],
+                                 const invcal_imu_settings *settings);
+
+/* Begins with what is measured: arguments as of invcal_imu_solve.
+ *
+ * Returns INVCAL_OK; INVCAL_TOO_FEW: no rest; and what invcal_imu_solve says of its arguments.
+ * Cost: a pass of invcal_imu_solve. Stack: about 1,700 bytes. */
+invcal_status invcal_turns_after(invcal_turns *turns, const invcal_real *raw, unsigned count,
+                                 const invcal_calibration *accelerometer, const invcal_moves *moves,
+                                 const invcal_imu_settings *settings);
+
+/* The shortest turn that makes another direction point up. Both are unit vectors.
+ *
+ * Returns INVCAL_OK; INVCAL_BAD_DIRECTION, also of opposite ones: no way is the shortest. */
+invcal_status invcal_turn_to(const invcal_real from[3], const invcal_real up[3], invcal_turn *out);
+
+/* Turn i of a program that begins with z up. From 0 to INVCAL_TOUR - 1: quarter turns between the six
+ * faces, each of the twelve edges once,
+ *
+ *     +z +x +y +z -x +y -z +x -y -z -x -y +z
+ *
+ * which determine all 18. Up to INVCAL_TOUR_FULL - 1 a full turn about x and about y, a quarter turn, and a
+ * full turn about z: the scale twice as well. The axis
+ * is always horizontal.
+ *
+ * Returns INVCAL_OK; INVCAL_BAD_PROGRAM: there is no turn i. */
+invcal_status invcal_tour(unsigned i, invcal_turn *out);
+
+/* The turn that tells most: of 26 directions (faces, edges and corners of a cube), by the shortest way,
+ * that of the largest determinant of the normal equations. Twelve of these tell more than the tour, but a
+ * person finds six faces more easily than corners.
+ *
+ * Cost: 190,000 instructions; 60,000 of 9 unknowns. Stack: about 1,400 bytes. */
+void invcal_turns_next(const invcal_turns *turns, invcal_turn *out);
+
+/* Makes a turn: the rest after it is a part. What turn->up says does not count.
+ *
+ * Returns INVCAL_OK; INVCAL_BAD_DIRECTION of the axis; INVCAL_BAD_PROGRAM of degrees. */
+invcal_status invcal_turns_add(invcal_turns *turns, const invcal_turn *turn);
+
+/* What sigma is to be expected.
+ *
+ * turn   a turn to be made besides, or null: so much would it improve.
+ * sigma  out: over the noise of a position mean, in the order of invcal_imu; 0 of what is held. Where
+ *        something is left open at most 10, as if each parameter were known to ten times that noise.
+ * open   out: bit r: parameter r is left open; or, with INVCAL_OK, weak: above 2.5 times the noise of a
+ *        turn, as invcal_imu says it.
+ *
+ * Returns INVCAL_OK; INVCAL_UNDETERMINED; and as invcal_turns_add of the turn: nothing is written then.
+ * Cost: 30,000 instructions. Stack: about 1,200 bytes. */
+invcal_status invcal_turns_sigma(const invcal_turns *turns, const invcal_turn *turn,
+                                 invcal_real sigma[INVCAL_IMU_PARAMETERS], uint32_t *open);
+
 #ifdef __cplusplus
 }
 #endif
