@@ -88,24 +88,25 @@ invcal_status invcal_turn_to(const invcal_real from[3], const invcal_real up[3],
 
 invcal_status invcal_tour(unsigned i, invcal_turn *out)
 {
-    static const int8_t tour[INVCAL_TOUR_FULL + 1] = {3,  1,  2,  3, -1, 2, -3, 1, -2,
-                                                      -3, -1, -2, 3, 3,  3, 2,  2};
+    /* faces: x up and down, y up and down, z up and down */
+    static const uint8_t tour[INVCAL_TOUR_FULL + 1] = {4, 0, 2, 4, 1, 2, 5, 0, 3,
+                                                       5, 1, 3, 4, 4, 4, 2, 2};
     invcal_real from[3] = {0, 0, 0};
 
     INVCAL_ASSERT(out);
     if (i >= INVCAL_TOUR_FULL) {
         return INVCAL_BAD_PROGRAM;
     }
-    const int was = tour[i];
-    const int is = tour[i + 1];
+    const unsigned was = tour[i];
+    const unsigned is = tour[i + 1];
     invcal_zero(out, sizeof *out);
-    from[was < 0 ? -was - 1 : was - 1] = was < 0 ? -1 : 1;
-    out->up[is < 0 ? -is - 1 : is - 1] = is < 0 ? -1 : 1;
+    from[was / 2] = was % 2 == 0 ? 1 : -1;
+    out->up[is / 2] = is % 2 == 0 ? 1 : -1;
     out->degrees = QUARTER;
     if (was != is) {
         invcal_cross(out->up, from, out->axis);
     } else {
-        out->axis[i == INVCAL_TOUR_FULL - 1 ? 2 : i - INVCAL_TOUR] = 1;
+        out->axis[(i + 1) / 2 % 3] = 1; /* 12: x; 13: y; 15: z */
         out->degrees = 4 * QUARTER;
     }
     return INVCAL_OK;
@@ -123,8 +124,8 @@ static invcal_real variance_of(const invcal_turns *turns, invcal_real degrees)
 }
 
 /* A rotation about n, of which C' is the way back: cos v + (1 - cos) (n'v) n - sin n x v. */
-static void turn_back(const invcal_real n[3], invcal_real cosine, invcal_real sine,
-                      const invcal_real v[3], invcal_real out[3])
+static void way_back(const invcal_real n[3], invcal_real cosine, invcal_real sine,
+                     const invcal_real v[3], invcal_real out[3])
 {
     invcal_real across[3];
     const invcal_real along = (1 - cosine) * invcal_dot3(n, v);
@@ -170,14 +171,11 @@ INVCAL_APART static void tell(const invcal_turns *turns, const invcal_turn *turn
     invcal_real across[2][3];
     invcal_real g[INVCAL_PARAMETERS];
 
-    while (degrees > HALF) { /* at most two full turns, checked */
-        degrees -= 2 * HALF;
-    }
-    while (degrees < -HALF) { /* at most two */
-        degrees += 2 * HALF;
+    for (unsigned i = 0; i < 2; i++) { /* two full turns at most */
+        degrees -= degrees > HALF ? 2 * HALF : degrees < -HALF ? -2 * HALF : 0;
     }
     invcal_circle(degrees, &cosine, &sine);
-    turn_back(n, cosine, sine, turns->up, out->up);
+    way_back(n, cosine, sine, turns->up, out->up);
     find_across(turns->up, across);
     for (unsigned k = 0; k < 2; k++) {
         const invcal_real *b = across[k];
@@ -191,7 +189,7 @@ INVCAL_APART static void tell(const invcal_turns *turns, const invcal_turn *turn
             }
         }
         invcal_cross(turns->up, b, g);
-        turn_back(n, cosine, sine, g, &h[GYRO]);
+        way_back(n, cosine, sine, g, &h[GYRO]);
         invcal_products(out->up, &h[GYRO]);
         scale(g, -1);
         invcal_products(turns->up, g);
@@ -211,7 +209,7 @@ static invcal_status check(const invcal_turn *turn)
     return INVCAL_FABS(turn->degrees) <= MOST_DEGREES ? INVCAL_OK : INVCAL_BAD_PROGRAM;
 }
 
-static void add(invcal_real *sum, unsigned n, const told *rows)
+static void add_rows(invcal_real *sum, unsigned n, const told *rows)
 {
     for (unsigned k = 0; k < rows->rows; k++) {
         invcal_rank_one(sum, rows->h[k], n, 1);
@@ -226,7 +224,7 @@ invcal_status invcal_turns_add(invcal_turns *turns, const invcal_turn *turn)
     const invcal_status status = check(turn);
     if (status == INVCAL_OK) {
         tell(turns, turn, &rows);
-        add(turns->sum, turns->n, &rows);
+        add_rows(turns->sum, turns->n, &rows);
         scale(rows.up, 1 / INVCAL_SQRT(invcal_dot3(rows.up, rows.up)));
         memcpy(turns->up, rows.up, sizeof turns->up);
     }
@@ -234,6 +232,20 @@ invcal_status invcal_turns_add(invcal_turns *turns, const invcal_turn *turn)
 }
 
 /* ---- beginnings --------------------------------------------------------------------------------- */
+
+static invcal_status check_settings(const invcal_imu_settings *s)
+{
+    if (!(s->noise >= 0 && s->rate_noise >= 0 && s->instability >= 0 &&
+          s->noise + s->rate_noise + s->instability < 1)) {
+        return INVCAL_BAD_NOISE;
+    }
+    for (unsigned i = 0; s->prior && i < ALL; i++) {
+        if (!(s->prior[i] >= 0)) {
+            return INVCAL_BAD_PRIOR;
+        }
+    }
+    return INVCAL_OK;
+}
 
 static void state(invcal_turns *turns, const invcal_imu_settings *s)
 {
@@ -252,24 +264,16 @@ invcal_status invcal_turns_begin(invcal_turns *turns, const invcal_real up[3],
 {
     static const invcal_imu_settings usual = INVCAL_IMU_USUAL;
     const invcal_imu_settings *s = settings ? settings : &usual;
-    invcal_real h[ALL];
 
     INVCAL_ASSERT(turns && up);
-    if (!invcal_is_unit(up)) {
-        return INVCAL_BAD_DIRECTION;
-    }
-    if (!(s->noise >= 0 && s->rate_noise >= 0 && s->instability >= 0 &&
-          s->noise + s->rate_noise + s->instability < 1)) {
-        return INVCAL_BAD_NOISE;
-    }
-    for (unsigned i = 0; s->prior && i < ALL; i++) {
-        if (!(s->prior[i] >= 0)) {
-            return INVCAL_BAD_PRIOR;
-        }
+    const invcal_status status = invcal_is_unit(up) ? check_settings(s) : INVCAL_BAD_DIRECTION;
+    if (status != INVCAL_OK) {
+        return status;
     }
     state(turns, s);
     memcpy(turns->up, up, sizeof turns->up);
     if (turns->n == ALL) {
+        invcal_real h[ALL];
         tell_rest(h, up);
         invcal_rank_one(turns->sum, h, ALL, 1);
     }
@@ -291,7 +295,8 @@ invcal_status invcal_turns_after(invcal_turns *turns, const invcal_real *raw, un
 
     INVCAL_ASSERT(turns && (raw || count == 0) && accelerometer && moves);
     invcal_status status = invcal_imu_begin(&w, raw, count, accelerometer, moves, settings, &imu);
-    if (status == INVCAL_OK && w.begin == moves->count) {
+    const unsigned last = moves->count - w.begin - 1u; /* of the rests; or beyond all */
+    if (status == INVCAL_OK && last >= INVCAL_MAX_MOVES) {
         status = INVCAL_TOO_FEW;
     }
     if (status == INVCAL_OK) {
@@ -302,7 +307,7 @@ invcal_status invcal_turns_after(invcal_turns *turns, const invcal_real *raw, un
         for (unsigned i = 0; i < SIZE; i++) { /* of 9 unknowns some more, which nobody reads */
             turns->sum[i] = w.noise * w.noise * w.pass.sum[i];
         }
-        invcal_apply(accelerometer, &w.raw[3 * (size_t)(moves->count - w.begin - 1u)], turns->up);
+        invcal_apply(accelerometer, &w.raw[3 * (size_t)last], turns->up);
         scale(turns->up, 1 / INVCAL_SQRT(invcal_dot3(turns->up, turns->up)));
     }
     return status;
@@ -311,7 +316,7 @@ invcal_status invcal_turns_after(invcal_turns *turns, const invcal_real *raw, un
 /* ---- what they are worth ------------------------------------------------------------------------ */
 
 /* L^-1 of the sums, with something vague about each parameter where that is asked for. */
-static invcal_status invert(invcal_real *a, unsigned n, invcal_real vague, invcal_real floor)
+static invcal_status invert_sums(invcal_real *a, unsigned n, invcal_real vague, invcal_real floor)
 {
     for (unsigned i = 0; i < n; i++) {
         a[INVCAL_PACKED(i, i)] += vague;
@@ -332,8 +337,8 @@ static invcal_real merit_of(const invcal_real *inverse, unsigned n, told *rows)
 
     for (unsigned k = 0; k < rows->rows; k++) {
         invcal_real *h = rows->h[k];
-        for (unsigned r = n; r-- > 0;) {
-            h[r] = invcal_dot(&inverse[INVCAL_PACKED(r, 0)], h, r + 1);
+        for (unsigned r = n; r > 0; r--) {
+            h[r - 1] = invcal_dot(&inverse[INVCAL_PACKED(r - 1, 0)], h, r);
         }
         for (unsigned i = 0; i <= k; i++) {
             *at++ = invcal_dot(rows->h[i], h, n) + (i == k ? 1 : 0);
@@ -356,8 +361,9 @@ void invcal_turns_next(const invcal_turns *turns, invcal_turn *out)
 
     INVCAL_ASSERT(turns && out);
     memcpy(inverse, turns->sum, sizeof inverse);
-    (void)invert(inverse, turns->n, VAGUE, 0); /* positive definite */
-    invcal_zero(out, sizeof *out);
+    (void)invert_sums(inverse, turns->n, VAGUE, 0); /* positive definite */
+    invcal_zero(&turn, sizeof turn);
+    *out = turn;
     for (unsigned n = 0; n < INVCAL_DIRECTIONS; n++) {
         if (invcal_direction(n, up) && turn_to(turns->up, up, &turn) >= NO_ARC) {
             tell(turns, &turn, &rows);
@@ -381,7 +387,9 @@ static invcal_real find_sigma(const invcal_real *inverse, unsigned n, invcal_rea
     for (unsigned i = 0; i < n; i++) {
         const invcal_real k = invcal_variance(inverse, n, i);
         sigma[i] = INVCAL_SQRT(k);
-        *open |= (k <= most ? (uint32_t)0 : 1) << i;
+        if (!(k <= most)) {
+            *open |= (uint32_t)1 << i;
+        }
         largest = k <= largest ? largest : k;
     }
     return largest;
@@ -390,12 +398,12 @@ static invcal_real find_sigma(const invcal_real *inverse, unsigned n, invcal_rea
 invcal_status invcal_turns_sigma(const invcal_turns *turns, const invcal_turn *turn,
                                  invcal_real sigma[INVCAL_IMU_PARAMETERS], uint32_t *open)
 {
-    const invcal_real one = variance_of(turns, QUARTER);
     invcal_real a[SIZE];
     told rows;
     invcal_status status = INVCAL_UNDETERMINED;
 
     INVCAL_ASSERT(turns && sigma && open);
+    const invcal_real one = variance_of(turns, QUARTER);
     rows.rows = 0;
     if (turn != NULL) {
         const invcal_status usable = check(turn);
@@ -405,15 +413,15 @@ invcal_status invcal_turns_sigma(const invcal_turns *turns, const invcal_turn *t
         tell(turns, turn, &rows);
     }
     memcpy(a, turns->sum, sizeof a);
-    add(a, turns->n, &rows);
-    if (invert(a, turns->n, 0, INVCAL_FLOOR) == INVCAL_OK &&
+    add_rows(a, turns->n, &rows);
+    if (invert_sums(a, turns->n, 0, INVCAL_FLOOR) == INVCAL_OK &&
         find_sigma(a, turns->n, WEAK_SQUARE * one, sigma, open) <= OPEN_SQUARE * one) {
         status = INVCAL_OK;
     }
     if (status != INVCAL_OK) {
         memcpy(a, turns->sum, sizeof a);
-        add(a, turns->n, &rows);
-        (void)invert(a, turns->n, VAGUE, 0);
+        add_rows(a, turns->n, &rows);
+        (void)invert_sums(a, turns->n, VAGUE, 0);
         (void)find_sigma(a, turns->n, HELD_BY_VAGUE / VAGUE, sigma, open);
     }
     return status;

@@ -377,6 +377,36 @@ static void bench_gyro(void)
     report("imu_solve", count);
 }
 
+/* Halfway through the tour. */
+static void bench_turns(void)
+{
+    static invcal_turns turns;
+    static invcal_real sigma[INVCAL_IMU_PARAMETERS];
+    const invcal_real up[3] = {0, 0, 1};
+    invcal_turn turn;
+    uint32_t open;
+    invcal_status status = invcal_turns_begin(&turns, up, NULL);
+
+    for (unsigned i = 0; i < 9 && status == INVCAL_OK; i++) {
+        status = invcal_tour(i, &turn);
+        begin();
+        (void)invcal_turns_add(&turns, &turn);
+        const uint32_t count = end();
+        if (i == 8) {
+            report("turns_add", count);
+        }
+    }
+    begin();
+    invcal_turns_next(&turns, &turn);
+    report("turns_next", end());
+    begin();
+    status = invcal_turns_sigma(&turns, &turn, sigma, &open);
+    report("turns_sigma", end());
+    if (status != INVCAL_OK) {
+        board_exit(1);
+    }
+}
+
 int main(void)
 {
     begin();
@@ -394,6 +424,7 @@ int main(void)
     report("session_solve_1_wrong", solve_session(1));
     report("session_solve_3_wrong", solve_session(3));
     bench_gyro();
+    bench_turns();
     report_text("OK\n");
     return 0;
 }
