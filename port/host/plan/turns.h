@@ -57,7 +57,8 @@ typedef struct {
  * parameters open, see refusal. */
 int turns_make(turns_plan *plan, const char *word, const turns_request *request);
 
-/* "+x up: a quarter turn about y", at most TABULAR_CELL bytes: what to do from one rest to the next. */
+/* What to do from one rest to the next: "+x up: a quarter turn about y", or, where that leaves open which way
+ * round, "a full turn about +x: +z up". */
 const char *turns_words(const invcal_turn *turn, const invcal_real from[3],
                         char text[TURNS_WORDS_MAX]);
 
@@ -68,8 +69,8 @@ const char *turns_up_words(const invcal_real up[3], char text[TURNS_UP_MAX]);
 const char *turns_parameter(unsigned parameter);
 const char *turns_parameters(unsigned bits, char text[TURNS_LIST_MAX]);
 
-/* The unit of a parameter's sigma. */
-told_unit turns_unit(unsigned parameter, told_style told);
+/* What it is, as words.h tells them: 0 an offset, 1 a scale, 2 an angle. */
+unsigned turns_kind(unsigned parameter);
 
 /* A table for people; one JSON object; a page. */
 void turns_print(FILE *file, const turns_plan *plan);

@@ -43,7 +43,10 @@ static void print_sigma(FILE *file, const turns_plan *p)
         FIGURE_DEGREES * r->rate_noise, 3600 * FIGURE_DEGREES * r->instability);
     tabular_begin(file, "lrrl");
     for (unsigned i = 0; i < INVCAL_IMU_PARAMETERS; i++) {
-        const told_unit unit = turns_unit(i, r->told);
+        const unsigned kind = turns_kind(i);
+        const told_unit unit = kind == 0   ? field
+                               : kind == 1 ? told_scale(r->told)
+                                           : told_angle(r->told);
         tabular_cell("  %s", turns_parameter(i));
         tabular_cell("%.4f", p->sigma[i]);
         tabular_cell("%s", figure_digits(unit.scale * r->noise * p->sigma[i], 3, number));

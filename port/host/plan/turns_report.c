@@ -27,7 +27,7 @@ static const char *largest(const turns_plan *p, unsigned bits, char text[TURNS_W
             which = i;
         }
     }
-    const told_unit unit = turns_unit(which, p->asked.told);
+    const told_unit unit = plan_unit(turns_kind(which), p->asked.told);
     snprintf(text, TURNS_WORDS_MAX, "%s %s",
              figure_digits(unit.scale * p->asked.noise * most, 3, number), unit.unit);
     return text;

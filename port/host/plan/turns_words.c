@@ -105,11 +105,11 @@ const char *turns_words(const invcal_turn *turn, const invcal_real from[3],
                  vertical > 0 ? "left" : "right");
     } else if (axis > 2) {
         snprintf(text, TURNS_WORDS_MAX, "%s: %s", up, turned);
-    } else if (turn->degrees > 180 - NEAR) { /* which way round is no longer told by what is up */
-        snprintf(text, TURNS_WORDS_MAX, "%s: %s about %c%c", up, turned,
-                 turn->axis[axis] > 0 ? '+' : '-', "xyz"[axis]);
-    } else {
+    } else if (turn->degrees < 180 - NEAR && is_of_cube(turn->up)) {
         snprintf(text, TURNS_WORDS_MAX, "%s: %s about %c", up, turned, "xyz"[axis]);
+    } else { /* which way round is not told by what is up */
+        snprintf(text, TURNS_WORDS_MAX, "%s about %c%c: %s", turned,
+                 turn->axis[axis] > 0 ? '+' : '-', "xyz"[axis], up);
     }
     return text;
 }
@@ -137,12 +137,10 @@ const char *turns_parameters(unsigned bits, char text[TURNS_LIST_MAX])
     return text;
 }
 
-told_unit turns_unit(unsigned parameter, told_style told)
+unsigned turns_kind(unsigned parameter)
 {
-    const unsigned kind = (parameter - INVCAL_GYRO_PARAMETERS) / 3; /* offsets, scales, angles */
-
     if (parameter < INVCAL_GYRO_PARAMETERS) {
-        return parameter % 4 == 0 ? told_scale(told) : told_angle(told);
+        return parameter % 4 == 0 ? 1 : 2;
     }
-    return kind == 0 ? told_field(told, 1) : kind == 1 ? told_scale(told) : told_angle(told);
+    return (parameter - INVCAL_GYRO_PARAMETERS) / 3;
 }
