@@ -15,6 +15,9 @@
  *         invcal_moves_follow(&moves, &session.rests, event);
  *     invcal_imu_solve(session.mean[0], session.count, &session.nominal, &moves, NULL, &imu);
  *
+ * invcal_tour tells twelve such turns, invcal_turns_next the one that would tell most, and
+ * invcal_turns_sigma how exactly turns will determine the 18, made or planned.
+ *
  * The two sensors may be sampled at different rates. What is assumed of time: samples are fed in the order
  * in which they were taken, within some hundredths of a second. A rest is cut off 0.3 s before motion was
  * noticed, so such a shift between them costs nothing.
@@ -234,7 +237,7 @@ typedef struct {
     invcal_real up[3];   /* unit vector that points up after it */
 } invcal_turn;
 
-/* What rests and turns tell, made or planned: 700 bytes (float). */
+/* What rests and turns tell, made or planned: 720 bytes (float). */
 typedef struct {
     invcal_real up[3];   /* unit vector that points up now */
     invcal_real seconds; /* of a quarter turn, and of less; of more in proportion: 1.5 unless set */
@@ -258,7 +261,7 @@ invcal_status invcal_turns_begin(invcal_turns *turns, const invcal_real up[3],
 /* Begins with what is measured: arguments as of invcal_imu_solve.
  *
  * Returns INVCAL_OK; INVCAL_TOO_FEW: no rest; and what invcal_imu_solve says of its arguments.
- * Cost: a pass of invcal_imu_solve. Stack: about 1,700 bytes. */
+ * Cost: a pass of invcal_imu_solve. Stack: about 1,900 bytes. */
 invcal_status invcal_turns_after(invcal_turns *turns, const invcal_real *raw, unsigned count,
                                  const invcal_calibration *accelerometer, const invcal_moves *moves,
                                  const invcal_imu_settings *settings);
@@ -284,12 +287,13 @@ invcal_status invcal_tour(unsigned i, invcal_turn *out);
  * that of the largest determinant of the normal equations. Twelve of these tell more than the tour, but a
  * person finds six faces more easily than corners.
  *
- * Cost: 190,000 instructions; 60,000 of 9 unknowns. Stack: about 1,400 bytes. */
+ * Cost: 175,000 instructions of 18 unknowns. Stack: about 1,300 bytes. */
 void invcal_turns_next(const invcal_turns *turns, invcal_turn *out);
 
 /* Makes a turn: the rest after it is a part. What turn->up says does not count.
  *
- * Returns INVCAL_OK; INVCAL_BAD_DIRECTION of the axis; INVCAL_BAD_PROGRAM of degrees. */
+ * Returns INVCAL_OK; INVCAL_BAD_DIRECTION of the axis; INVCAL_BAD_PROGRAM of degrees.
+ * Cost: 5,500 instructions. Stack: about 450 bytes. */
 invcal_status invcal_turns_add(invcal_turns *turns, const invcal_turn *turn);
 
 /* What sigma is to be expected.

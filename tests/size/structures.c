@@ -19,6 +19,7 @@ SIZE_OF(invcal_sums);
 SIZE_OF(invcal_frame);
 SIZE_OF(invcal_imu);
 SIZE_OF(invcal_moves);
+SIZE_OF(invcal_turns);
 SIZE_OF(invcal_full_vector);
 SIZE_OF(invcal_quality);
 SIZE_OF(invcal_rests);

@@ -876,13 +876,12 @@ static const char *const brief[] = {
     "  --limits D,K,G      the smallest set with sigmas within these limits\n"
     "  --noise S           of the mean of one second at rest, over the field\n"
     "  --allan NOISE.json  noise measured by invcal allan: chooses the dwell, too\n"
-    "  --moves tour12      turns for a gyroscope beside it, in words, and what they determine\n"
+    "  --moves tour12      turns for a gyroscope, in words, and what they determine\n"
     "  --svg FILE          draws the directions; --report R.html: a page with a work sheet\n"
     "  --csv               print the positions only; --json: the result as JSON\n"
     "\n"
-    "examples:\n"
-    "  invcal plan --limits 0.4,0.6,1 --svg directions.svg\n"
-    "  invcal plan --per-group 8 --noise 0.0001 --report program.html\n",
+    "example:\n"
+    "  invcal plan --limits 0.4,0.6,1 --svg directions.svg\n",
     NULL};
 
 const tool_command plan_command = {"plan", "which positions to visit, and what they are worth",
