@@ -225,9 +225,9 @@ const char *invcal_imu_parameter_name(unsigned parameter);
 /* ---- which turns to make ------------------------------------------------------------------------ */
 
 enum {
-    INVCAL_TOUR = 12,
-    INVCAL_TOUR_FULL = 16
-}; /* turns of invcal_tour: quarter turns, and full ones */
+    INVCAL_TOUR = 12,     /* quarter turns of invcal_tour */
+    INVCAL_TOUR_FULL = 16 /* all of its turns, full ones too */
+};
 
 /* A turn about an axis that is fixed in the device. */
 typedef struct {

@@ -413,6 +413,8 @@ static void bad_arguments_are_refused(void)
     TEST_ASSERT_EQUAL_INT(INVCAL_BAD_DIRECTION, invcal_turn_to(longer, x_up, &turn));
     TEST_ASSERT_EQUAL_INT(INVCAL_BAD_DIRECTION, invcal_turn_to(x_up, longer, &turn));
     TEST_ASSERT_EQUAL_INT(INVCAL_BAD_DIRECTION, invcal_turns_begin(&t, none, NULL));
+    settings.noise = -1;
+    TEST_ASSERT_EQUAL_INT(INVCAL_BAD_NOISE, invcal_turns_begin(&t, z_up, &settings));
     settings.noise = 1;
     TEST_ASSERT_EQUAL_INT(INVCAL_BAD_NOISE, invcal_turns_begin(&t, z_up, &settings));
     settings.noise = 0;
@@ -493,6 +495,23 @@ static void a_prior_is_information(void)
     begin(&settings);
     TEST_ASSERT_DOUBLE_WITHIN(1e-6, 0.01, at(4, 4)); /* of a noise of 0.0003 */
     TEST_ASSERT_DOUBLE_WITHIN(1e-5, 1, at(17, 17));
+}
+
+/* All are known, but to 3000 times the noise: that is open. */
+static void what_only_a_wide_prior_tells_is_open(void)
+{
+    invcal_real prior[18];
+    invcal_real sigma[18];
+    uint32_t open;
+    invcal_imu_settings settings = perfect_held;
+
+    for (unsigned r = 0; r < 18; r++) {
+        prior[r] = 1;
+    }
+    settings.prior = prior;
+    begin(&settings);
+    TEST_ASSERT_EQUAL_INT(INVCAL_UNDETERMINED, invcal_turns_sigma(&t, NULL, sigma, &open));
+    TEST_ASSERT_EQUAL_HEX32(0x1FF, open);
 }
 
 static void a_prospect_is_what_the_turn_then_brings(void)
@@ -625,6 +644,7 @@ int main(void)
     RUN_TEST(bad_arguments_are_refused);
     RUN_TEST(the_noise_of_a_turn_is_that_of_the_design);
     RUN_TEST(a_prior_is_information);
+    RUN_TEST(what_only_a_wide_prior_tells_is_open);
     RUN_TEST(a_prospect_is_what_the_turn_then_brings);
     RUN_TEST(what_is_known_too_little_is_named);
     RUN_TEST(after_the_turns_it_knows_what_it_had_planned);
