@@ -628,6 +628,47 @@ static void after_the_turns_it_knows_what_it_had_planned(void)
                           invcal_turns_after(&t, raw[0], 13, &unit, &w.moves, &held));
 }
 
+/* Errors of the tour in a hand that wobbles, over the sigma that the plan says. */
+static void errors_are_what_the_plan_says(void)
+{
+    enum { RUNS = 60 };
+    static world w;
+    invcal_real sigma[18];
+    uint32_t open;
+    double squares[5] = {0};
+    int counts[5] = {0};
+
+    begin(NULL);
+    t.seconds = 1; /* about as long as those of world_tour */
+    for (unsigned i = 0; i < INVCAL_TOUR; i++) {
+        invcal_turn turn;
+        (void)invcal_tour(i, &turn);
+        (void)invcal_turns_add(&t, &turn);
+    }
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_turns_sigma(&t, NULL, sigma, &open));
+    for (unsigned run = 0; run < RUNS; run++) {
+        invcal_imu imu;
+        world_begin(&w, 200, 100 + run);
+        world_draw(&w, 0.01, 0.01);
+        world_tour(&w);
+        world_end(&w);
+        TEST_ASSERT_EQUAL_INT(INVCAL_OK, world_solve(&w, NULL, &imu));
+        for (unsigned i = 0; i < 18; i++) {
+            const unsigned kind = i >= 9 ? i / 3 - 1 : i % 4 == 0 ? 0 : 1;
+            const double truth = i < 9 ? w.m[i / 3][i % 3] : w.triad.x[i - 9];
+            const double found =
+                i < 9 ? (double)imu.parameter[i] : parameter(&imu.accelerometer, i - 9);
+            const double error = (found - truth) / ((double)t.noise * (double)sigma[i]);
+            squares[kind] += error * error;
+            counts[kind]++;
+        }
+    }
+    for (unsigned kind = 0; kind < 5; kind++) {
+        const double rms = sqrt(squares[kind] / counts[kind]);
+        TEST_ASSERT_TRUE(rms > 0.7 && rms < 1.2);
+    }
+}
+
 int main(void)
 {
     UNITY_BEGIN();
@@ -648,5 +689,6 @@ int main(void)
     RUN_TEST(a_prospect_is_what_the_turn_then_brings);
     RUN_TEST(what_is_known_too_little_is_named);
     RUN_TEST(after_the_turns_it_knows_what_it_had_planned);
+    RUN_TEST(errors_are_what_the_plan_says);
     return UNITY_END();
 }
