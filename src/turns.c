@@ -12,8 +12,7 @@
 #define MOST_DEGREES INVCAL_REAL(720.0)
 #define QUARTER INVCAL_REAL(90.0)
 #define HALF INVCAL_REAL(180.0)
-#define USUAL_NOISE                                                                                \
-    INVCAL_REAL(3e-4) /* of a mean that nothing is known of, as of invcal_imu_solve */
+#define USUAL_NOISE INVCAL_REAL(3e-4)  /* of a mean, as of invcal_imu_solve */
 #define USUAL_SECONDS INVCAL_REAL(1.5) /* of a turn */
 #define VAGUE INVCAL_REAL(0.01) /* information of a parameter that is known to 10 times the noise */
 #define HELD_BY_VAGUE INVCAL_REAL(0.1) /* a share: what is held by no more is open */
@@ -46,8 +45,8 @@ static void scale(invcal_real v[3], invcal_real times)
     }
 }
 
-/* From 0 to 180 degrees. Twice what is left is turned back, its sine being an angle but for its fifth
- * power: 19 degrees, 0.02, none. */
+/* From 0 to 180 degrees. What is left beside a first guess has a small sine, which is the angle but for
+ * its fifth power: of 19 degrees 0.02 are left, and of these nothing. */
 static invcal_real angle_of(invcal_real cosine, invcal_real sine)
 {
     invcal_real degrees = QUARTER * (1 - cosine);
