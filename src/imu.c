@@ -117,6 +117,82 @@ void invcal_replay_move(const invcal_imu_work *w, const invcal_segment *segment,
     }
 }
 
+/* ---- bias --------------------------------------------------------------------------------------- */
+
+/* b = b0 + G up + drift t of an axis: (up, t, 1, -b). 0 if the device turned in that rest or in the one
+ * before. */
+static int bias_row(const invcal_imu_work *w, unsigned rest, unsigned axis, invcal_real h[BIAS + 1])
+{
+    const invcal_moves *m = w->moves;
+    const invcal_still *at = &m->rest[rest];
+    const unsigned start = m->rest[w->begin].when;
+
+    invcal_apply(&w->out->accelerometer, &w->raw[3 * (size_t)(rest - w->begin)], h);
+    h[3] = invcal_number(at->when - start) / invcal_number(m->rest[m->count - 1u].when - start);
+    h[4] = 1;
+    h[BIAS] = -(invcal_real)at->bias[axis] * INVCAL_KAPPA_UNIT;
+    return at->move != -INVCAL_REST_DRIFT;
+}
+
+/* By least squares over all rests. Two ways to tell a bias are to be compared: this fit, and the mean of
+ * two neighbours. Of noise s^2 alone the mean of two is off by s^2 / 2, and the fit by next to nothing; but if
+ * the bias wanders, neighbours know it better. So a rest is told from the others, by either: the fit's error
+ * is n/(n - 5) its residual (generalized cross validation), the neighbours' 3/4 of a square of what changes
+ * from rest to rest. */
+static void fit_bias(invcal_imu_work *w, unsigned axis)
+{
+    invcal_imu *out = w->out;
+    unsigned count = 0;
+    invcal_real changes = 0;
+    invcal_real last = 0;
+    invcal_real a[INVCAL_PACKED_SIZE(BIAS + 1)];
+    invcal_real h[BIAS + 1];
+
+    invcal_zero(a, sizeof a);
+    for (unsigned i = w->begin; i < w->moves->count; i++) {
+        if (bias_row(w, i, axis, h)) {
+            invcal_rank_one(a, h, BIAS + 1, 1);
+            count++;
+        }
+    }
+    if (count < LEAST_RESTS || invcal_factor(a, BIAS, BIAS + 1, INVCAL_FLOOR) != INVCAL_OK) {
+        return;
+    }
+    invcal_back_substitute(a, BIAS);
+    const invcal_real *p = &a[INVCAL_PACKED(BIAS, 0)];
+    for (unsigned i = w->begin; i < w->moves->count; i++) {
+        if (bias_row(w, i, axis, h)) {
+            const invcal_real residual = invcal_dot(p, h, BIAS) + h[BIAS];
+            changes += (residual - last) * (residual - last);
+            last = residual;
+        }
+    }
+    const invcal_real square = INVCAL_FABS(p[BIAS]) / invcal_number(count - BIAS);
+    const invcal_real noise = changes / invcal_number(4 * count);
+    const invcal_real share = square > 2 * noise ? noise / (square - noise) : 1;
+    for (unsigned i = w->begin; i < w->moves->count; i++) {
+        (void)bias_row(w, i, axis, h);
+        w->bias[i][axis] += share * (invcal_dot(p, h, BIAS) + h[BIAS]);
+    }
+    memcpy(out->slope[axis], p, sizeof out->slope[axis]);
+    invcal_invert(a, BIAS);
+    for (unsigned i = 0; i < 4; i++) {
+        const invcal_real variance = square * invcal_variance(a, BIAS, i);
+        out->slope_sigma[axis][i] = INVCAL_SQRT(variance);
+        out->g_is_used |= i < 3 && p[i] * p[i] > BEYOND_4_SIGMA * variance;
+    }
+}
+
+static void find_bias(invcal_imu_work *w)
+{
+    for (unsigned axis = 0; axis < 3; axis++) {
+        fit_bias(w, axis);
+    }
+    if (w->out->g_is_used) {
+        memcpy(w->slope, w->out->slope, sizeof w->slope);
+    }
+}
+
 /* ---- equations ---------------------------------------------------------------------------------- */
 
 INVCAL_APART static void lengthen(invcal_real v[3], invcal_real times)
@@ -183,12 +259,13 @@ static void add_move(invcal_imu_work *w, unsigned rest, const invcal_segment *se
     const invcal_still *at = &w->moves->rest[rest];
     const invcal_real density = s->rate_noise * s->rate_noise;
     invcal_replay r;
-    invcal_real bias[3] = {0, 0, 0};
+    invcal_real bias[3];
     invcal_real a[3];
     invcal_real y[3];
 
-    invcal_unpack(at[-1].bias, INVCAL_KAPPA_UNIT / 2, bias);
-    invcal_unpack(at->bias, INVCAL_KAPPA_UNIT / 2, bias);
+    for (unsigned i = 0; i < 3; i++) {
+        bias[i] = (w->bias[rest - 1][i] + w->bias[rest][i]) / 2;
+    }
     invcal_replay_move(w, segment, (unsigned)at->move, bias, up, &r);
     if (r.angle < NO_ANGLE && invcal_dot3(up[0], up[1]) > SAME_UP) {
         w->out->idle |= (uint32_t)1 << rest;
@@ -268,53 +345,6 @@ invcal_status invcal_imu_sum(invcal_imu_work *w)
     return INVCAL_OK;
 }
 
-/* ---- bias --------------------------------------------------------------------------------------- */
-
-/* b = b0 + G up + drift t over all rests, axis by axis. */
-static void find_bias(invcal_imu_work *w)
-{
-    invcal_imu *out = w->out;
-    const invcal_moves *m = w->moves;
-    unsigned count = 0;
-    const uint16_t start = m->rest[w->begin].when;
-    const invcal_real span = invcal_number((unsigned)m->rest[m->count - 1].when - start);
-    invcal_real a[INVCAL_PACKED_SIZE(BIAS + 1)];
-    invcal_real h[BIAS + 1];
-
-    for (unsigned axis = 0; axis < 3 && m->count - w->begin >= LEAST_RESTS; axis++) {
-        invcal_zero(a, sizeof a);
-        count = 0;
-        for (unsigned i = w->begin; i < m->count; i++) {
-            const invcal_still *rest = &m->rest[i];
-            if (rest->move == -INVCAL_REST_DRIFT) {
-                continue; /* the device turned in it, or in the one before */
-            }
-            invcal_apply(&w->out->accelerometer, &w->raw[3 * (size_t)(i - w->begin)], h);
-            count++;
-            h[3] = invcal_number((unsigned)rest->when - start) / span;
-            h[4] = 1;
-            h[BIAS] = -(invcal_real)rest->bias[axis] * INVCAL_KAPPA_UNIT;
-            invcal_rank_one(a, h, BIAS + 1, 1);
-        }
-        if (invcal_factor(a, BIAS, BIAS + 1, INVCAL_FLOOR) != INVCAL_OK) {
-            return;
-        }
-        invcal_back_substitute(a, BIAS);
-        const invcal_real *p = &a[INVCAL_PACKED(BIAS, 0)];
-        invcal_invert(a, BIAS);
-        for (unsigned i = 0; i < 4; i++) {
-            const invcal_real square =
-                INVCAL_FABS(p[BIAS]) / invcal_number(count - BIAS) * invcal_variance(a, BIAS, i);
-            out->slope[axis][i] = p[i];
-            out->slope_sigma[axis][i] = INVCAL_SQRT(square);
-            out->g_is_used |= i < 3 && p[i] * p[i] > BEYOND_4_SIGMA * square;
-        }
-    }
-    if (out->g_is_used) {
-        memcpy(w->slope, out->slope, sizeof w->slope);
-    }
-}
-
 /* ---- solution ----------------------------------------------------------------------------------- */
 
 invcal_status invcal_imu_begin(invcal_imu_work *w, const invcal_real *raw, unsigned count,
@@ -348,6 +378,9 @@ invcal_status invcal_imu_begin(invcal_imu_work *w, const invcal_real *raw, unsig
     w->raw = raw + 3 * (size_t)(count - both);
     w->rest_variance = w->noise * w->noise;
     w->move_variance = 1;
+    for (unsigned i = 0; i < moves->count; i++) {
+        invcal_unpack(moves->rest[i].bias, INVCAL_KAPPA_UNIT, w->bias[i]);
+    }
     return invcal_nominal_check(accelerometer);
 }
 

@@ -35,6 +35,7 @@ typedef struct {
         invcal_real worst_square, worst_residual; /* over its variance; in rad^2 */
         invcal_real sum[INVCAL_PACKED_SIZE(INVCAL_IMU_PARAMETERS + 1)];
     } pass; /* what it leaves */
+    invcal_real bias[INVCAL_MAX_MOVES][3]; /* of the rests, as measured or as all of them tell */
 } invcal_imu_work;
 
 /* A move, integrated again. */
