@@ -103,7 +103,10 @@ void invcal_replay_move(const invcal_imu_work *w, const invcal_segment *segment,
             f[i] += (th[i] - up[0][i] - up[1][i]) / 2;
         }
         for (unsigned i = 0; i < 3; i++) {
-            v[i] -= time * (bias[i] + invcal_dot3(w->slope[i], f));
+            v[i] -= time * bias[i];
+            if (w->out->g_is_used) {
+                v[i] -= time * invcal_dot3(w->out->slope[i], f);
+            }
         }
         invcal_zero(f, sizeof f);
         invcal_unpack(segment->kappa, INVCAL_KAPPA_UNIT, f);
@@ -130,7 +133,7 @@ static int bias_row(const invcal_imu_work *w, unsigned rest, unsigned axis, invc
     invcal_apply(&w->out->accelerometer, &w->raw[3 * (size_t)(rest - w->begin)], h);
     h[3] = invcal_number(at->when - start) / invcal_number(m->rest[m->count - 1u].when - start);
     h[4] = 1;
-    h[BIAS] = -(invcal_real)at->bias[axis] * INVCAL_KAPPA_UNIT;
+    h[BIAS] = -w->bias[rest][axis];
     return at->move != -INVCAL_REST_DRIFT;
 }
 
@@ -174,10 +177,10 @@ static void fit_bias(invcal_imu_work *w, unsigned axis)
         (void)bias_row(w, i, axis, h);
         w->bias[i][axis] += share * (invcal_dot(p, h, BIAS) + h[BIAS]);
     }
-    memcpy(out->slope[axis], p, sizeof out->slope[axis]);
     invcal_invert(a, BIAS);
     for (unsigned i = 0; i < 4; i++) {
         const invcal_real variance = square * invcal_variance(a, BIAS, i);
+        out->slope[axis][i] = p[i];
         out->slope_sigma[axis][i] = INVCAL_SQRT(variance);
         out->g_is_used |= i < 3 && p[i] * p[i] > BEYOND_4_SIGMA * variance;
     }
@@ -187,9 +190,6 @@ static void find_bias(invcal_imu_work *w)
 {
     for (unsigned axis = 0; axis < 3; axis++) {
         fit_bias(w, axis);
-    }
-    if (w->out->g_is_used) {
-        memcpy(w->slope, w->out->slope, sizeof w->slope);
     }
 }
 
@@ -347,6 +347,19 @@ invcal_status invcal_imu_sum(invcal_imu_work *w)
 
 /* ---- solution ----------------------------------------------------------------------------------- */
 
+static invcal_status check_settings(const invcal_imu_settings *s)
+{
+    for (unsigned i = 0; s->prior && i < IMU_ALL; i++) {
+        if (!(s->prior[i] >= 0)) {
+            return INVCAL_BAD_PRIOR;
+        }
+    }
+    return s->noise >= 0 && s->rate_noise >= 0 && s->instability >= 0 &&
+                   s->noise + s->rate_noise + s->instability < 1
+               ? INVCAL_OK
+               : INVCAL_BAD_NOISE;
+}
+
 invcal_status invcal_imu_begin(invcal_imu_work *w, const invcal_real *raw, unsigned count,
                                const invcal_calibration *accelerometer, const invcal_moves *moves,
                                const invcal_imu_settings *settings, invcal_imu *out)
@@ -359,19 +372,10 @@ invcal_status invcal_imu_begin(invcal_imu_work *w, const invcal_real *raw, unsig
     invcal_zero(out, sizeof *out);
     w->moves = moves;
     w->out = out;
-    out->accelerometer = *accelerometer;
-    out->parameter[0] = out->parameter[4] = out->parameter[8] = 1;
-    for (unsigned i = 0; s->prior && i < IMU_ALL; i++) {
-        if (!(s->prior[i] >= 0)) {
-            return INVCAL_BAD_PRIOR;
-        }
-    }
-    if (!(s->noise >= 0 && s->rate_noise >= 0 && s->instability >= 0 &&
-          s->noise + s->rate_noise + s->instability < 1)) {
-        return INVCAL_BAD_NOISE;
-    }
     w->settings = s;
     w->is_told = settings != NULL;
+    out->accelerometer = *accelerometer;
+    out->parameter[0] = out->parameter[4] = out->parameter[8] = 1;
     w->noise = s->noise > 0 ? s->noise : NOISE_OF_MEAN;
     w->n = s->held ? IMU_GYRO : IMU_ALL;
     w->begin = moves->count - both;
@@ -381,7 +385,8 @@ invcal_status invcal_imu_begin(invcal_imu_work *w, const invcal_real *raw, unsig
     for (unsigned i = 0; i < moves->count; i++) {
         invcal_unpack(moves->rest[i].bias, INVCAL_KAPPA_UNIT, w->bias[i]);
     }
-    return invcal_nominal_check(accelerometer);
+    const invcal_status status = check_settings(s);
+    return status == INVCAL_OK ? invcal_nominal_check(accelerometer) : status;
 }
 
 /* The unknowns of the accelerometer are those of what it calibrates by now: A = (I + S)^-1 behind it. To the
@@ -446,38 +451,43 @@ static void adapt(invcal_imu_work *w)
     } /* cppcheck-suppress misra-c2012-15.7 ; both is done */
 }
 
-static invcal_status iterate(invcal_imu_work *w)
+/* Of Gauss and Newton. */
+static invcal_status make_pass(invcal_imu_work *w, invcal_real *size)
 {
-    invcal_imu *out = w->out;
-    invcal_real size = 1;
-    int is_done = 0;
-
-    while (!is_done && out->passes < PASSES + 2 * w->apart) { /* at most 12 */
-        if (out->passes == 1) {
-            find_bias(w);
-        }
-        invcal_status status = invcal_imu_sum(w);
-        if (status == INVCAL_OK && (w->pass.moved.rows == 0 || w->pass.rows < w->n)) {
-            status = INVCAL_TOO_FEW;
-        }
-        if (status != INVCAL_OK) {
-            return status;
-        }
-        is_done = w->is_weighed;
-        if (out->passes >= SETTLED) {
+    if (w->out->passes == 1) {
+        find_bias(w);
+    }
+    invcal_status status = invcal_imu_sum(w);
+    if (status == INVCAL_OK && (w->pass.moved.rows == 0 || w->pass.rows < w->n)) {
+        status = INVCAL_TOO_FEW;
+    }
+    if (status == INVCAL_OK) {
+        if (w->out->passes >= SETTLED) {
             adapt(w);
         }
         status = invcal_factor(w->pass.sum, w->n, w->n + 1, INVCAL_FLOOR);
-        if (status != INVCAL_OK) {
-            return status;
-        }
+    }
+    if (status == INVCAL_OK) {
         invcal_back_substitute(w->pass.sum, w->n);
-        status = take_step(w, &size);
-        if (status != INVCAL_OK) {
-            return status;
+        status = take_step(w, size);
+    }
+    return status;
+}
+
+static invcal_status iterate(invcal_imu_work *w)
+{
+    invcal_real size = 1;
+    int is_done = 0;
+    invcal_status status = INVCAL_OK;
+
+    while (!is_done && w->out->passes < PASSES + 2 * w->apart) { /* at most 12 */
+        const int is_weighed = w->is_weighed;
+        status = make_pass(w, &size);
+        if (status != INVCAL_OK) { /* later than at first: it was led astray */
+            return w->out->passes > 0 ? INVCAL_MOUNTING : status;
         }
-        is_done = is_done && size < STEP;
-        out->passes++;
+        is_done = is_weighed && size < STEP;
+        w->out->passes++;
     }
     return w->pass.residuals < ABSURD_TURN * invcal_number(w->pass.moved.rows) && size < LAST_STEP
                ? INVCAL_OK
@@ -543,19 +553,16 @@ invcal_status invcal_imu_solve(const invcal_real *raw, unsigned count,
     invcal_status status = invcal_imu_begin(&w, raw, count, accelerometer, moves, settings, out);
     if (status == INVCAL_OK) {
         status = iterate(&w);
-        if (status != INVCAL_OK && out->passes > 0) {
-            status = INVCAL_MOUNTING; /* it was led astray */
-        }
     }
-    if (status == INVCAL_OK) {
+    if (status == INVCAL_UNDETERMINED) {
+        name_open(&w);
+    } else if (status == INVCAL_OK) {
         const invcal_real of_moves = w.pass.variances / invcal_number(w.pass.moved.rows);
         if (!(judge_imu(&w, WEAK_SQUARE * of_moves) <= OPEN_SQUARE * of_moves)) {
             return INVCAL_UNDETERMINED;
         }
         out->move_noise = INVCAL_SQRT(of_moves);
         deliver(&w);
-    } else if (status == INVCAL_UNDETERMINED) {
-        name_open(&w);
     } /* cppcheck-suppress misra-c2012-15.7 ; there is nothing to tell */
     return status;
 }

@@ -21,7 +21,6 @@ typedef struct {
     const invcal_imu_settings *settings;
     invcal_imu *out;         /* accelerometer and parameters by now, left_out, idle, worst */
     invcal_real noise;       /* of a mean, as stated or usual */
-    invcal_real slope[3][4]; /* g-sensitivity, if it is used */
     unsigned n;              /* unknowns: 18, 9, or none for the residuals alone */
     unsigned begin;          /* first rest of moves that has a mean */
     unsigned apart;          /* moves left out */

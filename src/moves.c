@@ -50,8 +50,8 @@ static int pack(invcal_real x, int16_t *out)
 {
     if (x > -32767 && x < 32767) {
         //@ assert \is_finite(x); // no NaN lies between two numbers
-        const invcal_real half = x < 0 ? INVCAL_REAL(-0.5) : INVCAL_REAL(0.5);
-        *out = (int16_t)(x + half);
+        x += x < 0 ? INVCAL_REAL(-0.5) : INVCAL_REAL(0.5);
+        *out = (int16_t)x;
         return 1;
     }
     *out = 0;
@@ -169,38 +169,47 @@ static void forget_rest(invcal_moves *m)
     invcal_zero(m->still, sizeof m->still);
 }
 
+/* What makes the oldest segment that is not merged useless for a move. */
+static unsigned find_reason(const invcal_moves *m)
+{
+    const invcal_segment *s = &m->segment[m->fixed];
+
+    return s->v[0] == SPOILT                                  ? (unsigned)s->kappa[0]
+           : (invcal_real)m->samples > LONGEST_MOVE * m->rate ? INVCAL_MOVE_LONG
+           : m->fixed + SPARE >= INVCAL_MAX_SEGMENTS          ? INVCAL_NO_SPACE
+                                                              : INVCAL_OK;
+}
+
+/* A segment of a rest. */
+static void add_still(invcal_moves *m, const invcal_segment *s)
+{
+    if (m->cut == NOWHERE) {
+        m->cut = m->fixed;
+    }
+    if (s->v[0] != SPOILT) {
+        m->still_samples += s->time / 2u;
+        invcal_unpack(s->v, INVCAL_V_UNIT, m->still);
+    }
+}
+
 /* The oldest segment that is not merged: is it of a rest? That may still be refused, so it is kept either
  * way. */
 static void settle(invcal_moves *m, int is_rest)
 {
     invcal_segment *s = &m->segment[m->fixed];
-    const unsigned samples = s->time / 2u;
-    int is_lost = 1;
 
     m->marks = (uint8_t)(m->marks - (s->time & 1u));
-    m->samples += m->samples < INT32_MAX ? samples : 0;
-    if (!is_rest) {
-        forget_rest(m);
-    } else if (m->cut == NOWHERE) {
-        m->cut = m->fixed;
-    } /* cppcheck-suppress misra-c2012-15.7 ; it goes on */
-    if (s->v[0] == SPOILT) {
-        find_fault(m, (unsigned)s->kappa[0]);
-    } else {
-        if (is_rest) {
-            m->still_samples += samples;
-            invcal_unpack(s->v, INVCAL_V_UNIT, m->still);
-        }
-        const unsigned fault = (invcal_real)m->samples > LONGEST_MOVE * m->rate ? INVCAL_MOVE_LONG
-                               : m->fixed + SPARE >= INVCAL_MAX_SEGMENTS        ? INVCAL_NO_SPACE
-                                                                                : INVCAL_OK;
-        if (!is_rest) {
-            find_fault(m, fault);
-        }
-        is_lost =
-            fault != INVCAL_OK || (m->fixed > m->first && m->fixed != m->cut && merge(s - 1, s));
+    m->samples += s->time / 2u;
+    const unsigned reason = find_reason(m);
+    if (!is_rest || s->v[0] == SPOILT) {
+        find_fault(m, reason);
     }
-    if (is_lost) {
+    if (is_rest) {
+        add_still(m, s);
+    } else {
+        forget_rest(m);
+    }
+    if (reason != INVCAL_OK || (m->fixed > m->first && m->fixed != m->cut && merge(s - 1, s))) {
         take_out(m, m->fixed, m->fixed + 1u);
     } else {
         m->fixed++;
@@ -235,6 +244,7 @@ static void drop_oldest(invcal_moves *m)
 
     take_out(m, 0, segments);
     m->fixed = (uint16_t)(m->fixed - segments);
+    m->first = m->fixed;
     m->count--;
     for (unsigned i = 0; i < m->count; i++) {
         memcpy(&m->rest[i], &m->rest[i + 1], sizeof m->rest[i]);
@@ -242,30 +252,39 @@ static void drop_oldest(invcal_moves *m)
     m->rest[0].move = -INVCAL_TOO_FEW;
 }
 
+/* The bias of a rest: is it far from that of the one before? */
+static int measure_bias(const invcal_moves *m, int16_t bias[3])
+{
+    const invcal_real pace = m->rate / INVCAL_KAPPA_UNIT / invcal_number(m->still_samples);
+    const invcal_still *last = &m->rest[m->count > 0 ? m->count - 1 : 0];
+    int is_far = 0;
+
+    for (unsigned i = 0; i < 3; i++) { /* without a sample: 0 / 0, and so 0 */
+        (void)pack(m->still[i] * pace, &bias[i]);
+        const int32_t change = (int32_t)bias[i] - last->bias[i];
+        is_far |= change > MOST_CHANGE || change < -MOST_CHANGE;
+    }
+    return is_far;
+}
+
 /* The move ends where the rest began. */
 static void keep_move(invcal_moves *m)
 {
     const unsigned end = m->cut != NOWHERE ? m->cut : m->fixed;
     const unsigned segments = end - m->first;
-    const invcal_real pace = m->rate / INVCAL_KAPPA_UNIT / invcal_number(m->still_samples);
-    const invcal_still *last = &m->rest[m->count > 0 ? m->count - 1 : 0];
-
     int16_t bias[3];
-    unsigned fault = m->count == 0              ? INVCAL_TOO_FEW
-                     : segments == 0            ? INVCAL_MOVE_GAP
-                     : segments > MOST_SEGMENTS ? INVCAL_MOUNTING
-                                                : INVCAL_OK;
 
-    for (unsigned i = 0; i < 3; i++) { /* without a sample: 0 / 0, and so 0 */
-        (void)pack(m->still[i] * pace, &bias[i]);
-        if (fault == INVCAL_OK &&
-            (bias[i] - last->bias[i] > MOST_CHANGE || last->bias[i] - bias[i] > MOST_CHANGE)) {
-            fault = INVCAL_REST_DRIFT;
-        }
-    }
-    find_fault(m, fault);
-    take_out(m, m->fault == INVCAL_OK ? end : m->first, m->fixed);
-    m->fixed = (uint16_t)(m->fault == INVCAL_OK ? end : m->first);
+    const int has_turned = measure_bias(m, bias);
+    find_fault(m, m->count == 0              ? INVCAL_TOO_FEW
+                  : segments == 0            ? INVCAL_MOVE_GAP
+                  : segments > MOST_SEGMENTS ? INVCAL_MOUNTING
+                  : has_turned               ? INVCAL_REST_DRIFT
+                                             : INVCAL_OK);
+    const unsigned kept = m->fault == INVCAL_OK ? segments : 0;
+    take_out(m, m->first + kept, m->fixed);
+    m->first = (uint16_t)(m->first + kept);
+    m->fixed = m->first;
+    const int move = m->fault == INVCAL_OK ? (int)segments : -(int)m->fault;
     if (m->count == INVCAL_MAX_MOVES) {
         drop_oldest(m);
     }
@@ -273,8 +292,7 @@ static void keep_move(invcal_moves *m)
     m->count++;
     memcpy(rest->bias, bias, sizeof bias);
     rest->when = m->blocks;
-    rest->move = (int8_t)(m->fault == INVCAL_OK ? (int)segments : -(int)m->fault);
-    m->first = m->fixed;
+    rest->move = (int8_t)move;
     m->samples = 0;
     m->fault = INVCAL_OK;
     forget_rest(m);
