@@ -298,14 +298,14 @@ static void add_move(invcal_imu_work *w, unsigned rest, const invcal_segment *se
 static void add_prior(invcal_imu_work *w)
 {
     const invcal_real *prior = w->settings->prior;
+    invcal_real h[IMU_ALL + 1];
 
     for (unsigned i = 0; prior && i < w->n; i++) {
-        const invcal_real sigma = prior[i];
-        if (sigma > 0) {
-            const invcal_real weight = 1 / (sigma * sigma);
-            w->pass.sum[INVCAL_PACKED(i, i)] += weight;
-            w->pass.sum[INVCAL_PACKED(w->n, i)] +=
-                weight * (w->out->parameter[i] - invcal_number((unsigned)UNITY >> i & 1u));
+        if (prior[i] > 0) {
+            invcal_zero(h, sizeof h);
+            h[i] = 1;
+            add_row(w, h, invcal_number((unsigned)UNITY >> i & 1u) - w->out->parameter[i],
+                    1 / (prior[i] * prior[i]));
             w->pass.rows++;
         }
     }

@@ -275,8 +275,7 @@ static void keep_move(invcal_moves *m)
     int16_t bias[3];
 
     const int has_turned = measure_bias(m, bias);
-    find_fault(m, m->count == 0              ? INVCAL_TOO_FEW
-                  : segments == 0            ? INVCAL_MOVE_GAP
+    find_fault(m, segments == 0              ? INVCAL_MOVE_GAP
                   : segments > MOST_SEGMENTS ? INVCAL_MOUNTING
                   : has_turned               ? INVCAL_REST_DRIFT
                                              : INVCAL_OK);
@@ -314,6 +313,7 @@ invcal_status invcal_moves_init(invcal_moves *moves, const invcal_calibration *n
     invcal_zero(moves, sizeof *moves);
     moves->nominal = *nominal;
     moves->rate = rate;
+    moves->fault = INVCAL_TOO_FEW; /* to the first rest leads no move */
     forget_rest(moves);
     return invcal_moves_rails(moves, INT32_MIN, INT32_MAX);
 }
