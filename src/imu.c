@@ -129,9 +129,10 @@ static int bias_row(const invcal_imu_work *w, unsigned rest, unsigned axis, invc
     const invcal_moves *m = w->moves;
     const invcal_still *at = &m->rest[rest];
     const unsigned start = m->rest[w->begin].when;
+    const unsigned end = m->rest[m->count - 1u].when;
 
     invcal_apply(&w->out->accelerometer, &w->raw[3 * (size_t)(rest - w->begin)], h);
-    h[3] = invcal_number(at->when - start) / invcal_number(m->rest[m->count - 1u].when - start);
+    h[3] = invcal_number(at->when - start) / invcal_number(end - start);
     h[4] = 1;
     h[BIAS] = -w->bias[rest][axis];
     return at->move != -INVCAL_REST_DRIFT;
@@ -145,6 +146,7 @@ static int bias_row(const invcal_imu_work *w, unsigned rest, unsigned axis, invc
 static void fit_bias(invcal_imu_work *w, unsigned axis)
 {
     invcal_imu *out = w->out;
+    const unsigned end = w->moves->count;
     unsigned count = 0;
     invcal_real changes = 0;
     invcal_real last = 0;
@@ -152,7 +154,7 @@ static void fit_bias(invcal_imu_work *w, unsigned axis)
     invcal_real h[BIAS + 1];
 
     invcal_zero(a, sizeof a);
-    for (unsigned i = w->begin; i < w->moves->count; i++) {
+    for (unsigned i = w->begin; i < end; i++) {
         if (bias_row(w, i, axis, h)) {
             invcal_rank_one(a, h, BIAS + 1, 1);
             count++;
@@ -163,7 +165,7 @@ static void fit_bias(invcal_imu_work *w, unsigned axis)
     }
     invcal_back_substitute(a, BIAS);
     const invcal_real *p = &a[INVCAL_PACKED(BIAS, 0)];
-    for (unsigned i = w->begin; i < w->moves->count; i++) {
+    for (unsigned i = w->begin; i < end; i++) {
         if (bias_row(w, i, axis, h)) {
             const invcal_real residual = invcal_dot(p, h, BIAS) + h[BIAS];
             changes += (residual - last) * (residual - last);
@@ -173,7 +175,7 @@ static void fit_bias(invcal_imu_work *w, unsigned axis)
     const invcal_real square = INVCAL_FABS(p[BIAS]) / invcal_number(count - BIAS);
     const invcal_real noise = changes / invcal_number(4 * count);
     const invcal_real share = square > 2 * noise ? noise / (square - noise) : 1;
-    for (unsigned i = w->begin; i < w->moves->count; i++) {
+    for (unsigned i = w->begin; i < end; i++) {
         (void)bias_row(w, i, axis, h);
         w->bias[i][axis] += share * (invcal_dot(p, h, BIAS) + h[BIAS]);
     }

@@ -81,24 +81,22 @@ INVCAL_APART void invcal_unpack(const int16_t packed[3], invcal_real unit, invca
 static int merge(invcal_segment *a, const invcal_segment *b)
 {
     const unsigned samples = (a->time / 2u) + (b->time / 2u);
-    invcal_real rho[2][3];
-    invcal_real v[3] = {0, 0, 0};
+    invcal_real of[3][3]; /* rotations of a and of b; v of both */
     invcal_segment both;
 
-    invcal_zero(rho, sizeof rho);
-    invcal_unpack(a->v, INVCAL_V_UNIT, rho[0]);
-    invcal_unpack(b->v, INVCAL_V_UNIT, rho[1]);
-    for (unsigned i = 0; i < 3; i++) {
-        v[i] = rho[0][i] + rho[1][i];
-    }
-    if (invcal_dot3(v, v) > FULL || samples > MOST_SAMPLES) {
+    invcal_zero(of, sizeof of);
+    invcal_unpack(a->v, INVCAL_V_UNIT, of[0]);
+    invcal_unpack(a->v, INVCAL_V_UNIT, of[2]);
+    invcal_unpack(b->v, INVCAL_V_UNIT, of[1]);
+    invcal_unpack(b->v, INVCAL_V_UNIT, of[2]);
+    if (invcal_dot3(of[2], of[2]) > FULL || samples > MOST_SAMPLES) {
         return 0;
     }
-    invcal_unpack(a->kappa, INVCAL_KAPPA_UNIT, rho[0]);
-    invcal_unpack(b->kappa, INVCAL_KAPPA_UNIT, rho[1]);
-    turn(rho[0], rho[1]);
+    invcal_unpack(a->kappa, INVCAL_KAPPA_UNIT, of[0]);
+    invcal_unpack(b->kappa, INVCAL_KAPPA_UNIT, of[1]);
+    turn(of[0], of[1]);
     both.time = (uint16_t)(2 * samples);
-    if (!pack_segment(rho[0], v, &both)) {
+    if (!pack_segment(of[0], of[2], &both)) {
         return 0;
     }
     *a = both;
