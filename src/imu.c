@@ -91,7 +91,9 @@ void invcal_replay_move(const invcal_imu_work *w, const invcal_segment *segment,
     invcal_real th[3];
 
     invcal_zero(r, sizeof *r);
-    r->c[0][0] = r->c[1][1] = r->c[2][2] = 1;
+    for (unsigned i = 0; i < 3; i++) {
+        r->c[i][i] = 1;
+    }
     (void)invcal_cofactors(m, cofactors);
     for (unsigned n = 0; n < count; n++) {
         const invcal_real time = invcal_number(segment->time / 2u) / w->moves->rate;
@@ -122,9 +124,10 @@ void invcal_replay_move(const invcal_imu_work *w, const invcal_segment *segment,
 
 /* ---- bias --------------------------------------------------------------------------------------- */
 
-/* b = b0 + G up + drift t of an axis: (up, t, 1, -b). 0 if the device turned in that rest or in the one
+/* b = b0 + G up + drift t of an axis: (up, t, 1, -b). None if the device turned in that rest or in the one
  * before. */
-static int bias_row(const invcal_imu_work *w, unsigned rest, unsigned axis, invcal_real h[BIAS + 1])
+static int has_bias_row(const invcal_imu_work *w, unsigned rest, unsigned axis,
+                        invcal_real h[BIAS + 1])
 {
     const invcal_moves *m = w->moves;
     const invcal_still *at = &m->rest[rest];
@@ -138,14 +141,27 @@ static int bias_row(const invcal_imu_work *w, unsigned rest, unsigned axis, invc
     return at->move != -INVCAL_REST_DRIFT;
 }
 
-/* By least squares over all rests. Two ways to tell a bias are to be compared: this fit, and the mean of
- * two neighbours. Of noise s^2 alone the mean of two is off by s^2 / 2, and the fit by next to nothing; but if
- * the bias wanders, neighbours know it better. So a rest is told from the others, by either: the fit's error
- * is n/(n - 5) its residual (generalized cross validation), the neighbours' 3/4 of a square of what changes
- * from rest to rest. */
+/* Slopes of an axis from their equations, L^-1 and p; square: of a residual. */
+static void tell_slopes(invcal_imu *out, unsigned axis, const invcal_real *a, invcal_real square)
+{
+    const invcal_real *p = &a[INVCAL_PACKED(BIAS, 0)];
+
+    for (unsigned i = 0; i < 4; i++) {
+        const invcal_real variance = square * invcal_variance(a, BIAS, i);
+        out->slope[axis][i] = p[i];
+        out->slope_sigma[axis][i] = INVCAL_SQRT(variance);
+        if (i < 3 && p[i] * p[i] > BEYOND_4_SIGMA * variance) {
+            out->g_is_used = 1;
+        }
+    }
+}
+
+/* By least squares over all rests. A rest's own bias has noise, s^2, which the fit has not; but the fit does not
+ * know how the bias wanders, W, beside up and time. Residuals have s^2 + W, half the squares of their changes
+ * from rest to rest s^2. So of the mean of two residuals, s^2/2 + W, the share s^2/2 is noise, and that is taken
+ * from the bias: the best linear estimate for the move between them. */
 static void fit_bias(invcal_imu_work *w, unsigned axis)
 {
-    invcal_imu *out = w->out;
     const unsigned end = w->moves->count;
     unsigned count = 0;
     invcal_real changes = 0;
@@ -155,7 +171,7 @@ static void fit_bias(invcal_imu_work *w, unsigned axis)
 
     invcal_zero(a, sizeof a);
     for (unsigned i = w->begin; i < end; i++) {
-        if (bias_row(w, i, axis, h)) {
+        if (has_bias_row(w, i, axis, h)) {
             invcal_rank_one(a, h, BIAS + 1, 1);
             count++;
         }
@@ -166,26 +182,21 @@ static void fit_bias(invcal_imu_work *w, unsigned axis)
     invcal_back_substitute(a, BIAS);
     const invcal_real *p = &a[INVCAL_PACKED(BIAS, 0)];
     for (unsigned i = w->begin; i < end; i++) {
-        if (bias_row(w, i, axis, h)) {
+        if (has_bias_row(w, i, axis, h)) {
             const invcal_real residual = invcal_dot(p, h, BIAS) + h[BIAS];
             changes += (residual - last) * (residual - last);
             last = residual;
         }
     }
     const invcal_real square = INVCAL_FABS(p[BIAS]) / invcal_number(count - BIAS);
-    const invcal_real noise = changes / invcal_number(4 * count);
+    const invcal_real noise = changes / invcal_number(4 * count); /* s^2/2 */
     const invcal_real share = square > 2 * noise ? noise / (square - noise) : 1;
     for (unsigned i = w->begin; i < end; i++) {
-        (void)bias_row(w, i, axis, h);
+        (void)has_bias_row(w, i, axis, h);
         w->bias[i][axis] += share * (invcal_dot(p, h, BIAS) + h[BIAS]);
     }
     invcal_invert(a, BIAS);
-    for (unsigned i = 0; i < 4; i++) {
-        const invcal_real variance = square * invcal_variance(a, BIAS, i);
-        out->slope[axis][i] = p[i];
-        out->slope_sigma[axis][i] = INVCAL_SQRT(variance);
-        out->g_is_used |= i < 3 && p[i] * p[i] > BEYOND_4_SIGMA * variance;
-    }
+    tell_slopes(w->out, axis, a, square);
 }
 
 static void find_bias(invcal_imu_work *w)
@@ -377,7 +388,9 @@ invcal_status invcal_imu_begin(invcal_imu_work *w, const invcal_real *raw, unsig
     w->settings = s;
     w->is_told = settings != NULL;
     out->accelerometer = *accelerometer;
-    out->parameter[0] = out->parameter[4] = out->parameter[8] = 1;
+    for (unsigned i = 0; i < IMU_GYRO; i += 4) {
+        out->parameter[i] = 1;
+    }
     w->noise = s->noise > 0 ? s->noise : NOISE_OF_MEAN;
     w->n = s->held ? IMU_GYRO : IMU_ALL;
     w->begin = moves->count - both;
@@ -396,8 +409,9 @@ invcal_status invcal_imu_begin(invcal_imu_work *w, const invcal_real *raw, unsig
 static invcal_status take_step(invcal_imu_work *w, invcal_real *size)
 {
     const invcal_real *p = &w->pass.sum[INVCAL_PACKED(w->n, 0)];
-    const invcal_calibration before = w->out->accelerometer;
+    invcal_calibration before;
 
+    before = w->out->accelerometer;
     for (unsigned i = 0; i < w->n; i++) {
         w->out->parameter[i] += p[i];
     }
@@ -480,11 +494,10 @@ static invcal_status iterate(invcal_imu_work *w)
 {
     invcal_real size = 1;
     int is_done = 0;
-    invcal_status status = INVCAL_OK;
 
     while (!is_done && w->out->passes < PASSES + 2 * w->apart) { /* at most 12 */
         const int is_weighed = w->is_weighed;
-        status = make_pass(w, &size);
+        const invcal_status status = make_pass(w, &size);
         if (status != INVCAL_OK) { /* later than at first: it was led astray */
             return w->out->passes > 0 ? INVCAL_MOUNTING : status;
         }
@@ -505,7 +518,9 @@ static invcal_real judge_imu(invcal_imu_work *w, invcal_real most)
     for (unsigned i = 0; i < w->n; i++) {
         const invcal_real k = invcal_variance(w->pass.sum, w->n, i);
         w->out->sigma[i] = INVCAL_SQRT(k);
-        w->out->open |= (k <= most ? (uint32_t)0 : 1) << i;
+        if (!(k <= most)) {
+            w->out->open |= (uint32_t)1 << i;
+        }
         largest = k <= largest ? largest : k;
     }
     return largest;
