@@ -34,7 +34,6 @@ enum {
     BIAS = 5,         /* unknowns of a bias: three of up, time, constant */
     LEAST_RESTS = 12, /* for them */
     STATED_ROWS = 4,  /* residuals that a stated noise counts as */
-    UNITY = 0x111,    /* parameters that are 1 of an ideal gyroscope */
     SERIES_OF_TURN = INVCAL_DOUBLE ? 9 : 5
 };
 
@@ -315,10 +314,10 @@ static void add_prior(invcal_imu_work *w)
 
     for (unsigned i = 0; prior && i < w->n; i++) {
         if (prior[i] > 0) {
+            const invcal_real ideal = i < IMU_GYRO && i % 4 == 0 ? 1 : 0;
             invcal_zero(h, sizeof h);
             h[i] = 1;
-            add_row(w, h, invcal_number((unsigned)UNITY >> i & 1u) - w->out->parameter[i],
-                    1 / (prior[i] * prior[i]));
+            add_row(w, h, ideal - w->out->parameter[i], 1 / (prior[i] * prior[i]));
             w->pass.rows++;
         }
     }

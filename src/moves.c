@@ -226,7 +226,7 @@ static void settle_until(invcal_moves *m, uint32_t newest, uint32_t resting)
 /* From now on v is free of the bias of the first rest. Its newest blocks, still with it, are quiet ones. */
 static void subtract(invcal_moves *m)
 {
-    const invcal_real pace = m->rate / invcal_number(m->still_samples);
+    const invcal_real pace = m->rate / (invcal_real)m->still_samples;
 
     for (unsigned i = 0; i < 3; i++) {
         m->bias[i] += m->still[i] * pace;
@@ -253,7 +253,7 @@ static void drop_oldest(invcal_moves *m)
 /* The bias of a rest: is it far from that of the one before? */
 static int measure_bias(const invcal_moves *m, int16_t bias[3])
 {
-    const invcal_real pace = m->rate / INVCAL_KAPPA_UNIT / invcal_number(m->still_samples);
+    const invcal_real pace = m->rate / INVCAL_KAPPA_UNIT / (invcal_real)m->still_samples;
     const invcal_still *last = &m->rest[m->count > 0 ? m->count - 1 : 0];
     int is_far = 0;
 
