@@ -19,7 +19,7 @@
 #define OPEN_SQUARE INVCAL_REAL(1e6)     /* of 1000 */
 #define BEYOND_4_SIGMA INVCAL_REAL(16.0) /* 4 sigma, squared */
 #define NOISE_OF_MEAN INVCAL_REAL(3e-4)  /* of a mean that nothing is known of */
-#define IMU_RIDGE INVCAL_REAL(1e-4)      /* of the trace: what is held by it is open */
+#define IMU_RIDGE INVCAL_REAL(6e-6)      /* of the trace: what is held by it is open */
 #define HELD_BY_RIDGE INVCAL_REAL(0.1)   /* a share */
 #define LITTLE INVCAL_REAL(0.01)         /* of a residual: none at all would be rounding */
 #define MUCH INVCAL_REAL(2.0)            /* times the variance that is stated: something is wrong */
@@ -95,6 +95,7 @@ void invcal_replay_move(const invcal_imu_work *w, const invcal_segment *segment,
     }
     (void)invcal_cofactors(m, cofactors);
     for (unsigned n = 0; n < count; n++) {
+        //@ assert \valid_read(segment); // the segments of all moves together are in the table
         const invcal_real time = invcal_number(segment->time / 2u) / w->moves->rate;
         invcal_zero(v, sizeof v);
         invcal_unpack(segment->v, INVCAL_V_UNIT, v);
@@ -167,6 +168,7 @@ static void fit_bias(invcal_imu_work *w, unsigned axis)
     invcal_real last = 0;
     invcal_real a[INVCAL_PACKED_SIZE(BIAS + 1)];
     invcal_real h[BIAS + 1];
+    invcal_real residual[INVCAL_MAX_MOVES];
 
     invcal_zero(a, sizeof a);
     for (unsigned i = w->begin; i < end; i++) {
@@ -181,18 +183,18 @@ static void fit_bias(invcal_imu_work *w, unsigned axis)
     invcal_back_substitute(a, BIAS);
     const invcal_real *p = &a[INVCAL_PACKED(BIAS, 0)];
     for (unsigned i = w->begin; i < end; i++) {
-        if (has_bias_row(w, i, axis, h)) {
-            const invcal_real residual = invcal_dot(p, h, BIAS) + h[BIAS];
-            changes += (residual - last) * (residual - last);
-            last = residual;
+        const int is_told = has_bias_row(w, i, axis, h);
+        residual[i] = invcal_dot(p, h, BIAS) + h[BIAS];
+        if (is_told) {
+            changes += (residual[i] - last) * (residual[i] - last);
+            last = residual[i];
         }
     }
     const invcal_real square = INVCAL_FABS(p[BIAS]) / invcal_number(count - BIAS);
     const invcal_real noise = changes / invcal_number(4 * count); /* s^2/2 */
     const invcal_real share = square > 2 * noise ? noise / (square - noise) : 1;
     for (unsigned i = w->begin; i < end; i++) {
-        (void)has_bias_row(w, i, axis, h);
-        w->bias[i][axis] += share * (invcal_dot(p, h, BIAS) + h[BIAS]);
+        w->bias[i][axis] += share * residual[i];
     }
     invcal_invert(a, BIAS);
     tell_slopes(w->out, axis, a, square);
@@ -529,7 +531,7 @@ static invcal_real judge_imu(invcal_imu_work *w, invcal_real most)
 static void name_open(invcal_imu_work *w)
 {
     (void)invcal_imu_sum(w); /* it was accepted before */
-    const invcal_real ridge = IMU_RIDGE * invcal_trace(w->pass.sum, w->n) / invcal_number(w->n);
+    const invcal_real ridge = IMU_RIDGE * invcal_trace(w->pass.sum, w->n);
     for (unsigned i = 0; i < w->n; i++) {
         w->pass.sum[INVCAL_PACKED(i, i)] += ridge;
     }

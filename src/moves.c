@@ -108,7 +108,11 @@ static void take_out(invcal_moves *m, unsigned from, unsigned to)
 {
     /* at most INVCAL_MAX_SEGMENTS steps */
     while (to < m->used && to < INVCAL_MAX_SEGMENTS && from < INVCAL_MAX_SEGMENTS) {
-        m->segment[from] = m->segment[to];
+        for (unsigned i = 0; i < 3; i++) {
+            m->segment[from].v[i] = m->segment[to].v[i];
+            m->segment[from].kappa[i] = m->segment[to].kappa[i];
+        }
+        m->segment[from].time = m->segment[to].time;
         from++;
         to++;
     }
