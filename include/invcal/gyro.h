@@ -79,7 +79,7 @@ typedef struct {
     invcal_calibration nominal; /* rad/s per count */
     invcal_real rate;           /* samples per second */
     invcal_real bias[3];        /* that v is free of, rad/s: of the first rest */
-    invcal_real q[3];           /* internal: rotation of the segment in the making */
+    invcal_real rho[3];         /* internal: rotation vector of the segment in the making */
     invcal_real v[3];           /* internal: and its integral */
     int32_t low;                /* rail */
     uint32_t between;           /* readings between it and the other */
