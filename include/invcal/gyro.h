@@ -261,7 +261,7 @@ invcal_status invcal_turns_begin(invcal_turns *turns, const invcal_real up[3],
 /* Begins with what is measured: arguments as of invcal_imu_solve.
  *
  * Returns INVCAL_OK; INVCAL_TOO_FEW: no rest; and what invcal_imu_solve says of its arguments.
- * Cost: a pass of invcal_imu_solve. Stack: about 1,900 bytes. */
+ * Cost: a pass of invcal_imu_solve. Stack: about 2,500 bytes. */
 invcal_status invcal_turns_after(invcal_turns *turns, const invcal_real *raw, unsigned count,
                                  const invcal_calibration *accelerometer, const invcal_moves *moves,
                                  const invcal_imu_settings *settings);
