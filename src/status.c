@@ -50,6 +50,10 @@ const char *invcal_status_text(invcal_status status)
                                 "stored in a form that is not known here\0"
                                 "not enough space\0"
                                 "the memory cannot be read or written\0"
+                                "samples were lost in the move\0"
+                                "the move took more than 10 s\0"
+                                "the move contradicts the others\0"
+                                "gyroscope and accelerometer differ: axes, signs or unit\0"
                                 "unknown status";
     const unsigned n = (unsigned)status;
 

@@ -8,6 +8,7 @@
 #include "invcal/expert.h"
 #include "invcal/frame.h"
 #include "invcal/magnetometer.h"
+#include "invcal/gyro.h"
 #include "invcal/plan.h"
 #include "invcal/thermal.h"
 
@@ -396,6 +397,104 @@ static void bench_thermal(void)
     report("thermal_at", end());
 }
 
+static invcal_moves moves;
+
+/* Quarter turns about x, z and y, five each, of five segments. */
+static void make_moves(void)
+{
+    invcal_real up[3] = {0, 0, 1};
+
+    for (unsigned i = 0; i < INVCAL_MAX_POSITIONS; i++) {
+        const unsigned axis = (3 - i / 5 % 3) % 3;
+        const unsigned next = (axis + 1) % 3;
+        const unsigned last = (axis + 2) % 3;
+        for (unsigned a = 0; a < 3; a++) {
+            session.mean[i][a] = up[a] * INVCAL_REAL(8192.0);
+        }
+        const invcal_real was = up[next];
+        up[next] = up[last];
+        up[last] = -was;
+        moves.rest[i].when = (uint16_t)(20 * i);
+        moves.rest[i].move = i > 0 ? 5 : -INVCAL_TOO_FEW;
+        for (unsigned k = 0; k < 5 && i + 1 < INVCAL_MAX_POSITIONS; k++) {
+            invcal_segment *s = &moves.segment[moves.first++];
+            s->v[axis] = 10294;
+            s->time = 2 * 100;
+        }
+    }
+    moves.used = moves.fixed = moves.first;
+    moves.count = INVCAL_MAX_POSITIONS;
+}
+
+static void bench_gyro(void)
+{
+    enum { BLOCK = 64 };
+    const int32_t at[3] = {20, -10, 5};
+    static invcal_imu imu;
+    invcal_calibration gyro = nominal;
+
+    (void)invcal_moves_init(&moves, &gyro, 400);
+    uint32_t count = 0;
+    for (unsigned i = 0; i < BLOCK; i++) {
+        begin();
+        invcal_moves_feed(&moves, at);
+        count += end();
+    }
+    report("gyro_feed", count / BLOCK);
+    invcal_rests rests = session.rests;
+    rests.pended = 0;
+    count = 0;
+    for (unsigned i = 0; i < BLOCK; i++) {
+        invcal_moves_feed(&moves, at);
+        begin();
+        invcal_moves_follow(&moves, &rests, INVCAL_MOVING);
+        const uint32_t one = end();
+        count = one > count ? one : count;
+    }
+    report("gyro_follow", count);
+    (void)invcal_moves_init(&moves, &gyro, 400);
+    make_moves();
+    begin();
+    const invcal_status status =
+        invcal_imu_solve(session.mean[0], INVCAL_MAX_POSITIONS, &nominal, &moves, NULL, &imu);
+    count = end();
+    if (status != INVCAL_OK) {
+        board_exit(1);
+    }
+    report("imu_pass", count / imu.passes);
+    report("imu_solve", count);
+}
+
+/* Halfway through the tour. */
+static void bench_turns(void)
+{
+    static invcal_turns turns;
+    static invcal_real sigma[INVCAL_IMU_PARAMETERS];
+    const invcal_real up[3] = {0, 0, 1};
+    invcal_turn turn;
+    uint32_t open;
+    invcal_status status = invcal_turns_begin(&turns, up, NULL);
+
+    for (unsigned i = 0; i < 9 && status == INVCAL_OK; i++) {
+        status = invcal_tour(i, &turn);
+        begin();
+        (void)invcal_turns_add(&turns, &turn);
+        const uint32_t count = end();
+        if (i == 8) {
+            report("turns_add", count);
+        }
+    }
+    begin();
+    invcal_turns_next(&turns, &turn);
+    report("turns_next", end());
+    begin();
+    status = invcal_turns_sigma(&turns, &turn, sigma, &open);
+    report("turns_sigma", end());
+    if (status != INVCAL_OK) {
+        board_exit(1);
+    }
+}
+
 int main(void)
 {
     begin();
@@ -414,6 +513,8 @@ int main(void)
     report("session_solve", solve_session(0));
     report("session_solve_1_wrong", solve_session(1));
     report("session_solve_3_wrong", solve_session(3));
+    bench_gyro();
+    bench_turns();
     report_text("OK\n");
     return 0;
 }

@@ -6,6 +6,7 @@
 #include "invcal/expert.h"
 #include "invcal/frame.h"
 #include "invcal/magnetometer.h"
+#include "invcal/gyro.h"
 #include "invcal/store.h"
 #include "invcal/thermal.h"
 
@@ -17,6 +18,9 @@ SIZE_OF(invcal_calibration);
 SIZE_OF(invcal_row);
 SIZE_OF(invcal_sums);
 SIZE_OF(invcal_frame);
+SIZE_OF(invcal_imu);
+SIZE_OF(invcal_moves);
+SIZE_OF(invcal_turns);
 SIZE_OF(invcal_full_vector);
 SIZE_OF(invcal_quality);
 SIZE_OF(invcal_rests);

@@ -166,6 +166,9 @@ prints 1 plan_refusal plan --limits 1e-9,1e-9,1e-9 --allan "$work/noise.json"
 prints 0 plan_sweep plan --sweep 5:9
 prints 0 plan_comparison plan --compare edges per-group:6
 prints 0 plan_comparison plan --compare edges optimal:18 --noise 0.001
+prints 0 plan_moves plan --moves tour12
+prints 0 plan_moves plan --moves greedy24 --noise 0.001 --rate-noise 0.01
+prints 1 plan_moves plan --moves x:90,x:90
 
 prints 0 calibration calibrate "$xsens" --positions --zero 33123,33276,32360 --lsb 0.0024 --need 1mg \
     --tolerance 0.02,0.005,0.02
