@@ -8,15 +8,16 @@
 #include "vector.h"
 
 enum { ACCELEROMETER_AT = 4, WEAK_AT = ACCELEROMETER_AT + INVCAL_RECORD_SIZE };
-enum { DOF_AT = WEAK_AT + 2, VERDICT_AT = WEAK_AT + 4, MOVES_AT, G_AT, NOTHING_AT, REALS_AT };
-enum { IMU_REALS = 48, WEAK_GYRO = 0x1FF };
+enum { DOF_AT = WEAK_AT + 2, VERDICT_AT = WEAK_AT + 4, MOVES_AT = WEAK_AT + 5 };
+enum { G_AT = WEAK_AT + 6, NOTHING_AT = WEAK_AT + 7, GYRO_AT = WEAK_AT + 8, IMU_REALS = 48 };
+#define WEAK_GYRO 0x1FFu /* as a mask */
 
 /* The reals come first in the structure, too, and in the same order. */
 typedef char invcal_imu_is_in_order
     [offsetof(invcal_imu_record, accelerometer) == IMU_REALS * sizeof(invcal_real) ? 1 : -1];
 
 /* What has weak parameters is WEAK, and nothing else is. */
-static int is_consistent(const invcal_imu_record *r)
+static int is_sensible(const invcal_imu_record *r)
 {
     return r->verdict <= INVCAL_WEAK && r->weak <= WEAK_GYRO && r->g_is_used <= 1 &&
            (r->verdict == INVCAL_WEAK ? (r->weak | r->accelerometer.weak) > 0 : r->weak == 0);
@@ -36,7 +37,7 @@ static invcal_status read_imu(const uint8_t *bytes, uint32_t size, invcal_imu_re
     if (status != INVCAL_OK) {
         return status;
     }
-    if (!invcal_get_reals(bytes + REALS_AT, r, IMU_REALS)) {
+    if (!invcal_get_reals(bytes + GYRO_AT, r, IMU_REALS)) {
         return INVCAL_NOT_FINITE;
     }
     r->weak = invcal_get_u16(bytes + WEAK_AT);
@@ -44,7 +45,7 @@ static invcal_status read_imu(const uint8_t *bytes, uint32_t size, invcal_imu_re
     r->verdict = bytes[VERDICT_AT];
     r->moves = bytes[MOVES_AT];
     r->g_is_used = bytes[G_AT];
-    return is_consistent(r) ? invcal_nominal_check(&r->gyro) : INVCAL_DAMAGED;
+    return is_sensible(r) ? invcal_nominal_check(&r->gyro) : INVCAL_DAMAGED;
 }
 
 void invcal_imu_record_init(invcal_imu_record *record, const invcal_imu *imu)
