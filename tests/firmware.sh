@@ -180,7 +180,7 @@ both_resumed() {
 refused_moves() {
     log '
         /^power on/ { gap = starts++ > 0 }
-        /^world: somebody hurries/ { hurry = 2 }
+        /^world: somebody hurries/ { hurry = 3 } # after the rest that is left
         /^position taken/ { taken = $NF; hurry -= hurry > 0; expected = gap ? "lost" : hurry == 1 ? "range" : "" }
         /^move refused: / { if (!expected || !index($0, expected)) print taken ": " $0; refused++; expected = "" }
         /^session stored/ { if (expected) print taken ": not refused: " expected; gap = 0 }
