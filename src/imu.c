@@ -19,7 +19,7 @@
 #define OPEN_SQUARE INVCAL_REAL(1e6)     /* of 1000 */
 #define BEYOND_4_SIGMA INVCAL_REAL(16.0) /* 4 sigma, squared */
 #define NOISE_OF_MEAN INVCAL_REAL(3e-4)  /* of a mean that nothing is known of */
-#define IMU_RIDGE INVCAL_REAL(1e-4)      /* of the trace: what is held by it is open */
+#define IMU_RIDGE INVCAL_REAL(6e-6)      /* of the trace: what is held by it is open */
 #define HELD_BY_RIDGE INVCAL_REAL(0.1)   /* a share */
 #define LITTLE INVCAL_REAL(0.01)         /* of a residual: none at all would be rounding */
 #define MUCH INVCAL_REAL(2.0)            /* times the variance that is stated: something is wrong */
@@ -34,7 +34,6 @@ enum {
     BIAS = 5,         /* unknowns of a bias: three of up, time, constant */
     LEAST_RESTS = 12, /* for them */
     STATED_ROWS = 4,  /* residuals that a stated noise counts as */
-    UNITY = 0x111,    /* parameters that are 1 of an ideal gyroscope */
     SERIES_OF_TURN = INVCAL_DOUBLE ? 9 : 5
 };
 
@@ -91,9 +90,12 @@ void invcal_replay_move(const invcal_imu_work *w, const invcal_segment *segment,
     invcal_real th[3];
 
     invcal_zero(r, sizeof *r);
-    r->c[0][0] = r->c[1][1] = r->c[2][2] = 1;
+    for (unsigned i = 0; i < 3; i++) {
+        r->c[i][i] = 1;
+    }
     (void)invcal_cofactors(m, cofactors);
     for (unsigned n = 0; n < count; n++) {
+        //@ assert \valid_read(segment); // the segments of all moves together are in the table
         const invcal_real time = invcal_number(segment->time / 2u) / w->moves->rate;
         invcal_zero(v, sizeof v);
         invcal_unpack(segment->v, INVCAL_V_UNIT, v);
@@ -103,7 +105,10 @@ void invcal_replay_move(const invcal_imu_work *w, const invcal_segment *segment,
             f[i] += (th[i] - up[0][i] - up[1][i]) / 2;
         }
         for (unsigned i = 0; i < 3; i++) {
-            v[i] -= time * (bias[i] + invcal_dot3(w->slope[i], f));
+            v[i] -= time * bias[i];
+            if (w->out->g_is_used) {
+                v[i] -= time * invcal_dot3(w->out->slope[i], f);
+            }
         }
         invcal_zero(f, sizeof f);
         invcal_unpack(segment->kappa, INVCAL_KAPPA_UNIT, f);
@@ -114,6 +119,91 @@ void invcal_replay_move(const invcal_imu_work *w, const invcal_segment *segment,
         r->angle += invcal_dot3(th, th);
         r->time += time;
         segment++;
+    }
+}
+
+/* ---- bias --------------------------------------------------------------------------------------- */
+
+/* b = b0 + G up + drift t of an axis: (up, t, 1, -b). None if the device turned in that rest or in the one
+ * before. */
+static int has_bias_row(const invcal_imu_work *w, unsigned rest, unsigned axis,
+                        invcal_real h[BIAS + 1])
+{
+    const invcal_moves *m = w->moves;
+    const invcal_still *at = &m->rest[rest];
+    const unsigned start = m->rest[w->begin].when;
+    const unsigned end = m->rest[m->count - 1u].when;
+
+    invcal_apply(&w->out->accelerometer, &w->raw[3 * (size_t)(rest - w->begin)], h);
+    h[3] = invcal_number(at->when - start) / invcal_number(end - start);
+    h[4] = 1;
+    h[BIAS] = -w->bias[rest][axis];
+    return at->move != -INVCAL_REST_DRIFT;
+}
+
+/* Slopes of an axis from their equations, L^-1 and p; square: of a residual. */
+static void tell_slopes(invcal_imu *out, unsigned axis, const invcal_real *a, invcal_real square)
+{
+    const invcal_real *p = &a[INVCAL_PACKED(BIAS, 0)];
+
+    for (unsigned i = 0; i < 4; i++) {
+        const invcal_real variance = square * invcal_variance(a, BIAS, i);
+        out->slope[axis][i] = p[i];
+        out->slope_sigma[axis][i] = INVCAL_SQRT(variance);
+        if (i < 3 && p[i] * p[i] > BEYOND_4_SIGMA * variance) {
+            out->g_is_used = 1;
+        }
+    }
+}
+
+/* By least squares over all rests. A rest's own bias has noise, s^2, which the fit has not; but the fit does not
+ * know how the bias wanders, W, beside up and time. Residuals have s^2 + W, half the squares of their changes
+ * from rest to rest s^2. So of the mean of two residuals, s^2/2 + W, the share s^2/2 is noise, and that is taken
+ * from the bias: the best linear estimate for the move between them. */
+static void fit_bias(invcal_imu_work *w, unsigned axis)
+{
+    const unsigned end = w->moves->count;
+    unsigned count = 0;
+    invcal_real changes = 0;
+    invcal_real last = 0;
+    invcal_real a[INVCAL_PACKED_SIZE(BIAS + 1)];
+    invcal_real h[BIAS + 1];
+    invcal_real residual[INVCAL_MAX_MOVES];
+
+    invcal_zero(a, sizeof a);
+    for (unsigned i = w->begin; i < end; i++) {
+        if (has_bias_row(w, i, axis, h)) {
+            invcal_rank_one(a, h, BIAS + 1, 1);
+            count++;
+        }
+    }
+    if (count < LEAST_RESTS || invcal_factor(a, BIAS, BIAS + 1, INVCAL_FLOOR) != INVCAL_OK) {
+        return;
+    }
+    invcal_back_substitute(a, BIAS);
+    const invcal_real *p = &a[INVCAL_PACKED(BIAS, 0)];
+    for (unsigned i = w->begin; i < end; i++) {
+        const int is_told = has_bias_row(w, i, axis, h);
+        residual[i] = invcal_dot(p, h, BIAS) + h[BIAS];
+        if (is_told) {
+            changes += (residual[i] - last) * (residual[i] - last);
+            last = residual[i];
+        }
+    }
+    const invcal_real square = INVCAL_FABS(p[BIAS]) / invcal_number(count - BIAS);
+    const invcal_real noise = changes / invcal_number(4 * count); /* s^2/2 */
+    const invcal_real share = square > 2 * noise ? noise / (square - noise) : 1;
+    for (unsigned i = w->begin; i < end; i++) {
+        w->bias[i][axis] += share * residual[i];
+    }
+    invcal_invert(a, BIAS);
+    tell_slopes(w->out, axis, a, square);
+}
+
+static void find_bias(invcal_imu_work *w)
+{
+    for (unsigned axis = 0; axis < 3; axis++) {
+        fit_bias(w, axis);
     }
 }
 
@@ -183,12 +273,13 @@ static void add_move(invcal_imu_work *w, unsigned rest, const invcal_segment *se
     const invcal_still *at = &w->moves->rest[rest];
     const invcal_real density = s->rate_noise * s->rate_noise;
     invcal_replay r;
-    invcal_real bias[3] = {0, 0, 0};
+    invcal_real bias[3];
     invcal_real a[3];
     invcal_real y[3];
 
-    invcal_unpack(at[-1].bias, INVCAL_KAPPA_UNIT / 2, bias);
-    invcal_unpack(at->bias, INVCAL_KAPPA_UNIT / 2, bias);
+    for (unsigned i = 0; i < 3; i++) {
+        bias[i] = (w->bias[rest - 1][i] + w->bias[rest][i]) / 2;
+    }
     invcal_replay_move(w, segment, (unsigned)at->move, bias, up, &r);
     if (r.angle < NO_ANGLE && invcal_dot3(up[0], up[1]) > SAME_UP) {
         w->out->idle |= (uint32_t)1 << rest;
@@ -221,14 +312,14 @@ static void add_move(invcal_imu_work *w, unsigned rest, const invcal_segment *se
 static void add_prior(invcal_imu_work *w)
 {
     const invcal_real *prior = w->settings->prior;
+    invcal_real h[IMU_ALL + 1];
 
     for (unsigned i = 0; prior && i < w->n; i++) {
-        const invcal_real sigma = prior[i];
-        if (sigma > 0) {
-            const invcal_real weight = 1 / (sigma * sigma);
-            w->pass.sum[INVCAL_PACKED(i, i)] += weight;
-            w->pass.sum[INVCAL_PACKED(w->n, i)] +=
-                weight * (w->out->parameter[i] - invcal_number((unsigned)UNITY >> i & 1u));
+        if (prior[i] > 0) {
+            const invcal_real ideal = i < IMU_GYRO && i % 4 == 0 ? 1 : 0;
+            invcal_zero(h, sizeof h);
+            h[i] = 1;
+            add_row(w, h, ideal - w->out->parameter[i], 1 / (prior[i] * prior[i]));
             w->pass.rows++;
         }
     }
@@ -268,54 +359,20 @@ invcal_status invcal_imu_sum(invcal_imu_work *w)
     return INVCAL_OK;
 }
 
-/* ---- bias --------------------------------------------------------------------------------------- */
-
-/* b = b0 + G up + drift t over all rests, axis by axis. */
-static void find_bias(invcal_imu_work *w)
-{
-    invcal_imu *out = w->out;
-    const invcal_moves *m = w->moves;
-    unsigned count = 0;
-    const uint16_t start = m->rest[w->begin].when;
-    const invcal_real span = invcal_number((unsigned)m->rest[m->count - 1].when - start);
-    invcal_real a[INVCAL_PACKED_SIZE(BIAS + 1)];
-    invcal_real h[BIAS + 1];
-
-    for (unsigned axis = 0; axis < 3 && m->count - w->begin >= LEAST_RESTS; axis++) {
-        invcal_zero(a, sizeof a);
-        count = 0;
-        for (unsigned i = w->begin; i < m->count; i++) {
-            const invcal_still *rest = &m->rest[i];
-            if (rest->move == -INVCAL_REST_DRIFT) {
-                continue; /* the device turned in it, or in the one before */
-            }
-            invcal_apply(&w->out->accelerometer, &w->raw[3 * (size_t)(i - w->begin)], h);
-            count++;
-            h[3] = invcal_number((unsigned)rest->when - start) / span;
-            h[4] = 1;
-            h[BIAS] = -(invcal_real)rest->bias[axis] * INVCAL_KAPPA_UNIT;
-            invcal_rank_one(a, h, BIAS + 1, 1);
-        }
-        if (invcal_factor(a, BIAS, BIAS + 1, INVCAL_FLOOR) != INVCAL_OK) {
-            return;
-        }
-        invcal_back_substitute(a, BIAS);
-        const invcal_real *p = &a[INVCAL_PACKED(BIAS, 0)];
-        invcal_invert(a, BIAS);
-        for (unsigned i = 0; i < 4; i++) {
-            const invcal_real square =
-                INVCAL_FABS(p[BIAS]) / invcal_number(count - BIAS) * invcal_variance(a, BIAS, i);
-            out->slope[axis][i] = p[i];
-            out->slope_sigma[axis][i] = INVCAL_SQRT(square);
-            out->g_is_used |= i < 3 && p[i] * p[i] > BEYOND_4_SIGMA * square;
-        }
-    }
-    if (out->g_is_used) {
-        memcpy(w->slope, out->slope, sizeof w->slope);
-    }
-}
-
 /* ---- solution ----------------------------------------------------------------------------------- */
+
+static invcal_status check_settings(const invcal_imu_settings *s)
+{
+    for (unsigned i = 0; s->prior && i < IMU_ALL; i++) {
+        if (!(s->prior[i] >= 0)) {
+            return INVCAL_BAD_PRIOR;
+        }
+    }
+    return s->noise >= 0 && s->rate_noise >= 0 && s->instability >= 0 &&
+                   s->noise + s->rate_noise + s->instability < 1
+               ? INVCAL_OK
+               : INVCAL_BAD_NOISE;
+}
 
 invcal_status invcal_imu_begin(invcal_imu_work *w, const invcal_real *raw, unsigned count,
                                const invcal_calibration *accelerometer, const invcal_moves *moves,
@@ -329,26 +386,23 @@ invcal_status invcal_imu_begin(invcal_imu_work *w, const invcal_real *raw, unsig
     invcal_zero(out, sizeof *out);
     w->moves = moves;
     w->out = out;
-    out->accelerometer = *accelerometer;
-    out->parameter[0] = out->parameter[4] = out->parameter[8] = 1;
-    for (unsigned i = 0; s->prior && i < IMU_ALL; i++) {
-        if (!(s->prior[i] >= 0)) {
-            return INVCAL_BAD_PRIOR;
-        }
-    }
-    if (!(s->noise >= 0 && s->rate_noise >= 0 && s->instability >= 0 &&
-          s->noise + s->rate_noise + s->instability < 1)) {
-        return INVCAL_BAD_NOISE;
-    }
     w->settings = s;
     w->is_told = settings != NULL;
+    out->accelerometer = *accelerometer;
+    for (unsigned i = 0; i < IMU_GYRO; i += 4) {
+        out->parameter[i] = 1;
+    }
     w->noise = s->noise > 0 ? s->noise : NOISE_OF_MEAN;
     w->n = s->held ? IMU_GYRO : IMU_ALL;
     w->begin = moves->count - both;
     w->raw = raw + 3 * (size_t)(count - both);
     w->rest_variance = w->noise * w->noise;
     w->move_variance = 1;
-    return invcal_nominal_check(accelerometer);
+    for (unsigned i = 0; i < moves->count; i++) {
+        invcal_unpack(moves->rest[i].bias, INVCAL_KAPPA_UNIT, w->bias[i]);
+    }
+    const invcal_status status = check_settings(s);
+    return status == INVCAL_OK ? invcal_nominal_check(accelerometer) : status;
 }
 
 /* The unknowns of the accelerometer are those of what it calibrates by now: A = (I + S)^-1 behind it. To the
@@ -356,8 +410,9 @@ invcal_status invcal_imu_begin(invcal_imu_work *w, const invcal_real *raw, unsig
 static invcal_status take_step(invcal_imu_work *w, invcal_real *size)
 {
     const invcal_real *p = &w->pass.sum[INVCAL_PACKED(w->n, 0)];
-    const invcal_calibration before = w->out->accelerometer;
+    invcal_calibration before;
 
+    before = w->out->accelerometer;
     for (unsigned i = 0; i < w->n; i++) {
         w->out->parameter[i] += p[i];
     }
@@ -413,38 +468,42 @@ static void adapt(invcal_imu_work *w)
     } /* cppcheck-suppress misra-c2012-15.7 ; both is done */
 }
 
-static invcal_status iterate(invcal_imu_work *w)
+/* Of Gauss and Newton. */
+static invcal_status make_pass(invcal_imu_work *w, invcal_real *size)
 {
-    invcal_imu *out = w->out;
-    invcal_real size = 1;
-    int is_done = 0;
-
-    while (!is_done && out->passes < PASSES + 2 * w->apart) { /* at most 12 */
-        if (out->passes == 1) {
-            find_bias(w);
-        }
-        invcal_status status = invcal_imu_sum(w);
-        if (status == INVCAL_OK && (w->pass.moved.rows == 0 || w->pass.rows < w->n)) {
-            status = INVCAL_TOO_FEW;
-        }
-        if (status != INVCAL_OK) {
-            return status;
-        }
-        is_done = w->is_weighed;
-        if (out->passes >= SETTLED) {
+    if (w->out->passes == 1) {
+        find_bias(w);
+    }
+    invcal_status status = invcal_imu_sum(w);
+    if (status == INVCAL_OK && (w->pass.moved.rows == 0 || w->pass.rows < w->n)) {
+        status = INVCAL_TOO_FEW;
+    }
+    if (status == INVCAL_OK) {
+        if (w->out->passes >= SETTLED) {
             adapt(w);
         }
         status = invcal_factor(w->pass.sum, w->n, w->n + 1, INVCAL_FLOOR);
-        if (status != INVCAL_OK) {
-            return status;
-        }
+    }
+    if (status == INVCAL_OK) {
         invcal_back_substitute(w->pass.sum, w->n);
-        status = take_step(w, &size);
-        if (status != INVCAL_OK) {
-            return status;
+        status = take_step(w, size);
+    }
+    return status;
+}
+
+static invcal_status iterate(invcal_imu_work *w)
+{
+    invcal_real size = 1;
+    int is_done = 0;
+
+    while (!is_done && w->out->passes < PASSES + 2 * w->apart) { /* at most 12 */
+        const int is_weighed = w->is_weighed;
+        const invcal_status status = make_pass(w, &size);
+        if (status != INVCAL_OK) { /* later than at first: it was led astray */
+            return w->out->passes > 0 ? INVCAL_MOUNTING : status;
         }
-        is_done = is_done && size < STEP;
-        out->passes++;
+        is_done = is_weighed && size < STEP;
+        w->out->passes++;
     }
     return w->pass.residuals < ABSURD_TURN * invcal_number(w->pass.moved.rows) && size < LAST_STEP
                ? INVCAL_OK
@@ -460,7 +519,9 @@ static invcal_real judge_imu(invcal_imu_work *w, invcal_real most)
     for (unsigned i = 0; i < w->n; i++) {
         const invcal_real k = invcal_variance(w->pass.sum, w->n, i);
         w->out->sigma[i] = INVCAL_SQRT(k);
-        w->out->open |= (k <= most ? (uint32_t)0 : 1) << i;
+        if (!(k <= most)) {
+            w->out->open |= (uint32_t)1 << i;
+        }
         largest = k <= largest ? largest : k;
     }
     return largest;
@@ -470,7 +531,7 @@ static invcal_real judge_imu(invcal_imu_work *w, invcal_real most)
 static void name_open(invcal_imu_work *w)
 {
     (void)invcal_imu_sum(w); /* it was accepted before */
-    const invcal_real ridge = IMU_RIDGE * invcal_trace(w->pass.sum, w->n) / invcal_number(w->n);
+    const invcal_real ridge = IMU_RIDGE * invcal_trace(w->pass.sum, w->n);
     for (unsigned i = 0; i < w->n; i++) {
         w->pass.sum[INVCAL_PACKED(i, i)] += ridge;
     }
@@ -510,19 +571,16 @@ invcal_status invcal_imu_solve(const invcal_real *raw, unsigned count,
     invcal_status status = invcal_imu_begin(&w, raw, count, accelerometer, moves, settings, out);
     if (status == INVCAL_OK) {
         status = iterate(&w);
-        if (status != INVCAL_OK && out->passes > 0) {
-            status = INVCAL_MOUNTING; /* it was led astray */
-        }
     }
-    if (status == INVCAL_OK) {
+    if (status == INVCAL_UNDETERMINED) {
+        name_open(&w);
+    } else if (status == INVCAL_OK) {
         const invcal_real of_moves = w.pass.variances / invcal_number(w.pass.moved.rows);
         if (!(judge_imu(&w, WEAK_SQUARE * of_moves) <= OPEN_SQUARE * of_moves)) {
             return INVCAL_UNDETERMINED;
         }
         out->move_noise = INVCAL_SQRT(of_moves);
         deliver(&w);
-    } else if (status == INVCAL_UNDETERMINED) {
-        name_open(&w);
     } /* cppcheck-suppress misra-c2012-15.7 ; there is nothing to tell */
     return status;
 }

@@ -19,12 +19,11 @@ typedef struct {
     const invcal_moves *moves;
     const invcal_real *raw; /* means of the rests from begin on */
     const invcal_imu_settings *settings;
-    invcal_imu *out;         /* accelerometer and parameters by now, left_out, idle, worst */
-    invcal_real noise;       /* of a mean, as stated or usual */
-    invcal_real slope[3][4]; /* g-sensitivity, if it is used */
-    unsigned n;              /* unknowns: 18, 9, or none for the residuals alone */
-    unsigned begin;          /* first rest of moves that has a mean */
-    unsigned apart;          /* moves left out */
+    invcal_imu *out;   /* accelerometer and parameters by now, left_out, idle, worst */
+    invcal_real noise; /* of a mean, as stated or usual */
+    unsigned n;        /* unknowns: 18, 9, or none for the residuals alone */
+    unsigned begin;    /* first rest of moves that has a mean */
+    unsigned apart;    /* moves left out */
     int is_weighed, is_told, is_disturbed;
     invcal_real rest_variance; /* over field, squared */
     invcal_real move_variance; /* over what is expected */
@@ -34,7 +33,8 @@ typedef struct {
         invcal_real variances, residuals;         /* sums over moves */
         invcal_real worst_square, worst_residual; /* over its variance; in rad^2 */
         invcal_real sum[INVCAL_PACKED_SIZE(INVCAL_IMU_PARAMETERS + 1)];
-    } pass; /* what it leaves */
+    } pass;                                /* what it leaves */
+    invcal_real bias[INVCAL_MAX_MOVES][3]; /* of the rests, as measured or as all of them tell */
 } invcal_imu_work;
 
 /* A move, integrated again. */

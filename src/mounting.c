@@ -6,7 +6,7 @@
 #define DEGREES INVCAL_REAL(57.29578)
 #define CLEAR INVCAL_REAL(4.0)  /* squares of the next best way over those of the best */
 #define STUCK INVCAL_REAL(1e-4) /* an axis that has less of all squares never turns */
-enum { SIGNS = 8, ORDERS = 6, LEAST_TURNS = 2 };
+enum { SIGNS = 8, ORDERS = 6, WAYS = SIGNS * ORDERS, LEAST_TURNS = 2 };
 
 /* Way k of 48: M has in row i the axis `of`, with its sign. */
 static void set_way(invcal_imu_work *w, unsigned k, invcal_real unit, int8_t axes[3])
@@ -26,11 +26,11 @@ static void set_way(invcal_imu_work *w, unsigned k, invcal_real unit, int8_t axe
     }
 }
 
-/* Gyroscope axes that never turn: a bit each. */
-static unsigned find_stuck(const invcal_moves *m)
+/* Gyroscope axes that never turn are 0, the others themselves. Returns whether there is one. */
+static int find_stuck(const invcal_moves *m, int8_t axes[3])
 {
     invcal_real square[3] = {0, 0, 0};
-    unsigned stuck = 0;
+    int is_stuck = 0;
 
     for (unsigned k = 0; k < m->first; k++) {
         for (unsigned i = 0; i < 3; i++) {
@@ -38,10 +38,49 @@ static unsigned find_stuck(const invcal_moves *m)
         }
     }
     for (unsigned i = 0; i < 3; i++) {
-        const int turns = square[i] > STUCK * (square[0] + square[1] + square[2]);
-        stuck |= (turns ? 0u : 1u) << i;
+        const int never = square[i] < STUCK * (square[0] + square[1] + square[2]);
+        axes[i] = (int8_t)(never ? 0 : i + 1);
+        is_stuck |= never;
     }
-    return stuck;
+    return is_stuck;
+}
+
+/* The best of all, and the squares of the best whose axes are others. */
+typedef struct {
+    invcal_real squares, next, unit;
+    int8_t axes[3];
+} best_way;
+
+static void compare(best_way *best, const int8_t axes[3], invcal_real unit, invcal_real squares)
+{
+    const int is_another = memcmp(axes, best->axes, sizeof best->axes) != 0;
+
+    if (squares < best->squares) {
+        best->next = is_another ? best->squares : best->next;
+        best->squares = squares;
+        best->unit = unit;
+        memcpy(best->axes, axes, sizeof best->axes);
+    } else if (is_another && squares < best->next) {
+        best->next = squares;
+    } /* cppcheck-suppress misra-c2012-15.7 ; it is one of many */
+}
+
+static invcal_status try_all(invcal_imu_work *w, best_way *best)
+{
+    for (unsigned k = 0; k < 2 * WAYS; k++) {
+        const invcal_real unit = k < WAYS ? 1 : DEGREES;
+        int8_t axes[3];
+        set_way(w, k % WAYS, unit, axes);
+        const invcal_status status = invcal_imu_sum(w);
+        if (status != INVCAL_OK) {
+            return status;
+        }
+        if (w->pass.moved.rows / 2 < LEAST_TURNS) {
+            return INVCAL_TOO_FEW;
+        }
+        compare(best, axes, unit, w->pass.residuals);
+    }
+    return best->next > CLEAR * best->squares ? INVCAL_OK : INVCAL_UNDETERMINED;
 }
 
 invcal_status invcal_imu_mounting(const invcal_real *raw, unsigned count,
@@ -50,65 +89,29 @@ invcal_status invcal_imu_mounting(const invcal_real *raw, unsigned count,
 {
     invcal_imu_work w;
     invcal_imu out;
-    int8_t best_axes[3] = {0, 0, 0};
-    invcal_real best = INVCAL_REAL_MAX;
-    invcal_real next = INVCAL_REAL_MAX;
-    invcal_real best_unit = 1;
+    best_way best = {INVCAL_REAL_MAX, INVCAL_REAL_MAX, 1, {0, 0, 0}};
 
     INVCAL_ASSERT((raw || count == 0) && accelerometer && moves && axes && unit);
     invcal_status status = invcal_imu_begin(&w, raw, count, accelerometer, moves, NULL, &out);
-    const unsigned stuck = find_stuck(moves);
-    if (status == INVCAL_OK && stuck != 0) {
-        for (unsigned i = 0; i < 3; i++) {
-            axes[i] = (int8_t)((stuck >> i & 1u) != 0 ? 0 : i + 1);
-        }
-        *unit = 1;
-        return INVCAL_OK;
-    }
-    w.n = 0;
-    for (unsigned k = 0; k < 2 * SIGNS * ORDERS && status == INVCAL_OK; k++) {
-        const invcal_real scale = k < SIGNS * ORDERS ? 1 : DEGREES;
-        int8_t way[3];
-        unsigned is_another = 0;
-        set_way(&w, k % (SIGNS * ORDERS), scale, way);
-        status = invcal_imu_sum(&w);
-        if (status == INVCAL_OK && w.pass.moved.rows / 2 < LEAST_TURNS) {
-            status = INVCAL_TOO_FEW;
-        }
-        for (unsigned i = 0; i < 3; i++) {
-            is_another |= way[i] != best_axes[i];
-        }
-        const invcal_real squares = w.pass.residuals;
-        if (squares < best) {
-            next = is_another ? best : next;
-            best = squares;
-            best_unit = scale;
-            for (unsigned i = 0; i < 3; i++) {
-                best_axes[i] = way[i];
-            }
-        } else if (is_another && squares < next) {
-            next = squares;
-        } /* cppcheck-suppress misra-c2012-15.7 ; it is one of many */
-    }
-    if (status == INVCAL_OK && !(next > CLEAR * best)) {
-        status = INVCAL_UNDETERMINED;
+    if (status == INVCAL_OK && !find_stuck(moves, best.axes)) {
+        w.n = 0;
+        status = try_all(&w, &best);
     }
     if (status == INVCAL_OK) {
-        for (unsigned i = 0; i < 3; i++) {
-            axes[i] = best_axes[i];
-        }
-        *unit = best_unit;
+        memcpy(axes, best.axes, sizeof best.axes);
+        *unit = best.unit;
     }
     return status;
 }
 
 const char *invcal_imu_parameter_name(unsigned parameter)
 {
-    static const char names[INVCAL_GYRO_PARAMETERS][8] = {"gyro_xx", "gyro_xy", "gyro_xz",
-                                                          "gyro_yx", "gyro_yy", "gyro_yz",
-                                                          "gyro_zx", "gyro_zy", "gyro_zz"};
+    enum { LENGTH = 8 };
+    static const char names[] = "gyro_xx\0gyro_xy\0gyro_xz\0"
+                                "gyro_yx\0gyro_yy\0gyro_yz\0"
+                                "gyro_zx\0gyro_zy\0gyro_zz";
 
     return parameter < INVCAL_GYRO_PARAMETERS
-               ? names[parameter]
+               ? &names[(size_t)LENGTH * parameter]
                : invcal_parameter_name(parameter - INVCAL_GYRO_PARAMETERS);
 }

@@ -17,40 +17,29 @@ enum {
     MOST_SEGMENTS = 127, /* of a move: seven turns */
     MOST_SAMPLES = INT16_MAX,
     NOWHERE = UINT16_MAX,
-    SPOILT = INT16_MIN, /* v[0] of a segment that is none; kappa[0] says why */
-    SERIES = INVCAL_DOUBLE ? 16 : 6
+    SPOILT = INT16_MIN /* v[0] of a segment that is none; kappa[0] says why */
 };
 
 /* ---- rotations ---------------------------------------------------------------------------------- */
 
-/* q <- q exp(th / 2), q and the sine of a half turn less its real part. For 1/2 rad right to 3e-7. */
-static INVCAL_OFTEN void turn(invcal_real q[3], const invcal_real th[3])
+/* The rotation rho, then th, as one rotation vector: Baker, Campbell, Hausdorff to the fourth order, right to
+ * 1e-6 for the 20 degrees of a segment. */
+static INVCAL_OFTEN void turn(invcal_real rho[3], const invcal_real th[3])
 {
-    const invcal_real x = invcal_dot3(th, th);
-    const invcal_real s = (1 - x * (1 - x / 80) / 24) / 2;
-    const invcal_real c = INVCAL_SQRT(1 - x * s * s);
-    const invcal_real w = INVCAL_SQRT(1 - invcal_dot3(q, q)) * s;
+    const invcal_real k = INVCAL_REAL(0.5) + invcal_dot3(rho, th) / 24;
     invcal_real a[3];
+    invcal_real b[3];
+    invcal_real c[3];
 
-    invcal_cross(q, th, a);
+    invcal_cross(rho, th, a);
     INVCAL_UNROLL
     for (unsigned i = 0; i < 3; i++) {
-        q[i] = c * q[i] + w * th[i] + s * a[i];
+        c[i] = (rho[i] - th[i]) / 12;
     }
-}
-
-/* 2 asin |q| / |q| times q: its rotation vector. The series suits angles up to a radian. */
-static void take_log(const invcal_real q[3], invcal_real rho[3])
-{
-    const invcal_real x = invcal_dot3(q, q);
-    invcal_real f = 1;
-
-    for (unsigned k = SERIES; k > 0; k--) {
-        const invcal_real odd = invcal_number(2 * k - 1);
-        f = 1 + f * x * odd * odd / ((odd + 1) * (odd + 2));
-    }
+    invcal_cross(c, a, b);
+    INVCAL_UNROLL
     for (unsigned i = 0; i < 3; i++) {
-        rho[i] = 2 * f * q[i];
+        rho[i] += th[i] + k * a[i] + b[i];
     }
 }
 
@@ -61,21 +50,19 @@ static int pack(invcal_real x, int16_t *out)
 {
     if (x > -32767 && x < 32767) {
         //@ assert \is_finite(x); // no NaN lies between two numbers
-        const invcal_real half = x < 0 ? INVCAL_REAL(-0.5) : INVCAL_REAL(0.5);
-        *out = (int16_t)(x + half);
+        x += x < 0 ? INVCAL_REAL(-0.5) : INVCAL_REAL(0.5);
+        *out = (int16_t)x;
         return 1;
     }
     *out = 0;
     return 0;
 }
 
-/* What v does not hold of the rotation q; 0 if either is too large. */
-static int pack_segment(const invcal_real q[3], const invcal_real v[3], invcal_segment *out)
+/* v, and what it does not hold of the rotation rho; 0 if either is too large. */
+static int pack_segment(const invcal_real rho[3], const invcal_real v[3], invcal_segment *out)
 {
-    invcal_real rho[3];
     int fits = 1;
 
-    take_log(q, rho);
     for (unsigned i = 0; i < 3; i++) {
         fits &= pack(v[i] / INVCAL_V_UNIT, &out->v[i]) &
                 pack((rho[i] - v[i]) / INVCAL_KAPPA_UNIT, &out->kappa[i]);
@@ -90,32 +77,26 @@ INVCAL_APART void invcal_unpack(const int16_t packed[3], invcal_real unit, invca
     }
 }
 
-static void turn_by_segment(invcal_real q[3], const invcal_segment *s)
-{
-    invcal_real rho[3] = {0, 0, 0};
-
-    invcal_unpack(s->v, INVCAL_V_UNIT, rho);
-    invcal_unpack(s->kappa, INVCAL_KAPPA_UNIT, rho);
-    turn(q, rho);
-}
-
 /* a and b behind it become one, if that is no more than 20 degrees. */
 static int merge(invcal_segment *a, const invcal_segment *b)
 {
     const unsigned samples = (a->time / 2u) + (b->time / 2u);
-    invcal_real q[3] = {0, 0, 0};
-    invcal_real v[3] = {0, 0, 0};
+    invcal_real of[3][3]; /* rotations of a and of b; v of both */
     invcal_segment both;
 
-    invcal_unpack(a->v, INVCAL_V_UNIT, v);
-    invcal_unpack(b->v, INVCAL_V_UNIT, v);
-    if (invcal_dot3(v, v) > FULL || samples > MOST_SAMPLES) {
+    invcal_zero(of, sizeof of);
+    invcal_unpack(a->v, INVCAL_V_UNIT, of[0]);
+    invcal_unpack(a->v, INVCAL_V_UNIT, of[2]);
+    invcal_unpack(b->v, INVCAL_V_UNIT, of[1]);
+    invcal_unpack(b->v, INVCAL_V_UNIT, of[2]);
+    if (invcal_dot3(of[2], of[2]) > FULL || samples > MOST_SAMPLES) {
         return 0;
     }
-    turn_by_segment(q, a);
-    turn_by_segment(q, b);
+    invcal_unpack(a->kappa, INVCAL_KAPPA_UNIT, of[0]);
+    invcal_unpack(b->kappa, INVCAL_KAPPA_UNIT, of[1]);
+    turn(of[0], of[1]);
     both.time = (uint16_t)(2 * samples);
-    if (!pack_segment(q, v, &both)) {
+    if (!pack_segment(of[0], of[2], &both)) {
         return 0;
     }
     *a = both;
@@ -161,7 +142,7 @@ INVCAL_APART static void close_segment(invcal_moves *m, unsigned mark)
     invcal_segment *s = &m->segment[m->used];
     m->used++;
     s->time = (uint16_t)(2u * m->missing + mark);
-    if (!pack_segment(m->q, m->v, s) && m->spoilt == INVCAL_OK) {
+    if (!pack_segment(m->rho, m->v, s) && m->spoilt == INVCAL_OK) {
         m->spoilt = INVCAL_MOUNTING;
     }
     for (unsigned i = 0; i < 3; i++) {
@@ -169,7 +150,7 @@ INVCAL_APART static void close_segment(invcal_moves *m, unsigned mark)
         if (m->spoilt != INVCAL_OK) {
             m->v[i] = 0;
         }
-        m->q[i] = m->v[i] / 2;
+        m->rho[i] = m->v[i];
     }
     if (m->spoilt != INVCAL_OK) {
         s->v[0] = SPOILT;
@@ -190,38 +171,47 @@ static void forget_rest(invcal_moves *m)
     invcal_zero(m->still, sizeof m->still);
 }
 
+/* What makes the oldest segment that is not merged useless for a move. */
+static unsigned find_reason(const invcal_moves *m)
+{
+    const invcal_segment *s = &m->segment[m->fixed];
+
+    return s->v[0] == SPOILT                                  ? (unsigned)s->kappa[0]
+           : (invcal_real)m->samples > LONGEST_MOVE * m->rate ? INVCAL_MOVE_LONG
+           : m->fixed + SPARE >= INVCAL_MAX_SEGMENTS          ? INVCAL_NO_SPACE
+                                                              : INVCAL_OK;
+}
+
+/* A segment of a rest. */
+static void add_still(invcal_moves *m, const invcal_segment *s)
+{
+    if (m->cut == NOWHERE) {
+        m->cut = m->fixed;
+    }
+    if (s->v[0] != SPOILT) {
+        m->still_samples += s->time / 2u;
+        invcal_unpack(s->v, INVCAL_V_UNIT, m->still);
+    }
+}
+
 /* The oldest segment that is not merged: is it of a rest? That may still be refused, so it is kept either
  * way. */
 static void settle(invcal_moves *m, int is_rest)
 {
     invcal_segment *s = &m->segment[m->fixed];
-    const unsigned samples = s->time / 2u;
-    int is_lost = 1;
 
     m->marks = (uint8_t)(m->marks - (s->time & 1u));
-    m->samples += m->samples < INT32_MAX ? samples : 0;
-    if (!is_rest) {
-        forget_rest(m);
-    } else if (m->cut == NOWHERE) {
-        m->cut = m->fixed;
-    } /* cppcheck-suppress misra-c2012-15.7 ; it goes on */
-    if (s->v[0] == SPOILT) {
-        find_fault(m, (unsigned)s->kappa[0]);
-    } else {
-        if (is_rest) {
-            m->still_samples += samples;
-            invcal_unpack(s->v, INVCAL_V_UNIT, m->still);
-        }
-        const unsigned fault = (invcal_real)m->samples > LONGEST_MOVE * m->rate ? INVCAL_MOVE_LONG
-                               : m->fixed + SPARE >= INVCAL_MAX_SEGMENTS        ? INVCAL_NO_SPACE
-                                                                                : INVCAL_OK;
-        if (!is_rest) {
-            find_fault(m, fault);
-        }
-        is_lost =
-            fault != INVCAL_OK || (m->fixed > m->first && m->fixed != m->cut && merge(s - 1, s));
+    m->samples += s->time / 2u;
+    const unsigned reason = find_reason(m);
+    if (!is_rest || s->v[0] == SPOILT) {
+        find_fault(m, reason);
     }
-    if (is_lost) {
+    if (is_rest) {
+        add_still(m, s);
+    } else {
+        forget_rest(m);
+    }
+    if (reason != INVCAL_OK || (m->fixed > m->first && m->fixed != m->cut && merge(s - 1, s))) {
         take_out(m, m->fixed, m->fixed + 1u);
     } else {
         m->fixed++;
@@ -240,7 +230,7 @@ static void settle_until(invcal_moves *m, uint32_t newest, uint32_t resting)
 /* From now on v is free of the bias of the first rest. Its newest blocks, still with it, are quiet ones. */
 static void subtract(invcal_moves *m)
 {
-    const invcal_real pace = m->rate / invcal_number(m->still_samples);
+    const invcal_real pace = m->rate / (invcal_real)m->still_samples;
 
     for (unsigned i = 0; i < 3; i++) {
         m->bias[i] += m->still[i] * pace;
@@ -256,6 +246,7 @@ static void drop_oldest(invcal_moves *m)
 
     take_out(m, 0, segments);
     m->fixed = (uint16_t)(m->fixed - segments);
+    m->first = m->fixed;
     m->count--;
     for (unsigned i = 0; i < m->count; i++) {
         memcpy(&m->rest[i], &m->rest[i + 1], sizeof m->rest[i]);
@@ -263,30 +254,38 @@ static void drop_oldest(invcal_moves *m)
     m->rest[0].move = -INVCAL_TOO_FEW;
 }
 
+/* The bias of a rest: is it far from that of the one before? */
+static int measure_bias(const invcal_moves *m, int16_t bias[3])
+{
+    const invcal_real pace = m->rate / INVCAL_KAPPA_UNIT / (invcal_real)m->still_samples;
+    const invcal_still *last = &m->rest[m->count > 0 ? m->count - 1 : 0];
+    int is_far = 0;
+
+    for (unsigned i = 0; i < 3; i++) { /* without a sample: 0 / 0, and so 0 */
+        (void)pack(m->still[i] * pace, &bias[i]);
+        const int32_t change = (int32_t)bias[i] - last->bias[i];
+        is_far |= change > MOST_CHANGE || change < -MOST_CHANGE;
+    }
+    return is_far;
+}
+
 /* The move ends where the rest began. */
 static void keep_move(invcal_moves *m)
 {
     const unsigned end = m->cut != NOWHERE ? m->cut : m->fixed;
     const unsigned segments = end - m->first;
-    const invcal_real pace = m->rate / INVCAL_KAPPA_UNIT / invcal_number(m->still_samples);
-    const invcal_still *last = &m->rest[m->count > 0 ? m->count - 1 : 0];
-
     int16_t bias[3];
-    unsigned fault = m->count == 0              ? INVCAL_TOO_FEW
-                     : segments == 0            ? INVCAL_MOVE_GAP
-                     : segments > MOST_SEGMENTS ? INVCAL_MOUNTING
-                                                : INVCAL_OK;
 
-    for (unsigned i = 0; i < 3; i++) { /* without a sample: 0 / 0, and so 0 */
-        (void)pack(m->still[i] * pace, &bias[i]);
-        if (fault == INVCAL_OK &&
-            (bias[i] - last->bias[i] > MOST_CHANGE || last->bias[i] - bias[i] > MOST_CHANGE)) {
-            fault = INVCAL_REST_DRIFT;
-        }
-    }
-    find_fault(m, fault);
-    take_out(m, m->fault == INVCAL_OK ? end : m->first, m->fixed);
-    m->fixed = (uint16_t)(m->fault == INVCAL_OK ? end : m->first);
+    const int has_turned = measure_bias(m, bias);
+    find_fault(m, segments == 0              ? INVCAL_MOVE_GAP
+                  : segments > MOST_SEGMENTS ? INVCAL_MOUNTING
+                  : has_turned               ? INVCAL_REST_DRIFT
+                                             : INVCAL_OK);
+    const unsigned kept = m->fault == INVCAL_OK ? segments : 0;
+    take_out(m, m->first + kept, m->fixed);
+    m->first = (uint16_t)(m->first + kept);
+    m->fixed = m->first;
+    const int move = m->fault == INVCAL_OK ? (int)segments : -(int)m->fault;
     if (m->count == INVCAL_MAX_MOVES) {
         drop_oldest(m);
     }
@@ -294,8 +293,7 @@ static void keep_move(invcal_moves *m)
     m->count++;
     memcpy(rest->bias, bias, sizeof bias);
     rest->when = m->blocks;
-    rest->move = (int8_t)(m->fault == INVCAL_OK ? (int)segments : -(int)m->fault);
-    m->first = m->fixed;
+    rest->move = (int8_t)move;
     m->samples = 0;
     m->fault = INVCAL_OK;
     forget_rest(m);
@@ -305,7 +303,8 @@ void invcal_moves_restart(invcal_moves *m)
 {
     invcal_zero(m, offsetof(invcal_moves, layout));
     m->fixed = m->used = m->first;
-    m->fault = m->count > 0 ? INVCAL_MOVE_GAP : INVCAL_OK;
+    /* to the first rest leads no move */
+    m->fault = m->count > 0 ? INVCAL_MOVE_GAP : INVCAL_TOO_FEW;
     forget_rest(m);
 }
 
@@ -356,7 +355,7 @@ void invcal_moves_feed(invcal_moves *moves, const int32_t raw[3])
             moves->spoilt = INVCAL_REST_CLIPPED;
         }
     }
-    turn(moves->q, th);
+    turn(moves->rho, th);
     moves->missing++;
     if (!(invcal_dot3(moves->v, moves->v) < PART) || moves->missing == MOST_SAMPLES) {
         close_segment(moves, 0);

@@ -91,7 +91,7 @@ typedef struct {
 /* All moves: 3.2 kB (float). What is not called internal may be read. */
 typedef struct {
     /* what does not last over a reset */
-    invcal_real q[3];       /* internal: rotation of the segment in the making */
+    invcal_real rho[3];     /* internal: rotation vector of the segment in the making */
     invcal_real v[3];       /* internal: and its integral */
     invcal_real still[3];   /* internal: integral since the rest began */
     uint32_t still_samples; /* internal: and its samples */

@@ -233,7 +233,8 @@ static void assert_back(void)
     TEST_ASSERT_EQUAL_UINT(back.moves.first, back.moves.used);
     TEST_ASSERT_EQUAL_UINT(0, back.moves.marks + back.moves.missing + back.moves.spoilt);
     for (unsigned i = 0; i < 3; i++) {
-        TEST_ASSERT_TRUE(back.moves.q[i] == 0 && back.moves.v[i] == 0 && back.moves.still[i] == 0);
+        TEST_ASSERT_TRUE(back.moves.rho[i] == 0 && back.moves.v[i] == 0 &&
+                         back.moves.still[i] == 0);
     }
 }
 
