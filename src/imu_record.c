@@ -69,7 +69,7 @@ void invcal_imu_record_init(invcal_imu_record *record, const invcal_imu *imu)
     a->noise = imu->noise;
     a->calibration = imu->accelerometer;
     memcpy(a->sigma, &imu->sigma[INVCAL_GYRO_PARAMETERS], sizeof a->sigma);
-    a->weak = (uint16_t)(imu->open >> INVCAL_GYRO_PARAMETERS);
+    a->weak = (uint16_t)(imu->open >> (unsigned)INVCAL_GYRO_PARAMETERS);
     a->verdict =
         imu->verdict == INVCAL_WEAK && a->weak == 0 ? (uint8_t)INVCAL_NO_REDUNDANCY : imu->verdict;
 }

@@ -302,7 +302,8 @@ static void keep_move(invcal_moves *m)
 void invcal_moves_restart(invcal_moves *m)
 {
     invcal_zero(m, offsetof(invcal_moves, layout));
-    m->fixed = m->used = m->first;
+    m->fixed = m->first;
+    m->used = m->first;
     /* to the first rest leads no move */
     m->fault = m->count > 0 ? INVCAL_MOVE_GAP : INVCAL_TOO_FEW;
     forget_rest(m);
