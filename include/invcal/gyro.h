@@ -113,7 +113,7 @@ typedef struct {
     invcal_calibration nominal; /* rad/s per count */
     invcal_real rate;           /* samples per second */
     invcal_real bias[3];        /* that v is free of, rad/s: of the first rest */
-    invcal_still rest[INVCAL_MAX_MOVES];
+    invcal_still rest[INVCAL_MAX_MOVES];         /* with the moves that led to them */
     invcal_segment segment[INVCAL_MAX_SEGMENTS]; /* of all moves, in their order */
 } invcal_moves;
 
@@ -247,8 +247,8 @@ invcal_status invcal_imu_mounting(const invcal_real *raw, unsigned count,
  * the library or number of moves or segments refuses them; a table of means of another size takes them if
  * they fit. */
 typedef struct {
-    invcal_moves moves;     /* its end lasts, */
-    invcal_session session; /* and the beginning of this */
+    invcal_moves moves;     /* its end lasts */
+    invcal_session session; /* its beginning lasts */
 } invcal_imu_session;
 
 /* How many bytes last at most; and from which of the structure on. */
@@ -308,21 +308,21 @@ invcal_status invcal_load_imu_session(const invcal_store *store, invcal_imu_sess
  * A device that knows no gyroscope finds a record at byte 4. */
 #define INVCAL_IMU_RECORD_SIZE 344u /* bytes */
 
-/* What the bytes say. */
+/* What the bytes say: of invcal_imu, what is called the same there. */
 typedef struct {
-    invcal_real move_noise; /* of invcal_imu, as all up to slope_sigma */
-    invcal_real move_rms;
-    invcal_real move_max;
+    invcal_real move_noise;  /* of a move, rad on each axis */
+    invcal_real move_rms;    /* residuals of moves */
+    invcal_real move_max;    /* the largest */
     invcal_calibration gyro; /* counts to rad/s; its offset is the bias of that day */
-    invcal_real sigma[INVCAL_GYRO_PARAMETERS];
-    invcal_real slope[3][4]; /* rad/s per field along x, y, z; drift */
-    invcal_real slope_sigma[3][4];
+    invcal_real sigma[INVCAL_GYRO_PARAMETERS]; /* of the gyroscope's parameters */
+    invcal_real slope[3][4];                   /* g-sensitivity along x, y, z; drift */
+    invcal_real slope_sigma[3][4];             /* standard deviations of these */
     invcal_record accelerometer; /* over field; more may be filled in: sensor, date, temperature */
     uint16_t weak;               /* of the gyroscope's parameters */
-    uint16_t dof;                /* of invcal_imu, as the rest */
-    uint8_t verdict;
-    uint8_t moves;
-    uint8_t g_is_used;
+    uint16_t dof;                /* degrees of freedom left to the residuals */
+    uint8_t verdict;             /* of both, an invcal_verdict */
+    uint8_t moves;               /* that made it */
+    uint8_t g_is_used;           /* 1: take slope from rates */
 } invcal_imu_record;
 
 /* Makes one of what invcal_imu_solve gives. If the accelerometer was held, put its own record into
