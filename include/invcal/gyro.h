@@ -183,11 +183,11 @@ typedef struct {
     /* Of the bias, axis by axis: g-sensitivity, rad/s per field along x, y, z; and its drift from the first
      * rest to the last, rad/s. Their standard deviations are 0 if fewer than 12 rests tell them. */
     invcal_real slope[3][4];
-    invcal_real slope_sigma[3][4];
-    invcal_real noise;      /* of a position mean behind sigma, over field */
-    invcal_real move_noise; /* of a move, rad on each axis, root mean square */
-    invcal_real move_rms;   /* residuals of moves, rad on each axis, root mean square */
-    invcal_real move_max;   /* the largest, both axes together, rad */
+    invcal_real slope_sigma[3][4]; /* 0 if fewer than 12 rests tell them */
+    invcal_real noise;             /* of a position mean behind sigma, over field */
+    invcal_real move_noise;        /* of a move, rad on each axis, root mean square */
+    invcal_real move_rms;          /* residuals of moves, rad on each axis, root mean square */
+    invcal_real move_max;          /* the largest, both axes together, rad */
     uint32_t left_out; /* bit i: the move to rest i contradicts the others: INVCAL_MOVE_APART */
     uint32_t idle;     /* bit i: it turned nothing: INVCAL_REST_SAME */
     uint32_t open;     /* bit r: parameter r is undetermined; or weak: sigma above 2.5 move_noise */
@@ -251,10 +251,11 @@ typedef struct {
     invcal_session session; /* its beginning lasts */
 } invcal_imu_session;
 
-/* How many bytes last at most; and from which of the structure on. */
+/* How many bytes last at most. */
 #define INVCAL_IMU_SESSION_SIZE                                                                    \
     ((uint32_t)(offsetof(invcal_imu_session, session) - INVCAL_IMU_SESSION_FROM) +                 \
      INVCAL_SESSION_SIZE)
+/* From which byte of the structure on. */
 #define INVCAL_IMU_SESSION_FROM offsetof(invcal_imu_session, moves.layout)
 
 /* How many bytes last now. Who has other means than an invcal_store keeps these. */
