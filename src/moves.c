@@ -299,6 +299,16 @@ static void keep_move(invcal_moves *m)
     forget_rest(m);
 }
 
+void invcal_moves_restart(invcal_moves *m)
+{
+    invcal_zero(m, offsetof(invcal_moves, layout));
+    m->fixed = m->first;
+    m->used = m->first;
+    /* to the first rest leads no move */
+    m->fault = m->count > 0 ? INVCAL_MOVE_GAP : INVCAL_TOO_FEW;
+    forget_rest(m);
+}
+
 /* ---- what is called ----------------------------------------------------------------------------- */
 
 invcal_status invcal_moves_init(invcal_moves *moves, const invcal_calibration *nominal,
@@ -309,14 +319,14 @@ invcal_status invcal_moves_init(invcal_moves *moves, const invcal_calibration *n
     if (status != INVCAL_OK) {
         return status;
     }
-    if (!(rate >= INVCAL_REAL(8.0) && rate <= INVCAL_REAL(8000.0))) {
+    if (!(rate >= INVCAL_LEAST_RATE && rate <= INVCAL_MOST_RATE)) {
         return INVCAL_BAD_RATE;
     }
     invcal_zero(moves, sizeof *moves);
+    moves->layout = INVCAL_MOVES_LAYOUT;
     moves->nominal = *nominal;
     moves->rate = rate;
-    moves->fault = INVCAL_TOO_FEW; /* to the first rest leads no move */
-    forget_rest(moves);
+    invcal_moves_restart(moves);
     return invcal_moves_rails(moves, INT32_MIN, INT32_MAX);
 }
 

@@ -6,28 +6,40 @@
  * six faces determine the nine elements of its matrix and the nine parameters of the accelerometer, in one
  * solution and without a calibration beforehand. No sample is stored: a move is kept as a few segments.
  *
- *     invcal_moves moves;
- *     invcal_moves_init(&moves, &gyro, 400);                  rad/s per count; samples per second
+ *     static invcal_imu_session both;                         3.9 kB; or a session and moves of their own
+ *     invcal_imu_record record;
+ *     invcal_imu imu;
+ *     if (invcal_load_imu(&result, &record) == INVCAL_OK)     calibrated: record.accelerometer, record.gyro
+ *     else if (invcal_load_imu_session(&progress, &both) != INVCAL_OK)    else it goes on there; or it begins:
+ *         invcal_session_init(&both.session, 16384, 100);     counts for 1 g; samples per second
+ *         invcal_moves_init(&both.moves, &gyro, 400);         rad/s per count; samples per second
  *     for every sample of the gyroscope:
- *         invcal_moves_feed(&moves, raw);
+ *         invcal_moves_feed(&both.moves, raw);
  *     for every sample of the accelerometer:
- *         event = invcal_session_feed(&session, raw);
- *         invcal_moves_follow(&moves, &session.rests, event);
- *     invcal_imu_solve(session.mean[0], session.count, &session.nominal, &moves, NULL, &imu);
+ *         event = invcal_session_feed(&both.session, raw);
+ *         invcal_moves_follow(&both.moves, &both.session.rests, event);
+ *         if (event == INVCAL_TAKEN)
+ *             invcal_save_imu_session(&progress, &both);
+ *             if (both.moves.count > 12 &&
+ *                 invcal_imu_solve(both.session.mean[0], both.session.count, &both.session.nominal, &both.moves,
+ *                                  NULL, &imu) == INVCAL_OK && imu.verdict == INVCAL_GOOD)
+ *                 invcal_save_imu(&result, &imu);
  *
  * invcal_tour tells twelve such turns, invcal_turns_next the one that would tell most, and
  * invcal_turns_sigma how exactly turns will determine the 18, made or planned.
  *
  * The two sensors may be sampled at different rates. What is assumed of time: samples are fed in the order
  * in which they were taken, within some hundredths of a second. A rest is cut off 0.3 s before motion was
- * noticed, so such a shift between them costs nothing.
+ * noticed, so such a shift between them costs nothing. While a memory is written no sample may be lost: the
+ * device is in motion then. Sensors keep them for a second (FIFO), or an interrupt does; else the call is
+ * invcal_moves_gap, and the move is taken again.
  *
  * invcal.h states the rules and units; mathematics.md, "The gyroscope", derives this.
  */
 #ifndef INVCAL_GYRO_H
 #define INVCAL_GYRO_H
 
-#include "invcal/invcal.h"
+#include "invcal/store.h"
 
 #ifdef __cplusplus
 extern "C" {
@@ -56,6 +68,11 @@ extern "C" {
 #define INVCAL_GYRO_CHOSEN___(name, real, s, m) name##_##real##_##s##_##m              /* step */
 #define invcal_moves_init INVCAL_GYRO_CHOSEN(invcal_moves_init)
 #define invcal_imu_solve INVCAL_GYRO_CHOSEN(invcal_imu_solve)
+#define invcal_imu_session_resume INVCAL_GYRO_CHOSEN(invcal_imu_session_resume)
+#define invcal_load_imu_session INVCAL_GYRO_CHOSEN(invcal_load_imu_session)
+#define invcal_imu_record_init INVCAL_CHOSEN(invcal_imu_record_init, 9)
+#define invcal_imu_record_decode INVCAL_CHOSEN(invcal_imu_record_decode, 9)
+#define invcal_load_imu INVCAL_CHOSEN(invcal_load_imu, 9)
 
 /* ---- moves -------------------------------------------------------------------------------------- */
 
@@ -76,26 +93,30 @@ typedef struct {
 
 /* All moves: 3.2 kB (float). What is not called internal may be read. */
 typedef struct {
+    /* what does not last over a reset */
+    invcal_real rho[3];     /* internal: rotation vector of the segment in the making */
+    invcal_real v[3];       /* internal: and its integral */
+    invcal_real still[3];   /* internal: integral since the rest began */
+    uint32_t still_samples; /* internal: and its samples */
+    uint32_t samples;       /* internal: of the move since it began */
+    uint16_t missing;       /* internal: samples of the segment in the making */
+    uint16_t cut, fixed;    /* internal: segments of the rest begin, of those that are not merged */
+    uint16_t used;          /* internal: segments altogether */
+    uint8_t marks;          /* internal: blocks among those not merged */
+    uint8_t fault;          /* internal: of the move */
+    uint8_t spoilt;         /* internal: of the segment in the making */
+    /* what does */
+    uint32_t layout;            /* of this, to be told from another build's */
+    int32_t low;                /* rail */
+    uint32_t between;           /* readings between it and the other */
+    uint16_t blocks;            /* of rests, so far; at most 65535 */
+    uint16_t first;             /* segments of the moves that are there; those of the next follow */
+    uint8_t count;              /* rests */
+    uint8_t none[3];            /* 0 */
     invcal_calibration nominal; /* rad/s per count */
     invcal_real rate;           /* samples per second */
     invcal_real bias[3];        /* that v is free of, rad/s: of the first rest */
-    invcal_real rho[3];         /* internal: rotation vector of the segment in the making */
-    invcal_real v[3];           /* internal: and its integral */
-    int32_t low;                /* rail */
-    uint32_t between;           /* readings between it and the other */
-    invcal_real still[3];       /* internal: integral since the rest began */
-    uint32_t still_samples;     /* internal: and its samples */
-    uint32_t samples;           /* internal: of the move since it began */
-    uint16_t missing;           /* internal: samples of the segment in the making */
-    uint16_t blocks;            /* of rests, so far; at most 65535 */
-    uint16_t first, cut,
-        fixed;      /* internal: segments of the move begin, of the rest, that are not merged */
-    uint16_t used;  /* internal: segments altogether */
-    uint8_t marks;  /* internal: blocks among those not merged */
-    uint8_t fault;  /* internal: of the move */
-    uint8_t spoilt; /* internal: of the segment in the making */
-    uint8_t count;  /* rests */
-    invcal_still rest[INVCAL_MAX_MOVES];
+    invcal_still rest[INVCAL_MAX_MOVES];         /* with the moves that led to them */
     invcal_segment segment[INVCAL_MAX_SEGMENTS]; /* of all moves, in their order */
 } invcal_moves;
 
@@ -165,11 +186,11 @@ typedef struct {
     /* Of the bias, axis by axis: g-sensitivity, rad/s per field along x, y, z; and its drift from the first
      * rest to the last, rad/s. Their standard deviations are 0 if fewer than 12 rests tell them. */
     invcal_real slope[3][4];
-    invcal_real slope_sigma[3][4];
-    invcal_real noise;      /* of a position mean behind sigma, over field */
-    invcal_real move_noise; /* of a move, rad on each axis, root mean square */
-    invcal_real move_rms;   /* residuals of moves, rad on each axis, root mean square */
-    invcal_real move_max;   /* the largest, both axes together, rad */
+    invcal_real slope_sigma[3][4]; /* 0 if fewer than 12 rests tell them */
+    invcal_real noise;             /* of a position mean behind sigma, over field */
+    invcal_real move_noise;        /* of a move, rad on each axis, root mean square */
+    invcal_real move_rms;          /* residuals of moves, rad on each axis, root mean square */
+    invcal_real move_max;          /* the largest, both axes together, rad */
     uint32_t left_out; /* bit i: the move to rest i contradicts the others: INVCAL_MOVE_APART */
     uint32_t idle;     /* bit i: it turned nothing: INVCAL_REST_SAME */
     uint32_t open;     /* bit r: parameter r is undetermined; or weak: sigma above 2.5 move_noise */
@@ -217,6 +238,129 @@ invcal_status invcal_imu_solve(const invcal_real *raw, unsigned count,
 invcal_status invcal_imu_mounting(const invcal_real *raw, unsigned count,
                                   const invcal_calibration *accelerometer,
                                   const invcal_moves *moves, int8_t axes[3], invcal_real *unit);
+
+/* ---- what survives a reset: the moves -----------------------------------------------------------
+ *
+ * Moves are of no use without the means of their rests, and the last of these belong to the last of those:
+ * so both are kept at once, in one slot, and wherever power fails both are as before or as now (store.h).
+ * Of moves and session lasts what was taken. The move in which the reset came is refused, INVCAL_MOVE_GAP:
+ * what is taken next begins another.
+ *
+ * These bytes are the device's own, as those of a session: another number type, order of bytes, version of
+ * the library or number of moves or segments refuses them; a table of means of another size takes them if
+ * they fit. */
+typedef struct {
+    invcal_moves moves;     /* its end lasts */
+    invcal_session session; /* its beginning lasts */
+} invcal_imu_session;
+
+/* How many bytes last at most. */
+#define INVCAL_IMU_SESSION_SIZE                                                                    \
+    ((uint32_t)(offsetof(invcal_imu_session, session) - INVCAL_IMU_SESSION_FROM) +                 \
+     INVCAL_SESSION_SIZE)
+/* From which byte of the structure on. */
+#define INVCAL_IMU_SESSION_FROM offsetof(invcal_imu_session, moves.layout)
+
+/* How many bytes last now. Who has other means than an invcal_store keeps these. */
+uint32_t invcal_imu_session_size(const invcal_imu_session *both);
+
+/* Goes on with both, whose bytes have been put back, and with streams that begin. If it fails, begin them
+ * anew.
+ *
+ * size  how many bytes were put back.
+ *
+ * Returns INVCAL_OK;
+ *   INVCAL_OTHER_VERSION  they are not what a build like this has kept;
+ *   INVCAL_DAMAGED        the moves contradict themselves;
+ *   INVCAL_BAD_NOMINAL, INVCAL_BAD_RATE, INVCAL_BAD_RAILS    a content that no moves have;
+ *   as invcal_session_resume. */
+invcal_status invcal_imu_session_resume(invcal_imu_session *both, uint32_t size);
+
+/* Saves what lasts of both.
+ *
+ * Returns as invcal_store_save. Stack as that. */
+invcal_status invcal_save_imu_session(const invcal_store *store, const invcal_imu_session *both);
+
+/* Loads it, to go on with streams that begin. If anything fails, begin both anew.
+ *
+ * Returns as invcal_store_load, then as invcal_imu_session_resume. Stack as these. */
+invcal_status invcal_load_imu_session(const invcal_store *store, invcal_imu_session *both);
+
+/* ---- what survives a reset: the result ----------------------------------------------------------
+ *
+ * Both calibrations with all that is known about them as 344 bytes, for a memory (store.h), a file or a
+ * radio. Numbers as in a record of store.h:
+ *
+ *     at    size  what
+ *       0   1     kind, 0xCC
+ *       1   1     version, 1
+ *       2   2     length, 344
+ *       4   136   the record of the accelerometer (store.h)
+ *     140   2     weak: bit r is set if parameter r of the gyroscope is
+ *     142   2     dof
+ *     144   1     verdict, of both
+ *     145   1     moves
+ *     146   1     1: the g-sensitivity was taken from the moves
+ *     147   1     0
+ *     148   12    move_noise, move_rms, move_max
+ *     160   48    gyroscope: offset x, y, z, matrix by rows
+ *     208   36    sigma of its nine parameters
+ *     244   48    g-sensitivity and drift, by rows: x, y, z, drift
+ *     292   48    sigma of these
+ *     340   4     CRC-32 of all before it
+ *
+ * A device that knows no gyroscope finds a record at byte 4. */
+#define INVCAL_IMU_RECORD_SIZE 344u /* bytes */
+
+/* What the bytes say: of invcal_imu, what is called the same there. */
+typedef struct {
+    invcal_real move_noise;  /* of a move, rad on each axis */
+    invcal_real move_rms;    /* residuals of moves */
+    invcal_real move_max;    /* the largest */
+    invcal_calibration gyro; /* counts to rad/s; its offset is the bias of that day */
+    invcal_real sigma[INVCAL_GYRO_PARAMETERS]; /* of the gyroscope's parameters */
+    invcal_real slope[3][4];                   /* g-sensitivity along x, y, z; drift */
+    invcal_real slope_sigma[3][4];             /* standard deviations of these */
+    invcal_record accelerometer; /* over field; more may be filled in: sensor, date, temperature */
+    uint16_t weak;               /* of the gyroscope's parameters */
+    uint16_t dof;                /* degrees of freedom left to the residuals */
+    uint8_t verdict;             /* of both, an invcal_verdict */
+    uint8_t moves;               /* that made it */
+    uint8_t g_is_used;           /* 1: take slope from rates */
+} invcal_imu_record;
+
+/* Makes one of what invcal_imu_solve gives. If the accelerometer was held, put its own record into
+ * record->accelerometer: what was known of it then. Where only the gyroscope is weak, the accelerometer's
+ * verdict is INVCAL_NO_REDUNDANCY: nothing has checked it. */
+void invcal_imu_record_init(invcal_imu_record *record, const invcal_imu *imu);
+
+/* A record as bytes.
+ *
+ * Returns INVCAL_OK: invcal_imu_record_decode accepts the bytes. On failure they are lost: as
+ * invcal_record_encode, of either sensor; INVCAL_DAMAGED also for a tenth parameter, or a verdict that
+ * does not fit what is weak. Stack: about 700 bytes. */
+invcal_status invcal_imu_record_encode(const invcal_imu_record *record,
+                                       uint8_t bytes[INVCAL_IMU_RECORD_SIZE]);
+
+/* A record from bytes, at any alignment.
+ *
+ * size  how many there are; what follows the record is not looked at.
+ *
+ * Returns INVCAL_OK; INVCAL_DAMAGED; INVCAL_OTHER_VERSION for sound bytes of another kind or version; as
+ * invcal_imu_record_encode otherwise. out is untouched then. Stack: as above. */
+invcal_status invcal_imu_record_decode(const uint8_t *bytes, uint32_t size, invcal_imu_record *out);
+
+/* Saves a result as its record; over field, so before invcal_scale.
+ *
+ * Returns INVCAL_OK; as invcal_store_save; as invcal_imu_record_encode, of what no solution gives. Stack:
+ * about 1,500 bytes, without the callbacks. */
+invcal_status invcal_save_imu(const invcal_store *store, const invcal_imu *imu);
+
+/* Loads it.
+ *
+ * Returns INVCAL_OK; as invcal_store_load; as invcal_imu_record_decode. INVCAL_NO_SPACE or
+ * INVCAL_OTHER_VERSION: it holds something else. Stack: about 1,100 bytes. */
+invcal_status invcal_load_imu(const invcal_store *store, invcal_imu_record *out);
 
 /* The name of a parameter: "gyro_xx" (scale), "gyro_xy" ... "gyro_zz", then those of
  * invcal_parameter_name. Outside 0 ... 17: "?". */

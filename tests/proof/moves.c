@@ -44,6 +44,8 @@ void main(void)
     any_moves(&m);
     invcal_moves_gap(&m);
     any_moves(&m);
+    invcal_moves_restart(&m);
+    any_moves(&m);
     invcal_moves_follow(&m, &rests, (invcal_event)BETWEEN(INVCAL_NOTHING, INVCAL_REFUSED));
     any_moves(&m);
     m.count = (uint8_t)BETWEEN(1, INVCAL_MAX_MOVES);

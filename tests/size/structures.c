@@ -19,6 +19,8 @@ SIZE_OF(invcal_row);
 SIZE_OF(invcal_sums);
 SIZE_OF(invcal_frame);
 SIZE_OF(invcal_imu);
+SIZE_OF(invcal_imu_record);
+SIZE_OF(invcal_imu_session);
 SIZE_OF(invcal_moves);
 SIZE_OF(invcal_turns);
 SIZE_OF(invcal_full_vector);
