@@ -10,7 +10,7 @@
 #include "unity.h"
 
 /* The longer moves fill the table of segments before they are 24. */
-enum { UNKNOWNS = 9, BIAS = 5, MOVES = 18, SAMPLES = ROOM(60000, 1) };
+enum { UNKNOWNS = 9, BIAS = 5, MOVES = 16, SAMPLES = ROOM(60000, 1) };
 
 void setUp(void)
 {
@@ -69,7 +69,6 @@ static void direction(int rest, double up[3])
 {
     double length = 0;
 
-
     for (int i = 0; i < 3; i++) {
         length += w.mean[rest][i] * w.mean[rest][i];
     }
@@ -117,8 +116,7 @@ static void find_biases(double bias[][3])
             direction(k, h[k]);
             h[k][3] = (double)w.moves.rest[k].when / w.moves.rest[count - 1].when;
             h[k][4] = 1;
-            bias[k][axis] =
-                (double)w.moves.bias[axis] + w.moves.rest[k].bias[axis] / 262144.0;
+            bias[k][axis] = (double)w.moves.bias[axis] + w.moves.rest[k].bias[axis] / 262144.0;
             for (int i = 0; i < BIAS * BIAS; i++) {
                 a[i] += h[k][i / BIAS] * h[k][i % BIAS];
             }
@@ -176,8 +174,7 @@ static void solve_batch(double m[3][3], double sigma[9])
             const double t = length / w.rate;
             const double mean = w.mean_noise;
             add_equations(a, b, s, up[0], y,
-                          1 / (2 * mean * mean +
-                               t * w.density * w.density * (1 + t / 3) +
+                          1 / (2 * mean * mean + t * w.density * w.density * (1 + t / 3) +
                                2.25 * t * t * w.instability * w.instability));
         }
         solve(a, b, UNKNOWNS);
@@ -275,10 +272,10 @@ static void greedy(double program[MOVES][3])
 /* ---- runs --------------------------------------------------------------------------------------- */
 
 typedef struct {
-    double apart;           /* squares: from the batch, over its sigma */
-    double error, optimum;  /* of library and batch */
-    double chi;             /* of the library, over its sigma */
-    int inside, count;      /* of 95 % */
+    double apart;          /* squares: from the batch, over its sigma */
+    double error, optimum; /* of library and batch */
+    double chi;            /* of the library, over its sigma */
+    int inside, count;     /* of 95 % */
 } tally;
 
 static void run(const double (*program)[3], double rate, double error, double mean_noise,
@@ -323,27 +320,72 @@ static void run(const double (*program)[3], double rate, double error, double me
         t->count++;
     }
 }
-#include <stdio.h>
-static void trial(void)
+
+static const double sizes[3] = {0.01, 0.03, 0.1};
+
+/* On a table or in the hand, both programs, errors of 1, 3 and 10 %. */
+static void compare(double rate, double mean_noise, int runs, tally *all)
 {
     double program[MOVES][3];
+
     greedy(program);
-    static const double sizes[3] = {0.01, 0.03, 0.1};
-    for (int hand = 0; hand < 2; hand++)
-    for (int rate = 100; rate <= 400; rate *= 2)
-    for (int p = 0; p < 2; p++)
-        for (int e = 0; e < 3; e++) {
-            tally t = {0};
-            for (int n = 0; n < 10; n++)
-                run(p ? (const double(*)[3])program : NULL, rate, sizes[e], hand ? 1e-3 : 3e-4, 500u + (uint32_t)n, &t);
-            printf("hand %d rate %d program %d error %g: apart %.3f  error %.3e optimum %.3e chi %.3f inside %.1f %%\n", hand, rate, p, sizes[e],
-                   sqrt(t.apart / t.count), sqrt(t.error / t.count), sqrt(t.optimum / t.count), sqrt(t.chi / t.count), 100.0 * t.inside / t.count);
+    for (int k = 0; k < 6; k++) {
+        tally t = {0, 0, 0, 0, 0, 0};
+        for (int n = 0; n < runs; n++) {
+            run(k % 2 ? (const double(*)[3])program : NULL, rate, sizes[k / 2], mean_noise,
+                500u + (uint32_t)n, &t);
         }
+        TEST_ASSERT_TRUE(sqrt(t.apart / t.count) < 0.15);
+        TEST_ASSERT_TRUE(sqrt(t.error / t.optimum) < 1.1);
+        all->error += t.error;
+        all->chi += t.chi;
+        all->inside += t.inside;
+        all->count += t.count;
+    }
+}
+
+/* O7 and O8. */
+static void are_as_the_batch(double rate, double mean_noise, int runs, double error)
+{
+    tally all = {0, 0, 0, 0, 0, 0};
+
+    if (SAMPLES == 1) {
+        skip_large();
+    }
+    compare(rate, mean_noise, SOME(runs), &all);
+    TEST_ASSERT_TRUE(sqrt(all.error / all.count) < error);
+    if (SOME(runs) == runs) {
+        TEST_ASSERT_DOUBLE_WITHIN(0.15, 1, sqrt(all.chi / all.count));
+        TEST_ASSERT_DOUBLE_WITHIN(3, 96, 100.0 * all.inside / all.count);
+    }
+}
+
+static void on_a_table_errors_are_those_of_the_batch(void)
+{
+    are_as_the_batch(100, 3e-4, 8, 1.5e-4);
+}
+
+static void in_the_hand_errors_are_those_of_the_batch(void)
+{
+    are_as_the_batch(100, 1e-3, 8, 4.2e-4);
+}
+
+static void so_they_are_at_200_hertz(void)
+{
+    are_as_the_batch(200, 3e-4, 4, 1.5e-4);
+}
+
+static void so_they_are_at_400_hertz(void)
+{
+    are_as_the_batch(400, 3e-4, 4, 1.5e-4);
 }
 
 int main(void)
 {
     UNITY_BEGIN();
-    RUN_TEST(trial);
+    RUN_TEST(on_a_table_errors_are_those_of_the_batch);
+    RUN_TEST(in_the_hand_errors_are_those_of_the_batch);
+    RUN_TEST(so_they_are_at_200_hertz);
+    RUN_TEST(so_they_are_at_400_hertz);
     return UNITY_END();
 }
