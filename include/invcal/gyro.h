@@ -16,8 +16,9 @@
  *     invcal_imu_solve(session.mean[0], session.count, &session.nominal, &moves, NULL, &imu);
  *
  * The two sensors may be sampled at different rates. What is assumed of time: samples are fed in the order
- * in which they were taken, within some hundredths of a second. A rest is cut off 0.3 s before motion was
- * noticed, so such a shift between them costs nothing.
+ * in which they were taken. Those of the accelerometer may come up to 0.1 s late, which costs nothing, as a
+ * rest is cut off 0.3 s before motion was noticed; those of the gyroscope 0.02 s: of 0.05 s the error is
+ * twice as large.
  *
  * invcal.h states the rules and units; mathematics.md, "The gyroscope", derives this.
  */

@@ -15,7 +15,7 @@
 #define DEGREE (3.14159265358979324 / 180)
 #define COUNTS 1e5 /* of the gyroscope per rad/s: rounding is no matter */
 
-enum { WORLD_BLOCK = 16, WORLD_RESTS = 40 };
+enum { WORLD_BLOCK = 16, WORLD_RESTS = 40, WORLD_LATE = 64 };
 
 static inline void world_unit(double m[3][3])
 {
@@ -94,7 +94,10 @@ typedef struct {
     double wobble;      /* of the hand */
     int axes[3];        /* gyroscope axis i measures |axes[i]| - 1 */
     random_source random;
+    int late; /* samples by which the gyroscope's come late; negative: the accelerometer's */
     /* the state */
+    int32_t queue[WORLD_LATE][3];
+    int resting[WORLD_LATE];
     double up[3];
     double flicker[4][3];
     double c[3][3]; /* of the move */
@@ -210,10 +213,15 @@ static inline void world_sample(world *w, const double omega[3], int is_quiet)
     if (w->log && w->samples < w->room) {
         memcpy(w->log[w->samples], raw, sizeof raw);
     }
-    invcal_moves_feed(&w->moves, raw);
+    const int now = w->samples % WORLD_LATE;
+    memcpy(w->queue[now], raw, sizeof raw);
+    w->resting[now] = is_quiet;
+    const int gyro = (w->samples + WORLD_LATE - (w->late > 0 ? w->late : 0)) % WORLD_LATE;
+    const int accelerometer = (w->samples + WORLD_LATE + (w->late < 0 ? w->late : 0)) % WORLD_LATE;
+    invcal_moves_feed(&w->moves, w->queue[gyro]);
     w->samples++;
     if (w->samples % WORLD_BLOCK == 0) {
-        world_block(w, is_quiet);
+        world_block(w, w->resting[accelerometer]);
     }
 }
 
