@@ -29,10 +29,10 @@
  * invcal_turns_sigma how exactly turns will determine the 18, made or planned.
  *
  * The two sensors may be sampled at different rates. What is assumed of time: samples are fed in the order
- * in which they were taken, within some hundredths of a second. A rest is cut off 0.3 s before motion was
- * noticed, so such a shift between them costs nothing. While a memory is written no sample may be lost: the
- * device is in motion then. Sensors keep them for a second (FIFO), or an interrupt does; else the call is
- * invcal_moves_gap, and the move is taken again.
+ * in which they were taken. Those of the accelerometer may come up to 0.1 s late, which costs nothing, as a
+ * rest is cut off 0.3 s before motion was noticed; those of the gyroscope 0.02 s: of 0.05 s the error is
+ * twice as large. While a memory is written no sample may be lost: the device is in motion then. Sensors keep
+ * them for a second (FIFO), or an interrupt does; else the call is invcal_moves_gap, and the move is taken again.
  *
  * invcal.h states the rules and units; mathematics.md, "The gyroscope", derives this.
  */
