@@ -65,6 +65,7 @@ int calibrate_run(int argc, char **argv, int is_live, positions_reader *read)
     positions data = {.name = NULL};
     rests_summary log;
     calibrate_result result = {.data = NULL};
+    turns gyro = {.file = NULL};
 
     if (asks_for_list(argc, argv)) {
         sensors_list(stdout);
@@ -80,13 +81,14 @@ int calibrate_run(int argc, char **argv, int is_live, positions_reader *read)
     json_lines(r.value[ASK_JSON_LINES] ? r.file : NULL);
     result = ask(&r, &data, &log);
     settle_limits(&r, &result);
-    failure = read(&r, &data, &log);
+    gyro.file = r.value[ASK_GYRO];
+    failure = read(&r, &data, &log, &gyro);
     if (!failure && data.count == 0 && !r.value[ASK_POSITIONS]) {
         failure = calibrate_no_rest(&result);
     }
     if (!failure) {
         settle_unit(&r, &data);
-        failure = solve_positions(&r, &data, &result);
+        failure = solve_positions(&r, &data, &gyro, &result);
     }
     failure = result.refused.word ? deliver_refusal(&r, &result)
               : failure           ? failure
@@ -98,17 +100,19 @@ int calibrate_run(int argc, char **argv, int is_live, positions_reader *read)
     stand_free(&result.stand);
     rejection_free(&result.rejected);
     positions_free(&data);
+    turns_free(&gyro);
     json_lines(NULL);
     return failure;
 }
 
 /* The positions of the file, or those that a log rests in. */
-static int read_positions(const request *r, positions *data, rests_summary *log)
+static int read_positions(const request *r, positions *data, rests_summary *log, turns *gyro)
 {
     const double *clip = r->value[ASK_CLIP] ? r->clip : NULL;
 
     return r->value[ASK_POSITIONS] ? positions_read(data, r->file)
-                                   : rests_read(data, r->file, r->rate, clip, log);
+                                   : rests_read(data, r->file, r->rate, clip,
+                                                r->value[ASK_ACCELEROMETER_ONLY] ? NULL : gyro, log);
 }
 
 static int run_calibrate(int argc, char **argv)

@@ -10,6 +10,7 @@
 
 /* Returns EXIT_GOOD; EXIT_DATA with result->refused filled in; EXIT_USAGE or EXIT_FILE after a
  * message. */
-int solve_positions(const request *r, const positions *data, calibrate_result *result);
+int solve_positions(const request *r, const positions *data, const turns *gyro,
+                    calibrate_result *result);
 
 #endif

@@ -9,6 +9,7 @@
 #include "maths/matrix.h"
 #include "cli/message.h"
 #include "result/faces.h"
+#include "result/gyro.h"
 #include "result/need.h"
 #include "result/pass.h"
 #include "text/number.h"
@@ -525,6 +526,7 @@ void calibrate_print(FILE *file, const calibrate_result *result, const calibrate
     }
     print_limit(file, result);
     fprintf(file, "\n");
+    gyro_print(file, result);
     print_verdict(file, result);
     print_next(file, result, wish);
 }

@@ -22,6 +22,12 @@ typedef enum {
  * Returns 1; 0, with *out left alone, if it is none of them. */
 int unit_parse(const char *text, reading_unit *out);
 
+/* Of a rate of turn: "rad/s", "deg/s" (dps, °/s), or m in front for a thousandth, in their spellings. Returns
+ * rad/s in one of them; 0 for others. And what people call it. */
+#define UNIT_DEGREE 0.017453292519943296 /* rad */
+double unit_parse_turn(const char *text);
+const char *unit_turn_words(double radians);
+
 /* Reads "s", "ms", "us", "ns" in their spellings. Returns how many make a second; 0 for others. */
 double unit_parse_time(const char *text);
 

@@ -14,8 +14,9 @@
 
 /* The positions that a live stream rests in. What there is to say of them goes to stdout, beside
  * JSON to stderr, and with --quiet nowhere. */
-static int read_live(const request *r, positions *data, rests_summary *log)
+static int read_live(const request *r, positions *data, rests_summary *log, turns *gyro)
 {
+    (void)gyro;
     invcal_calibration nominal;
     invcal_noise noise[3];
     live_wish wish = {.rate = r->rate, .unit = r->unit, .field = r->settings.field};
