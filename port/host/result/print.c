@@ -260,9 +260,10 @@ static void print_verdict(FILE *file, const calibrate_result *result)
     if (is_held) {
         snprintf(text, sizeof text, " %s", faces_cost(result, cause));
     } else if (strcmp(word, "Good:") == 0) {
+        const char *unchecked = verdict_unchecked(result, cause);
         snprintf(text, sizeof text,
-                 " every parameter is determined; degrees of freedom left to check it: %.3g. %s",
-                 q->dof, verdict_unchecked(result, cause));
+                 " every parameter is determined; degrees of freedom left to check it: %.3g.%s%s",
+                 q->dof, *unchecked ? " " : "", unchecked);
     } else if (q->verdict == INVCAL_NO_REDUNDANCY) {
         snprintf(text, sizeof text,
                  " every parameter is determined, but no direction is left to check the result.");
