@@ -17,6 +17,7 @@
 #define FITS 0.25     /* rad: more fits no axes */
 #define NEVER 1e-4    /* of all turning: an axis that has less never turns, */
 #define TURNED 0.02   /* though others do so much about it */
+#define MOVED 4.0     /* times the mean square at rest */
 #define FEW_RESTS 2u
 
 /* Too large for the stack. */
@@ -47,6 +48,15 @@ static void advise(gyro_fit *g, const char *format, ...)
     va_start(arguments, format);
     vsnprintf(g->remedy, sizeof g->remedy, format, arguments);
     va_end(arguments);
+}
+
+const char *gyro_reason(invcal_status why)
+{
+    return why == INVCAL_MOVE_APART   ? "contradicts the others"
+           : why == INVCAL_REST_DRIFT ? "the bias before and after differs by 0.5 °/s: in one of the "
+                                        "two the device turned"
+           : why == INVCAL_REST_SAME  ? "nothing was turned"
+                                      : invcal_status_text(why);
 }
 
 static const char *axes_words(const int8_t axes[3], axes_text text)
@@ -196,22 +206,22 @@ static void find_rests(gyro_fit *g, replay *r)
     }
 }
 
-/* The mean reading of a rest, input units. */
-static int mean_of(const turns *t, long lag, const gyro_rest *rest, double mean[3])
+/* The mean reading of a rest, input units; NaN without readings. */
+static void mean_of(const turns *t, long lag, const gyro_rest *rest, double mean[3])
 {
     const long first = (long)t->sample[rest->begin].upto + lag;
     const long last = (long)t->sample[rest->end - 1].upto + lag;
 
-    mean[0] = mean[1] = mean[2] = 0;
+    mean[0] = mean[1] = mean[2] = NUMBER_UNKNOWN;
     if (first < 0 || last > (long)t->readings || last <= first) {
-        return 0;
+        return;
     }
+    mean[0] = mean[1] = mean[2] = 0;
     for (long i = first; i < last; i++) {
         for (unsigned k = 0; k < 3; k++) {
             mean[k] += t->reading[i].x[k] / (double)(last - first);
         }
     }
-    return 1;
 }
 
 /* The way up of each rest, and its mean reading, in input units for now. */
@@ -225,7 +235,7 @@ static void fill_rests(gyro_fit *g, long lag, const positions *p, const invcal_c
         for (unsigned k = 0; k < 3; k++) {
             rest->up[k] /= length;
         }
-        (void)mean_of(g->turns, lag, rest, rest->bias);
+        mean_of(g->turns, lag, rest, rest->bias);
     }
 }
 
@@ -243,15 +253,49 @@ static void usual_bias(const gyro_fit *g, double bias[3])
     double x[INVCAL_MAX_MOVES] = {0};
 
     for (unsigned k = 0; k < 3; k++) {
+        unsigned n = 0;
         for (unsigned i = 0; i < g->rests; i++) {
-            x[i] = g->rest[i].bias[k];
+            x[n] = g->rest[i].bias[k];
+            n += isfinite(x[n]) != 0;
         }
-        qsort(x, g->rests, sizeof x[0], compare);
-        bias[k] = x[g->rests / 2];
+        qsort(x, n, sizeof x[0], compare);
+        bias[k] = n > 0 ? x[n / 2] : 0;
     }
 }
 
 /* ---- unit and axes ------------------------------------------------------------------------------ */
+
+/* The mean square of readings about the bias. */
+static double mean_square(const turns *t, size_t first, size_t last, const double bias[3])
+{
+    double sum = 0;
+
+    for (size_t i = first; i < last; i++) {
+        for (unsigned k = 0; k < 3; k++) {
+            sum += pow(t->reading[i].x[k] - bias[k], 2);
+        }
+    }
+    return last > first ? sum / (double)(last - first) : 0;
+}
+
+/* Whether it reads much more between the rests than in them. */
+static int has_turned(const gyro_fit *g, long lag, const double bias[3])
+{
+    double between = 0;
+    double within = 0;
+
+    for (unsigned i = 0; i + 1 < g->rests; i++) {
+        const gyro_rest *rest = &g->rest[i];
+        const gyro_rest itself[2] = {{.end = rest->begin + 1}, {.begin = rest->end}};
+        size_t first;
+        size_t last;
+        gyro_between(g->turns, lag, rest, &first, &last);
+        between += mean_square(g->turns, first, last, bias);
+        gyro_between(g->turns, lag, itself, &first, &last);
+        within += mean_square(g->turns, first, last, bias);
+    }
+    return between > MOVED * within;
+}
 
 /* A gyroscope axis that reads nothing, though the accelerometer saw turns about it. */
 static int find_dead(const gyro_fit *g, long lag, const double bias[3])
@@ -368,6 +412,11 @@ static int find_unit_and_axes(gyro_fit *g, const gyro_wish *wish, long lag, cons
     gyro_guess guess = {0};
 
     memcpy(g->axes, wish->axes, sizeof g->axes);
+    if (!has_turned(g, lag, bias)) {
+        refuse(g, "too few", "the gyroscope reads no turns between the rests");
+        advise(g, "record without a break from rest to rest, the moves too");
+        return 0;
+    }
     const int dead = find_dead(g, lag, bias);
     if (dead >= 0) {
         refuse(g, "stuck", "the gyroscope's %c reads nothing in moves that turned the device about all "
@@ -491,7 +540,7 @@ static void add_reasons(gyro_fit *g)
         if (is_first && g->move[i].why != INVCAL_OK) {
             const size_t length = strlen(g->reason);
             snprintf(g->reason + length, sizeof g->reason - length, "; %u: %s", alike,
-                     invcal_status_text(g->move[i].why));
+                     gyro_reason(g->move[i].why));
         }
     }
 }

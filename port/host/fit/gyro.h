@@ -73,6 +73,9 @@ int gyro_make(gyro_fit *g, const turns *t, const gyro_wish *wish, unsigned rate,
               const double *clip, const positions *p, const rejection *kept,
               const invcal_calibration *start);
 
+/* Why a move is of no use: what the library says of rests means something else there. */
+const char *gyro_reason(invcal_status why);
+
 /* ---- inside ------------------------------------------------------------------------------------- */
 
 /* How many readings late the gyroscope's are, by what moves both show; 0 if they tell nothing. */

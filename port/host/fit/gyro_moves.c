@@ -119,7 +119,7 @@ static double density(const gyro_fit *g, long lag)
                 square += pow(g->turn * x[j] - g->rest[i].bias[j], 2);
             }
         }
-        least = n > 30 ? fmin(least, square / (double)n / t->rate) : least;
+        least = n > 30 && isfinite(square) ? fmin(least, square / (double)n / t->rate) : least;
     }
     return least < HUGE_VAL ? sqrt(least) : 0;
 }
@@ -135,7 +135,7 @@ static void find_parts(gyro_fit *g, long lag)
         const gyro_rest *rest = &g->rest[g->move[i].to];
         double middle[3];
         double half[3];
-        if (g->move[i].why != INVCAL_OK) {
+        if (g->move[i].why != INVCAL_OK || !isfinite(rest->bias[0] + rest[-1].bias[0])) {
             continue;
         }
         bias_at(g, rest - 1, rest->up, half); /* what orientation explains is no wander */

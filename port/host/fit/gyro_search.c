@@ -123,7 +123,7 @@ static double correlation(const bin *b, const double *a, size_t bins, long lag)
 static double best_lag(const bin *b, const double *a, size_t bins)
 {
     double c[2 * LAGS + 1];
-    long best = 0;
+    long best = -LAGS;
 
     for (long k = -LAGS; k <= LAGS; k++) {
         c[k + LAGS] = correlation(b, a, bins, k);

@@ -63,23 +63,13 @@ const char *gyro_limit_text(const gyro_fit *g, char text[GYRO_LINE_MAX])
     return text;
 }
 
-/* Of a move what the library says of rests means something else. */
-static const char *reason_of(invcal_status why)
-{
-    return why == INVCAL_MOVE_APART   ? "contradicts the others"
-           : why == INVCAL_REST_DRIFT ? "the bias before and after differs by 0.5 °/s: in one of the "
-                                        "two the device turned"
-           : why == INVCAL_REST_SAME  ? "nothing was turned"
-                                      : invcal_status_text(why);
-}
-
 const char *gyro_move_text(const calibrate_result *r, const gyro_move *m, char text[GYRO_LINE_MAX])
 {
     const gyro_rest *rest = &r->gyro.rest[m->to];
 
     snprintf(text, GYRO_LINE_MAX, "the move from position %u to %u (line %lu): %s",
              rest[-1].position + 1, rest->position + 1, r->data->origin[rest->position].line,
-             reason_of(m->why));
+             gyro_reason(m->why));
     return text;
 }
 
@@ -115,15 +105,20 @@ const char *gyro_g_text(const gyro_fit *g, char text[GYRO_LINE_MAX])
 
 double gyro_wander(const gyro_fit *g, unsigned axis)
 {
+    const double from = g->rest[g->rests - 1].bias[axis];
     double sum = 0;
     double squares = 0;
+    double n = 0;
 
     for (unsigned i = 0; i < g->rests; i++) {
-        const double x = g->rest[i].bias[axis] - g->rest[0].bias[axis];
-        sum += x;
-        squares += x * x;
+        const double x = g->rest[i].bias[axis] - from;
+        if (isfinite(x)) { /* there were readings */
+            sum += x;
+            squares += x * x;
+            n++;
+        }
     }
-    return g->rests > 1 ? sqrt(fmax(0, squares - sum * sum / g->rests) / (g->rests - 1)) : 0;
+    return n > 1 ? sqrt(fmax(0, squares - sum * sum / n) / (n - 1)) : 0;
 }
 
 /* ---- the table ---------------------------------------------------------------------------------- */
