@@ -132,13 +132,17 @@ static const char *const help[] = {
     "LOG is a table of samples, - the standard input; the rests in it, of two seconds or more,\n"
     "are found. Turn briskly from one to the next: a turn of more than five seconds may pass for\n"
     "a rest where it begins and ends slowly. Columns are x y z, or t x y z (t in seconds), or\n"
-    "t x y z temperature; the first two also with the three of a gyro behind; or any with a\n"
+    "t x y z temperature; the first two also with the three of a gyroscope behind; or any with a\n"
     "header that names them:\n",
     COLUMNS_NAMES,
     "Separators are semicolons, commas, tabs or blanks; lines beginning with #, % or // are\n"
     "comments. What LOG was taken for is told in the first line of the result.\n"
     "Nine positions are the least, twelve to eighteen in all directions are good. A position\n"
     "that contradicts the others is left out and named, if eleven or more are there to tell.\n"
+    "\n"
+    "A gyroscope (columns gx gy gz, or w_x .., gyro_x .., GyrX .., angular_velocity.x ..) is\n"
+    "calibrated with it: between two rests it must turn the one way up into the other. Twelve\n"
+    "quarter turns between the six faces, each within ten seconds, tell both sensors whole.\n"
     "\n" CHOSEN_OPTION,
     "  --positions         each row of LOG is the mean of one position: x y z, or x y z std n\n"
     "                      (standard deviation and number of the samples), or\n"
@@ -146,7 +150,14 @@ static const char *const help[] = {
     "  --rate HZ           samples a second; default: by the column t, else 100\n"
     "  --clip LOW,HIGH     the least and the greatest reading of the sensor, in input units:\n"
     "                      rests that touch them are refused\n"
-    "  --keep-all          leaves no position out\n",
+    "  --keep-all          leaves no position out\n"
+    "  --gyro FILE         the gyroscope is in a file of its own, columns x y z or t x y z, by the\n"
+    "                      same clock or with as many rows\n"
+    "  --gyro-lsb S        degrees/s in one unit of it, as 1/131; or rad/s or deg/s; default: by the\n"
+    "                      header, else by the moves\n"
+    "  --gyro-axes X,Y,Z   its axes that turn about the accelerometer's x, y, z, as y,-x,z\n"
+    "  --accelerometer-only\n"
+    "                      leaves a gyroscope out\n",
     "  --gravity G[+-S]    length of the field, in the unit of the result, and what it may be "
     "wrong\n"
     "                      by; default 9.80665+-0.027 (m/s^2), as is true anywhere on Earth. For "
@@ -278,6 +289,7 @@ static const char *const brief[] = {
     "  --zero X,Y,Z        or what the data sheet says: the reading in no field,\n"
     "  --lsb S             and field units per input unit\n"
     "  --six-faces         each axis up and down only: offsets and scales, no angles\n"
+    "  --gyro FILE         a gyroscope in a file of its own; columns gx gy gz are found\n"
     "  --plan SET          the positions are those of a program, in its order\n"
     "  --need U            what lengths may be wrong by: says if they are worse\n"
     "  --out CAL.json      write the result to a file, for invcal apply and export\n"
