@@ -278,23 +278,33 @@ static double mean_square(const turns *t, size_t first, size_t last, const doubl
     return last > first ? sum / (double)(last - first) : 0;
 }
 
+/* In the rests. */
+static double square_at_rest(const gyro_fit *g, long lag, const double bias[3])
+{
+    double sum = 0;
+
+    for (unsigned i = 0; i < g->rests; i++) {
+        const gyro_rest itself[2] = {{.end = g->rest[i].begin + 1}, {.begin = g->rest[i].end}};
+        size_t first;
+        size_t last;
+        gyro_between(g->turns, lag, itself, &first, &last);
+        sum += mean_square(g->turns, first, last, bias) / g->rests;
+    }
+    return sum;
+}
+
 /* Whether it reads much more between the rests than in them. */
 static int has_turned(const gyro_fit *g, long lag, const double bias[3])
 {
     double between = 0;
-    double within = 0;
 
     for (unsigned i = 0; i + 1 < g->rests; i++) {
-        const gyro_rest *rest = &g->rest[i];
-        const gyro_rest itself[2] = {{.end = rest->begin + 1}, {.begin = rest->end}};
         size_t first;
         size_t last;
-        gyro_between(g->turns, lag, rest, &first, &last);
-        between += mean_square(g->turns, first, last, bias);
-        gyro_between(g->turns, lag, itself, &first, &last);
-        within += mean_square(g->turns, first, last, bias);
+        gyro_between(g->turns, lag, &g->rest[i], &first, &last);
+        between += mean_square(g->turns, first, last, bias) / (g->rests - 1);
     }
-    return between > MOVED * within;
+    return between > MOVED * square_at_rest(g, lag, bias);
 }
 
 /* A gyroscope axis that reads nothing, though the accelerometer saw turns about it. */
@@ -611,6 +621,21 @@ static invcal_status solve(gyro_fit *g, const positions *p, const invcal_calibra
     return invcal_imu_solve(raw, g->rests, start, &moves, NULL, &g->imu);
 }
 
+/* How late readings are: only if rests are quieter then. Rests and bias are filled in accordingly. */
+static long find_lag(gyro_fit *g, const positions *p, const invcal_calibration *start, double bias[3])
+{
+    long lag = gyro_lag(g->turns);
+
+    fill_rests(g, 0, p, start);
+    usual_bias(g, bias);
+    if (lag != 0 && square_at_rest(g, 0, bias) > MOVED * square_at_rest(g, lag, bias)) {
+        fill_rests(g, lag, p, start);
+        usual_bias(g, bias);
+        return lag;
+    }
+    return 0;
+}
+
 int gyro_make(gyro_fit *g, const turns *t, const gyro_wish *wish, unsigned rate,
               const double *clip, const positions *p, const rejection *kept,
               const invcal_calibration *start)
@@ -626,17 +651,15 @@ int gyro_make(gyro_fit *g, const turns *t, const gyro_wish *wish, unsigned rate,
     if (!g->is_there || !check_readings(g)) {
         return EXIT_GOOD;
     }
-    const long lag = gyro_lag(t);
     const double unit = ldexp(1, (int)ceil(log2(largest(t))) - ROOM);
-    g->lag = (double)lag / t->rate;
     begin_replay(&r, t, rate, clip, kept);
     find_rests(g, &r);
-    fill_rests(g, lag, p, start);
+    const long lag = find_lag(g, p, start, bias);
+    g->lag = (double)lag / t->rate;
     if (g->rests < FEW_RESTS) {
         say_status(g, INVCAL_TOO_FEW);
         return EXIT_GOOD;
     }
-    usual_bias(g, bias);
     if (!find_unit_and_axes(g, &asked, lag, bias)) {
         return EXIT_GOOD;
     }

@@ -253,14 +253,21 @@ static double misfit(const move *m, const int8_t axes[3], double turn)
     return pow(acos(fmax(-1, fmin(1, dot(v, m->up[0])))), 2);
 }
 
+/* The mean of the better three quarters: a move between rests that are none says nothing. */
 static double misfit_of_all(const move *m, unsigned moves, const int8_t axes[3], double turn)
 {
+    const unsigned counted = moves - moves / 4;
+    double square[MOVES];
     double sum = 0;
 
     for (unsigned i = 0; i < moves; i++) {
-        sum += misfit(&m[i], axes, turn);
+        square[i] = misfit(&m[i], axes, turn);
     }
-    return sum / moves;
+    qsort(square, moves, sizeof square[0], compare);
+    for (unsigned i = 0; i < counted; i++) {
+        sum += square[i];
+    }
+    return sum / counted;
 }
 
 /* Way k of 48. */
