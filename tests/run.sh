@@ -14,7 +14,7 @@ mkdir -p "$logs" || exit 2
 
 # NAME COMMAND...; the longest first.
 suites() {
-    for name in allan plan tool thermal stand case log watch screen units sensor input reading citizen record compare width report plan_report export \
+    for name in allan plan tool thermal stand case log watch screen units sensor input reading citizen record compare width report plan_report export gyro \
         fault faults verdict pass refusal six_faces release; do
         echo "$name sh $tests/tool/${name}_test.sh $build/invcal $build/tool"
     done

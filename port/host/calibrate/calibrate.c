@@ -110,9 +110,10 @@ static int read_positions(const request *r, positions *data, rests_summary *log,
 {
     const double *clip = r->value[ASK_CLIP] ? r->clip : NULL;
 
-    return r->value[ASK_POSITIONS] ? positions_read(data, r->file)
-                                   : rests_read(data, r->file, r->rate, clip,
-                                                r->value[ASK_ACCELEROMETER_ONLY] ? NULL : gyro, log);
+    return r->value[ASK_POSITIONS]
+               ? positions_read(data, r->file)
+               : rests_read(data, r->file, r->rate, clip,
+                            r->value[ASK_ACCELEROMETER_ONLY] ? NULL : gyro, log);
 }
 
 static int run_calibrate(int argc, char **argv)
@@ -151,9 +152,11 @@ static const char *const help[] = {
     "  --clip LOW,HIGH     the least and the greatest reading of the sensor, in input units:\n"
     "                      rests that touch them are refused\n"
     "  --keep-all          leaves no position out\n"
-    "  --gyro FILE         the gyroscope is in a file of its own, columns x y z or t x y z, by the\n"
+    "  --gyro FILE         the gyroscope is in a file of its own, columns x y z or t x y z, by "
+    "the\n"
     "                      same clock or with as many rows\n"
-    "  --gyro-lsb S        degrees/s in one unit of it, as 1/131; or rad/s or deg/s; default: by the\n"
+    "  --gyro-lsb S        degrees/s in one unit of it, as 1/131; or rad/s or deg/s; default: by "
+    "the\n"
     "                      header, else by the moves\n"
     "  --gyro-axes X,Y,Z   its axes that turn about the accelerometer's x, y, z, as y,-x,z\n"
     "  --accelerometer-only\n"

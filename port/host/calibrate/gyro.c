@@ -69,10 +69,9 @@ int calibrate_gyro(const request *r, const turns *gyro, int refused, calibrate_r
     if (gyro->readings == 0 || (refused && !may_help) || result->data->count == 0) {
         return refused;
     }
-    const int failure =
-        gyro_make(&result->gyro, gyro, &r->gyro, (unsigned)nearbyint(result->log->rate), clip,
-                  result->data, &result->rejected,
-                  refused ? &result->settings.nominal : &result->solution.symmetric);
+    const int failure = gyro_make(
+        &result->gyro, gyro, &r->gyro, (unsigned)nearbyint(result->log->rate), clip, result->data,
+        &result->rejected, refused ? &result->settings.nominal : &result->solution.symmetric);
     if (failure) {
         return failure;
     }
@@ -124,7 +123,8 @@ void calibrate_gyro_turn(calibrate_result *result)
     if (!g->is_there || g->word || !matrix_inverse(&g->imu.accelerometer, inverse)) {
         return;
     }
-    multiply((const double(*)[3])result->solution.calibration.matrix, (const double(*)[3])inverse, turn);
+    multiply((const double(*)[3])result->solution.calibration.matrix, (const double(*)[3])inverse,
+             turn);
     next_rotation(turn);
     multiply((const double(*)[3])turn, (const double(*)[3])g->calibration.matrix, turned);
     memcpy(g->calibration.matrix, turned, sizeof turned);

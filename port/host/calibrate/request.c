@@ -396,20 +396,23 @@ static int read_gyro(request *r)
 
     for (unsigned o = ASK_GYRO; o <= ASK_ACCELEROMETER_ONLY; o++) {
         if (r->value[o] && (r->value[ASK_POSITIONS] || r->is_live)) {
-            return request_usage(r, o, r->is_live ? "is for invcal calibrate"
-                                                  : "is of samples; position means have no moves");
+            return request_usage(r, o,
+                                 r->is_live ? "is for invcal calibrate"
+                                            : "is of samples; position means have no moves");
         }
         if (r->value[o] && o != ASK_ACCELEROMETER_ONLY && r->value[ASK_ACCELEROMETER_ONLY]) {
             return request_usage(r, o, "is of the gyroscope: leave out --accelerometer-only");
         }
     }
     if (r->value[ASK_GYRO] && r->value[ASK_COLUMNS]) {
-        return request_usage(r, ASK_GYRO, "does not go together with --columns: name them in headers");
+        return request_usage(r, ASK_GYRO,
+                             "does not go together with --columns: name them in headers");
     }
     if (r->value[ASK_GYRO_AXES] && !parse_axes(r->value[ASK_GYRO_AXES], r->gyro.axes)) {
-        return request_usage(r, ASK_GYRO_AXES,
-                             "is the gyroscope's axes that turn about the accelerometer's x, y and z, "
-                             "such as y,-x,z");
+        return request_usage(
+            r, ASK_GYRO_AXES,
+            "is the gyroscope's axes that turn about the accelerometer's x, y and z, "
+            "such as y,-x,z");
     }
     if (lsb) {
         r->gyro.turn = unit_parse_turn(lsb);
@@ -418,8 +421,9 @@ static int read_gyro(request *r)
             r->gyro.turn *= UNIT_DEGREE;
         }
         if (!failure && !(r->gyro.turn > 1e-12 && r->gyro.turn < 1e6)) {
-            failure = request_usage(r, ASK_GYRO_LSB,
-                                    "is degrees/s in one input unit, such as 1/131, or rad/s or deg/s");
+            failure =
+                request_usage(r, ASK_GYRO_LSB,
+                              "is degrees/s in one input unit, such as 1/131, or rad/s or deg/s");
         }
     }
     return failure;

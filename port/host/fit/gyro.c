@@ -14,10 +14,10 @@
 #define FLAT 5u       /* readings that are alike at the end of a range */
 #define SAME_UNIT 1.3 /* times: what is nearer is a scale error */
 #define NEAR_UNIT 1.15
-#define FITS 0.25     /* rad: more fits no axes */
-#define NEVER 1e-4    /* of all turning: an axis that has less never turns, */
-#define TURNED 0.02   /* though others do so much about it */
-#define MOVED 4.0     /* times the mean square at rest */
+#define FITS 0.25   /* rad: more fits no axes */
+#define NEVER 1e-4  /* of all turning: an axis that has less never turns, */
+#define TURNED 0.02 /* though others do so much about it */
+#define MOVED 4.0   /* times the mean square at rest */
 #define FEW_RESTS 2u
 
 /* Too large for the stack. */
@@ -52,11 +52,12 @@ static void advise(gyro_fit *g, const char *format, ...)
 
 const char *gyro_reason(invcal_status why)
 {
-    return why == INVCAL_MOVE_APART   ? "contradicts the others"
-           : why == INVCAL_REST_DRIFT ? "the bias before and after differs by 0.5 °/s: in one of the "
-                                        "two the device turned"
-           : why == INVCAL_REST_SAME  ? "nothing was turned"
-                                      : invcal_status_text(why);
+    return why == INVCAL_MOVE_APART ? "contradicts the others"
+           : why == INVCAL_REST_DRIFT
+               ? "the bias before and after differs by 0.5 °/s: in one of the "
+                 "two the device turned"
+           : why == INVCAL_REST_SAME ? "nothing was turned"
+                                     : invcal_status_text(why);
 }
 
 static const char *axes_words(const int8_t axes[3], axes_text text)
@@ -230,8 +231,8 @@ static void fill_rests(gyro_fit *g, long lag, const positions *p, const invcal_c
     for (unsigned i = 0; i < g->rests; i++) {
         gyro_rest *rest = &g->rest[i];
         invcal_apply(start, &p->mean[3 * (size_t)rest->position], rest->up);
-        const double length = sqrt(rest->up[0] * rest->up[0] + rest->up[1] * rest->up[1] +
-                                   rest->up[2] * rest->up[2]);
+        const double length =
+            sqrt(rest->up[0] * rest->up[0] + rest->up[1] * rest->up[1] + rest->up[2] * rest->up[2]);
         for (unsigned k = 0; k < 3; k++) {
             rest->up[k] /= length;
         }
@@ -374,8 +375,9 @@ static int settle_unit(gyro_fit *g, const gyro_wish *wish, const gyro_guess *gue
     if (guess->moves < 2 || !guess->is_clear || is_near(guess->turn, g->turn, SAME_UNIT)) {
         return 1;
     }
-    refuse(g, "unit", "the gyroscope's readings are stated in %s (%.6g rad/s), but the accelerometer "
-                      "saw turns of %.3g times that",
+    refuse(g, "unit",
+           "the gyroscope's readings are stated in %s (%.6g rad/s), but the accelerometer "
+           "saw turns of %.3g times that",
            wish->turn > 0 ? "--gyro-lsb" : unit_turn_words(header), g->turn, guess->turn / g->turn);
     if (named > 0) {
         advise(g, "they are in %s: --gyro-lsb %s", unit_turn_words(named),
@@ -395,11 +397,14 @@ static int check_axes(gyro_fit *g, const gyro_wish *wish, const gyro_guess *gues
     axes_text text;
 
     if (!(guess->misfit < FITS)) {
-        refuse(g, "apart", "the gyroscope turned otherwise than the accelerometer saw, by %.2g degrees "
-                           "in a move, whichever way its axes are",
+        refuse(g, "apart",
+               "the gyroscope turned otherwise than the accelerometer saw, by %.2g degrees "
+               "in a move, whichever way its axes are",
                guess->misfit / UNIT_DEGREE);
-        advise(g, "look whether both are of one device and one clock, and whether readings are clipped "
-                  "or lost");
+        advise(
+            g,
+            "look whether both are of one device and one clock, and whether readings are clipped "
+            "or lost");
         return 0;
     }
     if (guess->axes[0] == 1 && guess->axes[1] == 2 && guess->axes[2] == 3) {
@@ -409,8 +414,9 @@ static int check_axes(gyro_fit *g, const gyro_wish *wish, const gyro_guess *gues
         const int8_t stated = wish->axes[abs(guess->axes[i]) - 1];
         axes[i] = (int8_t)(guess->axes[i] < 0 ? -stated : stated);
     }
-    refuse(g, "axes", "the gyroscope's axes are not the accelerometer's: about x, y and z of that turn "
-                      "its %s",
+    refuse(g, "axes",
+           "the gyroscope's axes are not the accelerometer's: about x, y and z of that turn "
+           "its %s",
            axes_words(axes, text));
     advise(g, "--gyro-axes %s takes them so; or mend it where they are read", text);
     return 0;
@@ -429,8 +435,9 @@ static int find_unit_and_axes(gyro_fit *g, const gyro_wish *wish, long lag, cons
     }
     const int dead = find_dead(g, lag, bias);
     if (dead >= 0) {
-        refuse(g, "stuck", "the gyroscope's %c reads nothing in moves that turned the device about all "
-                           "axes",
+        refuse(g, "stuck",
+               "the gyroscope's %c reads nothing in moves that turned the device about all "
+               "axes",
                "xyz"[dead]);
         advise(g, "look whether that axis is read, and record again");
         return 0;
@@ -440,7 +447,10 @@ static int find_unit_and_axes(gyro_fit *g, const gyro_wish *wish, long lag, cons
         return 0;
     }
     if (!(g->turn > 0)) {
-        refuse(g, "too few", "no moves between rests tell what a unit of the gyroscope is");
+        refuse(
+            g, "too few",
+            "no moves between rests, none of their samples lost, tell what a unit of the gyroscope "
+            "is");
         advise(g, "turn to other sides, each within ten seconds; or state --gyro-lsb");
         return 0;
     }
@@ -559,8 +569,8 @@ static void say_status(gyro_fit *g, invcal_status status)
 {
     switch (status) {
     case INVCAL_TOO_FEW:
-        refuse(g, "too few", "%u move%s between rests %s too few", g->moves, g->moves == 1 ? "" : "s",
-               g->moves == 1 ? "is" : "are");
+        refuse(g, "too few", "%u move%s between rests %s too few", g->moves,
+               g->moves == 1 ? "" : "s", g->moves == 1 ? "is" : "are");
         add_reasons(g);
         advise(g, "turn from rest to rest within ten seconds, about each of the three axes: twelve "
                   "quarter turns between the six faces tell everything");
@@ -622,7 +632,8 @@ static invcal_status solve(gyro_fit *g, const positions *p, const invcal_calibra
 }
 
 /* How late readings are: only if rests are quieter then. Rests and bias are filled in accordingly. */
-static long find_lag(gyro_fit *g, const positions *p, const invcal_calibration *start, double bias[3])
+static long find_lag(gyro_fit *g, const positions *p, const invcal_calibration *start,
+                     double bias[3])
 {
     long lag = gyro_lag(g->turns);
 
@@ -636,9 +647,8 @@ static long find_lag(gyro_fit *g, const positions *p, const invcal_calibration *
     return 0;
 }
 
-int gyro_make(gyro_fit *g, const turns *t, const gyro_wish *wish, unsigned rate,
-              const double *clip, const positions *p, const rejection *kept,
-              const invcal_calibration *start)
+int gyro_make(gyro_fit *g, const turns *t, const gyro_wish *wish, unsigned rate, const double *clip,
+              const positions *p, const rejection *kept, const invcal_calibration *start)
 {
     static replay r; /* too large for the stack */
     gyro_wish asked = *wish;

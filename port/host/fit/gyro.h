@@ -13,8 +13,9 @@
 
 /* What is asked for. */
 typedef struct {
-    double turn;    /* rad/s in one unit; 0: not stated */
-    int8_t axes[3]; /* about accelerometer axis i turns gyroscope axis |axes[i]| - 1, backwards if it is
+    double turn; /* rad/s in one unit; 0: not stated */
+    int8_t axes
+        [3]; /* about accelerometer axis i turns gyroscope axis |axes[i]| - 1, backwards if it is
                        negative; 0: not stated */
 } gyro_wish;
 
@@ -40,8 +41,8 @@ enum { GYRO_PART_RESTS, GYRO_PART_NOISE, GYRO_PART_BIAS, GYRO_PARTS };
 
 #define GYRO_TEXT_MAX 700
 typedef struct {
-    int is_there;               /* there are readings; else nothing below is known */
-    const char *word;           /* why there is no calibration: "axes", "unit", ...; null: there is one */
+    int is_there;     /* there are readings; else nothing below is known */
+    const char *word; /* why there is no calibration: "axes", "unit", ...; null: there is one */
     char reason[GYRO_TEXT_MAX]; /* what is wrong, */
     char remedy[GYRO_TEXT_MAX]; /* and what to do */
     const turns *turns;
@@ -49,9 +50,9 @@ typedef struct {
     unit_origin turn_from; /* and who says so: header, option, size */
     int is_counts;         /* the unit is none that has a name: turn is what the moves tell */
     double lag;            /* seconds that readings are late, which was mended; 0: they are not */
-    double rail[2][3];     /* readings of an axis at which it is stuck, least and greatest; NaN: none */
-    int8_t axes[3];        /* as stated, or 1, 2, 3 */
-    invcal_imu imu;        /* both, over the field; the gyroscope of counts of `unit` in those axes */
+    double rail[2][3]; /* readings of an axis at which it is stuck, least and greatest; NaN: none */
+    int8_t axes[3];    /* as stated, or 1, 2, 3 */
+    invcal_imu imu;    /* both, over the field; the gyroscope of counts of `unit` in those axes */
     invcal_calibration calibration; /* input units to rad/s, in the axes of imu.accelerometer */
     double interval;                /* so many sigma to either side cover 95 % */
     gyro_rest rest[INVCAL_MAX_MOVES];
@@ -69,9 +70,8 @@ typedef struct {
  * g      out; large.
  *
  * What is wrong is told there. Returns EXIT_GOOD; EXIT_FILE, with a message, without memory. */
-int gyro_make(gyro_fit *g, const turns *t, const gyro_wish *wish, unsigned rate,
-              const double *clip, const positions *p, const rejection *kept,
-              const invcal_calibration *start);
+int gyro_make(gyro_fit *g, const turns *t, const gyro_wish *wish, unsigned rate, const double *clip,
+              const positions *p, const rejection *kept, const invcal_calibration *start);
 
 /* Why a move is of no use: what the library says of rests means something else there. */
 const char *gyro_reason(invcal_status why);

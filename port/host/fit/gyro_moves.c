@@ -61,7 +61,8 @@ static void bias_at(const gyro_fit *g, const gyro_rest *rest, const double f[3],
 }
 
 /* C of the whole move, and the angle that it turned. */
-static void integrate(const gyro_fit *g, long lag, const gyro_rest *rest, double c[3][3], double *angle)
+static void integrate(const gyro_fit *g, long lag, const gyro_rest *rest, double c[3][3],
+                      double *angle)
 {
     const turns *t = g->turns;
     size_t next;

@@ -15,14 +15,14 @@
 #define BETTER 0.05   /* by so much above that of no lag, */
 #define LEAST_LAG 0.1 /* seconds: less does no harm */
 
-#define MOVES 16u     /* that are tried: the first ones */
-#define STEPS 96u     /* of a move */
+#define MOVES 16u       /* that are tried: the first ones */
+#define STEPS 96u       /* of a move */
 #define LEAST_TURN 0.35 /* rad between the ways up: 20 degrees */
-#define FINER 1.08    /* a scale and the next */
-#define BELOW 3       /* scales below the first estimate, */
-#define SCALES 18     /* and all of them: the way of a hand is longer than the arc, never shorter */
+#define FINER 1.08      /* a scale and the next */
+#define BELOW 3         /* scales below the first estimate, */
+#define SCALES 18 /* and all of them: the way of a hand is longer than the arc, never shorter */
 #define WAYS 48u
-#define CLEAR 4.0     /* squares of the next best way over those of the best */
+#define CLEAR 4.0 /* squares of the next best way over those of the best */
 
 /* ---- late readings ------------------------------------------------------------------------------ */
 
@@ -140,7 +140,8 @@ static double best_lag(const bin *b, const double *a, size_t bins)
 
 long gyro_lag(const turns *t)
 {
-    const double sample_rate = t->rate * (double)t->samples / (double)(t->readings ? t->readings : 1);
+    const double sample_rate =
+        t->rate * (double)t->samples / (double)(t->readings ? t->readings : 1);
     const size_t each = (size_t)fmax(1, nearbyint(BIN * sample_rate));
     const size_t room = t->samples / each;
     bin *b = room > 4 * LAGS ? calloc(room, sizeof *b) : NULL;
@@ -208,6 +209,9 @@ static int fill_move(const turns *t, long lag, const gyro_rest *rest, const doub
     for (size_t i = first; i < last; i++) {
         double x[3];
         const size_t at = (i - first) / each;
+        if (t->reading[i].is_gap) {
+            return 0;
+        }
         for (unsigned k = 0; k < 3; k++) {
             x[k] = (t->reading[i].x[k] - bias[k]) / t->rate;
         }

@@ -302,8 +302,8 @@ static void find_unit_row(table *t, columns *out)
 /* Logs that are known have a unit although their headings do not state it. */
 static double turn_of_system(const heading *x)
 {
-    static const char *const radians[] = {"gyrorad", "angularvelocity", "fieldangularvelocity", "wrss",
-                                          NULL};
+    static const char *const radians[] = {"gyrorad", "angularvelocity", "fieldangularvelocity",
+                                          "wrss", NULL};
 
     /* the last is ArduPilot's */
     return is_among(x->key, radians) || strcmp(x->name, "GyrX") == 0 ? 1 : 0;

@@ -20,7 +20,7 @@ typedef struct {
     char
         set_aside[HEADING_NAME_MAX]; /* x of a magnetometer beside the accelerometer; empty: none */
     char gyro[3][HEADING_NAME_MAX];  /* of a gyroscope, as in the header; empty: there is none */
-    double turn;                     /* rad/s in one of its units, if the headings state it; else 0 */
+    double turn; /* rad/s in one of its units, if the headings state it; else 0 */
     char chosen[COLUMNS_CHOICE_MAX]; /* by --columns, as it was stated; empty: it was not */
     unsigned others;                 /* columns that have a heading, but are ignored */
     int states_foreign_unit;         /* the headings state a unit that unit.h does not know */
@@ -33,9 +33,9 @@ typedef struct {
 /* For each meaning the index into table.field, or -1. */
 typedef struct {
     int index[COLUMN_COUNT];
-    int gyro[3];              /* the same of a gyroscope's x y z; -1: there is none, or it is not wanted */
-    int last;                 /* the greatest of them */
-    double per_second;        /* units of the time column in a second */
+    int gyro[3];       /* the same of a gyroscope's x y z; -1: there is none, or it is not wanted */
+    int last;          /* the greatest of them */
+    double per_second; /* units of the time column in a second */
     temperature_unit degrees; /* of the temperature column */
     double per_degree[2];     /* units of the columns alpha and beta in a degree */
     int instance;             /* column that numbers the sensor of each row, or -1 */

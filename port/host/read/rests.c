@@ -251,8 +251,8 @@ static int read_log(reading *r, unsigned readings, recording *others, samples *l
     return failure;
 }
 
-int rests_read(positions *p, const char *path, double rate, const double clip[2],
-               turns *gyro, rests_summary *summary)
+int rests_read(positions *p, const char *path, double rate, const double clip[2], turns *gyro,
+               rests_summary *summary)
 {
     static samples log; /* too large for the stack */
     reading r[GUESSES] = {{.p = {.name = NULL}}};

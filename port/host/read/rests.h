@@ -63,7 +63,7 @@ void rests_end(positions *p, const samples *log, rests_summary *summary);
  *
  * Returns EXIT_GOOD, also without any rest; EXIT_FILE, with a message. The positions are to be
  * released with positions_free in either case; their lines are those of the first samples. */
-int rests_read(positions *p, const char *path, double rate, const double clip[2],
-               turns *gyro, rests_summary *summary);
+int rests_read(positions *p, const char *path, double rate, const double clip[2], turns *gyro,
+               rests_summary *summary);
 
 #endif

@@ -85,9 +85,10 @@ static int match(turns *t, const samples *file, const double *time, const char *
     uint32_t next = 0;
 
     if (t->has_time != file->has_time || (!t->has_time && t->samples != t->readings)) {
-        message("%s: goes not with %s: both need a column t of the same clock, or neither and as many "
-                "rows (%zu, and %zu)",
-                file->table.name, log, t->readings, t->samples);
+        message(
+            "%s: goes not with %s: both need a column t of the same clock, or neither and as many "
+            "rows (%zu, and %zu)",
+            file->table.name, log, t->readings, t->samples);
         return EXIT_FILE;
     }
     for (size_t i = 0; i < t->samples; i++) {

@@ -53,10 +53,11 @@ const char *gyro_limit_text(const gyro_fit *g, char text[GYRO_LINE_MAX])
         square += g->part[i] * g->part[i];
     }
     if (g->imu.move_rms > 2 * sqrt(square)) {
-        snprintf(text, GYRO_LINE_MAX,
-                 "neither rests, noise nor bias explain the residuals (%.2g mrad): vibration, a clock "
-                 "that is not even, or a nonlinear scale",
-                 1e3 * sqrt(square));
+        snprintf(
+            text, GYRO_LINE_MAX,
+            "neither rests, noise nor bias explain the residuals (%.2g mrad): vibration, a clock "
+            "that is not even, or a nonlinear scale",
+            1e3 * sqrt(square));
     } else {
         snprintf(text, GYRO_LINE_MAX, "%s (%.2g mrad of a move)", words[most], 1e3 * g->part[most]);
     }
@@ -92,8 +93,7 @@ const char *gyro_g_text(const gyro_fit *g, char text[GYRO_LINE_MAX])
     } else if (g->imu.g_is_used) {
         const double sigma = g->imu.slope_sigma[at / 3][at % 3] / UNIT_DEGREE;
         snprintf(text, GYRO_LINE_MAX,
-                 "about %c, %s °/s per g along %c at the most; taken off the moves",
-                 "xyz"[at / 3],
+                 "about %c, %s °/s per g along %c at the most; taken off the moves", "xyz"[at / 3],
                  figure_with_sigma(g->imu.slope[at / 3][at % 3] / UNIT_DEGREE, sigma, FIGURE_PLAIN,
                                    number),
                  "xyz"[at % 3]);
@@ -123,7 +123,8 @@ double gyro_wander(const gyro_fit *g, unsigned axis)
 
 /* ---- the table ---------------------------------------------------------------------------------- */
 
-static void add_row(const char *label, const char *axis, double value, double sigma, const char *unit)
+static void add_row(const char *label, const char *axis, double value, double sigma,
+                    const char *unit)
 {
     char text[FIGURE_MAX];
     const int places = figure_places(value, sigma);
@@ -167,8 +168,8 @@ static void print_figures(FILE *file, const calibrate_result *r)
         if (g->is_counts) { /* what the unit was to be, nobody states */
             add_row("scale", axis, counts, counts * m * g->imu.sigma[4 * i], "counts per °/s");
         } else {
-            add_row("scale error", axis, scale.scale * (m - 1), scale.scale * m * m * g->imu.sigma[4 * i],
-                    scale.unit);
+            add_row("scale error", axis, scale.scale * (m - 1),
+                    scale.scale * m * m * g->imu.sigma[4 * i], scale.unit);
         }
     }
     for (unsigned i = 0; i < 9; i++) {
@@ -200,13 +201,16 @@ static void print_source(FILE *file, const gyro_fit *g)
     }
     if (!g->word) {
         wrapped_printf(file, 0, "gyroscope: %s, %.6g readings a second%s", gyro_unit_text(g, text),
-                       g->turns->rate, g->turns->is_rate_known ? "" : " (a guess: an error of it is one of the scales)");
+                       g->turns->rate,
+                       g->turns->is_rate_known ? ""
+                                               : " (a guess: an error of it is one of the scales)");
     }
     if (fabs(g->lag) > 0) {
-        wrapped_printf(file, 0,
-                       "The gyroscope's readings come %.2f s %s than the accelerometer's. Here that is "
-                       "taken off; mend it where both are recorded.",
-                       fabs(g->lag), g->lag > 0 ? "later" : "earlier");
+        wrapped_printf(
+            file, 0,
+            "The gyroscope's readings come %.2f s %s than the accelerometer's. Here that is "
+            "taken off; mend it where both are recorded.",
+            fabs(g->lag), g->lag > 0 ? "later" : "earlier");
     }
 }
 
@@ -222,7 +226,8 @@ static void print_moves(FILE *file, const calibrate_result *r)
                    g->imu.moves, g->moves, 1e3 * g->imu.move_rms, 1e3 * g->imu.move_max,
                    worst->position + 1, g->imu.dof);
     if (g->more > 0) {
-        wrapped_printf(file, LABEL, "              those between the last %u rests; %u more are left alone",
+        wrapped_printf(file, LABEL,
+                       "              those between the last %u rests; %u more are left alone",
                        g->rests, g->more);
     }
     for (unsigned i = 0; i < g->moves; i++) {
@@ -254,8 +259,10 @@ void gyro_print(FILE *file, const calibrate_result *r)
     print_figures(file, r);
     print_moves(file, r);
     if (r->is_joint) {
-        wrapped_printf(file, 0, "The accelerometer is told by rests and moves together: the rests alone leave "
-                                "some of it open.");
+        wrapped_printf(
+            file, 0,
+            "The accelerometer is told by rests and moves together: the rests alone leave "
+            "some of it open.");
     }
     snprintf(text, sizeof text, "%s%s", gyro_verdict(g),
              g->imu.verdict == INVCAL_WEAK ? ": more moves, about all three axes" : "");

@@ -83,13 +83,15 @@ static void turn_between(const double before[3], const double up[3], double twis
     rotation_about(up, twist, about);
     for (unsigned i = 0; i < 3; i++) {
         for (unsigned j = 0; j < 3; j++) {
-            both[i][j] = back[i][0] * about[0][j] + back[i][1] * about[1][j] + back[i][2] * about[2][j];
+            both[i][j] =
+                back[i][0] * about[0][j] + back[i][1] * about[1][j] + back[i][2] * about[2][j];
         }
     }
     rotation_vector((const double(*)[3])both, th);
 }
 
-void gyro_scene_next(gyro_scene *s, const double up[3], const double felt[3], double twist, int32_t raw[3])
+void gyro_scene_next(gyro_scene *s, const double up[3], const double felt[3], double twist,
+                     int32_t raw[3])
 {
     const gyro_model *m = s->model;
     double response[3][3];

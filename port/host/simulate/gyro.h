@@ -36,7 +36,8 @@ void gyro_scene_begin(gyro_scene *s, const gyro_model *model, double rate, uint3
  * up     the way up as it is,
  * felt   the acceleration over the field,
  * twist  rad about it since the last sample. */
-void gyro_scene_next(gyro_scene *s, const double up[3], const double felt[3], double twist, int32_t raw[3]);
+void gyro_scene_next(gyro_scene *s, const double up[3], const double felt[3], double twist,
+                     int32_t raw[3]);
 
 /* The calibration that takes out all errors but the noise and what acceleration does: counts to rad/s. And the same
  * for a sensor that has none. */

@@ -25,9 +25,9 @@ typedef struct {
     double rate;           /* samples a second */
     double dwell;
     double move;
-    double tremor;       /* standard deviation of what the hand adds below 3 Hz */
-    unsigned outliers;   /* positions that are wrong, */
-    double outlier_size; /* by so much, along the vertical */
+    double tremor;          /* standard deviation of what the hand adds below 3 Hz */
+    unsigned outliers;      /* positions that are wrong, */
+    double outlier_size;    /* by so much, along the vertical */
     const gyro_model *gyro; /* or null */
 } scene_model;
 
@@ -36,7 +36,7 @@ typedef struct {
     double temperature;
     int32_t raw[3];
     int32_t gyro[3]; /* if there is one */
-    int position; /* from 0; -1 on the way */
+    int position;    /* from 0; -1 on the way */
     double
         alpha; /* what a stand with two axes would read: on the way from one position to the next */
     double beta; /* as time goes by, the shorter way round; degrees */

@@ -140,7 +140,8 @@ static int read_gyro(const char *const *value, gyro_model *g)
 
     for (unsigned i = 0; i < sizeof numbers / sizeof numbers[0] && !failure; i++) {
         if (value[numbers[i].which] && !value[GYRO]) {
-            return message_usage(syntax.command, "%s: needs --gyro", options[numbers[i].which].name);
+            return message_usage(syntax.command, "%s: needs --gyro",
+                                 options[numbers[i].which].name);
         }
         failure = read_option(value, &numbers[i]);
     }
@@ -244,7 +245,8 @@ static int write_log(scene *s, int has_temperature, int has_angles)
         printf("%.6f,%ld,%ld,%ld", sample.time, (long)sample.raw[0], (long)sample.raw[1],
                (long)sample.raw[2]);
         if (s->model->gyro) {
-            printf(",%ld,%ld,%ld", (long)sample.gyro[0], (long)sample.gyro[1], (long)sample.gyro[2]);
+            printf(",%ld,%ld,%ld", (long)sample.gyro[0], (long)sample.gyro[1],
+                   (long)sample.gyro[2]);
         }
         if (has_temperature) {
             printf(",%.3f", sample.temperature);
@@ -350,7 +352,8 @@ static const char *const help[] = {
     "                      0.01,-0.006,-0.004,0.008,0.005,-0.01\n"
     "  --gyro-bias X,Y,Z   degrees/s; default 0.5,-0.8,0.3\n"
     "  --gyro-g XX,XY,XZ,YX,..\n"
-    "                      nine numbers: what its x reads for 1 g along x, y, z, then its y and z,\n"
+    "                      nine numbers: what its x reads for 1 g along x, y, z, then its y and "
+    "z,\n"
     "                      degrees/s; default 0\n"
     "  --gyro-noise S      standard deviation of a sample, degrees/s; default 0.05\n"
     "  --gyro-lsb S        degrees/s a count; default 1/131\n"

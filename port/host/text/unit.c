@@ -64,11 +64,11 @@ int unit_parse(const char *text, reading_unit *out)
 
 double unit_parse_turn(const char *text)
 {
-    static const char *const radians[] = {"rad/s",  "rads",    "radps",   "rads-1",
+    static const char *const radians[] = {"rad/s",   "rads",     "radps",     "rads-1",
                                           "rad/sec", "radian/s", "radians/s", NULL};
-    static const char *const degrees[] = {"deg/s",   "dps",     "degps",       "degs-1",
-                                          "deg/sec", "degs",    "degrees/s",   "degree/s",
-                                          "°/s",     "°s-1",    LATIN1_DEGREE "/s", NULL};
+    static const char *const degrees[] = {
+        "deg/s",     "dps",      "degps", "degs-1", "deg/sec",          "degs",
+        "degrees/s", "degree/s", "°/s",   "°s-1",   LATIN1_DEGREE "/s", NULL};
     char squashed[TEXT_MAX];
 
     if (!squash(text, squashed)) {
@@ -95,11 +95,11 @@ const char *unit_turn_words(double radians)
 {
     const double degrees = radians / UNIT_DEGREE;
 
-    return fabs(radians - 1) < 1e-6          ? "rad/s"
-           : fabs(radians - 1e-3) < 1e-9     ? "mrad/s"
-           : fabs(degrees - 1) < 1e-6        ? "°/s"
-           : fabs(degrees - 1e-3) < 1e-9     ? "m°/s"
-                                             : "counts";
+    return fabs(radians - 1) < 1e-6      ? "rad/s"
+           : fabs(radians - 1e-3) < 1e-9 ? "mrad/s"
+           : fabs(degrees - 1) < 1e-6    ? "°/s"
+           : fabs(degrees - 1e-3) < 1e-9 ? "m°/s"
+                                         : "counts";
 }
 
 double unit_parse_time(const char *text)
