@@ -169,6 +169,62 @@ for word in nan inf '' 1e999 junk; do
 done
 accepts "but not with --accelerometer-only" calibrate "$work/changed.csv" --accelerometer-only --quiet
 
+# ---- apply and export --------------------------------------------------------------------------------
+
+run calibrate "$work/edges.csv" --out "$work/cal.json" --quiet
+inner "$work/cal.json" offset | numbers > "$work/offset"
+inner "$work/cal.json" matrix | numbers > "$work/matrix"
+# rates FACTOR: of each row of the log, as the file's own numbers make them; three rows in motion
+rates() {
+    awk -F, 'NR == 320 || NR == 380 || NR == 1050 { print $5, $6, $7 }' "$work/edges.csv" |
+        { cat "$work/offset"; echo; cat; } | awk -v m="$(cat "$work/matrix")" -v factor="$1" '
+            BEGIN { split(m, M, " ") }
+            NR == 1 { for (i = 1; i <= 3; i++) o[i] = $i; next }
+            { for (i = 0; i < 3; i++) printf "%.9g ", factor * (M[3 * i + 1] * ($1 - o[1]) + M[3 * i + 2] * ($2 - o[2]) + M[3 * i + 3] * ($3 - o[3])) }'
+}
+accepts "apply" apply "$work/cal.json" "$work/edges.csv"
+check "apply: the gyroscope has columns" matches "$work/stdout" '^t,x,y,z,gx,gy,gz$'
+check "apply: rad/s" near 1e-8 "$(awk -F, 'NR == 320 || NR == 380 || NR == 1050 { print $5, $6, $7 }' "$work/stdout" | tr '\n' ' ')" "$(rates 1)"
+cut -d, -f5-7 "$work/stdout" > "$work/rates.csv"
+run apply "$work/cal.json" "$work/gyro.csv" --gyro
+cut -d, -f2-4 "$work/stdout" > "$work/alone.csv"
+check "apply --gyro: the same of a file of its own" same "$work/rates.csv" "$work/alone.csv"
+run apply "$work/cal.json" "$work/acc.csv"
+check "apply: a log without a gyroscope" matches "$work/stdout" '^t,x,y,z$'
+run calibrate "$work/acc.csv" --out "$work/none.json" --quiet
+refuses "apply --gyro of a calibration without one" 2 'none\.json holds no gyroscope' apply "$work/none.json" "$work/gyro.csv" --gyro
+sed 's/^    "matrix"/    "matrices"/' "$work/cal.json" > "$work/broken.json"
+refuses "apply: a gyroscope that is incomplete" 3 '"gyroscope" is incomplete' apply "$work/broken.json" "$work/edges.csv"
+
+# system OFFSET MATRIX: the same rows by matrix (raw - offset), numbers of an export
+system() {
+    awk -F, 'NR == 320 || NR == 380 || NR == 1050 { print $5, $6, $7 }' "$work/edges.csv" | awk -v o="$1" -v m="$2" '
+        BEGIN { split(o, O, " "); split(m, M, " ") }
+        { for (i = 0; i < 3; i++) printf "%.9g ", M[3 * i + 1] * ($1 - O[1]) + M[3 * i + 2] * ($2 - O[2]) + M[3 * i + 3] * ($3 - O[3]) }'
+}
+run export "$work/cal.json" --format c-arrays
+o=$(sed -n 's/.*gyro_offset\[3\] = //p' "$work/stdout" | sed 's/f//g' | numbers)
+m=$(sed -n '/gyro_matrix\[3\]/,/;/p' "$work/stdout" | sed 1d | sed 's/f//g' | numbers | tr '\n' ' ')
+check "export --format c-arrays: the gyroscope" near 1e-5 "$(system "$o" "$m")" "$(rates 1)"
+run export "$work/cal.json" --format c --name imu
+check "export --format c: a second constant" matches "$work/stdout" '^static const invcal_calibration imu_gyro = \{$'
+run export "$work/cal.json" --format imu_tk-gyro
+m=$(awk 'NR <= 3 { for (i = 1; i <= 3; i++) t[NR, i] = $i } NR >= 5 && NR <= 7 { k[NR - 4] = $(NR - 4) }
+    END { for (r = 1; r <= 3; r++) for (i = 1; i <= 3; i++) printf "%.17g ", t[r, i] * k[i] }' "$work/stdout")
+check "export --format imu_tk-gyro: T K (X - B)" near 1e-8 "$(system "$(sed -n 9,11p "$work/stdout" | tr '\n' ' ')" "$m")" "$(rates 1)"
+refuses "export --format imu_tk-gyro without one" 2 'none\.json holds none' export "$work/none.json" --format imu_tk-gyro
+run export "$work/cal.json" --format fusion
+o=$(sed -n 's/.*gyroscopeOffset = //p' "$work/stdout" | sed 's/f//g' | numbers)
+m=$(sed -n '/gyroscopeMisalignment = /,/gyroscopeSensitivity/p' "$work/stdout" | sed 's/^static[^=]*=//; s/f//g' | numbers |
+    tr '\n' ' ' | awk '{ for (i = 0; i < 9; i++) printf "%.17g ", $(i + 1) * $(10 + i % 3) }')
+check "export --format fusion: degrees/s" near 1e-3 "$(system "$o" "$m")" "$(rates 57.29577951308232)"
+in_unit "a log in °/s" 'gx (dps),gy (dps),gz (dps)' $dps °/s header
+run calibrate "$work/changed.csv" --out "$work/dps.json" --quiet
+run export "$work/dps.json" --format ardupilot --zero 0,0,0 --lsb 0.000598550415
+check "export --format ardupilot: the bias, rad/s" near 2e-4 "$(sed -n 's/^INS_GYROFFS_[XYZ],//p' "$work/stdout" | tr '\n' ' ')" '0.0087266 -0.0139626 0.0052360'
+run export "$work/dps.json" --format px4 --zero 0,0,0 --lsb 0.000598550415
+check "export --format px4: the bias, rad/s" near 2e-4 "$(sed -n 's/.*CAL_GYRO0_[XYZ]OFF\t\(.*\)\t9$/\1/p' "$work/stdout" | tr '\n' ' ')" '0.0087266 -0.0139626 0.0052360'
+
 # ---- options -----------------------------------------------------------------------------------------
 
 for pair in '--gyro-axes x,y' '--gyro-axes x,x,z' '--gyro-axes x,y,zz' '--gyro-lsb 0' '--gyro-lsb nonsense' '--gyro-lsb -1'; do
