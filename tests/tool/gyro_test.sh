@@ -169,6 +169,17 @@ for word in nan inf '' 1e999 junk; do
 done
 accepts "but not with --accelerometer-only" calibrate "$work/changed.csv" --accelerometer-only --quiet
 
+# ---- the page ----------------------------------------------------------------------------------------
+
+run calibrate "$work/edges.csv" --report "$work/page.html" --quiet
+check "the page is one" is_page "$work/page.html"
+check "the page: a bar for each move, twice (wide and narrow)" test "$(grep -o 'class="c1 bar"' "$work/page.html" | wc -l)" -ge 36
+check "the page: the constant" matches "$work/page.html" 'static const invcal_calibration calibration_gyro = '
+change '{ $6 = 17 }'
+run calibrate "$work/changed.csv" --report "$work/page.html" --quiet
+check "the page: why there is none" matches "$work/page.html" 'never changes'
+check "the page without one is sound" is_page "$work/page.html"
+
 # ---- apply and export --------------------------------------------------------------------------------
 
 run calibrate "$work/edges.csv" --out "$work/cal.json" --quiet

@@ -279,7 +279,7 @@ int rests_read(positions *p, const char *path, double rate, const double clip[2]
     rests_end(p, &log, summary);
     if (!failure && gyro) {
         gyro->rate = summary->is_rate_known ? gyro->rate : summary->rate;
-        failure = gyro->file ? turns_read(gyro, rate, log.table.name) : EXIT_GOOD;
+        failure = gyro->file ? turns_read(gyro, &log, rate, p->name) : EXIT_GOOD;
         turns_end(gyro);
     }
     return failure;

@@ -123,23 +123,22 @@ static int read_all(turns *t, samples *file, double **time)
     return more < 0 ? EXIT_FILE : failure;
 }
 
-int turns_read(turns *t, double rate, const char *log)
+int turns_read(turns *t, samples *file, double rate, const char *log)
 {
-    static samples file; /* too large for the stack */
     double *time = NULL;
-    int failure = samples_open(&file, t->file, COLUMNS_GYRO, rate, 0);
+    int failure = samples_open(file, t->file, COLUMNS_GYRO, rate, 0);
 
     if (!failure) {
-        t->seen = file.where.seen;
-        t->turn = file.where.seen.turn;
-        failure = read_all(t, &file, &time);
+        t->seen = file->where.seen;
+        t->turn = file->where.seen.turn;
+        failure = read_all(t, file, &time);
     }
-    failure = failure ? failure : match(t, &file, time, log);
-    if (!failure && file.is_rate_known) {
-        t->rate = file.rate;
+    failure = failure ? failure : match(t, file, time, log);
+    if (!failure && file->is_rate_known) {
+        t->rate = file->rate;
         t->is_rate_known = 1;
     }
-    samples_close(&file);
+    samples_close(file);
     free(time);
     return failure;
 }

@@ -51,8 +51,8 @@ int turns_add(turns *t, const samples *log, const sample *s);
 /* All is there: completes the rate. */
 void turns_end(turns *t);
 
-/* The readings are those of the file of their own. EXIT_GOOD; EXIT_FILE, with a message. */
-int turns_read(turns *t, double rate, const char *log);
+/* The readings are those of the file of their own, read by `file`, which is large and nothing before. EXIT_GOOD; EXIT_FILE, with a message. */
+int turns_read(turns *t, samples *file, double rate, const char *log);
 
 void turns_free(turns *t);
 

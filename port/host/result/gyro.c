@@ -103,22 +103,34 @@ const char *gyro_g_text(const gyro_fit *g, char text[GYRO_LINE_MAX])
     return text;
 }
 
+static int compare(const void *a, const void *b)
+{
+    const double x = *(const double *)a;
+    const double y = *(const double *)b;
+
+    return (x > y) - (x < y);
+}
+
+/* 1.4826 is 1 over the median of a standard normal variable's size. */
 double gyro_wander(const gyro_fit *g, unsigned axis)
 {
-    const double from = g->rest[g->rests - 1].bias[axis];
-    double sum = 0;
-    double squares = 0;
-    double n = 0;
+    double x[INVCAL_MAX_MOVES];
+    unsigned n = 0;
 
     for (unsigned i = 0; i < g->rests; i++) {
-        const double x = g->rest[i].bias[axis] - from;
-        if (isfinite(x)) { /* there were readings */
-            sum += x;
-            squares += x * x;
-            n++;
-        }
+        x[n] = g->rest[i].bias[axis];
+        n += isfinite(x[n]) != 0; /* there were readings */
     }
-    return n > 1 ? sqrt(fmax(0, squares - sum * sum / n) / (n - 1)) : 0;
+    if (n < 2) {
+        return 0;
+    }
+    qsort(x, n, sizeof x[0], compare);
+    const double middle = x[n / 2];
+    for (unsigned i = 0; i < n; i++) {
+        x[i] = fabs(x[i] - middle);
+    }
+    qsort(x, n, sizeof x[0], compare);
+    return 1.4826 * x[n / 2];
 }
 
 /* ---- the table ---------------------------------------------------------------------------------- */
@@ -175,7 +187,7 @@ static void print_figures(FILE *file, const calibrate_result *r)
     for (unsigned i = 0; i < 9; i++) {
         const char pair[] = {"xyz"[i / 3], "xyz"[i % 3], '\0'};
         if (i / 3 != i % 3) {
-            add_row("cross", pair, angle.scale * g->imu.parameter[i], angle.scale * g->imu.sigma[i],
+            add_row("cross", pair, angle.scale * inverse[i / 3][i % 3], angle.scale * g->imu.sigma[i],
                     off_axis);
         }
     }

@@ -15,7 +15,8 @@ const char *gyro_g_text(const gyro_fit *g, char text[GYRO_LINE_MAX]);
 const char *gyro_move_text(const calibrate_result *r, const gyro_move *m, char text[GYRO_LINE_MAX]);
 const char *gyro_verdict(const gyro_fit *g);
 
-/* Standard deviation of the bias about an axis over the rests, rad/s. */
+/* Standard deviation of the bias about an axis over the rests, rad/s; by the median, as in some the device may
+ * have turned. */
 double gyro_wander(const gyro_fit *g, unsigned axis);
 
 /* Nothing where there is none. */
