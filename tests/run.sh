@@ -15,7 +15,7 @@ mkdir -p "$logs" || exit 2
 # NAME COMMAND...; the longest first.
 suites() {
     for name in ${LONG:+faults allan plan plan_moves width plan_report report screen verdict} tool thermal stand case magnetometer log watch units \
-        sensor input reading citizen record compare export fault pass refusal six_faces release; do
+        sensor input reading citizen record compare export gyro fault pass refusal six_faces release; do
         echo "$name sh $tests/tool/${name}_test.sh $build/invcal $build/tool"
     done
     for part in double float tool; do

@@ -62,6 +62,10 @@ prints 0 calibration calibrate "$work/log.csv" --robust
 "$tool" simulate --plan per-group:6 --stand > "$work/stand.csv"
 prints 0 calibration calibrate "$work/stand.csv" --stand
 check "the file of --truth is a truth" fits truth "$work/truth.json"
+"$tool" simulate --gyro --dwell 3 --plan edges --truth "$work/truth.json" > "$work/gyro.csv"
+prints 0 calibration calibrate "$work/gyro.csv"
+check "the file of --truth with a gyroscope is a truth" fits truth "$work/truth.json"
+prints 0 calibration calibrate "$work/gyro.csv" --gyro-axes y,x,z
 
 sensor() { # sensor STATIONS
     awk -v what=positions -v stations="$1" -v seed=1 -v sigma=1e-4 -f "$here/thermal.awk" \

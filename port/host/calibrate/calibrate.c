@@ -60,10 +60,10 @@ static int asks_for_list(int argc, char **argv)
 }
 
 /* The positions of the log, or the rests in it. */
-static int solve_log(const request *r, positions *data, rests_summary *log,
+static int solve_log(const request *r, positions *data, rests_summary *log, turns *gyro,
                      calibrate_result *result, positions_reader *read)
 {
-    const int failure = read(r, data, log);
+    const int failure = read(r, data, log, gyro);
 
     if (failure) {
         return failure;
@@ -72,7 +72,7 @@ static int solve_log(const request *r, positions *data, rests_summary *log,
         return calibrate_no_rest(result);
     }
     settle_unit(r, data);
-    return solve_positions(r, data, result);
+    return solve_positions(r, data, gyro, result);
 }
 
 /* No rest is looked for in it. */
@@ -96,6 +96,7 @@ int calibrate_run(int argc, char **argv, int is_live, const calibrate_readers *r
     waved waving = {.samples = 0};
     rests_summary log;
     calibrate_result result = {.data = NULL};
+    turns gyro = {.file = NULL};
 
     if (asks_for_list(argc, argv)) {
         sensors_list(stdout);
@@ -111,9 +112,10 @@ int calibrate_run(int argc, char **argv, int is_live, const calibrate_readers *r
     json_lines(r.value[ASK_JSON_LINES] ? r.file : NULL);
     result = ask(&r, &data, &log);
     settle_limits(&r, &result);
+    gyro.file = r.value[ASK_GYRO];
     failure = r.value[ASK_MAGNETOMETER]
                   ? solve_magnetometer(&r, &data, &waving, &result, read->waved)
-                  : solve_log(&r, &data, &log, &result, read->rests);
+                  : solve_log(&r, &data, &log, &gyro, &result, read->rests);
     failure = result.refused.word ? deliver_refusal(&r, &result)
               : failure           ? failure
                                   : deliver(&r, &result);
@@ -125,17 +127,20 @@ int calibrate_run(int argc, char **argv, int is_live, const calibrate_readers *r
     rejection_free(&result.rejected);
     positions_free(&data);
     waved_free(&waving);
+    turns_free(&gyro);
     json_lines(NULL);
     return failure;
 }
 
 /* The positions of the file, or those that a log rests in. */
-static int read_positions(const request *r, positions *data, rests_summary *log)
+static int read_positions(const request *r, positions *data, rests_summary *log, turns *gyro)
 {
     const double *clip = r->value[ASK_CLIP] ? r->clip : NULL;
 
-    return r->value[ASK_POSITIONS] ? positions_read(data, r->file)
-                                   : rests_read(data, r->file, r->rate, clip, log);
+    return r->value[ASK_POSITIONS]
+               ? positions_read(data, r->file)
+               : rests_read(data, r->file, r->rate, clip,
+                            r->value[ASK_ACCELEROMETER_ONLY] ? NULL : gyro, log);
 }
 
 static int read_waved(const request *r, const invcal_calibration *nominal, positions *data,
@@ -165,13 +170,17 @@ static const char *const help[] = {
     "LOG is a table of samples, - the standard input; the rests in it, of two seconds or more,\n"
     "are found. Turn briskly from one to the next: a turn of more than five seconds may pass for\n"
     "a rest where it begins and ends slowly. Columns are x y z, or t x y z (t in seconds), or\n"
-    "t x y z temperature; the first two also with the three of a gyro behind; or any with a\n"
+    "t x y z temperature; the first two also with the three of a gyroscope behind; or any with a\n"
     "header that names them:\n",
     COLUMNS_NAMES,
     "Separators are semicolons, commas, tabs or blanks; lines beginning with #, % or // are\n"
     "comments. What LOG was taken for is told in the first line of the result.\n"
     "Nine positions are the least, twelve to eighteen in all directions are good. A position\n"
     "that contradicts the others is left out and named, if eleven or more are there to tell.\n"
+    "\n"
+    "A gyroscope (columns gx gy gz, or w_x .., gyro_x .., GyrX .., angular_velocity.x ..) is\n"
+    "calibrated with it: between two rests it must turn the one way up into the other. Twelve\n"
+    "quarter turns between the six faces, each within ten seconds, tell both sensors whole.\n"
     "\n" CHOSEN_OPTION,
     "  --positions         each row of LOG is the mean of one position: x y z, or x y z std n\n"
     "                      (standard deviation and number of the samples), or\n"
@@ -179,7 +188,16 @@ static const char *const help[] = {
     "  --rate HZ           samples a second; default: by the column t, else 100\n"
     "  --clip LOW,HIGH     the least and the greatest reading of the sensor, in input units:\n"
     "                      rests that touch them are refused\n"
-    "  --keep-all          leaves no position out\n",
+    "  --keep-all          leaves no position out\n"
+    "  --gyro FILE         the gyroscope is in a file of its own, columns x y z or t x y z, by "
+    "the\n"
+    "                      same clock or with as many rows\n"
+    "  --gyro-lsb S        degrees/s in one unit of it, as 1/131; or rad/s or deg/s; default: by "
+    "the\n"
+    "                      header, else by the moves\n"
+    "  --gyro-axes X,Y,Z   its axes that turn about the accelerometer's x, y, z, as y,-x,z\n"
+    "  --accelerometer-only\n"
+    "                      leaves a gyroscope out\n",
     "  --gravity G[+-S]    length of the field, in the unit of the result, and what it may be "
     "wrong\n"
     "                      by; default 9.80665+-0.027 (m/s^2), as is true anywhere on Earth. For "
@@ -313,7 +331,8 @@ static const char *const brief[] = {
     "\n"
     "Calibrates accelerometers that were held still in a dozen orientations or more, at any "
     "angle.\n"
-    "LOG is a table of samples, columns x y z or t x y z; - is the standard input.\n"
+    "LOG is a table of samples, columns x y z or t x y z, and a gyroscope's; - is the standard "
+    "input.\n"
     "\n"
     "  --positions         each row of LOG is the mean of one position, not a sample\n"
     "  --gravity G[+-S]    length of the field; default 9.80665+-0.027 (m/s^2)\n"

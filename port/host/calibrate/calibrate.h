@@ -9,8 +9,9 @@
 #include "read/rests.h"
 #include "read/waved.h"
 
-/* Reads positions; `log` tells what they were found in. Returns an exit code. */
-typedef int positions_reader(const request *r, positions *data, rests_summary *log);
+/* Reads positions; `log` tells what they were found in, `gyro` what a gyroscope
+ * read meanwhile. Returns an exit code. */
+typedef int positions_reader(const request *r, positions *data, rests_summary *log, turns *gyro);
 
 /* The same of a magnetometer that is waved. */
 typedef int waved_reader(const request *r, const invcal_calibration *nominal, positions *data,

@@ -39,6 +39,10 @@ static const option options[ASK_OPTIONS] = {
     [ASK_THERMAL] = {"--thermal", 1},
     [ASK_SLOPE] = {"--slope", 1},
     [ASK_RATE] = {"--rate", 1},
+    [ASK_GYRO] = {"--gyro", 1},
+    [ASK_GYRO_LSB] = {"--gyro-lsb", 1},
+    [ASK_GYRO_AXES] = {"--gyro-axes", 1},
+    [ASK_ACCELEROMETER_ONLY] = {"--accelerometer-only", 0},
     [ASK_CLIP] = {"--clip", 1},
     [ASK_ROBUST] = {"--robust", 0},
     [ASK_QUADRATIC] = {"--quadratic", 0},
@@ -399,6 +403,66 @@ static int read_log_options(request *r)
     return failure;
 }
 
+/* "y,-x,z" */
+static int parse_axes(const char *text, int8_t axes[3])
+{
+    unsigned seen = 0;
+
+    for (unsigned i = 0; i < 3; i++) {
+        const int is_negative = *text == '-';
+        text += is_negative || *text == '+';
+        const int axis = *text >= 'x' && *text <= 'z' ? *text++ - 'x' : -1;
+        if (axis < 0 || *text != (i < 2 ? ',' : '\0')) {
+            return 0;
+        }
+        text += i < 2;
+        seen |= 1u << axis;
+        axes[i] = (int8_t)(is_negative ? -axis - 1 : axis + 1);
+    }
+    return seen == 7;
+}
+
+/* Of the gyroscope. */
+static int read_gyro(request *r)
+{
+    const char *lsb = r->value[ASK_GYRO_LSB];
+    int failure = EXIT_GOOD;
+
+    for (unsigned o = ASK_GYRO; o <= ASK_ACCELEROMETER_ONLY; o++) {
+        if (r->value[o] && (r->value[ASK_POSITIONS] || r->is_live)) {
+            return request_usage(r, o,
+                                 r->is_live ? "is for invcal calibrate"
+                                            : "is of samples; position means have no moves");
+        }
+        if (r->value[o] && o != ASK_ACCELEROMETER_ONLY && r->value[ASK_ACCELEROMETER_ONLY]) {
+            return request_usage(r, o, "is of the gyroscope: leave out --accelerometer-only");
+        }
+    }
+    if (r->value[ASK_GYRO] && r->value[ASK_COLUMNS]) {
+        return request_usage(r, ASK_GYRO,
+                             "does not go together with --columns: name them in headers");
+    }
+    if (r->value[ASK_GYRO_AXES] && !parse_axes(r->value[ASK_GYRO_AXES], r->gyro.axes)) {
+        return request_usage(
+            r, ASK_GYRO_AXES,
+            "is the gyroscope's axes that turn about the accelerometer's x, y and z, "
+            "such as y,-x,z");
+    }
+    if (lsb) {
+        r->gyro.turn = unit_parse_turn(lsb);
+        if (!(r->gyro.turn > 0)) {
+            failure = options_numbers(r->syntax, ASK_GYRO_LSB, lsb, 1, &r->gyro.turn, NULL);
+            r->gyro.turn *= UNIT_DEGREE;
+        }
+        if (!failure && !(r->gyro.turn > 1e-12 && r->gyro.turn < 1e6)) {
+            failure =
+                request_usage(r, ASK_GYRO_LSB,
+                              "is degrees/s in one input unit, such as 1/131, or rad/s or deg/s");
+        }
+    }
+    return failure;
+}
+
 /* The program to follow. What it leaves open a prior may tell. */
 static int read_program(request *r)
 {
@@ -626,6 +690,7 @@ static int check_files(const request *r)
     const named_file inputs[] = {{"LOG", r->file},
                                  {"--nominal", r->value[ASK_NOMINAL]},
                                  {"--with", r->value[ASK_WITH]},
+                                 {"--gyro", r->value[ASK_GYRO]},
                                  {"--allan", r->value[ASK_ALLAN]},
                                  {"--plan", design_file(r->value[ASK_PLAN])}};
     const named_file outputs[] = {{"--out", r->value[ASK_OUT]}, {"--report", r->value[ASK_REPORT]}};
@@ -652,6 +717,7 @@ int request_read(int argc, char **argv, int is_live, request *r)
     failure = failure ? failure : read_noise(r);
     failure = failure ? failure : read_thermal(r);
     failure = failure ? failure : read_log_options(r);
+    failure = failure ? failure : read_gyro(r);
     failure = failure ? failure : read_live_options(r);
     failure = failure ? failure : read_degree(r);
     failure = failure ? failure : read_stand(r);

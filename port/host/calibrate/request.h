@@ -10,6 +10,7 @@
 #include "cli/told.h"
 #include "fit/case_frame.h"
 #include "fit/fit.h"
+#include "fit/gyro.h"
 #include "fit/sensors.h"
 #include "fit/thermal_fit.h"
 #include "result/record.h"
@@ -40,6 +41,10 @@ enum {
     ASK_THERMAL,
     ASK_SLOPE,
     ASK_RATE,
+    ASK_GYRO,
+    ASK_GYRO_LSB,
+    ASK_GYRO_AXES,
+    ASK_ACCELEROMETER_ONLY,
     ASK_CLIP,
     ASK_ROBUST,
     ASK_QUADRATIC,
@@ -92,6 +97,7 @@ typedef struct {
     double place[2];                   /* latitude, height */
     double field_sigma; /* what the length of the field may be wrong by, field units */
     thermal_wish thermal;
+    gyro_wish gyro;
     const design *program; /* of --plan, which watch follows; or null */
     unsigned degree;       /* of --quadratic, --cubic; else 0 */
     stand_wish stand;

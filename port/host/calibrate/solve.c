@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "calibrate/cross_check.h"
+#include "calibrate/gyro.h"
 #include "calibrate/nonlinear.h"
 #include "calibrate/refuse.h"
 #include "calibrate/settle.h"
@@ -228,7 +229,8 @@ static void complete(const request *r, const positions *data, calibrate_result *
     result->residual_before = residual_of_nominal(data, &result->settings.nominal);
 }
 
-int solve_positions(const request *r, const positions *data, calibrate_result *result)
+int solve_positions(const request *r, const positions *data, const turns *gyro,
+                    calibrate_result *result)
 {
     int failure = stand_check(&r->stand, data);
     failure = failure ? failure : settle_nominal(r, result);
@@ -238,12 +240,14 @@ int solve_positions(const request *r, const positions *data, calibrate_result *r
     failure = failure                 ? failure
               : r->value[ASK_THERMAL] ? solve_thermal(r, result)
                                       : solve_plain(r, result);
+    failure = calibrate_gyro(r, gyro, failure, result);
     failure = failure || r->value[ASK_THERMAL] ? failure : probe_temperature(result);
     failure = failure || !r->stand.is_wanted ? failure : find_stand(r, result);
     failure = failure || r->ways_up.count == 0 ? failure : find_case(r, result);
     if (failure) {
         return failure;
     }
+    calibrate_gyro_turn(result);
     result->is_robust_wanted = r->value[ASK_ROBUST] != NULL;
     if (result->is_robust_wanted) {
         cross_check(result);

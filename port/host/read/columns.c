@@ -21,7 +21,8 @@ static heading headings[TABLE_COLUMNS_MAX];
 
 /* What a heading with an axis is of. */
 typedef enum {
-    OF_NOTHING, /* a gyro, or what nobody knows */
+    OF_NOTHING, /* what nobody knows */
+    OF_GYROSCOPE,
     OF_MAGNETOMETER,
     OF_ANYTHING, /* x, y and z alone */
     OF_ACCELEROMETER
@@ -90,6 +91,23 @@ static origin origin_of(const heading *h)
     };
     static const char *const magnetometers[] = {"m",       "mag", "magnetometer", "magneticfield",
                                                 "compass", NULL};
+    static const char *const gyroscopes[] = {
+        "g",
+        "w",
+        "gyr",
+        "gyro",
+        "gyroscope",
+        "gyroraw",
+        "gyroadc",
+        "gyrorad", /* PX4: gyro_rad[0] */
+        "omega",
+        "rotationrate",
+        "angularrate",
+        "angularvelocity",
+        "fieldangularvelocity",
+        "wrss", /* EuRoC: w_RS_S_x */
+        NULL,
+    };
     static const char *const anything[] = {"", "xyz", "axis", "mean", NULL};
 
     const char *key = h->key + (strncmp(h->key, "imu", 3) == 0 ? 3 : 0); /* imu_ax */
@@ -97,6 +115,7 @@ static origin origin_of(const heading *h)
     return h->axis < 0                                     ? OF_NOTHING
            : is_of_ros(h) || is_among(key, accelerometers) ? OF_ACCELEROMETER
            : is_among(key, magnetometers)                  ? OF_MAGNETOMETER
+           : is_among(key, gyroscopes)                     ? OF_GYROSCOPE
            : is_among(key, anything)                       ? OF_ANYTHING
                                                            : OF_NOTHING;
 }
@@ -321,6 +340,49 @@ static void find_unit_row(table *t, columns *out)
     }
 }
 
+/* ---- the gyroscope ------------------------------------------------------------------------------ */
+
+/* Logs that are known have a unit although their headings do not state it. */
+static double turn_of_system(const heading *x)
+{
+    static const char *const radians[] = {"gyrorad", "angularvelocity", "fieldangularvelocity",
+                                          "wrss", NULL};
+
+    /* the last is ArduPilot's */
+    return is_among(x->key, radians) || strcmp(x->name, "GyrX") == 0 ? 1 : 0;
+}
+
+/* The first three columns of one; with none of them the accelerometer is alone. Where some follow that are
+ * of another, nobody can guess which one is beside it, and the first counts. */
+static void find_gyro(const table *t, columns *out)
+{
+    int *index = out->gyro;
+
+    if (find_set(t, 0, (origins){OF_GYROSCOPE, OF_GYROSCOPE}, index) == t->columns) {
+        index[0] = -1;
+        return;
+    }
+    const heading *x = &headings[index[0]];
+    out->seen.turn = x->states_unit ? x->turn : turn_of_system(x);
+    if (out->index[COLUMN_X] == index[0]) {
+        index[0] = -1; /* --columns says that it is the accelerometer */
+    }
+}
+
+/* x, y and z, in a file that holds nothing else but a gyroscope. */
+static int find_gyro_alone(const table *t, columns *out)
+{
+    find_gyro(t, out);
+    if (out->gyro[0] < 0) {
+        const int failure = find_xyz(t, COLUMNS_LOG, out);
+        out->seen.turn = failure ? 0 : headings[out->index[COLUMN_X]].turn;
+        memcpy(out->gyro, out->index, sizeof out->gyro);
+        return failure;
+    }
+    memcpy(out->index, out->gyro, sizeof out->gyro);
+    return EXIT_GOOD;
+}
+
 /* ---- the others --------------------------------------------------------------------------------- */
 
 static int is_named(const heading *h, column which)
@@ -479,6 +541,10 @@ static void remember_names(const table *t, columns *out)
             used[out->index[c]] = 1;
         }
     }
+    for (unsigned i = 0; i < 3 && out->gyro[i] >= 0; i++) {
+        memcpy(seen->gyro[i], headings[out->gyro[i]].name, HEADING_NAME_MAX);
+        used[out->gyro[i]] = 1;
+    }
     for (unsigned i = 0; i < t->columns; i++) {
         seen->others += !used[i] && *t->field[i] != '\0';
     }
@@ -504,8 +570,12 @@ static int find_by_header(table *t, columns_kind kind, columns *out)
     int std;
 
     read_headings(t);
-    int failure = chosen_is(COLUMN_X) ? chosen_find_axes(t, headings, &index[COLUMN_X])
-                                      : find_xyz(t, kind, out);
+    int failure = chosen_is(COLUMN_X)    ? chosen_find_axes(t, headings, &index[COLUMN_X])
+                  : kind == COLUMNS_GYRO ? find_gyro_alone(t, out)
+                                         : find_xyz(t, kind, out);
+    if (!failure && kind == COLUMNS_IMU) {
+        find_gyro(t, out);
+    }
     failure = failure ? failure : find_std(t, &std);
     failure = failure ? failure : find_unit(t, out);
     for (unsigned c = COLUMN_STD_X; c < COLUMN_COUNT && !failure; c++) {
@@ -543,6 +613,22 @@ static int is_cut_at_commas(const table *t)
            (is_fraction(t->field[1]) || is_fraction(t->field[3]) || is_fraction(t->field[5]));
 }
 
+/* The last three of six or seven; of a file of its own the same as x, y and z. */
+static void find_gyro_by_count(const table *t, columns_kind kind, columns *out)
+{
+    static const char *const names[] = {"gx", "gy", "gz"};
+    const int is_there = t->columns > 5;
+
+    for (unsigned i = 0; i < 3 && kind == COLUMNS_IMU && is_there; i++) {
+        out->gyro[i] = (int)(t->columns - 3 + i);
+        snprintf(out->seen.gyro[i], HEADING_NAME_MAX, "%s", names[i]);
+    }
+    if (kind == COLUMNS_GYRO) {
+        memcpy(out->gyro, out->index, sizeof out->gyro);
+    }
+    out->seen.others = is_there && kind != COLUMNS_IMU ? 3 : 0;
+}
+
 /* Without a header the number of columns tells; each letter is one column. */
 static int find_by_count(const table *t, columns_kind kind, columns *out)
 {
@@ -566,7 +652,7 @@ static int find_by_count(const table *t, columns_kind kind, columns *out)
                      : place ? column_name((column)c)
                              : "");
         }
-        out->seen.others = kind != COLUMNS_POSITIONS && t->columns > 5 ? 3 : 0;
+        find_gyro_by_count(t, kind, out);
         return EXIT_GOOD;
     }
     message("%s:%lu: %u column%s, separated by %s, without a header: %s, or a header that names "
@@ -623,6 +709,7 @@ int columns_find(table *t, columns_kind kind, columns *out)
         .degrees = {1, 0},
         .per_degree = {1, 1},
         .aside = {-1, -1, -1},
+        .gyro = {-1, -1, -1},
         .instance = -1,
         .seen = {.separator = table_separator(t), .is_magnetometer = kind == COLUMNS_MAGNETOMETER}};
     if (table_comment_header(t) && !has_axes(t)) {
@@ -637,6 +724,7 @@ int columns_find(table *t, columns_kind kind, columns *out)
     }
     for (unsigned i = 0; i < 3; i++) {
         out->last = out->aside[i] > out->last ? out->aside[i] : out->last;
+        out->last = out->gyro[i] > out->last ? out->gyro[i] : out->last;
     }
     out->seen.time_unit = out->per_second > 1e8   ? "ns"
                           : out->per_second > 1e5 ? "µs"
@@ -686,6 +774,24 @@ int columns_number(const table *t, const columns *where, column which, double *o
         *out /= where->per_second;
     } else if (which == COLUMN_TEMPERATURE) {
         *out = where->degrees.scale * *out + where->degrees.zero;
+    }
+    return EXIT_GOOD;
+}
+
+int columns_turn(const table *t, const columns *where, double out[3])
+{
+    char excerpt[TABLE_EXCERPT_MAX];
+
+    for (unsigned i = 0; i < 3; i++) {
+        const number_status status = number_parse(t->field[where->gyro[i]], &out[i]);
+        if (status != NUMBER_OK) {
+            message("%s:%lu: column %d (gyroscope's %c): '%s' %s; --accelerometer-only leaves the "
+                    "gyroscope out",
+                    t->name, t->line, where->gyro[i] + 1, "xyz"[i],
+                    table_excerpt(t->field[where->gyro[i]], excerpt),
+                    status == NUMBER_EMPTY ? "is empty" : number_problem(status));
+            return EXIT_FILE;
+        }
     }
     return EXIT_GOOD;
 }
@@ -798,6 +904,10 @@ const char *columns_describe(const recognition *seen, char *text, size_t size)
         if (c != COLUMN_TIME && *name[c] != '\0' && !is_again) {
             append(text, size, ", %s", name[c]);
         }
+    }
+    if (*seen->gyro[0] != '\0') {
+        append(text, size, "; gyroscope: %s %s %s%s%s", seen->gyro[0], seen->gyro[1], seen->gyro[2],
+               seen->turn > 0 ? " in " : "", seen->turn > 0 ? unit_turn_words(seen->turn) : "");
     }
     if (seen->others > 0) {
         append(text, size, "; ignored: %u other column%s", seen->others,

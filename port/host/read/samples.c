@@ -13,7 +13,7 @@
 #define SMALLEST_UNIT (-14) /* power of two, where nothing but zeros has been read */
 #define SKIPPED_MAX 100u
 
-enum { TIME = 3, TEMPERATURE = 4, ALPHA = 5, BETA = 6, ASIDE = 7 };
+enum { TIME = 3, TEMPERATURE = 4, ALPHA = 5, BETA = 6, ASIDE = 7, GYRO = 10 };
 
 /* The numbers of the current row. */
 static int read_numbers(samples *s, double v[SAMPLES_NUMBERS])
@@ -23,7 +23,7 @@ static int read_numbers(samples *s, double v[SAMPLES_NUMBERS])
     if (columns_check_instance(&s->table, &s->where)) {
         return EXIT_FILE;
     }
-    v[TIME] = v[TEMPERATURE] = 0;
+    v[TIME] = v[TEMPERATURE] = v[GYRO] = v[GYRO + 1] = v[GYRO + 2] = 0;
     for (unsigned i = 0; i < 5; i++) {
         if (s->where.index[which[i]] >= 0 &&
             columns_number(&s->table, &s->where, which[i], &v[i])) {
@@ -35,7 +35,7 @@ static int read_numbers(samples *s, double v[SAMPLES_NUMBERS])
     for (unsigned i = 0; i < 3; i++) {
         v[ASIDE + i] = columns_aside(&s->table, &s->where, i);
     }
-    return EXIT_GOOD;
+    return s->where.gyro[0] >= 0 ? columns_turn(&s->table, &s->where, &v[GYRO]) : EXIT_GOOD;
 }
 
 /* The first line was cut, so that the second has more columns: that decides. Returns 1 if so. */
@@ -193,12 +193,12 @@ static int find_columns(samples *s)
     return columns_find(&s->table, s->kind, &s->where);
 }
 
-static int open_as(samples *s, const char *path, double rate, int live, columns_kind kind)
+int samples_open(samples *s, const char *path, columns_kind kind, double rate, int live)
 {
-    s->kind = kind;
     s->ahead_count = s->next = 0;
     s->count = s->gaps = s->skipped = 0;
     s->is_live = live;
+    s->kind = kind;
     s->is_broken = 0;
     s->clock = 0;
     s->longest = HUGE_VAL; /* with a given rate times may be of any unit */
@@ -213,22 +213,13 @@ static int open_as(samples *s, const char *path, double rate, int live, columns_
     }
     s->has_time = s->where.index[COLUMN_TIME] >= 0;
     s->has_temperature = s->where.index[COLUMN_TEMPERATURE] >= 0;
+    s->has_gyro = s->where.gyro[0] >= 0;
     s->has_angles = s->where.index[COLUMN_ALPHA] >= 0 && s->where.index[COLUMN_BETA] >= 0;
     s->has_aside = s->where.aside[0] >= 0;
     s->unit = find_unit(s);
     s->rate = rate;
     s->is_rate_known = rate > 0;
     return rate > 0 ? EXIT_GOOD : find_rate(s);
-}
-
-int samples_open(samples *s, const char *path, double rate, int live)
-{
-    return open_as(s, path, rate, live, COLUMNS_LOG);
-}
-
-int samples_open_magnetometer(samples *s, const char *path, double rate, int live)
-{
-    return open_as(s, path, rate, live, COLUMNS_MAGNETOMETER);
 }
 
 unsigned samples_whole_rate(const samples *s)
@@ -272,6 +263,7 @@ int samples_next(samples *s, sample *out)
     out->angle[0] = v[ALPHA];
     out->angle[1] = v[BETA];
     memcpy(out->aside, &v[ASIDE], sizeof out->aside);
+    memcpy(out->gyro, &v[GYRO], sizeof out->gyro);
     const double step = v[TIME] - s->last_time;
     out->clock = s->clock += s->count == 0 ? 0 : time_passed(s, step);
     const int jumps = s->has_time && s->count > 0 && !(step >= 0 && step <= s->longest);

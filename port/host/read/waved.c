@@ -75,7 +75,7 @@ static int take_cells(const invcal_magnetometer *m, const waved *out, unsigned l
 static int read_log(samples *log, positions *p, const waved_wish *wish, waved *out)
 {
     invcal_magnetometer m;
-    int failure = samples_open_magnetometer(log, wish->path, wish->rate, wish->is_live);
+    int failure = samples_open(log, wish->path, COLUMNS_MAGNETOMETER, wish->rate, wish->is_live);
 
     *p = (positions){.name = log->table.name, .seen = log->where.seen};
     *out = (waved){

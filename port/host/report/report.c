@@ -417,6 +417,7 @@ int report_write(FILE *file, const calibrate_result *result, const calibrate_wis
         report_positions(&p, &f);
         report_stand(&p, &f);
         report_temperature(&p, &f);
+        report_gyro(&p, &f);
         report_sphere(&p, &f);
         report_timeline(&p, &f);
         report_numbers(&p, &f);

@@ -106,12 +106,22 @@ void calibrate_reading(const calibrate_result *r, unsigned kept, double out[3])
     }
 }
 
+void calibrate_with_moves(const calibrate_result *result, fit_settings *with)
+{
+    *with = result->settings;
+    for (unsigned p = INVCAL_GAMMA_XY; p < INVCAL_PARAMETERS && result->is_joint; p++) {
+        with->prior[p] = result->quality.sigma[p];
+    }
+}
+
 void calibrate_spread(const calibrate_result *r, double unit, uncertainty *u)
 {
     if (r->temperature == CALIBRATE_THERMAL) { /* the first nine coefficients: at the reference */
         memcpy(u->covariance, r->fit.covariance, sizeof u->covariance);
     } else {
-        fit_information(r->rejected.kept, r->rejected.kept_count, &r->settings, &r->solution,
+        fit_settings with;
+        calibrate_with_moves(r, &with);
+        fit_information(r->rejected.kept, r->rejected.kept_count, &with, &r->solution,
                         r->quality.noise, u->covariance);
         (void)matrix_invert_packed(u->covariance, INVCAL_PARAMETERS); /* no result without */
     }

@@ -9,6 +9,7 @@
 #include "maths/matrix.h"
 #include "cli/message.h"
 #include "result/faces.h"
+#include "result/gyro.h"
 #include "result/need.h"
 #include "result/pass.h"
 #include "text/number.h"
@@ -266,9 +267,10 @@ static void print_verdict(FILE *file, const calibrate_result *result)
     if (is_held) {
         snprintf(text, sizeof text, " %s", faces_cost(result, cause));
     } else if (strcmp(word, "Good:") == 0) {
+        const char *unchecked = verdict_unchecked(result, cause);
         snprintf(text, sizeof text,
-                 " every parameter is determined; degrees of freedom left to check it: %.3g. %s",
-                 q->dof, verdict_unchecked(result, cause));
+                 " every parameter is determined; degrees of freedom left to check it: %.3g.%s%s",
+                 q->dof, *unchecked ? " " : "", unchecked);
     } else if (q->verdict == INVCAL_NO_REDUNDANCY && !result->magnetometer) {
         snprintf(text, sizeof text,
                  " every parameter is determined, but no direction is left to check the result.");
@@ -549,6 +551,7 @@ void calibrate_print(FILE *file, const calibrate_result *result, const calibrate
     }
     print_limit(file, result);
     fprintf(file, "\n");
+    gyro_print(file, result);
     print_verdict(file, result);
     print_next(file, result, wish);
 }

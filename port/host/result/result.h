@@ -10,6 +10,7 @@
 #include "fit/case_frame.h"
 #include "fit/dip_frame.h"
 #include "fit/fit.h"
+#include "fit/gyro.h"
 #include "text/json_write.h"
 #include "fit/l1.h"
 #include "fit/nominal.h"
@@ -84,6 +85,8 @@ typedef struct {
     case_frame frame;    /* or to the case */
     dip_frame dip;       /* what the accelerometer beside a magnetometer told; */
     int is_dip_frame;    /* the calibration is turned to its axes */
+    gyro_fit gyro;       /* the gyroscope, if there is one; */
+    int is_joint;        /* its moves tell the accelerometer, which the rests alone do not */
     told_style told;     /* the units of figures for people */
     record record;       /* what it is filed under */
     const double *place; /* latitude and height that tell the field; null: it was stated */
@@ -124,6 +127,9 @@ double calibrate_tau(const positions *data, unsigned position);
 
 /* The same of a time of the log, seconds. */
 double calibrate_tau_at(const positions *data, double time);
+
+/* The settings with what the moves tell of the angles as a prior, if the solution is that of both. */
+void calibrate_with_moves(const calibrate_result *result, fit_settings *with);
 
 /* What the positions kept leave uncertain (at the reference temperature), for a noise of `unit`. */
 void calibrate_spread(const calibrate_result *result, double unit, uncertainty *u);

@@ -12,6 +12,7 @@
 #define TEXT_MAX 16
 #define LATIN1_SQUARE '\xb2' /* ISO 8859-1, as spreadsheets of Windows save it; */
 #define LATIN1_MICRO "\xb5"
+#define LATIN1_DEGREE "\xb0"
 
 /* What is left of a unit's spelling: "m / s^2", "m_s2", "(m/(s^2))" are all alike. False if it is
  * longer than any unit. */
@@ -83,6 +84,46 @@ int unit_parse_magnetic(const char *text, reading_unit *out)
     };
 
     return is_spelled(text, spellings, sizeof spellings / sizeof spellings[0], out);
+}
+
+double unit_parse_turn(const char *text)
+{
+    static const char *const radians[] = {"rad/s",   "rads",     "radps",     "rads-1",
+                                          "rad/sec", "radian/s", "radians/s", NULL};
+    static const char *const degrees[] = {
+        "deg/s",     "dps",      "degps", "degs-1", "deg/sec",          "degs",
+        "degrees/s", "degree/s", "°/s",   "°s-1",   LATIN1_DEGREE "/s", NULL};
+    char squashed[TEXT_MAX];
+
+    if (!squash(text, squashed)) {
+        return 0;
+    }
+    for (unsigned part = 0; part < 2; part++) { /* whole ones, thousandths */
+        const char *name = squashed + part;
+        const double of = part ? 1e-3 : 1;
+        for (unsigned i = 0; radians[i] && (!part || squashed[0] == 'm'); i++) {
+            if (strcasecmp(name, radians[i]) == 0) {
+                return of;
+            }
+        }
+        for (unsigned i = 0; degrees[i] && (!part || squashed[0] == 'm'); i++) {
+            if (strcasecmp(name, degrees[i]) == 0) {
+                return of * UNIT_DEGREE;
+            }
+        }
+    }
+    return 0;
+}
+
+const char *unit_turn_words(double radians)
+{
+    const double degrees = radians / UNIT_DEGREE;
+
+    return fabs(radians - 1) < 1e-6      ? "rad/s"
+           : fabs(radians - 1e-3) < 1e-9 ? "mrad/s"
+           : fabs(degrees - 1) < 1e-6    ? "°/s"
+           : fabs(degrees - 1e-3) < 1e-9 ? "m°/s"
+                                         : "counts";
 }
 
 double unit_parse_time(const char *text)

@@ -393,7 +393,7 @@ int live_read(positions *p, const char *path, const live_wish *wish, rests_summa
         fflush(wish->talk);
     }
     interrupt_catch(path);
-    int failure = samples_open(&live_log, path, wish->rate, 1);
+    int failure = samples_open(&live_log, path, COLUMNS_LOG, wish->rate, 1);
     interrupt_stream(live_log.table.file);
 
     *p = (positions){.name = live_log.table.name, .has_noise = 1, .seen = live_log.where.seen};

@@ -41,8 +41,9 @@ static live_wish wish_of(const request *r)
 }
 
 /* The positions that a live stream rests in. */
-static int read_live(const request *r, positions *data, rests_summary *log)
+static int read_live(const request *r, positions *data, rests_summary *log, turns *gyro)
 {
+    (void)gyro;
     invcal_calibration nominal;
     invcal_noise noise[3];
     live_wish wish = wish_of(r);
