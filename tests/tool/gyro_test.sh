@@ -258,10 +258,12 @@ check "Xsens MTi: as from all samples" near 0.006 "$(cat "$work/nine")" \
 check "Xsens MTi: residual" is_small "$(inner "$work/stdout" residual_rms)" 2.1e-3
 run calibrate "$work/real.csv" --gravity 9.81744
 check "Xsens MTi: -0.154 degrees/s per g about y along x" matches "$work/stdout" '^g-sensitivity *about y, -0\.1[4-6][0-9]* ± 0\.0[01][0-9]* °/s per g along x'
-real mpu 0 7505.747 10 2000
+real mpu0 0 7505.747 10 2000
 solve "$work/real.csv" --gravity 9.81
-check "MPU-9150: residual" is_small "$(inner "$work/stdout" residual_rms)" 2.5e-3
+check "MPU-9150: residual" is_small "$(inner "$work/stdout" residual_rms)" 2.1e-3
+real mpu1 0 7505.747 10 2000
 run calibrate "$work/real.csv" --gravity 9.81
-check "MPU-9150: rests that turned are named" test "$(grep -c '^Left out: the move .*in one of the two the device turned' "$work/stdout")" -eq 4
+check "another: the rests that turned are named" test "$(grep -c '^Left out: the move .*:.*the bias before' "$work/stdout")" -eq 4
+check "another: the move that contradicts is named" matches "$work/stdout" '^Left out: the move from position 6 to 7 .*contradicts the others'
 
 finish

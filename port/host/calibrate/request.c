@@ -695,7 +695,7 @@ static int check_files(const request *r)
                                  {"--plan", design_file(r->value[ASK_PLAN])}};
     const named_file outputs[] = {{"--out", r->value[ASK_OUT]}, {"--report", r->value[ASK_REPORT]}};
 
-    return files_check(r->syntax->command, inputs, 5, outputs, 2);
+    return files_check(r->syntax->command, inputs, sizeof inputs / sizeof inputs[0], outputs, 2);
 }
 
 int request_read(int argc, char **argv, int is_live, request *r)
