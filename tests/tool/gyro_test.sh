@@ -236,6 +236,11 @@ check "export --format ardupilot: the bias, rad/s" near 2e-4 "$(sed -n 's/^INS_G
 run export "$work/dps.json" --format px4 --zero 0,0,0 --lsb 0.000598550415
 check "export --format px4: the bias, rad/s" near 2e-4 "$(sed -n 's/.*CAL_GYRO0_[XYZ]OFF\t\(.*\)\t9$/\1/p' "$work/stdout" | tr '\n' ' ')" '0.0087266 -0.0139626 0.0052360'
 
+change '{ $6 = 17 }'
+run calibrate "$work/changed.csv" --strict --quiet
+check "--strict: a gyroscope that is not calibrated" was_refused 1 "--strict: the gyroscope is not calibrated: .*y never changes"
+accepts "--strict: a good one" calibrate "$work/edges.csv" --strict
+
 # ---- options -----------------------------------------------------------------------------------------
 
 for pair in '--gyro-axes x,y' '--gyro-axes x,x,z' '--gyro-axes x,y,zz' '--gyro-lsb 0' '--gyro-lsb nonsense' '--gyro-lsb -1'; do
