@@ -36,10 +36,11 @@ static void write_parameters(page *p, const report_facts *f)
 {
     static const char *const titles[] = {"parameter", "value ±", "unit"};
     static const char *const axes[] = {"x", "y", "z"};
-    const page_table sheet = {"What the gyroscope reads too much of a turn about its axis (scale) and about "
-                              "another (cross: the first axis reads of turns about the second), in the axes of "
-                              "the accelerometer.",
-                              titles, 3, 4};
+    const page_table sheet = {
+        "What the gyroscope reads too much of a turn about its axis (scale) and about "
+        "another (cross: the first axis reads of turns about the second), in the axes of "
+        "the accelerometer.",
+        titles, 3, 4};
     const gyro_fit *g = &f->result->gyro;
     const told_unit scale = told_scale(f->result->told);
     const told_unit angle = told_angle(f->result->told);
@@ -61,8 +62,8 @@ static void write_parameters(page *p, const report_facts *f)
             snprintf(name, sizeof name, "scale %s", axes[r]);
             add_row(p, &sheet, name, counts, counts * spread, FIGURE_PLAIN, "counts per °/s");
         } else {
-            add_row(p, &sheet, name, unit.scale * (inverse[r][c] - (r == c)), unit.scale * spread, FIGURE_SIGNED,
-                    unit.unit);
+            add_row(p, &sheet, name, unit.scale * (inverse[r][c] - (r == c)), unit.scale * spread,
+                    FIGURE_SIGNED, unit.unit);
         }
     }
     page_table_end(p);
@@ -104,9 +105,10 @@ static void draw_moves(FILE *file, const void *data, double width)
     const ruler y = chart_ruler(0, largest(g) > 0 ? largest(g) : 1, TOP + PLOT, TOP, 5);
     double taken = 0;
 
-    svg_begin_inline(file, width, TOP + PLOT + AXIS, "Residuals of the moves",
-                     "What is left between the way up before each move and the one after it, turned back by "
-                     "the calibrated gyroscope, in mrad.");
+    svg_begin_inline(
+        file, width, TOP + PLOT + AXIS, "Residuals of the moves",
+        "What is left between the way up before each move and the one after it, turned back by "
+        "the calibrated gyroscope, in mrad.");
     svg_text(file, "ink heading", SVG_START, 0, 14, "residual of each move, mrad");
     chart_ticks_y(file, &y, &x);
     svg_rectangle(file, "c1 bar", LEFT, 22, 16, 12);
@@ -176,10 +178,12 @@ static void draw_bias(FILE *file, const void *data, double width)
     if (!(range[0][0] <= range[0][1])) {
         return;
     }
-    const ruler x = chart_ruler(range[0][0], range[0][1], LEFT, width - RIGHT, width > PAGE_NARROW ? 10 : 5);
+    const ruler x =
+        chart_ruler(range[0][0], range[0][1], LEFT, width - RIGHT, width > PAGE_NARROW ? 10 : 5);
     const ruler y = chart_ruler(range[1][0], range[1][1], TOP + PLOT, TOP, 5);
-    svg_begin_inline(file, width, TOP + PLOT + AXIS, "Bias in the rests",
-                     "The bias about each axis in each rest, less that of the last one, in degrees/s.");
+    svg_begin_inline(
+        file, width, TOP + PLOT + AXIS, "Bias in the rests",
+        "The bias about each axis in each rest, less that of the last one, in degrees/s.");
     svg_text(file, "ink heading", SVG_START, 0, 14, "bias less that of the last rest, °/s");
     chart_ticks_x(file, &x, &y);
     chart_ticks_y(file, &y, &x);
@@ -190,12 +194,14 @@ static void draw_bias(FILE *file, const void *data, double width)
             const double at = place_of(f, i);
             const double value = bias_of(g, i, k, is_level);
             if (isfinite(at + value)) {
-                svg_marker(file, styles[k], shapes[k], chart_pixel(&x, at), chart_pixel(&y, value), 4);
+                svg_marker(file, styles[k], shapes[k], chart_pixel(&x, at), chart_pixel(&y, value),
+                           4);
             }
         }
     }
     svg_text(file, "soft small", SVG_MIDDLE, (LEFT + width - RIGHT) / 2, TOP + PLOT + AXIS - 6,
-             f->result->data->has_temperature ? "temperature, °C" : "time from the first sample, s");
+             f->result->data->has_temperature ? "temperature, °C"
+                                              : "time from the first sample, s");
     svg_end(file);
 }
 
@@ -212,7 +218,8 @@ static void write_g(page *p, const gyro_fit *g)
         const char *const cells[] = {axes[i], text[0], text[1], text[2]};
         for (unsigned k = 0; k < 3; k++) {
             figure_with_sigma(g->imu.slope[i][k] / UNIT_DEGREE,
-                              g->interval * g->imu.slope_sigma[i][k] / UNIT_DEGREE, FIGURE_SIGNED, text[k]);
+                              g->interval * g->imu.slope_sigma[i][k] / UNIT_DEGREE, FIGURE_SIGNED,
+                              text[k]);
         }
         page_cells(p, &sheet, cells);
     }
@@ -231,10 +238,11 @@ static void write_moves(page *p, const report_facts *f)
             page_say(p, "Left out: %s.", gyro_move_text(f->result, &g->move[i], text));
         }
     }
-    page_picture(p,
-                 "Between two rests the gyroscope must turn the one way up into the other; this is what it "
-                 "misses, across the way up.",
-                 draw_moves, f);
+    page_picture(
+        p,
+        "Between two rests the gyroscope must turn the one way up into the other; this is what it "
+        "misses, across the way up.",
+        draw_moves, f);
     page_picture(p,
                  g->imu.g_is_used ? "Its bias in the rests, without what orientation does to it."
                                   : "Its bias in the rests.",
@@ -245,7 +253,8 @@ static void write_constant(page *p, const gyro_fit *g)
 {
     const invcal_calibration *c = &g->calibration;
 
-    page_say(p, "As a constant, for invcal_apply(&calibration_gyro, raw, rate), rad/s; invcal export writes both:");
+    page_say(p, "As a constant, for invcal_apply(&calibration_gyro, raw, rate), rad/s; invcal "
+                "export writes both:");
     if (constant_fits(c->offset, (const double(*)[3])c->matrix)) {
         page_code_begin(p);
         constant_write(p->file, "calibration_gyro", c->offset, (const double(*)[3])c->matrix);
@@ -268,12 +277,14 @@ void report_gyro(page *p, const report_facts *f)
         return;
     }
     page_say(p, "Verdict: %s.%s What limits it: %s.", gyro_verdict(g),
-             f->result->is_joint ? " The accelerometer is told by rests and moves together: the rests alone "
-                                   "leave some of it open."
-                                 : "",
+             f->result->is_joint
+                 ? " The accelerometer is told by rests and moves together: the rests alone "
+                   "leave some of it open."
+                 : "",
              gyro_limit_text(g, text));
     if (fabs(g->lag) > 0) {
-        page_say(p, "Its readings come %.2f s %s than the accelerometer's, which was taken off here.",
+        page_say(p,
+                 "Its readings come %.2f s %s than the accelerometer's, which was taken off here.",
                  fabs(g->lag), g->lag > 0 ? "later" : "earlier");
     }
     write_figures(p, g);

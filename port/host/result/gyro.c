@@ -187,8 +187,8 @@ static void print_figures(FILE *file, const calibrate_result *r)
     for (unsigned i = 0; i < 9; i++) {
         const char pair[] = {"xyz"[i / 3], "xyz"[i % 3], '\0'};
         if (i / 3 != i % 3) {
-            add_row("cross", pair, angle.scale * inverse[i / 3][i % 3], angle.scale * g->imu.sigma[i],
-                    off_axis);
+            add_row("cross", pair, angle.scale * inverse[i / 3][i % 3],
+                    angle.scale * g->imu.sigma[i], off_axis);
         }
     }
     tabular_end();

@@ -109,6 +109,9 @@ static void say_taken(const watch_state *now)
     end_line(now);
     wrapped_printf(now->talk, 2, "position %u taken%s", now->taken, sigma_text(now, text));
     say_wrong(now);
+    if (*now->gyro) {
+        wrapped_line(now->talk, 0, 2, now->gyro);
+    }
     if (now->outcome == WATCH_ENOUGH) {
         say_end(now, "enough:", "what is wanted is reached");
     } else if (now->outcome == WATCH_FINISHED) {

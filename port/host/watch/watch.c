@@ -16,7 +16,6 @@
  * JSON to stderr, and with --quiet nowhere. */
 static int read_live(const request *r, positions *data, rests_summary *log, turns *gyro)
 {
-    (void)gyro;
     invcal_calibration nominal;
     invcal_noise noise[3];
     live_wish wish = {.rate = r->rate, .unit = r->unit, .field = r->settings.field};
@@ -24,6 +23,7 @@ static int read_live(const request *r, positions *data, rests_summary *log, turn
     wish.clip = r->value[ASK_CLIP] ? r->clip : NULL;
 
     wish.told = r->told;
+    wish.gyro = r->gyro;
     wish.set = r->program;
     if (r->value[ASK_NOMINAL]) {
         const int failure = calibration_file_read(r->value[ASK_NOMINAL], &nominal);
@@ -48,7 +48,8 @@ static int read_live(const request *r, positions *data, rests_summary *log, turn
     }
     FILE *nowhere = r->value[ASK_QUIET] ? fopen("/dev/null", "w") : NULL;
     wish.talk = nowhere ? nowhere : r->value[ASK_JSON] ? stderr : stdout;
-    const int failure = live_read(data, r->file, &wish, log);
+    const int failure =
+        live_read(data, r->file, &wish, r->value[ASK_ACCELEROMETER_ONLY] ? NULL : gyro, log);
     if (nowhere) {
         fclose(nowhere);
     }
@@ -72,7 +73,10 @@ static const char *const watch_help[] = {
     "one is refused, and when you may stop. Elsewhere, and with --json, it prints lines.\n"
     "\n"
     "LOG is a stream of samples, as a rule - for the standard input: a serial port, or invcal\n"
-    "simulate. Its columns are those of invcal calibrate. Ctrl-C ends it, with the result.\n"
+    "simulate. Its columns are those of invcal calibrate; of a gyroscope among them it tells from "
+    "the\n"
+    "fifth position on what the moves tell, or what is wrong with it. Ctrl-C ends it, with the "
+    "result.\n"
     "Malformed lines are told and skipped.\n"
     "\n"
     "  --plan SET          follows a set of positions, with the angles of a stand; a rest in "
@@ -117,6 +121,10 @@ static const char *const watch_help[] = {
     "  --rate HZ           samples a second; default: by the column t, else 100\n"
     "  --clip LOW,HIGH     the least and the greatest reading of the sensor\n"
     "  --keep-all          leaves no position out\n"
+    "  --gyro-lsb S        degrees/s in one unit of a gyroscope, or rad/s or deg/s\n"
+    "  --gyro-axes X,Y,Z   its axes that turn about the accelerometer's x, y, z, as y,-x,z\n"
+    "  --accelerometer-only\n"
+    "                      leaves a gyroscope out\n"
     "  --need U            what calibrated lengths may be wrong by in 95 % of cases, 1mg, 0.1% or "
     "in\n"
     "                      the unit of --gravity: says when that is reached\n"
