@@ -236,6 +236,27 @@ check "export --format ardupilot: the bias, rad/s" near 2e-4 "$(sed -n 's/^INS_G
 run export "$work/dps.json" --format px4 --zero 0,0,0 --lsb 0.000598550415
 check "export --format px4: the bias, rad/s" near 2e-4 "$(sed -n 's/.*CAL_GYRO0_[XYZ]OFF\t\(.*\)\t9$/\1/p' "$work/stdout" | tr '\n' ' ')" '0.0087266 -0.0139626 0.0052360'
 
+change '{ $6 = 17 }'
+run calibrate "$work/changed.csv" --strict --quiet
+check "--strict: a gyroscope that is not calibrated" was_refused 1 "--strict: the gyroscope is not calibrated: .*y never changes"
+accepts "--strict: a good one" calibrate "$work/edges.csv" --strict
+
+# ---- watch -------------------------------------------------------------------------------------------
+
+for log in edges.csv tour.log; do
+    run calibrate "$work/$log" --json
+    mv "$work/stdout" "$work/as"
+    run watch "$work/$log" --json
+    check "watch: $log ends with what calibrate tells" same "$work/stdout" "$work/as"
+done
+check "watch: it tells how exactly the gyroscope is known" matches "$work/stderr" 'gyroscope: 12 moves; scale ± 0\.0[0-9]* %, cross ± 0\.0[0-9]* degrees$'
+change '{ y = $6; $6 = -$5; $5 = y }'
+run watch "$work/changed.csv"
+check "watch: exchanged axes are told before the tenth position" test \
+    "$(awk '/position 10 taken/ { exit } /gyroscope.s axes are not the accelerometer/ { n++ } END { print (n > 0) }' "$work/stdout")" = 1
+run watch "$work/edges.csv" --accelerometer-only
+check "watch --accelerometer-only: no word of it" lacks "$work/stdout" 'gyroscope'
+
 # ---- options -----------------------------------------------------------------------------------------
 
 for pair in '--gyro-axes x,y' '--gyro-axes x,x,z' '--gyro-axes x,y,zz' '--gyro-lsb 0' '--gyro-lsb nonsense' '--gyro-lsb -1'; do

@@ -25,7 +25,15 @@ static int hold(const request *r, const calibrate_result *result)
 {
     char reason[PASS_MAX];
 
-    if (!r->value[ASK_STRICT] || !*pass_strict(result, reason)) {
+    if (!r->value[ASK_STRICT] || result->refused.word) {
+        return EXIT_GOOD; /* what is refused has its own */
+    }
+    if (result->gyro.word) {
+        message("%s: --strict: the gyroscope is not calibrated: %s", result->data->name,
+                result->gyro.reason);
+        return EXIT_DATA;
+    }
+    if (!*pass_strict(result, reason)) {
         return EXIT_GOOD;
     }
     message("%s: --strict: %s", result->data->name, reason);

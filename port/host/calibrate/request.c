@@ -429,14 +429,15 @@ static int read_gyro(request *r)
     int failure = EXIT_GOOD;
 
     for (unsigned o = ASK_GYRO; o <= ASK_ACCELEROMETER_ONLY; o++) {
-        if (r->value[o] && (r->value[ASK_POSITIONS] || r->is_live)) {
-            return request_usage(r, o,
-                                 r->is_live ? "is for invcal calibrate"
-                                            : "is of samples; position means have no moves");
+        if (r->value[o] && r->value[ASK_POSITIONS]) {
+            return request_usage(r, o, "is of samples; position means have no moves");
         }
         if (r->value[o] && o != ASK_ACCELEROMETER_ONLY && r->value[ASK_ACCELEROMETER_ONLY]) {
             return request_usage(r, o, "is of the gyroscope: leave out --accelerometer-only");
         }
+    }
+    if (r->value[ASK_GYRO] && r->is_live) {
+        return request_usage(r, ASK_GYRO, "is for invcal calibrate");
     }
     if (r->value[ASK_GYRO] && r->value[ASK_COLUMNS]) {
         return request_usage(r, ASK_GYRO,

@@ -19,6 +19,7 @@
 #define TURNED 0.02 /* though others do so much about it */
 #define MOVED 4.0   /* times the mean square at rest */
 #define FEW_RESTS 2u
+#define SAME_MEAN 1e-12
 
 /* Too large for the stack. */
 static invcal_moves moves;
@@ -148,6 +149,7 @@ static int is_kept(const rejection *kept, unsigned k)
 /* The samples of the log once more, as rests_read took them. */
 typedef struct {
     const turns *t;
+    const positions *p;
     const rejection *kept;
     invcal_rests rests;
     unsigned position; /* rests taken so far */
@@ -155,14 +157,32 @@ typedef struct {
 } replay;
 
 static void begin_replay(replay *r, const turns *t, unsigned rate, const double *clip,
-                         const rejection *kept)
+                         const positions *p, const rejection *kept)
 {
-    *r = (replay){.t = t, .kept = kept};
+    *r = (replay){.t = t, .p = p, .kept = kept};
     (void)invcal_rests_init(&r->rests, rate); /* it was accepted before */
     if (clip) {
         (void)invcal_rests_rails(&r->rests, (int32_t)nearbyint(clip[0] / t->unit),
                                  (int32_t)nearbyint(clip[1] / t->unit));
     }
+}
+
+/* Is the rest just taken the next position? A live stream that demands longer rests has fewer. */
+static int is_position(const replay *r)
+{
+    const double *mean = &r->p->mean[3 * (size_t)r->position];
+    invcal_rest rest;
+
+    if (r->position >= r->p->count || !invcal_rests_get(&r->rests, &rest)) {
+        return 0;
+    }
+    for (unsigned i = 0; i < 3; i++) {
+        const double x = (double)rest.sum[i] / rest.count * r->t->unit;
+        if (!(fabs(x - mean[i]) <= SAME_MEAN * fabs(x))) {
+            return 0;
+        }
+    }
+    return 1;
 }
 
 /* One sample, or the end. A rest that is left out ends no move: to that it is refused. */
@@ -177,8 +197,9 @@ static invcal_event go_on(replay *r)
     invcal_event event =
         is_end ? invcal_rests_finish(&r->rests) : invcal_rests_feed(&r->rests, s->raw);
     if (event == INVCAL_TAKEN) {
-        event = is_kept(r->kept, r->position) ? INVCAL_TAKEN : INVCAL_REFUSED;
-        r->position++;
+        const int is_one = is_position(r);
+        event = is_one && is_kept(r->kept, r->position) ? INVCAL_TAKEN : INVCAL_REFUSED;
+        r->position += (unsigned)is_one;
     }
     r->i++;
     return event;
@@ -662,7 +683,7 @@ int gyro_make(gyro_fit *g, const turns *t, const gyro_wish *wish, unsigned rate,
         return EXIT_GOOD;
     }
     const double unit = ldexp(1, (int)ceil(log2(largest(t))) - ROOM);
-    begin_replay(&r, t, rate, clip, kept);
+    begin_replay(&r, t, rate, clip, p, kept);
     find_rests(g, &r);
     const long lag = find_lag(g, p, start, bias);
     g->lag = (double)lag / t->rate;
@@ -673,7 +694,7 @@ int gyro_make(gyro_fit *g, const turns *t, const gyro_wish *wish, unsigned rate,
     if (!find_unit_and_axes(g, &asked, lag, bias)) {
         return EXIT_GOOD;
     }
-    begin_replay(&r, t, rate, clip, kept);
+    begin_replay(&r, t, rate, clip, p, kept);
     invcal_status status = make_moves(g, &r, lag, bias, unit);
     status = status == INVCAL_OK ? solve(g, p, start) : status;
     list_moves(g);

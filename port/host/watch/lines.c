@@ -118,6 +118,9 @@ static void say_taken(const watch_state *now)
         wrapped_printf(now->talk, 2, "position %u taken%s", now->taken, sigma_text(now, text));
     }
     say_wrong(now);
+    if (*now->gyro) {
+        wrapped_line(now->talk, 0, 2, now->gyro);
+    }
     if (now->outcome == WATCH_ENOUGH) {
         say_end(now, "enough:",
                 watch_is_anything_wanted(now) ? "what is wanted is reached" : "it is good");

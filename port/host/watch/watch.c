@@ -43,13 +43,13 @@ static live_wish wish_of(const request *r)
 /* The positions that a live stream rests in. */
 static int read_live(const request *r, positions *data, rests_summary *log, turns *gyro)
 {
-    (void)gyro;
     invcal_calibration nominal;
     invcal_noise noise[3];
     live_wish wish = wish_of(r);
 
     wish.unit = r->unit;
     wish.clip = r->value[ASK_CLIP] ? r->clip : NULL;
+    wish.gyro = r->gyro;
     wish.set = r->program;
     if (r->value[ASK_NOMINAL]) {
         const int failure = calibration_file_read(r->value[ASK_NOMINAL], &nominal);
@@ -69,26 +69,12 @@ static int read_live(const request *r, positions *data, rests_summary *log, turn
         }
         wish.noise = noise;
     }
-    FILE *nowhere = begin_talk(r, &wish);
-    const int failure = live_read(data, r->file, &wish, log);
-    end_talk(nowhere);
-    return failure;
+    wish.gyro = r->gyro;
 }
-
-/* A magnetometer that is waved. Of a field that is not stated a part is asked for by %, else a number in the unit of
- * the readings. */
-static int read_waved(const request *r, const invcal_calibration *nominal, positions *data,
-                      waved *log)
-{
-    live_wish wish = wish_of(r);
-
-    if (!r->value[ASK_GRAVITY] && r->value[ASK_NEED] && !strchr(r->value[ASK_NEED], '%')) {
-        wish.field = 0;
-    }
-    FILE *nowhere = begin_talk(r, &wish);
-    const int failure = wave_read(data, r->file, nominal, &wish, log);
-    end_talk(nowhere);
-    return failure;
+FILE *nowhere = begin_talk(r, &wish);
+const int failure = wave_read(data, r->file, nominal, &wish, log);
+end_talk(nowhere);
+return failure;
 }
 
 static int run_watch(int argc, char **argv)
@@ -110,7 +96,10 @@ static const char *const watch_help[] = {
     "one is refused, and when you may stop. Elsewhere, and with --json, it prints lines.\n"
     "\n"
     "LOG is a stream of samples, as a rule - for the standard input: a serial port, or invcal\n"
-    "simulate. Its columns are those of invcal calibrate. Ctrl-C ends it, with the result.\n"
+    "simulate. Its columns are those of invcal calibrate; of a gyroscope among them it tells from "
+    "the\n"
+    "fifth position on what the moves tell, or what is wrong with it. Ctrl-C ends it, with the "
+    "result.\n"
     "Malformed lines are told and skipped.\n"
     "\n"
     "  --plan SET          follows a set of positions, with the angles of a stand; a rest in "
@@ -158,6 +147,10 @@ static const char *const watch_help[] = {
     "  --rate HZ           samples a second; default: by the column t, else 100\n"
     "  --clip LOW,HIGH     the least and the greatest reading of the sensor\n"
     "  --keep-all          leaves no position out\n"
+    "  --gyro-lsb S        degrees/s in one unit of a gyroscope, or rad/s or deg/s\n"
+    "  --gyro-axes X,Y,Z   its axes that turn about the accelerometer's x, y, z, as y,-x,z\n"
+    "  --accelerometer-only\n"
+    "                      leaves a gyroscope out\n"
     "  --need U            what calibrated lengths may be wrong by in 95 % of cases, 1mg, 0.1% or "
     "in\n"
     "                      the unit of --gravity: says when that is reached\n"
