@@ -12,7 +12,7 @@ links() {
     function=$1
     library=$2
     shift 2
-    printf '#include "invcal/%s.h"\n' allan expert plan store thermal > "$out/$function.c"
+    printf '#include "invcal/%s.h"\n' allan expert gyro plan store thermal > "$out/$function.c"
     # Its address is enough for the linker, and needs no arguments.
     echo "void (*volatile f)(void) = (void (*)(void))$function; int main(void) { return f == 0; }" \
         >> "$out/$function.c"
@@ -52,5 +52,11 @@ check "invcal_allan_init links as the library was compiled" links invcal_allan_i
 for choice in ALLAN_TAUS=31 ALLAN_OVERLAP=16 DOUBLE=1; do
     check "invcal_allan_init: not with $choice" refuses invcal_allan_init "$build/float/libinvcal.a" \
         -DINVCAL_$choice
+done
+for function in invcal_moves_init invcal_imu_solve; do
+    check "$function links as the library was compiled" links $function "$build/float/libinvcal.a"
+    for choice in MAX_SEGMENTS=100 MAX_MOVES=14 DOUBLE=1; do
+        check "$function: not with $choice" refuses $function "$build/float/libinvcal.a" -DINVCAL_$choice
+    done
 done
 finish
