@@ -69,12 +69,27 @@ static int read_live(const request *r, positions *data, rests_summary *log, turn
         }
         wish.noise = noise;
     }
-    wish.gyro = r->gyro;
+    FILE *nowhere = begin_talk(r, &wish);
+    const int failure =
+        live_read(data, r->file, &wish, r->value[ASK_ACCELEROMETER_ONLY] ? NULL : gyro, log);
+    end_talk(nowhere);
+    return failure;
 }
-FILE *nowhere = begin_talk(r, &wish);
-const int failure = wave_read(data, r->file, nominal, &wish, log);
-end_talk(nowhere);
-return failure;
+
+/* A magnetometer that is waved. Of a field that is not stated a part is asked for by %, else a number in the unit of
+ * the readings. */
+static int read_waved(const request *r, const invcal_calibration *nominal, positions *data,
+                      waved *log)
+{
+    live_wish wish = wish_of(r);
+
+    if (!r->value[ASK_GRAVITY] && r->value[ASK_NEED] && !strchr(r->value[ASK_NEED], '%')) {
+        wish.field = 0;
+    }
+    FILE *nowhere = begin_talk(r, &wish);
+    const int failure = wave_read(data, r->file, nominal, &wish, log);
+    end_talk(nowhere);
+    return failure;
 }
 
 static int run_watch(int argc, char **argv)
