@@ -364,7 +364,7 @@ invcal_status invcal_imu_sum(invcal_imu_work *w)
 static invcal_status check_settings(const invcal_imu_settings *s)
 {
     for (unsigned i = 0; s->prior && i < IMU_ALL; i++) {
-        if (!(s->prior[i] >= 0)) {
+        if (!(s->prior[i] >= 0 && s->prior[i] <= INVCAL_REAL_MAX)) {
             return INVCAL_BAD_PRIOR;
         }
     }

@@ -164,7 +164,7 @@ INVCAL_APART static void close_segment(invcal_moves *m, unsigned mark)
 /* ---- rests and moves ---------------------------------------------------------------------------- */
 
 /* No rest is going on. */
-static void forget_rest(invcal_moves *m)
+INVCAL_APART static void forget_rest(invcal_moves *m)
 {
     m->cut = NOWHERE;
     m->still_samples = 0;

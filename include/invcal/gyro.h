@@ -6,7 +6,7 @@
  * six faces determine the nine elements of its matrix and the nine parameters of the accelerometer, in one
  * solution and without a calibration beforehand. No sample is stored: a move is kept as a few segments.
  *
- *     static invcal_imu_session both;                         3.9 kB; or a session and moves of their own
+ *     static invcal_imu_session both;                         3.7 kB; or a session and moves of their own
  *     invcal_imu_record record;
  *     invcal_imu imu;
  *     if (invcal_load_imu(&result, &record) == INVCAL_OK)     calibrated: record.accelerometer, record.gyro
@@ -26,10 +26,10 @@
  *                 invcal_save_imu(&result, &imu);
  *
  * The two sensors may be sampled at different rates. What is assumed of time: samples are fed in the order
- * in which they were taken, within some hundredths of a second. A rest is cut off 0.3 s before motion was
- * noticed, so such a shift between them costs nothing. While a memory is written no sample may be lost: the
- * device is in motion then. Sensors keep them for a second (FIFO), or an interrupt does; else the call is
- * invcal_moves_gap, and the move is taken again.
+ * in which they were taken. Those of the accelerometer may come up to 0.1 s late, which costs nothing, as a
+ * rest is cut off 0.3 s before motion was noticed; those of the gyroscope 0.02 s: of 0.05 s the error is
+ * twice as large. While a memory is written no sample may be lost: the device is in motion then. Sensors keep
+ * them for a second (FIFO), or an interrupt does; else the call is invcal_moves_gap, and the move is taken again.
  *
  * invcal.h states the rules and units; mathematics.md, "The gyroscope", derives this.
  */

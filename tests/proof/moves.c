@@ -3,7 +3,7 @@
 #include "rotation.h"
 
 // trusted: 1
-// eva: -eva-precision 0 -eva-auto-loop-unroll 12 -eva-slevel 60 -eva-slevel-function drop_oldest:400 -eva-split-return full
+// eva: -eva-precision 0 -eva-auto-loop-unroll 12 -eva-slevel 60 -eva-slevel-function drop_oldest:2000,keep_move:2000,measure_bias:200 -eva-split-return full
 
 /* What the module keeps to, and all else arbitrary. */
 static void any_moves(invcal_moves *m)

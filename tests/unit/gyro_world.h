@@ -15,7 +15,7 @@
 #define DEGREE (3.14159265358979324 / 180)
 #define COUNTS 1e5 /* of the gyroscope per rad/s: rounding is no matter */
 
-enum { WORLD_BLOCK = 16, WORLD_RESTS = 40 };
+enum { WORLD_BLOCK = 16, WORLD_RESTS = 40, WORLD_LATE = 64 };
 
 static inline void world_unit(double m[3][3])
 {
@@ -94,7 +94,10 @@ typedef struct {
     double wobble;      /* of the hand */
     int axes[3];        /* gyroscope axis i measures |axes[i]| - 1 */
     random_source random;
+    int late; /* samples by which the gyroscope's come late; negative: the accelerometer's */
     /* the state */
+    int32_t queue[WORLD_LATE][3];
+    int resting[WORLD_LATE];
     double up[3];
     double flicker[4][3];
     double c[3][3]; /* of the move */
@@ -103,6 +106,10 @@ typedef struct {
     int samples, hold, quiet;
     double mean[WORLD_RESTS][3];
     int count;
+    /* what is kept for others: room for so many samples, or null; and where each rest began */
+    int32_t (*log)[3];
+    int room;
+    int begin[WORLD_RESTS];
 } world;
 
 static inline void world_begin(world *w, double rate, uint32_t seed)
@@ -203,10 +210,18 @@ static inline void world_sample(world *w, const double omega[3], int is_quiet)
         const int of = w->axes[i] < 0 ? -w->axes[i] : w->axes[i];
         raw[i] = (int32_t)lround(COUNTS * (w->axes[i] < 0 ? -nominal[of - 1] : nominal[of - 1]));
     }
-    invcal_moves_feed(&w->moves, raw);
+    if (w->log && w->samples < w->room) {
+        memcpy(w->log[w->samples], raw, sizeof raw);
+    }
+    const int now = w->samples % WORLD_LATE;
+    memcpy(w->queue[now], raw, sizeof raw);
+    w->resting[now] = is_quiet;
+    const int gyro = (w->samples + WORLD_LATE - (w->late > 0 ? w->late : 0)) % WORLD_LATE;
+    const int accelerometer = (w->samples + WORLD_LATE + (w->late < 0 ? w->late : 0)) % WORLD_LATE;
+    invcal_moves_feed(&w->moves, w->queue[gyro]);
     w->samples++;
     if (w->samples % WORLD_BLOCK == 0) {
-        world_block(w, is_quiet);
+        world_block(w, w->resting[accelerometer]);
     }
 }
 
@@ -228,6 +243,7 @@ static inline void world_rest(world *w, double seconds)
     while (w->samples % WORLD_BLOCK != 0) {
         world_sample(w, none, 0);
     }
+    w->begin[w->count] = w->samples;
     const int samples = (int)(seconds * w->rate / WORLD_BLOCK + 1) * WORLD_BLOCK;
     for (int i = 0; i < samples; i++) {
         world_sample(w, none, 1);
@@ -239,10 +255,10 @@ static inline void world_rest(world *w, double seconds)
     w->count++;
 }
 
-/* Turns by a vector, and wobbles on the way; then rests. The truth in steps of a tenth of a sample. */
+/* Turns by a vector, and wobbles on the way; then rests. The truth in steps of a millisecond at most. */
 static inline void world_move(world *w, const double vector[3], double seconds)
 {
-    enum { FINE = 10, PAD = 4 };
+    const int fine = w->rate < 250 ? (int)(1000 / w->rate) : 4;
     const int samples = (int)(seconds * w->rate);
     const double angle =
         sqrt(vector[0] * vector[0] + vector[1] * vector[1] + vector[2] * vector[2]);
@@ -259,8 +275,8 @@ static inline void world_move(world *w, const double vector[3], double seconds)
     for (int n = 0; n < samples; n++) {
         double middle[3] = {0, 0, 0};
         double step[3], r[3][3];
-        for (int k = 0; k < FINE; k++) {
-            const double tau = (n + (k + 0.5) / FINE) / samples;
+        for (int k = 0; k < fine; k++) {
+            const double tau = (n + (k + 0.5) / fine) / samples;
             const double window = 16 * tau * tau * (1 - tau) * (1 - tau);
             for (int i = 0; i < 3; i++) {
                 double omega = vector[i] / seconds * 30 * tau * tau * (1 - tau) * (1 - tau);
@@ -268,8 +284,8 @@ static inline void world_move(world *w, const double vector[3], double seconds)
                     omega += window * amplitude[i][p] *
                              sin(360 * DEGREE * pace[i][p] * tau * seconds + phase[i][p]);
                 }
-                step[i] = omega / (w->rate * FINE);
-                middle[i] += omega / FINE;
+                step[i] = omega / (w->rate * fine);
+                middle[i] += omega / fine;
             }
             world_exp(step, r);
             world_turn(w->c, (const double(*)[3])r);
@@ -300,6 +316,25 @@ static inline invcal_status world_solve(const world *w, const invcal_imu_setting
     return invcal_imu_solve(raw[0], (unsigned)w->count, &nominal, &w->moves, settings, out);
 }
 
+/* The shortest way to have that up. */
+static inline void world_to(world *w, const double to[3])
+{
+    double vector[3];
+    double length = 0;
+    double dot = 0;
+
+    for (int i = 0; i < 3; i++) { /* the device turns by the vector to x up */
+        vector[i] = to[(i + 1) % 3] * w->up[(i + 2) % 3] - to[(i + 2) % 3] * w->up[(i + 1) % 3];
+        length += vector[i] * vector[i];
+        dot += to[i] * w->up[i];
+    }
+    const double angle = atan2(sqrt(length), dot);
+    for (int i = 0; i < 3; i++) {
+        vector[i] *= angle / sqrt(length);
+    }
+    world_move(w, vector, random_uniform(&w->random, 0.85, 1.2) * fmax(1, angle / 1.6));
+}
+
 /* Quarter turns: each of the twelve edges of the octahedron once. */
 static inline void world_tour(world *w)
 {
@@ -310,20 +345,9 @@ static inline void world_tour(world *w)
     }
     for (int k = 1; tour[k] != 0; k++) {
         double to[3] = {0, 0, 0};
-        double vector[3];
         const int is_down = tour[k] < 'a';
         to[(is_down ? tour[k] - 'X' : tour[k] - 'x')] = is_down ? -1 : 1;
-        double length = 0;
-        for (int i = 0; i < 3; i++) {
-            /* the device turns by the vector to x up */
-            vector[i] = to[(i + 1) % 3] * w->up[(i + 2) % 3] - to[(i + 2) % 3] * w->up[(i + 1) % 3];
-            length += vector[i] * vector[i];
-        }
-        double dot = to[0] * w->up[0] + to[1] * w->up[1] + to[2] * w->up[2];
-        for (int i = 0; i < 3; i++) {
-            vector[i] *= atan2(sqrt(length), dot) / sqrt(length);
-        }
-        world_move(w, vector, random_uniform(&w->random, 0.85, 1.2));
+        world_to(w, to);
     }
 }
 
