@@ -7,10 +7,11 @@
 #include "solve.h"
 #include "vector.h"
 
-enum { ACCELEROMETER_AT = 4, WEAK_AT = ACCELEROMETER_AT + INVCAL_RECORD_SIZE };
-enum { DOF_AT = WEAK_AT + 2, VERDICT_AT = WEAK_AT + 4, MOVES_AT = WEAK_AT + 5 };
-enum { G_AT = WEAK_AT + 6, NOTHING_AT = WEAK_AT + 7, GYRO_AT = WEAK_AT + 8, IMU_REALS = 48 };
-#define WEAK_GYRO 0x1FFu /* as a mask */
+enum { IMU_RECORD_AT = 4, IMU_WEAK_AT = IMU_RECORD_AT + INVCAL_RECORD_SIZE };
+enum { IMU_DOF_AT = IMU_WEAK_AT + 2, IMU_VERDICT_AT = IMU_WEAK_AT + 4 };
+enum { IMU_MOVES_AT = IMU_WEAK_AT + 5, IMU_G_AT = IMU_WEAK_AT + 6 };
+enum { IMU_NOTHING_AT = IMU_WEAK_AT + 7, IMU_REALS_AT = IMU_WEAK_AT + 8, IMU_REALS = 48 };
+#define IMU_WEAK 0x1FFu /* as a mask */
 
 /* The reals come first in the structure, too, and in the same order. */
 typedef char invcal_imu_is_in_order
@@ -19,7 +20,7 @@ typedef char invcal_imu_is_in_order
 /* What has weak parameters is WEAK, and nothing else is. */
 static int is_sensible(const invcal_imu_record *r)
 {
-    return r->verdict <= INVCAL_WEAK && r->weak <= WEAK_GYRO && r->g_is_used <= 1 &&
+    return r->verdict <= INVCAL_WEAK && r->weak <= IMU_WEAK && r->g_is_used <= 1 &&
            (r->verdict == INVCAL_WEAK ? (r->weak | r->accelerometer.weak) > 0 : r->weak == 0);
 }
 
@@ -30,21 +31,21 @@ static invcal_status read_imu(const uint8_t *bytes, uint32_t size, invcal_imu_re
     if (status != INVCAL_OK) {
         return status;
     }
-    if (invcal_get_u16(bytes + 2) != INVCAL_IMU_RECORD_SIZE || bytes[NOTHING_AT] != 0) {
+    if (invcal_get_u16(bytes + 2) != INVCAL_IMU_RECORD_SIZE || bytes[IMU_NOTHING_AT] != 0) {
         return INVCAL_DAMAGED;
     }
-    status = invcal_record_decode(bytes + ACCELEROMETER_AT, INVCAL_RECORD_SIZE, &r->accelerometer);
+    status = invcal_record_decode(bytes + IMU_RECORD_AT, INVCAL_RECORD_SIZE, &r->accelerometer);
     if (status != INVCAL_OK) {
         return status;
     }
-    if (!invcal_get_reals(bytes + GYRO_AT, r, IMU_REALS)) {
+    if (!invcal_get_reals(bytes + IMU_REALS_AT, r, IMU_REALS)) {
         return INVCAL_NOT_FINITE;
     }
-    r->weak = invcal_get_u16(bytes + WEAK_AT);
-    r->dof = invcal_get_u16(bytes + DOF_AT);
-    r->verdict = bytes[VERDICT_AT];
-    r->moves = bytes[MOVES_AT];
-    r->g_is_used = bytes[G_AT];
+    r->weak = invcal_get_u16(bytes + IMU_WEAK_AT);
+    r->dof = invcal_get_u16(bytes + IMU_DOF_AT);
+    r->verdict = bytes[IMU_VERDICT_AT];
+    r->moves = bytes[IMU_MOVES_AT];
+    r->g_is_used = bytes[IMU_G_AT];
     return is_sensible(r) ? invcal_nominal_check(&r->gyro) : INVCAL_DAMAGED;
 }
 
@@ -61,7 +62,7 @@ void invcal_imu_record_init(invcal_imu_record *record, const invcal_imu *imu)
     memcpy(record->sigma, imu->sigma, sizeof record->sigma);
     memcpy(record->slope, imu->slope, sizeof record->slope);
     memcpy(record->slope_sigma, imu->slope_sigma, sizeof record->slope_sigma);
-    record->weak = (uint16_t)(imu->open & WEAK_GYRO);
+    record->weak = (uint16_t)(imu->open & IMU_WEAK);
     record->dof = imu->dof;
     record->verdict = imu->verdict;
     record->moves = imu->moves;
@@ -82,11 +83,11 @@ invcal_status invcal_imu_record_encode(const invcal_imu_record *record,
 
     INVCAL_ASSERT(record && bytes);
     const invcal_status status =
-        invcal_record_encode(&record->accelerometer, bytes + ACCELEROMETER_AT);
+        invcal_record_encode(&record->accelerometer, bytes + IMU_RECORD_AT);
     if (status != INVCAL_OK) {
         return status;
     }
-    uint8_t *at = invcal_put_two(bytes + WEAK_AT, record->weak, record->dof);
+    uint8_t *at = invcal_put_two(bytes + IMU_WEAK_AT, record->weak, record->dof);
     at = invcal_put_two(at, record->verdict | (unsigned)record->moves << 8, record->g_is_used);
     (void)invcal_put_reals(at, record, IMU_REALS);
     invcal_seal(bytes, INVCAL_IMU_KIND, INVCAL_IMU_RECORD_SIZE);

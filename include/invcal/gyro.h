@@ -6,7 +6,7 @@
  * six faces determine the nine elements of its matrix and the nine parameters of the accelerometer, in one
  * solution and without a calibration beforehand. No sample is stored: a move is kept as a few segments.
  *
- *     static invcal_imu_session both;                         3.9 kB; or a session and moves of their own
+ *     static invcal_imu_session both;                         3.7 kB; or a session and moves of their own
  *     invcal_imu_record record;
  *     invcal_imu imu;
  *     if (invcal_load_imu(&result, &record) == INVCAL_OK)     calibrated: record.accelerometer, record.gyro
