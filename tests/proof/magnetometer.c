@@ -3,7 +3,7 @@
 #include "cells.h"
 #include "judge.h"
 
-// eva: -eva-precision 0 -eva-auto-loop-unroll 20 -eva-slevel 100 -eva-split-return full
+// eva: -eva-precision 0 -eva-auto-loop-unroll 20 -eva-slevel 100 -eva-slevel-function invcal_text:2000 -eva-split-return full
 // stubs: cell_fit
 
 /* ---- what other modules do -------------------------------------------------------------------- */
@@ -99,11 +99,9 @@ void main(void)
     invcal_calibration calibration;
     invcal_quality quality;
     invcal_real raw[3];
-    int disturbance;
 
     ANY(calibration);
     ANY(raw);
-    ANY(disturbance);
     (void)invcal_magnetometer_init(&magnetometer, &calibration);
     ANY(magnetometer);
     (void)invcal_magnetometer_feed(&magnetometer, raw);
@@ -113,5 +111,8 @@ void main(void)
     (void)invcal_magnetometer_solve(&magnetometer, &calibration, &quality, 0);
     ANY(calibration);
     (void)invcal_magnetometer_cell(&magnetometer, &calibration, BETWEEN(0, INVCAL_CELLS - 1), raw);
-    (void)invcal_disturbance_text((invcal_disturbance)disturbance);
+    for (unsigned n = 0; n <= INVCAL_STEP; n++) {
+        (void)invcal_disturbance_text((invcal_disturbance)n);
+    }
+    (void)invcal_disturbance_text((invcal_disturbance)BETWEEN(INVCAL_STEP + 1, 0xFFFFFFFF));
 }

@@ -54,6 +54,9 @@ done
 { echo 'mx,my,mz'; echo 'uT,uT,uT'; sed 1,2d "$work/ut.csv"; } > "$work/row.csv"
 run calibrate --magnetometer "$work/row.csv" --json
 check "magnetometer: units in a row of their own" matches "$work/stdout" '"unit": "uT"'
+run calibrate --magnetometer "$work/log.csv" --gravity 1 --out "$work/out/one.json"
+refuses "magnetometer: a field of 1 is no g" 2 'px4 is for accelerometers' export "$work/out/one.json" --format px4
+accepts "magnetometer: as a constant" export "$work/out/one.json" --format c
 in=$work/log.csv
 accepts "magnetometer: from the standard input" calibrate --magnetometer - --json
 in=/dev/null

@@ -203,7 +203,7 @@ static int settle(const request *r, export_job *job)
     const double gravity = job->file.gravity;
     int failure = EXIT_GOOD;
 
-    job->si = unit_field_si(gravity);
+    job->si = job->file.is_magnetometer ? 0 : unit_field_si(gravity);
     if (job->file.has_nonlinear) {
         return refuse_nonlinear(job);
     }

@@ -57,7 +57,7 @@ const char *calibrate_waved_fault(const calibrate_result *result, char text[CALI
     } else {
         snprintf(text, CALIBRATE_LIMIT_MAX,
                  "%lu of %lu samples contradict the others: repeat it away from iron and magnets.",
-                 (unsigned long)f->left_out, (unsigned long)(f->left_out + f->samples));
+                 (unsigned long)f->left_out, (unsigned long)f->left_out + f->samples);
     }
     return text;
 }

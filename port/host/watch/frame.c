@@ -298,9 +298,7 @@ static const char *waving_words(const watch_state *now)
     };
     const unsigned verdict = now->quality.verdict;
 
-    return verdict == INVCAL_DRIFTING || verdict == INVCAL_BENT || verdict > INVCAL_WEAK
-               ? invcal_verdict_text(now->quality.verdict)
-               : words[verdict];
+    return verdict <= INVCAL_WEAK && words[verdict] ? words[verdict] : "Go on";
 }
 
 /* Nothing can be solved yet. */

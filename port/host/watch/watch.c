@@ -203,6 +203,7 @@ static const char *const watch_brief[] = {
     "is\n"
     "                      enough\n"
     "  --need U            what calibrated lengths may be wrong by: says when that is reached\n"
+    "  --magnetometer      one is waved: turn the field through the white part\n"
     "  --gravity G         length of the field; default 9.80665 (m/s^2)\n"
     "  --unit U            unit of the readings: g, mg, m/s2 or counts\n"
     "  --rate HZ           samples a second; default: by the column t, else 100\n"
