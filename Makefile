@@ -183,7 +183,7 @@ WASM = clang-19 --target=wasm32-wasi -Oz -std=$(STD) -ffp-contract=off -fno-math
 # wasi-libc has no command that would be missed.
 need_wasm = @for file in /usr/include/wasm32-wasi/stdio.h $$(clang-19 -print-resource-dir)/lib/wasi/libclang_rt.builtins-wasm32.a; do \
     [ -e "$$file" ] || { echo "$${file\#\#*/} is not installed: make deps" >&2; exit 1; }; done
-WASM_HOST := $(filter-out port/host/watch/live.c port/host/watch/screen.c,$(HOST))
+WASM_HOST := $(filter-out $(patsubst %,port/host/watch/%.c,live wave interrupt screen),$(HOST))
 
 $(BUILD)/web/live.wasm: port/web/live.c $(SOURCES) $(wildcard include/invcal/*.h src/*.h)
 	$(call need,clang-19)
