@@ -155,7 +155,7 @@ check "magnetometer: the dip" near 0.01 "$(number dip)" 1.0472
 check "magnetometer: turned only on demand" matches "$work/stdout" '"frame": "symmetric"'
 run calibrate --magnetometer "$work/both.csv"
 check "magnetometer: also in words" matches "$work/stdout" \
-    'axes +to those of the accelerometer by [0-9]+ of 6000 instants, degrees: about x [+]2\.[0-9]+ ± .*The field points down by (59|60)\..*--with CAL.json corrects it'
+    'axes +to those of the accelerometer by [0-9]+ of 6000 instants, degrees: about x [+]2\.[0-9]+ ± .*The field points down by (59|60)\.[0-9]* degrees\..*--with CAL.json corrects it'
 accepts "magnetometer: turned" calibrate --magnetometer "$work/both.csv" --frame accelerometer --out "$work/out/both.json" \
     --report "$work/out/both.html"
 check "magnetometer: the page tells it" matches "$work/out/both.html" 'turned to those of the accelerometer'

@@ -52,6 +52,15 @@ prints 1 calibration_refusal calibrate "$work/faces.csv"
 awk 'BEGIN { print "mx,my,mz"; for (i = 0; i < 3000; i++) { a = i / 40; b = 0.73 * i / 100
     print 5 + 40 * sin(a) * cos(b) "," 40 * sin(a) * sin(b) "," 40 * cos(a) } }' > "$work/waved.csv"
 prints 0 calibration calibrate "$work/waved.csv" --magnetometer
+awk 'BEGIN { print "ax,ay,az,mx (uT),my (uT),mz (uT)"; for (i = 0; i < 3000; i++) { t = i / 50; a = 2 * t; b = 0.73 * t; c = 0.31 * t
+    x = sin(a) * cos(b); y = sin(a) * sin(b); z = cos(a)
+    u = -sin(b) * cos(c) - cos(a) * cos(b) * sin(c); v = cos(b) * cos(c) - cos(a) * sin(b) * sin(c); w = sin(a) * sin(c)
+    print x "," y "," z "," 24 * u - 41 * x "," 24 * v - 41 * y "," 24 * w - 41 * z } }' > "$work/both.csv"
+prints 0 calibration calibrate "$work/both.csv" --magnetometer --frame accelerometer
+prints 0 calibration watch "$work/both.csv" --magnetometer
+sed '1!s/^/5/' "$work/both.csv" > "$work/uneven.csv"
+prints 0 calibration calibrate "$work/uneven.csv" --magnetometer
+prints 1 calibration_refusal calibrate "$work/uneven.csv" --magnetometer --frame accelerometer
 head -n 200 "$work/waved.csv" > "$work/short.csv"
 prints 1 calibration_refusal calibrate "$work/short.csv" --magnetometer
 "$tool" simulate --plan edges --outliers 2 --truth "$work/truth.json" > "$work/log.csv"

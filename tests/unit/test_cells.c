@@ -179,6 +179,45 @@ static void what_shows_no_scatter_is_not_weighed(void)
     TEST_ASSERT_EQUAL_UINT(found.quality.sigma_dof, fit.quality.sigma_dof);
 }
 
+static void add_along(invcal_cells *cells, const double d[3], double shift, int samples)
+{
+    invcal_real h[INVCAL_PARAMETERS] = {(invcal_real)(d[0] + shift), (invcal_real)d[1],
+                                        (invcal_real)d[2]};
+
+    invcal_row_of(h);
+    for (int i = 0; i < samples; i++) {
+        invcal_cells_add(cells, invcal_cell_of(h), h);
+    }
+}
+
+/* An offset and a length are four unknowns: four cells tell them, wherever these are, three do not. Closed form: lengths
+ * of +x and -x change by the shift of 0.1, those across by 0.005; 100 samples before and after weigh 50. */
+static void four_cells_tell_a_step(void)
+{
+    static const double direction[6][3] = {{1, 0, 0},  {-1, 0, 0}, {0, 1, 0},
+                                           {0, -1, 0}, {0, 0, 1},  {0, 0, -1}};
+    static const unsigned sets[4][4] = {{0, 1, 2, 4}, {0, 1, 3, 5}, {5, 3, 0, 1}, {1, 0, 2, 5}};
+    static const invcal_calibration same = {{0, 0, 0}, {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
+    static invcal_cells early;
+    static invcal_cells late;
+
+    for (unsigned n = 0; n < 4; n++) {
+        for (unsigned cells = 3; cells <= 4; cells++) {
+            const invcal_cell_fit fit = {.tables = {&early, &late}, .triad = same};
+            memset(&early, 0, sizeof early);
+            memset(&late, 0, sizeof late);
+            for (unsigned i = 0; i < cells; i++) {
+                add_along(&early, direction[sets[n][i]], 0, 100);
+                add_along(&late, direction[sets[n][i]], 0.1, 100);
+            }
+            /* 50 (0.105^2 + 0.095^2 + 2 0.005^2) = 1.005 is told: more than 28 times 0.035, less than of 0.037 */
+            TEST_ASSERT_EQUAL_INT(cells == 4, invcal_cells_step(&fit, INVCAL_REAL(0.035)));
+            TEST_ASSERT_EQUAL_INT(0, invcal_cells_step(&fit, INVCAL_REAL(0.037)));
+            TEST_ASSERT_EQUAL_INT(0, invcal_cells_step(&fit, 0));
+        }
+    }
+}
+
 int main(void)
 {
     UNITY_BEGIN();
@@ -187,6 +226,7 @@ int main(void)
     RUN_TEST(moved_rows_are_those_of_moved_readings);
     RUN_SLOW_TEST(a_full_cell_keeps_its_mean);
     RUN_TEST(what_shows_no_scatter_is_not_weighed);
+    RUN_TEST(four_cells_tell_a_step);
     RUN_TEST(a_gap_is_that_of_the_farthest_cell);
     return UNITY_END();
 }

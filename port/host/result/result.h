@@ -182,7 +182,7 @@ void calibrate_waved_json(json_writer *w, const calibrate_result *result);
 
 /* How its axes are turned against those of the accelerometer beside it: sentences, or "" without one. Returns
  * text. */
-#define CALIBRATE_AXES_MAX 640
+#define CALIBRATE_AXES_MAX 800
 const char *calibrate_axes_text(const calibrate_result *result, char text[CALIBRATE_AXES_MAX]);
 
 /* What temperature does to the readings, if that was looked at and not asked for: a sentence, or

@@ -99,7 +99,7 @@ const char *calibrate_axes_text(const calibrate_result *result, char text[CALIBR
     snprintf(
         text, CALIBRATE_AXES_MAX,
         "%s by %lu of %lu instants, degrees: about x %s, about y %s, about z %s%s. That leaves "
-        "an error of %s in a heading (one sigma). The field points %s by %s%s.%s",
+        "an error of %s degrees in a heading (one sigma). The field points %s by %s degrees%s.%s",
         result->is_dip_frame ? "turned to those of the accelerometer"
                              : "to those of the accelerometer",
         d->used, d->of, angle[0], angle[1], angle[2],
