@@ -146,6 +146,11 @@ check "an axis that never changes" refused_as stuck "gyroscope's y never changes
 change '{ $6 = NR % 7 }'
 solve "$work/changed.csv"
 check "an axis that reads noise alone" refused_as stuck "gyroscope's y reads nothing"
+for what in '$5 = 1e12' '$6 = -32768000' '$7 = 1e-300'; do
+    change "NR == 900 { $what }"
+    solve "$work/changed.csv"
+    check "a single reading that is wrong, $what: the others tell" is_true "$work/stdout" "$work/truth.json"
+done
 change '{ $5 = NR % 7; $6 = NR % 5; $7 = NR % 3 }'
 solve "$work/changed.csv"
 check "rests without moves" refused_as 'too few' 'reads no turns between the rests'
