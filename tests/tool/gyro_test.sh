@@ -84,6 +84,26 @@ check "g-sensitivity: the matrix is true all the same" is_true "$work/stdout" "$
 run calibrate "$work/g.csv"
 check "g-sensitivity: it is told" matches "$work/stdout" '^g-sensitivity *about y, -0\.1[45][0-9]* ± 0\.0'
 
+# temperature: 2 counts a degree about y, which is 0.01527 degrees/s
+"$tool" simulate --gyro --dwell 3 --plan edges --temperature 20,40 |
+    awk -F, -v OFS=, 'NR > 1 { $6 = sprintf("%.0f", $6 + 2 * ($8 - 30)) } { print }' > "$work/warm.csv"
+solve "$work/warm.csv"
+check "bias against temperature" near 0.00001 "$(inner "$work/stdout" temperature_slope | numbers)" '0 0.00026646 0'
+run calibrate "$work/warm.csv"
+check "bias against temperature: it is told" matches "$work/stdout" '^temperature *bias x .* y \+0\.01[56]'
+# frames: A'G is the same whatever the frame, if both are turned alike
+both() {
+    { sed -n '/^  "matrix"/,/^  \]/p' "$work/stdout" | numbers; echo; inner "$work/stdout" matrix | numbers; } | tr '\n' ' ' |
+        awk '{ for (i = 0; i < 3; i++) for (j = 0; j < 3; j++) printf "%.9g ", 1e9 * ($(1 + i) * $(10 + j) + $(4 + i) * $(13 + j) + $(7 + i) * $(16 + j)) }'
+}
+solve "$work/edges.csv"
+both > "$work/nine"
+for frame in '--frame triangular' '--case -z' '--case .,-x'; do
+    # shellcheck disable=SC2086 # two words
+    solve "$work/edges.csv" $frame
+    check "$frame: the gyroscope is turned with the accelerometer" near 1e-5 "$(both)" "$(cat "$work/nine")"
+done
+
 # ---- units and columns -------------------------------------------------------------------------------
 
 unit_is() { [ "$(inner "$work/stdout" unit)" = "\"$1\"" ] && [ "$(inner "$work/stdout" unit_from)" = "\"$2\"" ] && is_small "$(inner "$work/stdout" residual_rms)" 3e-4; }
@@ -146,6 +166,11 @@ check "an axis that never changes" refused_as stuck "gyroscope's y never changes
 change '{ $6 = NR % 7 }'
 solve "$work/changed.csv"
 check "an axis that reads noise alone" refused_as stuck "gyroscope's y reads nothing"
+for what in '$5 = 1e12' '$6 = -32768000' '$7 = 1e-300'; do
+    change "NR == 900 { $what }"
+    solve "$work/changed.csv"
+    check "a single reading that is wrong, $what: the others tell" is_true "$work/stdout" "$work/truth.json"
+done
 change '{ $5 = NR % 7; $6 = NR % 5; $7 = NR % 3 }'
 solve "$work/changed.csv"
 check "rests without moves" refused_as 'too few' 'reads no turns between the rests'

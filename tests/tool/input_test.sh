@@ -264,7 +264,7 @@ write_dress "$g" 'time (us),ax (g),ay (g),az (g),gyro_x,gyro_y,gyro_z' \
 in=$work/dress.csv
 run watch -
 check "watch: the first line tells what was recognised" test "$(head -n 1 "$work/stdout")" = \
-    'standard input: CSV with commas, header in line 1; time (µs), ax ay az in g; ignored: 3 other columns'
+    'standard input: CSV with commas, header in line 1; time (µs), ax ay az in g; gyroscope: gyro_x gyro_y gyro_z'
 check "watch: 18 positions of a log in g" test "$(grep -c '^position .* taken' "$work/stdout")" -eq 18
 run watch - --json
 check "watch: with --json it goes to stderr" matches "$work/stderr" '^standard input: CSV .* in g;'

@@ -10,7 +10,7 @@
 #include "cli/message.h"
 #include "text/number.h"
 
-#define ROOM 30       /* bits of the largest reading */
+#define ROOM 24       /* bits of the largest reading; others may be 128 times as large */
 #define FLAT 5u       /* readings that are alike at the end of a range */
 #define SAME_UNIT 1.3 /* times: what is nearer is a scale error */
 #define NEAR_UNIT 1.15
@@ -71,16 +71,19 @@ static const char *axes_words(const int8_t axes[3], axes_text text)
 
 /* ---- readings ----------------------------------------------------------------------------------- */
 
-static double largest(const turns *t)
+/* What a count is, by the largest of a thousand readings: a single one that is wrong must not make all others
+ * coarse. */
+static double find_count(const turns *t)
 {
+    const size_t step = t->readings / 1000 + 1;
     double most = 0;
 
-    for (size_t i = 0; i < t->readings; i++) {
+    for (size_t i = 0; i < t->readings; i += step) {
         for (unsigned k = 0; k < 3; k++) {
             most = fmax(most, fabs(t->reading[i].x[k]));
         }
     }
-    return most;
+    return most > 0 ? ldexp(1, (int)ceil(log2(most)) - ROOM) : 1;
 }
 
 static int is_whole(const turns *t)
@@ -300,33 +303,39 @@ static double mean_square(const turns *t, size_t first, size_t last, const doubl
     return last > first ? sum / (double)(last - first) : 0;
 }
 
-/* In the rests. */
+static double median(double *x, unsigned n)
+{
+    qsort(x, n, sizeof x[0], compare);
+    return n > 0 ? x[n / 2] : 0;
+}
+
+/* In the rests, or between them: that of the middle one, as a single reading may be wrong. */
 static double square_at_rest(const gyro_fit *g, long lag, const double bias[3])
 {
-    double sum = 0;
+    double square[INVCAL_MAX_MOVES];
 
     for (unsigned i = 0; i < g->rests; i++) {
         const gyro_rest itself[2] = {{.end = g->rest[i].begin + 1}, {.begin = g->rest[i].end}};
         size_t first;
         size_t last;
         gyro_between(g->turns, lag, itself, &first, &last);
-        sum += mean_square(g->turns, first, last, bias) / g->rests;
+        square[i] = mean_square(g->turns, first, last, bias);
     }
-    return sum;
+    return median(square, g->rests);
 }
 
 /* Whether it reads much more between the rests than in them. */
 static int has_turned(const gyro_fit *g, long lag, const double bias[3])
 {
-    double between = 0;
+    double square[INVCAL_MAX_MOVES];
 
     for (unsigned i = 0; i + 1 < g->rests; i++) {
         size_t first;
         size_t last;
         gyro_between(g->turns, lag, &g->rest[i], &first, &last);
-        between += mean_square(g->turns, first, last, bias) / (g->rests - 1);
+        square[i] = mean_square(g->turns, first, last, bias);
     }
-    return between > MOVED * square_at_rest(g, lag, bias);
+    return median(square, g->rests - 1) > MOVED * square_at_rest(g, lag, bias);
 }
 
 /* A gyroscope axis that reads nothing, though the accelerometer saw turns about it. */
@@ -341,6 +350,8 @@ static int find_dead(const gyro_fit *g, long lag, const double bias[3])
         size_t first;
         size_t last;
         gyro_between(g->turns, lag, &g->rest[i], &first, &last);
+        double all = 0;
+        double square[3];
         for (unsigned k = 0; k < 3; k++) {
             const unsigned m = (k + 1) % 3;
             const unsigned n = (k + 2) % 3;
@@ -348,8 +359,12 @@ static int find_dead(const gyro_fit *g, long lag, const double bias[3])
             for (size_t j = first; j < last; j++) {
                 sum += g->turns->reading[j].x[k] - bias[k];
             }
-            turned[k] += sum * sum;
+            square[k] = sum * sum;
+            all += square[k];
             seen[k] += pow(a[m] * b[n] - a[n] * b[m], 2);
+        }
+        for (unsigned k = 0; k < 3 && all > 0; k++) { /* each move alike, as one may be wrong */
+            turned[k] += square[k] / all;
         }
     }
     for (unsigned k = 0; k < 3; k++) {
@@ -682,7 +697,7 @@ int gyro_make(gyro_fit *g, const turns *t, const gyro_wish *wish, unsigned rate,
     if (!g->is_there || !check_readings(g)) {
         return EXIT_GOOD;
     }
-    const double unit = ldexp(1, (int)ceil(log2(largest(t))) - ROOM);
+    const double unit = find_count(t);
     begin_replay(&r, t, rate, clip, p, kept);
     find_rests(g, &r);
     const long lag = find_lag(g, p, start, bias);

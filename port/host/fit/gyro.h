@@ -61,6 +61,9 @@ typedef struct {
     gyro_move move[INVCAL_MAX_MOVES];
     unsigned moves;
     double part[GYRO_PARTS]; /* rad on an axis */
+    double range;      /* of temperature over the rests, K; 0: not known, or too small to tell */
+    double thermal[3]; /* of the bias, without what orientation does, rad/s per K, */
+    double thermal_sigma[3]; /* and standard deviations */
 } gyro_fit;
 
 /* Calibrates both.

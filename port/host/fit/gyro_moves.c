@@ -7,6 +7,9 @@
 
 #include "fit/gyro.h"
 
+#define LEAST_RANGE 2.0 /* K */
+#define LEAST_RESTS 6u
+
 static double dot(const double a[3], const double b[3])
 {
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
@@ -155,6 +158,45 @@ static void find_parts(gyro_fit *g, long lag)
     }
 }
 
+/* A straight line through the bias against temperature, axis by axis. */
+static void find_thermal(gyro_fit *g, const positions *p)
+{
+    double least = HUGE_VAL;
+    double most = -HUGE_VAL;
+
+    for (unsigned i = 0; i < g->rests && p->has_temperature; i++) {
+        least = fmin(least, p->origin[g->rest[i].position].temperature);
+        most = fmax(most, p->origin[g->rest[i].position].temperature);
+    }
+    if (!(most - least >= LEAST_RANGE) || g->rests < LEAST_RESTS) {
+        return;
+    }
+    g->range = most - least;
+    for (unsigned axis = 0; axis < 3; axis++) {
+        double n = 0;
+        double sum[5] = {0}; /* t, b, tt, tb, bb */
+        for (unsigned i = 0; i < g->rests; i++) {
+            const gyro_rest *rest = &g->rest[i];
+            const double t = p->origin[rest->position].temperature - least;
+            const double level = g->imu.g_is_used ? dot(g->imu.slope[axis], rest->up) : 0;
+            const double b = rest->bias[axis] - g->rest[g->rests - 1].bias[axis] - level;
+            if (isfinite(t + b)) {
+                n++;
+                sum[0] += t;
+                sum[1] += b;
+                sum[2] += t * t;
+                sum[3] += t * b;
+                sum[4] += b * b;
+            }
+        }
+        const double tt = sum[2] - sum[0] * sum[0] / n;
+        const double tb = sum[3] - sum[0] * sum[1] / n;
+        const double rest = sum[4] - sum[1] * sum[1] / n - tb * tb / tt;
+        g->thermal[axis] = tb / tt;
+        g->thermal_sigma[axis] = sqrt(fmax(0, rest) / (n - 2) / tt);
+    }
+}
+
 void gyro_measure(gyro_fit *g, long lag, const positions *p)
 {
     for (unsigned i = 0; i < g->rests; i++) {
@@ -183,4 +225,5 @@ void gyro_measure(gyro_fit *g, long lag, const positions *p)
         m->residual = residual((const double(*)[3])c, rest);
     }
     find_parts(g, lag);
+    find_thermal(g, p);
 }

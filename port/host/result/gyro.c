@@ -103,6 +103,19 @@ const char *gyro_g_text(const gyro_fit *g, char text[GYRO_LINE_MAX])
     return text;
 }
 
+const char *gyro_thermal_text(const gyro_fit *g, char text[GYRO_LINE_MAX])
+{
+    char number[3][FIGURE_MAX];
+
+    for (unsigned i = 0; i < 3; i++) {
+        figure_with_sigma(g->thermal[i] / UNIT_DEGREE, g->thermal_sigma[i] / UNIT_DEGREE,
+                          FIGURE_SIGNED, number[i]);
+    }
+    snprintf(text, GYRO_LINE_MAX, "bias x %s, y %s, z %s °/s per K, over %.2g K", number[0],
+             number[1], number[2], g->range);
+    return text;
+}
+
 static int compare(const void *a, const void *b)
 {
     const double x = *(const double *)a;
@@ -249,6 +262,9 @@ static void print_moves(FILE *file, const calibrate_result *r)
         }
     }
     print_line(file, "g-sensitivity", gyro_g_text(g, text));
+    if (g->range > 0) {
+        print_line(file, "temperature", gyro_thermal_text(g, text));
+    }
     print_line(file, "limited by", gyro_limit_text(g, text));
 }
 
@@ -359,6 +375,10 @@ void gyro_json(json_writer *w, const calibrate_result *r)
     json_number(w, "residual_max", g->imu.move_max);
     write_moves(w, r);
     write_g(w, g);
+    if (g->range > 0) {
+        json_vector(w, "temperature_slope", g->thermal);
+        json_vector(w, "temperature_slope_sigma", g->thermal_sigma);
+    }
     json_text(w, "verdict", gyro_verdict(g));
     json_names(w, "undetermined", g->imu.open, INVCAL_IMU_PARAMETERS, parameter_name);
     json_text(w, "accelerometer", r->is_joint ? "rests and moves" : "rests");
