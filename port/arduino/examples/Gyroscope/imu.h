@@ -7,10 +7,11 @@
 
 #include <Arduino.h>
 
-const unsigned IMU_RATE = 100;      /* samples per second of both */
-const float IMU_COUNTS = 16384;     /* counts for 1 g, by the data sheet: range 2 g */
-const float IMU_GYRO_COUNTS = 65.5; /* counts for 1 degree/s, by the data sheet: range 500 degrees/s */
-const int32_t IMU_LOW = -32768;     /* counts at which either clips */
+const unsigned IMU_RATE = 100;  /* samples per second of both */
+const float IMU_COUNTS = 16384; /* counts for 1 g, by the data sheet: range 2 g */
+const float IMU_GYRO_COUNTS =
+    65.5;                       /* counts for 1 degree/s, by the data sheet: range 500 degrees/s */
+const int32_t IMU_LOW = -32768; /* counts at which either clips */
 const int32_t IMU_HIGH = 32767;
 
 enum imu_status {
