@@ -4,9 +4,9 @@
 #include "vector.h"
 
 #define DEGREES INVCAL_REAL(57.29578)
-#define CLEAR INVCAL_REAL(4.0)  /* squares of the next best way over those of the best */
-#define LITTLE INVCAL_REAL(1e4) /* 0.2 degrees, squared, in units of a segment */
-#define STUCK INVCAL_REAL(1e-4) /* an axis that has less of all squares never turns */
+#define CLEAR INVCAL_REAL(4.0)   /* squares of the next best way over those of the best */
+#define NO_TURN INVCAL_REAL(1e4) /* 0.2 degrees, squared, in units of a segment */
+#define STUCK INVCAL_REAL(1e-4)  /* an axis that has less of all squares never turns */
 enum { SIGNS = 8, ORDERS = 6, WAYS = SIGNS * ORDERS, LEAST_TURNS = 2 };
 
 /* Way k of 48: M has in row i the axis `of`, with its sign. */
@@ -38,7 +38,7 @@ static int find_stuck(const invcal_moves *m, int8_t axes[3])
             square[i] += (invcal_real)m->segment[k].v[i] * (invcal_real)m->segment[k].v[i];
         }
     }
-    const invcal_real least = LITTLE + STUCK * (square[0] + square[1] + square[2]);
+    const invcal_real least = NO_TURN + STUCK * (square[0] + square[1] + square[2]);
     for (unsigned i = 0; i < 3; i++) {
         const int never = m->first > 0 && square[i] < least;
         axes[i] = (int8_t)(never ? 0 : i + 1);

@@ -42,11 +42,12 @@
 extern "C" {
 #endif
 
-/* Segments of all moves together, 16 to 1000, 14 bytes each; a quarter turn takes five or six. */
+/* Segments of all moves together, 64 to 1000, 14 bytes each; a quarter turn takes five or six, and 24 are kept
+ * free for what is going on. Where memory is short, 100 segments and 14 rests hold twelve quarter turns in 1.7 kB. */
 #ifndef INVCAL_MAX_SEGMENTS
 #define INVCAL_MAX_SEGMENTS 192
 #endif
-/* Rests that are kept, and so moves: 4 to 32. */
+/* Rests that are kept, and so moves: 4 to 32; 10 bytes each. */
 #ifndef INVCAL_MAX_MOVES
 #define INVCAL_MAX_MOVES 32
 #endif
@@ -219,7 +220,7 @@ typedef struct {
  *   INVCAL_TOO_FEW        no moves, or fewer equations than unknowns;
  *   INVCAL_UNDETERMINED   out->open names what is left open;
  *   INVCAL_MOUNTING       residuals of 0.1 rad, or no end after 6 passes: invcal_imu_mounting tells more;
- * Cost: 400,000 instructions a pass for 25 rests and 24 moves, 4 to 5 passes. Stack: about 1,500 bytes. */
+ * Cost: 310,000 instructions a pass for 25 rests and 24 moves, 4 to 5 passes. Stack: about 2,400 bytes. */
 invcal_status invcal_imu_solve(const invcal_real *raw, unsigned count,
                                const invcal_calibration *accelerometer, const invcal_moves *moves,
                                const invcal_imu_settings *settings, invcal_imu *out);
@@ -232,7 +233,7 @@ invcal_status invcal_imu_solve(const invcal_real *raw, unsigned count,
  * unit   out: 1; or 57.3, where it is taken for less than it is: nominal was for degrees.
  *
  * Returns INVCAL_OK; INVCAL_TOO_FEW, INVCAL_UNDETERMINED: the moves tell no way from another, nothing is
- * written. Cost: 20 passes. Stack: about 1,500 bytes. */
+ * written. Cost: 96 passes, each a third of one of a solution. Stack: about 2,500 bytes. */
 invcal_status invcal_imu_mounting(const invcal_real *raw, unsigned count,
                                   const invcal_calibration *accelerometer,
                                   const invcal_moves *moves, int8_t axes[3], invcal_real *unit);
