@@ -71,7 +71,7 @@ jobs() {
         echo 'misra double -DINVCAL_DOUBLE=1 -DINVCAL_THERMAL_DEGREE=2 -DINVCAL_MAX_POSITIONS=64'
         printf 'tidy library %s\n' src/*.c
         # shellcheck disable=SC2086 # flags are words
-        for file in port/bare.c port/semihosting.c port/cortex-m/*.c $firmware/*.c; do
+        for file in port/bare.c port/semihosting.c port/cortex-m/*.c $firmware/*.c "$firmware"_imu/*.c; do
             echo "tidy firmware $file" $arm
         done
         echo 'strict gcc -Warith-conversion'

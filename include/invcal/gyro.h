@@ -69,8 +69,9 @@ extern "C" {
 #define INVCAL_GYRO_CHOSEN___(name, real, s, m) name##_##real##_##s##_##m              /* step */
 #define invcal_moves_init INVCAL_GYRO_CHOSEN(invcal_moves_init)
 #define invcal_imu_solve INVCAL_GYRO_CHOSEN(invcal_imu_solve)
-#define invcal_imu_session_resume INVCAL_GYRO_CHOSEN(invcal_imu_session_resume)
-#define invcal_load_imu_session INVCAL_GYRO_CHOSEN(invcal_load_imu_session)
+#define INVCAL_BOTH_CHOSEN(name) INVCAL_CHOSEN(INVCAL_GYRO_CHOSEN(name), INVCAL_MAX_POSITIONS)
+#define invcal_imu_session_resume INVCAL_BOTH_CHOSEN(invcal_imu_session_resume)
+#define invcal_load_imu_session INVCAL_BOTH_CHOSEN(invcal_load_imu_session)
 #define invcal_imu_record_init INVCAL_CHOSEN(invcal_imu_record_init, 9)
 #define invcal_imu_record_decode INVCAL_CHOSEN(invcal_imu_record_decode, 9)
 #define invcal_load_imu INVCAL_CHOSEN(invcal_load_imu, 9)

@@ -26,8 +26,8 @@ static unsigned at; /* of the program: where the device is to be turned next */
 /* ---- what to tell ------------------------------------------------------------------------------- */
 
 /* Which axis is up, and turned round (-): each of the twelve edges between the faces once. */
-static const int8_t program[] = {3, 1, 2, 3, -1, 2, -3, 1, -2, -3, -1, -2};
-enum { PROGRAM = sizeof program };
+static const int program[] = {3, 1, 2, 3, -1, 2, -3, 1, -2, -3, -1, -2};
+enum { PROGRAM = sizeof program / sizeof program[0] };
 
 static void find_next(invcal_real up[3])
 {
