@@ -95,7 +95,7 @@ void invcal_replay_move(const invcal_imu_work *w, const invcal_segment *segment,
     }
     (void)invcal_cofactors(m, cofactors);
     for (unsigned n = 0; n < count; n++) {
-        //@ assert \valid_read(segment); // the segments of all moves together are in the table
+        //@ assert \valid_read(segment); // as all of a move
         const invcal_real time = invcal_number(segment->time / 2u) / w->moves->rate;
         invcal_zero(v, sizeof v);
         invcal_unpack(segment->v, INVCAL_V_UNIT, v);
@@ -328,8 +328,8 @@ static void add_prior(invcal_imu_work *w)
 invcal_status invcal_imu_sum(invcal_imu_work *w)
 {
     const invcal_moves *m = w->moves;
-    const invcal_segment *segment = m->segment;
     const invcal_real *raw = w->raw;
+    unsigned first = 0;
     invcal_real up[2][3];
 
     invcal_zero(&w->pass, sizeof w->pass);
@@ -347,12 +347,13 @@ invcal_status invcal_imu_sum(invcal_imu_work *w)
                 add_rest(w, up[1], length - 1);
             }
             if (i > w->begin && segments > 0 && (w->out->left_out >> i & 1u) == 0) {
-                add_move(w, i, segment, (const invcal_real(*)[3])up);
+                //@ assert first < INVCAL_MAX_SEGMENTS; // the segments of all moves are in the table
+                add_move(w, i, &m->segment[first], (const invcal_real(*)[3])up);
             }
             memcpy(up[0], up[1], sizeof up[0]);
             raw += 3;
         }
-        segment += segments;
+        first += segments;
     }
     w->pass.rows = w->pass.rests.rows + w->pass.moved.rows;
     add_prior(w);
