@@ -171,6 +171,7 @@ static void fit_bias(invcal_imu_work *w, unsigned axis)
     invcal_real residual[INVCAL_MAX_MOVES];
 
     invcal_zero(a, sizeof a);
+    //@ loop unroll INVCAL_MAX_MOVES;
     for (unsigned i = w->begin; i < end; i++) {
         if (has_bias_row(w, i, axis, h)) {
             invcal_rank_one(a, h, BIAS + 1, 1);
@@ -182,6 +183,7 @@ static void fit_bias(invcal_imu_work *w, unsigned axis)
     }
     invcal_back_substitute(a, BIAS);
     const invcal_real *p = &a[INVCAL_PACKED(BIAS, 0)];
+    //@ loop unroll INVCAL_MAX_MOVES;
     for (unsigned i = w->begin; i < end; i++) {
         const int is_told = has_bias_row(w, i, axis, h);
         residual[i] = invcal_dot(p, h, BIAS) + h[BIAS];
@@ -193,6 +195,7 @@ static void fit_bias(invcal_imu_work *w, unsigned axis)
     const invcal_real square = INVCAL_FABS(p[BIAS]) / invcal_number(count - BIAS);
     const invcal_real noise = changes / invcal_number(4 * count); /* s^2/2 */
     const invcal_real share = square > 2 * noise ? noise / (square - noise) : 1;
+    //@ loop unroll INVCAL_MAX_MOVES;
     for (unsigned i = w->begin; i < end; i++) {
         w->bias[i][axis] += share * residual[i];
     }
@@ -334,6 +337,7 @@ invcal_status invcal_imu_sum(invcal_imu_work *w)
 
     invcal_zero(&w->pass, sizeof w->pass);
     w->out->idle = 0;
+    //@ loop unroll INVCAL_MAX_MOVES;
     for (unsigned i = 0; i < m->count; i++) {
         const unsigned segments = m->rest[i].move > 0 ? (unsigned)m->rest[i].move : 0;
         if (i >= w->begin) {
