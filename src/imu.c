@@ -95,7 +95,7 @@ void invcal_replay_move(const invcal_imu_work *w, const invcal_segment *segment,
     }
     (void)invcal_cofactors(m, cofactors);
     for (unsigned n = 0; n < count; n++) {
-        //@ assert \valid_read(segment); // the segments of all moves together are in the table
+        //@ assert \valid_read(segment); // as all of a move
         const invcal_real time = invcal_number(segment->time / 2u) / w->moves->rate;
         invcal_zero(v, sizeof v);
         invcal_unpack(segment->v, INVCAL_V_UNIT, v);
@@ -171,6 +171,7 @@ static void fit_bias(invcal_imu_work *w, unsigned axis)
     invcal_real residual[INVCAL_MAX_MOVES];
 
     invcal_zero(a, sizeof a);
+    //@ loop unroll INVCAL_MAX_MOVES;
     for (unsigned i = w->begin; i < end; i++) {
         if (has_bias_row(w, i, axis, h)) {
             invcal_rank_one(a, h, BIAS + 1, 1);
@@ -182,6 +183,7 @@ static void fit_bias(invcal_imu_work *w, unsigned axis)
     }
     invcal_back_substitute(a, BIAS);
     const invcal_real *p = &a[INVCAL_PACKED(BIAS, 0)];
+    //@ loop unroll INVCAL_MAX_MOVES;
     for (unsigned i = w->begin; i < end; i++) {
         const int is_told = has_bias_row(w, i, axis, h);
         residual[i] = invcal_dot(p, h, BIAS) + h[BIAS];
@@ -193,6 +195,7 @@ static void fit_bias(invcal_imu_work *w, unsigned axis)
     const invcal_real square = INVCAL_FABS(p[BIAS]) / invcal_number(count - BIAS);
     const invcal_real noise = changes / invcal_number(4 * count); /* s^2/2 */
     const invcal_real share = square > 2 * noise ? noise / (square - noise) : 1;
+    //@ loop unroll INVCAL_MAX_MOVES;
     for (unsigned i = w->begin; i < end; i++) {
         w->bias[i][axis] += share * residual[i];
     }
@@ -328,12 +331,13 @@ static void add_prior(invcal_imu_work *w)
 invcal_status invcal_imu_sum(invcal_imu_work *w)
 {
     const invcal_moves *m = w->moves;
-    const invcal_segment *segment = m->segment;
     const invcal_real *raw = w->raw;
+    unsigned first = 0;
     invcal_real up[2][3];
 
     invcal_zero(&w->pass, sizeof w->pass);
     w->out->idle = 0;
+    //@ loop unroll INVCAL_MAX_MOVES;
     for (unsigned i = 0; i < m->count; i++) {
         const unsigned segments = m->rest[i].move > 0 ? (unsigned)m->rest[i].move : 0;
         if (i >= w->begin) {
@@ -347,12 +351,13 @@ invcal_status invcal_imu_sum(invcal_imu_work *w)
                 add_rest(w, up[1], length - 1);
             }
             if (i > w->begin && segments > 0 && (w->out->left_out >> i & 1u) == 0) {
-                add_move(w, i, segment, (const invcal_real(*)[3])up);
+                //@ assert first < INVCAL_MAX_SEGMENTS; // the segments of all moves are in the table
+                add_move(w, i, &m->segment[first], (const invcal_real(*)[3])up);
             }
             memcpy(up[0], up[1], sizeof up[0]);
             raw += 3;
         }
-        segment += segments;
+        first += segments;
     }
     w->pass.rows = w->pass.rests.rows + w->pass.moved.rows;
     add_prior(w);

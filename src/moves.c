@@ -107,7 +107,8 @@ static int merge(invcal_segment *a, const invcal_segment *b)
 static void take_out(invcal_moves *m, unsigned from, unsigned to)
 {
     /* at most INVCAL_MAX_SEGMENTS steps */
-    while (to < m->used && to < INVCAL_MAX_SEGMENTS && from < INVCAL_MAX_SEGMENTS) {
+    while (to < m->used && to < INVCAL_MAX_SEGMENTS && /* uncovered: a guard for the proof */
+           from < INVCAL_MAX_SEGMENTS) {               /* uncovered: the same */
         for (unsigned i = 0; i < 3; i++) {
             m->segment[from].v[i] = m->segment[to].v[i];
             m->segment[from].kappa[i] = m->segment[to].kappa[i];
@@ -130,15 +131,16 @@ static void find_fault(invcal_moves *m, unsigned status)
  * oldest that is not merged is lost, and with it the moves that it and this one are of. */
 INVCAL_APART static void close_segment(invcal_moves *m, unsigned mark)
 {
-    if (m->used >= INVCAL_MAX_SEGMENTS && m->fixed < INVCAL_MAX_SEGMENTS) {
+    if (m->used >= INVCAL_MAX_SEGMENTS &&
+        m->fixed < INVCAL_MAX_SEGMENTS) { /* uncovered: a guard for the proof */
         m->marks = (uint8_t)(m->marks - (m->segment[m->fixed].time & 1u));
         take_out(m, m->fixed, m->fixed + 1u);
         find_fault(m, INVCAL_NO_SPACE);
         m->spoilt = INVCAL_NO_SPACE;
     }
-    if (m->used >= INVCAL_MAX_SEGMENTS) {
-        return; /* no more than a guard */
-    }
+    if (m->used >= INVCAL_MAX_SEGMENTS) { /* uncovered: a guard for the proof */
+        return;                           /* uncovered: the same */
+    } /* uncovered: the same */
     invcal_segment *s = &m->segment[m->used];
     m->used++;
     s->time = (uint16_t)(2u * m->missing + mark);
@@ -222,7 +224,7 @@ static void settle(invcal_moves *m, int is_rest)
 static void settle_until(invcal_moves *m, uint32_t newest, uint32_t resting)
 {
     /* a segment each: at most INVCAL_MAX_SEGMENTS steps */
-    while (m->marks > newest && m->fixed < m->used) {
+    while (m->marks > newest && m->fixed < m->used) { /* uncovered: a mark has its segment */
         settle(m, m->marks <= resting);
     }
 }

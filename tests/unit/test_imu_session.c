@@ -9,7 +9,8 @@
 #include "gyro_world.h"
 #include "unity.h"
 
-enum { RATE = 100, COUNTS_PER_G = 16384 };
+#define RATE 100 /* samples per second of both */
+#define COUNTS_PER_G 16384
 enum {
     FROM = offsetof(invcal_imu_session, moves.layout),
     OF_MOVES = offsetof(invcal_imu_session, session) - FROM,

@@ -167,6 +167,8 @@ static void nonsense_is_refused_or_does_no_harm(void)
     untouched = w.moves;
     TEST_ASSERT_EQUAL_INT(INVCAL_BAD_RATE, invcal_moves_init(&w.moves, &nominal, 7));
     TEST_ASSERT_EQUAL_INT(INVCAL_BAD_RATE, invcal_moves_init(&w.moves, &nominal, NAN));
+    TEST_ASSERT_EQUAL_INT(INVCAL_BAD_RATE, invcal_moves_init(&w.moves, &nominal, INFINITY));
+    TEST_ASSERT_EQUAL_INT(INVCAL_BAD_RATE, invcal_moves_init(&w.moves, &nominal, 8001));
     TEST_ASSERT_EQUAL_INT(INVCAL_BAD_RAILS, invcal_moves_rails(&w.moves, 5, 5));
     nominal.matrix[0][0] = NAN;
     TEST_ASSERT_EQUAL_INT(INVCAL_BAD_NOMINAL, invcal_moves_init(&w.moves, &nominal, 100));
@@ -182,6 +184,131 @@ static void nonsense_is_refused_or_does_no_harm(void)
     world_end(&w);
     TEST_ASSERT_EQUAL_INT(2, w.moves.count);
     TEST_ASSERT_TRUE(invcal_moves_reason(&w.moves, 1) != INVCAL_OK);
+}
+
+/* ---- blocks by hand ----------------------------------------------------------------------------- */
+
+static void turn_on(double x, double y, double z, int samples)
+{
+    const int32_t raw[3] = {(int32_t)(x * COUNTS), (int32_t)(y * COUNTS), (int32_t)(z * COUNTS)};
+
+    for (int i = 0; i < samples; i++) {
+        invcal_moves_feed(&w.moves, raw);
+    }
+}
+
+static void blocks(int count, invcal_event event, int is_quiet)
+{
+    for (int i = 0; i < count; i++) {
+        turn_on(0, 0, 0, WORLD_BLOCK);
+        w.rests.begin = w.rests.pended > 0 ? w.rests.begin : w.rests.time;
+        w.rests.time += WORLD_BLOCK;
+        w.rests.pended = is_quiet ? 2 : w.rests.pended;
+        w.rests.end = is_quiet ? w.rests.time : w.rests.end;
+        invcal_moves_follow(&w.moves, &w.rests, event);
+    }
+}
+
+static void rest_by_hand(void)
+{
+    blocks(8, INVCAL_SETTLING, 1);
+    blocks(1, INVCAL_READY, 1);
+}
+
+static void leave_by_hand(void)
+{
+    blocks(4, INVCAL_MOVING, 0);
+    blocks(1, INVCAL_TAKEN, 0);
+    w.rests.pended = 0;
+}
+
+/* Seven turns and more take more segments than a move has. */
+static void a_move_of_eight_turns_is_refused(void)
+{
+    begin();
+    rest_by_hand();
+    leave_by_hand();
+    for (int i = 0; i < 28; i++) { /* 19 degrees a sample, and so each a segment */
+        turn_on(33.2, 0, 0, 5);
+        blocks(1, INVCAL_MOVING, 0);
+    }
+    rest_by_hand();
+    leave_by_hand();
+    TEST_ASSERT_EQUAL_INT(2, w.moves.count);
+    TEST_ASSERT_EQUAL_INT(INVCAL_MOUNTING, invcal_moves_reason(&w.moves, 1));
+}
+
+/* A device that is stirred goes nowhere, but turns: what that adds up to does not fit one segment. */
+static void stirring_fills_a_segment(void)
+{
+    unsigned segments = 0;
+
+    begin();
+    rest_by_hand();
+    leave_by_hand();
+    for (int i = 0; i < 10; i++) {
+        for (int k = 0; k < 4; k++) { /* 0.01 rad about z each time */
+            turn_on(9, 0, 0, 1);
+            turn_on(0, 9, 0, 1);
+            turn_on(-9, 0, 0, 1);
+            turn_on(0, -9, 0, 1);
+        }
+        blocks(1, INVCAL_MOVING, 0);
+    }
+    rest_by_hand();
+    leave_by_hand();
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_moves_reason(&w.moves, 1));
+    segments = (unsigned)w.moves.rest[1].move;
+    TEST_ASSERT_TRUE(segments >= 3 && segments <= 10);
+    double angle = 0;
+    for (unsigned k = 0; k < segments; k++) {
+        angle += (w.moves.segment[k].v[2] / 32768.0) + (w.moves.segment[k].kappa[2] / 262144.0);
+    }
+    TEST_ASSERT_DOUBLE_WITHIN(2e-3, 40 * 0.09 * 0.09, angle); /* the area that was gone around */
+}
+
+/* 8000 samples a second: segments and blocks of as many as they can count. */
+static void a_segment_counts_no_more_than_it_can(void)
+{
+    const invcal_calibration gyro = (begin(), w.moves.nominal);
+    unsigned samples = 0;
+
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_moves_init(&w.moves, &gyro, 8000));
+    rest_by_hand();
+    leave_by_hand();
+    for (int i = 0; i < 3; i++) {
+        turn_on(0, 0, 0, 20000);
+        blocks(1, INVCAL_MOVING, 0);
+    }
+    rest_by_hand();
+    leave_by_hand();
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_moves_reason(&w.moves, 1));
+    for (int k = 0; k < w.moves.rest[1].move; k++) {
+        samples += w.moves.segment[k].time / 2u;
+    }
+    TEST_ASSERT_TRUE(samples >= 60000 && samples < 60300);
+    turn_on(0, 0, 0, 40000); /* without a block */
+    TEST_ASSERT_TRUE(w.moves.missing < 7300);
+}
+
+/* Events that no detector brings about in that order do no harm. */
+static void events_out_of_order_do_no_harm(void)
+{
+    begin();
+    w.rests.pended = 0;
+    blocks(1, INVCAL_READY, 0);
+    blocks(1, INVCAL_TAKEN, 0);
+    TEST_ASSERT_EQUAL_INT(1, w.moves.count);
+    TEST_ASSERT_EQUAL_INT(INVCAL_TOO_FEW, invcal_moves_reason(&w.moves, 0));
+    for (int i = 0; i < INVCAL_MAX_MOVES + 2; i++) { /* no move is of any use, and the oldest go */
+        invcal_moves_gap(&w.moves);
+        rest_by_hand();
+        leave_by_hand();
+    }
+    TEST_ASSERT_EQUAL_INT(INVCAL_MAX_MOVES, w.moves.count);
+    TEST_ASSERT_EQUAL_INT(0, w.moves.first);
+    TEST_ASSERT_EQUAL_INT(INVCAL_TOO_FEW, invcal_moves_reason(&w.moves, 0));
+    TEST_ASSERT_EQUAL_INT(INVCAL_MOVE_GAP, invcal_moves_reason(&w.moves, 1));
 }
 
 /* The detector itself, and another rate of the gyroscope: every sample of both. */
@@ -336,6 +463,10 @@ int main(void)
     RUN_TEST(a_rest_that_turns_is_no_rest);
     RUN_TEST(without_room_moves_are_refused_and_rests_go_on);
     RUN_TEST(nonsense_is_refused_or_does_no_harm);
+    RUN_TEST(a_move_of_eight_turns_is_refused);
+    RUN_TEST(stirring_fills_a_segment);
+    RUN_TEST(a_segment_counts_no_more_than_it_can);
+    RUN_TEST(events_out_of_order_do_no_harm);
     RUN_TEST(the_session_says_where_rests_are);
     RUN_TEST(xsens_is_as_the_solution_from_all_samples);
     RUN_TEST(mpu_is_as_the_batch);
