@@ -90,7 +90,7 @@ void invcal_cells_move(invcal_cells *cells, const invcal_real shift[3], invcal_r
     }
     for (unsigned k = 0; k < INVCAL_CELLS; k++) {
         const unsigned to = cell_of_mean(cells, k);
-        if (to != k) {
+        if (cells->count[k] > 0 && to != k) {
             move_cell(cells, to, cells, k);
         }
     }
