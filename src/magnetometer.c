@@ -143,11 +143,11 @@ static int is_far(const invcal_cell_fit *fit)
              INVCAL_FABS(invcal_cells_field(fit) - 1) < FAR);
 }
 
-/* A solution that what contradicts it may be left out by: into p, the readings moved to the unit sphere.
- * Returns 0 if there is none. */
-static int has_solution(invcal_magnetometer *m, const invcal_cells *one, const invcal_cells *other)
+/* A solution of table `one` and the late samples, that what contradicts it may be left out by: into p, the readings
+ * moved to the unit sphere. Returns 0 if there is none. */
+static int has_solution(invcal_magnetometer *m, const invcal_cells *one)
 {
-    invcal_cell_fit fit = {.tables = {one, other}};
+    invcal_cell_fit fit = {.tables = {one, &m->late}};
     unsigned worst;
 
     if (!(invcal_cells_gap(&fit.tables, &worst) > WIDE_GAP) || !is_found(m, &fit)) {
@@ -156,7 +156,6 @@ static int has_solution(invcal_magnetometer *m, const invcal_cells *one, const i
     fit.tables = both_tables(m);
     m->has_step |= (uint8_t)invcal_cells_step(&fit, m->before > 0 ? m->before : power_of(m));
     fit.tables.early = one;
-    fit.tables.late = other;
     if (is_far(&fit) && (!is_recentred(m, fit.triad.offset, invcal_cells_field(&fit)) ||
                          invcal_cells_solve(&fit) != INVCAL_OK)) {
         return 0;
@@ -177,11 +176,11 @@ static void look_at_samples(invcal_magnetometer *m)
     if (is_first) {
         recentre_by_box(m);
     }
-    if (m->stage != SECOND_SOLUTION && has_solution(m, &m->late, &m->late)) {
+    if (m->stage != SECOND_SOLUTION && has_solution(m, &m->late)) {
         m->stage = SECOND_SOLUTION;
         invcal_zero(&m->early, sizeof m->early);
     } else {
-        if (has_solution(m, &m->early, &m->late) && is_first) {
+        if (has_solution(m, &m->early) && is_first) {
             m->stage = FIRST_SOLUTION;
         }
     }

@@ -759,12 +759,12 @@ int main(void)
     RUN_LONG_TEST(a_magnetometer_without_noise_is_found_exactly);
     RUN_LONG_TEST(intervals_hold_what_they_say);
     RUN_LONG_TEST(cells_are_positions_to_look_at);
-    RUN_LONG_TEST(the_field_is_told_in_the_unit_of_nominal);
+    RUN_SLOW_TEST(the_field_is_told_in_the_unit_of_nominal);
     RUN_TEST(a_real_one_is_found_as_by_fits_of_all_samples);
     RUN_LONG_TEST(half_a_sphere_is_weak);
-    RUN_LONG_TEST(less_than_half_a_sphere_is_weak);
-    RUN_LONG_TEST(gaps_are_told);
-    RUN_LONG_TEST(it_goes_on_after_a_reset);
+    RUN_SLOW_TEST(less_than_half_a_sphere_is_weak);
+    RUN_SLOW_TEST(gaps_are_told);
+    RUN_SLOW_TEST(it_goes_on_after_a_reset);
     RUN_LONG_TEST(a_magnet_that_passes_is_named_and_does_no_harm);
     RUN_LONG_TEST(a_magnet_at_the_beginning_spoils_nothing_called_good);
     RUN_LONG_TEST(a_step_is_named_or_dropped);
@@ -774,7 +774,7 @@ int main(void)
     RUN_LONG_TEST(noise_is_no_place);
     RUN_LONG_TEST(guidance_covers_every_cell);
     RUN_LONG_TEST(any_unit_is_found_or_refused);
-    RUN_LONG_TEST(too_small_an_axis_is_refused);
+    RUN_SLOW_TEST(too_small_an_axis_is_refused);
     RUN_LONG_TEST(a_session_of_days_stays_as_good);
     RUN_TEST(bad_input_changes_nothing);
     RUN_TEST(a_circle_determines_nothing);
