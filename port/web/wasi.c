@@ -28,10 +28,12 @@ FILE *tmpfile(void)
     return fopen(".spool", "w+b");
 }
 
-int live_read(positions *p, const char *path, const live_wish *wish, rests_summary *summary)
+int live_read(positions *p, const char *path, const live_wish *wish, turns *gyro,
+              rests_summary *summary)
 {
     (void)path;
     (void)wish;
+    (void)gyro;
     *p = (positions){0};
     memset(summary, 0, sizeof *summary);
     return message_usage("watch", "there is no terminal in a browser: calibrate live on the page");
