@@ -61,6 +61,10 @@ for seed in 1 2 3; do
     near 0.0016 "$(json "$work/stdout" gamma)" '0.01 -0.006 0.008' # not 0.0006: three sigma of a tour
     check "twelve quarter turns, seed $seed: the angles of the accelerometer are told by the moves" test $? -eq 0
 done
+"$tool" simulate --gyro --dwell 3 --plan directions:"$work/tour.csv" --outliers 1 > "$work/outlier.log"
+run calibrate "$work/outlier.log"
+check "twelve quarter turns with a wrong rest: rough" matches "$work/stdout" '^Rough: '
+solve "$work/tour.log" --gravity 9.80665
 check "they say that the moves told the accelerometer" matches "$work/stdout" '"accelerometer": "rests and moves"'
 refuses "six faces without the gyroscope are as ever" 1 'undetermined: angle xy, angle xz, angle zy' \
     calibrate "$work/tour.log" --accelerometer-only

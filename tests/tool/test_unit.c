@@ -43,6 +43,32 @@ static void test_sure(void)
     TEST_ASSERT_EQUAL_INT(1, unit_is_sure(UNIT_G, reading, POSITIONS));
 }
 
+static void test_rates_of_turn(void)
+{
+    static const char *const radians[] = {"rad/s",    "RAD/S", "rad s^-1",
+                                          "rad*s^-1", "radps", "rad/sec"};
+    static const char *const degrees[] = {"dps",      "deg/s",     "°/s", "\xb0/s",
+                                          "deg s^-1", "degrees/s", "DPS"};
+    static const char *const none[] = {"",      "m",      "rad", "deg",    "g",
+                                       "m/s^2", "counts", "s",   "rad/s^2"};
+
+    for (unsigned i = 0; i < sizeof radians / sizeof *radians; i++) {
+        TEST_ASSERT_EQUAL_DOUBLE(1, unit_parse_turn(radians[i]));
+    }
+    for (unsigned i = 0; i < sizeof degrees / sizeof *degrees; i++) {
+        TEST_ASSERT_DOUBLE_WITHIN(1e-15, 3.14159265358979324 / 180, unit_parse_turn(degrees[i]));
+    }
+    for (unsigned i = 0; i < sizeof none / sizeof *none; i++) {
+        TEST_ASSERT_EQUAL_DOUBLE(0, unit_parse_turn(none[i]));
+    }
+    TEST_ASSERT_DOUBLE_WITHIN(1e-15, 3.14159265358979324 / 180e3, unit_parse_turn("mdps"));
+    TEST_ASSERT_EQUAL_DOUBLE(1e-3, unit_parse_turn("mrad/s"));
+    TEST_ASSERT_EQUAL_STRING("rad/s", unit_turn_words(unit_parse_turn("rad/s")));
+    TEST_ASSERT_EQUAL_STRING("°/s", unit_turn_words(unit_parse_turn("dps")));
+    TEST_ASSERT_EQUAL_STRING("m°/s", unit_turn_words(unit_parse_turn("mdps")));
+    TEST_ASSERT_EQUAL_STRING("counts", unit_turn_words(1.3e-4));
+}
+
 /* MMA8451: 1024 counts a g at 8 g. */
 static void test_mg_is_never_sure(void)
 {
@@ -112,6 +138,7 @@ int main(void)
 {
     UNITY_BEGIN();
     RUN_TEST(test_sure);
+    RUN_TEST(test_rates_of_turn);
     RUN_TEST(test_mg_is_never_sure);
     RUN_TEST(test_zero_far_off);
     RUN_TEST(test_wrong_ones);

@@ -59,6 +59,10 @@ static void take_joint(calibrate_result *result)
     fit_information(result->rejected.kept, result->rejected.kept_count, &with, &result->solution,
                     result->quality.noise, information);
     result->quality.condition = eigen_condition(information, INVCAL_PARAMETERS);
+    if (result->quality.verdict == INVCAL_GOOD && calibrate_is_disturbed(result)) {
+        result->quality.verdict = INVCAL_ROUGH; /* no rest is left out here */
+        result->gyro.imu.verdict = INVCAL_ROUGH;
+    }
 }
 
 int calibrate_gyro(const request *r, const turns *gyro, int refused, calibrate_result *result)

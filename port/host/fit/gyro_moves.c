@@ -85,7 +85,7 @@ static void integrate(const gyro_fit *g, long lag, const gyro_rest *rest, double
                 u[k] = (g->turn * u[k] - bias[k]) / t->rate;
             }
             for (unsigned k = 0; k < 3; k++) {
-                th[k] = dot(&g->imu.parameter[3 * k], u);
+                th[k] = dot(&g->imu.parameter[3 * (size_t)k], u);
             }
             turn_by(c, th);
             *angle += sqrt(dot(th, th));

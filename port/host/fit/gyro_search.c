@@ -11,6 +11,7 @@
 
 #define BIN 0.05      /* seconds */
 #define LAGS 40       /* bins to either side: 2 s */
+#define ENOUGH 160u   /* bins */
 #define TOGETHER 0.4  /* the least correlation that tells a lag, */
 #define BETTER 0.05   /* by so much above that of no lag, */
 #define LEAST_LAG 0.1 /* seconds: less does no harm */
@@ -144,7 +145,7 @@ long gyro_lag(const turns *t)
         t->rate * (double)t->samples / (double)(t->readings ? t->readings : 1);
     const size_t each = (size_t)fmax(1, nearbyint(BIN * sample_rate));
     const size_t room = t->samples / each;
-    bin *b = room > 4 * LAGS ? calloc(room, sizeof *b) : NULL;
+    bin *b = room > ENOUGH ? calloc(room, sizeof *b) : NULL;
     double *a = b ? calloc(room, sizeof *a) : NULL;
     double lag = 0;
 

@@ -92,7 +92,7 @@ static int match(turns *t, const samples *file, const double *time, const char *
         return EXIT_FILE;
     }
     for (size_t i = 0; i < t->samples; i++) {
-        while (t->has_time && next < t->readings && time[next] <= t->sample[i].time) {
+        while (t->has_time && time && next < t->readings && time[next] <= t->sample[i].time) {
             next++;
         }
         t->sample[i].upto = t->has_time ? next : (uint32_t)(i + 1);

@@ -78,7 +78,7 @@ static void write_figures(page *p, const gyro_fit *g)
     snprintf(text, sizeof text, "%s mrad", figure_digits(MILLI * g->imu.move_rms, 3, number));
     page_figure(p, text, "rms residual of a move on an axis");
     snprintf(text, sizeof text, "%u", g->imu.moves);
-    page_figure(p, text, "moves that count");
+    page_figure(p, text, "moves used");
     snprintf(text, sizeof text, "%u", g->moves - g->imu.moves);
     page_figure(p, text, "left out");
     page_figures_end(p);
@@ -112,7 +112,7 @@ static void draw_moves(FILE *file, const void *data, double width)
     svg_text(file, "ink heading", SVG_START, 0, 14, "residual of each move, mrad");
     chart_ticks_y(file, &y, &x);
     svg_rectangle(file, "c1 bar", LEFT, 22, 16, 12);
-    svg_text(file, "ink small", SVG_START, LEFT + 22, 32, "counts");
+    svg_text(file, "ink small", SVG_START, LEFT + 22, 32, "used");
     svg_marker(file, "c2 full", SVG_CROSS, LEFT + 96, 28, 4.5);
     svg_text(file, "ink small", SVG_START, LEFT + 106, 32, "left out");
     for (unsigned i = 0; i < g->moves; i++) {
@@ -259,6 +259,19 @@ static void write_constant(page *p, const gyro_fit *g)
         page_code_begin(p);
         constant_write(p->file, "calibration_gyro", c->offset, (const double(*)[3])c->matrix);
         page_code_end(p);
+    }
+}
+
+void report_gyro_summary(page *p, const report_facts *f)
+{
+    const gyro_fit *g = &f->result->gyro;
+    char number[FIGURE_MAX];
+
+    if (g->is_there && g->word) {
+        page_say(p, "The gyroscope is not calibrated: %s.", g->reason);
+    } else if (g->is_there) {
+        page_say(p, "The gyroscope is calibrated, too (%s): %u moves agree with it to %s mrad.",
+                 gyro_verdict(g), g->imu.moves, figure_digits(MILLI * g->imu.move_rms, 2, number));
     }
 }
 

@@ -408,6 +408,7 @@ int report_write(FILE *file, const calibrate_result *result, const calibrate_wis
         page_begin_headed(&p, file, title, record_line(&result->record, head));
         write_record(&p, &result->record);
         write_verdict(&p, &f);
+        report_gyro_summary(&p, &f);
         say_convention(&p, &f);
         report_use(&p, &f);
         page_section(&p, "What it is worth");

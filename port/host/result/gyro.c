@@ -148,13 +148,13 @@ double gyro_wander(const gyro_fit *g, unsigned axis)
 
 /* ---- the table ---------------------------------------------------------------------------------- */
 
-static void add_row(const char *label, const char *axis, double value, double sigma,
+static void add_row(const char *label, const char *which, double value, double sigma,
                     const char *unit)
 {
     char text[FIGURE_MAX];
     const int places = figure_places(value, sigma);
 
-    tabular_cell("%s %s", label, axis);
+    tabular_cell("%s %s", label, which);
     tabular_cell("%s", figure_fixed(value, places, FIGURE_PLAIN, text));
     tabular_cell("± %s", sigma > 0 ? figure_fixed(sigma, places, FIGURE_PLAIN, text) : "?");
     tabular_note("%s", unit);
@@ -167,13 +167,13 @@ static void print_figures(FILE *file, const calibrate_result *r)
     const told_unit scale = told_scale(r->told);
     const told_unit angle = told_angle(r->told);
     const int is_counts = strcmp(unit_turn_words(g->turn), "counts") == 0 || g->is_counts;
-    char off_axis[FIGURE_MAX];
+    char angle_off[FIGURE_MAX];
     invcal_calibration nominal = {.offset = {0}};
     double inverse[3][3];
 
     memcpy(nominal.matrix, g->imu.parameter, sizeof nominal.matrix);
     (void)matrix_inverse(&nominal, inverse); /* near to a unit matrix */
-    snprintf(off_axis, sizeof off_axis, "%s off axis", angle.unit);
+    snprintf(angle_off, sizeof angle_off, "%s off axis", angle.unit);
     tabular_begin(file, "lrl");
     tabular_cell("gyroscope");
     tabular_cell("calibrated");
@@ -191,17 +191,18 @@ static void print_figures(FILE *file, const calibrate_result *r)
         const double m = inverse[i][i]; /* as data sheets state it: readings per turn */
         const double counts = UNIT_DEGREE / g->turn * m;
         if (g->is_counts) { /* what the unit was to be, nobody states */
-            add_row("scale", axis, counts, counts * m * g->imu.sigma[4 * i], "counts per °/s");
+            add_row("scale", axis, counts, counts * m * g->imu.sigma[4 * (size_t)i],
+                    "counts per °/s");
         } else {
             add_row("scale error", axis, scale.scale * (m - 1),
-                    scale.scale * m * m * g->imu.sigma[4 * i], scale.unit);
+                    scale.scale * m * m * g->imu.sigma[4 * (size_t)i], scale.unit);
         }
     }
     for (unsigned i = 0; i < 9; i++) {
         const char pair[] = {"xyz"[i / 3], "xyz"[i % 3], '\0'};
         if (i / 3 != i % 3) {
             add_row("cross", pair, angle.scale * inverse[i / 3][i % 3],
-                    angle.scale * g->imu.sigma[i], off_axis);
+                    angle.scale * g->imu.sigma[i], angle_off);
         }
     }
     tabular_end();

@@ -12,7 +12,7 @@
 #define TEXT_MAX 16
 #define LATIN1_SQUARE '\xb2' /* ISO 8859-1, as spreadsheets of Windows save it; */
 #define LATIN1_MICRO "\xb5"
-#define LATIN1_DEGREE "\xb0"
+#define LATIN1_RATE "\xb0/s" /* °/s */
 
 /* What is left of a unit's spelling: "m / s^2", "m_s2", "(m/(s^2))" are all alike. False if it is
  * longer than any unit. */
@@ -90,9 +90,9 @@ double unit_parse_turn(const char *text)
 {
     static const char *const radians[] = {"rad/s",   "rads",     "radps",     "rads-1",
                                           "rad/sec", "radian/s", "radians/s", NULL};
-    static const char *const degrees[] = {
-        "deg/s",     "dps",      "degps", "degs-1", "deg/sec",          "degs",
-        "degrees/s", "degree/s", "°/s",   "°s-1",   LATIN1_DEGREE "/s", NULL};
+    static const char *const degrees[] = {"deg/s",   "dps",  "degps",     "degs-1",
+                                          "deg/sec", "degs", "degrees/s", "degree/s",
+                                          "°/s",     "°s-1", LATIN1_RATE, NULL};
     char squashed[TEXT_MAX];
 
     if (!squash(text, squashed)) {
