@@ -5,6 +5,7 @@ import { now } from "./clock.js";
 
 const dot = (a, b) => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 const unit = (v) => v.map((x) => x / Math.hypot(...v));
+const cross = (a, b) => [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]];
 
 // xorshift32: the same hand each time.
 function random(seed) {
@@ -27,6 +28,11 @@ const TRUTH = {
         [-0.003, 0.004, 1.012],
     ],
     gyro: [12, -7, 3],
+    gyroMatrix: [
+        [1.02, 0.01, 0],
+        [0, 0.985, -0.01],
+        [0.005, 0, 1.01],
+    ],
 };
 const RATE = 100;
 const REST = 3; // seconds
@@ -37,7 +43,7 @@ class Hand {
         this.sink = sink;
         this.wanted = wanted;
         this.chance = random(seed);
-        this.from = this.to = [0, 0, 1];
+        this.from = this.to = this.last = [0, 0, 1];
         this.phase = 0; // seconds in this rest and the turn after it
         this.n = 0; // samples
     }
@@ -45,7 +51,10 @@ class Hand {
     read(up, isTurning) {
         const { normal } = this.chance;
         const acc = TRUTH.matrix.map((row, i) => Math.round(16384 * dot(row, up) + TRUTH.offset[i] + normal() * (isTurning ? 150 : 12)));
-        const gyro = TRUTH.gyro.map((bias) => Math.round(bias + normal() * (isTurning ? 800 : 2)));
+        // The shortest turn from the last sample's way up to this: w = du/dt x u, 1/16 degree a second.
+        const turn = cross(up, this.last).map((x) => (x * RATE * 16 * 180) / Math.PI);
+        const gyro = TRUTH.gyroMatrix.map((row, i) => Math.round(dot(row, turn) + TRUTH.gyro[i] + normal() * 2));
+        this.last = up;
         this.sink.sample({ columns: 6, time: null, acc, gyro }, this.n / RATE);
         this.n++;
     }
