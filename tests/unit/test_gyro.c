@@ -351,11 +351,11 @@ static void next_to_one_axis_nothing_is_determined(void)
     settle_settings(&settings, 1);
     begin_exact(slanted);
     for (int i = 0; i < 8; i++) {
-        const int v[3] = {9000, i % 3 - 1, i % 2 - (i % 4 == 0)};
+        const int v[3] = {2000, i % 3 - 1, i % 2 - (i % 4 == 0)};
         add_exact(unit, v, 4 + i % 3);
     }
     TEST_ASSERT_EQUAL_INT(INVCAL_UNDETERMINED, world_solve(&w, &settings, &imu));
-    TEST_ASSERT_TRUE((imu.open & 0x1B6) != 0 && (imu.open & ~0x1B6u) == 0);
+    TEST_ASSERT_EQUAL_HEX32(0x1B6, imu.open & 0x1B6u);
 }
 
 /* Up in one plane does not tell how the bias depends on it. */
