@@ -244,7 +244,7 @@ static inline void world_rest(world *w, double seconds)
         world_sample(w, none, 0);
     }
     w->begin[w->count] = w->samples;
-    const int samples = (int)(seconds * w->rate / WORLD_BLOCK + 1) * WORLD_BLOCK;
+    const int samples = (int)(seconds * w->rate / (double)WORLD_BLOCK + 1) * WORLD_BLOCK;
     for (int i = 0; i < samples; i++) {
         world_sample(w, none, 1);
     }
