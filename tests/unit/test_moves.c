@@ -363,8 +363,8 @@ static void the_session_says_where_rests_are(void)
         memcpy(w.up, up, sizeof up);
     }
     event = invcal_session_finish(&session);
+    invcal_moves_follow(&w.moves, &session.rests, event);
     taken += event == INVCAL_TAKEN;
-    TEST_ASSERT_EQUAL_INT(taken, session.count);
     TEST_ASSERT_EQUAL_INT(taken, session.count);
     TEST_ASSERT_EQUAL_INT(session.count, w.moves.count);
     TEST_ASSERT_TRUE(session.count >= 10);
