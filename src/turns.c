@@ -232,20 +232,6 @@ invcal_status invcal_turns_add(invcal_turns *turns, const invcal_turn *turn)
 
 /* ---- beginnings --------------------------------------------------------------------------------- */
 
-static invcal_status check_settings(const invcal_imu_settings *s)
-{
-    if (!(s->noise >= 0 && s->rate_noise >= 0 && s->instability >= 0 &&
-          s->noise + s->rate_noise + s->instability < 1)) {
-        return INVCAL_BAD_NOISE;
-    }
-    for (unsigned i = 0; s->prior && i < ALL; i++) {
-        if (!(s->prior[i] >= 0)) {
-            return INVCAL_BAD_PRIOR;
-        }
-    }
-    return INVCAL_OK;
-}
-
 static void state(invcal_turns *turns, const invcal_imu_settings *s)
 {
     invcal_zero(turns, sizeof *turns);
@@ -265,7 +251,8 @@ invcal_status invcal_turns_begin(invcal_turns *turns, const invcal_real up[3],
     const invcal_imu_settings *s = settings ? settings : &usual;
 
     INVCAL_ASSERT(turns && up);
-    const invcal_status status = invcal_is_unit(up) ? check_settings(s) : INVCAL_BAD_DIRECTION;
+    const invcal_status status =
+        invcal_is_unit(up) ? invcal_imu_settings_check(s) : INVCAL_BAD_DIRECTION;
     if (status != INVCAL_OK) {
         return status;
     }
