@@ -28,7 +28,7 @@ same_defaults() {
 }
 
 accepts() { # NAME VALUE: do the headers?
-    printf '#include "invcal/%s.h"\n' allan thermal | cc -Iinclude "-D$1=$2" -fsyntax-only -x c -
+    printf '#include "invcal/%s.h"\n' allan gyro thermal | cc -Iinclude "-D$1=$2" -fsyntax-only -x c -
 }
 
 takes() { # NAME VALUE: does Kconfig? Its booleans are n and y.
