@@ -331,7 +331,6 @@ static void feed_sphere(invcal_magnetometer *m, const double centre[3], double u
 static void less_than_half_a_sphere_is_weak(void)
 {
     static const double centre[3] = {0, 0, 0};
-    static invcal_magnetometer m;
     invcal_magnetometer_found found;
     invcal_calibration c;
     invcal_quality quality;
@@ -339,16 +338,18 @@ static void less_than_half_a_sphere_is_weak(void)
     invcal_real along[3];
     unsigned empty = 0;
 
-    feed_sphere(&m, centre, 1, 0.05, 1);
-    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_magnetometer_solve(&m, &c, &quality, NULL));
-    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_magnetometer_solve(&m, &c, &quality, &found));
+    feed_sphere(&the.magnetometer, centre, 1, 0.05, 1);
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK,
+                          invcal_magnetometer_solve(&the.magnetometer, &c, &quality, NULL));
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK,
+                          invcal_magnetometer_solve(&the.magnetometer, &c, &quality, &found));
     TEST_ASSERT_EQUAL_UINT(90, found.gap);
     TEST_ASSERT_EQUAL_INT(INVCAL_WEAK, quality.verdict);
     TEST_ASSERT_TRUE(quality.weak >> INVCAL_DELTA_Z & 1 && quality.weak >> INVCAL_DK_Z & 1);
-    invcal_magnetometer_next(&m, along);
+    invcal_magnetometer_next(&the.magnetometer, along);
     TEST_ASSERT_TRUE(along[2] == 1);
     for (unsigned k = 0; k < INVCAL_CELLS; k++) {
-        if (invcal_magnetometer_cell(&m, &c, k, raw) == 0) {
+        if (invcal_magnetometer_cell(&the.magnetometer, &c, k, raw) == 0) {
             empty++;
             TEST_ASSERT_TRUE(raw[0] == 7 && raw[1] == 7 && raw[2] == 7);
         }
@@ -361,24 +362,26 @@ static void less_than_half_a_sphere_is_weak(void)
 static void gaps_are_told(void)
 {
     static const double centre[3] = {0, 0, 0};
-    static invcal_magnetometer m;
     invcal_magnetometer_found found;
     invcal_calibration c;
     invcal_quality quality;
 
-    feed_sphere(&m, centre, 1, 0.83, 1); /* a cell around a face ends at 25 to 33 degrees */
-    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_magnetometer_solve(&m, &c, &quality, &found));
+    feed_sphere(&the.magnetometer, centre, 1, 0.83,
+                1); /* a cell around a face ends at 25 to 33 degrees */
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK,
+                          invcal_magnetometer_solve(&the.magnetometer, &c, &quality, &found));
     TEST_ASSERT_EQUAL_UINT(INVCAL_CELLS - 1, found.covered);
     TEST_ASSERT_EQUAL_UINT(45, found.gap);
     TEST_ASSERT_TRUE(quality.verdict != INVCAL_WEAK);
     for (unsigned k = 0; k < INVCAL_CELLS; k++) { /* nor +x, nor what is between */
         invcal_real v[3] = {0, 0, 0};
-        (void)invcal_magnetometer_cell(&m, &c, k, v);
+        (void)invcal_magnetometer_cell(&the.magnetometer, &c, k, v);
         if (v[0] + v[2] > INVCAL_REAL(0.8) && fabs((double)v[1]) < 0.3) {
-            m.early.count[k] = m.late.count[k] = 0;
+            the.magnetometer.early.count[k] = the.magnetometer.late.count[k] = 0;
         }
     }
-    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_magnetometer_solve(&m, &c, &quality, &found));
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK,
+                          invcal_magnetometer_solve(&the.magnetometer, &c, &quality, &found));
     TEST_ASSERT_EQUAL_UINT(INVCAL_CELLS - 3, found.covered);
     TEST_ASSERT_EQUAL_UINT(60, found.gap);
     TEST_ASSERT_EQUAL_INT(INVCAL_WEAK, quality.verdict);
@@ -639,15 +642,16 @@ static void any_unit_is_found_or_refused(void)
 static void too_small_an_axis_is_refused(void)
 {
     static const double centre[3] = {0, 0, 0};
-    static invcal_magnetometer m;
     invcal_calibration c = {{7, 7, 7}, {{7, 7, 7}, {7, 7, 7}, {7, 7, 7}}};
     invcal_quality quality;
 
-    feed_sphere(&m, centre, 1.05e-10, 1, 0.5);
-    TEST_ASSERT_EQUAL_INT(INVCAL_BAD_NOMINAL, invcal_magnetometer_solve(&m, &c, &quality, NULL));
+    feed_sphere(&the.magnetometer, centre, 1.05e-10, 1, 0.5);
+    TEST_ASSERT_EQUAL_INT(INVCAL_BAD_NOMINAL,
+                          invcal_magnetometer_solve(&the.magnetometer, &c, &quality, NULL));
     TEST_ASSERT_TRUE(c.offset[0] == 7 && c.matrix[2][2] == 7);
-    feed_sphere(&m, centre, 3e-10, 1, 0.5);
-    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_magnetometer_solve(&m, &c, &quality, NULL));
+    feed_sphere(&the.magnetometer, centre, 3e-10, 1, 0.5);
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK,
+                          invcal_magnetometer_solve(&the.magnetometer, &c, &quality, NULL));
 }
 
 /* It goes on for days: the counters stay in their range, and what is found stays what it was. */
@@ -661,7 +665,7 @@ static void a_session_of_days_stays_as_good(void)
     the.magnetometer.samples = most - 10000; /* as if by then */
     the.magnetometer.due = most - 4000;
     the.magnetometer.left_out = most;
-    for (int n = 0; n < 40000; n++) {
+    for (long n = 0; n < 40000; n++) {
         const unsigned k = (unsigned)n % INVCAL_CELLS;
         invcal_real raw[3] = {0, 0, 0};
         (void)invcal_magnetometer_cell(&the.magnetometer, &the.calibration, k, raw);
@@ -688,34 +692,36 @@ static void bad_input_changes_nothing(void)
     const invcal_real bad[3][3] = {
         {(invcal_real)NAN, 0, 0}, {0, (invcal_real)INFINITY, 0}, {0, 0, INVCAL_REAL_MAX}};
     const invcal_real good[3] = {100, 200, 300};
-    static invcal_magnetometer m;
     static invcal_magnetometer before;
     invcal_calibration c = {{7, 7, 7}, {{7, 7, 7}, {7, 7, 7}, {7, 7, 7}}};
     invcal_quality quality;
     invcal_calibration nominal;
 
-    memset(&m, 7, sizeof m);
-    before = m;
-    TEST_ASSERT_EQUAL_INT(INVCAL_BAD_NOMINAL, invcal_magnetometer_init(&m, &singular));
-    TEST_ASSERT_EQUAL_MEMORY(&before, &m, sizeof m);
+    memset(&the.magnetometer, 7, sizeof the.magnetometer);
+    before = the.magnetometer;
+    TEST_ASSERT_EQUAL_INT(INVCAL_BAD_NOMINAL,
+                          invcal_magnetometer_init(&the.magnetometer, &singular));
+    TEST_ASSERT_EQUAL_MEMORY(&before, &the.magnetometer, sizeof the.magnetometer);
     invcal_nominal(zero, counts, &nominal);
-    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_magnetometer_init(&m, &nominal));
-    TEST_ASSERT_EQUAL_INT(INVCAL_TOO_FEW, invcal_magnetometer_solve(&m, &c, &quality, NULL));
-    before = m;
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_magnetometer_init(&the.magnetometer, &nominal));
+    TEST_ASSERT_EQUAL_INT(INVCAL_TOO_FEW,
+                          invcal_magnetometer_solve(&the.magnetometer, &c, &quality, NULL));
+    before = the.magnetometer;
     for (int i = 0; i < 2; i++) { /* as the very first */
-        TEST_ASSERT_EQUAL_INT(INVCAL_REFUSED, invcal_magnetometer_feed(&m, bad[i]));
+        TEST_ASSERT_EQUAL_INT(INVCAL_REFUSED, invcal_magnetometer_feed(&the.magnetometer, bad[i]));
     }
-    TEST_ASSERT_EQUAL_MEMORY(&before, &m, sizeof m);
-    TEST_ASSERT_EQUAL_INT(INVCAL_TAKEN, invcal_magnetometer_feed(&m, good));
-    before = m;
+    TEST_ASSERT_EQUAL_MEMORY(&before, &the.magnetometer, sizeof the.magnetometer);
+    TEST_ASSERT_EQUAL_INT(INVCAL_TAKEN, invcal_magnetometer_feed(&the.magnetometer, good));
+    before = the.magnetometer;
     for (int i = 0; i < 3; i++) {
-        TEST_ASSERT_EQUAL_INT(INVCAL_REFUSED, invcal_magnetometer_feed(&m, bad[i]));
+        TEST_ASSERT_EQUAL_INT(INVCAL_REFUSED, invcal_magnetometer_feed(&the.magnetometer, bad[i]));
     }
-    TEST_ASSERT_EQUAL_MEMORY(&before, &m, sizeof m);
+    TEST_ASSERT_EQUAL_MEMORY(&before, &the.magnetometer, sizeof the.magnetometer);
     for (int i = 0; i < 1000; i++) { /* it lies on the table */
-        TEST_ASSERT_EQUAL_INT(INVCAL_NOTHING, invcal_magnetometer_feed(&m, good));
+        TEST_ASSERT_EQUAL_INT(INVCAL_NOTHING, invcal_magnetometer_feed(&the.magnetometer, good));
     }
-    TEST_ASSERT_EQUAL_INT(INVCAL_TOO_FEW, invcal_magnetometer_solve(&m, &c, &quality, NULL));
+    TEST_ASSERT_EQUAL_INT(INVCAL_TOO_FEW,
+                          invcal_magnetometer_solve(&the.magnetometer, &c, &quality, NULL));
     TEST_ASSERT_TRUE(c.offset[0] == 7 && c.matrix[2][2] == 7);
 }
 
@@ -724,19 +730,18 @@ static void a_circle_determines_nothing(void)
 {
     static const invcal_real zero[3] = {0, 0, 0};
     static const invcal_real counts[3] = {1, 1, 1};
-    static invcal_magnetometer m;
     invcal_calibration c;
     invcal_quality quality;
     invcal_calibration nominal;
 
     invcal_nominal(zero, counts, &nominal);
-    invcal_magnetometer_init(&m, &nominal);
+    invcal_magnetometer_init(&the.magnetometer, &nominal);
     for (int i = 0; i < 2000; i++) {
         const double angle = i * 0.01;
         const invcal_real raw[3] = {(invcal_real)(5 + cos(angle)), (invcal_real)sin(angle), 3};
-        invcal_magnetometer_feed(&m, raw);
+        invcal_magnetometer_feed(&the.magnetometer, raw);
     }
-    TEST_ASSERT_TRUE(invcal_magnetometer_solve(&m, &c, &quality, NULL) != INVCAL_OK);
+    TEST_ASSERT_TRUE(invcal_magnetometer_solve(&the.magnetometer, &c, &quality, NULL) != INVCAL_OK);
 }
 
 static void disturbances_have_words(void)

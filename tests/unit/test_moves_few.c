@@ -15,6 +15,8 @@
 #define invcal_replay_move few_replay_move
 #define invcal_imu_begin few_begin
 #define invcal_imu_sum few_sum
+#define invcal_imu_settings_check few_settings_check
+#define invcal_moves_restart few_restart
 #include "gyro_world.h"
 #include "imu.c"
 #include "moves.c"

@@ -676,19 +676,19 @@ int main(void)
     RUN_TEST(ranks_are_those_of_the_number_of_axes);
     RUN_TEST(the_tour_determines_all_18);
     RUN_TEST(the_lengths_of_six_faces_alone_have_rank_6);
-    RUN_TEST(one_axis_leaves_open_what_the_script_names);
-    RUN_TEST(guidance_goes_where_most_is_told);
-    RUN_TEST(twelve_turns_of_it_tell_more_than_the_tour);
-    RUN_TEST(of_any_rest_there_is_a_next_turn);
+    RUN_SLOW_TEST(one_axis_leaves_open_what_the_script_names);
+    RUN_SLOW_TEST(guidance_goes_where_most_is_told);
+    RUN_SLOW_TEST(twelve_turns_of_it_tell_more_than_the_tour);
+    RUN_SLOW_TEST(of_any_rest_there_is_a_next_turn);
     RUN_TEST(the_tour_takes_each_edge_once_about_horizontal_axes);
     RUN_TEST(the_shortest_turn_is_that_of_closed_form);
     RUN_TEST(bad_arguments_are_refused);
     RUN_TEST(the_noise_of_a_turn_is_that_of_the_design);
     RUN_TEST(a_prior_is_information);
     RUN_TEST(what_only_a_wide_prior_tells_is_open);
-    RUN_TEST(a_prospect_is_what_the_turn_then_brings);
+    RUN_SLOW_TEST(a_prospect_is_what_the_turn_then_brings);
     RUN_TEST(what_is_known_too_little_is_named);
-    RUN_TEST(after_the_turns_it_knows_what_it_had_planned);
-    RUN_TEST(errors_are_what_the_plan_says);
+    RUN_SLOW_TEST(after_the_turns_it_knows_what_it_had_planned);
+    RUN_SLOW_TEST(errors_are_what_the_plan_says);
     return UNITY_END();
 }
