@@ -546,7 +546,7 @@ invcal_status invcal_rests_rails(invcal_rests *rests, int32_t low, int32_t high)
  * refused. If the current rest is READY but shorter, it is no longer READY; READY is returned again
  * later.
  *
- * milliseconds  limited to 0.6 s, the min for a position, ... an hour. */
+ * milliseconds  clamped to 600 (the min for a position) ... 3,600,000. */
 void invcal_rests_hold(invcal_rests *rests, uint32_t milliseconds);
 
 /* Feeds one sample, of any value.
