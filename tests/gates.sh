@@ -119,7 +119,7 @@ plant picture port/host/sphere.svg 's/38 positions/39 positions/' 'that the tool
 plant figure port/manual/sweep.svg 's/0\.5/0.6/' 'that its commands draw: FAIL' make derived
 plant word include/invcal/store.h '/^\/\* Loads them\.$/,/\*\/$/d' \
     'against the headers and pages: FAIL' make manual
-plant cut include/invcal/allan.h 's/tau of that, s/tau of that,/' 'a member ends there: FAIL' make manual
+plant cut include/invcal/allan.h 's/its tau, s/its tau,/' 'a member ends there: FAIL' make manual
 plant link port/manual/errors.md 's/(porting\.md)/(porter.md)/' \
     'link of the pages leads somewhere: FAIL' make manual
 plant misra src/calibrate.c 's/^    const invcal_real n = /    const unsigned long octal = 017; (void)octal;\n&/' \
