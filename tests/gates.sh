@@ -9,7 +9,7 @@
 cd "$(dirname "$0")/.." || exit 1
 . tests/target.sh
 need gcc clang-19 clang-format-19 clang-tidy-19 llvm-cov-19 cppcheck pmccabe frama-c python3 \
-    shellcheck man mandoc chromium arm-none-eabi-gcc qemu-system-arm || exit 1
+    shellcheck codespell man mandoc chromium arm-none-eabi-gcc qemu-system-arm || exit 1
 mkdir -p "$1/gates"
 build=$(cd "$1" && pwd)
 shift
@@ -56,7 +56,7 @@ plant() { # NAME FILE SED SAYS GATE...
     else
         result 0 "$name"
     fi
-    cp "$build/gates/kept" "$file" # a new time: what was made of it is made anew
+    cp "$build/gates/kept" "$file" # a new time: what was made of it is made again
 }
 
 unit() { make test ONLY="$1"; }
@@ -66,8 +66,8 @@ m4f() { make "$1" TARGETS=port/cortex-m/m4f; }
 
 rm -rf "$copy" "$build/gates/green"
 mkdir -p "$copy" "$build/gates/green"
-cp -R Makefile README.md LICENSE CHANGELOG.md include src port tests .ci .clang-format .clang-tidy \
-    "$copy" || exit 1
+cp -R Makefile README.md LICENSE CHANGELOG.md include src port tests .ci .github .clang-format \
+    .clang-tidy "$copy" || exit 1
 cd "$copy" || exit 1
 
 # ---- tests ------------------------------------------------------------------------------------
@@ -114,6 +114,8 @@ plant layout src/circle.c 's/^    /   /' 'laid out by .clang-format: FAIL' make 
 plant reference tests/reference/expected.h 's/0\.4082/0.4083/' \
     'expected.h is what the reference script prints: FAIL' make derived
 plant script tests/readme.sh 's/^root=/unused=1\n&/' 'shell scripts: FAIL' make derived
+plant spelling src/circle.c 's|^enum { TERMS|/* Sep''erate. */\n&|' 'Sep''erate ==> Separate' make derived
+plant wording README.md 's/^## Try it/&, who''ever you are/' 'README.md:[0-9]+:who''ever: better: ' make derived
 plant manual port/host/man.sh 's/\.TP\\n/.TPP\\n/' 'against the manual: FAIL' make derived
 plant picture port/host/sphere.svg 's/38 positions/39 positions/' 'that the tool draws: FAIL' make derived
 plant figure port/manual/sweep.svg 's/0\.5/0.6/' 'that its commands draw: FAIL' make derived

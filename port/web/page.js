@@ -255,7 +255,7 @@ async function stop() {
     showKnown();
 }
 
-// Begins anew with a source; `own` are the options that it knows better than the settings.
+// Begins again with a source; `own` are the options that it knows better than the settings.
 async function start(button, begin, own = {}) {
     await stop();
     notice("");

@@ -37,7 +37,7 @@ export async function serial(sink, { baudRate, onReply = () => {} }) {
                     lines.push(decoder.decode(value, { stream: true }));
                 }
             } catch (error) {
-                // A framing or an overrun error: the stream is there anew, and samples are lost.
+                // A framing or an overrun error: the stream is there again, and samples are lost.
                 sink.gap();
                 lines.tear();
             } finally {

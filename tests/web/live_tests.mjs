@@ -71,7 +71,7 @@ test("stopped and started again, each time from nothing", async (open) => {
     await simulate(page);
     await page.until(TAKEN(1), "one position");
     await simulate(page);
-    await page.until("invcal.session().positions.length === 0", "begun anew");
+    await page.until("invcal.session().positions.length === 0", "begun again");
     await page.until(TAKEN(1), "one position");
 });
 

@@ -79,7 +79,7 @@ int columns_is_cut(const table *t, const columns *where);
 int columns_number(const table *t, const columns *where, column which, double *out);
 
 /* An angle of the stand, COLUMN_ALPHA or COLUMN_BETA, in degrees. NaN if there is no such column, or the
- * current row holds no number there: only who wants angles has to complain. */
+ * current row holds no number there: only a caller that needs angles has to complain. */
 double columns_angle(const table *t, const columns *where, column which);
 
 /* Checks that the current row is of the same sensor as those before.

@@ -317,7 +317,7 @@ static int begin(stage *s)
     return wish->noise ? hold_by_noise(wish) : EXIT_GOOD;
 }
 
-/* What the stream was taken for: whoever sees a wrong column can stop at once. */
+/* What the stream was taken for: if a column is wrong, the user can stop at once. */
 static void recognise(const stage *s)
 {
     recognition seen = s->p->seen;
@@ -398,7 +398,7 @@ static void stop(int signal_number)
     }
 }
 
-/* A serial port has no end: whoever presses Ctrl-C wants the result. */
+/* A serial port has no end: Ctrl-C asks for the result. */
 static void catch_interrupts(const char *path)
 {
     struct sigaction action = {.sa_handler = stop};
