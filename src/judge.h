@@ -120,7 +120,7 @@ static inline uint16_t invcal_whole(invcal_real dof)
         return 0;
     }
     //@ assert \is_finite(dof); // no NaN is at least 1
-    return (uint16_t)(dof < most ? dof : most); /* uncovered: that many positions beside a prior */
+    return (uint16_t)(dof < most ? dof : most); /* uncovered: that many positions with a prior */
 }
 
 /* tr A tr A^-1 from L^-1: at least the condition. Is it determined by more than rounding? */

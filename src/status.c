@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "status.h"
 
-/* Texts stand one after the other, each with its end mark: no table of pointers, which would
+/* Texts in a row, each with its end mark: no table of pointers, which would
  * need relocation and so writable memory. */
 static const char *nth(const char *texts, unsigned n)
 {
