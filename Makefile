@@ -285,7 +285,7 @@ fleet: $(BUILD)/invcal ## the manual's fleet, with GNU parallel and with Apache 
 	$(call need,java)
 	$(Q)sh tests/fleet/fleet.sh $(BUILD)
 
-derived: $(BUILD)/invcal $(BUILD)/invcal.1 ## layout, expected.h, man page, pictures, scripts: as they should be
+derived: $(BUILD)/invcal $(BUILD)/invcal.1 ## layout, expected.h, man page, pictures, scripts, English: as they should be
 	$(call need,clang-format-19)
 	$(call need,shellcheck)
 	$(call need,python3)
