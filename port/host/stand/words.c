@@ -58,8 +58,7 @@ const char *stand_missing_text(const stand_wish *wish, unsigned group, char text
 
     snprintf(text, STAND_TEXT_MAX,
              "group %u (%s %.6g, %s all round) was not visited, and no other determines it: visit "
-             "it, five "
-             "positions or more in equal steps",
+             "it, five positions or more in equal steps",
              group, names[constant], wish->zero[constant] + wish->sense[constant] * angle + 0.0,
              names[!constant]);
     return text;
