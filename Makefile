@@ -5,7 +5,7 @@
 CC     ?= cc
 AR     ?= ar
 STD    ?= c99
-CFLAGS ?= -O2 -g
+CFLAGS ?= -O2
 BUILD  ?= build
 # Where `make install` puts all; DESTDIR stands before it.
 PREFIX ?= /usr/local
@@ -31,6 +31,9 @@ DATA    := $(wildcard tests/data/*_positions.csv)
 ASSERT_FLAGS := $(if $(ASSERT),-DINVCAL_CONFIG_HEADER='"assert_config.h"' -Itests/unit)
 # The degree of thermal.h, if it is not to be the default, for the library and its tests.
 DEGREE_FLAGS := $(if $(DEGREE),-DINVCAL_THERMAL_DEGREE=$(DEGREE))
+# The unit tests are compiled quickly, draw a tenth of their samples, and leave out what takes long; LONG=1, which make check states in
+# build folders of its own: all of it.
+SHORT_FLAGS := $(if $(LONG),,-O1 -DTEST_SHORT=10)
 # Commands are shown with make V=1.
 Q := $(if $(V),,@)
 
@@ -115,7 +118,7 @@ $(BUILD)/$(1)/unity.o: $(UNITY)/unity.c $(UNITY)/unity.h
 	$(Q)$$(CC) $$(FLAGS) -DUNITY_INCLUDE_DOUBLE -DUNITY_STRICT -I$(UNITY) -c $$< -o $$@
 
 $(BUILD)/$(1)/tests/unit/%.o: EXTRA += -DUNITY_INCLUDE_DOUBLE -DUNITY_STRICT -I$(UNITY) \
-    -Isrc -Itests/unit -Itests/reference -I$(BUILD)
+    -Isrc -Itests/unit -Itests/reference -I$(BUILD) $(SHORT_FLAGS)
 $(SUITES:%=$(BUILD)/$(1)/tests/unit/%.o): | $(BUILD)/positions.h
 
 $(BUILD)/$(1)/test_%: $(BUILD)/$(1)/tests/unit/test_%.o $(BUILD)/$(1)/tests/unit/support.o \
@@ -141,7 +144,7 @@ $(BUILD)/positions.h: tests/data/to_c.awk $(DATA)
 # The host tool: the library in double, for more positions and averaging times than a
 # device has, and for parabolas of temperature; what CFLAGS choose for the library is not for it.
 TOOL_FLAGS = -DINVCAL_DOUBLE=1 -DINVCAL_MAX_POSITIONS=64 -DINVCAL_ALLAN_TAUS=31 \
-    -DINVCAL_ALLAN_OVERLAP=4096 -DINVCAL_THERMAL_DEGREE=2 -Iport/host
+    -DINVCAL_ALLAN_OVERLAP=4096 -DINVCAL_THERMAL_DEGREE=2 -DINVCAL_MAX_SEGMENTS=1000 -Iport/host
 $(BUILD)/tool/%.o: %.c
 	@mkdir -p $(@D)
 	$(Q)$(CC) $(filter-out -DINVCAL_%,$(FLAGS)) $(TOOL_FLAGS) $(ASSERT_FLAGS) $(EXTRA) \
@@ -180,7 +183,7 @@ WASM = clang-19 --target=wasm32-wasi -Oz -std=$(STD) -ffp-contract=off -fno-math
 # wasi-libc has no command that would be missed.
 need_wasm = @for file in /usr/include/wasm32-wasi/stdio.h $$(clang-19 -print-resource-dir)/lib/wasi/libclang_rt.builtins-wasm32.a; do \
     [ -e "$$file" ] || { echo "$${file\#\#*/} is not installed: make deps" >&2; exit 1; }; done
-WASM_HOST := $(filter-out port/host/watch/live.c port/host/watch/screen.c,$(HOST))
+WASM_HOST := $(filter-out $(patsubst %,port/host/watch/%.c,live wave interrupt screen),$(HOST))
 
 $(BUILD)/web/live.wasm: port/web/live.c $(SOURCES) $(wildcard include/invcal/*.h src/*.h)
 	$(call need,clang-19)
@@ -220,14 +223,14 @@ need = @command -v $(1) > /dev/null || { echo '$(1) is not installed: make deps'
 
 # With UNITS=1 those of the library only, and no tool is built.
 TOOL_TESTS := $(if $(UNITS),,$(TOOL_SUITES:%=$(BUILD)/tool/%) all)
-test: $(SUITES:%=$(BUILD)/float/%) $(SUITES:%=$(BUILD)/double/%) $(TOOL_TESTS) ## all tests with one compiler
-	$(Q)CC="$(CC)" CFLAGS="$(CFLAGS)" UNITY="$(UNITY)" sh tests/run.sh $(BUILD)
+test: $(SUITES:%=$(BUILD)/float/%) $(SUITES:%=$(BUILD)/double/%) $(TOOL_TESTS) ## the tests with one compiler; those that take long: make check
+	$(Q)CC="$(CC)" CFLAGS="$(CFLAGS)" UNITY="$(UNITY)" LONG="$(LONG)" sh tests/run.sh $(BUILD)
 
 coverage: ## what the tests reach: lines, branches, MC/DC of src/, lines of the tool (PART=src, PART=host)
 	$(call need,llvm-cov-19)
 	$(Q)sh tests/coverage.sh $(BUILD) $(PART)
 
-check: schema ## the tests under gcc and clang, C99 and C11, with sanitizers, warnings as errors
+check: schema ## all tests at full length under gcc and clang, C99 and C11; and with sanitizers
 	$(Q)sh tests/check.sh $(BUILD)/check
 
 mutation: ## do the unit tests notice small changes of src/? (SAMPLE=, SEED=, ONLY=files, V=1)
@@ -274,7 +277,7 @@ pages: $(BUILD)/invcal ## the reports in a browser: phone, desktop, paper; light
 check-web: $(BUILD)/invcal.html $(BUILD)/invcal $(BUILD)/float/digest ## the page in Chromium and Firefox; its numbers, bit by bit (WEB=names)
 	$(call need,chromium)
 	$(call need,firefox-esr)
-	$(Q)sh tests/web.sh $(BUILD) $(WEB)
+	$(Q)sh tests/web.sh $(BUILD) "$(WEB)"
 
 manual: ## the headers and port/manual as HTML in build/manual; nothing without a word, no dead link
 	$(call need,doxygen)

@@ -36,7 +36,7 @@ uint8_t *invcal_put_reals(uint8_t *bytes, const void *reals, unsigned count)
     const unsigned char *from = (const unsigned char *)reals;
     invcal_real x;
 
-    for (; count > 0; count--) { /* at most 43: of a thermal record */
+    for (; count > 0; count--) { /* at most 48: of a record of gyro.h */
         memcpy(&x, from, sizeof x);
         from += sizeof x;
         bytes = invcal_put_u32(bytes, bits_of(x));
@@ -49,7 +49,7 @@ int invcal_get_reals(const uint8_t *bytes, void *reals, unsigned count)
     unsigned char *to = (unsigned char *)reals;
     int are_finite = 1;
 
-    for (; count > 0; count--) { /* at most 43: of a thermal record */
+    for (; count > 0; count--) { /* at most 48: of a record of gyro.h */
         const uint32_t bits = invcal_get_u32(bytes);
         float f;
         memcpy(&f, &bits, sizeof f);

@@ -55,7 +55,8 @@ enum {
     INVCAL_RECORD_KIND = 0x02CA, /* version and kind */
     INVCAL_RECORD_KIND_V1 = 0x01CA,
     INVCAL_THERMAL_KIND = 0x02CB,
-    INVCAL_THERMAL_KIND_V1 = 0x01CB
+    INVCAL_THERMAL_KIND_V1 = 0x01CB,
+    INVCAL_IMU_KIND = 0x01CC
 };
 void invcal_seal(uint8_t *bytes, unsigned kind, unsigned length);
 

@@ -13,11 +13,7 @@
 #define CLEARLY INVCAL_REAL(1.001)    /* if directions differ by less, the first wins */
 #define NO_LENGTH INVCAL_REAL(1e-6)   /* a square, so that 0 has a length too */
 
-enum { DIRECTIONS = 43 }; /* from 0 to the last, 222 to base 4 */
-
-/* Faces, edges and corners of a cube: n to base 4 has a digit for each axis, x first, 0 for +, 1 for
- * neither, 2 for -. The centre is 0. Returns 0 if a digit is 3. */
-static int direction(unsigned n, invcal_real up[3])
+int invcal_direction(unsigned n, invcal_real up[3])
 {
     static const invcal_real length[] = {0, 1, INVCAL_REAL(0.70710678118654752),
                                          INVCAL_REAL(0.57735026918962576)};
@@ -65,8 +61,8 @@ void invcal_next_beside(invcal_sums *sums, const invcal_real current[3], invcal_
     invcal_real best = 0;
 
     (void)invcal_ridged_inverse(sums);
-    for (unsigned n = 0; n < DIRECTIONS; n++) {
-        if (!direction(n, d)) {
+    for (unsigned n = 0; n < INVCAL_DIRECTIONS; n++) {
+        if (!invcal_direction(n, d)) {
             continue;
         }
         const invcal_real along = invcal_dot3(d, current);

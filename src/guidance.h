@@ -1,11 +1,17 @@
 /* SPDX-License-Identifier: MIT
  *
- * Internal: the choice of the next direction, from sums of positions.
+ * Internal: directions, and the choice of the next from sums of positions.
  */
 #ifndef INVCAL_GUIDANCE_H
 #define INVCAL_GUIDANCE_H
 
 #include "invcal/expert.h"
+
+enum { INVCAL_DIRECTIONS = 43 }; /* from 0 to the last, 222 to base 4 */
+
+/* Faces, edges and corners of a cube, as unit vectors: n to base 4 has a digit for each axis, x first, 0
+ * for +, 1 for neither, 2 for -; the centre is 0. Returns 0 if a digit is 3. */
+int invcal_direction(unsigned n, invcal_real up[3]);
 
 /* The sums of positions; skips those that are not readings.
  *

@@ -12,18 +12,20 @@
 #define SQUARE INVCAL_REAL(100.0)
 enum { STEPS = 12 }; /* of Newton's iteration: semi-axes from 0.1 to 10 take ten */
 
-static INVCAL_OFTEN void cross(const invcal_real *a, const invcal_real *b, invcal_real *restrict c)
+#ifndef INVCAL_FAST
+void invcal_cross(const invcal_real *a, const invcal_real *b, invcal_real *restrict out)
 {
-    c[0] = a[1] * b[2] - a[2] * b[1];
-    c[1] = a[2] * b[0] - a[0] * b[2];
-    c[2] = a[0] * b[1] - a[1] * b[0];
+    out[0] = a[1] * b[2] - a[2] * b[1];
+    out[1] = a[2] * b[0] - a[0] * b[2];
+    out[2] = a[0] * b[1] - a[1] * b[0];
 }
+#endif
 
 invcal_real invcal_cofactors(const invcal_real m[3][3], invcal_real c[3][3])
 {
-    cross(m[1], m[2], c[0]);
-    cross(m[2], m[0], c[1]);
-    cross(m[0], m[1], c[2]);
+    invcal_cross(m[1], m[2], c[0]);
+    invcal_cross(m[2], m[0], c[1]);
+    invcal_cross(m[0], m[1], c[2]);
     return invcal_dot3(m[0], c[0]);
 }
 

@@ -1,9 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "status.h"
 
-/* Texts in a row, each with its end mark: no table of pointers, which would
- * need relocation and so writable memory. */
-static const char *nth(const char *texts, unsigned n)
+const char *invcal_text(const char *texts, unsigned n)
 {
     while (n > 0) { /* at most as many steps as there are characters */
         n -= *texts++ == '\0';
@@ -23,7 +21,7 @@ const char *invcal_refusal_text(invcal_status status)
     enum { REFUSALS = INVCAL_REST_SAME - INVCAL_OUT_OF_RANGE + 1 };
     const unsigned n = (unsigned)status - INVCAL_OUT_OF_RANGE;
 
-    return nth(texts, status == INVCAL_OK ? REFUSALS : n < REFUSALS ? n : 0);
+    return invcal_text(texts, status == INVCAL_OK ? REFUSALS : n < REFUSALS ? n : 0);
 }
 
 const char *invcal_status_text(invcal_status status)
@@ -52,15 +50,19 @@ const char *invcal_status_text(invcal_status status)
                                 "stored in a form that is not known here\0"
                                 "not enough space\0"
                                 "the memory cannot be read or written\0"
+                                "samples were lost in the move\0"
+                                "the move took more than 10 s\0"
+                                "the move contradicts the others\0"
+                                "gyroscope and accelerometer differ: axes, signs or unit\0"
                                 "unknown status";
     const unsigned n = (unsigned)status;
 
     if (n >= INVCAL_OUT_OF_RANGE && n <= INVCAL_REST_SAME) {
         return invcal_refusal_text(status);
     }
-    return nth(texts, n < INVCAL_OUT_OF_RANGE   ? n
-                      : n < INVCAL_STATUS_COUNT ? n - REFUSALS
-                                                : INVCAL_STATUS_COUNT - REFUSALS);
+    return invcal_text(texts, n < INVCAL_OUT_OF_RANGE   ? n
+                              : n < INVCAL_STATUS_COUNT ? n - REFUSALS
+                                                        : INVCAL_STATUS_COUNT - REFUSALS);
 }
 
 const char *invcal_parameter_name(unsigned parameter)
@@ -70,7 +72,7 @@ const char *invcal_parameter_name(unsigned parameter)
                                 "gamma_xy\0gamma_xz\0gamma_zy\0"
                                 "?";
 
-    return nth(names, parameter < INVCAL_PARAMETERS ? parameter : INVCAL_PARAMETERS);
+    return invcal_text(names, parameter < INVCAL_PARAMETERS ? parameter : INVCAL_PARAMETERS);
 }
 
 const char *invcal_verdict_text(invcal_verdict verdict)
@@ -79,5 +81,5 @@ const char *invcal_verdict_text(invcal_verdict verdict)
                                 "unknown verdict";
     const unsigned n = (unsigned)verdict;
 
-    return nth(names, n <= INVCAL_WEAK ? n : INVCAL_WEAK + 1u);
+    return invcal_text(names, n <= INVCAL_WEAK ? n : INVCAL_WEAK + 1u);
 }

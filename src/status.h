@@ -1,11 +1,15 @@
 /* SPDX-License-Identifier: MIT
  *
- * Internal: the sentences for refusals of a session, linked without the others.
+ * Internal: texts. The sentences for refusals of a session are linked without the others.
  */
 #ifndef INVCAL_STATUS_H
 #define INVCAL_STATUS_H
 
 #include "invcal/invcal.h"
+
+/* The nth of texts in a row, each with its end mark: no table of pointers, which would need
+ * relocation and so writable memory. */
+const char *invcal_text(const char *texts, unsigned n);
 
 /* Of INVCAL_OUT_OF_RANGE ... INVCAL_REST_SAME; "" for INVCAL_OK; any other gives that of a reading far from
  * the field. */

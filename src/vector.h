@@ -77,6 +77,20 @@ static INVCAL_INLINE invcal_real invcal_dot(const invcal_real *a, const invcal_r
 #else
 invcal_real invcal_dot(const invcal_real *a, const invcal_real *b, unsigned n);
 #endif
+
+/* a x b, which are not out. The same. */
+#ifdef INVCAL_FAST
+static INVCAL_INLINE void invcal_cross(const invcal_real *a, const invcal_real *b,
+                                       invcal_real *restrict out)
+{
+    out[0] = a[1] * b[2] - a[2] * b[1];
+    out[1] = a[2] * b[0] - a[0] * b[2];
+    out[2] = a[0] * b[1] - a[1] * b[0];
+}
+#else
+void invcal_cross(const invcal_real *a, const invcal_real *b, invcal_real *restrict out);
+#endif
+
 static inline invcal_real invcal_dot3(const invcal_real a[3], const invcal_real b[3])
 {
     return invcal_dot(a, b, 3);
@@ -108,8 +122,16 @@ static inline void invcal_correct(const invcal_calibration *c, const invcal_real
         out[i] = c->matrix[i][0] * x + c->matrix[i][1] * y + c->matrix[i][2] * z;
     }
 }
+static inline void invcal_correct_counts(const invcal_calibration *c, const int32_t raw[3],
+                                         invcal_real out[3])
+{
+    const invcal_real counts[3] = {(invcal_real)raw[0], (invcal_real)raw[1], (invcal_real)raw[2]};
+
+    invcal_correct(c, counts, out);
+}
 #else
 #define invcal_correct invcal_apply
+#define invcal_correct_counts invcal_apply_counts
 #endif
 
 #endif

@@ -24,7 +24,7 @@ build() {
     degree=$2
     shift 2
     # shellcheck disable=SC2046 # names without blanks
-    make -s -j2 BUILD="$folder" DEGREE="$degree" CC="${CLANG:-clang-19}" \
+    make -s -j2 LONG=1 BUILD="$folder" DEGREE="$degree" CC="${CLANG:-clang-19}" \
         CFLAGS="$flags '-DINVCAL_ASSERT(condition)=((void)0)'" $(printf "$folder/%s " "$@") \
         >> "$out/build.log" 2>&1 || { cat "$out/build.log"; return 1; }
 }

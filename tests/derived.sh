@@ -35,6 +35,10 @@ releases() {
         python3 tests/reference/releases/values.py > "$build/values.h" &&
         diff tests/reference/releases/values.h "$build/values.h"
 }
+magnetometer() { # the log is a recording that is not kept here
+    python3 tests/reference/magnetometer.py "$recording" > "$build/magnetometer.h" &&
+        diff tests/reference/magnetometer.h "$build/magnetometer.h"
+}
 scripts() {
     sh tests/sources.sh sh | xargs shellcheck -S warning
 }
@@ -46,6 +50,10 @@ manual() {
 mkdir -p "$build"
 gate "the sources are laid out by .clang-format" layout
 gate "expected.h is what the reference script prints" expected
+recording=${RECORDINGS:-../shared/data}/ck_acc_mag.csv
+if [ -f "$recording" ]; then
+    gate "magnetometer.h is what its script prints" magnetometer
+fi
 gate "what releases wrote means what values.py reads" releases
 gate "shellcheck has nothing against the shell scripts" scripts
 gate "text and comments have no word misspelt, and none of tests/words.txt" sh tests/words.sh

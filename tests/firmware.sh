@@ -2,7 +2,8 @@
 # SPDX-License-Identifier: MIT
 #
 # The example firmware (port/cortex-m/firmware), from power-on to the stored calibration, on an
-# emulated Cortex-M4F, and once more on a Cortex-M0+. $1: folder to build in.
+# emulated Cortex-M4F, and once more on a Cortex-M0+; then that of both sensors
+# (port/cortex-m/firmware_imu). $1: folder to build in.
 # Lines that begin with "world:" are the simulated world's: it knows the truth, the firmware does
 # not, and what the firmware printed is compared with it here.
 . "$(dirname "$0")/target.sh"
@@ -23,14 +24,14 @@ check() { # name command...: the command's last line says what is wrong, if it f
     fi
 }
 
-build() { # target
-    target_make "$targets" "port/cortex-m/$1" firmware
+build() { # target firmware
+    target_make "$targets" "port/cortex-m/$1" "$2"
 }
 
-run() { # target machine log
+run() { # target machine log firmware
     timeout 60 qemu-system-arm -M "$2" -nographic -monitor none -serial stdio \
         -semihosting-config enable=on,target=native \
-        -kernel "$targets/cortex-m-$1/firmware.elf" < /dev/null > "$3"
+        -kernel "$targets/cortex-m-$1/$4.elf" < /dev/null > "$3"
     status=$?
     echo "exit status $status"
     return $status
@@ -38,7 +39,7 @@ run() { # target machine log
 
 # Looks at the log line by line; in END, or before, the program says what is wrong, if anything.
 log() {
-    why=$(awk "$1" "$out/m4f.log")
+    why=$(awk "$1" "$out/$shown.log")
     echo "$why"
     [ -z "$why" ]
 }
@@ -101,7 +102,7 @@ too_short() {
 }
 
 said() { # pattern times
-    found=$(grep -c "$1" "$out/m4f.log")
+    found=$(grep -c "$1" "$out/$shown.log")
     echo "said $found times: $1"
     [ "$found" -eq "$2" ]
 }
@@ -138,15 +139,15 @@ applied() {
 
 # The libc of the firmware: no heap, no printf, no arithmetic in double.
 is_lean() {
-    names=$(arm-none-eabi-nm "$targets/cortex-m-m4f/firmware.elf" |
+    names=$(arm-none-eabi-nm "$targets/cortex-m-m4f/$1.elf" |
         awk '$3 ~ /^(_sbrk|_*malloc.*|.*printf.*|__aeabi_(d|f2d|i2d|ui2d|l2d|ul2d).*)$/ { print $3 }')
     echo "has" $names
     [ -z "$names" ]
 }
 
 # The run quoted in the folder's README.md was this one: its lines are there, in that order.
-quoted() {
-    awk '/^```text$/ { on = 1; next } /^```$/ { on = 0 } on' port/cortex-m/firmware/README.md |
+quoted() { # firmware
+    awk '/^```text$/ { on = 1; next } /^```$/ { on = 0 } on' "port/cortex-m/$1/README.md" |
         awk '
             NR == FNR { if ($0 != "...") quote[++n] = $0; next }
             $0 == quote[i + 1] { i++ }
@@ -154,15 +155,49 @@ quoted() {
                 if (n < 30) print "README.md quotes " n + 0 " lines"
                 else if (i < n) print "not printed there: " quote[i + 1]
                 exit i < n || n < 30
-            }' - "$out/m4f.log"
+            }' - "$out/$shown.log"
+}
+
+# Of both sensors: as many positions after each reset as were stored last.
+both_resumed() {
+    log '
+        /^world: reset in a move/ { resets++ }
+        /^world: power fails/ { cuts++ }
+        /^session stored, positions: / { stored = $NF }
+        /^stored session found, positions: / {
+            found++
+            if ($NF != stored) print "found " $NF " positions of " stored
+        }
+        /^new session/ { begun++ }
+        END {
+            if (resets != 2 || cuts != 1) print resets + 0 " resets and " cuts + 0 " cuts of power"
+            if (found != 3) print "a session was found " found + 0 " times"
+            if (begun != 1) print begun + 0 " sessions were begun"
+        }'
+}
+
+# The first move that is taken after a reset is refused as a gap, the one of the hurry as clipped; no other.
+refused_moves() {
+    log '
+        /^power on/ { gap = starts++ > 0 }
+        /^world: somebody hurries/ { hurry = 3 } # after the rest that is left
+        /^position taken/ { taken = $NF; hurry -= hurry > 0; expected = gap ? "lost" : hurry == 1 ? "range" : "" }
+        /^move refused: / { if (!expected || !index($0, expected)) print taken ": " $0; refused++; expected = "" }
+        /^session stored/ { if (expected) print taken ": not refused: " expected; gap = 0 }
+        /^verdict/ { judged = taken }
+        /^moves: / { if ($NF != judged - 1 - refused) print $NF " moves of " judged " rests, " refused " refused" }
+        END { if (refused != 3) print refused + 0 " moves were refused" }'
 }
 
 mkdir -p "$out" || exit 1
 : > "$out/m4f.log"
 : > "$out/m0plus.log"
-check "builds for the Cortex-M4F" build m4f
-check "needs no heap, no printf, no double" is_lean
-check "ends by itself, content with what is stored" run m4f mps2-an386 "$out/m4f.log"
+: > "$out/imu.log"
+: > "$out/imu-m0plus.log"
+shown=m4f
+check "builds for the Cortex-M4F" build m4f firmware
+check "needs no heap, no printf, no double" is_lean firmware
+check "ends by itself, content with what is stored" run m4f mps2-an386 "$out/m4f.log" firmware
 check "asks for orientations" asked
 check "was reset twice and went on with as many positions" resumed
 check "counts its positions" counted
@@ -177,10 +212,24 @@ check "scale errors are true within 4 sigma" true_to 'scale errors' dk_x dk_y dk
 check "cross terms are true within 4 sigma" true_to 'cross terms' gamma_xy gamma_xz gamma_zy
 check "the world agrees" said '^world: the stored calibration is good$' 1
 check "after power-on the record is found and applied" applied
-check "README.md quotes it" quoted
-check "builds for the Cortex-M0+" build m0plus
-check "ends by itself there" run m0plus mps2-an385 "$out/m0plus.log"
+check "README.md quotes it" quoted firmware
+check "builds for the Cortex-M0+" build m0plus firmware
+check "ends by itself there" run m0plus mps2-an385 "$out/m0plus.log" firmware
 check "prints the same there" diff "$out/m4f.log" "$out/m0plus.log"
+
+shown=imu
+check "both sensors: builds for the Cortex-M4F" build m4f firmware_imu
+check "both sensors: needs no heap, no printf, no double" is_lean firmware_imu
+check "both sensors: ends by itself, content with what is stored" run m4f mps2-an386 "$out/imu.log" firmware_imu
+check "both sensors: was reset in two moves, and once while it stored, and went on" both_resumed
+check "both sensors: those moves are refused, and one that was too quick" refused_moves
+check "both sensors: its verdict is good" said '^verdict: good$' 1
+check "both sensors: the world agrees" said '^world: the stored calibration is good$' 1
+check "both sensors: after power-on the record is found and applied" applied
+check "both sensors: README.md quotes it" quoted firmware_imu
+check "both sensors: builds for the Cortex-M0+" build m0plus firmware_imu
+check "both sensors: ends by itself there" run m0plus mps2-an385 "$out/imu-m0plus.log" firmware_imu
+check "both sensors: prints the same there" diff "$out/imu.log" "$out/imu-m0plus.log"
 
 echo "$passed passed, $failed failed"
 [ "$failed" -eq 0 ]

@@ -64,14 +64,14 @@ jobs() {
     if [ -n "$1" ]; then
         for file in port/host/*.c port/host/*/*.c; do
             echo "tidy tool $file -DINVCAL_DOUBLE=1 -DINVCAL_MAX_POSITIONS=64" \
-                "-DINVCAL_ALLAN_TAUS=31 -DINVCAL_ALLAN_OVERLAP=4096 -DINVCAL_THERMAL_DEGREE=2 -Iport/host"
+                "-DINVCAL_ALLAN_TAUS=31 -DINVCAL_ALLAN_OVERLAP=4096 -DINVCAL_THERMAL_DEGREE=2 -DINVCAL_MAX_SEGMENTS=1000 -Iport/host"
         done
     else
         echo 'misra float -DINVCAL_DOUBLE=0'
         echo 'misra double -DINVCAL_DOUBLE=1 -DINVCAL_THERMAL_DEGREE=2 -DINVCAL_MAX_POSITIONS=64'
         printf 'tidy library %s\n' src/*.c
         # shellcheck disable=SC2086 # flags are words
-        for file in port/bare.c port/semihosting.c port/cortex-m/*.c $firmware/*.c; do
+        for file in port/bare.c port/semihosting.c port/cortex-m/*.c $firmware/*.c "$firmware"_imu/*.c; do
             echo "tidy firmware $file" $arm
         done
         echo 'strict gcc -Warith-conversion'

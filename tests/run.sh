@@ -5,7 +5,7 @@
 # time. Prints a line for each suite, below it what failed and where its log is, and at the end
 # `N passed, N failed`.
 # CC, CFLAGS and UNITY are handed on to scripts that compile something. ONLY='rests|tool': suites with
-# such names only. BRIEF=1: without the pages that are followed word by word.
+# such names only. LONG=1: with those that take long. BRIEF=1: without the pages that are followed word by word.
 build=$1
 tests=$(dirname "$0")
 logs=$build/run
@@ -14,8 +14,8 @@ mkdir -p "$logs" || exit 2
 
 # NAME COMMAND...; the longest first.
 suites() {
-    for name in allan plan tool thermal stand case log watch screen units sensor input reading citizen record compare width report plan_report export \
-        fault faults verdict pass refusal six_faces release; do
+    for name in ${LONG:+faults allan plan plan_moves width plan_report report screen verdict} tool thermal stand case magnetometer log watch units \
+        sensor input reading citizen record compare export gyro fault pass refusal six_faces release; do
         echo "$name sh $tests/tool/${name}_test.sh $build/invcal $build/tool"
     done
     for part in double float tool; do
@@ -24,13 +24,16 @@ suites() {
         done
     done
     echo "run sh $tests/run_test.sh $build/run_test"
-    echo "unity sh $tests/unity/selftest.sh $build/unity"
+    [ "$LONG" ] && echo "unity sh $tests/unity/selftest.sh $build/unity"
     echo "library sh $tests/library.sh $build"
     echo "readme sh $tests/readme.sh $build"
     echo "errors sh $tests/errors.sh $build"
     [ "$BRIEF" ] && return
     echo "tutorial sh $tests/tutorial.sh $build tutorial"
-    echo "porting sh $tests/tutorial.sh $build porting"
+    echo "waved sh $tests/tutorial.sh $build magnetometer"
+    for page in porting drone wearable inclinometer arduino production; do
+        echo "$page sh $tests/tutorial.sh $build $page"
+    done
 }
 
 # (Not by `&`, which would take SIGINT away from what is run.)

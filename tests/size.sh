@@ -62,6 +62,7 @@ measure() {
     flash core
     flash judged
     flash product
+    flash imu
     linked product
     linked whole | grep '^own'
     "${prefix}nm" -S -t d "$out/tests/size/structures.o" |

@@ -75,6 +75,7 @@ compiles() { # NAME
     unset MAKEFLAGS MAKELEVEL COLUMNS
     # shellcheck disable=SC2034 # the page uses it
     INVCAL=$root
+    PATH=$build:$PATH # and the tool
     cd "$out/work" && set -e
     # shellcheck source=/dev/null
     . "$out/script"

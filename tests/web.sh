@@ -1,11 +1,9 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
 #
-# sh tests/web.sh BUILD [PATTERN]: the page in Chromium and Firefox, and the bits of its numbers. At the end
-# `N passed, N failed`.
-build=$1
-pattern=$2
-cd "$(dirname "$0")/.." || exit 1
+# sh tests/web.sh BUILD [PATTERN]: the page in Chromium and Firefox beside each other, and the bits of its numbers.
+# At the end `N passed, N failed`. PATTERN: tests of such names only, or digest. One of them: sh tests/web.sh --part NAME
+# BUILD PATTERN.
 
 # Calibrations as WebAssembly have the native build's bits (tests/digest).
 digest() {
@@ -15,18 +13,40 @@ digest() {
         "$build/float/digest" | cmp - "$build/web/digest.txt" && tail -n 1 "$build/web/digest.txt"
 }
 
-{
-    if found=$(digest 2>&1); then
-        echo "WebAssembly: $found, as natively: ok"
-        echo "1 passed, 0 failed"
-    else
-        echo "WebAssembly: not the native bits: FAIL: $found"
-        echo "0 passed, 1 failed"
-    fi
-    for browser in chromium firefox; do
-        timeout 600 node tests/web/main.mjs "$build" $browser "$pattern" < /dev/null ||
-            echo "$browser: not all of them: FAIL"
-    done
-} | awk '/^[0-9]+ passed, [0-9]+ failed$/ { passed += $1; failed += $3; next }
+part() {
+    case $1 in
+    digest)
+        if found=$(digest 2>&1); then
+            echo "WebAssembly: $found, as natively: ok"
+            echo "1 passed, 0 failed"
+        else
+            echo "WebAssembly: not the native bits: FAIL: $found"
+            echo "0 passed, 1 failed"
+        fi
+        ;;
+    *)
+        timeout 600 node tests/web/main.mjs "$build" "$1" "$pattern" < /dev/null ||
+            echo "$1: not all of them: FAIL"
+        ;;
+    esac
+}
+
+cd "$(dirname "$0")/.." || exit 1
+if [ "$1" = --part ]; then
+    build=$3 pattern=$4
+    part "$2" > "$build/web/$2.log" 2>&1
+    exit
+fi
+build=$1 pattern=$2
+parts() {
+    printf '%s\n' firefox chromium
+    case $pattern in '' | digest) echo digest ;; esac
+}
+rm -f "$build"/web/*.log
+# (Not by `&`, which takes SIGINT away.)
+parts | xargs -P 3 -I '{}' sh tests/web.sh --part '{}' "$build" "$pattern"
+parts | while read -r name; do
+    cat "$build/web/$name.log" || echo "$name: not all of them: FAIL"
+done | awk '/^[0-9]+ passed, [0-9]+ failed$/ { passed += $1; failed += $3; next }
     { print } /: not all of them: FAIL$/ && !failed { failed++ }
     END { print passed + 0 " passed, " failed + 0 " failed"; exit failed > 0 || passed == 0 }'

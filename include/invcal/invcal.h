@@ -181,7 +181,13 @@ typedef enum {
     INVCAL_OTHER_VERSION, /* of an unknown version of the library, or an unknown kind */
     INVCAL_NO_SPACE,      /* larger than the buffer, the slot, or the table of a session */
     INVCAL_IO,            /* the memory's driver reports a failure */
-    INVCAL_STATUS_COUNT   /* their number; not a status */
+
+    /* moves between rests: gyro.h */
+    INVCAL_MOVE_GAP,    /* samples were lost in it */
+    INVCAL_MOVE_LONG,   /* it took more than 10 s */
+    INVCAL_MOVE_APART,  /* it contradicts the others */
+    INVCAL_MOUNTING,    /* the gyroscope turns otherwise than the accelerometer */
+    INVCAL_STATUS_COUNT /* their number; not a status */
 } invcal_status;
 
 /* A sentence for a status, without a full stop, in read-only memory. Any value outside the

@@ -4,7 +4,7 @@
 # Commands, options and their words are those that the tool's help names at this moment.
 # shellcheck disable=SC2207 # old bash and zsh have no mapfile; IFS cuts at the ends of lines only
 
-# What may follow the option $2 by the help $1, one on each line: of `a|b|c` each; of a SET, or
+# What may follow the option $2 by the help $1, one on each line: of `a|b|C` a and b; of a SET, or
 # `per-group:N`, words of the table in the help up to their colon; FILE for the name of a file.
 # Fails if the option takes no value, or is none.
 _invcal_values() {
@@ -17,7 +17,7 @@ _invcal_values() {
             if (value ~ /^[a-z].*[|:]/) n = split(value, word, "|")
             for (i = 1; i <= n; i++) {
                 sub(/:.*/, ":", word[i])
-                if (!told[word[i]]++) print word[i]
+                if (word[i] !~ /^[A-Z]/ && !told[word[i]]++) print word[i]
             }
             exit value == ""
         }' <<< "$1"

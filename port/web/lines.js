@@ -9,12 +9,13 @@
 
 const NUMBER = /^[+-]?(\d+\.?\d*|\.\d+)(e[+-]?\d+)?$/i;
 const LONGEST = 512; // characters; what is longer is no line of numbers
+const AGREED = 3; // lines
 
 // How many columns there are -> where time (-1: there is none), the accelerometer, the gyro (-1) stand.
 const LAYOUT = { 3: [-1, 0, -1], 4: [0, 1, -1], 5: [0, 1, -1], 6: [-1, 0, 3], 7: [0, 1, 4], 9: [-1, 0, 3], 10: [0, 1, 4] };
 
 // A line -> { columns, raw, time, acc, gyro }; "other" if it is not meant to be a sample; null if it is broken.
-export function parseLine(line) {
+function parseLine(line) {
     let text = line.trim();
     if (text === "" || /^(#|%|\/\/|Uni:|Ori:|Cal)/.test(text)) {
         return "other";
@@ -50,8 +51,8 @@ export class Lines {
         this.onText = onText;
         this.skipped = 0;
         this.taken = 0;
-        this.layout = null;
-        this.votes = new Map();
+        this.layout = null; // columns
+        this.waiting = []; // samples of which the columns are not agreed upon
     }
 
     push(text) {
@@ -72,6 +73,7 @@ export class Lines {
             this.line(this.rest);
         }
         this.rest = "";
+        this.skipped += this.waiting.splice(0).length;
     }
 
     // The stream was interrupted: what comes next begins in the middle of a line.
@@ -93,21 +95,29 @@ export class Lines {
         if (sample === "other") {
             return;
         }
-        if (!sample || !this.agrees(sample.columns)) {
+        if (!sample || (this.layout !== null && sample.columns !== this.layout)) {
             this.skipped++;
-            return;
+        } else if (this.layout === null) {
+            this.agree(sample);
+        } else {
+            this.take(sample);
         }
+    }
+
+    take(sample) {
         this.taken++;
         this.onSample(sample);
     }
 
-    agrees(columns) {
-        if (this.layout === null) {
-            const votes = (this.votes.get(columns) ?? 0) + 1;
-            this.votes.set(columns, votes);
-            this.layout = votes >= 3 ? columns : null;
-            return this.layout !== null;
+    // The columns are those that three lines have first; what came before waits for that.
+    agree(sample) {
+        this.waiting.push(sample);
+        if (this.waiting.filter(({ columns }) => columns === sample.columns).length < AGREED) {
+            return;
         }
-        return columns === this.layout;
+        this.layout = sample.columns;
+        for (const early of this.waiting.splice(0)) {
+            early.columns === this.layout ? this.take(early) : this.skipped++;
+        }
     }
 }

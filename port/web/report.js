@@ -2,9 +2,9 @@
 //
 // A log, by the tool itself: table, report, CAL.json, exports. Each has the bytes that the native tool writes.
 import { run, typed, words } from "./tool.js";
+import { $ } from "./dom.js";
 import { save } from "./save.js";
 
-const $ = (id) => document.getElementById(id);
 const LARGEST = 2 ** 31 - 1; // bytes: what a 32-bit file position holds
 
 let files = [];
@@ -40,7 +40,7 @@ async function calibrate() {
     $("made").hidden = true;
     trouble("");
     if (files[0].blob.size > LARGEST) {
-        trouble(`${files[0].name} has more than 2 GB, too much for a page. On a command line:\n${typed(args())}`);
+        trouble(`${files[0].name} is larger than 2 GB, too large for a page. Use the command line:\n${typed(args())}`);
         return;
     }
     $("progress").hidden = false;
@@ -57,10 +57,10 @@ async function calibrate() {
             $("table").textContent = stdout;
             $("page").src = URL.createObjectURL(new Blob([written.get("report.html")], { type: "text/html" }));
         } else if (code === 0 || !stderr) {
-            trouble(`It ended with code ${code} and without a result.`);
+            trouble(`The program ended with exit code ${code} and gave no result.`);
         }
     } catch (error) {
-        trouble(error.message === "cancelled" ? "Cancelled." : `${error.message}. On a command line:\n${typed(args())}`);
+        trouble(error.message === "cancelled" ? "Cancelled." : `${error.message}. Use the command line:\n${typed(args())}`);
     } finally {
         if (running === mine) {
             $("progress").hidden = true;

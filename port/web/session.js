@@ -2,60 +2,13 @@
 //
 // A live calibration: samples in, what is known so far out. It begins by a second of listening, in which rate and
 // unit of the readings show.
-
 import { Log } from "./log.js";
+import { statedUnit, stepOf, toolOptions, unitOf } from "./units.js";
 
 const EVENTS = ["", "moving", "settling", "ready", "taken", "refused"];
 const LISTEN = 1; // seconds
-const G = 9.80665;
 
-// Units that readings may have: how long 1 g is. What is not whole counts is multiplied, so that no digit is lost.
-export const UNITS = {
-    g: { length: 1, factor: 65536, tool: ["--unit", "g"] },
-    mg: { length: 1000, factor: 64, tool: ["--unit", "mg"] },
-    "m/s²": { length: G, factor: 8192, tool: ["--unit", "m/s2"] },
-};
-
-// Counts per g that data sheets have.
-const COUNTS = [16384, 8192, 4096, 2048, 1024, 512, 256, 128, 64];
-
-const near = (a, b) => Math.abs(a / b - 1) < 0.12;
 const length = (v) => Math.hypot(...v);
-const median = (v) => [...v].sort((a, b) => a - b)[v.length >> 1];
-
-// The unit that lengths of readings tell: { name, counts, factor }, counts for 1 g after multiplication by factor.
-export function unitOf(lengths, isWhole) {
-    const middle = median(lengths);
-    for (const [name, unit] of Object.entries(UNITS)) {
-        if (near(middle, unit.length) && !(isWhole && name === "g")) {
-            return { name, counts: unit.length * unit.factor, factor: unit.factor };
-        }
-    }
-    const best = COUNTS.filter((c) => near(middle, c)).sort((a, b) => Math.abs(middle / a - 1) - Math.abs(middle / b - 1))[0];
-    return statedUnit(best ?? Number(middle.toPrecision(2)), isWhole);
-}
-
-// Counts per g as stated, or the name of a unit.
-export function statedUnit(unit, isWhole = true) {
-    if (UNITS[unit]) {
-        return { name: unit, counts: UNITS[unit].length * UNITS[unit].factor, factor: UNITS[unit].factor };
-    }
-    const counts = Number(unit);
-    const factor = isWhole ? 1 : 2 ** Math.max(0, Math.ceil(Math.log2(16384 / counts)));
-    return { name: `${counts} counts/g`, counts: counts * factor, factor };
-}
-
-// The smallest change between readings, 0 if there is none: what a browser rounds to.
-export function stepOf(rows) {
-    let step = Infinity;
-    for (let i = 1; i < rows.length; i++) {
-        for (let k = 0; k < 3; k++) {
-            const change = Math.abs(rows[i].acc[k] - rows[i - 1].acc[k]);
-            step = change > 1e-9 ? Math.min(step, change) : step;
-        }
-    }
-    return Number.isFinite(step) ? step : 0;
-}
 
 // Degrees a second that a reading of a gyro is, if its unit is known.
 const GYRO_UNITS = { "°/s": 1, "rad/s": 180 / Math.PI };
@@ -113,6 +66,7 @@ export class Session {
         this.samples = 0;
         this.up = [0, 0, 1];
         this.positions = [];
+        this.gains = null; // sigma of a length in each direction of the picture; the page asks for it
         this.refused = [];
         this.state = "listening";
         this.gyro = new GyroBias(0);
@@ -150,7 +104,7 @@ export class Session {
         const status = this.live.begin(this.unit.counts, Math.round(rate));
         if (status !== 0) {
             this.state = "failed";
-            throw new Error(`${this.text(this.live.status_text(status))}: ${rate.toFixed(1)} readings a second, 1 g = ${(this.unit.counts / this.unit.factor).toPrecision(3)}`);
+            throw new Error(`${this.text(this.live.status_text(status))}: ${rate.toFixed(1)} readings per second, 1 g = ${(this.unit.counts / this.unit.factor).toPrecision(3)}`);
         }
         if (this.options.rounds) {
             this.step = stepOf(this.first);
@@ -174,10 +128,8 @@ export class Session {
         if (event !== 0) {
             this.happened(EVENTS[event]);
         }
-        if (sample.gyro) {
-            if (this.state === "settling" || this.state === "ready") {
-                this.gyro.add(sample.gyro);
-            }
+        if (sample.gyro && (this.state === "settling" || this.state === "ready")) {
+            this.gyro.add(sample.gyro);
         }
     }
 
@@ -284,8 +236,7 @@ export class Session {
 
     // What the tool has to be told of it.
     toolOptions() {
-        const known = UNITS[this.unit.name];
-        return known ? known.tool : ["--zero", "0,0,0", "--lsb", String(Number((G / this.unit.counts * this.unit.factor).toPrecision(12)))];
+        return toolOptions(this.unit);
     }
 
     get hasGyro() {

@@ -10,6 +10,7 @@
 #include "cli/command.h"
 #include "cli/message.h"
 #include "watch/live.h"
+#include "watch/wave.h"
 
 int fchmod(int file, mode_t mode)
 {
@@ -28,11 +29,29 @@ FILE *tmpfile(void)
     return fopen(".spool", "w+b");
 }
 
-int live_read(positions *p, const char *path, const live_wish *wish, rests_summary *summary)
+static int refuse(void)
+{
+    return message_usage("watch", "there is no terminal in a browser: calibrate live on the page");
+}
+
+int live_read(positions *p, const char *path, const live_wish *wish, turns *gyro,
+              rests_summary *summary)
 {
     (void)path;
     (void)wish;
+    (void)gyro;
     *p = (positions){0};
     memset(summary, 0, sizeof *summary);
-    return message_usage("watch", "there is no terminal in a browser: calibrate live on the page");
+    return refuse();
+}
+
+int wave_read(positions *p, const char *path, const invcal_calibration *nominal,
+              const live_wish *wish, waved *out)
+{
+    (void)path;
+    (void)nominal;
+    (void)wish;
+    *p = (positions){0};
+    memset(out, 0, sizeof *out);
+    return refuse();
 }

@@ -7,6 +7,8 @@
 #include "invcal/allan.h"
 #include "invcal/expert.h"
 #include "invcal/frame.h"
+#include "invcal/magnetometer.h"
+#include "invcal/gyro.h"
 #include "invcal/plan.h"
 #include "invcal/thermal.h"
 
@@ -86,6 +88,18 @@ static void bench_core(void)
     report("apply", end() / REPEATS);
 }
 
+/* A sine, within 1 %: its parabola, corrected (Bhaskara). */
+static invcal_real wave(invcal_real angle)
+{
+    const invcal_real turns = angle / INVCAL_REAL(6.2831853);
+    const invcal_real phase = turns - (invcal_real)(int32_t)turns; /* 0 ... 1 */
+    const invcal_real x = phase < INVCAL_REAL(0.5) ? phase : phase - INVCAL_REAL(0.5);
+    const invcal_real y = 16 * x * (INVCAL_REAL(0.5) - x);
+    const invcal_real half = 4 * y / (5 - y);
+
+    return phase < INVCAL_REAL(0.5) ? half : -half;
+}
+
 /* Three faces, each twice. */
 static void bench_frame(void)
 {
@@ -109,6 +123,81 @@ static void bench_frame(void)
     begin();
     const invcal_status status = invcal_frame_solve(&frame, rotation, &quality);
     report("frame_solve", end());
+    if (status != INVCAL_OK) {
+        board_exit(1);
+    }
+}
+
+/* One that turns about two axes at different rates: samples alone; with the looks at them; and the solution. */
+static void bench_magnetometer(void)
+{
+    static invcal_magnetometer magnetometer;
+    invcal_magnetometer_found found;
+    invcal_calibration calibration;
+    invcal_quality quality;
+    uint32_t total = 0;
+    uint32_t samples = 0;
+    uint32_t most = 0;
+    enum { MOTION = 12000 };
+
+    (void)invcal_magnetometer_init(&magnetometer, &nominal);
+    for (unsigned i = 0; i < MOTION; i++) {
+        const invcal_real t = (invcal_real)(int32_t)i / 100;
+        const invcal_real s[4] = {wave(2 * t), wave(2 * t + INVCAL_REAL(1.5707963)),
+                                  wave(INVCAL_REAL(0.73) * t),
+                                  wave(INVCAL_REAL(0.73) * t + INVCAL_REAL(1.5707963))};
+        const invcal_real field[3] = {8200 * s[0] * s[3], 8000 * s[0] * s[2], 8300 * s[1] + 3000};
+        const uint32_t due = magnetometer.due;
+        begin();
+        (void)invcal_magnetometer_feed(&magnetometer, field);
+        const uint32_t count = end();
+        total += count;
+        if (magnetometer.due == due) {
+            samples += count;
+        } else if (count > most) {
+            most = count;
+        }
+    }
+    report("magnetometer_sample", samples / MOTION);
+    report("magnetometer_with_looks", total / MOTION);
+    report("magnetometer_look", most);
+    begin();
+    const invcal_status status =
+        invcal_magnetometer_solve(&magnetometer, &calibration, &quality, &found);
+    report("magnetometer_solve", end());
+    if (status != INVCAL_OK || found.covered != INVCAL_CELLS) {
+        board_exit(1);
+    }
+}
+
+/* Eighteen orientations, the field at a right angle to up. */
+static void bench_dip(void)
+{
+    invcal_dip dip;
+    invcal_dip_quality quality;
+    invcal_real rotation[3][3];
+    invcal_plan plan = {.per_group = POSITIONS / INVCAL_PLAN_GROUPS};
+    invcal_plan_position p;
+
+    (void)invcal_plan_starts(plan.per_group, plan.start);
+    invcal_dip_init(&dip);
+    for (unsigned i = 0; i < POSITIONS; i++) {
+        (void)invcal_plan_position_at(&plan, i, &p);
+        const invcal_real *const up = p.vertical;
+        const invcal_real one[3] = {up[1] + INVCAL_REAL(0.1), up[2], up[0]};
+        const invcal_real field[3] = {up[1] * one[2] - up[2] * one[1],
+                                      up[2] * one[0] - up[0] * one[2],
+                                      up[0] * one[1] - up[1] * one[0]};
+        begin();
+        (void)invcal_dip_add(&dip, up, field);
+        const uint32_t count = end();
+        if (i + 1 == POSITIONS) {
+            report("dip_add", count);
+        }
+    }
+    begin();
+    const invcal_status status = invcal_dip_solve(&dip, 1, rotation, &quality);
+    report("dip_solve", end());
     if (status != INVCAL_OK) {
         board_exit(1);
     }
@@ -308,6 +397,104 @@ static void bench_thermal(void)
     report("thermal_at", end());
 }
 
+static invcal_moves moves;
+
+/* Quarter turns about x, z and y, five each, of five segments. */
+static void make_moves(void)
+{
+    invcal_real up[3] = {0, 0, 1};
+
+    for (unsigned i = 0; i < INVCAL_MAX_POSITIONS; i++) {
+        const unsigned axis = (3 - i / 5 % 3) % 3;
+        const unsigned next = (axis + 1) % 3;
+        const unsigned last = (axis + 2) % 3;
+        for (unsigned a = 0; a < 3; a++) {
+            session.mean[i][a] = up[a] * INVCAL_REAL(8192.0);
+        }
+        const invcal_real was = up[next];
+        up[next] = up[last];
+        up[last] = -was;
+        moves.rest[i].when = (uint16_t)(20 * i);
+        moves.rest[i].move = i > 0 ? 5 : -INVCAL_TOO_FEW;
+        for (unsigned k = 0; k < 5 && i + 1 < INVCAL_MAX_POSITIONS; k++) {
+            invcal_segment *s = &moves.segment[moves.first++];
+            s->v[axis] = 10294;
+            s->time = 2 * 100;
+        }
+    }
+    moves.used = moves.fixed = moves.first;
+    moves.count = INVCAL_MAX_POSITIONS;
+}
+
+static void bench_gyro(void)
+{
+    enum { BLOCK = 64 };
+    const int32_t at[3] = {20, -10, 5};
+    static invcal_imu imu;
+    invcal_calibration gyro = nominal;
+
+    (void)invcal_moves_init(&moves, &gyro, 400);
+    uint32_t count = 0;
+    for (unsigned i = 0; i < BLOCK; i++) {
+        begin();
+        invcal_moves_feed(&moves, at);
+        count += end();
+    }
+    report("gyro_feed", count / BLOCK);
+    invcal_rests rests = session.rests;
+    rests.pended = 0;
+    count = 0;
+    for (unsigned i = 0; i < BLOCK; i++) {
+        invcal_moves_feed(&moves, at);
+        begin();
+        invcal_moves_follow(&moves, &rests, INVCAL_MOVING);
+        const uint32_t one = end();
+        count = one > count ? one : count;
+    }
+    report("gyro_follow", count);
+    (void)invcal_moves_init(&moves, &gyro, 400);
+    make_moves();
+    begin();
+    const invcal_status status =
+        invcal_imu_solve(session.mean[0], INVCAL_MAX_POSITIONS, &nominal, &moves, NULL, &imu);
+    count = end();
+    if (status != INVCAL_OK) {
+        board_exit(1);
+    }
+    report("imu_pass", count / imu.passes);
+    report("imu_solve", count);
+}
+
+/* Halfway through the tour. */
+static void bench_turns(void)
+{
+    static invcal_turns turns;
+    static invcal_real sigma[INVCAL_IMU_PARAMETERS];
+    const invcal_real up[3] = {0, 0, 1};
+    invcal_turn turn;
+    uint32_t open;
+    invcal_status status = invcal_turns_begin(&turns, up, NULL);
+
+    for (unsigned i = 0; i < 9 && status == INVCAL_OK; i++) {
+        status = invcal_tour(i, &turn);
+        begin();
+        (void)invcal_turns_add(&turns, &turn);
+        const uint32_t count = end();
+        if (i == 8) {
+            report("turns_add", count);
+        }
+    }
+    begin();
+    invcal_turns_next(&turns, &turn);
+    report("turns_next", end());
+    begin();
+    status = invcal_turns_sigma(&turns, &turn, sigma, &open);
+    report("turns_sigma", end());
+    if (status != INVCAL_OK) {
+        board_exit(1);
+    }
+}
+
 int main(void)
 {
     begin();
@@ -316,6 +503,8 @@ int main(void)
     bench_core();
     bench_full_vector();
     bench_frame();
+    bench_magnetometer();
+    bench_dip();
     bench_all();
     bench_six_faces();
     bench_session();
@@ -324,6 +513,8 @@ int main(void)
     report("session_solve", solve_session(0));
     report("session_solve_1_wrong", solve_session(1));
     report("session_solve_3_wrong", solve_session(3));
+    bench_gyro();
+    bench_turns();
     report_text("OK\n");
     return 0;
 }

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT
  *
- * Bytes that may be anything as a record, with temperature or without, as a session and as the two
- * slots of a flash memory.
+ * Bytes that may be anything as a record, with temperature or without, or of both sensors, as a session, with
+ * moves or without, and as the two slots of a flash memory.
  * What is accepted packs again to the same bytes, and is sane; a session that is accepted goes on
  * being fed. The store finds what was saved before or what is saved now, wherever power fails; load
  * makes of it what decode does.
@@ -12,6 +12,7 @@
 
 #include "bytes.h"
 #include "drive.h"
+#include "invcal/gyro.h"
 #include "invcal/thermal.h"
 
 /* ---- records and sessions --------------------------------------------------------------------- */
@@ -104,6 +105,65 @@ static void look_at_thermal(const uint8_t *bytes, uint32_t size)
     REQUIRE(memcmp(again, once_more, length) == 0);
 }
 
+static void look_at_imu(const uint8_t *bytes, uint32_t size)
+{
+    uint8_t again[INVCAL_IMU_RECORD_SIZE];
+    invcal_imu_record r;
+
+    mark(&r, sizeof r);
+    if (invcal_imu_record_decode(bytes, size, &r) != INVCAL_OK) {
+        require_mark(&r, sizeof r);
+        return;
+    }
+    require_regular(&r.gyro);
+    require_finite(&r.move_noise, 1);
+    require_finite(&r.move_rms, 1);
+    require_finite(&r.move_max, 1);
+    require_finite(r.sigma, INVCAL_GYRO_PARAMETERS);
+    require_finite(r.slope[0], 12);
+    require_finite(r.slope_sigma[0], 12);
+    REQUIRE(r.verdict <= INVCAL_WEAK && r.weak < 1u << INVCAL_GYRO_PARAMETERS && r.g_is_used <= 1);
+    REQUIRE(r.weak == 0 || r.verdict == INVCAL_WEAK);
+    look_at_record(bytes + RECORD_AT, INVCAL_RECORD_SIZE);
+    REQUIRE(invcal_imu_record_encode(&r, again) == INVCAL_OK);
+    REQUIRE(size >= sizeof again && memcmp(bytes, again, sizeof again) == 0);
+}
+
+/* Head, rests and as many segments as there are bytes, in front of a session with two means; what is accepted is
+ * solved, and fed what is behind. */
+static void look_at_both(const uint8_t *bytes, uint32_t size)
+{
+    static invcal_imu_session both;
+    const invcal_calibration gyro = {{0, 0, 0}, {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
+    const uint32_t room = sizeof(invcal_moves) - offsetof(invcal_moves, layout);
+    invcal_imu imu;
+    int32_t raw[3];
+
+    memset(&both, 0, sizeof both);
+    REQUIRE(invcal_moves_init(&both.moves, &gyro, 50) == INVCAL_OK);
+    REQUIRE(invcal_session_init(&both.session, 100, 50) == INVCAL_OK);
+    both.session.count = 2;
+    both.session.mean[0][0] = both.session.mean[1][1] = 100;
+    const uint32_t layout = both.moves.layout; /* or next to nothing would get in */
+    memcpy((uint8_t *)&both + INVCAL_IMU_SESSION_FROM, bytes, size < room ? size : room);
+    both.moves.layout = layout;
+    if (invcal_imu_session_resume(&both, invcal_imu_session_size(&both)) != INVCAL_OK) {
+        return;
+    }
+    REQUIRE(both.moves.count <= INVCAL_MAX_MOVES && both.moves.used <= INVCAL_MAX_SEGMENTS);
+    (void)invcal_imu_solve(both.session.mean[0], both.session.count, &both.session.nominal,
+                           &both.moves, NULL, &imu);
+    source s = {bytes, size};
+    while (s.left > 0) {
+        for (unsigned i = 0; i < 3; i++) {
+            raw[i] = take_byte(&s) - 128;
+        }
+        invcal_moves_feed(&both.moves, raw);
+        invcal_moves_follow(&both.moves, &both.session.rests,
+                            invcal_session_feed(&both.session, raw));
+    }
+}
+
 /* Bytes behind those of the session lead it on, if all its means are readings. */
 static void look_at_session(const uint8_t *bytes, uint32_t size)
 {
@@ -147,7 +207,9 @@ static void unpack(source *s, unsigned how)
     }
     look_at_record(bytes, size);
     look_at_thermal(bytes, size);
+    look_at_imu(bytes, size);
     look_at_session(bytes, size);
+    look_at_both(bytes, size);
     free(bytes);
 }
 

@@ -221,6 +221,25 @@ browser_stores() {
         "$out/browser"
 }
 
+# The one for both sensors is not for an Uno: it says so.
+builds_gyroscope() {
+    mkdir -p "$out/Gyroscope" && cp "$library"/examples/Gyroscope/* "$out/Gyroscope/" &&
+        builds mega:cpu=atmega2560 Gyroscope && avr-size "$out/Gyroscope.build/Gyroscope.ino.elf" &&
+        [ "$(ram Gyroscope)" -le 5632 ]
+}
+
+too_large_for_uno() {
+    ! builds uno Gyroscope && grep -q 'error.*this sketch takes nearly 8 KB of RAM' "$out/Gyroscope.log"
+}
+
+# Here, with a chip and a hand.
+gyroscope_calibrates() {
+    g++ -std=c++11 -Wall -Wextra -Wno-unused-function -Itests/packages/arduino/mock -I"$library/src" \
+        -I"$out/Gyroscope" tests/packages/arduino/gyroscope.cpp "$out/Gyroscope/imu.cpp" \
+        "$out/Gyroscope/i2c.cpp" "$out/Gyroscope/storage.cpp" "$build/float/libinvcal.a" -lm -o "$out/gyroscope" &&
+        timeout 120 "$out/gyroscope"
+}
+
 check "it can be staged" stage_library
 check "library.properties keeps to the specification" properties
 check "a sketch sees one header of it, no others" one_header
@@ -243,4 +262,7 @@ check "README.md says what it takes" costs
 check "an Uno stores, finds and applies a calibration" applies_on_uno
 check "the example for the page in a browser builds, without a warning" builds_browser
 check "it prints readings, stores what the page sends, and refuses what is damaged" browser_stores
+check "the example for both sensors builds for a Mega, without a warning" builds_gyroscope
+check "it says that an Uno is too small" too_large_for_uno
+check "it calibrates both sensors, refuses the moves that are spoilt, and finds what it stored" gyroscope_calibrates
 finish

@@ -12,7 +12,7 @@ links() {
     function=$1
     library=$2
     shift 2
-    printf '#include "invcal/%s.h"\n' allan expert plan store thermal > "$out/$function.c"
+    printf '#include "invcal/%s.h"\n' allan expert gyro plan store thermal > "$out/$function.c"
     # Its address is enough for the linker, and needs no arguments.
     echo "void (*volatile f)(void) = (void (*)(void))$function; int main(void) { return f == 0; }" \
         >> "$out/$function.c"
@@ -25,7 +25,8 @@ refuses() { # FUNCTION LIBRARY FLAG...
 }
 
 for function in invcal_apply invcal_nominal invcal_load invcal_load_v1 invcal_record_init \
-    invcal_record_decode invcal_plan_position_at; do
+    invcal_record_decode invcal_plan_position_at invcal_imu_record_init invcal_imu_record_decode \
+    invcal_load_imu; do
     check "$function links as the library was compiled" links $function "$build/float/libinvcal.a"
     check "$function: not from double to float" refuses $function "$build/float/libinvcal.a" -DINVCAL_DOUBLE=1
     check "$function: not from float to double" refuses $function "$build/double/libinvcal.a"
@@ -46,6 +47,16 @@ for function in invcal_thermal_at invcal_thermal_calibrate invcal_thermal_start 
     for choice in THERMAL_DEGREE=2 MAX_POSITIONS=64 DOUBLE=1; do
         check "$function: not with $choice" refuses $function "$build/float/libinvcal.a" -DINVCAL_$choice
     done
+done
+for function in invcal_moves_init invcal_imu_solve invcal_imu_session_resume invcal_load_imu_session; do
+    check "$function links as the library was compiled" links $function "$build/float/libinvcal.a"
+    for choice in MAX_SEGMENTS=100 MAX_MOVES=14 DOUBLE=1; do
+        check "$function: not with $choice" refuses $function "$build/float/libinvcal.a" -DINVCAL_$choice
+    done
+done
+for function in invcal_imu_session_resume invcal_load_imu_session; do
+    check "$function: not with more positions" refuses $function "$build/float/libinvcal.a" \
+        -DINVCAL_MAX_POSITIONS=64
 done
 check "invcal_allan_init links as the library was compiled" links invcal_allan_init \
     "$build/float/libinvcal.a"

@@ -137,6 +137,10 @@ echo "$out/labour.svg"
 plan comparison --compare per-group:8 per-group:6 --svg "$out/comparison.svg"
 echo "$out/comparison.svg"
 plan far-apart --compare per-group:1000 optimal:9
+plan turns --moves tour16
+plan turns-guided --moves greedy31 --units ins
+if "$tool" plan --quiet --report "$out/plan-turns-open.html" --moves x:90,x:90,+x+y+z 2> /dev/null; then false; fi
+echo "$out/plan-turns-open.html"
 
 # Comparisons: a history of three, a fleet with one outside, two that look alike.
 for k in 1 2 3 4 5 6 7 8 9; do

@@ -8,7 +8,7 @@
 // config: -DINVCAL_THERMAL_DEGREE=2
 
 /* The sizes that the library asks for. */
-enum { MOST = 9 * (1 + INVCAL_THERMAL_DEGREE) };
+enum { THERMAL = 9 * (1 + INVCAL_THERMAL_DEGREE), IMU = 18, MOST = THERMAL > IMU ? THERMAL : IMU };
 
 /* In a buffer of exactly so many elements. */
 static void solve(unsigned n, unsigned rows)
@@ -36,7 +36,7 @@ static void solve(unsigned n, unsigned rows)
 
 void main(void)
 {
-    static const unsigned sizes[] = {1, 2, 3, 9, 9 * (1 + INVCAL_THERMAL_DEGREE)};
+    static const unsigned sizes[] = {1, 2, 3, 5, 9, IMU, THERMAL};
 
     for (unsigned i = 0; i < sizeof sizes / sizeof *sizes; i++) {
         solve(sizes[i], sizes[i]);

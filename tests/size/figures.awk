@@ -35,6 +35,7 @@ END {
     print "flash.core", size["linked.core"]
     print "flash.judged", size["linked.judged"]
     print "flash.product", size["linked.product"]
+    print "flash.gyro", size["linked.imu"] - size["linked.product"]
     # What must be there while a calibration is computed: the state, the result, the stack.
     print "memory.core", size["sizeof.invcal_sums"] + size["sizeof.invcal_calibration"] + \
         most("sums_init sums_add solve apply")

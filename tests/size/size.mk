@@ -8,13 +8,15 @@ include port/build.mk
 HEADERS := $(notdir $(wildcard include/invcal/*.h))
 
 # Programs without start-up, of library functions alone. What a device needs for offset and matrix; the
-# same with every sigma and the verdict; what the program of README.md calls; and all that there is.
+# same with every sigma and the verdict; what the program of README.md calls; with the gyroscope beside it; and all that there is.
 $(OUT)/core.elf:    WANTED = invcal_sums_init invcal_sums_add invcal_solve invcal_apply
 $(OUT)/judged.elf:  WANTED = invcal_calibrate invcal_apply
 $(OUT)/product.elf: WANTED = $(shell $(subst gcc,nm,$(CC)) -u $(OUT)/program.o | sed -n 's/.* invcal_/invcal_/p')
+$(OUT)/imu.elf:     WANTED = $(shell $(subst gcc,nm,$(CC)) -u $(OUT)/program.o | sed -n 's/.* invcal_/invcal_/p') \
+    invcal_moves_init invcal_moves_rails invcal_moves_feed invcal_moves_follow invcal_imu_solve
 $(OUT)/whole.elf:   WANTED = %
-$(OUT)/product.elf: $(OUT)/program.o
-$(OUT)/core.elf $(OUT)/judged.elf $(OUT)/product.elf $(OUT)/whole.elf: $(LIBRARY) $(OUT)/public
+$(OUT)/product.elf $(OUT)/imu.elf: $(OUT)/program.o
+$(OUT)/core.elf $(OUT)/judged.elf $(OUT)/product.elf $(OUT)/imu.elf $(OUT)/whole.elf: $(LIBRARY) $(OUT)/public
 	$(Q)$(CC) $(FLAGS) $(LIBRARY) -nostartfiles -Wl,--gc-sections -Wl,-e,0 \
 	    $$(awk -v wanted="$(WANTED)" -f tests/size/wanted.awk $(OUT)/public) \
 	    -Wl,-Map=$(@:.elf=.map) $(LINK) -o $@
@@ -39,7 +41,7 @@ $(OUT)/declared: $(wildcard src/*.h include/invcal/*.h)
 	    awk -f tests/size/public.awk > $@
 
 .PHONY: programs
-programs: $(OUT)/core.elf $(OUT)/judged.elf $(OUT)/product.elf $(OUT)/whole.elf \
+programs: $(OUT)/core.elf $(OUT)/judged.elf $(OUT)/product.elf $(OUT)/imu.elf $(OUT)/whole.elf \
     $(OUT)/tests/size/structures.o $(OUT)/declared
 
 # The program that measures its stack, and its run.

@@ -5,6 +5,8 @@
 #include "invcal/allan.h"
 #include "invcal/expert.h"
 #include "invcal/frame.h"
+#include "invcal/magnetometer.h"
+#include "invcal/gyro.h"
 #include "invcal/store.h"
 #include "invcal/thermal.h"
 
@@ -16,6 +18,11 @@ SIZE_OF(invcal_calibration);
 SIZE_OF(invcal_row);
 SIZE_OF(invcal_sums);
 SIZE_OF(invcal_frame);
+SIZE_OF(invcal_imu);
+SIZE_OF(invcal_imu_record);
+SIZE_OF(invcal_imu_session);
+SIZE_OF(invcal_moves);
+SIZE_OF(invcal_turns);
 SIZE_OF(invcal_full_vector);
 SIZE_OF(invcal_quality);
 SIZE_OF(invcal_rests);
@@ -24,5 +31,7 @@ SIZE_OF(invcal_background);
 SIZE_OF(invcal_record);
 SIZE_OF(invcal_allan);
 SIZE_OF(invcal_noise);
+SIZE_OF(invcal_magnetometer);
+SIZE_OF(invcal_dip);
 SIZE_OF(invcal_thermal);
 SIZE_OF(invcal_thermal_record);

@@ -160,7 +160,7 @@ if command -v bash > /dev/null; then
             "$({ options_of "$c"; echo --help; } | LC_ALL=C sort | tr '\n' ' ' | sed 's/ $//')" \
             "$c" --
     done
-    check "completion: words of --frame" offers 'stand symmetric triangular' calibrate --frame ''
+    check "completion: words of --frame" offers 'accelerometer stand symmetric triangular' calibrate --frame ''
     check "completion: words of --frame after =" offers triangular watch --frame = t
     check "completion: words of --plan" offers \
         'angles: directions: edges faces grid: icosahedron optimal: per-group: stand-12 stand-24' simulate --plan ''
@@ -169,6 +169,7 @@ if command -v bash > /dev/null; then
     check "completion: a file within a word" offers 'log.csv' simulate --plan directions : log
     check "completion: and one of angles" offers 'log.csv' simulate --plan angles : log
     check "completion: words of --compare, the second too" offers edges plan --compare faces ed
+    check "completion: words of --moves" offers 'faces greedy12 tour12 tour16 tour24' plan --moves ''
     check "completion: files, with blanks" offers 'la la.csv' calibrate la
     check "completion: files of an option" offers truth.json simulate --truth tr
     check "completion: nothing for a number" offers '' calibrate --gravity ''

@@ -79,7 +79,7 @@ dress "ISO 8859-1" $ms2 'm/s^2' header \
     'CSV with semicolons, header in line 1; time (µs), X Y Z in m/s²' \
     'time [\0265s];X [m/s\0262];Y [m/s\0262];Z [m/s\0262]' 't * 1e6 ";" x ";" y ";" z'
 dress "PX4 sensor_combined by ulog2csv" $ms2 'm/s^2' header \
-    'CSV with commas, header in line 1; timestamp (µs), accelerometer_m_s2[0] accelerometer_m_s2[1] accelerometer_m_s2[2] in m/s²; ignored: 6 other columns' \
+    'CSV with commas, header in line 1; timestamp (µs), accelerometer_m_s2[0] accelerometer_m_s2[1] accelerometer_m_s2[2] in m/s²; gyroscope: gyro_rad[0] gyro_rad[1] gyro_rad[2] in rad/s; ignored: 3 other columns' \
     'timestamp,gyro_rad[0],gyro_rad[1],gyro_rad[2],gyro_integral_dt,accelerometer_timestamp_relative,accelerometer_m_s2[0],accelerometer_m_s2[1],accelerometer_m_s2[2],accelerometer_integral_dt' \
     "t * 1e6 + 123456789 \",0.1,0.2,0.3,4000,0,\" $ax \",4000\""
 dress "PX4 sensor_accel by ulog2csv" $ms2 'm/s^2' size \
@@ -93,13 +93,13 @@ betaflight='loopIteration, time (us), axisP[0], rcCommand[3], vbatLatest (V), gy
 behind='magADC[0], magADC[1], magADC[2], motor[0], flightModeFlags (flags)'
 bf_row='n ", " t * 1e6 ", 0, 1000, 16.1, 5, 6, 7, " x ", " y ", " z ", 1, 2, 3, 1070, ANGLE|HORIZON"'
 dress "blackbox_decode" 1 counts header \
-    'CSV with commas, header in line 1; time (µs), accSmooth[0] accSmooth[1] accSmooth[2] in counts; ignored: 12 other columns' \
+    'CSV with commas, header in line 1; time (µs), accSmooth[0] accSmooth[1] accSmooth[2] in counts; gyroscope: gyroADC[0] gyroADC[1] gyroADC[2]; ignored: 9 other columns' \
     "$betaflight, accSmooth[0], accSmooth[1], accSmooth[2], $behind" "$bf_row"
 dress "blackbox_decode --unit-acceleration g" "$g" g header \
-    'CSV with commas, header in line 1; time (µs), accSmooth[0] accSmooth[1] accSmooth[2] in g; ignored: 12 other columns' \
+    'CSV with commas, header in line 1; time (µs), accSmooth[0] accSmooth[1] accSmooth[2] in g; gyroscope: gyroADC[0] gyroADC[1] gyroADC[2]; ignored: 9 other columns' \
     "$betaflight, accSmooth[0] (g), accSmooth[1] (g), accSmooth[2] (g), $behind" "$bf_row"
 dress "blackbox_decode --unit-acceleration m/s2" $ms2 'm/s^2' header \
-    'CSV with commas, header in line 1; time (µs), accSmooth[0] accSmooth[1] accSmooth[2] in m/s²; ignored: 12 other columns' \
+    'CSV with commas, header in line 1; time (µs), accSmooth[0] accSmooth[1] accSmooth[2] in m/s²; gyroscope: gyroADC[0] gyroADC[1] gyroADC[2]; ignored: 9 other columns' \
     "$betaflight, accSmooth[0] (m/s/s), accSmooth[1] (m/s/s), accSmooth[2] (m/s/s), $behind" "$bf_row"
 dress "the explorer of Betaflight, with settings before" 1 counts header \
     'CSV with commas, 4 lines of settings, header in line 5; time (µs), accSmooth[0] accSmooth[1] accSmooth[2] in counts; ignored: 2 other columns' \
@@ -108,14 +108,14 @@ dress "the explorer of Betaflight, with settings before" 1 counts header \
 dress "commas with tabs behind" 1 counts size \
     'CSV with commas, header in line 1; x y z in counts (by their size)' 'x,\ty,\tz' 'x ",\t" y ",\t" z'
 dress "ArduPilot IMU by mavlogdump.py" $ms2 'm/s^2' header \
-    'CSV with commas, header in line 1; TimeUS (µs), AccX AccY AccZ in m/s², T; ignored: 11 other columns' \
+    'CSV with commas, header in line 1; TimeUS (µs), AccX AccY AccZ in m/s², T; gyroscope: GyrX GyrY GyrZ in rad/s; ignored: 8 other columns' \
     'timestamp,TimeUS,I,GyrX,GyrY,GyrZ,AccX,AccY,AccZ,EG,EA,T,GH,AH,GHz,AHz' \
     "1.7e9 + t \",\" t * 1e6 \",0,.1,.2,.3,\" $ax \",0,0,45.5,1,1,1000,1000\""
 dress "xacc yacc zacc, and a gyro" "$mg" mg size \
-    'CSV with commas, header in line 1; millis (ms), xacc yacc zacc in mg (by their size); ignored: 3 other columns' \
+    'CSV with commas, header in line 1; millis (ms), xacc yacc zacc in mg (by their size); gyroscope: xgyro ygyro zgyro' \
     'millis,xacc,yacc,zacc,xgyro,ygyro,zgyro' "t * 1000 \",\" $ax \",1,2,3\""
 dress "w and g columns are a gyro's" "$g" g size \
-    'CSV with commas, header in line 1; t (s), a_x a_y a_z in g (by their size); ignored: 6 other columns' \
+    'CSV with commas, header in line 1; t (s), a_x a_y a_z in g (by their size); gyroscope: g_x g_y g_z; ignored: 3 other columns' \
     't,g_x,g_y,g_z,a_x,a_y,a_z,wx,wy,wz' "t \",9,9,9,\" $ax \",8,8,8\""
 dress "two clocks: the one that states its unit" 1 counts size \
     'CSV with commas, header in line 1; seconds_elapsed (s), x y z in counts (by their size); ignored: 1 other column' \
@@ -212,7 +212,9 @@ dress_positions "a field of 1 is one in g" 1 g header unit \
 dress_positions "a magnetometer: no size tells a unit" 48.5 unknown none range \
     'CSV with commas, header in line 1; mx my mz' 'mx,my,mz' "$x" --gravity 48.5
 dress_positions "a unit that is not known is not guessed" 1 unknown none range \
-    'CSV with commas, header in line 1; mx my mz' 'mx (gauss),my (gauss),mz (gauss)' "$x"
+    'CSV with commas, header in line 1; mx my mz' 'mx (oersted),my (oersted),mz (oersted)' "$x"
+dress_positions "that of a magnetometer is told, and tells no scale" 1 gauss header range \
+    'CSV with commas, header in line 1; mx my mz in gauss' 'mx (gauss),my (gauss),mz (gauss)' "$x"
 dress_positions "every line ends with a separator, but the header" 1 g header unit \
     'CSV with commas, header in line 1; x y z in g' 'x (g),y (g),z (g)' "$x \",\""
 dress_positions "every line ends with a separator, the header too" 1 g header unit \
@@ -262,7 +264,7 @@ write_dress "$g" 'time (us),ax (g),ay (g),az (g),gyro_x,gyro_y,gyro_z' \
 in=$work/dress.csv
 run watch -
 check "watch: the first line tells what was recognised" test "$(head -n 1 "$work/stdout")" = \
-    'standard input: CSV with commas, header in line 1; time (µs), ax ay az in g; ignored: 3 other columns'
+    'standard input: CSV with commas, header in line 1; time (µs), ax ay az in g; gyroscope: gyro_x gyro_y gyro_z'
 check "watch: 18 positions of a log in g" test "$(grep -c '^position .* taken' "$work/stdout")" -eq 18
 run watch - --json
 check "watch: with --json it goes to stderr" matches "$work/stderr" '^standard input: CSV .* in g;'

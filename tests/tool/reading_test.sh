@@ -42,11 +42,11 @@ write "$nine" "$xyz \",1,2,3,40,50,60\""
 is_right "nine axes" --rate 100
 check "nine axes: the accelerometer is told" first_lines "header in line 1; the accelerometer's ax ay az in counts"
 check "nine axes: so is the magnetometer" first_lines \
-    "6 other columns, a magnetometer's among them (mx ..; --columns chooses)"
+    "gyroscope: gx gy gz; ignored: 3 other columns, a magnetometer's among them (mx ..; --columns chooses)"
 write "timestamp,mag_x,mag_y,mag_z,temp,gyro_x,gyro_y,gyro_z,accel_x,accel_y,accel_z" "t \",4,5,6,25,1,2,3,\" $xyz"
 is_right "nine axes in another order, time and temperature"
 check "nine axes in another order: it is told" first_lines \
-    "timestamp (s), the accelerometer's accel_x accel_y accel_z in counts (by their size), temp; ignored: 6 other"
+    "timestamp (s), the accelerometer's accel_x accel_y accel_z in counts (by their size), temp; gyroscope: gyro_x gyro_y gyro_z; ignored: 3 other"
 write "# made by hand\n#t, $nine, temperature" "t \",\" $xyz \",1,2,3,4,5,6,25\""
 is_right "a header of eleven columns behind #"
 check "a header behind #: its line is told" first_lines "header in line 2; t (s), the accelerometer's ax ay az"

@@ -49,6 +49,20 @@ prints 0 calibration calibrate "$xsens" --positions --zero 33123,33276,32360 --l
 "$tool" simulate --plan faces > "$work/faces.csv"
 prints 0 calibration calibrate "$work/faces.csv" --six-faces
 prints 1 calibration_refusal calibrate "$work/faces.csv"
+awk 'BEGIN { print "mx,my,mz"; for (i = 0; i < 3000; i++) { a = i / 40; b = 0.73 * i / 100
+    print 5 + 40 * sin(a) * cos(b) "," 40 * sin(a) * sin(b) "," 40 * cos(a) } }' > "$work/waved.csv"
+prints 0 calibration calibrate "$work/waved.csv" --magnetometer
+awk 'BEGIN { print "ax,ay,az,mx (uT),my (uT),mz (uT)"; for (i = 0; i < 3000; i++) { t = i / 50; a = 2 * t; b = 0.73 * t; c = 0.31 * t
+    x = sin(a) * cos(b); y = sin(a) * sin(b); z = cos(a)
+    u = -sin(b) * cos(c) - cos(a) * cos(b) * sin(c); v = cos(b) * cos(c) - cos(a) * sin(b) * sin(c); w = sin(a) * sin(c)
+    print x "," y "," z "," 24 * u - 41 * x "," 24 * v - 41 * y "," 24 * w - 41 * z } }' > "$work/both.csv"
+prints 0 calibration calibrate "$work/both.csv" --magnetometer --frame accelerometer
+prints 0 calibration watch "$work/both.csv" --magnetometer
+sed '1!s/^/5/' "$work/both.csv" > "$work/uneven.csv"
+prints 0 calibration calibrate "$work/uneven.csv" --magnetometer
+prints 1 calibration_refusal calibrate "$work/uneven.csv" --magnetometer --frame accelerometer
+head -n 200 "$work/waved.csv" > "$work/short.csv"
+prints 1 calibration_refusal calibrate "$work/short.csv" --magnetometer
 "$tool" simulate --plan edges --outliers 2 --truth "$work/truth.json" > "$work/log.csv"
 prints 0 calibration calibrate "$work/log.csv"
 prints 0 calibration watch "$work/log.csv"
@@ -57,6 +71,10 @@ prints 0 calibration calibrate "$work/log.csv" --robust
 "$tool" simulate --plan per-group:6 --stand > "$work/stand.csv"
 prints 0 calibration calibrate "$work/stand.csv" --stand
 check "the file of --truth is a truth" fits truth "$work/truth.json"
+"$tool" simulate --gyro --dwell 3 --plan edges --truth "$work/truth.json" > "$work/gyro.csv"
+prints 0 calibration calibrate "$work/gyro.csv"
+check "the file of --truth with a gyroscope is a truth" fits truth "$work/truth.json"
+prints 0 calibration calibrate "$work/gyro.csv" --gyro-axes y,x,z
 
 sensor() { # sensor STATIONS
     awk -v what=positions -v stations="$1" -v seed=1 -v sigma=1e-4 -f "$here/thermal.awk" \
@@ -161,6 +179,9 @@ prints 1 plan_refusal plan --limits 1e-9,1e-9,1e-9 --allan "$work/noise.json"
 prints 0 plan_sweep plan --sweep 5:9
 prints 0 plan_comparison plan --compare edges per-group:6
 prints 0 plan_comparison plan --compare edges optimal:18 --noise 0.001
+prints 0 plan_moves plan --moves tour12
+prints 0 plan_moves plan --moves greedy24 --noise 0.001 --rate-noise 0.01
+prints 1 plan_moves plan --moves x:90,x:90
 
 prints 0 calibration calibrate "$xsens" --positions --zero 33123,33276,32360 --lsb 0.0024 --need 1mg \
     --tolerance 0.02,0.005,0.02

@@ -479,9 +479,52 @@ static void no_text_is_too_long_or_does_harm(void)
     is_sound();
 }
 
+/* A magnetometer: the white part of the map is what is left, cells cover 30 degrees around, and words are its own. */
+static void a_magnetometer_turns_through_the_white_part(void)
+{
+    now.is_magnetometer = 1;
+    now.disturbed = "";
+    now.has_target = 1;
+    now.target[2] = 1;
+    draw();
+    TEST_ASSERT_TRUE(says("TURN IT       so that @ passes through the white part"));
+    TEST_ASSERT_TRUE(says("0 of 18 directions"));
+    TEST_ASSERT_TRUE(says("the field points:"));
+    TEST_ASSERT_FALSE(says("position"));
+    TEST_ASSERT_FALSE(says("which side is up"));
+    const unsigned none = count_of("⣿", 3, 25);
+    now.direction[0][2] = 1;
+    now.covered = now.taken = 1;
+    draw();
+    /* 0.134 of the half is within 30 degrees, of 190 characters 25; those on its rim are lit in part */
+    TEST_ASSERT_UINT_WITHIN(8, 22, count_of("⣿", 3, 25) - none);
+    TEST_ASSERT_TRUE(says("1 of 18 directions"));
+    now.covered = 18;
+    draw();
+    TEST_ASSERT_TRUE(says("GO ON"));
+    now.status = INVCAL_OK;
+    now.quality.dof = 9;
+    now.quality.sigma_dof = 9;
+    now.quality.sigma[0] = 0.01;
+    now.is_good = 1;
+    now.disturbed = "samples contradict the others";
+    draw();
+    TEST_ASSERT_TRUE(says("YOU MAY STOP"));
+    TEST_ASSERT_TRUE(says("Disturbed: samples contradict the others."));
+    TEST_ASSERT_TRUE(says("offsets ± 2.3 %"));
+    now.is_good = 0;
+    now.quality.verdict = INVCAL_WEAK;
+    draw();
+    TEST_ASSERT_TRUE(says("Weak: whole sides are missing; go on"));
+    now.quality.verdict = INVCAL_ROUGH;
+    draw();
+    TEST_ASSERT_TRUE(says("Rough: something disturbs it"));
+}
+
 int main(void)
 {
     UNITY_BEGIN();
+    RUN_TEST(a_magnetometer_turns_through_the_white_part);
     RUN_TEST(marks_stand_where_the_projection_puts_them);
     RUN_TEST(a_mark_is_in_one_half_and_in_both_only_near_the_equator);
     RUN_TEST(axes_are_named_on_the_side_where_they_are);

@@ -105,6 +105,10 @@ awk 'BEGIN { print "x,y,z,temperature,std,n"; d = sqrt(0.5)
 fits calibrate edges.csv
 fits calibrate edges.csv --units ins --zero 0,0,0 --lsb 0.0006 --tolerance 0.001,0.001,0.001 --need 0.001
 fits calibrate edges.csv --nominal-name fourteen-bytes --nominal truth.json --latitude 55.7 --height 150
+awk 'BEGIN { print "ax,ay,az,mx (uT),my (uT),mz (uT)"; for (i = 0; i < 3000; i++) { a = i / 40; b = 0.73 * i / 100
+    print "0,0,1," 5 + 40 * sin(a) * cos(b) "," 40 * sin(a) * sin(b) "," 40 * cos(a) } }' > waved.csv
+fits calibrate waved.csv --magnetometer
+fits watch waved.csv --magnetometer
 fits calibrate edges.csv --quadratic
 fits calibrate edges.csv --cubic
 fits calibrate edges.csv --robust --noise 0.00001

@@ -7,7 +7,7 @@
  */
 #include <string.h>
 
-#include "invcal/store.h"
+#include "invcal/gyro.h"
 #include "invcal/thermal.h"
 #include "support.h"
 #include "unity.h"
@@ -46,6 +46,13 @@ typedef struct {
         invcal_real x[3][INVCAL_PARAMETERS];
     } is;
 } stored_thermal;
+
+typedef struct {
+    const char *name;
+    const uint8_t *bytes;
+    uint32_t size;
+    invcal_imu_record is;
+} stored_imu;
 
 typedef struct {
     const char *name;
@@ -179,6 +186,34 @@ static void thermal_records_of_every_release_are_read(void)
     }
 }
 
+static void records_of_both_sensors_of_every_release_are_read(void)
+{
+    for (unsigned i = 0; i < COUNT(imus); i++) {
+        const stored_imu *old = &imus[i];
+        uint8_t bytes[INVCAL_IMU_RECORD_SIZE];
+        invcal_imu_record now;
+
+        memset(&now, 0, sizeof now);
+        TEST_ASSERT_EQUAL_MESSAGE(INVCAL_OK, invcal_imu_record_decode(old->bytes, old->size, &now),
+                                  old->name);
+        same_record(&old->is.accelerometer, &now.accelerometer, old->name);
+        same_calibration(&old->is.gyro, &now.gyro, old->name);
+        same(&old->is.move_noise, &now.move_noise, 1, old->name);
+        same(&old->is.move_rms, &now.move_rms, 1, old->name);
+        same(&old->is.move_max, &now.move_max, 1, old->name);
+        same(old->is.sigma, now.sigma, INVCAL_GYRO_PARAMETERS, old->name);
+        same(old->is.slope[0], now.slope[0], 12, old->name);
+        same(old->is.slope_sigma[0], now.slope_sigma[0], 12, old->name);
+        TEST_ASSERT_EQUAL_UINT_MESSAGE(old->is.weak, now.weak, old->name);
+        TEST_ASSERT_EQUAL_UINT_MESSAGE(old->is.dof, now.dof, old->name);
+        TEST_ASSERT_EQUAL_UINT_MESSAGE(old->is.verdict, now.verdict, old->name);
+        TEST_ASSERT_EQUAL_UINT_MESSAGE(old->is.moves, now.moves, old->name);
+        TEST_ASSERT_EQUAL_UINT_MESSAGE(old->is.g_is_used, now.g_is_used, old->name);
+        TEST_ASSERT_EQUAL_MESSAGE(INVCAL_OK, invcal_imu_record_encode(&now, bytes), old->name);
+        TEST_ASSERT_EQUAL_MEMORY_MESSAGE(old->bytes, bytes, sizeof bytes, old->name);
+    }
+}
+
 /* The procedure of 0.1.0 was another one: its sessions are known, and refused. */
 static void sessions_of_earlier_releases_are_refused_by_name(void)
 {
@@ -249,6 +284,7 @@ int main(void)
     UNITY_BEGIN();
     RUN_TEST(records_of_every_release_are_read);
     RUN_TEST(thermal_records_of_every_release_are_read);
+    RUN_TEST(records_of_both_sensors_of_every_release_are_read);
     RUN_TEST(sessions_of_earlier_releases_are_refused_by_name);
     RUN_TEST(the_latest_calibration_is_found_in_a_flash_of_every_release);
     return UNITY_END();

@@ -42,7 +42,7 @@ test("from a web server, too: one request, and all works", async (open) => {
     const page = await open();
     await page.goto(`http://127.0.0.1:${server.address().port}/invcal.html`);
     await page.waitForFunction("document.documentElement.dataset.ready");
-    await page.select("#speed", "16");
+    await page.select("#speed", "Infinity");
     await page.click("#simulator");
     await page.until(GOOD, "good");
     await page.click("#make");
@@ -103,6 +103,23 @@ test("without motion nothing glides", async (open) => {
     equal(await page.$eval(".bar u", (e) => getComputedStyle(e).transitionDuration), "0s", "transition");
 }, { only: "chromium" });
 
+test("on paper: the result, its table as a whole, and nothing to press", async (open) => {
+    const page = await open();
+    await page.select("#speed", "Infinity");
+    await page.click("#simulator");
+    await page.until(GOOD, "good");
+    await page.click("#make");
+    await page.until('!document.querySelector("#made").hidden', "made");
+    await page.emulateMediaType("print");
+    const [buttons, cut] = await page.evaluate(() => [
+        [...document.querySelectorAll("button, select, input, iframe")].filter((e) => e.offsetParent).map((e) => e.id),
+        document.querySelector("#table").scrollHeight - document.querySelector("#table").clientHeight,
+    ]);
+    equal(buttons.filter((id) => id !== "options"), [], "controls");
+    equal(cut, 0, "pixels of the table that are cut off");
+    expect((await page.evaluate(() => document.body.innerText)).includes("Good: you may stop"), "the verdict");
+}, { only: "chromium" });
+
 // Contrast of WCAG 2: relative luminance of what is seen.
 const contrasts = () => {
     const canvas = new OffscreenCanvas(1, 1).getContext("2d", { willReadFrequently: true });
@@ -144,7 +161,7 @@ for (const [name, size] of Object.entries({ desktop: [1280, 900], phone: [360, 7
     for (const dark of [false, true]) {
         test(`${name}, ${dark ? "dark" : "light"}: contrast, nothing too wide, nothing too small to touch`, async (open) => {
             const page = await open({ width: size[0], height: size[1], dark });
-            await page.select("#speed", "16");
+            await page.select("#speed", "Infinity");
             await page.click("#simulator");
             await page.until("invcal.session()?.positions.length >= 7", "seven positions");
             await page.picture(`${name}-${dark ? "dark" : "light"}-seven`);

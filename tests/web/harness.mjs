@@ -95,7 +95,12 @@ export async function open({ before, width = 1280, height = 900, dark = false, s
     return page;
 }
 
+// A pattern may ask for tests that only the other browser has; web.sh wants one to have any.
 export async function runAll() {
+    if (tests.length === 0) {
+        console.log("0 passed, 0 failed");
+        return;
+    }
     const profile = mkdtempSync(`${tmpdir()}/invcal-profile-`);
     browser = await puppeteer.launch({ headless: true, userDataDir: profile, ...LAUNCH[browserName] });
     let failed = 0;
@@ -123,5 +128,5 @@ export async function runAll() {
     rmSync(work, { recursive: true, force: true });
     rmSync(profile, { recursive: true, force: true, maxRetries: 5 });
     console.log(`${tests.length - failed} passed, ${failed} failed`);
-    process.exitCode = failed > 0 || tests.length === 0 ? 1 : 0;
+    process.exitCode = failed > 0 ? 1 : 0;
 }

@@ -2,7 +2,7 @@
 //
 // Live calibrations: simulator, replayed logs, a phone; what is taken away; speed.
 import { test, expect, equal, close, native, file, put, sleep } from "./harness.mjs";
-import { DIRECTIONS, SENSOR, reads, samples, unit } from "./sensor.mjs";
+import { DIRECTIONS, SENSOR, noise, reads, samples, unit } from "./sensor.mjs";
 
 const GOOD = "invcal.session()?.result?.mayStop";
 const TAKEN = (n) => `invcal.session()?.positions.length >= ${n}`;
@@ -12,7 +12,7 @@ const result = (page) => page.evaluate(() => {
     return { offset, matrix, sigma, verdict };
 });
 
-async function simulate(page, speed = "16") {
+async function simulate(page, speed = "Infinity") {
     await page.select("#speed", speed);
     await page.click("#simulator");
 }
@@ -23,7 +23,7 @@ const SIMULATED = [327.7, -245.8, 491.5];
 test("simulator to Good: it says when to stop, and what it found is true", async (open) => {
     const page = await open();
     await page.picture("idle");
-    await simulate(page);
+    await simulate(page, "16");
     await page.until(TAKEN(4), "four positions");
     await page.picture("four");
     await page.until('invcal.session().state === "settling"', "a hold");
@@ -41,7 +41,7 @@ test("simulator to Good: it says when to stop, and what it found is true", async
 
 test("report and files of a live calibration agree with what was shown", async (open) => {
     const page = await open();
-    await simulate(page, "16");
+    await simulate(page);
     await page.until(GOOD, "good");
     await page.click("#stop");
     const live = await result(page);
@@ -70,12 +70,13 @@ test("stopped and started again, each time from nothing", async (open) => {
     }
     await simulate(page);
     await page.until(TAKEN(1), "one position");
+    await page.evaluate(() => (window.before = invcal.session()));
     await simulate(page);
-    await page.until("invcal.session().positions.length === 0", "begun again");
+    await page.until("invcal.session() !== window.before", "begun again");
     await page.until(TAKEN(1), "one position");
 });
 
-test("a dropped log is replayed, as fast as can be: all positions, the native tool's offsets", async (open) => {
+test("a dropped log is replayed, at a stated speed and as fast as possible: all positions, the native tool's offsets", async (open) => {
     const readings = DIRECTIONS.map(reads);
     const rows = [...samples(readings)].map((v, i) => `${(i / 100).toFixed(2)},${v.map(Math.round).join(",")}`);
     put("replay.csv", `t,x,y,z\n${rows.join("\n")}\n`);
@@ -83,14 +84,19 @@ test("a dropped log is replayed, as fast as can be: all positions, the native to
     const page = await open();
     await page.drop("replay.csv");
     await page.until('!document.querySelector("#made").hidden', "made");
-    await page.select("#speed", "4");
-    await page.click("#replay");
-    await page.until("invcal.session()?.samples > 100", "begun");
-    await page.click("#stop");
-    for (const speed of ["Infinity", "16"]) {
-        await page.select("#speed", speed);
+    for (const speed of [4, 16]) {
+        await page.select("#speed", String(speed));
+        const began = await page.evaluate(() => performance.now());
         await page.click("#replay");
-        await page.until('invcal.session()?.state === "ended"', `replayed at ${speed}`, 30000);
+        await page.until(`invcal.session()?.samples > ${40 * speed}`, "begun");
+        await page.click("#stop");
+        const [passed, samples] = await page.evaluate((then) => [performance.now() - then, invcal.session().samples], began);
+        expect(samples / 100 <= (passed / 1000) * speed + 0.1, `${samples} samples of 100 a second in ${passed} ms at ${speed} times`);
+    }
+    for (const time of [1, 2]) {
+        await page.select("#speed", "Infinity");
+        await page.click("#replay");
+        await page.until('invcal.session()?.state === "ended"', `replayed, time ${time}`);
         const { offset } = await result(page);
         equal(await page.evaluate(() => invcal.session().positions.length), 18, "positions");
         JSON.parse(file("CAL.json")).offset.forEach((v, i) => close(offset[i], v, 0.05, `offset ${i}, counts`));
@@ -104,7 +110,7 @@ test("a log that cannot be replayed says so", async (open) => {
     await page.drop("words.csv");
     await page.until('document.querySelector("#trouble").textContent !== ""', "refused");
     await page.click("#replay");
-    await page.until('document.querySelector("#notice").textContent.startsWith("No line of it")', "no samples");
+    await page.until('document.querySelector("#notice").textContent.startsWith("No line of this log")', "no samples");
 });
 
 test("tones: one for each position, and when to stop; none if they are not wanted", async (open) => {
@@ -170,11 +176,51 @@ test("a phone that rounds to 0.1 m/s²: calibrated, and what that means is said"
     expect(!(await page.text("#facts")).includes("rounds"), "nothing is rounded");
 });
 
+test("motion sensors that Chromium emulates, and rounds itself: a position is taken, and the rounding is told", async (open) => {
+    const page = await open();
+    const browser = await page.createCDPSession();
+    for (const type of ["accelerometer", "linear-acceleration", "gyroscope"]) {
+        await browser.send("Emulation.setSensorOverrideEnabled", { enabled: true, type, metadata: { available: true, minimumFrequency: 1, maximumFrequency: 60 } });
+    }
+    const feel = (type, [x, y, z]) => browser.send("Emulation.setSensorOverrideReadings", { type, reading: { xyz: { x, y, z } } });
+    await feel("gyroscope", [0, 0, 0]);
+    await feel("linear-acceleration", [0, 0, 0]);
+    await feel("accelerometer", [5.55, -2.34, 7.73]); // of length 9.8
+    await begin(page);
+    const tremor = noise(7);
+    const shake = async () => {
+        while (!page.isHeld) {
+            await feel("accelerometer", [5.55, -2.34, 7.73].map((v) => v + 0.06 * tremor()));
+            await sleep(12);
+        }
+    };
+    const shaking = shake();
+    try {
+        await page.until("invcal.session()?.isReady()", "held long enough", 15000);
+    } finally {
+        page.isHeld = true;
+        await shaking;
+    }
+    expect((await page.text("#facts")).includes("rounds the readings to 10 mg"), await page.text("#facts"));
+    await page.click("#stop"); // what is held counts
+    equal(await page.evaluate(() => invcal.session().positions.length), 1, "positions");
+}, { only: "chromium" });
+
 test("a device without motion sensors says so", async (open) => {
     const page = await open();
     await page.click("#phone");
-    await page.until('document.querySelector("#notice").textContent.startsWith("No readings come")', "told", 5000);
+    await page.until('document.querySelector("#notice").textContent.startsWith("No readings arrive")', "told", 5000);
 });
+
+test("sensors that plain http hides, and sensors that the person denied: each is told", async (open) => {
+    const insecure = await open({ before: 'Object.defineProperty(window, "isSecureContext", { value: false });' });
+    await insecure.click("#phone");
+    const denied = await open({ before: 'DeviceMotionEvent.requestPermission = async () => "denied";' });
+    await denied.click("#phone");
+    await denied.until('document.querySelector("#notice").textContent.includes("does not let this page read the motion sensors")', "denied");
+    equal(await denied.$eval("#phone", (button) => button.ariaPressed), "false", "pressed");
+    await insecure.until('document.querySelector("#notice").textContent.includes("only over https")', "https", 5000);
+}, { only: "chromium" });
 
 // ---- speed -----------------------------------------------------------------------------------------
 

@@ -39,7 +39,7 @@
         heard: "",
         isGone: false,
         isBusy: false,
-        isRefused: false,
+        refusal: null, // the name of an error
         print(text) {
             controller.enqueue(new TextEncoder().encode(text));
         },
@@ -66,8 +66,8 @@
             addEventListener: (type, listener) => listeners[type].add(listener),
             removeEventListener: (type, listener) => listeners[type].delete(listener),
             async requestPort() {
-                if (board.isRefused) {
-                    throw new DOMException("No port selected by the user.", "NotFoundError");
+                if (board.refusal) {
+                    throw new DOMException("Failed to execute 'requestPort' on 'Serial'.", board.refusal);
                 }
                 return port;
             },

@@ -5,5 +5,5 @@ MCU := atmega1284p
 RAM := 16384
 # 8 bits at a time, in a simulator: one of so many random members, and no tests of a billion cycles.
 SHARE := 200
-# Takes more RAM than there is.
-WITHOUT := test_allan_nist
+# Take more RAM than there is.
+WITHOUT := test_allan_nist test_imu_session

@@ -10,8 +10,10 @@
 #include "invcal/store.h"
 
 #define FLASH_SECTORS 4u
-#define FLASH_SECTOR_SIZE 1024u /* what is stored takes 384 bytes at most; the rest lies idle */
-#define FLASH_GRANULARITY 8u    /* bytes programmed at once, and once only until erased */
+#ifndef FLASH_SECTOR_SIZE /* what is stored takes 384 bytes at most; the rest lies idle */
+#define FLASH_SECTOR_SIZE 1024u
+#endif
+#define FLASH_GRANULARITY 8u /* bytes programmed at once, and once only until erased */
 
 /* Yours to write; sim/flash_sim.c stands in for them here. They come back when the flash has
  * finished, and return 0, or anything else for a failure. Offsets are from the start of the

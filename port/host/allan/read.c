@@ -276,7 +276,7 @@ static int evaluate(allan_result *r, const allan_wish *wish)
 
 int allan_read(allan_result *r, const allan_wish *wish)
 {
-    int failure = samples_open(&log_read, wish->file, wish->rate, 0);
+    int failure = samples_open(&log_read, wish->file, COLUMNS_LOG, wish->rate, 0);
 
     *r = (allan_result){.name = log_read.table.name, .rate = log_read.rate};
     if (!failure && !log_read.is_rate_known) {

@@ -22,10 +22,11 @@
 #include "apply/thermal_correction.h"
 
 static const char *const operands[] = {"CAL.json", "LOG"};
-enum { COLUMNS, TEMPERATURE, QUIET, OPTIONS };
+enum { COLUMNS, TEMPERATURE, GYRO, QUIET, OPTIONS };
 static const option options[OPTIONS] = {
     [COLUMNS] = {"--columns", 1},
     [TEMPERATURE] = {"--temperature", 1},
+    [GYRO] = {"--gyro", 0},
     [QUIET] = {"--quiet", 0},
 };
 static const option_syntax syntax = {"apply", options, OPTIONS, operands, 2, 0};
@@ -36,6 +37,7 @@ typedef struct {
     double temperature; /* of all readings; NaN: by the column */
     thermal_correction at;
     nonlinear_correction bent;
+    int is_gyro;  /* the log is of the gyroscope alone */
     int is_quiet; /* nothing is told of readings that are beyond what the calibration knows */
 } job;
 
@@ -58,16 +60,35 @@ static int copy_number(FILE *spool, const table *log, const columns *where, colu
     return failure;
 }
 
-static int write_row(FILE *spool, const table *log, const columns *where, job *j)
+static int write_three(FILE *spool, const table *log, const double v[3])
+{
+    if (!(fabs(v[0]) <= DBL_MAX && fabs(v[1]) <= DBL_MAX && fabs(v[2]) <= DBL_MAX)) {
+        message("%s:%lu: too large a reading for any calculation", log->name, log->line);
+        return EXIT_FILE;
+    }
+    fprintf(spool, "%.9g,%.9g,%.9g", v[0], v[1], v[2]);
+    return EXIT_GOOD;
+}
+
+/* What the gyroscope reads, rad/s. */
+static int write_gyro(FILE *spool, const table *log, const columns *where, const job *j)
+{
+    double v[3];
+    const int failure = columns_turn(log, where, v);
+
+    if (failure) {
+        return failure;
+    }
+    invcal_apply(&j->file.gyro, v, v);
+    return write_three(spool, log, v);
+}
+
+static int write_accelerometer(FILE *spool, const table *log, const columns *where, job *j)
 {
     double v[3];
     double temperature = j->temperature;
     int failure = EXIT_GOOD;
 
-    if (where->index[COLUMN_TIME] >= 0) {
-        failure = copy_number(spool, log, where, COLUMN_TIME);
-        putc(',', spool);
-    }
     for (unsigned i = 0; i < 3 && !failure; i++) {
         failure = columns_number(log, where, (column)(COLUMN_X + i), &v[i]);
     }
@@ -79,12 +100,30 @@ static int write_row(FILE *spool, const table *log, const columns *where, job *j
     }
     nonlinear_correction_take(&j->bent, v);
     invcal_apply(thermal_correction_at(&j->at, temperature), v, v);
-    if (!(fabs(v[0]) <= DBL_MAX && fabs(v[1]) <= DBL_MAX && fabs(v[2]) <= DBL_MAX)) {
-        message("%s:%lu: too large a reading for any calculation", log->name, log->line);
-        return EXIT_FILE;
+    return write_three(spool, log, v);
+}
+
+static int has_gyro(const columns *where, const job *j)
+{
+    return where->gyro[0] >= 0 && j->file.has_gyro && !j->is_gyro;
+}
+
+static int write_row(FILE *spool, const table *log, const columns *where, job *j)
+{
+    int failure = EXIT_GOOD;
+
+    if (where->index[COLUMN_TIME] >= 0) {
+        failure = copy_number(spool, log, where, COLUMN_TIME);
+        putc(',', spool);
     }
-    fprintf(spool, "%.9g,%.9g,%.9g", v[0], v[1], v[2]);
-    if (where->index[COLUMN_TEMPERATURE] >= 0) {
+    failure = failure      ? failure
+              : j->is_gyro ? write_gyro(spool, log, where, j)
+                           : write_accelerometer(spool, log, where, j);
+    if (!failure && has_gyro(where, j)) {
+        putc(',', spool);
+        failure = write_gyro(spool, log, where, j);
+    }
+    if (!failure && where->index[COLUMN_TEMPERATURE] >= 0) {
         putc(',', spool);
         failure = copy_number(spool, log, where, COLUMN_TEMPERATURE);
     }
@@ -104,7 +143,7 @@ static int next_row(table *log, const columns *where, unsigned long rows)
     return more;
 }
 
-static int find_columns(table *log, columns *where)
+static int find_columns(table *log, const job *j, columns *where)
 {
     unsigned long cut;
     const int failure = table_drop_cut_first(log, &cut);
@@ -113,13 +152,18 @@ static int find_columns(table *log, columns *where)
         columns_say_cut(log, "first", cut);
     }
     log->is_log = 1;
-    return failure ? failure : columns_find(log, COLUMNS_LOG, where);
+    const columns_kind kind = j->is_gyro                ? COLUMNS_GYRO
+                              : j->file.has_gyro        ? COLUMNS_IMU
+                              : j->file.is_magnetometer ? COLUMNS_MAGNETOMETER
+                                                        : COLUMNS_LOG;
+    return failure ? failure : columns_find(log, kind, where);
 }
 
 /* A correction that depends on temperature needs one. */
 static int check_temperature(const table *log, const columns *where, const job *j)
 {
-    if (j->file.has_thermal && isnan(j->temperature) && where->index[COLUMN_TEMPERATURE] < 0) {
+    if (j->file.has_thermal && !j->is_gyro && isnan(j->temperature) &&
+        where->index[COLUMN_TEMPERATURE] < 0) {
         message("%s: has no column of temperature in °C, K or °F, which this calibration depends "
                 "on: name it "
                 "temperature, or state one for all readings with --temperature",
@@ -134,12 +178,13 @@ static int write_rows(FILE *spool, table *log, job *j)
     columns where;
     unsigned long rows = 0;
     int more = 0;
-    int failure = find_columns(log, &where);
+    int failure = find_columns(log, j, &where);
 
     if (failure) {
         return failure;
     }
-    fprintf(spool, "%sx,y,z%s\n", where.index[COLUMN_TIME] >= 0 ? "t," : "",
+    fprintf(spool, "%s%s%s%s\n", where.index[COLUMN_TIME] >= 0 ? "t," : "",
+            j->is_gyro ? "gx,gy,gz" : "x,y,z", has_gyro(&where, j) ? ",gx,gy,gz" : "",
             where.index[COLUMN_TEMPERATURE] >= 0 ? ",temperature" : "");
     while (!failure && !ferror(spool) && (more = next_row(log, &where, rows)) == 1) {
         failure = check_temperature(log, &where, j);
@@ -220,6 +265,10 @@ static int run(int argc, char **argv)
         return failure;
     }
     thermal_correction_begin(&j.at, &j.file);
+    j.is_gyro = value[GYRO] != NULL;
+    if (j.is_gyro && !j.file.has_gyro) {
+        return message_usage(syntax.command, "--gyro: %s holds no gyroscope", input_name(files[0]));
+    }
     j.is_quiet = value[QUIET] != NULL;
     if (j.is_quiet) {
         progress_quiet();
@@ -240,6 +289,8 @@ static const char *const help[] = {
     "standard input. Columns are x y z, or t x y z, or t x y z temperature, or any with a header\n"
     "that names them:\n",
     COLUMNS_NAMES,
+    "A gyroscope's columns beside them (gx gy gz) come in rad/s, gx gy gz too, if CAL.json holds "
+    "one.\n"
     "t and temperature are copied as they are (a time in ms, us or ns becomes seconds, a\n"
     "temperature in K or °F one in °C), the others left out. The readings are in the unit of\n"
     "the log that CAL.json was made from.\n"
@@ -255,6 +306,7 @@ static const char *const help[] = {
     "told.\n"
     "\n" CHOSEN_OPTION,
     "  --temperature T     of all readings, in place of the column; needs such a calibration\n"
+    "  --gyro              LOG is of the gyroscope alone, x y z or t x y z\n"
     "  --quiet             print only the result and errors: no progress, no warning of readings\n"
     "                      beyond what the calibration knows\n"
     "\n"
@@ -276,6 +328,7 @@ static const char *const brief[] = {
     "\n"
     "  --temperature T     of all readings, in place of the column; for a calibration made with\n"
     "                      --thermal\n"
+    "  --gyro              LOG is of the gyroscope alone\n"
     "  --quiet             show no progress, print only the result and errors\n"
     "\n"
     "example:\n"

@@ -25,7 +25,15 @@ static int hold(const request *r, const calibrate_result *result)
 {
     char reason[PASS_MAX];
 
-    if (!r->value[ASK_STRICT] || !*pass_strict(result, reason)) {
+    if (!r->value[ASK_STRICT] || result->refused.word) {
+        return EXIT_GOOD; /* what is refused has its own */
+    }
+    if (result->gyro.word) {
+        message("%s: --strict: the gyroscope is not calibrated: %s", result->data->name,
+                result->gyro.reason);
+        return EXIT_DATA;
+    }
+    if (!*pass_strict(result, reason)) {
         return EXIT_GOOD;
     }
     message("%s: --strict: %s", result->data->name, reason);
@@ -59,12 +67,44 @@ static int asks_for_list(int argc, char **argv)
     return asks;
 }
 
-int calibrate_run(int argc, char **argv, int is_live, positions_reader *read)
+/* The positions of the log, or the rests in it. */
+static int solve_log(const request *r, positions *data, rests_summary *log, turns *gyro,
+                     calibrate_result *result, positions_reader *read)
+{
+    const int failure = read(r, data, log, gyro);
+
+    if (failure) {
+        return failure;
+    }
+    if (data->count == 0 && !r->value[ASK_POSITIONS]) {
+        return calibrate_no_rest(result);
+    }
+    settle_unit(r, data);
+    return solve_positions(r, data, gyro, result);
+}
+
+/* No rest is looked for in it. */
+static int solve_magnetometer(const request *r, positions *data, waved *log,
+                              calibrate_result *result, waved_reader *read)
+{
+    int failure = settle_magnetometer(r, &result->nominal);
+
+    result->log = NULL;
+    result->magnetometer = log;
+    failure = failure ? failure : read(r, &result->nominal.calibration, data, log);
+    return failure                    ? failure
+           : log->status != INVCAL_OK ? calibrate_refuse_waved(result)
+                                      : solve_waved(r, data, result);
+}
+
+int calibrate_run(int argc, char **argv, int is_live, const calibrate_readers *read)
 {
     request r;
     positions data = {.name = NULL};
+    waved waving = {.samples = 0};
     rests_summary log;
     calibrate_result result = {.data = NULL};
+    turns gyro = {.file = NULL};
 
     if (asks_for_list(argc, argv)) {
         sensors_list(stdout);
@@ -80,14 +120,10 @@ int calibrate_run(int argc, char **argv, int is_live, positions_reader *read)
     json_lines(r.value[ASK_JSON_LINES] ? r.file : NULL);
     result = ask(&r, &data, &log);
     settle_limits(&r, &result);
-    failure = read(&r, &data, &log);
-    if (!failure && data.count == 0 && !r.value[ASK_POSITIONS]) {
-        failure = calibrate_no_rest(&result);
-    }
-    if (!failure) {
-        settle_unit(&r, &data);
-        failure = solve_positions(&r, &data, &result);
-    }
+    gyro.file = r.value[ASK_GYRO];
+    failure = r.value[ASK_MAGNETOMETER]
+                  ? solve_magnetometer(&r, &data, &waving, &result, read->waved)
+                  : solve_log(&r, &data, &log, &gyro, &result, read->rests);
     failure = result.refused.word ? deliver_refusal(&r, &result)
               : failure           ? failure
                                   : deliver(&r, &result);
@@ -98,22 +134,36 @@ int calibrate_run(int argc, char **argv, int is_live, positions_reader *read)
     stand_free(&result.stand);
     rejection_free(&result.rejected);
     positions_free(&data);
+    waved_free(&waving);
+    turns_free(&gyro);
     json_lines(NULL);
     return failure;
 }
 
 /* The positions of the file, or those that a log rests in. */
-static int read_positions(const request *r, positions *data, rests_summary *log)
+static int read_positions(const request *r, positions *data, rests_summary *log, turns *gyro)
 {
     const double *clip = r->value[ASK_CLIP] ? r->clip : NULL;
 
-    return r->value[ASK_POSITIONS] ? positions_read(data, r->file)
-                                   : rests_read(data, r->file, r->rate, clip, log);
+    return r->value[ASK_POSITIONS]
+               ? positions_read(data, r->file)
+               : rests_read(data, r->file, r->rate, clip,
+                            r->value[ASK_ACCELEROMETER_ONLY] ? NULL : gyro, log);
+}
+
+static int read_waved(const request *r, const invcal_calibration *nominal, positions *data,
+                      waved *log)
+{
+    const waved_wish wish = {.path = r->file, .rate = r->rate, .nominal = nominal};
+
+    return waved_read(data, &wish, log);
 }
 
 static int run_calibrate(int argc, char **argv)
 {
-    return calibrate_run(argc, argv, 0, read_positions);
+    static const calibrate_readers readers = {read_positions, read_waved};
+
+    return calibrate_run(argc, argv, 0, &readers);
 }
 
 static const char *const help[] = {
@@ -128,13 +178,17 @@ static const char *const help[] = {
     "LOG is a table of samples, - the standard input; the rests in it, of two seconds or more,\n"
     "are found. Turn briskly from one to the next: a turn of more than five seconds may pass for\n"
     "a rest where it begins and ends slowly. Columns are x y z, or t x y z (t in seconds), or\n"
-    "t x y z temperature; the first two also with the three of a gyro behind; or any with a\n"
+    "t x y z temperature; the first two also with the three of a gyroscope behind; or any with a\n"
     "header that names them:\n",
     COLUMNS_NAMES,
     "Separators are semicolons, commas, tabs or blanks; lines beginning with #, % or // are\n"
     "comments. What LOG was taken for is told in the first line of the result.\n"
     "Nine positions are the least, twelve to eighteen in all directions are good. A position\n"
     "that contradicts the others is left out and named, if eleven or more are there to tell.\n"
+    "\n"
+    "A gyroscope (columns gx gy gz, or w_x .., gyro_x .., GyrX .., angular_velocity.x ..) is\n"
+    "calibrated with it: between two rests it must turn the one way up into the other. Twelve\n"
+    "quarter turns between the six faces, each within ten seconds, tell both sensors whole.\n"
     "\n" CHOSEN_OPTION,
     "  --positions         each row of LOG is the mean of one position: x y z, or x y z std n\n"
     "                      (standard deviation and number of the samples), or\n"
@@ -142,7 +196,16 @@ static const char *const help[] = {
     "  --rate HZ           samples a second; default: by the column t, else 100\n"
     "  --clip LOW,HIGH     the least and the greatest reading of the sensor, in input units:\n"
     "                      rests that touch them are refused\n"
-    "  --keep-all          leaves no position out\n",
+    "  --keep-all          leaves no position out\n"
+    "  --gyro FILE         the gyroscope is in a file of its own, columns x y z or t x y z, by "
+    "the\n"
+    "                      same clock or with as many rows\n"
+    "  --gyro-lsb S        degrees/s in one unit of it, as 1/131; or rad/s or deg/s; default: by "
+    "the\n"
+    "                      header, else by the moves\n"
+    "  --gyro-axes X,Y,Z   its axes that turn about the accelerometer's x, y, z, as y,-x,z\n"
+    "  --accelerometer-only\n"
+    "                      leaves a gyroscope out\n",
     "  --gravity G[+-S]    length of the field, in the unit of the result, and what it may be "
     "wrong\n"
     "                      by; default 9.80665+-0.027 (m/s^2), as is true anywhere on Earth. For "
@@ -154,10 +217,12 @@ static const char *const help[] = {
     "                      the real one differs by some 0.0005 m/s^2, which scales all readings\n"
     "                      alike and does nothing else\n"
     "  --height M          above the sea, m; default 0\n"
-    "  --frame symmetric|triangular|stand\n"
+    "  --frame symmetric|triangular|stand|accelerometer\n"
     "                      symmetric (default): axes as near to the case as can be;\n"
     "                      triangular: only the x sensor feels a field along the x axis;\n"
-    "                      stand: turned to the axes of the stand, by its angles\n"
+    "                      stand: turned to the axes of the stand, by its angles;\n"
+    "                      accelerometer: a magnetometer's turned to those of the accelerometer\n"
+    "                      that LOG has as well\n"
     "  --case +z,-x,.,...  which way of the case was up in the first positions of LOG, a dot where "
     "it\n"
     "                      is not known: turns the result to the axes of the case. Two ways or\n"
@@ -198,6 +263,15 @@ static const char *const help[] = {
     "                      angles: takes these as 0 with the standard deviation 0.01 rad (0.57\n"
     "                      degrees, a data sheet's 1 % cross-axis), or G of --prior 0,0,G, and\n"
     "                      tells what that costs. Needs the noise\n"
+    "  --magnetometer      LOG is a magnetometer that was waved for a minute, not held still: its\n"
+    "                      columns (mx my mz) beside others. Needs no rests and no field: without\n"
+    "                      --gravity the result is in the unit of the readings, by their mean\n"
+    "                      scale. Names a magnet that passed by, a step, a field that differs "
+    "from\n"
+    "                      place to place. Of an accelerometer beside it, how the axes of both "
+    "are\n"
+    "                      turned against each other\n"
+    "  --with CAL.json     the calibration of that accelerometer; else it is taken as it reads\n"
     "  --robust            a cross-check: does the estimate with the least sum of absolute "
     "residuals\n"
     "                      (l1) of all positions agree with this one, outliers left out?\n"
@@ -265,7 +339,8 @@ static const char *const brief[] = {
     "\n"
     "Calibrates accelerometers that were held still in a dozen orientations or more, at any "
     "angle.\n"
-    "LOG is a table of samples, columns x y z or t x y z; - is the standard input.\n"
+    "LOG is a table of samples, columns x y z or t x y z, and a gyroscope's; - is the standard "
+    "input.\n"
     "\n"
     "  --positions         each row of LOG is the mean of one position, not a sample\n"
     "  --gravity G[+-S]    length of the field; default 9.80665+-0.027 (m/s^2)\n"

@@ -7,11 +7,22 @@
 
 #include "calibrate/request.h"
 #include "read/rests.h"
+#include "read/waved.h"
 
-/* Reads positions; `log` tells what they were found in. Returns an exit code. */
-typedef int positions_reader(const request *r, positions *data, rests_summary *log);
+/* Reads positions; `log` tells what they were found in, `gyro` what a gyroscope
+ * read meanwhile. Returns an exit code. */
+typedef int positions_reader(const request *r, positions *data, rests_summary *log, turns *gyro);
+
+/* The same of a magnetometer that is waved. */
+typedef int waved_reader(const request *r, const invcal_calibration *nominal, positions *data,
+                         waved *log);
+
+typedef struct {
+    positions_reader *rests;
+    waved_reader *waved;
+} calibrate_readers;
 
 /* A whole command: its line, the positions, the result. Returns its exit code. */
-int calibrate_run(int argc, char **argv, int is_live, positions_reader *read);
+int calibrate_run(int argc, char **argv, int is_live, const calibrate_readers *read);
 
 #endif

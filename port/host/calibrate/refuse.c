@@ -313,3 +313,41 @@ int calibrate_no_case(calibrate_result *r, invcal_status status)
     add(why->remedy, "state them in the order of the log, with no axis of the case mirrored");
     return EXIT_DATA;
 }
+
+int calibrate_no_axes(calibrate_result *r)
+{
+    const dip_frame *d = &r->dip;
+    refusal *why = begin(r, "angles", 0);
+
+    if (d->answer == DIP_NO_ACCELEROMETER) {
+        add(why->reason,
+            "the log has no columns of an accelerometer (ax ay az) beside those of the "
+            "magnetometer");
+    } else if (d->answer == DIP_UNEVEN) {
+        add(why->reason,
+            "the accelerometer has its usual length, within 10 %%, in %lu of %lu instants only",
+            d->used, d->of);
+        add(why->remedy, "correct it by its own calibration (--with CAL.json), and turn slowly");
+    } else {
+        add(why->reason, "the log leaves open how the axes are turned against the accelerometer's");
+        add(why->remedy, "turn it about all axes, slowly");
+    }
+    return EXIT_DATA;
+}
+
+int calibrate_refuse_waved(calibrate_result *r)
+{
+    const waved *log = r->magnetometer;
+    refusal *why = begin(r, status_name(log->status), (1u << INVCAL_PARAMETERS) - 1);
+
+    if (log->status == INVCAL_TOO_FEW || log->status == INVCAL_UNDETERMINED) {
+        add(why->reason, "%lu samples, all in a few directions", log->samples);
+        add(why->remedy, "wave it for a minute so that every side of the case has pointed along "
+                         "the field, which "
+                         "points north and steeply down in Europe and North America");
+    } else {
+        add(why->reason, "the samples lie on no ellipsoid");
+        add(why->remedy, "look for wrong columns, and for iron or a magnet near by");
+    }
+    return EXIT_DATA;
+}

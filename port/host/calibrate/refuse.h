@@ -29,4 +29,10 @@ int calibrate_no_frame(calibrate_result *result);
 /* The ways up of the case that were stated are not those measured. */
 int calibrate_no_case(calibrate_result *result, invcal_status status);
 
+/* Nothing tells how its axes are turned against those of an accelerometer. */
+int calibrate_no_axes(calibrate_result *result);
+
+/* The samples of a magnetometer do not tell a calibration. */
+int calibrate_refuse_waved(calibrate_result *result);
+
 #endif

@@ -34,9 +34,15 @@ static const option options[ASK_OPTIONS] = {
     [ASK_NOISE] = {"--noise", 1},
     [ASK_PRIOR] = {"--prior", 1},
     [ASK_SIX_FACES] = {"--six-faces", 0},
+    [ASK_MAGNETOMETER] = {"--magnetometer", 0},
+    [ASK_WITH] = {"--with", 1},
     [ASK_THERMAL] = {"--thermal", 1},
     [ASK_SLOPE] = {"--slope", 1},
     [ASK_RATE] = {"--rate", 1},
+    [ASK_GYRO] = {"--gyro", 1},
+    [ASK_GYRO_LSB] = {"--gyro-lsb", 1},
+    [ASK_GYRO_AXES] = {"--gyro-axes", 1},
+    [ASK_ACCELEROMETER_ONLY] = {"--accelerometer-only", 0},
     [ASK_CLIP] = {"--clip", 1},
     [ASK_ROBUST] = {"--robust", 0},
     [ASK_QUADRATIC] = {"--quadratic", 0},
@@ -75,6 +81,34 @@ static design stated_plan;
 int request_usage(const request *r, unsigned which, const char *what)
 {
     return message_usage(r->syntax->command, "%s: %s", options[which].name, what);
+}
+
+/* It has no positions of its own, and its field may be of any length. */
+static int read_magnetometer(request *r)
+{
+    static const unsigned others[] = {ASK_POSITIONS, ASK_LATITUDE,   ASK_HEIGHT, ASK_CASE,
+                                      ASK_UNIT,      ASK_NOISE,      ASK_PRIOR,  ASK_SIX_FACES,
+                                      ASK_THERMAL,   ASK_CLIP,       ASK_ROBUST, ASK_QUADRATIC,
+                                      ASK_CUBIC,     ASK_STAND,      ASK_PLAN,   ASK_KEEP_ALL,
+                                      ASK_SENSOR,    ASK_MEAN_SIGMA, ASK_ALLAN};
+
+    if (!r->value[ASK_MAGNETOMETER]) {
+        return r->value[ASK_WITH] ? request_usage(r, ASK_WITH, "is for --magnetometer")
+               : r->wants_accelerometer_axes
+                   ? request_usage(r, ASK_FRAME, "accelerometer is for --magnetometer")
+                   : EXIT_GOOD;
+    }
+    for (unsigned i = 0; i < sizeof others / sizeof others[0]; i++) {
+        if (r->value[others[i]]) {
+            return message_usage(r->syntax->command, "%s: does not go together with %s",
+                                 options[ASK_MAGNETOMETER].name, options[others[i]].name);
+        }
+    }
+    if (!r->value[ASK_GRAVITY]) {
+        r->settings.field = 1;
+        r->field_sigma = 0;
+    }
+    return EXIT_GOOD;
 }
 
 /* The field of a place on Earth. */
@@ -157,9 +191,13 @@ static int read_frame(request *r)
 
     r->settings.is_triangular = strcmp(name, "triangular") == 0;
     r->stand.is_frame = strcmp(name, "stand") == 0;
-    return r->settings.is_triangular || r->stand.is_frame || strcmp(name, "symmetric") == 0
+    r->wants_accelerometer_axes = strcmp(name, "accelerometer") == 0;
+    return r->settings.is_triangular || r->stand.is_frame || r->wants_accelerometer_axes ||
+                   strcmp(name, "symmetric") == 0
                ? EXIT_GOOD
-               : request_usage(r, ASK_FRAME, "is symmetric, triangular or stand");
+               : request_usage(r, ASK_FRAME,
+                               "is symmetric, triangular or stand, of a magnetometer also "
+                               "accelerometer");
 }
 
 /* Which way of the case was up. */
@@ -365,6 +403,67 @@ static int read_log_options(request *r)
     return failure;
 }
 
+/* "y,-x,z" */
+static int parse_axes(const char *text, int8_t axes[3])
+{
+    unsigned seen = 0;
+
+    for (unsigned i = 0; i < 3; i++) {
+        const int is_negative = *text == '-';
+        text += is_negative || *text == '+';
+        const int axis = *text >= 'x' && *text <= 'z' ? *text++ - 'x' : -1;
+        if (axis < 0 || *text != (i < 2 ? ',' : '\0')) {
+            return 0;
+        }
+        text += i < 2;
+        seen |= 1u << axis;
+        axes[i] = (int8_t)(is_negative ? -axis - 1 : axis + 1);
+    }
+    return seen == 7;
+}
+
+/* Of the gyroscope. */
+static int read_gyro(request *r)
+{
+    const char *lsb = r->value[ASK_GYRO_LSB];
+    int failure = EXIT_GOOD;
+
+    for (unsigned o = ASK_GYRO; o <= ASK_ACCELEROMETER_ONLY; o++) {
+        if (r->value[o] && r->value[ASK_POSITIONS]) {
+            return request_usage(r, o, "is of samples; position means have no moves");
+        }
+        if (r->value[o] && o != ASK_ACCELEROMETER_ONLY && r->value[ASK_ACCELEROMETER_ONLY]) {
+            return request_usage(r, o, "is of the gyroscope: leave out --accelerometer-only");
+        }
+    }
+    if (r->value[ASK_GYRO] && r->is_live) {
+        return request_usage(r, ASK_GYRO, "is for invcal calibrate");
+    }
+    if (r->value[ASK_GYRO] && r->value[ASK_COLUMNS]) {
+        return request_usage(r, ASK_GYRO,
+                             "does not go together with --columns: name them in headers");
+    }
+    if (r->value[ASK_GYRO_AXES] && !parse_axes(r->value[ASK_GYRO_AXES], r->gyro.axes)) {
+        return request_usage(
+            r, ASK_GYRO_AXES,
+            "is the gyroscope's axes that turn about the accelerometer's x, y and z, "
+            "such as y,-x,z");
+    }
+    if (lsb) {
+        r->gyro.turn = unit_parse_turn(lsb);
+        if (!(r->gyro.turn > 0)) {
+            failure = options_numbers(r->syntax, ASK_GYRO_LSB, lsb, 1, &r->gyro.turn, NULL);
+            r->gyro.turn *= UNIT_DEGREE;
+        }
+        if (!failure && !(r->gyro.turn > 1e-12 && r->gyro.turn < 1e6)) {
+            failure =
+                request_usage(r, ASK_GYRO_LSB,
+                              "is degrees/s in one input unit, such as 1/131, or rad/s or deg/s");
+        }
+    }
+    return failure;
+}
+
 /* The program to follow. What it leaves open a prior may tell. */
 static int read_program(request *r)
 {
@@ -540,7 +639,8 @@ static int read_need(request *r)
     if (!text) {
         return EXIT_GOOD;
     }
-    const need_ending ending = need_parse(text, r->settings.field, &digits, &r->need_unit);
+    const need_ending ending = need_parse(text, r->value[ASK_MAGNETOMETER] ? 0 : r->settings.field,
+                                          &digits, &r->need_unit);
     if (ending == NEED_NO_UNIT) {
         return message_usage(r->syntax->command,
                              "--need %s: ends with mg, g, ug, m/s2 or %%, or is a number in the "
@@ -552,6 +652,9 @@ static int read_need(request *r)
                              "--need %s: the field (--gravity) is no gravity; state a part of it "
                              "in %%, or a number in its unit",
                              text);
+    }
+    if (ending == NEED_PLAIN) {
+        r->need_unit.scale = r->settings.field;
     }
     snprintf(number, sizeof number, "%.*s", (int)fmin((double)digits, sizeof number - 1), text);
     const int failure = options_numbers(r->syntax, ASK_NEED, number, 1, &r->need, NULL);
@@ -587,11 +690,13 @@ static int check_files(const request *r)
 {
     const named_file inputs[] = {{"LOG", r->file},
                                  {"--nominal", r->value[ASK_NOMINAL]},
+                                 {"--with", r->value[ASK_WITH]},
+                                 {"--gyro", r->value[ASK_GYRO]},
                                  {"--allan", r->value[ASK_ALLAN]},
                                  {"--plan", design_file(r->value[ASK_PLAN])}};
     const named_file outputs[] = {{"--out", r->value[ASK_OUT]}, {"--report", r->value[ASK_REPORT]}};
 
-    return files_check(r->syntax->command, inputs, 4, outputs, 2);
+    return files_check(r->syntax->command, inputs, sizeof inputs / sizeof inputs[0], outputs, 2);
 }
 
 int request_read(int argc, char **argv, int is_live, request *r)
@@ -605,6 +710,7 @@ int request_read(int argc, char **argv, int is_live, request *r)
     failure = failure ? failure : check_files(r);
     failure = failure ? failure : read_gravity(r);
     failure = failure ? failure : read_frame(r);
+    failure = failure ? failure : read_magnetometer(r);
     failure = failure ? failure : read_case(r);
     failure = failure ? failure : read_nominal(r);
     failure = failure ? failure : read_sensor(r);
@@ -612,6 +718,7 @@ int request_read(int argc, char **argv, int is_live, request *r)
     failure = failure ? failure : read_noise(r);
     failure = failure ? failure : read_thermal(r);
     failure = failure ? failure : read_log_options(r);
+    failure = failure ? failure : read_gyro(r);
     failure = failure ? failure : read_live_options(r);
     failure = failure ? failure : read_degree(r);
     failure = failure ? failure : read_stand(r);

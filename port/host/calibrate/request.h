@@ -10,6 +10,7 @@
 #include "cli/told.h"
 #include "fit/case_frame.h"
 #include "fit/fit.h"
+#include "fit/gyro.h"
 #include "fit/sensors.h"
 #include "fit/thermal_fit.h"
 #include "result/record.h"
@@ -35,9 +36,15 @@ enum {
     ASK_NOISE,
     ASK_PRIOR,
     ASK_SIX_FACES,
+    ASK_MAGNETOMETER,
+    ASK_WITH,
     ASK_THERMAL,
     ASK_SLOPE,
     ASK_RATE,
+    ASK_GYRO,
+    ASK_GYRO_LSB,
+    ASK_GYRO_AXES,
+    ASK_ACCELEROMETER_ONLY,
     ASK_CLIP,
     ASK_ROBUST,
     ASK_QUADRATIC,
@@ -90,10 +97,12 @@ typedef struct {
     double place[2];                   /* latitude, height */
     double field_sigma; /* what the length of the field may be wrong by, field units */
     thermal_wish thermal;
+    gyro_wish gyro;
     const design *program; /* of --plan, which watch follows; or null */
     unsigned degree;       /* of --quadratic, --cubic; else 0 */
     stand_wish stand;
-    case_wish ways_up; /* of --case; none: its count is 0 */
+    case_wish ways_up;            /* of --case; none: its count is 0 */
+    int wants_accelerometer_axes; /* of --frame, for a magnetometer */
     record record;
     fit_settings settings; /* all but the nominal, and the noise unless stated */
 } request;

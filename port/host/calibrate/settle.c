@@ -153,6 +153,24 @@ int settle_scale(const request *r, const positions *data, const nominal_choice *
                          meant / lsb);
 }
 
+int settle_magnetometer(const request *r, nominal_choice *n)
+{
+    invcal_calibration c = {.offset = {0}};
+
+    n->zero = r->value[ASK_ZERO] ? NOMINAL_GIVEN : NOMINAL_UNIT;
+    n->lsb = r->value[ASK_LSB] ? NOMINAL_GIVEN : NOMINAL_UNIT;
+    if (r->value[ASK_NOMINAL]) {
+        n->zero = n->lsb = NOMINAL_EARLIER;
+        return calibration_file_read(r->value[ASK_NOMINAL], &n->calibration);
+    }
+    for (unsigned i = 0; i < 3; i++) {
+        c.offset[i] = r->value[ASK_ZERO] ? r->zero[i] : 0;
+        c.matrix[i][i] = r->value[ASK_LSB] ? r->lsb[i] : 1;
+    }
+    n->calibration = c;
+    return EXIT_GOOD;
+}
+
 /* The noise of a position mean from std and n: the root mean square over axes. */
 static double noise_of_file(const positions *data, const invcal_calibration *c)
 {

@@ -22,6 +22,10 @@ void settle_limits(const request *r, calibrate_result *result);
  * count is meant. Returns EXIT_GOOD, also if it is wrong otherwise; EXIT_USAGE after a message. */
 int settle_scale(const request *r, const positions *data, const nominal_choice *nominal);
 
+/* That of a magnetometer, before it is read: without a scale 1, so that the result is in the unit of the
+ * readings. Returns EXIT_GOOD; EXIT_FILE after a message. */
+int settle_magnetometer(const request *r, nominal_choice *n);
+
 /* The noise of a position mean, and whether it is known where it has to be. Returns as above. */
 int settle_noise(const request *r, const positions *data, calibrate_result *result);
 

@@ -6,12 +6,14 @@
 #include <string.h>
 
 #include "calibrate/cross_check.h"
+#include "calibrate/gyro.h"
 #include "calibrate/nonlinear.h"
 #include "calibrate/refuse.h"
 #include "calibrate/settle.h"
 #include "cli/command.h"
 #include "cli/message.h"
 #include "fit/fit_drift.h"
+#include "result/calibration_file.h"
 #include "text/number.h"
 
 static double residual_of_nominal(const positions *data, const invcal_calibration *nominal)
@@ -162,7 +164,7 @@ static double accuracy_of(const fit_quality *q)
 /* A field that is wrong makes all three scales wrong alike. */
 static void inherit_field(const request *r, calibrate_result *result)
 {
-    result->field_sigma = r->field_sigma / r->settings.field;
+    result->field_sigma = r->field_sigma / result->settings.field;
     result->is_field_stated = r->value[ASK_GRAVITY] || r->value[ASK_LATITUDE];
     for (unsigned p = INVCAL_DK_X; p <= INVCAL_DK_Z; p++) {
         double *sigma = &result->quality.sigma[p];
@@ -218,7 +220,17 @@ static int find_case(const request *r, calibrate_result *result)
     return EXIT_GOOD;
 }
 
-int solve_positions(const request *r, const positions *data, calibrate_result *result)
+/* What follows from the solution. */
+static void complete(const request *r, const positions *data, calibrate_result *result)
+{
+    result->accuracy = accuracy_of(&result->quality);
+    inherit_field(r, result);
+    result->quality.worst = rejection_original(&result->rejected, result->quality.worst);
+    result->residual_before = residual_of_nominal(data, &result->settings.nominal);
+}
+
+int solve_positions(const request *r, const positions *data, const turns *gyro,
+                    calibrate_result *result)
 {
     int failure = stand_check(&r->stand, data);
     failure = failure ? failure : settle_nominal(r, result);
@@ -228,19 +240,86 @@ int solve_positions(const request *r, const positions *data, calibrate_result *r
     failure = failure                 ? failure
               : r->value[ASK_THERMAL] ? solve_thermal(r, result)
                                       : solve_plain(r, result);
+    failure = calibrate_gyro(r, gyro, failure, result);
     failure = failure || r->value[ASK_THERMAL] ? failure : probe_temperature(result);
     failure = failure || !r->stand.is_wanted ? failure : find_stand(r, result);
     failure = failure || r->ways_up.count == 0 ? failure : find_case(r, result);
     if (failure) {
         return failure;
     }
+    calibrate_gyro_turn(result);
     result->is_robust_wanted = r->value[ASK_ROBUST] != NULL;
     if (result->is_robust_wanted) {
         cross_check(result);
     }
-    result->accuracy = accuracy_of(&result->quality);
-    inherit_field(r, result);
-    result->quality.worst = rejection_original(&result->rejected, result->quality.worst);
-    result->residual_before = residual_of_nominal(data, &result->settings.nominal);
+    complete(r, data, result);
     return EXIT_GOOD;
+}
+
+/* Its axes against those of the accelerometer beside it. */
+static int find_axes(const request *r, calibrate_result *result)
+{
+    const char *path = r->value[ASK_WITH];
+    dip_frame *dip = &result->dip;
+    static calibration_file file; /* large */
+    int failure = path ? calibration_file_read_correction(path, &file) : EXIT_GOOD;
+
+    if (!failure && path && file.is_magnetometer) {
+        return message_usage(r->syntax->command,
+                             "--with %s: is a calibration of a magnetometer: state that of the "
+                             "accelerometer",
+                             path);
+    }
+    failure = failure ? failure
+                      : dip_frame_find(result->magnetometer, path ? &file.calibration : NULL, dip);
+    if (failure) {
+        return failure;
+    }
+    if ((path && dip->answer == DIP_NO_ACCELEROMETER) ||
+        (r->wants_accelerometer_axes && dip->answer != DIP_TOLD)) {
+        return calibrate_no_axes(result);
+    }
+    if (r->wants_accelerometer_axes) {
+        invcal_frame_turn((const double(*)[3])dip->rotation, &result->solution.calibration);
+        result->is_dip_frame = 1;
+    }
+    return EXIT_GOOD;
+}
+
+/* Without --gravity a part of the field is meant, or a number in the unit of the readings. */
+static void settle_need(const request *r, calibrate_result *result)
+{
+    const double field = result->settings.field;
+
+    if (r->value[ASK_NEED] && strchr(r->value[ASK_NEED], '%')) {
+        result->need *= field / r->settings.field;
+    } else if (r->value[ASK_NEED]) {
+        result->need_unit.scale = field;
+    }
+}
+
+int solve_waved(const request *r, const positions *data, calibrate_result *result)
+{
+    const waved *m = result->magnetometer;
+    const int is_scaled = r->value[ASK_LSB] || r->value[ASK_NOMINAL];
+
+    if (!r->value[ASK_GRAVITY]) {
+        result->settings.field = m->found.field;
+    } else if (!is_scaled) {
+        result->nominal.lsb = NOMINAL_RANGE;
+        for (unsigned i = 0; i < 3; i++) {
+            result->nominal.calibration.matrix[i][i] = r->settings.field / m->found.field;
+        }
+    }
+    result->settings.nominal = fit_over_field(&result->nominal.calibration, result->settings.field);
+    const int failure = rejection_find(&result->rejected, data, &result->settings, 1);
+    if (failure) {
+        return failure;
+    }
+    result->solution = fit_solution_of(&m->calibration, &result->settings);
+    result->quality = fit_quality_of(&m->quality, &result->settings, &result->solution);
+    result->quality.condition = m->quality.condition;
+    settle_need(r, result);
+    complete(r, data, result);
+    return find_axes(r, result);
 }

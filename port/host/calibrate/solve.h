@@ -10,6 +10,10 @@
 
 /* Returns EXIT_GOOD; EXIT_DATA with result->refused filled in; EXIT_USAGE or EXIT_FILE after a
  * message. */
-int solve_positions(const request *r, const positions *data, calibrate_result *result);
+int solve_positions(const request *r, const positions *data, const turns *gyro,
+                    calibrate_result *result);
+
+/* The same of a magnetometer that was waved, whose cells `data` are: result->magnetometer. */
+int solve_waved(const request *r, const positions *data, calibrate_result *result);
 
 #endif

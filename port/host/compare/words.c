@@ -31,13 +31,10 @@ told_unit compare_page_unit(const compare_result *r, unsigned p)
 
 told_unit compare_value_unit(const compare_result *r, unsigned p, char name[COMPARE_NAME_MAX])
 {
-    reading_unit unit = UNIT_UNKNOWN;
-
     if (p >= INVCAL_GAMMA_XY) {
         return told_angle(r->told);
     }
-    (void)unit_parse(r->unit, &unit);
-    snprintf(name, COMPARE_NAME_MAX, "%s%s", unit_words(unit),
+    snprintf(name, COMPARE_NAME_MAX, "%s%s", unit_words(unit_of_name(r->unit)),
              p < INVCAL_DK_X ? ""
              : r->is_gravity ? " per m/s²"
                              : " per field unit");

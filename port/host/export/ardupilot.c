@@ -14,6 +14,7 @@
 
 /* INS_ACC..., INS_ACC2..., INS_ACC3... */
 static const char *const prefixes[] = {"INS_ACC", "INS_ACC2", "INS_ACC3"};
+static const char *const gyros[] = {"INS_GYR", "INS_GYR2", "INS_GYR3"};
 
 #define INSTANCES (sizeof prefixes / sizeof prefixes[0])
 
@@ -73,6 +74,7 @@ static void write_file(FILE *file, const export_job *job)
 {
     const export_diagonal d = export_diagonal_fit(&job->driver);
     const char *prefix = prefixes[job->instance];
+    double bias[3];
     char text[NUMBER_TEXT_MAX];
 
     export_heading(file, EXPORT_COMMENT, job);
@@ -94,6 +96,15 @@ static void write_file(FILE *file, const export_job *job)
     }
     for (unsigned i = 0; i < 3; i++) {
         fprintf(file, "%sSCAL_%c,%s\n", prefix, (int)"XYZ"[i], constant_float(d.scale[i], text));
+    }
+    if (export_gyro_bias(job, bias)) {
+        export_comment(
+            file, EXPORT_COMMENT,
+            "The gyroscope's bias, rad/s; measured anew at each start unless INS_GYR_CAL is 0.");
+        for (unsigned i = 0; i < 3; i++) {
+            fprintf(file, "%sOFFS_%c,%s\n", gyros[job->instance], (int)"XYZ"[i],
+                    constant_float(bias[i], text));
+        }
     }
 }
 

@@ -4,12 +4,16 @@
 #include "text/constant.h"
 #include "cli/message.h"
 
+#define NAME_MAX_OF_C 80
+
 /* A float must hold every number: this library's usual build and the plain arrays are float. */
 static int check_range(const export_job *job)
 {
     const invcal_calibration *c = &job->file.calibration;
+    const invcal_calibration *g = &job->file.gyro;
 
-    if (!constant_fits(c->offset, (const double(*)[3])c->matrix)) {
+    if (!constant_fits(c->offset, (const double(*)[3])c->matrix) ||
+        (job->file.has_gyro && !constant_fits(g->offset, (const double(*)[3])g->matrix))) {
         message("%s: has numbers beyond the range of a float; calibrate in other units",
                 job->source);
         return EXIT_DATA;
@@ -40,10 +44,32 @@ static void write_c(FILE *file, const export_job *job)
     export_comment(file, EXPORT_COMMENT_C, "Use: invcal_apply(&%s, raw, calibrated);", name);
     export_comment(file, EXPORT_COMMENT_C, "raw in input units, calibrated in %s.",
                    export_field_unit(job));
+    if (job->file.has_gyro) {
+        export_comment(file, EXPORT_COMMENT_C, "     invcal_apply(&%s_gyro, raw, rate); in rad/s",
+                       name);
+    }
     fprintf(file, " */\n#ifndef INVCAL_EXPORT_%s_H\n#define INVCAL_EXPORT_%s_H\n\n", name, name);
     fprintf(file, "#include \"invcal/invcal.h\"\n\n");
     constant_write(file, name, c->offset, (const double(*)[3])c->matrix);
+    if (job->file.has_gyro) {
+        char gyro[NAME_MAX_OF_C];
+        snprintf(gyro, sizeof gyro, "%s_gyro", name);
+        constant_write(file, gyro, job->file.gyro.offset,
+                       (const double(*)[3])job->file.gyro.matrix);
+    }
     fputs("\n#endif\n", file);
+}
+
+static void write_two(FILE *file, const char *name, const char *which, const invcal_calibration *c)
+{
+    fprintf(file, "static const float %s%s_offset[3] = ", name, which);
+    constant_row(file, c->offset, 0, "", "f");
+    fprintf(file, ";\nstatic const float %s%s_matrix[3][3] = {\n", name, which);
+    for (unsigned i = 0; i < 3; i++) {
+        fputs("    ", file);
+        constant_row(file, c->matrix[i], 0, "", "f");
+        fputs(i < 2 ? ",\n" : "};\n", file);
+    }
 }
 
 /* The same without the library: two arrays of float, which any C compiler takes. */
@@ -58,13 +84,14 @@ static void write_arrays(FILE *file, const export_job *job)
                    "  calibrated[i] = SUM %s_matrix[i][j] (raw[j] - %s_offset[j])", name, name);
     export_comment(file, EXPORT_COMMENT_C, "raw in input units, calibrated in %s.",
                    export_field_unit(job));
-    fprintf(file, " */\nstatic const float %s_offset[3] = ", name);
-    constant_row(file, c->offset, 0, "", "f");
-    fprintf(file, ";\nstatic const float %s_matrix[3][3] = {\n", name);
-    for (unsigned i = 0; i < 3; i++) {
-        fputs("    ", file);
-        constant_row(file, c->matrix[i], 0, "", "f");
-        fputs(i < 2 ? ",\n" : "};\n", file);
+    if (job->file.has_gyro) {
+        export_comment(file, EXPORT_COMMENT_C, "%s_gyro_offset and %s_gyro_matrix alike, in rad/s.",
+                       name, name);
+    }
+    fputs(" */\n", file);
+    write_two(file, name, "", c);
+    if (job->file.has_gyro) {
+        write_two(file, name, "_gyro", &job->file.gyro);
     }
 }
 

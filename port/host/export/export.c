@@ -34,8 +34,8 @@ static const unsigned option_needs[OPTIONS] = {
 };
 
 static const export_format *const formats[] = {
-    &export_c,   &export_c_arrays, &export_px4,    &export_ardupilot,
-    &export_ros, &export_imu_tk,   &export_fusion,
+    &export_c,   &export_c_arrays, &export_px4,         &export_ardupilot,
+    &export_ros, &export_imu_tk,   &export_imu_tk_gyro, &export_fusion,
 };
 
 #define FORMATS (sizeof formats / sizeof formats[0])
@@ -62,7 +62,8 @@ static int read_format(request *r)
         }
     }
     if (!r->format) {
-        return usage(FORMAT, "is one of c, c-arrays, px4, ardupilot, ros, imu_tk, fusion");
+        return usage(FORMAT,
+                     "is one of c, c-arrays, px4, ardupilot, ros, imu_tk, imu_tk-gyro, fusion");
     }
     for (unsigned i = 0; i < OPTIONS; i++) {
         if (r->value[i] && (option_needs[i] & ~r->format->takes)) {
@@ -202,9 +203,13 @@ static int settle(const request *r, export_job *job)
     const double gravity = job->file.gravity;
     int failure = EXIT_GOOD;
 
-    job->si = unit_field_si(gravity);
+    job->si = job->file.is_magnetometer ? 0 : unit_field_si(gravity);
     if (job->file.has_nonlinear) {
         return refuse_nonlinear(job);
+    }
+    if ((takes & EXPORT_GYRO) && !job->file.has_gyro) {
+        return message_usage(syntax.command, "--format %s is for a gyroscope, and %s holds none",
+                             job->format, job->source);
     }
     if ((takes & EXPORT_GRAVITY) && !(gravity > 0)) {
         message("%s: \"gravity\", the length of the field, is missing or not above 0, and "
@@ -274,6 +279,8 @@ static const char *const help[] = {
     "  --format fusion     C, matrix, sensitivity and offset for x-io Fusion, result in g; of a\n"
     "                      magnetometer its soft-iron matrix and hard-iron offset\n"
     "  --format imu_tk     the file that imu_tk saves and loads; result in m/s^2\n"
+    "  --format imu_tk-gyro\n"
+    "                      the gyroscope's; result in rad/s\n"
     "  --format ros        YAML for apply_calib of the ROS package imu_calib\n"
     "  --format px4        CAL_ACC parameters, a file for QGroundControl\n"
     "  --format ardupilot  INS_ACC parameters, a .param file\n"
@@ -287,7 +294,12 @@ static const char *const help[] = {
     "and\n"
     "any other for that of a magnetometer, which only the three in C take.\n"
     "\n"
-    "The first four take readings in input units, those of the log. The last three correct what\n"
+    "A gyroscope in CAL.json comes with the first three: NAME_gyro in rad/s, for Fusion gyroscope\n"
+    "in degrees/s; px4 and ardupilot take its bias, if its columns have a unit, and measure it "
+    "anew at\n"
+    "each start unless told not to. ros has no file for it.\n"
+    "\n"
+    "The first five take readings in input units, those of the log. The last three correct what\n"
     "their driver delivers in m/s^2, so its scale must be known: the log was in m/s^2, g or mg, "
     "or\n"
     "invcal calibrate was given --zero and --lsb, or they are stated here. The last two have no\n"

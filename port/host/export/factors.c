@@ -9,9 +9,9 @@
 
 #define RATIO_MAX 1e3 /* of misalignment: with more, floats would lose the reading */
 
-int export_factors_check(const export_job *job)
+int export_factors_check(const export_job *job, const invcal_calibration *c, double factor)
 {
-    const double(*m)[3] = job->file.calibration.matrix;
+    const double(*m)[3] = c->matrix;
 
     for (unsigned j = 0; j < 3; j++) {
         const double column = fabs(m[0][j]) + fabs(m[1][j]) + fabs(m[2][j]);
@@ -22,13 +22,13 @@ int export_factors_check(const export_job *job)
             return EXIT_DATA;
         }
     }
-    const export_factors f = export_factors_of(job, job->si);
+    const export_factors f = export_factors_of(c, factor);
     return export_check_range(job, f.scale, 3, 0);
 }
 
-export_factors export_factors_of(const export_job *job, double factor)
+export_factors export_factors_of(const invcal_calibration *c, double factor)
 {
-    const double(*m)[3] = job->file.calibration.matrix;
+    const double(*m)[3] = c->matrix;
     export_factors f;
 
     for (unsigned j = 0; j < 3; j++) {

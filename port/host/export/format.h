@@ -31,7 +31,8 @@ enum {
     EXPORT_GRAVITY = 2,      /* the length of the field must be known */
     EXPORT_ACCELERATION = 4, /* accelerometers only */
     EXPORT_DRIVER = 8,       /* readings in m/s^2, as the driver delivers them: --zero, --lsb */
-    EXPORT_INSTANCE = 16     /* --instance, --device-id */
+    EXPORT_INSTANCE = 16,    /* --instance, --device-id */
+    EXPORT_GYRO = 32         /* the file must hold a gyroscope */
 };
 
 typedef struct {
@@ -49,6 +50,7 @@ extern const export_format export_px4;
 extern const export_format export_ardupilot;
 extern const export_format export_ros;
 extern const export_format export_imu_tk;
+extern const export_format export_imu_tk_gyro;
 extern const export_format export_fusion;
 
 #endif

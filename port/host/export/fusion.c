@@ -4,6 +4,9 @@
 #include "export/text.h"
 #include "text/constant.h"
 #include "cli/message.h"
+#include "text/unit.h"
+
+#define IN_DEGREES (1 / UNIT_DEGREE)
 
 /* Braces as in Fusion's own examples: flat, so that they fit all versions of its unions. */
 static void write_values(FILE *file, const char *type, const char *name, const char *part,
@@ -36,7 +39,14 @@ static int check(const export_job *job)
                 job->source);
         return EXIT_DATA;
     }
-    return job->si > 0 ? export_factors_check(job) : export_check_range(job, c->matrix[0], 9, 1);
+    if (job->file.has_gyro) {
+        const int failure = export_factors_check(job, &job->file.gyro, IN_DEGREES);
+        if (failure) {
+            return failure;
+        }
+    }
+    return job->si > 0 ? export_factors_check(job, c, job->si)
+                       : export_check_range(job, c->matrix[0], 9, 1);
 }
 
 /* x-io Fusion, Fusion/FusionModel.h (in earlier versions FusionCalibration.h,
@@ -49,7 +59,7 @@ static int check(const export_job *job)
  * input units, and matrix / field = M diag(s) column by column, M with ones on its diagonal. */
 static void write_inertial(FILE *file, const export_job *job, const char *name)
 {
-    const export_factors f = export_factors_of(job, 1 / job->file.gravity);
+    const export_factors f = export_factors_of(&job->file.calibration, 1 / job->file.gravity);
 
     export_comment(file, EXPORT_COMMENT_C,
                    "FusionModelInertial(raw, %sMisalignment, %sSensitivity, %sOffset)", name, name,
@@ -59,6 +69,20 @@ static void write_inertial(FILE *file, const export_job *job, const char *name)
     write_values(file, "FusionMatrix", name, "Misalignment", f.misalignment[0], 9);
     write_values(file, "FusionVector", name, "Sensitivity", f.scale, 3);
     write_values(file, "FusionVector", name, "Offset", job->file.calibration.offset, 3);
+}
+
+/* The same of the gyroscope; the filter takes degrees/s. */
+static void write_gyro(FILE *file, const export_job *job)
+{
+    const export_factors f = export_factors_of(&job->file.gyro, IN_DEGREES);
+
+    fputs("/* FusionModelInertial(raw, gyroscopeMisalignment, gyroscopeSensitivity, "
+          "gyroscopeOffset)\n"
+          " * raw in input units, result in degrees/s. */\n",
+          file);
+    write_values(file, "FusionMatrix", "gyroscope", "Misalignment", f.misalignment[0], 9);
+    write_values(file, "FusionVector", "gyroscope", "Sensitivity", f.scale, 3);
+    write_values(file, "FusionVector", "gyroscope", "Offset", job->file.gyro.offset, 3);
 }
 
 /* FusionModelMagnetic(uncalibrated, softIronMatrix, hardIronOffset) = matrix (uncalibrated -
@@ -85,6 +109,9 @@ static void write_file(FILE *file, const export_job *job)
         write_inertial(file, job, job->name ? job->name : "accelerometer");
     } else {
         write_magnetic(file, job, job->name ? job->name : "magnetometer");
+    }
+    if (job->file.has_gyro) {
+        write_gyro(file, job);
     }
 }
 

@@ -20,10 +20,9 @@ static void write_row(FILE *file, double x, double y, double z)
  *
  * File: save() writes T, K in full, and B; load() reads these 21 numbers, with any white space
  * between, and no further. It knows no comments, so ours stand behind. */
-static void write_file(FILE *file, const export_job *job)
+static void write_triad(FILE *file, const invcal_calibration *c, double factor)
 {
-    const export_factors f = export_factors_of(job, job->si);
-    const double *offset = job->file.calibration.offset;
+    const export_factors f = export_factors_of(c, factor);
 
     for (unsigned i = 0; i < 3; i++) {
         write_row(file, f.misalignment[i][0], f.misalignment[i][1], f.misalignment[i][2]);
@@ -35,12 +34,38 @@ static void write_file(FILE *file, const export_job *job)
     putc('\n', file);
     for (unsigned i = 0; i < 3; i++) {
         char text[NUMBER_TEXT_MAX];
-        fprintf(file, "%s\n", number_text(offset[i], text));
+        fprintf(file, "%s\n", number_text(c->offset[i], text));
     }
     putc('\n', file);
+}
+
+static int check(const export_job *job)
+{
+    return export_factors_check(job, &job->file.calibration, job->si);
+}
+
+static void write_file(FILE *file, const export_job *job)
+{
+    write_triad(file, &job->file.calibration, job->si);
     export_heading(file, EXPORT_COMMENT, job);
     export_comment(file, EXPORT_COMMENT, "imu_tk: T K (X - B), X in input units, result in m/s^2");
 }
 
-const export_format export_imu_tk = {"imu_tk", EXPORT_GRAVITY | EXPORT_ACCELERATION,
-                                     export_factors_check, write_file};
+/* The gyroscope's file is of the same kind; the result is in rad/s, as MultiPosCalibration_ takes g and makes
+ * rotations. */
+static int check_gyro(const export_job *job)
+{
+    return export_factors_check(job, &job->file.gyro, 1);
+}
+
+static void write_gyro(FILE *file, const export_job *job)
+{
+    write_triad(file, &job->file.gyro, 1);
+    export_heading(file, EXPORT_COMMENT, job);
+    export_comment(file, EXPORT_COMMENT, "The figures above are the accelerometer's.");
+    export_comment(file, EXPORT_COMMENT, "imu_tk: T K (X - B), X in input units, result in rad/s");
+}
+
+const export_format export_imu_tk = {"imu_tk", EXPORT_GRAVITY | EXPORT_ACCELERATION, check,
+                                     write_file};
+const export_format export_imu_tk_gyro = {"imu_tk-gyro", EXPORT_GYRO, check_gyro, write_gyro};

@@ -69,6 +69,7 @@ static void write_file(FILE *file, const export_job *job)
 {
     const export_diagonal d = export_diagonal_fit(&job->driver);
     char text[NUMBER_TEXT_MAX];
+    double bias[3];
 
     export_heading(file, EXPORT_COMMENT, job);
     export_comment(file, EXPORT_COMMENT,
@@ -94,6 +95,14 @@ static void write_file(FILE *file, const export_job *job)
     for (unsigned i = 0; i < 3; i++) {
         fprintf(file, "1\t1\tCAL_ACC%u_%cSCALE\t%s\t9\n", job->instance, (int)"XYZ"[i],
                 constant_float(d.scale[i], text));
+    }
+    if (export_gyro_bias(job, bias)) {
+        export_comment(file, EXPORT_COMMENT,
+                       "The gyroscope's bias, rad/s; its scale PX4 has no parameter for.");
+        for (unsigned i = 0; i < 3; i++) {
+            fprintf(file, "1\t1\tCAL_GYRO%u_%cOFF\t%s\t9\n", job->instance, (int)"XYZ"[i],
+                    constant_float(bias[i], text));
+        }
     }
 }
 

@@ -106,3 +106,13 @@ int export_check_range(const export_job *job, const double *x, unsigned n, int i
     }
     return EXIT_GOOD;
 }
+
+int export_gyro_bias(const export_job *job, double bias[3])
+{
+    const calibration_file *c = &job->file;
+
+    for (unsigned i = 0; i < 3; i++) {
+        bias[i] = c->gyro.offset[i] * c->gyro_lsb;
+    }
+    return c->has_gyro && c->gyro_lsb > 0 && !c->gyro_is_counts;
+}

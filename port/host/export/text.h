@@ -26,6 +26,10 @@ void export_heading(FILE *file, const char *prefix, const export_job *job);
  * of the field" where it is no gravity. */
 const char *export_field_unit(const export_job *job);
 
+/* The bias of the gyroscope in rad/s of the driver, if the file holds one and its readings have a unit. Returns
+ * whether it is so. */
+int export_gyro_bias(const export_job *job, double bias[3]);
+
 /* Numbers that a format is going to write: what products of a calibration's own come to, in a double or,
  * with is_float, in a float. EXIT_GOOD; EXIT_DATA, with a message, if one is beyond the range of it. */
 int export_check_range(const export_job *job, const double *x, unsigned n, int is_float);

@@ -5,7 +5,7 @@
 #ifndef EIGEN_H
 #define EIGEN_H
 
-#define EIGEN_MAX 15u /* rows at most */
+#define EIGEN_MAX 18u /* rows at most */
 
 /* All eigenvalues of a matrix of n rows, by Jacobi's rotations; in no particular order.
  *

@@ -16,6 +16,8 @@
 #include "cli/output.h"
 #include "plan/labour.h"
 #include "plan/programs.h"
+#include "plan/turns.h"
+#include "text/figure.h"
 
 enum {
     PER_GROUP,
@@ -32,6 +34,9 @@ enum {
     SWEEP,
     COMPARE,
     PROGRAMS,
+    MOVES,
+    RATE_NOISE,
+    INSTABILITY,
     LIMITS,
     BUDGET,
     SPARE,
@@ -68,6 +73,9 @@ static const option options[OPTIONS] = {
     [SWEEP] = {"--sweep", 1},
     [COMPARE] = {"--compare", 0},
     [PROGRAMS] = {"--programs", 0},
+    [MOVES] = {"--moves", 1},
+    [RATE_NOISE] = {"--rate-noise", 1},
+    [INSTABILITY] = {"--instability", 1},
     [LIMITS] = {"--limits", 1},
     [BUDGET] = {"--budget", 1},
     [SPARE] = {"--spare", 1},
@@ -109,6 +117,14 @@ typedef struct {
 static design sets[2];
 static plan_programs programs;
 static labour work;
+static turns_plan turns;
+
+/* With --moves, where nothing else is told: a consumer's sensors. */
+#define TURNS_NOISE 3e-4       /* of a position mean */
+#define TURNS_RATE_NOISE 0.005 /* degrees/s/sqrt(Hz) */
+#define TURNS_INSTABILITY 20.0 /* degrees/h */
+#define TURNS_REST 2.0         /* seconds */
+#define TURNS_SECONDS 1.5
 
 static int usage(unsigned which, const char *what)
 {
@@ -142,6 +158,28 @@ static int read_cost(request *r)
     failure = failure ? failure : read_number(r, MOVE, 0, 1e6, &cost->move);
     failure = failure ? failure : read_number(r, BOUND, 1e-12, 1, &r->choice.bound);
     return failure ? failure : read_number(r, BUDGET, 1e-3, 1e9, &r->choice.budget);
+}
+
+/* With --moves. */
+static int read_turns(const request *r, turns_request *out)
+{
+    const design_cost *cost = &r->choice.cost;
+    double rate_noise = TURNS_RATE_NOISE;
+    double instability = TURNS_INSTABILITY;
+
+    *out = (turns_request){.rest = r->value[DWELL] ? cost->dwell : TURNS_REST,
+                           .turn = TURNS_SECONDS,
+                           .told = r->choice.told};
+    out->noise = cost->noise > 0 ? cost->noise / sqrt(out->rest) : TURNS_NOISE;
+    int failure = read_number(r, RATE_NOISE, 0, 10, &rate_noise);
+    failure = failure ? failure : read_number(r, INSTABILITY, 0, 1e5, &instability);
+    failure = failure ? failure : read_number(r, MOVE, 0.1, TURNS_LONGEST, &out->turn);
+    out->rate_noise = rate_noise / FIGURE_DEGREES;
+    out->instability = instability / FIGURE_DEGREES / 3600;
+    if (!failure && out->noise + out->rate_noise + out->instability >= 0.5) {
+        return usage(NOISE, "so noisy, nothing can be told of turns");
+    }
+    return failure;
 }
 
 static int read_units(request *r)
@@ -258,7 +296,7 @@ static int read_set(request *r)
 /* What does not go together with --allan. */
 static int check_allan(const request *r)
 {
-    static const unsigned others[] = {NOISE, DWELL, BUDGET, SWEEP, COMPARE, PROGRAMS};
+    static const unsigned others[] = {NOISE, DWELL, BUDGET, SWEEP, COMPARE, PROGRAMS, MOVES};
 
     if (!r->value[LIMITS] || r->has_set) {
         return usage(ALLAN, "finds number and dwell for --limits; leave other sets out");
@@ -272,12 +310,13 @@ static int check_allan(const request *r)
     return EXIT_GOOD;
 }
 
-/* Of --sweep, --compare and --programs, which name their sets themselves; or OPTIONS. */
+/* Of --sweep, --compare, --programs and --moves, which name their sets themselves; or OPTIONS. */
 static unsigned asked_several(const request *r)
 {
     return r->value[SWEEP]      ? SWEEP
            : r->value[COMPARE]  ? COMPARE
            : r->value[PROGRAMS] ? PROGRAMS
+           : r->value[MOVES]    ? MOVES
                                 : OPTIONS;
 }
 
@@ -285,7 +324,7 @@ static unsigned asked_several(const request *r)
 static int check_several(const request *r, unsigned several)
 {
     static const unsigned single[] = {WEIGHTS, BOUND, CSV};
-    static const unsigned all[] = {SWEEP, COMPARE, PROGRAMS};
+    static const unsigned all[] = {SWEEP, COMPARE, PROGRAMS, MOVES};
     const char *const *value = r->value;
 
     if (r->has_set) {
@@ -304,7 +343,7 @@ static int check_several(const request *r, unsigned several)
     }
     if (value[LIMITS] || value[BUDGET]) {
         return usage(value[LIMITS] ? LIMITS : BUDGET,
-                     "chooses a set itself; leave out --sweep, --compare and --programs");
+                     "chooses a set itself; leave out --sweep, --compare, --programs and --moves");
     }
     if (value[PROGRAMS] && (value[SVG] || value[REPORT])) {
         return usage(value[SVG] ? SVG : REPORT, "--programs has a table only");
@@ -313,6 +352,27 @@ static int check_several(const request *r, unsigned several)
         if (value[single[i]]) {
             return message_usage(syntax.command, "%s: is for one set; leave out %s",
                                  options[single[i]].name, options[several].name);
+        }
+    }
+    return EXIT_GOOD;
+}
+
+/* What belongs to --moves, and what it has no use for. */
+static int check_turns(const request *r)
+{
+    static const unsigned own[] = {RATE_NOISE, INSTABILITY};
+    static const unsigned none[] = {SVG, WARM_UP, SETTLE};
+    const int is_asked = r->value[MOVES] != NULL;
+
+    for (unsigned i = 0; i < sizeof own / sizeof own[0] && !is_asked; i++) {
+        if (r->value[own[i]]) {
+            return usage(own[i], "belongs to --moves");
+        }
+    }
+    for (unsigned i = 0; i < sizeof none / sizeof none[0] && is_asked; i++) {
+        if (r->value[none[i]]) {
+            return message_usage(syntax.command, "%s: cannot be joined with --moves",
+                                 options[none[i]].name);
         }
     }
     return EXIT_GOOD;
@@ -348,6 +408,7 @@ static int check(const request *r)
     int failure = value[ALLAN] ? check_allan(r) : EXIT_GOOD;
 
     failure = failure || several == OPTIONS ? failure : check_several(r, several);
+    failure = failure ? failure : check_turns(r);
     failure = failure ? failure : check_demands(r);
     if (failure || value[ALLAN]) {
         return failure;
@@ -401,6 +462,7 @@ typedef struct {
     const choice *choice;
     const plan_sweep *sweep;
     const plan_programs *programs;
+    const turns_plan *turns;
 } result;
 
 typedef void teller(FILE *file, const result *found);
@@ -422,7 +484,9 @@ static void write_report(FILE *file, const result *found)
 {
     const char *command = found->asked->command;
 
-    if (found->sweep) {
+    if (found->turns) {
+        turns_report(file, found->turns, command);
+    } else if (found->sweep) {
         plan_report_sweep(file, found->sweep, command);
     } else if (found->set[1]) {
         plan_report_comparison(file, found->set[0], found->set[1], &found->asked->choice, command);
@@ -433,7 +497,9 @@ static void write_report(FILE *file, const result *found)
 
 static void tell_json(FILE *file, const result *found)
 {
-    if (found->programs) {
+    if (found->turns) {
+        turns_json(file, found->turns);
+    } else if (found->programs) {
         plan_programs_json(file, found->programs, &found->asked->choice);
     } else if (found->sweep) {
         plan_json_sweep(file, found->sweep);
@@ -452,6 +518,8 @@ static void tell(FILE *file, const result *found)
         plan_csv(file, found->set[0], &found->asked->choice.cost);
     } else if (found->asked->value[QUIET]) {
         return;
+    } else if (found->turns) {
+        turns_print(file, found->turns);
     } else if (found->programs) {
         plan_programs_print(file, found->programs, &found->asked->choice);
     } else if (found->sweep) {
@@ -564,6 +632,24 @@ static int show_programs(const request *r)
     return deliver(&found);
 }
 
+/* What is refused is told, and has its page. */
+static int show_turns(const request *r)
+{
+    const result found = {.asked = r, .turns = &turns};
+    turns_request asked = {0};
+    int failure = read_turns(r, &asked);
+
+    failure = failure ? failure : turns_make(&turns, r->value[MOVES], &asked);
+    if (failure && failure != EXIT_DATA) {
+        return failure;
+    }
+    const int written = deliver(&found);
+    if (!written && failure) {
+        message("%s: %s", turns.program, turns.refusal);
+    }
+    return written ? written : failure;
+}
+
 static int choose(const request *r)
 {
     choice c = {.set = {&sets[0], &sets[1]}};
@@ -654,6 +740,9 @@ static int run(int argc, char **argv)
     if (r.value[PROGRAMS]) {
         return show_programs(&r);
     }
+    if (r.value[MOVES]) {
+        return show_turns(&r);
+    }
     return (r.value[LIMITS] || r.value[BUDGET]) && !r.has_set ? choose(&r) : show(&r);
 }
 
@@ -667,6 +756,8 @@ static const char *const help[] = {
     "       invcal plan --sweep FROM:TO [--svg FILE] [--report FILE] [--json]\n"
     "       invcal plan --compare SET SET [--svg FILE] [--report FILE] [--json]\n"
     "       invcal plan --programs [--noise S] [--warm-up T] [--dwell T] [--json]\n"
+    "       invcal plan --moves PROGRAM [--noise S] [--rate-noise N] [--instability B]\n"
+    "                   [--dwell T] [--move T] [--report FILE] [--json]\n"
     "\n"
     "Tells which positions to visit, and how exactly they will determine the nine parameters:\n"
     "the standard deviations sigma of offsets, scale errors and angles, over the noise of a\n"
@@ -711,20 +802,36 @@ static const char *const help[] = {
     "  --bound E           how wrong each parameter can be at most, if no position mean is off by\n"
     "                      more than E of the field: E times the sum of |H+| over its row\n"
     "  --noise S           of the mean of one second at rest, over the field\n"
-    "                      (0.0001 is 0.1 mg)\n"
+    "                      (0.0001 is 0.1 mg). With --moves, where it is not told, that of a\n"
+    "                      position mean is 0.3 mg\n"
     "  --allan NOISE.json  noise that invcal allan --out has measured: chooses the number of\n"
     "                      positions, up to 144, and the seconds in each, 2 or more, for the\n"
     "                      least time in all; --limits are then over the field, 1 and rad\n"
     "  --warm-up T         seconds once, before the first position; default 0\n"
-    "  --dwell T           seconds in each position; default 5\n"
+    "  --dwell T           seconds in each position; default 5, with --moves 2\n"
     "  --settle T          seconds before that in each, which do not count; default 0 (invcal\n"
     "                      calibrate cuts about 0.75 s off a rest)\n"
-    "  --move T            seconds from one to the next; default 5\n"
+    "  --move T            seconds from one to the next; default 5. With --moves those of a "
+    "quarter\n"
+    "                      turn; default 1.5, and more in proportion\n"
     "  --sweep FROM:TO     the paper's programs for each N in the range\n"
     "  --compare SET SET   two sets side by side, by these words:\n",
     DESIGN_WORDS,
     "  --programs          the programs of 15, 18 and 24 positions, six faces and twelve edges,\n"
     "                      stand-12 and the icosahedron, with ratios to that of 18\n"
+    "  --moves tour12|tour16|tour24|faces|greedy12|LIST\n"
+    "                      turns of a gyroscope beside the accelerometer, in words, and how "
+    "exactly\n"
+    "                      they will determine the 18 parameters of both: tour12, twelve quarter\n"
+    "                      turns between the six faces; tour16, then a full turn about each axis,\n"
+    "                      too; tour24, the twelve and back; faces, nine quarter turns and a full\n"
+    "                      one about each axis; greedyN, N turns of which each tells most; or a "
+    "list\n"
+    "                      such as +z,+x,+y-z,x:360: what is up in the first rest, then what "
+    "comes\n"
+    "                      up, or the axis to turn about and degrees\n"
+    "  --rate-noise N      with --moves: of the gyroscope, degrees/s/sqrt(Hz); default 0.005\n"
+    "  --instability B     with --moves: of its bias, degrees/h; default 20\n"
     "  --svg FILE          draws the directions; for a sweep sigma against the number of\n"
     "                      positions, and those of --programs beside it; for --compare the\n"
     "                      ratios of the second set to the first; for --allan total time against\n"
@@ -742,7 +849,8 @@ static const char *const help[] = {
     "  --json              print the result as JSON in place of the table\n"
     "  --quiet             print no table, only errors\n"
     "\n"
-    "exit codes: 0 good; 1 the positions determine no calibration, or no set meets the limits;\n"
+    "exit codes: 0 good; 1 positions or turns determine no calibration, or no set meets the "
+    "limits;\n"
     "2 usage; 3 a file unreadable or malformed, or the output not writable\n"
     "\n"
     "examples:\n"
@@ -751,13 +859,14 @@ static const char *const help[] = {
     "  invcal plan --per-group 8 --noise 0.0001 --report program.html\n"
     "  invcal plan --compare per-group:8 per-group:6 --report compared.html\n"
     "  invcal plan --optimal 12 --grid 30 --csv > stand.csv\n"
-    "  invcal plan --angles stand.csv --bound 0.0002 --warm-up 600\n",
+    "  invcal plan --angles stand.csv --bound 0.0002 --warm-up 600\n"
+    "  invcal plan --moves tour12 --report turns.html\n",
     NULL};
 
 static const char *const brief[] = {
     "usage: invcal plan [--per-group N | --edges | --optimal N | ...] [options]\n"
     "       invcal plan --limits D,K,G [--budget SECONDS] [options]\n"
-    "       invcal plan --compare SET SET | --sweep FROM:TO | --programs\n"
+    "       invcal plan --compare SET SET | --sweep FROM:TO | --programs | --moves PROGRAM\n"
     "\n"
     "Tells which positions to visit, and how exactly they will determine the nine parameters.\n"
     "\n"
@@ -767,13 +876,12 @@ static const char *const brief[] = {
     "  --limits D,K,G      the smallest set with sigmas within these limits\n"
     "  --noise S           of the mean of one second at rest, over the field\n"
     "  --allan NOISE.json  noise measured by invcal allan: chooses the dwell, too\n"
-    "  --svg FILE          draws the directions\n"
-    "  --report R.html     writes a page with the verdict and a work sheet\n"
+    "  --moves tour12      turns for a gyroscope, in words, and what they determine\n"
+    "  --svg FILE          draws the directions; --report R.html: a page with a work sheet\n"
     "  --csv               print the positions only; --json: the result as JSON\n"
     "\n"
-    "examples:\n"
-    "  invcal plan --limits 0.4,0.6,1 --svg directions.svg\n"
-    "  invcal plan --per-group 8 --noise 0.0001 --report program.html\n",
+    "example:\n"
+    "  invcal plan --limits 0.4,0.6,1 --svg directions.svg\n",
     NULL};
 
 const tool_command plan_command = {"plan", "which positions to visit, and what they are worth",

@@ -21,7 +21,8 @@ static heading headings[TABLE_COLUMNS_MAX];
 
 /* What a heading with an axis is of. */
 typedef enum {
-    OF_NOTHING, /* a gyro, or what nobody knows */
+    OF_NOTHING, /* what nobody knows */
+    OF_GYROSCOPE,
     OF_MAGNETOMETER,
     OF_ANYTHING, /* x, y and z alone */
     OF_ACCELEROMETER
@@ -90,6 +91,23 @@ static origin origin_of(const heading *h)
     };
     static const char *const magnetometers[] = {"m",       "mag", "magnetometer", "magneticfield",
                                                 "compass", NULL};
+    static const char *const gyroscopes[] = {
+        "g",
+        "w",
+        "gyr",
+        "gyro",
+        "gyroscope",
+        "gyroraw",
+        "gyroadc",
+        "gyrorad", /* PX4: gyro_rad[0] */
+        "omega",
+        "rotationrate",
+        "angularrate",
+        "angularvelocity",
+        "fieldangularvelocity",
+        "wrss", /* EuRoC: w_RS_S_x */
+        NULL,
+    };
     static const char *const anything[] = {"", "xyz", "axis", "mean", NULL};
 
     const char *key = h->key + (strncmp(h->key, "imu", 3) == 0 ? 3 : 0); /* imu_ax */
@@ -97,6 +115,7 @@ static origin origin_of(const heading *h)
     return h->axis < 0                                     ? OF_NOTHING
            : is_of_ros(h) || is_among(key, accelerometers) ? OF_ACCELEROMETER
            : is_among(key, magnetometers)                  ? OF_MAGNETOMETER
+           : is_among(key, gyroscopes)                     ? OF_GYROSCOPE
            : is_among(key, anything)                       ? OF_ANYTHING
                                                            : OF_NOTHING;
 }
@@ -112,12 +131,23 @@ static int find_axis(const table *t, unsigned from, int axis)
     return -1;
 }
 
-/* The first complete set of three of this origin or a better one, from column `from` on. Returns its
- * first column, or the number of columns. */
-static unsigned find_set(const table *t, unsigned from, origin least, int index[3])
+/* Which origins are meant. */
+typedef struct {
+    origin least;
+    origin most;
+} origins;
+
+static int is_of(const heading *h, origins which)
+{
+    return origin_of(h) >= which.least && origin_of(h) <= which.most;
+}
+
+/* The first complete set of three of these origins, from column `from` on. Returns its first column, or the
+ * number of columns. */
+static unsigned find_set(const table *t, unsigned from, origins which, int index[3])
 {
     for (unsigned i = from; i < t->columns; i++) {
-        if (origin_of(&headings[i]) < least) {
+        if (!is_of(&headings[i], which)) {
             continue;
         }
         for (int axis = 0; axis < 3; axis++) {
@@ -140,10 +170,16 @@ static int is_there_twice(const table *t, unsigned at, const int index[3])
             (find_axis(t, at, 0) >= 0 && find_axis(t, at, 1) >= 0 && find_axis(t, at, 2) >= 0));
 }
 
-static void say_none(const table *t)
+static void say_none(const table *t, columns_kind kind)
 {
     const char *linear = NULL;
 
+    if (kind == COLUMNS_MAGNETOMETER) {
+        message("%s:%lu: the header names no columns of a magnetometer (mx my mz; mag_x, ..): "
+                "rename the three that are meant, or state them with --columns",
+                t->name, t->line);
+        return;
+    }
     for (unsigned i = 0; i < t->columns && !linear; i++) {
         linear = strcmp(headings[i].key, "linearacceleration") == 0 ? headings[i].name : NULL;
     }
@@ -158,25 +194,42 @@ static void say_none(const table *t)
     }
 }
 
-/* x, y and z come from one family. Beside an accelerometer a magnetometer may be there, which is left
- * aside; of two of one kind nobody can guess which one is meant. */
-static int find_xyz(const table *t, columns *out)
+/* The sensor that is not calibrated, which may be there as well. */
+static void find_set_aside(const table *t, columns_kind kind, columns *out)
 {
-    int *index = &out->index[COLUMN_X];
+    const origin which = kind == COLUMNS_MAGNETOMETER ? OF_ACCELEROMETER : OF_MAGNETOMETER;
     int other[3];
-    const int has_accelerometer = find_set(t, 0, OF_ACCELEROMETER, index) < t->columns;
-    const origin least = has_accelerometer ? OF_ANYTHING : OF_MAGNETOMETER;
-    const unsigned first = has_accelerometer ? 0 : find_set(t, 0, OF_MAGNETOMETER, index);
 
-    const int is_magnetometer =
-        !has_accelerometer && first < t->columns && origin_of(&headings[first]) == OF_MAGNETOMETER;
+    if (find_set(t, 0, (origins){which, which}, other) == t->columns) {
+        return;
+    }
+    memcpy(out->seen.set_aside, headings[other[0]].name, HEADING_NAME_MAX);
+    if (kind == COLUMNS_MAGNETOMETER) {
+        memcpy(out->aside, other, sizeof other);
+    }
+}
 
-    if (first == t->columns || (is_magnetometer && has_key(t, "linearacceleration"))) {
-        say_none(t);
+/* x, y and z come from one family. Beside an accelerometer a magnetometer may be there, and the other way
+ * round; of two of one kind nobody can guess which one is meant. */
+static int find_xyz(const table *t, columns_kind kind, columns *out)
+{
+    const int is_magnetic = kind == COLUMNS_MAGNETOMETER;
+    const origins meant = is_magnetic ? (origins){OF_MAGNETOMETER, OF_MAGNETOMETER}
+                                      : (origins){OF_ACCELEROMETER, OF_ACCELEROMETER};
+    int *index = &out->index[COLUMN_X];
+    const int has_one = find_set(t, 0, meant, index) < t->columns;
+    const origins either =
+        !is_magnetic ? (origins){has_one ? OF_ANYTHING : OF_MAGNETOMETER, OF_ACCELEROMETER}
+                     : (origins){OF_MAGNETOMETER, OF_ANYTHING};
+    const unsigned first = find_set(t, 0, has_one ? meant : either, index);
+
+    if (first == t->columns || (!is_magnetic && origin_of(&headings[first]) == OF_MAGNETOMETER &&
+                                has_key(t, "linearacceleration"))) {
+        say_none(t, kind);
         return EXIT_FILE;
     }
     for (unsigned i = 0; i < t->columns; i++) {
-        if (origin_of(&headings[i]) >= least && is_there_twice(t, i, index)) {
+        if (is_of(&headings[i], either) && is_there_twice(t, i, index)) {
             message(
                 "%s:%lu: x, y and z are there twice ('%s' and '%s'): state which with --columns, "
                 "or leave one set of columns",
@@ -184,11 +237,8 @@ static int find_xyz(const table *t, columns *out)
             return EXIT_FILE;
         }
     }
-    for (unsigned i = 0; i < t->columns && has_accelerometer; i++) {
-        if (origin_of(&headings[i]) == OF_MAGNETOMETER &&
-            find_set(t, i, OF_MAGNETOMETER, other) == i && *out->seen.set_aside == '\0') {
-            memcpy(out->seen.set_aside, headings[other[0]].name, HEADING_NAME_MAX);
-        }
+    if (has_one) {
+        find_set_aside(t, kind, out);
     }
     return EXIT_GOOD;
 }
@@ -219,6 +269,13 @@ static reading_unit unit_of_system(const table *t, const heading *x)
     return UNIT_UNKNOWN;
 }
 
+/* What x, y and z are in is a magnetometer's unit: of two that are called G it is gauss. */
+static int is_magnetic(const columns *out)
+{
+    return out->seen.is_magnetometer ||
+           origin_of(&headings[out->index[COLUMN_X]]) == OF_MAGNETOMETER;
+}
+
 static int find_unit(const table *t, columns *out)
 {
     const int *index = out->index;
@@ -226,7 +283,7 @@ static int find_unit(const table *t, columns *out)
 
     for (unsigned i = COLUMN_Y; i <= COLUMN_Z; i++) {
         const heading *h = &headings[index[i]];
-        if (h->unit != x->unit || h->states_unit != x->states_unit) {
+        if (h->unit != x->unit || h->magnetic != x->magnetic || h->states_unit != x->states_unit) {
             char one[TABLE_EXCERPT_MAX];
             char other[TABLE_EXCERPT_MAX];
             message("%s:%lu: '%s' and '%s' are in different units: convert one of them", t->name,
@@ -235,8 +292,10 @@ static int find_unit(const table *t, columns *out)
             return EXIT_FILE;
         }
     }
-    out->seen.unit = x->states_unit ? x->unit : unit_of_system(t, x);
-    out->seen.states_foreign_unit = x->states_unit && x->unit == UNIT_UNKNOWN;
+    out->seen.unit = is_magnetic(out) ? x->magnetic
+                     : x->states_unit ? x->unit
+                                      : unit_of_system(t, x);
+    out->seen.states_foreign_unit = x->states_unit && out->seen.unit == UNIT_UNKNOWN;
     out->seen.unit_from = out->seen.unit != UNIT_UNKNOWN ? UNIT_FROM_HEADER : UNIT_FROM_NONE;
     return EXIT_GOOD;
 }
@@ -262,7 +321,10 @@ static void find_unit_row(table *t, columns *out)
         return;
     }
     for (unsigned i = COLUMN_X; i <= COLUMN_Z; i++) {
-        if (!unit_parse(t->field[out->index[i]], &unit[i]) || unit[i] != unit[COLUMN_X]) {
+        const char *text = t->field[out->index[i]];
+        const int is_unit =
+            is_magnetic(out) ? unit_parse_magnetic(text, &unit[i]) : unit_parse(text, &unit[i]);
+        if (!is_unit || unit[i] != unit[COLUMN_X]) {
             return; /* it is a row, right or wrong */
         }
     }
@@ -276,6 +338,49 @@ static void find_unit_row(table *t, columns *out)
     if (temperature >= 0 && unit_parse_temperature(t->field[temperature]).scale > 0) {
         out->degrees = unit_parse_temperature(t->field[temperature]);
     }
+}
+
+/* ---- the gyroscope ------------------------------------------------------------------------------ */
+
+/* Logs that are known have a unit although their headings do not state it. */
+static double turn_of_system(const heading *x)
+{
+    static const char *const radians[] = {"gyrorad", "angularvelocity", "fieldangularvelocity",
+                                          "wrss", NULL};
+
+    /* the last is ArduPilot's */
+    return is_among(x->key, radians) || strcmp(x->name, "GyrX") == 0 ? 1 : 0;
+}
+
+/* The first three columns of one; with none of them the accelerometer is alone. Where some follow that are
+ * of another, nobody can guess which one is beside it, and the first counts. */
+static void find_gyro(const table *t, columns *out)
+{
+    int *index = out->gyro;
+
+    if (find_set(t, 0, (origins){OF_GYROSCOPE, OF_GYROSCOPE}, index) == t->columns) {
+        index[0] = -1;
+        return;
+    }
+    const heading *x = &headings[index[0]];
+    out->seen.turn = x->states_unit ? x->turn : turn_of_system(x);
+    if (out->index[COLUMN_X] == index[0]) {
+        index[0] = -1; /* --columns says that it is the accelerometer */
+    }
+}
+
+/* x, y and z, in a file that holds nothing else but a gyroscope. */
+static int find_gyro_alone(const table *t, columns *out)
+{
+    find_gyro(t, out);
+    if (out->gyro[0] < 0) {
+        const int failure = find_xyz(t, COLUMNS_LOG, out);
+        out->seen.turn = failure ? 0 : headings[out->index[COLUMN_X]].turn;
+        memcpy(out->gyro, out->index, sizeof out->gyro);
+        return failure;
+    }
+    memcpy(out->index, out->gyro, sizeof out->gyro);
+    return EXIT_GOOD;
 }
 
 /* ---- the others --------------------------------------------------------------------------------- */
@@ -436,6 +541,10 @@ static void remember_names(const table *t, columns *out)
             used[out->index[c]] = 1;
         }
     }
+    for (unsigned i = 0; i < 3 && out->gyro[i] >= 0; i++) {
+        memcpy(seen->gyro[i], headings[out->gyro[i]].name, HEADING_NAME_MAX);
+        used[out->gyro[i]] = 1;
+    }
     for (unsigned i = 0; i < t->columns; i++) {
         seen->others += !used[i] && *t->field[i] != '\0';
     }
@@ -461,8 +570,12 @@ static int find_by_header(table *t, columns_kind kind, columns *out)
     int std;
 
     read_headings(t);
-    int failure =
-        chosen_is(COLUMN_X) ? chosen_find_axes(t, headings, &index[COLUMN_X]) : find_xyz(t, out);
+    int failure = chosen_is(COLUMN_X)    ? chosen_find_axes(t, headings, &index[COLUMN_X])
+                  : kind == COLUMNS_GYRO ? find_gyro_alone(t, out)
+                                         : find_xyz(t, kind, out);
+    if (!failure && kind == COLUMNS_IMU) {
+        find_gyro(t, out);
+    }
     failure = failure ? failure : find_std(t, &std);
     failure = failure ? failure : find_unit(t, out);
     for (unsigned c = COLUMN_STD_X; c < COLUMN_COUNT && !failure; c++) {
@@ -475,7 +588,7 @@ static int find_by_header(table *t, columns_kind kind, columns *out)
         /* only all three of them are of use */
         index[COLUMN_STD_X] = index[COLUMN_STD_Y] = index[COLUMN_STD_Z] = std;
     }
-    for (unsigned c = COLUMN_STD_X; c <= COLUMN_SAMPLES && kind == COLUMNS_LOG; c++) {
+    for (unsigned c = COLUMN_STD_X; c <= COLUMN_SAMPLES && kind != COLUMNS_POSITIONS; c++) {
         index[c] = -1; /* of no use there */
     }
     find_short_temperature(t, out);
@@ -500,6 +613,22 @@ static int is_cut_at_commas(const table *t)
            (is_fraction(t->field[1]) || is_fraction(t->field[3]) || is_fraction(t->field[5]));
 }
 
+/* The last three of six or seven; of a file of its own the same as x, y and z. */
+static void find_gyro_by_count(const table *t, columns_kind kind, columns *out)
+{
+    static const char *const names[] = {"gx", "gy", "gz"};
+    const int is_there = t->columns > 5;
+
+    for (unsigned i = 0; i < 3 && kind == COLUMNS_IMU && is_there; i++) {
+        out->gyro[i] = (int)(t->columns - 3 + i);
+        snprintf(out->seen.gyro[i], HEADING_NAME_MAX, "%s", names[i]);
+    }
+    if (kind == COLUMNS_GYRO) {
+        memcpy(out->gyro, out->index, sizeof out->gyro);
+    }
+    out->seen.others = is_there && kind != COLUMNS_IMU ? 3 : 0;
+}
+
 /* Without a header the number of columns tells; each letter is one column. */
 static int find_by_count(const table *t, columns_kind kind, columns *out)
 {
@@ -508,7 +637,7 @@ static int find_by_count(const table *t, columns_kind kind, columns *out)
     static const char letters[] = "xyzabcntTAB"; /* in the order of `column`; '.': a rate */
 
     for (unsigned i = 0; i < 5 && !is_cut_at_commas(t); i++) {
-        const char *layout = layouts[kind][i];
+        const char *layout = layouts[kind != COLUMNS_POSITIONS][i];
         if (!layout || strlen(layout) != t->columns) {
             continue;
         }
@@ -523,7 +652,7 @@ static int find_by_count(const table *t, columns_kind kind, columns *out)
                      : place ? column_name((column)c)
                              : "");
         }
-        out->seen.others = kind == COLUMNS_LOG && t->columns > 5 ? 3 : 0;
+        find_gyro_by_count(t, kind, out);
         return EXIT_GOOD;
     }
     message("%s:%lu: %u column%s, separated by %s, without a header: %s, or a header that names "
@@ -569,16 +698,20 @@ static int has_axes(const table *t)
     int index[3];
 
     read_headings(t);
-    return chosen_is(COLUMN_X) || find_set(t, 0, OF_MAGNETOMETER, index) < t->columns;
+    return chosen_is(COLUMN_X) ||
+           find_set(t, 0, (origins){OF_MAGNETOMETER, OF_ACCELEROMETER}, index) < t->columns;
 }
 
 int columns_find(table *t, columns_kind kind, columns *out)
 {
-    *out = (columns){.per_second = 1,
-                     .degrees = {1, 0},
-                     .per_degree = {1, 1},
-                     .instance = -1,
-                     .seen = {.separator = table_separator(t)}};
+    *out = (columns){
+        .per_second = 1,
+        .degrees = {1, 0},
+        .per_degree = {1, 1},
+        .aside = {-1, -1, -1},
+        .gyro = {-1, -1, -1},
+        .instance = -1,
+        .seen = {.separator = table_separator(t), .is_magnetometer = kind == COLUMNS_MAGNETOMETER}};
     if (table_comment_header(t) && !has_axes(t)) {
         table_drop_header(t);
     }
@@ -588,6 +721,10 @@ int columns_find(table *t, columns_kind kind, columns *out)
 
     for (unsigned c = 0; c < COLUMN_COUNT; c++) {
         out->last = out->index[c] > out->last ? out->index[c] : out->last;
+    }
+    for (unsigned i = 0; i < 3; i++) {
+        out->last = out->aside[i] > out->last ? out->aside[i] : out->last;
+        out->last = out->gyro[i] > out->last ? out->gyro[i] : out->last;
     }
     out->seen.time_unit = out->per_second > 1e8   ? "ns"
                           : out->per_second > 1e5 ? "µs"
@@ -641,6 +778,24 @@ int columns_number(const table *t, const columns *where, column which, double *o
     return EXIT_GOOD;
 }
 
+int columns_turn(const table *t, const columns *where, double out[3])
+{
+    char excerpt[TABLE_EXCERPT_MAX];
+
+    for (unsigned i = 0; i < 3; i++) {
+        const number_status status = number_parse(t->field[where->gyro[i]], &out[i]);
+        if (status != NUMBER_OK) {
+            message("%s:%lu: column %d (gyroscope's %c): '%s' %s; --accelerometer-only leaves the "
+                    "gyroscope out",
+                    t->name, t->line, where->gyro[i] + 1, "xyz"[i],
+                    table_excerpt(t->field[where->gyro[i]], excerpt),
+                    status == NUMBER_EMPTY ? "is empty" : number_problem(status));
+            return EXIT_FILE;
+        }
+    }
+    return EXIT_GOOD;
+}
+
 double columns_angle(const table *t, const columns *where, column which)
 {
     const int index = where->index[which];
@@ -649,6 +804,15 @@ double columns_angle(const table *t, const columns *where, column which)
     return index >= 0 && number_parse(t->field[index], &value) == NUMBER_OK
                ? value / where->per_degree[which - COLUMN_ALPHA]
                : NUMBER_UNKNOWN;
+}
+
+double columns_aside(const table *t, const columns *where, unsigned axis)
+{
+    const int index = where->aside[axis];
+    double value;
+
+    return index >= 0 && number_parse(t->field[index], &value) == NUMBER_OK ? value
+                                                                            : NUMBER_UNKNOWN;
 }
 
 int columns_check_instance(const table *t, columns *where)
@@ -725,7 +889,10 @@ const char *columns_describe(const recognition *seen, char *text, size_t size)
     if (*name[COLUMN_TIME] != '\0') {
         append(text, size, "%s (%s), ", name[COLUMN_TIME], seen->time_unit);
     }
-    append(text, size, "%s%s %s %s", *seen->set_aside != '\0' ? "the accelerometer's " : "",
+    append(text, size, "%s%s %s %s",
+           *seen->set_aside == '\0' ? ""
+           : seen->is_magnetometer  ? "the magnetometer's "
+                                    : "the accelerometer's ",
            name[COLUMN_X], name[COLUMN_Y], name[COLUMN_Z]);
     append_unit(seen, text, size);
     if (*seen->chosen != '\0') {
@@ -738,13 +905,17 @@ const char *columns_describe(const recognition *seen, char *text, size_t size)
             append(text, size, ", %s", name[c]);
         }
     }
+    if (*seen->gyro[0] != '\0') {
+        append(text, size, "; gyroscope: %s %s %s%s%s", seen->gyro[0], seen->gyro[1], seen->gyro[2],
+               seen->turn > 0 ? " in " : "", seen->turn > 0 ? unit_turn_words(seen->turn) : "");
+    }
     if (seen->others > 0) {
         append(text, size, "; ignored: %u other column%s", seen->others,
                seen->others == 1 ? "" : "s");
     }
     if (*seen->set_aside != '\0') {
-        append(text, size, ", a magnetometer's among them (%s ..; --columns chooses)",
-               seen->set_aside);
+        append(text, size, ", %s's among them (%s ..; --columns chooses)",
+               seen->is_magnetometer ? "an accelerometer" : "a magnetometer", seen->set_aside);
     }
     return plain(text);
 }

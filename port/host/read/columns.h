@@ -17,8 +17,12 @@ typedef struct {
     unsigned long header_line; /* 0: none */
     unsigned long preamble;    /* lines of `name, value` before it */
     unsigned long unit_line;   /* a row of units; 0: none */
-    char
-        set_aside[HEADING_NAME_MAX]; /* x of a magnetometer beside the accelerometer; empty: none */
+    int is_magnetometer;       /* one was asked for */
+    char set_aside
+        [HEADING_NAME_MAX]; /* x of the accelerometer beside it; else of a magnetometer beside the
+                                         accelerometer; empty: none */
+    char gyro[3][HEADING_NAME_MAX]; /* of a gyroscope, as in the header; empty: there is none */
+    double turn; /* rad/s in one of its units, if the headings state it; else 0 */
     char chosen[COLUMNS_CHOICE_MAX]; /* by --columns, as it was stated; empty: it was not */
     unsigned others;                 /* columns that have a heading, but are ignored */
     int states_foreign_unit;         /* the headings state a unit that unit.h does not know */
@@ -31,8 +35,10 @@ typedef struct {
 /* For each meaning the index into table.field, or -1. */
 typedef struct {
     int index[COLUMN_COUNT];
-    int last;                 /* the greatest of them */
-    double per_second;        /* units of the time column in a second */
+    int aside[3];      /* of the accelerometer beside a magnetometer, or -1: */
+    int gyro[3];       /* the same of a gyroscope's x y z; -1: there is none, or it is not wanted */
+    int last;          /* the greatest of them */
+    double per_second; /* units of the time column in a second */
     temperature_unit degrees; /* of the temperature column */
     double per_degree[2];     /* units of the columns alpha and beta in a degree */
     int instance;             /* column that numbers the sensor of each row, or -1 */
@@ -43,8 +49,11 @@ typedef struct {
 /* How the columns of a table without a header are understood. */
 typedef enum {
     COLUMNS_POSITIONS, /* x y z; x y z std n; x y z std_x std_y std_z n */
-    COLUMNS_LOG        /* x y z; t x y z; t x y z temperature; the first two also with the three of
-                          a gyro behind, which are ignored */
+    COLUMNS_LOG,       /* x y z; t x y z; t x y z temperature; the first two also with the three of
+                           a gyroscope behind, which are ignored, */
+    COLUMNS_IMU,       /* or not */
+    COLUMNS_GYRO,      /* x y z are those of a gyroscope */
+    COLUMNS_MAGNETOMETER /* as a log; of two sensors that a header names the magnetometer */
 } columns_kind;
 
 /* Names that a header may use, for help texts. */
@@ -60,7 +69,7 @@ typedef enum {
     "  rostopic echo -p (ROS).\n"
 
 /* Finds the columns of a table that has just been opened. Where it has an accelerometer and a
- * magnetometer, x, y and z are those of the accelerometer.
+ * magnetometer, x, y and z are those of the accelerometer, unless the kind says otherwise.
  *
  * Returns EXIT_GOOD; EXIT_FILE, with a message, if x, y and z are not there or there twice, or
  * another name is there twice, or x, y and z are in different units, or the number of columns
@@ -77,6 +86,12 @@ int columns_is_cut(const table *t, const columns *where);
  *
  * Returns EXIT_GOOD; EXIT_FILE, with a message that names line and column. */
 int columns_number(const table *t, const columns *where, column which, double *out);
+
+/* An axis of the accelerometer beside a magnetometer. NaN if there is none, or the current row holds no number
+ * there. */
+double columns_aside(const table *t, const columns *where, unsigned axis);
+/* What the gyroscope reads in the current row; it must be there. EXIT_GOOD; EXIT_FILE, with a message. */
+int columns_turn(const table *t, const columns *where, double out[3]);
 
 /* An angle of the stand, COLUMN_ALPHA or COLUMN_BETA, in degrees. NaN if there is no such column, or the
  * current row holds no number there: only a caller that needs angles has to complain. */

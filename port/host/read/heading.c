@@ -33,7 +33,9 @@ static void strip_end(char *text)
 static int take_unit(const char *unit, heading *out)
 {
     out->per_second = unit_parse_time(unit);
-    return unit_parse(unit, &out->unit) || out->per_second > 0;
+    out->turn = unit_parse_turn(unit);
+    const int is_magnetic = unit_parse_magnetic(unit, &out->magnetic);
+    return unit_parse(unit, &out->unit) || is_magnetic || out->per_second > 0 || out->turn > 0;
 }
 
 /* The brackets at the end, if there are some. Returns where they begin; null. */

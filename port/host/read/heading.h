@@ -14,7 +14,9 @@ typedef struct {
     char key[HEADING_NAME_MAX];  /* the name in small letters and digits alone, without its axis;
                                     empty for x, y and z themselves */
     int axis;                    /* 0, 1, 2; -1: none */
-    reading_unit unit;           /* of a reading, if it is stated and known */
+    reading_unit unit;           /* of a reading, if it is stated and known; */
+    reading_unit magnetic;       /* if it is one of a magnetometer */
+    double turn;                 /* of a rate of turn, rad/s in one unit, if it is stated; else 0 */
     double per_second;           /* of a time, if it is stated; else 0 */
     temperature_unit degrees;    /* of a temperature, if it is stated in brackets */
     int states_unit;             /* some unit is there, in brackets maybe an unknown one */

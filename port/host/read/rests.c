@@ -173,7 +173,7 @@ static int feed(reading *r, const samples *log, sample s)
     return digest(r, event);
 }
 
-static int read_samples(reading *r, unsigned readings, samples *log)
+static int read_samples(reading *r, unsigned readings, samples *log, turns *gyro)
 {
     sample s;
     int more;
@@ -183,6 +183,7 @@ static int read_samples(reading *r, unsigned readings, samples *log)
         for (unsigned k = 0; k < readings && !failure; k++) {
             failure = k == 0 || r->p.count < ENOUGH ? feed(&r[k], log, s) : EXIT_GOOD;
         }
+        failure = failure || !gyro ? failure : turns_add(gyro, log, &s);
         progress_show(log->table.file, log->table.line, r->p.count);
     }
     progress_end();
@@ -233,7 +234,7 @@ static unsigned choose(const reading *r, unsigned readings)
 
 /* All readings at once, the first in log_recording, the others in theirs. `best` is to be taken. */
 static int read_log(reading *r, unsigned readings, recording *others, samples *log,
-                    const double *clip, unsigned *best)
+                    const double *clip, turns *gyro, unsigned *best)
 {
     int failure = EXIT_GOOD;
 
@@ -241,7 +242,7 @@ static int read_log(reading *r, unsigned readings, recording *others, samples *l
         r[k].recording = k == 0 ? &log_recording : &others[k - 1];
         failure = begin(&r[k], log, clip, log->is_rate_known ? 0 : guess[k]);
     }
-    failure = failure ? failure : read_samples(r, readings, log);
+    failure = failure ? failure : read_samples(r, readings, log, gyro);
     *best = failure ? 0 : choose(r, readings);
     if (*best > 0) {
         log_recording = others[*best - 1];
@@ -250,18 +251,22 @@ static int read_log(reading *r, unsigned readings, recording *others, samples *l
     return failure;
 }
 
-int rests_read(positions *p, const char *path, double rate, const double clip[2],
+int rests_read(positions *p, const char *path, double rate, const double clip[2], turns *gyro,
                rests_summary *summary)
 {
     static samples log; /* too large for the stack */
     reading r[GUESSES] = {{.p = {.name = NULL}}};
     unsigned best = 0;
-    int failure = samples_open(&log, path, rate, 0);
+    int failure = samples_open(&log, path, gyro ? COLUMNS_IMU : COLUMNS_LOG, rate, 0);
     recording *others = failure || log.is_rate_known ? NULL : calloc(GUESSES - 1, sizeof *others);
     const unsigned readings = others ? GUESSES : 1; /* without the memory the first has to do */
 
     r[0].p.name = log.table.name;
-    failure = failure ? failure : read_log(r, readings, others, &log, clip, &best);
+    if (!failure && gyro) {
+        turns_begin(gyro, &log);
+        gyro = log.has_gyro || gyro->file ? gyro : NULL;
+    }
+    failure = failure ? failure : read_log(r, readings, others, &log, clip, gyro, &best);
     samples_close(&log);
     free(others);
     for (unsigned k = 0; k < readings; k++) {
@@ -272,5 +277,10 @@ int rests_read(positions *p, const char *path, double rate, const double clip[2]
     *p = r[best].p;
     *summary = r[best].summary;
     rests_end(p, &log, summary);
+    if (!failure && gyro) {
+        gyro->rate = summary->is_rate_known ? gyro->rate : summary->rate;
+        failure = gyro->file ? turns_read(gyro, &log, rate, p->name) : EXIT_GOOD;
+        turns_end(gyro);
+    }
     return failure;
 }

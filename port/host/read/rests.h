@@ -8,6 +8,7 @@
 #include "invcal/expert.h"
 #include "read/positions.h"
 #include "read/recording.h"
+#include "read/turns.h"
 
 /* INVCAL_REST_SHORT ... INVCAL_REST_SAME: why a rest is no position. */
 enum { RESTS_REASONS = INVCAL_REST_SAME - INVCAL_REST_SHORT + 1 };
@@ -57,9 +58,12 @@ void rests_end(positions *p, const samples *log, rests_summary *summary);
  * rate  samples a second; 0: see samples.h.
  * clip  null, or the least and the greatest reading of the sensor, input units.
  *
+ * gyro  null: a gyroscope's columns are ignored; else they are kept in it, if there are some: without
+ *       readings it is empty. To be released with turns_free in either case.
+ *
  * Returns EXIT_GOOD, also without any rest; EXIT_FILE, with a message. The positions are to be
  * released with positions_free in either case; their lines are those of the first samples. */
-int rests_read(positions *p, const char *path, double rate, const double clip[2],
+int rests_read(positions *p, const char *path, double rate, const double clip[2], turns *gyro,
                rests_summary *summary);
 
 #endif

@@ -13,7 +13,7 @@
 #define SMALLEST_UNIT (-14) /* power of two, where nothing but zeros has been read */
 #define SKIPPED_MAX 100u
 
-enum { TIME = 3, TEMPERATURE = 4, ALPHA = 5, BETA = 6 };
+enum { TIME = 3, TEMPERATURE = 4, ALPHA = 5, BETA = 6, ASIDE = 7, GYRO = 10 };
 
 /* The numbers of the current row. */
 static int read_numbers(samples *s, double v[SAMPLES_NUMBERS])
@@ -23,7 +23,7 @@ static int read_numbers(samples *s, double v[SAMPLES_NUMBERS])
     if (columns_check_instance(&s->table, &s->where)) {
         return EXIT_FILE;
     }
-    v[TIME] = v[TEMPERATURE] = 0;
+    v[TIME] = v[TEMPERATURE] = v[GYRO] = v[GYRO + 1] = v[GYRO + 2] = 0;
     for (unsigned i = 0; i < 5; i++) {
         if (s->where.index[which[i]] >= 0 &&
             columns_number(&s->table, &s->where, which[i], &v[i])) {
@@ -32,7 +32,10 @@ static int read_numbers(samples *s, double v[SAMPLES_NUMBERS])
     }
     v[ALPHA] = columns_angle(&s->table, &s->where, COLUMN_ALPHA);
     v[BETA] = columns_angle(&s->table, &s->where, COLUMN_BETA);
-    return EXIT_GOOD;
+    for (unsigned i = 0; i < 3; i++) {
+        v[ASIDE + i] = columns_aside(&s->table, &s->where, i);
+    }
+    return s->where.gyro[0] >= 0 ? columns_turn(&s->table, &s->where, &v[GYRO]) : EXIT_GOOD;
 }
 
 /* The first line was cut, so that the second has more columns: that decides. Returns 1 if so. */
@@ -44,7 +47,7 @@ static int realign(samples *s)
     }
     s->table.columns = s->table.found;
     s->ahead_count = 0;
-    return columns_find(&s->table, COLUMNS_LOG, &s->where) == EXIT_GOOD;
+    return columns_find(&s->table, s->kind, &s->where) == EXIT_GOOD;
 }
 
 /* The numbers of the next row that is whole. 1, 0 at the end, -1. */
@@ -178,7 +181,7 @@ static int find_columns(samples *s)
         columns_say_cut(&s->table, "first", cut);
         s->skipped++;
     }
-    const int failure = columns_find(&s->table, COLUMNS_LOG, &s->where);
+    const int failure = columns_find(&s->table, s->kind, &s->where);
 
     if (!failure || !s->is_live || s->table.has_header) {
         return failure;
@@ -187,14 +190,15 @@ static int find_columns(samples *s)
     (void)table_next(&s->table); /* has another number of columns, and is told */
     s->table.columns = s->table.found > 0 ? s->table.found : s->table.columns;
     s->skipped = 2;
-    return columns_find(&s->table, COLUMNS_LOG, &s->where);
+    return columns_find(&s->table, s->kind, &s->where);
 }
 
-int samples_open(samples *s, const char *path, double rate, int live)
+int samples_open(samples *s, const char *path, columns_kind kind, double rate, int live)
 {
     s->ahead_count = s->next = 0;
     s->count = s->gaps = s->skipped = 0;
     s->is_live = live;
+    s->kind = kind;
     s->is_broken = 0;
     s->clock = 0;
     s->longest = HUGE_VAL; /* with a given rate times may be of any unit */
@@ -209,7 +213,9 @@ int samples_open(samples *s, const char *path, double rate, int live)
     }
     s->has_time = s->where.index[COLUMN_TIME] >= 0;
     s->has_temperature = s->where.index[COLUMN_TEMPERATURE] >= 0;
+    s->has_gyro = s->where.gyro[0] >= 0;
     s->has_angles = s->where.index[COLUMN_ALPHA] >= 0 && s->where.index[COLUMN_BETA] >= 0;
+    s->has_aside = s->where.aside[0] >= 0;
     s->unit = find_unit(s);
     s->rate = rate;
     s->is_rate_known = rate > 0;
@@ -256,6 +262,8 @@ int samples_next(samples *s, sample *out)
     out->temperature = v[TEMPERATURE];
     out->angle[0] = v[ALPHA];
     out->angle[1] = v[BETA];
+    memcpy(out->aside, &v[ASIDE], sizeof out->aside);
+    memcpy(out->gyro, &v[GYRO], sizeof out->gyro);
     const double step = v[TIME] - s->last_time;
     out->clock = s->clock += s->count == 0 ? 0 : time_passed(s, step);
     const int jumps = s->has_time && s->count > 0 && !(step >= 0 && step <= s->longest);

@@ -19,7 +19,9 @@
 #define SAMPLES_PAUSE 60.0     /* seconds that a log may pause and go on */
 #define SAMPLES_AHEAD_LIVE 32u /* of a live stream */
 
-enum { SAMPLES_NUMBERS = 7 }; /* of a row: x y z, time, temperature, alpha, beta */
+enum {
+    SAMPLES_NUMBERS = 13
+}; /* of a row: x y z, time, temperature, alpha, beta, x y z aside, gyroscope */
 
 typedef struct {
     int32_t raw[3]; /* value / unit, rounded; beyond an int32 the nearest */
@@ -28,6 +30,8 @@ typedef struct {
                        SAMPLES_PAUSE, count as one sample */
     double temperature;
     double angle[2]; /* alpha and beta of a stand, degrees; NaN: not known */
+    double aside[3]; /* the accelerometer beside a magnetometer, as it reads; NaN: not known */
+    double gyro[3];  /* if there is one, input units */
     unsigned long line;
     int is_gap; /* time has gone back or jumped, or lines were skipped */
 } sample;
@@ -39,7 +43,9 @@ typedef struct {
     double rate; /* samples a second */
     int has_time;
     int has_temperature;
+    int has_gyro;
     int has_angles;    /* there are columns alpha and beta */
+    int has_aside;     /* and those of an accelerometer beside a magnetometer */
     int is_rate_known; /* given, or told by the times; else rate is a guess */
     /* inside */
     double ahead[SAMPLES_AHEAD][SAMPLES_NUMBERS];
@@ -52,12 +58,14 @@ typedef struct {
     unsigned long gaps;
     unsigned long skipped; /* malformed lines of a live stream; else a first or last that is cut */
     double longest;        /* step of time that is none */
+    columns_kind kind;     /* of its columns */
     int is_live;
     int is_broken; /* a line has been skipped just now */
 } samples;
 
 /* Opens a log ("-": standard input).
  *
+ * kind  COLUMNS_LOG, COLUMNS_IMU with a gyroscope's columns, if there are some, or COLUMNS_GYRO.
  * live  0: a malformed line is an error, but a first or last one that is cut is told and left out. 1: a stream that goes on whatever comes; malformed lines
  *       are told, skipped and counted as gaps, up to a hundred in a row, and if the first line was
  *       cut, the second decides about the columns.
@@ -66,7 +74,7 @@ typedef struct {
  * Returns EXIT_GOOD; EXIT_FILE, with a message, if it is unreadable or malformed, holds no
  * sample, or the times do not tell a rate within 8 ... 8000. The structure is large and must not
  * be moved. To be closed with samples_close in either case. */
-int samples_open(samples *s, const char *path, double rate, int live);
+int samples_open(samples *s, const char *path, columns_kind kind, double rate, int live);
 
 /* The rate in whole samples a second, as the library wants it. */
 unsigned samples_whole_rate(const samples *s);

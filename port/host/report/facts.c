@@ -37,12 +37,27 @@ static void find_positions(report_facts *f)
     }
 }
 
+/* The same of a magnetometer: the way that is to point along the field. North of the magnetic equator that points
+ * down, so that the opposite way is up. */
+static void find_next_along(report_facts *f)
+{
+    const double *along = f->result->magnetometer->next;
+    const double up[3] = {-along[0], -along[1], -along[2]};
+
+    memcpy(f->next, along, sizeof f->next);
+    (void)invcal_words(up, f->next_words);
+}
+
 /* Where to turn next, beside the positions kept. Returns 0 without memory. */
 static int find_next(report_facts *f)
 {
     const unsigned kept = f->result->rejected.kept_count;
-    double *raw = calloc(3 * (size_t)kept + 1, sizeof *raw);
 
+    if (f->result->magnetometer) {
+        find_next_along(f);
+        return 1;
+    }
+    double *raw = calloc(3 * (size_t)kept + 1, sizeof *raw);
     if (!raw) {
         return 0;
     }
@@ -80,7 +95,7 @@ int report_facts_find(report_facts *f, const calibrate_result *result, const cal
 {
     *f = (report_facts){.result = result, .wish = wish, .count = result->data->count, .has_up = 1};
     f->asked = pass_judge(result);
-    f->is_gravity = unit_is_gravity(result->settings.field);
+    f->is_gravity = calibrate_is_gravity(result);
     f->parts = told_parts(result->told, f->is_gravity).scale;
     f->unit = told_parts(result->told, f->is_gravity).unit;
     f->length = f->is_gravity ? "|a|" : "length";

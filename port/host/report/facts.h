@@ -59,6 +59,8 @@ void report_parameters(page *p, const report_facts *f);
 void report_positions(page *p, const report_facts *f);
 void report_stand(page *p, const report_facts *f);
 void report_temperature(page *p, const report_facts *f);
+void report_gyro(page *p, const report_facts *f);
+void report_gyro_summary(page *p, const report_facts *f); /* a sentence, under the verdict */
 void report_sphere(page *p, const report_facts *f);
 void report_timeline(page *p, const report_facts *f);
 void report_numbers(page *p, const report_facts *f);

@@ -67,7 +67,7 @@ static int find(refused *d, const calibrate_result *result, const calibrate_wish
     const unsigned count = result->data->count;
 
     *d = (refused){.facts = {.result = result, .wish = wish, .count = count}};
-    d->facts.is_gravity = unit_is_gravity(result->settings.field);
+    d->facts.is_gravity = calibrate_is_gravity(result);
     d->facts.position = calloc((size_t)count + 1, sizeof *d->facts.position);
     d->facts.mark = calloc((size_t)count + REFUSAL_DIRECTIONS, sizeof *d->facts.mark);
     if (!d->facts.position || !d->facts.mark) {

@@ -171,17 +171,17 @@ static void write_verdict(page *p, const report_facts *f)
         if (*verdict_unchecked(f->result, text)) {
             page_say(p, "%s", text);
         }
-    } else if (verdict == INVCAL_NO_REDUNDANCY) {
+    } else if (verdict == INVCAL_NO_REDUNDANCY && !f->result->magnetometer) {
         snprintf(next, sizeof next,
                  "add three or more positions in other directions. Begin with: %s.", f->next_words);
         write_box(p, f, PAGE_CAUTION, "! No redundancy",
                   "All nine parameters are determined, but there is no position to spare: nothing "
                   "checks the result, and one wrong position would spoil it unnoticed.",
                   next);
-    } else if (verdict == INVCAL_WEAK) {
+    } else if (verdict == INVCAL_WEAK && !f->result->magnetometer) {
         write_weak(p, f);
     } else {
-        const int is_bad = verdict == INVCAL_DRIFTING || verdict == INVCAL_BENT;
+        const int is_bad = verdict >= INVCAL_DRIFTING;
         snprintf(marked, sizeof marked, "%s %s", is_bad ? "✗" : "!", word);
         (void)verdict_cause(f->result, sentence);
         sentence[0] = (char)toupper((unsigned char)sentence[0]);
@@ -221,7 +221,10 @@ static void write_figures(page *p, const report_facts *f)
     page_figures_begin(p);
     write_improvement(p, f);
     snprintf(text, sizeof text, "%u", r->data->count);
-    snprintf(what, sizeof what, r->rejected.count ? "positions, %u of them left out" : "positions",
+    snprintf(what, sizeof what,
+             r->magnetometer     ? "cells of direction with samples"
+             : r->rejected.count ? "positions, %u of them left out"
+                                 : "positions",
              r->rejected.count);
     page_figure(p, text, what);
     if (f->knows_noise) {
@@ -274,6 +277,15 @@ static void write_temperature(page *p, const report_facts *f)
 
 static void write_frame(page *p, const calibrate_result *r)
 {
+    char axes[CALIBRATE_AXES_MAX];
+
+    if (*calibrate_axes_text(r, axes) != '\0') {
+        page_fact(p, "axes", "%s", axes);
+    }
+    if (r->is_dip_frame) {
+        page_fact(p, "frame", "accelerometer: the axes of the one in the same log");
+        return;
+    }
     if (r->frame.used > 0) {
         char text[CALIBRATE_LIMIT_MAX];
         page_fact(p, "frame", "%s", calibrate_case_text(r, text));
@@ -307,6 +319,18 @@ void report_file(page *p, const report_facts *f)
     page_fact(p, "invcal", "%s", INVCAL_VERSION);
 }
 
+/* What a magnetometer felt. */
+static void write_waved(page *p, const waved *m)
+{
+    page_fact(p, "samples", "%lu, %lu left out, in %u of %u cells of direction; %.0f tell as one",
+              m->samples, (unsigned long)m->found.left_out, m->found.covered, INVCAL_CELLS,
+              m->found.alike > 1 ? m->found.alike : 1);
+    if (m->found.disturbance != INVCAL_UNDISTURBED) {
+        page_fact(p, "disturbed", "%s",
+                  invcal_disturbance_text((invcal_disturbance)m->found.disturbance));
+    }
+}
+
 static void write_origin(page *p, const report_facts *f)
 {
     const calibrate_result *r = f->result;
@@ -322,7 +346,12 @@ static void write_origin(page *p, const report_facts *f)
                   "nothing else",
                   r->place[0], r->place[1], REPORT_NORMAL * GRAVITY_SIGMA);
     }
-    page_fact(p, "positions", "%u used, %u left out", r->rejected.kept_count, r->rejected.count);
+    if (r->magnetometer) {
+        write_waved(p, r->magnetometer);
+    } else {
+        page_fact(p, "positions", "%u used, %u left out", r->rejected.kept_count,
+                  r->rejected.count);
+    }
     write_temperature(p, f);
     write_nominal(p, f);
     write_frame(p, r);
@@ -379,6 +408,7 @@ int report_write(FILE *file, const calibrate_result *result, const calibrate_wis
         page_begin_headed(&p, file, title, record_line(&result->record, head));
         write_record(&p, &result->record);
         write_verdict(&p, &f);
+        report_gyro_summary(&p, &f);
         say_convention(&p, &f);
         report_use(&p, &f);
         page_section(&p, "What it is worth");
@@ -388,6 +418,7 @@ int report_write(FILE *file, const calibrate_result *result, const calibrate_wis
         report_positions(&p, &f);
         report_stand(&p, &f);
         report_temperature(&p, &f);
+        report_gyro(&p, &f);
         report_sphere(&p, &f);
         report_timeline(&p, &f);
         report_numbers(&p, &f);

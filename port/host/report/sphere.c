@@ -68,7 +68,13 @@ static void say_uncertainty(page *p, const report_facts *f)
             p, "What %s itself may be wrong by is not in that: ±%s %s, alike in all directions.",
             f->is_gravity ? "g" : "the field", figure_digits(f->field_spread, 2, most), f->unit);
     }
-    page_say(p, "The orientation that would add most: %s.", f->next_words);
+    page_say(
+        p,
+        f->result->magnetometer
+            ? "What would add most: swing it around with %s; south of the magnetic equator with "
+              "that side down."
+            : "The orientation that would add most: %s.",
+        f->next_words);
 }
 
 void report_sphere(page *p, const report_facts *f)
@@ -83,7 +89,10 @@ void report_sphere(page *p, const report_facts *f)
     draw_half(p->file, f, 0);
     draw_half(p->file, f, 1);
     draw_legend(p->file, f, &shading);
-    page_row_end(p,
-                 "Up in the axes of the sensor: where each position pointed, and how uncertain the "
+    page_row_end(
+        p, f->result->magnetometer
+               ? "The field in the axes of the sensor: where the mean of each cell points, and how "
+                 "uncertain the length of a reading is in every direction."
+               : "Up in the axes of the sensor: where each position pointed, and how uncertain the "
                  "length of a reading is in every direction.");
 }

@@ -268,6 +268,53 @@ static int read_nonlinear(json_reader *r, calibration_file *file)
                                "calibrate --quadratic or --cubic");
 }
 
+/* ---- gyroscope -------------------------------------------------------------------------------- */
+
+/* The calibration, and which of its members were there. */
+typedef struct {
+    calibration_file *file;
+    int has_offset;
+    int has_matrix;
+    int is_refused;
+} gyro_reading;
+
+static int read_gyro_member(json_reader *r, const char *name, void *into)
+{
+    gyro_reading *g = into;
+
+    char unit[CALIBRATION_FILE_WORD];
+
+    if (is(name, "unit")) {
+        const int failure = json_read_text(r, unit, sizeof unit);
+        g->file->gyro_is_counts = failure || is(unit, "counts");
+        return failure;
+    }
+    g->has_offset = g->has_offset || is(name, "offset");
+    g->has_matrix = g->has_matrix || is(name, "matrix");
+    g->is_refused = g->is_refused || is(name, "error");
+    return is(name, "offset")   ? read_vector(r, g->file->gyro.offset)
+           : is(name, "matrix") ? read_matrix(r, g->file->gyro.matrix)
+           : is(name, "lsb")    ? json_read_number(r, &g->file->gyro_lsb)
+                                : json_skip(r);
+}
+
+/* One that was refused is none. */
+static int read_gyro(json_reader *r, calibration_file *file)
+{
+    gyro_reading g = {.file = file};
+    double inverse[3][3];
+    const int failure = read_object(r, read_gyro_member, &g);
+
+    if (failure || g.is_refused) {
+        return failure;
+    }
+    file->has_gyro = 1;
+    return g.has_offset && g.has_matrix && matrix_inverse(&file->gyro, inverse)
+               ? EXIT_GOOD
+               : json_error(r, "\"gyroscope\" is incomplete, or its matrix singular; make the file "
+                               "again with invcal calibrate");
+}
+
 /* ---- the members ------------------------------------------------------------------------------ */
 
 static int read_record_member(json_reader *r, const char *name, void *into)
@@ -340,10 +387,12 @@ static int read_member(json_reader *r, const char *name, void *into)
     }
     x->has_offset = x->has_offset || is_offset;
     x->has_matrix = x->has_matrix || is_matrix;
+    x->file->is_magnetometer = x->file->is_magnetometer || is(name, "magnetometer");
     return is_offset   ? read_vector(r, x->file->calibration.offset)
            : is_matrix ? read_matrix(r, x->file->calibration.matrix)
            : is(name, "thermal") && x->depth >= CORRECTION      ? read_thermal(r, x->file)
            : is(name, "nonlinearity") && x->depth >= CORRECTION ? read_nonlinear(r, x->file)
+           : is(name, "gyroscope") && x->depth >= CORRECTION    ? read_gyro(r, x->file)
            : x->depth == EVERYTHING ? read_circumstance(r, name, x->file)
                                     : json_skip(r);
 }

@@ -40,11 +40,16 @@ typedef struct {
     double sigma_gamma[3];  /* of angles, rad */
     char verdict[CALIBRATION_FILE_WORD];
     char undetermined[CALIBRATION_FILE_NAMES]; /* names with commas between */
-    int has_thermal;        /* the calibration is that at the reference temperature of */
-    invcal_thermal thermal; /* over the field, */
-    double thermal_field;   /* of this length, */
-    int is_triangular;      /* and its frame */
-    int has_nonlinear;      /* the calibration is what is left for a linear one after */
+    int is_magnetometer;     /* of one that was waved: of two sensors in a log this is meant */
+    int has_thermal;         /* the calibration is that at the reference temperature of */
+    invcal_thermal thermal;  /* over the field, */
+    double thermal_field;    /* of this length, */
+    int is_triangular;       /* and its frame */
+    int has_gyro;            /* there is a gyroscope, too: */
+    invcal_calibration gyro; /* input units to rad/s, */
+    double gyro_lsb;         /* nominal: rad/s in one, */
+    int gyro_is_counts;      /* which has no name */
+    int has_nonlinear;       /* the calibration is what is left for a linear one after */
     calibration_nonlinear nonlinear;
 } calibration_file;
 
@@ -55,7 +60,8 @@ typedef struct {
  * matrix is singular. */
 int calibration_file_read(const char *path, invcal_calibration *out);
 
-/* The same with has_thermal and thermal, has_nonlinear and nonlinear, no other members. */
+/* The same with is_magnetometer, has_thermal and thermal, has_nonlinear and nonlinear, has_gyro and gyro, no other
+ * members. */
 int calibration_file_read_correction(const char *path, calibration_file *out);
 
 /* The same with everything else that it tells; then the members above are checked as well. */

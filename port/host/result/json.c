@@ -3,6 +3,7 @@
 
 #include "result/result.h"
 #include "result/faces.h"
+#include "result/gyro.h"
 #include "text/json_write.h"
 #include "result/need.h"
 #include "result/pass.h"
@@ -240,9 +241,13 @@ void calibrate_json(FILE *file, const calibrate_result *result)
     if (fit_has_prior(&result->settings)) {
         write_source(&w, result->quality.from_prior);
     }
+    if (result->magnetometer) {
+        calibrate_waved_json(&w, result);
+    }
     if (result->settings.is_six_faces) {
         faces_json(&w, result);
     }
+    gyro_json(&w, result);
     if (result->degree > 0) {
         calibrate_nonlinear_json(&w, result);
     }

@@ -106,12 +106,22 @@ void calibrate_reading(const calibrate_result *r, unsigned kept, double out[3])
     }
 }
 
+void calibrate_with_moves(const calibrate_result *result, fit_settings *with)
+{
+    *with = result->settings;
+    for (unsigned p = INVCAL_GAMMA_XY; p < INVCAL_PARAMETERS && result->is_joint; p++) {
+        with->prior[p] = result->quality.sigma[p];
+    }
+}
+
 void calibrate_spread(const calibrate_result *r, double unit, uncertainty *u)
 {
     if (r->temperature == CALIBRATE_THERMAL) { /* the first nine coefficients: at the reference */
         memcpy(u->covariance, r->fit.covariance, sizeof u->covariance);
     } else {
-        fit_information(r->rejected.kept, r->rejected.kept_count, &r->settings, &r->solution,
+        fit_settings with;
+        calibrate_with_moves(r, &with);
+        fit_information(r->rejected.kept, r->rejected.kept_count, &with, &r->solution,
                         r->quality.noise, u->covariance);
         (void)matrix_invert_packed(u->covariance, INVCAL_PARAMETERS); /* no result without */
     }
@@ -176,6 +186,14 @@ const char *calibrate_limit(const calibrate_result *r, const uncertainty *length
             "positions would leave.",
             r->temperature == CALIBRATE_THERMAL ? " at each temperature" : "", length->worst_words,
             figure_digits(uneven, 2, number), r->rejected.kept_count);
+    } else if (r->magnetometer) {
+        snprintf(
+            text, CALIBRATE_LIMIT_MAX,
+            "%s. Four times as long a log, turned to all sides, halves ±; what differs from place "
+            "to place it does not.",
+            r->quality.sigma_dof > r->quality.dof
+                ? "what neighbouring samples err alike by"
+                : "what the cells disagree by, which is more than their samples tell");
     } else if (!(r->settings.noise > 0)) {
         snprintf(text, CALIBRATE_LIMIT_MAX, "%s",
                  r->quality.dof > 0
@@ -214,7 +232,7 @@ const char *calibrate_advice(const calibrate_result *r, char text[CALIBRATE_LIMI
 {
     const thermal_fit *fit = &r->fit;
     const double range = fit->calibration.max - fit->calibration.min;
-    const told_unit told = told_parts(r->told, unit_is_gravity(r->settings.field));
+    const told_unit told = told_parts(r->told, calibrate_is_gravity(r));
     const unsigned most = steepest_offset(fit);
     const double scale = told.scale * calibrate_slope_scale(r, most);
     char before[FIGURE_MAX];

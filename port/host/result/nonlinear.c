@@ -8,7 +8,7 @@
 
 void calibrate_nonlinear_rows(const calibrate_result *r)
 {
-    const int is_gravity = unit_is_gravity(r->settings.field);
+    const int is_gravity = calibrate_is_gravity(r);
     const int known = calibrate_knows_noise(r);
     const double in = is_gravity ? 1e3 : 1e2;
 

@@ -109,7 +109,7 @@ static void add_need(const calibrate_result *r, char text[PASS_MAX])
     char reached[FIGURE_MAX];
     char wanted[FIGURE_MAX];
 
-    add(text, "%s within %s of %s %s", unit_is_gravity(r->settings.field) ? "|a|" : "length",
+    add(text, "%s within %s of %s %s", calibrate_is_gravity(r) ? "|a|" : "length",
         figure_digits(scale * need_reached(r), 2, reached),
         figure_digits(scale * r->need / r->settings.field, 2, wanted), r->need_unit.unit);
 }

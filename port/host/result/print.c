@@ -9,6 +9,7 @@
 #include "maths/matrix.h"
 #include "cli/message.h"
 #include "result/faces.h"
+#include "result/gyro.h"
 #include "result/need.h"
 #include "result/pass.h"
 #include "text/number.h"
@@ -96,7 +97,8 @@ static void add_scales(const calibrate_result *r, int known)
     char unit[FIGURE_MAX];
 
     snprintf(unit, sizeof unit, "%s per %s", calibrate_input_unit(r),
-             unit_is_gravity(r->settings.field) ? "m/s²" : "field unit");
+             strcmp(calibrate_field_unit(r), "field units") == 0 ? "field unit"
+                                                                 : calibrate_field_unit(r));
 
     (void)matrix_inverse(&r->nominal.calibration, inverse); /* no result without */
     for (unsigned i = 0; i < 3; i++) {
@@ -150,7 +152,7 @@ static void add_errors(const calibrate_result *r, int known)
 static const char *residual_text(const calibrate_result *r, double residual, char text[TEXT_MAX])
 {
     const told_unit told = calibrate_told_field(r);
-    const int places = r->told == TOLD_INS ? 3 : unit_is_gravity(r->settings.field) ? 4 : 5;
+    const int places = r->told == TOLD_INS ? 3 : calibrate_is_gravity(r) ? 4 : 5;
 
     snprintf(text, TEXT_MAX, "%14.*f %s", places, told.scale * residual, told.unit);
     return text;
@@ -165,8 +167,14 @@ static void print_residuals(FILE *file, const calibrate_result *r, const char *n
     char text[TEXT_MAX];
 
     fprintf(file, "residual rms  %s\n", residual_text(r, q->rms, text));
-    wrapped_printf(file, LABEL, "         max  %s, at position %u (line %lu)",
-                   residual_text(r, q->max, text), q->worst + 1, r->data->origin[q->worst].line);
+    if (r->magnetometer) {
+        wrapped_printf(file, LABEL, "         max  %s, of the means of cells",
+                       residual_text(r, q->max, text));
+    } else {
+        wrapped_printf(file, LABEL, "         max  %s, at position %u (line %lu)",
+                       residual_text(r, q->max, text), q->worst + 1,
+                       r->data->origin[q->worst].line);
+    }
     if (!nominal_is_guess(&r->nominal)) {
         wrapped_printf(file, LABEL, "  rms before  %s (%s alone)",
                        residual_text(r, r->residual_before, text), nominal_name);
@@ -259,13 +267,14 @@ static void print_verdict(FILE *file, const calibrate_result *result)
     if (is_held) {
         snprintf(text, sizeof text, " %s", faces_cost(result, cause));
     } else if (strcmp(word, "Good:") == 0) {
+        const char *unchecked = verdict_unchecked(result, cause);
         snprintf(text, sizeof text,
-                 " every parameter is determined; degrees of freedom left to check it: %.3g. %s",
-                 q->dof, verdict_unchecked(result, cause));
-    } else if (q->verdict == INVCAL_NO_REDUNDANCY) {
+                 " every parameter is determined; degrees of freedom left to check it: %.3g.%s%s",
+                 q->dof, *unchecked ? " " : "", unchecked);
+    } else if (q->verdict == INVCAL_NO_REDUNDANCY && !result->magnetometer) {
         snprintf(text, sizeof text,
                  " every parameter is determined, but no direction is left to check the result.");
-    } else if (q->verdict == INVCAL_WEAK) {
+    } else if (q->verdict == INVCAL_WEAK && !result->magnetometer) {
         (void)parameters_list(q->weak, list, sizeof list);
         snprintf(text, sizeof text, " %s %s badly determined; use the result only within its ±.",
                  list, strchr(list, ',') ? "are" : "is");
@@ -303,7 +312,7 @@ static void print_next(FILE *file, const calibrate_result *result, const calibra
                  "Next: to measure the angles, add six positions and leave --six-faces out: %s.",
                  FACES_EDGES);
         wrapped_line(file, 0, 0, text);
-    } else if (q->verdict == INVCAL_NO_REDUNDANCY) {
+    } else if (q->verdict == INVCAL_NO_REDUNDANCY && !result->magnetometer) {
         wrapped_printf(file, 0,
                        "Next: add 3 or more positions in other directions, to check the fit.");
     } else if (q->verdict == INVCAL_WEAK && calibrate_wants_slopes(result)) {
@@ -311,7 +320,7 @@ static void print_next(FILE *file, const calibrate_result *result, const calibra
             file, 0,
             "Next: measure nine positions or more at each of two temperatures, 5 K apart "
             "or more.");
-    } else if (q->verdict == INVCAL_WEAK) {
+    } else if (q->verdict == INVCAL_WEAK && !result->magnetometer) {
         snprintf(text, sizeof text, "Next: add positions with %s.",
                  parameters_advice(q->weak, advice, sizeof advice));
         wrapped_line(file, 0, 0, text);
@@ -448,6 +457,17 @@ static void print_case(FILE *file, const calibrate_result *result)
     }
 }
 
+/* Against an accelerometer. */
+static void print_axes(FILE *file, const calibrate_result *result)
+{
+    char text[CALIBRATE_AXES_MAX];
+
+    if (*calibrate_axes_text(result, text) != '\0') {
+        fprintf(file, "%-14s", "axes");
+        wrapped_line(file, LABEL, LABEL, text);
+    }
+}
+
 /* What the sensor was to read, and who says so. */
 static void print_nominal(FILE *file, const nominal_choice *n, const char *name)
 {
@@ -508,8 +528,13 @@ void calibrate_print(FILE *file, const calibrate_result *result, const calibrate
     print_record(file, &result->record);
     print_recognised(file, result->data);
     print_log(file, result);
-    wrapped_printf(file, 0, "%s: %u positions, field %.7g %s", plain_copy(result->data->name, name),
-                   result->data->count, result->settings.field, calibrate_field_unit(result));
+    if (result->magnetometer) {
+        calibrate_waved_print(file, result);
+    }
+    wrapped_printf(file, 0, "%s: %u %s, field %.7g %s", plain_copy(result->data->name, name),
+                   result->data->count,
+                   result->magnetometer ? "cells of direction, each a position" : "positions",
+                   result->settings.field, calibrate_field_unit(result));
     print_place(file, result);
     print_rejected(file, result);
     print_nominal(file, &result->nominal, nominal);
@@ -517,6 +542,7 @@ void calibrate_print(FILE *file, const calibrate_result *result, const calibrate
     fprintf(file, "\n");
     print_stand(file, result);
     print_case(file, result);
+    print_axes(file, result);
     calibrate_print_thermal(file, result);
     fprintf(file, "%s", result->temperature == CALIBRATE_THERMAL ? "\n" : "");
     print_residuals(file, result, nominal);
@@ -525,6 +551,7 @@ void calibrate_print(FILE *file, const calibrate_result *result, const calibrate
     }
     print_limit(file, result);
     fprintf(file, "\n");
+    gyro_print(file, result);
     print_verdict(file, result);
     print_next(file, result, wish);
 }

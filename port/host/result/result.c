@@ -28,19 +28,29 @@ double calibrate_tau_at(const positions *data, double time)
 const char *calibrate_frame(const calibrate_result *result)
 {
     return result->is_stand_frame           ? "stand"
+           : result->is_dip_frame           ? "accelerometer"
            : result->frame.used > 0         ? "case"
            : result->settings.is_triangular ? "triangular"
                                             : "symmetric";
 }
 
+int calibrate_is_gravity(const calibrate_result *result)
+{
+    return !result->magnetometer && unit_is_gravity(result->settings.field);
+}
+
 const char *calibrate_field_unit(const calibrate_result *result)
 {
-    return unit_is_gravity(result->settings.field) ? "m/s²" : "field units";
+    if (result->magnetometer && !result->is_field_stated &&
+        result->data->seen.unit != UNIT_UNKNOWN) {
+        return calibrate_input_unit(result);
+    }
+    return calibrate_is_gravity(result) ? "m/s²" : "field units";
 }
 
 told_unit calibrate_told_field(const calibrate_result *result)
 {
-    return told_field(result->told, unit_is_gravity(result->settings.field));
+    return told_field(result->told, calibrate_is_gravity(result));
 }
 
 const char *calibrate_input_unit(const calibrate_result *result)

@@ -8,7 +8,9 @@
 #include <stdio.h>
 
 #include "fit/case_frame.h"
+#include "fit/dip_frame.h"
 #include "fit/fit.h"
+#include "fit/gyro.h"
 #include "text/json_write.h"
 #include "fit/l1.h"
 #include "fit/nominal.h"
@@ -16,6 +18,7 @@
 #include "read/positions.h"
 #include "fit/rejection.h"
 #include "read/rests.h"
+#include "read/waved.h"
 #include "stand/stand.h"
 #include "fit/thermal_fit.h"
 #include "cli/told.h"
@@ -45,7 +48,8 @@ typedef struct {
 typedef struct {
     refusal refused; /* then all below but data, log, rejected, nominal and settings is not known */
     const positions *data;
-    const rests_summary *log; /* what they were found in; null: they were given */
+    const rests_summary *log;  /* what they were found in; null: they were given */
+    const waved *magnetometer; /* which was waved, and whose cells they are; or null */
     rejection rejected;
     nominal_choice nominal;
     fit_settings settings;
@@ -79,6 +83,10 @@ typedef struct {
     stand stand;         /* what the angles of a stand told, if they were wanted */
     int is_stand_frame;  /* the calibration is turned to the stand, */
     case_frame frame;    /* or to the case */
+    dip_frame dip;       /* what the accelerometer beside a magnetometer told; */
+    int is_dip_frame;    /* the calibration is turned to its axes */
+    gyro_fit gyro;       /* the gyroscope, if there is one; */
+    int is_joint;        /* its moves tell the accelerometer, which the rests alone do not */
     told_style told;     /* the units of figures for people */
     record record;       /* what it is filed under */
     const double *place; /* latitude and height that tell the field; null: it was stated */
@@ -120,6 +128,9 @@ double calibrate_tau(const positions *data, unsigned position);
 /* The same of a time of the log, seconds. */
 double calibrate_tau_at(const positions *data, double time);
 
+/* The settings with what the moves tell of the angles as a prior, if the solution is that of both. */
+void calibrate_with_moves(const calibrate_result *result, fit_settings *with);
+
 /* What the positions kept leave uncertain (at the reference temperature), for a noise of `unit`. */
 void calibrate_spread(const calibrate_result *result, double unit, uncertainty *u);
 
@@ -144,6 +155,9 @@ int calibrate_is_disturbed(const calibrate_result *result);
 /* Some direction is told far worse than so many positions could. */
 int calibrate_is_uneven(const calibrate_result *result);
 
+/* The field is gravity: people know it in g. */
+int calibrate_is_gravity(const calibrate_result *result);
+
 /* What the calibrated readings and the file's are in: "m/s²" or "field units"; "counts", ... */
 const char *calibrate_field_unit(const calibrate_result *result);
 const char *calibrate_input_unit(const calibrate_result *result);
@@ -159,6 +173,17 @@ const char *calibrate_limit(const calibrate_result *result, const uncertainty *l
 /* How the calibrated axes were turned to those of the case: a sentence. Returns text. Its member. */
 const char *calibrate_case_text(const calibrate_result *result, char text[CALIBRATE_LIMIT_MAX]);
 void calibrate_case_json(json_writer *w, const calibrate_result *result);
+
+/* Of a magnetometer: what its samples were, lines of the table; why it may not be used, a sentence without
+ * its subject, or null; and a member. */
+void calibrate_waved_print(FILE *file, const calibrate_result *result);
+const char *calibrate_waved_fault(const calibrate_result *result, char text[CALIBRATE_LIMIT_MAX]);
+void calibrate_waved_json(json_writer *w, const calibrate_result *result);
+
+/* How its axes are turned against those of the accelerometer beside it: sentences, or "" without one. Returns
+ * text. */
+#define CALIBRATE_AXES_MAX 800
+const char *calibrate_axes_text(const calibrate_result *result, char text[CALIBRATE_AXES_MAX]);
 
 /* What temperature does to the readings, if that was looked at and not asked for: a sentence, or
  * "". Returns text. */

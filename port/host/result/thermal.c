@@ -26,7 +26,7 @@ static slope_unit unit_of(const calibrate_result *r, unsigned parameter)
     return parameter >= INVCAL_GAMMA_XY
                ? (slope_unit){told_angle(r->told).scale, is_ins ? "arcsec/K" : "degrees/K"}
            : parameter >= INVCAL_DK_X ? (slope_unit){1e6, "ppm/K"}
-           : unit_is_gravity(r->settings.field)
+           : calibrate_is_gravity(r)
                ? (slope_unit){told_field(r->told, 1).scale, is_ins ? "µg/K" : "mg/K"}
                : (slope_unit){1e6, "ppm of the field/K"};
 }

@@ -124,6 +124,8 @@ const char *verdict_cause(const calibrate_result *r, char text[VERDICT_MAX])
                  "every parameter is determined, but %u positions contradict one another; nothing "
                  "tells which of them are wrong.",
                  r->rejected.suspected);
+    } else if (r->magnetometer) {
+        (void)calibrate_waved_fault(r, text);
     } else if (r->quality.verdict == INVCAL_DRIFTING) {
         say_drift(r, text);
     } else if (r->quality.verdict == INVCAL_BENT) {
@@ -144,6 +146,8 @@ const char *verdict_remedy(const calibrate_result *r, char text[VERDICT_MAX])
         what =
             "repeat the measurement, with more positions and each of them at rest, so that wrong "
             "ones stand out.";
+    } else if (r->magnetometer) {
+        what = "wave it again, away from iron, for a minute.";
     } else if (r->quality.verdict == INVCAL_DRIFTING) {
         what = "let the sensor warm up, and measure again in less time.";
     } else if (r->quality.verdict == INVCAL_BENT) {

@@ -11,6 +11,7 @@
 #define TREMOR_RATE 3.0   /* Hz */
 #define REFERENCE 25.0    /* degrees C */
 #define ASIDE 0.3         /* of a hand's way off the shortest, rad */
+#define TWIST 0.7         /* rad about the way up, in a move */
 #define SHAKE 0.15        /* of a hand's acceleration, over the field */
 #define SHAKE_RATE 4.0    /* Hz */
 
@@ -82,6 +83,9 @@ void scene_begin(scene *s, const scene_model *model, const design *route, uint32
     set_response(model, s->response);
     scene_interval(s, route->count - 1, &begin, &s->total);
     choose_outliers(s);
+    if (model->gyro) {
+        gyro_scene_begin(&s->gyro, model->gyro, model->rate, seed);
+    }
 }
 
 static double dot(const double a[3], const double b[3])
@@ -160,9 +164,11 @@ static void feel(scene *s, scene_sample *out, double v[3])
         s->leg = leg;
         random_direction(&s->random, s->aside);
         random_direction(&s->random, s->shake);
+        s->twist = TWIST * s->shake[0];
     }
     const double *here = s->route->position[leg].vertical;
     memcpy(v, here, 3 * sizeof *v);
+    memcpy(s->up, here, sizeof s->up);
     read_stand(s, out, leg, 0);
     for (unsigned i = 0; i < 3 && out->position >= 0; i++) {
         v[i] += s->wrong[leg] * here[i];
@@ -174,6 +180,7 @@ static void feel(scene *s, scene_sample *out, double v[3])
             SHAKE * pow(sin(TURN / 2 * share), 2) * sin(TURN * SHAKE_RATE * moved / s->model->rate);
         read_stand(s, out, leg, share);
         way(here, s->route->position[leg + 1].vertical, s->aside, share, v);
+        memcpy(s->up, v, sizeof s->up);
         for (unsigned i = 0; i < 3; i++) {
             v[i] += push * s->shake[i];
         }
@@ -211,6 +218,10 @@ int scene_next(scene *s, scene_sample *out)
                          m->drift * (out->temperature - REFERENCE) +
                          m->noise * random_normal(&s->random);
         out->raw[i] = quantise(m, u, m->zero[i]);
+    }
+    if (m->gyro) {
+        const double legs = (double)(leg_samples(s) - dwell_samples(s));
+        gyro_scene_next(&s->gyro, s->up, v, out->position < 0 ? s->twist / legs : 0, out->gyro);
     }
     s->index++;
     return 1;

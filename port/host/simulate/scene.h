@@ -6,6 +6,7 @@
 #define SCENE_H
 
 #include "design/design.h"
+#include "simulate/gyro.h"
 #include "text/random.h"
 
 /* The sensor, and how it is handled. Lengths of time in seconds, accelerations over the field. */
@@ -24,16 +25,18 @@ typedef struct {
     double rate;           /* samples a second */
     double dwell;
     double move;
-    double tremor;       /* standard deviation of what the hand adds below 3 Hz */
-    unsigned outliers;   /* positions that are wrong, */
-    double outlier_size; /* along the vertical */
+    double tremor;          /* standard deviation of what the hand adds below 3 Hz */
+    unsigned outliers;      /* positions that are wrong, */
+    double outlier_size;    /* along the vertical */
+    const gyro_model *gyro; /* or null */
 } scene_model;
 
 typedef struct {
     double time;
     double temperature;
     int32_t raw[3];
-    int position; /* from 0; -1 on the way */
+    int32_t gyro[3]; /* if there is one */
+    int position;    /* from 0; -1 on the way */
     double
         alpha; /* what a stand with two axes would read: on the way from one position to the next */
     double beta; /* as time goes by, the shorter way round; degrees */
@@ -51,6 +54,9 @@ typedef struct {
     double tremor[3];
     double aside[3]; /* where the hand goes on this way, and how it shakes */
     double shake[3];
+    double twist; /* about the way up, in this move, rad */
+    double up[3];
+    gyro_scene gyro;
     int leg;                  /* the position that is left now; -1 before the first */
     double wrong[DESIGN_MAX]; /* of each position */
 } scene;

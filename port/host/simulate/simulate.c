@@ -13,7 +13,9 @@
 #include "cli/message.h"
 #include "cli/options.h"
 #include "cli/output.h"
+#include "simulate/gyro.h"
 #include "simulate/scene.h"
+#include "text/unit.h"
 
 enum {
     PLAN,
@@ -36,6 +38,14 @@ enum {
     OUTLIERS,
     OUTLIER_SIZE,
     STAND,
+    GYRO,
+    GYRO_SCALE,
+    GYRO_CROSS,
+    GYRO_BIAS,
+    GYRO_G,
+    GYRO_NOISE,
+    GYRO_LSB,
+    GYRO_RANGE,
     TRUTH,
     OPTIONS
 };
@@ -61,11 +71,19 @@ static const option options[OPTIONS] = {
     [OUTLIERS] = {"--outliers", 1},
     [OUTLIER_SIZE] = {"--outlier-size", 1},
     [STAND] = {"--stand", 0},
+    [GYRO] = {"--gyro", 0},
+    [GYRO_SCALE] = {"--gyro-scale", 1},
+    [GYRO_CROSS] = {"--gyro-cross", 1},
+    [GYRO_BIAS] = {"--gyro-bias", 1},
+    [GYRO_G] = {"--gyro-g", 1},
+    [GYRO_NOISE] = {"--gyro-noise", 1},
+    [GYRO_LSB] = {"--gyro-lsb", 1},
+    [GYRO_RANGE] = {"--gyro-range", 1},
     [TRUTH] = {"--truth", 1},
 };
 static const option_syntax syntax = {"simulate", options, OPTIONS, NULL, 0, 0};
 
-/* One option that is one or three numbers between two bounds. */
+/* One option that is one number or some numbers between two bounds. */
 typedef struct {
     unsigned which;
     unsigned count;
@@ -76,7 +94,7 @@ typedef struct {
 
 static int read_option(const char *const *value, const number_option *o)
 {
-    double read[3];
+    double read[9];
     int failure = EXIT_GOOD;
 
     if (!value[o->which]) {
@@ -108,6 +126,26 @@ static scene_model defaults(void)
         .move = 2,
         .outlier_size = 0.05,
     };
+}
+
+static int read_gyro(const char *const *value, gyro_model *g)
+{
+    const number_option numbers[] = {
+        {GYRO_SCALE, 3, g->scale, -0.3, 0.3}, {GYRO_CROSS, 6, g->cross, -0.3, 0.3},
+        {GYRO_BIAS, 3, g->bias, -1000, 1000}, {GYRO_G, 9, g->g, -10, 10},
+        {GYRO_NOISE, 1, &g->noise, 0, 100},   {GYRO_LSB, 1, &g->lsb, 1e-9, 100},
+        {GYRO_RANGE, 1, &g->range, 1, 1e5},
+    };
+    int failure = EXIT_GOOD;
+
+    for (unsigned i = 0; i < sizeof numbers / sizeof numbers[0] && !failure; i++) {
+        if (value[numbers[i].which] && !value[GYRO]) {
+            return message_usage(syntax.command, "%s: needs --gyro",
+                                 options[numbers[i].which].name);
+        }
+        failure = read_option(value, &numbers[i]);
+    }
+    return failure;
 }
 
 /* Everything but the set of positions. */
@@ -184,6 +222,14 @@ static void write_truth(FILE *file, const scene *s)
     json_vector(&w, "gamma", m->gamma);
     json_number(&w, "noise", m->noise);
     json_number(&w, "rate", m->rate);
+    if (m->gyro) {
+        const invcal_calibration gyro = gyro_scene_truth(m->gyro);
+        json_object(&w, "gyroscope");
+        json_vector(&w, "offset", gyro.offset);
+        json_matrix(&w, "matrix", gyro.matrix);
+        json_number(&w, "lsb", m->gyro->lsb * UNIT_DEGREE);
+        json_object_end(&w);
+    }
     write_truth_positions(&w, s);
     json_end(&w);
 }
@@ -193,10 +239,15 @@ static int write_log(scene *s, int has_temperature, int has_angles)
 {
     scene_sample sample;
 
-    printf("t,x,y,z%s%s\n", has_temperature ? ",temperature" : "", has_angles ? ",alpha,beta" : "");
+    printf("t,x,y,z%s%s%s\n", s->model->gyro ? ",gx,gy,gz" : "",
+           has_temperature ? ",temperature" : "", has_angles ? ",alpha,beta" : "");
     while (scene_next(s, &sample) && !ferror(stdout)) {
         printf("%.6f,%ld,%ld,%ld", sample.time, (long)sample.raw[0], (long)sample.raw[1],
                (long)sample.raw[2]);
+        if (s->model->gyro) {
+            printf(",%ld,%ld,%ld", (long)sample.gyro[0], (long)sample.gyro[1],
+                   (long)sample.gyro[2]);
+        }
         if (has_temperature) {
             printf(",%.3f", sample.temperature);
         }
@@ -239,10 +290,18 @@ static int run(int argc, char **argv)
     static scene s;
     const char *value[OPTIONS];
     scene_model model = defaults();
+    gyro_model gyro = {.scale = {0.01, -0.008, 0.006},
+                       .cross = {0.01, -0.006, -0.004, 0.008, 0.005, -0.01},
+                       .bias = {0.5, -0.8, 0.3},
+                       .noise = 0.05,
+                       .lsb = 1 / 131.0,
+                       .range = 250};
     uint32_t seed;
     int failure = options_parse(&syntax, argc, argv, value, NULL);
 
     failure = failure ? failure : read_model(value, &model, &seed);
+    failure = failure ? failure : read_gyro(value, &gyro);
+    model.gyro = !failure && value[GYRO] ? &gyro : NULL;
     failure = failure ? failure : check_files(value);
     if (failure) {
         return failure;
@@ -286,6 +345,19 @@ static const char *const help[] = {
     "  --outliers N        so many positions are wrong along the vertical,\n"
     "  --outlier-size S    by S, g; default 0.05\n"
     "  --stand             columns alpha and beta: what a stand with two axes would read, degrees\n"
+    "  --gyro              a gyroscope besides: columns gx gy gz, counts\n"
+    "  --gyro-scale X,Y,Z  its true scale errors; default 0.01,-0.008,0.006\n"
+    "  --gyro-cross XY,XZ,YX,YZ,ZX,ZY\n"
+    "                      what each axis reads of turns about another, rad; default\n"
+    "                      0.01,-0.006,-0.004,0.008,0.005,-0.01\n"
+    "  --gyro-bias X,Y,Z   degrees/s; default 0.5,-0.8,0.3\n"
+    "  --gyro-g XX,XY,XZ,YX,..\n"
+    "                      nine numbers: what its x reads for 1 g along x, y, z, then its y and "
+    "z,\n"
+    "                      degrees/s; default 0\n"
+    "  --gyro-noise S      standard deviation of a sample, degrees/s; default 0.05\n"
+    "  --gyro-lsb S        degrees/s a count; default 1/131\n"
+    "  --gyro-range R      beyond +-R degrees/s it clips; default 250\n"
     "  --truth FILE        writes what is true, as JSON; invcal apply reads it\n"
     "\n"
     "exit codes: 0 good; 1 the set of positions is refused; 2 usage; 3 the output not writable\n"
@@ -310,6 +382,7 @@ static const char *const brief[] = {
     "  --dwell T           seconds in each position\n"
     "  --outliers N        so many positions are wrong\n"
     "  --seed N            of the random numbers\n"
+    "  --gyro              a gyroscope besides\n"
     "  --truth FILE        writes what is true, as JSON; invcal apply reads it\n"
     "\n"
     "example:\n"

@@ -12,6 +12,7 @@
 #define TEXT_MAX 16
 #define LATIN1_SQUARE '\xb2' /* ISO 8859-1, as spreadsheets of Windows save it; */
 #define LATIN1_MICRO "\xb5"
+#define LATIN1_RATE "\xb0/s" /* °/s */
 
 /* What is left of a unit's spelling: "m / s^2", "m_s2", "(m/(s^2))" are all alike. False if it is
  * longer than any unit. */
@@ -37,28 +38,92 @@ static int squash(const char *text, char out[TEXT_MAX])
     return 1;
 }
 
-int unit_parse(const char *text, reading_unit *out)
+typedef struct {
+    const char *text;
+    reading_unit unit;
+} spelling;
+
+/* Which of them a text is, in any case. */
+static int is_spelled(const char *text, const spelling *spellings, unsigned count,
+                      reading_unit *out)
 {
-    static const struct {
-        const char *text;
-        reading_unit unit;
-    } spellings[] = {
-        {"g", UNIT_G},           {"gs", UNIT_G},         {"mg", UNIT_MG},      {"m/s2", UNIT_MS2},
-        {"m/s/s", UNIT_MS2},     {"ms2", UNIT_MS2},      {"ms-2", UNIT_MS2},   {"mps2", UNIT_MS2},
-        {"counts", UNIT_COUNTS}, {"count", UNIT_COUNTS}, {"raw", UNIT_COUNTS}, {"lsb", UNIT_COUNTS},
-    };
     char squashed[TEXT_MAX];
 
     if (!squash(text, squashed)) {
         return 0;
     }
-    for (unsigned i = 0; i < sizeof spellings / sizeof spellings[0]; i++) {
+    for (unsigned i = 0; i < count; i++) {
         if (strcasecmp(squashed, spellings[i].text) == 0) {
             *out = spellings[i].unit;
             return 1;
         }
     }
     return 0;
+}
+
+int unit_parse(const char *text, reading_unit *out)
+{
+    static const spelling spellings[] = {
+        {"g", UNIT_G},           {"gs", UNIT_G},         {"mg", UNIT_MG},      {"m/s2", UNIT_MS2},
+        {"m/s/s", UNIT_MS2},     {"ms2", UNIT_MS2},      {"ms-2", UNIT_MS2},   {"mps2", UNIT_MS2},
+        {"counts", UNIT_COUNTS}, {"count", UNIT_COUNTS}, {"raw", UNIT_COUNTS}, {"lsb", UNIT_COUNTS},
+    };
+
+    return is_spelled(text, spellings, sizeof spellings / sizeof spellings[0], out);
+}
+
+int unit_parse_magnetic(const char *text, reading_unit *out)
+{
+    static const spelling spellings[] = {
+        {"ut", UNIT_MICROTESLA},     {"µt", UNIT_MICROTESLA}, /* both the mu */
+        {"μt", UNIT_MICROTESLA},     {LATIN1_MICRO "t", UNIT_MICROTESLA},
+        {"nt", UNIT_NANOTESLA},      {"g", UNIT_GAUSS},
+        {"gauss", UNIT_GAUSS},       {"mg", UNIT_MILLIGAUSS},
+        {"mgauss", UNIT_MILLIGAUSS}, {"counts", UNIT_COUNTS},
+        {"raw", UNIT_COUNTS},        {"lsb", UNIT_COUNTS},
+    };
+
+    return is_spelled(text, spellings, sizeof spellings / sizeof spellings[0], out);
+}
+
+double unit_parse_turn(const char *text)
+{
+    static const char *const radians[] = {"rad/s",   "rads",     "radps",     "rads-1",
+                                          "rad/sec", "radian/s", "radians/s", NULL};
+    static const char *const degrees[] = {"deg/s",   "dps",  "degps",     "degs-1",
+                                          "deg/sec", "degs", "degrees/s", "degree/s",
+                                          "°/s",     "°s-1", LATIN1_RATE, NULL};
+    char squashed[TEXT_MAX];
+
+    if (!squash(text, squashed)) {
+        return 0;
+    }
+    for (unsigned part = 0; part < 2; part++) { /* whole ones, thousandths */
+        const char *name = squashed + part;
+        const double of = part ? 1e-3 : 1;
+        for (unsigned i = 0; radians[i] && (!part || squashed[0] == 'm'); i++) {
+            if (strcasecmp(name, radians[i]) == 0) {
+                return of;
+            }
+        }
+        for (unsigned i = 0; degrees[i] && (!part || squashed[0] == 'm'); i++) {
+            if (strcasecmp(name, degrees[i]) == 0) {
+                return of * UNIT_DEGREE;
+            }
+        }
+    }
+    return 0;
+}
+
+const char *unit_turn_words(double radians)
+{
+    const double degrees = radians / UNIT_DEGREE;
+
+    return fabs(radians - 1) < 1e-6      ? "rad/s"
+           : fabs(radians - 1e-3) < 1e-9 ? "mrad/s"
+           : fabs(degrees - 1) < 1e-6    ? "°/s"
+           : fabs(degrees - 1e-3) < 1e-9 ? "m°/s"
+                                         : "counts";
 }
 
 double unit_parse_time(const char *text)
@@ -183,16 +248,30 @@ double unit_scale(reading_unit u, double field)
     return si > 0 ? unit / si : 0;
 }
 
+static const char *const unit_names[] = {"unknown", "g",  "mg",    "m/s^2", "counts",
+                                         "uT",      "nT", "gauss", "mgauss"};
+
 const char *unit_name(reading_unit u)
 {
-    static const char *const names[] = {"unknown", "g", "mg", "m/s^2", "counts"};
+    return unit_names[u];
+}
 
-    return names[u];
+reading_unit unit_of_name(const char *name)
+{
+    for (unsigned u = UNIT_G; u <= UNIT_MILLIGAUSS; u++) {
+        if (strcmp(name, unit_names[u]) == 0) {
+            return (reading_unit)u;
+        }
+    }
+    return UNIT_UNKNOWN;
 }
 
 const char *unit_words(reading_unit u)
 {
-    return u == UNIT_UNKNOWN ? "input units" : u == UNIT_MS2 ? "m/s²" : unit_name(u);
+    return u == UNIT_UNKNOWN      ? "input units"
+           : u == UNIT_MS2        ? "m/s²"
+           : u == UNIT_MICROTESLA ? "µT"
+                                  : unit_name(u);
 }
 
 const char *unit_origin_name(unit_origin origin)

@@ -7,7 +7,17 @@
 
 #define UNIT_STANDARD_GRAVITY 9.80665 /* m/s^2, what the unit g stands for */
 
-typedef enum { UNIT_UNKNOWN, UNIT_G, UNIT_MG, UNIT_MS2, UNIT_COUNTS } reading_unit;
+typedef enum {
+    UNIT_UNKNOWN,
+    UNIT_G,
+    UNIT_MG,
+    UNIT_MS2,
+    UNIT_COUNTS,
+    UNIT_MICROTESLA, /* of a magnetometer: these alone, and counts */
+    UNIT_NANOTESLA,
+    UNIT_GAUSS,
+    UNIT_MILLIGAUSS
+} reading_unit;
 
 /* Who says so. A heading or an option states a unit; a guess by size is for words alone, unless it is sure. */
 typedef enum {
@@ -21,6 +31,17 @@ typedef enum {
 /* Reads "g", "mg", "m/s^2" in its spellings, "counts", "raw" or "LSB", in any case.
  * Returns 1; 0, with *out left alone, if it is none of them. */
 int unit_parse(const char *text, reading_unit *out);
+
+/* The same of a magnetometer: "uT", "nT", "G" and "gauss", "mG", "counts". */
+int unit_parse_magnetic(const char *text, reading_unit *out);
+
+/* The unit with this name (unit_name); UNIT_UNKNOWN for any other text. */
+reading_unit unit_of_name(const char *name);
+/* Of a rate of turn: "rad/s", "deg/s" (dps, °/s), or m in front for a thousandth, in their spellings. Returns
+ * rad/s in one of them; 0 for others. And what people call it. */
+#define UNIT_DEGREE 0.017453292519943296 /* rad */
+double unit_parse_turn(const char *text);
+const char *unit_turn_words(double radians);
 
 /* Reads "s", "ms", "us", "ns" in their spellings. Returns how many make a second; 0 for others. */
 double unit_parse_time(const char *text);
@@ -56,10 +77,10 @@ int unit_is_sure(reading_unit u, const double *reading, unsigned count);
 /* Field units per unit, for a field that is gravity; 0 if the field or the unit does not tell it. */
 double unit_scale(reading_unit u, double field);
 
-/* For JSON: "g", "mg", "m/s^2", "counts", "unknown". */
+/* For JSON: "g", "mg", "m/s^2", "counts", "uT", "nT", "gauss", "mgauss", "unknown". */
 const char *unit_name(reading_unit u);
 
-/* For people: "g", "mg", "m/s²", "counts", "input units". */
+/* For people: "g", "mg", "m/s²", "counts", "µT", "nT", "gauss", "mgauss", "input units". */
 const char *unit_words(reading_unit u);
 
 /* "none", "header", "option", "size", "sensor". */

@@ -3,20 +3,23 @@
 
 #include <math.h>
 
+#include "invcal/magnetometer.h"
 #include "text/figure.h"
 #include "watch/map.h"
 
 #define TEXT_MAX 512
-#define NEAR 10.0   /* degrees to go that are near enough */
-#define LEVEL 0.1   /* sine of the height above the equator */
-#define LEAST 9u    /* positions that a calibration takes */
-#define ORDER 14u   /* column of what there is to say of an order, */
-#define WORDS 10u   /* and of the other words */
-#define HALF 31u    /* columns of a half of the sphere, with its axes */
-#define PANEL 60u   /* first column of what is known */
-#define BAR 19u     /* columns of a bar, */
-#define DECADES 4.0 /* which goes from */
-#define FINEST 1e-5 /* this to 0.1: over the field, of the scale, rad */
+#define NEAR 10.0                  /* degrees to go that are near enough */
+#define COVERS 0.93969262078590838 /* cosine of 20 degrees, */
+#define CELL 0.86602540378443865   /* and of 30, of a cell of a magnetometer */
+#define LEVEL 0.1                  /* sine of the height above the equator */
+#define LEAST 9u                   /* positions that a calibration takes */
+#define ORDER 14u                  /* column of what there is to say of an order, */
+#define WORDS 10u                  /* and of the other words */
+#define HALF 31u                   /* columns of a half of the sphere, with its axes */
+#define PANEL 60u                  /* first column of what is known */
+#define BAR 19u                    /* columns of a bar, */
+#define DECADES 4.0                /* which goes from */
+#define FINEST 1e-5                /* this to 0.1: over the field, of the scale, rad */
 
 /* Where everything stands. */
 enum { TITLE = 0, LOG = 1, PHASE = 2, LAST = 3, MAP = 5, NOW = 18, NEXT = 19, SO_FAR = 21 };
@@ -34,8 +37,9 @@ static void draw_title(canvas *c, const watch_state *now)
     char right[TEXT_MAX];
     char skipped[TEXT_MAX] = "";
 
-    snprintf(right, sizeof right, "%lu:%02lu   %u position%s", seconds / 60, seconds % 60,
-             now->taken, now->taken == 1 ? "" : "s");
+    snprintf(right, sizeof right, "%lu:%02lu   %u %s%s", seconds / 60, seconds % 60, now->taken,
+             now->is_magnetometer ? "of 18 directions" : "position",
+             now->is_magnetometer || now->taken == 1 ? "" : "s");
     const unsigned from = CANVAS_COLUMNS - canvas_width(right);
     const unsigned at = canvas_text(c, TITLE, 0, from - 2, PAINT_BOLD, "invcal watch: ");
     (void)canvas_text(c, TITLE, at, from - 2, PAINT_BOLD, now->name);
@@ -91,12 +95,26 @@ static void draw_moving(canvas *c, const watch_state *now)
     }
 }
 
+static void draw_waving(canvas *c, const watch_state *now)
+{
+    if (now->is_good) {
+        draw_order(c, PAINT_GREEN, "YOU MAY STOP", "with Ctrl-C, or go on");
+    } else if (now->covered < INVCAL_CELLS) {
+        draw_order(c, PAINT_BOLD, "TURN IT",
+                   "so that @ passes through the white part, in any order");
+    } else {
+        draw_order(c, PAINT_BOLD, "GO ON", "turn it to all sides, slowly");
+    }
+}
+
 static void draw_phase(canvas *c, const watch_state *now)
 {
     char text[TEXT_MAX];
 
     if (now->phase == WATCH_ENDED) {
         draw_order(c, PAINT_BOLD, "ENDED", "the stream has come to its end");
+    } else if (now->is_magnetometer) {
+        draw_waving(c, now);
     } else if (now->is_refused) {
         draw_order(c, PAINT_RED, "NOT GOOD", "");
         canvas_wrapped(c, PHASE, 2, ORDER, CANVAS_PLAIN, now->refusal);
@@ -116,6 +134,11 @@ static void draw_last(canvas *c, const watch_state *now)
 {
     char text[TEXT_MAX];
 
+    if (now->is_magnetometer) {
+        snprintf(text, sizeof text, "Disturbed: %s.", now->disturbed);
+        canvas_wrapped(c, LAST, 2, 0, PAINT_RED, *now->disturbed ? text : "");
+        return;
+    }
     if (now->is_refused) {
         return;
     }
@@ -123,8 +146,9 @@ static void draw_last(canvas *c, const watch_state *now)
         snprintf(text, sizeof text, "The last rest is refused: %s.", now->refusal);
         canvas_wrapped(c, LAST, 2, 0, PAINT_RED, text);
     } else if (now->last == WATCH_TAKEN) {
-        snprintf(text, sizeof text, "Position %u is taken%s%s.", now->taken,
-                 now->astray > 0 ? ": " : "", now->astray > 0 ? now->wrong : "");
+        snprintf(text, sizeof text, "Position %u is taken%s%s.%s%s", now->taken,
+                 now->astray > 0 ? ": " : "", now->astray > 0 ? now->wrong : "",
+                 *now->gyro ? " " : "", now->gyro);
         canvas_wrapped(c, LAST, 2, 0, now->astray > 0 ? PAINT_YELLOW : CANVAS_PLAIN, text);
     }
 }
@@ -149,8 +173,14 @@ static void draw_half(canvas *c, const watch_state *now, unsigned half)
     const unsigned middle = left + 3 + MAP_COLUMNS / 2 - 1;
     const unsigned equator = MAP + 1 + MAP_LINES / 2;
 
-    map_draw(c, MAP + 1, left + 3, half, now->direction, now->covered);
-    (void)say(c, MAP, left + 3, PAINT_BOLD, half ? "-z up" : "+z up");
+    const map_covered covered = {now->direction, now->covered,
+                                 now->is_magnetometer ? CELL : COVERS};
+
+    map_draw(c, MAP + 1, left + 3, half, &covered);
+    (void)say(c, MAP, left + 3, PAINT_BOLD,
+              now->is_magnetometer ? (half ? "-z" : "+z")
+              : half               ? "-z up"
+                                   : "+z up");
     (void)say(c, MAP, middle, CANVAS_PLAIN, "+y");
     (void)say(c, MAP + 1 + MAP_LINES, middle, CANVAS_PLAIN, "-y");
     (void)say(c, equator, left, CANVAS_PLAIN, "-x");
@@ -176,9 +206,13 @@ static void draw_where(canvas *c, const watch_state *now)
     if (now->has_up) {
         (void)invcal_words(now->up, words);
     }
+    if (now->is_magnetometer) {
+        snprintf(words, sizeof words, "%s",
+                 now->has_up ? "where the field points" : "not known yet");
+    }
     (void)canvas_text(c, NOW, 0, WORDS, PAINT_YELLOW, "@ now");
     const unsigned at = say(c, NOW, WORDS, CANVAS_PLAIN, words);
-    if (now->is_guess) {
+    if (now->is_guess && !now->is_magnetometer) {
         (void)say(c, NOW, at, CANVAS_PLAIN, "  (a guess: zero not known yet)");
     }
     (void)canvas_text(c, NEXT, 0, WORDS, PAINT_GREEN, "X next");
@@ -231,7 +265,8 @@ static void draw_panel(canvas *c, const watch_state *now)
     if (watch_is_anything_wanted(now)) {
         (void)say(c, line, PANEL, CANVAS_PLAIN, "| what is wanted");
     }
-    (void)say(c, MAP + MAP_LINES, PANEL, CANVAS_PLAIN, "which side is up:");
+    (void)say(c, MAP + MAP_LINES, PANEL, CANVAS_PLAIN,
+              now->is_magnetometer ? "the field points:" : "which side is up:");
     const unsigned at = say(c, MAP + MAP_LINES + 1, PANEL, CANVAS_PLAIN, "@ now X next ");
     canvas_put(c, MAP + MAP_LINES + 1, at, CANVAS_PLAIN, "⣿");
     (void)say(c, MAP + MAP_LINES + 1, at + 2, CANVAS_PLAIN, "done");
@@ -252,10 +287,27 @@ static const char *verdict_words(invcal_verdict verdict)
     return verdict <= INVCAL_WEAK ? words[verdict] : invcal_verdict_text(verdict);
 }
 
+/* The same of a magnetometer. */
+static const char *waving_words(const watch_state *now)
+{
+    static const char *const words[] = {
+        [INVCAL_GOOD] = "Good so far; turn it to the sides that are left",
+        [INVCAL_NO_REDUNDANCY] = "Too few samples tell how they err; go on",
+        [INVCAL_ROUGH] = "Rough: something disturbs it; begin anew elsewhere",
+        [INVCAL_WEAK] = "Weak: whole sides are missing; go on",
+    };
+    const unsigned verdict = now->quality.verdict;
+
+    return verdict <= INVCAL_WEAK && words[verdict] ? words[verdict] : "Go on";
+}
+
 /* Nothing can be solved yet. */
 static const char *status_words(const watch_state *now, char text[TEXT_MAX])
 {
-    if (now->status == INVCAL_TOO_FEW) {
+    if (now->status == INVCAL_TOO_FEW && now->is_magnetometer) {
+        snprintf(text, TEXT_MAX, "%u of 18 directions; 9 at least, all of them are good",
+                 now->covered);
+    } else if (now->status == INVCAL_TOO_FEW) {
         snprintf(text, TEXT_MAX, "%u of at least %u positions; 12 to 18 are good", now->covered,
                  LEAST);
     } else if (now->status == INVCAL_UNDETERMINED) {
@@ -286,7 +338,8 @@ static const char *result_words(const watch_state *now, char text[TEXT_MAX])
     }
     return now->quality.verdict == INVCAL_GOOD && watch_is_anything_wanted(now)
                ? "Good, but what is wanted is not reached yet; go on"
-               : verdict_words(now->quality.verdict);
+           : now->is_magnetometer ? waving_words(now)
+                                  : verdict_words(now->quality.verdict);
 }
 
 static int result_colour(const watch_state *now)

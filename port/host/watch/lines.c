@@ -57,6 +57,11 @@ static void say_begun(const watch_state *now)
                        limit);
     }
     wrapped_printf(now->talk, 0, "%s: %s", plain_copy(now->name, name), now->recognised);
+    if (now->is_magnetometer) {
+        wrapped_printf(now->talk, 0,
+                       "turn it slowly to all sides, so that each of them has pointed "
+                       "along the field");
+    }
 }
 
 /* Where to turn next, if there is anywhere. */
@@ -107,10 +112,18 @@ static void say_taken(const watch_state *now)
     char text[SIGMA_MAX];
 
     end_line(now);
-    wrapped_printf(now->talk, 2, "position %u taken%s", now->taken, sigma_text(now, text));
+    if (now->is_magnetometer) {
+        wrapped_printf(now->talk, 2, "%u of 18 directions%s", now->taken, sigma_text(now, text));
+    } else {
+        wrapped_printf(now->talk, 2, "position %u taken%s", now->taken, sigma_text(now, text));
+    }
     say_wrong(now);
+    if (*now->gyro) {
+        wrapped_line(now->talk, 0, 2, now->gyro);
+    }
     if (now->outcome == WATCH_ENOUGH) {
-        say_end(now, "enough:", "what is wanted is reached");
+        say_end(now, "enough:",
+                watch_is_anything_wanted(now) ? "what is wanted is reached" : "it is good");
     } else if (now->outcome == WATCH_FINISHED) {
         say_end(now, "finished:", "the program is complete");
     }
@@ -119,8 +132,9 @@ static void say_taken(const watch_state *now)
 static void say_refused(const watch_state *now)
 {
     end_line(now);
-    wrapped_printf(now->talk, 2, "%srefused:%s %s", paint_on(now->talk, PAINT_RED),
-                   paint_off(now->talk), now->refusal);
+    wrapped_printf(now->talk, 2, "%s%s%s %s", paint_on(now->talk, PAINT_RED),
+                   now->is_magnetometer ? "disturbed:" : "refused:", paint_off(now->talk),
+                   now->refusal);
 }
 
 static void say_ended(const watch_state *now)

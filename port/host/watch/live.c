@@ -2,16 +2,14 @@
 #define _POSIX_C_SOURCE 200809L
 #include "watch/live.h"
 
-#include <fcntl.h>
 #include <math.h>
-#include <signal.h>
 #include <string.h>
 #include <unistd.h>
 
 #include "cli/command.h"
-#include "cli/input.h"
 #include "cli/message.h"
 #include "read/samples.h"
+#include "watch/interrupt.h"
 #include "watch/lines.h"
 #include "watch/live_program.h"
 #include "watch/screen.h"
@@ -33,6 +31,7 @@ typedef struct {
     const live_wish *wish;
     rests_summary *summary;
     watch_teller tell;
+    turns *gyro; /* what a gyroscope reads meanwhile; null: there is none, or it is not wanted */
     zero_finder zero;
     invcal_calibration known; /* the calibration so far, or the nominal one */
     double told_at;           /* seconds of the log: the last WATCH_PASSED; */
@@ -206,11 +205,29 @@ static void judge(stage *s)
     now.is_guess = zero_is_guess(&s->zero);
 }
 
+/* A gyroscope that is on its way is waited for. */
+static int is_good(stage *s)
+{
+    invcal_calibration start = s->known; /* of counts; positions are in input units */
+
+    for (unsigned i = 0; i < 9; i++) {
+        start.offset[i % 3] = s->known.offset[i % 3] * live_log.unit;
+        start.matrix[i / 3][i % 3] /= live_log.unit;
+    }
+    const int is_both =
+        s->gyro && watch_gyro(s->gyro, &s->wish->gyro, samples_whole_rate(&live_log), s->wish->clip,
+                              s->p, &start, now.gyro);
+
+    return is_both ||
+           (invcal_session_is_good(&session) && strncmp(now.gyro, "gyroscope: ", 11) != 0);
+}
+
 static watch_outcome judge_outcome(stage *s, int is_complete)
 {
     const int is_wanted = watch_is_anything_wanted(&now);
+    const int is_good_now = is_good(s);
 
-    now.is_good = is_wanted ? reaches_target(s->wish) : invcal_session_is_good(&session);
+    now.is_good = is_wanted ? reaches_target(s->wish) : is_good_now;
     if (is_complete) {
         return WATCH_FINISHED;
     }
@@ -351,6 +368,9 @@ static int feed(stage *s, const sample *latest)
     }
     s->summary->samples++;
     recording_sample(&live_recording, &live_log, latest);
+    if (s->gyro && turns_add(s->gyro, &live_log, latest)) {
+        return EXIT_FILE;
+    }
     const invcal_event event = invcal_session_feed(&session, latest->raw);
     if (event != INVCAL_NOTHING) {
         recording_filled(&live_recording);
@@ -385,33 +405,8 @@ static int watch(stage *s)
     return EXIT_GOOD;
 }
 
-/* The stream, and an empty file that takes its place when somebody interrupts. */
-static volatile sig_atomic_t stream_file;
-static volatile sig_atomic_t empty_file;
-
-/* A read that waits is interrupted and ends the stream, see table.c; the next one finds the end. */
-static void stop(int signal_number)
-{
-    (void)signal_number;
-    if (empty_file >= 0 && stream_file >= 0) {
-        (void)dup2(empty_file, stream_file);
-    }
-}
-
-/* A serial port has no end: Ctrl-C asks for the result. */
-static void catch_interrupts(const char *path)
-{
-    struct sigaction action = {.sa_handler = stop};
-
-    stream_file = input_is_stdin(path) ? STDIN_FILENO : -1;
-    empty_file = open("/dev/null", O_RDONLY);
-    sigemptyset(&action.sa_mask);
-    action.sa_flags = (int)SA_RESETHAND; /* a second one ends everything */
-    (void)sigaction(SIGINT, &action, NULL);
-    (void)sigaction(SIGTERM, &action, NULL);
-}
-
-int live_read(positions *p, const char *path, const live_wish *wish, rests_summary *summary)
+int live_read(positions *p, const char *path, const live_wish *wish, turns *gyro,
+              rests_summary *summary)
 {
     stage s = {.p = p, .wish = wish, .summary = summary, .told_at = -HUGE_VAL};
 
@@ -420,9 +415,9 @@ int live_read(positions *p, const char *path, const live_wish *wish, rests_summa
         fprintf(wish->talk, "waiting for samples\n");
         fflush(wish->talk);
     }
-    catch_interrupts(path);
-    int failure = samples_open(&live_log, path, wish->rate, 1);
-    stream_file = live_log.table.file ? fileno(live_log.table.file) : -1;
+    interrupt_catch(path);
+    int failure = samples_open(&live_log, path, gyro ? COLUMNS_IMU : COLUMNS_LOG, wish->rate, 1);
+    interrupt_stream(live_log.table.file);
 
     *p = (positions){.name = live_log.table.name, .has_noise = 1, .seen = live_log.where.seen};
     *summary = (rests_summary){.rate = live_log.rate,
@@ -435,10 +430,17 @@ int live_read(positions *p, const char *path, const live_wish *wish, rests_summa
                         .phase = WATCH_MOVING,
                         .need = wish->need};
     memcpy(now.target_sigma, wish->target, sizeof now.target_sigma);
+    if (!failure && gyro) {
+        turns_begin(gyro, &live_log);
+        s.gyro = live_log.has_gyro ? gyro : NULL;
+    }
     failure = failure ? failure : begin(&s);
     failure = failure ? failure : watch(&s);
-    stream_file = -1;
+    interrupt_stream(NULL);
     samples_close(&live_log);
     rests_end(p, &live_log, summary);
+    if (s.gyro) {
+        turns_end(gyro);
+    }
     return failure;
 }

@@ -12,7 +12,10 @@
  * collects the positions. What is malformed is told and skipped. It is told by a screen if wish.talk is
  * the standard output and can show one (screen.h), else by lines (lines.h).
  *
+ * gyro  as in rests_read.
+ *
  * Returns, and is to be released, as rests_read. */
-int live_read(positions *p, const char *path, const live_wish *wish, rests_summary *summary);
+int live_read(positions *p, const char *path, const live_wish *wish, turns *gyro,
+              rests_summary *summary);
 
 #endif

@@ -9,7 +9,6 @@
 #define DOWN 4u
 #define DOTS (ACROSS * MAP_COLUMNS) /* in the diameter, either way */
 #define RIM (1 - 2.0 / DOTS)        /* radius: the outermost dots */
-#define COVERS 0.93969262078590838  /* cosine of 20 degrees */
 
 /* Which of `count` parts of the way from -1 to 1. */
 static unsigned part_of(double x, unsigned count)
@@ -30,11 +29,11 @@ map_place map_find(const double up[3])
                        .column = part_of(share * up[0], MAP_COLUMNS)};
 }
 
-static int is_covered(const double up[3], const double (*direction)[3], unsigned count)
+static int is_covered(const double up[3], const map_covered *covered)
 {
-    for (unsigned n = 0; n < count; n++) {
-        const double *d = direction[n];
-        if (d[0] * up[0] + d[1] * up[1] + d[2] * up[2] >= COVERS) {
+    for (unsigned n = 0; n < covered->count; n++) {
+        const double *d = covered->direction[n];
+        if (d[0] * up[0] + d[1] * up[1] + d[2] * up[2] >= covered->reach) {
             return 1;
         }
     }
@@ -42,13 +41,13 @@ static int is_covered(const double up[3], const double (*direction)[3], unsigned
 }
 
 /* A dot of the disc, x to the right and y up from its centre, -1 ... 1. */
-static int is_lit(double x, double y, unsigned half, const double (*direction)[3], unsigned count)
+static int is_lit(double x, double y, unsigned half, const map_covered *covered)
 {
     const double square = x * x + y * y;
     const double stretch = sqrt(fmax(0, 2 - square));
     const double up[3] = {x * stretch, y * stretch, half ? square - 1 : 1 - square};
 
-    return square <= 1 && (square > RIM * RIM || is_covered(up, direction, count));
+    return square <= 1 && (square > RIM * RIM || is_covered(up, covered));
 }
 
 /* The dots of a Braille character are the bits of its code from U+2800 on; left then right, from the top. */
@@ -65,8 +64,7 @@ static void put_braille(canvas *c, unsigned line, unsigned column, unsigned dots
     }
 }
 
-void map_draw(canvas *c, unsigned line, unsigned column, unsigned half,
-              const double (*direction)[3], unsigned count)
+void map_draw(canvas *c, unsigned line, unsigned column, unsigned half, const map_covered *covered)
 {
     unsigned char dots[MAP_LINES][MAP_COLUMNS] = {{0}};
 
@@ -74,7 +72,7 @@ void map_draw(canvas *c, unsigned line, unsigned column, unsigned half,
         for (unsigned i = 0; i < DOTS; i++) {
             const double x = (2.0 * i + 1) / DOTS - 1;
             const double y = 1 - (2.0 * j + 1) / DOTS;
-            if (is_lit(x, y, half, direction, count)) {
+            if (is_lit(x, y, half, covered)) {
                 dots[j / DOWN][i / ACROSS] |= bit_of[i % ACROSS][j % DOWN];
             }
         }

@@ -20,9 +20,14 @@ typedef struct {
 
 map_place map_find(const double up[3]);
 
-/* Draws one half with its upper left corner there: the rim, and dots within 20 degrees of a
- * direction, which count as covered. */
-void map_draw(canvas *c, unsigned line, unsigned column, unsigned half,
-              const double (*direction)[3], unsigned count);
+/* Directions that are covered, and all others within `reach` of one, a cosine. */
+typedef struct {
+    const double (*direction)[3];
+    unsigned count;
+    double reach;
+} map_covered;
+
+/* Draws one half with its upper left corner there: the rim, and dots where it is covered. */
+void map_draw(canvas *c, unsigned line, unsigned column, unsigned half, const map_covered *covered);
 
 #endif

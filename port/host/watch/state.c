@@ -54,7 +54,7 @@ told_unit watch_unit(const watch_state *now, unsigned kind)
 
     switch (kind) {
     case 0:
-        return told_field(now->told, 1);
+        return now->is_magnetometer ? told_scale(now->told) : told_field(now->told, 1);
     case 1:
         return told_scale(now->told);
     default:

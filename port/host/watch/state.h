@@ -11,6 +11,7 @@
 #include "cli/told.h"
 #include "design/program.h"
 #include "read/columns.h"
+#include "watch/gyro.h"
 
 /* What has just come about. */
 typedef enum {
@@ -39,6 +40,9 @@ typedef enum {
 typedef struct {
     FILE *talk; /* where it is told */
     told_style told;
+    int is_magnetometer; /* one is waved: positions are cells that have been passed through, and what is
+                            told of up is told of the field */
+    const char *disturbed; /* by what: a clause; "": by nothing */
 
     /* the log */
     const char *name;
@@ -68,7 +72,8 @@ typedef struct {
         [WATCH_GOOD_MAX]; /* of a rest that is READY: that it is good, and where to move on to */
 
     /* what there is */
-    unsigned taken; /* positions, */
+    unsigned taken;            /* positions, */
+    char gyro[WATCH_GYRO_MAX]; /* what the moves tell of a gyroscope; "": nothing */
     unsigned covered;
     double direction[INVCAL_MAX_POSITIONS][3]; /* and where the last of them point */
     unsigned astray;                           /* rests in a row that were not those asked for, */

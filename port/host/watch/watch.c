@@ -11,18 +11,45 @@
 #include "read/noise_file.h"
 #include "result/calibration_file.h"
 #include "watch/live.h"
+#include "watch/wave.h"
 
-/* The positions that a live stream rests in. What there is to say of them goes to stdout, beside
- * JSON to stderr, and with --quiet nowhere. */
-static int read_live(const request *r, positions *data, rests_summary *log)
+/* Where there is talk: to stdout, beside JSON to stderr, and with --quiet nowhere, which is to be closed. */
+static FILE *begin_talk(const request *r, live_wish *wish)
+{
+    FILE *nowhere = r->value[ASK_QUIET] ? fopen("/dev/null", "w") : NULL;
+
+    wish->talk = nowhere ? nowhere : r->value[ASK_JSON] ? stderr : stdout;
+    return nowhere;
+}
+
+static void end_talk(FILE *nowhere)
+{
+    if (nowhere) {
+        fclose(nowhere);
+    }
+}
+
+/* What is asked of both. */
+static live_wish wish_of(const request *r)
+{
+    live_wish wish = {.rate = r->rate, .field = r->settings.field, .told = r->told};
+
+    memcpy(wish.target, r->target, sizeof wish.target);
+    wish.need = r->need / r->settings.field;
+    wish.field_sigma = r->field_sigma / r->settings.field;
+    return wish;
+}
+
+/* The positions that a live stream rests in. */
+static int read_live(const request *r, positions *data, rests_summary *log, turns *gyro)
 {
     invcal_calibration nominal;
     invcal_noise noise[3];
-    live_wish wish = {.rate = r->rate, .unit = r->unit, .field = r->settings.field};
+    live_wish wish = wish_of(r);
 
+    wish.unit = r->unit;
     wish.clip = r->value[ASK_CLIP] ? r->clip : NULL;
-
-    wish.told = r->told;
+    wish.gyro = r->gyro;
     wish.set = r->program;
     if (r->value[ASK_NOMINAL]) {
         const int failure = calibration_file_read(r->value[ASK_NOMINAL], &nominal);
@@ -34,9 +61,6 @@ static int read_live(const request *r, positions *data, rests_summary *log)
     wish.sensor = r->sensor;
     wish.zero = r->value[ASK_ZERO] ? r->zero : NULL;
     wish.lsb = r->value[ASK_LSB] ? r->lsb : NULL;
-    memcpy(wish.target, r->target, sizeof wish.target);
-    wish.need = r->need / r->settings.field;
-    wish.field_sigma = r->field_sigma / r->settings.field;
     wish.mean_sigma = r->mean_sigma;
     if (r->value[ASK_ALLAN]) {
         const int failure = noise_file_read(r->value[ASK_ALLAN], noise);
@@ -45,18 +69,34 @@ static int read_live(const request *r, positions *data, rests_summary *log)
         }
         wish.noise = noise;
     }
-    FILE *nowhere = r->value[ASK_QUIET] ? fopen("/dev/null", "w") : NULL;
-    wish.talk = nowhere ? nowhere : r->value[ASK_JSON] ? stderr : stdout;
-    const int failure = live_read(data, r->file, &wish, log);
-    if (nowhere) {
-        fclose(nowhere);
+    FILE *nowhere = begin_talk(r, &wish);
+    const int failure =
+        live_read(data, r->file, &wish, r->value[ASK_ACCELEROMETER_ONLY] ? NULL : gyro, log);
+    end_talk(nowhere);
+    return failure;
+}
+
+/* A magnetometer that is waved. Of a field that is not stated a part is asked for by %, else a number in the unit of
+ * the readings. */
+static int read_waved(const request *r, const invcal_calibration *nominal, positions *data,
+                      waved *log)
+{
+    live_wish wish = wish_of(r);
+
+    if (!r->value[ASK_GRAVITY] && r->value[ASK_NEED] && !strchr(r->value[ASK_NEED], '%')) {
+        wish.field = 0;
     }
+    FILE *nowhere = begin_talk(r, &wish);
+    const int failure = wave_read(data, r->file, nominal, &wish, log);
+    end_talk(nowhere);
     return failure;
 }
 
 static int run_watch(int argc, char **argv)
 {
-    return calibrate_run(argc, argv, 1, read_live);
+    static const calibrate_readers readers = {read_live, read_waved};
+
+    return calibrate_run(argc, argv, 1, &readers);
 }
 
 static const char *const watch_help[] = {
@@ -71,7 +111,10 @@ static const char *const watch_help[] = {
     "one is refused, and when you may stop. Elsewhere, and with --json, it prints lines.\n"
     "\n"
     "LOG is a stream of samples, as a rule - for the standard input: a serial port, or invcal\n"
-    "simulate. Its columns are those of invcal calibrate. Ctrl-C ends it, with the result.\n"
+    "simulate. Its columns are those of invcal calibrate; of a gyroscope among them it tells from "
+    "the\n"
+    "fifth position on what the moves tell, or what is wrong with it. Ctrl-C ends it, with the "
+    "result.\n"
     "Malformed lines are told and skipped.\n"
     "\n"
     "  --plan SET          follows a set of positions, with the angles of a stand; a rest in "
@@ -97,7 +140,7 @@ static const char *const watch_help[] = {
     "  --gravity G         length of the field; default 9.80665 (m/s^2)\n"
     "  --latitude DEG      normal gravity there in its place,\n"
     "  --height M          so high above the sea, m\n"
-    "  --frame symmetric|triangular\n"
+    "  --frame symmetric|triangular|accelerometer\n"
     "                      of the result; default symmetric\n"
     "  --case +z,-x,.,...  which way of the case was up in the first positions\n"
     "  --unit g|mg|m/s2|counts\n"
@@ -111,11 +154,18 @@ static const char *const watch_help[] = {
     "  --noise S           standard deviation of one position mean, in field units\n"
     "  --prior D,K,G       standard deviations of what the nominal may be wrong by\n"
     "  --six-faces         takes the angles, which six faces do not tell, as 0 +- 0.01 rad\n"
+    "  --magnetometer      one is waved, not held still: turn the field, @, through the white "
+    "part\n"
+    "  --with CAL.json     the calibration of the accelerometer beside it\n"
     "  --thermal 1|2       straight lines or parabolas of temperature\n"
     "  --slope D,K,G       standard deviations of what slopes may be, per K\n" CHOSEN_OPTION,
     "  --rate HZ           samples a second; default: by the column t, else 100\n"
     "  --clip LOW,HIGH     the least and the greatest reading of the sensor\n"
     "  --keep-all          leaves no position out\n"
+    "  --gyro-lsb S        degrees/s in one unit of a gyroscope, or rad/s or deg/s\n"
+    "  --gyro-axes X,Y,Z   its axes that turn about the accelerometer's x, y, z, as y,-x,z\n"
+    "  --accelerometer-only\n"
+    "                      leaves a gyroscope out\n"
     "  --need U            what calibrated lengths may be wrong by in 95 % of cases, 1mg, 0.1% or "
     "in\n"
     "                      the unit of --gravity: says when that is reached\n"
@@ -153,6 +203,7 @@ static const char *const watch_brief[] = {
     "is\n"
     "                      enough\n"
     "  --need U            what calibrated lengths may be wrong by: says when that is reached\n"
+    "  --magnetometer      one is waved: turn the field through the white part\n"
     "  --gravity G         length of the field; default 9.80665 (m/s^2)\n"
     "  --unit U            unit of the readings: g, mg, m/s2 or counts\n"
     "  --rate HZ           samples a second; default: by the column t, else 100\n"

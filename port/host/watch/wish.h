@@ -8,6 +8,7 @@
 #include <stdio.h>
 
 #include "design/design.h"
+#include "fit/gyro.h"
 #include "fit/sensors.h"
 #include "invcal/allan.h"
 #include "text/unit.h"
@@ -31,7 +32,8 @@ typedef struct {
     const invcal_noise *noise; /* of three axes, over the field, in place of what the first rest
                                   tells; null: there is none. Needs mean_sigma */
     told_style told;           /* the units of sigma */
-    FILE *talk;                /* where to say it */
+    gyro_wish gyro;
+    FILE *talk; /* where to say it */
 } live_wish;
 
 #endif

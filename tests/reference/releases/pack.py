@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""What version 0.2.0 writes, packed by the tables of store.h and thermal.h, apart from the library:
+"""What version 0.2.0 writes, packed by the tables of store.h, thermal.h and gyro.h, apart from the library:
 the library must write the same bytes.
 
     cd tests/reference/releases && python3 pack.py > 0.2.0.txt
@@ -13,8 +13,8 @@ MATRIX = [[2.46e-4, -4.2e-7, -1.12e-6], [-4.27e-7, 2.47e-4, -2.63e-6], [-1.13e-6
 OFFSET = [33123.75, 33275.125, 32364.5]
 
 
-def frame(kind, content):
-    head = struct.pack("<BBH", kind, 2, len(content) + 8)
+def frame(kind, content, version=2):
+    head = struct.pack("<BBH", kind, version, len(content) + 8)
     return head + content + struct.pack("<I", zlib.crc32(head + content))
 
 
@@ -67,6 +67,20 @@ def thermal(degree):
                  b"".join(struct.pack("<9f", *row) for row in x))
 
 
+# ---- both sensors --------------------------------------------------------------------------------
+
+def imu_record():
+    """WEAK, with parameters 2 and 8 of the gyroscope weak, and those of the record."""
+    matrix = [[2.63e-4, 3.1e-6, -1.3e-6], [-2.9e-6, 2.71e-4, 1.9e-6], [8.7e-7, -2.3e-6, 2.59e-4]]
+    slope = [0.0011, -0.0012, 0.0013, 0.0021, 0.0014, -0.0015, 0.0016, -0.0022, 0.0017, 0.0018, -0.0019, 0.0023]
+    return frame(0xCC, record(date=0x65432102, temperature=31.25) +
+                 struct.pack("<HHBBBB", 0x0104, 0x0117, 5, 23, 1, 0) +
+                 struct.pack("<3f", 4.25e-4, 1.6e-3, 4.375e-3) +
+                 calibration([85.5, -131.25, 24.125], matrix) +
+                 struct.pack("<9f", *[1.1e-4 + 7e-6 * i for i in range(9)]) +
+                 struct.pack("<12f", *slope) + struct.pack("<12f", *[3.1e-5 + 3e-6 * i for i in range(12)]), 1)
+
+
 # ---- a flash ---------------------------------------------------------------------------------------
 
 def slot(sequence, content, granularity=8):
@@ -88,6 +102,7 @@ def main():
     show("record_cold", record(temperature=None))
     for degree in range(3):
         show("thermal_record_%d" % degree, thermal(degree))
+    show("imu_record", imu_record())
     show("store", slot(0, record(date=0x65432100)) + slot(1, record()))
 
 

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
 """What stands in the bytes that released versions wrote, read by the tables of their headers (0.1.0:
-record.h, thermal_record.h, resume.h, store.h; since then store.h and thermal.h), apart from the library.
+record.h, thermal_record.h, resume.h, store.h; since then store.h, thermal.h and gyro.h), apart from the library.
 
     cd tests/reference/releases && python3 values.py > values.h
 """
@@ -53,9 +53,9 @@ def rows(numbers):
 # ---- the formats ----------------------------------------------------------------------------------
 
 def calibration(r, field=1):
-    """Version 1 was in the unit of the field."""
+    """What was in the unit of its field, as in version 1 of records."""
     offset, matrix = r.take("f", 3), r.take("f", 9)
-    return {"offset": offset, "matrix": rows([x / (field if r.version == 1 else 1) for x in matrix])}
+    return {"offset": offset, "matrix": rows([x / field for x in matrix])}
 
 
 def record(data):
@@ -65,7 +65,7 @@ def record(data):
            "temperature_known": r.take("B")}
     for name in ("field", "field_sigma", "temperature", "noise", "rms", "condition"):
         out[name] = r.take("f")
-    out["calibration"] = calibration(r, out["field"])
+    out["calibration"] = calibration(r, out["field"] if r.version == 1 else 1)
     if r.version == 1:
         r.take("f", 12) # delta, dk, gamma, sigma_offset: the calibration and sigma tell
     out["sigma"] = r.take("f", 9)
@@ -81,10 +81,27 @@ def thermal_record(data):
     triangular = r.take("B")
     for name in ("reference", "span", "min", "max"):
         out[name] = r.take("f")
-    out["nominal"] = calibration(r, inner["field"])
+    out["nominal"] = calibration(r, inner["field"] if r.version == 1 else 1)
     x = [r.take("f", 9) for _ in range(out["degree"] + 1)]
     r.end()
     return {"record": inner, "thermal": out, "is_triangular": triangular, "x": x}
+
+
+def imu_record(data):
+    r = Reader(data, 0xCC)
+    out = {"accelerometer": record(r.data[4:140])}
+    r.at = 140
+    for name, letter in (("weak", "H"), ("dof", "H"), ("verdict", "B"), ("moves", "B"), ("g_is_used", "B")):
+        out[name] = r.take(letter)
+    assert r.take("B") == 0, "byte 147"
+    for name in ("move_noise", "move_rms", "move_max"):
+        out[name] = r.take("f")
+    out["gyro"] = calibration(r)
+    out["sigma"] = r.take("f", 9)
+    out["slope"] = [r.take("f", 4) for _ in range(3)]
+    out["slope_sigma"] = [r.take("f", 4) for _ in range(3)]
+    r.end()
+    return out
 
 
 def session(data):
@@ -110,6 +127,7 @@ def store(data):
 # What the names of such bytes begin with, the table of C they go to, and who reads them.
 FORMATS = [("record", "stored_record records", record),
            ("thermal_record", "stored_thermal thermals", thermal_record),
+           ("imu_record", "stored_imu imus", imu_record),
            ("session", "stored_session sessions", session),
            ("store", "stored_flash flashes", store)]
 

@@ -1,16 +1,18 @@
 /* SPDX-License-Identifier: MIT
  *
- * As much of Arduino as the sketch Browser uses, on this machine. What arrives stands in Serial.in.
+ * As much of Arduino as the sketches Browser and Gyroscope use, on this machine. What arrives stands in Serial.in.
  */
 #ifndef ARDUINO_H
 #define ARDUINO_H
 
+#include <math.h>
 #include <stddef.h>
 #include <stdint.h>
 
 #include <string>
 
 #define F(text) text
+typedef char __FlashStringHelper;
 
 struct mock_serial {
     std::string in, out;
@@ -31,6 +33,18 @@ struct mock_serial {
         in.erase(0, got);
         return got;
     }
+    int read()
+    {
+        char c;
+        return readBytes(&c, 1) == 1 ? c : -1;
+    }
+    void flush()
+    {
+    }
+    void print(const char *text)
+    {
+        out += text;
+    }
     void print(char c)
     {
         out += c;
@@ -38,6 +52,14 @@ struct mock_serial {
     void print(int32_t v)
     {
         out += std::to_string(v);
+    }
+    void print(long v)
+    {
+        out += std::to_string(v);
+    }
+    void println()
+    {
+        out += "\r\n";
     }
     void println(int32_t v)
     {
@@ -51,5 +73,6 @@ struct mock_serial {
 
 extern mock_serial Serial;
 void delay(unsigned long);
+unsigned long millis();
 
 #endif

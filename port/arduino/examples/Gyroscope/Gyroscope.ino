@@ -1,0 +1,210 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * An accelerometer and a gyroscope that calibrate themselves by the same moves. Open the serial monitor at
+ * 115200 baud, turn the sensor as it says, in about a second, and hold it still until it says "good". At the
+ * end the calibration is stored; from then on calibrated readings are printed, after the next power-on too.
+ * Send c to calibrate anew.
+ *
+ * It takes nearly 8 KB of RAM: a Mega, or a board that is no AVR. The sensor is in imu.cpp, the memory in
+ * storage.cpp. Session and moves are not stored: an EEPROM takes seconds for them, the sensor's queue holds less
+ * than one, and a move in which samples are lost is refused. With a quick memory, FRAM or flash, add
+ * invcal_save_imu_session after INVCAL_TAKEN, and invcal_load_imu_session in begin_session.
+ */
+#include <invcal.h>
+#include <invcal/gyro.h>
+
+#include "imu.h"
+#include "storage.h"
+
+#if defined(RAMEND) && RAMEND < 0x1FFF
+#error "this sketch takes nearly 8 KB of RAM: a Mega, or a board that is no AVR"
+#endif
+
+const unsigned SHOWN = 50; /* one calibrated sample in so many is shown */
+
+/* Which axis is up, turned round (-): each of the twelve edges between the faces once. */
+const int8_t PROGRAM[] = {3, 1, 2, 3, -1, 2, -3, 1, -2, -3, -1, -2};
+const unsigned EDGES = sizeof PROGRAM;
+
+static invcal_imu_session both;
+static invcal_imu_record calibration;
+static bool is_calibrated;
+static unsigned at; /* of the program: where to turn next */
+
+/* Not compiled into loop, or its variables would lie on the stack while the others run. */
+#define APART __attribute__((noinline))
+
+/* Never comes back: there is nothing left to do without a reset. */
+static void stop(const __FlashStringHelper *text)
+{
+    Serial.println(text);
+    Serial.flush();
+    for (;;) {
+    }
+}
+
+/* As whole numbers, for which less code is linked than for float. */
+static void show(const __FlashStringHelper *name, const float v[3], float unit)
+{
+    Serial.print(name);
+    for (int i = 0; i < 3; i++) {
+        Serial.print(' ');
+        const float x = v[i] * unit;
+        Serial.print((long)(x < 0 ? x - 0.5f : x + 0.5f));
+    }
+    Serial.println();
+}
+
+/* ---- the session ------------------------------------------------------------------------------ */
+
+static void find_next(float up[3])
+{
+    const int axis = PROGRAM[at % EDGES];
+
+    up[0] = up[1] = up[2] = 0;
+    up[axis < 0 ? -axis - 1 : axis - 1] = axis < 0 ? -1 : 1;
+}
+
+/* Not where it lies already. */
+static void show_next()
+{
+    char words[INVCAL_WORDS];
+    float up[3];
+
+    find_next(up);
+    if (invcal_session_is_at(&both.session, up)) {
+        at++;
+        find_next(up);
+    }
+    Serial.print(F("next: "));
+    Serial.println(invcal_words(up, words));
+}
+
+static void begin_session()
+{
+    const float unit = (float)(M_PI / 180) / IMU_GYRO_COUNTS;
+    const invcal_calibration gyro = {{0, 0, 0}, {{unit, 0, 0}, {0, unit, 0}, {0, 0, unit}}};
+
+    if (invcal_session_init(&both.session, IMU_COUNTS, IMU_RATE) != INVCAL_OK ||
+        invcal_moves_init(&both.moves, &gyro, IMU_RATE) != INVCAL_OK) {
+        stop(F("scale or rate of the sensor is out of range"));
+    }
+    invcal_session_rails(&both.session, IMU_LOW, IMU_HIGH);
+    invcal_moves_rails(&both.moves, IMU_LOW, IMU_HIGH);
+    is_calibrated = false;
+    at = 0;
+    Serial.println(F("calibration begins"));
+    show_next();
+}
+
+/* Nothing is stored before that is good. */
+static APART void solve()
+{
+    invcal_imu imu;
+
+    const invcal_status status = invcal_imu_solve(both.session.mean[0], both.session.count,
+                                                  &both.session.nominal, &both.moves, NULL, &imu);
+    if (status != INVCAL_OK || imu.verdict != INVCAL_GOOD) {
+        Serial.print(F("not yet: "));
+        Serial.println(status != INVCAL_OK ? invcal_status_text(status)
+                                           : invcal_verdict_text((invcal_verdict)imu.verdict));
+        return;
+    }
+    Serial.println(F("verdict: good"));
+    show(F("accelerometer, offset, counts:"), imu.accelerometer.offset, 1);
+    show(F("gyroscope, offset, counts:"), imu.gyro.offset, 1);
+    invcal_imu_record_init(&calibration, &imu);
+    is_calibrated = true;
+    Serial.println(invcal_save_imu(&calibration_store, &imu) == INVCAL_OK
+                       ? F("calibration stored")
+                       : F("calibration not stored: the EEPROM fails"));
+}
+
+static void calibrate(const int32_t accelerometer[3], const int32_t gyro[3])
+{
+    invcal_moves_feed(&both.moves, gyro);
+    const invcal_event event = invcal_session_feed(&both.session, accelerometer);
+    invcal_moves_follow(&both.moves, &both.session.rests, event);
+    switch (event) {
+    case INVCAL_READY:
+        Serial.println(F("good: move on"));
+        at++;
+        show_next();
+        break;
+    case INVCAL_REFUSED:
+        Serial.print(F("refused: "));
+        Serial.println(invcal_session_why(&both.session));
+        show_next();
+        break;
+    case INVCAL_TAKEN: {
+        const invcal_status reason = invcal_moves_reason(&both.moves, both.moves.count - 1);
+        Serial.print(F("positions taken: "));
+        Serial.println(both.moves.count);
+        if (both.moves.count > 1 && reason != INVCAL_OK) {
+            Serial.print(F("move refused: "));
+            Serial.println(invcal_status_text(reason));
+        }
+        if (both.moves.count > EDGES) {
+            solve();
+        }
+        break;
+    }
+    default:
+        break; /* moving, settling */
+    }
+}
+
+/* ---- from then on ----------------------------------------------------------------------------- */
+
+/* What your device does with it. */
+static void measure(const int32_t accelerometer[3], const int32_t gyro[3])
+{
+    static unsigned n;
+    float a[3], rate[3];
+
+    invcal_apply_counts(&calibration.accelerometer.calibration, accelerometer, a);
+    invcal_apply_counts(&calibration.gyro, gyro, rate);
+    for (int i = 0; i < 3 && calibration.g_is_used; i++) {
+        const float *g = calibration.slope[i];
+        rate[i] -= g[0] * a[0] + g[1] * a[1] + g[2] * a[2];
+    }
+    if (++n == SHOWN) {
+        n = 0;
+        show(F("a, mg:"), a, 1000);
+        show(F("rate, mrad/s:"), rate, 1000);
+    }
+}
+
+void setup()
+{
+    Serial.begin(115200);
+    if (!imu_begin()) {
+        stop(F("sensor: no answer, or another chip"));
+    }
+    is_calibrated = invcal_load_imu(&calibration_store, &calibration) == INVCAL_OK;
+    Serial.println(is_calibrated ? F("stored calibration: found") : F("stored calibration: none"));
+    if (!is_calibrated) {
+        begin_session();
+    }
+}
+
+void loop()
+{
+    int32_t accelerometer[3], gyro[3];
+
+    const imu_status status = imu_next(accelerometer, gyro);
+    if (status == IMU_SILENT) {
+        stop(F("sensor: no sample in due time"));
+    }
+    if (status == IMU_LOST) { /* while something was solved */
+        invcal_session_gap(&both.session);
+        invcal_moves_gap(&both.moves);
+    } else if (is_calibrated) {
+        measure(accelerometer, gyro);
+    } else {
+        calibrate(accelerometer, gyro);
+    }
+    if (Serial.read() == 'c') {
+        begin_session();
+    }
+}

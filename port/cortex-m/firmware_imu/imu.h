@@ -1,0 +1,36 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * imu.h: the driver of a chip with both sensors.
+ */
+#ifndef IMU_H
+#define IMU_H
+
+#include <stdint.h>
+
+#define IMU_RATE 100u           /* samples per second of the accelerometer, */
+#define IMU_GYRO_RATE 200.0f    /* and of the gyroscope */
+#define IMU_COUNTS 8192.0f      /* counts for 1 g, by the data sheet */
+#define IMU_GYRO_UNIT 2.665e-4f /* rad/s for 1 count, by the data sheet */
+#define IMU_LOW INT32_C(-32768) /* counts at which either clips */
+#define IMU_HIGH INT32_C(32767)
+
+typedef enum {
+    IMU_ACCELEROMETER, /* a sample of it */
+    IMU_GYRO,          /* a sample of it */
+    IMU_LOST,          /* no sample: some were lost here */
+    IMU_SILENT,        /* no sample, no end of its reset in due time */
+    IMU_ABSENT,        /* nobody answers, or another chip */
+    IMU_DEAF           /* it does not keep its settings */
+} imu_status;
+
+/* Resets the chip and sets it up. Returns IMU_ACCELEROMETER if all is well; IMU_SILENT, IMU_ABSENT or
+ * IMU_DEAF. */
+imu_status imu_begin(void);
+
+/* Waits for the next sample of either, counts: in the order in which they were taken. */
+imu_status imu_next(int32_t raw[3]);
+
+/* A sentence for a status. */
+const char *imu_status_text(imu_status status);
+
+#endif

@@ -1,0 +1,239 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * An accelerometer and a gyroscope that calibrate themselves, from power-on to calibrated readings:
+ *
+ *     a result is stored            it is applied
+ *     else a session is stored      it goes on where it was, with the rests and moves that it has
+ *     else                          a session begins
+ *
+ * After every position session and moves are stored as one, at the end the result. While the flash is
+ * written the chip's queue keeps the samples: the device is moving then, and a move with a gap is lost.
+ *
+ * RAM: session and moves, 3.8 KB. Stack: see README.md.
+ */
+#include "flash.h"
+#include "imu.h"
+#include "invcal/gyro.h"
+#include "print.h"
+#include "tell.h"
+#include "uart.h"
+
+#define SHOWN 50u /* one calibrated sample of each in so many is shown */
+
+static invcal_imu_session both;
+static unsigned at; /* of the program: where the device is to be turned next */
+
+/* ---- what to tell ------------------------------------------------------------------------------- */
+
+/* Which axis is up, and turned round (-): each of the twelve edges between the faces once. */
+static const int program[] = {3, 1, 2, 3, -1, 2, -3, 1, -2, -3, -1, -2};
+enum { PROGRAM = sizeof program / sizeof program[0] };
+
+static void find_next(invcal_real up[3])
+{
+    const int axis = program[at % PROGRAM];
+
+    up[0] = up[1] = up[2] = 0;
+    up[axis < 0 ? -axis - 1 : axis - 1] = axis < 0 ? -1.0f : 1.0f;
+}
+
+/* Not where it lies already, as after a position that was not stored. */
+static void tell_where(void)
+{
+    char words[INVCAL_WORDS];
+    invcal_real up[3];
+
+    find_next(up);
+    if (invcal_session_is_at(&both.session, up)) {
+        at++;
+        find_next(up);
+    }
+    tell("next", invcal_words(up, words));
+}
+
+static void tell_vector(const char *name, const invcal_real v[3], float unit, unsigned digits)
+{
+    print(name);
+    for (unsigned i = 0; i < 3; i++) {
+        print(" ");
+        print_fixed(unit * v[i], digits);
+    }
+    print("\n");
+}
+
+static void tell_result(const invcal_imu *imu)
+{
+    tell("verdict", invcal_verdict_text((invcal_verdict)imu->verdict));
+    tell_count("moves", imu->moves);
+    tell_vector("accelerometer, offset:  ", imu->accelerometer.offset, 1, 2);
+    tell_vector("gyroscope, offset:      ", imu->gyro.offset, 1, 2);
+    for (unsigned i = 0; i < 3; i++) {
+        tell_vector("gyroscope, 1e-6 rad/s:  ", imu->gyro.matrix[i], 1e6f, 3);
+        tell_vector("sigma, 1e-4:            ", &imu->sigma[3 * i], 1e4f, 2);
+    }
+}
+
+/* ---- what is kept --------------------------------------------------------------------------------- */
+
+/* If it fails, and was told, only a reset is feared. */
+static void keep_session(void)
+{
+    const invcal_status status = invcal_save_imu_session(&session_store, &both);
+
+    if (status == INVCAL_OK) {
+        tell_count("session stored, positions", both.session.count);
+    } else {
+        tell("session not stored", invcal_status_text(status));
+    }
+}
+
+static invcal_status begin_session(void)
+{
+    const invcal_calibration gyro = {
+        {0, 0, 0}, {{IMU_GYRO_UNIT, 0, 0}, {0, IMU_GYRO_UNIT, 0}, {0, 0, IMU_GYRO_UNIT}}};
+    invcal_status status = invcal_session_init(&both.session, IMU_COUNTS, IMU_RATE);
+
+    if (status == INVCAL_OK) {
+        status = invcal_moves_init(&both.moves, &gyro, IMU_GYRO_RATE);
+    }
+    if (status == INVCAL_OK) {
+        (void)invcal_session_rails(&both.session, IMU_LOW, IMU_HIGH);
+        (void)invcal_moves_rails(&both.moves, IMU_LOW, IMU_HIGH);
+    }
+    tell("new session", status == INVCAL_OK ? "begun" : invcal_status_text(status));
+    return status;
+}
+
+/* ---- the session ---------------------------------------------------------------------------------- */
+
+static void tell_move(void)
+{
+    const unsigned last = both.moves.count - 1u;
+    const invcal_status reason = invcal_moves_reason(&both.moves, last);
+
+    if (last > 0 && reason != INVCAL_OK) {
+        tell("move refused", invcal_status_text(reason));
+    }
+}
+
+/* Returns 1 if the result is good: it is stored then. */
+static int solve(void)
+{
+    static invcal_imu imu;
+    const invcal_status status = invcal_imu_solve(both.session.mean[0], both.session.count,
+                                                  &both.session.nominal, &both.moves, NULL, &imu);
+
+    if (status != INVCAL_OK || imu.verdict != INVCAL_GOOD) {
+        tell("not yet", status == INVCAL_OK ? invcal_verdict_text((invcal_verdict)imu.verdict)
+                                            : invcal_status_text(status));
+        return 0;
+    }
+    tell_result(&imu);
+    const invcal_status saved = invcal_save_imu(&calibration_store, &imu);
+    tell(saved == INVCAL_OK ? "calibration stored" : "calibration not stored",
+         invcal_status_text(saved));
+    return saved == INVCAL_OK;
+}
+
+/* Returns 1 when it is done. */
+static int digest(invcal_event event)
+{
+    tell_event(&both.session, event);
+    if (event == INVCAL_READY) {
+        at++;
+    }
+    if (event == INVCAL_READY || event == INVCAL_REFUSED) {
+        tell_where();
+    }
+    if (event != INVCAL_TAKEN) {
+        return 0;
+    }
+    tell_move();
+    keep_session();
+    return both.moves.count > PROGRAM && solve();
+}
+
+/* Returns what the sensor ended with: IMU_ACCELEROMETER when the calibration is done. */
+static imu_status calibrate(void)
+{
+    int32_t raw[3];
+
+    at = both.moves.count;
+    tell_where();
+    for (;;) {
+        const imu_status status = imu_next(raw);
+        if (status == IMU_GYRO) {
+            invcal_moves_feed(&both.moves, raw);
+        } else if (status == IMU_ACCELEROMETER) {
+            const invcal_event event = invcal_session_feed(&both.session, raw);
+            invcal_moves_follow(&both.moves, &both.session.rests, event);
+            if (digest(event)) {
+                return IMU_ACCELEROMETER;
+            }
+        } else if (status == IMU_LOST) {
+            invcal_session_gap(&both.session);
+            invcal_moves_gap(&both.moves);
+        } else {
+            return status;
+        }
+    }
+}
+
+/* ---- from then on --------------------------------------------------------------------------------- */
+
+/* What your device does with it. The latest acceleration is taken for what g-sensitivity adds. Comes back
+ * only if the sensor falls silent. */
+static void measure(const invcal_imu_record *record)
+{
+    invcal_real a[3] = {0, 0, 0};
+    invcal_real rate[3] = {0, 0, 0};
+    imu_status status = IMU_LOST;
+    int32_t raw[3];
+
+    for (unsigned n = 0; status <= IMU_LOST; status = imu_next(raw)) {
+        if (status == IMU_GYRO) {
+            invcal_apply_counts(&record->gyro, raw, rate);
+            for (unsigned i = 0; i < 3 && record->g_is_used; i++) {
+                const invcal_real *g = record->slope[i];
+                rate[i] -= g[0] * a[0] + g[1] * a[1] + g[2] * a[2];
+            }
+        } else if (status == IMU_ACCELEROMETER) {
+            invcal_apply_counts(&record->accelerometer.calibration, raw, a);
+            if (++n % SHOWN == 0) {
+                tell_reading(a);
+                tell_vector("rate, mrad/s:", rate, 1000, 1);
+            }
+        }
+    }
+    tell("sensor", imu_status_text(status));
+}
+
+int main(void)
+{
+    static invcal_imu_record record;
+
+    uart_begin();
+    imu_status status = imu_begin();
+    tell("power on, sensor", imu_status_text(status));
+    if (status != IMU_ACCELEROMETER) {
+        return 1;
+    }
+    invcal_status found = invcal_load_imu(&calibration_store, &record);
+    tell("stored calibration", found == INVCAL_OK ? "found" : invcal_status_text(found));
+    if (found != INVCAL_OK) {
+        found = invcal_load_imu_session(&session_store, &both);
+        if (found == INVCAL_OK) {
+            tell_count("stored session found, positions", both.session.count);
+        } else {
+            tell("stored session", invcal_status_text(found));
+            found = begin_session();
+        }
+        status = found == INVCAL_OK ? calibrate() : IMU_DEAF;
+        found = invcal_load_imu(&calibration_store, &record);
+    }
+    if (status == IMU_ACCELEROMETER && found == INVCAL_OK) {
+        measure(&record);
+    }
+    tell("sensor", imu_status_text(status));
+    return 1; /* told why; on a board, wait for a reset here */
+}

@@ -1,0 +1,135 @@
+/* SPDX-License-Identifier: MIT */
+#include "calibrate/gyro.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "cli/command.h"
+#include "maths/eigen.h"
+#include "maths/matrix.h"
+
+/* How the accelerometer's solution is better determined with the moves. */
+static int tells_more(const request *r, int refused, const calibrate_result *result)
+{
+    const gyro_fit *g = &result->gyro;
+    const int is_plain = !r->value[ASK_THERMAL] && r->degree == 0 && !fit_has_prior(&r->settings);
+
+    return is_plain && g->is_there && !g->word && g->imu.open >> INVCAL_GYRO_PARAMETERS == 0 &&
+           (refused || result->quality.verdict == INVCAL_WEAK);
+}
+
+/* Residuals of the lengths, as invcal_quality tells them. */
+static void measure(const calibrate_result *result, invcal_quality *q)
+{
+    const rejection *kept = &result->rejected;
+    double squares = 0;
+
+    for (unsigned k = 0; k < kept->kept_count; k++) {
+        double v[3];
+        invcal_apply(&result->gyro.imu.accelerometer, &kept->kept[3 * (size_t)k], v);
+        const double r = fabs(sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]) - 1);
+        squares += r * r;
+        if (!(r <= q->max)) {
+            q->max = r;
+            q->worst = (uint16_t)k;
+        }
+    }
+    q->rms = sqrt(squares / kept->kept_count);
+}
+
+/* The moves determine what the rests leave open. */
+static void take_joint(calibrate_result *result)
+{
+    const invcal_imu *imu = &result->gyro.imu;
+    double information[INVCAL_PACKED_SIZE(INVCAL_PARAMETERS)];
+    fit_settings with = result->settings;
+    invcal_quality q = {.verdict = imu->verdict,
+                        .noise = imu->noise,
+                        .positions = (uint16_t)result->rejected.kept_count,
+                        .dof = imu->dof,
+                        .sigma_dof = imu->dof};
+
+    memcpy(q.sigma, &imu->sigma[INVCAL_GYRO_PARAMETERS], sizeof q.sigma);
+    measure(result, &q);
+    result->refused = (refusal){.word = NULL};
+    result->is_joint = 1;
+    result->solution = fit_solution_of(&imu->accelerometer, &result->settings);
+    result->quality = fit_quality_of(&q, &result->settings, &result->solution);
+    calibrate_with_moves(result, &with);
+    fit_information(result->rejected.kept, result->rejected.kept_count, &with, &result->solution,
+                    result->quality.noise, information);
+    result->quality.condition = eigen_condition(information, INVCAL_PARAMETERS);
+    if (result->quality.verdict == INVCAL_GOOD && calibrate_is_disturbed(result)) {
+        result->quality.verdict = INVCAL_ROUGH; /* no rest is left out here */
+        result->gyro.imu.verdict = INVCAL_ROUGH;
+    }
+}
+
+int calibrate_gyro(const request *r, const turns *gyro, int refused, calibrate_result *result)
+{
+    const double *clip = r->value[ASK_CLIP] ? r->clip : NULL;
+    const int may_help = refused == EXIT_DATA && result->refused.undetermined != 0;
+
+    if (gyro->readings == 0 || (refused && !may_help) || result->data->count == 0) {
+        return refused;
+    }
+    const int failure = gyro_make(
+        &result->gyro, gyro, &r->gyro, (unsigned)nearbyint(result->log->rate), clip, result->data,
+        &result->rejected, refused ? &result->settings.nominal : &result->solution.symmetric);
+    if (failure) {
+        return failure;
+    }
+    if (tells_more(r, refused, result)) {
+        take_joint(result);
+        return EXIT_GOOD;
+    }
+    if (refused && result->gyro.word) {
+        const size_t length = strlen(result->refused.remedy);
+        snprintf(result->refused.remedy + length, REFUSAL_MAX - length,
+                 ". The moves between do not tell them either: %s%s%s", result->gyro.reason,
+                 *result->gyro.remedy ? ": " : "", result->gyro.remedy);
+    }
+    return refused;
+}
+
+/* The rotation next to a matrix, by Newton's iteration X <- (X + X^-T) / 2. */
+static void next_rotation(double x[3][3])
+{
+    for (unsigned n = 0; n < 20; n++) {
+        invcal_calibration c = {.offset = {0}};
+        double inverse[3][3];
+        memcpy(c.matrix, x, sizeof c.matrix);
+        if (!matrix_inverse(&c, inverse)) {
+            return;
+        }
+        for (unsigned i = 0; i < 9; i++) {
+            x[i / 3][i % 3] = (x[i / 3][i % 3] + inverse[i % 3][i / 3]) / 2;
+        }
+    }
+}
+
+static void multiply(const double (*a)[3], const double (*b)[3], double out[3][3])
+{
+    for (unsigned i = 0; i < 3; i++) {
+        for (unsigned j = 0; j < 3; j++) {
+            out[i][j] = a[i][0] * b[0][j] + a[i][1] * b[1][j] + a[i][2] * b[2][j];
+        }
+    }
+}
+
+void calibrate_gyro_turn(calibrate_result *result)
+{
+    gyro_fit *g = &result->gyro;
+    double inverse[3][3];
+    double turn[3][3];
+    double turned[3][3];
+
+    if (!g->is_there || g->word || !matrix_inverse(&g->imu.accelerometer, inverse)) {
+        return;
+    }
+    multiply((const double(*)[3])result->solution.calibration.matrix, (const double(*)[3])inverse,
+             turn);
+    next_rotation(turn);
+    multiply((const double(*)[3])turn, (const double(*)[3])g->calibration.matrix, turned);
+    memcpy(g->calibration.matrix, turned, sizeof turned);
+}

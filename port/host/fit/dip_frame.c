@@ -1,0 +1,224 @@
+/* SPDX-License-Identifier: MIT */
+#include "fit/dip_frame.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "cli/command.h"
+#include "cli/message.h"
+#include "maths/rotation.h"
+
+#define USUAL 0.1   /* of the length, to either side */
+#define BLOCKS 24ul /* that tell how instants err alike */
+
+enum { WAYS = 24 };
+
+/* A direction of the accelerometer and one of the magnetometer, both of length 1. */
+typedef struct {
+    double up[3];
+    double field[3];
+} instant;
+
+/* ---- instants ----------------------------------------------------------------------------------- */
+
+static double length_of(const double v[3])
+{
+    return sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
+}
+
+static int compare(const void *a, const void *b)
+{
+    const double x = *(const double *)a;
+    const double y = *(const double *)b;
+
+    return (x > y) - (x < y);
+}
+
+/* Calibrates all pairs: lengths go to length[0] and length[1]. Returns how many are finite. */
+static unsigned long calibrate(const waved *log, const invcal_calibration *accelerometer,
+                               instant *all, double *length[2])
+{
+    unsigned long count = 0;
+
+    for (unsigned long n = 0; n < log->pairs; n++) {
+        instant *at = &all[count];
+        memcpy(at->up, log->pair[n].up, sizeof at->up);
+        if (accelerometer) {
+            invcal_apply(accelerometer, at->up, at->up);
+        }
+        invcal_apply(&log->calibration, log->pair[n].field, at->field);
+        length[0][count] = length_of(at->up);
+        length[1][count] = length_of(at->field);
+        count += isfinite(length[0][count]) && isfinite(length[1][count]);
+    }
+    return count;
+}
+
+/* Keeps those of the usual lengths, in their order. Returns how many. */
+static unsigned long keep_usual(instant *all, unsigned long count, double *length[2],
+                                double *sorted)
+{
+    double usual[2];
+    unsigned long kept = 0;
+
+    for (unsigned s = 0; s < 2; s++) {
+        memcpy(sorted, length[s], count * sizeof *sorted);
+        qsort(sorted, count, sizeof *sorted, compare);
+        usual[s] = sorted[count / 2];
+    }
+    for (unsigned long n = 0; n < count; n++) {
+        if (fabs(length[0][n] - usual[0]) <= USUAL * usual[0] &&
+            fabs(length[1][n] - usual[1]) <= USUAL * usual[1]) {
+            all[kept++] = all[n];
+        }
+    }
+    return kept;
+}
+
+/* ---- the rotation ------------------------------------------------------------------------------- */
+
+/* Axes of the field exchanged: field[j] of before becomes sign[j] field[from[j]]. */
+typedef struct {
+    unsigned from[3];
+    int sign[3];
+} exchange;
+
+/* The n-th of those that are rotations. */
+static exchange exchange_of(unsigned n)
+{
+    static const unsigned orders[6][3] = {{0, 1, 2}, {1, 2, 0}, {2, 0, 1},
+                                          {0, 2, 1}, {2, 1, 0}, {1, 0, 2}};
+    const unsigned order = n / 4;
+    const int first = n & 1 ? -1 : 1;
+    const int second = n & 2 ? -1 : 1;
+    const int parity = order < 3 ? 1 : -1;
+    exchange e = {.sign = {first, second, parity * first * second}};
+
+    memcpy(e.from, orders[order], sizeof e.from);
+    return e;
+}
+
+/* The sums that exchanged readings would have given. */
+static invcal_dip sums_exchanged(const invcal_dip *sums, const exchange *e)
+{
+    invcal_dip out = *sums;
+    unsigned from[INVCAL_DIP_ROW];
+    int sign[INVCAL_DIP_ROW];
+
+    for (unsigned k = 0; k < INVCAL_DIP_ROW; k++) {
+        from[k] = k < 9 ? 3 * (k / 3) + e->from[k % 3] : k;
+        sign[k] = k < 9 ? e->sign[k % 3] : 1;
+    }
+    for (unsigned r = 0; r < INVCAL_DIP_ROW; r++) {
+        for (unsigned c = 0; c <= r; c++) {
+            const unsigned high = from[r] > from[c] ? from[r] : from[c];
+            const unsigned low = from[r] > from[c] ? from[c] : from[r];
+            out.sum[r * (r + 1) / 2 + c] =
+                sign[r] * sign[c] * sums->sum[high * (high + 1) / 2 + low];
+        }
+    }
+    return out;
+}
+
+/* The best of all ways. Returns 0 if there is none. */
+static int find_rotation(const invcal_dip *sums, double alike, double rotation[3][3],
+                         invcal_dip_quality *quality)
+{
+    int is_found = 0;
+
+    for (unsigned n = 0; n < WAYS; n++) {
+        const exchange e = exchange_of(n);
+        const invcal_dip here = sums_exchanged(sums, &e);
+        invcal_dip_quality q;
+        double r[3][3];
+        if (invcal_dip_solve(&here, alike, r, &q) != INVCAL_OK ||
+            (is_found && !(q.scatter < quality->scatter))) {
+            continue;
+        }
+        is_found = 1;
+        *quality = q;
+        for (unsigned i = 0; i < 3; i++) {
+            for (unsigned j = 0; j < 3; j++) {
+                rotation[i][e.from[j]] = e.sign[j] * r[i][j];
+            }
+        }
+    }
+    return is_found;
+}
+
+/* By how many times the sums of what moves the angles are larger than were instants independent. */
+static double find_alike(const instant *all, unsigned long count, const double (*r)[3], double sine)
+{
+    double together = 0;
+    double apart = 0;
+    double sum[3] = {0};
+
+    for (unsigned long n = 0; n < count; n++) {
+        const double *u = all[n].up;
+        const double *m = all[n].field;
+        double turned[3];
+        for (unsigned i = 0; i < 3; i++) {
+            turned[i] = r[i][0] * m[0] + r[i][1] * m[1] + r[i][2] * m[2];
+        }
+        const double error = u[0] * turned[0] + u[1] * turned[1] + u[2] * turned[2] - sine;
+        for (unsigned i = 0; i < 3; i++) {
+            const unsigned j = (i + 1) % 3;
+            const unsigned k = (i + 2) % 3;
+            const double g = error * (turned[j] * u[k] - turned[k] * u[j]);
+            sum[i] += g;
+            apart += g * g;
+        }
+        if ((n + 1) % (count / BLOCKS + 1) == 0 || n + 1 == count) {
+            together += sum[0] * sum[0] + sum[1] * sum[1] + sum[2] * sum[2];
+            memset(sum, 0, sizeof sum);
+        }
+    }
+    return apart > 0 ? fmax(1, together / apart) : 1;
+}
+
+static dip_answer solve(const instant *all, unsigned long count, dip_frame *out)
+{
+    invcal_dip sums;
+    invcal_dip_quality quality;
+
+    invcal_dip_init(&sums);
+    for (unsigned long n = 0; n < count; n++) {
+        (void)invcal_dip_add(&sums, all[n].up, all[n].field);
+    }
+    if (!find_rotation(&sums, 1, out->rotation, &quality)) {
+        return DIP_OPEN;
+    }
+    out->alike = find_alike(all, count, (const double(*)[3])out->rotation, quality.sine);
+    if (!find_rotation(&sums, out->alike, out->rotation, &quality)) {
+        return DIP_OPEN;
+    }
+    memcpy(out->sigma, quality.sigma, sizeof out->sigma);
+    rotation_vector((const double(*)[3])out->rotation, out->angle);
+    out->dip = -asin(quality.sine);
+    out->scatter = quality.scatter;
+    out->heading = quality.heading;
+    return DIP_TOLD;
+}
+
+int dip_frame_find(const waved *log, const invcal_calibration *accelerometer, dip_frame *out)
+{
+    const size_t room = log->pairs + 1;
+    instant *all = calloc(room, sizeof *all);
+    double *length = calloc(3 * room, sizeof *length);
+    const int failure = !all || !length;
+
+    *out = (dip_frame){
+        .answer = DIP_NO_ACCELEROMETER, .is_corrected = accelerometer != NULL, .of = log->pairs};
+    if (failure) {
+        message("not enough memory for %lu samples", log->pairs);
+    } else if (log->pairs > 0) {
+        double *of_each[2] = {length, length + room};
+        const unsigned long count = calibrate(log, accelerometer, all, of_each);
+        out->used = count > 0 ? keep_usual(all, count, of_each, length + 2 * room) : 0;
+        out->answer = 2 * out->used < out->of ? DIP_UNEVEN : solve(all, out->used, out);
+    }
+    free(all);
+    free(length);
+    return failure ? EXIT_FILE : EXIT_GOOD;
+}

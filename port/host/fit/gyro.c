@@ -1,0 +1,723 @@
+/* SPDX-License-Identifier: MIT */
+#include "fit/gyro.h"
+
+#include <math.h>
+#include <stdarg.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "cli/command.h"
+#include "cli/message.h"
+#include "text/number.h"
+
+#define ROOM 24       /* bits of the largest reading; others may be 128 times as large */
+#define FLAT 5u       /* readings that are alike at the end of a range */
+#define SAME_UNIT 1.3 /* times: what is nearer is a scale error */
+#define NEAR_UNIT 1.15
+#define FITS 0.25   /* rad: more fits no axes */
+#define NEVER 1e-4  /* of all turning: an axis that has less never turns, */
+#define TURNED 0.02 /* though others do so much about it */
+#define MOVED 4.0   /* times the mean square at rest */
+#define FEW_RESTS 2u
+#define SAME_MEAN 1e-12
+
+/* Too large for the stack. */
+static invcal_moves moves;
+
+typedef char axes_text[40];
+
+/* ---- words -------------------------------------------------------------------------------------- */
+
+static void refuse(gyro_fit *g, const char *word, const char *format, ...) MESSAGE_FORMAT(3, 4);
+
+static void refuse(gyro_fit *g, const char *word, const char *format, ...)
+{
+    va_list arguments;
+
+    g->word = word;
+    va_start(arguments, format);
+    vsnprintf(g->reason, sizeof g->reason, format, arguments);
+    va_end(arguments);
+}
+
+static void advise(gyro_fit *g, const char *format, ...) MESSAGE_FORMAT(2, 3);
+
+static void advise(gyro_fit *g, const char *format, ...)
+{
+    va_list arguments;
+
+    va_start(arguments, format);
+    vsnprintf(g->remedy, sizeof g->remedy, format, arguments);
+    va_end(arguments);
+}
+
+const char *gyro_reason(invcal_status why)
+{
+    return why == INVCAL_MOVE_APART ? "contradicts the others"
+           : why == INVCAL_REST_DRIFT
+               ? "the bias before and after differs by 0.5 °/s: in one of the "
+                 "two the device turned"
+           : why == INVCAL_REST_SAME ? "nothing was turned"
+                                     : invcal_status_text(why);
+}
+
+static const char *axes_words(const int8_t axes[3], axes_text text)
+{
+    snprintf(text, sizeof(axes_text), "%s%c,%s%c,%s%c", axes[0] < 0 ? "-" : "",
+             "xyz"[abs(axes[0]) - 1], axes[1] < 0 ? "-" : "", "xyz"[abs(axes[1]) - 1],
+             axes[2] < 0 ? "-" : "", "xyz"[abs(axes[2]) - 1]);
+    return text;
+}
+
+/* ---- readings ----------------------------------------------------------------------------------- */
+
+/* What a count is, by the largest of a thousand readings: a single one that is wrong must not make all others
+ * coarse. */
+static double find_count(const turns *t)
+{
+    const size_t step = t->readings / 1000 + 1;
+    double most = 0;
+
+    for (size_t i = 0; i < t->readings; i += step) {
+        for (unsigned k = 0; k < 3; k++) {
+            most = fmax(most, fabs(t->reading[i].x[k]));
+        }
+    }
+    return most > 0 ? ldexp(1, (int)ceil(log2(most)) - ROOM) : 1;
+}
+
+static int is_whole(const turns *t)
+{
+    for (size_t i = 0; i < t->readings; i++) {
+        for (unsigned k = 0; k < 3; k++) {
+            if (fabs(t->reading[i].x[k] - nearbyint(t->reading[i].x[k])) > 0) {
+                return 0;
+            }
+        }
+    }
+    return 1;
+}
+
+/* Where an axis is at the end of its range: readings all alike there, more of them in a row than anywhere
+ * else. side: -1 the least, 1 the greatest. NaN: nowhere. */
+static double rail_of(const turns *t, unsigned axis, double side)
+{
+    double end = -HUGE_VAL;
+    size_t run = 0;
+    size_t at_end = 0;
+    size_t elsewhere = 0;
+
+    for (size_t i = 0; i < t->readings; i++) {
+        end = fmax(end, side * t->reading[i].x[axis]);
+    }
+    for (size_t i = 0; i < t->readings; i++) {
+        const double x = side * t->reading[i].x[axis];
+        const int goes_on = i > 0 && !(fabs(x - side * t->reading[i - 1].x[axis]) > 0);
+        run = goes_on ? run + 1 : 1;
+        size_t *longest = x < end ? &elsewhere : &at_end;
+        *longest = run > *longest ? run : *longest;
+    }
+    return at_end >= FLAT && at_end > elsewhere ? side * end : NUMBER_UNKNOWN;
+}
+
+/* Returns 0 if an axis is stuck. */
+static int check_readings(gyro_fit *g)
+{
+    const turns *t = g->turns;
+
+    for (unsigned k = 0; k < 3; k++) {
+        size_t i = 1;
+        while (i < t->readings && !(fabs(t->reading[i].x[k] - t->reading[0].x[k]) > 0)) {
+            i++;
+        }
+        if (i >= t->readings) {
+            refuse(g, "stuck", "the gyroscope's %c never changes", "xyz"[k]);
+            advise(g, "look whether it is read, and record again");
+            return 0;
+        }
+        g->rail[0][k] = rail_of(t, k, -1);
+        g->rail[1][k] = rail_of(t, k, 1);
+    }
+    return 1;
+}
+
+/* ---- rests -------------------------------------------------------------------------------------- */
+
+/* Is position k kept? They come in their order. */
+static int is_kept(const rejection *kept, unsigned k)
+{
+    return !rejection_has(kept, kept->count, k);
+}
+
+/* The samples of the log once more, as rests_read took them. */
+typedef struct {
+    const turns *t;
+    const positions *p;
+    const rejection *kept;
+    invcal_rests rests;
+    unsigned position; /* rests taken so far */
+    size_t i;
+} replay;
+
+static void begin_replay(replay *r, const turns *t, unsigned rate, const double *clip,
+                         const positions *p, const rejection *kept)
+{
+    *r = (replay){.t = t, .p = p, .kept = kept};
+    (void)invcal_rests_init(&r->rests, rate); /* it was accepted before */
+    if (clip) {
+        (void)invcal_rests_rails(&r->rests, (int32_t)nearbyint(clip[0] / t->unit),
+                                 (int32_t)nearbyint(clip[1] / t->unit));
+    }
+}
+
+/* Is the rest just taken the next position? A live stream that demands longer rests has fewer. */
+static int is_position(const replay *r)
+{
+    const double *mean = &r->p->mean[3 * (size_t)r->position];
+    invcal_rest rest;
+
+    if (r->position >= r->p->count || !invcal_rests_get(&r->rests, &rest)) {
+        return 0;
+    }
+    for (unsigned i = 0; i < 3; i++) {
+        const double x = (double)rest.sum[i] / rest.count * r->t->unit;
+        if (!(fabs(x - mean[i]) <= SAME_MEAN * fabs(x))) {
+            return 0;
+        }
+    }
+    return 1;
+}
+
+/* One sample, or the end. A rest that is left out ends no move: to that it is refused. */
+static invcal_event go_on(replay *r)
+{
+    const turns_sample *s = &r->t->sample[r->i];
+    const int is_end = r->i == r->t->samples;
+
+    if (!is_end && s->is_gap) {
+        invcal_rests_gap(&r->rests);
+    }
+    invcal_event event =
+        is_end ? invcal_rests_finish(&r->rests) : invcal_rests_feed(&r->rests, s->raw);
+    if (event == INVCAL_TAKEN) {
+        const int is_one = is_position(r);
+        event = is_one && is_kept(r->kept, r->position) ? INVCAL_TAKEN : INVCAL_REFUSED;
+        r->position += (unsigned)is_one;
+    }
+    r->i++;
+    return event;
+}
+
+/* Those that are kept, the last INVCAL_MAX_MOVES of them. */
+static void find_rests(gyro_fit *g, replay *r)
+{
+    while (r->i <= r->t->samples) {
+        invcal_rest rest;
+        const size_t now = r->i < r->t->samples ? r->i + 1 : r->i;
+        if (go_on(r) != INVCAL_TAKEN || !invcal_rests_get(&r->rests, &rest)) {
+            continue;
+        }
+        if (g->rests == INVCAL_MAX_MOVES) {
+            memmove(&g->rest[0], &g->rest[1], (INVCAL_MAX_MOVES - 1) * sizeof g->rest[0]);
+            g->rests--;
+            g->more++;
+        }
+        /* samples in a block that is not full are behind rests.time, and counted here */
+        const uint32_t behind = r->rests.time - rest.end;
+        const uint32_t length = rest.end - rest.begin;
+        const size_t end = now > behind ? now - behind : 1;
+        g->rest[g->rests++] = (gyro_rest){
+            .position = r->position - 1, .begin = end > length ? end - length : 0, .end = end};
+    }
+}
+
+/* The mean reading of a rest, input units; NaN without readings. */
+static void mean_of(const turns *t, long lag, const gyro_rest *rest, double mean[3])
+{
+    const long first = (long)t->sample[rest->begin].upto + lag;
+    const long last = (long)t->sample[rest->end - 1].upto + lag;
+
+    mean[0] = mean[1] = mean[2] = NUMBER_UNKNOWN;
+    if (first < 0 || last > (long)t->readings || last <= first) {
+        return;
+    }
+    mean[0] = mean[1] = mean[2] = 0;
+    for (long i = first; i < last; i++) {
+        for (unsigned k = 0; k < 3; k++) {
+            mean[k] += t->reading[i].x[k] / (double)(last - first);
+        }
+    }
+}
+
+/* The way up of each rest, and its mean reading, in input units for now. */
+static void fill_rests(gyro_fit *g, long lag, const positions *p, const invcal_calibration *start)
+{
+    for (unsigned i = 0; i < g->rests; i++) {
+        gyro_rest *rest = &g->rest[i];
+        invcal_apply(start, &p->mean[3 * (size_t)rest->position], rest->up);
+        const double length =
+            sqrt(rest->up[0] * rest->up[0] + rest->up[1] * rest->up[1] + rest->up[2] * rest->up[2]);
+        for (unsigned k = 0; k < 3; k++) {
+            rest->up[k] /= length;
+        }
+        mean_of(g->turns, lag, rest, rest->bias);
+    }
+}
+
+static int compare(const void *a, const void *b)
+{
+    const double x = *(const double *)a;
+    const double y = *(const double *)b;
+
+    return (x > y) - (x < y);
+}
+
+/* The middle one of all rests: one that is none does no harm. */
+static void usual_bias(const gyro_fit *g, double bias[3])
+{
+    double x[INVCAL_MAX_MOVES] = {0};
+
+    for (unsigned k = 0; k < 3; k++) {
+        unsigned n = 0;
+        for (unsigned i = 0; i < g->rests; i++) {
+            x[n] = g->rest[i].bias[k];
+            n += isfinite(x[n]) != 0;
+        }
+        qsort(x, n, sizeof x[0], compare);
+        bias[k] = n > 0 ? x[n / 2] : 0;
+    }
+}
+
+/* ---- unit and axes ------------------------------------------------------------------------------ */
+
+/* The mean square of readings about the bias. */
+static double mean_square(const turns *t, size_t first, size_t last, const double bias[3])
+{
+    double sum = 0;
+
+    for (size_t i = first; i < last; i++) {
+        for (unsigned k = 0; k < 3; k++) {
+            sum += pow(t->reading[i].x[k] - bias[k], 2);
+        }
+    }
+    return last > first ? sum / (double)(last - first) : 0;
+}
+
+static double median(double *x, unsigned n)
+{
+    qsort(x, n, sizeof x[0], compare);
+    return n > 0 ? x[n / 2] : 0;
+}
+
+/* In the rests, or between them: that of the middle one, as a single reading may be wrong. */
+static double square_at_rest(const gyro_fit *g, long lag, const double bias[3])
+{
+    double square[INVCAL_MAX_MOVES];
+
+    for (unsigned i = 0; i < g->rests; i++) {
+        const gyro_rest itself[2] = {{.end = g->rest[i].begin + 1}, {.begin = g->rest[i].end}};
+        size_t first;
+        size_t last;
+        gyro_between(g->turns, lag, itself, &first, &last);
+        square[i] = mean_square(g->turns, first, last, bias);
+    }
+    return median(square, g->rests);
+}
+
+/* Whether it reads much more between the rests than in them. */
+static int has_turned(const gyro_fit *g, long lag, const double bias[3])
+{
+    double square[INVCAL_MAX_MOVES];
+
+    for (unsigned i = 0; i + 1 < g->rests; i++) {
+        size_t first;
+        size_t last;
+        gyro_between(g->turns, lag, &g->rest[i], &first, &last);
+        square[i] = mean_square(g->turns, first, last, bias);
+    }
+    return median(square, g->rests - 1) > MOVED * square_at_rest(g, lag, bias);
+}
+
+/* A gyroscope axis that reads nothing, though the accelerometer saw turns about it. */
+static int find_dead(const gyro_fit *g, long lag, const double bias[3])
+{
+    double turned[3] = {0};
+    double seen[3] = {0};
+
+    for (unsigned i = 0; i + 1 < g->rests; i++) {
+        const double *a = g->rest[i].up;
+        const double *b = g->rest[i + 1].up;
+        size_t first;
+        size_t last;
+        gyro_between(g->turns, lag, &g->rest[i], &first, &last);
+        double all = 0;
+        double square[3];
+        for (unsigned k = 0; k < 3; k++) {
+            const unsigned m = (k + 1) % 3;
+            const unsigned n = (k + 2) % 3;
+            double sum = 0;
+            for (size_t j = first; j < last; j++) {
+                sum += g->turns->reading[j].x[k] - bias[k];
+            }
+            square[k] = sum * sum;
+            all += square[k];
+            seen[k] += pow(a[m] * b[n] - a[n] * b[m], 2);
+        }
+        for (unsigned k = 0; k < 3 && all > 0; k++) { /* each move alike, as one may be wrong */
+            turned[k] += square[k] / all;
+        }
+    }
+    for (unsigned k = 0; k < 3; k++) {
+        if (turned[k] <= NEVER * (turned[0] + turned[1] + turned[2]) &&
+            seen[k] > TURNED * (seen[0] + seen[1] + seen[2])) {
+            return (int)k;
+        }
+    }
+    return -1;
+}
+
+static int is_near(double a, double b, double times)
+{
+    return a < b * times && b < a * times;
+}
+
+static double name_unit(double turn)
+{
+    static const double units[] = {1, UNIT_DEGREE, 1e-3, 1e-3 * UNIT_DEGREE};
+
+    for (unsigned i = 0; i < 4; i++) {
+        if (is_near(turn, units[i], NEAR_UNIT)) {
+            return units[i];
+        }
+    }
+    return 0;
+}
+
+/* What a unit is: stated, or told by the moves. Returns 0 if these contradict. */
+static int settle_unit(gyro_fit *g, const gyro_wish *wish, const gyro_guess *guess)
+{
+    const double header = g->turns->turn;
+    const double named = guess->moves < 2 ? 0 : name_unit(guess->turn);
+    const int is_stated = wish->turn > 0 || header > 0;
+
+    g->turn = wish->turn > 0 ? wish->turn : header;
+    g->turn_from = wish->turn > 0 ? UNIT_FROM_OPTION : UNIT_FROM_HEADER;
+    if (!is_stated) {
+        g->is_counts = !(named > 0) || is_whole(g->turns);
+        g->turn = g->is_counts ? guess->turn : named;
+        g->turn_from = UNIT_FROM_SIZE;
+        return 1;
+    }
+    if (guess->moves < 2 || !guess->is_clear || is_near(guess->turn, g->turn, SAME_UNIT)) {
+        return 1;
+    }
+    refuse(g, "unit",
+           "the gyroscope's readings are stated in %s (%.6g rad/s), but the accelerometer "
+           "saw turns of %.3g times that",
+           wish->turn > 0 ? "--gyro-lsb" : unit_turn_words(header), g->turn, guess->turn / g->turn);
+    if (named > 0) {
+        advise(g, "they are in %s: --gyro-lsb %s", unit_turn_words(named),
+               fabs(named - 1) < 1e-9             ? "rad/s"
+               : fabs(named - UNIT_DEGREE) < 1e-9 ? "deg/s"
+               : named < 1e-4                     ? "0.001"
+                                                  : "0.0572958");
+    } else {
+        advise(g, "--gyro-lsb %.3g says so, in degrees/s", guess->turn / UNIT_DEGREE);
+    }
+    return 0;
+}
+
+static int check_axes(gyro_fit *g, const gyro_wish *wish, const gyro_guess *guess)
+{
+    int8_t axes[3];
+    axes_text text;
+
+    if (!(guess->misfit < FITS)) {
+        refuse(g, "apart",
+               "the gyroscope turned otherwise than the accelerometer saw, by %.2g degrees "
+               "in a move, whichever way its axes are",
+               guess->misfit / UNIT_DEGREE);
+        advise(
+            g,
+            "look whether both are of one device and one clock, and whether readings are clipped "
+            "or lost");
+        return 0;
+    }
+    if (guess->axes[0] == 1 && guess->axes[1] == 2 && guess->axes[2] == 3) {
+        return 1;
+    }
+    for (unsigned i = 0; i < 3; i++) {
+        const int8_t stated = wish->axes[abs(guess->axes[i]) - 1];
+        axes[i] = (int8_t)(guess->axes[i] < 0 ? -stated : stated);
+    }
+    refuse(g, "axes",
+           "the gyroscope's axes are not the accelerometer's: about x, y and z of that turn "
+           "its %s",
+           axes_words(axes, text));
+    advise(g, "--gyro-axes %s takes them so; or mend it where they are read", text);
+    return 0;
+}
+
+/* Returns 0 if the moves are refused. */
+static int find_unit_and_axes(gyro_fit *g, const gyro_wish *wish, long lag, const double bias[3])
+{
+    gyro_guess guess = {0};
+
+    memcpy(g->axes, wish->axes, sizeof g->axes);
+    if (!has_turned(g, lag, bias)) {
+        refuse(g, "too few", "the gyroscope reads no turns between the rests");
+        advise(g, "record without a break from rest to rest, the moves too");
+        return 0;
+    }
+    const int dead = find_dead(g, lag, bias);
+    if (dead >= 0) {
+        refuse(g, "stuck",
+               "the gyroscope's %c reads nothing in moves that turned the device about all "
+               "axes",
+               "xyz"[dead]);
+        advise(g, "look whether that axis is read, and record again");
+        return 0;
+    }
+    const int is_told = gyro_search(g->turns, lag, g->rest, g->rests, bias, g->axes, &guess);
+    if (!settle_unit(g, wish, &guess)) {
+        return 0;
+    }
+    if (!(g->turn > 0)) {
+        refuse(
+            g, "too few",
+            "no moves between rests, none of their samples lost, tell what a unit of the gyroscope "
+            "is");
+        advise(g, "turn to other sides, each within ten seconds; or state --gyro-lsb");
+        return 0;
+    }
+    return !is_told || check_axes(g, wish, &guess);
+}
+
+/* ---- solution ----------------------------------------------------------------------------------- */
+
+static int32_t count_of(double value, double unit)
+{
+    return (int32_t)fmax(INT32_MIN, fmin(INT32_MAX, nearbyint(value / unit)));
+}
+
+/* The ends of the range, as counts of all axes: where they differ the nearest counts, so that none is missed. */
+static void set_rails(const gyro_fit *g, double unit)
+{
+    double low = -HUGE_VAL;
+    double high = HUGE_VAL;
+
+    for (unsigned k = 0; k < 3; k++) {
+        const int of = abs(g->axes[k]) - 1;
+        const double sign = g->axes[k] < 0 ? -1 : 1;
+        for (unsigned side = 0; side < 2; side++) {
+            const double rail = sign * g->rail[side][of];
+            if (!isnan(rail) && (sign < 0) != (side == 0)) {
+                low = fmax(low, rail);
+            } else if (!isnan(rail)) {
+                high = fmin(high, rail);
+            }
+        }
+    }
+    if (low < high) {
+        (void)invcal_moves_rails(&moves, low > -HUGE_VAL ? count_of(low, unit) : INT32_MIN,
+                                 high < HUGE_VAL ? count_of(high, unit) : INT32_MAX);
+    }
+}
+
+static void feed(const gyro_fit *g, const turns_reading *r, double unit)
+{
+    double x[3];
+    int32_t raw[3];
+
+    if (r->is_gap) {
+        invcal_moves_gap(&moves);
+    }
+    gyro_axes(g->axes, r->x, x);
+    for (unsigned k = 0; k < 3; k++) {
+        raw[k] = count_of(x[k], unit);
+    }
+    invcal_moves_feed(&moves, raw);
+}
+
+/* All moves once more, now as the library keeps them. */
+static invcal_status make_moves(gyro_fit *g, replay *r, long lag, const double bias[3], double unit)
+{
+    invcal_calibration nominal = {.offset = {0}};
+    const turns *t = g->turns;
+    size_t next = 0;
+    double zero[3];
+
+    gyro_axes(g->axes, bias, zero);
+    for (unsigned k = 0; k < 3; k++) {
+        nominal.offset[k] = zero[k] / unit;
+        nominal.matrix[k][k] = g->turn * unit;
+    }
+    const invcal_status status = invcal_moves_init(&moves, &nominal, t->rate);
+    if (status != INVCAL_OK) {
+        return status;
+    }
+    set_rails(g, unit);
+    while (r->i <= t->samples) {
+        const long upto = r->i < t->samples ? (long)t->sample[r->i].upto + lag : 0;
+        while ((long)next < upto && next < t->readings) {
+            feed(g, &t->reading[next++], unit);
+        }
+        invcal_moves_follow(&moves, &r->rests, go_on(r));
+    }
+    return INVCAL_OK;
+}
+
+static void say_open(gyro_fit *g)
+{
+    char list[GYRO_TEXT_MAX / 2] = "";
+
+    for (unsigned p = 0; p < INVCAL_IMU_PARAMETERS; p++) {
+        if (g->imu.open >> p & 1) {
+            const size_t length = strlen(list);
+            snprintf(list + length, sizeof list - length, "%s%s", length > 0 ? ", " : "",
+                     invcal_imu_parameter_name(p));
+        }
+    }
+    refuse(g, "undetermined", "the moves leave parameters undetermined: %s", list);
+    advise(g, "turn about each of the three axes: twelve quarter turns between the six faces tell "
+              "everything");
+}
+
+/* How many moves are of no use, by their reasons. */
+static void add_reasons(gyro_fit *g)
+{
+    for (unsigned i = 0; i < g->moves; i++) {
+        unsigned alike = 0;
+        int is_first = 1;
+        for (unsigned k = 0; k < g->moves; k++) {
+            alike += g->move[k].why == g->move[i].why;
+            is_first = is_first && (k >= i || g->move[k].why != g->move[i].why);
+        }
+        if (is_first && g->move[i].why != INVCAL_OK) {
+            const size_t length = strlen(g->reason);
+            snprintf(g->reason + length, sizeof g->reason - length, "; %u: %s", alike,
+                     gyro_reason(g->move[i].why));
+        }
+    }
+}
+
+static void say_status(gyro_fit *g, invcal_status status)
+{
+    switch (status) {
+    case INVCAL_TOO_FEW:
+        refuse(g, "too few", "%u move%s between rests %s too few", g->moves,
+               g->moves == 1 ? "" : "s", g->moves == 1 ? "is" : "are");
+        add_reasons(g);
+        advise(g, "turn from rest to rest within ten seconds, about each of the three axes: twelve "
+                  "quarter turns between the six faces tell everything");
+        break;
+    case INVCAL_UNDETERMINED:
+        say_open(g);
+        break;
+    default:
+        refuse(g, "apart", "%s", invcal_status_text(status));
+        advise(g, "look whether both are of one device and one clock, and whether readings are "
+                  "clipped or lost");
+        break;
+    }
+}
+
+/* Which move led to which rest, and whether it counts. moves.rest and g->rest end with the same. */
+static void list_moves(gyro_fit *g)
+{
+    const unsigned first = g->rests - moves.count;
+
+    g->moves = 0;
+    for (unsigned i = 1; i < moves.count && g->rests >= moves.count; i++) {
+        gyro_move *m = &g->move[g->moves++];
+        *m = (gyro_move){.to = first + i, .residual = NUMBER_UNKNOWN};
+        m->why = invcal_moves_reason(&moves, i);
+        if (m->why == INVCAL_OK && (g->imu.left_out >> i & 1)) {
+            m->why = INVCAL_MOVE_APART;
+        } else if (m->why == INVCAL_OK && (g->imu.idle >> i & 1)) {
+            m->why = INVCAL_REST_SAME;
+        }
+    }
+}
+
+/* In the raw axes of the gyroscope, per input unit. */
+static void finish(gyro_fit *g, double unit)
+{
+    const invcal_calibration *c = &g->imu.gyro;
+
+    for (unsigned k = 0; k < 3; k++) {
+        const unsigned of = (unsigned)abs(g->axes[k]) - 1;
+        const double sign = g->axes[k] < 0 ? -1 : 1;
+        g->calibration.offset[of] = sign * c->offset[k] * unit;
+        for (unsigned i = 0; i < 3; i++) {
+            g->calibration.matrix[i][of] = sign * c->matrix[i][k] / unit;
+        }
+    }
+    g->interval = invcal_coverage(g->imu.dof);
+}
+
+/* The means of the rests of g, as invcal_imu_solve wants them, and the solution. */
+static invcal_status solve(gyro_fit *g, const positions *p, const invcal_calibration *start)
+{
+    double raw[3 * INVCAL_MAX_MOVES];
+
+    for (unsigned i = 0; i < g->rests; i++) {
+        memcpy(&raw[3 * (size_t)i], &p->mean[3 * (size_t)g->rest[i].position], 3 * sizeof *raw);
+    }
+    return invcal_imu_solve(raw, g->rests, start, &moves, NULL, &g->imu);
+}
+
+/* How late readings are: only if rests are quieter then. Rests and bias are filled in accordingly. */
+static long find_lag(gyro_fit *g, const positions *p, const invcal_calibration *start,
+                     double bias[3])
+{
+    long lag = gyro_lag(g->turns);
+
+    fill_rests(g, 0, p, start);
+    usual_bias(g, bias);
+    if (lag != 0 && square_at_rest(g, 0, bias) > MOVED * square_at_rest(g, lag, bias)) {
+        fill_rests(g, lag, p, start);
+        usual_bias(g, bias);
+        return lag;
+    }
+    return 0;
+}
+
+int gyro_make(gyro_fit *g, const turns *t, const gyro_wish *wish, unsigned rate, const double *clip,
+              const positions *p, const rejection *kept, const invcal_calibration *start)
+{
+    static replay r; /* too large for the stack */
+    gyro_wish asked = *wish;
+    double bias[3];
+
+    *g = (gyro_fit){.is_there = t->readings > 0, .turns = t};
+    for (int8_t i = 0; i < 3 && wish->axes[0] == 0; i++) {
+        asked.axes[i] = (int8_t)(i + 1);
+    }
+    if (!g->is_there || !check_readings(g)) {
+        return EXIT_GOOD;
+    }
+    const double unit = find_count(t);
+    begin_replay(&r, t, rate, clip, p, kept);
+    find_rests(g, &r);
+    const long lag = find_lag(g, p, start, bias);
+    g->lag = (double)lag / t->rate;
+    if (g->rests < FEW_RESTS) {
+        say_status(g, INVCAL_TOO_FEW);
+        return EXIT_GOOD;
+    }
+    if (!find_unit_and_axes(g, &asked, lag, bias)) {
+        return EXIT_GOOD;
+    }
+    begin_replay(&r, t, rate, clip, p, kept);
+    invcal_status status = make_moves(g, &r, lag, bias, unit);
+    status = status == INVCAL_OK ? solve(g, p, start) : status;
+    list_moves(g);
+    if (status != INVCAL_OK) {
+        say_status(g, status);
+        return EXIT_GOOD;
+    }
+    finish(g, unit);
+    gyro_measure(g, lag, p);
+    return EXIT_GOOD;
+}

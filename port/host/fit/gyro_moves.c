@@ -1,0 +1,229 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * What each move leaves, sample by sample: the library keeps segments, and tells the worst move alone.
+ */
+#include <math.h>
+#include <string.h>
+
+#include "fit/gyro.h"
+
+#define LEAST_RANGE 2.0 /* K */
+#define LEAST_RESTS 6u
+
+static double dot(const double a[3], const double b[3])
+{
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+static void cross(const double a[3], const double b[3], double out[3])
+{
+    for (unsigned i = 0; i < 3; i++) {
+        out[i] = a[(i + 1) % 3] * b[(i + 2) % 3] - a[(i + 2) % 3] * b[(i + 1) % 3];
+    }
+}
+
+/* C <- C exp([th x]), by rows. */
+static void turn_by(double c[3][3], const double th[3])
+{
+    const double x = sqrt(dot(th, th));
+    const double s = x > 1e-6 ? sin(x) / x : 1;
+    const double k = x > 1e-6 ? (1 - cos(x)) / (x * x) : 0.5;
+
+    for (unsigned i = 0; i < 3; i++) {
+        double a[3];
+        double b[3];
+        cross(c[i], th, a);
+        cross(a, th, b);
+        for (unsigned j = 0; j < 3; j++) {
+            c[i][j] += s * a[j] + k * b[j];
+        }
+    }
+}
+
+/* The acceleration over the field that a sample shows. */
+static void felt(const gyro_fit *g, size_t number, double out[3])
+{
+    const turns *t = g->turns;
+    double raw[3];
+
+    for (unsigned k = 0; k < 3; k++) {
+        raw[k] = t->sample[number].raw[k] * t->unit;
+    }
+    invcal_apply(&g->imu.accelerometer, raw, out);
+}
+
+/* The bias: the mean of both rests, and what acceleration makes of it beyond theirs. */
+static void bias_at(const gyro_fit *g, const gyro_rest *rest, const double f[3], double out[3])
+{
+    for (unsigned i = 0; i < 3; i++) {
+        out[i] = (rest[0].bias[i] + rest[1].bias[i]) / 2;
+        for (unsigned k = 0; k < 3 && g->imu.g_is_used; k++) {
+            out[i] += g->imu.slope[i][k] * (f[k] - (rest[0].up[k] + rest[1].up[k]) / 2);
+        }
+    }
+}
+
+/* C of the whole move, and the angle that it turned. */
+static void integrate(const gyro_fit *g, long lag, const gyro_rest *rest, double c[3][3],
+                      double *angle)
+{
+    const turns *t = g->turns;
+    size_t next;
+    size_t last;
+
+    gyro_between(t, lag, rest, &next, &last);
+    for (size_t i = rest[0].end; i < rest[1].begin; i++) {
+        double f[3];
+        double bias[3];
+        felt(g, i, f);
+        bias_at(g, rest, f, bias);
+        for (; next < last && (long)next < (long)t->sample[i].upto + lag; next++) {
+            double u[3];
+            double th[3];
+            gyro_axes(g->axes, t->reading[next].x, u);
+            for (unsigned k = 0; k < 3; k++) {
+                u[k] = (g->turn * u[k] - bias[k]) / t->rate;
+            }
+            for (unsigned k = 0; k < 3; k++) {
+                th[k] = dot(&g->imu.parameter[3 * (size_t)k], u);
+            }
+            turn_by(c, th);
+            *angle += sqrt(dot(th, th));
+        }
+    }
+}
+
+/* Between the way up at the end, turned back, and that at the beginning. */
+static double residual(const double (*c)[3], const gyro_rest *rest)
+{
+    double a[3];
+    double y[3];
+
+    for (unsigned i = 0; i < 3; i++) {
+        a[i] = dot(c[i], rest[1].up);
+    }
+    cross(a, rest[0].up, y);
+    return atan2(sqrt(dot(y, y)), dot(a, rest[0].up));
+}
+
+/* Of the readings at rest, about their mean: the density, rad/s/sqrt(Hz). */
+static double density(const gyro_fit *g, long lag)
+{
+    const turns *t = g->turns;
+    double least = HUGE_VAL;
+
+    for (unsigned i = 0; i < g->rests; i++) {
+        double square = 0;
+        size_t n = 0;
+        for (size_t k = g->rest[i].begin; k < g->rest[i].end; k++) {
+            const long at = (long)t->sample[k].upto + lag - 1;
+            for (unsigned j = 0; j < 3 && at >= 0 && at < (long)t->readings; j++, n++) {
+                double x[3];
+                gyro_axes(g->axes, t->reading[at].x, x);
+                square += pow(g->turn * x[j] - g->rest[i].bias[j], 2);
+            }
+        }
+        least = n > 30 && isfinite(square) ? fmin(least, square / (double)n / t->rate) : least;
+    }
+    return least < HUGE_VAL ? sqrt(least) : 0;
+}
+
+/* What the parts of a move's error come to, rad on an axis. */
+static void find_parts(gyro_fit *g, long lag)
+{
+    double seconds = 0;
+    double change = 0;
+    unsigned count = 0;
+
+    for (unsigned i = 0; i < g->moves; i++) {
+        const gyro_rest *rest = &g->rest[g->move[i].to];
+        double middle[3];
+        double half[3];
+        if (g->move[i].why != INVCAL_OK || !isfinite(rest->bias[0] + rest[-1].bias[0])) {
+            continue;
+        }
+        bias_at(g, rest - 1, rest->up, half); /* what orientation explains is no wander */
+        bias_at(g, rest - 1, rest[-1].up, middle);
+        for (unsigned k = 0; k < 3; k++) {
+            change += pow(rest->bias[k] - rest[-1].bias[k] - (half[k] - middle[k]), 2) / 3;
+        }
+        seconds += g->move[i].seconds;
+        count++;
+    }
+    if (count > 0) {
+        const double time = seconds / count;
+        g->part[GYRO_PART_RESTS] = sqrt(2) * g->imu.noise;
+        g->part[GYRO_PART_NOISE] = density(g, lag) * sqrt(time);
+        g->part[GYRO_PART_BIAS] = sqrt(change / count) / 2 * time;
+    }
+}
+
+/* A straight line through the bias against temperature, axis by axis. */
+static void find_thermal(gyro_fit *g, const positions *p)
+{
+    double least = HUGE_VAL;
+    double most = -HUGE_VAL;
+
+    for (unsigned i = 0; i < g->rests && p->has_temperature; i++) {
+        least = fmin(least, p->origin[g->rest[i].position].temperature);
+        most = fmax(most, p->origin[g->rest[i].position].temperature);
+    }
+    if (!(most - least >= LEAST_RANGE) || g->rests < LEAST_RESTS) {
+        return;
+    }
+    g->range = most - least;
+    for (unsigned axis = 0; axis < 3; axis++) {
+        double n = 0;
+        double sum[5] = {0}; /* t, b, tt, tb, bb */
+        for (unsigned i = 0; i < g->rests; i++) {
+            const gyro_rest *rest = &g->rest[i];
+            const double t = p->origin[rest->position].temperature - least;
+            const double level = g->imu.g_is_used ? dot(g->imu.slope[axis], rest->up) : 0;
+            const double b = rest->bias[axis] - g->rest[g->rests - 1].bias[axis] - level;
+            if (isfinite(t + b)) {
+                n++;
+                sum[0] += t;
+                sum[1] += b;
+                sum[2] += t * t;
+                sum[3] += t * b;
+                sum[4] += b * b;
+            }
+        }
+        const double tt = sum[2] - sum[0] * sum[0] / n;
+        const double tb = sum[3] - sum[0] * sum[1] / n;
+        const double rest = sum[4] - sum[1] * sum[1] / n - tb * tb / tt;
+        g->thermal[axis] = tb / tt;
+        g->thermal_sigma[axis] = sqrt(fmax(0, rest) / (n - 2) / tt);
+    }
+}
+
+void gyro_measure(gyro_fit *g, long lag, const positions *p)
+{
+    for (unsigned i = 0; i < g->rests; i++) {
+        gyro_rest *rest = &g->rest[i];
+        double x[3];
+        gyro_axes(g->axes, rest->bias, x);
+        for (unsigned k = 0; k < 3; k++) {
+            rest->bias[k] = g->turn * x[k];
+        }
+        invcal_apply(&g->imu.accelerometer, &p->mean[3 * (size_t)rest->position], rest->up);
+        const double length = sqrt(dot(rest->up, rest->up));
+        for (unsigned k = 0; k < 3; k++) {
+            rest->up[k] /= length;
+        }
+    }
+    for (unsigned i = 0; i < g->moves; i++) {
+        gyro_move *m = &g->move[i];
+        const gyro_rest *rest = &g->rest[m->to - 1];
+        double c[3][3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+        size_t first;
+        size_t last;
+        gyro_between(g->turns, lag, rest, &first, &last);
+        m->seconds = last > first ? (double)(last - first) / g->turns->rate : 0;
+        m->angle = 0;
+        integrate(g, lag, rest, c, &m->angle);
+        m->residual = residual((const double(*)[3])c, rest);
+    }
+    find_parts(g, lag);
+    find_thermal(g, p);
+}

@@ -1,0 +1,335 @@
+/* SPDX-License-Identifier: MIT */
+#include "plan/turns.h"
+
+#include <float.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "cli/command.h"
+#include "cli/message.h"
+#include "invcal/expert.h"
+#include "maths/eigen.h"
+
+#define NO_RANK 1e-9 /* of the largest eigenvalue */
+#define IMPROVED 1.1 /* sigma before over sigma after: less is not worth a word */
+#define TOKEN_MAX 32
+#define LEAST_DEGREES 1.0
+#define MOST_DEGREES 720.0
+
+enum { ALL = INVCAL_IMU_PARAMETERS, NAMED = 2 };
+
+/* ---- programs ----------------------------------------------------------------------------------- */
+
+/* Nine quarter turns over all six faces, and a full turn about each axis. */
+static const char faces[] = "+z,x:360,y:360,+x,z:360,+y,+z,-x,+y,-z,+x,-y,-z";
+
+static int usage(const char *program, const char *what)
+{
+    return message_usage("plan", "--moves %s: %s", program, what);
+}
+
+static int append(turns_plan *p, const invcal_turn *turn)
+{
+    if (p->count == TURNS_MAX) {
+        return message_usage("plan", "--moves %s: more than %u turns; a device keeps %u rests",
+                             p->program, TURNS_MAX, (unsigned)INVCAL_MAX_MOVES);
+    }
+    p->step[p->count++].turn = *turn;
+    return EXIT_GOOD;
+}
+
+static int make_tour(turns_plan *p, unsigned turns)
+{
+    invcal_turn turn;
+
+    for (unsigned i = 0; i < turns; i++) {
+        (void)invcal_tour(i, &turn);
+        (void)append(p, &turn);
+    }
+    return EXIT_GOOD;
+}
+
+/* The tour, and the same way back. */
+static int make_return(turns_plan *p)
+{
+    (void)make_tour(p, INVCAL_TOUR);
+    for (unsigned i = INVCAL_TOUR; i > 0; i--) {
+        const invcal_real *to = i > 1 ? p->step[i - 2].turn.up : p->start;
+        invcal_turn turn;
+        (void)invcal_turn_to(p->step[i - 1].turn.up, to, &turn);
+        (void)append(p, &turn);
+    }
+    return EXIT_GOOD;
+}
+
+static void begin_sums(const turns_plan *p, invcal_turns *turns)
+{
+    const turns_request *r = &p->asked;
+    const invcal_imu_settings settings = {
+        .noise = r->noise, .rate_noise = r->rate_noise, .instability = r->instability};
+
+    (void)invcal_turns_begin(turns, p->start, &settings); /* noise and direction are checked */
+    turns->seconds = r->turn;
+}
+
+/* greedyN: N turns, each that which tells most. */
+static int make_greedy(turns_plan *p, const char *number)
+{
+    const size_t digits = strspn(number, "0123456789");
+    const unsigned long turns = strtoul(number, NULL, 10);
+    invcal_turns sums;
+    invcal_turn turn;
+
+    if (digits == 0 || digits > 2 || number[digits] != '\0' || turns < 1 || turns > TURNS_MAX) {
+        return message_usage("plan", "--moves %s: greedy12 and the like, of 1 to %u turns",
+                             p->program, TURNS_MAX);
+    }
+    begin_sums(p, &sums);
+    for (unsigned long i = 0; i < turns; i++) {
+        invcal_turns_next(&sums, &turn);
+        (void)invcal_turns_add(&sums, &turn);
+        (void)append(p, &turn);
+    }
+    return EXIT_GOOD;
+}
+
+/* ---- lists -------------------------------------------------------------------------------------- */
+
+/* "+x", "+x-y", "-x-y+z": a direction. Returns 0 if it is none. */
+static int read_up(const char *word, invcal_real up[3])
+{
+    double squares = 0;
+
+    memset(up, 0, 3 * sizeof *up);
+    while (*word != '\0') {
+        if ((*word != '+' && *word != '-') || word[1] < 'x' || word[1] > 'z') {
+            return 0;
+        }
+        const unsigned axis = (unsigned)(word[1] - 'x');
+        if (up[axis] * up[axis] > 0) {
+            return 0;
+        }
+        up[axis] = *word == '+' ? 1 : -1;
+        squares++;
+        word += 2;
+    }
+    for (unsigned i = 0; i < 3 && squares > 0; i++) {
+        up[i] /= sqrt(squares);
+    }
+    return squares > 0;
+}
+
+/* "x:360", "-y:90": a turn. Returns 0 if it is none. */
+static int read_turn(const char *word, invcal_turn *turn)
+{
+    const int is_back = *word == '-';
+    char *end;
+
+    *turn = (invcal_turn){{0, 0, 0}, 0, {0, 0, 0}};
+    word += *word == '+' || *word == '-';
+    if (*word < 'x' || *word > 'z' || word[1] != ':' || strchr("0123456789", word[2]) == NULL) {
+        return 0;
+    }
+    turn->axis[*word - 'x'] = is_back ? -1 : 1;
+    turn->degrees = strtod(word + 2, &end);
+    return *end == '\0' && turn->degrees >= LEAST_DEGREES && turn->degrees <= MOST_DEGREES;
+}
+
+static int add_word(turns_plan *p, const char *word, invcal_real up[3])
+{
+    invcal_real to[3];
+    invcal_turn turn;
+
+    if (read_up(word, to)) {
+        if (invcal_turn_to(up, to, &turn) != INVCAL_OK) {
+            return message_usage("plan",
+                                 "--moves %s: '%s' is up already, or down: a turn to it has no "
+                                 "shortest way; name an axis, for example x:180",
+                                 p->program, word);
+        }
+    } else if (read_turn(word, &turn)) {
+        invcal_turns sums;
+        (void)invcal_turns_begin(&sums, up, NULL); /* for what is up after it */
+        (void)invcal_turns_add(&sums, &turn);
+        memcpy(turn.up, sums.up, sizeof turn.up);
+    } else {
+        return message_usage("plan",
+                             "--moves %s: '%s' is no program (" TURNS_PROGRAMS
+                             "), no direction (+x, +x-y, +x-y+z), and no turn (x:360, 1 to 720 "
+                             "degrees)",
+                             p->program, word);
+    }
+    memcpy(up, turn.up, sizeof turn.up);
+    return append(p, &turn);
+}
+
+/* Words with commas between; a direction in front is where it begins, else z is up. */
+static int make_list(turns_plan *p, const char *list)
+{
+    invcal_real up[3] = {0, 0, 1};
+    invcal_real first[3];
+    char word[TOKEN_MAX];
+    int failure = EXIT_GOOD;
+    int is_first = 1;
+
+    do {
+        const size_t length = strcspn(list, ",");
+        snprintf(word, sizeof word, "%.*s", (int)(length < TOKEN_MAX ? length : TOKEN_MAX - 1),
+                 list);
+        list += length;
+        if (is_first && read_up(word, first)) {
+            memcpy(up, first, sizeof up);
+            memcpy(p->start, first, sizeof p->start);
+        } else {
+            failure = add_word(p, word, up);
+        }
+        is_first = 0;
+    } while (!failure && *list++ == ',');
+    if (!failure && p->count == 0) {
+        return usage(p->program, "one rest and no turn tell nothing of a gyroscope");
+    }
+    return failure;
+}
+
+static int make(turns_plan *p, const char *word)
+{
+    if (strcmp(word, "tour12") == 0) {
+        return make_tour(p, INVCAL_TOUR);
+    }
+    if (strcmp(word, "tour16") == 0) {
+        return make_tour(p, INVCAL_TOUR_FULL);
+    }
+    if (strcmp(word, "tour24") == 0) {
+        return make_return(p);
+    }
+    if (strncmp(word, "greedy", 6) == 0) {
+        return make_greedy(p, word + 6);
+    }
+    return make_list(p, strcmp(word, "faces") == 0 ? faces : word);
+}
+
+/* ---- what it determines ------------------------------------------------------------------------- */
+
+static unsigned bits_in(unsigned bits)
+{
+    unsigned count = 0;
+
+    for (; bits; bits &= bits - 1) {
+        count++;
+    }
+    return count;
+}
+
+/* The parameters whose sigma falls most. */
+static unsigned find_improved(const double before[ALL], const double after[ALL])
+{
+    unsigned improved = 0;
+
+    for (unsigned k = 0; k < NAMED; k++) {
+        double best = IMPROVED;
+        unsigned which = ALL;
+        for (unsigned i = 0; i < ALL; i++) {
+            if (!(improved >> i & 1u) && before[i] > best * (1 + 1e-6) * after[i]) {
+                best = before[i] / after[i];
+                which = i;
+            }
+        }
+        improved |= which < ALL ? 1u << which : 0;
+    }
+    return improved;
+}
+
+static double turn_seconds(const turns_plan *p, unsigned n)
+{
+    return p->asked.turn * fmax(1, fabs(p->step[n].turn.degrees) / 90);
+}
+
+static void find_spectrum(turns_plan *p, const invcal_turns *sums)
+{
+    double value[ALL];
+    double most = 0;
+    double least = HUGE_VAL;
+
+    eigenvalues(sums->sum, ALL, value);
+    for (unsigned i = 0; i < ALL; i++) {
+        most = fmax(most, value[i]);
+        least = fmin(least, value[i]);
+    }
+    for (unsigned i = 0; i < ALL; i++) {
+        p->rank += value[i] > NO_RANK * most;
+    }
+    p->condition = most / least;
+}
+
+static void say_refusal(turns_plan *p)
+{
+    char list[TURNS_LIST_MAX];
+    char words[TURNS_WORDS_MAX];
+    const invcal_real *up = p->count > 0 ? p->step[p->count - 1].turn.up : p->start;
+
+    snprintf(p->refusal, sizeof p->refusal,
+             "%u turn%s determine%s %u of 18 parameters; open: %.700s. Turn next: %s", p->count,
+             p->count == 1 ? "" : "s", p->count == 1 ? "s" : "", p->rank,
+             turns_parameters(p->open, list), turns_words(&p->next, up, words));
+}
+
+static void judge(turns_plan *p)
+{
+    double sigma[2][ALL];
+    uint32_t open;
+    invcal_turns sums;
+    invcal_status status = INVCAL_UNDETERMINED;
+
+    begin_sums(p, &sums);
+    (void)invcal_turns_sigma(&sums, NULL, sigma[0], &open);
+    p->seconds = p->asked.rest * (p->count + 1);
+    for (unsigned i = 0; i < p->count; i++) {
+        turns_step *step = &p->step[i];
+        (void)invcal_turns_add(&sums, &step->turn); /* its axis and degrees are checked */
+        status = invcal_turns_sigma(&sums, NULL, sigma[1], &open);
+        step->open = status == INVCAL_OK ? 0 : bits_in(open);
+        step->improves = find_improved(sigma[0], sigma[1]);
+        memcpy(sigma[0], sigma[1], sizeof sigma[0]);
+        p->seconds += turn_seconds(p, i);
+    }
+    p->is_determined = status == INVCAL_OK;
+    p->open = open;
+    memcpy(p->sigma, sigma[1], sizeof p->sigma);
+    find_spectrum(p, &sums);
+    invcal_turns_next(&sums, &p->next);
+}
+
+/* A move that is too long is refused when it is made. */
+static int check_time(const turns_plan *p)
+{
+    for (unsigned i = 0; i < p->count; i++) {
+        if (turn_seconds(p, i) > TURNS_LONGEST) {
+            return message_usage(
+                "plan",
+                "--move %g: turn %u of %s would take %.3g s; after %g s the bias is no "
+                "longer known: turn faster",
+                p->asked.turn, i + 1, p->program, turn_seconds(p, i), TURNS_LONGEST);
+        }
+    }
+    return EXIT_GOOD;
+}
+
+int turns_make(turns_plan *p, const char *word, const turns_request *request)
+{
+    memset(p, 0, sizeof *p);
+    p->program = word;
+    p->asked = *request;
+    p->start[2] = 1;
+    int failure = make(p, word);
+    failure = failure ? failure : check_time(p);
+    if (failure) {
+        return failure;
+    }
+    judge(p);
+    if (!p->is_determined) {
+        say_refusal(p);
+        return EXIT_DATA;
+    }
+    return EXIT_GOOD;
+}

@@ -1,0 +1,78 @@
+/* SPDX-License-Identifier: MIT */
+#include "plan/turns.h"
+#include "plan/words.h"
+#include "text/figure.h"
+#include "text/tabular.h"
+#include "text/wrapped.h"
+
+static void print_turns(FILE *file, const turns_plan *p)
+{
+    const invcal_real *up = p->start;
+    char words[TURNS_WORDS_MAX];
+    char improved[TURNS_LIST_MAX];
+    char side[TURNS_UP_MAX];
+
+    wrapped_printf(file, 0,
+                   "Begin with %s. Then, always the shortest way:", turns_up_words(up, side));
+    tabular_begin(file, "rlrl");
+    tabular_heading("no.|turn|open|improves");
+    for (unsigned i = 0; i < p->count; i++) {
+        const turns_step *step = &p->step[i];
+        tabular_cell("%u", i + 1);
+        tabular_cell("%s", turns_words(&step->turn, up, words));
+        tabular_cell("%u", step->open);
+        tabular_cell("%s", turns_parameters(step->improves, improved));
+        tabular_row();
+        up = step->turn.up;
+    }
+    tabular_end();
+    putc('\n', file);
+}
+
+static void print_sigma(FILE *file, const turns_plan *p)
+{
+    const turns_request *r = &p->asked;
+    const told_unit field = told_field(r->told, 1);
+    char number[FIGURE_MAX];
+
+    wrapped_printf(
+        file, 0,
+        "%ssigma%s to be expected: times the noise of a position mean, which is %.4g %s, and "
+        "with %.4g degrees/s/sqrt(Hz) and %.4g degrees/h of the gyroscope",
+        paint_on(file, PAINT_BOLD), paint_off(file), field.scale * r->noise, field.unit,
+        FIGURE_DEGREES * r->rate_noise, 3600 * FIGURE_DEGREES * r->instability);
+    tabular_begin(file, "lrrl");
+    for (unsigned i = 0; i < INVCAL_IMU_PARAMETERS; i++) {
+        const unsigned kind = turns_kind(i);
+        const told_unit unit = kind == 0   ? field
+                               : kind == 1 ? told_scale(r->told)
+                                           : told_angle(r->told);
+        tabular_cell("  %s", turns_parameter(i));
+        tabular_cell("%.4f", p->sigma[i]);
+        tabular_cell("%s", figure_digits(unit.scale * r->noise * p->sigma[i], 3, number));
+        tabular_cell("%s", unit.unit);
+        tabular_row();
+    }
+    tabular_end();
+    wrapped_printf(file, 0, "condition %.4f (1 is the best)", p->condition);
+}
+
+void turns_print(FILE *file, const turns_plan *p)
+{
+    char text[TURNS_WORDS_MAX];
+    char list[TURNS_LIST_MAX];
+
+    wrapped_printf(
+        file, 0, "%s%s:%s %u turn%s, %u rests; %s: %.4g s in each rest, %.4g s a quarter turn",
+        paint_on(file, PAINT_BOLD), p->program, paint_off(file), p->count, p->count == 1 ? "" : "s",
+        p->count + 1, plan_time_text(p->seconds, text), p->asked.rest, p->asked.turn);
+    print_turns(file, p);
+    if (p->is_determined) {
+        print_sigma(file, p);
+        if (p->open) {
+            wrapped_printf(file, 0, "%sweak:%s %s; turn next: %s", paint_on(file, PAINT_RED),
+                           paint_off(file), turns_parameters(p->open, list),
+                           turns_words(&p->next, p->step[p->count - 1].turn.up, text));
+        }
+    }
+}

@@ -1,0 +1,201 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * The page of a program of turns: a work sheet, and what it will determine.
+ */
+#include <math.h>
+
+#include "draw/box.h"
+#include "draw/page.h"
+#include "draw/svg.h"
+#include "plan/facts.h"
+#include "plan/turns.h"
+#include "text/figure.h"
+
+#define LABEL 18.0 /* pixels above a box */
+#define TEXT_MAX 1600
+
+/* The largest sigma of some parameters, in units. */
+static const char *largest(const turns_plan *p, unsigned bits, char text[TURNS_WORDS_MAX])
+{
+    char number[FIGURE_MAX];
+    double most = 0;
+    unsigned which = 0;
+
+    for (unsigned i = 0; i < INVCAL_IMU_PARAMETERS; i++) {
+        if (bits >> i & 1u && p->sigma[i] > most) {
+            most = p->sigma[i];
+            which = i;
+        }
+    }
+    const told_unit unit = plan_unit(turns_kind(which), p->asked.told);
+    snprintf(text, TURNS_WORDS_MAX, "%s %s",
+             figure_digits(unit.scale * p->asked.noise * most, 3, number), unit.unit);
+    return text;
+}
+
+#define GYRO_SCALE 0x111u
+#define GYRO_ANGLES 0xEEu
+#define OFFSETS (7u << 9)
+#define SCALES (7u << 12)
+#define ANGLES (7u << 15)
+
+static void write_verdict(page *p, const turns_plan *plan)
+{
+    char sentence[TEXT_MAX];
+    char next[TEXT_MAX];
+    char list[TURNS_LIST_MAX];
+    char words[TURNS_WORDS_MAX];
+    char scale[TURNS_WORDS_MAX];
+    char angles[TURNS_WORDS_MAX];
+
+    snprintf(next, sizeof next, "turn on: %s.",
+             turns_words(&plan->next, plan->step[plan->count - 1].turn.up, words));
+    if (!plan->is_determined) {
+        snprintf(sentence, sizeof sentence, "%u turns determine %u of 18 parameters. Open: %s.",
+                 plan->count, plan->rank, turns_parameters(plan->open, list));
+        page_verdict(p, PAGE_BAD, "✗ Undetermined", sentence, next);
+        return;
+    }
+    if (plan->open) {
+        snprintf(sentence, sizeof sentence, "The turns tell too little of %s.",
+                 turns_parameters(plan->open, list));
+        page_verdict(p, PAGE_BAD, "✗ Weak", sentence, next);
+        return;
+    }
+    snprintf(
+        sentence, sizeof sentence,
+        "%u turns determine all 18 parameters: the scale of the gyroscope to %s, its angles to %s "
+        "(one standard deviation).",
+        plan->count, largest(plan, GYRO_SCALE, scale), largest(plan, GYRO_ANGLES, angles));
+    page_verdict(p, PAGE_GOOD, "✓ Good", sentence, "take the work sheet, and turn.");
+}
+
+static void write_figures(page *p, const turns_plan *plan)
+{
+    static const struct {
+        unsigned bits;
+        const char *what;
+    } kinds[] = {{GYRO_SCALE, "scale of the gyroscope"},
+                 {GYRO_ANGLES, "angles of the gyroscope"},
+                 {OFFSETS, "offsets"},
+                 {SCALES, "scale errors"},
+                 {ANGLES, "angles"}};
+    char text[TURNS_WORDS_MAX];
+
+    page_figures_begin(p);
+    for (unsigned i = 0; i < sizeof kinds / sizeof kinds[0] && plan->is_determined; i++) {
+        page_figure(p, largest(plan, kinds[i].bits, text), kinds[i].what);
+    }
+    snprintf(text, sizeof text, "%u", plan->count);
+    page_figure(p, text, "turns");
+    page_figure(p, plan_time_text(plan->seconds, text), "in all");
+    page_figures_end(p);
+}
+
+/* How the device lies in each rest. */
+static void draw_boxes(FILE *file, const void *data, double width)
+{
+    const turns_plan *p = data;
+    const unsigned across = (unsigned)(width / BOX_WIDTH);
+    const unsigned down = (p->count + across) / across;
+    const double high = BOX_HEIGHT + LABEL;
+    char number[16];
+
+    svg_begin_inline(file, width, down * high, "How the device lies",
+                     "The device as a box in each rest: the work sheet has the same in words.");
+    for (unsigned n = 0; n <= p->count; n++) {
+        const double x = n % across * BOX_WIDTH;
+        const double y = (unsigned)(n / across) * high;
+        snprintf(number, sizeof number, "%u", n);
+        svg_text(file, "ink heading", SVG_START, x, y + LABEL, number);
+        box_draw(file, x, y + LABEL, n == 0 ? p->start : p->step[n - 1].turn.up);
+    }
+    svg_end(file);
+}
+
+static void write_sheet(page *p, const turns_plan *plan)
+{
+    static const char *const heading[] = {"no.", "done", "turn", "open", "improves"};
+    static const page_table sheet = {
+        "Turn: the shortest way, to this side up. Open: parameters that no turn has told yet.",
+        heading, 5, 1u << 1 | 1u << 2 | 1u << 4};
+    const invcal_real *up = plan->start;
+    char side[TURNS_UP_MAX];
+
+    page_section(p, "Work sheet");
+    page_say(
+        p,
+        "Begin with %s. Hold still for %.4g s, turn within %.4g s a quarter turn, and hold still "
+        "again.",
+        turns_up_words(up, side), plan->asked.rest, plan->asked.turn);
+    page_panorama(p, "How the device lies, seen from the front: 0 is where it begins.", draw_boxes,
+                  plan);
+    page_table_begin(p, &sheet);
+    for (unsigned i = 0; i < plan->count; i++) {
+        const turns_step *step = &plan->step[i];
+        char number[FIGURE_MAX];
+        char open[FIGURE_MAX];
+        char words[TURNS_WORDS_MAX];
+        char improved[TURNS_LIST_MAX];
+        snprintf(number, sizeof number, "%u", i + 1);
+        snprintf(open, sizeof open, "%u", step->open);
+        const char *const cells[] = {number, "☐", turns_words(&step->turn, up, words), open,
+                                     turns_parameters(step->improves, improved)};
+        page_cells(p, &sheet, cells);
+        up = step->turn.up;
+    }
+    page_table_end(p);
+}
+
+static void write_sigma(page *p, const turns_plan *plan)
+{
+    static const char *const heading[] = {"parameter", "σ, × noise", "σ"};
+    static const page_table sheet = {
+        "One standard deviation, over the noise of a position mean and in "
+        "units.",
+        heading, 3, 0};
+    char text[2][TURNS_WORDS_MAX];
+    char number[FIGURE_MAX];
+
+    page_section(p, "What it will determine");
+    page_table_begin(p, &sheet);
+    for (unsigned i = 0; i < INVCAL_IMU_PARAMETERS; i++) {
+        const char *const cells[] = {turns_parameter(i), text[0], text[1]};
+        snprintf(text[0], sizeof text[0], "%s", figure_digits(plan->sigma[i], 4, number));
+        largest(plan, 1u << i, text[1]);
+        if (plan->open >> i & 1u) {
+            page_bad_cells(p, &sheet, cells);
+        } else {
+            page_cells(p, &sheet, cells);
+        }
+    }
+    page_table_end(p);
+    page_note(p, "Gyro angle xy: what the x axis of the gyroscope feels of a turn about y.");
+}
+
+void turns_report(FILE *file, const turns_plan *plan, const char *command)
+{
+    const turns_request *r = &plan->asked;
+    const told_unit field = told_field(r->told, 1);
+    char title[TURNS_LIST_MAX];
+    page p;
+
+    snprintf(title, sizeof title, "Program of turns: %s", plan->program);
+    page_begin(&p, file, title);
+    write_verdict(&p, plan);
+    write_figures(&p, plan);
+    write_sheet(&p, plan);
+    if (plan->is_determined) {
+        write_sigma(&p, plan);
+    }
+    plan_report_origin(&p, command);
+    page_fact(&p, "noise", "%.4g %s of a position mean", field.scale * r->noise, field.unit);
+    page_fact(&p, "of the gyroscope", "%.4g °/s/√Hz, bias instability %.4g °/h",
+              FIGURE_DEGREES * r->rate_noise, 3600 * FIGURE_DEGREES * r->instability);
+    page_fact(&p, "rank", "%u of 18", plan->rank);
+    if (plan->is_determined) {
+        page_fact(&p, "condition", "%.4g", plan->condition);
+    }
+    page_facts_end(&p);
+    page_end(&p);
+}

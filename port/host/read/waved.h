@@ -1,0 +1,63 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * read/waved.h: the log of a magnetometer that is waved, not held still.
+ */
+#ifndef WAVED_H
+#define WAVED_H
+
+#include "invcal/magnetometer.h"
+#include "read/positions.h"
+#include "read/samples.h"
+
+/* What the accelerometer beside it and the magnetometer itself read at an instant, input units. */
+typedef struct {
+    double up[3];
+    double field[3];
+} waved_pair;
+
+typedef struct {
+    unsigned long samples;
+    double seconds;
+    double rate;
+    int is_rate_known;
+    invcal_status status;           /* of what is below: it is there if this is INVCAL_OK */
+    invcal_calibration calibration; /* of input units, over the field */
+    invcal_quality quality;
+    invcal_magnetometer_found found; /* the field in the unit of nominal */
+    double next[3];                  /* way of the case that is to point along the field next */
+    waved_pair *pair;                /* where there is an accelerometer, else null; */
+    unsigned long pairs;             /* so many, */
+    unsigned long room;              /* in memory for so many */
+} waved;
+
+/* What there is to hear of each sample. */
+typedef struct {
+    const invcal_magnetometer *magnetometer; /* which has been fed it */
+    const samples *log;
+    const sample *latest;
+    const double *raw;  /* input units */
+    invcal_event event; /* what invcal_magnetometer_feed said */
+} waved_moment;
+typedef void waved_listener(const waved_moment *at, void *who);
+
+typedef struct {
+    const char *path;                  /* "-": the standard input */
+    double rate;                       /* as samples_open takes it */
+    const invcal_calibration *nominal; /* of input units, to any unit */
+    int is_live;                       /* a stream */
+    waved_listener *listen;            /* null: nobody listens */
+    void *who;
+} waved_wish;
+
+/* Reads a log, of which x, y and z are a magnetometer's where there is one.
+ *
+ * p    out: the cells as positions, if there is a solution; else none. To be released with positions_free in
+ *      either case. Their lines are that of the first sample.
+ * out  to be released with waved_free in either case.
+ *
+ * Returns EXIT_GOOD, also without a solution; EXIT_FILE, with a message. */
+int waved_read(positions *p, const waved_wish *wish, waved *out);
+
+void waved_free(waved *log);
+
+#endif

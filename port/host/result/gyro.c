@@ -1,0 +1,387 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * The gyroscope for people, and as JSON.
+ */
+#include "result/gyro.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "maths/matrix.h"
+#include "text/figure.h"
+#include "text/number.h"
+#include "text/plain.h"
+#include "text/tabular.h"
+#include "text/wrapped.h"
+
+#define LABEL 14u
+#define LINE_MAX 900
+
+const char *gyro_verdict(const gyro_fit *g)
+{
+    return invcal_verdict_text((invcal_verdict)g->imu.verdict);
+}
+
+const char *gyro_unit_text(const gyro_fit *g, char text[GYRO_LINE_MAX])
+{
+    static const char *const who[] = {[UNIT_FROM_HEADER] = "by the header",
+                                      [UNIT_FROM_OPTION] = "--gyro-lsb",
+                                      [UNIT_FROM_SIZE] = "by the moves"};
+    char number[FIGURE_MAX];
+
+    if (g->is_counts || strcmp(unit_turn_words(g->turn), "counts") == 0) {
+        snprintf(text, GYRO_LINE_MAX, "counts of 1/%s °/s (%s)",
+                 figure_digits(UNIT_DEGREE / g->turn, 3, number), who[g->turn_from]);
+    } else {
+        snprintf(text, GYRO_LINE_MAX, "%s (%s)", unit_turn_words(g->turn), who[g->turn_from]);
+    }
+    return text;
+}
+
+const char *gyro_limit_text(const gyro_fit *g, char text[GYRO_LINE_MAX])
+{
+    static const char *const words[] = {
+        "how well the rests tell what is up; hold them stiller and longer",
+        "the noise of its readings; more moves help",
+        "its bias, which changes from rest to rest; turn more quickly, and let it warm up before"};
+    unsigned most = 0;
+    double square = 0;
+
+    for (unsigned i = 0; i < GYRO_PARTS; i++) {
+        most = g->part[i] > g->part[most] ? i : most;
+        square += g->part[i] * g->part[i];
+    }
+    if (g->imu.move_rms > 2 * sqrt(square)) {
+        snprintf(
+            text, GYRO_LINE_MAX,
+            "neither rests, noise nor bias explain the residuals (%.2g mrad): vibration, a clock "
+            "that is not even, or a nonlinear scale",
+            1e3 * sqrt(square));
+    } else {
+        snprintf(text, GYRO_LINE_MAX, "%s (%.2g mrad of a move)", words[most], 1e3 * g->part[most]);
+    }
+    return text;
+}
+
+const char *gyro_move_text(const calibrate_result *r, const gyro_move *m, char text[GYRO_LINE_MAX])
+{
+    const gyro_rest *rest = &r->gyro.rest[m->to];
+
+    snprintf(text, GYRO_LINE_MAX, "the move from position %u to %u (line %lu): %s",
+             rest[-1].position + 1, rest->position + 1, r->data->origin[rest->position].line,
+             gyro_reason(m->why));
+    return text;
+}
+
+const char *gyro_g_text(const gyro_fit *g, char text[GYRO_LINE_MAX])
+{
+    unsigned at = 0;
+    double most = 0;
+    double bound = 0;
+    char number[FIGURE_MAX];
+
+    for (unsigned i = 0; i < 9; i++) {
+        const double x = fabs(g->imu.slope[i / 3][i % 3]) / UNIT_DEGREE;
+        const double sigma = g->imu.slope_sigma[i / 3][i % 3] / UNIT_DEGREE;
+        at = x > most ? i : at;
+        most = fmax(most, x);
+        bound = fmax(bound, x + 2 * sigma);
+    }
+    if (!(g->imu.slope_sigma[0][0] > 0)) {
+        snprintf(text, GYRO_LINE_MAX, "not known: 12 rests or more tell it");
+    } else if (g->imu.g_is_used) {
+        const double sigma = g->imu.slope_sigma[at / 3][at % 3] / UNIT_DEGREE;
+        snprintf(text, GYRO_LINE_MAX,
+                 "about %c, %s °/s per g along %c at the most; taken off the moves", "xyz"[at / 3],
+                 figure_with_sigma(g->imu.slope[at / 3][at % 3] / UNIT_DEGREE, sigma, FIGURE_PLAIN,
+                                   number),
+                 "xyz"[at % 3]);
+    } else {
+        snprintf(text, GYRO_LINE_MAX, "below %.1g °/s per g: none that shows", bound);
+    }
+    return text;
+}
+
+const char *gyro_thermal_text(const gyro_fit *g, char text[GYRO_LINE_MAX])
+{
+    char number[3][FIGURE_MAX];
+
+    for (unsigned i = 0; i < 3; i++) {
+        figure_with_sigma(g->thermal[i] / UNIT_DEGREE, g->thermal_sigma[i] / UNIT_DEGREE,
+                          FIGURE_SIGNED, number[i]);
+    }
+    snprintf(text, GYRO_LINE_MAX, "bias x %s, y %s, z %s °/s per K, over %.2g K", number[0],
+             number[1], number[2], g->range);
+    return text;
+}
+
+static int compare(const void *a, const void *b)
+{
+    const double x = *(const double *)a;
+    const double y = *(const double *)b;
+
+    return (x > y) - (x < y);
+}
+
+/* 1.4826 is 1 over the median of a standard normal variable's size. */
+double gyro_wander(const gyro_fit *g, unsigned axis)
+{
+    double x[INVCAL_MAX_MOVES];
+    unsigned n = 0;
+
+    for (unsigned i = 0; i < g->rests; i++) {
+        x[n] = g->rest[i].bias[axis];
+        n += isfinite(x[n]) != 0; /* there were readings */
+    }
+    if (n < 2) {
+        return 0;
+    }
+    qsort(x, n, sizeof x[0], compare);
+    const double middle = x[n / 2];
+    for (unsigned i = 0; i < n; i++) {
+        x[i] = fabs(x[i] - middle);
+    }
+    qsort(x, n, sizeof x[0], compare);
+    return 1.4826 * x[n / 2];
+}
+
+/* ---- the table ---------------------------------------------------------------------------------- */
+
+static void add_row(const char *label, const char *which, double value, double sigma,
+                    const char *unit)
+{
+    char text[FIGURE_MAX];
+    const int places = figure_places(value, sigma);
+
+    tabular_cell("%s %s", label, which);
+    tabular_cell("%s", figure_fixed(value, places, FIGURE_PLAIN, text));
+    tabular_cell("± %s", sigma > 0 ? figure_fixed(sigma, places, FIGURE_PLAIN, text) : "?");
+    tabular_note("%s", unit);
+    tabular_row();
+}
+
+static void print_figures(FILE *file, const calibrate_result *r)
+{
+    const gyro_fit *g = &r->gyro;
+    const told_unit scale = told_scale(r->told);
+    const told_unit angle = told_angle(r->told);
+    const int is_counts = strcmp(unit_turn_words(g->turn), "counts") == 0 || g->is_counts;
+    char angle_off[FIGURE_MAX];
+    invcal_calibration nominal = {.offset = {0}};
+    double inverse[3][3];
+
+    memcpy(nominal.matrix, g->imu.parameter, sizeof nominal.matrix);
+    (void)matrix_inverse(&nominal, inverse); /* near to a unit matrix */
+    snprintf(angle_off, sizeof angle_off, "%s off axis", angle.unit);
+    tabular_begin(file, "lrl");
+    tabular_cell("gyroscope");
+    tabular_cell("calibrated");
+    tabular_cell("± sigma");
+    tabular_row_in(PAINT_BOLD);
+    for (unsigned i = 0; i < 3; i++) {
+        const char axis[] = {"xyz"[i], '\0'};
+        const unsigned of = (unsigned)abs(g->axes[i]) - 1;
+        const double per = is_counts ? g->turn : UNIT_DEGREE;
+        add_row("bias", axis, g->calibration.offset[of] * g->turn / per, gyro_wander(g, i) / per,
+                is_counts ? "counts; ±: over all rests" : "°/s; ±: over all rests");
+    }
+    for (unsigned i = 0; i < 3; i++) {
+        const char axis[] = {"xyz"[i], '\0'};
+        const double m = inverse[i][i]; /* as data sheets state it: readings per turn */
+        const double counts = UNIT_DEGREE / g->turn * m;
+        if (g->is_counts) { /* what the unit was to be, nobody states */
+            add_row("scale", axis, counts, counts * m * g->imu.sigma[4 * (size_t)i],
+                    "counts per °/s");
+        } else {
+            add_row("scale error", axis, scale.scale * (m - 1),
+                    scale.scale * m * m * g->imu.sigma[4 * (size_t)i], scale.unit);
+        }
+    }
+    for (unsigned i = 0; i < 9; i++) {
+        const char pair[] = {"xyz"[i / 3], "xyz"[i % 3], '\0'};
+        if (i / 3 != i % 3) {
+            add_row("cross", pair, angle.scale * inverse[i / 3][i % 3],
+                    angle.scale * g->imu.sigma[i], angle_off);
+        }
+    }
+    tabular_end();
+    fprintf(file, "\n");
+}
+
+static void print_line(FILE *file, const char *label, const char *text)
+{
+    fprintf(file, "%-14s", label);
+    wrapped_line(file, LABEL, LABEL, text);
+}
+
+static void print_source(FILE *file, const gyro_fit *g)
+{
+    char text[GYRO_LINE_MAX];
+    char seen[COLUMNS_TEXT_MAX];
+    char name[PLAIN_MAX];
+
+    if (g->turns->file) {
+        wrapped_printf(file, 0, "%s: %s", plain_copy(g->turns->file, name),
+                       columns_describe(&g->turns->seen, seen, sizeof seen));
+    }
+    if (!g->word) {
+        wrapped_printf(file, 0, "gyroscope: %s, %.6g readings a second%s", gyro_unit_text(g, text),
+                       g->turns->rate,
+                       g->turns->is_rate_known ? ""
+                                               : " (a guess: an error of it is one of the scales)");
+    }
+    if (fabs(g->lag) > 0) {
+        wrapped_printf(
+            file, 0,
+            "The gyroscope's readings come %.2f s %s than the accelerometer's. Here that is "
+            "taken off; mend it where both are recorded.",
+            fabs(g->lag), g->lag > 0 ? "later" : "earlier");
+    }
+}
+
+static void print_moves(FILE *file, const calibrate_result *r)
+{
+    const gyro_fit *g = &r->gyro;
+    const gyro_rest *worst = &g->rest[g->imu.worst + g->rests - g->moves - 1];
+    char text[GYRO_LINE_MAX];
+
+    wrapped_printf(file, LABEL,
+                   "moves         %u of %u, residual rms %.3g mrad on an axis, max %.3g mrad (to "
+                   "position %u), %u degrees of freedom",
+                   g->imu.moves, g->moves, 1e3 * g->imu.move_rms, 1e3 * g->imu.move_max,
+                   worst->position + 1, g->imu.dof);
+    if (g->more > 0) {
+        wrapped_printf(file, LABEL,
+                       "              those between the last %u rests; %u more are left alone",
+                       g->rests, g->more);
+    }
+    for (unsigned i = 0; i < g->moves; i++) {
+        if (g->move[i].why != INVCAL_OK) {
+            wrapped_printf(file, 10, "%sLeft out:%s %s", paint_on(file, PAINT_RED), paint_off(file),
+                           gyro_move_text(r, &g->move[i], text));
+        }
+    }
+    print_line(file, "g-sensitivity", gyro_g_text(g, text));
+    if (g->range > 0) {
+        print_line(file, "temperature", gyro_thermal_text(g, text));
+    }
+    print_line(file, "limited by", gyro_limit_text(g, text));
+}
+
+void gyro_print(FILE *file, const calibrate_result *r)
+{
+    const gyro_fit *g = &r->gyro;
+    char text[LINE_MAX + GYRO_TEXT_MAX];
+
+    if (!g->is_there) {
+        return;
+    }
+    print_source(file, g);
+    if (g->word) {
+        snprintf(text, sizeof text, " %s%s%s.", g->reason, *g->remedy ? ". Next: " : "", g->remedy);
+        fprintf(file, "%sGyroscope not calibrated:%s", paint_on(file, PAINT_RED), paint_off(file));
+        wrapped_line(file, strlen("Gyroscope not calibrated:"), 0, text);
+        fprintf(file, "\n");
+        return;
+    }
+    print_figures(file, r);
+    print_moves(file, r);
+    if (r->is_joint) {
+        wrapped_printf(
+            file, 0,
+            "The accelerometer is told by rests and moves together: the rests alone leave "
+            "some of it open.");
+    }
+    snprintf(text, sizeof text, "%s%s", gyro_verdict(g),
+             g->imu.verdict == INVCAL_WEAK ? ": more moves, about all three axes" : "");
+    print_line(file, "verdict", text);
+    fprintf(file, "\n");
+}
+
+/* ---- JSON --------------------------------------------------------------------------------------- */
+
+static void write_moves(json_writer *w, const calibrate_result *r)
+{
+    const gyro_fit *g = &r->gyro;
+
+    json_list(w, "moves");
+    for (unsigned i = 0; i < g->moves; i++) {
+        const gyro_move *m = &g->move[i];
+        json_object(w, NULL);
+        json_number(w, "from", g->rest[m->to - 1].position + 1.0);
+        json_number(w, "to", g->rest[m->to].position + 1.0);
+        json_number(w, "seconds", m->seconds);
+        json_number(w, "angle", m->angle);
+        json_number(w, "residual", m->residual);
+        if (m->why != INVCAL_OK) {
+            json_text(w, "left_out", invcal_status_text(m->why));
+        }
+        json_object_end(w);
+    }
+    json_list_end(w);
+}
+
+static void write_g(json_writer *w, const gyro_fit *g)
+{
+    double slope[2][3][3];
+
+    for (unsigned i = 0; i < 9; i++) {
+        const int is_known = g->imu.slope_sigma[i / 3][i % 3] > 0;
+        slope[0][i / 3][i % 3] = is_known ? g->imu.slope[i / 3][i % 3] : NUMBER_UNKNOWN;
+        slope[1][i / 3][i % 3] = is_known ? g->imu.slope_sigma[i / 3][i % 3] : NUMBER_UNKNOWN;
+    }
+    json_object(w, "g_sensitivity");
+    json_text(w, "used", g->imu.g_is_used ? "yes" : "no");
+    json_matrix(w, "value", (const double(*)[3])slope[0]);
+    json_matrix(w, "sigma", (const double(*)[3])slope[1]);
+    json_object_end(w);
+}
+
+static const char *parameter_name(unsigned p)
+{
+    return invcal_imu_parameter_name(p);
+}
+
+void gyro_json(json_writer *w, const calibrate_result *r)
+{
+    const gyro_fit *g = &r->gyro;
+    double nine[2][3][3];
+
+    if (!g->is_there) {
+        return;
+    }
+    json_object(w, "gyroscope");
+    if (g->word) {
+        json_text(w, "error", g->word);
+        json_text(w, "reason", g->reason);
+        json_text(w, "remedy", g->remedy);
+        json_object_end(w);
+        return;
+    }
+    memcpy(nine[0], g->imu.parameter, sizeof nine[0]);
+    memcpy(nine[1], g->imu.sigma, sizeof nine[1]);
+    json_vector(w, "offset", g->calibration.offset);
+    json_matrix(w, "matrix", g->calibration.matrix);
+    json_text(w, "unit", g->is_counts ? "counts" : unit_turn_words(g->turn));
+    json_text(w, "unit_from", unit_origin_name(g->turn_from));
+    json_number(w, "lsb", g->turn);
+    json_number(w, "rate", g->turns->rate);
+    json_number(w, "late", g->lag);
+    json_matrix(w, "parameters", (const double(*)[3])nine[0]);
+    json_matrix(w, "sigma", (const double(*)[3])nine[1]);
+    json_number(w, "interval95", g->interval);
+    json_number(w, "degrees_of_freedom", g->imu.dof);
+    json_number(w, "residual_rms", g->imu.move_rms);
+    json_number(w, "residual_max", g->imu.move_max);
+    write_moves(w, r);
+    write_g(w, g);
+    if (g->range > 0) {
+        json_vector(w, "temperature_slope", g->thermal);
+        json_vector(w, "temperature_slope_sigma", g->thermal_sigma);
+    }
+    json_text(w, "verdict", gyro_verdict(g));
+    json_names(w, "undetermined", g->imu.open, INVCAL_IMU_PARAMETERS, parameter_name);
+    json_text(w, "accelerometer", r->is_joint ? "rests and moves" : "rests");
+    json_object_end(w);
+}

@@ -1,0 +1,156 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * What is to be said of a magnetometer that was waved.
+ */
+#include <math.h>
+
+#include "design/parameters.h"
+#include "result/result.h"
+#include "text/figure.h"
+#include "text/paint.h"
+#include "text/plain.h"
+#include "text/wrapped.h"
+
+void calibrate_waved_print(FILE *file, const calibrate_result *result)
+{
+    const waved *m = result->magnetometer;
+    char name[PLAIN_MAX];
+
+    wrapped_printf(file, 0, "%s: %lu samples, %.6g s at %.4g samples a second%s",
+                   plain_copy(result->data->name, name), m->samples, m->seconds, m->rate,
+                   m->is_rate_known ? "" : " (a guess: --rate states it)");
+    wrapped_printf(file, 9,
+                   "%*u of %u directions covered; neighbours err alike: %.0f samples tell as one",
+                   8, m->found.covered, INVCAL_CELLS, m->found.alike > 1 ? m->found.alike : 1);
+    if (m->found.left_out > 0) {
+        fprintf(file, "%*lu samples left out, which contradict the others\n", 8,
+                (unsigned long)m->found.left_out);
+    }
+    if (m->found.disturbance != INVCAL_UNDISTURBED) {
+        wrapped_printf(file, 0, "%sDisturbed:%s %s.", paint_on(file, PAINT_RED), paint_off(file),
+                       invcal_disturbance_text((invcal_disturbance)m->found.disturbance));
+    }
+}
+
+const char *calibrate_waved_fault(const calibrate_result *result, char text[CALIBRATE_LIMIT_MAX])
+{
+    const invcal_magnetometer_found *f = &result->magnetometer->found;
+    char words[INVCAL_WORDS];
+
+    if (result->quality.verdict == INVCAL_WEAK && f->gap > 45) {
+        const double up[3] = {-result->magnetometer->next[0], -result->magnetometer->next[1],
+                              -result->magnetometer->next[2]};
+        snprintf(text, CALIBRATE_LIMIT_MAX,
+                 "%u degrees of the sphere were never passed through. North of the equator hold it "
+                 "%s, and swing it around.",
+                 f->gap, invcal_words(up, words));
+    } else if (result->quality.verdict == INVCAL_NO_REDUNDANCY) {
+        snprintf(text, CALIBRATE_LIMIT_MAX,
+                 "every parameter is determined, but no samples are left to check the result.");
+    } else if (result->quality.verdict == INVCAL_WEAK) {
+        char list[128];
+        snprintf(text, CALIBRATE_LIMIT_MAX, "badly determined, to be used only within the ±: %s.",
+                 parameters_list(result->quality.weak, list, sizeof list));
+    } else if (f->disturbance > INVCAL_PASSING) {
+        snprintf(text, CALIBRATE_LIMIT_MAX, "%s.",
+                 invcal_disturbance_text((invcal_disturbance)f->disturbance));
+    } else {
+        snprintf(text, CALIBRATE_LIMIT_MAX,
+                 "%lu of %lu samples contradict the others: repeat it away from iron and magnets.",
+                 (unsigned long)f->left_out, (unsigned long)f->left_out + f->samples);
+    }
+    return text;
+}
+
+/* What limits a rotation, and what to do about it. */
+static const char *axes_advice(const calibrate_result *result)
+{
+    const dip_frame *d = &result->dip;
+
+    return d->answer == DIP_UNEVEN
+               ? " too few instants have the usual lengths: correct the accelerometer by its own "
+                 "calibration (--with CAL.json), and turn slowly."
+           : d->answer == DIP_OPEN ? " the log leaves them open: turn it about all axes, slowly."
+           : d->is_corrected       ? ""
+                                   : " The accelerometer was taken as it reads: --with CAL.json "
+                                     "corrects it.";
+}
+
+const char *calibrate_axes_text(const calibrate_result *result, char text[CALIBRATE_AXES_MAX])
+{
+    const dip_frame *d = &result->dip;
+    char angle[3][FIGURE_MAX];
+    char dip[FIGURE_MAX];
+    char left[FIGURE_MAX];
+
+    text[0] = '\0';
+    if (!result->magnetometer || d->answer == DIP_NO_ACCELEROMETER) {
+        return text;
+    }
+    if (d->answer != DIP_TOLD) {
+        snprintf(text, CALIBRATE_AXES_MAX, "against the accelerometer's not known:%s",
+                 axes_advice(result));
+        return text;
+    }
+    for (unsigned i = 0; i < 3; i++) {
+        (void)figure_with_sigma(FIGURE_DEGREES * d->angle[i], FIGURE_DEGREES * d->sigma[i],
+                                FIGURE_SIGNED, angle[i]);
+    }
+    snprintf(
+        text, CALIBRATE_AXES_MAX,
+        "%s by %lu of %lu instants, degrees: about x %s, about y %s, about z %s%s. That leaves "
+        "an error of %s degrees in a heading (one sigma). The field points %s by %s degrees%s.%s",
+        result->is_dip_frame ? "turned to those of the accelerometer"
+                             : "to those of the accelerometer",
+        d->used, d->of, angle[0], angle[1], angle[2],
+        result->is_dip_frame ? "" : "; --frame accelerometer turns the result",
+        figure_digits(FIGURE_DEGREES * d->heading, 2, left), d->dip < 0 ? "up" : "down",
+        figure_digits(FIGURE_DEGREES * fabs(d->dip), 3, dip),
+        d->dip < 0 ? ", as it does south of the magnetic equator; elsewhere the sign of an axis, "
+                     "or of the accelerometer, is wrong"
+                   : "",
+        axes_advice(result));
+    return text;
+}
+
+static void write_axes(json_writer *w, const dip_frame *d)
+{
+    static const char *const answers[] = {
+        [DIP_TOLD] = "told", [DIP_UNEVEN] = "uneven lengths", [DIP_OPEN] = "undetermined"};
+
+    json_object(w, "accelerometer");
+    json_text(w, "answer", answers[d->answer]);
+    json_text(w, "taken", d->is_corrected ? "calibrated" : "as it reads");
+    json_number(w, "used", (double)d->used);
+    json_number(w, "of", (double)d->of);
+    if (d->answer == DIP_TOLD) {
+        json_matrix(w, "rotation", (const double(*)[3])d->rotation);
+        json_vector(w, "angle", d->angle);
+        json_vector(w, "sigma", d->sigma);
+        json_number(w, "alike", d->alike);
+        json_number(w, "dip", d->dip);
+        json_number(w, "scatter", d->scatter);
+        json_number(w, "heading_sigma", d->heading);
+    }
+    json_object_end(w);
+}
+
+void calibrate_waved_json(json_writer *w, const calibrate_result *result)
+{
+    static const char *const names[] = {"none", "passing", "places", "step"};
+    const invcal_magnetometer_found *f = &result->magnetometer->found;
+
+    json_object(w, "magnetometer");
+    json_number(w, "samples", f->samples);
+    json_number(w, "left_out", f->left_out);
+    json_number(w, "covered", f->covered);
+    json_number(w, "gap", f->gap);
+    json_vector(w, "next", result->magnetometer->next);
+    json_number(w, "sample_rms", f->rms);
+    json_number(w, "alike", f->alike);
+    json_text(w, "disturbance", names[f->disturbance]);
+    if (result->dip.answer != DIP_NO_ACCELEROMETER) {
+        write_axes(w, &result->dip);
+    }
+    json_object_end(w);
+}

@@ -1,0 +1,46 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * simulate/gyro.h: a simulated gyroscope on the device that scene.h turns: what turns the way up at one sample into
+ * that at the next, on the shortest way, and a twist about it which no accelerometer sees.
+ */
+#ifndef SIMULATE_GYRO_H
+#define SIMULATE_GYRO_H
+
+#include "invcal/invcal.h"
+#include "text/random.h"
+
+/* The sensor: readings = (I + errors) rate + bias + g a + noise. */
+typedef struct {
+    double scale[3]; /* errors: too large by */
+    double cross[6]; /* xy xz yx yz zx zy: x reads of y ..., rad */
+    double bias[3];  /* degrees/s */
+    double g[9];     /* degrees/s per g, by rows */
+    double noise;    /* standard deviation of a sample, degrees/s */
+    double lsb;      /* degrees/s a count */
+    double range;    /* degrees/s beyond which it clips */
+} gyro_model;
+
+/* The caller's. */
+typedef struct {
+    const gyro_model *model;
+    random_source random;
+    double rate; /* samples a second */
+    double before[3];
+    int is_begun;
+} gyro_scene;
+
+void gyro_scene_begin(gyro_scene *s, const gyro_model *model, double rate, uint32_t seed);
+
+/* The next reading, counts.
+ *
+ * up     the way up as it is,
+ * felt   the acceleration over the field,
+ * twist  rad about it since the last sample. */
+void gyro_scene_next(gyro_scene *s, const double up[3], const double felt[3], double twist,
+                     int32_t raw[3]);
+
+/* The calibration that takes out all errors but the noise and what acceleration does: counts to rad/s. And the same
+ * for a sensor that has none. */
+invcal_calibration gyro_scene_truth(const gyro_model *model);
+
+#endif

@@ -1,0 +1,184 @@
+/* SPDX-License-Identifier: MIT */
+#define _POSIX_C_SOURCE 200809L
+#include "watch/wave.h"
+
+#include <math.h>
+#include <string.h>
+#include <unistd.h>
+
+#include "cli/command.h"
+#include "watch/interrupt.h"
+#include "watch/lines.h"
+#include "watch/screen.h"
+
+#define TICK 0.1  /* seconds of the log from one WATCH_PASSED to the next, at least */
+#define KNOWN 100 /* samples, after which the cells are about where they belong */
+
+static watch_state now; /* large */
+
+typedef struct {
+    const live_wish *wish;
+    watch_teller tell;
+    double told_at; /* seconds of the log: the last WATCH_PASSED */
+    int has_begun;
+    int is_enough; /* has been told */
+} stage;
+
+/* Where a reading points. Returns 0 if that is nowhere. */
+static int find_direction(const invcal_calibration *c, const double raw[3], double out[3])
+{
+    invcal_apply(c, raw, out);
+    const double length = hypot(hypot(out[0], out[1]), out[2]);
+    for (unsigned i = 0; i < 3; i++) {
+        out[i] /= length;
+    }
+    return length > 0 && length < HUGE_VAL;
+}
+
+/* The cells with samples, and where they point. */
+static void find_covered(const invcal_magnetometer *m)
+{
+    now.covered = 0;
+    for (unsigned k = 0; k < INVCAL_CELLS; k++) {
+        double raw[3];
+        if (invcal_magnetometer_cell(m, &m->work, k, raw) > 0) {
+            now.covered += (unsigned)find_direction(&m->work, raw, now.direction[now.covered]);
+        }
+    }
+    now.taken = now.covered;
+}
+
+/* North of the magnetic equator the field points down: then the opposite way is up. */
+static void aim(const invcal_magnetometer *m)
+{
+    char words[INVCAL_WORDS];
+
+    invcal_magnetometer_next(m, now.target);
+    const double up[3] = {-now.target[0], -now.target[1], -now.target[2]};
+    now.has_target = 1;
+    snprintf(now.next, sizeof now.next, "hold it %s, and swing it around", invcal_words(up, words));
+}
+
+/* A target that is 0 is any. */
+static int reaches_target(const live_wish *wish, double field)
+{
+    const double *sigma = now.quality.sigma;
+    int reaches = !(wish->need > 0) || now.accuracy <= wish->need / (wish->field > 0 ? 1 : field);
+
+    for (unsigned k = 0; k < INVCAL_PARAMETERS; k++) {
+        const double target = wish->target[k / 3];
+        reaches = reaches && (!(target > 0) || sigma[k] <= target);
+    }
+    return reaches;
+}
+
+/* What has come so far. */
+static void judge(const stage *s, const invcal_magnetometer *m)
+{
+    invcal_calibration calibration;
+    invcal_magnetometer_found found = {.field = 0};
+
+    now.status = invcal_magnetometer_solve(m, &calibration, &now.quality, &found);
+    now.accuracy =
+        now.status == INVCAL_OK ? invcal_accuracy(&now.quality, s->wish->field_sigma) : 0;
+    now.disturbed = now.status == INVCAL_OK
+                        ? invcal_disturbance_text((invcal_disturbance)found.disturbance)
+                        : "";
+    now.is_guess = now.status != INVCAL_OK;
+    now.need =
+        s->wish->field > 0 || !(found.field > 0) ? s->wish->need : s->wish->need / found.field;
+    now.is_good = now.status == INVCAL_OK && now.quality.verdict == INVCAL_GOOD && found.gap == 0 &&
+                  reaches_target(s->wish, found.field);
+}
+
+/* ---- the stream --------------------------------------------------------------------------------- */
+
+static void begin(stage *s, const waved_moment *at)
+{
+    s->has_begun = 1;
+    interrupt_stream(at->log->table.file);
+    now.name = at->log->table.name;
+    (void)columns_describe(&at->log->where.seen, now.recognised, sizeof now.recognised);
+    judge(s, at->magnetometer);
+    aim(at->magnetometer);
+    s->tell(&now, WATCH_BEGUN);
+}
+
+static void take(stage *s, const waved_moment *at)
+{
+    find_covered(at->magnetometer);
+    judge(s, at->magnetometer);
+    aim(at->magnetometer);
+    now.last = WATCH_TAKEN;
+    now.outcome = WATCH_USED;
+    s->tell(&now, WATCH_TAKEN);
+}
+
+/* A tenth of a second has passed. */
+static void pass(stage *s, const waved_moment *at)
+{
+    const char *before = now.disturbed;
+
+    s->told_at = at->latest->clock;
+    now.has_up = at->magnetometer->samples >= KNOWN &&
+                 find_direction(&at->magnetometer->work, at->raw, now.up);
+    find_covered(at->magnetometer);
+    judge(s, at->magnetometer);
+    aim(at->magnetometer);
+    if (strcmp(now.disturbed, before) != 0 && *now.disturbed != '\0') {
+        now.refusal = now.disturbed;
+        s->tell(&now, WATCH_REFUSED);
+    }
+    if (now.is_good && !s->is_enough) {
+        s->is_enough = 1;
+        now.outcome = WATCH_ENOUGH;
+        s->tell(&now, WATCH_TAKEN);
+    }
+    s->tell(&now, WATCH_PASSED);
+}
+
+static void listen(const waved_moment *at, void *who)
+{
+    stage *const s = who;
+
+    if (!s->has_begun) {
+        begin(s, at);
+    }
+    now.seconds = at->latest->clock;
+    now.skipped = at->log->skipped;
+    if (at->event == INVCAL_TAKEN && at->magnetometer->samples >= KNOWN) {
+        take(s, at);
+    }
+    if (at->latest->clock - s->told_at >= TICK) {
+        pass(s, at);
+    }
+}
+
+int wave_read(positions *p, const char *path, const invcal_calibration *nominal,
+              const live_wish *wish, waved *out)
+{
+    stage s = {.wish = wish, .told_at = -HUGE_VAL};
+    const waved_wish how = {path, wish->rate, nominal, 1, listen, &s};
+
+    s.tell = screen_is_possible(wish->talk) ? screen_tell : lines_tell;
+    if (isatty(fileno(wish->talk))) {
+        fprintf(wish->talk, "waiting for samples\n");
+        fflush(wish->talk);
+    }
+    interrupt_catch(path);
+    now = (watch_state){.talk = wish->talk,
+                        .told = wish->told,
+                        .is_magnetometer = 1,
+                        .disturbed = "",
+                        .phase = WATCH_MOVING,
+                        .status = INVCAL_TOO_FEW,
+                        .need = wish->need};
+    memcpy(now.target_sigma, wish->target, sizeof now.target_sigma);
+    const int failure = waved_read(p, &how, out);
+    interrupt_stream(NULL);
+    if (s.has_begun) {
+        now.phase = WATCH_ENDED;
+        s.tell(&now, failure ? WATCH_BROKEN : WATCH_ENDED);
+    }
+    return failure;
+}

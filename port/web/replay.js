@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: MIT
+//
+// A log as a source of samples (sink.js), as if it came now.
+import { Lines } from "./lines.js";
+import { now, pause } from "./clock.js";
+
+const SLICE = 0.012; // seconds until the page has its turn
+const HOLE = 5; // seconds between two lines that are no hole in the log
+
+class Replay {
+    constructor(sink, file, speed, rate) {
+        this.sink = sink;
+        this.speed = speed;
+        this.rate = rate;
+        this.rows = [];
+        this.lines = new Lines({ onSample: (sample) => this.rows.push(sample) });
+        this.reader = file.stream().getReader();
+        this.decoder = new TextDecoder();
+        this.isMore = true;
+        this.isStopped = false;
+        this.at = 0; // seconds in the log
+        this.before = null; // the time that the last line stated
+    }
+
+    async read() {
+        const { value, done } = await this.reader.read();
+        if (done) {
+            this.lines.end();
+            this.isMore = false;
+        } else {
+            this.lines.push(this.decoder.decode(value, { stream: true }));
+        }
+    }
+
+    feed(sample) {
+        const step = sample.time !== null && this.before !== null ? sample.time - this.before : 1 / this.rate;
+        this.before = sample.time;
+        this.at += step > 0 && step < HOLE ? step : 1 / this.rate;
+        this.sink.sample(sample, this.at);
+    }
+
+    // All that is due, or as much as a slice of time allows; tells whether there was any.
+    feedDue(due) {
+        const began = now();
+        let n = 0;
+        while (n < this.rows.length && now() - began < SLICE && this.at <= due) {
+            this.feed(this.rows[n++]);
+        }
+        this.rows.splice(0, n);
+        return n > 0;
+    }
+
+    async play() {
+        const began = now();
+        while (!this.isStopped && (this.isMore || this.rows.length > 0)) {
+            while (this.isMore && this.rows.length === 0) {
+                await this.read();
+            }
+            const isBusy = this.feedDue((now() - began) * this.speed);
+            await pause(isBusy && this.speed === Infinity ? 0 : 8);
+        }
+        await this.reader.cancel();
+        if (!this.isStopped) {
+            this.sink.end(this.lines);
+        }
+    }
+
+    stop() {
+        this.isStopped = true;
+    }
+}
+
+// speed: 1 as it was recorded, 10 ten times as fast, Infinity as fast as can be. rate: of a log without time.
+export function replay(sink, file, { speed, rate }) {
+    const source = new Replay(sink, file, speed, rate);
+    source.play().catch((error) => sink.tell(`${file.name} cannot be read: ${error.message}`));
+    return source;
+}

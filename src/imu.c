@@ -1,0 +1,591 @@
+/* SPDX-License-Identifier: MIT */
+#include "imu.h"
+
+#include <stddef.h>
+#include <string.h>
+
+#include "judge.h"
+#include "rotation.h"
+#include "solve.h"
+#include "sums.h"
+
+#define STEP (INVCAL_DOUBLE ? INVCAL_REAL(1e-18) : INVCAL_REAL(1e-11)) /* squared; less is none */
+#define LAST_STEP INVCAL_REAL(1e-8)      /* the same after all passes */
+#define FAR_APART INVCAL_REAL(12.5)      /* 5 sigma, squared, over what two angles have */
+#define ABSURD_TURN INVCAL_REAL(0.01)    /* residuals of 0.1 rad, squared */
+#define SAME_UP INVCAL_REAL(0.9962)      /* cosine of 5 degrees */
+#define NO_ANGLE INVCAL_REAL(0.0076)     /* 5 degrees, squared */
+#define WEAK_SQUARE INVCAL_REAL(6.25)    /* of 2.5 */
+#define OPEN_SQUARE INVCAL_REAL(1e6)     /* of 1000 */
+#define BEYOND_4_SIGMA INVCAL_REAL(16.0) /* 4 sigma, squared */
+#define NOISE_OF_MEAN INVCAL_REAL(3e-4)  /* of a mean that nothing is known of */
+#define IMU_RIDGE INVCAL_REAL(6e-6)      /* of the trace: what is held by it is open */
+#define HELD_BY_RIDGE INVCAL_REAL(0.1)   /* a share */
+#define LITTLE INVCAL_REAL(0.01)         /* of a residual: none at all would be rounding */
+#define MUCH INVCAL_REAL(2.0)            /* times the variance that is stated: something is wrong */
+
+enum {
+    IMU_ALL = INVCAL_IMU_PARAMETERS,
+    IMU_GYRO = INVCAL_GYRO_PARAMETERS,
+    PASSES = 6,
+    SETTLED = 2,    /* passes after which residuals are those of noise */
+    MOST_APART = 3, /* moves left out */
+    LEAST_MOVES = 6,
+    BIAS = 5,         /* unknowns of a bias: three of up, time, constant */
+    LEAST_RESTS = 12, /* for them */
+    STATED_ROWS = 4,  /* residuals that a stated noise counts as */
+    SERIES_OF_TURN = INVCAL_DOUBLE ? 9 : 5
+};
+
+/* ---- a move ------------------------------------------------------------------------------------- */
+
+/* out = C' a */
+static void turn_back(invcal_real (*c)[3], const invcal_real a[3], invcal_real out[3])
+{
+    for (unsigned i = 0; i < 3; i++) {
+        out[i] = c[0][i] * a[0] + c[1][i] * a[1] + c[2][i] * a[2];
+    }
+}
+
+/* By the matrix I + E: S += C J v', C <- C exp([th x]), J the left Jacobian of th. By rows, c [th x] being
+ * c x th. The series are those of (1 - cos x)/x^2 and (x - sin x)/x^3. */
+static void turn_segment(invcal_replay *r, const invcal_real v[3], const invcal_real th[3])
+{
+    const invcal_real x = invcal_dot3(th, th);
+    invcal_real k = 1;
+    invcal_real l = 1;
+
+    for (unsigned n = SERIES_OF_TURN; n > 0; n--) {
+        const invcal_real m = invcal_number(2 * n + 1);
+        k = 1 - k * x / (m * (m + 1));
+        l = 1 - l * x / ((m + 1) * (m + 2));
+    }
+    k /= 2;
+    l /= 6;
+    for (unsigned i = 0; i < 3; i++) {
+        invcal_real a[3];
+        invcal_real b[3];
+        invcal_real *c = r->c[i];
+        invcal_cross(c, th, a);
+        invcal_cross(a, th, b);
+        for (unsigned j = 0; j < 3; j++) {
+            const invcal_real p = c[j] + k * a[j] + l * b[j];
+            c[j] += (1 - x * l) * a[j] + k * b[j];
+            for (unsigned n = 0; n < 3; n++) {
+                r->s[i][3 * j + n] += p * v[n];
+            }
+        }
+    }
+}
+
+/* The bias of a segment beyond that of the move, which is the mean of two rests, is G times what is up in its
+ * middle beyond the mean of theirs. */
+void invcal_replay_move(const invcal_imu_work *w, const invcal_segment *segment, unsigned count,
+                        const invcal_real bias[3], const invcal_real up[2][3], invcal_replay *r)
+{
+    const invcal_real(*m)[3] = (const invcal_real(*)[3])w->out->parameter;
+    invcal_real cofactors[3][3];
+    invcal_real v[3];
+    invcal_real f[3];
+    invcal_real th[3];
+
+    invcal_zero(r, sizeof *r);
+    for (unsigned i = 0; i < 3; i++) {
+        r->c[i][i] = 1;
+    }
+    (void)invcal_cofactors(m, cofactors);
+    for (unsigned n = 0; n < count; n++) {
+        //@ assert \valid_read(segment); // as all of a move
+        const invcal_real time = invcal_number(segment->time / 2u) / w->moves->rate;
+        invcal_zero(v, sizeof v);
+        invcal_unpack(segment->v, INVCAL_V_UNIT, v);
+        turn_back(r->c, up[0], f);
+        invcal_cross(f, v, th); /* on the way: half of it */
+        for (unsigned i = 0; i < 3; i++) {
+            f[i] += (th[i] - up[0][i] - up[1][i]) / 2;
+        }
+        for (unsigned i = 0; i < 3; i++) {
+            v[i] -= time * bias[i];
+            if (w->out->g_is_used) {
+                v[i] -= time * invcal_dot3(w->out->slope[i], f);
+            }
+        }
+        invcal_zero(f, sizeof f);
+        invcal_unpack(segment->kappa, INVCAL_KAPPA_UNIT, f);
+        for (unsigned i = 0; i < 3; i++) {
+            th[i] = invcal_dot3(m[i], v) + invcal_dot3(cofactors[i], f);
+        }
+        turn_segment(r, v, th);
+        r->angle += invcal_dot3(th, th);
+        r->time += time;
+        segment++;
+    }
+}
+
+/* ---- bias --------------------------------------------------------------------------------------- */
+
+/* b = b0 + G up + drift t of an axis: (up, t, 1, -b). None if the device turned in that rest or in the one
+ * before. */
+static int has_bias_row(const invcal_imu_work *w, unsigned rest, unsigned axis,
+                        invcal_real h[BIAS + 1])
+{
+    const invcal_moves *m = w->moves;
+    const invcal_still *at = &m->rest[rest];
+    const unsigned start = m->rest[w->begin].when;
+    const unsigned end = m->rest[m->count - 1u].when;
+
+    invcal_apply(&w->out->accelerometer, &w->raw[3 * (size_t)(rest - w->begin)], h);
+    h[3] = invcal_number(at->when - start) / invcal_number(end - start);
+    h[4] = 1;
+    h[BIAS] = -w->bias[rest][axis];
+    return at->move != -INVCAL_REST_DRIFT;
+}
+
+/* Slopes of an axis from their equations, L^-1 and p; square: of a residual. */
+static void tell_slopes(invcal_imu *out, unsigned axis, const invcal_real *a, invcal_real square)
+{
+    const invcal_real *p = &a[INVCAL_PACKED(BIAS, 0)];
+
+    for (unsigned i = 0; i < 4; i++) {
+        const invcal_real variance = square * invcal_variance(a, BIAS, i);
+        out->slope[axis][i] = p[i];
+        out->slope_sigma[axis][i] = INVCAL_SQRT(variance);
+        if (i < 3 && p[i] * p[i] > BEYOND_4_SIGMA * variance) {
+            out->g_is_used = 1;
+        }
+    }
+}
+
+/* By least squares over all rests. A rest's own bias has noise, s^2, which the fit has not; but the fit does not
+ * know how the bias wanders, W, beside up and time. Residuals have s^2 + W, half the squares of their changes
+ * from rest to rest s^2. So of the mean of two residuals, s^2/2 + W, the share s^2/2 is noise, and that is taken
+ * from the bias: the best linear estimate for the move between them. */
+static void fit_bias(invcal_imu_work *w, unsigned axis)
+{
+    const unsigned end = w->moves->count;
+    unsigned count = 0;
+    invcal_real changes = 0;
+    invcal_real last = 0;
+    invcal_real a[INVCAL_PACKED_SIZE(BIAS + 1)];
+    invcal_real h[BIAS + 1];
+    invcal_real residual[INVCAL_MAX_MOVES];
+
+    invcal_zero(a, sizeof a);
+    //@ loop unroll INVCAL_MAX_MOVES;
+    for (unsigned i = w->begin; i < end; i++) {
+        if (has_bias_row(w, i, axis, h)) {
+            invcal_rank_one(a, h, BIAS + 1, 1);
+            count++;
+        }
+    }
+    if (count < LEAST_RESTS || invcal_factor(a, BIAS, BIAS + 1, INVCAL_FLOOR) != INVCAL_OK) {
+        return;
+    }
+    invcal_back_substitute(a, BIAS);
+    const invcal_real *p = &a[INVCAL_PACKED(BIAS, 0)];
+    //@ loop unroll INVCAL_MAX_MOVES;
+    for (unsigned i = w->begin; i < end; i++) {
+        const int is_told = has_bias_row(w, i, axis, h);
+        residual[i] = invcal_dot(p, h, BIAS) + h[BIAS];
+        if (is_told) {
+            changes += (residual[i] - last) * (residual[i] - last);
+            last = residual[i];
+        }
+    }
+    const invcal_real square = INVCAL_FABS(p[BIAS]) / invcal_number(count - BIAS);
+    const invcal_real noise = changes / invcal_number(4 * count); /* s^2/2 */
+    const invcal_real share = square > 2 * noise ? noise / (square - noise) : 1;
+    //@ loop unroll INVCAL_MAX_MOVES;
+    for (unsigned i = w->begin; i < end; i++) {
+        w->bias[i][axis] += share * residual[i];
+    }
+    invcal_invert(a, BIAS);
+    tell_slopes(w->out, axis, a, square);
+}
+
+static void find_bias(invcal_imu_work *w)
+{
+    for (unsigned axis = 0; axis < 3; axis++) {
+        fit_bias(w, axis);
+    }
+}
+
+/* ---- equations ---------------------------------------------------------------------------------- */
+
+INVCAL_APART static void lengthen(invcal_real v[3], invcal_real times)
+{
+    for (unsigned i = 0; i < 3; i++) {
+        v[i] *= times;
+    }
+}
+
+static void add_row(invcal_imu_work *w, invcal_real h[IMU_ALL + 1], invcal_real y,
+                    invcal_real weight)
+{
+    h[w->n] = -y;
+    invcal_rank_one(w->pass.sum, h, w->n + 1, weight);
+}
+
+/* The length of a rest. */
+static void add_rest(invcal_imu_work *w, const invcal_real up[3], invcal_real excess)
+{
+    const invcal_real weight = 1 / w->rest_variance;
+    invcal_real h[IMU_ALL + 1];
+
+    invcal_zero(h, sizeof h);
+    memcpy(&h[IMU_GYRO], up, 3 * sizeof *up);
+    invcal_products(up, &h[IMU_GYRO]);
+    add_row(w, h, excess, weight);
+    w->pass.rests.squares += weight * excess * excess;
+    w->pass.rests.rows++;
+}
+
+/* The angles of a move across the way up, along each axis as far as it is across: with b that part of it,
+ * b'y = b'S de + (g1 D(u1) + g0 D(u0)) dp, g1 = C'(u0 x b), g0 = b x a. The three rows are of rank two. */
+static void add_angles(invcal_imu_work *w, invcal_replay *r, const invcal_real a[3],
+                       const invcal_real up[2][3], const invcal_real y[3], invcal_real weight)
+{
+    invcal_real h[IMU_ALL + 1];
+    invcal_real g[INVCAL_PARAMETERS];
+    invcal_real b[3];
+
+    for (unsigned k = 0; k < 3; k++) {
+        for (unsigned i = 0; i < 3; i++) {
+            b[i] = (i == k ? 1 : 0) - up[0][k] * up[0][i];
+        }
+        for (unsigned i = 0; i < IMU_GYRO; i++) {
+            h[i] = b[0] * r->s[0][i] + b[1] * r->s[1][i] + b[2] * r->s[2][i];
+        }
+        invcal_cross(up[0], b, g);
+        turn_back(r->c, g, &h[IMU_GYRO]);
+        invcal_products(up[1], &h[IMU_GYRO]);
+        invcal_cross(b, a, g);
+        invcal_products(up[0], g);
+        for (unsigned i = 0; i < INVCAL_PARAMETERS; i++) {
+            h[IMU_GYRO + i] += g[i];
+        }
+        add_row(w, h, invcal_dot3(b, y), weight);
+    }
+}
+
+/* What turns a into up0: 3 / (2 + cos) times the sine is the angle to its fifth power. */
+static void add_move(invcal_imu_work *w, unsigned rest, const invcal_segment *segment,
+                     const invcal_real up[2][3])
+{
+    const invcal_imu_settings *s = w->settings;
+    const invcal_still *at = &w->moves->rest[rest];
+    const invcal_real density = s->rate_noise * s->rate_noise;
+    invcal_replay r;
+    invcal_real bias[3];
+    invcal_real a[3];
+    invcal_real y[3];
+
+    for (unsigned i = 0; i < 3; i++) {
+        bias[i] = (w->bias[rest - 1][i] + w->bias[rest][i]) / 2;
+    }
+    invcal_replay_move(w, segment, (unsigned)at->move, bias, up, &r);
+    if (r.angle < NO_ANGLE && invcal_dot3(up[0], up[1]) > SAME_UP) {
+        w->out->idle |= (uint32_t)1 << rest;
+        return;
+    }
+    for (unsigned i = 0; i < 3; i++) {
+        a[i] = invcal_dot3(r.c[i], up[1]);
+    }
+    invcal_cross(a, up[0], y);
+    lengthen(y, 3 / (2 + invcal_dot3(a, up[0])));
+    const invcal_real variance =
+        w->move_variance *
+        (2 * w->noise * w->noise +
+         r.time * (density +
+                   r.time * (density / 2 + INVCAL_REAL(2.25) * s->instability * s->instability)));
+    const invcal_real square = invcal_dot3(y, y);
+    add_angles(w, &r, a, up, y, 1 / variance);
+    w->pass.moved.squares += square / variance;
+    w->pass.moved.rows += 2;
+    w->pass.variances += 2 * variance;
+    w->pass.residuals += square;
+    if (!(square / variance <= w->pass.worst_square)) {
+        w->pass.worst_square = square / variance;
+        w->pass.worst_residual = square;
+        w->out->worst = (uint8_t)rest;
+    }
+}
+
+/* A parameter is that of nominal with the standard deviation of the prior. */
+static void add_prior(invcal_imu_work *w)
+{
+    const invcal_real *prior = w->settings->prior;
+    invcal_real h[IMU_ALL + 1];
+
+    for (unsigned i = 0; prior && i < w->n; i++) {
+        if (prior[i] > 0) {
+            const invcal_real ideal = i < IMU_GYRO && i % 4 == 0 ? 1 : 0;
+            invcal_zero(h, sizeof h);
+            h[i] = 1;
+            add_row(w, h, ideal - w->out->parameter[i], 1 / (prior[i] * prior[i]));
+            w->pass.rows++;
+        }
+    }
+}
+
+invcal_status invcal_imu_sum(invcal_imu_work *w)
+{
+    const invcal_moves *m = w->moves;
+    const invcal_real *raw = w->raw;
+    unsigned first = 0;
+    invcal_real up[2][3];
+
+    invcal_zero(&w->pass, sizeof w->pass);
+    w->out->idle = 0;
+    //@ loop unroll INVCAL_MAX_MOVES;
+    for (unsigned i = 0; i < m->count; i++) {
+        const unsigned segments = m->rest[i].move > 0 ? (unsigned)m->rest[i].move : 0;
+        if (i >= w->begin) {
+            invcal_apply(&w->out->accelerometer, raw, up[1]);
+            const invcal_real length = INVCAL_SQRT(invcal_dot3(up[1], up[1]));
+            lengthen(up[1], 1 / length);
+            if (!(length >= INVCAL_REAL(0.1) && length <= 10)) {
+                return INVCAL_OUT_OF_RANGE;
+            }
+            if (w->n == IMU_ALL) {
+                add_rest(w, up[1], length - 1);
+            }
+            if (i > w->begin && segments > 0 && (w->out->left_out >> i & 1u) == 0) {
+                //@ assert first < INVCAL_MAX_SEGMENTS; // the segments of all moves are in the table
+                add_move(w, i, &m->segment[first], (const invcal_real(*)[3])up);
+            }
+            memcpy(up[0], up[1], sizeof up[0]);
+            raw += 3;
+        }
+        first += segments;
+    }
+    w->pass.rows = w->pass.rests.rows + w->pass.moved.rows;
+    add_prior(w);
+    return INVCAL_OK;
+}
+
+/* ---- solution ----------------------------------------------------------------------------------- */
+
+static invcal_status check_settings(const invcal_imu_settings *s)
+{
+    for (unsigned i = 0; s->prior && i < IMU_ALL; i++) {
+        if (!(s->prior[i] >= 0 && s->prior[i] <= INVCAL_REAL_MAX)) {
+            return INVCAL_BAD_PRIOR;
+        }
+    }
+    return s->noise >= 0 && s->rate_noise >= 0 && s->instability >= 0 &&
+                   s->noise + s->rate_noise + s->instability < 1
+               ? INVCAL_OK
+               : INVCAL_BAD_NOISE;
+}
+
+invcal_status invcal_imu_begin(invcal_imu_work *w, const invcal_real *raw, unsigned count,
+                               const invcal_calibration *accelerometer, const invcal_moves *moves,
+                               const invcal_imu_settings *settings, invcal_imu *out)
+{
+    static const invcal_imu_settings usual = INVCAL_IMU_USUAL;
+    const invcal_imu_settings *s = settings ? settings : &usual;
+    const unsigned both = count < moves->count ? count : moves->count;
+
+    invcal_zero(w, sizeof *w);
+    invcal_zero(out, sizeof *out);
+    w->moves = moves;
+    w->out = out;
+    w->settings = s;
+    w->is_told = settings != NULL;
+    out->accelerometer = *accelerometer;
+    for (unsigned i = 0; i < IMU_GYRO; i += 4) {
+        out->parameter[i] = 1;
+    }
+    w->noise = s->noise > 0 ? s->noise : NOISE_OF_MEAN;
+    w->n = s->held ? IMU_GYRO : IMU_ALL;
+    w->begin = moves->count - both;
+    w->raw = raw + 3 * (size_t)(count - both);
+    w->rest_variance = w->noise * w->noise;
+    w->move_variance = 1;
+    for (unsigned i = 0; i < moves->count; i++) {
+        invcal_unpack(moves->rest[i].bias, INVCAL_KAPPA_UNIT, w->bias[i]);
+    }
+    const invcal_status status = check_settings(s);
+    return status == INVCAL_OK ? invcal_nominal_check(accelerometer) : status;
+}
+
+/* The unknowns of the accelerometer are those of what it calibrates by now: A = (I + S)^-1 behind it. To the
+ * first order, as another step follows. */
+static invcal_status take_step(invcal_imu_work *w, invcal_real *size)
+{
+    const invcal_real *p = &w->pass.sum[INVCAL_PACKED(w->n, 0)];
+    invcal_calibration before;
+
+    before = w->out->accelerometer;
+    for (unsigned i = 0; i < w->n; i++) {
+        w->out->parameter[i] += p[i];
+    }
+    *size = invcal_dot(p, p, w->n);
+    if (w->n == IMU_GYRO) {
+        return INVCAL_OK;
+    }
+    p += IMU_GYRO;
+    for (unsigned i = 0; i < 3; i++) {
+        for (unsigned j = 0; j < 3; j++) {
+            w->out->accelerometer.matrix[i][j] =
+                i == j ? 1 - p[INVCAL_DK_X + i] : -p[INVCAL_GAMMA_XY + i + j - 1] / 2;
+        }
+        w->out->accelerometer.offset[i] = p[i];
+    }
+    return invcal_behind(&before, &w->out->accelerometer);
+}
+
+/* From now on with the variance that residuals of a kind show; a stated one counts as some of them. */
+static void weigh_rows(invcal_imu_work *w, const invcal_imu_rows *rows, int is_stated,
+                       invcal_real *variance)
+{
+    const invcal_real stated = is_stated ? (invcal_real)STATED_ROWS : LITTLE;
+    const invcal_real dof =
+        invcal_number(rows->rows * (w->pass.rows - w->n)) / invcal_number(w->pass.rows);
+
+    if (dof + stated >= 1) {
+        const invcal_real times = (stated + rows->squares) / (stated + dof);
+        *variance *= times;
+        if (is_stated && times > MUCH && w->is_told) {
+            w->out->verdict = INVCAL_ROUGH;
+        }
+    }
+}
+
+/* Weighs once; before that, leaves out a move that is far from the others. */
+static void adapt(invcal_imu_work *w)
+{
+    const unsigned moves = w->pass.moved.rows / 2;
+    const invcal_real others = w->pass.moved.squares - w->pass.worst_square;
+
+    if (w->is_disturbed) {
+        w->is_disturbed = 0; /* of that step the one left out has still been a part */
+    } else if (moves > LEAST_MOVES && w->apart < MOST_APART &&
+               w->pass.worst_square * invcal_number(moves - 1) > FAR_APART * others) {
+        w->out->left_out |= (uint32_t)1 << w->out->worst;
+        w->apart++;
+        w->is_disturbed = 1;
+    } else if (!w->is_weighed) {
+        w->is_weighed = 1;
+        weigh_rows(w, &w->pass.rests, w->settings->noise > 0, &w->rest_variance);
+        weigh_rows(w, &w->pass.moved, 1, &w->move_variance);
+    } /* cppcheck-suppress misra-c2012-15.7 ; both is done */
+}
+
+/* Of Gauss and Newton. */
+static invcal_status make_pass(invcal_imu_work *w, invcal_real *size)
+{
+    if (w->out->passes == 1) {
+        find_bias(w);
+    }
+    invcal_status status = invcal_imu_sum(w);
+    if (status == INVCAL_OK && (w->pass.moved.rows == 0 || w->pass.rows < w->n)) {
+        status = INVCAL_TOO_FEW;
+    }
+    if (status == INVCAL_OK) {
+        if (w->out->passes >= SETTLED) {
+            adapt(w);
+        }
+        status = invcal_factor(w->pass.sum, w->n, w->n + 1, INVCAL_FLOOR);
+    }
+    if (status == INVCAL_OK) {
+        invcal_back_substitute(w->pass.sum, w->n);
+        status = take_step(w, size);
+    }
+    return status;
+}
+
+static invcal_status iterate(invcal_imu_work *w)
+{
+    invcal_real size = 1;
+    int is_done = 0;
+
+    while (!is_done && w->out->passes < PASSES + 2 * w->apart) { /* at most 12 */
+        const int is_weighed = w->is_weighed;
+        const invcal_status status = make_pass(w, &size);
+        if (status != INVCAL_OK) { /* later than at first: it was led astray */
+            return w->out->passes > 0 ? INVCAL_MOUNTING : status;
+        }
+        is_done = is_weighed && size < STEP;
+        w->out->passes++;
+    }
+    return w->pass.residuals < ABSURD_TURN * invcal_number(w->pass.moved.rows) && size < LAST_STEP
+               ? INVCAL_OK
+               : INVCAL_MOUNTING;
+}
+
+/* sigma, and what is weak: of which K is more. Returns the largest K. */
+static invcal_real judge_imu(invcal_imu_work *w, invcal_real most)
+{
+    invcal_real largest = 0;
+
+    invcal_invert(w->pass.sum, w->n);
+    for (unsigned i = 0; i < w->n; i++) {
+        const invcal_real k = invcal_variance(w->pass.sum, w->n, i);
+        w->out->sigma[i] = INVCAL_SQRT(k);
+        if (!(k <= most)) {
+            w->out->open |= (uint32_t)1 << i;
+        }
+        largest = k <= largest ? largest : k;
+    }
+    return largest;
+}
+
+/* A small ridge holds what is open. */
+static void name_open(invcal_imu_work *w)
+{
+    (void)invcal_imu_sum(w); /* it was accepted before */
+    const invcal_real ridge = IMU_RIDGE * invcal_trace(w->pass.sum, w->n);
+    for (unsigned i = 0; i < w->n; i++) {
+        w->pass.sum[INVCAL_PACKED(i, i)] += ridge;
+    }
+    (void)invcal_factor(w->pass.sum, w->n, w->n, 0);
+    (void)judge_imu(w, HELD_BY_RIDGE / ridge);
+}
+
+/* The bias is that of the last rest. */
+static void deliver(invcal_imu_work *w)
+{
+    invcal_imu *out = w->out;
+    const invcal_moves *m = w->moves;
+
+    memcpy(out->gyro.offset, m->bias, sizeof m->bias);
+    invcal_unpack(m->rest[m->count - 1].bias, INVCAL_KAPPA_UNIT, out->gyro.offset);
+    memcpy(out->gyro.matrix, w->out->parameter, sizeof out->gyro.matrix);
+    (void)invcal_behind(&m->nominal, &out->gyro);
+    out->noise = INVCAL_SQRT(w->rest_variance);
+    out->move_rms = INVCAL_SQRT(w->pass.residuals / invcal_number(w->pass.moved.rows));
+    out->move_max = INVCAL_SQRT(w->pass.worst_residual);
+    out->moves = (uint8_t)(w->pass.moved.rows / 2);
+    out->dof = (uint16_t)(w->pass.rows - w->n);
+    if (out->open != 0) {
+        out->verdict = INVCAL_WEAK;
+    } else if (out->verdict == INVCAL_GOOD && out->dof == 0) {
+        out->verdict = INVCAL_NO_REDUNDANCY;
+    } /* cppcheck-suppress misra-c2012-15.7 ; good or rough */
+}
+
+invcal_status invcal_imu_solve(const invcal_real *raw, unsigned count,
+                               const invcal_calibration *accelerometer, const invcal_moves *moves,
+                               const invcal_imu_settings *settings, invcal_imu *out)
+{
+    invcal_imu_work w;
+
+    INVCAL_ASSERT((raw || count == 0) && accelerometer && moves && out);
+    invcal_status status = invcal_imu_begin(&w, raw, count, accelerometer, moves, settings, out);
+    if (status == INVCAL_OK) {
+        status = iterate(&w);
+    }
+    if (status == INVCAL_UNDETERMINED) {
+        name_open(&w);
+    } else if (status == INVCAL_OK) {
+        const invcal_real of_moves = w.pass.variances / invcal_number(w.pass.moved.rows);
+        if (!(judge_imu(&w, WEAK_SQUARE * of_moves) <= OPEN_SQUARE * of_moves)) {
+            return INVCAL_UNDETERMINED;
+        }
+        out->move_noise = INVCAL_SQRT(of_moves);
+        deliver(&w);
+    } /* cppcheck-suppress misra-c2012-15.7 ; there is nothing to tell */
+    return status;
+}

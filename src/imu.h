@@ -1,0 +1,60 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * Internal: the equations of rests and moves, for those who ask them for something else.
+ */
+#ifndef INVCAL_IMU_H
+#define INVCAL_IMU_H
+
+#include "invcal/expert.h"
+#include "invcal/gyro.h"
+
+/* Equations of one kind. */
+typedef struct {
+    invcal_real squares; /* of residuals, over their variances */
+    unsigned rows;
+} invcal_imu_rows;
+
+/* What a pass works on, and what it leaves. */
+typedef struct {
+    const invcal_moves *moves;
+    const invcal_real *raw; /* means of the rests from begin on */
+    const invcal_imu_settings *settings;
+    invcal_imu *out;   /* accelerometer and parameters by now, left_out, idle, worst */
+    invcal_real noise; /* of a mean, as stated or usual */
+    unsigned n;        /* unknowns: 18, 9, or none for the residuals alone */
+    unsigned begin;    /* first rest of moves that has a mean */
+    unsigned apart;    /* moves left out */
+    int is_weighed, is_told, is_disturbed;
+    invcal_real rest_variance; /* over field, squared */
+    invcal_real move_variance; /* over what is expected */
+    struct {
+        invcal_imu_rows rests, moved;
+        unsigned rows;                            /* with priors */
+        invcal_real variances, residuals;         /* sums over moves */
+        invcal_real worst_square, worst_residual; /* over its variance; in rad^2 */
+        invcal_real sum[INVCAL_PACKED_SIZE(INVCAL_IMU_PARAMETERS + 1)];
+    } pass;                                /* what it leaves */
+    invcal_real bias[INVCAL_MAX_MOVES][3]; /* of the rests, as measured or as all of them tell */
+} invcal_imu_work;
+
+/* A move, integrated again. */
+typedef struct {
+    invcal_real c[3][3];                      /* from its end to its beginning */
+    invcal_real s[3][INVCAL_GYRO_PARAMETERS]; /* how E turns that */
+    invcal_real time, angle;                  /* seconds; squares of its segments, rad^2 */
+} invcal_replay;
+
+/* bias, rad/s, of the move; up: before and after it. */
+void invcal_replay_move(const invcal_imu_work *work, const invcal_segment *segment, unsigned count,
+                        const invcal_real bias[3], const invcal_real up[2][3],
+                        invcal_replay *replay);
+
+/* What a solution begins with. INVCAL_BAD_... of it. */
+invcal_status invcal_imu_begin(invcal_imu_work *work, const invcal_real *raw, unsigned count,
+                               const invcal_calibration *accelerometer, const invcal_moves *moves,
+                               const invcal_imu_settings *settings, invcal_imu *out);
+
+/* All equations. INVCAL_OUT_OF_RANGE of a mean. */
+invcal_status invcal_imu_sum(invcal_imu_work *work);
+
+#endif

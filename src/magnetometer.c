@@ -1,0 +1,400 @@
+/* SPDX-License-Identifier: MIT */
+#include "invcal/magnetometer.h"
+
+#include <stddef.h>
+#include <string.h>
+
+#include "cells.h"
+#include "judge.h"
+#include "solve.h"
+#include "status.h"
+#include "sums.h"
+#include "vector.h"
+
+/* Nothing is known: the box of the readings tells where the cells are. Then there is a first solution, of
+ * samples that nothing was compared with; and one of samples after it alone. */
+enum { NO_SOLUTION, FIRST_SOLUTION, SECOND_SOLUTION };
+enum { FIRST_LOOK = 100, LARGEST_BLOCK = 4096 };
+#define MOST_SAMPLES UINT32_C(16777216)
+/* What samples differ by from the first solution, until they have told: as how many a tenth of it counts, and the sum of its squares. */
+enum { DIFFER_COUNT = 8 };
+#define DIFFER_SQUARES INVCAL_REAL(0.08)
+#define CONTRADICTS INVCAL_REAL(25.0) /* square of 5 */
+#define FAR INVCAL_REAL(0.01)
+#define WIDE_GAP INVCAL_REAL(0.6)      /* a cosine: more than 45 degrees */
+#define PLACES_RMS INVCAL_REAL(0.03)   /* what no magnetometer's noise is, */
+#define PLACES_ALIKE INVCAL_REAL(10.0) /* if neighbours err alike */
+enum { POWER_SAMPLES = 64 };
+
+invcal_status invcal_magnetometer_init(invcal_magnetometer *magnetometer,
+                                       const invcal_calibration *nominal)
+{
+    INVCAL_ASSERT(magnetometer && nominal);
+    const invcal_status status = invcal_nominal_check(nominal);
+    if (status == INVCAL_OK) {
+        invcal_zero(magnetometer, sizeof *magnetometer);
+        magnetometer->work = *nominal;
+        magnetometer->unit = 1;
+        magnetometer->due = FIRST_LOOK;
+    }
+    return status;
+}
+
+static invcal_cell_tables both_tables(const invcal_magnetometer *m)
+{
+    const invcal_cell_tables tables = {&m->early, &m->late};
+
+    return tables;
+}
+
+/* ---- how samples err ---------------------------------------------------------------------------- */
+
+/* The mean square of a sum of eta r over a block, over samples: were they independent, it would be that of
+ * r. It is so many times as large as samples err alike. 0: not known. */
+static invcal_real power_of(const invcal_magnetometer *m)
+{
+    return m->blocked >= POWER_SAMPLES ? m->products / (invcal_real)m->blocked : 0;
+}
+
+static void end_block(invcal_magnetometer *m)
+{
+    m->products += invcal_dot3(m->block, m->block);
+    m->blocked += m->in_block;
+    invcal_zero(m->block, sizeof m->block);
+    m->in_block = 0;
+}
+
+/* By how much a sample differs from the solution so far. Returns 0 if that is too much. */
+static int is_alike(invcal_magnetometer *m, const invcal_real h[INVCAL_PARAMETERS])
+{
+    const invcal_real r = invcal_dot(m->p, h, INVCAL_PARAMETERS) - INVCAL_REAL(0.5);
+    const invcal_real n = (invcal_real)(m->blocked + m->in_block + DIFFER_COUNT);
+
+    if (!(r * r * n <= CONTRADICTS * (m->squares + DIFFER_SQUARES))) {
+        return 0;
+    }
+    m->squares += r * r;
+    m->in_block++;
+    INVCAL_UNROLL
+    for (unsigned i = 0; i < 3; i++) {
+        m->block[i] += r * h[i];
+    }
+    if (m->in_block >= LARGEST_BLOCK || m->in_block >= m->samples / 16) {
+        end_block(m);
+    }
+    return 1;
+}
+
+/* ---- looks at what has come --------------------------------------------------------------------- */
+
+/* The centre moves by `shift`, and `scale` becomes 1. Returns 0 if it could not be. */
+static int is_recentred(invcal_magnetometer *m, const invcal_real shift[3], invcal_real scale)
+{
+    invcal_calibration c = {{shift[0], shift[1], shift[2]},
+                            {{1 / scale, 0, 0}, {0, 1 / scale, 0}, {0, 0, 1 / scale}}};
+
+    if (invcal_behind(&m->work, &c) != INVCAL_OK) {
+        return 0;
+    }
+    m->work = c;
+    m->unit *= scale;
+    invcal_cells_move(&m->early, shift, scale);
+    invcal_cells_move(&m->late, shift, scale);
+    return 1;
+}
+
+static void recentre_by_box(invcal_magnetometer *m)
+{
+    invcal_real *const low = m->p;
+    invcal_real *const high = &m->p[3];
+    invcal_real shift[3];
+    invcal_real scale = 0;
+
+    for (unsigned i = 0; i < 3; i++) {
+        shift[i] = (low[i] + high[i]) / 2;
+        if (high[i] - low[i] > 2 * scale) {
+            scale = (high[i] - low[i]) / 2;
+        }
+    }
+    if (is_recentred(m, shift, scale)) {
+        for (unsigned i = 0; i < 3; i++) {
+            low[i] = (low[i] - shift[i]) / scale;
+            high[i] = (high[i] - shift[i]) / scale;
+        }
+    }
+}
+
+/* Once there is one of samples that none was compared with, the next is as good. */
+static int is_found(const invcal_magnetometer *m, invcal_cell_fit *fit)
+{
+    if (m->stage == SECOND_SOLUTION) {
+        return invcal_cells_solve(fit) == INVCAL_OK;
+    }
+    return invcal_cells_calibrate(fit) == INVCAL_OK && fit->quality.verdict != INVCAL_WEAK &&
+           fit->quality.dof >= 2;
+}
+
+/* Has the centre moved by more than a hundredth, or the scale? Less makes no other cells. */
+static int is_far(const invcal_cell_fit *fit)
+{
+    const invcal_real *const shift = fit->triad.offset;
+
+    return !(invcal_dot3(shift, shift) < FAR * FAR &&
+             INVCAL_FABS(invcal_cells_field(fit) - 1) < FAR);
+}
+
+/* A solution of table `one` and the late samples, that what contradicts it may be left out by: into p, the readings
+ * moved to the unit sphere. Returns 0 if there is none. */
+static int has_solution(invcal_magnetometer *m, const invcal_cells *one)
+{
+    invcal_cell_fit fit = {.tables = {one, &m->late}};
+    unsigned worst;
+
+    if (!(invcal_cells_gap(&fit.tables, &worst) > WIDE_GAP) || !is_found(m, &fit)) {
+        return 0;
+    }
+    fit.tables = both_tables(m);
+    m->has_step |= (uint8_t)invcal_cells_step(&fit, m->before > 0 ? m->before : power_of(m));
+    fit.tables.early = one;
+    if (is_far(&fit) && (!is_recentred(m, fit.triad.offset, invcal_cells_field(&fit)) ||
+                         invcal_cells_solve(&fit) != INVCAL_OK)) {
+        return 0;
+    }
+    memcpy(m->p, fit.p, sizeof m->p);
+    for (unsigned i = INVCAL_DK_X; i <= INVCAL_DK_Z; i++) {
+        m->p[i] += INVCAL_REAL(0.5); /* J + h p is one product, less 1/2 */
+    }
+    return 1;
+}
+
+/* Samples that came before any was compared with a solution may be spoilt: they are dropped as soon as
+ * later ones cover all sides as well. */
+static void look_at_samples(invcal_magnetometer *m)
+{
+    const int is_first = m->stage == NO_SOLUTION;
+
+    if (is_first) {
+        recentre_by_box(m);
+    }
+    if (m->stage != SECOND_SOLUTION && has_solution(m, &m->late)) {
+        m->stage = SECOND_SOLUTION;
+        invcal_zero(&m->early, sizeof m->early);
+    } else {
+        if (has_solution(m, &m->early) && is_first) {
+            m->stage = FIRST_SOLUTION;
+        }
+    }
+    if (is_first || m->stage == SECOND_SOLUTION) {
+        invcal_cells_merge(&m->early, &m->late);
+    }
+    if (m->blocked + m->in_block > 0) {
+        end_block(m);
+        m->before = power_of(m);
+        m->squares /= 2; /* an older solution made them */
+        m->products /= 2;
+        m->blocked /= 2;
+    }
+}
+
+/* ---- samples ------------------------------------------------------------------------------------ */
+
+/* Returns 0 if it is no number, or could not be squared. */
+static int widen_box(invcal_magnetometer *m, const invcal_real v[INVCAL_PARAMETERS])
+{
+    if (!invcal_are_finite(&v[INVCAL_DK_X])) {
+        return 0;
+    }
+    for (unsigned i = 0; i < 3; i++) {
+        if (v[i] < m->p[i]) {
+            m->p[i] = v[i];
+        }
+        if (v[i] > m->p[3 + i]) {
+            m->p[3 + i] = v[i];
+        }
+    }
+    return 1;
+}
+
+invcal_event invcal_magnetometer_feed(invcal_magnetometer *magnetometer, const invcal_real raw[3])
+{
+    invcal_magnetometer *const m = magnetometer;
+    invcal_real h[INVCAL_PARAMETERS];
+
+    INVCAL_ASSERT(m && raw);
+    if (m->samples == 0 && invcal_are_finite(raw)) {
+        memcpy(m->work.offset, raw, sizeof m->work.offset); /* so that the readings are small */
+    }
+    invcal_correct(&m->work, raw, h);
+    invcal_row_of(h);
+    if (m->stage != NO_SOLUTION ? !is_alike(m, h) : !widen_box(m, h)) {
+        m->left_out += m->left_out < MOST_SAMPLES && invcal_are_finite(&h[INVCAL_DK_X]);
+        return INVCAL_REFUSED;
+    }
+    const unsigned k = invcal_cell_of_often(h);
+    const unsigned before = (unsigned)m->early.count[k] + m->late.count[k];
+    invcal_cells_add(&m->late, k, h);
+    m->samples++;
+    if (m->samples >= m->due) {
+        look_at_samples(m);
+        m->due += 5 * m->due / 8;
+        if (m->due > MOST_SAMPLES) { /* the older ones count half */
+            m->samples /= 2;
+            m->due = MOST_SAMPLES;
+        }
+    }
+    return before == 0 ? INVCAL_TAKEN : INVCAL_NOTHING;
+}
+
+void invcal_magnetometer_next(const invcal_magnetometer *magnetometer, invcal_real along[3])
+{
+    unsigned worst;
+
+    INVCAL_ASSERT(magnetometer && along);
+    const invcal_cell_tables tables = both_tables(magnetometer);
+    (void)invcal_cells_gap(&tables, &worst);
+    invcal_cell_direction(worst, along);
+}
+
+/* ---- what it comes to --------------------------------------------------------------------------- */
+
+/* Between faces and edges there are only these; where nine cells have samples, no larger ones. */
+static uint8_t degrees_of(invcal_real cosine)
+{
+    return cosine > INVCAL_REAL(0.8)    ? 0u
+           : cosine > INVCAL_REAL(0.6)  ? 45u
+           : cosine > INVCAL_REAL(0.25) ? 60u
+                                        : 90u;
+}
+
+static void tell_found(const invcal_magnetometer *m, const invcal_cell_fit *fit,
+                       invcal_magnetometer_found *found)
+{
+    const invcal_real power = power_of(m);
+    unsigned worst;
+
+    found->field = m->unit * invcal_cells_field(fit);
+    const uint32_t compared = m->blocked + m->in_block;
+    found->rms = compared > 0 ? INVCAL_SQRT(m->squares / (invcal_real)compared) : 0;
+    found->alike = m->squares > 0 ? power / (found->rms * found->rms) : 0;
+    found->samples = m->samples;
+    found->left_out = m->left_out;
+    found->covered = (uint8_t)fit->quality.positions;
+    found->gap = degrees_of(invcal_cells_gap(&fit->tables, &worst));
+    found->disturbance = m->left_out > 0 ? INVCAL_PASSING : INVCAL_UNDISTURBED;
+    if (found->rms > PLACES_RMS && found->alike > PLACES_ALIKE) {
+        found->disturbance = INVCAL_PLACES;
+    }
+    if (m->has_step || m->left_out > m->samples / 4 ||
+        invcal_cells_step(fit, m->before > 0 ? m->before : power)) {
+        found->disturbance = INVCAL_STEP;
+    }
+}
+
+/* What a cell without samples leaves to the others: offset and scale of the axes that it lies along, and the angle
+ * between two. */
+static uint16_t parameters_along(unsigned cell)
+{
+    invcal_real along[3];
+    unsigned bits = 0;
+    unsigned axes = 0;
+    unsigned sum = 0;
+
+    invcal_cell_direction(cell, along);
+    for (unsigned i = 0; i < 3; i++) {
+        if (along[i] * along[i] > INVCAL_REAL(0.25)) {
+            bits |= 1u << (INVCAL_DELTA_X + i) | 1u << (INVCAL_DK_X + i);
+            axes++;
+            sum += i;
+        }
+    }
+    return (uint16_t)(axes == 2 ? bits | 1u << (INVCAL_GAMMA_XY + sum - 1u) : bits);
+}
+
+static void judge_motion(const invcal_magnetometer *m, const invcal_magnetometer_found *found,
+                         const invcal_cell_tables *tables, invcal_quality *quality)
+{
+    unsigned worst;
+
+    if (m->blocked < POWER_SAMPLES) { /* nothing tells yet how samples err alike */
+        invcal_raise(quality, INVCAL_NO_REDUNDANCY);
+    }
+    if (found->gap > 45) {
+        (void)invcal_cells_gap(tables, &worst);
+        quality->weak |= parameters_along(worst);
+        invcal_raise(quality, INVCAL_WEAK);
+    }
+    if (found->disturbance > INVCAL_PASSING || found->left_out > found->samples / 8) {
+        invcal_raise(quality, INVCAL_ROUGH);
+    }
+}
+
+invcal_status invcal_magnetometer_solve(const invcal_magnetometer *magnetometer,
+                                        invcal_calibration *out, invcal_quality *quality,
+                                        invcal_magnetometer_found *found)
+{
+    const invcal_magnetometer *const m = magnetometer;
+    invcal_magnetometer_found f;
+    invcal_cell_fit fit;
+
+    INVCAL_ASSERT(m && out && quality);
+    fit.tables = both_tables(m);
+    invcal_status status = invcal_cells_calibrate(&fit);
+    if (status != INVCAL_OK) {
+        return status;
+    }
+    tell_found(m, &fit, &f);
+    invcal_cells_weigh(&fit, power_of(m));
+    for (unsigned i = 0; i < 3; i++) {
+        fit.quality.sigma[i] /= invcal_cells_field(&fit);
+    }
+    judge_motion(m, &f, &fit.tables, &fit.quality);
+    status = invcal_behind(&m->work, &fit.triad);
+    if (status == INVCAL_OK) {
+        *out = fit.triad;
+        *quality = fit.quality;
+        if (found != NULL) {
+            *found = f;
+        }
+    }
+    return status;
+}
+
+/* What calibrates raw counts does so in the coordinates of the cells behind the inverse of these. */
+unsigned invcal_magnetometer_cell(const invcal_magnetometer *magnetometer,
+                                  const invcal_calibration *calibration, unsigned k,
+                                  invcal_real raw[3])
+{
+    invcal_real inverse[3][3];
+    invcal_calibration triad;
+    invcal_real point[3] = {0, 0, 0};
+
+    INVCAL_ASSERT(magnetometer && calibration && k < INVCAL_CELLS && raw);
+    const invcal_calibration *const work = &magnetometer->work;
+    const invcal_cell_tables tables = both_tables(magnetometer);
+    invcal_inverse3(work->matrix, inverse);
+    invcal_correct(work, calibration->offset, triad.offset);
+    for (unsigned i = 0; i < 3; i++) {
+        const invcal_real *const a = calibration->matrix[i];
+        for (unsigned j = 0; j < 3; j++) {
+            triad.matrix[i][j] = a[0] * inverse[0][j] + a[1] * inverse[1][j] + a[2] * inverse[2][j];
+        }
+    }
+    const unsigned count = invcal_cells_point(&tables, &triad, k, point);
+    for (unsigned i = 0; i < 3 && count > 0; i++) {
+        raw[i] = work->offset[i] + invcal_dot3(inverse[i], point);
+    }
+    return count;
+}
+
+const char *invcal_disturbance_text(invcal_disturbance disturbance)
+{
+    static const char texts[] =
+        "\0"
+        "samples contradict the others and were left out, as if a magnet or iron had passed by\0"
+        "the field differs from place to place: turn it where it is, away from iron\0"
+        "readings changed at some time, as if something magnetic had moved: begin anew\0"
+        "unknown disturbance";
+    const unsigned n = (unsigned)disturbance;
+
+    return invcal_text(texts, n <= INVCAL_STEP ? n : INVCAL_STEP + 1u);
+}

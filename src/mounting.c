@@ -1,0 +1,119 @@
+/* SPDX-License-Identifier: MIT */
+#include "imu.h"
+#include "rotation.h"
+#include "vector.h"
+
+#define DEGREES INVCAL_REAL(57.29578)
+#define CLEAR INVCAL_REAL(4.0)   /* squares of the next best way over those of the best */
+#define NO_TURN INVCAL_REAL(1e4) /* 0.2 degrees, squared, in units of a segment */
+#define STUCK INVCAL_REAL(1e-4)  /* an axis that has less of all squares never turns */
+enum { SIGNS = 8, ORDERS = 6, WAYS = SIGNS * ORDERS, LEAST_TURNS = 2 };
+
+/* Way k of 48: M has in row i the axis `of`, with its sign. */
+static void set_way(invcal_imu_work *w, unsigned k, invcal_real unit, int8_t axes[3])
+{
+    const unsigned order = k / SIGNS;
+    const unsigned first = order / 2;
+    const unsigned second = (first + 1 + order % 2) % 3;
+    const unsigned of[3] = {first, second, 3 - first - second};
+
+    for (unsigned i = 0; i < 3; i++) {
+        const int is_negative = (k >> i & 1u) != 0;
+        axes[i] = (int8_t)(is_negative ? -(int)of[i] - 1 : (int)of[i] + 1);
+        for (unsigned j = 0; j < 3; j++) {
+            const invcal_real element = j == of[i] ? unit : 0;
+            w->out->parameter[3 * i + j] = is_negative ? -element : element;
+        }
+    }
+}
+
+/* Gyroscope axes that never turn are 0, the others themselves. Returns whether there is one. */
+static int find_stuck(const invcal_moves *m, int8_t axes[3])
+{
+    invcal_real square[3] = {0, 0, 0};
+    int is_stuck = 0;
+
+    for (unsigned k = 0; k < m->first; k++) {
+        for (unsigned i = 0; i < 3; i++) {
+            square[i] += (invcal_real)m->segment[k].v[i] * (invcal_real)m->segment[k].v[i];
+        }
+    }
+    const invcal_real least = NO_TURN + STUCK * (square[0] + square[1] + square[2]);
+    for (unsigned i = 0; i < 3; i++) {
+        const int never = m->first > 0 && square[i] < least;
+        axes[i] = (int8_t)(never ? 0 : i + 1);
+        is_stuck |= never;
+    }
+    return is_stuck;
+}
+
+/* The best of all, and the squares of the best whose axes are others. */
+typedef struct {
+    invcal_real squares, next, unit;
+    int8_t axes[3];
+} best_way;
+
+static void compare(best_way *best, const int8_t axes[3], invcal_real unit, invcal_real squares)
+{
+    const int is_another = memcmp(axes, best->axes, sizeof best->axes) != 0;
+
+    if (squares < best->squares) {
+        best->next = is_another ? best->squares : best->next;
+        best->squares = squares;
+        best->unit = unit;
+        memcpy(best->axes, axes, sizeof best->axes);
+    } else if (is_another && squares < best->next) {
+        best->next = squares;
+    } /* cppcheck-suppress misra-c2012-15.7 ; it is one of many */
+}
+
+static invcal_status try_all(invcal_imu_work *w, best_way *best)
+{
+    for (unsigned k = 0; k < 2 * WAYS; k++) {
+        const invcal_real unit = k < WAYS ? 1 : DEGREES;
+        int8_t axes[3];
+        set_way(w, k % WAYS, unit, axes);
+        const invcal_status status = invcal_imu_sum(w);
+        if (status != INVCAL_OK) {
+            return status;
+        }
+        if (w->pass.moved.rows / 2 < LEAST_TURNS) {
+            return INVCAL_TOO_FEW;
+        }
+        compare(best, axes, unit, w->pass.residuals);
+    }
+    return best->next > CLEAR * best->squares ? INVCAL_OK : INVCAL_UNDETERMINED;
+}
+
+invcal_status invcal_imu_mounting(const invcal_real *raw, unsigned count,
+                                  const invcal_calibration *accelerometer,
+                                  const invcal_moves *moves, int8_t axes[3], invcal_real *unit)
+{
+    invcal_imu_work w;
+    invcal_imu out;
+    best_way best = {INVCAL_REAL_MAX, INVCAL_REAL_MAX, 1, {0, 0, 0}};
+
+    INVCAL_ASSERT((raw || count == 0) && accelerometer && moves && axes && unit);
+    invcal_status status = invcal_imu_begin(&w, raw, count, accelerometer, moves, NULL, &out);
+    if (status == INVCAL_OK && !find_stuck(moves, best.axes)) {
+        w.n = 0;
+        status = try_all(&w, &best);
+    }
+    if (status == INVCAL_OK) {
+        memcpy(axes, best.axes, sizeof best.axes);
+        *unit = best.unit;
+    }
+    return status;
+}
+
+const char *invcal_imu_parameter_name(unsigned parameter)
+{
+    enum { LENGTH = 8 };
+    static const char names[] = "gyro_xx\0gyro_xy\0gyro_xz\0"
+                                "gyro_yx\0gyro_yy\0gyro_yz\0"
+                                "gyro_zx\0gyro_zy\0gyro_zz";
+
+    return parameter < INVCAL_GYRO_PARAMETERS
+               ? &names[(size_t)LENGTH * parameter]
+               : invcal_parameter_name(parameter - INVCAL_GYRO_PARAMETERS);
+}

@@ -1,0 +1,427 @@
+/* SPDX-License-Identifier: MIT */
+#include <stddef.h>
+#include <string.h>
+
+#include "circle.h"
+#include "guidance.h"
+#include "imu.h"
+#include "sums.h"
+#include "vector.h"
+
+#define RADIANS INVCAL_REAL(0.017453292519943296) /* in a degree */
+#define MOST_DEGREES INVCAL_REAL(720.0)
+#define QUARTER INVCAL_REAL(90.0)
+#define HALF INVCAL_REAL(180.0)
+#define USUAL_NOISE INVCAL_REAL(3e-4)  /* of a mean, as of invcal_imu_solve */
+#define USUAL_SECONDS INVCAL_REAL(1.5) /* of a turn */
+#define VAGUE INVCAL_REAL(0.01) /* information of a parameter that is known to 10 times the noise */
+#define HELD_BY_VAGUE INVCAL_REAL(0.1) /* a share: what is held by no more is open */
+#define CLEARLY INVCAL_REAL(1.001)     /* of turns that differ by less, the first counts */
+#define NO_ARC INVCAL_REAL(0.09)  /* sine squared: closer, or closer to opposite, is no candidate */
+#define NO_SINE INVCAL_REAL(1e-6) /* squared: of directions that are opposite, or the same */
+#define WEAK_SQUARE INVCAL_REAL(6.25) /* of 2.5 */
+#define OPEN_SQUARE INVCAL_REAL(1e6)  /* of 1000 */
+
+enum {
+    ALL = INVCAL_IMU_PARAMETERS,
+    GYRO = INVCAL_GYRO_PARAMETERS,
+    TOLD = 3, /* rows: two angles of a turn, the length of the rest after it */
+    SIZE = INVCAL_PACKED_SIZE(ALL)
+};
+
+/* What a turn tells; rows are over their standard deviations. */
+typedef struct {
+    invcal_real h[TOLD][ALL];
+    unsigned rows;
+    invcal_real up[3]; /* after it */
+} told;
+
+/* ---- directions and angles ---------------------------------------------------------------------- */
+
+static void scale(invcal_real v[3], invcal_real times)
+{
+    for (unsigned i = 0; i < 3; i++) {
+        v[i] *= times;
+    }
+}
+
+/* From 0 to 180 degrees. What is left beside a first guess has a small sine, which is the angle but for
+ * its fifth power: of 19 degrees 0.02 are left, and of these nothing. */
+static invcal_real angle_of(invcal_real cosine, invcal_real sine)
+{
+    invcal_real degrees = QUARTER * (1 - cosine);
+
+    for (unsigned pass = 0; pass < 2; pass++) {
+        invcal_real c;
+        invcal_real s;
+        invcal_circle(degrees, &c, &s);
+        const invcal_real x = sine * c - cosine * s;
+        degrees += (x + x * x * x / 6) / RADIANS;
+    }
+    return degrees;
+}
+
+/* Returns the square of the sine: below NO_SINE out is lost, as of what is no direction. */
+static invcal_real turn_to(const invcal_real from[3], const invcal_real up[3], invcal_turn *out)
+{
+    invcal_cross(up, from, out->axis);
+    const invcal_real square = invcal_dot3(out->axis, out->axis);
+
+    if (square >= NO_SINE) {
+        const invcal_real sine = INVCAL_SQRT(square);
+        scale(out->axis, 1 / sine);
+        out->degrees = angle_of(invcal_dot3(from, up), sine);
+        memcpy(out->up, up, sizeof out->up);
+    }
+    return square;
+}
+
+invcal_status invcal_turn_to(const invcal_real from[3], const invcal_real up[3], invcal_turn *out)
+{
+    INVCAL_ASSERT(from && up && out);
+    if (!invcal_is_unit(from) || !invcal_is_unit(up) || !(turn_to(from, up, out) >= NO_SINE)) {
+        return INVCAL_BAD_DIRECTION;
+    }
+    return INVCAL_OK;
+}
+
+invcal_status invcal_tour(unsigned i, invcal_turn *out)
+{
+    /* faces: x up and down, y up and down, z up and down */
+    static const uint8_t tour[INVCAL_TOUR_FULL + 1] = {4, 0, 2, 4, 1, 2, 5, 0, 3,
+                                                       5, 1, 3, 4, 4, 4, 2, 2};
+    invcal_real from[3] = {0, 0, 0};
+
+    INVCAL_ASSERT(out);
+    if (i >= INVCAL_TOUR_FULL) {
+        return INVCAL_BAD_PROGRAM;
+    }
+    const unsigned was = tour[i];
+    const unsigned is = tour[i + 1];
+    invcal_zero(out, sizeof *out);
+    from[was / 2] = was % 2 == 0 ? 1 : -1;
+    out->up[is / 2] = is % 2 == 0 ? 1 : -1;
+    out->degrees = QUARTER;
+    if (was != is) {
+        invcal_cross(out->up, from, out->axis);
+    } else {
+        out->axis[(i + 1) / 2 % 3] = 1; /* 12: x; 13: y; 15: z */
+        out->degrees = 4 * QUARTER;
+    }
+    return INVCAL_OK;
+}
+
+/* ---- what a turn tells -------------------------------------------------------------------------- */
+
+/* Of each of its two angles, over that of a position mean. */
+static invcal_real variance_of(const invcal_turns *turns, invcal_real degrees)
+{
+    const invcal_real quarters = INVCAL_FABS(degrees) / QUARTER;
+    const invcal_real time = quarters > 1 ? quarters * turns->seconds : turns->seconds;
+
+    return 2 + time * (turns->linear + time * turns->square);
+}
+
+/* A rotation about n, of which C' is the way back: cos v + (1 - cos) (n'v) n - sin n x v. */
+static void way_back(const invcal_real n[3], invcal_real cosine, invcal_real sine,
+                     const invcal_real v[3], invcal_real out[3])
+{
+    invcal_real across[3];
+    const invcal_real along = (1 - cosine) * invcal_dot3(n, v);
+
+    invcal_cross(n, v, across);
+    for (unsigned i = 0; i < 3; i++) {
+        out[i] = cosine * v[i] + along * n[i] - sine * across[i];
+    }
+}
+
+/* Unit vectors across up and each other. */
+static void find_across(const invcal_real up[3], invcal_real b[2][3])
+{
+    invcal_real axis[3] = {0, 0, 0};
+    unsigned least = 0;
+
+    for (unsigned i = 1; i < 3; i++) {
+        least = INVCAL_FABS(up[i]) < INVCAL_FABS(up[least]) ? i : least;
+    }
+    axis[least] = 1;
+    invcal_cross(up, axis, b[0]);
+    scale(b[0], 1 / INVCAL_SQRT(invcal_dot3(b[0], b[0])));
+    invcal_cross(up, b[0], b[1]);
+}
+
+static void tell_rest(invcal_real h[ALL], const invcal_real up[3])
+{
+    invcal_zero(h, GYRO * sizeof *h);
+    memcpy(&h[GYRO], up, 3 * sizeof *up);
+    invcal_products(up, &h[GYRO]);
+}
+
+/* The rows of imu.c where the turn is what it is meant to be, about one axis n: then S = J th n', with
+ * J th = sin + (th - sin) n n' + (1 - cos) [n x]. */
+INVCAL_APART static void tell(const invcal_turns *turns, const invcal_turn *turn, told *out)
+{
+    const invcal_real *n = turn->axis;
+    const invcal_real angle = turn->degrees * RADIANS;
+    const invcal_real root = 1 / INVCAL_SQRT(variance_of(turns, turn->degrees));
+    invcal_real degrees = turn->degrees;
+    invcal_real cosine;
+    invcal_real sine;
+    invcal_real across[2][3];
+    invcal_real g[INVCAL_PARAMETERS];
+
+    for (unsigned i = 0; i < 2; i++) { /* two full turns at most */
+        degrees -= degrees > HALF ? 2 * HALF : degrees < -HALF ? -2 * HALF : 0;
+    }
+    invcal_circle(degrees, &cosine, &sine);
+    way_back(n, cosine, sine, turns->up, out->up);
+    find_across(turns->up, across);
+    for (unsigned k = 0; k < 2; k++) {
+        const invcal_real *b = across[k];
+        invcal_real *h = out->h[k];
+        const invcal_real along = (angle - sine) * invcal_dot3(b, n);
+        invcal_cross(b, n, g);
+        for (unsigned i = 0; i < 3; i++) {
+            const invcal_real q = sine * b[i] + along * n[i] + (1 - cosine) * g[i];
+            for (unsigned j = 0; j < 3; j++) {
+                h[3 * i + j] = root * q * n[j];
+            }
+        }
+        invcal_cross(turns->up, b, g);
+        way_back(n, cosine, sine, g, &h[GYRO]);
+        invcal_products(out->up, &h[GYRO]);
+        scale(g, -1);
+        invcal_products(turns->up, g);
+        for (unsigned i = 0; i < INVCAL_PARAMETERS; i++) {
+            h[GYRO + i] = root * (h[GYRO + i] + g[i]);
+        }
+    }
+    tell_rest(out->h[2], out->up);
+    out->rows = turns->n == ALL ? TOLD : 2;
+}
+
+static invcal_status check(const invcal_turn *turn)
+{
+    if (!invcal_is_unit(turn->axis)) {
+        return INVCAL_BAD_DIRECTION;
+    }
+    return INVCAL_FABS(turn->degrees) <= MOST_DEGREES ? INVCAL_OK : INVCAL_BAD_PROGRAM;
+}
+
+static void add_rows(invcal_real *sum, unsigned n, const told *rows)
+{
+    for (unsigned k = 0; k < rows->rows; k++) {
+        invcal_rank_one(sum, rows->h[k], n, 1);
+    }
+}
+
+invcal_status invcal_turns_add(invcal_turns *turns, const invcal_turn *turn)
+{
+    told rows;
+
+    INVCAL_ASSERT(turns && turn);
+    const invcal_status status = check(turn);
+    if (status == INVCAL_OK) {
+        tell(turns, turn, &rows);
+        add_rows(turns->sum, turns->n, &rows);
+        scale(rows.up, 1 / INVCAL_SQRT(invcal_dot3(rows.up, rows.up)));
+        memcpy(turns->up, rows.up, sizeof turns->up);
+    }
+    return status;
+}
+
+/* ---- beginnings --------------------------------------------------------------------------------- */
+
+static invcal_status check_settings(const invcal_imu_settings *s)
+{
+    if (!(s->noise >= 0 && s->rate_noise >= 0 && s->instability >= 0 &&
+          s->noise + s->rate_noise + s->instability < 1)) {
+        return INVCAL_BAD_NOISE;
+    }
+    for (unsigned i = 0; s->prior && i < ALL; i++) {
+        if (!(s->prior[i] >= 0)) {
+            return INVCAL_BAD_PRIOR;
+        }
+    }
+    return INVCAL_OK;
+}
+
+static void state(invcal_turns *turns, const invcal_imu_settings *s)
+{
+    invcal_zero(turns, sizeof *turns);
+    turns->n = s->held ? GYRO : ALL;
+    turns->noise = s->noise > 0 ? s->noise : USUAL_NOISE;
+    turns->seconds = USUAL_SECONDS;
+    const invcal_real density = s->rate_noise / turns->noise;
+    const invcal_real instability = INVCAL_REAL(1.5) * s->instability / turns->noise;
+    turns->linear = density * density;
+    turns->square = turns->linear / 2 + instability * instability; /* the bias of rests of 1 s */
+}
+
+invcal_status invcal_turns_begin(invcal_turns *turns, const invcal_real up[3],
+                                 const invcal_imu_settings *settings)
+{
+    static const invcal_imu_settings usual = INVCAL_IMU_USUAL;
+    const invcal_imu_settings *s = settings ? settings : &usual;
+
+    INVCAL_ASSERT(turns && up);
+    const invcal_status status = invcal_is_unit(up) ? check_settings(s) : INVCAL_BAD_DIRECTION;
+    if (status != INVCAL_OK) {
+        return status;
+    }
+    state(turns, s);
+    memcpy(turns->up, up, sizeof turns->up);
+    if (turns->n == ALL) {
+        invcal_real h[ALL];
+        tell_rest(h, up);
+        invcal_rank_one(turns->sum, h, ALL, 1);
+    }
+    for (unsigned i = 0; s->prior && i < turns->n; i++) {
+        if (s->prior[i] > 0) {
+            const invcal_real known = turns->noise / s->prior[i];
+            turns->sum[INVCAL_PACKED(i, i)] += known * known;
+        }
+    }
+    return INVCAL_OK;
+}
+
+invcal_status invcal_turns_after(invcal_turns *turns, const invcal_real *raw, unsigned count,
+                                 const invcal_calibration *accelerometer, const invcal_moves *moves,
+                                 const invcal_imu_settings *settings)
+{
+    invcal_imu_work w;
+    invcal_imu imu;
+
+    INVCAL_ASSERT(turns && (raw || count == 0) && accelerometer && moves);
+    invcal_status status = invcal_imu_begin(&w, raw, count, accelerometer, moves, settings, &imu);
+    const unsigned last = moves->count - w.begin - 1u; /* of the rests; or beyond all */
+    if (status == INVCAL_OK && last >= INVCAL_MAX_MOVES) {
+        status = INVCAL_TOO_FEW;
+    }
+    if (status == INVCAL_OK) {
+        status = invcal_imu_sum(&w);
+    }
+    if (status == INVCAL_OK) {
+        state(turns, w.settings);
+        for (unsigned i = 0; i < SIZE; i++) { /* of 9 unknowns some more, which nobody reads */
+            turns->sum[i] = w.noise * w.noise * w.pass.sum[i];
+        }
+        invcal_apply(accelerometer, &w.raw[3 * (size_t)last], turns->up);
+        scale(turns->up, 1 / INVCAL_SQRT(invcal_dot3(turns->up, turns->up)));
+    }
+    return status;
+}
+
+/* ---- what they are worth ------------------------------------------------------------------------ */
+
+/* L^-1 of the sums, with something vague about each parameter where that is asked for. */
+static invcal_status invert_sums(invcal_real *a, unsigned n, invcal_real vague, invcal_real floor)
+{
+    for (unsigned i = 0; i < n; i++) {
+        a[INVCAL_PACKED(i, i)] += vague;
+    }
+    const invcal_status status = invcal_factor(a, n, n, floor);
+    if (status == INVCAL_OK) {
+        invcal_invert(a, n);
+    }
+    return status;
+}
+
+/* det(I + Y Y') = det(A + H'H) / det A, of Y' = L^-1 H'. Rows are lost. */
+static invcal_real merit_of(const invcal_real *inverse, unsigned n, told *rows)
+{
+    invcal_real gram[INVCAL_PACKED_SIZE(TOLD)];
+    invcal_real root = 1;
+    invcal_real *at = gram;
+
+    for (unsigned k = 0; k < rows->rows; k++) {
+        invcal_real *h = rows->h[k];
+        for (unsigned r = n; r > 0; r--) {
+            h[r - 1] = invcal_dot(&inverse[INVCAL_PACKED(r - 1, 0)], h, r);
+        }
+        for (unsigned i = 0; i <= k; i++) {
+            *at++ = invcal_dot(rows->h[i], h, n) + (i == k ? 1 : 0);
+        }
+    }
+    (void)invcal_factor(gram, rows->rows, rows->rows, 0); /* positive definite */
+    for (unsigned k = 0; k < rows->rows; k++) {
+        root *= gram[INVCAL_PACKED(k, k)];
+    }
+    return 1 / (root * root);
+}
+
+void invcal_turns_next(const invcal_turns *turns, invcal_turn *out)
+{
+    invcal_real inverse[SIZE];
+    told rows;
+    invcal_turn turn;
+    invcal_real up[3];
+    invcal_real best = 0;
+
+    INVCAL_ASSERT(turns && out);
+    memcpy(inverse, turns->sum, sizeof inverse);
+    (void)invert_sums(inverse, turns->n, VAGUE, 0); /* positive definite */
+    invcal_zero(&turn, sizeof turn);
+    *out = turn;
+    for (unsigned n = 0; n < INVCAL_DIRECTIONS; n++) {
+        if (invcal_direction(n, up) && turn_to(turns->up, up, &turn) >= NO_ARC) {
+            tell(turns, &turn, &rows);
+            const invcal_real merit = merit_of(inverse, turns->n, &rows);
+            if (!(merit <= CLEARLY * best)) { /* any, were all NaN */
+                best = merit;
+                *out = turn;
+            }
+        }
+    }
+}
+
+/* Returns the largest K; those above `most` are open. */
+static invcal_real find_sigma(const invcal_real *inverse, unsigned n, invcal_real most,
+                              invcal_real sigma[ALL], uint32_t *open)
+{
+    invcal_real largest = 0;
+
+    invcal_zero(sigma, ALL * sizeof *sigma);
+    *open = 0;
+    for (unsigned i = 0; i < n; i++) {
+        const invcal_real k = invcal_variance(inverse, n, i);
+        sigma[i] = INVCAL_SQRT(k);
+        if (!(k <= most)) {
+            *open |= (uint32_t)1 << i;
+        }
+        largest = k <= largest ? largest : k;
+    }
+    return largest;
+}
+
+invcal_status invcal_turns_sigma(const invcal_turns *turns, const invcal_turn *turn,
+                                 invcal_real sigma[INVCAL_IMU_PARAMETERS], uint32_t *open)
+{
+    invcal_real a[SIZE];
+    told rows;
+    invcal_status status = INVCAL_UNDETERMINED;
+
+    INVCAL_ASSERT(turns && sigma && open);
+    const invcal_real one = variance_of(turns, QUARTER);
+    rows.rows = 0;
+    if (turn != NULL) {
+        const invcal_status usable = check(turn);
+        if (usable != INVCAL_OK) {
+            return usable;
+        }
+        tell(turns, turn, &rows);
+    }
+    memcpy(a, turns->sum, sizeof a);
+    add_rows(a, turns->n, &rows);
+    if (invert_sums(a, turns->n, 0, INVCAL_FLOOR) == INVCAL_OK &&
+        find_sigma(a, turns->n, WEAK_SQUARE * one, sigma, open) <= OPEN_SQUARE * one) {
+        status = INVCAL_OK;
+    }
+    if (status != INVCAL_OK) {
+        memcpy(a, turns->sum, sizeof a);
+        add_rows(a, turns->n, &rows);
+        (void)invert_sums(a, turns->n, VAGUE, 0);
+        (void)find_sigma(a, turns->n, HELD_BY_VAGUE / VAGUE, sigma, open);
+    }
+    return status;
+}

@@ -1,0 +1,60 @@
+/* SPDX-License-Identifier: MIT */
+#include "arbitrary.h"
+#include "cells.h"
+#include "judge.h"
+
+// eva: -eva-precision 0 -eva-auto-loop-unroll 60 -eva-slevel 300 -eva-split-return full
+// stubs: judge
+
+/* ---- what other modules do -------------------------------------------------------------------- */
+
+invcal_status invcal_positions_calibrate(const invcal_positions *positions, invcal_calibration *out,
+                                         invcal_quality *quality)
+{
+    for (unsigned i = 0; i < positions->count; i++) {
+        (void)(positions->raw[3 * i] + positions->raw[3 * i + 1] + positions->raw[3 * i + 2]);
+    }
+    ANY(*out);
+    ANY(*quality);
+    return (invcal_status)BETWEEN(INVCAL_OK, INVCAL_STATUS_COUNT - 1);
+}
+
+void invcal_judge_parameters(const invcal_real k[INVCAL_PARAMETERS], const invcal_real a[3][3],
+                             invcal_quality *q)
+{
+    for (unsigned r = 0; r < INVCAL_PARAMETERS; r++) {
+        (void)k[r];
+    }
+    (void)a[2][2];
+    ANY(*q);
+}
+
+/* ---- any tables, any solution of them ----------------------------------------------------------- */
+
+void main(void)
+{
+    invcal_cells early;
+    invcal_cells late;
+    invcal_cell_fit fit;
+    invcal_real power;
+    unsigned worst;
+
+    ANY(early);
+    ANY(late);
+    ANY(fit);
+    ANY(power);
+    fit.tables.early = &early;
+    fit.tables.late = &late;
+    (void)invcal_cells_count(&fit.tables, BETWEEN(0, INVCAL_CELLS - 1));
+    (void)invcal_cells_gap(&fit.tables, &worst);
+    //@ assert worst < INVCAL_CELLS;
+    (void)invcal_cells_solve(&fit);
+    (void)invcal_cells_calibrate(&fit);
+    ANY(fit.triad);
+    ANY(fit.quality);
+    invcal_real point[3];
+    (void)invcal_cells_point(&fit.tables, &fit.triad, BETWEEN(0, INVCAL_CELLS - 1), point);
+    (void)invcal_cells_step(&fit, power);
+    (void)invcal_cells_field(&fit);
+    invcal_cells_weigh(&fit, power);
+}

@@ -1,0 +1,30 @@
+/* SPDX-License-Identifier: MIT */
+#include "arbitrary.h"
+#include "cells.h"
+
+// eva: -eva-precision 0 -eva-auto-loop-unroll 20 -eva-slevel 100 -eva-split-return full
+
+void main(void)
+{
+    invcal_cells cells;
+    invcal_cells other;
+    invcal_real h[INVCAL_PARAMETERS];
+    invcal_real shift[3];
+    invcal_real scale;
+    invcal_real d[3];
+
+    ANY(cells);
+    ANY(other);
+    ANY(h);
+    ANY(shift);
+    ANY(scale);
+    const unsigned k = invcal_cell_of(h);
+    //@ assert k < INVCAL_CELLS;
+    invcal_cell_direction(BETWEEN(0, INVCAL_CELLS - 1), d);
+    invcal_cells_add(&cells, k, h);
+    ANY(cells);
+    invcal_cells_halve(&cells, BETWEEN(0, INVCAL_CELLS - 1));
+    invcal_cells_merge(&cells, &other);
+    ANY(cells);
+    invcal_cells_move(&cells, shift, scale);
+}

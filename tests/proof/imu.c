@@ -1,0 +1,162 @@
+/* SPDX-License-Identifier: MIT */
+#include <stddef.h>
+
+#include "arbitrary.h"
+#include "imu.h"
+#include "rotation.h"
+#include "solve.h"
+#include "sums.h"
+
+// trusted: 2
+// eva: -eva-precision 0 -eva-auto-loop-unroll 24 -eva-slevel 0 -eva-split-return full
+// stubs: system sums solve nominal apply moves
+
+/* ---- what other modules do ---------------------------------------------------------------------- */
+
+#define UNKNOWN(array, count) Frama_C_make_unknown((char *)(array), (count) * sizeof *(array))
+
+static invcal_status or_fail(invcal_status failure)
+{
+    return BETWEEN(0, 1) ? INVCAL_OK : failure;
+}
+
+static invcal_real any_real(void)
+{
+    invcal_real x;
+
+    ANY(x);
+    return x;
+}
+
+invcal_status invcal_factor(invcal_real *a, unsigned n, unsigned rows, invcal_real floor)
+{
+    (void)n;
+    (void)floor;
+    UNKNOWN(a, INVCAL_PACKED_SIZE(rows));
+    return or_fail(INVCAL_UNDETERMINED);
+}
+
+void invcal_back_substitute(invcal_real *l, unsigned n)
+{
+    UNKNOWN(l, INVCAL_PACKED_SIZE(n) + n);
+}
+
+void invcal_invert(invcal_real *l, unsigned n)
+{
+    UNKNOWN(l, INVCAL_PACKED_SIZE(n));
+}
+
+invcal_real invcal_variance(const invcal_real *inverse, unsigned n, unsigned r)
+{
+    (void)inverse[INVCAL_PACKED(n - 1, r)];
+    return any_real();
+}
+
+invcal_real invcal_trace(const invcal_real *a, unsigned n)
+{
+    (void)a[INVCAL_PACKED_SIZE(n) - 1];
+    return any_real();
+}
+
+void invcal_rank_one(invcal_real *a, const invcal_real *v, unsigned n, invcal_real weight)
+{
+    (void)v[0];
+    (void)v[n - 1];
+    (void)weight;
+    UNKNOWN(a, INVCAL_PACKED_SIZE(n));
+}
+
+void invcal_products(const invcal_real eta[3], invcal_real g[INVCAL_PARAMETERS])
+{
+    (void)eta[2];
+    UNKNOWN(g, INVCAL_PARAMETERS);
+}
+
+invcal_real invcal_cofactors(const invcal_real m[3][3], invcal_real c[3][3])
+{
+    (void)m[2][2];
+    UNKNOWN(c, 3);
+    return any_real();
+}
+
+invcal_status invcal_behind(const invcal_calibration *nominal, invcal_calibration *c)
+{
+    (void)nominal->matrix[2][2];
+    ANY(*c);
+    return or_fail(INVCAL_BAD_NOMINAL);
+}
+
+invcal_status invcal_nominal_check(const invcal_calibration *nominal)
+{
+    (void)nominal->matrix[2][2];
+    return or_fail(INVCAL_BAD_NOMINAL);
+}
+
+void invcal_apply(const invcal_calibration *calibration, const invcal_real raw[3],
+                  invcal_real calibrated[3])
+{
+    (void)calibration->matrix[2][2];
+    (void)raw[2];
+    UNKNOWN(calibrated, 3);
+}
+
+invcal_real invcal_dot(const invcal_real *a, const invcal_real *b, unsigned n)
+{
+    (void)(a[0] + a[n - 1]);
+    (void)(b[0] + b[n - 1]);
+    return any_real();
+}
+
+void invcal_cross(const invcal_real *a, const invcal_real *b, invcal_real *restrict out)
+{
+    (void)(a[0] + a[1] + a[2]);
+    (void)(b[0] + b[1] + b[2]);
+    UNKNOWN(out, 3);
+}
+
+void invcal_unpack(const int16_t packed[3], invcal_real unit, invcal_real out[3])
+{
+    (void)packed[2];
+    (void)unit;
+    UNKNOWN(out, 3);
+}
+
+/* ---- so many rests and means; all that they hold is arbitrary -------------------------------------- */
+
+static void solve(unsigned rests, unsigned means, int held)
+{
+    static invcal_moves moves;
+    static invcal_real raw[3 * (INVCAL_MAX_MOVES + 8)];
+    static invcal_real prior[INVCAL_IMU_PARAMETERS];
+    static invcal_imu out;
+    invcal_calibration accelerometer;
+    invcal_imu_settings settings;
+
+    ANY(moves);
+    ANY(raw);
+    ANY(prior);
+    ANY(accelerometer);
+    ANY(settings);
+    moves.count = (uint8_t)rests;
+    settings.held = (uint8_t)held;
+    settings.prior = BETWEEN(0, 1) ? prior : NULL;
+    (void)invcal_imu_solve(means > 0 ? &raw[3 * (INVCAL_MAX_MOVES + 8 - means)] : NULL, means,
+                           &accelerometer, &moves, &settings, &out);
+}
+
+void main(void)
+{
+    static invcal_moves moves;
+    static invcal_imu out;
+    invcal_calibration accelerometer;
+
+    ANY(moves);
+    ANY(accelerometer);
+    moves.count = 0;
+    (void)invcal_imu_solve(NULL, 0, &accelerometer, &moves, NULL, &out);
+    solve(INVCAL_MAX_MOVES, INVCAL_MAX_MOVES + 8, 0);
+    solve(INVCAL_MAX_MOVES, INVCAL_MAX_MOVES - 8, 1);
+    solve(13, 13, 0);
+    solve(13, 0, 1);
+    solve(1, 8, 0);
+}

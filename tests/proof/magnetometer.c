@@ -1,0 +1,118 @@
+/* SPDX-License-Identifier: MIT */
+#include "arbitrary.h"
+#include "cells.h"
+#include "judge.h"
+
+// eva: -eva-precision 0 -eva-auto-loop-unroll 20 -eva-slevel 100 -eva-slevel-function invcal_text:2000 -eva-split-return full
+// stubs: cell_fit
+
+/* ---- what other modules do -------------------------------------------------------------------- */
+
+/* All is there. */
+static void read_tables(const invcal_cell_tables *tables)
+{
+    const unsigned k = BETWEEN(0, INVCAL_CELLS - 1);
+
+    (void)(tables->early->count[k] + tables->late->count[k]);
+    (void)(tables->early->sum[k][0] + tables->late->sum[k][INVCAL_PARAMETERS - 1]);
+}
+
+static void read_fit(const invcal_cell_fit *fit)
+{
+    read_tables(&fit->tables);
+    (void)fit->triad.offset[BETWEEN(0, 2)];
+    (void)fit->triad.matrix[BETWEEN(0, 2)][BETWEEN(0, 2)];
+}
+
+static invcal_real any_real(void)
+{
+    invcal_real x;
+
+    ANY(x);
+    return x;
+}
+
+static invcal_status any_fit(invcal_cell_fit *fit)
+{
+    read_tables(&fit->tables);
+    ANY(fit->p);
+    ANY(fit->triad);
+    return (invcal_status)BETWEEN(INVCAL_OK, INVCAL_STATUS_COUNT - 1);
+}
+
+invcal_real invcal_cells_gap(const invcal_cell_tables *tables, unsigned *worst)
+{
+    read_tables(tables);
+    *worst = BETWEEN(0, INVCAL_CELLS - 1);
+    return any_real();
+}
+
+invcal_status invcal_cells_solve(invcal_cell_fit *fit)
+{
+    return any_fit(fit);
+}
+
+invcal_status invcal_cells_calibrate(invcal_cell_fit *fit)
+{
+    ANY(fit->quality);
+    return any_fit(fit);
+}
+
+void invcal_cells_weigh(invcal_cell_fit *fit, invcal_real power)
+{
+    (void)power;
+    read_fit(fit);
+    ANY(fit->quality);
+}
+
+int invcal_cells_step(const invcal_cell_fit *fit, invcal_real power)
+{
+    (void)power;
+    read_fit(fit);
+    return (int)BETWEEN(0, 1);
+}
+
+invcal_real invcal_cells_field(const invcal_cell_fit *fit)
+{
+    read_fit(fit);
+    return any_real();
+}
+
+unsigned invcal_cells_point(const invcal_cell_tables *tables, const invcal_calibration *triad,
+                            unsigned k, invcal_real point[3])
+{
+    (void)(triad->offset[2] + triad->matrix[2][2]);
+    read_tables(tables);
+    (void)k;
+    point[0] = any_real();
+    point[1] = any_real();
+    point[2] = any_real();
+    return BETWEEN(0, 32768);
+}
+
+/* ---- any state, any sample ---------------------------------------------------------------------- */
+
+void main(void)
+{
+    invcal_magnetometer magnetometer;
+    invcal_magnetometer_found found;
+    invcal_calibration calibration;
+    invcal_quality quality;
+    invcal_real raw[3];
+
+    ANY(calibration);
+    ANY(raw);
+    (void)invcal_magnetometer_init(&magnetometer, &calibration);
+    ANY(magnetometer);
+    (void)invcal_magnetometer_feed(&magnetometer, raw);
+    ANY(magnetometer);
+    invcal_magnetometer_next(&magnetometer, raw);
+    (void)invcal_magnetometer_solve(&magnetometer, &calibration, &quality, &found);
+    (void)invcal_magnetometer_solve(&magnetometer, &calibration, &quality, 0);
+    ANY(calibration);
+    (void)invcal_magnetometer_cell(&magnetometer, &calibration, BETWEEN(0, INVCAL_CELLS - 1), raw);
+    for (unsigned n = 0; n <= INVCAL_STEP; n++) {
+        (void)invcal_disturbance_text((invcal_disturbance)n);
+    }
+    (void)invcal_disturbance_text((invcal_disturbance)BETWEEN(INVCAL_STEP + 1, 0xFFFFFFFF));
+}

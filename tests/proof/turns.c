@@ -1,0 +1,74 @@
+/* SPDX-License-Identifier: MIT */
+#include "arbitrary.h"
+#include "imu.h"
+
+// eva: -eva-precision 0 -eva-auto-loop-unroll 45 -eva-slevel 60 -eva-split-return full
+
+// stubs: imu
+
+invcal_status invcal_imu_begin(invcal_imu_work *work, const invcal_real *raw, unsigned count,
+                               const invcal_calibration *accelerometer, const invcal_moves *moves,
+                               const invcal_imu_settings *settings, invcal_imu *out)
+{
+    static const invcal_imu_settings usual = INVCAL_IMU_USUAL;
+    static invcal_real means[3 * INVCAL_MAX_MOVES];
+
+    (void)raw;
+    (void)count;
+    ANY(means);
+    ANY(*work);
+    ANY(*out);
+    work->moves = moves;
+    work->raw = means;
+    work->settings = settings ? settings : &usual;
+    work->out = out;
+    work->begin = BETWEEN(0, INVCAL_MAX_MOVES);
+    return accelerometer->offset[0] > 0 ? INVCAL_OK : INVCAL_BAD_NOMINAL;
+}
+
+invcal_status invcal_imu_sum(invcal_imu_work *work)
+{
+    ANY(work->pass);
+    return Frama_C_int_interval(0, 1) ? INVCAL_OK : INVCAL_OUT_OF_RANGE;
+}
+
+enum { COUNT = 40 };
+
+void main(void)
+{
+    static invcal_real raw[3 * COUNT];
+    static invcal_moves moves;
+    invcal_calibration nominal;
+    static invcal_turns turns;
+    invcal_imu_settings settings;
+    invcal_real prior[INVCAL_IMU_PARAMETERS];
+    invcal_real sigma[INVCAL_IMU_PARAMETERS];
+    invcal_real up[2][3];
+    invcal_turn turn;
+    uint32_t open;
+    unsigned i;
+
+    ANY(i);
+    (void)invcal_tour(i, &turn);
+    ANY(up);
+    (void)invcal_turn_to(up[0], up[1], &turn);
+    ANY(settings);
+    ANY(prior);
+    settings.prior = Frama_C_int_interval(0, 1) ? prior : 0;
+    (void)invcal_turns_begin(&turns, up[0], 0);
+    (void)invcal_turns_begin(&turns, up[0], &settings);
+    ANY(raw);
+    ANY(nominal);
+    ANY(moves);
+    moves.count = (uint8_t)BETWEEN(0, INVCAL_MAX_MOVES);
+    (void)invcal_turns_after(&turns, raw, 0, &nominal, &moves, 0);
+    (void)invcal_turns_after(&turns, raw, COUNT, &nominal, &moves, &settings);
+    ANY(turns);
+    turns.n = Frama_C_int_interval(0, 1) ? INVCAL_IMU_PARAMETERS : INVCAL_GYRO_PARAMETERS;
+    ANY(turn);
+    invcal_turns copy = turns;
+    (void)invcal_turns_add(&copy, &turn);
+    (void)invcal_turns_sigma(&turns, &turn, sigma, &open);
+    (void)invcal_turns_sigma(&turns, 0, sigma, &open);
+    invcal_turns_next(&turns, &turn);
+}

@@ -1,0 +1,319 @@
+#!/bin/sh
+# SPDX-License-Identifier: MIT
+#
+# Tests of the gyroscope, from a log to both calibrations: gyro_test.sh path/to/invcal builddir
+here=$(dirname "$0")
+# shellcheck source=tests/tool/support.sh
+. "$here/support.sh"
+
+# Members of "gyroscope", a level deeper than those that json finds: name of the member, all its numbers.
+inner() { # FILE NAME
+    awk -v name="$2" '
+        /^  "gyroscope": / { inside = 1 }
+        inside && /^  }/ { exit }
+        inside && $0 ~ "^    \"" name "\": " { found = 1; sub(/^[^:]*: /, "    ") }
+        found { print }
+        found && (/^    [^ ].*[^[{]$/ || /^    []}],?$/ || /^    -?[0-9]/) { exit }' "$1" |
+        tr -d '\n' | sed 's/,$//; s/  */ /g; s/^ //'
+}
+numbers() { tr -c '0-9.eE+-' ' '; }
+solve() { # ARGUMENTS...: $work/stdout is the JSON
+    run calibrate --json "$@"
+}
+
+# Each of nine elements is within 3 sigma of the truth, and seven or more of them within 95 %.
+is_true() { # RESULT TRUTH
+    { inner "$1" matrix | numbers; echo; inner "$1" lsb | numbers; echo; inner "$1" sigma | numbers; echo
+      inner "$1" interval95 | numbers; echo; inner "$2" matrix | numbers; } | awk '
+        { n = split($0, row); for (i = 1; i <= n; i++) x[NR, i] = row[i]; count[NR] = n }
+        END {
+            if (count[1] != 9 || count[3] != 9 || count[5] != 9) { print "    not nine numbers"; exit 1 }
+            for (i = 1; i <= 9; i++) {
+                off = (x[1, i] - x[5, i]) / x[2, 1] / x[3, i]
+                off = off < 0 ? -off : off
+                if (!(off < 4)) { print "    element " i ": " off " sigma"; bad = 1 }
+                near += off < x[4, 1]
+            }
+            exit bad || near < 7
+        }' >&2
+}
+is_small() { # VALUE BOUND
+    echo "$1 $2" | awk '{ exit !($1 > 0 && $1 < $2) }'
+}
+refused_as() { # WORD PATTERN: of the gyroscope alone
+    [ "$code" -eq 0 ] && is_empty "$work/stderr" && [ "$(inner "$work/stdout" error)" = "\"$1\"" ] &&
+        matches "$work/stdout" "$2" && matches "$work/stdout" '^  "verdict": "good"'
+}
+change() { # AWK: what is done to the fields of a row, from edges.csv to changed.csv
+    awk -F, -v OFS=, "NR == 1 { print; next } $1 { print }" "$work/edges.csv" > "$work/changed.csv"
+}
+
+# ---- against the truth -------------------------------------------------------------------------------
+
+printf '%s\n' x,y,z 0,0,1 1,0,0 0,1,0 0,0,1 -1,0,0 0,1,0 0,0,-1 1,0,0 0,-1,0 0,0,-1 -1,0,0 0,-1,0 0,0,1 > "$work/tour.csv"
+for seed in 1 2 3; do
+    "$tool" simulate --gyro --dwell 3 --plan edges --seed $seed --truth "$work/truth.json" > "$work/edges.csv"
+    solve "$work/edges.csv"
+    check "18 positions, seed $seed: within the intervals" is_true "$work/stdout" "$work/truth.json"
+    "$tool" simulate --gyro --dwell 3 --plan directions:"$work/tour.csv" --seed $seed --truth "$work/truth.json" > "$work/tour.log"
+    solve "$work/tour.log" --gravity 9.80665
+    check "twelve quarter turns, seed $seed: within the intervals" is_true "$work/stdout" "$work/truth.json"
+    near 0.0016 "$(json "$work/stdout" gamma)" '0.01 -0.006 0.008' # not 0.0006: three sigma of a tour
+    check "twelve quarter turns, seed $seed: the angles of the accelerometer are told by the moves" test $? -eq 0
+done
+"$tool" simulate --gyro --dwell 3 --plan directions:"$work/tour.csv" --outliers 1 > "$work/outlier.log"
+run calibrate "$work/outlier.log"
+check "twelve quarter turns with a wrong rest: rough" matches "$work/stdout" '^Rough: '
+solve "$work/tour.log" --gravity 9.80665
+check "they say that the moves told the accelerometer" matches "$work/stdout" '"accelerometer": "rests and moves"'
+refuses "six faces without the gyroscope are as ever" 1 'undetermined: angle xy, angle xz, angle zy' \
+    calibrate "$work/tour.log" --accelerometer-only
+"$tool" simulate --dwell 3 --plan edges > "$work/plain.csv"
+"$tool" simulate --gyro --dwell 3 --plan edges --truth "$work/truth.json" > "$work/edges.csv"
+cut -d, -f1-4 "$work/edges.csv" > "$work/cut.csv"
+check "simulate: a gyroscope leaves the accelerometer's readings as they are" same "$work/plain.csv" "$work/cut.csv"
+run calibrate "$work/plain.csv" --json
+grep -v '"source_' "$work/stdout" | sed 's/,$//' > "$work/alone"
+run calibrate "$work/edges.csv" --json --accelerometer-only
+grep -v '"source_' "$work/stdout" | sed 's/,$//' > "$work/only"
+check "--accelerometer-only: the result of the accelerometer's columns" same "$work/alone" "$work/only"
+solve "$work/edges.csv"
+sed '/^  "gyroscope"/,/^  }/d' "$work/stdout" | grep -v '"source_' | sed 's/,$//' > "$work/both"
+check "positions that tell the accelerometer: its result is the same with a gyroscope" same "$work/alone" "$work/both"
+# g-sensitivity, degrees/s per g
+"$tool" simulate --gyro --dwell 3 --plan per-group:8 --gyro-g 0,0,0,-0.15,0,0,0,0,0 --truth "$work/truth.json" > "$work/g.csv"
+solve "$work/g.csv"
+check "g-sensitivity: it is used" matches "$work/stdout" '"used": "yes"'
+check "g-sensitivity: the matrix is true all the same" is_true "$work/stdout" "$work/truth.json"
+run calibrate "$work/g.csv"
+check "g-sensitivity: it is told" matches "$work/stdout" '^g-sensitivity *about y, -0\.1[45][0-9]* ± 0\.0'
+
+# temperature: 2 counts a degree about y, which is 0.01527 degrees/s
+"$tool" simulate --gyro --dwell 3 --plan edges --temperature 20,40 |
+    awk -F, -v OFS=, 'NR > 1 { $6 = sprintf("%.0f", $6 + 2 * ($8 - 30)) } { print }' > "$work/warm.csv"
+solve "$work/warm.csv"
+check "bias against temperature" near 0.00001 "$(inner "$work/stdout" temperature_slope | numbers)" '0 0.00026646 0'
+run calibrate "$work/warm.csv"
+check "bias against temperature: it is told" matches "$work/stdout" '^temperature *bias x .* y \+0\.01[56]'
+# frames: A'G is the same whatever the frame, if both are turned alike
+both() {
+    { sed -n '/^  "matrix"/,/^  \]/p' "$work/stdout" | numbers; echo; inner "$work/stdout" matrix | numbers; } | tr '\n' ' ' |
+        awk '{ for (i = 0; i < 3; i++) for (j = 0; j < 3; j++) printf "%.9g ", 1e9 * ($(1 + i) * $(10 + j) + $(4 + i) * $(13 + j) + $(7 + i) * $(16 + j)) }'
+}
+solve "$work/edges.csv"
+both > "$work/nine"
+for frame in '--frame triangular' '--case -z' '--case .,-x'; do
+    # shellcheck disable=SC2086 # two words
+    solve "$work/edges.csv" $frame
+    check "$frame: the gyroscope is turned with the accelerometer" near 1e-5 "$(both)" "$(cat "$work/nine")"
+done
+
+# ---- units and columns -------------------------------------------------------------------------------
+
+unit_is() { [ "$(inner "$work/stdout" unit)" = "\"$1\"" ] && [ "$(inner "$work/stdout" unit_from)" = "\"$2\"" ] && is_small "$(inner "$work/stdout" residual_rms)" 3e-4; }
+in_unit() { # SENTENCE HEADINGS PER UNIT FROM ARGUMENTS...
+    sentence=$1; per=$3; unit=$4; from=$5
+    { echo "t,ax,ay,az,$2"
+      awk -F, -v OFS=, -v per="$per" 'NR > 1 { print $1, $2, $3, $4, $5 * per, $6 * per, $7 * per }' "$work/edges.csv"; } > "$work/changed.csv"
+    shift 5
+    solve "$work/changed.csv" "$@"
+    check "$sentence" unit_is "$unit" "$from"
+}
+rad=0.000133231240610254
+dps=0.00763358778625954
+in_unit "rad/s by the header" 'gx (rad/s),gy (rad/s),gz (rad/s)' $rad rad/s header
+in_unit "rad/s of PX4" 'gyro_rad[0],gyro_rad[1],gyro_rad[2]' $rad rad/s header
+in_unit "dps behind the names" 'gyro_x_dps,gyro_y_dps,gyro_z_dps' $dps °/s header
+in_unit "°/s in brackets" 'GYROSCOPE X [°/s],GYROSCOPE Y [°/s],GYROSCOPE Z [°/s]' $dps °/s header
+in_unit "rad/s by the moves" 'wx,wy,wz' $rad rad/s size
+in_unit "°/s by the moves" 'gx,gy,gz' $dps °/s size
+in_unit "counts by the moves" 'GyrX_,GyrY_,GyrZ_' 1 counts size
+in_unit "counts that are stated" 'gx,gy,gz' 1 counts option --gyro-lsb 1/131
+in_unit "°/s that are stated" 'gx,gy,gz' $dps °/s option --gyro-lsb deg/s
+sed 1d "$work/edges.csv" > "$work/bare.csv"
+solve "$work/bare.csv"
+check "seven columns without a header" unit_is counts size
+sed 1d "$work/edges.csv" | cut -d, -f2- > "$work/bare.csv"
+solve "$work/bare.csv" --rate 100
+check "six columns without a header" unit_is counts size
+cut -d, -f1-4 "$work/edges.csv" > "$work/acc.csv"
+cut -d, -f1,5-7 "$work/edges.csv" > "$work/gyro.csv"
+solve "$work/acc.csv" --gyro "$work/gyro.csv"
+check "two files with headers" unit_is counts size
+sed 1d "$work/gyro.csv" | cut -d, -f2- | tr , ' ' > "$work/bare.csv"
+refuses "two files, one without times" 3 'goes not with .*acc\.csv: both need a column t' calibrate "$work/acc.csv" --gyro "$work/bare.csv"
+sed 1d "$work/acc.csv" | cut -d, -f2- > "$work/acc_bare.csv"
+solve "$work/acc_bare.csv" --gyro "$work/bare.csv" --rate 100
+check "two files without headers and times" unit_is counts size
+sed 1d "$work/gyro.csv" | awk 'NR % 2 == 0' > "$work/half.csv"
+solve "$work/acc.csv" --gyro "$work/half.csv"
+check "two files, the gyroscope's at half the rate" unit_is counts size
+awk -F, -v OFS=, '{ $1 += 1000; print }' "$work/half.csv" > "$work/other.csv"
+refuses "two files, another clock" 3 'its times are not those of' calibrate "$work/acc.csv" --gyro "$work/other.csv"
+
+# ---- bad data ----------------------------------------------------------------------------------------
+
+change '{ y = $6; $6 = -$5; $5 = y }' # about x of the accelerometer turns -y of this
+solve "$work/changed.csv"
+check "axes exchanged: it says which fit" refused_as axes '"remedy": "--gyro-axes -y,x,z takes'
+solve "$work/changed.csv" --gyro-axes -y,x,z
+check "axes exchanged: --gyro-axes mends it" unit_is counts size
+change '{ $7 = -$7 }'
+solve "$work/changed.csv"
+check "a wrong sign: it says which" refused_as axes '"remedy": "--gyro-axes x,y,-z takes'
+in_unit "°/s with the heading of rad/s, mended" 'gx (rad/s),gy (rad/s),gz (rad/s)' $dps °/s option --gyro-lsb deg/s
+solve "$work/changed.csv"
+check "°/s with the heading of rad/s: it says so" refused_as unit '"remedy": "they are in °/s: --gyro-lsb deg/s"'
+change '{ $6 = 17 }'
+solve "$work/changed.csv"
+check "an axis that never changes" refused_as stuck "gyroscope's y never changes"
+change '{ $6 = NR % 7 }'
+solve "$work/changed.csv"
+check "an axis that reads noise alone" refused_as stuck "gyroscope's y reads nothing"
+for what in '$5 = 1e12' '$6 = -32768000' '$7 = 1e-300'; do
+    change "NR == 900 { $what }"
+    solve "$work/changed.csv"
+    check "a single reading that is wrong, $what: the others tell" is_true "$work/stdout" "$work/truth.json"
+done
+change '{ $5 = NR % 7; $6 = NR % 5; $7 = NR % 3 }'
+solve "$work/changed.csv"
+check "rests without moves" refused_as 'too few' 'reads no turns between the rests'
+awk -F, -v OFS=, 'NR > 1 && $1 % 5 > 3 { next } { print }' "$work/edges.csv" > "$work/changed.csv"
+solve "$work/changed.csv"
+check "moves that were not recorded" refused_as 'too few' 'no moves between rests, none of their samples lost'
+change 'function clip(x) { return x > 9000 ? 9000 : x < -9000 ? -9000 : x } { $5 = clip($5); $6 = clip($6); $7 = clip($7) }'
+run calibrate "$work/changed.csv"
+check "clipped: that move is left out and named" matches "$work/stdout" "^Left out: the move from position 1 to 2 \(line [0-9]+\): at the end of the sensor's range"
+printf '%s\n' x,y,z 0,0,1 1,0,0 0,0,-1 -1,0,0 0,0,1 1,0,0 0,0,-1 -1,0,0 0,0,1 1,0,0 > "$work/one.csv"
+"$tool" simulate --gyro --dwell 3 --plan directions:"$work/one.csv" > "$work/one.log"
+refuses "all moves about one axis: it names what is open" 1 'The moves between do not tell them either: .*gyro_xx.*gyro_zz' calibrate "$work/one.log"
+awk -F, -v OFS=, 'NR == 1 { print; next } { a[NR] = $1 OFS $2 OFS $3 OFS $4; g[NR] = $5 OFS $6 OFS $7 }
+    END { for (i = 2; i <= NR - 60; i++) print a[i], g[i + 60] }' "$work/edges.csv" > "$work/changed.csv"
+solve "$work/changed.csv"
+check "readings 0.6 s early: it is mended" unit_is counts size
+check "readings 0.6 s early: it is told" near 0.02 "$(inner "$work/stdout" late)" -0.6
+for word in nan inf '' 1e999 junk; do
+    awk -F, -v OFS=, -v word="$word" 'NR == 700 { $6 = word } { print }' "$work/edges.csv" > "$work/changed.csv"
+    refuses "'$word' in a column of the gyroscope" 3 "csv:700: column 6 \(gyroscope's y\): .*--accelerometer-only leaves" calibrate "$work/changed.csv"
+done
+accepts "but not with --accelerometer-only" calibrate "$work/changed.csv" --accelerometer-only --quiet
+
+# ---- the page ----------------------------------------------------------------------------------------
+
+run calibrate "$work/edges.csv" --report "$work/page.html" --quiet
+check "the page is one" is_page "$work/page.html"
+check "the page: a bar for each move, twice (wide and narrow)" test "$(grep -o 'class="c1 bar"' "$work/page.html" | wc -l)" -ge 36
+check "the page: the constant" matches "$work/page.html" 'static const invcal_calibration calibration_gyro = '
+change '{ $6 = 17 }'
+run calibrate "$work/changed.csv" --report "$work/page.html" --quiet
+check "the page: why there is none" matches "$work/page.html" 'never changes'
+check "the page without one is sound" is_page "$work/page.html"
+
+# ---- apply and export --------------------------------------------------------------------------------
+
+run calibrate "$work/edges.csv" --out "$work/cal.json" --quiet
+inner "$work/cal.json" offset | numbers > "$work/offset"
+inner "$work/cal.json" matrix | numbers > "$work/matrix"
+# rates FACTOR: of each row of the log, as the file's own numbers make them; three rows in motion
+rates() {
+    awk -F, 'NR == 320 || NR == 380 || NR == 1050 { print $5, $6, $7 }' "$work/edges.csv" |
+        { cat "$work/offset"; echo; cat; } | awk -v m="$(cat "$work/matrix")" -v factor="$1" '
+            BEGIN { split(m, M, " ") }
+            NR == 1 { for (i = 1; i <= 3; i++) o[i] = $i; next }
+            { for (i = 0; i < 3; i++) printf "%.9g ", factor * (M[3 * i + 1] * ($1 - o[1]) + M[3 * i + 2] * ($2 - o[2]) + M[3 * i + 3] * ($3 - o[3])) }'
+}
+accepts "apply" apply "$work/cal.json" "$work/edges.csv"
+check "apply: the gyroscope has columns" matches "$work/stdout" '^t,x,y,z,gx,gy,gz$'
+check "apply: rad/s" near 1e-8 "$(awk -F, 'NR == 320 || NR == 380 || NR == 1050 { print $5, $6, $7 }' "$work/stdout" | tr '\n' ' ')" "$(rates 1)"
+cut -d, -f5-7 "$work/stdout" > "$work/rates.csv"
+run apply "$work/cal.json" "$work/gyro.csv" --gyro
+cut -d, -f2-4 "$work/stdout" > "$work/alone.csv"
+check "apply --gyro: the same of a file of its own" same "$work/rates.csv" "$work/alone.csv"
+run apply "$work/cal.json" "$work/acc.csv"
+check "apply: a log without a gyroscope" matches "$work/stdout" '^t,x,y,z$'
+run calibrate "$work/acc.csv" --out "$work/none.json" --quiet
+refuses "apply --gyro of a calibration without one" 2 'none\.json holds no gyroscope' apply "$work/none.json" "$work/gyro.csv" --gyro
+sed 's/^    "matrix"/    "matrices"/' "$work/cal.json" > "$work/broken.json"
+refuses "apply: a gyroscope that is incomplete" 3 '"gyroscope" is incomplete' apply "$work/broken.json" "$work/edges.csv"
+
+# system OFFSET MATRIX: the same rows by matrix (raw - offset), numbers of an export
+system() {
+    awk -F, 'NR == 320 || NR == 380 || NR == 1050 { print $5, $6, $7 }' "$work/edges.csv" | awk -v o="$1" -v m="$2" '
+        BEGIN { split(o, O, " "); split(m, M, " ") }
+        { for (i = 0; i < 3; i++) printf "%.9g ", M[3 * i + 1] * ($1 - O[1]) + M[3 * i + 2] * ($2 - O[2]) + M[3 * i + 3] * ($3 - O[3]) }'
+}
+run export "$work/cal.json" --format c-arrays
+o=$(sed -n 's/.*gyro_offset\[3\] = //p' "$work/stdout" | sed 's/f//g' | numbers)
+m=$(sed -n '/gyro_matrix\[3\]/,/;/p' "$work/stdout" | sed 1d | sed 's/f//g' | numbers | tr '\n' ' ')
+check "export --format c-arrays: the gyroscope" near 1e-5 "$(system "$o" "$m")" "$(rates 1)"
+run export "$work/cal.json" --format c --name imu
+check "export --format c: a second constant" matches "$work/stdout" '^static const invcal_calibration imu_gyro = \{$'
+run export "$work/cal.json" --format imu_tk-gyro
+m=$(awk 'NR <= 3 { for (i = 1; i <= 3; i++) t[NR, i] = $i } NR >= 5 && NR <= 7 { k[NR - 4] = $(NR - 4) }
+    END { for (r = 1; r <= 3; r++) for (i = 1; i <= 3; i++) printf "%.17g ", t[r, i] * k[i] }' "$work/stdout")
+check "export --format imu_tk-gyro: T K (X - B)" near 1e-8 "$(system "$(sed -n 9,11p "$work/stdout" | tr '\n' ' ')" "$m")" "$(rates 1)"
+refuses "export --format imu_tk-gyro without one" 2 'none\.json holds none' export "$work/none.json" --format imu_tk-gyro
+run export "$work/cal.json" --format fusion
+o=$(sed -n 's/.*gyroscopeOffset = //p' "$work/stdout" | sed 's/f//g' | numbers)
+m=$(sed -n '/gyroscopeMisalignment = /,/gyroscopeSensitivity/p' "$work/stdout" | sed 's/^static[^=]*=//; s/f//g' | numbers |
+    tr '\n' ' ' | awk '{ for (i = 0; i < 9; i++) printf "%.17g ", $(i + 1) * $(10 + i % 3) }')
+check "export --format fusion: degrees/s" near 1e-3 "$(system "$o" "$m")" "$(rates 57.29577951308232)"
+in_unit "a log in °/s" 'gx (dps),gy (dps),gz (dps)' $dps °/s header
+run calibrate "$work/changed.csv" --out "$work/dps.json" --quiet
+run export "$work/dps.json" --format ardupilot --zero 0,0,0 --lsb 0.000598550415
+check "export --format ardupilot: the bias, rad/s" near 2e-4 "$(sed -n 's/^INS_GYROFFS_[XYZ],//p' "$work/stdout" | tr '\n' ' ')" '0.0087266 -0.0139626 0.0052360'
+run export "$work/dps.json" --format px4 --zero 0,0,0 --lsb 0.000598550415
+check "export --format px4: the bias, rad/s" near 2e-4 "$(sed -n 's/.*CAL_GYRO0_[XYZ]OFF\t\(.*\)\t9$/\1/p' "$work/stdout" | tr '\n' ' ')" '0.0087266 -0.0139626 0.0052360'
+
+change '{ $6 = 17 }'
+run calibrate "$work/changed.csv" --strict --quiet
+check "--strict: a gyroscope that is not calibrated" was_refused 1 "--strict: the gyroscope is not calibrated: .*y never changes"
+accepts "--strict: a good one" calibrate "$work/edges.csv" --strict
+
+# ---- watch -------------------------------------------------------------------------------------------
+
+for log in edges.csv tour.log; do
+    run calibrate "$work/$log" --json
+    mv "$work/stdout" "$work/as"
+    run watch "$work/$log" --json
+    check "watch: $log ends with what calibrate tells" same "$work/stdout" "$work/as"
+done
+check "watch: it tells how exactly the gyroscope is known" matches "$work/stderr" 'gyroscope: 12 moves; scale ± 0\.0[0-9]* %, cross ± 0\.0[0-9]* degrees$'
+change '{ y = $6; $6 = -$5; $5 = y }'
+run watch "$work/changed.csv"
+check "watch: exchanged axes are told before the tenth position" test \
+    "$(awk '/position 10 taken/ { exit } /gyroscope.s axes are not the accelerometer/ { n++ } END { print (n > 0) }' "$work/stdout")" = 1
+run watch "$work/edges.csv" --accelerometer-only
+check "watch --accelerometer-only: no word of it" lacks "$work/stdout" 'gyroscope'
+
+# ---- options -----------------------------------------------------------------------------------------
+
+for pair in '--gyro-axes x,y' '--gyro-axes x,x,z' '--gyro-axes x,y,zz' '--gyro-lsb 0' '--gyro-lsb nonsense' '--gyro-lsb -1'; do
+    # shellcheck disable=SC2086 # two words
+    refuses "$pair" 2 'gyro-' calibrate "$work/edges.csv" $pair
+done
+refuses "--gyro of positions" 2 'position means have no moves' calibrate "$work/edges.csv" --positions --gyro "$work/gyro.csv"
+refuses "--gyro with --accelerometer-only" 2 'leave out --accelerometer-only' calibrate "$work/acc.csv" --gyro "$work/gyro.csv" --accelerometer-only
+refuses "a gyroscope's file that is not there" 3 'none\.csv' calibrate "$work/acc.csv" --gyro "$work/none.csv"
+
+# ---- real sensors, of which only rests and moves are here ---------------------------------------------
+
+real() { awk -v name="$1" -v zero="$2" -v rate="$3" -v noise="$4" -v shake="$5" -f "$here/gyro_log.awk" "$here/../unit/gyro_logs.h" > "$work/real.csv"; }
+real xsens 32768 4772 3 20000
+solve "$work/real.csv" --gravity 9.81744
+# all samples of all 37 moves, gyro.md; of counts of 1/4772 rad/s
+inner "$work/stdout" matrix | numbers | awk '{ for (i = 1; i <= NF; i++) printf "%.6f ", $i * 4772 }' > "$work/nine"
+check "Xsens MTi: as from all samples" near 0.006 "$(cat "$work/nine")" \
+    '0.99953 0.00734 0.00588 0.00644 1.00305 -0.04263 0.02009 -0.01239 1.00307'
+check "Xsens MTi: residual" is_small "$(inner "$work/stdout" residual_rms)" 2.1e-3
+run calibrate "$work/real.csv" --gravity 9.81744
+check "Xsens MTi: -0.154 degrees/s per g about y along x" matches "$work/stdout" '^g-sensitivity *about y, -0\.1[4-6][0-9]* ± 0\.0[01][0-9]* °/s per g along x'
+real mpu0 0 7505.747 10 2000
+solve "$work/real.csv" --gravity 9.81
+check "MPU-9150: residual" is_small "$(inner "$work/stdout" residual_rms)" 2.1e-3
+real mpu1 0 7505.747 10 2000
+run calibrate "$work/real.csv" --gravity 9.81
+check "another: the rests that turned are named" test "$(grep -c '^Left out: the move .*:.*the bias before' "$work/stdout")" -eq 4
+check "another: the move that contradicts is named" matches "$work/stdout" '^Left out: the move from position 6 to 7 .*contradicts the others'
+
+finish

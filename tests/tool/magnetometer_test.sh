@@ -1,0 +1,232 @@
+#!/bin/sh
+# SPDX-License-Identifier: MIT
+#
+# calibrate --magnetometer: logs of one that is waved, with a truth: magnetometer_test.sh path/to/invcal builddir
+# With the recordings (RECORDINGS, or ../shared/data) also a real one, against fits of all of its samples.
+here=$(dirname "$0")
+# shellcheck source=tests/tool/support.sh
+. "$here/support.sh"
+
+# Gauss, in 100 samples a second: the field 0.48 turned about two axes, hard iron 0.1 -0.3 0.05, y scaled by 1.1;
+# noise of 0.5 % of the field. A magnet makes the field 1 + MAGNET times as long for 2 s; from STEP s on another 0.1
+# of offset x; HALF: z > 0 only.
+waved() { # MAGNET STEP HALF
+    awk -v magnet="$1" -v step="$2" -v half="$3" 'BEGIN {
+        srand(1); print "ax (g),ay (g),az (g),mx (G),my (G),mz (G)"
+        for (i = 0; i < 6000; i++) {
+            t = i / 100; a = 2 * t + sin(t); b = 0.73 * t
+            x = sin(a) * cos(b); y = sin(a) * sin(b); z = cos(a)
+            if (half && z < 0) z = -z
+            f = 0.48 * (1 + (t > 40 && t < 42 ? magnet : 0))
+            printf "0,0,1,%.5f,%.5f,%.5f\n", f * x + 0.1 + (t > step ? 0.1 : 0) + n(),
+                f * 1.1 * y - 0.3 + n(), f * z + 0.05 + n()
+        } }
+        function n() { return 0.48 * 0.005 * (rand() + rand() + rand() + rand() - 2) * 1.732 }'
+}
+number() { sed -n "s/^ *\"$1\": \([^[].*[^,]\),*$/\1/p" "$work/stdout" | head -n 1; }
+vector() { sed -n "s/^ *\"$1\": \[\(.*\)\],*$/\1/p" "$work/stdout" | head -n 1 | tr -d ' '; }
+
+waved 0 99 0 > "$work/log.csv"
+accepts "magnetometer: beside an accelerometer" calibrate --magnetometer "$work/log.csv" --json --out "$work/out/cal.json"
+check "magnetometer: hard iron" near 0.002 "$(vector offset)" 0.1,-0.3,0.05
+check "magnetometer: the field, in the unit of the readings" near 0.01 "$(number gravity)" 0.495
+check "magnetometer: and its shape" near 0.01 "$(vector dk)" -0.031,0.065,-0.031
+check "magnetometer: good" matches "$work/stdout" '"verdict": "good"'
+check "magnetometer: nothing disturbed it" matches "$work/stdout" '"disturbance": "none"'
+accepts "magnetometer: the table" calibrate --magnetometer "$work/log.csv" --report "$work/out/page.html"
+check "magnetometer: says what it found" matches "$work/stdout" '18 of 18 directions covered'
+check "magnetometer: and what limits" matches "$work/stdout" 'limited by +what neighbouring samples err alike by'
+run apply "$work/out/cal.json" "$work/log.csv"
+check "magnetometer: apply takes its columns" succeeded
+check "magnetometer: and makes all lengths alike" test "$(awk -F, 'NR > 1 { l = sqrt($1^2 + $2^2 + $3^2)
+    bad += l < 0.47 || l > 0.52 } END { print NR, bad + 0 }' "$work/stdout")" = "6001 0"
+
+accepts "magnetometer: a field that is known" calibrate --magnetometer "$work/log.csv" --gravity 48 --json
+check "magnetometer: gives its unit" near 0.01 "$(number gravity)" 48
+run calibrate --magnetometer "$work/log.csv"
+check "magnetometer: in gauss, not in g" matches "$work/stdout" 'my mz in gauss;.*'
+check "magnetometer: the field, too" matches "$work/stdout" 'field 0\.49[0-9]* gauss'
+for heading in 'mag_x_uT,mag_y_uT,mag_z_uT' 'mx (µT),my (µT),mz (µT)'; do
+    { echo "$heading"; sed 1d "$work/log.csv" | awk -F, '{ print 100 * $4 "," 100 * $5 "," 100 * $6 }'; } > "$work/ut.csv"
+    run calibrate --magnetometer "$work/ut.csv"
+    check "magnetometer: $heading" matches "$work/stdout" 'field 49\.[0-9]* µT'
+done
+{ echo 'mx,my,mz'; echo 'uT,uT,uT'; sed 1,2d "$work/ut.csv"; } > "$work/row.csv"
+run calibrate --magnetometer "$work/row.csv" --json
+check "magnetometer: units in a row of their own" matches "$work/stdout" '"unit": "uT"'
+run calibrate --magnetometer "$work/log.csv" --gravity 1 --out "$work/out/one.json"
+refuses "magnetometer: a field of 1 is no g" 2 'px4 is for accelerometers' export "$work/out/one.json" --format px4
+accepts "magnetometer: as a constant" export "$work/out/one.json" --format c
+in=$work/log.csv
+accepts "magnetometer: from the standard input" calibrate --magnetometer - --json
+in=/dev/null
+
+waved 1 99 0 > "$work/magnet.csv"
+accepts "magnetometer: a magnet passes" calibrate --magnetometer "$work/magnet.csv" --json
+check "magnetometer: that is named" matches "$work/stdout" '"disturbance": "passing"'
+check "magnetometer: and does no harm" near 0.002 "$(vector offset)" 0.1,-0.3,0.05
+run calibrate --magnetometer "$work/magnet.csv"
+check "magnetometer: also in words" matches "$work/stdout" 'Disturbed: samples contradict the others'
+waved 0 35 0 > "$work/step.csv"
+accepts "magnetometer: a step" calibrate --magnetometer "$work/step.csv"
+check "magnetometer: that is named, too" matches "$work/stdout" 'Rough: readings changed at some time'
+check "magnetometer: with what to do" matches "$work/stdout" 'Next: wave it again'
+waved 0 99 1 > "$work/half.csv"
+accepts "magnetometer: half a sphere" calibrate --magnetometer "$work/half.csv"
+check "magnetometer: is weak" matches "$work/stdout" '^Weak: '
+
+head -n 300 "$work/log.csv" > "$work/short.csv"
+refuses "magnetometer: three seconds" 1 'short.csv: 299 samples, all in a few directions; wave it' \
+    calibrate --magnetometer "$work/short.csv"
+run calibrate --magnetometer "$work/short.csv" --json
+check "magnetometer: as JSON, too" matches "$work/stdout" '"error": "too few"'
+printf 'ax,ay,az\n0,0,1\n' > "$work/none.csv"
+refuses "magnetometer: none there" 3 'none.csv:1: the header names no columns of a magnetometer' \
+    calibrate --magnetometer "$work/none.csv"
+printf 'x,y,z,mx,my,mz\n0,0,1,1,2,3\n' > "$work/twice.csv"
+refuses "magnetometer: two sets that may be meant" 3 "x, y and z are there twice .'mx' and 'x'." \
+    calibrate --magnetometer "$work/twice.csv"
+for option in --positions --robust --six-faces --cubic '--thermal=1' '--noise=1' '--case=+z' '--prior=1,1,1' '--sensor=mpu6050'; do
+    refuses "magnetometer: and $option" 2 "--magnetometer: does not go together with ${option%=*}" \
+        calibrate --magnetometer "$work/log.csv" "$option"
+done
+refuses "magnetometer: watch needs no noise" 2 '--magnetometer: does not go together with --mean-sigma' \
+    watch --magnetometer "$work/log.csv" --mean-sigma 1
+
+# ---- live ---------------------------------------------------------------------------------------
+
+run calibrate --magnetometer "$work/log.csv" --json
+found=$(vector offset)
+accepts "magnetometer: live" watch --magnetometer "$work/log.csv"
+check "magnetometer: what to do" matches "$work/stdout" '^turn it slowly to all sides'
+check "magnetometer: where to turn" matches "$work/stdout" '^next: hold it [-+][xyz] up.*, and swing it around$'
+check "magnetometer: how far it is" matches "$work/stdout" '^18 of 18 directions; to 95 %: offsets ± 0'
+check "magnetometer: when it is enough, once" test "$(grep -c '^enough: it is good' "$work/stdout")" -eq 1
+check "magnetometer: and the result" matches "$work/stdout" '^Good: '
+in=$work/log.csv
+run watch --magnetometer - --json
+in=/dev/null
+check "magnetometer: which is that of calibrate" test "$(vector offset)" = "$found"
+check "magnetometer: beside JSON the guidance is on stderr" matches "$work/stderr" '^next: hold it'
+waved 1 99 0 > "$work/magnet.csv"
+run watch --magnetometer "$work/magnet.csv"
+check "magnetometer: a magnet is named at once" matches "$work/stdout" '^disturbed: samples contradict the others'
+run watch --magnetometer "$work/log.csv" --need 0.0001%
+check "magnetometer: no end before what is needed is reached" lacks "$work/stdout" '^enough'
+run watch --magnetometer "$work/log.csv" --need 0.01
+check "magnetometer: in the unit of the readings" matches "$work/stdout" '^enough: what is wanted is reached'
+run watch --magnetometer "$work/log.csv" --target 0.00001,0,0
+check "magnetometer: nor before the target is" lacks "$work/stdout" '^enough'
+head -n 500 "$work/log.csv" | sed '200s/,/;;/' > "$work/torn.csv"
+run watch --magnetometer "$work/torn.csv" --frame accelerometer
+check "magnetometer: a torn line is skipped" matches "$work/stderr" 'torn.csv:200'
+
+# An accelerometer and a magnetometer, whose axes are those of the accelerometer turned by 90 degrees about z and then by 3
+# about x; the field points down by 60 degrees; the accelerometer has an offset of OFFSET g. The hand accelerates by 0.03 g for
+# half a second each.
+both() { # OFFSET SEED
+    awk -v offset="$1" -v seed="$2" 'BEGIN {
+        srand(seed); print "t,ax,ay,az,mx,my,mz"; r = 3.14159265358979 / 180
+        for (i = 0; i < 6000; i++) {
+            t = i / 100; a = 2 * t + sin(t); b = 0.73 * t; c = 0.31 * t + cos(0.4 * t)
+            # rows of the rotation from the world to the case: about z by c, y by b, x by a
+            cx = cos(c); sx = sin(c); cy = cos(b); sy = sin(b); cz = cos(a); sz = sin(a)
+            x[1] = cx * cy; x[2] = sx * cy; x[3] = -sy
+            y[1] = cx * sy * sz - sx * cz; y[2] = sx * sy * sz + cx * cz; y[3] = cy * sz
+            z[1] = cx * sy * cz + sx * sz; z[2] = sx * sy * cz - cx * sz; z[3] = cy * cz
+            for (k = 1; k <= 3; k++) h[k] = 0.98 * h[k] + 0.2 * 0.03 * n()
+            n1 = cos(60 * r); n3 = -sin(60 * r)
+            f1 = x[1] * n1 + x[3] * n3; f2 = y[1] * n1 + y[3] * n3; f3 = z[1] * n1 + z[3] * n3
+            # axes x\047 = y, y\047 = -x; then about x by 3 degrees
+            g1 = f2; g2 = -f1; g3 = f3
+            m2 = cos(3 * r) * g2 + sin(3 * r) * g3; m3 = -sin(3 * r) * g2 + cos(3 * r) * g3
+            printf "%.2f,%.5f,%.5f,%.5f,%.5f,%.5f,%.5f\n", t, x[3] + h[1] + offset, y[3] + h[2], z[3] + h[3],
+                0.5 * g1 + 0.1 + 0.002 * n(), 0.5 * m2 - 0.2 + 0.002 * n(), 0.5 * m3 + 0.002 * n()
+        } }
+        function n() { return (rand() + rand() + rand() + rand() - 2) * 1.732 }'
+}
+both 0 1 > "$work/both.csv"
+# The rotation is Rz(90) Rx(3): its columns are what the axes of the magnetometer are in those of the accelerometer.
+accepts "magnetometer: with an accelerometer" calibrate --magnetometer "$work/both.csv" --json
+rows() { sed -n '/"rotation"/,/\]$/p' "$work/stdout" | sed 1d | tr -d '[] \n' | sed 's/,$//'; }
+check "magnetometer: the rotation between the two" near 0.02 "$(rows)" \
+    0,-0.99863,0.05234,1,0,0,0,0.05234,0.99863
+check "magnetometer: the dip" near 0.01 "$(number dip)" 1.0472
+check "magnetometer: turned only on demand" matches "$work/stdout" '"frame": "symmetric"'
+run calibrate --magnetometer "$work/both.csv"
+check "magnetometer: also in words" matches "$work/stdout" \
+    'axes +to those of the accelerometer by [0-9]+ of 6000 instants, degrees: about x [+]2\.[0-9]+ ± .*The field points down by (59|60)\.[0-9]* degrees\..*--with CAL.json corrects it'
+accepts "magnetometer: turned" calibrate --magnetometer "$work/both.csv" --frame accelerometer --out "$work/out/both.json" \
+    --report "$work/out/both.html"
+check "magnetometer: the page tells it" matches "$work/out/both.html" 'turned to those of the accelerometer'
+check "magnetometer: the table, too" matches "$work/stdout" 'turned to those of the accelerometer'
+run apply "$work/out/both.json" "$work/both.csv"
+check "magnetometer: then up and the field have one angle between them" test "$(paste -d, "$work/both.csv" "$work/stdout" | awk -F, '
+    NR > 1 { l = sqrt($9^2 + $10^2 + $11^2) * sqrt($2^2 + $3^2 + $4^2)
+    d = ($2 * $9 + $3 * $10 + $4 * $11) / l + 0.866; s += d; q += d * d; n++ }
+    END { print n, (s / n < 0.01 && s / n > -0.01 && sqrt(q / n) < 0.05) }')" = "6000 1"
+
+# Sigma is what twenty of them scatter by: three angles each, within 3 sigma but for one.
+for seed in 1 2 3 4 5 6 7 8 9 10 11 12 13 14 15 16 17 18 19 20; do
+    both 0 "$seed" > "$work/one.csv"
+    run calibrate --magnetometer "$work/one.csv" --json
+    echo "$(sed -n '/"accelerometer"/,$s/.*"angle": \[\(.*\)\].*/\1/p' "$work/stdout")," \
+        "$(sed -n '/"accelerometer"/,$s/.*"sigma": \[\(.*\)\].*/\1/p' "$work/stdout")"
+done | tr -d ' ' > "$work/angles.csv"
+# The rotation vector of Rz(90) Rx(3): half angles 45 and 1.5 degrees as quaternions.
+check "magnetometer: sigma covers what angles scatter by" test "$(awk -F, 'BEGIN {
+        r = 3.14159265358979 / 180; c = cos(45 * r); d = cos(1.5 * r); e = sin(1.5 * r)
+        w = c * d; q[1] = c * e; q[2] = c * e; q[3] = c * d; s = sqrt(1 - w * w); t = 2 * atan2(s, w) }
+    { for (i = 1; i <= 3; i++) { e = ($i - q[i] / s * t) / $(i + 3); n++; far += e * e > 9; squares += e * e } }
+    END { print n, (far <= 1), (squares / n > 0.4 && squares / n < 2) }' "$work/angles.csv")" = "60 1 1"
+
+both 0.2 1 > "$work/offset.csv"
+echo '{"offset": [0.2, 0, 0], "matrix": [[1, 0, 0], [0, 1, 0], [0, 0, 1]]}' > "$work/accel.json"
+accepts "magnetometer: an accelerometer that is not calibrated" \
+    calibrate --magnetometer "$work/offset.csv" --with "$work/accel.json" --json
+check "magnetometer: is corrected by its calibration" near 0.02 "$(rows)" \
+    0,-0.99863,0.05234,1,0,0,0,0.05234,0.99863
+check "magnetometer: which is told" matches "$work/stdout" '"taken": "calibrated"'
+both 0.5 1 > "$work/offset.csv"
+accepts "magnetometer: one that is far off" calibrate --magnetometer "$work/offset.csv"
+check "magnetometer: tells nothing" matches "$work/stdout" 'axes +against the accelerometer.s not known: too few instants'
+refuses "magnetometer: nor can anything be turned to it" 1 'usual length, within 10 %, in [0-9]+ of 6000 instants only; correct it' \
+    calibrate --magnetometer "$work/offset.csv" --frame accelerometer
+cut -d, -f5-7 "$work/both.csv" > "$work/alone.csv"
+refuses "magnetometer: none there" 1 'the log has no columns of an accelerometer' \
+    calibrate --magnetometer "$work/alone.csv" --frame accelerometer
+refuses "magnetometer: --with a magnetometer" 2 'is a calibration of a magnetometer' \
+    calibrate --magnetometer "$work/both.csv" --with "$work/out/both.json"
+refuses "magnetometer: --with alone" 2 '--with: is for --magnetometer' calibrate "$work/both.csv" --with "$work/accel.json"
+refuses "magnetometer: its frame alone" 2 '--frame: accelerometer is for --magnetometer' \
+    calibrate "$work/both.csv" --frame accelerometer
+accepts "magnetometer: a need in parts" calibrate --magnetometer "$work/both.csv" --need 1%
+check "magnetometer: is judged" matches "$work/stdout" 'PASS: length within 0\.[0-9]+ of 1\.0 % of the field'
+accepts "magnetometer: and in the unit of the readings" calibrate --magnetometer "$work/both.csv" --need 0.005
+check "magnetometer: is the same" matches "$work/stdout" 'PASS: length within 0\.00[0-9]+ of 0\.0050 field units'
+refuses "magnetometer: a need of gravity" 2 'the field .--gravity. is no gravity' \
+    calibrate --magnetometer "$work/both.csv" --need 1mg
+
+recording=${RECORDINGS:-$here/../../../shared/data}/ck_acc_mag.csv
+if [ -f "$recording" ]; then
+    accepts "magnetometer: a real one" calibrate --magnetometer "$recording" --json
+    sigma=$(sed -n '/"sigma"/,/}/s/.*"offset": \[\(.*\)\].*/\1/p' "$work/stdout")
+    fits=$(sed -n '/reference_offsets/,/;/s/^ *{\([-0-9., ]*\)}.*/\1/p' "$here/../reference/magnetometer.h")
+    check "magnetometer: is within sigma of three fits of all its samples" test "$(
+        { echo "$(vector offset)"; echo "$sigma"; echo "$fits"; } | tr -d ' ' | awk -F, '
+            NR == 1 { split($0, o) } NR == 2 { split($0, s) }
+            NR > 2 { for (i = 1; i <= 3; i++) { e = ($i - o[i]) / s[i]; bad += e > 1 || e < -1; n++ } }
+            END { print n, bad + 0 }')" = "9 0"
+    check "magnetometer: and good" matches "$work/stdout" '"verdict": "good"'
+    # shellcheck disable=SC2016 # fields of awk
+    check "magnetometer: its axes are turned by what a fit of all instants tells" test "$(
+        { echo "$(vector angle)"; sed -n '/"accelerometer"/,$s/.*"sigma": \[\(.*\)\].*/\1/p' "$work/stdout"
+          sed -n 's/.*reference_axes.*{\(.*\)};/\1/p' "$here/../reference/magnetometer.h"; } | tr -d ' ' | awk -F, '
+            NR == 1 { split($0, a) } NR == 2 { split($0, s) }
+            NR == 3 { for (i = 1; i <= 3; i++) { e = ($i - a[i]) / s[i]; bad += e > 1 || e < -1; n++ } }
+            END { print n, bad + 0 }')" = "3 0"
+    check "magnetometer: and so is the dip" near 0.01 "$(number dip)" "-$(
+        sed -n 's/.*reference_axes.*, \([0-9.]*\)};/\1/p' "$here/../reference/magnetometer.h" |
+            awk '{ print atan2($1, sqrt(1 - $1 * $1)) }')"
+fi
+finish

@@ -1,0 +1,354 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * A gyroscope and an accelerometer in a hand: the truth in double, by its own mathematics, for the tests of
+ * gyro.h.
+ */
+#ifndef GYRO_WORLD_H
+#define GYRO_WORLD_H
+
+#include <math.h>
+#include <string.h>
+
+#include "invcal/gyro.h"
+#include "support.h"
+
+#define DEGREE (3.14159265358979324 / 180)
+#define COUNTS 1e5 /* of the gyroscope per rad/s: rounding is no matter */
+
+enum { WORLD_BLOCK = 16, WORLD_RESTS = 40, WORLD_LATE = 64 };
+
+static inline void world_unit(double m[3][3])
+{
+    memset(m, 0, 9 * sizeof(double));
+    m[0][0] = m[1][1] = m[2][2] = 1;
+}
+
+/* Rodrigues: exp([w x]). */
+static inline void world_exp(const double w[3], double r[3][3])
+{
+    const double x = w[0] * w[0] + w[1] * w[1] + w[2] * w[2];
+    const double angle = sqrt(x);
+    const double s = angle > 1e-8 ? sin(angle) / angle : 1;
+    const double k = angle > 1e-8 ? 2 * pow(sin(angle / 2) / angle, 2) : 0.5;
+
+    for (int i = 0; i < 3; i++) {
+        for (int j = 0; j < 3; j++) {
+            r[i][j] = k * w[i] * w[j] + (i == j ? 1 - k * x : 0);
+        }
+        r[i][(i + 1) % 3] -= s * w[(i + 2) % 3];
+        r[i][(i + 2) % 3] += s * w[(i + 1) % 3];
+    }
+}
+
+/* c <- c a */
+static inline void world_turn(double c[3][3], const double a[3][3])
+{
+    double old[3][3];
+
+    memcpy(old, c, sizeof old);
+    for (int i = 0; i < 3; i++) {
+        for (int j = 0; j < 3; j++) {
+            c[i][j] = old[i][0] * a[0][j] + old[i][1] * a[1][j] + old[i][2] * a[2][j];
+        }
+    }
+}
+
+/* What was up there, after the turn c. */
+static inline void world_up(const double c[3][3], const double before[3], double after[3])
+{
+    for (int j = 0; j < 3; j++) {
+        after[j] = c[0][j] * before[0] + c[1][j] * before[1] + c[2][j] * before[2];
+    }
+}
+
+static inline void world_inverse(const double m[3][3], double inverse[3][3])
+{
+    double det = 0;
+
+    for (int i = 0; i < 3; i++) {
+        for (int j = 0; j < 3; j++) {
+            const int a = (i + 1) % 3, b = (i + 2) % 3, c = (j + 1) % 3, d = (j + 2) % 3;
+            inverse[j][i] = m[a][c] * m[b][d] - m[a][d] * m[b][c];
+        }
+    }
+    for (int i = 0; i < 3; i++) {
+        det += m[0][i] * inverse[i][0];
+    }
+    for (int i = 0; i < 9; i++) {
+        inverse[i / 3][i % 3] /= det;
+    }
+}
+
+/* ---- the world ---------------------------------------------------------------------------------- */
+
+typedef struct {
+    /* the sensors */
+    double m[3][3];     /* true rate = m nominal rate */
+    triad_truth triad;  /* accelerometer */
+    double bias[3];     /* rad/s */
+    double g[3][3];     /* its g-sensitivity */
+    double density;     /* rad/s/sqrt(Hz) */
+    double instability; /* rad/s */
+    double mean_noise;  /* of a rest, over field */
+    double rate;        /* samples per second */
+    double wobble;      /* of the hand */
+    int axes[3];        /* gyroscope axis i measures |axes[i]| - 1 */
+    random_source random;
+    int late; /* samples by which the gyroscope's come late; negative: the accelerometer's */
+    /* the state */
+    int32_t queue[WORLD_LATE][3];
+    int resting[WORLD_LATE];
+    double up[3];
+    double flicker[4][3];
+    double c[3][3]; /* of the move */
+    invcal_moves moves;
+    invcal_rests rests; /* as the detector would have it */
+    int samples, hold, quiet;
+    double mean[WORLD_RESTS][3];
+    int count;
+    /* what is kept for others: room for so many samples, or null; and where each rest began */
+    int32_t (*log)[3];
+    int room;
+    int begin[WORLD_RESTS];
+} world;
+
+static inline void world_begin(world *w, double rate, uint32_t seed)
+{
+    invcal_calibration nominal;
+
+    memset(w, 0, sizeof *w);
+    world_unit(w->m);
+    w->triad = triad_random(&w->random, 0);
+    w->random = random_start(seed);
+    w->rate = rate;
+    w->up[2] = 1;
+    w->density = 0.005 * DEGREE;
+    w->instability = 20 * DEGREE / 3600;
+    w->mean_noise = 3e-4;
+    w->wobble = 0.15;
+    for (int i = 0; i < 3; i++) {
+        w->axes[i] = i + 1;
+    }
+    nominal = unit_nominal();
+    for (int i = 0; i < 3; i++) {
+        nominal.matrix[i][i] = (invcal_real)(1 / COUNTS);
+    }
+    (void)invcal_moves_init(&w->moves, &nominal, (invcal_real)rate);
+    w->rests.bits = 4;
+    world_unit(w->c);
+}
+
+static inline void world_without_noise(world *w)
+{
+    w->density = w->instability = w->mean_noise = 0;
+}
+
+/* Scale errors of that size, misalignments of half of it; in both. */
+static inline void world_draw(world *w, double gyro, double accelerometer)
+{
+    for (int i = 0; i < 9; i++) {
+        w->m[i / 3][i % 3] += gyro * random_normal(&w->random) * (i % 4 == 0 ? 1 : 0.5);
+    }
+    w->triad = triad_random(&w->random, accelerometer);
+}
+
+/* What the detector of rests would have said of this block, and what it would look like. */
+static inline void world_block(world *w, int is_quiet)
+{
+    invcal_rests *r = &w->rests;
+    invcal_event event = INVCAL_MOVING;
+
+    if (r->pended == 0) {
+        r->begin = r->time;
+    }
+    r->time += WORLD_BLOCK;
+    if (is_quiet) {
+        r->pended = 2;
+        r->end = r->time;
+        w->hold = 0;
+        w->quiet++;
+        event = w->quiet == 6 ? INVCAL_READY : INVCAL_SETTLING;
+    } else if (r->pended > 0) {
+        w->hold++;
+        if (w->hold == 5) {
+            event = w->quiet >= 6 ? INVCAL_TAKEN : INVCAL_REFUSED;
+            r->pended = event == INVCAL_TAKEN ? 2 : 0;
+        }
+    }
+    invcal_moves_follow(&w->moves, r, event);
+    if (w->hold == 5) {
+        r->pended = 0;
+        w->hold = w->quiet = 0;
+    }
+}
+
+/* A sample, at the true rate omega, by counts. */
+static inline void world_sample(world *w, const double omega[3], int is_quiet)
+{
+    double inverse[3][3];
+    double nominal[3];
+    int32_t raw[3];
+
+    world_inverse((const double(*)[3])w->m, inverse);
+    double up[3];
+    world_up((const double(*)[3])w->c, w->up, up);
+    for (int i = 0; i < 3; i++) {
+        double sum = w->bias[i];
+        for (int k = 0; k < 4; k++) {
+            const double share = exp(-1 / (w->rate * pow(10, k)));
+            w->flicker[k][i] = share * w->flicker[k][i] + sqrt(1 - share * share) * 1.2 *
+                                                              w->instability *
+                                                              random_normal(&w->random);
+            sum += w->flicker[k][i];
+        }
+        for (int j = 0; j < 3; j++) {
+            sum += inverse[i][j] * omega[j] + w->g[i][j] * up[j];
+        }
+        nominal[i] = sum + w->density * sqrt(w->rate) * random_normal(&w->random);
+    }
+    for (int i = 0; i < 3; i++) {
+        const int of = w->axes[i] < 0 ? -w->axes[i] : w->axes[i];
+        raw[i] = (int32_t)lround(COUNTS * (w->axes[i] < 0 ? -nominal[of - 1] : nominal[of - 1]));
+    }
+    if (w->log && w->samples < w->room) {
+        memcpy(w->log[w->samples], raw, sizeof raw);
+    }
+    const int now = w->samples % WORLD_LATE;
+    memcpy(w->queue[now], raw, sizeof raw);
+    w->resting[now] = is_quiet;
+    const int gyro = (w->samples + WORLD_LATE - (w->late > 0 ? w->late : 0)) % WORLD_LATE;
+    const int accelerometer = (w->samples + WORLD_LATE + (w->late < 0 ? w->late : 0)) % WORLD_LATE;
+    invcal_moves_feed(&w->moves, w->queue[gyro]);
+    w->samples++;
+    if (w->samples % WORLD_BLOCK == 0) {
+        world_block(w, w->resting[accelerometer]);
+    }
+}
+
+/* At rest for so many seconds; the accelerometer's mean. */
+static inline void world_rest(world *w, double seconds)
+{
+    static const double none[3] = {0, 0, 0};
+    double u[3];
+    double length = 0;
+
+    world_up((const double(*)[3])w->c, w->up, u);
+    for (int i = 0; i < 3; i++) {
+        length += u[i] * u[i];
+    }
+    for (int i = 0; i < 3; i++) {
+        w->up[i] = u[i] / sqrt(length);
+    }
+    world_unit(w->c);
+    while (w->samples % WORLD_BLOCK != 0) {
+        world_sample(w, none, 0);
+    }
+    w->begin[w->count] = w->samples;
+    const int samples = (int)(seconds * w->rate / (double)WORLD_BLOCK + 1) * WORLD_BLOCK;
+    for (int i = 0; i < samples; i++) {
+        world_sample(w, none, 1);
+    }
+    triad_read(&w->triad, w->up, u);
+    for (int i = 0; i < 3; i++) {
+        w->mean[w->count][i] = u[i] + w->mean_noise * random_normal(&w->random);
+    }
+    w->count++;
+}
+
+/* Turns by a vector, and wobbles on the way; then rests. The truth in steps of a millisecond at most. */
+static inline void world_move(world *w, const double vector[3], double seconds)
+{
+    const int fine = w->rate < 250 ? (int)(1000 / w->rate) : 4;
+    const int samples = (int)(seconds * w->rate);
+    const double angle =
+        sqrt(vector[0] * vector[0] + vector[1] * vector[1] + vector[2] * vector[2]);
+    const double peak = 1.875 * fmax(angle, 0.5) / seconds * w->wobble * 0.7;
+    double amplitude[3][2], pace[3][2], phase[3][2];
+
+    for (int i = 0; i < 6; i++) {
+        amplitude[i / 2][i % 2] = peak * random_normal(&w->random);
+        pace[i / 2][i % 2] =
+            i % 2 == 0 ? random_uniform(&w->random, 0.5, 1.5) : random_uniform(&w->random, 1.5, 4);
+        phase[i / 2][i % 2] = random_uniform(&w->random, 0, 360 * DEGREE);
+    }
+    world_unit(w->c);
+    for (int n = 0; n < samples; n++) {
+        double middle[3] = {0, 0, 0};
+        double step[3], r[3][3];
+        for (int k = 0; k < fine; k++) {
+            const double tau = (n + (k + 0.5) / fine) / samples;
+            const double window = 16 * tau * tau * (1 - tau) * (1 - tau);
+            for (int i = 0; i < 3; i++) {
+                double omega = vector[i] / seconds * 30 * tau * tau * (1 - tau) * (1 - tau);
+                for (int p = 0; p < 2; p++) {
+                    omega += window * amplitude[i][p] *
+                             sin(360 * DEGREE * pace[i][p] * tau * seconds + phase[i][p]);
+                }
+                step[i] = omega / (w->rate * fine);
+                middle[i] += omega / fine;
+            }
+            world_exp(step, r);
+            world_turn(w->c, (const double(*)[3])r);
+        }
+        world_sample(w, middle, 0);
+    }
+    world_rest(w, 1.5);
+}
+
+static inline void world_end(world *w)
+{
+    static const double none[3] = {0, 0, 0};
+
+    for (int i = 0; i < 5 * WORLD_BLOCK; i++) {
+        world_sample(w, none, 0);
+    }
+}
+
+static inline invcal_status world_solve(const world *w, const invcal_imu_settings *settings,
+                                        invcal_imu *out)
+{
+    invcal_real raw[WORLD_RESTS][3];
+    const invcal_calibration nominal = unit_nominal();
+
+    for (int i = 0; i < 3 * w->count; i++) {
+        raw[i / 3][i % 3] = (invcal_real)w->mean[i / 3][i % 3];
+    }
+    return invcal_imu_solve(raw[0], (unsigned)w->count, &nominal, &w->moves, settings, out);
+}
+
+/* The shortest way to have that up. */
+static inline void world_to(world *w, const double to[3])
+{
+    double vector[3];
+    double length = 0;
+    double dot = 0;
+
+    for (int i = 0; i < 3; i++) { /* the device turns by the vector to x up */
+        vector[i] = to[(i + 1) % 3] * w->up[(i + 2) % 3] - to[(i + 2) % 3] * w->up[(i + 1) % 3];
+        length += vector[i] * vector[i];
+        dot += to[i] * w->up[i];
+    }
+    const double angle = atan2(sqrt(length), dot);
+    for (int i = 0; i < 3; i++) {
+        vector[i] *= angle / sqrt(length);
+    }
+    world_move(w, vector, random_uniform(&w->random, 0.85, 1.2) * fmax(1, angle / 1.6));
+}
+
+/* Quarter turns: each of the twelve edges of the octahedron once. */
+static inline void world_tour(world *w)
+{
+    static const char tour[] = "zxyZXyzXYZxYz"; /* small: that axis up, large: down */
+
+    if (w->count == 0) {
+        world_rest(w, 1.5);
+    }
+    for (int k = 1; tour[k] != 0; k++) {
+        double to[3] = {0, 0, 0};
+        const int is_down = tour[k] < 'a';
+        to[(is_down ? tour[k] - 'X' : tour[k] - 'x')] = is_down ? -1 : 1;
+        world_to(w, to);
+    }
+}
+
+#endif

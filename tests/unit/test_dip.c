@@ -1,0 +1,197 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * The rotation between magnetometer and accelerometer: a known one comes back, and sigma is what it scatters by.
+ */
+#include <limits.h>
+#include <math.h>
+#include <string.h>
+
+#include "invcal/magnetometer.h"
+#include "support.h"
+#include "unity.h"
+
+void setUp(void)
+{
+}
+
+void tearDown(void)
+{
+}
+
+/* A rotation by so much about a random axis (Rodrigues). */
+static void rotate_by(double angle, random_source *random, double r[3][3])
+{
+    double e[3];
+
+    random_direction(random, e);
+    for (int i = 0; i < 3; i++) {
+        for (int j = 0; j < 3; j++) {
+            r[i][j] = (1 - cos(angle)) * e[i] * e[j] + (i == j ? cos(angle) : 0);
+        }
+    }
+    for (int i = 0; i < 3; i++) {
+        r[(i + 2) % 3][(i + 1) % 3] += sin(angle) * e[i];
+        r[(i + 1) % 3][(i + 2) % 3] -= sin(angle) * e[i];
+    }
+}
+
+/* Up and a field that dips by `dip` in any orientation, the field read in axes turned by R'. */
+static void read_both(double dip, const double r[3][3], double noise, random_source *random,
+                      invcal_real up[3], invcal_real field[3])
+{
+    double turn[3][3];
+    double m[3];
+
+    random_rotation(random, turn);
+    for (int i = 0; i < 3; i++) {
+        up[i] = (invcal_real)(9.8 * turn[i][2]);
+        m[i] = cos(dip) * turn[i][0] - sin(dip) * turn[i][2] + noise * random_normal(random);
+    }
+    for (int j = 0; j < 3; j++) {
+        field[j] = (invcal_real)(48 * (r[0][j] * m[0] + r[1][j] * m[1] + r[2][j] * m[2]));
+    }
+}
+
+static void a_rotation_of_up_to_90_degrees_comes_back(void)
+{
+    random_source random = random_start(1);
+
+    for (int n = 0; n < SOME(50); n++) {
+        invcal_dip dip;
+        invcal_dip_quality quality;
+        invcal_real found[3][3];
+        double r[3][3];
+        const double angle = random_uniform(&random, 0, 1.57);
+        const double down = random_uniform(&random, -1.2, 1.2);
+        rotate_by(angle, &random, r);
+        invcal_dip_init(&dip);
+        for (int i = 0; i < 200; i++) {
+            invcal_real up[3];
+            invcal_real field[3];
+            read_both(down, (const double(*)[3])r, 0, &random, up, field);
+            TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_dip_add(&dip, up, field));
+        }
+        TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_dip_solve(&dip, 1, found, NULL));
+        TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_dip_solve(&dip, 1, found, &quality));
+        for (int i = 0; i < 9; i++) {
+            TEST_ASSERT_DOUBLE_WITHIN(FLOAT_OR_DOUBLE(2e-5, 1e-7), r[i / 3][i % 3],
+                                      (double)found[i / 3][i % 3]);
+        }
+        TEST_ASSERT_DOUBLE_WITHIN(FLOAT_OR_DOUBLE(1e-5, 1e-7), -sin(down), (double)quality.sine);
+    }
+}
+
+/* The angles of many draws scatter by sigma; what errs alike k times counts once. The heading error that is left
+ * is sigma / cos dip. */
+static void sigma_is_what_the_angles_scatter_by(void)
+{
+    static const double same[3][3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+    const int runs = 300;
+    const int alike = 4;
+    random_source random = random_start(2);
+    double squares = 0;
+    double sigma = 0;
+
+    for (int n = 0; n < runs; n++) {
+        invcal_dip dip;
+        invcal_dip_quality quality;
+        invcal_real found[3][3];
+        invcal_dip_init(&dip);
+        for (int i = 0; i < 100; i++) {
+            invcal_real up[3];
+            invcal_real field[3];
+            read_both(1.1, same, 0.01, &random, up, field);
+            for (int k = 0; k < alike; k++) {
+                invcal_dip_add(&dip, up, field);
+            }
+        }
+        TEST_ASSERT_EQUAL_INT(INVCAL_OK,
+                              invcal_dip_solve(&dip, (invcal_real)alike, found, &quality));
+        for (int i = 0; i < 3; i++) {
+            const double angle = (double)found[(i + 2) % 3][(i + 1) % 3];
+            squares += angle * angle / (3 * runs);
+            sigma += (double)(quality.sigma[i] * quality.sigma[i]) / (3 * runs);
+        }
+        const double mean = sqrt((double)(quality.sigma[0] * quality.sigma[0] +
+                                          quality.sigma[1] * quality.sigma[1] +
+                                          quality.sigma[2] * quality.sigma[2]) /
+                                 3);
+        TEST_ASSERT_DOUBLE_WITHIN(0.05 * mean, mean / cos(1.1), (double)quality.heading);
+        TEST_ASSERT_DOUBLE_WITHIN(0.004, 0.01, (double)quality.scatter / cos(1.1));
+    }
+    TEST_ASSERT_DOUBLE_WITHIN(0.1, 1, sqrt(sigma / squares));
+}
+
+static void what_leaves_an_angle_open_is_refused(void)
+{
+    invcal_dip dip;
+    invcal_real found[3][3] = {{7, 7, 7}, {7, 7, 7}, {7, 7, 7}};
+
+    invcal_dip_init(&dip);
+    TEST_ASSERT_EQUAL_INT(INVCAL_TOO_FEW, invcal_dip_solve(&dip, 1, found, NULL));
+    for (int i = 0; i < 100; i++) { /* it lies flat, and is turned about the vertical */
+        const double t = i * 0.1;
+        const invcal_real up[3] = {0, 0, 1};
+        const invcal_real field[3] = {(invcal_real)cos(t), (invcal_real)sin(t), -1};
+        invcal_dip_add(&dip, up, field);
+    }
+    TEST_ASSERT_EQUAL_INT(INVCAL_UNDETERMINED, invcal_dip_solve(&dip, 1, found, NULL));
+    TEST_ASSERT_TRUE(found[0][0] == 7 && found[2][2] == 7);
+}
+
+/* Up and a field that have nothing to do with each other have no angle between them. */
+static void what_is_not_of_one_instant_is_refused(void)
+{
+    random_source random = random_start(3);
+
+    for (int n = 0; n < SOME(50); n++) {
+        invcal_dip dip;
+        invcal_real found[3][3] = {{7, 7, 7}, {7, 7, 7}, {7, 7, 7}};
+        invcal_dip_init(&dip);
+        for (int i = 0; i < 200; i++) {
+            double d[2][3];
+            random_direction(&random, d[0]);
+            random_direction(&random, d[1]);
+            const invcal_real up[3] = {(invcal_real)d[0][0], (invcal_real)d[0][1],
+                                       (invcal_real)d[0][2]};
+            const invcal_real field[3] = {(invcal_real)d[1][0], (invcal_real)d[1][1],
+                                          (invcal_real)d[1][2]};
+            TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_dip_add(&dip, up, field));
+        }
+        TEST_ASSERT_EQUAL_INT(INVCAL_UNDETERMINED, invcal_dip_solve(&dip, 1, found, NULL));
+        TEST_ASSERT_TRUE(found[0][0] == 7 && found[2][2] == 7);
+    }
+}
+
+static void bad_input_leaves_the_sums_as_they_were(void)
+{
+    const invcal_real good[3] = {1, 2, 3};
+    const invcal_real nothing[3] = {0, 0, 0};
+    const invcal_real bad[3] = {(invcal_real)NAN, 0, 0};
+    const invcal_real huge[3] = {INVCAL_REAL_MAX, 0, 0};
+    invcal_dip dip;
+    invcal_dip before;
+
+    invcal_dip_init(&dip);
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_dip_add(&dip, good, good));
+    before = dip;
+    TEST_ASSERT_EQUAL_INT(INVCAL_NOT_FINITE, invcal_dip_add(&dip, bad, good));
+    TEST_ASSERT_EQUAL_INT(INVCAL_NOT_FINITE, invcal_dip_add(&dip, good, bad));
+    TEST_ASSERT_EQUAL_INT(INVCAL_OUT_OF_RANGE, invcal_dip_add(&dip, nothing, good));
+    TEST_ASSERT_EQUAL_INT(INVCAL_OUT_OF_RANGE, invcal_dip_add(&dip, good, huge));
+    TEST_ASSERT_EQUAL_MEMORY(&before, &dip, sizeof dip);
+    dip.count = UINT_MAX;
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_dip_add(&dip, good, good));
+    TEST_ASSERT_TRUE(dip.count == UINT_MAX);
+}
+
+int main(void)
+{
+    UNITY_BEGIN();
+    RUN_TEST(a_rotation_of_up_to_90_degrees_comes_back);
+    RUN_LONG_TEST(sigma_is_what_the_angles_scatter_by);
+    RUN_TEST(what_leaves_an_angle_open_is_refused);
+    RUN_TEST(what_is_not_of_one_instant_is_refused);
+    RUN_TEST(bad_input_leaves_the_sums_as_they_were);
+    return UNITY_END();
+}

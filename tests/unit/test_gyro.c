@@ -1,0 +1,976 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * Both sensors in one solution: against closed form, and against a simulated hand. The numbers are those of
+ * the design (mathematics.md, "The gyroscope").
+ */
+#include <math.h>
+#include <string.h>
+
+#include "gyro_world.h"
+#include "imu.h"
+#include "solve.h"
+#include "unity.h"
+
+void setUp(void)
+{
+}
+
+void tearDown(void)
+{
+}
+
+static world w;
+static invcal_imu imu;
+
+static double rms(double squares, int count)
+{
+    return sqrt(squares / count);
+}
+
+/* ---- closed form -------------------------------------------------------------------------------- */
+
+static void replay(const double m[3][3], const invcal_segment *segments, unsigned count,
+                   invcal_replay *out)
+{
+    static const invcal_real none[3] = {0, 0, 0};
+    static const invcal_real up[2][3] = {{0, 0, 1}, {0, 0, 1}};
+    invcal_imu_work work;
+
+    memset(&work, 0, sizeof work);
+    work.moves = &w.moves;
+    work.out = &imu;
+    for (int i = 0; i < 9; i++) {
+        imu.parameter[i] = (invcal_real)m[i / 3][i % 3];
+    }
+    invcal_replay_move(&work, segments, count, none, up, out);
+}
+
+/* O1: exp and its left Jacobian. */
+static void a_segment_of_a_steady_axis_is_that_of_closed_form(void)
+{
+    static const double m[3][3] = {{1.02, 0.01, -0.03}, {0.005, 0.97, 0.02}, {-0.01, 0.015, 1.01}};
+    const invcal_segment segment = {{7000, -5000, 4000}, {0, 0, 0}, 200};
+    invcal_replay r;
+    double v[3], th[3], c[3][3], jacobian[3][3];
+
+    world_begin(&w, 100, 1);
+    replay(m, &segment, 1, &r);
+    for (int i = 0; i < 3; i++) {
+        v[i] = segment.v[i] / 32768.0;
+    }
+    for (int i = 0; i < 3; i++) {
+        th[i] = m[i][0] * v[0] + m[i][1] * v[1] + m[i][2] * v[2];
+    }
+    const double x = th[0] * th[0] + th[1] * th[1] + th[2] * th[2];
+    const double angle = sqrt(x);
+    world_exp(th, c);
+    for (int i = 0; i < 3; i++) {
+        for (int j = 0; j < 3; j++) {
+            const double along = (angle - sin(angle)) / (x * angle);
+            jacobian[i][j] = along * th[i] * th[j] + (i == j ? sin(angle) / angle : 0);
+        }
+        jacobian[i][(i + 1) % 3] -= (1 - cos(angle)) / x * th[(i + 2) % 3];
+        jacobian[i][(i + 2) % 3] += (1 - cos(angle)) / x * th[(i + 1) % 3];
+    }
+    for (int i = 0; i < 3; i++) {
+        for (int j = 0; j < 3; j++) {
+            TEST_ASSERT_DOUBLE_WITHIN(FLOAT_OR_DOUBLE(3e-7, 1e-13), c[i][j], (double)r.c[i][j]);
+            for (int k = 0; k < 3; k++) {
+                TEST_ASSERT_DOUBLE_WITHIN(FLOAT_OR_DOUBLE(3e-7, 1e-13), jacobian[i][j] * v[k],
+                                          (double)r.s[i][3 * j + k]);
+            }
+        }
+    }
+    TEST_ASSERT_DOUBLE_WITHIN(1e-6, 1, (double)r.time);
+}
+
+/* O2: what S says against differences, of a move that wobbles. */
+static void the_jacobian_is_that_of_differences(void)
+{
+    static const double unit[3][3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+    const double vector[3] = {1.2, 0.6, -0.4};
+    const double step = FLOAT_OR_DOUBLE(1e-2, 1e-4);
+    invcal_replay r, plus, minus;
+
+    needs_53_bits();
+    world_begin(&w, 400, 3);
+    world_without_noise(&w);
+    w.wobble = 0.25;
+    world_rest(&w, 1.5);
+    world_move(&w, vector, 1);
+    world_end(&w);
+    TEST_ASSERT_EQUAL_INT(2, w.moves.count);
+    const unsigned count = (unsigned)w.moves.rest[1].move;
+    replay(unit, w.moves.segment, count, &r);
+    for (int k = 0; k < 9; k++) {
+        double m[3][3];
+        world_unit(m);
+        m[k / 3][k % 3] += step;
+        replay((const double(*)[3])m, w.moves.segment, count, &plus);
+        m[k / 3][k % 3] -= 2 * step;
+        replay((const double(*)[3])m, w.moves.segment, count, &minus);
+        for (int i = 0; i < 3; i++) {
+            const int a = (i + 1) % 3, b = (i + 2) % 3;
+            double d = 0; /* of (C+ - C-) C', its skew part */
+            for (int j = 0; j < 3; j++) {
+                d += ((double)plus.c[b][j] - (double)minus.c[b][j]) * (double)r.c[a][j] -
+                     ((double)plus.c[a][j] - (double)minus.c[a][j]) * (double)r.c[b][j];
+            }
+            TEST_ASSERT_DOUBLE_WITHIN(3e-3, d / (4 * step), (double)r.s[i][k]);
+        }
+    }
+}
+
+/* ---- exact segments ----------------------------------------------------------------------------- */
+
+/* A move of equal segments about a steady axis, all whole numbers: its truth has no rounding. */
+static void add_exact(const double m[3][3], const int v[3], int segments)
+{
+    double th[3], c[3][3], all[3][3], after[3];
+
+    for (int i = 0; i < 3; i++) {
+        th[i] = (m[i][0] * v[0] + m[i][1] * v[1] + m[i][2] * v[2]) / 32768;
+    }
+    world_exp(th, c);
+    world_unit(all);
+    for (int k = 0; k < segments; k++) {
+        invcal_segment *s = &w.moves.segment[w.moves.first++];
+        for (int i = 0; i < 3; i++) {
+            s->v[i] = (int16_t)v[i];
+            s->kappa[i] = 0;
+        }
+        s->time = 2 * 20;
+        world_turn(all, (const double(*)[3])c);
+    }
+    world_up((const double(*)[3])all, w.up, after);
+    w.moves.rest[w.count].move = (int8_t)segments;
+    w.moves.rest[w.count].when = (uint16_t)(20 * w.count);
+    memcpy(w.up, after, sizeof w.up);
+    triad_read(&w.triad, w.up, w.mean[w.count]);
+    w.count++;
+    w.moves.count = (uint8_t)w.count;
+}
+
+/* Where it begins. */
+static void begin_exact(const double up[3])
+{
+    world_begin(&w, 100, 1);
+    memcpy(w.up, up, sizeof w.up);
+    memcpy(w.mean[0], up, sizeof w.up);
+    w.count = w.moves.count = 1;
+}
+
+static const double upright[3] = {0, 0, 1};
+
+/* Quarter turns, each of the twelve edges once: about the axis, that way round. */
+static void tour_exact(const double m[3][3], int v)
+{
+    static const char tour[] = "zxyZXyzXYZxYz";
+
+    for (int k = 1; tour[k] != 0; k++) {
+        const int was = tour[k - 1] < 'a' ? tour[k - 1] - 'X' : tour[k - 1] - 'x';
+        const int to = tour[k] < 'a' ? tour[k] - 'X' : tour[k] - 'x';
+        const int sign = (tour[k - 1] < 'a') == (tour[k] < 'a') ? 1 : -1;
+        int turn[3] = {0, 0, 0};
+        turn[3 - was - to] = (to + 1) % 3 == was ? sign * v : -sign * v;
+        add_exact(m, turn, 5);
+    }
+}
+
+static void settle_settings(invcal_imu_settings *s, int is_held)
+{
+    static const invcal_imu_settings usual = INVCAL_IMU_USUAL;
+
+    *s = usual;
+    s->held = (uint8_t)is_held;
+}
+
+/* O3 and O6: ten percent and more, free of noise. */
+static void errors_of_ten_percent_come_back_exactly(void)
+{
+    static const double m[3][3] = {{1.1, 0.04, -0.03}, {-0.05, 0.92, 0.03}, {0.02, -0.06, 1.05}};
+    invcal_imu_settings settings;
+
+    needs_53_bits();
+    for (int held = 0; held < 2; held++) {
+        settle_settings(&settings, held);
+        begin_exact(upright);
+        if (!held) {
+            random_source random = random_start(5);
+            w.triad = triad_random(&random, 0.03);
+            triad_read(&w.triad, upright, w.mean[0]);
+        }
+        tour_exact(m, 10294);
+        tour_exact(m, 10000);
+        TEST_ASSERT_EQUAL_INT(INVCAL_OK, world_solve(&w, &settings, &imu));
+        for (int i = 0; i < 9; i++) {
+            TEST_ASSERT_DOUBLE_WITHIN(held ? FLOAT_OR_DOUBLE(3e-6, 1e-11) : 3e-6, m[i / 3][i % 3],
+                                      (double)imu.parameter[i]);
+        }
+        TEST_ASSERT_TRUE(imu.passes <= 6);
+        TEST_ASSERT_EQUAL_INT(24, imu.moves);
+        TEST_ASSERT_EQUAL_INT(INVCAL_GOOD, imu.verdict);
+        TEST_ASSERT_DOUBLE_WITHIN(FLOAT_OR_DOUBLE(2e-6, 1e-9), 0, (double)imu.move_rms);
+        for (int k = 0; k < w.count;
+             k++) { /* and what the accelerometer calibrates is of length 1 */
+            invcal_real raw[3], up[3];
+            for (int i = 0; i < 3; i++) {
+                raw[i] = (invcal_real)w.mean[k][i];
+            }
+            invcal_apply(&imu.accelerometer, raw, up);
+            TEST_ASSERT_DOUBLE_WITHIN(
+                FLOAT_OR_DOUBLE(2e-6, 1e-9), 1,
+                sqrt((double)(up[0] * up[0] + up[1] * up[1] + up[2] * up[2])));
+        }
+    }
+}
+
+/* O4: sqrt(K) of the tour in closed form, 1/pi and 1/2. */
+static void the_tour_determines_the_gyroscope_as_closed_form_says(void)
+{
+    static const double unit[3][3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+    invcal_imu_settings settings;
+
+    settle_settings(&settings, 1);
+    settings.rate_noise = settings.instability = 0;
+    begin_exact(upright);
+    tour_exact(unit, 10294);
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, world_solve(&w, &settings, &imu));
+    for (int i = 0; i < 9; i++) {
+        TEST_ASSERT_DOUBLE_WITHIN(1e-4, i % 4 == 0 ? 1 / 3.14159265358979 : 0.5,
+                                  (double)(imu.sigma[i] / imu.move_noise));
+        TEST_ASSERT_TRUE(imu.sigma[9 + i] == 0);
+    }
+}
+
+/* O10: both, over the noise of a mean; moves have sqrt(2) of it. From tests/reference/gyro_design.py. */
+static void the_tour_determines_both(void)
+{
+    static const double unit[3][3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+    static const double expected[18] = {0.4502, 0.7906, 0.7906, 0.7906, 0.4502, 0.7906,
+                                        0.7906, 0.7906, 0.4502, 0.3536, 0.3536, 0.3371,
+                                        0.5000, 0.5000, 0.4523, 0.7071, 0.7071, 0.7071};
+    const invcal_calibration nominal = unit_nominal();
+    invcal_imu_settings settings;
+    invcal_imu_work work;
+    invcal_real raw[WORLD_RESTS][3];
+
+    settle_settings(&settings, 0);
+    settings.rate_noise = settings.instability = 0;
+    settings.noise = INVCAL_REAL(0.01);
+    begin_exact(upright);
+    tour_exact(unit, 10294);
+    for (int i = 0; i < 3 * w.count; i++) {
+        raw[i / 3][i % 3] = (invcal_real)w.mean[i / 3][i % 3];
+    }
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_imu_begin(&work, raw[0], (unsigned)w.count, &nominal,
+                                                      &w.moves, &settings, &imu));
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_imu_sum(&work));
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_factor(work.pass.sum, 18, 19, INVCAL_FLOOR));
+    invcal_invert(work.pass.sum, 18);
+    for (unsigned i = 0; i < 18; i++) {
+        const double root = sqrt((double)invcal_variance(work.pass.sum, 18, i)) / 0.01;
+        TEST_ASSERT_DOUBLE_WITHIN(3e-4, expected[i], root);
+    }
+}
+
+/* O5: a turn about an axis tells three of nine. */
+static void moves_about_one_axis_leave_six_open_and_about_two_three(void)
+{
+    static const double unit[3][3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+    static const double slanted[3] = {0.48, 0.6, 0.64};
+    const int x[3] = {9000, 0, 0};
+    const int y[3] = {0, 9000, 0};
+    const int z[3] = {0, 0, 9000};
+    invcal_imu_settings settings;
+
+    settle_settings(&settings, 1);
+    begin_exact(slanted);
+    for (int i = 0; i < 5; i++) {
+        add_exact(unit, x, 4 + i);
+    }
+    TEST_ASSERT_EQUAL_INT(INVCAL_UNDETERMINED, world_solve(&w, &settings, &imu));
+    TEST_ASSERT_EQUAL_HEX32(0x1B6, imu.open); /* all but gyro_xx, yx, zx */
+    for (int i = 0; i < 5; i++) {
+        add_exact(unit, y, 4 + i);
+    }
+    TEST_ASSERT_EQUAL_INT(INVCAL_UNDETERMINED, world_solve(&w, &settings, &imu));
+    TEST_ASSERT_EQUAL_HEX32(0x124, imu.open);
+    for (int i = 0; i < 5; i++) {
+        add_exact(unit, z, 4 + i);
+    }
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, world_solve(&w, &settings, &imu));
+    TEST_ASSERT_EQUAL_INT(INVCAL_GOOD, imu.verdict);
+    settings.held = 0; /* and both, from all of these */
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, world_solve(&w, &settings, &imu));
+    begin_exact(upright);
+    TEST_ASSERT_EQUAL_INT(INVCAL_TOO_FEW, world_solve(&w, &settings, &imu));
+    add_exact(unit, x, 5);
+    TEST_ASSERT_EQUAL_INT(INVCAL_TOO_FEW, world_solve(&w, &settings, &imu));
+}
+
+/* A prior closes what is open, and no more. */
+static void a_prior_holds_what_moves_leave_open(void)
+{
+    static const double m[3][3] = {{1.02, 0.01, 0}, {0.01, 0.99, 0.02}, {0, 0.01, 1.01}};
+    static const double slanted[3] = {0.48, 0.6, 0.64};
+    const int x[3] = {9000, 0, 0};
+    invcal_real prior[INVCAL_IMU_PARAMETERS];
+    invcal_imu_settings settings;
+
+    settle_settings(&settings, 1);
+    for (int i = 0; i < 18; i++) {
+        prior[i] = INVCAL_REAL(0.05);
+    }
+    settings.prior = prior;
+    begin_exact(slanted);
+    for (int i = 0; i < 5; i++) {
+        add_exact(m, x, 4 + i);
+    }
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, world_solve(&w, &settings, &imu));
+    TEST_ASSERT_EQUAL_INT(INVCAL_WEAK, imu.verdict);
+    TEST_ASSERT_EQUAL_HEX32(0x1B6, imu.open);
+    for (int i = 0; i < 9; i++) {
+        if (i % 3 == 0) {
+            TEST_ASSERT_DOUBLE_WITHIN(1e-4, m[i / 3][0], (double)imu.parameter[i]);
+            TEST_ASSERT_TRUE(imu.sigma[i] < INVCAL_REAL(1e-3));
+        } else {
+            TEST_ASSERT_DOUBLE_WITHIN(1e-3, 0.05, (double)imu.sigma[i]);
+            TEST_ASSERT_DOUBLE_WITHIN(1e-3, i % 4 == 0 ? 1 : 0, (double)imu.parameter[i]);
+        }
+    }
+}
+
+/* Almost one axis: the pivots see it, and sigma says what it is worth. */
+static void next_to_one_axis_nothing_is_determined(void)
+{
+    static const double unit[3][3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+    static const double slanted[3] = {0.48, 0.6, 0.64};
+    invcal_imu_settings settings;
+
+    settle_settings(&settings, 1);
+    begin_exact(slanted);
+    for (int i = 0; i < 8; i++) {
+        const int v[3] = {2000, i % 3 - 1, i % 2 - (i % 4 == 0)};
+        add_exact(unit, v, 4 + i % 3);
+    }
+    TEST_ASSERT_EQUAL_INT(INVCAL_UNDETERMINED, world_solve(&w, &settings, &imu));
+    TEST_ASSERT_EQUAL_HEX32(0x1B6, imu.open & 0x1B6u);
+}
+
+/* Up in one plane does not tell how the bias depends on it. */
+static void a_bias_that_rests_do_not_tell_is_left_alone(void)
+{
+    static const double unit[3][3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+    const int x[3] = {9000, 0, 0};
+    invcal_real prior[INVCAL_IMU_PARAMETERS];
+    invcal_imu_settings settings;
+
+    settle_settings(&settings, 1);
+    for (int i = 0; i < INVCAL_IMU_PARAMETERS; i++) {
+        prior[i] = INVCAL_REAL(0.05);
+    }
+    settings.prior = prior;
+    begin_exact(upright);
+    for (int i = 0; i < 12; i++) {
+        add_exact(unit, x, 1 + i % 2);
+    }
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, world_solve(&w, &settings, &imu));
+    for (int i = 0; i < 3; i++) {
+        TEST_ASSERT_TRUE(imu.slope_sigma[i][0] == 0 && imu.slope[i][1] == 0);
+    }
+}
+
+/* Three moves and three priors are nine equations. */
+static void without_redundancy_there_is_no_good(void)
+{
+    static const double unit[3][3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+    static const double slanted[3] = {0.48, 0.6, 0.64};
+    static const int turns[3][3] = {{9000, 0, 3000}, {0, 9000, 0}, {-3000, 0, 9000}};
+    invcal_real prior[INVCAL_IMU_PARAMETERS] = {0};
+    invcal_imu_settings settings;
+
+    settle_settings(&settings, 1);
+    prior[0] = prior[2] = prior[4] = INVCAL_REAL(1e-4);
+    settings.prior = prior;
+    begin_exact(slanted);
+    for (int i = 0; i < 3; i++) {
+        add_exact(unit, turns[i], 12);
+    }
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, world_solve(&w, &settings, &imu));
+    TEST_ASSERT_EQUAL_INT(0, imu.dof);
+    TEST_ASSERT_EQUAL_INT(INVCAL_NO_REDUNDANCY, imu.verdict);
+}
+
+/* Moves about the space diagonal look the same after the axes are exchanged in a circle. */
+static void moves_may_tell_no_way_from_another(void)
+{
+    static const double unit[3][3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+    static const double slanted[3] = {0.48, 0.6, 0.64};
+    const invcal_calibration nominal = unit_nominal();
+    const int v[3] = {5000, 5000, 5000};
+    invcal_real raw[WORLD_RESTS][3];
+    int8_t axes[3] = {9, 9, 9};
+    invcal_real scale = 9;
+
+    begin_exact(slanted);
+    for (int i = 0; i < 4; i++) {
+        add_exact(unit, v, 4 + i);
+    }
+    for (int i = 0; i < 3 * w.count; i++) {
+        raw[i / 3][i % 3] = (invcal_real)w.mean[i / 3][i % 3];
+    }
+    TEST_ASSERT_EQUAL_INT(
+        INVCAL_UNDETERMINED,
+        invcal_imu_mounting(raw[0], (unsigned)w.count, &nominal, &w.moves, axes, &scale));
+    TEST_ASSERT_TRUE(axes[0] == 9 && scale == 9);
+    raw[2][1] = NAN;
+    TEST_ASSERT_EQUAL_INT(
+        INVCAL_OUT_OF_RANGE,
+        invcal_imu_mounting(raw[0], (unsigned)w.count, &nominal, &w.moves, axes, &scale));
+}
+
+/* ---- a hand ------------------------------------------------------------------------------------- */
+
+/* What the accelerometer's calibration leaves of the truth: A (I + S) - 1 and A (delta - zero), over sigma. */
+static void compare_accelerometer(double squares[4], double *chi)
+{
+    const double *x = w.triad.x;
+    const double s[3][3] = {{1 + x[3], x[6] / 2, x[7] / 2},
+                            {x[6] / 2, 1 + x[4], x[8] / 2},
+                            {x[7] / 2, x[8] / 2, 1 + x[5]}};
+    static const int pair[3][2] = {{0, 1}, {0, 2}, {1, 2}};
+    double off[9];
+
+    for (int i = 0; i < 3; i++) {
+        off[i] = off[3 + i] = 0;
+        for (int j = 0; j < 3; j++) {
+            off[i] += (double)imu.accelerometer.matrix[i][j] *
+                      (x[j] - (double)imu.accelerometer.offset[j]);
+            off[3 + i] += (double)imu.accelerometer.matrix[i][j] * s[j][i];
+        }
+        off[3 + i] -= 1;
+    }
+    for (int k = 0; k < 3; k++) {
+        const int a = pair[k][0], b = pair[k][1];
+        off[6 + k] = 0;
+        for (int j = 0; j < 3; j++) {
+            off[6 + k] += (double)imu.accelerometer.matrix[a][j] * s[j][b] +
+                          (double)imu.accelerometer.matrix[b][j] * s[j][a];
+        }
+    }
+    for (int i = 0; i < 9; i++) {
+        squares[1 + i / 3] += off[i] * off[i];
+        *chi += pow(off[i] / (double)imu.sigma[9 + i], 2);
+    }
+}
+
+/* O7, O8, O9: two tours in a hand that wobbles, from cold: 3 % and 2 %. */
+static void errors_are_those_that_sigma_says(void)
+{
+    const int runs = SOME(40);
+    double squares[4] = {0};
+    double chi = 0, chi_accelerometer = 0;
+    int inside = 0;
+
+    for (int n = 0; n < runs; n++) {
+        world_begin(&w, 100, (uint32_t)(100 + n));
+        w.wobble = 0.25;
+        world_draw(&w, 0.03, 0.03);
+        for (int i = 0; i < 3; i++) {
+            w.bias[i] = 0.03 * random_normal(&w.random);
+        }
+        world_tour(&w);
+        world_tour(&w);
+        world_end(&w);
+        TEST_ASSERT_EQUAL_INT(INVCAL_OK, world_solve(&w, NULL, &imu));
+        TEST_ASSERT_EQUAL_INT(25, w.moves.count);
+        TEST_ASSERT_EQUAL_INT(24, imu.moves);
+        TEST_ASSERT_EQUAL_INT(INVCAL_GOOD, imu.verdict);
+        for (int i = 0; i < 9; i++) {
+            const double off = (double)imu.parameter[i] - w.m[i / 3][i % 3];
+            squares[0] += off * off;
+            chi += pow(off / (double)imu.sigma[i], 2);
+            inside += fabs(off) < 1.96 * (double)imu.sigma[i];
+        }
+        compare_accelerometer(squares, &chi_accelerometer);
+    }
+    if (runs < 40) {
+        return;
+    }
+    TEST_ASSERT_DOUBLE_WITHIN(0.15, 1, rms(chi, 9 * runs));
+    TEST_ASSERT_DOUBLE_WITHIN(0.15, 1, rms(chi_accelerometer, 9 * runs));
+    TEST_ASSERT_DOUBLE_WITHIN(2.5, 96.5, 100.0 * inside / (9 * runs));
+    TEST_ASSERT_TRUE(rms(squares[0], 9 * runs) < 1.6e-4);
+    TEST_ASSERT_TRUE(rms(squares[1], 3 * runs) < 1.0e-4);
+    TEST_ASSERT_TRUE(rms(squares[2], 3 * runs) < 1.4e-4);
+    TEST_ASSERT_TRUE(rms(squares[3], 3 * runs) < 2.0e-4);
+}
+
+/* g-sensitivity of 0.1 degrees/s/g is found, and does no harm. */
+static void g_sensitivity_is_found_and_taken_out(void)
+{
+    double squares = 0;
+    const int runs = SOME(12);
+
+    for (int n = 0; n < runs; n++) {
+        world_begin(&w, 100, (uint32_t)(300 + n));
+        world_draw(&w, 0.02, 0.02);
+        for (int i = 0; i < 9; i++) {
+            w.g[i / 3][i % 3] = 0.1 * DEGREE * random_normal(&w.random);
+        }
+        world_tour(&w);
+        world_tour(&w);
+        world_end(&w);
+        TEST_ASSERT_EQUAL_INT(INVCAL_OK, world_solve(&w, NULL, &imu));
+        TEST_ASSERT_EQUAL_INT(1, imu.g_is_used);
+        for (int i = 0; i < 9; i++) {
+            const double sigma = (double)imu.slope_sigma[i / 3][i % 3];
+            squares += pow((double)imu.parameter[i] - w.m[i / 3][i % 3], 2);
+            TEST_ASSERT_TRUE(sigma < 0.015 * DEGREE);
+            TEST_ASSERT_DOUBLE_WITHIN(5 * sigma + 0.003 * DEGREE, w.g[i / 3][i % 3],
+                                      (double)imu.slope[i / 3][i % 3]);
+        }
+    }
+    TEST_ASSERT_TRUE(rms(squares, 9 * runs) < 2.2e-4);
+}
+
+/* Without it there is only an upper bound. */
+static void without_g_sensitivity_none_is_used(void)
+{
+    int used = 0;
+
+    for (int n = 0; n < 5; n++) {
+        world_begin(&w, 100, (uint32_t)(400 + n));
+        world_tour(&w);
+        world_tour(&w);
+        world_end(&w);
+        TEST_ASSERT_EQUAL_INT(INVCAL_OK, world_solve(&w, NULL, &imu));
+        used += imu.g_is_used;
+        for (int i = 0; i < 9; i++) {
+            TEST_ASSERT_DOUBLE_WITHIN(5 * (double)imu.slope_sigma[i / 3][i % 3], 0,
+                                      (double)imu.slope[i / 3][i % 3]);
+        }
+    }
+    TEST_ASSERT_EQUAL_INT(0, used);
+}
+
+/* ---- what is wrong ------------------------------------------------------------------------------ */
+
+static void axes_exchanged_or_turned_round_are_named(void)
+{
+    static const int ways[][3] = {{1, 2, 3},  {2, 1, 3},   {1, -2, 3},
+                                  {-2, 3, 1}, {-1, -2, 3}, {3, 2, -1}};
+    const invcal_calibration nominal = unit_nominal();
+    invcal_real raw[WORLD_RESTS][3];
+
+    for (unsigned k = 0; k < sizeof ways / sizeof ways[0]; k++) {
+        int8_t axes[3] = {9, 9, 9};
+        invcal_real unit = 0;
+        world_begin(&w, 100, 50 + k);
+        world_draw(&w, 0.03, 0.02);
+        memcpy(w.axes, ways[k], sizeof w.axes);
+        world_tour(&w);
+        world_end(&w);
+        TEST_ASSERT_EQUAL_INT(k == 0 ? INVCAL_OK : INVCAL_MOUNTING, world_solve(&w, NULL, &imu));
+        for (int i = 0; i < 3 * w.count; i++) {
+            raw[i / 3][i % 3] = (invcal_real)w.mean[i / 3][i % 3];
+        }
+        TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_imu_mounting(raw[0], (unsigned)w.count, &nominal,
+                                                             &w.moves, axes, &unit));
+        TEST_ASSERT_TRUE(unit == 1);
+        for (int i = 0; i < 3; i++) { /* the gyroscope's axis j reads axis |ways[j]| - 1 */
+            const int of = ways[k][i] < 0 ? -ways[k][i] : ways[k][i];
+            TEST_ASSERT_EQUAL_INT(ways[k][i] < 0 ? -(i + 1) : i + 1, axes[of - 1]);
+        }
+    }
+}
+
+static void degrees_taken_for_radians_are_named(void)
+{
+    const invcal_calibration nominal = unit_nominal();
+    invcal_real raw[WORLD_RESTS][3];
+    int8_t axes[3];
+    invcal_real unit = 0;
+
+    for (int way = 0; way < 2; way++) {
+        world_begin(&w, 100, 60);
+        for (int i = 0; i < 3; i++) {
+            w.m[i][i] = way == 0 ? 57.29578 : 1 / 57.29578;
+        }
+        world_tour(&w);
+        world_end(&w);
+        const invcal_status status = world_solve(&w, NULL, &imu);
+        if (way == 0) {
+            for (int i = 0; i < 3 * w.count; i++) {
+                raw[i / 3][i % 3] = (invcal_real)w.mean[i / 3][i % 3];
+            }
+            TEST_ASSERT_TRUE(status == INVCAL_MOUNTING || status == INVCAL_UNDETERMINED);
+            TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_imu_mounting(raw[0], (unsigned)w.count,
+                                                                 &nominal, &w.moves, axes, &unit));
+            TEST_ASSERT_DOUBLE_WITHIN(0.01, 57.3, (double)unit);
+            TEST_ASSERT_TRUE(axes[0] == 1 && axes[1] == 2 && axes[2] == 3);
+        } else { /* no move is of any use: more than seven turns each */
+            TEST_ASSERT_EQUAL_INT(INVCAL_TOO_FEW, status);
+            for (unsigned i = 1; i < w.moves.count; i++) {
+                TEST_ASSERT_TRUE(invcal_moves_reason(&w.moves, i) == INVCAL_MOUNTING ||
+                                 invcal_moves_reason(&w.moves, i) == INVCAL_NO_SPACE);
+            }
+        }
+    }
+}
+
+static void an_axis_that_is_stuck_is_named(void)
+{
+    const invcal_calibration nominal = unit_nominal();
+    invcal_real raw[WORLD_RESTS][3];
+    int8_t axes[3] = {9, 9, 9};
+    invcal_real unit = 0;
+
+    world_begin(&w, 100, 61);
+    w.m[1][1] = 1e6; /* reads a millionth */
+    world_tour(&w);
+    world_end(&w);
+    TEST_ASSERT_TRUE(world_solve(&w, NULL, &imu) != INVCAL_OK);
+    for (int i = 0; i < 3 * w.count; i++) {
+        raw[i / 3][i % 3] = (invcal_real)w.mean[i / 3][i % 3];
+    }
+    TEST_ASSERT_EQUAL_INT(
+        INVCAL_OK, invcal_imu_mounting(raw[0], (unsigned)w.count, &nominal, &w.moves, axes, &unit));
+    TEST_ASSERT_EQUAL_INT(1, axes[0]);
+    TEST_ASSERT_EQUAL_INT(0, axes[1]);
+    TEST_ASSERT_EQUAL_INT(3, axes[2]);
+}
+
+/* A gyroscope that reads nothing at all. */
+static void a_gyroscope_that_is_dead_is_named(void)
+{
+    const invcal_calibration nominal = unit_nominal();
+    invcal_real raw[WORLD_RESTS][3];
+    int8_t axes[3] = {9, 9, 9};
+    invcal_real unit = 0;
+
+    world_begin(&w, 100, 66);
+    world_without_noise(&w);
+    for (int i = 0; i < 3; i++) {
+        w.m[i][i] = 1e6;
+    }
+    world_tour(&w);
+    world_end(&w);
+    TEST_ASSERT_TRUE(world_solve(&w, NULL, &imu) != INVCAL_OK);
+    for (int i = 0; i < 3 * w.count; i++) {
+        raw[i / 3][i % 3] = (invcal_real)w.mean[i / 3][i % 3];
+    }
+    TEST_ASSERT_EQUAL_INT(
+        INVCAL_OK, invcal_imu_mounting(raw[0], (unsigned)w.count, &nominal, &w.moves, axes, &unit));
+    TEST_ASSERT_TRUE(axes[0] == 0 && axes[1] == 0 && axes[2] == 0);
+}
+
+/* Rests alone, on all six faces: every move clipped. */
+static void without_moves_nothing_is_solved(void)
+{
+    const invcal_calibration nominal = unit_nominal();
+    invcal_real raw[WORLD_RESTS][3];
+    int8_t axes[3] = {9, 9, 9};
+    invcal_real unit = 9;
+
+    world_begin(&w, 100, 67);
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_moves_rails(&w.moves, -50000, 50000)); /* 0.5 rad/s */
+    world_tour(&w);
+    world_end(&w);
+    TEST_ASSERT_EQUAL_INT(13, w.moves.count);
+    for (unsigned i = 1; i < w.moves.count; i++) {
+        TEST_ASSERT_EQUAL_INT(INVCAL_REST_CLIPPED, invcal_moves_reason(&w.moves, i));
+    }
+    TEST_ASSERT_EQUAL_INT(INVCAL_TOO_FEW, world_solve(&w, NULL, &imu));
+    for (int i = 0; i < 3 * w.count; i++) {
+        raw[i / 3][i % 3] = (invcal_real)w.mean[i / 3][i % 3];
+    }
+    TEST_ASSERT_EQUAL_INT(INVCAL_TOO_FEW, invcal_imu_mounting(raw[0], (unsigned)w.count, &nominal,
+                                                              &w.moves, axes, &unit));
+    TEST_ASSERT_TRUE(axes[0] == 9 && unit == 9);
+    TEST_ASSERT_EQUAL_INT(INVCAL_TOO_FEW,
+                          invcal_imu_solve(raw[0], 0, &nominal, &w.moves, NULL, &imu));
+}
+
+/* All about one axis, and the hand wobbles: never good. */
+static void moves_about_one_axis_are_never_good(void)
+{
+    const double vector[3] = {90 * DEGREE, 0, 0};
+
+    for (uint32_t n = 0; n < 3; n++) {
+        world_begin(&w, 100, 70 + n);
+        world_draw(&w, 0.03, 0.02);
+        w.wobble = 0.02 * n;
+        world_rest(&w, 1.5);
+        for (int k = 0; k < 20; k++) {
+            world_move(&w, vector, 1);
+        }
+        world_end(&w);
+        const invcal_status status = world_solve(&w, NULL, &imu);
+        if (status == INVCAL_OK) {
+            TEST_ASSERT_EQUAL_INT(INVCAL_WEAK, imu.verdict);
+        } else {
+            TEST_ASSERT_TRUE(status == INVCAL_UNDETERMINED || status == INVCAL_MOUNTING);
+        }
+        if (status == INVCAL_UNDETERMINED) {
+            TEST_ASSERT_TRUE(imu.open != 0);
+        }
+    }
+}
+
+/* O11: six faces, and a full turn about each axis while it is level. */
+static void six_faces_and_full_turns_determine_both(void)
+{
+    static const double turns[3][3] = {
+        {360 * DEGREE, 0, 0}, {0, 0, 360 * DEGREE}, {0, 360 * DEGREE, 0}};
+    static const double faces[5][3] = {{0, 1, 0}, {0, 0, -1}, {0, -1, 0}, {1, 0, 0}, {-1, 0, 0}};
+
+    world_begin(&w, 100, 75);
+    world_draw(&w, 0.03, 0.02);
+    for (int round = 0; round < 2; round++) {
+        if (round == 0) {
+            world_rest(&w, 1.5);
+        }
+        world_move(&w, turns[0], 4);
+        world_to(&w, faces[0]);
+        world_to(&w, faces[1]);
+        world_to(&w, faces[2]);
+        world_move(&w, turns[1], 4);
+        world_to(&w, faces[3]);
+        world_to(&w, upright);
+        world_to(&w, faces[4]);
+        world_move(&w, turns[2], 4);
+        world_to(&w, upright);
+    }
+    world_end(&w);
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, world_solve(&w, NULL, &imu));
+    TEST_ASSERT_EQUAL_INT(INVCAL_GOOD, imu.verdict);
+    TEST_ASSERT_EQUAL_HEX32(0, imu.open);
+    for (int i = 0; i < 9; i++) {
+        TEST_ASSERT_DOUBLE_WITHIN(4 * (double)imu.sigma[i], w.m[i / 3][i % 3],
+                                  (double)imu.parameter[i]);
+        TEST_ASSERT_TRUE(imu.sigma[i] < INVCAL_REAL(1e-3));
+    }
+}
+
+/* 50 ms between the sensors. If the accelerometer is late nothing is lost, as a rest is cut off before motion
+ * was noticed; if the gyroscope is, what it still says of the move counts as bias, here twice the error. */
+static void samples_may_come_some_time_late(void)
+{
+    double squares[3] = {0, 0, 0};
+
+    for (int k = 0; k < 3 * SOME(6); k++) {
+        world_begin(&w, 100, 80u + (uint32_t)k / 3);
+        world_draw(&w, 0.03, 0.02);
+        w.late = 5 * (k % 3 - 1);
+        world_tour(&w);
+        world_tour(&w);
+        world_end(&w);
+        TEST_ASSERT_EQUAL_INT(INVCAL_OK, world_solve(&w, NULL, &imu));
+        TEST_ASSERT_EQUAL_INT(INVCAL_GOOD, imu.verdict);
+        TEST_ASSERT_TRUE(imu.moves >= 22);
+        for (int i = 0; i < 9; i++) {
+            squares[k % 3] += pow((double)imu.parameter[i] - w.m[i / 3][i % 3], 2);
+        }
+    }
+    TEST_ASSERT_TRUE(sqrt(squares[0] / squares[1]) < 1.1);
+    TEST_ASSERT_TRUE(sqrt(squares[2] / squares[1]) < 3);
+}
+
+/* One move in which something slipped. */
+static void a_move_that_contradicts_the_others_is_left_out(void)
+{
+    world_begin(&w, 100, 62);
+    world_draw(&w, 0.03, 0.02);
+    world_tour(&w);
+    world_tour(&w);
+    world_end(&w);
+    w.moves.segment[w.moves.rest[1].move + 2].v[0] += 900; /* of the second move: 27 mrad */
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, world_solve(&w, NULL, &imu));
+    TEST_ASSERT_EQUAL_HEX32(1u << 2, imu.left_out);
+    TEST_ASSERT_EQUAL_INT(23, imu.moves);
+    for (int i = 0; i < 9; i++) {
+        TEST_ASSERT_DOUBLE_WITHIN(4 * (double)imu.sigma[i], w.m[i / 3][i % 3],
+                                  (double)imu.parameter[i]);
+    }
+}
+
+/* Of many that slipped three are left out, no more; what the others are worth their residuals say. */
+static void no_more_than_three_are_left_out(void)
+{
+    unsigned first = 0;
+
+    world_begin(&w, 100, 62);
+    world_draw(&w, 0.03, 0.02);
+    world_tour(&w);
+    world_tour(&w);
+    world_end(&w);
+    for (unsigned i = 1; i < w.moves.count; i++) {
+        if (i % 5 == 2) {
+            w.moves.segment[first + 2].v[0] += (int16_t)(400 << (i / 5));
+        }
+        first += (unsigned)w.moves.rest[i].move;
+    }
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, world_solve(&w, NULL, &imu));
+    TEST_ASSERT_EQUAL_INT(21, imu.moves);
+    TEST_ASSERT_TRUE(imu.move_noise > INVCAL_REAL(1e-3));
+}
+
+/* A noise is stated that residuals exceed by far. */
+static void residuals_beyond_what_was_stated_are_rough(void)
+{
+    invcal_imu_settings settings;
+
+    settle_settings(&settings, 0);
+    settings.noise = INVCAL_REAL(3e-5);
+    world_begin(&w, 100, 68);
+    world_draw(&w, 0.03, 0.02);
+    world_tour(&w);
+    world_tour(&w);
+    world_end(&w);
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, world_solve(&w, &settings, &imu));
+    TEST_ASSERT_EQUAL_INT(INVCAL_ROUGH, imu.verdict);
+}
+
+/* A move back to where it began, hardly turned. */
+static void a_move_that_turns_nothing_tells_nothing(void)
+{
+    const double little[3] = {0.02, 0, 0};
+
+    world_begin(&w, 100, 63);
+    w.wobble = 0;
+    world_tour(&w);
+    world_move(&w, little, 1);
+    world_end(&w);
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, world_solve(&w, NULL, &imu));
+    TEST_ASSERT_EQUAL_HEX32(1u << 13, imu.idle);
+    TEST_ASSERT_EQUAL_INT(12, imu.moves);
+}
+
+static void bad_input_is_refused(void)
+{
+    invcal_real prior[INVCAL_IMU_PARAMETERS] = {0};
+    invcal_imu_settings settings;
+    invcal_calibration nominal = unit_nominal();
+    invcal_real raw[WORLD_RESTS][3];
+    int8_t axes[3] = {9, 9, 9};
+    invcal_real unit = 9;
+
+    world_begin(&w, 100, 64);
+    world_tour(&w);
+    world_end(&w);
+    settle_settings(&settings, 0);
+    settings.noise = -1;
+    TEST_ASSERT_EQUAL_INT(INVCAL_BAD_NOISE, world_solve(&w, &settings, &imu));
+    settings.noise = NAN;
+    TEST_ASSERT_EQUAL_INT(INVCAL_BAD_NOISE, world_solve(&w, &settings, &imu));
+    settings.noise = 0;
+    settings.rate_noise = 2;
+    TEST_ASSERT_EQUAL_INT(INVCAL_BAD_NOISE, world_solve(&w, &settings, &imu));
+    settings.rate_noise = -1;
+    TEST_ASSERT_EQUAL_INT(INVCAL_BAD_NOISE, world_solve(&w, &settings, &imu));
+    settings.rate_noise = 0;
+    settings.instability = NAN;
+    TEST_ASSERT_EQUAL_INT(INVCAL_BAD_NOISE, world_solve(&w, &settings, &imu));
+    settings.instability = 0;
+    settings.prior = prior;
+    prior[17] = NAN;
+    TEST_ASSERT_EQUAL_INT(INVCAL_BAD_PRIOR, world_solve(&w, &settings, &imu));
+    prior[17] = INFINITY;
+    TEST_ASSERT_EQUAL_INT(INVCAL_BAD_PRIOR, world_solve(&w, &settings, &imu));
+    prior[17] = -1;
+    TEST_ASSERT_EQUAL_INT(INVCAL_BAD_PRIOR, world_solve(&w, &settings, &imu));
+    prior[17] = 0;
+    settings.noise = INFINITY;
+    TEST_ASSERT_EQUAL_INT(INVCAL_BAD_NOISE, world_solve(&w, &settings, &imu));
+    settings.noise = 0;
+    for (int i = 0; i < INVCAL_IMU_PARAMETERS; i++) {
+        prior[i] = INVCAL_REAL(0.05);
+    }
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, world_solve(&w, &settings, &imu));
+    w.mean[3][1] = NAN;
+    TEST_ASSERT_EQUAL_INT(INVCAL_OUT_OF_RANGE, world_solve(&w, NULL, &imu));
+    w.mean[3][1] = INFINITY;
+    TEST_ASSERT_EQUAL_INT(INVCAL_OUT_OF_RANGE, world_solve(&w, NULL, &imu));
+    memset(raw, 0, sizeof raw);
+    static const float bad[3] = {0, NAN, INFINITY};
+    for (int i = 0; i < 3; i++) {
+        nominal.matrix[1][1] = (invcal_real)bad[i];
+        TEST_ASSERT_EQUAL_INT(INVCAL_BAD_NOMINAL,
+                              invcal_imu_solve(raw[0], 13, &nominal, &w.moves, NULL, &imu));
+        TEST_ASSERT_EQUAL_INT(INVCAL_BAD_NOMINAL,
+                              invcal_imu_mounting(raw[0], 13, &nominal, &w.moves, axes, &unit));
+    }
+    TEST_ASSERT_TRUE(axes[0] == 9 && unit == 9);
+}
+
+/* More means than rests, or the other way round: they belong together from the last on. */
+static void the_last_rests_belong_together(void)
+{
+    invcal_imu first;
+
+    world_begin(&w, 100, 65);
+    world_draw(&w, 0.02, 0.02);
+    world_tour(&w);
+    world_tour(&w);
+    world_end(&w);
+    memmove(w.mean[0], w.mean[5], sizeof w.mean[0] * 20);
+    w.count = 20;
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, world_solve(&w, NULL, &first));
+    TEST_ASSERT_EQUAL_INT(19, first.moves);
+    for (int i = 0; i < 9; i++) {
+        TEST_ASSERT_DOUBLE_WITHIN(5 * (double)first.sigma[i], w.m[i / 3][i % 3],
+                                  (double)first.parameter[i]);
+    }
+    memmove(w.mean[3], w.mean[0], sizeof w.mean[0] * 20);
+    memset(w.mean[0], 0, sizeof w.mean[0]); /* older, of no rest */
+    w.count = 20;
+    memmove(w.mean[0], w.mean[3], sizeof w.mean[0] * 20);
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, world_solve(&w, NULL, &imu));
+    TEST_ASSERT_EQUAL_MEMORY(first.parameter, imu.parameter, sizeof imu.parameter);
+}
+
+static void every_parameter_has_a_name(void)
+{
+    TEST_ASSERT_EQUAL_STRING("gyro_xx", invcal_imu_parameter_name(0));
+    TEST_ASSERT_EQUAL_STRING("gyro_zy", invcal_imu_parameter_name(7));
+    TEST_ASSERT_EQUAL_STRING("delta_x", invcal_imu_parameter_name(9));
+    TEST_ASSERT_EQUAL_STRING("gamma_zy", invcal_imu_parameter_name(17));
+    TEST_ASSERT_EQUAL_STRING("?", invcal_imu_parameter_name(18));
+}
+
+int main(void)
+{
+    UNITY_BEGIN();
+    RUN_TEST(a_segment_of_a_steady_axis_is_that_of_closed_form);
+    RUN_TEST(the_jacobian_is_that_of_differences);
+    RUN_TEST(errors_of_ten_percent_come_back_exactly);
+    RUN_TEST(the_tour_determines_the_gyroscope_as_closed_form_says);
+    RUN_TEST(the_tour_determines_both);
+    RUN_TEST(moves_about_one_axis_leave_six_open_and_about_two_three);
+    RUN_TEST(a_prior_holds_what_moves_leave_open);
+    RUN_TEST(next_to_one_axis_nothing_is_determined);
+    RUN_TEST(a_bias_that_rests_do_not_tell_is_left_alone);
+    RUN_TEST(without_redundancy_there_is_no_good);
+    RUN_TEST(moves_may_tell_no_way_from_another);
+    RUN_SLOW_TEST(errors_are_those_that_sigma_says);
+    RUN_SLOW_TEST(g_sensitivity_is_found_and_taken_out);
+    RUN_SLOW_TEST(without_g_sensitivity_none_is_used);
+    RUN_SLOW_TEST(axes_exchanged_or_turned_round_are_named);
+    RUN_SLOW_TEST(degrees_taken_for_radians_are_named);
+    RUN_SLOW_TEST(an_axis_that_is_stuck_is_named);
+    RUN_SLOW_TEST(samples_may_come_some_time_late);
+    RUN_SLOW_TEST(a_gyroscope_that_is_dead_is_named);
+    RUN_SLOW_TEST(without_moves_nothing_is_solved);
+    RUN_SLOW_TEST(moves_about_one_axis_are_never_good);
+    RUN_SLOW_TEST(six_faces_and_full_turns_determine_both);
+    RUN_SLOW_TEST(a_move_that_contradicts_the_others_is_left_out);
+    RUN_SLOW_TEST(no_more_than_three_are_left_out);
+    RUN_SLOW_TEST(residuals_beyond_what_was_stated_are_rough);
+    RUN_TEST(a_move_that_turns_nothing_tells_nothing);
+    RUN_TEST(bad_input_is_refused);
+    RUN_SLOW_TEST(the_last_rests_belong_together);
+    RUN_TEST(every_parameter_has_a_name);
+    return UNITY_END();
+}

@@ -1,0 +1,593 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * The record of both sensors.
+ */
+#include <string.h>
+
+#include "invcal/gyro.h"
+#include "support.h"
+#include "unity.h"
+
+void setUp(void)
+{
+}
+
+void tearDown(void)
+{
+}
+
+enum { SIZE = INVCAL_IMU_RECORD_SIZE, MARGIN = 32, REALS = 48, ACCELEROMETER_REALS = 27 };
+enum {
+    RECORD_AT = 4,
+    WEAK_AT = 140,
+    VERDICT_AT = 144,
+    G_AT = 146,
+    NOTHING_AT = 147,
+    REALS_AT = 148
+};
+enum { OFFSET = 3, MATRIX = 6, SIGMA = 15, SLOPE = 24, SLOPE_SIGMA = 36 };
+
+/* The bytes of the record below, by Python:
+ *
+ *     import struct, zlib
+ *     a = struct.pack('<BBH8sIHHHBB27f', 0xCA, 2, 136, b'SN-00042', 0x6543210F, 18, 0x101, 0x82, 5, 1,
+ *         *accelerometer)     # store.h
+ *     a += struct.pack('<I', zlib.crc32(a))
+ *     b = struct.pack('<BBH136sHHBBBB48f', 0xCC, 1, 344, a, 0x111, 0x0223, 5, 12, 1, 0, *gyro)
+ *     b += struct.pack('<I', zlib.crc32(b))
+ */
+static const uint8_t golden[SIZE] = {
+    0xCC, 0x01, 0x58, 0x01, 0xCA, 0x02, 0x88, 0x00, 0x53, 0x4E, 0x2D, 0x30, 0x30, 0x30, 0x34, 0x32,
+    0x0F, 0x21, 0x43, 0x65, 0x12, 0x00, 0x01, 0x01, 0x82, 0x00, 0x05, 0x01, 0x00, 0x00, 0x1D, 0x41,
+    0x00, 0x00, 0x00, 0x3B, 0x00, 0x00, 0x48, 0xC1, 0x00, 0x00, 0x80, 0x3A, 0x00, 0x00, 0x80, 0x39,
+    0x00, 0x00, 0x04, 0x41, 0x80, 0x63, 0x01, 0x47, 0x40, 0xFC, 0x01, 0xC7, 0x80, 0xD1, 0xFC, 0x46,
+    0x52, 0x49, 0x1D, 0x3B, 0x82, 0xA8, 0x7B, 0x37, 0xAC, 0xC5, 0x27, 0xB6, 0xAC, 0xC5, 0x27, 0xB7,
+    0x0A, 0xD7, 0x23, 0x3B, 0x9C, 0x53, 0x49, 0x36, 0xBD, 0x37, 0x86, 0x36, 0xAC, 0xC5, 0xA7, 0xB6,
+    0xC3, 0x64, 0x2A, 0xBB, 0x17, 0xB7, 0xD1, 0x38, 0x17, 0xB7, 0x51, 0x39, 0x52, 0x49, 0x9D, 0x39,
+    0x17, 0xB7, 0xD1, 0x39, 0x6F, 0x12, 0x03, 0x3A, 0x52, 0x49, 0x1D, 0x3A, 0x34, 0x80, 0x37, 0x3A,
+    0x17, 0xB7, 0x51, 0x3A, 0xFA, 0xED, 0x6B, 0x3A, 0x70, 0x3D, 0x06, 0x34, 0x11, 0x01, 0x23, 0x02,
+    0x05, 0x0C, 0x01, 0x00, 0x45, 0xF5, 0xD6, 0x39, 0xBD, 0x3A, 0xC7, 0x3A, 0x04, 0xE7, 0x8C, 0x3B,
+    0x00, 0x00, 0x48, 0x41, 0x00, 0x00, 0x21, 0xC2, 0x00, 0x00, 0xF8, 0x40, 0x6F, 0x12, 0x83, 0x3A,
+    0xBD, 0x37, 0x06, 0x36, 0x9C, 0x53, 0x49, 0xB6, 0xBD, 0x37, 0x86, 0x36, 0xE0, 0x2D, 0x90, 0x3A,
+    0xAC, 0xC5, 0xA7, 0x36, 0x9C, 0x53, 0xC9, 0xB6, 0x8B, 0xE1, 0xEA, 0x36, 0x52, 0x49, 0x9D, 0xBA,
+    0x17, 0xB7, 0xD1, 0x38, 0x17, 0xB7, 0x51, 0x39, 0x52, 0x49, 0x9D, 0x39, 0x17, 0xB7, 0xD1, 0x39,
+    0x6F, 0x12, 0x03, 0x3A, 0x52, 0x49, 0x1D, 0x3A, 0x34, 0x80, 0x37, 0x3A, 0x17, 0xB7, 0x51, 0x3A,
+    0xFA, 0xED, 0x6B, 0x3A, 0x0A, 0xD7, 0xA3, 0xBB, 0x6F, 0x12, 0x83, 0xBB, 0xA6, 0x9B, 0x44, 0xBB,
+    0x6F, 0x12, 0x03, 0xBB, 0x6F, 0x12, 0x83, 0xBA, 0x00, 0x00, 0x00, 0x00, 0x6F, 0x12, 0x83, 0x3A,
+    0x6F, 0x12, 0x03, 0x3B, 0xA6, 0x9B, 0x44, 0x3B, 0x6F, 0x12, 0x83, 0x3B, 0x0A, 0xD7, 0xA3, 0x3B,
+    0xA6, 0x9B, 0xC4, 0x3B, 0xAC, 0xC5, 0xA7, 0x37, 0xAC, 0xC5, 0x27, 0x38, 0x82, 0xA8, 0x7B, 0x38,
+    0xAC, 0xC5, 0xA7, 0x38, 0x17, 0xB7, 0xD1, 0x38, 0x82, 0xA8, 0xFB, 0x38, 0xF7, 0xCC, 0x12, 0x39,
+    0xAC, 0xC5, 0x27, 0x39, 0x62, 0xBE, 0x3C, 0x39, 0x17, 0xB7, 0x51, 0x39, 0xCD, 0xAF, 0x66, 0x39,
+    0x82, 0xA8, 0x7B, 0x39, 0x7A, 0x40, 0x0D, 0xF8,
+};
+
+static const double accelerometer_reals[ACCELEROMETER_REALS] = {
+    9.8125,    0.001953125, -12.5,  0.0009765625, 0.000244140625, 8.25,   33123.5,
+    -33276.25, 32360.75,    0.0024, 1.5e-05,      -2.5e-06,       -1e-05, 0.0025,
+    3e-06,     4e-06,       -5e-06, -0.0026,      0.0001,         0.0002, 0.0003,
+    0.0004,    0.0005,      0.0006, 0.0007,       0.0008,         0.0009};
+/* move_noise, move_rms, move_max; offset, matrix; sigma; slope; slope_sigma */
+static const double reals[REALS] = {
+    0.00041, 0.00152, 0.0043,  12.5,    -40.25,  7.75,   0.001,   2e-06,  -3e-06, 4e-06,
+    0.0011,  5e-06,   -6e-06,  7e-06,   -0.0012, 0.0001, 0.0002,  0.0003, 0.0004, 0.0005,
+    0.0006,  0.0007,  0.0008,  0.0009,  -0.005,  -0.004, -0.003,  -0.002, -0.001, 0.0,
+    0.001,   0.002,   0.003,   0.004,   0.005,   0.006,  2e-05,   4e-05,  6e-05,  8e-05,
+    0.0001,  0.00012, 0.00014, 0.00016, 0.00018, 0.0002, 0.00022, 0.00024};
+
+/* Real number i of the record, in the order of the table in gyro.h. */
+static invcal_real *real_of(invcal_imu_record *r, unsigned i)
+{
+    invcal_real *const single[] = {&r->move_noise, &r->move_rms, &r->move_max};
+
+    return i < OFFSET        ? single[i]
+           : i < MATRIX      ? &r->gyro.offset[i - OFFSET]
+           : i < SIGMA       ? &r->gyro.matrix[(i - MATRIX) / 3][(i - MATRIX) % 3]
+           : i < SLOPE       ? &r->sigma[i - SIGMA]
+           : i < SLOPE_SIGMA ? &r->slope[(i - SLOPE) / 4][(i - SLOPE) % 4]
+                             : &r->slope_sigma[(i - SLOPE_SIGMA) / 4][(i - SLOPE_SIGMA) % 4];
+}
+
+static invcal_real *accelerometer_real(invcal_record *r, unsigned i)
+{
+    invcal_real *const single[] = {&r->field, &r->field_sigma, &r->temperature,
+                                   &r->noise, &r->rms,         &r->condition};
+
+    return i < 6    ? single[i]
+           : i < 9  ? &r->calibration.offset[i - 6]
+           : i < 18 ? &r->calibration.matrix[(i - 9) / 3][(i - 9) % 3]
+                    : &r->sigma[i - 18];
+}
+
+static invcal_imu_record golden_record(void)
+{
+    invcal_imu_record r;
+
+    memset(&r, 0, sizeof r);
+    for (unsigned i = 0; i < REALS; i++) {
+        *real_of(&r, i) = (invcal_real)reals[i];
+    }
+    for (unsigned i = 0; i < ACCELEROMETER_REALS; i++) {
+        *accelerometer_real(&r.accelerometer, i) = (invcal_real)accelerometer_reals[i];
+    }
+    memcpy(r.accelerometer.sensor, "SN-00042", 8);
+    r.accelerometer.date = 0x6543210Fu;
+    r.accelerometer.positions = 18;
+    r.accelerometer.weak = 0x101;
+    r.accelerometer.from_prior = 0x82;
+    r.accelerometer.verdict = INVCAL_WEAK;
+    r.accelerometer.temperature_known = 1;
+    r.weak = 0x111;
+    r.dof = 0x0223;
+    r.verdict = INVCAL_WEAK;
+    r.moves = 12;
+    r.g_is_used = 1;
+    return r;
+}
+
+/* Equal to the bit, reals as they are after rounding to float. */
+static void assert_equal_records(invcal_imu_record *expected, invcal_imu_record *actual)
+{
+    for (unsigned i = 0; i < REALS; i++) {
+        const invcal_real e = (invcal_real)(float)*real_of(expected, i);
+        TEST_ASSERT_EQUAL_MEMORY(&e, real_of(actual, i), sizeof e);
+    }
+    for (unsigned i = 0; i < ACCELEROMETER_REALS; i++) {
+        const invcal_real e = (invcal_real)(float)*accelerometer_real(&expected->accelerometer, i);
+        TEST_ASSERT_EQUAL_MEMORY(&e, accelerometer_real(&actual->accelerometer, i), sizeof e);
+    }
+    TEST_ASSERT_EQUAL_MEMORY(expected->accelerometer.sensor, actual->accelerometer.sensor, 8);
+    TEST_ASSERT_EQUAL_HEX32(expected->accelerometer.date, actual->accelerometer.date);
+    TEST_ASSERT_EQUAL_INT(expected->accelerometer.positions, actual->accelerometer.positions);
+    TEST_ASSERT_EQUAL_HEX16(expected->accelerometer.weak, actual->accelerometer.weak);
+    TEST_ASSERT_EQUAL_INT(expected->accelerometer.verdict, actual->accelerometer.verdict);
+    TEST_ASSERT_EQUAL_HEX16(expected->weak, actual->weak);
+    TEST_ASSERT_EQUAL_INT(expected->dof, actual->dof);
+    TEST_ASSERT_EQUAL_INT(expected->verdict, actual->verdict);
+    TEST_ASSERT_EQUAL_INT(expected->moves, actual->moves);
+    TEST_ASSERT_EQUAL_INT(expected->g_is_used, actual->g_is_used);
+}
+
+static void assert_encodes(const invcal_imu_record *r, uint8_t bytes[SIZE])
+{
+    uint8_t buffer[SIZE + MARGIN];
+    const invcal_imu_record before = *r;
+
+    memset(buffer, 0x5A, sizeof buffer);
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_imu_record_encode(r, buffer + 1)); /* odd address */
+    TEST_ASSERT_EQUAL_MEMORY(&before, r, sizeof before);
+    TEST_ASSERT_EQUAL_HEX8(0x5A, buffer[0]);
+    TEST_ASSERT_EACH_EQUAL_HEX8(0x5A, buffer + 1 + SIZE, MARGIN - 1);
+    memcpy(bytes, buffer + 1, SIZE);
+}
+
+static void assert_decodes(const uint8_t *bytes, invcal_imu_record *out)
+{
+    uint8_t buffer[SIZE + 1];
+
+    memcpy(buffer + 1, bytes, SIZE);
+    memset(out, 0x5A, sizeof *out);
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_imu_record_decode(buffer + 1, SIZE, out));
+}
+
+static void assert_not_encoded(invcal_status expected, const invcal_imu_record *r)
+{
+    uint8_t bytes[SIZE];
+
+    TEST_ASSERT_EQUAL_INT(expected, invcal_imu_record_encode(r, bytes));
+}
+
+static int is_refused(invcal_status expected, const uint8_t *bytes, uint32_t size)
+{
+    static invcal_imu_record out;
+    static uint8_t before[sizeof out];
+
+    memset(&out, 0x5A, sizeof out);
+    memset(before, 0x5A, sizeof before);
+    return invcal_imu_record_decode(bytes, size, &out) == expected &&
+           memcmp(&out, before, sizeof out) == 0;
+}
+
+/* ---- what is kept ------------------------------------------------------------------------------ */
+
+static void a_record_has_the_bytes_of_the_table(void)
+{
+    const invcal_imu_record r = golden_record();
+    uint8_t bytes[SIZE];
+
+    assert_encodes(&r, bytes);
+    TEST_ASSERT_EQUAL_HEX8_ARRAY(golden, bytes, SIZE);
+}
+
+static void the_bytes_of_the_table_give_the_record(void)
+{
+    invcal_imu_record expected = golden_record();
+    invcal_imu_record r;
+
+    assert_decodes(golden, &r);
+    assert_equal_records(&expected, &r);
+}
+
+static void a_record_comes_back_as_it_was(void)
+{
+    random_source random = random_start(1);
+
+    for (int k = 0; k < SOME(2000); k++) {
+        invcal_imu_record r = golden_record();
+        invcal_imu_record back;
+        uint8_t bytes[SIZE];
+        uint8_t again[SIZE];
+        for (unsigned i = 0; i < REALS; i++) {
+            if (i < OFFSET || i >= SIGMA) {
+                *real_of(&r, i) =
+                    (invcal_real)(random_normal(&random) * pow(10, random_uniform(&random, -9, 9)));
+            } else {
+                *real_of(&r, i) *= (invcal_real)random_uniform(&random, 0.5, 1.5);
+            }
+        }
+        r.weak = (uint16_t)random_uniform(&random, 0, 512);
+        r.dof = (uint16_t)random_uniform(&random, 0, 65536);
+        r.moves = (uint8_t)random_uniform(&random, 0, 256);
+        r.g_is_used = (uint8_t)(k % 2);
+        assert_encodes(&r, bytes);
+        assert_decodes(bytes, &back);
+        assert_equal_records(&r, &back);
+        assert_encodes(&back, again);
+        TEST_ASSERT_EQUAL_MEMORY(bytes, again, SIZE);
+    }
+}
+
+/* A device that knows no gyroscope. */
+static void the_accelerometer_is_a_record_of_its_own(void)
+{
+    invcal_imu_record expected = golden_record();
+    invcal_imu_record r;
+
+    assert_decodes(golden, &r);
+    memset(&r.accelerometer, 0x5A, sizeof r.accelerometer);
+    TEST_ASSERT_EQUAL_INT(
+        INVCAL_OK, invcal_record_decode(golden + RECORD_AT, INVCAL_RECORD_SIZE, &r.accelerometer));
+    assert_equal_records(&expected, &r);
+}
+
+static void bytes_behind_a_record_are_not_looked_at(void)
+{
+    uint8_t bytes[SIZE + MARGIN];
+    invcal_imu_record expected = golden_record();
+
+    for (unsigned fill = 0; fill < 256; fill += 85) {
+        invcal_imu_record r;
+        memset(bytes, (int)fill, sizeof bytes);
+        memcpy(bytes, golden, SIZE);
+        TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_imu_record_decode(bytes, 0xFFFFFFFFu, &r));
+        assert_equal_records(&expected, &r);
+    }
+}
+
+/* Every number of a result, each another one. */
+static invcal_imu make_result(void)
+{
+    invcal_imu_record r = golden_record();
+    invcal_imu imu;
+
+    memset(&imu, 0, sizeof imu);
+    imu.gyro = r.gyro;
+    imu.accelerometer = r.accelerometer.calibration;
+    memcpy(imu.sigma, r.sigma, sizeof r.sigma);
+    memcpy(imu.sigma + 9, r.accelerometer.sigma, sizeof r.accelerometer.sigma);
+    memcpy(imu.slope, r.slope, sizeof imu.slope);
+    memcpy(imu.slope_sigma, r.slope_sigma, sizeof imu.slope_sigma);
+    imu.noise = r.accelerometer.noise;
+    imu.move_noise = r.move_noise;
+    imu.move_rms = r.move_rms;
+    imu.move_max = r.move_max;
+    imu.dof = 0x0223;
+    imu.moves = 12;
+    imu.g_is_used = 1;
+    return imu;
+}
+
+/* What a result does not know is 0. */
+static void a_new_record_holds_the_result(void)
+{
+    static const struct {
+        uint32_t open;
+        uint8_t verdict, of_accelerometer;
+    } judged[] = {{0, INVCAL_GOOD, INVCAL_GOOD},
+                  {0, INVCAL_ROUGH, INVCAL_ROUGH},
+                  {0x111, INVCAL_WEAK, INVCAL_NO_REDUNDANCY},
+                  {0x101u << 9, INVCAL_WEAK, INVCAL_WEAK},
+                  {0x3FFFF, INVCAL_WEAK, INVCAL_WEAK}};
+
+    for (unsigned k = 0; k < sizeof judged / sizeof *judged; k++) {
+        invcal_imu_record expected = golden_record();
+        invcal_imu imu = make_result();
+        invcal_imu_record r;
+        uint8_t bytes[SIZE];
+        invcal_record *a = &expected.accelerometer;
+        imu.open = judged[k].open;
+        imu.verdict = judged[k].verdict;
+        memset(&r, 0x5A, sizeof r);
+        invcal_imu_record_init(&r, &imu);
+        a->field = a->field_sigma = a->temperature = a->rms = a->condition = 0;
+        memset(a->sensor, 0, sizeof a->sensor);
+        a->date = 0;
+        a->positions = a->from_prior = 0;
+        a->temperature_known = 0;
+        a->weak = (uint16_t)(imu.open >> 9);
+        a->verdict = judged[k].of_accelerometer;
+        expected.weak = (uint16_t)(imu.open & 0x1FF);
+        expected.verdict = judged[k].verdict;
+        assert_encodes(&r, bytes);
+        assert_decodes(bytes, &r);
+        assert_equal_records(&expected, &r);
+    }
+}
+
+/* ---- what is refused --------------------------------------------------------------------------- */
+
+static void a_number_that_is_not_finite_is_neither_encoded_nor_decoded(void)
+{
+    static const double bad[] = {NOT_A_NUMBER, INFINITE, -INFINITE};
+    static const uint8_t bits[][4] = {
+        {0, 0, 0xC0, 0x7F}, {1, 0, 0x80, 0xFF}, {0, 0, 0x80, 0x7F}, {0, 0, 0x80, 0xFF}};
+
+    for (unsigned i = 0; i < REALS; i++) {
+        for (unsigned k = 0; k < 3; k++) {
+            invcal_imu_record r = golden_record();
+            *real_of(&r, i) = (invcal_real)bad[k];
+            assert_not_encoded(INVCAL_NOT_FINITE, &r);
+        }
+        for (unsigned k = 0; k < 4; k++) {
+            uint8_t bytes[SIZE];
+            memcpy(bytes, golden, SIZE);
+            memcpy(bytes + REALS_AT + 4 * i, bits[k], 4);
+            seal_bytes(bytes, SIZE - 4);
+            TEST_ASSERT_TRUE(is_refused(INVCAL_NOT_FINITE, bytes, SIZE));
+        }
+    }
+    for (unsigned i = 0; i < ACCELEROMETER_REALS; i++) {
+        invcal_imu_record r = golden_record();
+        *accelerometer_real(&r.accelerometer, i) = (invcal_real)NOT_A_NUMBER;
+        assert_not_encoded(INVCAL_NOT_FINITE, &r);
+    }
+}
+
+static void a_singular_matrix_is_neither_encoded_nor_decoded(void)
+{
+    invcal_imu_record r = golden_record();
+    uint8_t bytes[SIZE];
+
+    for (unsigned row = 0; row < 3; row++) {
+        r = golden_record();
+        memcpy(r.gyro.matrix[row], r.gyro.matrix[(row + 1) % 3], sizeof r.gyro.matrix[0]);
+        assert_not_encoded(INVCAL_BAD_NOMINAL, &r);
+        memcpy(bytes, golden, SIZE);
+        memset(bytes + REALS_AT + 4 * (MATRIX + 3 * row), 0, 12);
+        seal_bytes(bytes, SIZE - 4);
+        TEST_ASSERT_TRUE(is_refused(INVCAL_BAD_NOMINAL, bytes, SIZE));
+    }
+    r = golden_record();
+    memset(r.accelerometer.calibration.matrix, 0, sizeof r.accelerometer.calibration.matrix);
+    assert_not_encoded(INVCAL_BAD_NOMINAL, &r);
+}
+
+/* What is weak and what the verdict says, of both sensors; a tenth parameter; flags that are none. */
+static void a_record_that_contradicts_itself_is_neither_encoded_nor_decoded(void)
+{
+    for (unsigned k = 0; k < 8 * 2 * 12 * 3 * 2; k++) {
+        const uint8_t verdict = (uint8_t)(k % 8);
+        const int other_is_weak = k / 8 % 2;
+        const unsigned weak = k / 16 % 12 ? 1u << (k / 16 % 12 - 1) : 0;
+        const uint8_t g = (uint8_t)(k / 192 % 3);
+        const uint8_t nothing = (uint8_t)(k / 576);
+        const int fits = verdict == 5 ? weak > 0 || other_is_weak : verdict < 5 && weak == 0;
+        const int is_good = fits && weak < 512 && g < 2;
+        invcal_imu_record r = golden_record();
+        uint8_t bytes[SIZE];
+        r.verdict = verdict;
+        r.weak = (uint16_t)weak;
+        r.g_is_used = g;
+        if (!other_is_weak) {
+            r.accelerometer.weak = 0;
+            r.accelerometer.verdict = INVCAL_GOOD;
+        }
+        TEST_ASSERT_EQUAL_INT(is_good ? INVCAL_OK : INVCAL_DAMAGED,
+                              invcal_imu_record_encode(&r, bytes));
+        memcpy(bytes, golden, SIZE);
+        if (!other_is_weak) {
+            memset(bytes + RECORD_AT + 18, 0, 2);
+            bytes[RECORD_AT + 22] = 0;
+            seal_bytes(bytes + RECORD_AT, INVCAL_RECORD_SIZE - 4);
+        }
+        bytes[WEAK_AT] = (uint8_t)(weak & 0xFF);
+        bytes[WEAK_AT + 1] = (uint8_t)(weak >> 8);
+        bytes[VERDICT_AT] = verdict;
+        bytes[G_AT] = g;
+        bytes[NOTHING_AT] = nothing;
+        seal_bytes(bytes, SIZE - 4);
+        TEST_ASSERT_EQUAL_INT(is_good && nothing == 0, !is_refused(INVCAL_DAMAGED, bytes, SIZE));
+    }
+}
+
+static void any_wrong_bit_is_noticed(void)
+{
+    uint8_t bytes[SIZE];
+
+    memcpy(bytes, golden, SIZE);
+    for (unsigned bit = 0; bit < 8 * SIZE; bit++) {
+        bytes[bit / 8] ^= (uint8_t)(1u << bit % 8);
+        TEST_ASSERT_TRUE(is_refused(INVCAL_DAMAGED, bytes, SIZE));
+        bytes[bit / 8] ^= (uint8_t)(1u << bit % 8);
+    }
+}
+
+/* Also where the CRC is right: the accelerometer's record has its own. */
+static void a_wrong_bit_within_is_noticed(void)
+{
+    uint8_t bytes[SIZE];
+
+    for (unsigned bit = 0; bit < 8 * INVCAL_RECORD_SIZE; bit++) {
+        memcpy(bytes, golden, SIZE);
+        bytes[RECORD_AT + bit / 8] ^= (uint8_t)(1u << bit % 8);
+        seal_bytes(bytes, SIZE - 4);
+        TEST_ASSERT_TRUE(is_refused(INVCAL_DAMAGED, bytes, SIZE));
+    }
+}
+
+static void too_few_bytes_are_refused(void)
+{
+    for (uint32_t size = 0; size < SIZE; size++) {
+        TEST_ASSERT_TRUE(is_refused(INVCAL_DAMAGED, golden, size));
+    }
+}
+
+/* Sound bytes of another kind or version, and of a length that is not this one's. */
+static void another_kind_or_version_is_named(void)
+{
+    for (unsigned k = 0; k < 512; k++) {
+        uint8_t bytes[SIZE];
+        memcpy(bytes, golden, SIZE);
+        bytes[k / 256] = (uint8_t)(k % 256);
+        seal_bytes(bytes, SIZE - 4);
+        const int is_golden = memcmp(bytes, golden, SIZE) == 0;
+        TEST_ASSERT_EQUAL_INT(!is_golden, is_refused(INVCAL_OTHER_VERSION, bytes, SIZE));
+    }
+    TEST_ASSERT_TRUE(is_refused(INVCAL_OTHER_VERSION, golden + RECORD_AT, INVCAL_RECORD_SIZE));
+    for (uint32_t length = 8; length < SIZE; length++) {
+        uint8_t bytes[SIZE];
+        memcpy(bytes, golden, SIZE);
+        bytes[2] = (uint8_t)(length & 0xFF);
+        bytes[3] = (uint8_t)(length >> 8);
+        seal_bytes(bytes, length - 4);
+        TEST_ASSERT_TRUE(is_refused(INVCAL_DAMAGED, bytes, SIZE));
+    }
+}
+
+/* ---- in a memory ------------------------------------------------------------------------------- */
+
+enum { SLOT = INVCAL_STORE_BYTES(INVCAL_IMU_RECORD_SIZE, 4) };
+static uint8_t cells[2][SLOT];
+static long power; /* bytes until it fails */
+
+static int read_cells(void *context, unsigned slot, uint32_t offset, uint8_t *bytes, uint32_t size)
+{
+    (void)context;
+    memcpy(bytes, &cells[slot][offset], size);
+    return power <= 0;
+}
+
+static int erase_cells(void *context, unsigned slot)
+{
+    (void)context;
+    for (unsigned i = 0; i < SLOT && power > 0; i++, power--) {
+        cells[slot][i] = 0xFF;
+    }
+    return power <= 0;
+}
+
+static int program_cells(void *context, unsigned slot, uint32_t offset, const uint8_t *bytes,
+                         uint32_t size)
+{
+    (void)context;
+    for (uint32_t i = 0; i < size && power > 0; i++, power--) {
+        cells[slot][offset + i] &= bytes[i];
+    }
+    return power <= 0;
+}
+
+static const invcal_store store = {read_cells, erase_cells, program_cells, NULL, SLOT, 4};
+
+static void new_cells(void)
+{
+    memset(cells, 0xFF, sizeof cells);
+    power = 100000;
+}
+
+/* The bytes in the memory are those of the record. */
+static void a_result_is_saved_and_loaded(void)
+{
+    invcal_imu imu = make_result();
+    invcal_imu_record expected;
+    invcal_imu_record r;
+    uint8_t bytes[SIZE];
+    uint8_t stored[SIZE];
+    uint32_t size = 0;
+
+    new_cells();
+    TEST_ASSERT_EQUAL_INT(INVCAL_NO_RECORD, invcal_load_imu(&store, &r));
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_save_imu(&store, &imu));
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_load_imu(&store, &r));
+    invcal_imu_record_init(&expected, &imu);
+    assert_equal_records(&expected, &r);
+    assert_encodes(&expected, bytes);
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_store_load(&store, stored, SIZE, &size));
+    TEST_ASSERT_EQUAL_UINT32(SIZE, size);
+    TEST_ASSERT_EQUAL_MEMORY(bytes, stored, SIZE);
+    imu.gyro.offset[1] = (invcal_real)NOT_A_NUMBER;
+    TEST_ASSERT_EQUAL_INT(INVCAL_NOT_FINITE, invcal_save_imu(&store, &imu));
+    imu.accelerometer.matrix[1][1] = (invcal_real)NOT_A_NUMBER;
+    TEST_ASSERT_EQUAL_INT(INVCAL_NOT_FINITE, invcal_save_imu(&store, &imu));
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_load_imu(&store, &r)); /* the one before */
+    assert_equal_records(&expected, &r);
+}
+
+/* The other record, and what is no record. */
+static void what_is_no_result_is_not_loaded(void)
+{
+    static const uint8_t large[SLOT] = {0xCC, 1};
+    invcal_imu_record r;
+
+    new_cells();
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK,
+                          invcal_store_save(&store, golden + RECORD_AT, INVCAL_RECORD_SIZE));
+    TEST_ASSERT_EQUAL_INT(INVCAL_OTHER_VERSION, invcal_load_imu(&store, &r));
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_store_save(&store, large, SIZE));
+    TEST_ASSERT_EQUAL_INT(INVCAL_DAMAGED, invcal_load_imu(&store, &r));
+}
+
+/* At each byte of a save: what is found is the old one or the new one, in full. */
+static void a_power_cut_at_any_byte_of_a_save_loses_no_result(void)
+{
+    invcal_imu imu = make_result();
+    int found[2] = {0, 0};
+    int saved = 0;
+
+    for (long cut = 1; !saved; cut++) {
+        invcal_imu_record r;
+        new_cells();
+        imu.moves = 12;
+        TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_save_imu(&store, &imu));
+        imu.moves = 13;
+        power = cut;
+        saved = invcal_save_imu(&store, &imu) == INVCAL_OK;
+        power = 100000;
+        TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_load_imu(&store, &r));
+        TEST_ASSERT_TRUE(r.moves == 12 || r.moves == 13);
+        TEST_ASSERT_TRUE(!saved || r.moves == 13);
+        found[r.moves - 12]++;
+        TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_save_imu(&store, &imu)); /* and it goes on */
+    }
+    TEST_ASSERT_TRUE(found[0] > SLOT && found[1] > 1);
+}
+
+int main(void)
+{
+    UNITY_BEGIN();
+    RUN_TEST(a_record_has_the_bytes_of_the_table);
+    RUN_TEST(the_bytes_of_the_table_give_the_record);
+    RUN_TEST(a_record_comes_back_as_it_was);
+    RUN_TEST(the_accelerometer_is_a_record_of_its_own);
+    RUN_TEST(bytes_behind_a_record_are_not_looked_at);
+    RUN_TEST(a_new_record_holds_the_result);
+    RUN_TEST(a_number_that_is_not_finite_is_neither_encoded_nor_decoded);
+    RUN_TEST(a_singular_matrix_is_neither_encoded_nor_decoded);
+    RUN_TEST(a_record_that_contradicts_itself_is_neither_encoded_nor_decoded);
+    RUN_TEST(any_wrong_bit_is_noticed);
+    RUN_TEST(a_wrong_bit_within_is_noticed);
+    RUN_TEST(too_few_bytes_are_refused);
+    RUN_TEST(another_kind_or_version_is_named);
+    RUN_TEST(a_result_is_saved_and_loaded);
+    RUN_TEST(what_is_no_result_is_not_loaded);
+    RUN_LONG_TEST(a_power_cut_at_any_byte_of_a_save_loses_no_result);
+    return UNITY_END() != 0;
+}

@@ -1,0 +1,600 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * Both sensors fed sample by sample, kept, reset, and going on: by their bytes, and through a memory that
+ * loses power.
+ */
+#include <stddef.h>
+#include <string.h>
+
+#include "gyro_world.h"
+#include "unity.h"
+
+#define RATE 100 /* samples per second of both */
+#define COUNTS_PER_G 16384
+enum {
+    FROM = offsetof(invcal_imu_session, moves.layout),
+    OF_MOVES = offsetof(invcal_imu_session, session) - FROM,
+    OF_SESSION = offsetof(invcal_session, mean),
+    MEAN = 3 * sizeof(invcal_real),
+    SIZE = OF_MOVES + OF_SESSION + INVCAL_MAX_POSITIONS * MEAN,
+    FILL = 0x5A
+};
+
+static invcal_imu_session both;
+static invcal_imu_session back;
+static uint8_t kept[SIZE];
+static invcal_imu imu[2];
+
+/* ---- two sensors in a hand ---------------------------------------------------------------------- */
+
+static struct {
+    double m[3][3]; /* true rate = m nominal rate */
+    triad_truth triad;
+    double up[3];
+    random_source random;
+    int is_off;        /* nobody reads the sensors */
+    unsigned reset_at; /* samples of the next move after which power is off for a moment; 0: none */
+} hand;
+
+static void begin(uint32_t seed)
+{
+    invcal_calibration gyro = unit_nominal();
+
+    memset(&hand, 0, sizeof hand);
+    hand.random = random_start(seed);
+    hand.triad = triad_random(&hand.random, 0.02);
+    world_unit(hand.m);
+    for (int i = 0; i < 9; i++) {
+        hand.m[i / 3][i % 3] += 0.01 * random_normal(&hand.random);
+    }
+    hand.up[2] = 1;
+    for (int i = 0; i < 3; i++) {
+        gyro.matrix[i][i] = (invcal_real)(1 / COUNTS);
+    }
+    memset(&both, FILL, sizeof both);
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_session_init(&both.session, COUNTS_PER_G, RATE));
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_moves_init(&both.moves, &gyro, RATE));
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_session_rails(&both.session, -32768, 32767));
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_moves_rails(&both.moves, -5000000, 5000000));
+}
+
+/* One sample of each, at the nominal rate, and what is up. */
+static invcal_event sample(const double rate[3], const double up[3])
+{
+    int32_t raw[3];
+    double u[3];
+
+    for (int i = 0; i < 3; i++) {
+        raw[i] = (int32_t)lround(COUNTS * (0.01 + rate[i] + 1e-3 * random_normal(&hand.random)));
+    }
+    if (!hand.is_off) {
+        invcal_moves_feed(&both.moves, raw);
+    }
+    triad_read(&hand.triad, up, u);
+    for (int i = 0; i < 3; i++) {
+        raw[i] = (int32_t)lround(COUNTS_PER_G * u[i] + 16 * random_normal(&hand.random));
+    }
+    if (hand.is_off) {
+        return INVCAL_NOTHING;
+    }
+    const invcal_event event = invcal_session_feed(&both.session, raw);
+    invcal_moves_follow(&both.moves, &both.session.rests, event);
+    return event;
+}
+
+static uint32_t keep(const invcal_imu_session *of)
+{
+    const uint32_t size = invcal_imu_session_size(of);
+
+    TEST_ASSERT_TRUE(size <= SIZE);
+    memcpy(kept, (const uint8_t *)of + FROM, size);
+    return size;
+}
+
+/* A device whose memory holds anything but what was kept. */
+static invcal_status put_back(uint32_t size)
+{
+    memset(&back, FILL, sizeof back);
+    memcpy((uint8_t *)&back + FROM, kept, size < SIZE ? size : SIZE);
+    return invcal_imu_session_resume(&back, size);
+}
+
+/* Turned by a quarter until `axis` (from 1; negative: down) is up, in 1.1 s; and held for 2 s. */
+static unsigned turn_to(int axis)
+{
+    const double none[3] = {0, 0, 0};
+    double vector[3], inverse[3][3], c[3][3], up[3];
+    double to[3] = {0, 0, 0};
+    unsigned taken = 0;
+
+    to[(axis < 0 ? -axis : axis) - 1] = axis < 0 ? -1 : 1;
+    for (int i = 0; i < 3; i++) {
+        vector[i] = hand.up[(i + 2) % 3] * to[(i + 1) % 3] - hand.up[(i + 1) % 3] * to[(i + 2) % 3];
+    }
+    const double length = length3(vector);
+    const double dot = to[0] * hand.up[0] + to[1] * hand.up[1] + to[2] * hand.up[2];
+    for (int i = 0; i < 3 && length > 0; i++) {
+        vector[i] *= (atan2(length, dot) + 0.02 * random_normal(&hand.random)) / length;
+    }
+    world_inverse((const double(*)[3])hand.m, inverse);
+    world_unit(c);
+    memcpy(up, hand.up, sizeof up);
+    for (unsigned n = 0; n < 310; n++) {
+        const double tau = n < 110 ? (n + 0.5) / 110 : 0;
+        double step[3], r[3][3], rate[3];
+        for (int i = 0; i < 3; i++) {
+            step[i] = vector[i] * 30 * tau * tau * (1 - tau) * (1 - tau) / 110;
+        }
+        world_exp(step, r);
+        world_turn(c, (const double(*)[3])r);
+        world_up((const double(*)[3])c, hand.up, up);
+        for (int i = 0; i < 3; i++) {
+            rate[i] = RATE *
+                      (inverse[i][0] * step[0] + inverse[i][1] * step[1] + inverse[i][2] * step[2]);
+        }
+        if (hand.reset_at > 0 && n == hand.reset_at) {
+            hand.is_off = 1;
+        }
+        if (hand.is_off && n == hand.reset_at + 10) { /* 0.1 s later: from its bytes alone */
+            TEST_ASSERT_EQUAL_INT(INVCAL_OK, put_back(keep(&both)));
+            memcpy(&both, &back, sizeof both);
+            hand.is_off = 0;
+            hand.reset_at = 0;
+        }
+        taken += sample(n < 110 ? rate : none, up) == INVCAL_TAKEN;
+    }
+    memcpy(hand.up, up, sizeof up);
+    return taken;
+}
+
+static const int tour[] = {3, 1, 2, 3, -1, 2, -3, 1, -2, -3, -1, -2, 3};
+enum { TOUR = sizeof tour / sizeof tour[0] };
+
+/* Quarter turns until so many rests have been left. */
+static void take(unsigned rests)
+{
+    for (unsigned k = 0; k < rests; k++) {
+        (void)turn_to(tour[k % TOUR]);
+    }
+    TEST_ASSERT_EQUAL_UINT(rests - 1, both.session.count);
+}
+
+/* ---- what is kept ------------------------------------------------------------------------------- */
+
+/* What lasts of the moves, put together from the header: numbers of this machine, one behind the other. */
+static uint8_t *put(uint8_t *at, const void *what, size_t size)
+{
+    memcpy(at, what, size);
+    return at + size;
+}
+
+static size_t reference(const invcal_moves *m, uint8_t *bytes)
+{
+    const uint32_t layout = 0x61000000u + 0x1000u * sizeof(invcal_real) +
+                            0x40000u * INVCAL_MAX_MOVES + INVCAL_MAX_SEGMENTS;
+    const uint8_t nothing[3] = {0, 0, 0};
+    uint8_t *at = bytes;
+
+    at = put(at, &layout, 4);
+    at = put(at, &m->low, 4);
+    at = put(at, &m->between, 4);
+    at = put(at, &m->blocks, 2);
+    at = put(at, &m->first, 2);
+    at = put(at, &m->count, 1);
+    at = put(at, nothing, 3);
+    at = put(at, m->nominal.offset, MEAN);
+    at = put(at, m->nominal.matrix, 3 * MEAN);
+    at = put(at, &m->rate, sizeof m->rate);
+    at = put(at, m->bias, MEAN);
+    for (unsigned i = 0; i < INVCAL_MAX_MOVES; i++) {
+        at = put(at, m->rest[i].bias, 6);
+        at = put(at, &m->rest[i].when, 2);
+        at = put(at, &m->rest[i].move, 1);
+        at = put(at, nothing, offsetof(invcal_still, move) + 1 < sizeof(invcal_still));
+    }
+    for (unsigned i = 0; i < INVCAL_MAX_SEGMENTS; i++) {
+        at = put(at, m->segment[i].v, 6);
+        at = put(at, m->segment[i].kappa, 6);
+        at = put(at, &m->segment[i].time, 2);
+    }
+    return (size_t)(at - bytes);
+}
+
+static void what_lasts_is_what_was_taken(void)
+{
+    static uint8_t expected[SIZE];
+
+    begin(1);
+    take(4);
+    const uint32_t size = keep(&both);
+    const size_t of_moves = reference(&both.moves, expected);
+    TEST_ASSERT_TRUE(of_moves <= OF_MOVES && OF_MOVES - of_moves < sizeof(uint64_t)); /* aligned */
+    TEST_ASSERT_EQUAL_MEMORY(expected, kept, of_moves);
+    TEST_ASSERT_EQUAL_UINT32(OF_MOVES + OF_SESSION + 3 * MEAN, size);
+    TEST_ASSERT_EQUAL_MEMORY(&both.session, kept + OF_MOVES, size - OF_MOVES);
+    TEST_ASSERT_EQUAL_UINT32(SIZE, INVCAL_IMU_SESSION_SIZE);
+#if INVCAL_MAX_SEGMENTS == 192 && INVCAL_MAX_MOVES == 32 /* as if it were copied from a device */
+    TEST_ASSERT_EQUAL_HEX32(sizeof(invcal_real) == 8 ? 0x618080C0u : 0x618040C0u,
+                            both.moves.layout);
+#endif
+}
+
+/* All that lasts, and nothing of the stream. */
+static void assert_back(void)
+{
+    TEST_ASSERT_EQUAL_MEMORY(&both.moves.layout, &back.moves.layout,
+                             sizeof(invcal_moves) - offsetof(invcal_moves, layout));
+    TEST_ASSERT_EQUAL_UINT(both.session.count, back.session.count);
+    for (unsigned i = 0; i < both.session.count; i++) {
+        TEST_ASSERT_EQUAL_MEMORY(both.session.mean[i], back.session.mean[i], MEAN);
+    }
+    TEST_ASSERT_EQUAL_MEMORY(&both.session.nominal, &back.session.nominal,
+                             sizeof both.session.nominal);
+    TEST_ASSERT_EQUAL_UINT(back.moves.first, back.moves.fixed);
+    TEST_ASSERT_EQUAL_UINT(back.moves.first, back.moves.used);
+    TEST_ASSERT_EQUAL_UINT(0, back.moves.marks + back.moves.missing + back.moves.spoilt);
+    for (unsigned i = 0; i < 3; i++) {
+        TEST_ASSERT_TRUE(back.moves.rho[i] == 0 && back.moves.v[i] == 0 &&
+                         back.moves.still[i] == 0);
+    }
+}
+
+static invcal_status solve(const invcal_imu_session *of, invcal_imu *out)
+{
+    return invcal_imu_solve(of->session.mean[0], of->session.count, &of->session.nominal,
+                            &of->moves, NULL, out);
+}
+
+/* After each rest, and at each time of a move and of the rest behind it. */
+static void both_come_back_as_they_were(void)
+{
+    const double none[3] = {0, 0, 0};
+
+    begin(2);
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, put_back(keep(&both))); /* nothing yet */
+    assert_back();
+    for (unsigned k = 0; k < TOUR; k++) {
+        (void)turn_to(tour[k]);
+        for (unsigned n = 0; n < 25; n++) {
+            (void)sample(none, hand.up);
+            TEST_ASSERT_EQUAL_INT(INVCAL_OK, put_back(keep(&both)));
+            assert_back();
+        }
+        memset(imu, 0, sizeof imu);
+        TEST_ASSERT_EQUAL_INT(solve(&both, &imu[0]), solve(&back, &imu[1]));
+        TEST_ASSERT_EQUAL_MEMORY(imu[0].parameter, imu[1].parameter, sizeof imu[0].parameter);
+    }
+    TEST_ASSERT_EQUAL_UINT(TOUR - 1, both.moves.count);
+}
+
+/* At any time of a move: rests and the other moves stay, that one is refused as a gap, and in the end the result
+ * is that of the others. */
+static void a_reset_in_a_move_loses_that_move(void)
+{
+    for (unsigned at = 10; at < 120; at += SLOW(20, 60)) {
+        unsigned refused = 0;
+        begin(3);
+        for (unsigned k = 0; k < TOUR + 4; k++) {
+            hand.reset_at = k == 5 ? at : 0;
+            (void)turn_to(tour[k % TOUR]);
+        }
+        TEST_ASSERT_EQUAL_UINT(both.session.count, both.moves.count);
+        for (unsigned i = 1; i < both.moves.count; i++) {
+            const invcal_status reason = invcal_moves_reason(&both.moves, i);
+            refused += reason != INVCAL_OK;
+            TEST_ASSERT_TRUE(reason == INVCAL_OK || reason == INVCAL_MOVE_GAP);
+        }
+        TEST_ASSERT_EQUAL_UINT(1, refused);
+        TEST_ASSERT_EQUAL_INT(INVCAL_TOO_FEW, invcal_moves_reason(&both.moves, 0));
+        TEST_ASSERT_EQUAL_INT(INVCAL_OK, solve(&both, &imu[0]));
+        TEST_ASSERT_EQUAL_UINT(0, imu[0].left_out);
+        for (int i = 0; i < 9; i++) {
+            TEST_ASSERT_DOUBLE_WITHIN(4 * (double)imu[0].sigma[i], hand.m[i / 3][i % 3],
+                                      (double)imu[0].parameter[i]);
+            TEST_ASSERT_TRUE(imu[0].sigma[i] < INVCAL_REAL(3e-3));
+        }
+    }
+}
+
+/* Resumed at rest, and in it no reset again: as often as it takes. */
+static void a_reset_after_each_rest_leaves_only_rests(void)
+{
+    begin(4);
+    for (unsigned k = 0; k < 6; k++) {
+        hand.reset_at = k > 0 ? 60 : 0;
+        (void)turn_to(tour[k]);
+    }
+    /* the rest that was left was not taken: before it was, power failed */
+    TEST_ASSERT_EQUAL_UINT(both.session.count, both.moves.count);
+    for (unsigned i = 1; i < both.moves.count; i++) {
+        TEST_ASSERT_EQUAL_INT(INVCAL_MOVE_GAP, invcal_moves_reason(&both.moves, i));
+    }
+    TEST_ASSERT_EQUAL_UINT(0, both.moves.first);
+    TEST_ASSERT_EQUAL_INT(INVCAL_TOO_FEW, solve(&both, &imu[0]));
+}
+
+/* ---- what is refused ---------------------------------------------------------------------------- */
+
+/* Another version, number type, order of bytes, number of moves or of segments. */
+static void another_layout_is_named_so(void)
+{
+    begin(5);
+    take(3);
+    const uint32_t size = keep(&both);
+    for (unsigned bit = 0; bit < 32; bit++) {
+        kept[bit / 8] ^= (uint8_t)(1u << bit % 8);
+        TEST_ASSERT_EQUAL_INT(INVCAL_OTHER_VERSION, put_back(size));
+        kept[bit / 8] ^= (uint8_t)(1u << bit % 8);
+    }
+    for (unsigned bit = 0; bit < 32; bit++) { /* of the session */
+        kept[OF_MOVES + bit / 8] ^= (uint8_t)(1u << bit % 8);
+        TEST_ASSERT_EQUAL_INT(INVCAL_OTHER_VERSION, put_back(size));
+        kept[OF_MOVES + bit / 8] ^= (uint8_t)(1u << bit % 8);
+    }
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, put_back(size));
+}
+
+static void another_length_is_refused(void)
+{
+    begin(6);
+    take(3);
+    const uint32_t size = keep(&both);
+    for (uint32_t other = 0; other <= SIZE + 20; other++) {
+        const invcal_status wanted = other == size                   ? INVCAL_OK
+                                     : other < OF_MOVES + OF_SESSION ? INVCAL_OTHER_VERSION
+                                                                     : INVCAL_DAMAGED;
+        TEST_ASSERT_EQUAL_INT(wanted, put_back(other));
+    }
+}
+
+static void refuses(invcal_status expected, invcal_imu_session *changed)
+{
+    TEST_ASSERT_EQUAL_INT(expected, put_back(keep(changed)));
+    memcpy(changed, &both, sizeof both);
+}
+
+static void contents_that_no_moves_have_are_refused(void)
+{
+    static const double rates[] = {7.99, 8000.1, 0, -100, NOT_A_NUMBER, INFINITE};
+    static invcal_imu_session c;
+
+    begin(7);
+    take(6);
+    memcpy(&c, &both, sizeof c);
+    refuses(INVCAL_OK, &c);
+    for (unsigned i = 0; i < 6; i++) {
+        c.moves.rate = (invcal_real)rates[i];
+        refuses(INVCAL_BAD_RATE, &c);
+    }
+    for (unsigned i = 0; i < 9; i++) {
+        c.moves.nominal.matrix[i / 3][i % 3] = (invcal_real)NOT_A_NUMBER;
+        refuses(INVCAL_BAD_NOMINAL, &c);
+    }
+    memset(c.moves.nominal.matrix, 0, sizeof c.moves.nominal.matrix);
+    refuses(INVCAL_BAD_NOMINAL, &c);
+    for (unsigned i = 0; i < 3; i++) {
+        c.moves.bias[i] = (invcal_real)INFINITE;
+        refuses(INVCAL_DAMAGED, &c);
+    }
+    c.moves.low = 1;
+    c.moves.between = INT32_MAX - 1; /* one beyond */
+    refuses(INVCAL_BAD_RAILS, &c);
+    c.moves.low = INT32_MAX;
+    c.moves.between = 0;
+    refuses(INVCAL_BAD_RAILS, &c);
+    c.moves.low = 1;
+    c.moves.between = INT32_MAX - 2;
+    refuses(INVCAL_OK, &c);
+    c.moves.low = INT32_MIN;
+    c.moves.between = UINT32_MAX;
+    refuses(INVCAL_BAD_RAILS, &c);
+    c.moves.low = INT32_MIN;
+    c.moves.between = UINT32_MAX - 1; /* all that there is */
+    refuses(INVCAL_OK, &c);
+    c.moves.count = INVCAL_MAX_MOVES + 1;
+    refuses(INVCAL_DAMAGED, &c);
+    c.moves.count--;
+    refuses(INVCAL_DAMAGED, &c);
+    c.moves.count = 255;
+    refuses(INVCAL_DAMAGED, &c);
+    c.moves.first = INVCAL_MAX_SEGMENTS + 1;
+    refuses(INVCAL_DAMAGED, &c);
+    c.moves.first--;
+    refuses(INVCAL_DAMAGED, &c);
+    c.moves.rest[2].move++;
+    refuses(INVCAL_DAMAGED, &c);
+    c.moves.rest[2].move = 0;
+    refuses(INVCAL_DAMAGED, &c);
+    c.moves.rest[0].move = 1;
+    c.moves.first++;
+    refuses(INVCAL_DAMAGED, &c);
+    c.moves.rest[0].move = -INVCAL_STATUS_COUNT;
+    refuses(INVCAL_DAMAGED, &c);
+    c.moves.rest[0].move = -INVCAL_MOUNTING;
+    refuses(INVCAL_OK, &c);
+    c.moves.rest[3].when = (uint16_t)(c.moves.rest[4].when + 1);
+    refuses(INVCAL_DAMAGED, &c);
+    c.moves.blocks = (uint16_t)(c.moves.rest[4].when - 1);
+    refuses(INVCAL_DAMAGED, &c);
+    c.session.noise = 1;
+    refuses(INVCAL_BAD_NOISE, &c);
+}
+
+/* As many segments as fit into the table stay; INVCAL_MAX_MOVES rests likewise. */
+static void a_full_table_comes_back(void)
+{
+    begin(8);
+    take(3);
+    memset(both.moves.rest, 0, sizeof both.moves.rest);
+    unsigned left = INVCAL_MAX_SEGMENTS;
+    for (unsigned i = 0; i < INVCAL_MAX_MOVES; i++) {
+        const unsigned segments = left < 127 ? left : 127;
+        both.moves.rest[i].move =
+            (int8_t)(i == 0 || segments == 0 ? -INVCAL_NO_SPACE : (int)segments);
+        left -= i == 0 ? 0 : segments;
+    }
+    both.moves.count = INVCAL_MAX_MOVES;
+    both.moves.first = (uint16_t)(INVCAL_MAX_SEGMENTS - left);
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, put_back(keep(&both)));
+    assert_back();
+    memcpy(&both, &back, sizeof both);
+    for (unsigned k = 0; k < 3; k++) { /* and can be fed */
+        (void)turn_to(tour[k]);
+    }
+    TEST_ASSERT_EQUAL_UINT(INVCAL_MAX_MOVES, both.moves.count);
+}
+
+/* What is accepted can be fed and solved. */
+static void any_content_does_no_harm(void)
+{
+    const double none[3] = {0, 0, 0};
+    random_source random = random_start(3);
+    unsigned accepted = 0;
+
+    begin(9);
+    take(10);
+    const uint32_t size = keep(&both);
+    static uint8_t sound[SIZE];
+    memcpy(sound, kept, size);
+    for (unsigned k = 0; k < 3000; k++) {
+        memcpy(kept, sound, size);
+        for (unsigned i = 0; i < 1 + k % 3; i++) {
+            const uint32_t most = k % 2 ? size : 84 + 10 * INVCAL_MAX_MOVES;
+            kept[(uint32_t)random_uniform(&random, 4, most)] =
+                (uint8_t)random_uniform(&random, 0, 256);
+        }
+        if (put_back(size) == INVCAL_OK) {
+            accepted++;
+            memcpy(&both, &back, sizeof both);
+            (void)solve(&both, &imu[0]);
+            for (unsigned n = 0; n < 30; n++) {
+                (void)sample(none, hand.up);
+            }
+        }
+    }
+    TEST_ASSERT_TRUE(accepted > 300 && accepted < 2900);
+}
+
+/* ---- a memory that loses power ------------------------------------------------------------------ */
+
+enum { SLOT = SIZE + 64, GRANULE = 8 };
+static uint8_t cells[2][SLOT];
+static uint8_t used[2][SLOT];
+static long power; /* bytes until it fails */
+static int rules_broken;
+
+static int read_cells(void *context, unsigned slot, uint32_t offset, uint8_t *bytes, uint32_t size)
+{
+    (void)context;
+    rules_broken += slot > 1 || size > 32 || offset + size > SLOT;
+    memcpy(bytes, &cells[slot][offset], size);
+    return power <= 0;
+}
+
+static int erase_cells(void *context, unsigned slot)
+{
+    (void)context;
+    for (unsigned i = 0; i < SLOT && power > 0; i++, power--) {
+        cells[slot][i] = 0xFF;
+        used[slot][i] = 0;
+    }
+    return power <= 0;
+}
+
+static int program_cells(void *context, unsigned slot, uint32_t offset, const uint8_t *bytes,
+                         uint32_t size)
+{
+    (void)context;
+    rules_broken += slot > 1 || offset + size > SLOT || (offset | size) % GRANULE != 0;
+    for (uint32_t i = 0; i < size && power > 0; i++, power--) {
+        rules_broken += used[slot][offset + i];
+        used[slot][offset + i] = 1;
+        cells[slot][offset + i] &= bytes[i];
+    }
+    return power <= 0;
+}
+
+static const invcal_store store = {read_cells, erase_cells, program_cells, NULL, SLOT, GRANULE};
+
+void setUp(void)
+{
+    memset(cells, 0xFF, sizeof cells);
+    memset(used, 0, sizeof used);
+    power = 1000000;
+    rules_broken = 0;
+}
+
+void tearDown(void)
+{
+    TEST_ASSERT_EQUAL_INT_MESSAGE(0, rules_broken, "a rule of the memory was broken");
+}
+
+/* Means and moves are of the same rest wherever power fails: both old or both new. */
+static void a_power_cut_at_any_byte_of_a_save_keeps_both_together(void)
+{
+    static invcal_imu_session before;
+    static uint8_t old_cells[2][SLOT], old_used[2][SLOT];
+    int found[2] = {0, 0};
+    int saved = 0;
+
+    begin(10);
+    take(5);
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_save_imu_session(&store, &both));
+    memcpy(&before, &both, sizeof both);
+    (void)turn_to(tour[5]);
+    TEST_ASSERT_EQUAL_UINT(before.session.count + 1u, both.session.count);
+    memcpy(old_cells, cells, sizeof cells);
+    memcpy(old_used, used, sizeof used);
+    for (long cut = 1; !saved; cut += cut % 64 == 63 || cut < 200 ? 1 : 7) {
+        memcpy(cells, old_cells, sizeof cells);
+        memcpy(used, old_used, sizeof used);
+        power = cut;
+        saved = invcal_save_imu_session(&store, &both) == INVCAL_OK;
+        power = 1000000;
+        memset(&back, FILL, sizeof back);
+        TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_load_imu_session(&store, &back));
+        const int is_new = back.session.count == both.session.count;
+        const invcal_imu_session *expected = is_new ? &both : &before;
+        TEST_ASSERT_EQUAL_MEMORY((const uint8_t *)expected + offsetof(invcal_moves, layout),
+                                 (const uint8_t *)&back + offsetof(invcal_moves, layout),
+                                 sizeof(invcal_moves) - offsetof(invcal_moves, layout));
+        TEST_ASSERT_EQUAL_MEMORY(expected->session.mean, back.session.mean,
+                                 expected->session.count * MEAN);
+        TEST_ASSERT_TRUE(!saved || is_new);
+        found[is_new]++;
+    }
+    TEST_ASSERT_TRUE(found[0] > 500 && found[1] > 0);
+}
+
+static void what_is_no_session_of_both_is_not_loaded(void)
+{
+    static uint8_t large[SIZE + 1];
+
+    begin(11);
+    take(3);
+    TEST_ASSERT_EQUAL_INT(INVCAL_NO_RECORD, invcal_load_imu_session(&store, &back));
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_save_session(&store, &both.session)); /* one sensor */
+    TEST_ASSERT_EQUAL_INT(INVCAL_OTHER_VERSION, invcal_load_imu_session(&store, &back));
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_store_save(&store, large, sizeof large));
+    TEST_ASSERT_EQUAL_INT(INVCAL_NO_SPACE, invcal_load_imu_session(&store, &back));
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_save_imu_session(&store, &both));
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_load_imu_session(&store, &back));
+    assert_back();
+}
+
+int main(void)
+{
+    UNITY_BEGIN();
+    RUN_TEST(what_lasts_is_what_was_taken);
+    RUN_SLOW_TEST(both_come_back_as_they_were);
+    RUN_SLOW_TEST(a_reset_in_a_move_loses_that_move);
+    RUN_TEST(a_reset_after_each_rest_leaves_only_rests);
+    RUN_TEST(another_layout_is_named_so);
+    RUN_SLOW_TEST(another_length_is_refused);
+    RUN_TEST(contents_that_no_moves_have_are_refused);
+    RUN_TEST(a_full_table_comes_back);
+    RUN_LONG_TEST(any_content_does_no_harm);
+    RUN_LONG_TEST(a_power_cut_at_any_byte_of_a_save_keeps_both_together);
+    RUN_TEST(what_is_no_session_of_both_is_not_loaded);
+    return UNITY_END() != 0;
+}

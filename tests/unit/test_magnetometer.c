@@ -1,0 +1,783 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * A magnetometer in motion: simulated logs of one minute whose truth is known, disturbed in all the ways that
+ * are to be named; and a real one.
+ */
+#include <limits.h>
+#include <math.h>
+#include <string.h>
+
+#include "invcal/magnetometer.h"
+#include "invcal/store.h"
+#include "magnetometer.h"
+#include "support.h"
+#include "unity.h"
+
+void setUp(void)
+{
+}
+
+void tearDown(void)
+{
+}
+
+/* ---- a magnetometer that is waved --------------------------------------------------------------- */
+
+static const double field_counts = 480; /* 48 uT at 10 counts each */
+
+typedef enum { QUIET, MAGNET, STEP, PLACES } disturbance;
+
+/* A log, and what spoils it. Lengths are over field. */
+typedef struct {
+    double seconds;
+    double rate;
+    double white; /* noise of each axis; */
+    double slow;  /* noise that lasts half a second */
+    disturbance disturbance;
+    double size;   /* of it */
+    double at;     /* when it begins, s */
+    int only_half; /* the upper half of the sphere */
+} scene;
+
+static const scene usual = {60, 100, 0.003, 0.01, QUIET, 0, 0, 0};
+
+/* The truth, and what came of it. */
+typedef struct {
+    triad_truth truth; /* against the raw counts over FIELD, at the end */
+    invcal_magnetometer magnetometer;
+    invcal_calibration calibration;
+    invcal_quality quality;
+    invcal_magnetometer_found found;
+    invcal_status status;
+} minute;
+
+static void turn(double r[3][3], const double angle[3])
+{
+    const double whole = length3(angle);
+
+    for (int j = 0; whole > 0 && j < 3; j++) { /* Rodrigues */
+        const double v[3] = {r[0][j], r[1][j], r[2][j]};
+        double along = 0;
+        for (int i = 0; i < 3; i++) {
+            along += angle[i] * v[i] / whole;
+        }
+        for (int i = 0; i < 3; i++) {
+            const int k = (i + 1) % 3;
+            const int l = (i + 2) % 3;
+            r[i][j] = v[i] * cos(whole) + (angle[k] * v[l] - angle[l] * v[k]) / whole * sin(whole) +
+                      angle[i] / whole * along * (1 - cos(whole));
+        }
+    }
+}
+
+/* A hand that turns it at random: 2 rad/s about each axis, forgotten within 0.8 s. */
+static void wave(double r[3][3], double rate[3], double dt, random_source *random)
+{
+    const double kept = exp(-dt / 0.8);
+    double angle[3];
+
+    for (int i = 0; i < 3; i++) {
+        rate[i] = kept * rate[i] + sqrt(1 - kept * kept) * 2 * random_normal(random);
+        angle[i] = rate[i] * dt;
+    }
+    turn(r, angle);
+}
+
+/* The field as the case sees it, r turning what stands still into that. The field points along z. */
+static void field_of(const scene *s, double t, const double r[3][3], double out[3])
+{
+    double world[3] = {0, 0, 1};
+
+    if (s->disturbance == MAGNET && t >= s->at && t < s->at + 2) {
+        const double near = s->size * pow(sin(3.14159265358979 * (t - s->at) / 2), 2);
+        world[0] += 0.6 * near;
+        world[2] += 0.8 * near;
+    }
+    if (s->disturbance == PLACES) { /* it is carried about, within seconds */
+        world[0] += s->size * sin(1.1 * t);
+        world[1] += s->size * sin(0.77 * t + 1);
+        world[2] += s->size * sin(0.53 * t + 2);
+    }
+    for (int i = 0; i < 3; i++) {
+        out[i] = r[i][0] * world[0] + r[i][1] * world[1] + r[i][2] * world[2];
+    }
+    if (s->only_half && out[2] < 0) {
+        out[2] = -out[2];
+    }
+}
+
+static void live(const scene *s, uint32_t seed, double size, minute *m)
+{
+    static const invcal_real zero[3] = {0, 0, 0};
+    static const invcal_real counts[3] = {10, 10, 10};
+    random_source random = random_start(seed);
+    const double dt = 1 / s->rate;
+    const double kept = exp(-dt / 0.5);
+    invcal_calibration nominal;
+    double r[3][3];
+    double step[3];
+    double rate[3] = {0};
+    double slow[3] = {0};
+
+    m->truth = triad_random(&random, size);
+    for (int i = 0; i < 3; i++) {
+        m->truth.x[i] += random_uniform(&random, -2, 2); /* hard iron */
+    }
+    random_direction(&random, step);
+    random_rotation(&random, r);
+    invcal_nominal(zero, counts, &nominal);
+    invcal_magnetometer_init(&m->magnetometer, &nominal);
+    for (int n = 0; n < (int)(s->seconds * s->rate); n++) {
+        const double t = n * dt;
+        double seen[3];
+        double u[3];
+        invcal_real raw[3];
+        wave(r, rate, dt, &random);
+        field_of(s, t, (const double(*)[3])r, seen);
+        if (s->disturbance == STEP && t >= s->at && t < s->at + dt) {
+            for (int i = 0; i < 3; i++) {
+                m->truth.x[i] += s->size * step[i];
+            }
+        }
+        triad_read(&m->truth, seen, u);
+        for (int i = 0; i < 3; i++) {
+            slow[i] = kept * slow[i] + sqrt(1 - kept * kept) * s->slow * random_normal(&random);
+            raw[i] =
+                (invcal_real)(field_counts * (u[i] + slow[i] + s->white * random_normal(&random)));
+        }
+        invcal_magnetometer_feed(&m->magnetometer, raw);
+    }
+    m->status =
+        invcal_magnetometer_solve(&m->magnetometer, &m->calibration, &m->quality, &m->found);
+}
+
+/* How far each parameter is from the truth, in sigma. Returns the largest. */
+static double errors(const minute *m, double error[INVCAL_PARAMETERS])
+{
+    const invcal_real scale = (invcal_real)(1 / field_counts);
+    const invcal_calibration field = {{0, 0, 0}, {{scale, 0, 0}, {0, scale, 0}, {0, 0, scale}}};
+    const triad_truth found = truth_of(&m->calibration, &field);
+    double worst = 0;
+
+    for (int i = 0; i < INVCAL_PARAMETERS; i++) {
+        error[i] = (found.x[i] - m->truth.x[i]) / (double)m->quality.sigma[i];
+        worst = fmax(worst, fabs(error[i]));
+    }
+    return worst;
+}
+
+/* ---- what is good ------------------------------------------------------------------------------- */
+
+/* No noise: nothing but rounding is left, whatever the errors and the hard iron. */
+static void a_magnetometer_without_noise_is_found_exactly(void)
+{
+    scene s = usual;
+
+    s.white = 0;
+    s.slow = 0;
+    for (int n = 0; n < SOME(20); n++) {
+        static minute m;
+        double error[INVCAL_PARAMETERS];
+        live(&s, 100 + (uint32_t)n, 0.1, &m);
+        TEST_ASSERT_EQUAL_INT(INVCAL_OK, m.status);
+        (void)errors(&m, error);
+        for (int i = 0; i < INVCAL_PARAMETERS; i++) {
+            TEST_ASSERT_DOUBLE_WITHIN(FLOAT_OR_DOUBLE(1e-4, 1e-9), 0,
+                                      error[i] * (double)m.quality.sigma[i]);
+        }
+        TEST_ASSERT_EQUAL_UINT(INVCAL_CELLS, m.found.covered);
+        TEST_ASSERT_EQUAL_UINT(0, m.found.gap);
+        TEST_ASSERT_EQUAL_UINT(0, m.found.left_out);
+    }
+}
+
+/* 95 % intervals hold 92 to 98 %, with noise that is independent and with noise that lasts for 50 samples,
+ * where that of independent samples would hold a third; and no one is alarmed. */
+static void intervals_hold_what_they_say(void)
+{
+    static const scene scenes[] = {{60, 100, 0.01, 0, QUIET, 0, 0, 0},
+                                   {60, 100, 0.003, 0.01, QUIET, 0, 0, 0},
+                                   {60, 20, 0.003, 0.01, QUIET, 0, 0, 0},
+                                   {120, 50, 0.003, 0.01, QUIET, 0, 0, 0}};
+    const int logs = 200;
+
+    for (unsigned k = 0; k < sizeof scenes / sizeof scenes[0]; k++) {
+        int inside = 0;
+        int good = 0;
+        for (int n = 0; n < logs; n++) {
+            static minute m;
+            double error[INVCAL_PARAMETERS];
+            live(&scenes[k], 1 + (uint32_t)n, 0.05, &m);
+            TEST_ASSERT_EQUAL_INT(INVCAL_OK, m.status);
+            (void)errors(&m, error);
+            for (int i = 0; i < INVCAL_PARAMETERS; i++) {
+                inside += fabs(error[i]) < (double)invcal_coverage(m.quality.sigma_dof);
+            }
+            good += m.quality.verdict == INVCAL_GOOD;
+        }
+        const double held = 100.0 * inside / (logs * INVCAL_PARAMETERS);
+        TEST_ASSERT_DOUBLE_WITHIN(3, 95, held);
+        TEST_ASSERT_TRUE(good >= logs - 4);
+    }
+}
+
+/* Calibrated, each is as long as 1 within its share of the residuals, and points where its cell is. */
+static void cells_are_positions_to_look_at(void)
+{
+    static minute m;
+    double squares = 0;
+    unsigned total = 0;
+
+    live(&usual, 8, 0.05, &m);
+    for (unsigned k = 0; k < INVCAL_CELLS; k++) {
+        invcal_real raw[3] = {0, 0, 0};
+        invcal_real eta[3];
+        total += invcal_magnetometer_cell(&m.magnetometer, &m.calibration, k, raw);
+        invcal_apply(&m.calibration, raw, eta);
+        const double direction[3] = {(double)eta[0], (double)eta[1], (double)eta[2]};
+        squares += (length3(direction) - 1) * (length3(direction) - 1);
+    }
+    TEST_ASSERT_DOUBLE_WITHIN(1e-5, (double)m.quality.rms, sqrt(squares / INVCAL_CELLS));
+    TEST_ASSERT_TRUE(total > 4000 && total <= 6000);
+}
+
+/* In uT, as nominal has it; and invcal_scale by it keeps the scale of nominal. */
+static void the_field_is_told_in_the_unit_of_nominal(void)
+{
+    static minute m;
+
+    live(&usual, 7, 0, &m);
+    TEST_ASSERT_DOUBLE_WITHIN(0.3, 48, (double)m.found.field);
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_scale(&m.calibration, m.found.field));
+    const double trace = (double)(m.calibration.matrix[0][0] + m.calibration.matrix[1][1] +
+                                  m.calibration.matrix[2][2]);
+    TEST_ASSERT_DOUBLE_WITHIN(1e-4, 0.1, trace / 3);
+}
+
+/* A real one, of which a mean of 16 samples is fed at a time: among the fits of magnetometer.py, whose differences its
+ * sigma covers. */
+static void a_real_one_is_found_as_by_fits_of_all_samples(void)
+{
+    static const invcal_real zero[3] = {0, 0, 0};
+    static const invcal_real counts[3] = {1, 1, 1};
+    static minute m;
+    invcal_calibration nominal;
+
+    invcal_nominal(zero, counts, &nominal);
+    invcal_magnetometer_init(&m.magnetometer, &nominal);
+    for (unsigned n = 0; n < sizeof reference_means / sizeof reference_means[0]; n++) {
+        invcal_real raw[3];
+        for (int i = 0; i < 3; i++) {
+            raw[i] = (invcal_real)(reference_means[n][i] * 1e-6);
+        }
+        TEST_ASSERT_TRUE(invcal_magnetometer_feed(&m.magnetometer, raw) != INVCAL_REFUSED);
+    }
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_magnetometer_solve(&m.magnetometer, &m.calibration,
+                                                               &m.quality, &m.found));
+    TEST_ASSERT_EQUAL_INT(INVCAL_GOOD, m.quality.verdict);
+    TEST_ASSERT_EQUAL_INT(INVCAL_UNDISTURBED, m.found.disturbance);
+    for (int i = 0; i < 3; i++) {
+        const double sigma = (double)(m.quality.sigma[i] * m.found.field);
+        for (int k = 0; k < 3; k++) {
+            TEST_ASSERT_DOUBLE_WITHIN(sigma, reference_offsets[k][i],
+                                      (double)m.calibration.offset[i]);
+        }
+        TEST_ASSERT_TRUE(sigma < 0.003);
+    }
+    TEST_ASSERT_DOUBLE_WITHIN(0.008, reference_rms, (double)m.found.rms);
+}
+
+/* ---- what is not -------------------------------------------------------------------------------- */
+
+static void half_a_sphere_is_weak(void)
+{
+    scene s = usual;
+
+    s.only_half = 1;
+    for (int n = 0; n < SOME(50); n++) {
+        static minute m;
+        live(&s, 1 + (uint32_t)n, 0.05, &m);
+        TEST_ASSERT_TRUE(m.status != INVCAL_OK || m.quality.verdict == INVCAL_WEAK);
+        TEST_ASSERT_TRUE(m.status != INVCAL_OK || m.found.gap >= 60);
+        invcal_real along[3];
+        invcal_magnetometer_next(&m.magnetometer, along);
+        TEST_ASSERT_TRUE(along[2] < 0); /* the other half */
+    }
+}
+
+/* As strong as half the field, for 2 s of 60. */
+/* Readings of a sphere in `unit` around `centre`, up to the height `most` of it; z of so much. */
+static void feed_sphere(invcal_magnetometer *m, const double centre[3], double unit, double most,
+                        double z)
+{
+    static const invcal_calibration nominal = {{0, 0, 0}, {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
+    random_source random = random_start(9);
+
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_magnetometer_init(m, &nominal));
+    for (int n = 0; n < 3000;) {
+        invcal_real raw[3];
+        double d[3];
+        random_direction(&random, d);
+        for (int i = 0; i < 3; i++) {
+            raw[i] = (invcal_real)(centre[i] + unit * (i == 2 ? z : 1) * d[i]);
+        }
+        if (d[2] <= most) {
+            (void)invcal_magnetometer_feed(m, raw);
+            n++;
+        }
+    }
+}
+
+/* A cell is empty that is 90 degrees from all others, and there are more. */
+static void less_than_half_a_sphere_is_weak(void)
+{
+    static const double centre[3] = {0, 0, 0};
+    static invcal_magnetometer m;
+    invcal_magnetometer_found found;
+    invcal_calibration c;
+    invcal_quality quality;
+    invcal_real raw[3] = {7, 7, 7};
+    invcal_real along[3];
+    unsigned empty = 0;
+
+    feed_sphere(&m, centre, 1, 0.05, 1);
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_magnetometer_solve(&m, &c, &quality, NULL));
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_magnetometer_solve(&m, &c, &quality, &found));
+    TEST_ASSERT_EQUAL_UINT(90, found.gap);
+    TEST_ASSERT_EQUAL_INT(INVCAL_WEAK, quality.verdict);
+    TEST_ASSERT_TRUE(quality.weak >> INVCAL_DELTA_Z & 1 && quality.weak >> INVCAL_DK_Z & 1);
+    invcal_magnetometer_next(&m, along);
+    TEST_ASSERT_TRUE(along[2] == 1);
+    for (unsigned k = 0; k < INVCAL_CELLS; k++) {
+        if (invcal_magnetometer_cell(&m, &c, k, raw) == 0) {
+            empty++;
+            TEST_ASSERT_TRUE(raw[0] == 7 && raw[1] == 7 && raw[2] == 7);
+        }
+        memcpy(raw, (const invcal_real[3]){7, 7, 7}, sizeof raw);
+    }
+    TEST_ASSERT_EQUAL_UINT(INVCAL_CELLS - found.covered, empty);
+}
+
+/* An edge of the cube is 45 degrees from its faces, 60 from the next edges. */
+static void gaps_are_told(void)
+{
+    static const double centre[3] = {0, 0, 0};
+    static invcal_magnetometer m;
+    invcal_magnetometer_found found;
+    invcal_calibration c;
+    invcal_quality quality;
+
+    feed_sphere(&m, centre, 1, 0.83, 1); /* a cell around a face ends at 25 to 33 degrees */
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_magnetometer_solve(&m, &c, &quality, &found));
+    TEST_ASSERT_EQUAL_UINT(INVCAL_CELLS - 1, found.covered);
+    TEST_ASSERT_EQUAL_UINT(45, found.gap);
+    TEST_ASSERT_TRUE(quality.verdict != INVCAL_WEAK);
+    for (unsigned k = 0; k < INVCAL_CELLS; k++) { /* nor +x, nor what is between */
+        invcal_real v[3] = {0, 0, 0};
+        (void)invcal_magnetometer_cell(&m, &c, k, v);
+        if (v[0] + v[2] > INVCAL_REAL(0.8) && fabs((double)v[1]) < 0.3) {
+            m.early.count[k] = m.late.count[k] = 0;
+        }
+    }
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_magnetometer_solve(&m, &c, &quality, &found));
+    TEST_ASSERT_EQUAL_UINT(INVCAL_CELLS - 3, found.covered);
+    TEST_ASSERT_EQUAL_UINT(60, found.gap);
+    TEST_ASSERT_EQUAL_INT(INVCAL_WEAK, quality.verdict);
+    TEST_ASSERT_EQUAL_UINT(1u << INVCAL_DELTA_X | 1u << INVCAL_DELTA_Z | 1u << INVCAL_DK_X |
+                               1u << INVCAL_DK_Z | 1u << INVCAL_GAMMA_XZ,
+                           quality.weak);
+    /* and can be kept (store.h), which refuses what is weak in nothing */
+    invcal_record record;
+    uint8_t bytes[INVCAL_RECORD_SIZE];
+    invcal_record_init(&record, &c, &quality);
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_record_encode(&record, bytes));
+}
+
+/* ---- a reset ------------------------------------------------------------------------------------ */
+
+enum { SLOT = 4096 };
+static uint8_t slots[2][SLOT];
+
+static int read_slot(void *context, unsigned slot, uint32_t offset, uint8_t *bytes, uint32_t size)
+{
+    (void)context;
+    memcpy(bytes, &slots[slot][offset], size);
+    return 0;
+}
+
+static int erase_slot(void *context, unsigned slot)
+{
+    (void)context;
+    memset(slots[slot], 0xFF, SLOT);
+    return 0;
+}
+
+static int program_slot(void *context, unsigned slot, uint32_t offset, const uint8_t *bytes,
+                        uint32_t size)
+{
+    (void)context;
+    memcpy(&slots[slot][offset], bytes, size);
+    return 0;
+}
+
+/* Half of a log, a reset, and the other half come to the same as the log; and so does what is kept of the result. */
+static void it_goes_on_after_a_reset(void)
+{
+    static const invcal_store store = {read_slot, erase_slot, program_slot, NULL, SLOT, 4};
+    static invcal_magnetometer whole;
+    static invcal_magnetometer again;
+    static const invcal_calibration nominal = {{0, 0, 0}, {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
+    random_source random = random_start(21);
+    invcal_calibration c;
+    invcal_calibration loaded;
+    invcal_quality quality;
+    uint32_t size = 0;
+
+    (void)invcal_magnetometer_init(&whole, &nominal);
+    again = whole;
+    for (int n = 0; n < 4000; n++) {
+        invcal_real raw[3];
+        double d[3];
+        random_direction(&random, d);
+        for (int i = 0; i < 3; i++) {
+            raw[i] = (invcal_real)(40 * d[i] + 7 + 0.4 * random_normal(&random));
+        }
+        TEST_ASSERT_EQUAL_INT(invcal_magnetometer_feed(&whole, raw),
+                              invcal_magnetometer_feed(&again, raw));
+        if (n == 2000) {
+            TEST_ASSERT_EQUAL_INT(INVCAL_OK,
+                                  invcal_store_save(&store, (const uint8_t *)&again, sizeof again));
+            memset(&again, 0, sizeof again);
+            TEST_ASSERT_EQUAL_INT(
+                INVCAL_OK, invcal_store_load(&store, (uint8_t *)&again, sizeof again, &size));
+            TEST_ASSERT_EQUAL_UINT(sizeof again, size);
+        }
+    }
+    TEST_ASSERT_EQUAL_MEMORY(&whole, &again, sizeof whole);
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_magnetometer_solve(&again, &c, &quality, NULL));
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_save(&store, &c, &quality));
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_load(&store, &loaded));
+    TEST_ASSERT_DOUBLE_WITHIN(1e-5, (double)c.offset[0], (double)loaded.offset[0]);
+    TEST_ASSERT_DOUBLE_WITHIN(1e-8, (double)c.matrix[2][2], (double)loaded.matrix[2][2]);
+}
+
+static void a_magnet_that_passes_is_named_and_does_no_harm(void)
+{
+    const int logs = SOME(100);
+    scene s = usual;
+    int named = 0;
+    int harmed = 0;
+
+    s.disturbance = MAGNET;
+    s.size = 0.5;
+    for (int n = 0; n < logs; n++) {
+        static minute m;
+        double error[INVCAL_PARAMETERS];
+        s.at = 20 + 38.0 * n / logs;
+        live(&s, 1 + (uint32_t)n, 0.05, &m);
+        TEST_ASSERT_EQUAL_INT(INVCAL_OK, m.status);
+        named += m.found.disturbance != INVCAL_UNDISTURBED && m.found.left_out > 0;
+        harmed += errors(&m, error) > 3;
+    }
+    TEST_ASSERT_TRUE(named >= logs - logs / 50);
+    TEST_ASSERT_TRUE(harmed <= logs / 20 + 1); /* one of nine parameters: 2.4 % by chance alone */
+}
+
+/* Before there is a solution that it contradicts, what it has spoilt is dropped later, or counted in sigma. */
+static void a_magnet_at_the_beginning_spoils_nothing_called_good(void)
+{
+    const int logs = SOME(100);
+    scene s = usual;
+
+    s.disturbance = MAGNET;
+    s.size = 0.5;
+    for (int n = 0; n < logs; n++) {
+        static minute m;
+        double error[INVCAL_PARAMETERS];
+        s.at = 20.0 * n / logs;
+        live(&s, 1 + (uint32_t)n, 0.05, &m);
+        TEST_ASSERT_EQUAL_INT(INVCAL_OK, m.status);
+        TEST_ASSERT_TRUE(m.quality.verdict != INVCAL_GOOD || errors(&m, error) < 5);
+    }
+}
+
+/* The offset changes by a tenth of the field: named once there is something to compare it with. Before,
+ * what came before it is dropped: none is called good and is wrong by 5 sigma. */
+static void a_step_is_named_or_dropped(void)
+{
+    const int logs = SOME(200);
+    scene s = usual;
+    int late = 0;
+    int named = 0;
+
+    s.disturbance = STEP;
+    s.size = 0.1;
+    for (int n = 0; n < logs; n++) {
+        static minute m;
+        double error[INVCAL_PARAMETERS];
+        s.at = 1 + 49.0 * n / logs;
+        live(&s, 1 + (uint32_t)n, 0.05, &m);
+        TEST_ASSERT_EQUAL_INT(INVCAL_OK, m.status);
+        TEST_ASSERT_TRUE(m.quality.verdict != INVCAL_GOOD || errors(&m, error) < 5);
+        if (s.at > 25) {
+            late++;
+            named += m.found.disturbance == INVCAL_STEP && m.quality.verdict >= INVCAL_ROUGH;
+        }
+    }
+    TEST_ASSERT_TRUE(named >= late - late / 20 - 1);
+}
+
+/* Readings that go on contradicting are a step too, though all of them are left out. */
+static void what_goes_on_contradicting_is_a_step(void)
+{
+    scene s = usual;
+    static minute m;
+
+    s.disturbance = STEP;
+    s.size = 3;
+    s.at = 45;
+    live(&s, 3, 0.05, &m);
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, m.status);
+    TEST_ASSERT_EQUAL_INT(INVCAL_STEP, m.found.disturbance);
+    TEST_ASSERT_EQUAL_INT(INVCAL_ROUGH, m.quality.verdict);
+    TEST_ASSERT_TRUE(m.found.left_out > 1000);
+}
+
+/* So many left out are no passing magnet that does no harm. */
+static void what_contradicts_for_long_makes_it_rough(void)
+{
+    scene s = usual;
+    static minute m;
+
+    s.disturbance = STEP;
+    s.size = 3;
+    s.at = 51;
+    live(&s, 3, 0.05, &m);
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, m.status);
+    TEST_ASSERT_EQUAL_INT(INVCAL_PASSING, m.found.disturbance);
+    TEST_ASSERT_EQUAL_INT(INVCAL_ROUGH, m.quality.verdict);
+}
+
+static void a_field_that_differs_from_place_to_place_is_named(void)
+{
+    scene s = usual;
+
+    s.disturbance = PLACES;
+    s.size = 0.06;
+    s.slow = 0.003;
+    for (int n = 0; n < SOME(50); n++) {
+        static minute m;
+        live(&s, 1 + (uint32_t)n, 0.05, &m);
+        TEST_ASSERT_EQUAL_INT(INVCAL_OK, m.status);
+        TEST_ASSERT_TRUE(m.found.disturbance >= INVCAL_PLACES);
+        TEST_ASSERT_TRUE(m.quality.verdict >= INVCAL_ROUGH);
+    }
+}
+
+/* White noise of any size is none. */
+static void noise_is_no_place(void)
+{
+    const scene s = {60, 100, 0.05, 0, QUIET, 0, 0, 0};
+    static minute m;
+
+    live(&s, 5, 0.05, &m);
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, m.status);
+    TEST_ASSERT_EQUAL_INT(INVCAL_UNDISTURBED, m.found.disturbance);
+    TEST_ASSERT_DOUBLE_WITHIN(0.005, 0.05, (double)m.found.rms);
+    TEST_ASSERT_TRUE(m.found.alike < 3);
+}
+
+/* ---- edges -------------------------------------------------------------------------------------- */
+
+static void guidance_covers_every_cell(void)
+{
+    static minute m;
+    invcal_real along[3];
+    unsigned taken = 0;
+    scene s = usual;
+
+    s.seconds = 20; /* so that the cells are where they belong */
+    live(&s, 11, 0, &m);
+    memset(&m.magnetometer.early, 0, sizeof m.magnetometer.early);
+    memset(&m.magnetometer.late, 0, sizeof m.magnetometer.late);
+    for (unsigned k = 0; k < INVCAL_CELLS; k++) {
+        invcal_real raw[3];
+        invcal_magnetometer_next(&m.magnetometer, along);
+        for (int i = 0; i < 3; i++) {
+            raw[i] = (invcal_real)(field_counts * ((double)along[i] + m.truth.x[i]));
+        }
+        taken += invcal_magnetometer_feed(&m.magnetometer, raw) == INVCAL_TAKEN;
+    }
+    TEST_ASSERT_EQUAL_UINT(INVCAL_CELLS, taken);
+}
+
+/* Whatever the unit of the readings, and however far from zero they are: the sphere is found, or there is no
+ * calibration that would hold numbers of that size. */
+static void any_unit_is_found_or_refused(void)
+{
+    for (int power = -40; power <= 40; power++) {
+        for (int far = 0; far <= 20; far += 5) {
+            static invcal_magnetometer m;
+            const double unit = pow(2, power);
+            const double centre[3] = {unit * pow(2, far), -unit, 0};
+            invcal_calibration c;
+            invcal_quality quality;
+            invcal_magnetometer_found found;
+            feed_sphere(&m, centre, unit, 1, 1);
+            const invcal_status status = invcal_magnetometer_solve(&m, &c, &quality, &found);
+            if (power >= -30 && power <= 30) { /* 1e-9 ... 1e9 */
+                TEST_ASSERT_EQUAL_INT(INVCAL_OK, status);
+            }
+            if (status == INVCAL_OK) {
+                const double rounding = pow(2, far) * (double)INVCAL_EPSILON;
+                TEST_ASSERT_DOUBLE_WITHIN(1e-3 + 4 * rounding, 1, (double)found.field / unit);
+                for (int i = 0; i < 3; i++) {
+                    TEST_ASSERT_DOUBLE_WITHIN(1e-3 + 4 * rounding, centre[i] / unit,
+                                              (double)c.offset[i] / unit);
+                }
+            }
+        }
+    }
+}
+
+/* What a calibration cannot hold (nominal.c) may show only once one axis is found to be smaller than the box of all. */
+static void too_small_an_axis_is_refused(void)
+{
+    static const double centre[3] = {0, 0, 0};
+    static invcal_magnetometer m;
+    invcal_calibration c = {{7, 7, 7}, {{7, 7, 7}, {7, 7, 7}, {7, 7, 7}}};
+    invcal_quality quality;
+
+    feed_sphere(&m, centre, 1.05e-10, 1, 0.5);
+    TEST_ASSERT_EQUAL_INT(INVCAL_BAD_NOMINAL, invcal_magnetometer_solve(&m, &c, &quality, NULL));
+    TEST_ASSERT_TRUE(c.offset[0] == 7 && c.matrix[2][2] == 7);
+    feed_sphere(&m, centre, 3e-10, 1, 0.5);
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_magnetometer_solve(&m, &c, &quality, NULL));
+}
+
+/* It goes on for days: the counters stay in their range, and what is found stays what it was. */
+static void a_session_of_days_stays_as_good(void)
+{
+    const uint32_t most = 16777216;
+    static minute m;
+    double error[INVCAL_PARAMETERS];
+    const scene s = usual;
+
+    live(&s, 12, 0.05, &m);
+    m.magnetometer.samples = most - 10000; /* as if by then */
+    m.magnetometer.due = most - 4000;
+    m.magnetometer.left_out = most;
+    for (int n = 0; n < 40000; n++) {
+        const unsigned k = (unsigned)n % INVCAL_CELLS;
+        invcal_real raw[3] = {0, 0, 0};
+        (void)invcal_magnetometer_cell(&m.magnetometer, &m.calibration, k, raw);
+        TEST_ASSERT_EQUAL_INT(INVCAL_NOTHING, invcal_magnetometer_feed(&m.magnetometer, raw));
+        TEST_ASSERT_TRUE(m.magnetometer.samples < most);
+    }
+    const invcal_real far[3] = {30000, 0, 0};
+    TEST_ASSERT_EQUAL_INT(INVCAL_REFUSED, invcal_magnetometer_feed(&m.magnetometer, far));
+    TEST_ASSERT_TRUE(m.magnetometer.left_out == most);
+    m.status = invcal_magnetometer_solve(&m.magnetometer, &m.calibration, &m.quality, &m.found);
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, m.status);
+    (void)errors(&m, error);
+    for (int i = 0; i < INVCAL_PARAMETERS; i++) {
+        TEST_ASSERT_DOUBLE_WITHIN(0.03, 0, error[i] * (double)m.quality.sigma[i]);
+    }
+}
+
+static void bad_input_changes_nothing(void)
+{
+    static const invcal_real zero[3] = {0, 0, 0};
+    static const invcal_real counts[3] = {10, 10, 10};
+    static const invcal_calibration singular = {{0, 0, 0}, {{1, 0, 0}, {1, 0, 0}, {0, 0, 1}}};
+    const invcal_real bad[3][3] = {
+        {(invcal_real)NAN, 0, 0}, {0, (invcal_real)INFINITY, 0}, {0, 0, INVCAL_REAL_MAX}};
+    const invcal_real good[3] = {100, 200, 300};
+    static invcal_magnetometer m;
+    static invcal_magnetometer before;
+    invcal_calibration c = {{7, 7, 7}, {{7, 7, 7}, {7, 7, 7}, {7, 7, 7}}};
+    invcal_quality quality;
+    invcal_calibration nominal;
+
+    memset(&m, 7, sizeof m);
+    before = m;
+    TEST_ASSERT_EQUAL_INT(INVCAL_BAD_NOMINAL, invcal_magnetometer_init(&m, &singular));
+    TEST_ASSERT_EQUAL_MEMORY(&before, &m, sizeof m);
+    invcal_nominal(zero, counts, &nominal);
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_magnetometer_init(&m, &nominal));
+    TEST_ASSERT_EQUAL_INT(INVCAL_TOO_FEW, invcal_magnetometer_solve(&m, &c, &quality, NULL));
+    before = m;
+    for (int i = 0; i < 2; i++) { /* as the very first */
+        TEST_ASSERT_EQUAL_INT(INVCAL_REFUSED, invcal_magnetometer_feed(&m, bad[i]));
+    }
+    TEST_ASSERT_EQUAL_MEMORY(&before, &m, sizeof m);
+    TEST_ASSERT_EQUAL_INT(INVCAL_TAKEN, invcal_magnetometer_feed(&m, good));
+    before = m;
+    for (int i = 0; i < 3; i++) {
+        TEST_ASSERT_EQUAL_INT(INVCAL_REFUSED, invcal_magnetometer_feed(&m, bad[i]));
+    }
+    TEST_ASSERT_EQUAL_MEMORY(&before, &m, sizeof m);
+    for (int i = 0; i < 1000; i++) { /* it lies on the table */
+        TEST_ASSERT_EQUAL_INT(INVCAL_NOTHING, invcal_magnetometer_feed(&m, good));
+    }
+    TEST_ASSERT_EQUAL_INT(INVCAL_TOO_FEW, invcal_magnetometer_solve(&m, &c, &quality, NULL));
+    TEST_ASSERT_TRUE(c.offset[0] == 7 && c.matrix[2][2] == 7);
+}
+
+/* One turn about an axis: a circle. */
+static void a_circle_determines_nothing(void)
+{
+    static const invcal_real zero[3] = {0, 0, 0};
+    static const invcal_real counts[3] = {1, 1, 1};
+    static invcal_magnetometer m;
+    invcal_calibration c;
+    invcal_quality quality;
+    invcal_calibration nominal;
+
+    invcal_nominal(zero, counts, &nominal);
+    invcal_magnetometer_init(&m, &nominal);
+    for (int i = 0; i < 2000; i++) {
+        const double angle = i * 0.01;
+        const invcal_real raw[3] = {(invcal_real)(5 + cos(angle)), (invcal_real)sin(angle), 3};
+        invcal_magnetometer_feed(&m, raw);
+    }
+    TEST_ASSERT_TRUE(invcal_magnetometer_solve(&m, &c, &quality, NULL) != INVCAL_OK);
+}
+
+static void disturbances_have_words(void)
+{
+    TEST_ASSERT_EQUAL_STRING("", invcal_disturbance_text(INVCAL_UNDISTURBED));
+    TEST_ASSERT_NOT_NULL(strstr(invcal_disturbance_text(INVCAL_PASSING), "magnet"));
+    TEST_ASSERT_NOT_NULL(strstr(invcal_disturbance_text(INVCAL_PLACES), "place"));
+    TEST_ASSERT_NOT_NULL(strstr(invcal_disturbance_text(INVCAL_STEP), "begin anew"));
+    TEST_ASSERT_EQUAL_STRING("unknown disturbance", invcal_disturbance_text((invcal_disturbance)4));
+}
+
+int main(void)
+{
+    UNITY_BEGIN();
+    RUN_LONG_TEST(a_magnetometer_without_noise_is_found_exactly);
+    RUN_LONG_TEST(intervals_hold_what_they_say);
+    RUN_LONG_TEST(cells_are_positions_to_look_at);
+    RUN_SLOW_TEST(the_field_is_told_in_the_unit_of_nominal);
+    RUN_TEST(a_real_one_is_found_as_by_fits_of_all_samples);
+    RUN_LONG_TEST(half_a_sphere_is_weak);
+    RUN_SLOW_TEST(less_than_half_a_sphere_is_weak);
+    RUN_SLOW_TEST(gaps_are_told);
+    RUN_SLOW_TEST(it_goes_on_after_a_reset);
+    RUN_LONG_TEST(a_magnet_that_passes_is_named_and_does_no_harm);
+    RUN_LONG_TEST(a_magnet_at_the_beginning_spoils_nothing_called_good);
+    RUN_LONG_TEST(a_step_is_named_or_dropped);
+    RUN_LONG_TEST(what_goes_on_contradicting_is_a_step);
+    RUN_LONG_TEST(what_contradicts_for_long_makes_it_rough);
+    RUN_LONG_TEST(a_field_that_differs_from_place_to_place_is_named);
+    RUN_LONG_TEST(noise_is_no_place);
+    RUN_LONG_TEST(guidance_covers_every_cell);
+    RUN_LONG_TEST(any_unit_is_found_or_refused);
+    RUN_SLOW_TEST(too_small_an_axis_is_refused);
+    RUN_LONG_TEST(a_session_of_days_stays_as_good);
+    RUN_TEST(bad_input_changes_nothing);
+    RUN_TEST(a_circle_determines_nothing);
+    RUN_TEST(disturbances_have_words);
+    return UNITY_END();
+}

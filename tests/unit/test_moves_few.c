@@ -1,0 +1,87 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * The smallest tables that hold twelve quarter turns, as gyro.h says for devices with little memory: compiled
+ * here with that choice.
+ */
+#define INVCAL_MAX_SEGMENTS 100
+#define INVCAL_MAX_MOVES 14
+/* Beside those of the library. */
+#define invcal_moves_rails few_rails
+#define invcal_moves_feed few_feed
+#define invcal_moves_gap few_gap
+#define invcal_moves_follow few_follow
+#define invcal_moves_reason few_reason
+#define invcal_unpack few_unpack
+#define invcal_replay_move few_replay_move
+#define invcal_imu_begin few_begin
+#define invcal_imu_sum few_sum
+#include "gyro_world.h"
+#include "imu.c"
+#include "moves.c"
+#include "unity.h"
+
+void setUp(void)
+{
+}
+
+void tearDown(void)
+{
+}
+
+static world w;
+static invcal_imu imu;
+
+static unsigned refused(invcal_status why)
+{
+    unsigned count = 0;
+
+    for (unsigned i = 0; i < w.moves.count; i++) {
+        count += invcal_moves_reason(&w.moves, i) == why;
+    }
+    return count;
+}
+
+static void twelve_quarter_turns_fit(void)
+{
+    TEST_ASSERT_TRUE(sizeof(invcal_moves) <= (INVCAL_DOUBLE ? 1900 : 1700));
+    world_begin(&w, 100, 11);
+    world_draw(&w, 0.03, 0.02);
+    world_tour(&w);
+    world_end(&w);
+    TEST_ASSERT_EQUAL_INT(13, w.moves.count);
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, world_solve(&w, NULL, &imu));
+    TEST_ASSERT_EQUAL_INT(12, imu.moves);
+    TEST_ASSERT_EQUAL_INT(INVCAL_GOOD, imu.verdict);
+    for (int i = 0; i < 9; i++) {
+        TEST_ASSERT_DOUBLE_WITHIN(4 * (double)imu.sigma[i], w.m[i / 3][i % 3],
+                                  (double)imu.parameter[i]);
+    }
+}
+
+/* The oldest go for new ones; moves for which there is no room are refused, and say so. */
+static void more_than_fit_are_dropped_or_refused(void)
+{
+    world_begin(&w, 100, 12);
+    world_draw(&w, 0.03, 0.02);
+    world_tour(&w);
+    world_tour(&w);
+    world_end(&w);
+    TEST_ASSERT_EQUAL_INT(INVCAL_MAX_MOVES, w.moves.count);
+    TEST_ASSERT_TRUE(w.moves.used <= INVCAL_MAX_SEGMENTS);
+    TEST_ASSERT_EQUAL_INT(INVCAL_MAX_MOVES,
+                          refused(INVCAL_OK) + refused(INVCAL_NO_SPACE) + refused(INVCAL_TOO_FEW));
+    TEST_ASSERT_TRUE(refused(INVCAL_OK) >= 10);
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, world_solve(&w, NULL, &imu));
+    for (int i = 0; i < 9; i++) {
+        TEST_ASSERT_DOUBLE_WITHIN(5 * (double)imu.sigma[i], w.m[i / 3][i % 3],
+                                  (double)imu.parameter[i]);
+    }
+}
+
+int main(void)
+{
+    UNITY_BEGIN();
+    RUN_TEST(twelve_quarter_turns_fit);
+    RUN_TEST(more_than_fit_are_dropped_or_refused);
+    return UNITY_END();
+}

@@ -1,0 +1,694 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * Which turns to make. Expected figures are closed form, or those that tests/reference/turns_design.py prints.
+ */
+#include <limits.h>
+#include <math.h>
+#include <string.h>
+
+#include "gyro_world.h"
+#include "unity.h"
+
+void setUp(void)
+{
+}
+
+void tearDown(void)
+{
+}
+
+static const double PI = 3.14159265358979324;
+static const invcal_real z_up[3] = {0, 0, 1};
+static const invcal_imu_settings perfect = {0, 0, 0, 0, 0};
+static const invcal_imu_settings perfect_held = {1, 0, 0, 0, 0};
+static invcal_turns t;
+
+static void begin(const invcal_imu_settings *settings)
+{
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_turns_begin(&t, z_up, settings));
+}
+
+static void tour(const invcal_imu_settings *settings, unsigned turns)
+{
+    begin(settings);
+    for (unsigned i = 0; i < turns; i++) {
+        invcal_turn turn;
+        TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_tour(i, &turn));
+        TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_turns_add(&t, &turn));
+        for (unsigned a = 0; a < 3; a++) {
+            TEST_ASSERT_DOUBLE_WITHIN(1e-6, (double)turn.up[a], (double)t.up[a]);
+        }
+    }
+}
+
+static void about(unsigned axis, double degrees, unsigned turns)
+{
+    for (unsigned i = 0; i < turns; i++) {
+        invcal_turn turn = {{0, 0, 0}, (invcal_real)degrees, {0, 0, 0}};
+        turn.axis[axis] = 1;
+        TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_turns_add(&t, &turn));
+    }
+}
+
+static double at(unsigned r, unsigned c)
+{
+    return (double)t.sum[r < c ? INVCAL_PACKED(c, r) : INVCAL_PACKED(r, c)];
+}
+
+/* Gauss with the largest pivot, in double. Returns the rank; the determinant of what is of full rank. */
+static unsigned rank_of(double *log_det)
+{
+    double a[18][18];
+    double first = 0;
+    unsigned rank = 0;
+    int is_taken[18] = {0};
+
+    for (unsigned r = 0; r < t.n; r++) {
+        for (unsigned c = 0; c < t.n; c++) {
+            a[r][c] = at(r, c);
+        }
+    }
+    *log_det = 0;
+    for (; rank < t.n; rank++) {
+        unsigned p = 18;
+        for (unsigned r = 0; r < t.n; r++) {
+            p = !is_taken[r] && (p == 18 || a[r][r] > a[p][p]) ? r : p;
+        }
+        first = rank > 0 ? first : a[p][p];
+        if (!(a[p][p] > 1e-5 * first)) {
+            break;
+        }
+        is_taken[p] = 1;
+        *log_det += log(a[p][p]);
+        for (unsigned r = 0; r < t.n; r++) {
+            const double factor = is_taken[r] ? 0 : a[r][p] / a[p][p];
+            for (unsigned c = 0; c < t.n; c++) {
+                a[r][c] -= factor * a[p][c];
+            }
+        }
+    }
+    return rank;
+}
+
+static unsigned rank(void)
+{
+    double log_det;
+
+    return rank_of(&log_det);
+}
+
+/* ---- O4, O5: the gyroscope beside a calibrated accelerometer ------------------------------------- */
+
+static void the_tour_tells_scale_and_misalignment_as_closed_form_does(void)
+{
+    invcal_real sigma[18];
+    uint32_t open = 1;
+
+    tour(&perfect_held, INVCAL_TOUR);
+    for (unsigned r = 0; r < 9; r++) {
+        for (unsigned c = 0; c < 9;
+             c++) { /* so these are the eigenvalues: their ratio is pi^2 / 4 */
+            const double expected = r != c ? 0 : r % 4 == 0 ? PI * PI / 2 : 2;
+            TEST_ASSERT_DOUBLE_WITHIN(1e-5, expected, at(r, c));
+        }
+    }
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_turns_sigma(&t, NULL, sigma, &open));
+    TEST_ASSERT_EQUAL_UINT(0, open);
+    for (unsigned r = 0; r < 9; r++) { /* over the noise of a turn, which is sqrt(2) of a mean's */
+        TEST_ASSERT_DOUBLE_WITHIN(1e-5, r % 4 == 0 ? 1 / PI : 0.5, (double)sigma[r] / sqrt(2));
+        TEST_ASSERT_TRUE(sigma[9 + r] <= 0 && sigma[9 + r] >= 0);
+    }
+}
+
+static void ranks_are_those_of_the_number_of_axes(void)
+{
+    invcal_real sigma[18];
+    uint32_t open;
+    random_source random = random_start(5);
+
+    begin(&perfect_held);
+    about(0, 90, 8);
+    TEST_ASSERT_EQUAL_UINT(3, rank());
+    TEST_ASSERT_EQUAL_INT(INVCAL_UNDETERMINED, invcal_turns_sigma(&t, NULL, sigma, &open));
+    TEST_ASSERT_EQUAL_HEX32(0x1B6, open); /* all but xx, yx, zx */
+    for (unsigned r = 0; r < 9; r++) {
+        TEST_ASSERT_TRUE(sigma[r] <= 10);
+    }
+    about(1, 90, 4);
+    TEST_ASSERT_EQUAL_UINT(6, rank());
+    TEST_ASSERT_EQUAL_INT(INVCAL_UNDETERMINED, invcal_turns_sigma(&t, NULL, sigma, &open));
+    TEST_ASSERT_EQUAL_HEX32(1u << 2 | 1u << 5 | 1u << 8, open);
+    static const unsigned expected[] = {0, 2, 4, 6, 8, 9, 9};
+    for (unsigned turns = 3; turns <= 6; turns++) {
+        for (unsigned k = 0; k < 20; k++) {
+            begin(&perfect_held);
+            for (unsigned i = 0; i < turns; i++) {
+                invcal_turn turn;
+                double n[3];
+                random_direction(&random, n);
+                for (unsigned a = 0; a < 3; a++) {
+                    turn.axis[a] = (invcal_real)n[a];
+                }
+                turn.degrees = (invcal_real)random_uniform(&random, 100, 150);
+                TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_turns_add(&t, &turn));
+            }
+            TEST_ASSERT_LESS_OR_EQUAL_UINT(expected[turns], rank());
+            if (FLOAT_OR_DOUBLE(0, 1) > 0) {
+                TEST_ASSERT_EQUAL_UINT(expected[turns], rank());
+            }
+        }
+    }
+}
+
+/* ---- O10: both sensors --------------------------------------------------------------------------- */
+
+/* Printed by turns_design.py: tour12, its first 9, tour16; 18 unknowns. */
+static const double tour_12[18] = {0.45016, 0.79057, 0.79057, 0.79057, 0.45016, 0.79057,
+                                   0.79057, 0.79057, 0.45016, 0.35355, 0.35355, 0.33710,
+                                   0.50000, 0.50000, 0.45227, 0.70711, 0.70711, 0.70711};
+static const double tour_9[18] = {0.59292, 0.98569, 0.98329, 0.98569, 0.59292, 0.98329,
+                                  0.98329, 0.98329, 0.59936, 0.47970, 0.47970, 0.42081,
+                                  0.59908, 0.59908, 0.50000, 0.94147, 0.93136, 0.93136};
+static const double tour_16[18] = {0.19770, 0.79057, 0.79057, 0.73598, 0.20132, 0.77638,
+                                   0.73598, 0.77638, 0.20132, 0.35355, 0.32103, 0.31491,
+                                   0.50000, 0.42204, 0.40134, 0.70711, 0.70711, 0.64112};
+
+static void expect_sigma(const double expected[18])
+{
+    invcal_real sigma[18];
+    uint32_t open;
+
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_turns_sigma(&t, NULL, sigma, &open));
+    TEST_ASSERT_EQUAL_UINT(0, open);
+    for (unsigned r = 0; r < 18; r++) {
+        TEST_ASSERT_DOUBLE_WITHIN(2e-5, expected[r], (double)sigma[r]);
+    }
+}
+
+static void the_tour_determines_all_18(void)
+{
+    tour(&perfect, INVCAL_TOUR);
+    TEST_ASSERT_EQUAL_UINT(18, rank());
+    expect_sigma(tour_12);
+    tour(&perfect, 9);
+    TEST_ASSERT_EQUAL_UINT(18, rank());
+    expect_sigma(tour_9);
+    tour(&perfect, INVCAL_TOUR_FULL);
+    expect_sigma(tour_16);
+}
+
+/* Of the rests alone three gammas stay open: what lengths do not tell, the turns do. */
+static void the_lengths_of_six_faces_alone_have_rank_6(void)
+{
+    static const invcal_imu_settings deaf = {0, 0, INVCAL_REAL(0.9), 0, 0};
+
+    tour(&deaf, INVCAL_TOUR); /* a turn tells 3000 times less than a rest */
+    TEST_ASSERT_EQUAL_UINT(6, rank());
+}
+
+static void one_axis_leaves_open_what_the_script_names(void)
+{
+    invcal_real sigma[18];
+    uint32_t open;
+
+    begin(&perfect);
+    about(0, 90, 8);
+    TEST_ASSERT_EQUAL_UINT(8, rank());
+    TEST_ASSERT_EQUAL_INT(INVCAL_UNDETERMINED, invcal_turns_sigma(&t, NULL, sigma, &open));
+    TEST_ASSERT_EQUAL_HEX32(0x1FEu | 1u << 9 | 1u << 12 | 3u << 15, open);
+    begin(&perfect);
+    about(0, 90, 4);
+    about(1, 90, 4);
+    TEST_ASSERT_EQUAL_UINT(14, rank());
+    TEST_ASSERT_EQUAL_INT(INVCAL_UNDETERMINED, invcal_turns_sigma(&t, NULL, sigma, &open));
+    TEST_ASSERT_EQUAL_HEX32(1u << 1 | 1u << 2 | 1u << 3 | 1u << 5 | 1u << 8 | 1u << 15, open);
+}
+
+/* ---- guidance ------------------------------------------------------------------------------------ */
+
+/* What turns_design.py finds, which decides as the header says by determinants of its own. */
+static const char *const greedy_9 = "+z +y-z +x-y+z -x+y +x -x+z +x+y-z -x-y +y -x-y-z +y+z -y "
+                                    "-x+y+z -y-z +z -x-z +x-y+z +y-z -x-y+z "
+                                    "+x+y -x-y-z +x+z -x+y-z +x-y -x+y+z";
+static const char *const greedy_18 = "+z +y-z +x-y+z -x +x-y-z +y -x-y-z +x+y -x +x+z -y-z +z +x-z "
+                                     "-x+y +x-y-z +y+z -x-y +y-z -y +x+y "
+                                     "-x-y+z +x-z -x+y+z +x-y -x";
+
+static void add_word(const invcal_real up[3], char *path)
+{
+    char *end = path + strlen(path);
+
+    for (unsigned a = 0; a < 3; a++) {
+        if (up[a] * up[a] > INVCAL_REAL(0.1)) {
+            *end++ = up[a] > 0 ? '+' : '-';
+            *end++ = (char)('x' + a);
+        }
+    }
+    *end = '\0';
+}
+
+/* Returns det^(1/n) over the number of turns. */
+static double follow(const invcal_imu_settings *settings, unsigned turns, const char *expected)
+{
+    char path[200] = "+z";
+    double log_det;
+
+    begin(settings);
+    for (unsigned i = 0; i < turns; i++) {
+        invcal_turn turn;
+        invcal_turns_next(&t, &turn);
+        TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_turns_add(&t, &turn));
+        strcat(path, " ");
+        add_word(turn.up, path);
+    }
+    TEST_ASSERT_EQUAL_STRING_LEN(expected, path, strlen(path));
+    TEST_ASSERT_EQUAL_UINT(t.n, rank_of(&log_det));
+    return exp(log_det / t.n) / turns;
+}
+
+static void guidance_goes_where_most_is_told(void)
+{
+    TEST_ASSERT_DOUBLE_WITHIN(1e-4, 0.4529, follow(&perfect_held, 12, greedy_9));
+    TEST_ASSERT_DOUBLE_WITHIN(1e-4, 0.4776, follow(&perfect_held, 24, greedy_9));
+    TEST_ASSERT_DOUBLE_WITHIN(1e-4, 0.3770, follow(&perfect, 12, greedy_18));
+    TEST_ASSERT_DOUBLE_WITHIN(1e-4, 0.4049, follow(&perfect, 24, greedy_18));
+}
+
+/* Over the noise of a turn it is twice as much: 0.906 and 0.955 of the design; the tour has 0.45. */
+static void twelve_turns_of_it_tell_more_than_the_tour(void)
+{
+    double log_det;
+
+    tour(&perfect_held, INVCAL_TOUR);
+    TEST_ASSERT_EQUAL_UINT(9, rank_of(&log_det));
+    TEST_ASSERT_DOUBLE_WITHIN(1e-4, 0.2252, exp(log_det / 9) / 12);
+    TEST_ASSERT_DOUBLE_WITHIN(1e-3, 0.906, 2 * follow(&perfect_held, 12, greedy_9));
+    TEST_ASSERT_DOUBLE_WITHIN(1e-3, 0.955, 2 * follow(&perfect_held, 24, greedy_9));
+}
+
+static void of_any_rest_there_is_a_next_turn(void)
+{
+    random_source random = random_start(3);
+
+    for (unsigned k = 0; k < 100; k++) {
+        invcal_real from[3];
+        double d[3];
+        invcal_turn turn;
+        random_direction(&random, d);
+        for (unsigned a = 0; a < 3; a++) {
+            from[a] = (invcal_real)d[a];
+        }
+        TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_turns_begin(&t, from, NULL));
+        for (unsigned i = 0; i < 6; i++) {
+            invcal_turns_next(&t, &turn);
+            const double angle = (double)turn.degrees;
+            TEST_ASSERT_TRUE(angle > 17 && angle < 163);
+            TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_turns_add(&t, &turn));
+        }
+        TEST_ASSERT_EQUAL_UINT(18, rank());
+    }
+}
+
+/* ---- turns --------------------------------------------------------------------------------------- */
+
+static unsigned face_of(const invcal_real up[3])
+{
+    for (unsigned a = 0; a < 3; a++) {
+        if (!(up[a] * up[a] < INVCAL_REAL(0.5))) {
+            return 2 * a + (up[a] < 0);
+        }
+    }
+    return 6;
+}
+
+/* Where up is after a turn, by the mathematics of the tests. */
+static void turned(const invcal_real from[3], const invcal_turn *turn, double up[3])
+{
+    double th[3], c[3][3], was[3];
+
+    for (unsigned a = 0; a < 3; a++) {
+        th[a] = (double)turn->axis[a] * (double)turn->degrees * DEGREE;
+        was[a] = (double)from[a];
+    }
+    world_exp(th, c);
+    world_up((const double(*)[3])c, was, up);
+}
+
+static void the_tour_takes_each_edge_once_about_horizontal_axes(void)
+{
+    int edges[6][6] = {{0}};
+    int full[3] = {0, 0, 0};
+    invcal_real from[3] = {0, 0, 1};
+    invcal_turn turn;
+
+    for (unsigned i = 0; i < INVCAL_TOUR_FULL; i++) {
+        double up[3];
+        TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_tour(i, &turn));
+        turned(from, &turn, up);
+        for (unsigned a = 0; a < 3; a++) {
+            TEST_ASSERT_DOUBLE_WITHIN(1e-12, up[a], (double)turn.up[a]);
+            TEST_ASSERT_DOUBLE_WITHIN(0, 0, (double)(turn.axis[a] * from[a])); /* both are axes */
+            full[a] += turn.degrees > 359 && turn.axis[a] > 0;
+        }
+        const unsigned a = face_of(from);
+        const unsigned b = face_of(turn.up);
+        if (i < INVCAL_TOUR) {
+            edges[a < b ? a : b][a < b ? b : a]++;
+        }
+        memcpy(from, turn.up, sizeof from);
+    }
+    for (unsigned a = 0; a < 6; a++) {
+        for (unsigned b = a + 1; b < 6; b++) {
+            TEST_ASSERT_EQUAL_INT(a / 2 != b / 2, edges[a][b]);
+        }
+    }
+    for (unsigned a = 0; a < 3; a++) {
+        TEST_ASSERT_EQUAL_INT(1, full[a]);
+    }
+    TEST_ASSERT_EQUAL_INT(INVCAL_BAD_PROGRAM, invcal_tour(INVCAL_TOUR_FULL, &turn));
+    TEST_ASSERT_EQUAL_INT(INVCAL_BAD_PROGRAM, invcal_tour(UINT_MAX, &turn));
+}
+
+static void the_shortest_turn_is_that_of_closed_form(void)
+{
+    random_source random = random_start(1);
+
+    for (unsigned k = 0; k < 2000; k++) {
+        invcal_real v[2][3];
+        double d[2][3], up[3];
+        invcal_turn turn;
+        for (unsigned i = 0; i < 2; i++) {
+            random_direction(&random, d[i]);
+            for (unsigned a = 0; a < 3; a++) {
+                v[i][a] = (invcal_real)d[i][a];
+            }
+        }
+        const double cosine = d[0][0] * d[1][0] + d[0][1] * d[1][1] + d[0][2] * d[1][2];
+        if (fabs(cosine) > 0.9999) {
+            continue;
+        }
+        TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_turn_to(v[0], v[1], &turn));
+        TEST_ASSERT_DOUBLE_WITHIN(FLOAT_OR_DOUBLE(1e-3, 1e-9), acos(cosine) / DEGREE,
+                                  (double)turn.degrees);
+        turned(v[0], &turn, up);
+        for (unsigned a = 0; a < 3; a++) {
+            TEST_ASSERT_DOUBLE_WITHIN(FLOAT_OR_DOUBLE(2e-5, 1e-12), d[1][a], up[a]);
+            TEST_ASSERT_DOUBLE_WITHIN(1e-6, d[1][a], (double)turn.up[a]);
+        }
+    }
+}
+
+static void bad_arguments_are_refused(void)
+{
+    static const invcal_real down[3] = {0, 0, -1};
+    static const invcal_real x_up[3] = {1, 0, 0};
+    static const invcal_real longer[3] = {0, 0, INVCAL_REAL(1.01)};
+    const invcal_real none[3] = {INVCAL_REAL_MAX, INVCAL_REAL_MAX, INVCAL_REAL_MAX};
+    invcal_real prior[18] = {0};
+    invcal_imu_settings settings = perfect;
+    invcal_turn turn;
+
+    TEST_ASSERT_EQUAL_INT(INVCAL_BAD_DIRECTION, invcal_turn_to(z_up, down, &turn));
+    TEST_ASSERT_EQUAL_INT(INVCAL_BAD_DIRECTION, invcal_turn_to(z_up, z_up, &turn));
+    TEST_ASSERT_EQUAL_INT(INVCAL_BAD_DIRECTION, invcal_turn_to(longer, x_up, &turn));
+    TEST_ASSERT_EQUAL_INT(INVCAL_BAD_DIRECTION, invcal_turn_to(x_up, longer, &turn));
+    TEST_ASSERT_EQUAL_INT(INVCAL_BAD_DIRECTION, invcal_turns_begin(&t, none, NULL));
+    settings.noise = -1;
+    TEST_ASSERT_EQUAL_INT(INVCAL_BAD_NOISE, invcal_turns_begin(&t, z_up, &settings));
+    settings.noise = 1;
+    TEST_ASSERT_EQUAL_INT(INVCAL_BAD_NOISE, invcal_turns_begin(&t, z_up, &settings));
+    settings.noise = 0;
+    settings.rate_noise = (invcal_real)NAN;
+    TEST_ASSERT_EQUAL_INT(INVCAL_BAD_NOISE, invcal_turns_begin(&t, z_up, &settings));
+    settings.rate_noise = 0;
+    settings.instability = -1;
+    TEST_ASSERT_EQUAL_INT(INVCAL_BAD_NOISE, invcal_turns_begin(&t, z_up, &settings));
+    settings.instability = 0;
+    settings.prior = prior;
+    prior[17] = -1;
+    TEST_ASSERT_EQUAL_INT(INVCAL_BAD_PRIOR, invcal_turns_begin(&t, z_up, &settings));
+    prior[17] = 0;
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_turns_begin(&t, z_up, &settings));
+
+    const invcal_turns before = t;
+    invcal_real sigma[18] = {7};
+    uint32_t open = 7;
+    turn = (invcal_turn){{0, 0, INVCAL_REAL(1.01)}, 90, {0, 0, 0}};
+    TEST_ASSERT_EQUAL_INT(INVCAL_BAD_DIRECTION, invcal_turns_add(&t, &turn));
+    TEST_ASSERT_EQUAL_INT(INVCAL_BAD_DIRECTION, invcal_turns_sigma(&t, &turn, sigma, &open));
+    turn.axis[2] = 1;
+    turn.degrees = INVCAL_REAL(720.1);
+    TEST_ASSERT_EQUAL_INT(INVCAL_BAD_PROGRAM, invcal_turns_add(&t, &turn));
+    turn.degrees = (invcal_real)NAN;
+    TEST_ASSERT_EQUAL_INT(INVCAL_BAD_PROGRAM, invcal_turns_add(&t, &turn));
+    TEST_ASSERT_EQUAL_INT(INVCAL_BAD_PROGRAM, invcal_turns_sigma(&t, &turn, sigma, &open));
+    TEST_ASSERT_EQUAL_MEMORY(&before, &t, sizeof t);
+    TEST_ASSERT_TRUE(open == 7 && sigma[0] > 6);
+    turn.degrees = -720;
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_turns_add(&t, &turn));
+    turn.degrees = 720;
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_turns_add(&t, &turn));
+    for (unsigned a = 0; a < 3; a++) {
+        TEST_ASSERT_DOUBLE_WITHIN(0, a == 2, (double)t.up[a]);
+    }
+}
+
+/* ---- noise, priors, prospects --------------------------------------------------------------------- */
+
+/* An angle of a turn of T has the variance 2 a^2 + N^2 T + (N^2 / 2 + (1.5 B)^2) T^2. */
+static void the_noise_of_a_turn_is_that_of_the_design(void)
+{
+    static const invcal_imu_settings noisy = {1, INVCAL_REAL(2e-4), INVCAL_REAL(1e-4),
+                                              INVCAL_REAL(2e-4), 0};
+    invcal_real sigma[18];
+    uint32_t open;
+
+    for (unsigned k = 0; k < 2; k++) {
+        const double time = k == 0 ? 1.5 : 0.5;
+        begin(&noisy);
+        t.seconds = k == 0 ? t.seconds : INVCAL_REAL(0.5);
+        for (unsigned i = 0; i < INVCAL_TOUR; i++) {
+            invcal_turn turn;
+            (void)invcal_tour(i, &turn);
+            TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_turns_add(&t, &turn));
+        }
+        TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_turns_sigma(&t, NULL, sigma, &open));
+        const double variance = 2 * 4e-8 + 1e-8 * time + (1e-8 / 2 + 2.25 * 4e-8) * time * time;
+        TEST_ASSERT_DOUBLE_WITHIN(1e-8, 2e-4, (double)t.noise);
+        TEST_ASSERT_DOUBLE_WITHIN(1e-5, sqrt(variance / 4e-8) / PI, (double)sigma[0]);
+        TEST_ASSERT_DOUBLE_WITHIN(1e-5, sqrt(variance / 4e-8) / 2, (double)sigma[1]);
+    }
+    begin(&noisy); /* a full turn takes four times as long: information (2 pi)^2 / variance */
+    about(0, 360, 1);
+    const double variance = 2 * 4e-8 + 1e-8 * 6 + (1e-8 / 2 + 2.25 * 4e-8) * 36;
+    TEST_ASSERT_DOUBLE_WITHIN(1e-3, 4 * PI * PI * 4e-8 / variance, at(0, 0));
+}
+
+static void a_prior_is_information(void)
+{
+    invcal_real prior[18] = {0};
+    invcal_imu_settings settings = perfect;
+
+    prior[4] = INVCAL_REAL(0.003);
+    prior[17] = INVCAL_REAL(0.0003);
+    settings.prior = prior;
+    begin(&settings);
+    TEST_ASSERT_DOUBLE_WITHIN(1e-6, 0.01, at(4, 4)); /* of a noise of 0.0003 */
+    TEST_ASSERT_DOUBLE_WITHIN(1e-5, 1, at(17, 17));
+}
+
+/* All are known, but to 3000 times the noise: that is open. */
+static void what_only_a_wide_prior_tells_is_open(void)
+{
+    invcal_real prior[18];
+    invcal_real sigma[18];
+    uint32_t open;
+    invcal_imu_settings settings = perfect_held;
+
+    for (unsigned r = 0; r < 18; r++) {
+        prior[r] = 1;
+    }
+    settings.prior = prior;
+    begin(&settings);
+    TEST_ASSERT_EQUAL_INT(INVCAL_UNDETERMINED, invcal_turns_sigma(&t, NULL, sigma, &open));
+    TEST_ASSERT_EQUAL_HEX32(0x1FF, open);
+}
+
+static void a_prospect_is_what_the_turn_then_brings(void)
+{
+    invcal_real sigma[2][18];
+    uint32_t open[2];
+    invcal_turn turn;
+
+    begin(&perfect);
+    for (unsigned i = 0; i < INVCAL_TOUR_FULL; i++) {
+        (void)invcal_tour(i, &turn);
+        const invcal_status status = invcal_turns_sigma(&t, &turn, sigma[0], &open[0]);
+        (void)invcal_turns_add(&t, &turn);
+        TEST_ASSERT_EQUAL_INT(status, invcal_turns_sigma(&t, NULL, sigma[1], &open[1]));
+        TEST_ASSERT_EQUAL_INT(i < 7 ? INVCAL_UNDETERMINED : INVCAL_OK, status);
+        TEST_ASSERT_EQUAL_HEX32(open[0], open[1]);
+        for (unsigned r = 0; r < 18; r++) {
+            TEST_ASSERT_DOUBLE_WITHIN(1e-3, (double)sigma[0][r], (double)sigma[1][r]);
+        }
+    }
+}
+
+/* Weak: a sigma above 2.5 times the noise of a turn. */
+static void what_is_known_too_little_is_named(void)
+{
+    invcal_real sigma[18];
+    uint32_t open;
+
+    begin(&perfect_held);
+    about(0, 90, 4);
+    about(1, 90, 4);
+    about(0, 90, 1);
+    about(2, 10, 1);
+    about(2, 40, 1);
+    const invcal_status status = invcal_turns_sigma(&t, NULL, sigma, &open);
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, status);
+    for (unsigned r = 0; r < 9; r++) {
+        TEST_ASSERT_EQUAL_INT((double)sigma[r] > 2.5 * sqrt(2), open >> r & 1u);
+    }
+    TEST_ASSERT_TRUE(open != 0 && open != 0x1FF);
+}
+
+/* ---- beside the solver --------------------------------------------------------------------------- */
+
+/* What is planned, and what is there once it is done: of steady turns without errors the same. */
+static void after_the_turns_it_knows_what_it_had_planned(void)
+{
+    static world w;
+    static const invcal_imu_settings told = {0, INVCAL_REAL(3e-4), INVCAL_REAL(1e-4),
+                                             INVCAL_REAL(1e-4), 0};
+    const invcal_calibration unit = unit_nominal();
+    invcal_real raw[WORLD_RESTS][3];
+    invcal_real sigma[2][18];
+    uint32_t open;
+    invcal_imu imu;
+
+    world_begin(&w, 400, 1);
+    world_without_noise(&w);
+    w.wobble = 0;
+    world_rest(&w, 1.5);
+    for (unsigned i = 0; i < INVCAL_TOUR; i++) {
+        invcal_turn turn;
+        double vector[3];
+        (void)invcal_tour(i, &turn);
+        for (unsigned a = 0; a < 3; a++) {
+            vector[a] = (double)turn.axis[a] * PI / 2;
+        }
+        world_move(&w, vector, 1.2);
+    }
+    world_end(&w);
+    TEST_ASSERT_EQUAL_INT(13, w.moves.count);
+    for (int i = 0; i < 3 * w.count; i++) {
+        raw[i / 3][i % 3] = (invcal_real)w.mean[i / 3][i % 3];
+    }
+    double time = 0;
+    for (unsigned i = 0; i < w.moves.used; i++) {
+        time += w.moves.segment[i].time / 2 / 400.0;
+    }
+    begin(&told);
+    t.seconds = (invcal_real)(time / INVCAL_TOUR);
+    for (unsigned i = 0; i < INVCAL_TOUR; i++) {
+        invcal_turn turn;
+        (void)invcal_tour(i, &turn);
+        (void)invcal_turns_add(&t, &turn);
+    }
+    invcal_real expected[171];
+    memcpy(expected, t.sum, sizeof expected);
+    (void)invcal_turns_sigma(&t, NULL, sigma[0], &open);
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_turns_after(&t, raw[0], 13, &unit, &w.moves, &told));
+    TEST_ASSERT_DOUBLE_WITHIN(1e-4, 1, (double)t.up[2]);
+    for (unsigned i = 0; i < 171; i++) {
+        TEST_ASSERT_DOUBLE_WITHIN(0.02 * (1 + fabs((double)expected[i])), (double)expected[i],
+                                  (double)t.sum[i]);
+    }
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_turns_sigma(&t, NULL, sigma[1], &open));
+    for (unsigned r = 0; r < 18; r++) {
+        TEST_ASSERT_DOUBLE_WITHIN(0.02, (double)sigma[0][r], (double)sigma[1][r]);
+    }
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_imu_solve(raw[0], 13, &unit, &w.moves, &told, &imu));
+
+    invcal_imu_settings held = told;
+    held.held = 1;
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_turns_after(&t, raw[0], 13, &unit, &w.moves, &held));
+    TEST_ASSERT_EQUAL_UINT(9, rank());
+    TEST_ASSERT_DOUBLE_WITHIN(0.02 * (double)expected[0], (double)expected[0], at(0, 0));
+
+    TEST_ASSERT_EQUAL_INT(INVCAL_TOO_FEW,
+                          invcal_turns_after(&t, raw[0], 0, &unit, &w.moves, &told));
+    raw[12][2] = 30;
+    TEST_ASSERT_EQUAL_INT(INVCAL_OUT_OF_RANGE,
+                          invcal_turns_after(&t, raw[0], 13, &unit, &w.moves, &told));
+    held.noise = -1;
+    TEST_ASSERT_EQUAL_INT(INVCAL_BAD_NOISE,
+                          invcal_turns_after(&t, raw[0], 13, &unit, &w.moves, &held));
+}
+
+/* Errors of the tour in a hand that wobbles, over the sigma that the plan says. */
+static void errors_are_what_the_plan_says(void)
+{
+    enum { RUNS = 60 };
+    static world w;
+    invcal_real sigma[18];
+    uint32_t open;
+    double squares[5] = {0};
+    int counts[5] = {0};
+
+    begin(NULL);
+    t.seconds = 1; /* about as long as those of world_tour */
+    for (unsigned i = 0; i < INVCAL_TOUR; i++) {
+        invcal_turn turn;
+        (void)invcal_tour(i, &turn);
+        (void)invcal_turns_add(&t, &turn);
+    }
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_turns_sigma(&t, NULL, sigma, &open));
+    for (unsigned run = 0; run < RUNS; run++) {
+        invcal_imu imu;
+        world_begin(&w, 200, 100 + run);
+        world_draw(&w, 0.01, 0.01);
+        world_tour(&w);
+        world_end(&w);
+        TEST_ASSERT_EQUAL_INT(INVCAL_OK, world_solve(&w, NULL, &imu));
+        for (unsigned i = 0; i < 18; i++) {
+            const unsigned kind = i >= 9 ? i / 3 - 1 : i % 4 == 0 ? 0 : 1;
+            const double truth = i < 9 ? w.m[i / 3][i % 3] : w.triad.x[i - 9];
+            const double found =
+                i < 9 ? (double)imu.parameter[i] : parameter(&imu.accelerometer, i - 9);
+            const double error = (found - truth) / ((double)t.noise * (double)sigma[i]);
+            squares[kind] += error * error;
+            counts[kind]++;
+        }
+    }
+    for (unsigned kind = 0; kind < 5; kind++) {
+        const double rms = sqrt(squares[kind] / counts[kind]);
+        TEST_ASSERT_TRUE(rms > 0.7 && rms < 1.2);
+    }
+}
+
+int main(void)
+{
+    UNITY_BEGIN();
+    RUN_TEST(the_tour_tells_scale_and_misalignment_as_closed_form_does);
+    RUN_TEST(ranks_are_those_of_the_number_of_axes);
+    RUN_TEST(the_tour_determines_all_18);
+    RUN_TEST(the_lengths_of_six_faces_alone_have_rank_6);
+    RUN_TEST(one_axis_leaves_open_what_the_script_names);
+    RUN_TEST(guidance_goes_where_most_is_told);
+    RUN_TEST(twelve_turns_of_it_tell_more_than_the_tour);
+    RUN_TEST(of_any_rest_there_is_a_next_turn);
+    RUN_TEST(the_tour_takes_each_edge_once_about_horizontal_axes);
+    RUN_TEST(the_shortest_turn_is_that_of_closed_form);
+    RUN_TEST(bad_arguments_are_refused);
+    RUN_TEST(the_noise_of_a_turn_is_that_of_the_design);
+    RUN_TEST(a_prior_is_information);
+    RUN_TEST(what_only_a_wide_prior_tells_is_open);
+    RUN_TEST(a_prospect_is_what_the_turn_then_brings);
+    RUN_TEST(what_is_known_too_little_is_named);
+    RUN_TEST(after_the_turns_it_knows_what_it_had_planned);
+    RUN_TEST(errors_are_what_the_plan_says);
+    return UNITY_END();
+}
