@@ -366,7 +366,7 @@ invcal_status invcal_imu_sum(invcal_imu_work *w)
 
 /* ---- solution ----------------------------------------------------------------------------------- */
 
-static invcal_status check_settings(const invcal_imu_settings *s)
+invcal_status invcal_imu_settings_check(const invcal_imu_settings *s)
 {
     for (unsigned i = 0; s->prior && i < IMU_ALL; i++) {
         if (!(s->prior[i] >= 0 && s->prior[i] <= INVCAL_REAL_MAX)) {
@@ -406,7 +406,7 @@ invcal_status invcal_imu_begin(invcal_imu_work *w, const invcal_real *raw, unsig
     for (unsigned i = 0; i < moves->count; i++) {
         invcal_unpack(moves->rest[i].bias, INVCAL_KAPPA_UNIT, w->bias[i]);
     }
-    const invcal_status status = check_settings(s);
+    const invcal_status status = invcal_imu_settings_check(s);
     return status == INVCAL_OK ? invcal_nominal_check(accelerometer) : status;
 }
 

@@ -49,6 +49,9 @@ void invcal_replay_move(const invcal_imu_work *work, const invcal_segment *segme
                         const invcal_real bias[3], const invcal_real up[2][3],
                         invcal_replay *replay);
 
+/* INVCAL_BAD_NOISE, INVCAL_BAD_PRIOR. */
+invcal_status invcal_imu_settings_check(const invcal_imu_settings *settings);
+
 /* What a solution begins with. INVCAL_BAD_... of it. */
 invcal_status invcal_imu_begin(invcal_imu_work *work, const invcal_real *raw, unsigned count,
                                const invcal_calibration *accelerometer, const invcal_moves *moves,

@@ -15,7 +15,7 @@
  * samples that nothing was compared with; and one of samples after it alone. */
 enum { NO_SOLUTION, FIRST_SOLUTION, SECOND_SOLUTION };
 enum { FIRST_LOOK = 100, LARGEST_BLOCK = 4096 };
-#define MOST_SAMPLES UINT32_C(16777216)
+#define FULL_COUNT UINT32_C(16777216)
 /* What samples differ by from the first solution, until they have told: as how many a tenth of it counts, and the sum of its squares. */
 enum { DIFFER_COUNT = 8 };
 #define DIFFER_SQUARES INVCAL_REAL(0.08)
@@ -227,7 +227,7 @@ invcal_event invcal_magnetometer_feed(invcal_magnetometer *magnetometer, const i
     invcal_correct(&m->work, raw, h);
     invcal_row_of(h);
     if (m->stage != NO_SOLUTION ? !is_alike(m, h) : !widen_box(m, h)) {
-        m->left_out += m->left_out < MOST_SAMPLES && invcal_are_finite(&h[INVCAL_DK_X]);
+        m->left_out += m->left_out < FULL_COUNT && invcal_are_finite(&h[INVCAL_DK_X]);
         return INVCAL_REFUSED;
     }
     const unsigned k = invcal_cell_of_often(h);
@@ -237,9 +237,9 @@ invcal_event invcal_magnetometer_feed(invcal_magnetometer *magnetometer, const i
     if (m->samples >= m->due) {
         look_at_samples(m);
         m->due += 5 * m->due / 8;
-        if (m->due > MOST_SAMPLES) { /* the older ones count half */
+        if (m->due > FULL_COUNT) { /* the older ones count half */
             m->samples /= 2;
-            m->due = MOST_SAMPLES;
+            m->due = FULL_COUNT;
         }
     }
     return before == 0 ? INVCAL_TAKEN : INVCAL_NOTHING;

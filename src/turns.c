@@ -12,8 +12,8 @@
 #define MOST_DEGREES INVCAL_REAL(720.0)
 #define QUARTER INVCAL_REAL(90.0)
 #define HALF INVCAL_REAL(180.0)
-#define USUAL_NOISE INVCAL_REAL(3e-4)  /* of a mean, as of invcal_imu_solve */
-#define USUAL_SECONDS INVCAL_REAL(1.5) /* of a turn */
+#define USUAL_MEAN_NOISE INVCAL_REAL(3e-4) /* of a mean, as of invcal_imu_solve */
+#define USUAL_SECONDS INVCAL_REAL(1.5)     /* of a turn */
 #define VAGUE INVCAL_REAL(0.01) /* information of a parameter that is known to 10 times the noise */
 #define HELD_BY_VAGUE INVCAL_REAL(0.1) /* a share: what is held by no more is open */
 #define CLEARLY INVCAL_REAL(1.001)     /* of turns that differ by less, the first counts */
@@ -232,25 +232,11 @@ invcal_status invcal_turns_add(invcal_turns *turns, const invcal_turn *turn)
 
 /* ---- beginnings --------------------------------------------------------------------------------- */
 
-static invcal_status check_settings(const invcal_imu_settings *s)
-{
-    if (!(s->noise >= 0 && s->rate_noise >= 0 && s->instability >= 0 &&
-          s->noise + s->rate_noise + s->instability < 1)) {
-        return INVCAL_BAD_NOISE;
-    }
-    for (unsigned i = 0; s->prior && i < ALL; i++) {
-        if (!(s->prior[i] >= 0)) {
-            return INVCAL_BAD_PRIOR;
-        }
-    }
-    return INVCAL_OK;
-}
-
 static void state(invcal_turns *turns, const invcal_imu_settings *s)
 {
     invcal_zero(turns, sizeof *turns);
     turns->n = s->held ? GYRO : ALL;
-    turns->noise = s->noise > 0 ? s->noise : USUAL_NOISE;
+    turns->noise = s->noise > 0 ? s->noise : USUAL_MEAN_NOISE;
     turns->seconds = USUAL_SECONDS;
     const invcal_real density = s->rate_noise / turns->noise;
     const invcal_real instability = INVCAL_REAL(1.5) * s->instability / turns->noise;
@@ -265,7 +251,8 @@ invcal_status invcal_turns_begin(invcal_turns *turns, const invcal_real up[3],
     const invcal_imu_settings *s = settings ? settings : &usual;
 
     INVCAL_ASSERT(turns && up);
-    const invcal_status status = invcal_is_unit(up) ? check_settings(s) : INVCAL_BAD_DIRECTION;
+    const invcal_status status =
+        invcal_is_unit(up) ? invcal_imu_settings_check(s) : INVCAL_BAD_DIRECTION;
     if (status != INVCAL_OK) {
         return status;
     }

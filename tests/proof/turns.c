@@ -26,6 +26,11 @@ invcal_status invcal_imu_begin(invcal_imu_work *work, const invcal_real *raw, un
     return accelerometer->offset[0] > 0 ? INVCAL_OK : INVCAL_BAD_NOMINAL;
 }
 
+invcal_status invcal_imu_settings_check(const invcal_imu_settings *settings)
+{
+    return settings->noise >= 0 ? INVCAL_OK : INVCAL_BAD_NOISE;
+}
+
 invcal_status invcal_imu_sum(invcal_imu_work *work)
 {
     ANY(work->pass);

@@ -424,7 +424,7 @@ static void moves_may_tell_no_way_from_another(void)
         INVCAL_UNDETERMINED,
         invcal_imu_mounting(raw[0], (unsigned)w.count, &nominal, &w.moves, axes, &scale));
     TEST_ASSERT_TRUE(axes[0] == 9 && scale == 9);
-    raw[2][1] = NAN;
+    raw[2][1] = (invcal_real)NAN;
     TEST_ASSERT_EQUAL_INT(
         INVCAL_OUT_OF_RANGE,
         invcal_imu_mounting(raw[0], (unsigned)w.count, &nominal, &w.moves, axes, &scale));
@@ -863,7 +863,7 @@ static void bad_input_is_refused(void)
     settle_settings(&settings, 0);
     settings.noise = -1;
     TEST_ASSERT_EQUAL_INT(INVCAL_BAD_NOISE, world_solve(&w, &settings, &imu));
-    settings.noise = NAN;
+    settings.noise = (invcal_real)NAN;
     TEST_ASSERT_EQUAL_INT(INVCAL_BAD_NOISE, world_solve(&w, &settings, &imu));
     settings.noise = 0;
     settings.rate_noise = 2;
@@ -871,27 +871,27 @@ static void bad_input_is_refused(void)
     settings.rate_noise = -1;
     TEST_ASSERT_EQUAL_INT(INVCAL_BAD_NOISE, world_solve(&w, &settings, &imu));
     settings.rate_noise = 0;
-    settings.instability = NAN;
+    settings.instability = (invcal_real)NAN;
     TEST_ASSERT_EQUAL_INT(INVCAL_BAD_NOISE, world_solve(&w, &settings, &imu));
     settings.instability = 0;
     settings.prior = prior;
-    prior[17] = NAN;
+    prior[17] = (invcal_real)NAN;
     TEST_ASSERT_EQUAL_INT(INVCAL_BAD_PRIOR, world_solve(&w, &settings, &imu));
-    prior[17] = INFINITY;
+    prior[17] = (invcal_real)INFINITY;
     TEST_ASSERT_EQUAL_INT(INVCAL_BAD_PRIOR, world_solve(&w, &settings, &imu));
     prior[17] = -1;
     TEST_ASSERT_EQUAL_INT(INVCAL_BAD_PRIOR, world_solve(&w, &settings, &imu));
     prior[17] = 0;
-    settings.noise = INFINITY;
+    settings.noise = (invcal_real)INFINITY;
     TEST_ASSERT_EQUAL_INT(INVCAL_BAD_NOISE, world_solve(&w, &settings, &imu));
     settings.noise = 0;
     for (int i = 0; i < INVCAL_IMU_PARAMETERS; i++) {
         prior[i] = INVCAL_REAL(0.05);
     }
     TEST_ASSERT_EQUAL_INT(INVCAL_OK, world_solve(&w, &settings, &imu));
-    w.mean[3][1] = NAN;
+    w.mean[3][1] = NOT_A_NUMBER;
     TEST_ASSERT_EQUAL_INT(INVCAL_OUT_OF_RANGE, world_solve(&w, NULL, &imu));
-    w.mean[3][1] = INFINITY;
+    w.mean[3][1] = INFINITE;
     TEST_ASSERT_EQUAL_INT(INVCAL_OUT_OF_RANGE, world_solve(&w, NULL, &imu));
     memset(raw, 0, sizeof raw);
     static const float bad[3] = {0, NAN, INFINITY};

@@ -335,8 +335,9 @@ static void compare(double rate, double mean_noise, int runs, tally *all)
             run(k % 2 ? (const double(*)[3])program : NULL, rate, sizes[k / 2], mean_noise,
                 500u + (uint32_t)n, &t);
         }
-        TEST_ASSERT_TRUE(sqrt(t.apart / t.count) < 0.15);
-        TEST_ASSERT_TRUE(sqrt(t.error / t.optimum) < 1.1);
+        /* of a single run, where there is not time for more, that is not much */
+        TEST_ASSERT_TRUE(sqrt(t.apart / t.count) < (TEST_SHORT > 1 ? 0.5 : 0.15));
+        TEST_ASSERT_TRUE(sqrt(t.error / t.optimum) < (TEST_SHORT > 1 ? 1.5 : 1.1));
         all->error += t.error;
         all->chi += t.chi;
         all->inside += t.inside;
@@ -353,8 +354,8 @@ static void are_as_the_batch(double rate, double mean_noise, int runs, double er
         skip_large();
     }
     compare(rate, mean_noise, SOME(runs), &all);
-    TEST_ASSERT_TRUE(sqrt(all.error / all.count) < error);
     if (SOME(runs) == runs) {
+        TEST_ASSERT_TRUE(sqrt(all.error / all.count) < error);
         TEST_ASSERT_DOUBLE_WITHIN(0.15, 1, sqrt(all.chi / all.count));
         TEST_ASSERT_DOUBLE_WITHIN(3, 96, 100.0 * all.inside / all.count);
     }

@@ -166,11 +166,12 @@ static void nonsense_is_refused_or_does_no_harm(void)
     begin();
     untouched = w.moves;
     TEST_ASSERT_EQUAL_INT(INVCAL_BAD_RATE, invcal_moves_init(&w.moves, &nominal, 7));
-    TEST_ASSERT_EQUAL_INT(INVCAL_BAD_RATE, invcal_moves_init(&w.moves, &nominal, NAN));
-    TEST_ASSERT_EQUAL_INT(INVCAL_BAD_RATE, invcal_moves_init(&w.moves, &nominal, INFINITY));
+    TEST_ASSERT_EQUAL_INT(INVCAL_BAD_RATE, invcal_moves_init(&w.moves, &nominal, (invcal_real)NAN));
+    TEST_ASSERT_EQUAL_INT(INVCAL_BAD_RATE,
+                          invcal_moves_init(&w.moves, &nominal, (invcal_real)INFINITY));
     TEST_ASSERT_EQUAL_INT(INVCAL_BAD_RATE, invcal_moves_init(&w.moves, &nominal, 8001));
     TEST_ASSERT_EQUAL_INT(INVCAL_BAD_RAILS, invcal_moves_rails(&w.moves, 5, 5));
-    nominal.matrix[0][0] = NAN;
+    nominal.matrix[0][0] = (invcal_real)NAN;
     TEST_ASSERT_EQUAL_INT(INVCAL_BAD_NOMINAL, invcal_moves_init(&w.moves, &nominal, 100));
     TEST_ASSERT_EQUAL_MEMORY(&untouched, &w.moves, sizeof untouched);
     nominal = unit_nominal();
@@ -363,6 +364,8 @@ static void the_session_says_where_rests_are(void)
     }
     event = invcal_session_finish(&session);
     invcal_moves_follow(&w.moves, &session.rests, event);
+    taken += event == INVCAL_TAKEN;
+    TEST_ASSERT_EQUAL_INT(taken, session.count);
     TEST_ASSERT_EQUAL_INT(session.count, w.moves.count);
     TEST_ASSERT_TRUE(session.count >= 10);
     TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_imu_solve(session.mean[0], session.count,
