@@ -13,7 +13,7 @@ all=$(find README.md CHANGELOG.md .github include src port tests '(' $not_ours '
 read_by_users=$(echo "$all" | grep -E '^(README|CHANGELOG|\.github/|include/|src/|port/(.*/)?[^/]*\.md$)')
 
 # Parts of identifiers, of printf's formats and of instruction sets.
-echo "$all" | xargs codespell -L 'rsource,ontext,shold,rcall,te'
+echo "$all" | xargs codespell -L 'rsource,ontext,shold,rcall,te,upto'
 wrong=$?
 
 [ -s tests/words.txt ] || exit 1

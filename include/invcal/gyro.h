@@ -108,17 +108,17 @@ typedef struct {
     uint8_t fault;          /* internal: status of the move */
     uint8_t spoilt;         /* internal: status of the current segment */
     /* kept over a reset */
-    uint32_t layout;            /* identifies this build */
-    int32_t low;                /* lower rail */
-    uint32_t between;           /* readings between the rails */
-    uint16_t blocks;            /* blocks of rests so far; at most 65535 */
-    uint16_t first;             /* segments of complete moves; those of the next follow */
-    uint8_t count;              /* rests */
-    uint8_t none[3];            /* 0 */
-    invcal_calibration nominal; /* rad/s per count */
-    invcal_real rate;           /* samples per second */
-    invcal_real bias[3];        /* subtracted from v, rad/s: that of the first rest */
-    invcal_still rest[INVCAL_MAX_MOVES];         /* with the moves that led to them */
+    uint32_t layout;                     /* identifies this build */
+    int32_t low;                         /* lower rail */
+    uint32_t between;                    /* readings between the rails */
+    uint16_t blocks;                     /* blocks of rests so far; at most 65535 */
+    uint16_t first;                      /* segments of complete moves; those of the next follow */
+    uint8_t count;                       /* rests */
+    uint8_t none[3];                     /* 0 */
+    invcal_calibration nominal;          /* rad/s per count */
+    invcal_real rate;                    /* samples per second */
+    invcal_real bias[3];                 /* subtracted from v, rad/s: that of the first rest */
+    invcal_still rest[INVCAL_MAX_MOVES]; /* with the moves that led to them */
     invcal_segment segment[INVCAL_MAX_SEGMENTS]; /* of all moves, in their order */
 } invcal_moves;
 
@@ -165,10 +165,10 @@ enum { INVCAL_GYRO_PARAMETERS = 9, INVCAL_IMU_PARAMETERS = 18 };
 
 /* Prior knowledge. */
 typedef struct {
-    uint8_t held;            /* 1: the accelerometer is calibrated, only the gyroscope is solved */
-    invcal_real noise;       /* standard deviation of a position mean, over field; 0: unknown */
-    invcal_real rate_noise;  /* noise density, rad/s/sqrt(Hz) */
-    invcal_real instability; /* of the bias, rad/s */
+    uint8_t held;             /* 1: the accelerometer is calibrated, only the gyroscope is solved */
+    invcal_real noise;        /* standard deviation of a position mean, over field; 0: unknown */
+    invcal_real rate_noise;   /* noise density, rad/s/sqrt(Hz) */
+    invcal_real instability;  /* of the bias, rad/s */
     const invcal_real *prior; /* 18 standard deviations from nominal, 0: unknown; or null */
 } invcal_imu_settings;
 

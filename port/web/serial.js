@@ -158,8 +158,8 @@ export class Board {
         }
     }
 
-    // Sends a line, and returns the board's answer, or null. A port that was stopped is opened for that: the board
-    // may start anew then, and hears nothing until it prints.
+    // Sends a line, and returns the board's answer, or null. Opens a port that was stopped: the board may restart
+    // then, and hears nothing until it prints.
     async send(text) {
         const wasOpen = Boolean(this.port.writable);
         if (!wasOpen) {

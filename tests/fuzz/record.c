@@ -144,7 +144,7 @@ static void look_at_both(const uint8_t *bytes, uint32_t size)
     REQUIRE(invcal_session_init(&both.session, 100, 50) == INVCAL_OK);
     both.session.count = 2;
     both.session.mean[0][0] = both.session.mean[1][1] = 100;
-    const uint32_t layout = both.moves.layout; /* or next to nothing would get in */
+    const uint32_t layout = both.moves.layout; /* or almost nothing would be accepted */
     memcpy((uint8_t *)&both + INVCAL_IMU_SESSION_FROM, bytes, size < room ? size : room);
     both.moves.layout = layout;
     if (invcal_imu_session_resume(&both, invcal_imu_session_size(&both)) != INVCAL_OK) {

@@ -16,7 +16,7 @@
 #define NEAR_UNIT 1.15
 #define FITS 0.25   /* rad: more fits no axes */
 #define NEVER 1e-4  /* of all turning: an axis that has less never turns, */
-#define TURNED 0.02 /* though others do so much about it */
+#define TURNED 0.02 /* though others turn this much about it */
 #define MOVED 4.0   /* times the mean square at rest */
 #define FEW_RESTS 2u
 #define SAME_MEAN 1e-12

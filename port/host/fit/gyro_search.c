@@ -12,8 +12,8 @@
 #define BIN 0.05      /* seconds */
 #define LAGS 40       /* bins to either side: 2 s */
 #define ENOUGH 160u   /* bins */
-#define TOGETHER 0.4  /* the least correlation that tells a lag, */
-#define BETTER 0.05   /* by so much above that of no lag, */
+#define TOGETHER 0.4  /* the least correlation that shows a lag, */
+#define BETTER 0.05   /* this much above that of no lag, */
 #define LEAST_LAG 0.1 /* seconds: less does no harm */
 
 #define MOVES 16u       /* that are tried: the first ones */

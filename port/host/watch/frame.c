@@ -293,7 +293,7 @@ static const char *waving_words(const watch_state *now)
     static const char *const words[] = {
         [INVCAL_GOOD] = "Good so far; turn it to the sides that are left",
         [INVCAL_NO_REDUNDANCY] = "Too few samples tell how they err; go on",
-        [INVCAL_ROUGH] = "Rough: something disturbs it; begin anew elsewhere",
+        [INVCAL_ROUGH] = "Rough: something disturbs it; begin again elsewhere",
         [INVCAL_WEAK] = "Weak: whole sides are missing; go on",
     };
     const unsigned verdict = now->quality.verdict;

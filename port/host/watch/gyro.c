@@ -38,7 +38,7 @@ int watch_gyro(const turns *t, const gyro_wish *wish, unsigned rate, const doubl
     }
     if (g.word && p->count < SURE && !is_mistake(g.word)) {
         snprintf(text, WATCH_GYRO_MAX,
-                 "gyroscope: moves too few as yet; turn about all three axes");
+                 "gyroscope: too few moves so far; turn about all three axes");
         return 0;
     }
     if (g.word) {

@@ -1,13 +1,13 @@
 /* SPDX-License-Identifier: MIT
  *
- * An accelerometer and a gyroscope that calibrate themselves by the same moves. Open the serial monitor at
- * 115200 baud, turn the sensor as it says, in about a second, and hold it still until it says "good". At the
- * end the calibration is stored; from then on calibrated readings are printed, after the next power-on too.
- * Send c to calibrate anew.
+ * Calibrates an accelerometer and a gyroscope by the same moves. Open the serial monitor at 115200 baud, turn
+ * the sensor as it says, in about a second, and hold it still until it says "good". At the end the sketch stores
+ * the calibration; from then on it prints calibrated readings, also after the next power-on. Send c to calibrate
+ * again.
  *
- * It takes nearly 8 KB of RAM: a Mega, or a board that is no AVR. The sensor is in imu.cpp, the memory in
+ * It takes nearly 8 KB of RAM: a Mega, or a board that is not an AVR. The sensor is in imu.cpp, the memory in
  * storage.cpp. Session and moves are not stored: an EEPROM takes seconds for them, the sensor's queue holds less
- * than one, and a move in which samples are lost is refused. With a quick memory, FRAM or flash, add
+ * than one, and a move with lost samples is refused. With a fast memory, FRAM or flash, add
  * invcal_save_imu_session after INVCAL_TAKEN, and invcal_load_imu_session in begin_session.
  */
 #include <invcal.h>
@@ -20,7 +20,7 @@
 #error "this sketch takes nearly 8 KB of RAM: a Mega, or a board that is no AVR"
 #endif
 
-const unsigned SHOWN = 50; /* one calibrated sample in so many is shown */
+const unsigned SHOWN = 50; /* one calibrated sample of this many is shown */
 
 /* Which axis is up, turned round (-): each of the twelve edges between the faces once. */
 const int8_t PROGRAM[] = {3, 1, 2, 3, -1, 2, -3, 1, -2, -3, -1, -2};
