@@ -369,15 +369,16 @@ invcal_status invcal_imu_sum(invcal_imu_work *w)
 
 invcal_status invcal_imu_settings_check(const invcal_imu_settings *s)
 {
+    if (!(s->noise >= 0 && s->rate_noise >= 0 && s->instability >= 0 &&
+          s->noise + s->rate_noise + s->instability < 1)) {
+        return INVCAL_BAD_NOISE;
+    }
     for (unsigned i = 0; s->prior && i < IMU_ALL; i++) {
         if (!(s->prior[i] >= 0 && s->prior[i] <= INVCAL_REAL_MAX)) {
             return INVCAL_BAD_PRIOR;
         }
     }
-    return s->noise >= 0 && s->rate_noise >= 0 && s->instability >= 0 &&
-                   s->noise + s->rate_noise + s->instability < 1
-               ? INVCAL_OK
-               : INVCAL_BAD_NOISE;
+    return INVCAL_OK;
 }
 
 invcal_status invcal_imu_begin(invcal_imu_work *w, const invcal_real *raw, unsigned count,
@@ -416,9 +417,7 @@ invcal_status invcal_imu_begin(invcal_imu_work *w, const invcal_real *raw, unsig
 static invcal_status take_step(invcal_imu_work *w, invcal_real *size)
 {
     const invcal_real *p = &w->pass.sum[INVCAL_PACKED(w->n, 0)];
-    invcal_calibration before;
 
-    before = w->out->accelerometer;
     for (unsigned i = 0; i < w->n; i++) {
         w->out->parameter[i] += p[i];
     }
@@ -426,6 +425,7 @@ static invcal_status take_step(invcal_imu_work *w, invcal_real *size)
     if (w->n == IMU_GYRO) {
         return INVCAL_OK;
     }
+    const invcal_calibration before = w->out->accelerometer;
     p += IMU_GYRO;
     for (unsigned i = 0; i < 3; i++) {
         for (unsigned j = 0; j < 3; j++) {

@@ -23,15 +23,15 @@
 #define OPEN_SQUARE INVCAL_REAL(1e6)  /* of 1000 */
 
 enum {
-    ALL = INVCAL_IMU_PARAMETERS,
-    GYRO = INVCAL_GYRO_PARAMETERS,
+    TURNS_ALL = INVCAL_IMU_PARAMETERS,
+    TURNS_GYRO = INVCAL_GYRO_PARAMETERS,
     TOLD = 3, /* rows: two angles of a turn, the length of the rest after it */
-    SIZE = INVCAL_PACKED_SIZE(ALL)
+    SIZE = INVCAL_PACKED_SIZE(TURNS_ALL)
 };
 
 /* The information in a turn; rows are over their standard deviations. */
 typedef struct {
-    invcal_real h[TOLD][ALL];
+    invcal_real h[TOLD][TURNS_ALL];
     unsigned rows;
     invcal_real up[3]; /* after it */
 } told;
@@ -150,11 +150,11 @@ static void find_across(const invcal_real up[3], invcal_real b[2][3])
     invcal_cross(up, b[0], b[1]);
 }
 
-static void tell_rest(invcal_real h[ALL], const invcal_real up[3])
+static void tell_rest(invcal_real h[TURNS_ALL], const invcal_real up[3])
 {
-    invcal_zero(h, GYRO * sizeof *h);
-    memcpy(&h[GYRO], up, 3 * sizeof *up);
-    invcal_products(up, &h[GYRO]);
+    invcal_zero(h, TURNS_GYRO * sizeof *h);
+    memcpy(&h[TURNS_GYRO], up, 3 * sizeof *up);
+    invcal_products(up, &h[TURNS_GYRO]);
 }
 
 /* The rows of imu.c for a turn exactly about one axis n: then S = J th n', with
@@ -188,16 +188,16 @@ INVCAL_APART static void tell(const invcal_turns *turns, const invcal_turn *turn
             }
         }
         invcal_cross(turns->up, b, g);
-        way_back(n, cosine, sine, g, &h[GYRO]);
-        invcal_products(out->up, &h[GYRO]);
+        way_back(n, cosine, sine, g, &h[TURNS_GYRO]);
+        invcal_products(out->up, &h[TURNS_GYRO]);
         scale(g, -1);
         invcal_products(turns->up, g);
         for (unsigned i = 0; i < INVCAL_PARAMETERS; i++) {
-            h[GYRO + i] = root * (h[GYRO + i] + g[i]);
+            h[TURNS_GYRO + i] = root * (h[TURNS_GYRO + i] + g[i]);
         }
     }
     tell_rest(out->h[2], out->up);
-    out->rows = turns->n == ALL ? TOLD : 2;
+    out->rows = turns->n == TURNS_ALL ? TOLD : 2;
 }
 
 static invcal_status check(const invcal_turn *turn)
@@ -232,10 +232,10 @@ invcal_status invcal_turns_add(invcal_turns *turns, const invcal_turn *turn)
 
 /* ---- beginnings --------------------------------------------------------------------------------- */
 
-static void state(invcal_turns *turns, const invcal_imu_settings *s)
+static void begin_turns(invcal_turns *turns, const invcal_imu_settings *s)
 {
     invcal_zero(turns, sizeof *turns);
-    turns->n = s->held ? GYRO : ALL;
+    turns->n = s->held ? TURNS_GYRO : TURNS_ALL;
     turns->noise = s->noise > 0 ? s->noise : USUAL_MEAN_NOISE;
     turns->seconds = USUAL_SECONDS;
     const invcal_real density = s->rate_noise / turns->noise;
@@ -256,12 +256,12 @@ invcal_status invcal_turns_begin(invcal_turns *turns, const invcal_real up[3],
     if (status != INVCAL_OK) {
         return status;
     }
-    state(turns, s);
+    begin_turns(turns, s);
     memcpy(turns->up, up, sizeof turns->up);
-    if (turns->n == ALL) {
-        invcal_real h[ALL];
+    if (turns->n == TURNS_ALL) {
+        invcal_real h[TURNS_ALL];
         tell_rest(h, up);
-        invcal_rank_one(turns->sum, h, ALL, 1);
+        invcal_rank_one(turns->sum, h, TURNS_ALL, 1);
     }
     for (unsigned i = 0; s->prior && i < turns->n; i++) {
         if (s->prior[i] > 0) {
@@ -289,7 +289,7 @@ invcal_status invcal_turns_after(invcal_turns *turns, const invcal_real *raw, un
         status = invcal_imu_sum(&w);
     }
     if (status == INVCAL_OK) {
-        state(turns, w.settings);
+        begin_turns(turns, w.settings);
         for (unsigned i = 0; i < SIZE; i++) { /* more than 9 unknowns need, which does no harm */
             turns->sum[i] = w.noise * w.noise * w.pass.sum[i];
         }
@@ -364,11 +364,11 @@ void invcal_turns_next(const invcal_turns *turns, invcal_turn *out)
 
 /* Returns the largest K; those above `most` are open. */
 static invcal_real find_sigma(const invcal_real *inverse, unsigned n, invcal_real most,
-                              invcal_real sigma[ALL], uint32_t *open)
+                              invcal_real sigma[TURNS_ALL], uint32_t *open)
 {
     invcal_real largest = 0;
 
-    invcal_zero(sigma, ALL * sizeof *sigma);
+    invcal_zero(sigma, TURNS_ALL * sizeof *sigma);
     *open = 0;
     for (unsigned i = 0; i < n; i++) {
         const invcal_real k = invcal_variance(inverse, n, i);

@@ -63,10 +63,12 @@ extern "C" {
 
 /* A program and a library with different choices do not link: see invcal.h. */
 #define INVCAL_GYRO_CHOSEN(name) INVCAL_GYRO_CHOSEN_(name, INVCAL_MAX_SEGMENTS, INVCAL_MAX_MOVES)
-#define INVCAL_GYRO_CHOSEN_(name, s, m)                                                            \
-    INVCAL_GYRO_CHOSEN__(name, INVCAL_REAL_NAME, s, m)                                 /* step */
-#define INVCAL_GYRO_CHOSEN__(name, real, s, m) INVCAL_GYRO_CHOSEN___(name, real, s, m) /* step */
-#define INVCAL_GYRO_CHOSEN___(name, real, s, m) name##_##real##_##s##_##m              /* step */
+/* Steps of it. (No comment behind them: Arduino's preprocessor would paste it too.) */
+#define INVCAL_GYRO_CHOSEN_(name, s, m) INVCAL_GYRO_CHOSEN__(name, INVCAL_REAL_NAME, s, m)
+/* The next. */
+#define INVCAL_GYRO_CHOSEN__(name, real, s, m) INVCAL_GYRO_CHOSEN___(name, real, s, m)
+/* The last. */
+#define INVCAL_GYRO_CHOSEN___(name, real, s, m) name##_##real##_##s##_##m
 #define invcal_moves_init INVCAL_GYRO_CHOSEN(invcal_moves_init)
 #define invcal_imu_solve INVCAL_GYRO_CHOSEN(invcal_imu_solve)
 #define INVCAL_BOTH_CHOSEN(name) INVCAL_CHOSEN(INVCAL_GYRO_CHOSEN(name), INVCAL_MAX_POSITIONS)

@@ -87,8 +87,8 @@ static int match(turns *t, const samples *file, const double *time, const char *
     if (t->has_time != file->has_time || (!t->has_time && t->samples != t->readings)) {
         message(
             "%s: goes not with %s: both need a column t of the same clock, or neither and as many "
-            "rows (%zu, and %zu)",
-            file->table.name, log, t->readings, t->samples);
+            "rows (%lu, and %lu)",
+            file->table.name, log, (unsigned long)t->readings, (unsigned long)t->samples);
         return EXIT_FILE;
     }
     for (size_t i = 0; i < t->samples; i++) {

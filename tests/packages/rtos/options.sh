@@ -28,7 +28,7 @@ same_defaults() {
 }
 
 accepts() { # NAME VALUE: do the headers?
-    printf '#include "invcal/%s.h"\n' allan thermal | cc -Iinclude "-D$1=$2" -fsyntax-only -x c -
+    printf '#include "invcal/%s.h"\n' allan gyro thermal | cc -Iinclude "-D$1=$2" -fsyntax-only -x c -
 }
 
 takes() { # NAME VALUE: does Kconfig? Its booleans are n and y.
@@ -63,7 +63,7 @@ others() {
 # A program that compiles only if all of them have reached it.
 others_as_program() {
     awk '{ print "#if " $1 " != " $2 "\n#error \"" $1 " is not as chosen\"\n#endif" }
-        BEGIN { print "#include \"invcal/allan.h\"\n#include \"invcal/thermal.h\"" }
+        BEGIN { print "#include \"invcal/allan.h\"\n#include \"invcal/gyro.h\"\n#include \"invcal/thermal.h\"" }
         END { print "int main(void) { return invcal_status_text(INVCAL_OK)[0] == 0; }" }' \
         "$out/others" > "$out/others.c"
 }
