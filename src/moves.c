@@ -131,16 +131,15 @@ static void find_fault(invcal_moves *m, unsigned status)
  * merged is lost, and with it the moves of that one and this one. */
 INVCAL_APART static void close_segment(invcal_moves *m, unsigned mark)
 {
-    if (m->used >= INVCAL_MAX_SEGMENTS &&
-        m->fixed < INVCAL_MAX_SEGMENTS) { /* uncovered: a guard for the proof */
+    if (m->used >= INVCAL_MAX_SEGMENTS && m->fixed < INVCAL_MAX_SEGMENTS) {
         m->marks = (uint8_t)(m->marks - (m->segment[m->fixed].time & 1u));
         take_out(m, m->fixed, m->fixed + 1u);
         find_fault(m, INVCAL_NO_SPACE);
         m->spoilt = INVCAL_NO_SPACE;
     }
-    if (m->used >= INVCAL_MAX_SEGMENTS) { /* uncovered: a guard for the proof */
-        return;                           /* uncovered: the same */
-    } /* uncovered: the same */
+    if (m->used >= INVCAL_MAX_SEGMENTS) { /* of stored bytes */
+        return;
+    }
     invcal_segment *s = &m->segment[m->used];
     m->used++;
     s->time = (uint16_t)(2u * m->missing + mark);
