@@ -22,19 +22,19 @@
 
 const unsigned SHOWN = 50; /* one calibrated sample of this many is shown */
 
-/* Which axis is up, turned round (-): each of the twelve edges between the faces once. */
+/* The axis that is up, - if it points down: each of the twelve edges between the faces once. */
 const int8_t PROGRAM[] = {3, 1, 2, 3, -1, 2, -3, 1, -2, -3, -1, -2};
 const unsigned EDGES = sizeof PROGRAM;
 
 static invcal_imu_session both;
 static invcal_imu_record calibration;
 static bool is_calibrated;
-static unsigned at; /* of the program: where to turn next */
+static unsigned at; /* place in the program: where to turn next */
 
-/* Not compiled into loop, or its variables would lie on the stack while the others run. */
+/* Not inlined into loop, or its variables would be on the stack while the others run. */
 #define APART __attribute__((noinline))
 
-/* Never comes back: there is nothing left to do without a reset. */
+/* Never returns: there is nothing left to do without a reset. */
 static void stop(const __FlashStringHelper *text)
 {
     Serial.println(text);
@@ -65,7 +65,7 @@ static void find_next(float up[3])
     up[axis < 0 ? -axis - 1 : axis - 1] = axis < 0 ? -1 : 1;
 }
 
-/* Not where it lies already. */
+/* Skips the place where it already is. */
 static void show_next()
 {
     char words[INVCAL_WORDS];
@@ -97,7 +97,7 @@ static void begin_session()
     show_next();
 }
 
-/* Nothing is stored before that is good. */
+/* Nothing is stored before the verdict is good. */
 static APART void solve()
 {
     invcal_imu imu;
@@ -156,7 +156,7 @@ static void calibrate(const int32_t accelerometer[3], const int32_t gyro[3])
 
 /* ---- from then on ----------------------------------------------------------------------------- */
 
-/* What your device does with it. */
+/* Your application. */
 static void measure(const int32_t accelerometer[3], const int32_t gyro[3])
 {
     static unsigned n;
