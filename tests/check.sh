@@ -44,7 +44,7 @@ all() {
     san='-O1 -g1 -fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer'
     echo "gcc-sanitizers gcc c11 - 1 - $san
 clang-sanitizers $clang c99 - 1 2 $san
-gcc gcc c99 1 - - -O2 -DDRAWS=1500
+gcc gcc c99 1 - - -O2 -DJUDGED_DRAWS=1500
 clang $clang c11 1 - 0 -O3"
 }
 

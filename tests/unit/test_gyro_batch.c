@@ -384,7 +384,7 @@ static void so_they_are_at_400_hertz(void)
 int main(void)
 {
     UNITY_BEGIN();
-    RUN_LONG_TEST(on_a_table_errors_are_those_of_the_batch);
+    RUN_TEST(on_a_table_errors_are_those_of_the_batch);
     RUN_LONG_TEST(in_the_hand_errors_are_those_of_the_batch);
     RUN_LONG_TEST(so_they_are_at_200_hertz);
     RUN_LONG_TEST(so_they_are_at_400_hertz);

@@ -15,8 +15,8 @@
 #include "support.h"
 #include "unity.h"
 
-#ifndef DRAWS
-#define DRAWS 300
+#ifndef JUDGED_DRAWS
+#define JUDGED_DRAWS 300
 #endif
 
 void setUp(void)
@@ -233,7 +233,7 @@ static shares try_often(const faulty *f, const program *p, double stated, uint32
     random_source random = random_start(seed);
     shares s = {0, 0, 0};
 
-    for (unsigned i = 0; i < DRAWS; i++) {
+    for (unsigned i = 0; i < JUDGED_DRAWS; i++) {
         invcal_calibration c;
         invcal_quality q;
         sample one;
@@ -245,9 +245,9 @@ static shares try_often(const faulty *f, const program *p, double stated, uint32
         s.alarm += (q.verdict != INVCAL_GOOD && q.verdict != INVCAL_WEAK) || q.left_out != 0;
         s.exact += q.left_out == one.wrong;
     }
-    s.wrong /= DRAWS;
-    s.alarm /= DRAWS;
-    s.exact /= DRAWS;
+    s.wrong /= JUDGED_DRAWS;
+    s.alarm /= JUDGED_DRAWS;
+    s.exact /= JUDGED_DRAWS;
     return s;
 }
 
@@ -261,7 +261,7 @@ static void assert_at_most(double most, double share, const char *what, const ch
 {
     char message[100];
     const double p = fmax(most / 100, 0.0005);
-    const double bound = p + 3 * sqrt(p * (1 - p) / DRAWS) + 1.0 / DRAWS;
+    const double bound = p + 3 * sqrt(p * (1 - p) / JUDGED_DRAWS) + 1.0 / JUDGED_DRAWS;
 
     (void)strcpy(message, what);
     (void)strcat(message, ", ");
@@ -429,7 +429,7 @@ static void sigma_is_true_and_its_intervals_hold_where_the_noise_stated_is(void)
                 {15, 1.00, 0.962},
                 {18, 0.99, 0.957},
                 {24, 0.99, 0.953}};
-    const unsigned draws = 10 * DRAWS;
+    const unsigned draws = 10 * JUDGED_DRAWS;
 
     for (unsigned i = 0; i < sizeof rows / sizeof rows[0]; i++) {
         double sigma;
@@ -546,7 +546,7 @@ static void an_outlier_and_a_drift_are_told_apart(void)
     unsigned both = 0;
     unsigned good = 0;
 
-    for (unsigned i = 0; i < DRAWS; i++) {
+    for (unsigned i = 0; i < JUDGED_DRAWS; i++) {
         const faulty drifts = {DRIFTS, 0.005, 0};
         const faulty reads_wrong = {READS_WRONG, 0.1, 1};
         invcal_calibration c;
@@ -558,7 +558,7 @@ static void an_outlier_and_a_drift_are_told_apart(void)
         both += q.left_out == one.wrong && q.systematic == INVCAL_DRIFT;
         good += q.verdict == INVCAL_GOOD;
     }
-    TEST_ASSERT_TRUE(both > 0.82 * DRAWS && good < 0.05 * DRAWS); /* 88 and 2.5 % */
+    TEST_ASSERT_TRUE(both > 0.82 * JUDGED_DRAWS && good < 0.05 * JUDGED_DRAWS); /* 88 and 2.5 % */
 }
 
 static void what_the_order_of_positions_hides_is_unchecked(void)
@@ -701,7 +701,7 @@ static void one_that_is_wrong_by_half_the_field_is_left_out(void)
         unsigned hopeless = 0; /* for a calibration of all */
         unsigned saved = 0;    /* of these */
         unsigned missed = 0;   /* not found, and yet called good */
-        for (unsigned i = 0; i < DRAWS; i++) {
+        for (unsigned i = 0; i < JUDGED_DRAWS; i++) {
             invcal_calibration c;
             invcal_quality q;
             sample one;
@@ -716,9 +716,9 @@ static void one_that_is_wrong_by_half_the_field_is_left_out(void)
             hopeless += !is_ellipsoid;
             saved += !is_ellipsoid && is_found;
         }
-        TEST_ASSERT_TRUE(found >= rows[k].least * DRAWS);
-        TEST_ASSERT_TRUE(hopeless > DRAWS / 5 && saved > 0.9 * hopeless);
-        assert_at_most(0.2, (double)missed / DRAWS, "half the field",
+        TEST_ASSERT_TRUE(found >= rows[k].least * JUDGED_DRAWS);
+        TEST_ASSERT_TRUE(hopeless > JUDGED_DRAWS / 5 && saved > 0.9 * hopeless);
+        assert_at_most(0.2, (double)missed / JUDGED_DRAWS, "half the field",
                        programs[rows[k].program].name);
     }
 }

@@ -51,6 +51,8 @@ typedef struct {
     invcal_status status;
 } minute;
 
+static minute the; /* one for all tests: an AVR has 16 KB */
+
 static void turn(double r[3][3], const double angle[3])
 {
     const double whole = length3(angle);
@@ -224,33 +226,31 @@ static void intervals_hold_what_they_say(void)
 /* Calibrated, each is as long as 1 within its share of the residuals, and points where its cell is. */
 static void cells_are_positions_to_look_at(void)
 {
-    static minute m;
     double squares = 0;
     unsigned total = 0;
 
-    live(&usual, 8, 0.05, &m);
+    live(&usual, 8, 0.05, &the);
     for (unsigned k = 0; k < INVCAL_CELLS; k++) {
         invcal_real raw[3] = {0, 0, 0};
         invcal_real eta[3];
-        total += invcal_magnetometer_cell(&m.magnetometer, &m.calibration, k, raw);
-        invcal_apply(&m.calibration, raw, eta);
+        total += invcal_magnetometer_cell(&the.magnetometer, &the.calibration, k, raw);
+        invcal_apply(&the.calibration, raw, eta);
         const double direction[3] = {(double)eta[0], (double)eta[1], (double)eta[2]};
         squares += (length3(direction) - 1) * (length3(direction) - 1);
     }
-    TEST_ASSERT_DOUBLE_WITHIN(1e-5, (double)m.quality.rms, sqrt(squares / INVCAL_CELLS));
+    TEST_ASSERT_DOUBLE_WITHIN(1e-5, (double)the.quality.rms, sqrt(squares / INVCAL_CELLS));
     TEST_ASSERT_TRUE(total > 4000 && total <= 6000);
 }
 
 /* In uT, as nominal has it; and invcal_scale by it keeps the scale of nominal. */
 static void the_field_is_told_in_the_unit_of_nominal(void)
 {
-    static minute m;
 
-    live(&usual, 7, 0, &m);
-    TEST_ASSERT_DOUBLE_WITHIN(0.3, 48, (double)m.found.field);
-    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_scale(&m.calibration, m.found.field));
-    const double trace = (double)(m.calibration.matrix[0][0] + m.calibration.matrix[1][1] +
-                                  m.calibration.matrix[2][2]);
+    live(&usual, 7, 0, &the);
+    TEST_ASSERT_DOUBLE_WITHIN(0.3, 48, (double)the.found.field);
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_scale(&the.calibration, the.found.field));
+    const double trace = (double)(the.calibration.matrix[0][0] + the.calibration.matrix[1][1] +
+                                  the.calibration.matrix[2][2]);
     TEST_ASSERT_DOUBLE_WITHIN(1e-4, 0.1, trace / 3);
 }
 
@@ -260,31 +260,30 @@ static void a_real_one_is_found_as_by_fits_of_all_samples(void)
 {
     static const invcal_real zero[3] = {0, 0, 0};
     static const invcal_real counts[3] = {1, 1, 1};
-    static minute m;
     invcal_calibration nominal;
 
     invcal_nominal(zero, counts, &nominal);
-    invcal_magnetometer_init(&m.magnetometer, &nominal);
+    invcal_magnetometer_init(&the.magnetometer, &nominal);
     for (unsigned n = 0; n < sizeof reference_means / sizeof reference_means[0]; n++) {
         invcal_real raw[3];
         for (int i = 0; i < 3; i++) {
             raw[i] = (invcal_real)(reference_means[n][i] * 1e-6);
         }
-        TEST_ASSERT_TRUE(invcal_magnetometer_feed(&m.magnetometer, raw) != INVCAL_REFUSED);
+        TEST_ASSERT_TRUE(invcal_magnetometer_feed(&the.magnetometer, raw) != INVCAL_REFUSED);
     }
-    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_magnetometer_solve(&m.magnetometer, &m.calibration,
-                                                               &m.quality, &m.found));
-    TEST_ASSERT_EQUAL_INT(INVCAL_GOOD, m.quality.verdict);
-    TEST_ASSERT_EQUAL_INT(INVCAL_UNDISTURBED, m.found.disturbance);
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_magnetometer_solve(&the.magnetometer, &the.calibration,
+                                                               &the.quality, &the.found));
+    TEST_ASSERT_EQUAL_INT(INVCAL_GOOD, the.quality.verdict);
+    TEST_ASSERT_EQUAL_INT(INVCAL_UNDISTURBED, the.found.disturbance);
     for (int i = 0; i < 3; i++) {
-        const double sigma = (double)(m.quality.sigma[i] * m.found.field);
+        const double sigma = (double)(the.quality.sigma[i] * the.found.field);
         for (int k = 0; k < 3; k++) {
             TEST_ASSERT_DOUBLE_WITHIN(sigma, reference_offsets[k][i],
-                                      (double)m.calibration.offset[i]);
+                                      (double)the.calibration.offset[i]);
         }
         TEST_ASSERT_TRUE(sigma < 0.003);
     }
-    TEST_ASSERT_DOUBLE_WITHIN(0.008, reference_rms, (double)m.found.rms);
+    TEST_ASSERT_DOUBLE_WITHIN(0.008, reference_rms, (double)the.found.rms);
 }
 
 /* ---- what is not -------------------------------------------------------------------------------- */
@@ -531,31 +530,29 @@ static void a_step_is_named_or_dropped(void)
 static void what_goes_on_contradicting_is_a_step(void)
 {
     scene s = usual;
-    static minute m;
 
     s.disturbance = STEP;
     s.size = 3;
     s.at = 45;
-    live(&s, 3, 0.05, &m);
-    TEST_ASSERT_EQUAL_INT(INVCAL_OK, m.status);
-    TEST_ASSERT_EQUAL_INT(INVCAL_STEP, m.found.disturbance);
-    TEST_ASSERT_EQUAL_INT(INVCAL_ROUGH, m.quality.verdict);
-    TEST_ASSERT_TRUE(m.found.left_out > 1000);
+    live(&s, 3, 0.05, &the);
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, the.status);
+    TEST_ASSERT_EQUAL_INT(INVCAL_STEP, the.found.disturbance);
+    TEST_ASSERT_EQUAL_INT(INVCAL_ROUGH, the.quality.verdict);
+    TEST_ASSERT_TRUE(the.found.left_out > 1000);
 }
 
 /* So many left out are no passing magnet that does no harm. */
 static void what_contradicts_for_long_makes_it_rough(void)
 {
     scene s = usual;
-    static minute m;
 
     s.disturbance = STEP;
     s.size = 3;
     s.at = 51;
-    live(&s, 3, 0.05, &m);
-    TEST_ASSERT_EQUAL_INT(INVCAL_OK, m.status);
-    TEST_ASSERT_EQUAL_INT(INVCAL_PASSING, m.found.disturbance);
-    TEST_ASSERT_EQUAL_INT(INVCAL_ROUGH, m.quality.verdict);
+    live(&s, 3, 0.05, &the);
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, the.status);
+    TEST_ASSERT_EQUAL_INT(INVCAL_PASSING, the.found.disturbance);
+    TEST_ASSERT_EQUAL_INT(INVCAL_ROUGH, the.quality.verdict);
 }
 
 static void a_field_that_differs_from_place_to_place_is_named(void)
@@ -578,35 +575,33 @@ static void a_field_that_differs_from_place_to_place_is_named(void)
 static void noise_is_no_place(void)
 {
     const scene s = {60, 100, 0.05, 0, QUIET, 0, 0, 0};
-    static minute m;
 
-    live(&s, 5, 0.05, &m);
-    TEST_ASSERT_EQUAL_INT(INVCAL_OK, m.status);
-    TEST_ASSERT_EQUAL_INT(INVCAL_UNDISTURBED, m.found.disturbance);
-    TEST_ASSERT_DOUBLE_WITHIN(0.005, 0.05, (double)m.found.rms);
-    TEST_ASSERT_TRUE(m.found.alike < 3);
+    live(&s, 5, 0.05, &the);
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, the.status);
+    TEST_ASSERT_EQUAL_INT(INVCAL_UNDISTURBED, the.found.disturbance);
+    TEST_ASSERT_DOUBLE_WITHIN(0.005, 0.05, (double)the.found.rms);
+    TEST_ASSERT_TRUE(the.found.alike < 3);
 }
 
 /* ---- edges -------------------------------------------------------------------------------------- */
 
 static void guidance_covers_every_cell(void)
 {
-    static minute m;
     invcal_real along[3];
     unsigned taken = 0;
     scene s = usual;
 
     s.seconds = 20; /* so that the cells are where they belong */
-    live(&s, 11, 0, &m);
-    memset(&m.magnetometer.early, 0, sizeof m.magnetometer.early);
-    memset(&m.magnetometer.late, 0, sizeof m.magnetometer.late);
+    live(&s, 11, 0, &the);
+    memset(&the.magnetometer.early, 0, sizeof the.magnetometer.early);
+    memset(&the.magnetometer.late, 0, sizeof the.magnetometer.late);
     for (unsigned k = 0; k < INVCAL_CELLS; k++) {
         invcal_real raw[3];
-        invcal_magnetometer_next(&m.magnetometer, along);
+        invcal_magnetometer_next(&the.magnetometer, along);
         for (int i = 0; i < 3; i++) {
-            raw[i] = (invcal_real)(field_counts * ((double)along[i] + m.truth.x[i]));
+            raw[i] = (invcal_real)(field_counts * ((double)along[i] + the.truth.x[i]));
         }
-        taken += invcal_magnetometer_feed(&m.magnetometer, raw) == INVCAL_TAKEN;
+        taken += invcal_magnetometer_feed(&the.magnetometer, raw) == INVCAL_TAKEN;
     }
     TEST_ASSERT_EQUAL_UINT(INVCAL_CELLS, taken);
 }
@@ -659,29 +654,29 @@ static void too_small_an_axis_is_refused(void)
 static void a_session_of_days_stays_as_good(void)
 {
     const uint32_t most = 16777216;
-    static minute m;
     double error[INVCAL_PARAMETERS];
     const scene s = usual;
 
-    live(&s, 12, 0.05, &m);
-    m.magnetometer.samples = most - 10000; /* as if by then */
-    m.magnetometer.due = most - 4000;
-    m.magnetometer.left_out = most;
+    live(&s, 12, 0.05, &the);
+    the.magnetometer.samples = most - 10000; /* as if by then */
+    the.magnetometer.due = most - 4000;
+    the.magnetometer.left_out = most;
     for (int n = 0; n < 40000; n++) {
         const unsigned k = (unsigned)n % INVCAL_CELLS;
         invcal_real raw[3] = {0, 0, 0};
-        (void)invcal_magnetometer_cell(&m.magnetometer, &m.calibration, k, raw);
-        TEST_ASSERT_EQUAL_INT(INVCAL_NOTHING, invcal_magnetometer_feed(&m.magnetometer, raw));
-        TEST_ASSERT_TRUE(m.magnetometer.samples < most);
+        (void)invcal_magnetometer_cell(&the.magnetometer, &the.calibration, k, raw);
+        TEST_ASSERT_EQUAL_INT(INVCAL_NOTHING, invcal_magnetometer_feed(&the.magnetometer, raw));
+        TEST_ASSERT_TRUE(the.magnetometer.samples < most);
     }
     const invcal_real far[3] = {30000, 0, 0};
-    TEST_ASSERT_EQUAL_INT(INVCAL_REFUSED, invcal_magnetometer_feed(&m.magnetometer, far));
-    TEST_ASSERT_TRUE(m.magnetometer.left_out == most);
-    m.status = invcal_magnetometer_solve(&m.magnetometer, &m.calibration, &m.quality, &m.found);
-    TEST_ASSERT_EQUAL_INT(INVCAL_OK, m.status);
-    (void)errors(&m, error);
+    TEST_ASSERT_EQUAL_INT(INVCAL_REFUSED, invcal_magnetometer_feed(&the.magnetometer, far));
+    TEST_ASSERT_TRUE(the.magnetometer.left_out == most);
+    the.status =
+        invcal_magnetometer_solve(&the.magnetometer, &the.calibration, &the.quality, &the.found);
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, the.status);
+    (void)errors(&the, error);
     for (int i = 0; i < INVCAL_PARAMETERS; i++) {
-        TEST_ASSERT_DOUBLE_WITHIN(0.03, 0, error[i] * (double)m.quality.sigma[i]);
+        TEST_ASSERT_DOUBLE_WITHIN(0.03, 0, error[i] * (double)the.quality.sigma[i]);
     }
 }
 

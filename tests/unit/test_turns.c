@@ -591,7 +591,7 @@ static void after_the_turns_it_knows_what_it_had_planned(void)
         time += w.moves.segment[i].time / 2 / 400.0;
     }
     begin(&told);
-    t.seconds = (invcal_real)(time / INVCAL_TOUR);
+    t.seconds = (invcal_real)(time / (double)INVCAL_TOUR);
     for (unsigned i = 0; i < INVCAL_TOUR; i++) {
         invcal_turn turn;
         (void)invcal_tour(i, &turn);
