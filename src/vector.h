@@ -78,7 +78,7 @@ static INVCAL_INLINE invcal_real invcal_dot(const invcal_real *a, const invcal_r
 invcal_real invcal_dot(const invcal_real *a, const invcal_real *b, unsigned n);
 #endif
 
-/* a x b, which are not out. The same. */
+/* a x b; out must be neither of them. Inline as above. */
 #ifdef INVCAL_FAST
 static INVCAL_INLINE void invcal_cross(const invcal_real *a, const invcal_real *b,
                                        invcal_real *restrict out)

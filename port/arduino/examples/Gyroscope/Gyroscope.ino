@@ -17,7 +17,7 @@
 #include "storage.h"
 
 #if defined(RAMEND) && RAMEND < 0x1FFF
-#error "this sketch takes nearly 8 KB of RAM: a Mega, or a board that is no AVR"
+#error "this sketch takes nearly 8 KB of RAM: a Mega, or a board that is not an AVR"
 #endif
 
 const unsigned SHOWN = 50; /* one calibrated sample of this many is shown */
