@@ -417,6 +417,7 @@ invcal_status invcal_imu_begin(invcal_imu_work *w, const invcal_real *raw, unsig
 static invcal_status take_step(invcal_imu_work *w, invcal_real *size)
 {
     const invcal_real *p = &w->pass.sum[INVCAL_PACKED(w->n, 0)];
+    invcal_calibration before;
 
     for (unsigned i = 0; i < w->n; i++) {
         w->out->parameter[i] += p[i];
@@ -425,7 +426,7 @@ static invcal_status take_step(invcal_imu_work *w, invcal_real *size)
     if (w->n == IMU_GYRO) {
         return INVCAL_OK;
     }
-    const invcal_calibration before = w->out->accelerometer;
+    before = w->out->accelerometer;
     p += IMU_GYRO;
     for (unsigned i = 0; i < 3; i++) {
         for (unsigned j = 0; j < 3; j++) {
