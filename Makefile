@@ -288,7 +288,7 @@ fleet: $(BUILD)/invcal ## the manual's fleet, with GNU parallel and with Apache 
 	$(call need,java)
 	$(Q)sh tests/fleet/fleet.sh $(BUILD)
 
-derived: $(BUILD)/invcal $(BUILD)/invcal.1 ## layout, expected.h, man page, pictures, scripts: as they should be
+derived: $(BUILD)/invcal $(BUILD)/invcal.1 ## layout, expected.h, man page, pictures, scripts, English: as they should be
 	$(call need,clang-format-19)
 	$(call need,shellcheck)
 	$(call need,python3)
@@ -318,7 +318,7 @@ deps: ## install what all of these need beyond a C compiler (Debian, root)
 	apt-get install -y --no-install-recommends gcc git clang-19 libclang-rt-19-dev llvm-19 \
 	    clang-format-19 clang-tidy-19 cppcheck pmccabe frama-c-base python3 python3-jsonschema \
 	    arduino-builder arduino-core-avr arduino-ctags python3-kconfiglib python3-yaml libxml2-utils \
-	    python3-mpmath python3-gmpy2 shellcheck man-db groff mandoc doxygen bash \
+	    python3-mpmath python3-gmpy2 shellcheck codespell man-db groff mandoc doxygen bash \
 	    chromium fonts-dejavu-core poppler-utils g++ cmake pkg-config debootstrap \
 	    gcc-arm-none-eabi libnewlib-arm-none-eabi qemu-system-arm gcc-avr avr-libc simavr libsimavr-dev \
 	    gcc-riscv64-unknown-elf picolibc-riscv64-unknown-elf qemu-system-misc \

@@ -10,7 +10,7 @@
 /* Before anything else; start-up calls it. */
 void board_begin(void);
 
-/* One character to whoever watches: a debugger's console, a UART. */
+/* Prints one character: on a debugger's console, a UART. */
 void board_put(int c);
 
 /* Ends the run: 0 for success. Does not return. */

@@ -8,7 +8,7 @@
 
 /* ---- sums of 128 bits ------------------------------------------------------------------------ */
 
-/* Adds size^2, at most 2^126. Beyond 128 bits all bits are set, and stay so. */
+/* Adds size^2, at most 2^126. On overflow all bits are set, and stay set. */
 static void add_square(invcal_allan_tau *sum, uint64_t size)
 {
     const uint64_t a = size >> 32;
@@ -36,13 +36,13 @@ static int is_full(const invcal_allan_tau *sum)
     return (sum->low & sum->high) == UINT64_MAX;
 }
 
-/* In halves: of 64 bits at once libgcc makes a double, where there is none. */
+/* In halves: libgcc converts 64 bits by way of double, even where there is none. */
 static invcal_real to_real(uint64_t x)
 {
     return TWO_32 * (invcal_real)(uint32_t)(x >> 32) + (invcal_real)(uint32_t)x;
 }
 
-/* sqrt(sum / (2 count)), from the sum over 2^64, as 2^128 is no float. */
+/* sqrt(sum / (2 count)), from the sum over 2^64, since 2^128 exceeds float. */
 static invcal_real root_mean(const invcal_allan_tau *sum)
 {
     const invcal_real total = to_real(sum->high) + to_real(sum->low) / TWO_32 / TWO_32;
@@ -147,7 +147,7 @@ void invcal_allan_gap(invcal_allan *allan)
     }
 }
 
-/* ---- what is known of one ------------------------------------------------------------------------ */
+/* ---- the result for one -------------------------------------------------------------------------- */
 
 static invcal_real freedom(invcal_real lag, invcal_real count)
 {

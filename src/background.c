@@ -4,9 +4,9 @@
 #include "guidance.h"
 #include "vector.h"
 
-/* h K h' of a position that is worth its place: l = 9 of 20 beside the others, l / (1 + l) with itself. */
+/* Min h K h' of a position to keep: l = 9 of 20 without it in the sums, l / (1 + l) with it. */
 #define TELLING (INVCAL_REAL(9.0) / 29)
-enum { DAYS = 88 }; /* a position lasts */
+enum { DAYS = 88 }; /* after which a position is dropped */
 
 invcal_status invcal_background_init(invcal_background *background,
                                      const invcal_calibration *nominal, unsigned rate)
@@ -19,20 +19,20 @@ invcal_status invcal_background_init(invcal_background *background,
     return status;
 }
 
-/* Those behind it move up. */
+/* Later ones move up. */
 static void drop_position(invcal_background *b, unsigned i)
 {
     //@ split i;
     b->session.count--;
-    b->session.good = 0; /* to be judged anew */
+    b->session.good = 0; /* to be judged again */
     for (; i < b->session.count; i++) {
         memcpy(b->session.mean[i], b->session.mean[i + 1], sizeof b->session.mean[0]);
         b->age[i] = b->age[i + 1];
     }
 }
 
-/* Looks at the position taken last, and which one the others can do without: that without which det H'H
- * loses least, an old one rather than a new one. Returns what became of the new one. */
+/* Refuses the last position if it adds little. If the table is full, drops the least informative one, by
+ * its share of det H'H, an old one before a new one. Returns the event for the new one. */
 INVCAL_APART static invcal_event sift(invcal_background *b)
 {
     invcal_session *session = &b->session;
@@ -46,7 +46,7 @@ INVCAL_APART static invcal_event sift(invcal_background *b)
     (void)invcal_ridged_inverse(&sums);
     for (unsigned i = 0; i < b->session.count; i++) {
         (void)invcal_observe(&session->nominal, session->mean[i], &row); /* it was accepted */
-        leverage = invcal_leverage(sums.sum, row.h); /* in the end that of the newest */
+        leverage = invcal_leverage(sums.sum, row.h); /* finally that of the newest */
         const invcal_real worth = (invcal_real)(DAYS - b->age[i]) * leverage;
         if (worth < least) {
             least = worth;

@@ -5,7 +5,7 @@
 
 #include "vector.h"
 
-#define EXPONENT UINT32_C(0x7F800000) /* of binary32: all set for what is not finite */
+#define EXPONENT UINT32_C(0x7F800000) /* of binary32: all set if not finite */
 #define NOT_A_NUMBER UINT32_C(0x7FC00000)
 
 enum { EMPTY_FRAME = 8 }; /* a frame with nothing in it */

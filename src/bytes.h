@@ -11,7 +11,7 @@
 #error "float is not IEEE-754 binary32 here"
 #endif
 
-/* Four bytes are one load where alignment does not matter, and gcc does not expect that. */
+/* Four bytes are one load if alignment does not matter, which gcc does not find by itself. */
 #ifdef __GNUC__
 #define INVCAL_ALWAYS __attribute__((always_inline)) inline
 #else
@@ -28,7 +28,7 @@ static INVCAL_ALWAYS uint32_t invcal_get_u32(const uint8_t *bytes)
     return invcal_get_u16(bytes) | (uint32_t)invcal_get_u16(bytes + 2) << 16;
 }
 
-/* Puts four bytes. Returns what is behind them, as all that put. */
+/* Puts four bytes. Returns the end, as do all that put. */
 uint8_t *invcal_put_u32(uint8_t *bytes, uint32_t value);
 
 /* Puts two numbers of 16 bits. */
@@ -37,19 +37,19 @@ static inline uint8_t *invcal_put_two(uint8_t *bytes, unsigned first, unsigned s
     return invcal_put_u32(bytes, first | (uint32_t)second << 16);
 }
 
-/* Puts the reals that a structure begins with, as binary32; one that has no float becomes a NaN. */
+/* Puts the reals at the beginning of a structure, as binary32; one beyond float becomes a NaN. */
 uint8_t *invcal_put_reals(uint8_t *bytes, const void *reals, unsigned count);
 
 /* Gets them. Returns 1 if all are finite. */
 int invcal_get_reals(const uint8_t *bytes, void *reals, unsigned count);
 
 /* CRC-32 (IEEE 802.3, as zlib): of "123456789" 0xCBF43926. Starts at 0, and goes on where an
- * earlier call ended. Bit by bit: a table would be larger than all that use it. */
+ * earlier call ended. Bit by bit: a table would be larger than all its users. */
 uint32_t invcal_crc32(uint32_t crc, const uint8_t *bytes, unsigned count);
-#define INVCAL_CRC_RESIDUE UINT32_C(0x2144DF1C) /* of anything with its own CRC-32 behind it */
+#define INVCAL_CRC_RESIDUE UINT32_C(0x2144DF1C) /* of anything followed by its own CRC-32 */
 
-/* Records have a frame: kind, version, length (16 bits), whatever follows, and at the length's end the
- * CRC of all of it. */
+/* Records have a frame: kind, version, length (16 bits), the content, and at the end of the length the
+ * CRC of all before it. */
 enum { INVCAL_CRC_SIZE = 4 };
 enum {
     INVCAL_RECORD_KIND = 0x02CA, /* version and kind */
@@ -60,8 +60,7 @@ enum {
 };
 void invcal_seal(uint8_t *bytes, unsigned kind, unsigned length);
 
-/* Returns INVCAL_OK; INVCAL_DAMAGED; INVCAL_OTHER_VERSION for what is sound, but of another kind or
- * version. */
+/* Returns INVCAL_OK; INVCAL_DAMAGED; INVCAL_OTHER_VERSION for sound bytes of another kind or version. */
 invcal_status invcal_unseal(const uint8_t *bytes, uint32_t size, unsigned kind);
 
 /* The matrix of a record of version 1, which is in the unit of its field. */

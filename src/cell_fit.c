@@ -8,10 +8,10 @@
 #include "vector.h"
 
 enum { SAMPLES_TELL = 24 };            /* degrees of freedom that the power of samples counts as */
-#define CELLS_SCATTER INVCAL_REAL(3.0) /* of a variance: more than that, not by chance */
+#define CELLS_SCATTER INVCAL_REAL(3.0) /* times a variance: more is not chance */
 #define STEP_TOLD                                                                                  \
     INVCAL_REAL(28.0) /* chi squared of 4, with a power known to a third; 18.5 if exact */
-#define STEP_F INVCAL_REAL(160.0) /* 4 times F of 4 and n - 4, of cells that err alike */
+#define STEP_F INVCAL_REAL(160.0) /* 4 times F of 4 and n - 4, for cells with a common error */
 enum { STEP_UNKNOWNS = 4, STEP_CELLS = 10 };
 
 /* ---- what is covered ---------------------------------------------------------------------------- */
@@ -60,7 +60,7 @@ invcal_real invcal_cells_gap(const invcal_cell_tables *tables, unsigned *worst)
 
 /* ---- the solution ------------------------------------------------------------------------------- */
 
-/* The mean row of cell k, and J behind it. Returns 0, h lost, if there are no samples. */
+/* The mean row of cell k, then J. Returns the number of samples; if 0, h is lost. */
 static unsigned mean_row(const invcal_cell_tables *tables, unsigned k,
                          invcal_real h[INVCAL_PARAMETERS + 1])
 {
@@ -74,7 +74,7 @@ static unsigned mean_row(const invcal_cell_tables *tables, unsigned k,
     return count;
 }
 
-/* A system like invcal_sums, but of mean rows nothing can be read twice. */
+/* A system like invcal_sums, but with mean rows no element repeats another. */
 invcal_status invcal_cells_solve(invcal_cell_fit *fit)
 {
     invcal_real a[INVCAL_PACKED_SIZE(INVCAL_PARAMETERS + 1)];
@@ -101,8 +101,8 @@ invcal_status invcal_cells_solve(invcal_cell_fit *fit)
     return invcal_ellipsoid(fit->p, a, &fit->triad);
 }
 
-/* Of a mean row: eta = A (v - delta) of the mean, and the mean of |eta|^2, which is more: with C what the
- * products differ by from those of the mean, |eta|^2 + tr A C A'. */
+/* For a mean row: eta = A (v - delta) of the mean, and the mean of |eta|^2, which is larger: |eta|^2 + tr A C A',
+ * with C the products less those of the mean. */
 static invcal_real mean_square(const invcal_calibration *triad,
                                const invcal_real h[INVCAL_PARAMETERS], invcal_real eta[3])
 {
@@ -138,7 +138,7 @@ unsigned invcal_cells_point(const invcal_cell_tables *tables, const invcal_calib
     return count;
 }
 
-/* All that there are. Returns how many. */
+/* The positions of all cells that have samples. Returns their number. */
 static unsigned make_points(const invcal_cell_fit *fit, invcal_real point[INVCAL_CELLS][3])
 {
     unsigned count = 0;
@@ -172,7 +172,7 @@ invcal_real invcal_cells_field(const invcal_cell_fit *fit)
 
 /* ---- judgement ---------------------------------------------------------------------------------- */
 
-/* What samples tell counts with what the cells scatter by; these alone where they show clearly more. */
+/* Combines the scatter of the samples with that of the cells; uses the latter alone if it is clearly larger. */
 void invcal_cells_weigh(invcal_cell_fit *fit, invcal_real power)
 {
     invcal_quality *const q = &fit->quality;
@@ -200,8 +200,8 @@ void invcal_cells_weigh(invcal_cell_fit *fit, invcal_real power)
     invcal_judge_parameters(k, (const invcal_real(*)[3])fit->triad.matrix, q);
 }
 
-/* By how much late samples of cell k are longer, and where it is: (eta, 1, difference). Returns the weight,
- * as many samples as would tell as much against an exact length; 0: one of both has none. */
+/* The row of cell k: (eta, 1, excess length of late samples). Returns its weight, the number of samples that
+ * would give the same variance against an exact length; 0 if early or late has none. */
 static invcal_real compare_late(const invcal_cell_fit *fit, unsigned k, invcal_real row[5])
 {
     const invcal_cell_tables early = {fit->tables.early, fit->tables.early};
@@ -221,8 +221,8 @@ static invcal_real compare_late(const invcal_cell_fit *fit, unsigned k, invcal_r
     return n * m / (n + m);
 }
 
-/* Two tests: against the power, and, as that of samples after a step tells of the step, against what the
- * cells differ by besides. */
+/* Two tests: against the power, and, since samples after a step raise the power, against the other differences
+ * of the cells. */
 int invcal_cells_step(const invcal_cell_fit *fit, invcal_real power)
 {
     invcal_real a[INVCAL_PACKED_SIZE(STEP_UNKNOWNS + 1)];

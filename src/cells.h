@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: MIT
  *
- * Internal: the cells of magnetometer.h, and what they come to.
+ * Internal: the cells of magnetometer.h, and their solution.
  *
- * A row is (x y z x^2 y^2 z^2 xy xz yz), that of a sample or the mean of many. The equation of an ellipsoid
- * is linear in it, so it holds for the mean as well, however wide the cell: no mean of vectors, which are
- * too short, and no error when the readings are expressed in other units around another centre.
+ * A row is (x y z x^2 y^2 z^2 xy xz yz), of a sample or the mean of many. The equation of an ellipsoid is
+ * linear in it, so it holds for the mean as well, however wide the cell. A mean of vectors would be too short.
+ * Nor does a change of unit or centre cause an error.
  */
 #ifndef INVCAL_CELLS_H
 #define INVCAL_CELLS_H
@@ -12,14 +12,14 @@
 #include "invcal/magnetometer.h"
 #include "vector.h"
 
-/* The cell into which (x y z) of a row points, its products being those of these. */
+/* The cell into which (x y z) of a row points; its products must be those of (x y z). */
 unsigned invcal_cell_of(const invcal_real h[INVCAL_PARAMETERS]);
 
 /* Cells have equal areas if faces end where the tangent is t, 4 asin(t^2 / (1 + t^2)) = 4 pi / 18. */
 #define INVCAL_FACE_ENDS INVCAL_REAL(0.2101) /* t^2 */
 enum { INVCAL_FACES = 6 };
 
-/* Faces: axis and sign. Edges: the axis that they are square to, and the signs of the next two. */
+/* Faces: axis and sign. Edges: the axis perpendicular to them, and the signs of the next two. */
 static inline unsigned invcal_cell_of_inline(const invcal_real h[INVCAL_PARAMETERS])
 {
     static const uint8_t in_turn[] = {0, 1, 2, 0, 1}; /* axes */
@@ -46,17 +46,17 @@ static inline unsigned invcal_cell_of_inline(const invcal_real h[INVCAL_PARAMETE
     return first[least] + 2u * (h[a] < 0) + (h[b] < 0);
 }
 
-/* It, compiled into who needs it often where speed is asked for. */
+/* The same, inlined where it is called often, if speed matters. */
 #ifdef INVCAL_FAST
 #define invcal_cell_of_often invcal_cell_of_inline
 #else
 #define invcal_cell_of_often invcal_cell_of
 #endif
 
-/* The middle of a cell, a unit vector. */
+/* The centre of a cell, a unit vector. */
 void invcal_cell_direction(unsigned k, invcal_real d[3]);
 
-/* A cell that is full is halved: the mean stays, and what comes counts more. 16 bits hold two that are. */
+/* A full cell is halved: the mean stays, and later samples count more. 16 bits hold the sum of two full cells. */
 enum { INVCAL_FULL_CELL = 16384 };
 void invcal_cells_halve(invcal_cells *cells, unsigned k);
 
@@ -76,24 +76,24 @@ static inline void invcal_cells_add(invcal_cells *cells, unsigned k,
     }
 }
 
-/* All of `from` goes into `into`. */
+/* Moves all of `from` into `into`. */
 void invcal_cells_merge(invcal_cells *into, invcal_cells *from);
 
-/* Readings v become (v - shift) / scale; what then points into another cell goes there. */
+/* Readings v become (v - shift) / scale; a mean that then points into another cell moves there. */
 void invcal_cells_move(invcal_cells *cells, const invcal_real shift[3], invcal_real scale);
 
-/* ---- what they come to -------------------------------------------------------------------------- */
+/* ---- their solution ----------------------------------------------------------------------------- */
 
-/* Two tables, as if they were one; the same twice is that one. */
+/* Two tables, as if they were one; the same table twice counts as one. */
 typedef struct {
     const invcal_cells *early;
     const invcal_cells *late;
 } invcal_cell_tables;
 
-/* Samples in cell k, or about as many. */
+/* The number of samples in cell k, or about that. */
 unsigned invcal_cells_count(const invcal_cell_tables *tables, unsigned k);
 
-/* The cosine of the gap, 1 if there is none, and the cell behind it, or the one with fewest samples. */
+/* The cosine of the gap, 1 if there is none, and its cell, or the one with the fewest samples. */
 invcal_real invcal_cells_gap(const invcal_cell_tables *tables, unsigned *worst);
 
 /* The solution of cells, in the coordinates of their rows. */
@@ -104,30 +104,30 @@ typedef struct {
     invcal_quality quality; /* cells are its positions */
 } invcal_cell_fit;
 
-/* Of the tables: p only. Returns as invcal_calibrate. */
+/* Solves the tables: p and triad. Returns as invcal_calibrate. */
 invcal_status invcal_cells_solve(invcal_cell_fit *fit);
 
-/* The same, and all the rest. */
+/* The same, with the quality. */
 invcal_status invcal_cells_calibrate(invcal_cell_fit *fit);
 
-/* Cell k as a position: along the mean, and as long as its samples by root mean square.
+/* Cell k as a position: along the mean, with the root-mean-square length of its samples.
  *
- * triad  what calibrates the coordinates of the rows; of any frame.
+ * triad  calibration of the coordinates of the rows; of any frame.
  *
- * Returns how many samples that are; 0: none, point is as it was. */
+ * Returns the number of samples; if 0, point is unchanged. */
 unsigned invcal_cells_point(const invcal_cell_tables *tables, const invcal_calibration *triad,
                             unsigned k, invcal_real point[3]);
 
-/* Noise and sigma again, now with what samples tell.
+/* Computes noise and sigma again, now with the scatter of the samples.
  *
- * power  the variance of a cell's mean times its samples: what these scatter by, times how many of them err
- *        as one. 0: not known, sigma stays what the cells scatter by. */
+ * power  the variance of a cell's mean times its samples: their variance times how many of them have a common
+ *        error. 0: unknown, sigma remains that of the scatter of the cells. */
 void invcal_cells_weigh(invcal_cell_fit *fit, invcal_real power);
 
-/* Do late samples differ from early ones of the same cells as after a change of offset or length? In 999 of
- * 1000 cases they do not by chance.
+/* Returns whether late samples differ from early ones of the same cells as after a change of offset or length.
+ * In 999 of 1000 cases without a change they do not.
  *
- * power  the same, from before the late ones. 0: not known, then they do not. */
+ * power  the same, from before the late ones. 0: unknown, then it returns 0. */
 int invcal_cells_step(const invcal_cell_fit *fit, invcal_real power);
 
 /* 1 over the mean of the diagonal of its matrix: the length of the field. */

@@ -23,7 +23,7 @@ void invcal_circle(invcal_real degrees, invcal_real *cosine, invcal_real *sine)
     }
     const invcal_real c = part[0];
     const invcal_real s = part[1] * x;
-    const invcal_real wave[4] = {s, c, -s, -c}; /* the sine, a quarter of a turn on and on */
+    const invcal_real wave[4] = {s, c, -s, -c}; /* the sine, in steps of a quarter turn */
     *sine = wave[quarters % 4];
     *cosine = wave[(quarters + 1) % 4];
 }

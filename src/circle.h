@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * Internal: cosine and sine, without libc's, which bring 4 KB for angles beyond any need.
+ * Internal: cosine and sine. Those of libc take 4 KB, for angles never needed.
  */
 #ifndef INVCAL_CIRCLE_H
 #define INVCAL_CIRCLE_H

@@ -8,9 +8,9 @@
 #include "vector.h"
 
 #define SIGNIFICANT INVCAL_REAL(0.002)
-#define UNSTATED INVCAL_REAL(0.004) /* the same, where no noise is stated */
+#define UNSTATED INVCAL_REAL(0.004) /* the same, if no noise is stated */
 #define NAMEABLE INVCAL_REAL(0.02)  /* of the residuals alone */
-#define FAVOUR INVCAL_REAL(7.4)     /* times as likely: an outlier is the simpler cause */
+#define FAVOUR INVCAL_REAL(7.4)     /* min ratio of likelihoods for an outlier */
 #define AMBIGUOUS INVCAL_REAL(0.3)
 #define SHOWN INVCAL_REAL(0.44444) /* sigma grows to 1.5 of itself at most */
 
@@ -21,11 +21,11 @@ static invcal_real chance_of(const invcal_fit *fit, const invcal_test *t, unsign
 
 /* Of all kinds of systematic errors. */
 typedef struct {
-    invcal_test best;   /* of those that can be named, the most significant: what it is, */
-    unsigned kind;      /* or INVCAL_NO_SYSTEMATIC; */
-    unsigned verdict;   /* that it deserves, or that of what is there and cannot be named; */
-    invcal_real chance; /* and how often it is none */
-    invcal_real least;  /* squares that the best of all with degrees of freedom to spare leaves */
+    invcal_test best;   /* the most significant one that can be named */
+    unsigned kind;      /* its kind, or INVCAL_NO_SYSTEMATIC */
+    unsigned verdict;   /* its verdict, or that of an error that cannot be named */
+    invcal_real chance; /* its probability by chance alone */
+    invcal_real least;  /* squares left by the best of all with spare degrees of freedom */
     unsigned unchecked; /* as in invcal_quality */
 } diagnosis;
 
@@ -42,7 +42,7 @@ static int test(const invcal_fit *fit, diagnosis *d, unsigned kind, unsigned ste
     return 1;
 }
 
-/* Can its own residuals name it, and better than what was named? */
+/* Do its own residuals identify it, and better than the one named so far? */
 static int is_clearer(const diagnosis *d, const invcal_test *t, invcal_real own)
 {
     return own <= NAMEABLE && t->squares < d->best.squares;
@@ -85,7 +85,7 @@ static void try_kinds(const invcal_fit *fit, diagnosis *d)
     }
 }
 
-/* Two or more may be what a systematic error, or a step, looks like. */
+/* A systematic error, or a step, may look like two or more outliers. */
 static int is_ambiguous(const invcal_fit *fit, diagnosis *d, const invcal_group *g)
 {
     const unsigned n = fit->positions.count;
@@ -97,7 +97,7 @@ static int is_ambiguous(const invcal_fit *fit, diagnosis *d, const invcal_group 
     return invcal_chance(fit, g->squares, d->least, 1, g->size, INVCAL_STATED) > AMBIGUOUS;
 }
 
-/* Where both are so unlikely that float cannot say how much, no position is blamed. */
+/* If both probabilities underflow in float, no position is blamed. */
 static int is_likelier(const invcal_group *g, const diagnosis *d)
 {
     return g->chance < d->chance * FAVOUR;
@@ -114,7 +114,7 @@ static void name(const diagnosis *d, invcal_quality *q)
     }
 }
 
-/* Returns what is to be left out. */
+/* Returns the positions to leave out. */
 static INVCAL_APART invcal_mask choose(const invcal_fit *fit, const invcal_group *g,
                                        invcal_quality *q)
 {

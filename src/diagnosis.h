@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * Internal: which positions contradict the others, and which error do all share?
+ * Internal: which positions contradict the others, and is there a systematic error?
  */
 #ifndef INVCAL_DIAGNOSIS_H
 #define INVCAL_DIAGNOSIS_H
@@ -9,13 +9,13 @@
 
 /* One round.
  *
- * positions  up to INVCAL_MAX_POSITIONS, in the order in which they were visited. What is left out already
- *            is looked at no more.
- * c          makes them nearly calibrated, in place of nominal.
- * q          null; or of c, and not yet diagnosed: suspected, systematic, axis, size and unchecked are set,
- *            and the verdict is raised.
+ * positions  up to INVCAL_MAX_POSITIONS, in the order in which they were visited. Ignores those already
+ *            left out.
+ * c          replaces nominal: calibrates them to near-identity.
+ * q          null; or of c, and not yet diagnosed: sets suspected, systematic, axis, size and unchecked,
+ *            and raises the verdict.
  *
- * Returns what is to be left out, too; 0: nothing. */
+ * Returns the further positions to leave out; 0: none. */
 invcal_mask invcal_diagnose(const invcal_positions *positions, const invcal_calibration *c,
                             invcal_quality *q);
 

@@ -11,7 +11,7 @@
 #include "vector.h"
 
 enum { DIP_UNKNOWNS = 4, DIP_STEPS = 8 };
-#define DIP_FLOOR INVCAL_REAL(1e-3) /* of a pivot: an angle that so little tells of is open */
+#define DIP_FLOOR INVCAL_REAL(1e-3) /* of a pivot: an angle with less is undetermined */
 
 void invcal_dip_init(invcal_dip *dip)
 {
@@ -59,7 +59,7 @@ static invcal_real between(const invcal_dip *dip, const invcal_real u[INVCAL_DIP
     return sum / (invcal_real)dip->count;
 }
 
-/* What a R m - s is made of, and what it changes by: R turned by an angle about each axis of a, and s. */
+/* The row of a R m - s, and its derivatives: by rotation of R about each axis of a, and by s. */
 static void make_rows(const invcal_real r[3][3], invcal_real s,
                       invcal_real row[DIP_UNKNOWNS + 1][INVCAL_DIP_ROW])
 {
@@ -77,7 +77,7 @@ static void make_rows(const invcal_real r[3][3], invcal_real s,
     row[DIP_UNKNOWNS][INVCAL_DIP_ROW - 1] = -s;
 }
 
-/* The normal equations of a step of Gauss and Newton, factored, and the step behind them. */
+/* The normal equations of a Gauss-Newton step, factored, followed by the step. */
 static invcal_status make_step(const invcal_dip *dip, const invcal_real r[3][3], invcal_real s,
                                invcal_real a[INVCAL_PACKED_SIZE(DIP_UNKNOWNS + 1)])
 {

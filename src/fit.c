@@ -3,8 +3,8 @@
 
 #include "vector.h"
 
-#define ROUNDING (32 * INVCAL_EPSILON) /* root of the squares, as readings and sums make them */
-#define ROUNDED (256 * INVCAL_EPSILON) /* of the squares: to less they cannot be taken down */
+#define ROUNDING (32 * INVCAL_EPSILON) /* root of the squares, from rounding of readings and sums */
+#define ROUNDED (256 * INVCAL_EPSILON) /* of the squares: no fit reduces them further */
 #define HALF_PI INVCAL_REAL(1.57079632679489662)
 
 void invcal_fit_row(const invcal_fit *fit, unsigned k, invcal_column x)
@@ -12,7 +12,7 @@ void invcal_fit_row(const invcal_fit *fit, unsigned k, invcal_column x)
     invcal_fit_row_inline(fit, k, x);
 }
 
-/* Squares of the residuals themselves, for J'J - p'H'Hp cancels where nominal is far off. */
+/* Squares of the residuals themselves, since J'J - p'H'Hp cancels if nominal is far off. */
 invcal_status invcal_fit_solve(invcal_fit *fit)
 {
     invcal_real condition;

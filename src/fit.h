@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT
  *
- * Internal: the fit of positions that are nearly calibrated, what more unknowns would make of it, and how
- * often chance alone would do as much.
+ * Internal: the fit of near-identity positions, its improvement by more unknowns, and the probability of that
+ * by chance alone.
  */
 #ifndef INVCAL_FIT_H
 #define INVCAL_FIT_H
@@ -17,7 +17,7 @@ typedef struct {
     invcal_positions positions;
     invcal_real
         squares;      /* of the residuals; with rounding errors, so that exact readings have some */
-    invcal_sums sums; /* their number; L^-1 of their system, and p behind it */
+    invcal_sums sums; /* their number; L^-1 of their system, then p */
 } invcal_fit;
 
 /* Returns as invcal_positions_sum, then as invcal_determine. */
@@ -26,9 +26,9 @@ invcal_status invcal_fit_solve(invcal_fit *fit);
 /* ---- more unknowns ------------------------------------------------------------------------------ */
 
 enum {
-    INVCAL_MORE = 3,                              /* unknowns behind the nine at most */
-    INVCAL_C = INVCAL_PARAMETERS,                 /* and their elements in a row; */
-    INVCAL_REST = INVCAL_PARAMETERS + INVCAL_MORE /* behind them the residual */
+    INVCAL_MORE = 3,                              /* max unknowns after the nine */
+    INVCAL_C = INVCAL_PARAMETERS,                 /* index of their elements in a row */
+    INVCAL_REST = INVCAL_PARAMETERS + INVCAL_MORE /* index of the residual, after them */
 };
 
 /* One of them, number d, by its column c of H: H'c, then c'c of those before it and its own, then c'r. */
@@ -47,11 +47,11 @@ static INVCAL_IN_HEADER void invcal_fit_row_inline(const invcal_fit *fit, unsign
     x[INVCAL_REST] = (invcal_square_of(x) - 1) / 2 + invcal_dot(p, x, INVCAL_PARAMETERS);
 }
 
-/* The Cholesky factor of the normal equations goes on below L: column d becomes its row, with the
- * reciprocal of the diagonal; 0 if all but 0.1 % of its square is made of the others. The square of what c'r
- * becomes is what the unknown takes from the squares.
+/* The Cholesky factor of the normal equations continues below L: column d becomes its row, with the
+ * reciprocal of the diagonal; 0 if the others explain all but 0.1 % of its square. The square of the new
+ * c'r is the reduction of the squares by the unknown.
  *
- * Returns what the nine leave of c'c. */
+ * Returns the part of c'c that the nine leave. */
 invcal_real invcal_fit_append(const invcal_fit *fit, invcal_column columns[INVCAL_MORE],
                               unsigned d);
 
@@ -77,7 +77,7 @@ static INVCAL_IN_HEADER invcal_real invcal_fit_append_inline(const invcal_fit *f
     return beside;
 }
 
-/* These for those who need them often: compiled into them where speed is asked for. */
+/* These are for frequent callers: inline if optimised for speed. */
 #ifdef INVCAL_FAST
 #define invcal_fit_row_often invcal_fit_row_inline
 #define invcal_fit_append_often invcal_fit_append_inline
@@ -88,24 +88,24 @@ static INVCAL_IN_HEADER invcal_real invcal_fit_append_inline(const invcal_fit *f
 
 /* ---- chance ------------------------------------------------------------------------------------- */
 
-/* How often chance alone makes one sum of squares so small beside another: m unknowns more, one to three,
- * take it down from `before` to z of itself, and leave dof residuals. The tail of Fisher's F,
+/* The probability that chance alone reduces a sum of squares that much: m more unknowns, one to three,
+ * reduce it from `before` to z of itself, and leave dof residuals. The tail of Fisher's F,
  * I_z(dof/2, m/2), by its leading terms: with t = dof (1 - z) / 2
  *
  *     z^(dof/2) / sqrt(pi t) (1, sqrt(pi t), 1 + 2 t),
  *
  * which are too large, by 1/(2 t) of the first or, for one residual, by a quarter: on the safe side.
  *
- * after   the squares that all of `unknowns` leave. No less counts than what rounding may leave of none.
- * stated  how many residuals the noise stated counts as, if one is stated.
+ * after   the squares that all of `unknowns` leave; at least what rounding leaves of 0.
+ * stated  how many residuals a stated noise counts as.
  *
- * Returns 1 at most; 0 for what float cannot hold. */
+ * Returns at most 1; 0 on underflow. */
 invcal_real invcal_chance(const invcal_fit *fit, invcal_real after, invcal_real before, unsigned m,
                           unsigned unknowns, unsigned stated);
 
-enum { INVCAL_SPARE = 2 }; /* degrees of freedom that are left, for a cause to be named */
+enum { INVCAL_SPARE = 2 }; /* min degrees of freedom left, to name a cause */
 
-/* Degrees of freedom that so many unknowns behind the nine leave. */
+/* Degrees of freedom left by that many unknowns after the nine. */
 static inline unsigned invcal_fit_spare(const invcal_fit *fit, unsigned unknowns)
 {
     const unsigned taken = INVCAL_PARAMETERS + unknowns;

@@ -7,8 +7,8 @@
 #include "solve.h"
 #include "vector.h"
 
-/* Of the squared product of the two larger singular values of the sums, whose three add up to 3 if all
- * directions agree. At two faces that are 26 degrees apart it is this, and far from it at 90: 5. */
+/* Min squared product of the two larger singular values of the sums, whose three add up to 3 if all
+ * directions agree. It is reached by two faces 26 degrees apart; two at 90 degrees give 5. */
 #define LEAST_SPREAD INVCAL_REAL(0.18)
 #define LEAST_LEVEL INVCAL_REAL(0.25) /* of 1 + cos */
 
@@ -44,7 +44,7 @@ invcal_status invcal_frame_add(invcal_frame *frame, const invcal_calibration *ca
     return INVCAL_OK;
 }
 
-/* Of the angles: (tr S I - S)^-1, S = sum c a' R': the matrix that sum (I - c c') is. */
+/* Of the angles: (tr S I - S)^-1, S = sum c a' R': tr S I - S is sum (I - c c'). */
 static void judge_frame(const invcal_frame *frame, const invcal_real r[3][3],
                         invcal_frame_quality *quality)
 {
@@ -71,7 +71,7 @@ static void judge_frame(const invcal_frame *frame, const invcal_real r[3][3],
 }
 
 /* With singular values s of the sums B, |C| of its cofactors C is s1 s2, and B + C has the same directions:
- * two faces, which leave s3 = 0, determine R all the same as the orthonormal factor of B + C. */
+ * so two faces, with s3 = 0, still determine R as the orthonormal factor of B + C. */
 invcal_status invcal_frame_solve(const invcal_frame *frame, invcal_real rotation[3][3],
                                  invcal_frame_quality *quality)
 {

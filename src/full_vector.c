@@ -40,7 +40,7 @@ invcal_status invcal_full_vector_add(invcal_full_vector *full, const invcal_cali
     return INVCAL_OK;
 }
 
-/* M and delta, an axis at a time: the row behind the system is the one that is solved. */
+/* M and delta, one axis at a time, as the row after the system. */
 static void solve_axes(invcal_real *a, invcal_real m[3][3], invcal_real delta[3])
 {
     invcal_real *p = &a[INVCAL_PACKED(OF_AXIS, 0)];
@@ -57,7 +57,7 @@ static void solve_axes(invcal_real *a, invcal_real m[3][3], invcal_real delta[3]
     }
 }
 
-/* I + S = p, and its mean with p' where rounding makes them differ. */
+/* I + S = p; the mean with p' removes rounding. */
 static void parameters_of(const invcal_real p[3][3], const invcal_real delta[3],
                           invcal_real x[INVCAL_PARAMETERS])
 {
@@ -70,7 +70,7 @@ static void parameters_of(const invcal_real p[3][3], const invcal_real delta[3],
     x[INVCAL_GAMMA_ZY] = p[2][1] + p[1][2];
 }
 
-/* M = (I + S) R; the calibrated R'A u is M^-1 u. What is lost in `full` is used to work in. */
+/* M = (I + S) R; the calibrated R'A u is M^-1 u. `full` is overwritten as work space. */
 invcal_status invcal_full_vector_solve(invcal_full_vector *full, const invcal_calibration *nominal,
                                        invcal_calibration *out, invcal_real x[INVCAL_PARAMETERS],
                                        invcal_real mounting[3][3])

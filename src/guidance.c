@@ -8,10 +8,10 @@
 #include "vector.h"
 
 #define RIDGE INVCAL_REAL(1e-5)       /* over the trace and 10: between weak and good */
-#define ACROSS INVCAL_REAL(0.0078125) /* to turn right over costs 1/64 of what it tells */
-#define THE_SAME INVCAL_REAL(0.9)     /* cosine of 26 degrees: closer is the same position again */
-#define CLEARLY INVCAL_REAL(1.001)    /* of directions that differ by less, the first counts */
-#define NO_LENGTH INVCAL_REAL(1e-6)   /* a square: so that 0 has a length too */
+#define ACROSS INVCAL_REAL(0.0078125) /* the opposite direction counts 1/64 less */
+#define THE_SAME INVCAL_REAL(0.9)     /* cosine of 26 degrees: the same position if closer */
+#define CLEARLY INVCAL_REAL(1.001)    /* if directions differ by less, the first wins */
+#define NO_LENGTH INVCAL_REAL(1e-6)   /* a square, so that 0 has a length too */
 
 int invcal_direction(unsigned n, invcal_real up[3])
 {
@@ -34,7 +34,7 @@ int invcal_direction(unsigned n, invcal_real up[3])
     return 1;
 }
 
-/* ---- what they tell --------------------------------------------------------------------------- */
+/* ---- information ------------------------------------------------------------------------------ */
 
 invcal_real invcal_ridged_inverse(invcal_sums *sums)
 {
@@ -51,8 +51,8 @@ invcal_real invcal_ridged_inverse(invcal_sums *sums)
     return ridge;
 }
 
-/* The direction that tells most; of those that tell as much the closest to the present one, but not
- * the same again. */
+/* The direction with the most information; of equals the closest to the current one, but not the same
+ * again. */
 void invcal_next_beside(invcal_sums *sums, const invcal_real current[3], invcal_real up[3])
 {
     const invcal_real length = INVCAL_SQRT(invcal_dot3(current, current) + NO_LENGTH);
@@ -69,7 +69,7 @@ void invcal_next_beside(invcal_sums *sums, const invcal_real current[3], invcal_
         memcpy(h, d, sizeof d);
         invcal_row_of(h);
         const invcal_real merit = invcal_leverage(sums->sum, h) * (length + ACROSS * along);
-        if (along <= THE_SAME * length && !(merit <= CLEARLY * best)) { /* any, were all NaN */
+        if (along <= THE_SAME * length && !(merit <= CLEARLY * best)) { /* any, if all are NaN */
             best = merit;
             memcpy(up, d, sizeof d);
         }

@@ -9,20 +9,20 @@
 #include "solve.h"
 #include "sums.h"
 
-#define STEP (INVCAL_DOUBLE ? INVCAL_REAL(1e-18) : INVCAL_REAL(1e-11)) /* squared; less is none */
+#define STEP (INVCAL_DOUBLE ? INVCAL_REAL(1e-18) : INVCAL_REAL(1e-11)) /* squared: converged */
 #define LAST_STEP INVCAL_REAL(1e-8)      /* the same after all passes */
-#define FAR_APART INVCAL_REAL(12.5)      /* 5 sigma, squared, over what two angles have */
+#define FAR_APART INVCAL_REAL(12.5)      /* 5 sigma, squared, over the variance of two angles */
 #define ABSURD_TURN INVCAL_REAL(0.01)    /* residuals of 0.1 rad, squared */
 #define SAME_UP INVCAL_REAL(0.9962)      /* cosine of 5 degrees */
 #define NO_ANGLE INVCAL_REAL(0.0076)     /* 5 degrees, squared */
 #define WEAK_SQUARE INVCAL_REAL(6.25)    /* of 2.5 */
 #define OPEN_SQUARE INVCAL_REAL(1e6)     /* of 1000 */
 #define BEYOND_4_SIGMA INVCAL_REAL(16.0) /* 4 sigma, squared */
-#define NOISE_OF_MEAN INVCAL_REAL(3e-4)  /* of a mean that nothing is known of */
-#define IMU_RIDGE INVCAL_REAL(6e-6)      /* of the trace: what is held by it is open */
+#define NOISE_OF_MEAN INVCAL_REAL(3e-4)  /* of a mean, if nothing is known */
+#define IMU_RIDGE INVCAL_REAL(6e-6)      /* of the trace: open is what only it determines */
 #define HELD_BY_RIDGE INVCAL_REAL(0.1)   /* a share */
-#define LITTLE INVCAL_REAL(0.01)         /* of a residual: none at all would be rounding */
-#define MUCH INVCAL_REAL(2.0)            /* times the variance that is stated: something is wrong */
+#define LITTLE INVCAL_REAL(0.01)         /* of a residual: with 0 rounding would count */
+#define MUCH INVCAL_REAL(2.0)            /* times the stated variance: something is wrong */
 
 enum {
     IMU_ALL = INVCAL_IMU_PARAMETERS,
@@ -47,7 +47,7 @@ static void turn_back(invcal_real (*c)[3], const invcal_real a[3], invcal_real o
     }
 }
 
-/* By the matrix I + E: S += C J v', C <- C exp([th x]), J the left Jacobian of th. By rows, c [th x] being
+/* With the matrix I + E: S += C J v', C <- C exp([th x]), J the left Jacobian of th. By rows: c [th x] is
  * c x th. The series are those of (1 - cos x)/x^2 and (x - sin x)/x^3. */
 static void turn_segment(invcal_replay *r, const invcal_real v[3], const invcal_real th[3])
 {
@@ -78,8 +78,8 @@ static void turn_segment(invcal_replay *r, const invcal_real v[3], const invcal_
     }
 }
 
-/* The bias of a segment beyond that of the move, which is the mean of two rests, is G times what is up in its
- * middle beyond the mean of theirs. */
+/* The bias of the move is the mean of two rests. That of a segment differs by G times (up at its middle less
+ * the mean of up in both rests). */
 void invcal_replay_move(const invcal_imu_work *w, const invcal_segment *segment, unsigned count,
                         const invcal_real bias[3], const invcal_real up[2][3], invcal_replay *r)
 {
@@ -124,8 +124,8 @@ void invcal_replay_move(const invcal_imu_work *w, const invcal_segment *segment,
 
 /* ---- bias --------------------------------------------------------------------------------------- */
 
-/* b = b0 + G up + drift t of an axis: (up, t, 1, -b). None if the device turned in that rest or in the one
- * before. */
+/* The row of b = b0 + G up + drift t for an axis: (up, t, 1, -b). Returns 0 if the device turned in that rest
+ * or in the one before. */
 static int has_bias_row(const invcal_imu_work *w, unsigned rest, unsigned axis,
                         invcal_real h[BIAS + 1])
 {
@@ -141,7 +141,7 @@ static int has_bias_row(const invcal_imu_work *w, unsigned rest, unsigned axis,
     return at->move != -INVCAL_REST_DRIFT;
 }
 
-/* Slopes of an axis from their equations, L^-1 and p; square: of a residual. */
+/* Slopes of an axis from their equations, L^-1 and p; square: mean square of a residual. */
 static void tell_slopes(invcal_imu *out, unsigned axis, const invcal_real *a, invcal_real square)
 {
     const invcal_real *p = &a[INVCAL_PACKED(BIAS, 0)];
@@ -156,10 +156,11 @@ static void tell_slopes(invcal_imu *out, unsigned axis, const invcal_real *a, in
     }
 }
 
-/* By least squares over all rests. A rest's own bias has noise, s^2, which the fit has not; but the fit does not
- * know how the bias wanders, W, beside up and time. Residuals have s^2 + W, half the squares of their changes
- * from rest to rest s^2. So of the mean of two residuals, s^2/2 + W, the share s^2/2 is noise, and that is taken
- * from the bias: the best linear estimate for the move between them. */
+/* By least squares over all rests. A rest's own bias has noise of variance s^2, which the fit has not; but the
+ * fit does not follow how the bias wanders, W, apart from up and time. Residuals have the variance s^2 + W, half
+ * the squares of their changes from rest to rest s^2. So s^2/2 of the variance of the mean of two residuals,
+ * s^2/2 + W, is noise, and that share of the residual is subtracted from the bias: the best linear estimate for
+ * the move between them. */
 static void fit_bias(invcal_imu_work *w, unsigned axis)
 {
     const unsigned end = w->moves->count;
@@ -226,7 +227,7 @@ static void add_row(invcal_imu_work *w, invcal_real h[IMU_ALL + 1], invcal_real 
     invcal_rank_one(w->pass.sum, h, w->n + 1, weight);
 }
 
-/* The length of a rest. */
+/* The length of up in a rest. */
 static void add_rest(invcal_imu_work *w, const invcal_real up[3], invcal_real excess)
 {
     const invcal_real weight = 1 / w->rest_variance;
@@ -240,8 +241,8 @@ static void add_rest(invcal_imu_work *w, const invcal_real up[3], invcal_real ex
     w->pass.rests.rows++;
 }
 
-/* The angles of a move across the way up, along each axis as far as it is across: with b that part of it,
- * b'y = b'S de + (g1 D(u1) + g0 D(u0)) dp, g1 = C'(u0 x b), g0 = b x a. The three rows are of rank two. */
+/* The angles of a move perpendicular to up, for each axis: with b its perpendicular part,
+ * b'y = b'S de + (g1 D(u1) + g0 D(u0)) dp, g1 = C'(u0 x b), g0 = b x a. The three rows have rank two. */
 static void add_angles(invcal_imu_work *w, invcal_replay *r, const invcal_real a[3],
                        const invcal_real up[2][3], const invcal_real y[3], invcal_real weight)
 {
@@ -268,7 +269,7 @@ static void add_angles(invcal_imu_work *w, invcal_replay *r, const invcal_real a
     }
 }
 
-/* What turns a into up0: 3 / (2 + cos) times the sine is the angle to its fifth power. */
+/* The rotation from a to up0: 3 / (2 + cos) times the sine is the angle up to its fifth power. */
 static void add_move(invcal_imu_work *w, unsigned rest, const invcal_segment *segment,
                      const invcal_real up[2][3])
 {
@@ -311,7 +312,7 @@ static void add_move(invcal_imu_work *w, unsigned rest, const invcal_segment *se
     }
 }
 
-/* A parameter is that of nominal with the standard deviation of the prior. */
+/* Each parameter has its nominal value with the standard deviation of the prior. */
 static void add_prior(invcal_imu_work *w)
 {
     const invcal_real *prior = w->settings->prior;
@@ -411,11 +412,12 @@ invcal_status invcal_imu_begin(invcal_imu_work *w, const invcal_real *raw, unsig
     return status == INVCAL_OK ? invcal_nominal_check(accelerometer) : status;
 }
 
-/* The unknowns of the accelerometer are those of what it calibrates by now: A = (I + S)^-1 behind it. To the
- * first order, as another step follows. */
+/* The unknowns of the accelerometer are those of the readings calibrated so far: A = (I + S)^-1 follows it. To
+ * first order, since another step follows. */
 static invcal_status take_step(invcal_imu_work *w, invcal_real *size)
 {
     const invcal_real *p = &w->pass.sum[INVCAL_PACKED(w->n, 0)];
+    invcal_calibration before;
 
     for (unsigned i = 0; i < w->n; i++) {
         w->out->parameter[i] += p[i];
@@ -424,7 +426,7 @@ static invcal_status take_step(invcal_imu_work *w, invcal_real *size)
     if (w->n == IMU_GYRO) {
         return INVCAL_OK;
     }
-    const invcal_calibration before = w->out->accelerometer;
+    before = w->out->accelerometer;
     p += IMU_GYRO;
     for (unsigned i = 0; i < 3; i++) {
         for (unsigned j = 0; j < 3; j++) {
@@ -436,7 +438,7 @@ static invcal_status take_step(invcal_imu_work *w, invcal_real *size)
     return invcal_behind(&before, &w->out->accelerometer);
 }
 
-/* From now on with the variance that residuals of a kind show; a stated one counts as some of them. */
+/* Updates the variance of a kind by its residuals; a stated one counts as some of them. */
 static void weigh_rows(invcal_imu_work *w, const invcal_imu_rows *rows, int is_stated,
                        invcal_real *variance)
 {
@@ -453,14 +455,14 @@ static void weigh_rows(invcal_imu_work *w, const invcal_imu_rows *rows, int is_s
     }
 }
 
-/* Weighs once; before that, leaves out a move that is far from the others. */
+/* Updates the variances once; before that, leaves out a move that is far from the others. */
 static void adapt(invcal_imu_work *w)
 {
     const unsigned moves = w->pass.moved.rows / 2;
     const invcal_real others = w->pass.moved.squares - w->pass.worst_square;
 
     if (w->is_disturbed) {
-        w->is_disturbed = 0; /* of that step the one left out has still been a part */
+        w->is_disturbed = 0; /* that step still contained the one left out */
     } else if (moves > LEAST_MOVES && w->apart < MOST_APART &&
                w->pass.worst_square * invcal_number(moves - 1) > FAR_APART * others) {
         w->out->left_out |= (uint32_t)1 << w->out->worst;
@@ -473,7 +475,7 @@ static void adapt(invcal_imu_work *w)
     } /* cppcheck-suppress misra-c2012-15.7 ; both is done */
 }
 
-/* Of Gauss and Newton. */
+/* Of Gauss-Newton. */
 static invcal_status make_pass(invcal_imu_work *w, invcal_real *size)
 {
     if (w->out->passes == 1) {
@@ -504,7 +506,7 @@ static invcal_status iterate(invcal_imu_work *w)
     while (!is_done && w->out->passes < PASSES + 2 * w->apart) { /* at most 12 */
         const int is_weighed = w->is_weighed;
         const invcal_status status = make_pass(w, &size);
-        if (status != INVCAL_OK) { /* later than at first: it was led astray */
+        if (status != INVCAL_OK) { /* after the first pass: it has diverged */
             return w->out->passes > 0 ? INVCAL_MOUNTING : status;
         }
         is_done = is_weighed && size < STEP;
@@ -515,7 +517,7 @@ static invcal_status iterate(invcal_imu_work *w)
                : INVCAL_MOUNTING;
 }
 
-/* sigma, and what is weak: of which K is more. Returns the largest K. */
+/* sigma; parameters with a larger K than `most` are open. Returns the largest K. */
 static invcal_real judge_imu(invcal_imu_work *w, invcal_real most)
 {
     invcal_real largest = 0;
@@ -532,7 +534,7 @@ static invcal_real judge_imu(invcal_imu_work *w, invcal_real most)
     return largest;
 }
 
-/* A small ridge holds what is open. */
+/* Names the open parameters: those that only a small ridge determines. */
 static void name_open(invcal_imu_work *w)
 {
     (void)invcal_imu_sum(w); /* it was accepted before */

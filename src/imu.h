@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * Internal: the equations of rests and moves, for those who ask them for something else.
+ * Internal: the equations of rests and moves, for other uses than the solution.
  */
 #ifndef INVCAL_IMU_H
 #define INVCAL_IMU_H
@@ -14,33 +14,33 @@ typedef struct {
     unsigned rows;
 } invcal_imu_rows;
 
-/* What a pass works on, and what it leaves. */
+/* The data of a pass, and its results. */
 typedef struct {
     const invcal_moves *moves;
     const invcal_real *raw; /* means of the rests from begin on */
     const invcal_imu_settings *settings;
-    invcal_imu *out;   /* accelerometer and parameters by now, left_out, idle, worst */
+    invcal_imu *out;   /* accelerometer and parameters so far, left_out, idle, worst */
     invcal_real noise; /* of a mean, as stated or usual */
     unsigned n;        /* unknowns: 18, 9, or none for the residuals alone */
     unsigned begin;    /* first rest of moves that has a mean */
     unsigned apart;    /* moves left out */
     int is_weighed, is_told, is_disturbed;
     invcal_real rest_variance; /* over field, squared */
-    invcal_real move_variance; /* over what is expected */
+    invcal_real move_variance; /* over the expected one */
     struct {
         invcal_imu_rows rests, moved;
         unsigned rows;                            /* with priors */
         invcal_real variances, residuals;         /* sums over moves */
         invcal_real worst_square, worst_residual; /* over its variance; in rad^2 */
         invcal_real sum[INVCAL_PACKED_SIZE(INVCAL_IMU_PARAMETERS + 1)];
-    } pass;                                /* what it leaves */
-    invcal_real bias[INVCAL_MAX_MOVES][3]; /* of the rests, as measured or as all of them tell */
+    } pass;                                /* results */
+    invcal_real bias[INVCAL_MAX_MOVES][3]; /* of the rests, as measured or as fitted to all */
 } invcal_imu_work;
 
 /* A move, integrated again. */
 typedef struct {
     invcal_real c[3][3];                      /* from its end to its beginning */
-    invcal_real s[3][INVCAL_GYRO_PARAMETERS]; /* how E turns that */
+    invcal_real s[3][INVCAL_GYRO_PARAMETERS]; /* derivative of its rotation by E */
     invcal_real time, angle;                  /* seconds; squares of its segments, rad^2 */
 } invcal_replay;
 
@@ -52,12 +52,12 @@ void invcal_replay_move(const invcal_imu_work *work, const invcal_segment *segme
 /* INVCAL_BAD_NOISE, INVCAL_BAD_PRIOR. */
 invcal_status invcal_imu_settings_check(const invcal_imu_settings *settings);
 
-/* What a solution begins with. INVCAL_BAD_... of it. */
+/* Begins a solution. Returns INVCAL_BAD_... of the arguments. */
 invcal_status invcal_imu_begin(invcal_imu_work *work, const invcal_real *raw, unsigned count,
                                const invcal_calibration *accelerometer, const invcal_moves *moves,
                                const invcal_imu_settings *settings, invcal_imu *out);
 
-/* All equations. INVCAL_OUT_OF_RANGE of a mean. */
+/* Sums all equations. Returns INVCAL_OUT_OF_RANGE for a mean. */
 invcal_status invcal_imu_sum(invcal_imu_work *work);
 
 #endif

@@ -17,7 +17,7 @@ enum { IMU_NOTHING_AT = IMU_WEAK_AT + 7, IMU_REALS_AT = IMU_WEAK_AT + 8, IMU_REA
 typedef char invcal_imu_is_in_order
     [offsetof(invcal_imu_record, accelerometer) == IMU_REALS * sizeof(invcal_real) ? 1 : -1];
 
-/* What has weak parameters is WEAK, and nothing else is. */
+/* A record is WEAK if and only if it has weak parameters. */
 static int is_sensible(const invcal_imu_record *r)
 {
     return r->verdict <= INVCAL_WEAK && r->weak <= IMU_WEAK && r->g_is_used <= 1 &&
@@ -75,7 +75,7 @@ void invcal_imu_record_init(invcal_imu_record *record, const invcal_imu *imu)
         imu->verdict == INVCAL_WEAK && a->weak == 0 ? (uint8_t)INVCAL_NO_REDUNDANCY : imu->verdict;
 }
 
-/* What was written is read again: rounded to float, it may be none. */
+/* Decodes what was encoded: after rounding to float it may not be a record. */
 invcal_status invcal_imu_record_encode(const invcal_imu_record *record,
                                        uint8_t bytes[INVCAL_IMU_RECORD_SIZE])
 {

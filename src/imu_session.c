@@ -4,10 +4,10 @@
 #include "rotation.h"
 #include "solve.h"
 
-/* What lasts of the moves; the session follows. */
+/* The bytes of the moves to keep; the session follows. */
 #define OF_MOVES ((uint32_t)(offsetof(invcal_imu_session, session) - INVCAL_IMU_SESSION_FROM))
 
-/* Are the rests in order of time, and the segments those of their moves? */
+/* Returns whether the rests are in order of time, and the segments those of their moves. */
 static int are_moves(const invcal_moves *m)
 {
     unsigned segments = 0;

@@ -8,10 +8,10 @@
 #include "vector.h"
 
 #define NOISE_SHARE INVCAL_REAL(0.1) /* of the information on a parameter: above, it is weak */
-#define ABSURD INVCAL_REAL(0.1)      /* rms of the residuals; above: no readings of one field */
-#define LIKELY INVCAL_REAL(1.73)     /* exceeded in 5 % of cases: the noise is more than stated */
-#define POSSIBLE INVCAL_REAL(3.0)    /* in 0.3 %: what is there is no noise */
-#define SILENT INVCAL_REAL(-2.8)     /* not reached in 0.1 % at most: it is not that noise */
+#define ABSURD INVCAL_REAL(0.1)      /* rms of the residuals; above: not readings of one field */
+#define LIKELY INVCAL_REAL(1.73)     /* exceeded in 5 % of cases: more noise than stated */
+#define POSSIBLE INVCAL_REAL(3.0)    /* exceeded in 0.3 %: more than noise */
+#define SILENT INVCAL_REAL(-2.8)     /* below in at most 0.1 %: less than that noise */
 #define OPEN INVCAL_REAL(1e4)        /* quality.condition; above: parameters are left open */
 
 /* ---- residuals ---------------------------------------------------------------------------------- */
@@ -49,7 +49,7 @@ INVCAL_INLINE invcal_real invcal_gradient(const invcal_real a[3][3], const invca
 
 /* ---- the passes --------------------------------------------------------------------------------- */
 
-/* A calibrated position, weighted with the noise that it really has. How X moves J, but for the sign:
+/* A calibrated position, weighted by its actual noise. X changes J, except for the sign, by
  * d eta = -A (d delta + dS eta), so dJ = eta d eta = -g (d delta + dS eta). */
 static INVCAL_INLINE void add_calibrated(invcal_sums *sums, const invcal_real a[3][3],
                                          const invcal_row *row)
@@ -62,7 +62,7 @@ static INVCAL_INLINE void add_calibrated(invcal_sums *sums, const invcal_real a[
     invcal_rank_one(sums->sum, g, INVCAL_PARAMETERS + 1, weight);
 }
 
-/* The rows of all that are not left out: exact ones, or with residuals those of calibrated positions. */
+/* The rows of all that are not left out: exact ones, or, with residuals, of calibrated positions. */
 static invcal_status pass(const invcal_positions *positions, const invcal_calibration *c,
                           const invcal_real a[3][3], invcal_sums *sums, invcal_residuals *residuals)
 {
@@ -97,7 +97,7 @@ invcal_status invcal_positions_compare(const invcal_positions *positions,
                                        invcal_sums *sums, invcal_residuals *residuals)
 {
     invcal_zero(residuals, sizeof *residuals);
-    /* what was fit for the first pass may be absurd after it */
+    /* readings that pass the first pass may be absurd after it */
     return pass(positions, c, a, sums, residuals) == INVCAL_OK ? invcal_residuals_end(residuals)
                                                                : INVCAL_NOT_ELLIPSOID;
 }
@@ -111,7 +111,7 @@ invcal_status invcal_positions_check(const invcal_positions *positions)
                                          : INVCAL_BAD_COUNT;
 }
 
-/* If not determined in nominal units, readings calibrated by it may look well spread all the same. */
+/* Even if undetermined in nominal units, the readings may look well spread once calibrated. */
 invcal_status invcal_determine(invcal_real *a, unsigned rows, invcal_real k[INVCAL_PARAMETERS],
                                invcal_real *condition)
 {
@@ -150,7 +150,7 @@ void invcal_judge_residuals(const invcal_residuals *residuals, invcal_quality *q
     q->positions = (uint16_t)residuals->count;
 }
 
-/* How far residuals are above a noise, in standard deviations: the root of 2 chi squared is nearly normal,
+/* By how many standard deviations residuals exceed a noise: the root of 2 chi squared is nearly normal
  * about that of 2 dof - 1 (Fisher). 0 if there is nothing to compare. */
 static INVCAL_APART invcal_real excess(invcal_real stated, invcal_real squares, invcal_real dof)
 {
@@ -169,14 +169,14 @@ void invcal_judge_noise(invcal_real stated, invcal_real squares, invcal_real dof
         invcal_raise(q, INVCAL_ROUGH);
     }
     q->sigma_dof = (uint16_t)(q->dof + weight);
-    q->noise = 1; /* nobody knows: the whole field, which no one will mistake for good */
+    q->noise = 1; /* unknown: the whole field, which cannot pass for good */
     if (q->sigma_dof > 0) {
         q->noise = INVCAL_SQRT((share * stated * stated + squares) / (share + dof));
     }
 }
 
-/* A noise of which the residuals show next to nothing is none. Where a prior is weighed with it they are not
- * asked. */
+/* A stated noise does not count if the residuals are nearly zero against it. With a prior, weighed by it,
+ * the residuals do not matter. */
 void invcal_weigh_noise(invcal_real stated, invcal_real squares, invcal_quality *quality)
 {
     const invcal_real dof = invcal_number(quality->dof);
@@ -235,11 +235,11 @@ static invcal_status solve(const invcal_positions *positions, invcal_sums *sums,
     }
     invcal_real *a = sums->sum;
     status = invcal_ellipsoid(&a[INVCAL_PACKED(INVCAL_PARAMETERS, 0)], a, triad);
-    /* what is left open may take any shape */
+    /* an open direction may take any shape */
     return status != INVCAL_OK && condition > OPEN ? INVCAL_UNDETERMINED : status;
 }
 
-/* Apart: what calls it looks for more. */
+/* Apart: its caller needs stack for more tests. */
 INVCAL_APART invcal_status invcal_positions_calibrate(const invcal_positions *positions,
                                                       invcal_calibration *out,
                                                       invcal_quality *quality)

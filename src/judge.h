@@ -1,13 +1,13 @@
 /* SPDX-License-Identifier: MIT
  *
- * Internal: the steps of a judgement, for those who have other equations behind the nine parameters.
+ * Internal: the steps of a judgement, also for equations beyond the nine parameters.
  */
 #ifndef INVCAL_JUDGE_H
 #define INVCAL_JUDGE_H
 
 #include "invcal/expert.h"
 
-/* Positions, and what they were read with. */
+/* Positions, with nominal and noise. */
 typedef struct {
     const invcal_real *raw;
     unsigned count;
@@ -21,10 +21,10 @@ static inline int invcal_is_left_out(const invcal_positions *positions, unsigned
     return positions->left_out && i < INVCAL_MAX_POSITIONS && (positions->left_out >> i & 1u);
 }
 
-/* INVCAL_BAD_... of what the positions were read with. */
+/* INVCAL_BAD_... of the nominal and noise. */
 invcal_status invcal_positions_check(const invcal_positions *positions);
 
-/* First pass: the sums of all that are not left out, as far as they are readings. Returns as
+/* First pass: the sums of all that are not left out, up to the first that is not a reading. Returns as
  * invcal_observe. */
 invcal_status invcal_positions_sum(const invcal_positions *positions, invcal_sums *sums);
 
@@ -33,7 +33,7 @@ invcal_status invcal_positions_sum(const invcal_positions *positions, invcal_sum
  * k          the diagonal of the inverse.
  * condition  tr A tr A^-1: at least that of A.
  *
- * INVCAL_UNDETERMINED if what it determines is no more than rounding. */
+ * INVCAL_UNDETERMINED if it is determined by rounding only. */
 invcal_status invcal_determine(invcal_real *a, unsigned rows, invcal_real k[INVCAL_PARAMETERS],
                                invcal_real *condition);
 
@@ -48,7 +48,7 @@ invcal_status invcal_positions_calibrate(const invcal_positions *positions, invc
 
 /* Of calibrated lengths, each less 1. */
 typedef struct {
-    invcal_real rms; /* before the end: the sum of their squares */
+    invcal_real rms; /* until the end: the sum of their squares */
     invcal_real max; /* without its sign */
     unsigned worst;  /* the position of max */
     unsigned count;
@@ -62,7 +62,7 @@ invcal_status invcal_residuals_end(invcal_residuals *residuals);
 
 enum { INVCAL_UNCHECKED = 0x1E }; /* a bit for each systematic error */
 
-/* Nothing has been found, for nothing has been looked for. */
+/* Nothing was found, since nothing was tested. */
 static inline void invcal_judge_begin(invcal_quality *q)
 {
     q->left_out = 0;
@@ -81,12 +81,12 @@ void invcal_judge_residuals(const invcal_residuals *residuals, invcal_quality *q
  * |g| times itself. Returns |g|^2. */
 invcal_real invcal_gradient(const invcal_real a[3][3], const invcal_real eta[3], invcal_real g[3]);
 
-/* Second pass, with c, what calibrates the raw counts: residuals without cancellation, and the
- * information on the nine parameters, each row weighted with the noise that it really has.
+/* Second pass, with the calibration c of the raw counts: residuals without cancellation, and the
+ * information on the nine parameters, each row weighted by its actual noise.
  *
  * a     A of c.
  * sums  as a system: sigma^2 of the parameters is noise^2 times the diagonal of its inverse. The last
- *       element: what noise of u would make of the residuals, their weighted squares.
+ *       element: the weighted squares of the residuals, in terms of noise of u.
  *
  * Returns INVCAL_OK; INVCAL_NOT_ELLIPSOID if a residual is absurd, or all are. */
 invcal_status invcal_positions_compare(const invcal_positions *positions,
@@ -103,15 +103,15 @@ static inline void invcal_raise(invcal_quality *q, unsigned verdict)
 
 enum { INVCAL_STATED = 4 }; /* residuals that a stated noise counts as */
 
-/* noise and sigma_dof, from it and dof. The noise stated counts as some residuals, unless these show clearly
- * more (in 95 % of cases); if they show more than noise can be (99.7 %), the verdict is raised.
+/* noise and sigma_dof, from the stated noise and dof. The stated noise counts as some residuals, unless the
+ * actual ones are clearly larger (at 95 %); if they are too large for noise (at 99.7 %), raises the verdict.
  *
  * squares  the sum of the weighted squares of the residuals.
- * dof      their degrees of freedom, of which q->dof are whole; below 1 they say nothing. */
+ * dof      their degrees of freedom, q->dof rounded down; below 1 they do not count. */
 void invcal_judge_noise(invcal_real stated, invcal_real squares, invcal_real dof,
                         invcal_quality *q);
 
-/* The whole ones of them, and so many that a stated noise may still be added. */
+/* dof rounded down, and limited so that a stated noise can still be added. */
 static inline uint16_t invcal_whole(invcal_real dof)
 {
     const invcal_real most = UINT16_MAX - INVCAL_STATED;
@@ -120,10 +120,10 @@ static inline uint16_t invcal_whole(invcal_real dof)
         return 0;
     }
     //@ assert \is_finite(dof); // no NaN is at least 1
-    return (uint16_t)(dof < most ? dof : most); /* uncovered: that many positions beside a prior */
+    return (uint16_t)(dof < most ? dof : most); /* uncovered: that many positions with a prior */
 }
 
-/* tr A tr A^-1 from L^-1: at least the condition. And is it more than rounding? */
+/* tr A tr A^-1 from L^-1: at least the condition. Is it determined by more than rounding? */
 invcal_real invcal_condition(const invcal_real *inverse, unsigned n, invcal_real trace);
 static inline int invcal_is_resolved(invcal_real condition)
 {
@@ -131,8 +131,8 @@ static inline int invcal_is_resolved(invcal_real condition)
 }
 
 /* weak, sigma and the verdict, from K(r,r) = k[r] = sigma^2 / noise^2. Weak: K is large, or the
- * information 1 / K no more than ten times what noise in the readings themselves, about noise^2 in
- * each row, adds to it: then directions that determine nothing look as if they did. */
+ * information 1 / K is at most ten times the part added by noise in the readings themselves, about
+ * noise^2 in each row: then open directions look determined. */
 void invcal_judge_parameters(const invcal_real k[INVCAL_PARAMETERS], const invcal_real a[3][3],
                              invcal_quality *q);
 

@@ -25,8 +25,8 @@ static int is_visited(const invcal_positions *p, invcal_mask left_out, unsigned 
     return 0;
 }
 
-/* A direction that is visited again is no check. A count is as much as the matrix makes of it, the root mean
- * square over all directions. */
+/* A repeated direction is not a check. One count is worth the gain of the matrix, root mean square over all
+ * directions. */
 static void judge_directions(const invcal_positions *p, const invcal_calibration *c,
                              invcal_quality *q)
 {
@@ -42,8 +42,8 @@ static void judge_directions(const invcal_positions *p, const invcal_calibration
     }
 }
 
-/* Group by group, as one may hide the next. One may even be so wrong that all together make no ellipsoid:
- * then it is looked for in nominal units. */
+/* Group by group, since one may mask the next. If one is so wrong that all together give no ellipsoid, search
+ * in nominal units. */
 static invcal_status leave_out_groups(invcal_positions *p, invcal_calibration *c, invcal_quality *q)
 {
     int is_solved = 0;

@@ -11,19 +11,20 @@
 #include "sums.h"
 #include "vector.h"
 
-/* Nothing is known: the box of the readings tells where the cells are. Then there is a first solution, of
- * samples that nothing was compared with; and one of samples after it alone. */
+/* No solution: the box of the readings gives the place of the cells. Then a first solution, from samples that
+ * were compared with nothing; then one from samples after it only. */
 enum { NO_SOLUTION, FIRST_SOLUTION, SECOND_SOLUTION };
 enum { FIRST_LOOK = 100, LARGEST_BLOCK = 4096 };
 #define FULL_COUNT UINT32_C(16777216)
-/* What samples differ by from the first solution, until they have told: as how many a tenth of it counts, and the sum of its squares. */
+/* Residuals of the first solution before there are samples: a tenth of the field, counted as that many samples; and
+ * the sum of their squares. */
 enum { DIFFER_COUNT = 8 };
 #define DIFFER_SQUARES INVCAL_REAL(0.08)
 #define CONTRADICTS INVCAL_REAL(25.0) /* square of 5 */
 #define FAR INVCAL_REAL(0.01)
 #define WIDE_GAP INVCAL_REAL(0.6)      /* a cosine: more than 45 degrees */
-#define PLACES_RMS INVCAL_REAL(0.03)   /* what no magnetometer's noise is, */
-#define PLACES_ALIKE INVCAL_REAL(10.0) /* if neighbours err alike */
+#define PLACES_RMS INVCAL_REAL(0.03)   /* more than the noise of any magnetometer, */
+#define PLACES_ALIKE INVCAL_REAL(10.0) /* if neighbours have a common error */
 enum { POWER_SAMPLES = 64 };
 
 invcal_status invcal_magnetometer_init(invcal_magnetometer *magnetometer,
@@ -47,10 +48,10 @@ static invcal_cell_tables both_tables(const invcal_magnetometer *m)
     return tables;
 }
 
-/* ---- how samples err ---------------------------------------------------------------------------- */
+/* ---- residuals of samples ----------------------------------------------------------------------- */
 
-/* The mean square of a sum of eta r over a block, over samples: were they independent, it would be that of
- * r. It is so many times as large as samples err alike. 0: not known. */
+/* The mean square of a sum of eta r over a block, over samples: if they are independent, that of r; if n in a
+ * row have a common error, n times that. 0: unknown. */
 static invcal_real power_of(const invcal_magnetometer *m)
 {
     return m->blocked >= POWER_SAMPLES ? m->products / (invcal_real)m->blocked : 0;
@@ -64,7 +65,7 @@ static void end_block(invcal_magnetometer *m)
     m->in_block = 0;
 }
 
-/* By how much a sample differs from the solution so far. Returns 0 if that is too much. */
+/* Compares a sample with the solution so far. Returns 0 if its residual is too large. */
 static int is_alike(invcal_magnetometer *m, const invcal_real h[INVCAL_PARAMETERS])
 {
     const invcal_real r = invcal_dot(m->p, h, INVCAL_PARAMETERS) - INVCAL_REAL(0.5);
@@ -85,9 +86,9 @@ static int is_alike(invcal_magnetometer *m, const invcal_real h[INVCAL_PARAMETER
     return 1;
 }
 
-/* ---- looks at what has come --------------------------------------------------------------------- */
+/* ---- looks at all samples ----------------------------------------------------------------------- */
 
-/* The centre moves by `shift`, and `scale` becomes 1. Returns 0 if it could not be. */
+/* The centre moves by `shift`, and `scale` becomes 1. Returns 0 if that is impossible. */
 static int is_recentred(invcal_magnetometer *m, const invcal_real shift[3], invcal_real scale)
 {
     invcal_calibration c = {{shift[0], shift[1], shift[2]},
@@ -124,7 +125,7 @@ static void recentre_by_box(invcal_magnetometer *m)
     }
 }
 
-/* Once there is one of samples that none was compared with, the next is as good. */
+/* Returns whether there is a solution. Only before the second is its quality checked. */
 static int is_found(const invcal_magnetometer *m, invcal_cell_fit *fit)
 {
     if (m->stage == SECOND_SOLUTION) {
@@ -134,7 +135,7 @@ static int is_found(const invcal_magnetometer *m, invcal_cell_fit *fit)
            fit->quality.dof >= 2;
 }
 
-/* Has the centre moved by more than a hundredth, or the scale? Less makes no other cells. */
+/* Returns whether the centre or the scale has moved by more than a hundredth. Less does not change the cells. */
 static int is_far(const invcal_cell_fit *fit)
 {
     const invcal_real *const shift = fit->triad.offset;
@@ -143,8 +144,8 @@ static int is_far(const invcal_cell_fit *fit)
              INVCAL_FABS(invcal_cells_field(fit) - 1) < FAR);
 }
 
-/* A solution of table `one` and the late samples, that what contradicts it may be left out by: into p, the readings
- * moved to the unit sphere. Returns 0 if there is none. */
+/* Solves table `one` and the late samples, and moves the readings to the unit sphere. p is then the solution by
+ * which samples are left out. Returns 0 if there is none. */
 static int has_solution(invcal_magnetometer *m, const invcal_cells *one)
 {
     invcal_cell_fit fit = {.tables = {one, &m->late}};
@@ -167,8 +168,8 @@ static int has_solution(invcal_magnetometer *m, const invcal_cells *one)
     return 1;
 }
 
-/* Samples that came before any was compared with a solution may be spoilt: they are dropped as soon as
- * later ones cover all sides as well. */
+/* Samples that were not compared with a solution may be disturbed: they are dropped as soon as later ones cover
+ * all sides as well. */
 static void look_at_samples(invcal_magnetometer *m)
 {
     const int is_first = m->stage == NO_SOLUTION;
@@ -190,7 +191,7 @@ static void look_at_samples(invcal_magnetometer *m)
     if (m->blocked + m->in_block > 0) {
         end_block(m);
         m->before = power_of(m);
-        m->squares /= 2; /* an older solution made them */
+        m->squares /= 2; /* from an older solution */
         m->products /= 2;
         m->blocked /= 2;
     }
@@ -198,7 +199,7 @@ static void look_at_samples(invcal_magnetometer *m)
 
 /* ---- samples ------------------------------------------------------------------------------------ */
 
-/* Returns 0 if it is no number, or could not be squared. */
+/* Returns 0 if it is not a number, or could not be squared. */
 static int widen_box(invcal_magnetometer *m, const invcal_real v[INVCAL_PARAMETERS])
 {
     if (!invcal_are_finite(&v[INVCAL_DK_X])) {
@@ -255,9 +256,9 @@ void invcal_magnetometer_next(const invcal_magnetometer *magnetometer, invcal_re
     invcal_cell_direction(worst, along);
 }
 
-/* ---- what it comes to --------------------------------------------------------------------------- */
+/* ---- result ------------------------------------------------------------------------------------- */
 
-/* Between faces and edges there are only these; where nine cells have samples, no larger ones. */
+/* The only angles between faces and edges; with samples in nine cells no larger ones occur. */
 static uint8_t degrees_of(invcal_real cosine)
 {
     return cosine > INVCAL_REAL(0.8)    ? 0u
@@ -290,7 +291,7 @@ static void tell_found(const invcal_magnetometer *m, const invcal_cell_fit *fit,
     }
 }
 
-/* What a cell without samples leaves to the others: offset and scale of the axes that it lies along, and the angle
+/* The parameters that an empty cell leaves to the others: offset and scale of the axes along it, and the angle
  * between two. */
 static uint16_t parameters_along(unsigned cell)
 {
@@ -315,7 +316,7 @@ static void judge_motion(const invcal_magnetometer *m, const invcal_magnetometer
 {
     unsigned worst;
 
-    if (m->blocked < POWER_SAMPLES) { /* nothing tells yet how samples err alike */
+    if (m->blocked < POWER_SAMPLES) { /* their correlation is not known yet */
         invcal_raise(quality, INVCAL_NO_REDUNDANCY);
     }
     if (found->gap > 45) {
@@ -359,7 +360,7 @@ invcal_status invcal_magnetometer_solve(const invcal_magnetometer *magnetometer,
     return status;
 }
 
-/* What calibrates raw counts does so in the coordinates of the cells behind the inverse of these. */
+/* A calibration of raw counts, after the inverse of work, is one of the coordinates of the cells. */
 unsigned invcal_magnetometer_cell(const invcal_magnetometer *magnetometer,
                                   const invcal_calibration *calibration, unsigned k,
                                   invcal_real raw[3])
@@ -392,7 +393,7 @@ const char *invcal_disturbance_text(invcal_disturbance disturbance)
         "\0"
         "samples contradict the others and were left out, as if a magnet or iron had passed by\0"
         "the field differs from place to place: turn it where it is, away from iron\0"
-        "readings changed at some time, as if something magnetic had moved: begin anew\0"
+        "readings changed at some time, as if something magnetic had moved: begin again\0"
         "unknown disturbance";
     const unsigned n = (unsigned)disturbance;
 

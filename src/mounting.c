@@ -4,12 +4,12 @@
 #include "vector.h"
 
 #define DEGREES INVCAL_REAL(57.29578)
-#define CLEAR INVCAL_REAL(4.0)   /* squares of the next best way over those of the best */
+#define CLEAR INVCAL_REAL(4.0)   /* sum of squares of the second best way over the best */
 #define NO_TURN INVCAL_REAL(1e4) /* 0.2 degrees, squared, in units of a segment */
-#define STUCK INVCAL_REAL(1e-4)  /* an axis that has less of all squares never turns */
+#define STUCK INVCAL_REAL(1e-4)  /* share of all squares: an axis with less never turns */
 enum { SIGNS = 8, ORDERS = 6, WAYS = SIGNS * ORDERS, LEAST_TURNS = 2 };
 
-/* Way k of 48: M has in row i the axis `of`, with its sign. */
+/* Way k of 48: row i of M is the axis `of`, with its sign. */
 static void set_way(invcal_imu_work *w, unsigned k, invcal_real unit, int8_t axes[3])
 {
     const unsigned order = k / SIGNS;
@@ -27,7 +27,7 @@ static void set_way(invcal_imu_work *w, unsigned k, invcal_real unit, int8_t axe
     }
 }
 
-/* Gyroscope axes that never turn are 0, the others themselves. Returns whether there is one. */
+/* Sets gyroscope axes that never turn to 0, the others to themselves. Returns whether there is one. */
 static int find_stuck(const invcal_moves *m, int8_t axes[3])
 {
     invcal_real square[3] = {0, 0, 0};
@@ -47,7 +47,7 @@ static int find_stuck(const invcal_moves *m, int8_t axes[3])
     return is_stuck;
 }
 
-/* The best of all, and the squares of the best whose axes are others. */
+/* The best way, and the sum of squares of the best with other axes. */
 typedef struct {
     invcal_real squares, next, unit;
     int8_t axes[3];

@@ -9,20 +9,20 @@
 #define LONGEST_MOVE INVCAL_REAL(10.0) /* seconds */
 
 enum {
-    LATE = 8,    /* blocks that are not merged: a rest is TAKEN 7 behind its end */
-    CUT_OFF = 2, /* newest blocks of a rest that it does not count: TRIM of rests.c */
+    LATE = 8,    /* blocks that are not merged: a rest is TAKEN 7 blocks after its end */
+    CUT_OFF = 2, /* newest blocks of a rest, which do not count: TRIM of rests.c */
     MOST_CHANGE =
-        2288,   /* of the bias from rest to rest, 0.5 degrees/s: else one of them was none */
+        2288,   /* of the bias from rest to rest, 0.5 degrees/s: if more, one was not a rest */
     SPARE = 24, /* segments kept free for those that are not merged */
     MOST_SEGMENTS = 127, /* of a move: seven turns */
     MOST_SAMPLES = INT16_MAX,
     NOWHERE = UINT16_MAX,
-    SPOILT = INT16_MIN /* v[0] of a segment that is none; kappa[0] says why */
+    SPOILT = INT16_MIN /* v[0] of an unusable segment; kappa[0] is the reason */
 };
 
 /* ---- rotations ---------------------------------------------------------------------------------- */
 
-/* The rotation rho, then th, as one rotation vector: Baker, Campbell, Hausdorff to the fourth order, right to
+/* The rotation rho, then th, as one rotation vector: Baker-Campbell-Hausdorff to fourth order, accurate to
  * 1e-6 for the 20 degrees of a segment. */
 static INVCAL_OFTEN void turn(invcal_real rho[3], const invcal_real th[3])
 {
@@ -58,7 +58,7 @@ static int pack(invcal_real x, int16_t *out)
     return 0;
 }
 
-/* v, and what it does not hold of the rotation rho; 0 if either is too large. */
+/* v, and the rest of the rotation rho; 0 if either is too large. */
 static int pack_segment(const invcal_real rho[3], const invcal_real v[3], invcal_segment *out)
 {
     int fits = 1;
@@ -77,7 +77,7 @@ INVCAL_APART void invcal_unpack(const int16_t packed[3], invcal_real unit, invca
     }
 }
 
-/* a and b behind it become one, if that is no more than 20 degrees. */
+/* Merges b into a, which precedes it, if that gives at most 20 degrees. */
 static int merge(invcal_segment *a, const invcal_segment *b)
 {
     const unsigned samples = (a->time / 2u) + (b->time / 2u);
@@ -103,7 +103,7 @@ static int merge(invcal_segment *a, const invcal_segment *b)
     return 1;
 }
 
-/* Segments from..to - 1 are no more. */
+/* Removes segments from..to - 1. */
 static void take_out(invcal_moves *m, unsigned from, unsigned to)
 {
     /* at most INVCAL_MAX_SEGMENTS steps */
@@ -127,8 +127,8 @@ static void find_fault(invcal_moves *m, unsigned status)
     }
 }
 
-/* The segment in the making is closed; what rounding leaves begins the next. Where the table is full the
- * oldest that is not merged is lost, and with it the moves that it and this one are of. */
+/* Closes the current segment; its rounding error begins the next. If the table is full, the oldest that is not
+ * merged is lost, and with it the moves of that one and this one. */
 INVCAL_APART static void close_segment(invcal_moves *m, unsigned mark)
 {
     if (m->used >= INVCAL_MAX_SEGMENTS && m->fixed < INVCAL_MAX_SEGMENTS) {
@@ -172,7 +172,7 @@ INVCAL_APART static void forget_rest(invcal_moves *m)
     invcal_zero(m->still, sizeof m->still);
 }
 
-/* What makes the oldest segment that is not merged useless for a move. */
+/* Why the oldest segment that is not merged is unusable for a move. */
 static unsigned find_reason(const invcal_moves *m)
 {
     const invcal_segment *s = &m->segment[m->fixed];
@@ -195,8 +195,8 @@ static void add_still(invcal_moves *m, const invcal_segment *s)
     }
 }
 
-/* The oldest segment that is not merged: is it of a rest? That may still be refused, so it is kept either
- * way. */
+/* Settles the oldest segment that is not merged. It is kept even if it belongs to a rest, which may still be
+ * refused. */
 static void settle(invcal_moves *m, int is_rest)
 {
     invcal_segment *s = &m->segment[m->fixed];
@@ -219,7 +219,7 @@ static void settle(invcal_moves *m, int is_rest)
     }
 }
 
-/* All but the newest blocks. The rest, if there is one, began `resting` blocks ago. */
+/* Settles all but the newest blocks. The rest, if there is one, began `resting` blocks ago. */
 static void settle_until(invcal_moves *m, uint32_t newest, uint32_t resting)
 {
     /* a segment each: at most INVCAL_MAX_SEGMENTS steps */
@@ -228,7 +228,8 @@ static void settle_until(invcal_moves *m, uint32_t newest, uint32_t resting)
     }
 }
 
-/* From now on v is free of the bias of the first rest. Its newest blocks, still with it, are quiet ones. */
+/* From now on the bias of the first rest is subtracted from v. The newest blocks, which still contain it, are
+ * dropped: they are quiet. */
 static void subtract(invcal_moves *m)
 {
     const invcal_real pace = m->rate / (invcal_real)m->still_samples;
@@ -255,7 +256,7 @@ static void drop_oldest(invcal_moves *m)
     m->rest[0].move = -INVCAL_TOO_FEW;
 }
 
-/* The bias of a rest: is it far from that of the one before? */
+/* The bias of a rest. Returns whether it is far from that of the one before. */
 static int measure_bias(const invcal_moves *m, int16_t bias[3])
 {
     const invcal_real pace = m->rate / INVCAL_KAPPA_UNIT / (invcal_real)m->still_samples;
@@ -305,12 +306,12 @@ void invcal_moves_restart(invcal_moves *m)
     invcal_zero(m, offsetof(invcal_moves, layout));
     m->fixed = m->first;
     m->used = m->first;
-    /* to the first rest leads no move */
+    /* no move leads to the first rest */
     m->fault = m->count > 0 ? INVCAL_MOVE_GAP : INVCAL_TOO_FEW;
     forget_rest(m);
 }
 
-/* ---- what is called ----------------------------------------------------------------------------- */
+/* ---- public functions --------------------------------------------------------------------------- */
 
 invcal_status invcal_moves_init(invcal_moves *moves, const invcal_calibration *nominal,
                                 invcal_real rate)
@@ -342,7 +343,7 @@ invcal_status invcal_moves_rails(invcal_moves *moves, int32_t low, int32_t high)
     return INVCAL_OK;
 }
 
-/* A sample holds for the time since the one before: the rule of the end point. */
+/* A sample holds for the time since the one before: the right end point rule. */
 void invcal_moves_feed(invcal_moves *moves, const int32_t raw[3])
 {
     invcal_real th[3];

@@ -8,12 +8,12 @@ enum { KINDS = INVCAL_NOISE_KINDS, ALL = (1 << INVCAL_NOISE_KINDS) - 1 };
 #define ABOVE INVCAL_REAL(0.1025)                /* 1.05^2 - 1 */
 #define EDF_MIN 5                                /* with fewer, chance has too long a tail */
 #define TRUST INVCAL_REAL(0.0025)                /* variance of the model itself, relative: 5 % */
-#define ROUNDS 8                                 /* of reweighting: to 0.3 % of where they end */
+#define ROUNDS 8                                 /* of reweighting: within 0.3 % of convergence */
 #define VISIBLE (INVCAL_REAL(1.0) / 3)           /* relative standard deviation of a term */
-#define SHARED 2 /* on that of slow noise, which ties neighbouring tau to each other */
-#define POOR 2   /* of misfit: beyond, it is no chance */
+#define SHARED 2 /* factor on that of slow noise, which correlates neighbouring tau */
+#define POOR 2   /* misfit; above: not by chance */
 
-/* adev^2(tau) = N^2 / tau + (2 ln 2 / pi) B^2 + K^2 tau / 3: what stands beside the squares. */
+/* adev^2(tau) = N^2 / tau + (2 ln 2 / pi) B^2 + K^2 tau / 3: the factors of the squares. */
 static void shares(invcal_real tau, invcal_real of[KINDS])
 {
     of[INVCAL_NOISE_WHITE] = 1 / tau;
@@ -26,9 +26,9 @@ static int has_no_negative(const invcal_real x[KINDS])
     return x[0] >= 0 && x[1] >= 0 && x[2] >= 0;
 }
 
-/* ---- what the noise is made of --------------------------------------------------------------- */
+/* ---- the noise model ------------------------------------------------------------------------- */
 
-/* What of the averaging times can be used. */
+/* The usable averaging times. */
 typedef struct {
     unsigned count;
     invcal_allan_point first, lowest, last;
@@ -41,11 +41,11 @@ typedef struct {
 typedef struct {
     invcal_real square[KINDS];
     invcal_real relative[KINDS];
-    unsigned kinds; /* those that are there */
+    unsigned kinds; /* those present */
 } mixture;
 
-/* Its normal equations, packed, with right side and constant behind them (expert.h), in units in
- * which the diagonal is 1. */
+/* Its normal equations, packed, then right side and constant (expert.h), in units that make the
+ * diagonal 1. */
 typedef struct {
     invcal_real a[INVCAL_PACKED_SIZE(KINDS + 1)];
     invcal_real unit[KINDS + 1];
@@ -77,7 +77,7 @@ static void collect(const invcal_allan *a, curve *c)
     }
 }
 
-/* adev^2 of the model at averaging time k, as measured if it is none; and its shares. */
+/* adev^2 of the model at averaging time k, as measured if there is no model; and its shares. */
 static invcal_real model(const curve *c, const mixture *x, unsigned k, invcal_real of[KINDS])
 {
     shares(c->tau[k], of);
@@ -121,8 +121,8 @@ static void leave_out(const equations *e, unsigned kinds, invcal_real *a)
     }
 }
 
-/* What solves for one set of kinds becomes the best model so far, if it is determined, no square is
- * negative, and the sum of squares that it leaves is less than `min` by more than rounding. */
+/* The solution for one set of kinds becomes the best model so far, if it is determined, no square is
+ * negative, and its residual sum of squares is below `min` by more than rounding. */
 static void try_set(const equations *e, unsigned kinds, invcal_real *min, mixture *best)
 {
     const invcal_real rounding = 8 * INVCAL_EPSILON * e->a[INVCAL_PACKED(KINDS, KINDS)];
@@ -149,8 +149,8 @@ static void try_set(const equations *e, unsigned kinds, invcal_real *min, mixtur
     }
 }
 
-/* The best set of kinds within those allowed: least squares under the condition that no square is
- * negative. The model that weighs is found in turns with its weights; x is where to begin. */
+/* The best set of kinds within those allowed: least squares without a negative square, iteratively
+ * reweighted by the model from x on. */
 static void fit_model(const curve *c, unsigned allowed, mixture *x)
 {
     equations e;
@@ -167,7 +167,7 @@ static void fit_model(const curve *c, unsigned allowed, mixture *x)
     }
 }
 
-/* The kind that stands out least, if it does not stand out; else KINDS. */
+/* The least significant kind, if it is not significant; else KINDS. */
 static unsigned hidden_kind(const mixture *x)
 {
     invcal_real most = VISIBLE;
@@ -194,7 +194,7 @@ static invcal_real misfit(const curve *c, const mixture *x)
     return INVCAL_SQRT(sum / (invcal_real)c->count);
 }
 
-/* Kinds that do not stand out are left out, one by one, as long as the others explain the curve. */
+/* Drops insignificant kinds, one by one, as long as the others explain the curve. */
 static void fit_visible(const curve *c, mixture *x)
 {
     mixture fewer;
@@ -233,7 +233,8 @@ invcal_status invcal_allan_noise(const invcal_allan *allan, invcal_real rate, in
     n.minimum = c.lowest.adev;
     n.misfit = misfit(&c, &x);
     n.visible = (uint8_t)x.kinds;
-    const invcal_real unit[KINDS] = {n.shortest, 1, 1 / n.shortest}; /* tau was relative to it */
+    const invcal_real unit[KINDS] = {n.shortest, 1,
+                                     1 / n.shortest}; /* tau was relative to shortest */
     for (unsigned i = 0; i < KINDS; i++) {
         n.coefficient[i] = c.first.adev * INVCAL_SQRT(x.square[i] * unit[i]);
         n.relative[i] = x.relative[i] / 2; /* of the root: half that of the square */

@@ -13,9 +13,9 @@
 
 enum { STATED = 1 }; /* residuals that the stated noise counts as */
 
-/* Groups of one size: the best and the second best, and what is left of the sum of squares. */
+/* Groups of one size: the best and the second best, and the remaining sum of squares. */
 typedef struct {
-    invcal_mask best; /* to be left out, and what was left out before */
+    invcal_mask best; /* with those left out before */
     invcal_mask rival;
     invcal_real squares;
     invcal_real rival_squares;
@@ -24,7 +24,7 @@ typedef struct {
 /* The search in a fit. */
 typedef struct {
     const invcal_fit *fit;
-    invcal_real promising; /* squares that a pair leaves at most, see visit */
+    invcal_real promising; /* max squares left by a pair, see visit */
     contest contests[INVCAL_GROUP + 1];
 } search;
 
@@ -35,9 +35,9 @@ static invcal_mask bit(unsigned i)
 
 /* ---- the best group of each size ------------------------------------------------------------ */
 
-/* To leave position k out is to add an unknown of its own, with a column that is 1 there and else 0. */
+/* Leaving position k out is the same as adding an unknown, with a column that is 1 there and 0 elsewhere. */
 typedef struct {
-    invcal_mask out;     /* those that are left out by now */
+    invcal_mask out;     /* those left out so far */
     invcal_real squares; /* of the others */
 } left_over;
 
@@ -57,9 +57,9 @@ static void enter(contest *c, invcal_mask out, invcal_real squares)
     }
 }
 
-/* Position k as member d: the group enters the contest of its size. Returns 1 if another may follow: to
- * one always; to two if they leave no more of the squares than 1 - 9.5 / n. Clear groups of three have such
- * a pair, 99 of 100 of them, but only one in fifteen pairs of a good set is such a one. */
+/* Position k as member d: the group enters the contest of its size. Returns 1 if a member may follow: after
+ * one always; after two if they leave at most 1 - 9.5 / n of the squares. 99 of 100 clear groups of three
+ * have such a pair, but only one in fifteen pairs of a good set is one. */
 static INVCAL_OFTEN int visit(search *s, left_over *over, invcal_column group[INVCAL_MORE],
                               unsigned d, unsigned k)
 {
@@ -107,8 +107,8 @@ static INVCAL_APART void search_groups(search *s, unsigned size)
 
 /* ---- how many of them ----------------------------------------------------------------------- */
 
-/* Is leaving out k better than leaving out any fewer, and not by the chance of so many choices? If the
- * noise is stated, the residuals must say so alone, too: a systematic error is no noise. */
+/* Is leaving out k significantly better than any fewer, given the number of choices? If the noise is
+ * stated, the residuals alone must confirm it: a systematic error is not noise. */
 static int beats_fewer(const search *s, unsigned k, invcal_real *chance)
 {
     const contest *c = s->contests;

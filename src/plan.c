@@ -34,7 +34,7 @@ static invcal_real wrap(invcal_real degrees)
     return degrees > TURN / 2 ? degrees - TURN : degrees <= -TURN / 2 ? degrees + TURN : degrees;
 }
 
-/* start + 360 k / N, wrapped before it is rounded: half a turn is taken off each part, exactly. */
+/* start + 360 k / N, wrapped before rounding: half a turn is subtracted from each part, exactly. */
 static invcal_real angle(invcal_real start, unsigned k, unsigned per_group)
 {
     const invcal_real turned = 2 * k > per_group ? -(invcal_real)(per_group - k) : (invcal_real)k;

@@ -18,7 +18,7 @@ static inline invcal_real invcal_thermal_scaled(const invcal_thermal *thermal,
     return (temperature - thermal->reference) / thermal->span;
 }
 
-/* The calibration of u at t, whatever has been seen: A = (I + S)^-1. INVCAL_NOT_ELLIPSOID if a semi-axis
+/* The calibration of u at any t: A = (I + S)^-1. INVCAL_NOT_ELLIPSOID if a semi-axis
  * is beyond ten times that of a perfect triad. */
 invcal_status invcal_thermal_triad(const invcal_thermal *thermal, invcal_real t,
                                    invcal_calibration *triad);

@@ -7,15 +7,15 @@
 
 enum { SYSTEM = INVCAL_PACKED_SIZE(INVCAL_PARAMETERS + 1) };
 
-/* What is known beforehand: parameter r is 0 with standard deviation sigma[r]; 0: nothing. And what the
- * positions make of it. */
+/* What is known beforehand: parameter r is 0 with standard deviation sigma[r]; 0: nothing. And the result
+ * with the positions. */
 typedef struct {
     const invcal_real *sigma;
     invcal_real widest;   /* of them */
     unsigned count;       /* of those that are stated */
     invcal_real stated;   /* noise, */
-    invcal_real noise;    /* the one that they are weighed with, */
-    invcal_real resolved; /* and the least that can be, beside what the positions leave open */
+    invcal_real noise;    /* the one used for the weights, */
+    invcal_real resolved; /* and the min that resolves what the positions leave open */
     invcal_calibration c;
     invcal_quality q;
     uint8_t of_noise; /* verdict on the residuals alone */
@@ -51,9 +51,8 @@ static invcal_real row_of(const update *prior, unsigned r)
     return ratio * ratio;
 }
 
-/* What the positions tell, and the prior, to L. Where the positions alone leave parameters open the
- * noise is raised to that with which the prior is just more than rounding beside the largest sums:
- * with less, rounding errors would count as data. */
+/* Positions and prior to L. If the positions alone leave parameters open, the noise is raised until the
+ * prior just exceeds rounding of the largest sums: with less, rounding errors would count as data. */
 static invcal_status factor_with(const invcal_real *told, update *prior, invcal_real l[SYSTEM])
 {
     const invcal_real largest = invcal_largest_diagonal(told, INVCAL_PARAMETERS);
@@ -91,8 +90,8 @@ static invcal_status solve_with(const invcal_positions *positions, update *prior
     return invcal_ellipsoid(&l[INVCAL_PACKED(INVCAL_PARAMETERS, 0)], l, triad);
 }
 
-/* Of the second pass. A parameter that the prior supplies costs no degree of freedom, and its sigma is
- * that of the prior at most, but for rounding. */
+/* Of the second pass. A parameter supplied by the prior costs no degree of freedom, and its sigma is at
+ * most that of the prior, except for rounding. */
 static invcal_status judge_with(const invcal_real *information, update *prior,
                                 invcal_real l[SYSTEM], const invcal_real a[3][3])
 {
@@ -126,7 +125,7 @@ static invcal_status judge_with(const invcal_real *information, update *prior,
     invcal_judge_noise(prior->stated, information[SYSTEM - 1], dof, q);
     prior->of_noise = q->verdict;
     const invcal_real seen = q->noise >= prior->resolved ? q->noise : prior->resolved;
-    q->noise = prior->noise; /* that the prior was weighed with */
+    q->noise = prior->noise; /* the weight of the prior */
     prior->noise = seen;
     invcal_judge_parameters(k, a, q);
     prior->from_prior = (uint16_t)bits;
@@ -160,7 +159,7 @@ static invcal_status calibrate(const invcal_positions *positions, update *prior)
     return status;
 }
 
-/* The data may be noisier than stated: then the prior counts for more, and all is made once more. */
+/* If the data are noisier than stated, the prior has more weight: solve again. */
 static invcal_status learn(const invcal_positions *positions, const invcal_real *sigma, update *u)
 {
     invcal_zero(u, sizeof *u);
@@ -196,7 +195,7 @@ invcal_status invcal_calibrate_with_prior(const invcal_real *raw, unsigned count
     return status;
 }
 
-/* An angle that the positions hardly tell is what the prior says, and the verdict is not about it. */
+/* An angle that the positions hardly determine is held by the prior, and the verdict ignores it. */
 invcal_status invcal_calibrate_six_faces(const invcal_real *raw, unsigned count,
                                          const invcal_calibration *nominal, invcal_real noise,
                                          invcal_real gamma, invcal_calibration *out,

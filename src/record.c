@@ -44,7 +44,7 @@ static void put_record(const invcal_record *r, uint8_t *bytes)
     (void)invcal_put_reals(at, r, RECORD_REALS);
 }
 
-/* What has weak parameters is WEAK or worse, and nothing else is WEAK. */
+/* WEAK if and only if a parameter is weak. */
 static int is_consistent(const uint8_t *bytes, const invcal_record *r)
 {
     const unsigned weak = invcal_get_u16(bytes + WEAK_AT);
@@ -56,7 +56,7 @@ static int is_consistent(const uint8_t *bytes, const invcal_record *r)
            (known > 0 ? known == 1 : r->temperature == 0);
 }
 
-/* Reads the reals and judges all; r is lost on failure. */
+/* Reads the reals and checks everything; overwrites r on failure. */
 static invcal_status read_reals(const uint8_t *bytes, uint32_t size, invcal_record *r)
 {
     const invcal_status status = invcal_unseal(bytes, size, INVCAL_RECORD_KIND);
@@ -72,7 +72,7 @@ static invcal_status read_reals(const uint8_t *bytes, uint32_t size, invcal_reco
     return is_consistent(bytes, r) ? invcal_nominal_check(&r->calibration) : INVCAL_DAMAGED;
 }
 
-/* What was written is read again: rounded to float, it may be none. */
+/* Decodes the bytes again: rounded to float, they may not be a calibration. */
 static invcal_status seal_record(uint8_t *bytes)
 {
     invcal_record r;
@@ -109,7 +109,7 @@ invcal_status invcal_record_decode(const uint8_t *bytes, uint32_t size, invcal_r
 
 /* ---- in a memory ------------------------------------------------------------------------------- */
 
-/* The bytes of what invcal_record_init makes, without it. */
+/* The bytes of a record from invcal_record_init, without making one. */
 invcal_status invcal_save(const invcal_store *store, const invcal_calibration *calibration,
                           const invcal_quality *quality)
 {

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT
  *
  * Records of version 1, of release 0.1.0: its matrices are in the unit of the field; delta, dk, gamma and
- * sigma_offset stand before sigma; and weak was the third verdict and the last.
+ * sigma_offset come before sigma; and weak was the third verdict and the last.
  */
 #include <string.h>
 
@@ -21,7 +21,7 @@ void invcal_over_field(invcal_real *matrix, invcal_real field)
 
 invcal_status invcal_record_decode_v1(const uint8_t *bytes, uint32_t size, invcal_record *out)
 {
-    uint8_t now[INVCAL_RECORD_SIZE]; /* in the order of the present version */
+    uint8_t now[INVCAL_RECORD_SIZE]; /* in the order of the current version */
     invcal_record r;
 
     INVCAL_ASSERT(bytes && out);

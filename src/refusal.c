@@ -3,7 +3,7 @@
 
 #include "guidance.h"
 
-#define RIDGED INVCAL_REAL(0.1) /* share of a parameter that the ridge holds; above: it is open */
+#define RIDGED INVCAL_REAL(0.1) /* share of the ridge in a parameter; above: it is open */
 
 unsigned invcal_bad_reading(const invcal_real *raw, unsigned count,
                             const invcal_calibration *nominal)

@@ -7,39 +7,38 @@
 
 /* Every constant is a time, a ratio or a probability; none has a unit of the sensor.
  *
- * Distances and noise are squared, and sums over the three axes, throughout. They are compared as
- * levels, logarithms to base 2: what would be a factor is a difference, and 16 bits hold whatever
- * int32 can bring about. */
+ * Distances and noise are squared, and summed over the three axes, throughout. They are compared as
+ * levels, logarithms to base 2: a factor becomes a difference, and 16 bits hold the range of int32. */
 #define OCTAVE 128            /* a factor of 2 */
 #define ONE (32 * OCTAVE)     /* the level of 1 count^2 */
-#define NONE 0                /* nothing is known yet: less than any level */
+#define NONE 0                /* not known yet: less than any level */
 #define BEYOND (127 * OCTAVE) /* more than any level */
 
-/* Times. A block is about 1/8 s: shorter than a move, long enough to hold some samples. */
+/* Times. A block is about 1/8 s: shorter than a move, long enough for some samples. */
 enum {
     BITS_MIN = 2,  /* 4 samples: three axes then give nine degrees of freedom to a variance */
-    LEAST = 4,     /* blocks that make a position, or more where they last less than 0.6 s */
-    TRIM = 2,      /* newest blocks held back: motion begins before it is noticed, 0.3 s */
+    LEAST = 4,     /* min blocks of a position, or more if they last less than 0.6 s */
+    TRIM = 2,      /* newest blocks held back: motion begins before it is detected, 0.3 s */
     HOLD = 4,      /* more blocks in a row that disagree end a rest: knocks are shorter */
-    ELSEWHERE = 2, /* the same where the device rests elsewhere already */
+    ELSEWHERE = 2, /* the same if the device already rests elsewhere */
     RELEARN = 4,   /* blocks in a row of another, steady noise are a new noise level, 0.6 s; twice
                       as many after a position at the old one: a hand's fumbling is shorter */
     FREEZE = 8,    /* blocks in a row without any noise: the sensor is not read, 1.2 s */
-    FADE = 4,      /* the trend forgets: 1 << FADE blocks count, 2 s, as long as a short rest */
+    FADE = 4,      /* forgetting factor of the trend: 1 << FADE blocks, 2 s, a short rest */
     DRIFTING = 10  /* blocks in a row of a rest that drifts, until it is refused: 1.5 s */
 };
 
-/* Noise. The level is a quantile: the steps up and down balance where 30 % of the blocks lie below,
- * so a third of all blocks at rest is enough to learn it. */
+/* Noise. The level is a quantile: the steps up and down balance with 30 % of the blocks below, so a
+ * third of all blocks at rest is enough to learn it. */
 enum {
     RISE = 18,              /* 1.1 */
     FALL = 41,              /* 1 / 0.8 */
-    FAR_BELOW = 4 * OCTAVE, /* what came before moved: no noise is that uneven */
+    FAR_BELOW = 4 * OCTAVE, /* motion before it: no noise is that uneven */
     QUIET = 297,            /* 5 times the level: chance is 2e-4 for 9 degrees of freedom */
-    HARD = 331,             /* 6 times what is allowed: motion, not a hand's unrest */
-    ALIKE = 203,            /* variances of blocks of one noise level differ less: 3 times */
+    HARD = 331,             /* 6 times the limit: motion, not a hand's unrest */
+    ALIKE = 203,            /* max ratio of block variances at one noise level: 3 */
     HIDDEN = -2 * OCTAVE,   /* readings that toggle between two counts vary by up to 1/4 count^2
-                               on each axis: a noise that is smaller hides in them */
+                               on each axis: they hide a smaller noise */
     ALIVE = 576             /* 24: where noise is nearly three counts an axis, none stands still */
 };
 
@@ -59,28 +58,27 @@ enum {
     REACH_PER_SECOND = -19 * OCTAVE /* 1/720 of the reach in a second */
 };
 
-#define WIDE (INT32_C(1) << 19)     /* counts: no noise is so large, no rest creeps so far */
-#define NEAR (UINT32_C(1) << 12)    /* counts: what is closer to the first is added quickly */
-#define FINE 10u                    /* bits behind the point of a mean: exact for any block */
-#define MOST 65535u                 /* blocks of a rest that are summed */
+#define WIDE (INT32_C(1) << 19)     /* counts: more than any noise, or any creep of a rest */
+#define NEAR (UINT32_C(1) << 12)    /* counts from the first sample, for the fast sum */
+#define FINE 10u                    /* fraction bits of a mean: exact for any block */
+#define MOST 65535u                 /* max blocks summed in a rest */
 #define SHORTEST UINT32_C(163578)   /* seconds that make a position, 1/2^18: 0.624 */
 #define HOUR (UINT32_C(3600) * 125) /* in 1/125 s */
 
-/* What has been said of the rest, beside why it was REFUSED: it is READY; nothing; it was TAKEN by the
- * newest block. */
+/* The last event of the rest, besides the reasons for REFUSED: READY; none; TAKEN by the newest block. */
 enum { HELD = INVCAL_OK, SETTLING = INVCAL_STATUS_COUNT, LEFT = INVCAL_STATUS_COUNT + 1 };
 
 /* Bits of flags, and of `seen`, which is the newest block's. */
 enum {
     CLIPPED = 1, /* some sample was at a rail */
     LOST = 2,    /* samples were lost */
-    WILD = 4,    /* some sample was too far from the first: no sum means anything */
+    WILD = 4,    /* some sample was too far from the first: the sums are meaningless */
     CHANGED = 8, /* the x axis has changed inside a block; y and z in the next bits */
     ALL_CHANGED = 7 * CHANGED
 };
 
-/* Where the compiler is to save space, all samples are added one way, which takes three times as long;
- * and what stands behind COMPACT is not copied into its callers. */
+/* If the compiler optimises for size, all samples are added the slow way, which takes three times as long;
+ * and COMPACT functions are not inlined. */
 #ifdef __OPTIMIZE_SIZE__
 #define QUICK 0
 #define COMPACT INVCAL_APART
@@ -101,13 +99,13 @@ static uint32_t smaller(uint32_t a, uint32_t b)
     return a < b ? a : b;
 }
 
-/* What stands for a negative number modulo 2^32 is that number. */
+/* From a number modulo 2^32 to a signed one. */
 static int32_t as_signed(uint32_t x)
 {
     return x <= INT32_MAX ? (int32_t)x : -(int32_t)~x - 1;
 }
 
-/* |x| of what stands for a number modulo 2^32. */
+/* |x| of a number modulo 2^32. */
 static uint32_t size_of(uint32_t x)
 {
     return x <= INT32_MAX ? x : 0u - x;
@@ -121,7 +119,7 @@ static int32_t shifted(int32_t x, unsigned bits)
     return as_signed(x < 0 ? 0u - size : size);
 }
 
-/* The position of the first one of x, from 0; 0 for 0 too. */
+/* The index of the highest set bit of x, from 0; 0 for 0 too. */
 static unsigned top_of(uint32_t x)
 {
 /* cppcheck-suppress misra-c2012-20.9 ; of limits.h */
@@ -137,7 +135,7 @@ static unsigned top_of(uint32_t x)
 #endif
 }
 
-/* To base 2, in octaves; straight between powers of two, so up to 6 % below. 0 counts as 1/2. */
+/* To base 2, in octaves; linear between powers of two, so up to 6 % below. 0 counts as 1/2. */
 static int octaves(uint32_t x)
 {
     const unsigned top = top_of(x);
@@ -145,7 +143,7 @@ static int octaves(uint32_t x)
     return ((int)top - 1) * OCTAVE + (int)(x << (31 - top) >> 24);
 }
 
-/* Adds x^2. Where the processor has no product of 64 bits the compiler's is a large function. */
+/* Adds x^2. Without a 64-bit product of the processor, the compiler's is a large function. */
 COMPACT static void add_squared(uint64_t *sum, uint32_t x)
 {
 #ifdef __ARM_ARCH_6M__
@@ -180,7 +178,7 @@ COMPACT static int length_of(const int32_t d[3])
     return level_of(square);
 }
 
-/* The level of the distance of the rest from the position before. */
+/* The level of the distance of the rest from the previous position. */
 COMPACT static int distance_from_place(const invcal_rests *s)
 {
     int32_t d[3];
@@ -191,7 +189,7 @@ COMPACT static int distance_from_place(const invcal_rests *s)
     return length_of(d) + 2 * (int)FINE * OCTAVE;
 }
 
-/* Which is the first, or has been taken. */
+/* Of the first rest, or of a position. */
 INVCAL_APART static void mark_place(invcal_rests *s)
 {
     for (unsigned a = 0; a < 3; a++) {
@@ -201,14 +199,14 @@ INVCAL_APART static void mark_place(invcal_rests *s)
 
 /* ---- a block ------------------------------------------------------------------------------ */
 
-/* Behind motion 0.5 s of quiet blocks are passed over: half of what makes a position, rounded up,
- * and the one that may have begun in motion. */
+/* After motion 0.5 s of quiet blocks are skipped: half the min of a position, rounded up, and the
+ * one that may have begun in motion. */
 static void skip(invcal_rests *s)
 {
     s->skip = (uint8_t)((s->least + 3u) / 2);
 }
 
-/* There is no rest: the next one is looked for. */
+/* There is no rest: look for the next one. */
 INVCAL_APART static void clear_rest(invcal_rests *s)
 {
     s->blocks = 0;
@@ -232,8 +230,8 @@ static void drop(invcal_rests *s)
     s->span = 0;
 }
 
-/* Differences are to the first sample. Only where that is far from the rails, and the quantum known,
- * may others be added quickly. */
+/* Differences are to the first sample. The fast sum is for a first sample far from the rails, with the
+ * quantum known. */
 static void begin(invcal_rests *s, const int32_t raw[3])
 {
     if (s->stage == LEFT) {
@@ -253,8 +251,7 @@ static void begin(invcal_rests *s, const int32_t raw[3])
     }
 }
 
-/* Any sample: the first of a block, one that is far from it, that is near a rail, or that may tell the
- * quantum. */
+/* Any sample: the first of a block, one far from it or near a rail, or one that may reduce the quantum. */
 INVCAL_APART static void add_any(invcal_rests *s, const int32_t raw[3])
 {
     if (s->missing == 0) {
@@ -272,16 +269,16 @@ INVCAL_APART static void add_any(invcal_rests *s, const int32_t raw[3])
         if (size >= WIDE) {
             seen |= WILD;
         }
-        if (size - 1u < s->quantum - 1u) { /* 0 is no change, or none as yet: more than any */
+        if (size - 1u < s->quantum - 1u) { /* 0, no change or none yet, counts as more than any */
             s->quantum = size;
         }
     }
     s->seen = (uint8_t)seen;
 }
 
-/* Adds a sample whose differences d are all small: -span/2 <= d < span/2, seen at one blow as
- * d + span/2 has no bit from that of span upwards. Returns 0 if they are not. Modulo 2^32, which
- * unsigned arithmetic does everywhere alike. */
+/* Adds a sample whose differences d are all small: -span/2 <= d < span/2, tested at once, since
+ * d + span/2 has no bit from that of span upwards. Returns 0 if they are not. Modulo 2^32, as
+ * unsigned arithmetic is everywhere. */
 static int add_small(invcal_rests *s, const int32_t raw[3])
 {
     const uint32_t span = s->span;
@@ -300,8 +297,8 @@ static int add_small(invcal_rests *s, const int32_t raw[3])
     return 1;
 }
 
-/* The block's mean, from its first sample, and in place of the squares its variance, 1/2^20 counts^2,
- * but for n / (n - 1). Integers, so nothing cancels, and it is never below 0: Cauchy and Schwarz. */
+/* The block's mean, from its first sample, and instead of the squares its variance, 1/2^20 counts^2,
+ * without n / (n - 1). Integers, so nothing cancels, and it is never below 0: Cauchy and Schwarz. */
 static void measure(invcal_rests *s)
 {
     const unsigned up = 2 * FINE - s->bits; /* 10 to 18 */
@@ -321,13 +318,13 @@ static void measure(invcal_rests *s)
 
 /* ---- learning from the stream ------------------------------------------------------------- */
 
-/* Of 1/2 count until it is known. */
+/* That of 1/2 count until it is known. */
 static int quantum_level(const invcal_rests *s)
 {
     return 2 * octaves(s->quantum) + ONE;
 }
 
-/* Places that differ by less are one. */
+/* Places that differ by less are the same. */
 COMPACT static int resolution_level(const invcal_rests *s)
 {
     return larger(s->reach + OF_REACH, quantum_level(s) + OF_QUANTUM);
@@ -342,9 +339,9 @@ COMPACT static int follow(int level, int x)
     return larger(x, level - FALL);
 }
 
-/* A block is judged by the noise so far, no less than the quantum hides, and a quiet one adds to that.
- * One that has so much less noise that what came before has moved sets the level, and a rest begins
- * anew; but where there are blocks enough for a position, an odd one changes little. */
+/* A block is compared with the noise so far, at least that hidden by the quantum, and a quiet one updates
+ * it. A block with far less noise, so that there was motion before, sets the level and restarts the rest;
+ * but once there are enough blocks for a position, a single one changes little. */
 static void learn_noise(invcal_rests *s, int level, int hidden)
 {
     int noise = larger(s->noise, hidden);
@@ -356,9 +353,9 @@ static void learn_noise(invcal_rests *s, int level, int hidden)
     s->noise = (int16_t)(level <= noise + QUIET ? follow(noise, level) : noise);
 }
 
-/* A fan is switched on, a table instead of a hand: blocks in a row, not quiet, but of like
- * variance, and closer to where they are expected, which without a rest is where the block before
- * was, than the noise that they would be made of. Then that is the noise. */
+/* A fan is switched on, a table instead of a hand: blocks in a row, not quiet, but of similar
+ * variance, and closer to where they are expected (without a rest, where the previous block was)
+ * than their noise. Then that is the new noise. */
 static void learn_new_noise(invcal_rests *s, int level, int jump)
 {
     const int d = level - s->other;
@@ -378,8 +375,8 @@ static void learn_new_noise(invcal_rests *s, int level, int jump)
 
 /* ---- the trend of a rest ------------------------------------------------------------------ */
 
-/* The mean from origin, which without a rest moves to it, in whole counts; returns how far the block
- * is from where the rest would have it, which may drift slowly: its trend is followed. */
+/* The mean from origin, which without a rest moves to it, in whole counts. Returns the distance of the
+ * block from the trend of the rest, which may drift slowly. */
 static int locate(invcal_rests *s)
 {
     int32_t d[3];
@@ -408,10 +405,11 @@ static uint32_t blocks_of(const invcal_rests *s)
     return (uint32_t)s->blocks + s->pended;
 }
 
-/* The rest has one block more: what is held back longest is safe now, as no motion came behind it.
+/* The rest has one more block: the oldest one held back is safe now, since no motion followed it.
  *
- * Brown's double smoothing: a fading mean, and the fading mean of that. On a slope the first lags
- * behind, the second once more: that lag tells the slope. The first blocks count alike, nearly. */
+ * Brown's double exponential smoothing: an exponential mean, and the exponential mean of that. On a
+ * slope the first lags, the second lags again: that lag gives the slope. The first blocks have nearly
+ * equal weights. */
 COMPACT static void add_block(invcal_rests *s)
 {
     const unsigned fade = (unsigned)smaller(top_of(2 * blocks_of(s) + 1), FADE);
@@ -436,14 +434,13 @@ COMPACT static void add_block(invcal_rests *s)
     }
 }
 
-/* Does the rest drift? The slope must be beyond chance, as noise and what a hand wanders tell it,
- * and fast, for the noise and for the reach: a sensor that warms up is slower.
+/* Does the rest drift? The slope must be significant against noise and a hand's wander, and fast, for
+ * the noise and for the reach: a sensor that warms up is slower.
  *
- * On a slope of one a block the lag is g: 15 in the end, and a quarter of the number of blocks,
- * within 20 %, until then. Of block means that scatter by v the slope b is known to v / (5.5 g^3),
- * within 30 %, so chance is less than 1e-4 (chi^2 of 24 for three axes) beyond b^2 g^3 = 8 / 5.5 v. What
- * blocks wander from their trend holds the slope too, up to 8 b^2 before the trend is known: an eighth of
- * it is taken for v. */
+ * On a slope of one per block the lag is g: 15 in the end, and a quarter of the number of blocks,
+ * within 20 %, until then. If block means scatter by v, the variance of the slope b is v / (5.5 g^3),
+ * within 30 %, so chance is less than 1e-4 (chi^2 of 24 for three axes) above b^2 g^3 = 8 / 5.5 v. The
+ * wander includes the slope, up to 8 b^2 before the trend is known: so an eighth of it counts as v. */
 static int is_drifting(const invcal_rests *s)
 {
     const int g = octaves(smaller(blocks_of(s), 60)) - 2 * OCTAVE;
@@ -455,9 +452,9 @@ static int is_drifting(const invcal_rests *s)
            speed > larger(s->noise + NOISE_PER_SECOND, s->reach + REACH_PER_SECOND);
 }
 
-/* ---- what is said of a rest --------------------------------------------------------------- */
+/* ---- events of a rest --------------------------------------------------------------------- */
 
-/* Has nothing ever changed, or one axis not, among others of a noise that it cannot be without? */
+/* Has nothing ever changed, or one axis not, although the others are too noisy for that? */
 static int is_stuck(const invcal_rests *s)
 {
     return s->quantum == 0 ||
@@ -493,7 +490,7 @@ static invcal_event say(invcal_rests *s, invcal_status why, invcal_event event)
     return event;
 }
 
-/* The rest is over. A faint one is not worth a word. */
+/* The rest is over. A very short one is not reported. */
 INVCAL_APART static invcal_event finish(invcal_rests *s)
 {
     const invcal_status why = fault(s);
@@ -509,14 +506,14 @@ INVCAL_APART static invcal_event finish(invcal_rests *s)
     return say(s, why, INVCAL_TAKEN);
 }
 
-/* It may become long enough, or settle, as long as it goes on. */
+/* Drift and shortness are not reported yet: the rest may settle, or become long enough. */
 static int is_news(const invcal_rests *s, invcal_status why)
 {
     return s->stage != HELD && s->stage != (uint8_t)why && why != INVCAL_REST_DRIFT &&
            why != INVCAL_REST_SHORT && why != INVCAL_REST_GAP;
 }
 
-/* Is there news of the rest? */
+/* Is there a new event of the rest? */
 static invcal_event announce(invcal_rests *s)
 {
     if (s->blocks >= s->least) {
@@ -536,8 +533,8 @@ static invcal_event announce(invcal_rests *s)
 
 /* ---- decisions ---------------------------------------------------------------------------- */
 
-/* A knock passes, motion does not; and another place is quiet, but not here. What comes behind a blow
- * is not trusted at once, nor behind any motion as long as there is no position. */
+/* A knock passes, motion does not; another place is quiet, but elsewhere. After a shock blocks are not
+ * trusted at once, nor after any motion as long as there is no position. */
 INVCAL_APART static invcal_event disagree(invcal_rests *s, int is_quiet, int excess)
 {
     if (excess > HARD || (!is_quiet && s->blocks < s->least)) {
@@ -562,8 +559,8 @@ static invcal_event agree(invcal_rests *s)
     return announce(s);
 }
 
-/* Without any noise, where there has been some; or three axes that read the same number, as no triad
- * does: it is not read from the sensor. */
+/* No noise, although there was some before; or the same number on three axes, as from no triad: the
+ * sensor is not being read. */
 static int is_dead(const invcal_rests *s, int quantum)
 {
     return s->square == 0 && (s->noise > quantum || (s->axis[0].first == s->axis[1].first &&
@@ -581,8 +578,7 @@ static void look_for(invcal_rests *s)
     s->reach = (int16_t)larger(s->reach, distance_from_place(s));
 }
 
-/* The block is alive. Returns by what it exceeds what belongs to the rest, and says whether it is
- * quiet. */
+/* The block is alive. Returns by how much it exceeds the limits of the rest, and whether it is quiet. */
 static int judge(invcal_rests *s, int quantum, int *is_quiet)
 {
     const int level = larger(level_of(s->square), quantum + HIDDEN);
@@ -603,7 +599,7 @@ static int judge(invcal_rests *s, int quantum, int *is_quiet)
     return larger(excess, jump - limit);
 }
 
-/* Has that just become long enough to be told, and has it not been? */
+/* Has that just become long enough to report, and was not reported yet? */
 static int is_frozen(invcal_rests *s)
 {
     s->run++;
@@ -650,13 +646,13 @@ static int64_t sum_of(const invcal_rests *s, unsigned a)
     return off + (int64_t)s->axis[a].origin * (int32_t)((uint32_t)s->blocks << s->bits);
 }
 
-/* A conversion of 64 bits would be the compiler's, many times as large. */
+/* The compiler's conversion of 64 bits is many times as large. */
 static invcal_real as_real(uint64_t x)
 {
     return (invcal_real)(uint32_t)(x >> 32) * INVCAL_REAL(4294967296.0) + (invcal_real)(uint32_t)x;
 }
 
-/* ---- what is called ----------------------------------------------------------------------- */
+/* ---- public functions --------------------------------------------------------------------- */
 
 invcal_status invcal_rests_init(invcal_rests *rests, unsigned rate)
 {

@@ -36,7 +36,7 @@ void invcal_deviation(const invcal_calibration *calibration, const invcal_calibr
     x[INVCAL_GAMMA_ZY] = p[1][2] + p[2][1];
 }
 
-/* A'A = L L', and L' is A turned. */
+/* A'A = L L', so L' is A up to a rotation. */
 void invcal_make_triangular(invcal_calibration *calibration, const invcal_calibration *nominal)
 {
     invcal_real a[3][3];
@@ -50,7 +50,7 @@ void invcal_make_triangular(invcal_calibration *calibration, const invcal_calibr
         }
     }
     if (invcal_factor(l, 3, 3, 0) != INVCAL_OK) {
-        return; /* no calibration */
+        return; /* not a calibration */
     }
     for (unsigned j = 0; j < 3; j++) {
         const invcal_real x = nominal->matrix[0][j];

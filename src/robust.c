@@ -2,7 +2,7 @@
 #include "outliers.h"
 #include "vector.h"
 
-/* In nominal units, in which no position is too wrong to be looked at. Returns what is suspected. */
+/* In nominal units, in which no position is too wrong to be tested. Returns the suspected ones. */
 static INVCAL_APART invcal_mask leave_out_outliers(invcal_positions *positions)
 {
     invcal_group g;

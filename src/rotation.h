@@ -14,13 +14,12 @@
 #define INVCAL_LEAST_RATE INVCAL_REAL(8.0) /* samples per second */
 #define INVCAL_MOST_RATE INVCAL_REAL(8000.0)
 
-/* What tells the bytes that last from another layout, number type or order of bytes: version, moves, type,
- * segments. */
+/* Distinguishes kept bytes of another layout, number type or byte order: version, moves, type, segments. */
 #define INVCAL_MOVES_LAYOUT                                                                        \
     (UINT32_C(0x61000000) + INVCAL_MAX_MOVES * UINT32_C(0x40000) +                                 \
      (uint32_t)sizeof(invcal_real) * 0x1000u + INVCAL_MAX_SEGMENTS)
 
-/* A stream begins; what has been taken is there. */
+/* Begins a stream; rests and moves so far are kept. */
 void invcal_moves_restart(invcal_moves *m);
 
 /* out += unit packed */

@@ -10,16 +10,16 @@
 #include "vector.h"
 
 #define CLOSE INVCAL_REAL(0.9396926) /* cosine of 20 degrees */
-enum { DOF = 3 };                    /* residuals to spare before sigma is believed */
+enum { DOF = 3 };                    /* min degrees of freedom to trust sigma */
 enum { NOT_ASKED, NOT_GOOD, GOOD };  /* session->good */
 
-/* Before the means, and what tells that from another layout, number type or order of bytes. */
+/* The size before the means, and an identifier of layout, number type and byte order. */
 #define HEAD ((uint32_t)offsetof(invcal_session, mean))
 #define LAYOUT (UINT32_C(0x5E040000) + (uint32_t)sizeof(invcal_real) * 256u + HEAD)
 
 /* ---- settings --------------------------------------------------------------------------------- */
 
-/* The first that writes, and only if it accepts. */
+/* Called before any other write to the session; writes only on success. */
 INVCAL_APART static invcal_status begin_stream(invcal_session *session,
                                                const invcal_calibration *nominal, unsigned rate)
 {
@@ -127,7 +127,7 @@ invcal_status invcal_session_resume(invcal_session *session, uint32_t size)
 
 /* ---- samples ---------------------------------------------------------------------------------- */
 
-/* The reading of the rest that is READY or has been TAKEN just now. */
+/* The reading of the rest that is READY or was just TAKEN. */
 INVCAL_APART static invcal_status read_rest(const invcal_session *session, invcal_row *row)
 {
     return invcal_rests_mean(&session->rests, row->h)
@@ -135,7 +135,7 @@ INVCAL_APART static invcal_status read_rest(const invcal_session *session, invca
                : INVCAL_TOO_FEW;
 }
 
-/* The table is in the order of taking; where it is full the oldest goes. */
+/* The table is in the order of taking; if it is full, the oldest is dropped. */
 static void keep(invcal_session *session)
 {
     unsigned count = session->count;
@@ -151,7 +151,7 @@ static void keep(invcal_session *session)
     session->good = NOT_ASKED;
 }
 
-/* A rest that is no reading of this field is better refused at once, and again when it is left. */
+/* A rest that is not a reading of this field is refused at once, and again when it ends. */
 INVCAL_APART static invcal_event digest(invcal_session *session, invcal_event event)
 {
     session->last = (uint8_t)event;
@@ -190,7 +190,7 @@ invcal_event invcal_session_finish(invcal_session *session)
     return digest(session, invcal_rests_finish(&session->rests));
 }
 
-/* ---- what there is to tell -------------------------------------------------------------------- */
+/* ---- instructions ----------------------------------------------------------------------------- */
 
 unsigned invcal_session_progress(const invcal_session *session)
 {
@@ -215,7 +215,7 @@ const char *invcal_session_why(const invcal_session *session)
     return invcal_refusal_text(invcal_session_reason(session));
 }
 
-/* The position that was taken last: 0 if there is none. */
+/* The last position: 0 if there is none. */
 INVCAL_APART static int read_last(const invcal_session *session, invcal_row *row)
 {
     if (session->count == 0) {

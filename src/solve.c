@@ -69,7 +69,7 @@ void invcal_make_symmetric(invcal_real a[3][3], invcal_real work[INVCAL_WORK])
     }
 }
 
-/* L / root. The diagonal of L is reciprocal. */
+/* L / root. The diagonal of L is stored as reciprocals. */
 static void make_triangular(const invcal_real *l, invcal_real root, invcal_real a[3][3])
 {
     for (unsigned r = 0; r < 3; r++) {
@@ -85,8 +85,8 @@ static void make_triangular(const invcal_real *l, invcal_real root, invcal_real 
  *     v = (p0 p1 p2),  Q = I + [2p3 p6 p7; p6 2p4 p8; p7 p8 2p5]
  *     delta = -Q^-1 v,  k = 1 + delta Q delta = 1 + v Q^-1 v,  A A = Q / k
  *
- * With v below Q and -1 behind it, one Cholesky gives all: Q = L L', A A = L L' / k. Where zero
- * lies outside the ellipsoid, Q and k are negative, and -Q, -k do as well. */
+ * With v below Q and then -1, one Cholesky gives all: Q = L L', A A = L L' / k. If zero lies outside
+ * the ellipsoid, Q and k are negative, and -Q, -k serve as well. */
 invcal_status invcal_ellipsoid(const invcal_real p[INVCAL_PARAMETERS],
                                invcal_real work[INVCAL_WORK], invcal_calibration *out)
 {
@@ -158,7 +158,7 @@ static INVCAL_APART void put_behind(const invcal_calibration *nominal, invcal_ca
     }
 }
 
-/* What could not be a nominal cannot be stored either. */
+/* A calibration that is not a valid nominal cannot be stored either. */
 invcal_status invcal_behind(const invcal_calibration *nominal, invcal_calibration *c)
 {
     put_behind(nominal, c);

@@ -10,7 +10,7 @@ enum { SLOT_KIND = 0x5C, SLOT_VERSION = 1, SLOT_KIND_VERSION = SLOT_VERSION << 8
 enum { HEADER = 8, BLANK = 0xFF };
 #define CHUNK INVCAL_STORE_GRANULARITY_MAX /* a multiple of every granularity */
 
-/* Most that is stored: a size has two bytes, and offsets are of type unsigned. */
+/* Max size of the data: a size has two bytes, and offsets are of type unsigned. */
 /* cppcheck-suppress misra-c2012-20.9 ; of limits.h */
 #if UINT_MAX > 0xFFFF
 #define LARGEST 0xFFFFu
@@ -18,19 +18,19 @@ enum { HEADER = 8, BLANK = 0xFF };
 #define LARGEST (UINT_MAX - HEADER - INVCAL_CRC_SIZE - 2 * CHUNK)
 #endif
 
-/* What a slot holds; of two, the one with more is loaded. */
+/* The state of a slot; of two, the one with the higher state is loaded. */
 typedef enum { UNREADABLE, EMPTY, UNCONFIRMED, CONFIRMED } state;
 
-/* What one call works with. */
+/* The work space of a call. */
 typedef struct {
     const invcal_store *store;
-    unsigned slot;     /* the one that is looked at, erased and programmed */
-    unsigned size;     /* of what was looked at last */
-    uint32_t sequence; /* of the same; after survey of what is loaded */
-    state kept;        /* of the slot that is loaded, and so must survive */
+    unsigned slot;     /* the one to read, erase and program */
+    unsigned size;     /* of the data read last */
+    uint32_t sequence; /* of the same; after survey, of the data to load */
+    state kept;        /* of the slot to load, which must survive */
     state other;       /* of the other slot */
-    uint8_t *bytes;    /* for what is looked at, */
-    uint32_t capacity; /* if it is no more than this */
+    uint8_t *bytes;    /* receives the data, */
+    uint32_t capacity; /* up to this size */
     uint8_t chunk[CHUNK];
 } work;
 
@@ -39,7 +39,7 @@ static unsigned granularity_of(const work *w)
     return (unsigned)w->store->granularity;
 }
 
-/* The end of so much, behind the CRC; 0 if a slot does not hold it. */
+/* The end of size bytes, after the CRC; 0 if they do not fit a slot. */
 static unsigned end_of(const work *w, uint32_t size)
 {
     const unsigned g = granularity_of(w);
@@ -48,7 +48,7 @@ static unsigned end_of(const work *w, uint32_t size)
     return size - 1 < LARGEST && end + g <= w->store->slot_size ? end : 0;
 }
 
-/* Returns 0, or what the driver says of a failure. */
+/* Returns 0, or the driver's failure code. */
 static int read_chunk(work *w, unsigned at, unsigned count)
 {
     return w->store->read(w->store->context, w->slot, at, w->chunk, count);
@@ -59,8 +59,8 @@ static int program_chunk(const work *w, unsigned at, unsigned count)
     return w->store->program(w->store->context, w->slot, at, w->chunk, count);
 }
 
-/* Any bit will do: programming them began only when all else had been read back. For the same
- * reason a granule that cannot be read says no more than a blank one. */
+/* Any bit will do: they are programmed only after everything else was read back. For the same reason
+ * an unreadable granule counts as a blank one. */
 static state confirmation(work *w, unsigned end)
 {
     const unsigned count = granularity_of(w);
@@ -75,7 +75,7 @@ static state confirmation(work *w, unsigned end)
     return UNCONFIRMED;
 }
 
-/* Copies the chunk that begins with byte `first` of what is stored. */
+/* Copies the chunk that begins with byte `first` of the data. */
 static void copy(const work *w, unsigned first, unsigned count)
 {
     const unsigned all = w->size <= w->capacity ? w->size : 0;
@@ -88,7 +88,7 @@ static void copy(const work *w, unsigned first, unsigned count)
     }
 }
 
-/* Reads the slot, copies what it holds to w->bytes, and judges it. */
+/* Reads the slot, copies its data to w->bytes, and returns its state. */
 static state look(work *w)
 {
     if (read_chunk(w, 0, HEADER) != 0) {
@@ -113,14 +113,14 @@ static state look(work *w)
     return crc == INVCAL_CRC_RESIDUE ? confirmation(w, end) : EMPTY;
 }
 
-/* Begins a call: looks at both slots, and then at the one that is loaded. */
+/* Begins a call: reads both slots, then the one to load. */
 static invcal_status survey(work *w, const invcal_store *store)
 {
     const uint32_t g = store->granularity;
 
     INVCAL_ASSERT(store->read && store->erase && store->program);
     /* zeros: a driver that reports success and reads too little does no more harm than a worn
-     * memory; and nothing is copied */
+     * memory; and nothing is copied yet */
     invcal_zero(w, sizeof *w);
     w->store = store;
     if (g - 1 >= CHUNK || (g & (g - 1)) != 0 || end_of(w, 1) == 0) {
@@ -142,13 +142,13 @@ static invcal_status survey(work *w, const invcal_store *store)
     return INVCAL_OK;
 }
 
-/* Looks again afterwards: there are memories that ignore what they are told. */
+/* Reads it back: some memories ignore commands. */
 static int clear(work *w)
 {
     return w->store->erase(w->store->context, w->slot) == 0 && look(w) == EMPTY;
 }
 
-/* Fills chunk after chunk with header, bytes, padding and CRC, and programs them. */
+/* Fills chunks with header, bytes, padding and CRC, and programs them. */
 static int program(work *w, const uint8_t *bytes, unsigned size, unsigned end, uint32_t sequence)
 {
     (void)invcal_put_u32(invcal_put_two(w->chunk, SLOT_KIND_VERSION, size), sequence);

@@ -23,8 +23,8 @@ void invcal_rank_one(invcal_real *a, const invcal_real *v, unsigned n, invcal_re
     invcal_rank_one_inline(a, v, n, weight);
 }
 
-/* Elements of H'H are products of two, three or four of x, y, z, and 31 of 45 different: those in the
- * first column are the earlier ones in the second again. */
+/* Elements of H'H are products of two, three or four of x, y, z; 31 of 45 are distinct: each in the first
+ * column repeats the earlier one in the second. */
 enum { REPEATED = 14 };
 /* cppcheck-suppress misra-c2012-8.9 ; where speed is asked for, two functions use it */
 static const uint8_t again[REPEATED][2] = {
@@ -46,7 +46,7 @@ static INVCAL_INLINE int is_repeated(unsigned i)
 }
 #endif
 
-/* H'H += w h h', H'J += w h J, J'J += w J J. Where speed is asked for, nothing is summed twice. */
+/* H'H += w h h', H'J += w h J, J'J += w J J. If optimised for speed, nothing is summed twice. */
 static INVCAL_INLINE void add(invcal_sums *sums, const invcal_row *row, invcal_real weight)
 {
 #ifdef INVCAL_FAST
@@ -66,7 +66,7 @@ static INVCAL_INLINE void add(invcal_sums *sums, const invcal_row *row, invcal_r
 #else
     invcal_rank_one(sums->sum, row->h, INVCAL_PARAMETERS + 1, weight);
 #endif
-    sums->count += sums->count < UINT_MAX; /* 0 would say that they are empty */
+    sums->count += sums->count < UINT_MAX; /* 0 would mean empty */
 }
 
 void invcal_sums_init(invcal_sums *sums)
@@ -101,7 +101,7 @@ invcal_status invcal_sums_add(invcal_sums *sums, const invcal_calibration *nomin
     return status;
 }
 
-/* J is behind the row. */
+/* J comes after the row. */
 void invcal_sums_system(invcal_sums *sums)
 {
     INVCAL_UNROLL

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * Internal: what other modules ask of the sums.
+ * Internal: functions of the sums for other modules.
  */
 #ifndef INVCAL_SUMS_H
 #define INVCAL_SUMS_H
@@ -8,7 +8,7 @@
 #include "invcal/expert.h"
 #include "vector.h"
 
-/* What is behind the g that a row begins with:
+/* The part of a row after its first three elements g:
  *
  *     (g_x x, g_y y, g_z z, (g_x y + g_y x) / 2, (g_x z + g_z x) / 2, (g_y z + g_z y) / 2)
  *
@@ -30,7 +30,7 @@ static inline void invcal_products_inline(const invcal_real eta[3],
     g[INVCAL_GAMMA_ZY] = (g[1] * z + g[2] * y) / 2;
 }
 
-/* The paper's row h = (x y z x^2 y^2 z^2 xy xz yz), from the three that it begins with. */
+/* The paper's row h = (x y z x^2 y^2 z^2 xy xz yz), from its first three elements. */
 static inline void invcal_row_of(invcal_real h[INVCAL_PARAMETERS])
 {
 #ifdef INVCAL_FAST
@@ -41,7 +41,7 @@ static inline void invcal_row_of(invcal_real h[INVCAL_PARAMETERS])
     h[INVCAL_GAMMA_XZ] = h[0] * h[2];
     h[INVCAL_GAMMA_ZY] = h[1] * h[2];
 #else
-    invcal_products(h, h); /* the same numbers: two halves of what is equal */
+    invcal_products(h, h); /* both factors the same: two equal halves */
 #endif
 }
 
@@ -51,7 +51,7 @@ static inline invcal_real invcal_square_of(const invcal_real h[INVCAL_PARAMETERS
     return h[INVCAL_DK_X] + h[INVCAL_DK_Y] + h[INVCAL_DK_Z];
 }
 
-/* J = (|u|^2 - 1)/2 and h(u), exact for errors of any size. A length outside 0.1 ... 10 is no
+/* J = (|u|^2 - 1)/2 and h(u), exact for errors of any size. A length outside 0.1 ... 10 is not a
  * reading of this field, and neither is a NaN. */
 static inline invcal_status invcal_observe_inline(const invcal_calibration *nominal,
                                                   const invcal_real raw[3], invcal_row *row)
@@ -82,7 +82,7 @@ static INVCAL_IN_HEADER invcal_real invcal_leverage_inline(const invcal_real *in
     return sum;
 }
 
-/* These for those who need them often: compiled into them where speed is asked for. */
+/* These are for frequent callers: inline if optimised for speed. */
 #ifdef INVCAL_FAST
 #define invcal_products_often invcal_products_inline
 #define invcal_observe_often invcal_observe_inline
@@ -96,7 +96,7 @@ static INVCAL_IN_HEADER invcal_real invcal_leverage_inline(const invcal_real *in
 /* A += weight v v', a packed triangle of n rows. */
 void invcal_rank_one(invcal_real *a, const invcal_real *v, unsigned n, invcal_real weight);
 
-/* The same, to be compiled into those who need it often. */
+/* The same, inline for frequent callers. */
 static INVCAL_IN_HEADER void invcal_rank_one_inline(invcal_real *restrict a,
                                                     const invcal_real *restrict v, unsigned n,
                                                     invcal_real weight)

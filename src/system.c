@@ -66,7 +66,7 @@ static INVCAL_INLINE invcal_status factor(invcal_real *a, unsigned n, unsigned r
     return INVCAL_OK;
 }
 
-/* Where speed is asked for, sizes that are known are compiled for themselves. */
+/* If optimised for speed, known sizes are compiled separately. */
 invcal_status invcal_factor(invcal_real *a, unsigned n, unsigned rows, invcal_real floor)
 {
     INVCAL_ASSERT(a && n >= 1);
@@ -79,7 +79,7 @@ invcal_status invcal_factor(invcal_real *a, unsigned n, unsigned rows, invcal_re
     return factor(a, n, rows, floor);
 }
 
-/* By columns of L': once p(r) is known, its share is taken from those above. */
+/* By columns of L': once p(r) is known, its share is subtracted from those above. */
 static INVCAL_INLINE void back_substitute(invcal_real *l, unsigned n)
 {
     invcal_real *p = &l[INVCAL_PACKED(n, 0)];

@@ -6,10 +6,10 @@
 #include "sums.h"
 #include "vector.h"
 
-#define TURNED INVCAL_REAL(1e-3) /* over field: what moves by less has not turned */
+#define TURNED INVCAL_REAL(1e-3) /* over field: min change of a turned axis */
 
-/* The error of an axis that points x up, and pointed elsewhere before. The offset of 3/5 and the scale
- * error of 6/7 that nonlinearities look like, in directions to all sides, are taken off. */
+/* The error of an axis with component x of the field, which was elsewhere before. Nonlinearity without the
+ * offset of 3/5 and the scale error of 6/7 that absorb part of it, over all directions. */
 static invcal_real error_of(unsigned kind, invcal_real x, invcal_real before, invcal_real tau)
 {
     if (kind == INVCAL_DRIFT) {

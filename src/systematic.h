@@ -1,20 +1,20 @@
 /* SPDX-License-Identifier: MIT
  *
- * Internal: tests for errors that positions share. A test puts three columns beside the nine of the fit,
- * one for each axis, that stand for one kind of error.
+ * Internal: tests for systematic errors. A test adds three columns to the nine of the fit, one for each
+ * axis, for one kind of error.
  */
 #ifndef INVCAL_SYSTEMATIC_H
 #define INVCAL_SYSTEMATIC_H
 
 #include "fit.h"
 
-/* What the columns of one kind make of a fit. */
+/* The result of adding the columns of one kind to a fit. */
 typedef struct {
-    unsigned rank;       /* of the columns, those that are made of the others not counted */
-    invcal_real squares; /* what is left of fit->squares */
+    unsigned rank;       /* of the columns, without those dependent on the others */
+    invcal_real squares; /* the rest of fit->squares */
     invcal_real size[3]; /* of the error on each axis, over field */
-    /* the least share of a column's square that the nine leave: where it is 1 / f^2, sigma of the nine would
-     * grow to f of itself at most beside it */
+    /* the min share of a column's square that the nine leave: if it is 1 / f^2, fitting the column too
+     * would make sigma of the nine at most f times as large */
     invcal_real shown;
 } invcal_test;
 

@@ -20,18 +20,18 @@ enum {
     UNKNOWNS = NINE * INVCAL_THERMAL_ROWS /* coefficient of t^a, parameter r: number 9 a + r */
 };
 
-/* A fit on its way. */
+/* The state of a fit. */
 typedef struct {
     const invcal_thermal_positions *positions;
-    const invcal_thermal *base; /* what a prior holds to */
-    invcal_real noise;          /* that a prior is weighed with, over field */
+    const invcal_thermal *base; /* the mean of a prior */
+    invcal_real noise;          /* the weight of a prior, over field */
     invcal_real held[UNKNOWNS]; /* 1 / standard deviation of the prior; 0: none */
-    invcal_real widest;         /* the largest of these standard deviations; 0: no prior at all */
-    int is_judged;        /* the rows are the slopes at the solution, not those that find it */
-    invcal_real min, max; /* temperatures */
-    invcal_thermal now;   /* what the rows are made with */
-    invcal_residuals residuals; /* of that */
-    invcal_quality q;           /* of that */
+    invcal_real widest;         /* the largest of these standard deviations; 0: no prior */
+    int is_judged;              /* the rows are derivatives at the solution, not equations for it */
+    invcal_real min, max;       /* temperatures */
+    invcal_thermal now;         /* the current calibration, used for the rows */
+    invcal_residuals residuals; /* its residuals */
+    invcal_quality q;           /* its quality */
     invcal_real squares;        /* weighted, of the residuals */
     invcal_real largest;        /* on the diagonal of the system */
     /* The system of n = 9 (degree + 1) unknowns; solved: L^-1, and p in row n. */
@@ -70,7 +70,7 @@ static void add_at(job *j, unsigned n, const invcal_row *row, invcal_real weight
     invcal_rank_one(j->a, wide, n + 1, weight);
 }
 
-/* All positions, calibrated with what is there by now. */
+/* All positions, with the current calibration. */
 static invcal_status gather(job *j, unsigned n)
 {
     const invcal_thermal_positions *p = j->positions;
@@ -102,8 +102,8 @@ static invcal_status gather(job *j, unsigned n)
     return j->is_judged ? invcal_residuals_end(&j->residuals) : INVCAL_OK;
 }
 
-/* A coefficient known with a standard deviation is a row more, (noise / sigma) x = 0: it is 0 at the
- * base, and p is -x against what is there by now. */
+/* A coefficient known with a standard deviation is one more row, (noise / sigma) x = 0: it is 0 at the
+ * base, and p is -x against the current calibration. */
 static invcal_status solve_at_noise(job *j, unsigned n, invcal_real floor)
 {
     const invcal_real *now = &j->now.x[0][0];
@@ -131,8 +131,8 @@ static invcal_status solve_at_noise(job *j, unsigned n, invcal_real floor)
     return j->widest > 0 || invcal_is_resolved(j->q.condition) ? INVCAL_OK : INVCAL_UNDETERMINED;
 }
 
-/* Where a prior has to hold what the positions leave open, the noise is raised to that with which it
- * is just more than rounding beside the largest sums. */
+/* If a prior must hold what the positions leave open, raises the noise until the prior just exceeds
+ * rounding of the largest sums. */
 static invcal_status solve_to(job *j, unsigned n)
 {
     invcal_status status = solve_at_noise(j, n, j->widest > 0 ? 30 * INVCAL_FLOOR : INVCAL_FLOOR);
@@ -147,7 +147,7 @@ static invcal_status solve_to(job *j, unsigned n)
 
 /* ---- the solution --------------------------------------------------------------------------------- */
 
-/* How many coefficients, from this one on, no prior holds, nor the positions once it is solved. */
+/* Number of coefficients, from this one on, that neither a prior nor, once solved, the positions hold. */
 static unsigned count_open(const job *j, unsigned from, unsigned n, int is_solved)
 {
     unsigned count = 0;
@@ -158,7 +158,7 @@ static unsigned count_open(const job *j, unsigned from, unsigned n, int is_solve
     return count;
 }
 
-/* What stands against a degree: it need not even be tried, or it has been solved. */
+/* The obstacle to a degree, before or after solving. */
 static invcal_thermal_fallback try_degree(job *j, unsigned degree, invcal_status *status)
 {
     const unsigned n = (degree + 1) * NINE;
@@ -184,7 +184,7 @@ static invcal_thermal_fallback try_degree(job *j, unsigned degree, invcal_status
     return INVCAL_THERMAL_OPEN;
 }
 
-/* The highest degree that can be had, `degree` at most. */
+/* The highest possible degree, at most `degree`. */
 static invcal_status solve_highest(job *j, unsigned degree)
 {
     invcal_status status;
@@ -198,7 +198,7 @@ static invcal_status solve_highest(job *j, unsigned degree)
     return status;
 }
 
-/* X at t of what is there by now, and of p together: delta = delta1 + (I + S1) delta2,
+/* X at t of the current calibration and p together: delta = delta1 + (I + S1) delta2,
  * (I + S)^2 = (A2 A1)^-1 (A2 A1)^-T. */
 static invcal_status compose(const job *j, invcal_real t, invcal_real x[INVCAL_PARAMETERS])
 {
@@ -232,7 +232,7 @@ static invcal_status compose(const job *j, invcal_real t, invcal_real x[INVCAL_P
     return INVCAL_OK;
 }
 
-/* The polynomials of X through what it is at both ends of the range and, for a parabola, in the
+/* The polynomials of X through its values at both ends of the range and, for a parabola, in the
  * middle m: mean + slope (t - m) + c2 ((t - m)^2 - half^2). */
 static invcal_status interpolate(job *j)
 {
@@ -264,7 +264,7 @@ static invcal_status interpolate(job *j)
     return INVCAL_OK;
 }
 
-/* Solves for what is left against the calibration that is there by now. */
+/* Solves for the deviation from the current calibration. */
 static invcal_status improve(job *j, unsigned degree)
 {
     invcal_thermal *now = &j->now;
@@ -280,13 +280,13 @@ static invcal_status improve(job *j, unsigned degree)
     now->degree = is_new ? now->fitted : now->degree;
     status = interpolate(j);
     return status == INVCAL_NOT_ELLIPSOID && count_open(j, 0, (now->fitted + 1u) * NINE, 1) > 0
-               ? INVCAL_UNDETERMINED /* what is left open may take any shape */
+               ? INVCAL_UNDETERMINED /* an open direction may take any shape */
                : status;
 }
 
 /* ---- the judgement -------------------------------------------------------------------------------- */
 
-/* How noisy the data are, and L^-1 with that. What a prior supplies is no unknown of the data. */
+/* The noise of the data, and L^-1 with it. A coefficient supplied by a prior is not an unknown. */
 static invcal_status weigh(job *j)
 {
     const unsigned n = (j->now.fitted + 1u) * NINE;
@@ -355,8 +355,8 @@ static invcal_status judge_at(job *j, invcal_real temperature)
     return INVCAL_OK;
 }
 
-/* At several temperatures: what is weak at one is weak. Without slopes over a range that wants some
- * everything is, as slopes pass for errors of everything else, and the residuals may not show it. */
+/* At several temperatures: weak at one is weak. Without slopes over a range that needs them everything is
+ * weak, since slopes pass for other errors, and the residuals may not show it. */
 static invcal_status judge_range(job *j, const invcal_real *temperature, unsigned count,
                                  invcal_quality *quality)
 {
@@ -437,8 +437,8 @@ static invcal_status set_up(job *j, const invcal_thermal_positions *positions,
     return status == INVCAL_OK && prior != NULL ? hold(j, prior) : status;
 }
 
-/* Two solutions by count, and what they are worth. A prior counts for more if the data are noisier
- * than stated: once more with their noise. Readings fit for the first pass may be absurd after it. */
+/* Exactly two solves, and their quality. If the data are noisier than stated, a prior has more weight:
+ * again with their noise. Readings that pass the first pass may be absurd after it. */
 static invcal_status run(job *j, unsigned degree, invcal_thermal *out, invcal_quality *quality)
 {
     j->now.fallback = INVCAL_THERMAL_AS_ASKED;

@@ -6,7 +6,7 @@
 #include "thermal_record.h"
 #include "vector.h"
 
-#define AGREED INVCAL_REAL(1e-4) /* over field: what two calibrations may differ by */
+#define AGREED INVCAL_REAL(1e-4) /* over field: max difference of two calibrations */
 
 enum { RECORD_AT = 4, BEHIND_RECORD = RECORD_AT + INVCAL_RECORD_SIZE, REALS_BEHIND = 4 };
 enum { BEFORE_X = 16 }; /* reals */
@@ -21,7 +21,7 @@ static unsigned count_reals(unsigned degree)
     return BEFORE_X + (degree + 1) * INVCAL_PARAMETERS;
 }
 
-/* Element (j, k) of M'M: with the offset it tells all lengths, however the calibration is turned. */
+/* Element (j, k) of M'M: with the offset it gives all lengths, for any rotation of the calibration. */
 static invcal_real gram(const invcal_calibration *c, unsigned j, unsigned k)
 {
     return c->matrix[0][j] * c->matrix[0][k] + c->matrix[1][j] * c->matrix[1][k] +
@@ -88,7 +88,7 @@ invcal_status invcal_thermal_read(const uint8_t *behind, invcal_thermal_record *
                : INVCAL_NOT_FINITE;
 }
 
-/* r is lost on failure. */
+/* Overwrites r on failure. */
 static invcal_status read_thermal(const uint8_t *bytes, uint32_t size, invcal_thermal_record *r)
 {
     invcal_status status = invcal_unseal(bytes, size, INVCAL_THERMAL_KIND);
@@ -121,7 +121,7 @@ invcal_status invcal_thermal_record_init(invcal_thermal_record *record,
     return status;
 }
 
-/* What was written is read again: rounded to float, it may be none. */
+/* Decodes the bytes again: rounded to float, they may not be a calibration. */
 invcal_status invcal_thermal_record_encode(const invcal_thermal_record *record,
                                            uint8_t bytes[INVCAL_THERMAL_RECORD_SIZE])
 {

@@ -15,8 +15,8 @@
 #define USUAL_MEAN_NOISE INVCAL_REAL(3e-4) /* of a mean, as of invcal_imu_solve */
 #define USUAL_SECONDS INVCAL_REAL(1.5)     /* of a turn */
 #define VAGUE INVCAL_REAL(0.01) /* information of a parameter that is known to 10 times the noise */
-#define HELD_BY_VAGUE INVCAL_REAL(0.1) /* a share: what is held by no more is open */
-#define CLEARLY INVCAL_REAL(1.001)     /* of turns that differ by less, the first counts */
+#define HELD_BY_VAGUE INVCAL_REAL(0.1) /* a share: open is what only that determines */
+#define CLEARLY INVCAL_REAL(1.001)     /* if turns differ by less, the first wins */
 #define NO_ARC INVCAL_REAL(0.09)  /* sine squared: closer, or closer to opposite, is no candidate */
 #define NO_SINE INVCAL_REAL(1e-6) /* squared: of directions that are opposite, or the same */
 #define WEAK_SQUARE INVCAL_REAL(6.25) /* of 2.5 */
@@ -29,7 +29,7 @@ enum {
     SIZE = INVCAL_PACKED_SIZE(TURNS_ALL)
 };
 
-/* What a turn tells; rows are over their standard deviations. */
+/* The information in a turn; rows are over their standard deviations. */
 typedef struct {
     invcal_real h[TOLD][TURNS_ALL];
     unsigned rows;
@@ -45,8 +45,8 @@ static void scale(invcal_real v[3], invcal_real times)
     }
 }
 
-/* From 0 to 180 degrees. What is left beside a first guess has a small sine, which is the angle but for
- * its fifth power: of 19 degrees 0.02 are left, and of these nothing. */
+/* From 0 to 180 degrees. The error of a first guess has a small sine, and x + x^3/6 is the angle up to the
+ * fifth power: 19 degrees become 0.02, and these become 0. */
 static invcal_real angle_of(invcal_real cosine, invcal_real sine)
 {
     invcal_real degrees = QUARTER * (1 - cosine);
@@ -61,7 +61,7 @@ static invcal_real angle_of(invcal_real cosine, invcal_real sine)
     return degrees;
 }
 
-/* Returns the square of the sine: below NO_SINE out is lost, as of what is no direction. */
+/* Returns the square of the sine; below NO_SINE, or for a vector that is not a direction, out is lost. */
 static invcal_real turn_to(const invcal_real from[3], const invcal_real up[3], invcal_turn *out)
 {
     invcal_cross(up, from, out->axis);
@@ -111,9 +111,9 @@ invcal_status invcal_tour(unsigned i, invcal_turn *out)
     return INVCAL_OK;
 }
 
-/* ---- what a turn tells -------------------------------------------------------------------------- */
+/* ---- the information in a turn ------------------------------------------------------------------ */
 
-/* Of each of its two angles, over that of a position mean. */
+/* The variance of each of its two angles, over that of a position mean. */
 static invcal_real variance_of(const invcal_turns *turns, invcal_real degrees)
 {
     const invcal_real quarters = INVCAL_FABS(degrees) / QUARTER;
@@ -122,7 +122,7 @@ static invcal_real variance_of(const invcal_turns *turns, invcal_real degrees)
     return 2 + time * (turns->linear + time * turns->square);
 }
 
-/* A rotation about n, of which C' is the way back: cos v + (1 - cos) (n'v) n - sin n x v. */
+/* C' v, with C the rotation about n: cos v + (1 - cos) (n'v) n - sin n x v. */
 static void way_back(const invcal_real n[3], invcal_real cosine, invcal_real sine,
                      const invcal_real v[3], invcal_real out[3])
 {
@@ -135,7 +135,7 @@ static void way_back(const invcal_real n[3], invcal_real cosine, invcal_real sin
     }
 }
 
-/* Unit vectors across up and each other. */
+/* Unit vectors perpendicular to up and to each other. */
 static void find_across(const invcal_real up[3], invcal_real b[2][3])
 {
     invcal_real axis[3] = {0, 0, 0};
@@ -157,7 +157,7 @@ static void tell_rest(invcal_real h[TURNS_ALL], const invcal_real up[3])
     invcal_products(up, &h[TURNS_GYRO]);
 }
 
-/* The rows of imu.c where the turn is what it is meant to be, about one axis n: then S = J th n', with
+/* The rows of imu.c for a turn exactly about one axis n: then S = J th n', with
  * J th = sin + (th - sin) n n' + (1 - cos) [n x]. */
 INVCAL_APART static void tell(const invcal_turns *turns, const invcal_turn *turn, told *out)
 {
@@ -281,7 +281,7 @@ invcal_status invcal_turns_after(invcal_turns *turns, const invcal_real *raw, un
 
     INVCAL_ASSERT(turns && (raw || count == 0) && accelerometer && moves);
     invcal_status status = invcal_imu_begin(&w, raw, count, accelerometer, moves, settings, &imu);
-    const unsigned last = moves->count - w.begin - 1u; /* of the rests; or beyond all */
+    const unsigned last = moves->count - w.begin - 1u; /* of the rests; or too large */
     if (status == INVCAL_OK && last >= INVCAL_MAX_MOVES) {
         status = INVCAL_TOO_FEW;
     }
@@ -290,7 +290,7 @@ invcal_status invcal_turns_after(invcal_turns *turns, const invcal_real *raw, un
     }
     if (status == INVCAL_OK) {
         begin_turns(turns, w.settings);
-        for (unsigned i = 0; i < SIZE; i++) { /* of 9 unknowns some more, which nobody reads */
+        for (unsigned i = 0; i < SIZE; i++) { /* more than 9 unknowns need, which does no harm */
             turns->sum[i] = w.noise * w.noise * w.pass.sum[i];
         }
         invcal_apply(accelerometer, &w.raw[3 * (size_t)last], turns->up);
@@ -299,9 +299,9 @@ invcal_status invcal_turns_after(invcal_turns *turns, const invcal_real *raw, un
     return status;
 }
 
-/* ---- what they are worth ------------------------------------------------------------------------ */
+/* ---- merit and sigma ---------------------------------------------------------------------------- */
 
-/* L^-1 of the sums, with something vague about each parameter where that is asked for. */
+/* L^-1 of the sums, plus a vague prior of each parameter. */
 static invcal_status invert_sums(invcal_real *a, unsigned n, invcal_real vague, invcal_real floor)
 {
     for (unsigned i = 0; i < n; i++) {

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "vector.h"
 
-/* Of a loop that is not volatile gcc makes a call of memset. */
+/* Volatile: gcc would turn the loop into a call of memset. */
 void invcal_zero_bytes(void *object, size_t size)
 {
     volatile uint8_t *at = (volatile uint8_t *)object;

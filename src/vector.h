@@ -10,8 +10,8 @@
 
 #include "invcal/invcal.h"
 
-/* Where the compiler is told to be fast, loops of few, known steps are unrolled; where it is told to
- * save space, nothing is. */
+/* Short loops of known length are unrolled if the compiler optimises for speed, none if it optimises
+ * for size. */
 #if defined(__GNUC__) && !defined(__clang__) && defined(__OPTIMIZE__) && !defined(__OPTIMIZE_SIZE__)
 #define INVCAL_FAST
 #define INVCAL_UNROLL _Pragma("GCC unroll 64")
@@ -27,15 +27,15 @@
 #define INVCAL_IN_HEADER inline
 #endif
 
-/* Before a function whose frame should not lie under those of what its caller calls besides, or that
- * takes less code where it is called than in each place. */
+/* Not inline: for a function whose frame should not lie under its caller's other callees, or that takes
+ * less code as a call. */
 #ifdef __GNUC__
 #define INVCAL_APART __attribute__((noinline))
 #else
 #define INVCAL_APART
 #endif
 
-/* Zeros. Where space is to be saved not by memset, of which newlib's takes 160 bytes. */
+/* Zeros. Not by memset if optimised for size: newlib's takes 160 bytes. */
 void invcal_zero_bytes(void *object, size_t size);
 #if defined(INVCAL_FAST) || defined(__FRAMAC__)
 #define invcal_zero(object, size) ((void)memset(object, 0, size))
@@ -43,9 +43,9 @@ void invcal_zero_bytes(void *object, size_t size);
 #define invcal_zero invcal_zero_bytes
 #endif
 
-#define INVCAL_NORMAL INVCAL_REAL(1.959964) /* sigma that hold 95 % where the noise is known */
+#define INVCAL_NORMAL INVCAL_REAL(1.959964) /* sigma to 95 %, if the noise is known */
 
-/* Of a count, below 2^31: signed as raw counts are, so that one conversion does for all. */
+/* Of a count below 2^31: signed, as raw counts are, so that one conversion serves all. */
 static inline invcal_real invcal_number(unsigned n)
 {
     return (invcal_real)(int32_t)n;
@@ -62,7 +62,7 @@ static inline int invcal_is_positive(invcal_real x)
     return x > 0 && x <= INVCAL_REAL_MAX;
 }
 
-/* a b of n >= 1 elements, compiled into those who call it where speed is asked for. */
+/* a b of n >= 1 elements, inline if optimised for speed. */
 #ifdef INVCAL_FAST
 static INVCAL_INLINE invcal_real invcal_dot(const invcal_real *a, const invcal_real *b, unsigned n)
 {
@@ -78,7 +78,7 @@ static INVCAL_INLINE invcal_real invcal_dot(const invcal_real *a, const invcal_r
 invcal_real invcal_dot(const invcal_real *a, const invcal_real *b, unsigned n);
 #endif
 
-/* a x b, which are not out. The same. */
+/* a x b; out must be neither of them. Inline as above. */
 #ifdef INVCAL_FAST
 static INVCAL_INLINE void invcal_cross(const invcal_real *a, const invcal_real *b,
                                        invcal_real *restrict out)
@@ -96,7 +96,7 @@ static inline invcal_real invcal_dot3(const invcal_real a[3], const invcal_real 
     return invcal_dot(a, b, 3);
 }
 
-/* Are all three? What is not finite makes a NaN of 0, and so of the sum. */
+/* Are all three? Times 0, a number that is not finite gives NaN, and so does the sum. */
 static inline int invcal_are_finite(const invcal_real v[3])
 {
     return v[0] * 0 + v[1] * 0 + v[2] * 0 >= 0;
@@ -108,7 +108,7 @@ static inline int invcal_is_unit(const invcal_real v[3])
     return INVCAL_FABS(invcal_dot3(v, v) - 1) <= INVCAL_REAL(2e-4);
 }
 
-/* invcal_apply, compiled into those who call it often where speed is asked for. */
+/* invcal_apply, inline for frequent callers if optimised for speed. */
 #ifdef INVCAL_FAST
 static inline void invcal_correct(const invcal_calibration *c, const invcal_real raw[3],
                                   invcal_real out[3])

@@ -4,10 +4,10 @@
 
 /* Components are counted in parts. */
 #define WHOLE 640    /* of the unit vector */
-enum { NAMED = 64 }; /* an axis with no more is not named: 6 degrees */
+enum { NAMED = 64 }; /* an axis up to this is not named: 6 degrees */
 enum { TEXTS = 7 };
 
-/* The tilt in units of 5 degrees, 1 at least, of which the cosine is so many parts less than 1. */
+/* The tilt in units of 5 degrees, at least 1, whose cosine is `less` parts below 1. */
 static unsigned tilt(unsigned less)
 {
     /* of 7.5, 12.5 ... 52.5 degrees */
@@ -20,8 +20,8 @@ static unsigned tilt(unsigned less)
     return n + 1;
 }
 
-/* Puts text number n: before the first, second, third axis; behind the third, second, first. # is the
- * tilt, of so many times 5 degrees. */
+/* Writes text number n: before the first, second, third axis; after the third, second, first. # is the
+ * tilt, as a multiple of 5 degrees. */
 static char *put(char *at, unsigned n, unsigned fives)
 {
     static const char texts[] = "\0 up, tilt # deg, \0 and \0 rise\0 rises\0 up\0";
@@ -59,7 +59,7 @@ const char *invcal_words(const invcal_real up[3], char words[INVCAL_WORDS])
             parts = (unsigned)(x * WHOLE);
         }
         size[i] = parts;
-        const unsigned rank = parts + (i ^ 1u); /* of equal ones z is the largest, then x */
+        const unsigned rank = parts + (i ^ 1u); /* of equals z comes first, then x */
         if (rank > largest) {
             largest = rank;
             axis = i;

@@ -4,7 +4,7 @@
 #
 # `make bench`: what each operation takes on every target that can count, against
 # tests/bench/budgets.txt. $1: folder to build in. TARGETS: folders, all under port/ unless given.
-# UPDATE=1: writes the budgets anew.
+# UPDATE=1: writes the budgets again.
 build=$1/targets
 logs=$1/bench
 budgets=tests/bench/budgets.txt
@@ -34,6 +34,6 @@ done
 
 if [ -n "$UPDATE" ]; then
     awk -f tests/size/update.awk $budgets "$logs"/*.figures > "$logs/budgets.txt" &&
-        mv "$logs/budgets.txt" $budgets && echo "$budgets: written anew"
+        mv "$logs/budgets.txt" $budgets && echo "$budgets: written again"
 fi
 awk -f tests/bench/report.awk $budgets "$logs/units" "$logs"/*.figures

@@ -3,7 +3,7 @@
 #
 # What README.md and the manual say of costs, from what `make bench` and `make size` have measured in folder $1: to
 # 1 %, as the linker's order moves single instructions. Says which line differs; ends with `N passed, N failed`.
-# UPDATE=1: writes them anew.
+# UPDATE=1: writes them again.
 build=$1
 cd "$(dirname "$0")/.." || exit 1
 page=port/manual/targets.md

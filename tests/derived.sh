@@ -3,8 +3,8 @@
 #
 # sh tests/derived.sh BUILD
 # What is made of something else is what that makes now: the layout of the sources, expected.h,
-# releases/values.h, the man page, the pictures of the manual; and the scripts are sound. Ends
-# with `N passed, N failed`.
+# releases/values.h, the man page, the pictures of the manual; and scripts and English are sound.
+# Ends with `N passed, N failed`.
 build=$1
 cd "$(dirname "$0")/.." || exit 1
 passed=0
@@ -56,6 +56,7 @@ if [ -f "$recording" ]; then
 fi
 gate "what releases wrote means what values.py reads" releases
 gate "shellcheck has nothing against the shell scripts" scripts
+gate "text and comments have no word misspelt, and none of tests/words.txt" sh tests/words.sh
 gate "man and mandoc have nothing against the manual" manual
 gate "the manual shows the picture that the tool draws" sh tests/picture.sh "$build/invcal" --check
 gate "the manual shows the figures that its commands draw" sh tests/figures.sh "$build/invcal" --check

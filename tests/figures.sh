@@ -4,7 +4,7 @@
 # The figures of the manual: mathematics.md names the command that draws each, build/invcal ... --svg
 # NAME.svg.
 #
-#     sh tests/figures.sh path/to/invcal             draws them anew in port/manual
+#     sh tests/figures.sh path/to/invcal             draws them again in port/manual
 #     sh tests/figures.sh path/to/invcal --check     they are what stands there, and below 60 kB
 manual=$(dirname "$0")/../port/manual
 tool=$1

@@ -4,8 +4,8 @@
 #
 # `make size`: flash, stack and structures on every target, against tests/size/budgets.txt.
 # $1: folder to build in. TARGETS: folders, all under port/ unless given. V=1: every function too.
-# UPDATE=1: writes the budgets anew. A target is called by its last folder. Everything is compiled
-# anew: what is left of a module that is gone would count. How the stack is computed: size/stack.awk.
+# UPDATE=1: writes the budgets again. A target is called by its last folder. Everything is compiled
+# again: what is left of a module that is gone would count. How the stack is computed: size/stack.awk.
 build=$1
 budgets=tests/size/budgets.txt
 passed=0
@@ -110,7 +110,7 @@ for target in ${TARGETS:-$(all_targets)}; do
 done
 if [ -n "$UPDATE" ]; then
     awk -f tests/size/update.awk $budgets "$build"/*.figures > "$build/budgets.txt" &&
-        mv "$build/budgets.txt" $budgets && echo "$budgets: written anew"
+        mv "$build/budgets.txt" $budgets && echo "$budgets: written again"
 fi
 echo "$passed passed, $failed failed"
 [ "$failed" -eq 0 ]

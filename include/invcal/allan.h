@@ -1,18 +1,18 @@
 /* SPDX-License-Identifier: MIT
  *
- * invcal/allan.h: the noise of a sensor at rest: Allan deviation, what it is made of, and how long
- * a position must be measured.
+ * invcal/allan.h: the noise of a sensor at rest: Allan deviation, its noise model, and how long to
+ * measure a position.
  *
  *     static invcal_allan allan;                                one axis at rest, for hours
  *     invcal_allan_init(&allan);
  *     for every sample:
  *         invcal_allan_push(&allan, raw);
- *     invcal_allan_noise(&allan, 100, &noise);                  100 samples a second
- *     invcal_noise_dwell(&noise, 1e-4f * 16384, &dwell);        1e-4 of the field wanted
+ *     invcal_allan_noise(&allan, 100, &noise);                  100 samples per second
+ *     invcal_noise_dwell(&noise, 1e-4f * 16384, &dwell);        target: 1e-4 of the field
  *     invcal_session_hold(&session, (uint32_t)(1000 * dwell.seconds));
  *     invcal_session_noise(&session, dwell.sigma / 16384);
  *
- * The worst axis decides; a session holds no more than an hour. The unit is the raw count throughout.
+ * The worst axis decides; a session holds at most an hour. The unit is the raw count throughout.
  *
  * For an averaging time of m samples the Allan deviation is
  *
@@ -22,19 +22,18 @@
  * 5.2.4: the overlapping estimator). Memory is fixed: windows begin at every 2^t-th sample, with the
  * smallest t for which m <= 2^t INVCAL_ALLAN_OVERLAP. So those of INVCAL_ALLAN_OVERLAP samples or less
  * begin at every sample, and longer octaves overlap INVCAL_ALLAN_OVERLAP times: 4 times give 93 % of
- * the degrees of freedom that white noise has to give.
+ * the max degrees of freedom for white noise.
  *
- * Sums are integers, and exact; only invcal_allan_get rounds. There is no limit to the length of a
- * stream:
+ * Sums are exact integers; only invcal_allan_get rounds. The length of a stream is not limited:
  *
  *     a square sum   holds 2^(128 - 2b) m^-2 differences of readings that change by b bits: 2^48 of
- *                    24 bits at m = 65536. What does not fit is noticed, and not offered;
+ *                    24 bits at m = 65536. An overflow is detected, and reported as INVCAL_NO_SPACE;
  *     count          of differences ends at 2^32 - 1, 49 days at 1 kHz. A tau then stays as it is;
  *     2^32 samples   act as a gap.
  *
- * Feed it with samples at rest only. A filter in the sensor makes averaging times up to its time
- * constant look better than they are: begin the list above it. Where noise is smaller than a count, the
- * short ones show the rounding (slope -1 instead of -1/2).
+ * Feed samples at rest only. A filter in the sensor makes averaging times up to its time constant look
+ * better than they are: begin the list above it. If noise is below one count, the short ones show
+ * rounding (slope -1 instead of -1/2).
  */
 #ifndef INVCAL_ALLAN_H
 #define INVCAL_ALLAN_H
@@ -45,9 +44,9 @@
 extern "C" {
 #endif
 
-/* ---- what a build may choose, in plain digits; invcal.h says how ------------------------------ */
+/* ---- build options, in plain digits: see invcal.h --------------------------------------------- */
 
-/* How many averaging times are kept, each in 24 + 16 INVCAL_ALLAN_OVERLAP bytes of an axis. */
+/* Max averaging times; each takes 24 + 16 INVCAL_ALLAN_OVERLAP bytes of an axis. */
 #ifndef INVCAL_ALLAN_TAUS
 #define INVCAL_ALLAN_TAUS 16
 #endif
@@ -65,7 +64,7 @@ extern "C" {
 #error "INVCAL_ALLAN_OVERLAP must be a power of two from 1 to 16384"
 #endif
 
-/* Both stand in the names of the functions that every use begins with. */
+/* Both are part of the names of the functions that every use begins with. */
 #define INVCAL_ALLAN_CHOSEN(name)                                                                  \
     INVCAL_ALLAN_CHOSEN_(name, INVCAL_ALLAN_TAUS, INVCAL_ALLAN_OVERLAP)
 #define INVCAL_ALLAN_CHOSEN_(name, taus, overlap) INVCAL_ALLAN_CHOSEN__(name, taus, overlap)
@@ -80,12 +79,12 @@ extern "C" {
 /* Internal: an averaging time, and its sum. */
 typedef struct {
     uint64_t past[2 * INVCAL_ALLAN_OVERLAP]; /* totals: a ring */
-    uint64_t low, high; /* of the squares of all differences; all bits 1: it did not fit */
+    uint64_t low, high; /* of the squares of all differences; all bits 1: overflow */
     uint32_t m;         /* samples */
     uint32_t count;     /* differences in the sum */
 } invcal_allan_tau;
 
-/* One axis; 1424 bytes. Nothing in it is meant to be changed. */
+/* One axis; 1424 bytes. Read-only for the caller. */
 typedef struct {
     invcal_allan_tau tau[INVCAL_ALLAN_TAUS]; /* in ascending order */
     uint64_t total;                          /* of all samples, modulo 2^64 */
@@ -94,10 +93,10 @@ typedef struct {
     uint8_t is_apart;                        /* invcal_allan_apart */
 } invcal_allan;
 
-/* Begins a stream, with the octaves 1, 2, 4 ... samples for averaging times. */
+/* Begins a stream with octaves as averaging times: 1, 2, 4 ... samples. */
 void invcal_allan_init(invcal_allan *allan);
 
-/* Begins a stream with averaging times of one's own.
+/* Begins a stream with averaging times of your own.
  *
  * m      in samples, ascending, 1 ... INVCAL_ALLAN_LONGEST. One above INVCAL_ALLAN_OVERLAP must be a
  *        multiple of its 2^t: INVCAL_ALLAN_OVERLAP / 2 to INVCAL_ALLAN_OVERLAP of them.
@@ -106,31 +105,31 @@ void invcal_allan_init(invcal_allan *allan);
  * Returns INVCAL_OK; INVCAL_BAD_TAU for any other list. */
 invcal_status invcal_allan_begin(invcal_allan *allan, const uint32_t *m, unsigned count);
 
-/* From now on one window begins where another ends (NIST SP 1065, 5.2.2): for the comparison with
- * published figures, as overlapping ones tell more. Divides 32 bits for each difference. */
+/* Uses adjacent windows from now on (NIST SP 1065, 5.2.2), to compare with published figures;
+ * overlapping ones give more degrees of freedom. Divides 32 bits for each difference. */
 void invcal_allan_apart(invcal_allan *allan);
 
-/* Takes in one sample, of any value.
+/* Feeds one sample, of any value.
  *
  * Cost: a 64-bit difference, its square and a 128-bit addition for each averaging time up to
- * INVCAL_ALLAN_OVERLAP; at every 2^t-th sample another one for each that has this t. Of 16 octaves:
+ * INVCAL_ALLAN_OVERLAP; at every 2^t-th sample another one for each that has this t. For 16 octaves:
  * 4 on average, 16 at most; 350 and 1300 instructions on a Cortex-M4, 800 and 2900 on a
  * Cortex-M0+, 5700 and 17000 cycles on an ATmega. */
 void invcal_allan_push(invcal_allan *allan, int32_t raw);
 
-/* Samples were lost here, or the sensor moved: no window reaches across. All sums stay. */
+/* Call it where samples were lost, or the sensor moved: no window spans the gap. All sums stay. */
 void invcal_allan_gap(invcal_allan *allan);
 
-/* What is known of one averaging time. */
+/* One point of the Allan deviation. */
 typedef struct {
     uint32_t m;           /* samples */
-    uint32_t count;       /* differences: windows apart, or overlapping */
+    uint32_t count;       /* differences, of adjacent or overlapping windows */
     invcal_real adev;     /* counts */
     invcal_real edf;      /* equivalent degrees of freedom of its square */
     invcal_real relative; /* 1 / sqrt(2 edf), the relative standard deviation of adev */
 } invcal_allan_point;
 
-/* One averaging time as it stands; the stream may go on.
+/* The current result for one averaging time; the stream may go on.
  *
  * index  0 ... count - 1, in the order of the list.
  *
@@ -139,18 +138,18 @@ typedef struct {
  *
  *     edf = (3 (n - 1) / (2 m') - 2 (n - 2) / n) 4 m'^2 / (4 m'^2 + 5),    m' = m / 2^t
  *
- * 3 % from the exact figure where edf > 10, 10 % below. Flicker noise has 1.2 times less, a random
- * walk 1.5 times less. Gaps cost differences, and so edf.
+ * Within 3 % of the exact figure for edf > 10, 10 % below. For flicker noise it is 1.2 times smaller,
+ * for a random walk 1.5 times. Gaps cost differences, and so edf.
  *
- * Returns INVCAL_OK; INVCAL_BAD_TAU if there is no such index; INVCAL_TOO_FEW if no two windows
- * have been filled; INVCAL_NO_SPACE if the squares do not fit 128 bits. */
+ * Returns INVCAL_OK; INVCAL_BAD_TAU if there is no such index; INVCAL_TOO_FEW if fewer than two
+ * windows are full; INVCAL_NO_SPACE if the squares do not fit 128 bits. */
 invcal_status invcal_allan_get(const invcal_allan *allan, unsigned index, invcal_allan_point *out);
 
-/* ---- what the noise is made of ---------------------------------------------------------------
+/* ---- the noise model -------------------------------------------------------------------------
  *
  *     adev^2(tau) = N^2 / tau + (2 ln 2 / pi) B^2 + K^2 tau / 3         (IEEE Std 952, annex C)
  *
- * tau in s, N in counts/sqrt(Hz), B in counts, K in counts sqrt(Hz). Over the counts per g, and
+ * tau in s, N in counts/sqrt(Hz), B in counts, K in counts sqrt(Hz). Divided by the counts per g and
  * times 1e6, they are ug/sqrt(Hz), ug, ug sqrt(Hz); N in m/s^2/sqrt(Hz) times 60 is a velocity
  * random walk in m/s/sqrt(h). One-sided densities: 2 N^2 white, B^2 / (pi f) flicker. */
 enum {
@@ -164,28 +163,28 @@ enum {
 typedef struct {
     invcal_real coefficient[INVCAL_NOISE_KINDS]; /* N, B, K; 0 where it is not visible */
     invcal_real relative[INVCAL_NOISE_KINDS];    /* its relative standard deviation; 0 with it */
-    uint8_t visible;                             /* bit k: kind k is there */
-    invcal_real misfit;   /* root mean square of what the model leaves, in its sigma: below 1.5, or
-                             the noise is not of these kinds: filtered, a vibration, a drift */
+    uint8_t visible;                             /* bit k: kind k is visible */
+    invcal_real misfit;   /* root mean square of the residuals, in sigma. Above 1.5 the noise is of
+                             another kind: filtered, a vibration, a drift */
     invcal_real minimum;  /* the smallest adev seen, counts */
-    invcal_real best;     /* tau of that, s */
-    invcal_real shortest; /* the averaging times that took part, s */
-    invcal_real longest;  /* from the one to the other */
+    invcal_real best;     /* its tau, s */
+    invcal_real shortest; /* the shortest averaging time used, s */
+    invcal_real longest;  /* the longest one, s */
 } invcal_noise;
 
 /* Fits the model to all averaging times of 5 degrees of freedom or more.
  *
  * rate  samples per second.
  *
- * Least squares of adev^2 over the model, weighted by edf / 2, but none closer than 5 %: so far the
- * model itself is trusted. Of the seven sets of kinds it is the best without a negative coefficient;
- * what then does not stand out by 3 sigma is left out, one by one, unless nothing else explains the
- * curve. relative takes the averaging times for independent; for B and K, which tie them to each
- * other, it is doubled. Simulated records scatter by 0.3 to 1.1 of it.
+ * Least squares of adev^2 over the model, each with a relative variance of 2 / edf, plus (5 %)^2 for
+ * the model itself. Takes the best of the seven sets of kinds without a negative coefficient; then
+ * drops kinds below 3 sigma, one by one, unless nothing else explains the curve. relative assumes
+ * independent averaging times; for B and K, which correlate them, it is doubled. Simulated records
+ * scatter by 0.3 to 1.1 of it.
  *
  * Returns INVCAL_OK; INVCAL_BAD_RATE unless rate is positive, and the results fit the number type;
- * INVCAL_TOO_FEW if no kind is visible: go on sampling, 20 samples show white noise. Readings that
- * never change show none.
+ * INVCAL_TOO_FEW if no kind is visible: go on sampling, 20 samples show white noise. Constant
+ * readings show none.
  * Cost: 50,000 instructions for 16 octaves. Stack: about 650 bytes. */
 invcal_status invcal_allan_noise(const invcal_allan *allan, invcal_real rate, invcal_noise *noise);
 
@@ -194,29 +193,29 @@ invcal_real invcal_noise_sigma(const invcal_noise *noise, invcal_real tau);
 
 /* ---- how long to stay ------------------------------------------------------------------------ */
 
-/* Is the mean as good as wanted after that time? */
+/* Does the mean reach the target after that time? */
 typedef enum {
-    INVCAL_DWELL_REACHED, /* it is */
-    INVCAL_DWELL_BEYOND,  /* it is, if noise goes on falling beyond the averaging times seen */
-    INVCAL_DWELL_FLOOR    /* never as good as wanted: this is the longest that is worth while */
+    INVCAL_DWELL_REACHED, /* it does */
+    INVCAL_DWELL_BEYOND,  /* it does, if noise goes on falling beyond the averaging times seen */
+    INVCAL_DWELL_FLOOR    /* never: a longer stay is not worthwhile */
 } invcal_dwell_end;
 
-/* How long to stay, and what for. */
+/* How long to stay, and the result. */
 typedef struct {
-    invcal_real seconds;  /* after which the mean is as good as it is to be */
+    invcal_real seconds;  /* how long to stay */
     invcal_real sigma;    /* of the mean after that time, by the model, counts */
-    invcal_dwell_end end; /* as wanted, or why not */
+    invcal_dwell_end end; /* whether that reaches the target */
 } invcal_dwell;
 
-/* The shortest time that brings the mean of a position to a wanted sigma, by the model. If no time
- * does, it is that of the model's minimum, sqrt(3) N / K; without random walk, where there is
- * none, the time after which sigma is 5 % above the floor. Never shorter than noise->shortest.
+/* The shortest time after which the mean of a position has the target sigma, by the model. If there
+ * is none, the time of the model's min, sqrt(3) N / K; without random walk, the time after which
+ * sigma is 5 % above the floor. Never shorter than noise->shortest.
  *
- * noise  from invcal_allan_noise, or a data sheet's coefficients in a struct otherwise 0: then
- *        nothing counts as seen.
- * sigma  wanted, counts. (Any unit will do that noise and sigma have in common.)
+ * noise  from invcal_allan_noise, or a data sheet's coefficients in a struct otherwise 0, with no
+ *        averaging times seen.
+ * sigma  the target, counts. (Any unit common to noise and sigma will do.)
  *
- * sigma is adev(T): the standard deviation of a mean in white noise. Over a session slow noise does
+ * sigma is adev(T): the standard deviation of a mean in white noise. Over a session slow noise adds
  * more (mathematics.md, "How long to stay").
  *
  * Returns INVCAL_OK; INVCAL_BAD_NOISE if sigma is not positive, a coefficient negative or not

@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: MIT
  *
- * invcal/expert.h: the steps one by one, and the options that few programs need.
+ * invcal/expert.h: the steps one by one, and rarely needed options.
  *
  *     raw samples -> rests -> row -> sums -> solve -> judge
  *
- * What is not called is not linked. invcal.h states the rules and units.
+ * Only what you call is linked. invcal.h states the rules and units.
  */
 #ifndef INVCAL_EXPERT_H
 #define INVCAL_EXPERT_H
@@ -15,7 +15,7 @@
 extern "C" {
 #endif
 
-/* A program and a library whose choices differ do not link: see invcal.h. */
+/* A program and a library with different build options do not link: see invcal.h. */
 #define invcal_calibrate_without INVCAL_CHOSEN(invcal_calibrate_without, INVCAL_MAX_POSITIONS)
 #define invcal_calibrate_robust INVCAL_CHOSEN(invcal_calibrate_robust, INVCAL_MAX_POSITIONS)
 #define invcal_calibrate_with_prior INVCAL_CHOSEN(invcal_calibrate_with_prior, INVCAL_MAX_POSITIONS)
@@ -30,34 +30,34 @@ extern "C" {
  *
  * With u the reading over field, not normalised, J = (|u|^2 - 1)/2 + h(u) p = 0 is the equation of
  * an ellipsoid: exact for errors of any size, and linear in p. */
-#define INVCAL_J INVCAL_PARAMETERS /* where J stands: behind the row */
+#define INVCAL_J INVCAL_PARAMETERS /* index of J: after the row */
 
 /* One equation. */
 typedef struct {
-    invcal_real h[INVCAL_PARAMETERS + 1]; /* the row; the first three are u itself; and J */
+    invcal_real h[INVCAL_PARAMETERS + 1]; /* the row, its first three elements u; then J */
 } invcal_row;
 
 /* The exact row of a reading.
  *
- * Returns INVCAL_OK; INVCAL_NOT_FINITE; INVCAL_OUT_OF_RANGE for a length outside 0.1 ... 10: row is
- * lost then. */
+ * Returns INVCAL_OK; INVCAL_NOT_FINITE; INVCAL_OUT_OF_RANGE for a length outside 0.1 ... 10. On
+ * failure row is overwritten. */
 invcal_status invcal_observe(const invcal_calibration *nominal, const invcal_real raw[3],
                              invcal_row *row);
 
 /* ---- the normal equations, position by position ------------------------------------------------
  *
  * The sums H'H, H'J, J'J of all rows: their size does not depend on the number of positions, and
- * order does not matter beyond rounding. Every element of h h' is a product of two, three or four
- * of x, y, z, and of 45 only 31 are different. */
+ * their order matters only to rounding. Every element of h h' is a product of two, three or four
+ * of x, y, z; 31 of the 45 are distinct. */
 
-/* A symmetric matrix of n rows, lower triangle by rows: (r, c) with c <= r stands here. */
+/* Index of (r, c), c <= r, of a symmetric matrix of n rows, stored as lower triangle by rows. */
 #define INVCAL_PACKED(r, c) ((r) * ((r) + 1u) / 2u + (c))
-/* How many elements that takes. */
+/* Number of elements. */
 #define INVCAL_PACKED_SIZE(n) ((n) * ((n) + 1u) / 2u)
 
 /* The sums of all positions: 224 bytes. */
 typedef struct {
-    /* The triangle of H'H, where what equals an earlier element is not read; behind it H'J and J'J. */
+    /* The triangle of H'H, where repeats of an earlier element are unused; then H'J and J'J. */
     invcal_real sum[INVCAL_PACKED_SIZE(INVCAL_PARAMETERS + 1)];
     unsigned count; /* rows in the sums; at most UINT_MAX */
 } invcal_sums;
@@ -67,19 +67,19 @@ void invcal_sums_init(invcal_sums *sums);
 
 /* Adds a position.
  *
- * nominal  the same for all of them.
+ * nominal  the same for all positions.
  *
  * Returns as invcal_observe. Cost: 230 instructions, no division. */
 invcal_status invcal_sums_add(invcal_sums *sums, const invcal_calibration *nominal,
                               const invcal_real raw[3]);
 
-/* Adds a row that has been made before.
+/* Adds an existing row.
  *
  * weight  1 for a position like the others; (sigma_usual / sigma_this)^2 for another precision;
- *         finite. Nothing is checked. */
+ *         finite. Checks nothing. */
 void invcal_sums_add_row(invcal_sums *sums, const invcal_row *row, invcal_real weight);
 
-/* Solves them (mathematics.md, "From p to the calibration"):
+/* Solves the sums (mathematics.md, "From p to the calibration"):
  *
  *     p = -(H'H)^-1 H'J                                               one 9x9 Cholesky
  *     v = (p0 p1 p2),  Q = I + [2 p3 p6 p7; p6 2 p4 p8; p7 p8 2 p5]
@@ -88,16 +88,17 @@ void invcal_sums_add_row(invcal_sums *sums, const invcal_row *row, invcal_real w
  *
  * No iteration that could fail to converge.
  *
- * sums     are lost: copy them if more positions are to follow.
+ * sums     are overwritten: copy them if more positions will follow.
  * nominal  the one they were added with; may be out.
  *
- * It does not judge: INVCAL_OK says solvable, invcal_calibrate says how good. What hardly more than
- * rounding has determined may pass as solvable.
+ * Does not judge: INVCAL_OK means solvable, invcal_calibrate says how good. A system determined by
+ * little more than rounding may pass as solvable.
  *
  * Returns INVCAL_OK;
  *   INVCAL_TOO_FEW        fewer than nine positions;
  *   INVCAL_UNDETERMINED   the positions leave parameters open;
- *   INVCAL_NOT_ELLIPSOID  the readings lie on no ellipsoid, or on no triad's: see invcal_calibrate;
+ *   INVCAL_NOT_ELLIPSOID  the readings lie on no ellipsoid, or on none of a triad: see
+ *                         invcal_calibrate;
  *   INVCAL_BAD_NOMINAL    its matrix has no inverse.
  * Cost: 2,900 instructions. Stack: about 180 bytes. */
 invcal_status invcal_solve(invcal_sums *sums, const invcal_calibration *nominal,
@@ -106,47 +107,46 @@ invcal_status invcal_solve(invcal_sums *sums, const invcal_calibration *nominal,
 /* ---- the system of equations -------------------------------------------------------------------
  *
  * A symmetric system of n unknowns, A p = -b, in one packed triangle. Row n, if there is one, is b'
- * with the constant behind it: the factorisation of A carries it along, and so solves half of the
- * system. */
+ * and then the constant: the factorisation of A includes it, and so solves half of the system. */
 
-/* Below this a pivot, over the largest element of the diagonal, is rounding error, or the parameter
- * behind it might as well be. */
+/* A pivot below this, over the largest element of the diagonal, cannot be told from rounding
+ * error. */
 #define INVCAL_FLOOR (INVCAL_DOUBLE ? INVCAL_REAL(1e-8) : 16 * INVCAL_EPSILON)
 
-/* The sums become the system: every element of H'H in its place. */
+/* Turns the sums into the system: fills in every element of H'H. */
 void invcal_sums_system(invcal_sums *sums);
 
 /* The sum of the diagonal. */
 invcal_real invcal_trace(const invcal_real *a, unsigned n);
 
-/* The largest element of the diagonal, at least 0; NaN is passed over. */
+/* The largest element of the diagonal, at least 0; skips NaN. */
 invcal_real invcal_largest_diagonal(const invcal_real *a, unsigned n);
 
-/* A = L L' in place. The diagonal becomes 1 / L(r,r): nothing that follows divides. Rows from n to
- * rows - 1 are divided by L' only: b' becomes y' of L y = b, and the constant what A leaves of it.
+/* A = L L' in place. The diagonal becomes 1 / L(r,r), so that no later step divides. Rows from n to
+ * rows - 1 are only divided by L': b' becomes y' of L y = b, and the constant its remainder.
  *
  * floor  a pivot counts as zero unless it exceeds floor times the largest element of the diagonal:
- *        INVCAL_FLOOR. Relative to the largest, not to the pivot's own: the latter lets matrices
- *        through that are singular to rounding.
+ *        INVCAL_FLOOR. Relative to the largest, since a test against the pivot's own element
+ *        accepts matrices that are singular to rounding.
  *
- * Returns INVCAL_OK; INVCAL_UNDETERMINED if a pivot is too small, negative or NaN: a is lost.
+ * Returns INVCAL_OK; INVCAL_UNDETERMINED if a pivot is too small, negative or NaN: a is overwritten.
  * Cost: n^3/6 multiply-adds, n square roots. */
 invcal_status invcal_factor(invcal_real *a, unsigned n, unsigned rows, invcal_real floor);
 
-/* y in row n becomes p = -L'^-1 y. */
+/* Replaces y in row n by p = -L'^-1 y. */
 void invcal_back_substitute(invcal_real *l, unsigned n);
 
-/* L becomes L^-1: A^-1(r,r) is then the squared length of column r, x'A^-1 x that of L^-1 x. */
+/* Replaces L by L^-1: A^-1(r,r) is then the squared length of column r, x'A^-1 x that of L^-1 x. */
 void invcal_invert(invcal_real *l, unsigned n);
 
 /* A^-1(r,r) from L^-1. */
 invcal_real invcal_variance(const invcal_real *inverse, unsigned n, unsigned r);
 
-/* h K h' from L^-1 of nine parameters: what a row tells beside those in the sums. h becomes y = L^-1 h,
- * whose squared length that is. */
+/* h K h' from L^-1 of nine parameters: what a row adds to those in the sums. h becomes y = L^-1 h; the
+ * result is its squared length. */
 invcal_real invcal_leverage(const invcal_real *inverse, invcal_real h[INVCAL_PARAMETERS]);
 
-/* ---- what rounding costs -----------------------------------------------------------------------
+/* ---- rounding errors ---------------------------------------------------------------------------
  *
  * Against the exact solution of the same readings, for 9 to 64 positions, errors up to 20 % and a
  * quality.condition up to 10^6:
@@ -162,10 +162,9 @@ invcal_real invcal_leverage(const invcal_real *inverse, invcal_real h[INVCAL_PAR
  * theory's factors grow with the number of positions; these are measured (make numerics: 30,000
  * random sets, 50 digits).
  *
- * sigma does not know of it: in float it is the smaller of the two where a position mean is better
- * than about INVCAL_EPSILON sqrt(condition) of the field. Such positions are solved once more, with
- * the calibration found as nominal: p and J are next to nothing then, and so is what is lost of
- * them,
+ * sigma does not include it: in float the rounding error exceeds sigma if a position mean is better
+ * than about INVCAL_EPSILON sqrt(condition) of the field. Solve such positions a second time, with
+ * the first calibration as nominal: p and J are then nearly zero, and so is their rounding error,
  *
  *     |parameter - exact|    <= INVCAL_LOSS_AGAIN  INVCAL_EPSILON sqrt(condition) */
 #define INVCAL_LOSS INVCAL_REAL(1.0)        /* as above */
@@ -173,13 +172,13 @@ invcal_real invcal_leverage(const invcal_real *inverse, invcal_real h[INVCAL_PAR
 #define INVCAL_LOSS_LENGTH INVCAL_REAL(4.0) /* as above */
 #define INVCAL_LOSS_AGAIN INVCAL_REAL(4.0)  /* as above */
 
-/* ---- what a refusal is about ---------------------------------------------------------------- */
+/* ---- causes of a refusal -------------------------------------------------------------------- */
 
-/* Which parameters the positions leave open: INVCAL_TOO_FEW, INVCAL_UNDETERMINED. A small ridge on
- * H'H shows it: a parameter that the ridge holds by more than a tenth is one that the data do not.
- * Rough by nature, and never a verdict: noise makes much look determined that is not.
+/* Which parameters the positions leave open: INVCAL_TOO_FEW, INVCAL_UNDETERMINED. Adds a small ridge
+ * to H'H: a parameter of which the ridge contributes more than a tenth is not determined by the
+ * data. Only a hint, never a verdict: noise makes parameters look determined that are not.
  *
- * raw      3 count numbers, as for invcal_calibrate. Those that are no readings are passed over.
+ * raw      3 count numbers, as for invcal_calibrate. Skips those that are not readings.
  * count    any; no positions leave all nine open.
  * nominal  the one of the refusal.
  *
@@ -188,45 +187,44 @@ invcal_real invcal_leverage(const invcal_real *inverse, invcal_real h[INVCAL_PAR
 uint16_t invcal_undetermined(const invcal_real *raw, unsigned count,
                              const invcal_calibration *nominal);
 
-/* Which position is no reading of this field: INVCAL_NOT_FINITE, INVCAL_OUT_OF_RANGE.
+/* Which position is not a reading of this field: INVCAL_NOT_FINITE, INVCAL_OUT_OF_RANGE.
  *
  * raw, count, nominal  those of the refusal.
  *
- * Returns the first of them, from 0; count if all are readings. Cost: 76 instructions for each.
+ * Returns the first one, from 0; count if all are readings. Cost: 76 instructions for each.
  * Stack: about 80 bytes. */
 unsigned invcal_bad_reading(const invcal_real *raw, unsigned count,
                             const invcal_calibration *nominal);
 
-/* ---- the result, looked at otherwise -------------------------------------------------------- */
+/* ---- other forms of the result -------------------------------------------------------------- */
 
-/* X = (delta, dk, gamma): what a calibration says of the sensor, against nominal. It reads
- * u = (I + S) eta + delta, and is corrected by A = (I + S)^-1.
+/* X = (delta, dk, gamma): the errors of the sensor against nominal. The sensor reads
+ * u = (I + S) eta + delta, and A = (I + S)^-1 corrects it.
  *
  * calibration  in the symmetric frame, as it was solved: neither turned (invcal_make_triangular)
  *              nor in another unit (invcal_scale).
- * nominal      the one that it was solved with.
- * x            delta over field, dk (1), gamma (rad): right to some INVCAL_EPSILON.
+ * nominal      the one it was solved with.
+ * x            delta over field, dk (1), gamma (rad): accurate to a few INVCAL_EPSILON.
  *
- * Nothing is checked: what is no calibration gives what is no number. Cost: 350 instructions.
- * Stack: about 150 bytes. */
+ * Checks nothing: a bad calibration gives NaN. Cost: 350 instructions. Stack: about 150 bytes. */
 void invcal_deviation(const invcal_calibration *calibration, const invcal_calibration *nominal,
                       invcal_real x[INVCAL_PARAMETERS]);
 
-/* Lengths cannot tell how the calibrated frame is turned against the case. The symmetric correction
- * is closest to the axes of nominal; this turns it to the upper triangular one, as imu_tk has it:
- * only the x sensor feels a field along the calibrated x axis. Offsets, lengths and sigma are the
- * same.
+/* Lengths do not determine how the calibrated frame is turned against the case. The symmetric
+ * correction is closest to the axes of nominal; this turns it into the upper triangular one, as in
+ * imu_tk: only the x sensor feels a field along the calibrated x axis. Offsets, lengths and sigma
+ * stay the same.
  *
- * calibration  as for invcal_deviation. What is no calibration is left alone.
- * nominal      the one that it was solved with. Is its matrix diagonal, the new one is exactly 0
+ * calibration  as for invcal_deviation. Stays unchanged if it is not a calibration.
+ * nominal      the one it was solved with. If its matrix is diagonal, the new one is exactly 0
  *              below the diagonal.
  *
  * Cost: 660 instructions. Stack: about 180 bytes. */
 void invcal_make_triangular(invcal_calibration *calibration, const invcal_calibration *nominal);
 
 /* The standard deviation of the offset in raw counts: quality.sigma of delta through the inverse of
- * nominal. Where the matrix of nominal is not diagonal, delta of its axes count as independent of
- * each other: right to some percent, as positions to all sides make them so.
+ * nominal. If the matrix of nominal is not diagonal, the three deltas count as independent: accurate
+ * to a few percent, since well spread positions make them so.
  *
  * sigma  of the three raw axes, counts.
  *
@@ -234,31 +232,31 @@ void invcal_make_triangular(invcal_calibration *calibration, const invcal_calibr
 void invcal_sigma_offset(const invcal_quality *quality, const invcal_calibration *nominal,
                          invcal_real sigma[3]);
 
-/* Weighs a stated noise against what residuals show (mathematics.md, "Uncertainty"), for who has equations
- * of his own. It counts as four residuals, unless they show clearly more (in 95 % of cases) or next to
- * nothing; then they alone count. More than noise can be (99.7 %) raises the verdict to rough.
+/* Weighs a stated noise against the residuals (mathematics.md, "Uncertainty"), for equations of your
+ * own. The stated noise counts as four residuals, unless the residuals are clearly larger (at 95 %) or
+ * nearly zero; then they alone count. Residuals too large for noise (at 99.7 %) raise the verdict to
+ * rough.
  *
  * stated   standard deviation of a position mean on each axis, over field; 0: not known.
  * squares  the sum of the squares of the residuals, each over the noise of its row for a noise of 1.
- * quality  dof and verdict: read; noise, sigma_dof and verdict: set. noise is 1, the whole field, if there
- *          is neither a residual nor a stated noise.
+ * quality  dof and verdict: read; noise, sigma_dof and verdict: set. noise is 1, the whole field, if
+ *          there is neither a residual nor a stated noise.
  *
  * Cost: 100 instructions. Stack: about 60 bytes. */
 void invcal_weigh_noise(invcal_real stated, invcal_real squares, invcal_quality *quality);
 
-/* Is `found` the better of two calibrations? For a device that has one, and makes another now and
- * then.
+/* Is `found` the better of two calibrations? For a device that recalibrates now and then.
  *
  * Returns 1 if its verdict is no worse, and the sum of the squares of its nine 95 % intervals,
- * invcal_coverage of sigma_dof times sigma, is smaller: a sigma that is small by luck does not win. 0
- * otherwise, and for equals. Cost: 160 instructions. Stack: about 60 bytes. */
+ * invcal_coverage of sigma_dof times sigma, is smaller: so a sigma that is small by luck does not
+ * win. 0 otherwise, and for equals. Cost: 160 instructions. Stack: about 60 bytes. */
 int invcal_improves(const invcal_quality *found, const invcal_quality *present);
 
 /* ---- without some of the positions -------------------------------------------------------------- */
 
-/* invcal_calibrate_judged without the search for systematic errors, of which all are unchecked, and without
- * counting directions: what is left is good if no position contradicts the others. It takes half the flash,
- * for a device like an ATmega328P that cannot hold the whole.
+/* invcal_calibrate_judged without the search for systematic errors, all of which stay unchecked, and
+ * without counting directions: the rest is good if no position contradicts the others. Takes half the
+ * flash, for a device like an ATmega328P that cannot hold all of it.
  *
  * out  may be nominal.
  *
@@ -269,9 +267,9 @@ invcal_status invcal_calibrate_robust(const invcal_real *raw, unsigned count,
 
 /* invcal_calibrate without some of the positions.
  *
- * left_out  bit i: position i does not count, whatever it reads. Of the first INVCAL_MAX_POSITIONS;
- *           those behind them all count. quality.left_out repeats it, quality.worst counts from 0
- *           in raw, those left out included.
+ * left_out  bit i: position i does not count, whatever it reads. For the first INVCAL_MAX_POSITIONS;
+ *           all later ones count. quality.left_out repeats it; quality.worst is an index into raw,
+ *           which includes those left out.
  *
  * The rest as invcal_calibrate. */
 invcal_status invcal_calibrate_without(const invcal_real *raw, unsigned count, invcal_mask left_out,
@@ -281,29 +279,28 @@ invcal_status invcal_calibrate_without(const invcal_real *raw, unsigned count, i
 /* ---- what is known beforehand ------------------------------------------------------------------
  *
  * Parameter r is 0 with standard deviation sigma(r): one more row, noise / sigma(r) X(r) = 0,
- * which makes the solution a Bayesian update (mathematics.md, "Prior"). What the positions leave
- * open then stays where nominal has it, with the sigma of the prior: a device that can only be
- * tilted, or three positions that renew the offsets of an earlier calibration. */
+ * which makes the solution a Bayesian update (mathematics.md, "Prior"). A parameter that the
+ * positions leave open keeps its nominal value, with the sigma of the prior. Use it for a device that
+ * can only be tilted, or to renew the offsets of an earlier calibration with three positions. */
 
 /* invcal_calibrate with a prior.
  *
- * raw, count, nominal  as for invcal_calibrate. Positions need be as many as the parameters
- *                      without a prior, and at least one.
+ * raw, count, nominal  as for invcal_calibrate. At least one position, and as many as there are
+ *                      parameters without a prior.
  * noise       standard deviation of a position mean on each axis, over field, above 0 and below 1:
- *             what the prior is weighed with. If the residuals show more, the solution is made once
- *             more with that. Where the positions alone leave parameters open, it is raised to what
- *             the number type can resolve beside the prior, in float to sqrt(count) / 2000 of the
- *             widest: with less, rounding errors would count as data.
+ *             the weight of the prior. If the residuals show more noise, solves again with theirs.
+ *             If the positions alone leave parameters open, raises it to what the number type
+ *             resolves next to the prior, in float sqrt(count) / 2000 of the widest: with less,
+ *             rounding errors would count as data.
  * prior       standard deviation of each parameter's deviation from nominal, over field, 1 or rad,
- *             up to about 0.2 (beyond, p is no longer -X); 0: not known. Not all are 0.
- * quality     sigma is never above the prior. dof counts what the data told: a parameter that the
- *             prior supplies costs no position; rounded down. noise may have been raised. condition
- *             is that of the rows with the prior; beside priors of very different width it may be
- *             infinite.
- * from_prior  bit r: the prior has told more of parameter r than the data.
+ *             up to about 0.2 (above that, p is no longer -X); 0: not known. Not all are 0.
+ * quality     sigma never exceeds the prior. dof counts the data only: a parameter supplied by the
+ *             prior costs no position; rounded down. noise may have been raised. condition is that
+ *             of the rows with the prior; it may be infinite with priors of very different width.
+ * from_prior  bit r: parameter r is determined by the prior more than by the data.
  *
  * Returns as invcal_calibrate; INVCAL_BAD_PRIOR if a number is negative or not finite, or all are
- * 0. INVCAL_UNDETERMINED is for parameters without a prior.
+ * 0. INVCAL_UNDETERMINED refers to parameters without a prior.
  * Cost: 45,000 instructions for 18 positions. Stack: about 1,070 bytes. */
 invcal_status invcal_calibrate_with_prior(const invcal_real *raw, unsigned count,
                                           const invcal_calibration *nominal, invcal_real noise,
@@ -313,31 +310,31 @@ invcal_status invcal_calibrate_with_prior(const invcal_real *raw, unsigned count
 
 /* ---- six faces ----------------------------------------------------------------------------------
  *
- * Each axis up and down once, as most procedures have it, tells offsets and scales, and nothing of the
- * three angles: on a face the product of two readings is next to 0. What a data sheet says of them stands
- * in: 0, with a standard deviation of g. That leaves in a calibrated length the error
+ * Each axis up and down once, the usual procedure, determines offsets and scales, but none of the
+ * three angles: on a face the product of two readings is nearly 0. The angles are taken from the data
+ * sheet: 0, with a standard deviation of g. That leaves in a calibrated length the error
  * gamma_xy xy + gamma_xz xz + gamma_zy zy, which is
  *
  *     with a face up          0                      on an edge, midway between two axes   g / 2
  *     on a corner, the most   g / sqrt(3)            over all directions, rms              g / sqrt(5)
  *
- * so 1 % costs 4.5 mg rms, and 8.8 mg in 95 % of cases. Six positions midway between two axes tell the
- * angles: invcal_calibrate then takes all twelve. */
-#define INVCAL_CROSS_AXIS INVCAL_REAL(0.01) /* g of a sheet that says 1 % (0.57 degrees) */
+ * so 1 % costs 4.5 mg rms, or 8.8 mg at 95 %. Six more positions midway between two axes determine the
+ * angles: pass all twelve to invcal_calibrate. */
+#define INVCAL_CROSS_AXIS INVCAL_REAL(0.01) /* g for a data sheet's 1 % (0.57 degrees) */
 
 /* invcal_calibrate for six positions or more, the angles held at those of nominal.
  *
  * raw      3 count numbers, as for invcal_calibrate; of a session its mean and count.
- * noise    standard deviation of a position mean on each axis, over field, above 0 and below 1. With six
- *          positions nothing checks it: sigma of offsets and scales is it over sqrt(2).
+ * noise    standard deviation of a position mean on each axis, over field, above 0 and below 1. With
+ *          six positions nothing checks it: sigma of offsets and scales is noise / sqrt(2).
  * gamma    standard deviation of each angle, rad, up to about 0.2: INVCAL_CROSS_AXIS.
- * quality  of offsets and scales: verdict and weak say nothing of the angles. INVCAL_NO_REDUNDANCY with
- *          six positions. sigma of the angles is gamma, or what positions off the faces make of it.
- * held     bit r: parameter r is not measured; that is each angle, unless the positions tell it. Its
- *          interval of 95 % is 1.96 sigma, without Student's t: gamma is stated, not estimated.
+ * quality  of offsets and scales: verdict and weak do not cover the angles. INVCAL_NO_REDUNDANCY with
+ *          six positions. sigma of the angles is gamma, or less if positions off the faces reduce it.
+ * held     bit r: parameter r is not measured; that is each angle that the positions leave open. Its
+ *          95 % interval is 1.96 sigma, without Student's t: gamma is stated, not estimated.
  *
- * An angle that is there moves a scale by gamma^2 / 8 (12 ppm at 1 %), and no offset, if the faces are
- * along gravity; a tilt is weighed in sigma.
+ * An actual angle of gamma shifts a scale by gamma^2 / 8 (12 ppm at 1 %), and no offset, if the faces
+ * are along gravity; sigma includes a tilt.
  *
  * Returns as invcal_calibrate; INVCAL_TOO_FEW for fewer than six; INVCAL_UNDETERMINED if they leave
  * offsets or scales open; INVCAL_BAD_PRIOR unless gamma is above 0 and below 1.
@@ -347,7 +344,7 @@ invcal_status invcal_calibrate_six_faces(const invcal_real *raw, unsigned count,
                                          invcal_real gamma, invcal_calibration *out,
                                          invcal_quality *quality, uint16_t *held);
 
-/* invcal_accuracy of a calibration of which some parameters are a prior's.
+/* invcal_accuracy of a calibration with some parameters from a prior.
  *
  * held  bit r: sigma of parameter r is stated, not estimated; of invcal_calibrate_six_faces, or
  *       from_prior of invcal_calibrate_with_prior.
@@ -364,15 +361,15 @@ invcal_real invcal_accuracy_held(const invcal_quality *quality, uint16_t held, i
  *     J2 = (|u|^2 - 1)/2        the scalar composition: leaves an error of second order in X,
  *                               1e-4 at errors of 1 %, 1e-2 at errors of 10 %
  *
- * Lengths do not see a direction that is wrong by d at all, which is why invcal_calibrate asks for
- * none. In J1 it is an error of -|d|^2/2 + eta S d, S the matrix of dk and gamma / 2. The second
- * part is s |d| at most, s half of what the eigenvalues of S differ by:
+ * An error d of the direction does not affect lengths at all, which is why invcal_calibrate needs no
+ * directions. In J1 its effect is -|d|^2/2 + eta S d, S the matrix of dk and gamma / 2. The second
+ * part is at most s |d|, s half the spread of the eigenvalues of S:
  *
  *     d          lengths   J1, s = 0.02     full vector
  *     1 mrad     0         5e-7 + 2e-5      1e-3
  *     10 mrad    0         5e-5 + 2e-4      1e-2
  *
- * Exact rows have another meaning of p: these sums are a type of their own. */
+ * In exact rows p has another meaning; hence these sums are a type of their own. */
 typedef struct {
     invcal_sums sums; /* of h(eta) and J */
 } invcal_linear_sums;
@@ -382,7 +379,7 @@ void invcal_linear_init(invcal_linear_sums *linear);
 
 /* Adds a position of known direction by J1.
  *
- * nominal  the same for all of them.
+ * nominal  the same for all positions.
  * raw      a position mean, raw counts.
  * eta      the up direction in the frame of the unit, unit length within 1e-4.
  *
@@ -397,14 +394,14 @@ invcal_status invcal_linear_add_scalar(invcal_linear_sums *linear,
                                        const invcal_calibration *nominal, const invcal_real raw[3],
                                        const invcal_real eta[3]);
 
-/* Solves them: A = (I + S)^-1.
+/* Solves the sums: A = (I + S)^-1.
  *
- * linear   sums: are lost.
+ * linear   the sums; are overwritten.
  * nominal  the one they were added with; may be out.
  * out      the calibration.
  * x        the nine parameters, in the order of the paper.
  *
- * It does not judge.
+ * Does not judge.
  *
  * Returns INVCAL_OK;
  *   INVCAL_TOO_FEW        fewer than nine positions;
@@ -415,15 +412,15 @@ invcal_status invcal_linear_add_scalar(invcal_linear_sums *linear,
 invcal_status invcal_linear_solve(invcal_linear_sums *linear, const invcal_calibration *nominal,
                                   invcal_calibration *out, invcal_real x[INVCAL_PARAMETERS]);
 
-/* The full vector. Lengths do not show how the unit is turned on the stand, and J1 shows it to the
- * second order only. All three readings of a position do, to the first:
+/* The full vector. Lengths do not show how the unit is turned on the stand, and J1 shows it to
+ * second order only. All three readings of a position show it to first order:
  *
  *     u = M eta + delta,    M = (I + S) R
  *
  * with R the mounting: a direction eta of the stand's frame is R eta in the frame of the unit. That is
- * linear in the twelve elements of M and delta, and the three axes share one system of 4x4; I + S and R are
- * the polar decomposition of M. An angle that is wrong by d counts to the first order here (the table above): so
- * take the parameters from the lengths, and from here what those do not show. */
+ * linear in the twelve elements of M and delta, and the three axes share one 4x4 system; I + S and R
+ * are the polar decomposition of M. An angle error d counts to first order here (see the table above):
+ * so take the parameters from the lengths, and only the mounting from here. */
 typedef struct {
     /* The triangle of (eta 1 u)'(eta 1 u) over all positions. */
     invcal_real sum[INVCAL_PACKED_SIZE(7)];
@@ -435,7 +432,7 @@ void invcal_full_vector_init(invcal_full_vector *full);
 
 /* Adds a position of known direction.
  *
- * nominal  the same for all of them.
+ * nominal  the same for all positions.
  * raw      a position mean, raw counts.
  * eta      the up direction in the frame of the stand, unit length within 1e-4.
  *
@@ -443,22 +440,22 @@ void invcal_full_vector_init(invcal_full_vector *full);
 invcal_status invcal_full_vector_add(invcal_full_vector *full, const invcal_calibration *nominal,
                                      const invcal_real raw[3], const invcal_real eta[3]);
 
-/* Solves them, for errors of any size.
+/* Solves the sums, for errors of any size.
  *
- * full      sums: are lost.
+ * full      the sums; are overwritten.
  * nominal   the one they were added with; may be out.
- * out       the calibration, in the frame of the stand: calibrated readings are its eta.
+ * out       the calibration, in the frame of the stand: calibrated readings are eta in that frame.
  * x         the nine parameters, in the frame of the unit and the order of the paper.
- * mounting  R. With N positions on each of three great circles, as the paper has them, and a noise s of
- *           every axis, its three angles have the standard deviation s / sqrt(2 N).
+ * mounting  R. With the paper's N positions on each of three great circles, and noise s on every axis,
+ *           the standard deviation of its three angles is s / sqrt(2 N).
  *
- * It does not judge.
+ * Does not judge.
  *
  * Returns INVCAL_OK;
  *   INVCAL_TOO_FEW        fewer than four positions;
  *   INVCAL_UNDETERMINED   the ends of the directions lie in a plane, as those of a circle do;
  *   INVCAL_NOT_ELLIPSOID  a semi-axis of I + S is outside about 0.1 ... 10, or delta beyond 10; or the
- *                         directions are mirrored: an angle counts the other way;
+ *                         directions are mirrored: an angle has the wrong sign;
  *   INVCAL_BAD_NOMINAL    its matrix has no inverse.
  * Cost: 2,900 instructions. Stack: about 290 bytes. */
 invcal_status invcal_full_vector_solve(invcal_full_vector *full, const invcal_calibration *nominal,
@@ -467,60 +464,57 @@ invcal_status invcal_full_vector_solve(invcal_full_vector *full, const invcal_ca
 
 /* ---- where to turn next ------------------------------------------------------------------------
  *
- * Of 26 directions - the 6 faces, 12 edges and 8 corners of a cube - the one with the largest
- * h K h' is asked for, K = (H'H)^-1 of the positions so far: it multiplies det H'H by the most,
+ * Of 26 directions - the 6 faces, 12 edges and 8 corners of a cube - the next is the one with the
+ * largest h K h', K = (H'H)^-1 of the positions so far: it multiplies det H'H by the most,
  * 1 + h K h' (greedy D-optimal design). A small ridge on H'H makes that work from the first
- * position on. Nine positions that follow determine everything, sqrt(K(r,r)) at most 3.01; eighteen
- * come within 0.3 of the largest log det H'H there can be. Hand errors of 10 degrees cost little. From 14
- * positions on the order in which they are asked for shows a drift: fitted as well, it would make sigma 1.16
- * times as large. */
+ * position on. Nine such positions determine everything, sqrt(K(r,r)) at most 3.01; eighteen come
+ * within 0.3 of the largest possible log det H'H. Hand errors of 10 degrees cost little. From 14
+ * positions on, their order shows a drift: to fit it too would make sigma 1.16 times as large. */
 
 /* The direction to take next.
  *
- * raw, count  the positions so far; none at the beginning. Those that are no readings are passed
- *             over.
+ * raw, count  the positions so far; none at the beginning. Skips those that are not readings.
  *
- * Of directions that tell about as much, the closest to the last position: one right across counts
- * 1.6 % less. None within 26 degrees of it. */
+ * Of directions with about the same information, the closest to the last position: the opposite one
+ * counts 1.6 % less. None within 26 degrees of it. */
 void invcal_next(const invcal_real *raw, unsigned count, const invcal_calibration *nominal,
                  invcal_real up[3]);
 
 /* sqrt(K(r,r)) of the positions so far: sigma of parameter r over that of a position mean.
  *
- * up  null, or a direction as if it had been taken too: what it will improve. The ridge ends what is
- *     open at about 100. */
+ * up  null, or a direction to include as if taken, to see what it will improve. The ridge limits
+ *     open parameters to about 100. */
 void invcal_prospect(const invcal_real *raw, unsigned count, const invcal_calibration *nominal,
                      const invcal_real *up, invcal_real root[INVCAL_PARAMETERS]);
 
 /* ---- rests -------------------------------------------------------------------------------------
  *
- * Whoever calibrates turns the device, holds it, turns it again. Here the rests (static intervals:
- * stretches of the stream in which nothing but noise changes the readings) are found in the stream
- * of raw samples, what still moves at their ends is cut off, and the samples between are summed
- * exactly. There is nothing to tune: no threshold in counts or m/s^2, no quiet time at the
- * beginning. What noise is, the stream itself must tell:
+ * The user turns the device, holds it, and turns it again. The detector finds the rests (static
+ * intervals: stretches in which only noise changes the readings) in the stream of raw samples, trims
+ * the motion at their ends, and sums the samples between exactly. There is nothing to tune: no
+ * threshold in counts or m/s^2, no quiet time at the beginning. It learns from the stream:
  *
  *     noise    variance inside a block of about 1/8 s, a low quantile of all quiet blocks
- *     wander   squared distance of a block mean from the trend, a low quantile too: a hand holds it
+ *     wander   squared distance of a block mean from the trend, also a low quantile: a hand's unrest
  *     quantum  the smallest change of a reading
- *     reach    how far readings have moved from the last rest: the scale of "another place"
+ *     reach    how far readings have moved from the last rest: the scale of "another orientation"
  *
  * A block is quiet if its variance is that of the noise, and belongs to the rest if its mean is
- * where the rest expects it. Blocks of 0.6 s, behind those cut off, make a position; holding on
- * makes it better. The slope of the last two seconds tells a slow turn, which no threshold on a
- * variance sees: 0.3 degrees/s (up to 1 mg of noise, 100 Hz or more) is never taken for a rest.
+ * where the rest expects it. Blocks of 0.6 s, after trimming, make a position; holding longer makes
+ * it better. The slope over the last two seconds detects a slow turn, which a threshold on a variance
+ * cannot: 0.3 degrees/s (up to 1 mg of noise, 100 Hz or more) never passes for a rest.
  *
  * All three axes are treated alike and together, and the decisions do not depend on unit, offset or
- * order of the axes. Everything is computed in integers. Raw counts may be any int32. Noise may
- * reach 65,000 counts (standard deviation), more looks like motion; and so do readings that creep
- * away by more than 500,000 counts in one rest. Noise is what stays the same: a vibration that does
- * so too counts as rest, and adds to the variance. A magnetometer's samples are found the same.
+ * order of the axes. All arithmetic is in integers. Raw counts may be any int32. Noise may reach
+ * 65,000 counts (standard deviation); more looks like motion, and so do readings that creep by more
+ * than 500,000 counts in one rest. Noise is what stays the same: a steady vibration counts as rest,
+ * and adds to the variance. It works for a magnetometer too.
  *
- * A rest wants 2 seconds (from 32 Hz on; 5 at 10 Hz). About 0.5 s are cut off at its beginning,
+ * A rest needs 2 seconds (from 32 Hz on; 5 at 10 Hz). About 0.5 s are trimmed at its beginning,
  * 0.3 s at its end.
  *
- * Let a stream begin at rest, if you can: what it begins with is taken for noise until something
- * quieter is seen, and in motion of several g the first second may look like a rest.
+ * Begin a stream at rest, if you can: its beginning counts as noise until something quieter comes,
+ * and in motion of several g the first second may look like a rest.
  */
 #define INVCAL_RATE_MIN 8    /* samples per second */
 #define INVCAL_RATE_MAX 8000 /* the same */
@@ -531,7 +525,7 @@ typedef struct {
     uint32_t count;       /* how many, > 0 */
     uint32_t begin, end;  /* index of the first, and of the one after the last; fewer than
                              end - begin are summed if the rest was disturbed in between. Samples
-                             count from 0, in blocks that were full, modulo 2^32 */
+                             in full blocks count, from 0, modulo 2^32 */
     invcal_real variance; /* of one sample about its block, counts^2, the mean of the three axes */
 } invcal_rest;
 
@@ -542,73 +536,72 @@ typedef struct {
  * Returns INVCAL_OK; INVCAL_BAD_RATE for any other. */
 invcal_status invcal_rests_init(invcal_rests *rests, unsigned rate);
 
-/* The counts at which the sensor clips (-32768, 32767), to be called before the first sample. Not
- * called: clipping is not noticed, but at the ends of int32.
+/* Sets the counts at which the sensor clips (-32768, 32767); call it before the first sample.
+ * Without it clipping is detected at the ends of int32 only.
  *
  * Returns INVCAL_OK; INVCAL_BAD_RAILS unless low < high. */
 invcal_status invcal_rests_rails(invcal_rests *rests, int32_t low, int32_t high);
 
-/* From now on a rest must be measured for so long, what is cut off not counted, or is refused as
- * too short. A rest that is READY and has not been measured so long is READY no more: it will be
- * said again.
+/* Sets how long a rest must be measured from now on, trimmed ends not included; a shorter one is
+ * refused. If the current rest is READY but shorter, it is no longer READY; READY is returned again
+ * later.
  *
- * milliseconds  up to an hour, more counts as that. Less than what makes a position anyway, 0.6 s,
- *               counts as that. */
+ * milliseconds  clamped to 600 (the min for a position) ... 3,600,000. */
 void invcal_rests_hold(invcal_rests *rests, uint32_t milliseconds);
 
-/* Takes in one sample, of any value.
+/* Feeds one sample, of any value.
  *
- * Returns what happened. A position is handed out 0.6 to 1 s after motion began.
+ * Returns what happened. A position is returned 0.6 to 1 s after motion began.
  *
- * At 1 kHz a sample costs 56 instructions on a Cortex-M4F, decisions included, and 143 where the
- * compiler is told to save space: there samples close to one another have no quicker way. */
+ * At 1 kHz a sample costs 56 instructions on a Cortex-M4F, decisions included, or 143 if the compiler
+ * optimises for size, which omits the fast path for samples close to each other. */
 invcal_event invcal_rests_feed(invcal_rests *rests, const int32_t raw[3]);
 
-/* Samples were lost here; a block begins anew. The rest goes on if what comes agrees with it, and
- * ends as by motion if it does not. */
+/* Call it where samples were lost; a new block begins. The rest goes on if the next samples agree
+ * with it; otherwise it ends as by motion. */
 void invcal_rests_gap(invcal_rests *rests);
 
-/* The stream ends: the rest that is going on, if any, is closed as motion would.
+/* Ends the stream: closes the current rest, if any, as motion would.
  *
  * Returns INVCAL_TAKEN, INVCAL_REFUSED, or INVCAL_MOVING if there is none. Samples may follow; what
- * has been learned stays. */
+ * was learned is kept. */
 invcal_event invcal_rests_finish(invcal_rests *rests);
 
-/* How much of a position is there, percent of the time to hold: 0 in motion, 100 from READY on. It
- * does not fall as long as the rest goes on, unless it is refused for drift and begins anew, or is
- * to be held longer. */
+/* Progress of the current position, percent of the time to hold: 0 in motion, 100 from READY on. It
+ * does not fall during a rest, unless the rest is refused for drift and restarts, or the time to hold
+ * is raised. */
 unsigned invcal_rests_progress(const invcal_rests *rests);
 
 /* Why the last rest was REFUSED: an INVCAL_REST_ of invcal_status. INVCAL_OK after READY or TAKEN,
  * and before the first. */
 invcal_status invcal_rests_reason(const invcal_rests *rests);
 
-/* The rest that is READY, as good as it is by now, the newest quarter of a second held back; or the
- * one just TAKEN, until the next sample. Returns 1; 0, out untouched, if there is neither. */
+/* The rest that is READY, as measured so far without the newest quarter of a second; or the one just
+ * TAKEN, until the next sample. Returns 1; 0, out untouched, if there is neither. */
 int invcal_rests_get(const invcal_rests *rests, invcal_rest *out);
 
-/* The mean of its samples alone: the first one's whole counts and what they differ by, so nothing is
- * lost to the size of the sum. Within 1 ulp of the largest reading; returns as invcal_rests_get. */
+/* The mean of its samples only: computed from differences, so the size of the sum costs no precision.
+ * Within 1 ulp of the largest reading; returns as invcal_rests_get. */
 int invcal_rests_mean(const invcal_rests *rests, invcal_real mean[3]);
 
 /* ---- in the background -------------------------------------------------------------------------
  *
- * The same for a device that nobody calibrates on purpose: fed with whatever comes in days. A rest
- * in a direction that is well covered is passed over (INVCAL_REFUSED, INVCAL_REST_SAME); the table
- * keeps what tells most, up to INVCAL_MAX_POSITIONS - 1; an old position gives way before a new
- * one, and goes after 88 days. */
+ * The same for a device that nobody calibrates on purpose: feed it samples for days. A rest in a
+ * well covered direction is refused (INVCAL_REFUSED, INVCAL_REST_SAME); the table keeps the most
+ * informative positions, up to INVCAL_MAX_POSITIONS - 1; old positions are dropped before new ones,
+ * and after 88 days in any case. */
 typedef struct {
-    invcal_session session;            /* the positions, and all that it knows */
+    invcal_session session;            /* the positions and the detector */
     uint8_t age[INVCAL_MAX_POSITIONS]; /* days */
 } invcal_background;
 
-/* Begins: as invcal_session_begin. The session inside may be set up by the functions of invcal.h,
- * read, and solved. */
+/* Begins: as invcal_session_begin. Use the functions of invcal.h to set up, read and solve the
+ * session inside. */
 invcal_status invcal_background_init(invcal_background *background,
                                      const invcal_calibration *nominal, unsigned rate);
 
-/* Feeds one sample: as invcal_session_feed, but what tells hardly anything new is refused. At the
- * end of a rest it compares the positions kept: up to 40,000 instructions. */
+/* Feeds one sample: as invcal_session_feed, but refuses a position that adds little. At the end of
+ * a rest it compares the positions kept: up to 40,000 instructions. */
 invcal_event invcal_background_feed(invcal_background *background, const int32_t raw[3]);
 
 /* A day has gone by. */

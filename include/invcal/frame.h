@@ -1,16 +1,16 @@
 /* SPDX-License-Identifier: MIT
  *
- * invcal/frame.h: the calibrated axes turned to those of the case.
+ * invcal/frame.h: turns the calibrated axes to those of the case.
  *
- * Lengths leave one rotation open: how the calibrated axes sit in the case. It comes out of rests in which
- * it is known which way the case was: two or more of its faces on a table. Each tells a direction c of the
- * case that pointed up, and the calibrated readings the same direction a in axes of their own:
+ * Lengths leave one rotation open: how the calibrated axes sit in the case. Rests in known orientations
+ * of the case determine it: two or more of its faces on a table. Each gives a direction c of the case
+ * that pointed up, and the calibrated reading a of the same direction:
  *
  *     c = R a,    R minimises  sum |c - R a|^2                       (Wahba's problem)
  *
  * The table limits this, not the sensor: half a degree of tilt makes 6 to 9 mrad. So put down each face
- * twice, turned half around on the table in between: the tilt cancels to the first order, and what the
- * directions are off by (`scatter`) is the tilt.
+ * twice, turned by half a turn on the table in between: the tilt cancels to first order, and `scatter`,
+ * the error of the directions, shows the tilt.
  *
  *     invcal_frame frame;
  *     invcal_real r[3][3];
@@ -31,18 +31,18 @@
 extern "C" {
 #endif
 
-/* Sums over rests of known way up. */
+/* Sums over rests of known orientation. */
 typedef struct {
     invcal_real sum[3][3]; /* of c a' */
     unsigned count;        /* of directions; at most UINT_MAX */
 } invcal_frame;
 
-/* What a rotation is worth. */
+/* The quality of a rotation. */
 typedef struct {
-    /* Of the three angles about the axes of the case, over that of one direction about each of its axes:
-     * times the larger of what is known of the table, and scatter. Two faces: 1, 1, 0.71. */
+    /* Standard deviation of the three angles about the axes of the case, over that of one direction:
+     * multiply by the tilt of the table or scatter, whichever is larger. Two faces: 1, 1, 0.71. */
     invcal_real sigma[3];
-    /* How far directions are from those stated, rad, root mean square. Rounding of float alone shows 5e-4. */
+    /* Distance of the directions from those stated, rad, root mean square. Rounding of float gives 5e-4. */
     invcal_real scatter;
 } invcal_frame_quality;
 
@@ -51,42 +51,42 @@ void invcal_frame_init(invcal_frame *frame);
 
 /* Adds a rest.
  *
- * calibration  what is to be turned; the same for all rests.
+ * calibration  to be turned; the same for all rests.
  * raw          the mean of the rest, raw counts.
- * up           which way of the case was up: unit length within 1e-4.
+ * up           the direction of the case that pointed up: unit length within 1e-4.
  *
- * Returns INVCAL_OK; else the sums are as they were:
- *   INVCAL_NOT_FINITE      a reading is a NaN or infinite;
- *   INVCAL_OUT_OF_RANGE    its length is outside 1/2 ... 2: it was no rest, or it is no calibration;
+ * Returns INVCAL_OK; else the sums are unchanged:
+ *   INVCAL_NOT_FINITE      a reading is NaN or infinite;
+ *   INVCAL_OUT_OF_RANGE    its length is outside 1/2 ... 2: not a rest, or not a calibration;
  *   INVCAL_BAD_DIRECTION   up has another length.
  * Cost: 150 instructions. Stack: about 50 bytes. */
 invcal_status invcal_frame_add(invcal_frame *frame, const invcal_calibration *calibration,
                                const invcal_real raw[3], const invcal_real up[3]);
 
-/* Solves them, for any rotation.
+/* Solves the sums, for any rotation.
  *
  * rotation  out: R.
  * quality   out; may be null.
  *
  * Returns INVCAL_OK; else nothing is written:
  *   INVCAL_TOO_FEW        fewer than two rests;
- *   INVCAL_UNDETERMINED   all had nearly the same way up, or opposite ones: the turn about it is open
- *                         (invcal_frame_level); or directions contradict each other, as a mirrored axis does.
+ *   INVCAL_UNDETERMINED   all directions up were nearly the same, or opposite: the turn about them is
+ *                         open (invcal_frame_level); or they contradict each other: a mirrored axis.
  * Cost: 1,800 instructions. Stack: about 250 bytes. */
 invcal_status invcal_frame_solve(const invcal_frame *frame, invcal_real rotation[3][3],
                                  invcal_frame_quality *quality);
 
-/* Level trim, from rests of one way up: the smallest rotation that brings it there. The turn about it,
- * the heading, is left as the calibration has it.
+/* Level trim, from rests in one orientation: the smallest rotation that brings the reading to up. The
+ * heading, the turn about up, stays as in the calibration.
  *
- * up  the one with which they were added.
+ * up  the direction with which they were added.
  *
- * Returns as above; INVCAL_UNDETERMINED also where it would be more than 140 degrees.
+ * Returns as above; INVCAL_UNDETERMINED also for a rotation of more than 140 degrees.
  * Cost: 250 instructions. Stack: about 60 bytes. */
 invcal_status invcal_frame_level(const invcal_frame *frame, const invcal_real up[3],
                                  invcal_real rotation[3][3]);
 
-/* Turns a calibration: its matrix becomes R times itself.
+/* Turns a calibration: multiplies its matrix by R from the left.
  *
  * Cost: 60 instructions. Stack: about 30 bytes. */
 void invcal_frame_turn(const invcal_real rotation[3][3], invcal_calibration *calibration);

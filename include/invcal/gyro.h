@@ -2,15 +2,15 @@
  *
  * invcal/gyro.h: the gyroscope, from the same moves.
  *
- * Between two rests the gyroscope must turn the one way up into the other. Twelve quarter turns between the
+ * Between two rests the gyroscope must turn one way up into the other. Twelve quarter turns between the
  * six faces determine the nine elements of its matrix and the nine parameters of the accelerometer, in one
- * solution and without a calibration beforehand. No sample is stored: a move is kept as a few segments.
+ * solution and without a previous calibration. No sample is stored: a move is kept as a few segments.
  *
- *     static invcal_imu_session both;                         3.7 kB; or a session and moves of their own
+ *     static invcal_imu_session both;                         3.7 kB; or a separate session and moves
  *     invcal_imu_record record;
  *     invcal_imu imu;
  *     if (invcal_load_imu(&result, &record) == INVCAL_OK)     calibrated: record.accelerometer, record.gyro
- *     else if (invcal_load_imu_session(&progress, &both) != INVCAL_OK)    else it goes on there; or it begins:
+ *     else if (invcal_load_imu_session(&progress, &both) != INVCAL_OK)    else it resumes; or it begins:
  *         invcal_session_init(&both.session, 16384, 100);     counts for 1 g; samples per second
  *         invcal_moves_init(&both.moves, &gyro, 400);         rad/s per count; samples per second
  *     for every sample of the gyroscope:
@@ -25,14 +25,14 @@
  *                                  NULL, &imu) == INVCAL_OK && imu.verdict == INVCAL_GOOD)
  *                 invcal_save_imu(&result, &imu);
  *
- * invcal_tour tells twelve such turns, invcal_turns_next the one that would tell most, and
- * invcal_turns_sigma how exactly turns will determine the 18, made or planned.
+ * invcal_tour gives twelve such turns, invcal_turns_next the one that would add most, and
+ * invcal_turns_sigma how accurately turns, made or planned, determine the 18.
  *
- * The two sensors may be sampled at different rates. What is assumed of time: samples are fed in the order
- * in which they were taken. Those of the accelerometer may come up to 0.1 s late, which costs nothing, as a
- * rest is cut off 0.3 s before motion was noticed; those of the gyroscope 0.02 s: of 0.05 s the error is
- * twice as large. While a memory is written no sample may be lost: the device is in motion then. Sensors keep
- * them for a second (FIFO), or an interrupt does; else the call is invcal_moves_gap, and the move is taken again.
+ * The two sensors may be sampled at different rates. Feed samples in the order in which they were taken.
+ * Those of the accelerometer may be up to 0.1 s late at no cost, since a rest ends 0.3 s before motion was
+ * noticed; those of the gyroscope 0.02 s: with 0.05 s the error is twice as large. Lose no sample while a
+ * memory is written: the device is in motion then. Let the sensor keep them for a second (FIFO), or an
+ * interrupt; otherwise call invcal_moves_gap, and make the move again.
  *
  * invcal.h states the rules and units; mathematics.md, "The gyroscope", derives this.
  */
@@ -46,11 +46,11 @@ extern "C" {
 #endif
 
 /* Segments of all moves together, 64 to 1000, 14 bytes each; a quarter turn takes five or six, and 24 are kept
- * free for what is going on. Where memory is short, 100 segments and 14 rests hold twelve quarter turns in 1.7 kB. */
+ * free for the current move. If memory is short, 100 segments and 14 rests hold twelve quarter turns in 1.7 kB. */
 #ifndef INVCAL_MAX_SEGMENTS
 #define INVCAL_MAX_SEGMENTS 192
 #endif
-/* Rests that are kept, and so moves: 4 to 32; 10 bytes each. */
+/* Rests, and so moves, that are kept: 4 to 32; 10 bytes each. */
 #ifndef INVCAL_MAX_MOVES
 #define INVCAL_MAX_MOVES 32
 #endif
@@ -61,7 +61,7 @@ extern "C" {
 #error "INVCAL_MAX_MOVES must be from 4 to 32"
 #endif
 
-/* A program and a library whose choices differ do not link: see invcal.h. */
+/* A program and a library with different choices do not link: see invcal.h. */
 #define INVCAL_GYRO_CHOSEN(name) INVCAL_GYRO_CHOSEN_(name, INVCAL_MAX_SEGMENTS, INVCAL_MAX_MOVES)
 /* Steps of it. (No comment behind them: Arduino's preprocessor would paste it too.) */
 #define INVCAL_GYRO_CHOSEN_(name, s, m) INVCAL_GYRO_CHOSEN__(name, INVCAL_REAL_NAME, s, m)
@@ -80,84 +80,83 @@ extern "C" {
 
 /* ---- moves -------------------------------------------------------------------------------------- */
 
-/* At most 20 degrees of a move. Its rotation vector, if the gyroscope were ideal, is v + kappa: of another
+/* At most 20 degrees of a move. For an ideal gyroscope its rotation vector is v + kappa; for another
  * matrix M it is M v + cof(M) kappa. */
 typedef struct {
     int16_t v[3];     /* integral of the nominal rate, 2^-15 rad */
-    int16_t kappa[3]; /* what coning adds to it, 2^-18 rad */
-    uint16_t time;    /* twice the samples; and 1 if a block of rests ends with it */
+    int16_t kappa[3]; /* coning, 2^-18 rad */
+    uint16_t time;    /* twice the samples, plus 1 if a block of rests ends with it */
 } invcal_segment;
 
 /* A rest, and the move that led to it. */
 typedef struct {
-    int16_t bias[3]; /* beyond moves.bias, 2^-18 rad/s */
-    uint16_t when;   /* it was taken, in blocks */
-    int8_t move;     /* segments; or -status: invcal_moves_reason */
+    int16_t bias[3]; /* less moves.bias, 2^-18 rad/s */
+    uint16_t when;   /* time at which it was taken, in blocks */
+    int8_t move;     /* number of segments; or -status: invcal_moves_reason */
 } invcal_still;
 
-/* All moves: 3.2 kB (float). What is not called internal may be read. */
+/* All moves: 3.2 kB (float). You may read all but the internal members. */
 typedef struct {
-    /* what does not last over a reset */
-    invcal_real rho[3];     /* internal: rotation vector of the segment in the making */
+    /* lost in a reset */
+    invcal_real rho[3];     /* internal: rotation vector of the current segment */
     invcal_real v[3];       /* internal: and its integral */
     invcal_real still[3];   /* internal: integral since the rest began */
     uint32_t still_samples; /* internal: and its samples */
-    uint32_t samples;       /* internal: of the move since it began */
-    uint16_t missing;       /* internal: samples of the segment in the making */
-    uint16_t cut, fixed;    /* internal: segments of the rest begin, of those that are not merged */
-    uint16_t used;          /* internal: segments altogether */
+    uint32_t samples;       /* internal: samples of the move so far */
+    uint16_t missing;       /* internal: samples of the current segment */
+    uint16_t cut, fixed;    /* internal: first segment of the rest, first that is not merged */
+    uint16_t used;          /* internal: number of segments */
     uint8_t marks;          /* internal: blocks among those not merged */
-    uint8_t fault;          /* internal: of the move */
-    uint8_t spoilt;         /* internal: of the segment in the making */
-    /* what does */
-    uint32_t layout;            /* of this, to be told from another build's */
-    int32_t low;                /* rail */
-    uint32_t between;           /* readings between it and the other */
-    uint16_t blocks;            /* of rests, so far; at most 65535 */
-    uint16_t first;             /* segments of the moves that are there; those of the next follow */
-    uint8_t count;              /* rests */
-    uint8_t none[3];            /* 0 */
-    invcal_calibration nominal; /* rad/s per count */
-    invcal_real rate;           /* samples per second */
-    invcal_real bias[3];        /* that v is free of, rad/s: of the first rest */
-    invcal_still rest[INVCAL_MAX_MOVES];         /* with the moves that led to them */
+    uint8_t fault;          /* internal: status of the move */
+    uint8_t spoilt;         /* internal: status of the current segment */
+    /* kept over a reset */
+    uint32_t layout;                     /* identifies this build */
+    int32_t low;                         /* lower rail */
+    uint32_t between;                    /* readings between the rails */
+    uint16_t blocks;                     /* blocks of rests so far; at most 65535 */
+    uint16_t first;                      /* segments of complete moves; those of the next follow */
+    uint8_t count;                       /* rests */
+    uint8_t none[3];                     /* 0 */
+    invcal_calibration nominal;          /* rad/s per count */
+    invcal_real rate;                    /* samples per second */
+    invcal_real bias[3];                 /* subtracted from v, rad/s: that of the first rest */
+    invcal_still rest[INVCAL_MAX_MOVES]; /* with the moves that led to them */
     invcal_segment segment[INVCAL_MAX_SEGMENTS]; /* of all moves, in their order */
 } invcal_moves;
 
 /* Begins.
  *
- * nominal  data sheet: rad/s per count; offset as far as it is known, else 0. Its axes are to be those of
- *          the accelerometer (invcal_imu_mounting).
- * rate     samples per second, 8 ... 8000. An error of it counts as one of the scale.
+ * nominal  data sheet: rad/s per count; offset as far as known, else 0. Its axes must be those of the
+ *          accelerometer (invcal_imu_mounting).
+ * rate     samples per second, 8 ... 8000. Its error becomes one of the scale.
  *
  * Returns INVCAL_OK; INVCAL_BAD_NOMINAL, INVCAL_BAD_RATE. Nothing is written then. */
 invcal_status invcal_moves_init(invcal_moves *moves, const invcal_calibration *nominal,
                                 invcal_real rate);
 
-/* The counts at which the gyroscope clips: a move that touches one of them is refused from now on.
+/* Sets the counts at which the gyroscope clips: a move that reaches one of them is refused from now on.
  *
  * Returns INVCAL_OK; INVCAL_BAD_RAILS unless low < high. */
 invcal_status invcal_moves_rails(invcal_moves *moves, int32_t low, int32_t high);
 
-/* Takes in one sample, moving or not, raw counts. Cost: 150 instructions. Stack: about 120 bytes. */
+/* Feeds one sample, moving or not, raw counts. Cost: 150 instructions. Stack: about 120 bytes. */
 void invcal_moves_feed(invcal_moves *moves, const int32_t raw[3]);
 
-/* Samples were lost here: this move is refused, rests stay. */
+/* Reports lost samples: this move is refused, rests are kept. */
 void invcal_moves_gap(invcal_moves *moves);
 
-/* After every sample of the accelerometer, what it brought about. With INVCAL_TAKEN a move ends, and its
- * rest has the bias. A rest that was refused ends none. Where INVCAL_MAX_MOVES rests are there, the oldest
- * goes.
+/* Call it after every sample of the accelerometer, with its event. INVCAL_TAKEN ends a move, and its rest
+ * gives the bias. A refused rest ends none. If there are INVCAL_MAX_MOVES rests, the oldest is dropped.
  *
  * rests  the detector of the accelerometer's samples.
- * event  of invcal_session_feed or invcal_rests_feed, or ..._finish: INVCAL_NOTHING costs nothing.
+ * event  from invcal_session_feed or invcal_rests_feed, or ..._finish: INVCAL_NOTHING costs nothing.
  *
  * Cost: up to 3,000 instructions once in 1/8 s. Stack: about 200 bytes. */
 void invcal_moves_follow(invcal_moves *moves, const invcal_rests *rests, invcal_event event);
 
-/* Why the move that led to a rest is of no use: INVCAL_OK; INVCAL_REST_CLIPPED, INVCAL_MOVE_GAP,
+/* Why the move that led to a rest is unusable; INVCAL_OK if it is usable. INVCAL_REST_CLIPPED, INVCAL_MOVE_GAP,
  * INVCAL_MOVE_LONG, INVCAL_NO_SPACE; INVCAL_REST_DRIFT: the bias of its two rests differs by 0.5 degrees/s, so
- * in one of them the device turned; INVCAL_MOUNTING: more than seven turns; INVCAL_TOO_FEW: none led to it.
+ * the device turned in one of them; INVCAL_MOUNTING: more than seven turns; INVCAL_TOO_FEW: no move led to it.
  *
  * rest  from 0, below moves->count. */
 invcal_status invcal_moves_reason(const invcal_moves *moves, unsigned rest);
@@ -166,78 +165,78 @@ invcal_status invcal_moves_reason(const invcal_moves *moves, unsigned rest);
 
 enum { INVCAL_GYRO_PARAMETERS = 9, INVCAL_IMU_PARAMETERS = 18 };
 
-/* What is known beforehand. */
+/* Prior knowledge. */
 typedef struct {
-    uint8_t held;            /* 1: the accelerometer is calibrated, the gyroscope alone is solved */
-    invcal_real noise;       /* standard deviation of a position mean, over field; 0: not known */
-    invcal_real rate_noise;  /* density, rad/s/sqrt(Hz) */
-    invcal_real instability; /* of the bias, rad/s */
-    const invcal_real *prior; /* 18 standard deviations from nominal, 0: not known; or null */
+    uint8_t held;             /* 1: the accelerometer is calibrated, only the gyroscope is solved */
+    invcal_real noise;        /* standard deviation of a position mean, over field; 0: unknown */
+    invcal_real rate_noise;   /* noise density, rad/s/sqrt(Hz) */
+    invcal_real instability;  /* of the bias, rad/s */
+    const invcal_real *prior; /* 18 standard deviations from nominal, 0: unknown; or null */
 } invcal_imu_settings;
 
-/* Where nothing is known: a consumer's gyroscope, 0.005 degrees/s/sqrt(Hz) and 20 degrees/h. */
+/* If nothing is known: a consumer gyroscope, 0.005 degrees/s/sqrt(Hz) and 20 degrees/h. */
 #define INVCAL_IMU_USUAL {0, 0, INVCAL_REAL(8.7e-5), INVCAL_REAL(1e-4), 0}
 
 /* The result. */
 typedef struct {
     /* raw counts to rad/s, in the axes of the accelerometer; its offset is the bias of the last rest */
     invcal_calibration gyro;
-    invcal_calibration accelerometer; /* raw counts to field; as handed over where it is held */
+    invcal_calibration accelerometer; /* raw counts to field; as passed if it is held */
     /* M of the gyroscope by rows, true rate = M nominal rate; then the nine of the accelerometer in the
-     * order of invcal.h, to the first order: invcal_deviation tells them exactly */
+     * order of invcal.h, to first order: invcal_deviation gives them exactly */
     invcal_real parameter[INVCAL_IMU_PARAMETERS];
-    invcal_real sigma[INVCAL_IMU_PARAMETERS]; /* standard deviations; 0 of what is held */
+    invcal_real sigma[INVCAL_IMU_PARAMETERS]; /* standard deviations; 0 for what is held */
     /* Of the bias, axis by axis: g-sensitivity, rad/s per field along x, y, z; and its drift from the first
-     * rest to the last, rad/s. Their standard deviations are 0 if fewer than 12 rests tell them. */
+     * rest to the last, rad/s. They are 0 with fewer than 12 rests. */
     invcal_real slope[3][4];
-    invcal_real slope_sigma[3][4]; /* 0 if fewer than 12 rests tell them */
-    invcal_real noise;             /* of a position mean behind sigma, over field */
+    invcal_real slope_sigma[3][4]; /* standard deviations; 0 with fewer than 12 rests */
+    invcal_real noise;             /* of a position mean, used for sigma, over field */
     invcal_real move_noise;        /* of a move, rad on each axis, root mean square */
     invcal_real move_rms;          /* residuals of moves, rad on each axis, root mean square */
     invcal_real move_max;          /* the largest, both axes together, rad */
     uint32_t left_out; /* bit i: the move to rest i contradicts the others: INVCAL_MOVE_APART */
-    uint32_t idle;     /* bit i: it turned nothing: INVCAL_REST_SAME */
+    uint32_t idle;     /* bit i: it did not turn: INVCAL_REST_SAME */
     uint32_t open;     /* bit r: parameter r is undetermined; or weak: sigma above 2.5 move_noise */
-    uint16_t dof;      /* degrees of freedom left to the residuals */
+    uint16_t dof;      /* degrees of freedom of the residuals */
     uint8_t worst;     /* the rest that the move of move_max led to */
-    uint8_t moves;     /* that made it */
-    uint8_t passes;    /* that it took */
+    uint8_t moves;     /* number of moves used */
+    uint8_t passes;    /* number of passes */
     uint8_t verdict;   /* an invcal_verdict: good, no redundancy, rough, weak */
-    uint8_t g_is_used; /* some g-sensitivity is beyond 4 sigma: it was taken from the moves */
+    uint8_t g_is_used; /* a g-sensitivity exceeds 4 sigma: the moves were corrected for it */
 } invcal_imu;
 
-/* Solves both sensors, or the gyroscope beside a calibrated accelerometer.
+/* Solves both sensors, or the gyroscope with a calibrated accelerometer.
  *
- * raw            means of the rests, as invcal_calibrate wants them. The last of them belongs to the last
- *                rest of moves, the one before to that before, and so on: more of either are left alone.
- * count          of them.
+ * raw            means of the rests, as for invcal_calibrate. The last of them belongs to the last rest of
+ *                moves, the one before to the one before, and so on: surplus ones of either are ignored.
+ * count          number of means.
  * accelerometer  nominal calibration, or the one that is held.
  * settings       INVCAL_IMU_USUAL, and what is known better; or null.
- * out            the result; may not be what accelerometer points into.
+ * out            the result; must not contain what accelerometer points to.
  *
- * It takes up to 6 passes of Gauss and Newton, and two more for each move that is left out: three at most, whose
- * residual is beyond 5 sigma of the others', once six are there.
+ * It takes up to 6 Gauss-Newton passes, and two more for each move that is left out: at most three, whose
+ * residual is beyond 5 sigma of the others', if there are more than six moves.
  *
  * Returns INVCAL_OK; else out is lost:
  *   INVCAL_BAD_NOMINAL    the accelerometer's;
- *   INVCAL_BAD_NOISE, INVCAL_BAD_PRIOR    of the settings: negative or no number, or noise of 1 and more;
- *   INVCAL_OUT_OF_RANGE   a mean is no reading of this field;
+ *   INVCAL_BAD_NOISE, INVCAL_BAD_PRIOR    of the settings: negative or not a number, or noise of 1 or more;
+ *   INVCAL_OUT_OF_RANGE   a mean is not a reading of this field;
  *   INVCAL_TOO_FEW        no moves, or fewer equations than unknowns;
- *   INVCAL_UNDETERMINED   out->open names what is left open;
- *   INVCAL_MOUNTING       residuals of 0.1 rad, or no end after 6 passes: invcal_imu_mounting tells more;
- * Cost: 310,000 instructions a pass for 25 rests and 24 moves, 4 to 5 passes. Stack: about 2,400 bytes. */
+ *   INVCAL_UNDETERMINED   out->open names the undetermined parameters;
+ *   INVCAL_MOUNTING       residuals of 0.1 rad, or no convergence after 6 passes: call invcal_imu_mounting.
+ * Cost: 310,000 instructions per pass for 25 rests and 24 moves, 4 to 5 passes. Stack: about 2,400 bytes. */
 invcal_status invcal_imu_solve(const invcal_real *raw, unsigned count,
                                const invcal_calibration *accelerometer, const invcal_moves *moves,
                                const invcal_imu_settings *settings, invcal_imu *out);
 
-/* How the axes of the gyroscope fit those of the accelerometer: the commonest mistake is that they do not.
- * Tries all 48 ways, in rad and in degrees.
+/* Finds how the axes of the gyroscope are mounted against those of the accelerometer: exchanged axes or
+ * wrong signs are the most common mistake. Tries all 48 ways, in rad and in degrees.
  *
- * axes   out: about accelerometer axis i turns gyroscope axis |axes[i]| - 1, the other way round if it is
- *        negative. 1, 2, 3 is right. 0: gyroscope axis i never turns, and no more is looked for.
- * unit   out: 1; or 57.3, where it is taken for less than it is: nominal was for degrees.
+ * axes   out: gyroscope axis |axes[i]| - 1 turns about accelerometer axis i, the opposite way if it is
+ *        negative. 1, 2, 3 is right. 0: gyroscope axis i never turns, and the search ends.
+ * unit   out: 1; or 57.3, if readings are that many times too small: nominal was for degrees.
  *
- * Returns INVCAL_OK; INVCAL_TOO_FEW, INVCAL_UNDETERMINED: the moves tell no way from another, nothing is
+ * Returns INVCAL_OK; INVCAL_TOO_FEW, INVCAL_UNDETERMINED: the moves do not distinguish the ways, nothing is
  * written. Cost: 96 passes, each a third of one of a solution. Stack: about 2,500 bytes. */
 invcal_status invcal_imu_mounting(const invcal_real *raw, unsigned count,
                                   const invcal_calibration *accelerometer,
@@ -245,55 +244,55 @@ invcal_status invcal_imu_mounting(const invcal_real *raw, unsigned count,
 
 /* ---- what survives a reset: the moves -----------------------------------------------------------
  *
- * Moves are of no use without the means of their rests, and the last of these belong to the last of those:
- * so both are kept at once, in one slot, and wherever power fails both are as before or as now (store.h).
- * Of moves and session lasts what was taken. The move in which the reset came is refused, INVCAL_MOVE_GAP:
- * what is taken next begins another.
+ * Moves are useless without the means of their rests, and the last of these belong to the last of those:
+ * so both are kept together, in one slot, and after a power failure both are old or both are new (store.h).
+ * All rests and moves that were taken survive. The move during the reset is refused, INVCAL_MOVE_GAP: the
+ * next rest begins another.
  *
- * These bytes are the device's own, as those of a session: another number type, order of bytes, version of
- * the library or number of moves or segments refuses them; a table of means of another size takes them if
+ * These bytes belong to the device, as those of a session: another number type, byte order, version of the
+ * library or number of moves or segments refuses them; a table of means of another size accepts them if
  * they fit. */
 typedef struct {
-    invcal_moves moves;     /* its end lasts */
-    invcal_session session; /* its beginning lasts */
+    invcal_moves moves;     /* its end survives */
+    invcal_session session; /* its beginning survives */
 } invcal_imu_session;
 
-/* How many bytes last at most. */
+/* The largest number of bytes to keep. */
 #define INVCAL_IMU_SESSION_SIZE                                                                    \
     ((uint32_t)(offsetof(invcal_imu_session, session) - INVCAL_IMU_SESSION_FROM) +                 \
      INVCAL_SESSION_SIZE)
-/* From which byte of the structure on. */
+/* The first byte of the structure to keep. */
 #define INVCAL_IMU_SESSION_FROM offsetof(invcal_imu_session, moves.layout)
 
-/* How many bytes last now. Who has other means than an invcal_store keeps these. */
+/* How many bytes to keep now, if you do not use an invcal_store. */
 uint32_t invcal_imu_session_size(const invcal_imu_session *both);
 
-/* Goes on with both, whose bytes have been put back, and with streams that begin. If it fails, begin them
- * anew.
+/* Resumes both after their bytes have been put back, with new streams of samples. If it fails, initialize
+ * both.
  *
  * size  how many bytes were put back.
  *
  * Returns INVCAL_OK;
- *   INVCAL_OTHER_VERSION  they are not what a build like this has kept;
+ *   INVCAL_OTHER_VERSION  they were kept by a different build;
  *   INVCAL_DAMAGED        the moves contradict themselves;
- *   INVCAL_BAD_NOMINAL, INVCAL_BAD_RATE, INVCAL_BAD_RAILS    a content that no moves have;
+ *   INVCAL_BAD_NOMINAL, INVCAL_BAD_RATE, INVCAL_BAD_RAILS    values that no moves have;
  *   as invcal_session_resume. */
 invcal_status invcal_imu_session_resume(invcal_imu_session *both, uint32_t size);
 
-/* Saves what lasts of both.
+/* Saves both.
  *
- * Returns as invcal_store_save. Stack as that. */
+ * Returns and stack: as invcal_store_save. */
 invcal_status invcal_save_imu_session(const invcal_store *store, const invcal_imu_session *both);
 
-/* Loads it, to go on with streams that begin. If anything fails, begin both anew.
+/* Loads and resumes both, with new streams of samples. If it fails, initialize both.
  *
- * Returns as invcal_store_load, then as invcal_imu_session_resume. Stack as these. */
+ * Returns as invcal_store_load, then as invcal_imu_session_resume. Stack: as these. */
 invcal_status invcal_load_imu_session(const invcal_store *store, invcal_imu_session *both);
 
 /* ---- what survives a reset: the result ----------------------------------------------------------
  *
- * Both calibrations with all that is known about them as 344 bytes, for a memory (store.h), a file or a
- * radio. Numbers as in a record of store.h:
+ * Both calibrations and their quality as 344 bytes, for a memory (store.h), a file or a radio. Numbers as in
+ * a record of store.h:
  *
  *     at    size  what
  *       0   1     kind, 0xCC
@@ -304,7 +303,7 @@ invcal_status invcal_load_imu_session(const invcal_store *store, invcal_imu_sess
  *     142   2     dof
  *     144   1     verdict, of both
  *     145   1     moves
- *     146   1     1: the g-sensitivity was taken from the moves
+ *     146   1     1: the moves were corrected for g-sensitivity
  *     147   1     0
  *     148   12    move_noise, move_rms, move_max
  *     160   48    gyroscope: offset x, y, z, matrix by rows
@@ -313,60 +312,60 @@ invcal_status invcal_load_imu_session(const invcal_store *store, invcal_imu_sess
  *     292   48    sigma of these
  *     340   4     CRC-32 of all before it
  *
- * A device that knows no gyroscope finds a record at byte 4. */
+ * A device without gyroscope support finds a record at byte 4. */
 #define INVCAL_IMU_RECORD_SIZE 344u /* bytes */
 
-/* What the bytes say: of invcal_imu, what is called the same there. */
+/* The contents of the bytes. Members with a name of invcal_imu are the same as there. */
 typedef struct {
     invcal_real move_noise;  /* of a move, rad on each axis */
     invcal_real move_rms;    /* residuals of moves */
     invcal_real move_max;    /* the largest */
-    invcal_calibration gyro; /* counts to rad/s; its offset is the bias of that day */
+    invcal_calibration gyro; /* counts to rad/s; its offset is the bias at that time */
     invcal_real sigma[INVCAL_GYRO_PARAMETERS]; /* of the gyroscope's parameters */
     invcal_real slope[3][4];                   /* g-sensitivity along x, y, z; drift */
     invcal_real slope_sigma[3][4];             /* standard deviations of these */
-    invcal_record accelerometer; /* over field; more may be filled in: sensor, date, temperature */
+    invcal_record accelerometer; /* over field; you may fill in sensor, date, temperature */
     uint16_t weak;               /* of the gyroscope's parameters */
-    uint16_t dof;                /* degrees of freedom left to the residuals */
+    uint16_t dof;                /* degrees of freedom of the residuals */
     uint8_t verdict;             /* of both, an invcal_verdict */
-    uint8_t moves;               /* that made it */
-    uint8_t g_is_used;           /* 1: take slope from rates */
+    uint8_t moves;               /* number of moves used */
+    uint8_t g_is_used;           /* 1: subtract slope from rates */
 } invcal_imu_record;
 
-/* Makes one of what invcal_imu_solve gives. If the accelerometer was held, put its own record into
- * record->accelerometer: what was known of it then. Where only the gyroscope is weak, the accelerometer's
- * verdict is INVCAL_NO_REDUNDANCY: nothing has checked it. */
+/* Makes a record from the result of invcal_imu_solve. If the accelerometer was held, put its own record into
+ * record->accelerometer. If only the gyroscope is weak, the accelerometer's verdict is INVCAL_NO_REDUNDANCY:
+ * nothing has checked it. */
 void invcal_imu_record_init(invcal_imu_record *record, const invcal_imu *imu);
 
-/* A record as bytes.
+/* Encodes a record.
  *
  * Returns INVCAL_OK: invcal_imu_record_decode accepts the bytes. On failure they are lost: as
  * invcal_record_encode, of either sensor; INVCAL_DAMAGED also for a tenth parameter, or a verdict that
- * does not fit what is weak. Stack: about 700 bytes. */
+ * contradicts weak. Stack: about 700 bytes. */
 invcal_status invcal_imu_record_encode(const invcal_imu_record *record,
                                        uint8_t bytes[INVCAL_IMU_RECORD_SIZE]);
 
-/* A record from bytes, at any alignment.
+/* Decodes a record from bytes, at any alignment.
  *
- * size  how many there are; what follows the record is not looked at.
+ * size  number of bytes; any after the record are ignored.
  *
- * Returns INVCAL_OK; INVCAL_DAMAGED; INVCAL_OTHER_VERSION for sound bytes of another kind or version; as
- * invcal_imu_record_encode otherwise. out is untouched then. Stack: as above. */
+ * Returns INVCAL_OK; INVCAL_DAMAGED; INVCAL_OTHER_VERSION for intact bytes of another kind or version; as
+ * invcal_imu_record_encode otherwise. On failure out is untouched. Stack: as above. */
 invcal_status invcal_imu_record_decode(const uint8_t *bytes, uint32_t size, invcal_imu_record *out);
 
 /* Saves a result as its record; over field, so before invcal_scale.
  *
- * Returns INVCAL_OK; as invcal_store_save; as invcal_imu_record_encode, of what no solution gives. Stack:
- * about 1,500 bytes, without the callbacks. */
+ * Returns INVCAL_OK; as invcal_store_save; as invcal_imu_record_encode, for values that no solution has.
+ * Stack: about 1,500 bytes, without the callbacks. */
 invcal_status invcal_save_imu(const invcal_store *store, const invcal_imu *imu);
 
 /* Loads it.
  *
  * Returns INVCAL_OK; as invcal_store_load; as invcal_imu_record_decode. INVCAL_NO_SPACE or
- * INVCAL_OTHER_VERSION: it holds something else. Stack: about 1,100 bytes. */
+ * INVCAL_OTHER_VERSION: the store holds something else. Stack: about 1,100 bytes. */
 invcal_status invcal_load_imu(const invcal_store *store, invcal_imu_record *out);
 
-/* The name of a parameter: "gyro_xx" (scale), "gyro_xy" ... "gyro_zz", then those of
+/* The name of a parameter: "gyro_xx" (scale), "gyro_xy" ... "gyro_zz", then the names of
  * invcal_parameter_name. Outside 0 ... 17: "?". */
 const char *invcal_imu_parameter_name(unsigned parameter);
 
@@ -374,49 +373,49 @@ const char *invcal_imu_parameter_name(unsigned parameter);
 
 enum {
     INVCAL_TOUR = 12,     /* quarter turns of invcal_tour */
-    INVCAL_TOUR_FULL = 16 /* all of its turns, full ones too */
+    INVCAL_TOUR_FULL = 16 /* all of its turns, full ones included */
 };
 
 /* A turn about an axis that is fixed in the device. */
 typedef struct {
     invcal_real
         axis[3]; /* unit vector in the axes of the device, which turns about it right-handed */
-    invcal_real degrees; /* by so much, at most 720 */
+    invcal_real degrees; /* angle, at most 720 */
     invcal_real up[3];   /* unit vector that points up after it */
 } invcal_turn;
 
-/* What rests and turns tell, made or planned: 720 bytes (float). */
+/* The information in rests and turns, made or planned: 720 bytes (float). */
 typedef struct {
     invcal_real up[3];   /* unit vector that points up now */
-    invcal_real seconds; /* of a quarter turn, and of less; of more in proportion: 1.5 unless set */
+    invcal_real seconds; /* of a quarter turn or less; more in proportion: 1.5 unless set */
     invcal_real noise;   /* of a position mean, over field */
-    invcal_real linear;  /* internal: of its square, what a turn's noise is, for each second */
-    invcal_real square;  /* internal: for each second, squared */
-    uint8_t n;           /* unknowns: 18; or 9, where the accelerometer is held */
+    invcal_real linear;  /* internal: variance of a turn over that of a mean, per second */
+    invcal_real square;  /* internal: the same, per second squared */
+    uint8_t n;           /* unknowns: 18; or 9, if the accelerometer is held */
     /* normal equations in the order of invcal_imu, lower triangle by rows, times the square of noise */
     invcal_real sum[INVCAL_IMU_PARAMETERS * (INVCAL_IMU_PARAMETERS + 1) / 2];
 } invcal_turns;
 
-/* Begins a plan: a rest, and nothing else yet.
+/* Begins a plan with one rest.
  *
  * up        unit vector that points up in it.
- * settings  as of invcal_imu_solve, or null; with rate_noise and instability 0 the gyroscope is perfect.
+ * settings  as for invcal_imu_solve, or null; with rate_noise and instability 0 the gyroscope is perfect.
  *
  * Returns INVCAL_OK; INVCAL_BAD_DIRECTION, INVCAL_BAD_NOISE, INVCAL_BAD_PRIOR. */
 invcal_status invcal_turns_begin(invcal_turns *turns, const invcal_real up[3],
                                  const invcal_imu_settings *settings);
 
-/* Begins with what is measured: arguments as of invcal_imu_solve.
+/* Begins a plan with the rests and moves measured so far: arguments as for invcal_imu_solve.
  *
- * Returns INVCAL_OK; INVCAL_TOO_FEW: no rest; and what invcal_imu_solve says of its arguments.
+ * Returns INVCAL_OK; INVCAL_TOO_FEW: no rest; and as invcal_imu_solve for its arguments.
  * Cost: a pass of invcal_imu_solve. Stack: about 2,500 bytes. */
 invcal_status invcal_turns_after(invcal_turns *turns, const invcal_real *raw, unsigned count,
                                  const invcal_calibration *accelerometer, const invcal_moves *moves,
                                  const invcal_imu_settings *settings);
 
-/* The shortest turn that makes another direction point up. Both are unit vectors.
+/* Finds the shortest turn after which another direction points up. Both are unit vectors.
  *
- * Returns INVCAL_OK; INVCAL_BAD_DIRECTION, also of opposite ones: no way is the shortest. */
+ * Returns INVCAL_OK; INVCAL_BAD_DIRECTION, also for opposite directions: no turn is the shortest. */
 invcal_status invcal_turn_to(const invcal_real from[3], const invcal_real up[3], invcal_turn *out);
 
 /* Turn i of a program that begins with z up. From 0 to INVCAL_TOUR - 1: quarter turns between the six
@@ -424,35 +423,34 @@ invcal_status invcal_turn_to(const invcal_real from[3], const invcal_real up[3],
  *
  *     +z +x +y +z -x +y -z +x -y -z -x -y +z
  *
- * which determine all 18. Up to INVCAL_TOUR_FULL - 1 a full turn about x and about y, a quarter turn, and a
- * full turn about z: the scale twice as well. The axis
- * is always horizontal.
+ * which determine all 18. Then up to INVCAL_TOUR_FULL - 1 a full turn about x and about y, a quarter turn, and a
+ * full turn about z, which halve sigma of the scales. The axis is always horizontal.
  *
  * Returns INVCAL_OK; INVCAL_BAD_PROGRAM: there is no turn i. */
 invcal_status invcal_tour(unsigned i, invcal_turn *out);
 
-/* The turn that tells most: of 26 directions (faces, edges and corners of a cube), by the shortest way,
- * that of the largest determinant of the normal equations. Twelve of these tell more than the tour, but a
- * person finds six faces more easily than corners.
+/* Finds the turn that adds most: of the shortest turns to 26 directions (faces, edges and corners of a cube),
+ * the one with the largest determinant of the normal equations. Twelve of these are better than the tour, but
+ * six faces are easier to find by hand than corners.
  *
- * Cost: 175,000 instructions of 18 unknowns. Stack: about 1,300 bytes. */
+ * Cost: 175,000 instructions for 18 unknowns. Stack: about 1,300 bytes. */
 void invcal_turns_next(const invcal_turns *turns, invcal_turn *out);
 
-/* Makes a turn: the rest after it is a part. What turn->up says does not count.
+/* Adds a turn and the rest after it. turn->up is ignored.
  *
- * Returns INVCAL_OK; INVCAL_BAD_DIRECTION of the axis; INVCAL_BAD_PROGRAM of degrees.
+ * Returns INVCAL_OK; INVCAL_BAD_DIRECTION for the axis; INVCAL_BAD_PROGRAM for degrees.
  * Cost: 5,500 instructions. Stack: about 450 bytes. */
 invcal_status invcal_turns_add(invcal_turns *turns, const invcal_turn *turn);
 
-/* What sigma is to be expected.
+/* Computes the expected sigma.
  *
- * turn   a turn to be made besides, or null: so much would it improve.
- * sigma  out: over the noise of a position mean, in the order of invcal_imu; 0 of what is held. Where
- *        something is left open at most 10, as if each parameter were known to ten times that noise.
- * open   out: bit r: parameter r is left open; or, with INVCAL_OK, weak: above 2.5 times the noise of a
- *        turn, as invcal_imu says it.
+ * turn   one more turn, or null: shows its improvement.
+ * sigma  out: over the noise of a position mean, in the order of invcal_imu; 0 for what is held. If a
+ *        parameter is undetermined, at most 10, as if each were known to ten times that noise.
+ * open   out: bit r: parameter r is undetermined; or, with INVCAL_OK, weak: above 2.5 times the noise of a
+ *        turn, as in invcal_imu.
  *
- * Returns INVCAL_OK; INVCAL_UNDETERMINED; and as invcal_turns_add of the turn: nothing is written then.
+ * Returns INVCAL_OK; INVCAL_UNDETERMINED; and as invcal_turns_add for the turn: nothing is written then.
  * Cost: 30,000 instructions. Stack: about 1,200 bytes. */
 invcal_status invcal_turns_sigma(const invcal_turns *turns, const invcal_turn *turn,
                                  invcal_real sigma[INVCAL_IMU_PARAMETERS], uint32_t *open);

@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: MIT
  *
- * invcal/plan.h: which positions to visit: the paper's programs for a stand of two axes.
+ * invcal/plan.h: which positions to visit: the paper's programs for a two-axis stand.
  *
- * The stand turns the instrument by alpha about its outer and by beta about its inner axis; the
- * vertical then points, in the frame of the instrument, along
+ * The stand turns the instrument by alpha about its outer and by beta about its inner axis; in the
+ * frame of the instrument the vertical is then
  *
  *     eta(alpha, beta) = (sin alpha sin beta, cos alpha, sin alpha cos beta).
  *
@@ -15,12 +15,12 @@
  *     2       -90                          start 2 + 360 (l - 1)/N
  *     3       start 3 + 360 (l - 1)/N      90                           l = 1 ... N
  *
- * What a program is worth does not depend on the start angles (mathematics.md, "Programs"; the host
- * tool tells it for any directions). They decide which axes stand exactly along gravity.
+ * The information of a program does not depend on the start angles (mathematics.md, "Programs"; the
+ * host tool computes it for any directions). They decide which axes are exactly along gravity.
  *
  * Positions are computed one at a time, so a device that follows a program stores no table:
- * invcal_session_is_at tells whether one has been taken. A stand is not needed: whoever holds the
- * device in the hand may follow the verticals, roughly.
+ * invcal_session_is_at checks whether one was taken. A stand is optional: with the device in the
+ * hand, follow the verticals roughly.
  */
 #ifndef INVCAL_PLAN_H
 #define INVCAL_PLAN_H
@@ -31,9 +31,9 @@
 extern "C" {
 #endif
 
-#define INVCAL_PLAN_GROUPS 3u           /* of a program */
-#define INVCAL_PLAN_PER_GROUP_MIN 5u    /* positions in a group: the coefficients of its series */
-#define INVCAL_PLAN_PER_GROUP_MAX 1000u /* the most of them */
+#define INVCAL_PLAN_GROUPS 3u        /* of a program */
+#define INVCAL_PLAN_PER_GROUP_MIN 5u /* positions in a group: one per coefficient of its series */
+#define INVCAL_PLAN_PER_GROUP_MAX 1000u /* max positions in a group */
 
 #define invcal_plan_position_at INVCAL_CHOSEN(invcal_plan_position_at, 9) /* see invcal.h */
 
@@ -55,7 +55,7 @@ typedef struct {
 /* Is the plan usable?
  *
  * Returns INVCAL_OK;
- *   INVCAL_TOO_FEW      fewer than 5 positions in a group: its five coefficients stay open;
+ *   INVCAL_TOO_FEW      fewer than 5 positions in a group: its five coefficients are open;
  *   INVCAL_BAD_PROGRAM  more than INVCAL_PLAN_PER_GROUP_MAX, or a start angle that is NaN or
  *                       outside -360 ... 360. */
 invcal_status invcal_plan_check(const invcal_plan *plan);
@@ -69,11 +69,11 @@ invcal_status invcal_plan_check(const invcal_plan *plan);
 invcal_status invcal_plan_position_at(const invcal_plan *plan, unsigned i,
                                       invcal_plan_position *out);
 
-/* Start angles with which a program points as many of the axes x, y, z up and down as can be.
+/* Start angles with which a program points as many of the axes x, y, z up and down as possible.
  *
- * The paper asks for each axis along +g and along -g. An even N does it with 90 - 360/N floor(N/4) for
- * groups 1 and 2 and 180 - 360/N for group 3: +-z, +-x, +-y; N = 6 gives 30, 30, 120, the paper's
- * Table 2. With an odd N, whose steps meet no opposite directions, the same angles give +z, -x, -y.
+ * The paper asks for each axis along +g and along -g. An even N achieves it with 90 - 360/N floor(N/4)
+ * for groups 1 and 2 and 180 - 360/N for group 3: +-z, +-x, +-y; N = 6 gives 30, 30, 120, the paper's
+ * Table 2. For an odd N, which has no opposite directions, the same angles give +z, -x, -y.
  * (From N = 901 on a quarter of a step is below the 0.1 degrees of invcal_axis_up: all six count.)
  *
  * Returns INVCAL_OK; INVCAL_TOO_FEW, INVCAL_BAD_PROGRAM for an N outside its range. */
@@ -90,8 +90,8 @@ enum {
     INVCAL_AXES             /* their number */
 };
 
-/* Which axis points up, within 0.1 degrees: one bit, or 0 if none does. A plan's axes are those of its
- * positions, or-ed together.
+/* Which axis points up, within 0.1 degrees: one bit, or 0 if none does. Or the bits of all positions
+ * to get the axes of a plan.
  *
  * vertical  a unit vector; any other, or a NaN, does no harm. */
 uint8_t invcal_axis_up(const invcal_real vertical[3]);

@@ -60,8 +60,8 @@ static void complain(void)
     }
 }
 
-/* simavr ends when the processor sleeps with its interrupts off, and has no exit status: whoever
- * reads the text finds a failure in its last line. */
+/* simavr ends when the processor sleeps with its interrupts off, and has no exit status: the
+ * last line of the text shows a failure. */
 void board_exit(int code)
 {
     (void)code;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// How uncertain each kind of parameter is, against what is wanted.
+// The uncertainty of each kind of parameter, against the target.
 import { $, put } from "./dom.js";
 import { figure } from "./words.js";
 
@@ -21,7 +21,7 @@ const bars = [...KINDS, { name: "gyro" }].map(({ name }) => {
     return bar;
 });
 
-// Logarithmic: a tenth of the bar is the goal, all of it a hundred times as much. Nothing is drawn of what is not known.
+// Logarithmic: a tenth of the bar is the goal, all of it a hundred times that. An unknown value has no bar.
 function show(bar, ratio, text) {
     const width = Math.max(2, Math.min(100, 10 + 45 * Math.log10(ratio)));
     bar.querySelector("u").style.width = `${Number.isFinite(width) ? width : 0}%`;
@@ -30,7 +30,7 @@ function show(bar, ratio, text) {
 }
 
 function showKind(bar, { unit, scale }, sigma, goal) {
-    if (!(sigma < 1)) { // nine positions for nine parameters tell nothing of sigma
+    if (!(sigma < 1)) { // nine positions for nine parameters do not determine sigma
         show(bar, NaN, "not yet known");
         return;
     }

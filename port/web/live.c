@@ -95,7 +95,7 @@ void EXPORT(position)(unsigned i)
     invcal_apply(&session.nominal, session.mean[i], out);
 }
 
-/* ---- what is known by now --------------------------------------------------------------------- */
+/* ---- what is known so far --------------------------------------------------------------------- */
 
 /* For each of n directions, x y z in the buffer: the standard deviation of a calibrated length there, over that of a
  * position; it takes the place of x. With a ridge, as the guidance has one, so that it is known from the first

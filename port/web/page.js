@@ -110,7 +110,7 @@ async function stop() {
     showKnown();
 }
 
-// Begins anew with a source. If that fails, what was there before is still there.
+// Begins again with a source. If that fails, the former one is still there.
 async function start(button, begin, own = {}) {
     await stop();
     const before = { ...now };

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 //
-// A log as a source of samples (sink.js), as if it came now.
+// A log as a source of samples (sink.js), as if it were live.
 import { Lines } from "./lines.js";
 import { now, pause } from "./clock.js";
 
 const SLICE = 0.012; // seconds until the page has its turn
-const HOLE = 5; // seconds between two lines that are no hole in the log
+const HOLE = 5; // seconds; a longer step between two lines is a hole in the log
 
 class Replay {
     constructor(sink, file, speed, rate) {
@@ -19,7 +19,7 @@ class Replay {
         this.isMore = true;
         this.isStopped = false;
         this.at = 0; // seconds in the log
-        this.before = null; // the time that the last line stated
+        this.before = null; // the time in the last line
     }
 
     async read() {
@@ -39,7 +39,7 @@ class Replay {
         this.sink.sample(sample, this.at);
     }
 
-    // All that is due, or as much as a slice of time allows; tells whether there was any.
+    // Delivers all that is due, or as much as a slice of time allows; returns whether there was any.
     feedDue(due) {
         const began = now();
         let n = 0;
@@ -70,7 +70,7 @@ class Replay {
     }
 }
 
-// speed: 1 as it was recorded, 10 ten times as fast, Infinity as fast as can be. rate: of a log without time.
+// speed: 1 as recorded, 10 ten times as fast, Infinity as fast as possible. rate: for a log without time.
 export function replay(sink, file, { speed, rate }) {
     const source = new Replay(sink, file, speed, rate);
     source.play().catch((error) => sink.tell(`${file.name} cannot be read: ${error.message}`));

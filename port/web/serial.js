@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// A board on a serial port, as a source of samples (sink.js). Unplugged and plugged in again it goes on.
+// A board on a serial port, as a source of samples (sink.js). It resumes when the board is plugged in again.
 import { Lines } from "./lines.js";
 import { now, until } from "./clock.js";
 
@@ -18,10 +18,10 @@ const WHY = {
     InvalidStateError: "The port is open already. Press Stop, wait a moment, and try again.",
 };
 
-// What an error means to the person.
+// What an error means to the user.
 const explained = (error) => new Error(WHY[error.name] ?? error.message);
 
-// The port that the person chooses. Browsers ask upon a click only.
+// The port that the user chooses. Browsers show the dialog only after a click.
 export async function choosePort() {
     if (!navigator.serial) {
         throw new Error(isSecureContext ? NONE : NOT_SECURE);
@@ -56,7 +56,7 @@ export class Board {
         return this;
     }
 
-    // However often it is asked for.
+    // May be called more than once.
     stop() {
         this.stopped ??= this.end();
         return this.stopped;
@@ -134,7 +134,7 @@ export class Board {
         }
     }
 
-    // Tells why no line can be read, and takes that back once lines come.
+    // Says why no line can be read, and clears that once lines come.
     watch() {
         const { taken, skipped } = this.lines;
         if (taken > this.heard.taken) {
@@ -150,7 +150,7 @@ export class Board {
         }
     }
 
-    // Only what is new: between, others may have told something.
+    // Only if it is new: others may have shown a text in between.
     tell(text) {
         if (text !== (this.told ?? "")) {
             this.told = text;
@@ -158,8 +158,8 @@ export class Board {
         }
     }
 
-    // Sends a line, and returns the board's answer, or null. A port that was stopped is opened for that: the board
-    // may start anew then, and hears nothing until it prints.
+    // Sends a line, and returns the board's answer, or null. Opens a port that was stopped: the board may restart
+    // then, and hears nothing until it prints.
     async send(text) {
         const wasOpen = Boolean(this.port.writable);
         if (!wasOpen) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// A live calibration: samples in, what is known by now out. It begins by a second of listening, in which rate and
+// A live calibration: samples in, what is known so far out. It begins by a second of listening, in which rate and
 // unit of the readings show.
 import { Log } from "./log.js";
 import { statedUnit, stepOf, toolOptions, unitOf } from "./units.js";

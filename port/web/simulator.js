@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// A simulated sensor in a hand that does what it is told, as a source of samples (sink.js).
+// A simulated sensor in a hand that follows the instructions, as a source of samples (sink.js).
 import { now } from "./clock.js";
 
 const dot = (a, b) => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
@@ -19,7 +19,7 @@ function random(seed) {
     return { uniform, normal: () => Math.sqrt(-2 * Math.log(1 - uniform())) * Math.cos(2 * Math.PI * uniform()) };
 }
 
-// What the simulated sensor is wrong by: counts of 16384 per g, and of 1/16 degree a second.
+// The errors of the simulated sensor, in counts: 16384 per g, and 1/16 degree per second.
 const TRUTH = {
     offset: [327.7, -245.8, 491.5],
     matrix: [
@@ -83,7 +83,7 @@ class Hand {
     }
 }
 
-// wanted: gives the direction that is asked for.
+// wanted: returns the requested direction.
 export function simulator(sink, { speed, wanted, seed = 1 }) {
     const hand = new Hand(sink, wanted, seed);
     let told = now();

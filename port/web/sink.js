@@ -4,10 +4,10 @@
 //
 //     sink.sample(sample, seconds)   one sample (lines.js), and when it came
 //     sink.gap()                     samples were lost
-//     sink.tell(text)                what the person should know
+//     sink.tell(text)                a message for the user
 //     sink.end(lines)                there are no more
 //
-// and gives { stop, ... } at once or as a promise.
+// and returns { stop, ... } or a promise of it.
 import { many } from "./words.js";
 
 // isCurrent: does the session still run? tell, stop: what the page does.

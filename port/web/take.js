@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// What a calibration is taken away as: a constant for a program, a line for a board.
+// The forms in which a calibration is used: a constant for a program, a line for a board.
 
-// What invcal_apply of the library takes.
+// The argument of the library's invcal_apply.
 export function constant(session) {
     const { offset, matrix } = session.result;
     const row = (v) => `{${v.map((x) => Number(x.toPrecision(9))).join(", ")}}`;

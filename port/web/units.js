@@ -4,20 +4,20 @@
 
 const G = 9.80665;
 
-// Units that readings may have: how long 1 g is. What is not whole counts is multiplied, so that no digit is lost.
+// Possible units of readings: the length of 1 g. Values that are not whole counts are multiplied, so that no digit is lost.
 const UNITS = {
     g: { length: 1, factor: 65536, tool: ["--unit", "g"] },
     mg: { length: 1000, factor: 64, tool: ["--unit", "mg"] },
     "m/s²": { length: G, factor: 8192, tool: ["--unit", "m/s2"] },
 };
 
-// Counts per g that data sheets have.
+// Counts per g of data sheets.
 const COUNTS = [16384, 8192, 4096, 2048, 1024, 512, 256, 128, 64];
 
 const near = (a, b) => Math.abs(a / b - 1) < 0.12;
 const median = (v) => [...v].sort((a, b) => a - b)[v.length >> 1];
 
-// The unit that lengths of readings tell: { name, counts, factor }, counts for 1 g after multiplication by factor.
+// The unit that fits the lengths of readings: { name, counts, factor }, counts for 1 g after multiplication by factor.
 export function unitOf(lengths, isWhole) {
     const middle = median(lengths);
     for (const [name, unit] of Object.entries(UNITS)) {
@@ -51,7 +51,7 @@ export function stepOf(rows) {
     return Number.isFinite(step) ? step : 0;
 }
 
-// What the tool has to be told of a unit.
+// The tool's options for a unit.
 export function toolOptions({ name, counts, factor }) {
     return UNITS[name]?.tool ?? ["--zero", "0,0,0", "--lsb", String(Number(((G / counts) * factor).toPrecision(12)))];
 }

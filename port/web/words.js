@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// What the page says of a calibration. `now` is { session, source, isRunning }; session and source may be null.
+// The texts of the page about a calibration. `now` is { session, source, isRunning }; session and source may be null.
 import { between } from "./sphere.js";
 
 export const many = (n, thing) => `${n} ${thing}${n === 1 ? "" : "s"}`;
@@ -32,7 +32,7 @@ export function instruction({ session, isRunning }) {
     return session.state === "refused" ? `Not taken: ${session.refused.at(-1)}` : turnTo(session);
 }
 
-// Is there somewhere to turn to?
+// Returns whether there is somewhere to turn to.
 export const isLed = ({ session, isRunning }) => isRunning && session.unit && !session.result?.mayStop;
 
 export function where(now) {
@@ -55,7 +55,7 @@ const MEANING = {
     weak: "Some directions are missing: follow the arrow.",
 };
 
-// Its class, its headline, and what stands behind.
+// Its class, its headline, and the text after it.
 export function verdict({ session }) {
     if (!session || session.positions.length === 0) {
         return ["", "No positions yet", "Nine are the minimum, twelve to eighteen are better."];
@@ -92,7 +92,7 @@ export function facts({ session, source }) {
     return `${clock(seconds)} · ${session.samples} samples, ${session.rate.toPrecision(3)} per second${skipped} · unit: ${session.unit.name}${rounding(session)}`;
 }
 
-// What steps of readings mean.
+// The effect of rounding steps of readings.
 function rounding({ step, unit }) {
     const mg = (1e3 * step * unit.factor) / unit.counts;
     if (!(mg > 2)) { // finer than the noise of any phone

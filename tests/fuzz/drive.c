@@ -112,7 +112,7 @@ static void look_at_answers(const drive_state *d, invcal_status status, const in
         status == INVCAL_OK && q->verdict == INVCAL_GOOD && (q->dof >= 3 || d->session->noise > 0);
 
     REQUIRE(invcal_session_is_good(d->session) == is_good);
-    REQUIRE(invcal_session_is_good(d->session) == is_good); /* as known by now */
+    REQUIRE(invcal_session_is_good(d->session) == is_good); /* as known so far */
     REQUIRE(invcal_session_reaches(d->session, any) == is_good);
     REQUIRE(!invcal_session_reaches(d->session, zero));
 }

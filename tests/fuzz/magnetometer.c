@@ -3,7 +3,7 @@
  * A magnetometer fed with anything: a device that turns about two axes at any rates, samples that are
  * anything in between, the field and its centre changed on the way. After each stretch its counts are
  * consistent; a calibration that it delivers is finite and regular, and what it says of it hangs together.
- * Likewise the rotation to the axes of an accelerometer, of any sums.
+ * The same for the rotation to the axes of an accelerometer, of any sums.
  * fuzz: at least 50 inputs a second
  */
 #include <math.h>

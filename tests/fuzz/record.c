@@ -30,7 +30,7 @@ static void repair(uint8_t *bytes, size_t size)
     }
 }
 
-/* Records of version 1 were in the unit of their field: made anew they may be other bytes, and, as
+/* Records of version 1 were in the unit of their field: made again they may be other bytes, and, as
  * reals are stored as float, from a double build even none. */
 static int is_old(const uint8_t *bytes, uint32_t size)
 {
@@ -144,7 +144,7 @@ static void look_at_both(const uint8_t *bytes, uint32_t size)
     REQUIRE(invcal_session_init(&both.session, 100, 50) == INVCAL_OK);
     both.session.count = 2;
     both.session.mean[0][0] = both.session.mean[1][1] = 100;
-    const uint32_t layout = both.moves.layout; /* or next to nothing would get in */
+    const uint32_t layout = both.moves.layout; /* or almost nothing would be accepted */
     memcpy((uint8_t *)&both + INVCAL_IMU_SESSION_FROM, bytes, size < room ? size : room);
     both.moves.layout = layout;
     if (invcal_imu_session_resume(&both, invcal_imu_session_size(&both)) != INVCAL_OK) {
@@ -176,7 +176,7 @@ static void look_at_session(const uint8_t *bytes, uint32_t size)
     mark(&session, sizeof session);
     memcpy(&session, bytes, size < INVCAL_SESSION_SIZE ? size : INVCAL_SESSION_SIZE);
     REQUIRE(invcal_session_init(&begun, 1, 50) == INVCAL_OK);
-    session.layout = begun.layout; /* or next to nothing would get in */
+    session.layout = begun.layout; /* or almost nothing would get in */
     const uint32_t length = size < INVCAL_SESSION_SIZE && session.count <= INVCAL_MAX_POSITIONS
                                 ? invcal_session_size(&session)
                                 : size;

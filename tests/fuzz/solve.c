@@ -2,7 +2,7 @@
  *
  * Sums, rows, readings and conditions that may be anything: if a calibration is delivered, it is
  * finite, positive definite, and its sigma finite and not negative; if not, the outputs are untouched.
- * Likewise what stands beside it: known directions, a prior, judgement, temperature, guidance, Allan
+ * The same for the other functions: known directions, a prior, judgement, temperature, guidance, Allan
  * deviation, programs, and what is done with a calibration.
  * fuzz: at least 50 inputs a second
  */

@@ -56,7 +56,7 @@ stays() { # SAID: nothing has changed
         rm -rf "$out/before"
 }
 
-# A file of ours that somebody has edited, and one of his own where ours would come.
+# A file of ours that was edited, and a foreign one where ours would go.
 keeps_others() {
     echo edited >> "$dest/two.c"
     stays 'two.c was changed since it was laid out' || return

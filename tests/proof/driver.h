@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * A driver that answers anything, and a memory that reads as anything, each time anew; or as nothing,
+ * A driver that answers anything, and a memory that reads as anything, each time again; or as nothing,
  * whatever the answer.
  */
 #ifndef DRIVER_H

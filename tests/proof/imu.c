@@ -121,7 +121,7 @@ void invcal_unpack(const int16_t packed[3], invcal_real unit, invcal_real out[3]
     UNKNOWN(out, 3);
 }
 
-/* ---- so many rests and means; all that they hold is arbitrary -------------------------------------- */
+/* ---- rests and means with arbitrary contents ------------------------------------------------------- */
 
 static void solve(unsigned rests, unsigned means, int held)
 {

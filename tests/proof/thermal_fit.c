@@ -263,7 +263,7 @@ static void any_calibrate(void)
                                    &quality);
 }
 
-/* From a base that has told so much. */
+/* From a base with as many coefficients fitted. */
 static void any_fit(const invcal_thermal_prior *prior, unsigned fitted)
 {
     invcal_thermal_positions positions = {raw, temperature, BETWEEN(0, COUNT), 0};

@@ -969,7 +969,7 @@ static const double expected_thermal_bent[9] = {
 static const double expected_thermal_bound[4] = {
     0.52383334510484392, 0.52367925358473366, 0.52373913161305374, 0.52374348893280898};
 
-/* likewise of the 27 parameters c_0, c_1, c_2 */
+/* the same of the 27 parameters c_0, c_1, c_2 */
 static const double expected_thermal_bound2[4] = {
     0.66107999150508323, 0.66094694598633086, 0.66099808684304118, 0.66100345015089002};
 

@@ -255,7 +255,7 @@ class Exact:
 
     def noise_of(self, squares, dof):
         """The noise stated counts as four residuals, unless those that are there show clearly more, or
-        next to nothing of it: the root of 2 chi squared is about that of 2 dof - 1 (Fisher)."""
+        almost none of it: the root of 2 chi squared is about that of 2 dof - 1 (Fisher)."""
         known = self.problem.noise ** 2
         above = 0
         if known > 0 and dof > 0:

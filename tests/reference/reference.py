@@ -1153,7 +1153,7 @@ def thermal(out, etas):
     out.put("expected_thermal_bound", bounds,
             "Cramer-Rao bound of the 18 parameters c_0, c_1: root mean square of |calibrated| - 1"
             " over directions and temperatures (-15, -5 ... 65 C), over the sigma of one axis of u")
-    out.put("expected_thermal_bound2", bounds2, "likewise of the 27 parameters c_0, c_1, c_2")
+    out.put("expected_thermal_bound2", bounds2, "the same of the 27 parameters c_0, c_1, c_2")
     say("thermal: bounds %s; %s" % (" ".join("%.4f" % b for b in bounds),
                                     " ".join("%.4f" % b for b in bounds2)))
 

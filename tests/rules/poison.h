@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT
  *
  * Included by `make rules` before every source of the library, after the headers of libc that it may
- * use: whoever writes one of these names is stopped by the compiler. tests/library.sh looks at what
+ * use: the compiler stops at any of these names. tests/library.sh looks at what
  * the finished library calls, tests/size.sh at recursion; this is for what leaves no trace there.
  */
 #include <float.h>

@@ -75,7 +75,7 @@ function edge(from, to, kind) {
 }
 
 # Routines that compiled functions share to save registers, and to restore them at their end. What
-# the former push stays pushed when they return, so it belongs to whoever calls them.
+# the former push stays pushed when they return, so it belongs to their caller.
 function saves(symbol) { return symbol ~ /^(__riscv_save_|__prologue_saves__)/ }
 function restores(symbol) { return symbol ~ /^(__riscv_restore_|__epilogue_restores__)/ }
 

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
 #
-# The budgets anew: what is reached, and 3 %, but on m4f no more than the issue wants. Comments, frames
+# The budgets again: what is reached, and 3 %, but on m4f no more than the issue wants. Comments, frames
 # and what the issue wants stay; so do the columns of targets that were not measured.
 # Usage: awk -f update.awk BUDGETS TARGET.figures...
 FNR == 1 && FILENAME != ARGV[1] {

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
 #
-# Judges the directions of `invcal plan --json` anew, and checks what it says of itself: sigma, ln
+# Judges the directions of `invcal plan --json` again, and checks what it says of itself: sigma, ln
 # det H'H, the angles, the axes. Prints "n sigma_delta sigma_dk sigma_gamma ln_det below", the
 # last by how much ln det is below the bound of a spherical 4-design; or one line that begins
 # with "wrong". K is found by Gauss and Jordan, which the library does not use.

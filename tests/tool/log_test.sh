@@ -185,7 +185,7 @@ awk -F, 'NR == 1 { print; next } { printf "%.2f,%s,%s,%s\n", NR == 6000 ? 1 : $1
     "$work/plain.csv" > "$work/backwards.csv"
 run calibrate "$work/backwards.csv"
 check "calibrate LOG: times that go back are told" matches "$work/stdout" '^ +2 gaps in the stream'
-# One rest that reads next to nothing, beside 18 good ones.
+# One rest that reads almost nothing, besides 18 good ones.
 { cat "$work/blank.txt"; awk 'BEGIN { for (i = 0; i < 500; i++) print i % 3, 2 - i % 5, i % 2 }'; } > "$work/drop.txt"
 run calibrate "$work/drop.txt" --json
 check "calibrate LOG: a rest without any reading is left out" near 0 "$(field rejected)" 19
@@ -277,7 +277,7 @@ in=/dev/null
 check "watch: a hundred such lines end it" test "$code" -eq 3
 check "watch: and the last word is the error" matches "$work/stderr" '^invcal: '
 check "watch: with no empty line behind it" test -n "$(tail -n 1 "$work/stderr")"
-# Whoever presses Ctrl-C gets the result of what there is.
+# Ctrl-C gives the result of what there is.
 mkfifo "$work/port"
 "$tool" watch - --json < "$work/port" > "$work/stdout" 2> "$work/stderr" &
 watcher=$!

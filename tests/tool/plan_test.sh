@@ -6,7 +6,7 @@ here=$(dirname "$0")
 # shellcheck source=tests/tool/support.sh
 . "$here/support.sh"
 
-# Runs plan --json and judges its directions anew: $judged, see directions.awk.
+# Runs plan --json and judges its directions again: $judged, see directions.awk.
 judge() {
     run plan --json "$@"
     judged=$(awk -f "$here/directions.awk" "$work/stdout")

@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: MIT
 #
 # Files that earlier releases of the tool wrote are read by this one: release_test.sh path/to/invcal
-# builddir. They stand in tests/reference/releases, and are never made anew, only added to. What they
+# builddir. They stand in tests/reference/releases, and are never made again, only added to. What they
 # must give is computed here from their numbers. Prints a line for each check and a count.
 here=$(dirname "$0")
 # shellcheck source=tests/tool/support.sh

@@ -36,7 +36,7 @@ check "nothing stated: the table says so, and what would state it" matches "$wor
     '^nominal: not stated; --sensor, --unit, or --zero and --lsb would state it$'
 check "nothing stated: no columns of it" matches "$work/table" '^ +calibrated ± sigma$'
 check "nothing stated: offsets as they are read" matches "$work/table" '^offset x +327\.[0-9]+ ± 0\.[0-9]+ +counts$'
-check "nothing stated: scales likewise" matches "$work/table" '^scale z +169[0-9]\.[0-9] ± [0-9.]+ +counts per m/s²$'
+check "nothing stated: scales too" matches "$work/table" '^scale z +169[0-9]\.[0-9] ± [0-9.]+ +counts per m/s²$'
 check "nothing stated: angles, which are square or not" matches "$work/table" '^angle xy +0\.57[0-9]+ ± 0\.0[0-9]+ +degrees off square$'
 check "nothing stated: no deviation, no before, no excuse" lacks "$work/table" 'scale error|difference|rms before|guess|range'
 check "nothing stated: the page has no deviations" says_not 'deviation from nominal|Deviation from nominal'

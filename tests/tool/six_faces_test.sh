@@ -59,7 +59,7 @@ check "six faces: what was stated" near 1e-12 0.01 "$(member angle_sigma)"
 # 1.96 sigma over the roots of 5 and of 3, of gravity
 check "six faces: that costs 8.8 mg over all directions" near 1e-4 0.085957 "$(member length95)"
 check "six faces: 11.3 mg on a corner" near 2e-4 0.110970 "$(member length95_most)"
-# the field anywhere on Earth and the angles; the rest is next to nothing
+# the field anywhere on Earth and the angles; the rest is nearly zero
 check "six faces: no Student's t widens it" near 2e-3 \
     "$(awk 'BEGIN { print sqrt(0.085957 ^ 2 + (1.96 * 0.0265) ^ 2) }')" "$(member accuracy95)"
 "$tool" apply "$work/cal.json" "$log" > "$work/applied" 2> /dev/null

@@ -88,7 +88,8 @@ static void a_position_that_follows_in_the_same_direction_is_not_needed(void)
     TEST_ASSERT_EQUAL_UINT(1, followed.visited[8]);
     TEST_ASSERT_EQUAL_UINT(0, followed.visited[9]);
     TEST_ASSERT_EQUAL_INT(0, followed.is_again);
-    TEST_ASSERT_EQUAL_UINT(8, program_find(&followed, down)); /* whoever goes there all the same */
+    TEST_ASSERT_EQUAL_UINT(8,
+                           program_find(&followed, down)); /* if the user goes there all the same */
     program_visit(&followed, 8, down);
     TEST_ASSERT_EQUAL_INT(1, followed.is_again);
     program_visit(&followed, 8, down);

@@ -99,7 +99,7 @@ void seal_bytes(uint8_t *bytes, uint32_t count);
 #define RUN_LONG_TEST(test) RUN_AS(test, TEST_SHORT > 1 ? skip_long : (test))
 void skip_long(void);
 
-/* Likewise a test of a billion cycles, where 8 bits at a time are computed. */
+/* The same for a test of a billion cycles, where 8 bits at a time are computed. */
 #define RUN_SLOW_TEST(test) RUN_AS(test, TEST_SHORT > 100 ? skip_slow : (test))
 void skip_slow(void);
 #define SLOW(elsewhere, there) (TEST_SHORT > 100 ? (there) : (elsewhere))

@@ -306,7 +306,7 @@ static void the_calibration_may_take_the_place_of_nominal(void)
     TEST_ASSERT_EQUAL_MEMORY(&calibration, &place, sizeof place);
 }
 
-/* With the calibration found as nominal p and J are next to nothing, and so is what is lost. */
+/* With the calibration found as nominal p and J are nearly zero, and so is what is lost. */
 static void a_second_time_finds_next_to_nothing(void)
 {
     random_source random = random_start(9);

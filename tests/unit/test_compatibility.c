@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT
  *
  * What earlier releases wrote is read by this one: devices in the field keep their calibration when
- * their firmware is renewed. The bytes are in tests/reference/releases. They are never made anew to
+ * their firmware is renewed. The bytes are in tests/reference/releases. They are never made again to
  * please this test, only added to with each release; what they mean was read from them by a script
  * that shares no code with the library.
  */

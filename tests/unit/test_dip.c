@@ -18,7 +18,7 @@ void tearDown(void)
 {
 }
 
-/* A rotation by so much about a random axis (Rodrigues). */
+/* A rotation by an angle about a random axis (Rodrigues). */
 static void rotate_by(double angle, random_source *random, double r[3][3])
 {
     double e[3];

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT
  *
  * What is lost by keeping segments in place of samples, and whether sigma is honest: simulated logs against
- * the batch solution, which integrates every sample anew, in double and by its own mathematics.
+ * the batch solution, which integrates every sample, in double and by its own mathematics.
  */
 #include <math.h>
 #include <string.h>

@@ -420,7 +420,7 @@ static void contents_that_no_moves_have_are_refused(void)
     refuses(INVCAL_BAD_NOISE, &c);
 }
 
-/* As many segments as fit into the table stay; INVCAL_MAX_MOVES rests likewise. */
+/* As many segments as fit into the table stay; INVCAL_MAX_MOVES rests too. */
 static void a_full_table_comes_back(void)
 {
     begin(8);

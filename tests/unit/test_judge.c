@@ -142,7 +142,7 @@ static double observed_noise(const scene *s, unsigned count)
     return sqrt(squares / (count - 9));
 }
 
-/* Calibrates anew, with so much noise stated. */
+/* Calibrates again, with that noise stated. */
 static const invcal_quality *judge_again(scene *s, double stated)
 {
     TEST_ASSERT_EQUAL_INT(INVCAL_OK, calibrate_set(&s->set, stated, &s->calibration, &s->quality));

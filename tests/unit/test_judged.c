@@ -90,7 +90,7 @@ static void choose_directions(const program *p, random_source *random, double v[
 typedef enum {
     SOUND,
     DRIFTS,                /* in any direction, by `size` from the first position to the last */
-    STEPS,                 /* likewise, all at once, somewhere in the middle third */
+    STEPS,                 /* the same, all at once, somewhere in the middle third */
     IS_QUADRATIC,          /* one axis: an error of `size` where it points up or down, */
     IS_CUBIC,              /* and here of either sign */
     HAS_HYSTERESIS,        /* each axis: `size` more or less, as it was turned to get there */
@@ -766,7 +766,7 @@ typedef invcal_status calibrate_function(const invcal_real *raw, unsigned count,
                                          const invcal_calibration *nominal, invcal_real noise,
                                          invcal_calibration *out, invcal_quality *quality);
 
-/* And likewise by the one that does not look for systematic errors. */
+/* And also by the one that does not look for systematic errors. */
 static void assert_refused_by(invcal_status expected, const reading_set *set,
                               const invcal_calibration *nominal, double noise)
 {

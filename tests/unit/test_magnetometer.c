@@ -305,7 +305,7 @@ static void half_a_sphere_is_weak(void)
 }
 
 /* As strong as half the field, for 2 s of 60. */
-/* Readings of a sphere in `unit` around `centre`, up to the height `most` of it; z of so much. */
+/* Readings of a sphere in `unit` around `centre`, up to the height `most` of it; z scaled by the last. */
 static void feed_sphere(invcal_magnetometer *m, const double centre[3], double unit, double most,
                         double z)
 {
@@ -749,7 +749,7 @@ static void disturbances_have_words(void)
     TEST_ASSERT_EQUAL_STRING("", invcal_disturbance_text(INVCAL_UNDISTURBED));
     TEST_ASSERT_NOT_NULL(strstr(invcal_disturbance_text(INVCAL_PASSING), "magnet"));
     TEST_ASSERT_NOT_NULL(strstr(invcal_disturbance_text(INVCAL_PLACES), "place"));
-    TEST_ASSERT_NOT_NULL(strstr(invcal_disturbance_text(INVCAL_STEP), "begin anew"));
+    TEST_ASSERT_NOT_NULL(strstr(invcal_disturbance_text(INVCAL_STEP), "begin again"));
     TEST_ASSERT_EQUAL_STRING("unknown disturbance", invcal_disturbance_text((invcal_disturbance)4));
 }
 

@@ -358,7 +358,7 @@ static void the_innocent_stay_where_two_positions_may_be_the_wrong_one(void)
 
 /* ---- an independent computation, in double ---------------------------------------------------------- */
 
-/* Positions calibrated with the solution of those that are not left out by now. */
+/* Positions calibrated with the solution of those that are not left out so far. */
 typedef struct {
     unsigned count;
     double v[CAPACITY][3];
@@ -575,7 +575,7 @@ static invcal_mask next_group(invcal_mask group)
     return (((sum ^ group) >> 2) / low) | sum;
 }
 
-/* Every group is fitted anew. Of three, only those with a pair that leaves no more than (n - 9) / n
+/* Every group is fitted again. Of three, only those with a pair that leaves no more than (n - 9) / n
  * of the squares; it is close if a little more or less makes other winners. */
 static winners best_of(const job *j, unsigned k)
 {

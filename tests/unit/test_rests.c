@@ -1069,7 +1069,7 @@ static void an_axis_that_stands_still_amid_noise_is_refused_as_frozen(void)
  * a tenth of a count. */
 static void where_there_is_little_noise_an_axis_may_stand_still(void)
 {
-    for (int32_t scale = 1; scale <= 64; scale += 63) { /* counts in steps of 64: likewise */
+    for (int32_t scale = 1; scale <= 64; scale += 63) { /* counts in steps of 64: the same */
         setup(100, 16384, 1.83e-4);
         b.stuck = 2;
         b.scale = scale;

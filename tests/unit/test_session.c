@@ -535,7 +535,7 @@ static void it_is_good_from_twelve_positions_on(void)
         TEST_ASSERT_EQUAL_INT(i >= 12, invcal_session_is_good(b.s));
     }
     TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_session_noise(b.s, (invcal_real)1e-7));
-    TEST_ASSERT_FALSE(invcal_session_is_good(b.s)); /* asked anew */
+    TEST_ASSERT_FALSE(invcal_session_is_good(b.s)); /* asked again */
 }
 
 static void with_a_stated_noise_one_position_to_spare_is_enough(void)

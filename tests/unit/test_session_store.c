@@ -193,7 +193,7 @@ static void assert_same(const invcal_session *before, const invcal_session *afte
     forget_stream(&fresh);
     fresh.last = INVCAL_MOVING;
     fresh.reason = INVCAL_OK;
-    fresh.good = after->good; /* asked anew */
+    fresh.good = after->good; /* asked again */
     TEST_ASSERT_EQUAL_MEMORY(&fresh, after, invcal_session_size(before));
     TEST_ASSERT_EQUAL_MEMORY(&fresh.rests, &after->rests, sizeof fresh.rests);
 }
@@ -494,7 +494,7 @@ static struct {
 static invcal_store store; /* its driver */
 static random_source chance;
 static long steps; /* that are still done before power fails within one */
-static long power; /* bytes likewise */
+static long power; /* the same in bytes */
 static int dead;
 static int rules_broken;
 

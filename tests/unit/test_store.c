@@ -647,7 +647,7 @@ static int work_of(uint32_t size)
     return (int)(flash.store.slot_size + INVCAL_STORE_BYTES(size, flash.store.granularity));
 }
 
-/* Saves record n with so much power. Returns whether it was enough. */
+/* Saves record n with that much power. Returns whether it was enough. */
 static int save_until(int power, unsigned n, uint32_t size)
 {
     flash.power = power;

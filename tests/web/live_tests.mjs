@@ -72,7 +72,7 @@ test("stopped and started again, each time from nothing", async (open) => {
     await page.until(TAKEN(1), "one position");
     await page.evaluate(() => (window.before = invcal.session()));
     await simulate(page);
-    await page.until("invcal.session() !== window.before", "begun anew");
+    await page.until("invcal.session() !== window.before", "begun again");
     await page.until(TAKEN(1), "one position");
 });
 

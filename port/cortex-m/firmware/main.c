@@ -7,7 +7,7 @@
  *     else                          a session begins
  *
  * After every position the session is stored, at the end the calibration. All that happens is told
- * on the UART: whoever holds the device needs nothing else.
+ * on the UART: the user needs nothing else.
  *
  * RAM: the session, 552 bytes. Stack: 984 bytes on a Cortex-M4F, most of them in solve.
  */
@@ -104,7 +104,7 @@ static int solve(invcal_calibration *calibration)
     return 1;
 }
 
-/* Begins anew until the result is good. Returns 0 if the sensor or the setup is of no use. */
+/* Begins again until the result is good. Returns 0 if the sensor or the setup is of no use. */
 static int calibrate(invcal_calibration *calibration)
 {
     if (keep_load_session(&session) != INVCAL_OK && begin_session() != INVCAL_OK) {

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * uart.h: the line to whoever watches.
+ * uart.h: the serial line to the user.
  */
 #ifndef UART_H
 #define UART_H

@@ -27,7 +27,7 @@ static int keeps(uint8_t address, uint8_t value)
     return get(address) == value;
 }
 
-/* The chip goes on while the processor is reset: it may be in any state. */
+/* The chip keeps running while the processor is reset: it may be in any state. */
 static int is_reset(void)
 {
     set(IMU_CTRL3, IMU_CTRL3_RESET);

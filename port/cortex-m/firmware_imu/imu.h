@@ -18,16 +18,16 @@ typedef enum {
     IMU_ACCELEROMETER, /* a sample of it */
     IMU_GYRO,          /* a sample of it */
     IMU_LOST,          /* no sample: some were lost here */
-    IMU_SILENT,        /* no sample, no end of its reset in due time */
-    IMU_ABSENT,        /* nobody answers, or another chip */
+    IMU_SILENT,        /* no sample, or no end of its reset, in time */
+    IMU_ABSENT,        /* no answer, or another chip */
     IMU_DEAF           /* it does not keep its settings */
 } imu_status;
 
-/* Resets the chip and sets it up. Returns IMU_ACCELEROMETER if all is well; IMU_SILENT, IMU_ABSENT or
+/* Resets the chip and sets it up. Returns IMU_ACCELEROMETER on success; IMU_SILENT, IMU_ABSENT or
  * IMU_DEAF. */
 imu_status imu_begin(void);
 
-/* Waits for the next sample of either, counts: in the order in which they were taken. */
+/* Waits for the next sample of either, in counts and in the order in which they were taken. */
 imu_status imu_next(int32_t raw[3]);
 
 /* A sentence for a status. */

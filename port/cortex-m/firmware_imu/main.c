@@ -1,12 +1,12 @@
 /* SPDX-License-Identifier: MIT
  *
- * An accelerometer and a gyroscope that calibrate themselves, from power-on to calibrated readings:
+ * Calibrates an accelerometer and a gyroscope, from power-on to calibrated readings:
  *
  *     a result is stored            it is applied
- *     else a session is stored      it goes on where it was, with the rests and moves that it has
+ *     else a session is stored      it resumes, with its rests and moves
  *     else                          a session begins
  *
- * After every position session and moves are stored as one, at the end the result. While the flash is
+ * Session and moves are stored together after every position, the result at the end. While the flash is
  * written the chip's queue keeps the samples: the device is moving then, and a move with a gap is lost.
  *
  * RAM: session and moves, 3.8 KB. Stack: see README.md.
@@ -18,14 +18,14 @@
 #include "tell.h"
 #include "uart.h"
 
-#define SHOWN 50u /* one calibrated sample of each in so many is shown */
+#define SHOWN 50u /* one calibrated sample of each in this many is shown */
 
 static invcal_imu_session both;
-static unsigned at; /* of the program: where the device is to be turned next */
+static unsigned at; /* place in the program: where to turn next */
 
 /* ---- what to tell ------------------------------------------------------------------------------- */
 
-/* Which axis is up, and turned round (-): each of the twelve edges between the faces once. */
+/* The axis that is up, - if it points down: each of the twelve edges between the faces once. */
 static const int program[] = {3, 1, 2, 3, -1, 2, -3, 1, -2, -3, -1, -2};
 enum { PROGRAM = sizeof program / sizeof program[0] };
 
@@ -37,7 +37,7 @@ static void find_next(invcal_real up[3])
     up[axis < 0 ? -axis - 1 : axis - 1] = axis < 0 ? -1.0f : 1.0f;
 }
 
-/* Not where it lies already, as after a position that was not stored. */
+/* Skips the place where it already is, as after a position that was not stored. */
 static void tell_where(void)
 {
     char words[INVCAL_WORDS];
@@ -75,7 +75,7 @@ static void tell_result(const invcal_imu *imu)
 
 /* ---- what is kept --------------------------------------------------------------------------------- */
 
-/* If it fails, and was told, only a reset is feared. */
+/* If it fails, that is reported, and only a reset would lose something. */
 static void keep_session(void)
 {
     const invcal_status status = invcal_save_imu_session(&session_store, &both);
@@ -181,8 +181,8 @@ static imu_status calibrate(void)
 
 /* ---- from then on --------------------------------------------------------------------------------- */
 
-/* What your device does with it. The latest acceleration is taken for what g-sensitivity adds. Comes back
- * only if the sensor falls silent. */
+/* Your application. It corrects g-sensitivity with the latest acceleration, and returns only if the sensor
+ * stops responding. */
 static void measure(const invcal_imu_record *record)
 {
     invcal_real a[3] = {0, 0, 0};
@@ -235,5 +235,5 @@ int main(void)
         measure(&record);
     }
     tell("sensor", imu_status_text(status));
-    return 1; /* told why; on a board, wait for a reset here */
+    return 1; /* the reason was printed; on a board, wait for a reset here */
 }

@@ -8,7 +8,7 @@
 #include "result/calibration_file.h"
 
 #define THERMAL_CORRECTION_STEP                                                                    \
-    0.01 /* K: it is made anew when the temperature has moved by more;
+    0.01 /* K: it is made again when the temperature has moved by more;
                                         1e-5 of the field at 1 mg/K */
 
 typedef struct {

@@ -8,7 +8,7 @@
 #include "maths/eigen.h"
 #include "maths/matrix.h"
 
-/* How the accelerometer's solution is better determined with the moves. */
+/* How much better the moves determine the accelerometer. */
 static int tells_more(const request *r, int refused, const calibrate_result *result)
 {
     const gyro_fit *g = &result->gyro;
@@ -18,7 +18,7 @@ static int tells_more(const request *r, int refused, const calibrate_result *res
            (refused || result->quality.verdict == INVCAL_WEAK);
 }
 
-/* Residuals of the lengths, as invcal_quality tells them. */
+/* Residuals of the lengths, as in invcal_quality. */
 static void measure(const calibrate_result *result, invcal_quality *q)
 {
     const rejection *kept = &result->rejected;
@@ -37,7 +37,7 @@ static void measure(const calibrate_result *result, invcal_quality *q)
     q->rms = sqrt(squares / kept->kept_count);
 }
 
-/* The moves determine what the rests leave open. */
+/* The moves determine what the rests leave undetermined. */
 static void take_joint(calibrate_result *result)
 {
     const invcal_imu *imu = &result->gyro.imu;

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * calibrate/gyro.h: the gyroscope beside the accelerometer.
+ * calibrate/gyro.h: the gyroscope with the accelerometer.
  */
 #ifndef CALIBRATE_GYRO_H
 #define CALIBRATE_GYRO_H

@@ -227,7 +227,7 @@ static void say_why(const calibrate_result *r, const stand_wish *angles, invcal_
     }
 }
 
-/* Begins anew: what was found before is not to be told. */
+/* Begins again: what was found before is not to be told. */
 static refusal *begin(calibrate_result *r, const char *word, uint16_t undetermined)
 {
     r->refused = (refusal){.word = word, .undetermined = undetermined};

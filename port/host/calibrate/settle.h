@@ -8,7 +8,7 @@
 #include "calibrate/request.h"
 #include "result/result.h"
 
-/* Whoever states the unit knows better than a heading; a size tells words, and numbers only if it is sure. */
+/* A stated unit overrides a heading; the size of readings overrides words, and numbers only if it is sure. */
 void settle_unit(const request *r, positions *data);
 
 /* Zero and scale: given, or of an earlier calibration, or by the unit, or of a data sheet, or from the data's range. Returns

@@ -13,8 +13,8 @@
 #error "the host tool is compiled with -DINVCAL_DOUBLE=1"
 #endif
 
-/* Exit codes, and what every function of the tool returns that can fail. Whoever finds the
- * failure has said why on stderr (message.h); the callers only hand the code on. */
+/* Exit codes, and what every function of the tool returns that can fail. The
+ * function that fails prints the reason on stderr (message.h); callers only pass the code on. */
 enum {
     EXIT_GOOD = 0,
     EXIT_DATA = 1,  /* the data cannot be calibrated */

@@ -2,7 +2,7 @@
  *
  * Many devices: median, spread, and who falls outside.
  *
- * Whoever is farthest from the mean of m figures, by R standard deviations of all m, is so by chance in
+ * The device that is farthest from the mean of m figures, by R standard deviations of all m, is so by chance in
  *
  *     m P(F(1, m - 2) > (m - 2) m R^2 / ((m - 1)^2 - m R^2))
  *

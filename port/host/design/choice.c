@@ -34,7 +34,7 @@ static unsigned positions_allowed(const choice_request *request)
     if (!(request->budget > 0)) {
         return DESIGN_MAX;
     }
-    /* n rests and n - 1 moves; 1e-9 of one more, lest rounding takes the last one */
+    /* n rests and n - 1 moves; plus 1e-9 of one, so that rounding keeps the last one */
     const double period = cost->settle + cost->dwell + cost->move;
     const double n = floor((request->budget - cost->warm_up + cost->move) / period + 1e-9);
     return n < DESIGN_MAX ? (unsigned)fmax(n, 0) : DESIGN_MAX; /* all are within bounds: a number */

@@ -3,7 +3,7 @@
  * design/criteria.h: what a set of positions is worth, before anything has been measured.
  *
  * The directions are summed up like positions (invcal/expert.h), one row h(eta) each. Whatever they
- * are - a program of plan.h, a list of one's own, or the positions taken so far - the covariance of
+ * are - a program of plan.h, your own list, or the positions taken so far - the covariance of
  * the nine parameters is K = (H'H)^-1 times the squared noise of a position mean.
  */
 #ifndef CRITERIA_H

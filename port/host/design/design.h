@@ -72,7 +72,7 @@ void design_directions(design *d, const char *name, double (*direction)[3], unsi
 void design_balanced(design *d, unsigned count, const double limits[3], int with_axes);
 
 /* Shares the dwell among the positions of a set that is solvable so that det H'H is the largest
- * (weights.h), and judges it anew. */
+ * (weights.h), and judges it again. */
 void design_weigh(design *d);
 
 /* How many directions there are: positions that point the same way count once. */

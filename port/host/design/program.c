@@ -9,7 +9,7 @@
 
 #define DEGREES 57.295779513082321
 #define REACH 20.0 /* degrees: farther off is another direction */
-#define SLACK 3.0  /* by so much another one must be nearer than the one asked for */
+#define SLACK 3.0  /* by this another one must be nearer than the one asked for */
 #define SAME 0.1   /* two positions of one direction */
 #define EQUAL 1e-6 /* to rounding */
 #define BESIDE 0.1 /* of the field: no readings of these positions */

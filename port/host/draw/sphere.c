@@ -237,7 +237,7 @@ static void place_half(sphere *s, unsigned half)
             continue;
         }
         place_label(s, at);
-        if (at->is_labelled) { /* with some room about it, lest two read as one */
+        if (at->is_labelled) { /* with a margin, so that two do not read as one */
             take(s, (sphere_box){at->place.x, at->place.y, at->place.w + 4, at->place.h + 5});
         }
         s->homeless[half] += !at->is_labelled;

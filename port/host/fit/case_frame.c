@@ -7,7 +7,7 @@
 #include "maths/rotation.h"
 #include "text/number.h"
 
-#define OFF_MOST 0.2 /* rad: no table leans so much */
+#define OFF_MOST 0.2 /* rad: no table leans that much */
 
 int case_parse(const char *text, case_wish *wish)
 {

@@ -10,7 +10,7 @@
 #include "maths/rotation.h"
 
 #define USUAL 0.1   /* of the length, to either side */
-#define BLOCKS 24ul /* that tell how instants err alike */
+#define BLOCKS 24ul /* that show how instants are correlated */
 
 enum { WAYS = 24 };
 
@@ -121,7 +121,7 @@ static invcal_dip sums_exchanged(const invcal_dip *sums, const exchange *e)
     return out;
 }
 
-/* The best of all ways. Returns 0 if there is none. */
+/* The best of all exchanges. Returns 0 if there is none. */
 static int find_rotation(const invcal_dip *sums, double alike, double rotation[3][3],
                          invcal_dip_quality *quality)
 {
@@ -147,7 +147,7 @@ static int find_rotation(const invcal_dip *sums, double alike, double rotation[3
     return is_found;
 }
 
-/* By how many times the sums of what moves the angles are larger than were instants independent. */
+/* How many times larger the sums of the angles' gradients are than with independent instants. */
 static double find_alike(const instant *all, unsigned long count, const double (*r)[3], double sine)
 {
     double together = 0;

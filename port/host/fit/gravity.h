@@ -12,8 +12,8 @@
  * 9.7803253359 m/s^2 at the equator, 9.8061977694 at 45 degrees, 9.8321849379 at the poles; 1 m
  * of height takes 3.086e-6.
  *
- * What an error of g does: scale only, and the same on all axes. A calibration is over field; whoever
- * puts g' into it where it is g gets a matrix, and every calibrated reading, times g' / g. Offsets,
+ * What an error of g does: scale only, and the same on all axes. A calibration is over field: g'
+ * in place of g gives a matrix, and every calibrated reading, times g' / g. Offsets,
  * angles and the ratios of the scales are untouched, and so are residuals: nothing in a calibration
  * can reveal the error. Calibrated in g there is none.
  */

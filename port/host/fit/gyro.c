@@ -12,11 +12,11 @@
 
 #define ROOM 24       /* bits of the largest reading; others may be 128 times as large */
 #define FLAT 5u       /* readings that are alike at the end of a range */
-#define SAME_UNIT 1.3 /* times: what is nearer is a scale error */
+#define SAME_UNIT 1.3 /* times: less is a scale error */
 #define NEAR_UNIT 1.15
 #define FITS 0.25   /* rad: more fits no axes */
 #define NEVER 1e-4  /* of all turning: an axis that has less never turns, */
-#define TURNED 0.02 /* though others do so much about it */
+#define TURNED 0.02 /* though others turn this much about it */
 #define MOVED 4.0   /* times the mean square at rest */
 #define FEW_RESTS 2u
 #define SAME_MEAN 1e-12
@@ -71,7 +71,7 @@ static const char *axes_words(const int8_t axes[3], axes_text text)
 
 /* ---- readings ----------------------------------------------------------------------------------- */
 
-/* What a count is, by the largest of a thousand readings: a single one that is wrong must not make all others
+/* The size of a count, by the largest of a thousand readings: a single wrong one must not make all others
  * coarse. */
 static double find_count(const turns *t)
 {
@@ -98,7 +98,7 @@ static int is_whole(const turns *t)
     return 1;
 }
 
-/* Where an axis is at the end of its range: readings all alike there, more of them in a row than anywhere
+/* Where an axis is at the end of its range: equal readings there, more of them in a row than anywhere
  * else. side: -1 the least, 1 the greatest. NaN: nowhere. */
 static double rail_of(const turns *t, unsigned axis, double side)
 {
@@ -170,7 +170,7 @@ static void begin_replay(replay *r, const turns *t, unsigned rate, const double 
     }
 }
 
-/* Is the rest just taken the next position? A live stream that demands longer rests has fewer. */
+/* Returns whether the rest just taken is the next position. A live stream that requires longer rests has fewer. */
 static int is_position(const replay *r)
 {
     const double *mean = &r->p->mean[3 * (size_t)r->position];
@@ -188,7 +188,7 @@ static int is_position(const replay *r)
     return 1;
 }
 
-/* One sample, or the end. A rest that is left out ends no move: to that it is refused. */
+/* One sample, or the end. A rest that is left out ends no move: the moves see it as refused. */
 static invcal_event go_on(replay *r)
 {
     const turns_sample *s = &r->t->sample[r->i];
@@ -272,7 +272,7 @@ static int compare(const void *a, const void *b)
     return (x > y) - (x < y);
 }
 
-/* The middle one of all rests: one that is none does no harm. */
+/* The median of all rests: a single false one does no harm. */
 static void usual_bias(const gyro_fit *g, double bias[3])
 {
     double x[INVCAL_MAX_MOVES] = {0};
@@ -309,7 +309,7 @@ static double median(double *x, unsigned n)
     return n > 0 ? x[n / 2] : 0;
 }
 
-/* In the rests, or between them: that of the middle one, as a single reading may be wrong. */
+/* In the rests, or between them: the median, as a single reading may be wrong. */
 static double square_at_rest(const gyro_fit *g, long lag, const double bias[3])
 {
     double square[INVCAL_MAX_MOVES];
@@ -338,7 +338,7 @@ static int has_turned(const gyro_fit *g, long lag, const double bias[3])
     return median(square, g->rests - 1) > MOVED * square_at_rest(g, lag, bias);
 }
 
-/* A gyroscope axis that reads nothing, though the accelerometer saw turns about it. */
+/* A gyroscope axis without signal, though the accelerometer saw turns about it. */
 static int find_dead(const gyro_fit *g, long lag, const double bias[3])
 {
     double turned[3] = {0};
@@ -393,7 +393,7 @@ static double name_unit(double turn)
     return 0;
 }
 
-/* What a unit is: stated, or told by the moves. Returns 0 if these contradict. */
+/* The unit: stated, or found from the moves. Returns 0 if these contradict. */
 static int settle_unit(gyro_fit *g, const gyro_wish *wish, const gyro_guess *guess)
 {
     const double header = g->turns->turn;
@@ -583,7 +583,7 @@ static void say_open(gyro_fit *g)
               "everything");
 }
 
-/* How many moves are of no use, by their reasons. */
+/* How many moves are unusable, by their reasons. */
 static void add_reasons(gyro_fit *g)
 {
     for (unsigned i = 0; i < g->moves; i++) {

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * What each move leaves, sample by sample: the library keeps segments, and tells the worst move alone.
+ * The residual of each move, sample by sample: the library keeps segments, and reports only the worst move.
  */
 #include <math.h>
 #include <string.h>
@@ -40,7 +40,7 @@ static void turn_by(double c[3][3], const double th[3])
     }
 }
 
-/* The acceleration over the field that a sample shows. */
+/* The acceleration of a sample, over the field. */
 static void felt(const gyro_fit *g, size_t number, double out[3])
 {
     const turns *t = g->turns;
@@ -52,7 +52,7 @@ static void felt(const gyro_fit *g, size_t number, double out[3])
     invcal_apply(&g->imu.accelerometer, raw, out);
 }
 
-/* The bias: the mean of both rests, and what acceleration makes of it beyond theirs. */
+/* The bias: the mean of both rests, plus the effect of acceleration less theirs. */
 static void bias_at(const gyro_fit *g, const gyro_rest *rest, const double f[3], double out[3])
 {
     for (unsigned i = 0; i < 3; i++) {
@@ -128,7 +128,7 @@ static double density(const gyro_fit *g, long lag)
     return least < HUGE_VAL ? sqrt(least) : 0;
 }
 
-/* What the parts of a move's error come to, rad on an axis. */
+/* The sizes of the parts of a move's error, rad on an axis. */
 static void find_parts(gyro_fit *g, long lag)
 {
     double seconds = 0;
@@ -142,7 +142,7 @@ static void find_parts(gyro_fit *g, long lag)
         if (g->move[i].why != INVCAL_OK || !isfinite(rest->bias[0] + rest[-1].bias[0])) {
             continue;
         }
-        bias_at(g, rest - 1, rest->up, half); /* what orientation explains is no wander */
+        bias_at(g, rest - 1, rest->up, half); /* without what orientation explains */
         bias_at(g, rest - 1, rest[-1].up, middle);
         for (unsigned k = 0; k < 3; k++) {
             change += pow(rest->bias[k] - rest[-1].bias[k] - (half[k] - middle[k]), 2) / 3;

@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * What must be known before the moves can be calculated with: whether the readings come late, how fast a unit
- * turns, and about which axes.
+ * What must be known before the moves can be solved: the delay of the readings, their unit, and their axes.
  */
 #include <math.h>
 #include <stdlib.h>
@@ -12,8 +11,8 @@
 #define BIN 0.05      /* seconds */
 #define LAGS 40       /* bins to either side: 2 s */
 #define ENOUGH 160u   /* bins */
-#define TOGETHER 0.4  /* the least correlation that tells a lag, */
-#define BETTER 0.05   /* by so much above that of no lag, */
+#define TOGETHER 0.4  /* the least correlation that shows a lag, */
+#define BETTER 0.05   /* this much above that of no lag, */
 #define LEAST_LAG 0.1 /* seconds: less does no harm */
 
 #define MOVES 16u       /* that are tried: the first ones */
@@ -21,9 +20,9 @@
 #define LEAST_TURN 0.35 /* rad between the ways up: 20 degrees */
 #define FINER 1.08      /* a scale and the next */
 #define BELOW 3         /* scales below the first estimate, */
-#define SCALES 18 /* and all of them: the way of a hand is longer than the arc, never shorter */
+#define SCALES 18 /* and all of them: the path of a hand is longer than the arc, never shorter */
 #define WAYS 48u
-#define CLEAR 4.0 /* squares of the next best way over those of the best */
+#define CLEAR 4.0 /* sum of squares of the second best way over the best */
 
 /* ---- late readings ------------------------------------------------------------------------------ */
 
@@ -258,7 +257,7 @@ static double misfit(const move *m, const int8_t axes[3], double turn)
     return pow(acos(fmax(-1, fmin(1, dot(v, m->up[0])))), 2);
 }
 
-/* The mean of the better three quarters: a move between rests that are none says nothing. */
+/* The mean of the better three quarters: a move between false rests means nothing. */
 static double misfit_of_all(const move *m, unsigned moves, const int8_t axes[3], double turn)
 {
     const unsigned counted = moves - moves / 4;
@@ -343,7 +342,7 @@ int gyro_search(const turns *t, long lag, const gyro_rest *rest, unsigned rests,
         next = k != best && square[k] < next ? square[k] : next;
     }
     out->is_clear = next > CLEAR * square[best];
-    /* what is as good as another is no reason to doubt the axes */
+    /* an equally good scale is no reason to doubt the axes */
     best = !out->is_clear && square[0] < CLEAR * square[best] ? 0 : best;
     set_way(best, out->axes);
     out->misfit = sqrt(best_scale(all, moves, out->axes, ratio[moves / 2], 1, &out->turn));

@@ -202,7 +202,7 @@ static int compare_numbers(const void *a, const void *b)
 
 /* The noise of a length among those that are kept by the median of its size, which up to half of them may
  * be wrong without much harm: 1.4826 is 1 over that of a standard normal variable. r->number, which is
- * found anew in the end, lends the room. */
+ * found again in the end, lends the memory. */
 static double robust_noise(rejection *r, const invcal_calibration *c)
 {
     for (unsigned k = 0; k < r->kept_count; k++) {

@@ -83,7 +83,7 @@ static const sensor sensors[] = {
      SENSOR_OFFSET,
      "counts: 16 bits as its registers hold them, left-justified",
      "ST DocID17530 Rev. 2, 2016-12, T4 Mechanical characteristics"},
-    /* sensitivity 230 ... 282 at 2 g, likewise 10 % or 11 % at the others */
+    /* sensitivity 230 ... 282 at 2 g, also 10 % or 11 % at the others */
     {"adxl345",
      "ADXL345",
      {{"2g", 256}, {"4g", 128}, {"8g", 64}, {"16g", 32}},

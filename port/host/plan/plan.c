@@ -763,7 +763,7 @@ static const char *const help[] = {
     "the standard deviations sigma of offsets, scale errors and angles, over the noise of a\n"
     "position mean; and of quadratic and cubic errors of the axes, if they are parameters, too\n"
     "(calibrate --quadratic, --cubic). alpha and beta are the angles of a stand with two axes;\n"
-    "x y z is the up direction in the frame of the case, for whoever holds the device in the "
+    "x y z is the up direction in the frame of the case, for use with the device in the "
     "hand.\n"
     "\n"
     "  --per-group N       the paper's program: three groups of N positions, N from 5 to 1000;\n"

@@ -12,7 +12,7 @@
 #include "maths/eigen.h"
 
 #define NO_RANK 1e-9 /* of the largest eigenvalue */
-#define IMPROVED 1.1 /* sigma before over sigma after: less is not worth a word */
+#define IMPROVED 1.1 /* sigma before over sigma after: less is not mentioned */
 #define TOKEN_MAX 32
 #define LEAST_DEGREES 1.0
 #define MOST_DEGREES 720.0
@@ -50,7 +50,7 @@ static int make_tour(turns_plan *p, unsigned turns)
     return EXIT_GOOD;
 }
 
-/* The tour, and the same way back. */
+/* The tour, and back the same way. */
 static int make_return(turns_plan *p)
 {
     (void)make_tour(p, INVCAL_TOUR);
@@ -73,7 +73,7 @@ static void begin_sums(const turns_plan *p, invcal_turns *turns)
     turns->seconds = r->turn;
 }
 
-/* greedyN: N turns, each that which tells most. */
+/* greedyN: N turns, each the one that adds most. */
 static int make_greedy(turns_plan *p, const char *number)
 {
     const size_t digits = strspn(number, "0123456789");

@@ -20,7 +20,7 @@
 /* The words of programs, as help names them. */
 #define TURNS_PROGRAMS "tour12|tour16|tour24|faces|greedyN|LIST"
 
-/* What is told of the noise, and of time, s. */
+/* Noise, as stated, and times, s. */
 typedef struct {
     double noise;       /* of a position mean, over field */
     double rate_noise;  /* rad/s/sqrt(Hz) */
@@ -31,8 +31,8 @@ typedef struct {
 
 typedef struct {
     invcal_turn turn;
-    unsigned open;     /* parameters that are left open after it */
-    unsigned improves; /* those whose sigma it lowers most, two at most, as bits */
+    unsigned open;     /* parameters that are undetermined after it */
+    unsigned improves; /* those whose sigma it lowers most, at most two, as bits */
 } turns_step;
 
 typedef struct {
@@ -42,23 +42,23 @@ typedef struct {
     unsigned count;
     turns_step step[TURNS_MAX];
     int is_determined;
-    unsigned open; /* parameters left open; or weak */
+    unsigned open; /* parameters undetermined; or weak */
     unsigned rank;
     double sigma[INVCAL_IMU_PARAMETERS]; /* over the noise of a position mean */
     double condition;
     double seconds;   /* in all */
-    invcal_turn next; /* that would tell most */
+    invcal_turn next; /* the one that would add most */
     char refusal[TURNS_LIST_MAX];
 } turns_plan;
 
 /* Makes the program of a word, and finds what it determines.
  *
  * Returns EXIT_GOOD; EXIT_USAGE, with a message: no such program; EXIT_DATA, without one: it leaves
- * parameters open, see refusal. */
+ * parameters undetermined, see refusal. */
 int turns_make(turns_plan *plan, const char *word, const turns_request *request);
 
-/* What to do from one rest to the next: "+x up: a quarter turn about y", or, where that leaves open which way
- * round, "a full turn about +x: +z up". */
+/* What to do from one rest to the next: "+x up: a quarter turn about y", or, if that does not give the sense of
+ * rotation, "a full turn about +x: +z up". */
 const char *turns_words(const invcal_turn *turn, const invcal_real from[3],
                         char text[TURNS_WORDS_MAX]);
 
@@ -69,7 +69,7 @@ const char *turns_up_words(const invcal_real up[3], char text[TURNS_UP_MAX]);
 const char *turns_parameter(unsigned parameter);
 const char *turns_parameters(unsigned bits, char text[TURNS_LIST_MAX]);
 
-/* What it is, as words.h tells them: 0 an offset, 1 a scale, 2 an angle. */
+/* Its kind, as in words.h: 0 an offset, 1 a scale, 2 an angle. */
 unsigned turns_kind(unsigned parameter);
 
 /* A table for people; one JSON object; a page. */

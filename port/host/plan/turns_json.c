@@ -37,7 +37,7 @@ static void write_turns(json_writer *w, const turns_plan *p)
     json_object_end(w);
 }
 
-/* Of each parameter; null where it is open. */
+/* Of each parameter; null if it is undetermined. */
 static void write_each(json_writer *w, const char *name, const turns_plan *p, double times)
 {
     json_object(w, name);

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * The page of a program of turns: a work sheet, and what it will determine.
+ * The page of a program of turns: a work sheet, and the expected accuracy.
  */
 #include <math.h>
 

@@ -107,7 +107,7 @@ const char *turns_words(const invcal_turn *turn, const invcal_real from[3],
         snprintf(text, TURNS_WORDS_MAX, "%s: %s", up, turned);
     } else if (turn->degrees < 180 - NEAR && is_of_cube(turn->up)) {
         snprintf(text, TURNS_WORDS_MAX, "%s: %s about %c", up, turned, "xyz"[axis]);
-    } else { /* which way round is not told by what is up */
+    } else { /* up does not show the sense of rotation */
         snprintf(text, TURNS_WORDS_MAX, "%s about %c%c: %s", turned,
                  turn->axis[axis] > 0 ? '+' : '-', "xyz"[axis], up);
     }

@@ -94,7 +94,7 @@ double columns_aside(const table *t, const columns *where, unsigned axis);
 int columns_turn(const table *t, const columns *where, double out[3]);
 
 /* An angle of the stand, COLUMN_ALPHA or COLUMN_BETA, in degrees. NaN if there is no such column, or the
- * current row holds no number there: only who wants angles has to complain. */
+ * current row holds no number there: only a caller that needs angles has to complain. */
 double columns_angle(const table *t, const columns *where, column which);
 
 /* Checks that the current row is of the same sensor as those before.

@@ -133,7 +133,7 @@ static void cut_time_unit(heading *out)
     }
 }
 
-/* Copies so much as there is room for, no half of a letter in UTF-8, and nothing that does
+/* Copies as much as there is room for, no half of a letter in UTF-8, and nothing that does
  * something to a terminal. */
 static void copy_name(const char *text, char name[HEADING_NAME_MAX])
 {

@@ -89,7 +89,7 @@ static int read_line(table *t)
         t->text[length++] = (char)c;
     }
     if (ferror(t->file) && errno == EINTR) {
-        return 0; /* whoever catches a signal wants to come to an end */
+        return 0; /* a caller that catches a signal wants to end */
     }
     if (ferror(t->file)) {
         message("%s:%lu: cannot be read: %s", t->name, t->line, strerror(errno));

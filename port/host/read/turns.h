@@ -1,10 +1,9 @@
 /* SPDX-License-Identifier: MIT
  *
- * read/turns.h: what a gyroscope read beside the accelerometer, all of it: only when it is known which rests
- * count can the moves between them be made.
+ * read/turns.h: all readings of a gyroscope logged with the accelerometer: the moves can be made only when it is
+ * known which rests count.
  *
- * The readings are columns of the log itself, or of a file of their own that goes by the same clock or has
- * as many rows.
+ * The readings are columns of the log itself, or of a separate file with the same clock or as many rows.
  */
 #ifndef TURNS_H
 #define TURNS_H
@@ -15,7 +14,7 @@
 
 /* One sample of the accelerometer. */
 typedef struct {
-    double time;    /* seconds, if the log tells times */
+    double time;    /* seconds, if the log has times */
     int32_t raw[3]; /* counts, as in samples.h */
     uint32_t upto;  /* readings of the gyroscope up to its time */
     int is_gap;     /* samples were lost before it */
@@ -33,11 +32,11 @@ typedef struct turns {
     size_t samples, readings;
     double unit;        /* input units of one count of raw */
     double rate;        /* readings a second, */
-    int is_rate_known;  /* or a guess of that */
-    const char *file;   /* of its own, to be set before; null: they are columns of the log */
-    recognition seen;   /* what that was taken for */
+    int is_rate_known;  /* else it is a guess */
+    const char *file;   /* separate file, to be set before; null: they are columns of the log */
+    recognition seen;   /* how that was read */
     double turn;        /* rad/s in one unit, as the headings state it; 0: they do not */
-    double steps, time; /* inside: of the readings' clock without gaps */
+    double steps, time; /* internal: of the readings' clock without gaps */
     double last;
     int has_time;
 } turns;
@@ -48,10 +47,10 @@ void turns_begin(turns *t, const samples *log);
  * without memory. */
 int turns_add(turns *t, const samples *log, const sample *s);
 
-/* All is there: completes the rate. */
+/* After the last reading: completes the rate. */
 void turns_end(turns *t);
 
-/* The readings are those of the file of their own, read by `file`, which is large and nothing before. EXIT_GOOD; EXIT_FILE, with a message. */
+/* Reads the separate file into `file`, which is large and uninitialized. EXIT_GOOD; EXIT_FILE, with a message. */
 int turns_read(turns *t, samples *file, double rate, const char *log);
 
 void turns_free(turns *t);

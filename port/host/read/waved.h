@@ -9,7 +9,7 @@
 #include "read/positions.h"
 #include "read/samples.h"
 
-/* What the accelerometer beside it and the magnetometer itself read at an instant, input units. */
+/* The readings of accelerometer and magnetometer at an instant, input units. */
 typedef struct {
     double up[3];
     double field[3];
@@ -20,17 +20,17 @@ typedef struct {
     double seconds;
     double rate;
     int is_rate_known;
-    invcal_status status;           /* of what is below: it is there if this is INVCAL_OK */
+    invcal_status status;           /* what follows is valid if this is INVCAL_OK */
     invcal_calibration calibration; /* of input units, over the field */
     invcal_quality quality;
     invcal_magnetometer_found found; /* the field in the unit of nominal */
-    double next[3];                  /* way of the case that is to point along the field next */
-    waved_pair *pair;                /* where there is an accelerometer, else null; */
-    unsigned long pairs;             /* so many, */
-    unsigned long room;              /* in memory for so many */
+    double next[3];      /* direction of the case that should point along the field next */
+    waved_pair *pair;    /* if there is an accelerometer, else null; */
+    unsigned long pairs; /* their number, */
+    unsigned long room;  /* and the number that memory holds */
 } waved;
 
-/* What there is to hear of each sample. */
+/* What a listener learns of each sample. */
 typedef struct {
     const invcal_magnetometer *magnetometer; /* which has been fed it */
     const samples *log;
@@ -45,15 +45,15 @@ typedef struct {
     double rate;                       /* as samples_open takes it */
     const invcal_calibration *nominal; /* of input units, to any unit */
     int is_live;                       /* a stream */
-    waved_listener *listen;            /* null: nobody listens */
+    waved_listener *listen;            /* null: none */
     void *who;
 } waved_wish;
 
-/* Reads a log, of which x, y and z are a magnetometer's where there is one.
+/* Reads a log; x, y and z are those of a magnetometer if it has one.
  *
- * p    out: the cells as positions, if there is a solution; else none. To be released with positions_free in
- *      either case. Their lines are that of the first sample.
- * out  to be released with waved_free in either case.
+ * p    out: the cells as positions, if there is a solution; else none. Release them with positions_free in
+ *      either case. Their line is that of the first sample.
+ * out  release it with waved_free in either case.
  *
  * Returns EXIT_GOOD, also without a solution; EXIT_FILE, with a message. */
 int waved_read(positions *p, const waved_wish *wish, waved *out);

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * The gyroscope: what was found, what each move leaves, how its bias changes.
+ * The gyroscope: its calibration, the residual of each move, how its bias changes.
  */
 #include <math.h>
 #include <stdlib.h>
@@ -138,7 +138,7 @@ static void draw_moves(FILE *file, const void *data, double width)
 
 /* ---- bias --------------------------------------------------------------------------------------- */
 
-/* Of a rest beyond that of the last, degrees/s; with what orientation does taken off. */
+/* Of a rest less that of the last, degrees/s; without the effect of orientation. */
 static double bias_of(const gyro_fit *g, unsigned i, unsigned axis, int is_level)
 {
     const gyro_rest *last = &g->rest[g->rests - 1];
@@ -150,7 +150,7 @@ static double bias_of(const gyro_fit *g, unsigned i, unsigned axis, int is_level
     return x / UNIT_DEGREE;
 }
 
-/* What a rest is drawn against: temperature, or time. */
+/* The horizontal axis: temperature, or time. */
 static double place_of(const report_facts *f, unsigned i)
 {
     const position_origin *o = &f->result->data->origin[f->result->gyro.rest[i].position];
@@ -205,7 +205,7 @@ static void draw_bias(FILE *file, const void *data, double width)
     svg_end(file);
 }
 
-/* Which way up makes the bias what it is. */
+/* The effect of orientation on the bias. */
 static void write_g(page *p, const gyro_fit *g)
 {
     static const char *const titles[] = {"°/s per g", "along x", "along y", "along z"};

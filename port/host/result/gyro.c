@@ -190,7 +190,7 @@ static void print_figures(FILE *file, const calibrate_result *r)
         const char axis[] = {"xyz"[i], '\0'};
         const double m = inverse[i][i]; /* as data sheets state it: readings per turn */
         const double counts = UNIT_DEGREE / g->turn * m;
-        if (g->is_counts) { /* what the unit was to be, nobody states */
+        if (g->is_counts) { /* the nominal unit is not stated */
             add_row("scale", axis, counts, counts * m * g->imu.sigma[4 * (size_t)i],
                     "counts per °/s");
         } else {

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * result/gyro.h: what was found of the gyroscope, in words, as a table and as JSON.
+ * result/gyro.h: the result of the gyroscope, in words, as a table and as JSON.
  */
 #ifndef RESULT_GYRO_H
 #define RESULT_GYRO_H
@@ -16,11 +16,11 @@ const char *gyro_thermal_text(const gyro_fit *g, char text[GYRO_LINE_MAX]);
 const char *gyro_move_text(const calibrate_result *r, const gyro_move *m, char text[GYRO_LINE_MAX]);
 const char *gyro_verdict(const gyro_fit *g);
 
-/* Standard deviation of the bias about an axis over the rests, rad/s; by the median, as in some the device may
- * have turned. */
+/* Standard deviation of the bias about an axis over the rests, rad/s; by the median, as the device may have
+ * turned in some. */
 double gyro_wander(const gyro_fit *g, unsigned axis);
 
-/* Nothing where there is none. */
+/* Nothing if there is none. */
 void gyro_print(FILE *file, const calibrate_result *r);
 void gyro_json(json_writer *w, const calibrate_result *r);
 

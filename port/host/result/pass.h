@@ -3,8 +3,8 @@
  * result/pass.h: PASS or FAIL: does a calibration keep what was asked of it, --need and the limits of
  * --tolerance, and by which margin?
  *
- * A limit is kept if the value and its interval of 95 % lie within, as ISO 14253-1 has it for whoever must
- * prove that. What nothing is known of passes nothing, nor does a calibration whose verdict is not good.
+ * A limit is kept if the value and its interval of 95 % lie within, as ISO 14253-1 demands as
+ * proof. What nothing is known of passes nothing, nor does a calibration whose verdict is not good.
  */
 #ifndef PASS_H
 #define PASS_H

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * What is to be said of a magnetometer that was waved.
+ * The result of a magnetometer that was waved, in words.
  */
 #include <math.h>
 

@@ -58,7 +58,7 @@ static void rotation_about(const double axis[3], double angle, double r[3][3])
     }
 }
 
-/* The rotation vector of what turns `up` back to `before`, after a twist about it. */
+/* The rotation vector that turns `up` back to `before`, after a twist about it. */
 static void turn_between(const double before[3], const double up[3], double twist, double th[3])
 {
     double axis[3];

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT
  *
- * simulate/gyro.h: a simulated gyroscope on the device that scene.h turns: what turns the way up at one sample into
- * that at the next, on the shortest way, and a twist about it which no accelerometer sees.
+ * simulate/gyro.h: a simulated gyroscope on the device that scene.h turns. It senses the shortest rotation from up at
+ * one sample to up at the next, and a twist about up, which no accelerometer senses.
  */
 #ifndef SIMULATE_GYRO_H
 #define SIMULATE_GYRO_H
@@ -33,14 +33,14 @@ void gyro_scene_begin(gyro_scene *s, const gyro_model *model, double rate, uint3
 
 /* The next reading, counts.
  *
- * up     the way up as it is,
- * felt   the acceleration over the field,
- * twist  rad about it since the last sample. */
+ * up     true direction of up,
+ * felt   acceleration over the field,
+ * twist  rad about up since the last sample. */
 void gyro_scene_next(gyro_scene *s, const double up[3], const double felt[3], double twist,
                      int32_t raw[3]);
 
-/* The calibration that takes out all errors but the noise and what acceleration does: counts to rad/s. And the same
- * for a sensor that has none. */
+/* The calibration that corrects all errors except noise and g-sensitivity: counts to rad/s. And the same for an
+ * ideal sensor. */
 invcal_calibration gyro_scene_truth(const gyro_model *model);
 
 #endif

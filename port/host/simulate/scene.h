@@ -27,7 +27,7 @@ typedef struct {
     double move;
     double tremor;          /* standard deviation of what the hand adds below 3 Hz */
     unsigned outliers;      /* positions that are wrong, */
-    double outlier_size;    /* by so much, along the vertical */
+    double outlier_size;    /* along the vertical */
     const gyro_model *gyro; /* or null */
 } scene_model;
 

@@ -343,7 +343,7 @@ static const char *const help[] = {
     "  --temperature A,B   from the first sample to the last, degrees C; adds a column\n"
     "  --drift D           of the offsets, g per degree from 25 degrees C on\n"
     "  --outliers N        so many positions are wrong along the vertical,\n"
-    "  --outlier-size S    by so much, g; default 0.05\n"
+    "  --outlier-size S    by S, g; default 0.05\n"
     "  --stand             columns alpha and beta: what a stand with two axes would read, degrees\n"
     "  --gyro              a gyroscope besides: columns gx gy gz, counts\n"
     "  --gyro-scale X,Y,Z  its true scale errors; default 0.01,-0.008,0.006\n"

@@ -56,11 +56,10 @@ const char *stand_missing_text(const stand_wish *wish, unsigned group, char text
         group != 2; /* the angle that stays: alpha in group 2, beta in 1 and 3 */
     const double angle = group == 1 ? 0 : group == 2 ? -90 : 90;
 
-    snprintf(
-        text, STAND_TEXT_MAX,
-        "group %u (%s %.6g, %s all round) was not visited, and no other tells that: visit it, five "
-        "positions or more in equal steps",
-        group, names[constant], wish->zero[constant] + wish->sense[constant] * angle + 0.0,
-        names[!constant]);
+    snprintf(text, STAND_TEXT_MAX,
+             "group %u (%s %.6g, %s all round) was not visited, and no other determines it: visit "
+             "it, five positions or more in equal steps",
+             group, names[constant], wish->zero[constant] + wish->sense[constant] * angle + 0.0,
+             names[!constant]);
     return text;
 }

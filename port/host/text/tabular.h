@@ -18,7 +18,7 @@
 #define TABULAR_FORMAT
 #endif
 
-#define TABULAR_ROWS 128u /* after so many the heading comes again, and widths are found anew */
+#define TABULAR_ROWS 128u /* after so many the heading comes again, and widths are found again */
 #define TABULAR_COLUMNS 10u
 #define TABULAR_CELL 48u /* bytes of a cell or note; more are cut off */
 

@@ -278,11 +278,11 @@ static const char *verdict_words(invcal_verdict verdict)
 {
     static const char *const words[] = {
         [INVCAL_GOOD] = "Good so far; a few positions more have to confirm it",
-        [INVCAL_NO_REDUNDANCY] = "No redundancy: nothing checks the result as yet; go on",
+        [INVCAL_NO_REDUNDANCY] = "No redundancy: nothing checks the result yet; go on",
         [INVCAL_ROUGH] = "Rough: positions disagree by more than noise; go on",
         [INVCAL_DRIFTING] = "Drifting: the sensor drifts; let it warm up, or be quicker",
         [INVCAL_BENT] = "Bent: an axis is not linear, or has hysteresis",
-        [INVCAL_WEAK] = "Weak: some parameter is badly determined as yet; go on",
+        [INVCAL_WEAK] = "Weak: some parameter is still badly determined; go on",
     };
     return verdict <= INVCAL_WEAK ? words[verdict] : invcal_verdict_text(verdict);
 }
@@ -293,7 +293,7 @@ static const char *waving_words(const watch_state *now)
     static const char *const words[] = {
         [INVCAL_GOOD] = "Good so far; turn it to the sides that are left",
         [INVCAL_NO_REDUNDANCY] = "Too few samples tell how they err; go on",
-        [INVCAL_ROUGH] = "Rough: something disturbs it; begin anew elsewhere",
+        [INVCAL_ROUGH] = "Rough: something disturbs it; begin again elsewhere",
         [INVCAL_WEAK] = "Weak: whole sides are missing; go on",
     };
     const unsigned verdict = now->quality.verdict;

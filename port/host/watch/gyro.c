@@ -4,17 +4,17 @@
 #include <math.h>
 #include <string.h>
 
-#define LEAST 5u /* rests: fewer moves tell neither unit nor axes */
-#define SURE 12u /* from so many on what is wrong is wrong */
+#define LEAST 5u /* rests: with fewer, neither unit nor axes can be found */
+#define SURE 12u /* from this many on an error is certain */
 #define SPARE 6u /* equations that confirm it */
 
-/* More moves do not help: it is told at once. */
+/* More moves do not help: it is reported at once. */
 static int is_mistake(const char *word)
 {
     return strcmp(word, "axes") == 0 || strcmp(word, "unit") == 0 || strcmp(word, "stuck") == 0;
 }
 
-/* Half of the interval of 95 % of the worst of these parameters. */
+/* Half the 95 % interval of the worst of these parameters. */
 static double worst(const gyro_fit *g, int is_scale)
 {
     double most = 0;
@@ -38,7 +38,7 @@ int watch_gyro(const turns *t, const gyro_wish *wish, unsigned rate, const doubl
     }
     if (g.word && p->count < SURE && !is_mistake(g.word)) {
         snprintf(text, WATCH_GYRO_MAX,
-                 "gyroscope: moves too few as yet; turn about all three axes");
+                 "gyroscope: too few moves so far; turn about all three axes");
         return 0;
     }
     if (g.word) {

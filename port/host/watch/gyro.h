@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * watch/gyro.h: what the moves so far tell of a gyroscope in the stream.
+ * watch/gyro.h: judges a gyroscope in the stream by the moves so far.
  */
 #ifndef WATCH_GYRO_H
 #define WATCH_GYRO_H
@@ -9,11 +9,11 @@
 
 #define WATCH_GYRO_MAX 200
 
-/* Judges it anew, once there are rests enough; takes some milliseconds.
+/* Judges it again, once there are enough rests; takes some milliseconds.
  *
  * text  out: "gyroscope: 7 moves; scale ± 0.1 %, cross ± 0.06 degrees", or what is wrong with it; "": nothing yet.
  *
- * Returns 1 if both sensors are determined, and moves to spare confirm it. */
+ * Returns 1 if both sensors are determined, and further moves confirm it. */
 int watch_gyro(const turns *t, const gyro_wish *wish, unsigned rate, const double *clip,
                const positions *p, const invcal_calibration *start, char text[WATCH_GYRO_MAX]);
 

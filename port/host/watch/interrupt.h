@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT
  *
- * watch/interrupt.h: a serial port has no end, and whoever presses Ctrl-C wants the result: the stream ends then,
- * as if it had come to its end. A second one ends everything.
+ * watch/interrupt.h: a serial port has no end: Ctrl-C ends the stream and asks for the result. A second Ctrl-C ends
+ * the program.
  */
 #ifndef WATCH_INTERRUPT_H
 #define WATCH_INTERRUPT_H

@@ -334,7 +334,7 @@ static int begin(stage *s)
     return wish->noise ? hold_by_noise(wish) : EXIT_GOOD;
 }
 
-/* What the stream was taken for: whoever sees a wrong column can stop at once. */
+/* What the stream was taken for: if a column is wrong, the user can stop at once. */
 static void recognise(const stage *s)
 {
     recognition seen = s->p->seen;

@@ -57,7 +57,7 @@ static int is_astray(const program *now, unsigned asked)
 }
 
 /* A calibration that is known better tells of rests before where they really were. Later it is hardly known
- * any better: then they are looked at anew whenever there are twice as many, so that a stream of any
+ * any better: then they are looked at again whenever there are twice as many, so that a stream of any
  * length takes the time that its length does. */
 static unsigned first_to_visit(const live_program *l)
 {

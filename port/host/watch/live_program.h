@@ -28,7 +28,7 @@ typedef struct {
 void live_program_begin(live_program *l, const design *set, const invcal_session *session,
                         const positions *taken, double unit, int is_zero_stated);
 
-/* The session has taken a rest. All of them are looked at again, with what is known by now: the calibration
+/* The session has taken a rest. All of them are looked at again, with what is known so far: the calibration
  * so far may think otherwise of where the first ones were. Returns 1 if the program is complete by it. */
 int live_program_take(live_program *l);
 

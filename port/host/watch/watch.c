@@ -103,7 +103,7 @@ static const char *const watch_help[] = {
     "usage: invcal watch LOG [options]\n"
     "\n"
     "Leads through a calibration while the samples come in: tells when to hold still and when to\n"
-    "move on, where to turn next, and how exactly everything is known by now. At the end of the\n"
+    "move on, where to turn next, and how exactly everything is known so far. At the end of the\n"
     "stream it prints what invcal calibrate prints of the same samples.\n"
     "\n"
     "On a terminal of at least 80 by 24 it is a screen: @ is the side that is up, X the one that\n"

@@ -12,7 +12,7 @@
 #include "watch/screen.h"
 
 #define TICK 0.1  /* seconds of the log from one WATCH_PASSED to the next, at least */
-#define KNOWN 100 /* samples, after which the cells are about where they belong */
+#define KNOWN 100 /* samples, after which the cells are about right */
 
 static watch_state now; /* large */
 
@@ -21,10 +21,10 @@ typedef struct {
     watch_teller tell;
     double told_at; /* seconds of the log: the last WATCH_PASSED */
     int has_begun;
-    int is_enough; /* has been told */
+    int is_enough; /* has been said */
 } stage;
 
-/* Where a reading points. Returns 0 if that is nowhere. */
+/* The direction of a reading. Returns 0 if it has none. */
 static int find_direction(const invcal_calibration *c, const double raw[3], double out[3])
 {
     invcal_apply(c, raw, out);
@@ -59,7 +59,7 @@ static void aim(const invcal_magnetometer *m)
     snprintf(now.next, sizeof now.next, "hold it %s, and swing it around", invcal_words(up, words));
 }
 
-/* A target that is 0 is any. */
+/* A target of 0 means any. */
 static int reaches_target(const live_wish *wish, double field)
 {
     const double *sigma = now.quality.sigma;
@@ -72,7 +72,7 @@ static int reaches_target(const live_wish *wish, double field)
     return reaches;
 }
 
-/* What has come so far. */
+/* The samples so far. */
 static void judge(const stage *s, const invcal_magnetometer *m)
 {
     invcal_calibration calibration;

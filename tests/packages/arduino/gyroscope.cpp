@@ -3,7 +3,7 @@
  * The sketch Gyroscope on this machine: an MPU-6050 on its bus, whose queue fills while nobody reads it, and a hand
  * that does what it prints. Exit status 0 if it calibrates both sensors, refuses the move in which samples were
  * lost and the one that was too quick, stores the truth within 4 sigma, finds it after power has been off, and
- * begins anew when it is told to.
+ * begins again on request.
  */
 #include <Arduino.h>
 #include <EEPROM.h>

@@ -7,7 +7,7 @@
  * the words on the serial port say. The image is the one that is flashed. The processor is reset in
  * the middle of the session, one position is wrong, and power fails while the EEPROM is written. When
  * the calibration is stored the board is switched off and on again, with an MPU-9250 in place of the
- * MPU-6050; after some calibrated readings the truth is printed, for whoever reads the log.
+ * MPU-6050; after some calibrated readings the truth is printed, for the reader of the log.
  *
  * Exit status 0 if it came to that.
  */

@@ -2,7 +2,7 @@
  *
  * An accelerometer that calibrates itself. Open the serial monitor at 115200 baud, turn the sensor
  * as it says, and hold it still until it says "good". At the end the calibration is stored; from
- * then on calibrated readings are printed, after the next power-on too. Send c to calibrate anew.
+ * then on calibrated readings are printed, after the next power-on too. Send c to calibrate again.
  *
  * It takes 28 KB of flash and 1.6 KB of RAM: an Uno will do. The sensor is in sensor.cpp, the memory in
  * storage.cpp: change them for other ones. For little memory it prints whole numbers, and its texts lie

@@ -1,13 +1,13 @@
 /* SPDX-License-Identifier: MIT
  *
- * An accelerometer and a gyroscope that calibrate themselves by the same moves. Open the serial monitor at
- * 115200 baud, turn the sensor as it says, in about a second, and hold it still until it says "good". At the
- * end the calibration is stored; from then on calibrated readings are printed, after the next power-on too.
- * Send c to calibrate anew.
+ * Calibrates an accelerometer and a gyroscope by the same moves. Open the serial monitor at 115200 baud, turn
+ * the sensor as it says, in about a second, and hold it still until it says "good". At the end the sketch stores
+ * the calibration; from then on it prints calibrated readings, also after the next power-on. Send c to calibrate
+ * again.
  *
- * It takes nearly 8 KB of RAM: a Mega, or a board that is no AVR. The sensor is in imu.cpp, the memory in
+ * It takes nearly 8 KB of RAM: a Mega, or a board that is not an AVR. The sensor is in imu.cpp, the memory in
  * storage.cpp. Session and moves are not stored: an EEPROM takes seconds for them, the sensor's queue holds less
- * than one, and a move in which samples are lost is refused. With a quick memory, FRAM or flash, add
+ * than one, and a move with lost samples is refused. With a fast memory, FRAM or flash, add
  * invcal_save_imu_session after INVCAL_TAKEN, and invcal_load_imu_session in begin_session.
  */
 #include <invcal.h>
@@ -17,24 +17,24 @@
 #include "storage.h"
 
 #if defined(RAMEND) && RAMEND < 0x1FFF
-#error "this sketch takes nearly 8 KB of RAM: a Mega, or a board that is no AVR"
+#error "this sketch takes nearly 8 KB of RAM: a Mega, or a board that is not an AVR"
 #endif
 
-const unsigned SHOWN = 50; /* one calibrated sample in so many is shown */
+const unsigned SHOWN = 50; /* one calibrated sample of this many is shown */
 
-/* Which axis is up, turned round (-): each of the twelve edges between the faces once. */
+/* The axis that is up, - if it points down: each of the twelve edges between the faces once. */
 const int8_t PROGRAM[] = {3, 1, 2, 3, -1, 2, -3, 1, -2, -3, -1, -2};
 const unsigned EDGES = sizeof PROGRAM;
 
 static invcal_imu_session both;
 static invcal_imu_record calibration;
 static bool is_calibrated;
-static unsigned at; /* of the program: where to turn next */
+static unsigned at; /* place in the program: where to turn next */
 
-/* Not compiled into loop, or its variables would lie on the stack while the others run. */
+/* Not inlined into loop, or its variables would be on the stack while the others run. */
 #define APART __attribute__((noinline))
 
-/* Never comes back: there is nothing left to do without a reset. */
+/* Never returns: there is nothing left to do without a reset. */
 static void stop(const __FlashStringHelper *text)
 {
     Serial.println(text);
@@ -65,7 +65,7 @@ static void find_next(float up[3])
     up[axis < 0 ? -axis - 1 : axis - 1] = axis < 0 ? -1 : 1;
 }
 
-/* Not where it lies already. */
+/* Skips the place where it already is. */
 static void show_next()
 {
     char words[INVCAL_WORDS];
@@ -97,7 +97,7 @@ static void begin_session()
     show_next();
 }
 
-/* Nothing is stored before that is good. */
+/* Nothing is stored before the verdict is good. */
 static APART void solve()
 {
     invcal_imu imu;
@@ -156,7 +156,7 @@ static void calibrate(const int32_t accelerometer[3], const int32_t gyro[3])
 
 /* ---- from then on ----------------------------------------------------------------------------- */
 
-/* What your device does with it. */
+/* Your application. */
 static void measure(const int32_t accelerometer[3], const int32_t gyro[3])
 {
     static unsigned n;

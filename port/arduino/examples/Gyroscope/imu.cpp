@@ -3,7 +3,7 @@
 
 #include "i2c.h"
 
-/* Of the register maps of the MPU-6000/6050, MPU-6500, MPU-9250 and MPU-9255. */
+/* From the register maps of the MPU-6000/6050, MPU-6500, MPU-9250 and MPU-9255. */
 enum {
     ADDRESS = 0x68, /* pin AD0 low; 0x69 if it is high */
     SMPLRT_DIV = 0x19,
@@ -18,7 +18,7 @@ enum {
     FIFO_COUNTH = 0x72, /* 2 bytes, the high one first */
     FIFO_R_W = 0x74,
     WHO_AM_I = 0x75,
-    MPU6050 = 0x68, /* what WHO_AM_I says; the others are alike */
+    MPU6050 = 0x68, /* value of WHO_AM_I; the same for the others */
     MPU6500 = 0x70,
     MPU9250 = 0x71,
     MPU9255 = 0x73
@@ -73,7 +73,7 @@ imu_status imu_next(int32_t accelerometer[3], int32_t gyro[3])
         if ((unsigned)millis() - begin > PATIENCE || !get(INT_STATUS, bytes, 1)) {
             return IMU_SILENT;
         }
-        if (bytes[0] & OVERFLOW) { /* what is left of it begins anywhere */
+        if (bytes[0] & OVERFLOW) { /* the rest of it may begin anywhere in a sample */
             return set(USER_CTRL, RESTART) ? IMU_LOST : IMU_SILENT;
         }
         if (!get(FIFO_COUNTH, bytes, 2)) {

@@ -16,11 +16,11 @@ const int32_t IMU_HIGH = 32767;
 
 enum imu_status {
     IMU_OK,
-    IMU_LOST,  /* no sample: the queue has run over */
-    IMU_SILENT /* no sample in due time */
+    IMU_LOST,  /* no sample: the queue has overflowed */
+    IMU_SILENT /* no sample in time */
 };
 
-/* Sets the chip up. False if nobody answers, or another chip. */
+/* Sets the chip up. Returns false if there is no answer, or another chip. */
 bool imu_begin();
 
 /* Waits for the next sample of both, counts. The chip's queue holds 0.8 s of them. */

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT
  *
- * For the EEPROM of an AVR. Boards that keep one in flash want EEPROM.begin(size) in setup and
- * EEPROM.commit() at the end of erase_slot and program; what their own erasing does to the other
- * slot when power fails, their documentation must tell.
+ * For the EEPROM of an AVR. Boards that emulate one in flash need EEPROM.begin(size) in setup and
+ * EEPROM.commit() at the end of erase_slot and program; see their documentation for what their erasing does
+ * to the other slot when power fails.
  */
 #include "storage.h"
 

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT
  *
  * NOR flash: erasing sets all bits of a sector, programming clears some, and a granule is
- * programmed once between two erasures. Whoever breaks a rule is told so, by a failure.
+ * programmed once between two erasures. A driver that breaks a rule gets a failure.
  */
 #include "flash.h"
 

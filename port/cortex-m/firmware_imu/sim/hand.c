@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT
  *
- * The person: reads what the firmware prints, and turns the device as it says, within some degrees. Power
- * fails in the middle of a move, and while the flash is written; and once the person hurries.
+ * The person: reads the firmware's output, and turns the device as it says, within some degrees. Power fails
+ * in the middle of a move, and while the flash is written; and once the person hurries.
  */
 #include <math.h>
 #include <string.h>
@@ -13,9 +13,9 @@
 /* In steps of 1/200 s. */
 enum {
     TURN = 240,     /* from place to place; */
-    HURRY = 60,     /* beyond what the gyroscope measures */
+    HURRY = 60,     /* beyond the gyroscope's range */
     RESET_AT = 190, /* of a turn: the rest before has been taken and stored */
-    REACTION = 100, /* to what is read */
+    REACTION = 100, /* to the output */
     DONE = 400,     /* calibrated, and switched off and on, */
     AGAIN = 1000,   /* and judged */
     PATIENCE = 60000
@@ -28,11 +28,11 @@ static const uint8_t script[] = {[4] = RESET, [6] = HURRIES, [9] = POWER_CUT, [1
 static struct {
     uint32_t magic;
     uint32_t time;             /* since power-on, and */
-    uint32_t turning, turn;    /* in the present turn, and that it takes */
+    uint32_t turning, turn;    /* in the current turn, and its duration */
     float up[3];               /* the direction that points up, unit */
     float vector[3];           /* of the turn */
     float wobble[3];           /* on the way, rad/s */
-    float wish[3];             /* what is to be up next */
+    float wish[3];             /* direction to point up next */
     unsigned place;            /* how many have been visited */
     unsigned programs, cut_at; /* flash programmed since the last place; power fails there */
     unsigned leaving;          /* steps until it is taken up; 0: it is held */
@@ -68,7 +68,7 @@ static void cross(const float a[3], const float b[3], float out[3])
 
 /* ---- reading ---------------------------------------------------------------------------------- */
 
-/* "+z up": faces are all that is asked for. */
+/* "+z up": only faces are requested. */
 static void read_line(const char *line)
 {
     if (strncmp(line, "next: ", 6) == 0) {
@@ -127,7 +127,7 @@ static void leave(void)
     }
 }
 
-/* The rate of this step; what was up turns the other way round, exactly. */
+/* The rate of this step; in the axes of the device, up turns the opposite way, exactly. */
 static void turn(float rate[3])
 {
     const float tau = ((float)hand.turning + 0.5f) / (float)hand.turn;
@@ -153,7 +153,7 @@ static void turn(float rate[3])
     }
 }
 
-/* Power is switched off and on once more; what is stored then must be found. */
+/* Power is switched off and on once more; the stored result must be found. */
 static void wait_for_end(void)
 {
     hand.done++;

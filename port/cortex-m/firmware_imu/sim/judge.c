@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * The end: what is stored, compared with what the triads really are.
+ * The end: compares the stored result with the true triads.
  */
 #include <math.h>
 
@@ -10,9 +10,9 @@
 #include "print.h"
 #include "world.h"
 
-#define SIGMAS 4.0f   /* that a stored number may be off */
-#define LENGTH 0.001f /* that a calibrated reading of 1 g may be off */
-#define BIAS 0.5f     /* counts that an offset of the gyroscope may be off */
+#define SIGMAS 4.0f   /* largest error of a stored number */
+#define LENGTH 0.001f /* largest error of a calibrated reading of 1 g */
+#define BIAS 0.5f     /* counts, largest error of an offset of the gyroscope */
 
 /* A perfect matrix makes the identity of the truth. */
 static int is_gyro_good(const invcal_imu_record *record)

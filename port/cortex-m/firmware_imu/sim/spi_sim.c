@@ -101,7 +101,7 @@ static void reset_chip(void)
     chip.first = chip.waiting = 0;
 }
 
-/* What happens as a register is looked at. */
+/* Reads a register, with its side effects. */
 static uint8_t look(uint8_t address)
 {
     if (address == IMU_FIFO_STATUS1) {

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * world.h: what the chip and the hand of this world know of each other, beside ../../firmware/sim/sim.h.
+ * world.h: the interface between chip and hand of this world, besides ../../firmware/sim/sim.h.
  */
 #ifndef WORLD_H
 #define WORLD_H
@@ -10,7 +10,7 @@
 #define WORLD_RATE                                                                                 \
     200.0f /* steps per second: one of the gyroscope, half a one of the accelerometer */
 
-/* What the gyroscope really is: counts = offset + gain (rate in rad/s). */
+/* The true gyroscope: counts = offset + gain (rate in rad/s). */
 extern const sim_triad gyro_truth;
 
 /* A step: the rate of the hand, rad/s, and the specific force at its end, g. */

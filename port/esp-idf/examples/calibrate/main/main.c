@@ -174,7 +174,7 @@ static int solve(invcal_calibration *calibration)
     return 1;
 }
 
-/* Begins anew until the result is good. Returns 0 if the sensor or the setup is of no use. */
+/* Begins again until the result is good. Returns 0 if the sensor or the setup is of no use. */
 static int calibrate(invcal_calibration *calibration)
 {
     int32_t raw[3];

@@ -197,7 +197,7 @@ static int solve(invcal_calibration *calibration)
     return 1;
 }
 
-/* Begins anew until the result is good. Returns an error of the sensor, or 0. */
+/* Begins again until the result is good. Returns an error of the sensor, or 0. */
 static int calibrate(invcal_calibration *calibration)
 {
     int32_t raw[3];

@@ -1,0 +1,34 @@
+#!/bin/sh
+# SPDX-License-Identifier: MIT
+#
+# sh tests/words.sh
+# The English of all text and comments: codespell finds no word that is misspelt, and no word of
+# tests/words.txt is there. Prints FILE:LINE, the word and the better one.
+cd "$(dirname "$0")/.." || exit 1
+command -v codespell > /dev/null || { echo "codespell is not installed: make deps" >&2; exit 1; }
+not_ours="-name unity -o -path tests/data -o -name words.txt -o -name package-lock.json"
+# shellcheck disable=SC2086 # words
+all=$(find README.md CHANGELOG.md .github include src port tests '(' $not_ours ')' -prune -o -type f -print |
+    LC_ALL=C sort)
+read_by_users=$(echo "$all" | grep -E '^(README|CHANGELOG|\.github/|include/|src/|port/(.*/)?[^/]*\.md$)')
+
+# Parts of identifiers, of printf's formats and of instruction sets.
+echo "$all" | xargs codespell -L 'rsource,ontext,shold,rcall,te,upto'
+wrong=$?
+
+[ -s tests/words.txt ] || exit 1
+grep -v '^#' tests/words.txt | {
+    while IFS=$(printf '\t') read -r where word better; do
+        case $where in
+        all) files=$all ;;
+        users) files=$read_by_users ;;
+        *) echo "tests/words.txt: all or users is expected: $where"; exit 1 ;;
+        esac
+        echo | grep -E -- "$word" > /dev/null
+        [ $? -lt 2 ] && [ -n "$better" ] || { echo "tests/words.txt: no rule: $word"; exit 1; }
+        # shellcheck disable=SC2086 # files
+        LC_ALL=C.UTF-8 grep -EHIinow -- "$word" $files |
+            awk -v better="$better" '{ print $0 ": better: " better } END { exit NR > 0 }' || wrong=1
+    done
+    exit "$wrong"
+}
