@@ -298,10 +298,10 @@ refuses "report: --tolerance wants a nominal" 2 'tolerance: says how far from no
 # A tenth of an hour at 1 kHz needs no more memory than two minutes (the sanitizer's own is another
 # matter).
 # shellcheck disable=SC3045 # dash and bash know -v
-fits() { (ulimit -v 16000 && exec "$tool" calibrate "$1" --report "$page" > /dev/null); }
+fits() { (ulimit -v 18000 && exec "$tool" calibrate "$1" --report "$page" > /dev/null); }
 if ! grep -q __asan_init "$tool"; then
     "$tool" simulate --rate 1000 --dwell 18 --plan edges > "$work/long.csv"
-    check "report: a short log in 16 MB" fits "$work/outliers.csv"
+    check "report: a short log in 18 MB" fits "$work/outliers.csv"
     check "report: 342,000 samples too" fits "$work/long.csv"
 fi
 
