@@ -327,12 +327,14 @@ void require_quality(const invcal_quality *q, unsigned count)
     REQUIRE(!invcal_improves(q, q));
 }
 
-/* A noise stated counts as four residuals, unless the residuals speak against it: then it counts as none. */
+/* A stated noise counts as four residuals, unless the residuals speak against it: then it does not count. (Repeated
+ * directions leave dof, not sigma_dof.) */
 void require_noise(const invcal_quality *q, invcal_real stated)
 {
     const double least = (double)stated * sqrt(4.0 / (4.0 + q->positions));
 
-    REQUIRE(q->sigma_dof == q->dof || (double)q->noise >= least * (1 - 8 * (double)INVCAL_EPSILON));
+    REQUIRE(q->sigma_dof == q->dof || q->sigma_dof + INVCAL_PARAMETERS == q->positions ||
+            (double)q->noise >= least * (1 - 8 * (double)INVCAL_EPSILON));
 }
 
 void require_direction(const invcal_real up[3])
