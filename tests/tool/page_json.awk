@@ -2,41 +2,9 @@
 #
 # Every figure of a report that the JSON of the same run has is the JSON's, to its last digit; ± is 95 %:
 #
-#     awk -f page_json.awk result.json page.html
+#     awk -f figures.awk -f page_json.awk result.json page.html
 #
 # Says how many figures it has compared, or what differs. (At the stand: stand_page.awk.)
-function strip(text) { gsub(/[][",{} ]/, "", text); return text }
-# A figure of the page, with the decimals or the digits that it has.
-function same(text, value, what,    decimals, d) {
-    gsub(/−/, "-", text)
-    gsub(/ /, " ", text) # no-break spaces
-    sub(/ .*/, "", text)
-    if (text !~ /^[-+]?[0-9]/ || value == "" || value == "null") {
-        print what ": '" text "' beside '" value "'"
-        wrong = 1
-        return
-    }
-    decimals = match(text, /\./) ? length(text) - RSTART : 0
-    d = text - value
-    if (!(d <= 0.501 * 10 ^ -decimals && d >= -0.501 * 10 ^ -decimals)) {
-        print what ": " text " is not " value
-        wrong = 1
-    }
-    count++
-}
-# "VALUE ± SPREAD UNIT"
-function same_spread(cell, value, spread, what,    part) {
-    gsub(/ /, " ", cell) # no-break spaces
-    if (index(cell, "±") == 0) {
-        print what ": no ± in " cell
-        wrong = 1
-        return
-    }
-    split(cell, part, / *± */)
-    same(part[1], value, what)
-    same(part[2], spread, "± of " what)
-}
-function nine(path, r) { return json[path member[int((r - 1) / 3)] "," (r - 1) % 3 + 1] }
 # The first number behind a text.
 function behind(text, words,    at) {
     at = index(text, words)
@@ -44,37 +12,6 @@ function behind(text, words,    at) {
     text = substr(text, at + length(words))
     match(text, /[-+]?[0-9.]+(e[-+]?[0-9]+)?/)
     return substr(text, RSTART, RLENGTH)
-}
-BEGIN {
-    split("x y z", axes, " ")
-    split("offset scale angle", kind, " ")
-    split("xy xz zy", pairs, " ")
-    member[0] = "delta"; member[1] = "dk"; member[2] = "gamma"
-    for (r = 1; r <= 9; r++) {
-        k = int((r - 1) / 3)
-        number[kind[k + 1] " " (k < 2 ? axes[r - 3 * k] : pairs[r - 6])] = r
-        unit[r] = ins ? (k < 2 ? 1e6 : 206264.80624709636) : k == 0 ? 1e3 : k == 1 ? 1e2 : 57.29577951308232
-    }
-    parts = ins ? 1e6 : 1e3
-}
-FNR == 1 { file++ }
-file == 1 {
-    match($0, /^ */)
-    depth = RLENGTH / 2
-    if (/\[$/) item[depth + 1] = 0
-    key = $0
-    if (sub(/": .*/, "", key)) path[depth] = strip(key) "."
-    else if (/\{$/ || $0 ~ /^ *[-0-9]/) path[depth] = ++item[depth] "."
-    name = ""
-    for (i = 1; i <= depth; i++) name = name path[i]
-    sub(/\.$/, "", name)
-    value = $0
-    sub(/^[^:]*: /, "", value)
-    if (value ~ /^\[./) {
-        n = split(value, list, ",")
-        for (i = 1; i <= n; i++) json[name "," i] = strip(list[i])
-    } else json[name] = strip(value)
-    next
 }
 /<h2>/ { section = $0; gsub(/<[^>]*>/, "", section) }
 /<p class="answer/ {

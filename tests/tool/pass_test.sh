@@ -107,7 +107,7 @@ agree() { # LEAST [-v ins=1] -- ARGUMENTS: so many figures of the page are the J
     shift 2
     run calibrate "$@" --json --report "$page"
     [ "$code" -eq 0 ] || complain || return
-    compared=$(awk -v ins="$ins" -f "$here/page_json.awk" "$work/stdout" "$page")
+    compared=$(awk -v ins="$ins" -f "$here/figures.awk" -f "$here/page_json.awk" "$work/stdout" "$page")
     [ "$compared" -ge "$least" ] 2> /dev/null || { echo "    $compared" >&2; return 1; }
 }
 # shellcheck disable=SC2086

@@ -2,63 +2,14 @@
 #
 # Every figure of the section "At the stand" of a page is that of the JSON of the same run, to its last digit:
 #
-#     awk -f stand_page.awk result.json page.html
+#     awk -f figures.awk -f stand_page.awk result.json page.html
 #
 # Says how many figures it has compared, or what differs.
-function strip(text) { gsub(/[][",{} ]/, "", text); return text }
-# A figure of the page, with the decimals that it has.
-function same(text, value, what,    decimals, d) {
-    sub(/−/, "-", text)
-    if (text !~ /^[-+]?[0-9]/) { print what ": " text " is no figure"; wrong = 1; return }
-    decimals = match(text, /\./) ? length(text) - RSTART : 0
-    d = text - value
-    if (!(d <= 0.501 * 10 ^ -decimals && d >= -0.501 * 10 ^ -decimals)) {
-        print what ": " text " is not " value
-        wrong = 1
-    }
-    count++
-}
-# Its ± is 95 %: so many sigma of the JSON.
-function same_with_sigma(cell, value, sigma, wide, what,    part) {
-    split(cell, part, / */)
-    same(part[1], value, what)
-    if (part[2] != "±") { print what ": no sigma in " cell; wrong = 1 }
-    same(part[3], wide * sigma, "± of " what)
-}
-# delta, dk, gamma one behind the other: parameter 1 ... 9 of what stands at a path.
-function nine(path, r) { return json[path member[int((r - 1) / 3)] "," (r - 1) % 3 + 1] }
+function same_with_sigma(cell, value, sigma, wide, what) { same_spread(cell, value, wide * sigma, what) }
 BEGIN {
-    split("x y z", axes, " ")
-    split("offset scale angle", kind, " ")
-    split("xy xz zy", pairs, " ")
-    member[0] = "delta"; member[1] = "dk"; member[2] = "gamma"
-    for (r = 1; r <= 9; r++) {
-        k = int((r - 1) / 3)
-        number[kind[k + 1] " " (k < 2 ? axes[r - 3 * k] : pairs[r - 6])] = r
-        unit[r] = k == 0 ? 1e3 : k == 1 ? 1e2 : 57.29577951308232
-    }
     # which coefficients tell a parameter: group, first, sign, second, sign
     split("2 3 -1 0 0 3 3 1 0 0|1 2 1 0 0 3 2 1 0 0|1 3 1 0 0 2 2 -1 0 0|" \
         "2 1 1 4 -1 3 1 1 4 -1|1 1 1 4 1 3 1 1 4 1|1 1 1 4 -1 2 1 1 4 1", tells, "|")
-}
-FNR == 1 { file++ }
-file == 1 {
-    match($0, /^ */)
-    depth = RLENGTH / 2
-    if (/\[$/) item[depth + 1] = 0
-    key = $0
-    if (sub(/": .*/, "", key)) path[depth] = strip(key) "."
-    else if (/\{$/) path[depth] = ++item[depth] "."
-    name = ""
-    for (i = 1; i <= depth; i++) name = name path[i]
-    sub(/\.$/, "", name)
-    value = $0
-    sub(/^[^:]*: /, "", value)
-    if (value ~ /^\[./) {
-        n = split(value, list, ",")
-        for (i = 1; i <= n; i++) json[name "," i] = strip(list[i])
-    } else json[name] = strip(value)
-    next
 }
 /<h2>At the stand</ { on = 1 }
 /<\/section>/ { on = 0 }

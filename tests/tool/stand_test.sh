@@ -233,7 +233,7 @@ makes_page() { # SENTENCE FILE OPTIONS ...
     check "stand: page of $sentence: every number is one" lacks "$page" '[^a-zA-Z](nan|inf)[^a-zA-Z]'
 }
 figures_are_those_of_json() { # AT LEAST
-    compared=$(awk -f "$here/stand_page.awk" "$work/stdout" "$page")
+    compared=$(awk -f "$here/figures.awk" -f "$here/stand_page.awk" "$work/stdout" "$page")
     [ "$compared" -ge "$1" ] || { echo "    $compared" >&2; return 1; }
 }
 
