@@ -47,6 +47,13 @@ manual() {
         test -z "$(LC_ALL=C.UTF-8 man --warnings -l -Tutf8 "$build/invcal.1" 2>&1 > /dev/null)"
 }
 
+# A file that a slip of the shell has made would be committed, and shipped.
+top_level() {
+    names=$(find . -maxdepth 1 ! -name . ! -name .git ! -name build | sed 's|^./||' | LC_ALL=C sort | tr '\n' ' ')
+    [ "$names" = ".ci .clang-format .clang-tidy .github .gitignore CHANGELOG.md LICENSE Makefile README.md include port src tests " ] ||
+        { echo "$names"; return 1; }
+}
+
 mkdir -p "$build"
 gate "the sources are laid out by .clang-format" layout
 gate "expected.h is what the reference script prints" expected
@@ -55,6 +62,7 @@ if [ -f "$recording" ]; then
     gate "magnetometer.h is what its script prints" magnetometer
 fi
 gate "what releases wrote means what values.py reads" releases
+gate "nothing else stands at the top level" top_level
 gate "shellcheck has nothing against the shell scripts" scripts
 gate "text and comments have no word misspelt, and none of tests/words.txt" sh tests/words.sh
 gate "man and mandoc have nothing against the manual" manual

@@ -2,7 +2,6 @@
 #include "calibrate/refuse.h"
 
 #include <math.h>
-#include <stdarg.h>
 #include <string.h>
 
 #include "cli/command.h"
@@ -11,24 +10,12 @@
 #include "fit/rejection.h"
 #include "result/faces.h"
 #include "stand/tell.h"
+#include "text/append.h"
 
 #define GOOD 12u          /* positions */
 #define SLOW 25.0         /* samples a second: shorter rests would do, if they were found */
 #define LISTED 10u        /* rests that are named */
 #define FEW_SAMPLES 1000u /* more rows than anybody has positions */
-
-/* Adds to a clause. */
-static void add(char text[REFUSAL_MAX], const char *format, ...) MESSAGE_FORMAT(2, 3);
-
-static void add(char text[REFUSAL_MAX], const char *format, ...)
-{
-    const size_t length = strlen(text);
-    va_list arguments;
-
-    va_start(arguments, format);
-    vsnprintf(text + length, REFUSAL_MAX - length, format, arguments);
-    va_end(arguments);
-}
 
 static const char *status_name(invcal_status status)
 {
@@ -79,17 +66,17 @@ static void add_remedy(const rests_summary *log, int is_none, char text[REFUSAL_
     const unsigned brief = refused_for(log, INVCAL_REST_SHORT) + refused_for(log, INVCAL_REST_GAP);
 
     if (!log->is_rate_known) {
-        add(text,
-            "%sthe log tells no times, so %.3g samples a second are a guess: state --rate, and "
-            "hold each "
-            "position still for 3 s or longer, below 25 samples a second for %u samples",
-            *text ? "; " : "", log->rate, RESTS_SAMPLES);
+        append(text, REFUSAL_MAX,
+               "%sthe log tells no times, so %.3g samples a second are a guess: state --rate, and "
+               "hold each "
+               "position still for 3 s or longer, below 25 samples a second for %u samples",
+               *text ? "; " : "", log->rate, RESTS_SAMPLES);
     } else if (brief > 0 || is_none) {
-        add(text, "%shold each position still for %.2g s or longer", *text ? "; " : "",
-            rests_least(log->rate) + 1);
+        append(text, REFUSAL_MAX, "%shold each position still for %.2g s or longer",
+               *text ? "; " : "", rests_least(log->rate) + 1);
     }
     if (log->is_rate_known ? log->rate < SLOW && (brief > 0 || is_none) : is_none) {
-        add(text, ", or average each yourself and add --positions");
+        append(text, REFUSAL_MAX, ", or average each yourself and add --positions");
     }
 }
 
@@ -107,15 +94,15 @@ static unsigned add_refused(const rests_summary *log, char text[REFUSAL_MAX])
         const invcal_status why = (invcal_status)(INVCAL_REST_SHORT + i);
         const char *before = " (near line ";
         if (log->refused[i] > 0) {
-            add(text, "; refused %u: %s", log->refused[i], rests_reason_text(why));
+            append(text, REFUSAL_MAX, "; refused %u: %s", log->refused[i], rests_reason_text(why));
         }
         for (unsigned k = 0; k < told; k++) {
             if (log->refusal[k].why == why) {
-                add(text, "%s%lu", before, log->refusal[k].line);
+                append(text, REFUSAL_MAX, "%s%lu", before, log->refusal[k].line);
                 before = ", ";
             }
         }
-        add(text, "%s", *before == ',' ? ")" : "");
+        append(text, REFUSAL_MAX, "%s", *before == ',' ? ")" : "");
     }
     return refused;
 }
@@ -125,8 +112,8 @@ static void add_rests(const positions *data, refusal *why)
 {
     for (unsigned i = 0; i < data->count && i < LISTED; i++) {
         const position_origin *o = &data->origin[i];
-        add(why->reason, "%s line %lu, %.3g to %.3g s (%.2g s)", i ? ";" : "; found:", o->line,
-            o->begin, o->end, o->end - o->begin);
+        append(why->reason, REFUSAL_MAX, "%s line %lu, %.3g to %.3g s (%.2g s)",
+               i ? ";" : "; found:", o->line, o->begin, o->end, o->end - o->begin);
     }
     const unsigned refused = add_refused(data->rests, why->reason);
     add_remedy(data->rests, data->count + refused == 0, why->remedy);
@@ -239,10 +226,10 @@ static void offer_six_faces(const calibrate_result *r, invcal_status status, ref
 {
     if ((status == INVCAL_TOO_FEW || status == INVCAL_UNDETERMINED) &&
         faces_would_do(r->data, &r->settings)) {
-        add(why->remedy,
-            ". These do for offsets and scales: --six-faces takes the angles from a data sheet. "
-            "Six more tell everything: %s",
-            FACES_EDGES);
+        append(why->remedy, REFUSAL_MAX,
+               ". These do for offsets and scales: --six-faces takes the angles from a data sheet. "
+               "Six more tell everything: %s",
+               FACES_EDGES);
     }
 }
 
@@ -288,15 +275,17 @@ int calibrate_no_rest(calibrate_result *r)
     char least[16];
 
     snprintf(least, sizeof least, "%.2g", rests_least(log->rate));
-    add(why->reason, "no rest of %s seconds in %lu samples, %.6g s at %.6g samples a second%s",
-        strcmp(least, "2") == 0 ? "two" : least, log->samples, log->seconds, log->rate,
-        log->is_rate_known ? "" : " (a guess)");
+    append(why->reason, REFUSAL_MAX,
+           "no rest of %s seconds in %lu samples, %.6g s at %.6g samples a second%s",
+           strcmp(least, "2") == 0 ? "two" : least, log->samples, log->seconds, log->rate,
+           log->is_rate_known ? "" : " (a guess)");
     if (log->gaps > 0) {
-        add(why->reason, "; %lu gaps", log->gaps);
+        append(why->reason, REFUSAL_MAX, "; %lu gaps", log->gaps);
     }
     add_rests(r->data, why);
     if (log->samples < FEW_SAMPLES) {
-        add(why->remedy, "; if each row is the mean of a position, add --positions");
+        append(why->remedy, REFUSAL_MAX,
+               "; if each row is the mean of a position, add --positions");
     }
     why->wants_positions = 1;
     return EXIT_DATA;
@@ -306,11 +295,12 @@ int calibrate_no_case(calibrate_result *r, invcal_status status)
 {
     refusal *why = begin(r, "angles", 0);
 
-    add(why->reason, "--case: %s",
-        status == INVCAL_TOO_FEW ? "none of the positions kept was stated"
-        : r->frame.is_level ? "the way up that was stated is nearly opposite to the one measured"
-                            : "the ways up that were stated do not fit the positions");
-    add(why->remedy, "state them in the order of the log, with no axis of the case mirrored");
+    append(why->reason, REFUSAL_MAX, "--case: %s",
+           status == INVCAL_TOO_FEW ? "none of the positions kept was stated"
+           : r->frame.is_level ? "the way up that was stated is nearly opposite to the one measured"
+                               : "the ways up that were stated do not fit the positions");
+    append(why->remedy, REFUSAL_MAX,
+           "state them in the order of the log, with no axis of the case mirrored");
     return EXIT_DATA;
 }
 
@@ -320,17 +310,19 @@ int calibrate_no_axes(calibrate_result *r)
     refusal *why = begin(r, "angles", 0);
 
     if (d->answer == DIP_NO_ACCELEROMETER) {
-        add(why->reason,
-            "the log has no columns of an accelerometer (ax ay az) beside those of the "
-            "magnetometer");
+        append(why->reason, REFUSAL_MAX,
+               "the log has no columns of an accelerometer (ax ay az) beside those of the "
+               "magnetometer");
     } else if (d->answer == DIP_UNEVEN) {
-        add(why->reason,
-            "the accelerometer has its usual length, within 10 %%, in %lu of %lu instants only",
-            d->used, d->of);
-        add(why->remedy, "correct it by its own calibration (--with CAL.json), and turn slowly");
+        append(why->reason, REFUSAL_MAX,
+               "the accelerometer has its usual length, within 10 %%, in %lu of %lu instants only",
+               d->used, d->of);
+        append(why->remedy, REFUSAL_MAX,
+               "correct it by its own calibration (--with CAL.json), and turn slowly");
     } else {
-        add(why->reason, "the log leaves open how the axes are turned against the accelerometer's");
-        add(why->remedy, "turn it about all axes, slowly");
+        append(why->reason, REFUSAL_MAX,
+               "the log leaves open how the axes are turned against the accelerometer's");
+        append(why->remedy, REFUSAL_MAX, "turn it about all axes, slowly");
     }
     return EXIT_DATA;
 }
@@ -341,13 +333,15 @@ int calibrate_refuse_waved(calibrate_result *r)
     refusal *why = begin(r, status_name(log->status), (1u << INVCAL_PARAMETERS) - 1);
 
     if (log->status == INVCAL_TOO_FEW || log->status == INVCAL_UNDETERMINED) {
-        add(why->reason, "%lu samples, all in a few directions", log->samples);
-        add(why->remedy, "wave it for a minute so that every side of the case has pointed along "
-                         "the field, which "
-                         "points north and steeply down in Europe and North America");
+        append(why->reason, REFUSAL_MAX, "%lu samples, all in a few directions", log->samples);
+        append(why->remedy, REFUSAL_MAX,
+               "wave it for a minute so that every side of the case has pointed along "
+               "the field, which "
+               "points north and steeply down in Europe and North America");
     } else {
-        add(why->reason, "the samples lie on no ellipsoid");
-        add(why->remedy, "look for wrong columns, and for iron or a magnet near by");
+        append(why->reason, REFUSAL_MAX, "the samples lie on no ellipsoid");
+        append(why->remedy, REFUSAL_MAX,
+               "look for wrong columns, and for iron or a magnet near by");
     }
     return EXIT_DATA;
 }

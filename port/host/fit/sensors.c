@@ -3,9 +3,9 @@
 
 #include <ctype.h>
 #include <math.h>
-#include <stdarg.h>
 #include <string.h>
 
+#include "text/append.h"
 #include "text/figure.h"
 #include "text/nearest.h"
 #include "text/unit.h"
@@ -150,16 +150,6 @@ static const sensor sensors[] = {
 };
 
 #define SENSORS (sizeof sensors / sizeof sensors[0])
-
-static void append(char *text, size_t size, const char *format, ...)
-{
-    const size_t length = strlen(text);
-    va_list arguments;
-
-    va_start(arguments, format);
-    vsnprintf(text + length, size - length, format, arguments);
-    va_end(arguments);
-}
 
 /* ---- which one --------------------------------------------------------------------------------- */
 

@@ -2,13 +2,13 @@
 #define _POSIX_C_SOURCE 200809L
 #include "read/columns.h"
 
-#include <stdarg.h>
 #include <string.h>
 #include <strings.h>
 
 #include "cli/command.h"
 #include "cli/message.h"
 #include "read/chosen.h"
+#include "text/append.h"
 #include "text/number.h"
 #include "text/plain.h"
 
@@ -832,19 +832,6 @@ int columns_check_instance(const table *t, columns *where)
 }
 
 /* ---- in words ----------------------------------------------------------------------------------- */
-
-/* Puts more behind a text; what is too long is cut off. */
-static void append(char *text, size_t size, const char *format, ...) MESSAGE_FORMAT(3, 4);
-
-static void append(char *text, size_t size, const char *format, ...)
-{
-    const size_t length = strlen(text);
-    va_list arguments;
-
-    va_start(arguments, format);
-    vsnprintf(text + length, size - length, format, arguments);
-    va_end(arguments);
-}
 
 static void append_layout(const recognition *seen, char *text, size_t size)
 {

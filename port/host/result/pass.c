@@ -3,13 +3,13 @@
 
 #include <ctype.h>
 #include <math.h>
-#include <stdarg.h>
 #include <string.h>
 
 #include "cli/message.h"
 #include "design/parameters.h"
 #include "result/faces.h"
 #include "result/need.h"
+#include "text/append.h"
 #include "text/figure.h"
 #include "text/number.h"
 
@@ -67,25 +67,12 @@ pass pass_judge(const calibrate_result *r)
 
 /* ---- in words ---------------------------------------------------------------------------------- */
 
-/* Adds to a text as long as there is room. */
-static void add(char text[PASS_MAX], const char *format, ...) MESSAGE_FORMAT(2, 3);
-
-static void add(char text[PASS_MAX], const char *format, ...)
-{
-    const size_t length = strlen(text);
-    va_list arguments;
-
-    va_start(arguments, format);
-    vsnprintf(text + length, PASS_MAX - length, format, arguments);
-    va_end(arguments);
-}
-
 /* "rough", ... */
 static void add_verdict(const calibrate_result *r, char text[PASS_MAX])
 {
     const char *word = verdict_word(r);
 
-    add(text, "%c%s", tolower((unsigned char)word[0]), word + 1);
+    append(text, PASS_MAX, "%c%s", tolower((unsigned char)word[0]), word + 1);
 }
 
 /* Why it is called that. */
@@ -95,11 +82,12 @@ static void add_cause(const calibrate_result *r, char text[PASS_MAX])
     char list[128];
 
     if (r->quality.verdict == INVCAL_WEAK) {
-        add(text, ": %s badly determined", parameters_list(r->quality.weak, list, sizeof list));
+        append(text, PASS_MAX, ": %s badly determined",
+               parameters_list(r->quality.weak, list, sizeof list));
     } else if (r->quality.verdict == INVCAL_NO_REDUNDANCY) {
-        add(text, ": no position is left to check it");
+        append(text, PASS_MAX, ": no position is left to check it");
     } else {
-        add(text, ": %s", verdict_cause(r, cause));
+        append(text, PASS_MAX, ": %s", verdict_cause(r, cause));
     }
 }
 
@@ -109,9 +97,9 @@ static void add_need(const calibrate_result *r, char text[PASS_MAX])
     char reached[FIGURE_MAX];
     char wanted[FIGURE_MAX];
 
-    add(text, "%s within %s of %s %s", calibrate_is_gravity(r) ? "|a|" : "length",
-        figure_digits(scale * need_reached(r), 2, reached),
-        figure_digits(scale * r->need / r->settings.field, 2, wanted), r->need_unit.unit);
+    append(text, PASS_MAX, "%s within %s of %s %s", calibrate_is_gravity(r) ? "|a|" : "length",
+           figure_digits(scale * need_reached(r), 2, reached),
+           figure_digits(scale * r->need / r->settings.field, 2, wanted), r->need_unit.unit);
 }
 
 static void add_limit(const calibrate_result *r, unsigned parameter, double limit,
@@ -127,10 +115,10 @@ static void add_limit(const calibrate_result *r, unsigned parameter, double limi
     char reached[FIGURE_MAX];
     char allowed[FIGURE_MAX];
 
-    add(text, "%s up to %s of %s%s%s", parameter_words(parameter),
-        figure_digits(told.scale * greatest(r, parameter), digits, reached),
-        figure_digits(told.scale * limit, digits, allowed),
-        strcmp(told.unit, degrees.unit) == 0 ? "" : " ", told.unit);
+    append(text, PASS_MAX, "%s up to %s of %s%s%s", parameter_words(parameter),
+           figure_digits(told.scale * greatest(r, parameter), digits, reached),
+           figure_digits(told.scale * limit, digits, allowed),
+           strcmp(told.unit, degrees.unit) == 0 ? "" : " ", told.unit);
 }
 
 const char *pass_text(const calibrate_result *r, char text[PASS_MAX])
@@ -141,28 +129,28 @@ const char *pass_text(const calibrate_result *r, char text[PASS_MAX])
 
     snprintf(text, PASS_MAX, "%s:", p.is_passed ? "PASS" : "FAIL");
     if (!is_good(r)) {
-        add(text, " the verdict is ");
+        append(text, PASS_MAX, " the verdict is ");
         add_verdict(r, text);
     }
     if (!is_known) {
-        add(text, "%s nothing tells the noise, and so how exact this is (--noise)",
-            is_good(r) ? "" : ";");
+        append(text, PASS_MAX, "%s nothing tells the noise, and so how exact this is (--noise)",
+               is_good(r) ? "" : ";");
     }
     if (is_known && r->need > 0) {
-        add(text, "%s ", is_good(r) ? "" : ";");
+        append(text, PASS_MAX, "%s ", is_good(r) ? "" : ";");
         add_need(r, text);
     }
     if (is_known && p.limited) {
-        add(text, "%s ", is_good(r) && !(r->need > 0) ? "" : ";");
+        append(text, PASS_MAX, "%s ", is_good(r) && !(r->need > 0) ? "" : ";");
         add_limit(r, p.nearest, p.limit[p.nearest], text);
         for (unsigned i = 0; i < INVCAL_PARAMETERS; i++) {
             others += i != p.nearest && (p.failed >> i & 1u);
         }
     }
     if (others > 0) {
-        add(text, " and %u more", others);
+        append(text, PASS_MAX, " and %u more", others);
     }
-    add(text, "%s.", is_known ? " (95 %)" : "");
+    append(text, PASS_MAX, "%s.", is_known ? " (95 %)" : "");
     return text;
 }
 
@@ -174,12 +162,12 @@ const char *pass_strict(const calibrate_result *r, char text[PASS_MAX])
     text[0] = '\0';
     if (p.is_asked && !p.is_passed) {
         (void)pass_text(r, text);
-        add(text, "%s%s", r->need > 0 && *need_advice(r, advice) ? " " : "",
-            r->need > 0 ? advice : "");
+        append(text, PASS_MAX, "%s%s", r->need > 0 && *need_advice(r, advice) ? " " : "",
+               r->need > 0 ? advice : "");
         return text;
     }
     if (!is_good(r)) {
-        add(text, "the verdict is ");
+        append(text, PASS_MAX, "the verdict is ");
         add_verdict(r, text);
         add_cause(r, text);
     }
