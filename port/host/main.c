@@ -42,7 +42,7 @@ static void print_help(void)
     static const char *const head[] = {
         "usage: invcal COMMAND ...\n"
         "\n"
-        "Calibrates accelerometer triads from rest positions, by gravity alone.\n"
+        "Calibrates accelerometer triads from static positions, by gravity alone.\n"
         "\n",
         NULL};
     static const char *const tail[] = {
@@ -56,9 +56,8 @@ static void print_help(void)
         wrapped_printf(stdout, 14, "  %-12s%s", commands[i]->name, commands[i]->purpose);
     }
     putchar('\n');
-    wrapped_printf(stdout, 28,
-                   "  invcal COMMAND --help     what it is for, the common options, an example");
-    wrapped_printf(stdout, 28, "  invcal COMMAND --help all all of it");
+    wrapped_printf(stdout, 28, "  invcal COMMAND --help     purpose, common options, an example");
+    wrapped_printf(stdout, 28, "  invcal COMMAND --help all everything");
     wrapped_printf(stdout, 28, "  invcal help COMMAND [all] the same");
     wrapped_printf(stdout, 28, "  invcal --version          the version");
     help_print(stdout, tail);
@@ -96,7 +95,7 @@ static int print_help_of(const tool_command *c, help_wish wish)
         help_print(stdout, c->help);
     } else {
         help_print(stdout, c->brief);
-        printf("\nAll options, and more of each: invcal %s --help all\n", c->name);
+        printf("\nAll options, in detail: invcal %s --help all\n", c->name);
     }
     return EXIT_GOOD;
 }

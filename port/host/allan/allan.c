@@ -88,11 +88,11 @@ static int read_taus(request *r)
 static int read_unit(request *r)
 {
     if (r->value[UNIT] && !unit_parse(r->value[UNIT], &r->wish.unit)) {
-        return message_usage(syntax.command, "--unit %s: is none of g, mg, m/s2, counts",
+        return message_usage(syntax.command, "--unit %s: must be g, mg, m/s2 or counts",
                              r->value[UNIT]);
     }
     if (r->value[UNIT] && r->value[LSB]) {
-        return message_usage(syntax.command, "--lsb: tells the unit itself; leave out --unit");
+        return message_usage(syntax.command, "--lsb: states the unit; leave out --unit");
     }
     return EXIT_GOOD;
 }
@@ -187,40 +187,41 @@ static int run(int argc, char **argv)
 static const char *const help[] = {
     "usage: invcal allan LOG [options]\n"
     "\n"
-    "Tells how long to hold each position: from a log at rest, of some minutes or hours, the "
-    "Allan\n"
-    "deviation of each axis, and what its noise is made of: white noise N, bias instability B,\n"
-    "rate random walk K, where they are visible. After a time tau in a position its mean is good "
-    "to\n"
+    "Shows how long to hold each position, from a log at rest of some minutes or hours: the\n"
+    "Allan deviation of each axis, and the components of its noise where they are visible:\n"
+    "white noise N, bias instability B, rate random walk K. After a time tau in a position,\n"
+    "the standard deviation of its mean is\n"
     "\n"
     "  sqrt(N^2 / tau + 0.441 B^2 + K^2 tau / 3)\n"
     "\n"
-    "LOG is a table of samples as invcal calibrate reads it, - the standard input; it must be at\n"
-    "rest, and neither averaged nor filtered. Results are in m/s^2 if the unit of the readings is\n"
-    "known, by the header, --unit or --lsb, else in input units.\n"
-    "\n" CHOSEN_OPTION,
-    "  --rate HZ           samples a second, any above 0; default: by the times in LOG\n"
-    "  --tau T1,T2,...     averaging times in seconds, ascending, multiples of the sample "
-    "interval\n"
-    "                      (above 4096 samples of a power of two of them); default: octaves\n"
-    "  --apart             one window begins where another ends; default: they overlap, which\n"
-    "                      tells more\n"
-    "  --sigma S           what the mean of a position is to be good to, in the unit of the "
-    "result;\n"
-    "                      default: as good as can be\n"
-    "  --unit U            unit of the readings: g, mg, m/s2 or counts; default: by the header\n"
+    "LOG is a table of samples as for invcal calibrate; - reads the standard input. The\n"
+    "sensor must be at rest, and the samples neither averaged nor filtered. Results are in\n"
+    "m/s^2 if the unit of the readings is known, from the header, --unit or --lsb, else in\n"
+    "input units.\n"
+    "\n",
+    CHOSEN_OPTION,
+    "  --rate HZ           samples per second, any above 0; default: from the times in LOG\n"
+    "  --tau T1,T2,...     averaging times in seconds, ascending, multiples of the sample\n"
+    "                      interval (above 4096 samples, of a power of two of them); default:\n"
+    "                      octaves\n"
+    "  --apart             windows do not overlap: one begins where another ends; default:\n"
+    "                      they overlap, which is more accurate\n"
+    "  --sigma S           required standard deviation of a position mean, in the unit of the\n"
+    "                      result; default: as good as possible\n"
+    "  --unit U            unit of the readings: g, mg, m/s2 or counts; default: from the\n"
+    "                      header\n"
     "  --lsb S             field units per input unit\n"
     "  --gravity G         length of the field, in field units; default 9.80665 (m/s^2)\n"
-    "  --from T            uses only what comes T seconds after the first sample, or later\n"
-    "  --to T              and what comes before\n",
-    "  --out NOISE.json    write the result to a file, as JSON, for invcal plan --allan\n"
-    "  --report R.html     write a page with the verdict, figures and a chart: one file that\n"
-    "                      needs nothing else, for screen and paper\n"
-    "  --json              print the result as JSON in place of the table\n"
+    "  --from T            use only samples from T seconds after the first on\n"
+    "  --to T              and only those before T\n"
+    "  --out NOISE.json    write the result as JSON, for invcal plan --allan\n"
+    "  --report R.html     write a page with the verdict, figures and a chart: one\n"
+    "                      self-contained file, for screen and paper\n"
+    "  --json              print the result as JSON instead of the table\n"
     "  --quiet             print neither table nor progress, only errors\n"
     "\n"
-    "exit codes: 0 good; 1 LOG moves or is too short; 2 usage; 3 LOG unreadable or malformed, or\n"
-    "the output not writable\n"
+    "exit codes: 0 good; 1 LOG moves or is too short; 2 usage; 3 LOG unreadable or malformed,\n"
+    "or the output not writable\n"
     "\n"
     "example:\n"
     "  invcal simulate --plan faces --dwell 300 > rest.csv\n"
@@ -230,23 +231,22 @@ static const char *const help[] = {
 static const char *const brief[] = {
     "usage: invcal allan LOG [options]\n"
     "\n"
-    "Tells how long to hold each position, and what the noise of a sensor is made of: from a log "
-    "at rest,\n"
-    "of some minutes or hours, neither averaged nor filtered.\n"
+    "Shows how long to hold each position, and the components of the sensor's noise: from a\n"
+    "log at rest, of some minutes or hours, neither averaged nor filtered.\n"
     "\n"
-    "  --rate HZ           samples a second; default: by the times in LOG\n"
+    "  --rate HZ           samples per second; default: from the times in LOG\n"
     "  --unit U            unit of the readings: g, mg, m/s2 or counts\n"
     "  --lsb S             field units per input unit\n"
-    "  --sigma S           what the mean of a position is to be good to\n"
-    "  --from T, --to T    seconds after the first sample: uses only what lies between\n"
+    "  --sigma S           required standard deviation of a position mean\n"
+    "  --from T, --to T    use only the samples between, seconds after the first\n"
     "  --out NOISE.json    write the result to a file, for invcal plan --allan\n"
     "  --report R.html     write a page with the verdict, figures and a chart\n"
-    "  --json              print the result as JSON in place of the table\n"
+    "  --json              print the result as JSON instead of the table\n"
     "\n"
     "example:\n"
     "  invcal simulate --plan faces --dwell 300 > rest.csv\n"
     "  invcal allan rest.csv --to 299 --lsb 0.0006 --sigma 0.0005 --out noise.json\n",
     NULL};
 
-const tool_command allan_command = {"allan", "noise of a log at rest, and how long to hold still",
-                                    help, run, brief};
+const tool_command allan_command = {
+    "allan", "measure the noise at rest, and how long to hold still", help, run, brief};

@@ -208,7 +208,7 @@ static void draw_dwell(FILE *file, const plot *p)
 
 static void draw_legend(FILE *file, const allan_result *r)
 {
-    char text[TEXT_MAX] = "one noise alone, slope";
+    char text[TEXT_MAX] = "one component, slope";
     const char *comma = "";
 
     for (unsigned i = 0; i < 3; i++) {
@@ -237,7 +237,7 @@ static void describe(const allan_result *r, char *text, size_t size)
 
     snprintf(text, size,
              "Allan deviation of x, y and z against averaging time, both logarithmic. That of %s "
-             "goes from %.60s at %.4g s to %.60s at %.4g s; the least is %.60s at %.4g s. The "
+             "goes from %.60s at %.4g s to %.60s at %.4g s; the minimum is %.60s at %.4g s. The "
              "recommended dwell is %.4g s.",
              traces[w].name, allan_deviation(r, r->row[0].adev[w], first), r->row[0].seconds,
              allan_deviation(r, r->row[r->rows - 1].adev[w], last), r->row[r->rows - 1].seconds,

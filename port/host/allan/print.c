@@ -15,10 +15,10 @@ static void print_source(FILE *file, const allan_result *r, const allan_wish *wi
 
     wrapped_printf(file, 0, "%s: %s", plain_copy(r->name, name),
                    columns_describe(&r->seen, seen, sizeof seen));
-    wrapped_printf(file, 0, "%lu samples, %.6g s at %.6g samples a second, %lu gap%s", r->samples,
+    wrapped_printf(file, 0, "%lu samples, %.6g s at %.6g samples per second, %lu gap%s", r->samples,
                    (double)r->samples / r->rate, r->rate, r->gaps, r->gaps == 1 ? "" : "s");
     wrapped_printf(file, 0, "Allan deviation, %s, %s",
-                   wish->is_apart ? "of windows apart" : "overlapping", r->unit);
+                   wish->is_apart ? "non-overlapping" : "overlapping", r->unit);
     putc('\n', file);
 }
 
@@ -55,7 +55,7 @@ static void add_line(const allan_result *r, const allan_line *line)
             tabular_cell("%s", figure_digits(n->coefficient[line->kind] / line->scale, 4, text));
             relative = fmax(relative, n->relative[line->kind]);
         } else {
-            tabular_cell("not seen");
+            tabular_cell("not visible");
         }
     }
     tabular_cell("%s", relative > 0 ? figure_digits(100 * relative, 2, text) : "");
@@ -72,7 +72,7 @@ static void add_minimum(const allan_result *r)
         tabular_cell("%s", figure_digits(deviation, 3, text));
     }
     tabular_row();
-    tabular_cell("it is at tau, s");
+    tabular_cell("at tau, s");
     for (unsigned i = 0; i < 3; i++) {
         tabular_cell("%.4g", r->noise[i].best);
     }
@@ -101,7 +101,7 @@ void allan_print(FILE *file, const allan_result *r, const allan_wish *wish)
     print_rows(file, r);
     print_noise(file, r);
     if (*allan_misfits(r, text)) {
-        wrapped_printf(file, 0, "%sMore than this noise:%s on %s %s", paint_on(file, PAINT_YELLOW),
+        wrapped_printf(file, 0, "%sNot only this noise:%s on %s %s", paint_on(file, PAINT_YELLOW),
                        paint_off(file), text, allan_misfit_words);
     }
     wrapped_printf(file, 0, "%s%s%s", paint_on(file, PAINT_GREEN), allan_advice(r, wish, text),

@@ -35,7 +35,7 @@ static uint32_t stride_of(uint32_t m)
 
 static int refuse_tau(double tau, double rate, const char *what, double interval)
 {
-    return message_usage("allan", "--tau: %.9g s at %.9g samples a second %s %.9g s", tau, rate,
+    return message_usage("allan", "--tau: %.9g s at %.9g samples per second %s %.9g s", tau, rate,
                          what, interval);
 }
 
@@ -45,7 +45,7 @@ static int find_length(double tau, double rate, uint32_t *m)
     const double length = nearbyint(tau * rate);
 
     if (!(length >= 1) || fabs(tau * rate - length) > WITHIN_TAU * length) {
-        return refuse_tau(tau, rate, "is no multiple of the interval,", 1 / rate);
+        return refuse_tau(tau, rate, "is not a multiple of the interval,", 1 / rate);
     }
     if (!(length <= INVCAL_ALLAN_LONGEST)) {
         return refuse_tau(tau, rate, "is beyond", INVCAL_ALLAN_LONGEST / rate);
@@ -127,10 +127,10 @@ static int check_rest(const allan_result *r)
     motion_place where;
 
     if (motion_find(&watched, &where)) {
-        message("%s:%lu: not at rest: at %.6g s the readings of %c %s; state the part that is "
+        message("%s:%lu: not at rest: at %.6g s the readings of %c %s; choose the part at rest "
                 "with --from and --to",
                 r->name, where.line, where.clock, "xyz"[where.axis],
-                where.is_shaking ? "scatter far more than elsewhere" : "go to another place");
+                where.is_shaking ? "scatter far more than elsewhere" : "change their level");
         return EXIT_DATA;
     }
     return EXIT_GOOD;
@@ -186,7 +186,7 @@ static int find_noise(allan_result *r, double unit)
     for (unsigned i = 0; i < 3; i++) {
         invcal_noise *n = &r->noise[i];
         if (r->samples > 1 && motion_is_frozen(&watched, i)) {
-            message("%s: %c never changes: its noise is less than a count, or it is not read",
+            message("%s: %c never changes: its noise is less than one count, or it is not read",
                     r->name, "xyz"[i]);
             return EXIT_DATA;
         }
@@ -250,8 +250,7 @@ static int find_dwells(allan_result *r, double wanted)
 {
     for (unsigned i = 0; i < 3; i++) {
         if (find_dwell(&r->noise[i], wanted, &r->dwell[i])) {
-            message("%s: --sigma %.6g: %c would need more time than can be told", r->name, wanted,
-                    "xyz"[i]);
+            message("%s: --sigma %.6g: %c would need too long a time", r->name, wanted, "xyz"[i]);
             return EXIT_DATA;
         }
         if (is_worse(&r->dwell[i], &r->dwell[r->worst])) {
@@ -280,7 +279,7 @@ int allan_read(allan_result *r, const allan_wish *wish)
 
     *r = (allan_result){.name = log_read.table.name, .rate = log_read.rate};
     if (!failure && !log_read.is_rate_known) {
-        failure = message_usage("allan", "--rate: is needed, %s tells no times", r->name);
+        failure = message_usage("allan", "--rate: is needed, because %s has no times", r->name);
     }
     failure = failure ? failure : begin_streams(wish, r->rate);
     failure = failure ? failure : read_all(r, wish);

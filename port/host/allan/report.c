@@ -25,9 +25,9 @@ static void write_verdict(page *p, const allan_result *r, const allan_wish *wish
     allan_advice(r, wish, sentence);
     allan_next(r, next);
     if (is_short) {
-        page_verdict(p, PAGE_BAD, "✗ Not as good as wanted", sentence, next);
+        page_verdict(p, PAGE_BAD, "✗ Not reached", sentence, next);
     } else if (*allan_misfits(r, axes) || d->end == ALLAN_BEYOND) {
-        page_verdict(p, PAGE_CAUTION, "! With care", sentence, next);
+        page_verdict(p, PAGE_CAUTION, "! Caution", sentence, next);
     } else {
         page_verdict(p, PAGE_GOOD, "✓ Good", sentence, next);
     }
@@ -44,7 +44,7 @@ static void write_figures(page *p, const allan_result *r)
     page_figure(p, plan_time_text(d->seconds, time), "in each position");
     page_figure(p, allan_deviation(r, d->sigma, text), "σ of its mean, worst axis");
     page_figure(p, allan_deviation(r, invcal_noise_sigma(n, 1), text), "after one second");
-    page_figure(p, allan_deviation(r, n->minimum, text), "the least seen");
+    page_figure(p, allan_deviation(r, n->minimum, text), "minimum");
     page_figures_end(p);
 }
 
@@ -57,11 +57,11 @@ static void write_chart(page *p, const allan_result *r)
 {
     char axes[ALLAN_WORDS_MAX];
 
-    page_section(p, "How good a mean becomes");
+    page_section(p, "Accuracy of a mean");
     page_picture(p,
-                 "Markers: measured, with one standard deviation. Curves: the model of the three "
-                 "kinds of noise. Dashed: each kind alone, of the axis that sets the dwell; white "
-                 "noise falls, bias instability stays, a random walk rises.",
+                 "Markers: measured, with one standard deviation. Curves: the model with three "
+                 "components. Dashed: each component alone, for the axis that sets the dwell; "
+                 "white noise falls, bias instability is flat, a random walk rises.",
                  draw, r);
     if (*allan_misfits(r, axes)) {
         page_say(p, "The model does not explain %s: %s.", axes, allan_misfit_words);
@@ -88,7 +88,7 @@ static void write_noise(page *p, const allan_result *r)
     static const char *const headings[COLUMNS] = {"", "x", "y", "z"};
     const page_table sheet = {"Coefficients of the model, ± one standard deviation.", headings,
                               COLUMNS, 0};
-    page_section(p, "What the noise is made of");
+    page_section(p, "Components of the noise");
     page_table_begin(p, &sheet);
     for (unsigned k = 0; k < ALLAN_LINES; k++) {
         if (allan_has_line(r, &allan_lines[k])) {
@@ -97,7 +97,7 @@ static void write_noise(page *p, const allan_result *r)
     }
     page_table_end(p);
     page_note(p, "σ² of a mean over τ is N²/τ + 0.441 B² + K² τ/3. Over a session of many "
-                 "positions B and K do more, which invcal plan --allan takes into account.");
+                 "positions, B and K contribute more; invcal plan --allan accounts for that.");
 }
 
 /* ---- numbers and origin ------------------------------------------------------------------------ */
@@ -145,11 +145,11 @@ static void write_origin(page *p, const allan_result *r, const allan_wish *wish)
     page_fact(p, "read as", "%s", columns_describe(&r->seen, seen, sizeof seen));
     page_literal(p, "command", wish->command);
     page_fact(p, "invcal", "%s", INVCAL_VERSION);
-    page_fact(p, "samples", "%lu from %.6g s to %.6g s, at %.6g a second, %lu gaps", r->samples,
+    page_fact(p, "samples", "%lu from %.6g s to %.6g s, at %.6g per second, %lu gaps", r->samples,
               r->from, r->to, r->rate, r->gaps);
     page_fact(p, "estimator", "%s",
               wish->is_apart
-                  ? "windows apart (NIST SP 1065, 5.2.2)"
+                  ? "non-overlapping (NIST SP 1065, 5.2.2)"
                   : "overlapping (NIST SP 1065, 5.2.4); above 4096 samples 2048 times or more");
     if (r->gravity > 0) {
         page_fact(p, "field", "%.9g %s", r->gravity, r->unit);

@@ -15,11 +15,11 @@ const char *const allan_kinds[INVCAL_NOISE_KINDS] = {"white noise", "bias instab
                                                      "rate random walk"};
 
 const char allan_misfit_words[] =
-    "something else is there: a filter in the sensor, vibration, a drift, or steps of whole counts";
+    "the model does not fit: a filter in the sensor, vibration, a drift, or steps of whole counts";
 
 const char *allan_estimator(const allan_wish *wish)
 {
-    return wish->is_apart ? "windows apart" : "overlapping";
+    return wish->is_apart ? "non-overlapping" : "overlapping";
 }
 
 const char *allan_deviation(const allan_result *r, double deviation, char text[ALLAN_WORDS_MAX])
@@ -106,24 +106,21 @@ const char *allan_advice(const allan_result *r, const allan_wish *wish, char tex
     plan_time_text(d->seconds, time);
     allan_deviation(r, d->sigma, sigma);
     if (d->end == ALLAN_LONGEST) {
-        snprintf(
-            text, ALLAN_WORDS_MAX,
-            "Hold each position as long as you like: up to %s, the longest seen, the mean only "
-            "becomes better. That of the worst axis, %c, is then good to %.60s; %s limits it.",
-            time, axis, sigma, allan_kinds[d->limit]);
+        snprintf(text, ALLAN_WORDS_MAX,
+                 "Hold each position as long as you like: the mean improves up to %s, the longest "
+                 "time measured. Its sigma on the worst axis, %c, is then %.60s, limited by %s.",
+                 time, axis, sigma, allan_kinds[d->limit]);
     } else if (d->end == ALLAN_FLOOR && wish->sigma > 0) {
-        snprintf(
-            text, ALLAN_WORDS_MAX,
-            "No time in a position brings the mean of %c to %.60s: hold each %s, and it is good "
-            "to %.60s, which is the floor; %s limits it.",
-            axis, allan_deviation(r, wish->sigma, wanted), time, sigma, allan_kinds[d->limit]);
+        snprintf(text, ALLAN_WORDS_MAX,
+                 "No dwell brings the sigma of the mean of %c down to %.60s. Hold each position "
+                 "%s: it is then %.60s, the floor, limited by %s.",
+                 axis, allan_deviation(r, wish->sigma, wanted), time, sigma, allan_kinds[d->limit]);
     } else {
-        snprintf(
-            text, ALLAN_WORDS_MAX,
-            "Hold each position %s: the mean of the worst axis, %c, is then good to %.60s%s; %s "
-            "limits it.",
-            time, axis, sigma, d->end == ALLAN_FLOOR ? ", and longer makes it no better" : "",
-            allan_kinds[d->limit]);
+        snprintf(text, ALLAN_WORDS_MAX,
+                 "Hold each position %s: the sigma of the mean on the worst axis, %c, is then "
+                 "%.60s%s, limited by %s.",
+                 time, axis, sigma, d->end == ALLAN_FLOOR ? " (longer does not help)" : "",
+                 allan_kinds[d->limit]);
     }
     return text;
 }
@@ -131,21 +128,21 @@ const char *allan_advice(const allan_result *r, const allan_wish *wish, char tex
 const char *allan_next(const allan_result *r, char text[ALLAN_WORDS_MAX])
 {
     static const char *const ways[] = {
-        "four times as long halves that, until a floor is reached.",
-        "more time in a position does not help, but more positions do.",
-        "the zero wanders: be quick from one position to the next, and take more of them.",
+        "four times as long halves it, down to a floor.",
+        "take more positions; more time in each does not help.",
+        "the zero wanders: move quickly from position to position, and take more of them.",
     };
     const allan_dwell *d = &r->dwell[r->worst];
     const char *way = ways[d->limit];
 
     if (d->end == ALLAN_BEYOND) {
-        way = "no averaging time as long has been seen: log longer to be sure of it.";
+        way = "that is longer than the measured averaging times: log longer to be sure.";
     } else if (d->end == ALLAN_LONGEST) {
-        way = "state with --sigma what is good enough, or log longer to see where it ends.";
+        way = "state --sigma, the deviation that you need, or log longer to find the floor.";
     }
     snprintf(text, ALLAN_WORDS_MAX, "%s%s", way,
              d->seconds < SHORT_REST
-                 ? " Stay two seconds all the same: shorter rests are not found in a log."
+                 ? " Hold at least two seconds anyway: shorter rests are not found in a log."
                  : "");
     return text;
 }

@@ -63,7 +63,7 @@ static int copy_number(FILE *spool, const table *log, const columns *where, colu
 static int write_three(FILE *spool, const table *log, const double v[3])
 {
     if (!(fabs(v[0]) <= DBL_MAX && fabs(v[1]) <= DBL_MAX && fabs(v[2]) <= DBL_MAX)) {
-        message("%s:%lu: too large a reading for any calculation", log->name, log->line);
+        message("%s:%lu: the reading is too large", log->name, log->line);
         return EXIT_FILE;
     }
     fprintf(spool, "%.9g,%.9g,%.9g", v[0], v[1], v[2]);
@@ -164,9 +164,8 @@ static int check_temperature(const table *log, const columns *where, const job *
 {
     if (j->file.has_thermal && !j->is_gyro && isnan(j->temperature) &&
         where->index[COLUMN_TEMPERATURE] < 0) {
-        message("%s: has no column of temperature in °C, K or °F, which this calibration depends "
-                "on: name it "
-                "temperature, or state one for all readings with --temperature",
+        message("%s: this calibration needs a column of temperature in °C, K or °F: name it "
+                "temperature, or state --temperature for all readings",
                 log->name);
         return EXIT_FILE;
     }
@@ -202,7 +201,7 @@ static int write_rows(FILE *spool, table *log, job *j)
         return EXIT_FILE;
     }
     if (rows == 0) {
-        message("%s: holds a header, but no reading", log->name);
+        message("%s: has a header, but no readings", log->name);
         return EXIT_FILE;
     }
     return EXIT_GOOD;
@@ -214,7 +213,7 @@ static int apply(table *log, job *j)
     FILE *spool = tmpfile();
 
     if (!spool) {
-        message("no temporary file can be made: %s", strerror(errno));
+        message("cannot create a temporary file: %s", strerror(errno));
         return EXIT_FILE;
     }
     int failure = write_rows(spool, log, j);
@@ -240,8 +239,8 @@ static int read_temperature(const char *value, job *j)
         return EXIT_GOOD;
     }
     if (!j->file.has_thermal) {
-        return message_usage(syntax.command, "--temperature: this calibration holds no slopes "
-                                             "(invcal calibrate --thermal), so leave it out");
+        return message_usage(syntax.command, "--temperature: this calibration has no slopes "
+                                             "(invcal calibrate --thermal): leave it out");
     }
     return options_numbers(&syntax, TEMPERATURE, value, 1, &j->temperature, NULL);
 }
@@ -267,7 +266,8 @@ static int run(int argc, char **argv)
     thermal_correction_begin(&j.at, &j.file);
     j.is_gyro = value[GYRO] != NULL;
     if (j.is_gyro && !j.file.has_gyro) {
-        return message_usage(syntax.command, "--gyro: %s holds no gyroscope", input_name(files[0]));
+        return message_usage(syntax.command, "--gyro: %s contains no gyroscope",
+                             input_name(files[0]));
     }
     j.is_quiet = value[QUIET] != NULL;
     if (j.is_quiet) {
@@ -282,35 +282,37 @@ static int run(int argc, char **argv)
 static const char *const help[] = {
     "usage: invcal apply CAL.json LOG [options]\n"
     "\n"
-    "Corrects readings: calibrated = matrix (raw - offset). Prints CSV in field units (m/s^2,\n"
-    "if the calibration was made with --gravity in m/s^2), with a header.\n"
+    "Corrects readings: calibrated = matrix (raw - offset). Prints CSV with a header, in\n"
+    "field units (m/s^2, if the calibration was made with --gravity in m/s^2).\n"
     "\n"
-    "CAL.json is what invcal calibrate --out has written. LOG is a table in input units; - is the\n"
-    "standard input. Columns are x y z, or t x y z, or t x y z temperature, or any with a header\n"
-    "that names them:\n",
+    "CAL.json is the output of invcal calibrate --out. LOG is a table in input units; - reads\n"
+    "the standard input. Columns are x y z, or t x y z, or t x y z temperature. Any other\n"
+    "order needs a header with these names:\n",
     COLUMNS_NAMES,
-    "A gyroscope's columns beside them (gx gy gz) come in rad/s, gx gy gz too, if CAL.json holds "
-    "one.\n"
-    "t and temperature are copied as they are (a time in ms, us or ns becomes seconds, a\n"
-    "temperature in K or °F one in °C), the others left out. The readings are in the unit of\n"
-    "the log that CAL.json was made from.\n"
-    "Logs of any length are read in fixed memory; the result waits in a temporary file, and is\n"
-    "printed only if every line was good.\n"
+    "If CAL.json holds a gyroscope, its columns in LOG (gx gy gz) are corrected too, and\n"
+    "printed in rad/s. t and temperature are copied (a time in ms, us or ns becomes seconds,\n"
+    "a temperature in K or °F becomes °C); other columns are left out. The readings must be\n"
+    "in the unit of the log that CAL.json was made from. Logs of any length are read in\n"
+    "constant memory. The result goes to a temporary file first, and is printed only if every\n"
+    "line was good.\n"
     "\n"
-    "A calibration made with --thermal needs the column temperature, and is that of each "
-    "reading's.\n"
-    "Outside the temperatures that it was made at, what holds at their edge is used, and told.\n"
+    "A calibration made with --thermal needs the column temperature, and corrects each\n"
+    "reading at its own. Outside the calibrated range, the calibration at its edge is used,\n"
+    "with a warning.\n"
     "\n"
-    "One made with --quadratic or --cubic: what the axes read too much is taken off first. It is\n"
-    "known up to the field along each axis; beyond 1.1 of that what holds there is used, and "
-    "told.\n"
-    "\n" CHOSEN_OPTION,
-    "  --temperature T     of all readings, in place of the column; needs such a calibration\n"
+    "If it was made with --quadratic or --cubic, the nonlinear error is removed first. It is\n"
+    "known up to the field along each axis; beyond 1.1 times the field, its value there is\n"
+    "used, with a warning.\n"
+    "\n",
+    CHOSEN_OPTION,
+    "  --temperature T     temperature of all readings, instead of the column; for a\n"
+    "                      calibration made with --thermal\n"
     "  --gyro              LOG is of the gyroscope alone, x y z or t x y z\n"
-    "  --quiet             print only the result and errors: no progress, no warning of readings\n"
-    "                      beyond what the calibration knows\n"
+    "  --quiet             print only the result and errors: no progress, no warning of\n"
+    "                      readings outside the calibrated range\n"
     "\n"
-    "exit codes: 0 good; 2 usage; 3 a file unreadable or malformed, or the output not writable\n"
+    "exit codes: 0 good; 2 usage; 3 a file unreadable or malformed, or the output not\n"
+    "writable\n"
     "\n"
     "example:\n"
     "  invcal calibrate tests/data/mpu9150_0_positions.csv --positions --out cal.json\n"
@@ -320,14 +322,12 @@ static const char *const help[] = {
 static const char *const brief[] = {
     "usage: invcal apply CAL.json LOG [options]\n"
     "\n"
-    "Corrects readings: calibrated = matrix (raw - offset). Prints CSV in field units, as a rule "
-    "m/s^2.\n"
-    "CAL.json is what invcal calibrate --out has written; LOG has the columns x y z, or t x y z, "
-    "or a\n"
-    "header that names them; - is the standard input.\n"
+    "Corrects readings: calibrated = matrix (raw - offset). Prints CSV in field units,\n"
+    "usually m/s^2. CAL.json is the output of invcal calibrate --out. LOG has the columns x y\n"
+    "z, or t x y z, or a header that names them; - reads the standard input.\n"
     "\n"
-    "  --temperature T     of all readings, in place of the column; for a calibration made with\n"
-    "                      --thermal\n"
+    "  --temperature T     temperature of all readings, instead of the column; for a\n"
+    "                      calibration made with --thermal\n"
     "  --gyro              LOG is of the gyroscope alone\n"
     "  --quiet             show no progress, print only the result and errors\n"
     "\n"

@@ -89,7 +89,7 @@ int nonlinear_correction_begin(nonlinear_correction *c, const calibration_file *
         fit_over_field(&file->nonlinear.nominal, file->nonlinear.field);
     memcpy(c->term, file->nonlinear.term, sizeof c->term);
     if (!matrix_inverse(&nominal, c->inverse) || !find_symmetric(c, file) || !converges(c)) {
-        message("%s: \"nonlinearity\" is too large to be taken off: this is no calibration", name);
+        message("%s: \"nonlinearity\" is too large: not a calibration", name);
         return EXIT_FILE;
     }
     return EXIT_GOOD;
@@ -140,9 +140,8 @@ void nonlinear_correction_take(nonlinear_correction *c, double raw[3])
 void nonlinear_correction_end(const nonlinear_correction *c, const char *log)
 {
     if (c->beyond > 0) {
-        message(
-            "warning: %s: %lu of %lu readings are beyond %.3g of the field on an axis, up to %.3g, "
-            "where nothing tells its nonlinearity: they are corrected as at that edge",
-            log, c->beyond, c->readings, NONLINEAR_EDGE, c->farthest);
+        message("warning: %s: %lu of %lu readings are beyond %.3g times the field on an axis, up "
+                "to %.3g, where its nonlinearity is unknown: they are corrected as at that limit",
+                log, c->beyond, c->readings, NONLINEAR_EDGE, c->farthest);
     }
 }

@@ -43,9 +43,8 @@ void thermal_correction_end(const thermal_correction *c, const char *log)
     const double farthest = fmax(t->min - c->coldest, c->warmest - t->max);
 
     if (c->below + c->above > 0) {
-        message(
-            "warning: %s: %lu of %lu readings are up to %.3g K outside %.6g ... %.6g °C, where the "
-            "calibration was made: they are corrected as at its edge",
-            log, c->below + c->above, c->readings, farthest, t->min, t->max);
+        message("warning: %s: %lu of %lu readings are up to %.3g K outside %.6g ... %.6g °C, the "
+                "range of the calibration: they are corrected as at its edge",
+                log, c->below + c->above, c->readings, farthest, t->min, t->max);
     }
 }

@@ -86,8 +86,8 @@ int calibrate_gyro(const request *r, const turns *gyro, int refused, calibrate_r
     if (refused && result->gyro.word) {
         const size_t length = strlen(result->refused.remedy);
         snprintf(result->refused.remedy + length, REFUSAL_MAX - length,
-                 ". The moves between do not tell them either: %s%s%s", result->gyro.reason,
-                 *result->gyro.remedy ? ": " : "", result->gyro.remedy);
+                 ". The moves between them do not determine them either: %s%s%s",
+                 result->gyro.reason, *result->gyro.remedy ? ": " : "", result->gyro.remedy);
     }
     return refused;
 }

@@ -14,8 +14,8 @@ static void say_open(const calibrate_result *r, unsigned degree, char text[REFUS
     const unsigned open =
         nonlinearity_open(r->rejected.kept, r->rejected.kept_count, &r->solution.symmetric, degree);
     unsigned count = 0;
-    size_t used = (size_t)snprintf(text, REFUSAL_MAX,
-                                   "%s: the positions leave undetermined:", option_of(degree));
+    size_t used = (size_t)snprintf(text, REFUSAL_MAX, "%s: the positions do not determine",
+                                   option_of(degree));
 
     for (unsigned e = 0; e < NONLINEARITY_MOST; e++) {
         if (open >> e & 1 && used < REFUSAL_MAX) {
@@ -38,10 +38,10 @@ static int refuse(calibrate_result *r, unsigned degree, invcal_status status)
     } else {
         say_open(r, degree, why->reason);
     }
-    snprintf(why->remedy, REFUSAL_MAX,
-             "add positions between the axes and along them, 6 or more in a circle, or leave "
-             "%s out",
-             option_of(degree));
+    snprintf(
+        why->remedy, REFUSAL_MAX,
+        "add positions along the axes and between them, 6 or more on a circle, or leave out %s",
+        option_of(degree));
     return EXIT_DATA;
 }
 

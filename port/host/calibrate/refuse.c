@@ -67,9 +67,9 @@ static void add_remedy(const rests_summary *log, int is_none, char text[REFUSAL_
 
     if (!log->is_rate_known) {
         append(text, REFUSAL_MAX,
-               "%sthe log tells no times, so %.3g samples a second are a guess: state --rate, and "
-               "hold each "
-               "position still for 3 s or longer, below 25 samples a second for %u samples",
+               "%sthe log has no times, so %.3g samples per second are a guess: state --rate, and "
+               "hold each position still for 3 s or longer, below 25 samples per second for %u "
+               "samples",
                *text ? "; " : "", log->rate, RESTS_SAMPLES);
     } else if (brief > 0 || is_none) {
         append(text, REFUSAL_MAX, "%shold each position still for %.2g s or longer",
@@ -137,9 +137,9 @@ static void say_undetermined(const positions *data, const stand_wish *angles, re
 
 static void say_not_finite(refusal *why)
 {
-    snprintf(why->reason, REFUSAL_MAX, "position %u is too large a reading for any calculation",
+    snprintf(why->reason, REFUSAL_MAX, "the reading of position %u is too large",
              why->position + 1);
-    snprintf(why->remedy, REFUSAL_MAX, "correct it or leave it out");
+    snprintf(why->remedy, REFUSAL_MAX, "correct it, or leave it out");
     why->is_of_position = 1;
 }
 
@@ -160,14 +160,14 @@ static void say_out_of_range(const calibrate_result *r, refusal *why)
     }
     snprintf(why->reason, REFUSAL_MAX, "position %u reads %.3g of the field with %s",
              why->position + 1, length,
-             by_range  ? "zero and scale from the data's range"
-             : by_unit ? "the scale of the unit that is stated"
+             by_range  ? "zero and scale from the range of the data"
+             : by_unit ? "the scale of the stated unit"
                        : "the nominal calibration");
     snprintf(why->remedy, REFUSAL_MAX, "%s",
-             by_range  ? "look for a wrong position, add positions in all directions, or state "
-                         "--zero and --lsb"
-             : by_unit ? "check the unit in the header; --unit states another"
-                       : "check --gravity, and the nominal zero and scale, and their units");
+             by_range
+                 ? "look for an outlier, add positions in all directions, or state --zero and --lsb"
+             : by_unit ? "check the unit in the header, or state --unit"
+                       : "check --gravity, the nominal zero and scale, and their units");
     why->wants_positions = by_range;
 }
 
@@ -204,8 +204,8 @@ static void say_why(const calibrate_result *r, const stand_wish *angles, invcal_
     case INVCAL_NOT_ELLIPSOID:
         snprintf(why->reason, REFUSAL_MAX, "%s", invcal_status_text(status));
         snprintf(why->remedy, REFUSAL_MAX,
-                 "look for positions that were not at rest or all in one direction, and for wrong "
-                 "columns, units or --gravity");
+                 "check that the positions were at rest and in different directions, and check "
+                 "columns, units and --gravity");
         why->wants_positions = 1;
         break;
     default:
@@ -227,8 +227,8 @@ static void offer_six_faces(const calibrate_result *r, invcal_status status, ref
     if ((status == INVCAL_TOO_FEW || status == INVCAL_UNDETERMINED) &&
         faces_would_do(r->data, &r->settings)) {
         append(why->remedy, REFUSAL_MAX,
-               ". These do for offsets and scales: --six-faces takes the angles from a data sheet. "
-               "Six more tell everything: %s",
+               ". These determine offsets and scales: --six-faces takes the angles from a data "
+               "sheet. Six more determine everything: %s",
                FACES_EDGES);
     }
 }
@@ -251,12 +251,12 @@ int calibrate_all_drift(calibrate_result *r)
 {
     refusal *why = begin(r, status_name(INVCAL_TOO_FEW), (1u << INVCAL_PARAMETERS) - 1);
 
-    snprintf(why->reason, REFUSAL_MAX,
-             "the temperature drifted by more than %.2g K in %u of %u rests, and the others are "
-             "too few",
-             r->fit.drift_limit, rejection_drifting(&r->rejected), r->data->count);
+    snprintf(
+        why->reason, REFUSAL_MAX,
+        "the temperature drifted by more than %.2g K in %u of %u rests, and the others are too few",
+        r->fit.drift_limit, rejection_drifting(&r->rejected), r->data->count);
     snprintf(why->remedy, REFUSAL_MAX,
-             "let the sensor settle before each, or take them as they are with --keep-all");
+             "let the sensor settle before each rest, or keep them with --keep-all");
     return EXIT_DATA;
 }
 
@@ -276,7 +276,7 @@ int calibrate_no_rest(calibrate_result *r)
 
     snprintf(least, sizeof least, "%.2g", rests_least(log->rate));
     append(why->reason, REFUSAL_MAX,
-           "no rest of %s seconds in %lu samples, %.6g s at %.6g samples a second%s",
+           "no rest of %s seconds in %lu samples, %.6g s at %.6g samples per second%s",
            strcmp(least, "2") == 0 ? "two" : least, log->samples, log->seconds, log->rate,
            log->is_rate_known ? "" : " (a guess)");
     if (log->gaps > 0) {
@@ -296,11 +296,11 @@ int calibrate_no_case(calibrate_result *r, invcal_status status)
     refusal *why = begin(r, "angles", 0);
 
     append(why->reason, REFUSAL_MAX, "--case: %s",
-           status == INVCAL_TOO_FEW ? "none of the positions kept was stated"
-           : r->frame.is_level ? "the way up that was stated is nearly opposite to the one measured"
-                               : "the ways up that were stated do not fit the positions");
+           status == INVCAL_TOO_FEW ? "it states none of the positions that were kept"
+           : r->frame.is_level      ? "the stated axis is nearly opposite to the measured one"
+                                    : "the stated axes do not fit the positions");
     append(why->remedy, REFUSAL_MAX,
-           "state them in the order of the log, with no axis of the case mirrored");
+           "state the axes in the order of the log, in a right-handed frame");
     return EXIT_DATA;
 }
 
@@ -311,18 +311,18 @@ int calibrate_no_axes(calibrate_result *r)
 
     if (d->answer == DIP_NO_ACCELEROMETER) {
         append(why->reason, REFUSAL_MAX,
-               "the log has no columns of an accelerometer (ax ay az) beside those of the "
+               "the log has no columns of an accelerometer (ax ay az) next to those of the "
                "magnetometer");
     } else if (d->answer == DIP_UNEVEN) {
         append(why->reason, REFUSAL_MAX,
-               "the accelerometer has its usual length, within 10 %%, in %lu of %lu instants only",
+               "the accelerometer reads its usual length, within 10 %%, in only %lu of %lu samples",
                d->used, d->of);
         append(why->remedy, REFUSAL_MAX,
-               "correct it by its own calibration (--with CAL.json), and turn slowly");
+               "correct it with its own calibration (--with CAL.json), and turn slowly");
     } else {
         append(why->reason, REFUSAL_MAX,
-               "the log leaves open how the axes are turned against the accelerometer's");
-        append(why->remedy, REFUSAL_MAX, "turn it about all axes, slowly");
+               "the log does not determine the rotation between its axes and the accelerometer's");
+        append(why->remedy, REFUSAL_MAX, "turn about all axes, slowly");
     }
     return EXIT_DATA;
 }
@@ -335,13 +335,11 @@ int calibrate_refuse_waved(calibrate_result *r)
     if (log->status == INVCAL_TOO_FEW || log->status == INVCAL_UNDETERMINED) {
         append(why->reason, REFUSAL_MAX, "%lu samples, all in a few directions", log->samples);
         append(why->remedy, REFUSAL_MAX,
-               "wave it for a minute so that every side of the case has pointed along "
-               "the field, which "
-               "points north and steeply down in Europe and North America");
+               "wave it for a minute until every side of the case has pointed along the field, "
+               "which points north and steeply down in Europe and North America");
     } else {
-        append(why->reason, REFUSAL_MAX, "the samples lie on no ellipsoid");
-        append(why->remedy, REFUSAL_MAX,
-               "look for wrong columns, and for iron or a magnet near by");
+        append(why->reason, REFUSAL_MAX, "the samples do not lie on an ellipsoid");
+        append(why->remedy, REFUSAL_MAX, "check the columns, and look for iron or a magnet nearby");
     }
     return EXIT_DATA;
 }

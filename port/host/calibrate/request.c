@@ -93,14 +93,14 @@ static int read_magnetometer(request *r)
                                       ASK_SENSOR,    ASK_MEAN_SIGMA, ASK_ALLAN};
 
     if (!r->value[ASK_MAGNETOMETER]) {
-        return r->value[ASK_WITH] ? request_usage(r, ASK_WITH, "is for --magnetometer")
+        return r->value[ASK_WITH] ? request_usage(r, ASK_WITH, "needs --magnetometer")
                : r->wants_accelerometer_axes
-                   ? request_usage(r, ASK_FRAME, "accelerometer is for --magnetometer")
+                   ? request_usage(r, ASK_FRAME, "accelerometer needs --magnetometer")
                    : EXIT_GOOD;
     }
     for (unsigned i = 0; i < sizeof others / sizeof others[0]; i++) {
         if (r->value[others[i]]) {
-            return message_usage(r->syntax->command, "%s: does not go together with %s",
+            return message_usage(r->syntax->command, "%s: cannot be combined with %s",
                                  options[ASK_MAGNETOMETER].name, options[others[i]].name);
         }
     }
@@ -117,7 +117,7 @@ static int read_place(request *r)
     int failure = EXIT_GOOD;
 
     if (r->value[ASK_GRAVITY]) {
-        return request_usage(r, ASK_LATITUDE, "tells the field, so leave out --gravity");
+        return request_usage(r, ASK_LATITUDE, "states the field: leave out --gravity");
     }
     failure =
         options_numbers(r->syntax, ASK_LATITUDE, r->value[ASK_LATITUDE], 1, &r->place[0], NULL);
@@ -132,8 +132,8 @@ static int read_place(request *r)
     r->field_sigma = GRAVITY_SIGMA;
     if (isnan(r->settings.field)) {
         return fabs(r->place[0]) <= 90
-                   ? request_usage(r, ASK_HEIGHT, "is -500 to 10000 m above the sea")
-                   : request_usage(r, ASK_LATITUDE, "is -90 to 90 degrees");
+                   ? request_usage(r, ASK_HEIGHT, "must be -500 to 10000 m above sea level")
+                   : request_usage(r, ASK_LATITUDE, "must be -90 to 90 degrees");
     }
     return EXIT_GOOD;
 }
@@ -168,7 +168,7 @@ static int read_gravity(request *r)
         return read_place(r);
     }
     if (r->value[ASK_HEIGHT]) {
-        return request_usage(r, ASK_HEIGHT, "alone tells no field; state --latitude, too");
+        return request_usage(r, ASK_HEIGHT, "needs --latitude");
     }
     r->settings.field = 9.80665;
     r->field_sigma = ON_EARTH * r->settings.field;
@@ -176,11 +176,12 @@ static int read_gravity(request *r)
         failure = read_field(r);
     }
     if (!failure && !(r->settings.field > 0)) {
-        failure = request_usage(r, ASK_GRAVITY, "the length of a field is above 0");
+        failure = request_usage(r, ASK_GRAVITY, "the length of the field must be above 0");
     }
     if (!failure && !(r->field_sigma >= 0 && r->field_sigma < r->settings.field)) {
-        failure = request_usage(r, ASK_GRAVITY,
-                                "a standard deviation is not negative, and below the length");
+        failure = request_usage(
+            r, ASK_GRAVITY,
+            "the standard deviation must not be negative, and must be below the length");
     }
     return failure;
 }
@@ -196,7 +197,7 @@ static int read_frame(request *r)
                    strcmp(name, "symmetric") == 0
                ? EXIT_GOOD
                : request_usage(r, ASK_FRAME,
-                               "is symmetric, triangular or stand, of a magnetometer also "
+                               "must be symmetric, triangular or stand; for a magnetometer also "
                                "accelerometer");
 }
 
@@ -207,17 +208,16 @@ static int read_case(request *r)
         return EXIT_GOOD;
     }
     if (r->value[ASK_FRAME]) {
-        return request_usage(r, ASK_CASE, "is a frame of its own: leave out --frame");
+        return request_usage(r, ASK_CASE, "determines the frame: leave out --frame");
     }
     if (r->value[ASK_THERMAL]) {
-        return request_usage(r, ASK_CASE, "does not go together with --thermal");
+        return request_usage(r, ASK_CASE, "cannot be combined with --thermal");
     }
     return case_parse(r->value[ASK_CASE], &r->ways_up)
                ? EXIT_GOOD
-               : request_usage(
-                     r, ASK_CASE,
-                     "is the ways of the case that were up in the first positions, such as "
-                     "+z,-x,.,+y; a dot where it is not known");
+               : request_usage(r, ASK_CASE,
+                               "give the axis of the case that pointed up in each of the first "
+                               "positions, such as +z,-x,.,+y; a dot where unknown");
 }
 
 static int read_nominal(request *r)
@@ -226,10 +226,10 @@ static int read_nominal(request *r)
     int single = 0;
 
     if (r->value[ASK_NOMINAL] && (r->value[ASK_ZERO] || r->value[ASK_LSB])) {
-        return request_usage(r, ASK_NOMINAL, "holds zero and scale, so leave out --zero and --lsb");
+        return request_usage(r, ASK_NOMINAL, "states zero and scale: leave out --zero and --lsb");
     }
     if (r->value[ASK_NOMINAL_NAME] && strlen(r->value[ASK_NOMINAL_NAME]) > CALIBRATE_NAME_MAX) {
-        return request_usage(r, ASK_NOMINAL_NAME, "is a word of at most 14 bytes");
+        return request_usage(r, ASK_NOMINAL_NAME, "must be a word of at most 14 bytes");
     }
     if (r->value[ASK_ZERO]) {
         failure = options_numbers(r->syntax, ASK_ZERO, r->value[ASK_ZERO], 3, r->zero, NULL);
@@ -240,7 +240,8 @@ static int read_nominal(request *r)
         r->lsb[2] = single ? r->lsb[0] : r->lsb[2];
     }
     for (unsigned i = 0; i < 3 && !failure && r->value[ASK_LSB]; i++) {
-        failure = fabs(r->lsb[i]) > 0 ? EXIT_GOOD : request_usage(r, ASK_LSB, "a scale is not 0");
+        failure =
+            fabs(r->lsb[i]) > 0 ? EXIT_GOOD : request_usage(r, ASK_LSB, "a scale must not be 0");
     }
     return failure;
 }
@@ -262,9 +263,9 @@ static int read_sensor(request *r)
     }
     return unit_scale(UNIT_G, r->settings.field) > 0
                ? EXIT_GOOD
-               : request_usage(
-                     r, ASK_SENSOR,
-                     "is an accelerometer, and the field (--gravity) no gravity in m/s2, g or mg");
+               : request_usage(r, ASK_SENSOR,
+                               "is an accelerometer, but the field (--gravity) is not gravity in "
+                               "m/s2, g or mg");
 }
 
 /* Zero and scale come from somewhere else than the range of the readings, whatever the file says. */
@@ -277,11 +278,11 @@ static int states_nominal(const request *r)
 static int read_unit(request *r)
 {
     if (r->value[ASK_UNIT] && !unit_parse(r->value[ASK_UNIT], &r->unit)) {
-        return message_usage(r->syntax->command, "--unit %s: is g, mg, m/s2 or counts",
+        return message_usage(r->syntax->command, "--unit %s: must be g, mg, m/s2 or counts",
                              r->value[ASK_UNIT]);
     }
     if (r->value[ASK_UNITS] && !told_parse(r->value[ASK_UNITS], &r->told)) {
-        return message_usage(r->syntax->command, "--units %s: is everyday or ins",
+        return message_usage(r->syntax->command, "--units %s: must be everyday or ins",
                              r->value[ASK_UNITS]);
     }
     return EXIT_GOOD;
@@ -295,7 +296,7 @@ static int read_noise(request *r)
         failure =
             options_numbers(r->syntax, ASK_NOISE, r->value[ASK_NOISE], 1, &r->settings.noise, NULL);
         if (!failure && !(r->settings.noise > 0)) {
-            failure = request_usage(r, ASK_NOISE, "a standard deviation is above 0");
+            failure = request_usage(r, ASK_NOISE, "the standard deviation must be above 0");
         }
         r->settings.noise /= r->settings.field;
     }
@@ -311,7 +312,7 @@ static int read_six_faces(request *r)
 
     for (unsigned i = 0; i < sizeof others / sizeof others[0]; i++) {
         if (r->value[others[i]]) {
-            return message_usage(r->syntax->command, "%s: does not go together with %s",
+            return message_usage(r->syntax->command, "%s: cannot be combined with %s",
                                  options[ASK_SIX_FACES].name, options[others[i]].name);
         }
     }
@@ -319,8 +320,8 @@ static int read_six_faces(request *r)
         failure = options_numbers(r->syntax, ASK_PRIOR, r->value[ASK_PRIOR], 3, sigma, NULL);
     }
     if (!failure && (fabs(sigma[0]) + fabs(sigma[1]) > 0 || !(sigma[2] > 0 && sigma[2] < 1))) {
-        failure = request_usage(
-            r, ASK_PRIOR, "beside --six-faces is of the angles alone: 0,0,G with G from 0 to 1");
+        failure = request_usage(r, ASK_PRIOR,
+                                "with --six-faces, only the angles: 0,0,G with G from 0 to 1");
     }
     r->settings.is_six_faces = 1;
     for (unsigned p = INVCAL_GAMMA_XY; p < INVCAL_PARAMETERS; p++) {
@@ -339,15 +340,15 @@ static int read_prior(request *r)
     }
     if (!states_nominal(r)) {
         return request_usage(r, ASK_PRIOR,
-                             "says how far the nominal calibration may be wrong, so state that: "
-                             "--sensor, --unit, --zero and --lsb, or --nominal");
+                             "needs the nominal calibration: state --sensor, --unit, --zero and "
+                             "--lsb, or --nominal");
     }
     failure = options_numbers(r->syntax, ASK_PRIOR, r->value[ASK_PRIOR], 3, sigma, NULL);
     for (unsigned p = 0; p < INVCAL_PARAMETERS && !failure; p++) {
         r->settings.prior[p] = sigma[p / 3];
         failure = sigma[p / 3] >= 0
                       ? EXIT_GOOD
-                      : request_usage(r, ASK_PRIOR, "no standard deviation is negative");
+                      : request_usage(r, ASK_PRIOR, "a standard deviation must not be negative");
     }
     return failure;
 }
@@ -362,18 +363,18 @@ static int read_thermal(request *r)
         failure = options_numbers(r->syntax, ASK_THERMAL, r->value[ASK_THERMAL], 1, &degree, NULL);
         r->thermal.degree = degree >= 2 ? 2 : 1;
         if (!failure && fabs(degree - r->thermal.degree) > 0) {
-            failure = request_usage(r, ASK_THERMAL, "is 1 (slopes) or 2 (parabolas)");
+            failure = request_usage(r, ASK_THERMAL, "must be 1 (slopes) or 2 (parabolas)");
         }
     }
     if (!failure && r->value[ASK_SLOPE]) {
-        failure = r->value[ASK_THERMAL]
-                      ? options_numbers(r->syntax, ASK_SLOPE, r->value[ASK_SLOPE], 3,
-                                        r->thermal.slope, NULL)
-                      : request_usage(r, ASK_SLOPE, "is known of --thermal, so state that");
+        failure = r->value[ASK_THERMAL] ? options_numbers(r->syntax, ASK_SLOPE, r->value[ASK_SLOPE],
+                                                          3, r->thermal.slope, NULL)
+                                        : request_usage(r, ASK_SLOPE, "needs --thermal");
         for (unsigned i = 0; i < 3 && !failure; i++) {
-            failure = r->thermal.slope[i] >= 0
-                          ? EXIT_GOOD
-                          : request_usage(r, ASK_SLOPE, "no standard deviation is negative");
+            failure =
+                r->thermal.slope[i] >= 0
+                    ? EXIT_GOOD
+                    : request_usage(r, ASK_SLOPE, "a standard deviation must not be negative");
         }
     }
     return failure;
@@ -386,18 +387,18 @@ static int read_log_options(request *r)
 
     if (!failure && r->value[ASK_POSITIONS] && (r->value[ASK_RATE] || r->value[ASK_CLIP])) {
         return request_usage(r, r->value[ASK_RATE] ? ASK_RATE : ASK_CLIP,
-                             "is of samples; position means have none");
+                             "needs samples: leave out --positions");
     }
     if (!failure && r->value[ASK_RATE]) {
         failure = options_numbers(r->syntax, ASK_RATE, r->value[ASK_RATE], 1, &r->rate, NULL);
         if (!failure && !(r->rate >= SAMPLES_RATE_MIN && r->rate <= SAMPLES_RATE_MAX)) {
-            failure = request_usage(r, ASK_RATE, "is 8 to 8000 samples a second");
+            failure = request_usage(r, ASK_RATE, "must be 8 to 8000 samples per second");
         }
     }
     if (!failure && r->value[ASK_CLIP]) {
         failure = options_numbers(r->syntax, ASK_CLIP, r->value[ASK_CLIP], 2, r->clip, NULL);
         if (!failure && !(r->clip[0] < r->clip[1])) {
-            failure = request_usage(r, ASK_CLIP, "is the least and the greatest reading");
+            failure = request_usage(r, ASK_CLIP, "the lower limit must come first");
         }
     }
     return failure;
@@ -430,24 +431,23 @@ static int read_gyro(request *r)
 
     for (unsigned o = ASK_GYRO; o <= ASK_ACCELEROMETER_ONLY; o++) {
         if (r->value[o] && r->value[ASK_POSITIONS]) {
-            return request_usage(r, o, "is of samples; position means have no moves");
+            return request_usage(r, o, "needs samples: leave out --positions");
         }
         if (r->value[o] && o != ASK_ACCELEROMETER_ONLY && r->value[ASK_ACCELEROMETER_ONLY]) {
-            return request_usage(r, o, "is of the gyroscope: leave out --accelerometer-only");
+            return request_usage(r, o, "needs the gyroscope: leave out --accelerometer-only");
         }
     }
     if (r->value[ASK_GYRO] && r->is_live) {
-        return request_usage(r, ASK_GYRO, "is for invcal calibrate");
+        return request_usage(r, ASK_GYRO, "is an option of invcal calibrate only");
     }
     if (r->value[ASK_GYRO] && r->value[ASK_COLUMNS]) {
         return request_usage(r, ASK_GYRO,
-                             "does not go together with --columns: name them in headers");
+                             "cannot be combined with --columns: name them in headers");
     }
     if (r->value[ASK_GYRO_AXES] && !parse_axes(r->value[ASK_GYRO_AXES], r->gyro.axes)) {
-        return request_usage(
-            r, ASK_GYRO_AXES,
-            "is the gyroscope's axes that turn about the accelerometer's x, y and z, "
-            "such as y,-x,z");
+        return request_usage(r, ASK_GYRO_AXES,
+                             "give the axes of the gyroscope that turn about x, y and z of the "
+                             "accelerometer, such as y,-x,z");
     }
     if (lsb) {
         r->gyro.turn = unit_parse_turn(lsb);
@@ -458,7 +458,7 @@ static int read_gyro(request *r)
         if (!failure && !(r->gyro.turn > 1e-12 && r->gyro.turn < 1e6)) {
             failure =
                 request_usage(r, ASK_GYRO_LSB,
-                              "is degrees/s in one input unit, such as 1/131, or rad/s or deg/s");
+                              "must be degrees/s per input unit, such as 1/131, or rad/s or deg/s");
         }
     }
     return failure;
@@ -488,28 +488,28 @@ static int read_live_options(request *r)
 
     for (unsigned o = ASK_TARGET; o <= ASK_ALLAN && !r->is_live; o++) {
         if (r->value[o]) {
-            return request_usage(r, o, "is for invcal watch");
+            return request_usage(r, o, "is an option of invcal watch only");
         }
     }
     if (r->is_live && r->value[ASK_POSITIONS]) {
         return request_usage(r, ASK_POSITIONS,
-                             "is for invcal calibrate; a live stream has samples");
+                             "is an option of invcal calibrate only: a live stream has samples");
     }
     if (r->value[ASK_MEAN_SIGMA]) {
         failure = options_numbers(r->syntax, ASK_MEAN_SIGMA, r->value[ASK_MEAN_SIGMA], 1,
                                   &r->mean_sigma, NULL);
         if (!failure && !(r->mean_sigma > 0)) {
-            failure = request_usage(r, ASK_MEAN_SIGMA, "a standard deviation is above 0");
+            failure = request_usage(r, ASK_MEAN_SIGMA, "the standard deviation must be above 0");
         }
     }
     if (!failure && r->value[ASK_ALLAN] && !r->value[ASK_MEAN_SIGMA]) {
-        failure = request_usage(r, ASK_ALLAN, "needs --mean-sigma, how good a mean is wanted");
+        failure = request_usage(r, ASK_ALLAN, "needs --mean-sigma");
     }
     if (!failure && r->value[ASK_TARGET]) {
         failure = options_numbers(r->syntax, ASK_TARGET, r->value[ASK_TARGET], 3, r->target, NULL);
         for (unsigned i = 0; i < 3 && !failure; i++) {
-            failure =
-                r->target[i] >= 0 ? EXIT_GOOD : request_usage(r, ASK_TARGET, "is not negative");
+            failure = r->target[i] >= 0 ? EXIT_GOOD
+                                        : request_usage(r, ASK_TARGET, "must not be negative");
         }
     }
     return failure || !r->is_live ? failure : read_program(r);
@@ -521,24 +521,25 @@ static int read_degree(request *r)
     const unsigned which = r->value[ASK_CUBIC] ? ASK_CUBIC : ASK_QUADRATIC;
 
     if (r->value[ASK_ROBUST] && (r->value[which] || r->value[ASK_THERMAL] || r->value[ASK_PRIOR])) {
-        return request_usage(r, ASK_ROBUST, "is of nine parameters, without a prior");
+        return request_usage(r, ASK_ROBUST, "needs nine free parameters: leave out the prior");
     }
     if (r->value[ASK_ROBUST] && r->is_live) {
-        return request_usage(r, ASK_ROBUST, "is for invcal calibrate");
+        return request_usage(r, ASK_ROBUST, "is an option of invcal calibrate only");
     }
     if (!r->value[which]) {
         return EXIT_GOOD;
     }
     r->degree = which == ASK_CUBIC ? 3 : 2;
     if (r->value[ASK_CUBIC] && r->value[ASK_QUADRATIC]) {
-        return request_usage(r, ASK_CUBIC, "includes --quadratic: leave that out");
+        return request_usage(r, ASK_CUBIC, "includes --quadratic: leave --quadratic out");
     }
     if (r->value[ASK_THERMAL] || r->value[ASK_PRIOR]) {
         return request_usage(r, which,
-                             r->value[ASK_THERMAL] ? "does not go together with --thermal"
-                                                   : "does not go together with --prior");
+                             r->value[ASK_THERMAL] ? "cannot be combined with --thermal"
+                                                   : "cannot be combined with --prior");
     }
-    return r->is_live ? request_usage(r, which, "is for invcal calibrate") : EXIT_GOOD;
+    return r->is_live ? request_usage(r, which, "is an option of invcal calibrate only")
+                      : EXIT_GOOD;
 }
 
 /* The program whose order was kept, in place of columns. */
@@ -562,7 +563,7 @@ static int read_convention(request *r)
         failure =
             options_numbers(r->syntax, ASK_STAND_SENSE, r->value[ASK_STAND_SENSE], 2, sense, NULL);
         if (!failure && fabs(fabs(sense[0]) - 1) + fabs(fabs(sense[1]) - 1) > 0) {
-            failure = request_usage(r, ASK_STAND_SENSE, "is 1 or -1 for each");
+            failure = request_usage(r, ASK_STAND_SENSE, "must be 1 or -1 for each");
         }
     }
     if (!failure && r->value[ASK_STAND_ZERO]) {
@@ -580,14 +581,14 @@ static int check_stand(const request *r)
 
     if (w->plan && r->value[convention]) {
         return request_usage(r, convention,
-                             "is of columns alpha and beta; --plan states the angles themselves");
+                             "needs columns alpha and beta, not --plan, which states the angles");
     }
     if (!w->is_wanted && (r->value[convention] || w->is_frame)) {
         return request_usage(r, w->is_frame ? ASK_FRAME : convention,
                              "needs the angles of a stand: --stand or --plan");
     }
     return w->is_wanted && r->value[ASK_THERMAL]
-               ? request_usage(r, ASK_THERMAL, "and the angles of a stand do not go together")
+               ? request_usage(r, ASK_THERMAL, "cannot be combined with the angles of a stand")
                : EXIT_GOOD;
 }
 
@@ -599,7 +600,7 @@ static int read_stand(request *r)
     r->stand.is_wanted = r->value[ASK_STAND] != NULL;
     for (unsigned o = ASK_STAND; o <= ASK_STAND_ZERO; o++) {
         if (r->value[o] && r->is_live) {
-            return request_usage(r, o, "is for invcal calibrate");
+            return request_usage(r, o, "is an option of invcal calibrate only");
         }
     }
     if (!r->is_live && r->value[ASK_PLAN]) {
@@ -618,14 +619,14 @@ static int read_tolerance(request *r)
     }
     if (!states_nominal(r)) {
         return request_usage(r, ASK_TOLERANCE,
-                             "says how far from nominal the sensor may be, so state that: "
-                             "--sensor, --unit, --zero and --lsb, or --nominal");
+                             "needs the nominal calibration: state --sensor, --unit, --zero and "
+                             "--lsb, or --nominal");
     }
     failure =
         options_numbers(r->syntax, ASK_TOLERANCE, r->value[ASK_TOLERANCE], 3, r->tolerance, NULL);
     for (unsigned i = 0; i < 3 && !failure; i++) {
-        failure =
-            r->tolerance[i] > 0 ? EXIT_GOOD : request_usage(r, ASK_TOLERANCE, "a limit is above 0");
+        failure = r->tolerance[i] > 0 ? EXIT_GOOD
+                                      : request_usage(r, ASK_TOLERANCE, "a limit must be above 0");
     }
     return failure;
 }
@@ -643,14 +644,14 @@ static int read_need(request *r)
                                           &digits, &r->need_unit);
     if (ending == NEED_NO_UNIT) {
         return message_usage(r->syntax->command,
-                             "--need %s: ends with mg, g, ug, m/s2 or %%, or is a number in the "
-                             "unit of --gravity",
+                             "--need %s: must end with mg, g, ug, m/s2 or %%, or be a number in "
+                             "the unit of --gravity",
                              text);
     }
     if (ending == NEED_NO_GRAVITY) {
         return message_usage(r->syntax->command,
-                             "--need %s: the field (--gravity) is no gravity; state a part of it "
-                             "in %%, or a number in its unit",
+                             "--need %s: the field (--gravity) is not gravity: state %% of it, or "
+                             "a number in its unit",
                              text);
     }
     if (ending == NEED_PLAIN) {
@@ -659,9 +660,10 @@ static int read_need(request *r)
     snprintf(number, sizeof number, "%.*s", (int)fmin((double)digits, sizeof number - 1), text);
     const int failure = options_numbers(r->syntax, ASK_NEED, number, 1, &r->need, NULL);
     r->need *= r->settings.field / r->need_unit.scale;
-    return failure       ? failure
-           : r->need > 0 ? EXIT_GOOD
-                         : request_usage(r, ASK_NEED, "is above 0: what lengths may be wrong by");
+    return failure ? failure
+           : r->need > 0
+               ? EXIT_GOOD
+               : request_usage(r, ASK_NEED, "must be above 0: the acceptable error of lengths");
 }
 
 /* What the calibration is filed under. The texts stand in the order of the options. */

@@ -15,7 +15,7 @@ static int refuse_nominal(const request *r, calibrate_result *result)
     const fit_reason all = {0, (1u << INVCAL_PARAMETERS) - 1};
 
     if (r->value[ASK_LSB]) {
-        return request_usage(r, ASK_LSB, "is too small or too large a scale for any calculation");
+        return request_usage(r, ASK_LSB, "the scale is too small or too large");
     }
     return calibrate_refuse(result, &r->stand, INVCAL_UNDETERMINED, &all);
 }
@@ -148,7 +148,7 @@ int settle_scale(const request *r, const positions *data, const nominal_choice *
     const double meant = is_about_one(counts / lsb) ? field : 1;
     return message_usage(r->syntax->command,
                          "--lsb is field per count, not counts per field: with %.6g these readings "
-                         "are %.3g times the field; you mean --lsb %s/%.6g, which is %.6g",
+                         "are %.3g times the field; use --lsb %s/%.6g, which is %.6g",
                          lsb, counts * lsb / field, number_text(meant, numerator), lsb,
                          meant / lsb);
 }
@@ -210,18 +210,19 @@ int settle_noise(const request *r, const positions *data, calibrate_result *resu
         if (r->value[ASK_NOISE]) {
             return request_usage(r, ASK_NOISE, "is larger than the field (--gravity)");
         }
-        message("%s: its std columns tell a noise larger than the field (--gravity)", data->name);
+        message("%s: the noise from its std columns is larger than the field (--gravity)",
+                data->name);
         return EXIT_FILE;
     }
     if (fit_has_prior(&result->settings) && !(result->settings.noise > 0)) {
-        return request_usage(r, r->value[ASK_SIX_FACES] ? ASK_SIX_FACES : ASK_PRIOR,
-                             "is weighed against the noise of a position mean, so state that: "
-                             "--noise, or columns std and n");
+        return request_usage(
+            r, r->value[ASK_SIX_FACES] ? ASK_SIX_FACES : ASK_PRIOR,
+            "needs the noise of a position mean: state --noise, or columns std and n");
     }
     if (r->value[ASK_SLOPE] && !(result->settings.noise > 0)) {
-        return request_usage(r, ASK_SLOPE,
-                             "is weighed against the noise of a position mean, so state that: "
-                             "--noise, or columns std and n");
+        return request_usage(
+            r, ASK_SLOPE,
+            "needs the noise of a position mean: state --noise, or columns std and n");
     }
     return EXIT_GOOD;
 }

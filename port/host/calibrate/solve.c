@@ -114,9 +114,8 @@ static int solve_thermal(const request *r, calibrate_result *result)
     fit_reason reason;
 
     if (!result->data->has_temperature) {
-        message("%s: has no column of temperature in °C, K or °F, which --thermal needs: name it "
-                "temperature, or "
-                "leave --thermal out",
+        message("%s: --thermal needs a column of temperature in °C, K or °F: name it temperature, "
+                "or leave out --thermal",
                 result->data->name);
         return EXIT_FILE;
     }
@@ -265,10 +264,9 @@ static int find_axes(const request *r, calibrate_result *result)
     int failure = path ? calibration_file_read_correction(path, &file) : EXIT_GOOD;
 
     if (!failure && path && file.is_magnetometer) {
-        return message_usage(r->syntax->command,
-                             "--with %s: is a calibration of a magnetometer: state that of the "
-                             "accelerometer",
-                             path);
+        return message_usage(
+            r->syntax->command,
+            "--with %s: is a calibration of a magnetometer: give that of the accelerometer", path);
     }
     failure = failure ? failure
                       : dip_frame_find(result->magnetometer, path ? &file.calibration : NULL, dip);

@@ -13,7 +13,7 @@ static int check_standard_input(const char *command, const named_file *inputs, u
     for (unsigned i = 0; i < count; i++) {
         readers += inputs[i].path && input_is_stdin(inputs[i].path);
         if (readers > 1) {
-            return message_usage(command, "%s: only one input can be the standard input",
+            return message_usage(command, "%s: only one input can be read from the standard input",
                                  inputs[i].name);
         }
     }
@@ -27,9 +27,8 @@ static int check_output(const char *command, const named_file *made, const named
     for (unsigned i = 0; i < input_count; i++) {
         if (inputs[i].path && output_is_same(made->path, inputs[i].path)) {
             const int is_option = inputs[i].name[0] == '-';
-            return message_usage(command, "%s: is %s%s%s, which would be lost", made->name,
-                                 is_option ? "the file of " : "", inputs[i].name,
-                                 is_option ? "" : " itself");
+            return message_usage(command, "%s: would overwrite %s%s", made->name,
+                                 is_option ? "the file of " : "", inputs[i].name);
         }
     }
     for (const named_file *o = outputs; o < made; o++) {

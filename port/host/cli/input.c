@@ -34,7 +34,7 @@ FILE *input_open(const char *path)
 
     /* A directory can be opened; only reading from it fails, and not in plain words. */
     if (missing == 0 && S_ISDIR(status.st_mode)) {
-        message("%s: is a directory: state a file in it", input_name(path));
+        message("%s: is a directory: name a file in it", input_name(path));
         return NULL;
     }
     FILE *file = is_stdin ? stdin : fopen(path, "rb");

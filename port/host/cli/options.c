@@ -66,7 +66,7 @@ static int take_option(const option_syntax *syntax, int argc, char **argv, int *
     }
     if (*values[which] == '\0') {
         return message_usage(syntax->command,
-                             "%s: its value is empty: is a variable of a script not set?", o->name);
+                             "%s: its value is empty: is a shell variable not set?", o->name);
     }
     return EXIT_GOOD;
 }
@@ -99,7 +99,7 @@ int options_parse(const option_syntax *syntax, int argc, char **argv, const char
         } else if (found == syntax->operand_count && !repeats) {
             return message_usage(syntax->command, "'%s': one operand too many", argv[i]);
         } else if (argv[i][0] == '\0') {
-            return message_usage(syntax->command, "%s is empty: is a variable of a script not set?",
+            return message_usage(syntax->command, "%s is empty: is a shell variable not set?",
                                  syntax->operands[found]);
         } else {
             operands[found++] = argv[i];
@@ -159,9 +159,8 @@ int options_numbers(const option_syntax *syntax, unsigned which, const char *val
         }
     }
     if (rest || (n < wanted && !(single && n == 1))) {
-        return message_usage(syntax->command, "%s %s: expected are %u number%s%s", name, value,
-                             wanted, wanted > 1 ? "s with commas between" : "",
-                             single ? ", or one" : "");
+        return message_usage(syntax->command, "%s %s: %u number%s expected%s", name, value, wanted,
+                             wanted > 1 ? "s separated by commas" : "", single ? ", or one" : "");
     }
     if (single) {
         *single = n < wanted;

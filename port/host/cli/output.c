@@ -26,8 +26,8 @@ static int cannot_write(const char *what)
 
 static int in_the_way(const char *path, const char *temporary)
 {
-    message("%s: cannot be written: %s stands in the way, which runs that were killed have left "
-            "with others of such names; remove them",
+    message("%s: cannot be written: %s exists, left by a run that was killed; remove it and files "
+            "of similar names",
             path, temporary);
     return EXIT_FILE;
 }
@@ -88,9 +88,7 @@ static int check_place(const char *path, const char *place, const struct stat *o
         return cannot_write(path);
     }
     if (old && ((S_ISREG(old->st_mode) && !(old->st_mode & 0222)) || access(place, W_OK) != 0)) {
-        message("%s: is read-only, so nothing is written over it: name another file, or make it "
-                "writable",
-                path);
+        message("%s: is read-only: name another file, or make it writable", path);
         return EXIT_FILE;
     }
     char *folder = old && !S_ISREG(old->st_mode) ? NULL : folder_of(place);

@@ -128,9 +128,8 @@ static void draw_panel(FILE *file, const compare_picture *c, unsigned kind, doub
 
 void compare_draw_history(FILE *file, const void *picture, double width)
 {
-    static const char *const titles[3] = {"The offsets, calibration by calibration",
-                                          "The scales, calibration by calibration",
-                                          "The angles, calibration by calibration"};
+    static const char *const titles[3] = {"Offsets by calibration", "Scales by calibration",
+                                          "Angles by calibration"};
     const compare_picture *c = picture;
     const unsigned last = c->result->device[c->device].count - 1;
     char text[500] = "From the first calibration to the last:";
@@ -187,7 +186,7 @@ void compare_draw_fleet(FILE *file, const void *picture, double width)
     char text[COMPARE_TEXT_MAX];
 
     svg_begin_inline(file, width, bottom + 42,
-                     "The devices about the median, parameter by parameter",
+                     "Distance of the devices from the median, by parameter",
                      compare_sentence(r, text));
     svg_text(file, "ink heading", SVG_START, 0, 16, "from the median, in spreads");
     chart_ticks_x(file, &x, &y);

@@ -44,7 +44,7 @@ static int read_kinship(request *r)
         }
     }
     return r->value[AS]
-               ? message_usage("compare", "--as %s: is serial, history or fleet", r->value[AS])
+               ? message_usage("compare", "--as %s: must be serial, history or fleet", r->value[AS])
                : EXIT_GOOD;
 }
 
@@ -52,8 +52,7 @@ static int check_files(const request *r)
 {
     for (unsigned k = 0; r->value[REPORT] && r->paths[k]; k++) {
         if (output_is_same(r->value[REPORT], r->paths[k])) {
-            return message_usage("compare", "--report: is %s itself, which would be lost",
-                                 r->paths[k]);
+            return message_usage("compare", "--report: would overwrite %s", r->paths[k]);
         }
     }
     return EXIT_GOOD;
@@ -64,7 +63,7 @@ static int read_request(int argc, char **argv, request *r)
     int failure = options_parse(&syntax, argc, argv, r->value, r->paths);
 
     if (!failure && r->value[UNITS] && !told_parse(r->value[UNITS], &r->told)) {
-        failure = message_usage("compare", "--units %s: is everyday or ins", r->value[UNITS]);
+        failure = message_usage("compare", "--units %s: must be everyday or ins", r->value[UNITS]);
     }
     options_command("compare", argc, argv, r->command, sizeof r->command);
     failure = failure ? failure : read_kinship(r);
@@ -129,56 +128,55 @@ static int run_compare(int argc, char **argv)
 static const char *const help[] = {
     "usage: invcal compare CAL.json CAL.json ... [options]\n"
     "\n"
-    "Compares calibrations, as invcal calibrate --out writes them. Those with one serial number\n"
-    "(--serial) are the history of a device, in the order of their dates, or of the arguments if\n"
-    "not all have one: how far each parameter has drifted since the calibration before, with its\n"
-    "sigma, and whether that is more than chance explains. Several serial numbers are a fleet:\n"
-    "median and spread of the newest calibrations, and which device falls outside. Two files\n"
-    "without serial numbers are a history.\n"
+    "Compares calibrations written by invcal calibrate --out. Those with one serial number\n"
+    "(--serial) are the history of a device, in the order of their dates, or of the arguments\n"
+    "if a date is missing: how far each parameter has drifted since the previous calibration,\n"
+    "with its sigma, and whether the drift is significant. Several serial numbers are a\n"
+    "fleet: median and spread of the newest calibrations, and which device is an outlier. Two\n"
+    "files without serial numbers are a history.\n"
     "\n"
-    "Drift is told as invcal calibrate tells errors, with the older calibration for nominal. A\n"
-    "parameter has changed if chance alone does as much to any of the nine in 5 % of cases or "
-    "less\n"
-    "(Student's t, Welch's degrees of freedom, Bonferroni). A device is outside if Rosner's\n"
-    "generalised ESD test finds it, which finds any, in any parameter, in 5 % of fleets that are\n"
-    "all alike. Files of different frames, units or fields are refused.\n"
+    "Drift is defined like the errors of invcal calibrate, with the older calibration as the\n"
+    "nominal one. A parameter has changed if chance alone would change any of the nine by as\n"
+    "much in at most 5 % of cases (Student's t, Welch's degrees of freedom, Bonferroni). A\n"
+    "device is an outlier if Rosner's generalised ESD test finds it; in a fleet of equal\n"
+    "devices, it finds any, in any parameter, in 5 % of cases. Files of different frames,\n"
+    "units or fields are refused.\n"
     "\n"
     "  --as serial|history|fleet\n"
-    "                      by serial numbers (default), all of one device, or each of its own\n"
-    "  --same-field        all were made in one place with one --gravity: what that may be wrong "
-    "by\n"
-    "                      is the same in all, and no part of sigma\n"
+    "                      group by serial numbers (default), take all for one device, or\n"
+    "                      each for a device of its own\n"
+    "  --same-field        all were made in one place with one --gravity: its error is common\n"
+    "                      to all, and left out of sigma\n"
     "  --units everyday|ins\n"
-    "                      of figures for people: mg, % and degrees, or ug, ppm and arcsec\n"
-    "  --report R.html     write a page with the verdict, tables and pictures: one file that "
-    "needs\n"
-    "                      nothing else\n"
-    "  --json              print the result as JSON in place of the table\n"
+    "                      units of the tables: mg, % and degrees, or ug, ppm and arcsec\n"
+    "  --report R.html     write a page with the verdict, tables and pictures: one\n"
+    "                      self-contained file\n"
+    "  --json              print the result as JSON instead of the table\n"
     "  --quiet             print neither, only errors\n"
     "\n"
-    "exit codes: 0 good; 1 the files cannot be compared; 2 usage; 3 a file unreadable or "
-    "malformed,\n"
-    "or the output not writable. What has changed or is outside does not matter to them\n"
+    "exit codes: 0 good; 1 the files cannot be compared; 2 usage; 3 a\n"
+    "file unreadable or malformed, or the output not writable. Drift and outliers do not change "
+    "them\n"
     "\n"
     "example:\n"
     "  invcal simulate --seed 1 | invcal calibrate - --serial 47 --date 2026-01-05 --out old.json\n"
     "  invcal simulate --seed 2 --offset 0.021,-0.015,0.03 |\n"
-    "      invcal calibrate - --serial 47 --date 2026-06-01 --out new.json\n"
+    "  invcal calibrate - --serial 47 --date 2026-06-01 --out new.json\n"
     "  invcal compare old.json new.json --same-field --report drift.html\n",
     NULL};
 
 static const char *const brief[] = {
     "usage: invcal compare CAL.json CAL.json ... [options]\n"
     "\n"
-    "Compares calibrations, as invcal calibrate --out writes them: how far a device has drifted, "
-    "if "
-    "they have one --serial, or which device of a fleet falls outside.\n"
+    "Compares calibrations written by invcal calibrate --out: how far a device has drifted,\n"
+    "if they have one --serial, or which device of a fleet is an outlier.\n"
     "\n"
     "  --as serial|history|fleet\n"
-    "                      by serial numbers (default), all of one device, or each of its own\n"
+    "                      group by serial numbers (default), take all for one device, or\n"
+    "                      each for a device of its own\n"
     "  --same-field        all were made in one place with one --gravity\n"
     "  --report R.html     write a page with the verdict, tables and pictures\n"
-    "  --json              print the result as JSON in place of the table\n"
+    "  --json              print the result as JSON instead of the table\n"
     "\n"
     "example:\n"
     "  invcal simulate --seed 1 | invcal calibrate - --date 2026-01-05 --out old.json\n"
@@ -186,5 +184,6 @@ static const char *const brief[] = {
     "  invcal compare old.json new.json --same-field --report drift.html\n",
     NULL};
 
-const tool_command compare_command = {
-    "compare", "calibrations: drift of a device, spread of a fleet", help, run_compare, brief};
+const tool_command compare_command = {"compare",
+                                      "compare calibrations: drift of a device, spread of a fleet",
+                                      help, run_compare, brief};

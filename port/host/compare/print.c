@@ -154,7 +154,7 @@ static void print_outside(FILE *file, const compare_result *r, unsigned device, 
     char name[COMPARE_NAME_MAX];
     char text[FIGURE_MAX];
 
-    wrapped_printf(file, 4, "%sOutside:%s %s, %s: %s%s %s from the median",
+    wrapped_printf(file, 4, "%sOutlier:%s %s, %s: %s%s %s from the median",
                    paint_on(file, PAINT_RED), paint_off(file), compare_device_name(item, 20, name),
                    parameter_words(p), drift.scale * away > 0 ? "+" : "",
                    figure_digits(drift.scale * away, 3, text), drift.unit);
@@ -207,11 +207,10 @@ static void print_field(FILE *file, const compare_result *r)
 
     if (part > 0) {
         const told_unit scale = told_scale(r->told);
-        snprintf(
-            text, sizeof text,
-            "Of the ± of the scales %.2g %s is what the field (--gravity) may be wrong by. If all "
-            "were made in one place, --same-field leaves that out.",
-            scale.scale * part, scale.unit);
+        snprintf(text, sizeof text,
+                 "The ± of the scales includes %.2g %s for the field (--gravity). If all were made "
+                 "in one place, --same-field leaves it out.",
+                 scale.scale * part, scale.unit);
         wrapped_line(file, 0, 0, text);
     }
 }

@@ -38,7 +38,7 @@ static void write_verdict(page *p, const compare_result *r)
 static void write_items(page *p, const compare_result *r, const compare_device *d)
 {
     static const char *const headings[ITEM_COLUMNS] = {"", "date", "file", "verdict"};
-    const page_table sheet = {"The calibrations, first the oldest.", headings, ITEM_COLUMNS, 0xe};
+    const page_table sheet = {"The calibrations, oldest first.", headings, ITEM_COLUMNS, 0xe};
     char number[FIGURE_MAX];
     char name[COMPARE_NAME_MAX];
     char verdict[COMPARE_NAME_MAX];
@@ -109,9 +109,8 @@ static void write_drift(page *p, const compare_result *r, unsigned k)
 static void write_history(page *p, const compare_result *r, unsigned device)
 {
     const compare_device *d = &r->device[device];
-    static const char *const captions[3] = {"Offsets: differences to the oldest calibration. "
-                                            "Whiskers: what holds each calibration alone in "
-                                            "95 % of cases.",
+    static const char *const captions[3] = {"Offsets: differences from the oldest calibration. "
+                                            "Whiskers: 95 % interval of each calibration alone.",
                                             "Scales, the same.", "Angles off square, the same."};
     compare_picture picture = {r, device, 0};
     char name[COMPARE_NAME_MAX];
@@ -177,7 +176,7 @@ static void write_outside(page *p, const compare_result *r)
 {
     static const char *const headings[OUTSIDE_COLUMNS] = {"device", "parameter", "from the median",
                                                           "in spreads"};
-    const page_table sheet = {"What is outside.", headings, OUTSIDE_COLUMNS, 1u << 1};
+    const page_table sheet = {"Outliers.", headings, OUTSIDE_COLUMNS, 1u << 1};
     char name[COMPARE_NAME_MAX];
     char text[2][FIGURE_MAX + 64];
     char number[FIGURE_MAX];
@@ -230,11 +229,10 @@ static void write_fleet(page *p, const compare_result *r)
         write_fleet_row(p, &sheet, r, q);
     }
     page_table_end(p);
-    page_picture(
-        p,
-        "Each device's distance from the median, in spreads; beyond ±10 at the edge. Crosses "
-        "are outside.",
-        compare_draw_fleet, &picture);
+    page_picture(p,
+                 "Each device's distance from the median, in spreads; beyond ±10 at the edge. "
+                 "Crosses are outliers.",
+                 compare_draw_fleet, &picture);
 }
 
 /* ---- the page ---------------------------------------------------------------------------------- */
@@ -257,8 +255,8 @@ static void write_origin(page *p, const compare_result *r)
     }
     if (part > 0) {
         page_fact(p, "field",
-                  "%.2g %s of the ± of the scales is what the field (--gravity) may be wrong by; "
-                  "--same-field leaves that out if all were made in one place",
+                  "the ± of the scales includes %.2g %s for the field (--gravity); --same-field "
+                  "leaves it out if all were made in one place",
                   scale.scale * part, scale.unit);
     }
     page_facts_end(p);

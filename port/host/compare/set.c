@@ -58,20 +58,18 @@ static int is_one_field(double a, double b)
 static int check_model(const reading *x, const calibration_file *f, const char *path)
 {
     if (f->has_thermal != x->file.has_thermal) {
-        return refuse(x, path,
-                      "one of them has temperature in it, and the other has none; make both with "
-                      "--thermal, or none");
+        return refuse(
+            x, path, "only one of them includes temperature; make both with --thermal, or neither");
     }
     if (f->has_nonlinear != x->file.has_nonlinear) {
-        return refuse(
-            x, path,
-            "one of them has axes that are not linear in it, and the other has none; make "
-            "both with --quadratic or --cubic, or none");
+        return refuse(x, path,
+                      "only one of them includes nonlinearity; make both with --quadratic or "
+                      "--cubic, or neither");
     }
     if (f->has_thermal && !(x->temperature >= f->thermal.min && x->temperature <= f->thermal.max)) {
         return refuse(x, path,
-                      "it holds from %.4g to %.4g °C, and the other is told at %.4g °C; take it "
-                      "there, too",
+                      "it holds from %.4g to %.4g °C, and the other at %.4g °C; calibrate over "
+                      "that temperature, too",
                       f->thermal.min, f->thermal.max, x->temperature);
     }
     return EXIT_GOOD;
@@ -82,9 +80,7 @@ static int check(const reading *x, const calibration_file *f, const char *path)
     const calibration_file *other = &x->file;
 
     if (strcmp(f->frame, other->frame) != 0) {
-        return refuse(x, path,
-                      "their frames are %s and %s, which turn readings differently; make both with "
-                      "the same --frame",
+        return refuse(x, path, "their frames are %s and %s; make both with the same --frame",
                       f->frame, other->frame);
     }
     if (strcmp(f->unit, other->unit) != 0) {
@@ -128,7 +124,7 @@ static int take(const reading *x, const calibration_file *f, const char *path, c
     compare_nine(f, &c, item);
     for (unsigned p = 0; p < INVCAL_PARAMETERS; p++) {
         if (!isfinite(item->x[p])) {
-            message("%s: its parameters are beyond any calculation", input_name(path));
+            message("%s: its parameters are out of range", input_name(path));
             return EXIT_FILE;
         }
     }
@@ -147,7 +143,7 @@ static int read_one(reading *x, const char *path, unsigned k)
         return failure;
     }
     if (!(file.gravity > 0) || *file.frame == '\0') {
-        message("%s: does not tell the field and the frame: it is no file of invcal calibrate",
+        message("%s: the field or the frame is missing: not a file of invcal calibrate",
                 input_name(path));
         return EXIT_FILE;
     }
@@ -191,8 +187,8 @@ static int find_kin(compare_result *r, compare_kinship kinship)
     }
     if (kinship == COMPARE_BY_SERIAL && nameless > 0 && !(nameless == 2 && r->count == 2)) {
         return message_usage("compare",
-                             "%s: has no serial number, so that it is not known whose it is: "
-                             "--as history or --as fleet says it, or calibrate with --serial",
+                             "%s: has no serial number: state --as history or --as fleet, or "
+                             "calibrate with --serial",
                              input_name(r->item[first].path));
     }
     for (unsigned k = 0; k < r->count; k++) {
@@ -280,7 +276,7 @@ int compare_read(compare_result *r, const char *const *paths, compare_kinship ki
         inputs += (unsigned)input_is_stdin(paths[r->count]);
     }
     if (inputs > 1) {
-        return message_usage("compare", "only one input can be the standard input");
+        return message_usage("compare", "only one input can be read from the standard input");
     }
     r->item = calloc((size_t)r->count + 1, sizeof *r->item);
     r->device = calloc((size_t)r->count + 1, sizeof *r->device);

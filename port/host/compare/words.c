@@ -154,7 +154,7 @@ const char *compare_word(const compare_result *r)
     const compare_outcome outcome = compare_judge(r);
 
     return outcome == COMPARE_STEADY    ? (r->devices > 1 ? "Alike" : "Steady")
-           : outcome == COMPARE_UNKNOWN ? "Not known"
+           : outcome == COMPARE_UNKNOWN ? "Unknown"
            : count_of(r, outside) > 0   ? "Not alike"
                                         : "Changed";
 }
@@ -206,8 +206,8 @@ static void say_history(const compare_result *r, char text[COMPARE_TEXT_MAX])
     compare_file_name(before, 40, name);
     snprintf(text, COMPARE_TEXT_MAX, "%s %s %s since %s%s%s%s", list,
              strchr(list, ',') ? "have" : "has",
-             is_known || changed(r, 0) != 0 ? "changed by more than chance explains"
-                                            : "changed as far as is known, of some there is no ±,",
+             is_known || changed(r, 0) != 0 ? "changed significantly"
+                                            : "changed as far as is known (some have no ±)",
              date, *date != '\0' ? " (" : "", name, *date != '\0' ? ")." : ".");
     text[0] = (char)toupper((unsigned char)text[0]);
 }
@@ -225,11 +225,11 @@ static void say_histories(const compare_result *r, char text[COMPARE_TEXT_MAX])
              count == 1 ? "" : "s");
     append(text, one);
     if (count_of(r, changed) == 0) {
-        append(text, is_known ? "none has changed beyond chance."
-                              : "none is known to have changed: of some there is no ±.");
+        append(text, is_known ? "none has changed significantly."
+                              : "none is known to have changed; some have no ±.");
         return;
     }
-    snprintf(one, sizeof one, "%u changed by more than chance explains: ", count_of(r, changed));
+    snprintf(one, sizeof one, "%u changed significantly: ", count_of(r, changed));
     append(text, one);
     append_devices(r, changed, text);
     append(text, ".");
@@ -241,13 +241,12 @@ static void say_fleet(const compare_result *r, char text[COMPARE_TEXT_MAX])
     char one[COMPARE_NAME_MAX];
 
     if (r->devices < COMPARE_FLEET_LEAST) {
-        append(text, "Two devices are too few to tell which is outside.");
+        append(text, "Two devices are too few to identify an outlier.");
     } else if (count == 0) {
-        snprintf(one, sizeof one, "None of %u devices falls outside.", r->devices);
+        snprintf(one, sizeof one, "None of %u devices is an outlier.", r->devices);
         append(text, one);
     } else {
-        snprintf(one, sizeof one, "Of %u devices %u fall%s outside: ", r->devices, count,
-                 count == 1 ? "s" : "");
+        snprintf(one, sizeof one, "Outliers, of %u devices: ", r->devices);
         append(text, one);
         append_devices(r, outside, text);
         append(text, ".");
@@ -271,34 +270,31 @@ const char *compare_next(const compare_result *r)
     int is_known;
 
     if (count_of(r, outside) > 0) {
-        return "calibrate what is outside once more; what stays outside is the device's own.";
+        return "calibrate each outlier again; if it remains an outlier, the device is different.";
     }
     if (count_of(r, changed) > 0) {
-        return "use the newest calibration, look for a cause (temperature, a knock, stress of the "
-               "mounting), and calibrate again soon to see whether it goes on.";
+        return "use the newest calibration, look for a cause (temperature, a knock, stress in the "
+               "mounting), and calibrate again soon to see if it continues.";
     }
     (void)histories(r, &is_known);
-    return is_known ? "nothing. The newest calibration of each device is the one to use."
-                    : "calibrate with more positions, or state --noise, so that there is a ±.";
+    return is_known ? "nothing. Use the newest calibration of each device."
+                    : "calibrate with more positions, or state --noise, to get a ±.";
 }
 
 const char *compare_drift_rule(void)
 {
-    return "A parameter has changed if chance alone does as much to any of the nine in 5 % of "
-           "cases at "
-           "most: Student's t with the degrees of freedom of both calibrations (Welch), and a "
-           "ninth of the 5 % for each (Bonferroni).";
+    return "A parameter has changed if chance alone would change any of the nine by as much in at "
+           "most 5 % of cases: Student's t with the degrees of freedom of both calibrations "
+           "(Welch), and a ninth of the 5 % for each (Bonferroni).";
 }
 
 const char *compare_fleet_rule(void)
 {
-    return "A device is outside if Rosner's generalised ESD test finds it: the farthest are looked "
-           "at "
-           "one after another, a quarter of all at most, so that several cannot hide each other. "
-           "In 5 % of fleets that are all alike it finds any, in any of the nine parameters. A "
-           "device "
-           "whose own ± (95 %) reaches the median is not outside. The spread is 1.4826 times the "
-           "median distance from the median.";
+    return "A device is an outlier if Rosner's generalised ESD test finds it: the farthest are "
+           "tested one after another, a quarter of all at most, so that several cannot mask each "
+           "other. In a fleet of equal devices it finds any, in any of the nine parameters, in 5 % "
+           "of cases. A device whose own ± (95 %) reaches the median is not an outlier. The spread "
+           "is 1.4826 times the median distance from the median.";
 }
 
 double compare_field_part(const compare_result *r)

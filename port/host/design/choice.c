@@ -123,15 +123,15 @@ static void refuse(choice *c, const choice_request *request, unsigned allowed)
 {
     if (allowed < choice_least(request)) {
         snprintf(c->refusal, sizeof c->refusal,
-                 "%u position%s into %.6g s with %.6g s in each and %.6g s between; %u are the "
-                 "least, nine and %u to spare",
+                 "only %u position%s into %.6g s with %.6g s in each and %.6g s between; the "
+                 "minimum is %u, nine and %u to spare",
                  allowed, allowed == 1 ? " fits" : "s fit", request->budget, request->cost.dwell,
                  request->cost.move, choice_least(request), request->spare);
     } else {
         snprintf(c->refusal, sizeof c->refusal,
-                 "no program of up to %u positions%s meets the limits: dwell longer, take a sensor "
-                 "of less noise, or allow more",
-                 allowed, request->budget > 0 ? ", which fit into the budget," : "");
+                 "no program of up to %u positions%s meets the limits: dwell longer, use a quieter "
+                 "sensor, or relax the limits",
+                 allowed, request->budget > 0 ? "within the budget" : "");
     }
 }
 

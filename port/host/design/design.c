@@ -317,8 +317,8 @@ static int read_count(const char *command, const char *what, const char *text, u
         return message_usage(command, "%s: '%s' %s", what, text, number_problem(status));
     }
     if (!(x >= least && x <= most && !(floor(x) < x))) {
-        return message_usage(command, "%s: '%s': a whole number from %u to %u is expected", what,
-                             text, least, most);
+        return message_usage(command, "%s: '%s': a whole number from %u to %u expected", what, text,
+                             least, most);
     }
     *out = (unsigned)x;
     return EXIT_GOOD;
@@ -332,7 +332,7 @@ static int read_starts(const char *command, const char *text, double start[3])
 
     if (sscanf(text, "%63[^,],%63[^,],%63[^,]%c", item[0], item[1], item[2], &rest) != 3) {
         return message_usage(
-            command, "per-group: '%s': three start angles with commas between are expected", text);
+            command, "per-group: '%s': three start angles expected, separated by commas", text);
     }
     for (unsigned g = 0; g < INVCAL_PLAN_GROUPS; g++) {
         const number_status status = number_parse(item[g], &start[g]);
@@ -341,8 +341,8 @@ static int read_starts(const char *command, const char *text, double start[3])
                                  number_problem(status));
         }
         if (!(fabs(start[g]) <= 360)) {
-            return message_usage(command, "per-group: start angle '%s' is not within -360 ... 360",
-                                 item[g]);
+            return message_usage(
+                command, "per-group: start angle '%s' is out of range, -360 ... 360", item[g]);
         }
     }
     return EXIT_GOOD;
@@ -371,8 +371,8 @@ static int make_stand(design *d, const char *command, const char *text)
         d->is_solvable = 0;
         d->undetermined = (1u << INVCAL_PARAMETERS) - 1;
         snprintf(d->refusal, sizeof d->refusal,
-                 "%u position%s in a group %s too few: a group is a series of five coefficients, "
-                 "so it takes 5 or more",
+                 "%u position%s in a group %s too few: a group determines five coefficients, so it "
+                 "needs 5 or more",
                  plan.per_group, plan.per_group == 1 ? "" : "s",
                  plan.per_group == 1 ? "is" : "are");
         return EXIT_DATA;
@@ -477,7 +477,7 @@ static int make_grid(design *d, const char *command, const char *text)
             return failure;
         }
     }
-    return message_usage(command, "grid: '%.*s': 15, 30 or 45 degrees are expected",
+    return message_usage(command, "grid: '%.*s': 15, 30 or 45 degrees expected",
                          (int)strcspn(text, ":"), text);
 }
 
@@ -488,7 +488,7 @@ static int scale_rows(positions *p)
         double *v = &p->mean[3 * (size_t)n];
         const double largest = fmax(fabs(v[0]), fmax(fabs(v[1]), fabs(v[2])));
         if (!(largest > 0)) {
-            message("%s:%lu: no direction: its three numbers are 0", p->name, p->origin[n].line);
+            message("%s:%lu: not a direction: all three numbers are 0", p->name, p->origin[n].line);
             return EXIT_FILE;
         }
         const double x = v[0] / largest;
@@ -523,7 +523,7 @@ static int make_from_file(design *d, const char *command, const char *path)
     int failure = positions_read(&p, path);
 
     if (!failure && p.count > DESIGN_MAX) {
-        message("%s: %u directions, more than %u", p.name, p.count, DESIGN_MAX);
+        message("%s: %u directions; the maximum is %u", p.name, p.count, DESIGN_MAX);
         failure = EXIT_FILE;
     }
     failure = failure ? failure : scale_rows(&p);
@@ -617,7 +617,7 @@ static int make(design *d, const char *command, const char *word)
         }
     }
     return make_named(d, word) ? EXIT_GOOD
-                               : message_usage(command, "'%s' is no set of positions", word);
+                               : message_usage(command, "'%s' is not a set of positions", word);
 }
 
 int design_make(design *d, const char *command, const char *word)

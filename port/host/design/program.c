@@ -191,7 +191,7 @@ const char *program_wrong_text(const program *p, unsigned asked, char text[PROGR
         snprintf(text, PROGRAM_TEXT_MAX, "that is position %u (%s), not %u", p->here + 1, angles,
                  asked + 1);
     } else {
-        snprintf(text, PROGRAM_TEXT_MAX, "that is %s, no position of the program; %u was asked for",
+        snprintf(text, PROGRAM_TEXT_MAX, "that is %s, not a position of the program; go to %u",
                  angles, asked + 1);
     }
     return text;

@@ -459,5 +459,5 @@ void sphere_draw(FILE *file, const sphere *s, unsigned half)
     draw_axis_names(file, half);
     svg_text(file, "soft small", SVG_MIDDLE, CENTRE_X, CAPTION_Y,
              half ? "z down, seen from +z through the sphere"
-                  : "z up, and the equator, seen from +z");
+                  : "z up and the equator, seen from +z");
 }

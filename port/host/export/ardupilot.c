@@ -43,12 +43,13 @@ static int check(const export_job *job)
         largest = fmax(largest, fabs(offset));
     }
     if (job->instance >= INSTANCES) {
-        return message_usage("export", "--instance %u: for ArduPilot it is 0 to 2", job->instance);
+        return message_usage("export", "--instance %u: must be 0 to 2 for ArduPilot",
+                             job->instance);
     }
     export_diagonal_tell(job, &d);
     if (largest > OFFSET_RANGE) {
-        message("warning: an offset of %.4g m/s^2 is beyond the +-3.5 that ArduPilot's parameters "
-                "are meant for; a ground station may ask",
+        message("warning: an offset of %.4g m/s^2 is beyond ArduPilot's range of +-3.5; a ground "
+                "station may ask for confirmation",
                 largest);
     }
     return EXIT_GOOD;
@@ -82,7 +83,7 @@ static void write_file(FILE *file, const export_job *job)
                    "ArduPilot: corrected = scale (reading - offset), axis by axis, of readings of");
     export_comment(file, EXPORT_COMMENT, "the driver in m/s^2; its scale: %s", job->driver_from);
     export_comment(file, EXPORT_COMMENT,
-                   "ArduPilot logs what it has corrected: record with offsets 0 and scales 1.");
+                   "ArduPilot logs corrected readings: record with offsets 0 and scales 1.");
     export_diagonal_comment(file, EXPORT_COMMENT, &d);
     if (job->device_id > 0) {
         fprintf(file, "%s_ID,%.0f\n", prefix, job->device_id);

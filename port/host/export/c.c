@@ -14,7 +14,7 @@ static int check_range(const export_job *job)
 
     if (!constant_fits(c->offset, (const double(*)[3])c->matrix) ||
         (job->file.has_gyro && !constant_fits(g->offset, (const double(*)[3])g->matrix))) {
-        message("%s: has numbers beyond the range of a float; calibrate in other units",
+        message("%s: its numbers exceed the range of a float; calibrate in other units",
                 job->source);
         return EXIT_DATA;
     }
@@ -85,8 +85,8 @@ static void write_arrays(FILE *file, const export_job *job)
     export_comment(file, EXPORT_COMMENT_C, "raw in input units, calibrated in %s.",
                    export_field_unit(job));
     if (job->file.has_gyro) {
-        export_comment(file, EXPORT_COMMENT_C, "%s_gyro_offset and %s_gyro_matrix alike, in rad/s.",
-                       name, name);
+        export_comment(file, EXPORT_COMMENT_C,
+                       "The same with %s_gyro_offset and %s_gyro_matrix, in rad/s.", name, name);
     }
     fputs(" */\n", file);
     write_two(file, name, "", c);

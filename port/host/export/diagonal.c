@@ -99,7 +99,7 @@ export_diagonal export_diagonal_fit(const invcal_calibration *full)
 void export_diagonal_tell(const export_job *job, const export_diagonal *d)
 {
     message("%s has no cross terms: the best fit leaves %.4f mg rms, %.4f mg at most (in length "
-            "%.4f and %.4f); cutting them off would leave %.4f and %.4f (%.4f and %.4f)",
+            "%.4f and %.4f); dropping them would leave %.4f and %.4f (%.4f and %.4f)",
             job->format, MG * d->best.rms, MG * d->best.max, MG * d->best.length_rms,
             MG * d->best.length_max, MG * d->cut_off.rms, MG * d->cut_off.max,
             MG * d->cut_off.length_rms, MG * d->cut_off.length_max);
@@ -113,10 +113,11 @@ static void comment_error(FILE *file, const char *prefix, const char *label, con
 
 void export_diagonal_comment(FILE *file, const char *prefix, const export_diagonal *d)
 {
-    export_comment(file, prefix, "No cross terms can be stored. What is left, mg (thousandths of");
+    export_comment(file, prefix,
+                   "No cross terms can be stored. Remaining error, mg (thousandths of");
     export_comment(file, prefix, "the field), over all directions:");
     export_comment(file, prefix, "  %-22s %10s %10s %10s %10s", "", "vector rms", "max",
                    "length rms", "max");
     comment_error(file, prefix, "this best fit", &d->best);
-    comment_error(file, prefix, "cross terms cut off", &d->cut_off);
+    comment_error(file, prefix, "cross terms dropped", &d->cut_off);
 }

@@ -67,15 +67,15 @@ int export_driver(export_job *job, const double *zero, const double *lsb)
     job->driver_from = find_scale(job, zero, lsb, driver_zero, driver_lsb);
     if (!job->driver_from) {
         return message_usage("export",
-                             "%s: by which scale the driver brings its readings to m/s^2 is not "
-                             "told in it; state that: --zero X,Y,Z --lsb S (m/s^2 per input unit)",
+                             "%s: the scale of the driver is unknown: state --zero X,Y,Z --lsb S "
+                             "(m/s^2 per input unit)",
                              job->source);
     }
     see_from_driver(job, driver_zero, driver_lsb);
     if (!matrix_inverse(&job->driver, inverse) ||
         !(fabs(job->driver.offset[0]) + fabs(job->driver.offset[1]) + fabs(job->driver.offset[2]) <
           1e30)) {
-        return message_usage("export", "%s: no calculation can be made with the driver's scale, %s",
+        return message_usage("export", "%s: the scale of the driver is out of range, %s",
                              job->source, job->driver_from);
     }
     return EXIT_GOOD;

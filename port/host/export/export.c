@@ -62,13 +62,13 @@ static int read_format(request *r)
         }
     }
     if (!r->format) {
-        return usage(FORMAT,
-                     "is one of c, c-arrays, px4, ardupilot, ros, imu_tk, imu_tk-gyro, fusion");
+        return usage(
+            FORMAT, "must be one of c, c-arrays, px4, ardupilot, ros, imu_tk, imu_tk-gyro, fusion");
     }
     for (unsigned i = 0; i < OPTIONS; i++) {
         if (r->value[i] && (option_needs[i] & ~r->format->takes)) {
-            return message_usage(syntax.command, "%s: --format %s has no use for it",
-                                 options[i].name, r->format->name);
+            return message_usage(syntax.command, "%s: --format %s does not use it", options[i].name,
+                                 r->format->name);
         }
     }
     return EXIT_GOOD;
@@ -100,8 +100,8 @@ static int read_name(const char *name)
 
     if (name && (!strchr(letters, *name) || name[strspn(name, others)] != '\0' ||
                  strlen(name) > NAME_LENGTH || is_keyword(name))) {
-        return usage(NAME, "is a word for C: a letter, then letters, digits or _, 60 at most, "
-                           "and no keyword");
+        return usage(NAME, "must be a C identifier: a letter, then letters, digits or _, at most "
+                           "60, and not a keyword");
     }
     return EXIT_GOOD;
 }
@@ -122,7 +122,7 @@ static int read_scale(request *r)
         r->lsb[2] = single ? r->lsb[0] : r->lsb[2];
     }
     for (unsigned i = 0; i < 3 && !failure && r->value[LSB]; i++) {
-        failure = fabs(r->lsb[i]) > 0 ? EXIT_GOOD : usage(LSB, "a scale is not 0");
+        failure = fabs(r->lsb[i]) > 0 ? EXIT_GOOD : usage(LSB, "a scale must not be 0");
     }
     return failure;
 }
@@ -134,7 +134,7 @@ static int read_whole(unsigned which, const char *value, double low, double high
     }
     const int failure = options_numbers(&syntax, which, value, 1, out, NULL);
     if (!failure && !(*out >= low && *out <= high && !(floor(*out) < *out))) {
-        return message_usage(syntax.command, "%s: is a whole number from %.0f to %.0f",
+        return message_usage(syntax.command, "%s: must be a whole number from %.0f to %.0f",
                              options[which].name, low, high);
     }
     return failure;
@@ -173,17 +173,16 @@ static void warn(const export_job *job)
     const calibration_file *c = &job->file;
 
     if (c->suspected > 0) {
-        message("warning: %s: %.0f positions contradict one another; it is exported as it is",
-                job->source, c->suspected);
+        message("warning: %s: %.0f positions contradict one another; exported anyway", job->source,
+                c->suspected);
     }
     if (*c->undetermined) {
-        message("warning: %s: %s calibration: %s badly determined; it is exported as it is",
-                job->source, *c->verdict ? c->verdict : "this", c->undetermined);
+        message("warning: %s: %s calibration: %s poorly determined; exported anyway", job->source,
+                *c->verdict ? c->verdict : "this", c->undetermined);
     } else if (strcmp(c->verdict, "no redundancy") == 0) {
-        message("warning: %s: no position to spare has checked it; it is exported as it is",
-                job->source);
+        message("warning: %s: no redundancy to check it; exported anyway", job->source);
     } else if (*c->verdict && strcmp(c->verdict, "good") != 0 && !(c->suspected > 0)) {
-        message("warning: %s: %s calibration; it is exported as it is", job->source, c->verdict);
+        message("warning: %s: %s calibration; exported anyway", job->source, c->verdict);
     }
 }
 
@@ -191,8 +190,8 @@ static void warn(const export_job *job)
 static int refuse_nonlinear(const export_job *job)
 {
     return message_usage(syntax.command,
-                         "%s has quadratic or cubic errors of the axes, which --format %s cannot "
-                         "take off: export a calibration made without --quadratic and --cubic",
+                         "%s has quadratic or cubic errors, which --format %s cannot correct: "
+                         "export a calibration made without --quadratic and --cubic",
                          job->source, job->format);
 }
 
@@ -208,7 +207,7 @@ static int settle(const request *r, export_job *job)
         return refuse_nonlinear(job);
     }
     if ((takes & EXPORT_GYRO) && !job->file.has_gyro) {
-        return message_usage(syntax.command, "--format %s is for a gyroscope, and %s holds none",
+        return message_usage(syntax.command, "--format %s is for a gyroscope, and %s contains none",
                              job->format, job->source);
     }
     if ((takes & EXPORT_GRAVITY) && !(gravity > 0)) {
@@ -219,8 +218,8 @@ static int settle(const request *r, export_job *job)
     }
     if ((takes & EXPORT_ACCELERATION) && !(job->si > 0)) {
         return message_usage(syntax.command,
-                             "--format %s is for accelerometers, but in %s the field is %.6g: "
-                             "no gravity in m/s^2, g or mg",
+                             "--format %s is for accelerometers, but in %s the field is %.6g: not "
+                             "gravity in m/s^2, g or mg",
                              job->format, job->source, gravity);
     }
     if (takes & EXPORT_DRIVER) {
@@ -261,7 +260,7 @@ static int run(int argc, char **argv)
     failure = failure ? failure : calibration_file_read_all(r.path, &job.file);
     failure = failure ? failure : settle(&r, &job);
     if (!failure && job.file.has_thermal) {
-        message("warning: %s: its temperature terms are not exported; what is holds at %.6g °C",
+        message("warning: %s: its temperature terms are not exported; the result holds at %.6g °C",
                 job.source, job.file.thermal.reference);
     }
     return failure ? failure : deliver(&r, &job);
@@ -270,53 +269,49 @@ static int run(int argc, char **argv)
 static const char *const help[] = {
     "usage: invcal export CAL.json --format NAME [options]\n"
     "\n"
-    "Writes a calibration in the format of another system. CAL.json is what invcal calibrate "
-    "--out\n"
-    "has written; - is the standard input.\n"
+    "Writes a calibration in the format of another system. CAL.json is the output of invcal\n"
+    "calibrate --out; - reads the standard input.\n"
     "\n"
     "  --format c          C header, a constant for invcal_apply of this library\n"
     "  --format c-arrays   C, two plain arrays of float, for code without the library\n"
-    "  --format fusion     C, matrix, sensitivity and offset for x-io Fusion, result in g; of a\n"
-    "                      magnetometer its soft-iron matrix and hard-iron offset\n"
+    "  --format fusion     C, matrix, sensitivity and offset for x-io Fusion, result in g; of\n"
+    "                      a magnetometer, its soft-iron matrix and hard-iron offset\n"
     "  --format imu_tk     the file that imu_tk saves and loads; result in m/s^2\n"
     "  --format imu_tk-gyro\n"
-    "                      the gyroscope's; result in rad/s\n"
+    "                      the same for the gyroscope; result in rad/s\n"
     "  --format ros        YAML for apply_calib of the ROS package imu_calib\n"
     "  --format px4        CAL_ACC parameters, a file for QGroundControl\n"
     "  --format ardupilot  INS_ACC parameters, a .param file\n"
-    "\n",
-    "One made with --quadratic or --cubic is refused: no format takes such errors off.\n"
-    "Of a calibration made with --thermal what holds at its reference temperature is exported, "
-    "and\n"
-    "that is told.\n"
     "\n"
-    "A field of 9.7 to 9.9 is taken for gravity in m/s^2, 0.99 to 1.01 in g, 990 to 1010 in mg, "
-    "and\n"
-    "any other for that of a magnetometer, which only the three in C take.\n"
+    "A calibration made with --quadratic or --cubic is refused: no format removes such\n"
+    "errors. Of one made with --thermal, the calibration at its reference temperature is\n"
+    "exported, with a warning.\n"
     "\n"
-    "A gyroscope in CAL.json comes with the first three: NAME_gyro in rad/s, for Fusion gyroscope\n"
-    "in degrees/s; px4 and ardupilot take its bias, if its columns have a unit, and measure it "
-    "again at\n"
-    "each start unless set not to. ros has no file for it.\n"
+    "The field tells the unit: 9.7 to 9.9 is gravity in m/s^2, 0.99 to 1.01 in g, 990 to 1010\n"
+    "in mg. Any other is that of a magnetometer, for which only the three C formats exist.\n"
     "\n"
-    "The first five take readings in input units, those of the log. The last three correct what\n"
-    "their driver delivers in m/s^2, so its scale must be known: the log was in m/s^2, g or mg, "
-    "or\n"
-    "invcal calibrate was given --zero and --lsb, or they are stated here. The last two have no\n"
-    "cross terms: they get the best fit of three scales and three offsets, and the error that it\n"
-    "leaves is told, rms and largest of all directions, in mg (thousandths of the field).\n"
-    "Their log must not be corrected yet: PX4's sensor_accel is not, ArduPilot's logs are,\n"
-    "unless recorded with offsets 0 and scales 1.\n"
+    "A gyroscope in CAL.json is included in the first three: NAME_gyro in rad/s, for Fusion\n"
+    "gyroscope in degrees/s. px4 and ardupilot take its bias, if its columns have a unit, and\n"
+    "measure it again at each start unless configured otherwise. ros has no file for it.\n"
     "\n"
-    "  --name WORD         c, c-arrays, fusion: what the names in the C source begin with\n"
-    "  --zero X,Y,Z        px4, ardupilot, ros: reading that the driver turns into 0, input units\n"
-    "  --lsb S | SX,SY,SZ  its scale, m/s^2 per input unit\n"
+    "The first five correct readings in input units, those of the log. The last three correct\n"
+    "what their driver delivers in m/s^2, so its scale must be known: the log was in m/s^2, g\n"
+    "or mg, or invcal calibrate was given --zero and --lsb, or they are stated here. The last\n"
+    "two have no cross terms: they get the best fit of three scales and three offsets, and\n"
+    "the remaining error over all directions is printed, rms and maximum, in mg (thousandths\n"
+    "of the field). Their log must be uncorrected: PX4's sensor_accel is; ArduPilot's logs\n"
+    "are corrected unless recorded with offsets 0 and scales 1.\n"
+    "\n"
+    "  --name WORD         c, c-arrays, fusion: prefix of the names in the C source\n"
+    "  --zero X,Y,Z        px4, ardupilot, ros: reading that the driver turns into 0, input\n"
+    "                      units\n"
+    "  --lsb S | SX,SY,SZ  scale of the driver, m/s^2 per input unit\n"
     "  --instance N        px4, ardupilot: number of the sensor; default 0, the first\n"
-    "  --device-id N       px4, ardupilot: writes CAL_ACCn_ID or INS_ACCn_ID as well\n"
-    "  --out FILE          write to a file in place of the standard output\n",
+    "  --device-id N       px4, ardupilot: write CAL_ACCn_ID or INS_ACCn_ID as well\n"
+    "  --out FILE          write to a file instead of the standard output\n"
     "\n"
-    "exit codes: 0 good; 1 the calibration is out of the range of the system; 2 usage, or a scale\n"
-    "that nobody has told; 3 CAL.json unreadable or malformed, or the output not writable\n"
+    "exit codes: 0 good; 1 the calibration is out of the range of the system; 2 usage, or the\n"
+    "scale is not known; 3 CAL.json unreadable or malformed, or the output not writable\n"
     "\n"
     "example:\n"
     "  invcal calibrate tests/data/xsens_mti_positions.csv --positions --gravity 9.81744 \\\n"
@@ -336,14 +331,15 @@ static const char *const brief[] = {
     "  --format ros        YAML for the ROS package imu_calib\n"
     "  --format px4        parameters for QGroundControl\n"
     "  --format ardupilot  parameters, a .param file\n"
-    "  --zero X,Y,Z        px4, ardupilot, ros: what the driver turns into 0, input units\n"
-    "  --lsb S | SX,SY,SZ  its scale, m/s^2 per input unit\n"
-    "  --out FILE          write to a file in place of the standard output\n"
+    "  --zero X,Y,Z        px4, ardupilot, ros: reading that the driver turns into 0, input\n"
+    "                      units\n"
+    "  --lsb S | SX,SY,SZ  scale of the driver, m/s^2 per input unit\n"
+    "  --out FILE          write to a file instead of the standard output\n"
     "\n"
     "example:\n"
     "  invcal calibrate tests/data/mpu9150_0_positions.csv --positions --out cal.json\n"
     "  invcal export cal.json --format c --name accelerometer\n",
     NULL};
 
-const tool_command export_command = {"export", "a calibration in the formats of other systems",
-                                     help, run, brief};
+const tool_command export_command = {
+    "export", "write a calibration in the format of another system", help, run, brief};

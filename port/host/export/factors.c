@@ -16,8 +16,8 @@ int export_factors_check(const export_job *job, const invcal_calibration *c, dou
     for (unsigned j = 0; j < 3; j++) {
         const double column = fabs(m[0][j]) + fabs(m[1][j]) + fabs(m[2][j]);
         if (!(column <= RATIO_MAX * fabs(m[j][j]))) {
-            message("%s: the sensor on input %c feels nothing along %c, so --format %s cannot "
-                    "hold it: name the columns in their order",
+            message("%s: the sensor on input %c does not respond along %c, so --format %s cannot "
+                    "store it: put the columns in order",
                     job->source, (int)"xyz"[j], (int)"xyz"[j], job -> format);
             return EXIT_DATA;
         }

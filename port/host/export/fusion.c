@@ -35,7 +35,7 @@ static int check(const export_job *job)
                constant_fits_float(c->matrix[i][i] / job->file.gravity);
     }
     if (!fits) {
-        message("%s: has numbers beyond the range of a float; calibrate in other units",
+        message("%s: its numbers exceed the range of a float; calibrate in other units",
                 job->source);
         return EXIT_DATA;
     }
@@ -94,7 +94,7 @@ static void write_magnetic(FILE *file, const export_job *job, const char *name)
     export_comment(file, EXPORT_COMMENT_C,
                    "FusionModelMagnetic(raw, %sSoftIronMatrix, %sHardIronOffset)", name, name);
     export_comment(file, EXPORT_COMMENT_C,
-                   "raw in input units; of the result only the direction counts.");
+                   "raw in input units; only the direction of the result matters.");
     fputs(" */\n", file);
     write_values(file, "FusionMatrix", name, "SoftIronMatrix", c->matrix[0], 9);
     write_values(file, "FusionVector", name, "HardIronOffset", c->offset, 3);

@@ -76,9 +76,8 @@ static void write_file(FILE *file, const export_job *job)
                    "PX4: corrected = scale (reading - offset), axis by axis,");
     export_comment(file, EXPORT_COMMENT, "of readings of the driver in m/s^2; its scale: %s",
                    job->driver_from);
-    export_comment(
-        file, EXPORT_COMMENT,
-        "The log must be one of sensor_accel: PX4 has corrected sensor_combined already.");
+    export_comment(file, EXPORT_COMMENT,
+                   "The log must be of sensor_accel: sensor_combined is corrected already.");
     export_diagonal_comment(file, EXPORT_COMMENT, &d);
     export_comment(file, EXPORT_COMMENT, "QGroundControl: Parameters, Tools, Load from file.");
     if (job->device_id > 0) {
@@ -98,7 +97,7 @@ static void write_file(FILE *file, const export_job *job)
     }
     if (export_gyro_bias(job, bias)) {
         export_comment(file, EXPORT_COMMENT,
-                       "The gyroscope's bias, rad/s; its scale PX4 has no parameter for.");
+                       "The gyroscope's bias, rad/s; PX4 has no parameter for its scale.");
         for (unsigned i = 0; i < 3; i++) {
             fprintf(file, "1\t1\tCAL_GYRO%u_%cOFF\t%s\t9\n", job->instance, (int)"XYZ"[i],
                     constant_float(bias[i], text));

@@ -49,7 +49,7 @@ static int is_known(const double x[3])
 static void comment_sigma(FILE *file, const char *prefix, const calibration_file *c)
 {
     if (!is_known(c->sigma_offset) || !is_known(c->sigma_dk) || !is_known(c->sigma_gamma)) {
-        export_comment(file, prefix, "standard deviations: not known");
+        export_comment(file, prefix, "standard deviations: unknown");
         return;
     }
     export_comment(file, prefix, "standard deviations, x y z:");
@@ -66,12 +66,12 @@ void export_heading(FILE *file, const char *prefix, const export_job *job)
     const calibration_file *c = &job->file;
 
     export_comment(file, prefix, "Made by invcal " INVCAL_VERSION " from %s", tail(job->source));
-    export_comment(file, prefix, "verdict: %s", *c->verdict ? c->verdict : "not told");
+    export_comment(file, prefix, "verdict: %s", *c->verdict ? c->verdict : "unknown");
     if (c->suspected > 0) {
         export_comment(file, prefix, "%.0f positions contradict one another", c->suspected);
     }
     if (*c->undetermined) {
-        export_comment(file, prefix, "badly determined: %s", c->undetermined);
+        export_comment(file, prefix, "poorly determined: %s", c->undetermined);
     }
     if (c->positions <= DBL_MAX) {
         export_comment(file, prefix, "positions: %.0f", c->positions);
@@ -98,7 +98,7 @@ int export_check_range(const export_job *job, const double *x, unsigned n, int i
 {
     for (unsigned i = 0; i < n; i++) {
         if (!(fabs(x[i]) <= (is_float ? (double)FLT_MAX : DBL_MAX))) {
-            message("%s: a number of --format %s would be beyond the range of a %s; calibrate in "
+            message("%s: a number of --format %s would exceed the range of a %s; calibrate in "
                     "other units",
                     job->source, job->format, is_float ? "float" : "double");
             return EXIT_DATA;

@@ -53,12 +53,11 @@ static void advise(gyro_fit *g, const char *format, ...)
 
 const char *gyro_reason(invcal_status why)
 {
-    return why == INVCAL_MOVE_APART ? "contradicts the others"
-           : why == INVCAL_REST_DRIFT
-               ? "the bias before and after differs by 0.5 °/s: in one of the "
-                 "two the device turned"
-           : why == INVCAL_REST_SAME ? "nothing was turned"
-                                     : invcal_status_text(why);
+    return why == INVCAL_MOVE_APART   ? "contradicts the others"
+           : why == INVCAL_REST_DRIFT ? "the bias before and after differs by 0.5 °/s: the device "
+                                        "turned in one of the two rests"
+           : why == INVCAL_REST_SAME  ? "no turn"
+                                      : invcal_status_text(why);
 }
 
 static const char *axes_words(const int8_t axes[3], axes_text text)
@@ -132,7 +131,7 @@ static int check_readings(gyro_fit *g)
         }
         if (i >= t->readings) {
             refuse(g, "stuck", "the gyroscope's %c never changes", "xyz"[k]);
-            advise(g, "look whether it is read, and record again");
+            advise(g, "check that it is read, and record again");
             return 0;
         }
         g->rail[0][k] = rail_of(t, k, -1);
@@ -412,17 +411,17 @@ static int settle_unit(gyro_fit *g, const gyro_wish *wish, const gyro_guess *gue
         return 1;
     }
     refuse(g, "unit",
-           "the gyroscope's readings are stated in %s (%.6g rad/s), but the accelerometer "
-           "saw turns of %.3g times that",
+           "the stated unit of the gyroscope is %s (%.6g rad/s), but the accelerometer saw turns "
+           "%.3g times as large",
            wish->turn > 0 ? "--gyro-lsb" : unit_turn_words(header), g->turn, guess->turn / g->turn);
     if (named > 0) {
-        advise(g, "they are in %s: --gyro-lsb %s", unit_turn_words(named),
+        advise(g, "its unit is %s: state --gyro-lsb %s", unit_turn_words(named),
                fabs(named - 1) < 1e-9             ? "rad/s"
                : fabs(named - UNIT_DEGREE) < 1e-9 ? "deg/s"
                : named < 1e-4                     ? "0.001"
                                                   : "0.0572958");
     } else {
-        advise(g, "--gyro-lsb %.3g says so, in degrees/s", guess->turn / UNIT_DEGREE);
+        advise(g, "state --gyro-lsb %.3g, in degrees/s", guess->turn / UNIT_DEGREE);
     }
     return 0;
 }
@@ -434,13 +433,11 @@ static int check_axes(gyro_fit *g, const gyro_wish *wish, const gyro_guess *gues
 
     if (!(guess->misfit < FITS)) {
         refuse(g, "apart",
-               "the gyroscope turned otherwise than the accelerometer saw, by %.2g degrees "
-               "in a move, whichever way its axes are",
+               "the turns of the gyroscope differ from those of the accelerometer by %.2g degrees "
+               "in a move, for any assignment of its axes",
                guess->misfit / UNIT_DEGREE);
-        advise(
-            g,
-            "look whether both are of one device and one clock, and whether readings are clipped "
-            "or lost");
+        advise(g, "check that both are of one device and one clock, and that no readings are "
+                  "clipped or lost");
         return 0;
     }
     if (guess->axes[0] == 1 && guess->axes[1] == 2 && guess->axes[2] == 3) {
@@ -451,10 +448,10 @@ static int check_axes(gyro_fit *g, const gyro_wish *wish, const gyro_guess *gues
         axes[i] = (int8_t)(guess->axes[i] < 0 ? -stated : stated);
     }
     refuse(g, "axes",
-           "the gyroscope's axes are not the accelerometer's: about x, y and z of that turn "
-           "its %s",
+           "the gyroscope's axes are not the accelerometer's: about x, y and z of the "
+           "accelerometer turn its %s",
            axes_words(axes, text));
-    advise(g, "--gyro-axes %s takes them so; or mend it where they are read", text);
+    advise(g, "state --gyro-axes %s, or correct the driver", text);
     return 0;
 }
 
@@ -466,16 +463,16 @@ static int find_unit_and_axes(gyro_fit *g, const gyro_wish *wish, long lag, cons
     memcpy(g->axes, wish->axes, sizeof g->axes);
     if (!has_turned(g, lag, bias)) {
         refuse(g, "too few", "the gyroscope reads no turns between the rests");
-        advise(g, "record without a break from rest to rest, the moves too");
+        advise(g, "record without a break from rest to rest, moves included");
         return 0;
     }
     const int dead = find_dead(g, lag, bias);
     if (dead >= 0) {
-        refuse(g, "stuck",
-               "the gyroscope's %c reads nothing in moves that turned the device about all "
-               "axes",
-               "xyz"[dead]);
-        advise(g, "look whether that axis is read, and record again");
+        refuse(
+            g, "stuck",
+            "the gyroscope's %c reads nothing, though the moves turned the device about all axes",
+            "xyz"[dead]);
+        advise(g, "check that this axis is read, and record again");
         return 0;
     }
     const int is_told = gyro_search(g->turns, lag, g->rest, g->rests, bias, g->axes, &guess);
@@ -483,11 +480,9 @@ static int find_unit_and_axes(gyro_fit *g, const gyro_wish *wish, long lag, cons
         return 0;
     }
     if (!(g->turn > 0)) {
-        refuse(
-            g, "too few",
-            "no moves between rests, none of their samples lost, tell what a unit of the gyroscope "
-            "is");
-        advise(g, "turn to other sides, each within ten seconds; or state --gyro-lsb");
+        refuse(g, "too few",
+               "too few complete moves between rests to determine the unit of the gyroscope");
+        advise(g, "turn to other sides, each within ten seconds, or state --gyro-lsb");
         return 0;
     }
     return !is_told || check_axes(g, wish, &guess);
@@ -579,8 +574,8 @@ static void say_open(gyro_fit *g)
         }
     }
     refuse(g, "undetermined", "the moves leave parameters undetermined: %s", list);
-    advise(g, "turn about each of the three axes: twelve quarter turns between the six faces tell "
-              "everything");
+    advise(g, "turn about each of the three axes: twelve quarter turns through the six faces "
+              "determine everything");
 }
 
 /* How many moves are unusable, by their reasons. */
@@ -609,14 +604,14 @@ static void say_status(gyro_fit *g, invcal_status status)
                g->moves == 1 ? "" : "s", g->moves == 1 ? "is" : "are");
         add_reasons(g);
         advise(g, "turn from rest to rest within ten seconds, about each of the three axes: twelve "
-                  "quarter turns between the six faces tell everything");
+                  "quarter turns through the six faces determine everything");
         break;
     case INVCAL_UNDETERMINED:
         say_open(g);
         break;
     default:
         refuse(g, "apart", "%s", invcal_status_text(status));
-        advise(g, "look whether both are of one device and one clock, and whether readings are "
+        advise(g, "check that both are of one device and one clock, and that no readings are "
                   "clipped or lost");
         break;
     }

@@ -63,8 +63,8 @@ int nominal_knows(const nominal_choice *n, unsigned parameter)
 
 const char *nominal_origin_text(nominal_origin origin)
 {
-    static const char *const texts[] = {"given", "not stated", "of an earlier calibration",
-                                        "by the unit", "of the data sheet"};
+    static const char *const texts[] = {"given", "not stated", "from an earlier calibration",
+                                        "from the unit", "from the data sheet"};
 
     return texts[origin];
 }

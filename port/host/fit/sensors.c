@@ -81,7 +81,7 @@ static const sensor sensors[] = {
      0,
      0,
      SENSOR_OFFSET,
-     "counts: 16 bits as its registers hold them, left-justified",
+     "16-bit counts as in the registers, left-justified",
      "ST DocID17530 Rev. 2, 2016-12, T4 Mechanical characteristics"},
     /* sensitivity 230 ... 282 at 2 g, also 10 % or 11 % at the others */
     {"adxl345",
@@ -92,7 +92,7 @@ static const sensor sensors[] = {
      0.10,
      0.01,
      SENSOR_CROSS_AXIS,
-     "in full resolution 2g is the scale of every range",
+     "in full resolution, the scale of 2g applies to every range",
      "Analog Devices ADXL345 Rev. E, 2015, T1 Specifications"},
     /* sensitivity 235520 ... 276480 at 2 g */
     {"adxl355",
@@ -103,7 +103,7 @@ static const sensor sensors[] = {
      0.08,
      0.01,
      SENSOR_CROSS_AXIS,
-     "counts of 20 bits",
+     "20-bit counts",
      "Analog Devices ADXL354/ADXL355 Rev. 0, 2016, Specifications"},
     /* sensitivity 15729 ... 17039 at 2 g; the offset soldered */
     {"bmi160",
@@ -145,7 +145,7 @@ static const sensor sensors[] = {
      0,
      0,
      0,
-     "calibrated output; raw counts: by the unit's certificate",
+     "calibrated output; for raw counts see the unit's certificate",
      "Xsens MT0100P.N, MTi and MTx User Manual, 4.5.2 on p. 18"},
 };
 
@@ -214,8 +214,7 @@ int sensors_choose(const char *words, sensor_choice *out, char text[SENSORS_TEXT
         }
         nearest_offer(&meant, sensors[i].key);
     }
-    snprintf(text, SENSORS_TEXT_MAX,
-             "no data sheet of '%.*s' is known%s; --sensor list names those that are",
+    snprintf(text, SENSORS_TEXT_MAX, "unknown sensor '%.*s'%s; --sensor list prints the known ones",
              (int)(length < 40 ? length : 40), words, nearest_text(&meant, hint));
     return 0;
 }
@@ -255,13 +254,12 @@ int sensors_fit(const sensor_choice *c, double ratio, char text[SENSORS_TEXT_MAX
     for (unsigned k = 0; k < SENSORS_RANGES && c->type->range[k].name; k++) {
         const double other = counts / c->type->range[k].per_g;
         if (other < RANGE_OF && other > 1 / RANGE_OF) {
-            append(text, SENSORS_TEXT_MAX, ": as if it were %s:%s", c->type->key,
+            append(text, SENSORS_TEXT_MAX, ": they match %s:%s", c->type->key,
                    c->type->range[k].name);
             return 0;
         }
     }
-    append(text, SENSORS_TEXT_MAX,
-           ", and no range of it fits: state --zero and --lsb in its place");
+    append(text, SENSORS_TEXT_MAX, ", at any of its ranges: state --zero and --lsb instead");
     return 0;
 }
 
@@ -314,9 +312,11 @@ void sensors_list(FILE *file)
 {
     char text[SENSORS_TEXT_MAX];
 
-    fprintf(file, "Data sheets known to --sensor NAME[:RANGE]. Counts a g; *: range at power-on.\n"
-                  "Zero is 0 counts. Typical: the sheet states no maximum. What it does not state\n"
-                  "is no limit. Angles between axes may be twice the cross-axis sensitivity.\n");
+    fprintf(file,
+            "Data sheets known to --sensor NAME[:RANGE]. Counts per g; *: range at power-on.\n"
+            "Zero is 0 counts. Typical: the sheet states no maximum. Limits that the sheet\n"
+            "does not state are not checked. Angles between axes may be twice the cross-axis\n"
+            "sensitivity.\n");
     for (size_t i = 0; i < SENSORS; i++) {
         const sensor *s = &sensors[i];
         const sensor_choice c = {s, s->range};

@@ -214,9 +214,9 @@ static int refuse(labour *l)
     const int is_floor = row->dwell < NEAR_LONGEST * LABOUR_LONGEST;
 
     snprintf(l->refusal, sizeof l->refusal,
-             "no number of positions up to %u and no dwell%s meet the limits%s; "
-             "%u positions of %.4g s come nearest, with a mean good to %.3g %s, and %.3g %s are "
-             "needed: allow more, or take a sensor of less noise",
+             "no number of positions up to %u and no dwell%s meet the limits%s; %u positions of "
+             "%.4g s come closest, with a sigma of the mean of %.3g %s where %.3g %s is needed: "
+             "relax the limits, or use a quieter sensor",
              LABOUR_MAX, is_floor ? "" : " up to 1e6 s", is_floor ? ": the noise has a floor" : "",
              row->count, row->dwell, unit.scale * row->sigma, unit.unit, unit.scale * row->wanted,
              unit.unit);

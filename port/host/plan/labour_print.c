@@ -53,15 +53,14 @@ void labour_print(FILE *file, const labour *l)
     const told_unit scale = told_scale(l->told);
     const told_unit angle = told_angle(l->told);
 
-    wrapped_printf(
-        file, 0,
-        "The least time in all, by the noise of %s; %.6g s to settle in each position, %.6g s "
-        "between two; limits %.4g %s, %.4g %s, %.4g %s",
-        l->noise_name, l->settle, l->move, field.scale * l->limits[0], field.unit,
-        scale.scale * l->limits[1], scale.unit, angle.scale * l->limits[2], angle.unit);
+    wrapped_printf(file, 0,
+                   "Least total time with the noise of %s; %.6g s to settle in each position, %.6g "
+                   "s between two; limits %.4g %s, %.4g %s, %.4g %s",
+                   l->noise_name, l->settle, l->move, field.scale * l->limits[0], field.unit,
+                   scale.scale * l->limits[1], scale.unit, angle.scale * l->limits[2], angle.unit);
     putc('\n', file);
     if (l->warm_up > 0) {
-        fprintf(file, "%.6g s to warm up, before the first\n\n", l->warm_up);
+        fprintf(file, "%.6g s to warm up before the first\n\n", l->warm_up);
     }
     tabular_begin(file, "lrrrrrl");
     tabular_cell("%s", "");
@@ -69,12 +68,12 @@ void labour_print(FILE *file, const labour *l)
     tabular_cell("dwell, s");
     tabular_cell("mean, %s", field.unit);
     tabular_cell("time");
-    tabular_cell("what binds");
+    tabular_cell("limited by");
     tabular_row_in(PAINT_BOLD);
     const int is_beyond = add_rows(l);
     tabular_end();
     if (is_beyond) {
-        wrapped_line(file, 0, 0, "* longer than the averaging times that the noise is known at");
+        wrapped_line(file, 0, 0, "* longer than the averaging times of the measured noise");
     }
     putc('\n', file);
 }

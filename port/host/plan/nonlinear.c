@@ -52,7 +52,7 @@ static unsigned parameters_of(const prospect *p)
 /* "not determined: cubic x, cubic y". */
 static const char *open_text(const prospect *p, char text[TEXT_MAX])
 {
-    int length = snprintf(text, TEXT_MAX, "not determined");
+    int length = snprintf(text, TEXT_MAX, "undetermined");
 
     for (unsigned e = 0; e < NONLINEARITY_MOST; e++) {
         if (p->open >> e & 1) {
@@ -70,7 +70,7 @@ static const char *few_text(const prospect *p, const design *d, char text[TEXT_M
 
     text[0] = '\0';
     if (d->count < least) {
-        snprintf(text, TEXT_MAX, ", but --%s takes %u positions or more", name_of(p), least);
+        snprintf(text, TEXT_MAX, ", but --%s needs %u positions or more", name_of(p), least);
     }
     return text;
 }
@@ -106,9 +106,9 @@ static void print_line(FILE *file, const design *d, unsigned degree, double nois
 
 void plan_nonlinear_print(FILE *file, const design *d, double noise, told_style told)
 {
-    wrapped_printf(file, 0,
-                   "sigma of nonlinear terms, if they are parameters, too (calibrate --quadratic, "
-                   "--cubic)");
+    wrapped_printf(
+        file, 0,
+        "sigma of nonlinear terms, if they are estimated too (calibrate --quadratic, --cubic)");
     print_line(file, d, QUADRATIC, noise, told);
     print_line(file, d, CUBIC, noise, told);
 }
@@ -154,9 +154,9 @@ void plan_nonlinear_report(page *p, const design *d, double noise, told_style to
     const prospect cubic = prospect_of(d, CUBIC);
     char text[2][SENTENCE_MAX];
 
-    page_note(p,
-              "σ of nonlinear terms, if they are parameters, too (calibrate --quadratic, --cubic): "
-              "%s; %s.",
-              report_text(&quadratic, d, noise, told, text[0]),
-              report_text(&cubic, d, noise, told, text[1]));
+    page_note(
+        p,
+        "σ of nonlinear terms, if they are estimated too (calibrate --quadratic, --cubic): %s; %s.",
+        report_text(&quadratic, d, noise, told, text[0]),
+        report_text(&cubic, d, noise, told, text[1]));
 }

@@ -177,7 +177,7 @@ static int read_turns(const request *r, turns_request *out)
     out->rate_noise = rate_noise / FIGURE_DEGREES;
     out->instability = instability / FIGURE_DEGREES / 3600;
     if (!failure && out->noise + out->rate_noise + out->instability >= 0.5) {
-        return usage(NOISE, "so noisy, nothing can be told of turns");
+        return usage(NOISE, "too large: turns determine nothing with so much noise");
     }
     return failure;
 }
@@ -187,7 +187,7 @@ static int read_units(request *r)
     const char *text = r->value[UNITS];
 
     return text && !told_parse(text, &r->choice.told)
-               ? message_usage(syntax.command, "--units %s: is everyday or ins", text)
+               ? message_usage(syntax.command, "--units %s: must be everyday or ins", text)
                : EXIT_GOOD;
 }
 
@@ -199,7 +199,7 @@ static int read_demands(request *r)
     const int failure = read_number(r, SPARE, 0, most, &spare);
 
     if (!failure && floor(spare) < spare) {
-        return message_usage(syntax.command, "--spare %s: is no whole number", r->value[SPARE]);
+        return message_usage(syntax.command, "--spare %s: must be a whole number", r->value[SPARE]);
     }
     r->choice.spare = failure ? 0 : (unsigned)spare;
     r->choice.needs_axes = r->value[NEED_AXES] != NULL;
@@ -275,18 +275,18 @@ static int read_set(request *r)
             continue; /* edges have the faces with them */
         }
         if (which >= 0) {
-            return usage(named[i], "only one set of positions can be shown; --compare takes two");
+            return usage(named[i], "give only one set of positions; --compare takes two");
         }
         which = (int)named[i];
     }
     if (value[START] && which >= 0 && which != PER_GROUP) {
-        return usage(START, "belongs to --per-group");
+        return usage(START, "needs --per-group");
     }
     if (value[PER_GROUP] && strchr(value[PER_GROUP], ':')) {
-        return usage(PER_GROUP, "is a number; --start has the angles");
+        return usage(PER_GROUP, "must be a number; use --start for the angles");
     }
     if (value[OPTIMAL] && strchr(value[OPTIMAL], ':')) {
-        return usage(OPTIMAL, "is a number; see --grid and --need-axes");
+        return usage(OPTIMAL, "must be a number; see --grid and --need-axes");
     }
     r->has_set = which >= 0 || value[START];
     write_word(r, which);
@@ -299,11 +299,11 @@ static int check_allan(const request *r)
     static const unsigned others[] = {NOISE, DWELL, BUDGET, SWEEP, COMPARE, PROGRAMS, MOVES};
 
     if (!r->value[LIMITS] || r->has_set) {
-        return usage(ALLAN, "finds number and dwell for --limits; leave other sets out");
+        return usage(ALLAN, "chooses the set for --limits; state --limits and no other set");
     }
     for (unsigned i = 0; i < sizeof others / sizeof others[0]; i++) {
         if (r->value[others[i]]) {
-            return message_usage(syntax.command, "%s: cannot be joined with --allan",
+            return message_usage(syntax.command, "%s: cannot be combined with --allan",
                                  options[others[i]].name);
         }
     }
@@ -328,29 +328,30 @@ static int check_several(const request *r, unsigned several)
     const char *const *value = r->value;
 
     if (r->has_set) {
-        return usage(several, "names its sets itself; leave the other out");
+        return usage(several, "names its own sets; leave out the other set");
     }
     for (unsigned i = 0; i < sizeof all / sizeof all[0]; i++) {
         if (value[all[i]] && all[i] != several) {
-            return message_usage(syntax.command, "%s: cannot be joined with %s",
+            return message_usage(syntax.command, "%s: cannot be combined with %s",
                                  options[several].name, options[all[i]].name);
         }
     }
     if (value[SWEEP] &&
         (value[NOISE] || value[DWELL] || value[SETTLE] || value[MOVE] || value[WARM_UP])) {
-        return usage(SWEEP, "knows no time and noise; leave out --noise, --dwell, --settle, "
-                            "--move, --warm-up");
+        return usage(
+            SWEEP,
+            "does not use times or noise; leave out --noise, --dwell, --settle, --move, --warm-up");
     }
     if (value[LIMITS] || value[BUDGET]) {
         return usage(value[LIMITS] ? LIMITS : BUDGET,
-                     "chooses a set itself; leave out --sweep, --compare, --programs and --moves");
+                     "chooses a set; leave out --sweep, --compare, --programs and --moves");
     }
     if (value[PROGRAMS] && (value[SVG] || value[REPORT])) {
-        return usage(value[SVG] ? SVG : REPORT, "--programs has a table only");
+        return usage(value[SVG] ? SVG : REPORT, "--programs prints a table only");
     }
     for (unsigned i = 0; i < sizeof single / sizeof single[0]; i++) {
         if (value[single[i]]) {
-            return message_usage(syntax.command, "%s: is for one set; leave out %s",
+            return message_usage(syntax.command, "%s: needs a single set; leave out %s",
                                  options[single[i]].name, options[several].name);
         }
     }
@@ -366,12 +367,12 @@ static int check_turns(const request *r)
 
     for (unsigned i = 0; i < sizeof own / sizeof own[0] && !is_asked; i++) {
         if (r->value[own[i]]) {
-            return usage(own[i], "belongs to --moves");
+            return usage(own[i], "needs --moves");
         }
     }
     for (unsigned i = 0; i < sizeof none / sizeof none[0] && is_asked; i++) {
         if (r->value[none[i]]) {
-            return message_usage(syntax.command, "%s: cannot be joined with --moves",
+            return message_usage(syntax.command, "%s: cannot be combined with --moves",
                                  options[none[i]].name);
         }
     }
@@ -385,19 +386,18 @@ static int check_demands(const request *r)
     const int is_choice = value[LIMITS] || value[BUDGET];
 
     if ((value[NEED_AXES] || value[SPARE]) && !is_choice && !value[OPTIMAL]) {
-        return usage(value[NEED_AXES] ? NEED_AXES : SPARE,
-                     "belongs to --limits, --budget or --optimal");
+        return usage(value[NEED_AXES] ? NEED_AXES : SPARE, "needs --limits, --budget or --optimal");
     }
     if (value[GRID] && !value[OPTIMAL]) {
-        return usage(GRID, "belongs to --optimal");
+        return usage(GRID, "needs --optimal");
     }
     if (value[GRID] && value[LIMITS]) {
-        return usage(GRID, "cannot be joined with --limits");
+        return usage(GRID, "cannot be combined with --limits");
     }
     if (value[WEIGHTS] && is_choice) {
-        return usage(WEIGHTS, "is for a set that is named; leave out --limits, --budget, --allan");
+        return usage(WEIGHTS, "needs a named set; leave out --limits, --budget, --allan");
     }
-    return value[CSV] && value[JSON] ? usage(CSV, "cannot be joined with --json") : EXIT_GOOD;
+    return value[CSV] && value[JSON] ? usage(CSV, "cannot be combined with --json") : EXIT_GOOD;
 }
 
 /* What does not go together. */
@@ -420,10 +420,10 @@ static int check(const request *r)
         return usage(COMPARE, "takes two sets, for example: --compare per-group:8 per-group:6");
     }
     if (value[BUDGET] && r->has_set) {
-        return usage(BUDGET, "chooses a set itself; leave the other out");
+        return usage(BUDGET, "chooses a set; leave out the other");
     }
     if (value[LIMITS] && r->has_set && !value[OPTIMAL]) {
-        return usage(LIMITS, "chooses a set itself, or weighs --optimal N; leave the other out");
+        return usage(LIMITS, "chooses a set, or works with --optimal N; leave out the other");
     }
     return EXIT_GOOD;
 }
@@ -581,7 +581,7 @@ static int refuse(const request *r, const design *d, const char *reason)
 static int check_spare(const request *r, const design *d)
 {
     if (r->value[SPARE] && d->count < choice_least(&r->choice)) {
-        return message_usage(syntax.command, "--spare %s: --optimal %s leaves %u to spare",
+        return message_usage(syntax.command, "--spare %s: --optimal %s has a redundancy of only %u",
                              r->value[SPARE], r->value[OPTIMAL], d->count - INVCAL_PARAMETERS);
     }
     return EXIT_GOOD;
@@ -693,7 +693,8 @@ static int read_sweep(const request *r, unsigned *from, unsigned *to)
         /* NOLINTNEXTLINE(cert-err34-c): digits, and too few for an overflow */
         sscanf(text, "%4u:%4u%c", from, to, &rest) != 2 || *from < INVCAL_PLAN_PER_GROUP_MIN ||
         *to > INVCAL_PLAN_PER_GROUP_MAX || *from > *to) {
-        return usage(SWEEP, "is FROM:TO, positions in a group, from 5 to 1000, for example 5:16");
+        return usage(SWEEP,
+                     "must be FROM:TO, positions per group, from 5 to 1000, for example 5:16");
     }
     return EXIT_GOOD;
 }
@@ -759,99 +760,94 @@ static const char *const help[] = {
     "       invcal plan --moves PROGRAM [--noise S] [--rate-noise N] [--instability B]\n"
     "                   [--dwell T] [--move T] [--report FILE] [--json]\n"
     "\n"
-    "Tells which positions to visit, and how exactly they will determine the nine parameters:\n"
+    "Shows which positions to visit, and how accurately they determine the nine parameters:\n"
     "the standard deviations sigma of offsets, scale errors and angles, over the noise of a\n"
-    "position mean; and of quadratic and cubic errors of the axes, if they are parameters, too\n"
-    "(calibrate --quadratic, --cubic). alpha and beta are the angles of a stand with two axes;\n"
-    "x y z is the up direction in the frame of the case, for use with the device in the "
-    "hand.\n"
+    "position mean; also of quadratic and cubic errors of the axes, if they are estimated too\n"
+    "(calibrate --quadratic, --cubic). alpha and beta are the angles of a two-axis stand; x y\n"
+    "z is the up direction in the frame of the case, for a device held in the hand.\n"
     "\n"
-    "  --per-group N       the paper's program: three groups of N positions, N from 5 to 1000;\n"
-    "                      default 6, the program of 18 positions\n"
-    "  --start A,B,C       start angles of the groups, degrees; default: such that each axis\n"
-    "                      points up and down along gravity, if N is even\n"
+    "  --per-group N       the paper's program: three groups of N positions, N from 5 to\n"
+    "                      1000; default 6, the program of 18 positions\n"
+    "  --start A,B,C       start angles of the groups, degrees; default: each axis points up\n"
+    "                      and down along gravity, if N is even\n"
     "  --faces             each axis up and down: 6 positions, too few for nine parameters\n"
-    "  --edges             these and the 12 midway between two axes: 18 positions\n"
-    "  --icosahedron       its 12 corners\n"
-    "  --stand-12          the program of 18 without the six positions on the axes: for a stand,\n"
-    "                      with three positions to spare, and no axis along gravity\n"
-    "  --stand-24          the 24 positions of the paper's refs 2 and 4: three groups in steps of\n"
-    "                      45 degrees. They are 18 directions; six are visited twice\n"
+    "  --edges             the faces and the 12 edges, midway between two axes: 18 positions\n"
+    "  --icosahedron       its 12 vertices\n"
+    "  --stand-12          the program of 18 without the six positions on the axes: for a\n"
+    "                      stand, with a redundancy of three and no axis along gravity\n"
+    "  --stand-24          the 24 positions of the paper's refs 2 and 4: three groups in\n"
+    "                      steps of 45 degrees. They are 18 directions; six are visited twice\n"
     "  --optimal N         N positions, 9 to 144, with the largest determinant of H'H\n"
-    "                      (D-optimal); with --limits as far below them as can be, met or not\n"
-    "  --grid S            with --optimal: for a stand that stops every S degrees in alpha and in\n"
-    "                      beta; S is 15, 30 or 45\n"
-    "  --angles FILE       the columns alpha and beta of a table, degrees, as --csv writes it; "
-    "with\n"
-    "                      a column dwell, seconds, that is --dwell, shared as told\n"
-    "  --directions FILE   the columns x y z of a table, of any length; - is standard input\n",
-    "  --limits D,K,G      chooses the smallest set whose sigma of offsets, scale errors and\n"
-    "                      angles are within limits: times the noise of a position mean, or,\n"
-    "                      with --noise, over the field (0.001 is 1 mg), 1 and rad. Never above\n"
-    "                      10 times the noise, which invcal calibrate would call weak\n"
-    "  --budget SECONDS    chooses the set of the largest determinant that fits; with --limits:\n"
-    "                      only sets that fit. Both choose among the paper's programs and free\n"
-    "                      directions, the latter up to 144\n"
-    "  --spare N           positions beyond the nine that nine parameters need, at least, of a "
-    "set\n"
-    "                      that is chosen; default 3. With --optimal: that many, or refused\n"
-    "  --need-axes         each axis up and down along gravity, in a set that is chosen and in\n"
-    "                      --optimal\n"
-    "  --weights           shares the time among the positions of the set so that det H'H is the\n"
-    "                      largest (D-optimal); --dwell is then the mean\n"
-    "  --bound E           how wrong each parameter can be at most, if no position mean is off by\n"
+    "                      (D-optimal); with --limits, as far below them as possible, met or\n"
+    "                      not\n"
+    "  --grid S            with --optimal: for a stand that stops every S degrees in alpha\n"
+    "                      and beta; S is 15, 30 or 45\n"
+    "  --angles FILE       columns alpha and beta of a table, degrees, as written by --csv; a\n"
+    "                      column dwell, seconds, replaces --dwell\n"
+    "  --directions FILE   columns x y z of a table, of any length; - reads the standard\n"
+    "                      input\n",
+    "  --limits D,K,G      choose the smallest set whose sigmas of offsets, scale errors and\n"
+    "                      angles are within these limits: times the noise of a position\n"
+    "                      mean, or, with --noise, over the field (0.001 is 1 mg), 1 and rad.\n"
+    "                      Never above 10 times the noise, which invcal calibrate would call\n"
+    "                      weak\n"
+    "  --budget SECONDS    choose the set with the largest determinant that fits; with\n"
+    "                      --limits: only sets that fit. Both choose among the paper's\n"
+    "                      programs and free directions, the latter up to 144\n"
+    "  --spare N           minimum redundancy of a chosen set: positions beyond the nine that\n"
+    "                      nine parameters need; default 3. With --optimal: that many, or\n"
+    "                      refuse\n"
+    "  --need-axes         require each axis up and down along gravity, in a chosen set and\n"
+    "                      with --optimal\n"
+    "  --weights           distribute the time over the positions for the largest det H'H\n"
+    "                      (D-optimal); --dwell is then the mean\n"
+    "  --bound E           worst-case error of each parameter if no position mean is off by\n"
     "                      more than E of the field: E times the sum of |H+| over its row\n"
-    "  --noise S           of the mean of one second at rest, over the field\n"
-    "                      (0.0001 is 0.1 mg). With --moves, where it is not told, that of a\n"
-    "                      position mean is 0.3 mg\n"
-    "  --allan NOISE.json  noise that invcal allan --out has measured: chooses the number of\n"
+    "  --noise S           noise of the mean of one second at rest, over the field (0.0001 is\n"
+    "                      0.1 mg). With --moves, the default is 0.3 mg for a position mean\n"
+    "  --allan NOISE.json  noise measured by invcal allan --out: chooses the number of\n"
     "                      positions, up to 144, and the seconds in each, 2 or more, for the\n"
-    "                      least time in all; --limits are then over the field, 1 and rad\n"
+    "                      least total time; --limits are then over the field, 1 and rad\n"
     "  --warm-up T         seconds once, before the first position; default 0\n"
     "  --dwell T           seconds in each position; default 5, with --moves 2\n"
-    "  --settle T          seconds before that in each, which do not count; default 0 (invcal\n"
-    "                      calibrate cuts about 0.75 s off a rest)\n"
-    "  --move T            seconds from one to the next; default 5. With --moves those of a "
-    "quarter\n"
-    "                      turn; default 1.5, and more in proportion\n"
+    "  --settle T          seconds before that in each position, which do not count; default\n"
+    "                      0 (invcal calibrate cuts about 0.75 s off a rest)\n"
+    "  --move T            seconds from one position to the next; default 5. With --moves: of\n"
+    "                      a quarter turn, larger turns in proportion; default 1.5\n"
     "  --sweep FROM:TO     the paper's programs for each N in the range\n"
-    "  --compare SET SET   two sets side by side, by these words:\n",
+    "  --compare SET SET   compare two sets, each one of:\n",
     DESIGN_WORDS,
-    "  --programs          the programs of 15, 18 and 24 positions, six faces and twelve edges,\n"
-    "                      stand-12 and the icosahedron, with ratios to that of 18\n"
+    "  --programs          the programs of 15, 18 and 24 positions, six faces and twelve\n"
+    "                      edges, stand-12 and the icosahedron, with ratios to that of 18\n",
     "  --moves tour12|tour16|tour24|faces|greedy12|LIST\n"
-    "                      turns of a gyroscope beside the accelerometer, in words, and how "
-    "exactly\n"
-    "                      they will determine the 18 parameters of both: tour12, twelve quarter\n"
-    "                      turns between the six faces; tour16, then a full turn about each axis,\n"
-    "                      too; tour24, the twelve and back; faces, nine quarter turns and a full\n"
-    "                      one about each axis; greedyN, N turns of which each tells most; or a "
-    "list\n"
-    "                      such as +z,+x,+y-z,x:360: what is up in the first rest, then what "
-    "comes\n"
-    "                      up, or the axis to turn about and degrees\n"
-    "  --rate-noise N      with --moves: of the gyroscope, degrees/s/sqrt(Hz); default 0.005\n"
-    "  --instability B     with --moves: of its bias, degrees/h; default 20\n"
-    "  --svg FILE          draws the directions; for a sweep sigma against the number of\n"
-    "                      positions, and those of --programs beside it; for --compare the\n"
-    "                      ratios of the second set to the first; for --allan total time against\n"
-    "                      the number of positions\n"
-    "  --report R.html     writes a page with the verdict, a work sheet to take to the stand, and\n"
-    "                      pictures: one file that needs nothing else, for screen and paper\n"
+    "                      turns of a gyroscope next to the accelerometer, in words, and how\n"
+    "                      accurately they determine the 18 parameters of both: tour12,\n"
+    "                      twelve quarter turns through the six faces; tour16, with a full\n"
+    "                      turn about each axis added; tour24, the twelve and back; faces,\n"
+    "                      nine quarter turns and a full one about each axis; greedyN, N\n"
+    "                      turns, each the most informative one; or a list such as\n"
+    "                      +z,+x,+y-z,x:360: what points up in the first rest, then what\n"
+    "                      comes up, or the axis to turn about and degrees\n"
+    "  --rate-noise N      with --moves: noise of the gyroscope, degrees/s/sqrt(Hz); default\n"
+    "                      0.005\n"
+    "  --instability B     with --moves: instability of its bias, degrees/h; default 20\n"
+    "  --svg FILE          draw the directions; with --sweep: sigma against the number of\n"
+    "                      positions, and those of --programs; with --compare: the ratios of\n"
+    "                      the second set to the first; with --allan: total time against the\n"
+    "                      number of positions\n"
+    "  --report R.html     write a page with the verdict, a work sheet to take to the stand,\n"
+    "                      and pictures: one self-contained file, for screen and paper\n"
     "  --csv               print the positions only, for a stand's controller: number, alpha,\n"
     "                      beta, dwell, and up as x, y, z\n"
     "  --units everyday|ins\n"
-    "                      of what --noise, --allan and --bound make of sigma, in table and "
-    "report:\n"
-    "                      mg, % and degrees (default), or those of inertial navigation, ug, ppm "
-    "and\n"
-    "                      arcsec. What is over the noise has no unit\n"
-    "  --json              print the result as JSON in place of the table\n"
+    "                      units of sigma with --noise, --allan and --bound, in table and\n"
+    "                      report: mg, % and degrees (default), or those of inertial\n"
+    "                      navigation: ug, ppm and arcsec. Ratios to the noise have no unit\n"
+    "  --json              print the result as JSON instead of the table\n"
     "  --quiet             print no table, only errors\n"
     "\n"
-    "exit codes: 0 good; 1 positions or turns determine no calibration, or no set meets the "
-    "limits;\n"
-    "2 usage; 3 a file unreadable or malformed, or the output not writable\n"
+    "exit codes: 0 good; 1 the positions or turns do not determine a calibration, or no set\n"
+    "meets the limits; 2 usage; 3 a file unreadable or malformed, or the output not writable\n"
     "\n"
     "examples:\n"
     "  invcal plan\n"
@@ -868,21 +864,21 @@ static const char *const brief[] = {
     "       invcal plan --limits D,K,G [--budget SECONDS] [options]\n"
     "       invcal plan --compare SET SET | --sweep FROM:TO | --programs | --moves PROGRAM\n"
     "\n"
-    "Tells which positions to visit, and how exactly they will determine the nine parameters.\n"
+    "Shows which positions to visit, and how accurately they determine the nine parameters.\n"
     "\n"
     "  --per-group N       the paper's program of 3 x N positions; default 6\n"
-    "  --edges             18 positions for a device that is held in the hand\n"
+    "  --edges             18 positions for a device held in the hand\n"
     "  --optimal N         N positions, 9 to 144, with the largest determinant\n"
     "  --limits D,K,G      the smallest set with sigmas within these limits\n"
-    "  --noise S           of the mean of one second at rest, over the field\n"
-    "  --allan NOISE.json  noise measured by invcal allan: chooses the dwell, too\n"
+    "  --noise S           noise of the mean of one second at rest, over the field\n"
+    "  --allan NOISE.json  noise measured by invcal allan: also chooses the dwell\n"
     "  --moves tour12      turns for a gyroscope, in words, and what they determine\n"
-    "  --svg FILE          draws the directions; --report R.html: a page with a work sheet\n"
+    "  --svg FILE          draw the directions; --report R.html: a page with a work sheet\n"
     "  --csv               print the positions only; --json: the result as JSON\n"
     "\n"
     "example:\n"
     "  invcal plan --limits 0.4,0.6,1 --svg directions.svg\n",
     NULL};
 
-const tool_command plan_command = {"plan", "which positions to visit, and what they are worth",
-                                   help, run, brief};
+const tool_command plan_command = {"plan", "choose positions, and predict the accuracy", help, run,
+                                   brief};

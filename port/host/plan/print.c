@@ -65,15 +65,14 @@ static void print_sigmas(FILE *file, const design *d, double noise, told_style t
     print_sigma(file, "offsets", c->sigma_delta, noise, field);
     print_sigma(file, "scale errors", c->sigma_dk, noise, told_scale(told));
     print_sigma(file, "angles", c->sigma_gamma, noise, told_angle(told));
-    wrapped_printf(file, 0, "condition %.4f (1 is the best), ln det H'H %.4f (more is better)",
+    wrapped_printf(file, 0, "condition %.4f (1 is best), ln det H'H %.4f (larger is better)",
                    c->condition, c->log_det);
     if (isfinite(d->hidden)) {
-        wrapped_printf(
-            file, 0, "visited in this order, to tell a drift apart costs %.2f times sigma at most",
-            d->hidden);
+        wrapped_printf(file, 0, "fitting a drift in this order multiplies sigma by at most %.2f",
+                       d->hidden);
     } else {
         wrapped_printf(file, 0,
-                       "visited in this order, a drift cannot be told from the nine parameters");
+                       "in this order, a drift cannot be distinguished from the nine parameters");
     }
 }
 
@@ -86,13 +85,13 @@ static void print_shares(FILE *file, const design *d)
         unused += !(d->position[i].share > 0);
     }
     wrapped_printf(file, 0,
-                   "with these shares of the time; with equal ones ln det H'H is %.4f, and %u "
-                   "positions anywhere have %.4f at most",
+                   "with these shares of the time; with equal ones ln det H'H is %.4f, and for any "
+                   "%u positions at most %.4f",
                    d->equal_log_det, d->count, weights_bound(d->count));
     if (unused > 0) {
         wrapped_printf(file, 0,
-                       "%u position%s no share: det H'H is larger without; take %s for the whole "
-                       "range and for nonlinearity",
+                       "%u position%s no share, since det H'H is larger without; visit %s to cover "
+                       "the whole range and to check linearity",
                        unused, unused == 1 ? " has" : "s have", unused == 1 ? "it" : "them");
     }
 }
@@ -105,7 +104,7 @@ static void print_bound(FILE *file, const design *d, double error, told_style to
 
     bound_find(d, bound);
     wrapped_printf(
-        file, 0, "%sguaranteed%s, if no position mean is off by more than %.4g %s; times that",
+        file, 0, "%sguaranteed%s, if no position mean is off by more than %.4g %s; factors of that",
         paint_on(file, PAINT_BOLD), paint_off(file), units[0].scale * error, units[0].unit);
     tabular_begin(file, "lrrrr");
     for (unsigned k = 0; k < PLAN_KINDS; k++) {
@@ -136,9 +135,9 @@ static void print_verdict(FILE *file, const design *d, const choice_request *req
         putc('\n', file);
     }
     if (d->count == INVCAL_PARAMETERS) {
-        wrapped_printf(file, 0,
-                       "nine positions for nine parameters: nothing checks the result; three more "
-                       "are good");
+        wrapped_printf(
+            file, 0,
+            "nine positions for nine parameters: no redundancy to check the fit; add three");
     }
     if (!(plan_sigma_largest(c) <= PLAN_WEAK)) {
         wrapped_printf(file, 0, "%sweak:%s a sigma above %g times the noise is of little use",
@@ -183,8 +182,8 @@ static void print_groups(FILE *file, const invcal_plan *plan)
         efficiency[g - 1] = series_efficiency(sums);
     }
     wrapped_printf(file, 0,
-                   "det H5'H5 of the groups over %.8g, the most of %u positions on a circle: %.4f "
-                   "%.4f %.4f",
+                   "det H5'H5 of the groups over %.8g, the maximum for %u positions on a circle: "
+                   "%.4f %.4f %.4f",
                    bound, plan->per_group, efficiency[0], efficiency[1], efficiency[2]);
 }
 
@@ -234,7 +233,7 @@ static void print_choice(FILE *file, const choice *c, const choice_request *requ
         }
     }
     tabular_end();
-    wrapped_printf(file, 0, "%sChosen:%s %s, %s, with %u position%s to spare or more%s",
+    wrapped_printf(file, 0, "%sChosen:%s %s, %s, with %u redundant position%s or more%s",
                    paint_on(file, PAINT_GREEN), paint_off(file), c->set[c->chosen]->name,
                    request->limits ? "the smallest within the limits"
                                    : "the largest determinant in the time",
@@ -259,7 +258,7 @@ static void print_labour(FILE *file, const design *d, const design_cost *cost)
         snprintf(settle, sizeof settle, ", and %.6g s to settle in each", cost->settle);
     }
     wrapped_printf(file, 0, "%.6g s in each position%s and %.6g s between two%s", cost->dwell,
-                   d->has_shares ? " on the average" : "", cost->move, settle);
+                   d->has_shares ? " on average" : "", cost->move, settle);
     if (distinct < d->count) {
         fprintf(file, "%u positions in %u directions\n", d->count, distinct);
     }

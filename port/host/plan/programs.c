@@ -56,8 +56,7 @@ static void print_expected(FILE *file, const plan_programs *p, const choice_requ
     const told_unit unit = told_field(request->told, 1);
 
     putc('\n', file);
-    wrapped_printf(file, 0, "with %.4g %s of noise in a position mean", unit.scale * noise,
-                   unit.unit);
+    wrapped_printf(file, 0, "noise of a position mean: %.4g %s", unit.scale * noise, unit.unit);
     tabular_begin(file, "lrrr");
     for (unsigned i = 0; i < PLAN_PROGRAMS; i++) {
         tabular_cell("%s", p->set[i].name);
@@ -82,6 +81,6 @@ void plan_programs_print(FILE *file, const plan_programs *p, const choice_reques
     if (request->cost.noise > 0) {
         print_expected(file, p, request);
     }
-    fprintf(file, "\nstand-24 is 24 positions in %u directions\n",
+    fprintf(file, "\nstand-24 has 24 positions in %u directions\n",
             design_distinct(&p->set[PLAN_STAND_24]));
 }

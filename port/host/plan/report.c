@@ -66,7 +66,7 @@ static void say_weak(page *p, const plan_facts *f)
         weak |= (unsigned)(f->sigma[r] > PLAN_WEAK) << r;
     }
     snprintf(sentence, sizeof sentence,
-             "The positions tell too little of %s: σ above %g times the noise of a position mean "
+             "The positions hardly determine %s: a σ above %g times the noise of a position mean "
              "is of little use.",
              parameters_list((uint16_t)weak, list, sizeof list), PLAN_WEAK);
     next_words(f->set, words);
@@ -86,7 +86,7 @@ static void say_beyond(page *p, const plan_facts *f)
              f->set->count,
              figure_digits(choice_worst(&f->set->criteria, f->request->limits), 4, worst));
     page_verdict(p, PAGE_CAUTION, "! Limits not met", sentence,
-                 "take more positions; --limits without --optimal finds how many are needed.");
+                 "take more positions; --limits without --optimal finds out how many.");
 }
 
 static void say_unchecked(page *p, const plan_facts *f)
@@ -98,8 +98,8 @@ static void say_unchecked(page *p, const plan_facts *f)
     snprintf(next, sizeof next, "add three or more positions in other directions. Begin with: %s.",
              words);
     page_verdict(p, PAGE_CAUTION, "! No redundancy",
-                 "Nine positions for nine parameters: nothing checks the result, and one wrong "
-                 "position would spoil it unnoticed.",
+                 "Nine positions for nine parameters: there is no redundancy, and one wrong "
+                 "position would spoil the result unnoticed.",
                  next);
 }
 
@@ -112,20 +112,19 @@ static void say_good(page *p, const plan_facts *f)
     char missing[TEXT_MAX];
 
     snprintf(sentence, sizeof sentence,
-             "%u positions determine all nine parameters: %s%s (one standard deviation). %u to "
-             "spare %s.%s",
+             "%u positions determine all nine parameters: %s%s (one standard deviation). "
+             "Redundancy %u: %s.%s",
              d->count, sigmas_text(f, sigmas),
              f->noise > 0 ? "" : " times the noise of a position mean",
              d->count - INVCAL_PARAMETERS,
-             d->count < NAMED_FROM ? "checks the result, but cannot tell a wrong position"
-                                   : "check the result and find a wrong position",
+             d->count < NAMED_FROM ? "checks the result, but cannot identify an outlier"
+                                   : "checks the result and identifies an outlier",
              missing_text(d, missing));
     snprintf(next, sizeof next,
-             "%s as the work sheet says%s, log all the while, then: invcal "
-             "calibrate LOG.",
+             "%s as the work sheet says%s, and log throughout. Then: invcal calibrate LOG.",
              d->is_stand ? "turn the stand" : "turn the device",
              f->request->cost.dwell < SHORT_REST
-                 ? ", but stay two seconds or more: shorter rests are not found in a log"
+                 ? ", holding two seconds or more, since shorter rests are not found in a log"
                  : "");
     page_verdict(p, PAGE_GOOD, "✓ Good", sentence, next);
 }
@@ -203,8 +202,8 @@ static void write_choice(page *p, const plan_facts *f)
     page_table_end(p);
     for (unsigned k = 0; k < CHOICE_FAMILIES; k++) {
         if (!f->choice->is_found[k]) {
-            page_note(p, "No %s %s.", k == CHOICE_STAND ? "program for a stand" : "free directions",
-                      f->request->budget > 0 ? "will do in the time" : "will do");
+            page_note(p, "No %s %s.", k == CHOICE_STAND ? "stand program" : "free directions",
+                      f->request->budget > 0 ? "fit into the time" : "meet the limits");
         }
     }
 }
@@ -217,28 +216,27 @@ static void write_cost(page *p, const plan_facts *f)
     const design *d = f->set;
     char text[3][PLAN_WORDS_MAX];
 
-    page_section(p, "What it costs");
+    page_section(p, "Cost");
     page_facts_begin(p);
     page_fact(p, "time", "%s: %s in each of %u positions, %s between two",
               plan_time_text(design_seconds(d->count, cost), text[0]),
               plan_time_text(cost->dwell, text[1]), d->count, plan_time_text(cost->move, text[2]));
     if (cost->settle > 0) {
-        page_fact(p, "to settle", "%s in each before it counts",
+        page_fact(p, "to settle", "%s in each, before recording",
                   plan_time_text(cost->settle, text[0]));
     }
     if (cost->warm_up > 0) {
-        page_fact(p, "to warm up", "%s once, before the first",
+        page_fact(p, "to warm up", "%s once, before the first position",
                   plan_time_text(cost->warm_up, text[0]));
     }
     if (f->request->budget > 0) {
         page_fact(p, "budget", "%s", plan_time_text(f->request->budget, text[0]));
     }
-    page_fact(p, "to spare", "%u beyond the nine positions that nine parameters need",
+    page_fact(p, "redundancy", "%u: positions beyond the nine that nine parameters need",
               d->count - INVCAL_PARAMETERS);
     page_facts_end(p);
-    page_note(p,
-              "Twice the time in each position, or the whole set twice: every σ is 0.71 times as "
-              "large, if the noise is white.");
+    page_note(p, "With twice the time in each position, or the whole set twice, every σ is 0.71 "
+                 "times as large, if the noise is white.");
 }
 
 void plan_report_origin(page *p, const char *command)
@@ -267,19 +265,18 @@ static void write_origin(page *p, const plan_facts *f, const char *command)
         page_fact(p, "noise", "%s: %.4g %s for a position mean", f->request->labour->noise_name,
                   unit.scale * f->noise, unit.unit);
     } else if (f->noise > 0) {
-        page_fact(p, "noise stated", "%.4g %s for one second, %.4g %s for a position mean",
+        page_fact(p, "stated noise", "%.4g %s for one second, %.4g %s for a position mean",
                   unit.scale * f->request->cost.noise, unit.unit, unit.scale * f->noise, unit.unit);
     } else {
         page_fact(p, "noise",
-                  "not stated, so σ is in multiples of the noise of a position mean; "
-                  "--noise states it");
+                  "unknown, so σ is in multiples of the noise of a position mean; state --noise");
     }
     page_fact(p, "condition", "%.4g", d->criteria.condition);
     page_fact(p, "ln det H'H", "%.6g", d->criteria.log_det);
     if (d->has_shares) {
         page_fact(p, "shares of the time",
-                  "not equal: with equal ones ln det H'H is %.6g, and %u "
-                  "positions anywhere have %.6g at most",
+                  "not equal: with equal ones ln det H'H is %.6g; for any %u positions it is at "
+                  "most %.6g",
                   d->equal_log_det, d->count, weights_bound(d->count));
     }
     page_facts_end(p);

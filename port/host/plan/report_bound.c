@@ -10,10 +10,10 @@
 
 void plan_report_bound(page *p, const plan_facts *f)
 {
-    static const char *const heading[COLUMNS] = {"parameter", "times the error", "at most"};
-    const page_table sheet = {
-        "Sum of |H+| over the row of each parameter; that sum times the error.", heading, COLUMNS,
-        0};
+    static const char *const heading[COLUMNS] = {"parameter", "factor", "at most"};
+    const page_table sheet = {"Factor: the sum of |H+| over the row of each parameter; the bound "
+                              "is the factor times the error.",
+                              heading, COLUMNS, 0};
     const double error = f->request->bound;
     const told_unit unit = told_field(f->request->told, 1);
     double bound[INVCAL_PARAMETERS];
@@ -23,8 +23,8 @@ void plan_report_bound(page *p, const plan_facts *f)
     page_section(p, "Guaranteed");
     figure_digits(unit.scale * error, 3, text);
     page_say(p,
-             "If no position mean is off by more than %s %s, for whatever reason, no parameter is "
-             "off by more than this.",
+             "If no position mean is off by more than %s %s, for any reason, no parameter is off "
+             "by more than this.",
              text, unit.unit);
     page_table_begin(p, &sheet);
     for (unsigned r = 0; r < INVCAL_PARAMETERS; r++) {

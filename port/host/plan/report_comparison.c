@@ -36,7 +36,7 @@ static void time_text(const comparison *c, char text[TEXT_MAX])
 
     figure_digits(ratio, 4, number);
     if (is_less(ratio) || is_more(ratio)) {
-        snprintf(text, TEXT_MAX, "B needs %s%s the time of A, with %u positions in place of %u",
+        snprintf(text, TEXT_MAX, "B needs %s%s the time of A, with %u positions instead of %u",
                  number, is_less(ratio) ? " of" : " times", c->of[1].set->count,
                  c->of[0].set->count);
     } else {
@@ -57,7 +57,7 @@ static void sigma_text(const comparison *c, char text[TEXT_MAX])
         if (is_less(r[0].ratio) || is_more(r[0].ratio)) {
             snprintf(text, TEXT_MAX, "its σ are %s times as large", number[0]);
         } else {
-            snprintf(text, TEXT_MAX, "its σ are just as large");
+            snprintf(text, TEXT_MAX, "its σ are the same");
         }
     } else {
         snprintf(text, TEXT_MAX,
@@ -76,9 +76,7 @@ static void add_fault(const design *d, char name, char *text, size_t size)
                  PLAN_WEAK);
     } else if (d->count == INVCAL_PARAMETERS) {
         snprintf(text + length, size - length,
-                 " Nothing checks the result of %c: it has nine "
-                 "positions for nine parameters.",
-                 name);
+                 " %c has no redundancy: nine positions for nine parameters.", name);
     }
 }
 
@@ -112,12 +110,12 @@ static void write_verdict(page *p, const comparison *c)
     snprintf(sentence, sizeof sentence, "%s; %s.%s", time, sigma, faults);
     page_verdict(p, *faults ? PAGE_CAUTION : PAGE_GOOD,
                  is_equal    ? "A and B are equally good"
-                 : side == 0 ? "One is quicker, the other more exact"
+                 : side == 0 ? "One is faster, the other more accurate"
                  : side < 0  ? "B is better"
                              : "A is better",
                  sentence,
                  is_equal    ? "take the one that is easier to follow."
-                 : side == 0 ? "take the quicker one if its σ are small enough, else the other."
+                 : side == 0 ? "take the faster one if its σ are small enough, else the other."
                  : side < 0  ? "take B."
                              : "take A.");
 }
@@ -176,8 +174,8 @@ static void write_coverage(page *p, const page_table *sheet, const comparison *c
 static void write_table(page *p, const comparison *c)
 {
     static const char *const heading[] = {"", "A", "B", "B / A"};
-    const page_table sheet = {"Mean σ: the geometric mean of all nine along their principal axes, "
-                              "(det H'H) to the power -1/18.",
+    const page_table sheet = {"Mean σ: geometric mean of all nine along their principal axes, (det "
+                              "H'H) to the power -1/18.",
                               heading, 4, 0};
     char number[2][FIGURE_MAX];
 
@@ -217,8 +215,8 @@ static void write_spheres(page *p, const comparison *c)
     page_row_begin(p);
     plan_draw_legend(p->file, &shading, plan_length_unit(&c->of[0]),
                      design_has_groups(c->of[0].set) || design_has_groups(c->of[1].set));
-    page_row_end(p, "Where up points in the axes of the device, and how uncertain the length |a| "
-                    "of a corrected reading will be in every direction.");
+    page_row_end(p, "Up in the axes of the device, and the expected uncertainty of the length |a| "
+                    "of a corrected reading in every direction.");
 }
 
 static void write_origin(page *p, const comparison *c, const char *command)
@@ -244,9 +242,8 @@ void plan_report_comparison(FILE *file, const design *a, const design *b,
     page_begin(&p, file, "Two programs compared");
     write_verdict(&p, &c);
     write_figures(&p, &c);
-    page_section(&p, "B beside A");
-    page_picture(&p, "What B needs and is worth over the same of A: of all of it less is better.",
-                 draw, &c);
+    page_section(&p, "B against A");
+    page_picture(&p, "Time and σ of B over those of A: less is better.", draw, &c);
     write_table(&p, &c);
     write_spheres(&p, &c);
     write_origin(&p, &c, command);

@@ -34,11 +34,11 @@ static void draw_coverage(FILE *file, const void *data, double width)
     char text[TEXT_MAX];
     const double(*range)[2] = f->set->range;
 
-    snprintf(text, sizeof text,
-             "What the axes feel, in units of g: x from %.2f to %.2f, y from %.2f to %.2f, z from "
-             "%.2f to %.2f.",
-             range[0][0], range[0][1], range[1][0], range[1][1], range[2][0], range[2][1]);
-    svg_begin_inline(file, width, TOP + 3 * ROW + 42, "The range that each axis feels", text);
+    snprintf(
+        text, sizeof text,
+        "Range of each axis in g: x from %.2f to %.2f, y from %.2f to %.2f, z from %.2f to %.2f.",
+        range[0][0], range[0][1], range[1][0], range[1][1], range[2][0], range[2][1]);
+    svg_begin_inline(file, width, TOP + 3 * ROW + 42, "The range of each axis", text);
     svg_marker(file, "c3 full", SVG_CIRCLE, LEFT + 10, 12, 5);
     svg_text(file, "ink small", SVG_START, LEFT + 22, 16, "along gravity");
     svg_marker(file, "c2 hollow", SVG_SQUARE, LEFT + 126, 12, 5);
@@ -48,7 +48,7 @@ static void draw_coverage(FILE *file, const void *data, double width)
         draw_range(file, f->set, i, &x);
     }
     svg_text(file, "soft small", SVG_MIDDLE, (LEFT + width) / 2, TOP + 3 * ROW + 36,
-             "what the axis feels, g");
+             "acceleration along the axis, g");
     svg_end(file);
 }
 
@@ -57,15 +57,14 @@ void plan_report_coverage(page *p, const plan_facts *f)
     const unsigned missing = plan_missing(f->set->axes);
     char text[PLAN_WORDS_MAX];
 
-    page_section(p, "What the axes feel");
+    page_section(p, "Range of the axes");
     if (missing) {
         page_say(p, "Never along gravity: %s; %s.", plan_axes_text(missing, text),
                  plan_missing_reason(f->set));
     } else {
-        page_say(p, "All six of +x, -x, +y, -y, +z, -z stand along gravity.");
+        page_say(p, "All six of +x, -x, +y, -y, +z, -z point along gravity.");
     }
-    page_picture(p,
-                 "From the least to the greatest that each axis feels. Readings beyond it rest "
-                 "on the sensor being linear.",
-                 draw_coverage, f);
+    page_picture(
+        p, "Minimum and maximum along each axis. Readings beyond them rely on a linear sensor.",
+        draw_coverage, f);
 }

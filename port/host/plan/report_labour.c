@@ -21,7 +21,7 @@ static void write_row(page *p, const page_table *sheet, const labour *l, unsigne
         plan_time_text(row->dwell, text[2]);
         plan_time_text(row->seconds, text[4]);
         snprintf(text[5], PLAN_WORDS_MAX, "%s%s", plan_kinds[row->binds],
-                 row->is_beyond ? "; dwell not seen" : "");
+                 row->is_beyond ? "; dwell not measured" : "");
     }
     figure_digits(told_field(l->told, 1).scale * row->sigma, 3, text[3]);
     for (unsigned k = 0; k < COLUMNS; k++) {
@@ -33,20 +33,21 @@ static void write_row(page *p, const page_table *sheet, const labour *l, unsigne
 void labour_report(page *p, const labour *l)
 {
     static const char *const headings[COLUMNS] = {"family",      "positions", "in each",
-                                                  "σ of a mean", "time",      "what binds"};
+                                                  "σ of a mean", "time",      "limited by"};
     char caption[PLAN_WORDS_MAX];
     const page_table sheet = {caption, headings, COLUMNS, 1u << 5};
     const labour_row *row = l->best[l->chosen];
 
     snprintf(caption, sizeof caption, "Around the best of each family; σ of a position mean in %s.",
              told_field(l->told, 1).unit);
-    page_section(p, "Why so many, and so long");
+    page_section(p, "Number and dwell");
     page_say(p,
-             "%u positions of %.4g s take the least time in all with the noise of %s. The limit of "
+             "%u positions of %.4g s take the least total time with the noise of %s. The limit of "
              "the %s decides.",
              row->count, row->dwell, l->noise_name, plan_kinds[row->binds]);
     if (row->is_beyond) {
-        page_say(p, "No averaging time as long has been seen in it: log longer to be sure.");
+        page_say(p, "That is longer than the averaging times of the measured noise: log longer to "
+                    "be sure.");
     }
     labour_picture(p, l);
     page_table_begin(p, &sheet);
@@ -59,6 +60,6 @@ void labour_report(page *p, const labour *l)
         }
     }
     page_table_end(p);
-    page_note(p, "σ of a mean is that of the worst axis over the whole session: slow noise moves "
-                 "the positions apart the more, the longer it lasts.");
+    page_note(p, "σ of a mean is that of the worst axis over the whole session: the longer it "
+                 "lasts, the more slow noise separates the positions.");
 }

@@ -137,8 +137,8 @@ static void draw_boxes(FILE *file, const void *data, double width)
     const double high = BOX_HEIGHT + LABEL;
     char number[16];
 
-    svg_begin_inline(file, width, down * high, "How the device lies",
-                     "The device as a box in each position: the work sheet has the same in words.");
+    svg_begin_inline(file, width, down * high, "Orientation of the device",
+                     "The device as a box in each position, as in the words of the work sheet.");
     for (unsigned n = 0; n < d->count; n++) {
         const unsigned row = n / across;
         const double x = n % across * BOX_WIDTH;
@@ -180,13 +180,12 @@ void plan_report_sheet(page *p, const plan_facts *f)
     }
     page_say(p, "Hold still for %s in each position%s.",
              plan_time_text(f->request->cost.settle + f->request->cost.dwell, text),
-             f->set->has_shares ? " on the average, as the last column says" : "");
+             f->set->has_shares ? " on average; see the last column" : "");
     if (f->set->count <= OPEN) {
-        page_panorama(
-            p,
-            "How the device lies, seen from the front: z is its upper side when it lies flat, x "
-            "points right and y away from you.",
-            draw_boxes, f->set);
+        page_panorama(p,
+                      "Orientation of the device, seen from the front: z is its upper side when it "
+                      "lies flat, x points right and y away from you.",
+                      draw_boxes, f->set);
     }
     snprintf(text, sizeof text, "All %u positions", f->set->count);
     page_fold_begin(p, text, f->set->count <= OPEN);

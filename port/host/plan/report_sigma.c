@@ -68,7 +68,7 @@ static void write_row(page *p, const page_table *sheet, const plan_facts *f, uns
 static void write_table(page *p, const plan_facts *f)
 {
     const char *heading[COLUMNS] = {"parameter", "σ, × noise"};
-    page_table sheet = {"σ to be expected: one standard deviation. × noise: times the noise of a "
+    page_table sheet = {"Expected σ, one standard deviation. × noise: times the noise of a "
                         "position mean (offsets over the field, angles in rad).",
                         heading, 2, 0};
 
@@ -143,7 +143,7 @@ static void draw_bars(FILE *file, const void *data, double width)
 
 void plan_report_sigma(page *p, const plan_facts *f)
 {
-    page_section(p, "What to expect of the nine parameters");
+    page_section(p, "Expected accuracy of the nine parameters");
     write_table(p, f);
     plan_nonlinear_report(p, f->set, f->noise, f->request->told);
     page_picture(p,

@@ -19,8 +19,8 @@ static void draw_half(FILE *file, const design *d, const sphere *map, unsigned h
     }
     snprintf(title, sizeof title, "%s: positions with z %s", d->name, half ? "down" : "up");
     snprintf(text, sizeof text,
-             "A disc: the half of all directions with z %s, seen from +z. %u of %u positions lie "
-             "in it. Shaded by the uncertainty of |a| that is to be expected.",
+             "A disc: the hemisphere with z %s, seen from +z. It holds %u of %u positions. The "
+             "shading is the expected uncertainty of |a|.",
              half ? "down" : "up or level", here, d->count);
     svg_begin_inline(file, SPHERE_WIDTH, SPHERE_HEIGHT, title, text);
     sphere_draw(file, map, half);
@@ -40,7 +40,7 @@ void plan_draw_legend(FILE *file, const sphere_shading *shading, const char *uni
     char text[TEXT_MAX];
 
     svg_begin_inline(file, SPHERE_WIDTH, UNCERTAINTY_LEGEND + (has_groups ? GROUPS : 0), "Legend",
-                     "What the colours and markers mean.");
+                     "Meaning of colours and markers.");
     snprintf(text, sizeof text, "σ of |a|, %s", unit);
     uncertainty_legend(file, shading, text);
     if (has_groups) {
@@ -59,14 +59,13 @@ static void say_uncertainty(page *p, const plan_facts *f)
     figure_digits(u->most, 3, most);
     if (uncertainty_shading(u, u->least, u->most).classes == 1) {
         page_say(p,
-                 "The length |a| of a corrected reading will be known equally well in every "
+                 "The uncertainty of the length |a| of a corrected reading is the same in every "
                  "direction: ±%s %s (one standard deviation).",
                  most, plan_length_unit(f));
     } else {
         page_say(p,
-                 "The length |a| of a corrected reading will be known to ±%s %s where the "
-                 "positions tell most, and to ±%s %s where they tell least, %s (one standard "
-                 "deviation).",
+                 "The uncertainty of the length |a| of a corrected reading is ±%s %s in the best "
+                 "direction, and ±%s %s in the worst, %s (one standard deviation).",
                  least, plan_length_unit(f), most, plan_length_unit(f), u->worst_words);
     }
 }
@@ -82,7 +81,6 @@ void plan_report_sphere(page *p, const plan_facts *f)
     plan_draw_halves(p->file, f->set, &shading);
     plan_draw_legend(p->file, &shading, plan_length_unit(f), design_has_groups(f->set));
     page_row_end(p, f->set->count > SPHERE_NUMBERED
-                        ? "Where up points in the axes of the device."
-                        : "Where up points in the axes of the device; numbers as in the work "
-                          "sheet.");
+                        ? "Up in the axes of the device."
+                        : "Up in the axes of the device; numbers as in the work sheet.");
 }

@@ -24,9 +24,9 @@ static double factor_of_doubling(const plan_sweep *s)
 
 static void write_verdict(page *p, const plan_sweep *s)
 {
-    static const char next[] = "find the smallest program whose σ is enough, here or with invcal "
-                               "plan --limits. Even numbers in a group point all six axes along "
-                               "gravity.";
+    static const char next[] =
+        "choose the smallest program whose σ is sufficient, here or with invcal plan --limits. "
+        "Even numbers per group point all six axes along gravity.";
     const plan_row *first = &s->rows[0];
     const plan_row *last = &s->rows[s->count - 1];
     char sentence[TEXT_MAX];
@@ -36,18 +36,18 @@ static void write_verdict(page *p, const plan_sweep *s)
     if (s->count == 1) {
         snprintf(sentence, sizeof sentence,
                  "%u positions: the largest σ, of the angles, is %s times the noise of a position "
-                 "mean. A range of two or more shows what others buy.",
+                 "mean. Give a range of two or more to compare.",
                  first->criteria.positions, number[0]);
         page_verdict(p, PAGE_GOOD, "One program", sentence, next);
         return;
     }
-    snprintf(sentence, sizeof sentence,
-             "Twice the positions, and twice the time, make every σ %.2f times as large. From %u "
-             "to %u positions the largest, of the angles, falls from %s to %s times the noise of a "
-             "position mean.",
-             factor_of_doubling(s), first->criteria.positions, last->criteria.positions, number[0],
-             figure_digits(plan_sigma_largest(&last->criteria), 3, number[1]));
-    page_verdict(p, PAGE_GOOD, "What more positions buy", sentence, next);
+    snprintf(
+        sentence, sizeof sentence,
+        "Twice the positions, in twice the time, multiply every σ by %.2f. From %u to %u positions "
+        "the largest, of the angles, falls from %s to %s times the noise of a position mean.",
+        factor_of_doubling(s), first->criteria.positions, last->criteria.positions, number[0],
+        figure_digits(plan_sigma_largest(&last->criteria), 3, number[1]));
+    page_verdict(p, PAGE_GOOD, "Benefit of more positions", sentence, next);
 }
 
 static void draw(FILE *file, const void *data, double width)
@@ -114,12 +114,11 @@ void plan_report_sweep(FILE *file, const plan_sweep *s, const char *command)
     page_begin(&p, file, title);
     write_verdict(&p, s);
     page_section(&p, "σ against the number of positions");
-    page_picture(
-        &p,
-        "Curves: programs of three groups of N positions; beside them those of invcal plan "
-        "--programs. Each value is the largest of three. 1 "
-        "means, with a noise of 1e-6 of the field: 1e-6 of the field, 1e-6, 1 µrad.",
-        draw, s);
+    page_picture(&p,
+                 "Curves: programs of three groups of N positions; single markers: those of invcal "
+                 "plan --programs. Each value is the largest of three. 1 means, with a noise of "
+                 "1e-6 of the field: 1e-6 of the field, 1e-6, 1 µrad.",
+                 draw, s);
     write_table(&p, s);
     plan_report_origin(&p, command);
     page_facts_end(&p);

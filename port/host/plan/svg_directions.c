@@ -40,14 +40,14 @@ static void draw_words(FILE *file, const design *d, const sphere *map, double he
     char text[TEXT_MAX];
 
     svg_text(file, "ink title", SVG_START, 12, 27, shorten(d->name, text));
-    snprintf(text, sizeof text, "%u position%s: where up points in the axes of the instrument",
-             d->count, d->count == 1 ? "" : "s");
+    snprintf(text, sizeof text, "%u position%s: up in the axes of the instrument", d->count,
+             d->count == 1 ? "" : "s");
     svg_text(file, "ink", SVG_START, 12, 48, text);
     if (design_has_groups(d)) {
         plan_map_legend(file, 20, height - BOTTOM);
     }
     if (homeless > 0) {
-        snprintf(text, sizeof text, "without a number for want of room: %u spots", homeless);
+        snprintf(text, sizeof text, "without a number, for lack of space: %u spots", homeless);
         svg_text(file, "soft small", SVG_END, WIDTH - 12, height - BOTTOM, text);
     }
 }
@@ -62,9 +62,9 @@ static void describe_map(const design *d, char *text, size_t size)
         upper += d->position[n].vertical[2] > SPHERE_EQUATOR;
     }
     snprintf(text, size,
-             "Two discs, the halves of the sphere of directions in equal-area projection, z up and "
-             "z down, both seen from +z, with a grid of 30 degrees. Of %u positions %u have z up, "
-             "%u z down, %u z level. Axes that point straight up in some position:",
+             "Two discs, the hemispheres of directions in equal-area projection, z up and z down, "
+             "both seen from +z, with a grid of 30 degrees. Of %u positions %u have z up, %u z "
+             "down, %u z level. Axes that point straight up in some position:",
              d->count, upper, lower, d->count - upper - lower);
     for (unsigned i = 0; i < INVCAL_AXES; i++) {
         if ((unsigned)d->axes >> i & 1u) {

@@ -178,6 +178,6 @@ void labour_picture(page *p, const labour *l)
 {
     page_picture(p,
                  "Total time, settling and moving included, with the shortest dwell that meets the "
-                 "limits. Fewer positions need longer rests, more of them more moves.",
+                 "limits. Fewer positions need longer rests; more positions need more moves.",
                  draw_inline, l);
 }

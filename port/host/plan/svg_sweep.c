@@ -312,7 +312,7 @@ static void describe_sweep(const plot *p, char *text, size_t size)
     for (unsigned i = PLAN_EDGES; i < PLAN_PROGRAMS; i++) {
         if (is_shown(p, i)) {
             char name[PLAN_WORDS_MAX];
-            snprintf(name, sizeof name, "Beside the curves, %s,", marks[i].name);
+            snprintf(name, sizeof name, "Next to the curves, %s,", marks[i].name);
             describe_set(name, &p->set[i].criteria, text, size);
         }
     }

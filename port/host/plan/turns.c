@@ -32,7 +32,7 @@ static int usage(const char *program, const char *what)
 static int append(turns_plan *p, const invcal_turn *turn)
 {
     if (p->count == TURNS_MAX) {
-        return message_usage("plan", "--moves %s: more than %u turns; a device keeps %u rests",
+        return message_usage("plan", "--moves %s: more than %u turns; a device stores %u rests",
                              p->program, TURNS_MAX, (unsigned)INVCAL_MAX_MOVES);
     }
     p->step[p->count++].turn = *turn;
@@ -144,8 +144,8 @@ static int add_word(turns_plan *p, const char *word, invcal_real up[3])
     if (read_up(word, to)) {
         if (invcal_turn_to(up, to, &turn) != INVCAL_OK) {
             return message_usage("plan",
-                                 "--moves %s: '%s' is up already, or down: a turn to it has no "
-                                 "shortest way; name an axis, for example x:180",
+                                 "--moves %s: '%s' points up or down already, so there is no "
+                                 "shortest turn to it; name an axis, for example x:180",
                                  p->program, word);
         }
     } else if (read_turn(word, &turn)) {
@@ -154,11 +154,11 @@ static int add_word(turns_plan *p, const char *word, invcal_real up[3])
         (void)invcal_turns_add(&sums, &turn);
         memcpy(turn.up, sums.up, sizeof turn.up);
     } else {
-        return message_usage("plan",
-                             "--moves %s: '%s' is no program (" TURNS_PROGRAMS
-                             "), no direction (+x, +x-y, +x-y+z), and no turn (x:360, 1 to 720 "
-                             "degrees)",
-                             p->program, word);
+        return message_usage(
+            "plan",
+            "--moves %s: '%s' is not a program (" TURNS_PROGRAMS
+            "), a direction (+x, +x-y, +x-y+z), or a turn (x:360, 1 to 720 degrees)",
+            p->program, word);
     }
     memcpy(up, turn.up, sizeof turn.up);
     return append(p, &turn);
@@ -187,7 +187,7 @@ static int make_list(turns_plan *p, const char *list)
         is_first = 0;
     } while (!failure && *list++ == ',');
     if (!failure && p->count == 0) {
-        return usage(p->program, "one rest and no turn tell nothing of a gyroscope");
+        return usage(p->program, "one rest without a turn does not calibrate a gyroscope");
     }
     return failure;
 }
@@ -269,8 +269,8 @@ static void say_refusal(turns_plan *p)
     const invcal_real *up = p->count > 0 ? p->step[p->count - 1].turn.up : p->start;
 
     snprintf(p->refusal, sizeof p->refusal,
-             "%u turn%s determine%s %u of 18 parameters; open: %.700s. Turn next: %s", p->count,
-             p->count == 1 ? "" : "s", p->count == 1 ? "s" : "", p->rank,
+             "%u turn%s determine%s %u of 18 parameters; undetermined: %.700s. Turn next: %s",
+             p->count, p->count == 1 ? "" : "s", p->count == 1 ? "s" : "", p->rank,
              turns_parameters(p->open, list), turns_words(&p->next, up, words));
 }
 
@@ -305,11 +305,11 @@ static int check_time(const turns_plan *p)
 {
     for (unsigned i = 0; i < p->count; i++) {
         if (turn_seconds(p, i) > TURNS_LONGEST) {
-            return message_usage(
-                "plan",
-                "--move %g: turn %u of %s would take %.3g s; after %g s the bias is no "
-                "longer known: turn faster",
-                p->asked.turn, i + 1, p->program, turn_seconds(p, i), TURNS_LONGEST);
+            return message_usage("plan",
+                                 "--move %g: turn %u of %s would take %.3g s; the bias is known "
+                                 "for %g s only: turn faster",
+                                 p->asked.turn, i + 1, p->program, turn_seconds(p, i),
+                                 TURNS_LONGEST);
         }
     }
     return EXIT_GOOD;

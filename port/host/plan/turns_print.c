@@ -13,7 +13,7 @@ static void print_turns(FILE *file, const turns_plan *p)
     char side[TURNS_UP_MAX];
 
     wrapped_printf(file, 0,
-                   "Begin with %s. Then, always the shortest way:", turns_up_words(up, side));
+                   "Start with %s. Then turn, always the shortest way:", turns_up_words(up, side));
     tabular_begin(file, "rlrl");
     tabular_heading("no.|turn|open|improves");
     for (unsigned i = 0; i < p->count; i++) {
@@ -35,12 +35,11 @@ static void print_sigma(FILE *file, const turns_plan *p)
     const told_unit field = told_field(r->told, 1);
     char number[FIGURE_MAX];
 
-    wrapped_printf(
-        file, 0,
-        "%ssigma%s to be expected: times the noise of a position mean, which is %.4g %s, and "
-        "with %.4g degrees/s/sqrt(Hz) and %.4g degrees/h of the gyroscope",
-        paint_on(file, PAINT_BOLD), paint_off(file), field.scale * r->noise, field.unit,
-        FIGURE_DEGREES * r->rate_noise, 3600 * FIGURE_DEGREES * r->instability);
+    wrapped_printf(file, 0,
+                   "expected %ssigma%s: times the noise of a position mean, which is %.4g %s; with "
+                   "a gyroscope of %.4g degrees/s/sqrt(Hz) and %.4g degrees/h",
+                   paint_on(file, PAINT_BOLD), paint_off(file), field.scale * r->noise, field.unit,
+                   FIGURE_DEGREES * r->rate_noise, 3600 * FIGURE_DEGREES * r->instability);
     tabular_begin(file, "lrrl");
     for (unsigned i = 0; i < INVCAL_IMU_PARAMETERS; i++) {
         const unsigned kind = turns_kind(i);
@@ -54,7 +53,7 @@ static void print_sigma(FILE *file, const turns_plan *p)
         tabular_row();
     }
     tabular_end();
-    wrapped_printf(file, 0, "condition %.4f (1 is the best)", p->condition);
+    wrapped_printf(file, 0, "condition %.4f (1 is best)", p->condition);
 }
 
 void turns_print(FILE *file, const turns_plan *p)
@@ -63,7 +62,7 @@ void turns_print(FILE *file, const turns_plan *p)
     char list[TURNS_LIST_MAX];
 
     wrapped_printf(
-        file, 0, "%s%s:%s %u turn%s, %u rests; %s: %.4g s in each rest, %.4g s a quarter turn",
+        file, 0, "%s%s:%s %u turn%s, %u rests; %s: %.4g s in each rest, %.4g s per quarter turn",
         paint_on(file, PAINT_BOLD), p->program, paint_off(file), p->count, p->count == 1 ? "" : "s",
         p->count + 1, plan_time_text(p->seconds, text), p->asked.rest, p->asked.turn);
     print_turns(file, p);

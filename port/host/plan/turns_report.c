@@ -51,13 +51,14 @@ static void write_verdict(page *p, const turns_plan *plan)
     snprintf(next, sizeof next, "turn on: %s.",
              turns_words(&plan->next, plan->step[plan->count - 1].turn.up, words));
     if (!plan->is_determined) {
-        snprintf(sentence, sizeof sentence, "%u turns determine %u of 18 parameters. Open: %s.",
-                 plan->count, plan->rank, turns_parameters(plan->open, list));
+        snprintf(sentence, sizeof sentence,
+                 "%u turns determine %u of 18 parameters. Undetermined: %s.", plan->count,
+                 plan->rank, turns_parameters(plan->open, list));
         page_verdict(p, PAGE_BAD, "✗ Undetermined", sentence, next);
         return;
     }
     if (plan->open) {
-        snprintf(sentence, sizeof sentence, "The turns tell too little of %s.",
+        snprintf(sentence, sizeof sentence, "The turns hardly determine %s.",
                  turns_parameters(plan->open, list));
         page_verdict(p, PAGE_BAD, "✗ Weak", sentence, next);
         return;
@@ -67,7 +68,7 @@ static void write_verdict(page *p, const turns_plan *plan)
         "%u turns determine all 18 parameters: the scale of the gyroscope to %s, its angles to %s "
         "(one standard deviation).",
         plan->count, largest(plan, GYRO_SCALE, scale), largest(plan, GYRO_ANGLES, angles));
-    page_verdict(p, PAGE_GOOD, "✓ Good", sentence, "take the work sheet, and turn.");
+    page_verdict(p, PAGE_GOOD, "✓ Good", sentence, "turn the device as the work sheet says.");
 }
 
 static void write_figures(page *p, const turns_plan *plan)
@@ -101,8 +102,8 @@ static void draw_boxes(FILE *file, const void *data, double width)
     const double high = BOX_HEIGHT + LABEL;
     char number[16];
 
-    svg_begin_inline(file, width, down * high, "How the device lies",
-                     "The device as a box in each rest: the work sheet has the same in words.");
+    svg_begin_inline(file, width, down * high, "Orientation of the device",
+                     "The device as a box in each rest, as in the words of the work sheet.");
     for (unsigned n = 0; n <= p->count; n++) {
         const double x = n % across * BOX_WIDTH;
         const double y = (unsigned)(n / across) * high;
@@ -117,18 +118,17 @@ static void write_sheet(page *p, const turns_plan *plan)
 {
     static const char *const heading[] = {"no.", "done", "turn", "open", "improves"};
     static const page_table sheet = {
-        "Turn: the shortest way, to this side up. Open: parameters that no turn has told yet.",
+        "Turn: the shortest way, until this side is up. Open: parameters not determined yet.",
         heading, 5, 1u << 1 | 1u << 2 | 1u << 4};
     const invcal_real *up = plan->start;
     char side[TURNS_UP_MAX];
 
     page_section(p, "Work sheet");
-    page_say(
-        p,
-        "Begin with %s. Hold still for %.4g s, turn within %.4g s a quarter turn, and hold still "
-        "again.",
-        turns_up_words(up, side), plan->asked.rest, plan->asked.turn);
-    page_panorama(p, "How the device lies, seen from the front: 0 is where it begins.", draw_boxes,
+    page_say(p,
+             "Start with %s. Hold still for %.4g s, turn within %.4g s per quarter turn, and hold "
+             "still again.",
+             turns_up_words(up, side), plan->asked.rest, plan->asked.turn);
+    page_panorama(p, "Orientation of the device, seen from the front: 0 is the start.", draw_boxes,
                   plan);
     page_table_begin(p, &sheet);
     for (unsigned i = 0; i < plan->count; i++) {
@@ -157,7 +157,7 @@ static void write_sigma(page *p, const turns_plan *plan)
     char text[2][TURNS_WORDS_MAX];
     char number[FIGURE_MAX];
 
-    page_section(p, "What it will determine");
+    page_section(p, "Expected accuracy");
     page_table_begin(p, &sheet);
     for (unsigned i = 0; i < INVCAL_IMU_PARAMETERS; i++) {
         const char *const cells[] = {turns_parameter(i), text[0], text[1]};
@@ -170,7 +170,7 @@ static void write_sigma(page *p, const turns_plan *plan)
         }
     }
     page_table_end(p);
-    page_note(p, "Gyro angle xy: what the x axis of the gyroscope feels of a turn about y.");
+    page_note(p, "Gyro angle xy: what the x axis of the gyroscope reads of a turn about y.");
 }
 
 void turns_report(FILE *file, const turns_plan *plan, const char *command)

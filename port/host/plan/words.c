@@ -91,13 +91,13 @@ const char *plan_times(double noise)
 const char *plan_missing_reason(const design *d)
 {
     if (d->has_shares) {
-        return "what points there has no share of the time";
+        return "the positions there have no share of the time";
     }
     if (d->plan.per_group == 0) {
-        return "none of its directions lies there";
+        return "none of its directions points there";
     }
     return d->plan.per_group % 2 == 1
-               ? "an odd number in each group cannot point all six along gravity: +g and -g are "
-                 "half a turn apart"
-               : "its start angles pass them by; without --start all six are there";
+               ? "an odd number per group cannot point all six along gravity: +g and -g are half a "
+                 "turn apart"
+               : "its start angles miss them; the default ones include all six";
 }

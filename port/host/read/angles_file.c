@@ -27,10 +27,9 @@ static int find_columns(const table *t, unsigned at[COLUMNS])
     if (at[BETA] != ABSENT && at[ALPHA] != ABSENT && (t->has_header || t->columns <= COLUMNS)) {
         return EXIT_GOOD;
     }
-    message(
-        "%s:%lu: columns alpha and beta are expected, or without a header two columns or three: "
-        "alpha beta dwell",
-        t->name, t->line);
+    message("%s:%lu: columns alpha and beta expected; without a header, two or three columns: "
+            "alpha beta dwell",
+            t->name, t->line);
     return EXIT_FILE;
 }
 
@@ -47,7 +46,7 @@ static int read_number(const table *t, unsigned column, const char *name, double
         return EXIT_FILE;
     }
     if (!(*out >= least && *out <= most)) {
-        message("%s:%lu: %s %s is not within %g ... %g", t->name, t->line, name,
+        message("%s:%lu: %s %s is out of range, %g ... %g", t->name, t->line, name,
                 table_excerpt(t->field[column], text), least, most);
         return EXIT_FILE;
     }
@@ -83,7 +82,7 @@ static int check(const angles_list *a, const table *t, int has_dwell)
         sum += a->dwell[i];
     }
     if (a->count == 0) {
-        message("%s: no position in it", t->name);
+        message("%s: contains no position", t->name);
         return EXIT_FILE;
     }
     if (has_dwell && !(sum > 0)) {

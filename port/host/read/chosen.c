@@ -39,8 +39,8 @@ static column meaning_of(const char *name)
 static int refuse_choice(const char *command, const char *what)
 {
     return message_usage(command,
-                         "--columns %s: %s; state three, x y z, as 2,3,4 or ax,ay,az, or each by "
-                         "its name: t=1,x=2,y=3,z=4,temperature=5",
+                         "--columns %s: %s; give three, for x, y and z, such as 2,3,4 or ax,ay,az, "
+                         "or name each: t=1,x=2,y=3,z=4,temperature=5",
                          stated, what);
 }
 
@@ -59,12 +59,12 @@ static int choose(const char *command, char *item, unsigned *unnamed)
         item = equals + 1;
     }
     if (which == COLUMN_COUNT) {
-        return refuse_choice(command,
-                             equals ? "no such meaning" : "more than three without a name");
+        return refuse_choice(command, equals ? "unknown name before '='"
+                                             : "more than three without a name before '='");
     }
     if (*item == '\0' || *chosen[which] != '\0' || strlen(item) >= HEADING_NAME_MAX) {
         return refuse_choice(command,
-                             *item == '\0' ? "one is empty" : "one is there twice or too long");
+                             *item == '\0' ? "one is empty" : "one is given twice or too long");
     }
     memcpy(chosen[which], item, strlen(item) + 1);
     return EXIT_GOOD;
@@ -92,7 +92,7 @@ int chosen_read(const char *command, const char *text)
     }
     const int one = *chosen[COLUMN_X] != '\0';
     const int are_alike = (*chosen[COLUMN_Y] != '\0') == one && (*chosen[COLUMN_Z] != '\0') == one;
-    return failure || are_alike ? failure : refuse_choice(command, "x, y and z belong together");
+    return failure || are_alike ? failure : refuse_choice(command, "x, y and z must all be given");
 }
 
 int chosen_is(column which)
@@ -113,7 +113,7 @@ static int say_no_column(const table *t, const heading *headings, column which)
         const size_t length = strlen(names);
         snprintf(names + length, sizeof names - length, "%s%s", i ? ", " : ": ", headings[i].name);
     }
-    message("%s:%lu: --columns: there is no column '%s' for %s among the %u%s", t->name, t->line,
+    message("%s:%lu: --columns: no column '%s' for %s among the %u%s", t->name, t->line,
             chosen[which], column_name(which), t->columns, names);
     return EXIT_FILE;
 }
@@ -145,8 +145,8 @@ int chosen_find_axes(const table *t, const heading *headings, int index[3])
         failure = chosen_find(t, headings, (column)(COLUMN_X + i), &index[i]);
     }
     if (!failure && (index[0] == index[1] || index[1] == index[2] || index[0] == index[2])) {
-        message("%s:%lu: --columns %s: x, y and z are three different columns", t->name, t->line,
-                stated);
+        message("%s:%lu: --columns %s: x, y and z must be three different columns", t->name,
+                t->line, stated);
         failure = EXIT_FILE;
     }
     return failure;

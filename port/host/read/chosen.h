@@ -12,8 +12,8 @@
 
 /* The option, for help texts. */
 #define CHOSEN_OPTION                                                                              \
-    "  --columns X,Y,Z     which columns of LOG are meant, by name or by number: ax,ay,az or\n"    \
-    "                      2,3,4; others with what they are: t=1,x=2,y=3,z=4,temperature=5\n"
+    "  --columns X,Y,Z     columns of LOG to use, by name or number: ax,ay,az or 2,3,4;\n"         \
+    "                      others with their meaning: t=1,x=2,y=3,z=4,temperature=5\n"
 
 /* Reads the option: three names or numbers from 1 for x, y, z, or each with its meaning, in any order.
  * What it does not name is found as ever; null: all is.

@@ -176,7 +176,7 @@ static void say_none(const table *t, columns_kind kind)
 
     if (kind == COLUMNS_MAGNETOMETER) {
         message("%s:%lu: the header names no columns of a magnetometer (mx my mz; mag_x, ..): "
-                "rename the three that are meant, or state them with --columns",
+                "rename the three, or state them with --columns",
                 t->name, t->line);
         return;
     }
@@ -184,12 +184,12 @@ static void say_none(const table *t, columns_kind kind)
         linear = strcmp(headings[i].key, "linearacceleration") == 0 ? headings[i].name : NULL;
     }
     if (linear) {
-        message("%s:%lu: '%s': the phone has taken gravity out of linear acceleration, and "
-                "without it nothing can be calibrated; record the accelerometer itself",
+        message("%s:%lu: '%s': linear acceleration has gravity removed by the phone, and cannot be "
+                "calibrated; record the accelerometer itself",
                 t->name, t->line, linear);
     } else {
         message("%s:%lu: the header names no columns x, y, z (nor ax, ay, az; acc_x, ..; see "
-                "--help all): rename the three that are meant",
+                "--help all): rename the three, or state them with --columns",
                 t->name, t->line);
     }
 }
@@ -230,10 +230,9 @@ static int find_xyz(const table *t, columns_kind kind, columns *out)
     }
     for (unsigned i = 0; i < t->columns; i++) {
         if (is_of(&headings[i], either) && is_there_twice(t, i, index)) {
-            message(
-                "%s:%lu: x, y and z are there twice ('%s' and '%s'): state which with --columns, "
-                "or leave one set of columns",
-                t->name, t->line, headings[index[headings[i].axis]].name, headings[i].name);
+            message("%s:%lu: x, y and z are there twice ('%s' and '%s'): choose one set with "
+                    "--columns, or delete the other",
+                    t->name, t->line, headings[index[headings[i].axis]].name, headings[i].name);
             return EXIT_FILE;
         }
     }
@@ -408,9 +407,9 @@ static int is_named(const heading *h, column which)
 
 static int say_several(const table *t, const char *name)
 {
-    message("%s:%lu: more than one column could be '%s': leave one, or state which with --columns "
-            "%s=NAME",
-            t->name, t->line, name, name);
+    message(
+        "%s:%lu: more than one column could be '%s': delete one, or choose with --columns %s=NAME",
+        t->name, t->line, name, name);
     return EXIT_FILE;
 }
 
@@ -655,8 +654,8 @@ static int find_by_count(const table *t, columns_kind kind, columns *out)
         find_gyro_by_count(t, kind, out);
         return EXIT_GOOD;
     }
-    message("%s:%lu: %u column%s, separated by %s, without a header: %s, or a header that names "
-            "them, is expected; --columns 2,3,4 states x, y, z by number%s",
+    message("%s:%lu: %u column%s, separated by %s, without a header: expected are %s, or a header "
+            "that names them; --columns 2,3,4 states x, y, z by number%s",
             t->name, t->line, t->columns, t->columns == 1 ? "" : "s", table_separator(t),
             kind == COLUMNS_POSITIONS
                 ? "3 (x y z), 5 (x y z std n), 7 (x y z std_x std_y std_z n)"
@@ -673,7 +672,7 @@ static int find_by_number(const table *t, columns *out)
     recognition *seen = &out->seen;
 
     if (!chosen_is(COLUMN_X)) {
-        message("%s:%lu: there is no header: --columns has to state x, y and z, too", t->name,
+        message("%s:%lu: there is no header: --columns must state x, y and z, too", t->name,
                 t->line);
         return EXIT_FILE;
     }
@@ -735,7 +734,7 @@ int columns_find(table *t, columns_kind kind, columns *out)
 
 void columns_say_cut(const table *t, const char *which, unsigned long line)
 {
-    message("warning: %s:%lu: the %s line is cut, and left out", t->name, line, which);
+    message("warning: %s:%lu: the %s line is cut off, and ignored", t->name, line, which);
 }
 
 int columns_is_cut(const table *t, const columns *where)
@@ -785,8 +784,8 @@ int columns_turn(const table *t, const columns *where, double out[3])
     for (unsigned i = 0; i < 3; i++) {
         const number_status status = number_parse(t->field[where->gyro[i]], &out[i]);
         if (status != NUMBER_OK) {
-            message("%s:%lu: column %d (gyroscope's %c): '%s' %s; --accelerometer-only leaves the "
-                    "gyroscope out",
+            message("%s:%lu: column %d (gyroscope's %c): '%s' %s; --accelerometer-only ignores the "
+                    "gyroscope",
                     t->name, t->line, where->gyro[i] + 1, "xyz"[i],
                     table_excerpt(t->field[where->gyro[i]], excerpt),
                     status == NUMBER_EMPTY ? "is empty" : number_problem(status));
@@ -823,9 +822,9 @@ int columns_check_instance(const table *t, columns *where)
         snprintf(where->first_instance, sizeof where->first_instance, "%s", here);
     }
     if (strncmp(where->first_instance, here, sizeof where->first_instance - 1) != 0) {
-        message("%s:%lu: column %d (I): the rows of several sensors follow each other in turn: "
-                "keep those of one",
-                t->name, t->line, where->instance + 1);
+        message(
+            "%s:%lu: column %d (I): the rows of several sensors are interleaved: keep those of one",
+            t->name, t->line, where->instance + 1);
         return EXIT_FILE;
     }
     return EXIT_GOOD;
@@ -901,7 +900,7 @@ const char *columns_describe(const recognition *seen, char *text, size_t size)
                seen->others == 1 ? "" : "s");
     }
     if (*seen->set_aside != '\0') {
-        append(text, size, ", %s's among them (%s ..; --columns chooses)",
+        append(text, size, ", including %s's (%s ..; --columns chooses)",
                seen->is_magnetometer ? "an accelerometer" : "a magnetometer", seen->set_aside);
     }
     return plain(text);

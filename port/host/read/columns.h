@@ -62,9 +62,9 @@ typedef enum {
     "  accelerometer_m_s2[0] .., xyz[0] .., mx my mz, mag_x .., mean_x ..);\n"                     \
     "  std or std_x std_y std_z; n, n_samples or count; t, time or timestamp;\n"                   \
     "  temperature or temp; alpha and beta. A unit may follow: ax (g), ax [m/s^2], acc_x_mg,\n"    \
-    "  time (us), t_ms, temp (K). Small and capital letters are the same; other columns are\n"     \
-    "  ignored, also a magnetometer's beside an accelerometer's. A header may stand behind #.\n"   \
-    "  Logs of phyphox are known by their headers, and those converted by ulog2csv (PX4),\n"       \
+    "  time (us), t_ms, temp (K). Case does not matter. Other columns are ignored, as are\n"       \
+    "  those of a magnetometer next to an accelerometer. The header may begin with #. Logs of\n"   \
+    "  phyphox are recognised by their headers, and those converted by ulog2csv (PX4),\n"          \
     "  blackbox_decode (Betaflight, INAV), mavlogdump.py (ArduPilot) and\n"                        \
     "  rostopic echo -p (ROS).\n"
 

@@ -49,8 +49,8 @@ int json_enter(json_reader *r, char bracket)
 {
     skip_space(r);
     if (r->next != bracket) {
-        return json_error(r, bracket == '{' ? "a JSON object, {...}, is expected"
-                                            : "a JSON list, [...], is expected");
+        return json_error(r, bracket == '{' ? "a JSON object, {...}, expected"
+                                            : "a JSON list, [...], expected");
     }
     if (r->depth == JSON_DEPTH_MAX) {
         return json_error(r, "JSON objects and lists are nested too deep");
@@ -118,18 +118,18 @@ int json_read_text(json_reader *r, char *out, size_t size)
 
     skip_space(r);
     if (r->next != '"') {
-        return json_error(r, "a name or text in double quotes is expected");
+        return json_error(r, "a name or text in double quotes expected");
     }
     for (advance(r); r->next != '"'; advance(r)) {
         if (r->next == EOF || r->next < ' ') {
-            return json_error(r, "the quotes of a text are not closed in its line");
+            return json_error(r, "a text is not closed by a quote on its line");
         }
         char c = (char)r->next;
         if (c == '\\') {
             advance(r);
             c = escaped(r);
             if (c == 0) {
-                return json_error(r, "there is no such escape sequence");
+                return json_error(r, "unknown escape sequence");
             }
         }
         if (length + 1 < size) {
@@ -153,7 +153,7 @@ int json_member(json_reader *r, unsigned index, char *name, size_t size)
     }
     skip_space(r);
     if (r->next != ':') {
-        json_error(r, "':' is expected after a name");
+        json_error(r, "':' expected after a name");
         return -1;
     }
     advance(r);
@@ -198,8 +198,8 @@ static int parse_number(const json_reader *r, const char *text, double *out)
         return EXIT_GOOD;
     }
     snprintf(what, sizeof what, "'%.100s' %s", text,
-             status == NUMBER_OK ? "is no number in JSON" : number_problem(status));
-    return json_error(r, *text == '\0' ? "a number is expected" : what);
+             status == NUMBER_OK ? "is not a number in JSON" : number_problem(status));
+    return json_error(r, *text == '\0' ? "a number expected" : what);
 }
 
 int json_read_number(json_reader *r, double *out)
@@ -246,7 +246,7 @@ int json_skip(json_reader *r)
         return failure;
     }
     if (*token == '\0') {
-        return json_error(r, "a value is expected");
+        return json_error(r, "a value expected");
     }
     if (strcmp(token, "true") == 0 || strcmp(token, "false") == 0 || strcmp(token, "null") == 0) {
         return EXIT_GOOD;
@@ -257,7 +257,6 @@ int json_skip(json_reader *r)
 int json_finish(json_reader *r)
 {
     skip_space(r);
-    return r->next == EOF && !ferror(r->file)
-               ? EXIT_GOOD
-               : json_error(r, "nothing is expected after the JSON object");
+    return r->next == EOF && !ferror(r->file) ? EXIT_GOOD
+                                              : json_error(r, "nothing may follow the JSON object");
 }

@@ -43,7 +43,7 @@ static int read_coefficient(json_reader *r, const char *name, void *into)
             const int failure = json_read_number(r, numbers[i]);
             return failure            ? failure
                    : *numbers[i] >= 0 ? EXIT_GOOD
-                                      : json_error(r, "a number of noise is negative");
+                                      : json_error(r, "negative noise");
         }
     }
     return json_skip(r);
@@ -82,7 +82,8 @@ static int finish(const reading *all, const char *name)
         if (!(all->axes >> i & 1u) || !(n->coefficient[INVCAL_NOISE_WHITE] > 0 ||
                                         n->coefficient[INVCAL_NOISE_INSTABILITY] > 0 ||
                                         n->coefficient[INVCAL_NOISE_WALK] > 0)) {
-            message("%s: this is no noise of three axes; invcal allan --out makes one", name);
+            message("%s: does not hold the noise of three axes; make it with invcal allan --out",
+                    name);
             return EXIT_FILE;
         }
         for (unsigned k = 0; k < INVCAL_NOISE_KINDS && all->gravity > 0; k++) {
@@ -90,8 +91,8 @@ static int finish(const reading *all, const char *name)
         }
     }
     if (!(all->gravity > 0)) {
-        message("%s: does not tell how long the field is in its unit: state --unit, --lsb or "
-                "--gravity to invcal allan",
+        message("%s: the length of the field is not known in its unit: run invcal allan with "
+                "--unit, --lsb or --gravity",
                 name);
         return EXIT_FILE;
     }

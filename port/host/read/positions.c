@@ -34,7 +34,7 @@ static int grow(positions *p)
 int positions_add(positions *p, const double mean[3], const position_origin *origin)
 {
     if (p->count == POSITIONS_MAX) {
-        message("%s:%lu: more than %u positions: if these are samples, leave --positions out",
+        message("%s:%lu: more than %u positions: if these are samples, leave out --positions",
                 p->name, origin->line, POSITIONS_MAX);
         return EXIT_FILE;
     }
@@ -54,7 +54,7 @@ static int add_noise(positions *p, const table *t, const columns *where)
     int failure = columns_number(t, where, COLUMN_SAMPLES, &samples);
 
     if (!failure && !(samples >= 1)) {
-        message("%s:%lu: column %d (n): a mean is of 1 sample or more", t->name, t->line,
+        message("%s:%lu: column %d (n): the number of samples must be 1 or more", t->name, t->line,
                 where->index[COLUMN_SAMPLES] + 1);
         failure = EXIT_FILE;
     }
@@ -62,8 +62,9 @@ static int add_noise(positions *p, const table *t, const columns *where)
         const column which = (column)(COLUMN_STD_X + i);
         failure = columns_number(t, where, which, &std);
         if (!failure && !(std >= 0 && std * std <= DBL_MAX / POSITIONS_MAX)) {
-            message("%s:%lu: column %d (%s): no standard deviation is negative or so large",
-                    t->name, t->line, where->index[which] + 1, column_name(which));
+            message(
+                "%s:%lu: column %d (%s): a standard deviation must not be negative, nor that large",
+                t->name, t->line, where->index[which] + 1, column_name(which));
             failure = EXIT_FILE;
         }
         if (!failure) {
@@ -109,7 +110,7 @@ static int read_rows(positions *p, table *t)
         failure = add_row(p, t, &where);
     }
     if (!failure && more == 0 && p->count == 0) {
-        message("%s: holds a header, but no position: was anything recorded?", t->name);
+        message("%s: has a header, but no positions: was anything recorded?", t->name);
         failure = EXIT_FILE;
     }
     return more < 0 ? EXIT_FILE : failure;
@@ -157,8 +158,7 @@ int positions_read(positions *p, const char *path)
     }
     if (!failure && look_like_samples(p)) {
         message("warning: %s: this looks like a raw log, not like position means: most of its %u "
-                "rows read what the "
-                "one before does; if it is one, leave --positions out",
+                "rows repeat the one before; for a raw log, leave out --positions",
                 p->name, p->count);
     }
     return failure;

@@ -210,12 +210,12 @@ static int begin(reading *r, const samples *log, const double *clip, unsigned gu
     timeline_begin(&r->recording->outline, rate);
     if (invcal_rests_init(&r->rests, guessed > 0 ? guessed : samples_whole_rate(log)) !=
         INVCAL_OK) {
-        message("%s: %.6g samples a second: rests are found at 8 to 8000", log->table.name, rate);
+        message("%s: %.6g samples a second: 8 to 8000 are supported", log->table.name, rate);
         return EXIT_FILE;
     }
     if (clip && invcal_rests_rails(&r->rests, samples_count(log, clip[0]),
                                    samples_count(log, clip[1])) != INVCAL_OK) {
-        message("%s: --clip: the two are the same reading", log->table.name);
+        message("%s: --clip: the two limits are equal", log->table.name);
         return EXIT_FILE;
     }
     return EXIT_GOOD;

@@ -90,7 +90,7 @@ static int read_ahead(samples *s)
         return EXIT_FILE;
     }
     if (s->ahead_count == 0) {
-        message("%s: holds no sample, only a header: was anything recorded?", s->table.name);
+        message("%s: has a header, but no samples: was anything recorded?", s->table.name);
         return EXIT_FILE;
     }
     return EXIT_GOOD;
@@ -157,11 +157,10 @@ static int find_rate(samples *s)
     const double step = usual_step(s);
     s->rate = round_rate(1 / step);
     if (!(s->rate >= SAMPLES_RATE_MIN && s->rate <= SAMPLES_RATE_MAX)) {
-        message(
-            "%s:%lu: the times go on by %.6g, which are no seconds of a log of 8 to 8000 samples a "
-            "second: put the unit into the heading (t_ms, t_us), state --rate, or leave the column "
-            "out",
-            s->table.name, s->ahead_line[0], step);
+        message("%s:%lu: the times advance by %.6g, which cannot be seconds (8 to 8000 samples per "
+                "second are supported): put the unit into the heading (t_ms, t_us), state --rate, "
+                "or delete the column",
+                s->table.name, s->ahead_line[0], step);
         return EXIT_FILE;
     }
     s->longest = fmax(s->longest, 4 / s->rate + 0.1);

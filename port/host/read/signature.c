@@ -3,7 +3,7 @@
 
 #include <string.h>
 
-#define PICTURE(kind) "a picture (" kind "): the readings themselves are needed, as CSV"
+#define PICTURE(kind) "a picture (" kind "): readings are needed, as CSV"
 #define MARKUP "a web page or XML: download or export the table itself, as CSV"
 
 const char *signature_find(const char *bytes, size_t length)
@@ -13,7 +13,8 @@ const char *signature_find(const char *bytes, size_t length)
         size_t length;
         const char *what;
     } signatures[] = {
-        {"ULog\x01\x12\x35", 7, "a PX4 ulog: convert it with ulog2csv, and take its sensor_accel"},
+        {"ULog\x01\x12\x35", 7,
+         "a PX4 ulog: convert it with ulog2csv, and use its sensor_accel file"},
         {"H Product:Blackbox", 18,
          "a Betaflight or INAV blackbox log: convert it with blackbox_decode"},
         {"\xa3\x95\x80", 3,
@@ -21,7 +22,7 @@ const char *signature_find(const char *bytes, size_t length)
         {"FMT, 128, 89", 12,
          "an ArduPilot text log: convert the .bin with mavlogdump.py --format csv --types IMU"},
         {"LabVIEW Measurement", 19,
-         "a LabVIEW measurement file: delete the lines above the one that begins with X_Value"},
+         "a LabVIEW measurement file: delete the lines before the one that begins with X_Value"},
         {"#ROSBAG", 7, "a ROS bag: convert its IMU topic with rostopic echo -p"},
         {"SQLite format 3", 15,
          "an SQLite database, such as a ROS 2 bag: export the table of the accelerometer as CSV"},
@@ -50,7 +51,7 @@ const char *signature_find(const char *bytes, size_t length)
         {"<html", 5, MARKUP},
         {"<?xml", 5, MARKUP},
         {"<svg", 4, PICTURE("SVG")},
-        {"{", 1, "JSON: a table is expected, one sample a line; write x, y, z of each as CSV"},
+        {"{", 1, "JSON: a table with one sample per line is needed; write x, y, z of each as CSV"},
         {"\xff\xfe", 2, "UTF-16 text: save it as UTF-8"},
         {"\xfe\xff", 2, "UTF-16 text: save it as UTF-8"},
     };

@@ -49,8 +49,7 @@ static int check_text(const table *t, size_t length)
     for (size_t i = 0; i < length; i++) {
         const unsigned char c = (unsigned char)t->text[i];
         if (c < ' ' && c != '\t') {
-            message("%s:%lu: byte %lu of the line has the value %u: this is not a text file; "
-                    "export the "
+            message("%s:%lu: byte %lu of the line has the value %u: not a text file; export the "
                     "readings as CSV",
                     t->name, t->line, (unsigned long)i + 1, (unsigned)c);
             return -1;
@@ -82,7 +81,7 @@ static int read_line(table *t)
             return -1;
         }
         if (length == TABLE_LINE_MAX) {
-            message("%s:%lu: the line is longer than %u bytes: a table has one sample a line",
+            message("%s:%lu: the line is longer than %u bytes: a table has one sample per line",
                     t->name, t->line, TABLE_LINE_MAX);
             return -1;
         }
@@ -286,7 +285,7 @@ static unsigned split(table *t)
     const unsigned count = cut(t, t->text, &at);
 
     if (count == 0 && at > TABLE_COLUMNS_MAX) {
-        message("%s:%lu: more than %u columns: leave those of the accelerometer", t->name, t->line,
+        message("%s:%lu: more than %u columns: keep those of the accelerometer", t->name, t->line,
                 TABLE_COLUMNS_MAX);
     } else if (count == 0) {
         message("%s:%lu: column %u: the quotes do not match%s", t->name, t->line, at,
@@ -343,8 +342,8 @@ static int skip_preamble(table *t)
         t->preamble++;
     }
     if (more == 0 && t->preamble > 0) {
-        message("%s:%lu: lines of two columns, a name and another, are no table of x, y, z: "
-                "save the samples, one a line",
+        message("%s:%lu: lines of two columns, the first one a name, are not a table of x, y, z: "
+                "save one sample per line",
                 t->name, t->first_line);
     } else if (more == 0) {
         message("%s: is empty: was it copied whole?", t->name);
@@ -593,7 +592,7 @@ const char *table_separator(const table *t)
 
 const char *table_remedy(const table *t)
 {
-    return t->is_forgiving ? ": skipped" : ": put the line right, or delete it";
+    return t->is_forgiving ? ": skipped" : ": correct the line, or delete it";
 }
 
 const char *table_excerpt(const char *field, char text[TABLE_EXCERPT_MAX])

@@ -28,7 +28,7 @@ static void *grow(void *all, size_t count, size_t size, const char *name)
     }
     void *more = count < UINT32_MAX / 2 ? realloc(all, (count ? 2 * count : 1) * size) : NULL;
     if (!more) {
-        message("%s: not enough memory for its moves; --accelerometer-only needs none", name);
+        message("%s: not enough memory for its moves; use --accelerometer-only", name);
     }
     return more;
 }
@@ -85,10 +85,9 @@ static int match(turns *t, const samples *file, const double *time, const char *
     uint32_t next = 0;
 
     if (t->has_time != file->has_time || (!t->has_time && t->samples != t->readings)) {
-        message(
-            "%s: goes not with %s: both need a column t of the same clock, or neither and as many "
-            "rows (%lu, and %lu)",
-            file->table.name, log, (unsigned long)t->readings, (unsigned long)t->samples);
+        message("%s: does not match %s: both need a column t of the same clock, or neither and the "
+                "same number of rows (%lu and %lu)",
+                file->table.name, log, (unsigned long)t->readings, (unsigned long)t->samples);
         return EXIT_FILE;
     }
     for (size_t i = 0; i < t->samples; i++) {
@@ -98,7 +97,7 @@ static int match(turns *t, const samples *file, const double *time, const char *
         t->sample[i].upto = t->has_time ? next : (uint32_t)(i + 1);
     }
     if (t->samples == 0 || t->sample[t->samples - 1].upto < t->readings / 2) {
-        message("%s: its times are not those of %s: one clock for both is needed", file->table.name,
+        message("%s: its times are not those of %s: both need the same clock", file->table.name,
                 log);
         return EXIT_FILE;
     }

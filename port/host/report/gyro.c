@@ -36,11 +36,9 @@ static void write_parameters(page *p, const report_facts *f)
 {
     static const char *const titles[] = {"parameter", "value ±", "unit"};
     static const char *const axes[] = {"x", "y", "z"};
-    const page_table sheet = {
-        "What the gyroscope reads too much of a turn about its axis (scale) and about "
-        "another (cross: the first axis reads of turns about the second), in the axes of "
-        "the accelerometer.",
-        titles, 3, 4};
+    const page_table sheet = {"Scale errors, and cross-axis terms (what the first axis reads of "
+                              "turns about the second), in the axes of the accelerometer.",
+                              titles, 3, 4};
     const gyro_fit *g = &f->result->gyro;
     const told_unit scale = told_scale(f->result->told);
     const told_unit angle = told_angle(f->result->told);
@@ -105,10 +103,9 @@ static void draw_moves(FILE *file, const void *data, double width)
     const ruler y = chart_ruler(0, largest(g) > 0 ? largest(g) : 1, TOP + PLOT, TOP, 5);
     double taken = 0;
 
-    svg_begin_inline(
-        file, width, TOP + PLOT + AXIS, "Residuals of the moves",
-        "What is left between the way up before each move and the one after it, turned back by "
-        "the calibrated gyroscope, in mrad.");
+    svg_begin_inline(file, width, TOP + PLOT + AXIS, "Residuals of the moves",
+                     "Difference between the up directions before and after each move, the latter "
+                     "rotated back by the calibrated gyroscope, in mrad.");
     svg_text(file, "ink heading", SVG_START, 0, 14, "residual of each move, mrad");
     chart_ticks_y(file, &y, &x);
     svg_rectangle(file, "c1 bar", LEFT, 22, 16, 12);
@@ -132,7 +129,7 @@ static void draw_moves(FILE *file, const void *data, double width)
         }
     }
     svg_text(file, "soft small", SVG_MIDDLE, (LEFT + width - RIGHT) / 2, TOP + PLOT + AXIS - 6,
-             "position that the move led to");
+             "position at the end of the move");
     svg_end(file);
 }
 
@@ -183,8 +180,8 @@ static void draw_bias(FILE *file, const void *data, double width)
     const ruler y = chart_ruler(range[1][0], range[1][1], TOP + PLOT, TOP, 5);
     svg_begin_inline(
         file, width, TOP + PLOT + AXIS, "Bias in the rests",
-        "The bias about each axis in each rest, less that of the last one, in degrees/s.");
-    svg_text(file, "ink heading", SVG_START, 0, 14, "bias less that of the last rest, °/s");
+        "The bias about each axis in each rest, relative to the last rest, in degrees/s.");
+    svg_text(file, "ink heading", SVG_START, 0, 14, "bias relative to the last rest, °/s");
     chart_ticks_x(file, &x, &y);
     chart_ticks_y(file, &y, &x);
     for (unsigned k = 0; k < 3; k++) {
@@ -238,13 +235,12 @@ static void write_moves(page *p, const report_facts *f)
             page_say(p, "Left out: %s.", gyro_move_text(f->result, &g->move[i], text));
         }
     }
-    page_picture(
-        p,
-        "Between two rests the gyroscope must turn the one way up into the other; this is what it "
-        "misses, across the way up.",
-        draw_moves, f);
     page_picture(p,
-                 g->imu.g_is_used ? "Its bias in the rests, without what orientation does to it."
+                 "The gyroscope must turn the up direction of one rest into that of the next; this "
+                 "is the residual, perpendicular to it.",
+                 draw_moves, f);
+    page_picture(p,
+                 g->imu.g_is_used ? "Its bias in the rests, g-sensitivity removed."
                                   : "Its bias in the rests.",
                  draw_bias, f);
 }
@@ -270,7 +266,7 @@ void report_gyro_summary(page *p, const report_facts *f)
     if (g->is_there && g->word) {
         page_say(p, "The gyroscope is not calibrated: %s.", g->reason);
     } else if (g->is_there) {
-        page_say(p, "The gyroscope is calibrated, too (%s): %u moves agree with it to %s mrad.",
+        page_say(p, "The gyroscope is calibrated, too (%s): %u moves, residual %s mrad rms.",
                  gyro_verdict(g), g->imu.moves, figure_digits(MILLI * g->imu.move_rms, 2, number));
     }
 }
@@ -289,15 +285,13 @@ void report_gyro(page *p, const report_facts *f)
         page_say(p, "Next: %s.", g->remedy);
         return;
     }
-    page_say(p, "Verdict: %s.%s What limits it: %s.", gyro_verdict(g),
-             f->result->is_joint
-                 ? " The accelerometer is told by rests and moves together: the rests alone "
-                   "leave some of it open."
-                 : "",
+    page_say(p, "Verdict: %s.%s Limited by: %s.", gyro_verdict(g),
+             f->result->is_joint ? " The accelerometer is calibrated from rests and moves "
+                                   "together: the rests alone leave parameters undetermined."
+                                 : "",
              gyro_limit_text(g, text));
     if (fabs(g->lag) > 0) {
-        page_say(p,
-                 "Its readings come %.2f s %s than the accelerometer's, which was taken off here.",
+        page_say(p, "Its readings are %.2f s %s than the accelerometer's, which is corrected here.",
                  fabs(g->lag), g->lag > 0 ? "later" : "earlier");
     }
     write_figures(p, g);
@@ -311,7 +305,7 @@ void report_gyro(page *p, const report_facts *f)
         page_fact(p, "file", "%s", g->turns->file);
     }
     page_fact(p, "readings", "in %s, %.6g a second%s", gyro_unit_text(g, text), g->turns->rate,
-              g->turns->is_rate_known ? "" : " (a guess: an error of it is one of the scales)");
+              g->turns->is_rate_known ? "" : " (a guess: its error is an error of the scales)");
     page_fact(p, "g-sensitivity", "%s", gyro_g_text(g, text));
     if (g->range > 0) {
         page_fact(p, "temperature", "%s, one standard deviation", gyro_thermal_text(g, text));

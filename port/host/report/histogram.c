@@ -70,7 +70,7 @@ static void draw_histogram(FILE *file, const void *data, double width)
     }
     const ruler y = chart_ruler(0, most, TOP + PLOT, TOP, 4);
     svg_begin_inline(file, width, TOP + PLOT + AXIS, "Histogram of the residuals",
-                     "How many positions have which residual, beside the curve of normal noise.");
+                     "Number of positions by residual, with the curve of normal noise.");
     svg_text(file, "ink heading", SVG_START, 0, 16, "positions");
     chart_ticks_x(file, &x, &y);
     chart_ticks_y(file, &y, &x);
@@ -90,10 +90,9 @@ static void draw_histogram(FILE *file, const void *data, double width)
 void report_histogram(page *p, const report_facts *f)
 {
     if (f->knows_noise && f->result->quality.dof > 0 && f->result->rejected.kept_count >= LEAST) {
-        page_picture(
-            p,
-            "How many positions have which residual; the curve is what noise alone makes of "
-            "so many. What is beyond the ends is counted there.",
-            draw_histogram, f);
+        page_picture(p,
+                     "Number of positions by residual; the curve is that of noise alone. Positions "
+                     "beyond the ends are counted in the last bars.",
+                     draw_histogram, f);
     }
 }

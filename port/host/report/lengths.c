@@ -100,8 +100,8 @@ static void draw_lengths(FILE *file, const void *data, double width)
     char title[64];
 
     svg_begin_inline(file, width, TOP + PLOT + AXIS, "Length of the readings along the log",
-                     "Deviation of the length of the readings from the field against time. After "
-                     "calibration it lies near zero in every rest.");
+                     "Deviation of the length of the readings from the field over time. After "
+                     "calibration it is near zero in every rest.");
     snprintf(title, sizeof title, "%s - %s, %s", f->length, f->is_gravity ? "g" : "field", f->unit);
     svg_text(file, "ink heading", SVG_START, 0, 14, title);
     chart_ticks_x(file, &p.x, &p.y);
@@ -122,10 +122,9 @@ static void draw_lengths(FILE *file, const void *data, double width)
 void report_lengths(page *p, const report_facts *f)
 {
     if (f->result->log && !f->result->refused.word && recording_count(f->result->log->track) > 0) {
-        page_panorama(
-            p,
-            "The length of the readings, averaged over a part of a second. What is beyond "
-            "the axis was moved.",
-            draw_lengths, f);
+        page_panorama(p,
+                      "The length of the readings, averaged over a fraction of a second. Values "
+                      "beyond the axis are from motion.",
+                      draw_lengths, f);
     }
 }

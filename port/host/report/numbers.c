@@ -122,13 +122,13 @@ void report_numbers(page *p, const report_facts *f)
     }
     snprintf(summary, sizeof summary,
              f->count <= LISTED        ? "All %u positions"
-             : f->result->refused.word ? "Those refused of %u positions"
+             : f->result->refused.word ? "The refused ones of %u positions"
                                        : "The positions left out and the worst, of %u",
              f->count);
     snprintf(caption, sizeof caption,
              f->result->refused.word
-                 ? "x y z: mean reading, %s. Up: as in the picture above. Length: over the "
-                   "mean of all; what stands out may be wrong."
+                 ? "x y z: mean reading, %s. Up: as in the picture above. Length: relative to the "
+                   "mean of all; an outlier may be wrong."
              : f->has_before ? "x y z: mean reading, %s. Up: in the calibrated axes. Before and "
                                "after: deviation of %s, %s."
                              : "x y z: mean reading, %s. Up: in the calibrated axes. After: "

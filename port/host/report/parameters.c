@@ -109,9 +109,9 @@ static const char *state_of(const report_facts *f, unsigned kind, unsigned i)
     const int is_held = fit_held(&f->result->settings, &f->result->quality) >> (3 * kind + i) & 1;
     const int is_beyond = f->asked.beyond >> (3 * kind + i) & 1;
 
-    return is_weak(f, kind, i)     ? "badly determined"
+    return is_weak(f, kind, i)     ? "poorly determined"
            : is_beyond             ? "beyond the limit"
-           : is_failed(f, kind, i) ? "not surely within"
+           : is_failed(f, kind, i) ? "possibly beyond"
            : is_held               ? "not measured"
            : from_prior            ? "from the prior"
                                    : "";
@@ -193,8 +193,8 @@ static void write_table(page *p, const report_facts *f)
              is_shown(f, DEVIATION) ? "Deviation: from nominal. " : "",
              calibrate_input_unit(f->result), calibrate_input_unit(f->result),
              calibrate_field_unit(f->result),
-             f->asked.limited ? " Limit: of the data sheet, to either side. Used: how much of it "
-                                "the deviation and its ± take; up to 100 % is within."
+             f->asked.limited ? " Limit: ± limit of the data sheet. Used: deviation and its ± in % "
+                                "of the limit; 100 % or less is within."
                               : "");
     page_table_begin(p, &sheet);
     for (unsigned kind = 0; kind < 3; kind++) {
@@ -324,12 +324,11 @@ static void say_beyond(page *p, const report_facts *f)
                  parameters_list(f->asked.beyond, list, sizeof list));
     }
     if (unsure) {
-        page_say(p,
-                 "Not surely within the limits of the data sheet, as their ± reaches beyond: %s.",
+        page_say(p, "Possibly beyond the limits of the data sheet, which lie within their ±: %s.",
                  parameters_list(unsure, list, sizeof list));
     }
     if (f->asked.limited && !f->asked.failed) {
-        page_say(p, "All are within the limits of the data sheet, their ± included.");
+        page_say(p, "All are within the limits of the data sheet, including their ±.");
     }
 }
 
@@ -346,6 +345,6 @@ void report_parameters(page *p, const report_facts *f)
     snprintf(caption, sizeof caption, "Deviation from nominal.%s%s%s",
              f->knows_noise ? " Whiskers: ±." : "",
              f->asked.limited ? " Dashed: limits of the data sheet." : "",
-             fit_has_prior(&f->result->settings) ? " Shaded: what the prior allows (95 %)." : "");
+             fit_has_prior(&f->result->settings) ? " Shaded: the prior (95 %)." : "");
     page_picture(p, caption, draw_bars, f);
 }

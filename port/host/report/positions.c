@@ -128,7 +128,7 @@ static void describe(const report_facts *f, char *text, size_t size)
     }
     snprintf(text, size,
              "Deviation of %s from the field at each of %u positions: root mean square %s%.4g %s "
-             "after it. The largest is then %.4g %s, at position %u. %u left out.",
+             "after it. The maximum after it is %.4g %s, at position %u. %u left out.",
              f->length, f->count, before, f->parts * r->quality.rms, f->unit,
              f->parts * r->quality.max, f->unit, r->quality.worst + 1, r->rejected.count);
 }
@@ -260,12 +260,11 @@ static void say_left_out(page *p, const report_facts *f)
     const rejection *r = &f->result->rejected;
 
     if (rejection_drifting(r) > 0) {
-        page_say(
-            p,
-            "Left out: %u rest%s in which the temperature drifted by more than %.2g K, so that "
-            "the thermometer may have lagged. Let the sensor settle before each.",
-            rejection_drifting(r), rejection_drifting(r) == 1 ? "" : "s",
-            f->result->fit.drift_limit);
+        page_say(p,
+                 "Left out: %u rest%s in which the temperature drifted by more than %.2g K: the "
+                 "thermometer may lag. Let the sensor settle before each rest.",
+                 rejection_drifting(r), rejection_drifting(r) == 1 ? "" : "s",
+                 f->result->fit.drift_limit);
     }
     for (unsigned k = 0; k < r->count && k < NAMED; k++) {
         const unsigned n = r->list[k].position;
@@ -277,7 +276,7 @@ static void say_left_out(page *p, const report_facts *f)
         }
         page_say(p,
                  "Left out: position %u (line %lu) contradicts the others; it reads %s %s too %s. "
-                 "Repeat it, or see what happened there.",
+                 "Repeat it, or check what happened there.",
                  n + 1, f->result->data->origin[n].line,
                  figure_digits(fabs(f->position[n].after), 3, number), f->unit,
                  f->position[n].after > 0 ? "much" : "little");
@@ -287,8 +286,8 @@ static void say_left_out(page *p, const report_facts *f)
     }
     if (r->suspected > 0) {
         page_say(p,
-                 "Something is wrong among %u %spositions, but not to be told which: repeat the "
-                 "measurement.",
+                 "%u %spositions contradict one another; which of them are wrong cannot be "
+                 "determined: repeat the measurement.",
                  r->suspected, r->count > 0 ? "more " : "");
     }
 }
@@ -301,9 +300,8 @@ static void say_unexplained(page *p, const report_facts *f)
 
     if (times > 0) {
         page_say(p,
-                 "They are %s times as large as the noise %s explains: the device may have moved "
-                 "or trembled, the temperature changed, readings been clipped (--clip), or a "
-                 "position be wrong.",
+                 "They are %s times as large as the noise %s explains: look for motion or tremor "
+                 "of the device, a changing temperature, clipped readings (--clip), or an outlier.",
                  figure_digits(times, 2, number),
                  f->result->is_noise_given ? "stated" : "of the samples");
     }
@@ -316,7 +314,7 @@ static void write_change(page *p, const report_facts *f)
 
     page_section(p, "Before and after");
     snprintf(caption, sizeof caption,
-             "How far the length of each reading is from the field, with %s and calibrated.",
+             "Deviation of the length of each reading from the field, with %s and calibrated.",
              f->wish->nominal_name);
     page_picture(p, caption, draw_change, f);
 }
@@ -326,14 +324,14 @@ void report_positions(page *p, const report_facts *f)
     if (f->has_before) {
         write_change(p, f);
     }
-    page_section(p, "What is left: residuals");
+    page_section(p, "Residuals");
     say_left_out(p, f);
     say_unexplained(p, f);
     page_picture(p,
                  f->result->quality.dof > 0
-                     ? "How far the length of each calibrated reading is from the field."
-                     : "As many positions as parameters: the residuals are zero whatever was "
-                       "measured, and check nothing.",
+                     ? "Deviation of the length of each calibrated reading from the field."
+                     : "No redundancy: with as many positions as parameters, the residuals are "
+                       "always zero and check nothing.",
                  draw_residuals, f);
     report_histogram(p, f);
 }

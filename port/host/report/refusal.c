@@ -100,7 +100,7 @@ static void write_verdict(page *p, const refused *d)
     snprintf(word, sizeof word, "✗ No calibration: %s", r->refused.word);
     snprintf(reason, sizeof reason, "%s.", sentence(r->refused.reason, text));
     snprintf(next, sizeof next, "%s.",
-             *r->refused.remedy ? r->refused.remedy : "see what the sentence above names");
+             *r->refused.remedy ? r->refused.remedy : "correct what the sentence above names");
     page_verdict_of(p, PAGE_BAD, word, &answer, reason, next);
     if (d->facts.wish->saved) {
         page_say(p, "%s was not written.", d->facts.wish->saved);
@@ -119,7 +119,7 @@ static void write_missing(page *p, const refused *d)
     page_figure(p, number, r->log ? "positions, rests of the log" : "positions");
     if (is_open) {
         snprintf(number, sizeof number, "%u of 9", parameters_count(r->refused.undetermined));
-        page_figure(p, number, "parameters not determined");
+        page_figure(p, number, "parameters undetermined");
     }
     if (d->add_count > 0) {
         snprintf(number, sizeof number, "%u", d->add_count);
@@ -127,7 +127,7 @@ static void write_missing(page *p, const refused *d)
     }
     page_figures_end(p);
     if (is_open && strcmp(r->refused.word, "undetermined") != 0) { /* which has said so */
-        page_say(p, "Not determined: %s.",
+        page_say(p, "Undetermined: %s.",
                  parameters_list(r->refused.undetermined, list, sizeof list));
     }
 }
@@ -141,10 +141,10 @@ static void draw_half(FILE *file, const refused *d, unsigned half)
         const sphere_mark *m = &d->facts.mark[n];
         here[m->kind == SPHERE_NEXT] += (m->up[2] < -SPHERE_EQUATOR) == half;
     }
-    snprintf(text, sizeof text,
-             "A disc: the half of all directions with z %s, seen from +z. %u positions lie in it, "
-             "and %u to add.",
-             half ? "down" : "up or level", here[0], here[1]);
+    snprintf(
+        text, sizeof text,
+        "A disc: the hemisphere with z %s, seen from +z. It holds %u positions, and %u to add.",
+        half ? "down" : "up or level", here[0], here[1]);
     svg_begin_inline(file, SPHERE_WIDTH, SPHERE_HEIGHT,
                      half ? "Positions with z down" : "Positions with z up", text);
     sphere_draw(file, &map, half);
@@ -171,7 +171,7 @@ static void draw_legend(FILE *file, const refused *d)
         {SPHERE_POSITION, "position"}, {SPHERE_NEXT, "to add"}, {SPHERE_LEFT_OUT, "refused"}};
     double x = 14;
 
-    svg_begin_inline(file, SPHERE_WIDTH, LEGEND_HEIGHT, "Legend", "What the markers mean.");
+    svg_begin_inline(file, SPHERE_WIDTH, LEGEND_HEIGHT, "Legend", "Meaning of the markers.");
     for (unsigned k = 0; k < sizeof all / sizeof *all; k++) {
         if (has_kind(d, all[k].kind)) {
             sphere_marker(file, all[k].kind, x, 14);
@@ -185,9 +185,9 @@ static void draw_legend(FILE *file, const refused *d)
 static void write_map(page *p, const refused *d)
 {
     static const char *const how[] = {
-        [REFUSAL_BY_NOMINAL] = "by the nominal calibration",
-        [REFUSAL_BY_ZERO] = "as the readings are, without an offset: it is not known",
-        [REFUSAL_BY_RANGE] = "by the middle of the range of each axis, for want of a calibration",
+        [REFUSAL_BY_NOMINAL] = "from the nominal calibration",
+        [REFUSAL_BY_ZERO] = "from the readings without an offset, which is unknown",
+        [REFUSAL_BY_RANGE] = "from the middle of the range of each axis, without a calibration",
     };
     char caption[TEXT_MAX];
 
@@ -209,17 +209,16 @@ static void write_map(page *p, const refused *d)
 static void write_additions(page *p, const refused *d)
 {
     static const char *const titles[] = {"add", "orientation", "x", "y", "z"};
-    const page_table sheet = {"What is to point up, and up in the axes of the sensor. Ten degrees "
-                              "more or less do not matter.",
-                              titles, 5, 1u << 1};
+    const page_table sheet = {
+        "What must point up, and up in the axes of the sensor. Within ten degrees is close enough.",
+        titles, 5, 1u << 1};
 
     if (d->add_count == 0) {
         return;
     }
     page_section(p, "Positions to add");
-    page_say(p,
-             "With these the set determines everything, and has positions to spare that check it. "
-             "In this order they are the least labour.");
+    page_say(p, "With these the set determines everything, with redundancy to check it. This order "
+                "takes the least turning.");
     page_table_begin(p, &sheet);
     for (unsigned n = 0; n < d->add_count; n++) {
         const refusal_direction *add = &d->add[n];

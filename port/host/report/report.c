@@ -38,7 +38,7 @@ static const char *part_of_field(const report_facts *f, char text[SUPPORT_MAX])
         snprintf(text, SUPPORT_MAX, ", ±%s %s of it from %s itself%s",
                  figure_digits(f->field_spread, 2, spread), f->unit,
                  f->is_gravity ? "g" : "the field",
-                 f->result->is_field_stated ? "" : ", which --gravity or --latitude tells better");
+                 f->result->is_field_stated ? "" : ", which --gravity or --latitude reduces");
     }
     return text;
 }
@@ -53,7 +53,7 @@ static void say_support(const report_facts *f, char text[SUPPORT_MAX])
         snprintf(text, SUPPORT_MAX, "but %s by the prior rather than by the positions",
                  parameters_list(q->from_prior, list, sizeof list));
     } else {
-        snprintf(text, SUPPORT_MAX, "and positions to spare confirm them");
+        snprintf(text, SUPPORT_MAX, "and redundant positions confirm them");
     }
 }
 
@@ -75,12 +75,11 @@ static void say_good(const report_facts *f, char *text)
                  count == 1 ? " contradicts" : "s contradict", count == 1 ? "is" : "are");
     }
     say_support(f, support);
-    snprintf(
-        text, TEXT_MAX,
-        "All nine parameters are determined, %s: corrected readings%s have the length of %s to "
-        "±%s %s or better in any one direction%s, their own noise not counted.%s",
-        support, where, f->is_gravity ? "gravity" : "the field", worst_spread(f, spread), f->unit,
-        part_of_field(f, field), left_out);
+    snprintf(text, TEXT_MAX,
+             "All nine parameters are determined, %s: the length of corrected readings%s matches "
+             "%s within ±%s %s in every direction%s, apart from their own noise.%s",
+             support, where, f->is_gravity ? "gravity" : "the field", worst_spread(f, spread),
+             f->unit, part_of_field(f, field), left_out);
 }
 
 static void say_weak(const report_facts *f, char *text)
@@ -89,7 +88,7 @@ static void say_weak(const report_facts *f, char *text)
     char spread[FIGURE_MAX];
 
     snprintf(text, TEXT_MAX,
-             "The positions tell too little of %s: use the calibration only within its ±. In the "
+             "The positions hardly determine %s: rely on the calibration only within its ±. In the "
              "worst direction (%s) the length of a corrected reading is uncertain by ±%s %s.",
              parameters_list(f->result->quality.weak, list, sizeof list),
              f->length_spread.worst_words, worst_spread(f, spread),
@@ -133,7 +132,7 @@ static void write_weak(page *p, const report_facts *f)
     say_weak(f, sentence);
     if (calibrate_wants_slopes(f->result)) {
         snprintf(next, sizeof next,
-                 "measure nine positions or more at each of two temperatures, 5 K apart or more.");
+                 "measure nine positions or more at each of two temperatures, at least 5 K apart.");
     } else {
         snprintf(next, sizeof next, "add positions with %s. Begin with: %s.",
                  parameters_advice(f->result->quality.weak, advice, sizeof advice), f->next_words);
@@ -149,7 +148,7 @@ static void write_six_faces(page *p, const report_facts *f)
     snprintf(sentence, sizeof sentence, "%s", faces_cost(f->result, cost));
     sentence[0] = (char)toupper((unsigned char)sentence[0]);
     page_verdict(p, PAGE_CAUTION, "! Good for offsets and scales", sentence,
-                 "to measure the angles, add six positions and leave --six-faces out: " FACES_EDGES
+                 "to measure the angles, add six positions and leave out --six-faces: " FACES_EDGES
                  ".");
 }
 
@@ -175,8 +174,8 @@ static void write_verdict(page *p, const report_facts *f)
         snprintf(next, sizeof next,
                  "add three or more positions in other directions. Begin with: %s.", f->next_words);
         write_box(p, f, PAGE_CAUTION, "! No redundancy",
-                  "All nine parameters are determined, but there is no position to spare: nothing "
-                  "checks the result, and one wrong position would spoil it unnoticed.",
+                  "All nine parameters are determined, but there is no redundancy: nothing checks "
+                  "the result, and one wrong position would spoil it unnoticed.",
                   next);
     } else if (verdict == INVCAL_WEAK && !f->result->magnetometer) {
         write_weak(p, f);
@@ -222,7 +221,7 @@ static void write_figures(page *p, const report_facts *f)
     write_improvement(p, f);
     snprintf(text, sizeof text, "%u", r->data->count);
     snprintf(what, sizeof what,
-             r->magnetometer     ? "cells of direction with samples"
+             r->magnetometer     ? "direction cells with samples"
              : r->rejected.count ? "positions, %u of them left out"
                                  : "positions",
              r->rejected.count);
@@ -241,8 +240,7 @@ static void write_nominal(page *p, const report_facts *f)
     const nominal_choice *n = &f->result->nominal;
 
     if (!nominal_is_stated(n)) {
-        page_fact(p, f->wish->nominal_name,
-                  "not stated: --sensor, --unit, or --zero and --lsb tell it");
+        page_fact(p, f->wish->nominal_name, "unknown; state --sensor, --unit, or --zero and --lsb");
     } else if (n->zero == n->lsb) {
         page_fact(p, f->wish->nominal_name, "zero and scale %s", nominal_origin_text(n->zero));
     } else {
@@ -268,7 +266,7 @@ static void write_temperature(page *p, const report_facts *f)
         most = fmax(most, data->origin[n].temperature);
     }
     if (least <= most) {
-        page_fact(p, "temperature", "%.1f ... %.1f °C: what was found holds there", least, most);
+        page_fact(p, "temperature", "%.1f ... %.1f °C, where the result is valid", least, most);
     }
     if (f->result->temperature == CALIBRATE_THERMAL) {
         page_fact(p, "offset and matrix", "at %.2f °C", f->result->fit.calibration.reference);
@@ -283,7 +281,7 @@ static void write_frame(page *p, const calibrate_result *r)
         page_fact(p, "axes", "%s", axes);
     }
     if (r->is_dip_frame) {
-        page_fact(p, "frame", "accelerometer: the axes of the one in the same log");
+        page_fact(p, "frame", "accelerometer: the axes of the accelerometer in the same log");
         return;
     }
     if (r->frame.used > 0) {
@@ -292,10 +290,10 @@ static void write_frame(page *p, const calibrate_result *r)
         return;
     }
     page_fact(p, "frame", "%s",
-              r->is_stand_frame ? "stand: turned to the axes of the stand, by its angles"
+              r->is_stand_frame ? "stand: rotated to the axes of the stand, by its angles"
               : r->settings.is_triangular
-                  ? "triangular: only the x sensor feels a field along the x axis"
-                  : "symmetric: axes as near to the case as can be");
+                  ? "triangular: only the x sensor responds to a field along the x axis"
+                  : "symmetric: axes as close to the case as possible");
 }
 
 /* What stands between these figures and better ones. */
@@ -303,8 +301,7 @@ static void write_limit(page *p, const report_facts *f)
 {
     char text[CALIBRATE_LIMIT_MAX];
 
-    page_say(p, "What limits the accuracy: %s",
-             calibrate_limit(f->result, &f->length_spread, text));
+    page_say(p, "Accuracy limited by: %s", calibrate_limit(f->result, &f->length_spread, text));
 }
 
 void report_file(page *p, const report_facts *f)
@@ -322,7 +319,8 @@ void report_file(page *p, const report_facts *f)
 /* What a magnetometer felt. */
 static void write_waved(page *p, const waved *m)
 {
-    page_fact(p, "samples", "%lu, %lu left out, in %u of %u cells of direction; %.0f tell as one",
+    page_fact(p, "samples",
+              "%lu, %lu left out, in %u of %u direction cells; correlated: %.0f count as one",
               m->samples, (unsigned long)m->found.left_out, m->found.covered, INVCAL_CELLS,
               m->found.alike > 1 ? m->found.alike : 1);
     if (m->found.disturbance != INVCAL_UNDISTURBED) {
@@ -342,9 +340,8 @@ static void write_origin(page *p, const report_facts *f)
     page_fact(p, "field", "%s %s", number_text(r->settings.field, number), calibrate_field_unit(r));
     if (r->place) {
         page_fact(p, "normal gravity",
-                  "at %.6g°, %.6g m, ±%.4f m/s²: an error scales all readings alike, and does "
-                  "nothing else",
-                  r->place[0], r->place[1], REPORT_NORMAL * GRAVITY_SIGMA);
+                  "at %.6g°, %.6g m, ±%.4f m/s²; its error scales all readings alike", r->place[0],
+                  r->place[1], REPORT_NORMAL * GRAVITY_SIGMA);
     }
     if (r->magnetometer) {
         write_waved(p, r->magnetometer);
@@ -363,7 +360,7 @@ static void write_origin(page *p, const report_facts *f)
                   r->is_noise_given ? "stated" : "from the scatter of the samples");
     }
     page_facts_end(p);
-    page_note(p, "Lengths do not show how the calibrated axes are turned against the case.");
+    page_note(p, "Lengths do not determine the rotation of the calibrated axes to the case.");
 }
 
 /* Once, and for all that follows. */
@@ -371,12 +368,12 @@ static void say_convention(page *p, const report_facts *f)
 {
     if (f->knows_noise) {
         page_note(p,
-                  "Every ± on this page holds the truth in 95 %% of cases: for the parameters %.2f "
-                  "standard deviations.",
+                  "Every ± on this page is a 95 %% interval: for the parameters, %.2f standard "
+                  "deviations.",
                   f->coverage);
     } else {
-        page_note(p, "No ± can be given: the noise is not known. --noise states it, and positions "
-                     "to spare show it.");
+        page_note(p, "There is no ±, because the noise is unknown: state --noise, or add positions "
+                     "for redundancy.");
     }
 }
 
@@ -411,7 +408,7 @@ int report_write(FILE *file, const calibrate_result *result, const calibrate_wis
         report_gyro_summary(&p, &f);
         say_convention(&p, &f);
         report_use(&p, &f);
-        page_section(&p, "What it is worth");
+        page_section(&p, "Accuracy");
         write_figures(&p, &f);
         write_limit(&p, &f);
         report_parameters(&p, &f);

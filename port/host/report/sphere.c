@@ -15,7 +15,7 @@ static void draw_legend(FILE *file, const report_facts *f, const sphere_shading 
     char text[TEXT_MAX];
 
     svg_begin_inline(file, SPHERE_WIDTH, LEGEND_HEIGHT, "Legend",
-                     "What the colours and markers mean.");
+                     "Meaning of colours and markers.");
     snprintf(text, sizeof text, "± of %s, %s", f->length,
              f->knows_noise ? f->unit : "times the noise of a position mean");
     uncertainty_legend(file, s, text);
@@ -38,11 +38,10 @@ static void draw_half(FILE *file, const report_facts *f, unsigned half)
     for (unsigned n = 0; n < f->count; n++) {
         here += (f->position[n].up[2] < -SPHERE_EQUATOR) == half;
     }
-    snprintf(
-        text, sizeof text,
-        "A disc: the half of all directions with z %s, seen from +z. %u of %u positions lie in "
-        "it. Shaded by the uncertainty of %s.",
-        half ? "down" : "up or level", here, f->count, f->length);
+    snprintf(text, sizeof text,
+             "A disc: the hemisphere with z %s, seen from +z. It holds %u of %u positions. The "
+             "shading is the uncertainty of %s.",
+             half ? "down" : "up or level", here, f->count, f->length);
     svg_begin_inline(file, SPHERE_WIDTH, SPHERE_HEIGHT,
                      half ? "Positions with z down" : "Positions with z up", text);
     sphere_draw(file, &map, half);
@@ -56,25 +55,25 @@ static void say_uncertainty(page *p, const report_facts *f)
     char most[FIGURE_MAX];
 
     page_say(p,
-             "%s of a corrected reading is known to ±%s %s where the positions tell most, and "
-             "to ±%s %s where they tell least, %s%s.",
-             f->is_gravity ? "|a|" : "The length", figure_digits(f->length_spread.least, 2, least),
+             "The uncertainty of %s of a corrected reading is ±%s %s in the best direction, and "
+             "±%s %s in the worst, %s%s.",
+             f->is_gravity ? "|a|" : "the length", figure_digits(f->length_spread.least, 2, least),
              f->knows_noise ? f->unit : "", figure_digits(f->length_spread.most, 2, most),
              f->knows_noise ? f->unit : "", f->length_spread.worst_words,
              f->knows_noise ? ""
-                            : ", in multiples of the noise of a position mean, which is not known");
+                            : ", in multiples of the noise of a position mean, which is unknown");
     if (f->field_spread > 0) {
-        page_say(
-            p, "What %s itself may be wrong by is not in that: ±%s %s, alike in all directions.",
-            f->is_gravity ? "g" : "the field", figure_digits(f->field_spread, 2, most), f->unit);
+        page_say(p,
+                 "This does not include the uncertainty of %s itself: ±%s %s, the same in all "
+                 "directions.",
+                 f->is_gravity ? "g" : "the field", figure_digits(f->field_spread, 2, most),
+                 f->unit);
     }
-    page_say(
-        p,
-        f->result->magnetometer
-            ? "What would add most: swing it around with %s; south of the magnetic equator with "
-              "that side down."
-            : "The orientation that would add most: %s.",
-        f->next_words);
+    page_say(p,
+             f->result->magnetometer ? "Most informative next: swing it around with %s; south of "
+                                       "the magnetic equator, with that side down."
+                                     : "Most informative next orientation: %s.",
+             f->next_words);
 }
 
 void report_sphere(page *p, const report_facts *f)
@@ -89,10 +88,9 @@ void report_sphere(page *p, const report_facts *f)
     draw_half(p->file, f, 0);
     draw_half(p->file, f, 1);
     draw_legend(p->file, f, &shading);
-    page_row_end(
-        p, f->result->magnetometer
-               ? "The field in the axes of the sensor: where the mean of each cell points, and how "
-                 "uncertain the length of a reading is in every direction."
-               : "Up in the axes of the sensor: where each position pointed, and how uncertain the "
-                 "length of a reading is in every direction.");
+    page_row_end(p, f->result->magnetometer
+                        ? "The field in the axes of the sensor: the direction of the mean of each "
+                          "cell, and the uncertainty of the length of a reading in every direction."
+                        : "Up in the axes of the sensor: the direction of each position, and the "
+                          "uncertainty of the length of a reading in every direction.");
 }

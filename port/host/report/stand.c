@@ -39,23 +39,22 @@ static void write_convention(page *p, const stand *s)
 
     if (strcmp(s->from, "columns") == 0) {
         page_say(p,
-                 "%u positions with angles, in degrees: %s, %s, with what the stand reads in "
-                 "the columns alpha and beta.",
+                 "%u positions with angles, in degrees: %s, %s, where alpha and beta are the "
+                 "columns as the stand shows them.",
                  s->count, reading_of(s, 0, text[0]), reading_of(s, 1, text[1]));
     } else {
-        page_say(p, "%u positions with angles: those of the program %s, whose order was kept.",
-                 s->count, s->from);
+        page_say(p, "%u positions with angles: those of the program %s, in its order.", s->count,
+                 s->from);
     }
     if (s->without > 0) {
-        page_say(p, "%u more have no angles, or some that changed.", s->without);
+        page_say(p, "%u more have no angles, or angles that changed.", s->without);
     }
-    page_picture(
-        p,
-        "The unit on the two axes of the stand (the paper's Fig. 1) at α = 0, β = 0, and in "
-        "three poses. Orange: the senses in which the unit turns as α and β grow. They are "
-        "derived from the paper's Table 2, for its Fig. 1 draws none: up is "
-        "(sin α sin β, cos α, sin α cos β) in the axes of the unit.",
-        report_stand_figure, NULL);
+    page_picture(p,
+                 "The unit on the two axes of the stand (the paper's Fig. 1) at α = 0, β = 0, and "
+                 "in three poses. Orange: the senses in which the unit turns as α and β increase. "
+                 "They are derived from the paper's Table 2, since its Fig. 1 shows none: up is "
+                 "(sin α sin β, cos α, sin α cos β) in the axes of the unit.",
+                 report_stand_figure, NULL);
 }
 
 /* ---- how the unit sits --------------------------------------------------------------------------- */
@@ -81,9 +80,7 @@ static void write_mounting(page *p, const report_facts *f)
     const mounting *m = &f->result->stand.mounting;
     const told_unit unit = report_unit(f, 2);
     const page_table sheet = {
-        "How the unit is turned on the stand: the rotation that lengths never "
-        "show.",
-        titles, 2, 0};
+        "Mounting of the unit on the stand: a rotation that lengths cannot show.", titles, 2, 0};
 
     page_table_begin(p, &sheet);
     for (unsigned i = 0; i < 3; i++) {
@@ -99,7 +96,9 @@ static void write_mounting(page *p, const report_facts *f)
     }
     page_table_end(p);
     if (m->scatter >= 0) {
-        page_note(p, "Readings and angles agree to %.3g mrad about each axis across the direction.",
+        page_note(p,
+                  "Readings and angles agree within %.3g mrad about each axis perpendicular to the "
+                  "direction.",
                   1e3 * m->scatter);
     }
     if (*stand_turned_far(m)) {
@@ -136,13 +135,13 @@ static void write_vertical(page *p, const report_facts *f)
 {
     static const char *const titles[] = {"parameter", "by J1", "by lengths", "difference",
                                          "over σ"};
-    const page_table sheet = {"The parameters by the vertical composition J1, which knows the "
-                              "directions, beside those by the lengths (the exact row), which know "
-                              "none. σ: the standard deviation of J1.",
-                              titles, 5, 0};
+    const page_table sheet = {
+        "The parameters from the vertical composition J1, which uses the directions, and from the "
+        "lengths (the exact row), which do not. σ: standard deviation of J1.",
+        titles, 5, 0};
 
     if (!f->result->stand.vertical.is_known) {
-        page_say(p, "J1: these directions leave parameters open.");
+        page_say(p, "J1: these directions leave parameters undetermined.");
         return;
     }
     page_table_begin(p, &sheet);
@@ -150,10 +149,9 @@ static void write_vertical(page *p, const report_facts *f)
         write_vertical_row(p, &sheet, f, r);
     }
     page_table_end(p);
-    page_note(p,
-              "Both are of the same readings, and so of the same noise: a difference is what the "
-              "angles bring in%s.",
-              f->result->stand.missets > 0 ? ", or a position that J1 is without" : "");
+    page_note(
+        p, "Both use the same readings, with the same noise: a difference comes from the angles%s.",
+        f->result->stand.missets > 0 ? ", or from a position that J1 leaves out" : "");
 }
 
 /* ---- the paper's series -------------------------------------------------------------------------- */
@@ -187,8 +185,8 @@ static void write_coefficients(page *p, const group_series *s)
 {
     static const char *const titles[] = {"group", "a0", "a1", "b1", "a2", "b2"};
     const page_table sheet = {
-        "The paper's series of J1 in each group, a0 + a1 cos θ + b1 sin θ + a2 "
-        "cos 2θ + b2 sin 2θ, by what was measured. Millionths: µg, ppm, µrad.",
+        "The paper's series of J1 in each group, a0 + a1 cos θ + b1 sin θ + a2 cos 2θ + b2 sin 2θ, "
+        "from the measurement. Millionths: µg, ppm, µrad.",
         titles, 6, 0};
 
     page_table_begin(p, &sheet);
@@ -207,8 +205,8 @@ static void write_series(page *p, const report_facts *f)
     }
     for (unsigned g = 0; g < GROUPS; g++) {
         if (!s->is_determined[g]) {
-            page_say(p, "Group %u is %s: %u positions do not tell its five coefficients.", g + 1,
-                     s->count[g] == 0 ? "missing" : "incomplete", s->count[g]);
+            page_say(p, "Group %u is %s: %u positions do not determine its five coefficients.",
+                     g + 1, s->count[g] == 0 ? "missing" : "incomplete", s->count[g]);
         }
     }
 }
@@ -251,25 +249,23 @@ static void write_chance(page *p, const group_series *s)
 {
     if (s->dof > 0) {
         page_say(p,
-                 "All six closures together: F = %.3g with 6 and %u degrees of freedom; chance "
-                 "makes them as large in %.3g %% of cases%s.",
+                 "All six closures together: F = %.3g with 6 and %u degrees of freedom; by chance "
+                 "as large in %.3g %% of cases%s.",
                  s->f, s->dof, 100 * s->chance,
                  s->chance < STAND_UNLIKELY ? ": the groups contradict each other" : "");
     } else {
         page_say(p,
-                 "The groups have no positions to spare: nothing but the closures tells how large "
-                 "they may be.");
+                 "The groups have no redundancy: only the closures themselves show their scatter.");
     }
 }
 
 static void write_closures(page *p, const report_facts *f)
 {
-    static const char *const titles[] = {"parameter",  "by the series", "groups", "the first tells",
-                                         "the second", "closure",       "over σ"};
+    static const char *const titles[] = {"parameter", "from series", "groups", "first",
+                                         "second",    "closure",     "over σ"};
     const page_table sheet = {
-        "The nine parameters that follow from the fifteen coefficients. Six of "
-        "them are told by two groups; closure: how much more the second tells; σ: its standard "
-        "deviation.",
+        "The nine parameters from the fifteen coefficients. Two groups determine six of them; "
+        "closure: second minus first; σ: its standard deviation.",
         titles, 7, 0};
 
     page_table_begin(p, &sheet);
@@ -279,7 +275,7 @@ static void write_closures(page *p, const report_facts *f)
     page_table_end(p);
     write_chance(p, &f->result->stand.series);
     page_note(p, "The series are in the axes of the stand, the parameters above in those of the "
-                 "unit: they differ by the mounting times the parameters.");
+                 "unit: they differ by the product of mounting and parameters.");
 }
 
 /* ---- the section --------------------------------------------------------------------------------- */

@@ -223,11 +223,9 @@ void report_stand_figure(FILE *file, const void *data, double width)
         "The unit on the two axes of the stand",
         "A cube, the unit, in a frame. The frame turns by alpha about the outer axis, which lies "
         "level along x; the unit turns by beta about the inner axis, its y axis, which points up "
-        "at "
-        "alpha 0. Growing alpha turns the front of the unit up, growing beta its front to the "
-        "left, "
-        "as seen with x to the right, y up and z to the front. Beside it the unit at alpha 0, beta "
-        "0: y up; at alpha 90, beta 0: z up; at alpha 90, beta 90: x up.");
+        "at alpha 0. Increasing alpha turns the front of the unit up, increasing beta turns it to "
+        "the left, seen with x to the right, y up and z to the front. Next to it, the unit at "
+        "alpha 0, beta 0: y up; at alpha 90, beta 0: z up; at alpha 90, beta 90: x up.");
     draw_stand(&v);
     draw_unit(&v, 0, 0, length);
     draw_angles(&v);

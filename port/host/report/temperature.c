@@ -86,12 +86,11 @@ static void write_slope(page *p, const page_table *sheet, const report_facts *f,
 static void write_slopes(page *p, const report_facts *f)
 {
     static const char *const titles[] = {"parameter", "slope", "over the range"};
-    const page_table sheet = {
-        f->result->fit.calibration.fitted > 1
-            ? "How fast the parameters move at the reference temperature, and what that would come "
-              "to over the range seen."
-            : "How fast the parameters move, and what that comes to over the range seen.",
-        titles, 3, 0};
+    const page_table sheet = {f->result->fit.calibration.fitted > 1
+                                  ? "Slopes of the parameters at the reference temperature, and "
+                                    "what they would add up to over the range."
+                                  : "Slopes of the parameters, and their change over the range.",
+                              titles, 3, 0};
 
     page_table_begin(p, &sheet);
     for (unsigned r = 0; r < INVCAL_PARAMETERS; r++) {
@@ -203,7 +202,7 @@ static void draw_kind(FILE *file, const report_facts *f, unsigned which, const r
     if (nominal_knows(&f->result->nominal, 3 * which)) {
         snprintf(title, sizeof title, "%s, %s", k.title, k.unit);
     } else {
-        snprintf(title, sizeof title, "%s, less that at %.2f °C, %s", k.title,
+        snprintf(title, sizeof title, "%s relative to %.2f °C, %s", k.title,
                  f->result->fit.calibration.reference, k.unit);
     }
     svg_text(file, "ink heading", SVG_START, 0, top - 10, title);
@@ -242,8 +241,8 @@ static void draw_parameters(FILE *file, const void *data, double width)
     char text[TEXT_MAX];
 
     snprintf(text, sizeof text,
-             "Offsets, scale errors and angles against temperature from %.4g to %.4g °C, with the "
-             "band that holds the truth in 95 %% of cases. The table above tells the slopes.",
+             "Offsets, scale errors and angles against temperature from %.4g to %.4g °C, with "
+             "their 95 %% band. The table above lists the slopes.",
              c->min, c->max);
     svg_begin_inline(file, width, height_of(KINDS, GAP), "The parameters over temperature", text);
     for (unsigned which = 0; which < KINDS; which++) {
@@ -338,7 +337,7 @@ static void draw_residuals(FILE *file, const void *data, double width)
     const double room = fmax(0.02 * (most - least), 0.1);
     const ruler x = temperature_ruler(least - room, most + room, width);
     snprintf(text, sizeof text,
-             "Deviation of %s from the field at each of %u positions against temperature.%s",
+             "Deviation of %s from the field at each of %u positions over temperature.%s",
              f->length, f->count,
              plots > 1 ? " Above with nine parameters alone, below with temperature." : "");
     svg_begin_inline(file, width, height, "Residuals over temperature", text);
@@ -370,10 +369,10 @@ static void say_fitted(page *p, const report_facts *f)
     page_say(p,
              "The positions were at %.2f ... %.2f °C: %s of temperature describe offsets, scales "
              "and angles there. The parameters on this page are those at %.2f °C. Outside that "
-             "range invcal apply holds what is true at its edge, and says so.",
+             "range, invcal apply uses the values at its edge, with a warning.",
              c->min, c->max, c->fitted > 1 ? "parabolas" : "straight lines", c->reference);
     if (c->fallback != INVCAL_THERMAL_AS_ASKED) {
-        page_say(p, "Parabolas were asked for, but not to be had: %s.",
+        page_say(p, "Parabolas were requested, but could not be fitted: %s.",
                  invcal_thermal_fallback_text((invcal_thermal_fallback)c->fallback));
     }
 }
@@ -385,8 +384,8 @@ static void say_difference(page *p, const report_facts *f)
     char after[FIGURE_MAX];
 
     page_say(p,
-             "Nine parameters alone leave an rms error of %s %s in the same positions, with "
-             "temperature it is %s %s.",
+             "Nine parameters without temperature leave an rms error of %s %s in the same "
+             "positions, with temperature %s %s.",
              figure_digits(f->parts * fit->without, 3, before), f->unit,
              figure_digits(f->parts * f->result->quality.rms, 3, after), f->unit);
 }
@@ -397,11 +396,9 @@ static void write_thermal(page *p, const report_facts *f)
     if (f->result->fit.calibration.fitted > 0) {
         write_slopes(p, f);
         page_picture(p,
-                     f->knows_noise
-                         ? "The parameters over the range seen. Between the dashed lines is "
-                           "the truth in 95 % of cases; they may be too near one "
-                           "another to be seen."
-                         : "The parameters over the range seen.",
+                     f->knows_noise ? "The parameters over the range. Dashed lines: 95 % band, "
+                                      "which may be too narrow to see."
+                                    : "The parameters over the range.",
                      draw_parameters, f);
     }
     if (residual_plots(f) > 1) {
@@ -422,5 +419,5 @@ void report_temperature(page *p, const report_facts *f)
     } else if (*calibrate_advice(f->result, advice)) {
         page_say(p, "%s", advice);
     }
-    page_picture(p, "What is left at each position, against its temperature.", draw_residuals, f);
+    page_picture(p, "Residual of each position over its temperature.", draw_residuals, f);
 }

@@ -34,7 +34,7 @@ static int expect_element(json_reader *r, unsigned index, unsigned count)
     if (more < 0) {
         return EXIT_FILE;
     }
-    return more == (index < count) ? EXIT_GOOD : json_error(r, "a list of 3 is expected");
+    return more == (index < count) ? EXIT_GOOD : json_error(r, "a list of 3 expected");
 }
 
 static int read_three(json_reader *r, number_reader read, double out[3])
@@ -161,7 +161,7 @@ static int read_coefficients(json_reader *r, thermal_reading *t)
 
     for (t->rows = 0; !failure && (more = json_element(r, t->rows)) == 1; t->rows++) {
         if (t->rows == INVCAL_THERMAL_ROWS) {
-            return json_error(r, "\"coefficients\" are of degree 2 at most");
+            return json_error(r, "the degree of \"coefficients\" is 2 at most");
         }
         double *row = t->file->thermal.x[t->rows];
         for (unsigned i = 0; i < INVCAL_PARAMETERS; i++) {
@@ -235,8 +235,8 @@ static int read_thermal(json_reader *r, calibration_file *file)
     file->thermal.nominal = fit_over_field(&file->thermal.nominal, file->thermal_field);
     file->is_triangular = is(t.frame, "triangular");
     return is_usable(&t) ? EXIT_GOOD
-                         : json_error(r, "\"thermal\" is incomplete, or no calibration; make the "
-                                         "file again with invcal calibrate --thermal");
+                         : json_error(r, "\"thermal\" is incomplete or invalid; write the file "
+                                         "again with invcal calibrate --thermal");
 }
 
 /* ---- nonlinearity ----------------------------------------------------------------------------- */
@@ -264,7 +264,7 @@ static int read_nonlinear(json_reader *r, calibration_file *file)
     file->has_nonlinear = 1;
     return file->nonlinear.field > 0 && matrix_inverse(&file->nonlinear.nominal, inverse)
                ? EXIT_GOOD
-               : json_error(r, "\"nonlinearity\" is incomplete; make the file again with invcal "
+               : json_error(r, "\"nonlinearity\" is incomplete; write the file again with invcal "
                                "calibrate --quadratic or --cubic");
 }
 
@@ -311,8 +311,8 @@ static int read_gyro(json_reader *r, calibration_file *file)
     file->has_gyro = 1;
     return g.has_offset && g.has_matrix && matrix_inverse(&file->gyro, inverse)
                ? EXIT_GOOD
-               : json_error(r, "\"gyroscope\" is incomplete, or its matrix singular; make the file "
-                               "again with invcal calibrate");
+               : json_error(r, "\"gyroscope\" is incomplete, or its matrix is singular; write the "
+                               "file again with invcal calibrate");
 }
 
 /* ---- the members ------------------------------------------------------------------------------ */
@@ -405,7 +405,7 @@ static int read_calibration(json_reader *r, reading *x)
         return failure;
     }
     if (!x->has_offset || !x->has_matrix) {
-        message("%s:%lu: no member \"%s\": this is no calibration", r->name, r->line,
+        message("%s:%lu: no member \"%s\": not a calibration", r->name, r->line,
                 x->has_offset ? "matrix" : "offset");
         return EXIT_FILE;
     }
@@ -438,7 +438,7 @@ static int read_path(const char *path, calibration_file *out, reading_depth dept
     json_start(&r, file, input_name(path));
     int failure = read_calibration(&r, &x);
     if (!failure && !matrix_inverse(&out->calibration, inverse)) {
-        message("%s: \"matrix\" is singular: this is no calibration", input_name(path));
+        message("%s: \"matrix\" is singular: not a calibration", input_name(path));
         failure = EXIT_FILE;
     }
     input_close(file);

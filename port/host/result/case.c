@@ -31,17 +31,17 @@ const char *calibrate_case_text(const calibrate_result *result, char text[CALIBR
     }
     const int used =
         snprintf(text, CALIBRATE_LIMIT_MAX,
-                 "turned to the axes of the case by %u position%s, degrees: %s, %s, %s.", c->used,
+                 "rotated to the axes of the case by %u position%s, degrees: %s, %s, %s.", c->used,
                  c->used == 1 ? "" : "s", angle[0], angle[1], angle[2]);
     if (c->is_level) {
         snprintf(text + used, CALIBRATE_LIMIT_MAX - (size_t)used,
-                 " One way up leaves the turn about it, the heading, as it was: state another.");
+                 " One axis only levels the result; the heading is unchanged. State a second axis "
+                 "to fix it.");
     } else {
-        snprintf(
-            text + used, CALIBRATE_LIMIT_MAX - (size_t)used,
-            " The directions are off by %s degrees (rms). Put each face down twice, turned by half "
-            "between: then a tilt of the table cancels, and this is the tilt.",
-            figure_digits(DEGREES * c->scatter, 2, off));
+        snprintf(text + used, CALIBRATE_LIMIT_MAX - (size_t)used,
+                 " The directions disagree by %s degrees (rms), usually the tilt of the table. "
+                 "Visit each face twice, turned by 180 degrees between, and the tilt cancels.",
+                 figure_digits(DEGREES * c->scatter, 2, off));
     }
     return text;
 }

@@ -45,14 +45,14 @@ const char *faces_cost(const calibrate_result *r, char text[FACES_MAX])
         (void)parameters_list(held, list, sizeof list);
     }
     snprintf(text, FACES_MAX,
-             "%s not measured: taken as %s ±%s %s (one standard deviation, of a data sheet). That "
-             "leaves ±%s %s in lengths (95 %%, over all directions), ±%s %s at most, and nothing "
-             "where an axis is up.%s",
+             "%s not measured: taken as %s ±%s %s (one standard deviation, from a data sheet). "
+             "That leaves an error of ±%s %s in lengths (95 %%, over all directions), ±%s %s at "
+             "worst, and none with an axis up.%s",
              list, r->nominal.lsb == NOMINAL_EARLIER ? "in the earlier calibration," : "0",
              figure_digits(angle.scale * r->settings.prior[INVCAL_GAMMA_XY], 2, number[0]),
              angle.unit, figure_digits(told.scale * e.rms, 2, number[1]), told.unit,
              figure_digits(told.scale * e.most, 2, number[2]), told.unit,
-             r->quality.dof > 0 ? "" : " No position to spare checks offsets and scales.");
+             r->quality.dof > 0 ? "" : " No redundant position checks offsets and scales.");
     return text;
 }
 

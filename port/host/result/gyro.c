@@ -25,9 +25,9 @@ const char *gyro_verdict(const gyro_fit *g)
 
 const char *gyro_unit_text(const gyro_fit *g, char text[GYRO_LINE_MAX])
 {
-    static const char *const who[] = {[UNIT_FROM_HEADER] = "by the header",
+    static const char *const who[] = {[UNIT_FROM_HEADER] = "from the header",
                                       [UNIT_FROM_OPTION] = "--gyro-lsb",
-                                      [UNIT_FROM_SIZE] = "by the moves"};
+                                      [UNIT_FROM_SIZE] = "from the moves"};
     char number[FIGURE_MAX];
 
     if (g->is_counts || strcmp(unit_turn_words(g->turn), "counts") == 0) {
@@ -42,9 +42,9 @@ const char *gyro_unit_text(const gyro_fit *g, char text[GYRO_LINE_MAX])
 const char *gyro_limit_text(const gyro_fit *g, char text[GYRO_LINE_MAX])
 {
     static const char *const words[] = {
-        "how well the rests tell what is up; hold them stiller and longer",
-        "the noise of its readings; more moves help",
-        "its bias, which changes from rest to rest; turn more quickly, and let it warm up before"};
+        "the up directions from the rests; hold it stiller and longer",
+        "its noise; more moves help",
+        "its bias, which changes from rest to rest; let it warm up, and turn faster"};
     unsigned most = 0;
     double square = 0;
 
@@ -53,11 +53,10 @@ const char *gyro_limit_text(const gyro_fit *g, char text[GYRO_LINE_MAX])
         square += g->part[i] * g->part[i];
     }
     if (g->imu.move_rms > 2 * sqrt(square)) {
-        snprintf(
-            text, GYRO_LINE_MAX,
-            "neither rests, noise nor bias explain the residuals (%.2g mrad): vibration, a clock "
-            "that is not even, or a nonlinear scale",
-            1e3 * sqrt(square));
+        snprintf(text, GYRO_LINE_MAX,
+                 "something that rests, noise and bias do not explain (%.2g mrad): vibration, an "
+                 "uneven clock, or a nonlinear scale",
+                 1e3 * sqrt(square));
     } else {
         snprintf(text, GYRO_LINE_MAX, "%s (%.2g mrad of a move)", words[most], 1e3 * g->part[most]);
     }
@@ -89,16 +88,16 @@ const char *gyro_g_text(const gyro_fit *g, char text[GYRO_LINE_MAX])
         bound = fmax(bound, x + 2 * sigma);
     }
     if (!(g->imu.slope_sigma[0][0] > 0)) {
-        snprintf(text, GYRO_LINE_MAX, "not known: 12 rests or more tell it");
+        snprintf(text, GYRO_LINE_MAX, "unknown: needs 12 rests or more");
     } else if (g->imu.g_is_used) {
         const double sigma = g->imu.slope_sigma[at / 3][at % 3] / UNIT_DEGREE;
         snprintf(text, GYRO_LINE_MAX,
-                 "about %c, %s °/s per g along %c at the most; taken off the moves", "xyz"[at / 3],
+                 "about %c, at most %s °/s per g along %c; corrected in the moves", "xyz"[at / 3],
                  figure_with_sigma(g->imu.slope[at / 3][at % 3] / UNIT_DEGREE, sigma, FIGURE_PLAIN,
                                    number),
                  "xyz"[at % 3]);
     } else {
-        snprintf(text, GYRO_LINE_MAX, "below %.1g °/s per g: none that shows", bound);
+        snprintf(text, GYRO_LINE_MAX, "below %.1g °/s per g: not significant", bound);
     }
     return text;
 }
@@ -229,14 +228,13 @@ static void print_source(FILE *file, const gyro_fit *g)
         wrapped_printf(file, 0, "gyroscope: %s, %.6g readings a second%s", gyro_unit_text(g, text),
                        g->turns->rate,
                        g->turns->is_rate_known ? ""
-                                               : " (a guess: an error of it is one of the scales)");
+                                               : " (a guess: its error is an error of the scales)");
     }
     if (fabs(g->lag) > 0) {
-        wrapped_printf(
-            file, 0,
-            "The gyroscope's readings come %.2f s %s than the accelerometer's. Here that is "
-            "taken off; mend it where both are recorded.",
-            fabs(g->lag), g->lag > 0 ? "later" : "earlier");
+        wrapped_printf(file, 0,
+                       "The gyroscope's readings are %.2f s %s than the accelerometer's. That is "
+                       "corrected here; correct it where both are recorded.",
+                       fabs(g->lag), g->lag > 0 ? "later" : "earlier");
     }
 }
 
@@ -253,7 +251,7 @@ static void print_moves(FILE *file, const calibrate_result *r)
                    worst->position + 1, g->imu.dof);
     if (g->more > 0) {
         wrapped_printf(file, LABEL,
-                       "              those between the last %u rests; %u more are left alone",
+                       "              those between the last %u rests; %u earlier ones are ignored",
                        g->rests, g->more);
     }
     for (unsigned i = 0; i < g->moves; i++) {
@@ -288,10 +286,9 @@ void gyro_print(FILE *file, const calibrate_result *r)
     print_figures(file, r);
     print_moves(file, r);
     if (r->is_joint) {
-        wrapped_printf(
-            file, 0,
-            "The accelerometer is told by rests and moves together: the rests alone leave "
-            "some of it open.");
+        wrapped_printf(file, 0,
+                       "The accelerometer is calibrated from rests and moves together: the rests "
+                       "alone leave parameters undetermined.");
     }
     snprintf(text, sizeof text, "%s%s", gyro_verdict(g),
              g->imu.verdict == INVCAL_WEAK ? ": more moves, about all three axes" : "");

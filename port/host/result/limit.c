@@ -166,50 +166,45 @@ const char *calibrate_limit(const calibrate_result *r, const uncertainty *length
                             char text[CALIBRATE_LIMIT_MAX])
 {
     const double uneven = unevenness(r, length);
-    const char *noise = r->is_noise_given ? "noise stated" : "noise of the samples";
+    const char *noise = r->is_noise_given ? "stated noise" : "noise of the samples";
     char number[FIGURE_MAX];
 
     if (depends_on_temperature(r) && r->fit.without > 2 * r->fit.quality.rms) {
-        snprintf(text, CALIBRATE_LIMIT_MAX,
-                 "temperature, which --thermal would take into account.");
+        snprintf(text, CALIBRATE_LIMIT_MAX, "temperature, which --thermal would correct.");
     } else if (calibrate_wants_slopes(r)) {
         snprintf(text, CALIBRATE_LIMIT_MAX,
-                 "temperature: slopes are wanting, and pass for errors of other kinds.");
+                 "temperature: the slopes are not fitted, and appear as other errors.");
     } else if (fit_held(&r->settings, &r->quality)) {
-        snprintf(
-            text, CALIBRATE_LIMIT_MAX,
-            "the angles, which these positions do not tell; those midway between two axes do.");
+        snprintf(text, CALIBRATE_LIMIT_MAX,
+                 "the angles, which these positions do not determine; add positions midway between "
+                 "two axes.");
     } else if (uneven >= UNEVEN && !fit_has_prior(&r->settings)) {
-        snprintf(
-            text, CALIBRATE_LIMIT_MAX,
-            "the orientations%s: in the worst direction (%s) ± is %s times what %u well spread "
-            "positions would leave.",
-            r->temperature == CALIBRATE_THERMAL ? " at each temperature" : "", length->worst_words,
-            figure_digits(uneven, 2, number), r->rejected.kept_count);
+        snprintf(text, CALIBRATE_LIMIT_MAX,
+                 "the orientations%s: in the worst direction (%s), ± is %s times that of %u "
+                 "well-spread positions.",
+                 r->temperature == CALIBRATE_THERMAL ? " at each temperature" : "",
+                 length->worst_words, figure_digits(uneven, 2, number), r->rejected.kept_count);
     } else if (r->magnetometer) {
-        snprintf(
-            text, CALIBRATE_LIMIT_MAX,
-            "%s. Four times as long a log, turned to all sides, halves ±; what differs from place "
-            "to place it does not.",
-            r->quality.sigma_dof > r->quality.dof
-                ? "what neighbouring samples err alike by"
-                : "what the cells disagree by, which is more than their samples tell");
+        snprintf(text, CALIBRATE_LIMIT_MAX,
+                 "%s. A log four times as long, turned to all sides, halves ±, except for what "
+                 "differs from place to place.",
+                 r->quality.sigma_dof > r->quality.dof
+                     ? "errors that neighbouring samples share"
+                     : "disagreement between cells, beyond the noise of their samples");
     } else if (!(r->settings.noise > 0)) {
         snprintf(text, CALIBRATE_LIMIT_MAX, "%s",
-                 r->quality.dof > 0
-                     ? "what the positions disagree by. Whether that is noise or handling shows "
-                       "when the noise is stated (--noise, columns std and n)."
-                     : "not known: neither the noise nor positions to spare tell.");
+                 r->quality.dof > 0 ? "disagreement between positions. State the noise (--noise, "
+                                      "columns std and n) to see if it is noise or handling."
+                                    : "unknown: no noise is stated, and there is no redundancy.");
     } else if (calibrate_is_disturbed(r)) {
-        snprintf(
-            text, CALIBRATE_LIMIT_MAX,
-            "handling, drift or temperature: the positions disagree by %s times the %s. Longer "
-            "rests do not help; steadier ones do.",
-            figure_digits(r->quality.noise / r->settings.noise, 2, number), noise);
+        snprintf(text, CALIBRATE_LIMIT_MAX,
+                 "handling, drift or temperature: the positions disagree by %s times the %s. "
+                 "Steadier rests help; longer ones do not.",
+                 figure_digits(r->quality.noise / r->settings.noise, 2, number), noise);
     } else {
         snprintf(text, CALIBRATE_LIMIT_MAX,
-                 "the %s, which explains the residuals. Rests four times as long, or four times as "
-                 "many positions, halve ±.",
+                 "the %s, which explains the residuals. To halve ±, make the rests four times as "
+                 "long, or take four times as many positions.",
                  noise);
     }
     return text;
@@ -245,19 +240,18 @@ const char *calibrate_advice(const calibrate_result *r, char text[CALIBRATE_LIMI
     }
     if (fit->calibration.fitted == 0) {
         snprintf(text, CALIBRATE_LIMIT_MAX,
-                 "Whether the readings depend on temperature cannot be told: %s (%.1f K, %u "
-                 "positions).",
+                 "Dependence on temperature cannot be tested: %s (%.1f K, %u positions).",
                  invcal_thermal_fallback_text((invcal_thermal_fallback)fit->calibration.fallback),
                  range, r->data->count);
     } else if (!depends_on_temperature(r)) {
         snprintf(text, CALIBRATE_LIMIT_MAX,
-                 "The residuals do not depend on temperature, as far as %.1f K show (chance alone: "
-                 "%.2g): --thermal would not help.",
+                 "The residuals do not depend on temperature over %.1f K (p = %.2g): --thermal "
+                 "would not help.",
                  range, fit->significance);
     } else {
         snprintf(text, CALIBRATE_LIMIT_MAX,
-                 "The residuals depend on temperature (chance alone: %.1g); offset %c moves by %s "
-                 "%s/K (95 %%). --thermal 1 brings their rms from %s to %s %s.",
+                 "The residuals depend on temperature (p = %.1g); offset %c drifts by %s %s/K (95 "
+                 "%%). --thermal 1 reduces their rms from %s to %s %s.",
                  fmax(1e-99, fit->significance), "xyz"[most],
                  figure_with_sigma(scale * fit->slope[most],
                                    scale * fit->quality.coverage * fit->slope_sigma[most],

@@ -139,35 +139,33 @@ const char *need_advice(const calibrate_result *r, char text[NEED_MAX])
     case NEED_NOTHING:
         break;
     case NEED_WARM_UP:
-        what = "Missing: a sensor that has warmed up, for it drifts.";
+        what = "Missing: a warm sensor; this one drifts.";
         break;
     case NEED_LINEARITY:
-        what =
-            "Missing: a sensor that is linear; no calibration of nine parameters makes up for it.";
+        what = "Missing: a linear sensor; nine parameters do not correct nonlinearity.";
         break;
     case NEED_STEADINESS:
-        what = "Missing: steadier positions, for they disagree by more than noise; longer rests "
-               "do not help.";
+        what = "Missing: steadier positions: they disagree by more than noise, and longer rests do "
+               "not help.";
         break;
     case NEED_DIRECTIONS:
-        what = "Missing: positions in directions that have none yet.";
+        what = "Missing: positions in directions not covered yet.";
         break;
     case NEED_GRAVITY:
-        snprintf(
-            text, NEED_MAX,
-            "Missing: the length of the field, to a σ of %s (--gravity G+-S, or --latitude); all "
-            "scales inherit its error.",
-            figure_digits(r->need / FIT_NORMAL, 2, number));
+        snprintf(text, NEED_MAX,
+                 "Missing: the length of the field with a σ of %s (--gravity G+-S, or --latitude): "
+                 "its error is an error of all scales.",
+                 figure_digits(r->need / FIT_NORMAL, 2, number));
         return text;
     case NEED_REST:
         snprintf(text, NEED_MAX,
-                 "Missing: rests about %s times as long, as far as the noise averages out; or a "
-                 "sensor of less noise.",
+                 "Missing: rests about %s times as long, if the noise averages out, or a quieter "
+                 "sensor.",
                  figure_digits(times_more(r), 2, number));
         return text;
     case NEED_POSITIONS:
         snprintf(text, NEED_MAX,
-                 "Missing: about %.0f positions in place of %u, or rests %s times as long.",
+                 "Missing: about %.0f positions instead of %u, or rests %s times as long.",
                  ceil(count * times_more(r)), count, figure_digits(times_more(r), 2, number));
         return text;
     }

@@ -82,10 +82,10 @@ static void add_cause(const calibrate_result *r, char text[PASS_MAX])
     char list[128];
 
     if (r->quality.verdict == INVCAL_WEAK) {
-        append(text, PASS_MAX, ": %s badly determined",
+        append(text, PASS_MAX, ": %s poorly determined",
                parameters_list(r->quality.weak, list, sizeof list));
     } else if (r->quality.verdict == INVCAL_NO_REDUNDANCY) {
-        append(text, PASS_MAX, ": no position is left to check it");
+        append(text, PASS_MAX, ": no redundancy to check it");
     } else {
         append(text, PASS_MAX, ": %s", verdict_cause(r, cause));
     }
@@ -133,7 +133,7 @@ const char *pass_text(const calibrate_result *r, char text[PASS_MAX])
         add_verdict(r, text);
     }
     if (!is_known) {
-        append(text, PASS_MAX, "%s nothing tells the noise, and so how exact this is (--noise)",
+        append(text, PASS_MAX, "%s the noise is unknown, and with it the accuracy (state --noise)",
                is_good(r) ? "" : ";");
     }
     if (is_known && r->need > 0) {

@@ -190,22 +190,22 @@ static void print_residuals(FILE *file, const calibrate_result *r, const char *n
                        q->noise * noise.scale, noise.unit, q->dof, stated);
         wrapped_printf(file, LABEL,
                        "±             one standard deviation; %.2f of them cover 95 %%%s",
-                       q->coverage, q->from_prior ? "; 1.96 of what a prior tells" : "");
+                       q->coverage, q->from_prior ? "; 1.96 for parameters from the prior" : "");
         if (r->field_sigma > 0) {
             wrapped_printf(file, LABEL,
-                           "of g          %.2g %s in the ± of the scales, alike in all three%s",
+                           "of g          %.2g %s, included in the ± of all three scales%s",
                            told_scale(r->told).scale * r->field_sigma, told_scale(r->told).unit,
-                           r->is_field_stated ? "" : "; --gravity or --latitude tells it better");
+                           r->is_field_stated ? "" : "; --gravity or --latitude reduces it");
         }
         if (calibrate_unexplained(r) > 0) {
             wrapped_printf(
                 file, 0,
-                "The residuals are %s times as large as that noise explains: motion, a changing "
-                "temperature, clipped readings (--clip), or a wrong position.",
+                "The residuals are %s times as large as this noise explains: look for motion, a "
+                "changing temperature, clipped readings (--clip), or an outlier.",
                 figure_digits(calibrate_unexplained(r), 2, text));
         }
     } else {
-        fprintf(file, "noise         not known: no ± can be given (--noise states it)\n");
+        fprintf(file, "noise         unknown, so there is no ±: state --noise\n");
     }
 }
 
@@ -269,15 +269,16 @@ static void print_verdict(FILE *file, const calibrate_result *result)
     } else if (strcmp(word, "Good:") == 0) {
         const char *unchecked = verdict_unchecked(result, cause);
         snprintf(text, sizeof text,
-                 " every parameter is determined; degrees of freedom left to check it: %.3g.%s%s",
+                 " every parameter is determined; degrees of freedom to check the fit: %.3g.%s%s",
                  q->dof, *unchecked ? " " : "", unchecked);
     } else if (q->verdict == INVCAL_NO_REDUNDANCY && !result->magnetometer) {
         snprintf(text, sizeof text,
-                 " every parameter is determined, but no direction is left to check the result.");
+                 " every parameter is determined, but there is no redundancy to check the fit.");
     } else if (q->verdict == INVCAL_WEAK && !result->magnetometer) {
         (void)parameters_list(q->weak, list, sizeof list);
-        snprintf(text, sizeof text, " %s %s badly determined; use the result only within its ±.",
-                 list, strchr(list, ',') ? "are" : "is");
+        snprintf(text, sizeof text,
+                 " %s %s poorly determined; rely on the result only within its ±.", list,
+                 strchr(list, ',') ? "are" : "is");
     } else {
         snprintf(text, sizeof text, " %s", verdict_cause(result, cause));
     }
@@ -285,7 +286,7 @@ static void print_verdict(FILE *file, const calibrate_result *result)
     wrapped_line(file, utf8_columns(word), 0, text);
     print_pass(file, result);
     if (q->from_prior && !is_held) {
-        snprintf(text, sizeof text, "Known from the prior rather than from the positions: %s.",
+        snprintf(text, sizeof text, "Determined by the prior rather than by the positions: %s.",
                  parameters_list(q->from_prior, list, sizeof list));
         wrapped_line(file, 0, 0, text);
     }
@@ -309,17 +310,16 @@ static void print_next(FILE *file, const calibrate_result *result, const calibra
     }
     if (faces_are_good(result)) {
         snprintf(text, sizeof text,
-                 "Next: to measure the angles, add six positions and leave --six-faces out: %s.",
+                 "Next: to measure the angles, add six positions and leave out --six-faces: %s.",
                  FACES_EDGES);
         wrapped_line(file, 0, 0, text);
     } else if (q->verdict == INVCAL_NO_REDUNDANCY && !result->magnetometer) {
         wrapped_printf(file, 0,
                        "Next: add 3 or more positions in other directions, to check the fit.");
     } else if (q->verdict == INVCAL_WEAK && calibrate_wants_slopes(result)) {
-        wrapped_printf(
-            file, 0,
-            "Next: measure nine positions or more at each of two temperatures, 5 K apart "
-            "or more.");
+        wrapped_printf(file, 0,
+                       "Next: measure nine positions or more at each of two temperatures, at least "
+                       "5 K apart.");
     } else if (q->verdict == INVCAL_WEAK && !result->magnetometer) {
         snprintf(text, sizeof text, "Next: add positions with %s.",
                  parameters_advice(q->weak, advice, sizeof advice));
@@ -371,9 +371,9 @@ static void print_log(FILE *file, const calibrate_result *result)
     if (!log) {
         return;
     }
-    wrapped_printf(file, 0, "%s: %lu samples, %.6g s at %.4g samples a second%s",
+    wrapped_printf(file, 0, "%s: %lu samples, %.6g s at %.4g samples per second%s",
                    plain_copy(result->data->name, name), log->samples, log->seconds, log->rate,
-                   log->is_rate_known ? "" : " (a guess: --rate states it)");
+                   log->is_rate_known ? "" : " (a guess: state --rate)");
     if (log->gaps > 0) {
         fprintf(file, "%*lu gap%s in the stream\n", 8, log->gaps, log->gaps == 1 ? "" : "s");
     }
@@ -394,8 +394,8 @@ static void print_place(FILE *file, const calibrate_result *result)
 {
     if (result->place) {
         wrapped_printf(file, 0,
-                       "That is normal gravity at %.6g degrees, %.6g m, ±%.4f: an error scales all "
-                       "readings alike, and does nothing else.",
+                       "This is normal gravity at %.6g degrees, %.6g m, ±%.4f; its error scales "
+                       "all readings alike.",
                        result->place[0], result->place[1], GRAVITY_SIGMA);
     }
 }
@@ -424,16 +424,17 @@ static void print_rejected(FILE *file, const calibrate_result *result)
             continue;
         }
         wrapped_printf(
-            file, 10, "%sLeft out:%s position %u (line %lu), wrong by %s %s",
+            file, 10, "%sLeft out:%s position %u (line %lu), off by %s %s",
             paint_on(file, PAINT_RED), paint_off(file), r->list[i].position + 1,
             result->data->origin[r->list[i].position].line,
             figure_digits(told.scale * calibrate_excess(result, r->list[i].position), 3, text),
             told.unit);
     }
     if (r->suspected > 0) {
-        wrapped_printf(file, 0,
-                       "Something is wrong among %u %spositions, but not to be told which.",
-                       r->suspected, r->count > 0 ? "more " : "");
+        wrapped_printf(
+            file, 0,
+            "%u %spositions contradict one another; which of them are wrong cannot be determined.",
+            r->suspected, r->count > 0 ? "more " : "");
     }
 }
 
@@ -475,8 +476,8 @@ static void print_nominal(FILE *file, const nominal_choice *n, const char *name)
     char limits[SENSORS_TEXT_MAX];
 
     if (!nominal_is_stated(n)) {
-        snprintf(text, sizeof text,
-                 "%s: not stated; --sensor, --unit, or --zero and --lsb would state it", name);
+        snprintf(text, sizeof text, "%s: unknown; state --sensor, --unit, or --zero and --lsb",
+                 name);
     } else if (n->zero == n->lsb) {
         snprintf(text, sizeof text, "%s: zero and scale %s", name, nominal_origin_text(n->zero));
     } else {
@@ -533,7 +534,7 @@ void calibrate_print(FILE *file, const calibrate_result *result, const calibrate
     }
     wrapped_printf(file, 0, "%s: %u %s, field %.7g %s", plain_copy(result->data->name, name),
                    result->data->count,
-                   result->magnetometer ? "cells of direction, each a position" : "positions",
+                   result->magnetometer ? "direction cells, used as positions" : "positions",
                    result->settings.field, calibrate_field_unit(result));
     print_place(file, result);
     print_rejected(file, result);

@@ -60,13 +60,13 @@ static int is_plain(const char *text)
 const char *record_set(record *r, record_text which, const char *text)
 {
     if (strlen(text) >= RECORD_MAX) {
-        return "is too long: 159 bytes are the most";
+        return "is too long: the maximum is 159 bytes";
     }
     if (!is_plain(text)) {
-        return "is not plain text in UTF-8: leave control characters out";
+        return "is not plain UTF-8 text: remove control characters";
     }
     if (which == RECORD_DATE && !is_date(text)) {
-        return "is no day of the calendar: write it like 2026-11-23";
+        return "is not a date: write it like 2026-11-23";
     }
     memcpy(r->text[which], text, strlen(text) + 1);
     return NULL;

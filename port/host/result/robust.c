@@ -22,16 +22,15 @@ void calibrate_robust_print(FILE *file, const calibrate_result *r)
     if (!r->has_robust) {
         wrapped_printf(
             file, LABEL,
-            "l1            no estimate: the positions, all of them, lie on no ellipsoid");
+            "l1            no estimate: all positions together do not lie on an ellipsoid");
         return;
     }
-    snprintf(
-        text, sizeof text,
-        "of all %u positions differs most in %s, by %.2g of the difference that noise makes: %s",
-        r->data->count, invcal_parameter_name(r->robust_worst), r->robust_most,
-        contradicts(r) ? "it contradicts. Something is wrong that was not left out, or what was "
-                         "left out was right."
-                       : "it agrees.");
+    snprintf(text, sizeof text,
+             "over all %u positions: largest difference in %s, %.2g times that of noise: %s",
+             r->data->count, invcal_parameter_name(r->robust_worst), r->robust_most,
+             contradicts(r)
+                 ? "it contradicts. An outlier was kept, or a good position was left out."
+                 : "it agrees.");
     fprintf(file, "l1            ");
     wrapped_line(file, LABEL, LABEL, text);
 }

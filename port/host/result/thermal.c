@@ -37,8 +37,9 @@ static void print_fitted(FILE *file, const thermal_fit *fit)
     static const char *const words[] = {"no slopes", "straight lines", "parabolas"};
     char text[TEXT_MAX];
 
-    wrapped_printf(file, LABEL, "temperature   %.2f ... %.2f °C seen, %s; all above is at %.2f °C",
-                   c->min, c->max, words[c->fitted], c->reference);
+    wrapped_printf(file, LABEL,
+                   "temperature   %.2f ... %.2f °C, %s; all values above are at %.2f °C", c->min,
+                   c->max, words[c->fitted], c->reference);
     if (c->fallback != INVCAL_THERMAL_AS_ASKED) {
         snprintf(text, sizeof text, "%s instead of %s: %s.",
                  c->fitted > 0 ? "Straight lines" : "No slopes", words[fit->wish.degree],
@@ -88,8 +89,8 @@ void calibrate_print_thermal(FILE *file, const calibrate_result *r)
         const told_unit told = calibrate_told_field(r);
         char without[FIGURE_MAX];
         snprintf(text, sizeof text,
-                 "Nine parameters alone leave an rms of %s %s in the same positions, %s times as "
-                 "much as with temperature.",
+                 "Nine parameters without temperature leave an rms of %s %s in the same positions, "
+                 "%s times as large.",
                  figure_digits(told.scale * fit->without, 3, without), told.unit,
                  figure_digits(fit->without / r->quality.rms, 3, value));
         wrapped_line(file, 0, 0, text);

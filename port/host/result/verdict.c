@@ -67,7 +67,7 @@ static void say_drift(const calibrate_result *r, char text[VERDICT_MAX])
     }
     snprintf(text, VERDICT_MAX,
              "the offsets drift, by %s, %s, %s %s (x, y, z) from the first position to the last. "
-             "That is taken into account: the calibration is that of the middle.",
+             "The drift is fitted: the calibration is that of the middle of the log.",
              number[0], number[1], number[2], told.unit);
 }
 
@@ -81,18 +81,18 @@ static void say_bent(const calibrate_result *r, char text[VERDICT_MAX])
     (void)size_of(r, size);
     if (q->systematic == INVCAL_HYSTERESIS) {
         snprintf(text, VERDICT_MAX,
-                 "the %c axis depends on where it comes from: turned upwards it reads %s %s than "
-                 "turned downwards (hysteresis).",
+                 "the %c axis has hysteresis: it reads %s %s when turned upwards than when turned "
+                 "downwards.",
                  axis, size, more);
     } else if (q->systematic == INVCAL_QUADRATIC) {
         snprintf(text, VERDICT_MAX,
-                 "the %c axis is not linear: at both ends, %c up and %c down, it reads %s %s than "
-                 "in the middle (quadratic).",
+                 "the %c axis has a quadratic error: at both ends, %c up and %c down, it reads %s "
+                 "%s than in the middle.",
                  axis, axis, axis, size, more);
     } else {
         snprintf(text, VERDICT_MAX,
-                 "the %c axis is not linear: with %c up it reads %s %s than a straight line, with "
-                 "%c down as much the other way (cubic).",
+                 "the %c axis has a cubic error: with %c up it reads %s %s than a straight line, "
+                 "with %c down the same amount the other way.",
                  axis, axis, size, more, axis);
     }
 }
@@ -104,16 +104,16 @@ static void say_rough(const calibrate_result *r, char text[VERDICT_MAX])
 
     if (calibrate_has_lost_many(r)) {
         snprintf(text, VERDICT_MAX,
-                 "%u of %u positions contradict the others and are left out: what was wrong with "
-                 "them may be wrong with all.",
+                 "%u of %u positions contradict the others and are left out; the same may be wrong "
+                 "with the rest.",
                  r->rejected.count, r->data->count);
     } else if (times > 1) {
         snprintf(text, VERDICT_MAX, "the positions disagree by %s times the noise %s.",
                  figure_digits(times, 2, number), r->is_noise_given ? "stated" : "of the samples");
     } else {
         snprintf(text, VERDICT_MAX,
-                 "something that is no noise is in the residuals: wrong positions, a drift, a step "
-                 "or a nonlinearity; so few positions do not tell which.");
+                 "the residuals are not noise: outliers, a drift, a step or a nonlinearity. With "
+                 "so few positions, which one cannot be determined.");
     }
 }
 
@@ -121,8 +121,8 @@ const char *verdict_cause(const calibrate_result *r, char text[VERDICT_MAX])
 {
     if (is_contradictory(r)) {
         snprintf(text, VERDICT_MAX,
-                 "every parameter is determined, but %u positions contradict one another; nothing "
-                 "tells which of them are wrong.",
+                 "every parameter is determined, but %u positions contradict one another, and "
+                 "which of them are wrong cannot be determined.",
                  r->rejected.suspected);
     } else if (r->magnetometer) {
         (void)calibrate_waved_fault(r, text);
@@ -138,22 +138,21 @@ const char *verdict_cause(const calibrate_result *r, char text[VERDICT_MAX])
 
 const char *verdict_remedy(const calibrate_result *r, char text[VERDICT_MAX])
 {
-    const char *what =
-        "look for what disturbs the positions: a hand, a vibration, clipping, a knock, "
-        "a sensor that warms up. Then measure again.";
+    const char *what = "look for a disturbance: motion of the hand, vibration, clipping, a knock, "
+                       "a sensor that warms up. Then measure again.";
 
     if (is_contradictory(r)) {
         what =
-            "repeat the measurement, with more positions and each of them at rest, so that wrong "
-            "ones stand out.";
+            "measure again with more positions, each at rest, so that outliers can be identified.";
     } else if (r->magnetometer) {
         what = "wave it again, away from iron, for a minute.";
     } else if (r->quality.verdict == INVCAL_DRIFTING) {
         what = "let the sensor warm up, and measure again in less time.";
     } else if (r->quality.verdict == INVCAL_BENT) {
         what = r->quality.systematic == INVCAL_HYSTERESIS
-                   ? "go to each position from the same side, or live with an error of that size."
-                   : "live with an error of that size; no nine parameters take it away.";
+                   ? "approach each position from the same side, or accept an error of that size."
+                   : "accept an error of that size, or use --quadratic or --cubic: nine parameters "
+                     "cannot correct it.";
     }
     snprintf(text, VERDICT_MAX, "%s", what);
     return text;
@@ -174,7 +173,7 @@ const char *verdict_unchecked(const calibrate_result *r, char text[VERDICT_MAX])
     }
     used = (size_t)snprintf(text, VERDICT_MAX, "Not checked for ");
     for (unsigned k = INVCAL_DRIFT; k <= INVCAL_HYSTERESIS; k++) {
-        static const char *const words[] = {"", "a drift", "a quadratic", "a cubic error",
+        static const char *const words[] = {"", "drift", "quadratic error", "cubic error",
                                             "hysteresis"};
         if (bits >> k & 1u) {
             left--;

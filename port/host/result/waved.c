@@ -16,14 +16,15 @@ void calibrate_waved_print(FILE *file, const calibrate_result *result)
     const waved *m = result->magnetometer;
     char name[PLAIN_MAX];
 
-    wrapped_printf(file, 0, "%s: %lu samples, %.6g s at %.4g samples a second%s",
+    wrapped_printf(file, 0, "%s: %lu samples, %.6g s at %.4g samples per second%s",
                    plain_copy(result->data->name, name), m->samples, m->seconds, m->rate,
-                   m->is_rate_known ? "" : " (a guess: --rate states it)");
+                   m->is_rate_known ? "" : " (a guess: state --rate)");
     wrapped_printf(file, 9,
-                   "%*u of %u directions covered; neighbours err alike: %.0f samples tell as one",
+                   "%*u of %u directions covered; neighbouring samples are correlated: %.0f of "
+                   "them count as one",
                    8, m->found.covered, INVCAL_CELLS, m->found.alike > 1 ? m->found.alike : 1);
     if (m->found.left_out > 0) {
-        fprintf(file, "%*lu samples left out, which contradict the others\n", 8,
+        fprintf(file, "%*lu samples contradict the others, and are left out\n", 8,
                 (unsigned long)m->found.left_out);
     }
     if (m->found.disturbance != INVCAL_UNDISTURBED) {
@@ -41,22 +42,23 @@ const char *calibrate_waved_fault(const calibrate_result *result, char text[CALI
         const double up[3] = {-result->magnetometer->next[0], -result->magnetometer->next[1],
                               -result->magnetometer->next[2]};
         snprintf(text, CALIBRATE_LIMIT_MAX,
-                 "%u degrees of the sphere were never passed through. North of the equator hold it "
-                 "%s, and swing it around.",
+                 "a gap of %u degrees in the sphere is not covered. North of the equator, hold it "
+                 "%s and swing it around.",
                  f->gap, invcal_words(up, words));
     } else if (result->quality.verdict == INVCAL_NO_REDUNDANCY) {
         snprintf(text, CALIBRATE_LIMIT_MAX,
-                 "every parameter is determined, but no samples are left to check the result.");
+                 "every parameter is determined, but there is no redundancy to check the fit.");
     } else if (result->quality.verdict == INVCAL_WEAK) {
         char list[128];
-        snprintf(text, CALIBRATE_LIMIT_MAX, "badly determined, to be used only within the ±: %s.",
+        snprintf(text, CALIBRATE_LIMIT_MAX,
+                 "poorly determined; rely on them only within their ±: %s.",
                  parameters_list(result->quality.weak, list, sizeof list));
     } else if (f->disturbance > INVCAL_PASSING) {
         snprintf(text, CALIBRATE_LIMIT_MAX, "%s.",
                  invcal_disturbance_text((invcal_disturbance)f->disturbance));
     } else {
         snprintf(text, CALIBRATE_LIMIT_MAX,
-                 "%lu of %lu samples contradict the others: repeat it away from iron and magnets.",
+                 "%lu of %lu samples contradict the others: repeat away from iron and magnets.",
                  (unsigned long)f->left_out, (unsigned long)f->left_out + f->samples);
     }
     return text;
@@ -67,13 +69,12 @@ static const char *axes_advice(const calibrate_result *result)
 {
     const dip_frame *d = &result->dip;
 
-    return d->answer == DIP_UNEVEN
-               ? " too few instants have the usual lengths: correct the accelerometer by its own "
-                 "calibration (--with CAL.json), and turn slowly."
-           : d->answer == DIP_OPEN ? " the log leaves them open: turn it about all axes, slowly."
-           : d->is_corrected       ? ""
-                                   : " The accelerometer was taken as it reads: --with CAL.json "
-                                     "corrects it.";
+    return d->answer == DIP_UNEVEN ? " the length of gravity varies: correct the accelerometer "
+                                     "with its own calibration (--with CAL.json), and turn slowly."
+           : d->answer == DIP_OPEN
+               ? " the log does not determine them: turn about all axes, slowly."
+           : d->is_corrected ? ""
+                             : " The accelerometer is not corrected: use --with CAL.json.";
 }
 
 const char *calibrate_axes_text(const calibrate_result *result, char text[CALIBRATE_AXES_MAX])
@@ -88,7 +89,7 @@ const char *calibrate_axes_text(const calibrate_result *result, char text[CALIBR
         return text;
     }
     if (d->answer != DIP_TOLD) {
-        snprintf(text, CALIBRATE_AXES_MAX, "against the accelerometer's not known:%s",
+        snprintf(text, CALIBRATE_AXES_MAX, "against the accelerometer's unknown:%s",
                  axes_advice(result));
         return text;
     }
@@ -98,16 +99,16 @@ const char *calibrate_axes_text(const calibrate_result *result, char text[CALIBR
     }
     snprintf(
         text, CALIBRATE_AXES_MAX,
-        "%s by %lu of %lu instants, degrees: about x %s, about y %s, about z %s%s. That leaves "
-        "an error of %s degrees in a heading (one sigma). The field points %s by %s degrees%s.%s",
-        result->is_dip_frame ? "turned to those of the accelerometer"
+        "%s from %lu of %lu samples, degrees: about x %s, about y %s, about z %s%s. The remaining "
+        "error of a heading is %s degrees (one sigma). The field points %s by %s degrees%s.%s",
+        result->is_dip_frame ? "rotated to those of the accelerometer"
                              : "to those of the accelerometer",
         d->used, d->of, angle[0], angle[1], angle[2],
-        result->is_dip_frame ? "" : "; --frame accelerometer turns the result",
+        result->is_dip_frame ? "" : "; --frame accelerometer rotates the result",
         figure_digits(FIGURE_DEGREES * d->heading, 2, left), d->dip < 0 ? "up" : "down",
         figure_digits(FIGURE_DEGREES * fabs(d->dip), 3, dip),
-        d->dip < 0 ? ", as it does south of the magnetic equator; elsewhere the sign of an axis, "
-                     "or of the accelerometer, is wrong"
+        d->dip < 0 ? ", as it does south of the magnetic equator; elsewhere an axis, or the "
+                     "accelerometer, has the wrong sign"
                    : "",
         axes_advice(result));
     return text;

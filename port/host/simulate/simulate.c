@@ -103,7 +103,7 @@ static int read_option(const char *const *value, const number_option *o)
     failure = options_numbers(&syntax, o->which, value[o->which], o->count, read, NULL);
     for (unsigned i = 0; i < o->count && !failure; i++) {
         if (!(read[i] >= o->least && read[i] <= o->most)) {
-            return message_usage(syntax.command, "%s %s: is not within %.6g ... %.6g",
+            return message_usage(syntax.command, "%s %s: must be within %.6g ... %.6g",
                                  options[o->which].name, value[o->which], o->least, o->most);
         }
         o->out[i] = read[i];
@@ -181,7 +181,7 @@ static int read_model(const char *const *value, scene_model *m, uint32_t *seed)
     const number_option lsb = {LSB, 1, &m->lsb, 1e-9 * m->field, m->field};
     failure = failure ? failure : read_option(value, &lsb);
     if (!failure && (floor(seed_number) < seed_number || floor(outliers) < outliers)) {
-        failure = message_usage(syntax.command, "--seed and --outliers are whole numbers");
+        failure = message_usage(syntax.command, "--seed and --outliers must be whole numbers");
     }
     *seed = (uint32_t)seed_number;
     m->outliers = (unsigned)outliers;
@@ -320,47 +320,49 @@ static int run(int argc, char **argv)
 static const char *const help[] = {
     "usage: invcal simulate [options]\n"
     "\n"
-    "Prints the log of a triad that is carried by hand through a set of positions and rests in\n"
-    "each: CSV with the columns t x y z, in seconds and counts. Numbers over the field are in g.\n"
+    "Prints the log of a triad that is carried by hand through a set of positions and rests\n"
+    "in each: CSV with the columns t x y z, in seconds and counts. Quantities over the field\n"
+    "are in g.\n"
     "\n"
-    "  --plan SET          which positions; default per-group:6. One of\n",
+    "  --plan SET          set of positions; default per-group:6. One of\n",
     DESIGN_WORDS,
     "  --offset X,Y,Z      true offsets, g; default 0.02,-0.015,0.03\n"
     "  --dk X,Y,Z          true scale errors; default 0.01,-0.008,0.012\n"
     "  --gamma XY,XZ,ZY    true non-orthogonality, rad; default 0.01,-0.006,0.008\n"
     "  --noise S           standard deviation of a sample, g; default 0.001\n"
-    "  --rate HZ           samples a second; default 100\n"
+    "  --rate HZ           samples per second; default 100\n"
     "  --dwell T           seconds in each position; default 5\n"
-    "  --move T            seconds from one to the next; default 2\n"
-    "  --seed N            of the random numbers; default 1\n",
-    "  --lsb S             m/s^2 a count; default 1/16384 of gravity\n"
-    "  --zero X,Y,Z        counts in no field; default 0\n"
-    "  --gravity G         default 9.80665\n"
-    "  --range R           readings beyond +-R g are clipped; default 2\n"
-    "  --instability S     slow walk of the offsets from the true ones, standard deviation, g;\n"
-    "                      forgets in 100 s\n"
-    "  --tremor S          of a hand that holds the device, below 3 Hz, standard deviation, g\n"
-    "  --temperature A,B   from the first sample to the last, degrees C; adds a column\n"
-    "  --drift D           of the offsets, g per degree from 25 degrees C on\n"
-    "  --outliers N        so many positions are wrong along the vertical,\n"
-    "  --outlier-size S    by S, g; default 0.05\n"
-    "  --stand             columns alpha and beta: what a stand with two axes would read, degrees\n"
-    "  --gyro              a gyroscope besides: columns gx gy gz, counts\n"
+    "  --move T            seconds from one position to the next; default 2\n"
+    "  --seed N            seed of the random numbers; default 1\n"
+    "  --lsb S             m/s^2 per count; default 1/16384 of gravity\n"
+    "  --zero X,Y,Z        counts at zero field; default 0\n"
+    "  --gravity G         length of the field, m/s^2; default 9.80665\n"
+    "  --range R           clip readings at +-R g; default 2\n"
+    "  --instability S     slow drift of the offsets about the true ones, standard deviation,\n"
+    "                      g; correlation time 100 s\n"
+    "  --tremor S          tremor of the hand, below 3 Hz, standard deviation, g\n"
+    "  --temperature A,B   temperature of the first and the last sample, degrees C; adds a\n"
+    "                      column\n"
+    "  --drift D           drift of the offsets, g per degree from 25 degrees C\n"
+    "  --outliers N        number of outliers: positions with an error along the vertical\n"
+    "  --outlier-size S    size of that error, g; default 0.05\n"
+    "  --stand             add columns alpha and beta: angles of a two-axis stand, degrees\n"
+    "  --gyro              add a gyroscope: columns gx gy gz, counts\n"
     "  --gyro-scale X,Y,Z  its true scale errors; default 0.01,-0.008,0.006\n"
     "  --gyro-cross XY,XZ,YX,YZ,ZX,ZY\n"
-    "                      what each axis reads of turns about another, rad; default\n"
-    "                      0.01,-0.006,-0.004,0.008,0.005,-0.01\n"
-    "  --gyro-bias X,Y,Z   degrees/s; default 0.5,-0.8,0.3\n"
+    "                      its cross-axis terms: what each axis reads of turns about another,\n"
+    "                      rad; default 0.01,-0.006,-0.004,0.008,0.005,-0.01\n"
+    "  --gyro-bias X,Y,Z   its bias, degrees/s; default 0.5,-0.8,0.3\n"
     "  --gyro-g XX,XY,XZ,YX,..\n"
-    "                      nine numbers: what its x reads for 1 g along x, y, z, then its y and "
-    "z,\n"
-    "                      degrees/s; default 0\n"
+    "                      its g-sensitivity, nine numbers: what its x reads for 1 g along x,\n"
+    "                      y, z, then its y and z, degrees/s; default 0\n"
     "  --gyro-noise S      standard deviation of a sample, degrees/s; default 0.05\n"
-    "  --gyro-lsb S        degrees/s a count; default 1/131\n"
-    "  --gyro-range R      beyond +-R degrees/s it clips; default 250\n"
-    "  --truth FILE        writes what is true, as JSON; invcal apply reads it\n"
+    "  --gyro-lsb S        degrees/s per count; default 1/131\n"
+    "  --gyro-range R      clip at +-R degrees/s; default 250\n"
+    "  --truth FILE        write the true parameters as JSON; invcal apply reads it\n"
     "\n"
-    "exit codes: 0 good; 1 the set of positions is refused; 2 usage; 3 the output not writable\n"
+    "exit codes: 0 good; 1 the set of positions is refused; 2 usage; 3 the output not\n"
+    "writable\n"
     "\n"
     "example:\n"
     "  invcal simulate --truth truth.json > log.csv\n",
@@ -369,25 +371,24 @@ static const char *const help[] = {
 static const char *const brief[] = {
     "usage: invcal simulate [options]\n"
     "\n"
-    "Prints the log of a triad that is carried by hand through a set of positions: CSV with the "
-    "columns\n"
-    "t x y z, in seconds and counts. Numbers over the field are in g.\n"
+    "Prints the log of a triad that is carried by hand through a set of positions: CSV with\n"
+    "the columns t x y z, in seconds and counts. Quantities over the field are in g.\n"
     "\n"
-    "  --plan SET          which positions: edges, faces, per-group:N, optimal:N ...\n"
+    "  --plan SET          set of positions: edges, faces, per-group:N, optimal:N ...\n"
     "  --offset X,Y,Z      true offsets, g\n"
     "  --dk X,Y,Z          true scale errors\n"
     "  --gamma XY,XZ,ZY    true non-orthogonality, rad\n"
     "  --noise S           standard deviation of a sample, g\n"
-    "  --rate HZ           samples a second\n"
+    "  --rate HZ           samples per second\n"
     "  --dwell T           seconds in each position\n"
-    "  --outliers N        so many positions are wrong\n"
-    "  --seed N            of the random numbers\n"
-    "  --gyro              a gyroscope besides\n"
-    "  --truth FILE        writes what is true, as JSON; invcal apply reads it\n"
+    "  --outliers N        number of outliers\n"
+    "  --seed N            seed of the random numbers\n"
+    "  --gyro              add a gyroscope\n"
+    "  --truth FILE        write the true parameters as JSON; invcal apply reads it\n"
     "\n"
     "example:\n"
     "  invcal simulate --plan edges --truth truth.json > log.csv\n",
     NULL};
 
-const tool_command simulate_command = {"simulate", "the log of a simulated sensor", help, run,
+const tool_command simulate_command = {"simulate", "print the log of a simulated sensor", help, run,
                                        brief};

@@ -37,7 +37,7 @@ static void print_vertical(FILE *file, const stand_vertical *v, const nominal_ch
     char text[FIGURE_MAX];
 
     if (!v->is_known) {
-        fprintf(file, "J1            these directions leave parameters open\n");
+        fprintf(file, "J1            these directions leave parameters undetermined\n");
         return;
     }
     tabular_begin(file, "lrlrr");
@@ -108,7 +108,7 @@ static void print_series(FILE *file, const group_series *s, int has_nominal)
     for (unsigned g = 0; g < INVCAL_PLAN_GROUPS; g++) {
         if (!s->is_determined[g]) {
             wrapped_printf(file, LABEL,
-                           "group %u       %s: %u positions do not tell its five coefficients",
+                           "group %u       %s: %u positions do not determine its five coefficients",
                            g + 1, s->count[g] == 0 ? "missing" : "incomplete", s->count[g]);
         }
     }
@@ -122,7 +122,7 @@ static void print_series(FILE *file, const group_series *s, int has_nominal)
         if (sigma > 0) {
             snprintf(times, sizeof times, ", %.1f sigma", fabs(s->closure[r]) / sigma);
         }
-        wrapped_printf(file, LABEL, "closure       %s of groups %s differs most, by %.2e%s%s",
+        wrapped_printf(file, LABEL, "closure       %s of groups %s is worst: %.2e%s%s",
                        invcal_parameter_name(r), groups[r % 3], s->closure[r], times,
                        s->chance < STAND_UNLIKELY ? ": the groups contradict each other" : "");
     }
@@ -135,7 +135,7 @@ void stand_print(FILE *file, const stand *s, const nominal_choice *nominal,
 
     text[0] = '\0';
     if (s->without > 0) {
-        snprintf(text, sizeof text, ", %u without, or with angles that changed", s->without);
+        snprintf(text, sizeof text, ", %u without, or with changing angles", s->without);
     }
     wrapped_printf(file, LABEL, "stand         %u positions with angles (%s)%s", s->count, s->from,
                    text);

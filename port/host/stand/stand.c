@@ -24,20 +24,19 @@ int stand_check(const stand_wish *wish, const positions *data)
         return EXIT_GOOD;
     }
     if (!wish->plan && !data->has_angles) {
-        message("%s: has no columns alpha and beta, which --stand needs: name them in a header, or "
-                "state --plan if the positions of a program were visited in its order",
+        message("%s: --stand needs columns alpha and beta: name them in a header, or state --plan "
+                "if the positions are those of a program, in its order",
                 data->name);
         return EXIT_FILE;
     }
     if (wish->plan && wish->plan->count != data->count) {
         const unsigned group = wish->plan->plan.per_group;
-        message(
-            "%s: holds %u positions, but --plan %s has %u: which one is missing or too many only "
-            "columns alpha and beta can tell%s",
-            data->name, data->count, wish->plan->name, wish->plan->count,
-            group > 0 && data->count + group == wish->plan->count
-                ? "; was a whole group not visited?"
-                : "");
+        message("%s: holds %u positions, but --plan %s has %u: add columns alpha and beta to find "
+                "the one that is missing or too many%s",
+                data->name, data->count, wish->plan->name, wish->plan->count,
+                group > 0 && data->count + group == wish->plan->count
+                    ? "; was a whole group not visited?"
+                    : "");
         return EXIT_FILE;
     }
     return EXIT_GOOD;
@@ -278,16 +277,14 @@ const char *stand_advice(stand_reading reading)
 {
     static const char *const texts[] = {
         "",
-        "the angles fit the readings only if beta has the other sense: state it with --stand-sense "
-        "1,-1 (or an axis of the sensor has the wrong sign).",
-        "the angles fit the readings only if alpha and beta are swapped: exchange the two columns.",
-        "the angles fit the readings only if alpha and beta are swapped and what is beta then has "
-        "the "
-        "other sense: exchange the two columns, and state --stand-sense 1,-1.",
-        "the angles do not belong to these readings, nor with alpha and beta swapped or a sense "
-        "reversed: look at the zeros of the angles (--stand-zero), and at the order of the "
-        "positions.",
-        "there are too few positions with angles to say anything."};
+        "the angles fit the readings only with the sense of beta reversed: state --stand-sense "
+        "1,-1 (unless an axis of the sensor has the wrong sign).",
+        "the angles fit the readings only with alpha and beta swapped: exchange the two columns.",
+        "the angles fit the readings only with alpha and beta swapped and the sense of the new "
+        "beta reversed: exchange the two columns, and state --stand-sense 1,-1.",
+        "the angles do not fit the readings, not even with alpha and beta swapped or a sense "
+        "reversed: check the zeros of the angles (--stand-zero) and the order of the positions.",
+        "too few positions have angles to compare."};
 
     return texts[reading];
 }

@@ -16,8 +16,8 @@
 #define STAND_UNLIKELY 0.01 /* chance of closures so large: the groups contradict each other */
 #define STAND_TEXT_MAX 512
 #define STAND_MISSET_HARM                                                                          \
-    "Lengths do not see it: the calibration is not touched by it. J1, the mounting and the "       \
-    "series are without these positions."
+    "Lengths do not depend on angles: the calibration is correct. J1, the mounting and the "       \
+    "series leave these positions out."
 
 /* So many sigma to either side cover 95 %, where that has so many degrees of freedom: of the mounting, of J1, of
  * the series. */

@@ -20,8 +20,8 @@ const char *stand_turned_far(const mounting *m)
     const double *a = m->angle;
 
     return a[0] * a[0] + a[1] * a[1] + a[2] * a[2] > STAND_SMALL * STAND_SMALL
-               ? "The unit is turned far on the stand. If it is not, the sense or the zero of an "
-                 "angle is another one: --stand-sense, --stand-zero."
+               ? "The unit appears to be mounted at a large angle. If it is not, check the sense "
+                 "and the zero of the angles: --stand-sense, --stand-zero."
                : "";
 }
 
@@ -36,8 +36,7 @@ const char *stand_misset_text(const stand *s, const misset *m, char text[STAND_T
     if (m->kind == MISSET_SWAPPED) {
         snprintf(text + used, left, "is swapped with position %u.", other);
     } else if (m->kind == MISSET_REPEATED) {
-        snprintf(text + used, left,
-                 "reads as at the angles of position %u: repeated, or not turned.", other);
+        snprintf(text + used, left, "reads like position %u: repeated, or not turned.", other);
     } else if (m->angle < STAND_SMALL && isnan(m->beta)) {
         snprintf(text + used, left, "is off by %.3g mrad.", 1e3 * m->angle);
     } else if (m->angle < STAND_SMALL) {
@@ -57,8 +56,8 @@ const char *stand_missing_text(const stand_wish *wish, unsigned group, char text
     const double angle = group == 1 ? 0 : group == 2 ? -90 : 90;
 
     snprintf(text, STAND_TEXT_MAX,
-             "group %u (%s %.6g, %s all round) was not visited, and no other determines it: visit "
-             "it, five positions or more in equal steps",
+             "group %u (%s %.6g, %s all round) was not visited, and no other group determines it: "
+             "visit it at five positions or more, in equal steps",
              group, names[constant], wish->zero[constant] + wish->sense[constant] * angle + 0.0,
              names[!constant]);
     return text;

@@ -102,9 +102,9 @@ const char *number_problem(number_status status)
     case NUMBER_TOO_LARGE:
         return "is too large a number";
     case NUMBER_COMMA:
-        return "is not a decimal number, but has a decimal comma: save with decimal points";
+        return "has a decimal comma: save with decimal points";
     case NUMBER_GROUPED:
-        return "is not a decimal number, but has thousands separators: save without them";
+        return "has thousands separators: save without them";
     case NUMBER_NOT_DECIMAL:
         break;
     }

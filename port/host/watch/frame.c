@@ -85,7 +85,7 @@ static void draw_moving(canvas *c, const watch_state *now)
                  now->is_good ? "with Ctrl-C, or go on: " : "", to_go);
     }
     if (!now->has_target) {
-        draw_order(c, PAINT_GREEN, "FINISHED", "the program is complete: end it with Ctrl-C");
+        draw_order(c, PAINT_GREEN, "FINISHED", "the program is complete: stop with Ctrl-C");
     } else if (to_go >= 0 && to_go <= NEAR) {
         draw_order(c, PAINT_BOLD, "THERE", "hold it still");
     } else if (now->is_good) {
@@ -103,7 +103,7 @@ static void draw_waving(canvas *c, const watch_state *now)
         draw_order(c, PAINT_BOLD, "TURN IT",
                    "so that @ passes through the white part, in any order");
     } else {
-        draw_order(c, PAINT_BOLD, "GO ON", "turn it to all sides, slowly");
+        draw_order(c, PAINT_BOLD, "GO ON", "turn it slowly to all sides");
     }
 }
 
@@ -112,7 +112,7 @@ static void draw_phase(canvas *c, const watch_state *now)
     char text[TEXT_MAX];
 
     if (now->phase == WATCH_ENDED) {
-        draw_order(c, PAINT_BOLD, "ENDED", "the stream has come to its end");
+        draw_order(c, PAINT_BOLD, "ENDED", "the stream has ended");
     } else if (now->is_magnetometer) {
         draw_waving(c, now);
     } else if (now->is_refused) {
@@ -143,10 +143,10 @@ static void draw_last(canvas *c, const watch_state *now)
         return;
     }
     if (now->last == WATCH_REFUSED && now->phase != WATCH_READY) {
-        snprintf(text, sizeof text, "The last rest is refused: %s.", now->refusal);
+        snprintf(text, sizeof text, "Last rest refused: %s.", now->refusal);
         canvas_wrapped(c, LAST, 2, 0, PAINT_RED, text);
     } else if (now->last == WATCH_TAKEN) {
-        snprintf(text, sizeof text, "Position %u is taken%s%s.%s%s", now->taken,
+        snprintf(text, sizeof text, "Position %u taken%s%s.%s%s", now->taken,
                  now->astray > 0 ? ": " : "", now->astray > 0 ? now->wrong : "",
                  *now->gyro ? " " : "", now->gyro);
         canvas_wrapped(c, LAST, 2, 0, now->astray > 0 ? PAINT_YELLOW : CANVAS_PLAIN, text);
@@ -201,19 +201,19 @@ static void draw_sphere(canvas *c, const watch_state *now)
 
 static void draw_where(canvas *c, const watch_state *now)
 {
-    char words[INVCAL_WORDS] = "not known";
+    char words[INVCAL_WORDS] = "unknown";
 
     if (now->has_up) {
         (void)invcal_words(now->up, words);
     }
     if (now->is_magnetometer) {
         snprintf(words, sizeof words, "%s",
-                 now->has_up ? "where the field points" : "not known yet");
+                 now->has_up ? "where the field points" : "still unknown");
     }
     (void)canvas_text(c, NOW, 0, WORDS, PAINT_YELLOW, "@ now");
     const unsigned at = say(c, NOW, WORDS, CANVAS_PLAIN, words);
     if (now->is_guess && !now->is_magnetometer) {
-        (void)say(c, NOW, at, CANVAS_PLAIN, "  (a guess: zero not known yet)");
+        (void)say(c, NOW, at, CANVAS_PLAIN, "  (a guess: zero still unknown)");
     }
     (void)canvas_text(c, NEXT, 0, WORDS, PAINT_GREEN, "X next");
     canvas_wrapped(c, NEXT, 2, WORDS, CANVAS_PLAIN,
@@ -237,7 +237,7 @@ static void draw_known(canvas *c, unsigned line, const char *what, double interv
     char text[TEXT_MAX];
     char number[FIGURE_MAX];
 
-    snprintf(text, sizeof text, is_known ? "%s ± %s %s" : "%s not known", what,
+    snprintf(text, sizeof text, is_known ? "%s ± %s %s" : "%s unknown", what,
              figure_digits(unit.scale * interval, 2, number), unit.unit);
     (void)say(c, line, PANEL, colour, text);
     draw_bar(c, line + 1, PANEL, BAR, is_known ? bar_share(interval) : 1, colour, "·");
@@ -263,7 +263,7 @@ static void draw_panel(canvas *c, const watch_state *now)
         line += 2;
     }
     if (watch_is_anything_wanted(now)) {
-        (void)say(c, line, PANEL, CANVAS_PLAIN, "| what is wanted");
+        (void)say(c, line, PANEL, CANVAS_PLAIN, "| target");
     }
     (void)say(c, MAP + MAP_LINES, PANEL, CANVAS_PLAIN,
               now->is_magnetometer ? "the field points:" : "which side is up:");
@@ -277,12 +277,12 @@ static void draw_panel(canvas *c, const watch_state *now)
 static const char *verdict_words(invcal_verdict verdict)
 {
     static const char *const words[] = {
-        [INVCAL_GOOD] = "Good so far; a few positions more have to confirm it",
+        [INVCAL_GOOD] = "Good so far; take a few more positions to confirm it",
         [INVCAL_NO_REDUNDANCY] = "No redundancy: nothing checks the result yet; go on",
         [INVCAL_ROUGH] = "Rough: positions disagree by more than noise; go on",
-        [INVCAL_DRIFTING] = "Drifting: the sensor drifts; let it warm up, or be quicker",
-        [INVCAL_BENT] = "Bent: an axis is not linear, or has hysteresis",
-        [INVCAL_WEAK] = "Weak: some parameter is still badly determined; go on",
+        [INVCAL_DRIFTING] = "Drifting: let the sensor warm up, or work faster",
+        [INVCAL_BENT] = "Bent: an axis is nonlinear or has hysteresis",
+        [INVCAL_WEAK] = "Weak: a parameter is still poorly determined; go on",
     };
     return verdict <= INVCAL_WEAK ? words[verdict] : invcal_verdict_text(verdict);
 }
@@ -291,9 +291,9 @@ static const char *verdict_words(invcal_verdict verdict)
 static const char *waving_words(const watch_state *now)
 {
     static const char *const words[] = {
-        [INVCAL_GOOD] = "Good so far; turn it to the sides that are left",
-        [INVCAL_NO_REDUNDANCY] = "Too few samples tell how they err; go on",
-        [INVCAL_ROUGH] = "Rough: something disturbs it; begin again elsewhere",
+        [INVCAL_GOOD] = "Good so far; turn it to the remaining sides",
+        [INVCAL_NO_REDUNDANCY] = "No redundancy: too few samples; go on",
+        [INVCAL_ROUGH] = "Rough: disturbed; start again elsewhere",
         [INVCAL_WEAK] = "Weak: whole sides are missing; go on",
     };
     const unsigned verdict = now->quality.verdict;
@@ -305,13 +305,12 @@ static const char *waving_words(const watch_state *now)
 static const char *status_words(const watch_state *now, char text[TEXT_MAX])
 {
     if (now->status == INVCAL_TOO_FEW && now->is_magnetometer) {
-        snprintf(text, TEXT_MAX, "%u of 18 directions; 9 at least, all of them are good",
-                 now->covered);
+        snprintf(text, TEXT_MAX, "%u of 18 directions; at least 9, better all", now->covered);
     } else if (now->status == INVCAL_TOO_FEW) {
         snprintf(text, TEXT_MAX, "%u of at least %u positions; 12 to 18 are good", now->covered,
                  LEAST);
     } else if (now->status == INVCAL_UNDETERMINED) {
-        snprintf(text, TEXT_MAX, "These directions leave parameters open; go on");
+        snprintf(text, TEXT_MAX, "These directions leave parameters undetermined; go on");
     } else {
         snprintf(text, TEXT_MAX, "No result: %s", invcal_status_text(now->status));
     }
@@ -337,7 +336,7 @@ static const char *result_words(const watch_state *now, char text[TEXT_MAX])
         return status_words(now, text);
     }
     return now->quality.verdict == INVCAL_GOOD && watch_is_anything_wanted(now)
-               ? "Good, but what is wanted is not reached yet; go on"
+               ? "Good, but the target is not reached yet; go on"
            : now->is_magnetometer ? waving_words(now)
                                   : verdict_words(now->quality.verdict);
 }

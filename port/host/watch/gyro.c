@@ -47,6 +47,6 @@ int watch_gyro(const turns *t, const gyro_wish *wish, unsigned rate, const doubl
     }
     snprintf(text, WATCH_GYRO_MAX, "gyroscope: %u moves; scale ± %.2g %%, cross ± %.2g degrees%s",
              g.imu.moves, 100 * worst(&g, 1), worst(&g, 0) / UNIT_DEGREE,
-             g.imu.open ? "; go on about other axes" : "");
+             g.imu.open ? "; turn about other axes, too" : "");
     return g.imu.verdict == INVCAL_GOOD && g.imu.dof >= SPARE;
 }

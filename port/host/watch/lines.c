@@ -50,17 +50,15 @@ static void say_begun(const watch_state *now)
     shown = WATCH_BEGUN;
     if (now->hold > 0) {
         if (now->hold_floor > 0) {
-            snprintf(limit, sizeof limit, "; longer does not help: a mean is good to %.2g",
+            snprintf(limit, sizeof limit, "; longer does not help: the sigma of a mean is %.2g",
                      now->hold_floor);
         }
-        wrapped_printf(now->talk, 2, "each position: %.3g s by the noise measured%s", now->hold,
-                       limit);
+        wrapped_printf(now->talk, 2, "hold each position for %.3g s, from the measured noise%s",
+                       now->hold, limit);
     }
     wrapped_printf(now->talk, 0, "%s: %s", plain_copy(now->name, name), now->recognised);
     if (now->is_magnetometer) {
-        wrapped_printf(now->talk, 0,
-                       "turn it slowly to all sides, so that each of them has pointed "
-                       "along the field");
+        wrapped_printf(now->talk, 0, "turn it slowly until every side has pointed along the field");
     }
 }
 
@@ -81,7 +79,7 @@ static const char *sigma_text(const watch_state *now, char text[SIGMA_MAX])
     for (unsigned k = 0; k < WATCH_KINDS && watch_knows_sigma(now) && used < SIGMA_MAX; k++) {
         const told_unit unit = watch_unit(now, k);
         used += (size_t)snprintf(text + used, SIGMA_MAX - used, "%s%s ± %.2g %s",
-                                 k == 0 ? "; to 95 %: " : ", ", watch_kinds[k],
+                                 k == 0 ? "; 95 %: " : ", ", watch_kinds[k],
                                  unit.scale * watch_interval(now, k), unit.unit);
     }
     return text;
@@ -90,13 +88,13 @@ static const char *sigma_text(const watch_state *now, char text[SIGMA_MAX])
 static void say_wrong(const watch_state *now)
 {
     if (now->astray > 0) {
-        wrapped_printf(now->talk, 2, "%swrong position:%s %s. It is used all the same",
+        wrapped_printf(now->talk, 2, "%swrong position:%s %s. It is used anyway",
                        paint_on(now->talk, PAINT_YELLOW), paint_off(now->talk), now->wrong);
     }
     if (now->astray == WATCH_ASTRAY) {
         wrapped_printf(now->talk, 2,
-                       "%u wrong in a row: are alpha and beta exchanged, is the sense of one "
-                       "reversed, or its zero elsewhere?",
+                       "%u wrong in a row: check for alpha and beta exchanged, a reversed sense, "
+                       "or a shifted zero",
                        WATCH_ASTRAY);
     }
 }
@@ -122,8 +120,8 @@ static void say_taken(const watch_state *now)
         wrapped_line(now->talk, 0, 2, now->gyro);
     }
     if (now->outcome == WATCH_ENOUGH) {
-        say_end(now, "enough:",
-                watch_is_anything_wanted(now) ? "what is wanted is reached" : "it is good");
+        say_end(now,
+                "enough:", watch_is_anything_wanted(now) ? "the target is reached" : "it is good");
     } else if (now->outcome == WATCH_FINISHED) {
         say_end(now, "finished:", "the program is complete");
     }
@@ -141,7 +139,7 @@ static void say_ended(const watch_state *now)
 {
     end_line(now);
     if (*now->missing) {
-        wrapped_printf(now->talk, 2, "of the program not visited: %s", now->missing);
+        wrapped_printf(now->talk, 2, "positions of the program not visited: %s", now->missing);
     }
     fprintf(now->talk, "\n");
 }

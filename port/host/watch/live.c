@@ -147,8 +147,8 @@ static int hold_by_noise(const live_wish *wish)
         invcal_dwell d;
         if (invcal_noise_dwell(&wish->noise[i], wish->mean_sigma / wish->field, &d) != INVCAL_OK ||
             d.seconds > HOLD_LONGEST) {
-            message("--allan: by this noise a mean as good as %g takes more than %d s: ask for "
-                    "less by --mean-sigma",
+            message("--allan: with this noise, a mean with a sigma of %g takes more than %d s: "
+                    "increase --mean-sigma",
                     wish->mean_sigma, HOLD_LONGEST);
             return EXIT_USAGE;
         }
@@ -327,7 +327,7 @@ static int begin(stage *s)
         invcal_session_begin(&session, &s->known, samples_whole_rate(&live_log)) != INVCAL_OK ||
         (clip && invcal_session_rails(&session, samples_count(&live_log, clip[0]),
                                       samples_count(&live_log, clip[1])) != INVCAL_OK)) {
-        message("%s: %.6g samples a second, or the nominal calibration, is not usable",
+        message("%s: %.6g samples per second, or the nominal calibration, cannot be used",
                 live_log.table.name, live_log.rate);
         return EXIT_FILE;
     }

@@ -74,9 +74,9 @@ static void draw(const watch_state *now)
     static char text[CANVAS_BYTES + 64];
 
     snprintf(text, sizeof text, HIDE_CURSOR HOME "%s" CLEAR_BELOW SHOW_CURSOR "%s",
-             lines_of(now->talk) > 0 ? frame_print(now, CLEAR_LINE "\n", frame)
-                                     : "the window is too small: 80 columns, 24 lines" CLEAR_LINE
-                                       "\n",
+             lines_of(now->talk) > 0
+                 ? frame_print(now, CLEAR_LINE "\n", frame)
+                 : "the window is too small: 80 columns and 24 lines are needed" CLEAR_LINE "\n",
              told.is_ringing ? "\a" : "");
     put_out(now->talk, text);
     told.is_ringing = 0;
@@ -102,7 +102,7 @@ void screen_tell(const watch_state *now, watch_news what)
         draw(now);
     }
     if (what == WATCH_ENDED && *now->missing) {
-        fprintf(now->talk, "of the program not visited: %s\n", now->missing);
+        fprintf(now->talk, "positions of the program not visited: %s\n", now->missing);
     }
     if (what == WATCH_ENDED) {
         fprintf(now->talk, "\n");
